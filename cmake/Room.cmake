@@ -1,0 +1,46 @@
+# One CMake target a room, so that the target graph is the architecture.
+#
+# A room sees only itself and the rooms it names in DEPENDS: every room stages a link to its own folder under
+# <build>/include/<room>/, and only the staged folders of the named rooms are on its include path. An include that the
+# architecture forbids therefore does not compile; verification/gates proves it with fixtures.
+
+set(COUNTERPOINT_WARNINGS -Wall -Wextra -Wpedantic -Werror -Wconversion -Wsign-conversion -Wshadow -Wcast-qual
+    -Wold-style-cast -Woverloaded-virtual -Wnon-virtual-dtor -Wundef -Wswitch-enum -Wdouble-promotion
+    -Wformat=2 -Wnull-dereference)
+# What a kernel object may not contain: exceptions, RTTI, guards of static locals, calls of a hosted library.
+set(COUNTERPOINT_KERNEL_FLAGS -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-stack-protector
+    -fno-asynchronous-unwind-tables -fno-common -ffunction-sections -fdata-sections)
+
+# counterpoint_room(<target> [KERNEL] [CLANG] [INTERFACE] SOURCES ... DEPENDS ...)
+#   KERNEL     freestanding flags of the certified part
+#   CLANG      compiled by Clang even where the rest is compiled by GCC (diversity of channel B)
+#   INTERFACE  headers only
+function(counterpoint_room target)
+  cmake_parse_arguments(ROOM "KERNEL;CLANG;INTERFACE" "" "SOURCES;DEPENDS" ${ARGN})
+  file(RELATIVE_PATH room_path ${Counterpoint_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
+  set(stage ${Counterpoint_BINARY_DIR}/include/${target})
+  get_filename_component(stage_parent ${stage}/${room_path} DIRECTORY)
+  file(MAKE_DIRECTORY ${stage_parent})
+  file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${stage}/${room_path} SYMBOLIC)
+  if(ROOM_INTERFACE)
+    add_library(${target} INTERFACE)
+    target_include_directories(${target} INTERFACE $<BUILD_INTERFACE:${stage}>)
+    target_link_libraries(${target} INTERFACE ${ROOM_DEPENDS})
+    target_compile_features(${target} INTERFACE cxx_std_17)
+  else()
+    add_library(${target} STATIC ${ROOM_SOURCES})
+    target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${stage}> $<INSTALL_INTERFACE:include>)
+    target_link_libraries(${target} PUBLIC ${ROOM_DEPENDS})
+    target_compile_features(${target} PUBLIC cxx_std_17)
+    target_compile_options(${target} PRIVATE ${COUNTERPOINT_WARNINGS})
+    if(ROOM_KERNEL)
+      target_compile_options(${target} PRIVATE ${COUNTERPOINT_KERNEL_FLAGS})
+    endif()
+    if(ROOM_CLANG AND COUNTERPOINT_CHANNEL_B_COMPILER)
+      # The launcher is handed the whole command line of the main compiler and puts Clang in its first place.
+      set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER
+        "${Counterpoint_SOURCE_DIR}/cmake/compile_with;${COUNTERPOINT_CHANNEL_B_COMPILER}")
+    endif()
+  endif()
+  add_library(Counterpoint::${target} ALIAS ${target})
+endfunction()
