@@ -1,0 +1,17 @@
+# counterpoint_test(<target> SOURCES ... DEPENDS <rooms> [LIBRARIES ...] [LABELS ...] [TIMEOUT seconds])
+#
+# One GoogleTest program is one ctest entry; `./dev test` and the trace gate count the cases from its XML.
+find_package(GTest REQUIRED)
+
+function(counterpoint_test target)
+  cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;DEPENDS;LIBRARIES;LABELS" ${ARGN})
+  add_executable(${target} ${TEST_SOURCES})
+  target_link_libraries(${target} PRIVATE ${TEST_DEPENDS} ${TEST_LIBRARIES} verification_trace GTest::gtest_main)
+  target_compile_features(${target} PRIVATE cxx_std_17)
+  target_compile_options(${target} PRIVATE ${COUNTERPOINT_WARNINGS})
+  add_test(NAME ${target} COMMAND ${target})
+  if(NOT TEST_TIMEOUT)
+    set(TEST_TIMEOUT 300)
+  endif()
+  set_tests_properties(${target} PROPERTIES TIMEOUT ${TEST_TIMEOUT} LABELS "${TEST_LABELS}")
+endfunction()
