@@ -1,0 +1,28 @@
+# What another project takes: the rooms of the safety kernel and their headers, and none of the host tools.
+include(CMakePackageConfigHelpers)
+
+set(COUNTERPOINT_INSTALLED_ROOMS safety_core_contract safety_core_comparator hal_api safety_core_kernel channel_a channel_b
+    hal_absent)
+set(COUNTERPOINT_INSTALLED_FOLDERS safety_core hal/api hal/absent channel_a channel_b)
+set(COUNTERPOINT_PACKAGE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/Counterpoint)
+
+foreach(room IN LISTS COUNTERPOINT_INSTALLED_ROOMS)
+  get_target_property(type ${room} TYPE)
+  if(type STREQUAL "INTERFACE_LIBRARY")
+    target_include_directories(${room} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  endif()
+endforeach()
+
+install(TARGETS ${COUNTERPOINT_INSTALLED_ROOMS} EXPORT CounterpointTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+foreach(folder IN LISTS COUNTERPOINT_INSTALLED_FOLDERS)
+  install(DIRECTORY ${Counterpoint_SOURCE_DIR}/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder}
+          FILES_MATCHING PATTERN "*.hpp")
+endforeach()
+install(EXPORT CounterpointTargets NAMESPACE Counterpoint:: DESTINATION ${COUNTERPOINT_PACKAGE_FOLDER})
+
+configure_package_config_file(${Counterpoint_SOURCE_DIR}/cmake/CounterpointConfig.cmake.in
+    ${Counterpoint_BINARY_DIR}/CounterpointConfig.cmake INSTALL_DESTINATION ${COUNTERPOINT_PACKAGE_FOLDER})
+write_basic_package_version_file(${Counterpoint_BINARY_DIR}/CounterpointConfigVersion.cmake
+    COMPATIBILITY SameMinorVersion)
+install(FILES ${Counterpoint_BINARY_DIR}/CounterpointConfig.cmake ${Counterpoint_BINARY_DIR}/CounterpointConfigVersion.cmake
+        DESTINATION ${COUNTERPOINT_PACKAGE_FOLDER})
