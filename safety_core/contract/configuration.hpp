@@ -1,0 +1,119 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SAFETY_CORE_CONTRACT_CONFIGURATION_HPP
+#define SAFETY_CORE_CONTRACT_CONFIGURATION_HPP
+
+#include "safety_core/contract/can_frame.hpp"
+#include "safety_core/contract/srdo.hpp"
+
+#include <cstdint>
+
+namespace counterpoint
+{
+
+/// Which SRDO may hold an object in its mapping. Zero-filled memory is not mappable.
+enum class MapAccess : std::uint8_t
+{
+    kNone = 0U,
+    kProducer = 0x33U, ///< Written by the application, sent by an SRDO of direction 1.
+    kConsumer = 0xCCU, ///< Written by the channels, from an SRDO of direction 2.
+};
+
+/// One mappable variable of the application. `place` points to ceil(length_bits / 8) bytes that hold the value in
+/// little-endian order on every processor (the order of the wire); the accessors of kernel/variable.hpp read and write it.
+struct MappableObject
+{
+    std::uint16_t index;
+    std::uint8_t sub;
+    std::uint8_t length_bits; ///< 8 to 64, a multiple of 8.
+    MapAccess access;
+    std::uint8_t* place;
+};
+
+/// What one SRDO needs beyond its objects in 1301h to 13FFh.
+struct SrdoSetup
+{
+    std::uint8_t number; ///< 1 to 64; the setups are in ascending order of number.
+    ReleasePolicy policy;
+    ProducerForm form;
+    Payload safe_value; ///< Consumer: what the normal objects read while the SRDO is safe; inverse objects its complement.
+};
+
+/// Fixed description of a device. Whoever owns it keeps it unchanged while the kernel lives. Ranges are checked by
+/// Kernel::Start, which refuses anything else. All times in microseconds.
+struct DeviceConfig
+{
+    const SrdoSetup* srdos;
+    const MappableObject* objects; ///< Ascending by (index, sub), no duplicates.
+    std::uint16_t object_count;    ///< 0 to 1024.
+    std::uint8_t srdo_count;       ///< 1 to 64.
+    std::uint8_t node_id;          ///< 1 to 127.
+    std::uint8_t granularity_bits; ///< 8, 16, 32 or 64.
+    CanPortId normal_port;         ///< Controller of the normal frames.
+    CanPortId inverse_port;        ///< Controller of the inverse frames; equal to normal_port with one controller.
+    std::uint32_t cycle_us;        ///< 100 to 1 000 000: nominal distance of two calls of Kernel::Cycle.
+    std::uint32_t cycle_tolerance_us;     ///< 0 to cycle_us: a call this much later is still in time.
+    std::uint32_t discrepancy_us;         ///< Greatest time for which the channels' ordinals may differ.
+    std::uint32_t acknowledge_window_us;  ///< For how long an acknowledge edge waits for its pair.
+    std::uint32_t diagnostic_interval_us; ///< Every signature is recomputed at least once in it; >= srdo_count cycles.
+    std::uint32_t test_interval_us;       ///< The comparator is tested at least once in it; >= 1 cycle.
+    std::uint32_t clock_tolerance_us;     ///< Greatest difference of the counters' progress within clock_interval_us.
+    std::uint32_t clock_interval_us;      ///< > clock_tolerance_us.
+    std::uint32_t output_time_us;         ///< From the dropped permit to the safe output; only in computed limits.
+};
+
+/// Names one stored value of the configuration.
+enum class ConfigField : std::uint8_t
+{
+    kInvalid = 0U,
+    kDirection = 1U,        ///< 130xh sub 1, u8.
+    kSct = 2U,              ///< 130xh sub 2, u16, ms: refresh time or SCT.
+    kSrvt = 3U,             ///< 130xh sub 3, u8, ms.
+    kTransmissionType = 4U, ///< 130xh sub 4, u8.
+    kCobId1 = 5U,           ///< 130xh sub 5, u32.
+    kCobId2 = 6U,           ///< 130xh sub 6, u32.
+    kMapCount = 7U,         ///< 138xh sub 0, u8.
+    kMapEntry = 8U,         ///< 138xh sub 1 to 16 (field `sub`), u32: index << 16 | sub << 8 | bits.
+    kSignature = 9U,        ///< 13FFh sub n, u16.
+    kGfcParameter = 10U,    ///< 1300h, u8; slot has no meaning.
+    kConfigurationValid = 11U, ///< 13FEh, u8; slot has no meaning.
+};
+
+/// `sub` is 1 to 16 with kMapEntry and 0 otherwise.
+struct ConfigAddress
+{
+    SlotIndex slot;
+    ConfigField field;
+    std::uint8_t sub;
+};
+
+struct ConfigItem
+{
+    ConfigAddress address;
+    std::uint32_t value;
+};
+
+/// First rule that the configuration of one SRDO breaks, in the order in which the rules are tried. [SRS-CFG-020]
+enum class ConfigFault : std::uint8_t
+{
+    kInvalid = 0U,
+    kDirection = 1U,        ///< Direction above 2.
+    kTransmissionType = 2U, ///< Not 254.
+    kIdentifier = 3U,       ///< Reserved bits, outside 101h to 180h, parity, or COB-ID 2 not COB-ID 1 + 1.
+    kIdentifierInUse = 4U,  ///< Another SRDO that is not off has one of the identifiers.
+    kTiming = 5U,           ///< Consumer: not 1 <= SRVT < SCT. Producer: refresh time shorter than the cycle.
+    kMapping = 6U,          ///< Odd count, too many entries, unknown object, access, length, same object, unequal pair, granularity.
+    kLengthExceeded = 7U,   ///< More than 64 bits of normal or inverse data.
+    kSignature = 8U,        ///< 13FFh is not the computed signature.
+    kTable = 9U,            ///< A resolved mapping no longer leads to the objects that the entries name.
+    kNone = 0x5AU,
+};
+
+struct CheckResult
+{
+    ConfigFault fault;
+    std::uint16_t signature; ///< As computed by the channel, whatever the fault.
+};
+
+} // namespace counterpoint
+
+#endif

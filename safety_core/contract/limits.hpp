@@ -1,0 +1,37 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SAFETY_CORE_CONTRACT_LIMITS_HPP
+#define SAFETY_CORE_CONTRACT_LIMITS_HPP
+
+#include <cstdint>
+
+namespace counterpoint
+{
+
+/// EN 50325-5 knows SRDO 1 to 64 (objects 1301h to 1340h).
+constexpr std::uint8_t kMaxSrdoCount = 64U;
+/// Entries of one mapping: 8 normal and 8 inverse objects of one byte at the least.
+constexpr std::uint8_t kMaxMapEntries = 16U;
+constexpr std::uint8_t kMaxPayloadBytes = 8U;
+constexpr std::uint8_t kMaxPayloadBits = 64U;
+/// Communication parameter objects of an SRDO have sub-index 1 to 6.
+constexpr std::uint8_t kCommunicationSubs = 6U;
+
+constexpr std::uint16_t kFirstSrdoIdentifier = 0x101U;
+constexpr std::uint16_t kLastSrdoIdentifier = 0x180U;
+constexpr std::uint16_t kSrdoIdentifierCount = 128U;
+constexpr std::uint16_t kGfcIdentifier = 0x001U;
+
+constexpr std::uint8_t kTransmissionTypeAsynchronous = 254U;
+/// Value of 13FEh that declares the configuration valid.
+constexpr std::uint8_t kConfigurationValidValue = 0xA5U;
+/// An SRDO producer waits 0.5 ms for each unit of its node-ID before its first transmission.
+constexpr std::uint32_t kFirstTransmissionStepUs = 500U;
+constexpr std::uint32_t kMicrosecondsPerMillisecond = 1000U;
+
+static_assert(kSrdoIdentifierCount == (kLastSrdoIdentifier - kFirstSrdoIdentifier) + 1U, "one identifier pair an SRDO");
+static_assert(kSrdoIdentifierCount == 2U * kMaxSrdoCount, "one identifier pair an SRDO");
+static_assert(kMaxMapEntries == 2U * kMaxPayloadBytes, "one normal and one inverse object a byte");
+
+} // namespace counterpoint
+
+#endif
