@@ -50,6 +50,13 @@ struct Permit
     std::uint32_t response;
 };
 
+/// What the comparator found about the consumers. A slot that is agreed but not matched keeps the pair written before.
+struct Agreement
+{
+    SrdoMask agreed;  ///< Released by both channels.
+    SrdoMask matched; ///< The held pairs of both channels have the same ordinal and equal data.
+};
+
 /// `guard_token` is (challenge rotated left by 8) XOR (13FEh in each of the four bytes). [SRS-CFG-031]
 struct CycleInput
 {
@@ -136,9 +143,9 @@ class Channel
     /// @brief The other channel reported a fault for this consumer: be safe too. No effect unless the slot is a consumer in
     /// kWaiting, kFaulted or kReleased. [SRS-REL-006]
     virtual void Demote(SlotIndex slot) noexcept = 0;
-    /// @brief Writes the objects this channel owns (A the normal, B the inverse ones): the held pair where `agreed` and this
-    /// channel's own state release it, the safe value of every other consumer that was not safe. O(changed) [SRS-REL-002]
-    virtual void Commit(SrdoMask agreed) noexcept = 0;
+    /// @brief Writes the objects this channel owns (A the normal, B the inverse ones): the held pair where it is agreed,
+    /// matched and released by this channel too, the safe value where a slot is no longer agreed. O(changed) [SRS-REL-002]
+    virtual void Commit(const Agreement& agreement) noexcept = 0;
     /// @brief This channel's permit for the slots it released in the last Commit. O(1) [SRS-REL-010]
     [[nodiscard]] virtual Permit Answer(std::uint32_t challenge) const noexcept = 0;
 
