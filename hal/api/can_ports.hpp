@@ -1,0 +1,72 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef HAL_API_CAN_PORTS_HPP
+#define HAL_API_CAN_PORTS_HPP
+
+#include "safety_core/contract/can_frame.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::hal
+{
+
+enum class Guarantee : std::uint8_t
+{
+    kInvalid = 0U,
+    kAbsent = 1U,
+    kGiven = 0x5AU,
+};
+
+/// What the kernel's argument stands on. [SRS-HAL-002]
+struct CanGuarantees
+{
+    Guarantee bus_order;     ///< Frames of all controllers reach the kernel in the order of the bus.
+    Guarantee stamps;        ///< Both counters are read for each frame in one place.
+    Guarantee confirmations; ///< Every transmitted frame comes back with stamps when it was on the bus.
+};
+
+enum class TransmitStatus : std::uint8_t
+{
+    kInvalid = 0U,
+    kAccepted = 0x69U,
+    kQueueFull = 1U,
+    kBusOff = 2U,
+    kRefused = 3U, ///< Not a frame that may be sent, or no such controller.
+};
+
+/// All CAN controllers of a device (one or two) behind one face. `Transmit` validates; a port implements DoTransmit and need
+/// not look again. Never blocks. Reception is not called from here: the port's owner hands StampedFrames to the kernel.
+class CanPorts
+{
+  public:
+    /// @brief Takes a frame for transmission on frame.port. O(1) [SRS-HAL-001]
+    [[nodiscard]] TransmitStatus Transmit(const CanFrame& frame) noexcept;
+    [[nodiscard]] virtual CanGuarantees Guarantees() const noexcept = 0;
+
+    CanPorts(const CanPorts&) = delete;
+    CanPorts(CanPorts&&) = delete;
+    CanPorts& operator=(const CanPorts&) = delete;
+    CanPorts& operator=(CanPorts&&) = delete;
+
+  protected:
+    CanPorts() noexcept = default;
+    ~CanPorts() noexcept = default;
+
+  private:
+    [[nodiscard]] virtual TransmitStatus DoTransmit(const CanFrame& frame) noexcept = 0;
+};
+
+enum class MissingGuarantee : std::uint8_t
+{
+    kInvalid = 0U,
+    kBusOrder = 1U,
+    kStamps = 2U,
+    kConfirmations = 3U,
+    kNone = 0x5AU,
+};
+
+/// @brief Names the first guarantee that is not given. [SRS-HAL-002]
+[[nodiscard]] MissingGuarantee CheckGuarantees(const CanGuarantees& guarantees) noexcept;
+
+} // namespace counterpoint::hal
+
+#endif

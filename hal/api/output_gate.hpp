@@ -1,0 +1,42 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef HAL_API_OUTPUT_GATE_HPP
+#define HAL_API_OUTPUT_GATE_HPP
+
+#include "hal/api/safety_output.hpp"
+#include "safety_core/contract/time.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::hal
+{
+
+/// How long a right Drive keeps the outputs open.
+struct GateLimit
+{
+    std::uint32_t us;
+};
+
+/// The decision of the final output, for every port alike: which slots three fresh permits open. Zero-filled memory opens
+/// nothing. [SRS-HAL-003, SRS-HAL-004]
+class OutputGate
+{
+  public:
+    /// @brief Issues the challenge that the next Drive must answer.
+    [[nodiscard]] std::uint32_t Challenge() noexcept;
+    /// @brief Judges the permits; the challenge is used up. `now` is the port's own time in microseconds.
+    void Drive(const PermitSet& permits, Instant now) noexcept;
+    /// @brief Slots whose outputs are open at `now`; none when the last right Drive is more than `limit_us` ago.
+    [[nodiscard]] SrdoMask Open(Instant now, GateLimit limit) const noexcept;
+    /// @brief Closes everything until the next right Drive.
+    void Close() noexcept;
+
+  private:
+    SrdoMask open_{0U};
+    Instant driven_{0U};
+    std::uint32_t challenge_{0U};
+    std::uint32_t sequence_{0U};
+};
+
+} // namespace counterpoint::hal
+
+#endif
