@@ -1,0 +1,68 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SAFETY_CORE_COMPARATOR_COMPARATOR_HPP
+#define SAFETY_CORE_COMPARATOR_COMPARATOR_HPP
+
+#include "safety_core/contract/channel.hpp"
+#include "safety_core/contract/device_fault.hpp"
+
+#include <cstdint>
+
+namespace counterpoint
+{
+
+/// The voices of one cycle.
+struct Comparison
+{
+    const CycleOutcome* outcome_a;
+    const CycleOutcome* outcome_b;
+    const Channel* channel_a; ///< Asked for details only of slots that need a look.
+    const Channel* channel_b;
+    Instant now;              ///< The discrepancy time runs by counter A.
+    std::uint32_t cycle;      ///< What both outcomes must give as their cycle.
+    std::uint32_t challenge;
+};
+
+/// What follows from one comparison. Zero-filled memory grants nothing.
+struct Verdict
+{
+    Agreement agreement;
+    SrdoMask demote;  ///< Both channels are to be told.
+    SrdoMask start;   ///< Producers that both channels call due.
+    SrdoMask newly_matched; ///< Consumers whose new pair matched in this cycle.
+    std::uint32_t echo; ///< The challenge of the comparison. [SRS-CMP-001]
+    DeviceFault fault;
+    SlotIndex slot;
+};
+
+/// How long the channels may differ, and how many slots there are.
+struct ComparatorSetup
+{
+    std::uint32_t discrepancy_us;
+    std::uint8_t slot_count; ///< 1 to 64.
+};
+
+/// Decides whether the two channels say the same. Owns the discrepancy time: for each slot since when it is unmatched.
+/// Invariant: bit n of `watched_` is set exactly while slot n needs a look in the next comparison; `since_[n]` has a meaning
+/// only if bit n of `timed_` is set.
+class Comparator
+{
+  public:
+    void Restart(const ComparatorSetup& setup) noexcept;
+    /// @brief One comparison; call once a cycle. O(1) without news, O(slots to look at) with. [SRS-CMP-001..008]
+    [[nodiscard]] Verdict Compare(const Comparison& comparison) noexcept;
+    /// @brief Whether two prepared pairs are equal in status, length and data. [SRS-CMP-010]
+    [[nodiscard]] static DeviceFault ComparePrepared(const PreparedPair& a, const PreparedPair& b) noexcept;
+
+  private:
+    void Look(const Comparison& comparison, SlotIndex slot, Verdict& verdict) noexcept;
+    void Unmatched(const Comparison& comparison, SlotIndex slot, DeviceFault fault, Verdict& verdict) noexcept;
+
+    SrdoMask watched_{0U};
+    SrdoMask timed_{0U};
+    ComparatorSetup setup_{0U, 0U};
+    Instant since_[kMaxSrdoCount]{}; // MISRA D-001
+};
+
+} // namespace counterpoint
+
+#endif

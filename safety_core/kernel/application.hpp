@@ -1,0 +1,79 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SAFETY_CORE_KERNEL_APPLICATION_HPP
+#define SAFETY_CORE_KERNEL_APPLICATION_HPP
+
+#include "safety_core/contract/device_fault.hpp"
+#include "safety_core/contract/srdo.hpp"
+
+#include <cstdint>
+
+namespace counterpoint
+{
+
+/// Index of an SRDO's communication parameters: 1301h to 1340h; 0000h stands for all SRDOs where a call says so.
+struct CommunicationIndex
+{
+    std::uint16_t value;
+};
+
+enum class RefreshAnswer : std::uint8_t
+{
+    kInvalid = 0U,
+    kReady = 0x69U, ///< Normal and inverse objects hold a consistent pair.
+    kSkip = 1U,     ///< No consistent pair now.
+};
+
+/// Events of the logical program flow, delivered once a cycle with their count. [SRS-FLOW-004]
+enum class FlowEvent : std::uint8_t
+{
+    kInvalid = 0U,
+    kSctChecked = 1U,
+    kItIsTx = 2U,
+    kItIsInvalid = 3U,
+    kNotOperational = 4U,
+    kSrdoError = 5U,
+    kSrdoReceived = 6U,
+    kSrdoTransmitted = 7U,
+};
+
+struct FlowCount
+{
+    FlowEvent event;
+    std::uint8_t count;
+};
+
+/// What the device's application implements. Called from within Kernel::Cycle and Kernel::OnConfirm; must return soon (its
+/// time counts towards the cycle) and must not call the kernel back, except Read and View functions. [SRS-KRN-006]
+class Application
+{
+  public:
+    /// @brief A producer of form kProviderCalled is about to be sent: write both objects of its pair. [SRS-KRN-012]
+    [[nodiscard]] virtual RefreshAnswer OnRefresh(CommunicationIndex index) noexcept = 0;
+    /// @brief Consumer: a new pair was released into the objects. Producer: its pair is on the bus, confirmed.
+    virtual void OnSrdoEvent(CommunicationIndex index) noexcept = 0;
+    /// @brief A cause was signalled for this SRDO (kWaitingPastSct included, which is no error).
+    virtual void OnSrdoError(CommunicationIndex index, SrdoCause cause) noexcept = 0;
+    /// @brief A GFC was accepted; the consumers are safe already.
+    virtual void OnGfc() noexcept = 0;
+    /// @brief An own GFC was not followed by an SRDO in time. [SRS-KRN-013]
+    virtual void OnGfcNotFollowed() noexcept = 0;
+    /// @brief OPERATIONAL was entered with a configuration that does not hold; SRDOs are off (emergency 6300h). [SRS-KRN-010]
+    virtual void OnConfigurationInvalid(CommunicationIndex index) noexcept = 0;
+    /// @brief The device safe state was entered. Called once. [SRS-KRN-006]
+    virtual void OnDeviceFault(const DeviceFaultReport& report) noexcept = 0;
+    /// @brief Only with the option FlowCallback::kOn. [SRS-FLOW-004]
+    virtual void OnFlow(const FlowCount& count) noexcept = 0;
+
+    Application(const Application&) = delete;
+    Application(Application&&) = delete;
+    Application& operator=(const Application&) = delete;
+    Application& operator=(Application&&) = delete;
+
+  protected:
+    Application() noexcept = default;
+    ~Application() noexcept = default;
+};
+
+} // namespace counterpoint
+
+#endif

@@ -1,0 +1,37 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SAFETY_CORE_KERNEL_CLOCK_SUPERVISOR_HPP
+#define SAFETY_CORE_KERNEL_CLOCK_SUPERVISOR_HPP
+
+#include "safety_core/contract/configuration.hpp"
+#include "safety_core/contract/device_fault.hpp"
+#include "safety_core/contract/time.hpp"
+
+namespace counterpoint
+{
+
+/// Supervises the progress of the two counters against each other, the distance of the cycles, and the stamps of the frames
+/// between them. [SRS-CLK-001, SRS-CLK-002, SRS-KRN-008]
+class ClockSupervisor
+{
+  public:
+    void Restart(const DeviceConfig& config) noexcept;
+    /// @brief Stamps of the next frame in bus order.
+    void OnFrame(const InstantPair& stamp) noexcept;
+    /// @brief Instants of this cycle; the first device fault found since the last call. The first call after Restart only
+    /// sets the references.
+    [[nodiscard]] DeviceFault OnCycle(const InstantPair& now) noexcept;
+
+  private:
+    InstantPair reference_{{0U}, {0U}};
+    InstantPair previous_{{0U}, {0U}};
+    InstantPair newest_{{0U}, {0U}}; ///< Latest stamp or cycle instant seen.
+    std::uint32_t tolerance_us_{0U};
+    std::uint32_t interval_us_{0U};
+    std::uint32_t late_us_{0U};
+    DeviceFault found_{DeviceFault::kInvalid};
+    bool started_{false};
+};
+
+} // namespace counterpoint
+
+#endif

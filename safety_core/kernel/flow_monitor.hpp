@@ -1,0 +1,59 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SAFETY_CORE_KERNEL_FLOW_MONITOR_HPP
+#define SAFETY_CORE_KERNEL_FLOW_MONITOR_HPP
+
+#include "hal/api/watchdog.hpp"
+#include "safety_core/contract/channel.hpp"
+#include "safety_core/contract/device_fault.hpp"
+
+#include <cstdint>
+
+namespace counterpoint
+{
+
+/// Steps of a cycle in their order. [SRS-KRN-002]
+enum class FlowStep : std::uint8_t
+{
+    kInvalid = 0U,
+    kClocks = 1U,
+    kGuard = 2U,
+    kChannelA = 3U,
+    kChannelB = 4U,
+    kComparison = 5U,
+    kDemotion = 6U,
+    kProduction = 7U,
+    kCommit = 8U,
+    kEvents = 9U,
+    kPermits = 10U,
+};
+constexpr std::uint8_t kFlowStepCount = 10U;
+
+/// A value that a step must have produced, with what it must be; their difference enters the signature.
+struct FlowEvidence
+{
+    std::uint32_t observed;
+    std::uint32_t expected;
+};
+
+/// Folds the steps of one cycle into a signature and answers the watchdog with it. It never compares to decide on the
+/// answer. [SRS-FLOW-001..003]
+class FlowMonitor
+{
+  public:
+    /// @brief Starts a cycle.
+    void Begin() noexcept;
+    /// @brief A step was done and left this evidence.
+    void Mark(FlowStep step, const FlowEvidence& evidence) noexcept;
+    /// @brief Ends a cycle: the answer to the watchdog, from the signature alone.
+    [[nodiscard]] hal::WatchdogAnswer End(const hal::WatchdogQuestion& question) noexcept;
+    /// @brief kNone if the last ended cycle had the reference signature, else kFlow. [SRS-FLOW-003]
+    [[nodiscard]] DeviceFault Finding() const noexcept;
+
+  private:
+    std::uint32_t signature_{0U};
+    std::uint32_t ended_{0U};
+};
+
+} // namespace counterpoint
+
+#endif

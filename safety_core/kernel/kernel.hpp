@@ -1,0 +1,197 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SAFETY_CORE_KERNEL_KERNEL_HPP
+#define SAFETY_CORE_KERNEL_KERNEL_HPP
+
+#include "hal/api/can_ports.hpp"
+#include "hal/api/safety_output.hpp"
+#include "hal/api/watchdog.hpp"
+#include "safety_core/comparator/comparator.hpp"
+#include "safety_core/kernel/application.hpp"
+#include "safety_core/kernel/clock_supervisor.hpp"
+#include "safety_core/kernel/configuration_guard.hpp"
+#include "safety_core/kernel/flow_monitor.hpp"
+#include "safety_core/kernel/object_access.hpp"
+#include "safety_core/kernel/safe_state_latch.hpp"
+
+#include <cstdint>
+
+namespace counterpoint
+{
+
+/// Everything a kernel works with; all outlive it. Channel A writes and sends the normal side, channel B the inverse side.
+struct KernelParts
+{
+    Channel& channel_a;
+    Channel& channel_b;
+    hal::CanPorts& can;
+    hal::SafetyOutput& output;
+    hal::Watchdog& watchdog;
+    Application& application;
+};
+
+/// Whether OnFlow is called; the flow monitor works with either. [SRS-FLOW-004]
+enum class FlowCallback : std::uint8_t
+{
+    kOff = 0U,
+    kOn = 1U,
+};
+
+/// Inputs of one cycle. Acknowledge levels: bit n is slot n; one input a channel, both may come from the same wire.
+struct CycleCall
+{
+    InstantPair now;
+    SrdoMask acknowledge_a;
+    SrdoMask acknowledge_b;
+};
+
+/// First reason why Start refused. [SRS-KRN-001]
+enum class StartResult : std::uint8_t
+{
+    kInvalid = 0U,
+    kStarted = 0x69U,
+    kSrdoCount = 1U,    ///< Not 1 to 64.
+    kSrdoNumbers = 2U,  ///< Not 1 to 64 in ascending order.
+    kNodeId = 3U,       ///< Not 1 to 127.
+    kGranularity = 4U,  ///< Not 8, 16, 32 or 64.
+    kPorts = 5U,        ///< Not kFirst or kSecond.
+    kObjects = 6U,      ///< Out of order, a length not 8 to 64 in steps of 8, no place, or more than 1024.
+    kTiming = 7U,       ///< A time outside its range.
+    kBusOrder = 8U,     ///< The HAL does not guarantee bus order.
+    kStamps = 9U,       ///< The HAL does not guarantee stamps.
+    kConfirmations = 10U, ///< The HAL does not guarantee confirmations.
+};
+
+/// Return codes of the calls, named after the reference's. [SRS-KRN-011..015]
+enum class Result : std::uint8_t
+{
+    kInvalidResult = 0U,
+    kSuccessful = 0x69U,
+    kNotExist = 1U,
+    kNmtError = 2U,
+    kInvalidConfiguration = 3U,
+    kInvalid = 4U, ///< SRDO is off (direction 0).
+    kRxTxConflict = 5U,
+    kDeviceFault = 6U,
+    kGfcUnsupported = 7U, ///< 1300h is 0.
+    kTransmitFailed = 8U,
+    kTimingError = 9U,
+    kIdError = 10U,
+    kIdInUse = 11U,
+    kSignatureError = 12U,
+    kMappingError = 13U,
+    kLengthExceeded = 14U,
+};
+
+struct CheckReply
+{
+    Result result;
+    CommunicationIndex index; ///< First faulty SRDO; 0 if none.
+};
+
+struct SignReply
+{
+    Result result;
+    std::uint16_t signature;
+};
+
+struct StateReply
+{
+    Result result;
+    SrdoState state; ///< The worse of both channels.
+    SrdoCause first_cause;
+    std::uint16_t error_count;
+};
+
+/// The facade of the certified part: an application links this and the two channels. Not reentrant. All times and frames come
+/// in as arguments. Order of use: Start; WriteObject for the configuration; SetNmtState; then, for ever: OnFrame, OnConfirm
+/// and OnOverflow for everything that happened on the bus, in bus order, then Cycle.
+class Kernel
+{
+  public:
+    explicit Kernel(const KernelParts& parts) noexcept;
+
+    /// @brief Power-on. `config` is kept by reference and checked here. O(srdo_count + objects) [SRS-KRN-001]
+    [[nodiscard]] StartResult Start(const DeviceConfig& config, FlowCallback flow) noexcept;
+
+    /// @brief A received frame, in bus order. O(payload) [SRS-KRN-007, SRS-KRN-008]
+    void OnFrame(const StampedFrame& frame) noexcept;
+    /// @brief A frame of this device was on the bus, in bus order with the received ones. [SRS-KRN-014]
+    void OnConfirm(const StampedFrame& frame) noexcept;
+    /// @brief Frames were lost between controller and kernel. [SRS-KRN-009]
+    void OnOverflow() noexcept;
+    /// @brief One cycle. O(srdo_count) [SRS-KRN-002]
+    void Cycle(const CycleCall& call) noexcept;
+
+    /// @brief NMT state of the node. O(srdo_count) on entering OPERATIONAL. [SRS-KRN-010]
+    void SetNmtState(NmtState state) noexcept;
+    /// @brief 1300h to 13FFh and the mappable variables. [SRS-CFG-040..047]
+    [[nodiscard]] ObjectReading ReadObject(const ObjectAddress& address) noexcept;
+    [[nodiscard]] AbortCode WriteObject(const ObjectAddress& address, const ObjectData& data) noexcept;
+
+    /// @brief Requests the transmission of one producer, or of all with index 0. [SRS-KRN-011]
+    [[nodiscard]] Result Send(CommunicationIndex index) noexcept;
+    /// @brief Sends the global fail-safe command; an SRDO of this device must follow. [SRS-KRN-013]
+    [[nodiscard]] Result SendGfc() noexcept;
+    /// @brief Rechecks all SRDOs in both channels. [SRS-KRN-015]
+    [[nodiscard]] CheckReply CheckConfiguration() noexcept;
+    /// @brief Signature of one SRDO as both channels compute it. [SRS-KRN-015]
+    [[nodiscard]] SignReply Sign(CommunicationIndex index) noexcept;
+    /// @brief State of one SRDO. [SRS-KRN-015]
+    [[nodiscard]] StateReply GetState(CommunicationIndex index) const noexcept;
+    /// @brief The application demands the device safe state.
+    void DemandSafeState() noexcept;
+    /// @brief fault kNone while running. [SRS-KRN-003]
+    [[nodiscard]] DeviceFaultReport DeviceState() const noexcept;
+    /// @brief How often a channel was demoted since Start; stays at 65535. [SRS-CMP-004]
+    [[nodiscard]] std::uint16_t DemotionCount() const noexcept;
+    /// @brief The comparator's last verdict, for diagnosis only: nothing is granted from it.
+    [[nodiscard]] const Verdict& LastVerdict() const noexcept;
+
+  private:
+    [[nodiscard]] SlotIndex SlotAt(CommunicationIndex index) const noexcept;
+    [[nodiscard]] CommunicationIndex IndexOf(SlotIndex slot) const noexcept;
+    [[nodiscard]] Result SendSlot(SlotIndex slot) noexcept;
+    [[nodiscard]] Result SendReadiness() const noexcept;
+    void Adopt(const DeviceFaultReport& report) noexcept;
+    void CompareOutcomes(const CycleCall& call, std::uint32_t challenge, const CycleOutcome& a, const CycleOutcome& b) noexcept;
+    void TestComparator(const Comparison& comparison) noexcept;
+    void Demote() noexcept;
+    void Produce() noexcept;
+    void ProduceSlot(SlotIndex slot) noexcept;
+    void HandOver(SlotIndex slot, const CanFrame& frame) noexcept;
+    void FollowGfc(Instant now) noexcept;
+    void Report(const CycleOutcome& a, const CycleOutcome& b) noexcept;
+    void ReportSlot(SlotIndex slot) noexcept;
+    void ReportFlow(const CycleOutcome& a) noexcept;
+    void Deliver(FlowEvent event, std::uint8_t count) noexcept;
+    void GivePermits(std::uint32_t challenge) noexcept;
+
+    KernelParts parts_;
+    const DeviceConfig* config_{nullptr};
+    ConfigurationGuard guard_;
+    Comparator comparator_{};
+    FlowMonitor flow_{};
+    ClockSupervisor clocks_{};
+    SafeStateLatch latch_{};
+    Verdict verdict_{};
+    SrdoMask committed_{0U};
+    InstantPair now_{{0U}, {0U}};
+    Instant gfc_sent_{0U};
+    std::uint32_t cycle_{0U};
+    std::uint32_t test_cycles_{1U};
+    std::uint32_t cycles_to_test_{1U};
+    std::uint16_t demotions_{0U};
+    std::uint8_t test_number_{0U};
+    std::uint8_t received_{0U};
+    std::uint8_t transmitted_{0U};
+    std::uint8_t errors_{0U};
+    QueueState queue_{QueueState::kIntact};
+    NmtState nmt_{NmtState::kInvalid};
+    FlowCallback flow_callback_{FlowCallback::kOff};
+    bool gfc_open_{false};
+    bool fault_told_{false};
+};
+
+} // namespace counterpoint
+
+#endif

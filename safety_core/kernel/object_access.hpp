@@ -1,0 +1,79 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SAFETY_CORE_KERNEL_OBJECT_ACCESS_HPP
+#define SAFETY_CORE_KERNEL_OBJECT_ACCESS_HPP
+
+#include "safety_core/contract/configuration.hpp"
+
+#include <cstdint>
+
+namespace counterpoint
+{
+
+/// SDO abort codes that the kernel returns; kNone is success. [SRS-CFG-040..047]
+enum class AbortCode : std::uint32_t
+{
+    kNone = 0U,
+    kUnsupportedAccess = 0x06010000U, ///< Mapping write while the SRDO is on or the map count is not 0.
+    kReadOnly = 0x06010002U,
+    kObjectUnknown = 0x06020000U,
+    kNotMappable = 0x06040041U,
+    kMapTooLong = 0x06040042U, ///< Over 64 bits, odd count.
+    kIncompatible = 0x06040043U, ///< A5h refused.
+    kLengthMismatch = 0x06070010U,
+    kSubUnknown = 0x06090011U,
+    kValueRange = 0x06090030U,
+    kGeneral = 0x08000000U,
+    kDeviceState = 0x08000022U, ///< OPERATIONAL.
+};
+
+struct ObjectAddress
+{
+    std::uint16_t index;
+    std::uint8_t sub;
+};
+
+/// Bytes of an object in little-endian order.
+struct ObjectData
+{
+    std::uint8_t bytes[kMaxPayloadBytes]; // MISRA D-001
+    std::uint8_t size_bytes;
+};
+
+struct ObjectReading
+{
+    AbortCode abort;
+    ObjectData data; ///< Only with kNone.
+};
+
+/// What an object of 1300h to 13FFh, or a mappable variable, is.
+enum class ObjectKind : std::uint8_t
+{
+    kInvalid = 0U, ///< No such object.
+    kSubUnknown = 1U,
+    kConstant = 2U, ///< Sub-index 0 with a fixed value.
+    kConfiguration = 3U, ///< A stored value, see `config`.
+    kGapSignature = 4U,  ///< 13FFh entry of an SRDO that does not exist.
+    kConfigurationValid = 5U,
+    kVariable = 6U,
+};
+
+/// Where an address leads. [SRS-CFG-040, SRS-CFG-041]
+struct ObjectPlace
+{
+    ObjectKind kind;
+    ConfigAddress config;
+    std::uint8_t size_bytes;
+    std::uint8_t constant;
+    const MappableObject* variable;
+};
+
+/// @brief Finds what an address of the safety part of the dictionary leads to. O(srdo_count + log objects)
+[[nodiscard]] ObjectPlace Locate(const DeviceConfig& config, const ObjectAddress& address) noexcept;
+/// @brief Slot of an existing SRDO number, or kNoSlot. O(srdo_count)
+[[nodiscard]] SlotIndex SlotOf(const DeviceConfig& config, const SrdoSetup& wanted) noexcept;
+/// @brief The mappable object at an address, or null. O(log objects)
+[[nodiscard]] const MappableObject* FindObject(const DeviceConfig& config, const ObjectAddress& address) noexcept;
+
+} // namespace counterpoint
+
+#endif

@@ -1,0 +1,36 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SAFETY_CORE_KERNEL_SAFE_STATE_LATCH_HPP
+#define SAFETY_CORE_KERNEL_SAFE_STATE_LATCH_HPP
+
+#include "safety_core/contract/device_fault.hpp"
+
+#include <cstdint>
+
+namespace counterpoint
+{
+
+/// Device safe state: one way in, Start alone leads out. Runs only while `word_` is the running pattern and `inverse_` its
+/// complement; zero-filled or corrupted memory is the safe state. [SRS-KRN-003]
+class SafeStateLatch
+{
+  public:
+    /// @brief Leaves the safe state; only Kernel::Start calls this.
+    void Arm() noexcept;
+    /// @brief Enters the device safe state; the first fault is kept. A fault of kNone has no effect.
+    void Enter(DeviceFault fault, SlotIndex slot) noexcept;
+    /// @brief All bits set while running, no bit otherwise.
+    [[nodiscard]] SrdoMask Gate() const noexcept;
+    /// @brief 0 while running, something else otherwise: spoils the kernel's permit. [SRS-KRN-005]
+    [[nodiscard]] std::uint32_t Spoiler() const noexcept;
+    [[nodiscard]] bool IsRunning() const noexcept;
+    [[nodiscard]] DeviceFaultReport Report() const noexcept;
+
+  private:
+    std::uint32_t word_{0U};
+    std::uint32_t inverse_{0U};
+    DeviceFaultReport report_{DeviceFault::kInvalid, kNoSlot, 0U};
+};
+
+} // namespace counterpoint
+
+#endif
