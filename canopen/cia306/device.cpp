@@ -1,0 +1,42 @@
+#include "canopen/cia306/device.hpp"
+
+namespace counterpoint::cia306
+{
+const Text& Entry::Configured() const noexcept
+{
+    return parameter_value.IsSet() ? parameter_value : default_value;
+}
+
+std::size_t Entry::ValueLine() const noexcept
+{
+    const Text& configured = Configured();
+    return configured.IsSet() ? configured.line : line;
+}
+
+const Object* Device::Find(const std::uint16_t index) const
+{
+    const auto found = objects.find(index);
+    return found == objects.end() ? nullptr : &found->second;
+}
+
+const Entry* Device::Find(const std::uint16_t index, const std::uint8_t sub) const
+{
+    const Object* const object = Find(index);
+    if (object == nullptr)
+    {
+        return nullptr;
+    }
+    const auto found = object->entries.find(sub);
+    return found == object->entries.end() ? nullptr : &found->second;
+}
+
+ValueResult ConfiguredValue(const Entry& entry, const std::optional<std::uint8_t> node_id)
+{
+    const Text& configured = entry.Configured();
+    if (!configured.IsSet())
+    {
+        return {std::nullopt, {"no value", "a ParameterValue or DefaultValue"}};
+    }
+    return ParseValue(configured.text, entry.data_type, node_id);
+}
+} // namespace counterpoint::cia306

@@ -1,0 +1,18 @@
+#ifndef CANOPEN_CIA306_DEVICE_READER_HPP
+#define CANOPEN_CIA306_DEVICE_READER_HPP
+
+#include "canopen/cia306/device.hpp"
+#include "canopen/cia306/ini_document.hpp"
+
+#include <string>
+
+namespace counterpoint::cia306
+{
+/// What the sections of the document mean. Throws InputError. [SRS-EDS-001, 009..016]
+[[nodiscard]] Device ReadDevice(const IniDocument& document);
+
+/// Reads the file, its lines and their meaning. Throws InputError.
+[[nodiscard]] Device ReadDeviceFile(const std::string& path);
+} // namespace counterpoint::cia306
+
+#endif // CANOPEN_CIA306_DEVICE_READER_HPP

@@ -1,0 +1,29 @@
+#ifndef CANOPEN_CIA306_FINDING_HPP
+#define CANOPEN_CIA306_FINDING_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace counterpoint::cia306
+{
+enum class Severity : std::uint8_t
+{
+    kError = 1U,
+    kWarning = 2U,
+};
+
+/// One thing that is wrong with a file, or that its author may not have meant.
+struct Finding
+{
+    Severity severity{Severity::kError};
+    std::size_t line{0U};
+    std::string object; ///< "0x1301:02", or empty where no object is concerned.
+    std::string text;   ///< What is wrong, and what was expected.
+};
+
+/// FILE:LINE: error|warning: OBJECT: TEXT
+[[nodiscard]] std::string FormatFinding(const std::string& file, const Finding& finding);
+} // namespace counterpoint::cia306
+
+#endif // CANOPEN_CIA306_FINDING_HPP
