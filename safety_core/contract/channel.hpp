@@ -79,7 +79,7 @@ struct CycleOutcome
     SrdoMask due;       ///< Producers for which Prepare is to be called now.
     SrdoMask signalled; ///< Slots with something in SrdoView::signals.
     std::uint32_t cycle;       ///< Number of OnCycle calls since Restart, modular; the first returns 1.
-    std::uint32_t ordinal_sum; ///< Sum of the ordinals of all slots, modular.
+    std::uint32_t ordinal_sum; ///< Sum of the ordinals of all active consumers, modular.
     GuardView guard;
     std::uint8_t sct_checked;     ///< Consumers whose limits were examined in this call.
     std::uint8_t is_tx;           ///< Producers passed over by that examination.

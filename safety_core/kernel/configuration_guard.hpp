@@ -31,6 +31,8 @@ class ConfigurationGuard
     /// @brief Power-on: 13FEh 0; distance of the cyclic checks from the diagnostic interval.
     void Restart(const DeviceConfig& config) noexcept;
     void SetNmt(NmtState state) noexcept;
+    /// @brief One stored value as channel A has it; the cyclic check vouches for it.
+    [[nodiscard]] std::uint32_t Value(SlotIndex slot, ConfigField field, std::uint8_t sub) const noexcept;
     [[nodiscard]] ObjectReading Read(const ObjectAddress& address) noexcept;
     [[nodiscard]] AbortCode Write(const ObjectAddress& address, const ObjectData& data) noexcept;
     /// @brief Looks at 13FEh and rechecks an SRDO when its turn has come. The token for CycleInput. [SRS-CFG-031, SRS-CFG-048]
@@ -52,7 +54,8 @@ class ConfigurationGuard
     [[nodiscard]] AbortCode AdmitMapCount(const ConfigItem& item) const noexcept;
     [[nodiscard]] AbortCode AdmitMapEntry(const ConfigItem& item) const noexcept;
     [[nodiscard]] bool IsIdentifierFree(const ConfigItem& item) const noexcept;
-    [[nodiscard]] std::uint32_t Value(SlotIndex slot, ConfigField field, std::uint8_t sub) const noexcept;
+    [[nodiscard]] AbortCode AdmitConnection(SlotIndex slot) const noexcept;
+    [[nodiscard]] std::uint32_t MappedBits(SlotIndex slot, std::uint8_t first, std::uint32_t count) const noexcept;
     void StoreBoth(const ConfigItem& item) noexcept;
     [[nodiscard]] ConfigurationFinding Compare(SlotIndex slot, const CheckResult& a, const CheckResult& b) const noexcept;
     void Find(DeviceFault fault, SlotIndex slot) noexcept;
@@ -60,7 +63,7 @@ class ConfigurationGuard
 
     Channel& a_;
     Channel& b_;
-    const DeviceConfig* config_{nullptr};
+    const DeviceConfig* config_; ///< Never null: a device without SRDOs before Restart.
     std::uint32_t cycles_per_check_{1U};
     std::uint32_t cycles_to_check_{1U};
     DeviceFaultReport finding_{DeviceFault::kNone, kNoSlot, 0U};

@@ -97,7 +97,7 @@ struct SignReply
 struct StateReply
 {
     Result result;
-    SrdoState state; ///< The worse of both channels.
+    SrdoState state; ///< kFaulted where the channels differ.
     SrdoCause first_cause;
     std::uint16_t error_count;
 };
@@ -148,6 +148,10 @@ class Kernel
     [[nodiscard]] const Verdict& LastVerdict() const noexcept;
 
   private:
+    [[nodiscard]] static StartResult CheckNumbers(const DeviceConfig& config) noexcept;
+    [[nodiscard]] static StartResult CheckObjects(const DeviceConfig& config) noexcept;
+    [[nodiscard]] static StartResult CheckTiming(const DeviceConfig& config) noexcept;
+    [[nodiscard]] StartResult CheckPlatform(const DeviceConfig& config) const noexcept;
     [[nodiscard]] SlotIndex SlotAt(CommunicationIndex index) const noexcept;
     [[nodiscard]] CommunicationIndex IndexOf(SlotIndex slot) const noexcept;
     [[nodiscard]] Result SendSlot(SlotIndex slot) noexcept;
@@ -156,18 +160,23 @@ class Kernel
     void CompareOutcomes(const CycleCall& call, std::uint32_t challenge, const CycleOutcome& a, const CycleOutcome& b) noexcept;
     void TestComparator(const Comparison& comparison) noexcept;
     void Demote() noexcept;
+    void Commit() noexcept;
     void Produce() noexcept;
     void ProduceSlot(SlotIndex slot) noexcept;
     void HandOver(SlotIndex slot, const CanFrame& frame) noexcept;
-    void FollowGfc(Instant now) noexcept;
-    void Report(const CycleOutcome& a, const CycleOutcome& b) noexcept;
+    void FollowGfc() noexcept;
+    void SetGfcLimit() noexcept;
+    void EnterOperational() noexcept;
+    void ReportErrors(SrdoMask signalled) noexcept;
     void ReportSlot(SlotIndex slot) noexcept;
-    void ReportFlow(const CycleOutcome& a) noexcept;
+    void ReportReceived(SrdoMask received) noexcept;
+    void ReportDevice() noexcept;
+    void ReportFlow(const CycleOutcome& outcome) noexcept;
     void Deliver(FlowEvent event, std::uint8_t count) noexcept;
     void GivePermits(std::uint32_t challenge) noexcept;
 
     KernelParts parts_;
-    const DeviceConfig* config_{nullptr};
+    const DeviceConfig* config_; ///< Never null: a device without SRDOs before Start.
     ConfigurationGuard guard_;
     Comparator comparator_{};
     FlowMonitor flow_{};
@@ -175,19 +184,23 @@ class Kernel
     SafeStateLatch latch_{};
     Verdict verdict_{};
     SrdoMask committed_{0U};
+    SrdoMask received_mask_{0U};
     InstantPair now_{{0U}, {0U}};
     Instant gfc_sent_{0U};
+    std::uint32_t gfc_limit_us_{0U};
     std::uint32_t cycle_{0U};
     std::uint32_t test_cycles_{1U};
     std::uint32_t cycles_to_test_{1U};
     std::uint16_t demotions_{0U};
     std::uint8_t test_number_{0U};
-    std::uint8_t received_{0U};
     std::uint8_t transmitted_{0U};
     std::uint8_t errors_{0U};
     QueueState queue_{QueueState::kIntact};
     NmtState nmt_{NmtState::kInvalid};
     FlowCallback flow_callback_{FlowCallback::kOff};
+    std::uint8_t sent_[kMaxSrdoCount]{}; ///< Low byte of the ordinal last told as sent. MISRA D-001
+    bool started_{false};
+    bool gfc_seen_{false};
     bool gfc_open_{false};
     bool fault_told_{false};
 };
