@@ -1,0 +1,156 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "safety_core/comparator/comparator.hpp"
+
+#include "safety_core/comparator/slot_mask.hpp"
+
+#include <cstdint>
+
+namespace counterpoint
+{
+namespace
+{
+
+std::uint32_t Unequal(const std::uint8_t left, const std::uint8_t right) noexcept
+{
+    return static_cast<std::uint32_t>(left) ^ static_cast<std::uint32_t>(right);
+}
+
+std::uint32_t Unequal(const Payload& left, const Payload& right) noexcept
+{
+    return (left.low ^ right.low) | (left.high ^ right.high);
+}
+
+// 0 when both voices speak of the expected cycle, the same guard and the same counts.
+std::uint32_t Unequal(const CycleOutcome& a, const CycleOutcome& b, const std::uint32_t cycle) noexcept
+{
+    const std::uint32_t cycles = (a.cycle ^ cycle) | (b.cycle ^ cycle);
+    const std::uint32_t guards = Unequal(static_cast<std::uint8_t>(a.guard), static_cast<std::uint8_t>(b.guard));
+    const std::uint32_t examined = Unequal(a.sct_checked, b.sct_checked) | Unequal(a.is_tx, b.is_tx);
+    const std::uint32_t passed = Unequal(a.is_invalid, b.is_invalid) | Unequal(a.not_operational, b.not_operational);
+    return cycles | guards | examined | passed;
+}
+
+DeviceFault Overall(const Comparison& comparison) noexcept
+{
+    const CycleOutcome& a = *comparison.outcome_a;
+    const CycleOutcome& b = *comparison.outcome_b;
+    DeviceFault fault = DeviceFault::kNone;
+    if (Unequal(a, b, comparison.cycle) != 0U)
+    {
+        fault = DeviceFault::kDisagreement;
+    }
+    if ((a.guard == GuardView::kStale) || (b.guard == GuardView::kStale))
+    {
+        fault = DeviceFault::kGuard;
+    }
+    return fault;
+}
+
+} // namespace
+
+void Comparator::Restart(const ComparatorSetup& setup) noexcept
+{
+    setup_ = setup;
+    watched_ = 0U;
+    timed_ = 0U;
+}
+
+DeviceFault Comparator::ComparePrepared(const PreparedPair& a, const PreparedPair& b) noexcept
+{
+    const std::uint32_t form = Unequal(static_cast<std::uint8_t>(a.status), static_cast<std::uint8_t>(b.status)) |
+                               Unequal(a.length_bytes, b.length_bytes);
+    return ((form | Unequal(a.normal, b.normal)) == 0U) ? DeviceFault::kNone : DeviceFault::kDisagreement;
+}
+
+Verdict Comparator::Compare(const Comparison& comparison) noexcept
+{
+    const CycleOutcome& a = *comparison.outcome_a;
+    const CycleOutcome& b = *comparison.outcome_b;
+    Verdict verdict{};
+    verdict.echo = comparison.challenge;
+    verdict.slot = kNoSlot;
+    verdict.fault = Overall(comparison);
+    if (verdict.fault != DeviceFault::kNone)
+    {
+        return verdict;
+    }
+
+    const SrdoMask faults = a.faulted | b.faulted | a.new_fault | b.new_fault;
+    verdict.demote = (a.faulted ^ b.faulted) | (a.new_fault ^ b.new_fault);
+    verdict.agreement.agreed = a.released & b.released & ~faults;
+    verdict.start = a.due & b.due;
+
+    watched_ |= a.fresh | b.fresh | (a.released ^ b.released) | (a.due ^ b.due);
+    if (a.ordinal_sum != b.ordinal_sum)
+    {
+        watched_ |= ~SrdoMask{0U} >> (kMaxSrdoCount - setup_.slot_count);
+    }
+    watched_ &= ~verdict.demote;
+    timed_ &= watched_;
+    SlotSet to_look{watched_};
+    while (to_look.mask != 0U)
+    {
+        Look(comparison, TakeLowest(to_look), verdict);
+    }
+    verdict.agreement.matched = ~watched_;
+    return verdict;
+}
+
+void Comparator::Look(const Comparison& comparison, const SlotIndex slot, Verdict& verdict) noexcept
+{
+    const SrdoView a = comparison.channel_a->View(slot);
+    const SrdoView b = comparison.channel_b->View(slot);
+    const SrdoMask bit = OnlySlot(slot).mask;
+    const bool is_producer = a.state == SrdoState::kProducer;
+    const SrdoMask one_sided = (comparison.outcome_a->released ^ comparison.outcome_b->released) |
+                               (comparison.outcome_a->due ^ comparison.outcome_b->due);
+
+    // The ordinal of a producer counts pairs sent; a confirmation at the very limit may count in one channel alone.
+    const std::uint32_t ordinals = (a.ordinal ^ b.ordinal) | Unequal(a.holds_pair, b.holds_pair);
+    if ((ordinals != 0U) && (!is_producer))
+    {
+        Unmatched(comparison, slot, DeviceFault::kUnmatched, verdict);
+    }
+    else if (Unequal(a.data, b.data) != 0U)
+    {
+        verdict.fault = DeviceFault::kDisagreement;
+        verdict.slot = slot;
+    }
+    else if ((one_sided & bit) != 0U)
+    {
+        Unmatched(comparison, slot, is_producer ? DeviceFault::kUnmatched : DeviceFault::kNone, verdict);
+    }
+    else
+    {
+        watched_ &= ~bit;
+        timed_ &= ~bit;
+        verdict.newly_matched |= bit;
+    }
+}
+
+// kNone stands for 'demote': nothing but the release differs.
+void Comparator::Unmatched(const Comparison& comparison, const SlotIndex slot, const DeviceFault fault,
+                           Verdict& verdict) noexcept
+{
+    const SrdoMask bit = OnlySlot(slot).mask;
+    if ((timed_ & bit) == 0U)
+    {
+        timed_ |= bit;
+        since_[slot] = comparison.now; // MISRA D-002
+    }
+    const std::uint32_t elapsed_us = comparison.now.us - since_[slot].us; // MISRA D-002
+    if (elapsed_us > setup_.discrepancy_us)
+    {
+        if (fault == DeviceFault::kNone)
+        {
+            verdict.demote |= bit;
+        }
+        else
+        {
+            verdict.fault = fault;
+            verdict.slot = slot;
+        }
+    }
+}
+
+} // namespace counterpoint
