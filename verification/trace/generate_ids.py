@@ -107,6 +107,7 @@ def read_requirements(root):
 
 def header_text(requirements):
     lines = [
+        "// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0",
         "// Generated from docs/requirements/*.sdoc by verification/trace/generate_ids.py. Do not edit.",
         "#ifndef VERIFICATION_TRACE_REQUIREMENT_IDS_HPP",
         "#define VERIFICATION_TRACE_REQUIREMENT_IDS_HPP",
@@ -122,7 +123,7 @@ def header_text(requirements):
     ]
     for uid in requirements:
         lines.append(f'inline constexpr RequirementId {uid.replace("-", "_")}{{"{uid}"}};')
-    lines += ["}  // namespace counterpoint::req", "", "#endif  // VERIFICATION_TRACE_REQUIREMENT_IDS_HPP", ""]
+    lines += ["} // namespace counterpoint::req", "", "#endif", ""]
     return "\n".join(lines)
 
 
@@ -130,12 +131,16 @@ def main(arguments):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true", help="compare with the committed header, write nothing")
     parser.add_argument("--root", type=pathlib.Path, default=ROOT, help="root of the tree (for the gate's fixtures)")
+    parser.add_argument("--list", action="store_true", help="print the identifiers, write nothing")
     options = parser.parse_args(arguments)
     try:
         requirements = read_requirements(options.root.resolve())
     except BadInput as error:
         print(error, file=sys.stderr)
         return 2
+    if options.list:
+        print("\n".join(requirements))
+        return 0
     text = header_text(requirements)
     target = options.root / HEADER
     before = target.read_text(encoding="utf-8") if target.exists() else ""

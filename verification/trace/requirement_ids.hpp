@@ -1,3 +1,4 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Generated from docs/requirements/*.sdoc by verification/trace/generate_ids.py. Do not edit.
 #ifndef VERIFICATION_TRACE_REQUIREMENT_IDS_HPP
 #define VERIFICATION_TRACE_REQUIREMENT_IDS_HPP
@@ -207,6 +208,6 @@ inline constexpr RequirementId SRS_VER_013{"SRS-VER-013"};
 inline constexpr RequirementId SRS_VER_014{"SRS-VER-014"};
 inline constexpr RequirementId SRS_VER_015{"SRS-VER-015"};
 inline constexpr RequirementId SRS_VER_016{"SRS-VER-016"};
-}  // namespace counterpoint::req
+} // namespace counterpoint::req
 
-#endif  // VERIFICATION_TRACE_REQUIREMENT_IDS_HPP
+#endif

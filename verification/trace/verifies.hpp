@@ -1,3 +1,4 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #ifndef VERIFICATION_TRACE_VERIFIES_HPP
 #define VERIFICATION_TRACE_VERIFIES_HPP
 
@@ -17,6 +18,6 @@ inline void Verifies(const req::RequirementId requirement)
     const int recorded = (test == nullptr) ? 0 : test->result()->test_property_count();
     ::testing::Test::RecordProperty("requirement-" + std::to_string(recorded + 1), requirement.text);
 }
-}  // namespace counterpoint
+} // namespace counterpoint
 
-#endif  // VERIFICATION_TRACE_VERIFIES_HPP
+#endif
