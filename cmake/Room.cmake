@@ -40,6 +40,8 @@ function(counterpoint_room target)
       # The launcher is handed the whole command line of the main compiler and puts Clang in its first place.
       set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER
         "${Counterpoint_SOURCE_DIR}/cmake/compile_with;${COUNTERPOINT_CHANNEL_B_COMPILER}")
+      # Only Clang sees these (a cross build sets them): its name of the target, its way to the headers.
+      target_compile_options(${target} PRIVATE ${COUNTERPOINT_CHANNEL_B_FLAGS})
     endif()
   endif()
   add_library(Counterpoint::${target} ALIAS ${target})

@@ -1,0 +1,90 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+//
+// The four functions that a compiler may call by itself in freestanding code, with their names in the ARM run-time ABI
+// (which swaps two arguments of memset). Compiled with -fno-builtin: a loop here must not become a call of itself.
+#include <cstddef>
+#include <cstdint>
+
+extern "C"
+{
+    void* memcpy(void* to, const void* from, std::size_t count) noexcept
+    {
+        auto* target = static_cast<std::uint8_t*>(to);
+        const auto* source = static_cast<const std::uint8_t*>(from);
+        const bool words = (((reinterpret_cast<std::uintptr_t>(to) | reinterpret_cast<std::uintptr_t>(from)) & 3U) == 0U);
+        std::size_t i = 0U;
+        if (words)
+        {
+            for (; (i + 4U) <= count; i += 4U)
+            {
+                *reinterpret_cast<std::uint32_t*>(target + i) = *reinterpret_cast<const std::uint32_t*>(source + i);
+            }
+        }
+        for (; i < count; ++i)
+        {
+            target[i] = source[i];
+        }
+        return to;
+    }
+
+    void* memmove(void* to, const void* from, std::size_t count) noexcept
+    {
+        auto* target = static_cast<std::uint8_t*>(to);
+        const auto* source = static_cast<const std::uint8_t*>(from);
+        if (reinterpret_cast<std::uintptr_t>(to) <= reinterpret_cast<std::uintptr_t>(from))
+        {
+            return memcpy(to, from, count);
+        }
+        for (std::size_t i = count; i > 0U; --i)
+        {
+            target[i - 1U] = source[i - 1U];
+        }
+        return to;
+    }
+
+    void* memset(void* to, int value, std::size_t count) noexcept
+    {
+        auto* target = static_cast<std::uint8_t*>(to);
+        const std::uint32_t byte = static_cast<std::uint8_t>(value);
+        std::size_t i = 0U;
+        if ((reinterpret_cast<std::uintptr_t>(to) & 3U) == 0U)
+        {
+            for (; (i + 4U) <= count; i += 4U)
+            {
+                *reinterpret_cast<std::uint32_t*>(target + i) = byte * 0x01010101U;
+            }
+        }
+        for (; i < count; ++i)
+        {
+            target[i] = static_cast<std::uint8_t>(byte);
+        }
+        return to;
+    }
+
+    int memcmp(const void* left, const void* right, std::size_t count) noexcept
+    {
+        const auto* a = static_cast<const std::uint8_t*>(left);
+        const auto* b = static_cast<const std::uint8_t*>(right);
+        for (std::size_t i = 0U; i < count; ++i)
+        {
+            if (a[i] != b[i])
+            {
+                return (a[i] < b[i]) ? -1 : 1;
+            }
+        }
+        return 0;
+    }
+
+    void __aeabi_memcpy(void* to, const void* from, std::size_t count) noexcept { memcpy(to, from, count); }
+    void __aeabi_memcpy4(void* to, const void* from, std::size_t count) noexcept { memcpy(to, from, count); }
+    void __aeabi_memcpy8(void* to, const void* from, std::size_t count) noexcept { memcpy(to, from, count); }
+    void __aeabi_memmove(void* to, const void* from, std::size_t count) noexcept { memmove(to, from, count); }
+    void __aeabi_memmove4(void* to, const void* from, std::size_t count) noexcept { memmove(to, from, count); }
+    void __aeabi_memmove8(void* to, const void* from, std::size_t count) noexcept { memmove(to, from, count); }
+    void __aeabi_memset(void* to, std::size_t count, int value) noexcept { memset(to, value, count); }
+    void __aeabi_memset4(void* to, std::size_t count, int value) noexcept { memset(to, value, count); }
+    void __aeabi_memset8(void* to, std::size_t count, int value) noexcept { memset(to, value, count); }
+    void __aeabi_memclr(void* to, std::size_t count) noexcept { memset(to, 0, count); }
+    void __aeabi_memclr4(void* to, std::size_t count) noexcept { memset(to, 0, count); }
+    void __aeabi_memclr8(void* to, std::size_t count) noexcept { memset(to, 0, count); }
+}

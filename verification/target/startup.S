@@ -1,0 +1,138 @@
+@ Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+@
+@ From reset to TargetMain on a Cortex-R4F or R5F with big-endian data. The processor starts in ARM state; an emulator
+@ starts it with little-endian data, hence `setend be` before the first access to memory.
+    .syntax unified
+    .arch armv7-r
+    .fpu vfpv3-d16
+
+    .equ MODE_SUPERVISOR, 0x13
+    .equ MODE_ABORT, 0x17
+    .equ MODE_UNDEFINED, 0x1B
+    .equ MODE_SYSTEM, 0x1F
+    .equ INTERRUPTS_OFF, 0xC0
+    .equ SCTLR_EE, 1 << 25
+    .equ CPACR_VFP, 0xF << 20
+    .equ FPEXC_ENABLE, 1 << 30
+
+    .section .vectors, "ax", %progbits
+    .arm
+    .global TargetVectors
+TargetVectors:
+    b Reset
+    b UndefinedInstruction
+    b SupervisorCall
+    b PrefetchAbort
+    b DataAbort
+    b Reserved
+    b Interrupt
+    b FastInterrupt
+
+    .section .text.startup, "ax", %progbits
+    .arm
+    .type Reset, %function
+Reset:
+    setend be
+    mrc p15, 0, r0, c1, c0, 0
+    orr r0, r0, #SCTLR_EE              @ exceptions are entered with big-endian data, too
+    mcr p15, 0, r0, c1, c0, 0
+    isb
+
+    mrc p15, 0, r0, c1, c0, 2
+    orr r0, r0, #CPACR_VFP
+    mcr p15, 0, r0, c1, c0, 2
+    isb
+    mov r0, #FPEXC_ENABLE
+    vmsr fpexc, r0
+
+    ldr r4, =target_exception_stack_top
+    cps #MODE_ABORT
+    mov sp, r4
+    cps #MODE_UNDEFINED
+    mov sp, r4
+    cps #MODE_SUPERVISOR
+    mov sp, r4
+    cps #MODE_SYSTEM
+    ldr sp, =target_stack_top
+
+    ldr r0, =target_stack_bottom       @ the painted stack shows how deep a run went
+    ldr r1, =target_stack_top
+    ldr r2, =0xA5A5A5A5
+1:  cmp r0, r1
+    strlo r2, [r0], #4
+    blo 1b
+
+    ldr r0, =target_data_load
+    ldr r1, =target_data_start
+    ldr r2, =target_data_end
+2:  cmp r1, r2
+    ldrlo r3, [r0], #4
+    strlo r3, [r1], #4
+    blo 2b
+
+    ldr r0, =target_bss_start
+    ldr r1, =target_bss_end
+    mov r2, #0
+3:  cmp r0, r1
+    strlo r2, [r0], #4
+    blo 3b
+
+    ldr r4, =target_init_start
+    ldr r5, =target_init_end
+4:  cmp r4, r5
+    bhs 5f
+    ldr r0, [r4], #4
+    blx r0
+    b 4b
+5:  ldr r0, =TargetMain
+    blx r0
+    ldr r1, =TargetExit
+    blx r1
+6:  b 6b
+
+@ r0: which exception, r1: where. TargetException reports it and ends the run as a failure.
+    .macro exception name, number, offset
+    .type \name, %function
+\name:
+    setend be
+    ldr sp, =target_exception_stack_top
+    sub r1, lr, #\offset
+    mov r0, #\number
+    ldr r2, =TargetException
+    blx r2
+7:  b 7b
+    .endm
+
+    exception UndefinedInstruction, 1, 2
+    exception SupervisorCall, 2, 4
+    exception PrefetchAbort, 3, 4
+    exception DataAbort, 4, 8
+    exception Reserved, 5, 4
+    exception Interrupt, 6, 4
+    exception FastInterrupt, 7, 4
+    .ltorg
+
+@ TargetWord TargetCall(operation, block): the semihosting trap of ARM state.
+    .global TargetTrap
+    .type TargetTrap, %function
+TargetTrap:
+    svc 0x123456
+    bx lr
+
+@ The performance monitor's cycle counter. The emulator counts with `-icount shift=0`: one executed instruction, one cycle.
+    .global TargetStartCycles
+    .type TargetStartCycles, %function
+TargetStartCycles:
+    mov r0, #5                         @ enable, reset the cycle counter
+    mcr p15, 0, r0, c9, c12, 0
+    mov r0, #0x80000000
+    mcr p15, 0, r0, c9, c12, 1
+    bx lr
+
+    .global TargetReadCycles
+    .type TargetReadCycles, %function
+TargetReadCycles:
+    mrc p15, 0, r0, c9, c13, 0
+    bx lr
+    .section .note.GNU-stack, "", %progbits
+    .end

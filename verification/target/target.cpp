@@ -1,0 +1,179 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/target/target.hpp"
+
+#include <cstddef>
+
+namespace
+{
+/// A register of the processor. Compilers disagree on the type behind std::uint32_t, so nothing with it in its name crosses.
+using Word = std::uint32_t;
+
+constexpr Word kSysOpen = 0x01U;
+constexpr Word kSysWrite = 0x05U;
+constexpr Word kSysGetCommandLine = 0x15U;
+constexpr Word kSysExit = 0x18U;
+constexpr Word kReasonApplicationExit = 0x20026U;
+constexpr Word kReasonRunTimeError = 0x20023U;
+constexpr Word kOpenForWriting = 4U;
+constexpr Word kStackPaint = 0xA5A5A5A5U;
+} // namespace
+
+extern "C"
+{
+    Word TargetTrap(Word operation, Word argument) noexcept;
+    void TargetStartCycles() noexcept;
+    Word TargetReadCycles() noexcept;
+    [[noreturn]] void TargetExit(Word status) noexcept;
+    [[noreturn]] void TargetException(Word number, Word address) noexcept;
+    extern Word target_stack_bottom[];
+    extern Word target_stack_top[];
+}
+
+namespace
+{
+Word AddressOf(const volatile void* place) noexcept
+{
+    return static_cast<Word>(reinterpret_cast<std::uintptr_t>(place));
+}
+
+/// The emulator reads the request's words with the order of a little-endian processor.
+Word Swapped(Word value) noexcept
+{
+    return __builtin_bswap32(value);
+}
+
+/// The compiler does not see that the host reads and writes the block.
+Word Request(Word operation, Word first, Word second, Word third) noexcept
+{
+    volatile Word block[3] = {Swapped(first), Swapped(second), Swapped(third)};
+    return TargetTrap(operation, AddressOf(block));
+}
+
+Word StandardOutput() noexcept
+{
+    static Word handle = 0U;
+    if (handle == 0U)
+    {
+        handle = Request(kSysOpen, AddressOf(":tt"), kOpenForWriting, 3U);
+    }
+    return handle;
+}
+
+Word LengthOf(const char* text) noexcept
+{
+    Word length = 0U;
+    while (text[length] != '\0')
+    {
+        ++length;
+    }
+    return length;
+}
+} // namespace
+
+extern "C" void TargetExit(Word status) noexcept
+{
+    static_cast<void>(TargetTrap(kSysExit, (status == 0U) ? kReasonApplicationExit : kReasonRunTimeError));
+    for (;;)
+    {
+    }
+}
+
+extern "C" void TargetException(Word number, Word address) noexcept
+{
+    static const char* const kNames[] = {"reset",        "undefined instruction", "supervisor call", "prefetch abort",
+                                         "data abort",   "reserved vector",       "interrupt",       "fast interrupt"};
+    counterpoint::target::Write("FAILURE: ");
+    counterpoint::target::Write((number < 8U) ? kNames[number] : "unknown exception");
+    counterpoint::target::Write(" at 0x");
+    counterpoint::target::WriteHex(address);
+    counterpoint::target::Write("\n");
+    TargetExit(1U);
+}
+
+/// Only a destroyed object leads here.
+extern "C" void __cxa_pure_virtual() // NOLINT(bugprone-reserved-identifier): the name is the ABI's
+{
+    counterpoint::target::Write("FAILURE: pure virtual call\n");
+    TargetExit(1U);
+}
+
+namespace counterpoint::target
+{
+
+void Write(const char* text) noexcept
+{
+    static_cast<void>(Request(kSysWrite, StandardOutput(), AddressOf(text), LengthOf(text)));
+}
+
+void WriteNumber(std::uint32_t value) noexcept
+{
+    char digits[11] = {};
+    std::size_t place = sizeof digits - 1U;
+    do
+    {
+        --place;
+        digits[place] = static_cast<char>('0' + static_cast<char>(value % 10U));
+        value /= 10U;
+    } while (value != 0U);
+    Write(&digits[place]);
+}
+
+void WriteHex(std::uint32_t value) noexcept
+{
+    char digits[9] = {};
+    for (std::size_t i = 0U; i < 8U; ++i)
+    {
+        digits[i] = "0123456789abcdef"[(value >> (28U - (4U * i))) & 0xFU];
+    }
+    Write(digits);
+}
+
+const char* Argument() noexcept
+{
+    static char text[80] = {};
+    if (text[0] == '\0')
+    {
+        static_cast<void>(Request(kSysGetCommandLine, AddressOf(text), sizeof text, 0U));
+    }
+    return text;
+}
+
+void Exit(std::uint32_t status) noexcept
+{
+    TargetExit(status);
+}
+
+void StartCycles() noexcept
+{
+    TargetStartCycles();
+}
+
+std::uint32_t ReadCycles() noexcept
+{
+    return TargetReadCycles();
+}
+
+std::uint32_t StackUsed() noexcept
+{
+    const volatile Word* place = target_stack_bottom;
+    while ((place != target_stack_top) && (*place == kStackPaint))
+    {
+        ++place;
+    }
+    return AddressOf(target_stack_top) - AddressOf(place);
+}
+
+void RepaintStack() noexcept
+{
+    // A margin for this function's own frame and for what the caller keeps below its stack pointer: nothing.
+    constexpr Word kMarginBytes = 64U;
+    volatile Word here = 0U;
+    volatile Word* place = target_stack_bottom;
+    while (AddressOf(place) < (AddressOf(&here) - kMarginBytes))
+    {
+        *place = kStackPaint;
+        ++place;
+    }
+}
+
+} // namespace counterpoint::target
