@@ -105,13 +105,15 @@ void Comparator::Look(const Comparison& comparison, const SlotIndex slot, Verdic
     const SrdoMask one_sided = (comparison.outcome_a->released ^ comparison.outcome_b->released) |
                                (comparison.outcome_a->due ^ comparison.outcome_b->due);
 
-    // The ordinal of a producer counts pairs sent; a confirmation at the very limit may count in one channel alone.
-    const std::uint32_t ordinals = (a.ordinal ^ b.ordinal) | Unequal(a.holds_pair, b.holds_pair);
-    if ((ordinals != 0U) && (!is_producer))
+    // A producer's pair was compared before it left; a confirmation at the very limit may count in one channel alone.
+    const std::uint32_t pair_matters = is_producer ? 0U : ~std::uint32_t{0U};
+    const std::uint32_t ordinals = ((a.ordinal ^ b.ordinal) | Unequal(a.holds_pair, b.holds_pair)) & pair_matters;
+    const std::uint32_t data = Unequal(a.data, b.data) & pair_matters;
+    if (ordinals != 0U)
     {
         Unmatched(comparison, slot, DeviceFault::kUnmatched, verdict);
     }
-    else if (Unequal(a.data, b.data) != 0U)
+    else if (data != 0U)
     {
         verdict.fault = DeviceFault::kDisagreement;
         verdict.slot = slot;

@@ -26,6 +26,12 @@ enum class AbortCode : std::uint32_t
     kDeviceState = 0x08000022U, ///< OPERATIONAL.
 };
 
+/// Number of an SRDO, 1 to 64; 0 is none.
+struct SrdoNumber
+{
+    std::uint8_t value;
+};
+
 struct ObjectAddress
 {
     std::uint16_t index;
@@ -70,7 +76,7 @@ struct ObjectPlace
 /// @brief Finds what an address of the safety part of the dictionary leads to. O(srdo_count + log objects)
 [[nodiscard]] ObjectPlace Locate(const DeviceConfig& config, const ObjectAddress& address) noexcept;
 /// @brief Slot of an existing SRDO number, or kNoSlot. O(srdo_count)
-[[nodiscard]] SlotIndex SlotOf(const DeviceConfig& config, const SrdoSetup& wanted) noexcept;
+[[nodiscard]] SlotIndex SlotOf(const DeviceConfig& config, SrdoNumber number) noexcept;
 /// @brief The mappable object at an address, or null. O(log objects)
 [[nodiscard]] const MappableObject* FindObject(const DeviceConfig& config, const ObjectAddress& address) noexcept;
 

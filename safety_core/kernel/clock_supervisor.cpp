@@ -1,0 +1,83 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "safety_core/kernel/clock_supervisor.hpp"
+
+#include <cstdint>
+
+namespace counterpoint
+{
+namespace
+{
+
+constexpr std::uint32_t kSignBit = 0x80000000U;
+
+// Instants are modular: `later` is not before `earlier` when their difference is below 2^31.
+bool IsOrdered(const InstantPair& earlier, const InstantPair& later) noexcept
+{
+    const std::uint32_t differences = (later.a.us - earlier.a.us) | (later.b.us - earlier.b.us);
+    return (differences & kSignBit) == 0U;
+}
+
+std::uint32_t Apart(const std::uint32_t left, const std::uint32_t right) noexcept
+{
+    return (left > right) ? (left - right) : (right - left);
+}
+
+} // namespace
+
+void ClockSupervisor::Restart(const DeviceConfig& config) noexcept
+{
+    tolerance_us_ = config.clock_tolerance_us;
+    interval_us_ = config.clock_interval_us;
+    late_us_ = config.cycle_us + config.cycle_tolerance_us;
+    found_ = DeviceFault::kNone;
+    started_ = false;
+}
+
+// t [cycles]  n            n+1        the stamps of the frames between two cycles lie between the cycles' instants
+// instants    |--- f1 f2 ---|
+void ClockSupervisor::OnFrame(const InstantPair& stamp) noexcept
+{
+    if (started_ && !IsOrdered(newest_, stamp))
+    {
+        found_ = DeviceFault::kFrameOrder;
+    }
+    newest_ = stamp;
+}
+
+DeviceFault ClockSupervisor::OnCycle(const InstantPair& now) noexcept
+{
+    DeviceFault fault = found_;
+    found_ = DeviceFault::kNone;
+    if (!started_)
+    {
+        reference_ = now;
+        previous_ = now;
+        newest_ = now;
+        started_ = true;
+    }
+
+    if (!IsOrdered(newest_, now))
+    {
+        fault = DeviceFault::kFrameOrder;
+    }
+    if (((now.a.us - previous_.a.us) > late_us_) || ((now.b.us - previous_.b.us) > late_us_))
+    {
+        fault = DeviceFault::kLateCall;
+    }
+    // Last, because a counter that runs wild also looks like a late call or like frames out of order.
+    const std::uint32_t progress_a_us = now.a.us - reference_.a.us;
+    const std::uint32_t progress_b_us = now.b.us - reference_.b.us;
+    if (Apart(progress_a_us, progress_b_us) > tolerance_us_)
+    {
+        fault = DeviceFault::kClock;
+    }
+    if ((progress_a_us >= interval_us_) || (progress_b_us >= interval_us_))
+    {
+        reference_ = now;
+    }
+    previous_ = now;
+    newest_ = now;
+    return fault;
+}
+
+} // namespace counterpoint

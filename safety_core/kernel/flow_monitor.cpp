@@ -1,0 +1,57 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "safety_core/kernel/flow_monitor.hpp"
+
+#include <cstdint>
+
+namespace counterpoint
+{
+namespace
+{
+
+constexpr std::uint32_t kMultiplier = 0x0019660DU; // Odd, so that no earlier step is ever lost from the signature.
+constexpr std::uint32_t kStepKey = 0x3C6EF35FU;
+constexpr std::uint32_t kEvidenceKey = 0x9E3779B9U;
+constexpr std::uint32_t kStart = 0x1F123BB5U;
+
+constexpr std::uint32_t Fold(const std::uint32_t signature, const std::uint32_t step, const std::uint32_t difference) noexcept
+{
+    return (((signature + (step * kStepKey)) * kMultiplier) ^ step) + (difference * kEvidenceKey);
+}
+
+constexpr std::uint32_t Undisturbed() noexcept
+{
+    std::uint32_t signature = kStart;
+    for (std::uint32_t step = 1U; step <= kFlowStepCount; ++step)
+    {
+        signature = Fold(signature, step, 0U);
+    }
+    return signature;
+}
+
+// What brings the signature of an undisturbed cycle to the reference that the watchdog knows.
+constexpr std::uint32_t kOffset = hal::kFlowReference - Undisturbed();
+
+} // namespace
+
+void FlowMonitor::Begin() noexcept
+{
+    signature_ = kStart;
+}
+
+void FlowMonitor::Mark(const FlowStep step, const FlowEvidence& evidence) noexcept
+{
+    signature_ = Fold(signature_, static_cast<std::uint32_t>(step), evidence.observed - evidence.expected);
+}
+
+hal::WatchdogAnswer FlowMonitor::End(const hal::WatchdogQuestion& question) noexcept
+{
+    ended_ = signature_ + kOffset;
+    return hal::WatchdogAnswer{(ended_ + question.value) * hal::kWatchdogConstant};
+}
+
+DeviceFault FlowMonitor::Finding() const noexcept
+{
+    return (ended_ == hal::kFlowReference) ? DeviceFault::kNone : DeviceFault::kFlow;
+}
+
+} // namespace counterpoint

@@ -1,0 +1,61 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "safety_core/kernel/safe_state_latch.hpp"
+
+namespace counterpoint
+{
+namespace
+{
+
+constexpr std::uint32_t kRunning = 0x5A3C96E1U;
+constexpr std::uint32_t kSafe = 0U;
+constexpr std::uint16_t kMostFaults = 65535U;
+
+} // namespace
+
+void SafeStateLatch::Arm() noexcept
+{
+    word_ = kRunning;
+    inverse_ = ~kRunning;
+    report_ = DeviceFaultReport{DeviceFault::kNone, kNoSlot, 0U};
+}
+
+void SafeStateLatch::Enter(const DeviceFault fault, const SlotIndex slot) noexcept
+{
+    if (fault == DeviceFault::kNone)
+    {
+        return;
+    }
+    if (report_.fault == DeviceFault::kNone)
+    {
+        report_.fault = fault;
+        report_.slot = slot;
+    }
+    if (report_.count != kMostFaults)
+    {
+        ++report_.count;
+    }
+    word_ = kSafe;
+    inverse_ = kSafe;
+}
+
+std::uint32_t SafeStateLatch::Spoiler() const noexcept
+{
+    return (word_ ^ kRunning) | (inverse_ ^ ~kRunning);
+}
+
+bool SafeStateLatch::IsRunning() const noexcept
+{
+    return Spoiler() == 0U;
+}
+
+SrdoMask SafeStateLatch::Gate() const noexcept
+{
+    return IsRunning() ? ~SrdoMask{0U} : SrdoMask{0U};
+}
+
+DeviceFaultReport SafeStateLatch::Report() const noexcept
+{
+    return report_;
+}
+
+} // namespace counterpoint
