@@ -1,0 +1,19 @@
+#ifndef CANOPEN_CIA306_SIGNING_HPP
+#define CANOPEN_CIA306_SIGNING_HPP
+
+#include "canopen/cia306/ini_document.hpp"
+#include "canopen/cia306/safety_configuration.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace counterpoint::cia306
+{
+/// The document with ParameterValue of 13FFh sub n set to the signature of each SRDO n of the configuration; all else
+/// is kept. Throws InputError where an SRDO cannot be signed, 13FFh has no place for it, or the result, read back,
+/// does not hold the signatures. [SRS-CLI-005, 006]
+[[nodiscard]] IniDocument WithSignatures(const IniDocument& document, const Device& device,
+                                         std::optional<std::uint8_t> node_id);
+} // namespace counterpoint::cia306
+
+#endif // CANOPEN_CIA306_SIGNING_HPP

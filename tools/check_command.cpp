@@ -1,0 +1,98 @@
+#include "tools/check_command.hpp"
+
+#include "canopen/cia306/check.hpp"
+#include "canopen/cia306/device_reader.hpp"
+#include "tools/device_options.hpp"
+#include "tools/json_text.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <ostream>
+#include <set>
+#include <vector>
+
+namespace counterpoint::tools
+{
+namespace
+{
+constexpr int kDefaultGranularity = 8;
+
+std::size_t CountOf(const std::vector<cia306::Finding>& findings, const cia306::Severity severity)
+{
+    return static_cast<std::size_t>(std::count_if(findings.begin(), findings.end(),
+                                                  [severity](const cia306::Finding& finding)
+                                                  { return finding.severity == severity; }));
+}
+
+nlohmann::ordered_json ToJson(const cia306::Finding& finding)
+{
+    return {{"severity", finding.severity == cia306::Severity::kError ? "error" : "warning"},
+            {"line", finding.line},
+            {"object", finding.object},
+            {"message", finding.text}};
+}
+
+class CheckCommand final : public Command
+{
+  public:
+    void Describe(CLI::App& app) override
+    {
+        options_.Describe(app);
+        app.add_option("--granularity", granularity_, "Bits that mapped lengths have to be multiples of")
+            ->capture_default_str()
+            ->check(CLI::IsMember(std::set<int>{1, 8, 16, 32, 64}));
+    }
+
+    [[nodiscard]] ExitStatus Run(const Streams& streams) override
+    {
+        return RunOnDevice(options_, streams, [&] { return Check(streams); });
+    }
+
+  private:
+    [[nodiscard]] ExitStatus Check(const Streams& streams) const
+    {
+        const cia306::Device device = cia306::ReadDeviceFile(options_.file);
+        cia306::CheckOptions check_options;
+        check_options.node_id = options_.NodeId(device);
+        check_options.granularity_bits = static_cast<std::uint8_t>(granularity_);
+        const std::vector<cia306::Finding> findings = cia306::CheckDevice(device, check_options);
+        const std::size_t errors = CountOf(findings, cia306::Severity::kError);
+        if (options_.is_json)
+        {
+            PrintJson(findings, errors, streams.out);
+        }
+        else
+        {
+            for (const cia306::Finding& finding : findings)
+            {
+                streams.out << cia306::FormatFinding(options_.file, finding) << "\n";
+            }
+        }
+        return errors == 0U ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
+    }
+
+    void PrintJson(const std::vector<cia306::Finding>& findings, const std::size_t errors, std::ostream& out) const
+    {
+        nlohmann::ordered_json answer{{"file", options_.file},
+                                      {"holds", errors == 0U},
+                                      {"errors", errors},
+                                      {"warnings", findings.size() - errors},
+                                      {"findings", nlohmann::ordered_json::array()}};
+        for (const cia306::Finding& finding : findings)
+        {
+            answer["findings"].push_back(ToJson(finding));
+        }
+        out << JsonText(answer);
+    }
+
+    DeviceOptions options_;
+    int granularity_{kDefaultGranularity};
+};
+} // namespace
+
+std::unique_ptr<Command> MakeCheckCommand()
+{
+    return std::make_unique<CheckCommand>();
+}
+} // namespace counterpoint::tools

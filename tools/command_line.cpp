@@ -1,0 +1,85 @@
+#include "tools/command_line.hpp"
+
+#include "canopen/cia306/input_error.hpp"
+#include "tools/command_table.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <ostream>
+
+namespace counterpoint::tools
+{
+namespace
+{
+constexpr const char* kProgram = "counterpoint";
+constexpr const char* kVersion = "0.1.0";
+
+/// One line, whatever the library or the system says.
+std::string OneLine(std::string text)
+{
+    while (!text.empty() && text.back() == '\n')
+    {
+        text.pop_back();
+    }
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return cia306::Printable(text);
+}
+
+ExitStatus Usage(const CLI::App& app, const CLI::ParseError& error, const Streams& streams)
+{
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+    {
+        (void)app.exit(error, streams.out, streams.err); // Help and version.
+        return ExitStatus::kHolds;
+    }
+    std::string help = std::string(kProgram);
+    for (const CLI::App* command : app.get_subcommands())
+    {
+        help += " " + command->get_name();
+    }
+    streams.err << kProgram << ": " << OneLine(error.what()) << "; expected a command line as told by '" << help
+                << " --help'\n";
+    return ExitStatus::kBadInput;
+}
+} // namespace
+
+ExitStatus RunCommandLine(const std::vector<std::string>& arguments, const Streams& streams)
+{
+    CLI::App app("Counterpoint: CANopen Safety (EN 50325-5) tools", kProgram);
+    app.set_version_flag("--version", std::string(kProgram) + " " + kVersion);
+    app.require_subcommand(1);
+    std::vector<std::pair<CLI::App*, std::unique_ptr<Command>>> commands;
+    for (const CommandRow& row : CommandTable())
+    {
+        CLI::App* const subcommand = app.add_subcommand(row.name, row.description);
+        commands.emplace_back(subcommand, row.make());
+        commands.back().second->Describe(*subcommand);
+    }
+    try
+    {
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend())); // CLI11 takes them last first.
+        for (const auto& [subcommand, command] : commands)
+        {
+            if (subcommand->parsed())
+            {
+                return command->Run(streams);
+            }
+        }
+    }
+    catch (const CLI::ParseError& error)
+    {
+        return Usage(app, error, streams);
+    }
+    catch (const cia306::InputError& error)
+    {
+        streams.err << error.what() << "\n";
+    }
+    catch (const std::exception& error)
+    {
+        streams.err << kProgram << ": " << OneLine(error.what()) << "\n";
+    }
+    return ExitStatus::kBadInput;
+}
+} // namespace counterpoint::tools

@@ -1,0 +1,15 @@
+#include "tools/command_table.hpp"
+
+#include "tools/check_command.hpp"
+#include "tools/sign_command.hpp"
+
+namespace counterpoint::tools
+{
+std::vector<CommandRow> CommandTable()
+{
+    return {
+        {"sign", "Compute the safety configuration signatures (13FFh) of a DCF", &MakeSignCommand},
+        {"check", "Check the safety configuration of a DCF against every rule", &MakeCheckCommand},
+    };
+}
+} // namespace counterpoint::tools

@@ -1,0 +1,21 @@
+#ifndef TOOLS_COMMAND_TABLE_HPP
+#define TOOLS_COMMAND_TABLE_HPP
+
+#include "tools/command.hpp"
+
+#include <vector>
+
+namespace counterpoint::tools
+{
+struct CommandRow
+{
+    const char* name;
+    const char* description;
+    CommandMaker make;
+};
+
+/// All commands, in the order of the help.
+[[nodiscard]] std::vector<CommandRow> CommandTable();
+} // namespace counterpoint::tools
+
+#endif // TOOLS_COMMAND_TABLE_HPP

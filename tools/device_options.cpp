@@ -1,0 +1,46 @@
+#include "tools/device_options.hpp"
+
+#include "tools/json_text.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <ostream>
+
+namespace counterpoint::tools
+{
+namespace
+{
+constexpr int kMaxNodeId = 127;
+}
+
+void DeviceOptions::Describe(CLI::App& app)
+{
+    app.add_option("FILE", file, "EDS or DCF file")->required();
+    app.add_option("--node-id", node_id, "Node-ID for $NODEID (default: the one in the file)")
+        ->check(CLI::Range(1, kMaxNodeId));
+    app.add_flag("--json", is_json, "Answer as one JSON document");
+}
+
+std::optional<std::uint8_t> DeviceOptions::NodeId(const cia306::Device& device) const
+{
+    return node_id == 0 ? device.node_id : std::optional(static_cast<std::uint8_t>(node_id));
+}
+
+ExitStatus RunOnDevice(const DeviceOptions& options, const Streams& streams, const std::function<ExitStatus()>& body)
+{
+    try
+    {
+        return body();
+    }
+    catch (const cia306::InputError& error)
+    {
+        if (options.is_json)
+        {
+            const nlohmann::ordered_json answer{
+                {"error", {{"file", error.File()}, {"line", error.Line()}, {"message", error.Message()}}}};
+            streams.out << JsonText(answer);
+        }
+        throw;
+    }
+}
+} // namespace counterpoint::tools

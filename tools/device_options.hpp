@@ -1,0 +1,32 @@
+#ifndef TOOLS_DEVICE_OPTIONS_HPP
+#define TOOLS_DEVICE_OPTIONS_HPP
+
+#include "canopen/cia306/device.hpp"
+#include "canopen/cia306/input_error.hpp"
+#include "tools/command.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace counterpoint::tools
+{
+/// What every command on one device file takes: FILE, --node-id, --json.
+struct DeviceOptions
+{
+    std::string file;
+    int node_id{0}; ///< 0: not given.
+    bool is_json{false};
+
+    void Describe(CLI::App& app);
+    /// From the command line, else from the file.
+    [[nodiscard]] std::optional<std::uint8_t> NodeId(const cia306::Device& device) const;
+};
+
+/// Runs `body`; with --json a refusal is told as a JSON document too. [SRS-CLI-008]
+[[nodiscard]] ExitStatus RunOnDevice(const DeviceOptions& options, const Streams& streams,
+                                     const std::function<ExitStatus()>& body);
+} // namespace counterpoint::tools
+
+#endif // TOOLS_DEVICE_OPTIONS_HPP

@@ -1,0 +1,9 @@
+#include "tools/json_text.hpp"
+
+namespace counterpoint::tools
+{
+std::string JsonText(const nlohmann::ordered_json& document)
+{
+    return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+} // namespace counterpoint::tools

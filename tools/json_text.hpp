@@ -1,0 +1,14 @@
+#ifndef TOOLS_JSON_TEXT_HPP
+#define TOOLS_JSON_TEXT_HPP
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace counterpoint::tools
+{
+/// The document with a line end. Bytes that are no UTF-8 (file names, Latin-1 texts of an EDS) are replaced.
+[[nodiscard]] std::string JsonText(const nlohmann::ordered_json& document);
+} // namespace counterpoint::tools
+
+#endif // TOOLS_JSON_TEXT_HPP

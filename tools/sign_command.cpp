@@ -1,0 +1,143 @@
+#include "tools/sign_command.hpp"
+
+#include "canopen/cia306/device_reader.hpp"
+#include "canopen/cia306/safety_configuration.hpp"
+#include "canopen/cia306/signature.hpp"
+#include "canopen/cia306/signing.hpp"
+#include "canopen/cia306/text_file.hpp"
+#include "tools/device_options.hpp"
+#include "tools/json_text.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <ostream>
+#include <vector>
+
+namespace counterpoint::tools
+{
+namespace
+{
+using cia306::SrdoConfiguration;
+
+/// Bytes of the longest field and its spaces, so that the meanings stand in one column.
+constexpr std::size_t kBytesColumn = 11U;
+
+std::string SignatureName(const SrdoConfiguration& srdo)
+{
+    return cia306::ObjectName(cia306::kSignatureIndex, srdo.number);
+}
+
+void PrintFields(const SrdoConfiguration& srdo, std::ostream& out)
+{
+    for (const cia306::SignedField& field : cia306::SignedFields(srdo))
+    {
+        std::string bytes = cia306::HexBytes(field.bytes);
+        bytes.resize(kBytesColumn, ' ');
+        out << "    " << bytes << "  " << field.object << "  " << field.meaning << "\n";
+    }
+    const std::vector<std::uint8_t> bytes = cia306::CanonicalBytes(srdo);
+    out << "    " << bytes.size() << " bytes: " << cia306::HexBytes(bytes) << "\n";
+}
+
+nlohmann::ordered_json ToJson(const SrdoConfiguration& srdo, const bool is_verbose)
+{
+    const std::uint16_t signature = cia306::SignatureOf(srdo);
+    nlohmann::ordered_json answer{{"srdo", srdo.number},
+                                  {"object", SignatureName(srdo)},
+                                  {"signature", cia306::Hex(signature, 4)},
+                                  {"value", signature}};
+    if (is_verbose)
+    {
+        answer["bytes"] = cia306::HexBytes(cia306::CanonicalBytes(srdo));
+        answer["fields"] = nlohmann::ordered_json::array();
+        for (const cia306::SignedField& field : cia306::SignedFields(srdo))
+        {
+            answer["fields"].push_back(
+                {{"object", field.object}, {"meaning", field.meaning}, {"bytes", cia306::HexBytes(field.bytes)}});
+        }
+    }
+    return answer;
+}
+
+class SignCommand final : public Command
+{
+  public:
+    void Describe(CLI::App& app) override
+    {
+        options_.Describe(app);
+        app.add_option("--write", output_, "Write a copy of FILE with the signatures as ParameterValue of 13FFh");
+        app.add_flag("--verbose", is_verbose_, "Print the bytes that go into each signature, field by field");
+    }
+
+    [[nodiscard]] ExitStatus Run(const Streams& streams) override
+    {
+        return RunOnDevice(options_, streams, [&] { return Sign(streams); });
+    }
+
+  private:
+    [[nodiscard]] ExitStatus Sign(const Streams& streams) const
+    {
+        const auto document = cia306::IniDocument::Parse(options_.file, cia306::ReadTextFile(options_.file));
+        const cia306::Device device = cia306::ReadDevice(document);
+        const std::optional<std::uint8_t> node_id = options_.NodeId(device);
+        const cia306::SafetyConfiguration configuration = cia306::ExtractSafety(device, node_id);
+        for (const SrdoConfiguration& srdo : configuration.srdos)
+        {
+            cia306::RequireNone(device.file, srdo.signature_problems);
+        }
+        if (!output_.empty())
+        {
+            cia306::WriteTextFile(output_, cia306::WithSignatures(document, device, node_id).Text());
+        }
+        if (configuration.srdos.empty())
+        {
+            streams.err << cia306::Printable(options_.file)
+                        << ":0: warning: no SRDO, expected communication parameters at 0x1301 to 0x1340\n";
+        }
+        Print(configuration, node_id, streams.out);
+        return ExitStatus::kHolds;
+    }
+
+    void Print(const cia306::SafetyConfiguration& configuration, const std::optional<std::uint8_t> node_id,
+               std::ostream& out) const
+    {
+        if (options_.is_json)
+        {
+            nlohmann::ordered_json answer{{"file", options_.file}, {"node_id", nullptr}};
+            if (node_id)
+            {
+                answer["node_id"] = *node_id;
+            }
+            answer["srdos"] = nlohmann::ordered_json::array();
+            for (const SrdoConfiguration& srdo : configuration.srdos)
+            {
+                answer["srdos"].push_back(ToJson(srdo, is_verbose_));
+            }
+            if (!output_.empty())
+            {
+                answer["written"] = output_;
+            }
+            out << JsonText(answer);
+            return;
+        }
+        for (const SrdoConfiguration& srdo : configuration.srdos)
+        {
+            out << SignatureName(srdo) << " = " << cia306::Hex(cia306::SignatureOf(srdo), 4) << "\n";
+            if (is_verbose_)
+            {
+                PrintFields(srdo, out);
+            }
+        }
+    }
+
+    DeviceOptions options_;
+    std::string output_;
+    bool is_verbose_{false};
+};
+} // namespace
+
+std::unique_ptr<Command> MakeSignCommand()
+{
+    return std::make_unique<SignCommand>();
+}
+} // namespace counterpoint::tools
