@@ -16,29 +16,27 @@ constexpr std::uint32_t kGfcSupported = 1U;
 
 AbortCode ConfigurationGuard::AdmitItem(const ConfigItem& item) const noexcept
 {
-    switch (item.address.field)
+    const ConfigField field = item.address.field;
+    if (field == ConfigField::kDirection)
     {
-    case ConfigField::kDirection:
         return AdmitDirection(item);
-    case ConfigField::kCobId1:
-    case ConfigField::kCobId2:
-        return AdmitCobId(item);
-    case ConfigField::kMapCount:
-        return AdmitMapCount(item);
-    case ConfigField::kMapEntry:
-        return AdmitMapEntry(item);
-    case ConfigField::kTransmissionType:
-        return (item.value == kTransmissionTypeAsynchronous) ? AbortCode::kNone : AbortCode::kValueRange;
-    case ConfigField::kGfcParameter:
-        return (item.value <= kGfcSupported) ? AbortCode::kNone : AbortCode::kValueRange;
-    case ConfigField::kSct:
-    case ConfigField::kSrvt:
-    case ConfigField::kSignature:
-    case ConfigField::kConfigurationValid:
-    case ConfigField::kInvalid:
-        break;
     }
-    return AbortCode::kNone;
+    if ((field == ConfigField::kCobId1) || (field == ConfigField::kCobId2))
+    {
+        return AdmitCobId(item);
+    }
+    if (field == ConfigField::kMapCount)
+    {
+        return AdmitMapCount(item);
+    }
+    if (field == ConfigField::kMapEntry)
+    {
+        return AdmitMapEntry(item);
+    }
+    const bool is_wrong_type =
+        (field == ConfigField::kTransmissionType) && (item.value != kTransmissionTypeAsynchronous);
+    const bool is_wrong_gfc = (field == ConfigField::kGfcParameter) && (item.value > kGfcSupported);
+    return (is_wrong_type || is_wrong_gfc) ? AbortCode::kValueRange : AbortCode::kNone;
 }
 
 bool ConfigurationGuard::IsIdentifierFree(const ConfigItem& item) const noexcept

@@ -193,7 +193,9 @@ class Kernel
     std::uint32_t cycles_to_test_{1U};
     std::uint16_t demotions_{0U};
     std::uint8_t test_number_{0U};
+    std::uint8_t received_{0U};
     std::uint8_t transmitted_{0U};
+    std::uint8_t transmitted_told_{0U};
     std::uint8_t errors_{0U};
     QueueState queue_{QueueState::kIntact};
     NmtState nmt_{NmtState::kInvalid};

@@ -1,0 +1,170 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "safety_core/kernel/kernel.hpp"
+
+// What Start looks at before anything runs. [SRS-KRN-001]
+namespace counterpoint
+{
+namespace
+{
+
+constexpr std::uint8_t kHighestNodeId = 127U;
+constexpr std::uint16_t kMostObjects = 1024U;
+constexpr std::uint32_t kShortestCycleUs = 100U;
+constexpr std::uint32_t kLongestCycleUs = 1000000U;
+constexpr std::uint32_t kLongestTimeUs = 0x3FFFFFFFU; // Differences of instants stay valid with room to spare.
+constexpr std::uint8_t kBitsPerByte = 8U;
+
+bool IsGranularity(const std::uint8_t bits) noexcept
+{
+    // A power of two from 8 to 64.
+    const std::uint32_t value = bits;
+    const bool is_power = (value & (value - 1U)) == 0U;
+    return is_power && (value >= kBitsPerByte) && (value <= kMaxPayloadBits);
+}
+
+bool IsPort(const CanPortId port) noexcept
+{
+    return (port == CanPortId::kFirst) || (port == CanPortId::kSecond);
+}
+
+bool IsObject(const MappableObject& object) noexcept
+{
+    const bool is_length = (object.length_bits >= kBitsPerByte) && (object.length_bits <= kMaxPayloadBits);
+    const bool is_whole = (object.length_bits % kBitsPerByte) == 0U;
+    return is_length && is_whole && (object.place != nullptr);
+}
+
+std::uint32_t OrderOf(const MappableObject& object) noexcept
+{
+    return (static_cast<std::uint32_t>(object.index) << 8U) | object.sub;
+}
+
+} // namespace
+
+StartResult Kernel::CheckNumbers(const DeviceConfig& config) noexcept
+{
+    if ((config.srdo_count == 0U) || (config.srdo_count > kMaxSrdoCount))
+    {
+        return StartResult::kSrdoCount;
+    }
+    std::uint8_t highest = 0U;
+    for (SlotIndex slot = 0U; slot < config.srdo_count; ++slot)
+    {
+        const std::uint8_t number = config.srdos[slot].number; // MISRA D-002
+        if ((number <= highest) || (number > kMaxSrdoCount))
+        {
+            return StartResult::kSrdoNumbers;
+        }
+        highest = number;
+    }
+    if ((config.node_id == 0U) || (config.node_id > kHighestNodeId))
+    {
+        return StartResult::kNodeId;
+    }
+    if (!IsGranularity(config.granularity_bits))
+    {
+        return StartResult::kGranularity;
+    }
+    const bool are_ports = IsPort(config.normal_port) && IsPort(config.inverse_port);
+    return are_ports ? StartResult::kStarted : StartResult::kPorts;
+}
+
+StartResult Kernel::CheckObjects(const DeviceConfig& config) noexcept
+{
+    if (config.object_count > kMostObjects)
+    {
+        return StartResult::kObjects;
+    }
+    std::uint32_t following = 0U; // The least that the next object's order may be.
+    for (std::uint16_t number = 0U; number < config.object_count; ++number)
+    {
+        const MappableObject& object = config.objects[number]; // MISRA D-002
+        const std::uint32_t order = OrderOf(object);
+        if ((order < following) || (!IsObject(object)))
+        {
+            return StartResult::kObjects;
+        }
+        following = order + 1U;
+    }
+    return StartResult::kStarted;
+}
+
+StartResult Kernel::CheckTiming(const DeviceConfig& config) noexcept
+{
+    const bool is_cycle = (config.cycle_us >= kShortestCycleUs) && (config.cycle_us <= kLongestCycleUs) &&
+                          (config.cycle_tolerance_us <= config.cycle_us);
+    const std::uint32_t longest_us = config.discrepancy_us | config.acknowledge_window_us |
+                                     config.diagnostic_interval_us | config.test_interval_us |
+                                     config.clock_interval_us | config.output_time_us;
+    const bool is_clock = config.clock_interval_us > config.clock_tolerance_us;
+    if (!(is_cycle && is_clock && (longest_us <= kLongestTimeUs)))
+    {
+        return StartResult::kTiming;
+    }
+    // One signature a cycle at the most, one test of the comparator a cycle at the most.
+    const bool is_diagnosed = config.diagnostic_interval_us >= (config.cycle_us * config.srdo_count);
+    const bool is_tested = config.test_interval_us >= config.cycle_us;
+    return (is_diagnosed && is_tested) ? StartResult::kStarted : StartResult::kTiming;
+}
+
+StartResult Kernel::CheckPlatform(const DeviceConfig& config) const noexcept
+{
+    StartResult result = CheckNumbers(config);
+    if (result == StartResult::kStarted)
+    {
+        result = CheckObjects(config);
+    }
+    if (result == StartResult::kStarted)
+    {
+        result = CheckTiming(config);
+    }
+    if (result != StartResult::kStarted)
+    {
+        return result;
+    }
+    const hal::MissingGuarantee missing = hal::CheckGuarantees(parts_.can.Guarantees());
+    if (missing == hal::MissingGuarantee::kNone)
+    {
+        return StartResult::kStarted;
+    }
+    if (missing == hal::MissingGuarantee::kBusOrder)
+    {
+        return StartResult::kBusOrder;
+    }
+    return (missing == hal::MissingGuarantee::kStamps) ? StartResult::kStamps : StartResult::kConfirmations;
+}
+
+StartResult Kernel::Start(const DeviceConfig& config, const FlowCallback flow) noexcept
+{
+    started_ = false;
+    const StartResult result = CheckPlatform(config);
+    if (result != StartResult::kStarted)
+    {
+        return result;
+    }
+    config_ = &config;
+    flow_callback_ = flow;
+    parts_.channel_a.Restart(config);
+    parts_.channel_b.Restart(config);
+    guard_.Restart(config);
+    comparator_.Restart(ComparatorSetup{config.discrepancy_us, config.srdo_count});
+    clocks_.Restart(config);
+    verdict_ = Verdict{};
+    committed_ = 0U;
+    now_ = InstantPair{{0U}, {0U}};
+    cycle_ = 0U;
+    test_cycles_ = config.test_interval_us / config.cycle_us;
+    cycles_to_test_ = test_cycles_;
+    test_number_ = 0U;
+    demotions_ = 0U;
+    queue_ = QueueState::kIntact;
+    nmt_ = NmtState::kInitialising;
+    gfc_seen_ = false;
+    gfc_open_ = false;
+    fault_told_ = false;
+    latch_.Arm();
+    started_ = true;
+    return StartResult::kStarted;
+}
+
+} // namespace counterpoint
