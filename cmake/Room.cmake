@@ -42,6 +42,8 @@ function(counterpoint_room target)
         "${Counterpoint_SOURCE_DIR}/cmake/compile_with;${COUNTERPOINT_CHANNEL_B_COMPILER}")
       # Only Clang sees these (a cross build sets them): its name of the target, its way to the headers.
       target_compile_options(${target} PRIVATE ${COUNTERPOINT_CHANNEL_B_FLAGS})
+    else()
+      target_compile_options(${target} PRIVATE ${COUNTERPOINT_MAIN_FLAGS})
     endif()
   endif()
   add_library(Counterpoint::${target} ALIAS ${target})

@@ -28,3 +28,5 @@ set(gcc_headers ${newlib}/c++/12.2.1)
 set(COUNTERPOINT_CHANNEL_B_FLAGS --target=armebv7r-none-eabihf -fshort-enums
     -isystem${gcc_headers} -isystem${gcc_headers}/arm-none-eabi -isystem${newlib}
     CACHE STRING "Flags of channel B's compiler that the compiler of the rest does not know")
+# Stack usage again, by the names that the linker knows: only GCC has this, and needs it.
+set(COUNTERPOINT_MAIN_FLAGS -fcallgraph-info=su CACHE STRING "Flags that the compiler of channel B does not know")

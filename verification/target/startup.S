@@ -6,14 +6,14 @@
     .arch armv7-r
     .fpu vfpv3-d16
 
-    .equ MODE_SUPERVISOR, 0x13
-    .equ MODE_ABORT, 0x17
-    .equ MODE_UNDEFINED, 0x1B
-    .equ MODE_SYSTEM, 0x1F
-    .equ INTERRUPTS_OFF, 0xC0
-    .equ SCTLR_EE, 1 << 25
-    .equ CPACR_VFP, 0xF << 20
-    .equ FPEXC_ENABLE, 1 << 30
+    .equ .Lmode_supervisor, 0x13
+    .equ .Lmode_abort, 0x17
+    .equ .Lmode_undefined, 0x1B
+    .equ .Lmode_system, 0x1F
+    .equ .Linterrupts_off, 0xC0
+    .equ .Lsctlr_ee, 1 << 25
+    .equ .Lcpacr_vfp, 0xF << 20
+    .equ .Lfpexc_enable, 1 << 30
 
     .section .vectors, "ax", %progbits
     .arm
@@ -34,25 +34,25 @@ TargetVectors:
 Reset:
     setend be
     mrc p15, 0, r0, c1, c0, 0
-    orr r0, r0, #SCTLR_EE              @ exceptions are entered with big-endian data, too
+    orr r0, r0, #.Lsctlr_ee              @ exceptions are entered with big-endian data, too
     mcr p15, 0, r0, c1, c0, 0
     isb
 
     mrc p15, 0, r0, c1, c0, 2
-    orr r0, r0, #CPACR_VFP
+    orr r0, r0, #.Lcpacr_vfp
     mcr p15, 0, r0, c1, c0, 2
     isb
-    mov r0, #FPEXC_ENABLE
+    mov r0, #.Lfpexc_enable
     vmsr fpexc, r0
 
     ldr r4, =target_exception_stack_top
-    cps #MODE_ABORT
+    cps #.Lmode_abort
     mov sp, r4
-    cps #MODE_UNDEFINED
+    cps #.Lmode_undefined
     mov sp, r4
-    cps #MODE_SUPERVISOR
+    cps #.Lmode_supervisor
     mov sp, r4
-    cps #MODE_SYSTEM
+    cps #.Lmode_system
     ldr sp, =target_stack_top
 
     ldr r0, =target_stack_bottom       @ the painted stack shows how deep a run went

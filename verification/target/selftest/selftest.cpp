@@ -30,6 +30,12 @@ bool ClangAnswersGcc() noexcept
            (first.bytes[3] == 1U) && (second.pitch == 7U) && (second.mask == 0xFFU);
 }
 
+/// What the stack computation must refuse. The emulator never runs it.
+[[gnu::noinline]] std::uint32_t Recurse(std::uint32_t depth) noexcept
+{
+    return (depth <= initialised_word) ? depth : (Recurse(depth - 1U) ^ (Recurse(depth / 2U) + depth));
+}
+
 std::uint32_t RunAll() noexcept
 {
     const auto* bytes = reinterpret_cast<const volatile std::uint8_t*>(&initialised_word);
@@ -72,6 +78,8 @@ extern "C" std::uint32_t TargetMain() noexcept
         {
             zeroed_word = 1U;
         }
+    case 'r':
+        return Recurse(zeroed_word);
     default:
         return RunAll();
     }

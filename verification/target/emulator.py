@@ -1,0 +1,26 @@
+"""Runs images on QEMU's Cortex-R5F with big-endian data."""
+import dataclasses
+import subprocess
+
+COMMAND = ["qemu-system-arm", "-M", "none", "-m", "16M", "-cpu", "cortex-r5f", "-nographic", "-monitor", "none",
+           "-serial", "none"]
+
+
+@dataclasses.dataclass
+class Run:
+    """What came of one run: status is None when the time limit ended it."""
+    status: int
+    output: str
+
+
+def run_image(binary, argument="run", seconds=60, count_instructions=True):
+    """Runs one .bin. With `count_instructions` one cycle of the cycle counter is one instruction, exactly."""
+    command = COMMAND + ["-device", f"loader,file={binary},addr=0,force-raw=on", "-semihosting-config",
+                         f"enable=on,target=native,arg={argument}"]
+    if count_instructions:
+        command += ["-icount", "shift=0"]
+    try:
+        done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, timeout=seconds, check=False)
+    except subprocess.TimeoutExpired as expired:
+        return Run(None, (expired.stdout or b"").decode("utf-8", "replace"))
+    return Run(done.returncode, (done.stdout + done.stderr).decode("utf-8", "replace"))

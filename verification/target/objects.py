@@ -1,0 +1,77 @@
+"""The objects of core and channels in a build folder: digest, size, and what they need from elsewhere."""
+import hashlib
+import pathlib
+import re
+import subprocess
+import tempfile
+
+# Room, archive in the build folder. The digest goes over the objects in this order.
+CERTIFIED = [("safety_core/comparator", "safety_core/comparator/libsafety_core_comparator.a"),
+             ("safety_core/kernel", "safety_core/kernel/libsafety_core_kernel.a"),
+             ("hal/api", "hal/api/libhal_api.a"),
+             ("channel_a", "channel_a/libchannel_a.a"),
+             ("channel_b", "channel_b/libchannel_b.a")]
+
+# What a compiler may call in freestanding code, with the names of the ARM run-time ABI; target/memory.cpp has them.
+MEMORY_FUNCTIONS = re.compile(r"(mem(cpy|move|set|cmp)|__aeabi_mem(cpy|move|set|clr)[48]?)")
+# Stands in the virtual table of an abstract class; called only through a destroyed object.
+ABSTRACT = {"__cxa_pure_virtual"}
+
+
+class BadInput(Exception):
+    """Input that cannot be used; the text names it."""
+
+
+def archives(build):
+    for room, path in CERTIFIED:
+        archive = pathlib.Path(build) / path
+        if not archive.is_file():
+            raise BadInput(f"{archive}: not there, expected after the build")
+        yield room, archive
+
+
+def members(archive, tool="ar"):
+    """Name and bytes of each object, in the order of the names."""
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([tool, "x", str(archive.resolve())], cwd=folder, check=True)
+        return [(path.name, path.read_bytes()) for path in sorted(pathlib.Path(folder).iterdir())]
+
+
+def digest(build):
+    """SHA-256 over room, name and bytes of every object."""
+    total = hashlib.sha256()
+    count = 0
+    for room, archive in archives(build):
+        for name, content in members(archive):
+            total.update(f"{room}/{name}:{hashlib.sha256(content).hexdigest()}\n".encode())
+            count += 1
+    return total.hexdigest(), count
+
+
+def sizes(build, prefix):
+    """Room -> bytes of code, of constants, of initialised and of zeroed data."""
+    result = {}
+    for room, archive in archives(build):
+        row = {"text": 0, "rodata": 0, "data": 0, "bss": 0}
+        text = subprocess.run([f"{prefix}size", "-A", str(archive)], check=True, capture_output=True, text=True).stdout
+        for line in text.splitlines():
+            match = re.match(r"^\.(text|rodata|data|bss)(?:\.\S*)?\s+(\d+)\s", line)
+            if match:
+                row[match.group(1)] += int(match.group(2))
+        result[room] = row
+    return result
+
+
+def foreign_symbols(build, prefix):
+    """Undefined symbols that no object of core or channels defines, with the rooms that want them."""
+    wanted, defined = {}, set()
+    for room, archive in archives(build):
+        text = subprocess.run([f"{prefix}nm", str(archive)], check=True, capture_output=True, text=True).stdout
+        for line in text.splitlines():
+            fields = line.split()
+            if len(fields) == 2 and fields[0] == "U":
+                wanted.setdefault(fields[1], set()).add(room)
+            elif len(fields) == 3:
+                defined.add(fields[2])
+    return {symbol: sorted(rooms) for symbol, rooms in sorted(wanted.items())
+            if symbol not in defined and symbol not in ABSTRACT and not MEMORY_FUNCTIONS.fullmatch(symbol)}
