@@ -187,26 +187,36 @@ void CheckCommunication(const CheckContext& context, const SrdoConfiguration& sr
 
 void CheckIdentifiers(const SafetyConfiguration& configuration, Findings& findings)
 {
-    std::map<std::uint64_t, std::uint8_t> users;
+    std::map<std::uint64_t, const SrdoConfiguration*> users;
+    const auto check = [&](const SrdoConfiguration& srdo, const Field& cob_id, const std::uint8_t sub)
+    {
+        const bool is_unassigned = cob_id.value.value_or(0U) == 0U;
+        if (is_unassigned)
+        {
+            return;
+        }
+        const auto [user, is_new] = users.emplace(*cob_id.value, &srdo);
+        if (is_new || user->second == &srdo)
+        {
+            return;
+        }
+        const std::string object = ObjectName(srdo.CommunicationIndex(), sub);
+        const std::string wrong =
+            "COB-ID " + Hex(*cob_id.value, 3) + " is in use by SRDO " + Decimal(user->second->number);
+        const bool are_both_off = srdo.direction.Is(0U) && user->second->direction.Is(0U);
+        if (are_both_off)
+        {
+            findings.Warning(cob_id.line, object, wrong + ", both are off", "an identifier of its own");
+        }
+        else
+        {
+            findings.Error(cob_id.line, object, wrong, "an identifier of its own");
+        }
+    };
     for (const SrdoConfiguration& srdo : configuration.srdos)
     {
-        const auto check = [&](const Field& cob_id, const std::uint8_t sub)
-        {
-            const bool is_unassigned = cob_id.value.value_or(0U) == 0U;
-            if (is_unassigned)
-            {
-                return;
-            }
-            const auto [user, is_new] = users.emplace(*cob_id.value, srdo.number);
-            if (!is_new && user->second != srdo.number)
-            {
-                findings.Error(cob_id.line, ObjectName(srdo.CommunicationIndex(), sub),
-                               "COB-ID " + Hex(*cob_id.value, 3) + " is in use by SRDO " + Decimal(user->second),
-                               "an identifier of its own");
-            }
-        };
-        check(srdo.cob_id_1, 5U);
-        check(srdo.cob_id_2, 6U);
+        check(srdo, srdo.cob_id_1, 5U);
+        check(srdo, srdo.cob_id_2, 6U);
     }
 }
 } // namespace counterpoint::cia306

@@ -125,7 +125,7 @@ void CheckCount(const SrdoConfiguration& srdo, Findings& findings)
     const bool is_empty = srdo.entry_count.Is(0U) && (srdo.IsProducer() || srdo.IsConsumer());
     if (is_empty)
     {
-        findings.Warning(srdo.entry_count.line, name, "no mapping entry in an SRDO that is on", "2 or more");
+        findings.Error(srdo.entry_count.line, name, "no mapping entry in an SRDO that is on", "2 or more");
     }
 }
 
@@ -210,8 +210,8 @@ void CheckSides(const SrdoConfiguration& srdo, Findings& findings)
         const auto [before, is_new] = own_side.emplace(object, &entry);
         if (!is_new)
         {
-            findings.Warning(entry.line, EntryName(srdo, entry), "object " + MappedName(entry) + " is mapped twice",
-                             "another object than in sub-index " + std::to_string(before->second->sub));
+            findings.Error(entry.line, EntryName(srdo, entry), "object " + MappedName(entry) + " is mapped twice",
+                           "another object than in sub-index " + std::to_string(before->second->sub));
         }
     }
 }

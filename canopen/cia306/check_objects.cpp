@@ -144,6 +144,26 @@ void CheckGfc(const CheckContext& context, Findings& findings)
     }
 }
 
+/// The kernel keeps 0000h for an SRDO that does not exist.
+void CheckGaps(const CheckContext& context, Findings& findings)
+{
+    const Object& signatures = *context.device.Find(kSignatureIndex);
+    for (const auto& [sub, entry] : signatures.entries)
+    {
+        const bool is_gap = sub != 0U && context.device.Find(static_cast<std::uint16_t>(kGfcIndex + sub)) == nullptr;
+        if (!is_gap)
+        {
+            continue;
+        }
+        const ValueResult value = ConfiguredValue(entry, context.node_id);
+        if (value.value && value.value->bits != 0U)
+        {
+            findings.Warning(entry.ValueLine(), ObjectName(kSignatureIndex, sub),
+                             "signature " + Hex(value.value->bits, 4) + " of an SRDO that does not exist", "0x0000");
+        }
+    }
+}
+
 void CheckSignatures(const CheckContext& context, Findings& findings)
 {
     const SafetyConfiguration& configuration = context.configuration;
@@ -153,6 +173,7 @@ void CheckSignatures(const CheckContext& context, Findings& findings)
                        "the safety configuration signature is missing", "an array with a sub-index for each SRDO");
         return;
     }
+    CheckGaps(context, findings);
     const std::uint8_t highest = configuration.srdos.back().number;
     if (configuration.signature_count.value && *configuration.signature_count.value < highest)
     {
