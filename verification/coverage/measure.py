@@ -1,0 +1,139 @@
+#!/usr/bin/env python3
+"""MC/DC, branch, line and function coverage by Clang 19 from the GoogleTest programs of a coverage build.
+
+    measure.py BUILD OUT [--root ROOT] [--html FOLDER] [--jobs N]
+
+BUILD is a build folder of preset `coverage`. Runs every GoogleTest program that ctest knows there, merges the profiles, and
+writes OUT/export.json (llvm-cov export), OUT/tests/*.xml (results) and OUT/compile.log: every file of the safety rooms
+compiled anew, because Clang tells only while compiling which decisions it leaves out of MC/DC.
+With --html also the annotated sources, each decision with its executed vectors and independence pairs.
+Exit status: 0 measured (whether it is enough, the gates say), 1 a test failed, 2 nothing could be measured.
+"""
+import argparse
+import concurrent.futures
+import json
+import os
+import pathlib
+import shlex
+import shutil
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SAFETY_ROOMS = ("safety_core/contract", "safety_core/comparator", "safety_core/kernel", "channel_a", "channel_b")
+TIMEOUT_S = 900
+
+
+class CannotMeasure(Exception):
+    pass
+
+
+def run(command, **options):
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False, **options)
+    if done.returncode != 0:
+        raise CannotMeasure(f"{command[0]} ended with exit status {done.returncode}: {(done.stderr + done.stdout).strip()[-600:]}")
+    return done.stdout
+
+
+def google_tests(build):
+    """Commands of the ctest entries whose program is a GoogleTest."""
+    listing = json.loads(run(["ctest", "--test-dir", build, "--show-only=json-v1"]))
+    commands = []
+    for test in listing["tests"]:
+        command = test.get("command")
+        if not command or not os.path.exists(command[0]):
+            continue
+        with open(command[0], "rb") as program:
+            if b"gtest_output" not in program.read():
+                continue
+        directory = next((item["value"] for item in test["properties"] if item["name"] == "WORKING_DIRECTORY"), str(build))
+        commands.append((test["name"], command, directory))
+    if not commands:
+        raise CannotMeasure(f"{build}: ctest lists no GoogleTest program, expected the tests to be built there")
+    return commands
+
+
+def run_tests(commands, out, jobs):
+    """Every program once; returns the names of those that failed."""
+    profiles, results = out / "profiles", out / "tests"
+    for folder in (profiles, results):
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir(parents=True)
+
+    def one(item):
+        name, command, directory = item
+        environment = dict(os.environ, LLVM_PROFILE_FILE=str(profiles / f"{name}-%p.profraw"),
+                           GTEST_OUTPUT=f"xml:{results / name}.xml")
+        done = subprocess.run(command, cwd=directory, env=environment, capture_output=True, text=True, check=False,
+                              stdin=subprocess.DEVNULL, timeout=TIMEOUT_S)
+        if done.returncode != 0:
+            print(f"{name} failed:\n" + "\n".join((done.stdout + done.stderr).splitlines()[-30:]), flush=True)
+        return None if done.returncode == 0 else name
+
+    with concurrent.futures.ThreadPoolExecutor(max_workers=jobs) as pool:
+        return [name for name in pool.map(one, commands) if name]
+
+
+def compile_again(build, root, out):
+    """Compiles every file of the safety rooms with its own command, for the warnings alone."""
+    log = []
+    for entry in json.loads((build / "compile_commands.json").read_text()):
+        path = pathlib.Path(os.path.realpath(entry["file"]))
+        if not path.is_relative_to(root):
+            continue
+        name = path.relative_to(root).as_posix()
+        if not any(name.startswith(room + "/") for room in SAFETY_ROOMS):
+            continue
+        words = shlex.split(entry["command"])
+        words[words.index("-o") + 1] = os.devnull
+        done = subprocess.run(words, cwd=entry["directory"], capture_output=True, text=True, check=False)
+        log.append(f"{'COMPILED' if done.returncode == 0 else 'FAILED'} {name}\n{done.stderr}")
+    (out / "compile.log").write_text("".join(log))
+
+
+def export(commands, build, root, out, html):
+    profile = out / "merged.profdata"
+    raw = sorted((out / "profiles").glob("*.profraw"))
+    if not raw:
+        raise CannotMeasure("the tests wrote no profile, expected a build of preset coverage")
+    listing = out / "profiles.txt"
+    listing.write_text("\n".join(str(path) for path in raw))
+    run(["llvm-profdata-19", "merge", "-sparse", f"--input-files={listing}", "-o", profile])
+    shutil.rmtree(out / "profiles")
+    programs = sorted({command[0] for _, command, _ in commands})
+    objects = [programs[0]] + [word for program in programs[1:] for word in ("-object", program)]
+    # The rooms' own files, by their place in the tree and by the links that other rooms include them through.
+    folders = [folder for room in SAFETY_ROOMS for folder in [root / room, *sorted((build / "include").glob(f"*/{room}"))]
+               if folder.is_dir()]
+    sources = ["-sources", *folders]
+    (out / "export.json").write_text(run(["llvm-cov-19", "export", *objects, f"-instr-profile={profile}", *sources]))
+    if html:
+        shutil.rmtree(html, ignore_errors=True)
+        run(["llvm-cov-19", "show", *objects, f"-instr-profile={profile}", "--show-mcdc", "--show-mcdc-summary",
+             "--show-branches=count", "--format=html", f"-output-dir={html}", "--project-title=Counterpoint safety rooms", *sources])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("out", type=pathlib.Path)
+    parser.add_argument("--root", type=pathlib.Path, default=ROOT)
+    parser.add_argument("--html", type=pathlib.Path)
+    parser.add_argument("--jobs", type=int, default=2)
+    options = parser.parse_args()
+    build, out = options.build.resolve(), options.out.resolve()
+    out.mkdir(parents=True, exist_ok=True)
+    try:
+        commands = google_tests(build)
+        failed = run_tests(commands, out, options.jobs)
+        compile_again(build, options.root.resolve(), out)
+        export(commands, build, options.root.resolve(), out, options.html.resolve() if options.html else None)
+    except CannotMeasure as problem:
+        print(problem, file=sys.stderr)
+        return 2
+    print(f"{len(commands)} test programs, {len(failed)} failed{': ' + ', '.join(failed) if failed else ''}")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,178 @@
+#!/usr/bin/env python3
+"""Makes the evidence: build/evidence/index.html. Called by ./dev verify, which tells what it does.
+
+Collects (builds, tests, coverage, objects, registered commands) into build/evidence/data, runs every gate on its fixtures and
+on the tree, and writes pages from what was collected. The pages hold nothing that was not in the data.
+"""
+import argparse
+import importlib.util
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import time
+import xml.etree.ElementTree as ElementTree
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+EVIDENCE = ROOT / "build/evidence"
+DATA = EVIDENCE / "data"
+LOGS = ROOT / "build/log"
+ROOMS = {"channel_a": "channel_a", "channel_b": "channel_b", "safety_core_comparator": "safety_core/comparator",
+         "safety_core_kernel": "safety_core/kernel", "hal_api": "hal/api"}
+
+
+class StepFailed(Exception):
+    """A step that the evidence cannot do without."""
+
+
+class Progress:
+    """Tells what is done on the terminal; long output goes to build/log."""
+
+    def __init__(self):
+        self.steps = []
+
+    def run(self, title, log, command, environment=None, may_fail=False):
+        LOGS.mkdir(parents=True, exist_ok=True)
+        print(f"{title} ...", end=" ", flush=True)
+        started = time.monotonic()
+        with open(LOGS / f"{log}.log", "w", encoding="utf-8") as output:
+            status = subprocess.run([str(word) for word in command], cwd=ROOT, stdin=subprocess.DEVNULL, stdout=output,
+                                    stderr=subprocess.STDOUT, env=dict(os.environ, **(environment or {})), check=False).returncode
+        seconds = round(time.monotonic() - started)
+        print(f"{'done' if status == 0 else f'exit status {status}'}, {seconds} s", flush=True)
+        self.steps.append({"title": title, "status": status, "log": f"build/log/{log}.log"})
+        if status != 0 and not may_fail:
+            lines = (LOGS / f"{log}.log").read_text(errors="replace").splitlines()[-30:]
+            raise StepFailed(f"{title} failed, build/log/{log}.log ends with:\n" + "\n".join(lines))
+        return status
+
+
+def build(progress, preset, jobs):
+    progress.run(f"Configuring build/{preset}", f"configure-{preset}", ["cmake", "--preset", preset])
+    progress.run(f"Building build/{preset}", f"build-{preset}", ["cmake", "--build", f"build/{preset}", "--parallel", str(jobs)])
+
+
+def fresh(folder):
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    return folder
+
+
+def collect_tests(progress, jobs):
+    """Every test of the product build: GoogleTest's XML, and result and labels of each ctest entry."""
+    results = fresh(DATA / "tests")
+    junit = DATA / "ctest.xml"
+    progress.run("Running the tests of the product", "verify-test",
+                 ["ctest", "--test-dir", "build/product", "--parallel", str(jobs), "--output-on-failure", "--no-tests=error",
+                  "--output-junit", junit], {"GTEST_OUTPUT": f"xml:{results}/"}, may_fail=True)
+    listing = json.loads(subprocess.run(["ctest", "--test-dir", "build/product", "--show-only=json-v1"], cwd=ROOT,
+                                        check=True, capture_output=True, text=True).stdout)
+    labels = {test["name"]: next((item["value"] for item in test["properties"] if item["name"] == "LABELS"), [])
+              for test in listing["tests"]}
+    entries = [{"name": case.get("name"), "passed": case.get("status") == "run", "labels": labels.get(case.get("name"), [])}
+               for case in ElementTree.parse(junit).iter("testcase")]
+    (DATA / "ctest.json").write_text(json.dumps(entries, indent=1))
+
+
+def collect_objects(progress):
+    """The objects that ship, the same rooms not optimised, the package as installed, the compile commands."""
+    for folder, preset in (("objects", "product"), ("objects_plain", "coverage")):
+        for room, place in ROOMS.items():
+            target = fresh(DATA / folder / room)
+            subprocess.run(["ar", "x", ROOT / "build" / preset / place / f"lib{room}.a"], cwd=target, check=True)
+    shutil.copy(ROOT / "build/product/compile_commands.json", DATA / "compile_commands.json")
+    fresh(DATA / "package")
+    progress.run("Installing the package", "install", ["cmake", "--install", "build/product", "--prefix", DATA / "package"])
+
+
+def collect_coverage(progress, jobs):
+    build(progress, "coverage", jobs)
+    progress.run("Measuring MC/DC, branches, lines, functions (Clang 19)", "coverage",
+                 [sys.executable, "verification/coverage/measure.py", "build/coverage", DATA / "coverage", "--jobs", str(jobs),
+                  "--html", EVIDENCE / "coverage_clang"], may_fail=True)
+
+
+def collect_gcov(progress, jobs):
+    build(progress, "gcov", jobs)
+    progress.run("Measuring lines and branches (GCC 12, gcovr)", "gcovr",
+                 [sys.executable, "verification/coverage/measure_gcov.py", "build/gcov", DATA / "gcov", "--jobs", str(jobs),
+                  "--html", EVIDENCE / "coverage_gcov"], may_fail=True)
+
+
+def collect_commands(progress):
+    """What the registry of other evidence wants to be run; each command once."""
+    import yaml
+    registry = yaml.safe_load((ROOT / "verification/trace/other_evidence.yaml").read_text()) or {}
+    results = {}
+    for name, command in (registry.get("commands") or {}).items():
+        status = progress.run(f"Running {command}", f"evidence-{name}", ["bash", "-c", command], may_fail=True)
+        results[name] = {"command": command, "status": status}
+    (DATA / "commands.json").write_text(json.dumps(results, indent=1))
+
+
+def digest():
+    """The digest over the shipped objects, computed as the target run and the benchmarks do."""
+    path = ROOT / "verification/target/objects.py"
+    specification = importlib.util.spec_from_file_location("target_objects", path)
+    module = importlib.util.module_from_spec(specification)
+    specification.loader.exec_module(module)
+    return module.digest(ROOT / "build/product")
+
+
+def collect_identity():
+    def text(*command):
+        return subprocess.run(command, cwd=ROOT, check=False, capture_output=True, text=True).stdout.strip()
+    tools = [("g++-12", "--version"), ("clang++-19", "--version"), ("clang-tidy-19", "--version"), ("llvm-cov-19", "--version"),
+             ("cppcheck", "--version"), ("gcovr", "--version"), ("valgrind", "--version"), ("cmake", "--version"),
+             ("ninja", "--version"), ("arm-none-eabi-g++", "--version"), ("ld.lld-19", "--version"),
+             ("qemu-system-arm", "--version"), (sys.executable, "--version"),
+             (pathlib.Path(sys.executable).parent / "strictdoc", "version")]
+    versions = []
+    for command in tools:
+        try:
+            lines = text(*command).splitlines()
+        except FileNotFoundError:
+            lines = ["not found"]
+        line = next((line.strip() for line in lines if any(character.isdigit() for character in line)), "not found")
+        versions.append({"tool": pathlib.Path(command[0]).name, "version": line})
+    value, count = digest()
+    changed = text("git", "status", "--porcelain").splitlines()
+    (DATA / "identity.json").write_text(json.dumps({
+        "commit": text("git", "rev-parse", "HEAD"), "commit_date": text("git", "log", "-1", "--format=%cI"),
+        "changed_files": len(changed), "digest": value, "object_count": count, "tools": versions}, indent=1))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--quick", action="store_true", help="use the data of the last run, repeat only gates and pages")
+    options = parser.parse_args()
+    progress = Progress()
+    DATA.mkdir(parents=True, exist_ok=True)
+    try:
+        if not options.quick:
+            build(progress, "product", options.jobs)
+            collect_tests(progress, options.jobs)
+            collect_coverage(progress, options.jobs)
+            collect_gcov(progress, options.jobs)
+            collect_objects(progress)
+            collect_commands(progress)
+            collect_identity()
+        status = progress.run("Running every gate on its fixtures and on the tree", "gates",
+                              [sys.executable, "verification/gates/run.py", "--tree", DATA, "--results", DATA / "gates_final.json"],
+                              may_fail=True)
+        import pages
+        gaps = pages.write(ROOT, EVIDENCE, DATA)
+    except (StepFailed, FileNotFoundError, subprocess.CalledProcessError) as problem:
+        print(f"The evidence cannot be made: {problem}", file=sys.stderr)
+        return 2
+    for gap in gaps:
+        print(f"GAP  {gap}")
+    print(f"Evidence: build/evidence/index.html ({'no gap' if not gaps else f'{len(gaps)} gaps; details: build/log/gates.log'})")
+    return 1 if gaps or status != 0 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

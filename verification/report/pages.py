@@ -1,0 +1,143 @@
+"""Writes the evidence pages from collected data, by the templates beside this file. Nothing is measured here."""
+import collections
+import json
+import os
+import pathlib
+import re
+import sys
+
+import jinja2
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "trace"))
+sys.path.insert(0, str(HERE.parent / "gates"))
+from common import SAFETY_ROOMS  # noqa: E402
+from matrix import repository_matrix  # noqa: E402
+
+METRICS = ("functions", "lines", "branches", "mcdc")
+PLAN_ROW = re.compile(r"^\| ((?:D )?\d+\.\d+\.\d+) \| (\w+) \| (\w+) \| (.*) \|$", re.MULTILINE)
+
+
+def read_json(path, default):
+    return json.loads(path.read_text()) if path.exists() else default
+
+
+def gates(data):
+    rows = read_json(data / "gates_final.json", [])
+    for row in rows:
+        row["fixtures_passed"] = all(record["passed"] for record in row["fixtures"])
+        row["passed"] = row["fixtures_passed"] and row.get("tree", {}).get("passed", False)
+        lines = row.get("tree", {}).get("output", "").splitlines()
+        row["looked_at"] = lines[-1] if lines else "did not run"
+        row["findings"] = lines[:-1]
+    return rows
+
+
+def coverage(root, data):
+    """Rows of the safety rooms by Clang, and of the same files by GCC."""
+    export = read_json(data / "coverage/export.json", {"data": [{"files": []}]})
+    gcov = {entry["filename"]: entry for entry in read_json(data / "gcov/summary.json", {"files": []})["files"]}
+    rows, totals = [], collections.Counter()
+    for entry in export["data"][0]["files"]:
+        path = pathlib.Path(os.path.realpath(entry["filename"]))
+        name = path.relative_to(root).as_posix() if path.is_relative_to(root) else None
+        if name is None or not any(name.startswith(room + "/") for room in SAFETY_ROOMS):
+            continue
+        row = {"name": name, "gcov": gcov.get(name), "page": html_of(root, entry["filename"])}
+        for metric in METRICS:
+            row[metric] = (entry["summary"][metric]["covered"], entry["summary"][metric]["count"])
+            totals[metric + "_covered"] += row[metric][0]
+            totals[metric] += row[metric][1]
+        row["full"] = all(row[metric][0] == row[metric][1] for metric in METRICS)
+        rows.append(row)
+    return sorted(rows, key=lambda row: row["name"]), totals
+
+
+def html_of(root, filename):
+    """Where llvm-cov put the annotated source, as a link from the evidence folder; empty if it is not there."""
+    for place in (f"coverage_clang/coverage{filename}.html",):
+        if (root / "build/evidence" / place).exists():
+            return place
+    return ""
+
+
+def deviations(root):
+    """Guideline -> records, and each record with the number of places that name it."""
+    uses = collections.Counter()
+    for folder in ("safety_core", "channel_a", "channel_b", "hal"):
+        for path in (root / folder).rglob("*.[ch]pp"):
+            uses.update(re.findall(r"MISRA (D-\d{3})", path.read_text(errors="replace")))
+    records = []
+    for path in sorted((root / "MISRA/deviations").glob("D-*.md")):
+        fields = dict(re.findall(r"^- \*\*(\w+)\*\*: *(\S.*)$", path.read_text(), re.MULTILINE))
+        records.append({"id": path.stem, "uses": uses[path.stem], "fields": fields,
+                        "guidelines": re.findall(r"(?:D )?\d+\.\d+\.\d+", fields.get("Guideline", ""))})
+    return records
+
+
+def misra(root, gate_rows):
+    """The compliance summary: what can be said of each guideline, and no more."""
+    passed = {row["gate"]: row["passed"] for row in gate_rows}
+    records = deviations(root)
+    rows = []
+    for guideline, category, decidability, means in PLAN_ROW.findall((root / "MISRA/compliance_plan.md").read_text()):
+        of_it = [record for record in records if guideline in record["guidelines"]]
+        automatic = [mean for mean in means.split("; ") if not mean.startswith(("manual review", "not used", "none"))]
+        needed = {"clang_tidy" for mean in automatic if mean.startswith(("clang-tidy", "warning"))}
+        needed |= {name for name in re.findall(r"gate `(\w+)`", means)}
+        failing = sorted(name for name in needed if not passed.get(name, False))
+        if means.startswith("none: disapplied"):
+            status = "disapplied"
+        elif failing:
+            status = f"finding open ({', '.join(failing)})"
+        elif of_it:
+            status = f"deviations: {', '.join(record['id'] for record in of_it)} ({sum(record['uses'] for record in of_it)} places)"
+        elif not automatic:
+            status = "manual review only, no evidence by a tool"
+        elif "manual review" in means or "not used" in means:
+            status = "no finding by tools; the rest by review"
+        else:
+            status = "no finding by tools"
+        rows.append({"guideline": guideline, "category": category, "decidability": decidability, "means": means, "status": status})
+    return rows, records, collections.Counter(re.sub(r"[:(].*", "", row["status"]).strip() for row in rows)
+
+
+def write(root, evidence, data):
+    """Writes the pages and returns the gaps, one text each."""
+    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "templates"), autoescape=True, trim_blocks=True,
+                                     lstrip_blocks=True, undefined=jinja2.StrictUndefined)
+    gate_rows = gates(data)
+    matrix = repository_matrix(root, data)
+    coverage_rows, totals = coverage(root, data)
+    misra_rows, records, misra_counts = misra(root, gate_rows)
+    tests = read_json(data / "ctest.json", [])
+    commands = read_json(data / "commands.json", {})
+    gaps = [f"gate {row['gate']}: {row['looked_at']}" for row in gate_rows if not row["passed"]]
+    gaps += [f"test program {test['name']} failed" for test in tests if not test["passed"]]
+    gaps += [f"command {result['command']} ended with exit status {result['status']}" for result in commands.values()
+             if result["status"] != 0]
+    if not gate_rows:
+        gaps.append("no gate has run")
+    context = {
+        "identity": read_json(data / "identity.json", {}), "gates": gate_rows, "matrix": matrix, "coverage": coverage_rows,
+        "totals": totals, "metrics": METRICS, "misra": misra_rows, "deviations": records, "misra_counts": misra_counts,
+        "tests": tests, "commands": commands, "gaps": gaps, "areas": areas(matrix),
+        "gcov_totals": read_json(data / "gcov/summary.json", {}),
+        "has_gcov": (evidence / "coverage_gcov/index.html").exists(),
+        "has_clang": (evidence / "coverage_clang/index.html").exists(),
+    }
+    for name in ("index", "trace", "coverage", "gates", "misra", "tools"):
+        page = environment.get_template(f"{name}.html.j2").render(page=name, **context)
+        (evidence / f"{name}.html").write_text(page, encoding="utf-8")
+    return gaps
+
+
+def areas(matrix):
+    """Counts of shown requirements an area, for the first page."""
+    counts = collections.OrderedDict()
+    for uid, requirement in matrix.requirements.items():
+        row = counts.setdefault(uid.split("-")[1], {"file": requirement.path, "all": 0, "shown": 0, "links": 0})
+        row["all"] += 1
+        row["links"] += len(matrix.rows[uid])
+        row["shown"] += matrix.status(uid) == "shown"
+    return counts
