@@ -16,11 +16,11 @@ struct GateLimit
     std::uint32_t us;
 };
 
-/// The decision of the final output, for every port alike: which slots three fresh permits open. Zero-filled memory opens
-/// nothing. [SRS-HAL-003, SRS-HAL-004, SRS-HAL-007, SRS-HAL-008]
+/// The decision of the final output, for every port alike: which slots three fresh permits open. Zero-filled memory
+/// opens nothing. [SRS-HAL-003, SRS-HAL-004, SRS-HAL-007, SRS-HAL-008]
 ///
-/// Invariants: `open_copy_` is the complement of `open_`, `driven_copy_` that of `driven_`; a bit of which this does not
-/// hold is closed, or counts as the longer elapsed time. `challenge_` is 0 while none is outstanding.
+/// Invariants: `open_copy_` is the complement of `open_`, `driven_copy_` that of `driven_`; a bit of which this does
+/// not hold is closed, or counts as the longer elapsed time. `challenge_` is 0 while none is outstanding.
 class OutputGate
 {
   public:
@@ -28,8 +28,9 @@ class OutputGate
     [[nodiscard]] std::uint32_t Challenge() noexcept;
     /// @brief Judges the permits; the challenge is used up. `now` is the port's own time in microseconds.
     void Drive(const PermitSet& permits, Instant now) noexcept;
-    /// @brief Slots whose outputs are open at `now`; none when the last right Drive is more than `limit` ago, and then none
-    /// until the next right Drive. Call at least once in 2^32 us minus `limit`, as every port does that has pins to set.
+    /// @brief Slots whose outputs are open at `now`; none when the last right Drive is more than `limit` ago, and then
+    /// none until the next right Drive. Call at least once in 2^32 us minus `limit`, as every port does that has pins
+    /// to set.
     [[nodiscard]] SrdoMask Open(Instant now, GateLimit limit) noexcept;
     /// @brief Closes everything until the next right Drive.
     void Close() noexcept;

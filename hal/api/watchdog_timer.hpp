@@ -17,17 +17,19 @@ struct WatchdogWindow
     std::uint32_t ends_us;
 };
 
-/// The rule of a windowed question-and-answer watchdog, for ports that have to play one (host) and as the model of the ones
-/// in hardware. Zero-filled memory is tripped. [SRS-HAL-005, SRS-HAL-009]
+/// The rule of a windowed question-and-answer watchdog, for ports that have to play one (host) and as the model of the
+/// ones in hardware. Zero-filled memory is tripped. [SRS-HAL-005, SRS-HAL-009]
 class WatchdogTimer
 {
   public:
-    /// @brief Starts the supervision at `now`, which counts as the answer before; the only way out of the tripped state.
+    /// @brief Starts the supervision at `now`, which counts as the answer before; the only way out of the tripped
+    /// state.
     void Start(const WatchdogWindow& window, Instant now) noexcept;
     [[nodiscard]] WatchdogQuestion Question() const noexcept;
     /// @brief Right and within the window: the next window begins at `now`, with another question. Else trips.
     void Answer(const WatchdogAnswer& answer, Instant now) noexcept;
-    /// @brief Trips when the end of the window has passed at `now`. Call before looking at IsAlive, and at least once in 2^31 us.
+    /// @brief Trips when the end of the window has passed at `now`. Call before looking at IsAlive, and at least once
+    /// in 2^31 us.
     void Examine(Instant now) noexcept;
     [[nodiscard]] bool IsAlive() const noexcept;
 

@@ -1,0 +1,42 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef HAL_HOST_HOST_OUTPUT_HPP
+#define HAL_HOST_HOST_OUTPUT_HPP
+
+#include "hal/api/output_gate.hpp"
+#include "hal/api/safety_output.hpp"
+#include "hal/host/bit_rate.hpp"
+#include "hal/host/host_watchdog.hpp"
+#include "hal/host/virtual_bus.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::host
+{
+
+/// The output stage of a simulated device: the gate, run on bus time, and the watchdog's cut-off in series. Look at it
+/// (Open) at least once an hour. [SRS-HAL-013, SRS-HAL-014]
+class HostOutput final : public hal::SafetyOutput
+{
+  public:
+    /// @brief `limit` is how long one right Drive keeps the output open; usually one cycle and its tolerance.
+    HostOutput(const VirtualBus& bus, HostWatchdog& watchdog, const hal::GateLimit& limit);
+
+    [[nodiscard]] std::uint32_t Challenge() noexcept override;
+    void Drive(const hal::PermitSet& permits) noexcept override;
+    /// @brief Slots whose outputs are open at the present instant of the bus.
+    [[nodiscard]] SrdoMask Open();
+    /// @brief When the open slots close if nothing more happens; kNever if none is open.
+    [[nodiscard]] BusTime ClosesAt();
+
+  private:
+    const VirtualBus& bus_;
+    HostWatchdog& watchdog_;
+    hal::OutputGate gate_{};
+    hal::GateLimit limit_;
+    BusTime driven_us_{0};
+    std::uint32_t watchdog_start_{0U};
+};
+
+} // namespace counterpoint::host
+
+#endif
