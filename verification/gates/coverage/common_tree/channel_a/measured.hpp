@@ -1,0 +1,2 @@
+bool Both(bool a, bool b);
+int Sign(int x);
