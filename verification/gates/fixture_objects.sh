@@ -1,3 +1,4 @@
+#!/usr/bin/env bash
 # fixture_objects.sh SOURCES MADE: compiles SOURCES/<room>.cpp to MADE/data/objects and, not optimised, to objects_plain.
 # A room without a source gets an object with one function of its own.
 set -euo pipefail

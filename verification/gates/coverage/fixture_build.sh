@@ -1,3 +1,4 @@
+#!/usr/bin/env bash
 # fixture_build.sh CASE MADE: builds tree/ of a coverage fixture the way preset coverage does, and measures it.
 set -euo pipefail
 case_folder=$1
