@@ -1,4 +1,6 @@
-# counterpoint_image(<name> SOURCES ... DEPENDS <rooms>)
+# counterpoint_image(<name> [NO_SILICON] [KEEP_ALL] SOURCES ... DEPENDS <rooms>)
+#   NO_SILICON  only for the emulator
+#   KEEP_ALL    functions that nothing calls stay: the stack is computed for them, too
 #
 # Links one program twice from the same objects: <name>.elf with little-endian instructions (BE8) for the emulator, plus
 # <name>.bin, since the emulator loads no big-endian ELF; and <name>_be32.elf with the order of a TMS570. No library of the
@@ -11,12 +13,16 @@ set(COUNTERPOINT_SILICON_MEMORY --defsym=target_rom_length=0x00300000 --defsym=t
 set(COUNTERPOINT_LINKER_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/target.ld)
 
 function(counterpoint_image name)
-  cmake_parse_arguments(IMAGE "NO_SILICON" "" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(IMAGE "NO_SILICON;KEEP_ALL" "" "SOURCES;DEPENDS" ${ARGN})
   add_library(${name}_objects OBJECT ${IMAGE_SOURCES})
   target_link_libraries(${name}_objects PRIVATE ${IMAGE_DEPENDS} target_platform)
   target_compile_options(${name}_objects PRIVATE ${COUNTERPOINT_WARNINGS} ${COUNTERPOINT_KERNEL_FLAGS}
       ${COUNTERPOINT_MAIN_FLAGS})
   set(orders be8)
+  set(collect --gc-sections)
+  if(IMAGE_KEEP_ALL)
+    set(collect --no-gc-sections)
+  endif()
   if(NOT IMAGE_NO_SILICON)
     list(APPEND orders be32)
   endif()
@@ -35,7 +41,7 @@ function(counterpoint_image name)
     set_target_properties(${image} PROPERTIES SUFFIX .elf LINK_DEPENDS ${COUNTERPOINT_LINKER_SCRIPT})
     target_link_libraries(${image} PRIVATE ${IMAGE_DEPENDS} target_platform)
     target_link_options(${image} PRIVATE -nostdlib -nostartfiles ${flags}
-        -Wl,--gc-sections,--fatal-warnings,--no-warn-execstack,-Map=$<TARGET_FILE:${image}>.map
+        -Wl,${collect},--fatal-warnings,--no-warn-execstack,-Map=$<TARGET_FILE:${image}>.map
         -Wl,-u,TargetVectors,${memory},-T,${COUNTERPOINT_LINKER_SCRIPT})
   endforeach()
   add_custom_command(TARGET ${name} POST_BUILD

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Greatest stack depth of functions of an image, by the compilers' own figures and the calls that are in the image.
 
-    stack.py IMAGE.elf --figures BUILD_FOLDER --calls virtual_calls.txt --entry NAME_PREFIX [--entry ...] [--json FILE]
+    stack.py IMAGE.elf --figures BUILD_FOLDER --calls virtual_calls.txt --entry NAME_PREFIX [--entry ...]
 
 Frames come from the .ci files (GCC, -fcallgraph-info=su) and .su files (Clang, -fstack-usage) under the build folder.
 Calls come from the disassembly of the image: each branch that leaves its function. A call through a register is a virtual
@@ -11,7 +11,6 @@ register that the table does not allow.
 Exit status: 0 every depth is known, 1 one is not, 2 input that cannot be used.
 """
 import argparse
-import json
 import pathlib
 import re
 import subprocess
@@ -214,36 +213,35 @@ class Depths:
         return self.known[address]
 
 
+def compute(image_path, figures, calls, entries):
+    """Rows (function, bytes, path) of every function that begins like an entry, deepest first, and what is unresolved."""
+    image = Image(image_path)
+    depths = Depths(image, read_frames(figures), Table(calls))
+    rows = []
+    for prefix in entries:
+        found = [address for address in image.starts
+                 if any(image.names[symbol].startswith(prefix) for symbol in image.symbols[address])]
+        if not found:
+            raise BadInput(f"{image_path}: no function begins with '{prefix}'")
+        rows += [(image.name(address).split("(")[0], *depths.depth(address)) for address in found]
+    rows.sort(key=lambda row: (-row[1], row[0]))
+    return rows, sorted(set(depths.problems))
+
+
 def main():
-    parser = argparse.ArgumentParser(description="Greatest stack depth of functions of an image.")
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("image", type=pathlib.Path)
     parser.add_argument("--figures", type=pathlib.Path, required=True)
     parser.add_argument("--calls", type=pathlib.Path, required=True)
     parser.add_argument("--entry", action="append", required=True, help="start of the name of functions to measure")
-    parser.add_argument("--json", type=pathlib.Path)
     arguments = parser.parse_args()
-    image = Image(arguments.image)
-    depths = Depths(image, read_frames(arguments.figures), Table(arguments.calls))
-    rows = []
-    for prefix in arguments.entry:
-        found = [address for address in image.starts
-                 if any(image.names[symbol].startswith(prefix) for symbol in image.symbols[address])]
-        if not found:
-            raise BadInput(f"{arguments.image}: no function begins with '{prefix}'")
-        rows += [(image.name(address).split("(")[0], *depths.depth(address)) for address in found]
-    rows.sort(key=lambda row: -row[1])
-    for name, size, path in rows:
+    rows, problems = compute(arguments.image, arguments.figures, arguments.calls, arguments.entry)
+    for name, size, _ in rows:
         print(f"{size:6d} B  {name}")
-    if rows:
-        print("deepest: " + " > ".join(f"{name} {own}" for name, own in rows[0][2]))
-    for problem in sorted(set(depths.problems)):
+    print("deepest: " + " > ".join(f"{name} {own}" for name, own in rows[0][2]))
+    for problem in problems:
         print(f"stack.py: {problem}", file=sys.stderr)
-    if arguments.json:
-        result = {"worst_bytes": rows[0][1], "worst_path": [{"function": n, "bytes": b} for n, b in rows[0][2]],
-                  "entries": {name: size for name, size, _ in rows}, "problems": sorted(set(depths.problems))}
-        arguments.json.parent.mkdir(parents=True, exist_ok=True)
-        arguments.json.write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")
-    return 1 if depths.problems else 0
+    return 1 if problems else 0
 
 
 if __name__ == "__main__":

@@ -1,0 +1,243 @@
+#!/usr/bin/env python3
+"""What the kernel costs, against limits: item | measured | aim | must | verdict.
+
+    bench.py [--build B] [--limit ID=VALUE ...] [--from FILE] [--seconds N]
+
+Builds the product objects (preset `product`) and the target's, counts instructions with callgrind and on the emulated
+processor, adds up bytes, times the simulator. Result: build/bench/bench.json.
+  --limit ID=VALUE  judge this item by another limit
+  --from FILE       judge the measurements of an earlier run again
+Each run also judges its measurements by a limit that cannot be kept and fails when that passes.
+Exit status: 0 every limit is kept, 1 one is not, 2 it could not be measured.
+"""
+import argparse
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "verification/target"))
+import emulator  # noqa: E402
+import objects  # noqa: E402
+import target_build  # noqa: E402
+
+RESULTS = ROOT / "build/bench"
+LABEL = re.compile(r"item=(\w+) srdos=(\d+) repetitions=(\d+)")
+TARGET_LINE = re.compile(r"item=(\w+) srdos=(\d+) repetitions=(\d+) instructions=(\d+)")
+RAM_LINE = re.compile(r"ram=(\w+) bytes=(\d+)")
+# How often Begin and End of the meter are called in one repetition of an item; what they count of themselves is taken off.
+BRACKETS = {"nothing": 1, "idle": 1, "pair": 3, "check": 1, "idle_producers": 1, "send": 5}
+LOAD_CYCLES = 1000
+COUNTS = (1, 8, 64)
+
+
+class BadInput(Exception):
+    """It could not be measured; the text says why."""
+
+
+def run(*command, **options):
+    done = subprocess.run([str(part) for part in command], cwd=ROOT, capture_output=True, text=True, check=False, **options)
+    if done.returncode != 0:
+        tail = "\n".join((done.stdout + done.stderr).splitlines()[-30:])
+        raise BadInput(f"{' '.join(map(str, command))}: exit status {done.returncode}\n{tail}")
+    return done.stdout
+
+
+def sums_on_host(program):
+    """(item, srdos) -> (repetitions, instructions) from callgrind's dumps."""
+    for old in RESULTS.glob("callgrind.out*"):
+        old.unlink()
+    run("valgrind", "--tool=callgrind", "--collect-atstart=no", f"--callgrind-out-file={RESULTS}/callgrind.out", program)
+    sums = {}
+    for path in RESULTS.glob("callgrind.out.*"):
+        text = path.read_text(encoding="utf-8")
+        label = LABEL.search(text)
+        total = re.search(r"^(?:totals|summary): (\d+)", text, re.MULTILINE)
+        if label and total:
+            sums[(label.group(1), int(label.group(2)))] = (int(label.group(3)), int(total.group(1)))
+    return sums
+
+
+def sums_on_target(binary):
+    """The same from the emulated processor, with bytes of RAM by part and the stack that was used."""
+    result = emulator.run_image(binary, seconds=300)
+    if result.status != 0:
+        raise BadInput(f"{binary}: exit status {result.status} on the emulator\n{result.output}")
+    sums = {(item, int(srdos)): (int(repetitions), int(total))
+            for item, srdos, repetitions, total in TARGET_LINE.findall(result.output)}
+    ram = {part: int(size) for part, size in RAM_LINE.findall(result.output)}
+    stack = re.search(r"stack_used=(\d+)", result.output)
+    return sums, ram, int(stack.group(1))
+
+
+def costs(sums):
+    """Instructions by item and number of SRDOs, without those of the meter."""
+    if ("nothing", 0) not in sums:
+        raise BadInput("no measurement of the meter itself, expected item=nothing")
+    repetitions, total = sums[("nothing", 0)]
+    bracket = total / repetitions
+    once = {}
+    for (item, srdos), (repetitions, total) in sums.items():
+        if item in BRACKETS:
+            once[(item, srdos)] = total / repetitions - BRACKETS[item] * bracket
+    result = {"idle": {}, "pair": {}, "send": {}, "check": {}, "idle_cycle": {}}
+    for srdos in COUNTS:
+        idle, idle_producers = once[("idle", srdos)], once[("idle_producers", srdos)]
+        result["idle_cycle"][srdos] = idle
+        result["idle"][srdos] = idle / srdos
+        # What a pair adds to a cycle that would have come anyway.
+        result["pair"][srdos] = once[("pair", srdos)] - idle
+        result["send"][srdos] = once[("send", srdos)] - 2 * idle_producers
+        result["check"][srdos] = once[("check", srdos)]
+    pairs, total = sums[("full_load", 64)]
+    result["load"] = total - (2 * pairs + LOAD_CYCLES) * bracket
+    return result
+
+
+def growth(by_item):
+    """Greatest ratio of a cost per SRDO to that of the next smaller number of SRDOs."""
+    ratios = {}
+    for item in ("idle", "pair", "send", "check"):
+        row = by_item[item]
+        for small, large in zip(COUNTS, COUNTS[1:]):
+            ratios[f"{item} {small} to {large}"] = row[large] / row[small]
+    return ratios
+
+
+def simulated_seconds_a_second(tool, scenario, seconds):
+    """Simulated seconds by real seconds of one run of the simulator."""
+    command = [tool, "simulate", scenario, "--seconds", str(seconds), "--quiet"]
+    start = time.monotonic()
+    run(*command)
+    return seconds / (time.monotonic() - start)
+
+
+def measure(arguments):
+    RESULTS.mkdir(parents=True, exist_ok=True)
+    product = ROOT / "build/product"
+    target_build.build_preset("product", ["bench", "counterpoint"])
+    target = target_build.build_target(ROOT / "build/target", "-O2", ["bench"])
+    small = target_build.build_target(ROOT / "build/target-small", "-Os", target_build.CERTIFIED_TARGETS)
+    host = costs(sums_on_host(product / "verification/bench/bench"))
+    sums, ram, stack = sums_on_target(target / "verification/target/bench/bench.bin")
+    on_target = costs(sums)
+    small_sizes = objects.sizes(small, "arm-none-eabi-")
+    digest, count = objects.digest(product)
+    target_digest, target_count = objects.digest(target)
+    simulation = simulated_seconds_a_second(product / "tools/counterpoint", arguments.scenario, arguments.seconds)
+    ratios = growth(host)
+    return {
+        "host": host, "target": on_target, "ram": ram, "stack_used_bytes": stack, "small_sizes": small_sizes,
+        "growth": ratios,
+        "digest": {"product": digest, "product_objects": count, "target": target_digest, "target_objects": target_count},
+        "measured": {
+            "pair": host["pair"][64], "idle": host["idle"][64], "send": host["send"][64],
+            "check": max(host["check"].values()),
+            "ram": sum(ram.values()) / 64,
+            "code": sum(row["text"] + row["rodata"] + row["data"] for row in small_sizes.values()),
+            "load": on_target["load"], "simulation": simulation, "linear": max(ratios.values()),
+        },
+    }
+
+
+def judge(measured, limits):
+    """Rows of the table; the last column is true where the limit is kept."""
+    rows = []
+    for item in limits:
+        if item["id"] not in measured:
+            raise BadInput(f"no measurement of '{item['id']}', expected one for each item of limits.json")
+        value = measured[item["id"]]
+        kept = value >= item["must"] if item.get("at_least") else value <= item["must"]
+        aimed = value >= item["aim"] if item.get("at_least") else value <= item["aim"]
+        rows.append({**item, "measured": value, "kept": kept, "verdict": "aim" if kept and aimed else "must" if kept else "BROKEN"})
+    return rows
+
+
+def shown(value):
+    return f"{value:.2f}" if value < 10 else f"{value:.0f}"
+
+
+def print_table(rows, result):
+    print(f"{'item':52} {'measured':>10} {'aim':>10} {'must':>10}  {'unit':14} verdict")
+    for row in rows:
+        sign = ">=" if row.get("at_least") else "<="
+        print(f"{row['text']:52} {shown(row['measured']):>10} {sign + shown(row['aim']):>10} {sign + shown(row['must']):>10}"
+              f"  {row['unit']:14} {row['verdict']}")
+    print()
+    print(f"{'instructions (host | target)':42} {'1 SRDO':>15} {'8 SRDOs':>15} {'64 SRDOs':>15}")
+    names = {"idle_cycle": "idle cycle of n consumers", "idle": "idle cycle, per consumer", "pair": "receive and release one pair",
+             "send": "send one pair", "check": "check one signature, both channels"}
+    for item, text in names.items():
+        cells = [f"{result['host'][item][srdos]:7.0f} |{result['target'][item][srdos]:6.0f}" for srdos in map(str, COUNTS)]
+        print(f"{text:42} {cells[0]:>15} {cells[1]:>15} {cells[2]:>15}")
+    print()
+    print("RAM on the target, 64 SRDOs: " + ", ".join(f"{part} {size} B" for part, size in result["ram"].items()))
+    print("-Os, text + rodata: " + ", ".join(f"{room} {row['text'] + row['rodata']} B" for room, row in
+                                             result["small_sizes"].items()))
+    print(f"objects measured: host {result['digest']['product']}, target {result['digest']['target']}")
+
+
+def limits_of(arguments):
+    limits = json.loads((ROOT / "verification/bench/limits.json").read_text(encoding="utf-8"))["items"]
+    for change in arguments.limit:
+        name, equals, value = change.partition("=")
+        found = [item for item in limits if item["id"] == name]
+        if not equals or not found or not re.fullmatch(r"\d+(\.\d+)?", value):
+            known = ", ".join(item["id"] for item in limits)
+            raise BadInput(f"--limit {change}: expected ID=NUMBER with ID one of {known}")
+        found[0]["must"] = float(value)
+    return limits
+
+
+def bites(path):
+    """Whether each limit fails when it is one that cannot be kept; the fixture of this gate. [SRS-BEN-010]"""
+    limits = json.loads((ROOT / "verification/bench/limits.json").read_text(encoding="utf-8"))["items"]
+    for item in limits:
+        impossible = "999999999999" if item.get("at_least") else "0"
+        done = subprocess.run([sys.executable, __file__, "--from", str(path), "--limit", f"{item['id']}={impossible}"],
+                              capture_output=True, text=True, check=False)
+        if done.returncode != 1 or f"bench.py: limit broken: {item['text']}" not in done.stderr:
+            print(f"bench.py: a broken limit of '{item['id']}' was not found", file=sys.stderr)
+            return False
+    return True
+
+
+def main():
+    parser = argparse.ArgumentParser(description="What the kernel costs, against limits.")
+    parser.add_argument("--limit", action="append", default=[], metavar="ID=VALUE")
+    parser.add_argument("--from", dest="earlier", type=pathlib.Path)
+    parser.add_argument("--scenario", type=pathlib.Path, default=ROOT / "examples/emergency_stop/fault_free.yaml")
+    parser.add_argument("--seconds", type=int, default=2000, help="how long the simulator simulates")
+    arguments = parser.parse_args()
+    limits = limits_of(arguments)
+    if arguments.earlier:
+        result = json.loads(arguments.earlier.read_text(encoding="utf-8"))
+    else:
+        # Through JSON, so that a later --from sees the same.
+        result = json.loads(json.dumps(measure(arguments)))
+    rows = judge(result["measured"], limits)
+    print_table(rows, result)
+    broken = [row for row in rows if not row["kept"]]
+    for row in broken:
+        print(f"bench.py: limit broken: {row['text']}: {shown(row['measured'])} {row['unit']}, must be "
+              f"{'at least' if row.get('at_least') else 'at most'} {shown(row['must'])}", file=sys.stderr)
+    if arguments.earlier:
+        return 1 if broken else 0
+    path = RESULTS / "bench.json"
+    path.write_text(json.dumps({**result, "rows": rows}, indent=2) + "\n", encoding="utf-8")
+    bite = bites(path)
+    result["requirements"] = {row["requirement"]: row["kept"] for row in rows} | {"SRS-BEN-010": bite}
+    path.write_text(json.dumps({**result, "rows": rows, "passed": not broken and bite}, indent=2) + "\n", encoding="utf-8")
+    print(f"limits that cannot be kept were found broken: {'yes' if bite else 'NO'}")
+    return 0 if not broken and bite else 1
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except (BadInput, objects.BadInput, target_build.BadInput, OSError) as problem:
+        print(f"bench.py: {problem}", file=sys.stderr)
+        sys.exit(2)

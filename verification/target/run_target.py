@@ -1,0 +1,179 @@
+#!/usr/bin/env python3
+"""Runs the certified code big-endian on an emulated Cortex-R5F and compares with the host. `./dev firmware`.
+
+    run_target.py [--no-build]
+
+Builds images (build/target) and the same programs for the host (build/product). Checks, one line each: the way of both
+compilers into one image, faults that end a run, the conformance cases and the differential sequences (number, failures,
+hash: as on the host), symbols, both byte orders, stack. Result: build/target/target.json.
+  --no-build  use what was built before
+Exit status: 0 everything holds, 1 something does not, 2 it could not be run.
+"""
+import argparse
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+import emulator
+import objects
+import stack
+import target_build
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+HERE = pathlib.Path(__file__).resolve().parent
+TARGET = ROOT / "build/target"
+PRODUCT = ROOT / "build/product"
+IMAGES = TARGET / "verification/target"
+RUN_LINE = re.compile(r"^run=(\S+) (.*)$", re.MULTILINE)
+CYCLE_LINE = re.compile(r"item=(\w+) srdos=(\d+) repetitions=(\d+) instructions=(\d+)")
+ELF_FLAGS = {"be8": 0x5800400, "be32": 0x5000400}
+# What a fault must print, by the argument that asks the self test for it; None: the time limit ends the run.
+FAULTS = {"undefined": "FAILURE: undefined instruction at 0x", "data": "FAILURE: data abort at 0x",
+          "pure": "FAILURE: pure virtual call", "hang": None}
+STACK_ENTRIES = ["counterpoint::Kernel::" + name for name in (
+    "Start(", "OnFrame(", "OnConfirm(", "OnOverflow(", "Cycle(", "SetNmtState(", "ReadObject(", "WriteObject(", "Send(",
+    "SendGfc(", "CheckConfiguration(", "Sign(", "GetState(", "DemandSafeState(", "DeviceState(", "DemotionCount(",
+    "LastVerdict(")]
+
+
+class Report:
+    """The checks in their order, and which requirements they show."""
+
+    def __init__(self):
+        self.rows = []
+
+    def add(self, holds, text, found, *requirements):
+        self.rows.append({"holds": bool(holds), "check": text, "found": found, "requirements": list(requirements)})
+        print(f"{'ok  ' if holds else 'FAIL'}  {text}: {found}", flush=True)
+
+    def requirements(self):
+        result = {}
+        for row in self.rows:
+            for requirement in row["requirements"]:
+                result[requirement] = result.get(requirement, True) and row["holds"]
+        return result
+
+    def passed(self):
+        return all(row["holds"] for row in self.rows)
+
+
+def check_selftest(report):
+    image = IMAGES / "selftest/selftest.bin"
+    run = emulator.run_image(image, "all", 20)
+    count = run.output.count("selftest: holds: ")
+    report.add(run.status == 0 and count == 4, "self test of the way into an image", f"{count} of 4 hold", "SRS-TGT-001")
+    for argument, expected in FAULTS.items():
+        run = emulator.run_image(image, argument, 20 if expected else 2)
+        if expected is None:
+            report.add(run.status is None, "an endless loop is ended by the time limit", f"exit status {run.status}", "SRS-TGT-009")
+        else:
+            last = (run.output.strip().splitlines() or ["no output"])[-1]
+            report.add(run.status not in (0, None) and expected in run.output, f"fault '{argument}' ends the run", last, "SRS-TGT-009")
+
+
+def check_same_outcomes(report):
+    """Lines that begin with run= must be equal on host and target, and no case may fail."""
+    host = subprocess.run([PRODUCT / "verification/target/conformance/conformance_host"], capture_output=True, text=True,
+                          timeout=600, check=False)
+    target = emulator.run_image(IMAGES / "conformance/conformance.bin", seconds=600, count_instructions=False)
+    ours, theirs = dict(RUN_LINE.findall(target.output)), dict(RUN_LINE.findall(host.stdout))
+    for line in [line for line in target.output.splitlines() if line.startswith(("failed:", "FAILURE"))][:10]:
+        print(f"      target {line}")
+    for line in [line for line in host.stdout.splitlines() if line.startswith("failed:")][:10]:
+        print(f"      host   {line}")
+    expected = ("conformance_a", "conformance_b", "differential")
+    for run in expected:
+        same = run in ours and ours.get(run) == theirs.get(run)
+        clean = " failures=0 " in f" {ours.get(run, '')} "
+        report.add(same and clean, f"{run} big-endian on the target", ours.get(run, "did not end"), "SRS-TGT-001", "SRS-TGT-003")
+        report.add(run in theirs, f"{run} on the host", theirs.get(run, "did not end"), "SRS-TGT-003")
+    report.add(target.status == 0 and host.returncode == 0, "both programs ended without a failure",
+               f"target {target.status}, host {host.returncode}", "SRS-TGT-003")
+    return ours
+
+
+def compilers_of(archive, name):
+    """What wrote the objects, by their .comment sections or debug information."""
+    text = subprocess.run(["arm-none-eabi-readelf", "--string-dump=.comment", str(archive)], capture_output=True, text=True,
+                          check=True).stdout
+    members = text.count("File: ")
+    found = len(re.findall(rf"\]\s+.*{name}", text))
+    return found, members
+
+
+def check_objects(report):
+    digest, count = objects.digest(TARGET)
+    report.add(count > 0, "objects of core and channels on the target", f"{count} objects, SHA-256 {digest}", "SRS-TGT-005")
+    for room, archive in objects.archives(TARGET):
+        name = "clang version 19" if room == "channel_b" else "GCC:"
+        found, members = compilers_of(archive, name)
+        report.add(members > 0 and found == members, f"compiler of {room}", f"{name.strip(':')} in {found} of {members} objects",
+                   "SRS-TGT-002")
+    foreign = objects.foreign_symbols(TARGET, "arm-none-eabi-")
+    report.add(not foreign, "symbols that come from elsewhere", ", ".join(f"{name} ({rooms[0]})" for name, rooms in
+                                                                        foreign.items()) or "none", "SRS-TGT-004")
+    for order, flags in ELF_FLAGS.items():
+        image = IMAGES / f"conformance/conformance{'_be32' if order == 'be32' else ''}.elf"
+        header = subprocess.run(["arm-none-eabi-readelf", "-h", image], capture_output=True, text=True, check=True).stdout
+        found = re.search(r"Flags:\s+0x([0-9a-f]+)", header)
+        big = "big endian" in header
+        report.add(big and found and int(found.group(1), 16) == flags, f"image in {order} order",
+                   f"{image.stat().st_size} bytes, flags 0x{found.group(1) if found else '?'}", "SRS-TGT-008")
+    return digest, count
+
+
+def check_stack(report):
+    """Depth of every entry of the kernel, and that the computation refuses recursion."""
+    rows, problems = stack.compute(IMAGES / "bench/bench.elf", TARGET, HERE / "virtual_calls.txt", STACK_ENTRIES)
+    for problem in problems:
+        print(f"      {problem}")
+    report.add(not problems, "greatest stack of the kernel with both channels", f"{rows[0][1]} bytes in {rows[0][0]}", "SRS-TGT-007")
+    _, refused = stack.compute(IMAGES / "selftest/selftest.elf", TARGET, HERE / "selftest/virtual_calls.txt", ["TargetMain"])
+    recursion = [problem for problem in refused if problem.startswith("recursion: ")]
+    report.add(len(recursion) == 1, "recursion in the fixture is refused", recursion[0] if recursion else "it was not", "SRS-TGT-007")
+    return rows
+
+
+def count_instructions(report):
+    """Executed instructions a repetition of the benchmark's items."""
+    run = emulator.run_image(IMAGES / "bench/bench.bin", seconds=600)
+    items = {f"{item} {srdos}": int(total) / int(repetitions)
+             for item, srdos, repetitions, total in CYCLE_LINE.findall(run.output)}
+    idle = items.get("idle 64", 0.0)
+    report.add(run.status == 0 and idle > 0, "instructions of the benchmark on the target (64 SRDOs)",
+               f"idle cycle {idle:.0f}, pair with its cycle {items.get('pair 64', 0.0):.0f}, two cycles with a sent pair "
+               f"{items.get('send 64', 0.0):.0f}, check {items.get('check 64', 0.0):.0f}", "SRS-TGT-006")
+    return items
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--no-build", action="store_true")
+    arguments = parser.parse_args()
+    if not arguments.no_build:
+        print("Building build/target (big-endian, two compilers) and the same programs in build/product ...", flush=True)
+        target_build.build_target(TARGET, "-O2", ["selftest", "bench", "conformance", "conformance_be32"])
+        target_build.build_preset("product", ["conformance_host"])
+    report = Report()
+    check_selftest(report)
+    digest, count = check_objects(report)
+    outcomes = check_same_outcomes(report)
+    rows = check_stack(report)
+    items = count_instructions(report)
+    result = {"digest": digest, "objects": count, "outcomes": outcomes, "instructions": items,
+              "stack": [{"entry": name, "bytes": size, "path": path} for name, size, path in rows],
+              "checks": report.rows, "requirements": report.requirements(), "passed": report.passed()}
+    (TARGET / "target.json").write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")
+    good = sum(row["holds"] for row in report.rows)
+    print(f"target: {good} of {len(report.rows)} checks hold")
+    return 0 if report.passed() else 1
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except (objects.BadInput, stack.BadInput, target_build.BadInput, OSError, subprocess.SubprocessError) as problem:
+        print(f"run_target.py: {problem}", file=sys.stderr)
+        sys.exit(2)
