@@ -1,0 +1,386 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "safety_core/comparator/comparator.hpp"
+
+#include "safety_core/comparator/slot_mask.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <cstdint>
+
+namespace counterpoint
+{
+namespace
+{
+
+/// A voice whose outcome and views a test writes down; the comparator sees nothing else of a channel.
+class SpokenChannel final : public Channel
+{
+  public:
+    void Restart(const DeviceConfig&) noexcept override
+    {
+    }
+    void Store(const ConfigItem&) noexcept override
+    {
+    }
+    ConfigItem Load(const ConfigAddress& address) const noexcept override
+    {
+        return ConfigItem{address, 0U};
+    }
+    CheckResult Validate(SlotIndex) noexcept override
+    {
+        return CheckResult{};
+    }
+    CheckResult Recheck(SlotIndex) noexcept override
+    {
+        return CheckResult{};
+    }
+    void OnFrame(const CanFrame&, Instant) noexcept override
+    {
+    }
+    CycleOutcome OnCycle(const CycleInput&) noexcept override
+    {
+        return outcome;
+    }
+    SrdoView View(SlotIndex slot) const noexcept override
+    {
+        return views[slot];
+    }
+    void Demote(SlotIndex) noexcept override
+    {
+    }
+    void Commit(const Agreement&) noexcept override
+    {
+    }
+    Permit Answer(std::uint32_t) const noexcept override
+    {
+        return Permit{};
+    }
+    void Request(SlotIndex) noexcept override
+    {
+    }
+    PreparedPair Prepare(SlotIndex) noexcept override
+    {
+        return PreparedPair{};
+    }
+    void Launch(SlotIndex) noexcept override
+    {
+    }
+    CanFrame NextFrame(SlotIndex) noexcept override
+    {
+        return CanFrame{};
+    }
+    SlotIndex OnConfirm(const CanFrame&, Instant) noexcept override
+    {
+        return kNoSlot;
+    }
+    void OnTransmitFault(SlotIndex, SrdoCause) noexcept override
+    {
+    }
+
+    CycleOutcome outcome{};
+    SrdoView views[kMaxSrdoCount]{};
+};
+
+// Four slots; slot 2 is a consumer that holds pair 9; discrepancy time 5000 us.
+class Comparing : public ::testing::Test
+{
+  protected:
+    Comparing()
+    {
+        comparator.Restart(ComparatorSetup{5000U, 4U});
+        for (SpokenChannel* const channel : {&a, &b})
+        {
+            channel->outcome.cycle = 17U;
+            channel->outcome.guard = GuardView::kConfigured;
+            channel->outcome.sct_checked = 3U;
+            channel->outcome.is_tx = 1U;
+            channel->outcome.released = 4U;
+            channel->outcome.ordinal_sum = 9U;
+            channel->views[2].state = SrdoState::kReleased;
+            channel->views[2].ordinal = 9U;
+            channel->views[2].holds_pair = 1U;
+            channel->views[2].data = Payload{0x11223344U, 0x55667788U};
+            channel->views[0].state = SrdoState::kProducer;
+        }
+    }
+
+    Verdict CompareAt(const std::uint32_t now_us)
+    {
+        return comparator.Compare(Comparison{&a.outcome, &b.outcome, &a, &b, Instant{now_us}, 17U, 0xABCDU});
+    }
+
+    Comparator comparator{};
+    SpokenChannel a{};
+    SpokenChannel b{};
+};
+
+TEST_F(Comparing, EqualVoicesAgree)
+{
+    Verifies(req::SRS_CMP_001);
+    Verifies(req::SRS_CMP_003);
+    const Verdict verdict = CompareAt(0U);
+    EXPECT_EQ(verdict.fault, DeviceFault::kNone);
+    EXPECT_EQ(verdict.agreement.agreed, 4U);
+    EXPECT_EQ(verdict.agreement.matched & 4U, 4U);
+    EXPECT_EQ(verdict.demote, 0U);
+    EXPECT_EQ(verdict.newly_matched, 0U);
+    EXPECT_EQ(verdict.echo, 0xABCDU);
+}
+
+TEST_F(Comparing, EachUnequalFieldOfTheWholeIsADisagreementAndAgreesToNothing)
+{
+    Verifies(req::SRS_CMP_002);
+    const auto differs = [this](std::uint8_t& field) {
+        field = static_cast<std::uint8_t>(field ^ 1U);
+        const Verdict verdict = CompareAt(0U);
+        EXPECT_EQ(verdict.fault, DeviceFault::kDisagreement);
+        EXPECT_EQ(verdict.agreement.agreed, 0U);
+        EXPECT_EQ(verdict.echo, 0xABCDU);
+        field = static_cast<std::uint8_t>(field ^ 1U);
+    };
+    differs(a.outcome.sct_checked);
+    differs(b.outcome.is_tx);
+    differs(a.outcome.is_invalid);
+    differs(b.outcome.not_operational);
+    b.outcome.guard = GuardView::kUnconfigured;
+    EXPECT_EQ(CompareAt(0U).fault, DeviceFault::kDisagreement);
+}
+
+TEST_F(Comparing, CycleOfAnotherNumberIsADisagreementForEitherChannelAndForBoth)
+{
+    Verifies(req::SRS_CMP_002);
+    a.outcome.cycle = 16U;
+    EXPECT_EQ(CompareAt(0U).fault, DeviceFault::kDisagreement);
+    b.outcome.cycle = 16U;
+    EXPECT_EQ(CompareAt(0U).fault, DeviceFault::kDisagreement);
+    a.outcome.cycle = 17U;
+    EXPECT_EQ(CompareAt(0U).fault, DeviceFault::kDisagreement);
+}
+
+TEST_F(Comparing, StaleTokenSeenByEitherChannelIsTheGuardsFault)
+{
+    Verifies(req::SRS_CMP_002);
+    a.outcome.guard = GuardView::kStale;
+    EXPECT_EQ(CompareAt(0U).fault, DeviceFault::kGuard);
+    b.outcome.guard = GuardView::kStale;
+    EXPECT_EQ(CompareAt(0U).fault, DeviceFault::kGuard);
+    a.outcome.guard = GuardView::kConfigured;
+    EXPECT_EQ(CompareAt(0U).fault, DeviceFault::kGuard);
+}
+
+TEST_F(Comparing, FaultOfEitherChannelTakesTheReleaseAndDemotes)
+{
+    Verifies(req::SRS_CMP_003);
+    Verifies(req::SRS_CMP_004);
+    // Given that B alone reports slot 2 faulted while A still releases it
+    b.outcome.released = 0U;
+    b.outcome.faulted = 4U;
+    b.outcome.new_fault = 4U;
+    Verdict verdict = CompareAt(0U);
+    EXPECT_EQ(verdict.agreement.agreed, 0U);
+    EXPECT_EQ(verdict.demote, 4U);
+    EXPECT_EQ(verdict.fault, DeviceFault::kNone);
+    // And the same the other way round
+    a.outcome.released = 0U;
+    a.outcome.faulted = 4U;
+    a.outcome.new_fault = 4U;
+    b.outcome.released = 4U;
+    b.outcome.faulted = 0U;
+    b.outcome.new_fault = 0U;
+    verdict = CompareAt(1000U);
+    EXPECT_EQ(verdict.agreement.agreed, 0U);
+    EXPECT_EQ(verdict.demote, 4U);
+}
+
+TEST_F(Comparing, ReleaseAndFaultOfOneChannelAtOnceIsNoRelease)
+{
+    Verifies(req::SRS_CMP_003);
+    for (SpokenChannel* const channel : {&a, &b})
+    {
+        channel->outcome.new_fault = 4U;
+    }
+    const Verdict verdict = CompareAt(0U);
+    EXPECT_EQ(verdict.agreement.agreed, 0U);
+    EXPECT_EQ(verdict.demote, 0U);
+}
+
+TEST_F(Comparing, FaultSeenByBothDemotesNobody)
+{
+    Verifies(req::SRS_CMP_004);
+    for (SpokenChannel* const channel : {&a, &b})
+    {
+        channel->outcome.released = 0U;
+        channel->outcome.faulted = 4U;
+        channel->outcome.new_fault = 4U;
+    }
+    EXPECT_EQ(CompareAt(0U).demote, 0U);
+}
+
+TEST_F(Comparing, FreshEqualPairIsNewlyMatched)
+{
+    Verifies(req::SRS_CMP_005);
+    a.outcome.fresh = 4U;
+    b.outcome.fresh = 4U;
+    const Verdict verdict = CompareAt(0U);
+    EXPECT_EQ(verdict.newly_matched, 4U);
+    EXPECT_EQ(verdict.agreement.matched & 4U, 4U);
+    // and is not looked at again without news
+    a.outcome.fresh = 0U;
+    b.outcome.fresh = 0U;
+    EXPECT_EQ(CompareAt(1000U).newly_matched, 0U);
+}
+
+TEST_F(Comparing, UnequalDataUnderOneOrdinalIsADisagreementInEveryBit)
+{
+    Verifies(req::SRS_CMP_006);
+    b.outcome.fresh = 4U;
+    for (std::uint32_t bit = 0U; bit < 64U; ++bit)
+    {
+        std::uint32_t& word = (bit < 32U) ? b.views[2].data.low : b.views[2].data.high;
+        word ^= 1U << (bit % 32U);
+        const Verdict verdict = CompareAt(0U);
+        EXPECT_EQ(verdict.fault, DeviceFault::kDisagreement) << "bit " << bit;
+        EXPECT_EQ(verdict.slot, 2U) << "bit " << bit;
+        word ^= 1U << (bit % 32U);
+    }
+}
+
+// t [us]    1000            6000 (limit)   6001
+// A's pair  10 .............10             10
+// B's pair   9 ............. 9              9
+TEST_F(Comparing, UnmatchedOrdinalsAreAFaultOneMicrosecondAfterTheDiscrepancyTime)
+{
+    Verifies(req::SRS_CMP_007);
+    Verifies(req::SRS_TIME_004);
+    a.outcome.fresh = 4U;
+    a.outcome.ordinal_sum = 10U;
+    a.views[2].ordinal = 10U;
+    Verdict verdict = CompareAt(1000U);
+    EXPECT_EQ(verdict.fault, DeviceFault::kNone);
+    EXPECT_EQ(verdict.agreement.agreed, 4U);
+    EXPECT_EQ(verdict.agreement.matched & 4U, 0U);
+    a.outcome.fresh = 0U;
+    EXPECT_EQ(CompareAt(6000U).fault, DeviceFault::kNone);
+    verdict = CompareAt(6001U);
+    EXPECT_EQ(verdict.fault, DeviceFault::kUnmatched);
+    EXPECT_EQ(verdict.slot, 2U);
+}
+
+TEST_F(Comparing, OrdinalsThatMeetWithinTheDiscrepancyTimeAreNoFaultAndTheTimeStartsAnew)
+{
+    Verifies(req::SRS_CMP_007);
+    a.outcome.fresh = 4U;
+    a.outcome.ordinal_sum = 10U;
+    a.views[2].ordinal = 10U;
+    (void)CompareAt(1000U);
+    // When B has the pair too, 5000 us later
+    a.outcome.fresh = 0U;
+    b.outcome.ordinal_sum = 10U;
+    b.views[2].ordinal = 10U;
+    EXPECT_EQ(CompareAt(6000U).newly_matched, 4U);
+    // and B is one pair ahead next time
+    b.outcome.fresh = 4U;
+    b.outcome.ordinal_sum = 11U;
+    b.views[2].ordinal = 11U;
+    EXPECT_EQ(CompareAt(7000U).fault, DeviceFault::kNone);
+    EXPECT_EQ(CompareAt(12000U).fault, DeviceFault::kNone);
+    EXPECT_EQ(CompareAt(12001U).fault, DeviceFault::kUnmatched);
+}
+
+TEST_F(Comparing, UnequalOrdinalSumsAloneMakeItLookAtEverySlot)
+{
+    Verifies(req::SRS_CMP_005);
+    Verifies(req::SRS_CMP_007);
+    // Given a corrupted ordinal that no channel calls fresh
+    b.outcome.ordinal_sum = 13U;
+    b.views[2].ordinal = 13U;
+    EXPECT_EQ(CompareAt(0U).agreement.matched & 4U, 0U);
+    EXPECT_EQ(CompareAt(5001U).fault, DeviceFault::kUnmatched);
+}
+
+TEST_F(Comparing, OnlyOneChannelHoldingAPairIsUnmatched)
+{
+    Verifies(req::SRS_CMP_007);
+    a.outcome.fresh = 4U;
+    b.views[2].holds_pair = 0U;
+    (void)CompareAt(0U);
+    EXPECT_EQ(CompareAt(5001U).fault, DeviceFault::kUnmatched);
+}
+
+TEST_F(Comparing, OneSidedReleaseIsDemotedAfterTheDiscrepancyTime)
+{
+    Verifies(req::SRS_CMP_008);
+    b.outcome.released = 0U;
+    b.outcome.waiting = 4U;
+    Verdict verdict = CompareAt(0U);
+    EXPECT_EQ(verdict.agreement.agreed, 0U);
+    EXPECT_EQ(verdict.demote, 0U);
+    EXPECT_EQ(CompareAt(5000U).demote, 0U);
+    verdict = CompareAt(5001U);
+    EXPECT_EQ(verdict.demote, 4U);
+    EXPECT_EQ(verdict.fault, DeviceFault::kNone);
+}
+
+TEST_F(Comparing, ProducerIsStartedWhenBothCallItDue)
+{
+    Verifies(req::SRS_CMP_010);
+    a.outcome.due = 1U;
+    EXPECT_EQ(CompareAt(0U).start, 0U);
+    b.outcome.due = 1U;
+    EXPECT_EQ(CompareAt(1000U).start, 1U);
+}
+
+TEST_F(Comparing, ProducerThatOneChannelNeverCallsDueIsAFault)
+{
+    Verifies(req::SRS_CMP_008);
+    b.outcome.due = 1U;
+    EXPECT_EQ(CompareAt(0U).fault, DeviceFault::kNone);
+    EXPECT_EQ(CompareAt(5000U).fault, DeviceFault::kNone);
+    EXPECT_EQ(CompareAt(5001U).fault, DeviceFault::kUnmatched);
+}
+
+TEST_F(Comparing, PairsCountedSentByOneChannelAloneAreNoFaultOfAProducer)
+{
+    Verifies(req::SRS_CMP_008);
+    a.outcome.due = 1U;
+    a.views[0].ordinal = 5U;
+    a.views[0].data.low = 1U;
+    (void)CompareAt(0U);
+    b.outcome.due = 1U;
+    EXPECT_EQ(CompareAt(5001U).fault, DeviceFault::kNone);
+}
+
+TEST(ComparePrepared, AnyDifferenceIsADisagreement)
+{
+    Verifies(req::SRS_CMP_010);
+    const PreparedPair right{Payload{1U, 2U}, PrepareStatus::kReady, 8U};
+    PreparedPair other = right;
+    EXPECT_EQ(Comparator::ComparePrepared(right, other), DeviceFault::kNone);
+    other.status = PrepareStatus::kNotInverse;
+    EXPECT_EQ(Comparator::ComparePrepared(right, other), DeviceFault::kDisagreement);
+    other = right;
+    other.length_bytes = 7U;
+    EXPECT_EQ(Comparator::ComparePrepared(right, other), DeviceFault::kDisagreement);
+    other = right;
+    other.normal.low = 3U;
+    EXPECT_EQ(Comparator::ComparePrepared(right, other), DeviceFault::kDisagreement);
+    other = right;
+    other.normal.high = 3U;
+    EXPECT_EQ(Comparator::ComparePrepared(right, other), DeviceFault::kDisagreement);
+}
+
+TEST(SlotSet, EverySlotIsTakenFromTheLowestToTheHighest)
+{
+    Verifies(req::SRS_CMP_005);
+    SlotSet all{0xFFFFFFFFFFFFFFFFU};
+    for (SlotIndex slot = 0U; slot < 64U; ++slot)
+    {
+        SlotSet one = OnlySlot(slot);
+        EXPECT_EQ(TakeLowest(one), slot);
+        EXPECT_EQ(one.mask, 0U);
+        EXPECT_EQ(TakeLowest(all), slot);
+    }
+    EXPECT_EQ(all.mask, 0U);
+}
+
+} // namespace
+} // namespace counterpoint

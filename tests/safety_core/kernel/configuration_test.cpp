@@ -1,0 +1,170 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/safety_core/kernel/rig.hpp"
+
+namespace counterpoint
+{
+namespace
+{
+
+class Configuring : public Rig
+{
+};
+
+TEST_F(Configuring, WrongSignatureRefusesTheDeclaration)
+{
+    Verifies(req::SRS_CFG_046);
+    Configure();
+    ASSERT_EQ(Write(0x13FFU, 1U, 0x1234U, 2U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kIncompatible);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+    const CheckReply reply = kernel.CheckConfiguration();
+    EXPECT_EQ(reply.result, Result::kSignatureError);
+    EXPECT_EQ(reply.index.value, 0x1301U);
+}
+
+TEST_F(Configuring, AnyOtherValueIsStoredAsZero)
+{
+    Verifies(req::SRS_CFG_046);
+    Configure();
+    EXPECT_EQ(Write(0x13FEU, 0U, 0x5AU, 1U), AbortCode::kNone);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0U);
+}
+
+TEST_F(Configuring, ChannelsThatDifferRefuseTheDeclarationAndTheDevice)
+{
+    Verifies(req::SRS_CFG_046);
+    Configure();
+    b.signature_flip = 1U;
+    EXPECT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kIncompatible);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+}
+
+TEST_F(Configuring, ChannelsThatNameDifferentRulesDisagree)
+{
+    Verifies(req::SRS_CFG_046);
+    Configure();
+    a.check_fault = ConfigFault::kTiming;
+    EXPECT_EQ(kernel.CheckConfiguration().result, Result::kDeviceFault);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+}
+
+TEST_F(Configuring, StoreThatOneChannelDoesNotKeepIsFound)
+{
+    Verifies(req::SRS_CFG_047);
+    Configure();
+    a.drop_store = true;
+    (void)Write(0x1301U, 2U, 60U, 2U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kConfiguration);
+}
+
+TEST_F(Configuring, StoreThatTheOtherChannelDoesNotKeepIsFound)
+{
+    Verifies(req::SRS_CFG_047);
+    Configure();
+    b.drop_store = true;
+    (void)Write(0x1301U, 2U, 60U, 2U);
+    (void)Write(0x1301U, 3U, 10U, 1U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kConfiguration);
+}
+
+TEST_F(Configuring, ReadingUnequalCopiesIsFound)
+{
+    Verifies(req::SRS_CFG_047);
+    Configure();
+    b.load_flip = 1U;
+    EXPECT_EQ(kernel.ReadObject(ObjectAddress{0x1301U, 2U}).abort, AbortCode::kGeneral);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kConfiguration);
+}
+
+// Diagnostic interval 30 ms, three SRDOs, cycle 1 ms: one SRDO every 10 cycles.
+TEST_F(Configuring, ChangedCopyIsFoundWithinTheDiagnosticInterval)
+{
+    Verifies(req::SRS_CFG_048);
+    Operate();
+    // Given that a byte of SRDO 4 (direction off, so that nothing but its signature shows it) changes in both channels
+    const ConfigItem changed{ConfigAddress{2U, ConfigField::kSrvt, 0U}, 21U};
+    real_a.Store(changed);
+    real_b.Store(changed);
+    std::uint32_t cycles = 0U;
+    while ((kernel.DeviceState().fault == DeviceFault::kNone) && (cycles < 100U))
+    {
+        Cycle();
+        ++cycles;
+    }
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kConfiguration);
+    EXPECT_EQ(kernel.DeviceState().slot, 2U);
+    EXPECT_LE(cycles, 30U);
+}
+
+TEST_F(Configuring, CyclicCheckFindsChannelsThatDiffer)
+{
+    Verifies(req::SRS_CFG_048);
+    Operate();
+    a.signature_flip = 0x8000U;
+    Cycles(30U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+}
+
+TEST_F(Configuring, InvalidConfigurationIsNotRecheckedAndIsNoFault)
+{
+    Verifies(req::SRS_CFG_048);
+    Configure();
+    ASSERT_EQ(Write(0x1304U, 3U, 21U, 1U), AbortCode::kNone);
+    kernel.SetNmtState(NmtState::kOperational);
+    Cycles(100U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+    EXPECT_TRUE(application.invalid.empty());
+}
+
+TEST_F(Configuring, EnteringOperationalWithABrokenSignatureLeavesSrdosOff)
+{
+    Verifies(req::SRS_KRN_010);
+    Configure();
+    const ConfigItem changed{ConfigAddress{1U, ConfigField::kSrvt, 0U}, 21U};
+    real_a.Store(changed);
+    real_b.Store(changed);
+    kernel.SetNmtState(NmtState::kOperational);
+    ASSERT_EQ(application.invalid.size(), 1U);
+    EXPECT_EQ(application.invalid[0], 0x1303U);
+    Cycles(50U);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+    ReceivePair();
+    Cycle();
+    EXPECT_EQ(Open(), 0U);
+    EXPECT_TRUE(ports.sent.empty());
+}
+
+TEST_F(Configuring, OperationalAgainIsNotEnteringIt)
+{
+    Verifies(req::SRS_KRN_010);
+    Operate();
+    real_a.Store(ConfigItem{ConfigAddress{1U, ConfigField::kSrvt, 0U}, 21U});
+    kernel.SetNmtState(NmtState::kOperational);
+    EXPECT_TRUE(application.invalid.empty());
+}
+
+TEST_F(Configuring, EachRuleHasItsReturnCode)
+{
+    Verifies(req::SRS_KRN_015);
+    Configure();
+    const auto gives = [this](ConfigFault rule, Result result) {
+        a.check_fault = rule;
+        b.check_fault = rule;
+        EXPECT_EQ(kernel.CheckConfiguration().result, result);
+    };
+    EXPECT_EQ(kernel.CheckConfiguration().result, Result::kSuccessful);
+    EXPECT_EQ(kernel.CheckConfiguration().index.value, 0U);
+    gives(ConfigFault::kIdentifier, Result::kIdError);
+    gives(ConfigFault::kIdentifierInUse, Result::kIdInUse);
+    gives(ConfigFault::kTiming, Result::kTimingError);
+    gives(ConfigFault::kMapping, Result::kMappingError);
+    gives(ConfigFault::kTable, Result::kMappingError);
+    gives(ConfigFault::kLengthExceeded, Result::kLengthExceeded);
+    gives(ConfigFault::kDirection, Result::kInvalidConfiguration);
+    gives(ConfigFault::kTransmissionType, Result::kInvalidConfiguration);
+}
+
+} // namespace
+} // namespace counterpoint

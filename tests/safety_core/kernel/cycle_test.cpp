@@ -1,0 +1,264 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/safety_core/kernel/rig.hpp"
+
+namespace counterpoint
+{
+namespace
+{
+
+class Cycling : public Rig
+{
+};
+
+TEST_F(Cycling, GoodPairIsReleasedOnBothSidesAndOpensTheOutput)
+{
+    Verifies(req::SRS_KRN_002);
+    Verifies(req::SRS_KRN_005);
+    Verifies(req::SRS_KRN_006);
+    Operate();
+    // Given the safe value before the first pair
+    EXPECT_EQ(NormalOut(), 0x7F01U);
+    EXPECT_EQ(InverseOut(), 0x80FEU);
+    EXPECT_EQ(Open(), 0U);
+    // When a pair arrives and a cycle follows
+    ReceivePair();
+    Cycle();
+    // Then A has written the normal object, B the inverse one, and three permits open the output of slot 0 alone
+    EXPECT_EQ(NormalOut(), 0x3412U);
+    EXPECT_EQ(InverseOut(), 0xCBEDU);
+    EXPECT_EQ(Open(), 1U);
+    ASSERT_EQ(application.events.size(), 1U);
+    EXPECT_EQ(application.events[0], 0x1301U);
+    EXPECT_TRUE(WatchdogAlive());
+}
+
+TEST_F(Cycling, PermitOfTheKernelIsTheFormulaOverTheEcho)
+{
+    Verifies(req::SRS_KRN_005);
+    Operate();
+    ReceivePair();
+    Cycle();
+    const std::uint32_t challenge = kernel.LastVerdict().echo;
+    EXPECT_EQ(output.last.kernel.mask, 1U);
+    EXPECT_EQ(output.last.kernel.response, static_cast<std::uint32_t>((challenge + 1U) * 0xC2B2AE3DU));
+}
+
+// SCT 50 ms: pair at 6.1 ms, no further frame
+TEST_F(Cycling, MissingPairTakesTheSafeValueAndTellsTheCauseOnce)
+{
+    Verifies(req::SRS_KRN_006);
+    Operate();
+    ReceivePair();
+    Cycles(51U);
+    EXPECT_EQ(Open(), 1U);
+    Cycle();
+    EXPECT_EQ(Open(), 0U);
+    EXPECT_EQ(NormalOut(), 0x7F01U);
+    EXPECT_EQ(InverseOut(), 0x80FEU);
+    Cycles(10U);
+    ASSERT_EQ(application.errors.size(), 1U);
+    EXPECT_EQ(application.errors[0].first, 0x1301U);
+    EXPECT_EQ(application.errors[0].second, SrdoCause::kSct);
+    EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1301U}).first_cause, SrdoCause::kSct);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+}
+
+TEST_F(Cycling, EachReleasedPairIsAnEvent)
+{
+    Verifies(req::SRS_KRN_006);
+    Operate();
+    for (std::uint32_t pair = 0U; pair < 3U; ++pair)
+    {
+        ReceivePair();
+        Cycle();
+        Cycle();
+    }
+    EXPECT_EQ(application.events.size(), 3U);
+}
+
+TEST_F(Cycling, InterlockedReleaseByAcknowledgeIsAnEvent)
+{
+    Verifies(req::SRS_KRN_006);
+    Verifies(req::SRS_REL_004);
+    setups[0].policy = ReleasePolicy::kInterlock;
+    Operate();
+    ReceivePair();
+    Cycle();
+    EXPECT_EQ(Open(), 0U);
+    EXPECT_TRUE(application.events.empty());
+    Cycle(1U);
+    EXPECT_EQ(Open(), 1U);
+    EXPECT_EQ(application.events.size(), 1U);
+}
+
+TEST_F(Cycling, OneChannelsAcknowledgeAloneReleasesNothingAndIsDemoted)
+{
+    Verifies(req::SRS_CMP_008);
+    Verifies(req::SRS_CMP_004);
+    setups[0].policy = ReleasePolicy::kInterlock;
+    Operate();
+    ReceivePair();
+    Cycle();
+    for (std::uint32_t cycle = 0U; cycle < 8U; ++cycle)
+    {
+        now_us += 1000U;
+        kernel.Cycle(CycleCall{InstantPair{{now_us}, {now_us}}, 1U, 0U});
+        EXPECT_EQ(Open(), 0U);
+    }
+    EXPECT_EQ(kernel.DemotionCount(), 1U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+    EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1301U}).state, SrdoState::kFaulted);
+}
+
+TEST_F(Cycling, OverflowMakesEveryConsumerSafe)
+{
+    Verifies(req::SRS_KRN_009);
+    Operate();
+    ReceivePair();
+    Cycle();
+    kernel.OnOverflow();
+    Cycle();
+    EXPECT_EQ(Open(), 0U);
+    ASSERT_EQ(application.errors.size(), 1U);
+    EXPECT_EQ(application.errors[0].second, SrdoCause::kQueueOverflow);
+    // and it is over with the next pair
+    ReceivePair();
+    Cycle();
+    EXPECT_EQ(Open(), 1U);
+}
+
+TEST_F(Cycling, FrameGoesToBothChannelsEachWithItsOwnStamp)
+{
+    Verifies(req::SRS_KRN_007);
+    Verifies(req::SRS_TIME_002);
+    Operate();
+    // Given counters 150 us apart, an inverse frame exactly at SRVT by A's stamps and 1 us late by B's
+    now_us = 7000U;
+    kernel.OnFrame(StampedFrame{CanFrame{0x101U, FrameKind::kData, CanPortId::kFirst, 2U, {0x12U, 0x34U}},
+                                InstantPair{{7000U}, {7000U}}});
+    for (std::uint32_t cycle = 0U; cycle < 19U; ++cycle)
+    {
+        Cycle();
+    }
+    kernel.OnFrame(StampedFrame{CanFrame{0x102U, FrameKind::kData, CanPortId::kFirst, 2U, {0xEDU, 0xCBU}},
+                                InstantPair{{27000U}, {27001U}}});
+    now_us = 27500U;
+    kernel.Cycle(CycleCall{InstantPair{{27500U}, {27500U}}, 0U, 0U});
+    // Then B's fault makes the SRDO safe, A is demoted, and the cause is B's
+    EXPECT_EQ(Open(), 0U);
+    EXPECT_EQ(kernel.DemotionCount(), 1U);
+    const StateReply reply = kernel.GetState(CommunicationIndex{0x1301U});
+    EXPECT_EQ(reply.state, SrdoState::kFaulted);
+    EXPECT_EQ(reply.first_cause, SrdoCause::kSrvt);
+    ASSERT_EQ(application.errors.size(), 1U);
+    EXPECT_EQ(application.errors[0].second, SrdoCause::kSrvt);
+}
+
+TEST_F(Cycling, GfcMakesConsumersSafeAndIsTold)
+{
+    Verifies(req::SRS_KRN_006);
+    Verifies(req::SRS_CONS_017);
+    Operate();
+    ReceivePair();
+    Cycle();
+    Receive(0x001U, {}, 100U);
+    Cycle();
+    EXPECT_EQ(Open(), 0U);
+    EXPECT_EQ(application.gfcs, 1);
+    // Given 1300h = 0, a length other than 0, or a remote frame, nothing happens
+    ReceivePair();
+    Cycle();
+    Receive(0x001U, {0U}, 100U);
+    Cycle();
+    EXPECT_EQ(Open(), 1U);
+    CanFrame remote{};
+    remote.identifier = 1U;
+    remote.kind = FrameKind::kRemote;
+    remote.port = CanPortId::kFirst;
+    now_us += 100U;
+    kernel.OnFrame(StampedFrame{remote, InstantPair{{now_us}, {now_us}}});
+    Cycle();
+    ASSERT_EQ(Write(0x1300U, 0U, 0U, 1U), AbortCode::kNone);
+    Receive(0x001U, {}, 100U);
+    Cycle();
+    EXPECT_EQ(Open(), 1U);
+    EXPECT_EQ(application.gfcs, 1);
+}
+
+TEST_F(Cycling, GfcOutsideOperationalOrWithoutConfigurationIsNotTold)
+{
+    Verifies(req::SRS_KRN_006);
+    Configure();
+    Cycle();
+    Receive(0x001U, {}, 100U);
+    Cycle();
+    ASSERT_EQ(Write(0x13FEU, 0U, 0U, 1U), AbortCode::kNone);
+    kernel.SetNmtState(NmtState::kOperational);
+    Cycle();
+    Receive(0x001U, {}, 100U);
+    Cycle();
+    EXPECT_EQ(application.gfcs, 0);
+}
+
+TEST_F(Cycling, LeavingOperationalIsSafeWithItsOwnCause)
+{
+    Verifies(req::SRS_CONS_019);
+    Verifies(req::SRS_KRN_010);
+    Operate();
+    ReceivePair();
+    Cycle();
+    kernel.SetNmtState(NmtState::kPreOperational);
+    Cycle();
+    EXPECT_EQ(Open(), 0U);
+    EXPECT_EQ(NormalOut(), 0x7F01U);
+    ASSERT_EQ(application.errors.size(), 1U);
+    EXPECT_EQ(application.errors[0].second, SrdoCause::kNotOperational);
+}
+
+TEST_F(Cycling, FlowEventsHaveTheCountsOfTheCycle)
+{
+    Verifies(req::SRS_FLOW_004);
+    Configure();
+    Cycle();
+    // Not OPERATIONAL: exactly one event
+    ASSERT_EQ(application.flow.size(), 1U);
+    EXPECT_EQ(application.flow[0], std::make_pair(FlowEvent::kNotOperational, std::uint8_t{1U}));
+    kernel.SetNmtState(NmtState::kOperational);
+    application.flow.clear();
+    ReceivePair();
+    Cycle();
+    Cycle();
+    // Not yet released: the frames came before SRDOs were active
+    application.flow.clear();
+    ReceivePair();
+    Cycle();
+    const std::vector<std::pair<FlowEvent, std::uint8_t>> expected{{FlowEvent::kSctChecked, std::uint8_t{1U}},
+                                                                   {FlowEvent::kItIsTx, std::uint8_t{1U}},
+                                                                   {FlowEvent::kItIsInvalid, std::uint8_t{1U}},
+                                                                   {FlowEvent::kSrdoReceived, std::uint8_t{1U}}};
+    EXPECT_EQ(application.flow, expected);
+    application.flow.clear();
+    Receive(0x102U, {0xEDU, 0xCBU}, 100U);
+    Cycle();
+    EXPECT_EQ(application.flow.back(), std::make_pair(FlowEvent::kSrdoError, std::uint8_t{1U}));
+}
+
+TEST_F(Cycling, OptionRemovesTheCallbackAndNotTheMonitor)
+{
+    Verifies(req::SRS_FLOW_004);
+    Operate();
+    kernel.SetNmtState(NmtState::kPreOperational);
+    ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
+    application.flow.clear();
+    now_us += 500U;
+    watchdog.timer.Start(hal::WatchdogWindow{500U, 1600U}, Instant{now_us});
+    Cycles(5U);
+    EXPECT_TRUE(application.flow.empty());
+    EXPECT_TRUE(WatchdogAlive());
+    a.skip_cycle = true;
+    Cycle();
+    EXPECT_FALSE(WatchdogAlive());
+}
+
+} // namespace
+} // namespace counterpoint

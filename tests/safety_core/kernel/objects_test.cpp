@@ -1,0 +1,265 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/safety_core/kernel/rig.hpp"
+
+namespace counterpoint
+{
+namespace
+{
+
+class SafetyObjects : public Rig
+{
+  public:
+    AbortCode ReadAbort(std::uint16_t index, std::uint8_t sub)
+    {
+        return kernel.ReadObject(ObjectAddress{index, sub}).abort;
+    }
+};
+
+TEST_F(SafetyObjects, PowerOnValuesAreTheDefaults)
+{
+    Verifies(req::SRS_CFG_040);
+    Verifies(req::SRS_CFG_002);
+    ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
+    EXPECT_EQ(Read(0x1300U, 0U), 0U);
+    EXPECT_EQ(Read(0x1301U, 1U), 0U);
+    EXPECT_EQ(Read(0x1301U, 2U), 25U);
+    EXPECT_EQ(Read(0x1301U, 3U), 20U);
+    EXPECT_EQ(Read(0x1301U, 4U), 254U);
+    EXPECT_EQ(Read(0x1301U, 5U), 0x103U); // 0FFh + 2 * 2
+    EXPECT_EQ(Read(0x1301U, 6U), 0x104U);
+    EXPECT_EQ(Read(0x1303U, 5U), 0U);
+    EXPECT_EQ(Read(0x1383U, 0U), 0U);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0U);
+    EXPECT_EQ(Read(0x13FFU, 1U), 0U);
+}
+
+TEST_F(SafetyObjects, ConstantEntriesReadAndRefuseWrites)
+{
+    Verifies(req::SRS_CFG_041);
+    Configure();
+    EXPECT_EQ(Read(0x1301U, 0U), 6U);
+    EXPECT_EQ(Read(0x13FFU, 0U), 4U);
+    EXPECT_EQ(Write(0x1301U, 0U, 6U, 1U), AbortCode::kReadOnly);
+    EXPECT_EQ(Write(0x13FFU, 0U, 4U, 1U), AbortCode::kReadOnly);
+    EXPECT_EQ(Write(0x2000U, 1U, 4U, 2U), AbortCode::kReadOnly);
+    EXPECT_EQ(Write(0x1381U, 17U, 0U, 4U), AbortCode::kSubUnknown);
+    EXPECT_EQ(ReadAbort(0x1381U, 17U), AbortCode::kSubUnknown);
+}
+
+TEST_F(SafetyObjects, WhatDoesNotExistIsUnknown)
+{
+    Verifies(req::SRS_CFG_040);
+    Configure();
+    for (const std::uint16_t index : {0x12FF, 0x1302, 0x1340, 0x1341, 0x1380, 0x1382, 0x13C0, 0x13C1, 0x13FD, 0x1400,
+                                      0x1FFF, 0x2150, 0x2500})
+    {
+        EXPECT_EQ(ReadAbort(index, 0U), AbortCode::kObjectUnknown) << std::hex << index;
+        EXPECT_EQ(Write(index, 0U, 0U, 1U), AbortCode::kObjectUnknown) << std::hex << index;
+    }
+    EXPECT_EQ(ReadAbort(0x2000U, 2U), AbortCode::kObjectUnknown);
+    EXPECT_EQ(ReadAbort(0x1300U, 1U), AbortCode::kSubUnknown);
+    EXPECT_EQ(ReadAbort(0x13FEU, 1U), AbortCode::kSubUnknown);
+    EXPECT_EQ(ReadAbort(0x1301U, 7U), AbortCode::kSubUnknown);
+    EXPECT_EQ(ReadAbort(0x13FFU, 5U), AbortCode::kSubUnknown);
+}
+
+TEST_F(SafetyObjects, VariablesAreReadWithTheirLength)
+{
+    Verifies(req::SRS_CFG_040);
+    Configure();
+    const ObjectReading reading = kernel.ReadObject(ObjectAddress{0x2000U, 1U});
+    EXPECT_EQ(reading.abort, AbortCode::kNone);
+    EXPECT_EQ(reading.data.size_bytes, 2U);
+    EXPECT_EQ(reading.data.bytes[0], 0x12U);
+    EXPECT_EQ(reading.data.bytes[1], 0x34U);
+}
+
+TEST_F(SafetyObjects, SizeMustBeThatOfTheObject)
+{
+    Verifies(req::SRS_CFG_040);
+    Configure();
+    EXPECT_EQ(Write(0x1301U, 2U, 60U, 1U), AbortCode::kLengthMismatch);
+    EXPECT_EQ(Write(0x1301U, 2U, 60U, 4U), AbortCode::kLengthMismatch);
+    EXPECT_EQ(Write(0x13FEU, 0U, 0U, 2U), AbortCode::kLengthMismatch);
+}
+
+TEST_F(SafetyObjects, GapInTheSignaturesStaysZero)
+{
+    Verifies(req::SRS_CFG_044);
+    Configure();
+    EXPECT_EQ(Read(0x13FFU, 2U), 0U);
+    EXPECT_EQ(Write(0x13FFU, 2U, 0U, 2U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x13FFU, 2U, 1U, 2U), AbortCode::kValueRange);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+}
+
+TEST_F(SafetyObjects, InOperationalOnlyGfcParameterIsWritable)
+{
+    Verifies(req::SRS_CFG_042);
+    Operate();
+    EXPECT_EQ(Write(0x1301U, 2U, 50U, 2U), AbortCode::kDeviceState); // identical
+    EXPECT_EQ(Write(0x1301U, 2U, 60U, 2U), AbortCode::kDeviceState);
+    EXPECT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kDeviceState);
+    EXPECT_EQ(Write(0x13FFU, 1U, 0U, 2U), AbortCode::kDeviceState);
+    EXPECT_EQ(Write(0x13FFU, 2U, 0U, 2U), AbortCode::kDeviceState);
+    EXPECT_EQ(Write(0x1300U, 0U, 0U, 1U), AbortCode::kNone);
+    EXPECT_EQ(Read(0x1300U, 0U), 0U);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+}
+
+TEST_F(SafetyObjects, IdenticalValueIsAcceptedAndClearsNothing)
+{
+    Verifies(req::SRS_CFG_042);
+    Verifies(req::SRS_CFG_043);
+    Configure();
+    EXPECT_EQ(Write(0x1301U, 1U, 2U, 1U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x1301U, 2U, 50U, 2U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x1301U, 5U, 0x101U, 4U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x1381U, 0U, 2U, 1U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x1381U, 1U, 0x22000110U, 4U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x1300U, 0U, 0U, 1U), AbortCode::kNone);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+}
+
+TEST_F(SafetyObjects, ChangedValueClearsConfigurationValid)
+{
+    Verifies(req::SRS_CFG_043);
+    const auto clears = [this](std::uint16_t index, std::uint8_t sub, std::uint32_t value, std::uint8_t size) {
+        Configure();
+        ASSERT_EQ(Read(0x13FEU, 0U), 0xA5U);
+        EXPECT_EQ(Write(index, sub, value, size), AbortCode::kNone) << std::hex << index;
+        EXPECT_EQ(Read(0x13FEU, 0U), 0U) << std::hex << index;
+    };
+    clears(0x1301U, 1U, 0U, 1U);
+    clears(0x1301U, 2U, 60U, 2U);
+    clears(0x1301U, 3U, 10U, 1U);
+    clears(0x13FFU, 1U, 0U, 2U);
+    clears(0x1384U, 1U, 0x22000110U, 4U);
+    clears(0x1304U, 5U, 0x105U, 4U);
+}
+
+TEST_F(SafetyObjects, ValuesOutsideTheirRangeAreRefused)
+{
+    Verifies(req::SRS_CFG_044);
+    Configure();
+    EXPECT_EQ(Write(0x1301U, 1U, 3U, 1U), AbortCode::kValueRange);
+    EXPECT_EQ(Write(0x1301U, 4U, 255U, 1U), AbortCode::kValueRange);
+    EXPECT_EQ(Write(0x1300U, 0U, 2U, 1U), AbortCode::kValueRange);
+    // COB-IDs of an SRDO that is on, then of one that is off
+    EXPECT_EQ(Write(0x1301U, 5U, 0x105U, 4U), AbortCode::kValueRange);
+    for (const std::uint32_t value : {0x100U, 0xFFU, 0x106U, 0x181U, 0x80000105U, 0x103U, 0x101U})
+    {
+        EXPECT_EQ(Write(0x1304U, 5U, value, 4U), AbortCode::kValueRange) << std::hex << value;
+    }
+    EXPECT_EQ(Write(0x1304U, 5U, 0x17FU, 4U), AbortCode::kNone);
+    for (const std::uint32_t value : {0x17FU, 0x17EU, 0x181U, 0x182U, 0x102U})
+    {
+        EXPECT_EQ(Write(0x1304U, 6U, value, 4U), AbortCode::kValueRange) << std::hex << value;
+    }
+    EXPECT_EQ(Write(0x1304U, 6U, 0x180U, 4U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x1304U, 1U, 1U, 1U), AbortCode::kNone);
+}
+
+TEST_F(SafetyObjects, SwitchingOnNeedsAFreePairOfIdentifiers)
+{
+    Verifies(req::SRS_CFG_044);
+    Configure();
+    // Given SRDO 4 without identifiers
+    EXPECT_EQ(Write(0x1304U, 1U, 1U, 1U), AbortCode::kValueRange);
+    // with the first one changed after the second
+    ASSERT_EQ(Write(0x1304U, 5U, 0x105U, 4U), AbortCode::kNone);
+    ASSERT_EQ(Write(0x1304U, 6U, 0x106U, 4U), AbortCode::kNone);
+    ASSERT_EQ(Write(0x1304U, 5U, 0x107U, 4U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x1304U, 1U, 1U, 1U), AbortCode::kValueRange);
+    // with identifiers that SRDO 1 took after it was switched off and on
+    ASSERT_EQ(Write(0x1304U, 5U, 0x105U, 4U), AbortCode::kNone);
+    ASSERT_EQ(Write(0x1301U, 1U, 0U, 1U), AbortCode::kNone);
+    ASSERT_EQ(Write(0x1301U, 5U, 0x105U, 4U), AbortCode::kNone);
+    ASSERT_EQ(Write(0x1301U, 6U, 0x106U, 4U), AbortCode::kNone);
+    ASSERT_EQ(Write(0x1301U, 1U, 2U, 1U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x1304U, 1U, 1U, 1U), AbortCode::kValueRange);
+    EXPECT_EQ(Write(0x1304U, 1U, 0U, 1U), AbortCode::kNone);
+}
+
+TEST_F(SafetyObjects, SecondIdentifierAloneInUseKeepsItOff)
+{
+    Verifies(req::SRS_CFG_044);
+    Configure();
+    // Given that SRDO 4 has 105h, 106h, and channels in which another SRDO's COB-ID 1 is 106h
+    ASSERT_EQ(Write(0x1304U, 5U, 0x105U, 4U), AbortCode::kNone);
+    ASSERT_EQ(Write(0x1304U, 6U, 0x106U, 4U), AbortCode::kNone);
+    const ConfigItem corrupted{ConfigAddress{0U, ConfigField::kCobId1, 0U}, 0x106U};
+    real_a.Store(corrupted);
+    real_b.Store(corrupted);
+    EXPECT_EQ(Write(0x1304U, 1U, 1U, 1U), AbortCode::kValueRange);
+}
+
+TEST_F(SafetyObjects, MappingIsDeletedFirst)
+{
+    Verifies(req::SRS_CFG_045);
+    Configure();
+    // SRDO 1 is on
+    EXPECT_EQ(Write(0x1381U, 0U, 0U, 1U), AbortCode::kUnsupportedAccess);
+    EXPECT_EQ(Write(0x1381U, 1U, 0x20000110U, 4U), AbortCode::kUnsupportedAccess);
+    // off, but its count is not 0
+    ASSERT_EQ(Write(0x1301U, 1U, 0U, 1U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x1381U, 1U, 0x20000110U, 4U), AbortCode::kUnsupportedAccess);
+    // deleted
+    ASSERT_EQ(Write(0x1381U, 0U, 0U, 1U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x1381U, 1U, 0x20000110U, 4U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x1381U, 1U, 0U, 4U), AbortCode::kNone);
+}
+
+TEST_F(SafetyObjects, MappingEntriesMustNameMappableObjects)
+{
+    Verifies(req::SRS_CFG_045);
+    Configure();
+    EXPECT_EQ(Write(0x1384U, 1U, 0x20000210U, 4U), AbortCode::kObjectUnknown);
+    EXPECT_EQ(Write(0x1384U, 1U, 0x24000110U, 4U), AbortCode::kNotMappable);
+    EXPECT_EQ(Write(0x1384U, 1U, 0x20000108U, 4U), AbortCode::kNotMappable);
+    EXPECT_EQ(Write(0x1384U, 1U, 0x20000110U, 4U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x1384U, 0U, 1U, 1U), AbortCode::kMapTooLong);
+    EXPECT_EQ(Write(0x1384U, 0U, 18U, 1U), AbortCode::kMapTooLong);
+    EXPECT_EQ(Write(0x1384U, 0U, 16U, 1U), AbortCode::kNone);
+}
+
+TEST_F(SafetyObjects, MapCountMayNotReachMoreThanSixtyFourBitsOnEitherSide)
+{
+    Verifies(req::SRS_CFG_045);
+    Configure();
+    // Given five normal entries of 16 bits and none inverse
+    for (const std::uint8_t sub : {1, 3, 5, 7, 9})
+    {
+        ASSERT_EQ(Write(0x1384U, sub, 0x20000110U, 4U), AbortCode::kNone);
+    }
+    EXPECT_EQ(Write(0x1384U, 0U, 8U, 1U), AbortCode::kNone);
+    ASSERT_EQ(Write(0x1384U, 0U, 0U, 1U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x1384U, 0U, 10U, 1U), AbortCode::kMapTooLong);
+    // and the inverse side alone too long
+    ASSERT_EQ(Write(0x1384U, 9U, 0U, 4U), AbortCode::kNone);
+    for (const std::uint8_t sub : {2, 4, 6, 8, 10})
+    {
+        ASSERT_EQ(Write(0x1384U, sub, 0x21000110U, 4U), AbortCode::kNone);
+    }
+    EXPECT_EQ(Write(0x1384U, 0U, 10U, 1U), AbortCode::kMapTooLong);
+}
+
+TEST(DefaultConnection, IdentifiersAndDirectionByNodeId)
+{
+    Verifies(req::SRS_CFG_049);
+    const auto is = [](std::uint8_t node, std::uint16_t cob_id_1, std::uint16_t cob_id_2, std::uint8_t direction) {
+        const Connection connection = DefaultConnection(NodeId{node});
+        EXPECT_EQ(connection.cob_id_1, cob_id_1) << static_cast<int>(node);
+        EXPECT_EQ(connection.cob_id_2, cob_id_2) << static_cast<int>(node);
+        EXPECT_EQ(connection.direction, direction) << static_cast<int>(node);
+    };
+    is(0U, 0U, 0U, 0U);
+    is(1U, 0x101U, 0x102U, 1U);
+    is(32U, 0x13FU, 0x140U, 1U);
+    is(33U, 0x141U, 0x142U, 2U);
+    is(64U, 0x17FU, 0x180U, 2U);
+    is(65U, 0U, 0U, 0U);
+}
+
+} // namespace
+} // namespace counterpoint

@@ -1,0 +1,254 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/safety_core/kernel/rig.hpp"
+
+namespace counterpoint
+{
+namespace
+{
+
+/// Node-ID 2: the first transmission comes 1 ms after entering OPERATIONAL.
+class Production : public Rig
+{
+};
+
+// t [ms]  6 (OPERATIONAL)   7            7.1              7.2
+// bus                       N handed     N confirmed,     I confirmed
+//                           over         I handed over
+TEST_F(Production, NormalFrameFirstThenInverseAfterItsConfirmation)
+{
+    Verifies(req::SRS_KRN_014);
+    Verifies(req::SRS_KRN_012);
+    Verifies(req::SRS_PROD_006);
+    Operate();
+    EXPECT_TRUE(ports.sent.empty());
+    Cycle();
+    ASSERT_EQ(ports.sent.size(), 1U);
+    EXPECT_EQ(application.refreshed, std::vector<std::uint16_t>{0x1303U});
+    EXPECT_EQ(ports.sent[0].identifier, 0x103U);
+    EXPECT_EQ(ports.sent[0].length_bytes, 2U);
+    EXPECT_EQ(ports.sent[0].data[0], 0x12U);
+    EXPECT_EQ(ports.sent[0].data[1], 0x34U);
+    ConfirmLast();
+    ASSERT_EQ(ports.sent.size(), 2U);
+    EXPECT_EQ(ports.sent[1].identifier, 0x104U);
+    EXPECT_EQ(ports.sent[1].data[0], 0xEDU);
+    EXPECT_EQ(ports.sent[1].data[1], 0xCBU);
+    EXPECT_TRUE(application.events.empty());
+    ConfirmLast();
+    EXPECT_EQ(application.events, std::vector<std::uint16_t>{0x1303U});
+}
+
+TEST_F(Production, SecondPairIsAnEventAndCountedInTheFlow)
+{
+    Verifies(req::SRS_KRN_006);
+    Verifies(req::SRS_FLOW_004);
+    Operate();
+    Cycle();
+    ConfirmLast();
+    ConfirmLast();
+    application.flow.clear();
+    Cycle();
+    EXPECT_EQ(application.flow.back(), std::make_pair(FlowEvent::kSrdoTransmitted, std::uint8_t{1U}));
+    Cycles(24U);
+    ConfirmLast();
+    ConfirmLast();
+    EXPECT_EQ(application.events.size(), 2U);
+}
+
+TEST_F(Production, ProviderThatSkipsSendsNothingUntilItIsReady)
+{
+    Verifies(req::SRS_KRN_012);
+    Operate();
+    application.refresh = RefreshAnswer::kSkip;
+    Cycles(3U);
+    EXPECT_TRUE(ports.sent.empty());
+    EXPECT_EQ(application.refreshed.size(), 3U);
+    application.refresh = RefreshAnswer::kReady;
+    Cycle();
+    EXPECT_EQ(ports.sent.size(), 1U);
+}
+
+TEST_F(Production, ObjectsThatAreNotInverseSendNothingAndAreTold)
+{
+    Verifies(req::SRS_PROD_005);
+    Operate();
+    tx_inverse[1] = 0xCAU;
+    Cycles(2U);
+    EXPECT_TRUE(ports.sent.empty());
+    ASSERT_EQ(application.errors.size(), 1U);
+    EXPECT_EQ(application.errors[0].first, 0x1303U);
+    EXPECT_EQ(application.errors[0].second, SrdoCause::kNotInverse);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+}
+
+TEST_F(Production, UnequalPreparedPairsAreADisagreementAndNothingLeaves)
+{
+    Verifies(req::SRS_CMP_010);
+    Operate();
+    b.prepare_flip = 1U;
+    Cycle();
+    EXPECT_TRUE(ports.sent.empty());
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+    EXPECT_EQ(kernel.DeviceState().slot, 1U);
+}
+
+TEST_F(Production, FullQueueAndBusOffAreCausesOfTheirOwn)
+{
+    Verifies(req::SRS_KRN_014);
+    Operate();
+    ports.answer = hal::TransmitStatus::kQueueFull;
+    Cycles(2U);
+    ASSERT_EQ(application.errors.size(), 1U);
+    EXPECT_EQ(application.errors[0].second, SrdoCause::kTransmitQueue);
+    ports.answer = hal::TransmitStatus::kBusOff;
+    Cycles(25U);
+    ASSERT_EQ(application.errors.size(), 2U);
+    EXPECT_EQ(application.errors[1].second, SrdoCause::kBusOff);
+}
+
+TEST_F(Production, ChannelBThatSawNoConfirmationSendsNoInverse)
+{
+    Verifies(req::SRS_KRN_014);
+    Verifies(req::SRS_PROD_008);
+    Operate();
+    b.drop_confirms = true;
+    Cycle();
+    ConfirmLast();
+    EXPECT_EQ(ports.sent.size(), 1U);
+    Cycles(25U);
+    ASSERT_FALSE(application.errors.empty());
+    EXPECT_EQ(application.errors[0].second, SrdoCause::kNoConfirmation);
+}
+
+TEST_F(Production, ForeignConfirmationHasNoEffect)
+{
+    Verifies(req::SRS_KRN_014);
+    Operate();
+    Cycle();
+    now_us += 10U;
+    kernel.OnConfirm(StampedFrame{CanFrame{0x180U, FrameKind::kData, CanPortId::kFirst, 0U, {}},
+                                  InstantPair{{now_us}, {now_us}}});
+    EXPECT_EQ(ports.sent.size(), 1U);
+}
+
+TEST_F(Production, DeviceSafeStateKeepsTheInverseFrameBack)
+{
+    Verifies(req::SRS_KRN_004);
+    Operate();
+    Cycle();
+    kernel.DemandSafeState();
+    ConfirmLast();
+    EXPECT_EQ(ports.sent.size(), 1U);
+}
+
+TEST_F(Production, SendReturnsTheReferencesCodes)
+{
+    Verifies(req::SRS_KRN_011);
+    Configure();
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1302U}), Result::kNotExist);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1300U}), Result::kNotExist);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1341U}), Result::kNotExist);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kNmtError);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0U}), Result::kNmtError);
+    kernel.SetNmtState(NmtState::kOperational);
+    Cycle();
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1301U}), Result::kRxTxConflict);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1304U}), Result::kInvalid);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kSuccessful);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0U}), Result::kSuccessful);
+    kernel.SetNmtState(NmtState::kPreOperational);
+    ASSERT_EQ(Write(0x13FEU, 0U, 0U, 1U), AbortCode::kNone);
+    kernel.SetNmtState(NmtState::kOperational);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kInvalidConfiguration);
+}
+
+TEST_F(Production, SendToAllWithoutAProducerDoesNotExist)
+{
+    Verifies(req::SRS_KRN_011);
+    Configure();
+    ASSERT_EQ(Write(0x1303U, 1U, 0U, 1U), AbortCode::kNone);
+    const SignReply reply = kernel.Sign(CommunicationIndex{0x1303U});
+    ASSERT_EQ(Write(0x13FFU, 3U, reply.signature, 2U), AbortCode::kNone);
+    ASSERT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
+    kernel.SetNmtState(NmtState::kOperational);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0U}), Result::kNotExist);
+}
+
+TEST_F(Production, ApplicationSendsWhenItWants)
+{
+    Verifies(req::SRS_KRN_011);
+    Verifies(req::SRS_PROD_003);
+    setups[1].form = ProducerForm::kApplicationSends;
+    Operate();
+    Cycles(3U);
+    EXPECT_TRUE(ports.sent.empty());
+    ASSERT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kSuccessful);
+    Cycle();
+    ASSERT_EQ(ports.sent.size(), 1U);
+    EXPECT_TRUE(application.refreshed.empty());
+}
+
+TEST_F(Production, GfcIsSentOnlyIfSupportedAndOperational)
+{
+    Verifies(req::SRS_KRN_013);
+    Configure();
+    EXPECT_EQ(kernel.SendGfc(), Result::kNmtError);
+    kernel.SetNmtState(NmtState::kOperational);
+    ASSERT_EQ(Write(0x1300U, 0U, 0U, 1U), AbortCode::kNone);
+    EXPECT_EQ(kernel.SendGfc(), Result::kGfcUnsupported);
+    ASSERT_EQ(Write(0x1300U, 0U, 1U, 1U), AbortCode::kNone);
+    ports.answer = hal::TransmitStatus::kQueueFull;
+    EXPECT_EQ(kernel.SendGfc(), Result::kTransmitFailed);
+    ports.answer = hal::TransmitStatus::kAccepted;
+    EXPECT_EQ(kernel.SendGfc(), Result::kSuccessful);
+    ASSERT_EQ(ports.sent.size(), 1U);
+    EXPECT_EQ(ports.sent[0].identifier, 0x001U);
+    EXPECT_EQ(ports.sent[0].length_bytes, 0U);
+}
+
+TEST_F(Production, GfcThatIsFollowedByAnSrdoIsComplete)
+{
+    Verifies(req::SRS_KRN_013);
+    Operate();
+    ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
+    ASSERT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kSuccessful);
+    Cycles(40U);
+    EXPECT_EQ(application.gfcs_not_followed, 0);
+}
+
+// t [ms]   10 GFC                      35 (limit)   36
+TEST_F(Production, GfcWithoutAnSrdoWithinTheShortestRefreshTimeIsAnErrorOnce)
+{
+    Verifies(req::SRS_KRN_013);
+    setups[1].form = ProducerForm::kApplicationSends;
+    Operate();
+    ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
+    Cycles(25U);
+    EXPECT_EQ(application.gfcs_not_followed, 0);
+    Cycles(25U);
+    EXPECT_EQ(application.gfcs_not_followed, 1);
+}
+
+TEST_F(Production, ShortestRefreshTimeOfSeveralProducersCounts)
+{
+    Verifies(req::SRS_KRN_013);
+    setups[1].form = ProducerForm::kApplicationSends;
+    Configure();
+    // Given that SRDO 1 becomes a producer of 50 ms beside SRDO 3 of 25 ms
+    ASSERT_EQ(Write(0x1301U, 1U, 0U, 1U), AbortCode::kNone);
+    ASSERT_EQ(Write(0x1381U, 0U, 0U, 1U), AbortCode::kNone);
+    ASSERT_EQ(Write(0x1381U, 1U, 0x20000110U, 4U), AbortCode::kNone);
+    ASSERT_EQ(Write(0x1381U, 2U, 0x21000110U, 4U), AbortCode::kNone);
+    ASSERT_EQ(Write(0x1381U, 0U, 2U, 1U), AbortCode::kNone);
+    ASSERT_EQ(Write(0x1301U, 1U, 1U, 1U), AbortCode::kNone);
+    ASSERT_EQ(Write(0x13FFU, 1U, kernel.Sign(CommunicationIndex{0x1301U}).signature, 2U), AbortCode::kNone);
+    ASSERT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
+    kernel.SetNmtState(NmtState::kOperational);
+    Cycle();
+    ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
+    Cycles(26U);
+    EXPECT_EQ(application.gfcs_not_followed, 1);
+}
+
+} // namespace
+} // namespace counterpoint

@@ -1,0 +1,88 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "safety_core/kernel/safe_state_latch.hpp"
+
+#include "verification/trace/verifies.hpp"
+
+#include <cstdint>
+#include <cstring>
+
+namespace counterpoint
+{
+namespace
+{
+
+TEST(SafeStateLatch, ZeroFilledMemoryIsTheSafeState)
+{
+    Verifies(req::SRS_KRN_003);
+    // Given a latch that nobody armed
+    const SafeStateLatch latch{};
+    // Then it grants nothing and spoils every permit
+    EXPECT_FALSE(latch.IsRunning());
+    EXPECT_EQ(latch.Gate(), 0U);
+    EXPECT_NE(latch.Spoiler(), 0U);
+    EXPECT_EQ(latch.Report().fault, DeviceFault::kInvalid);
+}
+
+TEST(SafeStateLatch, ArmedLatchRuns)
+{
+    Verifies(req::SRS_KRN_003);
+    SafeStateLatch latch{};
+    latch.Arm();
+    EXPECT_TRUE(latch.IsRunning());
+    EXPECT_EQ(latch.Gate(), 0xFFFFFFFFFFFFFFFFU);
+    EXPECT_EQ(latch.Spoiler(), 0U);
+    EXPECT_EQ(latch.Report().fault, DeviceFault::kNone);
+    EXPECT_EQ(latch.Report().count, 0U);
+}
+
+TEST(SafeStateLatch, FirstFaultIsKeptAndLaterOnesAreCounted)
+{
+    Verifies(req::SRS_KRN_003);
+    SafeStateLatch latch{};
+    latch.Arm();
+    // When no fault, then two different ones come
+    latch.Enter(DeviceFault::kNone, 3U);
+    EXPECT_TRUE(latch.IsRunning());
+    latch.Enter(DeviceFault::kClock, 5U);
+    latch.Enter(DeviceFault::kFlow, 6U);
+    // Then the first is reported with its slot, both are counted, and nothing runs
+    EXPECT_FALSE(latch.IsRunning());
+    EXPECT_EQ(latch.Gate(), 0U);
+    EXPECT_EQ(latch.Report().fault, DeviceFault::kClock);
+    EXPECT_EQ(latch.Report().slot, 5U);
+    EXPECT_EQ(latch.Report().count, 2U);
+}
+
+TEST(SafeStateLatch, CountStaysAtItsGreatestValue)
+{
+    Verifies(req::SRS_KRN_003);
+    SafeStateLatch latch{};
+    latch.Arm();
+    for (std::uint32_t number = 0U; number < 65536U; ++number)
+    {
+        latch.Enter(DeviceFault::kGuard, 0U);
+    }
+    EXPECT_EQ(latch.Report().count, 65535U);
+}
+
+TEST(SafeStateLatch, AnySingleFlippedBitOfItsWordsStopsIt)
+{
+    Verifies(req::SRS_KRN_003);
+    // Given every single-bit error in the first eight bytes, the two complementary words
+    for (std::uint32_t bit = 0U; bit < 64U; ++bit)
+    {
+        SafeStateLatch latch{};
+        latch.Arm();
+        unsigned char bytes[sizeof(SafeStateLatch)];
+        std::memcpy(bytes, &latch, sizeof(bytes));
+        bytes[bit / 8U] = static_cast<unsigned char>(bytes[bit / 8U] ^ (1U << (bit % 8U)));
+        std::memcpy(static_cast<void*>(&latch), bytes, sizeof(bytes));
+        // Then the latch is in the safe state
+        EXPECT_FALSE(latch.IsRunning()) << "bit " << bit;
+        EXPECT_NE(latch.Spoiler(), 0U) << "bit " << bit;
+        EXPECT_EQ(latch.Gate(), 0U) << "bit " << bit;
+    }
+}
+
+} // namespace
+} // namespace counterpoint

@@ -1,0 +1,172 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/safety_core/kernel/rig.hpp"
+
+namespace counterpoint
+{
+namespace
+{
+
+class Starting : public Rig
+{
+  public:
+    StartResult Start()
+    {
+        return kernel.Start(config, FlowCallback::kOff);
+    }
+};
+
+TEST_F(Starting, GoodDeviceStarts)
+{
+    Verifies(req::SRS_KRN_001);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kInvalid);
+    EXPECT_EQ(Start(), StartResult::kStarted);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+}
+
+TEST_F(Starting, SrdoCountIsOneToSixtyFour)
+{
+    Verifies(req::SRS_KRN_001);
+    config.srdo_count = 0U;
+    EXPECT_EQ(Start(), StartResult::kSrdoCount);
+    config.srdo_count = 65U;
+    EXPECT_EQ(Start(), StartResult::kSrdoCount);
+}
+
+TEST_F(Starting, SrdoNumbersAscendWithinOneToSixtyFour)
+{
+    Verifies(req::SRS_KRN_001);
+    setups[0].number = 0U;
+    EXPECT_EQ(Start(), StartResult::kSrdoNumbers);
+    setups[0].number = 3U;
+    EXPECT_EQ(Start(), StartResult::kSrdoNumbers);
+    setups[0].number = 1U;
+    setups[2].number = 65U;
+    EXPECT_EQ(Start(), StartResult::kSrdoNumbers);
+    setups[2].number = 64U;
+    EXPECT_EQ(Start(), StartResult::kStarted);
+}
+
+TEST_F(Starting, NodeIdIsOneToOneHundredTwentySeven)
+{
+    Verifies(req::SRS_KRN_001);
+    config.node_id = 0U;
+    EXPECT_EQ(Start(), StartResult::kNodeId);
+    config.node_id = 128U;
+    EXPECT_EQ(Start(), StartResult::kNodeId);
+    config.node_id = 127U;
+    EXPECT_EQ(Start(), StartResult::kStarted);
+}
+
+TEST_F(Starting, GranularityIsEightSixteenThirtyTwoOrSixtyFour)
+{
+    Verifies(req::SRS_KRN_001);
+    for (const std::uint8_t bits : {0, 1, 4, 7, 12, 24, 128, 255})
+    {
+        config.granularity_bits = bits;
+        EXPECT_EQ(Start(), StartResult::kGranularity) << static_cast<int>(bits);
+    }
+    for (const std::uint8_t bits : {8, 16, 32, 64})
+    {
+        config.granularity_bits = bits;
+        EXPECT_EQ(Start(), StartResult::kStarted) << static_cast<int>(bits);
+    }
+}
+
+TEST_F(Starting, PortsAreFirstOrSecond)
+{
+    Verifies(req::SRS_KRN_001);
+    config.normal_port = CanPortId::kInvalid;
+    EXPECT_EQ(Start(), StartResult::kPorts);
+    config.normal_port = CanPortId::kSecond;
+    EXPECT_EQ(Start(), StartResult::kStarted);
+    config.inverse_port = static_cast<CanPortId>(3U);
+    EXPECT_EQ(Start(), StartResult::kPorts);
+}
+
+TEST_F(Starting, ObjectsAscendHaveALengthAndAPlace)
+{
+    Verifies(req::SRS_KRN_001);
+    for (const std::uint8_t bits : {0, 7, 12, 65, 72})
+    {
+        objects[1].length_bits = bits;
+        EXPECT_EQ(Start(), StartResult::kObjects) << static_cast<int>(bits);
+    }
+    objects[1].length_bits = 16U;
+    objects[1].place = nullptr;
+    EXPECT_EQ(Start(), StartResult::kObjects);
+    objects[1].place = tx_inverse.data();
+    objects[1].index = 0x2000U;
+    EXPECT_EQ(Start(), StartResult::kObjects);
+    objects[1].index = 0x2100U;
+    config.object_count = 1025U;
+    EXPECT_EQ(Start(), StartResult::kObjects);
+    config.object_count = 0U;
+    EXPECT_EQ(Start(), StartResult::kStarted);
+}
+
+TEST_F(Starting, EachTimeHasItsRange)
+{
+    Verifies(req::SRS_KRN_001);
+    const DeviceConfig good = config;
+    const auto refused = [this, &good](const auto& spoil) {
+        config = good;
+        spoil(config);
+        EXPECT_EQ(Start(), StartResult::kTiming);
+    };
+    refused([](DeviceConfig& c) { c.cycle_us = 99U; });
+    refused([](DeviceConfig& c) {
+        c.cycle_us = 1000001U;
+        c.diagnostic_interval_us = 0x3FFFFFFFU;
+        c.test_interval_us = 0x3FFFFFFFU;
+    });
+    refused([](DeviceConfig& c) { c.cycle_tolerance_us = 1001U; });
+    refused([](DeviceConfig& c) { c.clock_interval_us = 200U; });
+    refused([](DeviceConfig& c) { c.discrepancy_us = 0x40000000U; });
+    refused([](DeviceConfig& c) { c.diagnostic_interval_us = 2999U; });
+    refused([](DeviceConfig& c) { c.test_interval_us = 999U; });
+    config = good;
+    config.diagnostic_interval_us = 3000U;
+    config.test_interval_us = 1000U;
+    EXPECT_EQ(Start(), StartResult::kStarted);
+}
+
+TEST_F(Starting, HardwareThatCannotGuaranteeIsRefused)
+{
+    Verifies(req::SRS_KRN_001);
+    Verifies(req::SRS_HAL_002);
+    ports.guarantees.bus_order = hal::Guarantee::kAbsent;
+    EXPECT_EQ(Start(), StartResult::kBusOrder);
+    ports.guarantees.bus_order = hal::Guarantee::kGiven;
+    ports.guarantees.stamps = hal::Guarantee::kInvalid;
+    EXPECT_EQ(Start(), StartResult::kStamps);
+    ports.guarantees.stamps = hal::Guarantee::kGiven;
+    ports.guarantees.confirmations = hal::Guarantee::kAbsent;
+    EXPECT_EQ(Start(), StartResult::kConfirmations);
+}
+
+TEST_F(Starting, NothingRunsBeforeStartOrAfterARefusedStart)
+{
+    Verifies(req::SRS_KRN_001);
+    // Given a kernel that never started, when everything is tried
+    const auto nothing_runs = [this]() {
+        kernel.SetNmtState(NmtState::kOperational);
+        ReceivePair();
+        kernel.OnConfirm(StampedFrame{});
+        Cycle();
+        EXPECT_EQ(Write(0x1300U, 0U, 1U, 1U), AbortCode::kDeviceState);
+        EXPECT_EQ(kernel.ReadObject(ObjectAddress{0x1300U, 0U}).abort, AbortCode::kDeviceState);
+        EXPECT_EQ(kernel.CheckConfiguration().result, Result::kDeviceFault);
+        EXPECT_EQ(output.last.kernel.response, 0U);
+        EXPECT_EQ(Open(), 0U);
+    };
+    nothing_runs();
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1301U}), Result::kNotExist);
+    EXPECT_EQ(kernel.Sign(CommunicationIndex{0x1301U}).result, Result::kNotExist);
+    // And the same after a start that was refused
+    config.srdo_count = 0U;
+    ASSERT_EQ(Start(), StartResult::kSrdoCount);
+    nothing_runs();
+}
+
+} // namespace
+} // namespace counterpoint

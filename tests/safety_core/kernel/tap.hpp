@@ -1,0 +1,135 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef TESTS_SAFETY_CORE_KERNEL_TAP_HPP
+#define TESTS_SAFETY_CORE_KERNEL_TAP_HPP
+
+#include "safety_core/contract/channel.hpp"
+
+#include <functional>
+
+namespace counterpoint
+{
+
+/// Hands every call on to a real channel; a test may alter what comes back, or keep a call from being made.
+class Tap final : public Channel
+{
+  public:
+    explicit Tap(Channel& real) noexcept : real_{real}
+    {
+    }
+
+    void Restart(const DeviceConfig& config) noexcept override
+    {
+        real_.Restart(config);
+    }
+    void Store(const ConfigItem& item) noexcept override
+    {
+        if (!drop_store)
+        {
+            real_.Store(item);
+        }
+    }
+    ConfigItem Load(const ConfigAddress& address) const noexcept override
+    {
+        ConfigItem item = real_.Load(address);
+        item.value ^= load_flip;
+        return item;
+    }
+    CheckResult Validate(SlotIndex slot) noexcept override
+    {
+        return Alter(real_.Validate(slot));
+    }
+    CheckResult Recheck(SlotIndex slot) noexcept override
+    {
+        return Alter(real_.Recheck(slot));
+    }
+    void OnFrame(const CanFrame& frame, Instant stamp) noexcept override
+    {
+        if (!drop_frames)
+        {
+            real_.OnFrame(frame, stamp);
+        }
+    }
+    CycleOutcome OnCycle(const CycleInput& input) noexcept override
+    {
+        CycleOutcome outcome = skip_cycle ? CycleOutcome{} : real_.OnCycle(input);
+        if (on_outcome)
+        {
+            on_outcome(outcome);
+        }
+        return outcome;
+    }
+    SrdoView View(SlotIndex slot) const noexcept override
+    {
+        SrdoView view = real_.View(slot);
+        view.data.low ^= data_flip;
+        return view;
+    }
+    void Demote(SlotIndex slot) noexcept override
+    {
+        ++demotions;
+        real_.Demote(slot);
+    }
+    void Commit(const Agreement& agreement) noexcept override
+    {
+        real_.Commit(agreement);
+    }
+    Permit Answer(std::uint32_t challenge) const noexcept override
+    {
+        Permit permit = real_.Answer(challenge);
+        permit.response ^= permit_flip;
+        return permit;
+    }
+    void Request(SlotIndex slot) noexcept override
+    {
+        real_.Request(slot);
+    }
+    PreparedPair Prepare(SlotIndex slot) noexcept override
+    {
+        PreparedPair pair = real_.Prepare(slot);
+        pair.normal.low ^= prepare_flip;
+        return pair;
+    }
+    void Launch(SlotIndex slot) noexcept override
+    {
+        real_.Launch(slot);
+    }
+    CanFrame NextFrame(SlotIndex slot) noexcept override
+    {
+        return real_.NextFrame(slot);
+    }
+    SlotIndex OnConfirm(const CanFrame& frame, Instant stamp) noexcept override
+    {
+        return drop_confirms ? kNoSlot : real_.OnConfirm(frame, stamp);
+    }
+    void OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept override
+    {
+        real_.OnTransmitFault(slot, cause);
+    }
+
+    std::function<void(CycleOutcome&)> on_outcome{};
+    std::uint32_t load_flip{0U};
+    std::uint32_t data_flip{0U};
+    std::uint32_t permit_flip{0U};
+    std::uint32_t prepare_flip{0U};
+    std::uint16_t signature_flip{0U};
+    ConfigFault check_fault{ConfigFault::kNone};
+    int demotions{0};
+    bool drop_store{false};
+    bool drop_frames{false};
+    bool drop_confirms{false};
+    bool skip_cycle{false};
+
+  private:
+    CheckResult Alter(CheckResult result) const noexcept
+    {
+        result.signature = static_cast<std::uint16_t>(result.signature ^ signature_flip);
+        result.fault = (check_fault == ConfigFault::kNone) ? result.fault : check_fault;
+        return result;
+    }
+
+    Channel& real_;
+};
+
+} // namespace counterpoint
+
+#endif

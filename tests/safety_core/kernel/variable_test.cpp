@@ -1,0 +1,49 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "safety_core/kernel/variable.hpp"
+
+#include "verification/trace/verifies.hpp"
+
+#include <cstdint>
+
+namespace counterpoint
+{
+namespace
+{
+
+TEST(Variable, BytesAreInTheOrderOfTheWire)
+{
+    Verifies(req::SRS_KRN_016);
+    std::uint8_t bytes[8] = {0U, 0U, 0U, 0U, 0U, 0U, 0U, 0xEEU};
+    WriteVariable(VariablePlace{bytes, 32U}, VariableValue{0xFF12345678U});
+    EXPECT_EQ(bytes[0], 0x78U);
+    EXPECT_EQ(bytes[1], 0x56U);
+    EXPECT_EQ(bytes[2], 0x34U);
+    EXPECT_EQ(bytes[3], 0x12U);
+    EXPECT_EQ(bytes[4], 0x00U);
+    EXPECT_EQ(bytes[7], 0xEEU);
+    EXPECT_EQ(ReadVariable(VariablePlace{bytes, 32U}).bits, 0x12345678U);
+    EXPECT_EQ(ReadVariable(VariablePlace{bytes, 64U}).bits, 0xEE00000012345678U);
+    EXPECT_EQ(ReadVariable(VariablePlace{bytes, 8U}).bits, 0x78U);
+}
+
+TEST(Variable, PairIsInverseOnlyIfEveryBitIs)
+{
+    Verifies(req::SRS_KRN_016);
+    std::uint8_t normal[3] = {0x12U, 0x34U, 0xFFU};
+    std::uint8_t inverse[3] = {0xEDU, 0xCBU, 0xFFU};
+    // Given a pair of 16 bits; the third byte does not belong to it
+    EXPECT_EQ(IsInversePair(VariablePlace{normal, 16U}, VariablePlace{inverse, 16U}), PairView::kInverse);
+    // When any single bit of it is flipped
+    for (std::uint32_t bit = 0U; bit < 16U; ++bit)
+    {
+        inverse[bit / 8U] = static_cast<std::uint8_t>(inverse[bit / 8U] ^ (1U << (bit % 8U)));
+        EXPECT_EQ(IsInversePair(VariablePlace{normal, 16U}, VariablePlace{inverse, 16U}), PairView::kNotInverse)
+            << "bit " << bit;
+        inverse[bit / 8U] = static_cast<std::uint8_t>(inverse[bit / 8U] ^ (1U << (bit % 8U)));
+    }
+    // Then it is no pair; nor are variables of different length
+    EXPECT_EQ(IsInversePair(VariablePlace{normal, 8U}, VariablePlace{inverse, 16U}), PairView::kNotInverse);
+}
+
+} // namespace
+} // namespace counterpoint
