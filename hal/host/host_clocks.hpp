@@ -35,6 +35,13 @@ class HostClock
     void Jump(BusTime at, std::int32_t delta_us);
 
   private:
+    struct Progress
+    {
+        std::uint64_t ns;
+        std::uint64_t fraction; ///< Millionths of a nanosecond.
+    };
+
+    [[nodiscard]] Progress SinceOrigin(BusTime at) const;
     void Rebase(BusTime at);
 
     BusTime origin_{0};

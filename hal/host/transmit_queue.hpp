@@ -44,6 +44,11 @@ class TransmitQueue
     {
         return waiting_.back();
     }
+    /// @brief Whether a frame of this queue is on the bus.
+    [[nodiscard]] bool IsSending() const
+    {
+        return sending_;
+    }
     /// @brief Takes a new frame. Not on a full queue.
     void Insert(const QueuedFrame& queued);
     /// @brief The front frame goes on the bus. Not on an empty queue.
@@ -52,7 +57,9 @@ class TransmitQueue
     void Release();
     /// @brief The frame on the bus has to be sent again.
     void PutBack(const QueuedFrame& queued);
-    /// @brief Empties all mailboxes.
+    /// @brief Empties all mailboxes but that of the frame on the bus.
+    void ClearWaiting();
+    /// @brief Empties all mailboxes; what is on the bus is not of this queue any more.
     void Clear();
 
   private:

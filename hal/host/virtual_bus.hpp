@@ -154,6 +154,9 @@ class VirtualBus
     }
 
   private:
+    static constexpr std::uint32_t kErrorPassiveAbove = 127U;
+    static constexpr std::uint32_t kBusOffFrom = 256U;
+
     struct Node
     {
         BusListener* listener;
@@ -190,19 +193,22 @@ class VirtualBus
         QueuedFrame queued;
     };
 
+    [[nodiscard]] static bool IsLater(const PlannedEvent& left, const PlannedEvent& right);
     void RunEvents(BusTime until, BusObserver* observer);
     void RunPlanned();
     void Arbitrate();
-    void TakeWinners();
+    [[nodiscard]] bool TakeWinners();
+    [[nodiscard]] std::uint16_t FirstHit() const;
     [[nodiscard]] std::uint16_t FirstDifference() const;
     [[nodiscard]] bool IsHeardByOthers() const;
-    void JudgeFrame(std::uint16_t bits);
     void FinishFrame(BusObserver* observer);
     void CompleteFrame(BusObserver* observer);
     void DestroyFrame(BusObserver* observer);
+    void CountErrors();
     void CollectReceptions(NodeIndex receiver);
-    void CollectConfirmation(const Sender& sender);
+    void CollectConfirmation(NodeIndex sender);
     void Spread(NodeIndex node, EventKind kind);
+    [[nodiscard]] bool IsSender(NodeIndex node) const;
     void Deliver(const PlannedEvent& event);
     void PlanEvent(const PlannedEvent& event);
     void EnterBusOff(Node& node);
