@@ -33,8 +33,9 @@ enum class TransmitStatus : std::uint8_t
     kRefused = 3U, ///< Not a frame that may be sent, or no such controller.
 };
 
-/// All CAN controllers of a device (one or two) behind one face. `Transmit` validates; a port implements DoTransmit and need
-/// not look again. Never blocks. Reception is not called from here: the port's owner hands StampedFrames to the kernel.
+/// All CAN controllers of a device (one or two) behind one face. `Transmit` validates; a port implements DoTransmit and
+/// need not look again. Never blocks. Reception is not called from here: the port's owner hands StampedFrames to the
+/// kernel.
 class CanPorts
 {
   public:

@@ -17,8 +17,8 @@ struct PermitSet
     Permit kernel;
 };
 
-/// The final output of a device: opens the outputs of a slot only by three right permits a cycle. hal/api/output_gate.hpp has
-/// the decision; a port adds the pins. [SRS-HAL-003, SRS-HAL-004]
+/// The final output of a device: opens the outputs of a slot only by three right permits a cycle.
+/// hal/api/output_gate.hpp has the decision; a port adds the pins. [SRS-HAL-003, SRS-HAL-004]
 class SafetyOutput
 {
   public:

@@ -22,8 +22,8 @@ struct WatchdogAnswer
     std::uint32_t value;
 };
 
-/// A windowed question-and-answer watchdog with a cut-off of its own. hal/api/watchdog_timer.hpp has the rule; a port adds
-/// the device that enforces it. [SRS-HAL-005]
+/// A windowed question-and-answer watchdog with a cut-off of its own. hal/api/watchdog_timer.hpp has the rule; a port
+/// adds the device that enforces it. [SRS-HAL-005]
 class Watchdog
 {
   public:

@@ -17,8 +17,8 @@ struct Comparison
     const CycleOutcome* outcome_b;
     const Channel* channel_a; ///< Asked for details only of slots that need a look.
     const Channel* channel_b;
-    Instant now;              ///< The discrepancy time runs by counter A.
-    std::uint32_t cycle;      ///< What both outcomes must give as their cycle.
+    Instant now;         ///< The discrepancy time runs by counter A.
+    std::uint32_t cycle; ///< What both outcomes must give as their cycle.
     std::uint32_t challenge;
 };
 
@@ -26,10 +26,10 @@ struct Comparison
 struct Verdict
 {
     Agreement agreement;
-    SrdoMask demote;  ///< Both channels are to be told.
-    SrdoMask start;   ///< Producers that both channels call due.
+    SrdoMask demote;        ///< Both channels are to be told.
+    SrdoMask start;         ///< Producers that both channels call due.
     SrdoMask newly_matched; ///< Consumers whose new pair matched in this cycle.
-    std::uint32_t echo; ///< The challenge of the comparison. [SRS-CMP-001]
+    std::uint32_t echo;     ///< The challenge of the comparison. [SRS-CMP-001]
     DeviceFault fault;
     SlotIndex slot;
 };
@@ -42,8 +42,8 @@ struct ComparatorSetup
 };
 
 /// Decides whether the two channels say the same. Owns the discrepancy time: for each slot since when it is unmatched.
-/// Invariant: bit n of `watched_` is set exactly while slot n needs a look in the next comparison; `since_[n]` has a meaning
-/// only if bit n of `timed_` is set.
+/// Invariant: bit n of `watched_` is set exactly while slot n needs a look in the next comparison; `since_[n]` has a
+/// meaning only if bit n of `timed_` is set.
 class Comparator
 {
   public:

@@ -29,8 +29,8 @@ enum class CanPortId : std::uint8_t
     kSecond = 2U,
 };
 
-/// One raw frame as it was on the bus. Bytes behind `length_bytes` have no meaning. `length_bytes` is 0 to 8, checked by
-/// hal/api; a channel treats a larger one as a wrong length.
+/// One raw frame as it was on the bus. Bytes behind `length_bytes` have no meaning. `length_bytes` is 0 to 8, checked
+/// by hal/api; a channel treats a larger one as a wrong length.
 struct CanFrame
 {
     std::uint32_t identifier;

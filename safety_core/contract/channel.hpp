@@ -38,7 +38,8 @@ enum class GuardView : std::uint8_t
 };
 
 /// Parties of the three permits, each with a constant of its own. The answer to a challenge is
-///     ((challenge + mask bits 0 to 31) XOR (mask bits 32 to 63 rotated left by 16)) * constant   (modulo 2^32). [SRS-REL-010]
+///     ((challenge + mask bits 0 to 31) XOR (mask bits 32 to 63 rotated left by 16)) * constant   (modulo 2^32).
+///     [SRS-REL-010]
 constexpr std::uint32_t kPermitConstantA = 0x9E3779B1U;
 constexpr std::uint32_t kPermitConstantB = 0x85EBCA77U;
 constexpr std::uint32_t kPermitConstantKernel = 0xC2B2AE3DU;
@@ -71,28 +72,30 @@ struct CycleInput
 /// What the comparator looks at every cycle: bit n is slot n. Bit-identical across channels for the same inputs.
 struct CycleOutcome
 {
-    SrdoMask released;  ///< Consumers in state kReleased.
-    SrdoMask faulted;   ///< Consumers in state kFaulted.
-    SrdoMask waiting;   ///< Consumers in state kWaiting.
-    SrdoMask new_fault; ///< Consumers for which this call reports a fault that occurred since the previous call.
-    SrdoMask fresh;     ///< Consumers that hold a pair completed since the previous call.
-    SrdoMask due;       ///< Producers for which Prepare is to be called now.
-    SrdoMask signalled; ///< Slots with something in SrdoView::signals.
+    SrdoMask released;         ///< Consumers in state kReleased.
+    SrdoMask faulted;          ///< Consumers in state kFaulted.
+    SrdoMask waiting;          ///< Consumers in state kWaiting.
+    SrdoMask new_fault;        ///< Consumers for which this call reports a fault that occurred since the previous call.
+    SrdoMask fresh;            ///< Consumers that hold a pair completed since the previous call.
+    SrdoMask due;              ///< Producers for which Prepare is to be called now.
+    SrdoMask signalled;        ///< Slots with something in SrdoView::signals.
     std::uint32_t cycle;       ///< Number of OnCycle calls since Restart, modular; the first returns 1.
     std::uint32_t ordinal_sum; ///< Sum of the ordinals of all active consumers, modular.
     GuardView guard;
     std::uint8_t sct_checked;     ///< Consumers whose limits were examined in this call.
     std::uint8_t is_tx;           ///< Producers passed over by that examination.
     std::uint8_t is_invalid;      ///< SRDOs passed over because they are off (direction 0).
-    std::uint8_t not_operational; ///< 1 when nothing was examined (not OPERATIONAL, or configuration not valid); then the others are 0.
+    std::uint8_t not_operational; ///< 1 when nothing was examined (not OPERATIONAL, or configuration not valid); then
+                                  ///< the others are 0.
 };
 
 /// Details of one slot.
 struct SrdoView
 {
-    Payload data;          ///< Normal data of the held pair (consumer) or of the pair being sent (producer).
-    std::uint32_t ordinal; ///< Consumer: pairs completed since the last fault or since OPERATIONAL was entered. Producer: pairs sent.
-    std::uint32_t signals; ///< Bit (1 << cause): signalled by the most recent OnCycle.
+    Payload data;              ///< Normal data of the held pair (consumer) or of the pair being sent (producer).
+    std::uint32_t ordinal;     ///< Consumer: pairs completed since the last fault or since OPERATIONAL was entered.
+                               ///< Producer: pairs sent.
+    std::uint32_t signals;     ///< Bit (1 << cause): signalled by the most recent OnCycle.
     std::uint16_t error_count; ///< Faults since Restart, the first one included; stays at 65535.
     SrdoState state;
     SrdoCause first_cause;
@@ -103,25 +106,26 @@ enum class PrepareStatus : std::uint8_t
 {
     kInvalid = 0U,
     kReady = 0x69U,
-    kNotInverse = 1U, ///< At least one bit of an inverse object is not the inverse; recorded as fault of this slot.
+    kNotInverse = 1U,  ///< At least one bit of an inverse object is not the inverse; recorded as fault of this slot.
     kNotProducer = 2U, ///< Not an idle producer in OPERATIONAL.
 };
 
 struct PreparedPair
 {
-    Payload normal; ///< Channel A: as read from the normal objects. Channel B: complement of what the inverse objects hold.
+    Payload
+        normal; ///< Channel A: as read from the normal objects. Channel B: complement of what the inverse objects hold.
     PrepareStatus status;
     std::uint8_t length_bytes;
 };
 
-/// One voice. Two diverse implementations: channel_a, channel_b. Not reentrant; keeps no reference to its arguments except
-/// to the DeviceConfig of Restart. Every `slot` is below srdo_count, checked by the kernel. No call allocates, blocks or
-/// loops without bound. What each call does, step by step, is in docs/requirements/channel.sdoc.
+/// One voice. Two diverse implementations: channel_a, channel_b. Not reentrant; keeps no reference to its arguments
+/// except to the DeviceConfig of Restart. Every `slot` is below srdo_count, checked by the kernel. No call allocates,
+/// blocks or loops without bound. What each call does, step by step, is in docs/requirements/channel.sdoc.
 class Channel
 {
   public:
-    /// @brief Power-on state: copies what it needs of the setups; defaults of the configuration as SRS-CFG-002; 13FEh 0,
-    /// everything off. `config` outlives the channel's use. O(srdo_count)
+    /// @brief Power-on state: copies what it needs of the setups; defaults of the configuration as SRS-CFG-002; 13FEh
+    /// 0, everything off. `config` outlives the channel's use. O(srdo_count)
     virtual void Restart(const DeviceConfig& config) noexcept = 0;
 
     /// @brief Keeps one value, admitted by the guard, which alone calls this. O(1) [SRS-CFG-003]
@@ -129,38 +133,46 @@ class Channel
     /// @brief The value kept at `address`; 0 for an address that does not exist. O(1)
     [[nodiscard]] virtual ConfigItem Load(const ConfigAddress& address) const noexcept = 0;
 
-    /// @brief All rules of one SRDO, in order, then its signature; resolves the mapping and writes the safe value into the
-    /// objects this channel owns if there is no fault. Not in OPERATIONAL. O(entries * log objects) [SRS-CFG-020..029]
+    /// @brief All rules of one SRDO, in order, then its signature; resolves the mapping and writes the safe value into
+    /// the objects this channel owns if there is no fault. Not in OPERATIONAL. O(entries * log objects)
+    /// [SRS-CFG-020..029]
     [[nodiscard]] virtual CheckResult Validate(SlotIndex slot) noexcept = 0;
     /// @brief Signature and resolved mapping of one SRDO again; in every state. O(entries) [SRS-CFG-030]
     [[nodiscard]] virtual CheckResult Recheck(SlotIndex slot) noexcept = 0;
 
     /// @brief Takes one raw frame in bus order; what is not ours is ignored. O(payload) [SRS-CONS-001..019]
     virtual void OnFrame(const CanFrame& frame, Instant stamp) noexcept = 0;
-    /// @brief Limits, acknowledge, NMT, refresh; once a kernel cycle, after all its frames. O(srdo_count) [SRS-CONS-*, SRS-REL-*]
+    /// @brief Limits, acknowledge, NMT, refresh; once a kernel cycle, after all its frames. O(srdo_count) [SRS-CONS-*,
+    /// SRS-REL-*]
     [[nodiscard]] virtual CycleOutcome OnCycle(const CycleInput& input) noexcept = 0;
     [[nodiscard]] virtual SrdoView View(SlotIndex slot) const noexcept = 0;
-    /// @brief The other channel reported a fault for this consumer: be safe too. No effect unless the slot is a consumer in
-    /// kWaiting, kFaulted or kReleased. [SRS-REL-006]
+    /// @brief The other channel reported a fault for this consumer: be safe too. No effect unless the slot is a
+    /// consumer in kWaiting, kFaulted or kReleased. [SRS-REL-006]
     virtual void Demote(SlotIndex slot) noexcept = 0;
-    /// @brief Writes the objects this channel owns (A the normal, B the inverse ones): the held pair where it is agreed,
-    /// matched and released by this channel too, the safe value where a slot is no longer agreed. O(changed) [SRS-REL-002]
+    /// @brief Writes the objects this channel owns (A the normal, B the inverse ones): the held pair where it is
+    /// agreed, matched and released by this channel too, the safe value where a slot is no longer agreed. O(changed)
+    /// [SRS-REL-002]
     virtual void Commit(const Agreement& agreement) noexcept = 0;
     /// @brief This channel's permit for the slots it released in the last Commit. O(1) [SRS-REL-010]
     [[nodiscard]] virtual Permit Answer(std::uint32_t challenge) const noexcept = 0;
 
     /// @brief The application wants this producer to send. Kept until Prepare. [SRS-PROD-003]
     virtual void Request(SlotIndex slot) noexcept = 0;
-    /// @brief Reads both objects of every entry and checks every bit of the inversion; consumes the due mark. [SRS-PROD-005]
+    /// @brief Reads both objects of every entry and checks every bit of the inversion; consumes the due mark.
+    /// [SRS-PROD-005]
     [[nodiscard]] virtual PreparedPair Prepare(SlotIndex slot) noexcept = 0;
-    /// @brief The kernel found both prepared pairs equal: transmission starts at the `now` of the last OnCycle. [SRS-PROD-006]
+    /// @brief The kernel found both prepared pairs equal: transmission starts at the `now` of the last OnCycle.
+    /// [SRS-PROD-006]
     virtual void Launch(SlotIndex slot) noexcept = 0;
-    /// @brief The frame that this channel has to put on the bus now: A the normal frame after Launch, B the inverse frame
-    /// after it saw the normal frame confirmed; kind kInvalid if none. Each frame is handed out once. [SRS-PROD-006]
+    /// @brief The frame that this channel has to put on the bus now: A the normal frame after Launch, B the inverse
+    /// frame after it saw the normal frame confirmed; kind kInvalid if none. Each frame is handed out once.
+    /// [SRS-PROD-006]
     [[nodiscard]] virtual CanFrame NextFrame(SlotIndex slot) noexcept = 0;
-    /// @brief A frame of this device was on the bus. Returns its slot, or kNoSlot if it is not a frame in flight. [SRS-PROD-007]
+    /// @brief A frame of this device was on the bus. Returns its slot, or kNoSlot if it is not a frame in flight.
+    /// [SRS-PROD-007]
     [[nodiscard]] virtual SlotIndex OnConfirm(const CanFrame& frame, Instant stamp) noexcept = 0;
-    /// @brief The transmission of this slot failed (kTransmitQueue, kBusOff): recorded, the pair is given up. [SRS-PROD-009]
+    /// @brief The transmission of this slot failed (kTransmitQueue, kBusOff): recorded, the pair is given up.
+    /// [SRS-PROD-009]
     virtual void OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept = 0;
 
     Channel(const Channel&) = delete;

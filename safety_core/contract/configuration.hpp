@@ -19,7 +19,8 @@ enum class MapAccess : std::uint8_t
 };
 
 /// One mappable variable of the application. `place` points to ceil(length_bits / 8) bytes that hold the value in
-/// little-endian order on every processor (the order of the wire); the accessors of kernel/variable.hpp read and write it.
+/// little-endian order on every processor (the order of the wire); the accessors of kernel/variable.hpp read and write
+/// it.
 struct MappableObject
 {
     std::uint16_t index;
@@ -35,7 +36,8 @@ struct SrdoSetup
     std::uint8_t number; ///< 1 to 64; the setups are in ascending order of number.
     ReleasePolicy policy;
     ProducerForm form;
-    Payload safe_value; ///< Consumer: what the normal objects read while the SRDO is safe; inverse objects its complement.
+    Payload
+        safe_value; ///< Consumer: what the normal objects read while the SRDO is safe; inverse objects its complement.
 };
 
 /// Fixed description of a device. Whoever owns it keeps it unchanged while the kernel lives. Ranges are checked by
@@ -43,16 +45,16 @@ struct SrdoSetup
 struct DeviceConfig
 {
     const SrdoSetup* srdos;
-    const MappableObject* objects; ///< Ascending by (index, sub), no duplicates.
-    std::uint16_t object_count;    ///< 0 to 1024.
-    std::uint8_t srdo_count;       ///< 1 to 64.
-    std::uint8_t node_id;          ///< 1 to 127.
-    std::uint8_t granularity_bits; ///< 8, 16, 32 or 64.
-    CanPortId normal_port;         ///< Controller of the normal frames.
-    CanPortId inverse_port;        ///< Controller of the inverse frames; equal to normal_port with one controller.
-    std::uint32_t cycle_us;        ///< 100 to 1 000 000: nominal distance of two calls of Kernel::Cycle.
-    std::uint32_t cycle_tolerance_us;     ///< 0 to cycle_us: a call this much later is still in time.
-    std::uint32_t discrepancy_us;         ///< Greatest time for which the channels' ordinals may differ.
+    const MappableObject* objects;    ///< Ascending by (index, sub), no duplicates.
+    std::uint16_t object_count;       ///< 0 to 1024.
+    std::uint8_t srdo_count;          ///< 1 to 64.
+    std::uint8_t node_id;             ///< 1 to 127.
+    std::uint8_t granularity_bits;    ///< 8, 16, 32 or 64.
+    CanPortId normal_port;            ///< Controller of the normal frames.
+    CanPortId inverse_port;           ///< Controller of the inverse frames; equal to normal_port with one controller.
+    std::uint32_t cycle_us;           ///< 100 to 1 000 000: nominal distance of two calls of Kernel::Cycle.
+    std::uint32_t cycle_tolerance_us; ///< 0 to cycle_us: a call this much later is still in time.
+    std::uint32_t discrepancy_us;     ///< Greatest time for which the channels' ordinals may differ.
     std::uint32_t acknowledge_window_us;  ///< For how long an acknowledge edge waits for its pair.
     std::uint32_t diagnostic_interval_us; ///< Every signature is recomputed at least once in it; >= srdo_count cycles.
     std::uint32_t test_interval_us;       ///< The comparator is tested at least once in it; >= 1 cycle.
@@ -65,16 +67,16 @@ struct DeviceConfig
 enum class ConfigField : std::uint8_t
 {
     kInvalid = 0U,
-    kDirection = 1U,        ///< 130xh sub 1, u8.
-    kSct = 2U,              ///< 130xh sub 2, u16, ms: refresh time or SCT.
-    kSrvt = 3U,             ///< 130xh sub 3, u8, ms.
-    kTransmissionType = 4U, ///< 130xh sub 4, u8.
-    kCobId1 = 5U,           ///< 130xh sub 5, u32.
-    kCobId2 = 6U,           ///< 130xh sub 6, u32.
-    kMapCount = 7U,         ///< 138xh sub 0, u8.
-    kMapEntry = 8U,         ///< 138xh sub 1 to 16 (field `sub`), u32: index << 16 | sub << 8 | bits.
-    kSignature = 9U,        ///< 13FFh sub n, u16.
-    kGfcParameter = 10U,    ///< 1300h, u8; slot has no meaning.
+    kDirection = 1U,           ///< 130xh sub 1, u8.
+    kSct = 2U,                 ///< 130xh sub 2, u16, ms: refresh time or SCT.
+    kSrvt = 3U,                ///< 130xh sub 3, u8, ms.
+    kTransmissionType = 4U,    ///< 130xh sub 4, u8.
+    kCobId1 = 5U,              ///< 130xh sub 5, u32.
+    kCobId2 = 6U,              ///< 130xh sub 6, u32.
+    kMapCount = 7U,            ///< 138xh sub 0, u8.
+    kMapEntry = 8U,            ///< 138xh sub 1 to 16 (field `sub`), u32: index << 16 | sub << 8 | bits.
+    kSignature = 9U,           ///< 13FFh sub n, u16.
+    kGfcParameter = 10U,       ///< 1300h, u8; slot has no meaning.
     kConfigurationValid = 11U, ///< 13FEh, u8; slot has no meaning.
 };
 
@@ -101,10 +103,11 @@ enum class ConfigFault : std::uint8_t
     kIdentifier = 3U,       ///< Reserved bits, outside 101h to 180h, parity, or COB-ID 2 not COB-ID 1 + 1.
     kIdentifierInUse = 4U,  ///< Another SRDO that is not off has one of the identifiers.
     kTiming = 5U,           ///< Consumer: not 1 <= SRVT < SCT. Producer: refresh time shorter than the cycle.
-    kMapping = 6U,          ///< Odd count, too many entries, unknown object, access, length, same object, unequal pair, granularity.
-    kLengthExceeded = 7U,   ///< More than 64 bits of normal or inverse data.
-    kSignature = 8U,        ///< 13FFh is not the computed signature.
-    kTable = 9U,            ///< A resolved mapping no longer leads to the objects that the entries name.
+    kMapping =
+        6U, ///< Odd count, too many entries, unknown object, access, length, same object, unequal pair, granularity.
+    kLengthExceeded = 7U, ///< More than 64 bits of normal or inverse data.
+    kSignature = 8U,      ///< 13FFh is not the computed signature.
+    kTable = 9U,          ///< A resolved mapping no longer leads to the objects that the entries name.
     kNone = 0x5AU,
 };
 

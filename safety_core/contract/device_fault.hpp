@@ -12,17 +12,17 @@ namespace counterpoint
 /// Why a device is in its safe state (level 2). [SRS-KRN-003]
 enum class DeviceFault : std::uint8_t
 {
-    kInvalid = 0U,        ///< Also: the latch itself was found corrupted.
-    kDisagreement = 1U,   ///< The channels' outcomes, data or checks are not equal.
-    kUnmatched = 2U,      ///< Ordinals or due marks differed for longer than the discrepancy time.
-    kGuard = 3U,          ///< A channel found the guard's token stale.
-    kConfiguration = 4U,  ///< Signature or resolved mapping wrong while 13FEh was A5h, or a copy of it changed.
-    kComparator = 5U,     ///< The comparator missed a deliberate difference, or its verdict is not of this cycle.
-    kFlow = 6U,           ///< The program flow was not the one laid down.
-    kClock = 7U,          ///< The two counters drift apart.
-    kLateCall = 8U,       ///< The cycle came too late.
-    kFrameOrder = 9U,     ///< Frames out of order, or with stamps that cannot be.
-    kApplication = 10U,   ///< The application demanded the safe state.
+    kInvalid = 0U,       ///< Also: the latch itself was found corrupted.
+    kDisagreement = 1U,  ///< The channels' outcomes, data or checks are not equal.
+    kUnmatched = 2U,     ///< Ordinals or due marks differed for longer than the discrepancy time.
+    kGuard = 3U,         ///< A channel found the guard's token stale.
+    kConfiguration = 4U, ///< Signature or resolved mapping wrong while 13FEh was A5h, or a copy of it changed.
+    kComparator = 5U,    ///< The comparator missed a deliberate difference, or its verdict is not of this cycle.
+    kFlow = 6U,          ///< The program flow was not the one laid down.
+    kClock = 7U,         ///< The two counters drift apart.
+    kLateCall = 8U,      ///< The cycle came too late.
+    kFrameOrder = 9U,    ///< Frames out of order, or with stamps that cannot be.
+    kApplication = 10U,  ///< The application demanded the safe state.
     kNone = 0x5AU,
 };
 

@@ -72,8 +72,8 @@ enum class ProducerForm : std::uint8_t
     kProviderCalled = 1U,
 };
 
-/// Data of one frame: byte 0 of the frame is bits 0 to 7 of `low`, byte 4 is bits 0 to 7 of `high`. Bits above the mapped
-/// length are 0.
+/// Data of one frame: byte 0 of the frame is bits 0 to 7 of `low`, byte 4 is bits 0 to 7 of `high`. Bits above the
+/// mapped length are 0.
 struct Payload
 {
     std::uint32_t low;

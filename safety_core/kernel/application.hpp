@@ -42,8 +42,8 @@ struct FlowCount
     std::uint8_t count;
 };
 
-/// What the device's application implements. Called from within Kernel::Cycle and Kernel::OnConfirm; must return soon (its
-/// time counts towards the cycle) and must not call the kernel back, except Read and View functions. [SRS-KRN-006]
+/// What the device's application implements. Called from within Kernel::Cycle and Kernel::OnConfirm; must return soon
+/// (its time counts towards the cycle) and must not call the kernel back, except Read and View functions. [SRS-KRN-006]
 class Application
 {
   public:
@@ -57,7 +57,8 @@ class Application
     virtual void OnGfc() noexcept = 0;
     /// @brief An own GFC was not followed by an SRDO in time. [SRS-KRN-013]
     virtual void OnGfcNotFollowed() noexcept = 0;
-    /// @brief OPERATIONAL was entered with a configuration that does not hold; SRDOs are off (emergency 6300h). [SRS-KRN-010]
+    /// @brief OPERATIONAL was entered with a configuration that does not hold; SRDOs are off (emergency 6300h).
+    /// [SRS-KRN-010]
     virtual void OnConfigurationInvalid(CommunicationIndex index) noexcept = 0;
     /// @brief The device safe state was entered. Called once. [SRS-KRN-006]
     virtual void OnDeviceFault(const DeviceFaultReport& report) noexcept = 0;

@@ -9,16 +9,16 @@
 namespace counterpoint
 {
 
-/// Supervises the progress of the two counters against each other, the distance of the cycles, and the stamps of the frames
-/// between them. [SRS-CLK-001, SRS-CLK-002, SRS-KRN-008]
+/// Supervises the progress of the two counters against each other, the distance of the cycles, and the stamps of the
+/// frames between them. [SRS-CLK-001, SRS-CLK-002, SRS-KRN-008]
 class ClockSupervisor
 {
   public:
     void Restart(const DeviceConfig& config) noexcept;
     /// @brief Stamps of the next frame in bus order.
     void OnFrame(const InstantPair& stamp) noexcept;
-    /// @brief Instants of this cycle; the first device fault found since the last call. The first call after Restart only
-    /// sets the references.
+    /// @brief Instants of this cycle; the first device fault found since the last call. The first call after Restart
+    /// only sets the references.
     [[nodiscard]] DeviceFault OnCycle(const InstantPair& now) noexcept;
 
   private:

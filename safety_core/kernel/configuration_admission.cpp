@@ -131,16 +131,15 @@ AbortCode ConfigurationGuard::AdmitMapCount(const ConfigItem& item) const noexce
     {
         return AbortCode::kMapTooLong;
     }
-    const bool fits = (MappedBits(slot, 1U, item.value) <= kMaxPayloadBits) &&
-                      (MappedBits(slot, 2U, item.value) <= kMaxPayloadBits);
+    const bool fits =
+        (MappedBits(slot, 1U, item.value) <= kMaxPayloadBits) && (MappedBits(slot, 2U, item.value) <= kMaxPayloadBits);
     return fits ? AbortCode::kNone : AbortCode::kMapTooLong;
 }
 
 AbortCode ConfigurationGuard::AdmitMapEntry(const ConfigItem& item) const noexcept
 {
     const SlotIndex slot = item.address.slot;
-    const std::uint32_t in_use =
-        Value(slot, ConfigField::kDirection, 0U) | Value(slot, ConfigField::kMapCount, 0U);
+    const std::uint32_t in_use = Value(slot, ConfigField::kDirection, 0U) | Value(slot, ConfigField::kMapCount, 0U);
     if (in_use != 0U)
     {
         return AbortCode::kUnsupportedAccess;

@@ -21,8 +21,9 @@ struct ConfigurationFinding
     SlotIndex slot;
 };
 
-/// Owner of 1300h to 13FFh: admits or refuses every access, keeps both channels' copies equal, looks at 13FEh every cycle and
-/// has the signatures rechecked. The values themselves live in the channels; the guard keeps only 13FEh. [SRS-CFG-040..049]
+/// Owner of 1300h to 13FFh: admits or refuses every access, keeps both channels' copies equal, looks at 13FEh every
+/// cycle and has the signatures rechecked. The values themselves live in the channels; the guard keeps only 13FEh.
+/// [SRS-CFG-040..049]
 class ConfigurationGuard
 {
   public:
@@ -35,7 +36,8 @@ class ConfigurationGuard
     [[nodiscard]] std::uint32_t Value(SlotIndex slot, ConfigField field, std::uint8_t sub) const noexcept;
     [[nodiscard]] ObjectReading Read(const ObjectAddress& address) noexcept;
     [[nodiscard]] AbortCode Write(const ObjectAddress& address, const ObjectData& data) noexcept;
-    /// @brief Looks at 13FEh and rechecks an SRDO when its turn has come. The token for CycleInput. [SRS-CFG-031, SRS-CFG-048]
+    /// @brief Looks at 13FEh and rechecks an SRDO when its turn has come. The token for CycleInput. [SRS-CFG-031,
+    /// SRS-CFG-048]
     [[nodiscard]] std::uint32_t Cycle(std::uint32_t challenge) noexcept;
     /// @brief Rechecks all SRDOs in both channels. [SRS-KRN-010, SRS-KRN-015]
     [[nodiscard]] ConfigurationFinding CheckAll() noexcept;
@@ -57,7 +59,8 @@ class ConfigurationGuard
     [[nodiscard]] AbortCode AdmitConnection(SlotIndex slot) const noexcept;
     [[nodiscard]] std::uint32_t MappedBits(SlotIndex slot, std::uint8_t first, std::uint32_t count) const noexcept;
     void StoreBoth(const ConfigItem& item) noexcept;
-    [[nodiscard]] ConfigurationFinding Compare(SlotIndex slot, const CheckResult& a, const CheckResult& b) const noexcept;
+    [[nodiscard]] ConfigurationFinding Compare(SlotIndex slot, const CheckResult& a,
+                                               const CheckResult& b) const noexcept;
     void Find(DeviceFault fault, SlotIndex slot) noexcept;
     void RecheckNext() noexcept;
 

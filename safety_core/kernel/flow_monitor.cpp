@@ -13,7 +13,8 @@ constexpr std::uint32_t kStepKey = 0x3C6EF35FU;
 constexpr std::uint32_t kEvidenceKey = 0x9E3779B9U;
 constexpr std::uint32_t kStart = 0x1F123BB5U;
 
-constexpr std::uint32_t Fold(const std::uint32_t signature, const std::uint32_t step, const std::uint32_t difference) noexcept
+constexpr std::uint32_t Fold(const std::uint32_t signature, const std::uint32_t step,
+                             const std::uint32_t difference) noexcept
 {
     return (((signature + (step * kStepKey)) * kMultiplier) ^ step) + (difference * kEvidenceKey);
 }

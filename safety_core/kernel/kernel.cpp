@@ -107,8 +107,7 @@ void Kernel::Cycle(const CycleCall& call) noexcept
 void Kernel::CompareOutcomes(const CycleCall& call, const std::uint32_t challenge, const CycleOutcome& a,
                              const CycleOutcome& b) noexcept
 {
-    const Comparison comparison{&a,         &b,     &parts_.channel_a, &parts_.channel_b,
-                                call.now.a, cycle_, challenge};
+    const Comparison comparison{&a, &b, &parts_.channel_a, &parts_.channel_b, call.now.a, cycle_, challenge};
     --cycles_to_test_;
     if (cycles_to_test_ == 0U)
     {
@@ -176,7 +175,8 @@ void Kernel::Commit() noexcept
     committed_ = written | (committed_ & agreed);
 }
 
-// Computed from the comparator's echo and spoiled by a latch that is not running: there is nothing to decide. [SRS-KRN-005]
+// Computed from the comparator's echo and spoiled by a latch that is not running: there is nothing to decide.
+// [SRS-KRN-005]
 void Kernel::GivePermits(const std::uint32_t challenge) noexcept
 {
     const Permit permit_a = parts_.channel_a.Answer(challenge);

@@ -18,7 +18,8 @@
 namespace counterpoint
 {
 
-/// Everything a kernel works with; all outlive it. Channel A writes and sends the normal side, channel B the inverse side.
+/// Everything a kernel works with; all outlive it. Channel A writes and sends the normal side, channel B the inverse
+/// side.
 struct KernelParts
 {
     Channel& channel_a;
@@ -49,15 +50,15 @@ enum class StartResult : std::uint8_t
 {
     kInvalid = 0U,
     kStarted = 0x69U,
-    kSrdoCount = 1U,    ///< Not 1 to 64.
-    kSrdoNumbers = 2U,  ///< Not 1 to 64 in ascending order.
-    kNodeId = 3U,       ///< Not 1 to 127.
-    kGranularity = 4U,  ///< Not 8, 16, 32 or 64.
-    kPorts = 5U,        ///< Not kFirst or kSecond.
-    kObjects = 6U,      ///< Out of order, a length not 8 to 64 in steps of 8, no place, or more than 1024.
-    kTiming = 7U,       ///< A time outside its range.
-    kBusOrder = 8U,     ///< The HAL does not guarantee bus order.
-    kStamps = 9U,       ///< The HAL does not guarantee stamps.
+    kSrdoCount = 1U,      ///< Not 1 to 64.
+    kSrdoNumbers = 2U,    ///< Not 1 to 64 in ascending order.
+    kNodeId = 3U,         ///< Not 1 to 127.
+    kGranularity = 4U,    ///< Not 8, 16, 32 or 64.
+    kPorts = 5U,          ///< Not kFirst or kSecond.
+    kObjects = 6U,        ///< Out of order, a length not 8 to 64 in steps of 8, no place, or more than 1024.
+    kTiming = 7U,         ///< A time outside its range.
+    kBusOrder = 8U,       ///< The HAL does not guarantee bus order.
+    kStamps = 9U,         ///< The HAL does not guarantee stamps.
     kConfirmations = 10U, ///< The HAL does not guarantee confirmations.
 };
 
@@ -102,9 +103,9 @@ struct StateReply
     std::uint16_t error_count;
 };
 
-/// The facade of the certified part: an application links this and the two channels. Not reentrant. All times and frames come
-/// in as arguments. Order of use: Start; WriteObject for the configuration; SetNmtState; then, for ever: OnFrame, OnConfirm
-/// and OnOverflow for everything that happened on the bus, in bus order, then Cycle.
+/// The facade of the certified part: an application links this and the two channels. Not reentrant. All times and
+/// frames come in as arguments. Order of use: Start; WriteObject for the configuration; SetNmtState; then, for ever:
+/// OnFrame, OnConfirm and OnOverflow for everything that happened on the bus, in bus order, then Cycle.
 class Kernel
 {
   public:
@@ -157,7 +158,8 @@ class Kernel
     [[nodiscard]] Result SendSlot(SlotIndex slot) noexcept;
     [[nodiscard]] Result SendReadiness() const noexcept;
     void Adopt(const DeviceFaultReport& report) noexcept;
-    void CompareOutcomes(const CycleCall& call, std::uint32_t challenge, const CycleOutcome& a, const CycleOutcome& b) noexcept;
+    void CompareOutcomes(const CycleCall& call, std::uint32_t challenge, const CycleOutcome& a,
+                         const CycleOutcome& b) noexcept;
     void TestComparator(const Comparison& comparison) noexcept;
     void Demote() noexcept;
     void Commit() noexcept;

@@ -16,11 +16,12 @@ struct RuleResult
 };
 
 // Return codes of the reference for the rules of a configuration; a rule not listed is kInvalidConfiguration.
-constexpr RuleResult kRuleResults[] = { // MISRA D-001
-    {ConfigFault::kNone, Result::kSuccessful},           {ConfigFault::kIdentifier, Result::kIdError},
-    {ConfigFault::kIdentifierInUse, Result::kIdInUse},   {ConfigFault::kTiming, Result::kTimingError},
-    {ConfigFault::kMapping, Result::kMappingError},      {ConfigFault::kLengthExceeded, Result::kLengthExceeded},
-    {ConfigFault::kSignature, Result::kSignatureError},  {ConfigFault::kTable, Result::kMappingError},
+constexpr RuleResult kRuleResults[] = {
+    // MISRA D-001
+    {ConfigFault::kNone, Result::kSuccessful},          {ConfigFault::kIdentifier, Result::kIdError},
+    {ConfigFault::kIdentifierInUse, Result::kIdInUse},  {ConfigFault::kTiming, Result::kTimingError},
+    {ConfigFault::kMapping, Result::kMappingError},     {ConfigFault::kLengthExceeded, Result::kLengthExceeded},
+    {ConfigFault::kSignature, Result::kSignatureError}, {ConfigFault::kTable, Result::kMappingError},
     {ConfigFault::kInvalid, Result::kDeviceFault},
 };
 

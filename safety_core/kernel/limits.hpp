@@ -13,13 +13,13 @@ namespace counterpoint
 enum class FaultClass : std::uint8_t
 {
     kInvalid = 0U,
-    kBus = 1U,            ///< Loss, delay, anything on the bus: from the last good normal frame.
-    kBusNextNormal = 2U,  ///< The same where the next normal frame still came (early detection).
-    kWrongFrame = 3U,     ///< A frame that is wrong in itself: from its arrival.
-    kChannel = 4U,        ///< One channel stuck, skipped, wrong data.
-    kConfiguration = 5U,  ///< Configuration, memory, table.
-    kSupervisor = 6U,     ///< Comparator, flow monitor, permits.
-    kClock = 7U,          ///< Clock, cycle.
+    kBus = 1U,           ///< Loss, delay, anything on the bus: from the last good normal frame.
+    kBusNextNormal = 2U, ///< The same where the next normal frame still came (early detection).
+    kWrongFrame = 3U,    ///< A frame that is wrong in itself: from its arrival.
+    kChannel = 4U,       ///< One channel stuck, skipped, wrong data.
+    kConfiguration = 5U, ///< Configuration, memory, table.
+    kSupervisor = 6U,    ///< Comparator, flow monitor, permits.
+    kClock = 7U,         ///< Clock, cycle.
 };
 
 /// Times of the SRDO concerned, from its objects. Milliseconds.

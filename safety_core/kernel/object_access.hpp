@@ -17,7 +17,7 @@ enum class AbortCode : std::uint32_t
     kReadOnly = 0x06010002U,
     kObjectUnknown = 0x06020000U,
     kNotMappable = 0x06040041U,
-    kMapTooLong = 0x06040042U, ///< Over 64 bits, odd count.
+    kMapTooLong = 0x06040042U,   ///< Over 64 bits, odd count.
     kIncompatible = 0x06040043U, ///< A5h refused.
     kLengthMismatch = 0x06070010U,
     kSubUnknown = 0x06090011U,
@@ -56,7 +56,7 @@ enum class ObjectKind : std::uint8_t
 {
     kInvalid = 0U, ///< No such object.
     kSubUnknown = 1U,
-    kConstant = 2U, ///< Sub-index 0 with a fixed value.
+    kConstant = 2U,      ///< Sub-index 0 with a fixed value.
     kConfiguration = 3U, ///< A stored value, see `config`.
     kGapSignature = 4U,  ///< 13FFh entry of an SRDO that does not exist.
     kConfigurationValid = 5U,

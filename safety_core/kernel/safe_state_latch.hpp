@@ -9,8 +9,8 @@
 namespace counterpoint
 {
 
-/// Device safe state: one way in, Start alone leads out. Runs only while `word_` is the running pattern and `inverse_` its
-/// complement; zero-filled or corrupted memory is the safe state. [SRS-KRN-003]
+/// Device safe state: one way in, Start alone leads out. Runs only while `word_` is the running pattern and `inverse_`
+/// its complement; zero-filled or corrupted memory is the safe state. [SRS-KRN-003]
 class SafeStateLatch
 {
   public:

@@ -129,7 +129,8 @@ TEST_F(Comparing, EqualVoicesAgree)
 TEST_F(Comparing, EachUnequalFieldOfTheWholeIsADisagreementAndAgreesToNothing)
 {
     Verifies(req::SRS_CMP_002);
-    const auto differs = [this](std::uint8_t& field) {
+    const auto differs = [this](std::uint8_t& field)
+    {
         field = static_cast<std::uint8_t>(field ^ 1U);
         const Verdict verdict = CompareAt(0U);
         EXPECT_EQ(verdict.fault, DeviceFault::kDisagreement);

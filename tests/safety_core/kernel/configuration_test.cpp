@@ -149,7 +149,8 @@ TEST_F(Configuring, EachRuleHasItsReturnCode)
 {
     Verifies(req::SRS_KRN_015);
     Configure();
-    const auto gives = [this](ConfigFault rule, Result result) {
+    const auto gives = [this](ConfigFault rule, Result result)
+    {
         a.check_fault = rule;
         b.check_fault = rule;
         EXPECT_EQ(kernel.CheckConfiguration().result, result);

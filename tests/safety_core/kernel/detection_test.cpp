@@ -91,7 +91,8 @@ TEST_F(Detection, FaultOfOneChannelMakesTheOtherSafeInTheSameCycle)
     Verifies(req::SRS_CMP_004);
     Verifies(req::SRS_REL_006);
     Release();
-    b.on_outcome = [](CycleOutcome& outcome) {
+    b.on_outcome = [](CycleOutcome& outcome)
+    {
         outcome.released = 0U;
         outcome.faulted = 1U;
         outcome.new_fault = 1U;

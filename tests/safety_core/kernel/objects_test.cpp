@@ -50,8 +50,8 @@ TEST_F(SafetyObjects, WhatDoesNotExistIsUnknown)
 {
     Verifies(req::SRS_CFG_040);
     Configure();
-    for (const std::uint16_t index : {0x12FF, 0x1302, 0x1340, 0x1341, 0x1380, 0x1382, 0x13C0, 0x13C1, 0x13FD, 0x1400,
-                                      0x1FFF, 0x2150, 0x2500})
+    for (const std::uint16_t index :
+         {0x12FF, 0x1302, 0x1340, 0x1341, 0x1380, 0x1382, 0x13C0, 0x13C1, 0x13FD, 0x1400, 0x1FFF, 0x2150, 0x2500})
     {
         EXPECT_EQ(ReadAbort(index, 0U), AbortCode::kObjectUnknown) << std::hex << index;
         EXPECT_EQ(Write(index, 0U, 0U, 1U), AbortCode::kObjectUnknown) << std::hex << index;
@@ -124,7 +124,8 @@ TEST_F(SafetyObjects, IdenticalValueIsAcceptedAndClearsNothing)
 TEST_F(SafetyObjects, ChangedValueClearsConfigurationValid)
 {
     Verifies(req::SRS_CFG_043);
-    const auto clears = [this](std::uint16_t index, std::uint8_t sub, std::uint32_t value, std::uint8_t size) {
+    const auto clears = [this](std::uint16_t index, std::uint8_t sub, std::uint32_t value, std::uint8_t size)
+    {
         Configure();
         ASSERT_EQ(Read(0x13FEU, 0U), 0xA5U);
         EXPECT_EQ(Write(index, sub, value, size), AbortCode::kNone) << std::hex << index;
@@ -247,7 +248,8 @@ TEST_F(SafetyObjects, MapCountMayNotReachMoreThanSixtyFourBitsOnEitherSide)
 TEST(DefaultConnection, IdentifiersAndDirectionByNodeId)
 {
     Verifies(req::SRS_CFG_049);
-    const auto is = [](std::uint8_t node, std::uint16_t cob_id_1, std::uint16_t cob_id_2, std::uint8_t direction) {
+    const auto is = [](std::uint8_t node, std::uint16_t cob_id_1, std::uint16_t cob_id_2, std::uint8_t direction)
+    {
         const Connection connection = DefaultConnection(NodeId{node});
         EXPECT_EQ(connection.cob_id_1, cob_id_1) << static_cast<int>(node);
         EXPECT_EQ(connection.cob_id_2, cob_id_2) << static_cast<int>(node);

@@ -126,8 +126,8 @@ TEST_F(Production, ForeignConfirmationHasNoEffect)
     Operate();
     Cycle();
     now_us += 10U;
-    kernel.OnConfirm(StampedFrame{CanFrame{0x180U, FrameKind::kData, CanPortId::kFirst, 0U, {}},
-                                  InstantPair{{now_us}, {now_us}}});
+    kernel.OnConfirm(
+        StampedFrame{CanFrame{0x180U, FrameKind::kData, CanPortId::kFirst, 0U, {}}, InstantPair{{now_us}, {now_us}}});
     EXPECT_EQ(ports.sent.size(), 1U);
 }
 

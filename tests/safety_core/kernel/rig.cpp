@@ -68,7 +68,8 @@ void Rig::Configure()
 {
     ASSERT_EQ(kernel.Start(config, FlowCallback::kOn), StartResult::kStarted);
     ASSERT_EQ(Write(0x1300U, 0U, 1U, 1U), AbortCode::kNone);
-    const auto map = [this](std::uint16_t mapping, std::uint32_t normal, std::uint32_t inverse) {
+    const auto map = [this](std::uint16_t mapping, std::uint32_t normal, std::uint32_t inverse)
+    {
         ASSERT_EQ(Write(mapping, 1U, normal, 4U), AbortCode::kNone);
         ASSERT_EQ(Write(mapping, 2U, inverse, 4U), AbortCode::kNone);
         ASSERT_EQ(Write(mapping, 0U, 2U, 1U), AbortCode::kNone);

@@ -108,17 +108,20 @@ TEST_F(Starting, EachTimeHasItsRange)
 {
     Verifies(req::SRS_KRN_001);
     const DeviceConfig good = config;
-    const auto refused = [this, &good](const auto& spoil) {
+    const auto refused = [this, &good](const auto& spoil)
+    {
         config = good;
         spoil(config);
         EXPECT_EQ(Start(), StartResult::kTiming);
     };
     refused([](DeviceConfig& c) { c.cycle_us = 99U; });
-    refused([](DeviceConfig& c) {
-        c.cycle_us = 1000001U;
-        c.diagnostic_interval_us = 0x3FFFFFFFU;
-        c.test_interval_us = 0x3FFFFFFFU;
-    });
+    refused(
+        [](DeviceConfig& c)
+        {
+            c.cycle_us = 1000001U;
+            c.diagnostic_interval_us = 0x3FFFFFFFU;
+            c.test_interval_us = 0x3FFFFFFFU;
+        });
     refused([](DeviceConfig& c) { c.cycle_tolerance_us = 1001U; });
     refused([](DeviceConfig& c) { c.clock_interval_us = 200U; });
     refused([](DeviceConfig& c) { c.discrepancy_us = 0x40000000U; });
@@ -148,7 +151,8 @@ TEST_F(Starting, NothingRunsBeforeStartOrAfterARefusedStart)
 {
     Verifies(req::SRS_KRN_001);
     // Given a kernel that never started, when everything is tried
-    const auto nothing_runs = [this]() {
+    const auto nothing_runs = [this]()
+    {
         kernel.SetNmtState(NmtState::kOperational);
         ReceivePair();
         kernel.OnConfirm(StampedFrame{});
