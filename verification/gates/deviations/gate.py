@@ -35,9 +35,13 @@ def record_findings(root, name, used_in, known):
             yield f"{name}:1: guideline {guideline} is mandatory, expected no deviation from it"
     if "Guideline" in fields and not guidelines:
         yield f"{name}:1: Guideline '{fields['Guideline']}', expected a number such as 8.2.5"
+    places = re.split(r"[,\s]+", fields.get("Where", "").strip())
     for place in sorted(used_in):
-        if "Where" in fields and place not in fields["Where"]:
+        if "Where" in fields and not any(place == listed or place.startswith(listed + "/") for listed in places):
             yield f"{name}:1: the code names this deviation in {place}, expected Where to list it"
+    for listed in places:
+        if used_in and not any(place == listed or place.startswith(listed + "/") for place in used_in):
+            yield f"{name}:1: Where lists {listed}, expected only files and folders whose code names this deviation"
 
 
 def gate(root, _data):
