@@ -83,7 +83,7 @@ Verdict Comparator::Compare(const Comparison& comparison) noexcept
     watched_ |= a.fresh | b.fresh | (a.released ^ b.released) | (a.due ^ b.due);
     if (a.ordinal_sum != b.ordinal_sum)
     {
-        watched_ |= ~SrdoMask{0U} >> (kMaxSrdoCount - setup_.slot_count);
+        watched_ |= ~SrdoMask{0U} >> (std::uint32_t{kMaxSrdoCount} - setup_.slot_count);
     }
     watched_ &= ~verdict.demote;
     timed_ &= watched_;

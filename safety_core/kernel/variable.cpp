@@ -34,7 +34,7 @@ void WriteVariable(const VariablePlace& variable, const VariableValue& value) no
 
 PairView IsInversePair(const VariablePlace& normal, const VariablePlace& inverse) noexcept
 {
-    const std::uint64_t all_bits = ~std::uint64_t{0U} >> (kMaxPayloadBits - normal.length_bits);
+    const std::uint64_t all_bits = ~std::uint64_t{0U} >> (std::uint32_t{kMaxPayloadBits} - normal.length_bits);
     const std::uint64_t same = ~(ReadVariable(normal).bits ^ ReadVariable(inverse).bits) & all_bits;
     const std::uint64_t lengths =
         static_cast<std::uint64_t>(normal.length_bits) ^ static_cast<std::uint64_t>(inverse.length_bits);
