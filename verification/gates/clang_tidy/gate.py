@@ -30,9 +30,9 @@ def run_tidy(root, names):
 
 
 def deviates(root, name, line, checks):
-    """Whether this line is marked with a deviation that covers the check."""
+    """Whether this line, or a neighbour that clang-format moved the mark to, names a deviation that covers the check."""
     lines = read(root, name).splitlines()
-    for text in lines[max(0, line - 2):line]:
+    for text in lines[max(0, line - 2):line + 1]:
         for identifier in MARKER.findall(text):
             record = root / "MISRA/deviations" / f"{identifier}.md"
             if record.exists() and any(f"`{check}`" in record.read_text() for check in checks):

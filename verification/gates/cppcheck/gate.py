@@ -27,7 +27,7 @@ def gate(root, _data):
         if not found:
             continue
         lines = read(root, found["file"]).splitlines() if (root / found["file"]).is_file() else []
-        records = [root / "MISRA/deviations" / f"{identifier}.md" for text in lines[max(0, int(found["line"]) - 2):int(found["line"])]
+        records = [root / "MISRA/deviations" / f"{identifier}.md" for text in lines[max(0, int(found["line"]) - 2):int(found["line"]) + 1]
                    for identifier in MARKER.findall(text)]
         if not any(record.exists() and f"`{found['id']}`" in record.read_text() for record in records):
             findings.add(line)
