@@ -1,0 +1,184 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "channel_b/channel.hpp"
+
+#include "channel_b/image.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace counterpoint::channel_b
+{
+
+namespace
+{
+
+// Power-on values. [SRS-CFG-002]
+constexpr std::uint8_t kDefaultRefreshMs = 25U;
+constexpr std::uint8_t kDefaultSctMs = 50U;
+constexpr std::uint8_t kDefaultSrvtMs = 20U;
+constexpr std::uint8_t kLastDefaultProducer = 32U;
+constexpr std::uint8_t kLastDefaultNode = 64U;
+
+[[nodiscard]] std::uint32_t RotateLeft(std::uint32_t value, std::uint32_t count) noexcept
+{
+    return (value << count) | (value >> (32U - count));
+}
+
+} // namespace
+
+Channel::Channel(const Storage& storage) noexcept : x_storage(storage)
+{
+}
+
+void Channel::ClearSlot(SlotIndex slot) noexcept
+{
+    x_storage.direction[slot] = kDirectionOff;
+    x_storage.state[slot] = SrdoState::kOff;
+    x_storage.first_cause[slot] = SrdoCause::kNone;
+    x_storage.stage[slot] = Stage::kIdle;
+    x_storage.error_count[slot] = 0U;
+    x_storage.length_bytes[slot] = 0U;
+    x_storage.ordinal[slot] = 0U;
+    x_storage.sent[slot] = 0U;
+    x_storage.causes[slot] = 0U;
+    x_storage.pair_limit[slot] = kNothingRuns;
+    const Column<std::uint8_t> image{ImageAt(x_storage, slot, 0U)};
+    for (std::uint8_t at = 0U; at < kImageBytes; ++at)
+    {
+        image[at] = 0U;
+    }
+    for (std::uint8_t index = 0U; index < kMaxMapEntries; ++index)
+    {
+        image[kEntriesAt + (static_cast<std::size_t>(index) * kEntryBytes)] = static_cast<std::uint8_t>(index + 1U);
+        x_storage.table[(static_cast<std::size_t>(slot) * kMaxMapEntries) + index] = kNoPlace;
+    }
+    image[kSctAt] = kDefaultRefreshMs;
+    image[kSrvtAt] = kDefaultSrvtMs;
+    image[kTransmissionTypeAt] = kTransmissionTypeAsynchronous;
+}
+
+void Channel::Restart(const DeviceConfig& config) noexcept
+{
+    const Column<const SrdoSetup> setups{config.srdos};
+    x_config = &config;
+    x_count = (config.srdo_count < x_storage.capacity) ? config.srdo_count : x_storage.capacity;
+    x_present = 0U;
+    x_active = 0U;
+    x_levels = ~SrdoMask{0U}; // A level that is 1 from the start is no edge.
+    x_gfc = 0U;
+    x_late_us = 0xFFFFFFFFU; // The first call is never late.
+    x_cycle = 0U;
+    x_storage.device[kGfcParameterAt] = 0U;
+    x_storage.device[kConfigurationValidAt] = 0U;
+    *x_storage.marks = Marks{};
+    x_storage.marks->held.off = ~SrdoMask{0U};
+    x_storage.marks->acknowledged.off = ~SrdoMask{0U};
+    x_storage.marks->automatic.off = ~SrdoMask{0U};
+    x_storage.marks->valid.off = ~SrdoMask{0U};
+    ClearLookUp();
+    for (SlotIndex slot = 0U; slot < x_count; ++slot)
+    {
+        x_present |= BitOf(slot);
+        ClearSlot(slot);
+        TakeSetup(slot, setups[slot]);
+    }
+}
+
+void Channel::TakeSetup(SlotIndex slot, const SrdoSetup& setup) noexcept
+{
+    const std::uint8_t node = x_config->node_id;
+    x_storage.safe_data[slot] =
+        ~(static_cast<std::uint64_t>(setup.safe_value.low) | (static_cast<std::uint64_t>(setup.safe_value.high) << 32U));
+    if (setup.policy == ReleasePolicy::kAutomatic)
+    {
+        Grant(x_storage.marks->automatic, BitOf(slot));
+    }
+    if (setup.form == ProducerForm::kProviderCalled)
+    {
+        x_storage.marks->provider |= BitOf(slot);
+    }
+    if ((setup.number == 1U) && (node <= kLastDefaultNode))
+    {
+        // 0FFh + 2n and the next one: 101h to 180h, so that the second byte is always 1.
+        *ImageAt(x_storage, slot, kCobId1At) = static_cast<std::uint8_t>((2U * node) - 1U);
+        *ImageAt(x_storage, slot, kCobId1At + 1U) = 1U;
+        *ImageAt(x_storage, slot, kCobId2At) = static_cast<std::uint8_t>(2U * node);
+        *ImageAt(x_storage, slot, kCobId2At + 1U) = 1U;
+        *ImageAt(x_storage, slot, kSctAt) = (node > kLastDefaultProducer) ? kDefaultSctMs : kDefaultRefreshMs;
+    }
+}
+
+void Channel::ClearLookUp() noexcept
+{
+    for (std::uint8_t offset = 0U; offset < kLookUpBytes; ++offset)
+    {
+        x_storage.slot_of[offset] = kNoSlot;
+    }
+}
+
+void Channel::Count(SlotIndex slot, SrdoCause cause) noexcept
+{
+    if (x_storage.error_count[slot] != 0xFFFFU)
+    {
+        ++x_storage.error_count[slot];
+    }
+    if (x_storage.first_cause[slot] == SrdoCause::kNone)
+    {
+        x_storage.first_cause[slot] = cause;
+    }
+}
+
+/// A fault that the next OnCycle, or this one, reports.
+void Channel::Record(SlotIndex slot, SrdoCause cause) noexcept
+{
+    Count(slot, cause);
+    x_storage.causes[slot] |= std::uint32_t{1U} << (static_cast<std::uint32_t>(cause) & 31U);
+    x_storage.marks->reporting |= BitOf(slot);
+}
+
+SrdoView Channel::View(SlotIndex slot) const noexcept
+{
+    const SrdoMask bit = BitOf(slot);
+    const bool holds_pair = (Granted(x_storage.marks->held) & bit) != 0U;
+    SrdoView view{{0U, 0U}, x_storage.ordinal[slot] + x_storage.sent[slot], 0U, x_storage.error_count[slot], StateOf(slot),
+                  x_storage.first_cause[slot], static_cast<std::uint8_t>(holds_pair)};
+    if (holds_pair || IsInFlight(slot))
+    {
+        // Of a valid pair the inverse data tell the normal data.
+        view.data = PayloadOf(x_storage.inverse_data[slot] ^ PayloadMask(x_storage.length_bytes[slot]));
+    }
+    if ((x_storage.marks->signalled & bit) != 0U)
+    {
+        view.signals = x_storage.signals[slot];
+    }
+    return view;
+}
+
+SrdoState Channel::StateOf(SlotIndex slot) const noexcept
+{
+    switch (x_storage.state[slot])
+    {
+    case SrdoState::kReleased:
+        return SrdoState::kReleased;
+    case SrdoState::kWaiting:
+        return SrdoState::kWaiting;
+    case SrdoState::kOff:
+        return SrdoState::kOff;
+    case SrdoState::kProducer:
+        return SrdoState::kProducer;
+    case SrdoState::kFaulted:
+    case SrdoState::kInvalid:
+        return SrdoState::kFaulted;
+    }
+    return SrdoState::kFaulted;
+}
+
+Permit Channel::Answer(std::uint32_t challenge) const noexcept
+{
+    const SrdoMask mask = x_storage.marks->committed & x_active;
+    const std::uint32_t low = static_cast<std::uint32_t>(mask & 0xFFFFFFFFU);
+    const std::uint32_t high = static_cast<std::uint32_t>(mask >> 32U);
+    return Permit{mask, ((challenge + low) ^ RotateLeft(high, 16U)) * kPermitConstantB};
+}
+
+} // namespace counterpoint::channel_b

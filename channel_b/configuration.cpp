@@ -1,0 +1,314 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "channel_b/channel.hpp"
+#include "channel_b/image.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace counterpoint::channel_b
+{
+
+namespace
+{
+
+/// Place and width of a field in the image; the number of the field is the row.
+struct FieldSpan
+{
+    std::uint8_t at;
+    std::uint8_t width;
+};
+
+constexpr std::uint8_t kFieldCount = 12U;
+constexpr FieldSpan kSpans[kFieldCount] = { // MISRA D-001
+    {0U, 0U},           {0U, 1U},          {kSctAt, 2U},     {kSrvtAt, 1U},       {kTransmissionTypeAt, 1U},
+    {kCobId1At, 4U},    {kCobId2At, 4U},   {kMapCountAt, 1U}, {kEntriesAt, 4U},   {kSignatureAt, 2U},
+    {kGfcParameterAt, 1U}, {kConfigurationValidAt, 1U}};
+
+/// The object that the entry names: index and sub-index.
+[[nodiscard]] std::uint32_t KeyOf(const MappableObject& object) noexcept
+{
+    return (static_cast<std::uint32_t>(object.index) << 8U) | static_cast<std::uint32_t>(object.sub);
+}
+
+[[nodiscard]] std::uint32_t StoredSignature(const Storage& storage, SlotIndex slot) noexcept
+{
+    const std::uint32_t low = *ImageAt(storage, slot, kSignatureAt);
+    const std::uint32_t high = *ImageAt(storage, slot, kSignatureAt + 1U);
+    return low | (high << 8U);
+}
+
+} // namespace
+
+Channel::Place Channel::PlaceOf(const ConfigAddress& address) const noexcept
+{
+    const std::uint8_t field = static_cast<std::uint8_t>(address.field);
+    if (field >= kFieldCount)
+    {
+        return Place{{nullptr}, 0U};
+    }
+    const FieldSpan span = kSpans[field];
+    if (field >= static_cast<std::uint8_t>(ConfigField::kGfcParameter))
+    {
+        return Place{{&x_storage.device[span.at]}, span.width};
+    }
+    if (address.slot >= x_count)
+    {
+        return Place{{nullptr}, 0U};
+    }
+    if (address.field == ConfigField::kDirection)
+    {
+        return Place{{&x_storage.direction[address.slot]}, span.width};
+    }
+    if (address.field != ConfigField::kMapEntry)
+    {
+        return Place{{ImageAt(x_storage, address.slot, span.at)}, span.width};
+    }
+    const std::uint32_t index = static_cast<std::uint32_t>(address.sub) - 1U; // Sub-index 0 becomes a huge number.
+    if (index >= kMaxMapEntries)
+    {
+        return Place{{nullptr}, 0U};
+    }
+    const std::size_t at = kEntriesAt + (static_cast<std::size_t>(index) * kEntryBytes) + 1U;
+    return Place{{ImageAt(x_storage, address.slot, at)}, span.width};
+}
+
+void Channel::Store(const ConfigItem& item) noexcept
+{
+    const Place place = PlaceOf(item.address);
+    if (place.width == 0U)
+    {
+        return;
+    }
+    const SlotIndex slot = item.address.slot;
+    if (item.address.field == ConfigField::kSct)
+    {
+        // A window of signals that is running ends by the new time.
+        const std::uint32_t new_us = (item.value & 0xFFFFU) * kMicrosecondsPerMillisecond;
+        x_storage.window_left[slot] += new_us - SctUs(x_storage, slot);
+    }
+    for (std::uint8_t byte = 0U; byte < place.width; ++byte)
+    {
+        place.bytes[byte] = static_cast<std::uint8_t>((item.value >> (8U * byte)) & 0xFFU);
+    }
+    if (item.address.field <= ConfigField::kMapEntry)
+    {
+        x_storage.marks->resolved &= ~BitOf(slot);
+    }
+}
+
+ConfigItem Channel::Load(const ConfigAddress& address) const noexcept
+{
+    const Place place = PlaceOf(address);
+    std::uint32_t value = 0U;
+    for (std::uint8_t byte = 0U; byte < place.width; ++byte)
+    {
+        value |= static_cast<std::uint32_t>(place.bytes[byte]) << (8U * byte);
+    }
+    return ConfigItem{address, value};
+}
+
+bool Channel::IsIdentifierInUse(SlotIndex slot) const noexcept
+{
+    const std::uint32_t normal = NormalIdentifier(x_storage, slot);
+    bool is_in_use = false;
+    for (SlotIndex other = 0U; other < x_count; ++other)
+    {
+        // Ours are `normal` and the next one, so that a modular distance of 0 or 1 is one of them.
+        const bool is_other = (other != slot) && (x_storage.direction[other] != kDirectionOff);
+        const bool is_normal_ours = (NormalIdentifier(x_storage, other) - normal) <= 1U;
+        const bool is_inverse_ours = (InverseIdentifier(x_storage, other) - normal) <= 1U;
+        if (is_other && (is_normal_ours || is_inverse_ours))
+        {
+            is_in_use = true;
+        }
+    }
+    return is_in_use;
+}
+
+bool Channel::IsTimingWrong(SlotIndex slot) const noexcept
+{
+    if (x_storage.direction[slot] == kDirectionProducer)
+    {
+        return SctUs(x_storage, slot) < x_config->cycle_us;
+    }
+    const std::uint32_t srvt_ms = *ImageAt(x_storage, slot, kSrvtAt);
+    return (srvt_ms < 1U) || (srvt_ms >= SctMs(x_storage, slot));
+}
+
+/// All rules before those of the mapping. [SRS-CFG-021 to 025]
+ConfigFault Channel::CheckParameters(SlotIndex slot) const noexcept
+{
+    if (x_storage.direction[slot] > kDirectionConsumer)
+    {
+        return ConfigFault::kDirection;
+    }
+    if (*ImageAt(x_storage, slot, kTransmissionTypeAt) != kTransmissionTypeAsynchronous)
+    {
+        return ConfigFault::kTransmissionType;
+    }
+    const std::uint32_t normal = NormalIdentifier(x_storage, slot);
+    const std::uint32_t offset = normal - kFirstSrdoIdentifier;
+    const bool is_normal_right = (offset < kSrdoIdentifierCount) && ((offset & 1U) == 0U);
+    if ((!is_normal_right) || (InverseIdentifier(x_storage, slot) != (normal + 1U)))
+    {
+        return ConfigFault::kIdentifier;
+    }
+    if (IsIdentifierInUse(slot))
+    {
+        return ConfigFault::kIdentifierInUse;
+    }
+    return IsTimingWrong(slot) ? ConfigFault::kTiming : ConfigFault::kNone;
+}
+
+std::uint16_t Channel::Find(std::uint32_t entry) const noexcept
+{
+    const Column<const MappableObject> objects{x_config->objects};
+    const std::uint32_t key = entry >> 8U;
+    std::uint16_t low = 0U;
+    std::uint16_t high = x_config->object_count;
+    while (low < high) // Halves at each turn: at most 11 for 1024 objects.
+    {
+        const std::uint16_t middle = static_cast<std::uint16_t>(low + ((high - low) / 2));
+        if (KeyOf(objects[middle]) < key)
+        {
+            low = static_cast<std::uint16_t>(middle + 1);
+        }
+        else
+        {
+            high = middle;
+        }
+    }
+    return low;
+}
+
+/// Whether the object at `place` is the one that the entry names, of its length, and fits the direction.
+bool Channel::IsEntryRight(std::uint16_t place, std::uint32_t entry, std::uint8_t direction) const noexcept
+{
+    if (place >= x_config->object_count)
+    {
+        return false;
+    }
+    const MappableObject& object = Column<const MappableObject>{x_config->objects}[place];
+    const MapAccess access = (direction == kDirectionProducer) ? MapAccess::kProducer : MapAccess::kConsumer;
+    const std::uint32_t named = (KeyOf(object) << 8U) | static_cast<std::uint32_t>(object.length_bits);
+    return (named == entry) && (object.access == access);
+}
+
+/// SRS-CFG-026 to 028.
+Channel::Mapping Channel::CheckMapping(SlotIndex slot) const noexcept
+{
+    Mapping mapping{{}, 0U, ConfigFault::kMapping};
+    const std::uint8_t count = *ImageAt(x_storage, slot, kMapCountAt);
+    if ((count == 0U) || (count > kMaxMapEntries) || ((count & 1U) != 0U))
+    {
+        return mapping;
+    }
+    const std::uint32_t granule = static_cast<std::uint32_t>(x_config->granularity_bits) - 1U;
+    std::uint32_t wrong = 0U;
+    std::uint32_t all_bits = 0U;
+    for (std::uint8_t index = 0U; index < count; ++index)
+    {
+        const std::uint32_t entry = EntryAt(x_storage, slot, index);
+        const std::uint32_t partner = EntryAt(x_storage, slot, static_cast<std::size_t>(index) ^ 1U);
+        const std::uint16_t place = Find(entry);
+        wrong |= static_cast<std::uint32_t>(!IsEntryRight(place, entry, x_storage.direction[slot]));
+        wrong |= ((entry ^ partner) & 0xFFU) | (entry & 0xFFU & granule);
+        for (std::uint8_t before = 0U; before < index; ++before)
+        {
+            wrong |= static_cast<std::uint32_t>(mapping.table[before] == place);
+        }
+        mapping.table[index] = place;
+        all_bits += entry & 0xFFU;
+    }
+    if (wrong == 0U)
+    {
+        // Each normal entry is as long as its inverse entry.
+        mapping.length_bits = all_bits / 2U;
+        mapping.fault = (mapping.length_bits > kMaxPayloadBits) ? ConfigFault::kLengthExceeded : ConfigFault::kNone;
+    }
+    return mapping;
+}
+
+void Channel::Resolve(SlotIndex slot, const Mapping& mapping) noexcept
+{
+    const std::uint8_t count = EntryCount(x_storage, slot);
+    const std::size_t row = static_cast<std::size_t>(slot) * kMaxMapEntries;
+    for (std::uint8_t index = 0U; index < kMaxMapEntries; ++index)
+    {
+        x_storage.table[row + index] = (index < count) ? mapping.table[index] : kNoPlace;
+    }
+    x_storage.length_bytes[slot] = static_cast<std::uint8_t>(mapping.length_bits / 8U);
+    x_storage.marks->resolved |= BitOf(slot);
+    x_storage.marks->committed &= ~BitOf(slot); // Whatever was released is overwritten here, or no longer ours.
+    if (x_storage.direction[slot] == kDirectionConsumer)
+    {
+        WriteInverse(slot, x_storage.safe_data[slot]);
+    }
+}
+
+CheckResult Channel::Validate(SlotIndex slot) noexcept
+{
+    const std::uint16_t signature = SignatureOf(slot);
+    const bool is_signed = static_cast<std::uint32_t>(signature) == StoredSignature(x_storage, slot);
+    const bool is_on = x_storage.direction[slot] != kDirectionOff;
+    Mapping mapping{{}, 0U, ConfigFault::kNone};
+    x_storage.marks->resolved &= ~BitOf(slot);
+    Withdraw(x_storage.marks->valid, BitOf(slot));
+    if (is_on)
+    {
+        const ConfigFault fault = CheckParameters(slot);
+        mapping = CheckMapping(slot);
+        mapping.fault = (fault == ConfigFault::kNone) ? mapping.fault : fault;
+    }
+    if ((mapping.fault == ConfigFault::kNone) && (!is_signed))
+    {
+        mapping.fault = ConfigFault::kSignature;
+    }
+    if (mapping.fault == ConfigFault::kNone)
+    {
+        Grant(x_storage.marks->valid, BitOf(slot));
+        if (is_on)
+        {
+            Resolve(slot, mapping);
+        }
+    }
+    return CheckResult{mapping.fault, signature};
+}
+
+bool Channel::IsTableRight(SlotIndex slot) const noexcept
+{
+    const std::uint8_t count = EntryCount(x_storage, slot);
+    const std::size_t row = static_cast<std::size_t>(slot) * kMaxMapEntries;
+    bool is_right = (x_storage.marks->resolved & BitOf(slot)) != 0U;
+    for (std::uint8_t index = 0U; index < count; ++index)
+    {
+        const std::uint32_t entry = EntryAt(x_storage, slot, index);
+        if (!IsEntryRight(x_storage.table[row + index], entry, x_storage.direction[slot]))
+        {
+            is_right = false;
+        }
+    }
+    return is_right;
+}
+
+CheckResult Channel::Recheck(SlotIndex slot) noexcept
+{
+    CheckResult result{ConfigFault::kNone, SignatureOf(slot)};
+    if (static_cast<std::uint32_t>(result.signature) != StoredSignature(x_storage, slot))
+    {
+        result.fault = ConfigFault::kSignature;
+    }
+    else if ((x_storage.direction[slot] != kDirectionOff) && (!IsTableRight(slot)))
+    {
+        result.fault = ConfigFault::kTable;
+    }
+    else
+    {
+        Grant(x_storage.marks->valid, BitOf(slot));
+        return result;
+    }
+    Withdraw(x_storage.marks->valid, BitOf(slot));
+    return result;
+}
+
+} // namespace counterpoint::channel_b

@@ -1,0 +1,110 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CHANNEL_B_IMAGE_HPP
+#define CHANNEL_B_IMAGE_HPP
+
+#include "channel_b/packed.hpp"
+#include "channel_b/storage.hpp"
+#include "safety_core/contract/can_frame.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+/// Reads the canonical images, the only copy of the configuration that this channel has.
+namespace counterpoint::channel_b
+{
+
+/// Limit of a budget that nothing can exceed.
+constexpr std::uint32_t kNothingRuns = 0xFFFFFFFFU;
+/// Not the place of an object.
+constexpr std::uint16_t kNoPlace = 0xFFFFU;
+
+// Places in the image of one SRDO; what follows kEntriesAt are records of sub-index and entry.
+constexpr std::uint8_t kSctAt = 0U;
+constexpr std::uint8_t kSrvtAt = 2U;
+constexpr std::uint8_t kCobId1At = 3U;
+constexpr std::uint8_t kCobId2At = 7U;
+constexpr std::uint8_t kMapCountAt = 11U;
+constexpr std::uint8_t kEntriesAt = 12U;
+constexpr std::uint8_t kEntryBytes = 5U;
+constexpr std::uint8_t kTransmissionTypeAt = 92U;
+constexpr std::uint8_t kSignatureAt = 93U;
+// Places in Storage::device.
+constexpr std::uint8_t kGfcParameterAt = 0U;
+constexpr std::uint8_t kConfigurationValidAt = 1U;
+
+static_assert(kTransmissionTypeAt == (kEntriesAt + (kMaxMapEntries * kEntryBytes)), "behind the last entry");
+static_assert(kLookUpBytes == kSrdoIdentifierCount, "one byte an identifier");
+
+[[nodiscard]] inline std::uint8_t* ImageAt(const Storage& storage, SlotIndex slot, std::size_t at) noexcept
+{
+    return &storage.image[(static_cast<std::size_t>(slot) * kImageBytes) + at];
+}
+
+[[nodiscard]] inline std::uint32_t NormalIdentifier(const Storage& storage, SlotIndex slot) noexcept
+{
+    return PackFourBytes(ImageAt(storage, slot, kCobId1At));
+}
+
+[[nodiscard]] inline std::uint32_t InverseIdentifier(const Storage& storage, SlotIndex slot) noexcept
+{
+    return PackFourBytes(ImageAt(storage, slot, kCobId2At));
+}
+
+[[nodiscard]] inline std::uint32_t SctMs(const Storage& storage, SlotIndex slot) noexcept
+{
+    const std::uint32_t low = *ImageAt(storage, slot, kSctAt);
+    const std::uint32_t high = *ImageAt(storage, slot, kSctAt + 1U);
+    return low | (high << 8U);
+}
+
+/// SCT of a consumer, refresh time of a producer.
+[[nodiscard]] inline std::uint32_t SctUs(const Storage& storage, SlotIndex slot) noexcept
+{
+    return SctMs(storage, slot) * kMicrosecondsPerMillisecond;
+}
+
+[[nodiscard]] inline std::uint32_t SrvtUs(const Storage& storage, SlotIndex slot) noexcept
+{
+    return static_cast<std::uint32_t>(*ImageAt(storage, slot, kSrvtAt)) * kMicrosecondsPerMillisecond;
+}
+
+/// A map count above 16 counts as 16. [SRS-CFG-020]
+[[nodiscard]] inline std::uint8_t EntryCount(const Storage& storage, SlotIndex slot) noexcept
+{
+    const std::uint8_t count = *ImageAt(storage, slot, kMapCountAt);
+    return (count < kMaxMapEntries) ? count : kMaxMapEntries;
+}
+
+/// Entry `index` (0 is sub-index 1).
+[[nodiscard]] inline std::uint32_t EntryAt(const Storage& storage, SlotIndex slot, std::size_t index) noexcept
+{
+    return PackFourBytes(ImageAt(storage, slot, kEntriesAt + (index * kEntryBytes) + 1U));
+}
+
+/// Slot to which the identifier leads; no existing slot if to none.
+[[nodiscard]] inline SlotIndex LookUp(const Storage& storage, const CanFrame& frame) noexcept
+{
+    const std::uint32_t offset = frame.identifier - kFirstSrdoIdentifier;
+    return (offset < kSrdoIdentifierCount) ? storage.slot_of[offset] : kNoSlot;
+}
+
+/// A corrupted state is no consumer's.
+[[nodiscard]] inline bool IsConsumer(SrdoState state) noexcept
+{
+    switch (state)
+    {
+    case SrdoState::kReleased:
+    case SrdoState::kWaiting:
+    case SrdoState::kFaulted:
+        return true;
+    case SrdoState::kInvalid:
+    case SrdoState::kOff:
+    case SrdoState::kProducer:
+        return false;
+    }
+    return false;
+}
+
+} // namespace counterpoint::channel_b
+
+#endif

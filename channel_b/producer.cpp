@@ -1,0 +1,256 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "channel_b/channel.hpp"
+#include "channel_b/image.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::channel_b
+{
+
+namespace
+{
+
+/// Which frame of a pair the producer waits to see on the bus.
+enum class Awaited : std::uint8_t
+{
+    kNothing = 0U,
+    kNormal = 1U,
+    kInverse = 2U,
+};
+
+/// A corrupted stage awaits nothing: its pair is given up.
+[[nodiscard]] Awaited AwaitedIn(Stage stage) noexcept
+{
+    switch (stage)
+    {
+    case Stage::kInvalid:
+    case Stage::kIdle:
+    case Stage::kPrepared:
+        return Awaited::kNothing;
+    case Stage::kAwaitNormal:
+        return Awaited::kNormal;
+    case Stage::kSendInverse:
+    case Stage::kAwaitInverse:
+        return Awaited::kInverse;
+    }
+    return Awaited::kNothing;
+}
+
+} // namespace
+
+bool Channel::IsInFlight(SlotIndex slot) const noexcept
+{
+    return AwaitedIn(x_storage.stage[slot]) != Awaited::kNothing;
+}
+
+/// For how long a producer of form kApplicationSends may be silent. [SRS-PROD-010]
+std::uint32_t Channel::AbsenceUs(SlotIndex slot) const noexcept
+{
+    return SctUs(x_storage, slot) + x_config->cycle_us + x_config->cycle_tolerance_us;
+}
+
+/// A fault of a producer. Only a missed refresh leaves the pair in flight alone. [SRS-PROD-009]
+void Channel::Fail(SlotIndex slot, SrdoCause cause) noexcept
+{
+    Record(slot, cause);
+    if (cause != SrdoCause::kRefreshMissed)
+    {
+        x_storage.stage[slot] = Stage::kIdle;
+        x_storage.pair_limit[slot] = kNothingRuns;
+    }
+}
+
+void Channel::Request(SlotIndex slot) noexcept
+{
+    if (x_storage.state[slot] == SrdoState::kProducer)
+    {
+        x_storage.marks->requested |= BitOf(slot);
+    }
+}
+
+PreparedPair Channel::Prepare(SlotIndex slot) noexcept
+{
+    PreparedPair pair{{0U, 0U}, PrepareStatus::kNotProducer, 0U};
+    if ((x_storage.state[slot] != SrdoState::kProducer) || IsInFlight(slot))
+    {
+        return pair;
+    }
+    x_storage.marks->requested &= ~BitOf(slot);
+    x_storage.marks->refresh_due &= ~BitOf(slot);
+    const ObjectData data = ReadObjects(slot);
+    const std::uint64_t mask = PayloadMask(x_storage.length_bytes[slot]);
+    if ((data.normal ^ data.inverse) != mask)
+    {
+        Fail(slot, SrdoCause::kNotInverse);
+        pair.status = PrepareStatus::kNotInverse;
+        return pair;
+    }
+    x_storage.inverse_data[slot] = data.inverse;
+    x_storage.stage[slot] = Stage::kPrepared;
+    pair.normal = PayloadOf(data.inverse ^ mask);
+    pair.status = PrepareStatus::kReady;
+    pair.length_bytes = x_storage.length_bytes[slot];
+    return pair;
+}
+
+void Channel::Launch(SlotIndex slot) noexcept
+{
+    if (x_storage.stage[slot] != Stage::kPrepared)
+    {
+        return;
+    }
+    const std::uint32_t srvt_us = SrvtUs(x_storage, slot);
+    x_storage.stage[slot] = Stage::kAwaitNormal;
+    x_storage.pair_limit[slot] = srvt_us;
+    x_storage.pair_left[slot] = srvt_us;
+    const SrdoMask by_application = x_storage.marks->started & ~x_storage.marks->provider;
+    if ((by_application & BitOf(slot)) != 0U)
+    {
+        x_storage.phase_left[slot] = AbsenceUs(slot);
+    }
+}
+
+CanFrame Channel::NextFrame(SlotIndex slot) noexcept
+{
+    CanFrame frame{0U, FrameKind::kInvalid, CanPortId::kInvalid, 0U, {}};
+    if (x_storage.stage[slot] == Stage::kSendInverse)
+    {
+        const std::uint64_t data = x_storage.inverse_data[slot];
+        x_storage.stage[slot] = Stage::kAwaitInverse;
+        frame.identifier = InverseIdentifier(x_storage, slot);
+        frame.kind = FrameKind::kData;
+        frame.port = x_config->inverse_port;
+        frame.length_bytes = x_storage.length_bytes[slot];
+        for (std::uint8_t byte = 0U; byte < kMaxPayloadBytes; ++byte)
+        {
+            frame.data[byte] = static_cast<std::uint8_t>((data >> (8U * byte)) & 0xFFU);
+        }
+    }
+    return frame;
+}
+
+SlotIndex Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
+{
+    const SlotIndex slot = LookUp(x_storage, frame);
+    if ((frame.kind != FrameKind::kData) || (slot >= x_count))
+    {
+        return kNoSlot;
+    }
+    const Awaited awaited = AwaitedIn(x_storage.stage[slot]);
+    const bool is_inverse = awaited == Awaited::kInverse;
+    const std::uint32_t identifier =
+        is_inverse ? InverseIdentifier(x_storage, slot) : NormalIdentifier(x_storage, slot);
+    if ((awaited == Awaited::kNothing) || (frame.identifier != identifier))
+    {
+        return kNoSlot;
+    }
+    const std::uint64_t mask = PayloadMask(x_storage.length_bytes[slot]);
+    const std::uint64_t data = PackBytes(&frame.data[0]) & mask;
+    const std::uint64_t expected = is_inverse ? x_storage.inverse_data[slot] : (x_storage.inverse_data[slot] ^ mask);
+    const std::uint32_t since_call = stamp.us - x_last_us;
+    if ((frame.length_bytes != x_storage.length_bytes[slot]) || (data != expected))
+    {
+        Fail(slot, SrdoCause::kWrongEcho);
+    }
+    else if (!is_inverse)
+    {
+        const std::uint32_t srvt_us = SrvtUs(x_storage, slot);
+        x_storage.stage[slot] = Stage::kSendInverse;
+        x_storage.pair_limit[slot] = srvt_us;
+        x_storage.pair_left[slot] = srvt_us + since_call;
+    }
+    else if ((x_storage.pair_left[slot] - since_call) > x_storage.pair_limit[slot])
+    {
+        Fail(slot, SrdoCause::kNoConfirmation);
+    }
+    else
+    {
+        x_storage.stage[slot] = Stage::kIdle;
+        x_storage.pair_limit[slot] = kNothingRuns;
+        x_storage.sent[slot] += 1U;
+    }
+    return slot;
+}
+
+void Channel::OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept
+{
+    const bool is_transmit_fault = (cause == SrdoCause::kTransmitQueue) || (cause == SrdoCause::kBusOff);
+    if (is_transmit_fault && IsInFlight(slot))
+    {
+        Fail(slot, cause);
+    }
+}
+
+/// The refresh falls due at exact distances, whenever the calls come. [SRS-PROD-001, SRS-PROD-002]
+void Channel::AdvanceProvider(SlotIndex slot) noexcept
+{
+    Marks& marks = *x_storage.marks;
+    const SrdoMask bit = BitOf(slot);
+    const std::uint32_t refresh_us = SctUs(x_storage, slot);
+    const std::uint32_t first_us = kFirstTransmissionStepUs * x_config->node_id;
+    const std::uint32_t limit_us = ((marks.started & bit) != 0U) ? refresh_us : first_us;
+    if ((x_storage.phase_left[slot] - 1U) < limit_us) // At least one microsecond is left.
+    {
+        return;
+    }
+    x_storage.phase_left[slot] += refresh_us;
+    marks.started |= bit;
+    if (IsInFlight(slot) || ((marks.refresh_due & bit) != 0U))
+    {
+        Fail(slot, SrdoCause::kRefreshMissed);
+    }
+    else
+    {
+        marks.refresh_due |= bit;
+    }
+}
+
+/// [SRS-PROD-001, SRS-PROD-010]
+void Channel::AdvanceApplication(SlotIndex slot) noexcept
+{
+    Marks& marks = *x_storage.marks;
+    const SrdoMask bit = BitOf(slot);
+    const std::uint32_t absence_us = AbsenceUs(slot);
+    if ((marks.started & bit) == 0U)
+    {
+        const std::uint32_t first_us = kFirstTransmissionStepUs * x_config->node_id;
+        if ((x_storage.phase_left[slot] - 1U) < first_us)
+        {
+            return;
+        }
+        marks.started |= bit;
+        x_storage.phase_left[slot] += absence_us; // Silence counts from the instant, not from this call.
+    }
+    if ((x_storage.phase_left[slot] > absence_us) && ((marks.requested & bit) == 0U))
+    {
+        Fail(slot, SrdoCause::kRefreshMissed);
+        x_storage.phase_left[slot] = absence_us;
+    }
+}
+
+/// Returns the slots that are due. [SRS-PROD-004, SRS-PROD-008, SRS-PROD-010]
+SrdoMask Channel::AdvanceProducers(SrdoMask producers, SrdoMask spent) noexcept
+{
+    Marks& marks = *x_storage.marks;
+    SrdoMask in_flight = 0U;
+    for (SrdoMask rest = producers; rest != 0U; rest &= rest - 1U)
+    {
+        const SlotIndex slot = LowestSlot(rest);
+        if ((spent & BitOf(slot)) != 0U)
+        {
+            Fail(slot, SrdoCause::kNoConfirmation);
+        }
+        if ((marks.provider & BitOf(slot)) != 0U)
+        {
+            AdvanceProvider(slot);
+        }
+        else
+        {
+            AdvanceApplication(slot);
+        }
+        in_flight |= static_cast<SrdoMask>(IsInFlight(slot)) << slot;
+    }
+    return producers & ~in_flight & (marks.refresh_due | (marks.requested & marks.started));
+}
+
+} // namespace counterpoint::channel_b

@@ -1,0 +1,152 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CHANNEL_B_STORAGE_HPP
+#define CHANNEL_B_STORAGE_HPP
+
+#include "safety_core/contract/limits.hpp"
+#include "safety_core/contract/srdo.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace counterpoint::channel_b
+{
+
+/// Canonical image of one SRDO without its direction: refresh time or SCT (2 bytes), SRVT (1), COB-ID 1 and 2 (4 each),
+/// map count (1), sixteen times sub-index (1) and entry (4); behind it what the signature does not cover: transmission
+/// type (1), stored signature (2), and one byte that keeps the records aligned.
+constexpr std::uint8_t kImageBytes = 96U;
+/// Identifiers 101h to 180h.
+constexpr std::uint8_t kLookUpBytes = 128U;
+/// 1300h and 13FEh.
+constexpr std::uint8_t kDeviceBytes = 2U;
+
+/// How far the transmission of a producer has come. Zero-filled memory is kInvalid and reads as nothing in flight.
+enum class Stage : std::uint8_t
+{
+    kInvalid = 0U,
+    kIdle = 0x1DU,
+    kPrepared = 0x2BU,     ///< Prepare found the objects inverse; Launch may follow.
+    kAwaitNormal = 0x4EU,  ///< Launched; the normal frame of the other channel has not been seen yet.
+    kSendInverse = 0x71U,  ///< Normal frame seen; NextFrame has not yet handed out the inverse frame.
+    kAwaitInverse = 0x98U, ///< Inverse frame handed out; not seen yet.
+};
+
+/// One mark for each slot that grants something: kept twice, once inverted. Only `on` without `off` counts as set; a slot
+/// for which both agree is corrupted.
+struct TwinMask
+{
+    SrdoMask on;
+    SrdoMask off;
+};
+
+/// Bit n is slot n.
+struct Marks
+{
+    TwinMask held;         ///< A complete valid pair is held.
+    TwinMask acknowledged; ///< An acknowledge edge waits.
+    TwinMask automatic;    ///< Policy kAutomatic.
+    TwinMask valid;        ///< The last Validate or Recheck found no fault.
+    SrdoMask resolved;     ///< The table of objects belongs to the stored mapping.
+    SrdoMask pending;      ///< A normal frame waits for its inverse frame.
+    SrdoMask fresh;        ///< A pair was completed since the last OnCycle.
+    SrdoMask unwritten;    ///< The held pair has not been written into the objects.
+    SrdoMask committed;    ///< The objects hold a released pair.
+    SrdoMask released;     ///< State kReleased as of the last OnCycle, less those that had a fault since.
+    SrdoMask reporting;    ///< A fault has not been reported by OnCycle yet.
+    SrdoMask window_open;  ///< A window of signals is running.
+    SrdoMask signalled;    ///< The last OnCycle signalled something.
+    SrdoMask phased;       ///< phase_left runs: consumers before their first pair or complaint, all producers.
+    SrdoMask provider;     ///< Producers of the form kProviderCalled.
+    SrdoMask started;      ///< Producers whose first transmission is possible.
+    SrdoMask requested;    ///< Producers that the application wants to send.
+    SrdoMask refresh_due;  ///< Producers whose refresh has fallen due.
+};
+
+/// One field of all slots.
+template <typename T> struct Column
+{
+    T* first;
+
+    T& operator[](std::size_t index) const noexcept
+    {
+        return first[index]; // MISRA D-002
+    }
+};
+
+/// The fields of all slots, one array each, owned by the caller. `capacity` slots; state, direction and first_cause have
+/// room for the next multiple of 8, because they are examined eight at a time.
+/// Budgets are microseconds that remain, as of the last OnCycle; a budget is spent when it exceeds its own limit
+/// (modular subtraction has then gone below zero).
+struct Storage
+{
+    Column<std::uint8_t> image;         ///< kImageBytes a slot.
+    Column<std::uint8_t> direction;     ///< First byte of the canonical image; apart, because every cycle looks at it.
+    Column<std::uint8_t> device;        ///< kDeviceBytes.
+    Column<std::uint8_t> slot_of;       ///< kLookUpBytes: slot of each identifier while SRDOs are active, or kNoSlot.
+    Column<std::uint16_t> table;        ///< kMaxMapEntries a slot: place in DeviceConfig::objects.
+    Column<std::uint64_t> pending_data; ///< Normal data that wait for their inverse.
+    Column<std::uint64_t> inverse_data; ///< Inverse data of the held pair, or of the pair being sent.
+    Column<std::uint64_t> safe_data;    ///< Complement of the safe value.
+    Column<std::uint32_t> pair_left;    ///< Budget of SRVT while something is pending or in flight, else of SCT.
+    Column<std::uint32_t> pair_limit;   ///< What pair_left started with; all bits set if nothing runs.
+    Column<std::uint32_t> phase_left;   ///< Consumer: to the complaint about no first pair. Producer: to the refresh.
+    Column<std::uint32_t> window_left;  ///< Of the window of signals.
+    Column<std::uint32_t> edge_left;    ///< Of the acknowledge edge.
+    Column<std::uint32_t> ordinal; ///< Consumer: pairs completed; else 0.
+    Column<std::uint32_t> sent;    ///< Producer: pairs sent; else 0.
+    Column<std::uint32_t> causes;  ///< Bit (1 << cause): recorded and not reported yet.
+    Column<std::uint32_t> signals; ///< Of the last OnCycle, where Marks::signalled says so.
+    Column<std::uint32_t> told;    ///< Signalled in the open window.
+    Column<std::uint16_t> error_count;
+    Column<SrdoState> state;
+    Column<SrdoCause> first_cause;
+    Column<Stage> stage;
+    Column<std::uint8_t> length_bytes; ///< Mapped length.
+    Marks* marks;
+    std::uint8_t capacity;
+};
+
+/// Memory for kSlots SRDOs. Zero-filled is a good start; Restart writes every byte that is read later.
+template <std::uint8_t kSlots> struct StorageFor
+{
+    static_assert((kSlots >= 1U) && (kSlots <= kMaxSrdoCount), "1 to 64 SRDOs");
+    static constexpr std::size_t kPadded = ((kSlots + 7U) / 8U) * 8U;
+
+    Marks marks;
+    std::uint64_t pending_data[kSlots];                               // MISRA D-001
+    std::uint64_t inverse_data[kSlots];                               // MISRA D-001
+    std::uint64_t safe_data[kSlots];                                  // MISRA D-001
+    std::uint32_t pair_left[kSlots];                                  // MISRA D-001
+    std::uint32_t pair_limit[kSlots];                                 // MISRA D-001
+    std::uint32_t phase_left[kSlots];                                 // MISRA D-001
+    std::uint32_t window_left[kSlots];                                // MISRA D-001
+    std::uint32_t edge_left[kSlots];                                  // MISRA D-001
+    std::uint32_t ordinal[kSlots];                                    // MISRA D-001
+    std::uint32_t sent[kSlots];                                       // MISRA D-001
+    std::uint32_t causes[kSlots];                                     // MISRA D-001
+    std::uint32_t signals[kSlots];                                    // MISRA D-001
+    std::uint32_t told[kSlots];                                       // MISRA D-001
+    std::uint16_t table[static_cast<std::size_t>(kSlots) * kMaxMapEntries]; // MISRA D-001
+    std::uint16_t error_count[kSlots];                                // MISRA D-001
+    SrdoState state[kPadded];                                         // MISRA D-001
+    SrdoCause first_cause[kPadded];                                   // MISRA D-001
+    std::uint8_t direction[kPadded];                                  // MISRA D-001
+    Stage stage[kSlots];                                              // MISRA D-001
+    std::uint8_t length_bytes[kSlots];                                // MISRA D-001
+    std::uint8_t image[static_cast<std::size_t>(kSlots) * kImageBytes]; // MISRA D-001
+    std::uint8_t slot_of[kLookUpBytes];                               // MISRA D-001
+    std::uint8_t device[kDeviceBytes];                                // MISRA D-001
+
+    /// What the constructor of the channel wants.
+    [[nodiscard]] Storage Handle() noexcept
+    {
+        return Storage{{image},       {direction},    {device},       {slot_of},   {table},       {pending_data},
+                       {inverse_data}, {safe_data},   {pair_left},    {pair_limit}, {phase_left},  {window_left},
+                       {edge_left},   {ordinal}, {sent},     {causes},       {signals},   {told},        {error_count},
+                       {state},       {first_cause},  {stage},        {length_bytes}, &marks,     kSlots};
+    }
+};
+
+} // namespace counterpoint::channel_b
+
+#endif
