@@ -21,6 +21,10 @@ BANNED = [
     (re.compile(r"^\s*#\s*define\s+\w+\("), "function-like macro"),
     (re.compile(r"^\s*#\s*pragma\b"), "#pragma"),
     (re.compile(r"\b(thread_local|asm|__asm__)\b"), "thread or assembler"),
+    (re.compile(r"\b(float|double)\b"), "floating point"),
+    (re.compile(r"\bunion\b"), "union"),
+    (re.compile(r"(?<![\w\])\[])\[[&=]?[\w\s,&]*\]\s*[({]"), "lambda"),
+    (re.compile(r"\binitializer_list\b|\bmain\s*\("), "what only a hosted program has"),
 ]
 # Put together here, so that this file does not find itself.
 UNFINISHED = re.compile(r"\b(" + "|".join(["TO" + "DO", "FIX" + "ME", "XX" + "X", "HA" + "CK"]) + r")\b|\bnot " + r"implemented\b")
