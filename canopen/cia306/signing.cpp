@@ -1,5 +1,6 @@
 #include "canopen/cia306/signing.hpp"
 
+#include "canopen/cia306/data_type.hpp"
 #include "canopen/cia306/device_reader.hpp"
 #include "canopen/cia306/signature.hpp"
 
@@ -19,6 +20,13 @@ const Entry& PlaceOf(const Device& device, const SrdoConfiguration& srdo)
         throw InputError(device.file, object == nullptr ? srdo.line : object->line,
                          {ObjectName(kSignatureIndex, srdo.number) + " is missing",
                           "an object that takes the signature of SRDO " + std::to_string(srdo.number)});
+    }
+    const bool is_other_type = entry->data_type != 0U && entry->data_type != kUnsigned16;
+    if (is_other_type)
+    {
+        throw InputError(
+            device.file, entry->line,
+            {ObjectName(kSignatureIndex, srdo.number) + " is of " + DataTypeOf(entry->data_type).name, "UNSIGNED16"});
     }
     return *entry;
 }

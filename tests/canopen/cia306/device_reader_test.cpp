@@ -1,0 +1,220 @@
+#include "canopen/cia306/device_reader.hpp"
+
+#include "tests/canopen/cia306/device_text.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace counterpoint::cia306
+{
+namespace
+{
+using test::DeviceOf;
+
+/// The least device that has a DeviceInfo and a list, so that it is read without a warning; `more` follows.
+std::string Text(const std::string& more)
+{
+    return "[DeviceInfo]\nVendorName=x\n[MandatoryObjects]\nSupportedObjects=1\n1=0x1000\n"
+           "[1000]\nParameterName=Device type\nDataType=0x0007\nAccessType=ro\nDefaultValue=0x1\n" +
+           more;
+}
+
+std::vector<std::string> WarningsOf(const std::string& text)
+{
+    std::vector<std::string> warnings;
+    for (const Finding& finding : DeviceOf(text).warnings)
+    {
+        warnings.push_back(FormatFinding("f", finding));
+    }
+    return warnings;
+}
+
+TEST(DeviceReader, ReadsAVariableWithEverything)
+{
+    Verifies(req::SRS_EDS_001);
+    Verifies(req::SRS_EDS_013);
+    const Device device = DeviceOf(Text("[2000]\nParameterName=Speed\nObjectType=0x7\nDataType=0x0003\nAccessType=RWR\n"
+                                        "LowLimit=-10\nHighLimit=10\nDefaultValue=1\nParameterValue=2\nPDOMapping=1\n"
+                                        "SRDOMapping=0\nInvertedSRAD=0x21000A\n"));
+    const Entry* const entry = device.Find(0x2000U, 0U);
+    ASSERT_NE(entry, nullptr);
+    EXPECT_EQ(entry->name, "Speed");
+    EXPECT_EQ(entry->data_type, 0x0003U);
+    EXPECT_EQ(entry->access, Access::kReadWriteInput);
+    EXPECT_EQ(entry->low_limit.text, "-10");
+    EXPECT_EQ(entry->high_limit.line, 17U);
+    EXPECT_EQ(entry->default_value.text, "1");
+    EXPECT_EQ(entry->default_value.line, 18U);
+    EXPECT_EQ(entry->parameter_value.text, "2");
+    EXPECT_TRUE(entry->is_pdo_mappable);
+    EXPECT_EQ(entry->is_srdo_mappable, false);
+    EXPECT_EQ(entry->inverted_srad, 0x21000AU);
+    EXPECT_EQ(entry->inverted_srad_line, 22U);
+    EXPECT_EQ(entry->line, 11U);
+}
+
+TEST(DeviceReader, ReadsSubIndicesAsHexadecimal)
+{
+    Verifies(req::SRS_EDS_001);
+    const Device device =
+        DeviceOf(Text("[2000]\nObjectType=9\nSubNumber=3\n[2000sub0]\nDataType=5\nAccessType=const\n"
+                      "[2000Sub10]\nDataType=5\nAccessType=rw\n[2000subFE]\nDataType=5\nAccessType=wo\n"));
+    EXPECT_EQ(device.Find(0x2000U)->type, ObjectType::kRecord);
+    ASSERT_NE(device.Find(0x2000U, 0x10U), nullptr);
+    EXPECT_EQ(device.Find(0x2000U, 0xFEU)->access, Access::kWriteOnly);
+    EXPECT_EQ(device.Find(0x2000U, 10U), nullptr);
+    EXPECT_EQ(device.Find(0x2001U, 0U), nullptr);
+}
+
+TEST(DeviceReader, ParameterValueComesBeforeDefaultValueAndEmptyIsNone)
+{
+    Verifies(req::SRS_EDS_010);
+    const Device device = DeviceOf(Text("[2000]\nDataType=5\nAccessType=rw\nDefaultValue=1\nParameterValue=2\n"
+                                        "[2001]\nDataType=5\nAccessType=rw\nDefaultValue=1\nParameterValue=\n"
+                                        "[2002]\nDataType=5\nAccessType=rw\nDefaultValue=\n"));
+    EXPECT_EQ(ConfiguredValue(*device.Find(0x2000U, 0U), std::nullopt).value->bits, 2U);
+    EXPECT_EQ(ConfiguredValue(*device.Find(0x2001U, 0U), std::nullopt).value->bits, 1U);
+    const ValueResult none = ConfiguredValue(*device.Find(0x2002U, 0U), std::nullopt);
+    EXPECT_FALSE(none.value);
+    EXPECT_EQ(none.problem.expected, "a ParameterValue or DefaultValue");
+}
+
+TEST(DeviceReader, ExpandsACompactObject)
+{
+    Verifies(req::SRS_EDS_011);
+    const Device device = DeviceOf(Text("[1381]\nParameterName=Map\nObjectType=8\nDataType=7\nAccessType=rw\n"
+                                        "DefaultValue=0x5\nCompactSubObj=3\n[1381Name]\nNrOfEntries=1\n2=Second\n"
+                                        "[1381Value]\nNrOfEntries=2\n0=2\n3=0x20000108\n"));
+    ASSERT_EQ(device.Find(0x1381U)->entries.size(), 4U);
+    EXPECT_EQ(device.Find(0x1381U, 0U)->data_type, 0x0005U);
+    EXPECT_EQ(device.Find(0x1381U, 0U)->default_value.text, "3");
+    EXPECT_EQ(device.Find(0x1381U, 0U)->Configured().text, "2");
+    EXPECT_EQ(device.Find(0x1381U, 1U)->name, "Map1");
+    EXPECT_EQ(device.Find(0x1381U, 1U)->Configured().text, "0x5");
+    EXPECT_EQ(device.Find(0x1381U, 2U)->name, "Second");
+    EXPECT_EQ(device.Find(0x1381U, 3U)->Configured().text, "0x20000108");
+    EXPECT_EQ(device.Find(0x1381U, 3U)->Configured().line, 24U);
+    EXPECT_EQ(device.Find(0x1381U, 3U)->data_type, 0x0007U);
+}
+
+TEST(DeviceReader, ASectionOfItsOwnRefinesACompactSubIndex)
+{
+    Verifies(req::SRS_EDS_011);
+    const Device device = DeviceOf(Text("[2000]\nObjectType=8\nDataType=7\nAccessType=rw\nCompactSubObj=2\n"
+                                        "[2000sub2]\nDataType=6\nAccessType=ro\nDefaultValue=9\n"));
+    EXPECT_EQ(device.Find(0x2000U, 1U)->data_type, 0x0007U);
+    EXPECT_EQ(device.Find(0x2000U, 2U)->data_type, 0x0006U);
+    EXPECT_EQ(device.Find(0x2000U, 2U)->Configured().text, "9");
+}
+
+TEST(DeviceReader, ReadsTheNodeIdOfBothSpellings)
+{
+    Verifies(req::SRS_EDS_009);
+    EXPECT_EQ(DeviceOf(Text("[DeviceComissioning]\nNodeID=0x10\n")).node_id, 16U);
+    EXPECT_EQ(DeviceOf(Text("[DeviceCommissioning]\nNODEID=127\n")).node_id, 127U);
+    EXPECT_EQ(WarningsOf(Text("[DeviceCommissioning]\nNodeID=1\n")),
+              std::vector<std::string>{"f:11: warning: section [DeviceCommissioning], expected [DeviceComissioning] as "
+                                       "CiA 306 writes it"});
+    EXPECT_EQ(DeviceOf(Text("[DeviceComissioning]\nNodeID=\n")).node_id, std::nullopt);
+    EXPECT_EQ(DeviceOf(Text("")).node_id, std::nullopt);
+}
+
+TEST(DeviceReader, NodeId255And0MeanNone)
+{
+    Verifies(req::SRS_EDS_009);
+    EXPECT_EQ(DeviceOf(Text("[DeviceComissioning]\nNodeID=255\n")).node_id, std::nullopt);
+    EXPECT_EQ(WarningsOf(Text("[DeviceComissioning]\nNodeID=0\n")),
+              std::vector<std::string>{"f:12: warning: NodeID is '0', expected 1 to 127; the device has no node-ID"});
+}
+
+TEST(DeviceReader, ReadsDummyUsageAndTheSafetyFlag)
+{
+    Verifies(req::SRS_EDS_012);
+    const Device device = DeviceOf(Text("[DummyUsage]\nDummy0001=0\ndummy0005=1\nDummy001B=1\n"));
+    EXPECT_EQ(device.dummies, (std::set<std::uint16_t>{0x0005U, 0x001BU}));
+    EXPECT_EQ(device.is_safety_supported, std::nullopt);
+    const std::string yes = test::Changed(Text(""), {{"VendorName=x", "CANopenSafetySupported=1"}});
+    const std::string no = test::Changed(Text(""), {{"VendorName=x", "CANopenSafetySupported=0x0"}});
+    EXPECT_EQ(DeviceOf(yes).is_safety_supported, true);
+    EXPECT_EQ(DeviceOf(no).is_safety_supported, false);
+}
+
+TEST(DeviceReader, ReadsInvertedSradWithoutPrefixAsHexadecimalAndWarns)
+{
+    Verifies(req::SRS_EDS_013);
+    const std::string text = test::Changed(Text(""), {{"DefaultValue=0x1", "SRDOMapping=1\nInvertedSRAD=210001"}});
+    const Device device = DeviceOf(text);
+    EXPECT_EQ(device.Find(0x1000U, 0U)->inverted_srad, 0x210001U);
+    EXPECT_EQ(device.Find(0x1000U, 0U)->is_srdo_mappable, true);
+    EXPECT_EQ(WarningsOf(text),
+              std::vector<std::string>{"f:11: warning: 0x1000:00: InvertedSRAD without 0x is read as hexadecimal, "
+                                       "expected 0x210001"});
+}
+
+TEST(DeviceReader, WarnsOfWhatRealFilesHaveWrong)
+{
+    Verifies(req::SRS_EDS_015);
+    struct Row
+    {
+        const char* more;
+        const char* warning;
+    };
+    const Row rows[] = {
+        {"[2000]\nDataType=5\nAccessType=rw\n",
+         "f:11: warning: 0x2000: is in none of the lists [MandatoryObjects], [OptionalObjects], [ManufacturerObjects]"},
+        {"[OptionalObjects]\nSupportedObjects=1\n1=0x2000\n",
+         "f:13: warning: 0x2000: is listed, expected a section that describes it"},
+        {"[OptionalObjects]\nSupportedObjects=2\n1=0x1000\n",
+         "f:11: warning: section 'OptionalObjects' lists 1 objects, expected SupportedObjects of that number"},
+        {"[OptionalObjects]\nSupportedObjects=1\n1=0x2000\n[2000]\nAccessType=rw\n",
+         "f:14: warning: 0x2000:00: no DataType, expected one; its values are not checked"},
+        {"[OptionalObjects]\nSupportedObjects=1\n1=0x2000\n[2000]\nDataType=0x40\nAccessType=rw\n",
+         "f:14: warning: 0x2000:00: DataType 0x0040 is unknown, expected 0x0001 to 0x001B; its values are not checked"},
+        {"[OptionalObjects]\nSupportedObjects=1\n1=0x2000\n[2000]\nDataType=5\n",
+         "f:14: warning: 0x2000:00: no AccessType, expected ro, wo, rw, rwr, rww or const"},
+        {"[OptionalObjects]\nSupportedObjects=1\n1=0x2000\n[2000]\nDataType=5\nAccessType=rw\nDefaultValue=256\n",
+         "f:17: warning: 0x2000:00: DefaultValue: value '256', expected a number from 0 to 255 (UNSIGNED8)"},
+        {"[OptionalObjects]\nSupportedObjects=1\n1=0x2000\n[2000]\nObjectType=8\nSubNumber=2\n[2000sub0]\nDataType=5\n"
+         "AccessType=ro\n",
+         "f:16: warning: 0x2000: SubNumber is 2, expected 1, the number of its sub-indices"},
+        {"[OptionalObjects]\nSupportedObjects=1\n1=0x2000\n[2000]\nDataType=5\nAccessType=ro\n[2000sub0]\nDataType=5\n"
+         "AccessType=ro\n",
+         "f:14: warning: 0x2000 has sub-indices, expected SubNumber, or an ObjectType of 0x8 or 0x9"},
+        {"[1000subZ]\nk=v\n", "f:11: warning: section '1000subZ' is no object, expected a form such as [1018], "
+                              "[1018sub1] or [1018Value]; it is ignored"},
+        {"[0x1001]\nk=v\n", "f:11: warning: section '0x1001' is no object, expected a form such as [1018], [1018sub1] "
+                            "or [1018Value]; it is ignored"},
+        {"[1000Value]\n7=1\n", "f:12: warning: key '7' in section '1000Value' names no sub-index of the object, "
+                               "expected one; it is ignored"},
+        {"[DummyUsage]\nDumm5=1\n",
+         "f:12: warning: key 'Dumm5' in [DummyUsage], expected Dummy and four digits; it is ignored"},
+    };
+    EXPECT_TRUE(WarningsOf(Text("")).empty());
+    for (const Row& row : rows)
+    {
+        EXPECT_EQ(WarningsOf(Text(row.more)), std::vector<std::string>{row.warning}) << row.more;
+    }
+}
+
+TEST(DeviceReader, KeepsUnknownSectionsAndKeysSilently)
+{
+    Verifies(req::SRS_EDS_004);
+    const std::string text =
+        Text("[SupportedModules]\nNrOfEntries=0\n[Vendor tool]\nodd key=1\n[1000Denotation]\n1=x\n");
+    EXPECT_TRUE(WarningsOf(text).empty());
+    EXPECT_EQ(IniDocument::Parse("f", text).Text(), text);
+}
+
+TEST(DeviceReader, AnObjectOfTypeDomainHasThatDataType)
+{
+    Verifies(req::SRS_EDS_014);
+    const Device device =
+        DeviceOf(Text("[2000]\nObjectType=0x2\nDataType=0x0007\nAccessType=rw\nDefaultValue=a.bin\n"));
+    EXPECT_EQ(device.Find(0x2000U, 0U)->data_type, 0x000FU);
+    EXPECT_EQ(device.warnings.size(), 1U); // It is not listed; its value is not judged.
+}
+} // namespace
+} // namespace counterpoint::cia306

@@ -1,0 +1,131 @@
+#include "canopen/cia306/ini_document.hpp"
+
+#include "canopen/cia306/input_error.hpp"
+#include "tests/canopen/cia306/device_text.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace counterpoint::cia306
+{
+namespace
+{
+IniDocument Parse(const std::string& text)
+{
+    return IniDocument::Parse("f.eds", text);
+}
+
+TEST(IniDocument, ReadsSectionsKeysAndTheirLines)
+{
+    Verifies(req::SRS_EDS_001);
+    const IniDocument document = Parse("[FileInfo]\nFileName=a.eds\n\n[1000]\nDataType=0x0007\n");
+    ASSERT_EQ(document.Sections().size(), 2U);
+    EXPECT_EQ(document.Sections()[1].name, "1000");
+    EXPECT_EQ(document.Sections()[1].line, 4U);
+    ASSERT_NE(document.Find("1000")->Find("DataType"), nullptr);
+    EXPECT_EQ(document.Find("1000")->Find("DataType")->value, "0x0007");
+    EXPECT_EQ(document.Find("1000")->Find("DataType")->line, 5U);
+}
+
+TEST(IniDocument, AcceptsEveryLineEndByteOrderMarkSpacesAndComments)
+{
+    Verifies(req::SRS_EDS_002);
+    const IniDocument document =
+        Parse("\xEF\xBB\xBF; head\r\n  [ A ]  \r\n\tKey \t= a value ; not a comment \n;x=1\n[B]\nk=v");
+    ASSERT_EQ(document.Sections().size(), 2U);
+    EXPECT_EQ(document.Find("A")->Find("Key")->value, "a value ; not a comment");
+    EXPECT_EQ(document.Find("A")->Find("x"), nullptr);
+    EXPECT_EQ(document.Find("B")->Find("k")->value, "v");
+    EXPECT_TRUE(document.Warnings().empty());
+}
+
+TEST(IniDocument, ComparesNamesWithoutRegardToCase)
+{
+    Verifies(req::SRS_EDS_003);
+    const IniDocument document = Parse("[DeviceINFO]\nSubNUMBER=1\n");
+    ASSERT_NE(document.Find("deviceinfo"), nullptr);
+    EXPECT_EQ(document.Find("DEVICEINFO")->Find("subnumber")->value, "1");
+}
+
+TEST(IniDocument, WritesBackEveryByte)
+{
+    Verifies(req::SRS_EDS_004);
+    const std::string texts[] = {
+        "\xEF\xBB\xBF[A]\r\nk = v \r\n;c\r\n\r\n[Unknown]\r\nOdd Key=\xE4\r\n",
+        "[A]\nk=v",
+        "",
+        "\n\n \t\n[A]\n",
+        "[A]\nmixed=1\r\nends=2\n",
+    };
+    for (const std::string& text : texts)
+    {
+        EXPECT_EQ(Parse(text).Text(), text);
+    }
+}
+
+TEST(IniDocument, ReplacesOnlyTheValueOfAKeyThatIsThere)
+{
+    Verifies(req::SRS_EDS_005);
+    const IniDocument before = Parse("[A]\r\n  k =  old  \r\nm=1\r\n");
+    const IniDocument after = before.With({{"a", "K", "new", ""}}, {});
+    EXPECT_EQ(after.Text(), "[A]\r\n  k =  new  \r\nm=1\r\n");
+}
+
+TEST(IniDocument, GivesAnEmptyKeyItsValue)
+{
+    Verifies(req::SRS_EDS_005);
+    EXPECT_EQ(Parse("[A]\nk=\nm= \n").With({{"A", "k", "1", ""}, {"A", "m", "2", ""}}, {}).Text(), "[A]\nk=1\nm=2 \n");
+}
+
+TEST(IniDocument, AddsAKeyAfterTheOneThatIsNamedElseAtTheEndOfTheSection)
+{
+    Verifies(req::SRS_EDS_005);
+    const IniDocument before = Parse("[A]\nd=1\ne=2\n\n[B]\nx=3");
+    EXPECT_EQ(before.With({{"A", "k", "9", "d"}}, {}).Text(), "[A]\nd=1\nk=9\ne=2\n\n[B]\nx=3");
+    EXPECT_EQ(before.With({{"A", "k", "9", "nothing"}}, {}).Text(), "[A]\nd=1\ne=2\nk=9\n\n[B]\nx=3");
+    // A last line without an end gets one, because a line follows.
+    EXPECT_EQ(before.With({{"B", "k", "9", ""}}, {}).Text(), "[A]\nd=1\ne=2\n\n[B]\nx=3\nk=9\n");
+    EXPECT_EQ(Parse("[A]\r\n").With({{"A", "k", "9", ""}}, {}).Text(), "[A]\r\nk=9\r\n");
+}
+
+TEST(IniDocument, AddsASectionAfterAnother)
+{
+    Verifies(req::SRS_EDS_005);
+    const IniDocument before = Parse("[A]\nd=1\n\n[B]\nx=3\n");
+    const IniDocument after = before.With({}, {{"A", "AValue", {{"NrOfEntries", "1"}, {"1", "0x10"}}}});
+    EXPECT_EQ(after.Text(), "[A]\nd=1\n\n[AValue]\nNrOfEntries=1\n1=0x10\n\n[B]\nx=3\n");
+    EXPECT_EQ(after.Find("AValue")->Find("1")->value, "0x10");
+}
+
+TEST(IniDocument, RefusesToEditASectionThatIsNotThere)
+{
+    Verifies(req::SRS_EDS_005);
+    EXPECT_THROW((void)Parse("[A]\n").With({{"B", "k", "1", ""}}, {}), std::invalid_argument);
+}
+
+TEST(IniDocument, WarnsOfOtherComments)
+{
+    Verifies(req::SRS_EDS_015);
+    const IniDocument document = Parse("[A]\n#ParameterValue=0x2\n\x1A");
+    ASSERT_EQ(document.Warnings().size(), 2U);
+    EXPECT_EQ(FormatFinding("f.eds", document.Warnings()[0]),
+              "f.eds:2: warning: a comment with '#' is no part of CiA 306, expected ';'; it is ignored");
+    EXPECT_EQ(FormatFinding("f.eds", document.Warnings()[1]),
+              "f.eds:3: warning: end-of-file character 1Ah, expected the end of the file");
+    EXPECT_EQ(document.Find("A")->Find("ParameterValue"), nullptr);
+}
+
+TEST(IniDocument, ShortensAndEscapesTextOfTheFileInMessages)
+{
+    Verifies(req::SRS_EDS_019);
+    EXPECT_EQ(Quoted("plain"), "'plain'");
+    EXPECT_EQ(Quoted("\x1B[31m\xC3\xA4"), "'\\x1B[31m\\xC3\\xA4'");
+    EXPECT_EQ(Quoted(std::string(100U, 'a')), "'" + std::string(60U, 'a') + "...'");
+    EXPECT_EQ(Quoted(std::string(60U, 'a')), "'" + std::string(60U, 'a') + "'");
+    EXPECT_EQ(Printable("a\nb\x07"), "a\\x0Ab\\x07");
+}
+} // namespace
+} // namespace counterpoint::cia306

@@ -1,0 +1,115 @@
+#include "canopen/cia306/text_file.hpp"
+
+#include "canopen/cia306/input_error.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace counterpoint::cia306
+{
+namespace
+{
+class TextFile : public ::testing::Test
+{
+  protected:
+    TextFile()
+    {
+        folder_ = std::filesystem::temp_directory_path() / ("cia306_" + std::to_string(::getpid()));
+        std::filesystem::create_directories(folder_);
+    }
+    ~TextFile() override
+    {
+        std::error_code ignored;
+        std::filesystem::remove_all(folder_, ignored);
+    }
+    [[nodiscard]] std::string Path(const std::string& name) const
+    {
+        return (folder_ / name).string();
+    }
+    static std::string RefusalOf(const std::string& path)
+    {
+        try
+        {
+            (void)ReadTextFile(path);
+        }
+        catch (const InputError& error)
+        {
+            return error.what();
+        }
+        return "";
+    }
+
+    std::filesystem::path folder_;
+};
+
+TEST_F(TextFile, GivesBackWhatWasWritten)
+{
+    Verifies(req::SRS_EDS_004);
+    const std::string text("[A]\r\nk=\xE4\0v", 11U);
+    WriteTextFile(Path("a"), text);
+    EXPECT_EQ(ReadTextFile(Path("a")), text);
+}
+
+TEST_F(TextFile, WhatIsNoRegularFileIsRefusedWithoutWaiting)
+{
+    Verifies(req::SRS_EDS_017);
+    ASSERT_EQ(::mkfifo(Path("pipe").c_str(), 0600), 0);
+    EXPECT_EQ(RefusalOf(Path("pipe")), Path("pipe") + ":0: error: it is a pipe, expected a regular file");
+    EXPECT_EQ(RefusalOf("/dev/zero"), "/dev/zero:0: error: it is a device, expected a regular file");
+    EXPECT_EQ(RefusalOf(folder_.string()), folder_.string() + ":0: error: it is a directory, expected a regular file");
+    EXPECT_EQ(RefusalOf(Path("none")), Path("none") + ":0: error: it cannot be opened (No such file or directory), "
+                                                      "expected a readable EDS or DCF file");
+    EXPECT_EQ(RefusalOf(""), ":0: error: it cannot be opened (No such file or directory), expected a readable EDS or "
+                             "DCF file");
+}
+
+TEST_F(TextFile, ALargeFileIsRefusedBeforeItIsRead)
+{
+    Verifies(req::SRS_EDS_017);
+    WriteTextFile(Path("large"), "x");
+    std::filesystem::resize_file(Path("large"), 16U * 1024U * 1024U);
+    EXPECT_EQ(ReadTextFile(Path("large")).size(), 16777216U);
+    // Sparse: reading all of it would take long and much memory.
+    std::filesystem::resize_file(Path("large"), 16777217U);
+    EXPECT_EQ(RefusalOf(Path("large")),
+              Path("large") + ":0: error: it has 16777217 bytes, expected at most 16777216 bytes");
+    std::filesystem::resize_file(Path("large"), std::uintmax_t{1} << 40U);
+    EXPECT_EQ(RefusalOf(Path("large")),
+              Path("large") + ":0: error: it has 1099511627776 bytes, expected at most 16777216 bytes");
+}
+
+TEST_F(TextFile, AFileIsReplacedInOneStepAndKeepsItsMode)
+{
+    Verifies(req::SRS_CLI_006);
+    WriteTextFile(Path("a"), "old");
+    std::filesystem::permissions(Path("a"), std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+    std::filesystem::create_symlink(Path("a"), Path("link"));
+    WriteTextFile(Path("link"), "new");
+    EXPECT_EQ(ReadTextFile(Path("a")), "new");
+    EXPECT_TRUE(std::filesystem::is_symlink(Path("link")));
+    EXPECT_EQ(std::filesystem::status(Path("a")).permissions(),
+              std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+    std::size_t files = 0U;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_))
+    {
+        files += entry.exists() ? 1U : 0U;
+    }
+    EXPECT_EQ(files, 2U) << "no temporary file stays";
+}
+
+TEST_F(TextFile, WritingToWhatIsNoFileIsRefused)
+{
+    Verifies(req::SRS_CLI_006);
+    EXPECT_THROW(WriteTextFile(folder_.string(), "x"), InputError);
+    EXPECT_THROW(WriteTextFile("/dev/null", "x"), InputError);
+    EXPECT_THROW(WriteTextFile(Path("no/such/folder/a"), "x"), InputError);
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+} // namespace
+} // namespace counterpoint::cia306

@@ -1,0 +1,71 @@
+#include "tests/tools/command_run.hpp"
+#include "tools/command_table.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace counterpoint::tools
+{
+namespace
+{
+using test::Answer;
+using test::RunCommand;
+
+TEST(CommandLine, BadUsageIsOneLineThatSaysWhatIsExpected)
+{
+    Verifies(req::SRS_CLI_020);
+    const std::vector<std::vector<std::string>> lines = {
+        {},
+        {"frobnicate"},
+        {"sign"},
+        {"sign", "a.dcf", "b.dcf"},
+        {"sign", "a.dcf", "--nothing"},
+        {"sign", "a.dcf", "--node-id", "0"},
+        {"sign", "a.dcf", "--node-id", "128"},
+        {"sign", "a.dcf", "--node-id", "one"},
+        {"sign", "a.dcf", "--node-id", "-1"},
+        {"sign", "a.dcf", "--node-id", ""},
+        {"sign", "a.dcf", "--write"},
+        {"check", "a.dcf", "--granularity", "7"},
+        {"check", "a.dcf", "--granularity", "8x"},
+        {"check", "a.dcf", "--verbose"},
+        {"sign", "a.dcf", "check", "a.dcf"},
+    };
+    for (const std::vector<std::string>& line : lines)
+    {
+        const Answer answer = RunCommand(line);
+        const std::string name = line.empty() ? "" : line.back();
+        EXPECT_EQ(answer.status, 2) << name;
+        EXPECT_EQ(answer.out, "") << name;
+        EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+        EXPECT_EQ(answer.err.rfind("counterpoint: ", 0U), 0U) << answer.err;
+        EXPECT_NE(answer.err.find("expected"), std::string::npos) << answer.err;
+        EXPECT_NE(answer.err.find("--help"), std::string::npos) << answer.err;
+    }
+}
+
+TEST(CommandLine, HelpAndVersionHold)
+{
+    Verifies(req::SRS_CLI_001);
+    const Answer help = RunCommand({"--help"});
+    EXPECT_EQ(help.status, 0);
+    EXPECT_EQ(help.err, "");
+    for (const CommandRow& row : CommandTable())
+    {
+        EXPECT_NE(help.out.find(row.name), std::string::npos) << row.name;
+        EXPECT_EQ(RunCommand({row.name, "--help"}).status, 0) << row.name;
+    }
+    EXPECT_EQ(RunCommand({"--version"}).out, "counterpoint 0.1.0\n");
+}
+
+TEST(CommandLine, TextOfTheUserIsShownWithoutControlBytes)
+{
+    Verifies(req::SRS_EDS_019);
+    const Answer answer = RunCommand({"sign", "none\n\x1B[31m.dcf"});
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_EQ(answer.err.rfind("none\\x0A\\x1B[31m.dcf:0: error: ", 0U), 0U) << answer.err;
+}
+} // namespace
+} // namespace counterpoint::tools

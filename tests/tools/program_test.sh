@@ -1,0 +1,47 @@
+#!/bin/sh
+# program_test.sh PROGRAM SOURCE_FOLDER: the program's exit status on what must not hang or crash it.
+program=$1
+source=$2
+folder=$(mktemp -d) || exit 2
+trap 'rm -rf "$folder"' EXIT
+failures=0
+
+# expect STATUS ARGS...: at most 10 s, this exit status, and exactly one line on the error output when it is 2.
+expect() {
+  status=$1
+  shift
+  timeout 10 "$program" "$@" >"$folder/out" 2>"$folder/err" </dev/null
+  actual=$?
+  lines=$(wc -l <"$folder/err")
+  if [ "$actual" -ne "$status" ] || { [ "$status" -eq 2 ] && [ "$lines" -ne 1 ]; }; then
+    echo "counterpoint $*: status $actual, expected $status; $lines error lines"
+    cat "$folder/err"
+    failures=$((failures + 1))
+  fi
+}
+
+mkfifo "$folder/pipe"
+truncate -s 100M "$folder/large.dcf"
+head -c 20000 "$program" >"$folder/binary.dcf"
+: >"$folder/empty.dcf"
+for command in sign check; do
+  expect 0 "$command" "$source/examples/emergency_stop/sensor.dcf"
+  expect 2 "$command" "$folder/pipe"
+  expect 2 "$command" /dev/zero
+  expect 2 "$command" /dev/null
+  expect 2 "$command" "$folder"
+  expect 2 "$command" "$folder/large.dcf"
+  expect 2 "$command" "$folder/binary.dcf"
+  expect 2 "$command" "$folder/empty.dcf"
+  expect 2 "$command" "$folder/missing.dcf"
+done
+expect 2 sign "$source/examples/emergency_stop/sensor.dcf" --write "$folder"
+expect 2
+expect 0 --help
+# An answer that cannot be written is no answer.
+timeout 10 "$program" sign "$source/examples/emergency_stop/sensor.dcf" >/dev/full 2>/dev/null
+if [ $? -ne 2 ]; then
+  echo "counterpoint sign >/dev/full: expected status 2"
+  failures=$((failures + 1))
+fi
+[ "$failures" -eq 0 ]

@@ -1,0 +1,191 @@
+#include "tests/canopen/cia306/device_text.hpp"
+#include "tests/tools/command_run.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace counterpoint::tools
+{
+namespace
+{
+using cia306::test::SrdoText;
+using test::Answer;
+using test::RunCommand;
+
+const char* const kGoldBytes = "0x13FF:01 = 0x4370\n"
+                               "    02           0x1301:01  direction 2 (consumer)\n"
+                               "    32 00        0x1301:02  SCT 50 ms\n"
+                               "    14           0x1301:03  SRVT 20 ms\n"
+                               "    11 01 00 00  0x1301:05  COB-ID 1 0x111\n"
+                               "    12 01 00 00  0x1301:06  COB-ID 2 0x112\n"
+                               "    04           0x1381:00  4 mapping entries\n"
+                               "    01           0x1381:01  sub-index 1\n"
+                               "    08 01 10 60  0x1381:01  normal data 0x6010:01, 8 bit\n"
+                               "    02           0x1381:02  sub-index 2\n"
+                               "    08 01 11 60  0x1381:02  inverse data 0x6011:01, 8 bit\n"
+                               "    03           0x1381:03  sub-index 3\n"
+                               "    08 02 10 60  0x1381:03  normal data 0x6010:02, 8 bit\n"
+                               "    04           0x1381:04  sub-index 4\n"
+                               "    08 02 11 60  0x1381:04  inverse data 0x6011:02, 8 bit\n"
+                               "    33 bytes: 02 32 00 14 11 01 00 00 12 01 00 00 04 01 08 01 10 60 02 08 01 11 60 03 "
+                               "08 02 10 60 04 08 02 11 60\n";
+
+class SignCommandTest : public test::CommandTest
+{
+  protected:
+    static std::string GoldFile()
+    {
+        return cia306::test::SourceFolder() + "/tests/canopen/cia306/data/gold.dcf";
+    }
+    /// Vector A with its COB-IDs as formulas: for node-ID 1 it is vector A.
+    static SrdoText FormulaSrdo()
+    {
+        return {1, "1", "25", "20", "$NODEID+0x100", "0x101+$NODEID", {"0x20000008", "0x20010008"}};
+    }
+};
+
+TEST_F(SignCommandTest, GivesThePublishedSignatureOfACertifiedDevice)
+{
+    Verifies(req::SRS_CLI_003);
+    Verifies(req::SRS_CLI_002);
+    const Answer answer = RunCommand({"sign", GoldFile()});
+    EXPECT_EQ(answer.status, 0);
+    EXPECT_EQ(answer.out, "0x13FF:01 = 0x4370\n");
+    EXPECT_EQ(answer.err, "");
+}
+
+TEST_F(SignCommandTest, GivesAllVectors)
+{
+    Verifies(req::SRS_CLI_003);
+    const std::vector<std::string> expected{"0x13FF:01 = 0x4370\n", "0x13FF:01 = 0x4B2D\n", "0x13FF:01 = 0xD999\n",
+                                            "0x13FF:01 = 0xB825\n", "0x13FF:01 = 0xCD8A\n", "0x13FF:01 = 0xF2B5\n",
+                                            "0x13FF:01 = 0x88E9\n"};
+    std::size_t place = 0U;
+    for (const cia306::test::Vector& vector : cia306::test::Vectors())
+    {
+        const Answer answer = RunCommand({"sign", File(vector.name, cia306::test::SrdoFileText({vector.srdo}))});
+        EXPECT_EQ(answer.status, 0) << vector.name;
+        EXPECT_EQ(answer.out, expected.at(place)) << vector.name;
+        ++place;
+    }
+    EXPECT_EQ(place, 7U);
+}
+
+TEST_F(SignCommandTest, PrintsExistingSrdosAndNothingForGaps)
+{
+    Verifies(req::SRS_CLI_002);
+    SrdoText first = cia306::test::Vectors().at(1U).srdo;
+    SrdoText off = cia306::test::Vectors().at(6U).srdo;
+    SrdoText last = cia306::test::Vectors().at(3U).srdo;
+    off.number = 3;
+    last.number = 64;
+    const Answer answer = RunCommand({"sign", File("gaps.dcf", cia306::test::SrdoFileText({first, off, last}))});
+    EXPECT_EQ(answer.status, 0);
+    EXPECT_EQ(answer.out, "0x13FF:01 = 0x4B2D\n0x13FF:03 = 0x88E9\n0x13FF:40 = 0xB825\n");
+}
+
+TEST_F(SignCommandTest, AFileWithoutSrdoGivesAWarningAndNoLine)
+{
+    Verifies(req::SRS_CLI_002);
+    const std::string file = File("plain.eds", "[1000]\nDataType=7\nAccessType=ro\n");
+    const Answer answer = RunCommand({"sign", file});
+    EXPECT_EQ(answer.status, 0);
+    EXPECT_EQ(answer.out, "");
+    EXPECT_EQ(answer.err, file + ":0: warning: no SRDO, expected communication parameters at 0x1301 to 0x1340\n");
+}
+
+TEST_F(SignCommandTest, VerbosePrintsTheBytesFieldByField)
+{
+    Verifies(req::SRS_CLI_004);
+    const Answer answer = RunCommand({"sign", "--verbose", GoldFile()});
+    EXPECT_EQ(answer.status, 0);
+    EXPECT_EQ(answer.out, kGoldBytes);
+}
+
+TEST_F(SignCommandTest, TakesTheNodeIdFromTheCommandLineElseFromTheFile)
+{
+    Verifies(req::SRS_CLI_007);
+    const std::string text = cia306::test::SrdoFileText({FormulaSrdo()});
+    const std::string without = File("without.dcf", text);
+    const std::string with = File("with.dcf", text + "[DeviceComissioning]\nNodeID=1\n");
+    EXPECT_EQ(RunCommand({"sign", without, "--node-id", "1"}).out, "0x13FF:01 = 0x4B2D\n");
+    EXPECT_EQ(RunCommand({"sign", with}).out, "0x13FF:01 = 0x4B2D\n");
+    // Node-ID 3: 103h and 104h.
+    EXPECT_EQ(RunCommand({"sign", with, "--node-id", "3"}).out, RunCommand({"sign", without, "--node-id", "0x3"}).out);
+    EXPECT_NE(RunCommand({"sign", with, "--node-id", "3"}).out, "0x13FF:01 = 0x4B2D\n");
+    const Answer answer = RunCommand({"sign", without});
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_EQ(answer.out, "");
+    EXPECT_EQ(answer.err, without + ":54: error: 0x1301:05: value '$NODEID+0x100' needs the node-ID and there is none, "
+                                    "expected --node-id, or NodeID in [DeviceComissioning]\n");
+}
+
+TEST_F(SignCommandTest, WritesTheSignaturesAndNothingElse)
+{
+    Verifies(req::SRS_CLI_005);
+    Verifies(req::SRS_CLI_006);
+    const std::string text = cia306::test::ExampleText("controller");
+    const std::string unsigned_text =
+        cia306::test::Changed(text, {{"ParameterValue=0xE3BF", "ParameterValue=0"}, {"ParameterValue=0xCA45\n", ""}});
+    const std::string file = File("in.dcf", unsigned_text);
+    const Answer answer = RunCommand({"sign", file, "--write", Path("out.dcf")});
+    EXPECT_EQ(answer.status, 0);
+    EXPECT_EQ(answer.out, "0x13FF:01 = 0xE3BF\n0x13FF:02 = 0xCA45\n");
+    EXPECT_EQ(cia306::ReadTextFile(Path("out.dcf")), text);
+    EXPECT_EQ(cia306::ReadTextFile(file), unsigned_text);
+    // In place.
+    EXPECT_EQ(RunCommand({"sign", file, "--write", file}).status, 0);
+    EXPECT_EQ(cia306::ReadTextFile(file), text);
+}
+
+TEST_F(SignCommandTest, WritesNothingWhenItRefuses)
+{
+    Verifies(req::SRS_CLI_005);
+    Verifies(req::SRS_CLI_006);
+    const std::string file =
+        File("in.dcf", cia306::test::Changed(cia306::test::ExampleText("sensor"), {{"[13FFsub1]", "[Gone]"}}));
+    const Answer answer = RunCommand({"sign", file, "--write", Path("out.dcf")});
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_EQ(answer.err, file +
+                              ":310: error: 0x13FF:01 is missing, expected an object that takes the signature of SRDO "
+                              "1\n");
+    EXPECT_FALSE(std::filesystem::exists(Path("out.dcf")));
+    const Answer folder = RunCommand({"sign", GoldFile(), "--write", Path("no/out.dcf")});
+    EXPECT_EQ(folder.status, 2);
+    EXPECT_EQ(folder.out, "");
+}
+
+TEST_F(SignCommandTest, AnswersAsJson)
+{
+    Verifies(req::SRS_CLI_008);
+    const Answer answer = RunCommand({"sign", "--json", "--verbose", GoldFile()});
+    EXPECT_EQ(answer.status, 0);
+    const auto document = nlohmann::json::parse(answer.out);
+    EXPECT_EQ(document["node_id"], 9);
+    ASSERT_EQ(document["srdos"].size(), 1U);
+    EXPECT_EQ(document["srdos"][0]["srdo"], 1);
+    EXPECT_EQ(document["srdos"][0]["object"], "0x13FF:01");
+    EXPECT_EQ(document["srdos"][0]["signature"], "0x4370");
+    EXPECT_EQ(document["srdos"][0]["value"], 17264);
+    EXPECT_EQ(document["srdos"][0]["fields"][1]["bytes"], "32 00");
+    EXPECT_EQ(document["srdos"][0]["fields"].size(), 14U);
+    const auto brief = nlohmann::json::parse(RunCommand({"sign", "--json", GoldFile()}).out);
+    EXPECT_FALSE(brief["srdos"][0].contains("fields"));
+}
+
+TEST_F(SignCommandTest, RefusesAsJsonToo)
+{
+    Verifies(req::SRS_CLI_008);
+    const std::string file = File("bad\xE4.dcf", "[1000]\nDataType=\xE4\n");
+    const Answer answer = RunCommand({"sign", "--json", file});
+    EXPECT_EQ(answer.status, 2);
+    const auto document = nlohmann::json::parse(answer.out);
+    EXPECT_EQ(document["error"]["line"], 2);
+    EXPECT_EQ(document["error"]["message"], "'DataType' is '\\xE4', expected a number from 0 to 65535");
+    EXPECT_EQ(answer.err, file + ":2: error: 'DataType' is '\\xE4', expected a number from 0 to 65535\n");
+}
+} // namespace
+} // namespace counterpoint::tools
