@@ -41,7 +41,7 @@ def files(root, *patterns, under=None):
     In a repository: what git tracks or would track. Elsewhere (fixtures): every file.
     """
     if (root / ".git").exists():
-        output = subprocess.run(["git", "-C", str(root), "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
+        output = subprocess.run(["git", "-c", "safe.directory=*", "-C", str(root), "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
                                 check=True, capture_output=True, text=True).stdout
         names = sorted(name for name in output.split("\0") if name)
     else:
