@@ -2,7 +2,7 @@
 
 #include "canopen/cia306/check_rules.hpp"
 
-#include <algorithm>
+#include <utility>
 
 namespace counterpoint::cia306
 {
@@ -47,10 +47,7 @@ bool Findings::HasErrorAt(const std::size_t line, const std::string& object) con
 
 std::vector<Finding> Findings::Sorted() const
 {
-    std::vector<Finding> sorted = findings_;
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [](const Finding& left, const Finding& right) { return left.line < right.line; });
-    return sorted;
+    return SortedByLine(findings_);
 }
 
 std::vector<Finding> CheckDevice(const Device& device, const CheckOptions& options)

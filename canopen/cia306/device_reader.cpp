@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace counterpoint::cia306
 {
@@ -39,8 +40,7 @@ class DeviceReader
         ReadDummyUsage();
         ReadLists();
         FinishEntries();
-        std::stable_sort(device_.warnings.begin(), device_.warnings.end(),
-                         [](const Finding& left, const Finding& right) { return left.line < right.line; });
+        device_.warnings = SortedByLine(std::move(device_.warnings));
         return std::move(device_);
     }
 

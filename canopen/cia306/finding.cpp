@@ -2,8 +2,27 @@
 
 #include "canopen/cia306/input_error.hpp"
 
+#include <map>
+#include <utility>
+
 namespace counterpoint::cia306
 {
+std::vector<Finding> SortedByLine(std::vector<Finding> findings)
+{
+    std::multimap<std::size_t, Finding> by_line; // Equal lines stay in the order of insertion.
+    for (Finding& finding : findings)
+    {
+        const std::size_t line = finding.line;
+        by_line.emplace(line, std::move(finding));
+    }
+    std::vector<Finding> sorted;
+    for (auto& [line, finding] : by_line)
+    {
+        sorted.push_back(std::move(finding));
+    }
+    return sorted;
+}
+
 std::string FormatFinding(const std::string& file, const Finding& finding)
 {
     const std::string severity = finding.severity == Severity::kError ? "error" : "warning";

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace counterpoint::cia306
 {
@@ -21,6 +22,9 @@ struct Finding
     std::string object; ///< "0x1301:02", or empty where no object is concerned.
     std::string text;   ///< What is wrong, and what was expected.
 };
+
+/// In the order of the lines; findings of one line stay in their order.
+[[nodiscard]] std::vector<Finding> SortedByLine(std::vector<Finding> findings);
 
 /// FILE:LINE: error|warning: OBJECT: TEXT
 [[nodiscard]] std::string FormatFinding(const std::string& file, const Finding& finding);
