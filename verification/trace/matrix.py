@@ -61,9 +61,9 @@ def gate_result(data, name):
     return False, "no such gate"
 
 
-def check_entry(root, data, entry):
-    """Whether the artefact of a registry entry exists and shows its pass mark."""
-    if entry["kind"] == "gate":
+def check_entry(root, data, entry, uid):
+    """Whether the artefact of a registry entry exists and shows its pass mark for this requirement."""
+    if entry["kind"] == "gate" and "pass_mark" not in entry:
         return gate_result(data, entry["artefact"])
     command = entry.get("command")
     if command:
@@ -75,8 +75,9 @@ def check_entry(root, data, entry):
     path = root / entry["artefact"]
     if not path.is_file():
         return False, f"{entry['artefact']} is not there"
-    if not re.search(entry["pass_mark"], path.read_text(errors="replace"), re.MULTILINE):
-        return False, f"{entry['artefact']} does not show its pass mark /{entry['pass_mark']}/"
+    pass_mark = entry["pass_mark"].replace("{id}", uid)
+    if not re.search(pass_mark, path.read_text(errors="replace"), re.MULTILINE):
+        return False, f"{entry['artefact']} does not show its pass mark /{pass_mark}/"
     return True, ""
 
 
@@ -109,8 +110,8 @@ class Matrix:
         evidence = list(gtest_evidence(data)) + list(ctest_evidence(data))
         self.test_count = len(evidence)
         for entry in read_registry(root, self.problems):
-            passed, note = check_entry(root, data, entry)
             for uid in entry["ids"]:
+                passed, note = check_entry(root, data, entry, uid)
                 name = f"{entry['artefact']}: {entry['shows']}"
                 evidence.append(Evidence(uid, entry["kind"], name, passed, note))
         for uid in self.requirements:
