@@ -61,7 +61,7 @@ void BenchOutput::Advance(const Instant now) noexcept
     now_ = now;
 }
 
-SrdoMask BenchOutput::Open() const noexcept
+SrdoMask BenchOutput::Open() noexcept
 {
     return gate_.Open(now_, hal::GateLimit{2U * kCycleUs});
 }
@@ -148,10 +148,10 @@ void Device::Describe(const DevicePlan& plan) noexcept
             const std::uint32_t normal = (2U * slot) + part;
             const std::uint32_t inverse = (2U * plan.srdo_count) + normal;
             const auto sub = static_cast<std::uint8_t>(part + 1U);
-            objects_[normal] = MappableObject{static_cast<std::uint16_t>(kNormalIndex + slot), sub, 32U, access,
-                                              places_[normal]};
-            objects_[inverse] = MappableObject{static_cast<std::uint16_t>(kInverseIndex + slot), sub, 32U, access,
-                                               places_[inverse]};
+            objects_[normal] =
+                MappableObject{static_cast<std::uint16_t>(kNormalIndex + slot), sub, 32U, access, places_[normal]};
+            objects_[inverse] =
+                MappableObject{static_cast<std::uint16_t>(kInverseIndex + slot), sub, 32U, access, places_[inverse]};
         }
     }
     config_.srdos = setups_;
@@ -354,7 +354,7 @@ bool Device::IsWell() const noexcept
            (watchdog_.WrongAnswers() == 0U);
 }
 
-SrdoMask Device::Open() const noexcept
+SrdoMask Device::Open() noexcept
 {
     return output_.Open();
 }

@@ -38,7 +38,7 @@ class BenchOutput final : public hal::SafetyOutput
     [[nodiscard]] std::uint32_t Challenge() noexcept override;
     void Drive(const hal::PermitSet& permits) noexcept override;
     void Advance(Instant now) noexcept;
-    [[nodiscard]] SrdoMask Open() const noexcept;
+    [[nodiscard]] SrdoMask Open() noexcept;
 
   private:
     hal::OutputGate gate_{};
@@ -107,7 +107,8 @@ enum class FrameSide : std::uint8_t
     kInverse = 2U,
 };
 
-/// A device whose SRDOs carry 8 bytes each: two objects of 32 bits normal, two inverse. Drives its own time, 1 ms a cycle.
+/// A device whose SRDOs carry 8 bytes each: two objects of 32 bits normal, two inverse. Drives its own time, 1 ms a
+/// cycle.
 class Device
 {
   public:
@@ -131,7 +132,7 @@ class Device
     /// @brief True while nothing went wrong: no device fault, no error, no wrong answer, all checks passed.
     [[nodiscard]] bool IsWell() const noexcept;
     /// @brief Consumers whose outputs the gate holds open.
-    [[nodiscard]] SrdoMask Open() const noexcept;
+    [[nodiscard]] SrdoMask Open() noexcept;
 
   private:
     void Describe(const DevicePlan& plan) noexcept;
@@ -152,7 +153,10 @@ class Device
     BenchOutput output_{};
     BenchWatchdog watchdog_{};
     BenchApplication application_{};
-CHANNELS
+    channel_a::StorageFor<kMaxSrdoCount> storage_a_{};
+    channel_b::StorageFor<kMaxSrdoCount> storage_b_{};
+    channel_a::Channel channel_a_{storage_a_.Handle()};
+    channel_b::Channel channel_b_{storage_b_.Handle()};
     Kernel kernel_;
     std::uint32_t now_us_{1000000U};
     std::uint32_t offset_us_{0U};

@@ -28,7 +28,7 @@ extern "C" std::uint32_t TargetMain() noexcept;
 extern "C" std::uint32_t TargetMain() noexcept
 {
     WriteRam({"kernel", sizeof(counterpoint::Kernel)});
-RAMLINES
+    RAMLINES
     counterpoint::target::StartCycles();
     counterpoint::target::RepaintStack();
     BenchResult result = counterpoint::bench::RunItems();

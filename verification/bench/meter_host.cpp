@@ -26,7 +26,8 @@ void MeterEnd() noexcept
 void MeterReport(const MeterLabel& label) noexcept
 {
     char text[96];
-    std::snprintf(text, sizeof text, "item=%s srdos=%u repetitions=%u", label.item, label.srdo_count, label.repetitions);
+    std::snprintf(text, sizeof text, "item=%s srdos=%u repetitions=%u", label.item, label.srdo_count,
+                  label.repetitions);
     CALLGRIND_DUMP_STATS_AT(text);
 }
 

@@ -11,7 +11,8 @@ extern "C"
     {
         auto* target = static_cast<std::uint8_t*>(to);
         const auto* source = static_cast<const std::uint8_t*>(from);
-        const bool words = (((reinterpret_cast<std::uintptr_t>(to) | reinterpret_cast<std::uintptr_t>(from)) & 3U) == 0U);
+        const bool words =
+            (((reinterpret_cast<std::uintptr_t>(to) | reinterpret_cast<std::uintptr_t>(from)) & 3U) == 0U);
         std::size_t i = 0U;
         if (words)
         {
@@ -75,16 +76,52 @@ extern "C"
         return 0;
     }
 
-    void __aeabi_memcpy(void* to, const void* from, std::size_t count) noexcept { memcpy(to, from, count); }
-    void __aeabi_memcpy4(void* to, const void* from, std::size_t count) noexcept { memcpy(to, from, count); }
-    void __aeabi_memcpy8(void* to, const void* from, std::size_t count) noexcept { memcpy(to, from, count); }
-    void __aeabi_memmove(void* to, const void* from, std::size_t count) noexcept { memmove(to, from, count); }
-    void __aeabi_memmove4(void* to, const void* from, std::size_t count) noexcept { memmove(to, from, count); }
-    void __aeabi_memmove8(void* to, const void* from, std::size_t count) noexcept { memmove(to, from, count); }
-    void __aeabi_memset(void* to, std::size_t count, int value) noexcept { memset(to, value, count); }
-    void __aeabi_memset4(void* to, std::size_t count, int value) noexcept { memset(to, value, count); }
-    void __aeabi_memset8(void* to, std::size_t count, int value) noexcept { memset(to, value, count); }
-    void __aeabi_memclr(void* to, std::size_t count) noexcept { memset(to, 0, count); }
-    void __aeabi_memclr4(void* to, std::size_t count) noexcept { memset(to, 0, count); }
-    void __aeabi_memclr8(void* to, std::size_t count) noexcept { memset(to, 0, count); }
+    void __aeabi_memcpy(void* to, const void* from, std::size_t count) noexcept
+    {
+        memcpy(to, from, count);
+    }
+    void __aeabi_memcpy4(void* to, const void* from, std::size_t count) noexcept
+    {
+        memcpy(to, from, count);
+    }
+    void __aeabi_memcpy8(void* to, const void* from, std::size_t count) noexcept
+    {
+        memcpy(to, from, count);
+    }
+    void __aeabi_memmove(void* to, const void* from, std::size_t count) noexcept
+    {
+        memmove(to, from, count);
+    }
+    void __aeabi_memmove4(void* to, const void* from, std::size_t count) noexcept
+    {
+        memmove(to, from, count);
+    }
+    void __aeabi_memmove8(void* to, const void* from, std::size_t count) noexcept
+    {
+        memmove(to, from, count);
+    }
+    void __aeabi_memset(void* to, std::size_t count, int value) noexcept
+    {
+        memset(to, value, count);
+    }
+    void __aeabi_memset4(void* to, std::size_t count, int value) noexcept
+    {
+        memset(to, value, count);
+    }
+    void __aeabi_memset8(void* to, std::size_t count, int value) noexcept
+    {
+        memset(to, value, count);
+    }
+    void __aeabi_memclr(void* to, std::size_t count) noexcept
+    {
+        memset(to, 0, count);
+    }
+    void __aeabi_memclr4(void* to, std::size_t count) noexcept
+    {
+        memset(to, 0, count);
+    }
+    void __aeabi_memclr8(void* to, std::size_t count) noexcept
+    {
+        memset(to, 0, count);
+    }
 }

@@ -5,7 +5,8 @@
 
 namespace
 {
-/// A register of the processor. Compilers disagree on the type behind std::uint32_t, so nothing with it in its name crosses.
+/// A register of the processor. Compilers disagree on the type behind std::uint32_t, so nothing with it in its name
+/// crosses.
 using Word = std::uint32_t;
 
 constexpr Word kSysOpen = 0x01U;
@@ -80,8 +81,8 @@ extern "C" void TargetExit(Word status) noexcept
 
 extern "C" void TargetException(Word number, Word address) noexcept
 {
-    static const char* const kNames[] = {"reset",        "undefined instruction", "supervisor call", "prefetch abort",
-                                         "data abort",   "reserved vector",       "interrupt",       "fast interrupt"};
+    static const char* const kNames[] = {"reset",      "undefined instruction", "supervisor call", "prefetch abort",
+                                         "data abort", "reserved vector",       "interrupt",       "fast interrupt"};
     counterpoint::target::Write("FAILURE: ");
     counterpoint::target::Write((number < 8U) ? kNames[number] : "unknown exception");
     counterpoint::target::Write(" at 0x");

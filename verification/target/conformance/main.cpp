@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// Every conformance case with each channel, then the differential sequences with both: the same program on host and target.
-// The lines that begin with "run=" must be the same on both. [SRS-TGT-003]
+// Every conformance case with each channel, then the differential sequences with both: the same program on host and
+// target. The lines that begin with "run=" must be the same on both. [SRS-TGT-003]
 #include "channel_a/channel.hpp"
 #include "channel_b/channel.hpp"
 #include "verification/conformance/runner.hpp"

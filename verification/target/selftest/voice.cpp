@@ -14,7 +14,8 @@ ClangVoice::ClangVoice(const Note& first) noexcept : kept_(first)
 
 Note ClangVoice::Answer(const Note& note) noexcept
 {
-    const Note answer = {kept_.pitch + note.pitch, kept_.mask ^ (note.mask << 8U),
+    const Note answer = {kept_.pitch + note.pitch,
+                         kept_.mask ^ (note.mask << 8U),
                          {note.bytes[3], note.bytes[2], note.bytes[1], note.bytes[0]}};
     kept_ = note;
     return answer;
