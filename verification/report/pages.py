@@ -36,14 +36,15 @@ def gates(data):
 def coverage(root, data):
     """Rows of the safety rooms by Clang, and of the same files by GCC."""
     export = read_json(data / "coverage/export.json", {"data": [{"files": []}]})
-    gcov = {entry["filename"]: entry for entry in read_json(data / "gcov/summary.json", {"files": []})["files"]}
+    gcov = {os.path.realpath(root / entry["filename"]): entry
+            for entry in read_json(data / "gcov/summary.json", {"files": []})["files"]}
     rows, totals = [], collections.Counter()
     for entry in export["data"][0]["files"]:
         path = pathlib.Path(os.path.realpath(entry["filename"]))
         name = path.relative_to(root).as_posix() if path.is_relative_to(root) else None
         if name is None or not any(name.startswith(room + "/") for room in SAFETY_ROOMS):
             continue
-        row = {"name": name, "gcov": gcov.get(name), "page": html_of(root, entry["filename"])}
+        row = {"name": name, "gcov": gcov.get(str(path)), "page": html_of(root, entry["filename"])}
         for metric in METRICS:
             row[metric] = (entry["summary"][metric]["covered"], entry["summary"][metric]["count"])
             totals[metric + "_covered"] += row[metric][0]

@@ -10,9 +10,10 @@ from common import cpp_files, read, run_gate  # noqa: E402
 
 FOLDERS = ["safety_core", "channel_a", "channel_b", "hal/api", "hal/absent"]
 MARKER = re.compile(r"MISRA (D-\d{3})")
-# Not faults: a header of the compiler is not there, a function used by the rooms outside, a file that includes nothing new.
-LEFT_OUT = ["missingInclude", "missingIncludeSystem", "unmatchedSuppression", "unusedFunction", "unusedStructMember",
-            "useStlAlgorithm", "unusedPrivateFunction", "normalCheckLevelMaxBranches"]
+# Not faults: headers of the compiler, advice on style. unreadVariable takes a write through an overloaded operator[] for a
+# write to a local; clang-analyzer-deadcode looks for the same and sees through it.
+LEFT_OUT = ["missingInclude", "missingIncludeSystem", "unmatchedSuppression", "unusedStructMember", "useStlAlgorithm",
+            "functionStatic", "functionConst", "unreadVariable"]
 
 
 def gate(root, _data):
