@@ -5,11 +5,14 @@
 #include "canopen/cia306/signature.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace counterpoint::cia306
 {
 namespace
 {
+constexpr std::uint8_t kHighestCommunicationSub = 6U;
+
 std::size_t FirstLine(const SafetyConfiguration& configuration)
 {
     return configuration.srdos.empty() ? 1U : configuration.srdos.front().line;
@@ -22,6 +25,35 @@ bool IsReserved(const std::uint16_t index)
     return is_after_communication || is_after_mapping;
 }
 
+/// The highest sub-index that the object may have; nothing for other objects.
+std::optional<std::uint8_t> HighestSubOf(const std::uint16_t index)
+{
+    const bool is_communication = index >= kFirstCommunicationIndex && index < kFirstCommunicationIndex + kMaxSrdos;
+    const bool is_mapping = index >= kFirstMappingIndex && index < kFirstMappingIndex + kMaxSrdos;
+    if (is_communication)
+    {
+        return kHighestCommunicationSub;
+    }
+    if (is_mapping)
+    {
+        return kMaxMappingEntries;
+    }
+    return index == kSignatureIndex ? std::optional(kMaxSrdos) : std::nullopt;
+}
+
+void CheckHighestSub(const Object& object, Findings& findings)
+{
+    const std::optional<std::uint8_t> highest = HighestSubOf(object.index);
+    const bool is_beyond = highest && !object.entries.empty() && object.entries.rbegin()->first > *highest;
+    if (is_beyond)
+    {
+        const Entry& last = object.entries.rbegin()->second;
+        findings.Error(last.line, ObjectName(object.index, last.sub),
+                       "sub-index " + std::to_string(last.sub) + " is not defined",
+                       "at most sub-index " + std::to_string(*highest));
+    }
+}
+
 void CheckIndices(const Device& device, Findings& findings)
 {
     for (const auto& [index, object] : device.objects)
@@ -31,6 +63,7 @@ void CheckIndices(const Device& device, Findings& findings)
         {
             findings.Error(object.line, name, "the index is reserved", "no object here");
         }
+        CheckHighestSub(object, findings);
         const bool is_mapping = index >= kFirstMappingIndex && index < kFirstMappingIndex + kMaxSrdos;
         const auto communication = static_cast<std::uint16_t>(index - kFirstMappingIndex + kFirstCommunicationIndex);
         if (is_mapping && device.Find(communication) == nullptr)

@@ -206,7 +206,8 @@ void IniDocument::RequirePrintable(const std::size_t line, const std::string_vie
         const bool is_control = (byte < 0x20U && byte != 0x09U) || byte == 0x7FU;
         if (is_control)
         {
-            Refuse(line, "control byte " + Hex(byte, 2) + " in column " + std::to_string(place + 1U), "8-bit text");
+            Refuse(line, "control byte " + Hex(byte, 2) + " in column " + std::to_string(place + 1U),
+                   byte == 0x0DU ? "lines that end in LF or CR LF" : "8-bit text");
         }
     }
 }

@@ -132,6 +132,27 @@ TEST(CheckObjects, WhatStandsWhereItMustNot)
     test::ExpectRows("sensor", rows, {});
 }
 
+TEST(CheckObjects, SubIndicesBeyondTheLast)
+{
+    Verifies(req::SRS_CLI_017);
+    const auto entry = [](const std::string& section)
+    { return test::Change{"[1018]\n", "[" + section + "]\nDataType=5\nAccessType=rw\nDefaultValue=0\n\n[1018]\n"}; };
+    const std::vector<CheckRow> rows = {
+        {{{"1301", "SubNumber", "8"}},
+         {"error: 0x1301:07: sub-index 7 is not defined, expected at most sub-index 6"},
+         {entry("1301sub7")}},
+        {{{"1381", "SubNumber", "6"}}, {}, {entry("1381sub80")}},
+        {{{"1381", "SubNumber", "6"}},
+         {"error: 0x1381:81: sub-index 129 is not defined, expected at most sub-index 128"},
+         {entry("1381sub81")}},
+        {{{"13FF", "SubNumber", "3"}}, {}, {entry("13FFsub40")}},
+        {{{"13FF", "SubNumber", "3"}},
+         {"error: 0x13FF:41: sub-index 65 is not defined, expected at most sub-index 64"},
+         {entry("13FFsub41")}},
+    };
+    test::ExpectRows("sensor", rows, {});
+}
+
 TEST(CheckObjects, ValuesOutsideTheirLimits)
 {
     Verifies(req::SRS_CLI_017);

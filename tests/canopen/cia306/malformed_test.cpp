@@ -39,7 +39,7 @@ TEST(Malformed, LinesAreRefusedWithTheirNumberAndWhatWasExpected)
                             "line 2"},
         {std::string("[A]\nk=\0\n", 8U), "test.dcf:2: error: control byte 0x00 in column 3, expected 8-bit text"},
         {"[A]\nk=\x1B[0m\n", "test.dcf:2: error: control byte 0x1B in column 3, expected 8-bit text"},
-        {"[A]\rk=v\n", "test.dcf:1: error: control byte 0x0D in column 4, expected 8-bit text"},
+        {"[A]\rk=v\n", "test.dcf:1: error: control byte 0x0D in column 4, expected lines that end in LF or CR LF"},
         {"\x7F"
          "ELF",
          "test.dcf:1: error: control byte 0x7F in column 1, expected 8-bit text"},
