@@ -16,7 +16,6 @@ namespace
 constexpr std::uint64_t kLowBits = 0x0101010101010101U;
 constexpr std::uint64_t kHighBits = 0x8080808080808080U;
 constexpr std::uint64_t kBelowHighBits = 0x7F7F7F7F7F7F7F7FU;
-/// Causes that can be recorded are 1 to 17 and kNone.
 constexpr std::uint64_t kLastCause = static_cast<std::uint64_t>(SrdoCause::kWrongEcho);
 
 /// High bit of each byte that is not 0.
@@ -35,6 +34,12 @@ constexpr std::uint64_t kLastCause = static_cast<std::uint64_t>(SrdoCause::kWron
 [[nodiscard]] inline std::uint64_t Above(std::uint64_t word, std::uint64_t limit) noexcept
 {
     return (((word & kBelowHighBits) + (kLowBits * (0x7FU - limit))) | word) & kHighBits;
+}
+
+/// High bit of each byte that is no cause which can be recorded: those are 1 to kWrongEcho and kNone.
+[[nodiscard]] inline std::uint64_t Undefined(std::uint64_t causes) noexcept
+{
+    return (~NonZero(causes) | Above(causes, kLastCause)) & Unlike(causes, static_cast<std::uint8_t>(SrdoCause::kNone));
 }
 
 /// The high bits, of which no other may be set, side by side: the product brings the one of byte n to bit 56 + n.
@@ -64,34 +69,36 @@ template <typename T> [[nodiscard]] inline std::uint64_t EightOf(const Column<T>
 
 Channel::Census Channel::TakeCensus() const noexcept
 {
-    Census census{0U, 0U, 0U, 0U, 0U, 0U};
+    Census census{0U, 0U, 0U, 0U, 0U};
     const std::size_t count = x_count;
     for (std::size_t first = 0U; first < count; first += kSlotsInWord)
     {
         const std::uint64_t state = EightOf(x_storage.state, first);
         const std::uint64_t direction = EightOf(x_storage.direction, first);
         const std::uint64_t cause = EightOf(x_storage.first_cause, first);
-        const std::uint64_t other = Unlike(direction, kDirectionConsumer);
-        const std::uint64_t unsound =
-            (~NonZero(cause) | Above(cause, kLastCause)) & Unlike(cause, static_cast<std::uint8_t>(SrdoCause::kNone));
-        const std::uint64_t not_producer =
-            Unlike(direction, kDirectionProducer) | Unlike(state, Code(SrdoState::kProducer));
-        census.released |= Gather((Unlike(state, Code(SrdoState::kReleased)) | other) ^ kHighBits, first);
-        census.waiting |= Gather((Unlike(state, Code(SrdoState::kWaiting)) | other) ^ kHighBits, first);
-        census.faulted |= Gather((Unlike(state, Code(SrdoState::kFaulted)) | other) ^ kHighBits, first);
-        census.producers |= Gather(not_producer ^ kHighBits, first);
-        census.off |= Gather(Unlike(state, Code(SrdoState::kOff)) ^ kHighBits, first);
-        census.sound |= Gather(unsound ^ kHighBits, first);
+        const std::uint64_t no_consumer = Unlike(direction, kDirectionConsumer);
+        const std::uint64_t no_producer = Unlike(direction, kDirectionProducer);
+        const std::uint64_t off = Unlike(state, Code(SrdoState::kOff));
+        const std::uint64_t waiting = Unlike(state, Code(SrdoState::kWaiting)) | no_consumer;
+        const std::uint64_t faulted = Unlike(state, Code(SrdoState::kFaulted)) | no_consumer;
+        const std::uint64_t released = Unlike(state, Code(SrdoState::kReleased)) | no_consumer | Undefined(cause);
+        const std::uint64_t producer = Unlike(state, Code(SrdoState::kProducer)) | no_producer;
+        census.waiting |= Gather(waiting ^ kHighBits, first);
+        census.faulted |= Gather(faulted ^ kHighBits, first);
+        census.released |= Gather(released ^ kHighBits, first);
+        census.producers |= Gather(producer ^ kHighBits, first);
+        census.corrupted |= Gather(off & waiting & faulted & released & producer, first);
     }
     census.waiting &= x_active;
     census.faulted &= x_active;
     census.released &= x_active;
     census.producers &= x_active;
+    census.corrupted &= x_active;
     return census;
 }
 
 /// A slot whose state fits none of its other marks ends in kFaulted, or in kOff if it is no consumer. It stays there
-/// until Restart: its first cause is kInvalid, which is not sound. [SRS-CONS-024]
+/// until Restart: with kInvalid as its first cause nothing is released. [SRS-CONS-024]
 void Channel::Repair(SlotIndex slot, Census& census) noexcept
 {
     const SrdoMask bit = BitOf(slot);
@@ -120,9 +127,8 @@ Channel::Census Channel::SoundCensus() noexcept
     const SrdoMask consumers = census.waiting | census.faulted | census.released;
     const SrdoMask twins = (marks.held.on ^ marks.held.off) & (marks.acknowledged.on ^ marks.acknowledged.off) &
                            (marks.automatic.on ^ marks.automatic.off);
-    const SrdoMask torn = (consumers & ~twins) | (census.released & ~(marks.held.on & census.sound));
-    const SrdoMask known = (consumers | census.producers | census.off) & ~torn;
-    for (SrdoMask rest = x_active & ~known; rest != 0U; rest &= rest - 1U)
+    census.corrupted |= (consumers & ~twins) | (census.released & ~marks.held.on);
+    for (SrdoMask rest = census.corrupted; rest != 0U; rest &= rest - 1U)
     {
         Repair(LowestSlot(rest), census);
     }

@@ -142,7 +142,7 @@ SrdoView Channel::View(SlotIndex slot) const noexcept
     const bool holds_pair = (Granted(x_storage.marks->held) & bit) != 0U;
     SrdoView view{{0U, 0U}, x_storage.ordinal[slot] + x_storage.sent[slot], 0U, x_storage.error_count[slot], StateOf(slot),
                   x_storage.first_cause[slot], static_cast<std::uint8_t>(holds_pair)};
-    if (holds_pair || IsInFlight(slot))
+    if (holds_pair || ((view.state == SrdoState::kProducer) && IsInFlight(slot)))
     {
         // Of a valid pair the inverse data tell the normal data.
         view.data = PayloadOf(x_storage.inverse_data[slot] ^ PayloadMask(x_storage.length_bytes[slot]));

@@ -49,15 +49,14 @@ class Channel final : public counterpoint::Channel
         std::uint8_t width;
     };
 
-    /// Slots by state, of one look at all of them; a slot that is in none is corrupted or off.
+    /// Slots by state, of one look at all of them; a slot that is in none is off.
     struct Census
     {
         SrdoMask waiting;
         SrdoMask faulted;
         SrdoMask released;
         SrdoMask producers;
-        SrdoMask off;
-        SrdoMask sound; ///< First cause has a defined value.
+        SrdoMask corrupted; ///< State, direction, first cause or marks do not fit each other.
     };
 
     /// A mapping while it is being checked.
@@ -102,7 +101,7 @@ class Channel final : public counterpoint::Channel
     // consumer.cpp
     void TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
     void TakeNormal(SlotIndex slot, std::uint64_t data, std::uint32_t since_call) noexcept;
-    void TakeInverse(SlotIndex slot, std::uint64_t data) noexcept;
+    void Complete(SlotIndex slot, std::uint64_t data) noexcept;
     void Fault(SlotIndex slot, SrdoCause cause) noexcept;
     void FaultEach(SrdoMask slots, SrdoCause cause) noexcept;
     void Discard(SlotIndex slot) noexcept;

@@ -7,6 +7,18 @@
 namespace counterpoint::channel_b
 {
 
+namespace
+{
+
+/// Any other value is corrupted, or was put there because something else was. [SRS-CONS-024]
+[[nodiscard]] bool IsRecordable(SrdoCause cause) noexcept
+{
+    const std::uint32_t value = static_cast<std::uint32_t>(cause) - 1U;
+    return (value < static_cast<std::uint32_t>(SrdoCause::kWrongEcho)) || (cause == SrdoCause::kNone);
+}
+
+} // namespace
+
 void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
 {
     if (frame.kind != FrameKind::kData)
@@ -27,78 +39,83 @@ void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
 }
 
 /// `since_call` is the time from the last OnCycle to the frame, modular, so that it may be before that call as well.
-void Channel::TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
+inline void Channel::TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
 {
-    if (!IsConsumer(x_storage.state[slot]))
+    Marks& marks = *x_storage.marks;
+    const SrdoMask bit = BitOf(slot);
+    if ((marks.consumers & bit) == 0U)
     {
         return;
     }
     if ((x_storage.pair_left[slot] - since_call) > x_storage.pair_limit[slot])
     {
-        const bool is_pending = (x_storage.marks->pending & BitOf(slot)) != 0U;
-        Fault(slot, is_pending ? SrdoCause::kSrvt : SrdoCause::kSct);
+        Fault(slot, ((marks.pending & bit) != 0U) ? SrdoCause::kSrvt : SrdoCause::kSct);
     }
-    const bool is_normal = frame.identifier == NormalIdentifier(x_storage, slot);
-    const bool is_inverse = frame.identifier == InverseIdentifier(x_storage, slot);
-    const CanPortId port = is_normal ? x_config->normal_port : x_config->inverse_port;
+    // The identifiers of normal frames are odd, those of inverse frames are even.
+    const std::uint32_t inverse = (frame.identifier & 1U) ^ 1U;
+    const CanPortId port = (inverse == 0U) ? x_config->normal_port : x_config->inverse_port;
+    const bool is_elsewhere = frame.identifier != IdentifierAt(x_storage, slot, inverse);
     const std::uint8_t length_bytes = x_storage.length_bytes[slot];
-    if (((!is_normal) && (!is_inverse)) || (frame.port != port))
+    if (is_elsewhere || (frame.port != port))
     {
         Fault(slot, SrdoCause::kIdentifier);
+        return;
     }
-    else if (frame.length_bytes != length_bytes)
+    if (frame.length_bytes != length_bytes)
     {
         Fault(slot, SrdoCause::kLength);
+        return;
+    }
+    const std::uint64_t mask = PayloadMask(length_bytes);
+    const std::uint64_t data = PackBytes(&frame.data[0]) & mask;
+    if (inverse == 0U)
+    {
+        TakeNormal(slot, data, since_call);
+    }
+    else if ((marks.pending & bit) == 0U)
+    {
+        Fault(slot, SrdoCause::kInverseFirst);
+    }
+    else if ((x_storage.pending_data[slot] ^ data) != mask)
+    {
+        Fault(slot, SrdoCause::kNotInverse);
     }
     else
     {
-        const std::uint64_t data = PackBytes(&frame.data[0]) & PayloadMask(length_bytes);
-        if (is_normal)
-        {
-            TakeNormal(slot, data, since_call);
-        }
-        else
-        {
-            TakeInverse(slot, data);
-        }
+        Complete(slot, data);
     }
 }
 
-void Channel::TakeNormal(SlotIndex slot, std::uint64_t data, std::uint32_t since_call) noexcept
+inline void Channel::TakeNormal(SlotIndex slot, std::uint64_t data, std::uint32_t since_call) noexcept
 {
-    if ((x_storage.marks->pending & BitOf(slot)) != 0U)
+    Marks& marks = *x_storage.marks;
+    if ((marks.pending & BitOf(slot)) != 0U)
     {
         Fault(slot, SrdoCause::kNormalTwice);
         return;
     }
     const std::uint32_t srvt_us = SrvtUs(x_storage, slot);
-    x_storage.marks->pending |= BitOf(slot);
+    marks.pending |= BitOf(slot);
     x_storage.pending_data[slot] = data;
     x_storage.pair_limit[slot] = srvt_us;
     x_storage.pair_left[slot] = srvt_us + since_call; // The next OnCycle takes away what lay before the frame.
 }
 
-void Channel::TakeInverse(SlotIndex slot, std::uint64_t data) noexcept
+/// The pair is valid. [SRS-CONS-010]
+inline void Channel::Complete(SlotIndex slot, std::uint64_t data) noexcept
 {
-    if ((x_storage.marks->pending & BitOf(slot)) == 0U)
-    {
-        Fault(slot, SrdoCause::kInverseFirst);
-        return;
-    }
-    if ((x_storage.pending_data[slot] ^ data) != PayloadMask(x_storage.length_bytes[slot]))
-    {
-        Fault(slot, SrdoCause::kNotInverse);
-        return;
-    }
+    Marks& marks = *x_storage.marks;
+    const SrdoMask bit = BitOf(slot);
     const std::uint32_t sct_us = SctUs(x_storage, slot);
-    x_storage.marks->pending &= ~BitOf(slot);
-    x_storage.marks->fresh |= BitOf(slot);
-    x_storage.marks->unwritten |= BitOf(slot);
-    Grant(x_storage.marks->held, BitOf(slot));
+    const std::uint32_t srvt_us = x_storage.pair_limit[slot];
+    marks.pending &= ~bit;
+    marks.fresh |= bit;
+    marks.unwritten |= bit;
+    Grant(marks.held, bit);
     x_storage.inverse_data[slot] = data;
     x_storage.ordinal[slot] += 1U;
     // Both budgets count from the normal frame, so that the greater one has the difference more left.
-    x_storage.pair_left[slot] += sct_us - x_storage.pair_limit[slot];
+    x_storage.pair_left[slot] += sct_us - srvt_us;
     x_storage.pair_limit[slot] = sct_us;
 }
 
@@ -134,7 +151,7 @@ void Channel::FaultEach(SrdoMask slots, SrdoCause cause) noexcept
 
 void Channel::Demote(SlotIndex slot) noexcept
 {
-    if (!IsConsumer(x_storage.state[slot]))
+    if ((x_storage.marks->consumers & BitOf(slot)) == 0U)
     {
         return;
     }
@@ -195,11 +212,16 @@ void Channel::Release(Census& census) noexcept
 {
     Marks& marks = *x_storage.marks;
     const SrdoMask permitted = Granted(marks.automatic) | Granted(marks.acknowledged);
-    const SrdoMask ready = Granted(marks.held) & census.sound & ~marks.reporting & permitted;
-    const SrdoMask released = (census.waiting | census.faulted) & ready;
-    for (SrdoMask rest = released; rest != 0U; rest &= rest - 1U)
+    const SrdoMask ready = Granted(marks.held) & ~marks.reporting & permitted;
+    SrdoMask released = 0U;
+    for (SrdoMask rest = (census.waiting | census.faulted) & ready; rest != 0U; rest &= rest - 1U)
     {
-        x_storage.state[LowestSlot(rest)] = SrdoState::kReleased;
+        const SlotIndex slot = LowestSlot(rest);
+        if (IsRecordable(x_storage.first_cause[slot]))
+        {
+            x_storage.state[slot] = SrdoState::kReleased;
+            released |= BitOf(slot);
+        }
     }
     census.released |= released;
     census.waiting &= ~released;

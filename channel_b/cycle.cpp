@@ -139,19 +139,16 @@ void Channel::Enter() noexcept
 /// Returns the consumers that were active. [SRS-CONS-019, SRS-PROD-011]
 SrdoMask Channel::Leave() noexcept
 {
-    SrdoMask left = 0U;
+    const SrdoMask left = x_storage.marks->consumers;
+    FaultEach(left, SrdoCause::kNotOperational);
     for (SlotIndex slot = 0U; slot < x_count; ++slot)
     {
-        if (IsConsumer(x_storage.state[slot]))
-        {
-            Fault(slot, SrdoCause::kNotOperational);
-            left |= BitOf(slot);
-        }
         x_storage.state[slot] = SrdoState::kOff;
         x_storage.stage[slot] = Stage::kIdle;
         x_storage.pair_limit[slot] = kNothingRuns;
     }
     x_storage.marks->phased = 0U;
+    x_storage.marks->consumers = 0U;
     x_active = 0U;
     ClearLookUp();
     return left;
@@ -229,6 +226,7 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
     const SrdoMask left = SettleActivity(is_configured && (input.nmt == NmtState::kOperational));
     Census census = SoundCensus();
     const SrdoMask consumers = census.waiting | census.faulted | census.released;
+    marks.consumers = consumers;
     ExamineConsumers(input, spent, is_late, census);
     outcome.due = AdvanceProducers(census.producers, spent);
     Acknowledge(edges, census);

@@ -50,6 +50,12 @@ static_assert(kLookUpBytes == kSrdoIdentifierCount, "one byte an identifier");
     return PackFourBytes(ImageAt(storage, slot, kCobId2At));
 }
 
+/// COB-ID 1 for role 0, COB-ID 2 for role 1.
+[[nodiscard]] inline std::uint32_t IdentifierAt(const Storage& storage, SlotIndex slot, std::uint32_t role) noexcept
+{
+    return PackFourBytes(ImageAt(storage, slot, kCobId1At + (static_cast<std::size_t>(role) * 4U)));
+}
+
 [[nodiscard]] inline std::uint32_t SctMs(const Storage& storage, SlotIndex slot) noexcept
 {
     const std::uint32_t low = *ImageAt(storage, slot, kSctAt);
@@ -86,23 +92,6 @@ static_assert(kLookUpBytes == kSrdoIdentifierCount, "one byte an identifier");
 {
     const std::uint32_t offset = frame.identifier - kFirstSrdoIdentifier;
     return (offset < kSrdoIdentifierCount) ? storage.slot_of[offset] : kNoSlot;
-}
-
-/// A corrupted state is no consumer's.
-[[nodiscard]] inline bool IsConsumer(SrdoState state) noexcept
-{
-    switch (state)
-    {
-    case SrdoState::kReleased:
-    case SrdoState::kWaiting:
-    case SrdoState::kFaulted:
-        return true;
-    case SrdoState::kInvalid:
-    case SrdoState::kOff:
-    case SrdoState::kProducer:
-        return false;
-    }
-    return false;
 }
 
 } // namespace counterpoint::channel_b

@@ -12,64 +12,38 @@ namespace
 {
 
 constexpr std::size_t kPairs = kMaxMapEntries / 2U;
+constexpr std::uint8_t kFourBytes = 32U; ///< Length in bits.
 
-/// The value of an object of 1 to 8 bytes, put together from its parts of 4, 2 and 1 bytes.
-[[nodiscard]] std::uint64_t ReadObject(const MappableObject& object) noexcept
+/// The value of an object of 1 to 8 bytes. Objects of four bytes are common; all others go byte by byte.
+[[nodiscard]] inline std::uint64_t ReadObject(const MappableObject& object) noexcept
 {
-    const std::uint32_t length = static_cast<std::uint32_t>(object.length_bits) / 8U;
     const Column<const std::uint8_t> place{object.place};
-    if ((length & 8U) != 0U)
+    if (object.length_bits == kFourBytes)
     {
-        return PackBytes(place.first);
+        return PackFourBytes(place.first);
     }
     std::uint64_t word = 0U;
-    std::uint32_t at = 0U;
-    if ((length & 4U) != 0U)
+    for (std::uint32_t shift = 0U; shift < object.length_bits; shift += 8U)
     {
-        word = PackFourBytes(place.first);
-        at = 4U;
-    }
-    if ((length & 2U) != 0U)
-    {
-        const std::uint32_t two = static_cast<std::uint32_t>(place[at]) | (static_cast<std::uint32_t>(place[at + 1U]) << 8U);
-        word |= static_cast<std::uint64_t>(two) << (8U * at);
-        at += 2U;
-    }
-    if ((length & 1U) != 0U)
-    {
-        word |= static_cast<std::uint64_t>(place[at]) << (8U * at);
+        word |= static_cast<std::uint64_t>(place[shift / 8U]) << (shift & 63U);
     }
     return word;
 }
 
-void PutBytes(const Column<std::uint8_t>& place, std::uint64_t data, std::uint32_t from, std::uint32_t to) noexcept
+inline void WriteObject(const MappableObject& object, std::uint64_t data) noexcept
 {
-    for (std::uint32_t at = from; at < to; ++at)
-    {
-        place[at] = static_cast<std::uint8_t>((data >> ((8U * at) & 63U)) & 0xFFU);
-    }
-}
-
-void PutFourBytes(const Column<std::uint8_t>& place, std::uint32_t data) noexcept
-{
-    place[0U] = static_cast<std::uint8_t>(data & 0xFFU);
-    place[1U] = static_cast<std::uint8_t>((data >> 8U) & 0xFFU);
-    place[2U] = static_cast<std::uint8_t>((data >> 16U) & 0xFFU);
-    place[3U] = static_cast<std::uint8_t>((data >> 24U) & 0xFFU);
-}
-
-/// Objects of four bytes are the common ones; all others go byte by byte.
-void WriteObject(const MappableObject& object, std::uint64_t data) noexcept
-{
-    const std::uint32_t length = static_cast<std::uint32_t>(object.length_bits) / 8U;
     const Column<std::uint8_t> place{object.place};
-    if (length == 4U)
+    if (object.length_bits == kFourBytes)
     {
-        PutFourBytes(place, static_cast<std::uint32_t>(data & 0xFFFFFFFFU));
+        place[0U] = static_cast<std::uint8_t>(data & 0xFFU);
+        place[1U] = static_cast<std::uint8_t>((data >> 8U) & 0xFFU);
+        place[2U] = static_cast<std::uint8_t>((data >> 16U) & 0xFFU);
+        place[3U] = static_cast<std::uint8_t>((data >> 24U) & 0xFFU);
+        return;
     }
-    else
+    for (std::uint32_t shift = 0U; shift < object.length_bits; shift += 8U)
     {
-        PutBytes(place, data, 0U, length);
+        place[shift / 8U] = static_cast<std::uint8_t>((data >> (shift & 63U)) & 0xFFU);
     }
 }
 

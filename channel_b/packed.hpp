@@ -47,6 +47,19 @@ inline void Withdraw(TwinMask& mask, SrdoMask slots) noexcept
            (static_cast<std::uint64_t>(byte[6U]) << 48U) | (static_cast<std::uint64_t>(byte[7U]) << 56U);
 }
 
+inline void UnpackBytes(std::uint64_t word, std::uint8_t* bytes) noexcept
+{
+    const Column<std::uint8_t> byte{bytes};
+    byte[0U] = static_cast<std::uint8_t>(word & 0xFFU);
+    byte[1U] = static_cast<std::uint8_t>((word >> 8U) & 0xFFU);
+    byte[2U] = static_cast<std::uint8_t>((word >> 16U) & 0xFFU);
+    byte[3U] = static_cast<std::uint8_t>((word >> 24U) & 0xFFU);
+    byte[4U] = static_cast<std::uint8_t>((word >> 32U) & 0xFFU);
+    byte[5U] = static_cast<std::uint8_t>((word >> 40U) & 0xFFU);
+    byte[6U] = static_cast<std::uint8_t>((word >> 48U) & 0xFFU);
+    byte[7U] = static_cast<std::uint8_t>((word >> 56U) & 0xFFU);
+}
+
 [[nodiscard]] inline std::uint32_t PackFourBytes(const std::uint8_t* bytes) noexcept
 {
     const Column<const std::uint8_t> byte{bytes};

@@ -121,10 +121,7 @@ CanFrame Channel::NextFrame(SlotIndex slot) noexcept
         frame.kind = FrameKind::kData;
         frame.port = x_config->inverse_port;
         frame.length_bytes = x_storage.length_bytes[slot];
-        for (std::uint8_t byte = 0U; byte < kMaxPayloadBytes; ++byte)
-        {
-            frame.data[byte] = static_cast<std::uint8_t>((data >> (8U * byte)) & 0xFFU);
-        }
+        UnpackBytes(data, &frame.data[0]);
     }
     return frame;
 }

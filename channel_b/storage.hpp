@@ -51,6 +51,7 @@ struct Marks
     SrdoMask fresh;        ///< A pair was completed since the last OnCycle.
     SrdoMask unwritten;    ///< The held pair has not been written into the objects.
     SrdoMask committed;    ///< The objects hold a released pair.
+    SrdoMask consumers;    ///< Consumers as of the last OnCycle.
     SrdoMask released;     ///< State kReleased as of the last OnCycle, less those that had a fault since.
     SrdoMask reporting;    ///< A fault has not been reported by OnCycle yet.
     SrdoMask window_open;  ///< A window of signals is running.
