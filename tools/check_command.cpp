@@ -1,3 +1,4 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/check_command.hpp"
 
 #include "canopen/cia306/check.hpp"

@@ -1,3 +1,4 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/command_line.hpp"
 
 #include "canopen/cia306/input_error.hpp"

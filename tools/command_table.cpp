@@ -1,3 +1,4 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/command_table.hpp"
 
 #include "tools/check_command.hpp"

@@ -1,3 +1,4 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #ifndef TOOLS_COMMAND_TABLE_HPP
 #define TOOLS_COMMAND_TABLE_HPP
 

@@ -1,3 +1,4 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/device_options.hpp"
 
 #include "tools/json_text.hpp"

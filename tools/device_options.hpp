@@ -1,3 +1,4 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #ifndef TOOLS_DEVICE_OPTIONS_HPP
 #define TOOLS_DEVICE_OPTIONS_HPP
 

@@ -1,3 +1,4 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/json_text.hpp"
 
 namespace counterpoint::tools

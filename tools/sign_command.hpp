@@ -1,3 +1,4 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #ifndef TOOLS_SIGN_COMMAND_HPP
 #define TOOLS_SIGN_COMMAND_HPP
 

@@ -1,3 +1,4 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #ifndef CANOPEN_CIA306_FINDING_HPP
 #define CANOPEN_CIA306_FINDING_HPP
 

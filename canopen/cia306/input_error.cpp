@@ -1,3 +1,4 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia306/input_error.hpp"
 
 #include <utility>
@@ -86,7 +87,7 @@ std::string ObjectName(const std::uint16_t index, const std::uint8_t sub)
     return Hex(index, 4) + ":" + Hex(sub, 2).substr(2U);
 }
 
-InputError::InputError(std::string file, const std::size_t line, Problem problem)
+InputError::InputError(std::string file, const std::size_t line, const Problem& problem)
     : std::runtime_error(ErrorLine(file, line, problem)), file_(std::move(file)), line_(line),
       message_(Sentence(problem))
 {

@@ -1,3 +1,4 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #ifndef CANOPEN_CIA306_INPUT_ERROR_HPP
 #define CANOPEN_CIA306_INPUT_ERROR_HPP
 
@@ -33,7 +34,7 @@ struct Problem
 class InputError : public std::runtime_error
 {
   public:
-    InputError(std::string file, std::size_t line, Problem problem);
+    InputError(std::string file, std::size_t line, const Problem& problem);
 
     [[nodiscard]] const std::string& File() const noexcept;
     [[nodiscard]] std::size_t Line() const noexcept;

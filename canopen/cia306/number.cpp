@@ -1,3 +1,4 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia306/number.hpp"
 
 #include "canopen/cia306/ini_document.hpp"

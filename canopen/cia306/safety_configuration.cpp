@@ -1,3 +1,4 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia306/safety_configuration.hpp"
 
 #include "canopen/cia306/data_type.hpp"

@@ -1,3 +1,4 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #ifndef TESTS_TOOLS_COMMAND_RUN_HPP
 #define TESTS_TOOLS_COMMAND_RUN_HPP
 

@@ -1,3 +1,4 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #ifndef TESTS_CANOPEN_CIA306_CHECK_TEXT_HPP
 #define TESTS_CANOPEN_CIA306_CHECK_TEXT_HPP
 

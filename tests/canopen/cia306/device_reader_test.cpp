@@ -1,3 +1,4 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia306/device_reader.hpp"
 
 #include "tests/canopen/cia306/device_text.hpp"

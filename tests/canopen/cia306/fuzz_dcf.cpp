@@ -1,3 +1,4 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Feeds arbitrary text to everything that a device file passes: read, extract, check, sign, write, read again.
 // A refusal (InputError) is a right answer; everything else that goes wrong ends the process. [SRS-EDS-025]
 #include "canopen/cia306/check.hpp"

@@ -1,3 +1,4 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia306/text_file.hpp"
 
 #include "canopen/cia306/input_error.hpp"
