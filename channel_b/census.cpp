@@ -18,6 +18,11 @@ constexpr std::uint64_t kHighBits = 0x8080808080808080U;
 constexpr std::uint64_t kBelowHighBits = 0x7F7F7F7F7F7F7F7FU;
 constexpr std::uint64_t kLastCause = static_cast<std::uint64_t>(SrdoCause::kWrongEcho);
 
+constexpr std::uint64_t kAllReleased = kLowBits * static_cast<std::uint64_t>(SrdoState::kReleased);
+constexpr std::uint64_t kAllConsumers = kLowBits * kDirectionConsumer;
+constexpr std::uint64_t kNoCauses = kLowBits * static_cast<std::uint64_t>(SrdoCause::kNone);
+constexpr SrdoMask kEight = 0xFFU;
+
 /// High bit of each byte that is not 0.
 [[nodiscard]] inline std::uint64_t NonZero(std::uint64_t word) noexcept
 {
@@ -76,6 +81,11 @@ Channel::Census Channel::TakeCensus() const noexcept
         const std::uint64_t state = EightOf(x_storage.state, first);
         const std::uint64_t direction = EightOf(x_storage.direction, first);
         const std::uint64_t cause = EightOf(x_storage.first_cause, first);
+        if ((state == kAllReleased) && (direction == kAllConsumers) && (cause == kNoCauses))
+        {
+            census.released |= kEight << first; // The common case at little cost.
+            continue;
+        }
         const std::uint64_t no_consumer = Unlike(direction, kDirectionConsumer);
         const std::uint64_t no_producer = Unlike(direction, kDirectionProducer);
         const std::uint64_t off = Unlike(state, Code(SrdoState::kOff));

@@ -116,36 +116,16 @@ void Channel::ClearLookUp() noexcept
     }
 }
 
-void Channel::Count(SlotIndex slot, SrdoCause cause) noexcept
-{
-    if (x_storage.error_count[slot] != 0xFFFFU)
-    {
-        ++x_storage.error_count[slot];
-    }
-    if (x_storage.first_cause[slot] == SrdoCause::kNone)
-    {
-        x_storage.first_cause[slot] = cause;
-    }
-}
-
-/// A fault that the next OnCycle, or this one, reports.
-void Channel::Record(SlotIndex slot, SrdoCause cause) noexcept
-{
-    Count(slot, cause);
-    x_storage.causes[slot] |= std::uint32_t{1U} << (static_cast<std::uint32_t>(cause) & 31U);
-    x_storage.marks->reporting |= BitOf(slot);
-}
-
 SrdoView Channel::View(SlotIndex slot) const noexcept
 {
     const SrdoMask bit = BitOf(slot);
     const bool holds_pair = (Granted(x_storage.marks->held) & bit) != 0U;
     SrdoView view{{0U, 0U}, x_storage.ordinal[slot] + x_storage.sent[slot], 0U, x_storage.error_count[slot], StateOf(slot),
                   x_storage.first_cause[slot], static_cast<std::uint8_t>(holds_pair)};
-    if (holds_pair || ((view.state == SrdoState::kProducer) && IsInFlight(slot)))
+    if (holds_pair || ((view.state == SrdoState::kProducer) && IsInFlight(x_storage, slot)))
     {
         // Of a valid pair the inverse data tell the normal data.
-        view.data = PayloadOf(x_storage.inverse_data[slot] ^ PayloadMask(x_storage.length_bytes[slot]));
+        view.data = PayloadOf(~x_storage.inverse_data[slot] & PayloadMask(x_storage.length_bytes[slot]));
     }
     if ((x_storage.marks->signalled & bit) != 0U)
     {

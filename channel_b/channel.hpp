@@ -79,8 +79,6 @@ class Channel final : public counterpoint::Channel
     void TakeSetup(SlotIndex slot, const SrdoSetup& setup) noexcept;
     void ClearLookUp() noexcept;
     [[nodiscard]] SrdoState StateOf(SlotIndex slot) const noexcept;
-    void Count(SlotIndex slot, SrdoCause cause) noexcept;
-    void Record(SlotIndex slot, SrdoCause cause) noexcept;
 
     // census.cpp
     [[nodiscard]] Census TakeCensus() const noexcept;
@@ -100,19 +98,24 @@ class Channel final : public counterpoint::Channel
 
     // consumer.cpp
     void TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
-    void TakeNormal(SlotIndex slot, std::uint64_t data, std::uint32_t since_call) noexcept;
-    void Complete(SlotIndex slot, std::uint64_t data) noexcept;
-    void Fault(SlotIndex slot, SrdoCause cause) noexcept;
-    void FaultEach(SrdoMask slots, SrdoCause cause) noexcept;
-    void Discard(SlotIndex slot) noexcept;
+    void TakeLateFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
+    void TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
+    void TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept;
+    void TakeCommand(const CanFrame& frame) noexcept;
     void ExamineConsumers(const CycleInput& input, SrdoMask spent, bool is_late, Census& census) noexcept;
     void Acknowledge(SrdoMask edges, const Census& census) noexcept;
     void Release(Census& census) noexcept;
 
-    // producer.cpp
+    // faults.cpp
+    void Count(SlotIndex slot, SrdoCause cause) noexcept;
+    void Record(SlotIndex slot, SrdoCause cause) noexcept;
+    void Discard(SlotIndex slot) noexcept;
+    void Fault(SlotIndex slot, SrdoCause cause) noexcept;
+    void FaultEach(SrdoMask slots, SrdoCause cause) noexcept;
     void Fail(SlotIndex slot, SrdoCause cause) noexcept;
+
+    // producer.cpp
     [[nodiscard]] SrdoMask AdvanceProducers(SrdoMask producers, SrdoMask spent) noexcept;
-    [[nodiscard]] bool IsInFlight(SlotIndex slot) const noexcept;
     [[nodiscard]] std::uint32_t AbsenceUs(SlotIndex slot) const noexcept;
     void AdvanceProvider(SlotIndex slot) noexcept;
     void AdvanceApplication(SlotIndex slot) noexcept;

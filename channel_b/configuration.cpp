@@ -182,7 +182,7 @@ std::uint16_t Channel::Find(std::uint32_t entry) const noexcept
 }
 
 /// Whether the object at `place` is the one that the entry names, of its length, and fits the direction.
-bool Channel::IsEntryRight(std::uint16_t place, std::uint32_t entry, std::uint8_t direction) const noexcept
+inline bool Channel::IsEntryRight(std::uint16_t place, std::uint32_t entry, std::uint8_t direction) const noexcept
 {
     if (place >= x_config->object_count)
     {

@@ -26,11 +26,28 @@ void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
         return;
     }
     const SlotIndex slot = LookUp(x_storage, frame);
-    if (slot < x_count)
+    if (slot >= x_count)
     {
-        TakeFrame(slot, frame, stamp.us - x_last_us);
+        TakeCommand(frame);
         return;
     }
+    if ((x_storage.marks->consumers & BitOf(slot)) == 0U)
+    {
+        return;
+    }
+    // From the last OnCycle to the frame, modular, so that it may be before that call as well.
+    const std::uint32_t since_call = stamp.us - x_last_us;
+    if ((x_storage.pair_left[slot] - since_call) > x_storage.pair_limit[slot])
+    {
+        TakeLateFrame(slot, frame, since_call);
+        return;
+    }
+    TakeFrame(slot, frame, since_call);
+}
+
+/// Global fail-safe command. [SRS-CONS-017]
+void Channel::TakeCommand(const CanFrame& frame) noexcept
+{
     const bool is_accepted = x_storage.device[kGfcParameterAt] == 1U;
     if ((frame.identifier == kGfcIdentifier) && (frame.length_bytes == 0U) && is_accepted)
     {
@@ -38,57 +55,33 @@ void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
     }
 }
 
-/// `since_call` is the time from the last OnCycle to the frame, modular, so that it may be before that call as well.
-inline void Channel::TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
+/// The identifiers of normal frames are odd, those of inverse frames are even.
+void Channel::TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
+{
+    if ((frame.identifier & 1U) != 0U)
+    {
+        TakeNormal(slot, frame, since_call);
+    }
+    else
+    {
+        TakeInverse(slot, frame);
+    }
+}
+
+/// The checks are made in the order of SRS-CONS-011.
+inline void Channel::TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
 {
     Marks& marks = *x_storage.marks;
-    const SrdoMask bit = BitOf(slot);
-    if ((marks.consumers & bit) == 0U)
-    {
-        return;
-    }
-    if ((x_storage.pair_left[slot] - since_call) > x_storage.pair_limit[slot])
-    {
-        Fault(slot, ((marks.pending & bit) != 0U) ? SrdoCause::kSrvt : SrdoCause::kSct);
-    }
-    // The identifiers of normal frames are odd, those of inverse frames are even.
-    const std::uint32_t inverse = (frame.identifier & 1U) ^ 1U;
-    const CanPortId port = (inverse == 0U) ? x_config->normal_port : x_config->inverse_port;
-    const bool is_elsewhere = frame.identifier != IdentifierAt(x_storage, slot, inverse);
-    const std::uint8_t length_bytes = x_storage.length_bytes[slot];
-    if (is_elsewhere || (frame.port != port))
+    if ((frame.identifier != NormalIdentifier(x_storage, slot)) || (frame.port != x_config->normal_port))
     {
         Fault(slot, SrdoCause::kIdentifier);
         return;
     }
-    if (frame.length_bytes != length_bytes)
+    if (frame.length_bytes != x_storage.length_bytes[slot])
     {
         Fault(slot, SrdoCause::kLength);
         return;
     }
-    const std::uint64_t mask = PayloadMask(length_bytes);
-    const std::uint64_t data = PackBytes(&frame.data[0]) & mask;
-    if (inverse == 0U)
-    {
-        TakeNormal(slot, data, since_call);
-    }
-    else if ((marks.pending & bit) == 0U)
-    {
-        Fault(slot, SrdoCause::kInverseFirst);
-    }
-    else if ((x_storage.pending_data[slot] ^ data) != mask)
-    {
-        Fault(slot, SrdoCause::kNotInverse);
-    }
-    else
-    {
-        Complete(slot, data);
-    }
-}
-
-inline void Channel::TakeNormal(SlotIndex slot, std::uint64_t data, std::uint32_t since_call) noexcept
-{
-    Marks& marks = *x_storage.marks;
     if ((marks.pending & BitOf(slot)) != 0U)
     {
         Fault(slot, SrdoCause::kNormalTwice);
@@ -96,57 +89,50 @@ inline void Channel::TakeNormal(SlotIndex slot, std::uint64_t data, std::uint32_
     }
     const std::uint32_t srvt_us = SrvtUs(x_storage, slot);
     marks.pending |= BitOf(slot);
-    x_storage.pending_data[slot] = data;
+    x_storage.pending_data[slot] = PackBytes(&frame.data[0]);
     x_storage.pair_limit[slot] = srvt_us;
     x_storage.pair_left[slot] = srvt_us + since_call; // The next OnCycle takes away what lay before the frame.
 }
 
-/// The pair is valid. [SRS-CONS-010]
-inline void Channel::Complete(SlotIndex slot, std::uint64_t data) noexcept
+/// The checks are made in the order of SRS-CONS-011.
+inline void Channel::TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept
 {
     Marks& marks = *x_storage.marks;
     const SrdoMask bit = BitOf(slot);
+    if ((frame.identifier != InverseIdentifier(x_storage, slot)) || (frame.port != x_config->inverse_port))
+    {
+        Fault(slot, SrdoCause::kIdentifier);
+        return;
+    }
+    const std::uint8_t length_bytes = x_storage.length_bytes[slot];
+    if (frame.length_bytes != length_bytes)
+    {
+        Fault(slot, SrdoCause::kLength);
+        return;
+    }
+    if ((marks.pending & bit) == 0U)
+    {
+        Fault(slot, SrdoCause::kInverseFirst);
+        return;
+    }
+    const std::uint64_t inverse = PackBytes(&frame.data[0]);
+    const std::uint64_t alike = ~(x_storage.pending_data[slot] ^ inverse);
+    if ((alike & PayloadMask(length_bytes)) != 0U) // Behind the mapped length anything may be.
+    {
+        Fault(slot, SrdoCause::kNotInverse);
+        return;
+    }
     const std::uint32_t sct_us = SctUs(x_storage, slot);
     const std::uint32_t srvt_us = x_storage.pair_limit[slot];
     marks.pending &= ~bit;
     marks.fresh |= bit;
     marks.unwritten |= bit;
     Grant(marks.held, bit);
-    x_storage.inverse_data[slot] = data;
+    x_storage.inverse_data[slot] = inverse;
     x_storage.ordinal[slot] += 1U;
     // Both budgets count from the normal frame, so that the greater one has the difference more left.
     x_storage.pair_left[slot] += sct_us - srvt_us;
     x_storage.pair_limit[slot] = sct_us;
-}
-
-/// The pair is no longer held; a pending normal frame stays, and the budget is its own then.
-void Channel::Discard(SlotIndex slot) noexcept
-{
-    Withdraw(x_storage.marks->held, BitOf(slot));
-    x_storage.marks->unwritten &= ~BitOf(slot);
-    x_storage.ordinal[slot] = 0U;
-    if ((x_storage.marks->pending & BitOf(slot)) == 0U)
-    {
-        x_storage.pair_limit[slot] = kNothingRuns;
-    }
-}
-
-void Channel::Fault(SlotIndex slot, SrdoCause cause) noexcept
-{
-    x_storage.marks->pending &= ~BitOf(slot);
-    x_storage.marks->released &= ~BitOf(slot);
-    Withdraw(x_storage.marks->acknowledged, BitOf(slot));
-    Discard(slot);
-    x_storage.state[slot] = SrdoState::kFaulted;
-    Record(slot, cause);
-}
-
-void Channel::FaultEach(SrdoMask slots, SrdoCause cause) noexcept
-{
-    for (SrdoMask rest = slots; rest != 0U; rest &= rest - 1U)
-    {
-        Fault(LowestSlot(rest), cause);
-    }
 }
 
 void Channel::Demote(SlotIndex slot) noexcept

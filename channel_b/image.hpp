@@ -50,12 +50,6 @@ static_assert(kLookUpBytes == kSrdoIdentifierCount, "one byte an identifier");
     return PackFourBytes(ImageAt(storage, slot, kCobId2At));
 }
 
-/// COB-ID 1 for role 0, COB-ID 2 for role 1.
-[[nodiscard]] inline std::uint32_t IdentifierAt(const Storage& storage, SlotIndex slot, std::uint32_t role) noexcept
-{
-    return PackFourBytes(ImageAt(storage, slot, kCobId1At + (static_cast<std::size_t>(role) * 4U)));
-}
-
 [[nodiscard]] inline std::uint32_t SctMs(const Storage& storage, SlotIndex slot) noexcept
 {
     const std::uint32_t low = *ImageAt(storage, slot, kSctAt);
@@ -92,6 +86,37 @@ static_assert(kLookUpBytes == kSrdoIdentifierCount, "one byte an identifier");
 {
     const std::uint32_t offset = frame.identifier - kFirstSrdoIdentifier;
     return (offset < kSrdoIdentifierCount) ? storage.slot_of[offset] : kNoSlot;
+}
+
+/// Which frame of a pair the producer waits to see on the bus.
+enum class Awaited : std::uint8_t
+{
+    kNothing = 0U,
+    kNormal = 1U,
+    kInverse = 2U,
+};
+
+/// A corrupted stage awaits nothing: its pair is given up.
+[[nodiscard]] inline Awaited AwaitedIn(Stage stage) noexcept
+{
+    switch (stage)
+    {
+    case Stage::kInvalid:
+    case Stage::kIdle:
+    case Stage::kPrepared:
+        return Awaited::kNothing;
+    case Stage::kAwaitNormal:
+        return Awaited::kNormal;
+    case Stage::kSendInverse:
+    case Stage::kAwaitInverse:
+        return Awaited::kInverse;
+    }
+    return Awaited::kNothing;
+}
+
+[[nodiscard]] inline bool IsInFlight(const Storage& storage, SlotIndex slot) noexcept
+{
+    return AwaitedIn(storage.stage[slot]) != Awaited::kNothing;
 }
 
 } // namespace counterpoint::channel_b

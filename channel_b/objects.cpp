@@ -30,10 +30,11 @@ constexpr std::uint8_t kFourBytes = 32U; ///< Length in bits.
     return word;
 }
 
-inline void WriteObject(const MappableObject& object, std::uint64_t data) noexcept
+inline void WriteObject(std::uint8_t* bytes, std::uint32_t length_bits, std::uint64_t data) noexcept
 {
-    const Column<std::uint8_t> place{object.place};
-    if (object.length_bits == kFourBytes)
+    const Column<std::uint8_t> place{bytes};
+    std::uint64_t rest = data;
+    if (length_bits == kFourBytes)
     {
         place[0U] = static_cast<std::uint8_t>(data & 0xFFU);
         place[1U] = static_cast<std::uint8_t>((data >> 8U) & 0xFFU);
@@ -41,9 +42,10 @@ inline void WriteObject(const MappableObject& object, std::uint64_t data) noexce
         place[3U] = static_cast<std::uint8_t>((data >> 24U) & 0xFFU);
         return;
     }
-    for (std::uint32_t shift = 0U; shift < object.length_bits; shift += 8U)
+    for (std::uint32_t at = 0U; at < (length_bits / 8U); ++at)
     {
-        place[shift / 8U] = static_cast<std::uint8_t>((data >> (shift & 63U)) & 0xFFU);
+        place[at] = static_cast<std::uint8_t>(rest & 0xFFU);
+        rest >>= 8U;
     }
 }
 
@@ -63,8 +65,9 @@ void Channel::WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept
             break;
         }
         const MappableObject& object = objects[place];
-        WriteObject(object, data >> (shift & 63U));
-        shift += object.length_bits;
+        const std::uint32_t length_bits = object.length_bits;
+        WriteObject(object.place, length_bits, data >> (shift & 63U));
+        shift += length_bits;
     }
 }
 

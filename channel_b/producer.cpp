@@ -7,57 +7,10 @@
 namespace counterpoint::channel_b
 {
 
-namespace
-{
-
-/// Which frame of a pair the producer waits to see on the bus.
-enum class Awaited : std::uint8_t
-{
-    kNothing = 0U,
-    kNormal = 1U,
-    kInverse = 2U,
-};
-
-/// A corrupted stage awaits nothing: its pair is given up.
-[[nodiscard]] Awaited AwaitedIn(Stage stage) noexcept
-{
-    switch (stage)
-    {
-    case Stage::kInvalid:
-    case Stage::kIdle:
-    case Stage::kPrepared:
-        return Awaited::kNothing;
-    case Stage::kAwaitNormal:
-        return Awaited::kNormal;
-    case Stage::kSendInverse:
-    case Stage::kAwaitInverse:
-        return Awaited::kInverse;
-    }
-    return Awaited::kNothing;
-}
-
-} // namespace
-
-bool Channel::IsInFlight(SlotIndex slot) const noexcept
-{
-    return AwaitedIn(x_storage.stage[slot]) != Awaited::kNothing;
-}
-
 /// For how long a producer of form kApplicationSends may be silent. [SRS-PROD-010]
 std::uint32_t Channel::AbsenceUs(SlotIndex slot) const noexcept
 {
     return SctUs(x_storage, slot) + x_config->cycle_us + x_config->cycle_tolerance_us;
-}
-
-/// A fault of a producer. Only a missed refresh leaves the pair in flight alone. [SRS-PROD-009]
-void Channel::Fail(SlotIndex slot, SrdoCause cause) noexcept
-{
-    Record(slot, cause);
-    if (cause != SrdoCause::kRefreshMissed)
-    {
-        x_storage.stage[slot] = Stage::kIdle;
-        x_storage.pair_limit[slot] = kNothingRuns;
-    }
 }
 
 void Channel::Request(SlotIndex slot) noexcept
@@ -71,7 +24,7 @@ void Channel::Request(SlotIndex slot) noexcept
 PreparedPair Channel::Prepare(SlotIndex slot) noexcept
 {
     PreparedPair pair{{0U, 0U}, PrepareStatus::kNotProducer, 0U};
-    if ((x_storage.state[slot] != SrdoState::kProducer) || IsInFlight(slot))
+    if ((x_storage.state[slot] != SrdoState::kProducer) || IsInFlight(x_storage, slot))
     {
         return pair;
     }
@@ -172,7 +125,7 @@ SlotIndex Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
 void Channel::OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept
 {
     const bool is_transmit_fault = (cause == SrdoCause::kTransmitQueue) || (cause == SrdoCause::kBusOff);
-    if (is_transmit_fault && IsInFlight(slot))
+    if (is_transmit_fault && IsInFlight(x_storage, slot))
     {
         Fail(slot, cause);
     }
@@ -192,7 +145,7 @@ void Channel::AdvanceProvider(SlotIndex slot) noexcept
     }
     x_storage.phase_left[slot] += refresh_us;
     marks.started |= bit;
-    if (IsInFlight(slot) || ((marks.refresh_due & bit) != 0U))
+    if (IsInFlight(x_storage, slot) || ((marks.refresh_due & bit) != 0U))
     {
         Fail(slot, SrdoCause::kRefreshMissed);
     }
@@ -245,7 +198,7 @@ SrdoMask Channel::AdvanceProducers(SrdoMask producers, SrdoMask spent) noexcept
         {
             AdvanceApplication(slot);
         }
-        in_flight |= static_cast<SrdoMask>(IsInFlight(slot)) << slot;
+        in_flight |= static_cast<SrdoMask>(IsInFlight(x_storage, slot)) << slot;
     }
     return producers & ~in_flight & (marks.refresh_due | (marks.requested & marks.started));
 }

@@ -1,0 +1,80 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "channel_b/channel.hpp"
+#include "channel_b/image.hpp"
+
+#include <cstdint>
+
+/// What a fault does to a slot: the rare way, apart from the ways of frames and cycles.
+namespace counterpoint::channel_b
+{
+
+void Channel::Count(SlotIndex slot, SrdoCause cause) noexcept
+{
+    if (x_storage.error_count[slot] != 0xFFFFU)
+    {
+        ++x_storage.error_count[slot];
+    }
+    if (x_storage.first_cause[slot] == SrdoCause::kNone)
+    {
+        x_storage.first_cause[slot] = cause;
+    }
+}
+
+/// A fault that the next OnCycle, or this one, reports.
+void Channel::Record(SlotIndex slot, SrdoCause cause) noexcept
+{
+    Count(slot, cause);
+    x_storage.causes[slot] |= std::uint32_t{1U} << (static_cast<std::uint32_t>(cause) & 31U);
+    x_storage.marks->reporting |= BitOf(slot);
+}
+
+/// The pair is no longer held; a pending normal frame stays, and the budget is its own then.
+void Channel::Discard(SlotIndex slot) noexcept
+{
+    Withdraw(x_storage.marks->held, BitOf(slot));
+    x_storage.marks->unwritten &= ~BitOf(slot);
+    x_storage.ordinal[slot] = 0U;
+    if ((x_storage.marks->pending & BitOf(slot)) == 0U)
+    {
+        x_storage.pair_limit[slot] = kNothingRuns;
+    }
+}
+
+void Channel::Fault(SlotIndex slot, SrdoCause cause) noexcept
+{
+    x_storage.marks->pending &= ~BitOf(slot);
+    x_storage.marks->released &= ~BitOf(slot);
+    Withdraw(x_storage.marks->acknowledged, BitOf(slot));
+    Discard(slot);
+    x_storage.state[slot] = SrdoState::kFaulted;
+    Record(slot, cause);
+}
+
+/// A limit ran out before the frame came, which is then the first one. [SRS-CONS-003, SRS-CONS-012]
+void Channel::TakeLateFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
+{
+    const bool is_pending = (x_storage.marks->pending & BitOf(slot)) != 0U;
+    Fault(slot, is_pending ? SrdoCause::kSrvt : SrdoCause::kSct);
+    TakeFrame(slot, frame, since_call);
+}
+
+void Channel::FaultEach(SrdoMask slots, SrdoCause cause) noexcept
+{
+    for (SrdoMask rest = slots; rest != 0U; rest &= rest - 1U)
+    {
+        Fault(LowestSlot(rest), cause);
+    }
+}
+
+/// A fault of a producer. Only a missed refresh leaves the pair in flight alone. [SRS-PROD-009]
+void Channel::Fail(SlotIndex slot, SrdoCause cause) noexcept
+{
+    Record(slot, cause);
+    if (cause != SrdoCause::kRefreshMissed)
+    {
+        x_storage.stage[slot] = Stage::kIdle;
+        x_storage.pair_limit[slot] = kNothingRuns;
+    }
+}
+
+} // namespace counterpoint::channel_b
