@@ -58,6 +58,20 @@ TEST(BusErrors, HitFrameEndsWithAnErrorFrameAndIsSentAgain)
     EXPECT_EQ(rig.listeners[0].confirmed.size(), 1U);
 }
 
+TEST(BusErrors, DestroyedFrameIsSentAgainWithoutAnObserverToo)
+{
+    Verifies(req::SRS_BUS_007);
+    // Given a disturbance of the first attempt and nobody who writes it down
+    BusRig rig;
+    HitAt fault(20U, 1U);
+    rig.bus.Install(fault);
+    ASSERT_EQ(rig.bus.Submit(0U, MakeFrame(0U, {})), TransmitStatus::kAccepted);
+    // When the bus runs, then the frame arrives at its second attempt
+    rig.bus.Advance(kMillisecond);
+    ASSERT_EQ(rig.listeners[1].received.size(), 1U);
+    EXPECT_EQ(rig.listeners[1].received[0].at, 94'000);
+}
+
 TEST(BusErrors, HitBehindTheEndCountsAsTheLastBit)
 {
     Verifies(req::SRS_BUS_007);
@@ -127,10 +141,11 @@ TEST(BusErrors, BusOffNodeHearsNothingUntilRecovered)
     BusRig rig;
     ASSERT_EQ(rig.bus.Submit(1U, MakeFrame(5U, {})), TransmitStatus::kAccepted);
     rig.bus.ForceBusOff(1U);
+    rig.bus.ForceBusOff(1U);
     ASSERT_EQ(rig.bus.Submit(0U, MakeFrame(0U, {})), TransmitStatus::kAccepted);
     // When node 0 sends
     rig.RunTo(kMillisecond);
-    // Then node 1 hears nothing and sent nothing
+    // Then node 1 hears nothing and sent nothing, and was told of its state once
     EXPECT_TRUE(rig.listeners[1].received.empty());
     EXPECT_EQ(rig.listeners[1].bus_off.size(), 1U);
     EXPECT_EQ(rig.recorder.records.size(), 1U);

@@ -298,6 +298,30 @@ TEST_F(BusFaults, PlannedReceptionNeedsNoFrameOnTheBus)
     EXPECT_TRUE(rig.recorder.records.empty());
 }
 
+TEST_F(BusFaults, DelayedFrameDoesNotReachANodeThatIsGoneByThen)
+{
+    Verifies(req::SRS_BUS_006);
+    // Given a frame that reaches node 1 at 356 us
+    fault.on_reception = [](ReceptionList& list) { list[0].delay = 300 * kMicrosecond; };
+    ASSERT_EQ(rig.bus.Submit(0U, MakeFrame(0U, {0x00U})), TransmitStatus::kAccepted);
+    rig.RunTo(200 * kMicrosecond);
+    // When node 1 goes bus-off before
+    rig.bus.ForceBusOff(1U);
+    rig.RunTo(kMillisecond);
+    // Then it does not hear it
+    EXPECT_TRUE(AtVictim().empty());
+}
+
+TEST_F(BusFaults, IdentifierThatNoElevenBitsHoldDoesNotPassAnyFilter)
+{
+    Verifies(req::SRS_BUS_006);
+    // Given a fault that makes an impossible 11-bit frame, when a frame is sent, then no filter lets it through
+    fault.on_reception = [](ReceptionList& list) { list[0].frame.identifier = 0x800U; };
+    SendOne();
+    EXPECT_TRUE(AtVictim().empty());
+    EXPECT_EQ(rig.listeners[2].received.size(), 1U);
+}
+
 TEST_F(BusFaults, PlannedReceptionsOfOneInstantComeInOrderAndBeforeTheFrame)
 {
     Verifies(req::SRS_BUS_011);

@@ -87,6 +87,23 @@ TEST(BusSteps, AllFramesOfOneInstantCompeteThoughAdvanceWasCalledBetween)
     EXPECT_EQ(rig.recorder.records[0].sent.start, kMillisecond);
 }
 
+TEST(BusSteps, FrameWithdrawnBeforeItsStartLeavesTheBusIdle)
+{
+    Verifies(req::SRS_BUS_012);
+    // Given a frame submitted and aborted at the same instant
+    BusRig rig;
+    ASSERT_EQ(rig.bus.Submit(0U, MakeFrame(0U, {})), TransmitStatus::kAccepted);
+    rig.bus.AbortAll(0U);
+    // When the bus runs, then nothing was on it, and the next frame is sent as ever
+    rig.RunTo(kMillisecond);
+    EXPECT_TRUE(rig.recorder.records.empty());
+    EXPECT_EQ(rig.bus.NextEvent(), kNever);
+    ASSERT_EQ(rig.bus.Submit(1U, MakeFrame(0U, {})), TransmitStatus::kAccepted);
+    rig.RunTo(2 * kMillisecond);
+    ASSERT_EQ(rig.recorder.records.size(), 1U);
+    EXPECT_EQ(rig.recorder.records[0].sent.start, kMillisecond);
+}
+
 TEST(BusSteps, AdvanceIncludesItsInstant)
 {
     Verifies(req::SRS_BUS_012);
