@@ -1,7 +1,7 @@
 # counterpoint_test(<target> SOURCES ... DEPENDS <rooms> [LIBRARIES ...] [LABELS ...] [TIMEOUT seconds])
 #
 # One GoogleTest program is one ctest entry; `./dev test` and the trace gate count the cases from its XML.
-find_package(GTest REQUIRED)
+find_package(GTest REQUIRED GLOBAL)
 
 function(counterpoint_test target)
   cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;DEPENDS;LIBRARIES;LABELS" ${ARGN})
