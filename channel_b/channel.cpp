@@ -87,8 +87,8 @@ void Channel::Restart(const DeviceConfig& config) noexcept
 void Channel::TakeSetup(SlotIndex slot, const SrdoSetup& setup) noexcept
 {
     const std::uint8_t node = x_config->node_id;
-    x_storage.safe_data[slot] =
-        ~(static_cast<std::uint64_t>(setup.safe_value.low) | (static_cast<std::uint64_t>(setup.safe_value.high) << 32U));
+    x_storage.safe_data[slot] = ~(static_cast<std::uint64_t>(setup.safe_value.low) |
+                                  (static_cast<std::uint64_t>(setup.safe_value.high) << 32U));
     if (setup.policy == ReleasePolicy::kAutomatic)
     {
         Grant(x_storage.marks->automatic, BitOf(slot));
@@ -120,8 +120,13 @@ SrdoView Channel::View(SlotIndex slot) const noexcept
 {
     const SrdoMask bit = BitOf(slot);
     const bool holds_pair = (Granted(x_storage.marks->held) & bit) != 0U;
-    SrdoView view{{0U, 0U}, x_storage.ordinal[slot] + x_storage.sent[slot], 0U, x_storage.error_count[slot], StateOf(slot),
-                  x_storage.first_cause[slot], static_cast<std::uint8_t>(holds_pair)};
+    SrdoView view{{0U, 0U},
+                  x_storage.ordinal[slot] + x_storage.sent[slot],
+                  0U,
+                  x_storage.error_count[slot],
+                  StateOf(slot),
+                  x_storage.first_cause[slot],
+                  static_cast<std::uint8_t>(holds_pair)};
     if (holds_pair || ((view.state == SrdoState::kProducer) && IsInFlight(x_storage, slot)))
     {
         // Of a valid pair the inverse data tell the normal data.

@@ -112,10 +112,12 @@ class Channel final : public counterpoint::Channel
     void Discard(SlotIndex slot) noexcept;
     void Fault(SlotIndex slot, SrdoCause cause) noexcept;
     void FaultEach(SrdoMask slots, SrdoCause cause) noexcept;
-    void Fail(SlotIndex slot, SrdoCause cause) noexcept;
+    SlotIndex Fail(SlotIndex slot, SrdoCause cause) noexcept;
 
     // producer.cpp
     [[nodiscard]] SrdoMask AdvanceProducers(SrdoMask producers, SrdoMask spent) noexcept;
+    SlotIndex ConfirmNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
+    SlotIndex ConfirmInverse(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
     [[nodiscard]] std::uint32_t AbsenceUs(SlotIndex slot) const noexcept;
     void AdvanceProvider(SlotIndex slot) noexcept;
     void AdvanceApplication(SlotIndex slot) noexcept;
@@ -138,10 +140,10 @@ class Channel final : public counterpoint::Channel
 
     Storage x_storage;
     const DeviceConfig* x_config{nullptr};
-    SrdoMask x_present{0U}; ///< All existing slots.
-    SrdoMask x_active{0U};  ///< x_present while SRDOs are active, else 0.
-    SrdoMask x_levels{0U};  ///< Acknowledge inputs of the last OnCycle.
-    SrdoMask x_gfc{0U};     ///< Slots that a global fail-safe command reached since the last OnCycle.
+    SrdoMask x_present{0U};      ///< All existing slots.
+    SrdoMask x_active{0U};       ///< x_present while SRDOs are active, else 0.
+    SrdoMask x_levels{0U};       ///< Acknowledge inputs of the last OnCycle.
+    SrdoMask x_gfc{0U};          ///< Slots that a global fail-safe command reached since the last OnCycle.
     std::uint32_t x_last_us{0U}; ///< The `now` of the last OnCycle: every budget and every stamp is relative to it.
     std::uint32_t x_late_us{0U}; ///< Longest time since the last OnCycle that is not late.
     std::uint32_t x_cycle{0U};

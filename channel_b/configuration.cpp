@@ -20,9 +20,18 @@ struct FieldSpan
 
 constexpr std::uint8_t kFieldCount = 12U;
 constexpr FieldSpan kSpans[kFieldCount] = { // MISRA D-001
-    {0U, 0U},           {0U, 1U},          {kSctAt, 2U},     {kSrvtAt, 1U},       {kTransmissionTypeAt, 1U},
-    {kCobId1At, 4U},    {kCobId2At, 4U},   {kMapCountAt, 1U}, {kEntriesAt, 4U},   {kSignatureAt, 2U},
-    {kGfcParameterAt, 1U}, {kConfigurationValidAt, 1U}};
+    {0U, 0U},
+    {0U, 1U},
+    {kSctAt, 2U},
+    {kSrvtAt, 1U},
+    {kTransmissionTypeAt, 1U},
+    {kCobId1At, 4U},
+    {kCobId2At, 4U},
+    {kMapCountAt, 1U},
+    {kEntriesAt, 4U},
+    {kSignatureAt, 2U},
+    {kGfcParameterAt, 1U},
+    {kConfigurationValidAt, 1U}};
 
 /// The object that the entry names: index and sub-index.
 [[nodiscard]] std::uint32_t KeyOf(const MappableObject& object) noexcept

@@ -66,8 +66,9 @@ void Channel::FaultEach(SrdoMask slots, SrdoCause cause) noexcept
     }
 }
 
-/// A fault of a producer. Only a missed refresh leaves the pair in flight alone. [SRS-PROD-009]
-void Channel::Fail(SlotIndex slot, SrdoCause cause) noexcept
+/// A fault of a producer; returns the slot, for the sake of OnConfirm. Only a missed refresh leaves the pair in flight
+/// alone. [SRS-PROD-009]
+SlotIndex Channel::Fail(SlotIndex slot, SrdoCause cause) noexcept
 {
     Record(slot, cause);
     if (cause != SrdoCause::kRefreshMissed)
@@ -75,6 +76,7 @@ void Channel::Fail(SlotIndex slot, SrdoCause cause) noexcept
         x_storage.stage[slot] = Stage::kIdle;
         x_storage.pair_limit[slot] = kNothingRuns;
     }
+    return slot;
 }
 
 } // namespace counterpoint::channel_b

@@ -15,17 +15,17 @@ constexpr std::size_t kPairs = kMaxMapEntries / 2U;
 constexpr std::uint8_t kFourBytes = 32U; ///< Length in bits.
 
 /// The value of an object of 1 to 8 bytes. Objects of four bytes are common; all others go byte by byte.
-[[nodiscard]] inline std::uint64_t ReadObject(const MappableObject& object) noexcept
+[[nodiscard]] inline std::uint64_t ReadObject(const std::uint8_t* bytes, std::uint32_t length_bits) noexcept
 {
-    const Column<const std::uint8_t> place{object.place};
-    if (object.length_bits == kFourBytes)
+    if (length_bits == kFourBytes)
     {
-        return PackFourBytes(place.first);
+        return PackFourBytes(bytes);
     }
+    const Column<const std::uint8_t> place{bytes};
     std::uint64_t word = 0U;
-    for (std::uint32_t shift = 0U; shift < object.length_bits; shift += 8U)
+    for (std::uint32_t behind = length_bits / 8U; behind > 0U; --behind)
     {
-        word |= static_cast<std::uint64_t>(place[shift / 8U]) << (shift & 63U);
+        word = (word << 8U) | place[behind - 1U];
     }
     return word;
 }
@@ -86,9 +86,12 @@ Channel::ObjectData Channel::ReadObjects(SlotIndex slot) const noexcept
         {
             break;
         }
-        data.normal |= ReadObject(objects[normal]) << (shift & 63U);
-        data.inverse |= ReadObject(objects[inverse]) << (shift & 63U);
-        shift += objects[inverse].length_bits;
+        const MappableObject& plain = objects[normal];
+        const MappableObject& inverted = objects[inverse];
+        const std::uint32_t length_bits = inverted.length_bits;
+        data.normal |= ReadObject(plain.place, plain.length_bits) << (shift & 63U);
+        data.inverse |= ReadObject(inverted.place, length_bits) << (shift & 63U);
+        shift += length_bits;
     }
     return data;
 }

@@ -82,11 +82,11 @@ inline void UnpackBytes(std::uint64_t word, std::uint8_t* bytes) noexcept
 [[nodiscard]] inline SlotIndex LowestSlot(SrdoMask mask) noexcept
 {
     constexpr std::uint64_t kSequence = 0x03F79D71B4CB0A89U;
-    constexpr SlotIndex kSlot[64] = { // MISRA D-001
-        0U,  1U,  48U, 2U,  57U, 49U, 28U, 3U,  61U, 58U, 50U, 42U, 38U, 29U, 17U, 4U,
-        62U, 55U, 59U, 36U, 53U, 51U, 43U, 22U, 45U, 39U, 33U, 30U, 24U, 18U, 12U, 5U,
-        63U, 47U, 56U, 27U, 60U, 41U, 37U, 16U, 54U, 35U, 52U, 21U, 44U, 32U, 23U, 11U,
-        46U, 26U, 40U, 15U, 34U, 20U, 31U, 10U, 25U, 14U, 19U, 9U,  13U, 8U,  7U,  6U};
+    constexpr SlotIndex kSlot[64] = {// MISRA D-001
+                                     0U,  1U,  48U, 2U,  57U, 49U, 28U, 3U,  61U, 58U, 50U, 42U, 38U, 29U, 17U, 4U,
+                                     62U, 55U, 59U, 36U, 53U, 51U, 43U, 22U, 45U, 39U, 33U, 30U, 24U, 18U, 12U, 5U,
+                                     63U, 47U, 56U, 27U, 60U, 41U, 37U, 16U, 54U, 35U, 52U, 21U, 44U, 32U, 23U, 11U,
+                                     46U, 26U, 40U, 15U, 34U, 20U, 31U, 10U, 25U, 14U, 19U, 9U,  13U, 8U,  7U,  6U};
     const std::uint64_t lowest = mask & (~mask + 1U);
     return kSlot[(lowest * kSequence) >> 58U];
 }

@@ -34,7 +34,7 @@ PreparedPair Channel::Prepare(SlotIndex slot) noexcept
     const std::uint64_t mask = PayloadMask(x_storage.length_bytes[slot]);
     if ((data.normal ^ data.inverse) != mask)
     {
-        Fail(slot, SrdoCause::kNotInverse);
+        static_cast<void>(Fail(slot, SrdoCause::kNotInverse));
         pair.status = PrepareStatus::kNotInverse;
         return pair;
     }
@@ -86,39 +86,59 @@ SlotIndex Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
     {
         return kNoSlot;
     }
+    // The identifiers of normal frames are odd, those of inverse frames are even.
     const Awaited awaited = AwaitedIn(x_storage.stage[slot]);
-    const bool is_inverse = awaited == Awaited::kInverse;
-    const std::uint32_t identifier =
-        is_inverse ? InverseIdentifier(x_storage, slot) : NormalIdentifier(x_storage, slot);
-    if ((awaited == Awaited::kNothing) || (frame.identifier != identifier))
+    const bool is_odd = (frame.identifier & 1U) != 0U;
+    if ((awaited == Awaited::kNormal) && is_odd)
+    {
+        return ConfirmNormal(slot, frame, stamp.us - x_last_us);
+    }
+    if ((awaited == Awaited::kInverse) && (!is_odd))
+    {
+        return ConfirmInverse(slot, frame, stamp.us - x_last_us);
+    }
+    return kNoSlot;
+}
+
+/// `since_call` is the time from the last OnCycle to the confirmation.
+inline SlotIndex Channel::ConfirmNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
+{
+    const std::uint8_t length_bytes = x_storage.length_bytes[slot];
+    const std::uint64_t alike = ~(x_storage.inverse_data[slot] ^ PackBytes(&frame.data[0]));
+    if (frame.identifier != NormalIdentifier(x_storage, slot))
     {
         return kNoSlot;
     }
-    const std::uint64_t mask = PayloadMask(x_storage.length_bytes[slot]);
-    const std::uint64_t data = PackBytes(&frame.data[0]) & mask;
-    const std::uint64_t expected = is_inverse ? x_storage.inverse_data[slot] : (x_storage.inverse_data[slot] ^ mask);
-    const std::uint32_t since_call = stamp.us - x_last_us;
-    if ((frame.length_bytes != x_storage.length_bytes[slot]) || (data != expected))
+    if ((frame.length_bytes != length_bytes) || ((alike & PayloadMask(length_bytes)) != 0U))
     {
-        Fail(slot, SrdoCause::kWrongEcho);
+        return Fail(slot, SrdoCause::kWrongEcho);
     }
-    else if (!is_inverse)
+    const std::uint32_t srvt_us = SrvtUs(x_storage, slot);
+    x_storage.stage[slot] = Stage::kSendInverse;
+    x_storage.pair_limit[slot] = srvt_us;
+    x_storage.pair_left[slot] = srvt_us + since_call;
+    return slot;
+}
+
+inline SlotIndex Channel::ConfirmInverse(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
+{
+    const std::uint8_t length_bytes = x_storage.length_bytes[slot];
+    const std::uint64_t different = x_storage.inverse_data[slot] ^ PackBytes(&frame.data[0]);
+    if (frame.identifier != InverseIdentifier(x_storage, slot))
     {
-        const std::uint32_t srvt_us = SrvtUs(x_storage, slot);
-        x_storage.stage[slot] = Stage::kSendInverse;
-        x_storage.pair_limit[slot] = srvt_us;
-        x_storage.pair_left[slot] = srvt_us + since_call;
+        return kNoSlot;
     }
-    else if ((x_storage.pair_left[slot] - since_call) > x_storage.pair_limit[slot])
+    if ((frame.length_bytes != length_bytes) || ((different & PayloadMask(length_bytes)) != 0U))
     {
-        Fail(slot, SrdoCause::kNoConfirmation);
+        return Fail(slot, SrdoCause::kWrongEcho);
     }
-    else
+    if ((x_storage.pair_left[slot] - since_call) > x_storage.pair_limit[slot])
     {
-        x_storage.stage[slot] = Stage::kIdle;
-        x_storage.pair_limit[slot] = kNothingRuns;
-        x_storage.sent[slot] += 1U;
+        return Fail(slot, SrdoCause::kNoConfirmation);
     }
+    x_storage.stage[slot] = Stage::kIdle;
+    x_storage.pair_limit[slot] = kNothingRuns;
+    x_storage.sent[slot] += 1U;
     return slot;
 }
 
@@ -127,7 +147,7 @@ void Channel::OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept
     const bool is_transmit_fault = (cause == SrdoCause::kTransmitQueue) || (cause == SrdoCause::kBusOff);
     if (is_transmit_fault && IsInFlight(x_storage, slot))
     {
-        Fail(slot, cause);
+        static_cast<void>(Fail(slot, cause));
     }
 }
 
@@ -147,7 +167,7 @@ void Channel::AdvanceProvider(SlotIndex slot) noexcept
     marks.started |= bit;
     if (IsInFlight(x_storage, slot) || ((marks.refresh_due & bit) != 0U))
     {
-        Fail(slot, SrdoCause::kRefreshMissed);
+        static_cast<void>(Fail(slot, SrdoCause::kRefreshMissed));
     }
     else
     {
@@ -173,7 +193,7 @@ void Channel::AdvanceApplication(SlotIndex slot) noexcept
     }
     if ((x_storage.phase_left[slot] > absence_us) && ((marks.requested & bit) == 0U))
     {
-        Fail(slot, SrdoCause::kRefreshMissed);
+        static_cast<void>(Fail(slot, SrdoCause::kRefreshMissed));
         x_storage.phase_left[slot] = absence_us;
     }
 }
@@ -188,7 +208,7 @@ SrdoMask Channel::AdvanceProducers(SrdoMask producers, SrdoMask spent) noexcept
         const SlotIndex slot = LowestSlot(rest);
         if ((spent & BitOf(slot)) != 0U)
         {
-            Fail(slot, SrdoCause::kNoConfirmation);
+            static_cast<void>(Fail(slot, SrdoCause::kNoConfirmation));
         }
         if ((marks.provider & BitOf(slot)) != 0U)
         {

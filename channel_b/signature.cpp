@@ -11,9 +11,9 @@ namespace counterpoint::channel_b
 namespace
 {
 
-/// CRC-16 with polynomial 1021h over one more byte. With x the byte that leaves the register XOR the data, the polynomial
-/// x^16 + x^12 + x^5 + 1 folds back into x XOR (x >> 4) at the places 0, 5 and 12: no table and no loop over bits.
-/// Bits above 15 are rubbish that the caller cuts off at the end.
+/// CRC-16 with polynomial 1021h over one more byte. With x the byte that leaves the register XOR the data, the
+/// polynomial x^16 + x^12 + x^5 + 1 folds back into x XOR (x >> 4) at the places 0, 5 and 12: no table and no loop over
+/// bits. Bits above 15 are rubbish that the caller cuts off at the end.
 [[nodiscard]] inline std::uint32_t Fold(std::uint32_t crc, std::uint32_t byte) noexcept
 {
     const std::uint32_t leaving = ((crc >> 8U) & 0xFFU) ^ byte;

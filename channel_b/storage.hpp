@@ -31,8 +31,8 @@ enum class Stage : std::uint8_t
     kAwaitInverse = 0x98U, ///< Inverse frame handed out; not seen yet.
 };
 
-/// One mark for each slot that grants something: kept twice, once inverted. Only `on` without `off` counts as set; a slot
-/// for which both agree is corrupted.
+/// One mark for each slot that grants something: kept twice, once inverted. Only `on` without `off` counts as set; a
+/// slot for which both agree is corrupted.
 struct TwinMask
 {
     SrdoMask on;
@@ -74,10 +74,10 @@ template <typename T> struct Column
     }
 };
 
-/// The fields of all slots, one array each, owned by the caller. `capacity` slots; state, direction and first_cause have
-/// room for the next multiple of 8, because they are examined eight at a time.
-/// Budgets are microseconds that remain, as of the last OnCycle; a budget is spent when it exceeds its own limit
-/// (modular subtraction has then gone below zero).
+/// The fields of all slots, one array each, owned by the caller. `capacity` slots; state, direction and first_cause
+/// have room for the next multiple of 8, because they are examined eight at a time. Budgets are microseconds that
+/// remain, as of the last OnCycle; a budget is spent when it exceeds its own limit (modular subtraction has then gone
+/// below zero).
 struct Storage
 {
     Column<std::uint8_t> image;         ///< kImageBytes a slot.
@@ -93,11 +93,11 @@ struct Storage
     Column<std::uint32_t> phase_left;   ///< Consumer: to the complaint about no first pair. Producer: to the refresh.
     Column<std::uint32_t> window_left;  ///< Of the window of signals.
     Column<std::uint32_t> edge_left;    ///< Of the acknowledge edge.
-    Column<std::uint32_t> ordinal; ///< Consumer: pairs completed; else 0.
-    Column<std::uint32_t> sent;    ///< Producer: pairs sent; else 0.
-    Column<std::uint32_t> causes;  ///< Bit (1 << cause): recorded and not reported yet.
-    Column<std::uint32_t> signals; ///< Of the last OnCycle, where Marks::signalled says so.
-    Column<std::uint32_t> told;    ///< Signalled in the open window.
+    Column<std::uint32_t> ordinal;      ///< Consumer: pairs completed; else 0.
+    Column<std::uint32_t> sent;         ///< Producer: pairs sent; else 0.
+    Column<std::uint32_t> causes;       ///< Bit (1 << cause): recorded and not reported yet.
+    Column<std::uint32_t> signals;      ///< Of the last OnCycle, where Marks::signalled says so.
+    Column<std::uint32_t> told;         ///< Signalled in the open window.
     Column<std::uint16_t> error_count;
     Column<SrdoState> state;
     Column<SrdoCause> first_cause;
@@ -114,37 +114,38 @@ template <std::uint8_t kSlots> struct StorageFor
     static constexpr std::size_t kPadded = ((kSlots + 7U) / 8U) * 8U;
 
     Marks marks;
-    std::uint64_t pending_data[kSlots];                               // MISRA D-001
-    std::uint64_t inverse_data[kSlots];                               // MISRA D-001
-    std::uint64_t safe_data[kSlots];                                  // MISRA D-001
-    std::uint32_t pair_left[kSlots];                                  // MISRA D-001
-    std::uint32_t pair_limit[kSlots];                                 // MISRA D-001
-    std::uint32_t phase_left[kSlots];                                 // MISRA D-001
-    std::uint32_t window_left[kSlots];                                // MISRA D-001
-    std::uint32_t edge_left[kSlots];                                  // MISRA D-001
-    std::uint32_t ordinal[kSlots];                                    // MISRA D-001
-    std::uint32_t sent[kSlots];                                       // MISRA D-001
-    std::uint32_t causes[kSlots];                                     // MISRA D-001
-    std::uint32_t signals[kSlots];                                    // MISRA D-001
-    std::uint32_t told[kSlots];                                       // MISRA D-001
+    std::uint64_t pending_data[kSlots];                                     // MISRA D-001
+    std::uint64_t inverse_data[kSlots];                                     // MISRA D-001
+    std::uint64_t safe_data[kSlots];                                        // MISRA D-001
+    std::uint32_t pair_left[kSlots];                                        // MISRA D-001
+    std::uint32_t pair_limit[kSlots];                                       // MISRA D-001
+    std::uint32_t phase_left[kSlots];                                       // MISRA D-001
+    std::uint32_t window_left[kSlots];                                      // MISRA D-001
+    std::uint32_t edge_left[kSlots];                                        // MISRA D-001
+    std::uint32_t ordinal[kSlots];                                          // MISRA D-001
+    std::uint32_t sent[kSlots];                                             // MISRA D-001
+    std::uint32_t causes[kSlots];                                           // MISRA D-001
+    std::uint32_t signals[kSlots];                                          // MISRA D-001
+    std::uint32_t told[kSlots];                                             // MISRA D-001
     std::uint16_t table[static_cast<std::size_t>(kSlots) * kMaxMapEntries]; // MISRA D-001
-    std::uint16_t error_count[kSlots];                                // MISRA D-001
-    SrdoState state[kPadded];                                         // MISRA D-001
-    SrdoCause first_cause[kPadded];                                   // MISRA D-001
-    std::uint8_t direction[kPadded];                                  // MISRA D-001
-    Stage stage[kSlots];                                              // MISRA D-001
-    std::uint8_t length_bytes[kSlots];                                // MISRA D-001
-    std::uint8_t image[static_cast<std::size_t>(kSlots) * kImageBytes]; // MISRA D-001
-    std::uint8_t slot_of[kLookUpBytes];                               // MISRA D-001
-    std::uint8_t device[kDeviceBytes];                                // MISRA D-001
+    std::uint16_t error_count[kSlots];                                      // MISRA D-001
+    SrdoState state[kPadded];                                               // MISRA D-001
+    SrdoCause first_cause[kPadded];                                         // MISRA D-001
+    std::uint8_t direction[kPadded];                                        // MISRA D-001
+    Stage stage[kSlots];                                                    // MISRA D-001
+    std::uint8_t length_bytes[kSlots];                                      // MISRA D-001
+    std::uint8_t image[static_cast<std::size_t>(kSlots) * kImageBytes];     // MISRA D-001
+    std::uint8_t slot_of[kLookUpBytes];                                     // MISRA D-001
+    std::uint8_t device[kDeviceBytes];                                      // MISRA D-001
 
     /// What the constructor of the channel wants.
     [[nodiscard]] Storage Handle() noexcept
     {
-        return Storage{{image},       {direction},    {device},       {slot_of},   {table},       {pending_data},
-                       {inverse_data}, {safe_data},   {pair_left},    {pair_limit}, {phase_left},  {window_left},
-                       {edge_left},   {ordinal}, {sent},     {causes},       {signals},   {told},        {error_count},
-                       {state},       {first_cause},  {stage},        {length_bytes}, &marks,     kSlots};
+        return Storage{{image},        {direction},    {device},       {slot_of},     {table},
+                       {pending_data}, {inverse_data}, {safe_data},    {pair_left},   {pair_limit},
+                       {phase_left},   {window_left},  {edge_left},    {ordinal},     {sent},
+                       {causes},       {signals},      {told},         {error_count}, {state},
+                       {first_cause},  {stage},        {length_bytes}, &marks,        kSlots};
     }
 };
 
