@@ -1,0 +1,237 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "channel_a/channel.hpp"
+#include "channel_a/seal.hpp"
+#include "channel_a/signature.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+// The own copy of the configuration and its rules.
+namespace counterpoint::channel_a
+{
+namespace
+{
+
+constexpr std::uint32_t kU8 = 0xFFU;
+constexpr std::uint32_t kU16 = 0xFFFFU;
+constexpr std::uint32_t kU32 = 0xFFFFFFFFU;
+
+constexpr std::size_t kNoPlace = kValueCount;
+
+// Width and place in Record::values by ConfigField; the direction has no place there, the entries follow the first one.
+struct FieldFacts
+{
+    std::uint32_t mask;
+    std::size_t place;
+};
+
+constexpr std::size_t kFieldCount = 10U;
+constexpr FieldFacts kFields[kFieldCount] = {
+    // MISRA D-001
+    {0U, kNoPlace},
+    {kU8, kNoPlace},
+    {kU16, kSctPlace},
+    {kU8, kSrvtPlace},
+    {kU8, kTransmissionTypePlace},
+    {kU32, kCobIdPlace},
+    {kU32, kCobIdPlace + 1U},
+    {kU8, kMapCountPlace},
+    {kU32, kMapEntryPlace},
+    {kU16, kSignaturePlace},
+};
+static_assert(static_cast<std::size_t>(ConfigField::kSignature) + 1U == kFieldCount, "facts for each field of a slot");
+
+// Place of a value in a record; kNoPlace if it has none. `address.field` is a field of an SRDO.
+std::size_t PlaceOf(const ConfigAddress& address) noexcept
+{
+    std::size_t place = kFields[static_cast<std::size_t>(address.field)].place;
+    if (address.field == ConfigField::kMapEntry)
+    {
+        const std::size_t position = address.sub - std::size_t{1U}; // 0 becomes greater than every position.
+        place = (position < kMaxMapEntries) ? (kMapEntryPlace + position) : kNoPlace;
+    }
+    return place;
+}
+
+} // namespace
+
+bool Channel::IsOfSlot(const ConfigAddress& address) const noexcept
+{
+    return (address.slot < count_) && (static_cast<std::size_t>(address.field) < kFieldCount);
+}
+
+void Channel::Store(const ConfigItem& item) noexcept
+{
+    if (item.address.field == ConfigField::kGfcParameter)
+    {
+        gfc_parameter_ = static_cast<std::uint8_t>(item.value & kU8);
+    }
+    if (item.address.field == ConfigField::kConfigurationValid)
+    {
+        configuration_valid_ = static_cast<std::uint8_t>(item.value & kU8);
+    }
+    if (IsOfSlot(item.address))
+    {
+        StoreOfSlot(item);
+    }
+}
+
+void Channel::StoreOfSlot(const ConfigItem& item) noexcept
+{
+    Record& record = At(item.address.slot);
+    const std::uint32_t value = item.value & kFields[static_cast<std::size_t>(item.address.field)].mask;
+    const std::size_t place = PlaceOf(item.address);
+    if (place < kValueCount)
+    {
+        record.values[place] = value;
+        record.mapping = (place == kSignaturePlace) ? record.mapping : kUnmarked;
+    }
+    if (item.address.field == ConfigField::kDirection)
+    {
+        SetDirection(record, static_cast<std::uint8_t>(value));
+        record.mapping = kUnmarked;
+    }
+}
+
+ConfigItem Channel::Load(const ConfigAddress& address) const noexcept
+{
+    ConfigItem item{address, 0U};
+    if (address.field == ConfigField::kGfcParameter)
+    {
+        item.value = gfc_parameter_;
+    }
+    if (address.field == ConfigField::kConfigurationValid)
+    {
+        item.value = configuration_valid_;
+    }
+    if (IsOfSlot(address))
+    {
+        item.value = LoadOfSlot(address);
+    }
+    return item;
+}
+
+std::uint32_t Channel::LoadOfSlot(const ConfigAddress& address) const noexcept
+{
+    const Record& record = At(address.slot);
+    const std::size_t place = PlaceOf(address);
+    std::uint32_t value = 0U;
+    if (place < kValueCount)
+    {
+        value = record.values[place];
+    }
+    if (address.field == ConfigField::kDirection)
+    {
+        value = record.direction;
+    }
+    return value;
+}
+
+CheckResult Channel::Validate(const SlotIndex slot) noexcept
+{
+    Record& record = At(slot);
+    CheckResult result{ConfigFault::kNone, static_cast<std::uint16_t>(Signature(record))};
+    const bool is_off = record.direction == kDirectionOff;
+    record.mapping = kUnmarked;
+    record.check = kUnmarked;
+    if (!is_off)
+    {
+        result.fault = CheckCommunication(slot);
+    }
+    if (!is_off && (result.fault == ConfigFault::kNone))
+    {
+        result.fault = Resolve(record);
+    }
+    if ((result.fault == ConfigFault::kNone) && (result.signature != record.values[kSignaturePlace]))
+    {
+        result.fault = ConfigFault::kSignature;
+    }
+    if (result.fault == ConfigFault::kNone)
+    {
+        record.check = kMarked;
+        record.mapping = is_off ? kUnmarked : kMarked;
+    }
+    if ((record.mapping == kMarked) && (record.direction == kDirectionConsumer))
+    {
+        WriteObjects(record, record.safe);
+    }
+    return result;
+}
+
+CheckResult Channel::Recheck(const SlotIndex slot) noexcept
+{
+    Record& record = At(slot);
+    CheckResult result{ConfigFault::kNone, static_cast<std::uint16_t>(Signature(record))};
+    if (result.signature != record.values[kSignaturePlace])
+    {
+        result.fault = ConfigFault::kSignature;
+    }
+    else if ((record.direction != kDirectionOff) && !HoldsTable(record))
+    {
+        result.fault = ConfigFault::kTable;
+    }
+    else
+    {
+        // Nothing found.
+    }
+    record.check = (result.fault == ConfigFault::kNone) ? kMarked : kUnmarked;
+    return result;
+}
+
+// SRS-CFG-021 to 025.
+ConfigFault Channel::CheckCommunication(const SlotIndex slot) const noexcept
+{
+    const Record& record = At(slot);
+    const std::uint32_t identifier = record.values[kCobIdPlace];
+    const std::uint32_t second = record.values[kCobIdPlace + 1U];
+    if (record.direction > kDirectionConsumer)
+    {
+        return ConfigFault::kDirection;
+    }
+    if (record.values[kTransmissionTypePlace] != kTransmissionTypeAsynchronous)
+    {
+        return ConfigFault::kTransmissionType;
+    }
+    // The range from 101h on makes an odd place an even identifier.
+    const std::uint32_t place = identifier - kFirstSrdoIdentifier;
+    if ((place >= kSrdoIdentifierCount) || ((place % 2U) != 0U) || (second != (identifier + 1U)))
+    {
+        return ConfigFault::kIdentifier;
+    }
+    if (IsInUse(slot, identifier) || IsInUse(slot, second))
+    {
+        return ConfigFault::kIdentifierInUse;
+    }
+    return HasGoodTiming(record) ? ConfigFault::kNone : ConfigFault::kTiming;
+}
+
+bool Channel::IsInUse(const SlotIndex slot, const std::uint32_t identifier) const noexcept
+{
+    bool is_in_use = false;
+    for (SlotIndex other = 0U; other < count_; ++other)
+    {
+        const Record& record = At(other);
+        const bool is_other = (other != slot) && (record.direction != kDirectionOff);
+        const bool has_it =
+            (record.values[kCobIdPlace] == identifier) || (record.values[kCobIdPlace + 1U] == identifier);
+        if (is_other && has_it)
+        {
+            is_in_use = true;
+        }
+    }
+    return is_in_use;
+}
+
+bool Channel::HasGoodTiming(const Record& record) const noexcept
+{
+    const std::uint32_t sct_ms = record.values[kSctPlace];
+    const std::uint32_t srvt_ms = record.values[kSrvtPlace];
+    bool is_good = (sct_ms * kMicrosecondsPerMillisecond) >= config_->cycle_us;
+    if (record.direction == kDirectionConsumer)
+    {
+        is_good = (srvt_ms != 0U) && (srvt_ms < sct_ms);
+    }
+    return is_good;
+}
+
+} // namespace counterpoint::channel_a

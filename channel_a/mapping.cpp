@@ -1,0 +1,197 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "channel_a/channel.hpp"
+#include "channel_a/seal.hpp"
+#include "channel_a/signature.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+// From entries of a mapping to objects, and data to and from them. Record::objects is read from memory that may be
+// corrupted: every use of a place compares it with the number of objects.
+namespace counterpoint::channel_a
+{
+namespace
+{
+
+constexpr std::uint32_t kKeyShift = 8U; ///< Of a map entry: index and sub above the length.
+constexpr std::uint32_t kSubShift = 8U;
+constexpr std::uint32_t kIndexShift = 16U;
+constexpr std::uint32_t kLengthBits = 0xFFU;
+constexpr std::uint32_t kBitsToBytes = 3U;
+constexpr std::uint32_t kOctetMask = kMaxPayloadBytes - 1U;
+constexpr std::uint32_t kPairMask = 1U; ///< Of a position from 0: even the normal, odd the inverse object.
+constexpr std::uint32_t kByteMask = 0xFFU;
+constexpr std::uint16_t kNoObject = 0xFFFFU;
+constexpr MappableObject kNothing{0U, 0U, 0U, MapAccess::kNone, nullptr};
+
+// The map entry that names this object.
+std::uint32_t EntryOf(const MappableObject& object) noexcept
+{
+    return (std::uint32_t{object.index} << kIndexShift) | (std::uint32_t{object.sub} << kSubShift) |
+           std::uint32_t{object.length_bits};
+}
+
+std::uint32_t LengthAt(const Record& record, const std::uint32_t position) noexcept
+{
+    return record.values[kMapEntryPlace + position] & kLengthBits;
+}
+
+// Bits of all normal entries.
+std::uint32_t TotalLength(const Record& record) noexcept
+{
+    const std::uint32_t count = MapCount(record);
+    std::uint32_t total = 0U;
+    for (std::uint32_t position = 0U; position < count; position += 2U)
+    {
+        total += LengthAt(record, position);
+    }
+    return total;
+}
+
+} // namespace
+
+// SRS-CFG-026 to 028.
+ConfigFault Channel::Resolve(Record& record) const noexcept
+{
+    const std::uint32_t count = record.values[kMapCountPlace];
+    if ((count == 0U) || ((count & kPairMask) != 0U) || (count > kMaxMapEntries))
+    {
+        return ConfigFault::kMapping;
+    }
+    for (std::uint16_t& place : record.objects)
+    {
+        place = kNoObject;
+    }
+    bool is_good = true;
+    for (std::uint32_t position = 0U; position < count; ++position)
+    {
+        record.objects[position] = FindObject(record.values[kMapEntryPlace + position]);
+        if (!FitsEntry(record, position) || !FitsOthers(record, position))
+        {
+            is_good = false;
+        }
+    }
+    if (!is_good)
+    {
+        return ConfigFault::kMapping;
+    }
+    const std::uint32_t total = TotalLength(record);
+    if (total > kMaxPayloadBits)
+    {
+        return ConfigFault::kLengthExceeded;
+    }
+    SetLength(record, static_cast<std::uint8_t>(total >> kBitsToBytes));
+    return ConfigFault::kNone;
+}
+
+// The objects are in ascending order of index and sub.
+std::uint16_t Channel::FindObject(const std::uint32_t entry) const noexcept
+{
+    const std::uint32_t key = entry >> kKeyShift;
+    std::uint32_t low = 0U;
+    std::uint32_t high = config_->object_count;
+    std::uint16_t found = kNoObject;
+    while (low < high)
+    {
+        const std::uint32_t middle = (low + high) >> 1U;
+        const std::uint32_t seen = EntryOf(config_->objects[middle]) >> kKeyShift; // MISRA D-002
+        if (seen == key)
+        {
+            found = static_cast<std::uint16_t>(middle);
+        }
+        low = (seen < key) ? (middle + 1U) : low;
+        high = (seen < key) ? high : middle;
+    }
+    return found;
+}
+
+// An object without a single bit where the place leads to none.
+const MappableObject& Channel::ObjectAt(const Record& record, const std::uint32_t position) const noexcept
+{
+    const std::uint32_t place = record.objects[position];
+    return (place < config_->object_count) ? config_->objects[place] : kNothing; // MISRA D-002
+}
+
+// The object at this position is the one that the entry names, for this direction.
+bool Channel::FitsEntry(const Record& record, const std::uint32_t position) const noexcept
+{
+    const MappableObject& object = ObjectAt(record, position);
+    const MapAccess wanted = (record.direction == kDirectionConsumer) ? MapAccess::kConsumer : MapAccess::kProducer;
+    return (EntryOf(object) == record.values[kMapEntryPlace + position]) && (object.access == wanted);
+}
+
+// Length of the granularity and of the partner, and no object twice.
+bool Channel::FitsOthers(const Record& record, const std::uint32_t position) const noexcept
+{
+    const std::uint32_t length_bits = LengthAt(record, position);
+    const std::uint32_t normal_bits = LengthAt(record, position & ~kPairMask);
+    const std::uint32_t rest = length_bits & (config_->granularity_bits - 1U);
+    bool is_first = true;
+    for (std::uint32_t before = 0U; before < position; ++before)
+    {
+        if (record.objects[before] == record.objects[position])
+        {
+            is_first = false;
+        }
+    }
+    return (rest == 0U) && (length_bits == normal_bits) && is_first;
+}
+
+// [SRS-CFG-030]
+bool Channel::HoldsTable(const Record& record) const noexcept
+{
+    const std::uint32_t count = MapCount(record);
+    bool holds =
+        (record.mapping == kMarked) && (TotalLength(record) == (std::uint32_t{record.length_bytes} << kBitsToBytes));
+    for (std::uint32_t position = 0U; position < count; ++position)
+    {
+        if (!FitsEntry(record, position))
+        {
+            holds = false;
+        }
+    }
+    return holds;
+}
+
+void Channel::WriteObjects(const Record& record, const Octets& data) const noexcept
+{
+    const std::uint32_t count = MapCount(record);
+    std::uint32_t offset = 0U;
+    for (std::uint32_t position = 0U; position < count; position += 2U)
+    {
+        const MappableObject& object = ObjectAt(record, position);
+        const std::uint32_t length_bytes = std::uint32_t{object.length_bits} >> kBitsToBytes;
+        for (std::uint32_t byte = 0U; byte < length_bytes; ++byte)
+        {
+            object.place[byte] = data.at[(offset + byte) & kOctetMask]; // MISRA D-002
+        }
+        offset += length_bytes;
+    }
+}
+
+// Fills `pending` with the normal objects. Returns every bit that is not inverted; not 0 for a pair that is none.
+std::uint32_t Channel::ReadObjects(Record& record) const noexcept
+{
+    const std::uint32_t count = MapCount(record);
+    std::uint32_t difference = 0U;
+    std::uint32_t offset = 0U;
+    record.pending = Octets{};
+    for (std::uint32_t position = 0U; position < count; position += 2U)
+    {
+        const MappableObject& normal = ObjectAt(record, position);
+        const MappableObject& inverse = ObjectAt(record, position | kPairMask);
+        difference |= (normal.length_bits != inverse.length_bits) ? kByteMask : 0U;
+        const std::uint32_t shorter_bits = std::uint32_t{normal.length_bits} & std::uint32_t{inverse.length_bits};
+        const std::uint32_t length_bytes = shorter_bits >> kBitsToBytes;
+        for (std::uint32_t byte = 0U; byte < length_bytes; ++byte)
+        {
+            const std::uint32_t value = normal.place[byte];          // MISRA D-002
+            difference |= (value ^ inverse.place[byte]) ^ kByteMask; // MISRA D-002
+            record.pending.at[(offset + byte) & kOctetMask] = static_cast<std::uint8_t>(value);
+        }
+        offset += length_bytes;
+    }
+    return difference;
+}
+
+} // namespace counterpoint::channel_a

@@ -1,0 +1,246 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "channel_a/channel.hpp"
+#include "channel_a/octets.hpp"
+#include "channel_a/seal.hpp"
+#include "channel_a/slots.hpp"
+
+#include <cstdint>
+
+// Producers: when to send, what to send, and what became of it.
+namespace counterpoint::channel_a
+{
+namespace
+{
+
+constexpr std::uint32_t kHalfMask = 1U; // Of the place of an identifier: 0 the normal, 1 the inverse frame.
+
+std::uint32_t RefreshUs(const Record& record) noexcept
+{
+    return record.values[kSctPlace] * kMicrosecondsPerMillisecond;
+}
+
+} // namespace
+
+// refresh_since is one refresh time before the first possible transmission where the kernel asks for data, so that the
+// first refresh falls due there; it is the first possible transmission itself where the application sends.
+void Channel::StartProducing(Record& record) const noexcept
+{
+    record.refresh_since.us = entered_.us + first_delay_us_;
+    if (record.form == ProducerForm::kProviderCalled)
+    {
+        record.refresh_since.us -= RefreshUs(record);
+    }
+}
+
+void Channel::StopProducing(Record& record) noexcept
+{
+    record.limit_us = kNoLimit;
+    record.refresh = 0U;
+    record.request = 0U;
+    record.prepared = 0U;
+}
+
+void Channel::ServeProducer(Cycle& cycle, Record& record, const SrdoMask bit) noexcept
+{
+    if (!IsSealed(record))
+    {
+        Raise(record, bit, Event::kCorrupted, SrdoCause::kNone);
+        MoveTo(bit, kModeFacts[RowOf(record.mode)].group);
+        StopProducing(record);
+        return;
+    }
+    if ((cycle.now.us - record.since.us) > record.limit_us)
+    {
+        Raise(record, bit, Event::kUnconfirmed, SrdoCause::kNone);
+    }
+    if (may_send_)
+    {
+        ExamineSending(cycle.now, record, bit);
+        const bool is_wanted = (record.refresh == kMarked) || (record.request == kMarked);
+        cycle.due |= (is_wanted && (record.mode == Mode::kIdle)) ? bit : 0U;
+    }
+    if (((cycle.edges & bit) != 0U) && (record.unreported == 0U))
+    {
+        SetFirstCause(record, SrdoCause::kNone);
+    }
+}
+
+// [SRS-PROD-010]
+void Channel::ExamineSending(const Instant now, Record& record, const SrdoMask bit) noexcept
+{
+    const std::uint32_t elapsed_us = now.us - record.refresh_since.us;
+    const std::uint32_t refresh_us = RefreshUs(record);
+    const std::uint32_t limit_us = refresh_us + late_after_us_;
+    if (record.form == ProducerForm::kProviderCalled)
+    {
+        if (elapsed_us >= refresh_us)
+        {
+            Refresh(record, bit);
+        }
+    }
+    else if (elapsed_us > limit_us)
+    {
+        if (record.request == kMarked)
+        {
+            record.refresh_since.us = now.us - (limit_us + 1U); // Still too long ago, however long the request waits.
+        }
+        else
+        {
+            record.refresh_since = now;
+            Report(record, bit, SrdoCause::kRefreshMissed);
+        }
+    }
+    else
+    {
+        // The application has sent in time.
+    }
+}
+
+// Exact addition keeps the phase. A refresh that cannot be is skipped. [SRS-PROD-002]
+void Channel::Refresh(Record& record, const SrdoMask bit) noexcept
+{
+    record.refresh_since.us += RefreshUs(record);
+    if ((record.mode != Mode::kIdle) || (record.refresh == kMarked))
+    {
+        Report(record, bit, SrdoCause::kRefreshMissed);
+    }
+    else
+    {
+        record.refresh = kMarked;
+    }
+}
+
+void Channel::Request(const SlotIndex slot) noexcept
+{
+    if ((groups_[kGroupProducer] & BitOf(slot)) != 0U)
+    {
+        At(slot).request = kMarked;
+    }
+}
+
+PreparedPair Channel::Prepare(const SlotIndex slot) noexcept
+{
+    PreparedPair pair{};
+    pair.status = PrepareStatus::kNotProducer;
+    Record& record = At(slot);
+    if (record.mode != Mode::kIdle)
+    {
+        return pair;
+    }
+    record.refresh = 0U;
+    record.request = 0U;
+    record.prepared = 0U;
+    if (ReadObjects(record) != 0U)
+    {
+        pair.status = PrepareStatus::kNotInverse;
+        Report(record, BitOf(slot), SrdoCause::kNotInverse);
+    }
+    else
+    {
+        pair.status = PrepareStatus::kReady;
+        pair.normal = Packed(record.pending);
+        pair.length_bytes = record.length_bytes;
+        record.prepared = kMarked;
+    }
+    return pair;
+}
+
+void Channel::Launch(const SlotIndex slot) noexcept
+{
+    Record& record = At(slot);
+    if (record.prepared != kMarked)
+    {
+        return;
+    }
+    record.prepared = 0U;
+    const Cell cell = Step(record, BitOf(slot), Event::kLaunch);
+    if (cell.effect == Effect::kLaunch)
+    {
+        record.held = record.pending;
+        record.since = now_;
+        record.limit_us = record.values[kSrvtPlace] * kMicrosecondsPerMillisecond;
+        if (may_send_ && (record.form != ProducerForm::kProviderCalled))
+        {
+            record.refresh_since = now_;
+        }
+    }
+}
+
+CanFrame Channel::NextFrame(const SlotIndex slot) noexcept
+{
+    CanFrame frame{};
+    Record& record = At(slot);
+    const Cell cell = Step(record, BitOf(slot), Event::kHandOut);
+    if (cell.effect == Effect::kHandOut)
+    {
+        frame.identifier = record.values[kCobIdPlace];
+        frame.kind = FrameKind::kData;
+        frame.port = ports_[0];
+        frame.length_bytes = record.length_bytes;
+        for (std::uint32_t place = 0U; place < kMaxPayloadBytes; ++place)
+        {
+            frame.data[place] = record.held.at[place];
+        }
+    }
+    return frame;
+}
+
+SlotIndex Channel::OnConfirm(const CanFrame& frame, const Instant stamp) noexcept
+{
+    const std::uint32_t place = frame.identifier - kFirstSrdoIdentifier; // Every other identifier is a greater place.
+    if ((frame.kind != FrameKind::kData) || (place >= kSrdoIdentifierCount))
+    {
+        return kNoSlot;
+    }
+    const SlotIndex slot = SlotOfPlace(place);
+    if (slot >= count_)
+    {
+        return kNoSlot;
+    }
+    Record& record = At(slot);
+    const std::uint32_t half = place & kHalfMask;
+    const std::uint32_t awaited = half + kAwaitsNormal;
+    if ((kModeFacts[RowOf(record.mode)].awaits != awaited) || (record.values[kCobIdPlace + half] != frame.identifier))
+    {
+        return kNoSlot;
+    }
+    const SrdoMask bit = BitOf(slot);
+    const std::uint8_t flip = static_cast<std::uint8_t>(half * kInverted);
+    if ((frame.length_bytes != record.length_bytes) || (Difference(record, frame, record.held, flip) != 0U))
+    {
+        Raise(record, bit, Event::kAbort, SrdoCause::kWrongEcho);
+    }
+    else if ((half != 0U) && ((stamp.us - record.since.us) > record.limit_us))
+    {
+        Raise(record, bit, Event::kUnconfirmed, SrdoCause::kNone);
+    }
+    else
+    {
+        Advance(record, bit, stamp);
+    }
+    return slot;
+}
+
+void Channel::Advance(Record& record, const SrdoMask bit, const Instant stamp) noexcept
+{
+    const Cell cell = Step(record, bit, Event::kConfirm);
+    if (cell.effect == Effect::kAwaitInverse)
+    {
+        record.since = stamp;
+    }
+    else
+    {
+        record.limit_us = kNoLimit;
+        ++record.ordinal;
+    }
+}
+
+void Channel::OnTransmitFault(const SlotIndex slot, const SrdoCause cause) noexcept
+{
+    if ((cause == SrdoCause::kTransmitQueue) || (cause == SrdoCause::kBusOff))
+    {
+        Raise(At(slot), BitOf(slot), Event::kAbort, cause);
+    }
+}
+
+} // namespace counterpoint::channel_a

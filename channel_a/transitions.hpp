@@ -1,0 +1,144 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CHANNEL_A_TRANSITIONS_HPP
+#define CHANNEL_A_TRANSITIONS_HPP
+
+#include "safety_core/contract/srdo.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::channel_a
+{
+
+/// State of one SRDO. The low four bits are the row of the table, the high four bits a check of them: two codes differ
+/// in at least four bits. Empty: nothing pending, nothing held. First: a normal frame is pending. Held: a pair is held.
+/// Next: both.
+enum class Mode : std::uint8_t
+{
+    kBroken = 0x00U, ///< Zeroed memory; every other value that is not listed leads to this row.
+    kOff = 0xB1U,
+    kWaitingEmpty = 0xD2U,
+    kWaitingFirst = 0x63U,
+    kWaitingHeld = 0xE4U,
+    kWaitingNext = 0x55U,
+    kFaultedEmpty = 0x36U,
+    kFaultedFirst = 0x87U,
+    kFaultedHeld = 0x78U,
+    kFaultedNext = 0xC9U,
+    kReleasedHeld = 0xAAU,
+    kReleasedNext = 0x1BU,
+    kIdle = 0x9CU,          ///< Producer without a pair in flight.
+    kLaunched = 0x2DU,      ///< Producer whose normal frame was not handed out yet.
+    kNormalAwaited = 0x4EU, ///< Producer that waits for the confirmation of the normal frame.
+    kInverseAwaited = 0xFFU ///< Producer that waits for the confirmation of the inverse frame.
+};
+
+/// Columns of the table.
+enum class Event : std::uint8_t
+{
+    kEnterConsumer = 0U,
+    kEnterProducer = 1U,
+    kLeave = 2U,
+    kNormal = 3U,     ///< Normal frame of the right length.
+    kInverse = 4U,    ///< Inverse frame with every bit inverted.
+    kNotInverse = 5U, ///< Inverse frame with a bit that is not.
+    kWrongIdentifier = 6U,
+    kWrongLength = 7U,
+    kExpired = 8U,  ///< SRVT or SCT of a consumer.
+    kError = 9U,    ///< Anything else that makes a consumer safe; the cause is given by who raises it.
+    kDiscard = 10U, ///< The held pair is dropped, a pending normal frame stays.
+    kRelease = 11U,
+    kLaunch = 12U,
+    kHandOut = 13U,
+    kConfirm = 14U,     ///< The awaited frame was on the bus as it should be.
+    kAbort = 15U,       ///< The transmission failed; the cause is given by who raises it.
+    kUnconfirmed = 16U, ///< Nothing was confirmed within SRVT.
+    kCorrupted = 17U,   ///< The record does not fit its seal.
+};
+
+/// What is to be done with the record besides its new mode.
+enum class Effect : std::uint8_t
+{
+    kInvalid = 0U, ///< An omitted cell; does not compile.
+    kNothing = 1U,
+    kTake = 2U,     ///< The frame becomes the pending normal frame.
+    kComplete = 3U, ///< The pending frame becomes the held pair.
+    kFault = 4U,    ///< Consumer made safe, for the cell's cause or, where that is kNone, the given one.
+    kLaunch = 5U,
+    kHandOut = 6U,
+    kAwaitInverse = 7U,
+    kAbort = 8U, ///< The pair in flight is given up with a fault of the producer.
+};
+
+struct Cell
+{
+    Mode next;
+    Effect effect;
+    SrdoCause cause;
+};
+
+/// Which mask of the channel has the slot's bit.
+constexpr std::uint8_t kGroupOff = 0U;
+constexpr std::uint8_t kGroupWaiting = 1U;
+constexpr std::uint8_t kGroupFaulted = 2U;
+constexpr std::uint8_t kGroupReleased = 3U;
+constexpr std::uint8_t kGroupProducer = 4U;
+constexpr std::uint8_t kGroupCount = 5U;
+
+constexpr std::uint8_t kAwaitsNothing = 0U;
+constexpr std::uint8_t kAwaitsNormal = 1U;
+constexpr std::uint8_t kAwaitsInverse = 2U;
+
+/// What a row means to the rest of the channel.
+struct ModeFacts
+{
+    Mode mode;
+    SrdoState state;
+    std::uint8_t group;
+    std::uint8_t holds_pair; ///< 1: consumer with a held pair.
+    std::uint8_t awaits;     ///< Frame whose confirmation is awaited.
+    std::uint32_t shown;     ///< Mask for the words of the data in SrdoView.
+};
+
+constexpr std::uint32_t kHidden = 0U;
+constexpr std::uint32_t kShown = 0xFFFFFFFFU;
+
+constexpr std::uint8_t kRowMask = 0x0FU;
+constexpr std::uint8_t kRowCount = 16U;
+
+constexpr ModeFacts kModeFacts[kRowCount] = {
+    // MISRA D-001
+    {Mode::kBroken, SrdoState::kFaulted, kGroupFaulted, 0U, kAwaitsNothing, kHidden},
+    {Mode::kOff, SrdoState::kOff, kGroupOff, 0U, kAwaitsNothing, kHidden},
+    {Mode::kWaitingEmpty, SrdoState::kWaiting, kGroupWaiting, 0U, kAwaitsNothing, kHidden},
+    {Mode::kWaitingFirst, SrdoState::kWaiting, kGroupWaiting, 0U, kAwaitsNothing, kHidden},
+    {Mode::kWaitingHeld, SrdoState::kWaiting, kGroupWaiting, 1U, kAwaitsNothing, kShown},
+    {Mode::kWaitingNext, SrdoState::kWaiting, kGroupWaiting, 1U, kAwaitsNothing, kShown},
+    {Mode::kFaultedEmpty, SrdoState::kFaulted, kGroupFaulted, 0U, kAwaitsNothing, kHidden},
+    {Mode::kFaultedFirst, SrdoState::kFaulted, kGroupFaulted, 0U, kAwaitsNothing, kHidden},
+    {Mode::kFaultedHeld, SrdoState::kFaulted, kGroupFaulted, 1U, kAwaitsNothing, kShown},
+    {Mode::kFaultedNext, SrdoState::kFaulted, kGroupFaulted, 1U, kAwaitsNothing, kShown},
+    {Mode::kReleasedHeld, SrdoState::kReleased, kGroupReleased, 1U, kAwaitsNothing, kShown},
+    {Mode::kReleasedNext, SrdoState::kReleased, kGroupReleased, 1U, kAwaitsNothing, kShown},
+    {Mode::kIdle, SrdoState::kProducer, kGroupProducer, 0U, kAwaitsNothing, kHidden},
+    {Mode::kLaunched, SrdoState::kProducer, kGroupProducer, 0U, kAwaitsNormal, kShown},
+    {Mode::kNormalAwaited, SrdoState::kProducer, kGroupProducer, 0U, kAwaitsNormal, kShown},
+    {Mode::kInverseAwaited, SrdoState::kProducer, kGroupProducer, 0U, kAwaitsInverse, kShown},
+};
+
+/// @brief Row of a mode; the row of kBroken for a value that is none.
+[[nodiscard]] inline std::uint8_t RowOf(const Mode mode) noexcept
+{
+    std::uint8_t row = static_cast<std::uint8_t>(mode) & kRowMask;
+    if (kModeFacts[row].mode != mode)
+    {
+        row = 0U;
+    }
+    return row;
+}
+
+/// @brief What the table of transitions says.
+[[nodiscard]] Cell NextCell(std::uint8_t row, Event event) noexcept;
+
+} // namespace counterpoint::channel_a
+
+#endif
