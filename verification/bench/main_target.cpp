@@ -28,7 +28,10 @@ extern "C" std::uint32_t TargetMain() noexcept;
 extern "C" std::uint32_t TargetMain() noexcept
 {
     WriteRam({"kernel", sizeof(counterpoint::Kernel)});
-    RAMLINES
+    WriteRam({"channel_a", sizeof(counterpoint::channel_a::Channel)});
+    WriteRam({"storage_a", sizeof(counterpoint::channel_a::StorageFor<counterpoint::kMaxSrdoCount>)});
+    WriteRam({"channel_b", sizeof(counterpoint::channel_b::Channel)});
+    WriteRam({"storage_b", sizeof(counterpoint::channel_b::StorageFor<counterpoint::kMaxSrdoCount>)});
     counterpoint::target::StartCycles();
     counterpoint::target::RepaintStack();
     BenchResult result = counterpoint::bench::RunItems();

@@ -65,7 +65,9 @@ bool Print(const char* run, const RunResult& result) noexcept
     return (result.cases != 0U) && (result.failures == 0U);
 }
 
-STORAGE
+counterpoint::channel_a::StorageFor<kMaxSrdoCount> storage_a{};
+counterpoint::channel_b::StorageFor<kMaxSrdoCount> storage_b{};
+
 } // namespace
 
 extern "C" std::uint32_t TargetMain() noexcept;
