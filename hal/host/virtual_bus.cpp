@@ -4,6 +4,7 @@
 #include "hal/host/frame_bits.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace counterpoint::host
 {
@@ -16,7 +17,9 @@ NodeIndex VirtualBus::Attach(BusListener& listener, const NodeSetup& setup)
 {
     Node node{&listener, TransmitQueue(setup.queue_capacity), {}, 0U, 0U, setup.port, true, true, false};
     node.accepted.set();
-    nodes_.push_back(node);
+    nodes_.push_back(std::move(node)); // A copy of the queue would not keep the memory set aside for its frames.
+    senders_.reserve(nodes_.size());
+    deliveries_.reserve(nodes_.size());
     return nodes_.size() - 1U;
 }
 
