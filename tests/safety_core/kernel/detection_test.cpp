@@ -130,8 +130,7 @@ TEST_F(Detection, LateCallIsFoundAndLimitsAreStillExamined)
     now_us += 60000U;
     kernel.Cycle(CycleCall{InstantPair{{now_us}, {now_us}}, 0U, 0U});
     IsDeviceSafe(DeviceFault::kLateCall);
-    ASSERT_EQ(application.errors.size(), 1U);
-    EXPECT_EQ(application.errors[0].second, SrdoCause::kSct);
+    EXPECT_EQ(CausesOf(0x1301U), std::vector<SrdoCause>{SrdoCause::kSct});
 }
 
 TEST_F(Detection, ClockOfOneChannelIsFound)

@@ -7,7 +7,7 @@ namespace counterpoint
 {
 
 Rig::Rig()
-    : real_a{storage_a.Use()}, real_b{storage_b.Use()}, a{real_a}, b{real_b},
+    : real_a{storage_a.Handle()}, real_b{storage_b.Handle()}, a{real_a}, b{real_b},
       kernel{KernelParts{a, b, ports, output, watchdog, application}}
 {
     objects = {MappableObject{0x2000U, 1U, 16U, MapAccess::kProducer, tx_normal.data()},
@@ -164,6 +164,19 @@ bool Rig::WatchdogAlive()
 {
     watchdog.timer.Examine(Instant{now_us});
     return watchdog.timer.IsAlive();
+}
+
+std::vector<SrdoCause> Rig::CausesOf(const std::uint16_t index) const
+{
+    std::vector<SrdoCause> causes;
+    for (const std::pair<std::uint16_t, SrdoCause>& error : application.errors)
+    {
+        if (error.first == index)
+        {
+            causes.push_back(error.second);
+        }
+    }
+    return causes;
 }
 
 } // namespace counterpoint

@@ -163,6 +163,8 @@ class Rig : public ::testing::Test
     /// Slots whose outputs are open.
     SrdoMask Open();
     bool WatchdogAlive();
+    /// Causes that the application was told for one SRDO, in order.
+    std::vector<SrdoCause> CausesOf(std::uint16_t index) const;
 
     std::array<std::uint8_t, 2> tx_normal{0x12U, 0x34U};
     std::array<std::uint8_t, 2> tx_inverse{0xEDU, 0xCBU};
