@@ -143,13 +143,13 @@ TEST_F(Cycling, FrameGoesToBothChannelsEachWithItsOwnStamp)
                                 InstantPair{{27000U}, {27001U}}});
     now_us = 27500U;
     kernel.Cycle(CycleCall{InstantPair{{27500U}, {27500U}}, 0U, 0U});
-    // Then B's fault makes the SRDO safe, A is demoted, and the cause is B's
+    // Then B's fault (and the inverse frame that is first for B then) makes the SRDO safe, A is demoted
     EXPECT_EQ(Open(), 0U);
     EXPECT_EQ(kernel.DemotionCount(), 1U);
     const StateReply reply = kernel.GetState(CommunicationIndex{0x1301U});
     EXPECT_EQ(reply.state, SrdoState::kFaulted);
     EXPECT_EQ(reply.first_cause, SrdoCause::kSrvt);
-    EXPECT_EQ(CausesOf(0x1301U), std::vector<SrdoCause>{SrdoCause::kSrvt});
+    EXPECT_EQ(CausesOf(0x1301U), (std::vector<SrdoCause>{SrdoCause::kInverseFirst, SrdoCause::kSrvt}));
 }
 
 TEST_F(Cycling, GfcMakesConsumersSafeAndIsTold)
