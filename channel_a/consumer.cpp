@@ -98,7 +98,7 @@ void Channel::Complete(Record& record, const SrdoMask bit) noexcept
 {
     record.held = record.pending;
     record.limit_us = SctUs(record);
-    record.awaiting = 0U;
+    record.awaiting = kUnmarked;
     ++record.ordinal;
     ++ordinal_sum_;
     fresh_ |= bit;
@@ -124,7 +124,7 @@ std::uint32_t Channel::ServeConsumer(Cycle& cycle, Record& record, const SrdoMas
     std::uint32_t extra = 0U;
     if ((record.awaiting == kMarked) && ((cycle.now.us - entered_.us) > SctUs(record)))
     {
-        record.awaiting = 0U;
+        record.awaiting = kUnmarked;
         extra = kWaitingPastSctBit;
     }
     return extra;
@@ -166,7 +166,7 @@ void Channel::Acknowledge(const Cycle& cycle, Record& record, const SrdoMask bit
     }
     if ((cycle.now.us - record.edge_since.us) > config_->acknowledge_window_us)
     {
-        record.edge = 0U;
+        record.edge = kUnmarked;
     }
     const bool has_edge = record.edge == kMarked;
     if (has_edge || (record.policy == ReleasePolicy::kAutomatic))
@@ -176,7 +176,7 @@ void Channel::Acknowledge(const Cycle& cycle, Record& record, const SrdoMask bit
     if (has_edge && ((groups_[kGroupReleased] & bit) != 0U))
     {
         SetFirstCause(record, SrdoCause::kNone);
-        record.edge = 0U;
+        record.edge = kUnmarked;
     }
 }
 
@@ -207,8 +207,8 @@ void Channel::DropPair(Record& record, const SrdoMask bit) noexcept
 {
     ordinal_sum_ -= record.ordinal;
     record.ordinal = 0U;
-    record.edge = 0U;
-    record.awaiting = 0U;
+    record.edge = kUnmarked;
+    record.awaiting = kUnmarked;
     fresh_ &= ~bit;
 }
 

@@ -35,9 +35,10 @@ void Channel::StartProducing(Record& record) const noexcept
 void Channel::StopProducing(Record& record) noexcept
 {
     record.limit_us = kNoLimit;
-    record.refresh = 0U;
-    record.request = 0U;
-    record.prepared = 0U;
+    record.ordinal = 0U;
+    record.refresh = kUnmarked;
+    record.request = kUnmarked;
+    record.prepared = kUnmarked;
 }
 
 void Channel::ServeProducer(Cycle& cycle, Record& record, const SrdoMask bit) noexcept
@@ -127,9 +128,9 @@ PreparedPair Channel::Prepare(const SlotIndex slot) noexcept
     {
         return pair;
     }
-    record.refresh = 0U;
-    record.request = 0U;
-    record.prepared = 0U;
+    record.refresh = kUnmarked;
+    record.request = kUnmarked;
+    record.prepared = kUnmarked;
     if (ReadObjects(record) != 0U)
     {
         pair.status = PrepareStatus::kNotInverse;
@@ -152,7 +153,7 @@ void Channel::Launch(const SlotIndex slot) noexcept
     {
         return;
     }
-    record.prepared = 0U;
+    record.prepared = kUnmarked;
     const Cell cell = Step(record, BitOf(slot), Event::kLaunch);
     if (cell.effect == Effect::kLaunch)
     {

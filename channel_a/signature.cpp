@@ -92,8 +92,8 @@ std::uint32_t Signature(const Record& record) noexcept
     crc = Fed(crc, record.values[kSrvtPlace]);
     crc = FedWord(crc, record.values[kCobIdPlace]);
     crc = FedWord(crc, record.values[kCobIdPlace + 1U]);
-    crc = Fed(crc, record.values[kMapCountPlace]);
     const std::uint32_t count = MapCount(record);
+    crc = Fed(crc, count);
     for (std::uint32_t position = 0U; position < count; ++position)
     {
         crc = Fed(crc, position + 1U);

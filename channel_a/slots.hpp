@@ -26,9 +26,9 @@ constexpr SlotIndex kSlotOfWindow[kMaxSrdoCount] = {
 };
 
 template <std::size_t kBits>
-constexpr std::size_t kFound =
+inline constexpr std::size_t kFound =
     kFound<kBits - 1U> + ((kSlotOfWindow[(kDeBruijn << (kBits - 1U)) >> kDeBruijnShift] == (kBits - 1U)) ? 1U : 0U);
-template <> constexpr std::size_t kFound<0U> = 0U;
+template <> inline constexpr std::size_t kFound<0U> = 0U;
 static_assert(kFound<kMaxSrdoCount> == kMaxSrdoCount, "every bit is found by its window");
 
 [[nodiscard]] inline SrdoMask BitOf(const SlotIndex slot) noexcept
