@@ -225,14 +225,14 @@ void Channel::Release(Census& census) noexcept
 void Channel::Commit(const Agreement& agreement) noexcept
 {
     Marks& marks = *x_storage.marks;
-    const SrdoMask released = agreement.agreed & marks.released & Granted(marks.held);
+    const SrdoMask released = agreement.agreed & marks.released & Granted(marks.held) & x_present;
     const SrdoMask written = released & agreement.matched & marks.unwritten;
     for (SrdoMask rest = written; rest != 0U; rest &= rest - 1U)
     {
         const SlotIndex slot = LowestSlot(rest);
         WriteInverse(slot, x_storage.inverse_data[slot]);
     }
-    for (SrdoMask rest = marks.committed & ~released; rest != 0U; rest &= rest - 1U)
+    for (SrdoMask rest = marks.committed & ~released & x_present; rest != 0U; rest &= rest - 1U)
     {
         const SlotIndex slot = LowestSlot(rest);
         WriteInverse(slot, x_storage.safe_data[slot]);

@@ -72,10 +72,13 @@ SrdoMask Channel::SpendPairs(std::uint32_t elapsed) noexcept
 SrdoMask Channel::Spend(std::uint32_t elapsed) noexcept
 {
     Marks& marks = *x_storage.marks;
-    SpendEach(marks.phased, x_storage.phase_left, elapsed);
-    SpendEach(marks.window_open, x_storage.window_left, elapsed);
-    SpendEach(marks.acknowledged.on, x_storage.edge_left, elapsed);
-    for (SrdoMask rest = marks.window_open; rest != 0U; rest &= rest - 1U)
+    // A corrupted mark must not lead to a slot that does not exist.
+    const SrdoMask windows = marks.window_open & x_present;
+    const SrdoMask waiting_edges = marks.acknowledged.on & x_present;
+    SpendEach(marks.phased & x_present, x_storage.phase_left, elapsed);
+    SpendEach(windows, x_storage.window_left, elapsed);
+    SpendEach(waiting_edges, x_storage.edge_left, elapsed);
+    for (SrdoMask rest = windows; rest != 0U; rest &= rest - 1U)
     {
         const SlotIndex slot = LowestSlot(rest);
         if (x_storage.window_left[slot] > SctUs(x_storage, slot))
@@ -83,7 +86,7 @@ SrdoMask Channel::Spend(std::uint32_t elapsed) noexcept
             marks.window_open &= ~BitOf(slot);
         }
     }
-    for (SrdoMask rest = marks.acknowledged.on; rest != 0U; rest &= rest - 1U)
+    for (SrdoMask rest = waiting_edges; rest != 0U; rest &= rest - 1U)
     {
         const SlotIndex slot = LowestSlot(rest);
         if (x_storage.edge_left[slot] > x_config->acknowledge_window_us)
@@ -139,7 +142,7 @@ void Channel::Enter() noexcept
 /// Returns the consumers that were active. [SRS-CONS-019, SRS-PROD-011]
 SrdoMask Channel::Leave() noexcept
 {
-    const SrdoMask left = x_storage.marks->consumers;
+    const SrdoMask left = x_storage.marks->consumers & x_present;
     FaultEach(left, SrdoCause::kNotOperational);
     for (SlotIndex slot = 0U; slot < x_count; ++slot)
     {
@@ -237,7 +240,7 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
     outcome.waiting = census.waiting;
     outcome.new_fault = marks.reporting & (consumers | left);
     outcome.fresh = marks.fresh & Granted(marks.held) & consumers;
-    Signal(marks.reporting | missed);
+    Signal((marks.reporting | missed) & x_present);
     outcome.signalled = marks.signalled;
     outcome.cycle = x_cycle;
     outcome.ordinal_sum = SumOf(x_storage.ordinal, x_count);
