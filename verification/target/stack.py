@@ -141,7 +141,7 @@ class Image:
             operation, operands = match.group(2), (match.group(3) or "").split("@")[0].strip()
             if re.match(r"^b(l)?x", operation) and re.fullmatch(r"r\d+|ip|fp|sl|sb", operands):
                 self.indirect.setdefault(current, []).append(line.strip())
-            elif re.match(r"^(ldr|mov|add)", operation) and operands.startswith("pc,"):
+            elif re.match(r"^(ldr|mov|add)", operation) and re.match(r"pc, (?!\[sp\])", operands):
                 self.indirect.setdefault(current, []).append(line.strip())
             elif BRANCH.match(operation):
                 target = TARGET.search(operands)
