@@ -1,0 +1,164 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+//
+// Faults that only the cycle can find: late call, lost frames, GFC; and their order. Times in microseconds.
+#include "verification/conformance/gold.hpp"
+
+namespace counterpoint::conformance
+{
+
+namespace
+{
+constexpr std::uint32_t kGfcOn = 1U;
+
+// Cycle 10 ms, tolerance 5 ms.
+// t     0    15000 (on)   30001 (1 us over)
+constexpr Step kLate[] = {
+    Configure(), Cycle(0U), Cycle(15000U), Masks(0U, 0U, 1U, 0U, 0U), Cycle(30001U), Masks(0U, 1U, 0U, 1U, 0U),
+    Slot(0U, kFaulted, Cause::kLateCall, 0U, 1U, 0U), Signals(0U, Bit(Cause::kLateCall)), Cycle(45001U),
+    Slot(0U, kFaulted, Cause::kLateCall, 0U, 1U, 0U), Masks(0U, 1U, 0U, 0U, 0U),
+};
+
+constexpr Step kLateDiscards[] = {
+    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(10000U), Masks(1U, 0U, 0U, 0U, 1U), Cycle(25001U),
+    Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kLateCall, 0U, 1U, 0U), Normal(26000U), Inverse(27000U), Cycle(35000U),
+    Masks(1U, 0U, 0U, 0U, 1U), Slot(0U, kReleased, Cause::kLateCall, 1U, 1U, 1U),
+};
+
+constexpr Step kFirstNeverLate[] = {
+    Configure(), Cycle(0x40000000U), Masks(0U, 0U, 1U, 0U, 0U), Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U), Restart(), Configure(),
+    Cycle(0x60000000U), Masks(0U, 0U, 1U, 0U, 0U), Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U),
+};
+
+// The late call never hides the expired limit, and adds nothing to it.
+// t     1000  2000  10000   60000: SCT over and late
+constexpr Step kLateAndSct[] = {
+    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(10000U), Cycle(60000U), Slot(0U, kFaulted, Cause::kSct, 0U, 1U, 0U),
+    Signals(0U, Bit(Cause::kSct)),
+};
+
+constexpr Step kLateAndSrvt[] = {
+    Configure(), Cycle(0U), Normal(1000U), Cycle(10000U), Cycle(60000U), Slot(0U, kFaulted, Cause::kSrvt, 0U, 1U, 0U), Signals(0U, Bit(Cause::kSrvt)),
+};
+
+// SCT was over at a frame, not in this call: the late call counts, too.
+constexpr Step kLateAfterSctAtFrame[] = {
+    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(10000U), Normal(51001U), Cycle(60000U),
+    Slot(0U, kFaulted, Cause::kSct, 0U, 2U, 0U), Signals(0U, Bit(Cause::kSct) | Bit(Cause::kLateCall)),
+};
+
+// The calls before OPERATIONAL count, too: a late call is measured from the call before it.
+constexpr Step kLateAtEntering[] = {
+    Configure(), Nmt(NmtState::kPreOperational), Cycle(0U), Cycle(20000U), Counts(0U, 0U, 0U, 1U), Masks(0U, 0U, 0U, 0U, 0U),
+    Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Nmt(NmtState::kOperational), Cycle(35000U), Masks(0U, 0U, 1U, 0U, 0U),
+};
+
+constexpr Step kOverflow[] = {
+    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Queue(QueueState::kOverflowed), Cycle(4000U),
+    Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kQueueOverflow, 0U, 1U, 0U), Signals(0U, Bit(Cause::kQueueOverflow)),
+    Queue(QueueState::kIntact), Normal(5000U), Inverse(5001U), Cycle(6000U), Masks(1U, 0U, 0U, 0U, 1U),
+};
+
+constexpr Step kOverflowValues[] = {
+    Configure(), Cycle(0U), Queue(QueueState::kInvalid), Cycle(1000U), Slot(0U, kFaulted, Cause::kQueueOverflow, 0U, 1U, 0U),
+    Queue(static_cast<QueueState>(0x67U)), Cycle(2000U), Slot(0U, kFaulted, Cause::kQueueOverflow, 0U, 2U, 0U),
+    Queue(static_cast<QueueState>(0xFFU)), Cycle(3000U), Slot(0U, kFaulted, Cause::kQueueOverflow, 0U, 3U, 0U),
+    Queue(QueueState::kIntact), Cycle(4000U), Slot(0U, kFaulted, Cause::kQueueOverflow, 0U, 3U, 0U),
+};
+
+// A pending normal frame goes with an overflow, too: its inverse frame may be the one that was lost.
+constexpr Step kOverflowPending[] = {
+    Configure(), Cycle(0U), Normal(1000U), Queue(QueueState::kOverflowed), Cycle(2000U), Inverse(3000U),
+    Slot(0U, kFaulted, Cause::kQueueOverflow, 0U, 2U, 0U),
+};
+
+constexpr Step kAllConsumers[] = {
+    Configure(), Cycle(0U), Queue(QueueState::kOverflowed), Cycle(1000U), Masks(0U, 3U, 0U, 3U, 0U), Signalled(3U),
+    Slot(1U, kFaulted, Cause::kQueueOverflow, 0U, 1U, 0U),
+};
+
+constexpr Step kProducerUntouched[] = {
+    Configure(), Cycle(0U), Queue(QueueState::kOverflowed), Cycle(100000U), Masks(0U, 1U, 0U, 1U, 0U), Queue(QueueState::kOverflowed),
+    Cycle(100100U), Signals(1U, 0U),
+};
+
+constexpr Step kGfc[] = {
+    Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Gfc(4000U),
+    Cycle(5000U), Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kGfc, 0U, 1U, 0U), Signals(0U, Bit(Cause::kGfc)),
+    Cycle(6000U), Masks(0U, 1U, 0U, 0U, 0U), Normal(7000U), Inverse(7001U), Cycle(8000U), Masks(1U, 0U, 0U, 0U, 1U),
+};
+
+constexpr Step kGfcEvery[] = {
+    Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Cycle(0U), On(Gfc(1000U), CanPortId::kSecond), Gfc(1001U), Cycle(2000U),
+    Masks(0U, 3U, 0U, 3U, 0U), Slot(0U, kFaulted, Cause::kGfc, 0U, 1U, 0U), Slot(1U, kFaulted, Cause::kGfc, 0U, 1U, 0U),
+};
+
+constexpr Step kGfcParameterOff[] = {
+    Configure(), Cycle(0U), Gfc(1000U), Cycle(2000U), Masks(0U, 0U, 1U, 0U, 0U), Store(0U, ConfigField::kGfcParameter, 2U),
+    Gfc(3000U), Cycle(4000U), Masks(0U, 0U, 1U, 0U, 0U), Store(0U, ConfigField::kGfcParameter, 1U), Gfc(5000U), Cycle(6000U),
+    Masks(0U, 1U, 0U, 1U, 0U),
+};
+
+constexpr Step kGfcOtherFrames[] = {
+    Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Cycle(0U), Frame(0x001U, 1U, 0U, 0U, 1000U),
+    Frame(0x001U, 8U, 0U, 0U, 1001U), OfKind(Gfc(1002U), FrameKind::kRemote), OfKind(Gfc(1003U), FrameKind::kExtended),
+    OfKind(Gfc(1004U), FrameKind::kFlexibleDataRate), Frame(0x000U, 0U, 0U, 0U, 1005U), Frame(0x002U, 0U, 0U, 0U, 1006U),
+    Frame(0x10001U, 0U, 0U, 0U, 1007U), Cycle(2000U), Masks(0U, 0U, 1U, 0U, 0U), Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U),
+};
+
+constexpr Step kGfcNotOperational[] = {
+    Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Nmt(NmtState::kPreOperational), Cycle(0U), Gfc(1000U),
+    Nmt(NmtState::kOperational), Cycle(2000U), Masks(0U, 0U, 1U, 0U, 0U), Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U), Cycle(3000U),
+    Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U),
+};
+
+// Cycle 10 ms: limit, overflow and GFC in one call; the late call counts only without an expired limit.
+constexpr Step kOrderWithLimit[] = {
+    Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Cycle(0U), Normal(1000U), Gfc(2000U), Queue(QueueState::kOverflowed),
+    Cycle(40000U), Slot(0U, kFaulted, Cause::kSrvt, 0U, 3U, 0U),
+    Signals(0U, Bit(Cause::kSrvt) | Bit(Cause::kQueueOverflow) | Bit(Cause::kGfc)),
+};
+
+constexpr Step kOrderWithoutLimit[] = {
+    Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Cycle(0U), Gfc(2000U), Queue(QueueState::kOverflowed), Cycle(40000U),
+    Slot(0U, kFaulted, Cause::kLateCall, 0U, 3U, 0U), Signals(0U, Bit(Cause::kLateCall) | Bit(Cause::kQueueOverflow) | Bit(Cause::kGfc)),
+};
+
+constexpr Step kOrderOverflowGfc[] = {
+    Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Cycle(0U), Gfc(2000U), Queue(QueueState::kOverflowed), Cycle(10000U),
+    Slot(0U, kFaulted, Cause::kQueueOverflow, 0U, 2U, 0U),
+};
+
+// The frame's fault comes before the GFC, even if the GFC was on the bus before it.
+constexpr Step kOrderFrameFirst[] = {
+    Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Cycle(0U), Gfc(1000U), Inverse(2000U), Cycle(3000U),
+    Slot(0U, kFaulted, Cause::kInverseFirst, 0U, 2U, 0U),
+};
+
+constexpr Case kCases[] = {
+    MakeCase("LateCall", {req::SRS_CONS_015, req::SRS_TIME_004, req::SRS_TIME_001}, kGoldPrompt, kLate),
+    MakeCase("LateCallDiscardsThePair", {req::SRS_CONS_015, req::SRS_CONS_012}, kGoldPrompt, kLateDiscards),
+    MakeCase("FirstCallIsNeverLate", {req::SRS_CONS_015}, kGoldPrompt, kFirstNeverLate),
+    MakeCase("LateCallWithSctOver", {req::SRS_CONS_015, req::SRS_CONS_018}, kGoldPrompt, kLateAndSct),
+    MakeCase("LateCallWithSrvtOver", {req::SRS_CONS_015, req::SRS_CONS_018}, kGoldPrompt, kLateAndSrvt),
+    MakeCase("LateCallAfterSctOverAtAFrame", {req::SRS_CONS_015, req::SRS_CONS_018}, kGoldPrompt, kLateAfterSctAtFrame),
+    MakeCase("CallsBeforeOperationalCountForTheNext", {req::SRS_CONS_015}, kGoldPrompt, kLateAtEntering),
+    MakeCase("LostFrames", {req::SRS_CONS_016}, kGold, kOverflow),
+    MakeCase("AnyOtherQueueStateMeansLostFrames", {req::SRS_CONS_016}, kGold, kOverflowValues),
+    MakeCase("LostFramesDiscardThePendingFrame", {req::SRS_CONS_016, req::SRS_CONS_012}, kGold, kOverflowPending),
+    MakeCase("LostFramesConcernEveryConsumer", {req::SRS_CONS_016}, kTwo, kAllConsumers),
+    MakeCase("LostFramesConcernNoProducer", {req::SRS_CONS_016}, kMixed, kProducerUntouched),
+    MakeCase("GlobalFailsafeCommand", {req::SRS_CONS_017}, kGold, kGfc),
+    MakeCase("GlobalFailsafeCommandConcernsEveryConsumer", {req::SRS_CONS_017}, kTwo, kGfcEvery),
+    MakeCase("GlobalFailsafeCommandNeeds1300h", {req::SRS_CONS_017}, kGold, kGfcParameterOff),
+    MakeCase("NoGlobalFailsafeCommand", {req::SRS_CONS_017}, kGold, kGfcOtherFrames),
+    MakeCase("GlobalFailsafeCommandOutsideOperational", {req::SRS_CONS_017, req::SRS_CONS_002}, kGold, kGfcNotOperational),
+    MakeCase("OrderOfCausesWithALimit", {req::SRS_CONS_018, req::SRS_CONS_020}, kGoldPrompt, kOrderWithLimit),
+    MakeCase("OrderOfCausesWithoutALimit", {req::SRS_CONS_018, req::SRS_CONS_020}, kGoldPrompt, kOrderWithoutLimit),
+    MakeCase("LostFramesBeforeGlobalFailsafeCommand", {req::SRS_CONS_018}, kGoldPrompt, kOrderOverflowGfc),
+    MakeCase("FaultOfAFrameBeforeGlobalFailsafeCommand", {req::SRS_CONS_018}, kGoldPrompt, kOrderFrameFirst),
+};
+} // namespace
+
+const CaseTable kCycleCases = MakeTable("cycle", kCases);
+
+} // namespace counterpoint::conformance

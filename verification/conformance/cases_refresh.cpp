@@ -1,0 +1,128 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+//
+// Refresh: phase, missed refresh, both forms. First transmission at 2 ms, refresh 25 ms. Times in microseconds.
+#include "verification/conformance/gold.hpp"
+
+namespace counterpoint::conformance
+{
+
+namespace
+{
+constexpr Step kP1 = Put(0x6210U, 1U, 0x12U);
+constexpr Step kP2 = Put(0x6210U, 2U, 0x34U);
+constexpr Step kI1 = Put(0x6211U, 1U, 0xEDU);
+constexpr Step kI2 = Put(0x6211U, 2U, 0xCBU);
+constexpr std::uint32_t kMissedBit = Bit(Cause::kRefreshMissed);
+
+// Due at 2000 + k * 25000, whatever the jitter of the calls.
+constexpr Step kPhase[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Due(0U), Cycle(1999U), Due(0U), Cycle(2900U), Due(1U), ReadyPair(0U), Launch(0U), NextFirst(0U), ConfirmFirst(0U, 3000U),
+    NextSecond(0U), ConfirmSecond(0U, 3100U), Cycle(3500U), Due(0U), Cycle(26999U), Due(0U), Cycle(27000U), Due(1U), ReadyPair(0U), Launch(0U), ConfirmFirst(0U, 27100U),
+    NextSecond(0U), ConfirmSecond(0U, 27200U), Cycle(51999U), Due(0U), Cycle(53300U), Due(1U), ReadyPair(0U), Launch(0U), ConfirmFirst(0U, 53400U), NextSecond(0U),
+    ConfirmSecond(0U, 53500U), Cycle(76999U), Due(0U), Cycle(77000U), Due(1U), Slot(0U, kProducing, kNoCause, 3U, 0U, 0U),
+};
+
+// A request between two refreshes is sent and leaves the phase alone.
+constexpr Step kRequestKeepsPhase[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Request(0U), Cycle(10000U), Due(1U), ReadyPair(0U), Cycle(11000U), Due(0U), Cycle(26999U),
+    Due(0U), Cycle(27000U), Due(1U), ReadyPair(0U), Cycle(51999U), Due(0U), Cycle(52000U), Due(1U),
+};
+
+// Prepare uses up both the request and the refresh that fell due.
+constexpr Step kBothUsedUp[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Request(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Cycle(3000U), Due(0U), Cycle(26000U), Due(0U), Cycle(27000U), Due(1U),
+    Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
+};
+
+// A request whose mark is still there when the refresh falls due is no missed refresh.
+constexpr Step kRequestThenRefresh[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Request(0U), Cycle(26000U), Due(1U), Cycle(27000U), Due(1U), Signals(0U, 0U), ReadyPair(0U),
+    Cycle(28000U), Due(0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
+};
+
+// t     2000         26999   27000                 52000
+//       due, unused          missed; still due     missed
+constexpr Step kNotPrepared[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Cycle(26999U), Due(1U), Signals(0U, 0U), Cycle(27000U), Due(1U), Signals(0U, kMissedBit),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Cycle(27001U), Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Cycle(52000U),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 2U, 0U), ReadyPair(0U), Cycle(76999U), Due(0U), Cycle(77000U), Due(1U),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 2U, 0U),
+};
+
+// A pair in flight when the refresh falls due: that refresh is skipped, the pair goes on.
+// t     2000  20000              27000     28000        52000
+//       due   prepared, launched missed    confirmed    due
+constexpr Step kInFlight[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Cycle(20000U), Due(1U), ReadyPair(0U), Launch(0U), NextFirst(0U), Cycle(27000U), Due(0U),
+    Signals(0U, kMissedBit), ConfirmFirst(0U, 27100U), NextSecond(0U), ConfirmSecond(0U, 27200U), Cycle(28000U), Due(0U), Slot(0U, kProducing, Cause::kRefreshMissed, 1U, 1U, 0U),
+    Cycle(51999U), Due(0U), Cycle(52000U), Due(1U),
+};
+
+// No confirmation is examined before the refresh: the pair is given up, so the refresh of the same call takes place.
+constexpr Step kGivenUpFirst[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Launch(0U), NextFirst(0U), Cycle(27000U), Due(1U), Signals(0U, Bit(Cause::kNoConfirmation)),
+    Slot(0U, kProducing, Cause::kNoConfirmation, 0U, 1U, 0U),
+};
+
+// A call late by more than one refresh: one refresh a call is examined, the phase stays.
+constexpr Step kLateCalls[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Cycle(80000U), Due(1U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), Cycle(80001U), Due(1U),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Cycle(80002U), Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 2U, 0U), Cycle(80003U),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 2U, 0U), ReadyPair(0U), Cycle(101999U), Due(0U), Cycle(102000U), Due(1U),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 2U, 0U),
+};
+
+// The application: 25000 + cycle 1000 + tolerance 500 after the first possible transmission at 2000.
+// t     2000   28500 (on)   28501
+constexpr Step kSilent[] = {
+    Configure(), Cycle(0U), Cycle(2000U), Cycle(28500U), Signals(0U, 0U), Cycle(28501U), Signals(0U, kMissedBit), Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Due(0U),
+    Cycle(28502U), Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Cycle(53501U), Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U),
+};
+
+// Counted from the instant of the first possible transmission, not from the call that came after it.
+constexpr Step kSilentFromTheInstant[] = {
+    Configure(), Cycle(0U), Cycle(9000U), Cycle(28500U), Signals(0U, 0U), Cycle(28501U), Signals(0U, kMissedBit),
+};
+
+constexpr Step kSilentAtFirstCall[] = {
+    Configure(), Cycle(0U), Cycle(28501U), Signals(0U, kMissedBit),
+};
+
+// From the last Launch on: its cycle was at 10000.
+constexpr Step kSilentAfterLaunch[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(10000U), ReadyPair(0U), Launch(0U), NextFirst(0U), ConfirmFirst(0U, 10100U), NextSecond(0U), ConfirmSecond(0U, 10200U),
+    Cycle(36500U), Signals(0U, 0U), Cycle(36501U), Signals(0U, kMissedBit), Slot(0U, kProducing, Cause::kRefreshMissed, 1U, 1U, 0U),
+};
+
+// A request that waits is no silence, even if nobody prepares it.
+constexpr Step kRequestWaits[] = {
+    Configure(), Cycle(0U), Cycle(2000U), Request(0U), Cycle(28501U), Due(1U), Signals(0U, 0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
+};
+
+// Both forms at once: the provider is called, the application also asks.
+constexpr Step kOtherForm[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Cycle(26999U), Signals(0U, 0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), Cycle(27000U), ReadyPair(0U),
+    Cycle(51999U), Signals(0U, 0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
+};
+
+constexpr Case kCases[] = {
+    MakeCase("RefreshKeepsItsPhase", {req::SRS_PROD_002, req::SRS_TIME_001}, kProvider, kPhase),
+    MakeCase("RequestLeavesThePhase", {req::SRS_PROD_003, req::SRS_PROD_002}, kProvider, kRequestKeepsPhase),
+    MakeCase("PrepareUsesUpRequestAndRefresh", {req::SRS_PROD_005, req::SRS_PROD_004}, kProvider, kBothUsedUp),
+    MakeCase("RequestIsNoMissedRefresh", {req::SRS_PROD_010, req::SRS_PROD_003}, kProvider, kRequestThenRefresh),
+    MakeCase("RefreshThatNobodyPrepares", {req::SRS_PROD_010, req::SRS_PROD_004}, kProvider, kNotPrepared),
+    MakeCase("RefreshWhileInFlight", {req::SRS_PROD_010, req::SRS_PROD_009}, kProvider, kInFlight),
+    MakeCase("ConfirmationIsExaminedBeforeRefresh", {req::SRS_PROD_008, req::SRS_PROD_010}, kProvider, kGivenUpFirst),
+    MakeCase("OneRefreshACall", {req::SRS_PROD_010, req::SRS_PROD_002}, kProvider, kLateCalls),
+    MakeCase("SilentApplication", {req::SRS_PROD_010, req::SRS_TIME_004, req::SRS_TIME_001}, kSender, kSilent),
+    MakeCase("SilenceCountsFromTheInstant", {req::SRS_PROD_010}, kSender, kSilentFromTheInstant),
+    MakeCase("SilenceFoundByTheFirstCall", {req::SRS_PROD_010, req::SRS_PROD_001}, kSender, kSilentAtFirstCall),
+    MakeCase("SilenceAfterLaunch", {req::SRS_PROD_010, req::SRS_PROD_007}, kSender, kSilentAfterLaunch),
+    MakeCase("RequestThatWaitsIsNoSilence", {req::SRS_PROD_010, req::SRS_PROD_003}, kSender, kRequestWaits),
+    MakeCase("ProviderIsNeverSilent", {req::SRS_PROD_010, req::SRS_PROD_002}, kProvider, kOtherForm),
+};
+} // namespace
+
+const CaseTable kRefreshCases = MakeTable("refresh", kCases);
+
+} // namespace counterpoint::conformance

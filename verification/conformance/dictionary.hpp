@@ -1,0 +1,61 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_CONFORMANCE_DICTIONARY_HPP
+#define VERIFICATION_CONFORMANCE_DICTIONARY_HPP
+
+#include "safety_core/contract/configuration.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace counterpoint::conformance
+{
+
+/// An object of 64 bits at the most.
+struct ObjectValue
+{
+    std::uint32_t low;
+    std::uint32_t high;
+};
+
+/// The mappable objects of all cases, ascending:
+///   2000h, 2001h         8 bits, producer                  6010h, 6011h:01,02   8 bits, consumer
+///   6200h, 6201h:01      32 bits, consumer                 6210h, 6211h:01,02   8 bits, producer
+///   6300h, 6301h:01..08  8 x sub bits, consumer            6400h, 6401h:01..08  8 x sub bits, producer
+///   6621h, 6623h:01..08  8 bits, producer                  6631h, 6633h:01..08  8 bits, consumer
+///   6700h                8 bits, in no mapping             7000h + s:01..04     32 bits, consumer, s = 0 to 63
+class Dictionary
+{
+  public:
+    static constexpr std::uint16_t kObjectCount = 333U;
+
+    Dictionary() noexcept;
+    /// @brief Every byte of every object becomes `fill`.
+    void Fill(std::uint8_t fill) noexcept;
+    void Put(std::uint16_t index, std::uint8_t sub, const ObjectValue& value) noexcept;
+    [[nodiscard]] ObjectValue Get(std::uint16_t index, std::uint8_t sub) const noexcept;
+    /// @brief Bytes of the object; 0 if there is none.
+    [[nodiscard]] std::uint8_t Bytes(std::uint16_t index, std::uint8_t sub) const noexcept;
+    [[nodiscard]] const MappableObject* Objects() const noexcept
+    {
+        return objects_;
+    }
+    /// @brief FNV-1a over all objects.
+    [[nodiscard]] std::uint32_t Digest() const noexcept;
+
+  private:
+    static constexpr std::size_t kPlaceBytes = 1600U;
+
+    void Add(std::uint16_t index, std::uint8_t sub, std::uint8_t bits, MapAccess access) noexcept;
+    void AddRange(std::uint16_t index, std::uint8_t last_sub, std::uint8_t bits, MapAccess access) noexcept;
+    void AddSizes(std::uint16_t index, MapAccess access) noexcept;
+    [[nodiscard]] const MappableObject* Find(std::uint16_t index, std::uint8_t sub) const noexcept;
+
+    MappableObject objects_[kObjectCount]{};
+    std::uint8_t places_[kPlaceBytes]{};
+    std::uint16_t count_{0U};
+    std::uint16_t used_{0U};
+};
+
+} // namespace counterpoint::conformance
+
+#endif
