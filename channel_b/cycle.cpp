@@ -148,6 +148,7 @@ SrdoMask Channel::Leave() noexcept
     {
         x_storage.state[slot] = SrdoState::kOff;
         x_storage.stage[slot] = Stage::kIdle;
+        x_storage.sent[slot] = 0U;
         x_storage.pair_limit[slot] = kNothingRuns;
     }
     x_storage.marks->phased = 0U;
