@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What the kernel costs, against limits: item | measured | aim | must | verdict.
 
-    bench.py [--build B] [--limit ID=VALUE ...] [--from FILE] [--seconds N]
+    bench.py [--limit ID=VALUE ...] [--from FILE]
 
 Builds the product objects (preset `product`) and the target's, counts instructions with callgrind and on the emulated
 processor, adds up bytes, times the simulator. Result: build/bench/bench.json.
@@ -25,6 +25,7 @@ import objects  # noqa: E402
 import target_build  # noqa: E402
 
 RESULTS = ROOT / "build/bench"
+SCENARIO = ROOT / "verification/bench/long_run.yaml"
 LABEL = re.compile(r"item=(\w+) srdos=(\d+) repetitions=(\d+)")
 TARGET_LINE = re.compile(r"item=(\w+) srdos=(\d+) repetitions=(\d+) instructions=(\d+)")
 RAM_LINE = re.compile(r"ram=(\w+) bytes=(\d+)")
@@ -107,15 +108,15 @@ def growth(by_item):
     return ratios
 
 
-def simulated_seconds_a_second(tool, scenario, seconds):
+def simulated_seconds_a_second(tool):
     """Simulated seconds by real seconds of one run of the simulator."""
-    command = [tool, "simulate", scenario, "--seconds", str(seconds), "--quiet"]
+    duration = re.search(r"^duration: (\d+) s$", SCENARIO.read_text(encoding="utf-8"), re.MULTILINE)
     start = time.monotonic()
-    run(*command)
-    return seconds / (time.monotonic() - start)
+    run(tool, "simulate", SCENARIO, "--quiet")
+    return int(duration.group(1)) / (time.monotonic() - start)
 
 
-def measure(arguments):
+def measure():
     RESULTS.mkdir(parents=True, exist_ok=True)
     product = ROOT / "build/product"
     target_build.build_preset("product", ["bench", "counterpoint"])
@@ -127,7 +128,7 @@ def measure(arguments):
     small_sizes = objects.sizes(small, "arm-none-eabi-")
     digest, count = objects.digest(product)
     target_digest, target_count = objects.digest(target)
-    simulation = simulated_seconds_a_second(product / "tools/counterpoint", arguments.scenario, arguments.seconds)
+    simulation = simulated_seconds_a_second(product / "tools/counterpoint")
     ratios = growth(host)
     return {
         "host": host, "target": on_target, "ram": ram, "stack_used_bytes": stack, "small_sizes": small_sizes,
@@ -206,18 +207,16 @@ def bites(path):
 
 
 def main():
-    parser = argparse.ArgumentParser(description="What the kernel costs, against limits.")
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--limit", action="append", default=[], metavar="ID=VALUE")
     parser.add_argument("--from", dest="earlier", type=pathlib.Path)
-    parser.add_argument("--scenario", type=pathlib.Path, default=ROOT / "examples/emergency_stop/fault_free.yaml")
-    parser.add_argument("--seconds", type=int, default=2000, help="how long the simulator simulates")
     arguments = parser.parse_args()
     limits = limits_of(arguments)
     if arguments.earlier:
         result = json.loads(arguments.earlier.read_text(encoding="utf-8"))
     else:
         # Through JSON, so that a later --from sees the same.
-        result = json.loads(json.dumps(measure(arguments)))
+        result = json.loads(json.dumps(measure()))
     rows = judge(result["measured"], limits)
     print_table(rows, result)
     broken = [row for row in rows if not row["kept"]]
