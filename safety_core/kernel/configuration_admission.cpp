@@ -33,8 +33,8 @@ AbortCode ConfigurationGuard::AdmitItem(const ConfigItem& item) const noexcept
     {
         return AdmitMapEntry(item);
     }
-    const bool is_wrong_type =
-        (field == ConfigField::kTransmissionType) && (item.value != kTransmissionTypeAsynchronous);
+    // The one transmission type that is admitted is the one that is stored: any change is wrong.
+    const bool is_wrong_type = field == ConfigField::kTransmissionType;
     const bool is_wrong_gfc = (field == ConfigField::kGfcParameter) && (item.value > kGfcSupported);
     return (is_wrong_type || is_wrong_gfc) ? AbortCode::kValueRange : AbortCode::kNone;
 }

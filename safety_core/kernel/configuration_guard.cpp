@@ -144,21 +144,21 @@ void ConfigurationGuard::Invalidate() noexcept
 ObjectReading ConfigurationGuard::Read(const ObjectAddress& address) noexcept
 {
     const ObjectPlace place = Locate(*config_, address);
-    switch (place.kind)
+    if (place.kind == ObjectKind::kInvalid)
     {
-    case ObjectKind::kConstant:
-        return ToReading(place.constant, place.size_bytes);
-    case ObjectKind::kGapSignature:
-        return ToReading(0U, place.size_bytes);
-    case ObjectKind::kVariable:
-        return ToReading(*place.variable, place.size_bytes);
-    case ObjectKind::kConfiguration:
-    case ObjectKind::kConfigurationValid:
-        break;
-    case ObjectKind::kSubUnknown:
-        return Refused(AbortCode::kSubUnknown);
-    case ObjectKind::kInvalid:
         return Refused(AbortCode::kObjectUnknown);
+    }
+    if (place.kind == ObjectKind::kSubUnknown)
+    {
+        return Refused(AbortCode::kSubUnknown);
+    }
+    if (place.kind == ObjectKind::kVariable)
+    {
+        return ToReading(*place.variable, place.size_bytes);
+    }
+    if ((place.kind == ObjectKind::kConstant) || (place.kind == ObjectKind::kGapSignature))
+    {
+        return ToReading(place.constant, place.size_bytes);
     }
     const ConfigItem item_a = a_.Load(place.config);
     const ConfigItem item_b = b_.Load(place.config);

@@ -50,8 +50,8 @@ TEST_F(SafetyObjects, WhatDoesNotExistIsUnknown)
 {
     Verifies(req::SRS_CFG_040);
     Configure();
-    for (const std::uint16_t index :
-         {0x12FF, 0x1302, 0x1340, 0x1341, 0x1380, 0x1382, 0x13C0, 0x13C1, 0x13FD, 0x1400, 0x1FFF, 0x2150, 0x2500})
+    for (const std::uint16_t index : std::initializer_list<std::uint16_t>{
+             0x12FF, 0x1302, 0x1340, 0x1341, 0x1380, 0x1382, 0x13C0, 0x13C1, 0x13FD, 0x1400, 0x1FFF, 0x2150, 0x2500})
     {
         EXPECT_EQ(ReadAbort(index, 0U), AbortCode::kObjectUnknown) << std::hex << index;
         EXPECT_EQ(Write(index, 0U, 0U, 1U), AbortCode::kObjectUnknown) << std::hex << index;
@@ -193,6 +193,24 @@ TEST_F(SafetyObjects, SecondIdentifierAloneInUseKeepsItOff)
     real_a.Store(corrupted);
     real_b.Store(corrupted);
     EXPECT_EQ(Write(0x1304U, 1U, 1U, 1U), AbortCode::kValueRange);
+    // and one whose COB-ID 2 is 106h
+    const ConfigItem restored{ConfigAddress{0U, ConfigField::kCobId1, 0U}, 0x101U};
+    const ConfigItem second{ConfigAddress{0U, ConfigField::kCobId2, 0U}, 0x106U};
+    for (Channel* const channel : std::initializer_list<Channel*>{&real_a, &real_b})
+    {
+        channel->Store(restored);
+        channel->Store(second);
+    }
+    EXPECT_EQ(Write(0x1304U, 1U, 1U, 1U), AbortCode::kValueRange);
+}
+
+TEST_F(SafetyObjects, DirectionCanTurnRound)
+{
+    Verifies(req::SRS_CFG_044);
+    Configure();
+    // Given SRDO 1 as consumer, its own identifiers do not stand in its way as producer
+    EXPECT_EQ(Write(0x1301U, 1U, 1U, 1U), AbortCode::kNone);
+    EXPECT_EQ(Read(0x1301U, 1U), 1U);
 }
 
 TEST_F(SafetyObjects, MappingIsDeletedFirst)
@@ -229,7 +247,7 @@ TEST_F(SafetyObjects, MapCountMayNotReachMoreThanSixtyFourBitsOnEitherSide)
     Verifies(req::SRS_CFG_045);
     Configure();
     // Given five normal entries of 16 bits and none inverse
-    for (const std::uint8_t sub : {1, 3, 5, 7, 9})
+    for (const std::uint8_t sub : std::initializer_list<std::uint8_t>{1, 3, 5, 7, 9})
     {
         ASSERT_EQ(Write(0x1384U, sub, 0x20000110U, 4U), AbortCode::kNone);
     }
@@ -238,7 +256,7 @@ TEST_F(SafetyObjects, MapCountMayNotReachMoreThanSixtyFourBitsOnEitherSide)
     EXPECT_EQ(Write(0x1384U, 0U, 10U, 1U), AbortCode::kMapTooLong);
     // and the inverse side alone too long
     ASSERT_EQ(Write(0x1384U, 9U, 0U, 4U), AbortCode::kNone);
-    for (const std::uint8_t sub : {2, 4, 6, 8, 10})
+    for (const std::uint8_t sub : std::initializer_list<std::uint8_t>{2, 4, 6, 8, 10})
     {
         ASSERT_EQ(Write(0x1384U, sub, 0x21000110U, 4U), AbortCode::kNone);
     }

@@ -234,19 +234,32 @@ TEST_F(Production, ShortestRefreshTimeOfSeveralProducersCounts)
     Verifies(req::SRS_KRN_013);
     setups[1].form = ProducerForm::kApplicationSends;
     Configure();
-    // Given that SRDO 1 becomes a producer of 50 ms beside SRDO 3 of 25 ms
-    ASSERT_EQ(Write(0x1301U, 1U, 0U, 1U), AbortCode::kNone);
-    ASSERT_EQ(Write(0x1381U, 0U, 0U, 1U), AbortCode::kNone);
-    ASSERT_EQ(Write(0x1381U, 1U, 0x20000110U, 4U), AbortCode::kNone);
-    ASSERT_EQ(Write(0x1381U, 2U, 0x21000110U, 4U), AbortCode::kNone);
-    ASSERT_EQ(Write(0x1381U, 0U, 2U, 1U), AbortCode::kNone);
-    ASSERT_EQ(Write(0x1301U, 1U, 1U, 1U), AbortCode::kNone);
-    ASSERT_EQ(Write(0x13FFU, 1U, kernel.Sign(CommunicationIndex{0x1301U}).signature, 2U), AbortCode::kNone);
+    const auto make_producer = [this](std::uint16_t number, std::uint32_t cob_id)
+    {
+        const std::uint16_t communication = static_cast<std::uint16_t>(0x1300U + number);
+        const std::uint16_t mapping = static_cast<std::uint16_t>(0x1380U + number);
+        ASSERT_EQ(Write(communication, 1U, 0U, 1U), AbortCode::kNone);
+        ASSERT_EQ(Write(communication, 2U, 50U, 2U), AbortCode::kNone);
+        ASSERT_EQ(Write(communication, 5U, cob_id, 4U), AbortCode::kNone);
+        ASSERT_EQ(Write(communication, 6U, cob_id + 1U, 4U), AbortCode::kNone);
+        ASSERT_EQ(Write(mapping, 0U, 0U, 1U), AbortCode::kNone);
+        ASSERT_EQ(Write(mapping, 1U, 0x20000110U, 4U), AbortCode::kNone);
+        ASSERT_EQ(Write(mapping, 2U, 0x21000110U, 4U), AbortCode::kNone);
+        ASSERT_EQ(Write(mapping, 0U, 2U, 1U), AbortCode::kNone);
+        ASSERT_EQ(Write(communication, 1U, 1U, 1U), AbortCode::kNone);
+        const SignReply reply = kernel.Sign(CommunicationIndex{communication});
+        ASSERT_EQ(Write(0x13FFU, static_cast<std::uint8_t>(number), reply.signature, 2U), AbortCode::kNone);
+    };
+    // Given producers of 50, 25 and 50 ms
+    make_producer(1U, 0x101U);
+    make_producer(4U, 0x107U);
     ASSERT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
     kernel.SetNmtState(NmtState::kOperational);
     Cycle();
     ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
-    Cycles(26U);
+    Cycles(25U);
+    EXPECT_EQ(application.gfcs_not_followed, 0);
+    Cycle();
     EXPECT_EQ(application.gfcs_not_followed, 1);
 }
 

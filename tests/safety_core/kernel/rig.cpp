@@ -83,7 +83,7 @@ void Rig::Configure()
     ASSERT_EQ(Write(0x1303U, 5U, 0x103U, 4U), AbortCode::kNone);
     ASSERT_EQ(Write(0x1303U, 6U, 0x104U, 4U), AbortCode::kNone);
     ASSERT_EQ(Write(0x1303U, 1U, 1U, 1U), AbortCode::kNone);
-    for (const std::uint8_t number : {1, 3, 4})
+    for (const std::uint8_t number : std::initializer_list<std::uint8_t>{1, 3, 4})
     {
         const SignReply reply = kernel.Sign(CommunicationIndex{static_cast<std::uint16_t>(0x1300U + number)});
         ASSERT_EQ(reply.result, Result::kSuccessful);

@@ -60,12 +60,12 @@ TEST_F(Starting, NodeIdIsOneToOneHundredTwentySeven)
 TEST_F(Starting, GranularityIsEightSixteenThirtyTwoOrSixtyFour)
 {
     Verifies(req::SRS_KRN_001);
-    for (const std::uint8_t bits : {0, 1, 4, 7, 12, 24, 128, 255})
+    for (const std::uint8_t bits : std::initializer_list<std::uint8_t>{0, 1, 4, 7, 12, 24, 128, 255})
     {
         config.granularity_bits = bits;
         EXPECT_EQ(Start(), StartResult::kGranularity) << static_cast<int>(bits);
     }
-    for (const std::uint8_t bits : {8, 16, 32, 64})
+    for (const std::uint8_t bits : std::initializer_list<std::uint8_t>{8, 16, 32, 64})
     {
         config.granularity_bits = bits;
         EXPECT_EQ(Start(), StartResult::kStarted) << static_cast<int>(bits);
@@ -86,7 +86,7 @@ TEST_F(Starting, PortsAreFirstOrSecond)
 TEST_F(Starting, ObjectsAscendHaveALengthAndAPlace)
 {
     Verifies(req::SRS_KRN_001);
-    for (const std::uint8_t bits : {0, 7, 12, 65, 72})
+    for (const std::uint8_t bits : std::initializer_list<std::uint8_t>{0, 7, 12, 65, 72})
     {
         objects[1].length_bits = bits;
         EXPECT_EQ(Start(), StartResult::kObjects) << static_cast<int>(bits);

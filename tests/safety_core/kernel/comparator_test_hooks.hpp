@@ -1,0 +1,25 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef TESTS_SAFETY_CORE_KERNEL_COMPARATOR_TEST_HOOKS_HPP
+#define TESTS_SAFETY_CORE_KERNEL_COMPARATOR_TEST_HOOKS_HPP
+
+#include <cstdint>
+
+namespace counterpoint
+{
+
+/// What happens to the kernel's calls of the comparator: the linker leads them here (--wrap), the objects stay as they
+/// ship.
+enum class ComparatorCalls : std::uint8_t
+{
+    kReal = 0U,
+    kNotCalled = 1U,  ///< Nothing comes back but zeros.
+    kFrozen = 2U,     ///< The last verdict comes back.
+    kAlwaysGood = 3U, ///< No fault ever; everything else is real.
+    kDataUnseen = 4U, ///< Prepared pairs are always called equal.
+};
+
+extern ComparatorCalls comparator_calls;
+
+} // namespace counterpoint
+
+#endif
