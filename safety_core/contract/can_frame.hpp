@@ -41,7 +41,7 @@ struct CanFrame
 };
 
 /// A frame in bus order with the moment of its reception (or of its confirmed transmission) by both counters, taken in
-/// one place: the start of the end-of-frame field, or as near as the controller allows. [SRS-TIME-003]
+/// one place: the end of the frame, when the controller calls it valid. [SRS-TIME-003]
 struct StampedFrame
 {
     CanFrame frame;
