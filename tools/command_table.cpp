@@ -2,13 +2,17 @@
 #include "tools/command_table.hpp"
 
 #include "tools/check_command.hpp"
+#include "tools/demo_command.hpp"
 #include "tools/sign_command.hpp"
+#include "tools/simulate_command.hpp"
 
 namespace counterpoint::tools
 {
 std::vector<CommandRow> CommandTable()
 {
     return {
+        {"demo", "Simulate the emergency-stop chain under faults and show the timing diagrams", &MakeDemoCommand},
+        {"simulate", "Simulate a scenario: devices, faults, expectations", &MakeSimulateCommand},
         {"sign", "Compute the safety configuration signatures (13FFh) of a DCF", &MakeSignCommand},
         {"check", "Check the safety configuration of a DCF against every rule", &MakeCheckCommand},
     };

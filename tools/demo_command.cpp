@@ -1,0 +1,217 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tools/demo_command.hpp"
+
+#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/text_file.hpp"
+#include "verification/simulator/names.hpp"
+#include "verification/simulator/reports.hpp"
+#include "verification/simulator/run.hpp"
+#include "verification/simulator/scenario_reader.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <iomanip>
+#include <ostream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace counterpoint::tools
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+constexpr const char* kScenarioFolder = "examples/emergency_stop";
+constexpr int kFaultColumn = 34;
+constexpr int kPartyColumn = 17;
+constexpr int kCauseColumn = 20;
+constexpr int kTimeColumn = 12;
+
+/// The shipped scenarios: beside the working directory, else in the tree that the program was built in.
+fs::path FindScenarios()
+{
+    if (fs::is_directory(kScenarioFolder))
+    {
+        return kScenarioFolder;
+    }
+    std::error_code error;
+    for (fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path(); folder.has_relative_path();
+         folder = folder.parent_path())
+    {
+        if (fs::is_directory(folder / kScenarioFolder))
+        {
+            return folder / kScenarioFolder;
+        }
+    }
+    return kScenarioFolder;
+}
+
+/// Files NN_name.yaml in the order of their numbers; the others are what these extend.
+std::vector<std::string> ListScenarios(const fs::path& folder)
+{
+    std::error_code error;
+    std::vector<std::string> files;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    {
+        const std::string name = entry.path().filename().string();
+        const bool is_numbered = name.size() > 3U && std::isdigit(static_cast<unsigned char>(name[0])) != 0 &&
+                                 std::isdigit(static_cast<unsigned char>(name[1])) != 0 && name[2] == '_';
+        if (is_numbered && entry.path().extension() == ".yaml")
+        {
+            files.push_back(entry.path().string());
+        }
+    }
+    if (files.empty())
+    {
+        throw cia306::InputError(folder.string(), 0U,
+                                 {"no scenarios", "files such as 01_loss.yaml; --scenarios names their folder"});
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// The expectation whose limit a row shows.
+const simulator::Expectation* LimitedExpectation(const simulator::Run& run)
+{
+    for (const simulator::Expectation& expectation : run.Setting().expectations)
+    {
+        if (expectation.kind == simulator::ExpectationKind::kSafeWithin)
+        {
+            return &expectation;
+        }
+    }
+    return nullptr;
+}
+
+std::string Words(std::string text)
+{
+    std::replace(text.begin(), text.end(), '_', ' ');
+    return text;
+}
+
+class DemoCommand final : public Command
+{
+  public:
+    void Describe(CLI::App& app) override
+    {
+        app.add_option("--html", html_, "Page with all timing diagrams; a folder gets index.html")->capture_default_str();
+        app.add_option("--scenarios", scenarios_, "Folder of the scenarios NN_name.yaml");
+        app.add_flag("--list", list_, "List the scenarios and end");
+    }
+
+    [[nodiscard]] ExitStatus Run(const Streams& streams) override
+    {
+        try
+        {
+            const std::vector<std::string> files =
+                ListScenarios(scenarios_.empty() ? FindScenarios() : fs::path(scenarios_));
+            return list_ ? List(files, streams) : Demonstrate(files, streams);
+        }
+        catch (const simulator::ScenarioError& error)
+        {
+            streams.err << error.what() << "\n";
+            return ExitStatus::kBadInput;
+        }
+    }
+
+  private:
+    [[nodiscard]] static ExitStatus List(const std::vector<std::string>& files, const Streams& streams)
+    {
+        for (const std::string& file : files)
+        {
+            const simulator::Scenario scenario = simulator::ReadScenario(file);
+            streams.out << std::left << std::setw(kFaultColumn) << scenario.title << " " << file << "\n";
+        }
+        return ExitStatus::kHolds;
+    }
+
+    [[nodiscard]] ExitStatus Demonstrate(const std::vector<std::string>& files, const Streams& streams) const
+    {
+        std::vector<std::unique_ptr<simulator::Run>> runs;
+        streams.out << "Emergency-stop chain: sensor -> controller -> actuator, 500 kbit/s, cycle 1 ms. Each limit is computed\n"
+                       "from the device's configuration before its run; times are simulated, output time included.\n\n";
+        PrintRow({"Run", "Detected by", "Cause", "Time", "Limit", "Verdict"}, streams.out);
+        for (const std::string& file : files)
+        {
+            runs.push_back(std::make_unique<simulator::Run>(file, std::nullopt, std::nullopt, true));
+            DemonstrateOne(*runs.back(), streams.out);
+        }
+        const auto held =
+            std::count_if(runs.begin(), runs.end(), [](const std::unique_ptr<simulator::Run>& run) { return run->Holds(); });
+        streams.out << "\n" << held << " of " << runs.size() << " runs as expected\n";
+        for (const std::unique_ptr<simulator::Run>& run : runs)
+        {
+            if (!run->Holds())
+            {
+                streams.out << "\n" << run->Setting().title << " (" << run->Setting().file << ")\n";
+                simulator::WriteVerdicts(*run, streams.out);
+            }
+        }
+        streams.out << "Timing diagrams: " << WritePage(runs) << "\n";
+        return (static_cast<std::size_t>(held) == runs.size()) ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
+    }
+
+    using Cells = std::array<std::string, 6U>;
+
+    static void PrintRow(const Cells& cells, std::ostream& out)
+    {
+        out << std::left << std::setw(kFaultColumn) << cells[0] << std::setw(kPartyColumn) << cells[1]
+            << std::setw(kCauseColumn) << cells[2] << std::right << std::setw(kTimeColumn) << cells[3]
+            << std::setw(kTimeColumn) << cells[4] << "  " << cells[5] << "\n";
+    }
+
+    static void DemonstrateOne(simulator::Run& run, std::ostream& out)
+    {
+        const simulator::Expectation* const limited = LimitedExpectation(run);
+        Cells cells{run.Setting().title, "-", "-", "-", "-", ""};
+        if (limited != nullptr)
+        {
+            // Before the run: nothing that happens in it can change the limit.
+            cells[4] = simulator::MillisecondsText(
+                simulator::LimitOf(run.Setting(), *limited, run.ModelOf(limited->node)));
+        }
+        run.Simulate(nullptr);
+        if (const simulator::Measurement* const measurement = run.FirstMeasurement())
+        {
+            cells[1] = Words(simulator::Name(measurement->detection.party));
+            cells[2] = Words(measurement->detection.cause);
+            cells[3] = (measurement->elapsed < 0) ? "never" : simulator::MillisecondsText(measurement->elapsed);
+        }
+        cells[5] = run.Holds() ? ((limited != nullptr) ? "in time" : "as expected") : "FAILED";
+        PrintRow(cells, out);
+    }
+
+    [[nodiscard]] std::string WritePage(const std::vector<std::unique_ptr<simulator::Run>>& runs) const
+    {
+        std::vector<const simulator::Run*> pages;
+        for (const std::unique_ptr<simulator::Run>& run : runs)
+        {
+            pages.push_back(run.get());
+        }
+        const fs::path wanted(html_);
+        const fs::path file = (wanted.extension() == ".html") ? wanted : wanted / "index.html";
+        std::error_code error;
+        if (file.has_parent_path())
+        {
+            fs::create_directories(file.parent_path(), error); // What fails here fails again below, with a message.
+        }
+        cia306::WriteTextFile(file.string(), simulator::HtmlReport("Emergency-stop chain under faults", pages));
+        return file.string();
+    }
+
+    std::string html_{"build/demo"};
+    std::string scenarios_;
+    bool list_{false};
+};
+} // namespace
+
+std::unique_ptr<Command> MakeDemoCommand()
+{
+    return std::make_unique<DemoCommand>();
+}
+} // namespace counterpoint::tools

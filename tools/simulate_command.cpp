@@ -1,0 +1,119 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tools/simulate_command.hpp"
+
+#include "canopen/cia306/text_file.hpp"
+#include "tools/progress_bar.hpp"
+#include "verification/simulator/page_parts.hpp"
+#include "verification/simulator/reports.hpp"
+#include "verification/simulator/run.hpp"
+#include "verification/simulator/scenario_reader.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <ostream>
+#include <string>
+
+namespace counterpoint::tools
+{
+namespace
+{
+class SimulateCommand final : public Command
+{
+  public:
+    void Describe(CLI::App& app) override
+    {
+        app.add_option("SCENARIO", scenario_, "Scenario file (YAML); --explain tells the format");
+        app.add_option("--html", html_, "Write a page with the timing diagram");
+        app.add_option("--json", json_, "Write recording, measurements and verdicts as JSON");
+        app.add_option("--candump", candump_, "Write the frames of the bus as candump -l does");
+        app.add_option("--seed", seed_, "Instead of the scenario's seed");
+        app.add_option("--until", until_, "Instead of the scenario's duration, with its unit: 500ms, 20s");
+        app.add_flag("--frames", frames_, "Show every frame on the time line");
+        app.add_flag("--quiet", quiet_, "No time line; only what was expected and did not come");
+        app.add_flag("--explain", explain_, "Describe the scenario format and end");
+    }
+
+    [[nodiscard]] ExitStatus Run(const Streams& streams) override
+    {
+        if (explain_)
+        {
+            streams.out << simulator::kScenarioText;
+            return ExitStatus::kHolds;
+        }
+        if (scenario_.empty())
+        {
+            streams.err << "counterpoint simulate: no scenario, expected SCENARIO or --explain\n";
+            return ExitStatus::kBadInput;
+        }
+        try
+        {
+            return Simulate(streams);
+        }
+        catch (const simulator::ScenarioError& error)
+        {
+            streams.err << error.what() << "\n";
+            return ExitStatus::kBadInput;
+        }
+    }
+
+  private:
+    [[nodiscard]] ExitStatus Simulate(const Streams& streams) const
+    {
+        const std::optional<simulator::Nanoseconds> until =
+            until_.empty() ? std::nullopt : std::optional(simulator::ParseDuration("--until", until_));
+        const bool keeps_all = !quiet_ || !html_.empty() || !json_.empty() || !candump_.empty();
+        simulator::Run run(scenario_, seed_, until, keeps_all);
+        {
+            ProgressBar bar(streams.err, "simulating");
+            const auto duration = static_cast<double>(run.Setting().duration);
+            run.Simulate([&bar, duration](const simulator::Nanoseconds now)
+                         { bar.Show(static_cast<double>(now) / duration); });
+        }
+        if (!quiet_)
+        {
+            simulator::WriteTimeLine(run, frames_ ? simulator::FrameLines::kAll : simulator::FrameLines::kCounted,
+                                     streams.out);
+        }
+        WriteFiles(run);
+        if (!quiet_ || !run.Holds())
+        {
+            simulator::WriteVerdicts(run, streams.out);
+        }
+        return run.Holds() ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
+    }
+
+    void WriteFiles(const simulator::Run& run) const
+    {
+        if (!html_.empty())
+        {
+            const std::string& title = run.Setting().title;
+            cia306::WriteTextFile(html_, simulator::HtmlReport(title.empty() ? "Counterpoint simulation" : title, {&run}));
+        }
+        if (!json_.empty())
+        {
+            cia306::WriteTextFile(json_, simulator::JsonReport(run));
+        }
+        if (!candump_.empty())
+        {
+            cia306::WriteTextFile(candump_, simulator::CandumpReport(run));
+        }
+    }
+
+    std::string scenario_;
+    std::string html_;
+    std::string json_;
+    std::string candump_;
+    std::string until_;
+    std::optional<std::uint64_t> seed_;
+    bool frames_{false};
+    bool quiet_{false};
+    bool explain_{false};
+};
+} // namespace
+
+std::unique_ptr<Command> MakeSimulateCommand()
+{
+    return std::make_unique<SimulateCommand>();
+}
+} // namespace counterpoint::tools

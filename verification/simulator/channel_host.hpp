@@ -1,0 +1,50 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_SIMULATOR_CHANNEL_HOST_HPP
+#define VERIFICATION_SIMULATOR_CHANNEL_HOST_HPP
+
+#include "safety_core/contract/channel.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+namespace counterpoint::simulator
+{
+/// A shipped channel with exactly as much injected storage as its device needs. The storage is at hand as bytes, so that a
+/// fault can flip any bit of it.
+class ChannelHost
+{
+  public:
+    ChannelHost() = default;
+    virtual ~ChannelHost() = default;
+    ChannelHost(const ChannelHost&) = delete;
+    ChannelHost& operator=(const ChannelHost&) = delete;
+
+    [[nodiscard]] virtual Channel& Voice() noexcept = 0;
+    [[nodiscard]] virtual std::uint8_t* Bytes() noexcept = 0;
+    [[nodiscard]] virtual std::size_t Size() const noexcept = 0;
+};
+
+enum class Letter : std::uint8_t
+{
+    kA = 1U,
+    kB = 2U,
+};
+
+/// `slots` is 1 to 64.
+[[nodiscard]] std::unique_ptr<ChannelHost> MakeChannel(Letter letter, std::uint8_t slots);
+
+struct BitPlace
+{
+    std::size_t offset{0U};
+    std::uint8_t bit{0U};
+};
+
+/// Where the channel keeps one bit of a configuration value, found by trial on a second channel of the same kind: which
+/// bit of the storage changes when that bit of the value does. Nothing if the value does not exist. [SRS-SIM-021]
+[[nodiscard]] std::optional<BitPlace> FindConfigBit(Letter letter, const DeviceConfig& config, const ConfigAddress& address,
+                                                    std::uint8_t bit);
+} // namespace counterpoint::simulator
+
+#endif // VERIFICATION_SIMULATOR_CHANNEL_HOST_HPP

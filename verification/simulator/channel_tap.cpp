@@ -1,0 +1,204 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/simulator/channel_tap.hpp"
+
+namespace counterpoint::simulator
+{
+ChannelTap::ChannelTap(Channel& real, const Part part, PartFaults& faults, ChannelWitness* const witness) noexcept
+    : real_(real), part_(part), faults_(faults), witness_(witness)
+{
+}
+
+bool ChannelTap::IsStill() const noexcept
+{
+    const PartCondition& condition = faults_.Condition(part_);
+    if (!condition.is_faulty)
+    {
+        return false;
+    }
+    if (condition.kind == FaultKind::kHung)
+    {
+        faults_.Hang(condition);
+    }
+    if (condition.kind == FaultKind::kFrozen)
+    {
+        faults_.HasEffect(condition);
+        return true;
+    }
+    return false;
+}
+
+std::uint32_t ChannelTap::Calls(const ChannelCall call) noexcept
+{
+    PartCondition& condition = faults_.Condition(part_);
+    const bool is_counted = condition.kind == FaultKind::kSkipped || condition.kind == FaultKind::kDoubled;
+    if (!condition.is_faulty || !is_counted || condition.call != call || condition.remaining == 0U)
+    {
+        return 1U;
+    }
+    --condition.remaining;
+    faults_.HasEffect(condition);
+    return (condition.kind == FaultKind::kSkipped) ? 0U : 2U;
+}
+
+void ChannelTap::Restart(const DeviceConfig& config) noexcept
+{
+    real_.Restart(config);
+    outcome_ = CycleOutcome{};
+}
+
+void ChannelTap::Store(const ConfigItem& item) noexcept
+{
+    if (!IsStill())
+    {
+        real_.Store(item);
+    }
+}
+
+ConfigItem ChannelTap::Load(const ConfigAddress& address) const noexcept
+{
+    return real_.Load(address);
+}
+
+CheckResult ChannelTap::Validate(const SlotIndex slot) noexcept
+{
+    if (!IsStill())
+    {
+        check_ = real_.Validate(slot);
+    }
+    return check_;
+}
+
+CheckResult ChannelTap::Recheck(const SlotIndex slot) noexcept
+{
+    if (!IsStill())
+    {
+        check_ = real_.Recheck(slot);
+    }
+    return check_;
+}
+
+void ChannelTap::OnFrame(const CanFrame& frame, const Instant stamp) noexcept
+{
+    if (IsStill())
+    {
+        return;
+    }
+    const std::uint32_t calls = Calls(ChannelCall::kOnFrame);
+    for (std::uint32_t call = 0U; call < calls; ++call)
+    {
+        real_.OnFrame(frame, stamp);
+    }
+}
+
+CycleOutcome ChannelTap::OnCycle(const CycleInput& input) noexcept
+{
+    if (!IsStill())
+    {
+        outcome_ = Fresh(input);
+    }
+    if (witness_ != nullptr)
+    {
+        witness_->OnOutcome(part_, *this, outcome_);
+    }
+    return outcome_;
+}
+
+// A call that is left out leaves what was in the caller's memory: the outcome of the cycle before.
+CycleOutcome ChannelTap::Fresh(const CycleInput& input) noexcept
+{
+    CycleOutcome outcome = outcome_;
+    const std::uint32_t calls = Calls(ChannelCall::kOnCycle);
+    for (std::uint32_t call = 0U; call < calls; ++call)
+    {
+        outcome = real_.OnCycle(input);
+    }
+    return outcome;
+}
+
+SrdoView ChannelTap::View(const SlotIndex slot) const noexcept
+{
+    if (!IsStill())
+    {
+        views_[slot] = real_.View(slot);
+    }
+    return views_[slot];
+}
+
+void ChannelTap::Demote(const SlotIndex slot) noexcept
+{
+    if (!IsStill())
+    {
+        real_.Demote(slot);
+    }
+}
+
+void ChannelTap::Commit(const Agreement& agreement) noexcept
+{
+    if (!IsStill())
+    {
+        real_.Commit(agreement);
+    }
+}
+
+Permit ChannelTap::Answer(const std::uint32_t challenge) const noexcept
+{
+    if (!IsStill())
+    {
+        permit_ = real_.Answer(challenge);
+    }
+    return permit_;
+}
+
+void ChannelTap::Request(const SlotIndex slot) noexcept
+{
+    if (!IsStill())
+    {
+        real_.Request(slot);
+    }
+}
+
+PreparedPair ChannelTap::Prepare(const SlotIndex slot) noexcept
+{
+    if (!IsStill())
+    {
+        prepared_ = real_.Prepare(slot);
+    }
+    return prepared_;
+}
+
+void ChannelTap::Launch(const SlotIndex slot) noexcept
+{
+    if (!IsStill())
+    {
+        real_.Launch(slot);
+    }
+}
+
+CanFrame ChannelTap::NextFrame(const SlotIndex slot) noexcept
+{
+    CanFrame frame{};
+    if (!IsStill())
+    {
+        frame = real_.NextFrame(slot);
+    }
+    return frame;
+}
+
+SlotIndex ChannelTap::OnConfirm(const CanFrame& frame, const Instant stamp) noexcept
+{
+    SlotIndex slot = kNoSlot;
+    if (!IsStill())
+    {
+        slot = real_.OnConfirm(frame, stamp);
+    }
+    return slot;
+}
+
+void ChannelTap::OnTransmitFault(const SlotIndex slot, const SrdoCause cause) noexcept
+{
+    if (!IsStill())
+    {
+        real_.OnTransmitFault(slot, cause);
+    }
+}
+} // namespace counterpoint::simulator

@@ -1,0 +1,68 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_SIMULATOR_CHANNEL_TAP_HPP
+#define VERIFICATION_SIMULATOR_CHANNEL_TAP_HPP
+
+#include "verification/simulator/part_faults.hpp"
+
+#include "safety_core/contract/channel.hpp"
+
+#include <array>
+
+namespace counterpoint::simulator
+{
+/// Hears what a channel answers in each cycle.
+class ChannelWitness
+{
+  public:
+    virtual ~ChannelWitness() = default;
+    /// @brief `channel` is the real one, for details.
+    virtual void OnOutcome(Part part, const Channel& channel, const CycleOutcome& outcome) = 0;
+};
+
+/// Stands between the kernel and a shipped channel: passes every call on, and makes the faults of calls (skipped, doubled,
+/// hung, frozen). The channel and the kernel know nothing of it. [SRS-SIM-021, SRS-SIM-025]
+class ChannelTap final : public Channel
+{
+  public:
+    /// @brief Everything outlives the tap; `witness` may be null.
+    ChannelTap(Channel& real, Part part, PartFaults& faults, ChannelWitness* witness) noexcept;
+
+    void Restart(const DeviceConfig& config) noexcept override;
+    void Store(const ConfigItem& item) noexcept override;
+    [[nodiscard]] ConfigItem Load(const ConfigAddress& address) const noexcept override;
+    [[nodiscard]] CheckResult Validate(SlotIndex slot) noexcept override;
+    [[nodiscard]] CheckResult Recheck(SlotIndex slot) noexcept override;
+    void OnFrame(const CanFrame& frame, Instant stamp) noexcept override;
+    [[nodiscard]] CycleOutcome OnCycle(const CycleInput& input) noexcept override;
+    [[nodiscard]] SrdoView View(SlotIndex slot) const noexcept override;
+    void Demote(SlotIndex slot) noexcept override;
+    void Commit(const Agreement& agreement) noexcept override;
+    [[nodiscard]] Permit Answer(std::uint32_t challenge) const noexcept override;
+    void Request(SlotIndex slot) noexcept override;
+    [[nodiscard]] PreparedPair Prepare(SlotIndex slot) noexcept override;
+    void Launch(SlotIndex slot) noexcept override;
+    [[nodiscard]] CanFrame NextFrame(SlotIndex slot) noexcept override;
+    [[nodiscard]] SlotIndex OnConfirm(const CanFrame& frame, Instant stamp) noexcept override;
+    void OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept override;
+
+  private:
+    /// @brief Whether the channel does not run at all: frozen. A channel that hangs does not return from here.
+    [[nodiscard]] bool IsStill() const noexcept;
+    /// @brief How often a call that can be skipped or doubled is to be made.
+    [[nodiscard]] std::uint32_t Calls(ChannelCall call) noexcept;
+    [[nodiscard]] CycleOutcome Fresh(const CycleInput& input) noexcept;
+
+    Channel& real_;
+    Part part_;
+    PartFaults& faults_;
+    ChannelWitness* witness_;
+    // The last answers: what a frozen channel goes on saying.
+    CycleOutcome outcome_{};
+    PreparedPair prepared_{};
+    CheckResult check_{};
+    mutable Permit permit_{};
+    mutable std::array<SrdoView, kMaxSrdoCount> views_{};
+};
+} // namespace counterpoint::simulator
+
+#endif // VERIFICATION_SIMULATOR_CHANNEL_TAP_HPP

@@ -1,0 +1,180 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/simulator/device_model.hpp"
+
+#include "verification/simulator/device_source.hpp"
+
+#include "canopen/cia306/device_reader.hpp"
+#include "canopen/cia306/input_error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace counterpoint::simulator
+{
+namespace
+{
+ObjectData DataOf(const ConfigurationWrite& write)
+{
+    ObjectData data{};
+    data.size_bytes = write.size_bytes;
+    for (std::uint8_t byte = 0U; byte < write.size_bytes; ++byte)
+    {
+        data.bytes[byte] = static_cast<std::uint8_t>(write.value >> (8U * byte));
+    }
+    return data;
+}
+
+const char* MeaningOf(const AbortCode code)
+{
+    switch (code)
+    {
+    case AbortCode::kNone:
+        return "no error";
+    case AbortCode::kUnsupportedAccess:
+        return "mapping in use";
+    case AbortCode::kReadOnly:
+        return "read only";
+    case AbortCode::kObjectUnknown:
+        return "unknown object";
+    case AbortCode::kNotMappable:
+        return "not mappable, or another length";
+    case AbortCode::kMapTooLong:
+        return "odd count, or more than 64 bits";
+    case AbortCode::kIncompatible:
+        return "the configuration does not hold: signature, timing, identifiers or mapping";
+    case AbortCode::kLengthMismatch:
+        return "wrong size";
+    case AbortCode::kSubUnknown:
+        return "unknown sub-index";
+    case AbortCode::kValueRange:
+        return "value out of range, or identifiers that are in use or no pair";
+    case AbortCode::kGeneral:
+        return "the channels differ";
+    case AbortCode::kDeviceState:
+        return "not in this state";
+    }
+    return "unknown abort code";
+}
+} // namespace
+
+DeviceModel::DeviceModel(const std::string& file, const std::optional<std::uint8_t> node_id) : file_(file)
+{
+    const cia306::Device device = cia306::ReadDeviceFile(file);
+    DeviceSource source(device, file, node_id);
+    srdos_ = source.Srdos();
+    setups_ = source.Setups();
+    writes_ = source.Writes();
+    const std::vector<SourceVariable> variables = source.Variables();
+    std::size_t bytes = 0U;
+    for (const SourceVariable& variable : variables)
+    {
+        bytes += variable.object.length_bits / 8U;
+    }
+    memory_.resize(bytes);
+    initial_.resize(bytes);
+    std::size_t place = 0U;
+    for (const SourceVariable& variable : variables)
+    {
+        objects_.push_back(variable.object);
+        objects_.back().place = memory_.data() + place;
+        for (std::uint8_t byte = 0U; byte < variable.object.length_bits / 8U; ++byte)
+        {
+            initial_[place] = static_cast<std::uint8_t>(variable.value >> (8U * byte));
+            ++place;
+        }
+    }
+    pairs_ = source.Pairs();
+    config_ = source.Config();
+    config_.srdos = setups_.data();
+    config_.objects = objects_.data();
+    config_.object_count = static_cast<std::uint16_t>(objects_.size());
+    config_.srdo_count = static_cast<std::uint8_t>(setups_.size());
+    ResetVariables();
+}
+
+const std::string& DeviceModel::File() const noexcept
+{
+    return file_;
+}
+
+const DeviceConfig& DeviceModel::Config() const noexcept
+{
+    return config_;
+}
+
+const std::vector<SrdoModel>& DeviceModel::Srdos() const noexcept
+{
+    return srdos_;
+}
+
+const std::vector<VariablePair>& DeviceModel::Pairs() const noexcept
+{
+    return pairs_;
+}
+
+const std::vector<MappableObject>& DeviceModel::Objects() const noexcept
+{
+    return objects_;
+}
+
+const std::vector<ConfigurationWrite>& DeviceModel::Writes() const noexcept
+{
+    return writes_;
+}
+
+std::optional<SlotIndex> DeviceModel::SlotOf(const std::uint8_t number) const noexcept
+{
+    const auto found = std::find_if(setups_.begin(), setups_.end(),
+                                    [number](const SrdoSetup& setup) { return setup.number == number; });
+    if (found == setups_.end())
+    {
+        return std::nullopt;
+    }
+    return static_cast<SlotIndex>(found - setups_.begin());
+}
+
+const VariablePair* DeviceModel::PairOf(const ObjectAddress& normal) const noexcept
+{
+    for (const VariablePair& pair : pairs_)
+    {
+        const MappableObject& object = objects_[pair.normal];
+        if (object.index == normal.index && object.sub == normal.sub)
+        {
+            return &pair;
+        }
+    }
+    return nullptr;
+}
+
+void DeviceModel::ResetVariables() noexcept
+{
+    std::copy(initial_.begin(), initial_.end(), memory_.begin());
+}
+
+std::string AbortText(const AbortCode code)
+{
+    std::array<char, 16U> text{};
+    const auto number = static_cast<std::uint32_t>(code);
+    static_cast<void>(std::snprintf(text.data(), text.size(), "%04X %04Xh", static_cast<unsigned>(number >> 16U),
+                                    static_cast<unsigned>(number & 0xFFFFU)));
+    return text.data();
+}
+
+void Commission(Kernel& kernel, const DeviceModel& model)
+{
+    for (const ConfigurationWrite& write : model.Writes())
+    {
+        const AbortCode code = kernel.WriteObject(write.object, DataOf(write));
+        if (code != AbortCode::kNone)
+        {
+            const std::string object = cia306::ObjectName(write.object.index, write.object.sub);
+            const auto digits = static_cast<int>(write.size_bytes * 2U);
+            throw cia306::InputError(model.File(), write.line,
+                                     {object + ": the device refuses " + cia306::Hex(write.value, digits) +
+                                          " with abort code " + AbortText(code) + " (" + MeaningOf(code) + ")",
+                                      "a configuration that it accepts; 'counterpoint check' tells more"});
+        }
+    }
+}
+} // namespace counterpoint::simulator

@@ -1,0 +1,94 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_SIMULATOR_DEVICE_MODEL_HPP
+#define VERIFICATION_SIMULATOR_DEVICE_MODEL_HPP
+
+#include "safety_core/contract/configuration.hpp"
+#include "safety_core/kernel/kernel.hpp"
+#include "safety_core/kernel/limits.hpp"
+#include "safety_core/kernel/object_access.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace counterpoint::simulator
+{
+/// One value that a configuring master writes, and where the DCF gives it.
+struct ConfigurationWrite
+{
+    ObjectAddress object{0U, 0U};
+    std::uint32_t value{0U};
+    std::uint8_t size_bytes{0U};
+    std::size_t line{0U};
+};
+
+/// What a DCF says about one SRDO, as far as people and limits need it.
+struct SrdoModel
+{
+    std::uint8_t number{0U};
+    std::uint8_t direction{0U};
+    SrdoTimes times{0U, 0U};
+    std::uint32_t cob_id_1{0U};
+    std::uint32_t cob_id_2{0U};
+    std::vector<ObjectAddress> normal_objects; ///< In the order of the mapping.
+};
+
+/// A pair of mappable variables as the mapping of an SRDO joins them.
+struct VariablePair
+{
+    std::size_t normal{0U}; ///< Indices into DeviceModel::Objects().
+    std::size_t inverse{0U};
+    std::uint8_t srdo{0U}; ///< Number of the SRDO.
+    bool is_consumer{false};
+};
+
+/// A device built from its DCF. Owns the memory of the mappable variables and everything that DeviceConfig points to, and
+/// therefore stays where it is. [SRS-SIM-002]
+class DeviceModel
+{
+  public:
+    /// @brief Reads the DCF. Throws cia306::InputError for a file that cannot be simulated.
+    DeviceModel(const std::string& file, std::optional<std::uint8_t> node_id);
+
+    DeviceModel(const DeviceModel&) = delete;
+    DeviceModel& operator=(const DeviceModel&) = delete;
+
+    [[nodiscard]] const std::string& File() const noexcept;
+    [[nodiscard]] const DeviceConfig& Config() const noexcept;
+    [[nodiscard]] const std::vector<SrdoModel>& Srdos() const noexcept;
+    [[nodiscard]] const std::vector<VariablePair>& Pairs() const noexcept;
+    [[nodiscard]] const std::vector<MappableObject>& Objects() const noexcept;
+    /// @brief In the order of a configuring master.
+    [[nodiscard]] const std::vector<ConfigurationWrite>& Writes() const noexcept;
+
+    /// @brief Slot of an SRDO that exists.
+    [[nodiscard]] std::optional<SlotIndex> SlotOf(std::uint8_t number) const noexcept;
+    /// @brief The mapped pair whose normal object has this address.
+    [[nodiscard]] const VariablePair* PairOf(const ObjectAddress& normal) const noexcept;
+
+    /// @brief Power-on: all variables take their values of the DCF.
+    void ResetVariables() noexcept;
+
+  private:
+    std::string file_;
+    std::vector<std::uint8_t> memory_;
+    std::vector<std::uint8_t> initial_;
+    std::vector<MappableObject> objects_;
+    std::vector<SrdoSetup> setups_;
+    std::vector<SrdoModel> srdos_;
+    std::vector<VariablePair> pairs_;
+    std::vector<ConfigurationWrite> writes_;
+    DeviceConfig config_{};
+};
+
+/// @brief Writes the configuration of the model to a started kernel. Throws cia306::InputError for the first write that is
+/// refused, with object and abort code.
+void Commission(Kernel& kernel, const DeviceModel& model);
+
+/// "0609 0030h"
+[[nodiscard]] std::string AbortText(AbortCode code);
+} // namespace counterpoint::simulator
+
+#endif // VERIFICATION_SIMULATOR_DEVICE_MODEL_HPP

@@ -1,0 +1,285 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/simulator/device_source.hpp"
+
+#include "canopen/cia306/data_type.hpp"
+#include "canopen/cia306/input_error.hpp"
+
+#include <algorithm>
+
+namespace counterpoint::simulator
+{
+namespace
+{
+using cia306::InputError;
+
+constexpr std::size_t kMostObjects = 1024U;
+constexpr std::uint32_t kMostMilliseconds = 4000000U; ///< As microseconds still an unsigned 32-bit number.
+
+std::uint32_t Number(const cia306::Field& field)
+{
+    return static_cast<std::uint32_t>(field.value.value_or(0U));
+}
+
+ObjectAddress AddressOf(const cia306::MappingEntry& entry)
+{
+    return {entry.Index(), entry.Sub()};
+}
+
+bool IsBefore(const SourceVariable& left, const SourceVariable& right)
+{
+    const std::uint32_t first = (std::uint32_t{left.object.index} << 8U) | left.object.sub;
+    const std::uint32_t second = (std::uint32_t{right.object.index} << 8U) | right.object.sub;
+    return first < second;
+}
+} // namespace
+
+DeviceSource::DeviceSource(const cia306::Device& device, const std::string& file,
+                           const std::optional<std::uint8_t> node_id)
+    : device_(device), file_(file), node_id_(node_id ? node_id : device.node_id)
+{
+    if (!node_id_)
+    {
+        throw InputError(file_, 0U, {"no node-ID", "NodeID in the commissioning section, or node_id in the scenario"});
+    }
+    safety_ = cia306::ExtractSafety(device_, node_id_);
+    cia306::RequireNone(file_, safety_.problems);
+    for (const cia306::SrdoConfiguration& srdo : safety_.srdos)
+    {
+        cia306::RequireNone(file_, srdo.signature_problems);
+        cia306::RequireNone(file_, srdo.other_problems);
+        if (srdo.mapping.size() > kMaxMapEntries)
+        {
+            throw InputError(file_, srdo.entry_count.line,
+                             {std::to_string(srdo.mapping.size()) + " mapping entries", "at most 16"});
+        }
+    }
+    if (safety_.srdos.empty())
+    {
+        throw InputError(file_, 0U, {"no SRDO", "objects 0x1301 to 0x1340 with at least one SRDO"});
+    }
+    std::vector<cia306::Finding> problems;
+    parameters_ = cia306::ReadDeviceParameters(device_, node_id_, problems);
+    cia306::RequireNone(file_, problems);
+}
+
+std::vector<SrdoModel> DeviceSource::Srdos() const
+{
+    std::vector<SrdoModel> models;
+    for (const cia306::SrdoConfiguration& srdo : safety_.srdos)
+    {
+        SrdoModel model;
+        model.number = srdo.number;
+        model.direction = static_cast<std::uint8_t>(Number(srdo.direction));
+        model.times = {static_cast<std::uint16_t>(Number(srdo.sct_ms)), static_cast<std::uint8_t>(Number(srdo.srvt_ms))};
+        model.cob_id_1 = Number(srdo.cob_id_1);
+        model.cob_id_2 = Number(srdo.cob_id_2);
+        for (const cia306::MappingEntry& entry : srdo.mapping)
+        {
+            if (entry.IsNormal())
+            {
+                model.normal_objects.push_back(AddressOf(entry));
+            }
+        }
+        models.push_back(model);
+    }
+    return models;
+}
+
+std::vector<SrdoSetup> DeviceSource::Setups() const
+{
+    std::vector<SrdoSetup> setups;
+    for (const cia306::SrdoConfiguration& srdo : safety_.srdos)
+    {
+        const cia306::SrdoParameters& parameters = parameters_.Srdo(srdo.number);
+        SrdoSetup setup{};
+        setup.number = srdo.number;
+        const bool is_automatic = parameters.release_policy == cia306::kAutomaticRelease;
+        setup.policy = is_automatic ? ReleasePolicy::kAutomatic : ReleasePolicy::kInterlock;
+        const bool is_called = parameters.producer_form == 1U;
+        setup.form = is_called ? ProducerForm::kProviderCalled : ProducerForm::kApplicationSends;
+        setup.safe_value = {static_cast<std::uint32_t>(parameters.safe_value & 0xFFFFFFFFU),
+                            static_cast<std::uint32_t>(parameters.safe_value >> 32U)};
+        setups.push_back(setup);
+    }
+    return setups;
+}
+
+MapAccess DeviceSource::AccessOf(const cia306::Entry& entry) const
+{
+    switch (entry.access)
+    {
+    case cia306::Access::kReadOnly:
+    case cia306::Access::kReadWriteInput:
+        return MapAccess::kProducer;
+    case cia306::Access::kWriteOnly:
+    case cia306::Access::kReadWriteOutput:
+        return MapAccess::kConsumer;
+    case cia306::Access::kReadWrite:
+        break;
+    case cia306::Access::kUnknown:
+    case cia306::Access::kConstant:
+        return MapAccess::kNone;
+    }
+    // rw fits both directions: what the DCF maps it to decides.
+    for (const cia306::SrdoConfiguration& srdo : safety_.srdos)
+    {
+        for (const cia306::MappingEntry& mapped : srdo.mapping)
+        {
+            const bool is_this = mapped.Index() == entry.index && mapped.Sub() == entry.sub;
+            if (is_this && srdo.IsConsumer())
+            {
+                return MapAccess::kConsumer;
+            }
+        }
+    }
+    return MapAccess::kProducer;
+}
+
+void DeviceSource::AppendVariable(const cia306::Entry& entry, std::vector<SourceVariable>& variables) const
+{
+    const bool is_mappable = entry.is_srdo_mappable.value_or(entry.is_pdo_mappable);
+    const std::uint8_t bits = cia306::DataTypeOf(entry.data_type).bits;
+    const bool has_length = bits >= 8U && bits <= 64U && bits % 8U == 0U;
+    if (!is_mappable || !has_length)
+    {
+        return;
+    }
+    SourceVariable variable;
+    variable.object = {entry.index, entry.sub, bits, AccessOf(entry), nullptr};
+    if (entry.Configured().IsSet())
+    {
+        const cia306::ValueResult result = cia306::ConfiguredValue(entry, node_id_);
+        if (!result.value)
+        {
+            throw InputError(file_, entry.ValueLine(), result.problem);
+        }
+        variable.value = result.value->bits;
+    }
+    variables.push_back(variable);
+}
+
+std::vector<SourceVariable> DeviceSource::Variables() const
+{
+    std::vector<SourceVariable> variables;
+    for (const auto& [index, object] : device_.objects)
+    {
+        static_cast<void>(index);
+        for (const auto& [sub, entry] : object.entries)
+        {
+            static_cast<void>(sub);
+            AppendVariable(entry, variables);
+        }
+    }
+    if (variables.size() > kMostObjects)
+    {
+        throw InputError(file_, 0U, {std::to_string(variables.size()) + " mappable objects", "at most 1024"});
+    }
+    std::sort(variables.begin(), variables.end(), IsBefore);
+    return variables;
+}
+
+std::size_t DeviceSource::IndexOf(const cia306::MappingEntry& entry, const std::vector<SourceVariable>& variables) const
+{
+    for (std::size_t index = 0U; index < variables.size(); ++index)
+    {
+        if (variables[index].object.index == entry.Index() && variables[index].object.sub == entry.Sub())
+        {
+            return index;
+        }
+    }
+    throw InputError(file_, entry.line,
+                     {"the mapping names " + cia306::ObjectName(entry.Index(), entry.Sub()),
+                      "an object of the file with SRDOMapping=1 and a length of 8 to 64 bits"});
+}
+
+std::vector<VariablePair> DeviceSource::Pairs() const
+{
+    const std::vector<SourceVariable> variables = Variables();
+    std::vector<VariablePair> pairs;
+    for (const cia306::SrdoConfiguration& srdo : safety_.srdos)
+    {
+        for (std::size_t entry = 0U; entry + 1U < srdo.mapping.size(); entry += 2U)
+        {
+            VariablePair pair;
+            pair.normal = IndexOf(srdo.mapping[entry], variables);
+            pair.inverse = IndexOf(srdo.mapping[entry + 1U], variables);
+            pair.srdo = srdo.number;
+            pair.is_consumer = srdo.IsConsumer();
+            pairs.push_back(pair);
+        }
+    }
+    return pairs;
+}
+
+void DeviceSource::AppendParameters(const cia306::SrdoConfiguration& srdo, std::vector<ConfigurationWrite>& writes) const
+{
+    const std::uint16_t index = srdo.CommunicationIndex();
+    const std::uint16_t mapping = srdo.MappingIndex();
+    const auto add = [&writes](const std::uint16_t object, const std::uint8_t sub, const cia306::Field& field,
+                               const std::uint8_t size_bytes)
+    { writes.push_back({{object, sub}, Number(field), size_bytes, field.line}); };
+    add(index, 2U, srdo.sct_ms, 2U);
+    add(index, 3U, srdo.srvt_ms, 1U);
+    add(index, 4U, srdo.transmission_type, 1U);
+    add(index, 5U, srdo.cob_id_1, 4U);
+    add(index, 6U, srdo.cob_id_2, 4U);
+    writes.push_back({{mapping, 0U}, 0U, 1U, srdo.entry_count.line});
+    for (const cia306::MappingEntry& entry : srdo.mapping)
+    {
+        writes.push_back({{mapping, entry.sub}, entry.raw, 4U, entry.line});
+    }
+    add(mapping, 0U, srdo.entry_count, 1U);
+    add(cia306::kSignatureIndex, srdo.number, srdo.signature, 2U);
+}
+
+std::vector<ConfigurationWrite> DeviceSource::Writes() const
+{
+    std::vector<ConfigurationWrite> writes;
+    for (const cia306::SrdoConfiguration& srdo : safety_.srdos)
+    {
+        writes.push_back({{srdo.CommunicationIndex(), 1U}, 0U, 1U, srdo.direction.line});
+    }
+    for (const cia306::SrdoConfiguration& srdo : safety_.srdos)
+    {
+        AppendParameters(srdo, writes);
+    }
+    for (const cia306::SrdoConfiguration& srdo : safety_.srdos)
+    {
+        writes.push_back({{srdo.CommunicationIndex(), 1U}, Number(srdo.direction), 1U, srdo.direction.line});
+    }
+    if (safety_.gfc.value)
+    {
+        writes.push_back({{cia306::kGfcIndex, 0U}, Number(safety_.gfc), 1U, safety_.gfc.line});
+    }
+    const std::uint32_t valid = safety_.configuration_valid.value ? Number(safety_.configuration_valid) : 0U;
+    writes.push_back({{cia306::kConfigurationValidIndex, 0U}, valid, 1U, safety_.configuration_valid.line});
+    return writes;
+}
+
+DeviceConfig DeviceSource::Config() const
+{
+    const auto milliseconds = [this](const std::uint32_t value)
+    {
+        if (value > kMostMilliseconds)
+        {
+            throw InputError(file_, 0U, {"an interval of " + std::to_string(value) + " ms in 0x5F00", "at most 4000000"});
+        }
+        return value * kMicrosecondsPerMillisecond;
+    };
+    DeviceConfig config{};
+    config.node_id = *node_id_;
+    config.granularity_bits = 8U;
+    config.normal_port = CanPortId::kFirst;
+    config.inverse_port = CanPortId::kFirst;
+    config.cycle_us = parameters_.cycle_us;
+    config.cycle_tolerance_us = parameters_.cycle_tolerance_us;
+    config.discrepancy_us = parameters_.discrepancy_us;
+    config.acknowledge_window_us = parameters_.acknowledge_window_us;
+    config.diagnostic_interval_us = milliseconds(parameters_.diagnostic_interval_ms);
+    config.test_interval_us = milliseconds(parameters_.test_interval_ms);
+    config.clock_tolerance_us = parameters_.clock_tolerance_us;
+    config.clock_interval_us = parameters_.clock_tolerance_interval_us;
+    config.output_time_us = parameters_.output_us;
+    return config;
+}
+} // namespace counterpoint::simulator

@@ -1,0 +1,53 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_SIMULATOR_DEVICE_SOURCE_HPP
+#define VERIFICATION_SIMULATOR_DEVICE_SOURCE_HPP
+
+#include "verification/simulator/device_model.hpp"
+
+#include "canopen/cia306/device_parameters.hpp"
+#include "canopen/cia306/safety_configuration.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace counterpoint::simulator
+{
+/// A mappable variable of the DCF; `place` is not set yet.
+struct SourceVariable
+{
+    MappableObject object{};
+    std::uint64_t value{0U}; ///< At power-on.
+};
+
+/// Takes a DCF apart into what DeviceModel needs. Every call may throw cia306::InputError.
+class DeviceSource
+{
+  public:
+    DeviceSource(const cia306::Device& device, const std::string& file, std::optional<std::uint8_t> node_id);
+
+    [[nodiscard]] std::vector<SrdoModel> Srdos() const;
+    [[nodiscard]] std::vector<SrdoSetup> Setups() const;
+    [[nodiscard]] std::vector<SourceVariable> Variables() const;
+    [[nodiscard]] std::vector<VariablePair> Pairs() const;
+    [[nodiscard]] std::vector<ConfigurationWrite> Writes() const;
+    /// @brief Everything but the pointers and their counts.
+    [[nodiscard]] DeviceConfig Config() const;
+
+  private:
+    [[nodiscard]] MapAccess AccessOf(const cia306::Entry& entry) const;
+    [[nodiscard]] std::size_t IndexOf(const cia306::MappingEntry& entry,
+                                      const std::vector<SourceVariable>& variables) const;
+    void AppendVariable(const cia306::Entry& entry, std::vector<SourceVariable>& variables) const;
+    void AppendParameters(const cia306::SrdoConfiguration& srdo, std::vector<ConfigurationWrite>& writes) const;
+
+    const cia306::Device& device_;
+    std::string file_;
+    std::optional<std::uint8_t> node_id_;
+    cia306::SafetyConfiguration safety_;
+    cia306::DeviceParameters parameters_;
+};
+} // namespace counterpoint::simulator
+
+#endif // VERIFICATION_SIMULATOR_DEVICE_SOURCE_HPP

@@ -1,0 +1,278 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/simulator/fields.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+#include <string_view>
+#include <system_error>
+
+namespace counterpoint::simulator
+{
+namespace
+{
+constexpr std::size_t kDigitsOfDecimal = 15U;
+
+std::optional<std::uint64_t> ParseNumber(const std::string_view text, const int base)
+{
+    std::uint64_t number = 0U;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number, base);
+    const bool is_whole = error == std::errc() && end == text.data() + text.size();
+    return is_whole ? std::optional<std::uint64_t>(number) : std::nullopt;
+}
+
+std::optional<std::uint64_t> ParseUnsigned(const std::string_view text)
+{
+    const bool is_hexadecimal = text.size() > 2U && text[0] == '0' && (text[1] == 'x' || text[1] == 'X');
+    return is_hexadecimal ? ParseNumber(text.substr(2U), 16) : ParseNumber(text, 10);
+}
+
+/// `text` times 10^`digits` without any rounding: at most `digits` digits behind the point.
+std::optional<std::int64_t> ParseDecimal(const std::string_view text, const std::size_t digits)
+{
+    const bool is_negative = !text.empty() && text[0] == '-';
+    const std::string_view plain = text.substr(is_negative ? 1U : 0U);
+    const std::size_t point = plain.find('.');
+    const std::string_view whole = plain.substr(0U, point);
+    const std::string_view fraction = (point == std::string_view::npos) ? "" : plain.substr(point + 1U);
+    const bool has_fraction = point == std::string_view::npos || !fraction.empty();
+    if (whole.empty() || !has_fraction || fraction.size() > digits || whole.size() + digits > kDigitsOfDecimal + 3U)
+    {
+        return std::nullopt;
+    }
+    std::string number(whole);
+    number += fraction;
+    number.append(digits - fraction.size(), '0');
+    const std::optional<std::uint64_t> value = ParseNumber(number, 10);
+    if (!value)
+    {
+        return std::nullopt;
+    }
+    const auto magnitude = static_cast<std::int64_t>(*value);
+    return is_negative ? -magnitude : magnitude;
+}
+
+const char* KindName(const YamlKind kind)
+{
+    switch (kind)
+    {
+    case YamlKind::kNull:
+        return "nothing";
+    case YamlKind::kScalar:
+        return "a single value";
+    case YamlKind::kSequence:
+        return "a list";
+    case YamlKind::kMap:
+        return "a map";
+    }
+    return "nothing";
+}
+
+std::string WhatIs(const YamlNode& node)
+{
+    return (node.kind == YamlKind::kScalar) ? Shown(node.scalar) : KindName(node.kind);
+}
+} // namespace
+
+ScenarioValue::ScenarioValue(const std::string& file, const YamlNode& node) noexcept : file_(&file), node_(&node)
+{
+}
+
+const YamlNode& ScenarioValue::Node() const noexcept
+{
+    return *node_;
+}
+
+Source ScenarioValue::Where() const
+{
+    return {*file_, node_->place};
+}
+
+const std::string& ScenarioValue::FileName() const noexcept
+{
+    return *file_;
+}
+
+void ScenarioValue::Refuse(const std::string& wrong, const std::string& expected) const
+{
+    throw ScenarioError(*file_, node_->place, wrong, expected);
+}
+
+std::vector<ScenarioValue> ScenarioValue::Items(const std::string& expected) const
+{
+    if (node_->kind != YamlKind::kSequence)
+    {
+        Refuse(WhatIs(*node_), expected);
+    }
+    std::vector<ScenarioValue> items;
+    for (const YamlNode& item : node_->items)
+    {
+        items.emplace_back(*file_, item);
+    }
+    return items;
+}
+
+std::string ScenarioValue::Text(const std::string& expected) const
+{
+    if (node_->kind != YamlKind::kScalar)
+    {
+        Refuse(WhatIs(*node_), expected);
+    }
+    return node_->scalar;
+}
+
+std::uint64_t ScenarioValue::Number(const Range& range) const
+{
+    const std::string expected = "a number from " + std::to_string(range.lowest) + " to " + std::to_string(range.highest);
+    const std::string text = Text(expected);
+    const std::optional<std::uint64_t> number = ParseUnsigned(text);
+    if (!number || *number < range.lowest || *number > range.highest)
+    {
+        Refuse(Shown(text), expected);
+    }
+    return *number;
+}
+
+Nanoseconds ScenarioValue::Duration() const
+{
+    struct Unit
+    {
+        const char* text;
+        std::size_t digits; ///< Powers of ten in nanoseconds.
+    };
+    constexpr Unit kUnits[] = {{"us", 3U}, {"ms", 6U}, {"s", 9U}};
+    constexpr Nanoseconds kLongest = 10000000 * kNanosecondsPerSecond;
+    const std::string expected = "a time with its unit such as 10 ms, 2.5 s or 100 us, at most 10000000 s";
+    const std::string text = Text(expected);
+    const std::size_t end = text.find_last_of("0123456789.");
+    const std::string number = (end == std::string::npos) ? "" : text.substr(0U, end + 1U);
+    const std::size_t unit_begin = (end == std::string::npos) ? std::string::npos : text.find_first_not_of(' ', end + 1U);
+    const std::string unit = (unit_begin == std::string::npos) ? "" : text.substr(unit_begin);
+    for (const Unit& known : kUnits)
+    {
+        const std::optional<std::int64_t> value = (unit == known.text) ? ParseDecimal(number, known.digits) : std::nullopt;
+        if (value && *value >= 0 && *value <= kLongest)
+        {
+            return *value;
+        }
+    }
+    Refuse(Shown(text), expected);
+}
+
+std::int32_t ScenarioValue::PartsPerMillion() const
+{
+    constexpr std::int64_t kMost = 1000000;
+    const std::string expected = "whole parts per million from -1000000 to 1000000";
+    const std::string text = Text(expected);
+    const std::optional<std::int64_t> value = ParseDecimal(text, 0U);
+    if (!value || *value < -kMost || *value > kMost)
+    {
+        Refuse(Shown(text), expected);
+    }
+    return static_cast<std::int32_t>(*value);
+}
+
+ObjectAddress ScenarioValue::Object() const
+{
+    const std::string expected = "an object such as 0x2000:01";
+    const std::string text = Text(expected);
+    const std::size_t colon = text.find(':');
+    const bool has_form = text.size() > 2U && text[0] == '0' && (text[1] == 'x' || text[1] == 'X');
+    if (!has_form || colon == std::string::npos)
+    {
+        Refuse(Shown(text), expected);
+    }
+    const std::optional<std::uint64_t> index = ParseNumber(std::string_view(text).substr(2U, colon - 2U), 16);
+    const std::optional<std::uint64_t> sub = ParseNumber(std::string_view(text).substr(colon + 1U), 16);
+    if (!index || !sub || *index > 0xFFFFU || *sub > 0xFFU)
+    {
+        Refuse(Shown(text), expected);
+    }
+    return {static_cast<std::uint16_t>(*index), static_cast<std::uint8_t>(*sub)};
+}
+
+Fields::Fields(const ScenarioValue& value, std::string meaning)
+    : value_(value), meaning_(std::move(meaning))
+{
+    const YamlNode& node = value_.Node();
+    if (node.kind != YamlKind::kMap)
+    {
+        value_.Refuse(WhatIs(node), "a map with the keys of " + meaning_);
+    }
+    std::set<std::string> seen;
+    for (std::size_t member = 0U; member < node.items.size(); member += 2U)
+    {
+        const YamlNode& key = node.items[member];
+        if (key.kind != YamlKind::kScalar)
+        {
+            throw ScenarioError(value_.FileName(), key.place, WhatIs(key) + " as key", "a word");
+        }
+        if (!seen.insert(key.scalar).second)
+        {
+            throw ScenarioError(value_.FileName(), key.place, "key " + Shown(key.scalar) + " twice", "each key once");
+        }
+    }
+}
+
+std::optional<ScenarioValue> Fields::Find(const std::string& key)
+{
+    known_.push_back(key);
+    const YamlNode& node = value_.Node();
+    for (std::size_t member = 0U; member < node.items.size(); member += 2U)
+    {
+        if (node.items[member].scalar == key)
+        {
+            return ScenarioValue(value_.FileName(), node.items[member + 1U]);
+        }
+    }
+    return std::nullopt;
+}
+
+ScenarioValue Fields::Require(const std::string& key)
+{
+    const std::optional<ScenarioValue> found = Find(key);
+    if (!found)
+    {
+        value_.Refuse(meaning_ + " without key '" + key + "'", "that key");
+    }
+    return *found;
+}
+
+const ScenarioValue& Fields::Value() const noexcept
+{
+    return value_;
+}
+
+std::vector<std::pair<ScenarioValue, ScenarioValue>> Fields::All()
+{
+    const YamlNode& node = value_.Node();
+    std::vector<std::pair<ScenarioValue, ScenarioValue>> all;
+    for (std::size_t member = 0U; member < node.items.size(); member += 2U)
+    {
+        known_.push_back(node.items[member].scalar);
+        all.emplace_back(ScenarioValue(value_.FileName(), node.items[member]),
+                         ScenarioValue(value_.FileName(), node.items[member + 1U]));
+    }
+    return all;
+}
+
+void Fields::Close() const
+{
+    const YamlNode& node = value_.Node();
+    for (std::size_t member = 0U; member < node.items.size(); member += 2U)
+    {
+        const YamlNode& key = node.items[member];
+        if (std::find(known_.begin(), known_.end(), key.scalar) != known_.end())
+        {
+            continue;
+        }
+        std::string expected;
+        for (const std::string& known : known_)
+        {
+            expected += (expected.empty() ? "" : ", ") + known;
+        }
+        throw ScenarioError(value_.FileName(), key.place, "unknown key " + Shown(key.scalar) + " in " + meaning_,
+                            "one of " + expected);
+    }
+}
+} // namespace counterpoint::simulator

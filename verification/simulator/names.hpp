@@ -1,0 +1,181 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_SIMULATOR_NAMES_HPP
+#define VERIFICATION_SIMULATOR_NAMES_HPP
+
+#include "verification/simulator/fields.hpp"
+#include "verification/simulator/scenario.hpp"
+
+#include <cstddef>
+#include <string>
+
+namespace counterpoint::simulator
+{
+// The words of scenarios and outputs for the enumerations of contract, kernel and simulator: one table for both ways.
+inline constexpr Word<SrdoCause> kCauseWords[] = {
+    {"none", SrdoCause::kNone},
+    {"length", SrdoCause::kLength},
+    {"inverse_first", SrdoCause::kInverseFirst},
+    {"normal_twice", SrdoCause::kNormalTwice},
+    {"not_inverse", SrdoCause::kNotInverse},
+    {"srvt", SrdoCause::kSrvt},
+    {"sct", SrdoCause::kSct},
+    {"identifier", SrdoCause::kIdentifier},
+    {"queue_overflow", SrdoCause::kQueueOverflow},
+    {"late_call", SrdoCause::kLateCall},
+    {"not_operational", SrdoCause::kNotOperational},
+    {"gfc", SrdoCause::kGfc},
+    {"demoted", SrdoCause::kDemoted},
+    {"transmit_queue", SrdoCause::kTransmitQueue},
+    {"bus_off", SrdoCause::kBusOff},
+    {"no_confirmation", SrdoCause::kNoConfirmation},
+    {"refresh_missed", SrdoCause::kRefreshMissed},
+    {"wrong_echo", SrdoCause::kWrongEcho},
+    {"waiting_past_sct", SrdoCause::kWaitingPastSct},
+};
+
+inline constexpr Word<DeviceFault> kDeviceFaultWords[] = {
+    {"none", DeviceFault::kNone},
+    {"disagreement", DeviceFault::kDisagreement},
+    {"unmatched", DeviceFault::kUnmatched},
+    {"guard", DeviceFault::kGuard},
+    {"configuration", DeviceFault::kConfiguration},
+    {"comparator", DeviceFault::kComparator},
+    {"flow", DeviceFault::kFlow},
+    {"clock", DeviceFault::kClock},
+    {"late_call", DeviceFault::kLateCall},
+    {"frame_order", DeviceFault::kFrameOrder},
+    {"application", DeviceFault::kApplication},
+    {"latch_corrupted", DeviceFault::kInvalid},
+};
+
+inline constexpr Word<SrdoState> kStateWords[] = {
+    {"off", SrdoState::kOff},           {"waiting", SrdoState::kWaiting},   {"faulted", SrdoState::kFaulted},
+    {"producer", SrdoState::kProducer}, {"released", SrdoState::kReleased},
+};
+
+inline constexpr Word<NmtState> kNmtWords[] = {
+    {"initialising", NmtState::kInitialising},
+    {"pre_operational", NmtState::kPreOperational},
+    {"stopped", NmtState::kStopped},
+    {"operational", NmtState::kOperational},
+};
+
+inline constexpr Word<FaultKind> kFaultWords[] = {
+    {"corruption", FaultKind::kCorruption}, {"repetition", FaultKind::kRepetition},
+    {"wrong_sequence", FaultKind::kWrongSequence}, {"loss", FaultKind::kLoss},
+    {"delay", FaultKind::kDelay}, {"insertion", FaultKind::kInsertion},
+    {"masquerade", FaultKind::kMasquerade}, {"addressing", FaultKind::kAddressing},
+    {"bit_flip", FaultKind::kBitFlip}, {"skipped", FaultKind::kSkipped},
+    {"doubled", FaultKind::kDoubled}, {"hung", FaultKind::kHung},
+    {"frozen", FaultKind::kFrozen}, {"not_called", FaultKind::kNotCalled},
+    {"always_good", FaultKind::kAlwaysGood}, {"clock", FaultKind::kClock},
+    {"cycle", FaultKind::kCycle}, {"not_inverse", FaultKind::kNotInverse},
+};
+
+inline constexpr Word<Part> kPartWords[] = {
+    {"channel_a", Part::kChannelA},       {"channel_b", Part::kChannelB}, {"comparator", Part::kComparator},
+    {"flow_monitor", Part::kFlowMonitor}, {"guard", Part::kGuard},
+};
+
+inline constexpr Word<Party> kPartyWords[] = {
+    {"nobody", Party::kNobody},
+    {"channels", Party::kChannels},
+    {"channel_a", Party::kChannelA},
+    {"channel_b", Party::kChannelB},
+    {"comparator", Party::kComparator},
+    {"kernel", Party::kKernel},
+    {"flow_monitor", Party::kFlowMonitor},
+    {"watchdog", Party::kWatchdog},
+    {"output_gate", Party::kOutputGate},
+    {"clock_supervisor", Party::kClockSupervisor},
+    {"guard", Party::kGuard},
+};
+
+inline constexpr Word<FaultClass> kFaultClassWords[] = {
+    {"bus", FaultClass::kBus},         {"bus_next_normal", FaultClass::kBusNextNormal},
+    {"wrong_frame", FaultClass::kWrongFrame}, {"channel", FaultClass::kChannel},
+    {"configuration", FaultClass::kConfiguration}, {"supervisor", FaultClass::kSupervisor},
+    {"clock", FaultClass::kClock},
+};
+
+inline constexpr Word<LogicOperation> kOperationWords[] = {
+    {"copy", LogicOperation::kCopy},
+    {"and", LogicOperation::kAnd},
+    {"or", LogicOperation::kOr},
+    {"not", LogicOperation::kNot},
+};
+
+inline constexpr Word<FrameKind> kFrameKindWords[] = {
+    {"data", FrameKind::kData},
+    {"remote", FrameKind::kRemote},
+    {"extended", FrameKind::kExtended},
+    {"extended_remote", FrameKind::kExtendedRemote},
+    {"flexible_data_rate", FrameKind::kFlexibleDataRate},
+};
+
+inline constexpr Word<ConfigField> kConfigFieldWords[] = {
+    {"direction", ConfigField::kDirection},
+    {"sct", ConfigField::kSct},
+    {"srvt", ConfigField::kSrvt},
+    {"transmission_type", ConfigField::kTransmissionType},
+    {"cob_id_1", ConfigField::kCobId1},
+    {"cob_id_2", ConfigField::kCobId2},
+    {"map_count", ConfigField::kMapCount},
+    {"map_entry", ConfigField::kMapEntry},
+    {"signature", ConfigField::kSignature},
+    {"gfc_parameter", ConfigField::kGfcParameter},
+    {"configuration_valid", ConfigField::kConfigurationValid},
+};
+
+/// The word for `meaning`; "invalid" where the table has none.
+template <typename Meaning, std::size_t kCount>
+[[nodiscard]] constexpr const char* NameOf(const Word<Meaning> (&words)[kCount], const Meaning meaning) noexcept
+{
+    for (const Word<Meaning>& word : words)
+    {
+        if (word.meaning == meaning)
+        {
+            return word.text;
+        }
+    }
+    return "invalid";
+}
+
+[[nodiscard]] inline const char* Name(const SrdoCause cause) noexcept
+{
+    return NameOf(kCauseWords, cause);
+}
+[[nodiscard]] inline const char* Name(const DeviceFault fault) noexcept
+{
+    return NameOf(kDeviceFaultWords, fault);
+}
+[[nodiscard]] inline const char* Name(const NmtState state) noexcept
+{
+    return NameOf(kNmtWords, state);
+}
+[[nodiscard]] inline const char* Name(const FaultKind kind) noexcept
+{
+    return NameOf(kFaultWords, kind);
+}
+[[nodiscard]] inline const char* Name(const Part part) noexcept
+{
+    return NameOf(kPartWords, part);
+}
+[[nodiscard]] inline const char* Name(const Party party) noexcept
+{
+    return NameOf(kPartyWords, party);
+}
+[[nodiscard]] inline const char* Name(const FaultClass fault_class) noexcept
+{
+    return NameOf(kFaultClassWords, fault_class);
+}
+
+/// "0x2000:01"
+[[nodiscard]] std::string ObjectText(const ObjectAddress& object);
+/// "0x101"
+[[nodiscard]] std::string IdentifierText(std::uint32_t identifier);
+/// "12.345 ms", without trailing zeros.
+[[nodiscard]] std::string MillisecondsText(Nanoseconds time);
+} // namespace counterpoint::simulator
+
+#endif // VERIFICATION_SIMULATOR_NAMES_HPP

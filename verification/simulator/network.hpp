@@ -1,0 +1,74 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_SIMULATOR_NETWORK_HPP
+#define VERIFICATION_SIMULATOR_NETWORK_HPP
+
+#include "verification/simulator/frame_faults.hpp"
+#include "verification/simulator/journal.hpp"
+#include "verification/simulator/node.hpp"
+#include "verification/simulator/scenario.hpp"
+
+#include "hal/host/virtual_bus.hpp"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace counterpoint::simulator
+{
+/// A scenario brought to life: bus, nodes, what happens to them. Throws ScenarioError and cia306::InputError while it is
+/// being built; after that only time passes. The same scenario gives the same journal. [SRS-SIM-003]
+class Network final : private host::BusObserver
+{
+  public:
+    /// @brief `scenario` and `journal` outlive the network.
+    Network(const Scenario& scenario, Journal& journal);
+
+    /// @brief Everything up to and including `until`. Cheap to call in small steps.
+    void RunUntil(Nanoseconds until);
+    [[nodiscard]] Nanoseconds Now() const noexcept;
+    [[nodiscard]] Node& At(NodeIndex node);
+    [[nodiscard]] std::size_t Size() const noexcept;
+    [[nodiscard]] host::VirtualBus& Bus() noexcept;
+    [[nodiscard]] std::uint64_t CycleCount() const noexcept;
+
+  private:
+    /// One thing that the scenario makes happen.
+    struct Action
+    {
+        Nanoseconds at{0};
+        std::function<void()> act;
+    };
+
+    void OnBusRecord(const host::BusRecord& record) override;
+    void BuildNodes();
+    void RequireThatEverythingExists() const;
+    void RequirePair(NodeIndex node, const ObjectAddress& object, bool is_consumer, const Source& source) const;
+    void RequireSrdo(NodeIndex node, std::uint8_t number, bool needs_consumer, const Source& source) const;
+    void RequireOfFault(const FaultSetup& fault) const;
+    void RequireOfExpectation(const Expectation& expectation) const;
+    void Plan(Nanoseconds at, std::function<void()> act);
+    void PlanWorld();
+    void PlanFault(std::size_t index);
+    void PlanForeignFrames(std::size_t index);
+    void PlanPartFault(std::size_t index);
+    void PlanBitFlip(std::size_t index);
+    void PlanDisturbance(std::size_t index);
+    void NoteFault(std::size_t index, NodeIndex node);
+    void RunActions();
+
+    const Scenario& scenario_;
+    Journal& journal_;
+    host::VirtualBus bus_;
+    FrameFaults frame_faults_;
+    std::vector<std::unique_ptr<DeviceModel>> models_;
+    std::vector<std::unique_ptr<Node>> nodes_;
+    std::vector<Action> actions_; ///< By time; of two at the same time the one planned first.
+    std::size_t next_action_{0U};
+    std::uint64_t cycles_{0U};
+};
+
+/// What follows from a fault for its limit when the scenario says nothing. [SRS-SIM-031]
+[[nodiscard]] FaultClass ClassOf(const FaultSetup& fault);
+} // namespace counterpoint::simulator
+
+#endif // VERIFICATION_SIMULATOR_NETWORK_HPP

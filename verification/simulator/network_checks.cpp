@@ -1,0 +1,129 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/simulator/names.hpp"
+#include "verification/simulator/network.hpp"
+
+#include <string>
+
+// What a scenario names has to exist in the DCFs. [SRS-SIM-010]
+namespace counterpoint::simulator
+{
+namespace
+{
+std::string ListOf(const DeviceModel& model, const bool is_consumer)
+{
+    std::string list;
+    for (const VariablePair& pair : model.Pairs())
+    {
+        if (pair.is_consumer == is_consumer)
+        {
+            const MappableObject& object = model.Objects()[pair.normal];
+            list += (list.empty() ? "" : ", ") + ObjectText({object.index, object.sub});
+        }
+    }
+    return list.empty() ? "(this node has none)" : list;
+}
+} // namespace
+
+void Network::RequirePair(const NodeIndex node, const ObjectAddress& object, const bool is_consumer,
+                          const Source& source) const
+{
+    const DeviceModel& model = *models_[node];
+    const VariablePair* const pair = model.PairOf(object);
+    if (pair == nullptr || pair->is_consumer != is_consumer)
+    {
+        const char* const side = is_consumer ? "a normal object that an SRDO of direction 2 is mapped to: "
+                                             : "a normal object that an SRDO of direction 1 is mapped to: ";
+        throw ScenarioError(source.file, source.place, "object " + ObjectText(object) + " in " + model.File(),
+                            side + ListOf(model, is_consumer));
+    }
+}
+
+void Network::RequireSrdo(const NodeIndex node, const std::uint8_t number, const bool needs_consumer,
+                          const Source& source) const
+{
+    const DeviceModel& model = *models_[node];
+    std::string list;
+    for (const SrdoModel& srdo : model.Srdos())
+    {
+        const bool fits = !needs_consumer || srdo.direction == kDirectionConsumer;
+        if (fits && srdo.number == number)
+        {
+            return;
+        }
+        list += fits ? (list.empty() ? "" : ", ") + std::to_string(srdo.number) : "";
+    }
+    throw ScenarioError(source.file, source.place, "SRDO " + std::to_string(number) + " in " + model.File(),
+                        std::string(needs_consumer ? "an SRDO of direction 2: " : "an SRDO: ") +
+                            (list.empty() ? "(this node has none)" : list));
+}
+
+void Network::RequireOfFault(const FaultSetup& fault) const
+{
+    if (fault.kind == FaultKind::kNotInverse)
+    {
+        RequirePair(fault.node, fault.object, false, fault.source);
+    }
+    if (fault.config && fault.config->slot != 0U)
+    {
+        RequireSrdo(fault.node, fault.config->slot, false, fault.source);
+    }
+}
+
+void Network::RequireOfExpectation(const Expectation& expectation) const
+{
+    switch (expectation.kind)
+    {
+    case ExpectationKind::kReleased:
+    case ExpectationKind::kSafe:
+    case ExpectationKind::kSafeWithin:
+        RequireSrdo(expectation.node, expectation.srdo, true, expectation.source);
+        return;
+    case ExpectationKind::kCause:
+        RequireSrdo(expectation.node, expectation.srdo, false, expectation.source);
+        return;
+    case ExpectationKind::kValue:
+        RequirePair(expectation.node, expectation.object, true, expectation.source);
+        return;
+    case ExpectationKind::kDeviceFault:
+    case ExpectationKind::kDetectedBy:
+    case ExpectationKind::kNoFault:
+        return;
+    }
+}
+
+void Network::RequireThatEverythingExists() const
+{
+    for (const NodeSetup& node : scenario_.nodes)
+    {
+        if (node.start_at <= node.phase)
+        {
+            throw ScenarioError(node.source.file, node.source.place, "start_at not after phase",
+                                "a node that is on before it starts");
+        }
+    }
+    for (const Stimulus& stimulus : scenario_.stimuli)
+    {
+        RequirePair(stimulus.node, stimulus.object, false, stimulus.source);
+    }
+    for (const LogicRule& rule : scenario_.logic)
+    {
+        RequirePair(rule.node, rule.target, false, rule.source);
+        for (const ObjectAddress& input : rule.inputs)
+        {
+            RequirePair(rule.node, input, true, rule.source);
+        }
+    }
+    for (const Acknowledge& acknowledge : scenario_.acknowledges)
+    {
+        RequireSrdo(acknowledge.node, acknowledge.srdo, false, acknowledge.source);
+    }
+    for (const FaultSetup& fault : scenario_.faults)
+    {
+        RequireOfFault(fault);
+    }
+    for (const Expectation& expectation : scenario_.expectations)
+    {
+        RequireOfExpectation(expectation);
+    }
+}
+} // namespace counterpoint::simulator

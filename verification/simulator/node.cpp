@@ -1,0 +1,389 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/simulator/node.hpp"
+
+#include "canopen/cia306/input_error.hpp"
+
+#include <algorithm>
+
+namespace counterpoint::simulator
+{
+namespace
+{
+constexpr std::size_t kQueueCapacity = 16U;
+constexpr std::int64_t kMillion = 1000000;
+constexpr std::uint16_t kCommunicationBase = 0x1300U;
+
+hal::GateLimit LimitOf(const DeviceConfig& config)
+{
+    return {config.cycle_us + config.cycle_tolerance_us};
+}
+
+hal::WatchdogWindow WindowOf(const DeviceConfig& config)
+{
+    return {config.cycle_us / 2U, config.cycle_us + config.cycle_tolerance_us};
+}
+
+std::uint32_t RateOf(const std::int32_t drift_ppm)
+{
+    return static_cast<std::uint32_t>(kMillion + drift_ppm);
+}
+} // namespace
+
+Node::Node(const NodeIndex index, const NodeSetup& setup, DeviceModel& model, host::VirtualBus& bus, Journal& journal,
+           const Insight insight)
+    : index_(index), setup_(setup), model_(model), bus_(bus), journal_(journal), insight_(insight),
+      clocks_(bus, {{setup.counter_a.start_us}, {setup.counter_b.start_us}}), watchdog_(bus),
+      output_(bus, watchdog_, LimitOf(model.Config())), output_tap_(output_), can_(clocks_, *this),
+      channel_a_(MakeChannel(Letter::kA, model.Config().srdo_count)),
+      channel_b_(MakeChannel(Letter::kB, model.Config().srdo_count)),
+      tap_a_(channel_a_->Voice(), Part::kChannelA, faults_, this), tap_b_(channel_b_->Voice(), Part::kChannelB, faults_, this),
+      supervisors_(faults_), application_(index, model, journal),
+      kernel_({insight == Insight::kTapped ? static_cast<Channel&>(tap_a_) : channel_a_->Voice(),
+               insight == Insight::kTapped ? static_cast<Channel&>(tap_b_) : channel_b_->Voice(), can_,
+               insight == Insight::kTapped ? static_cast<hal::SafetyOutput&>(output_tap_) : output_, watchdog_, application_})
+{
+    application_.Join(kernel_);
+    static_cast<void>(can_.ConnectPort(CanPortId::kFirst, bus, kQueueCapacity));
+    clocks_.A().SetRate(0, RateOf(setup.counter_a.drift_ppm));
+    clocks_.B().SetRate(0, RateOf(setup.counter_b.drift_ppm));
+    const std::int64_t cycle = std::int64_t{model.Config().cycle_us} * kNanosecondsPerMicrosecond * kMillion;
+    oscillator_ = kMillion + setup.counter_a.drift_ppm;
+    cycle_ns_ = cycle / oscillator_;
+    cycle_fraction_ = cycle % oscillator_;
+    next_cycle_ = setup.phase;
+    slot_of_.fill(kNoSlot);
+    for (const SrdoModel& srdo : model.Srdos())
+    {
+        const bool has_identifier = srdo.cob_id_1 >= kFirstSrdoIdentifier && srdo.cob_id_1 < kLastSrdoIdentifier;
+        if (srdo.direction == kDirectionConsumer && has_identifier)
+        {
+            const SlotIndex slot = model.SlotOf(srdo.number).value_or(kNoSlot);
+            slot_of_.at(srdo.cob_id_1 - kFirstSrdoIdentifier) = slot;
+            slot_of_.at(srdo.cob_id_1 - kFirstSrdoIdentifier + 1U) = slot;
+        }
+    }
+}
+
+void Node::Rehearse()
+{
+    model_.ResetVariables();
+    const StartResult result = kernel_.Start(model_.Config(), FlowCallback::kOff);
+    if (result != StartResult::kStarted)
+    {
+        throw cia306::InputError(model_.File(), 0U,
+                                 {"the kernel refuses this device, reason " + std::to_string(static_cast<unsigned>(result)) +
+                                      " of StartResult",
+                                  "SRDOs, objects and times of 0x5F00 within the ranges of DeviceConfig"});
+    }
+    nmt_ = NmtState::kPreOperational;
+    kernel_.SetNmtState(nmt_);
+    Commission(kernel_, model_);
+}
+
+void Node::PowerOn()
+{
+    Rehearse();
+    watchdog_.Start(WindowOf(model_.Config()));
+    is_on_ = true;
+    is_hung_ = false;
+    was_alive_ = true;
+    voice_a_ = Voice{};
+    voice_b_ = Voice{};
+    shown_agreed_ = 0U;
+    shown_matched_ = 0U;
+    fraction_sum_ = 0;
+    next_cycle_ = Now();
+    ScheduleNext();
+    for (const SrdoModel& srdo : model_.Srdos())
+    {
+        const SlotIndex slot = model_.SlotOf(srdo.number).value_or(0U);
+        const bool sends = srdo.direction == kDirectionProducer &&
+                           model_.Config().srdos[slot].form == ProducerForm::kApplicationSends;
+        const std::uint32_t cycles = (srdo.times.sct_ms * kMicrosecondsPerMillisecond) / model_.Config().cycle_us;
+        if (sends && (cycles_per_send_ == 0U || cycles < cycles_per_send_))
+        {
+            cycles_per_send_ = std::max(cycles, 1U);
+        }
+    }
+    journal_.Tell({Now(), EventKind::kPowerOn, index_, 0U, 0U, 0U});
+}
+
+Nanoseconds Node::NextEvent()
+{
+    return std::min(is_hung_ ? kNever : next_cycle_, look_at_);
+}
+
+void Node::Run()
+{
+    if (!is_on_)
+    {
+        PowerOn();
+        return;
+    }
+    if (!is_hung_ && Now() >= next_cycle_)
+    {
+        Cycle();
+    }
+    LookAtOutput();
+}
+
+template <typename Call>
+void Node::Guarded(const Call& call)
+{
+    if (insight_ == Insight::kNone)
+    {
+        call();
+        return;
+    }
+    faults_.SetNow(Now());
+    const SupervisorTap::Scope scope(&supervisors_);
+    if (setjmp(faults_.WayOut()) != 0)
+    {
+        NoteHung();
+        return;
+    }
+    call();
+}
+
+void Node::Cycle()
+{
+    application_.SetNow(Now());
+    if (cycles_per_send_ != 0U)
+    {
+        SendByApplication();
+    }
+    const CycleCall call{clocks_.Now(), acknowledge_, acknowledge_};
+    Guarded([this, &call]() { kernel_.Cycle(call); });
+    if (insight_ == Insight::kTapped)
+    {
+        NoteEffects();
+        LookInside();
+    }
+    if (!is_hung_)
+    {
+        application_.Run(output_.Open(), Now());
+        ScheduleNext();
+    }
+}
+
+void Node::ScheduleNext()
+{
+    next_cycle_ += cycle_ns_;
+    fraction_sum_ += cycle_fraction_;
+    if (fraction_sum_ >= oscillator_)
+    {
+        fraction_sum_ -= oscillator_;
+        ++next_cycle_;
+    }
+}
+
+// The application's own refresh: at once after a change, and every refresh time after the last time.
+void Node::SendByApplication()
+{
+    const bool is_operational = nmt_ == NmtState::kOperational;
+    if (!is_operational)
+    {
+        cycles_to_send_ = 0U;
+        return;
+    }
+    const bool has_changed = application_.TakeChange();
+    if (cycles_to_send_ != 0U && !has_changed)
+    {
+        --cycles_to_send_;
+        return;
+    }
+    cycles_to_send_ = cycles_per_send_ - 1U;
+    for (SlotIndex slot = 0U; slot < model_.Config().srdo_count; ++slot)
+    {
+        if (model_.Config().srdos[slot].form == ProducerForm::kApplicationSends)
+        {
+            const auto index = static_cast<std::uint16_t>(kCommunicationBase + NumberOf(slot));
+            static_cast<void>(kernel_.Send({index})); // Consumers among them refuse.
+        }
+    }
+}
+
+void Node::OnFrame(const StampedFrame& frame)
+{
+    if (is_hung_ || !is_on_)
+    {
+        return;
+    }
+    if (insight_ == Insight::kTapped)
+    {
+        Follow(frame);
+    }
+    Guarded([this, &frame]() { kernel_.OnFrame(frame); });
+}
+
+void Node::OnConfirm(const StampedFrame& frame)
+{
+    if (is_hung_ || !is_on_)
+    {
+        return;
+    }
+    application_.SetNow(Now());
+    Guarded([this, &frame]() { kernel_.OnConfirm(frame); });
+}
+
+void Node::OnOverflow()
+{
+    kernel_.OnOverflow();
+}
+
+// Independent of both channels: a pair is good when it is complete, in order and inverse over all its bytes.
+void Node::Follow(const StampedFrame& frame)
+{
+    const std::uint32_t identifier = frame.frame.identifier;
+    const bool is_srdo = frame.frame.kind == FrameKind::kData && identifier >= kFirstSrdoIdentifier &&
+                         identifier <= kLastSrdoIdentifier;
+    const SlotIndex slot = is_srdo ? slot_of_.at(identifier - kFirstSrdoIdentifier) : kNoSlot;
+    if (slot == kNoSlot)
+    {
+        return;
+    }
+    PairTimes& times = times_.at(slot);
+    Payload data{0U, 0U};
+    for (std::uint8_t byte = 0U; byte < std::min(frame.frame.length_bytes, kMaxPayloadBytes); ++byte)
+    {
+        std::uint32_t& word = (byte < 4U) ? data.low : data.high;
+        word |= std::uint32_t{frame.frame.data[byte]} << (8U * (byte % 4U));
+    }
+    if ((identifier & 1U) != 0U)
+    {
+        times.pending = Now();
+        times.data = data;
+        times.length_bytes = frame.frame.length_bytes;
+        journal_.Tell({Now(), EventKind::kReception, index_, NumberOf(slot), identifier, 0U});
+        return;
+    }
+    times.last_inverse = Now();
+    const std::uint64_t normal = (std::uint64_t{times.data.high} << 32U) | times.data.low;
+    const std::uint64_t inverse = (std::uint64_t{data.high} << 32U) | data.low;
+    const std::uint64_t mask = ~std::uint64_t{0U} >> (64U - 8U * std::max<unsigned>(times.length_bytes, 1U));
+    const bool is_good = times.pending >= 0 && times.length_bytes == frame.frame.length_bytes &&
+                         ((normal ^ inverse) & mask) == mask;
+    times.last_good_normal = is_good ? times.pending : times.last_good_normal;
+    times.pending = -1;
+    journal_.Tell({Now(), EventKind::kReception, index_, NumberOf(slot), identifier, is_good ? 1U : 0U});
+}
+
+void Node::LookAtOutput()
+{
+    const SrdoMask open = output_.Open();
+    const SrdoMask changed = open ^ open_;
+    open_ = open;
+    for (SlotIndex slot = 0U; changed != 0U && slot < model_.Config().srdo_count; ++slot)
+    {
+        if (((changed >> slot) & 1U) != 0U)
+        {
+            const PairTimes& times = times_.at(slot);
+            journal_.Note({Now(), EventKind::kOutput, index_, NumberOf(slot), (open >> slot) & 1U, 0U, times.last_good_normal,
+                           times.last_inverse});
+        }
+    }
+    if (insight_ == Insight::kNone)
+    {
+        return;
+    }
+    const bool is_alive = watchdog_.IsAlive();
+    if (was_alive_ && !is_alive)
+    {
+        journal_.Note({Now(), EventKind::kWatchdog, index_, 0U, 0U, 0U});
+    }
+    was_alive_ = is_alive;
+    look_at_ = std::min(output_.ClosesAt(), watchdog_.TripsAt());
+}
+
+void Node::SetNmt(const NmtState state)
+{
+    nmt_ = state;
+    journal_.Tell({Now(), EventKind::kNmt, index_, 0U, static_cast<std::uint64_t>(state), 0U});
+    if (!is_hung_ && is_on_)
+    {
+        application_.SetNow(Now());
+        Guarded([this, state]() { kernel_.SetNmtState(state); });
+    }
+}
+
+void Node::SetAcknowledge(const std::uint8_t srdo, const bool level)
+{
+    const SrdoMask bit = SrdoMask{1U} << model_.SlotOf(srdo).value_or(0U);
+    acknowledge_ = level ? (acknowledge_ | bit) : (acknowledge_ & ~bit);
+    journal_.Tell({Now(), EventKind::kAcknowledge, index_, srdo, level ? 1U : 0U, 0U});
+}
+
+void Node::SendGfc()
+{
+    const Result result = (is_hung_ || !is_on_) ? Result::kDeviceFault : kernel_.SendGfc();
+    journal_.Tell({Now(), EventKind::kGfc, index_, 0U, (result == Result::kSuccessful) ? 1U : 0U, 0U});
+}
+
+void Node::ShiftCycle(const Nanoseconds by)
+{
+    next_cycle_ = std::max(next_cycle_ + by, Now());
+}
+
+void Node::SetCounterRate(const bool is_counter_a, const std::int32_t drift_ppm)
+{
+    host::HostClock& clock = is_counter_a ? clocks_.A() : clocks_.B();
+    clock.SetRate(Now(), RateOf(drift_ppm));
+}
+
+void Node::FlipBit(const Part part, const BitPlace& place)
+{
+    ChannelHost& channel = (part == Part::kChannelA) ? *channel_a_ : *channel_b_;
+    std::uint8_t& byte = channel.Bytes()[place.offset % channel.Size()];
+    byte = static_cast<std::uint8_t>(byte ^ (1U << place.bit));
+}
+
+std::size_t Node::StorageSize(const Part part) noexcept
+{
+    return (part == Part::kChannelA) ? channel_a_->Size() : channel_b_->Size();
+}
+
+const DeviceModel& Node::Model() const noexcept
+{
+    return model_;
+}
+
+NodeApplication& Node::App() noexcept
+{
+    return application_;
+}
+
+PartFaults& Node::Faults() noexcept
+{
+    return faults_;
+}
+
+host::HostCanPorts& Node::Can() noexcept
+{
+    return can_;
+}
+
+Kernel& Node::Core() noexcept
+{
+    return kernel_;
+}
+
+const PairTimes& Node::TimesOf(const SlotIndex slot) const noexcept
+{
+    return times_[slot];
+}
+
+SrdoMask Node::Open() const noexcept
+{
+    return open_;
+}
+
+Nanoseconds Node::Now() const noexcept
+{
+    return bus_.Now();
+}
+
+std::uint8_t Node::NumberOf(const SlotIndex slot) const noexcept
+{
+    return model_.Config().srdos[slot].number;
+}
+} // namespace counterpoint::simulator

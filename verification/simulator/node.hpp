@@ -1,0 +1,153 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_SIMULATOR_NODE_HPP
+#define VERIFICATION_SIMULATOR_NODE_HPP
+
+#include "verification/simulator/channel_host.hpp"
+#include "verification/simulator/channel_tap.hpp"
+#include "verification/simulator/device_model.hpp"
+#include "verification/simulator/journal.hpp"
+#include "verification/simulator/node_application.hpp"
+#include "verification/simulator/output_tap.hpp"
+#include "verification/simulator/part_faults.hpp"
+#include "verification/simulator/supervisor_tap.hpp"
+
+#include "hal/host/host_can_ports.hpp"
+#include "hal/host/host_clocks.hpp"
+#include "hal/host/host_output.hpp"
+#include "hal/host/host_watchdog.hpp"
+#include "hal/host/virtual_bus.hpp"
+#include "safety_core/kernel/kernel.hpp"
+
+#include <array>
+#include <memory>
+#include <optional>
+
+namespace counterpoint::simulator
+{
+/// Frames of one SRDO as this node got them: what limits are counted from. [SRS-SIM-031]
+struct PairTimes
+{
+    Nanoseconds last_good_normal{-1}; ///< Normal frame of the last complete valid pair.
+    Nanoseconds last_inverse{-1};
+    Nanoseconds pending{-1};
+    Payload data{};
+    std::uint8_t length_bytes{0U};
+};
+
+/// Whether a node is looked into: taps around channels and supervisors cost time.
+enum class Insight : std::uint8_t
+{
+    kNone = 0U,
+    kTapped = 1U,
+};
+
+/// One device of the simulated network: shipped kernel and channels on the hardware layer of the host. [SRS-SIM-001]
+class Node final : private host::FrameSink, private ChannelWitness
+{
+  public:
+    /// @brief Everything given outlives the node.
+    Node(NodeIndex index, const NodeSetup& setup, DeviceModel& model, host::VirtualBus& bus, Journal& journal, Insight insight);
+
+    /// @brief Starts and commissions the kernel as PowerOn will, to find out early whether it can be. Throws
+    /// cia306::InputError.
+    void Rehearse();
+    /// @brief Starts and commissions the kernel, starts the watchdog; again for a restart. Throws cia306::InputError.
+    void PowerOn();
+    /// @brief The next instant at which the node does something: a cycle, or an output that closes by itself.
+    [[nodiscard]] Nanoseconds NextEvent();
+    /// @brief Does what is due at the bus's present instant.
+    void Run();
+
+    void SetNmt(NmtState state);
+    void SetAcknowledge(std::uint8_t srdo, bool level);
+    void SendGfc();
+    /// @brief The next cycle, and all after it, come so much later (negative: earlier).
+    void ShiftCycle(Nanoseconds by);
+    void SetCounterRate(bool is_counter_a, std::int32_t drift_ppm);
+    /// @brief A bit of the injected storage of a channel flips, the `offset` modulo the size of the storage.
+    void FlipBit(Part part, const BitPlace& place);
+
+    [[nodiscard]] const DeviceModel& Model() const noexcept;
+    [[nodiscard]] NodeApplication& App() noexcept;
+    [[nodiscard]] PartFaults& Faults() noexcept;
+    [[nodiscard]] host::HostCanPorts& Can() noexcept;
+    [[nodiscard]] const PairTimes& TimesOf(SlotIndex slot) const noexcept;
+    [[nodiscard]] SrdoMask Open() const noexcept;
+    [[nodiscard]] std::size_t StorageSize(Part part) noexcept;
+    [[nodiscard]] Kernel& Core() noexcept;
+
+  private:
+    /// What one channel said last.
+    struct Voice
+    {
+        CycleOutcome outcome{};
+        std::array<SrdoState, kMaxSrdoCount> states{};
+    };
+
+    void OnFrame(const StampedFrame& frame) override;
+    void OnConfirm(const StampedFrame& frame) override;
+    void OnOverflow() override;
+    void OnOutcome(Part part, const Channel& channel, const CycleOutcome& outcome) override;
+
+    void Cycle();
+    /// @brief Makes a call into the kernel that may never return.
+    template <typename Call>
+    void Guarded(const Call& call);
+    void SendByApplication();
+    void LookAtOutput();
+    void LookInside();
+    void TellStates(Part part, const Channel& channel, Voice& voice);
+    void TellCauses(Part part, const Channel& channel, SrdoMask new_fault);
+    void NoteEffects();
+    void NoteHung();
+    void Follow(const StampedFrame& frame);
+    void ScheduleNext();
+    [[nodiscard]] Nanoseconds Now() const noexcept;
+    [[nodiscard]] std::uint8_t NumberOf(SlotIndex slot) const noexcept;
+
+    NodeIndex index_;
+    const NodeSetup& setup_;
+    DeviceModel& model_;
+    host::VirtualBus& bus_;
+    Journal& journal_;
+    Insight insight_;
+    PartFaults faults_{};
+    host::HostClocks clocks_;
+    host::HostWatchdog watchdog_;
+    host::HostOutput output_;
+    OutputTap output_tap_;
+    host::HostCanPorts can_;
+    std::unique_ptr<ChannelHost> channel_a_;
+    std::unique_ptr<ChannelHost> channel_b_;
+    ChannelTap tap_a_;
+    ChannelTap tap_b_;
+    SupervisorTap supervisors_;
+    NodeApplication application_;
+    Kernel kernel_;
+
+    Nanoseconds next_cycle_{0};
+    Nanoseconds cycle_ns_{0};          ///< Whole nanoseconds of a cycle on the node's oscillator.
+    std::int64_t cycle_fraction_{0};   ///< And the rest, in parts of `oscillator_`.
+    std::int64_t oscillator_{0};
+    std::int64_t fraction_sum_{0};
+    SrdoMask acknowledge_{0U};
+    SrdoMask open_{0U};
+    std::uint32_t cycles_to_send_{0U}; ///< Applications that send by themselves: cycles until the next refresh.
+    std::uint32_t cycles_per_send_{0U};
+    Nanoseconds look_at_{kNever}; ///< When output or watchdog change by themselves.
+    bool is_hung_{false};
+    bool is_on_{false};
+    bool was_alive_{true};
+    NmtState nmt_{NmtState::kInvalid};
+    // Last shown to people.
+    Voice voice_a_{};
+    Voice voice_b_{};
+    SrdoMask shown_agreed_{0U};
+    SrdoMask shown_matched_{0U};
+    SrdoMask shown_permits_{0U};
+    std::array<SlotIndex, kSrdoIdentifierCount> slot_of_{}; ///< Consumers by identifier.
+    std::array<PairTimes, kMaxSrdoCount> times_{};
+};
+} // namespace counterpoint::simulator
+
+#endif // VERIFICATION_SIMULATOR_NODE_HPP

@@ -1,0 +1,96 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/simulator/node.hpp"
+
+// What a tapped node tells about its inside. [SRS-SIM-040]
+namespace counterpoint::simulator
+{
+void Node::OnOutcome(const Part part, const Channel& channel, const CycleOutcome& outcome)
+{
+    Voice& voice = (part == Part::kChannelA) ? voice_a_ : voice_b_;
+    const CycleOutcome& before = voice.outcome;
+    const SrdoMask masks = (before.released ^ outcome.released) | (before.faulted ^ outcome.faulted) |
+                           (before.waiting ^ outcome.waiting);
+    const bool has_changed = masks != 0U || before.not_operational != outcome.not_operational ||
+                             before.is_tx != outcome.is_tx || before.cycle == 0U;
+    voice.outcome = outcome;
+    if (outcome.new_fault != 0U)
+    {
+        TellCauses(part, channel, outcome.new_fault);
+    }
+    if (journal_.KeepsAll() && has_changed)
+    {
+        TellStates(part, channel, voice);
+    }
+}
+
+void Node::TellStates(const Part part, const Channel& channel, Voice& voice)
+{
+    const EventKind kind = (part == Part::kChannelA) ? EventKind::kViewA : EventKind::kViewB;
+    for (SlotIndex slot = 0U; slot < model_.Config().srdo_count; ++slot)
+    {
+        const SrdoState state = channel.View(slot).state;
+        if (state != voice.states.at(slot))
+        {
+            voice.states.at(slot) = state;
+            journal_.Tell({Now(), kind, index_, NumberOf(slot), static_cast<std::uint64_t>(state), 0U});
+        }
+    }
+}
+
+void Node::TellCauses(const Part part, const Channel& channel, const SrdoMask new_fault)
+{
+    const EventKind kind = (part == Part::kChannelA) ? EventKind::kCauseA : EventKind::kCauseB;
+    for (SlotIndex slot = 0U; slot < model_.Config().srdo_count; ++slot)
+    {
+        if (((new_fault >> slot) & 1U) != 0U)
+        {
+            const auto cause = static_cast<std::uint64_t>(channel.View(slot).first_cause);
+            journal_.Note({Now(), kind, index_, NumberOf(slot), cause, channel.View(slot).signals});
+        }
+    }
+}
+
+void Node::LookInside()
+{
+    if (!journal_.KeepsAll())
+    {
+        return;
+    }
+    const Verdict& verdict = kernel_.LastVerdict();
+    const SrdoMask slots = ~SrdoMask{0U} >> (kMaxSrdoCount - model_.Config().srdo_count);
+    const SrdoMask agreed = verdict.agreement.agreed & slots;
+    const SrdoMask matched = verdict.agreement.matched & slots;
+    if (agreed != shown_agreed_ || matched != shown_matched_)
+    {
+        shown_agreed_ = agreed;
+        shown_matched_ = matched;
+        journal_.Tell({Now(), EventKind::kVerdict, index_, 0U, agreed, matched});
+    }
+    if (verdict.demote != 0U)
+    {
+        journal_.Tell({Now(), EventKind::kDemotion, index_, 0U, verdict.demote, 0U});
+    }
+    const hal::PermitSet& permits = output_tap_.Permits();
+    const SrdoMask permitted = permits.a.mask & permits.b.mask & permits.kernel.mask;
+    if (permitted != shown_permits_)
+    {
+        shown_permits_ = permitted;
+        journal_.Tell({Now(), EventKind::kPermits, index_, 0U, permitted, 0U});
+    }
+}
+
+void Node::NoteEffects()
+{
+    for (const auto& [fault, at] : faults_.TakeEffects())
+    {
+        journal_.Note({at, EventKind::kFault, index_, 0U, fault, 0U});
+    }
+}
+
+void Node::NoteHung()
+{
+    is_hung_ = true;
+    NoteEffects();
+    journal_.Note({Now(), EventKind::kHung, index_, 0U, 0U, 0U});
+}
+} // namespace counterpoint::simulator

@@ -1,0 +1,37 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_SIMULATOR_OUTPUT_TAP_HPP
+#define VERIFICATION_SIMULATOR_OUTPUT_TAP_HPP
+
+#include "hal/api/safety_output.hpp"
+
+namespace counterpoint::simulator
+{
+/// Passes everything on to the output stage of the host and remembers the permits of the last cycle.
+class OutputTap final : public hal::SafetyOutput
+{
+  public:
+    explicit OutputTap(hal::SafetyOutput& real) noexcept : real_(real)
+    {
+    }
+
+    [[nodiscard]] std::uint32_t Challenge() noexcept override
+    {
+        return real_.Challenge();
+    }
+    void Drive(const hal::PermitSet& permits) noexcept override
+    {
+        permits_ = permits;
+        real_.Drive(permits);
+    }
+    [[nodiscard]] const hal::PermitSet& Permits() const noexcept
+    {
+        return permits_;
+    }
+
+  private:
+    hal::SafetyOutput& real_;
+    hal::PermitSet permits_{};
+};
+} // namespace counterpoint::simulator
+
+#endif // VERIFICATION_SIMULATOR_OUTPUT_TAP_HPP

@@ -1,0 +1,14 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_SIMULATOR_PAGE_PARTS_HPP
+#define VERIFICATION_SIMULATOR_PAGE_PARTS_HPP
+
+namespace counterpoint::simulator
+{
+// The files of page/ and docs/scenario.md, built in by CMake.
+extern const char* const kPageHtml;
+extern const char* const kPageCss;
+extern const char* const kPageJs;
+extern const char* const kScenarioText;
+} // namespace counterpoint::simulator
+
+#endif // VERIFICATION_SIMULATOR_PAGE_PARTS_HPP

@@ -1,0 +1,50 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_SIMULATOR_RUN_HPP
+#define VERIFICATION_SIMULATOR_RUN_HPP
+
+#include "verification/simulator/journal.hpp"
+#include "verification/simulator/network.hpp"
+#include "verification/simulator/scenario.hpp"
+#include "verification/simulator/verdicts.hpp"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace counterpoint::simulator
+{
+/// A scenario, simulated and judged. Stays where it is: its parts refer to each other.
+class Run
+{
+  public:
+    /// @brief Reads and builds; nothing has happened yet. Throws ScenarioError and cia306::InputError.
+    Run(const std::string& file, std::optional<std::uint64_t> seed, std::optional<Nanoseconds> until, bool keeps_all);
+
+    Run(const Run&) = delete;
+    Run& operator=(const Run&) = delete;
+
+    /// @brief Lets the time of the scenario pass and judges. `progress` is told now and then how much of it is over.
+    void Simulate(const std::function<void(Nanoseconds)>& progress);
+
+    [[nodiscard]] const Scenario& Setting() const noexcept;
+    [[nodiscard]] const Journal& Record() const noexcept;
+    [[nodiscard]] Network& Devices() noexcept;
+    [[nodiscard]] const DeviceModel& ModelOf(NodeIndex node) const;
+    [[nodiscard]] const std::vector<ExpectationVerdict>& Verdicts() const noexcept;
+    /// @brief Whether all expectations hold.
+    [[nodiscard]] bool Holds() const noexcept;
+    /// @brief The first expectation with a limit, if any.
+    [[nodiscard]] const Measurement* FirstMeasurement() const noexcept;
+    [[nodiscard]] const std::string& NodeName(NodeIndex node) const;
+
+  private:
+    Scenario scenario_;
+    Journal journal_;
+    std::unique_ptr<Network> network_;
+    std::vector<ExpectationVerdict> verdicts_;
+};
+} // namespace counterpoint::simulator
+
+#endif // VERIFICATION_SIMULATOR_RUN_HPP

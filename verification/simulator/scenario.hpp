@@ -1,0 +1,260 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_SIMULATOR_SCENARIO_HPP
+#define VERIFICATION_SIMULATOR_SCENARIO_HPP
+
+#include "verification/simulator/yaml_document.hpp"
+
+#include "safety_core/contract/channel.hpp"
+#include "safety_core/contract/device_fault.hpp"
+#include "safety_core/kernel/limits.hpp"
+#include "safety_core/kernel/object_access.hpp"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace counterpoint::simulator
+{
+/// Simulated time since the start of the run. The bus and the world run on it; nodes have counters of their own.
+using Nanoseconds = std::int64_t;
+constexpr Nanoseconds kNanosecondsPerMicrosecond = 1000;
+constexpr Nanoseconds kNanosecondsPerMillisecond = 1000000;
+constexpr Nanoseconds kNanosecondsPerSecond = 1000000000;
+constexpr Nanoseconds kNever = std::numeric_limits<Nanoseconds>::max();
+
+using NodeIndex = std::size_t;
+constexpr NodeIndex kNoNode = std::numeric_limits<NodeIndex>::max();
+
+/// What came from one file: places in messages need the file.
+struct Source
+{
+    std::string file;
+    Place place;
+};
+
+struct CounterSetup
+{
+    std::int32_t drift_ppm{0}; ///< Positive is fast.
+    std::uint32_t start_us{0U};
+};
+
+struct NodeSetup
+{
+    std::string name;
+    std::string dcf; ///< Path, usable from here.
+    Source source;
+    std::optional<std::uint8_t> node_id;
+    Nanoseconds phase{0};    ///< First cycle.
+    Nanoseconds start_at{0}; ///< Enters OPERATIONAL.
+    CounterSetup counter_a;
+    CounterSetup counter_b;
+};
+
+/// The input of a producer changes.
+struct Stimulus
+{
+    Nanoseconds at{0};
+    NodeIndex node{0U};
+    ObjectAddress object{0U, 0U};
+    std::uint64_t value{0U};
+    Source source;
+};
+
+enum class LogicOperation : std::uint8_t
+{
+    kCopy = 1U,
+    kAnd = 2U,
+    kOr = 3U,
+    kNot = 4U,
+};
+
+struct LogicRule
+{
+    NodeIndex node{0U};
+    ObjectAddress target{0U, 0U};
+    LogicOperation operation{LogicOperation::kCopy};
+    std::vector<ObjectAddress> inputs;
+    Source source;
+};
+
+struct Acknowledge
+{
+    Nanoseconds at{0};
+    Nanoseconds pulse{0};
+    NodeIndex node{0U};
+    std::uint8_t srdo{0U};
+    Source source;
+};
+
+struct NmtEvent
+{
+    Nanoseconds at{0};
+    NodeIndex node{kNoNode}; ///< kNoNode: all.
+    NmtState state{NmtState::kInvalid};
+};
+
+struct GfcEvent
+{
+    Nanoseconds at{0};
+    NodeIndex node{0U};
+};
+
+enum class FaultKind : std::uint8_t
+{
+    kCorruption = 1U,
+    kRepetition = 2U,
+    kWrongSequence = 3U,
+    kLoss = 4U,
+    kDelay = 5U,
+    kInsertion = 6U,
+    kMasquerade = 7U,
+    kAddressing = 8U,
+    kBitFlip = 9U,
+    kSkipped = 10U,
+    kDoubled = 11U,
+    kHung = 12U,
+    kFrozen = 13U,
+    kNotCalled = 14U,
+    kAlwaysGood = 15U,
+    kClock = 16U,
+    kCycle = 17U,
+    kNotInverse = 18U,
+};
+
+/// The part of a node that a fault hits.
+enum class Part : std::uint8_t
+{
+    kNone = 0U,
+    kChannelA = 1U,
+    kChannelB = 2U,
+    kComparator = 3U,
+    kFlowMonitor = 4U,
+    kGuard = 5U,
+};
+constexpr std::size_t kPartCount = 6U;
+
+/// Calls of a channel that can be skipped or doubled.
+enum class ChannelCall : std::uint8_t
+{
+    kOnCycle = 1U,
+    kOnFrame = 2U,
+};
+
+/// Chooses frames. Bus faults act on the frames that fit, from the `first`-th one on, at most `count` of them.
+struct FrameChoice
+{
+    std::optional<std::uint32_t> identifier;
+    std::optional<NodeIndex> sender;
+    std::optional<NodeIndex> receiver; ///< None: for all receivers.
+    Nanoseconds from{0};
+    Nanoseconds until{kNever};
+    std::uint32_t first{1U};
+    std::uint32_t count{1U};
+    std::uint32_t probability_ppm{1000000U};
+};
+
+struct FaultSetup
+{
+    FaultKind kind{FaultKind::kLoss};
+    std::string name; ///< Shown to people.
+    Source source;
+    FrameChoice frames; ///< Bus faults.
+    // Everything else: what, where, when.
+    Nanoseconds at{0};
+    Nanoseconds until{kNever};
+    NodeIndex node{kNoNode};
+    Part part{Part::kNone};
+    ChannelCall call{ChannelCall::kOnCycle};
+    // Corruption.
+    std::vector<std::uint8_t> bits; ///< Numbered from bit 0 of byte 0.
+    std::optional<std::uint8_t> length; ///< Frame length instead of the true one.
+    // Repetition, delay, early and late cycle.
+    std::uint32_t times{1U};
+    Nanoseconds by{0};
+    // Insertion and masquerade; `identifier` also of addressing.
+    std::uint32_t identifier{0U};
+    FrameKind frame_kind{FrameKind::kData};
+    std::vector<std::uint8_t> data;
+    // Bit flip.
+    std::optional<std::uint32_t> offset;
+    std::uint8_t bit{0U};
+    std::optional<ConfigAddress> config; ///< `slot` holds the SRDO number here.
+    // Clock.
+    bool is_counter_a{true};
+    std::int32_t rate_ppm{0}; ///< Instead of the drift; -10^6 stops the counter.
+    // Application.
+    ObjectAddress object{0U, 0U};
+};
+
+enum class ExpectationKind : std::uint8_t
+{
+    kReleased = 1U,
+    kSafe = 2U,
+    kValue = 3U,
+    kCause = 4U,
+    kDeviceFault = 5U,
+    kDetectedBy = 6U,
+    kSafeWithin = 7U,
+    kNoFault = 8U,
+};
+
+/// Who can find a fault.
+enum class Party : std::uint8_t
+{
+    kNobody = 0U,
+    kChannels = 1U, ///< Both channels in the same cycle.
+    kChannelA = 2U,
+    kChannelB = 3U,
+    kComparator = 4U,
+    kKernel = 5U, ///< By the comparator's echo and its negative test.
+    kFlowMonitor = 6U,
+    kWatchdog = 7U,
+    kOutputGate = 8U,
+    kClockSupervisor = 9U,
+    kGuard = 10U,
+};
+
+struct Expectation
+{
+    ExpectationKind kind{ExpectationKind::kNoFault};
+    Source source;
+    Nanoseconds at{0};
+    NodeIndex node{kNoNode};
+    std::uint8_t srdo{0U};
+    ObjectAddress object{0U, 0U};
+    std::uint64_t value{0U};
+    SrdoCause cause{SrdoCause::kInvalid};
+    DeviceFault device_fault{DeviceFault::kInvalid};
+    std::vector<Party> parties; ///< Any of them.
+    std::size_t fault{0U};      ///< Index in Scenario::faults.
+    FaultClass fault_class{FaultClass::kInvalid}; ///< kInvalid: follows from the fault.
+};
+
+struct Scenario
+{
+    std::string file;
+    std::string title;
+    std::string description;
+    std::uint32_t bitrate{500000U};
+    Nanoseconds duration{0};
+    std::uint64_t seed{1U};
+    std::vector<NodeSetup> nodes;
+    std::vector<Stimulus> stimuli;
+    std::vector<LogicRule> logic;
+    std::vector<Acknowledge> acknowledges;
+    std::vector<NmtEvent> nmt;
+    std::vector<GfcEvent> gfc;
+    std::vector<FaultSetup> faults;
+    std::vector<Expectation> expectations;
+};
+
+[[nodiscard]] constexpr bool IsBusFault(const FaultKind kind)
+{
+    return kind <= FaultKind::kAddressing;
+}
+} // namespace counterpoint::simulator
+
+#endif // VERIFICATION_SIMULATOR_SCENARIO_HPP

@@ -1,0 +1,134 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/simulator/names.hpp"
+#include "verification/simulator/scenario_parts.hpp"
+
+#include <string>
+
+namespace counterpoint::simulator
+{
+namespace
+{
+constexpr Word<ExpectationKind> kExpectationWords[] = {
+    {"released", ExpectationKind::kReleased},        {"safe", ExpectationKind::kSafe},
+    {"value", ExpectationKind::kValue},              {"cause", ExpectationKind::kCause},
+    {"device_fault", ExpectationKind::kDeviceFault}, {"detected_by", ExpectationKind::kDetectedBy},
+    {"safe_within", ExpectationKind::kSafeWithin},   {"no_fault", ExpectationKind::kNoFault},
+};
+
+Nanoseconds ReadAt(Fields& fields, const Scenario& scenario)
+{
+    const ScenarioValue at = fields.Require("at");
+    const Nanoseconds time = at.Duration();
+    if (scenario.duration > 0 && time > scenario.duration)
+    {
+        at.Refuse(Shown(at.Node().scalar) + ", after the end of the run", "a time within the duration");
+    }
+    return time;
+}
+
+/// The fault by its name, or by its place counted from 1; the only one if nothing is said.
+std::size_t ReadFaultIndex(Fields& fields, const Scenario& scenario)
+{
+    const auto value = fields.Find("fault");
+    if (!value && scenario.faults.size() == 1U)
+    {
+        return 0U;
+    }
+    if (!value)
+    {
+        fields.Value().Refuse("expectation without key 'fault'", "the name of one of the faults");
+    }
+    const std::string name = value->Text("the name of a fault");
+    std::string expected;
+    for (std::size_t index = 0U; index < scenario.faults.size(); ++index)
+    {
+        if (scenario.faults[index].name == name)
+        {
+            return index;
+        }
+        expected += (expected.empty() ? "" : ", ") + scenario.faults[index].name;
+    }
+    value->Refuse("fault " + Shown(name), expected.empty() ? "a fault of 'faults', which has none" : "one of " + expected);
+}
+
+void ReadParties(Fields& fields, Expectation& expectation)
+{
+    const ScenarioValue by = fields.Require("by");
+    if (by.Node().kind != YamlKind::kSequence)
+    {
+        expectation.parties.push_back(by.Choice(kPartyWords));
+        return;
+    }
+    for (const ScenarioValue& party : by.Items("a list of parties"))
+    {
+        expectation.parties.push_back(party.Choice(kPartyWords));
+    }
+    if (expectation.parties.empty())
+    {
+        by.Refuse("an empty list", "one party or more");
+    }
+}
+
+void ReadOutputOf(Fields& fields, const Scenario& scenario, Expectation& expectation)
+{
+    expectation.node = NodeNamed(scenario, fields.Require("node"));
+    expectation.srdo = SrdoNumber(fields.Require("srdo"));
+}
+
+void ReadContent(Fields& fields, const Scenario& scenario, Expectation& expectation)
+{
+    switch (expectation.kind)
+    {
+    case ExpectationKind::kReleased:
+    case ExpectationKind::kSafe:
+        ReadOutputOf(fields, scenario, expectation);
+        expectation.at = ReadAt(fields, scenario);
+        return;
+    case ExpectationKind::kValue:
+        expectation.node = NodeNamed(scenario, fields.Require("node"));
+        expectation.object = fields.Require("object").Object();
+        expectation.value = fields.Require("is").Number({0U, 0xFFFFFFFFFFFFFFFFU});
+        expectation.at = ReadAt(fields, scenario);
+        return;
+    case ExpectationKind::kCause:
+        ReadOutputOf(fields, scenario, expectation);
+        expectation.cause = fields.Require("is").Choice(kCauseWords);
+        return;
+    case ExpectationKind::kDeviceFault:
+        expectation.node = NodeNamed(scenario, fields.Require("node"));
+        expectation.device_fault = fields.Require("is").Choice(kDeviceFaultWords);
+        return;
+    case ExpectationKind::kDetectedBy:
+        expectation.fault = ReadFaultIndex(fields, scenario);
+        expectation.node = NodeNamed(scenario, fields.Require("node"));
+        ReadParties(fields, expectation);
+        return;
+    case ExpectationKind::kSafeWithin:
+        expectation.fault = ReadFaultIndex(fields, scenario);
+        ReadOutputOf(fields, scenario, expectation);
+        if (const auto limit = fields.Find("limit"))
+        {
+            expectation.fault_class = limit->Choice(kFaultClassWords);
+        }
+        return;
+    case ExpectationKind::kNoFault:
+        if (const auto node = fields.Find("node"))
+        {
+            expectation.node = NodeNamed(scenario, *node);
+        }
+        return;
+    }
+}
+} // namespace
+
+Expectation ReadExpectation(const Scenario& scenario, const ScenarioValue& value)
+{
+    Fields fields(value, "an expectation");
+    Expectation expectation;
+    expectation.source = value.Where();
+    expectation.kind = fields.Require("that").Choice(kExpectationWords);
+    ReadContent(fields, scenario, expectation);
+    fields.Close();
+    return expectation;
+}
+} // namespace counterpoint::simulator

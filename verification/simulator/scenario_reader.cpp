@@ -1,0 +1,300 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/simulator/scenario_reader.hpp"
+
+#include "verification/simulator/names.hpp"
+#include "verification/simulator/scenario_parts.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+namespace counterpoint::simulator
+{
+namespace
+{
+constexpr std::size_t kMostNodes = 127U;
+constexpr Range kNodeIdRange{1U, 127U};
+constexpr Range kCounterRange{0U, 0xFFFFFFFFU};
+constexpr Range kSeedRange{0U, 0xFFFFFFFFFFFFFFFFU};
+constexpr Range kBitrateRange{10000U, 1000000U};
+constexpr std::uint32_t kBitrates[] = {10000U, 20000U, 50000U, 100000U, 125000U, 250000U, 500000U, 800000U, 1000000U};
+constexpr Nanoseconds kDefaultStart = 10 * kNanosecondsPerMillisecond;
+constexpr Nanoseconds kDefaultPulse = 50 * kNanosecondsPerMillisecond;
+
+std::string Beside(const std::string& file, const std::string& name)
+{
+    const std::filesystem::path path(name);
+    return path.is_absolute() ? name : (std::filesystem::path(file).parent_path() / path).string();
+}
+
+CounterSetup ReadCounter(const ScenarioValue& value)
+{
+    Fields fields(value, "a counter");
+    CounterSetup counter;
+    if (const auto drift = fields.Find("ppm"))
+    {
+        counter.drift_ppm = drift->PartsPerMillion();
+    }
+    if (const auto start = fields.Find("start_us"))
+    {
+        counter.start_us = static_cast<std::uint32_t>(start->Number(kCounterRange));
+    }
+    fields.Close();
+    return counter;
+}
+
+NodeSetup ReadNode(const ScenarioValue& name, const ScenarioValue& value)
+{
+    Fields fields(value, "a node");
+    NodeSetup node;
+    node.name = name.Text("the name of a node");
+    if (node.name.empty() || node.name == "all")
+    {
+        name.Refuse("node name " + Shown(node.name), "a name other than 'all'");
+    }
+    const ScenarioValue dcf = fields.Require("dcf");
+    node.dcf = Beside(value.FileName(), dcf.Text("the file name of a DCF"));
+    node.source = dcf.Where();
+    if (const auto id = fields.Find("node_id"))
+    {
+        node.node_id = static_cast<std::uint8_t>(id->Number(kNodeIdRange));
+    }
+    if (const auto phase = fields.Find("phase"))
+    {
+        node.phase = phase->Duration();
+    }
+    const auto start = fields.Find("start_at");
+    node.start_at = start ? start->Duration() : kDefaultStart;
+    if (const auto counter = fields.Find("counter_a"))
+    {
+        node.counter_a = ReadCounter(*counter);
+    }
+    if (const auto counter = fields.Find("counter_b"))
+    {
+        node.counter_b = ReadCounter(*counter);
+    }
+    fields.Close();
+    return node;
+}
+
+void ReadNodes(const ScenarioValue& value, Scenario& scenario)
+{
+    Fields fields(value, "nodes");
+    for (const auto& [name, node] : fields.All())
+    {
+        if (scenario.nodes.size() >= kMostNodes)
+        {
+            name.Refuse("node " + Shown(name.Node().scalar), "at most 127 nodes");
+        }
+        NodeSetup setup = ReadNode(name, node);
+        for (const NodeSetup& other : scenario.nodes)
+        {
+            if (other.name == setup.name)
+            {
+                name.Refuse("node " + Shown(setup.name) + " twice", "each node once");
+            }
+        }
+        scenario.nodes.push_back(std::move(setup));
+    }
+}
+
+Stimulus ReadStimulus(const Scenario& scenario, const ScenarioValue& value)
+{
+    Fields fields(value, "an input");
+    Stimulus stimulus;
+    stimulus.source = value.Where();
+    stimulus.at = fields.Require("at").Duration();
+    stimulus.node = NodeNamed(scenario, fields.Require("node"));
+    stimulus.object = fields.Require("object").Object();
+    stimulus.value = fields.Require("value").Number(kSeedRange);
+    fields.Close();
+    return stimulus;
+}
+
+LogicRule ReadLogic(const Scenario& scenario, const ScenarioValue& value)
+{
+    Fields fields(value, "a logic rule");
+    LogicRule rule;
+    rule.source = value.Where();
+    rule.node = NodeNamed(scenario, fields.Require("node"));
+    rule.target = fields.Require("set").Object();
+    rule.operation = fields.Require("op").Choice(kOperationWords);
+    const ScenarioValue from = fields.Require("from");
+    for (const ScenarioValue& input : from.Items("a list of objects"))
+    {
+        rule.inputs.push_back(input.Object());
+    }
+    const bool takes_one = rule.operation == LogicOperation::kCopy || rule.operation == LogicOperation::kNot;
+    const bool fits = takes_one ? rule.inputs.size() == 1U : !rule.inputs.empty();
+    if (!fits)
+    {
+        from.Refuse(std::to_string(rule.inputs.size()) + " objects", takes_one ? "one object" : "one object or more");
+    }
+    fields.Close();
+    return rule;
+}
+
+Acknowledge ReadAcknowledge(const Scenario& scenario, const ScenarioValue& value)
+{
+    Fields fields(value, "an acknowledge");
+    Acknowledge acknowledge;
+    acknowledge.source = value.Where();
+    acknowledge.at = fields.Require("at").Duration();
+    acknowledge.node = NodeNamed(scenario, fields.Require("node"));
+    acknowledge.srdo = SrdoNumber(fields.Require("srdo"));
+    const auto pulse = fields.Find("pulse");
+    acknowledge.pulse = pulse ? pulse->Duration() : kDefaultPulse;
+    fields.Close();
+    return acknowledge;
+}
+
+NmtEvent ReadNmt(const Scenario& scenario, const ScenarioValue& value)
+{
+    Fields fields(value, "an NMT event");
+    NmtEvent event;
+    event.at = fields.Require("at").Duration();
+    const ScenarioValue node = fields.Require("node");
+    event.node = (node.Text("a node, or all") == "all") ? kNoNode : NodeNamed(scenario, node);
+    event.state = fields.Require("state").Choice(kNmtWords);
+    fields.Close();
+    return event;
+}
+
+GfcEvent ReadGfc(const Scenario& scenario, const ScenarioValue& value)
+{
+    Fields fields(value, "a GFC event");
+    GfcEvent event;
+    event.at = fields.Require("at").Duration();
+    event.node = NodeNamed(scenario, fields.Require("node"));
+    fields.Close();
+    return event;
+}
+
+/// Appends the items of a list, each read by `read`.
+template <typename Item, typename Read>
+void Append(Fields& fields, const char* key, const Scenario& scenario, std::vector<Item>& items, const Read& read)
+{
+    const auto list = fields.Find(key);
+    if (!list)
+    {
+        return;
+    }
+    for (const ScenarioValue& value : list->Items("a list"))
+    {
+        items.push_back(read(scenario, value));
+    }
+}
+
+void ReadSingles(Fields& fields, Scenario& scenario)
+{
+    if (const auto title = fields.Find("title"))
+    {
+        scenario.title = title->Text("a text");
+    }
+    if (const auto description = fields.Find("description"))
+    {
+        scenario.description = description->Text("a text");
+    }
+    if (const auto bitrate = fields.Find("bitrate"))
+    {
+        scenario.bitrate = static_cast<std::uint32_t>(bitrate->Number(kBitrateRange));
+        if (std::find(std::begin(kBitrates), std::end(kBitrates), scenario.bitrate) == std::end(kBitrates))
+        {
+            bitrate->Refuse(Shown(bitrate->Node().scalar),
+                            "one of 10000, 20000, 50000, 100000, 125000, 250000, 500000, 800000, 1000000");
+        }
+    }
+    if (const auto duration = fields.Find("duration"))
+    {
+        scenario.duration = duration->Duration();
+    }
+    if (const auto seed = fields.Find("seed"))
+    {
+        scenario.seed = seed->Number(kSeedRange);
+    }
+}
+
+enum class Extending
+{
+    kAllowed,
+    kNotAllowed,
+};
+
+void ReadInto(const std::string& file, const Extending extending, Scenario& scenario)
+{
+    const YamlNode root = ParseYaml(file, ReadScenarioText(file));
+    Fields fields(ScenarioValue(file, root), "a scenario");
+    if (extending == Extending::kAllowed)
+    {
+        const auto base = fields.Find("extends");
+        if (base)
+        {
+            ReadInto(Beside(file, base->Text("the file name of a scenario")), Extending::kNotAllowed, scenario);
+        }
+    }
+    ReadSingles(fields, scenario);
+    if (const auto nodes = fields.Find("nodes"))
+    {
+        ReadNodes(*nodes, scenario);
+    }
+    Append(fields, "inputs", scenario, scenario.stimuli, ReadStimulus);
+    Append(fields, "logic", scenario, scenario.logic, ReadLogic);
+    Append(fields, "acknowledge", scenario, scenario.acknowledges, ReadAcknowledge);
+    Append(fields, "nmt", scenario, scenario.nmt, ReadNmt);
+    Append(fields, "gfc", scenario, scenario.gfc, ReadGfc);
+    Append(fields, "faults", scenario, scenario.faults, ReadFault);
+    Append(fields, "expect", scenario, scenario.expectations, ReadExpectation);
+    fields.Close();
+}
+} // namespace
+
+NodeIndex NodeNamed(const Scenario& scenario, const ScenarioValue& name)
+{
+    const std::string text = name.Text("the name of a node");
+    std::string expected;
+    for (NodeIndex node = 0U; node < scenario.nodes.size(); ++node)
+    {
+        if (scenario.nodes[node].name == text)
+        {
+            return node;
+        }
+        expected += (expected.empty() ? "" : ", ") + scenario.nodes[node].name;
+    }
+    name.Refuse("node " + Shown(text), expected.empty() ? "a node of 'nodes', which has none" : "one of " + expected);
+}
+
+std::uint8_t SrdoNumber(const ScenarioValue& value)
+{
+    return static_cast<std::uint8_t>(value.Number(kSrdoRange));
+}
+
+Scenario ReadScenario(const std::string& file)
+{
+    Scenario scenario;
+    scenario.file = file;
+    ReadInto(file, Extending::kAllowed, scenario);
+    if (scenario.nodes.empty())
+    {
+        throw ScenarioError(file, {1, 1}, "no nodes", "key 'nodes' with at least one node");
+    }
+    if (scenario.duration == 0)
+    {
+        throw ScenarioError(file, {1, 1}, "no duration", "key 'duration' with a time above 0");
+    }
+    return scenario;
+}
+
+Nanoseconds ParseDuration(const std::string& place, const std::string& text)
+{
+    YamlNode node;
+    node.kind = YamlKind::kScalar;
+    node.scalar = text;
+    const Nanoseconds duration = ScenarioValue(place, node).Duration();
+    if (duration == 0)
+    {
+        throw ScenarioError(place, {}, Shown(text), "a time above 0");
+    }
+    return duration;
+}
+} // namespace counterpoint::simulator

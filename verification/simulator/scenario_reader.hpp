@@ -1,0 +1,19 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_SIMULATOR_SCENARIO_READER_HPP
+#define VERIFICATION_SIMULATOR_SCENARIO_READER_HPP
+
+#include "verification/simulator/scenario.hpp"
+
+#include <string>
+
+namespace counterpoint::simulator
+{
+/// The scenario in `file`, with what it extends. Whether objects and SRDOs exist is known only with the DCFs: see
+/// network.hpp. Throws ScenarioError. [SRS-SIM-010..013]
+[[nodiscard]] Scenario ReadScenario(const std::string& file);
+
+/// A time with its unit that did not come from a file; `place` stands for the file in a message. Throws ScenarioError.
+[[nodiscard]] Nanoseconds ParseDuration(const std::string& place, const std::string& text);
+} // namespace counterpoint::simulator
+
+#endif // VERIFICATION_SIMULATOR_SCENARIO_READER_HPP

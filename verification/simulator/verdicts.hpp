@@ -1,0 +1,60 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_SIMULATOR_VERDICTS_HPP
+#define VERIFICATION_SIMULATOR_VERDICTS_HPP
+
+#include "verification/simulator/journal.hpp"
+#include "verification/simulator/network.hpp"
+#include "verification/simulator/scenario.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace counterpoint::simulator
+{
+/// Who noticed first that something is wrong at a node, by what, and when.
+struct Detection
+{
+    Party party{Party::kNobody};
+    std::string cause; ///< A word of the scenario format, such as sct or disagreement.
+    Nanoseconds at{-1};
+};
+
+/// Time from the first effect of a fault to the safe output of one SRDO, and its limit. [SRS-SIM-031]
+struct Measurement
+{
+    std::size_t fault{0U};
+    NodeIndex node{kNoNode};
+    std::uint8_t srdo{0U};
+    FaultClass fault_class{FaultClass::kInvalid};
+    Nanoseconds effect{-1};    ///< When the fault first changed something; -1: never.
+    Nanoseconds reference{-1}; ///< What the limit counts from.
+    Nanoseconds closed{-1};    ///< When the output stage closed; -1: never.
+    Nanoseconds elapsed{-1};   ///< With the time that the output needs after that; -1: never safe.
+    Nanoseconds limit{0};
+    bool was_open{false}; ///< The output was on when the fault came.
+    Detection detection;
+
+    [[nodiscard]] bool Holds() const noexcept
+    {
+        return was_open && elapsed >= 0 && elapsed <= limit;
+    }
+};
+
+struct ExpectationVerdict
+{
+    std::size_t expectation{0U}; ///< In Scenario::expectations.
+    bool holds{false};
+    std::string wanted;
+    std::string seen;
+    std::optional<Measurement> measurement; ///< Of kSafeWithin.
+};
+
+/// @brief The verdict of each expectation after a run. [SRS-SIM-030]
+[[nodiscard]] std::vector<ExpectationVerdict> Judge(const Scenario& scenario, const Journal& journal, Network& network);
+/// @brief The limit that a fault has at this output, known before the run.
+[[nodiscard]] Nanoseconds LimitOf(const Scenario& scenario, const Expectation& expectation, const DeviceModel& model);
+[[nodiscard]] Detection DetectionAt(const Journal& journal, NodeIndex node, Nanoseconds from);
+} // namespace counterpoint::simulator
+
+#endif // VERIFICATION_SIMULATOR_VERDICTS_HPP
