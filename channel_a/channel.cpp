@@ -74,7 +74,7 @@ void Channel::Restart(const DeviceConfig& config) noexcept
     attention_ = 0U;
     levels_ = ~SrdoMask{0U}; // A level of 1 at power-on is no edge.
     fresh_ = 0U;
-    written_ = 0U;
+    unwritten_ = 0U;
     committed_ = 0U;
     cycle_ = 0U;
     ordinal_sum_ = 0U;
@@ -87,11 +87,6 @@ void Channel::Restart(const DeviceConfig& config) noexcept
     has_run_ = false;
     may_send_ = false;
     gfc_pending_ = false;
-}
-
-Record& Channel::At(const SlotIndex slot) const noexcept
-{
-    return storage_.records[slot]; // MISRA D-002
 }
 
 SrdoMask Channel::Consumers() const noexcept
@@ -108,23 +103,21 @@ void Channel::MoveTo(const SrdoMask bit, const std::uint8_t group) noexcept
     groups_[group] |= bit;
 }
 
-Cell Channel::Step(Record& record, const SrdoMask bit, const Event event) noexcept
+const Cell& Channel::Step(Record& record, const SrdoMask bit, const Event event) noexcept
 {
-    const std::uint8_t row = RowOf(record.mode);
-    const Cell cell = NextCell(row, event);
-    const std::uint8_t group = kModeFacts[RowOf(cell.next)].group;
-    SetMode(record, cell.next);
-    if (group != kModeFacts[row].group)
+    const Cell& cell = NextCell(record.mode, event);
+    const std::uint8_t group = FactsOf(cell.next).group;
+    if (group != FactsOf(record.mode).group)
     {
         MoveTo(bit, group);
     }
+    SetMode(record, cell.next);
     return cell;
 }
 
 void Channel::Raise(Record& record, const SrdoMask bit, const Event event, const SrdoCause given) noexcept
 {
-    const Cell cell = Step(record, bit, event);
-    Suffer(record, bit, cell, given);
+    Suffer(record, bit, Step(record, bit, event), given);
 }
 
 // What a fault does, if the cell is one.
@@ -172,13 +165,13 @@ void Channel::Report(Record& record, const SrdoMask bit, const SrdoCause cause) 
 SrdoView Channel::View(const SlotIndex slot) const noexcept
 {
     const Record& record = At(slot);
-    const ModeFacts& facts = kModeFacts[RowOf(record.mode)];
+    const ModeFacts& facts = FactsOf(record.mode);
     SrdoView view{};
     view.data = Payload{PackedWord(record.held, 0U) & facts.shown, PackedWord(record.held, kWordBytes) & facts.shown};
     view.ordinal = record.ordinal;
     view.signals = record.signals;
     view.error_count = record.error_count;
-    view.state = facts.state;
+    view.state = (facts.mode == record.mode) ? facts.state : SrdoState::kFaulted; // [SRS-CONS-024]
     view.first_cause = record.first_cause;
     view.holds_pair = facts.holds_pair;
     return view;
@@ -187,9 +180,9 @@ SrdoView Channel::View(const SlotIndex slot) const noexcept
 void Channel::Commit(const Agreement& agreement) noexcept
 {
     const SrdoMask own = agreement.agreed & groups_[kGroupReleased];
-    SrdoMask to_write = own & agreement.matched & ~written_;
+    SrdoMask to_write = own & agreement.matched & unwritten_;
     SrdoMask to_drop = committed_ & ~own;
-    written_ |= to_write;
+    unwritten_ &= ~to_write;
     committed_ = (committed_ | to_write) & ~to_drop;
     while (to_write != 0U)
     {

@@ -53,11 +53,19 @@ class Channel final : public counterpoint::Channel
         SrdoMask signalled;
     };
 
-    [[nodiscard]] Record& At(SlotIndex slot) const noexcept;
+    [[nodiscard]] Record& At(const SlotIndex slot) const noexcept
+    {
+        return storage_.records[slot]; // MISRA D-002
+    }
+    /// kNoSlot, which is not below the count, where no SRDO has this identifier.
+    [[nodiscard]] SlotIndex SlotOfPlace(const std::uint32_t place) const noexcept
+    {
+        return static_cast<SlotIndex>(storage_.look_up[place >> 1U] - 1U); // MISRA D-002
+    }
     [[nodiscard]] SrdoMask Consumers() const noexcept;
 
     // What follows every event, in one place.
-    [[nodiscard]] Cell Step(Record& record, SrdoMask bit, Event event) noexcept;
+    [[nodiscard]] const Cell& Step(Record& record, SrdoMask bit, Event event) noexcept;
     void MoveTo(SrdoMask bit, std::uint8_t group) noexcept;
     void Raise(Record& record, SrdoMask bit, Event event, SrdoCause given) noexcept;
     void Suffer(Record& record, SrdoMask bit, const Cell& cell, SrdoCause given) noexcept;
@@ -67,9 +75,10 @@ class Channel final : public counterpoint::Channel
     void Discard(Record& record, SrdoMask bit) noexcept;
 
     // Frames.
-    [[nodiscard]] SlotIndex SlotOfPlace(std::uint32_t place) const noexcept;
-    void ReceiveSrdo(const CanFrame& frame, Instant stamp, std::uint32_t place) noexcept;
-    [[nodiscard]] Event Classify(const Record& record, const CanFrame& frame, std::uint32_t half) const noexcept;
+    void ReceiveOther(const CanFrame& frame) noexcept;
+    void ReceiveLate(const CanFrame& frame, Instant stamp, SlotIndex slot) noexcept;
+    void ReceiveInTime(const CanFrame& frame, Instant stamp, SlotIndex slot) noexcept;
+    [[nodiscard]] Event Classify(const Record& record, const CanFrame& frame) const noexcept;
     void Complete(Record& record, SrdoMask bit) noexcept;
 
     // The cycle.
@@ -115,7 +124,7 @@ class Channel final : public counterpoint::Channel
     SrdoMask attention_{0U}; ///< Slots that the next OnCycle has to serve even if no limit expires.
     SrdoMask levels_{0U};    ///< Acknowledge inputs as the last OnCycle saw them.
     SrdoMask fresh_{0U};
-    SrdoMask written_{0U};   ///< The held pair was written.
+    SrdoMask unwritten_{0U}; ///< The held pair was not written yet.
     SrdoMask committed_{0U}; ///< The objects hold a pair.
     Instant now_{0U};
     Instant entered_{0U}; ///< OPERATIONAL, by the OnCycle that saw it first.

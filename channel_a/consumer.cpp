@@ -25,73 +25,91 @@ std::uint32_t SctUs(const Record& record) noexcept
 
 void Channel::OnFrame(const CanFrame& frame, const Instant stamp) noexcept
 {
+    const std::uint32_t place = frame.identifier - kFirstSrdoIdentifier; // Every other identifier is a greater place.
     if ((frame.kind != FrameKind::kData) || !is_active_)
     {
         return;
     }
-    const std::uint32_t place = frame.identifier - kFirstSrdoIdentifier; // Every other identifier is a greater place.
-    if (place < kSrdoIdentifierCount)
+    if (place >= kSrdoIdentifierCount)
     {
-        ReceiveSrdo(frame, stamp, place);
+        ReceiveOther(frame);
+        return;
     }
+    const SlotIndex slot = SlotOfPlace(place);
+    if (slot >= count_)
+    {
+        return;
+    }
+    const Record& record = At(slot);
+    if ((stamp.us - record.since.us) > record.limit_us)
+    {
+        ReceiveLate(frame, stamp, slot);
+        return;
+    }
+    ReceiveInTime(frame, stamp, slot);
+}
+
+void Channel::ReceiveOther(const CanFrame& frame) noexcept
+{
     if ((frame.identifier == kGfcIdentifier) && (frame.length_bytes == 0U) && (gfc_parameter_ == kGfcEnabled))
     {
         gfc_pending_ = true;
     }
 }
 
-SlotIndex Channel::SlotOfPlace(const std::uint32_t place) const noexcept
+// The limit first; the frame is then taken as if nothing had been there before it.
+void Channel::ReceiveLate(const CanFrame& frame, const Instant stamp, const SlotIndex slot) noexcept
 {
-    return static_cast<SlotIndex>(storage_.look_up[place >> 1U] - 1U); // MISRA D-002
+    Raise(At(slot), BitOf(slot), Event::kExpired, SrdoCause::kNone);
+    ReceiveInTime(frame, stamp, slot);
 }
 
-void Channel::ReceiveSrdo(const CanFrame& frame, const Instant stamp, const std::uint32_t place) noexcept
+// The common cells stay within their group of modes, so only the mode itself is set for them.
+void Channel::ReceiveInTime(const CanFrame& frame, const Instant stamp, const SlotIndex slot) noexcept
 {
-    const SlotIndex slot = SlotOfPlace(place);
-    if (slot >= count_)
-    {
-        return;
-    }
-    const SrdoMask bit = BitOf(slot);
     Record& record = At(slot);
-    if ((stamp.us - record.since.us) > record.limit_us)
-    {
-        Raise(record, bit, Event::kExpired, SrdoCause::kNone);
-    }
-    const Cell cell = Step(record, bit, Classify(record, frame, place & kHalfMask));
+    const Event event = Classify(record, frame);
+    const Cell& cell = NextCell(record.mode, event);
     if (cell.effect == Effect::kTake)
     {
+        SetMode(record, cell.next);
         record.pending = TakenFrom(record, frame);
         record.since = stamp;
         record.limit_us = record.values[kSrvtPlace] * kMicrosecondsPerMillisecond;
     }
     else if (cell.effect == Effect::kComplete)
     {
-        Complete(record, bit);
+        SetMode(record, cell.next);
+        Complete(record, BitOf(slot));
     }
     else
     {
-        Suffer(record, bit, cell, SrdoCause::kNone);
+        Raise(record, BitOf(slot), event, SrdoCause::kNone);
     }
 }
 
 // In the order of SRS-CONS-011; what order means is the table's affair.
-Event Channel::Classify(const Record& record, const CanFrame& frame, const std::uint32_t half) const noexcept
+Event Channel::Classify(const Record& record, const CanFrame& frame) const noexcept
 {
+    const std::uint32_t half = ~frame.identifier & kHalfMask; // Identifiers of normal frames are odd.
+    Event event = Event::kNormal;
     if ((frame.identifier != record.values[kCobIdPlace + half]) || (frame.port != ports_[half]))
     {
-        return Event::kWrongIdentifier;
+        event = Event::kWrongIdentifier;
     }
-    if (frame.length_bytes != record.length_bytes)
+    else if (frame.length_bytes != record.length_bytes)
     {
-        return Event::kWrongLength;
+        event = Event::kWrongLength;
     }
-    if (half == 0U)
+    else if (half != 0U)
     {
-        return Event::kNormal;
+        event = (Difference(record, frame, record.pending, kInverted) == 0U) ? Event::kInverse : Event::kNotInverse;
     }
-    const bool is_inverse = Difference(record, frame, record.pending, kInverted) == 0U;
-    return is_inverse ? Event::kInverse : Event::kNotInverse;
+    else
+    {
+        // Nothing else can be wrong with a normal frame in itself.
+    }
+    return event;
 }
 
 void Channel::Complete(Record& record, const SrdoMask bit) noexcept
@@ -102,8 +120,7 @@ void Channel::Complete(Record& record, const SrdoMask bit) noexcept
     ++record.ordinal;
     ++ordinal_sum_;
     fresh_ |= bit;
-    written_ &= ~bit;
-    attention_ |= bit & ~groups_[kGroupReleased]; // A released slot has nothing to decide.
+    unwritten_ |= bit;
 }
 
 // t      frames of this cycle        now
@@ -135,7 +152,7 @@ void Channel::ExamineConsumer(const Cycle& cycle, Record& record, const SrdoMask
     if (!IsSealed(record))
     {
         Raise(record, bit, Event::kCorrupted, SrdoCause::kNone);
-        MoveTo(bit, kModeFacts[RowOf(record.mode)].group); // The old mode cannot be trusted to tell the old group.
+        MoveTo(bit, FactsOf(record.mode).group); // The old mode cannot be trusted to tell the old group.
     }
     const bool is_expired = (cycle.now.us - record.since.us) > record.limit_us;
     if (is_expired)
@@ -195,7 +212,7 @@ void Channel::Demote(const SlotIndex slot) noexcept
 // A pending normal frame stays, with its limit.
 void Channel::Discard(Record& record, const SrdoMask bit) noexcept
 {
-    const Cell cell = Step(record, bit, Event::kDiscard);
+    const Cell& cell = Step(record, bit, Event::kDiscard);
     DropPair(record, bit);
     if (cell.next == Mode::kFaultedEmpty)
     {

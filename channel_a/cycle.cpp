@@ -160,7 +160,8 @@ void Channel::Leave(Cycle& cycle) noexcept
 // to wait for or to release.
 void Channel::ScanLimits(const Cycle& cycle) noexcept
 {
-    SrdoMask found = cycle.edges | groups_[kGroupProducer];
+    // A new pair is of interest to a slot that is not released yet.
+    SrdoMask found = cycle.edges | groups_[kGroupProducer] | (fresh_ & ~groups_[kGroupReleased]);
     if (cycle.is_late || cycle.has_overflow || cycle.has_gfc)
     {
         found |= Consumers();

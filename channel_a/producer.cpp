@@ -46,7 +46,7 @@ void Channel::ServeProducer(Cycle& cycle, Record& record, const SrdoMask bit) no
     if (!IsSealed(record))
     {
         Raise(record, bit, Event::kCorrupted, SrdoCause::kNone);
-        MoveTo(bit, kModeFacts[RowOf(record.mode)].group);
+        MoveTo(bit, FactsOf(record.mode).group);
         StopProducing(record);
         return;
     }
@@ -154,7 +154,7 @@ void Channel::Launch(const SlotIndex slot) noexcept
         return;
     }
     record.prepared = kUnmarked;
-    const Cell cell = Step(record, BitOf(slot), Event::kLaunch);
+    const Cell& cell = Step(record, BitOf(slot), Event::kLaunch);
     if (cell.effect == Effect::kLaunch)
     {
         record.held = record.pending;
@@ -171,7 +171,7 @@ CanFrame Channel::NextFrame(const SlotIndex slot) noexcept
 {
     CanFrame frame{};
     Record& record = At(slot);
-    const Cell cell = Step(record, BitOf(slot), Event::kHandOut);
+    const Cell& cell = Step(record, BitOf(slot), Event::kHandOut);
     if (cell.effect == Effect::kHandOut)
     {
         frame.identifier = record.values[kCobIdPlace];
@@ -201,7 +201,7 @@ SlotIndex Channel::OnConfirm(const CanFrame& frame, const Instant stamp) noexcep
     Record& record = At(slot);
     const std::uint32_t half = place & kHalfMask;
     const std::uint32_t awaited = half + kAwaitsNormal;
-    if ((kModeFacts[RowOf(record.mode)].awaits != awaited) || (record.values[kCobIdPlace + half] != frame.identifier))
+    if ((FactsOf(record.mode).awaits != awaited) || (record.values[kCobIdPlace + half] != frame.identifier))
     {
         return kNoSlot;
     }
@@ -224,7 +224,7 @@ SlotIndex Channel::OnConfirm(const CanFrame& frame, const Instant stamp) noexcep
 
 void Channel::Advance(Record& record, const SrdoMask bit, const Instant stamp) noexcept
 {
-    const Cell cell = Step(record, bit, Event::kConfirm);
+    const Cell& cell = Step(record, bit, Event::kConfirm);
     if (cell.effect == Effect::kAwaitInverse)
     {
         record.since = stamp;

@@ -9,7 +9,6 @@ namespace counterpoint::channel_a
 namespace
 {
 
-constexpr std::size_t kEventCount = 18U;
 static_assert(static_cast<std::size_t>(Event::kCorrupted) + 1U == kEventCount, "a column for each event");
 
 // Cells that change nothing, by the row they stand in.
@@ -69,6 +68,8 @@ constexpr Cell kCorruptP{Mode::kIdle, Effect::kAbort, SrdoCause::kInvalid};
 constexpr Cell kLost{Mode::kOff, Effect::kFault, SrdoCause::kInvalid};
 constexpr Cell kVoid{Mode::kOff, Effect::kAbort, SrdoCause::kInvalid};
 
+} // namespace
+
 // Rows: modes by their low four bits. Columns: events by their number. A corrupted mode is a fault whatever happens,
 // only leaving OPERATIONAL is done at once.
 constexpr Cell kTransitions[kRowCount][kEventCount] = {
@@ -124,6 +125,9 @@ constexpr Cell kTransitions[kRowCount][kEventCount] = {
      kAbortC, kSilent, kVoid},
 };
 
+namespace
+{
+
 // An omitted cell has effect kInvalid. Counted by a variable and not by a function, so that nothing stays unexecuted.
 template <std::size_t kCells>
 constexpr std::size_t kDefined =
@@ -133,10 +137,5 @@ template <> constexpr std::size_t kDefined<0U> = 0U;
 static_assert(kDefined<kRowCount * kEventCount> == (kRowCount * kEventCount), "the table of transitions is total");
 
 } // namespace
-
-Cell NextCell(const std::uint8_t row, const Event event) noexcept
-{
-    return kTransitions[row][static_cast<std::uint8_t>(event)];
-}
 
 } // namespace counterpoint::channel_a

@@ -4,6 +4,7 @@
 
 #include "safety_core/contract/srdo.hpp"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace counterpoint::channel_a
@@ -54,6 +55,8 @@ enum class Event : std::uint8_t
     kUnconfirmed = 16U, ///< Nothing was confirmed within SRVT.
     kCorrupted = 17U,   ///< The record does not fit its seal.
 };
+
+constexpr std::size_t kEventCount = 18U;
 
 /// What is to be done with the record besides its new mode.
 enum class Effect : std::uint8_t
@@ -125,19 +128,21 @@ constexpr ModeFacts kModeFacts[kRowCount] = {
     {Mode::kInverseAwaited, SrdoState::kProducer, kGroupProducer, 0U, kAwaitsInverse, kShown},
 };
 
-/// @brief Row of a mode; the row of kBroken for a value that is none.
-[[nodiscard]] inline std::uint8_t RowOf(const Mode mode) noexcept
+/// @brief What the row of a mode means. A value that is no mode is read as the row of its low four bits, here and in
+/// NextCell: the seal of its record gives it away in the next OnCycle, whatever happens until then.
+[[nodiscard]] inline const ModeFacts& FactsOf(const Mode mode) noexcept
 {
-    std::uint8_t row = static_cast<std::uint8_t>(mode) & kRowMask;
-    if (kModeFacts[row].mode != mode)
-    {
-        row = 0U;
-    }
-    return row;
+    return kModeFacts[static_cast<std::uint8_t>(mode) & kRowMask];
 }
 
-/// @brief What the table of transitions says.
-[[nodiscard]] Cell NextCell(std::uint8_t row, Event event) noexcept;
+/// The table of transitions: rows by the low four bits of the mode, columns by event.
+extern const Cell kTransitions[kRowCount][kEventCount]; // MISRA D-001
+
+/// @brief What the event does in this mode.
+[[nodiscard]] inline const Cell& NextCell(const Mode mode, const Event event) noexcept
+{
+    return kTransitions[static_cast<std::uint8_t>(mode) & kRowMask][static_cast<std::uint8_t>(event)];
+}
 
 } // namespace counterpoint::channel_a
 
