@@ -16,6 +16,15 @@ extern "C"
         std::size_t i = 0U;
         if (words)
         {
+            for (; (i + 16U) <= count; i += 16U)
+            {
+                const auto* read = reinterpret_cast<const std::uint32_t*>(source + i);
+                auto* write = reinterpret_cast<std::uint32_t*>(target + i);
+                write[0] = read[0];
+                write[1] = read[1];
+                write[2] = read[2];
+                write[3] = read[3];
+            }
             for (; (i + 4U) <= count; i += 4U)
             {
                 *reinterpret_cast<std::uint32_t*>(target + i) = *reinterpret_cast<const std::uint32_t*>(source + i);
@@ -47,12 +56,21 @@ extern "C"
     {
         auto* target = static_cast<std::uint8_t*>(to);
         const std::uint32_t byte = static_cast<std::uint8_t>(value);
+        const std::uint32_t word = byte * 0x01010101U;
         std::size_t i = 0U;
         if ((reinterpret_cast<std::uintptr_t>(to) & 3U) == 0U)
         {
+            for (; (i + 16U) <= count; i += 16U)
+            {
+                auto* words = reinterpret_cast<std::uint32_t*>(target + i);
+                words[0] = word;
+                words[1] = word;
+                words[2] = word;
+                words[3] = word;
+            }
             for (; (i + 4U) <= count; i += 4U)
             {
-                *reinterpret_cast<std::uint32_t*>(target + i) = byte * 0x01010101U;
+                *reinterpret_cast<std::uint32_t*>(target + i) = word;
             }
         }
         for (; i < count; ++i)
