@@ -51,8 +51,8 @@ void Channel::Restart(const DeviceConfig& config) noexcept
     config_ = &config;
     // 1 to 64, by the contract of DeviceConfig.
     count_ = (config.srdo_count < storage_.capacity) ? config.srdo_count : storage_.capacity;
-    ports_[0] = config.normal_port;
-    ports_[1] = config.inverse_port;
+    ports_.of_half[0] = config.normal_port;
+    ports_.of_half[1] = config.inverse_port;
     for (SlotIndex slot = 0U; slot < count_; ++slot)
     {
         const SrdoSetup& setup = config.srdos[slot]; // MISRA D-002
@@ -64,7 +64,7 @@ void Channel::Restart(const DeviceConfig& config) noexcept
         record.limit_us = kNoLimit;
         record.policy = setup.policy;
         record.form = setup.form;
-        record.safe = Unpacked(setup.safe_value);
+        record.safe = OctetsOf((std::uint64_t{setup.safe_value.high} << kHalfMaskShift) | setup.safe_value.low);
         SetDefaults(record, setup.number, config.node_id);
     }
     existing_ = (~SrdoMask{0U}) >> (kMaxSrdoCount - count_);
@@ -167,7 +167,7 @@ SrdoView Channel::View(const SlotIndex slot) const noexcept
     const Record& record = At(slot);
     const ModeFacts& facts = FactsOf(record.mode);
     SrdoView view{};
-    view.data = Payload{PackedWord(record.held, 0U) & facts.shown, PackedWord(record.held, kWordBytes) & facts.shown};
+    view.data = PayloadOf(Bits(record.held) & facts.shown);
     view.ordinal = record.ordinal;
     view.signals = record.signals;
     view.error_count = record.error_count;

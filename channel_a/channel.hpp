@@ -12,6 +12,12 @@
 namespace counterpoint::channel_a
 {
 
+/// Controllers of the normal frames (0) and of the inverse frames (1).
+struct Ports
+{
+    CanPortId of_half[2]; // MISRA D-001
+};
+
 /// Voice A: owns the normal objects and sends the normal frames. Contract: safety_core/contract/channel.hpp; how it
 /// does it and why: DESIGN.md. Restart before anything else.
 class Channel final : public counterpoint::Channel
@@ -78,7 +84,6 @@ class Channel final : public counterpoint::Channel
     void ReceiveOther(const CanFrame& frame) noexcept;
     void ReceiveLate(const CanFrame& frame, Instant stamp, SlotIndex slot) noexcept;
     void ReceiveInTime(const CanFrame& frame, Instant stamp, SlotIndex slot) noexcept;
-    [[nodiscard]] Event Classify(const Record& record, const CanFrame& frame) const noexcept;
     void Complete(Record& record, SrdoMask bit) noexcept;
 
     // The cycle.
@@ -99,7 +104,7 @@ class Channel final : public counterpoint::Channel
 
     // Transmission.
     static void StopProducing(Record& record) noexcept;
-    void Advance(Record& record, SrdoMask bit, Instant stamp) noexcept;
+    static void Advance(Record& record, Instant stamp) noexcept;
 
     // Configuration and objects.
     [[nodiscard]] bool IsOfSlot(const ConfigAddress& address) const noexcept;
@@ -115,7 +120,7 @@ class Channel final : public counterpoint::Channel
     [[nodiscard]] bool FitsOthers(const Record& record, std::uint32_t position) const noexcept;
     [[nodiscard]] bool HoldsTable(const Record& record) const noexcept;
     void WriteObjects(const Record& record, const Octets& data) const noexcept;
-    [[nodiscard]] std::uint32_t ReadObjects(Record& record) const noexcept;
+    [[nodiscard]] bool ReadObjects(Record& record) const noexcept;
 
     Storage storage_;
     const DeviceConfig* config_{nullptr};
@@ -132,7 +137,7 @@ class Channel final : public counterpoint::Channel
     std::uint32_t late_after_us_{0U};  ///< Since the OnCycle before.
     std::uint32_t first_delay_us_{0U}; ///< From OPERATIONAL to the first possible transmission.
     std::uint32_t ordinal_sum_{0U};
-    CanPortId ports_[2]{}; // MISRA D-001
+    Ports ports_{};
     std::uint8_t count_{0U};
     std::uint8_t gfc_parameter_{0U};
     std::uint8_t configuration_valid_{0U};

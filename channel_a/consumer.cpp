@@ -21,6 +21,30 @@ std::uint32_t SctUs(const Record& record) noexcept
     return record.values[kSctPlace] * kMicrosecondsPerMillisecond;
 }
 
+// In the order of SRS-CONS-011; what order means is the table's affair.
+Event Classify(const Record& record, const CanFrame& frame, const Ports& ports) noexcept
+{
+    const std::uint32_t half = ~frame.identifier & kHalfMask; // Identifiers of normal frames are odd.
+    Event event = Event::kNormal;
+    if ((frame.identifier != record.values[kCobIdPlace + half]) || (frame.port != ports.of_half[half]))
+    {
+        event = Event::kWrongIdentifier;
+    }
+    else if (frame.length_bytes != record.length_bytes)
+    {
+        event = Event::kWrongLength;
+    }
+    else if (half != 0U)
+    {
+        event = IsEqual(record, frame, record.pending, kInverted) ? Event::kInverse : Event::kNotInverse;
+    }
+    else
+    {
+        // Nothing else can be wrong with a normal frame in itself.
+    }
+    return event;
+}
+
 } // namespace
 
 void Channel::OnFrame(const CanFrame& frame, const Instant stamp) noexcept
@@ -68,7 +92,7 @@ void Channel::ReceiveLate(const CanFrame& frame, const Instant stamp, const Slot
 void Channel::ReceiveInTime(const CanFrame& frame, const Instant stamp, const SlotIndex slot) noexcept
 {
     Record& record = At(slot);
-    const Event event = Classify(record, frame);
+    const Event event = Classify(record, frame, ports_);
     const Cell& cell = NextCell(record.mode, event);
     if (cell.effect == Effect::kTake)
     {
@@ -86,30 +110,6 @@ void Channel::ReceiveInTime(const CanFrame& frame, const Instant stamp, const Sl
     {
         Raise(record, BitOf(slot), event, SrdoCause::kNone);
     }
-}
-
-// In the order of SRS-CONS-011; what order means is the table's affair.
-Event Channel::Classify(const Record& record, const CanFrame& frame) const noexcept
-{
-    const std::uint32_t half = ~frame.identifier & kHalfMask; // Identifiers of normal frames are odd.
-    Event event = Event::kNormal;
-    if ((frame.identifier != record.values[kCobIdPlace + half]) || (frame.port != ports_[half]))
-    {
-        event = Event::kWrongIdentifier;
-    }
-    else if (frame.length_bytes != record.length_bytes)
-    {
-        event = Event::kWrongLength;
-    }
-    else if (half != 0U)
-    {
-        event = (Difference(record, frame, record.pending, kInverted) == 0U) ? Event::kInverse : Event::kNotInverse;
-    }
-    else
-    {
-        // Nothing else can be wrong with a normal frame in itself.
-    }
-    return event;
 }
 
 void Channel::Complete(Record& record, const SrdoMask bit) noexcept

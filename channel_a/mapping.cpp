@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "channel_a/channel.hpp"
+#include "channel_a/octets.hpp"
 #include "channel_a/seal.hpp"
 #include "channel_a/signature.hpp"
 
@@ -18,9 +19,9 @@ constexpr std::uint32_t kSubShift = 8U;
 constexpr std::uint32_t kIndexShift = 16U;
 constexpr std::uint32_t kLengthBits = 0xFFU;
 constexpr std::uint32_t kBitsToBytes = 3U;
-constexpr std::uint32_t kOctetMask = kMaxPayloadBytes - 1U;
+constexpr std::uint32_t kWordBits = 32U;
+constexpr std::uint32_t kOffsetMask = kMaxPayloadBits - 1U;
 constexpr std::uint32_t kPairMask = 1U; ///< Of a position from 0: even the normal, odd the inverse object.
-constexpr std::uint32_t kByteMask = 0xFFU;
 constexpr std::uint16_t kNoObject = 0xFFFFU;
 constexpr MappableObject kNothing{0U, 0U, 0U, MapAccess::kNone, nullptr};
 
@@ -46,6 +47,63 @@ std::uint32_t TotalLength(const Record& record) noexcept
         total += LengthAt(record, position);
     }
     return total;
+}
+
+// Writes the lowest bytes into the object; returns the others.
+std::uint64_t Written(const MappableObject& object, std::uint64_t rest) noexcept
+{
+    if (object.length_bits == kWordBits) // The usual one, in one go.
+    {
+        object.place[0] = static_cast<std::uint8_t>(rest);        // MISRA D-002
+        object.place[1] = static_cast<std::uint8_t>(rest >> 8U);  // MISRA D-002
+        object.place[2] = static_cast<std::uint8_t>(rest >> 16U); // MISRA D-002
+        object.place[3] = static_cast<std::uint8_t>(rest >> 24U); // MISRA D-002
+        return rest >> kWordBits;
+    }
+    const std::uint32_t length_bytes = std::uint32_t{object.length_bits} >> kBitsToBytes;
+    for (std::uint32_t byte = 0U; byte < length_bytes; ++byte)
+    {
+        object.place[byte] = static_cast<std::uint8_t>(rest); // MISRA D-002
+        rest >>= kBitsPerByte;
+    }
+    return rest;
+}
+
+std::uint32_t WordAt(const std::uint8_t* const place) noexcept
+{
+    return std::uint32_t{place[0]} | (std::uint32_t{place[1]} << 8U) |          // MISRA D-002
+           (std::uint32_t{place[2]} << 16U) | (std::uint32_t{place[3]} << 24U); // MISRA D-002
+}
+
+struct Reading
+{
+    std::uint64_t normal;
+    std::uint32_t offset_bits;
+    std::uint32_t difference; ///< Bits that are not inverted, or lengths that differ.
+};
+
+void Add(Reading& reading, const std::uint32_t normal, const std::uint32_t inverse, const std::uint32_t bits) noexcept
+{
+    const std::uint32_t wrong = ~(normal ^ inverse);
+    reading.difference |= wrong << (kWordBits - bits);
+    reading.normal |= std::uint64_t{normal} << (reading.offset_bits & kOffsetMask);
+    reading.offset_bits += bits;
+}
+
+void Read(const MappableObject& normal, const MappableObject& inverse, Reading& reading) noexcept
+{
+    reading.difference |= std::uint32_t{normal.length_bits} ^ std::uint32_t{inverse.length_bits};
+    const std::uint32_t shorter_bits = std::uint32_t{normal.length_bits} & std::uint32_t{inverse.length_bits};
+    if (shorter_bits == kWordBits) // The usual one, in one go.
+    {
+        Add(reading, WordAt(normal.place), WordAt(inverse.place), kWordBits);
+        return;
+    }
+    const std::uint32_t length_bytes = shorter_bits >> kBitsToBytes;
+    for (std::uint32_t byte = 0U; byte < length_bytes; ++byte)
+    {
+        Add(reading, normal.place[byte], inverse.place[byte], kBitsPerByte); // MISRA D-002
+    }
 }
 
 } // namespace
@@ -156,42 +214,24 @@ bool Channel::HoldsTable(const Record& record) const noexcept
 void Channel::WriteObjects(const Record& record, const Octets& data) const noexcept
 {
     const std::uint32_t count = MapCount(record);
-    std::uint32_t offset = 0U;
+    std::uint64_t rest = Bits(data);
     for (std::uint32_t position = 0U; position < count; position += 2U)
     {
-        const MappableObject& object = ObjectAt(record, position);
-        const std::uint32_t length_bytes = std::uint32_t{object.length_bits} >> kBitsToBytes;
-        for (std::uint32_t byte = 0U; byte < length_bytes; ++byte)
-        {
-            object.place[byte] = data.at[(offset + byte) & kOctetMask]; // MISRA D-002
-        }
-        offset += length_bytes;
+        rest = Written(ObjectAt(record, position), rest);
     }
 }
 
-// Fills `pending` with the normal objects. Returns every bit that is not inverted; not 0 for a pair that is none.
-std::uint32_t Channel::ReadObjects(Record& record) const noexcept
+// Fills `pending` with the normal objects. False if a bit is not inverted.
+bool Channel::ReadObjects(Record& record) const noexcept
 {
     const std::uint32_t count = MapCount(record);
-    std::uint32_t difference = 0U;
-    std::uint32_t offset = 0U;
-    record.pending = Octets{};
+    Reading reading{0U, 0U, 0U};
     for (std::uint32_t position = 0U; position < count; position += 2U)
     {
-        const MappableObject& normal = ObjectAt(record, position);
-        const MappableObject& inverse = ObjectAt(record, position | kPairMask);
-        difference |= (normal.length_bits != inverse.length_bits) ? kByteMask : 0U;
-        const std::uint32_t shorter_bits = std::uint32_t{normal.length_bits} & std::uint32_t{inverse.length_bits};
-        const std::uint32_t length_bytes = shorter_bits >> kBitsToBytes;
-        for (std::uint32_t byte = 0U; byte < length_bytes; ++byte)
-        {
-            const std::uint32_t value = normal.place[byte];          // MISRA D-002
-            difference |= (value ^ inverse.place[byte]) ^ kByteMask; // MISRA D-002
-            record.pending.at[(offset + byte) & kOctetMask] = static_cast<std::uint8_t>(value);
-        }
-        offset += length_bytes;
+        Read(ObjectAt(record, position), ObjectAt(record, position | kPairMask), reading);
     }
-    return difference;
+    record.pending = OctetsOf(reading.normal);
+    return reading.difference == 0U;
 }
 
 } // namespace counterpoint::channel_a

@@ -16,7 +16,7 @@ namespace counterpoint::channel_a
 
 constexpr std::uint32_t kLengthMask = 0x0FU;
 constexpr std::uint8_t kInverted = 0xFFU; ///< What every byte of an inverse frame is flipped with.
-constexpr std::uint32_t kWordBytes = 4U;
+constexpr std::uint32_t kPayloadWordBits = 32U;
 constexpr std::uint32_t kBitsPerByte = 8U;
 
 /// For each length the bytes that are mapped. 9 to 15 occur only in a corrupted record, which its seal gives away.
@@ -52,43 +52,40 @@ constexpr Octets kMapped[kLengthMask + 1U] = {
     return taken;
 }
 
-/// @brief Every bit in which the mapped bytes of the frame differ from `expected` XOR `flip`; 0: none.
-[[nodiscard]] inline std::uint8_t Difference(const Record& record, const CanFrame& frame, const Octets& expected,
-                                             const std::uint8_t flip) noexcept
+/// @brief Byte 0 as the lowest bits, whatever the order of the processor.
+[[nodiscard]] inline std::uint64_t Bits(const Octets& octets) noexcept
+{
+    return std::uint64_t{octets.at[0]} | (std::uint64_t{octets.at[1]} << 8U) | (std::uint64_t{octets.at[2]} << 16U) |
+           (std::uint64_t{octets.at[3]} << 24U) | (std::uint64_t{octets.at[4]} << 32U) |
+           (std::uint64_t{octets.at[5]} << 40U) | (std::uint64_t{octets.at[6]} << 48U) |
+           (std::uint64_t{octets.at[7]} << 56U);
+}
+
+[[nodiscard]] inline Octets OctetsOf(const std::uint64_t bits) noexcept
+{
+    return Octets{{static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8U),
+                   static_cast<std::uint8_t>(bits >> 16U), static_cast<std::uint8_t>(bits >> 24U),
+                   static_cast<std::uint8_t>(bits >> 32U), static_cast<std::uint8_t>(bits >> 40U),
+                   static_cast<std::uint8_t>(bits >> 48U), static_cast<std::uint8_t>(bits >> 56U)}};
+}
+
+[[nodiscard]] inline Payload PayloadOf(const std::uint64_t bits) noexcept
+{
+    return Payload{static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> kPayloadWordBits)};
+}
+
+/// @brief Whether each mapped byte of the frame is the byte of `expected` XOR `flip`.
+[[nodiscard]] inline bool IsEqual(const Record& record, const CanFrame& frame, const Octets& expected,
+                                  const std::uint8_t flip) noexcept
 {
     const Octets& mapped = kMapped[record.length_bytes & kLengthMask];
-    std::uint8_t difference = 0U;
+    Octets wrong{};
     for (std::size_t place = 0U; place < kMaxPayloadBytes; ++place)
     {
         const std::uint8_t wanted = static_cast<std::uint8_t>(expected.at[place] ^ flip);
-        const std::uint8_t wrong = static_cast<std::uint8_t>(wanted ^ frame.data[place]);
-        difference |= static_cast<std::uint8_t>(wrong & mapped.at[place]);
+        wrong.at[place] = static_cast<std::uint8_t>((wanted ^ frame.data[place]) & mapped.at[place]);
     }
-    return difference;
-}
-
-/// @brief Bytes 0 to 3 or 4 to 7 as the word of a Payload.
-[[nodiscard]] inline std::uint32_t PackedWord(const Octets& octets, const std::uint32_t first) noexcept
-{
-    return static_cast<std::uint32_t>(octets.at[first]) | (static_cast<std::uint32_t>(octets.at[first + 1U]) << 8U) |
-           (static_cast<std::uint32_t>(octets.at[first + 2U]) << 16U) |
-           (static_cast<std::uint32_t>(octets.at[first + 3U]) << 24U);
-}
-
-[[nodiscard]] inline Payload Packed(const Octets& octets) noexcept
-{
-    return Payload{PackedWord(octets, 0U), PackedWord(octets, kWordBytes)};
-}
-
-[[nodiscard]] inline Octets Unpacked(const Payload& payload) noexcept
-{
-    Octets octets{};
-    for (std::uint32_t place = 0U; place < kWordBytes; ++place)
-    {
-        octets.at[place] = static_cast<std::uint8_t>(payload.low >> (place * kBitsPerByte));
-        octets.at[place + kWordBytes] = static_cast<std::uint8_t>(payload.high >> (place * kBitsPerByte));
-    }
-    return octets;
+    return Bits(wrong) == 0U;
 }
 
 } // namespace counterpoint::channel_a

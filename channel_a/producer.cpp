@@ -131,7 +131,7 @@ PreparedPair Channel::Prepare(const SlotIndex slot) noexcept
     record.refresh = kUnmarked;
     record.request = kUnmarked;
     record.prepared = kUnmarked;
-    if (ReadObjects(record) != 0U)
+    if (!ReadObjects(record))
     {
         pair.status = PrepareStatus::kNotInverse;
         Report(record, BitOf(slot), SrdoCause::kNotInverse);
@@ -139,7 +139,7 @@ PreparedPair Channel::Prepare(const SlotIndex slot) noexcept
     else
     {
         pair.status = PrepareStatus::kReady;
-        pair.normal = Packed(record.pending);
+        pair.normal = PayloadOf(Bits(record.pending));
         pair.length_bytes = record.length_bytes;
         record.prepared = kMarked;
     }
@@ -154,7 +154,7 @@ void Channel::Launch(const SlotIndex slot) noexcept
         return;
     }
     record.prepared = kUnmarked;
-    const Cell& cell = Step(record, BitOf(slot), Event::kLaunch);
+    const Cell& cell = StepWithin(record, Event::kLaunch);
     if (cell.effect == Effect::kLaunch)
     {
         record.held = record.pending;
@@ -171,12 +171,12 @@ CanFrame Channel::NextFrame(const SlotIndex slot) noexcept
 {
     CanFrame frame{};
     Record& record = At(slot);
-    const Cell& cell = Step(record, BitOf(slot), Event::kHandOut);
+    const Cell& cell = StepWithin(record, Event::kHandOut);
     if (cell.effect == Effect::kHandOut)
     {
         frame.identifier = record.values[kCobIdPlace];
         frame.kind = FrameKind::kData;
-        frame.port = ports_[0];
+        frame.port = ports_.of_half[0];
         frame.length_bytes = record.length_bytes;
         for (std::uint32_t place = 0U; place < kMaxPayloadBytes; ++place)
         {
@@ -207,7 +207,7 @@ SlotIndex Channel::OnConfirm(const CanFrame& frame, const Instant stamp) noexcep
     }
     const SrdoMask bit = BitOf(slot);
     const std::uint8_t flip = static_cast<std::uint8_t>(half * kInverted);
-    if ((frame.length_bytes != record.length_bytes) || (Difference(record, frame, record.held, flip) != 0U))
+    if ((frame.length_bytes != record.length_bytes) || !IsEqual(record, frame, record.held, flip))
     {
         Raise(record, bit, Event::kAbort, SrdoCause::kWrongEcho);
     }
@@ -217,14 +217,14 @@ SlotIndex Channel::OnConfirm(const CanFrame& frame, const Instant stamp) noexcep
     }
     else
     {
-        Advance(record, bit, stamp);
+        Advance(record, stamp);
     }
     return slot;
 }
 
-void Channel::Advance(Record& record, const SrdoMask bit, const Instant stamp) noexcept
+void Channel::Advance(Record& record, const Instant stamp) noexcept
 {
-    const Cell& cell = Step(record, bit, Event::kConfirm);
+    const Cell& cell = StepWithin(record, Event::kConfirm);
     if (cell.effect == Effect::kAwaitInverse)
     {
         record.since = stamp;

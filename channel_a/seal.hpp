@@ -3,6 +3,7 @@
 #define CHANNEL_A_SEAL_HPP
 
 #include "channel_a/storage.hpp"
+#include "channel_a/transitions.hpp"
 
 #include <cstdint>
 
@@ -34,6 +35,14 @@ inline void SetMode(Record& record, const Mode mode) noexcept
 {
     record.seal ^= (static_cast<std::uint32_t>(record.mode) ^ static_cast<std::uint32_t>(mode)) << kModeShift;
     record.mode = mode;
+}
+
+/// @brief A step of the table that stays within its group of modes.
+[[nodiscard]] inline const Cell& StepWithin(Record& record, const Event event) noexcept
+{
+    const Cell& cell = NextCell(record.mode, event);
+    SetMode(record, cell.next);
+    return cell;
 }
 
 inline void SetFirstCause(Record& record, const SrdoCause cause) noexcept

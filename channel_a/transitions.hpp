@@ -99,11 +99,11 @@ struct ModeFacts
     std::uint8_t group;
     std::uint8_t holds_pair; ///< 1: consumer with a held pair.
     std::uint8_t awaits;     ///< Frame whose confirmation is awaited.
-    std::uint32_t shown;     ///< Mask for the words of the data in SrdoView.
+    std::uint64_t shown;     ///< Mask for the data in SrdoView.
 };
 
-constexpr std::uint32_t kHidden = 0U;
-constexpr std::uint32_t kShown = 0xFFFFFFFFU;
+constexpr std::uint64_t kHidden = 0U;
+constexpr std::uint64_t kShown = ~kHidden;
 
 constexpr std::uint8_t kRowMask = 0x0FU;
 constexpr std::uint8_t kRowCount = 16U;
