@@ -82,10 +82,11 @@ Party PartyOf(const Event& device_fault)
     return Party::kKernel;
 }
 
-/// The cause of this cycle: the lowest signalled one, or the first cause where it was signalled before.
+/// The cause of this cycle: the first cause if it is among the signalled ones, or was signalled before; else the lowest.
 SrdoCause CauseOf(const Event& event)
 {
-    for (std::uint32_t cause = 1U; cause < 32U; ++cause)
+    const bool is_first = event.other == 0U || event.value >= 32U || ((event.other >> event.value) & 1U) != 0U;
+    for (std::uint32_t cause = 1U; !is_first && cause < 32U; ++cause)
     {
         if (((event.other >> cause) & 1U) != 0U)
         {

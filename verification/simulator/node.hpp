@@ -97,7 +97,7 @@ class Node final : private host::FrameSink, private ChannelWitness
     void LookAtOutput();
     void LookInside();
     void TellStates(Part part, const Channel& channel, Voice& voice);
-    void TellCauses(Part part, const Channel& channel, SrdoMask new_fault);
+    void TellCauses(Part part, const Channel& channel, SrdoMask new_fault, SrdoMask signalled);
     void NoteEffects();
     void NoteHung();
     void Follow(const StampedFrame& frame);

@@ -13,9 +13,9 @@ void Node::OnOutcome(const Part part, const Channel& channel, const CycleOutcome
     const bool has_changed = masks != 0U || before.not_operational != outcome.not_operational ||
                              before.is_tx != outcome.is_tx || before.cycle == 0U;
     voice.outcome = outcome;
-    if (outcome.new_fault != 0U)
+    if ((outcome.new_fault | outcome.signalled) != 0U)
     {
-        TellCauses(part, channel, outcome.new_fault);
+        TellCauses(part, channel, outcome.new_fault, outcome.signalled);
     }
     if (journal_.KeepsAll() && has_changed)
     {
@@ -37,15 +37,23 @@ void Node::TellStates(const Part part, const Channel& channel, Voice& voice)
     }
 }
 
-void Node::TellCauses(const Part part, const Channel& channel, const SrdoMask new_fault)
+// Consumers report in new_fault; producers only by their signals. That a first pair has not come is no fault.
+void Node::TellCauses(const Part part, const Channel& channel, const SrdoMask new_fault, const SrdoMask signalled)
 {
+    constexpr std::uint32_t kHarmless = std::uint32_t{1U} << static_cast<std::uint32_t>(SrdoCause::kWaitingPastSct);
     const EventKind kind = (part == Part::kChannelA) ? EventKind::kCauseA : EventKind::kCauseB;
     for (SlotIndex slot = 0U; slot < model_.Config().srdo_count; ++slot)
     {
-        if (((new_fault >> slot) & 1U) != 0U)
+        const SrdoMask bit = SrdoMask{1U} << slot;
+        if (((new_fault | signalled) & bit) == 0U)
         {
-            const auto cause = static_cast<std::uint64_t>(channel.View(slot).first_cause);
-            journal_.Note({Now(), kind, index_, NumberOf(slot), cause, channel.View(slot).signals});
+            continue;
+        }
+        const SrdoView view = channel.View(slot);
+        const std::uint32_t signals = ((signalled & bit) != 0U) ? (view.signals & ~kHarmless) : 0U;
+        if ((new_fault & bit) != 0U || signals != 0U)
+        {
+            journal_.Note({Now(), kind, index_, NumberOf(slot), static_cast<std::uint64_t>(view.first_cause), signals});
         }
     }
 }

@@ -110,6 +110,9 @@ void AddDetails(const Run& run, const Event& event, Json& json)
         json["fault"] = run.Setting().faults[event.value].name;
         json["place"] = event.value;
         return;
+    case EventKind::kFrameChanged:
+        json["identifier"] = event.value;
+        return;
     case EventKind::kOutput:
     case EventKind::kPermits:
     case EventKind::kDemotion:

@@ -9,10 +9,10 @@
   const hex = id => id.toString(16).toUpperCase().padStart(3, "0") + "h";
   let run = null, lanes = [], hidden = new Set(), from = 0, to = 1, queued = false;
 
-  function duration(ns, digits) {
+  function duration(ns) {
     const size = Math.abs(ns);
     const [unit, scale] = size >= 1e9 ? ["s", 1e9] : size >= 1e6 ? ["ms", 1e6] : ["µs", 1e3];
-    return (ns / scale).toFixed(digits === undefined ? (unit === "µs" ? 0 : 3) : digits) + " " + unit;
+    return +(ns / scale).toFixed(unit === "µs" ? 1 : 3) + " " + unit;
   }
   const at = ns => (ns / 1e6).toFixed(3) + " ms";
 
@@ -76,7 +76,9 @@
     const list = [];
     for (const [first, pair] of [...pairs].sort((a, b) => a[0] - b[0])) {
       const label = pair.isSrdo ? hex(first) + " / " + hex(first + 1) : hex(first);
-      list.push({ kind: "frames", height: 30, label, note: pair.isSrdo ? "normal / inverse" : "", frames: pair.frames });
+      const mine = id => id === first || (pair.isSrdo && id === first + 1);
+      const changed = run.events.filter(e => e.kind === "frame_changed" && mine(e.identifier));
+      list.push({ kind: "frames", height: 32, label, note: pair.isSrdo ? "normal / inverse" : "", frames: pair.frames, changed });
     }
     return list;
   }
@@ -110,7 +112,7 @@
       values.get(event.object).push(event);
     }
     for (const [object, events] of [...values].sort()) {
-      list.push({ kind: "value", height: 22, label: object, note: "used by the application", segments: segments(events, 0, e => e.value) });
+      list.push({ kind: "value", height: 22, label: object + " as used", segments: segments(events, 0, e => e.value) });
     }
     return list;
   }
@@ -151,7 +153,7 @@
     const half = (lane.height - 2) / 2;
     for (const f of lane.frames) {
       if (!shown(f.start_ns, f.end_ns)) continue;
-      const inverse = f.identifier % 2 === 0 && lane.note !== "";
+      const inverse = f.identifier % 2 === 0 && lane.note !== ""; // Inverse frames have even identifiers.
       const row = inverse ? 1 : 0;
       const strange = f.sender === null || f.fate !== "complete";
       const x = X(f.start_ns);
@@ -160,7 +162,12 @@
       const text = `${hex(f.identifier)}  ${f.data || "no data"}\n${f.sender === null ? "inserted" : "from " + f.sender}` +
         `${f.fate === "complete" ? "" : ", " + f.fate.replace("_", " ")}\nends at ${at(f.end_ns)}, ${duration(f.end_ns - f.start_ns)} long`;
       const cls = f.sender === null ? "strange" : f.fate !== "complete" ? "lost" : inverse ? "inverse" : "normal";
-      out += rect(cls, f.start_ns, f.end_ns, lane.y + row * (half + 2), half, text, strange ? 4 : 1.6);
+      out += rect(cls, f.start_ns, f.end_ns, lane.y + row * (half + 2), half, text, strange ? 4 : 2.2);
+    }
+    for (const e of lane.changed) {
+      if (!shown(e.at_ns, e.at_ns)) continue;
+      const row = e.identifier % 2 === 0 && lane.note !== "" ? 1 : 0, y = lane.y + row * (half + 2) + half / 2, x = X(e.at_ns).toFixed(1);
+      out += `<path class="strange" d="M${x} ${y - 7}l5 7-5 7-5-7z"${tip(`${e.text}\nreceiver: ${e.node}\n${at(e.at_ns)}`)}/>`;
     }
     return out;
   }
