@@ -13,97 +13,59 @@ namespace counterpoint::channel_b
 namespace
 {
 
+constexpr std::size_t kSlotsInWord = 8U;
 constexpr std::uint64_t kLowBits = 0x0101010101010101U;
-constexpr std::uint64_t kHighBits = 0x8080808080808080U;
 constexpr std::uint64_t kBelowHighBits = 0x7F7F7F7F7F7F7F7FU;
-constexpr std::uint64_t kLastCause = static_cast<std::uint64_t>(SrdoCause::kWrongEcho);
+constexpr std::uint64_t kGather = 0x0102040810204080U;
+constexpr SrdoMask kAllOfWord = 0xFFU;
 
-constexpr std::uint64_t kAllReleased = kLowBits * static_cast<std::uint64_t>(SrdoState::kReleased);
-constexpr std::uint64_t kAllConsumers = kLowBits * kDirectionConsumer;
-constexpr std::uint64_t kNoCauses = kLowBits * static_cast<std::uint64_t>(SrdoCause::kNone);
-constexpr SrdoMask kEight = 0xFFU;
-
-/// High bit of each byte that is not 0.
-[[nodiscard]] inline std::uint64_t NonZero(std::uint64_t word) noexcept
+/// The slots of whose column the byte is `value`. In a byte that is 0 after the XOR, neither the sum nor the byte
+/// itself sets the high bit; the product brings the bit of byte n to bit 56 + n.
+[[nodiscard]] SrdoMask SlotsWith(const Column<std::uint8_t>& column, std::uint8_t value, std::size_t count) noexcept
 {
-    return (((word & kBelowHighBits) + kBelowHighBits) | word) & kHighBits;
-}
-
-/// High bit of each byte that is not `value`.
-[[nodiscard]] inline std::uint64_t Unlike(std::uint64_t word, std::uint8_t value) noexcept
-{
-    return NonZero(word ^ (kLowBits * value));
-}
-
-/// High bit of each byte that is above `limit`, which is below 80h.
-[[nodiscard]] inline std::uint64_t Above(std::uint64_t word, std::uint64_t limit) noexcept
-{
-    return (((word & kBelowHighBits) + (kLowBits * (0x7FU - limit))) | word) & kHighBits;
-}
-
-/// High bit of each byte that is no cause which can be recorded: those are 1 to kWrongEcho and kNone.
-[[nodiscard]] inline std::uint64_t Undefined(std::uint64_t causes) noexcept
-{
-    return (~NonZero(causes) | Above(causes, kLastCause)) & Unlike(causes, static_cast<std::uint8_t>(SrdoCause::kNone));
-}
-
-/// The high bits, of which no other may be set, side by side: the product brings the one of byte n to bit 56 + n.
-[[nodiscard]] inline SrdoMask Gather(std::uint64_t high_bits, std::size_t first_slot) noexcept
-{
-    return (((high_bits >> 7U) * 0x0102040810204080U) >> 56U) << first_slot;
-}
-
-[[nodiscard]] inline std::uint8_t Code(SrdoState state) noexcept
-{
-    return static_cast<std::uint8_t>(state);
-}
-
-/// Eight bytes of a column of single bytes, whatever enumeration they hold.
-template <typename T> [[nodiscard]] inline std::uint64_t EightOf(const Column<T>& column, std::size_t first) noexcept
-{
-    static_assert(sizeof(T) == 1U, "single bytes");
-    std::uint64_t word = 0U;
-    for (std::size_t index = 0U; index < kSlotsInWord; ++index)
+    const std::uint64_t sought = kLowBits * value;
+    SrdoMask slots = 0U;
+    for (std::size_t first = 0U; first < count; first += kSlotsInWord)
     {
-        word |= static_cast<std::uint64_t>(column[first + index]) << (8U * index);
+        const std::uint64_t word = PackBytes(&column[first]) ^ sought;
+        SrdoMask found = kAllOfWord;
+        if (word != 0U) // Not all eight of them.
+        {
+            const std::uint64_t unlike = ((word & kBelowHighBits) + kBelowHighBits) | word;
+            found = (((~unlike >> 7U) & kLowBits) * kGather) >> 56U;
+        }
+        slots |= found << first;
     }
-    return word;
+    return slots;
 }
 
 } // namespace
 
+/// All masks are empty while SRDOs are not active.
 Channel::Census Channel::TakeCensus() const noexcept
 {
-    Census census{0U, 0U, 0U, 0U, 0U};
     const std::size_t count = x_count;
-    for (std::size_t first = 0U; first < count; first += kSlotsInWord)
+    const SrdoMask consumers = x_active & SlotsWith(x_storage.direction, kDirectionConsumer, count);
+    Census census{0U, 0U, 0U, 0U, 0U};
+    census.released = consumers & SlotsWith(x_storage.state, Code(SrdoState::kReleased), count);
+    for (SrdoMask rest = census.released & ~SlotsWith(x_storage.first_cause, Code(SrdoCause::kNone), count);
+         rest != 0U;)
     {
-        const std::uint64_t state = EightOf(x_storage.state, first);
-        const std::uint64_t direction = EightOf(x_storage.direction, first);
-        const std::uint64_t cause = EightOf(x_storage.first_cause, first);
-        if ((state == kAllReleased) && (direction == kAllConsumers) && (cause == kNoCauses))
+        const SlotIndex slot = TakeLowest(rest);
+        if (!IsRecordable(x_storage.first_cause[slot]))
         {
-            census.released |= kEight << first; // The common case at little cost.
-            continue;
+            census.released &= ~BitOf(slot);
         }
-        const std::uint64_t no_consumer = Unlike(direction, kDirectionConsumer);
-        const std::uint64_t no_producer = Unlike(direction, kDirectionProducer);
-        const std::uint64_t off = Unlike(state, Code(SrdoState::kOff));
-        const std::uint64_t waiting = Unlike(state, Code(SrdoState::kWaiting)) | no_consumer;
-        const std::uint64_t faulted = Unlike(state, Code(SrdoState::kFaulted)) | no_consumer;
-        const std::uint64_t released = Unlike(state, Code(SrdoState::kReleased)) | no_consumer | Undefined(cause);
-        const std::uint64_t producer = Unlike(state, Code(SrdoState::kProducer)) | no_producer;
-        census.waiting |= Gather(waiting ^ kHighBits, first);
-        census.faulted |= Gather(faulted ^ kHighBits, first);
-        census.released |= Gather(released ^ kHighBits, first);
-        census.producers |= Gather(producer ^ kHighBits, first);
-        census.corrupted |= Gather(off & waiting & faulted & released & producer, first);
     }
-    census.waiting &= x_active;
-    census.faulted &= x_active;
-    census.released &= x_active;
-    census.producers &= x_active;
-    census.corrupted &= x_active;
+    if (census.released != x_active) // Else there is nothing else to be found.
+    {
+        const SrdoMask producers = x_active & SlotsWith(x_storage.direction, kDirectionProducer, count);
+        const SrdoMask off = SlotsWith(x_storage.state, Code(SrdoState::kOff), count);
+        census.waiting = consumers & SlotsWith(x_storage.state, Code(SrdoState::kWaiting), count);
+        census.faulted = consumers & SlotsWith(x_storage.state, Code(SrdoState::kFaulted), count);
+        census.producers = producers & SlotsWith(x_storage.state, Code(SrdoState::kProducer), count);
+        census.corrupted = x_active & ~(off | census.waiting | census.faulted | census.released | census.producers);
+    }
     return census;
 }
 
@@ -118,7 +80,7 @@ void Channel::Repair(SlotIndex slot, Census& census) noexcept
     census.faulted &= ~bit;
     Fault(slot, SrdoCause::kInvalid);
     Withdraw(x_storage.marks->automatic, bit);
-    x_storage.first_cause[slot] = SrdoCause::kInvalid;
+    x_storage.first_cause[slot] = Code(SrdoCause::kInvalid);
     x_storage.stage[slot] = Stage::kIdle;
     if (x_storage.direction[slot] == kDirectionConsumer)
     {
@@ -126,7 +88,7 @@ void Channel::Repair(SlotIndex slot, Census& census) noexcept
     }
     else
     {
-        x_storage.state[slot] = SrdoState::kOff;
+        x_storage.state[slot] = Code(SrdoState::kOff);
     }
 }
 
@@ -138,9 +100,9 @@ Channel::Census Channel::SoundCensus() noexcept
     const SrdoMask twins = (marks.held.on ^ marks.held.off) & (marks.acknowledged.on ^ marks.acknowledged.off) &
                            (marks.automatic.on ^ marks.automatic.off);
     census.corrupted |= (consumers & ~twins) | (census.released & ~marks.held.on);
-    for (SrdoMask rest = census.corrupted; rest != 0U; rest &= rest - 1U)
+    for (SrdoMask rest = census.corrupted; rest != 0U;)
     {
-        Repair(LowestSlot(rest), census);
+        Repair(TakeLowest(rest), census);
     }
     return census;
 }

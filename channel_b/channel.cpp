@@ -33,8 +33,8 @@ Channel::Channel(const Storage& storage) noexcept : x_storage(storage)
 void Channel::ClearSlot(SlotIndex slot) noexcept
 {
     x_storage.direction[slot] = kDirectionOff;
-    x_storage.state[slot] = SrdoState::kOff;
-    x_storage.first_cause[slot] = SrdoCause::kNone;
+    x_storage.state[slot] = Code(SrdoState::kOff);
+    x_storage.first_cause[slot] = Code(SrdoCause::kNone);
     x_storage.stage[slot] = Stage::kIdle;
     x_storage.error_count[slot] = 0U;
     x_storage.length_bytes[slot] = 0U;
@@ -125,7 +125,7 @@ SrdoView Channel::View(SlotIndex slot) const noexcept
                   0U,
                   x_storage.error_count[slot],
                   StateOf(slot),
-                  x_storage.first_cause[slot],
+                  static_cast<SrdoCause>(x_storage.first_cause[slot]),
                   static_cast<std::uint8_t>(holds_pair)};
     if (holds_pair || ((view.state == SrdoState::kProducer) && IsInFlight(x_storage, slot)))
     {
@@ -141,7 +141,7 @@ SrdoView Channel::View(SlotIndex slot) const noexcept
 
 SrdoState Channel::StateOf(SlotIndex slot) const noexcept
 {
-    switch (x_storage.state[slot])
+    switch (static_cast<SrdoState>(x_storage.state[slot]))
     {
     case SrdoState::kReleased:
         return SrdoState::kReleased;

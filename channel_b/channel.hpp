@@ -86,8 +86,8 @@ class Channel final : public counterpoint::Channel
     void Repair(SlotIndex slot, Census& census) noexcept;
 
     // cycle.cpp
-    [[nodiscard]] SrdoMask Spend(std::uint32_t elapsed) noexcept;
-    [[nodiscard]] SrdoMask SpendPairs(std::uint32_t elapsed) noexcept;
+    [[nodiscard]] SrdoMask SpendPairs() noexcept;
+    void SpendWindows() noexcept;
     [[nodiscard]] GuardView ViewGuard(const CycleInput& input) const noexcept;
     [[nodiscard]] SrdoMask SettleActivity(bool operational) noexcept;
     void Enter() noexcept;
@@ -140,12 +140,13 @@ class Channel final : public counterpoint::Channel
 
     Storage x_storage;
     const DeviceConfig* x_config{nullptr};
-    SrdoMask x_present{0U};      ///< All existing slots.
-    SrdoMask x_active{0U};       ///< x_present while SRDOs are active, else 0.
-    SrdoMask x_levels{0U};       ///< Acknowledge inputs of the last OnCycle.
-    SrdoMask x_gfc{0U};          ///< Slots that a global fail-safe command reached since the last OnCycle.
-    std::uint32_t x_last_us{0U}; ///< The `now` of the last OnCycle: every budget and every stamp is relative to it.
-    std::uint32_t x_late_us{0U}; ///< Longest time since the last OnCycle that is not late.
+    SrdoMask x_present{0U};         ///< All existing slots.
+    SrdoMask x_active{0U};          ///< x_present while SRDOs are active, else 0.
+    SrdoMask x_levels{0U};          ///< Acknowledge inputs of the last OnCycle.
+    SrdoMask x_gfc{0U};             ///< Slots that a global fail-safe command reached since the last OnCycle.
+    std::uint32_t x_last_us{0U};    ///< The `now` of the last OnCycle: every budget and every stamp is relative to it.
+    std::uint32_t x_elapsed_us{0U}; ///< Between the last two calls of OnCycle: what every budget is to be relieved of.
+    std::uint32_t x_late_us{0U};    ///< Longest time since the last OnCycle that is not late.
     std::uint32_t x_cycle{0U};
     std::uint8_t x_count{0U};
 };

@@ -7,18 +7,6 @@
 namespace counterpoint::channel_b
 {
 
-namespace
-{
-
-/// Any other value is corrupted, or was put there because something else was. [SRS-CONS-024]
-[[nodiscard]] bool IsRecordable(SrdoCause cause) noexcept
-{
-    const std::uint32_t value = static_cast<std::uint32_t>(cause) - 1U;
-    return (value < static_cast<std::uint32_t>(SrdoCause::kWrongEcho)) || (cause == SrdoCause::kNone);
-}
-
-} // namespace
-
 void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
 {
     if (frame.kind != FrameKind::kData)
@@ -144,7 +132,7 @@ void Channel::Demote(SlotIndex slot) noexcept
     x_storage.marks->released &= ~BitOf(slot);
     Withdraw(x_storage.marks->acknowledged, BitOf(slot));
     Discard(slot);
-    x_storage.state[slot] = SrdoState::kFaulted;
+    x_storage.state[slot] = Code(SrdoState::kFaulted);
     Count(slot, SrdoCause::kDemoted);
 }
 
@@ -167,9 +155,9 @@ void Channel::ExamineConsumers(const CycleInput& input, SrdoMask spent, bool is_
     }
     FaultEach(consumers & x_gfc, SrdoCause::kGfc);
     const SrdoMask faulted = consumers & marks.reporting;
-    for (SrdoMask rest = faulted & marks.held.on; rest != 0U; rest &= rest - 1U)
+    for (SrdoMask rest = faulted & marks.held.on; rest != 0U;)
     {
-        Discard(LowestSlot(rest)); // Completed after the fault, before it was reported.
+        Discard(TakeLowest(rest)); // Completed after the fault, before it was reported.
     }
     census.faulted |= faulted;
     census.waiting &= ~faulted;
@@ -183,13 +171,13 @@ void Channel::Acknowledge(SrdoMask edges, const Census& census) noexcept
     const SrdoMask taken = edges & ~marks.reporting;
     const SrdoMask waiting = taken & (census.waiting | census.faulted | census.released);
     Grant(marks.acknowledged, waiting);
-    for (SrdoMask rest = waiting; rest != 0U; rest &= rest - 1U)
+    for (SrdoMask rest = waiting; rest != 0U;)
     {
-        x_storage.edge_left[LowestSlot(rest)] = x_config->acknowledge_window_us;
+        x_storage.edge_left[TakeLowest(rest)] = x_config->acknowledge_window_us;
     }
-    for (SrdoMask rest = taken & census.producers; rest != 0U; rest &= rest - 1U)
+    for (SrdoMask rest = taken & census.producers; rest != 0U;)
     {
-        x_storage.first_cause[LowestSlot(rest)] = SrdoCause::kNone;
+        x_storage.first_cause[TakeLowest(rest)] = Code(SrdoCause::kNone);
     }
 }
 
@@ -200,12 +188,12 @@ void Channel::Release(Census& census) noexcept
     const SrdoMask permitted = Granted(marks.automatic) | Granted(marks.acknowledged);
     const SrdoMask ready = Granted(marks.held) & ~marks.reporting & permitted;
     SrdoMask released = 0U;
-    for (SrdoMask rest = (census.waiting | census.faulted) & ready; rest != 0U; rest &= rest - 1U)
+    for (SrdoMask rest = (census.waiting | census.faulted) & ready; rest != 0U;)
     {
-        const SlotIndex slot = LowestSlot(rest);
+        const SlotIndex slot = TakeLowest(rest);
         if (IsRecordable(x_storage.first_cause[slot]))
         {
-            x_storage.state[slot] = SrdoState::kReleased;
+            x_storage.state[slot] = Code(SrdoState::kReleased);
             released |= BitOf(slot);
         }
     }
@@ -213,9 +201,9 @@ void Channel::Release(Census& census) noexcept
     census.waiting &= ~released;
     census.faulted &= ~released;
     const SrdoMask read = Granted(marks.acknowledged) & census.released;
-    for (SrdoMask rest = read; rest != 0U; rest &= rest - 1U)
+    for (SrdoMask rest = read; rest != 0U;)
     {
-        x_storage.first_cause[LowestSlot(rest)] = SrdoCause::kNone;
+        x_storage.first_cause[TakeLowest(rest)] = Code(SrdoCause::kNone);
     }
     Withdraw(marks.acknowledged, read);
     marks.released = census.released;
@@ -227,14 +215,14 @@ void Channel::Commit(const Agreement& agreement) noexcept
     Marks& marks = *x_storage.marks;
     const SrdoMask released = agreement.agreed & marks.released & Granted(marks.held) & x_present;
     const SrdoMask written = released & agreement.matched & marks.unwritten;
-    for (SrdoMask rest = written; rest != 0U; rest &= rest - 1U)
+    for (SrdoMask rest = written; rest != 0U;)
     {
-        const SlotIndex slot = LowestSlot(rest);
+        const SlotIndex slot = TakeLowest(rest);
         WriteInverse(slot, x_storage.inverse_data[slot]);
     }
-    for (SrdoMask rest = marks.committed & ~released & x_present; rest != 0U; rest &= rest - 1U)
+    for (SrdoMask rest = marks.committed & ~released & x_present; rest != 0U;)
     {
-        const SlotIndex slot = LowestSlot(rest);
+        const SlotIndex slot = TakeLowest(rest);
         WriteInverse(slot, x_storage.safe_data[slot]);
     }
     marks.unwritten &= ~written;

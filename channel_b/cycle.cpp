@@ -23,14 +23,6 @@ constexpr std::uint32_t kWaitingBit = std::uint32_t{1U} << static_cast<std::uint
     return sum;
 }
 
-void SpendEach(SrdoMask slots, const Column<std::uint32_t>& budget, std::uint32_t elapsed) noexcept
-{
-    for (SrdoMask rest = slots; rest != 0U; rest &= rest - 1U)
-    {
-        budget[LowestSlot(rest)] -= elapsed;
-    }
-}
-
 } // namespace
 
 GuardView Channel::ViewGuard(const CycleInput& input) const noexcept
@@ -44,10 +36,11 @@ GuardView Channel::ViewGuard(const CycleInput& input) const noexcept
     return (declared == kConfigurationValidValue) ? GuardView::kConfigured : GuardView::kUnconfigured;
 }
 
-/// Takes the time since the last call from the budgets of all pairs; returns those that have nothing left. The first
-/// loop is without a decision, so that compilers can do several slots at once.
-SrdoMask Channel::SpendPairs(std::uint32_t elapsed) noexcept
+/// Takes the time since the last call from the budgets of all pairs, whether they run or not; returns the slots that
+/// have nothing left. The first loop is without a decision, so that a compiler can do several slots at once.
+SrdoMask Channel::SpendPairs() noexcept
 {
+    const std::uint32_t elapsed = x_elapsed_us;
     const Column<std::uint32_t> left = x_storage.pair_left;
     const Column<std::uint32_t> limit = x_storage.pair_limit;
     const std::size_t count = x_count;
@@ -58,60 +51,53 @@ SrdoMask Channel::SpendPairs(std::uint32_t elapsed) noexcept
         any |= static_cast<std::uint32_t>(left[slot] > limit[slot]);
     }
     SrdoMask spent = 0U;
-    if (any != 0U)
+    for (std::size_t slot = 0U; (any != 0U) && (slot < count); ++slot)
     {
-        for (std::size_t slot = 0U; slot < count; ++slot)
-        {
-            spent |= static_cast<SrdoMask>(left[slot] > limit[slot]) << slot;
-        }
+        spent |= static_cast<SrdoMask>(left[slot] > limit[slot]) << slot;
     }
     return spent;
 }
 
-/// Every budget is as of this call afterwards; windows and edges that are over are closed.
-SrdoMask Channel::Spend(std::uint32_t elapsed) noexcept
+/// Takes it from the windows of signals and from the acknowledge edges and closes those that are over. A corrupted mark
+/// must not lead to a slot that does not exist.
+void Channel::SpendWindows() noexcept
 {
     Marks& marks = *x_storage.marks;
-    // A corrupted mark must not lead to a slot that does not exist.
-    const SrdoMask windows = marks.window_open & x_present;
-    const SrdoMask waiting_edges = marks.acknowledged.on & x_present;
-    SpendEach(marks.phased & x_present, x_storage.phase_left, elapsed);
-    SpendEach(windows, x_storage.window_left, elapsed);
-    SpendEach(waiting_edges, x_storage.edge_left, elapsed);
-    for (SrdoMask rest = windows; rest != 0U; rest &= rest - 1U)
+    for (SrdoMask rest = marks.window_open & x_present; rest != 0U;)
     {
-        const SlotIndex slot = LowestSlot(rest);
+        const SlotIndex slot = TakeLowest(rest);
+        x_storage.window_left[slot] -= x_elapsed_us;
         if (x_storage.window_left[slot] > SctUs(x_storage, slot))
         {
             marks.window_open &= ~BitOf(slot);
         }
     }
-    for (SrdoMask rest = waiting_edges; rest != 0U; rest &= rest - 1U)
+    for (SrdoMask rest = marks.acknowledged.on & x_present; rest != 0U;)
     {
-        const SlotIndex slot = LowestSlot(rest);
+        const SlotIndex slot = TakeLowest(rest);
+        x_storage.edge_left[slot] -= x_elapsed_us;
         if (x_storage.edge_left[slot] > x_config->acknowledge_window_us)
         {
             Withdraw(marks.acknowledged, BitOf(slot));
         }
     }
-    return SpendPairs(elapsed);
 }
 
 void Channel::EnterSlot(SlotIndex slot, SrdoState state) noexcept
 {
-    const SrdoMask bit = BitOf(slot);
     const std::uint32_t first_us = kFirstTransmissionStepUs * x_config->node_id;
     // Identifiers were checked by Validate; the remainder keeps a corrupted one within the table.
     const std::uint32_t offset = NormalIdentifier(x_storage, slot) - kFirstSrdoIdentifier;
     x_storage.slot_of[offset % kSrdoIdentifierCount] = slot;
     x_storage.slot_of[(offset + 1U) % kSrdoIdentifierCount] = slot;
-    x_storage.state[slot] = state;
+    x_storage.state[slot] = Code(state);
     x_storage.stage[slot] = Stage::kIdle;
     x_storage.ordinal[slot] = 0U;
     x_storage.sent[slot] = 0U;
     x_storage.pair_limit[slot] = kNothingRuns;
-    x_storage.phase_left[slot] = (state == SrdoState::kProducer) ? first_us : SctUs(x_storage, slot);
-    x_storage.marks->phased |= bit;
+    // This call takes away the time before it from all phases, from this one as well.
+    const std::uint32_t phase_us = (state == SrdoState::kProducer) ? first_us : SctUs(x_storage, slot);
+    x_storage.phase_left[slot] = phase_us + x_elapsed_us;
 }
 
 void Channel::Enter() noexcept
@@ -120,6 +106,7 @@ void Channel::Enter() noexcept
     x_active = x_present;
     Withdraw(marks.held, x_present);
     Withdraw(marks.acknowledged, x_present);
+    marks.unheard = x_present;
     marks.pending = 0U;
     marks.started = 0U;
     marks.requested = 0U;
@@ -146,12 +133,11 @@ SrdoMask Channel::Leave() noexcept
     FaultEach(left, SrdoCause::kNotOperational);
     for (SlotIndex slot = 0U; slot < x_count; ++slot)
     {
-        x_storage.state[slot] = SrdoState::kOff;
+        x_storage.state[slot] = Code(SrdoState::kOff);
         x_storage.stage[slot] = Stage::kIdle;
         x_storage.sent[slot] = 0U;
         x_storage.pair_limit[slot] = kNothingRuns;
     }
-    x_storage.marks->phased = 0U;
     x_storage.marks->consumers = 0U;
     x_active = 0U;
     ClearLookUp();
@@ -176,18 +162,19 @@ SrdoMask Channel::SettleActivity(bool operational) noexcept
 SrdoMask Channel::MissFirstPairs(const Census& census) noexcept
 {
     Marks& marks = *x_storage.marks;
-    const SrdoMask unheard = marks.phased & census.waiting & ~marks.fresh;
     SrdoMask missed = 0U;
-    for (SrdoMask rest = unheard; rest != 0U; rest &= rest - 1U)
+    marks.unheard &= census.waiting & ~marks.fresh;
+    for (SrdoMask rest = marks.unheard; rest != 0U;)
     {
-        const SlotIndex slot = LowestSlot(rest);
+        const SlotIndex slot = TakeLowest(rest);
+        x_storage.phase_left[slot] -= x_elapsed_us;
         if (x_storage.phase_left[slot] > SctUs(x_storage, slot))
         {
             x_storage.causes[slot] |= kWaitingBit;
             missed |= BitOf(slot);
         }
     }
-    marks.phased &= census.producers | (unheard & ~missed);
+    marks.unheard &= ~missed;
     return missed;
 }
 
@@ -196,9 +183,9 @@ void Channel::Signal(SrdoMask slots) noexcept
 {
     Marks& marks = *x_storage.marks;
     marks.signalled = 0U;
-    for (SrdoMask rest = slots; rest != 0U; rest &= rest - 1U)
+    for (SrdoMask rest = slots; rest != 0U;)
     {
-        const SlotIndex slot = LowestSlot(rest);
+        const SlotIndex slot = TakeLowest(rest);
         if ((marks.window_open & BitOf(slot)) == 0U)
         {
             x_storage.window_left[slot] = SctUs(x_storage, slot);
@@ -216,14 +203,15 @@ void Channel::Signal(SrdoMask slots) noexcept
 CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
 {
     Marks& marks = *x_storage.marks;
-    const std::uint32_t elapsed = input.now.us - x_last_us;
-    const bool is_late = elapsed > x_late_us;
+    x_elapsed_us = input.now.us - x_last_us;
+    const bool is_late = x_elapsed_us > x_late_us;
     const SrdoMask edges = input.acknowledge & ~x_levels;
     x_last_us = input.now.us;
     x_late_us = x_config->cycle_us + x_config->cycle_tolerance_us;
     x_levels = input.acknowledge;
     ++x_cycle;
-    const SrdoMask spent = Spend(elapsed);
+    const SrdoMask spent = SpendPairs();
+    SpendWindows();
     CycleOutcome outcome{};
     outcome.guard = ViewGuard(input);
     const bool is_configured = outcome.guard == GuardView::kConfigured;

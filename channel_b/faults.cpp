@@ -14,9 +14,9 @@ void Channel::Count(SlotIndex slot, SrdoCause cause) noexcept
     {
         ++x_storage.error_count[slot];
     }
-    if (x_storage.first_cause[slot] == SrdoCause::kNone)
+    if (x_storage.first_cause[slot] == Code(SrdoCause::kNone))
     {
-        x_storage.first_cause[slot] = cause;
+        x_storage.first_cause[slot] = Code(cause);
     }
 }
 
@@ -46,7 +46,7 @@ void Channel::Fault(SlotIndex slot, SrdoCause cause) noexcept
     x_storage.marks->released &= ~BitOf(slot);
     Withdraw(x_storage.marks->acknowledged, BitOf(slot));
     Discard(slot);
-    x_storage.state[slot] = SrdoState::kFaulted;
+    x_storage.state[slot] = Code(SrdoState::kFaulted);
     Record(slot, cause);
 }
 
@@ -60,9 +60,9 @@ void Channel::TakeLateFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t
 
 void Channel::FaultEach(SrdoMask slots, SrdoCause cause) noexcept
 {
-    for (SrdoMask rest = slots; rest != 0U; rest &= rest - 1U)
+    for (SrdoMask rest = slots; rest != 0U;)
     {
-        Fault(LowestSlot(rest), cause);
+        Fault(TakeLowest(rest), cause);
     }
 }
 

@@ -119,6 +119,23 @@ enum class Awaited : std::uint8_t
     return AwaitedIn(storage.stage[slot]) != Awaited::kNothing;
 }
 
+[[nodiscard]] constexpr std::uint8_t Code(SrdoState state) noexcept
+{
+    return static_cast<std::uint8_t>(state);
+}
+
+[[nodiscard]] constexpr std::uint8_t Code(SrdoCause cause) noexcept
+{
+    return static_cast<std::uint8_t>(cause);
+}
+
+/// Any other value is corrupted, or was put there because something else was. [SRS-CONS-024]
+[[nodiscard]] inline bool IsRecordable(std::uint8_t cause) noexcept
+{
+    const std::uint32_t above_invalid = static_cast<std::uint32_t>(cause) - 1U;
+    return (above_invalid < Code(SrdoCause::kWrongEcho)) || (cause == Code(SrdoCause::kNone));
+}
+
 } // namespace counterpoint::channel_b
 
 #endif

@@ -15,7 +15,7 @@ std::uint32_t Channel::AbsenceUs(SlotIndex slot) const noexcept
 
 void Channel::Request(SlotIndex slot) noexcept
 {
-    if (x_storage.state[slot] == SrdoState::kProducer)
+    if (x_storage.state[slot] == Code(SrdoState::kProducer))
     {
         x_storage.marks->requested |= BitOf(slot);
     }
@@ -24,7 +24,7 @@ void Channel::Request(SlotIndex slot) noexcept
 PreparedPair Channel::Prepare(SlotIndex slot) noexcept
 {
     PreparedPair pair{{0U, 0U}, PrepareStatus::kNotProducer, 0U};
-    if ((x_storage.state[slot] != SrdoState::kProducer) || IsInFlight(x_storage, slot))
+    if ((x_storage.state[slot] != Code(SrdoState::kProducer)) || IsInFlight(x_storage, slot))
     {
         return pair;
     }
@@ -203,9 +203,10 @@ SrdoMask Channel::AdvanceProducers(SrdoMask producers, SrdoMask spent) noexcept
 {
     Marks& marks = *x_storage.marks;
     SrdoMask in_flight = 0U;
-    for (SrdoMask rest = producers; rest != 0U; rest &= rest - 1U)
+    for (SrdoMask rest = producers; rest != 0U;)
     {
-        const SlotIndex slot = LowestSlot(rest);
+        const SlotIndex slot = TakeLowest(rest);
+        x_storage.phase_left[slot] -= x_elapsed_us;
         if ((spent & BitOf(slot)) != 0U)
         {
             static_cast<void>(Fail(slot, SrdoCause::kNoConfirmation));

@@ -56,7 +56,7 @@ struct Marks
     SrdoMask reporting;    ///< A fault has not been reported by OnCycle yet.
     SrdoMask window_open;  ///< A window of signals is running.
     SrdoMask signalled;    ///< The last OnCycle signalled something.
-    SrdoMask phased;       ///< phase_left runs: consumers before their first pair or complaint, all producers.
+    SrdoMask unheard;      ///< Consumers without a pair and without a complaint about it since OPERATIONAL was entered.
     SrdoMask provider;     ///< Producers of the form kProviderCalled.
     SrdoMask started;      ///< Producers whose first transmission is possible.
     SrdoMask requested;    ///< Producers that the application wants to send.
@@ -99,8 +99,8 @@ struct Storage
     Column<std::uint32_t> signals;      ///< Of the last OnCycle, where Marks::signalled says so.
     Column<std::uint32_t> told;         ///< Signalled in the open window.
     Column<std::uint16_t> error_count;
-    Column<SrdoState> state;
-    Column<SrdoCause> first_cause;
+    Column<std::uint8_t> state; ///< SrdoState. A byte, as direction and first_cause, so that one look takes eight.
+    Column<std::uint8_t> first_cause; ///< SrdoCause.
     Column<Stage> stage;
     Column<std::uint8_t> length_bytes; ///< Mapped length.
     Marks* marks;
@@ -129,8 +129,8 @@ template <std::uint8_t kSlots> struct StorageFor
     std::uint32_t told[kSlots];                                             // MISRA D-001
     std::uint16_t table[static_cast<std::size_t>(kSlots) * kMaxMapEntries]; // MISRA D-001
     std::uint16_t error_count[kSlots];                                      // MISRA D-001
-    SrdoState state[kPadded];                                               // MISRA D-001
-    SrdoCause first_cause[kPadded];                                         // MISRA D-001
+    std::uint8_t state[kPadded];                                            // MISRA D-001
+    std::uint8_t first_cause[kPadded];                                      // MISRA D-001
     std::uint8_t direction[kPadded];                                        // MISRA D-001
     Stage stage[kSlots];                                                    // MISRA D-001
     std::uint8_t length_bytes[kSlots];                                      // MISRA D-001
