@@ -84,6 +84,9 @@ class Channel final : public counterpoint::Channel
     void ReceiveOther(const CanFrame& frame) noexcept;
     void ReceiveLate(const CanFrame& frame, Instant stamp, SlotIndex slot) noexcept;
     void ReceiveInTime(const CanFrame& frame, Instant stamp, SlotIndex slot) noexcept;
+    void RaiseAt(SlotIndex slot, Event event) noexcept;
+    void ReceiveNormal(const CanFrame& frame, Instant stamp, SlotIndex slot) noexcept;
+    void ReceiveInverse(const CanFrame& frame, SlotIndex slot) noexcept;
     void Complete(Record& record, SrdoMask bit) noexcept;
 
     // The cycle.

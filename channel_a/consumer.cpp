@@ -13,7 +13,6 @@ namespace
 {
 
 constexpr std::uint32_t kHalfMask = 1U; // Of the place of an identifier: 0 the normal, 1 the inverse frame.
-constexpr std::uint8_t kGfcEnabled = 1U;
 constexpr std::uint32_t kWaitingPastSctBit = std::uint32_t{1U} << static_cast<std::uint8_t>(SrdoCause::kWaitingPastSct);
 
 std::uint32_t SctUs(const Record& record) noexcept
@@ -21,32 +20,9 @@ std::uint32_t SctUs(const Record& record) noexcept
     return record.values[kSctPlace] * kMicrosecondsPerMillisecond;
 }
 
-// In the order of SRS-CONS-011; what order means is the table's affair.
-Event Classify(const Record& record, const CanFrame& frame, const Ports& ports) noexcept
-{
-    const std::uint32_t half = ~frame.identifier & kHalfMask; // Identifiers of normal frames are odd.
-    Event event = Event::kNormal;
-    if ((frame.identifier != record.values[kCobIdPlace + half]) || (frame.port != ports.of_half[half]))
-    {
-        event = Event::kWrongIdentifier;
-    }
-    else if (frame.length_bytes != record.length_bytes)
-    {
-        event = Event::kWrongLength;
-    }
-    else if (half != 0U)
-    {
-        event = IsEqual(record, frame, record.pending, kInverted) ? Event::kInverse : Event::kNotInverse;
-    }
-    else
-    {
-        // Nothing else can be wrong with a normal frame in itself.
-    }
-    return event;
-}
-
 } // namespace
 
+// What is not the common case is done elsewhere (cycle.cpp), so that this one needs no registers saved.
 void Channel::OnFrame(const CanFrame& frame, const Instant stamp) noexcept
 {
     const std::uint32_t place = frame.identifier - kFirstSrdoIdentifier; // Every other identifier is a greater place.
@@ -73,46 +49,62 @@ void Channel::OnFrame(const CanFrame& frame, const Instant stamp) noexcept
     ReceiveInTime(frame, stamp, slot);
 }
 
-void Channel::ReceiveOther(const CanFrame& frame) noexcept
-{
-    if ((frame.identifier == kGfcIdentifier) && (frame.length_bytes == 0U) && (gfc_parameter_ == kGfcEnabled))
-    {
-        gfc_pending_ = true;
-    }
-}
-
-// The limit first; the frame is then taken as if nothing had been there before it.
-void Channel::ReceiveLate(const CanFrame& frame, const Instant stamp, const SlotIndex slot) noexcept
-{
-    Raise(At(slot), BitOf(slot), Event::kExpired, SrdoCause::kNone);
-    ReceiveInTime(frame, stamp, slot);
-}
-
-// The common cells stay within their group of modes, so only the mode itself is set for them.
+// In the order of SRS-CONS-011; what order of frames means is the table's affair.
 void Channel::ReceiveInTime(const CanFrame& frame, const Instant stamp, const SlotIndex slot) noexcept
 {
     Record& record = At(slot);
-    const Event event = Classify(record, frame, ports_);
-    const Cell& cell = NextCell(record.mode, event);
-    if (cell.effect == Effect::kTake)
+    const std::uint32_t half = ~frame.identifier & kHalfMask; // Identifiers of normal frames are odd.
+    if ((frame.identifier != record.values[kCobIdPlace + half]) || (frame.port != ports_.of_half[half]))
     {
-        SetMode(record, cell.next);
-        record.pending = TakenFrom(record, frame);
-        record.since = stamp;
-        record.limit_us = record.values[kSrvtPlace] * kMicrosecondsPerMillisecond;
+        RaiseAt(slot, Event::kWrongIdentifier);
+        return;
     }
-    else if (cell.effect == Effect::kComplete)
+    if (frame.length_bytes != record.length_bytes)
     {
-        SetMode(record, cell.next);
-        Complete(record, BitOf(slot));
+        RaiseAt(slot, Event::kWrongLength);
+        return;
+    }
+    if (half == 0U)
+    {
+        ReceiveNormal(frame, stamp, slot);
     }
     else
     {
-        Raise(record, BitOf(slot), event, SrdoCause::kNone);
+        ReceiveInverse(frame, slot);
     }
 }
 
-void Channel::Complete(Record& record, const SrdoMask bit) noexcept
+// The common cells of both halves stay within their group of modes.
+inline void Channel::ReceiveNormal(const CanFrame& frame, const Instant stamp, const SlotIndex slot) noexcept
+{
+    Record& record = At(slot);
+    const Cell& cell = NextCell(record.mode, Event::kNormal);
+    if (cell.effect != Effect::kTake)
+    {
+        RaiseAt(slot, Event::kNormal);
+        return;
+    }
+    SetMode(record, cell.next);
+    record.pending = TakenFrom(record, frame);
+    record.since = stamp;
+    record.limit_us = record.values[kSrvtPlace] * kMicrosecondsPerMillisecond;
+}
+
+inline void Channel::ReceiveInverse(const CanFrame& frame, const SlotIndex slot) noexcept
+{
+    Record& record = At(slot);
+    const Event event = IsEqual(record, frame, record.pending, kInverted) ? Event::kInverse : Event::kNotInverse;
+    const Cell& cell = NextCell(record.mode, event);
+    if (cell.effect != Effect::kComplete)
+    {
+        RaiseAt(slot, event);
+        return;
+    }
+    SetMode(record, cell.next);
+    Complete(record, BitOf(slot));
+}
+
+inline void Channel::Complete(Record& record, const SrdoMask bit) noexcept
 {
     record.held = record.pending;
     record.limit_us = SctUs(record);

@@ -12,6 +12,7 @@ namespace counterpoint::channel_a
 namespace
 {
 
+constexpr std::uint8_t kGfcEnabled = 1U;
 constexpr std::uint32_t kTokenRotation = 8U;
 constexpr std::uint32_t kWordBits = 32U;
 constexpr std::uint32_t kEachByte = 0x01010101U;
@@ -77,6 +78,26 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
     outcome.not_operational = is_active_ ? 0U : 1U;
     fresh_ = 0U;
     return outcome;
+}
+
+void Channel::ReceiveOther(const CanFrame& frame) noexcept
+{
+    if ((frame.identifier == kGfcIdentifier) && (frame.length_bytes == 0U) && (gfc_parameter_ == kGfcEnabled))
+    {
+        gfc_pending_ = true;
+    }
+}
+
+// The limit first; the frame is then taken as if nothing had been there before it.
+void Channel::ReceiveLate(const CanFrame& frame, const Instant stamp, const SlotIndex slot) noexcept
+{
+    RaiseAt(slot, Event::kExpired);
+    ReceiveInTime(frame, stamp, slot);
+}
+
+void Channel::RaiseAt(const SlotIndex slot, const Event event) noexcept
+{
+    Raise(At(slot), BitOf(slot), event, SrdoCause::kNone);
 }
 
 // [SRS-CONS-002]

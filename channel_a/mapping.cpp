@@ -54,10 +54,11 @@ std::uint64_t Written(const MappableObject& object, std::uint64_t rest) noexcept
 {
     if (object.length_bits == kWordBits) // The usual one, in one go.
     {
-        object.place[0] = static_cast<std::uint8_t>(rest);        // MISRA D-002
-        object.place[1] = static_cast<std::uint8_t>(rest >> 8U);  // MISRA D-002
-        object.place[2] = static_cast<std::uint8_t>(rest >> 16U); // MISRA D-002
-        object.place[3] = static_cast<std::uint8_t>(rest >> 24U); // MISRA D-002
+        std::uint8_t* const place = object.place;
+        place[0] = static_cast<std::uint8_t>(rest);        // MISRA D-002
+        place[1] = static_cast<std::uint8_t>(rest >> 8U);  // MISRA D-002
+        place[2] = static_cast<std::uint8_t>(rest >> 16U); // MISRA D-002
+        place[3] = static_cast<std::uint8_t>(rest >> 24U); // MISRA D-002
         return rest >> kWordBits;
     }
     const std::uint32_t length_bytes = std::uint32_t{object.length_bits} >> kBitsToBytes;

@@ -205,15 +205,14 @@ SlotIndex Channel::OnConfirm(const CanFrame& frame, const Instant stamp) noexcep
     {
         return kNoSlot;
     }
-    const SrdoMask bit = BitOf(slot);
     const std::uint8_t flip = static_cast<std::uint8_t>(half * kInverted);
     if ((frame.length_bytes != record.length_bytes) || !IsEqual(record, frame, record.held, flip))
     {
-        Raise(record, bit, Event::kAbort, SrdoCause::kWrongEcho);
+        Raise(record, BitOf(slot), Event::kAbort, SrdoCause::kWrongEcho);
     }
     else if ((half != 0U) && ((stamp.us - record.since.us) > record.limit_us))
     {
-        Raise(record, bit, Event::kUnconfirmed, SrdoCause::kNone);
+        Raise(record, BitOf(slot), Event::kUnconfirmed, SrdoCause::kNone);
     }
     else
     {

@@ -78,12 +78,6 @@ inline std::uint32_t FedWord(const std::uint32_t crc, const std::uint32_t word) 
 
 } // namespace
 
-std::uint32_t MapCount(const Record& record) noexcept
-{
-    const std::uint32_t count = record.values[kMapCountPlace];
-    return (count < kMaxMapEntries) ? count : kMaxMapEntries;
-}
-
 std::uint32_t Signature(const Record& record) noexcept
 {
     std::uint32_t crc = Fed(0U, record.direction);

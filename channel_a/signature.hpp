@@ -10,7 +10,11 @@ namespace counterpoint::channel_a
 {
 
 /// @brief Map count as the loops over a mapping use it: at most 16, whatever is stored.
-[[nodiscard]] std::uint32_t MapCount(const Record& record) noexcept;
+[[nodiscard]] inline std::uint32_t MapCount(const Record& record) noexcept
+{
+    const std::uint32_t count = record.values[kMapCountPlace];
+    return (count < kMaxMapEntries) ? count : kMaxMapEntries;
+}
 
 /// @brief CRC-16 over the values of one SRDO, each fed to the table as it is read. O(entries) [SRS-CFG-010]
 [[nodiscard]] std::uint32_t Signature(const Record& record) noexcept;

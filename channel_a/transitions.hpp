@@ -72,7 +72,8 @@ enum class Effect : std::uint8_t
     kAbort = 8U, ///< The pair in flight is given up with a fault of the producer.
 };
 
-struct Cell
+/// Four bytes, so that a cell is found by shifts.
+struct alignas(4) Cell
 {
     Mode next;
     Effect effect;
