@@ -9,7 +9,6 @@ namespace counterpoint::conformance
 
 namespace
 {
-constexpr ConfigFault kSound = ConfigFault::kNone;
 constexpr ConfigFault kBadMap = ConfigFault::kMapping;
 
 constexpr Step kP1 = Put(0x6210U, 1U, 0x12U);
