@@ -53,6 +53,7 @@ void Comparator::Restart(const ComparatorSetup& setup) noexcept
     setup_ = setup;
     watched_ = 0U;
     timed_ = 0U;
+    previous_ = Instant{0U};
 }
 
 DeviceFault Comparator::ComparePrepared(const PreparedPair& a, const PreparedPair& b) noexcept
@@ -93,6 +94,7 @@ Verdict Comparator::Compare(const Comparison& comparison) noexcept
         Look(comparison, TakeLowest(to_look), verdict);
     }
     verdict.agreement.matched = ~watched_;
+    previous_ = comparison.now;
     return verdict;
 }
 
@@ -130,6 +132,8 @@ void Comparator::Look(const Comparison& comparison, const SlotIndex slot, Verdic
     }
 }
 
+// t      k-1           k       a difference seen at k arose after comparison k-1: the time counts from there, so that
+//         |....x........|       discrepancy time and one cycle cover it from its first effect.
 // kNone stands for 'demote': nothing but the release differs.
 void Comparator::Unmatched(const Comparison& comparison, const SlotIndex slot, const DeviceFault fault,
                            Verdict& verdict) noexcept
@@ -138,7 +142,7 @@ void Comparator::Unmatched(const Comparison& comparison, const SlotIndex slot, c
     if ((timed_ & bit) == 0U)
     {
         timed_ |= bit;
-        since_[slot] = comparison.now; // MISRA D-002
+        since_[slot] = previous_; // MISRA D-002
     }
     const std::uint32_t elapsed_us = comparison.now.us - since_[slot].us; // MISRA D-002
     if (elapsed_us > setup_.discrepancy_us)

@@ -43,7 +43,8 @@ struct ComparatorSetup
 
 /// Decides whether the two channels say the same. Owns the discrepancy time: for each slot since when it is unmatched.
 /// Invariant: bit n of `watched_` is set exactly while slot n needs a look in the next comparison; `since_[n]` has a
-/// meaning only if bit n of `timed_` is set.
+/// meaning only if bit n of `timed_` is set: the comparison before the first one that saw the difference, since the
+/// difference may be as old as that.
 class Comparator
 {
   public:
@@ -60,6 +61,7 @@ class Comparator
     SrdoMask watched_{0U};
     SrdoMask timed_{0U};
     ComparatorSetup setup_{0U, 0U};
+    Instant previous_{0U};           ///< `now` of the comparison before.
     Instant since_[kMaxSrdoCount]{}; // MISRA D-001
 };
 

@@ -245,17 +245,18 @@ TEST_F(Comparing, UnequalDataUnderOneOrdinalIsADisagreementInEveryBit)
     }
 }
 
-// t [us]    1000            6000 (limit)   6001
-// A's pair  10 .............10             10
-// B's pair   9 ............. 9              9
+// t [us]    1000   2000 (seen)     6000 (limit)   6001
+// A's pair   9     10 .............10             10
+// B's pair   9      9 ............. 9              9
 TEST_F(Comparing, UnmatchedOrdinalsAreAFaultOneMicrosecondAfterTheDiscrepancyTime)
 {
     Verifies(req::SRS_CMP_007);
     Verifies(req::SRS_TIME_004);
+    (void)CompareAt(1000U);
     a.outcome.fresh = 4U;
     a.outcome.ordinal_sum = 10U;
     a.views[2].ordinal = 10U;
-    Verdict verdict = CompareAt(1000U);
+    Verdict verdict = CompareAt(2000U);
     EXPECT_EQ(verdict.fault, DeviceFault::kNone);
     EXPECT_EQ(verdict.agreement.agreed, 4U);
     EXPECT_EQ(verdict.agreement.matched & 4U, 0U);
@@ -273,18 +274,18 @@ TEST_F(Comparing, OrdinalsThatMeetWithinTheDiscrepancyTimeAreNoFaultAndTheTimeSt
     a.outcome.ordinal_sum = 10U;
     a.views[2].ordinal = 10U;
     (void)CompareAt(1000U);
-    // When B has the pair too, 5000 us later
+    // When B has the pair too, 4000 us later
     a.outcome.fresh = 0U;
     b.outcome.ordinal_sum = 10U;
     b.views[2].ordinal = 10U;
-    EXPECT_EQ(CompareAt(6000U).newly_matched, 4U);
+    EXPECT_EQ(CompareAt(5000U).newly_matched, 4U);
     // and B is one pair ahead next time
     b.outcome.fresh = 4U;
     b.outcome.ordinal_sum = 11U;
     b.views[2].ordinal = 11U;
-    EXPECT_EQ(CompareAt(7000U).fault, DeviceFault::kNone);
-    EXPECT_EQ(CompareAt(12000U).fault, DeviceFault::kNone);
-    EXPECT_EQ(CompareAt(12001U).fault, DeviceFault::kUnmatched);
+    EXPECT_EQ(CompareAt(6000U).fault, DeviceFault::kNone);
+    EXPECT_EQ(CompareAt(10000U).fault, DeviceFault::kNone);
+    EXPECT_EQ(CompareAt(10001U).fault, DeviceFault::kUnmatched);
 }
 
 TEST_F(Comparing, UnequalOrdinalSumsAloneMakeItLookAtEverySlot)

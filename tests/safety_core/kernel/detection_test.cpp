@@ -58,7 +58,7 @@ TEST_F(Detection, ChannelWithoutFramesIsFoundWithinTheDiscrepancyTime)
     ReceivePair();
     Cycles(5U);
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
-    Cycles(2U);
+    Cycle();
     IsDeviceSafe(DeviceFault::kUnmatched);
 }
 
