@@ -119,6 +119,12 @@ constexpr Step kNoConsumer[] = {
     Answer(0x12345678U, 0U, 0xF6D680F8U, 0x7AB6E1C8U),
 };
 
+// Validated again before the cycle that sees OPERATIONAL left: the safe value stands, and there is no permit for it.
+constexpr Step kValidatedAgain[] = {
+    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), Commit(1U, 1U), Answer(0x12345678U, 1U, 0x950DFAA9U, 0x00A2AC3FU),
+    Validate(0U, ConfigFault::kNone, 0x4370U), NormalObject(0x6010U, 1U, 0xA5U), InverseObject(0x6011U, 1U, 0x5AU), Answer(0x12345678U, 0U, 0xF6D680F8U, 0x7AB6E1C8U),
+};
+
 constexpr Case kCases[] = {
     MakeCase("ValidateWritesTheSafeValue", {req::SRS_REL_002}, kGold, kSafeAtValidate),
     MakeCase("ValidateWithFaultWritesNothing", {req::SRS_REL_002, req::SRS_CFG_029}, kGold, kUntouchedByFault),
@@ -136,6 +142,7 @@ constexpr Case kCases[] = {
     MakeCase("SixteenEntriesAreWritten", {req::SRS_REL_002}, kWide, kSixteen),
     MakeCase("SixtyFourBitsAreWritten", {req::SRS_REL_002}, kLong, kSixtyFourBits),
     MakeCase("MixedSizesAreWritten", {req::SRS_REL_002}, kMixedSizes, kSizes),
+    MakeCase("ValidatedAgainIsNotCommitted", {req::SRS_REL_002, req::SRS_REL_010}, kGold, kValidatedAgain),
     MakeCase("NothingIsWrittenForOthers", {req::SRS_REL_002, req::SRS_REL_010}, kMixed, kNoConsumer),
 };
 } // namespace

@@ -99,7 +99,15 @@ constexpr Step kOrderWithinSct[] = {
     Slot(0U, kFaulted, Cause::kInverseFirst, 0U, 1U, 0U), Cycle(52000U), Signals(0U, Bit(Cause::kInverseFirst)),
 };
 
+// Where there is no pair there is no data: before the first one, after a fault, while off.
+constexpr Step kNoPairNoData[] = {
+    Configure(), Data(0U, 0U), Cycle(0U), Data(0U, 0U), Normal(1000U), Data(0U, 0U), Inverse(1500U), Data(0U, 0x3412U), OtherNormal(2000U), Data(0U, 0x3412U),
+    Cycle(3000U), Data(0U, 0x3412U), Demote(0U), Data(0U, 0U), Slot(0U, kFaulted, Cause::kDemoted, 0U, 1U, 0U), OtherInverse(4000U), Data(0U, 0x7856U),
+    Nmt(NmtState::kStopped), Cycle(5000U), Data(0U, 0U), Slot(0U, kOff, Cause::kDemoted, 0U, 2U, 0U),
+};
+
 constexpr Case kCases[] = {
+    MakeCase("NoPairNoData", {req::SRS_CONS_025, req::SRS_CONS_012}, kGold, kNoPairNoData),
     MakeCase("FaultDiscardsHeldPair", {req::SRS_CONS_012, req::SRS_CONS_013}, kGold, kDiscards),
     MakeCase("CycleThatReportsAFaultReleasesNothing", {req::SRS_CONS_013, req::SRS_CONS_020}, kGold, kReportingCycle),
     MakeCase("FaultBetweenTwoPairsOfOneCycle", {req::SRS_CONS_013}, kGold, kFaultBetweenPairs),

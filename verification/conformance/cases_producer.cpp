@@ -18,8 +18,8 @@ constexpr Step kI2 = Put(0x6211U, 2U, 0xCBU);
 //       enter             due,launch  N out  N confirmed   I out  I confirmed
 constexpr Step kSend[] = {
     Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Counts(0U, 1U, 0U, 0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), Due(0U), Request(0U), Cycle(1000U),
-    Due(0U), Cycle(1999U), Due(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Launch(0U), Data(0U, 0x3412U), NextFirst(0U), NextNone(0U), ConfirmFirst(0U, 2300U),
-    NextSecond(0U), NextNone(0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), ConfirmSecond(0U, 2600U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U), Cycle(3000U), Due(0U),
+    Due(0U), Cycle(1999U), Due(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Data(0U, 0U), Launch(0U), Data(0U, 0x3412U), NextFirst(0U), NextNone(0U), ConfirmFirst(0U, 2300U),
+    NextSecond(0U), NextNone(0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), ConfirmSecond(0U, 2600U), Data(0U, 0U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U), Cycle(3000U), Due(0U),
     Masks(0U, 0U, 0U, 0U, 0U), Signalled(0U), OrdinalSum(0U),
 };
 
@@ -136,7 +136,7 @@ constexpr Step kDueGivenUp[] = {
 };
 
 constexpr Case kCases[] = {
-    MakeCase("PairIsSent", {req::SRS_PROD_001, req::SRS_PROD_003, req::SRS_PROD_005, req::SRS_PROD_006, req::SRS_PROD_007}, kSender, kSend),
+    MakeCase("PairIsSent", {req::SRS_PROD_005, req::SRS_PROD_006, req::SRS_PROD_007, req::SRS_CONS_025}, kSender, kSend),
     MakeCase("NothingIsDueWithoutARequest", {req::SRS_PROD_003, req::SRS_PROD_010}, kSender, kNoRequest),
     MakeCase("FirstTransmissionOfNode127", {req::SRS_PROD_001, req::SRS_TIME_004}, kProviderLast, kLastNode),
     MakeCase("FirstTransmissionAfterARoundOfTheCounter", {req::SRS_PROD_001, req::SRS_TIME_001}, kSender, kStartedForGood),

@@ -73,10 +73,11 @@ constexpr Step kLateCalls[] = {
 };
 
 // The application: 25000 + cycle 1000 + tolerance 500 after the first possible transmission at 2000.
-// t     2000   28500 (on)   28501
+// t     2000   28500 (on)   28501    55001 (on, from 28501)   55002
 constexpr Step kSilent[] = {
     Configure(), Cycle(0U), Cycle(2000U), Cycle(28500U), Signals(0U, 0U), Cycle(28501U), Signals(0U, kMissedBit), Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Due(0U),
-    Cycle(28502U), Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Cycle(53501U), Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U),
+    Cycle(28502U), Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Cycle(55001U), Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Cycle(55002U),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 2U, 0U),
 };
 
 // Counted from the instant of the first possible transmission, not from the call that came after it.
