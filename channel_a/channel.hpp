@@ -38,6 +38,7 @@ class Channel final : public counterpoint::Channel
     void Commit(const Agreement& agreement) noexcept override;
     [[nodiscard]] Permit Answer(std::uint32_t challenge) const noexcept override;
     void Request(SlotIndex slot) noexcept override;
+    void Hold(SlotIndex slot) noexcept override;
     [[nodiscard]] PreparedPair Prepare(SlotIndex slot) noexcept override;
     void Launch(SlotIndex slot) noexcept override;
     [[nodiscard]] CanFrame NextFrame(SlotIndex slot) noexcept override;
@@ -135,6 +136,7 @@ class Channel final : public counterpoint::Channel
     SrdoMask unwritten_{0U}; ///< The held pair was not written yet.
     SrdoMask committed_{0U}; ///< The objects hold a pair.
     Instant now_{0U};
+    std::uint32_t step_us_{0U}; ///< Between the last two calls of OnCycle.
     Instant entered_{0U}; ///< OPERATIONAL, by the OnCycle that saw it first.
     std::uint32_t cycle_{0U};
     std::uint32_t late_after_us_{0U};  ///< Since the OnCycle before.

@@ -2,6 +2,7 @@
 #include "channel_a/channel.hpp"
 #include "channel_a/seal.hpp"
 #include "channel_a/signature.hpp"
+#include "channel_a/slots.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -154,6 +155,7 @@ CheckResult Channel::Validate(const SlotIndex slot) noexcept
     if ((record.mapping == kMarked) && (record.direction == kDirectionConsumer))
     {
         WriteObjects(record, record.safe);
+        committed_ &= ~BitOf(slot); // The objects hold no pair any more.
     }
     return result;
 }

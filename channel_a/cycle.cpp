@@ -44,6 +44,7 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
     levels_ = input.acknowledge;
     has_run_ = true;
     gfc_pending_ = false;
+    step_us_ = input.now.us - now_.us;
     now_ = input.now;
     ++cycle_;
 

@@ -119,6 +119,17 @@ void Channel::Request(const SlotIndex slot) noexcept
     }
 }
 
+// [SRS-PROD-012]
+void Channel::Hold(const SlotIndex slot) noexcept
+{
+    Record& record = At(slot);
+    const bool is_producer = (groups_[kGroupProducer] & BitOf(slot)) != 0U;
+    if (is_producer && (record.form == ProducerForm::kProviderCalled))
+    {
+        record.refresh_since.us += step_us_;
+    }
+}
+
 PreparedPair Channel::Prepare(const SlotIndex slot) noexcept
 {
     PreparedPair pair{};
