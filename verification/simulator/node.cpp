@@ -235,9 +235,7 @@ void Node::OnOverflow()
 void Node::Follow(const StampedFrame& frame)
 {
     const std::uint32_t identifier = frame.frame.identifier;
-    const bool is_srdo = frame.frame.kind == FrameKind::kData && identifier >= kFirstSrdoIdentifier &&
-                         identifier <= kLastSrdoIdentifier;
-    const SlotIndex slot = is_srdo ? slot_of_.at(identifier - kFirstSrdoIdentifier) : kNoSlot;
+    const SlotIndex slot = ConsumerOf(frame.frame);
     if (slot == kNoSlot)
     {
         return;

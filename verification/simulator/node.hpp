@@ -88,6 +88,8 @@ class Node final : private host::FrameSink, private ChannelWitness
     void OnConfirm(const StampedFrame& frame) override;
     void OnOverflow() override;
     void OnOutcome(Part part, const Channel& channel, const CycleOutcome& outcome) override;
+    [[nodiscard]] bool Concerns(const CanFrame& frame) const override;
+    [[nodiscard]] SlotIndex ConsumerOf(const CanFrame& frame) const;
 
     void Cycle();
     /// @brief Makes a call into the kernel that may never return.

@@ -4,6 +4,18 @@
 // What a tapped node tells about its inside. [SRS-SIM-040]
 namespace counterpoint::simulator
 {
+SlotIndex Node::ConsumerOf(const CanFrame& frame) const
+{
+    const bool is_srdo = frame.kind == FrameKind::kData && frame.identifier >= kFirstSrdoIdentifier &&
+                         frame.identifier <= kLastSrdoIdentifier;
+    return is_srdo ? slot_of_.at(frame.identifier - kFirstSrdoIdentifier) : kNoSlot;
+}
+
+bool Node::Concerns(const CanFrame& frame) const
+{
+    return ConsumerOf(frame) != kNoSlot || frame.identifier == kGfcIdentifier;
+}
+
 void Node::OnOutcome(const Part part, const Channel& channel, const CycleOutcome& outcome)
 {
     Voice& voice = (part == Part::kChannelA) ? voice_a_ : voice_b_;

@@ -1,0 +1,187 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/integration/scenario_run.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <string>
+
+namespace counterpoint::simulator
+{
+namespace
+{
+// t [ms]     10            20        150            600
+// chain      OPERATIONAL   inputs 1  acknowledge    ...
+TEST(Chain, IsReleasedOnlyAfterTheAcknowledge)
+{
+    Verifies(req::SRS_SIM_001);
+    Verifies(req::SRS_SIM_002);
+    Verifies(req::SRS_SIM_005);
+    // Given the chain with an interlocked actuator, started at 10 ms and acknowledged at 150 ms
+    const auto run = RunChain(R"(
+expect:
+  - {that: safe, node: actuator, srdo: 1, at: 149 ms}
+  - {that: value, node: actuator, object: 0x2200:01, is: 0, at: 149 ms}
+  - {that: released, node: controller, srdo: 1, at: 40 ms}
+  - {that: released, node: actuator, srdo: 1, at: 152 ms}
+  - {that: value, node: actuator, object: 0x2200:01, is: 1, at: 152 ms}
+  - {that: no_fault}
+)");
+    // Then the actuator is safe before, released after, and nothing was wrong
+    EXPECT_EQ(Failures(*run), "");
+}
+
+TEST(Chain, ConstantAcknowledgeNeverReleases)
+{
+    Verifies(req::SRS_REL_005);
+    // Given an acknowledge input that is 1 from before the start on
+    const auto run = std::make_unique<simulator::Run>(TextFile(R"(
+duration: 500 ms
+nodes:
+  controller: {dcf: )" + Examples() + R"(controller.dcf}
+  actuator: {dcf: )" + Examples() + R"(actuator.dcf}
+acknowledge:
+  - {at: 0 ms, node: actuator, srdo: 1, pulse: 10 s}
+expect:
+  - {that: safe, node: actuator, srdo: 1, at: 490 ms}
+  - {that: no_fault, node: actuator}
+)"),
+                                           std::nullopt, std::nullopt, false);
+    run->Simulate(nullptr);
+    // Then the actuator stays safe without a fault
+    EXPECT_EQ(Failures(*run), "");
+}
+
+TEST(Chain, PressedButtonReachesTheActuatorAndTheOtherIsJoinedByOr)
+{
+    Verifies(req::SRS_SIM_006);
+    Verifies(req::SRS_SIM_007);
+    // When one of two buttons is pressed (0) at 400 ms: object 1 is AND, object 2 is OR of both
+    const auto run = RunChain(R"(
+inputs:
+  - {at: 400 ms, node: sensor, object: 0x2000:02, value: 0}
+expect:
+  - {that: value, node: actuator, object: 0x2200:01, is: 1, at: 399 ms}
+  - {that: value, node: actuator, object: 0x2200:01, is: 0, at: 460 ms}
+  - {that: value, node: actuator, object: 0x2200:02, is: 1, at: 460 ms}
+  - {that: released, node: actuator, srdo: 1, at: 460 ms}
+  - {that: no_fault}
+)");
+    // Then both arrive, by both paths, and the pair stays valid
+    EXPECT_EQ(Failures(*run), "");
+}
+
+TEST(Chain, AutomaticPolicyRecoversByItselfAndInterlockNeedsAPerson)
+{
+    Verifies(req::SRS_REL_003);
+    Verifies(req::SRS_REL_004);
+    // When the sensor is lost for 100 ms (controller: automatic) and the controller is lost for 100 ms (actuator: interlock)
+    const auto run = RunChain(R"(
+faults:
+  - {fault: loss, name: sensor lost, frames: {sender: sensor, receiver: controller, from: 300 ms, until: 400 ms, count: 100}}
+  - {fault: loss, name: controller lost, frames: {sender: controller, receiver: actuator, from: 300 ms, until: 400 ms, count: 100}}
+acknowledge:
+  - {at: 700 ms, node: actuator, srdo: 1}
+expect:
+  - {that: safe, node: controller, srdo: 1, at: 390 ms}
+  - {that: released, node: controller, srdo: 1, at: 440 ms}
+  - {that: cause, node: controller, srdo: 1, is: sct}
+  - {that: safe, node: actuator, srdo: 1, at: 690 ms}
+  - {that: released, node: actuator, srdo: 1, at: 702 ms}
+  - {that: device_fault, node: actuator, is: none}
+)");
+    // Then the controller is back at the next pair, the actuator only after its acknowledge
+    EXPECT_EQ(Failures(*run), "");
+}
+
+TEST(Chain, LeavingOperationalIsSafeAndReturningDoesNotRelease)
+{
+    Verifies(req::SRS_CONS_019);
+    Verifies(req::SRS_REL_008);
+    Verifies(req::SRS_SIM_005);
+    // When the actuator goes to PRE-OPERATIONAL at 400 ms and comes back at 500 ms
+    const auto run = RunChain(R"(
+nmt:
+  - {at: 400 ms, node: actuator, state: pre_operational}
+  - {at: 500 ms, node: actuator, state: operational}
+acknowledge:
+  - {at: 800 ms, node: actuator, srdo: 1}
+expect:
+  - {that: released, node: actuator, srdo: 1, at: 399 ms}
+  - {that: safe, node: actuator, srdo: 1, at: 402 ms}
+  - {that: cause, node: actuator, srdo: 1, is: not_operational}
+  - {that: safe, node: actuator, srdo: 1, at: 790 ms}
+  - {that: released, node: actuator, srdo: 1, at: 802 ms}
+  - {that: device_fault, node: actuator, is: none}
+)");
+    // Then the interlock has survived
+    EXPECT_EQ(Failures(*run), "");
+}
+
+TEST(Chain, GlobalFailSafeCommandOfAStrangerForcesSafeWhereItIsSupported)
+{
+    Verifies(req::SRS_CONS_017);
+    Verifies(req::SRS_SIM_020);
+    // Given a GFC on the bus at 400 ms: 1300h is 1 in the shipped actuator or it is not; the DCF decides
+    const auto run = RunChain(R"(
+faults:
+  - {fault: insertion, name: gfc, at: 400 ms, identifier: 0x001}
+expect:
+  - {that: device_fault, node: actuator, is: none}
+)", true);
+    ASSERT_EQ(Failures(*run), "");
+    const ObjectReading reading = run->Devices().At(2U).Core().ReadObject({0x1300U, 0U});
+    ASSERT_EQ(reading.abort, AbortCode::kNone);
+    bool was_signalled = false;
+    for (const Event& event : run->Record().Events())
+    {
+        const bool is_gfc = event.value == static_cast<std::uint64_t>(SrdoCause::kGfc);
+        was_signalled = was_signalled || (event.kind == EventKind::kSignal && event.node == 2U && is_gfc);
+    }
+    // Then it is safe exactly if it is supported
+    EXPECT_EQ(was_signalled, reading.data.bytes[0] == 1U);
+}
+
+TEST(Chain, SensorThatStopsLeavesEverybodySafe)
+{
+    Verifies(req::SRS_SIM_005);
+    // When the sensor stops at 400 ms
+    const auto run = RunChain(R"(
+nmt:
+  - {at: 400 ms, node: sensor, state: stopped}
+expect:
+  - {that: safe, node: controller, srdo: 1, at: 460 ms}
+  - {that: cause, node: controller, srdo: 1, is: sct}
+  - {that: value, node: actuator, object: 0x2200:01, is: 0, at: 520 ms}
+  - {that: released, node: actuator, srdo: 1, at: 520 ms}
+)");
+    // Then the controller falls to its safe value and hands that on; the way to the actuator is intact
+    EXPECT_EQ(Failures(*run), "");
+}
+
+TEST(Chain, RunsWithoutTapsAsWithThem)
+{
+    Verifies(req::SRS_SIM_003);
+    Verifies(req::SRS_SIM_046);
+    // Given the same scenario once recorded (channels and supervisors behind taps) and once not
+    const std::string text = "inputs:\n  - {at: 400 ms, node: sensor, object: 0x2000:02, value: 0}\n"
+                             "expect:\n  - {that: no_fault}\n";
+    const auto tapped = RunChain(text, true);
+    const auto plain = RunChain(text, false);
+    // Then the outputs and values changed at the same instants
+    std::string changes_tapped;
+    std::string changes_plain;
+    for (const Event& event : tapped->Record().Events())
+    {
+        const bool is_change = event.kind == EventKind::kOutput || event.kind == EventKind::kValue;
+        changes_tapped += is_change ? std::to_string(event.at) + "=" + std::to_string(event.value) + " " : "";
+    }
+    for (const Event& event : plain->Record().Events())
+    {
+        const bool is_change = event.kind == EventKind::kOutput || event.kind == EventKind::kValue;
+        changes_plain += is_change ? std::to_string(event.at) + "=" + std::to_string(event.value) + " " : "";
+    }
+    EXPECT_EQ(changes_tapped, changes_plain);
+    EXPECT_GT(changes_plain.size(), 50U);
+    EXPECT_EQ(plain->Record().Frames().size(), 0U);
+}
+} // namespace
+} // namespace counterpoint::simulator

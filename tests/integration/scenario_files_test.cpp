@@ -1,0 +1,84 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/integration/scenario_run.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace counterpoint::simulator
+{
+namespace
+{
+std::vector<std::string> ShippedScenarios()
+{
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(Examples()))
+    {
+        if (entry.path().extension() == ".yaml")
+        {
+            files.push_back(entry.path().filename().string());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+class ShippedScenario : public ::testing::TestWithParam<std::string>
+{
+};
+
+TEST_P(ShippedScenario, HoldsInEveryExpectation)
+{
+    Verifies(req::SRS_DEMO_001);
+    Verifies(req::SRS_SIM_030);
+    // Given a scenario that people start from; when it runs (a soak run in short)
+    simulator::Run run(Examples() + GetParam(), std::nullopt, std::nullopt, false);
+    run.Simulate(nullptr);
+    // Then what it expects comes; chain.yaml itself expects nothing
+    EXPECT_EQ(GetParam() == "chain.yaml" ? std::string() : Failures(run), "");
+}
+
+std::string NameOf(const ::testing::TestParamInfo<std::string>& info)
+{
+    std::string name = info.param.substr(0U, info.param.find('.'));
+    return "file_" + name;
+}
+
+INSTANTIATE_TEST_SUITE_P(EmergencyStop, ShippedScenario, ::testing::ValuesIn(ShippedScenarios()), NameOf);
+
+TEST(ShippedScenarios, CoverEveryClassOfTheDemonstration)
+{
+    Verifies(req::SRS_DEMO_001);
+    // Given the numbered scenarios
+    std::set<FaultKind> kinds;
+    std::set<Part> parts;
+    std::size_t with_fault = 0U;
+    for (const std::string& file : ShippedScenarios())
+    {
+        const simulator::Run run(Examples() + file, std::nullopt, std::nullopt, false);
+        with_fault += run.Setting().faults.empty() ? 0U : 1U;
+        for (const FaultSetup& fault : run.Setting().faults)
+        {
+            kinds.insert(fault.kind);
+            parts.insert(fault.part);
+        }
+    }
+    // Then all classes are there
+    EXPECT_GE(with_fault, 14U);
+    for (const FaultKind kind :
+         {FaultKind::kCorruption, FaultKind::kRepetition, FaultKind::kWrongSequence, FaultKind::kLoss, FaultKind::kDelay,
+          FaultKind::kInsertion, FaultKind::kMasquerade, FaultKind::kAddressing, FaultKind::kBitFlip, FaultKind::kHung,
+          FaultKind::kFrozen, FaultKind::kNotCalled, FaultKind::kAlwaysGood, FaultKind::kClock, FaultKind::kNotInverse})
+    {
+        EXPECT_EQ(kinds.count(kind), 1U) << static_cast<int>(kind);
+    }
+    for (const Part part : {Part::kChannelA, Part::kChannelB, Part::kComparator, Part::kFlowMonitor, Part::kGuard})
+    {
+        EXPECT_EQ(parts.count(part), 1U) << static_cast<int>(part);
+    }
+}
+} // namespace
+} // namespace counterpoint::simulator

@@ -1,0 +1,57 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef TESTS_INTEGRATION_SCENARIO_RUN_HPP
+#define TESTS_INTEGRATION_SCENARIO_RUN_HPP
+
+#include "verification/simulator/run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace counterpoint::simulator
+{
+/// The tree's emergency-stop folder.
+inline std::string Examples()
+{
+    return std::string(COUNTERPOINT_SOURCE_FOLDER) + "/examples/emergency_stop/";
+}
+
+/// A file of this test with the given content.
+inline std::string TextFile(const std::string& text)
+{
+    const ::testing::TestInfo* const test = ::testing::UnitTest::GetInstance()->current_test_info();
+    std::string name = std::string(test->test_suite_name()) + "_" + test->name();
+    for (char& character : name)
+    {
+        character = (character == '/') ? '_' : character;
+    }
+    std::string file = ::testing::TempDir() + "counterpoint_" + name + ".yaml";
+    std::ofstream(file, std::ios::binary) << text;
+    return file;
+}
+
+/// A scenario on the emergency-stop chain; `text` is what it adds.
+inline std::unique_ptr<Run> RunChain(const std::string& text, const bool keeps_all = false)
+{
+    auto run = std::make_unique<Run>(TextFile("extends: " + Examples() + "chain.yaml\n" + text), std::nullopt, std::nullopt,
+                                     keeps_all);
+    run->Simulate(nullptr);
+    return run;
+}
+
+/// Expectations that did not come, one a line; empty: all hold.
+inline std::string Failures(const Run& run)
+{
+    std::string text;
+    for (const ExpectationVerdict& verdict : run.Verdicts())
+    {
+        text += verdict.holds ? "" : verdict.wanted + ": " + verdict.seen + "\n";
+    }
+    return run.Verdicts().empty() ? "no expectations" : text;
+}
+} // namespace counterpoint::simulator
+
+#endif // TESTS_INTEGRATION_SCENARIO_RUN_HPP
