@@ -27,7 +27,7 @@ bool ChannelTap::IsStill() const noexcept
     return false;
 }
 
-std::uint32_t ChannelTap::Calls(const ChannelCall call) noexcept
+std::uint32_t ChannelTap::Calls(const ChannelCall call, const bool matters) noexcept
 {
     PartCondition& condition = faults_.Condition(part_);
     const bool is_counted = condition.kind == FaultKind::kSkipped || condition.kind == FaultKind::kDoubled;
@@ -35,8 +35,11 @@ std::uint32_t ChannelTap::Calls(const ChannelCall call) noexcept
     {
         return 1U;
     }
-    --condition.remaining;
-    faults_.HasEffect(condition);
+    if (matters)
+    {
+        --condition.remaining;
+        faults_.HasEffect(condition);
+    }
     return (condition.kind == FaultKind::kSkipped) ? 0U : 2U;
 }
 
@@ -83,7 +86,7 @@ void ChannelTap::OnFrame(const CanFrame& frame, const Instant stamp) noexcept
     {
         return;
     }
-    const std::uint32_t calls = Calls(ChannelCall::kOnFrame);
+    const std::uint32_t calls = Calls(ChannelCall::kOnFrame, witness_ == nullptr || witness_->Concerns(frame));
     for (std::uint32_t call = 0U; call < calls; ++call)
     {
         real_.OnFrame(frame, stamp);
@@ -107,7 +110,7 @@ CycleOutcome ChannelTap::OnCycle(const CycleInput& input) noexcept
 CycleOutcome ChannelTap::Fresh(const CycleInput& input) noexcept
 {
     CycleOutcome outcome = outcome_;
-    const std::uint32_t calls = Calls(ChannelCall::kOnCycle);
+    const std::uint32_t calls = Calls(ChannelCall::kOnCycle, true);
     for (std::uint32_t call = 0U; call < calls; ++call)
     {
         outcome = real_.OnCycle(input);

@@ -17,6 +17,8 @@ class ChannelWitness
     virtual ~ChannelWitness() = default;
     /// @brief `channel` is the real one, for details.
     virtual void OnOutcome(Part part, const Channel& channel, const CycleOutcome& outcome) = 0;
+    /// @brief Whether the frame belongs to a consumer of this node: only then it matters that a channel does not get it.
+    [[nodiscard]] virtual bool Concerns(const CanFrame& frame) const = 0;
 };
 
 /// Stands between the kernel and a shipped channel: passes every call on, and makes the faults of calls (skipped, doubled,
@@ -49,7 +51,7 @@ class ChannelTap final : public Channel
     /// @brief Whether the channel does not run at all: frozen. A channel that hangs does not return from here.
     [[nodiscard]] bool IsStill() const noexcept;
     /// @brief How often a call that can be skipped or doubled is to be made.
-    [[nodiscard]] std::uint32_t Calls(ChannelCall call) noexcept;
+    [[nodiscard]] std::uint32_t Calls(ChannelCall call, bool matters) noexcept;
     [[nodiscard]] CycleOutcome Fresh(const CycleInput& input) noexcept;
 
     Channel& real_;
