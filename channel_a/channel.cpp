@@ -53,10 +53,12 @@ void Channel::Restart(const DeviceConfig& config) noexcept
     count_ = (config.srdo_count < storage_.capacity) ? config.srdo_count : storage_.capacity;
     ports_.of_half[0] = config.normal_port;
     ports_.of_half[1] = config.inverse_port;
+    existing_ = 0U;
     for (SlotIndex slot = 0U; slot < count_; ++slot)
     {
         const SrdoSetup& setup = config.srdos[slot]; // MISRA D-002
         Record& record = At(slot);
+        existing_ |= BitOf(slot);
         record = Record{};
         record.mode = Mode::kOff;
         record.first_cause = SrdoCause::kNone;
@@ -67,7 +69,6 @@ void Channel::Restart(const DeviceConfig& config) noexcept
         record.safe = OctetsOf((std::uint64_t{setup.safe_value.high} << kHalfMaskShift) | setup.safe_value.low);
         SetDefaults(record, setup.number, config.node_id);
     }
-    existing_ = (~SrdoMask{0U}) >> (kMaxSrdoCount - count_);
     late_after_us_ = config.cycle_us + config.cycle_tolerance_us;
     first_delay_us_ = kFirstTransmissionStepUs * config.node_id;
     MoveTo(~SrdoMask{0U}, kGroupOff);

@@ -136,6 +136,7 @@ class Channel final : public counterpoint::Channel
     SrdoMask unwritten_{0U}; ///< The held pair was not written yet.
     SrdoMask committed_{0U}; ///< The objects hold a pair.
     Instant now_{0U};
+    SrdoMask standing_{0U};     ///< Producers whose refresh stands still until the next OnCycle.
     std::uint32_t step_us_{0U}; ///< Between the last two calls of OnCycle.
     Instant entered_{0U}; ///< OPERATIONAL, by the OnCycle that saw it first.
     std::uint32_t cycle_{0U};

@@ -119,6 +119,7 @@ void Channel::Enter(const Instant now) noexcept
 {
     entered_ = now;
     may_send_ = false;
+    standing_ = 0U;
     ordinal_sum_ = 0U;
     consumer_count_ = 0U;
     producer_count_ = 0U;
@@ -188,11 +189,10 @@ void Channel::ScanLimits(const Cycle& cycle) noexcept
     {
         found |= Consumers();
     }
-    const Record* const records = storage_.records;
     SrdoMask bit = 1U;
     for (std::uint32_t slot = 0U; slot < count_; ++slot)
     {
-        const Record& record = records[slot]; // MISRA D-002
+        const Record& record = storage_.records[slot]; // MISRA D-002
         if (((cycle.now.us - record.since.us) > record.limit_us) || !IsSealed(record))
         {
             found |= bit;

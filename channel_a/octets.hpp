@@ -3,6 +3,7 @@
 #define CHANNEL_A_OCTETS_HPP
 
 #include "channel_a/storage.hpp"
+#include "safety_core/contract/can_frame.hpp"
 #include "safety_core/contract/limits.hpp"
 #include "safety_core/contract/srdo.hpp"
 
@@ -83,7 +84,8 @@ constexpr Octets kMapped[kLengthMask + 1U] = {
     for (std::size_t place = 0U; place < kMaxPayloadBytes; ++place)
     {
         const std::uint8_t wanted = static_cast<std::uint8_t>(expected.at[place] ^ flip);
-        wrong.at[place] = static_cast<std::uint8_t>((wanted ^ frame.data[place]) & mapped.at[place]);
+        const std::uint8_t difference = static_cast<std::uint8_t>(wanted ^ frame.data[place]);
+        wrong.at[place] = difference & mapped.at[place];
     }
     return Bits(wrong) == 0U;
 }

@@ -54,6 +54,11 @@ void Channel::ServeProducer(Cycle& cycle, Record& record, const SrdoMask bit) no
     {
         Raise(record, bit, Event::kUnconfirmed, SrdoCause::kNone);
     }
+    if ((standing_ & bit) != 0U)
+    {
+        record.refresh_since.us += step_us_;
+        standing_ &= ~bit;
+    }
     if (may_send_)
     {
         ExamineSending(cycle.now, record, bit);
@@ -122,11 +127,9 @@ void Channel::Request(const SlotIndex slot) noexcept
 // [SRS-PROD-012]
 void Channel::Hold(const SlotIndex slot) noexcept
 {
-    Record& record = At(slot);
-    const bool is_producer = (groups_[kGroupProducer] & BitOf(slot)) != 0U;
-    if (is_producer && (record.form == ProducerForm::kProviderCalled))
+    if (At(slot).form == ProducerForm::kProviderCalled)
     {
-        record.refresh_since.us += step_us_;
+        standing_ |= groups_[kGroupProducer] & BitOf(slot);
     }
 }
 

@@ -35,6 +35,7 @@ class Channel final : public counterpoint::Channel
     void Commit(const Agreement& agreement) noexcept override;
     [[nodiscard]] Permit Answer(std::uint32_t challenge) const noexcept override;
     void Request(SlotIndex slot) noexcept override;
+    void Hold(SlotIndex slot) noexcept override;
     [[nodiscard]] PreparedPair Prepare(SlotIndex slot) noexcept override;
     void Launch(SlotIndex slot) noexcept override;
     [[nodiscard]] CanFrame NextFrame(SlotIndex slot) noexcept override;

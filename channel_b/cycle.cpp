@@ -111,6 +111,7 @@ void Channel::Enter() noexcept
     marks.started = 0U;
     marks.requested = 0U;
     marks.refresh_due = 0U;
+    marks.standing = 0U;
     const SrdoMask usable = Granted(marks.valid) & marks.resolved;
     for (SlotIndex slot = 0U; slot < x_count; ++slot)
     {

@@ -21,6 +21,15 @@ void Channel::Request(SlotIndex slot) noexcept
     }
 }
 
+void Channel::Hold(SlotIndex slot) noexcept
+{
+    const SrdoMask by_provider = x_storage.marks->provider & BitOf(slot);
+    if ((by_provider != 0U) && (x_storage.state[slot] == Code(SrdoState::kProducer)))
+    {
+        x_storage.marks->standing |= BitOf(slot);
+    }
+}
+
 PreparedPair Channel::Prepare(SlotIndex slot) noexcept
 {
     PreparedPair pair{{0U, 0U}, PrepareStatus::kNotProducer, 0U};
@@ -206,7 +215,7 @@ SrdoMask Channel::AdvanceProducers(SrdoMask producers, SrdoMask spent) noexcept
     for (SrdoMask rest = producers; rest != 0U;)
     {
         const SlotIndex slot = TakeLowest(rest);
-        x_storage.phase_left[slot] -= x_elapsed_us;
+        x_storage.phase_left[slot] -= ((marks.standing & BitOf(slot)) != 0U) ? 0U : x_elapsed_us;
         if ((spent & BitOf(slot)) != 0U)
         {
             static_cast<void>(Fail(slot, SrdoCause::kNoConfirmation));
@@ -221,6 +230,7 @@ SrdoMask Channel::AdvanceProducers(SrdoMask producers, SrdoMask spent) noexcept
         }
         in_flight |= static_cast<SrdoMask>(IsInFlight(x_storage, slot)) << slot;
     }
+    marks.standing = 0U;
     return producers & ~in_flight & (marks.refresh_due | (marks.requested & marks.started));
 }
 

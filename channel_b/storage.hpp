@@ -58,6 +58,7 @@ struct Marks
     SrdoMask signalled;    ///< The last OnCycle signalled something.
     SrdoMask unheard;      ///< Consumers without a pair and without a complaint about it since OPERATIONAL was entered.
     SrdoMask provider;     ///< Producers of the form kProviderCalled.
+    SrdoMask standing;     ///< Producers whose refresh stands still until the next OnCycle.
     SrdoMask started;      ///< Producers whose first transmission is possible.
     SrdoMask requested;    ///< Producers that the application wants to send.
     SrdoMask refresh_due;  ///< Producers whose refresh has fallen due.

@@ -158,6 +158,9 @@ class Channel
 
     /// @brief The application wants this producer to send. Kept until Prepare. [SRS-PROD-003]
     virtual void Request(SlotIndex slot) noexcept = 0;
+    /// @brief The other channel does not call this producer due yet: the phase of the refresh stands still until the
+    /// next OnCycle, so that two counters that drift apart keep one phase. No effect on another slot. [SRS-PROD-012]
+    virtual void Hold(SlotIndex slot) noexcept = 0;
     /// @brief Reads both objects of every entry and checks every bit of the inversion; consumes the due mark.
     /// [SRS-PROD-005]
     [[nodiscard]] virtual PreparedPair Prepare(SlotIndex slot) noexcept = 0;

@@ -88,6 +88,7 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     flow_.Mark(FlowStep::kComparison, FlowEvidence{verdict_.echo, challenge});
     Demote();
     flow_.Mark(FlowStep::kDemotion, kDone);
+    HoldFaster(outcome_a, outcome_b);
     Produce();
     flow_.Mark(FlowStep::kProduction, kDone);
     Commit();

@@ -164,6 +164,7 @@ class Kernel
     void Demote() noexcept;
     void Commit() noexcept;
     void Produce() noexcept;
+    void HoldFaster(const CycleOutcome& a, const CycleOutcome& b) noexcept;
     void ProduceSlot(SlotIndex slot) noexcept;
     void HandOver(SlotIndex slot, const CanFrame& frame) noexcept;
     void FollowGfc() noexcept;

@@ -25,6 +25,21 @@ void Kernel::Produce() noexcept
     FollowGfc();
 }
 
+// Each channel's refresh runs by its own counter; the one that is ahead waits for the other. [SRS-KRN-017]
+void Kernel::HoldFaster(const CycleOutcome& a, const CycleOutcome& b) noexcept
+{
+    SlotSet ahead_a{a.due & ~b.due};
+    while (ahead_a.mask != 0U)
+    {
+        parts_.channel_a.Hold(TakeLowest(ahead_a));
+    }
+    SlotSet ahead_b{b.due & ~a.due};
+    while (ahead_b.mask != 0U)
+    {
+        parts_.channel_b.Hold(TakeLowest(ahead_b));
+    }
+}
+
 void Kernel::ProduceSlot(const SlotIndex slot) noexcept
 {
     const bool asks_provider = config_->srdos[slot].form == ProducerForm::kProviderCalled; // MISRA D-002

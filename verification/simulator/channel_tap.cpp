@@ -160,6 +160,14 @@ void ChannelTap::Request(const SlotIndex slot) noexcept
     }
 }
 
+void ChannelTap::Hold(const SlotIndex slot) noexcept
+{
+    if (!IsStill())
+    {
+        real_.Hold(slot);
+    }
+}
+
 PreparedPair ChannelTap::Prepare(const SlotIndex slot) noexcept
 {
     if (!IsStill())

@@ -57,6 +57,9 @@ class SpokenChannel final : public Channel
     void Request(SlotIndex) noexcept override
     {
     }
+    void Hold(SlotIndex) noexcept override
+    {
+    }
     PreparedPair Prepare(SlotIndex) noexcept override
     {
         return PreparedPair{};

@@ -68,6 +68,52 @@ TEST_F(Production, ProviderThatSkipsSendsNothingUntilItIsReady)
     EXPECT_EQ(ports.sent.size(), 1U);
 }
 
+// Counter A 100 ppm ahead of counter B, for 200 s of refresh every 25 ms
+TEST_F(Production, CountersThatDriftApartKeepOnePhase)
+{
+    Verifies(req::SRS_KRN_017);
+    Verifies(req::SRS_PROD_012);
+    config.clock_tolerance_us = 500U;
+    Operate();
+    const std::uint32_t start_us = now_us;
+    std::uint32_t drift_us = 0U;
+    for (std::uint32_t cycle = 1U; cycle <= 200000U; ++cycle)
+    {
+        now_us = start_us + (cycle * 1000U);
+        drift_us = cycle / 10U;
+        kernel.Cycle(CycleCall{InstantPair{{now_us + drift_us}, {now_us}}, 0U, 0U});
+        if (!ports.sent.empty())
+        {
+            const CanFrame frame = ports.sent.back();
+            ports.sent.pop_back();
+            kernel.OnConfirm(StampedFrame{frame, InstantPair{{now_us + drift_us}, {now_us}}});
+        }
+        ASSERT_EQ(kernel.DeviceState().fault, DeviceFault::kNone) << "cycle " << cycle;
+    }
+    // Then the refresh has followed the slower counter: 8000 pairs, no cause, and only A had to wait
+    EXPECT_EQ(application.events.size(), 8000U);
+    EXPECT_TRUE(CausesOf(0x1303U).empty());
+    EXPECT_GT(a.holds, 0);
+    EXPECT_EQ(b.holds, 0);
+    // And the other way round B waits for A
+    const int holds_of_a = a.holds;
+    for (std::uint32_t cycle = 1U; cycle <= 50000U; ++cycle)
+    {
+        now_us += 1000U;
+        drift_us -= ((cycle % 10U) == 0U) ? 1U : 0U;
+        kernel.Cycle(CycleCall{InstantPair{{now_us + drift_us}, {now_us}}, 0U, 0U});
+        if (!ports.sent.empty())
+        {
+            const CanFrame frame = ports.sent.back();
+            ports.sent.pop_back();
+            kernel.OnConfirm(StampedFrame{frame, InstantPair{{now_us + drift_us}, {now_us}}});
+        }
+        ASSERT_EQ(kernel.DeviceState().fault, DeviceFault::kNone) << "cycle " << cycle;
+    }
+    EXPECT_GT(b.holds, 0);
+    EXPECT_EQ(a.holds, holds_of_a);
+}
+
 TEST_F(Production, ObjectsThatAreNotInverseSendNothingAndAreTold)
 {
     Verifies(req::SRS_PROD_005);

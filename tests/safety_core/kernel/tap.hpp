@@ -83,6 +83,11 @@ class Tap final : public Channel
     {
         real_.Request(slot);
     }
+    void Hold(SlotIndex slot) noexcept override
+    {
+        ++holds;
+        real_.Hold(slot);
+    }
     PreparedPair Prepare(SlotIndex slot) noexcept override
     {
         PreparedPair pair = real_.Prepare(slot);
@@ -114,6 +119,7 @@ class Tap final : public Channel
     std::uint16_t signature_flip{0U};
     ConfigFault check_fault{ConfigFault::kNone};
     int demotions{0};
+    int holds{0};
     bool drop_store{false};
     bool drop_frames{false};
     bool drop_confirms{false};
