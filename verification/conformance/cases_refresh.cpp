@@ -40,6 +40,24 @@ constexpr Step kRequestThenRefresh[] = {
     Cycle(28000U), Due(0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
 };
 
+// t     2000        3000           27999   28000           53000
+//       due, held   due, prepared          due (25000 after 3000)
+constexpr Step kHeld[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Hold(0U), Hold(0U), Cycle(3000U), Due(1U), ReadyPair(0U), Cycle(27999U), Due(0U), Cycle(28000U), Due(1U),
+    ReadyPair(0U), Cycle(52999U), Due(0U), Cycle(53000U), Due(1U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
+};
+
+// The time until the next OnCycle counts, not the one before it; and the hold is over with it.
+constexpr Step kHeldOnce[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Hold(0U), Cycle(2300U), Cycle(3300U), ReadyPair(0U), Cycle(27299U), Due(0U), Cycle(27300U), Due(1U),
+};
+
+// A hold before SRDOs became active again is none.
+constexpr Step kHoldForgotten[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Hold(0U), Nmt(NmtState::kPreOperational), Cycle(3000U), Due(0U), Nmt(NmtState::kOperational),
+    Cycle(4000U), Cycle(5999U), Due(0U), Cycle(6000U), Due(1U),
+};
+
 // t     2000         26999   27000                 52000
 //       due, unused          missed; still due     missed
 constexpr Step kNotPrepared[] = {
@@ -108,6 +126,9 @@ constexpr Step kOtherForm[] = {
 
 constexpr Case kCases[] = {
     MakeCase("RefreshKeepsItsPhase", {req::SRS_PROD_002, req::SRS_TIME_001}, kProvider, kPhase),
+    MakeCase("HeldRefreshMovesOn", {req::SRS_PROD_012}, kProvider, kHeld),
+    MakeCase("HoldIsOverWithTheNextCycle", {req::SRS_PROD_012}, kProvider, kHeldOnce),
+    MakeCase("HoldIsForgottenOutsideOperational", {req::SRS_PROD_012}, kProvider, kHoldForgotten),
     MakeCase("RequestLeavesThePhase", {req::SRS_PROD_003, req::SRS_PROD_002}, kProvider, kRequestKeepsPhase),
     MakeCase("PrepareUsesUpRequestAndRefresh", {req::SRS_PROD_005, req::SRS_PROD_004}, kProvider, kBothUsedUp),
     MakeCase("RequestIsNoMissedRefresh", {req::SRS_PROD_010, req::SRS_PROD_003}, kProvider, kRequestThenRefresh),

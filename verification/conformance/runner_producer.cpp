@@ -70,6 +70,10 @@ void Runner::RunProducerStep(const Step& step) noexcept
     {
         channel_.Request(step.slot);
     }
+    else if (step.op == Op::kHold)
+    {
+        channel_.Hold(step.slot);
+    }
     else if (step.op == Op::kPrepare)
     {
         const PreparedPair pair = channel_.Prepare(step.slot);

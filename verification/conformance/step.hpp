@@ -46,6 +46,7 @@ enum class Op : std::uint8_t
     kNormalObject,  ///< x index, sub; y, z: what A wrote; B leaves it alone.
     kInverseObject, ///< x index, sub; y, z: what B wrote; A leaves it alone.
     kRequest,       ///< slot.
+    kHold,          ///< slot.
     kPrepare,       ///< slot; field status, sub length; x, y data.
     kLaunch,        ///< slot.
     kNextNormal,    ///< slot, field controller, sub length, z identifier, x, y data: from A; none from B.
@@ -297,6 +298,11 @@ constexpr Step InverseObject(std::uint16_t index, std::uint8_t sub, std::uint32_
 }
 
 // ---- producer
+
+constexpr Step Hold(SlotIndex slot)
+{
+    return Make(Op::kHold, slot);
+}
 
 constexpr Step Request(SlotIndex slot)
 {

@@ -228,6 +228,12 @@ void Differential::ProducerStep() noexcept
         TakeFrames(slot);
         Confirm(slot);
         break;
+    case 6U:
+        Step("Hold", slot, 0U, 0U, 0U);
+        a_.Hold(slot);
+        b_.Hold(slot);
+        CompareView(slot);
+        break;
     default:
         Step("Request", slot, 0U, 0U, 0U);
         a_.Request(slot);
