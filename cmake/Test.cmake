@@ -10,7 +10,8 @@ function(counterpoint_test target)
   target_compile_features(${target} PRIVATE cxx_std_17)
   # Clang warns of constant expressions that are known to fit; in tests that is noise (in the rooms it stays on).
   target_compile_options(${target} PRIVATE ${COUNTERPOINT_WARNINGS}
-                         $<$<CXX_COMPILER_ID:Clang>:-Wno-implicit-int-conversion>)
+                         $<$<CXX_COMPILER_ID:Clang>:-Wno-implicit-int-conversion>
+                         $<$<CXX_COMPILER_ID:Clang>:-Wno-deprecated-declarations>)
   add_test(NAME ${target} COMMAND ${target})
   if(NOT TEST_TIMEOUT)
     set(TEST_TIMEOUT 300)
