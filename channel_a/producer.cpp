@@ -127,7 +127,7 @@ void Channel::Request(const SlotIndex slot) noexcept
 // [SRS-PROD-012]
 void Channel::Hold(const SlotIndex slot) noexcept
 {
-    if (At(slot).form == ProducerForm::kProviderCalled)
+    if (may_send_ && (At(slot).form == ProducerForm::kProviderCalled))
     {
         standing_ |= groups_[kGroupProducer] & BitOf(slot);
     }

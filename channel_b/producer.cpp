@@ -23,7 +23,7 @@ void Channel::Request(SlotIndex slot) noexcept
 
 void Channel::Hold(SlotIndex slot) noexcept
 {
-    const SrdoMask by_provider = x_storage.marks->provider & BitOf(slot);
+    const SrdoMask by_provider = x_storage.marks->provider & x_storage.marks->started & BitOf(slot);
     if ((by_provider != 0U) && (x_storage.state[slot] == Code(SrdoState::kProducer)))
     {
         x_storage.marks->standing |= BitOf(slot);

@@ -43,13 +43,18 @@ constexpr Step kRequestThenRefresh[] = {
 // t     2000        3000           27999   28000           53000
 //       due, held   due, prepared          due (25000 after 3000)
 constexpr Step kHeld[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Hold(0U), Hold(0U), Cycle(3000U), Due(1U), ReadyPair(0U), Cycle(27999U), Due(0U), Cycle(28000U), Due(1U),
+    Configure(), kP1, kP2, kI1, kI2, kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Hold(0U), Hold(0U), Cycle(3000U), Due(1U), ReadyPair(0U), Cycle(27999U), Due(0U), Cycle(28000U), Due(1U),
     ReadyPair(0U), Cycle(52999U), Due(0U), Cycle(53000U), Due(1U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
 };
 
 // The time until the next OnCycle counts, not the one before it; and the hold is over with it.
 constexpr Step kHeldOnce[] = {
     Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Hold(0U), Cycle(2300U), Cycle(3300U), ReadyPair(0U), Cycle(27299U), Due(0U), Cycle(27300U), Due(1U),
+};
+
+// Before the first possible transmission there is nothing to hold.
+constexpr Step kHeldTooEarly[] = {
+    Configure(), kP1, kP2, kI1, kI2, kP1, kP2, kI1, kI2, Cycle(0U), Cycle(1000U), Hold(0U), Cycle(1999U), Due(0U), Cycle(2000U), Due(1U),
 };
 
 // A hold before SRDOs became active again is none.
@@ -124,10 +129,53 @@ constexpr Step kOtherForm[] = {
     Cycle(51999U), Signals(0U, 0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
 };
 
+// Held in two cycles before it is due: the refresh moves by the time of both, and so do all that follow.
+// t     2000        20000  20600         26000  26400         28000 = 27000 + 600 + 400     53000
+//       due, used   hold   moved by 600  hold   moved by 400  due                           due
+constexpr Step kHeld[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Cycle(20000U), Hold(0U), Cycle(20600U), Cycle(26000U), Hold(0U), Cycle(26400U),
+    Cycle(27999U), Due(0U), Cycle(28000U), Due(1U), ReadyPair(0U), Cycle(52999U), Due(0U), Cycle(53000U), Due(1U),
+};
+
+// More than once between two calls is once.
+constexpr Step kHeldTwice[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Cycle(20000U), Hold(0U), Hold(0U), Hold(0U), Cycle(20600U), Cycle(27599U), Due(0U),
+    Cycle(27600U), Due(1U),
+};
+
+// Held in the call in which it would have fallen due: by the microsecond of that call.
+constexpr Step kHeldAtTheLast[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Cycle(26999U), Hold(0U), Cycle(27000U), Due(0U), Cycle(27001U), Due(1U),
+};
+
+// The initial delay is not held, nor is what comes before OPERATIONAL.
+constexpr Step kHeldTooEarly[] = {
+    Configure(), kP1, kP2, kI1, kI2, Hold(0U), Nmt(NmtState::kPreOperational), Cycle(0U), Hold(0U), Nmt(NmtState::kOperational), Cycle(1000U), Hold(0U), Cycle(2500U), Hold(0U), Cycle(2999U), Due(0U),
+    Hold(0U), Cycle(3000U), Due(1U), ReadyPair(0U), Cycle(27999U), Due(0U), Cycle(28000U), Due(1U),
+};
+
+// A Hold before leaving OPERATIONAL is none for what comes after it.
+constexpr Step kHeldAndLeft[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Hold(0U), Nmt(NmtState::kStopped), Cycle(3000U), Nmt(NmtState::kOperational), Cycle(4000U),
+    Cycle(5999U), Due(0U), Cycle(6000U), Due(1U), ReadyPair(0U), Cycle(30999U), Due(0U), Cycle(31000U), Due(1U),
+};
+
+// Another form has no phase: silence is found at the same moment.
+constexpr Step kHeldSender[] = {
+    Configure(), Cycle(0U), Cycle(2000U), Hold(0U), Cycle(10000U), Hold(0U), Cycle(28500U), Signals(0U, 0U), Cycle(28501U), Signals(0U, kMissedBit),
+};
+
+// Of a consumer and of one that is off, Hold is nothing.
+constexpr Step kHeldOthers[] = {
+    Configure(), Cycle(0U), Normal(1000U), Hold(0U), Hold(2U), Inverse(2000U), Cycle(3000U), Hold(0U), Slot(0U, kReleased, kNoCause, 1U, 0U, 1U), Cycle(51000U),
+    Masks(1U, 0U, 0U, 0U, 0U), Cycle(51001U), Slot(0U, kFaulted, Cause::kSct, 0U, 1U, 0U), Slot(2U, kOff, kNoCause, 0U, 0U, 0U),
+};
+
 constexpr Case kCases[] = {
     MakeCase("RefreshKeepsItsPhase", {req::SRS_PROD_002, req::SRS_TIME_001}, kProvider, kPhase),
     MakeCase("HeldRefreshMovesOn", {req::SRS_PROD_012}, kProvider, kHeld),
     MakeCase("HoldIsOverWithTheNextCycle", {req::SRS_PROD_012}, kProvider, kHeldOnce),
+    MakeCase("HoldBeforeTheFirstTransmission", {req::SRS_PROD_012}, kProvider, kHeldTooEarly),
     MakeCase("HoldIsForgottenOutsideOperational", {req::SRS_PROD_012}, kProvider, kHoldForgotten),
     MakeCase("RequestLeavesThePhase", {req::SRS_PROD_003, req::SRS_PROD_002}, kProvider, kRequestKeepsPhase),
     MakeCase("PrepareUsesUpRequestAndRefresh", {req::SRS_PROD_005, req::SRS_PROD_004}, kProvider, kBothUsedUp),
@@ -141,6 +189,13 @@ constexpr Case kCases[] = {
     MakeCase("SilenceFoundByTheFirstCall", {req::SRS_PROD_010, req::SRS_PROD_001}, kSender, kSilentAtFirstCall),
     MakeCase("SilenceAfterLaunch", {req::SRS_PROD_010, req::SRS_PROD_007}, kSender, kSilentAfterLaunch),
     MakeCase("RequestThatWaitsIsNoSilence", {req::SRS_PROD_010, req::SRS_PROD_003}, kSender, kRequestWaits),
+    MakeCase("HeldRefreshMoves", {req::SRS_PROD_012, req::SRS_PROD_002, req::SRS_TIME_001}, kProvider, kHeld),
+    MakeCase("HeldMoreThanOnce", {req::SRS_PROD_012}, kProvider, kHeldTwice),
+    MakeCase("HeldInTheCallInWhichItIsDue", {req::SRS_PROD_012}, kProvider, kHeldAtTheLast),
+    MakeCase("HeldBeforeTheFirstTransmission", {req::SRS_PROD_012, req::SRS_PROD_001}, kProvider, kHeldTooEarly),
+    MakeCase("HeldBeforeLeavingOperational", {req::SRS_PROD_012, req::SRS_PROD_011}, kProvider, kHeldAndLeft),
+    MakeCase("HeldApplicationIsSilentAllTheSame", {req::SRS_PROD_012}, kSender, kHeldSender),
+    MakeCase("HeldConsumerIsNone", {req::SRS_PROD_012}, kMixed, kHeldOthers),
     MakeCase("ProviderIsNeverSilent", {req::SRS_PROD_010, req::SRS_PROD_002}, kProvider, kOtherForm),
 };
 } // namespace
