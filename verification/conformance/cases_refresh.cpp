@@ -43,7 +43,7 @@ constexpr Step kRequestThenRefresh[] = {
 // t     2000        3000           27999   28000           53000
 //       due, held   due, prepared          due (25000 after 3000)
 constexpr Step kHeld[] = {
-    Configure(), kP1, kP2, kI1, kI2, kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Hold(0U), Hold(0U), Cycle(3000U), Due(1U), ReadyPair(0U), Cycle(27999U), Due(0U), Cycle(28000U), Due(1U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Hold(0U), Hold(0U), Cycle(3000U), Due(1U), ReadyPair(0U), Cycle(27999U), Due(0U), Cycle(28000U), Due(1U),
     ReadyPair(0U), Cycle(52999U), Due(0U), Cycle(53000U), Due(1U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
 };
 
@@ -54,7 +54,7 @@ constexpr Step kHeldOnce[] = {
 
 // Before the first possible transmission there is nothing to hold.
 constexpr Step kHeldTooEarly[] = {
-    Configure(), kP1, kP2, kI1, kI2, kP1, kP2, kI1, kI2, Cycle(0U), Cycle(1000U), Hold(0U), Cycle(1999U), Due(0U), Cycle(2000U), Due(1U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(1000U), Hold(0U), Cycle(1999U), Due(0U), Cycle(2000U), Due(1U),
 };
 
 // A hold before SRDOs became active again is none.
@@ -132,7 +132,7 @@ constexpr Step kOtherForm[] = {
 // Held in two cycles before it is due: the refresh moves by the time of both, and so do all that follow.
 // t     2000        20000  20600         26000  26400         28000 = 27000 + 600 + 400     53000
 //       due, used   hold   moved by 600  hold   moved by 400  due                           due
-constexpr Step kHeld[] = {
+constexpr Step kHeldInTwoCycles[] = {
     Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Cycle(20000U), Hold(0U), Cycle(20600U), Cycle(26000U), Hold(0U), Cycle(26400U),
     Cycle(27999U), Due(0U), Cycle(28000U), Due(1U), ReadyPair(0U), Cycle(52999U), Due(0U), Cycle(53000U), Due(1U),
 };
@@ -149,7 +149,7 @@ constexpr Step kHeldAtTheLast[] = {
 };
 
 // The initial delay is not held, nor is what comes before OPERATIONAL.
-constexpr Step kHeldTooEarly[] = {
+constexpr Step kHeldAllAlong[] = {
     Configure(), kP1, kP2, kI1, kI2, Hold(0U), Nmt(NmtState::kPreOperational), Cycle(0U), Hold(0U), Nmt(NmtState::kOperational), Cycle(1000U), Hold(0U), Cycle(2500U), Hold(0U), Cycle(2999U), Due(0U),
     Hold(0U), Cycle(3000U), Due(1U), ReadyPair(0U), Cycle(27999U), Due(0U), Cycle(28000U), Due(1U),
 };
@@ -189,10 +189,10 @@ constexpr Case kCases[] = {
     MakeCase("SilenceFoundByTheFirstCall", {req::SRS_PROD_010, req::SRS_PROD_001}, kSender, kSilentAtFirstCall),
     MakeCase("SilenceAfterLaunch", {req::SRS_PROD_010, req::SRS_PROD_007}, kSender, kSilentAfterLaunch),
     MakeCase("RequestThatWaitsIsNoSilence", {req::SRS_PROD_010, req::SRS_PROD_003}, kSender, kRequestWaits),
-    MakeCase("HeldRefreshMoves", {req::SRS_PROD_012, req::SRS_PROD_002, req::SRS_TIME_001}, kProvider, kHeld),
+    MakeCase("HeldRefreshMoves", {req::SRS_PROD_012, req::SRS_PROD_002, req::SRS_TIME_001}, kProvider, kHeldInTwoCycles),
     MakeCase("HeldMoreThanOnce", {req::SRS_PROD_012}, kProvider, kHeldTwice),
     MakeCase("HeldInTheCallInWhichItIsDue", {req::SRS_PROD_012}, kProvider, kHeldAtTheLast),
-    MakeCase("HeldBeforeTheFirstTransmission", {req::SRS_PROD_012, req::SRS_PROD_001}, kProvider, kHeldTooEarly),
+    MakeCase("HeldBeforeTheFirstTransmission", {req::SRS_PROD_012, req::SRS_PROD_001}, kProvider, kHeldAllAlong),
     MakeCase("HeldBeforeLeavingOperational", {req::SRS_PROD_012, req::SRS_PROD_011}, kProvider, kHeldAndLeft),
     MakeCase("HeldApplicationIsSilentAllTheSame", {req::SRS_PROD_012}, kSender, kHeldSender),
     MakeCase("HeldConsumerIsNone", {req::SRS_PROD_012}, kMixed, kHeldOthers),

@@ -1,0 +1,43 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+//
+// Every single bit of the storage of channel B flipped, in every phase, beside a sound other channel and comparator.
+#include "verification/conformance/flip_rig.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <gtest/gtest.h>
+
+namespace counterpoint
+{
+namespace
+{
+
+class ChannelBFlipped : public ::testing::TestWithParam<std::uint32_t>
+{
+};
+
+TEST_P(ChannelBFlipped, AutomaticGrantsNothingWrong)
+{
+    Verifies(req::SRS_CONS_024);
+    Verifies(req::SRS_CNF_030);
+    // Given each phase, when any one bit of the storage flips, then nothing is granted that is not the last valid pair
+    const conformance::FlipResult result =
+        conformance::FlipEveryBit(conformance::Party::kB, ReleasePolicy::kAutomatic, GetParam());
+    EXPECT_EQ(result.complaints, 0U) << result.first;
+    // and the device still works after it
+    EXPECT_EQ(result.granted, result.runs);
+}
+
+TEST_P(ChannelBFlipped, InterlockGrantsNothingWrong)
+{
+    Verifies(req::SRS_CONS_024);
+    Verifies(req::SRS_CNF_030);
+    const conformance::FlipResult result =
+        conformance::FlipEveryBit(conformance::Party::kB, ReleasePolicy::kInterlock, GetParam());
+    EXPECT_EQ(result.complaints, 0U) << result.first;
+    EXPECT_EQ(result.granted, result.runs);
+}
+
+INSTANTIATE_TEST_SUITE_P(Phases, ChannelBFlipped, ::testing::Range(0U, conformance::kPhaseCount));
+
+} // namespace
+} // namespace counterpoint

@@ -1,0 +1,307 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/conformance/flip_rig.hpp"
+
+namespace counterpoint::conformance
+{
+
+namespace
+{
+constexpr SlotIndex kConsumerSlot = 0U;
+constexpr SlotIndex kProducerSlot = 1U;
+constexpr std::uint32_t kWord = 0xFFFFU; ///< Two bytes of data.
+constexpr std::uint32_t kSctUs = 50000U;
+constexpr std::uint32_t kSrvtUs = 20000U;
+constexpr std::uint32_t kGapUs = 100U;
+constexpr std::uint32_t kApplicationData = 0x3412U;
+constexpr std::uint32_t kDiscrepancyUs = 2000U;
+
+std::uint32_t RotatedLeft(std::uint32_t word, std::uint32_t bits)
+{
+    return (word << bits) | (word >> (32U - bits));
+}
+
+CanFrame FrameWith(std::uint32_t identifier, std::uint32_t data)
+{
+    CanFrame frame{identifier, FrameKind::kData, CanPortId::kFirst, 2U, {}};
+    frame.data[0] = static_cast<std::uint8_t>(data & 0xFFU);
+    frame.data[1] = static_cast<std::uint8_t>((data >> 8U) & 0xFFU);
+    return frame;
+}
+
+std::uint32_t DataOf(const CanFrame& frame)
+{
+    return static_cast<std::uint32_t>(frame.data[0]) | (static_cast<std::uint32_t>(frame.data[1]) << 8U);
+}
+} // namespace
+
+FlipRig::FlipRig(ReleasePolicy policy) : a_{storage_a_.Handle()}, b_{storage_b_.Handle()}
+{
+    config_ = kMixed.config;
+    for (SlotIndex slot = 0U; slot < kRigSlots; ++slot)
+    {
+        setups_[slot] = kMixed.config.srdos[slot];
+        setups_[slot].policy = policy;
+    }
+    config_.srdos = setups_;
+    config_.objects = dictionary_.Objects();
+    config_.object_count = Dictionary::kObjectCount;
+}
+
+void FlipRig::Store(SlotIndex slot, ConfigField field, std::uint8_t sub, std::uint32_t value)
+{
+    const ConfigItem item{ConfigAddress{slot, field, sub}, value};
+    a_.Store(item);
+    b_.Store(item);
+}
+
+void FlipRig::StoreSlot(SlotIndex slot)
+{
+    const SrdoValues& values = kMixed.values[slot];
+    Store(slot, ConfigField::kSct, 0U, values.sct_ms);
+    Store(slot, ConfigField::kSrvt, 0U, values.srvt_ms);
+    Store(slot, ConfigField::kCobId1, 0U, values.cob_id_1);
+    Store(slot, ConfigField::kCobId2, 0U, values.cob_id_2);
+    for (std::uint8_t sub = 1U; sub <= values.map_count; ++sub)
+    {
+        Store(slot, ConfigField::kMapEntry, sub, values.entries[sub - 1U]);
+    }
+    Store(slot, ConfigField::kMapCount, 0U, values.map_count);
+    Store(slot, ConfigField::kDirection, 0U, values.direction);
+    Store(slot, ConfigField::kSignature, 0U, values.signature);
+    static_cast<void>(a_.Validate(slot));
+    static_cast<void>(b_.Validate(slot));
+}
+
+void FlipRig::Start()
+{
+    dictionary_.Fill(0U);
+    a_.Restart(config_);
+    b_.Restart(config_);
+    comparator_.Restart(ComparatorSetup{kDiscrepancyUs, kRigSlots});
+    for (SlotIndex slot = 0U; slot < kRigSlots; ++slot)
+    {
+        StoreSlot(slot);
+    }
+    Store(0U, ConfigField::kGfcParameter, 0U, 1U);
+    Store(0U, ConfigField::kConfigurationValid, 0U, kConfigurationValidValue);
+    dictionary_.Put(0x6210U, 1U, ObjectValue{0x12U, 0U});
+    dictionary_.Put(0x6210U, 2U, ObjectValue{0x34U, 0U});
+    dictionary_.Put(0x6211U, 1U, ObjectValue{0xEDU, 0U});
+    dictionary_.Put(0x6211U, 2U, ObjectValue{0xCBU, 0U});
+    nmt_ = NmtState::kPreOperational;
+    cycles_ = 0U;
+    acknowledge_ = 0U;
+    last_.is_valid = false;
+    before_.is_valid = false;
+    has_sent_normal_ = false;
+    is_device_safe_ = false;
+    is_granted_ = false;
+    Cycle(1000U);
+}
+
+void FlipRig::Enter()
+{
+    nmt_ = NmtState::kOperational;
+    Cycle(1000U);
+}
+
+void FlipRig::Leave()
+{
+    nmt_ = NmtState::kPreOperational;
+    Cycle(1000U);
+}
+
+void FlipRig::Acknowledge(bool level)
+{
+    acknowledge_ = level ? 7U : 0U;
+}
+
+void FlipRig::Cycle(std::uint32_t elapsed_us)
+{
+    clock_us_ += elapsed_us;
+    challenge_ = (challenge_ * 1664525U) + 1013904223U;
+    ++cycles_;
+    const std::uint32_t token = RotatedLeft(challenge_, 8U) ^ 0xA5A5A5A5U;
+    const CycleInput input{Instant{clock_us_}, challenge_, token, acknowledge_, nmt_, QueueState::kIntact};
+    const CycleOutcome outcome_a = a_.OnCycle(input);
+    const CycleOutcome outcome_b = b_.OnCycle(input);
+    verdict_ = comparator_.Compare(
+        Comparison{&outcome_a, &outcome_b, &a_, &b_, Instant{clock_us_}, cycles_, challenge_});
+    is_device_safe_ = is_device_safe_ || (verdict_.fault != DeviceFault::kNone);
+    for (SlotIndex slot = 0U; slot < kRigSlots; ++slot)
+    {
+        if (((verdict_.demote >> slot) & 1U) != 0U)
+        {
+            a_.Demote(slot);
+            b_.Demote(slot);
+        }
+    }
+    const Agreement agreement = is_device_safe_ ? Agreement{0U, 0U} : verdict_.agreement;
+    a_.Commit(agreement);
+    b_.Commit(agreement);
+    LookAtOutputs(a_.Answer(challenge_), b_.Answer(challenge_));
+}
+
+/// Granted is what both permits name, with the objects complements of each other, in a device that is not safe: that
+/// must be the data of the last valid pair, and not too old.
+void FlipRig::LookAtOutputs(const Permit& a, const Permit& b)
+{
+    is_granted_ = false;
+    const bool is_permitted = (a.mask == b.mask) && ((a.mask & 1U) != 0U) && (!is_device_safe_);
+    if (!is_permitted)
+    {
+        return;
+    }
+    const std::uint32_t normal = dictionary_.Get(0x6010U, 1U).low | (dictionary_.Get(0x6010U, 2U).low << 8U);
+    const std::uint32_t inverse = dictionary_.Get(0x6011U, 1U).low | (dictionary_.Get(0x6011U, 2U).low << 8U);
+    if ((normal ^ inverse) != kWord)
+    {
+        return; // The application's check of the pair finds it.
+    }
+    is_granted_ = true;
+    if (!IsLegitimate(normal))
+    {
+        complaint_ = "granted data " + std::to_string(normal) + ", last valid pair " + std::to_string(last_.data) + ", age " +
+                     std::to_string(clock_us_ - last_.normal_us) + " us";
+    }
+}
+
+bool FlipRig::IsLegitimate(std::uint32_t granted) const
+{
+    const bool is_last = last_.is_valid && (granted == last_.data) && ((clock_us_ - last_.normal_us) <= (kSctUs + kSrvtUs));
+    const bool is_before =
+        before_.is_valid && (granted == before_.data) && ((clock_us_ - before_.normal_us) <= (kSctUs + kSrvtUs));
+    return is_last || is_before;
+}
+
+void FlipRig::Feed(std::uint32_t identifier, std::uint32_t data)
+{
+    clock_us_ += kGapUs;
+    const CanFrame frame = FrameWith(identifier, data);
+    a_.OnFrame(frame, Instant{clock_us_});
+    b_.OnFrame(frame, Instant{clock_us_});
+}
+
+void FlipRig::Pair(std::uint32_t data, bool is_whole)
+{
+    Feed(0x111U, data);
+    pending_us_ = clock_us_;
+    if (is_whole)
+    {
+        InverseOf(data);
+    }
+}
+
+void FlipRig::InverseOf(std::uint32_t data)
+{
+    Feed(0x112U, data ^ kWord);
+    before_ = last_;
+    last_ = Sent{data, pending_us_, true};
+}
+
+void FlipRig::WrongPair(std::uint32_t data)
+{
+    Feed(0x111U, data);
+    Feed(0x112U, data ^ kWord ^ 0x0100U);
+    last_.is_valid = false;
+    before_.is_valid = false;
+}
+
+// ---- producer
+
+void FlipRig::Request()
+{
+    a_.Request(kProducerSlot);
+    b_.Request(kProducerSlot);
+}
+
+void FlipRig::Launch()
+{
+    if (((verdict_.start >> kProducerSlot) & 1U) == 0U)
+    {
+        return;
+    }
+    const PreparedPair pair_a = a_.Prepare(kProducerSlot);
+    const PreparedPair pair_b = b_.Prepare(kProducerSlot);
+    if (Comparator::ComparePrepared(pair_a, pair_b) != DeviceFault::kNone)
+    {
+        is_device_safe_ = true;
+        return;
+    }
+    a_.Launch(kProducerSlot);
+    b_.Launch(kProducerSlot);
+}
+
+void FlipRig::Confirm(const CanFrame& frame)
+{
+    clock_us_ += kGapUs;
+    static_cast<void>(a_.OnConfirm(frame, Instant{clock_us_}));
+    static_cast<void>(b_.OnConfirm(frame, Instant{clock_us_}));
+}
+
+void FlipRig::SendNormal()
+{
+    const CanFrame frame = a_.NextFrame(kProducerSlot);
+    has_sent_normal_ = (frame.kind == FrameKind::kData) && (frame.identifier == 0x101U) && (!is_device_safe_);
+    sent_normal_ = DataOf(frame);
+    if (has_sent_normal_)
+    {
+        Confirm(frame);
+    }
+}
+
+/// A valid pair on the bus must carry what the application wrote.
+void FlipRig::SendInverse()
+{
+    const CanFrame frame = b_.NextFrame(kProducerSlot);
+    if ((frame.kind != FrameKind::kData) || is_device_safe_)
+    {
+        return;
+    }
+    const bool is_pair = has_sent_normal_ && (frame.identifier == 0x102U) && (frame.length_bytes == 2U) &&
+                         ((sent_normal_ ^ DataOf(frame)) == kWord);
+    if (is_pair && (sent_normal_ != kApplicationData))
+    {
+        complaint_ = "sent a valid pair with data " + std::to_string(sent_normal_) + ", which nobody wrote";
+    }
+    Confirm(frame);
+}
+
+void FlipRig::Recheck()
+{
+    for (SlotIndex slot = 0U; slot < kRigSlots; ++slot)
+    {
+        static_cast<void>(a_.Recheck(slot));
+        static_cast<void>(b_.Recheck(slot));
+    }
+}
+
+// ---- what the tests look at
+
+SrdoState FlipRig::StateOf(Party party) const
+{
+    return (party == Party::kA) ? a_.View(kConsumerSlot).state : b_.View(kConsumerSlot).state;
+}
+
+std::uint8_t* FlipRig::Bytes(Party party)
+{
+    // The storage is plain data of ours; a flipped bit is a change of its bytes, whatever their type.
+    return (party == Party::kA) ? reinterpret_cast<std::uint8_t*>(&storage_a_) : reinterpret_cast<std::uint8_t*>(&storage_b_);
+}
+
+std::size_t FlipRig::ByteCount(Party party)
+{
+    return (party == Party::kA) ? sizeof(storage_a_) : sizeof(storage_b_);
+}
+
+const Complaint& FlipRig::Complaints() const
+{
+    return complaint_;
+}
+
+bool FlipRig::IsGranted() const
+{
+    return is_granted_;
+}
+
+} // namespace counterpoint::conformance

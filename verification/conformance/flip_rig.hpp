@@ -1,0 +1,116 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_CONFORMANCE_FLIP_RIG_HPP
+#define VERIFICATION_CONFORMANCE_FLIP_RIG_HPP
+
+#include "channel_a/channel.hpp"
+#include "channel_a/storage.hpp"
+#include "channel_b/channel.hpp"
+#include "channel_b/storage.hpp"
+#include "safety_core/comparator/comparator.hpp"
+#include "verification/conformance/device.hpp"
+#include "verification/conformance/dictionary.hpp"
+#include "verification/conformance/step.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+/// Both channels of a small device with the comparator, for flipping bits in a channel's storage from outside. Host only.
+namespace counterpoint::conformance
+{
+
+constexpr std::uint8_t kRigSlots = 3U; ///< Consumer gold, producer of two bytes, one that is off.
+
+/// What a run with a flipped bit did wrong; empty if nothing.
+using Complaint = std::string;
+
+class FlipRig
+{
+  public:
+    explicit FlipRig(ReleasePolicy policy);
+
+    /// @brief Power-on and the whole configuration; NMT state PRE-OPERATIONAL.
+    void Start();
+    void Enter();
+    void Leave();
+    /// @brief Both channels, comparator, Commit, permits; whatever is granted is looked at.
+    void Cycle(std::uint32_t elapsed_us);
+    void Acknowledge(bool level);
+    /// @brief A valid pair, its second half only if `is_whole`.
+    void Pair(std::uint32_t data, bool is_whole);
+    void InverseOf(std::uint32_t data);
+    void WrongPair(std::uint32_t data);
+    void Request();
+    /// @brief Prepare and Launch of the producer, without frames.
+    void Launch();
+    /// @brief Takes what A has to send, confirms it; then B's.
+    void SendNormal();
+    void SendInverse();
+    void Recheck();
+
+    [[nodiscard]] SrdoState StateOf(Party party) const;
+    /// @brief Bytes of the storage of one channel, flipped from outside.
+    [[nodiscard]] std::uint8_t* Bytes(Party party);
+    [[nodiscard]] static std::size_t ByteCount(Party party);
+    [[nodiscard]] const Complaint& Complaints() const;
+    [[nodiscard]] bool IsGranted() const;
+
+  private:
+    void Store(SlotIndex slot, ConfigField field, std::uint8_t sub, std::uint32_t value);
+    void StoreSlot(SlotIndex slot);
+    [[nodiscard]] bool IsLegitimate(std::uint32_t granted) const;
+    void LookAtOutputs(const Permit& a, const Permit& b);
+    void Feed(std::uint32_t identifier, std::uint32_t data);
+    void Confirm(const CanFrame& frame);
+
+    SrdoSetup setups_[kRigSlots]{};
+    DeviceConfig config_{};
+    Dictionary dictionary_{};
+    channel_a::StorageFor<kRigSlots> storage_a_{};
+    channel_b::StorageFor<kRigSlots> storage_b_{};
+    channel_a::Channel a_;
+    channel_b::Channel b_;
+    Comparator comparator_{};
+    Verdict verdict_{};
+    Complaint complaint_{};
+    NmtState nmt_{NmtState::kPreOperational};
+    std::uint32_t clock_us_{0U};
+    std::uint32_t challenge_{1U};
+    std::uint32_t cycles_{0U};
+    /// A valid pair on the bus, by the moment of its normal frame.
+    struct Sent
+    {
+        std::uint32_t data;
+        std::uint32_t normal_us;
+        bool is_valid;
+    };
+
+    Sent last_{0U, 0U, false};
+    Sent before_{0U, 0U, false}; ///< The pair before: it stays in place while a newer one is not matched.
+    std::uint32_t pending_us_{0U};
+    std::uint32_t sent_normal_{0U};
+    SrdoMask acknowledge_{0U};
+    bool has_sent_normal_{false};
+    bool is_device_safe_{false};
+    bool is_granted_{false};
+};
+
+/// Phases of operation in which a bit is flipped.
+constexpr std::uint32_t kPhaseCount = 12U;
+
+/// What was found over all bits of the storage of `party` in one phase: the complaints, and how many runs granted something
+/// after the flip (so that a rig that grants nothing does not pass as safe).
+struct FlipResult
+{
+    std::uint32_t runs;
+    std::uint32_t granted;
+    std::uint32_t complaints;
+    Complaint first;
+};
+
+/// @brief Flips every single bit of the storage of `party`, one run each, in the given phase.
+[[nodiscard]] FlipResult FlipEveryBit(Party party, ReleasePolicy policy, std::uint32_t phase);
+
+} // namespace counterpoint::conformance
+
+#endif

@@ -1,0 +1,100 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_CONFORMANCE_FORWARDING_HPP
+#define VERIFICATION_CONFORMANCE_FORWARDING_HPP
+
+#include "safety_core/contract/channel.hpp"
+
+namespace counterpoint::conformance
+{
+
+/// A channel that passes everything on to another; tests of the machinery override what shall go wrong.
+class Forwarding : public Channel
+{
+  public:
+    explicit Forwarding(Channel& inner) noexcept : inner_{inner}
+    {
+    }
+
+    void Restart(const DeviceConfig& config) noexcept override
+    {
+        inner_.Restart(config);
+    }
+    void Store(const ConfigItem& item) noexcept override
+    {
+        inner_.Store(item);
+    }
+    [[nodiscard]] ConfigItem Load(const ConfigAddress& address) const noexcept override
+    {
+        return inner_.Load(address);
+    }
+    [[nodiscard]] CheckResult Validate(SlotIndex slot) noexcept override
+    {
+        return inner_.Validate(slot);
+    }
+    [[nodiscard]] CheckResult Recheck(SlotIndex slot) noexcept override
+    {
+        return inner_.Recheck(slot);
+    }
+    void OnFrame(const CanFrame& frame, Instant stamp) noexcept override
+    {
+        inner_.OnFrame(frame, stamp);
+    }
+    [[nodiscard]] CycleOutcome OnCycle(const CycleInput& input) noexcept override
+    {
+        return inner_.OnCycle(input);
+    }
+    [[nodiscard]] SrdoView View(SlotIndex slot) const noexcept override
+    {
+        return inner_.View(slot);
+    }
+    void Demote(SlotIndex slot) noexcept override
+    {
+        inner_.Demote(slot);
+    }
+    void Commit(const Agreement& agreement) noexcept override
+    {
+        inner_.Commit(agreement);
+    }
+    [[nodiscard]] Permit Answer(std::uint32_t challenge) const noexcept override
+    {
+        return inner_.Answer(challenge);
+    }
+    void Request(SlotIndex slot) noexcept override
+    {
+        inner_.Request(slot);
+    }
+    void Hold(SlotIndex slot) noexcept override
+    {
+        inner_.Hold(slot);
+    }
+    [[nodiscard]] PreparedPair Prepare(SlotIndex slot) noexcept override
+    {
+        return inner_.Prepare(slot);
+    }
+    void Launch(SlotIndex slot) noexcept override
+    {
+        inner_.Launch(slot);
+    }
+    [[nodiscard]] CanFrame NextFrame(SlotIndex slot) noexcept override
+    {
+        return inner_.NextFrame(slot);
+    }
+    [[nodiscard]] SlotIndex OnConfirm(const CanFrame& frame, Instant stamp) noexcept override
+    {
+        return inner_.OnConfirm(frame, stamp);
+    }
+    void OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept override
+    {
+        inner_.OnTransmitFault(slot, cause);
+    }
+
+  protected:
+    ~Forwarding() noexcept = default;
+
+  private:
+    Channel& inner_;
+};
+
+} // namespace counterpoint::conformance
+
+#endif

@@ -1,0 +1,233 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+//
+// The conformance machinery itself: it counts, names what failed, and sees what a channel does otherwise.
+#include "verification/conformance/cases.hpp"
+#include "verification/conformance/flip_rig.hpp"
+#include "verification/conformance/forwarding.hpp"
+#include "verification/conformance/runner.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <set>
+#include <string>
+
+namespace counterpoint::conformance
+{
+namespace
+{
+
+class Listener final : public Reporter
+{
+  public:
+    void OnFailure(const Failure& failure) noexcept override
+    {
+        ++count;
+        if (count == 1U)
+        {
+            first = failure;
+        }
+    }
+
+    Failure first{};
+    std::uint32_t count{0U};
+};
+
+/// Takes one microsecond more than SCT and SRVT allow: it shows every stamp of a frame to be a microsecond earlier.
+class Generous final : public Forwarding
+{
+  public:
+    using Forwarding::Forwarding;
+
+    void OnFrame(const CanFrame& frame, Instant stamp) noexcept override
+    {
+        const bool is_inverse = (frame.identifier & 1U) == 0U;
+        Forwarding::OnFrame(frame, Instant{stamp.us - (is_inverse ? 1U : 0U)});
+    }
+};
+
+/// Treats time as if it never wrapped.
+class Unwrapped final : public Forwarding
+{
+  public:
+    using Forwarding::Forwarding;
+
+    void OnFrame(const CanFrame& frame, Instant stamp) noexcept override
+    {
+        Forwarding::OnFrame(frame, Instant{(stamp.us < 0x10000000U) ? (stamp.us + 7U) : stamp.us});
+    }
+};
+
+struct Parts
+{
+    channel_a::StorageFor<kMaxSrdoCount> storage{};
+    channel_a::Channel channel{storage.Handle()};
+    Listener listener{};
+};
+
+std::uint32_t CaseCount()
+{
+    std::uint32_t count = 0U;
+    for (std::uint32_t table = 0U; table < kTableCount; ++table)
+    {
+        count += kAllTables[table]->count;
+    }
+    return count;
+}
+
+const Case& Find(const std::string& name)
+{
+    for (std::uint32_t table = 0U; table < kTableCount; ++table)
+    {
+        for (std::uint32_t i = 0U; i < kAllTables[table]->count; ++i)
+        {
+            if (name == kAllTables[table]->cases[i].name)
+            {
+                return kAllTables[table]->cases[i];
+            }
+        }
+    }
+    ADD_FAILURE() << "no case " << name;
+    return kAllTables[0]->cases[0];
+}
+
+TEST(ConformanceRun, CountsEveryCaseAtEveryOriginAndRepeatsItsHash)
+{
+    Verifies(req::SRS_CNF_002);
+    Verifies(req::SRS_CNF_004);
+    // Given channel A
+    const auto parts = std::make_unique<Parts>();
+    const auto first = std::make_unique<Runner>(parts->channel, Party::kA, parts->listener);
+    const auto second = std::make_unique<Runner>(parts->channel, Party::kA, parts->listener);
+    // When the whole table runs twice
+    const RunResult one = RunConformance(*first);
+    const RunResult two = RunConformance(*second);
+    // Then every case ran at three origins, without a failure, with the same hash
+    EXPECT_EQ(one.cases, 3U * CaseCount());
+    EXPECT_GT(one.cases, 900U);
+    EXPECT_EQ(one.failures, 0U);
+    EXPECT_EQ(one.hash, two.hash);
+}
+
+TEST(ConformanceRun, HashSeesWhatNoExpectationNames)
+{
+    Verifies(req::SRS_CNF_002);
+    // Given a case, once as it is and once without its expectations on masks
+    const auto parts = std::make_unique<Parts>();
+    const Case& whole = Find("PairIsTakenAndReleased");
+    const auto runner = std::make_unique<Runner>(parts->channel, Party::kA, parts->listener);
+    ASSERT_TRUE(runner->Run(whole, 0U));
+    // When a channel behaves otherwise in a way that this case does not check
+    class Noisy final : public Forwarding
+    {
+      public:
+        using Forwarding::Forwarding;
+        [[nodiscard]] CycleOutcome OnCycle(const CycleInput& input) noexcept override
+        {
+            CycleOutcome outcome = Forwarding::OnCycle(input);
+            outcome.due |= SrdoMask{1U} << 40U;
+            return outcome;
+        }
+    };
+    Noisy noisy{parts->channel};
+    const auto other = std::make_unique<Runner>(noisy, Party::kA, parts->listener);
+    // Then the case still passes, but the hash differs
+    EXPECT_TRUE(other->Run(whole, 0U));
+    EXPECT_NE(runner->HashValue(), other->HashValue());
+}
+
+TEST(ConformanceRun, NamesTheFailedExpectation)
+{
+    Verifies(req::SRS_CNF_003);
+    // Given a channel that allows a microsecond too much
+    const auto parts = std::make_unique<Parts>();
+    Generous generous{parts->channel};
+    const auto runner = std::make_unique<Runner>(generous, Party::kA, parts->listener);
+    // When SRVT is over by one microsecond
+    EXPECT_FALSE(runner->Run(Find("SrvtOneMicrosecondOver"), 0U));
+    // Then the first failure is the state of the slot in step 5
+    EXPECT_STREQ(parts->listener.first.case_name, "SrvtOneMicrosecondOver");
+    EXPECT_STREQ(parts->listener.first.field, "state");
+    EXPECT_EQ(parts->listener.first.step, 5U);
+    EXPECT_EQ(parts->listener.first.expected, 0x48U);
+    EXPECT_EQ(parts->listener.first.got, 0x24U);
+}
+
+TEST(ConformanceRun, OneCaseIsOneFailure)
+{
+    Verifies(req::SRS_CNF_003);
+    const auto parts = std::make_unique<Parts>();
+    Generous generous{parts->channel};
+    const auto runner = std::make_unique<Runner>(generous, Party::kA, parts->listener);
+    const RunResult result = RunConformance(*runner);
+    EXPECT_GT(result.failures, 0U);
+    EXPECT_LT(result.failures, parts->listener.count);
+}
+
+TEST(ConformanceRun, OriginsFindTimeThatDoesNotWrap)
+{
+    Verifies(req::SRS_CNF_004);
+    // Given a channel that sees stamps otherwise once the counter has wrapped
+    const auto parts = std::make_unique<Parts>();
+    Unwrapped unwrapped{parts->channel};
+    const auto runner = std::make_unique<Runner>(unwrapped, Party::kA, parts->listener);
+    // Then the same case passes where all stamps are alike, and fails across the wrap
+    const Case& on_limit = Find("SctOnTheLimitAtNormalFrame");
+    EXPECT_TRUE(runner->Run(on_limit, kOrigins[2]));
+    EXPECT_FALSE(runner->Run(on_limit, kOrigins[1]));
+}
+
+TEST(ConformanceTable, NamesAreUniqueAndEveryCaseNamesARequirement)
+{
+    Verifies(req::SRS_CNF_001);
+    std::set<std::string> names;
+    for (std::uint32_t table = 0U; table < kTableCount; ++table)
+    {
+        for (std::uint32_t i = 0U; i < kAllTables[table]->count; ++i)
+        {
+            const Case& test = kAllTables[table]->cases[i];
+            EXPECT_TRUE(names.insert(test.name).second) << test.name;
+            EXPECT_NE(test.requirements[0].text, nullptr) << test.name;
+            EXPECT_GE(test.step_count, 2U) << test.name;
+        }
+    }
+}
+
+TEST(ConformanceTable, HoldsTheVectorsAndTheKnownDefects)
+{
+    Verifies(req::SRS_CNF_006);
+    Verifies(req::SRS_CNF_007);
+    for (const char* const name :
+         {"VectorGold", "VectorA", "VectorB", "VectorC", "VectorD", "VectorE", "VectorF", "NegativeVectorsOfGold",
+          "T2_SrvtAboveSct", "T3_DuplicateNormalFrame", "T4_InverseFrameFirstIsSilent", "T5_LatchedUntilNmt",
+          "T6_ShortFrameLatched", "T7_SctMaskedByALateCall", "T8_LastValueAfterATimeOut", "T9_DummyMappingHalfAccepted",
+          "T10_OnlyTotalsCompared", "T11_SameObjectNormalAndInverse", "T12_RefreshDrifts", "T13_OneFullQueueLatches",
+          "T14_CorruptionInOperational", "T15_Direction3", "T19_SrvtMaskedByALateCall", "Ovf_MapCountAboveTheMemory"})
+    {
+        EXPECT_STREQ(Find(name).name, name);
+    }
+}
+
+TEST(FlipRig, ComplainsAboutDataThatNobodySent)
+{
+    Verifies(req::SRS_CNF_030);
+    // Given a pair that both channels hold
+    FlipRig rig{ReleasePolicy::kAutomatic};
+    rig.Start();
+    rig.Enter();
+    rig.Pair(0x1111U, true);
+    rig.Cycle(1000U);
+    EXPECT_TRUE(rig.IsGranted());
+    EXPECT_TRUE(rig.Complaints().empty());
+    // When the rig is told that another pair was valid, while both channels still grant the first
+    rig.WrongPair(0x2222U);
+    rig.InverseOf(0x3333U);
+    // Then nothing is granted, since both found the fault
+    rig.Cycle(1000U);
+    EXPECT_FALSE(rig.IsGranted());
+    EXPECT_TRUE(rig.Complaints().empty());
+}
+
+} // namespace
+} // namespace counterpoint::conformance
