@@ -82,16 +82,23 @@ std::optional<BitPlace> FindConfigBit(const Letter letter, const DeviceConfig& c
 {
     const std::unique_ptr<ChannelHost> trial = MakeChannel(letter, config.srdo_count);
     trial->Voice().Restart(config);
-    // Two values that differ in the wanted bit alone; what else a Store changes is the same both times.
+    // What changes when the value does is looked at bit by bit: the one whose flip alone changes the value is it, and not a
+    // check sum beside it.
+    const std::uint32_t wanted = std::uint32_t{1U} << bit;
+    trial->Voice().Store({address, wanted});
+    const std::vector<std::uint8_t> set(trial->Bytes(), trial->Bytes() + trial->Size());
     trial->Voice().Store({address, 0U});
-    const std::vector<std::uint8_t> before(trial->Bytes(), trial->Bytes() + trial->Size());
-    trial->Voice().Store({address, std::uint32_t{1U} << bit});
-    for (std::size_t offset = 0U; offset < before.size(); ++offset)
+    for (std::size_t offset = 0U; offset < set.size(); ++offset)
     {
-        const unsigned difference = static_cast<unsigned>(before[offset]) ^ static_cast<unsigned>(trial->Bytes()[offset]);
+        std::uint8_t& byte = trial->Bytes()[offset];
+        const std::uint8_t kept = byte;
         for (std::uint8_t place = 0U; place < 8U; ++place)
         {
-            if (difference == (1U << place))
+            const bool differs = (((set[offset] ^ kept) >> place) & 1U) != 0U;
+            byte = static_cast<std::uint8_t>(kept ^ (1U << place));
+            const bool is_it = differs && trial->Voice().Load(address).value == wanted;
+            byte = kept;
+            if (is_it)
             {
                 return BitPlace{offset, place};
             }

@@ -33,7 +33,7 @@ Place PlaceOf(const YAML::Mark& mark)
 class TreeBuilder : public YAML::EventHandler
 {
   public:
-    explicit TreeBuilder(const std::string& file) : file_(file)
+    TreeBuilder(const std::string& file, const std::string& text) : file_(file), text_(text)
     {
     }
 
@@ -63,6 +63,7 @@ class TreeBuilder : public YAML::EventHandler
         YamlNode& node = Begin(mark, YamlKind::kScalar, tag);
         node.scalar = value;
         node.is_quoted = tag == "!";
+        RequireClosed(mark, node.place);
         End();
     }
     void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, const YAML::anchor_t anchor,
@@ -129,7 +130,28 @@ class TreeBuilder : public YAML::EventHandler
         stack_.back().items.push_back(std::move(node));
     }
 
+    /// The library takes the end of the file for the end of a quoted text.
+    void RequireClosed(const YAML::Mark& mark, const Place place) const
+    {
+        const auto begin = static_cast<std::size_t>(mark.pos);
+        const char quote = (begin < text_.size()) ? text_[begin] : ' ';
+        if (quote != '"' && quote != '\'')
+        {
+            return;
+        }
+        std::size_t at = begin + 1U;
+        while (at < text_.size() && text_[at] != quote)
+        {
+            at += (quote == '"' && text_[at] == '\\') ? 2U : 1U;
+        }
+        if (at >= text_.size())
+        {
+            throw ScenarioError(file_, place, "quoted text without an end", std::string("a closing ") + quote);
+        }
+    }
+
     const std::string& file_;
+    const std::string& text_;
     std::vector<YamlNode> stack_;
     YamlNode root_;
     std::size_t count_{0U};
@@ -248,7 +270,7 @@ std::string ReadScenarioText(const std::string& file)
 YamlNode ParseYaml(const std::string& file, const std::string& text)
 {
     std::istringstream stream(text);
-    TreeBuilder builder(file);
+    TreeBuilder builder(file, text);
     try
     {
         YAML::Parser parser(stream);

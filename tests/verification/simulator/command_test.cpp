@@ -1,0 +1,155 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/integration/scenario_run.hpp"
+#include "tools/command_line.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace counterpoint::tools
+{
+namespace
+{
+struct Answer
+{
+    ExitStatus status;
+    std::string out;
+    std::string err;
+};
+
+Answer Tool(const std::vector<std::string>& arguments)
+{
+    std::ostringstream out;
+    std::ostringstream err;
+    const ExitStatus status = RunCommandLine(arguments, {out, err});
+    return {status, out.str(), err.str()};
+}
+
+std::string Content(const std::string& file)
+{
+    std::ostringstream content;
+    content << std::ifstream(file, std::ios::binary).rdbuf();
+    return content.str();
+}
+
+TEST(SimulateCommand, EndsWithZeroOneOrTwo)
+{
+    Verifies(req::SRS_SIM_044);
+    // All hold
+    const Answer good = Tool({"simulate", simulator::Examples() + "00_no_fault.yaml"});
+    EXPECT_EQ(good.status, ExitStatus::kHolds) << good.out;
+    EXPECT_NE(good.out.find("7 of 7 expectations hold"), std::string::npos);
+    // One does not
+    const std::string failing = simulator::TextFile("extends: " + simulator::Examples() +
+                                                    "chain.yaml\nexpect:\n  - {that: safe, node: actuator, srdo: 1, at: 900 ms}\n");
+    const Answer bad = Tool({"simulate", failing, "--quiet"});
+    EXPECT_EQ(bad.status, ExitStatus::kDoesNotHold);
+    EXPECT_EQ(bad.out, "  FAILED  actuator SRDO 1 safe at 900 ms: released\n0 of 1 expectations hold\n");
+    // Bad input: one line
+    const Answer lost = Tool({"simulate", "/nonexistent.yaml"});
+    EXPECT_EQ(lost.status, ExitStatus::kBadInput);
+    EXPECT_EQ(lost.err, "/nonexistent.yaml: no such file, expected a scenario\n");
+    EXPECT_EQ(lost.out, "");
+    EXPECT_EQ(Tool({"simulate"}).status, ExitStatus::kBadInput);
+    EXPECT_EQ(Tool({"simulate", failing, "--seed", "x"}).status, ExitStatus::kBadInput);
+    const Answer until = Tool({"simulate", failing, "--until", "20"});
+    EXPECT_EQ(until.status, ExitStatus::kBadInput);
+    EXPECT_EQ(until.err.substr(0U, 25U), "--until: '20', expected a");
+}
+
+TEST(SimulateCommand, WritesAllReportsAndSaysWhereItCannot)
+{
+    Verifies(req::SRS_SIM_041);
+    Verifies(req::SRS_SIM_042);
+    Verifies(req::SRS_SIM_043);
+    Verifies(req::SRS_SIM_045);
+    const std::string base = ::testing::TempDir() + "counterpoint_reports";
+    const Answer answer = Tool({"simulate", simulator::Examples() + "03_corruption.yaml", "--quiet", "--html", base + ".html",
+                                "--json", base + ".json", "--candump", base + ".log"});
+    EXPECT_EQ(answer.status, ExitStatus::kHolds) << answer.out << answer.err;
+    EXPECT_EQ(Content(base + ".html").substr(0U, 15U), "<!DOCTYPE html>");
+    EXPECT_EQ(Content(base + ".json").substr(0U, 1U), "{");
+    EXPECT_EQ(Content(base + ".log").substr(0U, 1U), "(");
+    const Answer lost = Tool({"simulate", simulator::Examples() + "03_corruption.yaml", "--quiet", "--json", "/nonexistent/x.json"});
+    EXPECT_EQ(lost.status, ExitStatus::kBadInput);
+    EXPECT_NE(lost.err.find("/nonexistent/x.json"), std::string::npos);
+}
+
+TEST(SimulateCommand, SeedAndUntilReplaceThoseOfTheScenario)
+{
+    Verifies(req::SRS_SIM_003);
+    const std::string file = simulator::TextFile(
+        "extends: " + simulator::Examples() +
+        "chain.yaml\nfaults:\n  - {fault: loss, frames: {receiver: actuator, count: 1000, probability_ppm: 300000}}\n");
+    const Answer one = Tool({"simulate", file, "--seed", "5", "--until", "300ms"});
+    const Answer again = Tool({"simulate", file, "--seed", "5", "--until", "300ms"});
+    const Answer other = Tool({"simulate", file, "--seed", "6", "--until", "300ms"});
+    EXPECT_EQ(one.out, again.out);
+    EXPECT_NE(one.out, other.out);
+    EXPECT_EQ(one.out.find(" 301."), std::string::npos);
+}
+
+TEST(SimulateCommand, ExplainsTheFormat)
+{
+    Verifies(req::SRS_SIM_047);
+    const Answer answer = Tool({"simulate", "--explain"});
+    EXPECT_EQ(answer.status, ExitStatus::kHolds);
+    EXPECT_EQ(answer.out, Content(std::string(COUNTERPOINT_SOURCE_FOLDER) + "/docs/scenario.md"));
+}
+
+TEST(DemoCommand, ShowsEveryRunWithItsLimitAndWritesThePage)
+{
+    Verifies(req::SRS_DEMO_001);
+    Verifies(req::SRS_DEMO_002);
+    Verifies(req::SRS_DEMO_003);
+    Verifies(req::SRS_DEMO_004);
+    const std::string folder = ::testing::TempDir() + "counterpoint_demo";
+    std::filesystem::remove_all(folder);
+    const auto start = std::chrono::steady_clock::now();
+    // When the demonstration runs on the shipped scenarios
+    const Answer answer = Tool({"demo", "--scenarios", simulator::Examples(), "--html", folder});
+    const auto took = std::chrono::steady_clock::now() - start;
+    // Then every row is in time, the page is there and is named, and nobody had to wait
+    EXPECT_EQ(answer.status, ExitStatus::kHolds) << answer.out << answer.err;
+    EXPECT_NE(answer.out.find("22 of 22 runs as expected"), std::string::npos) << answer.out;
+    EXPECT_NE(answer.out.find("Timing diagrams: " + folder + "/index.html"), std::string::npos) << answer.out;
+    EXPECT_TRUE(std::filesystem::exists(folder + "/index.html"));
+    EXPECT_LT(took, std::chrono::seconds(10));
+}
+
+TEST(DemoCommand, FailsWhenARunFails)
+{
+    Verifies(req::SRS_DEMO_002);
+    // Given a folder with one scenario whose expectation does not come
+    const std::string folder = ::testing::TempDir() + "counterpoint_demo_failing";
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder + "/01_bad.yaml") << "extends: " << simulator::Examples() << R"(chain.yaml
+title: Loss that is not noticed
+faults:
+  - {fault: loss, frames: {identifier: 0x7FF}}
+expect:
+  - {that: safe_within, node: actuator, srdo: 1}
+)";
+    const Answer answer = Tool({"demo", "--scenarios", folder, "--html", folder + "/page.html"});
+    EXPECT_EQ(answer.status, ExitStatus::kDoesNotHold);
+    EXPECT_NE(answer.out.find("the fault never had an effect"), std::string::npos) << answer.out;
+    // and one without scenarios
+    const Answer none = Tool({"demo", "--scenarios", "/nonexistent"});
+    EXPECT_EQ(none.status, ExitStatus::kBadInput);
+    EXPECT_NE(none.err.find("no scenarios"), std::string::npos);
+}
+
+TEST(DemoCommand, ListsItsScenarios)
+{
+    Verifies(req::SRS_DEMO_001);
+    const Answer answer = Tool({"demo", "--scenarios", simulator::Examples(), "--list"});
+    EXPECT_EQ(answer.status, ExitStatus::kHolds);
+    EXPECT_NE(answer.out.find("Corruption of one bit"), std::string::npos);
+    EXPECT_EQ(answer.out.find("Long run"), std::string::npos);
+}
+} // namespace
+} // namespace counterpoint::tools
