@@ -11,6 +11,10 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from common import run_gate  # noqa: E402
 from objects import demangle, room_objects, symbols  # noqa: E402
 
+# Not optimised, each channel has the constructor of the interface, which the language demands: it sets the pointer to the
+# virtual table and nothing else. In what ships it must be gone as well.
+OF_THE_LANGUAGE = {"_ZN12counterpoint7ChannelC1Ev", "_ZN12counterpoint7ChannelC2Ev"}
+
 
 def code_of(data, folder, room):
     found = {}
@@ -27,7 +31,7 @@ def gate(_root, data):
         a, b = code_of(data, folder, "channel_a"), code_of(data, folder, "channel_b")
         counts.append(f"{folder}: {len(a)} functions of channel A, {len(b)} of channel B")
         for name in sorted(set(a) & set(b)):
-            if folder == "objects" or "12counterpoint" in name:
+            if folder == "objects" or ("12counterpoint" in name and name not in OF_THE_LANGUAGE):
                 findings.append(f"{folder}/channel_a/{a[name].path.name}: both channels define {demangle(name)} "
                                 f"({a[name].binding.lower()}), expected no shared code")
         if not a or not b:

@@ -11,9 +11,10 @@ from common import cpp_files, read, run_gate  # noqa: E402
 FOLDERS = ["safety_core", "channel_a", "channel_b", "hal/api", "hal/absent"]
 MARKER = re.compile(r"MISRA (D-\d{3})")
 # Not faults: headers of the compiler, advice on style. unreadVariable takes a write through an overloaded operator[] for a
-# write to a local; clang-analyzer-deadcode looks for the same and sees through it.
+# write to a local; clang-analyzer-deadcode looks for the same and sees through it. AssignmentAddressToInteger takes the
+# operator of `T{a} & T{b}` for an address; a real one does not compile.
 LEFT_OUT = ["missingInclude", "missingIncludeSystem", "unmatchedSuppression", "unusedStructMember", "useStlAlgorithm",
-            "functionStatic", "functionConst", "unreadVariable"]
+            "functionStatic", "functionConst", "unreadVariable", "AssignmentAddressToInteger"]
 
 
 def gate(root, _data):
