@@ -37,6 +37,20 @@ TEST_P(ChannelAFlipped, InterlockGrantsNothingWrong)
     EXPECT_EQ(result.granted, result.runs);
 }
 
+TEST_P(ChannelAFlipped, FilledMemoryGrantsNothing)
+{
+    Verifies(req::SRS_CONS_024);
+    Verifies(req::SRS_CNF_030);
+    static constexpr std::uint8_t kFills[] = {0x00U, 0xFFU, 0x5AU, 0xA5U, 0xA6U};
+    for (const std::uint8_t fill : kFills)
+    {
+        const conformance::FlipResult result =
+            conformance::FillStorage(conformance::Party::kA, ReleasePolicy::kAutomatic, GetParam(), fill);
+        EXPECT_EQ(result.complaints, 0U) << result.first;
+        EXPECT_EQ(result.granted, result.runs);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Phases, ChannelAFlipped, ::testing::Range(0U, conformance::kPhaseCount));
 
 } // namespace

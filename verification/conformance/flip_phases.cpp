@@ -10,6 +10,7 @@ namespace
 {
 constexpr std::uint32_t kCycleUs = 1000U;
 constexpr std::uint32_t kPastLimitsUs = 80000U;
+constexpr std::uint32_t kCorruptionCount = 10U; ///< Of one byte: eight bits, zero, all ones.
 
 void Released(FlipRig& rig)
 {
@@ -77,6 +78,12 @@ void Reach(FlipRig& rig, std::uint32_t phase)
         rig.Launch();
         rig.SendNormal();
         break;
+    case 11U: // Prepared, not launched.
+        Released(rig);
+        rig.Request();
+        rig.Cycle(2U * kCycleUs);
+        rig.Prepare();
+        break;
     default: // A newer pair, not yet written.
         Released(rig);
         rig.Pair(0x7777U, true);
@@ -87,6 +94,7 @@ void Reach(FlipRig& rig, std::uint32_t phase)
 /// What comes after the flip: everything that may happen to a device.
 void GoOn(FlipRig& rig, std::uint32_t phase)
 {
+    rig.LaunchPrepared();
     rig.SendNormal();
     rig.SendInverse();
     if ((phase == 2U) || (phase == 7U))
@@ -127,18 +135,26 @@ bool IsSafe(SrdoState state)
     return state != SrdoState::kReleased;
 }
 
-/// One run with one flipped bit. Returns what was wrong.
-Complaint RunFlip(FlipRig& rig, Party party, std::uint32_t phase, std::size_t byte, std::uint32_t bit)
+/// What a byte becomes: with each bit flipped alone, zeroed, or all ones.
+std::uint8_t Corrupted(std::uint8_t byte, std::uint32_t kind)
 {
-    Reach(rig, phase);
-    std::uint8_t& flipped = rig.Bytes(party)[byte];
-    flipped = static_cast<std::uint8_t>(flipped ^ (1U << bit));
+    if (kind < 8U)
+    {
+        return static_cast<std::uint8_t>(byte ^ (1U << kind));
+    }
+    return (kind == 8U) ? std::uint8_t{0U} : std::uint8_t{0xFFU};
+}
+
+/// After the corruption. Returns what was wrong.
+Complaint Finish(FlipRig& rig, Party party, std::uint32_t phase)
+{
+    const bool was_safe = IsSafe(rig.StateOf(party));
     if (phase <= kLastSafePhase)
     {
         rig.Cycle(kCycleUs);
-        if (!IsSafe(rig.StateOf(party)))
+        if (!(was_safe && IsSafe(rig.StateOf(party))))
         {
-            return "released by a flipped bit alone";
+            return "released by corruption alone";
         }
     }
     GoOn(rig, phase);
@@ -149,11 +165,20 @@ Complaint RunFlip(FlipRig& rig, Party party, std::uint32_t phase, std::size_t by
     }
     // Restart heals: with everything stored anew the device works as on the first day.
     Reach(rig, 6U);
-    if (!rig.IsGranted())
+    return rig.IsGranted() ? Complaint{} : Complaint{"nothing is granted after Restart"};
+}
+
+void Note(FlipResult& result, const FlipRig& rig, const Complaint& complaint, std::size_t byte, std::uint32_t kind)
+{
+    result.runs += 1U;
+    result.granted += rig.IsGranted() ? 1U : 0U;
+    if (!complaint.empty())
     {
-        return "nothing is granted after Restart";
+        result.complaints += 1U;
+        result.first = result.first.empty()
+                           ? ("byte " + std::to_string(byte) + ", kind " + std::to_string(kind) + ": " + complaint)
+                           : result.first;
     }
-    return Complaint{};
 }
 } // namespace
 
@@ -164,20 +189,29 @@ FlipResult FlipEveryBit(Party party, ReleasePolicy policy, std::uint32_t phase)
     const std::size_t bytes = FlipRig::ByteCount(party);
     for (std::size_t byte = 0U; byte < bytes; ++byte)
     {
-        for (std::uint32_t bit = 0U; bit < 8U; ++bit)
+        for (std::uint32_t kind = 0U; kind < kCorruptionCount; ++kind)
         {
-            const Complaint complaint = RunFlip(*rig, party, phase, byte, bit);
-            result.runs += 1U;
-            result.granted += rig->IsGranted() ? 1U : 0U;
-            if (!complaint.empty())
-            {
-                result.complaints += 1U;
-                result.first = result.first.empty() ? ("byte " + std::to_string(byte) + ", bit " + std::to_string(bit) +
-                                                       ", phase " + std::to_string(phase) + ": " + complaint)
-                                                    : result.first;
-            }
+            Reach(*rig, phase);
+            std::uint8_t& place = rig->Bytes(party)[byte];
+            place = Corrupted(place, kind);
+            Note(result, *rig, Finish(*rig, party, phase), byte, kind);
         }
     }
+    return result;
+}
+
+FlipResult FillStorage(Party party, ReleasePolicy policy, std::uint32_t phase, std::uint8_t fill)
+{
+    FlipResult result{0U, 0U, 0U, Complaint{}};
+    const auto rig = std::make_unique<FlipRig>(policy);
+    Reach(*rig, phase);
+    const std::size_t bytes = FlipRig::ByteCount(party);
+    for (std::size_t byte = 0U; byte < bytes; ++byte)
+    {
+        rig->Bytes(party)[byte] = fill;
+    }
+    rig->Cycle(kCycleUs);
+    Note(result, *rig, rig->IsGranted() ? Complaint{"granted by filled storage"} : Finish(*rig, party, phase), bytes, 0U);
     return result;
 }
 

@@ -95,6 +95,7 @@ void FlipRig::Start()
     before_.is_valid = false;
     has_sent_normal_ = false;
     is_device_safe_ = false;
+    is_prepared_ = false;
     is_granted_ = false;
     Cycle(1000U);
 }
@@ -215,21 +216,33 @@ void FlipRig::Request()
     b_.Request(kProducerSlot);
 }
 
-void FlipRig::Launch()
+void FlipRig::Prepare()
 {
+    is_prepared_ = false;
     if (((verdict_.start >> kProducerSlot) & 1U) == 0U)
     {
         return;
     }
     const PreparedPair pair_a = a_.Prepare(kProducerSlot);
     const PreparedPair pair_b = b_.Prepare(kProducerSlot);
-    if (Comparator::ComparePrepared(pair_a, pair_b) != DeviceFault::kNone)
+    is_prepared_ = Comparator::ComparePrepared(pair_a, pair_b) == DeviceFault::kNone;
+    is_device_safe_ = is_device_safe_ || (!is_prepared_);
+}
+
+void FlipRig::LaunchPrepared()
+{
+    if (is_prepared_)
     {
-        is_device_safe_ = true;
-        return;
+        a_.Launch(kProducerSlot);
+        b_.Launch(kProducerSlot);
     }
-    a_.Launch(kProducerSlot);
-    b_.Launch(kProducerSlot);
+    is_prepared_ = false;
+}
+
+void FlipRig::Launch()
+{
+    Prepare();
+    LaunchPrepared();
 }
 
 void FlipRig::Confirm(const CanFrame& frame)

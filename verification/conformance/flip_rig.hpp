@@ -43,6 +43,8 @@ class FlipRig
     void Request();
     /// @brief Prepare and Launch of the producer, without frames.
     void Launch();
+    void Prepare();
+    void LaunchPrepared();
     /// @brief Takes what A has to send, confirms it; then B's.
     void SendNormal();
     void SendInverse();
@@ -92,11 +94,12 @@ class FlipRig
     SrdoMask acknowledge_{0U};
     bool has_sent_normal_{false};
     bool is_device_safe_{false};
+    bool is_prepared_{false};
     bool is_granted_{false};
 };
 
 /// Phases of operation in which a bit is flipped.
-constexpr std::uint32_t kPhaseCount = 12U;
+constexpr std::uint32_t kPhaseCount = 13U;
 
 /// What was found over all bits of the storage of `party` in one phase: the complaints, and how many runs granted something
 /// after the flip (so that a rig that grants nothing does not pass as safe).
@@ -108,8 +111,10 @@ struct FlipResult
     Complaint first;
 };
 
-/// @brief Flips every single bit of the storage of `party`, one run each, in the given phase.
+/// @brief Flips every single bit of the storage of `party`, and sets every byte to 00h and to FFh, one run each.
 [[nodiscard]] FlipResult FlipEveryBit(Party party, ReleasePolicy policy, std::uint32_t phase);
+/// @brief The whole storage of `party` becomes `fill` in the given phase.
+[[nodiscard]] FlipResult FillStorage(Party party, ReleasePolicy policy, std::uint32_t phase, std::uint8_t fill);
 
 } // namespace counterpoint::conformance
 
