@@ -107,6 +107,13 @@ constexpr Step kWindow[] = {
     Signals(0U, Bit(Cause::kBusOff)), Slot(0U, kProducing, Cause::kBusOff, 0U, 3U, 0U),
 };
 
+// An identifier changed behind the look-up: the frame that still finds its way confirms nothing.
+constexpr Step kAstray[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U), Store(0U, ConfigField::kCobId1, 0x103U),
+    Confirm(kNoSlot, 0x101U, 2U, 0x3412U, 0U, 2100U), Store(0U, ConfigField::kCobId1, 0x101U), ConfirmFirst(0U, 2200U), NextSecond(0U), Store(0U, ConfigField::kCobId2, 0x104U),
+    Confirm(kNoSlot, 0x102U, 2U, 0xCBEDU, 0U, 2300U), Store(0U, ConfigField::kCobId2, 0x102U), ConfirmSecond(0U, 2400U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
+};
+
 constexpr Case kCases[] = {
     MakeCase("ConfirmationOfOtherFrames", {req::SRS_PROD_007}, kSender, kStrangers),
     MakeCase("EchoWithOtherData", {req::SRS_PROD_007, req::SRS_PROD_009, req::SRS_PROD_006}, kSender, kWrongData),
@@ -119,6 +126,7 @@ constexpr Case kCases[] = {
     MakeCase("InverseFrameConfirmedOnTheLimit", {req::SRS_PROD_008, req::SRS_TIME_004, req::SRS_TIME_001}, kSender, kInverseOn),
     MakeCase("InverseFrameConfirmedTooLate", {req::SRS_PROD_008, req::SRS_TIME_004, req::SRS_TIME_001}, kSender, kInverseOver),
     MakeCase("EchoIsExaminedBeforeItsTime", {req::SRS_PROD_007, req::SRS_PROD_008}, kSender, kWrongAndLate),
+    MakeCase("ConfirmationLedToAnotherSrdo", {req::SRS_PROD_007}, kSender, kAstray),
     MakeCase("TransmitFaults", {req::SRS_PROD_009}, kSender, kTransmitFaults),
     MakeCase("AcknowledgeOfAProducer", {req::SRS_PROD_009}, kSender, kAcknowledged),
     MakeCase("SignalWindowOfAProducer", {req::SRS_PROD_009, req::SRS_CONS_021}, kSender, kWindow),

@@ -135,6 +135,36 @@ constexpr Step kDueGivenUp[] = {
     Configure(), Cycle(0U), Request(0U), Cycle(2000U), Due(1U), Nmt(NmtState::kStopped), Cycle(3000U), Due(0U), Nmt(NmtState::kOperational), Cycle(4000U), Cycle(9000U), Due(0U),
 };
 
+// Eight objects a side, and objects of every size: first byte first on the bus.
+constexpr Step kSixteen[] = {
+    Configure(), Put(0x6621U, 1U, 0x00000011U), Put(0x6621U, 2U, 0x00000022U), Put(0x6621U, 3U, 0x00000033U), Put(0x6621U, 4U, 0x00000044U), Put(0x6621U, 5U, 0x00000055U), Put(0x6621U, 6U, 0x00000066U), Put(0x6621U, 7U, 0x00000077U), Put(0x6621U, 8U, 0x00000088U), Put(0x6623U, 1U, 0x000000EEU), Put(0x6623U, 2U, 0x000000DDU), Put(0x6623U, 3U, 0x000000CCU), Put(0x6623U, 4U, 0x000000BBU), Put(0x6623U, 5U, 0x000000AAU), Put(0x6623U, 6U, 0x00000099U), Put(0x6623U, 7U, 0x00000088U), Put(0x6623U, 8U, 0x00000077U),
+    Cycle(0U), Cycle(2000U), Prepare(0U, kReady, 8U, 0x44332211U, 0x88776655U), Launch(0U), NextNormal(0U, CanPortId::kFirst, 0x17FU, 8U, 0x44332211U, 0x88776655U),
+    Confirm(0U, 0x17FU, 8U, 0x44332211U, 0x88776655U, 2100U), NextInverse(0U, CanPortId::kFirst, 0x180U, 8U, 0xBBCCDDEEU, 0x778899AAU),
+    Confirm(0U, 0x180U, 8U, 0xBBCCDDEEU, 0x778899AAU, 2200U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U), Put(0x6623U, 8U, 0x76U),
+    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U),
+};
+
+constexpr Step kWords[] = {
+    Configure(), Put(0x6400U, 4U, 0x44332211U), Put(0x6401U, 4U, 0xBBCCDDEEU), Put(0x6400U, 3U, 0x776655U), Put(0x6401U, 3U, 0x8899AAU), Put(0x6400U, 1U, 0x88U),
+    Put(0x6401U, 1U, 0x77U), Cycle(0U), Cycle(2000U), Prepare(0U, kReady, 8U, 0x44332211U, 0x88776655U), Put(0x6401U, 4U, 0x3BCCDDEEU),
+    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Put(0x6401U, 4U, 0xBBCCDDEFU), Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Put(0x6401U, 4U, 0xBBCCDDEEU),
+    Put(0x6401U, 3U, 0x0899AAU), Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Put(0x6401U, 3U, 0x8899AAU), Prepare(0U, kReady, 8U, 0x44332211U, 0x88776655U), Launch(0U),
+    NextNormal(0U, CanPortId::kFirst, 0x101U, 8U, 0x44332211U, 0x88776655U), Confirm(0U, 0x101U, 8U, 0x44332211U, 0x88776655U, 2100U),
+    NextInverse(0U, CanPortId::kFirst, 0x102U, 8U, 0xBBCCDDEEU, 0x778899AAU),
+};
+
+constexpr Step kLongObject[] = {
+    Configure(), Put(0x6400U, 8U, 0x44332211U, 0x88776655U), Put(0x6401U, 8U, 0xBBCCDDEEU, 0x778899AAU), Cycle(0U), Cycle(2000U),
+    Prepare(0U, kReady, 8U, 0x44332211U, 0x88776655U), Put(0x6401U, 8U, 0xBBCCDDEEU, 0xF78899AAU), Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U),
+};
+
+constexpr Step kOddObject[] = {
+    Configure(), Put(0x6400U, 7U, 0x44332211U, 0x776655U), Put(0x6401U, 7U, 0xBBCCDDEEU, 0x8899AAU), Cycle(0U), Cycle(2000U), Prepare(0U, kReady, 7U, 0x44332211U, 0x776655U),
+    Launch(0U), NextNormal(0U, CanPortId::kFirst, 0x101U, 7U, 0x44332211U, 0x776655U), Confirm(0U, 0x101U, 7U, 0x44332211U, 0x776655U, 2100U),
+    NextInverse(0U, CanPortId::kFirst, 0x102U, 7U, 0xBBCCDDEEU, 0x8899AAU), Confirm(0U, 0x102U, 8U, 0xBBCCDDEEU, 0x8899AAU, 2200U),
+    Slot(0U, kProducing, Cause::kWrongEcho, 0U, 1U, 0U),
+};
+
 constexpr Case kCases[] = {
     MakeCase("PairIsSent", {req::SRS_PROD_005, req::SRS_PROD_006, req::SRS_PROD_007, req::SRS_CONS_025}, kSender, kSend),
     MakeCase("NothingIsDueWithoutARequest", {req::SRS_PROD_003, req::SRS_PROD_010}, kSender, kNoRequest),
@@ -156,6 +186,10 @@ constexpr Case kCases[] = {
     MakeCase("LeavingGivesEverythingUp", {req::SRS_PROD_011}, kSender, kLeave),
     MakeCase("NoHalfOfAnOldPair", {req::SRS_PROD_011}, kSender, kLeaveWithInverse),
     MakeCase("FirstTransmissionAfterReentering", {req::SRS_PROD_011, req::SRS_PROD_001}, kSender, kLeaveAndWait),
+    MakeCase("SixteenEntriesAreSent", {req::SRS_PROD_005, req::SRS_PROD_006}, kWideSender, kSixteen),
+    MakeCase("MixedSizesAreSent", {req::SRS_PROD_005, req::SRS_PROD_006}, kWordSender, kWords),
+    MakeCase("SixtyFourBitsArePrepared", {req::SRS_PROD_005}, kLongSender, kLongObject),
+    MakeCase("SevenBytesAreSent", {req::SRS_PROD_005, req::SRS_PROD_006, req::SRS_PROD_007}, kOddSender, kOddObject),
     MakeCase("DueMarkIsGivenUp", {req::SRS_PROD_011, req::SRS_PROD_004}, kSender, kDueGivenUp),
 };
 } // namespace

@@ -118,6 +118,12 @@ constexpr Step kSilentAfterLaunch[] = {
     Cycle(36500U), Signals(0U, 0U), Cycle(36501U), Signals(0U, kMissedBit), Slot(0U, kProducing, Cause::kRefreshMissed, 1U, 1U, 0U),
 };
 
+// Sent before the first transmission is possible: silence counts from that instant, which is the later one.
+constexpr Step kLaunchedEarly[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(1000U), ReadyPair(0U), Launch(0U), NextFirst(0U), ConfirmFirst(0U, 1100U), NextSecond(0U), ConfirmSecond(0U, 1200U),
+    Cycle(2000U), Cycle(28500U), Signals(0U, 0U), Cycle(28501U), Signals(0U, kMissedBit),
+};
+
 // A request that waits is no silence, even if nobody prepares it.
 constexpr Step kRequestWaits[] = {
     Configure(), Cycle(0U), Cycle(2000U), Request(0U), Cycle(28501U), Due(1U), Signals(0U, 0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
@@ -156,7 +162,7 @@ constexpr Step kHeldAllAlong[] = {
 
 // A Hold before leaving OPERATIONAL is none for what comes after it.
 constexpr Step kHeldAndLeft[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Hold(0U), Nmt(NmtState::kStopped), Cycle(3000U), Nmt(NmtState::kOperational), Cycle(4000U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Hold(0U), Nmt(NmtState::kStopped), Cycle(3000U), Hold(0U), Nmt(NmtState::kOperational), Cycle(4000U),
     Cycle(5999U), Due(0U), Cycle(6000U), Due(1U), ReadyPair(0U), Cycle(30999U), Due(0U), Cycle(31000U), Due(1U),
 };
 
@@ -188,6 +194,7 @@ constexpr Case kCases[] = {
     MakeCase("SilenceCountsFromTheInstant", {req::SRS_PROD_010}, kSender, kSilentFromTheInstant),
     MakeCase("SilenceFoundByTheFirstCall", {req::SRS_PROD_010, req::SRS_PROD_001}, kSender, kSilentAtFirstCall),
     MakeCase("SilenceAfterLaunch", {req::SRS_PROD_010, req::SRS_PROD_007}, kSender, kSilentAfterLaunch),
+    MakeCase("SilenceAfterAnEarlyLaunch", {req::SRS_PROD_010, req::SRS_PROD_001}, kSender, kLaunchedEarly),
     MakeCase("RequestThatWaitsIsNoSilence", {req::SRS_PROD_010, req::SRS_PROD_003}, kSender, kRequestWaits),
     MakeCase("HeldRefreshMoves", {req::SRS_PROD_012, req::SRS_PROD_002, req::SRS_TIME_001}, kProvider, kHeldInTwoCycles),
     MakeCase("HeldMoreThanOnce", {req::SRS_PROD_012}, kProvider, kHeldTwice),

@@ -54,6 +54,10 @@ extern const Device kProvider;      ///< Node-ID 4, the kernel calls.
 extern const Device kProviderLast;  ///< Node-ID 127, the kernel calls.
 extern const Device kSenderPorts;   ///< As kSender, inverse frames on the second controller.
 extern const Device kSenderSlow;    ///< As kSender, cycle 2.5 ms.
+extern const Device kWideSender;    ///< As kSender, 16 entries of 8 bits (6621h, 6623h), 17Fh/180h, refresh 10 ms, SRVT 5 ms.
+extern const Device kWordSender;    ///< As kSender, 6400h, 6401h:04, 03, 01 (32, 24, 8 bits).
+extern const Device kLongSender;    ///< As kSender, 6400h, 6401h:08 (64 bits).
+extern const Device kOddSender;     ///< As kSender, 6400h, 6401h:07 (56 bits).
 extern const Device kMixed;         ///< Slot 0 consumer gold, automatic; slot 1 producer of kSender; slot 2 off.
 
 // Configuration and size.

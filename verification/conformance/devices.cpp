@@ -26,6 +26,19 @@ constexpr SrdoValues kLongValues{2U, 65535U, 255U, 0x105U, 0x106U, 2U, kLongMap,
 constexpr SrdoValues kMixedSizesValues{2U, 50U, 20U, 0x107U, 0x108U, 6U, kMixedSizesMap, 0x7937U};
 constexpr SrdoValues kShortestValues{2U, 2U, 1U, 0x109U, 0x10AU, 2U, kByteMap, 0x225EU};
 constexpr SrdoValues kSenderValues{1U, 25U, 20U, 0x101U, 0x102U, 4U, kSenderMap, 0xF2B5U};
+constexpr std::uint32_t kWideSenderMap[] = {
+    0x66210108U, 0x66230108U, 0x66210208U, 0x66230208U, 0x66210308U, 0x66230308U, 0x66210408U, 0x66230408U,
+    0x66210508U, 0x66230508U, 0x66210608U, 0x66230608U, 0x66210708U, 0x66230708U, 0x66210808U, 0x66230808U};
+constexpr std::uint32_t kWordSenderMap[] = {
+    0x64000420U, 0x64010420U, 0x64000318U, 0x64010318U, 0x64000108U, 0x64010108U};
+constexpr std::uint32_t kLongSenderMap[] = {
+    0x64000840U, 0x64010840U};
+constexpr std::uint32_t kOddSenderMap[] = {
+    0x64000738U, 0x64010738U};
+constexpr SrdoValues kWideSenderValues{1U, 10U, 5U, 0x17FU, 0x180U, 16U, kWideSenderMap, 0xB825U};
+constexpr SrdoValues kWordSenderValues{1U, 25U, 20U, 0x101U, 0x102U, 6U, kWordSenderMap, 0x82B7U};
+constexpr SrdoValues kLongSenderValues{1U, 25U, 20U, 0x101U, 0x102U, 2U, kLongSenderMap, 0x05DEU};
+constexpr SrdoValues kOddSenderValues{1U, 25U, 20U, 0x101U, 0x102U, 2U, kOddSenderMap, 0xB5BFU};
 constexpr SrdoValues kOffValues{0U, 25U, 20U, 0x101U, 0x102U, 0U, nullptr, 0x88E9U};
 constexpr SrdoValues kBareValues{0U, 25U, 20U, 0x0U, 0x0U, 0U, nullptr, 0x162EU};
 
@@ -182,6 +195,10 @@ const Device kProvider{kProviding, &kSenderValues};
 const Device kProviderLast{Node(kProviding, 127U), &kSenderValues};
 const Device kSenderPorts{OnTwoPorts(kSending), &kSenderValues};
 const Device kSenderSlow{Every(kSending, 2500U, 500U), &kSenderValues};
+const Device kWideSender{kSending, &kWideSenderValues};
+const Device kWordSender{kSending, &kWordSenderValues};
+const Device kLongSender{kSending, &kLongSenderValues};
+const Device kOddSender{kSending, &kOddSenderValues};
 const Device kMixed{Node(Every(Config(kMixedSetups), 1000U, 1000000U), 4U), kMixedValues};
 const Device kBare{Every(Config(kBareSetups, 1U), 1000U, 500U), kBareTwoValues};
 const Device kBareTwo{Every(Config(kBareSetups), 1000U, 500U), kBareTwoValues};
