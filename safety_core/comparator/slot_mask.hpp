@@ -14,7 +14,11 @@ struct SlotSet
 };
 
 /// @brief The set that holds one slot, which is below 64.
-[[nodiscard]] SlotSet OnlySlot(SlotIndex slot) noexcept;
+[[nodiscard]] inline SlotSet OnlySlot(const SlotIndex slot) noexcept
+{
+    return SlotSet{SrdoMask{1U} << slot};
+}
+
 /// @brief Takes the lowest slot out of a set that is not empty. O(1): six halvings, no instruction that a target may
 /// lack.
 [[nodiscard]] SlotIndex TakeLowest(SlotSet& set) noexcept;

@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "safety_core/kernel/configuration_guard.hpp"
 
+#include "safety_core/comparator/slot_mask.hpp"
+
 namespace counterpoint
 {
 namespace
@@ -94,6 +96,16 @@ void ConfigurationGuard::Restart(const DeviceConfig& config) noexcept
 void ConfigurationGuard::SetNmt(const NmtState state) noexcept
 {
     nmt_ = state;
+}
+
+SrdoMask ConfigurationGuard::Active() const noexcept
+{
+    return active_;
+}
+
+SrdoMask ConfigurationGuard::Producers() const noexcept
+{
+    return producers_;
 }
 
 bool ConfigurationGuard::IsValid() const noexcept
@@ -247,9 +259,22 @@ AbortCode ConfigurationGuard::WriteValid(const std::uint8_t value) noexcept
             return AbortCode::kIncompatible;
         }
     }
+    TakeDirections();
     valid_ = value;
     StoreBoth(ConfigItem{kValidAddress, value});
     return AbortCode::kNone;
+}
+
+void ConfigurationGuard::TakeDirections() noexcept
+{
+    active_ = 0U;
+    producers_ = 0U;
+    for (SlotIndex slot = 0U; slot < config_->srdo_count; ++slot)
+    {
+        const std::uint32_t direction = Value(slot, ConfigField::kDirection, 0U);
+        active_ |= (direction != kDirectionOff) ? OnlySlot(slot).mask : 0U;
+        producers_ |= (direction == kDirectionProducer) ? OnlySlot(slot).mask : 0U;
+    }
 }
 
 ConfigurationFinding ConfigurationGuard::Compare(const SlotIndex slot, const CheckResult& a,

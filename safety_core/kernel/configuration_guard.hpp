@@ -32,6 +32,10 @@ class ConfigurationGuard
     /// @brief Power-on: 13FEh 0; distance of the cyclic checks from the diagnostic interval.
     void Restart(const DeviceConfig& config) noexcept;
     void SetNmt(NmtState state) noexcept;
+    /// @brief SRDOs that are not off, and the producers among them, as of the last declaration of a valid
+    /// configuration.
+    [[nodiscard]] SrdoMask Active() const noexcept;
+    [[nodiscard]] SrdoMask Producers() const noexcept;
     /// @brief One stored value as channel A has it; the cyclic check vouches for it.
     [[nodiscard]] std::uint32_t Value(SlotIndex slot, ConfigField field, std::uint8_t sub) const noexcept;
     [[nodiscard]] ObjectReading Read(const ObjectAddress& address) noexcept;
@@ -61,12 +65,15 @@ class ConfigurationGuard
     void StoreBoth(const ConfigItem& item) noexcept;
     [[nodiscard]] ConfigurationFinding Compare(SlotIndex slot, const CheckResult& a,
                                                const CheckResult& b) const noexcept;
+    void TakeDirections() noexcept;
     void Find(DeviceFault fault, SlotIndex slot) noexcept;
     void RecheckNext() noexcept;
 
     Channel& a_;
     Channel& b_;
     const DeviceConfig* config_; ///< Never null: a device without SRDOs before Restart.
+    SrdoMask active_{0U};
+    SrdoMask producers_{0U};
     std::uint32_t cycles_per_check_{1U};
     std::uint32_t cycles_to_check_{1U};
     DeviceFaultReport finding_{DeviceFault::kNone, kNoSlot, 0U};

@@ -42,10 +42,8 @@ void Kernel::OnFrame(const StampedFrame& frame) noexcept
         return;
     }
     clocks_.OnFrame(frame.stamp);
-    const CanFrame copy_a = frame.frame;
-    const CanFrame copy_b = frame.frame;
-    parts_.channel_a.OnFrame(copy_a, frame.stamp.a);
-    parts_.channel_b.OnFrame(copy_b, frame.stamp.b);
+    parts_.channel_a.OnFrame(frame.frame, frame.stamp.a);
+    parts_.channel_b.OnFrame(frame.frame, frame.stamp.b);
     const bool is_gfc = (frame.frame.identifier == kGfcIdentifier) && (frame.frame.kind == FrameKind::kData) &&
                         (frame.frame.length_bytes == 0U);
     if (is_gfc)

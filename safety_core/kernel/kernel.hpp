@@ -166,6 +166,8 @@ class Kernel
     void Produce() noexcept;
     void HoldFaster(const CycleOutcome& a, const CycleOutcome& b) noexcept;
     void ProduceSlot(SlotIndex slot) noexcept;
+    void FollowNormal(SlotIndex slot) noexcept;
+    void TellSent(SlotIndex slot) noexcept;
     void HandOver(SlotIndex slot, const CanFrame& frame) noexcept;
     void FollowGfc() noexcept;
     void SetGfcLimit() noexcept;

@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "safety_core/kernel/kernel.hpp"
 
+#include "safety_core/comparator/slot_mask.hpp"
+
 // Calls of the application and of the services around the kernel. [SRS-KRN-010, SRS-KRN-011, SRS-KRN-015]
 namespace counterpoint
 {
@@ -127,12 +129,12 @@ Result Kernel::SendReadiness() const noexcept
 
 Result Kernel::SendSlot(const SlotIndex slot) noexcept
 {
-    const std::uint32_t direction = guard_.Value(slot, ConfigField::kDirection, 0U);
-    if (direction == kDirectionOff)
+    const SrdoMask bit = OnlySlot(slot).mask;
+    if ((guard_.Active() & bit) == 0U)
     {
         return Result::kInvalid;
     }
-    if (direction != kDirectionProducer)
+    if ((guard_.Producers() & bit) == 0U)
     {
         return Result::kRxTxConflict;
     }

@@ -91,25 +91,40 @@ void Kernel::OnConfirm(const StampedFrame& frame) noexcept
         return;
     }
     clocks_.OnFrame(frame.stamp);
-    const CanFrame copy_a = frame.frame;
-    const CanFrame copy_b = frame.frame;
-    const SlotIndex slot_a = parts_.channel_a.OnConfirm(copy_a, frame.stamp.a);
-    const SlotIndex slot_b = parts_.channel_b.OnConfirm(copy_b, frame.stamp.b);
+    const SlotIndex slot_a = parts_.channel_a.OnConfirm(frame.frame, frame.stamp.a);
+    const SlotIndex slot_b = parts_.channel_b.OnConfirm(frame.frame, frame.stamp.b);
     // At the very limit one channel may have given the pair up already: then the other one will, for want of its frame.
     if ((slot_a != slot_b) || (slot_b >= config_->srdo_count))
     {
         return;
     }
+    // Normal frames have odd identifiers, inverse frames even ones: these end a pair.
+    if ((frame.frame.identifier & 1U) != 0U)
+    {
+        FollowNormal(slot_b);
+    }
+    else
+    {
+        TellSent(slot_a);
+    }
+}
+
+void Kernel::FollowNormal(const SlotIndex slot) noexcept
+{
     if (latch_.IsRunning())
     {
-        HandOver(slot_b, parts_.channel_b.NextFrame(slot_b));
+        HandOver(slot, parts_.channel_b.NextFrame(slot));
     }
-    const std::uint8_t ordinal = static_cast<std::uint8_t>(parts_.channel_a.View(slot_a).ordinal);
-    if (ordinal != sent_[slot_a]) // MISRA D-002
+}
+
+void Kernel::TellSent(const SlotIndex slot) noexcept
+{
+    const std::uint8_t ordinal = static_cast<std::uint8_t>(parts_.channel_a.View(slot).ordinal);
+    if (ordinal != sent_[slot]) // MISRA D-002
     {
-        sent_[slot_a] = ordinal; // MISRA D-002
+        sent_[slot] = ordinal; // MISRA D-002
         ++transmitted_;
-        parts_.application.OnSrdoEvent(IndexOf(slot_a));
+        parts_.application.OnSrdoEvent(IndexOf(slot));
     }
 }
 

@@ -118,17 +118,19 @@ std::uint32_t OrderOf(const std::uint16_t index, const std::uint8_t sub) noexcep
 
 } // namespace
 
+// Numbers ascend from 1: SRDO n is in slot n - 1 where nothing is missing before it, and below where something is.
 SlotIndex SlotOf(const DeviceConfig& config, const SrdoNumber number) noexcept
 {
-    SlotIndex found = kNoSlot;
-    for (std::uint8_t slot = 0U; slot < config.srdo_count; ++slot)
+    std::uint32_t candidate = (number.value < config.srdo_count) ? number.value : config.srdo_count;
+    while (candidate != 0U)
     {
-        if (config.srdos[slot].number == number.value) // MISRA D-002
+        --candidate;
+        if (config.srdos[candidate].number == number.value) // MISRA D-002
         {
-            found = slot;
+            return static_cast<SlotIndex>(candidate);
         }
     }
-    return found;
+    return kNoSlot;
 }
 
 const MappableObject* FindObject(const DeviceConfig& config, const ObjectAddress& address) noexcept

@@ -6,7 +6,6 @@ namespace counterpoint
 namespace
 {
 
-constexpr std::uint32_t kRunning = 0x5A3C96E1U;
 constexpr std::uint32_t kSafe = 0U;
 constexpr std::uint16_t kMostFaults = 65535U;
 
@@ -36,21 +35,6 @@ void SafeStateLatch::Enter(const DeviceFault fault, const SlotIndex slot) noexce
     }
     word_ = kSafe;
     inverse_ = kSafe;
-}
-
-std::uint32_t SafeStateLatch::Spoiler() const noexcept
-{
-    return (word_ ^ kRunning) | (inverse_ ^ ~kRunning);
-}
-
-bool SafeStateLatch::IsRunning() const noexcept
-{
-    return Spoiler() == 0U;
-}
-
-SrdoMask SafeStateLatch::Gate() const noexcept
-{
-    return IsRunning() ? ~SrdoMask{0U} : SrdoMask{0U};
 }
 
 DeviceFaultReport SafeStateLatch::Report() const noexcept

@@ -19,13 +19,24 @@ class SafeStateLatch
     /// @brief Enters the device safe state; the first fault is kept. A fault of kNone has no effect.
     void Enter(DeviceFault fault, SlotIndex slot) noexcept;
     /// @brief All bits set while running, no bit otherwise.
-    [[nodiscard]] SrdoMask Gate() const noexcept;
+    [[nodiscard]] SrdoMask Gate() const noexcept
+    {
+        return IsRunning() ? ~SrdoMask{0U} : SrdoMask{0U};
+    }
     /// @brief 0 while running, something else otherwise: spoils the kernel's permit. [SRS-KRN-005]
-    [[nodiscard]] std::uint32_t Spoiler() const noexcept;
-    [[nodiscard]] bool IsRunning() const noexcept;
+    [[nodiscard]] std::uint32_t Spoiler() const noexcept
+    {
+        return (word_ ^ kRunning) | (inverse_ ^ ~kRunning);
+    }
+    [[nodiscard]] bool IsRunning() const noexcept
+    {
+        return Spoiler() == 0U;
+    }
     [[nodiscard]] DeviceFaultReport Report() const noexcept;
 
   private:
+    static constexpr std::uint32_t kRunning = 0x5A3C96E1U;
+
     std::uint32_t word_{0U};
     std::uint32_t inverse_{0U};
     DeviceFaultReport report_{DeviceFault::kInvalid, kNoSlot, 0U};
