@@ -51,6 +51,7 @@ Node::Node(const NodeIndex index, const NodeSetup& setup, DeviceModel& model, ho
     cycle_ns_ = cycle / oscillator_;
     cycle_fraction_ = cycle % oscillator_;
     next_cycle_ = setup.phase;
+    next_event_ = setup.phase;
     slot_of_.fill(kNoSlot);
     for (const SrdoModel& srdo : model.Srdos())
     {
@@ -108,9 +109,9 @@ void Node::PowerOn()
     journal_.Tell({Now(), EventKind::kPowerOn, index_, 0U, 0U, 0U});
 }
 
-Nanoseconds Node::NextEvent()
+void Node::SettleNextEvent() noexcept
 {
-    return std::min(is_hung_ ? kNever : next_cycle_, look_at_);
+    next_event_ = std::min(is_hung_ ? kNever : next_cycle_, look_at_);
 }
 
 void Node::Run()
@@ -118,13 +119,16 @@ void Node::Run()
     if (!is_on_)
     {
         PowerOn();
-        return;
     }
-    if (!is_hung_ && Now() >= next_cycle_)
+    else if (!is_hung_ && Now() >= next_cycle_)
     {
         Cycle();
     }
-    LookAtOutput();
+    else
+    {
+        LookAtOutput();
+    }
+    SettleNextEvent();
 }
 
 template <typename Call>
@@ -159,9 +163,10 @@ void Node::Cycle()
         NoteEffects();
         LookInside();
     }
+    LookAtOutput();
     if (!is_hung_)
     {
-        application_.Run(output_.Open(), Now());
+        application_.Run(open_, Now());
         ScheduleNext();
     }
 }
@@ -280,10 +285,14 @@ void Node::LookAtOutput()
                            times.last_inverse});
         }
     }
-    if (insight_ == Insight::kNone)
+    if (insight_ == Insight::kTapped)
     {
-        return;
+        LookAtWatchdog();
     }
+}
+
+void Node::LookAtWatchdog()
+{
     const bool is_alive = watchdog_.IsAlive();
     if (was_alive_ && !is_alive)
     {
@@ -320,6 +329,7 @@ void Node::SendGfc()
 void Node::ShiftCycle(const Nanoseconds by)
 {
     next_cycle_ = std::max(next_cycle_ + by, Now());
+    SettleNextEvent();
 }
 
 void Node::SetCounterRate(const bool is_counter_a, const std::int32_t drift_ppm)

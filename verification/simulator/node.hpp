@@ -54,7 +54,10 @@ class Node final : private host::FrameSink, private ChannelWitness
     /// @brief Starts and commissions the kernel, starts the watchdog; again for a restart. Throws cia306::InputError.
     void PowerOn();
     /// @brief The next instant at which the node does something: a cycle, or an output that closes by itself.
-    [[nodiscard]] Nanoseconds NextEvent();
+    [[nodiscard]] Nanoseconds NextEvent() const noexcept
+    {
+        return next_event_;
+    }
     /// @brief Does what is due at the bus's present instant.
     void Run();
 
@@ -97,6 +100,8 @@ class Node final : private host::FrameSink, private ChannelWitness
     void Guarded(const Call& call);
     void SendByApplication();
     void LookAtOutput();
+    void LookAtWatchdog();
+    void SettleNextEvent() noexcept;
     void LookInside();
     void TellStates(Part part, const Channel& channel, Voice& voice);
     void TellCauses(Part part, const Channel& channel, SrdoMask new_fault, SrdoMask signalled);
@@ -136,6 +141,7 @@ class Node final : private host::FrameSink, private ChannelWitness
     SrdoMask open_{0U};
     std::uint32_t cycles_to_send_{0U}; ///< Applications that send by themselves: cycles until the next refresh.
     std::uint32_t cycles_per_send_{0U};
+    Nanoseconds next_event_{0};
     Nanoseconds look_at_{kNever}; ///< When output or watchdog change by themselves.
     bool is_hung_{false};
     bool is_on_{false};

@@ -110,6 +110,7 @@ void Node::NoteEffects()
 void Node::NoteHung()
 {
     is_hung_ = true;
+    SettleNextEvent();
     NoteEffects();
     journal_.Note({Now(), EventKind::kHung, index_, 0U, 0U, 0U});
 }

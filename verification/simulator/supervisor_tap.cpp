@@ -14,11 +14,6 @@ namespace
 thread_local SupervisorTap* active_tap = nullptr;
 thread_local std::array<std::uint64_t, kPartCount> intercepted{};
 
-SupervisorTap* Taken(const Part part) noexcept
-{
-    ++intercepted[static_cast<std::size_t>(part)];
-    return active_tap;
-}
 } // namespace
 
 Verdict RealCompare(Comparator& self, const Comparison& comparison) noexcept __asm__("__real__ZN12counterpoint10Comparator7CompareERKNS_10ComparisonE");
@@ -41,13 +36,13 @@ std::uint32_t WrapGuardCycle(ConfigurationGuard& self, std::uint32_t challenge) 
 
 Verdict WrapCompare(Comparator& self, const Comparison& comparison) noexcept
 {
-    SupervisorTap* const tap = Taken(Part::kComparator);
+    SupervisorTap* const tap = active_tap;
     return (tap == nullptr) ? RealCompare(self, comparison) : tap->Compare(self, comparison);
 }
 
 void WrapFlowBegin(FlowMonitor& self) noexcept
 {
-    SupervisorTap* const tap = Taken(Part::kFlowMonitor);
+    SupervisorTap* const tap = active_tap;
     if (tap == nullptr)
     {
         RealFlowBegin(self);
@@ -58,7 +53,7 @@ void WrapFlowBegin(FlowMonitor& self) noexcept
 
 void WrapFlowMark(FlowMonitor& self, const FlowStep step, const FlowEvidence& evidence) noexcept
 {
-    SupervisorTap* const tap = Taken(Part::kFlowMonitor);
+    SupervisorTap* const tap = active_tap;
     if (tap == nullptr)
     {
         RealFlowMark(self, step, evidence);
@@ -69,13 +64,13 @@ void WrapFlowMark(FlowMonitor& self, const FlowStep step, const FlowEvidence& ev
 
 hal::WatchdogAnswer WrapFlowEnd(FlowMonitor& self, const hal::WatchdogQuestion& question) noexcept
 {
-    SupervisorTap* const tap = Taken(Part::kFlowMonitor);
+    SupervisorTap* const tap = active_tap;
     return (tap == nullptr) ? RealFlowEnd(self, question) : tap->FlowEnd(self, question);
 }
 
 std::uint32_t WrapGuardCycle(ConfigurationGuard& self, const std::uint32_t challenge) noexcept
 {
-    SupervisorTap* const tap = Taken(Part::kGuard);
+    SupervisorTap* const tap = active_tap;
     return (tap == nullptr) ? RealGuardCycle(self, challenge) : tap->GuardCycle(self, challenge);
 }
 
@@ -100,6 +95,7 @@ std::uint64_t SupervisorTap::Intercepted(const Part part) noexcept
 
 bool SupervisorTap::IsStill(const Part part) noexcept
 {
+    ++intercepted[static_cast<std::size_t>(part)];
     const PartCondition& condition = faults_.Condition(part);
     if (!condition.is_faulty)
     {

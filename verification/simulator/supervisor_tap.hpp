@@ -30,7 +30,7 @@ class SupervisorTap
         Scope& operator=(const Scope&) = delete;
     };
 
-    /// @brief Calls of this thread that the linker led here so far, by part: shows that the wraps take hold.
+    /// @brief Calls of this thread that the linker led through a tap so far, by part: shows that the wraps take hold.
     [[nodiscard]] static std::uint64_t Intercepted(Part part) noexcept;
 
     // What the linker leads here. [counterpoint::Comparator::Compare and so on]

@@ -14,8 +14,8 @@ TEST(SupervisorTap, TakesEveryCallOfTheThreeSupervisors)
     const std::uint64_t compared = SupervisorTap::Intercepted(Part::kComparator);
     const std::uint64_t marked = SupervisorTap::Intercepted(Part::kFlowMonitor);
     const std::uint64_t guarded = SupervisorTap::Intercepted(Part::kGuard);
-    // When three nodes run 100 cycles of 1 ms each, without any tap in use
-    simulator::Run run(TextFile("extends: " + Examples() + "chain.yaml\nduration: 100 ms\n"), std::nullopt, std::nullopt, false);
+    // When three nodes run 100 cycles of 1 ms each, recorded, so that the taps are in use
+    simulator::Run run(TextFile("extends: " + Examples() + "chain.yaml\nduration: 100 ms\n"), std::nullopt, std::nullopt, true);
     run.Simulate(nullptr);
     // Then each cycle went through the wraps: one comparison, one token, Begin, ten marks and End
     const std::uint64_t cycles = SupervisorTap::Intercepted(Part::kGuard) - guarded;
@@ -28,6 +28,7 @@ TEST(SupervisorTap, TakesEveryCallOfTheThreeSupervisors)
 TEST(SupervisorTap, GoesStraightThroughWithoutAScope)
 {
     Verifies(req::SRS_SIM_022);
+    const std::uint64_t before = SupervisorTap::Intercepted(Part::kFlowMonitor);
     // Given a flow monitor that nobody looks into
     FlowMonitor monitor;
     monitor.Begin();
@@ -37,6 +38,7 @@ TEST(SupervisorTap, GoesStraightThroughWithoutAScope)
     }
     // Then its answer is the right one: (5EC0DE27h + question) * 01000193h
     EXPECT_EQ(monitor.End({1U}).value, (0x5EC0DE27U + 1U) * 0x01000193U);
+    EXPECT_EQ(SupervisorTap::Intercepted(Part::kFlowMonitor), before);
 }
 
 TEST(SupervisorTap, FrozenFlowMonitorRepeatsItsAnswer)
