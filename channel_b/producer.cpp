@@ -7,6 +7,14 @@
 namespace counterpoint::channel_b
 {
 
+namespace
+{
+
+/// A budget of which one microsecond too much was taken.
+constexpr std::uint32_t kJustSpent = 0xFFFFFFFFU;
+
+} // namespace
+
 /// For how long a producer of form kApplicationSends may be silent. [SRS-PROD-010]
 std::uint32_t Channel::AbsenceUs(SlotIndex slot) const noexcept
 {
@@ -200,7 +208,15 @@ void Channel::AdvanceApplication(SlotIndex slot) noexcept
         marks.started |= bit;
         x_storage.phase_left[slot] += absence_us; // Silence counts from the instant, not from this call.
     }
-    if ((x_storage.phase_left[slot] > absence_us) && ((marks.requested & bit) == 0U))
+    if (x_storage.phase_left[slot] <= absence_us)
+    {
+        return;
+    }
+    if ((marks.requested & bit) != 0U)
+    {
+        x_storage.phase_left[slot] = kJustSpent; // However long the request waits, the budget must not wrap.
+    }
+    else
     {
         static_cast<void>(Fail(slot, SrdoCause::kRefreshMissed));
         x_storage.phase_left[slot] = absence_us;

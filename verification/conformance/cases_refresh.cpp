@@ -129,6 +129,12 @@ constexpr Step kRequestWaits[] = {
     Configure(), Cycle(0U), Cycle(2000U), Request(0U), Cycle(28501U), Due(1U), Signals(0U, 0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
 };
 
+// However long the request waits, a whole round of the counter included: when it is used up without a Launch, there was silence.
+constexpr Step kRequestWaitsARound[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Request(0U), Cycle(0x40000000U), Cycle(0x80000000U), Cycle(0xC0000000U), Cycle(3000U), Signals(0U, 0U), ReadyPair(0U),
+    Cycle(3001U), Signals(0U, kMissedBit), Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U),
+};
+
 // Both forms at once: the provider is called, the application also asks.
 constexpr Step kOtherForm[] = {
     Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Cycle(26999U), Signals(0U, 0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), Cycle(27000U), ReadyPair(0U),
@@ -194,6 +200,7 @@ constexpr Case kCases[] = {
     MakeCase("SilenceCountsFromTheInstant", {req::SRS_PROD_010}, kSender, kSilentFromTheInstant),
     MakeCase("SilenceFoundByTheFirstCall", {req::SRS_PROD_010, req::SRS_PROD_001}, kSender, kSilentAtFirstCall),
     MakeCase("SilenceAfterLaunch", {req::SRS_PROD_010, req::SRS_PROD_007}, kSender, kSilentAfterLaunch),
+    MakeCase("RequestThatWaitsARoundOfTheCounter", {req::SRS_PROD_010, req::SRS_TIME_001}, kSender, kRequestWaitsARound),
     MakeCase("SilenceAfterAnEarlyLaunch", {req::SRS_PROD_010, req::SRS_PROD_001}, kSender, kLaunchedEarly),
     MakeCase("RequestThatWaitsIsNoSilence", {req::SRS_PROD_010, req::SRS_PROD_003}, kSender, kRequestWaits),
     MakeCase("HeldRefreshMoves", {req::SRS_PROD_012, req::SRS_PROD_002, req::SRS_TIME_001}, kProvider, kHeldInTwoCycles),
