@@ -138,7 +138,8 @@ def measure():
             "pair": host["pair"][64], "idle": host["idle"][64], "send": host["send"][64],
             "check": max(host["check"].values()),
             "ram": sum(ram.values()) / 64,
-            "code": sum(row["text"] + row["rodata"] + row["data"] for row in small_sizes.values()),
+            # Core and both channels; the hardware layer is the device's.
+            "code": sum(row["text"] + row["rodata"] + row["data"] for room, row in small_sizes.items() if room != "hal/api"),
             "load": on_target["load"], "simulation": simulation, "linear": max(ratios.values()),
         },
     }
@@ -155,6 +156,20 @@ def judge(measured, limits):
         aimed = value >= item["aim"] if item.get("at_least") else value <= item["aim"]
         rows.append({**item, "measured": value, "kept": kept, "verdict": "aim" if kept and aimed else "must" if kept else "BROKEN"})
     return rows
+
+
+def judge_known_gaps(rows, path):
+    """Marks broken limits that are recorded with a reason and are no worse than recorded. [SRS-BEN-011]"""
+    gaps = {gap["id"]: gap for gap in json.loads(path.read_text(encoding="utf-8"))["gaps"]}
+    for row in rows:
+        gap = gaps.get(row["requirement"])
+        if row["kept"] or gap is None:
+            continue
+        if "no_worse_than" not in gap:
+            raise BadInput(f"{path}: {row['requirement']} has no no_worse_than, expected the value that may not get worse")
+        worse = row["measured"] < gap["no_worse_than"] if row.get("at_least") else row["measured"] > gap["no_worse_than"]
+        row["verdict"] = "WORSE" if worse else "KNOWN GAP"
+        row["known"] = not worse
 
 
 def shown(value):
@@ -206,9 +221,27 @@ def bites(path):
     return True
 
 
+def gaps_bite(path, rows):
+    """Whether a recorded gap lets an equal value pass and a worse one fail. [SRS-BEN-011]"""
+    row = rows[0]
+    for factor, status in ((1.0, 0), (0.5, 1)):
+        record = {"gaps": [{"id": row["requirement"], "reason": "fixture", "no_worse_than": row["measured"] * factor}]}
+        fixture = RESULTS / "fixture_known_gaps.json"
+        others = {"gaps": [{"id": other["requirement"], "reason": "fixture", "no_worse_than": other["measured"]} for other in rows[1:]]}
+        fixture.write_text(json.dumps({"gaps": record["gaps"] + others["gaps"]}), encoding="utf-8")
+        done = subprocess.run([sys.executable, __file__, "--from", str(path), "--limit", f"{row['id']}=0", "--known-gaps", str(fixture)],
+                              capture_output=True, text=True, check=False)
+        if done.returncode != status:
+            print(f"bench.py: known gaps: exit status {done.returncode}, expected {status}", file=sys.stderr)
+            return False
+    return True
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--limit", action="append", default=[], metavar="ID=VALUE")
+    parser.add_argument("--known-gaps", type=pathlib.Path, metavar="FILE",
+                        help="a broken limit that FILE records, and that is no worse than recorded, does not fail the run")
     parser.add_argument("--from", dest="earlier", type=pathlib.Path)
     arguments = parser.parse_args()
     limits = limits_of(arguments)
@@ -218,20 +251,25 @@ def main():
         # Through JSON, so that a later --from sees the same.
         result = json.loads(json.dumps(measure()))
     rows = judge(result["measured"], limits)
+    if arguments.known_gaps:
+        judge_known_gaps(rows, arguments.known_gaps)
     print_table(rows, result)
     broken = [row for row in rows if not row["kept"]]
     for row in broken:
         print(f"bench.py: limit broken: {row['text']}: {shown(row['measured'])} {row['unit']}, must be "
               f"{'at least' if row.get('at_least') else 'at most'} {shown(row['must'])}", file=sys.stderr)
+    unknown = [row for row in broken if not row.get("known")]
     if arguments.earlier:
-        return 1 if broken else 0
+        return 1 if unknown else 0
     path = RESULTS / "bench.json"
     path.write_text(json.dumps({**result, "rows": rows}, indent=2) + "\n", encoding="utf-8")
     bite = bites(path)
-    result["requirements"] = {row["requirement"]: row["kept"] for row in rows} | {"SRS-BEN-010": bite}
-    path.write_text(json.dumps({**result, "rows": rows, "passed": not broken and bite}, indent=2) + "\n", encoding="utf-8")
+    ratchet = gaps_bite(path, rows)
+    result["requirements"] = {row["requirement"]: row["kept"] for row in rows} | {"SRS-BEN-010": bite, "SRS-BEN-011": ratchet}
+    path.write_text(json.dumps({**result, "rows": rows, "passed": not broken and bite and ratchet}, indent=2) + "\n", encoding="utf-8")
     print(f"limits that cannot be kept were found broken: {'yes' if bite else 'NO'}")
-    return 0 if not broken and bite else 1
+    print(f"a known gap that got worse was found: {'yes' if ratchet else 'NO'}")
+    return 0 if not unknown and bite and ratchet else 1
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ import yaml
 import generate_ids
 
 REGISTRY = "verification/trace/other_evidence.yaml"
+KNOWN_GAPS = "docs/known_gaps.json"
 UID = re.compile(r"SRS-[A-Z0-9]+-\d{3}")
 
 
@@ -98,6 +99,14 @@ def read_registry(root, problems):
     return entries
 
 
+def read_known_gaps(root):
+    """Requirement -> recorded reason for which it is not met. The page shows it as a gap; the gate lets it pass."""
+    path = root / KNOWN_GAPS
+    if not path.exists():
+        return {}
+    return {gap["id"]: gap["reason"] for gap in json.loads(path.read_text())["gaps"]}
+
+
 class Matrix:
     def __init__(self, root, data):
         self.problems = []
@@ -121,8 +130,15 @@ class Matrix:
                 self.problems.append(f"{item.name}: names {item.uid}, which is no requirement")
             else:
                 self.rows[item.uid].append(item)
+        self.known_gaps = read_known_gaps(root)
         for uid, requirement in self.requirements.items():
-            self.problems += self.gaps(requirement, self.rows[uid])
+            found = list(self.gaps(requirement, self.rows[uid]))
+            if uid not in self.known_gaps:
+                self.problems += found
+            elif not found:
+                self.problems.append(f"{KNOWN_GAPS}: {uid} is met, expected its record to be removed")
+        for uid in sorted(set(self.known_gaps) - set(self.requirements)):
+            self.problems.append(f"{KNOWN_GAPS}: {uid} is no requirement")
 
     @staticmethod
     def gaps(requirement, items):
@@ -142,6 +158,8 @@ class Matrix:
                 yield f"{where}: {item.kind} is registered, expected its VERIFICATION to name it"
 
     def status(self, uid):
+        if uid in self.known_gaps:
+            return f"known gap: {self.known_gaps[uid]}"
         return "gap" if any(f" {uid}:" in problem for problem in self.problems) else "shown"
 
 
