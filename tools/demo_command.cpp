@@ -99,7 +99,8 @@ class DemoCommand final : public Command
   public:
     void Describe(CLI::App& app) override
     {
-        app.add_option("--html", html_, "Page with all timing diagrams; a folder gets index.html")->capture_default_str();
+        app.add_option("--html", html_, "Page with all timing diagrams; a folder gets index.html")
+            ->capture_default_str();
         app.add_option("--scenarios", scenarios_, "Folder of the scenarios NN_name.yaml");
         app.add_flag("--list", list_, "List the scenarios and end");
     }
@@ -133,7 +134,8 @@ class DemoCommand final : public Command
     [[nodiscard]] ExitStatus Demonstrate(const std::vector<std::string>& files, const Streams& streams) const
     {
         std::vector<std::unique_ptr<simulator::Run>> runs;
-        streams.out << "Emergency-stop chain: sensor -> controller -> actuator, 500 kbit/s, cycle 1 ms. Each limit is computed\n"
+        streams.out << "Emergency-stop chain: sensor -> controller -> actuator, 500 kbit/s, cycle 1 ms. Each limit is "
+                       "computed\n"
                        "from the device's configuration before its run; times are simulated, output time included.\n\n";
         PrintRow({"Run", "Detected by", "Cause", "Time", "Limit", "Verdict"}, streams.out);
         for (const std::string& file : files)
@@ -141,8 +143,8 @@ class DemoCommand final : public Command
             runs.push_back(std::make_unique<simulator::Run>(file, std::nullopt, std::nullopt, true));
             DemonstrateOne(*runs.back(), streams.out);
         }
-        const auto held =
-            std::count_if(runs.begin(), runs.end(), [](const std::unique_ptr<simulator::Run>& run) { return run->Holds(); });
+        const auto held = std::count_if(runs.begin(), runs.end(),
+                                        [](const std::unique_ptr<simulator::Run>& run) { return run->Holds(); });
         streams.out << "\n" << held << " of " << runs.size() << " runs as expected\n";
         for (const std::unique_ptr<simulator::Run>& run : runs)
         {
@@ -172,8 +174,8 @@ class DemoCommand final : public Command
         if (limited != nullptr)
         {
             // Before the run: nothing that happens in it can change the limit.
-            cells[4] = simulator::MillisecondsText(
-                simulator::LimitOf(run.Setting(), *limited, run.ModelOf(limited->node)));
+            cells[4] =
+                simulator::MillisecondsText(simulator::LimitOf(run.Setting(), *limited, run.ModelOf(limited->node)));
         }
         run.Simulate(nullptr);
         if (const simulator::Measurement* const measurement = run.FirstMeasurement())

@@ -43,7 +43,7 @@ void ProgressBar::Show(const double part)
     const double bounded = std::clamp(part, 0.0, 1.0);
     const auto filled = static_cast<int>(bounded * kWidth);
     err_ << "\r\033[K" << title_ << " [" << std::string(static_cast<std::size_t>(filled), '#')
-         << std::string(static_cast<std::size_t>(kWidth - filled), '.') << "] " << static_cast<int>(bounded * 100.0) << " %"
-         << std::flush;
+         << std::string(static_cast<std::size_t>(kWidth - filled), '.') << "] " << static_cast<int>(bounded * 100.0)
+         << " %" << std::flush;
 }
 } // namespace counterpoint::tools

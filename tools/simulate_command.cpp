@@ -88,7 +88,8 @@ class SimulateCommand final : public Command
         if (!html_.empty())
         {
             const std::string& title = run.Setting().title;
-            cia306::WriteTextFile(html_, simulator::HtmlReport(title.empty() ? "Counterpoint simulation" : title, {&run}));
+            cia306::WriteTextFile(html_,
+                                  simulator::HtmlReport(title.empty() ? "Counterpoint simulation" : title, {&run}));
         }
         if (!json_.empty())
         {

@@ -44,7 +44,7 @@ expect:
   - {that: safe, node: actuator, srdo: 1, at: 490 ms}
   - {that: no_fault, node: actuator}
 )"),
-                                           std::nullopt, std::nullopt, false);
+                                                      std::nullopt, std::nullopt, false);
     run->Simulate(nullptr);
     // Then the actuator stays safe without a fault
     EXPECT_EQ(Failures(*run), "");
@@ -73,7 +73,8 @@ TEST(Chain, AutomaticPolicyRecoversByItselfAndInterlockNeedsAPerson)
 {
     Verifies(req::SRS_REL_003);
     Verifies(req::SRS_REL_004);
-    // When the sensor is lost for 100 ms (controller: automatic) and the controller is lost for 100 ms (actuator: interlock)
+    // When the sensor is lost for 100 ms (controller: automatic) and the controller is lost for 100 ms (actuator:
+    // interlock)
     const auto run = RunChain(R"(
 faults:
   - {fault: loss, name: sensor lost, frames: {sender: sensor, receiver: controller, from: 300 ms, until: 400 ms, count: 100}}
@@ -126,7 +127,8 @@ faults:
   - {fault: insertion, name: gfc, at: 400 ms, identifier: 0x001}
 expect:
   - {that: device_fault, node: actuator, is: none}
-)", true);
+)",
+                              true);
     ASSERT_EQ(Failures(*run), "");
     const ObjectReading reading = run->Devices().At(2U).Core().ReadObject({0x1300U, 0U});
     ASSERT_EQ(reading.abort, AbortCode::kNone);

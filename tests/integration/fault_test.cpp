@@ -43,13 +43,17 @@ constexpr FaultCase kBusFaults[] = {
      "  - {that: cause, node: actuator, srdo: 1, is: length}\n  - {that: safe_within, node: actuator, srdo: 1}\n"},
     {"long frame", "fault: corruption, frames: {identifier: 0x104, receiver: actuator, from: 500 ms}, length: 8",
      "  - {that: cause, node: actuator, srdo: 1, is: length}\n  - {that: safe_within, node: actuator, srdo: 1}\n"},
-    {"bit of the inverse", "fault: corruption, frames: {identifier: 0x104, receiver: actuator, from: 500 ms}, bits: [15]",
+    {"bit of the inverse",
+     "fault: corruption, frames: {identifier: 0x104, receiver: actuator, from: 500 ms}, bits: [15]",
      "  - {that: cause, node: actuator, srdo: 1, is: not_inverse}\n  - {that: safe_within, node: actuator, srdo: 1}\n"},
     {"inverse twice", "fault: repetition, frames: {identifier: 0x104, receiver: actuator, from: 500 ms}",
-     "  - {that: cause, node: actuator, srdo: 1, is: inverse_first}\n  - {that: safe_within, node: actuator, srdo: 1}\n"},
-    {"normal again after 3 ms", "fault: repetition, frames: {identifier: 0x103, receiver: actuator, from: 500 ms}, after: 3 ms",
+     "  - {that: cause, node: actuator, srdo: 1, is: inverse_first}\n  - {that: safe_within, node: actuator, srdo: "
+     "1}\n"},
+    {"normal again after 3 ms",
+     "fault: repetition, frames: {identifier: 0x103, receiver: actuator, from: 500 ms}, after: 3 ms",
      "  - {that: safe_within, node: actuator, srdo: 1, limit: bus_next_normal}\n"},
-    {"delay of the inverse past SRVT", "fault: delay, frames: {identifier: 0x104, receiver: actuator, from: 500 ms}, by: 21 ms",
+    {"delay of the inverse past SRVT",
+     "fault: delay, frames: {identifier: 0x104, receiver: actuator, from: 500 ms}, by: 21 ms",
      "  - {that: cause, node: actuator, srdo: 1, is: srvt}\n  - {that: safe_within, node: actuator, srdo: 1}\n"},
     {"foreign normal frame", "fault: insertion, at: 510 ms, receiver: actuator, identifier: 0x103, data: [0, 0]",
      "  - {that: safe_within, node: actuator, srdo: 1}\n"},
@@ -83,7 +87,8 @@ TEST(FaultByChance, HitsByProbabilityAndSeed)
     Verifies(req::SRS_SIM_003);
     Verifies(req::SRS_SIM_020);
     // Given half of the frames lost by chance
-    const std::string text = "faults:\n  - {fault: loss, frames: {receiver: actuator, count: 1000, probability_ppm: 500000}}\n";
+    const std::string text =
+        "faults:\n  - {fault: loss, frames: {receiver: actuator, count: 1000, probability_ppm: 500000}}\n";
     const auto first = RunChain(text + "seed: 7\n", true);
     const auto again = RunChain(text + "seed: 7\n", true);
     const auto other = RunChain(text + "seed: 8\n", true);
@@ -145,7 +150,8 @@ faults:
 expect:
   - {that: cause, node: sensor, srdo: 1, is: not_inverse}
   - {that: safe_within, node: controller, srdo: 1}
-)", true);
+)",
+                              true);
     EXPECT_EQ(Failures(*run), "");
     // Then no frame with the identifiers of the sensor is on the bus afterwards
     for (const FrameEntry& frame : run->Record().Frames())
@@ -179,12 +185,22 @@ TEST_P(FlippedConfiguration, IsFoundWithinTheDiagnosticInterval)
 }
 
 constexpr FlipCase kFlips[] = {
-    {"channel_a", "field: sct", 5},           {"channel_b", "field: sct", 5},      {"channel_a", "field: srvt", 2},
-    {"channel_b", "field: srvt", 2},          {"channel_a", "field: cob_id_1", 1}, {"channel_b", "field: cob_id_1", 1},
-    {"channel_a", "field: cob_id_2", 3},      {"channel_b", "field: cob_id_2", 3}, {"channel_a", "field: direction", 1},
-    {"channel_b", "field: direction", 1},     {"channel_a", "field: signature", 9}, {"channel_b", "field: signature", 9},
-    {"channel_a", "field: map_entry, entry: 2", 8}, {"channel_b", "field: map_entry, entry: 2", 8},
-    {"channel_a", "field: map_count", 1},     {"channel_b", "field: map_count", 1},
+    {"channel_a", "field: sct", 5},
+    {"channel_b", "field: sct", 5},
+    {"channel_a", "field: srvt", 2},
+    {"channel_b", "field: srvt", 2},
+    {"channel_a", "field: cob_id_1", 1},
+    {"channel_b", "field: cob_id_1", 1},
+    {"channel_a", "field: cob_id_2", 3},
+    {"channel_b", "field: cob_id_2", 3},
+    {"channel_a", "field: direction", 1},
+    {"channel_b", "field: direction", 1},
+    {"channel_a", "field: signature", 9},
+    {"channel_b", "field: signature", 9},
+    {"channel_a", "field: map_entry, entry: 2", 8},
+    {"channel_b", "field: map_entry, entry: 2", 8},
+    {"channel_a", "field: map_count", 1},
+    {"channel_b", "field: map_count", 1},
 };
 
 INSTANTIATE_TEST_SUITE_P(EachValue, FlippedConfiguration, ::testing::ValuesIn(kFlips));

@@ -69,9 +69,10 @@ TEST(ShippedScenarios, CoverEveryClassOfTheDemonstration)
     // Then all classes are there
     EXPECT_GE(with_fault, 14U);
     for (const FaultKind kind :
-         {FaultKind::kCorruption, FaultKind::kRepetition, FaultKind::kWrongSequence, FaultKind::kLoss, FaultKind::kDelay,
-          FaultKind::kInsertion, FaultKind::kMasquerade, FaultKind::kAddressing, FaultKind::kBitFlip, FaultKind::kHung,
-          FaultKind::kFrozen, FaultKind::kNotCalled, FaultKind::kAlwaysGood, FaultKind::kClock, FaultKind::kNotInverse})
+         {FaultKind::kCorruption, FaultKind::kRepetition, FaultKind::kWrongSequence, FaultKind::kLoss,
+          FaultKind::kDelay, FaultKind::kInsertion, FaultKind::kMasquerade, FaultKind::kAddressing, FaultKind::kBitFlip,
+          FaultKind::kHung, FaultKind::kFrozen, FaultKind::kNotCalled, FaultKind::kAlwaysGood, FaultKind::kClock,
+          FaultKind::kNotInverse})
     {
         EXPECT_EQ(kinds.count(kind), 1U) << static_cast<int>(kind);
     }

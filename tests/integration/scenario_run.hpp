@@ -36,8 +36,8 @@ inline std::string TextFile(const std::string& text)
 /// A scenario on the emergency-stop chain; `text` is what it adds.
 inline std::unique_ptr<Run> RunChain(const std::string& text, const bool keeps_all = false)
 {
-    auto run = std::make_unique<Run>(TextFile("extends: " + Examples() + "chain.yaml\n" + text), std::nullopt, std::nullopt,
-                                     keeps_all);
+    auto run = std::make_unique<Run>(TextFile("extends: " + Examples() + "chain.yaml\n" + text), std::nullopt,
+                                     std::nullopt, keeps_all);
     run->Simulate(nullptr);
     return run;
 }

@@ -14,8 +14,7 @@ namespace counterpoint::simulator
 {
 namespace
 {
-template <typename ShippedChannel, typename Storage>
-class Host final : public ChannelHost
+template <typename ShippedChannel, typename Storage> class Host final : public ChannelHost
 {
   public:
     Host() : channel_(storage_.Handle())
@@ -39,14 +38,12 @@ class Host final : public ChannelHost
     ShippedChannel channel_;
 };
 
-template <std::uint8_t kSlots>
-std::unique_ptr<ChannelHost> MakeA()
+template <std::uint8_t kSlots> std::unique_ptr<ChannelHost> MakeA()
 {
     return std::make_unique<Host<channel_a::Channel, channel_a::StorageFor<kSlots>>>();
 }
 
-template <std::uint8_t kSlots>
-std::unique_ptr<ChannelHost> MakeB()
+template <std::uint8_t kSlots> std::unique_ptr<ChannelHost> MakeB()
 {
     return std::make_unique<Host<channel_b::Channel, channel_b::StorageFor<kSlots>>>();
 }
@@ -82,8 +79,8 @@ std::optional<BitPlace> FindConfigBit(const Letter letter, const DeviceConfig& c
 {
     const std::unique_ptr<ChannelHost> trial = MakeChannel(letter, config.srdo_count);
     trial->Voice().Restart(config);
-    // What changes when the value does is looked at bit by bit: the one whose flip alone changes the value is it, and not a
-    // check sum beside it.
+    // What changes when the value does is looked at bit by bit: the one whose flip alone changes the value is it, and
+    // not a check sum beside it.
     const std::uint32_t wanted = std::uint32_t{1U} << bit;
     trial->Voice().Store({address, wanted});
     const std::vector<std::uint8_t> set(trial->Bytes(), trial->Bytes() + trial->Size());

@@ -11,8 +11,8 @@
 
 namespace counterpoint::simulator
 {
-/// A shipped channel with exactly as much injected storage as its device needs. The storage is at hand as bytes, so that a
-/// fault can flip any bit of it.
+/// A shipped channel with exactly as much injected storage as its device needs. The storage is at hand as bytes, so
+/// that a fault can flip any bit of it.
 class ChannelHost
 {
   public:
@@ -43,8 +43,8 @@ struct BitPlace
 
 /// Where the channel keeps one bit of a configuration value, found by trial on a second channel of the same kind: which
 /// bit of the storage changes when that bit of the value does. Nothing if the value does not exist. [SRS-SIM-021]
-[[nodiscard]] std::optional<BitPlace> FindConfigBit(Letter letter, const DeviceConfig& config, const ConfigAddress& address,
-                                                    std::uint8_t bit);
+[[nodiscard]] std::optional<BitPlace> FindConfigBit(Letter letter, const DeviceConfig& config,
+                                                    const ConfigAddress& address, std::uint8_t bit);
 } // namespace counterpoint::simulator
 
 #endif // VERIFICATION_SIMULATOR_CHANNEL_HOST_HPP

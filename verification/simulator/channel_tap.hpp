@@ -17,12 +17,13 @@ class ChannelWitness
     virtual ~ChannelWitness() = default;
     /// @brief `channel` is the real one, for details.
     virtual void OnOutcome(Part part, const Channel& channel, const CycleOutcome& outcome) = 0;
-    /// @brief Whether the frame belongs to a consumer of this node: only then it matters that a channel does not get it.
+    /// @brief Whether the frame belongs to a consumer of this node: only then it matters that a channel does not get
+    /// it.
     [[nodiscard]] virtual bool Concerns(const CanFrame& frame) const = 0;
 };
 
-/// Stands between the kernel and a shipped channel: passes every call on, and makes the faults of calls (skipped, doubled,
-/// hung, frozen). The channel and the kernel know nothing of it. [SRS-SIM-021, SRS-SIM-025]
+/// Stands between the kernel and a shipped channel: passes every call on, and makes the faults of calls (skipped,
+/// doubled, hung, frozen). The channel and the kernel know nothing of it. [SRS-SIM-021, SRS-SIM-025]
 class ChannelTap final : public Channel
 {
   public:

@@ -82,7 +82,8 @@ Party PartyOf(const Event& device_fault)
     return Party::kKernel;
 }
 
-/// The cause of this cycle: the first cause if it is among the signalled ones, or was signalled before; else the lowest.
+/// The cause of this cycle: the first cause if it is among the signalled ones, or was signalled before; else the
+/// lowest.
 SrdoCause CauseOf(const Event& event)
 {
     const bool is_first = event.other == 0U || event.value >= 32U || ((event.other >> event.value) & 1U) != 0U;
@@ -100,7 +101,8 @@ Detection Conclude(const Findings& findings)
 {
     if (findings.device_fault != nullptr)
     {
-        return {PartyOf(*findings.device_fault), Name(static_cast<DeviceFault>(findings.device_fault->value)), findings.at};
+        return {PartyOf(*findings.device_fault), Name(static_cast<DeviceFault>(findings.device_fault->value)),
+                findings.at};
     }
     if (findings.cause_a != nullptr || findings.cause_b != nullptr)
     {

@@ -44,8 +44,8 @@ struct VariablePair
     bool is_consumer{false};
 };
 
-/// A device built from its DCF. Owns the memory of the mappable variables and everything that DeviceConfig points to, and
-/// therefore stays where it is. [SRS-SIM-002]
+/// A device built from its DCF. Owns the memory of the mappable variables and everything that DeviceConfig points to,
+/// and therefore stays where it is. [SRS-SIM-002]
 class DeviceModel
 {
   public:
@@ -83,8 +83,8 @@ class DeviceModel
     DeviceConfig config_{};
 };
 
-/// @brief Writes the configuration of the model to a started kernel. Throws cia306::InputError for the first write that is
-/// refused, with object and abort code.
+/// @brief Writes the configuration of the model to a started kernel. Throws cia306::InputError for the first write that
+/// is refused, with object and abort code.
 void Commission(Kernel& kernel, const DeviceModel& model);
 
 /// "0609 0030h"

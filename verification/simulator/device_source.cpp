@@ -70,7 +70,8 @@ std::vector<SrdoModel> DeviceSource::Srdos() const
         SrdoModel model;
         model.number = srdo.number;
         model.direction = static_cast<std::uint8_t>(Number(srdo.direction));
-        model.times = {static_cast<std::uint16_t>(Number(srdo.sct_ms)), static_cast<std::uint8_t>(Number(srdo.srvt_ms))};
+        model.times = {static_cast<std::uint16_t>(Number(srdo.sct_ms)),
+                       static_cast<std::uint8_t>(Number(srdo.srvt_ms))};
         model.cob_id_1 = Number(srdo.cob_id_1);
         model.cob_id_2 = Number(srdo.cob_id_2);
         for (const cia306::MappingEntry& entry : srdo.mapping)
@@ -211,7 +212,8 @@ std::vector<VariablePair> DeviceSource::Pairs() const
     return pairs;
 }
 
-void DeviceSource::AppendParameters(const cia306::SrdoConfiguration& srdo, std::vector<ConfigurationWrite>& writes) const
+void DeviceSource::AppendParameters(const cia306::SrdoConfiguration& srdo,
+                                    std::vector<ConfigurationWrite>& writes) const
 {
     const std::uint16_t index = srdo.CommunicationIndex();
     const std::uint16_t mapping = srdo.MappingIndex();
@@ -262,7 +264,8 @@ DeviceConfig DeviceSource::Config() const
     {
         if (value > kMostMilliseconds)
         {
-            throw InputError(file_, 0U, {"an interval of " + std::to_string(value) + " ms in 0x5F00", "at most 4000000"});
+            throw InputError(file_, 0U,
+                             {"an interval of " + std::to_string(value) + " ms in 0x5F00", "at most 4000000"});
         }
         return value * kMicrosecondsPerMillisecond;
     };

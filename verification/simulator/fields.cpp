@@ -123,7 +123,8 @@ std::string ScenarioValue::Text(const std::string& expected) const
 
 std::uint64_t ScenarioValue::Number(const Range& range) const
 {
-    const std::string expected = "a number from " + std::to_string(range.lowest) + " to " + std::to_string(range.highest);
+    const std::string expected =
+        "a number from " + std::to_string(range.lowest) + " to " + std::to_string(range.highest);
     const std::string text = Text(expected);
     const std::optional<std::uint64_t> number = ParseUnsigned(text);
     if (!number || *number < range.lowest || *number > range.highest)
@@ -146,11 +147,13 @@ Nanoseconds ScenarioValue::Duration() const
     const std::string text = Text(expected);
     const std::size_t end = text.find_last_of("0123456789.");
     const std::string number = (end == std::string::npos) ? "" : text.substr(0U, end + 1U);
-    const std::size_t unit_begin = (end == std::string::npos) ? std::string::npos : text.find_first_not_of(' ', end + 1U);
+    const std::size_t unit_begin =
+        (end == std::string::npos) ? std::string::npos : text.find_first_not_of(' ', end + 1U);
     const std::string unit = (unit_begin == std::string::npos) ? "" : text.substr(unit_begin);
     for (const Unit& known : kUnits)
     {
-        const std::optional<std::int64_t> value = (unit == known.text) ? ParseDecimal(number, known.digits) : std::nullopt;
+        const std::optional<std::int64_t> value =
+            (unit == known.text) ? ParseDecimal(number, known.digits) : std::nullopt;
         if (value && *value >= 0 && *value <= kLongest)
         {
             return *value;
@@ -191,8 +194,7 @@ ObjectAddress ScenarioValue::Object() const
     return {static_cast<std::uint16_t>(*index), static_cast<std::uint8_t>(*sub)};
 }
 
-Fields::Fields(const ScenarioValue& value, std::string meaning)
-    : value_(value), meaning_(std::move(meaning))
+Fields::Fields(const ScenarioValue& value, std::string meaning) : value_(value), meaning_(std::move(meaning))
 {
     const YamlNode& node = value_.Node();
     if (node.kind != YamlKind::kMap)

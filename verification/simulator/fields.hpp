@@ -20,8 +20,7 @@ struct Range
 };
 
 /// A word of a scenario and what it stands for.
-template <typename Meaning>
-struct Word
+template <typename Meaning> struct Word
 {
     const char* text;
     Meaning meaning;

@@ -132,8 +132,8 @@ bool FrameFaults::Apply(const FaultSetup& fault, const std::size_t index, const 
 // The frame that was held back comes behind this one.
 void FrameFaults::ReleaseHeld(const host::NodeIndex receiver, host::ReceptionList& receptions)
 {
-    const auto mine = std::find_if(held_.begin(), held_.end(),
-                                   [receiver](const Held& held) { return held.receiver == receiver; });
+    const auto mine =
+        std::find_if(held_.begin(), held_.end(), [receiver](const Held& held) { return held.receiver == receiver; });
     if (mine == held_.end())
     {
         return;

@@ -14,8 +14,8 @@
 
 namespace counterpoint::simulator
 {
-/// The bus faults of a scenario that act on frames on their way to receivers: corruption, repetition, wrong sequence, loss,
-/// delay, addressing. Nodes of the scenario are the nodes of the bus, in the same order. [SRS-SIM-020]
+/// The bus faults of a scenario that act on frames on their way to receivers: corruption, repetition, wrong sequence,
+/// loss, delay, addressing. Nodes of the scenario are the nodes of the bus, in the same order. [SRS-SIM-020]
 class FrameFaults final : public host::BusFault
 {
   public:

@@ -22,21 +22,22 @@ enum class EventKind : std::uint8_t
     kAcknowledge = 3U, ///< value: level.
     kGfc = 4U,         ///< value: 1 sent, 0 refused.
     kPowerOn = 5U,
-    kFault = 6U,       ///< A fault had its first effect. value: index in Scenario::faults.
-    kFrameChanged = 7U, ///< A receiver gets something else than what was sent. value: identifier; other: index of the fault.
-    kViewA = 8U,       ///< Channel A shows a new state. value: SrdoState.
+    kFault = 6U, ///< A fault had its first effect. value: index in Scenario::faults.
+    kFrameChanged =
+        7U,      ///< A receiver gets something else than what was sent. value: identifier; other: index of the fault.
+    kViewA = 8U, ///< Channel A shows a new state. value: SrdoState.
     kViewB = 9U,
-    kCauseA = 10U,     ///< Channel A reports a fault of an SRDO. value: first SrdoCause; other: signals of this cycle.
+    kCauseA = 10U, ///< Channel A reports a fault of an SRDO. value: first SrdoCause; other: signals of this cycle.
     kCauseB = 11U,
-    kVerdict = 12U,    ///< The comparator's masks changed. value: agreed; other: matched.
-    kDemotion = 13U,   ///< value: mask.
-    kPermits = 14U,    ///< A party's permit changed. value: mask that all three give; other: 1 when all responses fit.
-    kOutput = 15U,     ///< value: 1 open, 0 closed.
-    kValue = 16U,      ///< What the application uses changed. value; other: index << 8 | sub.
-    kSignal = 17U,     ///< The application was told of a cause. value: SrdoCause.
+    kVerdict = 12U,     ///< The comparator's masks changed. value: agreed; other: matched.
+    kDemotion = 13U,    ///< value: mask.
+    kPermits = 14U,     ///< A party's permit changed. value: mask that all three give; other: 1 when all responses fit.
+    kOutput = 15U,      ///< value: 1 open, 0 closed.
+    kValue = 16U,       ///< What the application uses changed. value; other: index << 8 | sub.
+    kSignal = 17U,      ///< The application was told of a cause. value: SrdoCause.
     kDeviceFault = 18U, ///< value: DeviceFault; other: that of the comparator's verdict.
-    kWatchdog = 19U,   ///< The watchdog tripped.
-    kHung = 20U,       ///< A call did not return: the node stands still.
+    kWatchdog = 19U,    ///< The watchdog tripped.
+    kHung = 20U,        ///< A call did not return: the node stands still.
     kConfigurationInvalid = 21U,
     kReception = 22U, ///< A consumer got a frame. value: identifier; other: 1 when it completed a good pair.
 };
@@ -49,7 +50,7 @@ struct Event
     std::uint8_t srdo{0U};
     std::uint64_t value{0U};
     std::uint64_t other{0U};
-    Nanoseconds since{-1}; ///< kOutput: normal frame of the last good pair; see PairTimes.
+    Nanoseconds since{-1};   ///< kOutput: normal frame of the last good pair; see PairTimes.
     Nanoseconds inverse{-1}; ///< kOutput: last inverse frame.
 };
 
@@ -63,8 +64,8 @@ struct FrameEntry
     host::FrameFate fate{host::FrameFate::kComplete};
 };
 
-/// Everything that happened, in order of time. What decides about expectations is always kept; what only people look at is
-/// kept when somebody asked for it. [SRS-SIM-040, SRS-SIM-046]
+/// Everything that happened, in order of time. What decides about expectations is always kept; what only people look at
+/// is kept when somebody asked for it. [SRS-SIM-040, SRS-SIM-046]
 class Journal
 {
   public:

@@ -61,15 +61,24 @@ inline constexpr Word<NmtState> kNmtWords[] = {
 };
 
 inline constexpr Word<FaultKind> kFaultWords[] = {
-    {"corruption", FaultKind::kCorruption}, {"repetition", FaultKind::kRepetition},
-    {"wrong_sequence", FaultKind::kWrongSequence}, {"loss", FaultKind::kLoss},
-    {"delay", FaultKind::kDelay}, {"insertion", FaultKind::kInsertion},
-    {"masquerade", FaultKind::kMasquerade}, {"addressing", FaultKind::kAddressing},
-    {"bit_flip", FaultKind::kBitFlip}, {"skipped", FaultKind::kSkipped},
-    {"doubled", FaultKind::kDoubled}, {"hung", FaultKind::kHung},
-    {"frozen", FaultKind::kFrozen}, {"not_called", FaultKind::kNotCalled},
-    {"always_good", FaultKind::kAlwaysGood}, {"clock", FaultKind::kClock},
-    {"cycle", FaultKind::kCycle}, {"not_inverse", FaultKind::kNotInverse},
+    {"corruption", FaultKind::kCorruption},
+    {"repetition", FaultKind::kRepetition},
+    {"wrong_sequence", FaultKind::kWrongSequence},
+    {"loss", FaultKind::kLoss},
+    {"delay", FaultKind::kDelay},
+    {"insertion", FaultKind::kInsertion},
+    {"masquerade", FaultKind::kMasquerade},
+    {"addressing", FaultKind::kAddressing},
+    {"bit_flip", FaultKind::kBitFlip},
+    {"skipped", FaultKind::kSkipped},
+    {"doubled", FaultKind::kDoubled},
+    {"hung", FaultKind::kHung},
+    {"frozen", FaultKind::kFrozen},
+    {"not_called", FaultKind::kNotCalled},
+    {"always_good", FaultKind::kAlwaysGood},
+    {"clock", FaultKind::kClock},
+    {"cycle", FaultKind::kCycle},
+    {"not_inverse", FaultKind::kNotInverse},
 };
 
 inline constexpr Word<Part> kPartWords[] = {
@@ -92,9 +101,12 @@ inline constexpr Word<Party> kPartyWords[] = {
 };
 
 inline constexpr Word<FaultClass> kFaultClassWords[] = {
-    {"bus", FaultClass::kBus},         {"bus_next_normal", FaultClass::kBusNextNormal},
-    {"wrong_frame", FaultClass::kWrongFrame}, {"channel", FaultClass::kChannel},
-    {"configuration", FaultClass::kConfiguration}, {"supervisor", FaultClass::kSupervisor},
+    {"bus", FaultClass::kBus},
+    {"bus_next_normal", FaultClass::kBusNextNormal},
+    {"wrong_frame", FaultClass::kWrongFrame},
+    {"channel", FaultClass::kChannel},
+    {"configuration", FaultClass::kConfiguration},
+    {"supervisor", FaultClass::kSupervisor},
     {"clock", FaultClass::kClock},
 };
 

@@ -18,8 +18,8 @@ Insight InsightOf(const Scenario& scenario, const Journal& journal)
 {
     const bool is_wanted =
         journal.KeepsAll() || !scenario.faults.empty() ||
-        std::any_of(scenario.expectations.begin(), scenario.expectations.end(), [](const Expectation& expectation)
-                    { return expectation.kind == ExpectationKind::kDetectedBy; });
+        std::any_of(scenario.expectations.begin(), scenario.expectations.end(),
+                    [](const Expectation& expectation) { return expectation.kind == ExpectationKind::kDetectedBy; });
     return is_wanted ? Insight::kTapped : Insight::kNone;
 }
 } // namespace

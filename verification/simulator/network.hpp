@@ -15,8 +15,8 @@
 
 namespace counterpoint::simulator
 {
-/// A scenario brought to life: bus, nodes, what happens to them. Throws ScenarioError and cia306::InputError while it is
-/// being built; after that only time passes. The same scenario gives the same journal. [SRS-SIM-003]
+/// A scenario brought to life: bus, nodes, what happens to them. Throws ScenarioError and cia306::InputError while it
+/// is being built; after that only time passes. The same scenario gives the same journal. [SRS-SIM-003]
 class Network final : private host::BusObserver
 {
   public:

@@ -156,8 +156,8 @@ void Network::PlanBitFlip(const std::size_t index)
         const std::optional<BitPlace> found = FindConfigBit(letter, node.Model().Config(), address, fault.bit);
         if (!found)
         {
-            throw ScenarioError(fault.source.file, fault.source.place, "bit " + std::to_string(fault.bit) + " of that value",
-                                "a bit that the channel keeps");
+            throw ScenarioError(fault.source.file, fault.source.place,
+                                "bit " + std::to_string(fault.bit) + " of that value", "a bit that the channel keeps");
         }
         place = *found;
     }

@@ -22,11 +22,6 @@ hal::WatchdogWindow WindowOf(const DeviceConfig& config)
 {
     return {config.cycle_us / 2U, config.cycle_us + config.cycle_tolerance_us};
 }
-
-std::uint32_t RateOf(const std::int32_t drift_ppm)
-{
-    return static_cast<std::uint32_t>(kMillion + drift_ppm);
-}
 } // namespace
 
 Node::Node(const NodeIndex index, const NodeSetup& setup, DeviceModel& model, host::VirtualBus& bus, Journal& journal,
@@ -36,16 +31,18 @@ Node::Node(const NodeIndex index, const NodeSetup& setup, DeviceModel& model, ho
       output_(bus, watchdog_, LimitOf(model.Config())), output_tap_(output_), can_(clocks_, *this),
       channel_a_(MakeChannel(Letter::kA, model.Config().srdo_count)),
       channel_b_(MakeChannel(Letter::kB, model.Config().srdo_count)),
-      tap_a_(channel_a_->Voice(), Part::kChannelA, faults_, this), tap_b_(channel_b_->Voice(), Part::kChannelB, faults_, this),
-      supervisors_(faults_), application_(index, model, journal),
+      tap_a_(channel_a_->Voice(), Part::kChannelA, faults_, this),
+      tap_b_(channel_b_->Voice(), Part::kChannelB, faults_, this), supervisors_(faults_),
+      application_(index, model, journal),
       kernel_({insight == Insight::kTapped ? static_cast<Channel&>(tap_a_) : channel_a_->Voice(),
                insight == Insight::kTapped ? static_cast<Channel&>(tap_b_) : channel_b_->Voice(), can_,
-               insight == Insight::kTapped ? static_cast<hal::SafetyOutput&>(output_tap_) : output_, watchdog_, application_})
+               insight == Insight::kTapped ? static_cast<hal::SafetyOutput&>(output_tap_) : output_, watchdog_,
+               application_})
 {
     application_.Join(kernel_);
     static_cast<void>(can_.ConnectPort(CanPortId::kFirst, bus, kQueueCapacity));
-    clocks_.A().SetRate(0, RateOf(setup.counter_a.drift_ppm));
-    clocks_.B().SetRate(0, RateOf(setup.counter_b.drift_ppm));
+    SetCounterRate(true, setup.counter_a.drift_ppm);
+    SetCounterRate(false, setup.counter_b.drift_ppm);
     const std::int64_t cycle = std::int64_t{model.Config().cycle_us} * kNanosecondsPerMicrosecond * kMillion;
     oscillator_ = kMillion + setup.counter_a.drift_ppm;
     cycle_ns_ = cycle / oscillator_;
@@ -72,8 +69,8 @@ void Node::Rehearse()
     if (result != StartResult::kStarted)
     {
         throw cia306::InputError(model_.File(), 0U,
-                                 {"the kernel refuses this device, reason " + std::to_string(static_cast<unsigned>(result)) +
-                                      " of StartResult",
+                                 {"the kernel refuses this device, reason " +
+                                      std::to_string(static_cast<unsigned>(result)) + " of StartResult",
                                   "SRDOs, objects and times of 0x5F00 within the ranges of DeviceConfig"});
     }
     nmt_ = NmtState::kPreOperational;
@@ -98,8 +95,8 @@ void Node::PowerOn()
     for (const SrdoModel& srdo : model_.Srdos())
     {
         const SlotIndex slot = model_.SlotOf(srdo.number).value_or(0U);
-        const bool sends = srdo.direction == kDirectionProducer &&
-                           model_.Config().srdos[slot].form == ProducerForm::kApplicationSends;
+        const bool sends =
+            srdo.direction == kDirectionProducer && model_.Config().srdos[slot].form == ProducerForm::kApplicationSends;
         const std::uint32_t cycles = (srdo.times.sct_ms * kMicrosecondsPerMillisecond) / model_.Config().cycle_us;
         if (sends && (cycles_per_send_ == 0U || cycles < cycles_per_send_))
         {
@@ -131,8 +128,7 @@ void Node::Run()
     SettleNextEvent();
 }
 
-template <typename Call>
-void Node::Guarded(const Call& call)
+template <typename Call> void Node::Guarded(const Call& call)
 {
     if (insight_ == Insight::kNone)
     {
@@ -264,8 +260,8 @@ void Node::Follow(const StampedFrame& frame)
     const std::uint64_t normal = (std::uint64_t{times.data.high} << 32U) | times.data.low;
     const std::uint64_t inverse = (std::uint64_t{data.high} << 32U) | data.low;
     const std::uint64_t mask = ~std::uint64_t{0U} >> (64U - 8U * std::max<unsigned>(times.length_bytes, 1U));
-    const bool is_good = times.pending >= 0 && times.length_bytes == frame.frame.length_bytes &&
-                         ((normal ^ inverse) & mask) == mask;
+    const bool is_good =
+        times.pending >= 0 && times.length_bytes == frame.frame.length_bytes && ((normal ^ inverse) & mask) == mask;
     times.last_good_normal = is_good ? times.pending : times.last_good_normal;
     times.pending = -1;
     journal_.Tell({Now(), EventKind::kReception, index_, NumberOf(slot), identifier, is_good ? 1U : 0U});
@@ -281,8 +277,8 @@ void Node::LookAtOutput()
         if (((changed >> slot) & 1U) != 0U)
         {
             const PairTimes& times = times_.at(slot);
-            journal_.Note({Now(), EventKind::kOutput, index_, NumberOf(slot), (open >> slot) & 1U, 0U, times.last_good_normal,
-                           times.last_inverse});
+            journal_.Note({Now(), EventKind::kOutput, index_, NumberOf(slot), (open >> slot) & 1U, 0U,
+                           times.last_good_normal, times.last_inverse});
         }
     }
     if (insight_ == Insight::kTapped)
@@ -313,85 +309,4 @@ void Node::SetNmt(const NmtState state)
     }
 }
 
-void Node::SetAcknowledge(const std::uint8_t srdo, const bool level)
-{
-    const SrdoMask bit = SrdoMask{1U} << model_.SlotOf(srdo).value_or(0U);
-    acknowledge_ = level ? (acknowledge_ | bit) : (acknowledge_ & ~bit);
-    journal_.Tell({Now(), EventKind::kAcknowledge, index_, srdo, level ? 1U : 0U, 0U});
-}
-
-void Node::SendGfc()
-{
-    const Result result = (is_hung_ || !is_on_) ? Result::kDeviceFault : kernel_.SendGfc();
-    journal_.Tell({Now(), EventKind::kGfc, index_, 0U, (result == Result::kSuccessful) ? 1U : 0U, 0U});
-}
-
-void Node::ShiftCycle(const Nanoseconds by)
-{
-    next_cycle_ = std::max(next_cycle_ + by, Now());
-    SettleNextEvent();
-}
-
-void Node::SetCounterRate(const bool is_counter_a, const std::int32_t drift_ppm)
-{
-    host::HostClock& clock = is_counter_a ? clocks_.A() : clocks_.B();
-    clock.SetRate(Now(), RateOf(drift_ppm));
-}
-
-void Node::FlipBit(const Part part, const BitPlace& place)
-{
-    ChannelHost& channel = (part == Part::kChannelA) ? *channel_a_ : *channel_b_;
-    std::uint8_t& byte = channel.Bytes()[place.offset % channel.Size()];
-    byte = static_cast<std::uint8_t>(byte ^ (1U << place.bit));
-}
-
-std::size_t Node::StorageSize(const Part part) noexcept
-{
-    return (part == Part::kChannelA) ? channel_a_->Size() : channel_b_->Size();
-}
-
-const DeviceModel& Node::Model() const noexcept
-{
-    return model_;
-}
-
-NodeApplication& Node::App() noexcept
-{
-    return application_;
-}
-
-PartFaults& Node::Faults() noexcept
-{
-    return faults_;
-}
-
-host::HostCanPorts& Node::Can() noexcept
-{
-    return can_;
-}
-
-Kernel& Node::Core() noexcept
-{
-    return kernel_;
-}
-
-const PairTimes& Node::TimesOf(const SlotIndex slot) const noexcept
-{
-    return times_[slot];
-}
-
-SrdoMask Node::Open() const noexcept
-{
-    return open_;
-}
-
-Nanoseconds Node::Now() const noexcept
-{
-    return bus_.Now();
-}
-
-std::uint8_t Node::NumberOf(const SlotIndex slot) const noexcept
-{
-    return model_.Config().srdos[slot].number;
-}
 } // namespace counterpoint::simulator

@@ -46,7 +46,8 @@ class Node final : private host::FrameSink, private ChannelWitness
 {
   public:
     /// @brief Everything given outlives the node.
-    Node(NodeIndex index, const NodeSetup& setup, DeviceModel& model, host::VirtualBus& bus, Journal& journal, Insight insight);
+    Node(NodeIndex index, const NodeSetup& setup, DeviceModel& model, host::VirtualBus& bus, Journal& journal,
+         Insight insight);
 
     /// @brief Starts and commissions the kernel as PowerOn will, to find out early whether it can be. Throws
     /// cia306::InputError.
@@ -96,8 +97,7 @@ class Node final : private host::FrameSink, private ChannelWitness
 
     void Cycle();
     /// @brief Makes a call into the kernel that may never return.
-    template <typename Call>
-    void Guarded(const Call& call);
+    template <typename Call> void Guarded(const Call& call);
     void SendByApplication();
     void LookAtOutput();
     void LookAtWatchdog();
@@ -133,8 +133,8 @@ class Node final : private host::FrameSink, private ChannelWitness
     Kernel kernel_;
 
     Nanoseconds next_cycle_{0};
-    Nanoseconds cycle_ns_{0};          ///< Whole nanoseconds of a cycle on the node's oscillator.
-    std::int64_t cycle_fraction_{0};   ///< And the rest, in parts of `oscillator_`.
+    Nanoseconds cycle_ns_{0};        ///< Whole nanoseconds of a cycle on the node's oscillator.
+    std::int64_t cycle_fraction_{0}; ///< And the rest, in parts of `oscillator_`.
     std::int64_t oscillator_{0};
     std::int64_t fraction_sum_{0};
     SrdoMask acknowledge_{0U};

@@ -65,9 +65,8 @@ void NodeApplication::SetSafeValues()
 
 std::size_t NodeApplication::IndexOf(const ObjectAddress& normal) const
 {
-    const auto found =
-        std::find_if(pairs_.begin(), pairs_.end(), [&normal](const PairState& pair)
-                     { return pair.address.index == normal.index && pair.address.sub == normal.sub; });
+    const auto found = std::find_if(pairs_.begin(), pairs_.end(), [&normal](const PairState& pair)
+                                    { return pair.address.index == normal.index && pair.address.sub == normal.sub; });
     return static_cast<std::size_t>(found - pairs_.begin());
 }
 

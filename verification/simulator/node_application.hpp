@@ -15,8 +15,8 @@
 namespace counterpoint::simulator
 {
 /// The application of a simulated node. Producers: the normal objects hold the input, the inverse objects are computed
-/// from the input by another path. Consumers: a pair counts only while its two objects are inverse and the output of its
-/// SRDO is open. Logic rules join the two. [SRS-SIM-006, SRS-SIM-007]
+/// from the input by another path. Consumers: a pair counts only while its two objects are inverse and the output of
+/// its SRDO is open. Logic rules join the two. [SRS-SIM-006, SRS-SIM-007]
 class NodeApplication final : public Application
 {
   public:

@@ -20,8 +20,8 @@ void Node::OnOutcome(const Part part, const Channel& channel, const CycleOutcome
 {
     Voice& voice = (part == Part::kChannelA) ? voice_a_ : voice_b_;
     const CycleOutcome& before = voice.outcome;
-    const SrdoMask masks = (before.released ^ outcome.released) | (before.faulted ^ outcome.faulted) |
-                           (before.waiting ^ outcome.waiting);
+    const SrdoMask masks =
+        (before.released ^ outcome.released) | (before.faulted ^ outcome.faulted) | (before.waiting ^ outcome.waiting);
     const bool has_changed = masks != 0U || before.not_operational != outcome.not_operational ||
                              before.is_tx != outcome.is_tx || before.cycle == 0U;
     voice.outcome = outcome;

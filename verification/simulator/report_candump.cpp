@@ -20,9 +20,10 @@ std::string CandumpReport(const Run& run)
             entry.frame.kind == FrameKind::kExtended || entry.frame.kind == FrameKind::kExtendedRemote;
         const bool is_remote = entry.frame.kind == FrameKind::kRemote || entry.frame.kind == FrameKind::kExtendedRemote;
         std::array<char, 64U> head{};
-        static_cast<void>(std::snprintf(head.data(), head.size(), "(%010lld.%06lld) can0 ",
-                                        static_cast<long long>(entry.end / kNanosecondsPerSecond),
-                                        static_cast<long long>(entry.end % kNanosecondsPerSecond / kNanosecondsPerMicrosecond)));
+        static_cast<void>(
+            std::snprintf(head.data(), head.size(), "(%010lld.%06lld) can0 ",
+                          static_cast<long long>(entry.end / kNanosecondsPerSecond),
+                          static_cast<long long>(entry.end % kNanosecondsPerSecond / kNanosecondsPerMicrosecond)));
         std::array<char, 16U> identifier{};
         const auto number = static_cast<unsigned>(entry.frame.identifier);
         static_cast<void>(is_extended ? std::snprintf(identifier.data(), identifier.size(), "%08X#", number)

@@ -85,16 +85,16 @@ std::string Gauge(const Measurement& measurement)
     }
     const Nanoseconds share = std::min(kFull, measurement.elapsed * kFull / measurement.limit);
     return "<span class=\"gauge\" title=\"" + std::to_string(measurement.elapsed * kFull / measurement.limit) +
-           " % of the limit\"><i class=\"" + (measurement.Holds() ? "" : "over") + "\" style=\"width:" +
-           std::to_string(share) + "%\"></i></span>";
+           " % of the limit\"><i class=\"" + (measurement.Holds() ? "" : "over") +
+           "\" style=\"width:" + std::to_string(share) + "%\"></i></span>";
 }
 
 std::string Pill(const Run& run)
 {
     const bool is_timed = run.FirstMeasurement() != nullptr;
     const char* const good = is_timed ? "in time" : "as expected";
-    return std::string("<span class=\"pill ") + (run.Holds() ? "good" : "bad") + "\">" + (run.Holds() ? good : "FAILED") +
-           "</span>";
+    return std::string("<span class=\"pill ") + (run.Holds() ? "good" : "bad") + "\">" +
+           (run.Holds() ? good : "FAILED") + "</span>";
 }
 
 std::string Row(const Run& run, const std::size_t place)
@@ -124,8 +124,9 @@ std::string Summary(const std::vector<const Run*>& runs)
     {
         return "";
     }
-    std::string table = "<table>\n<thead><tr><th>Run</th><th>Detected by</th><th>Cause</th><th class=\"num\">Time to safe output"
-                        "</th><th class=\"num\">Limit</th><th>Time / limit</th><th>Verdict</th></tr></thead>\n<tbody>\n";
+    std::string table =
+        "<table>\n<thead><tr><th>Run</th><th>Detected by</th><th>Cause</th><th class=\"num\">Time to safe output"
+        "</th><th class=\"num\">Limit</th><th>Time / limit</th><th>Verdict</th></tr></thead>\n<tbody>\n";
     for (std::size_t place = 0U; place < runs.size(); ++place)
     {
         table += Row(*runs[place], place);

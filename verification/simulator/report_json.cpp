@@ -39,8 +39,8 @@ constexpr Word<EventKind> kEventWords[] = {
 };
 
 constexpr Word<host::FrameFate> kFateWords[] = {
-    {"complete", host::FrameFate::kComplete},     {"hit", host::FrameFate::kHit},
-    {"collision", host::FrameFate::kCollision},   {"not_acknowledged", host::FrameFate::kNotAcknowledged},
+    {"complete", host::FrameFate::kComplete},      {"hit", host::FrameFate::kHit},
+    {"collision", host::FrameFate::kCollision},    {"not_acknowledged", host::FrameFate::kNotAcknowledged},
     {"sender_gone", host::FrameFate::kSenderGone},
 };
 
@@ -125,7 +125,8 @@ void AddDetails(const Run& run, const Event& event, Json& json)
         return;
     case EventKind::kValue:
     case EventKind::kInput:
-        json["object"] = ObjectText({static_cast<std::uint16_t>(event.other >> 8U), static_cast<std::uint8_t>(event.other & 0xFFU)});
+        json["object"] =
+            ObjectText({static_cast<std::uint16_t>(event.other >> 8U), static_cast<std::uint8_t>(event.other & 0xFFU)});
         json["value"] = event.value;
         return;
     case EventKind::kReception:

@@ -213,8 +213,8 @@ std::string EventText(const Run& run, const Event& event)
     case EventKind::kFault:
         return "FAULT: " + scenario.faults[event.value].name;
     case EventKind::kFrameChanged:
-        return "frame " + IdentifierText(static_cast<std::uint32_t>(event.value)) + " changed: " +
-               scenario.faults[event.other].name;
+        return "frame " + IdentifierText(static_cast<std::uint32_t>(event.value)) +
+               " changed: " + scenario.faults[event.other].name;
     case EventKind::kWatchdog:
         return "WATCHDOG TRIPPED";
     case EventKind::kHung:

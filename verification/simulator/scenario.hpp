@@ -169,7 +169,7 @@ struct FaultSetup
     Part part{Part::kNone};
     ChannelCall call{ChannelCall::kOnCycle};
     // Corruption.
-    std::vector<std::uint8_t> bits; ///< Numbered from bit 0 of byte 0.
+    std::vector<std::uint8_t> bits;     ///< Numbered from bit 0 of byte 0.
     std::optional<std::uint8_t> length; ///< Frame length instead of the true one.
     // Repetition, delay, early and late cycle.
     std::uint32_t times{1U};
@@ -228,8 +228,8 @@ struct Expectation
     std::uint64_t value{0U};
     SrdoCause cause{SrdoCause::kInvalid};
     DeviceFault device_fault{DeviceFault::kInvalid};
-    std::vector<Party> parties; ///< Any of them.
-    std::size_t fault{0U};      ///< Index in Scenario::faults.
+    std::vector<Party> parties;                   ///< Any of them.
+    std::size_t fault{0U};                        ///< Index in Scenario::faults.
     FaultClass fault_class{FaultClass::kInvalid}; ///< kInvalid: follows from the fault.
 };
 

@@ -9,10 +9,14 @@ namespace counterpoint::simulator
 namespace
 {
 constexpr Word<ExpectationKind> kExpectationWords[] = {
-    {"released", ExpectationKind::kReleased},        {"safe", ExpectationKind::kSafe},
-    {"value", ExpectationKind::kValue},              {"cause", ExpectationKind::kCause},
-    {"device_fault", ExpectationKind::kDeviceFault}, {"detected_by", ExpectationKind::kDetectedBy},
-    {"safe_within", ExpectationKind::kSafeWithin},   {"no_fault", ExpectationKind::kNoFault},
+    {"released", ExpectationKind::kReleased},
+    {"safe", ExpectationKind::kSafe},
+    {"value", ExpectationKind::kValue},
+    {"cause", ExpectationKind::kCause},
+    {"device_fault", ExpectationKind::kDeviceFault},
+    {"detected_by", ExpectationKind::kDetectedBy},
+    {"safe_within", ExpectationKind::kSafeWithin},
+    {"no_fault", ExpectationKind::kNoFault},
 };
 
 Nanoseconds ReadAt(Fields& fields, const Scenario& scenario)
@@ -48,7 +52,8 @@ std::size_t ReadFaultIndex(Fields& fields, const Scenario& scenario)
         }
         expected += (expected.empty() ? "" : ", ") + scenario.faults[index].name;
     }
-    value->Refuse("fault " + Shown(name), expected.empty() ? "a fault of 'faults', which has none" : "one of " + expected);
+    value->Refuse("fault " + Shown(name),
+                  expected.empty() ? "a fault of 'faults', which has none" : "one of " + expected);
 }
 
 void ReadParties(Fields& fields, Expectation& expectation)

@@ -221,7 +221,8 @@ void ReadPartFault(Fields& fields, FaultSetup& fault)
         RequireParts(fields, fault, is_channel, "channel_a or channel_b");
         const auto call = fields.Find("call");
         fault.call = call ? call->Choice(kCallWords) : ChannelCall::kOnCycle;
-        fault.times = FindNumber(fields, "count", kCountRange).value_or(static_cast<std::uint32_t>(kCountRange.highest));
+        fault.times =
+            FindNumber(fields, "count", kCountRange).value_or(static_cast<std::uint32_t>(kCountRange.highest));
     }
     if (fault.kind == FaultKind::kNotCalled)
     {

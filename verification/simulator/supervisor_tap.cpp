@@ -4,8 +4,8 @@
 #include <array>
 
 // The linker's --wrap=SYMBOL leads every call of SYMBOL to __wrap_SYMBOL and gives the shipped function the name
-// __real_SYMBOL. A member function takes its object as first argument (Itanium C++ ABI), so that plain functions with these
-// names can stand in for it.
+// __real_SYMBOL. A member function takes its object as first argument (Itanium C++ ABI), so that plain functions with
+// these names can stand in for it.
 
 namespace counterpoint::simulator
 {
@@ -16,7 +16,8 @@ thread_local std::array<std::uint64_t, kPartCount> intercepted{};
 
 } // namespace
 
-Verdict RealCompare(Comparator& self, const Comparison& comparison) noexcept __asm__("__real__ZN12counterpoint10Comparator7CompareERKNS_10ComparisonE");
+Verdict RealCompare(Comparator& self, const Comparison& comparison) noexcept
+    __asm__("__real__ZN12counterpoint10Comparator7CompareERKNS_10ComparisonE");
 void RealFlowBegin(FlowMonitor& self) noexcept __asm__("__real__ZN12counterpoint11FlowMonitor5BeginEv");
 void RealFlowMark(FlowMonitor& self, FlowStep step, const FlowEvidence& evidence) noexcept
     __asm__("__real__ZN12counterpoint11FlowMonitor4MarkENS_8FlowStepERKNS_12FlowEvidenceE");
@@ -25,7 +26,8 @@ hal::WatchdogAnswer RealFlowEnd(FlowMonitor& self, const hal::WatchdogQuestion& 
 std::uint32_t RealGuardCycle(ConfigurationGuard& self, std::uint32_t challenge) noexcept
     __asm__("__real__ZN12counterpoint18ConfigurationGuard5CycleEj");
 
-Verdict WrapCompare(Comparator& self, const Comparison& comparison) noexcept __asm__("__wrap__ZN12counterpoint10Comparator7CompareERKNS_10ComparisonE");
+Verdict WrapCompare(Comparator& self, const Comparison& comparison) noexcept
+    __asm__("__wrap__ZN12counterpoint10Comparator7CompareERKNS_10ComparisonE");
 void WrapFlowBegin(FlowMonitor& self) noexcept __asm__("__wrap__ZN12counterpoint11FlowMonitor5BeginEv");
 void WrapFlowMark(FlowMonitor& self, FlowStep step, const FlowEvidence& evidence) noexcept
     __asm__("__wrap__ZN12counterpoint11FlowMonitor4MarkENS_8FlowStepERKNS_12FlowEvidenceE");

@@ -69,7 +69,8 @@ class Judgement
         const bool wants_open = expectation.kind == ExpectationKind::kReleased;
         ExpectationVerdict verdict;
         verdict.holds = is_open == wants_open;
-        verdict.wanted = Place(expectation) + (wants_open ? " released" : " safe") + " at " + MillisecondsText(expectation.at);
+        verdict.wanted =
+            Place(expectation) + (wants_open ? " released" : " safe") + " at " + MillisecondsText(expectation.at);
         verdict.seen = is_open ? "released" : "safe";
         return verdict;
     }
@@ -103,8 +104,8 @@ class Judgement
         bool is_there = false;
         for (const Event& event : journal_.Events())
         {
-            const bool is_this = event.kind == EventKind::kSignal && event.node == expectation.node &&
-                                 event.srdo == expectation.srdo;
+            const bool is_this =
+                event.kind == EventKind::kSignal && event.node == expectation.node && event.srdo == expectation.srdo;
             if (!is_this)
             {
                 continue;
@@ -170,7 +171,8 @@ class Judgement
                                         [&expectation, from](const Event& event)
                                         {
                                             return event.kind == EventKind::kOutput && event.node == expectation.node &&
-                                                   event.srdo == expectation.srdo && event.value == 0U && event.at >= from;
+                                                   event.srdo == expectation.srdo && event.value == 0U &&
+                                                   event.at >= from;
                                         });
         return (found == journal_.Events().end()) ? nullptr : &*found;
     }
@@ -210,8 +212,8 @@ class Judgement
         {
             measurement.closed = closed->at;
             measurement.reference = ReferenceOf(measurement, *closed);
-            measurement.elapsed = closed->at - measurement.reference +
-                                  model.Config().output_time_us * kNanosecondsPerMicrosecond;
+            measurement.elapsed =
+                closed->at - measurement.reference + model.Config().output_time_us * kNanosecondsPerMicrosecond;
         }
         measurement.detection = DetectionAt(journal_, expectation.node, measurement.effect);
         return measurement;

@@ -110,7 +110,8 @@ class TreeBuilder : public YAML::EventHandler
         }
         if (stack_.size() >= kMaxYamlDepth)
         {
-            throw ScenarioError(file_, place, "nested too deeply", "at most " + std::to_string(kMaxYamlDepth) + " levels");
+            throw ScenarioError(file_, place, "nested too deeply",
+                                "at most " + std::to_string(kMaxYamlDepth) + " levels");
         }
         stack_.emplace_back();
         stack_.back().kind = kind;
@@ -157,7 +158,8 @@ class TreeBuilder : public YAML::EventHandler
     std::size_t count_{0U};
 };
 
-/// Length of the UTF-8 character at `place`, 0 if there is none or it is a control character other than tab and newline.
+/// Length of the UTF-8 character at `place`, 0 if there is none or it is a control character other than tab and
+/// newline.
 std::size_t CharacterLength(const std::string& text, const std::size_t place)
 {
     const auto first = static_cast<unsigned char>(text[place]);

@@ -55,8 +55,9 @@ TEST_P(BadScenario, IsRefusedByOneLineThatNamesThePlace)
     const std::string refusal = Refusal(file);
     // Then the line says where, what, and what was expected
     EXPECT_EQ(refusal.substr(0U, file.size() + 1U), file + ":") << refusal;
-    EXPECT_EQ(refusal.substr(std::min(refusal.size(), file.size() + 1U)).substr(0U, std::string(GetParam().message).size()),
-              GetParam().message);
+    EXPECT_EQ(
+        refusal.substr(std::min(refusal.size(), file.size() + 1U)).substr(0U, std::string(GetParam().message).size()),
+        GetParam().message);
     EXPECT_NE(refusal.find("expected"), std::string::npos) << refusal;
     EXPECT_EQ(refusal.find('\n'), std::string::npos) << refusal;
 }
@@ -64,7 +65,8 @@ TEST_P(BadScenario, IsRefusedByOneLineThatNamesThePlace)
 constexpr BadCase kBadCases[] = {
     {"unknown key", "colour: red\n", "2:1: unknown key 'colour' in a scenario, expected one of extends, title"},
     {"repeated key", "seed: 1\nseed: 2\n", "3:1: key 'seed' twice"},
-    {"key of a fault", "faults:\n  - {fault: loss, frames: {identifier: 0x103}, bits: [1]}\n", "3:48: unknown key 'bits' in a fault"},
+    {"key of a fault", "faults:\n  - {fault: loss, frames: {identifier: 0x103}, bits: [1]}\n",
+     "3:48: unknown key 'bits' in a fault"},
     {"unknown word", "faults:\n  - {fault: explosion}\n", "3:13: 'explosion', expected one of corruption, repetition"},
     {"number for text", "duration: [1, 2]\n", "2:11: a list, expected a time with its unit"},
     {"no unit", "duration: 100\n", "2:11: '100', expected a time with its unit such as 10 ms"},
@@ -79,26 +81,43 @@ constexpr BadCase kBadCases[] = {
      "3:5: object 0x2000:07 in "},
     {"object of the wrong direction", "inputs:\n  - {at: 1 ms, node: actuator, object: 0x2200:01, value: 1}\n",
      "3:5: object 0x2200:01 in "},
-    {"no object", "inputs:\n  - {at: 1 ms, node: sensor, object: 2000, value: 1}\n", "3:38: '2000', expected an object such as"},
+    {"no object", "inputs:\n  - {at: 1 ms, node: sensor, object: 2000, value: 1}\n",
+     "3:38: '2000', expected an object such as"},
     {"unknown SRDO", "expect:\n  - {that: safe, node: actuator, srdo: 2, at: 1 ms}\n", "3:5: SRDO 2 in "},
-    {"SRDO out of range", "expect:\n  - {that: safe, node: actuator, srdo: 65, at: 1 ms}\n", "3:40: '65', expected a number from 1 to 64"},
-    {"after the end", "expect:\n  - {that: safe, node: actuator, srdo: 1, at: 2 s}\n", "3:47: '2 s', after the end of the run"},
-    {"unknown fault", "expect:\n  - {that: safe_within, fault: x, node: actuator, srdo: 1}\n", "3:32: fault 'x', expected"},
-    {"fault not named", "expect:\n  - {that: safe_within, node: actuator, srdo: 1}\n", "3:5: expectation without key 'fault'"},
+    {"SRDO out of range", "expect:\n  - {that: safe, node: actuator, srdo: 65, at: 1 ms}\n",
+     "3:40: '65', expected a number from 1 to 64"},
+    {"after the end", "expect:\n  - {that: safe, node: actuator, srdo: 1, at: 2 s}\n",
+     "3:47: '2 s', after the end of the run"},
+    {"unknown fault", "expect:\n  - {that: safe_within, fault: x, node: actuator, srdo: 1}\n",
+     "3:32: fault 'x', expected"},
+    {"fault not named", "expect:\n  - {that: safe_within, node: actuator, srdo: 1}\n",
+     "3:5: expectation without key 'fault'"},
     {"missing key", "inputs:\n  - {at: 1 ms, node: sensor, value: 1}\n", "3:5: an input without key 'object'"},
     {"list for map", "nodes:\n  - sensor\n", "3:3: a list, expected a map with the keys of nodes"},
     {"map for list", "inputs: {at: 1 ms}\n", "2:9: a map, expected a list"},
     {"nothing for list", "faults:\n", "3:1: nothing, expected a list"},
     {"node twice", "nodes:\n  sensor: {dcf: sensor.dcf}\n", "3:3: node 'sensor' twice"},
     {"node without DCF", "nodes:\n  more: {phase: 1 ms}\n", "3:9: a node without key 'dcf'"},
-    {"corruption of nothing", "faults:\n  - {fault: corruption, frames: {identifier: 1}}\n", "3:5: corruption that changes nothing"},
-    {"bit 64", "faults:\n  - {fault: corruption, frames: {identifier: 1}, bits: [64]}\n", "3:57: '64', expected a number from 0 to 63"},
-    {"nine bytes", "faults:\n  - {fault: insertion, at: 1 ms, identifier: 1, data: [1,2,3,4,5,6,7,8,9]}\n", "3:55: 9 bytes, expected at most 8"},
-    {"channel always good", "faults:\n  - {fault: always_good, node: actuator, part: channel_a, at: 1 ms}\n", "3:5: always_good with part channel_a, expected comparator"},
-    {"until before at", "faults:\n  - {fault: frozen, node: actuator, part: guard, at: 5 ms, until: 5 ms}\n", "3:67: '5 ms', expected a time after 'at'"},
-    {"two places of a bit", "faults:\n  - {fault: bit_flip, node: actuator, part: channel_a, at: 1 ms, offset: 1, config: {srdo: 1, field: sct}}\n", "3:5: both 'offset' and 'config'"},
-    {"bit that is not kept", "faults:\n  - {fault: bit_flip, node: actuator, part: channel_a, at: 1 ms, config: {srdo: 1, field: sct}, bit: 31}\n", "3:5: bit 31 of that value"},
-    {"copy of two", "logic:\n  - {node: controller, set: 0x2000:01, op: copy, from: [0x2200:01, 0x2200:02]}\n", "3:56: 2 objects, expected one object"},
+    {"corruption of nothing", "faults:\n  - {fault: corruption, frames: {identifier: 1}}\n",
+     "3:5: corruption that changes nothing"},
+    {"bit 64", "faults:\n  - {fault: corruption, frames: {identifier: 1}, bits: [64]}\n",
+     "3:57: '64', expected a number from 0 to 63"},
+    {"nine bytes", "faults:\n  - {fault: insertion, at: 1 ms, identifier: 1, data: [1,2,3,4,5,6,7,8,9]}\n",
+     "3:55: 9 bytes, expected at most 8"},
+    {"channel always good", "faults:\n  - {fault: always_good, node: actuator, part: channel_a, at: 1 ms}\n",
+     "3:5: always_good with part channel_a, expected comparator"},
+    {"until before at", "faults:\n  - {fault: frozen, node: actuator, part: guard, at: 5 ms, until: 5 ms}\n",
+     "3:67: '5 ms', expected a time after 'at'"},
+    {"two places of a bit",
+     "faults:\n  - {fault: bit_flip, node: actuator, part: channel_a, at: 1 ms, offset: 1, config: {srdo: 1, field: "
+     "sct}}\n",
+     "3:5: both 'offset' and 'config'"},
+    {"bit that is not kept",
+     "faults:\n  - {fault: bit_flip, node: actuator, part: channel_a, at: 1 ms, config: {srdo: 1, field: sct}, bit: "
+     "31}\n",
+     "3:5: bit 31 of that value"},
+    {"copy of two", "logic:\n  - {node: controller, set: 0x2000:01, op: copy, from: [0x2200:01, 0x2200:02]}\n",
+     "3:56: 2 objects, expected one object"},
     {"alias", "title: &a b\ndescription: *a\n", "3:14: alias, expected the value itself"},
     {"recursive alias", "inputs: &a [*a]\n", "2:13: alias"},
     {"tag", "title: !!binary aGFsbG8=\n", "2:8: tag "},
@@ -109,7 +128,8 @@ constexpr BadCase kBadCases[] = {
     {"tab", "inputs:\n\t- x\n", "3:2: not YAML"},
     {"control character", "title: a\x01z\n", "2:9: byte 0x1, expected UTF-8 text"},
     {"not UTF-8", "title: \xC3(\n", "2:8: byte 0xc3, expected UTF-8 text"},
-    {"unknown state", "nmt:\n  - {at: 1 ms, node: all, state: dancing}\n", "3:34: 'dancing', expected one of initialising"},
+    {"unknown state", "nmt:\n  - {at: 1 ms, node: all, state: dancing}\n",
+     "3:34: 'dancing', expected one of initialising"},
 };
 
 INSTANTIATE_TEST_SUITE_P(EachMistake, BadScenario, ::testing::ValuesIn(kBadCases));
@@ -132,7 +152,8 @@ TEST(BadScenarioFile, BaseThatExtendsOrIsMissingIsRefused)
 {
     Verifies(req::SRS_SIM_013);
     // Given a scenario that extends itself
-    const std::string own = ::testing::TempDir() + "counterpoint_BadScenarioFile_BaseThatExtendsOrIsMissingIsRefused.yaml";
+    const std::string own =
+        ::testing::TempDir() + "counterpoint_BadScenarioFile_BaseThatExtendsOrIsMissingIsRefused.yaml";
     const std::string file = TextFile("extends: " + own + "\n");
     EXPECT_EQ(Refusal(file).substr(0U, file.size() + 37U), file + ":1:1: unknown key 'extends' in a scen");
     const std::string lost = TextFile("extends: /nonexistent/y.yaml\n");
@@ -142,7 +163,8 @@ TEST(BadScenarioFile, BaseThatExtendsOrIsMissingIsRefused)
 TEST(BadScenarioFile, DeepOrWideNestingEndsSoon)
 {
     Verifies(req::SRS_SIM_012);
-    for (const char* const piece : {"[", "{", "- ", "? ", "a: ", "[a,", "{a: ", "\"", "'", "|", ">", "&", "*", "!", "%", "@", "`", "\n", "a\n", ": "})
+    for (const char* const piece : {"[", "{", "- ", "? ", "a: ", "[a,", "{a: ", "\"", "'",   "|",
+                                    ">", "&", "*",  "!",  "%",   "@",   "`",    "\n", "a\n", ": "})
     {
         // Given a file that repeats one piece of YAML 100000 times
         std::string text;
@@ -182,7 +204,8 @@ TEST(BadDevice, IsReportedWithFileAndObject)
     const std::string refusal = Refusal(TextFile("duration: 1 s\nnodes:\n  a: {dcf: " + device + "}\n"));
     // Then A5h is refused with its line
     EXPECT_EQ(refusal.substr(0U, device.size() + 1U), device + ":");
-    EXPECT_NE(refusal.find("0x13FE:00: the device refuses 0xA5 with abort code 0604 0043h"), std::string::npos) << refusal;
+    EXPECT_NE(refusal.find("0x13FE:00: the device refuses 0xA5 with abort code 0604 0043h"), std::string::npos)
+        << refusal;
 }
 } // namespace
 } // namespace counterpoint::simulator

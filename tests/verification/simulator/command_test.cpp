@@ -44,8 +44,9 @@ TEST(SimulateCommand, EndsWithZeroOneOrTwo)
     EXPECT_EQ(good.status, ExitStatus::kHolds) << good.out;
     EXPECT_NE(good.out.find("7 of 7 expectations hold"), std::string::npos);
     // One does not
-    const std::string failing = simulator::TextFile("extends: " + simulator::Examples() +
-                                                    "chain.yaml\nexpect:\n  - {that: safe, node: actuator, srdo: 1, at: 900 ms}\n");
+    const std::string failing =
+        simulator::TextFile("extends: " + simulator::Examples() +
+                            "chain.yaml\nexpect:\n  - {that: safe, node: actuator, srdo: 1, at: 900 ms}\n");
     const Answer bad = Tool({"simulate", failing, "--quiet"});
     EXPECT_EQ(bad.status, ExitStatus::kDoesNotHold);
     EXPECT_EQ(bad.out, "  FAILED  actuator SRDO 1 safe at 900 ms: released\n0 of 1 expectations hold\n");
@@ -68,13 +69,14 @@ TEST(SimulateCommand, WritesAllReportsAndSaysWhereItCannot)
     Verifies(req::SRS_SIM_043);
     Verifies(req::SRS_SIM_045);
     const std::string base = ::testing::TempDir() + "counterpoint_reports";
-    const Answer answer = Tool({"simulate", simulator::Examples() + "03_corruption.yaml", "--quiet", "--html", base + ".html",
-                                "--json", base + ".json", "--candump", base + ".log"});
+    const Answer answer = Tool({"simulate", simulator::Examples() + "03_corruption.yaml", "--quiet", "--html",
+                                base + ".html", "--json", base + ".json", "--candump", base + ".log"});
     EXPECT_EQ(answer.status, ExitStatus::kHolds) << answer.out << answer.err;
     EXPECT_EQ(Content(base + ".html").substr(0U, 15U), "<!DOCTYPE html>");
     EXPECT_EQ(Content(base + ".json").substr(0U, 1U), "{");
     EXPECT_EQ(Content(base + ".log").substr(0U, 1U), "(");
-    const Answer lost = Tool({"simulate", simulator::Examples() + "03_corruption.yaml", "--quiet", "--json", "/nonexistent/x.json"});
+    const Answer lost =
+        Tool({"simulate", simulator::Examples() + "03_corruption.yaml", "--quiet", "--json", "/nonexistent/x.json"});
     EXPECT_EQ(lost.status, ExitStatus::kBadInput);
     EXPECT_NE(lost.err.find("/nonexistent/x.json"), std::string::npos);
 }

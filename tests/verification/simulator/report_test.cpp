@@ -47,9 +47,10 @@ TEST(Reports, TimeLineShowsWhoSawWhat)
     const auto run = RunChain(kLoss, true);
     const std::string text = TimeLineOf(*run);
     for (const char* const line :
-         {"frame 0x103 [2] 01 01  from controller", "FAULT: </script>", "SRDO 1 channel A: faulted", "SRDO 1 channel B: faulted",
-          "SRDO 1 channel A reports srvt", "comparator: agreed SRDO none", "three permits for SRDO none", "SRDO 1 OUTPUT SAFE",
-          "application told: srvt", "SRDO 1 0x2200:01 = 0", "acknowledge 1", "NMT operational", "input 0x2000:01 = 1",
+         {"frame 0x103 [2] 01 01  from controller", "FAULT: </script>", "SRDO 1 channel A: faulted",
+          "SRDO 1 channel B: faulted", "SRDO 1 channel A reports srvt", "comparator: agreed SRDO none",
+          "three permits for SRDO none", "SRDO 1 OUTPUT SAFE", "application told: srvt", "SRDO 1 0x2200:01 = 0",
+          "acknowledge 1", "NMT operational", "input 0x2000:01 = 1",
           "  holds   actuator SRDO 1 safe within 72 ms after '</script>' (limit: bus_next_normal): ",
           "  FAILED  actuator SRDO 1 released at 990 ms: safe", "1 of 2 expectations hold"})
     {
@@ -73,7 +74,8 @@ TEST(Reports, JsonHoldsRecordingMeasurementAndVerdicts)
     EXPECT_EQ(measurement["holds"], true);
     EXPECT_EQ(measurement["detected_by"], "channels");
     EXPECT_EQ(measurement["detection_cause"], "srvt");
-    // The last good pair was one refresh time (25 ms) before the lost one, then SRVT 20 ms and up to a cycle, then output 1 ms
+    // The last good pair was one refresh time (25 ms) before the lost one, then SRVT 20 ms and up to a cycle, then
+    // output 1 ms
     EXPECT_GE(measurement["elapsed_ns"], 45000000);
     EXPECT_LE(measurement["elapsed_ns"], 47500000);
     EXPECT_GT(json["frames"].size(), 150U);

@@ -9,11 +9,12 @@ namespace counterpoint::simulator
 {
 namespace
 {
-constexpr const char* kSmall = "duration: 1.5 s\n"
-                               "nodes:\n"
-                               "  one: {dcf: a.dcf, node_id: 0x7F, phase: 130 us, counter_a: {ppm: -20, start_us: 4294967295}}\n"
-                               "inputs:\n"
-                               "  - {at: 2ms, node: one, object: 0x2000:0A, value: 0xFFFFFFFFFFFFFFFF}\n";
+constexpr const char* kSmall =
+    "duration: 1.5 s\n"
+    "nodes:\n"
+    "  one: {dcf: a.dcf, node_id: 0x7F, phase: 130 us, counter_a: {ppm: -20, start_us: 4294967295}}\n"
+    "inputs:\n"
+    "  - {at: 2ms, node: one, object: 0x2000:0A, value: 0xFFFFFFFFFFFFFFFF}\n";
 
 void ExpectSmall(const Scenario& scenario)
 {

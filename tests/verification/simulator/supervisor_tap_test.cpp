@@ -15,7 +15,8 @@ TEST(SupervisorTap, TakesEveryCallOfTheThreeSupervisors)
     const std::uint64_t marked = SupervisorTap::Intercepted(Part::kFlowMonitor);
     const std::uint64_t guarded = SupervisorTap::Intercepted(Part::kGuard);
     // When three nodes run 100 cycles of 1 ms each, recorded, so that the taps are in use
-    simulator::Run run(TextFile("extends: " + Examples() + "chain.yaml\nduration: 100 ms\n"), std::nullopt, std::nullopt, true);
+    simulator::Run run(TextFile("extends: " + Examples() + "chain.yaml\nduration: 100 ms\n"), std::nullopt,
+                       std::nullopt, true);
     run.Simulate(nullptr);
     // Then each cycle went through the wraps: one comparison, one token, Begin, ten marks and End
     const std::uint64_t cycles = SupervisorTap::Intercepted(Part::kGuard) - guarded;
