@@ -168,7 +168,8 @@ SrdoView Channel::View(const SlotIndex slot) const noexcept
     const Record& record = At(slot);
     const ModeFacts& facts = FactsOf(record.mode);
     SrdoView view{};
-    view.data = PayloadOf(Bits(record.held) & facts.shown);
+    const Payload held = PayloadOf(Bits(record.held));
+    view.data = Payload{held.low * facts.shown, held.high * facts.shown};
     view.ordinal = record.ordinal;
     view.signals = record.signals;
     view.error_count = record.error_count;

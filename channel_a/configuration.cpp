@@ -86,6 +86,7 @@ void Channel::StoreOfSlot(const ConfigItem& item) noexcept
     {
         record.values[place] = value;
         record.mapping = (place == kSignaturePlace) ? record.mapping : kUnmarked;
+        attention_ |= BitOf(item.address.slot); // A producer takes its refresh time anew.
     }
     if (item.address.field == ConfigField::kDirection)
     {

@@ -146,12 +146,12 @@ void Channel::EnterSlot(const SlotIndex slot) noexcept
     const std::uint32_t place = record.values[kCobIdPlace] - kFirstSrdoIdentifier;
     storage_.look_up[(place >> 1U) % kLookUpSize] = static_cast<std::uint8_t>(slot + 1U); // MISRA D-002
     record.ordinal = 0U;
+    attention_ |= bit;
     --off_count_;
     if (record.direction == kDirectionConsumer)
     {
         Raise(record, bit, Event::kEnterConsumer, SrdoCause::kNone);
         record.awaiting = kMarked;
-        attention_ |= bit;
         ++consumer_count_;
     }
     else
@@ -184,20 +184,18 @@ void Channel::Leave(Cycle& cycle) noexcept
 void Channel::ScanLimits(const Cycle& cycle) noexcept
 {
     // A new pair is of interest to a slot that is not released yet.
-    SrdoMask found = cycle.edges | groups_[kGroupProducer] | (fresh_ & ~groups_[kGroupReleased]);
+    SrdoMask found = cycle.edges | standing_ | (fresh_ & ~groups_[kGroupReleased]);
     if (cycle.is_late || cycle.has_overflow || cycle.has_gfc)
     {
         found |= Consumers();
     }
-    SrdoMask bit = 1U;
-    for (std::uint32_t slot = 0U; slot < count_; ++slot)
+    for (SlotIndex slot = 0U; slot < count_; ++slot)
     {
-        const Record& record = storage_.records[slot]; // MISRA D-002
+        const Record& record = At(slot);
         if (((cycle.now.us - record.since.us) > record.limit_us) || !IsSealed(record))
         {
-            found |= bit;
+            found |= BitOf(slot);
         }
-        bit <<= 1U;
     }
     attention_ |= found & existing_;
 }

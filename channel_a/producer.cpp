@@ -62,8 +62,11 @@ void Channel::ServeProducer(Cycle& cycle, Record& record, const SrdoMask bit) no
     if (may_send_)
     {
         ExamineSending(cycle.now, record, bit);
-        const bool is_wanted = (record.refresh == kMarked) || (record.request == kMarked);
-        cycle.due |= (is_wanted && (record.mode == Mode::kIdle)) ? bit : 0U;
+        Arm(cycle, record, bit);
+    }
+    else
+    {
+        attention_ |= bit;
     }
     if (((cycle.edges & bit) != 0U) && (record.unreported == 0U))
     {
@@ -102,6 +105,31 @@ void Channel::ExamineSending(const Instant now, Record& record, const SrdoMask b
     }
 }
 
+// Between two pairs the limit is the next refresh, so that the scan passes over a producer with nothing to do. A pair
+// in flight or due is served in every cycle.
+void Channel::Arm(Cycle& cycle, Record& record, const SrdoMask bit) noexcept
+{
+    if (record.mode != Mode::kIdle)
+    {
+        attention_ |= bit;
+    }
+    else if ((record.refresh == kMarked) || (record.request == kMarked))
+    {
+        attention_ |= bit;
+        cycle.due |= bit;
+    }
+    else if (record.form == ProducerForm::kProviderCalled)
+    {
+        record.since.us = record.refresh_since.us - 1U; // The refresh time itself is due.
+        record.limit_us = RefreshUs(record);
+    }
+    else
+    {
+        record.since = record.refresh_since;
+        record.limit_us = RefreshUs(record) + late_after_us_;
+    }
+}
+
 // Exact addition keeps the phase. A refresh that cannot be is skipped. [SRS-PROD-002]
 void Channel::Refresh(Record& record, const SrdoMask bit) noexcept
 {
@@ -121,6 +149,7 @@ void Channel::Request(const SlotIndex slot) noexcept
     if ((groups_[kGroupProducer] & BitOf(slot)) != 0U)
     {
         At(slot).request = kMarked;
+        attention_ |= BitOf(slot);
     }
 }
 
@@ -171,6 +200,7 @@ void Channel::Launch(const SlotIndex slot) noexcept
     const Cell& cell = StepWithin(record, Event::kLaunch);
     if (cell.effect == Effect::kLaunch)
     {
+        attention_ |= BitOf(slot);
         record.held = record.pending;
         record.since = now_;
         record.limit_us = record.values[kSrvtPlace] * kMicrosecondsPerMillisecond;

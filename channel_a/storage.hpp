@@ -42,8 +42,8 @@ constexpr std::uint8_t kUnmarked = 0U;
 ///   the same bits; a flipped bit therefore never gets lost, the record stays unsealed until Restart.
 /// - `since` is the stamp of the pending normal frame (modes First and Next, limit SRVT), else that of the held pair's
 /// normal
-///   frame (Held, limit SCT); of a producer the start or the confirmed half of the pair in flight (limit SRVT). There
-///   is no limit in the other modes.
+///   frame (Held, limit SCT); of a producer the start or the confirmed half of the pair in flight (limit SRVT). Of an
+///   idle producer the refresh before the next one, with the refresh as limit. There is no limit in the other modes.
 /// - `told` is not 0 exactly while the window of the signals is open.
 /// - `objects` holds places in DeviceConfig::objects, of the entry of the same position, while `mapping` is marked.
 struct Record

@@ -70,6 +70,26 @@ constexpr Cell kVoid{Mode::kOff, Effect::kAbort, SrdoCause::kInvalid};
 
 } // namespace
 
+constexpr ModeFacts kModeFacts[kRowCount] = {
+    // MISRA D-001
+    {Mode::kBroken, SrdoState::kFaulted, kGroupFaulted, 0U, kAwaitsNothing, kHidden},
+    {Mode::kOff, SrdoState::kOff, kGroupOff, 0U, kAwaitsNothing, kHidden},
+    {Mode::kWaitingEmpty, SrdoState::kWaiting, kGroupWaiting, 0U, kAwaitsNothing, kHidden},
+    {Mode::kWaitingFirst, SrdoState::kWaiting, kGroupWaiting, 0U, kAwaitsNothing, kHidden},
+    {Mode::kWaitingHeld, SrdoState::kWaiting, kGroupWaiting, 1U, kAwaitsNothing, kShown},
+    {Mode::kWaitingNext, SrdoState::kWaiting, kGroupWaiting, 1U, kAwaitsNothing, kShown},
+    {Mode::kFaultedEmpty, SrdoState::kFaulted, kGroupFaulted, 0U, kAwaitsNothing, kHidden},
+    {Mode::kFaultedFirst, SrdoState::kFaulted, kGroupFaulted, 0U, kAwaitsNothing, kHidden},
+    {Mode::kFaultedHeld, SrdoState::kFaulted, kGroupFaulted, 1U, kAwaitsNothing, kShown},
+    {Mode::kFaultedNext, SrdoState::kFaulted, kGroupFaulted, 1U, kAwaitsNothing, kShown},
+    {Mode::kReleasedHeld, SrdoState::kReleased, kGroupReleased, 1U, kAwaitsNothing, kShown},
+    {Mode::kReleasedNext, SrdoState::kReleased, kGroupReleased, 1U, kAwaitsNothing, kShown},
+    {Mode::kIdle, SrdoState::kProducer, kGroupProducer, 0U, kAwaitsNothing, kHidden},
+    {Mode::kLaunched, SrdoState::kProducer, kGroupProducer, 0U, kAwaitsNormal, kShown},
+    {Mode::kNormalAwaited, SrdoState::kProducer, kGroupProducer, 0U, kAwaitsNormal, kShown},
+    {Mode::kInverseAwaited, SrdoState::kProducer, kGroupProducer, 0U, kAwaitsInverse, kShown},
+};
+
 // Rows: modes by their low four bits. Columns: events by their number. A corrupted mode is a fault whatever happens,
 // only leaving OPERATIONAL is done at once.
 constexpr Cell kTransitions[kRowCount][kEventCount] = {
@@ -111,7 +131,7 @@ constexpr Cell kTransitions[kRowCount][kEventCount] = {
      kReleasedNext, kReleasedNext, kReleasedNext, kReleasedNext, kReleasedNext, kCorrupt},
     // kIdle
     {kCorruptP, kCorruptP, kLeaveP, kIdle, kIdle, kIdle, kIdle, kIdle, kIdle, kIdle, kIdle, kIdle, kStart, kIdle, kIdle,
-     kIdle, kCorruptP, kVoid},
+     kIdle, kIdle, kVoid},
     // kLaunched
     {kCorruptP, kCorruptP, kLeaveP, kLaunched, kLaunched, kLaunched, kLaunched, kLaunched, kLaunched, kLaunched,
      kLaunched, kLaunched, kLaunched, kOut, kHalf, kAbortC, kSilent, kVoid},

@@ -92,42 +92,25 @@ constexpr std::uint8_t kAwaitsNothing = 0U;
 constexpr std::uint8_t kAwaitsNormal = 1U;
 constexpr std::uint8_t kAwaitsInverse = 2U;
 
-/// What a row means to the rest of the channel.
-struct ModeFacts
+/// What a row means to the rest of the channel. Eight bytes, so that a row is found by shifts.
+struct alignas(8) ModeFacts
 {
     Mode mode;
     SrdoState state;
     std::uint8_t group;
     std::uint8_t holds_pair; ///< 1: consumer with a held pair.
     std::uint8_t awaits;     ///< Frame whose confirmation is awaited.
-    std::uint64_t shown;     ///< Mask for the data in SrdoView.
+    std::uint8_t shown;      ///< 1: SrdoView has the data.
 };
 
-constexpr std::uint64_t kHidden = 0U;
-constexpr std::uint64_t kShown = ~kHidden;
+constexpr std::uint8_t kHidden = 0U;
+constexpr std::uint8_t kShown = 1U;
 
 constexpr std::uint8_t kRowMask = 0x0FU;
 constexpr std::uint8_t kRowCount = 16U;
 
-constexpr ModeFacts kModeFacts[kRowCount] = {
-    // MISRA D-001
-    {Mode::kBroken, SrdoState::kFaulted, kGroupFaulted, 0U, kAwaitsNothing, kHidden},
-    {Mode::kOff, SrdoState::kOff, kGroupOff, 0U, kAwaitsNothing, kHidden},
-    {Mode::kWaitingEmpty, SrdoState::kWaiting, kGroupWaiting, 0U, kAwaitsNothing, kHidden},
-    {Mode::kWaitingFirst, SrdoState::kWaiting, kGroupWaiting, 0U, kAwaitsNothing, kHidden},
-    {Mode::kWaitingHeld, SrdoState::kWaiting, kGroupWaiting, 1U, kAwaitsNothing, kShown},
-    {Mode::kWaitingNext, SrdoState::kWaiting, kGroupWaiting, 1U, kAwaitsNothing, kShown},
-    {Mode::kFaultedEmpty, SrdoState::kFaulted, kGroupFaulted, 0U, kAwaitsNothing, kHidden},
-    {Mode::kFaultedFirst, SrdoState::kFaulted, kGroupFaulted, 0U, kAwaitsNothing, kHidden},
-    {Mode::kFaultedHeld, SrdoState::kFaulted, kGroupFaulted, 1U, kAwaitsNothing, kShown},
-    {Mode::kFaultedNext, SrdoState::kFaulted, kGroupFaulted, 1U, kAwaitsNothing, kShown},
-    {Mode::kReleasedHeld, SrdoState::kReleased, kGroupReleased, 1U, kAwaitsNothing, kShown},
-    {Mode::kReleasedNext, SrdoState::kReleased, kGroupReleased, 1U, kAwaitsNothing, kShown},
-    {Mode::kIdle, SrdoState::kProducer, kGroupProducer, 0U, kAwaitsNothing, kHidden},
-    {Mode::kLaunched, SrdoState::kProducer, kGroupProducer, 0U, kAwaitsNormal, kShown},
-    {Mode::kNormalAwaited, SrdoState::kProducer, kGroupProducer, 0U, kAwaitsNormal, kShown},
-    {Mode::kInverseAwaited, SrdoState::kProducer, kGroupProducer, 0U, kAwaitsInverse, kShown},
-};
+/// What the modes mean, by row.
+extern const ModeFacts kModeFacts[kRowCount]; // MISRA D-001
 
 /// @brief What the row of a mode means. A value that is no mode is read as the row of its low four bits, here and in
 /// NextCell: the seal of its record gives it away in the next OnCycle, whatever happens until then.
