@@ -119,6 +119,12 @@ constexpr Step kNormalTwice[] = {
     Inverse(4000U), Slot(0U, kFaulted, Cause::kNormalTwice, 0U, 2U, 0U), Cycle(5000U), Signals(0U, Bit(Cause::kInverseFirst)),
 };
 
+// The same while a pair is held and released: N1 I1 released N2 N3 I3.
+constexpr Step kNormalTwiceReleased[] = {
+    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Masks(1U, 0U, 0U, 0U, 1U), Normal(4000U), OtherNormal(5000U),
+    Slot(0U, kFaulted, Cause::kNormalTwice, 0U, 1U, 0U), OtherInverse(6000U), Slot(0U, kFaulted, Cause::kNormalTwice, 0U, 2U, 0U), Cycle(7000U), Masks(0U, 1U, 0U, 1U, 0U),
+};
+
 constexpr Step kInverseFirst[] = {
     Configure(), Cycle(0U), Inverse(1000U), Slot(0U, kFaulted, Cause::kInverseFirst, 0U, 1U, 0U), Cycle(2000U),
     Masks(0U, 1U, 0U, 1U, 0U), Signals(0U, Bit(Cause::kInverseFirst)),
@@ -225,6 +231,7 @@ constexpr Case kCases[] = {
     MakeCase("LengthOfEightBytes", {req::SRS_CONS_005}, kWide, kFullLength),
     MakeCase("BytesBehindTheLengthMeanNothing", {req::SRS_CONS_009, req::SRS_CONS_010}, kGold, kBytesBehind),
     MakeCase("SecondNormalFrame", {req::SRS_CONS_007, req::SRS_CONS_012}, kGold, kNormalTwice),
+    MakeCase("SecondNormalFrameWhileReleased", {req::SRS_CONS_007, req::SRS_CONS_012}, kGold, kNormalTwiceReleased),
     MakeCase("InverseFrameFirst", {req::SRS_CONS_008}, kGold, kInverseFirst),
     MakeCase("InverseFrameAfterTheWholePair", {req::SRS_CONS_008}, kGold, kInverseTwice),
     MakeCase("EverySingleBitNotInverted", {req::SRS_CONS_009, req::SRS_CONS_013}, kGold, kEveryBit),

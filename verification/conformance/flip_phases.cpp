@@ -23,6 +23,7 @@ void Released(FlipRig& rig)
 /// From power-on to the phase in which the bit flips. In the phases up to kLastSafePhase the consumer is safe, and nothing
 /// in the next call would release it.
 constexpr std::uint32_t kLastSafePhase = 5U;
+constexpr std::uint32_t kInvalidPhase = 13U;
 
 void Reach(FlipRig& rig, std::uint32_t phase)
 {
@@ -83,6 +84,9 @@ void Reach(FlipRig& rig, std::uint32_t phase)
         rig.Request();
         rig.Cycle(2U * kCycleUs);
         rig.Prepare();
+        break;
+    case kInvalidPhase: // Off, because a check found the configuration invalid.
+        rig.SpoilSignature();
         break;
     default: // A newer pair, not yet written.
         Released(rig);
@@ -155,6 +159,18 @@ Complaint Finish(FlipRig& rig, Party party, std::uint32_t phase)
         if (!(was_safe && IsSafe(rig.StateOf(party))))
         {
             return "released by corruption alone";
+        }
+    }
+    if (phase == kInvalidPhase)
+    {
+        rig.Enter();
+        rig.Pair(0x1234U, true);
+        rig.Acknowledge(true);
+        rig.Cycle(kCycleUs);
+        const SrdoState state = rig.StateOf(party);
+        if ((state == SrdoState::kWaiting) || (state == SrdoState::kReleased))
+        {
+            return "active with an invalid configuration";
         }
     }
     GoOn(rig, phase);

@@ -289,6 +289,12 @@ void FlipRig::Recheck()
     }
 }
 
+void FlipRig::SpoilSignature()
+{
+    Store(kConsumerSlot, ConfigField::kSignature, 0U, 0U);
+    Recheck();
+}
+
 // ---- what the tests look at
 
 SrdoState FlipRig::StateOf(Party party) const

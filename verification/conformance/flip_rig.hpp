@@ -49,6 +49,8 @@ class FlipRig
     void SendNormal();
     void SendInverse();
     void Recheck();
+    /// @brief A wrong signature in both channels, and found by both.
+    void SpoilSignature();
 
     [[nodiscard]] SrdoState StateOf(Party party) const;
     /// @brief Bytes of the storage of one channel, flipped from outside.
@@ -99,7 +101,7 @@ class FlipRig
 };
 
 /// Phases of operation in which a bit is flipped.
-constexpr std::uint32_t kPhaseCount = 13U;
+constexpr std::uint32_t kPhaseCount = 14U;
 
 /// What was found over all bits of the storage of `party` in one phase: the complaints, and how many runs granted something
 /// after the flip (so that a rig that grants nothing does not pass as safe).

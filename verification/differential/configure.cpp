@@ -122,7 +122,7 @@ void Differential::Reconfigure() noexcept
     {
         if (random_.Chance(300U))
         {
-            device_.gfc_parameter = static_cast<std::uint8_t>(random_.Below(2U));
+            device_.gfc_parameter = static_cast<std::uint8_t>(random_.Below(3U));
             StoreBoth(slot, ConfigField::kGfcParameter, 0U, device_.gfc_parameter);
         }
         else

@@ -195,6 +195,23 @@ TEST_F(Comparing, FaultOfEitherChannelTakesTheReleaseAndDemotes)
     EXPECT_EQ(verdict.demote, 4U);
 }
 
+TEST_F(Comparing, AnotherFaultOfOneChannelAloneDemotesAFaultedSlot)
+{
+    Verifies(req::SRS_CMP_004);
+    // Given that both call slot 2 faulted, and A alone found another fault
+    for (SpokenChannel* const channel : {&a, &b})
+    {
+        channel->outcome.released = 0U;
+        channel->outcome.faulted = 4U;
+    }
+    a.outcome.new_fault = 4U;
+    EXPECT_EQ(CompareAt(0U).demote, 4U);
+    // And the same the other way round
+    a.outcome.new_fault = 0U;
+    b.outcome.new_fault = 4U;
+    EXPECT_EQ(CompareAt(1000U).demote, 4U);
+}
+
 TEST_F(Comparing, ReleaseAndFaultOfOneChannelAtOnceIsNoRelease)
 {
     Verifies(req::SRS_CMP_003);
