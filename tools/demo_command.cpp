@@ -137,7 +137,9 @@ class DemoCommand final : public Command
         streams.out << "Emergency-stop chain: sensor -> controller -> actuator, 500 kbit/s, cycle 1 ms. Each limit is "
                        "computed\n"
                        "from the device's configuration before its run; times are simulated, output time included.\n\n";
-        PrintRow({"Run", "Detected by", "Cause", "Time", "Limit", "Verdict"}, streams.out);
+        const Cells titles{"Run", "Limit", "Time", "Detected by", "Cause", "Verdict"};
+        PrintBegin(titles, streams.out);
+        PrintEnd(titles, streams.out);
         for (const std::string& file : files)
         {
             runs.push_back(std::make_unique<simulator::Run>(file, std::nullopt, std::nullopt, true));
@@ -160,11 +162,17 @@ class DemoCommand final : public Command
 
     using Cells = std::array<std::string, 6U>;
 
-    static void PrintRow(const Cells& cells, std::ostream& out)
+    /// The first two cells of a row, then the others: a row begins before its run.
+    static void PrintBegin(const Cells& cells, std::ostream& out)
     {
-        out << std::left << std::setw(kFaultColumn) << cells[0] << std::setw(kPartyColumn) << cells[1]
-            << std::setw(kCauseColumn) << cells[2] << std::right << std::setw(kTimeColumn) << cells[3]
-            << std::setw(kTimeColumn) << cells[4] << "  " << cells[5] << "\n";
+        out << std::left << std::setw(kFaultColumn) << cells[0] << std::right << std::setw(kTimeColumn) << cells[1]
+            << std::flush;
+    }
+
+    static void PrintEnd(const Cells& cells, std::ostream& out)
+    {
+        out << std::right << std::setw(kTimeColumn) << cells[2] << "  " << std::left << std::setw(kPartyColumn)
+            << cells[3] << std::setw(kCauseColumn) << cells[4] << cells[5] << "\n";
     }
 
     static void DemonstrateOne(simulator::Run& run, std::ostream& out)
@@ -174,18 +182,48 @@ class DemoCommand final : public Command
         if (limited != nullptr)
         {
             // Before the run: nothing that happens in it can change the limit.
-            cells[4] =
+            cells[1] =
                 simulator::MillisecondsText(simulator::LimitOf(run.Setting(), *limited, run.ModelOf(limited->node)));
         }
+        PrintBegin(cells, out);
         run.Simulate(nullptr);
-        if (const simulator::Measurement* const measurement = run.FirstMeasurement())
+        const simulator::Measurement* const measurement = run.FirstMeasurement();
+        if (measurement != nullptr)
         {
-            cells[1] = Words(simulator::Name(measurement->detection.party));
-            cells[2] = Words(measurement->detection.cause);
-            cells[3] = (measurement->elapsed < 0) ? "never" : simulator::MillisecondsText(measurement->elapsed);
+            cells[2] = (measurement->elapsed < 0) ? "never" : simulator::MillisecondsText(measurement->elapsed);
+            cells[3] = Words(simulator::Name(measurement->detection.party));
+            cells[4] = Words(measurement->detection.cause);
         }
         cells[5] = run.Holds() ? ((limited != nullptr) ? "in time" : "as expected") : "FAILED";
-        PrintRow(cells, out);
+        PrintEnd(cells, out);
+        if (measurement != nullptr)
+        {
+            PrintTimes(run, *measurement, out);
+        }
+    }
+
+    /// The time line of a fault in short; `counterpoint simulate` shows all of it.
+    static void PrintTimes(const simulator::Run& run, const simulator::Measurement& measurement, std::ostream& out)
+    {
+        const std::string& node = run.NodeName(measurement.node);
+        if (measurement.effect >= 0)
+        {
+            out << "    " << simulator::MillisecondsText(measurement.effect) << " "
+                << run.Setting().faults[measurement.fault].name;
+        }
+        if (measurement.reference >= 0 && measurement.reference < measurement.effect)
+        {
+            out << " (last good pair " << simulator::MillisecondsText(measurement.reference) << ")";
+        }
+        if (measurement.detection.at >= 0)
+        {
+            out << ", " << simulator::MillisecondsText(measurement.detection.at) << " detected";
+        }
+        if (measurement.closed >= 0)
+        {
+            out << ", " << simulator::MillisecondsText(measurement.closed) << " " << node << " closes its output";
+        }
+        out << "\n";
     }
 
     [[nodiscard]] std::string WritePage(const std::vector<std::unique_ptr<simulator::Run>>& runs) const

@@ -33,12 +33,16 @@ FrameFaults::FrameFaults(const Scenario& scenario, const host::VirtualBus& bus, 
         {
             states_.push_back({index, 0U, 0U, false});
         }
+        if (scenario.faults[index].kind == FaultKind::kMasquerade)
+        {
+            masquerades_.push_back(index);
+        }
     }
 }
 
 bool FrameFaults::IsEmpty() const noexcept
 {
-    return states_.empty();
+    return states_.empty() && masquerades_.empty();
 }
 
 bool FrameFaults::Fits(const FaultSetup& fault, const host::FrameOnBus& sent) const
@@ -79,6 +83,14 @@ void FrameFaults::OnReception(const host::FrameOnBus& sent, const host::NodeInde
         Choose(sent);
     }
     ReleaseHeld(receiver, receptions);
+    for (const std::size_t index : masquerades_)
+    {
+        const FaultSetup& fault = scenario_.faults[index];
+        if (fault.node == sent.sender && fault.identifier == sent.frame.identifier)
+        {
+            Tell(index, receiver, sent.frame.identifier, bus_.Now()); // Its effect begins where it arrives.
+        }
+    }
     for (const State& state : states_)
     {
         const FaultSetup& fault = scenario_.faults[state.index];

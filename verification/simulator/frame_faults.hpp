@@ -53,6 +53,7 @@ class FrameFaults final : public host::BusFault
     Journal& journal_;
     Random random_;
     std::vector<State> states_;
+    std::vector<std::size_t> masquerades_; ///< Their frames are sent by nodes; here they are only told of.
     std::vector<Held> held_;
     std::vector<std::size_t> told_; ///< Faults whose first effect is in the journal.
     host::BusTime frame_start_{-1};

@@ -124,13 +124,13 @@ void Network::PlanForeignFrames(const std::size_t index)
              [this, index, &fault]()
              {
                  const CanFrame frame = ForeignFrame(fault);
-                 NoteFault(index, fault.frames.receiver.value_or(fault.node));
                  if (fault.kind == FaultKind::kMasquerade)
                  {
                      const host::NodeIndex sender = nodes_[fault.node]->Can().NodeOf(CanPortId::kFirst);
                      static_cast<void>(bus_.Submit(sender, frame));
                      return;
                  }
+                 NoteFault(index, fault.frames.receiver.value_or(kNoNode));
                  for (NodeIndex node = 0U; node < nodes_.size(); ++node)
                  {
                      if (fault.frames.receiver.value_or(node) == node)
