@@ -16,6 +16,9 @@ import time
 import xml.etree.ElementTree as ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "verification/coverage"))
+from measure import TEST_FOLDERS  # noqa: E402
+
 EVIDENCE = ROOT / "build/evidence"
 DATA = EVIDENCE / "data"
 LOGS = ROOT / "build/log"
@@ -49,9 +52,12 @@ class Progress:
         return status
 
 
-def build(progress, preset, jobs):
+def build(progress, preset, jobs, folders=None):
+    """Everything, or what the tests of some folders need."""
     progress.run(f"Configuring build/{preset}", f"configure-{preset}", ["cmake", "--preset", preset])
-    progress.run(f"Building build/{preset}", f"build-{preset}", ["cmake", "--build", f"build/{preset}", "--parallel", str(jobs)])
+    targets = [f"{folder}/all" for folder in folders or [] if (ROOT / folder / "CMakeLists.txt").exists()]
+    progress.run(f"Building {'tests of the safety rooms' if targets else 'everything'} in build/{preset}", f"build-{preset}",
+                 ["cmake", "--build", f"build/{preset}", "--parallel", str(jobs), "--target", *(targets or ["all"])])
 
 
 def fresh(folder):
@@ -88,14 +94,14 @@ def collect_objects(progress):
 
 
 def collect_coverage(progress, jobs):
-    build(progress, "coverage", jobs)
+    build(progress, "coverage", jobs, TEST_FOLDERS)
     progress.run("Measuring MC/DC, branches, lines, functions (Clang 19)", "coverage",
                  [sys.executable, "verification/coverage/measure.py", "build/coverage", DATA / "coverage", "--jobs", str(jobs),
                   "--html", EVIDENCE / "coverage_clang"], may_fail=True)
 
 
 def collect_gcov(progress, jobs):
-    build(progress, "gcov", jobs)
+    build(progress, "gcov", jobs, TEST_FOLDERS)
     progress.run("Measuring lines and branches (GCC 12, gcovr)", "gcovr",
                  [sys.executable, "verification/coverage/measure_gcov.py", "build/gcov", DATA / "gcov", "--jobs", str(jobs),
                   "--html", EVIDENCE / "coverage_gcov"], may_fail=True)
