@@ -84,10 +84,10 @@ class Channel final : public counterpoint::Channel
     // Frames.
     void ReceiveOther(const CanFrame& frame) noexcept;
     void ReceiveLate(const CanFrame& frame, Instant stamp, SlotIndex slot) noexcept;
-    void ReceiveInTime(const CanFrame& frame, Instant stamp, SlotIndex slot) noexcept;
+    void ReceiveInTime(const CanFrame& frame, Instant stamp, SlotIndex slot, Record& record) noexcept;
     void RaiseAt(SlotIndex slot, Event event) noexcept;
-    void ReceiveNormal(const CanFrame& frame, Instant stamp, SlotIndex slot) noexcept;
-    void ReceiveInverse(const CanFrame& frame, SlotIndex slot) noexcept;
+    void ReceiveNormal(const CanFrame& frame, Instant stamp, SlotIndex slot, Record& record) noexcept;
+    void ReceiveInverse(const CanFrame& frame, SlotIndex slot, Record& record) noexcept;
     void Complete(Record& record, SrdoMask bit) noexcept;
 
     // The cycle.
@@ -104,12 +104,13 @@ class Channel final : public counterpoint::Channel
     void StartProducing(Record& record) const noexcept;
     void ExamineSending(Instant now, Record& record, SrdoMask bit) noexcept;
     void Refresh(Record& record, SrdoMask bit) noexcept;
-    void Arm(Cycle& cycle, Record& record, SrdoMask bit) noexcept;
+    void Arm(Record& record, SrdoMask bit) noexcept;
     void Signal(Cycle& cycle, Record& record, SrdoMask bit, std::uint32_t extra) noexcept;
 
     // Transmission.
     static void StopProducing(Record& record) noexcept;
-    static void Advance(Record& record, Instant stamp) noexcept;
+    void Finish(Record& record, SrdoMask bit) noexcept;
+    [[nodiscard]] SlotIndex GiveUp(SlotIndex slot, Event event, SrdoCause cause) noexcept;
 
     // Configuration and objects.
     [[nodiscard]] bool IsOfSlot(const ConfigAddress& address) const noexcept;

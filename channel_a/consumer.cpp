@@ -40,19 +40,18 @@ void Channel::OnFrame(const CanFrame& frame, const Instant stamp) noexcept
     {
         return;
     }
-    const Record& record = At(slot);
+    Record& record = At(slot);
     if ((stamp.us - record.since.us) > record.limit_us)
     {
         ReceiveLate(frame, stamp, slot);
         return;
     }
-    ReceiveInTime(frame, stamp, slot);
+    ReceiveInTime(frame, stamp, slot, record);
 }
 
 // In the order of SRS-CONS-011; what order of frames means is the table's affair.
-void Channel::ReceiveInTime(const CanFrame& frame, const Instant stamp, const SlotIndex slot) noexcept
+void Channel::ReceiveInTime(const CanFrame& frame, const Instant stamp, const SlotIndex slot, Record& record) noexcept
 {
-    Record& record = At(slot);
     const std::uint32_t half = ~frame.identifier & kHalfMask; // Identifiers of normal frames are odd.
     if ((frame.identifier != record.values[kCobIdPlace + half]) || (frame.port != ports_.of_half[half]))
     {
@@ -66,18 +65,18 @@ void Channel::ReceiveInTime(const CanFrame& frame, const Instant stamp, const Sl
     }
     if (half == 0U)
     {
-        ReceiveNormal(frame, stamp, slot);
+        ReceiveNormal(frame, stamp, slot, record);
     }
     else
     {
-        ReceiveInverse(frame, slot);
+        ReceiveInverse(frame, slot, record);
     }
 }
 
 // The common cells of both halves stay within their group of modes.
-inline void Channel::ReceiveNormal(const CanFrame& frame, const Instant stamp, const SlotIndex slot) noexcept
+inline void Channel::ReceiveNormal(const CanFrame& frame, const Instant stamp, const SlotIndex slot,
+                                   Record& record) noexcept
 {
-    Record& record = At(slot);
     const Cell& cell = NextCell(record.mode, Event::kNormal);
     if (cell.effect != Effect::kTake)
     {
@@ -90,14 +89,17 @@ inline void Channel::ReceiveNormal(const CanFrame& frame, const Instant stamp, c
     record.limit_us = record.values[kSrvtPlace] * kMicrosecondsPerMillisecond;
 }
 
-inline void Channel::ReceiveInverse(const CanFrame& frame, const SlotIndex slot) noexcept
+inline void Channel::ReceiveInverse(const CanFrame& frame, const SlotIndex slot, Record& record) noexcept
 {
-    Record& record = At(slot);
-    const Event event = IsEqual(record, frame, record.pending, kInverted) ? Event::kInverse : Event::kNotInverse;
-    const Cell& cell = NextCell(record.mode, event);
+    if (!IsEqual(record, frame, record.pending, kFlips[1]))
+    {
+        RaiseAt(slot, Event::kNotInverse);
+        return;
+    }
+    const Cell& cell = NextCell(record.mode, Event::kInverse);
     if (cell.effect != Effect::kComplete)
     {
-        RaiseAt(slot, event);
+        RaiseAt(slot, Event::kInverse);
         return;
     }
     SetMode(record, cell.next);

@@ -93,7 +93,7 @@ void Channel::ReceiveOther(const CanFrame& frame) noexcept
 void Channel::ReceiveLate(const CanFrame& frame, const Instant stamp, const SlotIndex slot) noexcept
 {
     RaiseAt(slot, Event::kExpired);
-    ReceiveInTime(frame, stamp, slot);
+    ReceiveInTime(frame, stamp, slot, At(slot));
 }
 
 void Channel::RaiseAt(const SlotIndex slot, const Event event) noexcept
@@ -200,30 +200,8 @@ void Channel::ScanLimits(const Cycle& cycle) noexcept
     attention_ |= found & existing_;
 }
 
-void Channel::ServeSlot(Cycle& cycle, const SlotIndex slot) noexcept
-{
-    const SrdoMask bit = BitOf(slot);
-    Record& record = At(slot);
-    std::uint32_t extra = 0U;
-    if ((Consumers() & bit) != 0U)
-    {
-        extra = ServeConsumer(cycle, record, bit);
-    }
-    else if ((groups_[kGroupProducer] & bit) != 0U)
-    {
-        ServeProducer(cycle, record, bit);
-    }
-    else
-    {
-        cycle.new_fault |= cycle.left & bit;
-    }
-    Signal(cycle, record, bit, extra);
-    const std::uint32_t unfinished = record.told | record.edge | record.awaiting;
-    attention_ |= (unfinished != 0U) ? bit : 0U;
-}
-
 // Each cause once in a window of SCT. [SRS-CONS-021]
-void Channel::Signal(Cycle& cycle, Record& record, const SrdoMask bit, const std::uint32_t extra) noexcept
+inline void Channel::Signal(Cycle& cycle, Record& record, const SrdoMask bit, const std::uint32_t extra) noexcept
 {
     if ((cycle.now.us - record.told_since.us) > (record.values[kSctPlace] * kMicrosecondsPerMillisecond))
     {
@@ -237,6 +215,28 @@ void Channel::Signal(Cycle& cycle, Record& record, const SrdoMask bit, const std
         record.told |= record.signals;
         cycle.signalled |= bit;
     }
+}
+
+void Channel::ServeSlot(Cycle& cycle, const SlotIndex slot) noexcept
+{
+    const SrdoMask bit = BitOf(slot);
+    Record& record = At(slot);
+    std::uint32_t extra = 0U;
+    if ((groups_[kGroupProducer] & bit) != 0U)
+    {
+        ServeProducer(cycle, record, bit);
+    }
+    else if ((groups_[kGroupOff] & bit) == 0U)
+    {
+        extra = ServeConsumer(cycle, record, bit);
+    }
+    else
+    {
+        cycle.new_fault |= cycle.left & bit;
+    }
+    Signal(cycle, record, bit, extra);
+    const std::uint32_t unfinished = record.told | record.edge | record.awaiting;
+    attention_ |= (unfinished != 0U) ? bit : 0U;
 }
 
 } // namespace counterpoint::channel_a

@@ -16,28 +16,16 @@ namespace counterpoint::channel_a
 {
 
 constexpr std::uint32_t kLengthMask = 0x0FU;
-constexpr std::uint8_t kInverted = 0xFFU; ///< What every byte of an inverse frame is flipped with.
 constexpr std::uint32_t kPayloadWordBits = 32U;
 constexpr std::uint32_t kBitsPerByte = 8U;
 
 /// For each length the bytes that are mapped. 9 to 15 occur only in a corrupted record, which its seal gives away.
-constexpr Octets kMapped[kLengthMask + 1U] = {
+extern const Octets kMapped[kLengthMask + 1U]; // MISRA D-001
+
+/// What every byte of a frame is flipped with: 0 the normal, 1 the inverse frame.
+constexpr Octets kFlips[2] = {
     // MISRA D-001
     {{0x00U, 0x00U, 0x00U, 0x00U, 0x00U, 0x00U, 0x00U, 0x00U}},
-    {{0xFFU, 0x00U, 0x00U, 0x00U, 0x00U, 0x00U, 0x00U, 0x00U}},
-    {{0xFFU, 0xFFU, 0x00U, 0x00U, 0x00U, 0x00U, 0x00U, 0x00U}},
-    {{0xFFU, 0xFFU, 0xFFU, 0x00U, 0x00U, 0x00U, 0x00U, 0x00U}},
-    {{0xFFU, 0xFFU, 0xFFU, 0xFFU, 0x00U, 0x00U, 0x00U, 0x00U}},
-    {{0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0x00U, 0x00U, 0x00U}},
-    {{0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0x00U, 0x00U}},
-    {{0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0x00U}},
-    {{0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU}},
-    {{0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU}},
-    {{0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU}},
-    {{0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU}},
-    {{0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU}},
-    {{0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU}},
-    {{0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU}},
     {{0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU}},
 };
 
@@ -77,13 +65,13 @@ constexpr Octets kMapped[kLengthMask + 1U] = {
 
 /// @brief Whether each mapped byte of the frame is the byte of `expected` XOR `flip`.
 [[nodiscard]] inline bool IsEqual(const Record& record, const CanFrame& frame, const Octets& expected,
-                                  const std::uint8_t flip) noexcept
+                                  const Octets& flip) noexcept
 {
     const Octets& mapped = kMapped[record.length_bytes & kLengthMask];
     Octets wrong{};
     for (std::size_t place = 0U; place < kMaxPayloadBytes; ++place)
     {
-        const std::uint8_t wanted = static_cast<std::uint8_t>(expected.at[place] ^ flip);
+        const std::uint8_t wanted = static_cast<std::uint8_t>(expected.at[place] ^ flip.at[place]);
         const std::uint8_t difference = static_cast<std::uint8_t>(wanted ^ frame.data[place]);
         wrong.at[place] = difference & mapped.at[place];
     }

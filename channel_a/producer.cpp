@@ -19,6 +19,11 @@ std::uint32_t RefreshUs(const Record& record) noexcept
     return record.values[kSctPlace] * kMicrosecondsPerMillisecond;
 }
 
+bool IsWanted(const Record& record) noexcept
+{
+    return (record.refresh == kMarked) || (record.request == kMarked);
+}
+
 } // namespace
 
 // refresh_since is one refresh time before the first possible transmission where the kernel asks for data, so that the
@@ -41,41 +46,22 @@ void Channel::StopProducing(Record& record) noexcept
     record.prepared = kUnmarked;
 }
 
-void Channel::ServeProducer(Cycle& cycle, Record& record, const SrdoMask bit) noexcept
+// Exact addition keeps the phase. A refresh that cannot be is skipped. [SRS-PROD-002]
+void Channel::Refresh(Record& record, const SrdoMask bit) noexcept
 {
-    if (!IsSealed(record))
+    record.refresh_since.us += RefreshUs(record);
+    if ((record.mode != Mode::kIdle) || (record.refresh == kMarked))
     {
-        Raise(record, bit, Event::kCorrupted, SrdoCause::kNone);
-        MoveTo(bit, FactsOf(record.mode).group);
-        StopProducing(record);
-        return;
-    }
-    if ((cycle.now.us - record.since.us) > record.limit_us)
-    {
-        Raise(record, bit, Event::kUnconfirmed, SrdoCause::kNone);
-    }
-    if ((standing_ & bit) != 0U)
-    {
-        record.refresh_since.us += step_us_;
-        standing_ &= ~bit;
-    }
-    if (may_send_)
-    {
-        ExamineSending(cycle.now, record, bit);
-        Arm(cycle, record, bit);
+        Report(record, bit, SrdoCause::kRefreshMissed);
     }
     else
     {
-        attention_ |= bit;
-    }
-    if (((cycle.edges & bit) != 0U) && (record.unreported == 0U))
-    {
-        SetFirstCause(record, SrdoCause::kNone);
+        record.refresh = kMarked;
     }
 }
 
 // [SRS-PROD-010]
-void Channel::ExamineSending(const Instant now, Record& record, const SrdoMask bit) noexcept
+inline void Channel::ExamineSending(const Instant now, Record& record, const SrdoMask bit) noexcept
 {
     const std::uint32_t elapsed_us = now.us - record.refresh_since.us;
     const std::uint32_t refresh_us = RefreshUs(record);
@@ -107,40 +93,52 @@ void Channel::ExamineSending(const Instant now, Record& record, const SrdoMask b
 
 // Between two pairs the limit is the next refresh, so that the scan passes over a producer with nothing to do. A pair
 // in flight or due is served in every cycle.
-void Channel::Arm(Cycle& cycle, Record& record, const SrdoMask bit) noexcept
+inline void Channel::Arm(Record& record, const SrdoMask bit) noexcept
 {
-    if (record.mode != Mode::kIdle)
+    if (!may_send_ || (record.mode != Mode::kIdle) || IsWanted(record))
     {
         attention_ |= bit;
+        return;
     }
-    else if ((record.refresh == kMarked) || (record.request == kMarked))
+    record.since = record.refresh_since;
+    record.limit_us = RefreshUs(record);
+    if (record.form == ProducerForm::kProviderCalled)
     {
-        attention_ |= bit;
-        cycle.due |= bit;
-    }
-    else if (record.form == ProducerForm::kProviderCalled)
-    {
-        record.since.us = record.refresh_since.us - 1U; // The refresh time itself is due.
-        record.limit_us = RefreshUs(record);
+        --record.since.us; // The refresh time itself is due.
     }
     else
     {
-        record.since = record.refresh_since;
-        record.limit_us = RefreshUs(record) + late_after_us_;
+        record.limit_us += late_after_us_;
     }
 }
 
-// Exact addition keeps the phase. A refresh that cannot be is skipped. [SRS-PROD-002]
-void Channel::Refresh(Record& record, const SrdoMask bit) noexcept
+void Channel::ServeProducer(Cycle& cycle, Record& record, const SrdoMask bit) noexcept
 {
-    record.refresh_since.us += RefreshUs(record);
-    if ((record.mode != Mode::kIdle) || (record.refresh == kMarked))
+    if (!IsSealed(record))
     {
-        Report(record, bit, SrdoCause::kRefreshMissed);
+        Raise(record, bit, Event::kCorrupted, SrdoCause::kNone);
+        MoveTo(bit, FactsOf(record.mode).group);
+        StopProducing(record);
+        return;
     }
-    else
+    if ((cycle.now.us - record.since.us) > record.limit_us)
     {
-        record.refresh = kMarked;
+        Raise(record, bit, Event::kUnconfirmed, SrdoCause::kNone);
+    }
+    if ((standing_ & bit) != 0U)
+    {
+        record.refresh_since.us += step_us_;
+        standing_ &= ~bit;
+    }
+    if (may_send_)
+    {
+        ExamineSending(cycle.now, record, bit);
+        cycle.due |= (IsWanted(record) && (record.mode == Mode::kIdle)) ? bit : 0U;
+    }
+    Arm(record, bit);
+    if (((cycle.edges & bit) != 0U) && (record.unreported == 0U))
+    {
+        SetFirstCause(record, SrdoCause::kNone);
     }
 }
 
@@ -249,34 +247,39 @@ SlotIndex Channel::OnConfirm(const CanFrame& frame, const Instant stamp) noexcep
     {
         return kNoSlot;
     }
-    const std::uint8_t flip = static_cast<std::uint8_t>(half * kInverted);
-    if ((frame.length_bytes != record.length_bytes) || !IsEqual(record, frame, record.held, flip))
+    if ((frame.length_bytes != record.length_bytes) || !IsEqual(record, frame, record.held, kFlips[half]))
     {
-        Raise(record, BitOf(slot), Event::kAbort, SrdoCause::kWrongEcho);
+        return GiveUp(slot, Event::kAbort, SrdoCause::kWrongEcho);
     }
-    else if ((half != 0U) && ((stamp.us - record.since.us) > record.limit_us))
+    if (half == 0U)
     {
-        Raise(record, BitOf(slot), Event::kUnconfirmed, SrdoCause::kNone);
+        SetMode(record, NextCell(record.mode, Event::kConfirm).next);
+        record.since = stamp;
+        return slot;
     }
-    else
+    if ((stamp.us - record.since.us) > record.limit_us)
     {
-        Advance(record, stamp);
+        return GiveUp(slot, Event::kUnconfirmed, SrdoCause::kNone);
     }
+    Finish(record, BitOf(slot));
     return slot;
 }
 
-void Channel::Advance(Record& record, const Instant stamp) noexcept
+// The pair was sent. A slot with nothing more to do waits for its next refresh, as if OnCycle had armed it.
+inline void Channel::Finish(Record& record, const SrdoMask bit) noexcept
 {
-    const Cell& cell = StepWithin(record, Event::kConfirm);
-    if (cell.effect == Effect::kAwaitInverse)
-    {
-        record.since = stamp;
-    }
-    else
-    {
-        record.limit_us = kNoLimit;
-        ++record.ordinal;
-    }
+    SetMode(record, NextCell(record.mode, Event::kConfirm).next);
+    ++record.ordinal;
+    attention_ &= ~bit;
+    Arm(record, bit);
+    const std::uint32_t unfinished = record.told | record.unreported;
+    attention_ |= (unfinished != 0U) ? bit : 0U;
+}
+
+SlotIndex Channel::GiveUp(const SlotIndex slot, const Event event, const SrdoCause cause) noexcept
+{
+    Raise(At(slot), BitOf(slot), event, cause);
+    return slot;
 }
 
 void Channel::OnTransmitFault(const SlotIndex slot, const SrdoCause cause) noexcept

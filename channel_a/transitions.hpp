@@ -68,8 +68,7 @@ enum class Effect : std::uint8_t
     kFault = 4U,    ///< Consumer made safe, for the cell's cause or, where that is kNone, the given one.
     kLaunch = 5U,
     kHandOut = 6U,
-    kAwaitInverse = 7U,
-    kAbort = 8U, ///< The pair in flight is given up with a fault of the producer.
+    kAbort = 7U, ///< The pair in flight is given up with a fault of the producer.
 };
 
 /// Four bytes, so that a cell is found by shifts.
