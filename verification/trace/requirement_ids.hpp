@@ -103,6 +103,7 @@ inline constexpr RequirementId SRS_CNF_007{"SRS-CNF-007"};
 inline constexpr RequirementId SRS_CNF_010{"SRS-CNF-010"};
 inline constexpr RequirementId SRS_CNF_011{"SRS-CNF-011"};
 inline constexpr RequirementId SRS_CNF_012{"SRS-CNF-012"};
+inline constexpr RequirementId SRS_CNF_013{"SRS-CNF-013"};
 inline constexpr RequirementId SRS_CNF_020{"SRS-CNF-020"};
 inline constexpr RequirementId SRS_CNF_021{"SRS-CNF-021"};
 inline constexpr RequirementId SRS_CNF_030{"SRS-CNF-030"};
