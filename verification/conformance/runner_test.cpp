@@ -12,6 +12,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace counterpoint::conformance
 {
@@ -206,6 +207,57 @@ TEST(ConformanceTable, HoldsTheVectorsAndTheKnownDefects)
           "T14_CorruptionInOperational", "T15_Direction3", "T19_SrvtMaskedByALateCall", "Ovf_MapCountAboveTheMemory"})
     {
         EXPECT_STREQ(Find(name).name, name);
+    }
+}
+
+/// Each limit of the channels, and the cases that stand just inside, on and just outside of it.
+struct LimitCases
+{
+    const char* limit;
+    std::vector<const char*> cases;
+};
+
+TEST(ConformanceTable, EveryLimitHasItsThreePoints)
+{
+    Verifies(req::SRS_CNF_005);
+    const LimitCases limits[] = {
+        {"SCT at a frame", {"SctInsideAtNormalFrame", "SctOnTheLimitAtNormalFrame", "SctOneMicrosecondOverAtNormalFrame"}},
+        {"SCT in the cycle", {"SctInTheCycle"}},
+        {"SRVT at a frame", {"SrvtInside", "SrvtOnTheLimit", "SrvtOneMicrosecondOver"}},
+        {"SRVT in the cycle", {"SrvtInTheCycle", "PairIsValidForSctPlusSrvt"}},
+        {"longest and shortest limits", {"LongestLimits", "ShortestLimits"}},
+        {"call supervision", {"LateCall", "FirstCallIsNeverLate"}},
+        {"acknowledge window", {"AcknowledgeWindowOnTheLimit", "AcknowledgeWindowOver"}},
+        {"window of signals", {"EndOfTheSignalWindow", "SignalWindowOfAProducer"}},
+        {"waiting past SCT", {"WaitingPastSct"}},
+        {"first transmission", {"PairIsSent", "FirstTransmissionOfNode127", "FirstTransmissionAfterReentering"}},
+        {"refresh", {"RefreshKeepsItsPhase"}},
+        {"silence of the application", {"SilentApplication", "SilenceAfterLaunch"}},
+        {"confirmation of the normal frame", {"NormalFrameIsNotConfirmed", "ConfirmationsOnTheirLimits"}},
+        {"confirmation of the inverse frame",
+         {"InverseFrameIsNotConfirmed", "InverseFrameConfirmedOnTheLimit", "InverseFrameConfirmedTooLate"}},
+        {"length of a frame", {"LengthOfNormalFrame", "LengthOfInverseFrame", "LengthOfEightBytes"}},
+        {"identifier of a frame", {"OtherIdentifiersNeverCount"}},
+        {"error count", {"ErrorCountStaysAt65535"}},
+        {"number of SRDOs", {"SixtyFourPairsAtOnce", "FirstAndLastOfSixtyFour", "AddressesThatDoNotExist"}},
+        {"direction", {"RuleDirection"}},
+        {"transmission type", {"RuleTransmissionType"}},
+        {"COB-IDs", {"RuleIdentifierRange", "RuleIdentifierPair"}},
+        {"timing of a consumer", {"RuleTimingOfAConsumer"}},
+        {"timing of a producer", {"RuleTimingOfAProducer", "RuleTimingOfAProducerInASlowCycle"}},
+        {"map count", {"RuleMapCount", "RuleMapCountAtSixteen"}},
+        {"length of an entry", {"RuleEntryLength", "GranularityOfSixteenBits", "GranularityOfThirtyTwoBits", "GranularityOfSixtyFourBits"}},
+        {"total length", {"RuleTotalLength"}},
+        {"default COB-IDs by node-ID",
+         {"DefaultsOfNode1", "DefaultsOfNode32", "DefaultsOfNode33", "DefaultsOfNode64", "DefaultsOfNode65", "DefaultsOfNode127"}},
+        {"values of 13FEh and 1300h", {"NotActiveWithout13FEh", "GlobalFailsafeCommandNeeds1300h"}},
+    };
+    for (const LimitCases& limit : limits)
+    {
+        for (const char* const name : limit.cases)
+        {
+            EXPECT_STREQ(Find(name).name, name) << limit.limit;
+        }
     }
 }
 
