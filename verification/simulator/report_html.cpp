@@ -5,6 +5,7 @@
 #include "verification/simulator/reports.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 
 namespace counterpoint::simulator
@@ -139,7 +140,8 @@ std::string Lead(const std::vector<const Run*>& runs)
     const auto held = std::count_if(runs.begin(), runs.end(), [](const Run* run) { return run->Holds(); });
     if (runs.size() == 1U)
     {
-        return Escaped(runs.front()->Setting().file) + ", seed " + std::to_string(runs.front()->Setting().seed);
+        const std::filesystem::path file(runs.front()->Setting().file);
+        return Escaped(file.filename().string()) + ", seed " + std::to_string(runs.front()->Setting().seed);
     }
     return std::to_string(held) + " of " + std::to_string(runs.size()) +
            " runs as expected. Choose a row; limits are computed from each device's configuration before the run.";

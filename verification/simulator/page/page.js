@@ -3,7 +3,7 @@
 (() => {
   const DATA = JSON.parse(document.getElementById("data").textContent);
   const $ = id => document.getElementById(id);
-  const GUTTER = 210, RIGHT = 14, TOP = 46, AXIS = 26;
+  const GUTTER = 210, RIGHT = 32, TOP = 46, AXIS = 26;
   const LOUD = new Set(["fault", "device_fault", "watchdog", "hung", "output", "frame_changed"]);
   const esc = text => String(text).replace(/[&<>"]/g, c => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" }[c]));
   const hex = id => id.toString(16).toUpperCase().padStart(3, "0") + "h";
@@ -86,15 +86,19 @@
   function srdoLanes(node, srdo) {
     const mine = kind => run.events.filter(e => e.kind === kind && e.node === node.name && e.srdo === srdo.number);
     const ofNode = kind => run.events.filter(e => e.kind === kind && e.node === node.name);
+    // A node that hangs says nothing any more; its output stage goes on.
+    const stop = run.events.find(e => e.kind === "hung" && e.node === node.name);
+    const untilHung = (events, first, value) => segments(stop ? [...events.filter(e => e.at_ns < stop.at_ns), stop] : events, first,
+      e => e === stop ? "halted" : value(e));
     const bit = (mask, slot) => Math.floor(mask / 2 ** slot) % 2 === 1;
     const view = (letter, height) => ({
       kind: "state", height, label: "SRDO " + srdo.number + " channel " + letter.toUpperCase(),
-      segments: segments(mine("view_" + letter), "off", e => e.state),
+      segments: untilHung(mine("view_" + letter), "off", e => e.state), words: { halted: "stands still" },
       marks: mine("cause_" + letter).map(e => [e.at_ns, e.text])
     });
-    const onOff = (label, events, value, words, height) => ({
-      kind: "state", height: height || 15, label, words,
-      segments: segments(events, "off", e => value(e) ? "released" : "off")
+    const onOff = (label, cut, events, value, words, height) => ({
+      kind: "state", height: height || 15, label, words: { halted: "stands still", ...words },
+      segments: cut(events, "off", e => value(e) ? "released" : "off")
     });
     if (srdo.direction === "producer") return [view("a", 16), view("b", 16)];
     if (srdo.direction !== "consumer") return [];
@@ -102,9 +106,9 @@
       { kind: "timers", height: 44, label: "SRDO " + srdo.number + " time left",
         note: "SCT " + srdo.sct_ms + " ms, SRVT " + srdo.srvt_ms + " ms", lines: timers(node, srdo), srdo },
       view("a", 16), view("b", 16),
-      onOff("SRDO " + srdo.number + " comparator", ofNode("verdict"), e => bit(e.agreed, srdo.slot), { released: "agreed", off: "not agreed" }),
-      onOff("SRDO " + srdo.number + " permits", ofNode("permits"), e => bit(e.value, srdo.slot), { released: "three", off: "none" }),
-      onOff("SRDO " + srdo.number + " output", mine("output"), e => e.value !== 0, { released: "OPEN", off: "SAFE" }, 20)
+      onOff("SRDO " + srdo.number + " comparator", untilHung, ofNode("verdict"), e => bit(e.agreed, srdo.slot), { released: "agreed", off: "not agreed" }),
+      onOff("SRDO " + srdo.number + " permits", untilHung, ofNode("permits"), e => bit(e.value, srdo.slot), { released: "three", off: "none" }),
+      onOff("SRDO " + srdo.number + " output", segments, mine("output"), e => e.value !== 0, { released: "OPEN", off: "SAFE" }, 20)
     ];
     const values = new Map();
     for (const event of mine("value")) {
@@ -112,7 +116,7 @@
       values.get(event.object).push(event);
     }
     for (const [object, events] of [...values].sort()) {
-      list.push({ kind: "value", height: 22, label: object + " as used", segments: segments(events, 0, e => e.value) });
+      list.push({ kind: "value", height: 22, label: object + " as used", segments: untilHung(events, 0, e => e.value) });
     }
     return list;
   }
@@ -176,7 +180,7 @@
     let out = "";
     for (const [begin, end, state] of lane.segments) {
       if (!shown(begin, end)) continue;
-      const word = lane.words ? lane.words[state] : state;
+      const word = (lane.words && lane.words[state]) || state;
       out += rect(state, begin, end, lane.y, lane.height, `${lane.label}: ${word}\n${at(begin)} to ${at(end)}`);
       if ((X(clip(end)) - X(clip(begin))) > word.length * 7 + 10) {
         out += `<text class="in ${state}" x="${(X(clip(begin)) + 5).toFixed(1)}" y="${lane.y + lane.height / 2 + 4}">${esc(word)}</text>`;
@@ -192,10 +196,10 @@
 
   function drawValue(lane) {
     const top = lane.y + 3, low = lane.y + lane.height - 3;
-    const most = Math.max(1, ...lane.segments.map(s => s[2]));
+    const most = Math.max(1, ...lane.segments.map(s => +s[2] || 0));
     let path = "", out = "";
     for (const [begin, end, value] of lane.segments) {
-      if (!shown(begin, end)) continue;
+      if (!shown(begin, end) || value === "halted") continue;
       const y = (low - (low - top) * value / most).toFixed(1);
       path += `${path ? "L" : "M"}${X(clip(begin)).toFixed(1)} ${y}L${X(clip(end)).toFixed(1)} ${y}`;
       out += `<rect x="${X(clip(begin))}" y="${lane.y}" width="${Math.max(1, X(clip(end)) - X(clip(begin)))}" height="${lane.height}" ` +
@@ -339,7 +343,7 @@
     $("expectations").innerHTML = run.expectations.map(e =>
       `<li class="${e.holds ? "" : "failed"}">${esc(e.wanted)}: <b>${esc(e.seen)}</b></li>`).join("") || "<li>none</li>";
     $("timeline").innerHTML = run.events.filter(e => e.kind !== "reception").map(e =>
-      `<li class="${LOUD.has(e.kind) ? "loud" : ""}" data-at="${e.at_ns}"><time>${at(e.at_ns)}</time><em>${esc(e.node || "bus")}</em>` +
+      `<li class="${LOUD.has(e.kind) ? "loud" : ""}" data-at="${e.at_ns}" data-kind="${e.kind}"><time>${at(e.at_ns)}</time><em>${esc(e.node || "bus")}</em>` +
       `<span>${esc(e.text)}</span></li>`).join("");
     $("places").innerHTML = ["bus", ...run.nodes.map(n => n.name)].map(n =>
       `<button data-place="${esc(n)}" aria-pressed="${!hidden.has(n)}">${esc(n)}</button>`).join(" ");
@@ -351,6 +355,8 @@
     buildLanes();
     describe();
     aroundFault();
+    const first = $("timeline").querySelector("[data-kind=fault]");
+    $("timeline").scrollTop = first ? first.offsetTop - 60 : 0;
   }
 
   // ---- hands -------------------------------------------------------------------------------------------------------
