@@ -168,7 +168,7 @@ SrdoView Channel::View(const SlotIndex slot) const noexcept
     const Record& record = At(slot);
     const ModeFacts& facts = FactsOf(record.mode);
     SrdoView view{};
-    const Payload held = PayloadOf(Bits(record.held));
+    const Payload held = PayloadOf(record.held);
     view.data = Payload{held.low * facts.shown, held.high * facts.shown};
     view.ordinal = record.ordinal;
     view.signals = record.signals;

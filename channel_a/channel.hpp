@@ -109,7 +109,7 @@ class Channel final : public counterpoint::Channel
 
     // Transmission.
     static void StopProducing(Record& record) noexcept;
-    void Finish(Record& record, SrdoMask bit) noexcept;
+    [[nodiscard]] SlotIndex Finish(SlotIndex slot) noexcept;
     [[nodiscard]] SlotIndex GiveUp(SlotIndex slot, Event event, SrdoCause cause) noexcept;
 
     // Configuration and objects.
@@ -140,7 +140,7 @@ class Channel final : public counterpoint::Channel
     Instant now_{0U};
     SrdoMask standing_{0U};     ///< Producers whose refresh stands still until the next OnCycle.
     std::uint32_t step_us_{0U}; ///< Between the last two calls of OnCycle.
-    Instant entered_{0U}; ///< OPERATIONAL, by the OnCycle that saw it first.
+    Instant entered_{0U};       ///< OPERATIONAL, by the OnCycle that saw it first.
     std::uint32_t cycle_{0U};
     std::uint32_t late_after_us_{0U};  ///< Since the OnCycle before.
     std::uint32_t first_delay_us_{0U}; ///< From OPERATIONAL to the first possible transmission.

@@ -101,6 +101,12 @@ void Channel::RaiseAt(const SlotIndex slot, const Event event) noexcept
     Raise(At(slot), BitOf(slot), event, SrdoCause::kNone);
 }
 
+SlotIndex Channel::GiveUp(const SlotIndex slot, const Event event, const SrdoCause cause) noexcept
+{
+    Raise(At(slot), BitOf(slot), event, cause);
+    return slot;
+}
+
 // [SRS-CONS-002]
 void Channel::FollowOperational(Cycle& cycle, const bool is_active) noexcept
 {

@@ -3,6 +3,7 @@
 #include "channel_a/octets.hpp"
 #include "channel_a/seal.hpp"
 #include "channel_a/signature.hpp"
+#include "channel_a/slots.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -68,12 +69,6 @@ std::uint64_t Written(const MappableObject& object, std::uint64_t rest) noexcept
         rest >>= kBitsPerByte;
     }
     return rest;
-}
-
-std::uint32_t WordAt(const std::uint8_t* const place) noexcept
-{
-    return std::uint32_t{place[0]} | (std::uint32_t{place[1]} << 8U) |          // MISRA D-002
-           (std::uint32_t{place[2]} << 16U) | (std::uint32_t{place[3]} << 24U); // MISRA D-002
 }
 
 struct Reading
@@ -233,6 +228,33 @@ bool Channel::ReadObjects(Record& record) const noexcept
     }
     record.pending = OctetsOf(reading.normal);
     return reading.difference == 0U;
+}
+
+PreparedPair Channel::Prepare(const SlotIndex slot) noexcept
+{
+    PreparedPair pair{};
+    pair.status = PrepareStatus::kNotProducer;
+    Record& record = At(slot);
+    if (record.mode != Mode::kIdle)
+    {
+        return pair;
+    }
+    record.refresh = kUnmarked;
+    record.request = kUnmarked;
+    record.prepared = kUnmarked;
+    if (!ReadObjects(record))
+    {
+        pair.status = PrepareStatus::kNotInverse;
+        Report(record, BitOf(slot), SrdoCause::kNotInverse);
+    }
+    else
+    {
+        pair.status = PrepareStatus::kReady;
+        pair.normal = PayloadOf(record.pending);
+        pair.length_bytes = record.length_bytes;
+        record.prepared = kMarked;
+    }
+    return pair;
 }
 
 } // namespace counterpoint::channel_a

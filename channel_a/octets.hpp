@@ -16,7 +16,7 @@ namespace counterpoint::channel_a
 {
 
 constexpr std::uint32_t kLengthMask = 0x0FU;
-constexpr std::uint32_t kPayloadWordBits = 32U;
+constexpr std::size_t kBytesPerWord = 4U;
 constexpr std::uint32_t kBitsPerByte = 8U;
 
 /// For each length the bytes that are mapped. 9 to 15 occur only in a corrupted record, which its seal gives away.
@@ -58,9 +58,15 @@ constexpr Octets kFlips[2] = {
                    static_cast<std::uint8_t>(bits >> 48U), static_cast<std::uint8_t>(bits >> 56U)}};
 }
 
-[[nodiscard]] inline Payload PayloadOf(const std::uint64_t bits) noexcept
+[[nodiscard]] inline std::uint32_t WordAt(const std::uint8_t* const place) noexcept
 {
-    return Payload{static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> kPayloadWordBits)};
+    return std::uint32_t{place[0]} | (std::uint32_t{place[1]} << 8U) |          // MISRA D-002
+           (std::uint32_t{place[2]} << 16U) | (std::uint32_t{place[3]} << 24U); // MISRA D-002
+}
+
+[[nodiscard]] inline Payload PayloadOf(const Octets& octets) noexcept
+{
+    return Payload{WordAt(&octets.at[0]), WordAt(&octets.at[kBytesPerWord])};
 }
 
 /// @brief Whether each mapped byte of the frame is the byte of `expected` XOR `flip`.

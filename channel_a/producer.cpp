@@ -13,6 +13,8 @@ namespace
 {
 
 constexpr std::uint32_t kHalfMask = 1U; // Of the place of an identifier: 0 the normal, 1 the inverse frame.
+constexpr std::uint32_t kConfirmOfHalf = static_cast<std::uint32_t>(Effect::kConfirmNormal);
+static_assert(static_cast<std::uint32_t>(Effect::kConfirmInverse) == kConfirmOfHalf + 1U, "the halves in their order");
 
 std::uint32_t RefreshUs(const Record& record) noexcept
 {
@@ -160,33 +162,6 @@ void Channel::Hold(const SlotIndex slot) noexcept
     }
 }
 
-PreparedPair Channel::Prepare(const SlotIndex slot) noexcept
-{
-    PreparedPair pair{};
-    pair.status = PrepareStatus::kNotProducer;
-    Record& record = At(slot);
-    if (record.mode != Mode::kIdle)
-    {
-        return pair;
-    }
-    record.refresh = kUnmarked;
-    record.request = kUnmarked;
-    record.prepared = kUnmarked;
-    if (!ReadObjects(record))
-    {
-        pair.status = PrepareStatus::kNotInverse;
-        Report(record, BitOf(slot), SrdoCause::kNotInverse);
-    }
-    else
-    {
-        pair.status = PrepareStatus::kReady;
-        pair.normal = PayloadOf(Bits(record.pending));
-        pair.length_bytes = record.length_bytes;
-        record.prepared = kMarked;
-    }
-    return pair;
-}
-
 void Channel::Launch(const SlotIndex slot) noexcept
 {
     Record& record = At(slot);
@@ -242,8 +217,9 @@ SlotIndex Channel::OnConfirm(const CanFrame& frame, const Instant stamp) noexcep
     }
     Record& record = At(slot);
     const std::uint32_t half = place & kHalfMask;
-    const std::uint32_t awaited = half + kAwaitsNormal;
-    if ((FactsOf(record.mode).awaits != awaited) || (record.values[kCobIdPlace + half] != frame.identifier))
+    const Cell& cell = NextCell(record.mode, Event::kConfirm);
+    const std::uint32_t wanted = half + kConfirmOfHalf;
+    if ((static_cast<std::uint32_t>(cell.effect) != wanted) || (record.values[kCobIdPlace + half] != frame.identifier))
     {
         return kNoSlot;
     }
@@ -253,7 +229,7 @@ SlotIndex Channel::OnConfirm(const CanFrame& frame, const Instant stamp) noexcep
     }
     if (half == 0U)
     {
-        SetMode(record, NextCell(record.mode, Event::kConfirm).next);
+        SetMode(record, cell.next);
         record.since = stamp;
         return slot;
     }
@@ -261,24 +237,20 @@ SlotIndex Channel::OnConfirm(const CanFrame& frame, const Instant stamp) noexcep
     {
         return GiveUp(slot, Event::kUnconfirmed, SrdoCause::kNone);
     }
-    Finish(record, BitOf(slot));
-    return slot;
+    SetMode(record, cell.next);
+    return Finish(slot);
 }
 
 // The pair was sent. A slot with nothing more to do waits for its next refresh, as if OnCycle had armed it.
-inline void Channel::Finish(Record& record, const SrdoMask bit) noexcept
+SlotIndex Channel::Finish(const SlotIndex slot) noexcept
 {
-    SetMode(record, NextCell(record.mode, Event::kConfirm).next);
+    Record& record = At(slot);
+    const SrdoMask bit = BitOf(slot);
     ++record.ordinal;
     attention_ &= ~bit;
     Arm(record, bit);
     const std::uint32_t unfinished = record.told | record.unreported;
     attention_ |= (unfinished != 0U) ? bit : 0U;
-}
-
-SlotIndex Channel::GiveUp(const SlotIndex slot, const Event event, const SrdoCause cause) noexcept
-{
-    Raise(At(slot), BitOf(slot), event, cause);
     return slot;
 }
 

@@ -13,83 +13,83 @@ namespace
 
 static_assert(static_cast<std::size_t>(Event::kCorrupted) + 1U == kEventCount, "a column for each event");
 
-// Cells that change nothing, by the row they stand in.
-constexpr Cell kOff{Mode::kOff, Effect::kNothing, SrdoCause::kNone};
-constexpr Cell kWaitingEmpty{Mode::kWaitingEmpty, Effect::kNothing, SrdoCause::kNone};
-constexpr Cell kWaitingFirst{Mode::kWaitingFirst, Effect::kNothing, SrdoCause::kNone};
-constexpr Cell kWaitingHeld{Mode::kWaitingHeld, Effect::kNothing, SrdoCause::kNone};
-constexpr Cell kWaitingNext{Mode::kWaitingNext, Effect::kNothing, SrdoCause::kNone};
-constexpr Cell kFaultedEmpty{Mode::kFaultedEmpty, Effect::kNothing, SrdoCause::kNone};
-constexpr Cell kFaultedFirst{Mode::kFaultedFirst, Effect::kNothing, SrdoCause::kNone};
-constexpr Cell kFaultedHeld{Mode::kFaultedHeld, Effect::kNothing, SrdoCause::kNone};
-constexpr Cell kFaultedNext{Mode::kFaultedNext, Effect::kNothing, SrdoCause::kNone};
-constexpr Cell kReleasedHeld{Mode::kReleasedHeld, Effect::kNothing, SrdoCause::kNone};
-constexpr Cell kReleasedNext{Mode::kReleasedNext, Effect::kNothing, SrdoCause::kNone};
-constexpr Cell kIdle{Mode::kIdle, Effect::kNothing, SrdoCause::kNone};
-constexpr Cell kLaunched{Mode::kLaunched, Effect::kNothing, SrdoCause::kNone};
-constexpr Cell kNormalAwaited{Mode::kNormalAwaited, Effect::kNothing, SrdoCause::kNone};
-constexpr Cell kInverseAwaited{Mode::kInverseAwaited, Effect::kNothing, SrdoCause::kNone};
+// Numbers of the cells. Cells that change nothing, by the row they stand in.
+constexpr std::uint8_t kOff = 1U;
+constexpr std::uint8_t kWaitingEmpty = 2U;
+constexpr std::uint8_t kWaitingFirst = 3U;
+constexpr std::uint8_t kWaitingHeld = 4U;
+constexpr std::uint8_t kWaitingNext = 5U;
+constexpr std::uint8_t kFaultedEmpty = 6U;
+constexpr std::uint8_t kFaultedFirst = 7U;
+constexpr std::uint8_t kFaultedHeld = 8U;
+constexpr std::uint8_t kFaultedNext = 9U;
+constexpr std::uint8_t kReleasedHeld = 10U;
+constexpr std::uint8_t kReleasedNext = 11U;
+constexpr std::uint8_t kIdle = 12U;
+constexpr std::uint8_t kLaunched = 13U;
+constexpr std::uint8_t kNormalAwaited = 14U;
+constexpr std::uint8_t kInverseAwaited = 15U;
 
 // Entering and leaving OPERATIONAL.
-constexpr Cell kBeginC{Mode::kWaitingEmpty, Effect::kNothing, SrdoCause::kNone};
-constexpr Cell kBeginP{Mode::kIdle, Effect::kNothing, SrdoCause::kNone};
-constexpr Cell kLeaveC{Mode::kOff, Effect::kFault, SrdoCause::kNotOperational};
-constexpr Cell kLeaveP{Mode::kOff, Effect::kNothing, SrdoCause::kNone};
+constexpr std::uint8_t kBeginC = 16U;
+constexpr std::uint8_t kBeginP = 17U;
+constexpr std::uint8_t kLeaveC = 18U;
+constexpr std::uint8_t kLeaveP = 19U;
 
 // Faults of a consumer.
-constexpr Cell kCorrupt{Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kInvalid};
-constexpr Cell kEarly{Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kInverseFirst};
-constexpr Cell kTwice{Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kNormalTwice};
-constexpr Cell kUnlike{Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kNotInverse};
-constexpr Cell kForeign{Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kIdentifier};
-constexpr Cell kLength{Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kLength};
-constexpr Cell kSrvt{Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kSrvt};
-constexpr Cell kSct{Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kSct};
-constexpr Cell kGiven{Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kNone};
-constexpr Cell kDropAll{Mode::kFaultedEmpty, Effect::kNothing, SrdoCause::kNone};
-constexpr Cell kDropHeld{Mode::kFaultedFirst, Effect::kNothing, SrdoCause::kNone};
+constexpr std::uint8_t kCorrupt = 20U;
+constexpr std::uint8_t kEarly = 21U;
+constexpr std::uint8_t kTwice = 22U;
+constexpr std::uint8_t kUnlike = 23U;
+constexpr std::uint8_t kForeign = 24U;
+constexpr std::uint8_t kLength = 25U;
+constexpr std::uint8_t kSrvt = 26U;
+constexpr std::uint8_t kSct = 27U;
+constexpr std::uint8_t kGiven = 28U;
+constexpr std::uint8_t kDropAll = 29U;
+constexpr std::uint8_t kDropHeld = 30U;
 
 // Frames that are as they should be.
-constexpr Cell kTakeW1{Mode::kWaitingFirst, Effect::kTake, SrdoCause::kNone};
-constexpr Cell kTakeWN{Mode::kWaitingNext, Effect::kTake, SrdoCause::kNone};
-constexpr Cell kTakeF1{Mode::kFaultedFirst, Effect::kTake, SrdoCause::kNone};
-constexpr Cell kTakeFN{Mode::kFaultedNext, Effect::kTake, SrdoCause::kNone};
-constexpr Cell kTakeRN{Mode::kReleasedNext, Effect::kTake, SrdoCause::kNone};
-constexpr Cell kPairW{Mode::kWaitingHeld, Effect::kComplete, SrdoCause::kNone};
-constexpr Cell kPairF{Mode::kFaultedHeld, Effect::kComplete, SrdoCause::kNone};
-constexpr Cell kPairR{Mode::kReleasedHeld, Effect::kComplete, SrdoCause::kNone};
+constexpr std::uint8_t kTakeW1 = 31U;
+constexpr std::uint8_t kTakeWN = 32U;
+constexpr std::uint8_t kTakeF1 = 33U;
+constexpr std::uint8_t kTakeFN = 34U;
+constexpr std::uint8_t kTakeRN = 35U;
+constexpr std::uint8_t kPairW = 36U;
+constexpr std::uint8_t kPairF = 37U;
+constexpr std::uint8_t kPairR = 38U;
 
 // Transmission.
-constexpr Cell kStart{Mode::kLaunched, Effect::kLaunch, SrdoCause::kNone};
-constexpr Cell kOut{Mode::kNormalAwaited, Effect::kHandOut, SrdoCause::kNone};
-constexpr Cell kHalf{Mode::kInverseAwaited, Effect::kNothing, SrdoCause::kNone};
-constexpr Cell kDone{Mode::kIdle, Effect::kNothing, SrdoCause::kNone};
-constexpr Cell kAbortC{Mode::kIdle, Effect::kAbort, SrdoCause::kNone};
-constexpr Cell kSilent{Mode::kIdle, Effect::kAbort, SrdoCause::kNoConfirmation};
-constexpr Cell kCorruptP{Mode::kIdle, Effect::kAbort, SrdoCause::kInvalid};
-constexpr Cell kLost{Mode::kOff, Effect::kFault, SrdoCause::kInvalid};
-constexpr Cell kVoid{Mode::kOff, Effect::kAbort, SrdoCause::kInvalid};
+constexpr std::uint8_t kStart = 39U;
+constexpr std::uint8_t kOut = 40U;
+constexpr std::uint8_t kHalf = 41U;
+constexpr std::uint8_t kDone = 42U;
+constexpr std::uint8_t kAbortC = 43U;
+constexpr std::uint8_t kSilent = 44U;
+constexpr std::uint8_t kCorruptP = 45U;
+constexpr std::uint8_t kLost = 46U;
+constexpr std::uint8_t kVoid = 47U;
 
 } // namespace
 
 constexpr ModeFacts kModeFacts[kRowCount] = {
     // MISRA D-001
-    {Mode::kBroken, SrdoState::kFaulted, kGroupFaulted, 0U, kAwaitsNothing, kHidden},
-    {Mode::kOff, SrdoState::kOff, kGroupOff, 0U, kAwaitsNothing, kHidden},
-    {Mode::kWaitingEmpty, SrdoState::kWaiting, kGroupWaiting, 0U, kAwaitsNothing, kHidden},
-    {Mode::kWaitingFirst, SrdoState::kWaiting, kGroupWaiting, 0U, kAwaitsNothing, kHidden},
-    {Mode::kWaitingHeld, SrdoState::kWaiting, kGroupWaiting, 1U, kAwaitsNothing, kShown},
-    {Mode::kWaitingNext, SrdoState::kWaiting, kGroupWaiting, 1U, kAwaitsNothing, kShown},
-    {Mode::kFaultedEmpty, SrdoState::kFaulted, kGroupFaulted, 0U, kAwaitsNothing, kHidden},
-    {Mode::kFaultedFirst, SrdoState::kFaulted, kGroupFaulted, 0U, kAwaitsNothing, kHidden},
-    {Mode::kFaultedHeld, SrdoState::kFaulted, kGroupFaulted, 1U, kAwaitsNothing, kShown},
-    {Mode::kFaultedNext, SrdoState::kFaulted, kGroupFaulted, 1U, kAwaitsNothing, kShown},
-    {Mode::kReleasedHeld, SrdoState::kReleased, kGroupReleased, 1U, kAwaitsNothing, kShown},
-    {Mode::kReleasedNext, SrdoState::kReleased, kGroupReleased, 1U, kAwaitsNothing, kShown},
-    {Mode::kIdle, SrdoState::kProducer, kGroupProducer, 0U, kAwaitsNothing, kHidden},
-    {Mode::kLaunched, SrdoState::kProducer, kGroupProducer, 0U, kAwaitsNormal, kShown},
-    {Mode::kNormalAwaited, SrdoState::kProducer, kGroupProducer, 0U, kAwaitsNormal, kShown},
-    {Mode::kInverseAwaited, SrdoState::kProducer, kGroupProducer, 0U, kAwaitsInverse, kShown},
+    {Mode::kBroken, SrdoState::kFaulted, kGroupFaulted, 0U, kHidden},
+    {Mode::kOff, SrdoState::kOff, kGroupOff, 0U, kHidden},
+    {Mode::kWaitingEmpty, SrdoState::kWaiting, kGroupWaiting, 0U, kHidden},
+    {Mode::kWaitingFirst, SrdoState::kWaiting, kGroupWaiting, 0U, kHidden},
+    {Mode::kWaitingHeld, SrdoState::kWaiting, kGroupWaiting, 1U, kShown},
+    {Mode::kWaitingNext, SrdoState::kWaiting, kGroupWaiting, 1U, kShown},
+    {Mode::kFaultedEmpty, SrdoState::kFaulted, kGroupFaulted, 0U, kHidden},
+    {Mode::kFaultedFirst, SrdoState::kFaulted, kGroupFaulted, 0U, kHidden},
+    {Mode::kFaultedHeld, SrdoState::kFaulted, kGroupFaulted, 1U, kShown},
+    {Mode::kFaultedNext, SrdoState::kFaulted, kGroupFaulted, 1U, kShown},
+    {Mode::kReleasedHeld, SrdoState::kReleased, kGroupReleased, 1U, kShown},
+    {Mode::kReleasedNext, SrdoState::kReleased, kGroupReleased, 1U, kShown},
+    {Mode::kIdle, SrdoState::kProducer, kGroupProducer, 0U, kHidden},
+    {Mode::kLaunched, SrdoState::kProducer, kGroupProducer, 0U, kShown},
+    {Mode::kNormalAwaited, SrdoState::kProducer, kGroupProducer, 0U, kShown},
+    {Mode::kInverseAwaited, SrdoState::kProducer, kGroupProducer, 0U, kShown},
 };
 
 constexpr Octets kMapped[kLengthMask + 1U] = {
@@ -112,9 +112,62 @@ constexpr Octets kMapped[kLengthMask + 1U] = {
     {{0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU}},
 };
 
+// The cells by their numbers.
+constexpr Cell kCells[kCellCount] = {
+    // MISRA D-001
+    {Mode::kBroken, Effect::kInvalid, SrdoCause::kInvalid},
+    {Mode::kOff, Effect::kNothing, SrdoCause::kNone},
+    {Mode::kWaitingEmpty, Effect::kNothing, SrdoCause::kNone},
+    {Mode::kWaitingFirst, Effect::kNothing, SrdoCause::kNone},
+    {Mode::kWaitingHeld, Effect::kNothing, SrdoCause::kNone},
+    {Mode::kWaitingNext, Effect::kNothing, SrdoCause::kNone},
+    {Mode::kFaultedEmpty, Effect::kNothing, SrdoCause::kNone},
+    {Mode::kFaultedFirst, Effect::kNothing, SrdoCause::kNone},
+    {Mode::kFaultedHeld, Effect::kNothing, SrdoCause::kNone},
+    {Mode::kFaultedNext, Effect::kNothing, SrdoCause::kNone},
+    {Mode::kReleasedHeld, Effect::kNothing, SrdoCause::kNone},
+    {Mode::kReleasedNext, Effect::kNothing, SrdoCause::kNone},
+    {Mode::kIdle, Effect::kNothing, SrdoCause::kNone},
+    {Mode::kLaunched, Effect::kNothing, SrdoCause::kNone},
+    {Mode::kNormalAwaited, Effect::kNothing, SrdoCause::kNone},
+    {Mode::kInverseAwaited, Effect::kNothing, SrdoCause::kNone},
+    {Mode::kWaitingEmpty, Effect::kNothing, SrdoCause::kNone},
+    {Mode::kIdle, Effect::kNothing, SrdoCause::kNone},
+    {Mode::kOff, Effect::kFault, SrdoCause::kNotOperational},
+    {Mode::kOff, Effect::kNothing, SrdoCause::kNone},
+    {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kInvalid},
+    {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kInverseFirst},
+    {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kNormalTwice},
+    {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kNotInverse},
+    {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kIdentifier},
+    {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kLength},
+    {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kSrvt},
+    {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kSct},
+    {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kNone},
+    {Mode::kFaultedEmpty, Effect::kNothing, SrdoCause::kNone},
+    {Mode::kFaultedFirst, Effect::kNothing, SrdoCause::kNone},
+    {Mode::kWaitingFirst, Effect::kTake, SrdoCause::kNone},
+    {Mode::kWaitingNext, Effect::kTake, SrdoCause::kNone},
+    {Mode::kFaultedFirst, Effect::kTake, SrdoCause::kNone},
+    {Mode::kFaultedNext, Effect::kTake, SrdoCause::kNone},
+    {Mode::kReleasedNext, Effect::kTake, SrdoCause::kNone},
+    {Mode::kWaitingHeld, Effect::kComplete, SrdoCause::kNone},
+    {Mode::kFaultedHeld, Effect::kComplete, SrdoCause::kNone},
+    {Mode::kReleasedHeld, Effect::kComplete, SrdoCause::kNone},
+    {Mode::kLaunched, Effect::kLaunch, SrdoCause::kNone},
+    {Mode::kNormalAwaited, Effect::kHandOut, SrdoCause::kNone},
+    {Mode::kInverseAwaited, Effect::kConfirmNormal, SrdoCause::kNone},
+    {Mode::kIdle, Effect::kConfirmInverse, SrdoCause::kNone},
+    {Mode::kIdle, Effect::kAbort, SrdoCause::kNone},
+    {Mode::kIdle, Effect::kAbort, SrdoCause::kNoConfirmation},
+    {Mode::kIdle, Effect::kAbort, SrdoCause::kInvalid},
+    {Mode::kOff, Effect::kFault, SrdoCause::kInvalid},
+    {Mode::kOff, Effect::kAbort, SrdoCause::kInvalid},
+};
+
 // Rows: modes by their low four bits. Columns: events by their number. A corrupted mode is a fault whatever happens,
 // only leaving OPERATIONAL is done at once.
-constexpr Cell kTransitions[kRowCount][kEventCount] = {
+constexpr std::uint8_t kTransitions[kRowCount][kEventCount] = {
     // MISRA D-001
     // kBroken
     {kCorrupt, kCorrupt, kLeaveC, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt,
@@ -170,11 +223,14 @@ constexpr Cell kTransitions[kRowCount][kEventCount] = {
 namespace
 {
 
-// An omitted cell has effect kInvalid. Counted by a variable and not by a function, so that nothing stays unexecuted.
-template <std::size_t kCells>
+// An omitted entry is cell 0, whose effect is kInvalid.
+// Counted by a variable and not by a function, so that nothing stays unexecuted.
+template <std::size_t kEntries>
 constexpr std::size_t kDefined =
-    kDefined<kCells - 1U> +
-    ((kTransitions[(kCells - 1U) / kEventCount][(kCells - 1U) % kEventCount].effect != Effect::kInvalid) ? 1U : 0U);
+    kDefined<kEntries - 1U> +
+    ((kCells[kTransitions[(kEntries - 1U) / kEventCount][(kEntries - 1U) % kEventCount]].effect != Effect::kInvalid)
+         ? 1U
+         : 0U);
 template <> constexpr std::size_t kDefined<0U> = 0U;
 static_assert(kDefined<kRowCount * kEventCount> == (kRowCount * kEventCount), "the table of transitions is total");
 

@@ -68,7 +68,9 @@ enum class Effect : std::uint8_t
     kFault = 4U,    ///< Consumer made safe, for the cell's cause or, where that is kNone, the given one.
     kLaunch = 5U,
     kHandOut = 6U,
-    kAbort = 7U, ///< The pair in flight is given up with a fault of the producer.
+    kConfirmNormal = 7U,
+    kConfirmInverse = 8U, ///< The pair was sent.
+    kAbort = 9U,          ///< The pair in flight is given up with a fault of the producer.
 };
 
 /// Four bytes, so that a cell is found by shifts.
@@ -87,10 +89,6 @@ constexpr std::uint8_t kGroupReleased = 3U;
 constexpr std::uint8_t kGroupProducer = 4U;
 constexpr std::uint8_t kGroupCount = 5U;
 
-constexpr std::uint8_t kAwaitsNothing = 0U;
-constexpr std::uint8_t kAwaitsNormal = 1U;
-constexpr std::uint8_t kAwaitsInverse = 2U;
-
 /// What a row means to the rest of the channel. Eight bytes, so that a row is found by shifts.
 struct alignas(8) ModeFacts
 {
@@ -98,7 +96,6 @@ struct alignas(8) ModeFacts
     SrdoState state;
     std::uint8_t group;
     std::uint8_t holds_pair; ///< 1: consumer with a held pair.
-    std::uint8_t awaits;     ///< Frame whose confirmation is awaited.
     std::uint8_t shown;      ///< 1: SrdoView has the data.
 };
 
@@ -118,13 +115,18 @@ extern const ModeFacts kModeFacts[kRowCount]; // MISRA D-001
     return kModeFacts[static_cast<std::uint8_t>(mode) & kRowMask];
 }
 
-/// The table of transitions: rows by the low four bits of the mode, columns by event.
-extern const Cell kTransitions[kRowCount][kEventCount]; // MISRA D-001
+constexpr std::size_t kCellCount = 48U;
+
+/// The different cells of the table. Cell 0 is that of an omitted entry.
+extern const Cell kCells[kCellCount]; // MISRA D-001
+
+/// The table of transitions: rows by the low four bits of the mode, columns by event, entries are numbers of cells.
+extern const std::uint8_t kTransitions[kRowCount][kEventCount]; // MISRA D-001
 
 /// @brief What the event does in this mode.
 [[nodiscard]] inline const Cell& NextCell(const Mode mode, const Event event) noexcept
 {
-    return kTransitions[static_cast<std::uint8_t>(mode) & kRowMask][static_cast<std::uint8_t>(event)];
+    return kCells[kTransitions[static_cast<std::uint8_t>(mode) & kRowMask][static_cast<std::uint8_t>(event)]];
 }
 
 } // namespace counterpoint::channel_a
