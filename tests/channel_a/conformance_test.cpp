@@ -24,8 +24,7 @@ TEST_P(ChannelAConformance, Case)
     conformance::RunCase(*GetParam(), channel, conformance::Party::kA);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ChannelAConformance, ::testing::ValuesIn(conformance::AllCases()),
-                         conformance::CaseName);
+INSTANTIATE_TEST_SUITE_P(All, ChannelAConformance, ::testing::ValuesIn(conformance::AllCases()), conformance::CaseName);
 
 } // namespace
 } // namespace counterpoint

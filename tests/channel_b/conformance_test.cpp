@@ -24,8 +24,7 @@ TEST_P(ChannelBConformance, Case)
     conformance::RunCase(*GetParam(), channel, conformance::Party::kB);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ChannelBConformance, ::testing::ValuesIn(conformance::AllCases()),
-                         conformance::CaseName);
+INSTANTIATE_TEST_SUITE_P(All, ChannelBConformance, ::testing::ValuesIn(conformance::AllCases()), conformance::CaseName);
 
 } // namespace
 } // namespace counterpoint

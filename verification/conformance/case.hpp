@@ -48,8 +48,7 @@ constexpr Case MakeCase(const char* name, const Shows& shows, const Device& devi
     return Case{name, {shows.first, shows.second, shows.third, shows.fourth, shows.fifth}, &device, steps, kCount};
 }
 
-template <std::size_t kCount>
-constexpr CaseTable MakeTable(const char* topic, const Case (&cases)[kCount])
+template <std::size_t kCount> constexpr CaseTable MakeTable(const char* topic, const Case (&cases)[kCount])
 {
     return CaseTable{topic, cases, kCount};
 }

@@ -5,9 +5,9 @@ namespace counterpoint::conformance
 {
 
 const CaseTable* const kAllTables[] = {
-    &kSignatureCases, &kStoreCases,   &kRuleCases,    &kMappingCases,     &kRecheckCases,
-    &kFrameCases,     &kFaultCases,   &kTimeCases,    &kCycleCases,       &kSignalCases,
-    &kActivityCases,  &kReleaseCases, &kAcknowledgeCases, &kCommitCases,  &kPermitCases,
+    &kSignatureCases, &kStoreCases,    &kRuleCases,         &kMappingCases, &kRecheckCases,
+    &kFrameCases,     &kFaultCases,    &kTimeCases,         &kCycleCases,   &kSignalCases,
+    &kActivityCases,  &kReleaseCases,  &kAcknowledgeCases,  &kCommitCases,  &kPermitCases,
     &kDefectCases,    &kProducerCases, &kConfirmationCases, &kRefreshCases, &kSizeCases,
 };
 const std::uint32_t kTableCount = sizeof(kAllTables) / sizeof(kAllTables[0]);

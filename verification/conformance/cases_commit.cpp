@@ -9,120 +9,164 @@ namespace counterpoint::conformance
 
 namespace
 {
+// clang-format off: a line is a moment, a step stands beside what it must lead to.
 constexpr Step kSafeAtValidate[] = {
     NormalObject(0x6010U, 1U, 0x66U), InverseObject(0x6011U, 1U, 0x66U), StoreAll(), NormalObject(0x6010U, 1U, 0x66U),
     InverseObject(0x6011U, 1U, 0x66U), Validate(0U, ConfigFault::kNone, 0x4370U),
-    NormalObject(0x6010U, 1U, 0xA5U), NormalObject(0x6010U, 2U, 0xC3U), InverseObject(0x6011U, 1U, 0x5AU), InverseObject(0x6011U, 2U, 0x3CU),
+    NormalObject(0x6010U, 1U, 0xA5U), NormalObject(0x6010U, 2U, 0xC3U), InverseObject(0x6011U, 1U, 0x5AU),
+    InverseObject(0x6011U, 2U, 0x3CU),
 };
 
 constexpr Step kUntouchedByFault[] = {
     StoreAll(), Store(0U, ConfigField::kSignature, 0x4369U), Validate(0U, ConfigFault::kSignature, 0x4370U),
-    NormalObject(0x6010U, 1U, 0x66U), NormalObject(0x6010U, 2U, 0x66U), InverseObject(0x6011U, 1U, 0x66U), InverseObject(0x6011U, 2U, 0x66U),
+    NormalObject(0x6010U, 1U, 0x66U), NormalObject(0x6010U, 2U, 0x66U), InverseObject(0x6011U, 1U, 0x66U),
+    InverseObject(0x6011U, 2U, 0x66U),
 };
 
 constexpr Step kWritten[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), NormalObject(0x6010U, 1U, 0xA5U), InverseObject(0x6011U, 1U, 0x5AU),
-    Commit(1U, 1U), NormalObject(0x6010U, 1U, 0x12U), NormalObject(0x6010U, 2U, 0x34U), InverseObject(0x6011U, 1U, 0xEDU), InverseObject(0x6011U, 2U, 0xCBU),
-    Cycle(3000U), Commit(1U, 1U), NormalObject(0x6010U, 1U, 0x12U), InverseObject(0x6011U, 1U, 0xEDU), OtherNormal(3500U), OtherInverse(3600U),
-    NormalObject(0x6010U, 1U, 0x12U), Cycle(4000U), Commit(1U, 1U), NormalObject(0x6010U, 1U, 0x56U), NormalObject(0x6010U, 2U, 0x78U),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), NormalObject(0x6010U, 1U, 0xA5U),
+    InverseObject(0x6011U, 1U, 0x5AU),
+    Commit(1U, 1U), NormalObject(0x6010U, 1U, 0x12U), NormalObject(0x6010U, 2U, 0x34U),
+    InverseObject(0x6011U, 1U, 0xEDU), InverseObject(0x6011U, 2U, 0xCBU),
+    Cycle(3000U), Commit(1U, 1U), NormalObject(0x6010U, 1U, 0x12U), InverseObject(0x6011U, 1U, 0xEDU),
+    OtherNormal(3500U), OtherInverse(3600U),
+    NormalObject(0x6010U, 1U, 0x12U), Cycle(4000U), Commit(1U, 1U), NormalObject(0x6010U, 1U, 0x56U),
+    NormalObject(0x6010U, 2U, 0x78U),
     InverseObject(0x6011U, 1U, 0xA9U), InverseObject(0x6011U, 2U, 0x87U),
 };
 
 constexpr Step kNotAgreed[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), Commit(0U, 1U), NormalObject(0x6010U, 1U, 0xA5U), InverseObject(0x6011U, 1U, 0x5AU),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), Commit(0U, 1U),
+    NormalObject(0x6010U, 1U, 0xA5U), InverseObject(0x6011U, 1U, 0x5AU),
     Commit(0U, 0U), NormalObject(0x6010U, 1U, 0xA5U), Commit(2U, 3U), NormalObject(0x6010U, 1U, 0xA5U),
 };
 
 constexpr Step kNotMatched[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), Commit(1U, 0U), NormalObject(0x6010U, 1U, 0xA5U), InverseObject(0x6011U, 1U, 0x5AU),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), Commit(1U, 0U),
+    NormalObject(0x6010U, 1U, 0xA5U), InverseObject(0x6011U, 1U, 0x5AU),
     Cycle(3000U), Commit(1U, 1U), NormalObject(0x6010U, 1U, 0x12U), InverseObject(0x6011U, 1U, 0xEDU),
 };
 
 // A newer pair that the other channel does not have yet: what was written before stays.
 constexpr Step kNewerNotMatched[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), Commit(1U, 1U), OtherNormal(2500U), OtherInverse(2600U), Cycle(3000U), Commit(1U, 0U),
-    NormalObject(0x6010U, 1U, 0x12U), InverseObject(0x6011U, 1U, 0xEDU), Answer(0x12345678U, 1U, 0x950DFAA9U, 0x00A2AC3FU), Cycle(4000U), Commit(1U, 1U),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), Commit(1U, 1U), OtherNormal(2500U),
+    OtherInverse(2600U), Cycle(3000U), Commit(1U, 0U),
+    NormalObject(0x6010U, 1U, 0x12U), InverseObject(0x6011U, 1U, 0xEDU),
+    Answer(0x12345678U, 1U, 0x950DFAA9U, 0x00A2AC3FU), Cycle(4000U), Commit(1U, 1U),
     NormalObject(0x6010U, 1U, 0x56U), InverseObject(0x6011U, 1U, 0xA9U),
 };
 
 constexpr Step kNoLongerAgreed[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), Commit(1U, 1U), Cycle(3000U), Commit(0U, 1U), NormalObject(0x6010U, 1U, 0xA5U),
-    NormalObject(0x6010U, 2U, 0xC3U), InverseObject(0x6011U, 1U, 0x5AU), InverseObject(0x6011U, 2U, 0x3CU), Answer(0x12345678U, 0U, 0xF6D680F8U, 0x7AB6E1C8U),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), Commit(1U, 1U), Cycle(3000U), Commit(0U, 1U),
+    NormalObject(0x6010U, 1U, 0xA5U),
+    NormalObject(0x6010U, 2U, 0xC3U), InverseObject(0x6011U, 1U, 0x5AU), InverseObject(0x6011U, 2U, 0x3CU),
+    Answer(0x12345678U, 0U, 0xF6D680F8U, 0x7AB6E1C8U),
     // Agreed without matched does not bring it back; a new pair does.
-    Cycle(4000U), Commit(1U, 0U), NormalObject(0x6010U, 1U, 0xA5U), InverseObject(0x6011U, 1U, 0x5AU), OtherNormal(4100U), OtherInverse(4200U), Cycle(5000U),
+    Cycle(4000U), Commit(1U, 0U), NormalObject(0x6010U, 1U, 0xA5U), InverseObject(0x6011U, 1U, 0x5AU),
+    OtherNormal(4100U), OtherInverse(4200U), Cycle(5000U),
     Commit(1U, 1U), NormalObject(0x6010U, 1U, 0x56U), InverseObject(0x6011U, 1U, 0xA9U),
 };
 
 // The channel's own state counts, whatever the comparator says.
 constexpr Step kOwnFault[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), Commit(1U, 1U), Inverse(2500U), Cycle(3000U), Commit(1U, 1U),
-    NormalObject(0x6010U, 1U, 0xA5U), NormalObject(0x6010U, 2U, 0xC3U), InverseObject(0x6011U, 1U, 0x5AU), InverseObject(0x6011U, 2U, 0x3CU),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), Commit(1U, 1U), Inverse(2500U), Cycle(3000U),
+    Commit(1U, 1U),
+    NormalObject(0x6010U, 1U, 0xA5U), NormalObject(0x6010U, 2U, 0xC3U), InverseObject(0x6011U, 1U, 0x5AU),
+    InverseObject(0x6011U, 2U, 0x3CU),
     Answer(0x12345678U, 0U, 0xF6D680F8U, 0x7AB6E1C8U),
 };
 
 constexpr Step kOwnWaiting[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), Masks(0U, 0U, 1U, 0U, 1U), Commit(1U, 1U), NormalObject(0x6010U, 1U, 0xA5U),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), Masks(0U, 0U, 1U, 0U, 1U), Commit(1U, 1U),
+    NormalObject(0x6010U, 1U, 0xA5U),
     InverseObject(0x6011U, 1U, 0x5AU), Answer(0x12345678U, 0U, 0xF6D680F8U, 0x7AB6E1C8U),
 };
 
 constexpr Step kDemoted[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), Commit(1U, 1U), Cycle(3000U), Demote(0U), Commit(1U, 1U),
-    NormalObject(0x6010U, 1U, 0xA5U), InverseObject(0x6011U, 1U, 0x5AU), Answer(0x12345678U, 0U, 0xF6D680F8U, 0x7AB6E1C8U),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), Commit(1U, 1U), Cycle(3000U), Demote(0U),
+    Commit(1U, 1U),
+    NormalObject(0x6010U, 1U, 0xA5U), InverseObject(0x6011U, 1U, 0x5AU),
+    Answer(0x12345678U, 0U, 0xF6D680F8U, 0x7AB6E1C8U),
 };
 
 constexpr Step kLeft[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), Commit(1U, 1U), Answer(0x12345678U, 1U, 0x950DFAA9U, 0x00A2AC3FU),
-    Nmt(NmtState::kStopped), Cycle(3000U), Answer(0x12345678U, 0U, 0xF6D680F8U, 0x7AB6E1C8U), Commit(1U, 1U), NormalObject(0x6010U, 1U, 0xA5U),
-    InverseObject(0x6011U, 1U, 0x5AU), Answer(0x12345678U, 0U, 0xF6D680F8U, 0x7AB6E1C8U), Nmt(NmtState::kOperational), Cycle(4000U), Commit(1U, 1U),
-    NormalObject(0x6010U, 1U, 0xA5U), InverseObject(0x6011U, 1U, 0x5AU), Answer(0x12345678U, 0U, 0xF6D680F8U, 0x7AB6E1C8U),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), Commit(1U, 1U),
+    Answer(0x12345678U, 1U, 0x950DFAA9U, 0x00A2AC3FU),
+    Nmt(NmtState::kStopped), Cycle(3000U), Answer(0x12345678U, 0U, 0xF6D680F8U, 0x7AB6E1C8U), Commit(1U, 1U),
+    NormalObject(0x6010U, 1U, 0xA5U),
+    InverseObject(0x6011U, 1U, 0x5AU), Answer(0x12345678U, 0U, 0xF6D680F8U, 0x7AB6E1C8U), Nmt(NmtState::kOperational),
+    Cycle(4000U), Commit(1U, 1U),
+    NormalObject(0x6010U, 1U, 0xA5U), InverseObject(0x6011U, 1U, 0x5AU),
+    Answer(0x12345678U, 0U, 0xF6D680F8U, 0x7AB6E1C8U),
 };
 
 // Two pairs between two commits: only the newest is written.
 constexpr Step kTwoPairs[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(1100U), OtherNormal(1200U), OtherInverse(1300U), Cycle(2000U), Commit(1U, 1U),
-    NormalObject(0x6010U, 1U, 0x56U), NormalObject(0x6010U, 2U, 0x78U), InverseObject(0x6011U, 1U, 0xA9U), InverseObject(0x6011U, 2U, 0x87U),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(1100U), OtherNormal(1200U), OtherInverse(1300U), Cycle(2000U),
+    Commit(1U, 1U),
+    NormalObject(0x6010U, 1U, 0x56U), NormalObject(0x6010U, 2U, 0x78U), InverseObject(0x6011U, 1U, 0xA9U),
+    InverseObject(0x6011U, 2U, 0x87U),
 };
 
 constexpr Step kOneOfTwo[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(1001U), Frame(0x103U, 4U, 0xDDCCBBAAU, 0U, 1002U), Frame(0x104U, 4U, 0x22334455U, 0U, 1003U), Cycle(2000U),
-    Commit(2U, 2U), NormalObject(0x6010U, 1U, 0xA5U), InverseObject(0x6011U, 1U, 0x5AU), NormalObject(0x6200U, 1U, 0xDDCCBBAAU),
-    InverseObject(0x6201U, 1U, 0x22334455U), Answer(0xDEADBEEFU, 2U, 0xD927EDA1U, 0x17A8EC07U), Commit(3U, 3U), NormalObject(0x6010U, 1U, 0x12U),
-    Answer(0xDEADBEEFU, 3U, 0x775F6752U, 0x9D94B67EU), Commit(1U, 1U), NormalObject(0x6200U, 1U, 0x44332211U), InverseObject(0x6201U, 1U, 0xBBCCDDEEU),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(1001U), Frame(0x103U, 4U, 0xDDCCBBAAU, 0U, 1002U),
+    Frame(0x104U, 4U, 0x22334455U, 0U, 1003U), Cycle(2000U),
+    Commit(2U, 2U), NormalObject(0x6010U, 1U, 0xA5U), InverseObject(0x6011U, 1U, 0x5AU),
+    NormalObject(0x6200U, 1U, 0xDDCCBBAAU),
+    InverseObject(0x6201U, 1U, 0x22334455U), Answer(0xDEADBEEFU, 2U, 0xD927EDA1U, 0x17A8EC07U), Commit(3U, 3U),
+    NormalObject(0x6010U, 1U, 0x12U),
+    Answer(0xDEADBEEFU, 3U, 0x775F6752U, 0x9D94B67EU), Commit(1U, 1U), NormalObject(0x6200U, 1U, 0x44332211U),
+    InverseObject(0x6201U, 1U, 0xBBCCDDEEU),
 };
 
 constexpr Step kSixteen[] = {
-    Configure(), NormalObject(0x6631U, 1U, 0x01U), NormalObject(0x6631U, 8U, 0x08U), InverseObject(0x6633U, 1U, 0xFEU), InverseObject(0x6633U, 8U, 0xF7U),
-    Cycle(0U), Frame(0x17FU, 8U, 0x44332211U, 0x88776655U, 100U), Frame(0x180U, 8U, 0xBBCCDDEEU, 0x778899AAU, 200U), Cycle(1000U), Commit(1U, 1U),
-    NormalObject(0x6631U, 1U, 0x11U), NormalObject(0x6631U, 2U, 0x22U), NormalObject(0x6631U, 3U, 0x33U), NormalObject(0x6631U, 4U, 0x44U),
-    NormalObject(0x6631U, 5U, 0x55U), NormalObject(0x6631U, 6U, 0x66U), NormalObject(0x6631U, 7U, 0x77U), NormalObject(0x6631U, 8U, 0x88U),
-    InverseObject(0x6633U, 1U, 0xEEU), InverseObject(0x6633U, 2U, 0xDDU), InverseObject(0x6633U, 3U, 0xCCU), InverseObject(0x6633U, 4U, 0xBBU),
-    InverseObject(0x6633U, 5U, 0xAAU), InverseObject(0x6633U, 6U, 0x99U), InverseObject(0x6633U, 7U, 0x88U), InverseObject(0x6633U, 8U, 0x77U),
+    Configure(), NormalObject(0x6631U, 1U, 0x01U), NormalObject(0x6631U, 8U, 0x08U), InverseObject(0x6633U, 1U, 0xFEU),
+    InverseObject(0x6633U, 8U, 0xF7U),
+    Cycle(0U), Frame(0x17FU, 8U, 0x44332211U, 0x88776655U, 100U), Frame(0x180U, 8U, 0xBBCCDDEEU, 0x778899AAU, 200U),
+    Cycle(1000U), Commit(1U, 1U),
+    NormalObject(0x6631U, 1U, 0x11U), NormalObject(0x6631U, 2U, 0x22U), NormalObject(0x6631U, 3U, 0x33U),
+    NormalObject(0x6631U, 4U, 0x44U),
+    NormalObject(0x6631U, 5U, 0x55U), NormalObject(0x6631U, 6U, 0x66U), NormalObject(0x6631U, 7U, 0x77U),
+    NormalObject(0x6631U, 8U, 0x88U),
+    InverseObject(0x6633U, 1U, 0xEEU), InverseObject(0x6633U, 2U, 0xDDU), InverseObject(0x6633U, 3U, 0xCCU),
+    InverseObject(0x6633U, 4U, 0xBBU),
+    InverseObject(0x6633U, 5U, 0xAAU), InverseObject(0x6633U, 6U, 0x99U), InverseObject(0x6633U, 7U, 0x88U),
+    InverseObject(0x6633U, 8U, 0x77U),
 };
 
 constexpr Step kSixtyFourBits[] = {
-    Configure(), NormalObject(0x6300U, 8U, 0x04030201U, 0x08070605U), InverseObject(0x6301U, 8U, 0xFBFCFDFEU, 0xF7F8F9FAU), Cycle(0U),
-    Frame(0x105U, 8U, 0x44332211U, 0x88776655U, 100U), Frame(0x106U, 8U, 0xBBCCDDEEU, 0x778899AAU, 200U), Cycle(1000U), Commit(1U, 1U),
+    Configure(), NormalObject(0x6300U, 8U, 0x04030201U, 0x08070605U),
+    InverseObject(0x6301U, 8U, 0xFBFCFDFEU, 0xF7F8F9FAU), Cycle(0U),
+    Frame(0x105U, 8U, 0x44332211U, 0x88776655U, 100U), Frame(0x106U, 8U, 0xBBCCDDEEU, 0x778899AAU, 200U), Cycle(1000U),
+    Commit(1U, 1U),
     NormalObject(0x6300U, 8U, 0x44332211U, 0x88776655U), InverseObject(0x6301U, 8U, 0xBBCCDDEEU, 0x778899AAU),
 };
 
 constexpr Step kSizes[] = {
-    Configure(), NormalObject(0x6300U, 3U, 0x030201U), NormalObject(0x6300U, 2U, 0x0504U), NormalObject(0x6300U, 1U, 0x06U), InverseObject(0x6301U, 3U, 0xFCFDFEU),
-    InverseObject(0x6301U, 2U, 0xFAFBU), InverseObject(0x6301U, 1U, 0xF9U), Cycle(0U), Frame(0x107U, 6U, 0x44332211U, 0x6655U, 100U),
-    Frame(0x108U, 6U, 0xBBCCDDEEU, 0x99AAU, 200U), Data(0U, 0x44332211U, 0x6655U), Cycle(1000U), Commit(1U, 1U), NormalObject(0x6300U, 3U, 0x332211U),
-    NormalObject(0x6300U, 2U, 0x5544U), NormalObject(0x6300U, 1U, 0x66U), InverseObject(0x6301U, 3U, 0xCCDDEEU), InverseObject(0x6301U, 2U, 0xAABBU),
+    Configure(), NormalObject(0x6300U, 3U, 0x030201U), NormalObject(0x6300U, 2U, 0x0504U),
+    NormalObject(0x6300U, 1U, 0x06U), InverseObject(0x6301U, 3U, 0xFCFDFEU),
+    InverseObject(0x6301U, 2U, 0xFAFBU), InverseObject(0x6301U, 1U, 0xF9U), Cycle(0U),
+    Frame(0x107U, 6U, 0x44332211U, 0x6655U, 100U),
+    Frame(0x108U, 6U, 0xBBCCDDEEU, 0x99AAU, 200U), Data(0U, 0x44332211U, 0x6655U), Cycle(1000U), Commit(1U, 1U),
+    NormalObject(0x6300U, 3U, 0x332211U),
+    NormalObject(0x6300U, 2U, 0x5544U), NormalObject(0x6300U, 1U, 0x66U), InverseObject(0x6301U, 3U, 0xCCDDEEU),
+    InverseObject(0x6301U, 2U, 0xAABBU),
     InverseObject(0x6301U, 1U, 0x99U), NormalObject(0x6300U, 4U, 0x66666666U), InverseObject(0x6301U, 4U, 0x66666666U),
 };
 
 // Producers and SRDOs that are off have nothing to write, whatever the masks say.
 constexpr Step kNoConsumer[] = {
-    Configure(), Cycle(0U), Commit(0xFFFFFFFFFFFFFFFFU, 0xFFFFFFFFFFFFFFFFU), NormalObject(0x6210U, 1U, 0x66U), InverseObject(0x6211U, 1U, 0x66U),
+    Configure(), Cycle(0U), Commit(0xFFFFFFFFFFFFFFFFU, 0xFFFFFFFFFFFFFFFFU), NormalObject(0x6210U, 1U, 0x66U),
+    InverseObject(0x6211U, 1U, 0x66U),
     Answer(0x12345678U, 0U, 0xF6D680F8U, 0x7AB6E1C8U),
 };
 
 // Validated again before the cycle that sees OPERATIONAL left: the safe value stands, and there is no permit for it.
 constexpr Step kValidatedAgain[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), Commit(1U, 1U), Answer(0x12345678U, 1U, 0x950DFAA9U, 0x00A2AC3FU),
-    Validate(0U, ConfigFault::kNone, 0x4370U), NormalObject(0x6010U, 1U, 0xA5U), InverseObject(0x6011U, 1U, 0x5AU), Answer(0x12345678U, 0U, 0xF6D680F8U, 0x7AB6E1C8U),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), Commit(1U, 1U),
+    Answer(0x12345678U, 1U, 0x950DFAA9U, 0x00A2AC3FU),
+    Validate(0U, ConfigFault::kNone, 0x4370U), NormalObject(0x6010U, 1U, 0xA5U), InverseObject(0x6011U, 1U, 0x5AU),
+    Answer(0x12345678U, 0U, 0xF6D680F8U, 0x7AB6E1C8U),
 };
 
 constexpr Case kCases[] = {
@@ -145,6 +189,7 @@ constexpr Case kCases[] = {
     MakeCase("ValidatedAgainIsNotCommitted", {req::SRS_REL_002, req::SRS_REL_010}, kGold, kValidatedAgain),
     MakeCase("NothingIsWrittenForOthers", {req::SRS_REL_002, req::SRS_REL_010}, kMixed, kNoConsumer),
 };
+// clang-format on
 } // namespace
 
 const CaseTable kCommitCases = MakeTable("commit", kCases);

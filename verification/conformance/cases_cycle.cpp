@@ -8,6 +8,7 @@ namespace counterpoint::conformance
 
 namespace
 {
+// clang-format off: a line is a moment, a step stands beside what it must lead to.
 constexpr std::uint32_t kGfcOn = 1U;
 
 // Cycle 10 ms, tolerance 5 ms.
@@ -20,24 +21,28 @@ constexpr Step kLate[] = {
 
 constexpr Step kLateDiscards[] = {
     Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(10000U), Masks(1U, 0U, 0U, 0U, 1U), Cycle(25001U),
-    Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kLateCall, 0U, 1U, 0U), Normal(26000U), Inverse(27000U), Cycle(35000U),
+    Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kLateCall, 0U, 1U, 0U), Normal(26000U), Inverse(27000U),
+    Cycle(35000U),
     Masks(1U, 0U, 0U, 0U, 1U), Slot(0U, kReleased, Cause::kLateCall, 1U, 1U, 1U),
 };
 
 constexpr Step kFirstNeverLate[] = {
-    Configure(), Cycle(0x40000000U), Masks(0U, 0U, 1U, 0U, 0U), Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U), Restart(), Configure(),
+    Configure(), Cycle(0x40000000U), Masks(0U, 0U, 1U, 0U, 0U), Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U), Restart(),
+    Configure(),
     Cycle(0x60000000U), Masks(0U, 0U, 1U, 0U, 0U), Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U),
 };
 
 // The late call never hides the expired limit, and adds nothing to it.
 // t     1000  2000  10000   60000: SCT over and late
 constexpr Step kLateAndSct[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(10000U), Cycle(60000U), Slot(0U, kFaulted, Cause::kSct, 0U, 1U, 0U),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(10000U), Cycle(60000U),
+    Slot(0U, kFaulted, Cause::kSct, 0U, 1U, 0U),
     Signals(0U, Bit(Cause::kSct)),
 };
 
 constexpr Step kLateAndSrvt[] = {
-    Configure(), Cycle(0U), Normal(1000U), Cycle(10000U), Cycle(60000U), Slot(0U, kFaulted, Cause::kSrvt, 0U, 1U, 0U), Signals(0U, Bit(Cause::kSrvt)),
+    Configure(), Cycle(0U), Normal(1000U), Cycle(10000U), Cycle(60000U), Slot(0U, kFaulted, Cause::kSrvt, 0U, 1U, 0U),
+    Signals(0U, Bit(Cause::kSrvt)),
 };
 
 // SCT was over at a frame, not in this call: the late call counts, too.
@@ -48,18 +53,21 @@ constexpr Step kLateAfterSctAtFrame[] = {
 
 // The calls before OPERATIONAL count, too: a late call is measured from the call before it.
 constexpr Step kLateAtEntering[] = {
-    Configure(), Nmt(NmtState::kPreOperational), Cycle(0U), Cycle(20000U), Counts(0U, 0U, 0U, 1U), Masks(0U, 0U, 0U, 0U, 0U),
+    Configure(), Nmt(NmtState::kPreOperational), Cycle(0U), Cycle(20000U), Counts(0U, 0U, 0U, 1U),
+    Masks(0U, 0U, 0U, 0U, 0U),
     Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Nmt(NmtState::kOperational), Cycle(35000U), Masks(0U, 0U, 1U, 0U, 0U),
 };
 
 constexpr Step kOverflow[] = {
     Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Queue(QueueState::kOverflowed), Cycle(4000U),
-    Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kQueueOverflow, 0U, 1U, 0U), Signals(0U, Bit(Cause::kQueueOverflow)),
+    Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kQueueOverflow, 0U, 1U, 0U),
+    Signals(0U, Bit(Cause::kQueueOverflow)),
     Queue(QueueState::kIntact), Normal(5000U), Inverse(5001U), Cycle(6000U), Masks(1U, 0U, 0U, 0U, 1U),
 };
 
 constexpr Step kOverflowValues[] = {
-    Configure(), Cycle(0U), Queue(QueueState::kInvalid), Cycle(1000U), Slot(0U, kFaulted, Cause::kQueueOverflow, 0U, 1U, 0U),
+    Configure(), Cycle(0U), Queue(QueueState::kInvalid), Cycle(1000U),
+    Slot(0U, kFaulted, Cause::kQueueOverflow, 0U, 1U, 0U),
     Queue(static_cast<QueueState>(0x67U)), Cycle(2000U), Slot(0U, kFaulted, Cause::kQueueOverflow, 0U, 2U, 0U),
     Queue(static_cast<QueueState>(0xFFU)), Cycle(3000U), Slot(0U, kFaulted, Cause::kQueueOverflow, 0U, 3U, 0U),
     Queue(QueueState::kIntact), Cycle(4000U), Slot(0U, kFaulted, Cause::kQueueOverflow, 0U, 3U, 0U),
@@ -77,54 +85,66 @@ constexpr Step kAllConsumers[] = {
 };
 
 constexpr Step kProducerUntouched[] = {
-    Configure(), Cycle(0U), Queue(QueueState::kOverflowed), Cycle(100000U), Masks(0U, 1U, 0U, 1U, 0U), Queue(QueueState::kOverflowed),
+    Configure(), Cycle(0U), Queue(QueueState::kOverflowed), Cycle(100000U), Masks(0U, 1U, 0U, 1U, 0U),
+    Queue(QueueState::kOverflowed),
     Cycle(100100U), Signals(1U, 0U),
 };
 
 constexpr Step kGfc[] = {
-    Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Gfc(4000U),
+    Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U),
+    Gfc(4000U),
     Cycle(5000U), Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kGfc, 0U, 1U, 0U), Signals(0U, Bit(Cause::kGfc)),
     Cycle(6000U), Masks(0U, 1U, 0U, 0U, 0U), Normal(7000U), Inverse(7001U), Cycle(8000U), Masks(1U, 0U, 0U, 0U, 1U),
 };
 
 constexpr Step kGfcEvery[] = {
-    Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Cycle(0U), On(Gfc(1000U), CanPortId::kSecond), Gfc(1001U), Cycle(2000U),
+    Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Cycle(0U), On(Gfc(1000U), CanPortId::kSecond),
+    Gfc(1001U), Cycle(2000U),
     Masks(0U, 3U, 0U, 3U, 0U), Slot(0U, kFaulted, Cause::kGfc, 0U, 1U, 0U), Slot(1U, kFaulted, Cause::kGfc, 0U, 1U, 0U),
 };
 
 constexpr Step kGfcParameterOff[] = {
-    Configure(), Cycle(0U), Gfc(1000U), Cycle(2000U), Masks(0U, 0U, 1U, 0U, 0U), Store(0U, ConfigField::kGfcParameter, 2U),
-    Gfc(3000U), Cycle(4000U), Masks(0U, 0U, 1U, 0U, 0U), Store(0U, ConfigField::kGfcParameter, 1U), Gfc(5000U), Cycle(6000U),
+    Configure(), Cycle(0U), Gfc(1000U), Cycle(2000U), Masks(0U, 0U, 1U, 0U, 0U),
+    Store(0U, ConfigField::kGfcParameter, 2U),
+    Gfc(3000U), Cycle(4000U), Masks(0U, 0U, 1U, 0U, 0U), Store(0U, ConfigField::kGfcParameter, 1U), Gfc(5000U),
+    Cycle(6000U),
     Masks(0U, 1U, 0U, 1U, 0U),
 };
 
 constexpr Step kGfcOtherFrames[] = {
     Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Cycle(0U), Frame(0x001U, 1U, 0U, 0U, 1000U),
     Frame(0x001U, 8U, 0U, 0U, 1001U), OfKind(Gfc(1002U), FrameKind::kRemote), OfKind(Gfc(1003U), FrameKind::kExtended),
-    OfKind(Gfc(1004U), FrameKind::kFlexibleDataRate), Frame(0x000U, 0U, 0U, 0U, 1005U), Frame(0x002U, 0U, 0U, 0U, 1006U),
-    Frame(0x10001U, 0U, 0U, 0U, 1007U), Cycle(2000U), Masks(0U, 0U, 1U, 0U, 0U), Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U),
+    OfKind(Gfc(1004U), FrameKind::kFlexibleDataRate), Frame(0x000U, 0U, 0U, 0U, 1005U),
+    Frame(0x002U, 0U, 0U, 0U, 1006U),
+    Frame(0x10001U, 0U, 0U, 0U, 1007U), Cycle(2000U), Masks(0U, 0U, 1U, 0U, 0U),
+    Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U),
 };
 
 constexpr Step kGfcNotOperational[] = {
     Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Nmt(NmtState::kPreOperational), Cycle(0U), Gfc(1000U),
-    Nmt(NmtState::kOperational), Cycle(2000U), Masks(0U, 0U, 1U, 0U, 0U), Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U), Cycle(3000U),
+    Nmt(NmtState::kOperational), Cycle(2000U), Masks(0U, 0U, 1U, 0U, 0U), Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U),
+    Cycle(3000U),
     Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U),
 };
 
 // Cycle 10 ms: limit, overflow and GFC in one call; the late call counts only without an expired limit.
 constexpr Step kOrderWithLimit[] = {
-    Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Cycle(0U), Normal(1000U), Gfc(2000U), Queue(QueueState::kOverflowed),
+    Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Cycle(0U), Normal(1000U), Gfc(2000U),
+    Queue(QueueState::kOverflowed),
     Cycle(40000U), Slot(0U, kFaulted, Cause::kSrvt, 0U, 3U, 0U),
     Signals(0U, Bit(Cause::kSrvt) | Bit(Cause::kQueueOverflow) | Bit(Cause::kGfc)),
 };
 
 constexpr Step kOrderWithoutLimit[] = {
-    Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Cycle(0U), Gfc(2000U), Queue(QueueState::kOverflowed), Cycle(40000U),
-    Slot(0U, kFaulted, Cause::kLateCall, 0U, 3U, 0U), Signals(0U, Bit(Cause::kLateCall) | Bit(Cause::kQueueOverflow) | Bit(Cause::kGfc)),
+    Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Cycle(0U), Gfc(2000U), Queue(QueueState::kOverflowed),
+    Cycle(40000U),
+    Slot(0U, kFaulted, Cause::kLateCall, 0U, 3U, 0U),
+    Signals(0U, Bit(Cause::kLateCall) | Bit(Cause::kQueueOverflow) | Bit(Cause::kGfc)),
 };
 
 constexpr Step kOrderOverflowGfc[] = {
-    Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Cycle(0U), Gfc(2000U), Queue(QueueState::kOverflowed), Cycle(10000U),
+    Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Cycle(0U), Gfc(2000U), Queue(QueueState::kOverflowed),
+    Cycle(10000U),
     Slot(0U, kFaulted, Cause::kQueueOverflow, 0U, 2U, 0U),
 };
 
@@ -151,12 +171,14 @@ constexpr Case kCases[] = {
     MakeCase("GlobalFailsafeCommandConcernsEveryConsumer", {req::SRS_CONS_017}, kTwo, kGfcEvery),
     MakeCase("GlobalFailsafeCommandNeeds1300h", {req::SRS_CONS_017}, kGold, kGfcParameterOff),
     MakeCase("NoGlobalFailsafeCommand", {req::SRS_CONS_017}, kGold, kGfcOtherFrames),
-    MakeCase("GlobalFailsafeCommandOutsideOperational", {req::SRS_CONS_017, req::SRS_CONS_002}, kGold, kGfcNotOperational),
+    MakeCase("GlobalFailsafeCommandOutsideOperational", {req::SRS_CONS_017, req::SRS_CONS_002}, kGold,
+             kGfcNotOperational),
     MakeCase("OrderOfCausesWithALimit", {req::SRS_CONS_018, req::SRS_CONS_020}, kGoldPrompt, kOrderWithLimit),
     MakeCase("OrderOfCausesWithoutALimit", {req::SRS_CONS_018, req::SRS_CONS_020}, kGoldPrompt, kOrderWithoutLimit),
     MakeCase("LostFramesBeforeGlobalFailsafeCommand", {req::SRS_CONS_018}, kGoldPrompt, kOrderOverflowGfc),
     MakeCase("FaultOfAFrameBeforeGlobalFailsafeCommand", {req::SRS_CONS_018}, kGoldPrompt, kOrderFrameFirst),
 };
+// clang-format on
 } // namespace
 
 const CaseTable kCycleCases = MakeTable("cycle", kCases);

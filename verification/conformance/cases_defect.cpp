@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// Defects of other implementations, each as a case; the number is that of the list of known findings. Times in microseconds.
+// Defects of other implementations, each as a case; the number is that of the list of known findings. Times in
+// microseconds.
 #include "verification/conformance/gold.hpp"
 #include "verification/conformance/stores.hpp"
 
@@ -9,6 +10,7 @@ namespace counterpoint::conformance
 
 namespace
 {
+// clang-format off: a line is a moment, a step stands beside what it must lead to.
 constexpr ConfigFault kBadMap = ConfigFault::kMapping;
 
 constexpr Step kP1 = Put(0x6210U, 1U, 0x12U);
@@ -22,52 +24,63 @@ constexpr Step kT2[] = {
 
 // N1 N2 I2: the second pair looks whole, yet an inverse frame is missing.
 constexpr Step kT3[] = {
-    Configure(), Cycle(0U), Normal(1000U), OtherNormal(2000U), OtherInverse(3000U), Cycle(4000U), Masks(0U, 1U, 0U, 1U, 0U),
+    Configure(), Cycle(0U), Normal(1000U), OtherNormal(2000U), OtherInverse(3000U), Cycle(4000U),
+    Masks(0U, 1U, 0U, 1U, 0U),
     Slot(0U, kFaulted, Cause::kNormalTwice, 0U, 2U, 0U),
 };
 
 constexpr Step kT4[] = {
-    Configure(), Cycle(0U), Inverse(1000U), Normal(1001U), Cycle(2000U), Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kInverseFirst, 0U, 1U, 0U),
+    Configure(), Cycle(0U), Inverse(1000U), Normal(1001U), Cycle(2000U), Masks(0U, 1U, 0U, 1U, 0U),
+    Slot(0U, kFaulted, Cause::kInverseFirst, 0U, 1U, 0U),
 };
 
 // An error is left by an acknowledge, without leaving OPERATIONAL.
 constexpr Step kT5[] = {
-    Configure(), Cycle(0U), Normal(1000U), WrongInverse(0U, 1001U), Cycle(2000U), Masks(0U, 1U, 0U, 1U, 0U), Normal(3000U), Inverse(3001U), Acknowledge(1U), Cycle(4000U),
+    Configure(), Cycle(0U), Normal(1000U), WrongInverse(0U, 1001U), Cycle(2000U), Masks(0U, 1U, 0U, 1U, 0U),
+    Normal(3000U), Inverse(3001U), Acknowledge(1U), Cycle(4000U),
     Masks(1U, 0U, 0U, 0U, 1U),
 };
 
 // One short frame while not OPERATIONAL is nothing; one in OPERATIONAL is over with the next pair.
 constexpr Step kT6[] = {
-    Configure(), Nmt(NmtState::kPreOperational), Cycle(0U), Frame(0x111U, 1U, 0U, 0U, 100U), Nmt(NmtState::kOperational), Cycle(1000U), Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U),
-    Frame(0x111U, 1U, 0U, 0U, 1100U), Cycle(2000U), Slot(0U, kFaulted, Cause::kLength, 0U, 1U, 0U), Normal(2100U), Inverse(2200U), Cycle(3000U), Masks(1U, 0U, 0U, 0U, 1U),
+    Configure(), Nmt(NmtState::kPreOperational), Cycle(0U), Frame(0x111U, 1U, 0U, 0U, 100U),
+    Nmt(NmtState::kOperational), Cycle(1000U), Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U),
+    Frame(0x111U, 1U, 0U, 0U, 1100U), Cycle(2000U), Slot(0U, kFaulted, Cause::kLength, 0U, 1U, 0U), Normal(2100U),
+    Inverse(2200U), Cycle(3000U), Masks(1U, 0U, 0U, 0U, 1U),
 };
 
 // A pair that comes 100 ms too late and waits for a call 200 ms late.
 constexpr Step kT7[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Normal(151000U), Inverse(152000U), Cycle(203000U), Masks(0U, 1U, 0U, 1U, 0U),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Normal(151000U), Inverse(152000U),
+    Cycle(203000U), Masks(0U, 1U, 0U, 1U, 0U),
     Slot(0U, kFaulted, Cause::kSct, 0U, 2U, 0U), Signals(0U, Bit(Cause::kSct)),
 };
 
 // An inverse frame 45 ms after the normal frame, both seen by one late call.
 constexpr Step kT19[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(46000U), Cycle(47000U), Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kSrvt, 0U, 2U, 0U),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(46000U), Cycle(47000U), Masks(0U, 1U, 0U, 1U, 0U),
+    Slot(0U, kFaulted, Cause::kSrvt, 0U, 2U, 0U),
 };
 
 // On a time-out the objects take the safe value.
 constexpr Step kT8[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Commit(1U, 1U), NormalObject(0x6010U, 1U, 0x12U), InverseObject(0x6011U, 1U, 0xEDU), Cycle(51001U),
-    Commit(0U, 0U), NormalObject(0x6010U, 1U, 0xA5U), NormalObject(0x6010U, 2U, 0xC3U), InverseObject(0x6011U, 1U, 0x5AU), InverseObject(0x6011U, 2U, 0x3CU),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Commit(1U, 1U),
+    NormalObject(0x6010U, 1U, 0x12U), InverseObject(0x6011U, 1U, 0xEDU), Cycle(51001U),
+    Commit(0U, 0U), NormalObject(0x6010U, 1U, 0xA5U), NormalObject(0x6010U, 2U, 0xC3U),
+    InverseObject(0x6011U, 1U, 0x5AU), InverseObject(0x6011U, 2U, 0x3CU),
 };
 
 // A dummy object in the mapping is refused, not half accepted.
 constexpr Step kT9[] = {
     StoreAll(), Entry(0U, 3U, 0x00050008U), Entry(0U, 4U, 0x00050008U), Signature(0U, 0x1063U),
-    Validate(0U, kBadMap, 0x1063U), Store(0U, ConfigField::kConfigurationValid, 0xA5U), Cycle(0U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U),
+    Validate(0U, kBadMap, 0x1063U), Store(0U, ConfigField::kConfigurationValid, 0xA5U), Cycle(0U),
+    Slot(0U, kOff, kNoCause, 0U, 0U, 0U),
 };
 
 // Totals agree, pairs do not: 16 with 32 bits and 32 with 16.
 constexpr Step kT10[] = {
-    StoreAll(), Entry(0U, 1U, 0x63000210U), Entry(0U, 2U, 0x63010420U), Entry(0U, 3U, 0x63000420U), Entry(0U, 4U, 0x63010210U),
+    StoreAll(), Entry(0U, 1U, 0x63000210U), Entry(0U, 2U, 0x63010420U), Entry(0U, 3U, 0x63000420U),
+    Entry(0U, 4U, 0x63010210U),
     Signature(0U, 0x36CAU), Validate(0U, kBadMap, 0x36CAU),
 };
 
@@ -77,45 +90,58 @@ constexpr Step kT11[] = {
 
 // Calls every 0.7 ms: the tenth refresh is due at 2000 + 10 * 25000 = 252000, seen by the call at 252000.
 constexpr Step kT12[] = {
-    Configure(), Cycle(0U), Cycle(2100U), Due(1U), Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(27300U), Due(1U), Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U),
-    Cycle(52500U), Due(1U), Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(77000U), Due(1U), Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(102200U), Due(1U),
-    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(127400U), Due(1U), Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(152600U), Due(1U),
-    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(177100U), Due(1U), Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(202300U), Due(1U),
-    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(227500U), Due(1U), Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(251999U), Due(0U), Cycle(252000U), Due(1U),
+    Configure(), Cycle(0U), Cycle(2100U), Due(1U), Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(27300U),
+    Due(1U), Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U),
+    Cycle(52500U), Due(1U), Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(77000U), Due(1U),
+    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(102200U), Due(1U),
+    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(127400U), Due(1U),
+    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(152600U), Due(1U),
+    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(177100U), Due(1U),
+    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(202300U), Due(1U),
+    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(227500U), Due(1U),
+    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(251999U), Due(0U), Cycle(252000U), Due(1U),
 };
 
 // One full queue is one fault; the next pair is sent.
 constexpr Step kT13[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U), TransmitFault(0U, Cause::kTransmitQueue), Cycle(3000U),
-    Slot(0U, kProducing, Cause::kTransmitQueue, 0U, 1U, 0U), Request(0U), Cycle(4000U), Due(1U), ReadyPair(0U), Launch(0U), NextFirst(0U), ConfirmFirst(0U, 4100U), NextSecond(0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U),
+    TransmitFault(0U, Cause::kTransmitQueue), Cycle(3000U),
+    Slot(0U, kProducing, Cause::kTransmitQueue, 0U, 1U, 0U), Request(0U), Cycle(4000U), Due(1U), ReadyPair(0U),
+    Launch(0U), NextFirst(0U), ConfirmFirst(0U, 4100U), NextSecond(0U),
     ConfirmSecond(0U, 4200U), Slot(0U, kProducing, Cause::kTransmitQueue, 1U, 1U, 0U),
 };
 
 // A parameter that changes in OPERATIONAL is found by the cyclic check.
 constexpr Step kT14[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Srvt(0U, 255U), Recheck(0U, ConfigFault::kSignature, 0x8BEEU),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Srvt(0U, 255U),
+    Recheck(0U, ConfigFault::kSignature, 0x8BEEU),
 };
 
 constexpr Step kT15[] = {
-    StoreAll(), Direction(0U, 3U), Signature(0U, 0xCEACU), Validate(0U, ConfigFault::kDirection, 0xCEACU), Store(0U, ConfigField::kConfigurationValid, 0xA5U), Cycle(0U),
+    StoreAll(), Direction(0U, 3U), Signature(0U, 0xCEACU), Validate(0U, ConfigFault::kDirection, 0xCEACU),
+    Store(0U, ConfigField::kConfigurationValid, 0xA5U), Cycle(0U),
     Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Counts(0U, 0U, 1U, 0U),
 };
 
 // A map count greater than the memory for entries.
 constexpr Step kOverflow[] = {
-    StoreAll(), MapCount(0U, 255U), Signature(0U, 0x72C4U), Validate(0U, kBadMap, 0x72C4U), Recheck(0U, ConfigFault::kTable, 0x72C4U),
-    Store(0U, ConfigField::kConfigurationValid, 0xA5U), Cycle(0U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Frame(0x17FU, 8U, 0U, 0U, 100U), Commit(1U, 1U), Cycle(1000U),
+    StoreAll(), MapCount(0U, 255U), Signature(0U, 0x72C4U), Validate(0U, kBadMap, 0x72C4U),
+    Recheck(0U, ConfigFault::kTable, 0x72C4U),
+    Store(0U, ConfigField::kConfigurationValid, 0xA5U), Cycle(0U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U),
+    Frame(0x17FU, 8U, 0U, 0U, 100U), Commit(1U, 1U), Cycle(1000U),
     Slot(0U, kOff, kNoCause, 0U, 0U, 0U),
 };
 
 // Two SRDOs with the same identifiers.
 constexpr Step kUnique[] = {
-    StoreAll(), CobId1(1U, 0x111U), CobId2(1U, 0x112U), Signature(1U, 0xDD3AU), Validate(1U, ConfigFault::kIdentifierInUse, 0xDD3AU),
+    StoreAll(), CobId1(1U, 0x111U), CobId2(1U, 0x112U), Signature(1U, 0xDD3AU),
+    Validate(1U, ConfigFault::kIdentifierInUse, 0xDD3AU),
 };
 
 // The cause of a frame is not replaced by a time-out found in the same call.
 constexpr Step kNotReplaced[] = {
-    Configure(), Cycle(0U), Normal(1000U), WrongInverse(9U, 2000U), Normal(3000U), Cycle(30000U), Slot(0U, kFaulted, Cause::kNotInverse, 0U, 2U, 0U),
+    Configure(), Cycle(0U), Normal(1000U), WrongInverse(9U, 2000U), Normal(3000U), Cycle(30000U),
+    Slot(0U, kFaulted, Cause::kNotInverse, 0U, 2U, 0U),
     Signals(0U, Bit(Cause::kNotInverse) | Bit(Cause::kSrvt)),
 };
 
@@ -139,6 +165,7 @@ constexpr Case kCases[] = {
     MakeCase("IdentifiersNotUnique", {req::SRS_CFG_024}, kTwo, kUnique),
     MakeCase("CauseReplacedByATimeOut", {req::SRS_CONS_020, req::SRS_CONS_018}, kGold, kNotReplaced),
 };
+// clang-format on
 } // namespace
 
 const CaseTable kDefectCases = MakeTable("defect", kCases);

@@ -8,6 +8,7 @@ namespace counterpoint::conformance
 
 namespace
 {
+// clang-format off: a line is a moment, a step stands beside what it must lead to.
 // t     1000  2000  3000      4000        4500   5000
 //       N     I     released  I (fault)   N      cycle: faulted
 constexpr Step kDiscards[] = {
@@ -21,10 +22,12 @@ constexpr Step kDiscards[] = {
 // t     1000       2000  2500  3000                   4000   5000
 //       I (fault)  N     I     cycle: pair discarded  cycle  N
 constexpr Step kReportingCycle[] = {
-    Configure(), Cycle(0U), Inverse(1000U), Normal(2000U), Inverse(2500U), Slot(0U, kFaulted, Cause::kInverseFirst, 1U, 1U, 1U),
+    Configure(), Cycle(0U), Inverse(1000U), Normal(2000U), Inverse(2500U),
+    Slot(0U, kFaulted, Cause::kInverseFirst, 1U, 1U, 1U),
     Cycle(3000U), Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kInverseFirst, 0U, 1U, 0U), OrdinalSum(0U),
     Cycle(4000U), Masks(0U, 1U, 0U, 0U, 0U),
-    Normal(5000U), Inverse(5500U), Cycle(6000U), Masks(1U, 0U, 0U, 0U, 1U), Slot(0U, kReleased, Cause::kInverseFirst, 1U, 1U, 1U),
+    Normal(5000U), Inverse(5500U), Cycle(6000U), Masks(1U, 0U, 0U, 0U, 1U),
+    Slot(0U, kReleased, Cause::kInverseFirst, 1U, 1U, 1U),
 };
 
 // A pair completed, then a fault, then another pair: still safe in that cycle.
@@ -41,12 +44,14 @@ constexpr Step kPendingStays[] = {
 };
 
 constexpr Step kReportedOnce[] = {
-    Configure(), Cycle(0U), Inverse(1000U), Cycle(2000U), Masks(0U, 1U, 0U, 1U, 0U), Cycle(3000U), Masks(0U, 1U, 0U, 0U, 0U),
+    Configure(), Cycle(0U), Inverse(1000U), Cycle(2000U), Masks(0U, 1U, 0U, 1U, 0U), Cycle(3000U),
+    Masks(0U, 1U, 0U, 0U, 0U),
     Normal(3500U), Inverse(3600U), Cycle(4000U), Masks(1U, 0U, 0U, 0U, 1U), Cycle(5000U), Masks(1U, 0U, 0U, 0U, 0U),
 };
 
 constexpr Step kFirstCause[] = {
-    Configure(), Cycle(0U), Inverse(1000U), Normal(1001U), Normal(1002U), Frame(0x111U, 1U, 0U, 0U, 1003U), Cycle(2000U),
+    Configure(), Cycle(0U), Inverse(1000U), Normal(1001U), Normal(1002U), Frame(0x111U, 1U, 0U, 0U, 1003U),
+    Cycle(2000U),
     Slot(0U, kFaulted, Cause::kInverseFirst, 0U, 3U, 0U),
     Signals(0U, Bit(Cause::kInverseFirst) | Bit(Cause::kNormalTwice) | Bit(Cause::kLength)),
     // Released again, the cause is still there until acknowledged.
@@ -55,7 +60,8 @@ constexpr Step kFirstCause[] = {
 };
 
 constexpr Step kCountStays[] = {
-    Configure(), Cycle(0U), Inverse(1000U), Repeat(65532U, 0U), Slot(0U, kFaulted, Cause::kInverseFirst, 0U, 65533U, 0U),
+    Configure(), Cycle(0U), Inverse(1000U), Repeat(65532U, 0U),
+    Slot(0U, kFaulted, Cause::kInverseFirst, 0U, 65533U, 0U),
     Inverse(1000U), Slot(0U, kFaulted, Cause::kInverseFirst, 0U, 65534U, 0U),
     Inverse(1000U), Slot(0U, kFaulted, Cause::kInverseFirst, 0U, 65535U, 0U),
     Inverse(1000U), Slot(0U, kFaulted, Cause::kInverseFirst, 0U, 65535U, 0U), Cycle(2000U),
@@ -65,7 +71,8 @@ constexpr Step kCountStays[] = {
 // The faults of one slot are none of the other's.
 constexpr Step kOtherSlot[] = {
     Configure(), Cycle(0U), Normal(1000U), Inverse(1001U), Frame(0x103U, 4U, 0xDDCCBBAAU, 0U, 1002U),
-    Frame(0x104U, 4U, 0x22334455U, 0U, 1003U), Cycle(2000U), Masks(3U, 0U, 0U, 0U, 3U), OrdinalSum(2U), Data(1U, 0xDDCCBBAAU),
+    Frame(0x104U, 4U, 0x22334455U, 0U, 1003U), Cycle(2000U), Masks(3U, 0U, 0U, 0U, 3U), OrdinalSum(2U),
+    Data(1U, 0xDDCCBBAAU),
     Inverse(3000U), Cycle(4000U), Masks(2U, 1U, 0U, 1U, 0U), Signalled(1U), OrdinalSum(1U),
     Slot(1U, kReleased, kNoCause, 1U, 0U, 1U), Frame(0x104U, 4U, 0x22334455U, 0U, 5000U), Cycle(6000U),
     Masks(0U, 3U, 0U, 2U, 0U), Signalled(2U), Slot(1U, kFaulted, Cause::kInverseFirst, 0U, 1U, 0U),
@@ -74,7 +81,8 @@ constexpr Step kOtherSlot[] = {
 // Interleaved halves of two pairs: each slot pairs its own.
 constexpr Step kInterleaved[] = {
     Configure(), Cycle(0U), Normal(1000U), Frame(0x103U, 4U, 0xDDCCBBAAU, 0U, 1001U), Inverse(1002U),
-    Frame(0x104U, 4U, 0x22334455U, 0U, 1003U), Cycle(2000U), Masks(3U, 0U, 0U, 0U, 3U), Data(0U, 0x3412U), Data(1U, 0xDDCCBBAAU),
+    Frame(0x104U, 4U, 0x22334455U, 0U, 1003U), Cycle(2000U), Masks(3U, 0U, 0U, 0U, 3U), Data(0U, 0x3412U),
+    Data(1U, 0xDDCCBBAAU),
 };
 
 // SCT expires at a frame: what was held goes, the frame is the first half of the next pair.
@@ -83,14 +91,16 @@ constexpr Step kInterleaved[] = {
 constexpr Step kSctAtFrame[] = {
     Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), OtherNormal(51001U),
     Slot(0U, kFaulted, Cause::kSct, 0U, 1U, 0U), OtherInverse(52000U), Slot(0U, kFaulted, Cause::kSct, 1U, 1U, 1U),
-    Cycle(53000U), Masks(0U, 1U, 0U, 1U, 0U), Signals(0U, Bit(Cause::kSct)), Slot(0U, kFaulted, Cause::kSct, 0U, 1U, 0U),
+    Cycle(53000U), Masks(0U, 1U, 0U, 1U, 0U), Signals(0U, Bit(Cause::kSct)),
+    Slot(0U, kFaulted, Cause::kSct, 0U, 1U, 0U),
     Normal(53500U), Inverse(53600U), Cycle(54000U), Masks(1U, 0U, 0U, 0U, 1U),
 };
 
 // An inverse frame without a normal frame when SCT is over: two faults, SCT first.
 constexpr Step kSctThenOrder[] = {
     Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Inverse(51001U),
-    Slot(0U, kFaulted, Cause::kSct, 0U, 2U, 0U), Cycle(52000U), Signals(0U, Bit(Cause::kSct) | Bit(Cause::kInverseFirst)),
+    Slot(0U, kFaulted, Cause::kSct, 0U, 2U, 0U), Cycle(52000U),
+    Signals(0U, Bit(Cause::kSct) | Bit(Cause::kInverseFirst)),
 };
 
 // A wrong frame within SCT is one fault.
@@ -101,8 +111,10 @@ constexpr Step kOrderWithinSct[] = {
 
 // Where there is no pair there is no data: before the first one, after a fault, while off.
 constexpr Step kNoPairNoData[] = {
-    Configure(), Data(0U, 0U), Cycle(0U), Data(0U, 0U), Normal(1000U), Data(0U, 0U), Inverse(1500U), Data(0U, 0x3412U), OtherNormal(2000U), Data(0U, 0x3412U),
-    Cycle(3000U), Data(0U, 0x3412U), Demote(0U), Data(0U, 0U), Slot(0U, kFaulted, Cause::kDemoted, 0U, 1U, 0U), OtherInverse(4000U), Data(0U, 0x7856U),
+    Configure(), Data(0U, 0U), Cycle(0U), Data(0U, 0U), Normal(1000U), Data(0U, 0U), Inverse(1500U), Data(0U, 0x3412U),
+    OtherNormal(2000U), Data(0U, 0x3412U),
+    Cycle(3000U), Data(0U, 0x3412U), Demote(0U), Data(0U, 0U), Slot(0U, kFaulted, Cause::kDemoted, 0U, 1U, 0U),
+    OtherInverse(4000U), Data(0U, 0x7856U),
     Nmt(NmtState::kStopped), Cycle(5000U), Data(0U, 0U), Slot(0U, kOff, Cause::kDemoted, 0U, 2U, 0U),
 };
 
@@ -121,6 +133,7 @@ constexpr Case kCases[] = {
     MakeCase("SctOverAtAnInverseFrame", {req::SRS_CONS_003, req::SRS_CONS_011}, kGold, kSctThenOrder),
     MakeCase("InverseFrameWithinSct", {req::SRS_CONS_003, req::SRS_TIME_004}, kGold, kOrderWithinSct),
 };
+// clang-format on
 } // namespace
 
 const CaseTable kFaultCases = MakeTable("fault", kCases);

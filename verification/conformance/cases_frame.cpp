@@ -8,6 +8,7 @@ namespace counterpoint::conformance
 
 namespace
 {
+// clang-format off: a line is a moment, a step stands beside what it must lead to.
 // t     0      1000   2000   3000   4000
 //       enter  N      I      cycle  cycle
 constexpr Step kPair[] = {
@@ -21,7 +22,8 @@ constexpr Step kPair[] = {
 
 constexpr Step kNewestPair[] = {
     Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), OtherNormal(3000U), Data(0U, 0x3412U), OtherInverse(4000U),
-    Slot(0U, kWaiting, kNoCause, 2U, 0U, 1U), Data(0U, 0x7856U), Cycle(5000U), Masks(1U, 0U, 0U, 0U, 1U), OrdinalSum(2U),
+    Slot(0U, kWaiting, kNoCause, 2U, 0U, 1U), Data(0U, 0x7856U), Cycle(5000U), Masks(1U, 0U, 0U, 0U, 1U),
+    OrdinalSum(2U),
     Normal(6000U), Inverse(7000U), Slot(0U, kReleased, kNoCause, 3U, 0U, 1U), Cycle(8000U), Masks(1U, 0U, 0U, 0U, 1U),
 };
 
@@ -51,7 +53,8 @@ constexpr Step kOtherIdentifiers[] = {
 };
 
 constexpr Step kOwnFrames[] = {
-    Configure(), Cycle(0U), Counts(1U, 1U, 1U, 0U), Frame(0x101U, 2U, 0x3412U, 0U, 1000U), Frame(0x102U, 1U, 0U, 0U, 1001U),
+    Configure(), Cycle(0U), Counts(1U, 1U, 1U, 0U), Frame(0x101U, 2U, 0x3412U, 0U, 1000U),
+    Frame(0x102U, 1U, 0U, 0U, 1001U),
     Cycle(2000U), Slot(1U, kProducing, kNoCause, 0U, 0U, 0U), Masks(0U, 0U, 1U, 0U, 0U),
 };
 
@@ -73,7 +76,8 @@ constexpr Step kNoController[] = {
 };
 
 constexpr Step kTwoControllers[] = {
-    Configure(), Cycle(0U), Normal(1000U), On(Inverse(2000U), CanPortId::kSecond), Cycle(3000U), Masks(1U, 0U, 0U, 0U, 1U),
+    Configure(), Cycle(0U), Normal(1000U), On(Inverse(2000U), CanPortId::kSecond), Cycle(3000U),
+    Masks(1U, 0U, 0U, 0U, 1U),
     Normal(4000U), Inverse(4500U), Cycle(5000U), Slot(0U, kFaulted, Cause::kIdentifier, 0U, 1U, 0U),
     On(Normal(6000U), CanPortId::kSecond), Cycle(7000U), Slot(0U, kFaulted, Cause::kIdentifier, 0U, 2U, 0U),
     Normal(8000U), On(Inverse(9000U), CanPortId::kSecond), Cycle(10000U), Masks(1U, 0U, 0U, 0U, 1U),
@@ -93,7 +97,8 @@ constexpr Step kNormalLength[] = {
 constexpr Step kInverseLength[] = {
     Configure(), Cycle(0U), Normal(1000U), Frame(0x112U, 1U, 0xEDU, 0U, 1001U), Cycle(2000U),
     Slot(0U, kFaulted, Cause::kLength, 0U, 1U, 0U),
-    Normal(3000U), Frame(0x112U, 3U, 0xFFCBEDU, 0U, 3001U), Cycle(4000U), Slot(0U, kFaulted, Cause::kLength, 0U, 2U, 0U),
+    Normal(3000U), Frame(0x112U, 3U, 0xFFCBEDU, 0U, 3001U), Cycle(4000U),
+    Slot(0U, kFaulted, Cause::kLength, 0U, 2U, 0U),
     Normal(5000U), Inverse(5001U), Cycle(6000U), Masks(1U, 0U, 0U, 0U, 1U),
 };
 
@@ -107,7 +112,8 @@ constexpr Step kFullLength[] = {
 };
 
 constexpr Step kBytesBehind[] = {
-    Configure(), Cycle(0U), Frame(0x111U, 2U, 0xFFFF3412U, 0x12345678U, 1000U), Frame(0x112U, 2U, 0xFFFFCBEDU, 0x9ABCDEF0U, 2000U),
+    Configure(), Cycle(0U), Frame(0x111U, 2U, 0xFFFF3412U, 0x12345678U, 1000U),
+    Frame(0x112U, 2U, 0xFFFFCBEDU, 0x9ABCDEF0U, 2000U),
     Data(0U, 0x3412U, 0U), Cycle(3000U), Masks(1U, 0U, 0U, 0U, 1U),
 };
 
@@ -116,13 +122,16 @@ constexpr Step kBytesBehind[] = {
 constexpr Step kNormalTwice[] = {
     Configure(), Cycle(0U), Normal(1000U), Normal(2000U), Slot(0U, kFaulted, Cause::kNormalTwice, 0U, 1U, 0U),
     Cycle(3000U), Masks(0U, 1U, 0U, 1U, 0U), Signals(0U, Bit(Cause::kNormalTwice)),
-    Inverse(4000U), Slot(0U, kFaulted, Cause::kNormalTwice, 0U, 2U, 0U), Cycle(5000U), Signals(0U, Bit(Cause::kInverseFirst)),
+    Inverse(4000U), Slot(0U, kFaulted, Cause::kNormalTwice, 0U, 2U, 0U), Cycle(5000U),
+    Signals(0U, Bit(Cause::kInverseFirst)),
 };
 
 // The same while a pair is held and released: N1 I1 released N2 N3 I3.
 constexpr Step kNormalTwiceReleased[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Masks(1U, 0U, 0U, 0U, 1U), Normal(4000U), OtherNormal(5000U),
-    Slot(0U, kFaulted, Cause::kNormalTwice, 0U, 1U, 0U), OtherInverse(6000U), Slot(0U, kFaulted, Cause::kNormalTwice, 0U, 2U, 0U), Cycle(7000U), Masks(0U, 1U, 0U, 1U, 0U),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Masks(1U, 0U, 0U, 0U, 1U), Normal(4000U),
+    OtherNormal(5000U),
+    Slot(0U, kFaulted, Cause::kNormalTwice, 0U, 1U, 0U), OtherInverse(6000U),
+    Slot(0U, kFaulted, Cause::kNormalTwice, 0U, 2U, 0U), Cycle(7000U), Masks(0U, 1U, 0U, 1U, 0U),
 };
 
 constexpr Step kInverseFirst[] = {
@@ -131,7 +140,8 @@ constexpr Step kInverseFirst[] = {
 };
 
 constexpr Step kInverseTwice[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Masks(1U, 0U, 0U, 0U, 1U), Inverse(4000U), Cycle(5000U),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Masks(1U, 0U, 0U, 0U, 1U), Inverse(4000U),
+    Cycle(5000U),
     Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kInverseFirst, 0U, 1U, 0U),
 };
 
@@ -166,15 +176,24 @@ constexpr Step kNothingInverted[] = {
 
 constexpr Step kEveryByte[] = {
     Configure(), Cycle(0U),
-    Frame(0x17FU, 8U, 0U, 0U, 1000U), Frame(0x180U, 8U, 0xFFFFFF7FU, 0xFFFFFFFFU, 1001U), Slot(0U, kFaulted, Cause::kNotInverse, 0U, 1U, 0U),
-    Frame(0x17FU, 8U, 0U, 0U, 1002U), Frame(0x180U, 8U, 0xFFFFFEFFU, 0xFFFFFFFFU, 1003U), Slot(0U, kFaulted, Cause::kNotInverse, 0U, 2U, 0U),
-    Frame(0x17FU, 8U, 0U, 0U, 1004U), Frame(0x180U, 8U, 0xFF7FFFFFU, 0xFFFFFFFFU, 1005U), Slot(0U, kFaulted, Cause::kNotInverse, 0U, 3U, 0U),
-    Frame(0x17FU, 8U, 0U, 0U, 1006U), Frame(0x180U, 8U, 0xFEFFFFFFU, 0xFFFFFFFFU, 1007U), Slot(0U, kFaulted, Cause::kNotInverse, 0U, 4U, 0U),
-    Frame(0x17FU, 8U, 0U, 0U, 1008U), Frame(0x180U, 8U, 0xFFFFFFFFU, 0xFFFFFFFEU, 1009U), Slot(0U, kFaulted, Cause::kNotInverse, 0U, 5U, 0U),
-    Frame(0x17FU, 8U, 0U, 0U, 1010U), Frame(0x180U, 8U, 0xFFFFFFFFU, 0xFFFF7FFFU, 1011U), Slot(0U, kFaulted, Cause::kNotInverse, 0U, 6U, 0U),
-    Frame(0x17FU, 8U, 0U, 0U, 1012U), Frame(0x180U, 8U, 0xFFFFFFFFU, 0xFFFEFFFFU, 1013U), Slot(0U, kFaulted, Cause::kNotInverse, 0U, 7U, 0U),
-    Frame(0x17FU, 8U, 0U, 0U, 1014U), Frame(0x180U, 8U, 0xFFFFFFFFU, 0x7FFFFFFFU, 1015U), Slot(0U, kFaulted, Cause::kNotInverse, 0U, 8U, 0U),
-    Frame(0x17FU, 8U, 0U, 0U, 1016U), Frame(0x180U, 8U, 0xFFFFFFFFU, 0xFFFFFFFFU, 1017U), Slot(0U, kFaulted, Cause::kNotInverse, 1U, 8U, 1U),
+    Frame(0x17FU, 8U, 0U, 0U, 1000U), Frame(0x180U, 8U, 0xFFFFFF7FU, 0xFFFFFFFFU, 1001U),
+    Slot(0U, kFaulted, Cause::kNotInverse, 0U, 1U, 0U),
+    Frame(0x17FU, 8U, 0U, 0U, 1002U), Frame(0x180U, 8U, 0xFFFFFEFFU, 0xFFFFFFFFU, 1003U),
+    Slot(0U, kFaulted, Cause::kNotInverse, 0U, 2U, 0U),
+    Frame(0x17FU, 8U, 0U, 0U, 1004U), Frame(0x180U, 8U, 0xFF7FFFFFU, 0xFFFFFFFFU, 1005U),
+    Slot(0U, kFaulted, Cause::kNotInverse, 0U, 3U, 0U),
+    Frame(0x17FU, 8U, 0U, 0U, 1006U), Frame(0x180U, 8U, 0xFEFFFFFFU, 0xFFFFFFFFU, 1007U),
+    Slot(0U, kFaulted, Cause::kNotInverse, 0U, 4U, 0U),
+    Frame(0x17FU, 8U, 0U, 0U, 1008U), Frame(0x180U, 8U, 0xFFFFFFFFU, 0xFFFFFFFEU, 1009U),
+    Slot(0U, kFaulted, Cause::kNotInverse, 0U, 5U, 0U),
+    Frame(0x17FU, 8U, 0U, 0U, 1010U), Frame(0x180U, 8U, 0xFFFFFFFFU, 0xFFFF7FFFU, 1011U),
+    Slot(0U, kFaulted, Cause::kNotInverse, 0U, 6U, 0U),
+    Frame(0x17FU, 8U, 0U, 0U, 1012U), Frame(0x180U, 8U, 0xFFFFFFFFU, 0xFFFEFFFFU, 1013U),
+    Slot(0U, kFaulted, Cause::kNotInverse, 0U, 7U, 0U),
+    Frame(0x17FU, 8U, 0U, 0U, 1014U), Frame(0x180U, 8U, 0xFFFFFFFFU, 0x7FFFFFFFU, 1015U),
+    Slot(0U, kFaulted, Cause::kNotInverse, 0U, 8U, 0U),
+    Frame(0x17FU, 8U, 0U, 0U, 1016U), Frame(0x180U, 8U, 0xFFFFFFFFU, 0xFFFFFFFFU, 1017U),
+    Slot(0U, kFaulted, Cause::kNotInverse, 1U, 8U, 1U),
 };
 
 // One frame wrong in several ways: the first rule in the order of the checks names the cause.
@@ -184,17 +203,21 @@ constexpr Step kControllerBeforeLength[] = {
 };
 
 constexpr Step kControllerBeforeOrder[] = {
-    Configure(), Cycle(0U), On(Inverse(1000U), CanPortId::kSecond), Cycle(2000U), Slot(0U, kFaulted, Cause::kIdentifier, 0U, 1U, 0U),
+    Configure(), Cycle(0U), On(Inverse(1000U), CanPortId::kSecond), Cycle(2000U),
+    Slot(0U, kFaulted, Cause::kIdentifier, 0U, 1U, 0U),
 };
 
 constexpr Step kLengthBeforeOrder[] = {
-    Configure(), Cycle(0U), Frame(0x112U, 1U, 0U, 0U, 1000U), Slot(0U, kFaulted, Cause::kLength, 0U, 1U, 0U), Cycle(2000U),
-    Normal(3000U), Frame(0x111U, 3U, 0U, 0U, 3001U), Cycle(4000U), Slot(0U, kFaulted, Cause::kLength, 0U, 2U, 0U), Inverse(4001U),
+    Configure(), Cycle(0U), Frame(0x112U, 1U, 0U, 0U, 1000U), Slot(0U, kFaulted, Cause::kLength, 0U, 1U, 0U),
+    Cycle(2000U),
+    Normal(3000U), Frame(0x111U, 3U, 0U, 0U, 3001U), Cycle(4000U), Slot(0U, kFaulted, Cause::kLength, 0U, 2U, 0U),
+    Inverse(4001U),
     Slot(0U, kFaulted, Cause::kLength, 0U, 3U, 0U), Signals(0U, 0U),
 };
 
 constexpr Step kLengthBeforeInversion[] = {
-    Configure(), Cycle(0U), Normal(1000U), Frame(0x112U, 8U, 0x3412U, 0U, 1001U), Cycle(2000U), Slot(0U, kFaulted, Cause::kLength, 0U, 1U, 0U),
+    Configure(), Cycle(0U), Normal(1000U), Frame(0x112U, 8U, 0x3412U, 0U, 1001U), Cycle(2000U),
+    Slot(0U, kFaulted, Cause::kLength, 0U, 1U, 0U),
 };
 
 // t     0      1000   21001           22000
@@ -205,19 +228,22 @@ constexpr Step kLimitBeforeOrder[] = {
 };
 
 constexpr Step kLimitBeforeLength[] = {
-    Configure(), Cycle(0U), Normal(1000U), Frame(0x112U, 1U, 0U, 0U, 21001U), Cycle(22000U), Slot(0U, kFaulted, Cause::kSrvt, 0U, 2U, 0U),
+    Configure(), Cycle(0U), Normal(1000U), Frame(0x112U, 1U, 0U, 0U, 21001U), Cycle(22000U),
+    Slot(0U, kFaulted, Cause::kSrvt, 0U, 2U, 0U),
     Signals(0U, Bit(Cause::kSrvt) | Bit(Cause::kLength)),
 };
 
 // The second normal frame comes when the first is already too old: it is the first half of the next pair.
 constexpr Step kNormalAfterSrvt[] = {
-    Configure(), Cycle(0U), Normal(1000U), OtherNormal(21001U), Slot(0U, kFaulted, Cause::kSrvt, 0U, 1U, 0U), Cycle(22000U),
+    Configure(), Cycle(0U), Normal(1000U), OtherNormal(21001U), Slot(0U, kFaulted, Cause::kSrvt, 0U, 1U, 0U),
+    Cycle(22000U),
     Masks(0U, 1U, 0U, 1U, 0U), OtherInverse(23000U), Slot(0U, kFaulted, Cause::kSrvt, 1U, 1U, 1U), Data(0U, 0x7856U),
     Cycle(24000U), Masks(1U, 0U, 0U, 0U, 1U),
 };
 
 constexpr Case kCases[] = {
-    MakeCase("PairIsTakenAndReleased", {req::SRS_CONS_006, req::SRS_CONS_010, req::SRS_CONS_001, req::SRS_REL_003, req::SRS_CONS_023}, kGold, kPair),
+    MakeCase("PairIsTakenAndReleased", {req::SRS_CONS_006, req::SRS_CONS_010, req::SRS_CONS_001, req::SRS_REL_003,
+             req::SRS_CONS_023}, kGold, kPair),
     MakeCase("NewestPairIsHeld", {req::SRS_CONS_010, req::SRS_CONS_023}, kGold, kNewestPair),
     MakeCase("OtherKindsOfFrameNeverCount", {req::SRS_CONS_001}, kGold, kOtherKinds),
     MakeCase("OtherIdentifiersNeverCount", {req::SRS_CONS_001}, kGold, kOtherIdentifiers),
@@ -241,10 +267,12 @@ constexpr Case kCases[] = {
     MakeCase("ControllerIsCheckedBeforeOrder", {req::SRS_CONS_011}, kGold, kControllerBeforeOrder),
     MakeCase("LengthIsCheckedBeforeOrder", {req::SRS_CONS_011}, kGold, kLengthBeforeOrder),
     MakeCase("LengthIsCheckedBeforeInversion", {req::SRS_CONS_011}, kGold, kLengthBeforeInversion),
-    MakeCase("LimitIsCheckedBeforeOrder", {req::SRS_CONS_011, req::SRS_CONS_003, req::SRS_CONS_012}, kGold, kLimitBeforeOrder),
+    MakeCase("LimitIsCheckedBeforeOrder", {req::SRS_CONS_011, req::SRS_CONS_003, req::SRS_CONS_012}, kGold,
+             kLimitBeforeOrder),
     MakeCase("LimitIsCheckedBeforeLength", {req::SRS_CONS_011, req::SRS_CONS_003}, kGold, kLimitBeforeLength),
     MakeCase("NormalFrameAfterSrvtStartsTheNextPair", {req::SRS_CONS_012, req::SRS_CONS_003}, kGold, kNormalAfterSrvt),
 };
+// clang-format on
 } // namespace
 
 const CaseTable kFrameCases = MakeTable("frame", kCases);

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// Producer: first transmission, requests, Prepare, frames. Node-ID 4, so that the first transmission is possible 2 ms after
-// entering OPERATIONAL. Times in microseconds.
+// Producer: first transmission, requests, Prepare, frames. Node-ID 4, so that the first transmission is possible 2 ms
+// after entering OPERATIONAL. Times in microseconds.
 #include "verification/conformance/gold.hpp"
 
 namespace counterpoint::conformance
@@ -9,6 +9,7 @@ namespace counterpoint::conformance
 
 namespace
 {
+// clang-format off: a line is a moment, a step stands beside what it must lead to.
 constexpr Step kP1 = Put(0x6210U, 1U, 0x12U);
 constexpr Step kP2 = Put(0x6210U, 2U, 0x34U);
 constexpr Step kI1 = Put(0x6211U, 1U, 0xEDU);
@@ -17,9 +18,12 @@ constexpr Step kI2 = Put(0x6211U, 2U, 0xCBU);
 // t     0     1000  1999  2000        2100   2300          2400   2600          3000
 //       enter             due,launch  N out  N confirmed   I out  I confirmed
 constexpr Step kSend[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Counts(0U, 1U, 0U, 0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), Due(0U), Request(0U), Cycle(1000U),
-    Due(0U), Cycle(1999U), Due(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Data(0U, 0U), Launch(0U), Data(0U, 0x3412U), NextFirst(0U), NextNone(0U), ConfirmFirst(0U, 2300U),
-    NextSecond(0U), NextNone(0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), ConfirmSecond(0U, 2600U), Data(0U, 0U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U), Cycle(3000U), Due(0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Counts(0U, 1U, 0U, 0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
+    Due(0U), Request(0U), Cycle(1000U),
+    Due(0U), Cycle(1999U), Due(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Data(0U, 0U), Launch(0U), Data(0U, 0x3412U),
+    NextFirst(0U), NextNone(0U), ConfirmFirst(0U, 2300U),
+    NextSecond(0U), NextNone(0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), ConfirmSecond(0U, 2600U), Data(0U, 0U),
+    Slot(0U, kProducing, kNoCause, 1U, 0U, 0U), Cycle(3000U), Due(0U),
     Masks(0U, 0U, 0U, 0U, 0U), Signalled(0U), OrdinalSum(0U),
 };
 
@@ -34,7 +38,8 @@ constexpr Step kLastNode[] = {
 
 // Half a round of the counter after entering, the first transmission is still behind.
 constexpr Step kStartedForGood[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(0x7FFFFFFFU), Cycle(0xFFFFFFFEU), Request(0U), Cycle(0x100U), Due(1U), ReadyPair(0U), Launch(0U), NextFirst(0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(0x7FFFFFFFU), Cycle(0xFFFFFFFEU), Request(0U), Cycle(0x100U),
+    Due(1U), ReadyPair(0U), Launch(0U), NextFirst(0U),
 };
 
 constexpr Step kFirstCallDuesAtOnce[] = {
@@ -42,142 +47,195 @@ constexpr Step kFirstCallDuesAtOnce[] = {
 };
 
 constexpr Step kDueUntilPrepared[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Request(0U), Request(0U), Cycle(2000U), Due(1U), Cycle(3000U), Due(1U), Request(0U), Cycle(4000U), Due(1U), ReadyPair(0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Request(0U), Request(0U), Cycle(2000U), Due(1U), Cycle(3000U), Due(1U),
+    Request(0U), Cycle(4000U), Due(1U), ReadyPair(0U),
     // Requests do not add up.
-    Launch(0U), ConfirmFirst(0U, 4100U), NextSecond(0U), ConfirmSecond(0U, 4200U), Cycle(5000U), Due(0U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
+    Launch(0U), ConfirmFirst(0U, 4100U), NextSecond(0U), ConfirmSecond(0U, 4200U), Cycle(5000U), Due(0U),
+    Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
 };
 
 constexpr Step kRequestInFlight[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Request(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U), Request(0U), Cycle(3000U), Due(0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Request(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U),
+    Request(0U), Cycle(3000U), Due(0U),
     ConfirmFirst(0U, 3100U), Cycle(4000U), Due(0U), NextSecond(0U), ConfirmSecond(0U, 4100U), Cycle(5000U), Due(1U),
 };
 
 constexpr Step kRequestAfterGivingUp[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Request(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U), Request(0U), TransmitFault(0U, Cause::kTransmitQueue),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Request(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U),
+    Request(0U), TransmitFault(0U, Cause::kTransmitQueue),
     Cycle(3000U), Due(1U), Signals(0U, Bit(Cause::kTransmitQueue)),
 };
 
 constexpr Step kNotActive[] = {
-    Prepare(0U, kNotProducing, 0U, 0U), Configure(), kP1, kP2, kI1, kI2, Request(0U), Prepare(0U, kNotProducing, 0U, 0U), Launch(0U), NextNone(0U),
-    Nmt(NmtState::kPreOperational), Cycle(0U), Request(0U), Due(0U), Nmt(NmtState::kOperational), Cycle(10000U), Due(0U), Cycle(12000U),
+    Prepare(0U, kNotProducing, 0U, 0U), Configure(), kP1, kP2, kI1, kI2, Request(0U),
+    Prepare(0U, kNotProducing, 0U, 0U), Launch(0U), NextNone(0U),
+    Nmt(NmtState::kPreOperational), Cycle(0U), Request(0U), Due(0U), Nmt(NmtState::kOperational), Cycle(10000U),
+    Due(0U), Cycle(12000U),
     // Requests made while off are none.
     Due(0U), Request(0U), Cycle(13000U), Due(1U),
 };
 
 constexpr Step kNotAProducer[] = {
-    Configure(), Cycle(0U), Request(0U), Request(2U), Cycle(3000U), Due(0U), Prepare(0U, kNotProducing, 0U, 0U), Prepare(2U, kNotProducing, 0U, 0U), Launch(0U), NextNone(0U),
+    Configure(), Cycle(0U), Request(0U), Request(2U), Cycle(3000U), Due(0U), Prepare(0U, kNotProducing, 0U, 0U),
+    Prepare(2U, kNotProducing, 0U, 0U), Launch(0U), NextNone(0U),
     TransmitFault(0U, Cause::kBusOff), Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U),
 };
 
 constexpr Step kPrepareInFlight[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Request(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), Put(0x6210U, 1U, 0x77U), Prepare(0U, kNotProducing, 0U, 0U),
-    NextFirst(0U), ConfirmFirst(0U, 2100U), Prepare(0U, kNotProducing, 0U, 0U), NextSecond(0U), ConfirmSecond(0U, 2200U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Request(0U), Cycle(2000U), ReadyPair(0U), Launch(0U),
+    Put(0x6210U, 1U, 0x77U), Prepare(0U, kNotProducing, 0U, 0U),
+    NextFirst(0U), ConfirmFirst(0U, 2100U), Prepare(0U, kNotProducing, 0U, 0U), NextSecond(0U),
+    ConfirmSecond(0U, 2200U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
 };
 
 constexpr Step kNotInverse[] = {
-    Configure(), kP1, kP2, kI1, Put(0x6211U, 2U, 0xCAU), Cycle(0U), Request(0U), Cycle(2000U), Due(1U), Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U),
-    Slot(0U, kProducing, Cause::kNotInverse, 0U, 1U, 0U), Signals(0U, 0U), Launch(0U), NextNone(0U), Cycle(3000U), Due(0U), Signals(0U, Bit(Cause::kNotInverse)),
+    Configure(), kP1, kP2, kI1, Put(0x6211U, 2U, 0xCAU), Cycle(0U), Request(0U), Cycle(2000U), Due(1U),
+    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U),
+    Slot(0U, kProducing, Cause::kNotInverse, 0U, 1U, 0U), Signals(0U, 0U), Launch(0U), NextNone(0U), Cycle(3000U),
+    Due(0U), Signals(0U, Bit(Cause::kNotInverse)),
     Signalled(1U), Masks(0U, 0U, 0U, 0U, 0U),
     // The near miss: all bits inverted.
     kI2, Request(0U), Cycle(4000U), Due(1U), ReadyPair(0U), Launch(0U), NextFirst(0U),
 };
 
 constexpr Step kEveryObject[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Put(0x6210U, 1U, 0x13U), Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Put(0x6210U, 1U, 0x92U),
-    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), kP1, Put(0x6210U, 2U, 0x35U), Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), kP2, Put(0x6211U, 1U, 0x6DU),
-    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), kI1, Put(0x6211U, 2U, 0x4BU), Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), kI2, ReadyPair(0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Put(0x6210U, 1U, 0x13U),
+    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Put(0x6210U, 1U, 0x92U),
+    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), kP1, Put(0x6210U, 2U, 0x35U),
+    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), kP2, Put(0x6211U, 1U, 0x6DU),
+    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), kI1, Put(0x6211U, 2U, 0x4BU),
+    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), kI2, ReadyPair(0U),
     Slot(0U, kProducing, Cause::kNotInverse, 0U, 5U, 0U),
 };
 
 // A Prepare that fails takes the pair of the one before with it.
 constexpr Step kPrepareAgain[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Put(0x6210U, 1U, 0U), Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Launch(0U), NextNone(0U),
-    Put(0x6210U, 1U, 0x55U), Put(0x6211U, 1U, 0xAAU), Prepare(0U, kReady, 2U, 0x3455U), Put(0x6210U, 1U, 0x56U), Launch(0U),
-    NextNormal(0U, CanPortId::kFirst, 0x101U, 2U, 0x3455U), Confirm(0U, 0x101U, 2U, 0x3455U, 0U, 2100U), NextInverse(0U, CanPortId::kFirst, 0x102U, 2U, 0xCBAAU),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Put(0x6210U, 1U, 0U),
+    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Launch(0U), NextNone(0U),
+    Put(0x6210U, 1U, 0x55U), Put(0x6211U, 1U, 0xAAU), Prepare(0U, kReady, 2U, 0x3455U), Put(0x6210U, 1U, 0x56U),
+    Launch(0U),
+    NextNormal(0U, CanPortId::kFirst, 0x101U, 2U, 0x3455U), Confirm(0U, 0x101U, 2U, 0x3455U, 0U, 2100U),
+    NextInverse(0U, CanPortId::kFirst, 0x102U, 2U, 0xCBAAU),
 };
 
 constexpr Step kLaunchOnce[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Launch(0U), NextNone(0U), Cycle(2000U), ReadyPair(0U), NextNone(0U), Launch(0U), NextFirst(0U), Launch(0U), NextNone(0U),
-    ConfirmFirst(0U, 2100U), NextSecond(0U), ConfirmSecond(0U, 2200U), Launch(0U), NextNone(0U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Launch(0U), NextNone(0U), Cycle(2000U), ReadyPair(0U), NextNone(0U),
+    Launch(0U), NextFirst(0U), Launch(0U), NextNone(0U),
+    ConfirmFirst(0U, 2100U), NextSecond(0U), ConfirmSecond(0U, 2200U), Launch(0U), NextNone(0U),
+    Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
 };
 
 // B never sends its frame before it has seen the normal frame.
 constexpr Step kInverseWaits[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U), NextNone(0U), Cycle(3000U), NextNone(0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U), NextNone(0U),
+    Cycle(3000U), NextNone(0U),
     Confirm(kNoSlot, 0x102U, 2U, 0xCBEDU, 0U, 3100U), NextNone(0U), ConfirmFirst(0U, 3200U), NextSecond(0U),
 };
 
 constexpr Step kTwoControllers[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U), ConfirmFirst(0U, 2100U),
-    NextInverse(0U, CanPortId::kSecond, 0x102U, 2U, 0xCBEDU), On(ConfirmSecond(0U, 2200U), CanPortId::kSecond), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U),
+    ConfirmFirst(0U, 2100U),
+    NextInverse(0U, CanPortId::kSecond, 0x102U, 2U, 0xCBEDU), On(ConfirmSecond(0U, 2200U), CanPortId::kSecond),
+    Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
 };
 
 // Leaving OPERATIONAL gives everything up, without a fault.
 constexpr Step kLeave[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U), ConfirmFirst(0U, 2100U), NextSecond(0U), ConfirmSecond(0U, 2200U),
-    Request(0U), Cycle(3000U), ReadyPair(0U), Launch(0U), Request(0U), Nmt(NmtState::kPreOperational), Cycle(4000U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U), NextNone(0U),
-    Due(0U), Signals(0U, 0U), Confirm(kNoSlot, 0x101U, 2U, 0x3412U, 0U, 4100U), Prepare(0U, kNotProducing, 0U, 0U), Masks(0U, 0U, 0U, 0U, 0U), Nmt(NmtState::kOperational),
-    Cycle(5000U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), Cycle(8000U), Due(0U), NextNone(0U), Request(0U), Cycle(9000U), Due(1U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U),
+    ConfirmFirst(0U, 2100U), NextSecond(0U), ConfirmSecond(0U, 2200U),
+    Request(0U), Cycle(3000U), ReadyPair(0U), Launch(0U), Request(0U), Nmt(NmtState::kPreOperational), Cycle(4000U),
+    Slot(0U, kOff, kNoCause, 0U, 0U, 0U), NextNone(0U),
+    Due(0U), Signals(0U, 0U), Confirm(kNoSlot, 0x101U, 2U, 0x3412U, 0U, 4100U), Prepare(0U, kNotProducing, 0U, 0U),
+    Masks(0U, 0U, 0U, 0U, 0U), Nmt(NmtState::kOperational),
+    Cycle(5000U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), Cycle(8000U), Due(0U), NextNone(0U), Request(0U),
+    Cycle(9000U), Due(1U),
 };
 
 constexpr Step kLeaveWithInverse[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U), ConfirmFirst(0U, 2100U), Nmt(NmtState::kStopped), Cycle(3000U),
-    NextNone(0U), Confirm(kNoSlot, 0x102U, 2U, 0xCBEDU, 0U, 3100U), Nmt(NmtState::kOperational), Cycle(4000U), NextNone(0U), Launch(0U), NextNone(0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U),
+    ConfirmFirst(0U, 2100U), Nmt(NmtState::kStopped), Cycle(3000U),
+    NextNone(0U), Confirm(kNoSlot, 0x102U, 2U, 0xCBEDU, 0U, 3100U), Nmt(NmtState::kOperational), Cycle(4000U),
+    NextNone(0U), Launch(0U), NextNone(0U),
 };
 
 // After entering again the first transmission waits again.
 constexpr Step kLeaveAndWait[] = {
-    Configure(), Cycle(0U), Cycle(2000U), Nmt(NmtState::kStopped), Cycle(3000U), Nmt(NmtState::kOperational), Cycle(4000U), Request(0U), Cycle(5999U), Due(0U), Cycle(6000U),
+    Configure(), Cycle(0U), Cycle(2000U), Nmt(NmtState::kStopped), Cycle(3000U), Nmt(NmtState::kOperational),
+    Cycle(4000U), Request(0U), Cycle(5999U), Due(0U), Cycle(6000U),
     Due(1U),
 };
 
 constexpr Step kDueGivenUp[] = {
-    Configure(), Cycle(0U), Request(0U), Cycle(2000U), Due(1U), Nmt(NmtState::kStopped), Cycle(3000U), Due(0U), Nmt(NmtState::kOperational), Cycle(4000U), Cycle(9000U), Due(0U),
+    Configure(), Cycle(0U), Request(0U), Cycle(2000U), Due(1U), Nmt(NmtState::kStopped), Cycle(3000U), Due(0U),
+    Nmt(NmtState::kOperational), Cycle(4000U), Cycle(9000U), Due(0U),
 };
 
 // Eight objects a side, and objects of every size: first byte first on the bus.
 constexpr Step kSixteen[] = {
-    Configure(), Put(0x6621U, 1U, 0x00000011U), Put(0x6621U, 2U, 0x00000022U), Put(0x6621U, 3U, 0x00000033U), Put(0x6621U, 4U, 0x00000044U), Put(0x6621U, 5U, 0x00000055U), Put(0x6621U, 6U, 0x00000066U), Put(0x6621U, 7U, 0x00000077U), Put(0x6621U, 8U, 0x00000088U), Put(0x6623U, 1U, 0x000000EEU), Put(0x6623U, 2U, 0x000000DDU), Put(0x6623U, 3U, 0x000000CCU), Put(0x6623U, 4U, 0x000000BBU), Put(0x6623U, 5U, 0x000000AAU), Put(0x6623U, 6U, 0x00000099U), Put(0x6623U, 7U, 0x00000088U), Put(0x6623U, 8U, 0x00000077U),
-    Cycle(0U), Cycle(2000U), Prepare(0U, kReady, 8U, 0x44332211U, 0x88776655U), Launch(0U), NextNormal(0U, CanPortId::kFirst, 0x17FU, 8U, 0x44332211U, 0x88776655U),
-    Confirm(0U, 0x17FU, 8U, 0x44332211U, 0x88776655U, 2100U), NextInverse(0U, CanPortId::kFirst, 0x180U, 8U, 0xBBCCDDEEU, 0x778899AAU),
-    Confirm(0U, 0x180U, 8U, 0xBBCCDDEEU, 0x778899AAU, 2200U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U), Put(0x6623U, 8U, 0x76U),
+    Configure(), Put(0x6621U, 1U, 0x00000011U), Put(0x6621U, 2U, 0x00000022U), Put(0x6621U, 3U, 0x00000033U),
+    Put(0x6621U, 4U, 0x00000044U), Put(0x6621U, 5U, 0x00000055U), Put(0x6621U, 6U, 0x00000066U),
+    Put(0x6621U, 7U, 0x00000077U), Put(0x6621U, 8U, 0x00000088U), Put(0x6623U, 1U, 0x000000EEU),
+    Put(0x6623U, 2U, 0x000000DDU), Put(0x6623U, 3U, 0x000000CCU), Put(0x6623U, 4U, 0x000000BBU),
+    Put(0x6623U, 5U, 0x000000AAU), Put(0x6623U, 6U, 0x00000099U), Put(0x6623U, 7U, 0x00000088U),
+    Put(0x6623U, 8U, 0x00000077U),
+    Cycle(0U), Cycle(2000U), Prepare(0U, kReady, 8U, 0x44332211U, 0x88776655U), Launch(0U),
+    NextNormal(0U, CanPortId::kFirst, 0x17FU, 8U, 0x44332211U, 0x88776655U),
+    Confirm(0U, 0x17FU, 8U, 0x44332211U, 0x88776655U, 2100U),
+    NextInverse(0U, CanPortId::kFirst, 0x180U, 8U, 0xBBCCDDEEU, 0x778899AAU),
+    Confirm(0U, 0x180U, 8U, 0xBBCCDDEEU, 0x778899AAU, 2200U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
+    Put(0x6623U, 8U, 0x76U),
     Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U),
 };
 
 constexpr Step kWords[] = {
-    Configure(), Put(0x6400U, 4U, 0x44332211U), Put(0x6401U, 4U, 0xBBCCDDEEU), Put(0x6400U, 3U, 0x776655U), Put(0x6401U, 3U, 0x8899AAU), Put(0x6400U, 1U, 0x88U),
-    Put(0x6401U, 1U, 0x77U), Cycle(0U), Cycle(2000U), Prepare(0U, kReady, 8U, 0x44332211U, 0x88776655U), Put(0x6401U, 4U, 0x3BCCDDEEU),
-    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Put(0x6401U, 4U, 0xBBCCDDEFU), Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Put(0x6401U, 4U, 0xBBCCDDEEU),
-    Put(0x6401U, 3U, 0x0899AAU), Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Put(0x6401U, 3U, 0x8899AAU), Prepare(0U, kReady, 8U, 0x44332211U, 0x88776655U), Launch(0U),
-    NextNormal(0U, CanPortId::kFirst, 0x101U, 8U, 0x44332211U, 0x88776655U), Confirm(0U, 0x101U, 8U, 0x44332211U, 0x88776655U, 2100U),
+    Configure(), Put(0x6400U, 4U, 0x44332211U), Put(0x6401U, 4U, 0xBBCCDDEEU), Put(0x6400U, 3U, 0x776655U),
+    Put(0x6401U, 3U, 0x8899AAU), Put(0x6400U, 1U, 0x88U),
+    Put(0x6401U, 1U, 0x77U), Cycle(0U), Cycle(2000U), Prepare(0U, kReady, 8U, 0x44332211U, 0x88776655U),
+    Put(0x6401U, 4U, 0x3BCCDDEEU),
+    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Put(0x6401U, 4U, 0xBBCCDDEFU),
+    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Put(0x6401U, 4U, 0xBBCCDDEEU),
+    Put(0x6401U, 3U, 0x0899AAU), Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Put(0x6401U, 3U, 0x8899AAU),
+    Prepare(0U, kReady, 8U, 0x44332211U, 0x88776655U), Launch(0U),
+    NextNormal(0U, CanPortId::kFirst, 0x101U, 8U, 0x44332211U, 0x88776655U),
+    Confirm(0U, 0x101U, 8U, 0x44332211U, 0x88776655U, 2100U),
     NextInverse(0U, CanPortId::kFirst, 0x102U, 8U, 0xBBCCDDEEU, 0x778899AAU),
 };
 
 constexpr Step kLongObject[] = {
-    Configure(), Put(0x6400U, 8U, 0x44332211U, 0x88776655U), Put(0x6401U, 8U, 0xBBCCDDEEU, 0x778899AAU), Cycle(0U), Cycle(2000U),
-    Prepare(0U, kReady, 8U, 0x44332211U, 0x88776655U), Put(0x6401U, 8U, 0xBBCCDDEEU, 0xF78899AAU), Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U),
+    Configure(), Put(0x6400U, 8U, 0x44332211U, 0x88776655U), Put(0x6401U, 8U, 0xBBCCDDEEU, 0x778899AAU), Cycle(0U),
+    Cycle(2000U),
+    Prepare(0U, kReady, 8U, 0x44332211U, 0x88776655U), Put(0x6401U, 8U, 0xBBCCDDEEU, 0xF78899AAU),
+    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U),
 };
 
 constexpr Step kOddObject[] = {
-    Configure(), Put(0x6400U, 7U, 0x44332211U, 0x776655U), Put(0x6401U, 7U, 0xBBCCDDEEU, 0x8899AAU), Cycle(0U), Cycle(2000U), Prepare(0U, kReady, 7U, 0x44332211U, 0x776655U),
-    Launch(0U), NextNormal(0U, CanPortId::kFirst, 0x101U, 7U, 0x44332211U, 0x776655U), Confirm(0U, 0x101U, 7U, 0x44332211U, 0x776655U, 2100U),
-    NextInverse(0U, CanPortId::kFirst, 0x102U, 7U, 0xBBCCDDEEU, 0x8899AAU), Confirm(0U, 0x102U, 8U, 0xBBCCDDEEU, 0x8899AAU, 2200U),
+    Configure(), Put(0x6400U, 7U, 0x44332211U, 0x776655U), Put(0x6401U, 7U, 0xBBCCDDEEU, 0x8899AAU), Cycle(0U),
+    Cycle(2000U), Prepare(0U, kReady, 7U, 0x44332211U, 0x776655U),
+    Launch(0U), NextNormal(0U, CanPortId::kFirst, 0x101U, 7U, 0x44332211U, 0x776655U),
+    Confirm(0U, 0x101U, 7U, 0x44332211U, 0x776655U, 2100U),
+    NextInverse(0U, CanPortId::kFirst, 0x102U, 7U, 0xBBCCDDEEU, 0x8899AAU),
+    Confirm(0U, 0x102U, 8U, 0xBBCCDDEEU, 0x8899AAU, 2200U),
     Slot(0U, kProducing, Cause::kWrongEcho, 0U, 1U, 0U),
 };
 
 constexpr Case kCases[] = {
-    MakeCase("PairIsSent", {req::SRS_PROD_005, req::SRS_PROD_006, req::SRS_PROD_007, req::SRS_CONS_025}, kSender, kSend),
+    MakeCase("PairIsSent", {req::SRS_PROD_005, req::SRS_PROD_006, req::SRS_PROD_007, req::SRS_CONS_025}, kSender,
+             kSend),
     MakeCase("NothingIsDueWithoutARequest", {req::SRS_PROD_003, req::SRS_PROD_010}, kSender, kNoRequest),
     MakeCase("FirstTransmissionOfNode127", {req::SRS_PROD_001, req::SRS_TIME_004}, kProviderLast, kLastNode),
-    MakeCase("FirstTransmissionAfterARoundOfTheCounter", {req::SRS_PROD_001, req::SRS_TIME_001}, kSender, kStartedForGood),
-    MakeCase("RequestBeforeTheFirstTransmissionWaits", {req::SRS_PROD_001, req::SRS_PROD_003}, kSender, kFirstCallDuesAtOnce),
+    MakeCase("FirstTransmissionAfterARoundOfTheCounter", {req::SRS_PROD_001, req::SRS_TIME_001}, kSender,
+             kStartedForGood),
+    MakeCase("RequestBeforeTheFirstTransmissionWaits", {req::SRS_PROD_001, req::SRS_PROD_003}, kSender,
+             kFirstCallDuesAtOnce),
     MakeCase("DueUntilPrepared", {req::SRS_PROD_004, req::SRS_PROD_003}, kSender, kDueUntilPrepared),
     MakeCase("RequestInFlightWaits", {req::SRS_PROD_003, req::SRS_PROD_004}, kSender, kRequestInFlight),
-    MakeCase("RequestWaitsUntilThePairIsGivenUp", {req::SRS_PROD_003, req::SRS_PROD_009}, kSender, kRequestAfterGivingUp),
+    MakeCase("RequestWaitsUntilThePairIsGivenUp", {req::SRS_PROD_003, req::SRS_PROD_009}, kSender,
+             kRequestAfterGivingUp),
     MakeCase("NoProducerWhileOff", {req::SRS_PROD_005, req::SRS_PROD_003, req::SRS_PROD_011}, kSender, kNotActive),
     MakeCase("ConsumerIsNoProducer", {req::SRS_PROD_005, req::SRS_PROD_003, req::SRS_PROD_009}, kMixed, kNotAProducer),
     MakeCase("NoPrepareInFlight", {req::SRS_PROD_005}, kSender, kPrepareInFlight),
-    MakeCase("ObjectsThatAreNotInverse", {req::SRS_PROD_005, req::SRS_PROD_006, req::SRS_PROD_009}, kSender, kNotInverse),
+    MakeCase("ObjectsThatAreNotInverse", {req::SRS_PROD_005, req::SRS_PROD_006, req::SRS_PROD_009}, kSender,
+             kNotInverse),
     MakeCase("EveryObjectIsCheckedForInversion", {req::SRS_PROD_005}, kSender, kEveryObject),
     MakeCase("LastPrepareCounts", {req::SRS_PROD_006}, kSender, kPrepareAgain),
     MakeCase("LaunchNeedsPrepare", {req::SRS_PROD_006}, kSender, kLaunchOnce),
@@ -192,6 +250,7 @@ constexpr Case kCases[] = {
     MakeCase("SevenBytesAreSent", {req::SRS_PROD_005, req::SRS_PROD_006, req::SRS_PROD_007}, kOddSender, kOddObject),
     MakeCase("DueMarkIsGivenUp", {req::SRS_PROD_011, req::SRS_PROD_004}, kSender, kDueGivenUp),
 };
+// clang-format on
 } // namespace
 
 const CaseTable kProducerCases = MakeTable("producer", kCases);

@@ -8,6 +8,7 @@ namespace counterpoint::conformance
 
 namespace
 {
+// clang-format off: a line is a moment, a step stands beside what it must lead to.
 constexpr Step kP1 = Put(0x6210U, 1U, 0x12U);
 constexpr Step kP2 = Put(0x6210U, 2U, 0x34U);
 constexpr Step kI1 = Put(0x6211U, 1U, 0xEDU);
@@ -16,40 +17,49 @@ constexpr std::uint32_t kMissedBit = Bit(Cause::kRefreshMissed);
 
 // Due at 2000 + k * 25000, whatever the jitter of the calls.
 constexpr Step kPhase[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Due(0U), Cycle(1999U), Due(0U), Cycle(2900U), Due(1U), ReadyPair(0U), Launch(0U), NextFirst(0U), ConfirmFirst(0U, 3000U),
-    NextSecond(0U), ConfirmSecond(0U, 3100U), Cycle(3500U), Due(0U), Cycle(26999U), Due(0U), Cycle(27000U), Due(1U), ReadyPair(0U), Launch(0U), ConfirmFirst(0U, 27100U),
-    NextSecond(0U), ConfirmSecond(0U, 27200U), Cycle(51999U), Due(0U), Cycle(53300U), Due(1U), ReadyPair(0U), Launch(0U), ConfirmFirst(0U, 53400U), NextSecond(0U),
-    ConfirmSecond(0U, 53500U), Cycle(76999U), Due(0U), Cycle(77000U), Due(1U), Slot(0U, kProducing, kNoCause, 3U, 0U, 0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Due(0U), Cycle(1999U), Due(0U), Cycle(2900U), Due(1U), ReadyPair(0U),
+    Launch(0U), NextFirst(0U), ConfirmFirst(0U, 3000U),
+    NextSecond(0U), ConfirmSecond(0U, 3100U), Cycle(3500U), Due(0U), Cycle(26999U), Due(0U), Cycle(27000U), Due(1U),
+    ReadyPair(0U), Launch(0U), ConfirmFirst(0U, 27100U),
+    NextSecond(0U), ConfirmSecond(0U, 27200U), Cycle(51999U), Due(0U), Cycle(53300U), Due(1U), ReadyPair(0U),
+    Launch(0U), ConfirmFirst(0U, 53400U), NextSecond(0U),
+    ConfirmSecond(0U, 53500U), Cycle(76999U), Due(0U), Cycle(77000U), Due(1U),
+    Slot(0U, kProducing, kNoCause, 3U, 0U, 0U),
 };
 
 // A request between two refreshes is sent and leaves the phase alone.
 constexpr Step kRequestKeepsPhase[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Request(0U), Cycle(10000U), Due(1U), ReadyPair(0U), Cycle(11000U), Due(0U), Cycle(26999U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Request(0U), Cycle(10000U),
+    Due(1U), ReadyPair(0U), Cycle(11000U), Due(0U), Cycle(26999U),
     Due(0U), Cycle(27000U), Due(1U), ReadyPair(0U), Cycle(51999U), Due(0U), Cycle(52000U), Due(1U),
 };
 
 // Prepare uses up both the request and the refresh that fell due.
 constexpr Step kBothUsedUp[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Request(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Cycle(3000U), Due(0U), Cycle(26000U), Due(0U), Cycle(27000U), Due(1U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Request(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Cycle(3000U),
+    Due(0U), Cycle(26000U), Due(0U), Cycle(27000U), Due(1U),
     Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
 };
 
 // A request whose mark is still there when the refresh falls due is no missed refresh.
 constexpr Step kRequestThenRefresh[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Request(0U), Cycle(26000U), Due(1U), Cycle(27000U), Due(1U), Signals(0U, 0U), ReadyPair(0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Request(0U), Cycle(26000U),
+    Due(1U), Cycle(27000U), Due(1U), Signals(0U, 0U), ReadyPair(0U),
     Cycle(28000U), Due(0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
 };
 
 // t     2000        3000           27999   28000           53000
 //       due, held   due, prepared          due (25000 after 3000)
 constexpr Step kHeld[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Hold(0U), Hold(0U), Cycle(3000U), Due(1U), ReadyPair(0U), Cycle(27999U), Due(0U), Cycle(28000U), Due(1U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Hold(0U), Hold(0U), Cycle(3000U), Due(1U),
+    ReadyPair(0U), Cycle(27999U), Due(0U), Cycle(28000U), Due(1U),
     ReadyPair(0U), Cycle(52999U), Due(0U), Cycle(53000U), Due(1U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
 };
 
 // The time until the next OnCycle counts, not the one before it; and the hold is over with it.
 constexpr Step kHeldOnce[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Hold(0U), Cycle(2300U), Cycle(3300U), ReadyPair(0U), Cycle(27299U), Due(0U), Cycle(27300U), Due(1U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Hold(0U), Cycle(2300U), Cycle(3300U),
+    ReadyPair(0U), Cycle(27299U), Due(0U), Cycle(27300U), Due(1U),
 };
 
 // Before the first possible transmission there is nothing to hold.
@@ -59,16 +69,20 @@ constexpr Step kHeldTooEarly[] = {
 
 // A hold before SRDOs became active again is none.
 constexpr Step kHoldForgotten[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Hold(0U), Nmt(NmtState::kPreOperational), Cycle(3000U), Due(0U), Nmt(NmtState::kOperational),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Hold(0U), Nmt(NmtState::kPreOperational),
+    Cycle(3000U), Due(0U), Nmt(NmtState::kOperational),
     Cycle(4000U), Cycle(5999U), Due(0U), Cycle(6000U), Due(1U),
 };
 
 // t     2000         26999   27000                 52000
 //       due, unused          missed; still due     missed
 constexpr Step kNotPrepared[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Cycle(26999U), Due(1U), Signals(0U, 0U), Cycle(27000U), Due(1U), Signals(0U, kMissedBit),
-    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Cycle(27001U), Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Cycle(52000U),
-    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 2U, 0U), ReadyPair(0U), Cycle(76999U), Due(0U), Cycle(77000U), Due(1U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Cycle(26999U), Due(1U), Signals(0U, 0U),
+    Cycle(27000U), Due(1U), Signals(0U, kMissedBit),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Cycle(27001U),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Cycle(52000U),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 2U, 0U), ReadyPair(0U), Cycle(76999U), Due(0U), Cycle(77000U),
+    Due(1U),
     Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 2U, 0U),
 };
 
@@ -76,30 +90,38 @@ constexpr Step kNotPrepared[] = {
 // t     2000  20000              27000     28000        52000
 //       due   prepared, launched missed    confirmed    due
 constexpr Step kInFlight[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Cycle(20000U), Due(1U), ReadyPair(0U), Launch(0U), NextFirst(0U), Cycle(27000U), Due(0U),
-    Signals(0U, kMissedBit), ConfirmFirst(0U, 27100U), NextSecond(0U), ConfirmSecond(0U, 27200U), Cycle(28000U), Due(0U), Slot(0U, kProducing, Cause::kRefreshMissed, 1U, 1U, 0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Cycle(20000U), Due(1U), ReadyPair(0U),
+    Launch(0U), NextFirst(0U), Cycle(27000U), Due(0U),
+    Signals(0U, kMissedBit), ConfirmFirst(0U, 27100U), NextSecond(0U), ConfirmSecond(0U, 27200U), Cycle(28000U),
+    Due(0U), Slot(0U, kProducing, Cause::kRefreshMissed, 1U, 1U, 0U),
     Cycle(51999U), Due(0U), Cycle(52000U), Due(1U),
 };
 
 // No confirmation is examined before the refresh: the pair is given up, so the refresh of the same call takes place.
 constexpr Step kGivenUpFirst[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Launch(0U), NextFirst(0U), Cycle(27000U), Due(1U), Signals(0U, Bit(Cause::kNoConfirmation)),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Launch(0U), NextFirst(0U),
+    Cycle(27000U), Due(1U), Signals(0U, Bit(Cause::kNoConfirmation)),
     Slot(0U, kProducing, Cause::kNoConfirmation, 0U, 1U, 0U),
 };
 
 // A call late by more than one refresh: one refresh a call is examined, the phase stays.
 constexpr Step kLateCalls[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Cycle(80000U), Due(1U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), Cycle(80001U), Due(1U),
-    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Cycle(80002U), Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 2U, 0U), Cycle(80003U),
-    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 2U, 0U), ReadyPair(0U), Cycle(101999U), Due(0U), Cycle(102000U), Due(1U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Cycle(80000U), Due(1U),
+    Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), Cycle(80001U), Due(1U),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Cycle(80002U),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 2U, 0U), Cycle(80003U),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 2U, 0U), ReadyPair(0U), Cycle(101999U), Due(0U), Cycle(102000U),
+    Due(1U),
     Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 2U, 0U),
 };
 
 // The application: 25000 + cycle 1000 + tolerance 500 after the first possible transmission at 2000.
 // t     2000   28500 (on)   28501    55001 (on, from 28501)   55002
 constexpr Step kSilent[] = {
-    Configure(), Cycle(0U), Cycle(2000U), Cycle(28500U), Signals(0U, 0U), Cycle(28501U), Signals(0U, kMissedBit), Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Due(0U),
-    Cycle(28502U), Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Cycle(55001U), Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Cycle(55002U),
+    Configure(), Cycle(0U), Cycle(2000U), Cycle(28500U), Signals(0U, 0U), Cycle(28501U), Signals(0U, kMissedBit),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Due(0U),
+    Cycle(28502U), Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Cycle(55001U),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Cycle(55002U),
     Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 2U, 0U),
 };
 
@@ -114,30 +136,36 @@ constexpr Step kSilentAtFirstCall[] = {
 
 // From the last Launch on: its cycle was at 10000.
 constexpr Step kSilentAfterLaunch[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(10000U), ReadyPair(0U), Launch(0U), NextFirst(0U), ConfirmFirst(0U, 10100U), NextSecond(0U), ConfirmSecond(0U, 10200U),
-    Cycle(36500U), Signals(0U, 0U), Cycle(36501U), Signals(0U, kMissedBit), Slot(0U, kProducing, Cause::kRefreshMissed, 1U, 1U, 0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(10000U), ReadyPair(0U), Launch(0U), NextFirst(0U),
+    ConfirmFirst(0U, 10100U), NextSecond(0U), ConfirmSecond(0U, 10200U),
+    Cycle(36500U), Signals(0U, 0U), Cycle(36501U), Signals(0U, kMissedBit),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 1U, 1U, 0U),
 };
 
 // Sent before the first transmission is possible: silence counts from that instant, which is the later one.
 constexpr Step kLaunchedEarly[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(1000U), ReadyPair(0U), Launch(0U), NextFirst(0U), ConfirmFirst(0U, 1100U), NextSecond(0U), ConfirmSecond(0U, 1200U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(1000U), ReadyPair(0U), Launch(0U), NextFirst(0U),
+    ConfirmFirst(0U, 1100U), NextSecond(0U), ConfirmSecond(0U, 1200U),
     Cycle(2000U), Cycle(28500U), Signals(0U, 0U), Cycle(28501U), Signals(0U, kMissedBit),
 };
 
 // A request that waits is no silence, even if nobody prepares it.
 constexpr Step kRequestWaits[] = {
-    Configure(), Cycle(0U), Cycle(2000U), Request(0U), Cycle(28501U), Due(1U), Signals(0U, 0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
+    Configure(), Cycle(0U), Cycle(2000U), Request(0U), Cycle(28501U), Due(1U), Signals(0U, 0U),
+    Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
 };
 
-// However long the request waits, a whole round of the counter included: when it is used up without a Launch, there was silence.
+// However long the request waits, a whole round of the counter included: used up without a Launch, there was silence.
 constexpr Step kRequestWaitsARound[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Request(0U), Cycle(0x40000000U), Cycle(0x80000000U), Cycle(0xC0000000U), Cycle(3000U), Signals(0U, 0U), ReadyPair(0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Request(0U), Cycle(0x40000000U), Cycle(0x80000000U),
+    Cycle(0xC0000000U), Cycle(3000U), Signals(0U, 0U), ReadyPair(0U),
     Cycle(3001U), Signals(0U, kMissedBit), Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U),
 };
 
 // Both forms at once: the provider is called, the application also asks.
 constexpr Step kOtherForm[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Cycle(26999U), Signals(0U, 0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), Cycle(27000U), ReadyPair(0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Cycle(26999U), Signals(0U, 0U),
+    Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), Cycle(27000U), ReadyPair(0U),
     Cycle(51999U), Signals(0U, 0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
 };
 
@@ -145,42 +173,50 @@ constexpr Step kOtherForm[] = {
 // t     2000        20000  20600         26000  26400         28000 = 27000 + 600 + 400     53000
 //       due, used   hold   moved by 600  hold   moved by 400  due                           due
 constexpr Step kHeldInTwoCycles[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Cycle(20000U), Hold(0U), Cycle(20600U), Cycle(26000U), Hold(0U), Cycle(26400U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Cycle(20000U), Hold(0U),
+    Cycle(20600U), Cycle(26000U), Hold(0U), Cycle(26400U),
     Cycle(27999U), Due(0U), Cycle(28000U), Due(1U), ReadyPair(0U), Cycle(52999U), Due(0U), Cycle(53000U), Due(1U),
 };
 
 // More than once between two calls is once.
 constexpr Step kHeldTwice[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Cycle(20000U), Hold(0U), Hold(0U), Hold(0U), Cycle(20600U), Cycle(27599U), Due(0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Cycle(20000U), Hold(0U), Hold(0U),
+    Hold(0U), Cycle(20600U), Cycle(27599U), Due(0U),
     Cycle(27600U), Due(1U),
 };
 
 // Held in the call in which it would have fallen due: by the microsecond of that call.
 constexpr Step kHeldAtTheLast[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Cycle(26999U), Hold(0U), Cycle(27000U), Due(0U), Cycle(27001U), Due(1U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Cycle(26999U), Hold(0U),
+    Cycle(27000U), Due(0U), Cycle(27001U), Due(1U),
 };
 
 // The initial delay is not held, nor is what comes before OPERATIONAL.
 constexpr Step kHeldAllAlong[] = {
-    Configure(), kP1, kP2, kI1, kI2, Hold(0U), Nmt(NmtState::kPreOperational), Cycle(0U), Hold(0U), Nmt(NmtState::kOperational), Cycle(1000U), Hold(0U), Cycle(2500U), Hold(0U), Cycle(2999U), Due(0U),
+    Configure(), kP1, kP2, kI1, kI2, Hold(0U), Nmt(NmtState::kPreOperational), Cycle(0U), Hold(0U),
+    Nmt(NmtState::kOperational), Cycle(1000U), Hold(0U), Cycle(2500U), Hold(0U), Cycle(2999U), Due(0U),
     Hold(0U), Cycle(3000U), Due(1U), ReadyPair(0U), Cycle(27999U), Due(0U), Cycle(28000U), Due(1U),
 };
 
 // A Hold before leaving OPERATIONAL is none for what comes after it.
 constexpr Step kHeldAndLeft[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Hold(0U), Nmt(NmtState::kStopped), Cycle(3000U), Hold(0U), Nmt(NmtState::kOperational), Cycle(4000U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Hold(0U), Nmt(NmtState::kStopped),
+    Cycle(3000U), Hold(0U), Nmt(NmtState::kOperational), Cycle(4000U),
     Cycle(5999U), Due(0U), Cycle(6000U), Due(1U), ReadyPair(0U), Cycle(30999U), Due(0U), Cycle(31000U), Due(1U),
 };
 
 // Another form has no phase: silence is found at the same moment.
 constexpr Step kHeldSender[] = {
-    Configure(), Cycle(0U), Cycle(2000U), Hold(0U), Cycle(10000U), Hold(0U), Cycle(28500U), Signals(0U, 0U), Cycle(28501U), Signals(0U, kMissedBit),
+    Configure(), Cycle(0U), Cycle(2000U), Hold(0U), Cycle(10000U), Hold(0U), Cycle(28500U), Signals(0U, 0U),
+    Cycle(28501U), Signals(0U, kMissedBit),
 };
 
 // Of a consumer and of one that is off, Hold is nothing.
 constexpr Step kHeldOthers[] = {
-    Configure(), Cycle(0U), Normal(1000U), Hold(0U), Hold(2U), Inverse(2000U), Cycle(3000U), Hold(0U), Slot(0U, kReleased, kNoCause, 1U, 0U, 1U), Cycle(51000U),
-    Masks(1U, 0U, 0U, 0U, 0U), Cycle(51001U), Slot(0U, kFaulted, Cause::kSct, 0U, 1U, 0U), Slot(2U, kOff, kNoCause, 0U, 0U, 0U),
+    Configure(), Cycle(0U), Normal(1000U), Hold(0U), Hold(2U), Inverse(2000U), Cycle(3000U), Hold(0U),
+    Slot(0U, kReleased, kNoCause, 1U, 0U, 1U), Cycle(51000U),
+    Masks(1U, 0U, 0U, 0U, 0U), Cycle(51001U), Slot(0U, kFaulted, Cause::kSct, 0U, 1U, 0U),
+    Slot(2U, kOff, kNoCause, 0U, 0U, 0U),
 };
 
 constexpr Case kCases[] = {
@@ -200,10 +236,12 @@ constexpr Case kCases[] = {
     MakeCase("SilenceCountsFromTheInstant", {req::SRS_PROD_010}, kSender, kSilentFromTheInstant),
     MakeCase("SilenceFoundByTheFirstCall", {req::SRS_PROD_010, req::SRS_PROD_001}, kSender, kSilentAtFirstCall),
     MakeCase("SilenceAfterLaunch", {req::SRS_PROD_010, req::SRS_PROD_007}, kSender, kSilentAfterLaunch),
-    MakeCase("RequestThatWaitsARoundOfTheCounter", {req::SRS_PROD_010, req::SRS_TIME_001}, kSender, kRequestWaitsARound),
+    MakeCase("RequestThatWaitsARoundOfTheCounter", {req::SRS_PROD_010, req::SRS_TIME_001}, kSender,
+             kRequestWaitsARound),
     MakeCase("SilenceAfterAnEarlyLaunch", {req::SRS_PROD_010, req::SRS_PROD_001}, kSender, kLaunchedEarly),
     MakeCase("RequestThatWaitsIsNoSilence", {req::SRS_PROD_010, req::SRS_PROD_003}, kSender, kRequestWaits),
-    MakeCase("HeldRefreshMoves", {req::SRS_PROD_012, req::SRS_PROD_002, req::SRS_TIME_001}, kProvider, kHeldInTwoCycles),
+    MakeCase("HeldRefreshMoves", {req::SRS_PROD_012, req::SRS_PROD_002, req::SRS_TIME_001}, kProvider,
+             kHeldInTwoCycles),
     MakeCase("HeldMoreThanOnce", {req::SRS_PROD_012}, kProvider, kHeldTwice),
     MakeCase("HeldInTheCallInWhichItIsDue", {req::SRS_PROD_012}, kProvider, kHeldAtTheLast),
     MakeCase("HeldBeforeTheFirstTransmission", {req::SRS_PROD_012, req::SRS_PROD_001}, kProvider, kHeldAllAlong),
@@ -212,6 +250,7 @@ constexpr Case kCases[] = {
     MakeCase("HeldConsumerIsNone", {req::SRS_PROD_012}, kMixed, kHeldOthers),
     MakeCase("ProviderIsNeverSilent", {req::SRS_PROD_010, req::SRS_PROD_002}, kProvider, kOtherForm),
 };
+// clang-format on
 } // namespace
 
 const CaseTable kRefreshCases = MakeTable("refresh", kCases);

@@ -8,6 +8,7 @@ namespace counterpoint::conformance
 
 namespace
 {
+// clang-format off: a line is a moment, a step stands beside what it must lead to.
 constexpr SrdoMask kAll = 0xFFFFFFFFFFFFFFFFU;
 
 constexpr Step Pair(std::uint32_t slot, std::uint32_t stamp)
@@ -62,39 +63,53 @@ constexpr FullSteps kFull = MakeFull();
 // t     0      1000..1003      2000            51000   51001      51002
 //       enter  pairs 0 and 63  both released   cycle   0: SCT     63 holds: its frame came 2 us later
 constexpr Step kFirstAndLast[] = {
-    Configure(), Cycle(0U), Pair(0U, 1000U), Complement(0U, 1001U), Pair(63U, 1002U), Complement(63U, 1003U), Cycle(2000U), Mask(MaskName::kReleased, 0x8000000000000001U),
-    Mask(MaskName::kFresh, 0x8000000000000001U), Mask(MaskName::kWaiting, 0x7FFFFFFFFFFFFFFEU), OrdinalSum(2U), Data(63U, 0x1122333FU, 0xA5A5A53FU), Cycle(51000U),
-    Mask(MaskName::kReleased, 0x8000000000000001U), Cycle(51002U), Mask(MaskName::kReleased, 0x8000000000000000U), Mask(MaskName::kFaulted, 1U),
-    Mask(MaskName::kNewFault, 1U), Cycle(51003U), Mask(MaskName::kNewFault, 0x8000000000000000U), Mask(MaskName::kFaulted, 0x8000000000000001U),
+    Configure(), Cycle(0U), Pair(0U, 1000U), Complement(0U, 1001U), Pair(63U, 1002U), Complement(63U, 1003U),
+    Cycle(2000U), Mask(MaskName::kReleased, 0x8000000000000001U),
+    Mask(MaskName::kFresh, 0x8000000000000001U), Mask(MaskName::kWaiting, 0x7FFFFFFFFFFFFFFEU), OrdinalSum(2U),
+    Data(63U, 0x1122333FU, 0xA5A5A53FU), Cycle(51000U),
+    Mask(MaskName::kReleased, 0x8000000000000001U), Cycle(51002U), Mask(MaskName::kReleased, 0x8000000000000000U),
+    Mask(MaskName::kFaulted, 1U),
+    Mask(MaskName::kNewFault, 1U), Cycle(51003U), Mask(MaskName::kNewFault, 0x8000000000000000U),
+    Mask(MaskName::kFaulted, 0x8000000000000001U),
 };
 
 // Late by more than cycle and tolerance: every one of the 64.
 constexpr Step kEveryFault[] = {
-    Configure(), Cycle(0U), Queue(QueueState::kOverflowed), Cycle(1000U), Mask(MaskName::kFaulted, kAll), Mask(MaskName::kNewFault, kAll), Mask(MaskName::kSignalled, kAll),
-    Slot(31U, kFaulted, Cause::kQueueOverflow, 0U, 1U, 0U), Slot(32U, kFaulted, Cause::kQueueOverflow, 0U, 1U, 0U), Nmt(NmtState::kStopped), Cycle(2000U),
+    Configure(), Cycle(0U), Queue(QueueState::kOverflowed), Cycle(1000U), Mask(MaskName::kFaulted, kAll),
+    Mask(MaskName::kNewFault, kAll), Mask(MaskName::kSignalled, kAll),
+    Slot(31U, kFaulted, Cause::kQueueOverflow, 0U, 1U, 0U), Slot(32U, kFaulted, Cause::kQueueOverflow, 0U, 1U, 0U),
+    Nmt(NmtState::kStopped), Cycle(2000U),
     Mask(MaskName::kNewFault, kAll), Mask(MaskName::kFaulted, 0U), Counts(0U, 0U, 0U, 1U),
 };
 
 constexpr Step kInUseAtTheEnds[] = {
-    StoreAll(), Store(63U, ConfigField::kCobId1, 0x101U), Store(63U, ConfigField::kCobId2, 0x102U), Validate(0U, ConfigFault::kIdentifierInUse, 0x766CU),
-    Store(63U, ConfigField::kDirection, 0U), Validate(0U, ConfigFault::kNone, 0x766CU), Validate(62U, ConfigFault::kNone, 0x2746U),
+    StoreAll(), Store(63U, ConfigField::kCobId1, 0x101U), Store(63U, ConfigField::kCobId2, 0x102U),
+    Validate(0U, ConfigFault::kIdentifierInUse, 0x766CU),
+    Store(63U, ConfigField::kDirection, 0U), Validate(0U, ConfigFault::kNone, 0x766CU),
+    Validate(62U, ConfigFault::kNone, 0x2746U),
 };
 
 // Numbers 2, 17, 33, 64: slots 0 to 3. Slots 1 and 3 are off.
 constexpr Step kNumbersWithGaps[] = {
-    Configure(), Cycle(0U), Counts(2U, 0U, 2U, 0U), Masks(0U, 0U, 5U, 0U, 0U), Slot(1U, kOff, kNoCause, 0U, 0U, 0U), Slot(3U, kOff, kNoCause, 0U, 0U, 0U),
-    Frame(0x101U, 2U, 0U, 0U, 500U), Normal(1000U), Inverse(1001U), Frame(0x103U, 4U, 0xDDCCBBAAU, 0U, 1002U), Frame(0x104U, 4U, 0x22334455U, 0U, 1003U), Cycle(2000U),
-    Masks(5U, 0U, 0U, 0U, 5U), Data(2U, 0xDDCCBBAAU), Commit(0xFU, 0xFU), NormalObject(0x6010U, 1U, 0x12U), NormalObject(0x6200U, 1U, 0xDDCCBBAAU),
+    Configure(), Cycle(0U), Counts(2U, 0U, 2U, 0U), Masks(0U, 0U, 5U, 0U, 0U), Slot(1U, kOff, kNoCause, 0U, 0U, 0U),
+    Slot(3U, kOff, kNoCause, 0U, 0U, 0U),
+    Frame(0x101U, 2U, 0U, 0U, 500U), Normal(1000U), Inverse(1001U), Frame(0x103U, 4U, 0xDDCCBBAAU, 0U, 1002U),
+    Frame(0x104U, 4U, 0x22334455U, 0U, 1003U), Cycle(2000U),
+    Masks(5U, 0U, 0U, 0U, 5U), Data(2U, 0xDDCCBBAAU), Commit(0xFU, 0xFU), NormalObject(0x6010U, 1U, 0x12U),
+    NormalObject(0x6200U, 1U, 0xDDCCBBAAU),
     InverseObject(0x6201U, 1U, 0x22334455U), Answer(0x00000001U, 5U, 0xB54CDA26U, 0x2386BECAU),
 };
 
 constexpr Case kCases[] = {
-    MakeCase("SixtyFourPairsAtOnce", {req::SRS_CONS_001, req::SRS_CONS_023, req::SRS_REL_002, req::SRS_REL_010}, kSixtyFour, kFull.steps),
+    MakeCase("SixtyFourPairsAtOnce", {req::SRS_CONS_001, req::SRS_CONS_023, req::SRS_REL_002, req::SRS_REL_010},
+             kSixtyFour, kFull.steps),
     MakeCase("FirstAndLastOfSixtyFour", {req::SRS_CONS_014, req::SRS_CONS_023}, kSixtyFour, kFirstAndLast),
-    MakeCase("EveryOneOfSixtyFourFaults", {req::SRS_CONS_016, req::SRS_CONS_019, req::SRS_CONS_023}, kSixtyFour, kEveryFault),
+    MakeCase("EveryOneOfSixtyFourFaults", {req::SRS_CONS_016, req::SRS_CONS_019, req::SRS_CONS_023}, kSixtyFour,
+             kEveryFault),
     MakeCase("IdentifierInUseOfSixtyFour", {req::SRS_CFG_024}, kSixtyFour, kInUseAtTheEnds),
     MakeCase("NumbersWithGaps", {req::SRS_CONS_023, req::SRS_REL_002, req::SRS_CFG_002}, kGaps, kNumbersWithGaps),
 };
+// clang-format on
 } // namespace
 
 const CaseTable kSizeCases = MakeTable("size", kCases);

@@ -9,157 +9,230 @@ namespace counterpoint::conformance
 
 namespace
 {
+// clang-format off: a line is a moment, a step stands beside what it must lead to.
 constexpr ConfigFault kSound = ConfigFault::kNone;
 
 constexpr Step kDefaults1[] = {
-    Load(0U, ConfigField::kDirection, 0U), Load(0U, ConfigField::kSct, 25U), Load(0U, ConfigField::kSrvt, 20U), Load(0U, ConfigField::kTransmissionType, 254U),
-    Load(0U, ConfigField::kCobId1, 0x101U), Load(0U, ConfigField::kCobId2, 0x102U), Load(0U, ConfigField::kMapCount, 0U), Load(0U, ConfigField::kSignature, 0U),
-    Load(1U, ConfigField::kDirection, 0U), Load(1U, ConfigField::kSct, 25U), Load(1U, ConfigField::kSrvt, 20U), Load(1U, ConfigField::kTransmissionType, 254U),
-    Load(1U, ConfigField::kCobId1, 0x0U), Load(1U, ConfigField::kCobId2, 0x0U), Load(1U, ConfigField::kMapCount, 0U), Load(1U, ConfigField::kSignature, 0U),
-    Load(0U, ConfigField::kMapEntry, 0U, 1U), Load(0U, ConfigField::kMapEntry, 0U, 16U), Load(0U, ConfigField::kGfcParameter, 0U),
-    Load(0U, ConfigField::kConfigurationValid, 0U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Slot(1U, kOff, kNoCause, 0U, 0U, 0U),
+    Load(0U, ConfigField::kDirection, 0U), Load(0U, ConfigField::kSct, 25U), Load(0U, ConfigField::kSrvt, 20U),
+    Load(0U, ConfigField::kTransmissionType, 254U),
+    Load(0U, ConfigField::kCobId1, 0x101U), Load(0U, ConfigField::kCobId2, 0x102U),
+    Load(0U, ConfigField::kMapCount, 0U), Load(0U, ConfigField::kSignature, 0U),
+    Load(1U, ConfigField::kDirection, 0U), Load(1U, ConfigField::kSct, 25U), Load(1U, ConfigField::kSrvt, 20U),
+    Load(1U, ConfigField::kTransmissionType, 254U),
+    Load(1U, ConfigField::kCobId1, 0x0U), Load(1U, ConfigField::kCobId2, 0x0U), Load(1U, ConfigField::kMapCount, 0U),
+    Load(1U, ConfigField::kSignature, 0U),
+    Load(0U, ConfigField::kMapEntry, 0U, 1U), Load(0U, ConfigField::kMapEntry, 0U, 16U),
+    Load(0U, ConfigField::kGfcParameter, 0U),
+    Load(0U, ConfigField::kConfigurationValid, 0U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U),
+    Slot(1U, kOff, kNoCause, 0U, 0U, 0U),
 };
 
 constexpr Step kDefaults32[] = {
-    Load(0U, ConfigField::kDirection, 0U), Load(0U, ConfigField::kSct, 25U), Load(0U, ConfigField::kSrvt, 20U), Load(0U, ConfigField::kTransmissionType, 254U),
-    Load(0U, ConfigField::kCobId1, 0x13FU), Load(0U, ConfigField::kCobId2, 0x140U), Load(0U, ConfigField::kMapCount, 0U), Load(0U, ConfigField::kSignature, 0U),
-    Load(1U, ConfigField::kDirection, 0U), Load(1U, ConfigField::kSct, 25U), Load(1U, ConfigField::kSrvt, 20U), Load(1U, ConfigField::kTransmissionType, 254U),
-    Load(1U, ConfigField::kCobId1, 0x0U), Load(1U, ConfigField::kCobId2, 0x0U), Load(1U, ConfigField::kMapCount, 0U), Load(1U, ConfigField::kSignature, 0U),
-    Load(0U, ConfigField::kMapEntry, 0U, 1U), Load(0U, ConfigField::kMapEntry, 0U, 16U), Load(0U, ConfigField::kGfcParameter, 0U),
-    Load(0U, ConfigField::kConfigurationValid, 0U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Slot(1U, kOff, kNoCause, 0U, 0U, 0U),
+    Load(0U, ConfigField::kDirection, 0U), Load(0U, ConfigField::kSct, 25U), Load(0U, ConfigField::kSrvt, 20U),
+    Load(0U, ConfigField::kTransmissionType, 254U),
+    Load(0U, ConfigField::kCobId1, 0x13FU), Load(0U, ConfigField::kCobId2, 0x140U),
+    Load(0U, ConfigField::kMapCount, 0U), Load(0U, ConfigField::kSignature, 0U),
+    Load(1U, ConfigField::kDirection, 0U), Load(1U, ConfigField::kSct, 25U), Load(1U, ConfigField::kSrvt, 20U),
+    Load(1U, ConfigField::kTransmissionType, 254U),
+    Load(1U, ConfigField::kCobId1, 0x0U), Load(1U, ConfigField::kCobId2, 0x0U), Load(1U, ConfigField::kMapCount, 0U),
+    Load(1U, ConfigField::kSignature, 0U),
+    Load(0U, ConfigField::kMapEntry, 0U, 1U), Load(0U, ConfigField::kMapEntry, 0U, 16U),
+    Load(0U, ConfigField::kGfcParameter, 0U),
+    Load(0U, ConfigField::kConfigurationValid, 0U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U),
+    Slot(1U, kOff, kNoCause, 0U, 0U, 0U),
 };
 
 constexpr Step kDefaults33[] = {
-    Load(0U, ConfigField::kDirection, 0U), Load(0U, ConfigField::kSct, 50U), Load(0U, ConfigField::kSrvt, 20U), Load(0U, ConfigField::kTransmissionType, 254U),
-    Load(0U, ConfigField::kCobId1, 0x141U), Load(0U, ConfigField::kCobId2, 0x142U), Load(0U, ConfigField::kMapCount, 0U), Load(0U, ConfigField::kSignature, 0U),
-    Load(1U, ConfigField::kDirection, 0U), Load(1U, ConfigField::kSct, 25U), Load(1U, ConfigField::kSrvt, 20U), Load(1U, ConfigField::kTransmissionType, 254U),
-    Load(1U, ConfigField::kCobId1, 0x0U), Load(1U, ConfigField::kCobId2, 0x0U), Load(1U, ConfigField::kMapCount, 0U), Load(1U, ConfigField::kSignature, 0U),
-    Load(0U, ConfigField::kMapEntry, 0U, 1U), Load(0U, ConfigField::kMapEntry, 0U, 16U), Load(0U, ConfigField::kGfcParameter, 0U),
-    Load(0U, ConfigField::kConfigurationValid, 0U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Slot(1U, kOff, kNoCause, 0U, 0U, 0U),
+    Load(0U, ConfigField::kDirection, 0U), Load(0U, ConfigField::kSct, 50U), Load(0U, ConfigField::kSrvt, 20U),
+    Load(0U, ConfigField::kTransmissionType, 254U),
+    Load(0U, ConfigField::kCobId1, 0x141U), Load(0U, ConfigField::kCobId2, 0x142U),
+    Load(0U, ConfigField::kMapCount, 0U), Load(0U, ConfigField::kSignature, 0U),
+    Load(1U, ConfigField::kDirection, 0U), Load(1U, ConfigField::kSct, 25U), Load(1U, ConfigField::kSrvt, 20U),
+    Load(1U, ConfigField::kTransmissionType, 254U),
+    Load(1U, ConfigField::kCobId1, 0x0U), Load(1U, ConfigField::kCobId2, 0x0U), Load(1U, ConfigField::kMapCount, 0U),
+    Load(1U, ConfigField::kSignature, 0U),
+    Load(0U, ConfigField::kMapEntry, 0U, 1U), Load(0U, ConfigField::kMapEntry, 0U, 16U),
+    Load(0U, ConfigField::kGfcParameter, 0U),
+    Load(0U, ConfigField::kConfigurationValid, 0U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U),
+    Slot(1U, kOff, kNoCause, 0U, 0U, 0U),
 };
 
 constexpr Step kDefaults64[] = {
-    Load(0U, ConfigField::kDirection, 0U), Load(0U, ConfigField::kSct, 50U), Load(0U, ConfigField::kSrvt, 20U), Load(0U, ConfigField::kTransmissionType, 254U),
-    Load(0U, ConfigField::kCobId1, 0x17FU), Load(0U, ConfigField::kCobId2, 0x180U), Load(0U, ConfigField::kMapCount, 0U), Load(0U, ConfigField::kSignature, 0U),
-    Load(1U, ConfigField::kDirection, 0U), Load(1U, ConfigField::kSct, 25U), Load(1U, ConfigField::kSrvt, 20U), Load(1U, ConfigField::kTransmissionType, 254U),
-    Load(1U, ConfigField::kCobId1, 0x0U), Load(1U, ConfigField::kCobId2, 0x0U), Load(1U, ConfigField::kMapCount, 0U), Load(1U, ConfigField::kSignature, 0U),
-    Load(0U, ConfigField::kMapEntry, 0U, 1U), Load(0U, ConfigField::kMapEntry, 0U, 16U), Load(0U, ConfigField::kGfcParameter, 0U),
-    Load(0U, ConfigField::kConfigurationValid, 0U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Slot(1U, kOff, kNoCause, 0U, 0U, 0U),
+    Load(0U, ConfigField::kDirection, 0U), Load(0U, ConfigField::kSct, 50U), Load(0U, ConfigField::kSrvt, 20U),
+    Load(0U, ConfigField::kTransmissionType, 254U),
+    Load(0U, ConfigField::kCobId1, 0x17FU), Load(0U, ConfigField::kCobId2, 0x180U),
+    Load(0U, ConfigField::kMapCount, 0U), Load(0U, ConfigField::kSignature, 0U),
+    Load(1U, ConfigField::kDirection, 0U), Load(1U, ConfigField::kSct, 25U), Load(1U, ConfigField::kSrvt, 20U),
+    Load(1U, ConfigField::kTransmissionType, 254U),
+    Load(1U, ConfigField::kCobId1, 0x0U), Load(1U, ConfigField::kCobId2, 0x0U), Load(1U, ConfigField::kMapCount, 0U),
+    Load(1U, ConfigField::kSignature, 0U),
+    Load(0U, ConfigField::kMapEntry, 0U, 1U), Load(0U, ConfigField::kMapEntry, 0U, 16U),
+    Load(0U, ConfigField::kGfcParameter, 0U),
+    Load(0U, ConfigField::kConfigurationValid, 0U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U),
+    Slot(1U, kOff, kNoCause, 0U, 0U, 0U),
 };
 
 constexpr Step kDefaults65[] = {
-    Load(0U, ConfigField::kDirection, 0U), Load(0U, ConfigField::kSct, 25U), Load(0U, ConfigField::kSrvt, 20U), Load(0U, ConfigField::kTransmissionType, 254U),
-    Load(0U, ConfigField::kCobId1, 0x0U), Load(0U, ConfigField::kCobId2, 0x0U), Load(0U, ConfigField::kMapCount, 0U), Load(0U, ConfigField::kSignature, 0U),
-    Load(1U, ConfigField::kDirection, 0U), Load(1U, ConfigField::kSct, 25U), Load(1U, ConfigField::kSrvt, 20U), Load(1U, ConfigField::kTransmissionType, 254U),
-    Load(1U, ConfigField::kCobId1, 0x0U), Load(1U, ConfigField::kCobId2, 0x0U), Load(1U, ConfigField::kMapCount, 0U), Load(1U, ConfigField::kSignature, 0U),
-    Load(0U, ConfigField::kMapEntry, 0U, 1U), Load(0U, ConfigField::kMapEntry, 0U, 16U), Load(0U, ConfigField::kGfcParameter, 0U),
-    Load(0U, ConfigField::kConfigurationValid, 0U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Slot(1U, kOff, kNoCause, 0U, 0U, 0U),
+    Load(0U, ConfigField::kDirection, 0U), Load(0U, ConfigField::kSct, 25U), Load(0U, ConfigField::kSrvt, 20U),
+    Load(0U, ConfigField::kTransmissionType, 254U),
+    Load(0U, ConfigField::kCobId1, 0x0U), Load(0U, ConfigField::kCobId2, 0x0U), Load(0U, ConfigField::kMapCount, 0U),
+    Load(0U, ConfigField::kSignature, 0U),
+    Load(1U, ConfigField::kDirection, 0U), Load(1U, ConfigField::kSct, 25U), Load(1U, ConfigField::kSrvt, 20U),
+    Load(1U, ConfigField::kTransmissionType, 254U),
+    Load(1U, ConfigField::kCobId1, 0x0U), Load(1U, ConfigField::kCobId2, 0x0U), Load(1U, ConfigField::kMapCount, 0U),
+    Load(1U, ConfigField::kSignature, 0U),
+    Load(0U, ConfigField::kMapEntry, 0U, 1U), Load(0U, ConfigField::kMapEntry, 0U, 16U),
+    Load(0U, ConfigField::kGfcParameter, 0U),
+    Load(0U, ConfigField::kConfigurationValid, 0U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U),
+    Slot(1U, kOff, kNoCause, 0U, 0U, 0U),
 };
 
 constexpr Step kDefaults127[] = {
-    Load(0U, ConfigField::kDirection, 0U), Load(0U, ConfigField::kSct, 25U), Load(0U, ConfigField::kSrvt, 20U), Load(0U, ConfigField::kTransmissionType, 254U),
-    Load(0U, ConfigField::kCobId1, 0x0U), Load(0U, ConfigField::kCobId2, 0x0U), Load(0U, ConfigField::kMapCount, 0U), Load(0U, ConfigField::kSignature, 0U),
-    Load(1U, ConfigField::kDirection, 0U), Load(1U, ConfigField::kSct, 25U), Load(1U, ConfigField::kSrvt, 20U), Load(1U, ConfigField::kTransmissionType, 254U),
-    Load(1U, ConfigField::kCobId1, 0x0U), Load(1U, ConfigField::kCobId2, 0x0U), Load(1U, ConfigField::kMapCount, 0U), Load(1U, ConfigField::kSignature, 0U),
-    Load(0U, ConfigField::kMapEntry, 0U, 1U), Load(0U, ConfigField::kMapEntry, 0U, 16U), Load(0U, ConfigField::kGfcParameter, 0U),
-    Load(0U, ConfigField::kConfigurationValid, 0U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Slot(1U, kOff, kNoCause, 0U, 0U, 0U),
+    Load(0U, ConfigField::kDirection, 0U), Load(0U, ConfigField::kSct, 25U), Load(0U, ConfigField::kSrvt, 20U),
+    Load(0U, ConfigField::kTransmissionType, 254U),
+    Load(0U, ConfigField::kCobId1, 0x0U), Load(0U, ConfigField::kCobId2, 0x0U), Load(0U, ConfigField::kMapCount, 0U),
+    Load(0U, ConfigField::kSignature, 0U),
+    Load(1U, ConfigField::kDirection, 0U), Load(1U, ConfigField::kSct, 25U), Load(1U, ConfigField::kSrvt, 20U),
+    Load(1U, ConfigField::kTransmissionType, 254U),
+    Load(1U, ConfigField::kCobId1, 0x0U), Load(1U, ConfigField::kCobId2, 0x0U), Load(1U, ConfigField::kMapCount, 0U),
+    Load(1U, ConfigField::kSignature, 0U),
+    Load(0U, ConfigField::kMapEntry, 0U, 1U), Load(0U, ConfigField::kMapEntry, 0U, 16U),
+    Load(0U, ConfigField::kGfcParameter, 0U),
+    Load(0U, ConfigField::kConfigurationValid, 0U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U),
+    Slot(1U, kOff, kNoCause, 0U, 0U, 0U),
 };
 
 // The default connection belongs to SRDO number 1, not to slot 0.
 constexpr Step kDefaultsOfNumber2[] = {
-    Load(0U, ConfigField::kDirection, 0U), Load(0U, ConfigField::kSct, 25U), Load(0U, ConfigField::kSrvt, 20U), Load(0U, ConfigField::kTransmissionType, 254U),
-    Load(0U, ConfigField::kCobId1, 0x0U), Load(0U, ConfigField::kCobId2, 0x0U), Load(0U, ConfigField::kMapCount, 0U), Load(0U, ConfigField::kSignature, 0U),
+    Load(0U, ConfigField::kDirection, 0U), Load(0U, ConfigField::kSct, 25U), Load(0U, ConfigField::kSrvt, 20U),
+    Load(0U, ConfigField::kTransmissionType, 254U),
+    Load(0U, ConfigField::kCobId1, 0x0U), Load(0U, ConfigField::kCobId2, 0x0U), Load(0U, ConfigField::kMapCount, 0U),
+    Load(0U, ConfigField::kSignature, 0U),
 };
 
 // Every field, cut to its width; the neighbours stay.
 constexpr Step kWidths[] = {
-    Store(1U, ConfigField::kDirection, 0xFFFFFF02U), Load(1U, ConfigField::kDirection, 0x02U), Store(1U, ConfigField::kSct, 0x12345678U), Load(1U, ConfigField::kSct, 0x5678U),
-    Store(1U, ConfigField::kSrvt, 0x9ABCU), Load(1U, ConfigField::kSrvt, 0xBCU), Store(1U, ConfigField::kTransmissionType, 0x1FDU), Load(1U, ConfigField::kTransmissionType, 0xFDU),
-    Store(1U, ConfigField::kCobId1, 0xFEDCBA98U), Load(1U, ConfigField::kCobId1, 0xFEDCBA98U), Store(1U, ConfigField::kCobId2, 0x76543210U),
-    Load(1U, ConfigField::kCobId2, 0x76543210U), Load(1U, ConfigField::kCobId1, 0xFEDCBA98U), Store(1U, ConfigField::kMapCount, 0x110U), Load(1U, ConfigField::kMapCount, 0x10U),
-    Store(1U, ConfigField::kSignature, 0xABCD1234U), Load(1U, ConfigField::kSignature, 0x1234U), Store(0U, ConfigField::kGfcParameter, 0x301U),
-    Load(0U, ConfigField::kGfcParameter, 0x01U), Load(1U, ConfigField::kGfcParameter, 0x01U), Store(0U, ConfigField::kConfigurationValid, 0x1A5U),
-    Load(0U, ConfigField::kConfigurationValid, 0xA5U), Load(1U, ConfigField::kDirection, 0x02U), Load(1U, ConfigField::kSct, 0x5678U), Load(1U, ConfigField::kSrvt, 0xBCU),
-    Load(0U, ConfigField::kDirection, 0U), Load(0U, ConfigField::kSct, 50U), Load(0U, ConfigField::kSrvt, 20U), Load(0U, ConfigField::kTransmissionType, 254U),
-    Load(0U, ConfigField::kCobId1, 0x14FU), Load(0U, ConfigField::kCobId2, 0x150U), Load(0U, ConfigField::kMapCount, 0U), Load(0U, ConfigField::kSignature, 0U),
+    Store(1U, ConfigField::kDirection, 0xFFFFFF02U), Load(1U, ConfigField::kDirection, 0x02U),
+    Store(1U, ConfigField::kSct, 0x12345678U), Load(1U, ConfigField::kSct, 0x5678U),
+    Store(1U, ConfigField::kSrvt, 0x9ABCU), Load(1U, ConfigField::kSrvt, 0xBCU),
+    Store(1U, ConfigField::kTransmissionType, 0x1FDU), Load(1U, ConfigField::kTransmissionType, 0xFDU),
+    Store(1U, ConfigField::kCobId1, 0xFEDCBA98U), Load(1U, ConfigField::kCobId1, 0xFEDCBA98U),
+    Store(1U, ConfigField::kCobId2, 0x76543210U),
+    Load(1U, ConfigField::kCobId2, 0x76543210U), Load(1U, ConfigField::kCobId1, 0xFEDCBA98U),
+    Store(1U, ConfigField::kMapCount, 0x110U), Load(1U, ConfigField::kMapCount, 0x10U),
+    Store(1U, ConfigField::kSignature, 0xABCD1234U), Load(1U, ConfigField::kSignature, 0x1234U),
+    Store(0U, ConfigField::kGfcParameter, 0x301U),
+    Load(0U, ConfigField::kGfcParameter, 0x01U), Load(1U, ConfigField::kGfcParameter, 0x01U),
+    Store(0U, ConfigField::kConfigurationValid, 0x1A5U),
+    Load(0U, ConfigField::kConfigurationValid, 0xA5U), Load(1U, ConfigField::kDirection, 0x02U),
+    Load(1U, ConfigField::kSct, 0x5678U), Load(1U, ConfigField::kSrvt, 0xBCU),
+    Load(0U, ConfigField::kDirection, 0U), Load(0U, ConfigField::kSct, 50U), Load(0U, ConfigField::kSrvt, 20U),
+    Load(0U, ConfigField::kTransmissionType, 254U),
+    Load(0U, ConfigField::kCobId1, 0x14FU), Load(0U, ConfigField::kCobId2, 0x150U),
+    Load(0U, ConfigField::kMapCount, 0U), Load(0U, ConfigField::kSignature, 0U),
 };
 
 constexpr Step kEntries[] = {
-    Store(0U, ConfigField::kMapEntry, 0x11111101U, 1U), Store(0U, ConfigField::kMapEntry, 0x22222202U, 2U), Store(0U, ConfigField::kMapEntry, 0xF0E0D0C0U, 15U),
-    Store(0U, ConfigField::kMapEntry, 0xFFFFFFFFU, 16U), Load(0U, ConfigField::kMapEntry, 0x11111101U, 1U), Load(0U, ConfigField::kMapEntry, 0x22222202U, 2U),
-    Load(0U, ConfigField::kMapEntry, 0U, 3U), Load(0U, ConfigField::kMapEntry, 0xF0E0D0C0U, 15U), Load(0U, ConfigField::kMapEntry, 0xFFFFFFFFU, 16U),
+    Store(0U, ConfigField::kMapEntry, 0x11111101U, 1U), Store(0U, ConfigField::kMapEntry, 0x22222202U, 2U),
+    Store(0U, ConfigField::kMapEntry, 0xF0E0D0C0U, 15U),
+    Store(0U, ConfigField::kMapEntry, 0xFFFFFFFFU, 16U), Load(0U, ConfigField::kMapEntry, 0x11111101U, 1U),
+    Load(0U, ConfigField::kMapEntry, 0x22222202U, 2U),
+    Load(0U, ConfigField::kMapEntry, 0U, 3U), Load(0U, ConfigField::kMapEntry, 0xF0E0D0C0U, 15U),
+    Load(0U, ConfigField::kMapEntry, 0xFFFFFFFFU, 16U),
     Load(1U, ConfigField::kMapEntry, 0U, 1U),
 };
 
 constexpr Step kNowhere[] = {
-    Store(0U, ConfigField::kMapEntry, 0x11111101U, 0U), Load(0U, ConfigField::kMapEntry, 0U, 0U), Store(0U, ConfigField::kMapEntry, 0x11111101U, 17U),
-    Load(0U, ConfigField::kMapEntry, 0U, 17U), Store(0U, ConfigField::kMapEntry, 0x11111101U, 255U), Load(0U, ConfigField::kMapEntry, 0U, 255U),
-    Store(2U, ConfigField::kDirection, 2U), Load(2U, ConfigField::kDirection, 0U), Store(63U, ConfigField::kCobId1, 0x101U), Load(63U, ConfigField::kCobId1, 0U),
-    Store(64U, ConfigField::kSct, 7U), Load(64U, ConfigField::kSct, 0U), Store(255U, ConfigField::kSignature, 7U), Load(255U, ConfigField::kSignature, 0U),
-    Store(2U, ConfigField::kMapEntry, 0x11111101U, 1U), Load(2U, ConfigField::kMapEntry, 0U, 1U), Store(0U, ConfigField::kInvalid, 0xFFU), Load(0U, ConfigField::kInvalid, 0U),
-    Store(0U, static_cast<ConfigField>(12U), 0xFFU), Load(0U, static_cast<ConfigField>(12U), 0U), Store(0U, static_cast<ConfigField>(255U), 0xFFU),
-    Load(0U, static_cast<ConfigField>(255U), 0U), Load(0U, ConfigField::kMapEntry, 0U, 1U), Load(0U, ConfigField::kMapEntry, 0U, 16U), Load(1U, ConfigField::kMapEntry, 0U, 1U),
-    Load(0U, ConfigField::kDirection, 0U), Load(0U, ConfigField::kSct, 50U), Load(0U, ConfigField::kSrvt, 20U), Load(0U, ConfigField::kTransmissionType, 254U),
-    Load(0U, ConfigField::kCobId1, 0x14FU), Load(0U, ConfigField::kCobId2, 0x150U), Load(0U, ConfigField::kMapCount, 0U), Load(0U, ConfigField::kSignature, 0U),
-    Load(1U, ConfigField::kDirection, 0U), Load(1U, ConfigField::kSct, 25U), Load(1U, ConfigField::kSrvt, 20U), Load(1U, ConfigField::kTransmissionType, 254U),
-    Load(1U, ConfigField::kCobId1, 0x0U), Load(1U, ConfigField::kCobId2, 0x0U), Load(1U, ConfigField::kMapCount, 0U), Load(1U, ConfigField::kSignature, 0U),
+    Store(0U, ConfigField::kMapEntry, 0x11111101U, 0U), Load(0U, ConfigField::kMapEntry, 0U, 0U),
+    Store(0U, ConfigField::kMapEntry, 0x11111101U, 17U),
+    Load(0U, ConfigField::kMapEntry, 0U, 17U), Store(0U, ConfigField::kMapEntry, 0x11111101U, 255U),
+    Load(0U, ConfigField::kMapEntry, 0U, 255U),
+    Store(2U, ConfigField::kDirection, 2U), Load(2U, ConfigField::kDirection, 0U),
+    Store(63U, ConfigField::kCobId1, 0x101U), Load(63U, ConfigField::kCobId1, 0U),
+    Store(64U, ConfigField::kSct, 7U), Load(64U, ConfigField::kSct, 0U), Store(255U, ConfigField::kSignature, 7U),
+    Load(255U, ConfigField::kSignature, 0U),
+    Store(2U, ConfigField::kMapEntry, 0x11111101U, 1U), Load(2U, ConfigField::kMapEntry, 0U, 1U),
+    Store(0U, ConfigField::kInvalid, 0xFFU), Load(0U, ConfigField::kInvalid, 0U),
+    Store(0U, static_cast<ConfigField>(12U), 0xFFU), Load(0U, static_cast<ConfigField>(12U), 0U),
+    Store(0U, static_cast<ConfigField>(255U), 0xFFU),
+    Load(0U, static_cast<ConfigField>(255U), 0U), Load(0U, ConfigField::kMapEntry, 0U, 1U),
+    Load(0U, ConfigField::kMapEntry, 0U, 16U), Load(1U, ConfigField::kMapEntry, 0U, 1U),
+    Load(0U, ConfigField::kDirection, 0U), Load(0U, ConfigField::kSct, 50U), Load(0U, ConfigField::kSrvt, 20U),
+    Load(0U, ConfigField::kTransmissionType, 254U),
+    Load(0U, ConfigField::kCobId1, 0x14FU), Load(0U, ConfigField::kCobId2, 0x150U),
+    Load(0U, ConfigField::kMapCount, 0U), Load(0U, ConfigField::kSignature, 0U),
+    Load(1U, ConfigField::kDirection, 0U), Load(1U, ConfigField::kSct, 25U), Load(1U, ConfigField::kSrvt, 20U),
+    Load(1U, ConfigField::kTransmissionType, 254U),
+    Load(1U, ConfigField::kCobId1, 0x0U), Load(1U, ConfigField::kCobId2, 0x0U), Load(1U, ConfigField::kMapCount, 0U),
+    Load(1U, ConfigField::kSignature, 0U),
 };
 
-// The gold configuration is power-on but for what is stored; what is stored of one field leaves the SRDO off until validated again.
+// Whatever is stored of one field, the same value included, leaves the SRDO off until it is validated again.
 constexpr Step kUnresolvedBySct[] = {
-    Configure(), Sct(0U, 50U), Recheck(0U, ConfigFault::kTable, 0x4370U), Cycle(0U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Counts(0U, 0U, 1U, 0U), Nmt(NmtState::kStopped), Cycle(1000U),
+    Configure(), Sct(0U, 50U), Recheck(0U, ConfigFault::kTable, 0x4370U), Cycle(0U),
+    Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Counts(0U, 0U, 1U, 0U), Nmt(NmtState::kStopped), Cycle(1000U),
     Validate(0U, kSound, 0x4370U), Nmt(NmtState::kOperational), Cycle(2000U), Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U),
 };
 
 constexpr Step kUnresolvedBySrvt[] = {
-    Configure(), Srvt(0U, 20U), Recheck(0U, ConfigFault::kTable, 0x4370U), Cycle(0U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Counts(0U, 0U, 1U, 0U), Nmt(NmtState::kStopped), Cycle(1000U),
+    Configure(), Srvt(0U, 20U), Recheck(0U, ConfigFault::kTable, 0x4370U), Cycle(0U),
+    Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Counts(0U, 0U, 1U, 0U), Nmt(NmtState::kStopped), Cycle(1000U),
     Validate(0U, kSound, 0x4370U), Nmt(NmtState::kOperational), Cycle(2000U), Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U),
 };
 
 constexpr Step kUnresolvedByCob1[] = {
-    Configure(), CobId1(0U, 0x111U), Recheck(0U, ConfigFault::kTable, 0x4370U), Cycle(0U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Counts(0U, 0U, 1U, 0U), Nmt(NmtState::kStopped), Cycle(1000U),
+    Configure(), CobId1(0U, 0x111U), Recheck(0U, ConfigFault::kTable, 0x4370U), Cycle(0U),
+    Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Counts(0U, 0U, 1U, 0U), Nmt(NmtState::kStopped), Cycle(1000U),
     Validate(0U, kSound, 0x4370U), Nmt(NmtState::kOperational), Cycle(2000U), Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U),
 };
 
 constexpr Step kUnresolvedByCob2[] = {
-    Configure(), CobId2(0U, 0x112U), Recheck(0U, ConfigFault::kTable, 0x4370U), Cycle(0U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Counts(0U, 0U, 1U, 0U), Nmt(NmtState::kStopped), Cycle(1000U),
+    Configure(), CobId2(0U, 0x112U), Recheck(0U, ConfigFault::kTable, 0x4370U), Cycle(0U),
+    Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Counts(0U, 0U, 1U, 0U), Nmt(NmtState::kStopped), Cycle(1000U),
     Validate(0U, kSound, 0x4370U), Nmt(NmtState::kOperational), Cycle(2000U), Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U),
 };
 
 constexpr Step kUnresolvedByType[] = {
-    Configure(), Type(0U, 254U), Recheck(0U, ConfigFault::kTable, 0x4370U), Cycle(0U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Counts(0U, 0U, 1U, 0U), Nmt(NmtState::kStopped), Cycle(1000U),
+    Configure(), Type(0U, 254U), Recheck(0U, ConfigFault::kTable, 0x4370U), Cycle(0U),
+    Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Counts(0U, 0U, 1U, 0U), Nmt(NmtState::kStopped), Cycle(1000U),
     Validate(0U, kSound, 0x4370U), Nmt(NmtState::kOperational), Cycle(2000U), Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U),
 };
 
 constexpr Step kUnresolvedByCount[] = {
-    Configure(), MapCount(0U, 4U), Recheck(0U, ConfigFault::kTable, 0x4370U), Cycle(0U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Counts(0U, 0U, 1U, 0U), Nmt(NmtState::kStopped), Cycle(1000U),
+    Configure(), MapCount(0U, 4U), Recheck(0U, ConfigFault::kTable, 0x4370U), Cycle(0U),
+    Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Counts(0U, 0U, 1U, 0U), Nmt(NmtState::kStopped), Cycle(1000U),
     Validate(0U, kSound, 0x4370U), Nmt(NmtState::kOperational), Cycle(2000U), Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U),
 };
 
 constexpr Step kUnresolvedByEntry[] = {
-    Configure(), Entry(0U, 1U, 0x60100108U), Recheck(0U, ConfigFault::kTable, 0x4370U), Cycle(0U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Counts(0U, 0U, 1U, 0U), Nmt(NmtState::kStopped), Cycle(1000U),
+    Configure(), Entry(0U, 1U, 0x60100108U), Recheck(0U, ConfigFault::kTable, 0x4370U), Cycle(0U),
+    Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Counts(0U, 0U, 1U, 0U), Nmt(NmtState::kStopped), Cycle(1000U),
     Validate(0U, kSound, 0x4370U), Nmt(NmtState::kOperational), Cycle(2000U), Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U),
 };
 
 constexpr Step kUnresolvedByDirection[] = {
-    Configure(), Direction(0U, 2U), Recheck(0U, ConfigFault::kTable, 0x4370U), Cycle(0U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Counts(0U, 0U, 1U, 0U), Nmt(NmtState::kStopped), Cycle(1000U),
+    Configure(), Direction(0U, 2U), Recheck(0U, ConfigFault::kTable, 0x4370U), Cycle(0U),
+    Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Counts(0U, 0U, 1U, 0U), Nmt(NmtState::kStopped), Cycle(1000U),
     Validate(0U, kSound, 0x4370U), Nmt(NmtState::kOperational), Cycle(2000U), Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U),
 };
 
 // Storing the signature, 1300h or 13FEh resolves and unresolves nothing.
 constexpr Step kStillResolved[] = {
-    Configure(), Signature(0U, 0x4370U), Store(0U, ConfigField::kGfcParameter, 1U), Store(0U, ConfigField::kConfigurationValid, 0xA5U), Recheck(0U, kSound, 0x4370U), Cycle(0U),
+    Configure(), Signature(0U, 0x4370U), Store(0U, ConfigField::kGfcParameter, 1U),
+    Store(0U, ConfigField::kConfigurationValid, 0xA5U), Recheck(0U, kSound, 0x4370U), Cycle(0U),
     Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U),
 };
 
 // What is stored of one slot leaves the other alone.
 constexpr Step kOtherSlotStays[] = {
-    Configure(), Sct(1U, 50U), Recheck(0U, kSound, 0x4370U), Recheck(1U, ConfigFault::kTable, 0xD999U), Cycle(0U), Counts(1U, 0U, 1U, 0U),
+    Configure(), Sct(1U, 50U), Recheck(0U, kSound, 0x4370U), Recheck(1U, ConfigFault::kTable, 0xD999U), Cycle(0U),
+    Counts(1U, 0U, 1U, 0U),
 };
 
 // A store to a slot that does not exist unresolves nothing.
 constexpr Step kStoreNowhereStays[] = {
-    Configure(), Store(1U, ConfigField::kSct, 60U), Store(0U, ConfigField::kMapEntry, 1U, 17U), Store(0U, ConfigField::kInvalid, 1U), Recheck(0U, kSound, 0x4370U), Cycle(0U),
+    Configure(), Store(1U, ConfigField::kSct, 60U), Store(0U, ConfigField::kMapEntry, 1U, 17U),
+    Store(0U, ConfigField::kInvalid, 1U), Recheck(0U, kSound, 0x4370U), Cycle(0U),
     Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U),
 };
 
@@ -186,6 +259,7 @@ constexpr Case kCases[] = {
     MakeCase("StoreOfOneSlotLeavesTheOther", {req::SRS_CFG_003, req::SRS_CFG_030}, kTwo, kOtherSlotStays),
     MakeCase("StoreWithoutAnAddressLeavesEverything", {req::SRS_CFG_003}, kGold, kStoreNowhereStays),
 };
+// clang-format on
 } // namespace
 
 const CaseTable kStoreCases = MakeTable("store", kCases);

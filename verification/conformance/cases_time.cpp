@@ -8,10 +8,12 @@ namespace counterpoint::conformance
 
 namespace
 {
+// clang-format off: a line is a moment, a step stands beside what it must lead to.
 // t     1000  2000   51000 (SCT)   71000 (SRVT)
 //       N     I      N             I
 constexpr Step kSctOnAtFrame[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Normal(51000U), Slot(0U, kReleased, kNoCause, 1U, 0U, 1U),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Normal(51000U),
+    Slot(0U, kReleased, kNoCause, 1U, 0U, 1U),
     Inverse(71000U), Slot(0U, kReleased, kNoCause, 2U, 0U, 1U), Cycle(72000U), Masks(1U, 0U, 0U, 0U, 1U),
 };
 
@@ -21,7 +23,8 @@ constexpr Step kSctInsideAtFrame[] = {
 };
 
 constexpr Step kSctOverAtFrame[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Normal(51001U), Slot(0U, kFaulted, Cause::kSct, 0U, 1U, 0U),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Normal(51001U),
+    Slot(0U, kFaulted, Cause::kSct, 0U, 1U, 0U),
     Cycle(52000U), Masks(0U, 1U, 0U, 1U, 0U),
 };
 
@@ -53,8 +56,10 @@ constexpr Step kSctInCycle[] = {
 // t     1000  20999   21000   21001
 //       N     cycle   cycle   cycle: SRVT
 constexpr Step kSrvtInCycle[] = {
-    Configure(), Cycle(0U), Normal(1000U), Cycle(20999U), Masks(0U, 0U, 1U, 0U, 0U), Cycle(21000U), Masks(0U, 0U, 1U, 0U, 0U),
-    Cycle(21001U), Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kSrvt, 0U, 1U, 0U), Signals(0U, Bit(Cause::kSrvt)),
+    Configure(), Cycle(0U), Normal(1000U), Cycle(20999U), Masks(0U, 0U, 1U, 0U, 0U), Cycle(21000U),
+    Masks(0U, 0U, 1U, 0U, 0U),
+    Cycle(21001U), Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kSrvt, 0U, 1U, 0U),
+    Signals(0U, Bit(Cause::kSrvt)),
     Cycle(50000U), Slot(0U, kFaulted, Cause::kSrvt, 0U, 1U, 0U),
 };
 
@@ -62,21 +67,25 @@ constexpr Step kSrvtInCycle[] = {
 // t     1000  2000  3000      51000  51001      71000     71001
 //       N     I     released  N      released   released  SRVT
 constexpr Step kEarly[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Normal(51000U), Cycle(51001U), Masks(1U, 0U, 0U, 0U, 0U),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Normal(51000U), Cycle(51001U),
+    Masks(1U, 0U, 0U, 0U, 0U),
     Cycle(71000U), Masks(1U, 0U, 0U, 0U, 0U), Cycle(71001U), Masks(0U, 1U, 0U, 1U, 0U),
     Slot(0U, kFaulted, Cause::kSrvt, 0U, 1U, 0U),
 };
 
 // Both are over when the cycle looks: the pending frame answered SCT, so it is SRVT.
 constexpr Step kBothOver[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Normal(40000U), Cycle(200000U), Masks(0U, 1U, 0U, 1U, 0U),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Normal(40000U), Cycle(200000U),
+    Masks(0U, 1U, 0U, 1U, 0U),
     Slot(0U, kFaulted, Cause::kSrvt, 0U, 1U, 0U), Signals(0U, Bit(Cause::kSrvt)),
 };
 
 // Deadlines at the same instant: N at 31000 + SRVT 20000 = 51000 = N at 1000 + SCT 50000.
 constexpr Step kTie[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Normal(31000U), Cycle(51000U), Masks(1U, 0U, 0U, 0U, 0U),
-    Cycle(51001U), Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kSrvt, 0U, 1U, 0U), Signals(0U, Bit(Cause::kSrvt)),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Normal(31000U), Cycle(51000U),
+    Masks(1U, 0U, 0U, 0U, 0U),
+    Cycle(51001U), Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kSrvt, 0U, 1U, 0U),
+    Signals(0U, Bit(Cause::kSrvt)),
 };
 
 // SCT at the frame by its stamp, SRVT later because the inverse frame stays away.
@@ -84,8 +93,10 @@ constexpr Step kTie[] = {
 //       N     I     N: SCT   cycle: SCT  cycle   cycle: SRVT
 constexpr Step kSctThenSrvt[] = {
     Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Normal(51001U), Cycle(55000U),
-    Slot(0U, kFaulted, Cause::kSct, 0U, 1U, 0U), Signals(0U, Bit(Cause::kSct)), Cycle(71001U), Masks(0U, 1U, 0U, 0U, 0U),
-    Cycle(71002U), Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kSct, 0U, 2U, 0U), Signals(0U, Bit(Cause::kSrvt)),
+    Slot(0U, kFaulted, Cause::kSct, 0U, 1U, 0U), Signals(0U, Bit(Cause::kSct)), Cycle(71001U),
+    Masks(0U, 1U, 0U, 0U, 0U),
+    Cycle(71002U), Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kSct, 0U, 2U, 0U),
+    Signals(0U, Bit(Cause::kSrvt)),
 };
 
 // Both seen by one call: the SCT fault of the frame first, then SRVT.
@@ -99,13 +110,15 @@ constexpr Step kSctThenSrvtInOne[] = {
 //       N    I     N      I        cycle   cycle: SCT
 constexpr Step kFromNormal[] = {
     Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Normal(41000U), Inverse(60000U), Cycle(61000U),
-    Slot(0U, kReleased, kNoCause, 2U, 0U, 1U), Cycle(91000U), Masks(1U, 0U, 0U, 0U, 0U), Cycle(91001U), Masks(0U, 1U, 0U, 1U, 0U),
+    Slot(0U, kReleased, kNoCause, 2U, 0U, 1U), Cycle(91000U), Masks(1U, 0U, 0U, 0U, 0U), Cycle(91001U),
+    Masks(0U, 1U, 0U, 1U, 0U),
     Slot(0U, kFaulted, Cause::kSct, 0U, 1U, 0U),
 };
 
 // A normal frame alone does not restart SCT: its SRVT runs out though SCT would still hold.
 constexpr Step kHalfPair[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Normal(10000U), Cycle(30000U), Masks(1U, 0U, 0U, 0U, 0U),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Normal(10000U), Cycle(30000U),
+    Masks(1U, 0U, 0U, 0U, 0U),
     Cycle(30001U), Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kSrvt, 0U, 1U, 0U),
 };
 
@@ -113,32 +126,41 @@ constexpr Step kHalfPair[] = {
 // t     1000  2000        51000
 //       N     I           first cycle that sees them
 constexpr Step kSeenLate[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(51000U), Masks(1U, 0U, 0U, 0U, 1U), Cycle(51001U), Masks(0U, 1U, 0U, 1U, 0U),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(51000U), Masks(1U, 0U, 0U, 0U, 1U), Cycle(51001U),
+    Masks(0U, 1U, 0U, 1U, 0U),
 };
 
 constexpr Step kSeenTooLate[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(51001U), Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kSct, 0U, 1U, 0U),
+    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(51001U), Masks(0U, 1U, 0U, 1U, 0U),
+    Slot(0U, kFaulted, Cause::kSct, 0U, 1U, 0U),
 };
 
 // The longest limits: SCT 65535 ms, SRVT 255 ms.
 constexpr Step kLongest[] = {
-    Configure(), Cycle(0U), Frame(0x105U, 8U, 0U, 0U, 1000U), Frame(0x106U, 8U, 0xFFFFFFFFU, 0xFFFFFFFFU, 256000U), Cycle(257000U),
-    Repeat(32U, 2000000U), Slot(0U, kReleased, kNoCause, 1U, 0U, 1U), Cycle(65536000U), Masks(1U, 0U, 0U, 0U, 0U), Cycle(65536001U),
+    Configure(), Cycle(0U), Frame(0x105U, 8U, 0U, 0U, 1000U), Frame(0x106U, 8U, 0xFFFFFFFFU, 0xFFFFFFFFU, 256000U),
+    Cycle(257000U),
+    Repeat(32U, 2000000U), Slot(0U, kReleased, kNoCause, 1U, 0U, 1U), Cycle(65536000U), Masks(1U, 0U, 0U, 0U, 0U),
+    Cycle(65536001U),
     Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kSct, 0U, 1U, 0U), Frame(0x105U, 8U, 0U, 0U, 65537000U),
-    Cycle(65792000U), Slot(0U, kFaulted, Cause::kSct, 0U, 1U, 0U), Cycle(65792001U), Slot(0U, kFaulted, Cause::kSct, 0U, 2U, 0U),
+    Cycle(65792000U), Slot(0U, kFaulted, Cause::kSct, 0U, 1U, 0U), Cycle(65792001U),
+    Slot(0U, kFaulted, Cause::kSct, 0U, 2U, 0U),
 };
 
 // The shortest limits: SCT 2 ms, SRVT 1 ms.
 constexpr Step kShortestLimits[] = {
-    Configure(), Cycle(0U), Frame(0x109U, 1U, 0x0FU, 0U, 100U), Frame(0x10AU, 1U, 0xF0U, 0U, 1100U), Cycle(1200U), Masks(1U, 0U, 0U, 0U, 1U),
-    Cycle(2100U), Masks(1U, 0U, 0U, 0U, 0U), Cycle(2101U), Masks(0U, 1U, 0U, 1U, 0U), Frame(0x109U, 1U, 0x0FU, 0U, 3000U),
+    Configure(), Cycle(0U), Frame(0x109U, 1U, 0x0FU, 0U, 100U), Frame(0x10AU, 1U, 0xF0U, 0U, 1100U), Cycle(1200U),
+    Masks(1U, 0U, 0U, 0U, 1U),
+    Cycle(2100U), Masks(1U, 0U, 0U, 0U, 0U), Cycle(2101U), Masks(0U, 1U, 0U, 1U, 0U),
+    Frame(0x109U, 1U, 0x0FU, 0U, 3000U),
     Frame(0x10AU, 1U, 0xF0U, 0U, 4001U), Cycle(4002U), Slot(0U, kFaulted, Cause::kSct, 0U, 3U, 0U),
 };
 
 constexpr Case kCases[] = {
     MakeCase("SctInsideAtNormalFrame", {req::SRS_TIME_003, req::SRS_TIME_005}, kGold, kSctInsideAtFrame),
-    MakeCase("SctOnTheLimitAtNormalFrame", {req::SRS_TIME_004, req::SRS_TIME_005, req::SRS_CONS_003, req::SRS_TIME_001}, kGold, kSctOnAtFrame),
-    MakeCase("SctOneMicrosecondOverAtNormalFrame", {req::SRS_TIME_004, req::SRS_TIME_005, req::SRS_CONS_003, req::SRS_TIME_001}, kGold, kSctOverAtFrame),
+    MakeCase("SctOnTheLimitAtNormalFrame", {req::SRS_TIME_004, req::SRS_TIME_005, req::SRS_CONS_003, req::SRS_TIME_001},
+             kGold, kSctOnAtFrame),
+    MakeCase("SctOneMicrosecondOverAtNormalFrame", {req::SRS_TIME_004, req::SRS_TIME_005, req::SRS_CONS_003,
+             req::SRS_TIME_001}, kGold, kSctOverAtFrame),
     MakeCase("SrvtInside", {req::SRS_TIME_006}, kGold, kSrvtInside),
     MakeCase("SrvtOnTheLimit", {req::SRS_TIME_004, req::SRS_TIME_006, req::SRS_CONS_003}, kGold, kSrvtOn),
     MakeCase("SrvtOneMicrosecondOver", {req::SRS_TIME_004, req::SRS_TIME_006, req::SRS_CONS_003}, kGold, kSrvtOver),
@@ -156,6 +178,7 @@ constexpr Case kCases[] = {
     MakeCase("LongestLimits", {req::SRS_TIME_004, req::SRS_TIME_001}, kLong, kLongest),
     MakeCase("ShortestLimits", {req::SRS_TIME_004, req::SRS_TIME_006}, kShortest, kShortestLimits),
 };
+// clang-format on
 } // namespace
 
 const CaseTable kTimeCases = MakeTable("time", kCases);

@@ -33,50 +33,54 @@ struct Device
     const SrdoValues* values;
 };
 
-// Consumers. Unless said otherwise: node-ID 40, granularity 8 bits, both frames on the first controller, cycle and tolerance
-// 1 s each (no call is late), acknowledge window 100 ms. "Gold" is the configuration that the manual of a certified scanner
-// publishes: SCT 50 ms, SRVT 20 ms, 111h and 112h, 6010h:01, 02 and 6011h:01, 02 of 8 bits, safe value A5h, C3h.
-extern const Device kGold;        ///< One SRDO, automatic.
-extern const Device kGoldLocked;  ///< One SRDO, restart interlock.
-extern const Device kGoldOther;   ///< One SRDO, a policy value that is neither.
-extern const Device kGoldPrompt;  ///< Automatic; cycle 10 ms, tolerance 5 ms.
-extern const Device kGoldPorts;   ///< Automatic; inverse frames on the second controller.
-extern const Device kTwo;         ///< Numbers 1 and 3: gold, and 103h/104h with 6200h:01, 6201h:01 of 32 bits; both automatic.
-extern const Device kTwoLocked;   ///< The same with restart interlock.
-extern const Device kWide;        ///< 16 entries of 8 bits (6631h, 6633h), 17Fh/180h, SCT 10 ms, SRVT 5 ms; automatic.
-extern const Device kLong;        ///< One object of 64 bits (6300h:08, 6301h:08), 105h/106h, SCT 65535 ms, SRVT 255 ms; automatic.
-extern const Device kMixedSizes;  ///< 6300h:03 (24 bits), 6300h:02 (16), 6300h:01 (8); 107h/108h; automatic.
-extern const Device kShortest;    ///< SCT 2 ms, SRVT 1 ms, 6300h:01; automatic.
+// Consumers. Unless said otherwise: node-ID 40, granularity 8 bits, both frames on the first controller, cycle and
+// tolerance 1 s each (no call is late), acknowledge window 100 ms. "Gold" is the configuration that the manual of a
+// certified scanner publishes: SCT 50 ms, SRVT 20 ms, 111h and 112h, 6010h:01, 02 and 6011h:01, 02 of 8 bits, safe
+// value A5h, C3h.
+extern const Device kGold;       ///< One SRDO, automatic.
+extern const Device kGoldLocked; ///< One SRDO, restart interlock.
+extern const Device kGoldOther;  ///< One SRDO, a policy value that is neither.
+extern const Device kGoldPrompt; ///< Automatic; cycle 10 ms, tolerance 5 ms.
+extern const Device kGoldPorts;  ///< Automatic; inverse frames on the second controller.
+extern const Device kTwo; ///< Numbers 1 and 3: gold, and 103h/104h with 6200h:01, 6201h:01 of 32 bits; both automatic.
+extern const Device kTwoLocked; ///< The same with restart interlock.
+extern const Device kWide;      ///< 16 entries of 8 bits (6631h, 6633h), 17Fh/180h, SCT 10 ms, SRVT 5 ms; automatic.
+extern const Device
+    kLong; ///< One object of 64 bits (6300h:08, 6301h:08), 105h/106h, SCT 65535 ms, SRVT 255 ms; automatic.
+extern const Device kMixedSizes; ///< 6300h:03 (24 bits), 6300h:02 (16), 6300h:01 (8); 107h/108h; automatic.
+extern const Device kShortest;   ///< SCT 2 ms, SRVT 1 ms, 6300h:01; automatic.
 
-// Producers: cycle 1 ms, tolerance 0.5 ms, refresh 25 ms, SRVT 20 ms, 101h/102h, 6210h:01, 02 and 6211h:01, 02 of 8 bits.
-extern const Device kSender;        ///< Node-ID 4, the application sends.
-extern const Device kProvider;      ///< Node-ID 4, the kernel calls.
-extern const Device kProviderLast;  ///< Node-ID 127, the kernel calls.
-extern const Device kSenderPorts;   ///< As kSender, inverse frames on the second controller.
-extern const Device kSenderSlow;    ///< As kSender, cycle 2.5 ms.
-extern const Device kWideSender;    ///< As kSender, 16 entries of 8 bits (6621h, 6623h), 17Fh/180h, refresh 10 ms, SRVT 5 ms.
-extern const Device kWordSender;    ///< As kSender, 6400h, 6401h:04, 03, 01 (32, 24, 8 bits).
-extern const Device kLongSender;    ///< As kSender, 6400h, 6401h:08 (64 bits).
-extern const Device kOddSender;     ///< As kSender, 6400h, 6401h:07 (56 bits).
-extern const Device kMixed;         ///< Slot 0 consumer gold, automatic; slot 1 producer of kSender; slot 2 off.
+// Producers: cycle 1 ms, tolerance 0.5 ms, refresh 25 ms, SRVT 20 ms, 101h/102h, 6210h:01, 02 and 6211h:01, 02 of 8
+// bits.
+extern const Device kSender;       ///< Node-ID 4, the application sends.
+extern const Device kProvider;     ///< Node-ID 4, the kernel calls.
+extern const Device kProviderLast; ///< Node-ID 127, the kernel calls.
+extern const Device kSenderPorts;  ///< As kSender, inverse frames on the second controller.
+extern const Device kSenderSlow;   ///< As kSender, cycle 2.5 ms.
+extern const Device
+    kWideSender; ///< As kSender, 16 entries of 8 bits (6621h, 6623h), 17Fh/180h, refresh 10 ms, SRVT 5 ms.
+extern const Device kWordSender; ///< As kSender, 6400h, 6401h:04, 03, 01 (32, 24, 8 bits).
+extern const Device kLongSender; ///< As kSender, 6400h, 6401h:08 (64 bits).
+extern const Device kOddSender;  ///< As kSender, 6400h, 6401h:07 (56 bits).
+extern const Device kMixed;      ///< Slot 0 consumer gold, automatic; slot 1 producer of kSender; slot 2 off.
 
 // Configuration and size.
-extern const Device kBare;         ///< One SRDO, node-ID 40, cycle 1 ms; Configure stores nothing but direction 0.
-extern const Device kBareTwo;      ///< Two SRDOs, numbers 1 and 2.
-extern const Device kNode1;        ///< Two SRDOs (1, 2), node-ID 1; likewise 32, 33, 64, 65, 127.
+extern const Device kBare;    ///< One SRDO, node-ID 40, cycle 1 ms; Configure stores nothing but direction 0.
+extern const Device kBareTwo; ///< Two SRDOs, numbers 1 and 2.
+extern const Device kNode1;   ///< Two SRDOs (1, 2), node-ID 1; likewise 32, 33, 64, 65, 127.
 extern const Device kNode32;
 extern const Device kNode33;
 extern const Device kNode64;
 extern const Device kNode65;
 extern const Device kNode127;
-extern const Device kSecondOnly;   ///< One SRDO, number 2, node-ID 40.
-extern const Device kCoarse16;     ///< kBare with granularity 16 bits; likewise 32 and 64.
+extern const Device kSecondOnly; ///< One SRDO, number 2, node-ID 40.
+extern const Device kCoarse16;   ///< kBare with granularity 16 bits; likewise 32 and 64.
 extern const Device kCoarse32;
 extern const Device kCoarse64;
-extern const Device kNoObjects;    ///< kBare without a mappable object.
-extern const Device kOneObject;    ///< kBare with the first object of the dictionary only.
-extern const Device kSixtyFour;    ///< 64 consumers of two 32-bit objects, 101h/102h to 17Fh/180h, SCT 50 ms, SRVT 20 ms.
-extern const Device kGaps;         ///< Numbers 2, 17, 33, 64; consumer, off, consumer, off.
+extern const Device kNoObjects; ///< kBare without a mappable object.
+extern const Device kOneObject; ///< kBare with the first object of the dictionary only.
+extern const Device kSixtyFour; ///< 64 consumers of two 32-bit objects, 101h/102h to 17Fh/180h, SCT 50 ms, SRVT 20 ms.
+extern const Device kGaps;      ///< Numbers 2, 17, 33, 64; consumer, off, consumer, off.
 
 } // namespace counterpoint::conformance
 

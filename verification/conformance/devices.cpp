@@ -10,12 +10,12 @@ namespace
 {
 constexpr std::uint32_t kGoldMap[] = {0x60100108U, 0x60110108U, 0x60100208U, 0x60110208U};
 constexpr std::uint32_t kWordMap[] = {0x62000120U, 0x62010120U};
-constexpr std::uint32_t kWideMap[] = {
-    0x66310108U, 0x66330108U, 0x66310208U, 0x66330208U, 0x66310308U, 0x66330308U, 0x66310408U, 0x66330408U,
-    0x66310508U, 0x66330508U, 0x66310608U, 0x66330608U, 0x66310708U, 0x66330708U, 0x66310808U, 0x66330808U};
+constexpr std::uint32_t kWideMap[] = {0x66310108U, 0x66330108U, 0x66310208U, 0x66330208U, 0x66310308U, 0x66330308U,
+                                      0x66310408U, 0x66330408U, 0x66310508U, 0x66330508U, 0x66310608U, 0x66330608U,
+                                      0x66310708U, 0x66330708U, 0x66310808U, 0x66330808U};
 constexpr std::uint32_t kLongMap[] = {0x63000840U, 0x63010840U};
-constexpr std::uint32_t kMixedSizesMap[] = {
-    0x63000318U, 0x63010318U, 0x63000210U, 0x63010210U, 0x63000108U, 0x63010108U};
+constexpr std::uint32_t kMixedSizesMap[] = {0x63000318U, 0x63010318U, 0x63000210U,
+                                            0x63010210U, 0x63000108U, 0x63010108U};
 constexpr std::uint32_t kByteMap[] = {0x63000108U, 0x63010108U};
 constexpr std::uint32_t kSenderMap[] = {0x62100108U, 0x62110108U, 0x62100208U, 0x62110208U};
 
@@ -29,12 +29,10 @@ constexpr SrdoValues kSenderValues{1U, 25U, 20U, 0x101U, 0x102U, 4U, kSenderMap,
 constexpr std::uint32_t kWideSenderMap[] = {
     0x66210108U, 0x66230108U, 0x66210208U, 0x66230208U, 0x66210308U, 0x66230308U, 0x66210408U, 0x66230408U,
     0x66210508U, 0x66230508U, 0x66210608U, 0x66230608U, 0x66210708U, 0x66230708U, 0x66210808U, 0x66230808U};
-constexpr std::uint32_t kWordSenderMap[] = {
-    0x64000420U, 0x64010420U, 0x64000318U, 0x64010318U, 0x64000108U, 0x64010108U};
-constexpr std::uint32_t kLongSenderMap[] = {
-    0x64000840U, 0x64010840U};
-constexpr std::uint32_t kOddSenderMap[] = {
-    0x64000738U, 0x64010738U};
+constexpr std::uint32_t kWordSenderMap[] = {0x64000420U, 0x64010420U, 0x64000318U,
+                                            0x64010318U, 0x64000108U, 0x64010108U};
+constexpr std::uint32_t kLongSenderMap[] = {0x64000840U, 0x64010840U};
+constexpr std::uint32_t kOddSenderMap[] = {0x64000738U, 0x64010738U};
 constexpr SrdoValues kWideSenderValues{1U, 10U, 5U, 0x17FU, 0x180U, 16U, kWideSenderMap, 0xB825U};
 constexpr SrdoValues kWordSenderValues{1U, 25U, 20U, 0x101U, 0x102U, 6U, kWordSenderMap, 0x82B7U};
 constexpr SrdoValues kLongSenderValues{1U, 25U, 20U, 0x101U, 0x102U, 2U, kLongSenderMap, 0x05DEU};
@@ -44,14 +42,11 @@ constexpr SrdoValues kBareValues{0U, 25U, 20U, 0x0U, 0x0U, 0U, nullptr, 0x162EU}
 
 /// Signatures of the 64 SRDOs of kSixtyFour, by bitwise long division over the published layout, outside this program.
 constexpr std::uint16_t kSixtyFourSignatures[kMaxSrdoCount] = {
-    0x766CU, 0x92DFU, 0xA2C9U, 0x4B98U, 0xCF07U, 0x2BB4U, 0x1BA2U, 0xE937U,
-    0x149BU, 0xF028U, 0xC03EU, 0x296FU, 0xADF0U, 0x4943U, 0x7955U, 0xBC48U,
-    0xB382U, 0x5731U, 0x6727U, 0x8E76U, 0x0AE9U, 0xEE5AU, 0xDE4CU, 0x2CD9U,
-    0xD175U, 0x35C6U, 0x05D0U, 0xEC81U, 0x681EU, 0x8CADU, 0xBCBBU, 0x16B6U,
-    0xED91U, 0x0922U, 0x3934U, 0xD065U, 0x54FAU, 0xB049U, 0x805FU, 0x72CAU,
-    0x8F66U, 0x6BD5U, 0x5BC3U, 0xB292U, 0x360DU, 0xD2BEU, 0xE2A8U, 0x27B5U,
-    0x287FU, 0xCCCCU, 0xFCDAU, 0x158BU, 0x9114U, 0x75A7U, 0x45B1U, 0xB724U,
-    0x4A88U, 0xAE3BU, 0x9E2DU, 0x777CU, 0xF3E3U, 0x1750U, 0x2746U, 0x536BU,
+    0x766CU, 0x92DFU, 0xA2C9U, 0x4B98U, 0xCF07U, 0x2BB4U, 0x1BA2U, 0xE937U, 0x149BU, 0xF028U, 0xC03EU, 0x296FU, 0xADF0U,
+    0x4943U, 0x7955U, 0xBC48U, 0xB382U, 0x5731U, 0x6727U, 0x8E76U, 0x0AE9U, 0xEE5AU, 0xDE4CU, 0x2CD9U, 0xD175U, 0x35C6U,
+    0x05D0U, 0xEC81U, 0x681EU, 0x8CADU, 0xBCBBU, 0x16B6U, 0xED91U, 0x0922U, 0x3934U, 0xD065U, 0x54FAU, 0xB049U, 0x805FU,
+    0x72CAU, 0x8F66U, 0x6BD5U, 0x5BC3U, 0xB292U, 0x360DU, 0xD2BEU, 0xE2A8U, 0x27B5U, 0x287FU, 0xCCCCU, 0xFCDAU, 0x158BU,
+    0x9114U, 0x75A7U, 0x45B1U, 0xB724U, 0x4A88U, 0xAE3BU, 0x9E2DU, 0x777CU, 0xF3E3U, 0x1750U, 0x2746U, 0x536BU,
 };
 
 constexpr Payload kGoldSafe{0x0000C3A5U, 0U};
@@ -123,8 +118,14 @@ constexpr SixtyFourValues MakeSixtyFourValues()
     SixtyFourValues all{};
     for (std::uint32_t slot = 0U; slot < kMaxSrdoCount; ++slot)
     {
-        all.values[slot] = SrdoValues{2U, 50U, 20U, 0x101U + (2U * slot), 0x102U + (2U * slot), 4U,
-                                      kSixtyFourEntries.entries[slot], kSixtyFourSignatures[slot]};
+        all.values[slot] = SrdoValues{2U,
+                                      50U,
+                                      20U,
+                                      0x101U + (2U * slot),
+                                      0x102U + (2U * slot),
+                                      4U,
+                                      kSixtyFourEntries.entries[slot],
+                                      kSixtyFourSignatures[slot]};
     }
     return all;
 }
@@ -139,9 +140,23 @@ constexpr SrdoValues kGapsValues[] = {kGoldValues, kOffValues, kWordValues, kOff
 template <std::size_t kCount>
 constexpr DeviceConfig Config(const SrdoSetup (&setups)[kCount], std::uint8_t count = kCount)
 {
-    return DeviceConfig{setups,         nullptr,  kAllObjects, count,   40U,     8U,      CanPortId::kFirst, CanPortId::kFirst,
-                        1000000U,       1000000U, 10000U,      100000U, 900000U, 900000U, 1000U,
-                        1000000U,       1000U};
+    return DeviceConfig{setups,
+                        nullptr,
+                        kAllObjects,
+                        count,
+                        40U,
+                        8U,
+                        CanPortId::kFirst,
+                        CanPortId::kFirst,
+                        1000000U,
+                        1000000U,
+                        10000U,
+                        100000U,
+                        900000U,
+                        900000U,
+                        1000U,
+                        1000000U,
+                        1000U};
 }
 
 constexpr DeviceConfig Every(DeviceConfig config, std::uint32_t cycle_us, std::uint32_t tolerance_us)

@@ -20,8 +20,8 @@ void Released(FlipRig& rig)
     rig.Cycle(kCycleUs);
 }
 
-/// From power-on to the phase in which the bit flips. In the phases up to kLastSafePhase the consumer is safe, and nothing
-/// in the next call would release it.
+/// From power-on to the phase in which the bit flips. In the phases up to kLastSafePhase the consumer is safe, and
+/// nothing in the next call would release it.
 constexpr std::uint32_t kLastSafePhase = 5U;
 constexpr std::uint32_t kInvalidPhase = 13U;
 
@@ -227,7 +227,8 @@ FlipResult FillStorage(Party party, ReleasePolicy policy, std::uint32_t phase, s
         rig->Bytes(party)[byte] = fill;
     }
     rig->Cycle(kCycleUs);
-    Note(result, *rig, rig->IsGranted() ? Complaint{"granted by filled storage"} : Finish(*rig, party, phase), bytes, 0U);
+    Note(result, *rig, rig->IsGranted() ? Complaint{"granted by filled storage"} : Finish(*rig, party, phase), bytes,
+         0U);
     return result;
 }
 

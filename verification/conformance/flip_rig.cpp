@@ -126,8 +126,8 @@ void FlipRig::Cycle(std::uint32_t elapsed_us)
     const CycleInput input{Instant{clock_us_}, challenge_, token, acknowledge_, nmt_, QueueState::kIntact};
     const CycleOutcome outcome_a = a_.OnCycle(input);
     const CycleOutcome outcome_b = b_.OnCycle(input);
-    verdict_ = comparator_.Compare(
-        Comparison{&outcome_a, &outcome_b, &a_, &b_, Instant{clock_us_}, cycles_, challenge_});
+    verdict_ =
+        comparator_.Compare(Comparison{&outcome_a, &outcome_b, &a_, &b_, Instant{clock_us_}, cycles_, challenge_});
     is_device_safe_ = is_device_safe_ || (verdict_.fault != DeviceFault::kNone);
     for (SlotIndex slot = 0U; slot < kRigSlots; ++slot)
     {
@@ -162,14 +162,15 @@ void FlipRig::LookAtOutputs(const Permit& a, const Permit& b)
     is_granted_ = true;
     if (!IsLegitimate(normal))
     {
-        complaint_ = "granted data " + std::to_string(normal) + ", last valid pair " + std::to_string(last_.data) + ", age " +
-                     std::to_string(clock_us_ - last_.normal_us) + " us";
+        complaint_ = "granted data " + std::to_string(normal) + ", last valid pair " + std::to_string(last_.data) +
+                     ", age " + std::to_string(clock_us_ - last_.normal_us) + " us";
     }
 }
 
 bool FlipRig::IsLegitimate(std::uint32_t granted) const
 {
-    const bool is_last = last_.is_valid && (granted == last_.data) && ((clock_us_ - last_.normal_us) <= (kSctUs + kSrvtUs));
+    const bool is_last =
+        last_.is_valid && (granted == last_.data) && ((clock_us_ - last_.normal_us) <= (kSctUs + kSrvtUs));
     const bool is_before =
         before_.is_valid && (granted == before_.data) && ((clock_us_ - before_.normal_us) <= (kSctUs + kSrvtUs));
     return is_last || is_before;
@@ -305,7 +306,8 @@ SrdoState FlipRig::StateOf(Party party) const
 std::uint8_t* FlipRig::Bytes(Party party)
 {
     // The storage is plain data of ours; a flipped bit is a change of its bytes, whatever their type.
-    return (party == Party::kA) ? reinterpret_cast<std::uint8_t*>(&storage_a_) : reinterpret_cast<std::uint8_t*>(&storage_b_);
+    return (party == Party::kA) ? reinterpret_cast<std::uint8_t*>(&storage_a_)
+                                : reinterpret_cast<std::uint8_t*>(&storage_b_);
 }
 
 std::size_t FlipRig::ByteCount(Party party)

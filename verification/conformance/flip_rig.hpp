@@ -15,7 +15,8 @@
 #include <cstdint>
 #include <string>
 
-/// Both channels of a small device with the comparator, for flipping bits in a channel's storage from outside. Host only.
+/// Both channels of a small device with the comparator, for flipping bits in a channel's storage from outside. Host
+/// only.
 namespace counterpoint::conformance
 {
 
@@ -103,8 +104,8 @@ class FlipRig
 /// Phases of operation in which a bit is flipped.
 constexpr std::uint32_t kPhaseCount = 14U;
 
-/// What was found over all bits of the storage of `party` in one phase: the complaints, and how many runs granted something
-/// after the flip (so that a rig that grants nothing does not pass as safe).
+/// What was found over all bits of the storage of `party` in one phase: the complaints, and how many runs granted
+/// something after the flip (so that a rig that grants nothing does not pass as safe).
 struct FlipResult
 {
     std::uint32_t runs;

@@ -44,12 +44,13 @@ struct RunResult
     std::uint32_t hash;
 };
 
-/// The moments that are 0 in the cases: with the second, the counter wraps 30 ms into a case, with the third it passes half
-/// its range there. [SRS-CNF-004]
+/// The moments that are 0 in the cases: with the second, the counter wraps 30 ms into a case, with the third it passes
+/// half its range there. [SRS-CNF-004]
 constexpr std::uint32_t kOrigins[] = {0U, 0U - 30000U, 0x80000000U - 30000U};
 constexpr std::uint32_t kOriginCount = 3U;
 
-/// Executes cases against one channel. Owns the objects of the device (some 10 KB): make it static where the stack is small.
+/// Executes cases against one channel. Owns the objects of the device (some 10 KB): make it static where the stack is
+/// small.
 class Runner
 {
   public:

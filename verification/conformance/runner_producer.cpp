@@ -53,7 +53,8 @@ void Runner::CheckNextFrame(const Step& step, Party sender) noexcept
                static_cast<std::uint64_t>(frame.kind));
         return;
     }
-    Expect("kind of the next frame", static_cast<std::uint64_t>(FrameKind::kData), static_cast<std::uint64_t>(frame.kind));
+    Expect("kind of the next frame", static_cast<std::uint64_t>(FrameKind::kData),
+           static_cast<std::uint64_t>(frame.kind));
     Expect("identifier of the next frame", step.z, frame.identifier);
     Expect("controller of the next frame", step.field, static_cast<std::uint64_t>(frame.port));
     Expect("length of the next frame", step.sub, frame.length_bytes);

@@ -199,12 +199,30 @@ TEST(ConformanceTable, HoldsTheVectorsAndTheKnownDefects)
 {
     Verifies(req::SRS_CNF_006);
     Verifies(req::SRS_CNF_007);
-    for (const char* const name :
-         {"VectorGold", "VectorA", "VectorB", "VectorC", "VectorD", "VectorE", "VectorF", "NegativeVectorsOfGold",
-          "T2_SrvtAboveSct", "T3_DuplicateNormalFrame", "T4_InverseFrameFirstIsSilent", "T5_LatchedUntilNmt",
-          "T6_ShortFrameLatched", "T7_SctMaskedByALateCall", "T8_LastValueAfterATimeOut", "T9_DummyMappingHalfAccepted",
-          "T10_OnlyTotalsCompared", "T11_SameObjectNormalAndInverse", "T12_RefreshDrifts", "T13_OneFullQueueLatches",
-          "T14_CorruptionInOperational", "T15_Direction3", "T19_SrvtMaskedByALateCall", "Ovf_MapCountAboveTheMemory"})
+    for (const char* const name : {"VectorGold",
+                                   "VectorA",
+                                   "VectorB",
+                                   "VectorC",
+                                   "VectorD",
+                                   "VectorE",
+                                   "VectorF",
+                                   "NegativeVectorsOfGold",
+                                   "T2_SrvtAboveSct",
+                                   "T3_DuplicateNormalFrame",
+                                   "T4_InverseFrameFirstIsSilent",
+                                   "T5_LatchedUntilNmt",
+                                   "T6_ShortFrameLatched",
+                                   "T7_SctMaskedByALateCall",
+                                   "T8_LastValueAfterATimeOut",
+                                   "T9_DummyMappingHalfAccepted",
+                                   "T10_OnlyTotalsCompared",
+                                   "T11_SameObjectNormalAndInverse",
+                                   "T12_RefreshDrifts",
+                                   "T13_OneFullQueueLatches",
+                                   "T14_CorruptionInOperational",
+                                   "T15_Direction3",
+                                   "T19_SrvtMaskedByALateCall",
+                                   "Ovf_MapCountAboveTheMemory"})
     {
         EXPECT_STREQ(Find(name).name, name);
     }
@@ -221,7 +239,8 @@ TEST(ConformanceTable, EveryLimitHasItsThreePoints)
 {
     Verifies(req::SRS_CNF_005);
     const LimitCases limits[] = {
-        {"SCT at a frame", {"SctInsideAtNormalFrame", "SctOnTheLimitAtNormalFrame", "SctOneMicrosecondOverAtNormalFrame"}},
+        {"SCT at a frame",
+         {"SctInsideAtNormalFrame", "SctOnTheLimitAtNormalFrame", "SctOneMicrosecondOverAtNormalFrame"}},
         {"SCT in the cycle", {"SctInTheCycle"}},
         {"SRVT at a frame", {"SrvtInside", "SrvtOnTheLimit", "SrvtOneMicrosecondOver"}},
         {"SRVT in the cycle", {"SrvtInTheCycle", "PairIsValidForSctPlusSrvt"}},
@@ -246,10 +265,12 @@ TEST(ConformanceTable, EveryLimitHasItsThreePoints)
         {"timing of a consumer", {"RuleTimingOfAConsumer"}},
         {"timing of a producer", {"RuleTimingOfAProducer", "RuleTimingOfAProducerInASlowCycle"}},
         {"map count", {"RuleMapCount", "RuleMapCountAtSixteen"}},
-        {"length of an entry", {"RuleEntryLength", "GranularityOfSixteenBits", "GranularityOfThirtyTwoBits", "GranularityOfSixtyFourBits"}},
+        {"length of an entry",
+         {"RuleEntryLength", "GranularityOfSixteenBits", "GranularityOfThirtyTwoBits", "GranularityOfSixtyFourBits"}},
         {"total length", {"RuleTotalLength"}},
         {"default COB-IDs by node-ID",
-         {"DefaultsOfNode1", "DefaultsOfNode32", "DefaultsOfNode33", "DefaultsOfNode64", "DefaultsOfNode65", "DefaultsOfNode127"}},
+         {"DefaultsOfNode1", "DefaultsOfNode32", "DefaultsOfNode33", "DefaultsOfNode64", "DefaultsOfNode65",
+          "DefaultsOfNode127"}},
         {"values of 13FEh and 1300h", {"NotActiveWithout13FEh", "GlobalFailsafeCommandNeeds1300h"}},
     };
     for (const LimitCases& limit : limits)

@@ -6,7 +6,8 @@
 
 #include <cstdint>
 
-/// Conformance cases are tables of steps. Freestanding: the same tables run on the host and on the target. [SRS-CNF-001]
+/// Conformance cases are tables of steps. Freestanding: the same tables run on the host and on the target.
+/// [SRS-CNF-001]
 namespace counterpoint::conformance
 {
 
@@ -147,7 +148,8 @@ constexpr Step Restart()
     return Make(Op::kRestart);
 }
 
-/// The last frame or cycle once more, `times` times, each `apart_us` later than the one before. Outcomes in between are free.
+/// The last frame or cycle once more, `times` times, each `apart_us` later than the one before. Outcomes in between are
+/// free.
 constexpr Step Repeat(std::uint32_t times, std::uint32_t apart_us)
 {
     return With(Make(Op::kRepeat), times, apart_us);
@@ -202,7 +204,8 @@ constexpr Step Signalled(SrdoMask mask)
     return Mask(MaskName::kSignalled, mask);
 }
 
-constexpr Step Counts(std::uint8_t sct_checked, std::uint8_t is_tx, std::uint8_t is_invalid, std::uint8_t not_operational)
+constexpr Step Counts(std::uint8_t sct_checked, std::uint8_t is_tx, std::uint8_t is_invalid,
+                      std::uint8_t not_operational)
 {
     return With(Make(Op::kCounts, sct_checked, is_tx, is_invalid), not_operational);
 }
@@ -223,8 +226,8 @@ constexpr Step OrdinalSum(std::uint32_t sum)
 constexpr Step Slot(SlotIndex slot, SrdoState state, SrdoCause cause, std::uint32_t ordinal, std::uint32_t errors,
                     std::uint32_t pair)
 {
-    return With(Make(Op::kSlot, slot, static_cast<std::uint8_t>(state), static_cast<std::uint8_t>(cause)), ordinal, errors,
-                pair);
+    return With(Make(Op::kSlot, slot, static_cast<std::uint8_t>(state), static_cast<std::uint8_t>(cause)), ordinal,
+                errors, pair);
 }
 
 constexpr Step Data(SlotIndex slot, std::uint32_t low, std::uint32_t high = 0U)
@@ -245,7 +248,8 @@ constexpr Step Signals(SlotIndex slot, std::uint32_t bits)
 // ---- frames
 
 /// A data frame on the first controller; the first byte is bits 0 to 7 of `low`.
-constexpr Step Frame(std::uint32_t identifier, std::uint8_t length, std::uint32_t low, std::uint32_t high, std::uint32_t stamp)
+constexpr Step Frame(std::uint32_t identifier, std::uint8_t length, std::uint32_t low, std::uint32_t high,
+                     std::uint32_t stamp)
 {
     return Timed(With(Make(Op::kFrame, static_cast<std::uint8_t>(FrameKind::kData),
                            static_cast<std::uint8_t>(CanPortId::kFirst), length),
@@ -255,14 +259,17 @@ constexpr Step Frame(std::uint32_t identifier, std::uint8_t length, std::uint32_
 
 constexpr Step OfKind(Step frame, FrameKind kind)
 {
-    return Step{frame.op, static_cast<std::uint8_t>(kind), frame.field, frame.sub, frame.time, frame.x, frame.y, frame.z,
-                frame.v, frame.w};
+    return Step{frame.op,    static_cast<std::uint8_t>(kind),
+                frame.field, frame.sub,
+                frame.time,  frame.x,
+                frame.y,     frame.z,
+                frame.v,     frame.w};
 }
 
 constexpr Step On(Step frame, CanPortId port)
 {
     return Step{frame.op, frame.slot, static_cast<std::uint8_t>(port), frame.sub, frame.time, frame.x, frame.y, frame.z,
-                frame.v, frame.w};
+                frame.v,  frame.w};
 }
 
 // ---- release
@@ -309,7 +316,8 @@ constexpr Step Request(SlotIndex slot)
     return Make(Op::kRequest, slot);
 }
 
-constexpr Step Prepare(SlotIndex slot, PrepareStatus status, std::uint8_t length, std::uint32_t low, std::uint32_t high = 0U)
+constexpr Step Prepare(SlotIndex slot, PrepareStatus status, std::uint8_t length, std::uint32_t low,
+                       std::uint32_t high = 0U)
 {
     return With(Make(Op::kPrepare, slot, static_cast<std::uint8_t>(status), length), low, high);
 }
@@ -319,14 +327,14 @@ constexpr Step Launch(SlotIndex slot)
     return Make(Op::kLaunch, slot);
 }
 
-constexpr Step NextNormal(SlotIndex slot, CanPortId port, std::uint32_t identifier, std::uint8_t length, std::uint32_t low,
-                          std::uint32_t high = 0U)
+constexpr Step NextNormal(SlotIndex slot, CanPortId port, std::uint32_t identifier, std::uint8_t length,
+                          std::uint32_t low, std::uint32_t high = 0U)
 {
     return With(Make(Op::kNextNormal, slot, static_cast<std::uint8_t>(port), length), low, high, identifier);
 }
 
-constexpr Step NextInverse(SlotIndex slot, CanPortId port, std::uint32_t identifier, std::uint8_t length, std::uint32_t low,
-                           std::uint32_t high = 0U)
+constexpr Step NextInverse(SlotIndex slot, CanPortId port, std::uint32_t identifier, std::uint8_t length,
+                           std::uint32_t low, std::uint32_t high = 0U)
 {
     return With(Make(Op::kNextInverse, slot, static_cast<std::uint8_t>(port), length), low, high, identifier);
 }
@@ -337,8 +345,8 @@ constexpr Step NextNone(SlotIndex slot)
 }
 
 /// A frame of the device that was on the bus, and the slot that OnConfirm must return.
-constexpr Step Confirm(SlotIndex slot, std::uint32_t identifier, std::uint8_t length, std::uint32_t low, std::uint32_t high,
-                       std::uint32_t stamp)
+constexpr Step Confirm(SlotIndex slot, std::uint32_t identifier, std::uint8_t length, std::uint32_t low,
+                       std::uint32_t high, std::uint32_t stamp)
 {
     return Timed(With(Make(Op::kConfirm, static_cast<std::uint8_t>(FrameKind::kData),
                            static_cast<std::uint8_t>(CanPortId::kFirst), length),

@@ -18,7 +18,8 @@ void Differential::StoreBoth(SlotIndex slot, ConfigField field, std::uint8_t sub
 void Differential::LoadBoth() noexcept
 {
     const ConfigAddress address{static_cast<SlotIndex>(random_.Chance(900U) ? AnySlot() : random_.Below(256U)),
-                                static_cast<ConfigField>(random_.Below(14U)), static_cast<std::uint8_t>(random_.Below(19U))};
+                                static_cast<ConfigField>(random_.Below(14U)),
+                                static_cast<std::uint8_t>(random_.Below(19U))};
     Step("Load: field, sub", address.slot, static_cast<std::uint64_t>(address.field), address.sub, 0U);
     // Sub-index 0 with everything but map entries; what another one would mean is said nowhere.
     const bool is_entry = address.field == ConfigField::kMapEntry;
@@ -107,7 +108,8 @@ void Differential::Configure() noexcept
         }
     }
     StoreBoth(0U, ConfigField::kGfcParameter, 0U, device_.gfc_parameter);
-    configuration_valid_ = random_.Chance(970U) ? kConfigurationValidValue : static_cast<std::uint8_t>(random_.Below(256U));
+    configuration_valid_ =
+        random_.Chance(970U) ? kConfigurationValidValue : static_cast<std::uint8_t>(random_.Below(256U));
     StoreBoth(0U, ConfigField::kConfigurationValid, 0U, configuration_valid_);
     LoadBoth();
     nmt_ = random_.Chance(950U) ? NmtState::kOperational : NmtState::kPreOperational;

@@ -22,9 +22,11 @@ Payload Differential::AnyData() noexcept
 CanFrame Differential::FrameOf(SlotIndex slot, bool is_inverse, const Payload& data) const noexcept
 {
     const SlotPlan& plan = device_.plans[slot];
-    CanFrame frame{is_inverse ? plan.cob_id_2 : plan.cob_id_1, FrameKind::kData,
+    CanFrame frame{is_inverse ? plan.cob_id_2 : plan.cob_id_1,
+                   FrameKind::kData,
                    is_inverse ? device_.config_a.inverse_port : device_.config_a.normal_port,
-                   (plan.bytes <= 8U) ? plan.bytes : std::uint8_t{8U}, {}};
+                   (plan.bytes <= 8U) ? plan.bytes : std::uint8_t{8U},
+                   {}};
     for (std::uint32_t i = 0U; i < kMaxPayloadBytes; ++i)
     {
         const std::uint32_t half = (i < 4U) ? data.low : data.high;
@@ -39,7 +41,8 @@ void Differential::LetTimePass(std::uint32_t most_us) noexcept
     clock_us_ += random_.Below(most_us + 1U);
 }
 
-/// The bus moves on to one of the limits of `slot`, or one microsecond before or behind it, if that lies ahead and near.
+/// The bus moves on to one of the limits of `slot`, or one microsecond before or behind it, if that lies ahead and
+/// near.
 void Differential::GoNear(SlotIndex slot) noexcept
 {
     const SlotPlan& plan = device_.plans[slot];

@@ -82,7 +82,8 @@ void Device::MakeTimes(Random& random) noexcept
     config_a.cycle_tolerance_us = random.Chance(300U) ? config_a.cycle_us : random.Below(config_a.cycle_us);
     config_a.granularity_bits = kGranularities[random.Below(6U)];
     config_a.acknowledge_window_us = kWindows[random.Below(5U)];
-    config_a.node_id = static_cast<std::uint8_t>(random.Chance(800U) ? random.Between(1U, 6U) : random.Between(1U, 127U));
+    config_a.node_id =
+        static_cast<std::uint8_t>(random.Chance(800U) ? random.Between(1U, 6U) : random.Between(1U, 127U));
     config_a.normal_port = CanPortId::kFirst;
     config_a.inverse_port = random.Chance(250U) ? CanPortId::kSecond : CanPortId::kFirst;
     config_a.discrepancy_us = 10000U;
@@ -136,7 +137,8 @@ void Device::MakeSlot(Random& random, SlotIndex slot, std::uint32_t pair_of_iden
     SlotPlan& plan = plans[slot];
     const std::uint32_t kind = random.Below(100U);
     plan.direction = (kind < 62U) ? kDirectionConsumer : ((kind < 93U) ? kDirectionProducer : kDirectionOff);
-    plan.flaw = random.Chance(120U) ? static_cast<Flaw>(random.Below(static_cast<std::uint32_t>(Flaw::kNone))) : Flaw::kNone;
+    plan.flaw =
+        random.Chance(120U) ? static_cast<Flaw>(random.Below(static_cast<std::uint32_t>(Flaw::kNone))) : Flaw::kNone;
     plan.sct_ms = random.Chance(20U) ? std::uint16_t{65535U} : kScts[random.Below(6U)];
     plan.srvt_ms = static_cast<std::uint8_t>((plan.sct_ms > 255U) ? 255U : random.Between(1U, plan.sct_ms - 1U));
     if (plan.direction == kDirectionProducer)
@@ -180,10 +182,9 @@ void Device::AddObjects(Memory& memory, std::uint16_t first_index, std::uint32_t
         std::uint32_t at = (Memory::kSlotBytes * slot) + offset;
         for (std::uint8_t pair = 0U; pair < plan.pairs; ++pair)
         {
-            memory.objects[object_count_] = MappableObject{static_cast<std::uint16_t>(first_index + slot),
-                                                           static_cast<std::uint8_t>(pair + 1U),
-                                                           static_cast<std::uint8_t>(8U * plan.lengths[pair]), access,
-                                                           &memory.bytes[at]};
+            memory.objects[object_count_] =
+                MappableObject{static_cast<std::uint16_t>(first_index + slot), static_cast<std::uint8_t>(pair + 1U),
+                               static_cast<std::uint8_t>(8U * plan.lengths[pair]), access, &memory.bytes[at]};
             at += plan.lengths[pair];
             ++object_count_;
         }

@@ -43,7 +43,8 @@ struct SlotPlan
     Flaw flaw;
 };
 
-/// Memory of the mapped variables as one channel sees it. Normal objects of slot n from 32 n on, inverse ones 16 behind.
+/// Memory of the mapped variables as one channel sees it. Normal objects of slot n from 32 n on, inverse ones 16
+/// behind.
 struct Memory
 {
     static constexpr std::uint32_t kSlotBytes = 32U;

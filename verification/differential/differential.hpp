@@ -150,8 +150,8 @@ class Differential
     Reached reached_{};
     conformance::Hash hash_{};
     Transmission transmissions_[kMaxSrdoCount]{};
-    SrdoState states_[kMaxSrdoCount]{};    ///< As of the OnCycle before.
-    SrdoCause causes_[kMaxSrdoCount]{};    ///< First causes as of the OnCycle before.
+    SrdoState states_[kMaxSrdoCount]{};      ///< As of the OnCycle before.
+    SrdoCause causes_[kMaxSrdoCount]{};      ///< First causes as of the OnCycle before.
     std::uint32_t last_us_[kMaxSrdoCount]{}; ///< Stamp of the latest normal frame.
     SrdoMask acknowledge_{0U};
     SrdoMask configured_{0U}; ///< Slots whose last Validate found no fault.

@@ -28,15 +28,16 @@ class Printer final : public Observer
     void OnStep(const StepRecord& record) noexcept override
     {
         std::printf("  %4u  slot %3d  %s: 0x%" PRIX64 ", 0x%" PRIX64 ", 0x%" PRIX64 "\n", record.step,
-                    (record.slot == kNoSlot) ? -1 : static_cast<int>(record.slot), record.name, record.x, record.y, record.z);
+                    (record.slot == kNoSlot) ? -1 : static_cast<int>(record.slot), record.name, record.x, record.y,
+                    record.z);
     }
 
     void OnDifference(const Difference& difference) noexcept override
     {
         std::printf("difference: seed %u, sequence %u, step %u, slot %d: %s: A 0x%" PRIX64 ", B 0x%" PRIX64 "\n",
                     difference.seed, difference.sequence, difference.step,
-                    (difference.slot == kNoSlot) ? -1 : static_cast<int>(difference.slot), difference.field, difference.a,
-                    difference.b);
+                    (difference.slot == kNoSlot) ? -1 : static_cast<int>(difference.slot), difference.field,
+                    difference.a, difference.b);
         last = difference;
     }
 
@@ -63,8 +64,8 @@ void ShowProgress(std::uint32_t done, std::uint32_t all)
         return;
     }
     const int filled = static_cast<int>((static_cast<std::uint64_t>(done) * kBarWidth) / all);
-    std::fprintf(stderr, "\r[%-*.*s] %u of %u sequences", kBarWidth, filled, "########################################", done,
-                 all);
+    std::fprintf(stderr, "\r[%-*.*s] %u of %u sequences", kBarWidth, filled, "########################################",
+                 done, all);
     if (done == all)
     {
         std::fputc('\n', stderr);
@@ -106,10 +107,14 @@ void WriteJson(const Options& options, const DifferentialResult& result, const R
         counts[NameOf(static_cast<Item>(i))] = reached.Count(static_cast<Item>(i));
     }
     const nlohmann::ordered_json document = {
-        {"seed", options.seed},           {"first", options.first},
-        {"sequences", result.sequences},  {"steps", result.steps},
-        {"differences", result.failures}, {"hash", result.hash},
-        {"missing", reached.Missing()},   {"reached", counts},
+        {"seed", options.seed},
+        {"first", options.first},
+        {"sequences", result.sequences},
+        {"steps", result.steps},
+        {"differences", result.failures},
+        {"hash", result.hash},
+        {"missing", reached.Missing()},
+        {"reached", counts},
         {"pass", (result.failures == 0U) && (reached.Missing() == 0U)},
     };
     std::ofstream file(options.json);
@@ -131,7 +136,8 @@ int Report(const DifferentialResult& result, const Reached& reached)
     }
     const bool passes = (result.failures == 0U) && (reached.Missing() == 0U);
     std::printf("run=differential sequences=%u steps=%" PRIu64 " differences=%u missing=%u hash=%08x: %s\n",
-                result.sequences, result.steps, result.failures, reached.Missing(), result.hash, passes ? "pass" : "FAIL");
+                result.sequences, result.steps, result.failures, reached.Missing(), result.hash,
+                passes ? "pass" : "FAIL");
     return passes ? 0 : 1;
 }
 
@@ -163,9 +169,12 @@ int Main(const Options& options)
 int main(int argc, char** argv)
 {
     counterpoint::differential::Options options;
-    CLI::App app{"Feeds random devices and sequences to both channels and compares them after every step. Exit status 0: no "
-                 "difference and everything reached; 1: otherwise; 2: bad arguments."};
-    app.add_option("--sequences", options.sequences, "Number of sequences")->check(CLI::Range(1U, 100000000U))->capture_default_str();
+    CLI::App app{
+        "Feeds random devices and sequences to both channels and compares them after every step. Exit status 0: no "
+        "difference and everything reached; 1: otherwise; 2: bad arguments."};
+    app.add_option("--sequences", options.sequences, "Number of sequences")
+        ->check(CLI::Range(1U, 100000000U))
+        ->capture_default_str();
     app.add_option("--seed", options.seed, "Seed of the run")->capture_default_str();
     app.add_option("--first", options.first, "Number of the first sequence")->capture_default_str();
     app.add_option("--json", options.json, "Writes result and counts to this file");

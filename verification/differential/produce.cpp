@@ -34,7 +34,8 @@ void Differential::WriteObjects(SlotIndex slot) noexcept
     {
         const std::uint32_t place = at + random_.Below(bytes);
         const std::uint32_t wrong = place + (random_.Chance(500U) ? Memory::kInverseAt : 0U);
-        device_.memory_a.bytes[wrong] = static_cast<std::uint8_t>(device_.memory_a.bytes[wrong] ^ (1U << random_.Below(8U)));
+        device_.memory_a.bytes[wrong] =
+            static_cast<std::uint8_t>(device_.memory_a.bytes[wrong] ^ (1U << random_.Below(8U)));
     }
     for (std::uint32_t i = 0U; i < Memory::kSlotBytes; ++i)
     {
@@ -78,9 +79,11 @@ void Differential::CheckFrame(SlotIndex slot, const CanFrame& frame, bool is_inv
     const SlotPlan& plan = device_.plans[slot];
     const Transmission& transmission = transmissions_[slot];
     const CanPortId port = is_inverse ? device_.config_a.inverse_port : device_.config_a.normal_port;
-    Same("kind of the next frame", slot, static_cast<std::uint64_t>(frame.kind), static_cast<std::uint64_t>(FrameKind::kData));
+    Same("kind of the next frame", slot, static_cast<std::uint64_t>(frame.kind),
+         static_cast<std::uint64_t>(FrameKind::kData));
     Same("identifier of the next frame", slot, frame.identifier, is_inverse ? plan.cob_id_2 : plan.cob_id_1);
-    Same("controller of the next frame", slot, static_cast<std::uint64_t>(frame.port), static_cast<std::uint64_t>(port));
+    Same("controller of the next frame", slot, static_cast<std::uint64_t>(frame.port),
+         static_cast<std::uint64_t>(port));
     Same("length of the next frame", slot, frame.length_bytes, transmission.length_bytes);
     for (std::uint32_t i = 0U; i < transmission.length_bytes; ++i)
     {

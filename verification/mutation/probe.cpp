@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// What a mutant has to get past: conformance cases, corrupted storage, differential run. Prints one line for each part and
-// stops at the first that fails; exit status 1 then. Linked once for each mutant by run.py.
+// What a mutant has to get past: conformance cases, corrupted storage, differential run. Prints one line for each part
+// and stops at the first that fails; exit status 1 then. Linked once for each mutant by run.py.
 #include "verification/conformance/flip_rig.hpp"
 #include "verification/conformance/runner.hpp"
 #include "verification/differential/differential.hpp"
