@@ -2,84 +2,71 @@
 #include "channel_b/channel.hpp"
 #include "channel_b/image.hpp"
 
-#include <cstddef>
 #include <cstdint>
 
-/// One look at the states of all slots, eight bytes at a time. A value counts only if it is exactly the one defined, so
-/// that a corrupted state is in no mask.
+/// One look at the states of all slots, eight bytes at a time where all eight are alike. A value counts only if it is
+/// exactly the one defined, so that a corrupted state is in no mask but that of the corrupted ones.
 namespace counterpoint::channel_b
 {
 
 namespace
 {
 
-constexpr std::size_t kSlotsInWord = 8U;
-constexpr std::uint64_t kLowBits = 0x0101010101010101U;
-constexpr std::uint64_t kBelowHighBits = 0x7F7F7F7F7F7F7F7FU;
-constexpr std::uint64_t kGather = 0x0102040810204080U;
-constexpr SrdoMask kAllOfWord = 0xFFU;
+constexpr std::uint8_t kSlotsInWord = 8U;
+constexpr HalfMask kAllOfWord = 0xFFU;
+constexpr std::uint64_t kEight = 0x0101010101010101U;
+constexpr std::uint64_t kEightReleased = kEight * Code(SrdoState::kReleased);
+constexpr std::uint64_t kEightSending = kEight * Code(SrdoState::kProducer);
+constexpr std::uint64_t kEightConsumers = kEight * kDirectionConsumer;
+constexpr std::uint64_t kEightProducers = kEight * kDirectionProducer;
+constexpr std::uint64_t kEightWithoutCause = kEight * Code(SrdoCause::kNone);
 
-/// The slots of whose column the byte is `value`. In a byte that is 0 after the XOR, neither the sum nor the byte
-/// itself sets the high bit; the product brings the bit of byte n to bit 56 + n.
-[[nodiscard]] SrdoMask SlotsWith(const Column<std::uint8_t>& column, std::uint8_t value, std::size_t count) noexcept
+/// Direction and state in one number.
+[[nodiscard]] constexpr std::uint32_t KindOf(std::uint8_t direction, std::uint8_t state) noexcept
 {
-    const std::uint64_t sought = kLowBits * value;
-    SrdoMask slots = 0U;
-    for (std::size_t first = 0U; first < count; first += kSlotsInWord)
-    {
-        const std::uint64_t word = PackBytes(&column[first]) ^ sought;
-        SrdoMask found = kAllOfWord;
-        if (word != 0U) // Not all eight of them.
-        {
-            const std::uint64_t unlike = ((word & kBelowHighBits) + kBelowHighBits) | word;
-            found = (((~unlike >> 7U) & kLowBits) * kGather) >> 56U;
-        }
-        slots |= found << first;
-    }
-    return slots;
+    return (static_cast<std::uint32_t>(direction) << 8U) | static_cast<std::uint32_t>(state);
 }
 
 } // namespace
 
-/// All masks are empty while SRDOs are not active.
-Channel::Census Channel::TakeCensus() const noexcept
+/// Puts one slot where it belongs; slots that are off belong nowhere. What is corrupted is taken from the others by
+/// Repair.
+void Channel::Enlist(SlotIndex slot, Census& census) const noexcept
 {
-    const std::size_t count = x_count;
-    const SrdoMask consumers = x_active & SlotsWith(x_storage.direction, kDirectionConsumer, count);
-    Census census{0U, 0U, 0U, 0U, 0U};
-    census.released = consumers & SlotsWith(x_storage.state, Code(SrdoState::kReleased), count);
-    for (SrdoMask rest = census.released & ~SlotsWith(x_storage.first_cause, Code(SrdoCause::kNone), count);
-         rest != 0U;)
+    const HalfMask bit = BitOf(slot);
+    const std::uint8_t state = x_storage.state[slot];
+    switch (KindOf(x_storage.direction[slot], state))
     {
-        const SlotIndex slot = TakeLowest(rest);
-        if (!IsRecordable(x_storage.first_cause[slot]))
-        {
-            census.released &= ~BitOf(slot);
-        }
+    case KindOf(kDirectionConsumer, Code(SrdoState::kReleased)):
+        census.released |= bit;
+        census.corrupted |= IsRecordable(x_storage.first_cause[slot]) ? 0U : bit;
+        break;
+    case KindOf(kDirectionProducer, Code(SrdoState::kProducer)):
+        census.producers |= bit;
+        break;
+    case KindOf(kDirectionConsumer, Code(SrdoState::kWaiting)):
+        census.waiting |= bit;
+        break;
+    case KindOf(kDirectionConsumer, Code(SrdoState::kFaulted)):
+        census.faulted |= bit;
+        break;
+    default:
+        census.corrupted |= (state == Code(SrdoState::kOff)) ? 0U : bit;
+        break;
     }
-    if (census.released != x_active) // Else there is nothing else to be found.
-    {
-        const SrdoMask producers = x_active & SlotsWith(x_storage.direction, kDirectionProducer, count);
-        const SrdoMask off = SlotsWith(x_storage.state, Code(SrdoState::kOff), count);
-        census.waiting = consumers & SlotsWith(x_storage.state, Code(SrdoState::kWaiting), count);
-        census.faulted = consumers & SlotsWith(x_storage.state, Code(SrdoState::kFaulted), count);
-        census.producers = producers & SlotsWith(x_storage.state, Code(SrdoState::kProducer), count);
-        census.corrupted = x_active & ~(off | census.waiting | census.faulted | census.released | census.producers);
-    }
-    return census;
 }
 
 /// A slot whose state fits none of its other marks ends in kFaulted, or in kOff if it is no consumer. It stays there
 /// until Restart: with kInvalid as its first cause nothing is released. [SRS-CONS-024]
 void Channel::Repair(SlotIndex slot, Census& census) noexcept
 {
-    const SrdoMask bit = BitOf(slot);
+    const HalfMask bit = BitOf(slot);
     census.waiting &= ~bit;
     census.released &= ~bit;
     census.producers &= ~bit;
     census.faulted &= ~bit;
     Fault(slot, SrdoCause::kInvalid);
-    Withdraw(x_storage.marks->automatic, bit);
+    Withdraw(MarksOf(x_storage, slot).automatic, bit);
     x_storage.first_cause[slot] = Code(SrdoCause::kInvalid);
     x_storage.stage[slot] = Stage::kIdle;
     if (x_storage.direction[slot] == kDirectionConsumer)
@@ -92,19 +79,43 @@ void Channel::Repair(SlotIndex slot, Census& census) noexcept
     }
 }
 
-Channel::Census Channel::SoundCensus() noexcept
+/// All masks stay empty while SRDOs are not active. The bytes of slots that do not exist count for nothing.
+void Channel::TakeCensus(Census& census) noexcept
 {
-    Census census = TakeCensus();
-    const Marks& marks = *x_storage.marks;
-    const SrdoMask consumers = census.waiting | census.faulted | census.released;
-    const SrdoMask twins = (marks.held.on ^ marks.held.off) & (marks.acknowledged.on ^ marks.acknowledged.off) &
-                           (marks.automatic.on ^ marks.automatic.off);
-    census.corrupted |= (consumers & ~twins) | (census.released & ~marks.held.on);
-    for (SrdoMask rest = census.corrupted; rest != 0U;)
+    const Marks& marks = MarksOf(x_storage, census.first);
+    const HalfMask active = census.active;
+    SlotIndex first = census.first;
+    for (HalfMask word = kAllOfWord; (word & active) != 0U; word <<= kSlotsInWord)
     {
-        Repair(TakeLowest(rest), census);
+        const std::uint64_t states = PackBytes(&x_storage.state[first]);
+        const std::uint64_t directions = PackBytes(&x_storage.direction[first]);
+        const std::uint64_t causes = PackBytes(&x_storage.first_cause[first]) ^ kEightWithoutCause;
+        if (((states ^ kEightReleased) | (directions ^ kEightConsumers) | causes) == 0U)
+        {
+            census.released |= word;
+        }
+        else if (((states ^ kEightSending) | (directions ^ kEightProducers)) == 0U)
+        {
+            census.producers |= word;
+        }
+        else
+        {
+            for (HalfMask rest = word & active; rest != 0U;)
+            {
+                Enlist(TakeLowest(rest, census.first), census);
+            }
+        }
+        first = static_cast<SlotIndex>(first + kSlotsInWord);
     }
-    return census;
+    census.released &= active;
+    census.producers &= active;
+    const HalfMask consumers = census.waiting | census.faulted | census.released;
+    const HalfMask twins = (marks.held.on ^ marks.held.off) & (marks.acknowledged.on ^ marks.acknowledged.off) &
+                           (marks.automatic.on ^ marks.automatic.off);
+    for (HalfMask rest = census.corrupted | (consumers & ~twins) | (census.released & ~marks.held.on); rest != 0U;)
+    {
+        Repair(TakeLowest(rest, census.first), census);
+    }
 }
 
 } // namespace counterpoint::channel_b

@@ -62,23 +62,27 @@ void Channel::Restart(const DeviceConfig& config) noexcept
     const Column<const SrdoSetup> setups{config.srdos};
     x_config = &config;
     x_count = (config.srdo_count < x_storage.capacity) ? config.srdo_count : x_storage.capacity;
-    x_present = 0U;
-    x_active = 0U;
-    x_levels = ~SrdoMask{0U}; // A level that is 1 from the start is no edge.
+    x_running = 0U;
     x_gfc = 0U;
     x_late_us = 0xFFFFFFFFU; // The first call is never late.
     x_cycle = 0U;
     x_storage.device[kGfcParameterAt] = 0U;
     x_storage.device[kConfigurationValidAt] = 0U;
-    *x_storage.marks = Marks{};
-    x_storage.marks->held.off = ~SrdoMask{0U};
-    x_storage.marks->acknowledged.off = ~SrdoMask{0U};
-    x_storage.marks->automatic.off = ~SrdoMask{0U};
-    x_storage.marks->valid.off = ~SrdoMask{0U};
+    for (std::uint8_t half = 0U; half < kHalves; ++half)
+    {
+        Marks& marks = x_storage.marks[half];
+        x_present[half] = 0U;
+        x_levels[half] = ~HalfMask{0U}; // A level that is 1 from the start is no edge.
+        marks = Marks{};
+        marks.held.off = ~HalfMask{0U};
+        marks.acknowledged.off = ~HalfMask{0U};
+        marks.automatic.off = ~HalfMask{0U};
+        marks.valid.off = ~HalfMask{0U};
+    }
     ClearLookUp();
     for (SlotIndex slot = 0U; slot < x_count; ++slot)
     {
-        x_present |= BitOf(slot);
+        x_present[slot / kSlotsInHalf] |= BitOf(slot);
         ClearSlot(slot);
         TakeSetup(slot, setups[slot]);
     }
@@ -87,24 +91,24 @@ void Channel::Restart(const DeviceConfig& config) noexcept
 void Channel::TakeSetup(SlotIndex slot, const SrdoSetup& setup) noexcept
 {
     const std::uint8_t node = x_config->node_id;
-    x_storage.safe_data[slot] = ~(static_cast<std::uint64_t>(setup.safe_value.low) |
-                                  (static_cast<std::uint64_t>(setup.safe_value.high) << 32U));
+    x_storage.safe_data[slot] = ~Join(setup.safe_value.low, setup.safe_value.high);
     if (setup.policy == ReleasePolicy::kAutomatic)
     {
-        Grant(x_storage.marks->automatic, BitOf(slot));
+        Grant(MarksOf(x_storage, slot).automatic, BitOf(slot));
     }
     if (setup.form == ProducerForm::kProviderCalled)
     {
-        x_storage.marks->provider |= BitOf(slot);
+        MarksOf(x_storage, slot).provider |= BitOf(slot);
     }
     if ((setup.number == 1U) && (node <= kLastDefaultNode))
     {
         // 0FFh + 2n and the next one: 101h to 180h, so that the second byte is always 1.
-        *ImageAt(x_storage, slot, kCobId1At) = static_cast<std::uint8_t>((2U * node) - 1U);
-        *ImageAt(x_storage, slot, kCobId1At + 1U) = 1U;
-        *ImageAt(x_storage, slot, kCobId2At) = static_cast<std::uint8_t>(2U * node);
-        *ImageAt(x_storage, slot, kCobId2At + 1U) = 1U;
-        *ImageAt(x_storage, slot, kSctAt) = (node > kLastDefaultProducer) ? kDefaultSctMs : kDefaultRefreshMs;
+        const Column<std::uint8_t> image{ImageAt(x_storage, slot, 0U)};
+        image[kCobId1At] = static_cast<std::uint8_t>((2U * node) - 1U);
+        image[kCobId1At + 1U] = 1U;
+        image[kCobId2At] = static_cast<std::uint8_t>(2U * node);
+        image[kCobId2At + 1U] = 1U;
+        image[kSctAt] = (node > kLastDefaultProducer) ? kDefaultSctMs : kDefaultRefreshMs;
     }
 }
 
@@ -118,8 +122,9 @@ void Channel::ClearLookUp() noexcept
 
 SrdoView Channel::View(SlotIndex slot) const noexcept
 {
-    const SrdoMask bit = BitOf(slot);
-    const bool holds_pair = (Granted(x_storage.marks->held) & bit) != 0U;
+    const Marks& marks = MarksOf(x_storage, slot);
+    const HalfMask bit = BitOf(slot);
+    const bool holds_pair = (Granted(marks.held) & bit) != 0U;
     SrdoView view{{0U, 0U},
                   x_storage.ordinal[slot] + x_storage.sent[slot],
                   0U,
@@ -132,7 +137,7 @@ SrdoView Channel::View(SlotIndex slot) const noexcept
         // Of a valid pair the inverse data tell the normal data.
         view.data = PayloadOf(~x_storage.inverse_data[slot] & PayloadMask(x_storage.length_bytes[slot]));
     }
-    if ((x_storage.marks->signalled & bit) != 0U)
+    if ((marks.signalled & bit) != 0U)
     {
         view.signals = x_storage.signals[slot];
     }
@@ -160,10 +165,9 @@ SrdoState Channel::StateOf(SlotIndex slot) const noexcept
 
 Permit Channel::Answer(std::uint32_t challenge) const noexcept
 {
-    const SrdoMask mask = x_storage.marks->committed & x_active;
-    const std::uint32_t low = static_cast<std::uint32_t>(mask & 0xFFFFFFFFU);
-    const std::uint32_t high = static_cast<std::uint32_t>(mask >> 32U);
-    return Permit{mask, ((challenge + low) ^ RotateLeft(high, 16U)) * kPermitConstantB};
+    const HalfMask low = x_storage.marks[0U].committed & x_running;
+    const HalfMask high = x_storage.marks[1U].committed & x_running;
+    return Permit{Join(low, high), ((challenge + low) ^ RotateLeft(high, 16U)) * kPermitConstantB};
 }
 
 } // namespace counterpoint::channel_b

@@ -12,7 +12,7 @@ namespace counterpoint::channel_b
 
 /// Channel B: owner of the inverse objects and sender of the inverse frame. DESIGN.md tells how it differs by design.
 ///
-/// Invariants between two calls, while SRDOs are active (x_active is not 0):
+/// Invariants between two calls, while SRDOs are active (x_running is not 0):
 /// - a budget that runs belongs to the latest normal frame of its slot: pending -> SRVT; only held -> SCT;
 /// - pair_limit of a slot with nothing pending, held or in flight is kNothingRuns, so that it never counts as spent;
 /// - state kReleased implies that a pair is held;
@@ -50,14 +50,35 @@ class Channel final : public counterpoint::Channel
         std::uint8_t width;
     };
 
-    /// Slots by state, of one look at all of them; a slot that is in none is off.
+    /// What a call of OnCycle finds for all slots alike.
+    struct Call
+    {
+        HalfMask late;       ///< All bits if the call is late, else none.
+        HalfMask overflowed; ///< All bits if frames were lost, else none.
+        HalfMask alarmed;    ///< Both, and a global fail-safe command.
+        bool is_entering;
+        bool is_leaving;
+        bool is_spent; ///< The budget of some pair.
+    };
+
+    /// What it finds and does for one half of the slots. The first five are slots by state, of one look at all of them;
+    /// a slot that is in none is off.
     struct Census
     {
-        SrdoMask waiting;
-        SrdoMask faulted;
-        SrdoMask released;
-        SrdoMask producers;
-        SrdoMask corrupted; ///< State, direction, first cause or marks do not fit each other.
+        HalfMask waiting;
+        HalfMask faulted;
+        HalfMask released;
+        HalfMask producers;
+        HalfMask corrupted; ///< State, direction, first cause or marks do not fit each other.
+        HalfMask spent;     ///< Slots whose pair has nothing left.
+        HalfMask edges;     ///< Of the acknowledge inputs.
+        HalfMask present;   ///< All existing slots.
+        HalfMask active;    ///< The same while SRDOs are active, else none.
+        HalfMask new_fault;
+        HalfMask fresh;
+        HalfMask due;
+        HalfMask signalled;
+        SlotIndex first; ///< Slot 0 or 32.
     };
 
     /// A mapping while it is being checked.
@@ -82,46 +103,53 @@ class Channel final : public counterpoint::Channel
     [[nodiscard]] SrdoState StateOf(SlotIndex slot) const noexcept;
 
     // census.cpp
-    [[nodiscard]] Census TakeCensus() const noexcept;
-    [[nodiscard]] Census SoundCensus() noexcept;
+    void Enlist(SlotIndex slot, Census& census) const noexcept;
     void Repair(SlotIndex slot, Census& census) noexcept;
+    void TakeCensus(Census& census) noexcept;
+
+    // activity.cpp
+    [[nodiscard]] GuardView ViewGuard(const CycleInput& input) const noexcept;
+    [[nodiscard]] SlotIndex EndOf(SlotIndex first) const noexcept;
+    void Enter(const Census& half) noexcept;
+    void EnterSlot(SlotIndex slot, SrdoState state) noexcept;
+    [[nodiscard]] HalfMask Leave(const Census& half) noexcept;
 
     // cycle.cpp
-    [[nodiscard]] SrdoMask SpendPairs() noexcept;
-    void SpendWindows() noexcept;
-    [[nodiscard]] GuardView ViewGuard(const CycleInput& input) const noexcept;
-    [[nodiscard]] SrdoMask SettleActivity(bool operational) noexcept;
-    void Enter() noexcept;
-    void EnterSlot(SlotIndex slot, SrdoState state) noexcept;
-    [[nodiscard]] SrdoMask Leave() noexcept;
-    [[nodiscard]] SrdoMask MissFirstPairs(const Census& census) noexcept;
-    void Signal(SrdoMask slots) noexcept;
+    [[nodiscard]] bool SpendPairs() noexcept;
+    [[nodiscard]] HalfMask FindSpent(SlotIndex first) const noexcept;
+    void SpendWindows(const Census& half) noexcept;
+    [[nodiscard]] HalfMask MissFirstPairs(const Census& census) noexcept;
+    void Signal(Census& half, HalfMask slots) noexcept;
+    void CycleHalf(const Call& call, Census& half) noexcept;
 
     // consumer.cpp
     void TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
-    void TakeLateFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
     void TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
     void TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept;
+    void TakeLateFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
     void TakeCommand(const CanFrame& frame) noexcept;
-    void ExamineConsumers(const CycleInput& input, SrdoMask spent, bool is_late, Census& census) noexcept;
-    void Acknowledge(SrdoMask edges, const Census& census) noexcept;
+    void ExamineConsumers(const Call& call, Census& census) noexcept;
+    void Acknowledge(const Census& census) noexcept;
     void Release(Census& census) noexcept;
+    void ForgetCauses(SlotIndex first, HalfMask slots) noexcept;
 
     // faults.cpp
     void Count(SlotIndex slot, SrdoCause cause) noexcept;
     void Record(SlotIndex slot, SrdoCause cause) noexcept;
     void Discard(SlotIndex slot) noexcept;
     void Fault(SlotIndex slot, SrdoCause cause) noexcept;
-    void FaultEach(SrdoMask slots, SrdoCause cause) noexcept;
+    void FaultEach(SlotIndex first, HalfMask slots, SrdoCause cause) noexcept;
+    void Expire(SlotIndex slot) noexcept;
     SlotIndex Fail(SlotIndex slot, SrdoCause cause) noexcept;
+    void DropPair(SlotIndex slot) noexcept;
 
     // producer.cpp
-    [[nodiscard]] SrdoMask AdvanceProducers(SrdoMask producers, SrdoMask spent) noexcept;
-    SlotIndex ConfirmNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
-    SlotIndex ConfirmInverse(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
-    [[nodiscard]] std::uint32_t AbsenceUs(SlotIndex slot) const noexcept;
+    [[nodiscard]] HalfMask AdvanceProducers(const Census& census) noexcept;
     void AdvanceProvider(SlotIndex slot) noexcept;
     void AdvanceApplication(SlotIndex slot) noexcept;
+    [[nodiscard]] std::uint32_t AbsenceUs(SlotIndex slot) const noexcept;
+    SlotIndex ConfirmInverse(SlotIndex slot, std::uint32_t since_call) noexcept;
+    [[nodiscard]] bool IsEchoWrong(SlotIndex slot, const CanFrame& frame, std::uint64_t expected) const noexcept;
     [[nodiscard]] ObjectData ReadObjects(SlotIndex slot) const noexcept;
 
     // configuration.cpp
@@ -141,10 +169,10 @@ class Channel final : public counterpoint::Channel
 
     Storage x_storage;
     const DeviceConfig* x_config{nullptr};
-    SrdoMask x_present{0U};         ///< All existing slots.
-    SrdoMask x_active{0U};          ///< x_present while SRDOs are active, else 0.
-    SrdoMask x_levels{0U};          ///< Acknowledge inputs of the last OnCycle.
-    SrdoMask x_gfc{0U};             ///< Slots that a global fail-safe command reached since the last OnCycle.
+    HalfMask x_present[kHalves]{}; ///< All existing slots. MISRA D-001
+    HalfMask x_levels[kHalves]{}; ///< Acknowledge inputs of the last OnCycle. MISRA D-001
+    HalfMask x_running{0U};       ///< All bits while SRDOs are active, else none.
+    HalfMask x_gfc{0U};           ///< All bits if a global fail-safe command came since the last OnCycle, else none.
     std::uint32_t x_last_us{0U};    ///< The `now` of the last OnCycle: every budget and every stamp is relative to it.
     std::uint32_t x_elapsed_us{0U}; ///< Between the last two calls of OnCycle: what every budget is to be relieved of.
     std::uint32_t x_late_us{0U};    ///< Longest time since the last OnCycle that is not late.

@@ -101,7 +101,7 @@ void Channel::Store(const ConfigItem& item) noexcept
     }
     if (item.address.field <= ConfigField::kMapEntry)
     {
-        x_storage.marks->resolved &= ~BitOf(slot);
+        MarksOf(x_storage, slot).resolved &= ~BitOf(slot);
     }
 }
 
@@ -247,8 +247,8 @@ void Channel::Resolve(SlotIndex slot, const Mapping& mapping) noexcept
         x_storage.table[row + index] = (index < count) ? mapping.table[index] : kNoPlace;
     }
     x_storage.length_bytes[slot] = static_cast<std::uint8_t>(mapping.length_bits / 8U);
-    x_storage.marks->resolved |= BitOf(slot);
-    x_storage.marks->committed &= ~BitOf(slot); // Whatever was released is overwritten here, or no longer ours.
+    MarksOf(x_storage, slot).resolved |= BitOf(slot);
+    MarksOf(x_storage, slot).committed &= ~BitOf(slot); // Whatever was released is overwritten here, or no longer ours.
     if (x_storage.direction[slot] == kDirectionConsumer)
     {
         WriteInverse(slot, x_storage.safe_data[slot]);
@@ -261,8 +261,8 @@ CheckResult Channel::Validate(SlotIndex slot) noexcept
     const bool is_signed = static_cast<std::uint32_t>(signature) == StoredSignature(x_storage, slot);
     const bool is_on = x_storage.direction[slot] != kDirectionOff;
     Mapping mapping{{}, 0U, ConfigFault::kNone};
-    x_storage.marks->resolved &= ~BitOf(slot);
-    Withdraw(x_storage.marks->valid, BitOf(slot));
+    MarksOf(x_storage, slot).resolved &= ~BitOf(slot);
+    Withdraw(MarksOf(x_storage, slot).valid, BitOf(slot));
     if (is_on)
     {
         const ConfigFault fault = CheckParameters(slot);
@@ -275,7 +275,7 @@ CheckResult Channel::Validate(SlotIndex slot) noexcept
     }
     if (mapping.fault == ConfigFault::kNone)
     {
-        Grant(x_storage.marks->valid, BitOf(slot));
+        Grant(MarksOf(x_storage, slot).valid, BitOf(slot));
         if (is_on)
         {
             Resolve(slot, mapping);
@@ -288,7 +288,7 @@ bool Channel::IsTableRight(SlotIndex slot) const noexcept
 {
     const std::uint8_t count = EntryCount(x_storage, slot);
     const std::size_t row = static_cast<std::size_t>(slot) * kMaxMapEntries;
-    bool is_right = (x_storage.marks->resolved & BitOf(slot)) != 0U;
+    bool is_right = (MarksOf(x_storage, slot).resolved & BitOf(slot)) != 0U;
     for (std::uint8_t index = 0U; index < count; ++index)
     {
         const std::uint32_t entry = EntryAt(x_storage, slot, index);
@@ -313,10 +313,10 @@ CheckResult Channel::Recheck(SlotIndex slot) noexcept
     }
     else
     {
-        Grant(x_storage.marks->valid, BitOf(slot));
+        Grant(MarksOf(x_storage, slot).valid, BitOf(slot));
         return result;
     }
-    Withdraw(x_storage.marks->valid, BitOf(slot));
+    Withdraw(MarksOf(x_storage, slot).valid, BitOf(slot));
     return result;
 }
 

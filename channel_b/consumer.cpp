@@ -2,36 +2,11 @@
 #include "channel_b/channel.hpp"
 #include "channel_b/image.hpp"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace counterpoint::channel_b
 {
-
-void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
-{
-    if (frame.kind != FrameKind::kData)
-    {
-        return;
-    }
-    const SlotIndex slot = LookUp(x_storage, frame);
-    if (slot >= x_count)
-    {
-        TakeCommand(frame);
-        return;
-    }
-    if ((x_storage.marks->consumers & BitOf(slot)) == 0U)
-    {
-        return;
-    }
-    // From the last OnCycle to the frame, modular, so that it may be before that call as well.
-    const std::uint32_t since_call = stamp.us - x_last_us;
-    if ((x_storage.pair_left[slot] - since_call) > x_storage.pair_limit[slot])
-    {
-        TakeLateFrame(slot, frame, since_call);
-        return;
-    }
-    TakeFrame(slot, frame, since_call);
-}
 
 /// Global fail-safe command. [SRS-CONS-017]
 void Channel::TakeCommand(const CanFrame& frame) noexcept
@@ -39,7 +14,7 @@ void Channel::TakeCommand(const CanFrame& frame) noexcept
     const bool is_accepted = x_storage.device[kGfcParameterAt] == 1U;
     if ((frame.identifier == kGfcIdentifier) && (frame.length_bytes == 0U) && is_accepted)
     {
-        x_gfc |= x_active;
+        x_gfc |= x_running;
     }
 }
 
@@ -59,7 +34,6 @@ void Channel::TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t sin
 /// The checks are made in the order of SRS-CONS-011.
 inline void Channel::TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
 {
-    Marks& marks = *x_storage.marks;
     if ((frame.identifier != NormalIdentifier(x_storage, slot)) || (frame.port != x_config->normal_port))
     {
         Fault(slot, SrdoCause::kIdentifier);
@@ -70,34 +44,33 @@ inline void Channel::TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint
         Fault(slot, SrdoCause::kLength);
         return;
     }
-    if ((marks.pending & BitOf(slot)) != 0U)
+    Marks& marks = MarksOf(x_storage, slot);
+    const HalfMask bit = BitOf(slot);
+    if ((marks.pending & bit) != 0U)
     {
         Fault(slot, SrdoCause::kNormalTwice);
         return;
     }
-    const std::uint32_t srvt_us = SrvtUs(x_storage, slot);
-    marks.pending |= BitOf(slot);
+    marks.pending |= bit;
     x_storage.pending_data[slot] = PackBytes(&frame.data[0]);
-    x_storage.pair_limit[slot] = srvt_us;
-    x_storage.pair_left[slot] = srvt_us + since_call; // The next OnCycle takes away what lay before the frame.
+    StartBudget(x_storage, slot, since_call);
 }
 
 /// The checks are made in the order of SRS-CONS-011.
 inline void Channel::TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept
 {
-    Marks& marks = *x_storage.marks;
-    const SrdoMask bit = BitOf(slot);
     if ((frame.identifier != InverseIdentifier(x_storage, slot)) || (frame.port != x_config->inverse_port))
     {
         Fault(slot, SrdoCause::kIdentifier);
         return;
     }
-    const std::uint8_t length_bytes = x_storage.length_bytes[slot];
-    if (frame.length_bytes != length_bytes)
+    if (frame.length_bytes != x_storage.length_bytes[slot])
     {
         Fault(slot, SrdoCause::kLength);
         return;
     }
+    Marks& marks = MarksOf(x_storage, slot);
+    const HalfMask bit = BitOf(slot);
     if ((marks.pending & bit) == 0U)
     {
         Fault(slot, SrdoCause::kInverseFirst);
@@ -105,7 +78,7 @@ inline void Channel::TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept
     }
     const std::uint64_t inverse = PackBytes(&frame.data[0]);
     const std::uint64_t alike = ~(x_storage.pending_data[slot] ^ inverse);
-    if ((alike & PayloadMask(length_bytes)) != 0U) // Behind the mapped length anything may be.
+    if ((alike & PayloadMask(frame.length_bytes)) != 0U) // Behind the mapped length anything may be.
     {
         Fault(slot, SrdoCause::kNotInverse);
         return;
@@ -123,110 +96,129 @@ inline void Channel::TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept
     x_storage.pair_limit[slot] = sct_us;
 }
 
-void Channel::Demote(SlotIndex slot) noexcept
+void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
 {
-    if ((x_storage.marks->consumers & BitOf(slot)) == 0U)
+    if (frame.kind != FrameKind::kData)
     {
         return;
     }
-    x_storage.marks->released &= ~BitOf(slot);
-    Withdraw(x_storage.marks->acknowledged, BitOf(slot));
+    const SlotIndex slot = LookUp(x_storage, frame);
+    if (slot >= x_count)
+    {
+        TakeCommand(frame);
+        return;
+    }
+    if ((MarksOf(x_storage, slot).consumers & BitOf(slot)) == 0U)
+    {
+        return;
+    }
+    // From the last OnCycle to the frame, modular, so that it may be before that call as well.
+    const std::uint32_t since_call = stamp.us - x_last_us;
+    if ((x_storage.pair_left[slot] - since_call) > x_storage.pair_limit[slot])
+    {
+        TakeLateFrame(slot, frame, since_call);
+        return;
+    }
+    TakeFrame(slot, frame, since_call);
+}
+
+void Channel::Demote(SlotIndex slot) noexcept
+{
+    Marks& marks = MarksOf(x_storage, slot);
+    if ((marks.consumers & BitOf(slot)) == 0U)
+    {
+        return;
+    }
     Discard(slot);
-    x_storage.state[slot] = Code(SrdoState::kFaulted);
     Count(slot, SrdoCause::kDemoted);
 }
 
 /// The consumers' part of OnCycle up to the faults that it reports. [SRS-CONS-013 to 018]
-void Channel::ExamineConsumers(const CycleInput& input, SrdoMask spent, bool is_late, Census& census) noexcept
+void Channel::ExamineConsumers(const Call& call, Census& census) noexcept
 {
-    Marks& marks = *x_storage.marks;
-    const SrdoMask consumers = census.waiting | census.faulted | census.released;
-    const SrdoMask expired = spent & consumers;
-    const SrdoMask half = expired & marks.pending;
-    FaultEach(half, SrdoCause::kSrvt);
-    FaultEach(expired & ~half, SrdoCause::kSct);
-    if (is_late)
+    const Marks& marks = MarksOf(x_storage, census.first);
+    const HalfMask consumers = census.waiting | census.faulted | census.released;
+    const HalfMask expired = census.spent & consumers;
+    const HalfMask troubled = consumers & (marks.reporting | expired | call.alarmed);
+    for (HalfMask rest = expired; rest != 0U;)
     {
-        FaultEach(consumers & ~expired, SrdoCause::kLateCall);
+        Expire(TakeLowest(rest, census.first));
     }
-    if (input.queue != QueueState::kIntact)
+    FaultEach(census.first, troubled & ~expired & call.late, SrdoCause::kLateCall);
+    FaultEach(census.first, troubled & call.overflowed, SrdoCause::kQueueOverflow);
+    FaultEach(census.first, troubled & x_gfc, SrdoCause::kGfc);
+    for (HalfMask rest = troubled & marks.held.on; rest != 0U;)
     {
-        FaultEach(consumers, SrdoCause::kQueueOverflow);
+        DropPair(TakeLowest(rest, census.first)); // Completed after the fault, before it was reported.
     }
-    FaultEach(consumers & x_gfc, SrdoCause::kGfc);
-    const SrdoMask faulted = consumers & marks.reporting;
-    for (SrdoMask rest = faulted & marks.held.on; rest != 0U;)
-    {
-        Discard(TakeLowest(rest)); // Completed after the fault, before it was reported.
-    }
-    census.faulted |= faulted;
-    census.waiting &= ~faulted;
-    census.released &= ~faulted;
+    census.faulted |= troubled;
+    census.waiting &= ~troubled;
+    census.released &= ~troubled;
 }
 
 /// Edges of this call, and the end of those that waited too long. [SRS-REL-005]
-void Channel::Acknowledge(SrdoMask edges, const Census& census) noexcept
+void Channel::Acknowledge(const Census& census) noexcept
 {
-    Marks& marks = *x_storage.marks;
-    const SrdoMask taken = edges & ~marks.reporting;
-    const SrdoMask waiting = taken & (census.waiting | census.faulted | census.released);
+    Marks& marks = MarksOf(x_storage, census.first);
+    const HalfMask taken = census.edges & ~marks.reporting;
+    const HalfMask waiting = taken & (census.waiting | census.faulted | census.released);
     Grant(marks.acknowledged, waiting);
-    for (SrdoMask rest = waiting; rest != 0U;)
+    for (HalfMask rest = waiting; rest != 0U;)
     {
-        x_storage.edge_left[TakeLowest(rest)] = x_config->acknowledge_window_us;
+        x_storage.edge_left[TakeLowest(rest, census.first)] = x_config->acknowledge_window_us;
     }
-    for (SrdoMask rest = taken & census.producers; rest != 0U;)
+    ForgetCauses(census.first, taken & census.producers);
+}
+
+void Channel::ForgetCauses(SlotIndex first, HalfMask slots) noexcept
+{
+    for (HalfMask rest = slots; rest != 0U;)
     {
-        x_storage.first_cause[TakeLowest(rest)] = Code(SrdoCause::kNone);
+        x_storage.first_cause[TakeLowest(rest, first)] = Code(SrdoCause::kNone);
     }
 }
 
 /// [SRS-REL-003, SRS-REL-004, SRS-REL-007]
 void Channel::Release(Census& census) noexcept
 {
-    Marks& marks = *x_storage.marks;
-    const SrdoMask permitted = Granted(marks.automatic) | Granted(marks.acknowledged);
-    const SrdoMask ready = Granted(marks.held) & ~marks.reporting & permitted;
-    SrdoMask released = 0U;
-    for (SrdoMask rest = (census.waiting | census.faulted) & ready; rest != 0U;)
+    Marks& marks = MarksOf(x_storage, census.first);
+    const HalfMask permitted = Granted(marks.automatic) | Granted(marks.acknowledged);
+    const HalfMask ready = Granted(marks.held) & ~marks.reporting & permitted;
+    for (HalfMask rest = (census.waiting | census.faulted) & ready; rest != 0U;)
     {
-        const SlotIndex slot = TakeLowest(rest);
+        const SlotIndex slot = TakeLowest(rest, census.first);
         if (IsRecordable(x_storage.first_cause[slot]))
         {
             x_storage.state[slot] = Code(SrdoState::kReleased);
-            released |= BitOf(slot);
+            census.released |= BitOf(slot);
         }
     }
-    census.released |= released;
-    census.waiting &= ~released;
-    census.faulted &= ~released;
-    const SrdoMask read = Granted(marks.acknowledged) & census.released;
-    for (SrdoMask rest = read; rest != 0U;)
-    {
-        x_storage.first_cause[TakeLowest(rest)] = Code(SrdoCause::kNone);
-    }
+    census.waiting &= ~census.released;
+    census.faulted &= ~census.released;
+    const HalfMask read = Granted(marks.acknowledged) & census.released;
+    ForgetCauses(census.first, read);
     Withdraw(marks.acknowledged, read);
-    marks.released = census.released;
 }
 
 /// [SRS-REL-002]
 void Channel::Commit(const Agreement& agreement) noexcept
 {
-    Marks& marks = *x_storage.marks;
-    const SrdoMask released = agreement.agreed & marks.released & Granted(marks.held) & x_present;
-    const SrdoMask written = released & agreement.matched & marks.unwritten;
-    for (SrdoMask rest = written; rest != 0U;)
+    for (SlotIndex first = 0U; first < x_count; first = static_cast<SlotIndex>(first + kSlotsInHalf))
     {
-        const SlotIndex slot = TakeLowest(rest);
-        WriteInverse(slot, x_storage.inverse_data[slot]);
+        Marks& marks = MarksOf(x_storage, first);
+        const HalfMask present = x_present[first / kSlotsInHalf];
+        const HalfMask released = PartOf(agreement.agreed, first) & marks.released & Granted(marks.held) & present;
+        const HalfMask written = released & PartOf(agreement.matched, first) & marks.unwritten;
+        const HalfMask withdrawn = marks.committed & ~released & present;
+        for (HalfMask rest = written | withdrawn; rest != 0U;)
+        {
+            const SlotIndex slot = TakeLowest(rest, first);
+            const bool is_written = (written & BitOf(slot)) != 0U;
+            WriteInverse(slot, is_written ? x_storage.inverse_data[slot] : x_storage.safe_data[slot]);
+        }
+        marks.unwritten &= ~written;
+        marks.committed = (marks.committed & released) | written;
     }
-    for (SrdoMask rest = marks.committed & ~released & x_present; rest != 0U;)
-    {
-        const SlotIndex slot = TakeLowest(rest);
-        WriteInverse(slot, x_storage.safe_data[slot]);
-    }
-    marks.unwritten &= ~written;
-    marks.committed = (marks.committed & released) | written;
 }
 
 } // namespace counterpoint::channel_b

@@ -13,6 +13,8 @@ namespace
 
 constexpr std::uint32_t kWaitingBit = std::uint32_t{1U} << static_cast<std::uint32_t>(SrdoCause::kWaitingPastSct);
 
+constexpr HalfMask kAll = 0xFFFFFFFFU;
+
 [[nodiscard]] std::uint32_t SumOf(const Column<std::uint32_t>& column, std::size_t count) noexcept
 {
     std::uint32_t sum = 0U;
@@ -25,20 +27,9 @@ constexpr std::uint32_t kWaitingBit = std::uint32_t{1U} << static_cast<std::uint
 
 } // namespace
 
-GuardView Channel::ViewGuard(const CycleInput& input) const noexcept
-{
-    const std::uint32_t declared = x_storage.device[kConfigurationValidAt];
-    const std::uint32_t turned = (input.challenge << 8U) | (input.challenge >> 24U);
-    if (input.guard_token != (turned ^ (declared * 0x01010101U)))
-    {
-        return GuardView::kStale;
-    }
-    return (declared == kConfigurationValidValue) ? GuardView::kConfigured : GuardView::kUnconfigured;
-}
-
-/// Takes the time since the last call from the budgets of all pairs, whether they run or not; returns the slots that
-/// have nothing left. The first loop is without a decision, so that a compiler can do several slots at once.
-SrdoMask Channel::SpendPairs() noexcept
+/// Takes the time since the last call from the budgets of all pairs, whether they run or not; returns whether one has
+/// nothing left. The loop is without a decision, so that a compiler can do several slots at once.
+bool Channel::SpendPairs() noexcept
 {
     const std::uint32_t elapsed = x_elapsed_us;
     const Column<std::uint32_t> left = x_storage.pair_left;
@@ -50,31 +41,40 @@ SrdoMask Channel::SpendPairs() noexcept
         left[slot] -= elapsed;
         any |= static_cast<std::uint32_t>(left[slot] > limit[slot]);
     }
-    SrdoMask spent = 0U;
-    for (std::size_t slot = 0U; (any != 0U) && (slot < count); ++slot)
+    return any != 0U;
+}
+
+HalfMask Channel::FindSpent(SlotIndex first) const noexcept
+{
+    const SlotIndex end = EndOf(first);
+    HalfMask spent = 0U;
+    for (SlotIndex slot = first; slot < end; ++slot)
     {
-        spent |= static_cast<SrdoMask>(left[slot] > limit[slot]) << slot;
+        if (x_storage.pair_left[slot] > x_storage.pair_limit[slot])
+        {
+            spent |= BitOf(slot);
+        }
     }
     return spent;
 }
 
 /// Takes it from the windows of signals and from the acknowledge edges and closes those that are over. A corrupted mark
 /// must not lead to a slot that does not exist.
-void Channel::SpendWindows() noexcept
+void Channel::SpendWindows(const Census& half) noexcept
 {
-    Marks& marks = *x_storage.marks;
-    for (SrdoMask rest = marks.window_open & x_present; rest != 0U;)
+    Marks& marks = MarksOf(x_storage, half.first);
+    for (HalfMask rest = marks.window_open & half.present; rest != 0U;)
     {
-        const SlotIndex slot = TakeLowest(rest);
+        const SlotIndex slot = TakeLowest(rest, half.first);
         x_storage.window_left[slot] -= x_elapsed_us;
         if (x_storage.window_left[slot] > SctUs(x_storage, slot))
         {
             marks.window_open &= ~BitOf(slot);
         }
     }
-    for (SrdoMask rest = marks.acknowledged.on & x_present; rest != 0U;)
+    for (HalfMask rest = marks.acknowledged.on & half.present; rest != 0U;)
     {
-        const SlotIndex slot = TakeLowest(rest);
+        const SlotIndex slot = TakeLowest(rest, half.first);
         x_storage.edge_left[slot] -= x_elapsed_us;
         if (x_storage.edge_left[slot] > x_config->acknowledge_window_us)
         {
@@ -83,91 +83,15 @@ void Channel::SpendWindows() noexcept
     }
 }
 
-void Channel::EnterSlot(SlotIndex slot, SrdoState state) noexcept
-{
-    const std::uint32_t first_us = kFirstTransmissionStepUs * x_config->node_id;
-    // Identifiers were checked by Validate; the remainder keeps a corrupted one within the table.
-    const std::uint32_t offset = NormalIdentifier(x_storage, slot) - kFirstSrdoIdentifier;
-    x_storage.slot_of[offset % kSrdoIdentifierCount] = slot;
-    x_storage.slot_of[(offset + 1U) % kSrdoIdentifierCount] = slot;
-    x_storage.state[slot] = Code(state);
-    x_storage.stage[slot] = Stage::kIdle;
-    x_storage.ordinal[slot] = 0U;
-    x_storage.sent[slot] = 0U;
-    x_storage.pair_limit[slot] = kNothingRuns;
-    // This call takes away the time before it from all phases, from this one as well.
-    const std::uint32_t phase_us = (state == SrdoState::kProducer) ? first_us : SctUs(x_storage, slot);
-    x_storage.phase_left[slot] = phase_us + x_elapsed_us;
-}
-
-void Channel::Enter() noexcept
-{
-    Marks& marks = *x_storage.marks;
-    x_active = x_present;
-    Withdraw(marks.held, x_present);
-    Withdraw(marks.acknowledged, x_present);
-    marks.unheard = x_present;
-    marks.pending = 0U;
-    marks.started = 0U;
-    marks.requested = 0U;
-    marks.refresh_due = 0U;
-    marks.standing = 0U;
-    const SrdoMask usable = Granted(marks.valid) & marks.resolved;
-    for (SlotIndex slot = 0U; slot < x_count; ++slot)
-    {
-        const bool is_usable = (usable & BitOf(slot)) != 0U;
-        if (is_usable && (x_storage.direction[slot] == kDirectionConsumer))
-        {
-            EnterSlot(slot, SrdoState::kWaiting);
-        }
-        if (is_usable && (x_storage.direction[slot] == kDirectionProducer))
-        {
-            EnterSlot(slot, SrdoState::kProducer);
-        }
-    }
-}
-
-/// Returns the consumers that were active. [SRS-CONS-019, SRS-PROD-011]
-SrdoMask Channel::Leave() noexcept
-{
-    const SrdoMask left = x_storage.marks->consumers & x_present;
-    FaultEach(left, SrdoCause::kNotOperational);
-    for (SlotIndex slot = 0U; slot < x_count; ++slot)
-    {
-        x_storage.state[slot] = Code(SrdoState::kOff);
-        x_storage.stage[slot] = Stage::kIdle;
-        x_storage.sent[slot] = 0U;
-        x_storage.pair_limit[slot] = kNothingRuns;
-    }
-    x_storage.marks->consumers = 0U;
-    x_active = 0U;
-    ClearLookUp();
-    return left;
-}
-
-SrdoMask Channel::SettleActivity(bool operational) noexcept
-{
-    const bool is_active = x_active != 0U;
-    if (operational && (!is_active))
-    {
-        Enter();
-    }
-    if ((!operational) && is_active)
-    {
-        return Leave();
-    }
-    return 0U;
-}
-
 /// Consumers that complain about no first pair. [SRS-CONS-022]
-SrdoMask Channel::MissFirstPairs(const Census& census) noexcept
+inline HalfMask Channel::MissFirstPairs(const Census& census) noexcept
 {
-    Marks& marks = *x_storage.marks;
-    SrdoMask missed = 0U;
+    Marks& marks = MarksOf(x_storage, census.first);
+    HalfMask missed = 0U;
     marks.unheard &= census.waiting & ~marks.fresh;
-    for (SrdoMask rest = marks.unheard; rest != 0U;)
+    for (HalfMask rest = marks.unheard; rest != 0U;)
     {
-        const SlotIndex slot = TakeLowest(rest);
+        const SlotIndex slot = TakeLowest(rest, census.first);
         x_storage.phase_left[slot] -= x_elapsed_us;
         if (x_storage.phase_left[slot] > SctUs(x_storage, slot))
         {
@@ -180,13 +104,12 @@ SrdoMask Channel::MissFirstPairs(const Census& census) noexcept
 }
 
 /// [SRS-CONS-021]
-void Channel::Signal(SrdoMask slots) noexcept
+inline void Channel::Signal(Census& half, HalfMask slots) noexcept
 {
-    Marks& marks = *x_storage.marks;
-    marks.signalled = 0U;
-    for (SrdoMask rest = slots; rest != 0U;)
+    Marks& marks = MarksOf(x_storage, half.first);
+    for (HalfMask rest = slots; rest != 0U;)
     {
-        const SlotIndex slot = TakeLowest(rest);
+        const SlotIndex slot = TakeLowest(rest, half.first);
         if ((marks.window_open & BitOf(slot)) == 0U)
         {
             x_storage.window_left[slot] = SctUs(x_storage, slot);
@@ -196,50 +119,108 @@ void Channel::Signal(SrdoMask slots) noexcept
         x_storage.signals[slot] = news;
         x_storage.told[slot] |= news;
         x_storage.causes[slot] = 0U;
-        marks.signalled |= static_cast<SrdoMask>(news != 0U) << slot;
+        if (news != 0U)
+        {
+            half.signalled |= BitOf(slot);
+        }
     }
     marks.window_open |= slots;
+    marks.signalled = half.signalled;
+}
+
+/// What seldom happens is looked for first.
+[[gnu::always_inline]] inline void Channel::CycleHalf(const Call& call, Census& half) noexcept
+{
+    Marks& marks = MarksOf(x_storage, half.first);
+    HalfMask left = 0U;
+    if (call.is_spent)
+    {
+        half.spent = FindSpent(half.first);
+    }
+    if (((marks.window_open | marks.acknowledged.on) & half.present) != 0U)
+    {
+        SpendWindows(half);
+    }
+    if (call.is_entering)
+    {
+        Enter(half);
+    }
+    if (call.is_leaving)
+    {
+        left = Leave(half);
+    }
+    TakeCensus(half);
+    const HalfMask consumers = half.waiting | half.faulted | half.released;
+    marks.consumers = consumers;
+    if ((consumers & (marks.reporting | half.spent | call.alarmed)) != 0U)
+    {
+        ExamineConsumers(call, half);
+    }
+    if (half.producers != 0U)
+    {
+        half.due = AdvanceProducers(half);
+    }
+    if (half.edges != 0U)
+    {
+        Acknowledge(half);
+    }
+    const HalfMask missed = MissFirstPairs(half);
+    if ((half.waiting | half.faulted | marks.acknowledged.on) != 0U)
+    {
+        Release(half);
+    }
+    marks.released = half.released;
+    half.new_fault = marks.reporting & (consumers | left);
+    half.fresh = marks.fresh & Granted(marks.held) & consumers;
+    Signal(half, (marks.reporting | missed) & half.present);
+    marks.fresh = 0U;
+    marks.reporting = 0U;
 }
 
 CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
 {
-    Marks& marks = *x_storage.marks;
-    x_elapsed_us = input.now.us - x_last_us;
-    const bool is_late = x_elapsed_us > x_late_us;
-    const SrdoMask edges = input.acknowledge & ~x_levels;
-    x_last_us = input.now.us;
-    x_late_us = x_config->cycle_us + x_config->cycle_tolerance_us;
-    x_levels = input.acknowledge;
-    ++x_cycle;
-    const SrdoMask spent = SpendPairs();
-    SpendWindows();
     CycleOutcome outcome{};
+    Census halves[kHalves] = {}; // MISRA D-001
     outcome.guard = ViewGuard(input);
     const bool is_configured = outcome.guard == GuardView::kConfigured;
-    const SrdoMask left = SettleActivity(is_configured && (input.nmt == NmtState::kOperational));
-    Census census = SoundCensus();
-    const SrdoMask consumers = census.waiting | census.faulted | census.released;
-    marks.consumers = consumers;
-    ExamineConsumers(input, spent, is_late, census);
-    outcome.due = AdvanceProducers(census.producers, spent);
-    Acknowledge(edges, census);
-    const SrdoMask missed = MissFirstPairs(census);
-    Release(census);
-    outcome.released = census.released;
-    outcome.faulted = census.faulted;
-    outcome.waiting = census.waiting;
-    outcome.new_fault = marks.reporting & (consumers | left);
-    outcome.fresh = marks.fresh & Granted(marks.held) & consumers;
-    Signal((marks.reporting | missed) & x_present);
-    outcome.signalled = marks.signalled;
-    outcome.cycle = x_cycle;
+    const HalfMask running = (is_configured && (input.nmt == NmtState::kOperational)) ? kAll : 0U;
+    x_elapsed_us = input.now.us - x_last_us;
+    x_last_us = input.now.us;
+    const HalfMask late = (x_elapsed_us > x_late_us) ? kAll : 0U;
+    const HalfMask overflowed = (input.queue != QueueState::kIntact) ? kAll : 0U;
+    const Call call{late, overflowed, late | overflowed | x_gfc, running > x_running, running < x_running, SpendPairs()};
+    x_late_us = x_config->cycle_us + x_config->cycle_tolerance_us;
+    x_running = running;
+    if (call.is_leaving)
+    {
+        ClearLookUp();
+    }
+    for (SlotIndex first = 0U; first < x_count; first = static_cast<SlotIndex>(first + kSlotsInHalf))
+    {
+        const std::size_t at = first / kSlotsInHalf;
+        const HalfMask levels = PartOf(input.acknowledge, first);
+        halves[at].first = first;
+        halves[at].present = x_present[at];
+        halves[at].active = x_present[at] & running;
+        halves[at].edges = levels & ~x_levels[at];
+        x_levels[at] = levels;
+        CycleHalf(call, halves[at]);
+        outcome.sct_checked += CountOf(halves[at].waiting | halves[at].faulted | halves[at].released);
+        outcome.is_tx += CountOf(halves[at].producers);
+    }
+    const Census& low = halves[0U];
+    const Census& high = halves[1U];
+    outcome.released = Join(low.released, high.released);
+    outcome.faulted = Join(low.faulted, high.faulted);
+    outcome.waiting = Join(low.waiting, high.waiting);
+    outcome.new_fault = Join(low.new_fault, high.new_fault);
+    outcome.fresh = Join(low.fresh, high.fresh);
+    outcome.due = Join(low.due, high.due);
+    outcome.signalled = Join(low.signalled, high.signalled);
+    outcome.cycle = ++x_cycle;
     outcome.ordinal_sum = SumOf(x_storage.ordinal, x_count);
-    outcome.sct_checked = CountOf(consumers);
-    outcome.is_tx = CountOf(census.producers);
-    outcome.not_operational = static_cast<std::uint8_t>(x_active == 0U);
-    outcome.is_invalid = static_cast<std::uint8_t>(CountOf(x_active) - (outcome.sct_checked + outcome.is_tx));
-    marks.fresh = 0U;
-    marks.reporting = 0U;
+    outcome.not_operational = static_cast<std::uint8_t>(running == 0U);
+    outcome.is_invalid = static_cast<std::uint8_t>((x_count & running) - (outcome.sct_checked + outcome.is_tx));
     x_gfc = 0U;
     return outcome;
 }

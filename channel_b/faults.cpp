@@ -25,44 +25,59 @@ void Channel::Record(SlotIndex slot, SrdoCause cause) noexcept
 {
     Count(slot, cause);
     x_storage.causes[slot] |= std::uint32_t{1U} << (static_cast<std::uint32_t>(cause) & 31U);
-    x_storage.marks->reporting |= BitOf(slot);
+    MarksOf(x_storage, slot).reporting |= BitOf(slot);
 }
 
 /// The pair is no longer held; a pending normal frame stays, and the budget is its own then.
-void Channel::Discard(SlotIndex slot) noexcept
+void Channel::DropPair(SlotIndex slot) noexcept
 {
-    Withdraw(x_storage.marks->held, BitOf(slot));
-    x_storage.marks->unwritten &= ~BitOf(slot);
+    Marks& marks = MarksOf(x_storage, slot);
+    const HalfMask bit = BitOf(slot);
+    Withdraw(marks.held, bit);
+    marks.unwritten &= ~bit;
     x_storage.ordinal[slot] = 0U;
-    if ((x_storage.marks->pending & BitOf(slot)) == 0U)
+    if ((marks.pending & bit) == 0U)
     {
         x_storage.pair_limit[slot] = kNothingRuns;
     }
 }
 
+/// Nothing is granted any longer.
+void Channel::Discard(SlotIndex slot) noexcept
+{
+    Marks& marks = MarksOf(x_storage, slot);
+    marks.released &= ~BitOf(slot);
+    Withdraw(marks.acknowledged, BitOf(slot));
+    x_storage.state[slot] = Code(SrdoState::kFaulted);
+    DropPair(slot);
+}
+
 void Channel::Fault(SlotIndex slot, SrdoCause cause) noexcept
 {
-    x_storage.marks->pending &= ~BitOf(slot);
-    x_storage.marks->released &= ~BitOf(slot);
-    Withdraw(x_storage.marks->acknowledged, BitOf(slot));
+    MarksOf(x_storage, slot).pending &= ~BitOf(slot);
     Discard(slot);
-    x_storage.state[slot] = Code(SrdoState::kFaulted);
     Record(slot, cause);
 }
 
-/// A limit ran out before the frame came, which is then the first one. [SRS-CONS-003, SRS-CONS-012]
+/// A limit ran out: SRVT while a normal frame waits, else SCT.
+void Channel::Expire(SlotIndex slot) noexcept
+{
+    const bool is_pending = (MarksOf(x_storage, slot).pending & BitOf(slot)) != 0U;
+    Fault(slot, is_pending ? SrdoCause::kSrvt : SrdoCause::kSct);
+}
+
+/// The frame is then taken as the first one. [SRS-CONS-003, SRS-CONS-012]
 void Channel::TakeLateFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
 {
-    const bool is_pending = (x_storage.marks->pending & BitOf(slot)) != 0U;
-    Fault(slot, is_pending ? SrdoCause::kSrvt : SrdoCause::kSct);
+    Expire(slot);
     TakeFrame(slot, frame, since_call);
 }
 
-void Channel::FaultEach(SrdoMask slots, SrdoCause cause) noexcept
+void Channel::FaultEach(SlotIndex first, HalfMask slots, SrdoCause cause) noexcept
 {
-    for (SrdoMask rest = slots; rest != 0U;)
+    for (HalfMask rest = slots; rest != 0U;)
     {
-        Fault(TakeLowest(rest), cause);
+        Fault(TakeLowest(rest, first), cause);
     }
 }
 

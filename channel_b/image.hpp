@@ -50,6 +50,12 @@ static_assert(kLookUpBytes == kSrdoIdentifierCount, "one byte an identifier");
     return PackFourBytes(ImageAt(storage, slot, kCobId2At));
 }
 
+/// Of the normal frame, or of the inverse one.
+[[nodiscard]] inline std::uint32_t OwnIdentifier(const Storage& storage, SlotIndex slot, bool is_normal) noexcept
+{
+    return PackFourBytes(ImageAt(storage, slot, is_normal ? kCobId1At : kCobId2At));
+}
+
 [[nodiscard]] inline std::uint32_t SctMs(const Storage& storage, SlotIndex slot) noexcept
 {
     const std::uint32_t low = *ImageAt(storage, slot, kSctAt);
@@ -117,6 +123,14 @@ enum class Awaited : std::uint8_t
 [[nodiscard]] inline bool IsInFlight(const Storage& storage, SlotIndex slot) noexcept
 {
     return AwaitedIn(storage.stage[slot]) != Awaited::kNothing;
+}
+
+/// SRVT counts from the normal frame: the next OnCycle takes away what lay before it.
+inline void StartBudget(const Storage& storage, SlotIndex slot, std::uint32_t since_call) noexcept
+{
+    const std::uint32_t srvt_us = SrvtUs(storage, slot);
+    storage.pair_limit[slot] = srvt_us;
+    storage.pair_left[slot] = srvt_us + since_call;
 }
 
 [[nodiscard]] constexpr std::uint8_t Code(SrdoState state) noexcept

@@ -9,30 +9,33 @@ namespace counterpoint::channel_b
 namespace
 {
 
-/// Each six consecutive bits of the sequence are at one place only; the table says at which.
-constexpr std::uint64_t kDeBruijn = 0x03F79D71B4CB0A89U;
-constexpr SlotIndex kPlaceOf[64] = { // MISRA D-001
-    0U,  1U,  48U, 2U,  57U, 49U, 28U, 3U,  61U, 58U, 50U, 42U, 38U, 29U, 17U, 4U,  62U, 55U, 59U, 36U, 53U, 51U,
-    43U, 22U, 45U, 39U, 33U, 30U, 24U, 18U, 12U, 5U,  63U, 47U, 56U, 27U, 60U, 41U, 37U, 16U, 54U, 35U, 52U, 21U,
-    44U, 32U, 23U, 11U, 46U, 26U, 40U, 15U, 34U, 20U, 31U, 10U, 25U, 14U, 19U, 9U,  13U, 8U,  7U,  6U};
+/// Each five consecutive bits of the sequence are at one place only; the table says at which.
+constexpr std::uint32_t kDeBruijn = 0x077CB531U;
+constexpr SlotIndex kPlaceOf[kSlotsInHalf] = { // MISRA D-001
+    0U,  1U,  28U, 2U,  29U, 14U, 24U, 3U, 30U, 22U, 20U, 15U, 25U, 17U, 4U,  8U,
+    31U, 27U, 13U, 23U, 21U, 19U, 16U, 7U, 26U, 12U, 18U, 6U,  11U, 5U,  10U, 9U};
 
 } // namespace
 
-SlotIndex TakeLowest(SrdoMask& mask) noexcept
+const std::uint64_t kPayloadMasks[kMaxPayloadBytes] = { // MISRA D-001
+    0xFFFFFFFFFFFFFFFFU, 0xFFU,           0xFFFFU,           0xFFFFFFU,
+    0xFFFFFFFFU,         0xFFFFFFFFFFU, 0xFFFFFFFFFFFFU, 0xFFFFFFFFFFFFFFU};
+
+SlotIndex TakeLowest(HalfMask& mask, SlotIndex first) noexcept
 {
-    const SrdoMask others = mask & (mask - 1U);
-    const std::uint64_t lowest = mask ^ others;
+    const HalfMask others = mask & (mask - 1U);
+    const HalfMask lowest = mask ^ others;
     mask = others;
-    return kPlaceOf[(lowest * kDeBruijn) >> 58U];
+    return static_cast<SlotIndex>(first + kPlaceOf[(lowest * kDeBruijn) >> 27U]);
 }
 
 /// By sums in ever wider fields.
-std::uint8_t CountOf(SrdoMask mask) noexcept
+std::uint8_t CountOf(HalfMask mask) noexcept
 {
-    const std::uint64_t pairs = mask - ((mask >> 1U) & 0x5555555555555555U);
-    const std::uint64_t nibbles = (pairs & 0x3333333333333333U) + ((pairs >> 2U) & 0x3333333333333333U);
-    const std::uint64_t bytes = (nibbles + (nibbles >> 4U)) & 0x0F0F0F0F0F0F0F0FU;
-    return static_cast<std::uint8_t>((bytes * 0x0101010101010101U) >> 56U);
+    const std::uint32_t pairs = mask - ((mask >> 1U) & 0x55555555U);
+    const std::uint32_t nibbles = (pairs & 0x33333333U) + ((pairs >> 2U) & 0x33333333U);
+    const std::uint32_t bytes = (nibbles + (nibbles >> 4U)) & 0x0F0F0F0FU;
+    return static_cast<std::uint8_t>((bytes * 0x01010101U) >> 24U);
 }
 
 } // namespace counterpoint::channel_b

@@ -7,43 +7,66 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Words of 64 bits: payload of a frame, one bit a slot, or one byte of each of eight slots. Packing is by shifts, so
-/// that the order of bytes of the processor does not matter.
+/// Words: payload of a frame, one bit for each slot of a half, or one byte of each of eight slots. Packing is by shifts,
+/// so that the order of bytes of the processor does not matter.
 namespace counterpoint::channel_b
 {
 
-/// `slot` is 0 to 63.
-[[nodiscard]] inline SrdoMask BitOf(SlotIndex slot) noexcept
+/// The slot's bit in the marks of its half.
+[[nodiscard]] inline HalfMask BitOf(SlotIndex slot) noexcept
 {
-    return SrdoMask{1U} << slot;
+    return HalfMask{1U} << (static_cast<std::uint32_t>(slot) % kSlotsInHalf);
+}
+
+[[nodiscard]] inline Marks& MarksOf(const Storage& storage, SlotIndex slot) noexcept
+{
+    return storage.marks[slot / kSlotsInHalf];
+}
+
+/// The part of a mask of all slots that belongs to the half whose first slot is `first`.
+[[nodiscard]] inline HalfMask PartOf(SrdoMask mask, SlotIndex first) noexcept
+{
+    const std::uint32_t low = static_cast<std::uint32_t>(mask & 0xFFFFFFFFU);
+    const std::uint32_t high = static_cast<std::uint32_t>(mask >> 32U);
+    return (first == 0U) ? low : high;
+}
+
+[[nodiscard]] inline SrdoMask Join(HalfMask low, HalfMask high) noexcept
+{
+    return static_cast<SrdoMask>(low) | (static_cast<SrdoMask>(high) << 32U);
 }
 
 /// Set only if both twins say so.
-[[nodiscard]] inline SrdoMask Granted(const TwinMask& mask) noexcept
+[[nodiscard]] inline HalfMask Granted(const TwinMask& mask) noexcept
 {
     return mask.on & ~mask.off;
 }
 
-inline void Grant(TwinMask& mask, SrdoMask slots) noexcept
+inline void Grant(TwinMask& mask, HalfMask slots) noexcept
 {
     mask.on |= slots;
     mask.off &= ~slots;
 }
 
-inline void Withdraw(TwinMask& mask, SrdoMask slots) noexcept
+inline void Withdraw(TwinMask& mask, HalfMask slots) noexcept
 {
     mask.on &= ~slots;
     mask.off |= slots;
+}
+
+[[nodiscard]] inline std::uint32_t PackFourBytes(const std::uint8_t* bytes) noexcept
+{
+    const Column<const std::uint8_t> byte{bytes};
+    return static_cast<std::uint32_t>(byte[0U]) | (static_cast<std::uint32_t>(byte[1U]) << 8U) |
+           (static_cast<std::uint32_t>(byte[2U]) << 16U) | (static_cast<std::uint32_t>(byte[3U]) << 24U);
 }
 
 /// Byte n of the result is bits 8n to 8n + 7 of the word.
 [[nodiscard]] inline std::uint64_t PackBytes(const std::uint8_t* bytes) noexcept
 {
     const Column<const std::uint8_t> byte{bytes};
-    return static_cast<std::uint64_t>(byte[0U]) | (static_cast<std::uint64_t>(byte[1U]) << 8U) |
-           (static_cast<std::uint64_t>(byte[2U]) << 16U) | (static_cast<std::uint64_t>(byte[3U]) << 24U) |
-           (static_cast<std::uint64_t>(byte[4U]) << 32U) | (static_cast<std::uint64_t>(byte[5U]) << 40U) |
-           (static_cast<std::uint64_t>(byte[6U]) << 48U) | (static_cast<std::uint64_t>(byte[7U]) << 56U);
+    return static_cast<std::uint64_t>(PackFourBytes(bytes)) |
+           (static_cast<std::uint64_t>(PackFourBytes(&byte[4U])) << 32U);
 }
 
 inline void UnpackBytes(std::uint64_t word, std::uint8_t* bytes) noexcept
@@ -59,17 +82,12 @@ inline void UnpackBytes(std::uint64_t word, std::uint8_t* bytes) noexcept
     byte[7U] = static_cast<std::uint8_t>((word >> 56U) & 0xFFU);
 }
 
-[[nodiscard]] inline std::uint32_t PackFourBytes(const std::uint8_t* bytes) noexcept
-{
-    const Column<const std::uint8_t> byte{bytes};
-    return static_cast<std::uint32_t>(byte[0U]) | (static_cast<std::uint32_t>(byte[1U]) << 8U) |
-           (static_cast<std::uint32_t>(byte[2U]) << 16U) | (static_cast<std::uint32_t>(byte[3U]) << 24U);
-}
+/// Mapped bits of a payload of 1 to 8 bytes; 8 bytes are row 0, and a corrupted length is some row.
+extern const std::uint64_t kPayloadMasks[kMaxPayloadBytes]; // MISRA D-001
 
-/// All mapped bits of a payload of 1 to 8 bytes.
 [[nodiscard]] inline std::uint64_t PayloadMask(std::uint8_t length_bytes) noexcept
 {
-    return ~std::uint64_t{0U} >> ((64U - (8U * static_cast<std::uint32_t>(length_bytes))) & 63U);
+    return kPayloadMasks[length_bytes % kMaxPayloadBytes];
 }
 
 [[nodiscard]] inline Payload PayloadOf(std::uint64_t word) noexcept
@@ -77,10 +95,10 @@ inline void UnpackBytes(std::uint64_t word, std::uint8_t* bytes) noexcept
     return Payload{static_cast<std::uint32_t>(word & 0xFFFFFFFFU), static_cast<std::uint32_t>(word >> 32U)};
 }
 
-/// @brief Clears the lowest set bit of a mask that is not 0 and returns its number.
-[[nodiscard]] SlotIndex TakeLowest(SrdoMask& mask) noexcept;
+/// @brief Clears the lowest set bit of a mask that is not 0 and returns its slot in the half that starts at `first`.
+[[nodiscard]] SlotIndex TakeLowest(HalfMask& mask, SlotIndex first) noexcept;
 /// @brief Number of set bits.
-[[nodiscard]] std::uint8_t CountOf(SrdoMask mask) noexcept;
+[[nodiscard]] std::uint8_t CountOf(HalfMask mask) noexcept;
 
 } // namespace counterpoint::channel_b
 

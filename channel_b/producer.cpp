@@ -25,16 +25,16 @@ void Channel::Request(SlotIndex slot) noexcept
 {
     if (x_storage.state[slot] == Code(SrdoState::kProducer))
     {
-        x_storage.marks->requested |= BitOf(slot);
+        MarksOf(x_storage, slot).requested |= BitOf(slot);
     }
 }
 
 void Channel::Hold(SlotIndex slot) noexcept
 {
-    const SrdoMask by_provider = x_storage.marks->provider & x_storage.marks->started & BitOf(slot);
-    if ((by_provider != 0U) && (x_storage.state[slot] == Code(SrdoState::kProducer)))
+    Marks& marks = MarksOf(x_storage, slot);
+    if (x_storage.state[slot] == Code(SrdoState::kProducer))
     {
-        x_storage.marks->standing |= BitOf(slot);
+        marks.standing |= marks.provider & marks.started & BitOf(slot);
     }
 }
 
@@ -45,8 +45,9 @@ PreparedPair Channel::Prepare(SlotIndex slot) noexcept
     {
         return pair;
     }
-    x_storage.marks->requested &= ~BitOf(slot);
-    x_storage.marks->refresh_due &= ~BitOf(slot);
+    Marks& marks = MarksOf(x_storage, slot);
+    marks.requested &= ~BitOf(slot);
+    marks.refresh_due &= ~BitOf(slot);
     const ObjectData data = ReadObjects(slot);
     const std::uint64_t mask = PayloadMask(x_storage.length_bytes[slot]);
     if ((data.normal ^ data.inverse) != mask)
@@ -69,11 +70,10 @@ void Channel::Launch(SlotIndex slot) noexcept
     {
         return;
     }
-    const std::uint32_t srvt_us = SrvtUs(x_storage, slot);
+    const Marks& marks = MarksOf(x_storage, slot);
+    const HalfMask by_application = marks.started & ~marks.provider;
     x_storage.stage[slot] = Stage::kAwaitNormal;
-    x_storage.pair_limit[slot] = srvt_us;
-    x_storage.pair_left[slot] = srvt_us;
-    const SrdoMask by_application = x_storage.marks->started & ~x_storage.marks->provider;
+    StartBudget(x_storage, slot, 0U);
     if ((by_application & BitOf(slot)) != 0U)
     {
         x_storage.phase_left[slot] = AbsenceUs(slot);
@@ -96,6 +96,14 @@ CanFrame Channel::NextFrame(SlotIndex slot) noexcept
     return frame;
 }
 
+[[gnu::always_inline]] inline bool Channel::IsEchoWrong(SlotIndex slot, const CanFrame& frame,
+                                                        std::uint64_t expected) const noexcept
+{
+    const std::uint8_t length_bytes = x_storage.length_bytes[slot];
+    const std::uint64_t different = (expected ^ PackBytes(&frame.data[0])) & PayloadMask(length_bytes);
+    return (frame.length_bytes != length_bytes) || (different != 0U);
+}
+
 SlotIndex Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
 {
     const SlotIndex slot = LookUp(x_storage, frame);
@@ -104,58 +112,38 @@ SlotIndex Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
         return kNoSlot;
     }
     // The identifiers of normal frames are odd, those of inverse frames are even.
-    const Awaited awaited = AwaitedIn(x_storage.stage[slot]);
-    const bool is_odd = (frame.identifier & 1U) != 0U;
-    if ((awaited == Awaited::kNormal) && is_odd)
-    {
-        return ConfirmNormal(slot, frame, stamp.us - x_last_us);
-    }
-    if ((awaited == Awaited::kInverse) && (!is_odd))
-    {
-        return ConfirmInverse(slot, frame, stamp.us - x_last_us);
-    }
-    return kNoSlot;
-}
-
-/// `since_call` is the time from the last OnCycle to the confirmation.
-inline SlotIndex Channel::ConfirmNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
-{
-    const std::uint8_t length_bytes = x_storage.length_bytes[slot];
-    const std::uint64_t alike = ~(x_storage.inverse_data[slot] ^ PackBytes(&frame.data[0]));
-    if (frame.identifier != NormalIdentifier(x_storage, slot))
+    const bool is_normal = (frame.identifier & 1U) != 0U;
+    const Awaited confirmed = is_normal ? Awaited::kNormal : Awaited::kInverse;
+    const bool is_own = frame.identifier == OwnIdentifier(x_storage, slot, is_normal);
+    if ((AwaitedIn(x_storage.stage[slot]) != confirmed) || (!is_own))
     {
         return kNoSlot;
     }
-    if ((frame.length_bytes != length_bytes) || ((alike & PayloadMask(length_bytes)) != 0U))
+    const std::uint64_t inverse = x_storage.inverse_data[slot];
+    const std::uint32_t since_call = stamp.us - x_last_us;
+    if (IsEchoWrong(slot, frame, is_normal ? ~inverse : inverse))
     {
         return Fail(slot, SrdoCause::kWrongEcho);
     }
-    const std::uint32_t srvt_us = SrvtUs(x_storage, slot);
+    if (!is_normal)
+    {
+        return ConfirmInverse(slot, since_call);
+    }
     x_storage.stage[slot] = Stage::kSendInverse;
-    x_storage.pair_limit[slot] = srvt_us;
-    x_storage.pair_left[slot] = srvt_us + since_call;
+    StartBudget(x_storage, slot, since_call);
     return slot;
 }
 
-inline SlotIndex Channel::ConfirmInverse(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
+/// `since_call` is the time from the last OnCycle to the confirmation.
+[[gnu::always_inline]] inline SlotIndex Channel::ConfirmInverse(SlotIndex slot, std::uint32_t since_call) noexcept
 {
-    const std::uint8_t length_bytes = x_storage.length_bytes[slot];
-    const std::uint64_t different = x_storage.inverse_data[slot] ^ PackBytes(&frame.data[0]);
-    if (frame.identifier != InverseIdentifier(x_storage, slot))
-    {
-        return kNoSlot;
-    }
-    if ((frame.length_bytes != length_bytes) || ((different & PayloadMask(length_bytes)) != 0U))
-    {
-        return Fail(slot, SrdoCause::kWrongEcho);
-    }
     if ((x_storage.pair_left[slot] - since_call) > x_storage.pair_limit[slot])
     {
         return Fail(slot, SrdoCause::kNoConfirmation);
     }
+    x_storage.sent[slot] += 1U;
     x_storage.stage[slot] = Stage::kIdle;
     x_storage.pair_limit[slot] = kNothingRuns;
-    x_storage.sent[slot] += 1U;
     return slot;
 }
 
@@ -171,16 +159,9 @@ void Channel::OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept
 /// The refresh falls due at exact distances, whenever the calls come. [SRS-PROD-001, SRS-PROD-002]
 void Channel::AdvanceProvider(SlotIndex slot) noexcept
 {
-    Marks& marks = *x_storage.marks;
-    const SrdoMask bit = BitOf(slot);
-    const std::uint32_t refresh_us = SctUs(x_storage, slot);
-    const std::uint32_t first_us = kFirstTransmissionStepUs * x_config->node_id;
-    const std::uint32_t limit_us = ((marks.started & bit) != 0U) ? refresh_us : first_us;
-    if ((x_storage.phase_left[slot] - 1U) < limit_us) // At least one microsecond is left.
-    {
-        return;
-    }
-    x_storage.phase_left[slot] += refresh_us;
+    Marks& marks = MarksOf(x_storage, slot);
+    const HalfMask bit = BitOf(slot);
+    x_storage.phase_left[slot] += SctUs(x_storage, slot);
     marks.started |= bit;
     if (IsInFlight(x_storage, slot) || ((marks.refresh_due & bit) != 0U))
     {
@@ -195,16 +176,11 @@ void Channel::AdvanceProvider(SlotIndex slot) noexcept
 /// [SRS-PROD-001, SRS-PROD-010]
 void Channel::AdvanceApplication(SlotIndex slot) noexcept
 {
-    Marks& marks = *x_storage.marks;
-    const SrdoMask bit = BitOf(slot);
+    Marks& marks = MarksOf(x_storage, slot);
+    const HalfMask bit = BitOf(slot);
     const std::uint32_t absence_us = AbsenceUs(slot);
     if ((marks.started & bit) == 0U)
     {
-        const std::uint32_t first_us = kFirstTransmissionStepUs * x_config->node_id;
-        if ((x_storage.phase_left[slot] - 1U) < first_us)
-        {
-            return;
-        }
         marks.started |= bit;
         x_storage.phase_left[slot] += absence_us; // Silence counts from the instant, not from this call.
     }
@@ -224,19 +200,27 @@ void Channel::AdvanceApplication(SlotIndex slot) noexcept
 }
 
 /// Returns the slots that are due. [SRS-PROD-004, SRS-PROD-008, SRS-PROD-010]
-SrdoMask Channel::AdvanceProducers(SrdoMask producers, SrdoMask spent) noexcept
+HalfMask Channel::AdvanceProducers(const Census& census) noexcept
 {
-    Marks& marks = *x_storage.marks;
-    SrdoMask in_flight = 0U;
-    for (SrdoMask rest = producers; rest != 0U;)
+    Marks& marks = MarksOf(x_storage, census.first);
+    const std::uint32_t first_us = kFirstTransmissionStepUs * x_config->node_id;
+    for (HalfMask rest = census.producers & census.spent; rest != 0U;)
     {
-        const SlotIndex slot = TakeLowest(rest);
-        x_storage.phase_left[slot] -= ((marks.standing & BitOf(slot)) != 0U) ? 0U : x_elapsed_us;
-        if ((spent & BitOf(slot)) != 0U)
+        static_cast<void>(Fail(TakeLowest(rest, census.first), SrdoCause::kNoConfirmation));
+    }
+    for (HalfMask rest = census.producers; rest != 0U;)
+    {
+        const SlotIndex slot = TakeLowest(rest, census.first);
+        const HalfMask bit = BitOf(slot);
+        const std::uint32_t elapsed_us = ((marks.standing & bit) != 0U) ? 0U : x_elapsed_us;
+        const std::uint32_t left_us = x_storage.phase_left[slot] - elapsed_us;
+        const std::uint32_t limit_us = ((marks.started & bit) != 0U) ? SctUs(x_storage, slot) : first_us;
+        x_storage.phase_left[slot] = left_us;
+        if ((left_us - 1U) < limit_us) // At least one microsecond is left.
         {
-            static_cast<void>(Fail(slot, SrdoCause::kNoConfirmation));
+            continue;
         }
-        if ((marks.provider & BitOf(slot)) != 0U)
+        if ((marks.provider & bit) != 0U)
         {
             AdvanceProvider(slot);
         }
@@ -244,10 +228,18 @@ SrdoMask Channel::AdvanceProducers(SrdoMask producers, SrdoMask spent) noexcept
         {
             AdvanceApplication(slot);
         }
-        in_flight |= static_cast<SrdoMask>(IsInFlight(x_storage, slot)) << slot;
     }
     marks.standing = 0U;
-    return producers & ~in_flight & (marks.refresh_due | (marks.requested & marks.started));
+    HalfMask due = census.producers & (marks.refresh_due | (marks.requested & marks.started));
+    for (HalfMask rest = due; rest != 0U;)
+    {
+        const SlotIndex slot = TakeLowest(rest, census.first);
+        if (IsInFlight(x_storage, slot))
+        {
+            due &= ~BitOf(slot);
+        }
+    }
+    return due;
 }
 
 } // namespace counterpoint::channel_b

@@ -20,6 +20,11 @@ constexpr std::uint8_t kLookUpBytes = 128U;
 /// 1300h and 13FEh.
 constexpr std::uint8_t kDeviceBytes = 2U;
 
+/// One bit for each slot of one half: slots 0 to 31, or 32 to 63. A word of a small processor holds it.
+using HalfMask = std::uint32_t;
+constexpr std::uint8_t kSlotsInHalf = 32U;
+constexpr std::uint8_t kHalves = kMaxSrdoCount / kSlotsInHalf;
+
 /// How far the transmission of a producer has come. Zero-filled memory is kInvalid and reads as nothing in flight.
 enum class Stage : std::uint8_t
 {
@@ -35,33 +40,33 @@ enum class Stage : std::uint8_t
 /// slot for which both agree is corrupted.
 struct TwinMask
 {
-    SrdoMask on;
-    SrdoMask off;
+    HalfMask on;
+    HalfMask off;
 };
 
-/// Bit n is slot n.
+/// Of the slots of one half: bit n is slot n of it.
 struct Marks
 {
     TwinMask held;         ///< A complete valid pair is held.
     TwinMask acknowledged; ///< An acknowledge edge waits.
     TwinMask automatic;    ///< Policy kAutomatic.
     TwinMask valid;        ///< The last Validate or Recheck found no fault.
-    SrdoMask resolved;     ///< The table of objects belongs to the stored mapping.
-    SrdoMask pending;      ///< A normal frame waits for its inverse frame.
-    SrdoMask fresh;        ///< A pair was completed since the last OnCycle.
-    SrdoMask unwritten;    ///< The held pair has not been written into the objects.
-    SrdoMask committed;    ///< The objects hold a released pair.
-    SrdoMask consumers;    ///< Consumers as of the last OnCycle.
-    SrdoMask released;     ///< State kReleased as of the last OnCycle, less those that had a fault since.
-    SrdoMask reporting;    ///< A fault has not been reported by OnCycle yet.
-    SrdoMask window_open;  ///< A window of signals is running.
-    SrdoMask signalled;    ///< The last OnCycle signalled something.
-    SrdoMask unheard;      ///< Consumers without a pair and without a complaint about it since OPERATIONAL was entered.
-    SrdoMask provider;     ///< Producers of the form kProviderCalled.
-    SrdoMask standing;     ///< Producers whose refresh stands still until the next OnCycle.
-    SrdoMask started;      ///< Producers whose first transmission is possible.
-    SrdoMask requested;    ///< Producers that the application wants to send.
-    SrdoMask refresh_due;  ///< Producers whose refresh has fallen due.
+    HalfMask resolved;     ///< The table of objects belongs to the stored mapping.
+    HalfMask pending;      ///< A normal frame waits for its inverse frame.
+    HalfMask fresh;        ///< A pair was completed since the last OnCycle.
+    HalfMask unwritten;    ///< The held pair has not been written into the objects.
+    HalfMask committed;    ///< The objects hold a released pair.
+    HalfMask consumers;    ///< Consumers as of the last OnCycle.
+    HalfMask released;     ///< State kReleased as of the last OnCycle, less those that had a fault since.
+    HalfMask reporting;    ///< A fault has not been reported by OnCycle yet.
+    HalfMask window_open;  ///< A window of signals is running.
+    HalfMask signalled;    ///< The last OnCycle signalled something.
+    HalfMask unheard;      ///< Consumers without a pair and without a complaint about it since OPERATIONAL was entered.
+    HalfMask provider;     ///< Producers of the form kProviderCalled.
+    HalfMask standing;     ///< Producers whose refresh stands still until the next OnCycle.
+    HalfMask started;      ///< Producers whose first transmission is possible.
+    HalfMask requested;    ///< Producers that the application wants to send.
+    HalfMask refresh_due;  ///< Producers whose refresh has fallen due.
 };
 
 /// One field of all slots.
@@ -104,7 +109,7 @@ struct Storage
     Column<std::uint8_t> first_cause; ///< SrdoCause.
     Column<Stage> stage;
     Column<std::uint8_t> length_bytes; ///< Mapped length.
-    Marks* marks;
+    Column<Marks> marks; ///< kHalves.
     std::uint8_t capacity;
 };
 
@@ -114,7 +119,7 @@ template <std::uint8_t kSlots> struct StorageFor
     static_assert((kSlots >= 1U) && (kSlots <= kMaxSrdoCount), "1 to 64 SRDOs");
     static constexpr std::size_t kPadded = ((kSlots + 7U) / 8U) * 8U;
 
-    Marks marks;
+    Marks marks[kHalves];                                                   // MISRA D-001
     std::uint64_t pending_data[kSlots];                                     // MISRA D-001
     std::uint64_t inverse_data[kSlots];                                     // MISRA D-001
     std::uint64_t safe_data[kSlots];                                        // MISRA D-001
@@ -146,7 +151,7 @@ template <std::uint8_t kSlots> struct StorageFor
                        {pending_data}, {inverse_data}, {safe_data},    {pair_left},   {pair_limit},
                        {phase_left},   {window_left},  {edge_left},    {ordinal},     {sent},
                        {causes},       {signals},      {told},         {error_count}, {state},
-                       {first_cause},  {stage},        {length_bytes}, &marks,        kSlots};
+                       {first_cause},  {stage},        {length_bytes}, {marks},       kSlots};
     }
 };
 

@@ -1,0 +1,89 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "channel_b/channel.hpp"
+#include "channel_b/image.hpp"
+
+#include <cstdint>
+
+/// Entering and leaving OPERATIONAL with a valid configuration: rare, apart from what every cycle does.
+namespace counterpoint::channel_b
+{
+
+GuardView Channel::ViewGuard(const CycleInput& input) const noexcept
+{
+    const std::uint32_t declared = x_storage.device[kConfigurationValidAt];
+    const std::uint32_t turned = (input.challenge << 8U) | (input.challenge >> 24U);
+    if (input.guard_token != (turned ^ (declared * 0x01010101U)))
+    {
+        return GuardView::kStale;
+    }
+    return (declared == kConfigurationValidValue) ? GuardView::kConfigured : GuardView::kUnconfigured;
+}
+
+/// Behind the last slot of the half.
+SlotIndex Channel::EndOf(SlotIndex first) const noexcept
+{
+    const std::uint32_t full = static_cast<std::uint32_t>(first) + kSlotsInHalf;
+    return (x_count < full) ? x_count : static_cast<SlotIndex>(full);
+}
+
+void Channel::EnterSlot(SlotIndex slot, SrdoState state) noexcept
+{
+    const std::uint32_t first_us = kFirstTransmissionStepUs * x_config->node_id;
+    // Identifiers were checked by Validate; the remainder keeps a corrupted one within the table.
+    const std::uint32_t offset = NormalIdentifier(x_storage, slot) - kFirstSrdoIdentifier;
+    x_storage.slot_of[offset % kSrdoIdentifierCount] = slot;
+    x_storage.slot_of[(offset + 1U) % kSrdoIdentifierCount] = slot;
+    x_storage.state[slot] = Code(state);
+    x_storage.stage[slot] = Stage::kIdle;
+    x_storage.ordinal[slot] = 0U;
+    x_storage.sent[slot] = 0U;
+    x_storage.pair_limit[slot] = kNothingRuns;
+    // This call takes away the time before it from all phases, from this one as well.
+    const std::uint32_t phase_us = (state == SrdoState::kProducer) ? first_us : SctUs(x_storage, slot);
+    x_storage.phase_left[slot] = phase_us + x_elapsed_us;
+}
+
+void Channel::Enter(const Census& half) noexcept
+{
+    Marks& marks = MarksOf(x_storage, half.first);
+    const HalfMask present = half.present;
+    Withdraw(marks.held, present);
+    Withdraw(marks.acknowledged, present);
+    marks.unheard = present;
+    marks.pending = 0U;
+    marks.started = 0U;
+    marks.requested = 0U;
+    marks.refresh_due = 0U;
+    marks.standing = 0U;
+    const HalfMask usable = Granted(marks.valid) & marks.resolved & present;
+    for (HalfMask rest = usable; rest != 0U;)
+    {
+        const SlotIndex slot = TakeLowest(rest, half.first);
+        if (x_storage.direction[slot] == kDirectionConsumer)
+        {
+            EnterSlot(slot, SrdoState::kWaiting);
+        }
+        if (x_storage.direction[slot] == kDirectionProducer)
+        {
+            EnterSlot(slot, SrdoState::kProducer);
+        }
+    }
+}
+
+/// Returns the consumers that were active. [SRS-CONS-019, SRS-PROD-011]
+HalfMask Channel::Leave(const Census& half) noexcept
+{
+    const SlotIndex end = EndOf(half.first);
+    const HalfMask left = MarksOf(x_storage, half.first).consumers & half.present;
+    FaultEach(half.first, left, SrdoCause::kNotOperational);
+    for (SlotIndex slot = half.first; slot < end; ++slot)
+    {
+        x_storage.state[slot] = Code(SrdoState::kOff);
+        x_storage.stage[slot] = Stage::kIdle;
+        x_storage.sent[slot] = 0U;
+        x_storage.pair_limit[slot] = kNothingRuns;
+    }
+    return left;
+}
+
+} // namespace counterpoint::channel_b
