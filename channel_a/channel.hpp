@@ -104,7 +104,7 @@ class Channel final : public counterpoint::Channel
     void StartProducing(Record& record) const noexcept;
     void ExamineSending(Instant now, Record& record, SrdoMask bit) noexcept;
     void Refresh(Record& record, SrdoMask bit) noexcept;
-    void Arm(Record& record, SrdoMask bit) noexcept;
+    void Arm(SrdoMask& due, Record& record, SrdoMask bit) noexcept;
     void Signal(Cycle& cycle, Record& record, SrdoMask bit, std::uint32_t extra) noexcept;
 
     // Transmission.

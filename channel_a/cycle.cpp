@@ -187,7 +187,7 @@ void Channel::Leave(Cycle& cycle) noexcept
 
 // The one loop over all slots. What it passes over has no limit that expired, fits its seal, and has nothing to tell,
 // to wait for or to release.
-void Channel::ScanLimits(const Cycle& cycle) noexcept
+inline void Channel::ScanLimits(const Cycle& cycle) noexcept
 {
     // A new pair is of interest to a slot that is not released yet.
     SrdoMask found = cycle.edges | standing_ | (fresh_ & ~groups_[kGroupReleased]);
@@ -223,7 +223,7 @@ inline void Channel::Signal(Cycle& cycle, Record& record, const SrdoMask bit, co
     }
 }
 
-void Channel::ServeSlot(Cycle& cycle, const SlotIndex slot) noexcept
+inline void Channel::ServeSlot(Cycle& cycle, const SlotIndex slot) noexcept
 {
     const SrdoMask bit = BitOf(slot);
     Record& record = At(slot);

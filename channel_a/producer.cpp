@@ -21,11 +21,6 @@ std::uint32_t RefreshUs(const Record& record) noexcept
     return record.values[kSctPlace] * kMicrosecondsPerMillisecond;
 }
 
-bool IsWanted(const Record& record) noexcept
-{
-    return (record.refresh == kMarked) || (record.request == kMarked);
-}
-
 } // namespace
 
 // refresh_since is one refresh time before the first possible transmission where the kernel asks for data, so that the
@@ -95,11 +90,17 @@ inline void Channel::ExamineSending(const Instant now, Record& record, const Srd
 
 // Between two pairs the limit is the next refresh, so that the scan passes over a producer with nothing to do. A pair
 // in flight or due is served in every cycle.
-inline void Channel::Arm(Record& record, const SrdoMask bit) noexcept
+inline void Channel::Arm(SrdoMask& due, Record& record, const SrdoMask bit) noexcept
 {
-    if (!may_send_ || (record.mode != Mode::kIdle) || IsWanted(record))
+    if (!may_send_ || (record.mode != Mode::kIdle))
     {
         attention_ |= bit;
+        return;
+    }
+    if ((record.refresh == kMarked) || (record.request == kMarked))
+    {
+        attention_ |= bit;
+        due |= bit;
         return;
     }
     record.since = record.refresh_since;
@@ -135,9 +136,8 @@ void Channel::ServeProducer(Cycle& cycle, Record& record, const SrdoMask bit) no
     if (may_send_)
     {
         ExamineSending(cycle.now, record, bit);
-        cycle.due |= (IsWanted(record) && (record.mode == Mode::kIdle)) ? bit : 0U;
     }
-    Arm(record, bit);
+    Arm(cycle.due, record, bit);
     if (((cycle.edges & bit) != 0U) && (record.unreported == 0U))
     {
         SetFirstCause(record, SrdoCause::kNone);
@@ -248,7 +248,8 @@ SlotIndex Channel::Finish(const SlotIndex slot) noexcept
     const SrdoMask bit = BitOf(slot);
     ++record.ordinal;
     attention_ &= ~bit;
-    Arm(record, bit);
+    SrdoMask due = 0U; // Told by the next OnCycle.
+    Arm(due, record, bit);
     const std::uint32_t unfinished = record.told | record.unreported;
     attention_ |= (unfinished != 0U) ? bit : 0U;
     return slot;
