@@ -99,16 +99,19 @@ class DemoCommand final : public Command
   public:
     void Describe(CLI::App& app) override
     {
-        app.add_option("--html", html_, "Page with all timing diagrams; a folder gets index.html")
-            ->capture_default_str();
+        CLI::Option* const html =
+            app.add_option("--html", html_, "Page with all timing diagrams; a folder gets index.html")
+                ->capture_default_str();
         app.add_option("--scenarios", scenarios_, "Folder of the scenarios NN_name.yaml");
-        app.add_flag("--list", list_, "List the scenarios and end");
+        app.add_flag("--list", list_, "List the scenarios and end")->excludes(html);
+        app_ = &app;
     }
 
     [[nodiscard]] ExitStatus Run(const Streams& streams) override
     {
         try
         {
+            RequireNames();
             const std::vector<std::string> files =
                 ListScenarios(scenarios_.empty() ? FindScenarios() : fs::path(scenarios_));
             return list_ ? List(files, streams) : Demonstrate(files, streams);
@@ -121,6 +124,18 @@ class DemoCommand final : public Command
     }
 
   private:
+    void RequireNames() const
+    {
+        if (html_.empty())
+        {
+            throw simulator::ScenarioError("--html", {}, "empty file name", "the name of a file or folder");
+        }
+        if (scenarios_.empty() && app_->count("--scenarios") > 0U)
+        {
+            throw simulator::ScenarioError("--scenarios", {}, "empty file name", "the name of a folder");
+        }
+    }
+
     [[nodiscard]] static ExitStatus List(const std::vector<std::string>& files, const Streams& streams)
     {
         for (const std::string& file : files)
@@ -150,6 +165,10 @@ class DemoCommand final : public Command
         streams.out << "\n" << held << " of " << runs.size() << " runs as expected\n";
         for (const std::unique_ptr<simulator::Run>& run : runs)
         {
+            for (const std::string& line : run->FaultsWithoutEffect())
+            {
+                streams.err << line << "\n";
+            }
             if (!run->Holds())
             {
                 streams.out << "\n" << run->Setting().title << " (" << run->Setting().file << ")\n";
@@ -246,6 +265,7 @@ class DemoCommand final : public Command
 
     std::string html_{"build/demo"};
     std::string scenarios_;
+    const CLI::App* app_{nullptr};
     bool list_{false};
 };
 } // namespace

@@ -10,9 +10,12 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace counterpoint::tools
 {
@@ -27,15 +30,21 @@ class SimulateCommand final : public Command
         app.add_option("--html", html_, "Write a page with the timing diagram");
         app.add_option("--json", json_, "Write recording, measurements and verdicts as JSON");
         app.add_option("--candump", candump_, "Write the frames of the bus as candump -l does");
-        app.add_option("--seed", seed_, "Instead of the scenario's seed");
+        app.add_option("--seed", seed_, "Instead of the scenario's seed: 0 to 2^64 - 1");
         app.add_option("--until", until_, "Instead of the scenario's duration, with its unit: 500ms, 20s");
-        app.add_flag("--frames", frames_, "Show every frame on the time line");
-        app.add_flag("--quiet", quiet_, "No time line; only what was expected and did not come");
+        CLI::Option* const frames = app.add_flag("--frames", frames_, "Show every frame on the time line");
+        app.add_flag("--quiet", quiet_, "No time line; only what was expected and did not come")->excludes(frames);
         app.add_flag("--explain", explain_, "Describe the scenario format and end");
+        app_ = &app;
     }
 
     [[nodiscard]] ExitStatus Run(const Streams& streams) override
     {
+        if (explain_ && app_->count_all() > 2U) // The command itself counts as well.
+        {
+            streams.err << "counterpoint simulate: --explain with something else, expected it alone\n";
+            return ExitStatus::kBadInput;
+        }
         if (explain_)
         {
             streams.out << simulator::kScenarioText;
@@ -61,9 +70,12 @@ class SimulateCommand final : public Command
     [[nodiscard]] ExitStatus Simulate(const Streams& streams) const
     {
         const std::optional<simulator::Nanoseconds> until =
-            until_.empty() ? std::nullopt : std::optional(simulator::ParseDuration("--until", until_));
+            app_->count("--until") == 0U ? std::nullopt : std::optional(simulator::ParseDuration("--until", until_));
+        RequireFiles();
+        const std::optional<std::uint64_t> seed =
+            app_->count("--seed") == 0U ? std::nullopt : std::optional(simulator::ParseSeed("--seed", seed_));
         const bool keeps_all = !quiet_ || !html_.empty() || !json_.empty() || !candump_.empty();
-        simulator::Run run(scenario_, seed_, until, keeps_all);
+        simulator::Run run(scenario_, seed, until, keeps_all);
         {
             ProgressBar bar(streams.err, "simulating");
             const auto duration = static_cast<double>(run.Setting().duration);
@@ -76,11 +88,42 @@ class SimulateCommand final : public Command
                                      streams.out);
         }
         WriteFiles(run);
+        for (const std::string& line : run.FaultsWithoutEffect())
+        {
+            streams.err << line << "\n";
+        }
         if (!quiet_ || !run.Holds())
         {
             simulator::WriteVerdicts(run, streams.out);
         }
         return run.Holds() ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
+    }
+
+    /// No output may replace another, or the scenario.
+    void RequireFiles() const
+    {
+        std::vector<std::filesystem::path> taken{std::filesystem::weakly_canonical(scenario_)};
+        const auto take = [this, &taken](const char* const option, const std::string& file)
+        {
+            if (file.empty())
+            {
+                if (app_->count(option) > 0U)
+                {
+                    throw simulator::ScenarioError(option, {}, "empty file name", "the name of a file");
+                }
+                return;
+            }
+            const std::filesystem::path path = std::filesystem::weakly_canonical(file);
+            if (std::find(taken.begin(), taken.end(), path) != taken.end())
+            {
+                throw simulator::ScenarioError(option, {}, simulator::Shown(file) + ", which is named already",
+                                               "a file of its own for each output");
+            }
+            taken.push_back(path);
+        };
+        take("--html", html_);
+        take("--json", json_);
+        take("--candump", candump_);
     }
 
     void WriteFiles(const simulator::Run& run) const
@@ -106,7 +149,8 @@ class SimulateCommand final : public Command
     std::string json_;
     std::string candump_;
     std::string until_;
-    std::optional<std::uint64_t> seed_;
+    std::string seed_;
+    const CLI::App* app_{nullptr};
     bool frames_{false};
     bool quiet_{false};
     bool explain_{false};

@@ -3,6 +3,7 @@
 #include "verification/trace/verifies.hpp"
 
 #include <string>
+#include <vector>
 
 namespace counterpoint::simulator
 {
@@ -184,6 +185,75 @@ TEST(Chain, RunsWithoutTapsAsWithThem)
     EXPECT_EQ(changes_tapped, changes_plain);
     EXPECT_GT(changes_plain.size(), 50U);
     EXPECT_EQ(plain->Record().Frames().size(), 0U);
+}
+
+TEST(Chain, NodesHaveCountersAndCyclesOfTheirOwn)
+{
+    Verifies(req::SRS_SIM_004);
+    // Given the chain: the sensor's counters start at 1000 and 70000 us, +20 and -15 ppm; cycles at 130, 470, 810 us
+    const auto run = RunChain("duration: 100 ms\n", true);
+    // Then power-on is at each node's phase, and what channels say comes a cycle later or whole cycles after that
+    std::string phases;
+    for (const Event& event : run->Record().Events())
+    {
+        phases += (event.kind == EventKind::kPowerOn) ? std::to_string(event.at) + " " : "";
+    }
+    EXPECT_EQ(phases, "130000 470000 810000 ");
+    // and counters that are 0.2 % fast make the refresh that they time as much shorter
+    const auto fast = RunChain(R"(
+faults:
+  - {fault: clock, name: a, node: sensor, counter: a, ppm: 2000, at: 20 ms}
+  - {fault: clock, name: b, node: sensor, counter: b, ppm: 2000, at: 20 ms}
+duration: 1000 ms
+)",
+                               true);
+    const auto thirty_sixth = [](const simulator::Run& chosen)
+    {
+        std::vector<Nanoseconds> starts;
+        for (const FrameEntry& frame : chosen.Record().Frames())
+        {
+            if (frame.frame.identifier == 0x101U)
+            {
+                starts.push_back(frame.start);
+            }
+        }
+        return starts.at(35U);
+    };
+    const auto slow = RunChain("duration: 1000 ms\n", true);
+    // 0.2 % of some 860 ms, in whole cycles
+    EXPECT_GE(thirty_sixth(*slow) - thirty_sixth(*fast), 1 * kNanosecondsPerMillisecond);
+    EXPECT_LE(thirty_sixth(*slow) - thirty_sixth(*fast), 3 * kNanosecondsPerMillisecond);
+}
+
+TEST(Chain, FramesTakeTheTimeOfTheirBitsAndTheLowerIdentifierWins)
+{
+    Verifies(req::SRS_SIM_008);
+    // Given two foreign frames that sensor and actuator begin to send at the same instant
+    const auto run = RunChain(R"(
+duration: 300 ms
+faults:
+  - {fault: masquerade, name: high, node: sensor, at: 250 ms, identifier: 0x555}
+  - {fault: masquerade, name: low, node: actuator, at: 250 ms, identifier: 0x333, data: [0x55]}
+)",
+                              true);
+    std::vector<FrameEntry> frames;
+    for (const FrameEntry& frame : run->Record().Frames())
+    {
+        if (frame.frame.identifier == 0x555U || frame.frame.identifier == 0x333U)
+        {
+            frames.push_back(frame);
+        }
+    }
+    // Then the lower one is first; without data a frame has 34 bits before and 10 after the stuffed part: 44 and stuff
+    // bits, of 2 us each; one data byte more is 8 bits more; the second starts 3 bits of intermission later
+    ASSERT_EQ(frames.size(), 2U);
+    EXPECT_EQ(frames[0].frame.identifier, 0x333U);
+    EXPECT_EQ(frames[0].start, 250 * kNanosecondsPerMillisecond);
+    EXPECT_GE(frames[0].end - frames[0].start, 52 * 2000);
+    EXPECT_LE(frames[0].end - frames[0].start, 62 * 2000);
+    EXPECT_EQ(frames[1].start - frames[0].end, 3 * 2000);
+    EXPECT_GE(frames[1].end - frames[1].start, 44 * 2000);
+    EXPECT_LE(frames[1].end - frames[1].start, 52 * 2000);
 }
 } // namespace
 } // namespace counterpoint::simulator

@@ -114,6 +114,16 @@ std::vector<ScenarioValue> ScenarioValue::Items(const std::string& expected) con
 
 std::string ScenarioValue::Text(const std::string& expected) const
 {
+    const std::string text = Paragraph(expected);
+    if (text.find_first_of("\n\t") != std::string::npos)
+    {
+        Refuse("text with a line end or tabulator", expected);
+    }
+    return text;
+}
+
+std::string ScenarioValue::Paragraph(const std::string& expected) const
+{
     if (node_->kind != YamlKind::kScalar)
     {
         Refuse(WhatIs(*node_), expected);

@@ -37,7 +37,10 @@ class ScenarioValue
     [[nodiscard]] const std::string& FileName() const noexcept;
     [[noreturn]] void Refuse(const std::string& wrong, const std::string& expected) const;
     [[nodiscard]] std::vector<ScenarioValue> Items(const std::string& expected) const;
+    /// @brief One line of text.
     [[nodiscard]] std::string Text(const std::string& expected) const;
+    /// @brief Text that may have several lines.
+    [[nodiscard]] std::string Paragraph(const std::string& expected) const;
     /// @brief Decimal, or hexadecimal after 0x.
     [[nodiscard]] std::uint64_t Number(const Range& range) const;
     /// @brief A number with a unit: 10 ms, 2.5 s, 100 us; at most 10^7 s.

@@ -44,6 +44,8 @@ class Network final : private host::BusObserver
     void RequireThatEverythingExists() const;
     void RequirePair(NodeIndex node, const ObjectAddress& object, bool is_consumer, const Source& source) const;
     void RequireSrdo(NodeIndex node, std::uint8_t number, bool needs_consumer, const Source& source) const;
+    void RequireValue(NodeIndex node, const ObjectAddress& object, std::uint64_t value, const Source& source) const;
+    void RequireNodeIds() const;
     void RequireOfFault(const FaultSetup& fault) const;
     void RequireOfExpectation(const Expectation& expectation) const;
     void Plan(Nanoseconds at, std::function<void()> act);

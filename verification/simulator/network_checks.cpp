@@ -57,11 +57,47 @@ void Network::RequireSrdo(const NodeIndex node, const std::uint8_t number, const
                             (list.empty() ? "(this node has none)" : list));
 }
 
+/// The value fits into the bits of the object, which exists.
+void Network::RequireValue(const NodeIndex node, const ObjectAddress& object, const std::uint64_t value,
+                           const Source& source) const
+{
+    const DeviceModel& model = *models_[node];
+    const std::uint8_t bits = model.Objects()[model.PairOf(object)->normal].length_bits;
+    if ((value >> (bits - 1U)) > 1U)
+    {
+        throw ScenarioError(source.file, source.place,
+                            "value " + std::to_string(value) + " for object " + ObjectText(object),
+                            "a value of " + std::to_string(bits) + " bits");
+    }
+}
+
+void Network::RequireNodeIds() const
+{
+    for (NodeIndex node = 1U; node < models_.size(); ++node)
+    {
+        for (NodeIndex other = 0U; other < node; ++other)
+        {
+            const std::uint8_t id = models_[node]->Config().node_id;
+            if (models_[other]->Config().node_id == id)
+            {
+                const NodeSetup& setup = scenario_.nodes[node];
+                throw ScenarioError(setup.source.file, setup.source.place,
+                                    "node-ID " + std::to_string(id) + ", which " + scenario_.nodes[other].name + " has",
+                                    "a node-ID of its own for each node");
+            }
+        }
+    }
+}
+
 void Network::RequireOfFault(const FaultSetup& fault) const
 {
     if (fault.kind == FaultKind::kNotInverse)
     {
         RequirePair(fault.node, fault.object, false, fault.source);
+        for (const std::uint8_t bit : fault.bits)
+        {
+            RequireValue(fault.node, fault.object, std::uint64_t{1U} << bit, fault.source);
+        }
     }
     if (fault.config && fault.config->slot != 0U)
     {
@@ -83,6 +119,7 @@ void Network::RequireOfExpectation(const Expectation& expectation) const
         return;
     case ExpectationKind::kValue:
         RequirePair(expectation.node, expectation.object, true, expectation.source);
+        RequireValue(expectation.node, expectation.object, expectation.value, expectation.source);
         return;
     case ExpectationKind::kDeviceFault:
     case ExpectationKind::kDetectedBy:
@@ -93,6 +130,7 @@ void Network::RequireOfExpectation(const Expectation& expectation) const
 
 void Network::RequireThatEverythingExists() const
 {
+    RequireNodeIds();
     for (const NodeSetup& node : scenario_.nodes)
     {
         if (node.start_at <= node.phase)
@@ -104,6 +142,7 @@ void Network::RequireThatEverythingExists() const
     for (const Stimulus& stimulus : scenario_.stimuli)
     {
         RequirePair(stimulus.node, stimulus.object, false, stimulus.source);
+        RequireValue(stimulus.node, stimulus.object, stimulus.value, stimulus.source);
     }
     for (const LogicRule& rule : scenario_.logic)
     {

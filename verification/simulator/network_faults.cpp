@@ -161,6 +161,12 @@ void Network::PlanBitFlip(const std::size_t index)
         }
         place = *found;
     }
+    else if (fault.offset && *fault.offset >= node.StorageSize(fault.part))
+    {
+        throw ScenarioError(fault.source.file, fault.source.place, "offset " + std::to_string(*fault.offset),
+                            "an offset below " + std::to_string(node.StorageSize(fault.part)) +
+                                ", the bytes of this channel's storage");
+    }
     else if (!fault.offset)
     {
         Random random(scenario_.seed + kFlipSalt + index);

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/simulator/run.hpp"
 
+#include "verification/simulator/scenario_checks.hpp"
 #include "verification/simulator/scenario_reader.hpp"
 
 #include <algorithm>
@@ -9,12 +10,14 @@ namespace counterpoint::simulator
 {
 namespace
 {
-constexpr Nanoseconds kStep = kNanosecondsPerSecond;
+constexpr Nanoseconds kStep = kNanosecondsPerSecond / 10;
+constexpr std::size_t kMostRecorded = 500000U;
 
 Scenario Changed(Scenario scenario, const std::optional<std::uint64_t> seed, const std::optional<Nanoseconds> until)
 {
     scenario.seed = seed.value_or(scenario.seed);
     scenario.duration = until.value_or(scenario.duration);
+    RequirePossible(scenario);
     return scenario;
 }
 } // namespace
@@ -32,6 +35,12 @@ void Run::Simulate(const std::function<void(Nanoseconds)>& progress)
     {
         now = std::min(now + kStep, scenario_.duration);
         network_->RunUntil(now);
+        const std::size_t recorded = journal_.Events().size() + journal_.Frames().size();
+        if (journal_.KeepsAll() && recorded > kMostRecorded)
+        {
+            throw ScenarioError(scenario_.file, {}, "more than 500000 frames and events to record",
+                                "a shorter run, or --quiet without output files");
+        }
         if (progress)
         {
             progress(now);
@@ -64,6 +73,25 @@ const DeviceModel& Run::ModelOf(const NodeIndex node) const
 const std::vector<ExpectationVerdict>& Run::Verdicts() const noexcept
 {
     return verdicts_;
+}
+
+std::vector<std::string> Run::FaultsWithoutEffect() const
+{
+    std::vector<std::string> lines;
+    for (std::size_t index = 0U; index < scenario_.faults.size(); ++index)
+    {
+        const FaultSetup& fault = scenario_.faults[index];
+        const bool had_effect =
+            std::any_of(journal_.Events().begin(), journal_.Events().end(), [index](const Event& event)
+                        { return event.kind == EventKind::kFault && event.value == index; });
+        if (!had_effect)
+        {
+            const Place place = fault.source.place;
+            lines.push_back(fault.source.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) +
+                            ": fault " + Shown(fault.name) + " never had an effect, expected one within the run");
+        }
+    }
+    return lines;
 }
 
 bool Run::Holds() const noexcept

@@ -33,6 +33,8 @@ class Run
     [[nodiscard]] Network& Devices() noexcept;
     [[nodiscard]] const DeviceModel& ModelOf(NodeIndex node) const;
     [[nodiscard]] const std::vector<ExpectationVerdict>& Verdicts() const noexcept;
+    /// @brief One line for each fault that never changed anything. [SRS-SIM-015]
+    [[nodiscard]] std::vector<std::string> FaultsWithoutEffect() const;
     /// @brief Whether all expectations hold.
     [[nodiscard]] bool Holds() const noexcept;
     /// @brief The first expectation with a limit, if any.

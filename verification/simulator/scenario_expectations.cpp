@@ -19,17 +19,6 @@ constexpr Word<ExpectationKind> kExpectationWords[] = {
     {"no_fault", ExpectationKind::kNoFault},
 };
 
-Nanoseconds ReadAt(Fields& fields, const Scenario& scenario)
-{
-    const ScenarioValue at = fields.Require("at");
-    const Nanoseconds time = at.Duration();
-    if (scenario.duration > 0 && time > scenario.duration)
-    {
-        at.Refuse(Shown(at.Node().scalar) + ", after the end of the run", "a time within the duration");
-    }
-    return time;
-}
-
 /// The fault by its name, or by its place counted from 1; the only one if nothing is said.
 std::size_t ReadFaultIndex(Fields& fields, const Scenario& scenario)
 {
@@ -87,13 +76,13 @@ void ReadContent(Fields& fields, const Scenario& scenario, Expectation& expectat
     case ExpectationKind::kReleased:
     case ExpectationKind::kSafe:
         ReadOutputOf(fields, scenario, expectation);
-        expectation.at = ReadAt(fields, scenario);
+        expectation.at = fields.Require("at").Duration();
         return;
     case ExpectationKind::kValue:
         expectation.node = NodeNamed(scenario, fields.Require("node"));
         expectation.object = fields.Require("object").Object();
         expectation.value = fields.Require("is").Number({0U, 0xFFFFFFFFFFFFFFFFU});
-        expectation.at = ReadAt(fields, scenario);
+        expectation.at = fields.Require("at").Duration();
         return;
     case ExpectationKind::kCause:
         ReadOutputOf(fields, scenario, expectation);

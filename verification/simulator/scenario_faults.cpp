@@ -9,6 +9,7 @@ namespace counterpoint::simulator
 namespace
 {
 constexpr Range kIdentifierRange{0U, 0x1FFFFFFFU};
+constexpr std::uint32_t kLastStandardIdentifier = 0x7FFU;
 constexpr Range kBitRange{0U, 63U};
 constexpr Range kLengthRange{0U, 8U};
 constexpr Range kByteRange{0U, 255U};
@@ -88,6 +89,20 @@ void ReadCorruption(Fields& fields, FaultSetup& fault)
     }
 }
 
+void RequireIdentifier(const Fields& fields, const FaultSetup& fault)
+{
+    const bool is_short = fault.frame_kind == FrameKind::kData || fault.frame_kind == FrameKind::kRemote;
+    if (is_short && fault.identifier > kLastStandardIdentifier)
+    {
+        fields.Value().Refuse("a frame of 11-bit identifier with identifier " + IdentifierText(fault.identifier),
+                              "an identifier up to 0x7FF, or another 'kind'");
+    }
+    if (fault.kind == FaultKind::kMasquerade && fault.frame_kind == FrameKind::kFlexibleDataRate)
+    {
+        fields.Value().Refuse("masquerade with a CAN FD frame", "a kind that the nodes' controllers can send");
+    }
+}
+
 void ReadForeignFrame(Fields& fields, FaultSetup& fault)
 {
     fault.at = fields.Require("at").Duration();
@@ -105,6 +120,7 @@ void ReadForeignFrame(Fields& fields, FaultSetup& fault)
             data->Refuse(std::to_string(fault.data.size()) + " bytes", "at most 8");
         }
     }
+    RequireIdentifier(fields, fault);
     fault.times = FindNumber(fields, "times", kTimesRange).value_or(1U);
     if (const auto by = fields.Find("every"))
     {

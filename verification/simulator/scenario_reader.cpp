@@ -19,6 +19,7 @@ constexpr Range kCounterRange{0U, 0xFFFFFFFFU};
 constexpr Range kSeedRange{0U, 0xFFFFFFFFFFFFFFFFU};
 constexpr Range kBitrateRange{10000U, 1000000U};
 constexpr std::uint32_t kBitrates[] = {10000U, 20000U, 50000U, 100000U, 125000U, 250000U, 500000U, 800000U, 1000000U};
+constexpr std::int32_t kStandsStill = -1000000;
 constexpr Nanoseconds kDefaultStart = 10 * kNanosecondsPerMillisecond;
 constexpr Nanoseconds kDefaultPulse = 50 * kNanosecondsPerMillisecond;
 
@@ -35,6 +36,10 @@ CounterSetup ReadCounter(const ScenarioValue& value)
     if (const auto drift = fields.Find("ppm"))
     {
         counter.drift_ppm = drift->PartsPerMillion();
+        if (counter.drift_ppm == kStandsStill)
+        {
+            drift->Refuse("a counter that stands still from the start", "more than -1000000 ppm");
+        }
     }
     if (const auto start = fields.Find("start_us"))
     {
@@ -194,7 +199,7 @@ void ReadSingles(Fields& fields, Scenario& scenario)
     }
     if (const auto description = fields.Find("description"))
     {
-        scenario.description = description->Text("a text");
+        scenario.description = description->Paragraph("a text");
     }
     if (const auto bitrate = fields.Find("bitrate"))
     {
@@ -296,5 +301,13 @@ Nanoseconds ParseDuration(const std::string& place, const std::string& text)
         throw ScenarioError(place, {}, Shown(text), "a time above 0");
     }
     return duration;
+}
+
+std::uint64_t ParseSeed(const std::string& place, const std::string& text)
+{
+    YamlNode node;
+    node.kind = YamlKind::kScalar;
+    node.scalar = text;
+    return ScenarioValue(place, node).Number(kSeedRange);
 }
 } // namespace counterpoint::simulator

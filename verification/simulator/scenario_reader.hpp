@@ -14,6 +14,8 @@ namespace counterpoint::simulator
 
 /// A time with its unit that did not come from a file; `place` stands for the file in a message. Throws ScenarioError.
 [[nodiscard]] Nanoseconds ParseDuration(const std::string& place, const std::string& text);
+/// The same for a seed.
+[[nodiscard]] std::uint64_t ParseSeed(const std::string& place, const std::string& text);
 } // namespace counterpoint::simulator
 
 #endif // VERIFICATION_SIMULATOR_SCENARIO_READER_HPP

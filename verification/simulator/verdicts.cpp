@@ -157,10 +157,10 @@ class Judgement
         verdict.wanted = "detected at " + NameOfNode(expectation.node) + " by ";
         for (const Party party : expectation.parties)
         {
-            verdict.holds = verdict.holds || party == detection.party;
+            verdict.holds = verdict.holds || (effect >= 0 && party == detection.party);
             verdict.wanted += std::string(party == expectation.parties.front() ? "" : " or ") + Name(party);
         }
-        verdict.seen = Name(detection.party);
+        verdict.seen = (effect < 0) ? "the fault never had an effect" : Name(detection.party);
         verdict.seen += detection.cause.empty() ? "" : " (" + detection.cause + ")";
         return verdict;
     }

@@ -29,6 +29,34 @@ Place PlaceOf(const YAML::Mark& mark)
     return mark.is_null() ? Place{} : Place{mark.line + 1, mark.column + 1};
 }
 
+/// Length of the UTF-8 character at `place`, 0 if there is none or it is a control character other than tab and
+/// newline.
+std::size_t CharacterLength(const std::string& text, const std::size_t place)
+{
+    const auto first = static_cast<unsigned char>(text[place]);
+    if (first < 0x80U)
+    {
+        const bool is_text = first == '\n' || first == '\t' || (first >= 0x20U && first != 0x7FU);
+        return is_text ? 1U : 0U;
+    }
+    std::size_t length = (first >= 0xC2U && first < 0xF5U) ? 2U : 0U;
+    length += (length != 0U && first >= 0xE0U) ? 1U : 0U;
+    length += (length != 0U && first >= 0xF0U) ? 1U : 0U;
+    if (length == 0U || place + length > text.size())
+    {
+        return 0U;
+    }
+    for (std::size_t offset = 1U; offset < length; ++offset)
+    {
+        const auto next = static_cast<unsigned char>(text[place + offset]);
+        if ((next & 0xC0U) != 0x80U)
+        {
+            return 0U;
+        }
+    }
+    return length;
+}
+
 /// Builds the tree. The nodes under construction lie on a stack; a finished one is appended to the one below it.
 class TreeBuilder : public YAML::EventHandler
 {
@@ -62,6 +90,7 @@ class TreeBuilder : public YAML::EventHandler
         static_cast<void>(anchor);
         YamlNode& node = Begin(mark, YamlKind::kScalar, tag);
         node.scalar = value;
+        RequirePrintable(value, node.place);
         node.is_quoted = tag == "!";
         RequireClosed(mark, node.place);
         End();
@@ -131,6 +160,22 @@ class TreeBuilder : public YAML::EventHandler
         stack_.back().items.push_back(std::move(node));
     }
 
+    /// Escapes of quoted text can make what RequireText refused in the file itself.
+    void RequirePrintable(const std::string& value, const Place place) const
+    {
+        for (std::size_t at = 0U; at < value.size();)
+        {
+            const std::size_t length = CharacterLength(value, at);
+            const bool is_control = length == 2U && static_cast<unsigned char>(value[at]) == 0xC2U &&
+                                    static_cast<unsigned char>(value[at + 1U]) < 0xA0U;
+            if (length == 0U || is_control)
+            {
+                throw ScenarioError(file_, place, "text with a character that is not printable", "printable text");
+            }
+            at += length;
+        }
+    }
+
     /// The library takes the end of the file for the end of a quoted text.
     void RequireClosed(const YAML::Mark& mark, const Place place) const
     {
@@ -157,34 +202,6 @@ class TreeBuilder : public YAML::EventHandler
     YamlNode root_;
     std::size_t count_{0U};
 };
-
-/// Length of the UTF-8 character at `place`, 0 if there is none or it is a control character other than tab and
-/// newline.
-std::size_t CharacterLength(const std::string& text, const std::size_t place)
-{
-    const auto first = static_cast<unsigned char>(text[place]);
-    if (first < 0x80U)
-    {
-        const bool is_text = first == '\n' || first == '\t' || (first >= 0x20U && first != 0x7FU);
-        return is_text ? 1U : 0U;
-    }
-    std::size_t length = (first >= 0xC2U && first < 0xF5U) ? 2U : 0U;
-    length += (length != 0U && first >= 0xE0U) ? 1U : 0U;
-    length += (length != 0U && first >= 0xF0U) ? 1U : 0U;
-    if (length == 0U || place + length > text.size())
-    {
-        return 0U;
-    }
-    for (std::size_t offset = 1U; offset < length; ++offset)
-    {
-        const auto next = static_cast<unsigned char>(text[place + offset]);
-        if ((next & 0xC0U) != 0x80U)
-        {
-            return 0U;
-        }
-    }
-    return length;
-}
 
 void RequireText(const std::string& file, const std::string& text)
 {

@@ -87,7 +87,7 @@ constexpr BadCase kBadCases[] = {
     {"SRDO out of range", "expect:\n  - {that: safe, node: actuator, srdo: 65, at: 1 ms}\n",
      "3:40: '65', expected a number from 1 to 64"},
     {"after the end", "expect:\n  - {that: safe, node: actuator, srdo: 1, at: 2 s}\n",
-     "3:47: '2 s', after the end of the run"},
+     "3:5: expectation at 2000 ms, after the end of the run"},
     {"unknown fault", "expect:\n  - {that: safe_within, fault: x, node: actuator, srdo: 1}\n",
      "3:32: fault 'x', expected"},
     {"fault not named", "expect:\n  - {that: safe_within, node: actuator, srdo: 1}\n",
@@ -133,6 +133,85 @@ constexpr BadCase kBadCases[] = {
 };
 
 INSTANTIATE_TEST_SUITE_P(EachMistake, BadScenario, ::testing::ValuesIn(kBadCases));
+
+constexpr BadCase kImpossibleCases[] = {
+    {"overlap on a part",
+     "faults:\n  - {fault: frozen, node: actuator, part: guard, at: 1 ms, until: 9 ms}\n"
+     "  - {fault: not_called, node: actuator, part: guard, at: 8 ms}\n",
+     "4:5: fault 'not_called' overlaps 'frozen'"},
+    {"overlap on a counter",
+     "faults:\n  - {fault: clock, node: actuator, counter: b, ppm: 5, at: 1 ms}\n"
+     "  - {fault: clock, node: actuator, counter: b, ppm: 9, at: 8 ms}\n",
+     "4:5: fault 'clock' overlaps 'clock'"},
+    {"overlap on an object",
+     "faults:\n  - {fault: not_inverse, node: sensor, object: 0x2000:01, bits: [0], at: 1 ms}\n"
+     "  - {fault: not_inverse, node: sensor, object: 0x2000:01, bits: [1], at: 1 ms}\n",
+     "4:5: fault 'not_inverse' overlaps 'not_inverse'"},
+    {"node-ID twice", "nodes:\n  more: {dcf: EXAMPLES/sensor.dcf}\n", "3:15: node-ID 1, which sensor has"},
+    {"fault of two names",
+     "faults:\n  - {fault: loss, frames: {identifier: 1}}\n  - {fault: loss, frames: {identifier: 2}}\n"
+     "expect:\n  - {that: safe_within, fault: loss, node: actuator, srdo: 1}\n",
+     "6:5: fault 'loss', which is the name of several"},
+    {"value of nine bits", "inputs:\n  - {at: 1 ms, node: sensor, object: 0x2000:01, value: 256}\n",
+     "3:5: value 256 for object 0x2000:01, expected a value of 8 bits"},
+    {"expected value of nine bits",
+     "expect:\n  - {that: value, node: actuator, object: 0x2200:01, is: 0x1FF, at: 5 ms}\n",
+     "3:5: value 511 for object 0x2200:01, expected a value of 8 bits"},
+    {"bit of no object", "faults:\n  - {fault: not_inverse, node: sensor, object: 0x2000:01, bits: [8], at: 1 ms}\n",
+     "3:5: value 256 for object 0x2000:01, expected a value of 8 bits"},
+    {"offset of no storage",
+     "faults:\n  - {fault: bit_flip, node: actuator, part: channel_a, at: 1 ms, offset: 999999}\n",
+     "3:5: offset 999999, expected an offset below "},
+    {"long identifier of a short frame", "faults:\n  - {fault: insertion, at: 1 ms, identifier: 0x800}\n",
+     "3:5: a frame of 11-bit identifier with identifier 0x800, expected an identifier up to 0x7FF"},
+    {"CAN FD sent by a node",
+     "faults:\n  - {fault: masquerade, node: sensor, at: 1 ms, identifier: 1, kind: flexible_data_rate}\n",
+     "3:5: masquerade with a CAN FD frame"},
+    {"counter at rest", "nodes:\n  more: {dcf: x.dcf, counter_a: {ppm: -1000000}}\n",
+     "3:39: a counter that stands still from the start"},
+    {"escape sequence", "title: \"a\\e[31mb\"\n", "2:8: text with a character that is not printable"},
+    {"C1 control", "title: \"a\\u009bb\"\n", "2:8: text with a character that is not printable"},
+    {"line end in a title", "title: \"a\\nb\"\n", "2:8: text with a line end or tabulator"},
+};
+
+class ImpossibleScenario : public ::testing::TestWithParam<BadCase>
+{
+};
+
+TEST_P(ImpossibleScenario, IsRefusedBeforeItRuns)
+{
+    Verifies(req::SRS_SIM_014);
+    // Given a scenario that asks for what cannot happen
+    std::string text = GetParam().text;
+    const std::size_t place = text.find("EXAMPLES/");
+    text = (place == std::string::npos) ? text : text.replace(place, 9U, Examples());
+    const std::string file = TextFile("extends: " + Examples() + "chain.yaml\n" + text);
+    // When it is read and built; then the line says what and where
+    const std::string refusal = Refusal(file);
+    EXPECT_EQ(refusal.substr(0U, file.size() + 1U + std::string(GetParam().message).size()),
+              file + ":" + GetParam().message);
+}
+
+INSTANTIATE_TEST_SUITE_P(EachReason, ImpossibleScenario, ::testing::ValuesIn(kImpossibleCases));
+
+TEST(ImpossibleScenario, ShortenedRunRefusesLaterExpectations)
+{
+    Verifies(req::SRS_SIM_014);
+    const std::string file = Examples() + "00_no_fault.yaml";
+    EXPECT_THROW(simulator::Run(file, std::nullopt, 300 * kNanosecondsPerMillisecond, false), ScenarioError);
+}
+
+TEST(ImpossibleScenario, FaultsOneAfterTheOtherAreLeftAlone)
+{
+    Verifies(req::SRS_SIM_014);
+    EXPECT_EQ(Refusal(TextFile("extends: " + Examples() + R"(chain.yaml
+faults:
+  - {fault: frozen, node: actuator, part: guard, at: 1 ms, until: 9 ms}
+  - {fault: not_called, node: actuator, part: guard, at: 9 ms}
+  - {fault: not_called, node: sensor, part: guard, at: 5 ms}
+)")),
+              "");
+}
 
 TEST(BadScenarioFile, MissingFolderEmptyOrTooLargeIsRefused)
 {

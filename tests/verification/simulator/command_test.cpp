@@ -3,6 +3,7 @@
 #include "tools/command_line.hpp"
 #include "verification/trace/verifies.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -79,6 +80,65 @@ TEST(SimulateCommand, WritesAllReportsAndSaysWhereItCannot)
         Tool({"simulate", simulator::Examples() + "03_corruption.yaml", "--quiet", "--json", "/nonexistent/x.json"});
     EXPECT_EQ(lost.status, ExitStatus::kBadInput);
     EXPECT_NE(lost.err.find("/nonexistent/x.json"), std::string::npos);
+}
+
+TEST(SimulateCommand, RefusesOptionsThatWouldBeIgnored)
+{
+    Verifies(req::SRS_SIM_049);
+    const std::string file = simulator::Examples() + "03_corruption.yaml";
+    const std::string out = ::testing::TempDir() + "counterpoint_same.html";
+    for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+             {"simulate", file, "--html", ""},
+             {"simulate", file, "--quiet", "--frames"},
+             {"simulate", file, "--explain"},
+             {"simulate", "--explain", "--quiet"},
+             {"simulate", file, "--seed", "18446744073709551616"},
+             {"simulate", file, "--seed", "-1"},
+             {"simulate", file, "--seed", ""},
+             {"simulate", file, "--until", ""},
+             {"simulate", file, "--html", out, "--json", out},
+             {"simulate", file, "--html", out, "--json", ::testing::TempDir() + "/./counterpoint_same.html"},
+             {"simulate", file, "--candump", file},
+             {"demo", "--html", ""},
+             {"demo", "--scenarios", ""},
+             {"demo", "--list", "--html", out}})
+    {
+        const Answer answer = Tool(arguments);
+        EXPECT_EQ(answer.status, ExitStatus::kBadInput) << arguments.back();
+        EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+        EXPECT_NE(answer.err.find("expected"), std::string::npos) << answer.err;
+    }
+    EXPECT_EQ(Tool({"simulate", file, "--quiet", "--seed", "18446744073709551615"}).status, ExitStatus::kHolds);
+}
+
+TEST(SimulateCommand, TellsOfAFaultThatNeverHadAnEffect)
+{
+    Verifies(req::SRS_SIM_015);
+    // Given a fault on frames that nobody sends
+    const std::string file = simulator::TextFile("extends: " + simulator::Examples() + R"(chain.yaml
+faults:
+  - {fault: loss, frames: {identifier: 0x7FF}}
+expect:
+  - {that: detected_by, node: actuator, by: nobody}
+  - {that: safe_within, node: actuator, srdo: 1}
+)");
+    const Answer answer = Tool({"simulate", file, "--quiet"});
+    // Then nothing that is expected of it holds, and its place is told
+    EXPECT_EQ(answer.status, ExitStatus::kDoesNotHold);
+    EXPECT_EQ(answer.err, file + ":3:5: fault 'loss' never had an effect, expected one within the run\n");
+    EXPECT_NE(answer.out.find("0 of 2 expectations hold"), std::string::npos) << answer.out;
+}
+
+TEST(SimulateCommand, EndsARecordingThatGrowsTooLarge)
+{
+    Verifies(req::SRS_SIM_048);
+    const std::string file =
+        simulator::TextFile("extends: " + simulator::Examples() + "chain.yaml\nduration: 2000 s\n");
+    const Answer answer = Tool({"simulate", file});
+    EXPECT_EQ(answer.status, ExitStatus::kBadInput);
+    EXPECT_EQ(answer.err, file + ": more than 500000 frames and events to record, expected a shorter run, or --quiet "
+                                 "without output files\n");
+    EXPECT_EQ(answer.out, "");
 }
 
 TEST(SimulateCommand, SeedAndUntilReplaceThoseOfTheScenario)
