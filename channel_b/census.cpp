@@ -90,20 +90,16 @@ void Channel::TakeCensus(Census& census) noexcept
         const std::uint64_t states = PackBytes(&x_storage.state[first]);
         const std::uint64_t directions = PackBytes(&x_storage.direction[first]);
         const std::uint64_t causes = PackBytes(&x_storage.first_cause[first]) ^ kEightWithoutCause;
-        if (((states ^ kEightReleased) | (directions ^ kEightConsumers) | causes) == 0U)
+        const std::uint64_t not_released = (states ^ kEightReleased) | (directions ^ kEightConsumers) | causes;
+        const std::uint64_t not_sending = (states ^ kEightSending) | (directions ^ kEightProducers);
+        // The word if all eight are like that, else nothing.
+        const HalfMask released = word * static_cast<HalfMask>(not_released == 0U);
+        const HalfMask producers = word * static_cast<HalfMask>(not_sending == 0U);
+        census.released |= released;
+        census.producers |= producers;
+        for (HalfMask rest = word & active & ~(released | producers); rest != 0U;)
         {
-            census.released |= word;
-        }
-        else if (((states ^ kEightSending) | (directions ^ kEightProducers)) == 0U)
-        {
-            census.producers |= word;
-        }
-        else
-        {
-            for (HalfMask rest = word & active; rest != 0U;)
-            {
-                Enlist(TakeLowest(rest, census.first), census);
-            }
+            Enlist(TakeLowest(rest, census.first), census);
         }
         first = static_cast<SlotIndex>(first + kSlotsInWord);
     }

@@ -124,7 +124,7 @@ void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
 
 void Channel::Demote(SlotIndex slot) noexcept
 {
-    Marks& marks = MarksOf(x_storage, slot);
+    const Marks& marks = MarksOf(x_storage, slot);
     if ((marks.consumers & BitOf(slot)) == 0U)
     {
         return;

@@ -188,7 +188,8 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
     x_last_us = input.now.us;
     const HalfMask late = (x_elapsed_us > x_late_us) ? kAll : 0U;
     const HalfMask overflowed = (input.queue != QueueState::kIntact) ? kAll : 0U;
-    const Call call{late, overflowed, late | overflowed | x_gfc, running > x_running, running < x_running, SpendPairs()};
+    const HalfMask alarmed = late | overflowed | x_gfc;
+    const Call call{late, overflowed, alarmed, running > x_running, running < x_running, SpendPairs()};
     x_late_us = x_config->cycle_us + x_config->cycle_tolerance_us;
     x_running = running;
     if (call.is_leaving)

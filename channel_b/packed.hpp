@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Words: payload of a frame, one bit for each slot of a half, or one byte of each of eight slots. Packing is by shifts,
-/// so that the order of bytes of the processor does not matter.
+/// Words: payload of a frame, one bit for each slot of a half, or one byte of each of eight slots. Packing is by
+/// shifts, so that the order of bytes of the processor does not matter.
 namespace counterpoint::channel_b
 {
 
