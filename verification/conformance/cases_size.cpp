@@ -21,7 +21,7 @@ constexpr Step Complement(std::uint32_t slot, std::uint32_t stamp)
     return Frame(0x102U + (2U * slot), 8U, 0xEEDDCCFFU - slot, 0x5A5A5AFFU - slot, stamp);
 }
 
-constexpr std::uint32_t kFullSteps = 4U + (2U * kMaxSrdoCount) + 6U + kMaxSrdoCount;
+constexpr std::uint32_t kFullSteps = 4U + (2U * kMaxSrdoCount) + 9U + kMaxSrdoCount;
 
 struct FullSteps
 {
@@ -51,6 +51,9 @@ constexpr FullSteps MakeFull()
     full.steps[at++] = OrdinalSum(64U);
     full.steps[at++] = Commit(kAll, kAll);
     full.steps[at++] = Answer(0xFFFFFFFFU, kAll, 0x9E3779B1U, 0x85EBCA77U);
+    full.steps[at++] = Cycle(7000U);
+    full.steps[at++] = Mask(MaskName::kReleased, kAll);
+    full.steps[at++] = Counts(64U, 0U, 0U, 0U);
     for (std::uint32_t slot = 0U; slot < kMaxSrdoCount; ++slot)
     {
         full.steps[at++] = NormalObject(static_cast<std::uint16_t>(0x7000U + slot), 1U, 0x11223300U + slot);
@@ -100,6 +103,18 @@ constexpr Step kNumbersWithGaps[] = {
     InverseObject(0x6201U, 1U, 0x22334455U), Answer(0x00000001U, 5U, 0xB54CDA26U, 0x2386BECAU),
 };
 
+// Sixteen producers: all due at once; one sends, the others stay due.
+constexpr Step kManySenders[] = {
+    Configure(), Put(0x6210U, 1U, 0x12U), Put(0x6210U, 2U, 0x34U), Put(0x6211U, 1U, 0xEDU), Put(0x6211U, 2U, 0xCBU),
+    Cycle(0U), Counts(0U, 16U, 0U, 0U), Request(0U), Request(1U), Request(7U), Request(8U), Request(15U),
+    Cycle(2000U), Due(0x8183U), ReadyPair(8U), Launch(8U),
+    NextNormal(8U, CanPortId::kFirst, 0x111U, 2U, 0x3412U), Confirm(8U, 0x111U, 2U, 0x3412U, 0U, 2100U),
+    NextInverse(8U, CanPortId::kFirst, 0x112U, 2U, 0xCBEDU), Confirm(8U, 0x112U, 2U, 0xCBEDU, 0U, 2200U),
+    Slot(8U, kProducing, kNoCause, 1U, 0U, 0U), Slot(7U, kProducing, kNoCause, 0U, 0U, 0U),
+    Cycle(3000U), Due(0x8083U), Counts(0U, 16U, 0U, 0U), Masks(0U, 0U, 0U, 0U, 0U), Signalled(0U),
+    Nmt(NmtState::kStopped), Cycle(4000U), Due(0U), Slot(8U, kOff, kNoCause, 0U, 0U, 0U),
+};
+
 constexpr Case kCases[] = {
     MakeCase("SixtyFourPairsAtOnce", {req::SRS_CONS_001, req::SRS_CONS_023, req::SRS_REL_002, req::SRS_REL_010},
              kSixtyFour, kFull.steps),
@@ -107,6 +122,8 @@ constexpr Case kCases[] = {
     MakeCase("EveryOneOfSixtyFourFaults", {req::SRS_CONS_016, req::SRS_CONS_019, req::SRS_CONS_023}, kSixtyFour,
              kEveryFault),
     MakeCase("IdentifierInUseOfSixtyFour", {req::SRS_CFG_024}, kSixtyFour, kInUseAtTheEnds),
+    MakeCase("SixteenProducers", {req::SRS_PROD_003, req::SRS_PROD_004, req::SRS_PROD_011, req::SRS_CONS_023}, kSenders,
+             kManySenders),
     MakeCase("NumbersWithGaps", {req::SRS_CONS_023, req::SRS_REL_002, req::SRS_CFG_002}, kGaps, kNumbersWithGaps),
 };
 // clang-format on

@@ -62,6 +62,7 @@ extern const Device
 extern const Device kWordSender; ///< As kSender, 6400h, 6401h:04, 03, 01 (32, 24, 8 bits).
 extern const Device kLongSender; ///< As kSender, 6400h, 6401h:08 (64 bits).
 extern const Device kOddSender;  ///< As kSender, 6400h, 6401h:07 (56 bits).
+extern const Device kSenders;    ///< 16 SRDOs like that of kSender, of the same objects, 101h/102h to 11Fh/120h.
 extern const Device kMixed;      ///< Slot 0 consumer gold, automatic; slot 1 producer of kSender; slot 2 off.
 
 // Configuration and size.

@@ -63,6 +63,7 @@ constexpr SrdoSetup Producer(std::uint8_t number, ProducerForm form)
     return SrdoSetup{number, ReleasePolicy::kInterlock, form, Payload{0U, 0U}};
 }
 
+constexpr std::uint8_t kSendersCount = 16U;
 constexpr ReleasePolicy kNeither = static_cast<ReleasePolicy>(0x5BU);
 
 constexpr SrdoSetup kGoldSetups[] = {Consumer(1U, ReleasePolicy::kAutomatic, kGoldSafe)};
@@ -135,6 +136,31 @@ constexpr SrdoValues kTwoValues[] = {kGoldValues, kWordValues};
 constexpr SrdoValues kMixedValues[] = {kGoldValues, kSenderValues, kOffValues};
 constexpr SrdoValues kBareTwoValues[] = {kBareValues, kBareValues};
 constexpr SrdoValues kGapsValues[] = {kGoldValues, kOffValues, kWordValues, kOffValues};
+
+/// Signatures of the 16 SRDOs of kSenders, computed like those above.
+constexpr std::uint16_t kSendersSignatures[kSendersCount] = {0xF2B5U, 0x8EC1U, 0x07BFU, 0x7629U, 0x0880U, 0x74F4U,
+                                                             0xFD8AU, 0x97D8U, 0x16FEU, 0x6A8AU, 0xE3F4U, 0x9262U,
+                                                             0xECCBU, 0x90BFU, 0x19C1U, 0x441BU};
+
+struct Senders
+{
+    SrdoValues values[kSendersCount];
+    SrdoSetup setups[kSendersCount];
+};
+
+constexpr Senders MakeSenders()
+{
+    Senders all{};
+    for (std::uint32_t slot = 0U; slot < kSendersCount; ++slot)
+    {
+        all.values[slot] = SrdoValues{
+            1U, 25U, 20U, 0x101U + (2U * slot), 0x102U + (2U * slot), 4U, kSenderMap, kSendersSignatures[slot]};
+        all.setups[slot] = Producer(static_cast<std::uint8_t>(slot + 1U), ProducerForm::kApplicationSends);
+    }
+    return all;
+}
+
+constexpr Senders kSendersData = MakeSenders();
 
 /// Common to all: one second of cycle and of tolerance, 100 ms for an acknowledge, one controller.
 template <std::size_t kCount>
@@ -214,6 +240,7 @@ const Device kWideSender{kSending, &kWideSenderValues};
 const Device kWordSender{kSending, &kWordSenderValues};
 const Device kLongSender{kSending, &kLongSenderValues};
 const Device kOddSender{kSending, &kOddSenderValues};
+const Device kSenders{Node(Every(Config(kSendersData.setups), 1000U, 500U), 4U), kSendersData.values};
 const Device kMixed{Node(Every(Config(kMixedSetups), 1000U, 1000000U), 4U), kMixedValues};
 const Device kBare{Every(Config(kBareSetups, 1U), 1000U, 500U), kBareTwoValues};
 const Device kBareTwo{Every(Config(kBareSetups), 1000U, 500U), kBareTwoValues};
