@@ -1,8 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "safety_core/comparator/comparator.hpp"
 
-#include "safety_core/comparator/slot_mask.hpp"
-
 #include <cstdint>
 
 namespace counterpoint
@@ -81,7 +79,8 @@ Verdict Comparator::Compare(const Comparison& comparison) noexcept
     verdict.agreement.agreed = a.released & b.released & ~faults;
     verdict.start = a.due & b.due;
 
-    watched_ |= a.fresh | b.fresh | (a.released ^ b.released) | (a.due ^ b.due);
+    const SrdoMask one_sided = (a.released ^ b.released) | (a.due ^ b.due);
+    watched_ |= a.fresh | b.fresh | one_sided;
     if (a.ordinal_sum != b.ordinal_sum)
     {
         watched_ |= ~SrdoMask{0U} >> (std::uint32_t{kMaxSrdoCount} - setup_.slot_count);
@@ -91,22 +90,20 @@ Verdict Comparator::Compare(const Comparison& comparison) noexcept
     SlotSet to_look{watched_};
     while (to_look.mask != 0U)
     {
-        Look(comparison, TakeLowest(to_look), verdict);
+        Look(comparison, TakeLowest(to_look), SlotSet{one_sided}, verdict);
     }
     verdict.agreement.matched = ~watched_;
     previous_ = comparison.now;
     return verdict;
 }
 
-void Comparator::Look(const Comparison& comparison, const SlotIndex slot, Verdict& verdict) noexcept
+void Comparator::Look(const Comparison& comparison, const SlotIndex slot, const SlotSet one_sided,
+                      Verdict& verdict) noexcept
 {
     const SrdoView a = comparison.channel_a->View(slot);
     const SrdoView b = comparison.channel_b->View(slot);
     const SrdoMask bit = OnlySlot(slot).mask;
     const bool is_producer = a.state == SrdoState::kProducer;
-    const SrdoMask one_sided = (comparison.outcome_a->released ^ comparison.outcome_b->released) |
-                               (comparison.outcome_a->due ^ comparison.outcome_b->due);
-
     // A producer's pair was compared before it left; a confirmation at the very limit may count in one channel alone.
     const std::uint32_t pair_matters = is_producer ? 0U : ~std::uint32_t{0U};
     const std::uint32_t ordinals = ((a.ordinal ^ b.ordinal) | Unequal(a.holds_pair, b.holds_pair)) & pair_matters;
@@ -120,7 +117,7 @@ void Comparator::Look(const Comparison& comparison, const SlotIndex slot, Verdic
         verdict.fault = DeviceFault::kDisagreement;
         verdict.slot = slot;
     }
-    else if ((one_sided & bit) != 0U)
+    else if ((one_sided.mask & bit) != 0U)
     {
         Unmatched(comparison, slot, is_producer ? DeviceFault::kUnmatched : DeviceFault::kNone, verdict);
     }

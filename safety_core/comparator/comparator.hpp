@@ -2,6 +2,7 @@
 #ifndef SAFETY_CORE_COMPARATOR_COMPARATOR_HPP
 #define SAFETY_CORE_COMPARATOR_COMPARATOR_HPP
 
+#include "safety_core/comparator/slot_mask.hpp"
 #include "safety_core/contract/channel.hpp"
 #include "safety_core/contract/device_fault.hpp"
 
@@ -55,7 +56,7 @@ class Comparator
     [[nodiscard]] static DeviceFault ComparePrepared(const PreparedPair& a, const PreparedPair& b) noexcept;
 
   private:
-    void Look(const Comparison& comparison, SlotIndex slot, Verdict& verdict) noexcept;
+    void Look(const Comparison& comparison, SlotIndex slot, SlotSet one_sided, Verdict& verdict) noexcept;
     void Unmatched(const Comparison& comparison, SlotIndex slot, DeviceFault fault, Verdict& verdict) noexcept;
 
     SrdoMask watched_{0U};

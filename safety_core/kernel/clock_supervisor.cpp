@@ -8,15 +8,6 @@ namespace counterpoint
 namespace
 {
 
-constexpr std::uint32_t kSignBit = 0x80000000U;
-
-// Instants are modular: `later` is not before `earlier` when their difference is below 2^31.
-bool IsOrdered(const InstantPair& earlier, const InstantPair& later) noexcept
-{
-    const std::uint32_t differences = (later.a.us - earlier.a.us) | (later.b.us - earlier.b.us);
-    return (differences & kSignBit) == 0U;
-}
-
 std::uint32_t Apart(const std::uint32_t left, const std::uint32_t right) noexcept
 {
     return (left > right) ? (left - right) : (right - left);
@@ -31,17 +22,6 @@ void ClockSupervisor::Restart(const DeviceConfig& config) noexcept
     late_us_ = config.cycle_us + config.cycle_tolerance_us;
     found_ = DeviceFault::kNone;
     started_ = false;
-}
-
-// t [cycles]  n            n+1        the stamps of the frames between two cycles lie between the cycles' instants
-// instants    |--- f1 f2 ---|
-void ClockSupervisor::OnFrame(const InstantPair& stamp) noexcept
-{
-    if (started_ && !IsOrdered(newest_, stamp))
-    {
-        found_ = DeviceFault::kFrameOrder;
-    }
-    newest_ = stamp;
 }
 
 DeviceFault ClockSupervisor::OnCycle(const InstantPair& now) noexcept

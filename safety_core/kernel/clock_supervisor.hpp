@@ -6,6 +6,8 @@
 #include "safety_core/contract/device_fault.hpp"
 #include "safety_core/contract/time.hpp"
 
+#include <cstdint>
+
 namespace counterpoint
 {
 
@@ -16,12 +18,29 @@ class ClockSupervisor
   public:
     void Restart(const DeviceConfig& config) noexcept;
     /// @brief Stamps of the next frame in bus order.
-    void OnFrame(const InstantPair& stamp) noexcept;
+    ///
+    /// t [cycles]  n            n+1        the stamps of the frames between two cycles lie between the cycles' instants
+    /// instants    |--- f1 f2 ---|
+    void OnFrame(const InstantPair& stamp) noexcept
+    {
+        if (started_ && !IsOrdered(newest_, stamp))
+        {
+            found_ = DeviceFault::kFrameOrder;
+        }
+        newest_ = stamp;
+    }
     /// @brief Instants of this cycle; the first device fault found since the last call. The first call after Restart
     /// only sets the references.
     [[nodiscard]] DeviceFault OnCycle(const InstantPair& now) noexcept;
 
   private:
+    /// Instants are modular: `later` is not before `earlier` when their difference is below 2^31.
+    [[nodiscard]] static bool IsOrdered(const InstantPair& earlier, const InstantPair& later) noexcept
+    {
+        const std::uint32_t differences = (later.a.us - earlier.a.us) | (later.b.us - earlier.b.us);
+        return (differences >> 31U) == 0U;
+    }
+
     InstantPair reference_{{0U}, {0U}};
     InstantPair previous_{{0U}, {0U}};
     InstantPair newest_{{0U}, {0U}}; ///< Latest stamp or cycle instant seen.
