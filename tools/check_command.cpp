@@ -42,6 +42,7 @@ class CheckCommand final : public Command
         options_.Describe(app);
         app.add_option("--granularity", granularity_, "Bits that mapped lengths have to be multiples of")
             ->capture_default_str()
+            ->check(CLI::Validator(ProblemOfNumber, ""))
             ->check(CLI::IsMember(std::set<int>{1, 8, 16, 32, 64}));
     }
 

@@ -16,6 +16,7 @@ namespace
 {
 constexpr const char* kProgram = "counterpoint";
 constexpr const char* kVersion = "0.1.0";
+constexpr const char* kExitStatus = "Exit status: 0 what was asked holds, 1 it does not, 2 bad input or bad usage.";
 
 /// One line, whatever the library or the system says.
 std::string OneLine(std::string text)
@@ -26,6 +27,16 @@ std::string OneLine(std::string text)
     }
     std::replace(text.begin(), text.end(), '\n', ' ');
     return cia306::Printable(text);
+}
+
+std::string CommandNames()
+{
+    std::string names;
+    for (const CommandRow& row : CommandTable())
+    {
+        names += (names.empty() ? "" : ", ") + std::string(row.name);
+    }
+    return names;
 }
 
 ExitStatus Usage(const CLI::App& app, const CLI::ParseError& error, const Streams& streams)
@@ -40,7 +51,15 @@ ExitStatus Usage(const CLI::App& app, const CLI::ParseError& error, const Stream
     {
         help += " " + command->get_name();
     }
-    streams.err << kProgram << ": " << OneLine(error.what()) << "; expected a command line as told by '" << help
+    const std::vector<std::string> unknown = app.remaining();
+    const bool has_command = !app.get_subcommands().empty();
+    std::string wrong = OneLine(error.what());
+    if (!has_command && !unknown.empty())
+    {
+        wrong = cia306::Quoted(unknown.front()) + " is no command";
+    }
+    streams.err << kProgram << ": " << wrong << "; expected "
+                << (has_command ? "" : "one of " + CommandNames() + " in ") << "a command line as told by '" << help
                 << " --help'\n";
     return ExitStatus::kBadInput;
 }
@@ -51,12 +70,14 @@ ExitStatus RunCommandLine(const std::vector<std::string>& arguments, const Strea
     CLI::App app("Counterpoint: CANopen Safety (EN 50325-5) tools", kProgram);
     app.set_version_flag("--version", std::string(kProgram) + " " + kVersion);
     app.require_subcommand(1);
+    app.footer(std::string(kExitStatus) + "\n'counterpoint COMMAND --help' tells the options of a command.");
     std::vector<std::pair<CLI::App*, std::unique_ptr<Command>>> commands;
     for (const CommandRow& row : CommandTable())
     {
         CLI::App* const subcommand = app.add_subcommand(row.name, row.description);
         commands.emplace_back(subcommand, row.make());
         commands.back().second->Describe(*subcommand);
+        subcommand->footer(kExitStatus);
     }
     try
     {

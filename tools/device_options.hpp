@@ -25,6 +25,12 @@ struct DeviceOptions
     [[nodiscard]] std::optional<std::uint8_t> NodeId(const cia306::Device& device) const;
 };
 
+/// For CLI::Option::check: what is wrong with a number that people read otherwise than CLI11 does, such as 010, which
+/// would be 8. [SRS-CLI-020]
+[[nodiscard]] std::string ProblemOfNumber(const std::string& text);
+/// Likewise of the name of a file: an empty one would count as not given. [SRS-CLI-020]
+[[nodiscard]] std::string ProblemOfFileName(const std::string& text);
+
 /// Runs `body`; with --json a refusal is told as a JSON document too. [SRS-CLI-008]
 [[nodiscard]] ExitStatus RunOnDevice(const DeviceOptions& options, const Streams& streams,
                                      const std::function<ExitStatus()>& body);

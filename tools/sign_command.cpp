@@ -66,7 +66,9 @@ class SignCommand final : public Command
     void Describe(CLI::App& app) override
     {
         options_.Describe(app);
-        app.add_option("--write", output_, "Write a copy of FILE with the signatures as ParameterValue of 13FFh");
+        app.add_option("--write", output_, "Write a copy of FILE with the signatures as ParameterValue of 13FFh")
+            ->type_name("COPY")
+            ->check(CLI::Validator(ProblemOfFileName, ""));
         app.add_flag("--verbose", is_verbose_, "Print the bytes that go into each signature, field by field");
     }
 

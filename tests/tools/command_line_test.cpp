@@ -32,6 +32,9 @@ TEST(CommandLine, BadUsageIsOneLineThatSaysWhatIsExpected)
         {"check", "a.dcf", "--granularity", "7"},
         {"check", "a.dcf", "--granularity", "8x"},
         {"check", "a.dcf", "--verbose"},
+        {"sign", "a.dcf", "--node-id", "010"},
+        {"check", "a.dcf", "--granularity", "010"},
+        {"sign", "a.dcf", "--write", ""},
         {"sign", "a.dcf", "check", "a.dcf"},
     };
     for (const std::vector<std::string>& line : lines)
@@ -47,6 +50,14 @@ TEST(CommandLine, BadUsageIsOneLineThatSaysWhatIsExpected)
     }
 }
 
+TEST(CommandLine, UnknownCommandIsNamedBesideTheKnownOnes)
+{
+    Verifies(req::SRS_CLI_020);
+    EXPECT_EQ(RunCommand({"frobnicate"}).err,
+              "counterpoint: 'frobnicate' is no command; expected one of demo, simulate, sign, check in a command line "
+              "as told by 'counterpoint --help'\n");
+}
+
 TEST(CommandLine, HelpAndVersionHold)
 {
     Verifies(req::SRS_CLI_001);
@@ -56,7 +67,9 @@ TEST(CommandLine, HelpAndVersionHold)
     for (const CommandRow& row : CommandTable())
     {
         EXPECT_NE(help.out.find(row.name), std::string::npos) << row.name;
-        EXPECT_EQ(RunCommand({row.name, "--help"}).status, 0) << row.name;
+        const Answer command_help = RunCommand({row.name, "--help"});
+        EXPECT_EQ(command_help.status, 0) << row.name;
+        EXPECT_NE(command_help.out.find("Exit status: 0 "), std::string::npos) << row.name;
     }
     EXPECT_EQ(RunCommand({"--version"}).out, "counterpoint 0.1.0\n");
 }

@@ -13,14 +13,18 @@ bool ActsOnFrames(const FaultKind kind)
     return IsBusFault(kind) && !is_foreign;
 }
 
-void Corrupt(const FaultSetup& fault, CanFrame& frame)
+/// Whether the frame is another one then: bits behind its last byte are no part of it.
+bool Corrupt(const FaultSetup& fault, CanFrame& frame)
 {
+    const CanFrame sent = frame;
     for (const std::uint8_t bit : fault.bits)
     {
         std::uint8_t& byte = frame.data[bit / 8U];
         byte = static_cast<std::uint8_t>(byte ^ (1U << (bit % 8U)));
     }
     frame.length_bytes = fault.length.value_or(frame.length_bytes);
+    const std::size_t length = std::min<std::size_t>(frame.length_bytes, kMaxPayloadBytes);
+    return frame.length_bytes != sent.length_bytes || !std::equal(frame.data, frame.data + length, sent.data);
 }
 } // namespace
 
@@ -124,9 +128,9 @@ bool FrameFaults::Apply(const FaultSetup& fault, const std::size_t index, const 
     }
     if (fault.kind == FaultKind::kCorruption)
     {
-        Corrupt(fault, first.frame);
+        return Corrupt(fault, first.frame);
     }
-    else if (fault.kind == FaultKind::kLoss)
+    if (fault.kind == FaultKind::kLoss)
     {
         receptions.Clear();
     }
@@ -136,7 +140,9 @@ bool FrameFaults::Apply(const FaultSetup& fault, const std::size_t index, const 
     }
     else
     {
+        const bool is_other = first.frame.identifier != fault.identifier;
         first.frame.identifier = fault.identifier; // Addressing.
+        return is_other;
     }
     return true;
 }

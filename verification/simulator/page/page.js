@@ -196,7 +196,7 @@
 
   function drawValue(lane) {
     const top = lane.y + 3, low = lane.y + lane.height - 3;
-    const most = Math.max(1, ...lane.segments.map(s => +s[2] || 0));
+    const most = lane.segments.reduce((best, s) => Math.max(best, +s[2] || 0), 1);
     let path = "", out = "";
     for (const [begin, end, value] of lane.segments) {
       if (!shown(begin, end) || value === "halted") continue;
