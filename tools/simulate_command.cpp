@@ -15,12 +15,22 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace counterpoint::tools
 {
 namespace
 {
+/// The same for every spelling of one path; what cannot be followed is refused where it is opened.
+std::filesystem::path OneNameOf(const std::string& file)
+{
+    std::error_code error;
+    const std::filesystem::path absolute = std::filesystem::absolute(file);
+    const std::filesystem::path name = std::filesystem::weakly_canonical(absolute, error);
+    return error ? absolute : name;
+}
+
 class SimulateCommand final : public Command
 {
   public:
@@ -102,7 +112,7 @@ class SimulateCommand final : public Command
     /// No output may replace another, or the scenario.
     void RequireFiles() const
     {
-        std::vector<std::filesystem::path> taken{std::filesystem::weakly_canonical(scenario_)};
+        std::vector<std::filesystem::path> taken{OneNameOf(scenario_)};
         const auto take = [this, &taken](const char* const option, const std::string& file)
         {
             if (file.empty())
@@ -113,7 +123,7 @@ class SimulateCommand final : public Command
                 }
                 return;
             }
-            const std::filesystem::path path = std::filesystem::weakly_canonical(file);
+            const std::filesystem::path path = OneNameOf(file);
             if (std::find(taken.begin(), taken.end(), path) != taken.end())
             {
                 throw simulator::ScenarioError(option, {}, simulator::Shown(file) + ", which is named already",

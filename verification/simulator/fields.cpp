@@ -152,7 +152,6 @@ Nanoseconds ScenarioValue::Duration() const
         std::size_t digits; ///< Powers of ten in nanoseconds.
     };
     constexpr Unit kUnits[] = {{"us", 3U}, {"ms", 6U}, {"s", 9U}};
-    constexpr Nanoseconds kLongest = 10000000 * kNanosecondsPerSecond;
     const std::string expected = "a time with its unit such as 10 ms, 2.5 s or 100 us, at most 10000000 s";
     const std::string text = Text(expected);
     const std::size_t end = text.find_last_of("0123456789.");
@@ -164,12 +163,22 @@ Nanoseconds ScenarioValue::Duration() const
     {
         const std::optional<std::int64_t> value =
             (unit == known.text) ? ParseDecimal(number, known.digits) : std::nullopt;
-        if (value && *value >= 0 && *value <= kLongest)
+        if (value && *value >= 0 && *value <= kLongestTime)
         {
             return *value;
         }
     }
     Refuse(Shown(text), expected);
+}
+
+Nanoseconds ScenarioValue::Lasting() const
+{
+    const Nanoseconds duration = Duration();
+    if (duration == 0)
+    {
+        Refuse(Shown(node_->scalar), "a time above 0");
+    }
+    return duration;
 }
 
 std::int32_t ScenarioValue::PartsPerMillion() const

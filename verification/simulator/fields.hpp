@@ -13,6 +13,9 @@
 
 namespace counterpoint::simulator
 {
+/// Longest time that a scenario may name.
+constexpr Nanoseconds kLongestTime = 10000000 * kNanosecondsPerSecond;
+
 struct Range
 {
     std::uint64_t lowest{0U};
@@ -45,6 +48,8 @@ class ScenarioValue
     [[nodiscard]] std::uint64_t Number(const Range& range) const;
     /// @brief A number with a unit: 10 ms, 2.5 s, 100 us; at most 10^7 s.
     [[nodiscard]] Nanoseconds Duration() const;
+    /// @brief A duration above 0.
+    [[nodiscard]] Nanoseconds Lasting() const;
     /// @brief Whole parts per million, at most 10^6 either way.
     [[nodiscard]] std::int32_t PartsPerMillion() const;
     /// @brief 0x2000:01; the sub-index is hexadecimal, too.

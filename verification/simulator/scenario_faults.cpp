@@ -2,6 +2,8 @@
 #include "verification/simulator/names.hpp"
 #include "verification/simulator/scenario_parts.hpp"
 
+#include "hal/host/bus_fault.hpp"
+
 #include <string>
 
 namespace counterpoint::simulator
@@ -14,12 +16,14 @@ constexpr Range kBitRange{0U, 63U};
 constexpr Range kLengthRange{0U, 8U};
 constexpr Range kByteRange{0U, 255U};
 constexpr Range kTimesRange{1U, 1000U};
+constexpr Range kCopiesRange{1U, host::ReceptionList::kCapacity - 1U};
 constexpr Range kOffsetRange{0U, 0xFFFFFFU};
 constexpr Range kBitOfByteRange{0U, 7U};
 constexpr Range kEntryRange{1U, 16U};
 constexpr std::int32_t kStoppedPpm = -1000000;
 
 constexpr Word<ChannelCall> kCallWords[] = {{"OnCycle", ChannelCall::kOnCycle}, {"OnFrame", ChannelCall::kOnFrame}};
+constexpr Word<bool> kYesWords[] = {{"true", true}, {"false", false}};
 constexpr Word<bool> kCounterWords[] = {{"a", true}, {"b", false}};
 
 std::optional<NodeIndex> FindNode(Fields& fields, const char* key, const Scenario& scenario)
@@ -124,7 +128,12 @@ void ReadForeignFrame(Fields& fields, FaultSetup& fault)
     fault.times = FindNumber(fields, "times", kTimesRange).value_or(1U);
     if (const auto by = fields.Find("every"))
     {
-        fault.by = by->Duration();
+        fault.by = by->Lasting();
+        if (fault.by > kLongestTime / fault.times)
+        {
+            by->Refuse(Shown(by->Node().scalar),
+                       "a time that fits " + std::to_string(fault.times) + " times into 10000000 s");
+        }
     }
     if (fault.times > 1U && fault.by == 0)
     {
@@ -153,13 +162,13 @@ void ReadBusFault(Fields& fields, const Scenario& scenario, FaultSetup& fault)
     }
     if (fault.kind == FaultKind::kRepetition)
     {
-        fault.times = FindNumber(fields, "times", kTimesRange).value_or(1U);
+        fault.times = FindNumber(fields, "times", kCopiesRange).value_or(1U);
         const auto by = fields.Find("after");
         fault.by = by ? by->Duration() : 0;
     }
     if (fault.kind == FaultKind::kDelay)
     {
-        fault.by = fields.Require("by").Duration();
+        fault.by = fields.Require("by").Lasting();
     }
     if (fault.kind == FaultKind::kAddressing)
     {
@@ -256,7 +265,7 @@ void ReadClock(Fields& fields, FaultSetup& fault)
     fault.is_counter_a = fields.Require("counter").Choice(kCounterWords);
     const auto stopped = fields.Find("stopped");
     const auto ppm = fields.Find("ppm");
-    const bool is_stopped = stopped && stopped->Text("true") == "true";
+    const bool is_stopped = stopped && stopped->Choice(kYesWords);
     if (is_stopped == static_cast<bool>(ppm))
     {
         fields.Value().Refuse("clock fault without an effect of its own", "either 'stopped: true' or 'ppm'");
@@ -274,8 +283,7 @@ void ReadCycle(Fields& fields, FaultSetup& fault)
     {
         fields.Value().Refuse("cycle fault", "either 'late' or 'early' with a time");
     }
-    fault.by = late ? late->Duration() : -early->Duration();
-    fault.times = FindNumber(fields, "count", kCountRange).value_or(1U);
+    fault.by = late ? late->Lasting() : -early->Lasting();
 }
 
 void ReadNodeFault(Fields& fields, const Scenario& scenario, FaultSetup& fault)
@@ -292,7 +300,12 @@ void ReadNodeFault(Fields& fields, const Scenario& scenario, FaultSetup& fault)
     else if (fault.kind == FaultKind::kNotInverse)
     {
         fault.object = fields.Require("object").Object();
-        fault.bits = ReadBytes(fields.Require("bits"), kBitRange, "a list of bits from 0 to 63");
+        const ScenarioValue bits = fields.Require("bits");
+        fault.bits = ReadBytes(bits, kBitRange, "a list of bits from 0 to 63");
+        if (fault.bits.empty())
+        {
+            bits.Refuse("an empty list", "one bit or more");
+        }
         ReadSpan(fields, fault);
     }
     else

@@ -54,9 +54,9 @@ NodeSetup ReadNode(const ScenarioValue& name, const ScenarioValue& value)
     Fields fields(value, "a node");
     NodeSetup node;
     node.name = name.Text("the name of a node");
-    if (node.name.empty() || node.name == "all")
+    if (node.name.empty() || node.name == "all" || node.name == "bus")
     {
-        name.Refuse("node name " + Shown(node.name), "a name other than 'all'");
+        name.Refuse("node name " + Shown(node.name), "a name other than 'all' and 'bus'");
     }
     const ScenarioValue dcf = fields.Require("dcf");
     node.dcf = Beside(value.FileName(), dcf.Text("the file name of a DCF"));

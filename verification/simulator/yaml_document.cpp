@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/simulator/yaml_document.hpp"
 
+#include "canopen/cia306/input_error.hpp"
+
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
@@ -16,7 +18,7 @@ namespace
 {
 std::string Message(const std::string& file, const Place place, const std::string& wrong, const std::string& expected)
 {
-    std::string where = file;
+    std::string where = cia306::Printable(file);
     if (place.line > 0)
     {
         where += ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
@@ -261,9 +263,13 @@ std::string ReadScenarioText(const std::string& file)
 {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(file, error);
-    if (!std::filesystem::exists(status))
+    if (status.type() == std::filesystem::file_type::not_found)
     {
         throw ScenarioError(file, {}, "no such file", "a scenario");
+    }
+    if (status.type() == std::filesystem::file_type::none)
+    {
+        throw ScenarioError(file, {}, "cannot be opened (" + error.message() + ")", "a readable file");
     }
     if (!std::filesystem::is_regular_file(status))
     {
