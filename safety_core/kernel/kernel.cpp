@@ -74,8 +74,12 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     Adopt(guard_.TakeFinding());
     flow_.Mark(FlowStep::kGuard, kDone);
 
-    const CycleInput input_a{call.now.a, challenge, token, call.acknowledge_a, nmt_, queue_};
-    const CycleInput input_b{call.now.b, challenge, token, call.acknowledge_b, nmt_, queue_};
+    // OPERATIONAL that was left and entered again between two cycles was left: the channels see one cycle outside of
+    // it.
+    const NmtState nmt = left_operational_ ? NmtState::kPreOperational : nmt_;
+    left_operational_ = false;
+    const CycleInput input_a{call.now.a, challenge, token, call.acknowledge_a, nmt, queue_};
+    const CycleInput input_b{call.now.b, challenge, token, call.acknowledge_b, nmt, queue_};
     queue_ = QueueState::kIntact;
     const CycleOutcome outcome_a = parts_.channel_a.OnCycle(input_a);
     flow_.Mark(FlowStep::kChannelA, FlowEvidence{outcome_a.cycle, cycle_});

@@ -207,6 +207,7 @@ class Kernel
     FlowCallback flow_callback_{FlowCallback::kOff};
     std::uint8_t sent_[kMaxSrdoCount]{}; ///< Low byte of the ordinal last told as sent. MISRA D-001
     bool started_{false};
+    bool left_operational_{false}; ///< The channels have not seen it yet.
     bool gfc_seen_{false};
     bool gfc_open_{false};
     bool fault_told_{false};

@@ -69,6 +69,10 @@ void Kernel::SetNmtState(const NmtState state) noexcept
     {
         EnterOperational();
     }
+    if ((state != NmtState::kOperational) && (nmt_ == NmtState::kOperational))
+    {
+        left_operational_ = true;
+    }
     nmt_ = state;
 }
 

@@ -159,6 +159,7 @@ StartResult Kernel::Start(const DeviceConfig& config, const FlowCallback flow) n
     demotions_ = 0U;
     queue_ = QueueState::kIntact;
     nmt_ = NmtState::kInitialising;
+    left_operational_ = false;
     gfc_seen_ = false;
     gfc_open_ = false;
     fault_told_ = false;

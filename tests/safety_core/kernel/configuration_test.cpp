@@ -136,6 +136,34 @@ TEST_F(Configuring, EnteringOperationalWithABrokenSignatureLeavesSrdosOff)
     EXPECT_TRUE(ports.sent.empty());
 }
 
+// t [cycles]   1 released     (PRE-OPERATIONAL, written, OPERATIONAL)     2 off     3 waiting
+TEST_F(Configuring, LeavingAndEnteringOperationalBetweenTwoCyclesIsSeenAsLeft)
+{
+    Verifies(req::SRS_KRN_010);
+    Operate();
+    ReceivePair();
+    Cycle();
+    ASSERT_EQ(Open(), 1U);
+    // Given a configuration that is changed, signed and declared between two cycles
+    kernel.SetNmtState(NmtState::kPreOperational);
+    ASSERT_EQ(Write(0x1301U, 2U, 60U, 2U), AbortCode::kNone);
+    const SignReply reply = kernel.Sign(CommunicationIndex{0x1301U});
+    ASSERT_EQ(Write(0x13FFU, 1U, reply.signature, 2U), AbortCode::kNone);
+    ASSERT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
+    kernel.SetNmtState(NmtState::kOperational);
+    // Then the released pair does not survive it
+    Cycle();
+    EXPECT_EQ(Open(), 0U);
+    EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1301U}).state, SrdoState::kOff);
+    EXPECT_EQ(CausesOf(0x1301U), std::vector<SrdoCause>{SrdoCause::kNotOperational});
+    Cycle();
+    EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1301U}).state, SrdoState::kWaiting);
+    ReceivePair();
+    Cycle();
+    EXPECT_EQ(Open(), 1U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+}
+
 TEST_F(Configuring, OperationalAgainIsNotEnteringIt)
 {
     Verifies(req::SRS_KRN_010);
