@@ -171,6 +171,12 @@ constexpr BadCase kImpossibleCases[] = {
      "3:39: a counter that stands still from the start"},
     {"escape sequence", "title: \"a\\e[31mb\"\n", "2:8: text with a character that is not printable"},
     {"C1 control", "title: \"a\\u009bb\"\n", "2:8: text with a character that is not printable"},
+    {"hung for a while", "faults:\n  - {fault: hung, node: actuator, part: guard, at: 1 ms, until: 9 ms}\n",
+     "3:58: unknown key 'until' in a fault"},
+    {"sixteen repetitions", "faults:\n  - {fault: repetition, frames: {identifier: 1}, times: 16}\n",
+     "3:57: '16', expected a number from 1 to 15"},
+    {"count of a late cycle", "faults:\n  - {fault: cycle, node: actuator, at: 1 ms, late: 1 ms, count: 2}\n",
+     "3:58: unknown key 'count' in a fault"},
     {"line end in a title", "title: \"a\\nb\"\n", "2:8: text with a line end or tabulator"},
 };
 
