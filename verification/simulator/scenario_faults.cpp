@@ -4,8 +4,6 @@
 
 #include "hal/host/bus_fault.hpp"
 
-#include "hal/host/bus_fault.hpp"
-
 #include <string>
 
 namespace counterpoint::simulator
@@ -18,7 +16,6 @@ constexpr Range kBitRange{0U, 63U};
 constexpr Range kLengthRange{0U, 8U};
 constexpr Range kByteRange{0U, 255U};
 constexpr Range kTimesRange{1U, 1000U};
-constexpr Range kRepetitionRange{1U, host::ReceptionList::kCapacity - 1U}; ///< Beside the frame itself.
 constexpr Range kCopiesRange{1U, host::ReceptionList::kCapacity - 1U};
 constexpr Range kOffsetRange{0U, 0xFFFFFFU};
 constexpr Range kBitOfByteRange{0U, 7U};
