@@ -68,6 +68,33 @@ TEST_F(Production, ProviderThatSkipsSendsNothingUntilItIsReady)
     EXPECT_EQ(ports.sent.size(), 1U);
 }
 
+// t [ms]  7               7.1            27.1
+// bus     N handed over   N confirmed    SRVT expired without an inverse frame
+TEST_F(Production, ChannelThatHandsOutNoFrameIsMissedAsNoConfirmation)
+{
+    Verifies(req::SRS_KRN_014);
+    Verifies(req::SRS_PROD_008);
+    Operate();
+    Cycle();
+    ASSERT_EQ(ports.sent.size(), 1U);
+    b.withhold_frames = true;
+    ConfirmLast();
+    EXPECT_EQ(ports.sent.size(), 1U);
+    Cycles(22U);
+    EXPECT_EQ(CausesOf(0x1303U), std::vector<SrdoCause>{SrdoCause::kNoConfirmation});
+}
+
+TEST_F(Production, DeviceFaultAfterTheNormalFrameKeepsTheInverseFrameBack)
+{
+    Verifies(req::SRS_KRN_004);
+    Operate();
+    Cycle();
+    ASSERT_EQ(ports.sent.size(), 1U);
+    kernel.DemandSafeState();
+    ConfirmLast();
+    EXPECT_EQ(ports.sent.size(), 1U);
+}
+
 // Counter A 100 ppm ahead of counter B, for 200 s of refresh every 25 ms
 TEST_F(Production, CountersThatDriftApartKeepOnePhase)
 {

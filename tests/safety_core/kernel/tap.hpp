@@ -100,7 +100,7 @@ class Tap final : public Channel
     }
     CanFrame NextFrame(SlotIndex slot) noexcept override
     {
-        return real_.NextFrame(slot);
+        return withhold_frames ? CanFrame{} : real_.NextFrame(slot);
     }
     SlotIndex OnConfirm(const CanFrame& frame, Instant stamp) noexcept override
     {
@@ -120,6 +120,7 @@ class Tap final : public Channel
     ConfigFault check_fault{ConfigFault::kNone};
     int demotions{0};
     int holds{0};
+    bool withhold_frames{false};
     bool drop_store{false};
     bool drop_frames{false};
     bool drop_confirms{false};
