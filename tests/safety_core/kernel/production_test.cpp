@@ -95,6 +95,25 @@ TEST_F(Production, DeviceFaultAfterTheNormalFrameKeepsTheInverseFrameBack)
     EXPECT_EQ(ports.sent.size(), 1U);
 }
 
+TEST_F(Production, InverseFrameConfirmedWithOtherDataIsNotSent)
+{
+    Verifies(req::SRS_KRN_006);
+    Verifies(req::SRS_PROD_007);
+    Operate();
+    Cycle();
+    ConfirmLast();
+    ASSERT_EQ(ports.sent.size(), 2U);
+    // Given an echo of the inverse frame with one flipped bit
+    CanFrame echo = ports.sent[1];
+    echo.data[0] = 0xECU;
+    now_us += 100U;
+    kernel.OnConfirm(StampedFrame{echo, InstantPair{{now_us}, {now_us}}});
+    // Then no pair was sent, and the cause is told
+    EXPECT_TRUE(application.events.empty());
+    Cycle();
+    EXPECT_EQ(CausesOf(0x1303U), std::vector<SrdoCause>{SrdoCause::kWrongEcho});
+}
+
 // Counter A 100 ppm ahead of counter B, for 200 s of refresh every 25 ms
 TEST_F(Production, CountersThatDriftApartKeepOnePhase)
 {
