@@ -169,10 +169,10 @@ class Channel final : public counterpoint::Channel
 
     Storage x_storage;
     const DeviceConfig* x_config{nullptr};
-    HalfMask x_present[kHalves]{}; ///< All existing slots. MISRA D-001
-    HalfMask x_levels[kHalves]{}; ///< Acknowledge inputs of the last OnCycle. MISRA D-001
-    HalfMask x_running{0U};       ///< All bits while SRDOs are active, else none.
-    HalfMask x_gfc{0U};           ///< All bits if a global fail-safe command came since the last OnCycle, else none.
+    HalfMask x_present[kHalves]{};  ///< All existing slots. MISRA D-001
+    HalfMask x_levels[kHalves]{};   ///< Acknowledge inputs of the last OnCycle. MISRA D-001
+    HalfMask x_running{0U};         ///< All bits while SRDOs are active, else none.
+    HalfMask x_gfc{0U};             ///< All bits if a global fail-safe command came since the last OnCycle, else none.
     std::uint32_t x_last_us{0U};    ///< The `now` of the last OnCycle: every budget and every stamp is relative to it.
     std::uint32_t x_elapsed_us{0U}; ///< Between the last two calls of OnCycle: what every budget is to be relieved of.
     std::uint32_t x_late_us{0U};    ///< Longest time since the last OnCycle that is not late.
