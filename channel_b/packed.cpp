@@ -18,8 +18,7 @@ constexpr SlotIndex kPlaceOf[kSlotsInHalf] = { // MISRA D-001
 } // namespace
 
 const std::uint64_t kPayloadMasks[kMaxPayloadBytes] = { // MISRA D-001
-    0xFFFFFFFFFFFFFFFFU, 0xFFU,           0xFFFFU,           0xFFFFFFU,
-    0xFFFFFFFFU,         0xFFFFFFFFFFU, 0xFFFFFFFFFFFFU, 0xFFFFFFFFFFFFFFU};
+    0xFFFFFFFFFFFFFFFFU, 0xFFU, 0xFFFFU, 0xFFFFFFU, 0xFFFFFFFFU, 0xFFFFFFFFFFU, 0xFFFFFFFFFFFFU, 0xFFFFFFFFFFFFFFU};
 
 SlotIndex TakeLowest(HalfMask& mask, SlotIndex first) noexcept
 {
