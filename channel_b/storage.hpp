@@ -109,7 +109,7 @@ struct Storage
     Column<std::uint8_t> first_cause; ///< SrdoCause.
     Column<Stage> stage;
     Column<std::uint8_t> length_bytes; ///< Mapped length.
-    Column<Marks> marks; ///< kHalves.
+    Column<Marks> marks;               ///< kHalves.
     std::uint8_t capacity;
 };
 
