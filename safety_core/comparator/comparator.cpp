@@ -18,6 +18,24 @@ std::uint32_t Unequal(const Payload& left, const Payload& right) noexcept
     return (left.low ^ right.low) | (left.high ^ right.high);
 }
 
+// Four bytes as one word, on every processor the same.
+std::uint32_t WordAt(const std::uint8_t* const bytes) noexcept
+{
+    return static_cast<std::uint32_t>(bytes[0U]) | (static_cast<std::uint32_t>(bytes[1U]) << 8U) | // MISRA D-002
+           (static_cast<std::uint32_t>(bytes[2U]) << 16U) |
+           (static_cast<std::uint32_t>(bytes[3U]) << 24U); // MISRA D-002
+}
+
+std::uint32_t Unequal(const CanFrame& left, const CanFrame& right) noexcept
+{
+    const std::uint32_t first_half = WordAt(&left.data[0]) ^ WordAt(&right.data[0]);
+    const std::uint32_t second_half = WordAt(&left.data[4]) ^ WordAt(&right.data[4]);
+    const std::uint32_t form = Unequal(static_cast<std::uint8_t>(left.kind), static_cast<std::uint8_t>(right.kind)) |
+                               Unequal(static_cast<std::uint8_t>(left.port), static_cast<std::uint8_t>(right.port)) |
+                               Unequal(left.length_bytes, right.length_bytes);
+    return (left.identifier ^ right.identifier) | form | first_half | second_half;
+}
+
 // 0 when both voices speak of the expected cycle, the same guard and the same counts.
 std::uint32_t Unequal(const CycleOutcome& a, const CycleOutcome& b, const std::uint32_t cycle) noexcept
 {
@@ -56,9 +74,8 @@ void Comparator::Restart(const ComparatorSetup& setup) noexcept
 
 DeviceFault Comparator::ComparePrepared(const PreparedPair& a, const PreparedPair& b) noexcept
 {
-    const std::uint32_t form = Unequal(static_cast<std::uint8_t>(a.status), static_cast<std::uint8_t>(b.status)) |
-                               Unequal(a.length_bytes, b.length_bytes);
-    return ((form | Unequal(a.normal, b.normal)) == 0U) ? DeviceFault::kNone : DeviceFault::kDisagreement;
+    const std::uint32_t status = Unequal(static_cast<std::uint8_t>(a.status), static_cast<std::uint8_t>(b.status));
+    return ((status | Unequal(a.normal, b.normal)) == 0U) ? DeviceFault::kNone : DeviceFault::kDisagreement;
 }
 
 Verdict Comparator::Compare(const Comparison& comparison) noexcept
@@ -100,14 +117,13 @@ Verdict Comparator::Compare(const Comparison& comparison) noexcept
 void Comparator::Look(const Comparison& comparison, const SlotIndex slot, const SlotSet one_sided,
                       Verdict& verdict) noexcept
 {
-    const SrdoView a = comparison.channel_a->View(slot);
-    const SrdoView b = comparison.channel_b->View(slot);
+    // Nothing is held of a producer: its pair was compared before it left, and a confirmation at the very limit may
+    // count in one channel alone.
+    const HeldPair a = comparison.channel_a->Held(slot);
+    const HeldPair b = comparison.channel_b->Held(slot);
     const SrdoMask bit = OnlySlot(slot).mask;
-    const bool is_producer = a.state == SrdoState::kProducer;
-    // A producer's pair was compared before it left; a confirmation at the very limit may count in one channel alone.
-    const std::uint32_t pair_matters = is_producer ? 0U : ~std::uint32_t{0U};
-    const std::uint32_t ordinals = ((a.ordinal ^ b.ordinal) | Unequal(a.holds_pair, b.holds_pair)) & pair_matters;
-    const std::uint32_t data = Unequal(a.data, b.data) & pair_matters;
+    const std::uint32_t ordinals = (a.ordinal ^ b.ordinal) | (a.holds_pair ^ b.holds_pair);
+    const std::uint32_t data = Unequal(a.data, b.data);
     if (ordinals != 0U)
     {
         Unmatched(comparison, slot, DeviceFault::kUnmatched, verdict);
@@ -119,7 +135,9 @@ void Comparator::Look(const Comparison& comparison, const SlotIndex slot, const 
     }
     else if ((one_sided.mask & bit) != 0U)
     {
-        Unmatched(comparison, slot, is_producer ? DeviceFault::kUnmatched : DeviceFault::kNone, verdict);
+        const SrdoMask one_sided_due = comparison.outcome_a->due ^ comparison.outcome_b->due;
+        Unmatched(comparison, slot, ((one_sided_due & bit) != 0U) ? DeviceFault::kUnmatched : DeviceFault::kNone,
+                  verdict);
     }
     else
     {

@@ -52,7 +52,7 @@ class Comparator
     void Restart(const ComparatorSetup& setup) noexcept;
     /// @brief One comparison; call once a cycle. O(1) without news, O(slots to look at) with. [SRS-CMP-001..008]
     [[nodiscard]] Verdict Compare(const Comparison& comparison) noexcept;
-    /// @brief Whether two prepared pairs are equal in status, length and data. [SRS-CMP-010]
+    /// @brief Whether two prepared pairs are equal in status and in every member of the frame. [SRS-CMP-010]
     [[nodiscard]] static DeviceFault ComparePrepared(const PreparedPair& a, const PreparedPair& b) noexcept;
 
   private:

@@ -65,8 +65,8 @@ struct CycleInput
     std::uint32_t challenge; ///< Changes every cycle, never 0.
     std::uint32_t guard_token;
     SrdoMask acknowledge; ///< Level of the acknowledge input of each slot.
-    SrdoMask request;     ///< Producers that the application wants to send; asked since the previous cycle. [SRS-PROD-003]
-    SrdoMask stand;       ///< Producers whose refresh phase stood still since the previous cycle. [SRS-PROD-012]
+    SrdoMask request; ///< Producers that the application wants to send; asked since the previous cycle. [SRS-PROD-003]
+    SrdoMask stand;   ///< Producers whose refresh phase stood still since the previous cycle. [SRS-PROD-012]
     NmtState nmt;
     QueueState queue; ///< Whether a frame was lost since the previous cycle.
 };
@@ -95,8 +95,8 @@ struct CycleOutcome
 /// [SRS-CONS-025]
 struct HeldPair
 {
-    Payload data;          ///< As in SrdoView; 0 unless `holds_pair`.
-    std::uint32_t ordinal; ///< As in SrdoView.
+    Payload data;             ///< As in SrdoView; 0 unless `holds_pair`.
+    std::uint32_t ordinal;    ///< As in SrdoView.
     std::uint32_t holds_pair; ///< 1: a complete valid pair is held and no limit has expired; else 0.
 };
 
@@ -126,7 +126,8 @@ enum class PrepareStatus : std::uint8_t
 /// behind its length are 0.
 struct PreparedPair
 {
-    CanFrame normal; ///< Channel A: from what the normal objects hold. Channel B: from the complement of the inverse ones.
+    CanFrame
+        normal; ///< Channel A: from what the normal objects hold. Channel B: from the complement of the inverse ones.
     PrepareStatus status;
 };
 

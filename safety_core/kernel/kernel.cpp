@@ -78,9 +78,10 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     // it.
     const NmtState nmt = left_operational_ ? NmtState::kPreOperational : nmt_;
     left_operational_ = false;
-    const CycleInput input_a{call.now.a, challenge, token, call.acknowledge_a, nmt, queue_};
-    const CycleInput input_b{call.now.b, challenge, token, call.acknowledge_b, nmt, queue_};
+    const CycleInput input_a{call.now.a, challenge, token, call.acknowledge_a, requests_, stand_a_, nmt, queue_};
+    const CycleInput input_b{call.now.b, challenge, token, call.acknowledge_b, requests_, stand_b_, nmt, queue_};
     queue_ = QueueState::kIntact;
+    requests_ = 0U;
     const CycleOutcome outcome_a = parts_.channel_a.OnCycle(input_a);
     flow_.Mark(FlowStep::kChannelA, FlowEvidence{outcome_a.cycle, cycle_});
     const CycleOutcome outcome_b = parts_.channel_b.OnCycle(input_b);
@@ -90,7 +91,9 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     flow_.Mark(FlowStep::kComparison, FlowEvidence{verdict_.echo, challenge});
     Demote();
     flow_.Mark(FlowStep::kDemotion, kDone);
-    HoldFaster(outcome_a, outcome_b);
+    // Each channel's refresh runs by its own counter; the one that is ahead waits for the other. [SRS-KRN-017]
+    stand_a_ = outcome_a.due & ~outcome_b.due;
+    stand_b_ = outcome_b.due & ~outcome_a.due;
     Produce();
     flow_.Mark(FlowStep::kProduction, kDone);
     Commit();
@@ -143,8 +146,10 @@ void Kernel::TestComparator(const Comparison& comparison) noexcept
     Comparison deliberate = comparison;
     deliberate.outcome_b = &altered;
     const Verdict verdict = comparator_.Compare(deliberate);
-    const PreparedPair right{Payload{comparison.challenge, 0U}, PrepareStatus::kReady, kMaxPayloadBytes};
-    const PreparedPair wrong{Payload{comparison.challenge ^ 1U, 0U}, PrepareStatus::kReady, kMaxPayloadBytes};
+    PreparedPair right{};
+    right.normal.identifier = comparison.challenge;
+    PreparedPair wrong = right;
+    wrong.normal.data[test_number_] ^= one; // MISRA D-002
     const DeviceFault data = Comparator::ComparePrepared(right, wrong);
     if ((verdict.fault == DeviceFault::kNone) || (data == DeviceFault::kNone))
     {

@@ -155,7 +155,6 @@ class Kernel
     [[nodiscard]] StartResult CheckPlatform(const DeviceConfig& config) const noexcept;
     [[nodiscard]] SlotIndex SlotAt(CommunicationIndex index) const noexcept;
     [[nodiscard]] CommunicationIndex IndexOf(SlotIndex slot) const noexcept;
-    [[nodiscard]] Result SendSlot(SlotIndex slot) noexcept;
     [[nodiscard]] Result SendReadiness() const noexcept;
     void Adopt(const DeviceFaultReport& report) noexcept;
     void CompareOutcomes(const CycleCall& call, std::uint32_t challenge, const CycleOutcome& a,
@@ -164,10 +163,8 @@ class Kernel
     void Demote() noexcept;
     void Commit() noexcept;
     void Produce() noexcept;
-    void HoldFaster(const CycleOutcome& a, const CycleOutcome& b) noexcept;
     void ProduceSlot(SlotIndex slot) noexcept;
     void FollowNormal(SlotIndex slot) noexcept;
-    void TellSent(SlotIndex slot) noexcept;
     void HandOver(SlotIndex slot, const CanFrame& frame) noexcept;
     void FollowGfc() noexcept;
     void SetGfcLimit() noexcept;
@@ -190,6 +187,9 @@ class Kernel
     Verdict verdict_{};
     SrdoMask committed_{0U};
     SrdoMask received_mask_{0U};
+    SrdoMask requests_{0U}; ///< Told to the channels by the next cycle, as the two below.
+    SrdoMask stand_a_{0U};  ///< Producers that only channel A called due.
+    SrdoMask stand_b_{0U};
     InstantPair now_{{0U}, {0U}};
     Instant gfc_sent_{0U};
     std::uint32_t gfc_limit_us_{0U};
@@ -205,7 +205,6 @@ class Kernel
     QueueState queue_{QueueState::kIntact};
     NmtState nmt_{NmtState::kInvalid};
     FlowCallback flow_callback_{FlowCallback::kOff};
-    std::uint8_t sent_[kMaxSrdoCount]{}; ///< Low byte of the ordinal last told as sent. MISRA D-001
     bool started_{false};
     bool left_operational_{false}; ///< The channels have not seen it yet.
     bool gfc_seen_{false};

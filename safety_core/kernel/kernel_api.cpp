@@ -78,10 +78,6 @@ void Kernel::SetNmtState(const NmtState state) noexcept
 
 void Kernel::EnterOperational() noexcept
 {
-    for (std::uint8_t& ordinal : sent_)
-    {
-        ordinal = 0U;
-    }
     if (!guard_.IsValid())
     {
         return; // No fault: SRDOs are off until the configuration is declared valid.
@@ -131,22 +127,6 @@ Result Kernel::SendReadiness() const noexcept
     return guard_.IsValid() ? Result::kSuccessful : Result::kInvalidConfiguration;
 }
 
-Result Kernel::SendSlot(const SlotIndex slot) noexcept
-{
-    const SrdoMask bit = OnlySlot(slot).mask;
-    if ((guard_.Active() & bit) == 0U)
-    {
-        return Result::kInvalid;
-    }
-    if ((guard_.Producers() & bit) == 0U)
-    {
-        return Result::kRxTxConflict;
-    }
-    parts_.channel_a.Request(slot);
-    parts_.channel_b.Request(slot);
-    return Result::kSuccessful;
-}
-
 Result Kernel::Send(const CommunicationIndex index) noexcept
 {
     const SlotIndex wanted = SlotAt(index);
@@ -159,19 +139,18 @@ Result Kernel::Send(const CommunicationIndex index) noexcept
     {
         return readiness;
     }
-    if (wanted != kNoSlot)
+    const SrdoMask bits = (wanted == kNoSlot) ? ~SrdoMask{0U} : OnlySlot(wanted).mask;
+    const SrdoMask to_send = bits & guard_.Producers();
+    requests_ |= to_send;
+    if (to_send != 0U)
     {
-        return SendSlot(wanted);
+        return Result::kSuccessful;
     }
-    Result result = Result::kNotExist;
-    for (SlotIndex slot = 0U; slot < config_->srdo_count; ++slot)
+    if (wanted == kNoSlot)
     {
-        if (SendSlot(slot) == Result::kSuccessful)
-        {
-            result = Result::kSuccessful;
-        }
+        return Result::kNotExist;
     }
-    return result;
+    return ((guard_.Active() & bits) == 0U) ? Result::kInvalid : Result::kRxTxConflict;
 }
 
 CheckReply Kernel::CheckConfiguration() noexcept

@@ -25,21 +25,6 @@ void Kernel::Produce() noexcept
     FollowGfc();
 }
 
-// Each channel's refresh runs by its own counter; the one that is ahead waits for the other. [SRS-KRN-017]
-void Kernel::HoldFaster(const CycleOutcome& a, const CycleOutcome& b) noexcept
-{
-    SlotSet ahead_a{a.due & ~b.due};
-    while (ahead_a.mask != 0U)
-    {
-        parts_.channel_a.Hold(TakeLowest(ahead_a));
-    }
-    SlotSet ahead_b{b.due & ~a.due};
-    while (ahead_b.mask != 0U)
-    {
-        parts_.channel_b.Hold(TakeLowest(ahead_b));
-    }
-}
-
 void Kernel::ProduceSlot(const SlotIndex slot) noexcept
 {
     const bool asks_provider = config_->srdos[slot].form == ProducerForm::kProviderCalled; // MISRA D-002
@@ -59,10 +44,8 @@ void Kernel::ProduceSlot(const SlotIndex slot) noexcept
     {
         return; // Recorded by the channels as a fault of the SRDO.
     }
-    parts_.channel_a.Launch(slot);
-    parts_.channel_b.Launch(slot);
     gfc_open_ = false;
-    HandOver(slot, parts_.channel_a.NextFrame(slot));
+    HandOver(slot, pair_a.normal);
 }
 
 void Kernel::HandOver(const SlotIndex slot, const CanFrame& frame) noexcept
@@ -81,9 +64,9 @@ void Kernel::HandOver(const SlotIndex slot, const CanFrame& frame) noexcept
     parts_.channel_b.OnTransmitFault(slot, cause);
 }
 
-// t      launch          normal on the bus      inverse on the bus
-// A      NextFrame       confirm                confirm: sent
-// B      .               confirm, NextFrame     confirm: sent
+// t      prepare            normal on the bus         inverse on the bus
+// A      normal frame       confirm                   confirm: sent
+// B      compared           confirm, inverse frame    confirm: sent
 void Kernel::OnConfirm(const StampedFrame& frame) noexcept
 {
     if (!started_)
@@ -91,21 +74,25 @@ void Kernel::OnConfirm(const StampedFrame& frame) noexcept
         return;
     }
     clocks_.OnFrame(frame.stamp);
-    const SlotIndex slot_a = parts_.channel_a.OnConfirm(frame.frame, frame.stamp.a);
-    const SlotIndex slot_b = parts_.channel_b.OnConfirm(frame.frame, frame.stamp.b);
+    const Confirmation a = parts_.channel_a.OnConfirm(frame.frame, frame.stamp.a);
+    const Confirmation b = parts_.channel_b.OnConfirm(frame.frame, frame.stamp.b);
     // At the very limit one channel may have given the pair up already: then the other one will, for want of its frame.
-    if ((slot_a != slot_b) || (slot_b >= config_->srdo_count))
+    if ((a.step != b.step) || (a.slot != b.slot) || (a.slot >= config_->srdo_count))
     {
         return;
     }
-    // Normal frames have odd identifiers, inverse frames even ones: these end a pair.
-    if ((frame.frame.identifier & 1U) != 0U)
+    if (a.step == ConfirmStep::kNormal)
     {
-        FollowNormal(slot_b);
+        FollowNormal(a.slot);
+    }
+    else if (a.step == ConfirmStep::kPair)
+    {
+        ++transmitted_;
+        parts_.application.OnSrdoEvent(IndexOf(a.slot));
     }
     else
     {
-        TellSent(slot_a);
+        // Two channels that agree on something that is no step: nothing follows.
     }
 }
 
@@ -113,18 +100,7 @@ void Kernel::FollowNormal(const SlotIndex slot) noexcept
 {
     if (latch_.IsRunning())
     {
-        HandOver(slot, parts_.channel_b.NextFrame(slot));
-    }
-}
-
-void Kernel::TellSent(const SlotIndex slot) noexcept
-{
-    const std::uint8_t ordinal = static_cast<std::uint8_t>(parts_.channel_a.View(slot).ordinal);
-    if (ordinal != sent_[slot]) // MISRA D-002
-    {
-        sent_[slot] = ordinal; // MISRA D-002
-        ++transmitted_;
-        parts_.application.OnSrdoEvent(IndexOf(slot));
+        HandOver(slot, parts_.channel_b.InverseFrame(slot));
     }
 }
 

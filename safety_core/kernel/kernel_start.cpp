@@ -151,6 +151,9 @@ StartResult Kernel::Start(const DeviceConfig& config, const FlowCallback flow) n
     clocks_.Restart(config);
     verdict_ = Verdict{};
     committed_ = 0U;
+    requests_ = 0U;
+    stand_a_ = 0U;
+    stand_b_ = 0U;
     now_ = InstantPair{{0U}, {0U}};
     cycle_ = 0U;
     test_cycles_ = config.test_interval_us / config.cycle_us;
