@@ -44,6 +44,12 @@ constexpr std::uint32_t kPermitConstantA = 0x9E3779B1U;
 constexpr std::uint32_t kPermitConstantB = 0x85EBCA77U;
 constexpr std::uint32_t kPermitConstantKernel = 0xC2B2AE3DU;
 
+/// CRC-32 over the safety parameters that the signature 13FFh does not cover. [SRS-CFG-034]
+struct DeviceDigest
+{
+    std::uint32_t value;
+};
+
 /// Permission of one party for the outputs of the slots in `mask`. A response of 0 never fits.
 struct Permit
 {
@@ -160,6 +166,15 @@ class Channel
     virtual void Store(const ConfigItem& item) noexcept = 0;
     /// @brief The value kept at `address`; 0 for an address that does not exist. O(1)
     [[nodiscard]] virtual ConfigItem Load(const ConfigAddress& address) const noexcept = 0;
+
+    /// @brief What this channel's storage has room for, for the kernel to refuse a device that is too large. O(1)
+    [[nodiscard]] virtual ChannelRoom Room() const noexcept = 0;
+    /// @brief Registers the fields of an SRDO with a static mapping; makes its mapping unresolved. No effect on an SRDO
+    /// with a dynamic one. O(1) [SRS-CFG-032]
+    virtual void SetFields(SlotIndex slot, const StaticFields& fields) noexcept = 0;
+    /// @brief CRC-32 over what the signature does not cover, continued from `before`: the device's part before slot 0,
+    /// then the slot's part. 0 starts. O(1) [SRS-CFG-034]
+    [[nodiscard]] virtual DeviceDigest Digest(SlotIndex slot, DeviceDigest before) const noexcept = 0;
 
     /// @brief All rules of one SRDO, in order, then its signature; resolves the mapping and writes the safe value into
     /// the objects this channel owns if there is no fault. Not in OPERATIONAL. O(entries * log objects)
