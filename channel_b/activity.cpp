@@ -54,7 +54,6 @@ void Channel::Enter(const Census& half) noexcept
     marks.started = 0U;
     marks.requested = 0U;
     marks.refresh_due = 0U;
-    marks.standing = 0U;
     const HalfMask usable = Granted(marks.valid) & marks.resolved & present;
     for (HalfMask rest = usable; rest != 0U;)
     {

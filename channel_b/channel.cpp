@@ -120,6 +120,24 @@ void Channel::ClearLookUp() noexcept
     }
 }
 
+HeldPair Channel::Held(SlotIndex slot) const noexcept
+{
+    HeldPair pair{{0U, 0U}, 0U, 0U};
+    const Marks& marks = MarksOf(x_storage, slot);
+    const HalfMask bit = BitOf(slot);
+    if ((marks.consumers & bit) != 0U)
+    {
+        pair.ordinal = x_storage.ordinal[slot];
+    }
+    if ((marks.consumers & Granted(marks.held) & bit) != 0U)
+    {
+        // Of a valid pair the inverse data tell the normal data.
+        pair.data = PayloadOf(~x_storage.inverse_data[slot] & PayloadMask(x_storage.length_bytes[slot]));
+        pair.holds_pair = 1U;
+    }
+    return pair;
+}
+
 SrdoView Channel::View(SlotIndex slot) const noexcept
 {
     const Marks& marks = MarksOf(x_storage, slot);

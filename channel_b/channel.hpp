@@ -30,16 +30,14 @@ class Channel final : public counterpoint::Channel
     [[nodiscard]] CheckResult Recheck(SlotIndex slot) noexcept override;
     void OnFrame(const CanFrame& frame, Instant stamp) noexcept override;
     [[nodiscard]] CycleOutcome OnCycle(const CycleInput& input) noexcept override;
+    [[nodiscard]] HeldPair Held(SlotIndex slot) const noexcept override;
     [[nodiscard]] SrdoView View(SlotIndex slot) const noexcept override;
     void Demote(SlotIndex slot) noexcept override;
     void Commit(const Agreement& agreement) noexcept override;
     [[nodiscard]] Permit Answer(std::uint32_t challenge) const noexcept override;
-    void Request(SlotIndex slot) noexcept override;
-    void Hold(SlotIndex slot) noexcept override;
     [[nodiscard]] PreparedPair Prepare(SlotIndex slot) noexcept override;
-    void Launch(SlotIndex slot) noexcept override;
-    [[nodiscard]] CanFrame NextFrame(SlotIndex slot) noexcept override;
-    [[nodiscard]] SlotIndex OnConfirm(const CanFrame& frame, Instant stamp) noexcept override;
+    [[nodiscard]] Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept override;
+    [[nodiscard]] CanFrame InverseFrame(SlotIndex slot) noexcept override;
     void OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept override;
 
   private:
@@ -120,7 +118,7 @@ class Channel final : public counterpoint::Channel
     void SpendWindows(const Census& half) noexcept;
     [[nodiscard]] HalfMask MissFirstPairs(const Census& census) noexcept;
     void Signal(Census& half, HalfMask slots) noexcept;
-    void CycleHalf(const Call& call, Census& half) noexcept;
+    void CycleHalf(const CycleInput& input, const Call& call, Census& half) noexcept;
 
     // consumer.cpp
     void TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
@@ -140,15 +138,15 @@ class Channel final : public counterpoint::Channel
     void Fault(SlotIndex slot, SrdoCause cause) noexcept;
     void FaultEach(SlotIndex first, HalfMask slots, SrdoCause cause) noexcept;
     void Expire(SlotIndex slot) noexcept;
-    SlotIndex Fail(SlotIndex slot, SrdoCause cause) noexcept;
+    Confirmation Fail(SlotIndex slot, SrdoCause cause) noexcept;
     void DropPair(SlotIndex slot) noexcept;
 
     // producer.cpp
-    [[nodiscard]] HalfMask AdvanceProducers(const Census& census) noexcept;
+    [[nodiscard]] HalfMask AdvanceProducers(const CycleInput& input, const Census& census) noexcept;
     void AdvanceProvider(SlotIndex slot) noexcept;
     void AdvanceApplication(SlotIndex slot) noexcept;
     [[nodiscard]] std::uint32_t AbsenceUs(SlotIndex slot) const noexcept;
-    SlotIndex ConfirmInverse(SlotIndex slot, std::uint32_t since_call) noexcept;
+    [[nodiscard]] Confirmation ConfirmInverse(SlotIndex slot, std::uint32_t since_call) noexcept;
     [[nodiscard]] bool IsEchoWrong(SlotIndex slot, const CanFrame& frame, std::uint64_t expected) const noexcept;
     [[nodiscard]] ObjectData ReadObjects(SlotIndex slot) const noexcept;
 

@@ -129,7 +129,7 @@ inline void Channel::Signal(Census& half, HalfMask slots) noexcept
 }
 
 /// What seldom happens is looked for first.
-[[gnu::always_inline]] inline void Channel::CycleHalf(const Call& call, Census& half) noexcept
+[[gnu::always_inline]] inline void Channel::CycleHalf(const CycleInput& input, const Call& call, Census& half) noexcept
 {
     Marks& marks = MarksOf(x_storage, half.first);
     HalfMask left = 0U;
@@ -158,7 +158,7 @@ inline void Channel::Signal(Census& half, HalfMask slots) noexcept
     }
     if (half.producers != 0U)
     {
-        half.due = AdvanceProducers(half);
+        half.due = AdvanceProducers(input, half);
     }
     if (half.edges != 0U)
     {
@@ -205,7 +205,7 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
         halves[at].active = x_present[at] & running;
         halves[at].edges = levels & ~x_levels[at];
         x_levels[at] = levels;
-        CycleHalf(call, halves[at]);
+        CycleHalf(input, call, halves[at]);
         outcome.sct_checked += CountOf(halves[at].waiting | halves[at].faulted | halves[at].released);
         outcome.is_tx += CountOf(halves[at].producers);
     }

@@ -81,9 +81,9 @@ void Channel::FaultEach(SlotIndex first, HalfMask slots, SrdoCause cause) noexce
     }
 }
 
-/// A fault of a producer; returns the slot, for the sake of OnConfirm. Only a missed refresh leaves the pair in flight
+/// A fault of a producer; returns what OnConfirm then tells. Only a missed refresh leaves the pair in flight
 /// alone. [SRS-PROD-009]
-SlotIndex Channel::Fail(SlotIndex slot, SrdoCause cause) noexcept
+Confirmation Channel::Fail(SlotIndex slot, SrdoCause cause) noexcept
 {
     Record(slot, cause);
     if (cause != SrdoCause::kRefreshMissed)
@@ -91,7 +91,7 @@ SlotIndex Channel::Fail(SlotIndex slot, SrdoCause cause) noexcept
         x_storage.stage[slot] = Stage::kIdle;
         x_storage.pair_limit[slot] = kNothingRuns;
     }
-    return slot;
+    return Confirmation{kNoSlot, ConfirmStep::kNone};
 }
 
 } // namespace counterpoint::channel_b

@@ -109,7 +109,6 @@ enum class Awaited : std::uint8_t
     {
     case Stage::kInvalid:
     case Stage::kIdle:
-    case Stage::kPrepared:
         return Awaited::kNothing;
     case Stage::kAwaitNormal:
         return Awaited::kNormal;

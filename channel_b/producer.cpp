@@ -21,33 +21,17 @@ std::uint32_t Channel::AbsenceUs(SlotIndex slot) const noexcept
     return SctUs(x_storage, slot) + x_config->cycle_us + x_config->cycle_tolerance_us;
 }
 
-void Channel::Request(SlotIndex slot) noexcept
-{
-    if (x_storage.state[slot] == Code(SrdoState::kProducer))
-    {
-        MarksOf(x_storage, slot).requested |= BitOf(slot);
-    }
-}
-
-void Channel::Hold(SlotIndex slot) noexcept
-{
-    Marks& marks = MarksOf(x_storage, slot);
-    if (x_storage.state[slot] == Code(SrdoState::kProducer))
-    {
-        marks.standing |= marks.provider & marks.started & BitOf(slot);
-    }
-}
-
 PreparedPair Channel::Prepare(SlotIndex slot) noexcept
 {
-    PreparedPair pair{{0U, 0U}, PrepareStatus::kNotProducer, 0U};
+    PreparedPair pair{{0U, FrameKind::kInvalid, CanPortId::kInvalid, 0U, {}}, PrepareStatus::kNotProducer};
     if ((x_storage.state[slot] != Code(SrdoState::kProducer)) || IsInFlight(x_storage, slot))
     {
         return pair;
     }
     Marks& marks = MarksOf(x_storage, slot);
-    marks.requested &= ~BitOf(slot);
-    marks.refresh_due &= ~BitOf(slot);
+    const HalfMask bit = BitOf(slot);
+    marks.requested &= ~bit;
+    marks.refresh_due &= ~bit;
     const ObjectData data = ReadObjects(slot);
     const std::uint64_t mask = PayloadMask(x_storage.length_bytes[slot]);
     if ((data.normal ^ data.inverse) != mask)
@@ -57,30 +41,22 @@ PreparedPair Channel::Prepare(SlotIndex slot) noexcept
         return pair;
     }
     x_storage.inverse_data[slot] = data.inverse;
-    x_storage.stage[slot] = Stage::kPrepared;
-    pair.normal = PayloadOf(data.inverse ^ mask);
-    pair.status = PrepareStatus::kReady;
-    pair.length_bytes = x_storage.length_bytes[slot];
-    return pair;
-}
-
-void Channel::Launch(SlotIndex slot) noexcept
-{
-    if (x_storage.stage[slot] != Stage::kPrepared)
-    {
-        return;
-    }
-    const Marks& marks = MarksOf(x_storage, slot);
-    const HalfMask by_application = marks.started & ~marks.provider;
     x_storage.stage[slot] = Stage::kAwaitNormal;
     StartBudget(x_storage, slot, 0U);
-    if ((by_application & BitOf(slot)) != 0U)
+    if ((marks.started & ~marks.provider & bit) != 0U)
     {
         x_storage.phase_left[slot] = AbsenceUs(slot);
     }
+    pair.normal.identifier = NormalIdentifier(x_storage, slot);
+    pair.normal.kind = FrameKind::kData;
+    pair.normal.port = x_config->normal_port;
+    pair.normal.length_bytes = x_storage.length_bytes[slot];
+    UnpackBytes(data.inverse ^ mask, &pair.normal.data[0]);
+    pair.status = PrepareStatus::kReady;
+    return pair;
 }
 
-CanFrame Channel::NextFrame(SlotIndex slot) noexcept
+CanFrame Channel::InverseFrame(SlotIndex slot) noexcept
 {
     CanFrame frame{0U, FrameKind::kInvalid, CanPortId::kInvalid, 0U, {}};
     if (x_storage.stage[slot] == Stage::kSendInverse)
@@ -104,12 +80,12 @@ CanFrame Channel::NextFrame(SlotIndex slot) noexcept
     return (frame.length_bytes != length_bytes) || (different != 0U);
 }
 
-SlotIndex Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
+Confirmation Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
 {
     const SlotIndex slot = LookUp(x_storage, frame);
     if ((frame.kind != FrameKind::kData) || (slot >= x_count))
     {
-        return kNoSlot;
+        return Confirmation{kNoSlot, ConfirmStep::kNone};
     }
     // The identifiers of normal frames are odd, those of inverse frames are even.
     const bool is_normal = (frame.identifier & 1U) != 0U;
@@ -117,7 +93,7 @@ SlotIndex Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
     const bool is_own = frame.identifier == OwnIdentifier(x_storage, slot, is_normal);
     if ((AwaitedIn(x_storage.stage[slot]) != confirmed) || (!is_own))
     {
-        return kNoSlot;
+        return Confirmation{kNoSlot, ConfirmStep::kNone};
     }
     const std::uint64_t inverse = x_storage.inverse_data[slot];
     const std::uint32_t since_call = stamp.us - x_last_us;
@@ -131,11 +107,11 @@ SlotIndex Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
     }
     x_storage.stage[slot] = Stage::kSendInverse;
     StartBudget(x_storage, slot, since_call);
-    return slot;
+    return Confirmation{slot, ConfirmStep::kNormal};
 }
 
 /// `since_call` is the time from the last OnCycle to the confirmation.
-[[gnu::always_inline]] inline SlotIndex Channel::ConfirmInverse(SlotIndex slot, std::uint32_t since_call) noexcept
+[[gnu::always_inline]] inline Confirmation Channel::ConfirmInverse(SlotIndex slot, std::uint32_t since_call) noexcept
 {
     if ((x_storage.pair_left[slot] - since_call) > x_storage.pair_limit[slot])
     {
@@ -144,7 +120,7 @@ SlotIndex Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
     x_storage.sent[slot] += 1U;
     x_storage.stage[slot] = Stage::kIdle;
     x_storage.pair_limit[slot] = kNothingRuns;
-    return slot;
+    return Confirmation{slot, ConfirmStep::kPair};
 }
 
 void Channel::OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept
@@ -200,10 +176,12 @@ void Channel::AdvanceApplication(SlotIndex slot) noexcept
 }
 
 /// Returns the slots that are due. [SRS-PROD-004, SRS-PROD-008, SRS-PROD-010]
-HalfMask Channel::AdvanceProducers(const Census& census) noexcept
+HalfMask Channel::AdvanceProducers(const CycleInput& input, const Census& census) noexcept
 {
     Marks& marks = MarksOf(x_storage, census.first);
     const std::uint32_t first_us = kFirstTransmissionStepUs * x_config->node_id;
+    const HalfMask standing = PartOf(input.stand, census.first) & marks.provider & marks.started;
+    marks.requested |= PartOf(input.request, census.first) & census.producers;
     for (HalfMask rest = census.producers & census.spent; rest != 0U;)
     {
         static_cast<void>(Fail(TakeLowest(rest, census.first), SrdoCause::kNoConfirmation));
@@ -212,7 +190,7 @@ HalfMask Channel::AdvanceProducers(const Census& census) noexcept
     {
         const SlotIndex slot = TakeLowest(rest, census.first);
         const HalfMask bit = BitOf(slot);
-        const std::uint32_t elapsed_us = ((marks.standing & bit) != 0U) ? 0U : x_elapsed_us;
+        const std::uint32_t elapsed_us = ((standing & bit) != 0U) ? 0U : x_elapsed_us;
         const std::uint32_t left_us = x_storage.phase_left[slot] - elapsed_us;
         const std::uint32_t limit_us = ((marks.started & bit) != 0U) ? SctUs(x_storage, slot) : first_us;
         x_storage.phase_left[slot] = left_us;
@@ -229,7 +207,6 @@ HalfMask Channel::AdvanceProducers(const Census& census) noexcept
             AdvanceApplication(slot);
         }
     }
-    marks.standing = 0U;
     HalfMask due = census.producers & (marks.refresh_due | (marks.requested & marks.started));
     for (HalfMask rest = due; rest != 0U;)
     {

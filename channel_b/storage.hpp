@@ -30,9 +30,8 @@ enum class Stage : std::uint8_t
 {
     kInvalid = 0U,
     kIdle = 0x1DU,
-    kPrepared = 0x2BU,     ///< Prepare found the objects inverse; Launch may follow.
-    kAwaitNormal = 0x4EU,  ///< Launched; the normal frame of the other channel has not been seen yet.
-    kSendInverse = 0x71U,  ///< Normal frame seen; NextFrame has not yet handed out the inverse frame.
+    kAwaitNormal = 0x4EU,  ///< Prepared; the normal frame of the other channel has not been seen yet.
+    kSendInverse = 0x71U,  ///< Normal frame seen; the inverse frame has not been handed out yet.
     kAwaitInverse = 0x98U, ///< Inverse frame handed out; not seen yet.
 };
 
@@ -63,7 +62,6 @@ struct Marks
     HalfMask signalled;    ///< The last OnCycle signalled something.
     HalfMask unheard;      ///< Consumers without a pair and without a complaint about it since OPERATIONAL was entered.
     HalfMask provider;     ///< Producers of the form kProviderCalled.
-    HalfMask standing;     ///< Producers whose refresh stands still until the next OnCycle.
     HalfMask started;      ///< Producers whose first transmission is possible.
     HalfMask requested;    ///< Producers that the application wants to send.
     HalfMask refresh_due;  ///< Producers whose refresh has fallen due.

@@ -70,20 +70,22 @@ void Reach(FlipRig& rig, std::uint32_t phase)
         Released(rig);
         rig.Request();
         rig.Cycle(2U * kCycleUs);
-        rig.Launch();
+        rig.Prepare();
         break;
     case 10U: // Normal frame confirmed, inverse frame not sent.
         Released(rig);
         rig.Request();
         rig.Cycle(2U * kCycleUs);
-        rig.Launch();
+        rig.Prepare();
         rig.SendNormal();
         break;
-    case 11U: // Prepared, not launched.
+    case 11U: // Inverse frame handed out, not confirmed.
         Released(rig);
         rig.Request();
         rig.Cycle(2U * kCycleUs);
         rig.Prepare();
+        rig.SendNormal();
+        rig.TakeInverse();
         break;
     case kInvalidPhase: // Off, because a check found the configuration invalid.
         rig.SpoilSignature();
@@ -98,7 +100,6 @@ void Reach(FlipRig& rig, std::uint32_t phase)
 /// What comes after the flip: everything that may happen to a device.
 void GoOn(FlipRig& rig, std::uint32_t phase)
 {
-    rig.LaunchPrepared();
     rig.SendNormal();
     rig.SendInverse();
     if ((phase == 2U) || (phase == 7U))
@@ -110,7 +111,7 @@ void GoOn(FlipRig& rig, std::uint32_t phase)
     rig.Request();
     rig.Acknowledge(false);
     rig.Cycle(kCycleUs);
-    rig.Launch();
+    rig.Prepare();
     rig.SendNormal();
     rig.SendInverse();
     rig.Acknowledge(true);

@@ -95,7 +95,9 @@ void FlipRig::Start()
     before_.is_valid = false;
     has_sent_normal_ = false;
     is_device_safe_ = false;
-    is_prepared_ = false;
+    request_ = 0U;
+    normal_ = CanFrame{};
+    inverse_ = CanFrame{};
     is_granted_ = false;
     Cycle(1000U);
 }
@@ -123,7 +125,9 @@ void FlipRig::Cycle(std::uint32_t elapsed_us)
     challenge_ = (challenge_ * 1664525U) + 1013904223U;
     ++cycles_;
     const std::uint32_t token = RotatedLeft(challenge_, 8U) ^ 0xA5A5A5A5U;
-    const CycleInput input{Instant{clock_us_}, challenge_, token, acknowledge_, nmt_, QueueState::kIntact};
+    const CycleInput input{Instant{clock_us_}, challenge_, token, acknowledge_,
+                           request_,           0U,         nmt_,  QueueState::kIntact};
+    request_ = 0U;
     const CycleOutcome outcome_a = a_.OnCycle(input);
     const CycleOutcome outcome_b = b_.OnCycle(input);
     verdict_ =
@@ -213,37 +217,24 @@ void FlipRig::WrongPair(std::uint32_t data)
 
 void FlipRig::Request()
 {
-    a_.Request(kProducerSlot);
-    b_.Request(kProducerSlot);
+    request_ = SrdoMask{1U} << kProducerSlot;
 }
 
 void FlipRig::Prepare()
 {
-    is_prepared_ = false;
+    normal_ = CanFrame{};
     if (((verdict_.start >> kProducerSlot) & 1U) == 0U)
     {
         return;
     }
     const PreparedPair pair_a = a_.Prepare(kProducerSlot);
     const PreparedPair pair_b = b_.Prepare(kProducerSlot);
-    is_prepared_ = Comparator::ComparePrepared(pair_a, pair_b) == DeviceFault::kNone;
-    is_device_safe_ = is_device_safe_ || (!is_prepared_);
-}
-
-void FlipRig::LaunchPrepared()
-{
-    if (is_prepared_)
+    const bool is_equal = Comparator::ComparePrepared(pair_a, pair_b) == DeviceFault::kNone;
+    is_device_safe_ = is_device_safe_ || (!is_equal);
+    if (is_equal)
     {
-        a_.Launch(kProducerSlot);
-        b_.Launch(kProducerSlot);
+        normal_ = pair_a.normal;
     }
-    is_prepared_ = false;
-}
-
-void FlipRig::Launch()
-{
-    Prepare();
-    LaunchPrepared();
 }
 
 void FlipRig::Confirm(const CanFrame& frame)
@@ -255,7 +246,8 @@ void FlipRig::Confirm(const CanFrame& frame)
 
 void FlipRig::SendNormal()
 {
-    const CanFrame frame = a_.NextFrame(kProducerSlot);
+    const CanFrame frame = normal_;
+    normal_ = CanFrame{};
     has_sent_normal_ = (frame.kind == FrameKind::kData) && (frame.identifier == 0x101U) && (!is_device_safe_);
     sent_normal_ = DataOf(frame);
     if (has_sent_normal_)
@@ -264,10 +256,21 @@ void FlipRig::SendNormal()
     }
 }
 
+void FlipRig::TakeInverse()
+{
+    const CanFrame frame = b_.InverseFrame(kProducerSlot);
+    if (frame.kind == FrameKind::kData)
+    {
+        inverse_ = frame;
+    }
+}
+
 /// A valid pair on the bus must carry what the application wrote.
 void FlipRig::SendInverse()
 {
-    const CanFrame frame = b_.NextFrame(kProducerSlot);
+    TakeInverse();
+    const CanFrame frame = inverse_;
+    inverse_ = CanFrame{};
     if ((frame.kind != FrameKind::kData) || is_device_safe_)
     {
         return;

@@ -41,13 +41,15 @@ class FlipRig
     void Pair(std::uint32_t data, bool is_whole);
     void InverseOf(std::uint32_t data);
     void WrongPair(std::uint32_t data);
+    /// @brief With the next cycle.
     void Request();
-    /// @brief Prepare and Launch of the producer, without frames.
-    void Launch();
+    /// @brief Prepare of the producer by both channels, if the comparator lets it start.
     void Prepare();
-    void LaunchPrepared();
-    /// @brief Takes what A has to send, confirms it; then B's.
+    /// @brief Confirms the normal frame that A prepared.
     void SendNormal();
+    /// @brief Takes the inverse frame that B has to send, without sending it.
+    void TakeInverse();
+    /// @brief Confirms the inverse frame that B has to send, or that was taken before.
     void SendInverse();
     void Recheck();
     /// @brief A wrong signature in both channels, and found by both.
@@ -95,9 +97,11 @@ class FlipRig
     std::uint32_t pending_us_{0U};
     std::uint32_t sent_normal_{0U};
     SrdoMask acknowledge_{0U};
+    SrdoMask request_{0U};
+    CanFrame normal_{};  ///< Prepared, not on the bus yet; kind kInvalid if there is none.
+    CanFrame inverse_{}; ///< Taken, not on the bus yet.
     bool has_sent_normal_{false};
     bool is_device_safe_{false};
-    bool is_prepared_{false};
     bool is_granted_{false};
 };
 

@@ -43,6 +43,10 @@ class Forwarding : public Channel
     {
         return inner_.OnCycle(input);
     }
+    [[nodiscard]] HeldPair Held(SlotIndex slot) const noexcept override
+    {
+        return inner_.Held(slot);
+    }
     [[nodiscard]] SrdoView View(SlotIndex slot) const noexcept override
     {
         return inner_.View(slot);
@@ -59,29 +63,17 @@ class Forwarding : public Channel
     {
         return inner_.Answer(challenge);
     }
-    void Request(SlotIndex slot) noexcept override
-    {
-        inner_.Request(slot);
-    }
-    void Hold(SlotIndex slot) noexcept override
-    {
-        inner_.Hold(slot);
-    }
     [[nodiscard]] PreparedPair Prepare(SlotIndex slot) noexcept override
     {
         return inner_.Prepare(slot);
     }
-    void Launch(SlotIndex slot) noexcept override
-    {
-        inner_.Launch(slot);
-    }
-    [[nodiscard]] CanFrame NextFrame(SlotIndex slot) noexcept override
-    {
-        return inner_.NextFrame(slot);
-    }
-    [[nodiscard]] SlotIndex OnConfirm(const CanFrame& frame, Instant stamp) noexcept override
+    [[nodiscard]] Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept override
     {
         return inner_.OnConfirm(frame, stamp);
+    }
+    [[nodiscard]] CanFrame InverseFrame(SlotIndex slot) noexcept override
+    {
+        return inner_.InverseFrame(slot);
     }
     void OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept override
     {

@@ -46,7 +46,7 @@ bool Runner::Run(const Case& test, std::uint32_t origin) noexcept
     {
         step_ = i + 1U;
         RunStep(test.steps[i]);
-        HashViews();
+        LookAtSlots();
     }
     hash_.Add(dictionary_.Digest());
     return !failed_;
@@ -65,6 +65,8 @@ void Runner::Start(const Device& device) noexcept
     token_flip_ = 0U;
     cycles_ = 0U;
     acknowledge_ = 0U;
+    request_ = 0U;
+    stand_ = 0U;
     nmt_ = NmtState::kOperational;
     queue_ = QueueState::kIntact;
     configuration_valid_ = 0U;
@@ -77,14 +79,6 @@ void Runner::Expect(const char* field, std::uint64_t expected, std::uint64_t got
     {
         failed_ = true;
         reporter_.OnFailure(Failure{case_->name, field, expected, got, step_, origin_});
-    }
-}
-
-void Runner::HashViews() noexcept
-{
-    for (SlotIndex slot = 0U; slot < config_.srdo_count; ++slot)
-    {
-        hash_.AddView(channel_.View(slot));
     }
 }
 
@@ -211,11 +205,15 @@ void Runner::DoCycle(const Step& step) noexcept
                            challenge_,
                            TokenOf(challenge_, configuration_valid_) ^ token_flip_,
                            acknowledge_,
+                           request_,
+                           stand_,
                            nmt_,
                            queue_};
     outcome_ = channel_.OnCycle(input);
     challenge_ = NextChallenge(challenge_);
     token_flip_ = 0U;
+    request_ = 0U;
+    stand_ = 0U;
     queue_ = QueueState::kIntact;
     ++cycles_;
     hash_.AddOutcome(outcome_);

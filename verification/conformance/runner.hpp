@@ -80,9 +80,14 @@ class Runner
     void CheckMasks(const Step& step) noexcept;
     void CheckView(const Step& step) noexcept;
     void CheckObject(const Step& step, Party writer) noexcept;
-    void CheckNextFrame(const Step& step, Party sender) noexcept;
+    void CheckFrame(const Step& step, const CanFrame& frame) noexcept;
+    void CheckEmpty(const CanFrame& frame) noexcept;
+    void CheckPrepare(const Step& step) noexcept;
+    void CheckInverseFrame(const Step& step) noexcept;
+    void CheckConfirmation(const Step& step) noexcept;
+    void CheckHeld(SlotIndex slot, const SrdoView& view) noexcept;
     void Expect(const char* field, std::uint64_t expected, std::uint64_t got) noexcept;
-    void HashViews() noexcept;
+    void LookAtSlots() noexcept;
 
     Channel& channel_;
     Reporter& reporter_;
@@ -100,6 +105,8 @@ class Runner
     std::uint32_t token_flip_{0U};
     std::uint32_t cycles_{0U};
     SrdoMask acknowledge_{0U};
+    SrdoMask request_{0U}; ///< For the next cycle only.
+    SrdoMask stand_{0U};   ///< For the next cycle only.
     NmtState nmt_{NmtState::kOperational};
     QueueState queue_{QueueState::kIntact};
     std::uint8_t configuration_valid_{0U};

@@ -251,7 +251,7 @@ TEST(ConformanceTable, EveryLimitHasItsThreePoints)
         {"waiting past SCT", {"WaitingPastSct"}},
         {"first transmission", {"PairIsSent", "FirstTransmissionOfNode127", "FirstTransmissionAfterReentering"}},
         {"refresh", {"RefreshKeepsItsPhase"}},
-        {"silence of the application", {"SilentApplication", "SilenceAfterLaunch"}},
+        {"silence of the application", {"SilentApplication", "SilenceAfterPrepare"}},
         {"confirmation of the normal frame", {"NormalFrameIsNotConfirmed", "ConfirmationsOnTheirLimits"}},
         {"confirmation of the inverse frame",
          {"InverseFrameIsNotConfirmed", "InverseFrameConfirmedOnTheLimit", "InverseFrameConfirmedTooLate"}},

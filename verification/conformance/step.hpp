@@ -46,14 +46,13 @@ enum class Op : std::uint8_t
     kPut,           ///< x index, sub; y, z value: the application writes an object.
     kNormalObject,  ///< x index, sub; y, z: what A wrote; B leaves it alone.
     kInverseObject, ///< x index, sub; y, z: what B wrote; A leaves it alone.
-    kRequest,       ///< slot.
-    kHold,          ///< slot.
-    kPrepare,       ///< slot; field status, sub length; x, y data.
-    kLaunch,        ///< slot.
-    kNextNormal,    ///< slot, field controller, sub length, z identifier, x, y data: from A; none from B.
-    kNextInverse,   ///< The same from B; none from A.
-    kNextNone,      ///< slot: neither has a frame.
-    kConfirm,       ///< As kFrame; v: the slot that is returned.
+    kRequest,       ///< slot: in `request` of the next cycle only.
+    kStand,         ///< slot: in `stand` of the next cycle only.
+    kReady,         ///< slot: Prepare is ready; field controller, sub length, z identifier, x, y data of the frame.
+    kNotReady,      ///< slot: Prepare gives an empty frame; field status.
+    kTakeInverse,   ///< slot, field controller, sub length, z identifier, x, y data: from B; empty from A.
+    kTakeNone,      ///< slot: neither has an inverse frame.
+    kConfirm,       ///< As kFrame; v: the slot that is returned, w: the step.
     kTransmitFault, ///< slot, x cause.
     kRestart,       ///< Power-on again, same device.
     kRepeat,        ///< x more times the last kFrame or kCycle, each y us later than the one before.
@@ -306,9 +305,9 @@ constexpr Step InverseObject(std::uint16_t index, std::uint8_t sub, std::uint32_
 
 // ---- producer
 
-constexpr Step Hold(SlotIndex slot)
+constexpr Step Stand(SlotIndex slot)
 {
-    return Make(Op::kHold, slot);
+    return Make(Op::kStand, slot);
 }
 
 constexpr Step Request(SlotIndex slot)
@@ -316,42 +315,58 @@ constexpr Step Request(SlotIndex slot)
     return Make(Op::kRequest, slot);
 }
 
-constexpr Step Prepare(SlotIndex slot, PrepareStatus status, std::uint8_t length, std::uint32_t low,
-                       std::uint32_t high = 0U)
+/// Prepare of both channels gives this normal frame.
+constexpr Step Ready(SlotIndex slot, CanPortId port, std::uint32_t identifier, std::uint8_t length, std::uint32_t low,
+                     std::uint32_t high = 0U)
 {
-    return With(Make(Op::kPrepare, slot, static_cast<std::uint8_t>(status), length), low, high);
+    return With(Make(Op::kReady, slot, static_cast<std::uint8_t>(port), length), low, high, identifier);
 }
 
-constexpr Step Launch(SlotIndex slot)
+constexpr Step NotReady(SlotIndex slot, PrepareStatus status)
 {
-    return Make(Op::kLaunch, slot);
+    return Make(Op::kNotReady, slot, static_cast<std::uint8_t>(status));
 }
 
-constexpr Step NextNormal(SlotIndex slot, CanPortId port, std::uint32_t identifier, std::uint8_t length,
-                          std::uint32_t low, std::uint32_t high = 0U)
-{
-    return With(Make(Op::kNextNormal, slot, static_cast<std::uint8_t>(port), length), low, high, identifier);
-}
-
-constexpr Step NextInverse(SlotIndex slot, CanPortId port, std::uint32_t identifier, std::uint8_t length,
+constexpr Step TakeInverse(SlotIndex slot, CanPortId port, std::uint32_t identifier, std::uint8_t length,
                            std::uint32_t low, std::uint32_t high = 0U)
 {
-    return With(Make(Op::kNextInverse, slot, static_cast<std::uint8_t>(port), length), low, high, identifier);
+    return With(Make(Op::kTakeInverse, slot, static_cast<std::uint8_t>(port), length), low, high, identifier);
 }
 
-constexpr Step NextNone(SlotIndex slot)
+constexpr Step TakeNone(SlotIndex slot)
 {
-    return Make(Op::kNextNone, slot);
+    return Make(Op::kTakeNone, slot);
 }
 
-/// A frame of the device that was on the bus, and the slot that OnConfirm must return.
-constexpr Step Confirm(SlotIndex slot, std::uint32_t identifier, std::uint8_t length, std::uint32_t low,
-                       std::uint32_t high, std::uint32_t stamp)
+/// A data frame of the device that was on the bus.
+constexpr Step Confirmed(SlotIndex slot, ConfirmStep step, std::uint32_t identifier, std::uint8_t length,
+                         std::uint32_t low, std::uint32_t high, std::uint32_t stamp)
 {
     return Timed(With(Make(Op::kConfirm, static_cast<std::uint8_t>(FrameKind::kData),
                            static_cast<std::uint8_t>(CanPortId::kFirst), length),
-                      low, high, identifier, slot),
+                      low, high, identifier, slot, static_cast<std::uint32_t>(step)),
                  stamp);
+}
+
+/// It must be the normal frame of `slot`.
+constexpr Step ConfirmNormal(SlotIndex slot, std::uint32_t identifier, std::uint8_t length, std::uint32_t low,
+                             std::uint32_t high, std::uint32_t stamp)
+{
+    return Confirmed(slot, ConfirmStep::kNormal, identifier, length, low, high, stamp);
+}
+
+/// It must complete the pair of `slot`.
+constexpr Step ConfirmPair(SlotIndex slot, std::uint32_t identifier, std::uint8_t length, std::uint32_t low,
+                           std::uint32_t high, std::uint32_t stamp)
+{
+    return Confirmed(slot, ConfirmStep::kPair, identifier, length, low, high, stamp);
+}
+
+/// It must be none of those, or end the pair with a fault.
+constexpr Step ConfirmNone(std::uint32_t identifier, std::uint8_t length, std::uint32_t low, std::uint32_t high,
+                           std::uint32_t stamp)
+{
+    return Confirmed(kNoSlot, ConfirmStep::kNone, identifier, length, low, high, stamp);
 }
 
 constexpr Step TransmitFault(SlotIndex slot, SrdoCause cause)

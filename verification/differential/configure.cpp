@@ -87,7 +87,7 @@ void Differential::RecheckBoth(SlotIndex slot) noexcept
     Same("fault of Recheck", slot, static_cast<std::uint64_t>(a.fault), static_cast<std::uint64_t>(b.fault));
     Same("signature of Recheck", slot, a.signature, b.signature);
     reached_.AddFault(a.fault);
-    CompareView(slot);
+    CompareSlot(slot);
 }
 
 void Differential::Configure() noexcept
@@ -159,7 +159,7 @@ void Differential::Reconfigure() noexcept
         RecheckBoth(slot);
     }
     ValidateSlot(slot);
-    CompareView(slot);
+    CompareSlot(slot);
 }
 
 } // namespace counterpoint::differential

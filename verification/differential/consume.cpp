@@ -70,7 +70,7 @@ void Differential::Feed(const CanFrame& frame, SlotIndex slot) noexcept
          stamp.us);
     a_.OnFrame(frame, stamp);
     b_.OnFrame(frame, stamp);
-    CompareView(slot);
+    CompareSlot(slot);
 }
 
 void Differential::NormalFrame(SlotIndex slot, const Payload& data) noexcept
@@ -174,7 +174,7 @@ void Differential::ConsumerStep() noexcept
         Step("Demote", slot, 0U, 0U, 0U);
         a_.Demote(slot);
         b_.Demote(slot);
-        CompareView(slot);
+        CompareSlot(slot);
     }
 }
 

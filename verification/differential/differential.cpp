@@ -64,6 +64,8 @@ void Differential::StartSequence() noexcept
         causes_[slot] = SrdoCause::kNone;
     }
     acknowledge_ = 0U;
+    request_ = 0U;
+    stand_ = 0U;
     configured_ = 0U;
     configuration_valid_ = 0U;
     nmt_ = NmtState::kPreOperational;
@@ -82,7 +84,7 @@ void Differential::StartSequence() noexcept
          device_.config_a.cycle_us);
     a_.Restart(device_.config_a);
     b_.Restart(device_.config_b);
-    CompareAllViews();
+    CompareAllSlots();
 }
 
 SlotIndex Differential::AnySlot() noexcept
@@ -128,11 +130,41 @@ void Differential::CompareView(SlotIndex slot) noexcept
     }
 }
 
-void Differential::CompareAllViews() noexcept
+void Differential::CompareHeld(SlotIndex slot) noexcept
+{
+    const HeldPair a = a_.Held(slot);
+    const HeldPair b = b_.Held(slot);
+    Same("held data, bytes 0 to 3", slot, a.data.low, b.data.low);
+    Same("held data, bytes 4 to 7", slot, a.data.high, b.data.high);
+    Same("held ordinal", slot, a.ordinal, b.ordinal);
+    Same("holds_pair of Held", slot, a.holds_pair, b.holds_pair);
+    reached_.Add(Item::kHeldPair, (a.holds_pair == 1U) ? 1U : 0U);
+}
+
+void Differential::CompareSlot(SlotIndex slot) noexcept
+{
+    CompareView(slot);
+    CompareHeld(slot);
+}
+
+/// Every byte, those behind the length too.
+void Differential::SameFrame(SlotIndex slot, const CanFrame& a, const CanFrame& b) noexcept
+{
+    Same("identifier of the frame", slot, a.identifier, b.identifier);
+    Same("kind of the frame", slot, static_cast<std::uint64_t>(a.kind), static_cast<std::uint64_t>(b.kind));
+    Same("controller of the frame", slot, static_cast<std::uint64_t>(a.port), static_cast<std::uint64_t>(b.port));
+    Same("length of the frame", slot, a.length_bytes, b.length_bytes);
+    for (std::uint32_t i = 0U; i < kMaxPayloadBytes; ++i)
+    {
+        Same("data of the frame", slot, a.data[i], b.data[i]);
+    }
+}
+
+void Differential::CompareAllSlots() noexcept
 {
     for (SlotIndex slot = 0U; slot < device_.config_a.srdo_count; ++slot)
     {
-        CompareView(slot);
+        CompareSlot(slot);
     }
 }
 

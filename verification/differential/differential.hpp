@@ -85,10 +85,8 @@ class Differential
     /// How far the transmission of one slot has come, as the generator knows it.
     struct Transmission
     {
-        CanFrame frame; ///< Awaited on the bus; kind kInvalid if none.
-        Payload data;   ///< Of the last ready Prepare.
-        std::uint8_t length_bytes;
-        bool is_inverse; ///< The frame is the inverse one.
+        CanFrame frame;  ///< Next on the bus; kind kInvalid if none.
+        CanFrame normal; ///< Of the last ready Prepare.
     };
 
     // differential.cpp
@@ -96,7 +94,10 @@ class Differential
     void Step(const char* name, SlotIndex slot, std::uint64_t x, std::uint64_t y, std::uint64_t z) noexcept;
     void Same(const char* field, SlotIndex slot, std::uint64_t a, std::uint64_t b) noexcept;
     void CompareView(SlotIndex slot) noexcept;
-    void CompareAllViews() noexcept;
+    void CompareHeld(SlotIndex slot) noexcept;
+    void CompareSlot(SlotIndex slot) noexcept;
+    void CompareAllSlots() noexcept;
+    void SameFrame(SlotIndex slot, const CanFrame& a, const CanFrame& b) noexcept;
     void CompareObjects(SlotIndex slot) noexcept;
     void CompareOutcomes(const CycleOutcome& a, const CycleOutcome& b) noexcept;
     void NoteRecovery(SlotIndex slot, const SrdoView& view) noexcept;
@@ -134,9 +135,8 @@ class Differential
     void ProducerStep() noexcept;
     void Serve(SrdoMask due) noexcept;
     void PrepareBoth(SlotIndex slot) noexcept;
-    void LaunchBoth(SlotIndex slot) noexcept;
-    void TakeFrames(SlotIndex slot) noexcept;
-    void CheckFrame(SlotIndex slot, const CanFrame& frame, bool is_inverse) noexcept;
+    void TakeInverse(SlotIndex slot) noexcept;
+    [[nodiscard]] CanFrame InverseOf(SlotIndex slot) const noexcept;
     void Confirm(SlotIndex slot) noexcept;
     void ConfirmBoth(const CanFrame& frame, SlotIndex slot) noexcept;
     void FailBoth(SlotIndex slot, SrdoCause cause) noexcept;
@@ -154,6 +154,8 @@ class Differential
     SrdoCause causes_[kMaxSrdoCount]{};      ///< First causes as of the OnCycle before.
     std::uint32_t last_us_[kMaxSrdoCount]{}; ///< Stamp of the latest normal frame.
     SrdoMask acknowledge_{0U};
+    SrdoMask request_{0U};    ///< For the next OnCycle.
+    SrdoMask stand_{0U};      ///< For the next OnCycle.
     SrdoMask configured_{0U}; ///< Slots whose last Validate found no fault.
     NmtState nmt_{NmtState::kPreOperational};
     QueueState queue_{QueueState::kIntact};
