@@ -48,7 +48,8 @@ constexpr Step kFirstCallDuesAtOnce[] = {
 constexpr Step kDueUntilPrepared[] = {
     Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Request(0U), Request(0U), Cycle(2000U), Due(1U), Cycle(3000U), Due(1U),
     Request(0U), Cycle(4000U), Due(1U), ReadyPair(0U),
-    // Requests do not add up. ConfirmFirst(0U, 4100U), TakeSecond(0U), ConfirmSecond(0U, 4200U), Cycle(5000U), Due(0U),
+    // Requests do not add up.
+    ConfirmFirst(0U, 4100U), TakeSecond(0U), ConfirmSecond(0U, 4200U), Cycle(5000U), Due(0U),
     Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
 };
 
