@@ -4,10 +4,12 @@
 #include "channel_a/octets.hpp"
 #include "channel_a/seal.hpp"
 #include "channel_a/slots.hpp"
+#include "channel_a/voice.hpp"
 
+#include <cstddef>
 #include <cstdint>
 
-// Start, steps of the table and what follows them, outcome, release. Frames and limits: consumer.cpp; cycle: cycle.cpp.
+// Start, steps of the table and what follows them, details. Frames: consumer.cpp, producer.cpp; cycle: cycle.cpp.
 namespace counterpoint::channel_a
 {
 namespace
@@ -22,8 +24,7 @@ constexpr std::uint8_t kLastNodeIdWithDefault = 64U;
 constexpr std::uint32_t kDefaultIdentifierBase = 0xFFU;
 
 constexpr std::uint16_t kErrorCountMax = 0xFFFFU;
-constexpr std::uint32_t kHalfMaskShift = 32U;
-constexpr std::uint32_t kRotation = 16U;
+constexpr std::uint32_t kHighShift = 32U;
 
 // Default connection set: SRDO 1 of the first 64 nodes. [SRS-CFG-002]
 void SetDefaults(Record& record, const std::uint8_t number, const std::uint8_t node_id) noexcept
@@ -40,25 +41,68 @@ void SetDefaults(Record& record, const std::uint8_t number, const std::uint8_t n
     }
 }
 
+// A step of the table. Returns what it was.
+const Cell& Step(Voice& voice, Record& record, const SrdoMask bit, const Event event) noexcept
+{
+    const Cell& cell = NextCell(record.mode, event);
+    const std::uint8_t group = FactsOf(cell.next).group;
+    if (group != FactsOf(record.mode).group)
+    {
+        MoveTo(voice, bit, group);
+    }
+    SetMode(record, cell.next);
+    return cell;
+}
+
+void DropPair(Voice& voice, Record& record, const SrdoMask bit) noexcept
+{
+    voice.ordinal_sum -= record.ordinal;
+    record.ordinal = 0U;
+    record.edge = kUnmarked;
+    record.awaiting = kUnmarked;
+    voice.fresh &= ~bit;
+}
+
+void ReportWith(Voice& voice, Record& record, const SrdoMask bit, const SrdoCause cause) noexcept
+{
+    Count(record, cause);
+    record.unreported |= std::uint32_t{1U} << static_cast<std::uint8_t>(cause);
+    voice.attention |= bit;
+}
+
 } // namespace
 
-Channel::Channel(const Storage& storage) noexcept : storage_(storage)
+const std::uint8_t kRuler[kRulerSize] = {
+    // MISRA D-001
+    0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU,
+    0xFFU, 0xFFU, 0xFFU, 0x00U, 0x00U, 0x00U, 0x00U, 0x00U, 0x00U, 0x00U, 0x00U,
+};
+
+Channel::Channel(const Storage& storage) noexcept : voice_{}
 {
+    voice_.storage = storage;
 }
 
 void Channel::Restart(const DeviceConfig& config) noexcept
 {
-    config_ = &config;
+    const Storage storage = voice_.storage;
+    voice_ = Voice{};
+    voice_.storage = storage;
+    voice_.config = &config;
     // 1 to 64, by the contract of DeviceConfig.
-    count_ = (config.srdo_count < storage_.capacity) ? config.srdo_count : storage_.capacity;
-    ports_.of_half[0] = config.normal_port;
-    ports_.of_half[1] = config.inverse_port;
-    existing_ = 0U;
-    for (SlotIndex slot = 0U; slot < count_; ++slot)
+    voice_.count = (config.srdo_count < storage.capacity) ? config.srdo_count : storage.capacity;
+    voice_.ports[0] = config.normal_port;
+    voice_.ports[1] = config.inverse_port;
+    voice_.late_after_us = config.cycle_us + config.cycle_tolerance_us;
+    voice_.first_delay_us = kFirstTransmissionStepUs * config.node_id;
+    voice_.groups[kGroupOff] = ~SrdoMask{0U};
+    voice_.levels = ~SrdoMask{0U}; // A level of 1 at power-on is no edge.
+    ClearLookUp(voice_);
+    for (SlotIndex slot = 0U; slot < voice_.count; ++slot)
     {
         const SrdoSetup& setup = config.srdos[slot]; // MISRA D-002
-        Record& record = At(slot);
-        existing_ |= BitOf(slot);
+        Record& record = At(voice_, slot);
+        voice_.existing |= BitOf(slot);
         record = Record{};
         record.mode = Mode::kOff;
         record.first_cause = SrdoCause::kNone;
@@ -66,84 +110,49 @@ void Channel::Restart(const DeviceConfig& config) noexcept
         record.limit_us = kNoLimit;
         record.policy = setup.policy;
         record.form = setup.form;
-        record.safe = OctetsOf((std::uint64_t{setup.safe_value.high} << kHalfMaskShift) | setup.safe_value.low);
+        record.safe = OctetsOf((std::uint64_t{setup.safe_value.high} << kHighShift) | setup.safe_value.low);
         SetDefaults(record, setup.number, config.node_id);
     }
-    late_after_us_ = config.cycle_us + config.cycle_tolerance_us;
-    first_delay_us_ = kFirstTransmissionStepUs * config.node_id;
-    MoveTo(~SrdoMask{0U}, kGroupOff);
-    attention_ = 0U;
-    levels_ = ~SrdoMask{0U}; // A level of 1 at power-on is no edge.
-    fresh_ = 0U;
-    unwritten_ = 0U;
-    committed_ = 0U;
-    cycle_ = 0U;
-    ordinal_sum_ = 0U;
-    gfc_parameter_ = 0U;
-    configuration_valid_ = 0U;
-    consumer_count_ = 0U;
-    producer_count_ = 0U;
-    off_count_ = 0U;
-    is_active_ = false;
-    has_run_ = false;
-    may_send_ = false;
-    gfc_pending_ = false;
 }
 
-SrdoMask Channel::Consumers() const noexcept
+void ClearLookUp(const Voice& voice) noexcept
 {
-    return groups_[kGroupWaiting] | groups_[kGroupFaulted] | groups_[kGroupReleased];
-}
-
-void Channel::MoveTo(const SrdoMask bit, const std::uint8_t group) noexcept
-{
-    for (SrdoMask& mask : groups_)
+    for (std::size_t place = 0U; place < kLookUpSize; ++place)
     {
-        mask &= ~bit;
+        voice.storage.look_up[place] = 0U; // MISRA D-002
     }
-    groups_[group] |= bit;
 }
 
-const Cell& Channel::Step(Record& record, const SrdoMask bit, const Event event) noexcept
+void MoveTo(Voice& voice, const SrdoMask bits, const std::uint8_t group) noexcept
 {
-    const Cell& cell = NextCell(record.mode, event);
-    const std::uint8_t group = FactsOf(cell.next).group;
-    if (group != FactsOf(record.mode).group)
+    for (SrdoMask& mask : voice.groups)
     {
-        MoveTo(bit, group);
+        mask &= ~bits;
     }
-    SetMode(record, cell.next);
-    return cell;
+    voice.groups[group] |= bits;
 }
 
-void Channel::Raise(Record& record, const SrdoMask bit, const Event event, const SrdoCause given) noexcept
+// What a fault does, if the cell is one. In every other cell the event is none in this mode.
+void Raise(Voice& voice, const SlotIndex slot, const Event event, const SrdoCause given) noexcept
 {
-    Suffer(record, bit, Step(record, bit, event), given);
-}
-
-// What a fault does, if the cell is one.
-void Channel::Suffer(Record& record, const SrdoMask bit, const Cell& cell, const SrdoCause given) noexcept
-{
+    Record& record = At(voice, slot);
+    const SrdoMask bit = BitOf(slot);
+    const Cell& cell = Step(voice, record, bit, event);
     const SrdoCause cause = (cell.cause == SrdoCause::kNone) ? given : cell.cause;
     if (cell.effect == Effect::kFault)
     {
-        DropPair(record, bit);
+        DropPair(voice, record, bit);
         record.limit_us = kNoLimit;
-        Report(record, bit, cause);
+        ReportWith(voice, record, bit, cause);
     }
-    else if (cell.effect == Effect::kAbort)
+    if (cell.effect == Effect::kAbort)
     {
-        record.limit_us = kNoLimit;
-        Report(record, bit, cause);
-    }
-    else
-    {
-        // The event is no fault in this mode.
+        voice.flying &= ~bit;
+        ReportWith(voice, record, bit, cause);
     }
 }
 
-// The first cause is kept. [SRS-CONS-020]
-void Channel::Count(Record& record, const SrdoCause cause) noexcept
+void Count(Record& record, const SrdoCause cause) noexcept
 {
     if (record.first_cause == SrdoCause::kNone)
     {
@@ -155,57 +164,38 @@ void Channel::Count(Record& record, const SrdoCause cause) noexcept
     }
 }
 
-// The next OnCycle, or the one that goes on, tells it.
-void Channel::Report(Record& record, const SrdoMask bit, const SrdoCause cause) noexcept
+void Report(Voice& voice, const SlotIndex slot, const SrdoCause cause) noexcept
 {
-    Count(record, cause);
-    record.unreported |= std::uint32_t{1U} << static_cast<std::uint8_t>(cause);
-    attention_ |= bit;
+    ReportWith(voice, At(voice, slot), BitOf(slot), cause);
+}
+
+void Discard(Voice& voice, const SlotIndex slot) noexcept
+{
+    Record& record = At(voice, slot);
+    const SrdoMask bit = BitOf(slot);
+    const Cell& cell = Step(voice, record, bit, Event::kDiscard);
+    DropPair(voice, record, bit);
+    if (cell.next == Mode::kFaultedEmpty)
+    {
+        record.limit_us = kNoLimit;
+    }
 }
 
 SrdoView Channel::View(const SlotIndex slot) const noexcept
 {
-    const Record& record = At(slot);
+    const Record& record = At(voice_, slot);
     const ModeFacts& facts = FactsOf(record.mode);
+    const std::uint32_t shown = facts.data & kShownMask;
+    const Payload data = PayloadOf(record.held);
     SrdoView view{};
-    const Payload held = PayloadOf(record.held);
-    view.data = Payload{held.low * facts.shown, held.high * facts.shown};
+    view.data = Payload{data.low * shown, data.high * shown};
     view.ordinal = record.ordinal;
     view.signals = record.signals;
     view.error_count = record.error_count;
     view.state = (facts.mode == record.mode) ? facts.state : SrdoState::kFaulted; // [SRS-CONS-024]
     view.first_cause = record.first_cause;
-    view.holds_pair = facts.holds_pair;
+    view.holds_pair = static_cast<std::uint8_t>(facts.data >> kHoldsShift);
     return view;
-}
-
-void Channel::Commit(const Agreement& agreement) noexcept
-{
-    const SrdoMask own = agreement.agreed & groups_[kGroupReleased];
-    SrdoMask to_write = own & agreement.matched & unwritten_;
-    SrdoMask to_drop = committed_ & ~own;
-    unwritten_ &= ~to_write;
-    committed_ = (committed_ | to_write) & ~to_drop;
-    while (to_write != 0U)
-    {
-        const Record& record = At(TakeLowest(to_write));
-        WriteObjects(record, record.held);
-    }
-    while (to_drop != 0U)
-    {
-        const Record& record = At(TakeLowest(to_drop));
-        WriteObjects(record, record.safe);
-    }
-}
-
-Permit Channel::Answer(const std::uint32_t challenge) const noexcept
-{
-    Permit permit{};
-    permit.mask = committed_ & Consumers();
-    const std::uint32_t low = static_cast<std::uint32_t>(permit.mask);
-    const std::uint32_t high = static_cast<std::uint32_t>(permit.mask >> kHalfMaskShift);
-    permit.response = ((challenge + low) ^ ((high << kRotation) | (high >> kRotation))) * kPermitConstantA;
-    return permit;
 }
 
 } // namespace counterpoint::channel_a

@@ -3,6 +3,7 @@
 #include "channel_a/seal.hpp"
 #include "channel_a/signature.hpp"
 #include "channel_a/slots.hpp"
+#include "channel_a/voice.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -54,39 +55,21 @@ std::size_t PlaceOf(const ConfigAddress& address) noexcept
     return place;
 }
 
-} // namespace
-
-bool Channel::IsOfSlot(const ConfigAddress& address) const noexcept
+bool IsOfSlot(const Voice& voice, const ConfigAddress& address) noexcept
 {
-    return (address.slot < count_) && (static_cast<std::size_t>(address.field) < kFieldCount);
+    return (address.slot < voice.count) && (static_cast<std::size_t>(address.field) < kFieldCount);
 }
 
-void Channel::Store(const ConfigItem& item) noexcept
+void StoreOfSlot(Voice& voice, const ConfigItem& item) noexcept
 {
-    if (item.address.field == ConfigField::kGfcParameter)
-    {
-        gfc_parameter_ = static_cast<std::uint8_t>(item.value & kU8);
-    }
-    if (item.address.field == ConfigField::kConfigurationValid)
-    {
-        configuration_valid_ = static_cast<std::uint8_t>(item.value & kU8);
-    }
-    if (IsOfSlot(item.address))
-    {
-        StoreOfSlot(item);
-    }
-}
-
-void Channel::StoreOfSlot(const ConfigItem& item) noexcept
-{
-    Record& record = At(item.address.slot);
+    Record& record = At(voice, item.address.slot);
     const std::uint32_t value = item.value & kFields[static_cast<std::size_t>(item.address.field)].mask;
     const std::size_t place = PlaceOf(item.address);
     if (place < kValueCount)
     {
         record.values[place] = value;
         record.mapping = (place == kSignaturePlace) ? record.mapping : kUnmarked;
-        attention_ |= BitOf(item.address.slot); // A producer takes its refresh time anew.
+        voice.attention |= BitOf(item.address.slot); // A producer takes its refresh time anew.
     }
     if (item.address.field == ConfigField::kDirection)
     {
@@ -95,27 +78,9 @@ void Channel::StoreOfSlot(const ConfigItem& item) noexcept
     }
 }
 
-ConfigItem Channel::Load(const ConfigAddress& address) const noexcept
+std::uint32_t LoadOfSlot(const Voice& voice, const ConfigAddress& address) noexcept
 {
-    ConfigItem item{address, 0U};
-    if (address.field == ConfigField::kGfcParameter)
-    {
-        item.value = gfc_parameter_;
-    }
-    if (address.field == ConfigField::kConfigurationValid)
-    {
-        item.value = configuration_valid_;
-    }
-    if (IsOfSlot(address))
-    {
-        item.value = LoadOfSlot(address);
-    }
-    return item;
-}
-
-std::uint32_t Channel::LoadOfSlot(const ConfigAddress& address) const noexcept
-{
-    const Record& record = At(address.slot);
+    const Record& record = At(voice, address.slot);
     const std::size_t place = PlaceOf(address);
     std::uint32_t value = 0U;
     if (place < kValueCount)
@@ -129,62 +94,39 @@ std::uint32_t Channel::LoadOfSlot(const ConfigAddress& address) const noexcept
     return value;
 }
 
-CheckResult Channel::Validate(const SlotIndex slot) noexcept
+bool IsInUse(const Voice& voice, const SlotIndex slot, const std::uint32_t identifier) noexcept
 {
-    Record& record = At(slot);
-    CheckResult result{ConfigFault::kNone, static_cast<std::uint16_t>(Signature(record))};
-    const bool is_off = record.direction == kDirectionOff;
-    record.mapping = kUnmarked;
-    record.check = kUnmarked;
-    if (!is_off)
+    bool is_in_use = false;
+    for (SlotIndex other = 0U; other < voice.count; ++other)
     {
-        result.fault = CheckCommunication(slot);
+        const Record& record = At(voice, other);
+        const bool is_other = (other != slot) && (record.direction != kDirectionOff);
+        const bool has_it =
+            (record.values[kCobIdPlace] == identifier) || (record.values[kCobIdPlace + 1U] == identifier);
+        if (is_other && has_it)
+        {
+            is_in_use = true;
+        }
     }
-    if (!is_off && (result.fault == ConfigFault::kNone))
-    {
-        result.fault = Resolve(record);
-    }
-    if ((result.fault == ConfigFault::kNone) && (result.signature != record.values[kSignaturePlace]))
-    {
-        result.fault = ConfigFault::kSignature;
-    }
-    if (result.fault == ConfigFault::kNone)
-    {
-        record.check = kMarked;
-        record.mapping = is_off ? kUnmarked : kMarked;
-    }
-    if ((record.mapping == kMarked) && (record.direction == kDirectionConsumer))
-    {
-        WriteObjects(record, record.safe);
-        committed_ &= ~BitOf(slot); // The objects hold no pair any more.
-    }
-    return result;
+    return is_in_use;
 }
 
-CheckResult Channel::Recheck(const SlotIndex slot) noexcept
+bool HasGoodTiming(const Voice& voice, const Record& record) noexcept
 {
-    Record& record = At(slot);
-    CheckResult result{ConfigFault::kNone, static_cast<std::uint16_t>(Signature(record))};
-    if (result.signature != record.values[kSignaturePlace])
+    const std::uint32_t sct_ms = record.values[kSctPlace];
+    const std::uint32_t srvt_ms = record.values[kSrvtPlace];
+    bool is_good = (sct_ms * kMicrosecondsPerMillisecond) >= voice.config->cycle_us;
+    if (record.direction == kDirectionConsumer)
     {
-        result.fault = ConfigFault::kSignature;
+        is_good = (srvt_ms != 0U) && (srvt_ms < sct_ms);
     }
-    else if ((record.direction != kDirectionOff) && !HoldsTable(record))
-    {
-        result.fault = ConfigFault::kTable;
-    }
-    else
-    {
-        // Nothing found.
-    }
-    record.check = (result.fault == ConfigFault::kNone) ? kMarked : kUnmarked;
-    return result;
+    return is_good;
 }
 
 // SRS-CFG-021 to 025.
-ConfigFault Channel::CheckCommunication(const SlotIndex slot) const noexcept
+ConfigFault CheckCommunication(const Voice& voice, const SlotIndex slot) noexcept
 {
-    const Record& record = At(slot);
+    const Record& record = At(voice, slot);
     const std::uint32_t identifier = record.values[kCobIdPlace];
     const std::uint32_t second = record.values[kCobIdPlace + 1U];
     if (record.direction > kDirectionConsumer)
@@ -201,40 +143,99 @@ ConfigFault Channel::CheckCommunication(const SlotIndex slot) const noexcept
     {
         return ConfigFault::kIdentifier;
     }
-    if (IsInUse(slot, identifier) || IsInUse(slot, second))
+    if (IsInUse(voice, slot, identifier) || IsInUse(voice, slot, second))
     {
         return ConfigFault::kIdentifierInUse;
     }
-    return HasGoodTiming(record) ? ConfigFault::kNone : ConfigFault::kTiming;
+    return HasGoodTiming(voice, record) ? ConfigFault::kNone : ConfigFault::kTiming;
 }
 
-bool Channel::IsInUse(const SlotIndex slot, const std::uint32_t identifier) const noexcept
+} // namespace
+
+void Channel::Store(const ConfigItem& item) noexcept
 {
-    bool is_in_use = false;
-    for (SlotIndex other = 0U; other < count_; ++other)
+    if (item.address.field == ConfigField::kGfcParameter)
     {
-        const Record& record = At(other);
-        const bool is_other = (other != slot) && (record.direction != kDirectionOff);
-        const bool has_it =
-            (record.values[kCobIdPlace] == identifier) || (record.values[kCobIdPlace + 1U] == identifier);
-        if (is_other && has_it)
-        {
-            is_in_use = true;
-        }
+        voice_.gfc_parameter = static_cast<std::uint8_t>(item.value & kU8);
     }
-    return is_in_use;
+    if (item.address.field == ConfigField::kConfigurationValid)
+    {
+        voice_.configuration_valid = static_cast<std::uint8_t>(item.value & kU8);
+    }
+    if (IsOfSlot(voice_, item.address))
+    {
+        StoreOfSlot(voice_, item);
+    }
 }
 
-bool Channel::HasGoodTiming(const Record& record) const noexcept
+ConfigItem Channel::Load(const ConfigAddress& address) const noexcept
 {
-    const std::uint32_t sct_ms = record.values[kSctPlace];
-    const std::uint32_t srvt_ms = record.values[kSrvtPlace];
-    bool is_good = (sct_ms * kMicrosecondsPerMillisecond) >= config_->cycle_us;
-    if (record.direction == kDirectionConsumer)
+    ConfigItem item{address, 0U};
+    if (address.field == ConfigField::kGfcParameter)
     {
-        is_good = (srvt_ms != 0U) && (srvt_ms < sct_ms);
+        item.value = voice_.gfc_parameter;
     }
-    return is_good;
+    if (address.field == ConfigField::kConfigurationValid)
+    {
+        item.value = voice_.configuration_valid;
+    }
+    if (IsOfSlot(voice_, address))
+    {
+        item.value = LoadOfSlot(voice_, address);
+    }
+    return item;
+}
+
+CheckResult Channel::Validate(const SlotIndex slot) noexcept
+{
+    Record& record = At(voice_, slot);
+    CheckResult result{ConfigFault::kNone, static_cast<std::uint16_t>(Signature(record))};
+    const bool is_off = record.direction == kDirectionOff;
+    record.mapping = kUnmarked;
+    record.check = kUnmarked;
+    if (!is_off)
+    {
+        result.fault = CheckCommunication(voice_, slot);
+    }
+    if (!is_off && (result.fault == ConfigFault::kNone))
+    {
+        result.fault = Resolve(*voice_.config, record);
+    }
+    if ((result.fault == ConfigFault::kNone) && (result.signature != record.values[kSignaturePlace]))
+    {
+        result.fault = ConfigFault::kSignature;
+    }
+    if (result.fault == ConfigFault::kNone)
+    {
+        record.check = kMarked;
+        record.mapping = is_off ? kUnmarked : kMarked;
+    }
+    if ((record.mapping == kMarked) && (record.direction == kDirectionConsumer))
+    {
+        WriteObjects(*voice_.config, record, record.safe);
+        voice_.committed &= ~BitOf(slot); // The objects hold no pair any more.
+    }
+    return result;
+}
+
+CheckResult Channel::Recheck(const SlotIndex slot) noexcept
+{
+    Record& record = At(voice_, slot);
+    CheckResult result{ConfigFault::kNone, static_cast<std::uint16_t>(Signature(record))};
+    if (result.signature != record.values[kSignaturePlace])
+    {
+        result.fault = ConfigFault::kSignature;
+    }
+    else if ((record.direction != kDirectionOff) && !HoldsTable(*voice_.config, record))
+    {
+        result.fault = ConfigFault::kTable;
+    }
+    else
+    {
+        // Nothing found.
+    }
+    record.check = (result.fault == ConfigFault::kNone) ? kMarked : kUnmarked;
+    return result;
 }
 
 } // namespace counterpoint::channel_a

@@ -2,20 +2,37 @@
 #include "channel_a/channel.hpp"
 #include "channel_a/seal.hpp"
 #include "channel_a/slots.hpp"
+#include "channel_a/voice.hpp"
 
-#include <cstddef>
 #include <cstdint>
 
-// One cycle: OPERATIONAL first, then a scan that finds the few slots that have something to do, then those.
+// One cycle: OPERATIONAL first, then a scan that finds the few slots that have something to do, then those. After it
+// the release.
 namespace counterpoint::channel_a
 {
 namespace
 {
 
-constexpr std::uint8_t kGfcEnabled = 1U;
 constexpr std::uint32_t kTokenRotation = 8U;
 constexpr std::uint32_t kWordBits = 32U;
 constexpr std::uint32_t kEachByte = 0x01010101U;
+constexpr std::uint32_t kPermitRotation = 16U;
+constexpr std::uint32_t kWaitingPastSctBit = std::uint32_t{1U} << static_cast<std::uint8_t>(SrdoCause::kWaitingPastSct);
+
+// What one OnCycle is about, for all slots.
+struct Cycle
+{
+    Instant now;
+    std::uint32_t step_us; ///< Since the OnCycle before.
+    bool is_late;
+    bool has_overflow;
+    bool has_gfc;
+    SrdoMask edges;    ///< Acknowledge inputs that went from 0 to 1.
+    SrdoMask left;     ///< Consumers that ceased to be active in this call.
+    SrdoMask standing; ///< Producers whose refresh stood still, if of the form that is called.
+    SrdoMask new_fault;
+    SrdoMask signalled;
+};
 
 // [SRS-CFG-031]
 GuardView GuardOf(const CycleInput& input, const std::uint8_t configuration_valid) noexcept
@@ -30,186 +47,272 @@ GuardView GuardOf(const CycleInput& input, const std::uint8_t configuration_vali
     return view;
 }
 
-} // namespace
-
-CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
+// Only directions 1 and 2 come as far as a resolved mapping. `since` of a producer that is called is one refresh and a
+// microsecond before the first possible transmission, so that the first refresh falls due there; it is the first
+// possible transmission itself where the application sends.
+void EnterSlot(Voice& voice, const SlotIndex slot) noexcept
 {
-    const GuardView guard = GuardOf(input, configuration_valid_);
-    Cycle cycle{};
-    cycle.now = input.now;
-    cycle.is_late = has_run_ && ((input.now.us - now_.us) > late_after_us_);
-    cycle.has_overflow = input.queue != QueueState::kIntact;
-    cycle.has_gfc = gfc_pending_;
-    cycle.edges = input.acknowledge & ~levels_;
-    levels_ = input.acknowledge;
-    has_run_ = true;
-    gfc_pending_ = false;
-    step_us_ = input.now.us - now_.us;
-    now_ = input.now;
-    ++cycle_;
-
-    const bool is_active = (input.nmt == NmtState::kOperational) && (guard == GuardView::kConfigured);
-    FollowOperational(cycle, is_active);
-    if ((cycle.now.us - entered_.us) >= first_delay_us_)
+    Record& record = At(voice, slot);
+    const std::uint32_t place = record.values[kCobIdPlace] - kFirstSrdoIdentifier;
+    voice.storage.look_up[(place >> 1U) % kLookUpSize] = static_cast<std::uint8_t>(slot + 1U); // MISRA D-002
+    record.ordinal = 0U;
+    voice.attention |= BitOf(slot);
+    --voice.off_count;
+    if (record.direction == kDirectionConsumer)
     {
-        may_send_ = true; // Kept: the difference wraps after 71 minutes.
+        Raise(voice, slot, Event::kEnterConsumer, SrdoCause::kNone);
+        record.awaiting = kMarked;
+        ++voice.consumer_count;
+        return;
     }
-    ScanLimits(cycle);
-    SrdoMask to_serve = attention_;
-    attention_ = 0U;
-    while (to_serve != 0U)
+    Raise(voice, slot, Event::kEnterProducer, SrdoCause::kNone);
+    ++voice.producer_count;
+    record.since.us = voice.entered.us + voice.first_delay_us;
+    if (record.form == ProducerForm::kProviderCalled)
     {
-        ServeSlot(cycle, TakeLowest(to_serve));
-    }
-
-    CycleOutcome outcome{};
-    outcome.released = groups_[kGroupReleased];
-    outcome.faulted = groups_[kGroupFaulted];
-    outcome.waiting = groups_[kGroupWaiting];
-    outcome.new_fault = cycle.new_fault;
-    outcome.fresh = fresh_;
-    outcome.due = cycle.due;
-    outcome.signalled = cycle.signalled;
-    outcome.cycle = cycle_;
-    outcome.ordinal_sum = ordinal_sum_;
-    outcome.guard = guard;
-    outcome.sct_checked = consumer_count_;
-    outcome.is_tx = producer_count_;
-    outcome.is_invalid = off_count_;
-    outcome.not_operational = is_active_ ? 0U : 1U;
-    fresh_ = 0U;
-    return outcome;
-}
-
-void Channel::ReceiveOther(const CanFrame& frame) noexcept
-{
-    if ((frame.identifier == kGfcIdentifier) && (frame.length_bytes == 0U) && (gfc_parameter_ == kGfcEnabled))
-    {
-        gfc_pending_ = true;
+        record.since.us -= SctUs(record) + 1U;
     }
 }
 
-// The limit first; the frame is then taken as if nothing had been there before it.
-void Channel::ReceiveLate(const CanFrame& frame, const Instant stamp, const SlotIndex slot) noexcept
+void Enter(Voice& voice, const Instant now) noexcept
 {
-    RaiseAt(slot, Event::kExpired);
-    ReceiveInTime(frame, stamp, slot, At(slot));
-}
-
-void Channel::RaiseAt(const SlotIndex slot, const Event event) noexcept
-{
-    Raise(At(slot), BitOf(slot), event, SrdoCause::kNone);
-}
-
-SlotIndex Channel::GiveUp(const SlotIndex slot, const Event event, const SrdoCause cause) noexcept
-{
-    Raise(At(slot), BitOf(slot), event, cause);
-    return slot;
-}
-
-// [SRS-CONS-002]
-void Channel::FollowOperational(Cycle& cycle, const bool is_active) noexcept
-{
-    if (is_active && !is_active_)
+    voice.entered = now;
+    voice.may_send = false;
+    voice.flying = 0U;
+    voice.requested = 0U;
+    voice.refreshed = 0U;
+    voice.ordinal_sum = 0U;
+    voice.off_count = voice.count;
+    for (SlotIndex slot = 0U; slot < voice.count; ++slot)
     {
-        Enter(cycle.now);
-    }
-    if (!is_active && is_active_)
-    {
-        Leave(cycle);
-    }
-    is_active_ = is_active;
-}
-
-void Channel::Enter(const Instant now) noexcept
-{
-    entered_ = now;
-    may_send_ = false;
-    standing_ = 0U;
-    ordinal_sum_ = 0U;
-    consumer_count_ = 0U;
-    producer_count_ = 0U;
-    off_count_ = count_;
-    for (std::size_t place = 0U; place < kLookUpSize; ++place)
-    {
-        storage_.look_up[place] = 0U; // MISRA D-002
-    }
-    for (SlotIndex slot = 0U; slot < count_; ++slot)
-    {
-        const Record& record = At(slot);
+        const Record& record = At(voice, slot);
         if ((record.mapping == kMarked) && (record.check == kMarked) && IsSealed(record))
         {
-            EnterSlot(slot);
+            EnterSlot(voice, slot);
         }
     }
 }
 
-// Only directions 1 and 2 come as far as a resolved mapping.
-void Channel::EnterSlot(const SlotIndex slot) noexcept
+void Leave(Voice& voice, Cycle& cycle) noexcept
 {
-    Record& record = At(slot);
-    const SrdoMask bit = BitOf(slot);
-    const std::uint32_t place = record.values[kCobIdPlace] - kFirstSrdoIdentifier;
-    storage_.look_up[(place >> 1U) % kLookUpSize] = static_cast<std::uint8_t>(slot + 1U); // MISRA D-002
-    record.ordinal = 0U;
-    attention_ |= bit;
-    --off_count_;
-    if (record.direction == kDirectionConsumer)
-    {
-        Raise(record, bit, Event::kEnterConsumer, SrdoCause::kNone);
-        record.awaiting = kMarked;
-        ++consumer_count_;
-    }
-    else
-    {
-        Raise(record, bit, Event::kEnterProducer, SrdoCause::kNone);
-        StartProducing(record);
-        ++producer_count_;
-    }
-}
-
-void Channel::Leave(Cycle& cycle) noexcept
-{
-    cycle.left = Consumers();
-    SrdoMask to_leave = cycle.left | groups_[kGroupProducer];
+    cycle.left = ConsumersOf(voice);
+    SrdoMask to_leave = cycle.left | voice.groups[kGroupProducer];
     while (to_leave != 0U)
     {
         const SlotIndex slot = TakeLowest(to_leave);
-        Record& record = At(slot);
-        Raise(record, BitOf(slot), Event::kLeave, SrdoCause::kNone);
-        StopProducing(record);
+        Raise(voice, slot, Event::kLeave, SrdoCause::kNone);
+        At(voice, slot).limit_us = kNoLimit;
+        At(voice, slot).ordinal = 0U;
     }
-    MoveTo(~SrdoMask{0U}, kGroupOff);
-    consumer_count_ = 0U;
-    producer_count_ = 0U;
-    off_count_ = 0U;
+    MoveTo(voice, ~SrdoMask{0U}, kGroupOff);
+    ClearLookUp(voice);
+    voice.flying = 0U;
+    voice.consumer_count = 0U;
+    voice.producer_count = 0U;
+    voice.off_count = 0U;
+}
+
+// [SRS-CONS-002]
+void FollowOperational(Voice& voice, Cycle& cycle, const bool is_active) noexcept
+{
+    if (is_active && !voice.is_active)
+    {
+        Enter(voice, cycle.now);
+    }
+    if (!is_active && voice.is_active)
+    {
+        Leave(voice, cycle);
+    }
+    voice.is_active = is_active;
 }
 
 // The one loop over all slots. What it passes over has no limit that expired, fits its seal, and has nothing to tell,
 // to wait for or to release.
-inline void Channel::ScanLimits(const Cycle& cycle) noexcept
+SrdoMask Scanned(const Voice& voice, const Cycle& cycle) noexcept
 {
     // A new pair is of interest to a slot that is not released yet.
-    SrdoMask found = cycle.edges | standing_ | (fresh_ & ~groups_[kGroupReleased]);
+    SrdoMask found = cycle.edges | cycle.standing | (voice.fresh & ~voice.groups[kGroupReleased]);
     if (cycle.is_late || cycle.has_overflow || cycle.has_gfc)
     {
-        found |= Consumers();
+        found |= ConsumersOf(voice);
     }
-    for (SlotIndex slot = 0U; slot < count_; ++slot)
+    for (SlotIndex slot = 0U; slot < voice.count; ++slot)
     {
-        const Record& record = At(slot);
+        const Record& record = At(voice, slot);
         if (((cycle.now.us - record.since.us) > record.limit_us) || !IsSealed(record))
         {
             found |= BitOf(slot);
         }
     }
-    attention_ |= found & existing_;
+    SrdoMask flying = voice.flying & voice.existing;
+    while (flying != 0U)
+    {
+        const SlotIndex slot = TakeLowest(flying);
+        const Record& record = At(voice, slot);
+        if ((cycle.now.us - record.sent_since.us) > SrvtUs(record))
+        {
+            found |= BitOf(slot);
+        }
+    }
+    return (found | voice.attention) & voice.existing;
+}
+
+// A corrupted record; its old mode cannot be trusted to tell its old group.
+void Break(Voice& voice, const SlotIndex slot) noexcept
+{
+    Raise(voice, slot, Event::kCorrupted, SrdoCause::kNone);
+    MoveTo(voice, BitOf(slot), FactsOf(At(voice, slot).mode).group);
+}
+
+void ExamineConsumer(Voice& voice, const Cycle& cycle, const SlotIndex slot) noexcept
+{
+    const Record& record = At(voice, slot);
+    if (!IsSealed(record))
+    {
+        Break(voice, slot);
+    }
+    const bool is_expired = (cycle.now.us - record.since.us) > record.limit_us;
+    if (is_expired)
+    {
+        Raise(voice, slot, Event::kExpired, SrdoCause::kNone);
+    }
+    if (cycle.is_late && !is_expired)
+    {
+        Raise(voice, slot, Event::kError, SrdoCause::kLateCall);
+    }
+    if (cycle.has_overflow)
+    {
+        Raise(voice, slot, Event::kError, SrdoCause::kQueueOverflow);
+    }
+    if (cycle.has_gfc)
+    {
+        Raise(voice, slot, Event::kError, SrdoCause::kGfc);
+    }
+}
+
+// An edge is good for a release until its window is over, and for nothing afterwards. [SRS-REL-003..007]
+void Acknowledge(Voice& voice, const Cycle& cycle, const SlotIndex slot) noexcept
+{
+    Record& record = At(voice, slot);
+    const SrdoMask bit = BitOf(slot);
+    if ((cycle.edges & bit) != 0U)
+    {
+        record.edge = kMarked;
+        record.edge_since = cycle.now;
+    }
+    if ((cycle.now.us - record.edge_since.us) > voice.config->acknowledge_window_us)
+    {
+        record.edge = kUnmarked;
+    }
+    const bool has_edge = record.edge == kMarked;
+    if (has_edge || (record.policy == ReleasePolicy::kAutomatic))
+    {
+        Raise(voice, slot, Event::kRelease, SrdoCause::kNone);
+    }
+    if (has_edge && ((voice.groups[kGroupReleased] & bit) != 0U))
+    {
+        SetFirstCause(record, SrdoCause::kNone);
+        record.edge = kUnmarked;
+    }
+}
+
+// t      frames of this cycle        now
+//        faults in bus order | SRVT or SCT, late call, overflow, GFC | report: nothing held, or acknowledge and release
+// Returns what else is to be signalled.
+std::uint32_t ServeConsumer(Voice& voice, Cycle& cycle, const SlotIndex slot) noexcept
+{
+    Record& record = At(voice, slot);
+    ExamineConsumer(voice, cycle, slot);
+    if (record.unreported != 0U)
+    {
+        Discard(voice, slot);
+        cycle.new_fault |= BitOf(slot);
+    }
+    else
+    {
+        Acknowledge(voice, cycle, slot);
+    }
+    std::uint32_t extra = 0U;
+    if ((record.awaiting == kMarked) && ((cycle.now.us - voice.entered.us) > SctUs(record)))
+    {
+        record.awaiting = kUnmarked;
+        extra = kWaitingPastSctBit;
+    }
+    return extra;
+}
+
+// Exact addition keeps the phase. A refresh that cannot be is skipped. [SRS-PROD-002]
+void Refresh(Voice& voice, const SlotIndex slot) noexcept
+{
+    Record& record = At(voice, slot);
+    const SrdoMask bit = BitOf(slot);
+    record.since.us += SctUs(record);
+    if (((voice.flying | voice.refreshed) & bit) != 0U)
+    {
+        Report(voice, slot, SrdoCause::kRefreshMissed);
+    }
+    else
+    {
+        voice.refreshed |= bit;
+    }
+}
+
+// The limit of a producer is its next refresh. [SRS-PROD-010]
+void ExamineSending(Voice& voice, const Cycle& cycle, const SlotIndex slot) noexcept
+{
+    Record& record = At(voice, slot);
+    const SrdoMask bit = BitOf(slot);
+    const bool is_called = record.form == ProducerForm::kProviderCalled;
+    if (is_called && ((cycle.standing & bit) != 0U))
+    {
+        record.since.us += cycle.step_us;
+    }
+    record.limit_us = SctUs(record) + (is_called ? 0U : voice.late_after_us);
+    if (!voice.may_send || ((cycle.now.us - record.since.us) <= record.limit_us))
+    {
+        return;
+    }
+    if (is_called)
+    {
+        Refresh(voice, slot);
+    }
+    else if ((voice.requested & bit) != 0U)
+    {
+        record.since.us = cycle.now.us - (record.limit_us + 1U); // Still too long ago, however long the request waits.
+    }
+    else
+    {
+        record.since = cycle.now;
+        Report(voice, slot, SrdoCause::kRefreshMissed);
+    }
+}
+
+void ServeProducer(Voice& voice, const Cycle& cycle, const SlotIndex slot) noexcept
+{
+    Record& record = At(voice, slot);
+    if (!IsSealed(record))
+    {
+        Break(voice, slot);
+        record.limit_us = kNoLimit;
+        record.ordinal = 0U;
+        voice.flying &= ~BitOf(slot);
+        return;
+    }
+    if ((cycle.now.us - record.sent_since.us) > SrvtUs(record))
+    {
+        Raise(voice, slot, Event::kUnconfirmed, SrdoCause::kNone); // Without effect if nothing is in flight.
+    }
+    ExamineSending(voice, cycle, slot);
+    if (((cycle.edges & BitOf(slot)) != 0U) && (record.unreported == 0U))
+    {
+        SetFirstCause(record, SrdoCause::kNone);
+    }
 }
 
 // Each cause once in a window of SCT. [SRS-CONS-021]
-inline void Channel::Signal(Cycle& cycle, Record& record, const SrdoMask bit, const std::uint32_t extra) noexcept
+void Signal(Cycle& cycle, Record& record, const SrdoMask bit, const std::uint32_t extra) noexcept
 {
-    if ((cycle.now.us - record.told_since.us) > (record.values[kSctPlace] * kMicrosecondsPerMillisecond))
+    if ((cycle.now.us - record.told_since.us) > SctUs(record))
     {
         record.told = 0U;
     }
@@ -223,18 +326,18 @@ inline void Channel::Signal(Cycle& cycle, Record& record, const SrdoMask bit, co
     }
 }
 
-inline void Channel::ServeSlot(Cycle& cycle, const SlotIndex slot) noexcept
+void Serve(Voice& voice, Cycle& cycle, const SlotIndex slot) noexcept
 {
     const SrdoMask bit = BitOf(slot);
-    Record& record = At(slot);
+    Record& record = At(voice, slot);
     std::uint32_t extra = 0U;
-    if ((groups_[kGroupProducer] & bit) != 0U)
+    if ((voice.groups[kGroupProducer] & bit) != 0U)
     {
-        ServeProducer(cycle, record, bit);
+        ServeProducer(voice, cycle, slot);
     }
-    else if ((groups_[kGroupOff] & bit) == 0U)
+    else if ((voice.groups[kGroupOff] & bit) == 0U)
     {
-        extra = ServeConsumer(cycle, record, bit);
+        extra = ServeConsumer(voice, cycle, slot);
     }
     else
     {
@@ -242,7 +345,95 @@ inline void Channel::ServeSlot(Cycle& cycle, const SlotIndex slot) noexcept
     }
     Signal(cycle, record, bit, extra);
     const std::uint32_t unfinished = record.told | record.edge | record.awaiting;
-    attention_ |= (unfinished != 0U) ? bit : 0U;
+    voice.attention |= (unfinished != 0U) ? bit : 0U;
+}
+
+// Due: asked for or refreshed, and nothing in flight. [SRS-PROD-004]
+SrdoMask DueOf(const Voice& voice) noexcept
+{
+    const SrdoMask due = (voice.requested | voice.refreshed) & voice.groups[kGroupProducer] & ~voice.flying;
+    return voice.may_send ? due : 0U;
+}
+
+} // namespace
+
+CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
+{
+    const GuardView guard = GuardOf(input, voice_.configuration_valid);
+    Cycle cycle{};
+    cycle.now = input.now;
+    cycle.step_us = input.now.us - voice_.now.us;
+    cycle.is_late = voice_.has_run && (cycle.step_us > voice_.late_after_us);
+    cycle.has_overflow = input.queue != QueueState::kIntact;
+    cycle.has_gfc = voice_.gfc_pending;
+    cycle.edges = input.acknowledge & ~voice_.levels;
+    voice_.levels = input.acknowledge;
+    voice_.has_run = true;
+    voice_.gfc_pending = false;
+    voice_.now = input.now;
+    ++voice_.cycle;
+
+    const bool is_active = (input.nmt == NmtState::kOperational) && (guard == GuardView::kConfigured);
+    FollowOperational(voice_, cycle, is_active);
+    voice_.requested |= input.request & voice_.groups[kGroupProducer];
+    cycle.standing = voice_.may_send ? (input.stand & voice_.groups[kGroupProducer]) : 0U;
+    if ((cycle.now.us - voice_.entered.us) >= voice_.first_delay_us)
+    {
+        voice_.may_send = true; // Kept: the difference wraps after 71 minutes.
+    }
+    SrdoMask to_serve = Scanned(voice_, cycle);
+    voice_.attention = 0U;
+    while (to_serve != 0U)
+    {
+        Serve(voice_, cycle, TakeLowest(to_serve));
+    }
+
+    CycleOutcome outcome{};
+    outcome.released = voice_.groups[kGroupReleased];
+    outcome.faulted = voice_.groups[kGroupFaulted];
+    outcome.waiting = voice_.groups[kGroupWaiting];
+    outcome.new_fault = cycle.new_fault;
+    outcome.fresh = voice_.fresh;
+    outcome.due = DueOf(voice_);
+    outcome.signalled = cycle.signalled;
+    outcome.cycle = voice_.cycle;
+    outcome.ordinal_sum = voice_.ordinal_sum;
+    outcome.guard = guard;
+    outcome.sct_checked = voice_.consumer_count;
+    outcome.is_tx = voice_.producer_count;
+    outcome.is_invalid = voice_.off_count;
+    outcome.not_operational = voice_.is_active ? 0U : 1U;
+    voice_.fresh = 0U;
+    return outcome;
+}
+
+void Channel::Commit(const Agreement& agreement) noexcept
+{
+    const SrdoMask own = agreement.agreed & voice_.groups[kGroupReleased];
+    SrdoMask to_write = own & agreement.matched & voice_.unwritten;
+    SrdoMask to_drop = voice_.committed & ~own;
+    voice_.unwritten &= ~to_write;
+    voice_.committed = (voice_.committed | to_write) & ~to_drop;
+    while (to_write != 0U)
+    {
+        const Record& record = At(voice_, TakeLowest(to_write));
+        WriteObjects(*voice_.config, record, record.held);
+    }
+    while (to_drop != 0U)
+    {
+        const Record& record = At(voice_, TakeLowest(to_drop));
+        WriteObjects(*voice_.config, record, record.safe);
+    }
+}
+
+Permit Channel::Answer(const std::uint32_t challenge) const noexcept
+{
+    Permit permit{};
+    permit.mask = voice_.committed & ConsumersOf(voice_);
+    const std::uint32_t low = static_cast<std::uint32_t>(permit.mask);
+    const std::uint32_t high = static_cast<std::uint32_t>(permit.mask >> kWordBits);
+    permit.response = ((challenge + low) ^ ((high << kPermitRotation) | (high >> kPermitRotation))) * kPermitConstantA;
+    return permit;
 }
 
 } // namespace counterpoint::channel_a

@@ -1,9 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "channel_a/channel.hpp"
 #include "channel_a/octets.hpp"
 #include "channel_a/seal.hpp"
 #include "channel_a/signature.hpp"
-#include "channel_a/slots.hpp"
+#include "channel_a/voice.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -102,10 +101,63 @@ void Read(const MappableObject& normal, const MappableObject& inverse, Reading& 
     }
 }
 
+// The objects are in ascending order of index and sub.
+std::uint16_t FindObject(const DeviceConfig& config, const std::uint32_t entry) noexcept
+{
+    const std::uint32_t key = entry >> kKeyShift;
+    std::uint32_t low = 0U;
+    std::uint32_t high = config.object_count;
+    std::uint16_t found = kNoObject;
+    while (low < high)
+    {
+        const std::uint32_t middle = (low + high) >> 1U;
+        const std::uint32_t seen = EntryOf(config.objects[middle]) >> kKeyShift; // MISRA D-002
+        if (seen == key)
+        {
+            found = static_cast<std::uint16_t>(middle);
+        }
+        low = (seen < key) ? (middle + 1U) : low;
+        high = (seen < key) ? high : middle;
+    }
+    return found;
+}
+
+// An object without a single bit where the place leads to none.
+const MappableObject& ObjectAt(const DeviceConfig& config, const Record& record, const std::uint32_t position) noexcept
+{
+    const std::uint32_t place = record.objects[position];
+    return (place < config.object_count) ? config.objects[place] : kNothing; // MISRA D-002
+}
+
+// The object at this position is the one that the entry names, for this direction.
+bool FitsEntry(const DeviceConfig& config, const Record& record, const std::uint32_t position) noexcept
+{
+    const MappableObject& object = ObjectAt(config, record, position);
+    const MapAccess wanted = (record.direction == kDirectionConsumer) ? MapAccess::kConsumer : MapAccess::kProducer;
+    return (EntryOf(object) == record.values[kMapEntryPlace + position]) && (object.access == wanted);
+}
+
+// Length of the granularity and of the partner, and no object twice.
+bool FitsOthers(const DeviceConfig& config, const Record& record, const std::uint32_t position) noexcept
+{
+    const std::uint32_t length_bits = LengthAt(record, position);
+    const std::uint32_t normal_bits = LengthAt(record, position & ~kPairMask);
+    const std::uint32_t rest = length_bits & (config.granularity_bits - 1U);
+    bool is_first = true;
+    for (std::uint32_t before = 0U; before < position; ++before)
+    {
+        if (record.objects[before] == record.objects[position])
+        {
+            is_first = false;
+        }
+    }
+    return (rest == 0U) && (length_bits == normal_bits) && is_first;
+}
+
 } // namespace
 
 // SRS-CFG-026 to 028.
-ConfigFault Channel::Resolve(Record& record) const noexcept
+ConfigFault Resolve(const DeviceConfig& config, Record& record) noexcept
 {
     const std::uint32_t count = record.values[kMapCountPlace];
     if ((count == 0U) || ((count & kPairMask) != 0U) || (count > kMaxMapEntries))
@@ -119,8 +171,8 @@ ConfigFault Channel::Resolve(Record& record) const noexcept
     bool is_good = true;
     for (std::uint32_t position = 0U; position < count; ++position)
     {
-        record.objects[position] = FindObject(record.values[kMapEntryPlace + position]);
-        if (!FitsEntry(record, position) || !FitsOthers(record, position))
+        record.objects[position] = FindObject(config, record.values[kMapEntryPlace + position]);
+        if (!FitsEntry(config, record, position) || !FitsOthers(config, record, position))
         {
             is_good = false;
         }
@@ -138,68 +190,15 @@ ConfigFault Channel::Resolve(Record& record) const noexcept
     return ConfigFault::kNone;
 }
 
-// The objects are in ascending order of index and sub.
-std::uint16_t Channel::FindObject(const std::uint32_t entry) const noexcept
-{
-    const std::uint32_t key = entry >> kKeyShift;
-    std::uint32_t low = 0U;
-    std::uint32_t high = config_->object_count;
-    std::uint16_t found = kNoObject;
-    while (low < high)
-    {
-        const std::uint32_t middle = (low + high) >> 1U;
-        const std::uint32_t seen = EntryOf(config_->objects[middle]) >> kKeyShift; // MISRA D-002
-        if (seen == key)
-        {
-            found = static_cast<std::uint16_t>(middle);
-        }
-        low = (seen < key) ? (middle + 1U) : low;
-        high = (seen < key) ? high : middle;
-    }
-    return found;
-}
-
-// An object without a single bit where the place leads to none.
-const MappableObject& Channel::ObjectAt(const Record& record, const std::uint32_t position) const noexcept
-{
-    const std::uint32_t place = record.objects[position];
-    return (place < config_->object_count) ? config_->objects[place] : kNothing; // MISRA D-002
-}
-
-// The object at this position is the one that the entry names, for this direction.
-bool Channel::FitsEntry(const Record& record, const std::uint32_t position) const noexcept
-{
-    const MappableObject& object = ObjectAt(record, position);
-    const MapAccess wanted = (record.direction == kDirectionConsumer) ? MapAccess::kConsumer : MapAccess::kProducer;
-    return (EntryOf(object) == record.values[kMapEntryPlace + position]) && (object.access == wanted);
-}
-
-// Length of the granularity and of the partner, and no object twice.
-bool Channel::FitsOthers(const Record& record, const std::uint32_t position) const noexcept
-{
-    const std::uint32_t length_bits = LengthAt(record, position);
-    const std::uint32_t normal_bits = LengthAt(record, position & ~kPairMask);
-    const std::uint32_t rest = length_bits & (config_->granularity_bits - 1U);
-    bool is_first = true;
-    for (std::uint32_t before = 0U; before < position; ++before)
-    {
-        if (record.objects[before] == record.objects[position])
-        {
-            is_first = false;
-        }
-    }
-    return (rest == 0U) && (length_bits == normal_bits) && is_first;
-}
-
 // [SRS-CFG-030]
-bool Channel::HoldsTable(const Record& record) const noexcept
+bool HoldsTable(const DeviceConfig& config, const Record& record) noexcept
 {
     const std::uint32_t count = MapCount(record);
     bool holds =
         (record.mapping == kMarked) && (TotalLength(record) == (std::uint32_t{record.length_bytes} << kBitsToBytes));
     for (std::uint32_t position = 0U; position < count; ++position)
     {
-        if (!FitsEntry(record, position))
+        if (!FitsEntry(config, record, position))
         {
             holds = false;
         }
@@ -207,54 +206,26 @@ bool Channel::HoldsTable(const Record& record) const noexcept
     return holds;
 }
 
-void Channel::WriteObjects(const Record& record, const Octets& data) const noexcept
+void WriteObjects(const DeviceConfig& config, const Record& record, const Octets& data) noexcept
 {
     const std::uint32_t count = MapCount(record);
     std::uint64_t rest = Bits(data);
     for (std::uint32_t position = 0U; position < count; position += 2U)
     {
-        rest = Written(ObjectAt(record, position), rest);
+        rest = Written(ObjectAt(config, record, position), rest);
     }
 }
 
-// Fills `pending` with the normal objects. False if a bit is not inverted.
-bool Channel::ReadObjects(Record& record) const noexcept
+bool ReadObjects(const DeviceConfig& config, Record& record) noexcept
 {
     const std::uint32_t count = MapCount(record);
     Reading reading{0U, 0U, 0U};
     for (std::uint32_t position = 0U; position < count; position += 2U)
     {
-        Read(ObjectAt(record, position), ObjectAt(record, position | kPairMask), reading);
+        Read(ObjectAt(config, record, position), ObjectAt(config, record, position | kPairMask), reading);
     }
-    record.pending = OctetsOf(reading.normal);
+    record.held = OctetsOf(reading.normal);
     return reading.difference == 0U;
-}
-
-PreparedPair Channel::Prepare(const SlotIndex slot) noexcept
-{
-    PreparedPair pair{};
-    pair.status = PrepareStatus::kNotProducer;
-    Record& record = At(slot);
-    if (record.mode != Mode::kIdle)
-    {
-        return pair;
-    }
-    record.refresh = kUnmarked;
-    record.request = kUnmarked;
-    record.prepared = kUnmarked;
-    if (!ReadObjects(record))
-    {
-        pair.status = PrepareStatus::kNotInverse;
-        Report(record, BitOf(slot), SrdoCause::kNotInverse);
-    }
-    else
-    {
-        pair.status = PrepareStatus::kReady;
-        pair.normal = PayloadOf(record.pending);
-        pair.length_bytes = record.length_bytes;
-        record.prepared = kMarked;
-    }
-    return pair;
 }
 
 } // namespace counterpoint::channel_a

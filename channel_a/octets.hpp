@@ -10,8 +10,8 @@
 #include <cstddef>
 #include <cstdint>
 
-// Data of frames, byte by byte. Every loop runs over all eight bytes, so that it has neither a length to be wrong nor a
-// branch that depends on data.
+// Data of frames: kept as bytes, looked at as all eight of them at once, so that there is neither a length to be wrong
+// nor a branch that depends on data.
 namespace counterpoint::channel_a
 {
 
@@ -19,35 +19,31 @@ constexpr std::uint32_t kLengthMask = 0x0FU;
 constexpr std::size_t kBytesPerWord = 4U;
 constexpr std::uint32_t kBitsPerByte = 8U;
 
-/// For each length the bytes that are mapped. 9 to 15 occur only in a corrupted record, which its seal gives away.
-extern const Octets kMapped[kLengthMask + 1U]; // MISRA D-001
+/// What the bytes of an inverse frame are flipped with.
+constexpr std::uint64_t kInverseFlip = 0xFFFFFFFFFFFFFFFFU;
 
-/// What every byte of a frame is flipped with: 0 the normal, 1 the inverse frame.
-constexpr Octets kFlips[2] = {
-    // MISRA D-001
-    {{0x00U, 0x00U, 0x00U, 0x00U, 0x00U, 0x00U, 0x00U, 0x00U}},
-    {{0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU}},
-};
+/// The bytes that are mapped, for every length: seen from `kLengthMask - length` on, as many FFh as the length has
+/// bytes. 9 to 15 occur only in a corrupted record, which its seal gives away.
+constexpr std::size_t kRulerSize = kLengthMask + kMaxPayloadBytes;
+extern const std::uint8_t kRuler[kRulerSize]; // MISRA D-001
 
-/// @brief The mapped bytes of a frame of this record.
-[[nodiscard]] inline Octets TakenFrom(const Record& record, const CanFrame& frame) noexcept
+/// @brief Eight bytes from `place` on, byte 0 as the lowest bits, whatever the order of the processor.
+[[nodiscard]] inline std::uint64_t BitsAt(const std::uint8_t* const place) noexcept
 {
-    const Octets& mapped = kMapped[record.length_bytes & kLengthMask];
-    Octets taken{};
-    for (std::size_t place = 0U; place < kMaxPayloadBytes; ++place)
-    {
-        taken.at[place] = frame.data[place] & mapped.at[place];
-    }
-    return taken;
+    return std::uint64_t{place[0]} | (std::uint64_t{place[1]} << 8U) |           // MISRA D-002
+           (std::uint64_t{place[2]} << 16U) | (std::uint64_t{place[3]} << 24U) | // MISRA D-002
+           (std::uint64_t{place[4]} << 32U) | (std::uint64_t{place[5]} << 40U) | // MISRA D-002
+           (std::uint64_t{place[6]} << 48U) | (std::uint64_t{place[7]} << 56U);  // MISRA D-002
 }
 
-/// @brief Byte 0 as the lowest bits, whatever the order of the processor.
 [[nodiscard]] inline std::uint64_t Bits(const Octets& octets) noexcept
 {
-    return std::uint64_t{octets.at[0]} | (std::uint64_t{octets.at[1]} << 8U) | (std::uint64_t{octets.at[2]} << 16U) |
-           (std::uint64_t{octets.at[3]} << 24U) | (std::uint64_t{octets.at[4]} << 32U) |
-           (std::uint64_t{octets.at[5]} << 40U) | (std::uint64_t{octets.at[6]} << 48U) |
-           (std::uint64_t{octets.at[7]} << 56U);
+    return BitsAt(&octets.at[0]);
+}
+
+[[nodiscard]] inline std::uint64_t MappedBits(const Record& record) noexcept
+{
+    return BitsAt(&kRuler[kLengthMask - (record.length_bytes & kLengthMask)]);
 }
 
 [[nodiscard]] inline Octets OctetsOf(const std::uint64_t bits) noexcept
@@ -69,19 +65,17 @@ constexpr Octets kFlips[2] = {
     return Payload{WordAt(&octets.at[0]), WordAt(&octets.at[kBytesPerWord])};
 }
 
+/// @brief The mapped bytes of a frame of this record.
+[[nodiscard]] inline Octets TakenFrom(const Record& record, const CanFrame& frame) noexcept
+{
+    return OctetsOf(BitsAt(&frame.data[0]) & MappedBits(record));
+}
+
 /// @brief Whether each mapped byte of the frame is the byte of `expected` XOR `flip`.
 [[nodiscard]] inline bool IsEqual(const Record& record, const CanFrame& frame, const Octets& expected,
-                                  const Octets& flip) noexcept
+                                  const std::uint64_t flip) noexcept
 {
-    const Octets& mapped = kMapped[record.length_bytes & kLengthMask];
-    Octets wrong{};
-    for (std::size_t place = 0U; place < kMaxPayloadBytes; ++place)
-    {
-        const std::uint8_t wanted = static_cast<std::uint8_t>(expected.at[place] ^ flip.at[place]);
-        const std::uint8_t difference = static_cast<std::uint8_t>(wanted ^ frame.data[place]);
-        wrong.at[place] = difference & mapped.at[place];
-    }
-    return Bits(wrong) == 0U;
+    return ((BitsAt(&frame.data[0]) ^ Bits(expected) ^ flip) & MappedBits(record)) == 0U;
 }
 
 } // namespace counterpoint::channel_a

@@ -3,10 +3,11 @@
 #include "channel_a/octets.hpp"
 #include "channel_a/seal.hpp"
 #include "channel_a/slots.hpp"
+#include "channel_a/voice.hpp"
 
 #include <cstdint>
 
-// Producers: when to send, what to send, and what became of it.
+// A pair of a producer: what to send and what became of it. When to send: cycle.cpp.
 namespace counterpoint::channel_a
 {
 namespace
@@ -15,251 +16,107 @@ namespace
 constexpr std::uint32_t kHalfMask = 1U; // Of the place of an identifier: 0 the normal, 1 the inverse frame.
 constexpr std::uint32_t kConfirmOfHalf = static_cast<std::uint32_t>(Effect::kConfirmNormal);
 static_assert(static_cast<std::uint32_t>(Effect::kConfirmInverse) == kConfirmOfHalf + 1U, "the halves in their order");
+constexpr std::uint64_t kFlips[2] = {0U, kInverseFlip}; // MISRA D-001
+constexpr Confirmation kNotOurs{kNoSlot, ConfirmStep::kNone};
 
-std::uint32_t RefreshUs(const Record& record) noexcept
+[[gnu::noinline]] Confirmation GiveUp(Voice& voice, const SlotIndex slot, const Event event,
+                                      const SrdoCause cause) noexcept
 {
-    return record.values[kSctPlace] * kMicrosecondsPerMillisecond;
+    Raise(voice, slot, event, cause);
+    return kNotOurs;
 }
 
 } // namespace
 
-// refresh_since is one refresh time before the first possible transmission where the kernel asks for data, so that the
-// first refresh falls due there; it is the first possible transmission itself where the application sends.
-void Channel::StartProducing(Record& record) const noexcept
+PreparedPair Channel::Prepare(const SlotIndex slot) noexcept
 {
-    record.refresh_since.us = entered_.us + first_delay_us_;
-    if (record.form == ProducerForm::kProviderCalled)
+    PreparedPair pair{};
+    pair.status = PrepareStatus::kNotProducer;
+    Record& record = At(voice_, slot);
+    const Cell& cell = NextCell(record.mode, Event::kAdvance);
+    if (cell.effect != Effect::kLaunch)
     {
-        record.refresh_since.us -= RefreshUs(record);
+        return pair;
     }
+    const SrdoMask bit = BitOf(slot);
+    voice_.refreshed &= ~bit;
+    voice_.requested &= ~bit;
+    if (!ReadObjects(*voice_.config, record))
+    {
+        pair.status = PrepareStatus::kNotInverse;
+        Report(voice_, slot, SrdoCause::kNotInverse);
+        return pair;
+    }
+    SetMode(record, cell.next);
+    voice_.flying |= bit;
+    record.sent_since = voice_.now;
+    if (voice_.may_send && (record.form != ProducerForm::kProviderCalled))
+    {
+        record.since = voice_.now;
+    }
+    pair.normal.identifier = record.values[kCobIdPlace];
+    pair.normal.kind = FrameKind::kData;
+    pair.normal.port = voice_.ports[0];
+    pair.normal.length_bytes = record.length_bytes;
+    for (std::uint32_t place = 0U; place < kMaxPayloadBytes; ++place)
+    {
+        pair.normal.data[place] = record.held.at[place];
+    }
+    pair.status = PrepareStatus::kReady;
+    return pair;
 }
 
-void Channel::StopProducing(Record& record) noexcept
-{
-    record.limit_us = kNoLimit;
-    record.ordinal = 0U;
-    record.refresh = kUnmarked;
-    record.request = kUnmarked;
-    record.prepared = kUnmarked;
-}
-
-// Exact addition keeps the phase. A refresh that cannot be is skipped. [SRS-PROD-002]
-void Channel::Refresh(Record& record, const SrdoMask bit) noexcept
-{
-    record.refresh_since.us += RefreshUs(record);
-    if ((record.mode != Mode::kIdle) || (record.refresh == kMarked))
-    {
-        Report(record, bit, SrdoCause::kRefreshMissed);
-    }
-    else
-    {
-        record.refresh = kMarked;
-    }
-}
-
-// [SRS-PROD-010]
-inline void Channel::ExamineSending(const Instant now, Record& record, const SrdoMask bit) noexcept
-{
-    const std::uint32_t elapsed_us = now.us - record.refresh_since.us;
-    const std::uint32_t refresh_us = RefreshUs(record);
-    const std::uint32_t limit_us = refresh_us + late_after_us_;
-    if (record.form == ProducerForm::kProviderCalled)
-    {
-        if (elapsed_us >= refresh_us)
-        {
-            Refresh(record, bit);
-        }
-    }
-    else if (elapsed_us > limit_us)
-    {
-        if (record.request == kMarked)
-        {
-            record.refresh_since.us = now.us - (limit_us + 1U); // Still too long ago, however long the request waits.
-        }
-        else
-        {
-            record.refresh_since = now;
-            Report(record, bit, SrdoCause::kRefreshMissed);
-        }
-    }
-    else
-    {
-        // The application has sent in time.
-    }
-}
-
-// Between two pairs the limit is the next refresh, so that the scan passes over a producer with nothing to do. A pair
-// in flight or due is served in every cycle.
-inline void Channel::Arm(SrdoMask& due, Record& record, const SrdoMask bit) noexcept
-{
-    if (!may_send_ || (record.mode != Mode::kIdle))
-    {
-        attention_ |= bit;
-        return;
-    }
-    if ((record.refresh == kMarked) || (record.request == kMarked))
-    {
-        attention_ |= bit;
-        due |= bit;
-        return;
-    }
-    record.since = record.refresh_since;
-    record.limit_us = RefreshUs(record);
-    if (record.form == ProducerForm::kProviderCalled)
-    {
-        --record.since.us; // The refresh time itself is due.
-    }
-    else
-    {
-        record.limit_us += late_after_us_;
-    }
-}
-
-void Channel::ServeProducer(Cycle& cycle, Record& record, const SrdoMask bit) noexcept
-{
-    if (!IsSealed(record))
-    {
-        Raise(record, bit, Event::kCorrupted, SrdoCause::kNone);
-        MoveTo(bit, FactsOf(record.mode).group);
-        StopProducing(record);
-        return;
-    }
-    if ((cycle.now.us - record.since.us) > record.limit_us)
-    {
-        Raise(record, bit, Event::kUnconfirmed, SrdoCause::kNone);
-    }
-    if ((standing_ & bit) != 0U)
-    {
-        record.refresh_since.us += step_us_;
-        standing_ &= ~bit;
-    }
-    if (may_send_)
-    {
-        ExamineSending(cycle.now, record, bit);
-    }
-    Arm(cycle.due, record, bit);
-    if (((cycle.edges & bit) != 0U) && (record.unreported == 0U))
-    {
-        SetFirstCause(record, SrdoCause::kNone);
-    }
-}
-
-void Channel::Request(const SlotIndex slot) noexcept
-{
-    if ((groups_[kGroupProducer] & BitOf(slot)) != 0U)
-    {
-        At(slot).request = kMarked;
-        attention_ |= BitOf(slot);
-    }
-}
-
-// [SRS-PROD-012]
-void Channel::Hold(const SlotIndex slot) noexcept
-{
-    if (may_send_ && (At(slot).form == ProducerForm::kProviderCalled))
-    {
-        standing_ |= groups_[kGroupProducer] & BitOf(slot);
-    }
-}
-
-void Channel::Launch(const SlotIndex slot) noexcept
-{
-    Record& record = At(slot);
-    if (record.prepared != kMarked)
-    {
-        return;
-    }
-    record.prepared = kUnmarked;
-    const Cell& cell = StepWithin(record, Event::kLaunch);
-    if (cell.effect == Effect::kLaunch)
-    {
-        attention_ |= BitOf(slot);
-        record.held = record.pending;
-        record.since = now_;
-        record.limit_us = record.values[kSrvtPlace] * kMicrosecondsPerMillisecond;
-        if (may_send_ && (record.form != ProducerForm::kProviderCalled))
-        {
-            record.refresh_since = now_;
-        }
-    }
-}
-
-CanFrame Channel::NextFrame(const SlotIndex slot) noexcept
-{
-    CanFrame frame{};
-    Record& record = At(slot);
-    const Cell& cell = StepWithin(record, Event::kHandOut);
-    if (cell.effect == Effect::kHandOut)
-    {
-        frame.identifier = record.values[kCobIdPlace];
-        frame.kind = FrameKind::kData;
-        frame.port = ports_.of_half[0];
-        frame.length_bytes = record.length_bytes;
-        for (std::uint32_t place = 0U; place < kMaxPayloadBytes; ++place)
-        {
-            frame.data[place] = record.held.at[place];
-        }
-    }
-    return frame;
-}
-
-SlotIndex Channel::OnConfirm(const CanFrame& frame, const Instant stamp) noexcept
+Confirmation Channel::OnConfirm(const CanFrame& frame, const Instant stamp) noexcept
 {
     const std::uint32_t place = frame.identifier - kFirstSrdoIdentifier; // Every other identifier is a greater place.
     if ((frame.kind != FrameKind::kData) || (place >= kSrdoIdentifierCount))
     {
-        return kNoSlot;
+        return kNotOurs;
     }
-    const SlotIndex slot = SlotOfPlace(place);
-    if (slot >= count_)
+    const SlotIndex slot = SlotOfPlace(voice_, place);
+    if (slot >= voice_.count)
     {
-        return kNoSlot;
+        return kNotOurs;
     }
-    Record& record = At(slot);
+    Record& record = At(voice_, slot);
     const std::uint32_t half = place & kHalfMask;
-    const Cell& cell = NextCell(record.mode, Event::kConfirm);
+    const Cell& cell = NextCell(record.mode, Event::kAdvance);
     const std::uint32_t wanted = half + kConfirmOfHalf;
     if ((static_cast<std::uint32_t>(cell.effect) != wanted) || (record.values[kCobIdPlace + half] != frame.identifier))
     {
-        return kNoSlot;
+        return kNotOurs;
     }
     if ((frame.length_bytes != record.length_bytes) || !IsEqual(record, frame, record.held, kFlips[half]))
     {
-        return GiveUp(slot, Event::kAbort, SrdoCause::kWrongEcho);
+        return GiveUp(voice_, slot, Event::kAbort, SrdoCause::kWrongEcho);
     }
     if (half == 0U)
     {
         SetMode(record, cell.next);
-        record.since = stamp;
-        return slot;
+        record.sent_since = stamp;
+        return Confirmation{slot, ConfirmStep::kNormal};
     }
-    if ((stamp.us - record.since.us) > record.limit_us)
+    if ((stamp.us - record.sent_since.us) > SrvtUs(record))
     {
-        return GiveUp(slot, Event::kUnconfirmed, SrdoCause::kNone);
+        return GiveUp(voice_, slot, Event::kUnconfirmed, SrdoCause::kNone);
     }
     SetMode(record, cell.next);
-    return Finish(slot);
+    ++record.ordinal;
+    voice_.flying &= ~BitOf(slot);
+    return Confirmation{slot, ConfirmStep::kPair};
 }
 
-// The pair was sent. A slot with nothing more to do waits for its next refresh, as if OnCycle had armed it.
-SlotIndex Channel::Finish(const SlotIndex slot) noexcept
+// The inverse frame is the other channel's.
+CanFrame Channel::InverseFrame(SlotIndex /*slot*/) noexcept
 {
-    Record& record = At(slot);
-    const SrdoMask bit = BitOf(slot);
-    ++record.ordinal;
-    attention_ &= ~bit;
-    SrdoMask due = 0U; // Told by the next OnCycle.
-    Arm(due, record, bit);
-    const std::uint32_t unfinished = record.told | record.unreported;
-    attention_ |= (unfinished != 0U) ? bit : 0U;
-    return slot;
+    return CanFrame{};
 }
 
 void Channel::OnTransmitFault(const SlotIndex slot, const SrdoCause cause) noexcept
 {
     if ((cause == SrdoCause::kTransmitQueue) || (cause == SrdoCause::kBusOff))
     {
-        Raise(At(slot), BitOf(slot), Event::kAbort, cause);
+        Raise(voice_, slot, Event::kAbort, cause);
     }
 }
 

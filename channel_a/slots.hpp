@@ -15,7 +15,7 @@ namespace counterpoint::channel_a
 /// with.
 constexpr SrdoMask kDeBruijn = 0x03F79D71B4CB0A89U;
 constexpr std::uint32_t kDeBruijnShift = 58U;
-constexpr SlotIndex kSlotOfWindow[kMaxSrdoCount] = {
+inline constexpr SlotIndex kSlotOfWindow[kMaxSrdoCount] = {
     // MISRA D-001
     // clang-format off
     0U, 1U, 48U, 2U, 57U, 49U, 28U, 3U, 61U, 58U, 50U, 42U, 38U, 29U, 17U, 4U,

@@ -38,12 +38,10 @@ constexpr std::uint8_t kUnmarked = 0U;
 
 /// Everything of one SRDO. Invariants between two calls:
 /// - `seal` is the complement of mode, first_cause, direction and length_bytes. Every change of one of them changes the
-/// seal by
-///   the same bits; a flipped bit therefore never gets lost, the record stays unsealed until Restart.
+///   seal by the same bits; a flipped bit therefore never gets lost, the record stays unsealed until Restart.
 /// - `since` is the stamp of the pending normal frame (modes First and Next, limit SRVT), else that of the held pair's
-/// normal
-///   frame (Held, limit SCT); of a producer the start or the confirmed half of the pair in flight (limit SRVT). Of an
-///   idle producer the refresh before the next one, with the refresh as limit. There is no limit in the other modes.
+///   normal frame (Held, limit SCT). Of a producer that is called it is the microsecond before the last refresh, of one
+///   whose application sends the last sending; the limit is then the next refresh. There is no limit in other modes.
 /// - `told` is not 0 exactly while the window of the signals is open.
 /// - `objects` holds places in DeviceConfig::objects, of the entry of the same position, while `mapping` is marked.
 struct Record
@@ -55,28 +53,25 @@ struct Record
     std::uint32_t seal;
     Instant since;
     std::uint32_t limit_us;
-    std::uint32_t ordinal;
-    std::uint32_t unreported; ///< Causes (bit 1 << cause) recorded since the last OnCycle.
-    std::uint32_t signals;
-    std::uint32_t told; ///< Causes signalled in the open window.
-    Instant told_since;
-    Instant edge_since;    ///< When the waiting acknowledge edge was seen.
-    Instant refresh_since; ///< Producer: the refresh before the next one, or the last sending.
-    Octets pending;        ///< Of a producer: as prepared.
-    Octets held;           ///< Of a producer: normal data of the pair in flight.
-    Octets safe;
-    std::uint32_t values[kValueCount];     // MISRA D-001
-    std::uint16_t objects[kMaxMapEntries]; // MISRA D-001
-    std::uint16_t error_count;
+    std::uint8_t awaiting; ///< Marked: waiting past SCT is still to be signalled.
+    std::uint8_t edge;     ///< Marked: an acknowledge edge waits.
     ReleasePolicy policy;
     ProducerForm form;
-    std::uint8_t mapping;  ///< Marked: resolved.
-    std::uint8_t check;    ///< Marked: the last Validate or Recheck found no fault.
-    std::uint8_t edge;     ///< Marked: an acknowledge edge waits.
-    std::uint8_t awaiting; ///< Marked: waiting past SCT is still to be signalled.
-    std::uint8_t refresh;  ///< Marked: due by a refresh.
-    std::uint8_t request;  ///< Marked: the application asked for sending.
-    std::uint8_t prepared; ///< Marked: the last Prepare was ready.
+    std::uint8_t mapping; ///< Marked: resolved.
+    std::uint8_t check;   ///< Marked: the last Validate or Recheck found no fault.
+    std::uint16_t error_count;
+    std::uint32_t ordinal;
+    Octets pending;
+    Octets held;              ///< Of a producer: normal data of the pair in flight.
+    Instant sent_since;       ///< Producer: start of the pair in flight, then confirmation of its normal frame.
+    std::uint32_t unreported; ///< Causes (bit 1 << cause) recorded since the last OnCycle.
+    std::uint32_t told;       ///< Causes signalled in the open window.
+    std::uint32_t signals;
+    Instant told_since;
+    Instant edge_since;                    ///< When the waiting acknowledge edge was seen.
+    std::uint32_t values[kValueCount];     // MISRA D-001
+    std::uint16_t objects[kMaxMapEntries]; // MISRA D-001
+    Octets safe;
 };
 
 /// For each pair of identifiers (odd, even) from 101h on: slot + 1 of the SRDO, 0 for none.

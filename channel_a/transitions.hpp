@@ -28,7 +28,6 @@ enum class Mode : std::uint8_t
     kReleasedHeld = 0xAAU,
     kReleasedNext = 0x1BU,
     kIdle = 0x9CU,          ///< Producer without a pair in flight.
-    kLaunched = 0x2DU,      ///< Producer whose normal frame was not handed out yet.
     kNormalAwaited = 0x4EU, ///< Producer that waits for the confirmation of the normal frame.
     kInverseAwaited = 0xFFU ///< Producer that waits for the confirmation of the inverse frame.
 };
@@ -48,15 +47,13 @@ enum class Event : std::uint8_t
     kError = 9U,    ///< Anything else that makes a consumer safe; the cause is given by who raises it.
     kDiscard = 10U, ///< The held pair is dropped, a pending normal frame stays.
     kRelease = 11U,
-    kLaunch = 12U,
-    kHandOut = 13U,
-    kConfirm = 14U,     ///< The awaited frame was on the bus as it should be.
-    kAbort = 15U,       ///< The transmission failed; the cause is given by who raises it.
-    kUnconfirmed = 16U, ///< Nothing was confirmed within SRVT.
-    kCorrupted = 17U,   ///< The record does not fit its seal.
+    kAdvance = 12U,     ///< A pair was prepared, or its awaited frame was on the bus as it should be.
+    kAbort = 13U,       ///< The transmission failed; the cause is given by who raises it.
+    kUnconfirmed = 14U, ///< Nothing was confirmed within SRVT.
+    kCorrupted = 15U,   ///< The record does not fit its seal.
 };
 
-constexpr std::size_t kEventCount = 18U;
+constexpr std::size_t kEventCount = 16U;
 
 /// What is to be done with the record besides its new mode.
 enum class Effect : std::uint8_t
@@ -66,15 +63,13 @@ enum class Effect : std::uint8_t
     kTake = 2U,     ///< The frame becomes the pending normal frame.
     kComplete = 3U, ///< The pending frame becomes the held pair.
     kFault = 4U,    ///< Consumer made safe, for the cell's cause or, where that is kNone, the given one.
-    kLaunch = 5U,
-    kHandOut = 6U,
+    kAbort = 5U,    ///< The pair in flight is given up with a fault of the producer.
+    kLaunch = 6U,   ///< The pair is in flight.
     kConfirmNormal = 7U,
     kConfirmInverse = 8U, ///< The pair was sent.
-    kAbort = 9U,          ///< The pair in flight is given up with a fault of the producer.
 };
 
-/// Four bytes, so that a cell is found by shifts.
-struct alignas(4) Cell
+struct Cell
 {
     Mode next;
     Effect effect;
@@ -89,18 +84,21 @@ constexpr std::uint8_t kGroupReleased = 3U;
 constexpr std::uint8_t kGroupProducer = 4U;
 constexpr std::uint8_t kGroupCount = 5U;
 
-/// What a row means to the rest of the channel. Eight bytes, so that a row is found by shifts.
-struct alignas(8) ModeFacts
+/// What Record::held is.
+constexpr std::uint8_t kNoData = 0U;
+constexpr std::uint8_t kInFlight = 1U; ///< Of a producer.
+constexpr std::uint8_t kHeldPair = 3U; ///< Of a consumer.
+constexpr std::uint8_t kShownMask = 1U;
+constexpr std::uint8_t kHoldsShift = 1U;
+
+/// What a row means to the rest of the channel. Four bytes, so that a row is found by shifts.
+struct ModeFacts
 {
     Mode mode;
     SrdoState state;
     std::uint8_t group;
-    std::uint8_t holds_pair; ///< 1: consumer with a held pair.
-    std::uint8_t shown;      ///< 1: SrdoView has the data.
+    std::uint8_t data;
 };
-
-constexpr std::uint8_t kHidden = 0U;
-constexpr std::uint8_t kShown = 1U;
 
 constexpr std::uint8_t kRowMask = 0x0FU;
 constexpr std::uint8_t kRowCount = 16U;
@@ -115,7 +113,7 @@ extern const ModeFacts kModeFacts[kRowCount]; // MISRA D-001
     return kModeFacts[static_cast<std::uint8_t>(mode) & kRowMask];
 }
 
-constexpr std::size_t kCellCount = 48U;
+constexpr std::size_t kCellCount = 46U;
 
 /// The different cells of the table. Cell 0 is that of an omitted entry.
 extern const Cell kCells[kCellCount]; // MISRA D-001

@@ -29,7 +29,7 @@ constexpr Step kStrangers[] = {
 constexpr Step kWrongData[] = {
     Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U),
     ConfirmNone(0x101U, 2U, 0x3413U, 0U, 2100U),
-    Slot(0U, kProducing, Cause::kWrongEcho, 0U, 1U, 0U), TakeNone(0U), StrangeFirst(2101U),
+    Slot(0U, kProducing, Cause::kWrongEcho, 0U, 1U, 0U), Data(0U, 0U), TakeNone(0U), StrangeFirst(2101U),
     Cycle(3000U), Signals(0U, Bit(Cause::kWrongEcho)),
     Masks(0U, 0U, 0U, 0U, 0U), Due(0U), Request(0U), Cycle(4000U), Due(1U),
 };
@@ -64,7 +64,8 @@ constexpr Step kNormalMissing[] = {
     Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Cycle(21999U),
     Cycle(22000U), Signals(0U, 0U), Cycle(22001U),
     Slot(0U, kProducing, Cause::kNoConfirmation, 0U, 1U, 0U), Signals(0U, Bit(Cause::kNoConfirmation)), Due(0U),
-    StrangeFirst(22002U), TakeNone(0U),
+    Data(0U, 0U), StrangeFirst(22002U), TakeNone(0U), Cycle(23000U), ReadyPair(0U), ConfirmFirst(0U, 23100U),
+    TakeSecond(0U),
 };
 
 // Prepare counts from the `now` of the cycle before it, wherever the frame was confirmed.

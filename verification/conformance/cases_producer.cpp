@@ -48,7 +48,8 @@ constexpr Step kFirstCallDuesAtOnce[] = {
 constexpr Step kDueUntilPrepared[] = {
     Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Request(0U), Request(0U), Cycle(2000U), Due(1U), Cycle(3000U), Due(1U),
     Request(0U), Cycle(4000U), Due(1U), ReadyPair(0U),
-    // Requests do not add up. ConfirmFirst(0U, 4100U), TakeSecond(0U), ConfirmSecond(0U, 4200U), Cycle(5000U), Due(0U),
+    // Requests do not add up.
+    ConfirmFirst(0U, 4100U), TakeSecond(0U), ConfirmSecond(0U, 4200U), Cycle(5000U), Due(0U),
     Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
 };
 
@@ -100,7 +101,10 @@ constexpr Step kNotAProducer[] = {
 constexpr Step kPrepareInFlight[] = {
     Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Request(0U), Cycle(2000U), ReadyPair(0U),
     Put(0x6210U, 1U, 0x77U), NotProducing(0U), ConfirmFirst(0U, 2100U), NotProducing(0U), TakeSecond(0U),
-    ConfirmSecond(0U, 2200U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
+    ConfirmSecond(0U, 2200U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U), kP1,
+    // It uses up nothing: a request made meanwhile still waits.
+    ReadyPair(0U), Request(0U), Cycle(3000U), NotProducing(0U), ConfirmFirst(0U, 3100U), ConfirmSecond(0U, 3200U),
+    Cycle(4000U), Due(1U),
 };
 
 constexpr Step kNotInverse[] = {
@@ -169,6 +173,13 @@ constexpr Step kTwoControllers[] = {
     Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U),
     ConfirmFirst(0U, 2100U),
     TakeInverse(0U, CanPortId::kSecond, 0x102U, 2U, 0xCBEDU), On(ConfirmSecond(0U, 2200U), CanPortId::kSecond),
+    Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
+};
+
+constexpr Step kControllersSwapped[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U),
+    Ready(0U, CanPortId::kSecond, 0x101U, 2U, 0x3412U), On(ConfirmFirst(0U, 2100U), CanPortId::kSecond),
+    TakeInverse(0U, CanPortId::kFirst, 0x102U, 2U, 0xCBEDU), ConfirmSecond(0U, 2200U),
     Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
 };
 
@@ -272,6 +283,8 @@ constexpr Case kCases[] = {
     MakeCase("OnlyConsumersHold", {req::SRS_CONS_025}, kMixed, kOneHolds),
     MakeCase("InverseFrameWaitsForTheNormalFrame", {req::SRS_PROD_006, req::SRS_PROD_007}, kSender, kInverseWaits),
     MakeCase("FramesOnTwoControllers", {req::SRS_PROD_006}, kSenderPorts, kTwoControllers),
+    MakeCase("FramesOnSwappedControllers", {req::SRS_PROD_005, req::SRS_PROD_006}, kSenderSwapped,
+             kControllersSwapped),
     MakeCase("LeavingGivesEverythingUp", {req::SRS_PROD_011}, kSender, kLeave),
     MakeCase("NoHalfOfAnOldPair", {req::SRS_PROD_011}, kSender, kLeaveWithInverse),
     MakeCase("FirstTransmissionAfterReentering", {req::SRS_PROD_011, req::SRS_PROD_001}, kSender, kLeaveAndWait),

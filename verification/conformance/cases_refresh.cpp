@@ -98,6 +98,14 @@ constexpr Step kInFlight[] = {
     Cycle(51999U), Due(0U), Cycle(52000U), Due(1U),
 };
 
+// The refresh is skipped, not the request that waits.
+constexpr Step kInFlightWithRequest[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Cycle(20000U), ReadyPair(0U), Request(0U),
+    Cycle(27000U), Due(0U), Signals(0U, kMissedBit), ConfirmFirst(0U, 27100U), ConfirmSecond(0U, 27200U),
+    Cycle(28000U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 28100U), ConfirmSecond(0U, 28200U), Cycle(51999U), Due(0U),
+    Cycle(52000U), Due(1U), Slot(0U, kProducing, Cause::kRefreshMissed, 2U, 1U, 0U),
+};
+
 // No confirmation is examined before the refresh: the pair is given up, so the refresh of the same call takes place.
 constexpr Step kGivenUpFirst[] = {
     Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U),
@@ -244,6 +252,8 @@ constexpr Case kCases[] = {
     MakeCase("RequestIsNoMissedRefresh", {req::SRS_PROD_010, req::SRS_PROD_003}, kProvider, kRequestThenRefresh),
     MakeCase("RefreshThatNobodyPrepares", {req::SRS_PROD_010, req::SRS_PROD_004}, kProvider, kNotPrepared),
     MakeCase("RefreshWhileInFlight", {req::SRS_PROD_010, req::SRS_PROD_009}, kProvider, kInFlight),
+    MakeCase("RequestOutlivesASkippedRefresh", {req::SRS_PROD_010, req::SRS_PROD_003}, kProvider,
+             kInFlightWithRequest),
     MakeCase("ConfirmationIsExaminedBeforeRefresh", {req::SRS_PROD_008, req::SRS_PROD_010}, kProvider, kGivenUpFirst),
     MakeCase("OneRefreshACall", {req::SRS_PROD_010, req::SRS_PROD_002}, kProvider, kLateCalls),
     MakeCase("SilentApplication", {req::SRS_PROD_010, req::SRS_TIME_004, req::SRS_TIME_001}, kSender, kSilent),

@@ -52,11 +52,12 @@ extern const Device kShortest;   ///< SCT 2 ms, SRVT 1 ms, 6300h:01; automatic.
 
 // Producers: cycle 1 ms, tolerance 0.5 ms, refresh 25 ms, SRVT 20 ms, 101h/102h, 6210h:01, 02 and 6211h:01, 02 of 8
 // bits.
-extern const Device kSender;       ///< Node-ID 4, the application sends.
-extern const Device kProvider;     ///< Node-ID 4, the kernel calls.
-extern const Device kProviderLast; ///< Node-ID 127, the kernel calls.
-extern const Device kSenderPorts;  ///< As kSender, inverse frames on the second controller.
-extern const Device kSenderSlow;   ///< As kSender, cycle 2.5 ms.
+extern const Device kSender;        ///< Node-ID 4, the application sends.
+extern const Device kProvider;      ///< Node-ID 4, the kernel calls.
+extern const Device kProviderLast;  ///< Node-ID 127, the kernel calls.
+extern const Device kSenderPorts;   ///< As kSender, inverse frames on the second controller.
+extern const Device kSenderSwapped; ///< As kSender, normal frames on the second controller, inverse ones on the first.
+extern const Device kSenderSlow;    ///< As kSender, cycle 2.5 ms.
 extern const Device
     kWideSender; ///< As kSender, 16 entries of 8 bits (6621h, 6623h), 17Fh/180h, refresh 10 ms, SRVT 5 ms.
 extern const Device kWordSender; ///< As kSender, 6400h, 6401h:04, 03, 01 (32, 24, 8 bits).

@@ -198,6 +198,13 @@ constexpr DeviceConfig OnTwoPorts(DeviceConfig config)
     return config;
 }
 
+constexpr DeviceConfig OnSwappedPorts(DeviceConfig config)
+{
+    config.normal_port = CanPortId::kSecond;
+    config.inverse_port = CanPortId::kFirst;
+    return config;
+}
+
 constexpr DeviceConfig Node(DeviceConfig config, std::uint8_t node_id)
 {
     config.node_id = node_id;
@@ -235,6 +242,7 @@ const Device kSender{kSending, &kSenderValues};
 const Device kProvider{kProviding, &kSenderValues};
 const Device kProviderLast{Node(kProviding, 127U), &kSenderValues};
 const Device kSenderPorts{OnTwoPorts(kSending), &kSenderValues};
+const Device kSenderSwapped{OnSwappedPorts(kSending), &kSenderValues};
 const Device kSenderSlow{Every(kSending, 2500U, 500U), &kSenderValues};
 const Device kWideSender{kSending, &kWideSenderValues};
 const Device kWordSender{kSending, &kWordSenderValues};

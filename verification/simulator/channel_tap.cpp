@@ -118,6 +118,15 @@ CycleOutcome ChannelTap::Fresh(const CycleInput& input) noexcept
     return outcome;
 }
 
+HeldPair ChannelTap::Held(const SlotIndex slot) const noexcept
+{
+    if (!IsStill())
+    {
+        held_[slot] = real_.Held(slot);
+    }
+    return held_[slot];
+}
+
 SrdoView ChannelTap::View(const SlotIndex slot) const noexcept
 {
     if (!IsStill())
@@ -152,22 +161,6 @@ Permit ChannelTap::Answer(const std::uint32_t challenge) const noexcept
     return permit_;
 }
 
-void ChannelTap::Request(const SlotIndex slot) noexcept
-{
-    if (!IsStill())
-    {
-        real_.Request(slot);
-    }
-}
-
-void ChannelTap::Hold(const SlotIndex slot) noexcept
-{
-    if (!IsStill())
-    {
-        real_.Hold(slot);
-    }
-}
-
 PreparedPair ChannelTap::Prepare(const SlotIndex slot) noexcept
 {
     if (!IsStill())
@@ -177,32 +170,24 @@ PreparedPair ChannelTap::Prepare(const SlotIndex slot) noexcept
     return prepared_;
 }
 
-void ChannelTap::Launch(const SlotIndex slot) noexcept
+Confirmation ChannelTap::OnConfirm(const CanFrame& frame, const Instant stamp) noexcept
 {
+    Confirmation confirmation{kNoSlot, ConfirmStep::kNone};
     if (!IsStill())
     {
-        real_.Launch(slot);
+        confirmation = real_.OnConfirm(frame, stamp);
     }
+    return confirmation;
 }
 
-CanFrame ChannelTap::NextFrame(const SlotIndex slot) noexcept
+CanFrame ChannelTap::InverseFrame(const SlotIndex slot) noexcept
 {
     CanFrame frame{};
     if (!IsStill())
     {
-        frame = real_.NextFrame(slot);
+        frame = real_.InverseFrame(slot);
     }
     return frame;
-}
-
-SlotIndex ChannelTap::OnConfirm(const CanFrame& frame, const Instant stamp) noexcept
-{
-    SlotIndex slot = kNoSlot;
-    if (!IsStill())
-    {
-        slot = real_.OnConfirm(frame, stamp);
-    }
-    return slot;
 }
 
 void ChannelTap::OnTransmitFault(const SlotIndex slot, const SrdoCause cause) noexcept

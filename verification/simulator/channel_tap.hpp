@@ -37,16 +37,14 @@ class ChannelTap final : public Channel
     [[nodiscard]] CheckResult Recheck(SlotIndex slot) noexcept override;
     void OnFrame(const CanFrame& frame, Instant stamp) noexcept override;
     [[nodiscard]] CycleOutcome OnCycle(const CycleInput& input) noexcept override;
+    [[nodiscard]] HeldPair Held(SlotIndex slot) const noexcept override;
     [[nodiscard]] SrdoView View(SlotIndex slot) const noexcept override;
     void Demote(SlotIndex slot) noexcept override;
     void Commit(const Agreement& agreement) noexcept override;
     [[nodiscard]] Permit Answer(std::uint32_t challenge) const noexcept override;
-    void Request(SlotIndex slot) noexcept override;
-    void Hold(SlotIndex slot) noexcept override;
     [[nodiscard]] PreparedPair Prepare(SlotIndex slot) noexcept override;
-    void Launch(SlotIndex slot) noexcept override;
-    [[nodiscard]] CanFrame NextFrame(SlotIndex slot) noexcept override;
-    [[nodiscard]] SlotIndex OnConfirm(const CanFrame& frame, Instant stamp) noexcept override;
+    [[nodiscard]] Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept override;
+    [[nodiscard]] CanFrame InverseFrame(SlotIndex slot) noexcept override;
     void OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept override;
 
   private:
@@ -65,6 +63,7 @@ class ChannelTap final : public Channel
     PreparedPair prepared_{};
     CheckResult check_{};
     mutable Permit permit_{};
+    mutable std::array<HeldPair, kMaxSrdoCount> held_{};
     mutable std::array<SrdoView, kMaxSrdoCount> views_{};
 };
 } // namespace counterpoint::simulator

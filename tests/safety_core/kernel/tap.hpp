@@ -51,6 +51,8 @@ class Tap final : public Channel
     }
     CycleOutcome OnCycle(const CycleInput& input) noexcept override
     {
+        requests |= input.request;
+        stands += (input.stand == 0U) ? 0 : 1;
         CycleOutcome outcome = skip_cycle ? CycleOutcome{} : real_.OnCycle(input);
         if (on_outcome)
         {
@@ -58,11 +60,15 @@ class Tap final : public Channel
         }
         return outcome;
     }
+    HeldPair Held(SlotIndex slot) const noexcept override
+    {
+        HeldPair held = real_.Held(slot);
+        held.data.low ^= data_flip;
+        return held;
+    }
     SrdoView View(SlotIndex slot) const noexcept override
     {
-        SrdoView view = real_.View(slot);
-        view.data.low ^= data_flip;
-        return view;
+        return real_.View(slot);
     }
     void Demote(SlotIndex slot) noexcept override
     {
@@ -79,32 +85,23 @@ class Tap final : public Channel
         permit.response ^= permit_flip;
         return permit;
     }
-    void Request(SlotIndex slot) noexcept override
-    {
-        real_.Request(slot);
-    }
-    void Hold(SlotIndex slot) noexcept override
-    {
-        ++holds;
-        real_.Hold(slot);
-    }
     PreparedPair Prepare(SlotIndex slot) noexcept override
     {
         PreparedPair pair = real_.Prepare(slot);
-        pair.normal.low ^= prepare_flip;
+        if (on_prepared)
+        {
+            on_prepared(pair);
+        }
         return pair;
     }
-    void Launch(SlotIndex slot) noexcept override
+    Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept override
     {
-        real_.Launch(slot);
+        return drop_confirms ? Confirmation{kNoSlot, ConfirmStep::kNone} : real_.OnConfirm(frame, stamp);
     }
-    CanFrame NextFrame(SlotIndex slot) noexcept override
+    CanFrame InverseFrame(SlotIndex slot) noexcept override
     {
-        return withhold_frames ? CanFrame{} : real_.NextFrame(slot);
-    }
-    SlotIndex OnConfirm(const CanFrame& frame, Instant stamp) noexcept override
-    {
-        return drop_confirms ? kNoSlot : real_.OnConfirm(frame, stamp);
+        ++inverse_frames;
+        return withhold_frames ? CanFrame{} : real_.InverseFrame(slot);
     }
     void OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept override
     {
@@ -112,14 +109,16 @@ class Tap final : public Channel
     }
 
     std::function<void(CycleOutcome&)> on_outcome{};
+    std::function<void(PreparedPair&)> on_prepared{};
+    SrdoMask requests{0U}; ///< All that were asked for.
     std::uint32_t load_flip{0U};
     std::uint32_t data_flip{0U};
     std::uint32_t permit_flip{0U};
-    std::uint32_t prepare_flip{0U};
     std::uint16_t signature_flip{0U};
     ConfigFault check_fault{ConfigFault::kNone};
     int demotions{0};
-    int holds{0};
+    int stands{0};         ///< Calls with a producer that stands.
+    int inverse_frames{0}; ///< Times that it was asked for one.
     bool withhold_frames{false};
     bool drop_store{false};
     bool drop_frames{false};

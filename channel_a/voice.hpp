@@ -1,0 +1,105 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CHANNEL_A_VOICE_HPP
+#define CHANNEL_A_VOICE_HPP
+
+#include "channel_a/slots.hpp"
+#include "channel_a/storage.hpp"
+#include "channel_a/transitions.hpp"
+#include "safety_core/contract/configuration.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace counterpoint::channel_a
+{
+
+/// Everything that is not of one SRDO. Restart makes it anew but for the storage; zero is the start of all the rest.
+struct Voice
+{
+    Storage storage;
+    const DeviceConfig* config;
+    CanPortId ports[2]; ///< Controllers of the normal frames (0) and of the inverse frames (1). MISRA D-001
+    std::uint8_t count;
+    std::uint8_t gfc_parameter;
+    std::uint8_t configuration_valid;
+    std::uint8_t consumer_count;
+    std::uint8_t producer_count;
+    std::uint8_t off_count;
+    bool is_active; ///< OPERATIONAL with a valid configuration.
+    bool has_run;
+    bool may_send; ///< The first possible transmission has come.
+    bool gfc_pending;
+    Instant now;
+    Instant entered; ///< OPERATIONAL, by the OnCycle that saw it first.
+    std::uint32_t cycle;
+    std::uint32_t late_after_us;  ///< Since the OnCycle before.
+    std::uint32_t first_delay_us; ///< From OPERATIONAL to the first possible transmission.
+    std::uint32_t ordinal_sum;
+    SrdoMask fresh;
+    SrdoMask unwritten;           ///< The held pair was not written yet.
+    SrdoMask attention;           ///< Slots that the next OnCycle has to serve even if no limit expires.
+    SrdoMask flying;              ///< Producers with a pair in flight.
+    SrdoMask requested;           ///< Producers whose application asked for sending.
+    SrdoMask refreshed;           ///< Producers that are due by a refresh.
+    SrdoMask groups[kGroupCount]; ///< MISRA D-001
+    SrdoMask committed;           ///< The objects hold a pair.
+    SrdoMask levels;              ///< Acknowledge inputs as the last OnCycle saw them.
+    SrdoMask existing;
+};
+
+[[nodiscard]] inline Record& At(const Voice& voice, const SlotIndex slot) noexcept
+{
+    return voice.storage.records[slot]; // MISRA D-002
+}
+
+/// @brief kNoSlot, which is not below the count, where no SRDO has this identifier.
+[[nodiscard]] inline SlotIndex SlotOfPlace(const Voice& voice, const std::uint32_t place) noexcept
+{
+    return static_cast<SlotIndex>(voice.storage.look_up[place >> 1U] - 1U); // MISRA D-002
+}
+
+[[nodiscard]] inline SrdoMask ConsumersOf(const Voice& voice) noexcept
+{
+    return voice.groups[kGroupWaiting] | voice.groups[kGroupFaulted] | voice.groups[kGroupReleased];
+}
+
+/// @brief Refresh time or SCT.
+[[nodiscard]] inline std::uint32_t SctUs(const Record& record) noexcept
+{
+    return record.values[kSctPlace] * kMicrosecondsPerMillisecond;
+}
+
+[[nodiscard]] inline std::uint32_t SrvtUs(const Record& record) noexcept
+{
+    return record.values[kSrvtPlace] * kMicrosecondsPerMillisecond;
+}
+
+// channel.cpp: what follows every event, in one place.
+
+/// @brief A step of the table and its fault, if it is one; `given` is the cause where the cell names none.
+void Raise(Voice& voice, SlotIndex slot, Event event, SrdoCause given) noexcept;
+/// @brief Counts a fault and keeps it if it is the first. [SRS-CONS-020]
+void Count(Record& record, SrdoCause cause) noexcept;
+/// @brief A fault that the next OnCycle, or the one that goes on, tells.
+void Report(Voice& voice, SlotIndex slot, SrdoCause cause) noexcept;
+/// @brief Drops the held pair; a pending normal frame stays, with its limit.
+void Discard(Voice& voice, SlotIndex slot) noexcept;
+/// @brief No identifier leads to an SRDO any more.
+void ClearLookUp(const Voice& voice) noexcept;
+/// @brief Puts slots into the mask of their group.
+void MoveTo(Voice& voice, SrdoMask bits, std::uint8_t group) noexcept;
+
+// mapping.cpp: the only source that knows where objects are and how long.
+
+/// @brief SRS-CFG-026 to 028; leaves the places of the objects in the record.
+[[nodiscard]] ConfigFault Resolve(const DeviceConfig& config, Record& record) noexcept;
+/// @brief Whether the places still lead to what the entries name. [SRS-CFG-030]
+[[nodiscard]] bool HoldsTable(const DeviceConfig& config, const Record& record) noexcept;
+/// @brief Data into the normal objects.
+void WriteObjects(const DeviceConfig& config, const Record& record, const Octets& data) noexcept;
+/// @brief Normal objects into `held`. False if a bit of an inverse object is not inverted.
+[[nodiscard]] bool ReadObjects(const DeviceConfig& config, Record& record) noexcept;
+
+} // namespace counterpoint::channel_a
+
+#endif
