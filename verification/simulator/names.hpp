@@ -45,6 +45,9 @@ inline constexpr Word<DeviceFault> kDeviceFaultWords[] = {
     {"late_call", DeviceFault::kLateCall},
     {"frame_order", DeviceFault::kFrameOrder},
     {"application", DeviceFault::kApplication},
+    {"self_test", DeviceFault::kSelfTest},
+    {"handshake", DeviceFault::kHandshake},
+    {"cross_link", DeviceFault::kCrossLink},
     {"latch_corrupted", DeviceFault::kInvalid},
 };
 
