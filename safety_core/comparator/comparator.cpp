@@ -26,14 +26,18 @@ std::uint32_t WordAt(const std::uint8_t* const bytes) noexcept
            (static_cast<std::uint32_t>(bytes[3U]) << 24U); // MISRA D-002
 }
 
-std::uint32_t Unequal(const CanFrame& left, const CanFrame& right) noexcept
+// 0 when the frames have the same data.
+std::uint32_t UnequalData(const CanFrame& left, const CanFrame& right) noexcept
 {
-    const std::uint32_t first_half = WordAt(&left.data[0]) ^ WordAt(&right.data[0]);
-    const std::uint32_t second_half = WordAt(&left.data[4]) ^ WordAt(&right.data[4]);
-    const std::uint32_t form = Unequal(static_cast<std::uint8_t>(left.kind), static_cast<std::uint8_t>(right.kind)) |
-                               Unequal(static_cast<std::uint8_t>(left.port), static_cast<std::uint8_t>(right.port)) |
-                               Unequal(left.length_bytes, right.length_bytes);
-    return (left.identifier ^ right.identifier) | form | first_half | second_half;
+    return (WordAt(&left.data[0]) ^ WordAt(&right.data[0])) | (WordAt(&left.data[4]) ^ WordAt(&right.data[4]));
+}
+
+// 0 when the frames are of the same form.
+std::uint32_t UnequalForm(const CanFrame& left, const CanFrame& right) noexcept
+{
+    const std::uint32_t kinds = Unequal(static_cast<std::uint8_t>(left.kind), static_cast<std::uint8_t>(right.kind));
+    const std::uint32_t ports = Unequal(static_cast<std::uint8_t>(left.port), static_cast<std::uint8_t>(right.port));
+    return (left.identifier ^ right.identifier) | kinds | ports | Unequal(left.length_bytes, right.length_bytes);
 }
 
 // 0 when both voices speak of the expected cycle, the same guard and the same counts.
@@ -72,10 +76,19 @@ void Comparator::Restart(const ComparatorSetup& setup) noexcept
     previous_ = Instant{0U};
 }
 
-DeviceFault Comparator::ComparePrepared(const PreparedPair& a, const PreparedPair& b) noexcept
+PreparedVerdict Comparator::ComparePrepared(const PreparedPair& a, const PreparedPair& b) noexcept
 {
-    const std::uint32_t status = Unequal(static_cast<std::uint8_t>(a.status), static_cast<std::uint8_t>(b.status));
-    return ((status | Unequal(a.normal, b.normal)) == 0U) ? DeviceFault::kNone : DeviceFault::kDisagreement;
+    const std::uint32_t statuses = Unequal(static_cast<std::uint8_t>(a.status), static_cast<std::uint8_t>(b.status));
+    PreparedVerdict verdict = PreparedVerdict::kEqual;
+    if (UnequalData(a.normal, b.normal) != 0U)
+    {
+        verdict = PreparedVerdict::kNotInverse;
+    }
+    if ((statuses | UnequalForm(a.normal, b.normal)) != 0U)
+    {
+        verdict = PreparedVerdict::kDisagreement;
+    }
+    return verdict;
 }
 
 Verdict Comparator::Compare(const Comparison& comparison) noexcept

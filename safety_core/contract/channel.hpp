@@ -123,13 +123,13 @@ enum class PrepareStatus : std::uint8_t
 {
     kInvalid = 0U,
     kReady = 0x69U,
-    kNotInverse = 1U,  ///< At least one bit of an inverse object is not the inverse; recorded as fault of this slot.
+    kNotInverse = 1U,
     kNotProducer = 2U, ///< Not an idle producer in OPERATIONAL.
 };
 
-/// What one channel wants to have on the bus. Both give the complete normal frame, so that the identifier, the
-/// controller and the length are compared as well as the data. All of `normal` is 0 unless `status` is kReady; bytes
-/// behind its length are 0.
+/// What one channel wants to have on the bus. Each reads its own side, and both give the complete normal frame: where
+/// they are equal every bit of the inversion holds, and identifier, controller and length were found twice. All of
+/// `normal` is 0 unless `status` is kReady; bytes behind its length are 0.
 struct PreparedPair
 {
     CanFrame
@@ -202,7 +202,7 @@ class Channel
     /// @brief This channel's permit for the slots it released in the last Commit. O(1) [SRS-REL-010]
     [[nodiscard]] virtual Permit Answer(std::uint32_t challenge) const noexcept = 0;
 
-    /// @brief Reads both objects of every entry and checks every bit of the inversion; uses up what made it due. A pair
+    /// @brief Reads the objects of its own side (A the normal, B the inverse ones); uses up what made the slot due. A pair
     /// that is kReady is in flight from the `now` of the last OnCycle. O(entries) [SRS-PROD-005, SRS-PROD-006]
     [[nodiscard]] virtual PreparedPair Prepare(SlotIndex slot) noexcept = 0;
     /// @brief A frame of this device was on the bus. O(payload) [SRS-PROD-007]
@@ -210,7 +210,8 @@ class Channel
     /// @brief Channel B: the inverse frame of a pair whose normal frame was confirmed; handed out once. Channel A has
     /// none to hand out. Kind kInvalid and all bytes 0 if there is none. O(payload) [SRS-PROD-006]
     [[nodiscard]] virtual CanFrame InverseFrame(SlotIndex slot) noexcept = 0;
-    /// @brief The transmission of this slot failed (kTransmitQueue, kBusOff): recorded, the pair is given up.
+    /// @brief The transmission of this slot failed (kTransmitQueue, kBusOff), or the two sides are not inverse
+    /// (kNotInverse): recorded, the pair is given up.
     /// [SRS-PROD-009]
     virtual void OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept = 0;
 

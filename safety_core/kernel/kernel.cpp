@@ -150,8 +150,8 @@ void Kernel::TestComparator(const Comparison& comparison) noexcept
     right.normal.identifier = comparison.challenge;
     PreparedPair wrong = right;
     wrong.normal.data[test_number_] ^= one; // MISRA D-002
-    const DeviceFault data = Comparator::ComparePrepared(right, wrong);
-    if ((verdict.fault == DeviceFault::kNone) || (data == DeviceFault::kNone))
+    const PreparedVerdict data = Comparator::ComparePrepared(right, wrong);
+    if ((verdict.fault == DeviceFault::kNone) || (data != PreparedVerdict::kNotInverse))
     {
         latch_.Enter(DeviceFault::kComparator, kNoSlot);
     }

@@ -165,6 +165,7 @@ class Kernel
     void Produce() noexcept;
     void ProduceSlot(SlotIndex slot) noexcept;
     void FollowNormal(SlotIndex slot) noexcept;
+    void GiveUp(SlotIndex slot, SrdoCause cause) noexcept;
     void HandOver(SlotIndex slot, const CanFrame& frame) noexcept;
     void FollowGfc() noexcept;
     void SetGfcLimit() noexcept;

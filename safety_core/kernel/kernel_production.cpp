@@ -34,34 +34,41 @@ void Kernel::ProduceSlot(const SlotIndex slot) noexcept
     }
     const PreparedPair pair_a = parts_.channel_a.Prepare(slot);
     const PreparedPair pair_b = parts_.channel_b.Prepare(slot);
-    const DeviceFault fault = Comparator::ComparePrepared(pair_a, pair_b);
-    if (fault != DeviceFault::kNone)
+    const PreparedVerdict verdict = Comparator::ComparePrepared(pair_a, pair_b);
+    if (verdict == PreparedVerdict::kEqual)
     {
-        latch_.Enter(fault, slot);
-        return;
+        HandOver(slot, pair_a.normal);
     }
-    if (pair_a.status != PrepareStatus::kReady)
+    else if (verdict == PreparedVerdict::kNotInverse)
     {
-        return; // Recorded by the channels as a fault of the SRDO.
+        GiveUp(slot, SrdoCause::kNotInverse);
     }
-    gfc_open_ = false;
-    HandOver(slot, pair_a.normal);
+    else
+    {
+        latch_.Enter(DeviceFault::kDisagreement, slot);
+    }
 }
 
+void Kernel::GiveUp(const SlotIndex slot, const SrdoCause cause) noexcept
+{
+    parts_.channel_a.OnTransmitFault(slot, cause);
+    parts_.channel_b.OnTransmitFault(slot, cause);
+}
+
+// A channel that has no frame to send gives one of kind kInvalid; one that should have been there is missed as
+// kNoConfirmation.
 void Kernel::HandOver(const SlotIndex slot, const CanFrame& frame) noexcept
 {
     if (frame.kind != FrameKind::kData)
     {
-        return; // Nothing to send; a frame that should have been there is missed as kNoConfirmation.
-    }
-    const hal::TransmitStatus status = parts_.can.Transmit(frame);
-    if (status == hal::TransmitStatus::kAccepted)
-    {
         return;
     }
-    const SrdoCause cause = (status == hal::TransmitStatus::kBusOff) ? SrdoCause::kBusOff : SrdoCause::kTransmitQueue;
-    parts_.channel_a.OnTransmitFault(slot, cause);
-    parts_.channel_b.OnTransmitFault(slot, cause);
+    gfc_open_ = false;
+    const hal::TransmitStatus status = parts_.can.Transmit(frame);
+    if (status != hal::TransmitStatus::kAccepted)
+    {
+        GiveUp(slot, (status == hal::TransmitStatus::kBusOff) ? SrdoCause::kBusOff : SrdoCause::kTransmitQueue);
+    }
 }
 
 // t      prepare            normal on the bus         inverse on the bus
