@@ -154,7 +154,11 @@ class Kernel
     [[nodiscard]] static StartResult CheckTiming(const DeviceConfig& config) noexcept;
     [[nodiscard]] StartResult CheckPlatform(const DeviceConfig& config) const noexcept;
     [[nodiscard]] SlotIndex SlotAt(CommunicationIndex index) const noexcept;
-    [[nodiscard]] CommunicationIndex IndexOf(SlotIndex slot) const noexcept;
+    [[nodiscard]] CommunicationIndex IndexOf(const SlotIndex slot) const noexcept
+    {
+        const std::uint32_t number = config_->srdos[slot].number; // MISRA D-002
+        return CommunicationIndex{static_cast<std::uint16_t>((kFirstCommunication - 1U) + number)};
+    }
     [[nodiscard]] Result SendReadiness() const noexcept;
     void Adopt(const DeviceFaultReport& report) noexcept;
     void CompareOutcomes(const CycleCall& call, std::uint32_t challenge, const CycleOutcome& a,
@@ -164,7 +168,6 @@ class Kernel
     void Commit() noexcept;
     void Produce() noexcept;
     void ProduceSlot(SlotIndex slot) noexcept;
-    void FollowNormal(SlotIndex slot) noexcept;
     void GiveUp(SlotIndex slot, SrdoCause cause) noexcept;
     void HandOver(SlotIndex slot, const CanFrame& frame) noexcept;
     void FollowGfc() noexcept;

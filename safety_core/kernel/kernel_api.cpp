@@ -9,8 +9,6 @@ namespace counterpoint
 namespace
 {
 
-constexpr std::uint16_t kFirstCommunication = 0x1301U;
-
 struct RuleResult
 {
     ConfigFault rule;
@@ -50,12 +48,6 @@ SlotIndex Kernel::SlotAt(const CommunicationIndex index) const noexcept
         return kNoSlot;
     }
     return SlotOf(*config_, SrdoNumber{static_cast<std::uint8_t>(distance + 1U)});
-}
-
-CommunicationIndex Kernel::IndexOf(const SlotIndex slot) const noexcept
-{
-    const std::uint32_t number = config_->srdos[slot].number; // MISRA D-002
-    return CommunicationIndex{static_cast<std::uint16_t>((kFirstCommunication - 1U) + number)};
 }
 
 void Kernel::SetNmtState(const NmtState state) noexcept

@@ -88,26 +88,18 @@ void Kernel::OnConfirm(const StampedFrame& frame) noexcept
     {
         return;
     }
-    if (a.step == ConfirmStep::kNormal)
-    {
-        FollowNormal(a.slot);
-    }
-    else if (a.step == ConfirmStep::kPair)
+    if (a.step == ConfirmStep::kPair)
     {
         ++transmitted_;
         parts_.application.OnSrdoEvent(IndexOf(a.slot));
     }
+    else if ((a.step == ConfirmStep::kNormal) && latch_.IsRunning())
+    {
+        HandOver(a.slot, parts_.channel_b.InverseFrame(a.slot));
+    }
     else
     {
-        // Two channels that agree on something that is no step: nothing follows.
-    }
-}
-
-void Kernel::FollowNormal(const SlotIndex slot) noexcept
-{
-    if (latch_.IsRunning())
-    {
-        HandOver(slot, parts_.channel_b.InverseFrame(slot));
+        // The device is safe, or two channels agree on something that is no step: nothing follows.
     }
 }
 
