@@ -134,7 +134,7 @@ TEST_F(SignCommandTest, WritesTheSignaturesAndNothingElse)
     const std::string file = File("in.dcf", unsigned_text);
     const Answer answer = RunCommand({"sign", file, "--write", Path("out.dcf")});
     EXPECT_EQ(answer.status, 0);
-    EXPECT_EQ(answer.out, "0x13FF:01 = 0xE3BF\n0x13FF:02 = 0xCA45\n");
+    EXPECT_EQ(answer.out, "0x13FF:01 = 0xE3BF\n0x13FF:02 = 0xCA45\n0x5F04:00 = 0x0D6A53FF\n");
     EXPECT_EQ(cia306::ReadTextFile(Path("out.dcf")), text);
     EXPECT_EQ(cia306::ReadTextFile(file), unsigned_text);
     // In place.
@@ -151,7 +151,7 @@ TEST_F(SignCommandTest, WritesNothingWhenItRefuses)
     const Answer answer = RunCommand({"sign", file, "--write", Path("out.dcf")});
     EXPECT_EQ(answer.status, 2);
     EXPECT_EQ(answer.err, file +
-                              ":310: error: 0x13FF:01 is missing, expected an object that takes the signature of SRDO "
+                              ":312: error: 0x13FF:01 is missing, expected an object that takes the signature of SRDO "
                               "1\n");
     EXPECT_FALSE(std::filesystem::exists(Path("out.dcf")));
     const Answer folder = RunCommand({"sign", GoldFile(), "--write", Path("no/out.dcf")});

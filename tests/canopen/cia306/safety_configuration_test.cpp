@@ -156,20 +156,20 @@ TEST(SafetyConfiguration, WhatIsMissingOrWrongIsReportedWithItsPlace)
         std::string problem;
     };
     const Row rows[] = {
-        {{{"[1301sub2]", "[1301sub9]"}}, "f:183: error: 0x1301:02: is missing, expected an object of type UNSIGNED16"},
+        {{{"[1301sub2]", "[1301sub9]"}}, "f:185: error: 0x1301:02: is missing, expected an object of type UNSIGNED16"},
         {{{"DataType=0x0006\nAccessType=rw\nDefaultValue=25", "DataType=0x0005\nAccessType=rw\nDefaultValue=25"}},
-         "f:207: error: 0x1301:02: DataType is 0x0005 (UNSIGNED8), expected 0x0006 (UNSIGNED16)"},
+         "f:209: error: 0x1301:02: DataType is 0x0005 (UNSIGNED8), expected 0x0006 (UNSIGNED16)"},
         {{{"DefaultValue=25\nParameterValue=25\n", "DefaultValue=\n"}},
-         "f:207: error: 0x1301:02: has no value, expected a ParameterValue or DefaultValue"},
+         "f:209: error: 0x1301:02: has no value, expected a ParameterValue or DefaultValue"},
         {{{"ParameterValue=25\n", "ParameterValue=65536\n"}},
-         "f:213: error: 0x1301:02: value '65536', expected a number from 0 to 65535 (UNSIGNED16)"},
+         "f:215: error: 0x1301:02: value '65536', expected a number from 0 to 65535 (UNSIGNED16)"},
         {{{"[1381]", "[1391]"},
           {"[1381sub0]", "[1391sub0]"},
           {"[1381sub1]", "[1391sub1]"},
           {"[1381sub2]", "[1391sub2]"},
           {"[1381sub3]", "[1391sub3]"},
           {"[1381sub4]", "[1391sub4]"}},
-         "f:183: error: 0x1381: SRDO 1 has no mapping parameters, expected a section [1381]"},
+         "f:185: error: 0x1381: SRDO 1 has no mapping parameters, expected a section [1381]"},
     };
     for (const Row& row : rows)
     {
