@@ -35,6 +35,20 @@ void Kernel::Adopt(const DeviceFaultReport& report) noexcept
     latch_.Enter(report.fault, report.slot);
 }
 
+// Before any other part is called. [SRS-STS-040, SRS-STS-063]
+PartsView Kernel::ExamineSelf() noexcept
+{
+    if (parts_.self_test == nullptr)
+    {
+        flow_.Mark(FlowStep::kSelfTest, kDone);
+        return PartsView::kSound;
+    }
+    const SelfTestOutcome outcome = parts_.self_test->OnCycle();
+    latch_.Enter((outcome.parts == PartsView::kSound) ? outcome.fault : DeviceFault::kSelfTest, kNoSlot);
+    flow_.Mark(FlowStep::kSelfTest, FlowEvidence{outcome.progress, cycle_});
+    return outcome.parts;
+}
+
 void Kernel::OnFrame(const StampedFrame& frame) noexcept
 {
     if (!started_)
@@ -65,8 +79,12 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     }
     ++cycle_;
     now_ = call.now;
-    const std::uint32_t challenge = parts_.output.Challenge();
     flow_.Begin();
+    if (ExamineSelf() != PartsView::kSound)
+    {
+        return; // No permit, no answer to the watchdog: the outputs close, and nobody can be called to be told.
+    }
+    const std::uint32_t challenge = parts_.output.Challenge();
 
     latch_.Enter(clocks_.OnCycle(call.now), kNoSlot);
     flow_.Mark(FlowStep::kClocks, kDone);

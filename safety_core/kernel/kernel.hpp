@@ -12,6 +12,7 @@
 #include "safety_core/kernel/flow_monitor.hpp"
 #include "safety_core/kernel/object_access.hpp"
 #include "safety_core/kernel/safe_state_latch.hpp"
+#include "safety_core/kernel/self_test_part.hpp"
 
 #include <cstdint>
 
@@ -28,6 +29,7 @@ struct KernelParts
     hal::SafetyOutput& output;
     hal::Watchdog& watchdog;
     Application& application;
+    SelfTestPart* self_test{nullptr}; ///< Optional. [SRS-STS-063]
 };
 
 /// Whether OnFlow is called; the flow monitor works with either. [SRS-FLOW-004]
@@ -161,6 +163,7 @@ class Kernel
     }
     [[nodiscard]] Result SendReadiness() const noexcept;
     void Adopt(const DeviceFaultReport& report) noexcept;
+    [[nodiscard]] PartsView ExamineSelf() noexcept;
     void CompareOutcomes(const CycleCall& call, std::uint32_t challenge, const CycleOutcome& a,
                          const CycleOutcome& b) noexcept;
     void TestComparator(const Comparison& comparison) noexcept;
