@@ -23,6 +23,11 @@ void HostOutput::Drive(const hal::PermitSet& permits) noexcept
     gate_.Drive(permits, Instant{static_cast<std::uint32_t>(driven_us_)});
 }
 
+hal::ProbeAnswer HostOutput::Probe(const hal::PermitSet& permits, const std::uint32_t challenge) const noexcept
+{
+    return hal::OutputGate::Probe(permits, challenge);
+}
+
 SrdoMask HostOutput::Open()
 {
     const bool same_start = watchdog_.Starts() == watchdog_start_;

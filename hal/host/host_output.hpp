@@ -23,6 +23,8 @@ class HostOutput final : public hal::SafetyOutput
 
     [[nodiscard]] std::uint32_t Challenge() noexcept override;
     void Drive(const hal::PermitSet& permits) noexcept override;
+    [[nodiscard]] hal::ProbeAnswer Probe(const hal::PermitSet& permits,
+                                         std::uint32_t challenge) const noexcept override;
     /// @brief Slots whose outputs are open at the present instant of the bus.
     [[nodiscard]] SrdoMask Open();
     /// @brief When the open slots close if nothing more happens; kNever if none is open.

@@ -23,6 +23,10 @@ class OutputTap final : public hal::SafetyOutput
         permits_ = permits;
         real_.Drive(permits);
     }
+    [[nodiscard]] hal::ProbeAnswer Probe(const hal::PermitSet& permits, std::uint32_t challenge) const noexcept override
+    {
+        return real_.Probe(permits, challenge);
+    }
     [[nodiscard]] const hal::PermitSet& Permits() const noexcept
     {
         return permits_;
