@@ -19,7 +19,8 @@ std::uint32_t OwnPart(const DeviceConfig& config, const SrdoTimes& times, const 
     case FaultClass::kBus:
         return Microseconds(times.sct_ms);
     case FaultClass::kBusNextNormal:
-        return Microseconds(times.sct_ms) + Microseconds(times.srvt_ms);
+        return Microseconds(times.sct_ms) +
+               ((times.detection == SrvtDetection::kLate) ? 0U : Microseconds(times.srvt_ms));
     case FaultClass::kChannel:
         return config.discrepancy_us;
     case FaultClass::kConfiguration:

@@ -14,7 +14,7 @@ enum class FaultClass : std::uint8_t
 {
     kInvalid = 0U,
     kBus = 1U,           ///< Loss, delay, anything on the bus: from the last good normal frame.
-    kBusNextNormal = 2U, ///< The same where the next normal frame still came (early detection).
+    kBusNextNormal = 2U, ///< The same where the next normal frame still came, by the SRDO's detection.
     kWrongFrame = 3U,    ///< A frame that is wrong in itself: from its arrival.
     kChannel = 4U,       ///< One channel stuck, skipped, wrong data.
     kConfiguration = 5U, ///< Configuration, memory, table.
@@ -22,11 +22,12 @@ enum class FaultClass : std::uint8_t
     kClock = 7U,         ///< Clock, cycle.
 };
 
-/// Times of the SRDO concerned, from its objects. Milliseconds.
+/// Times of the SRDO concerned, from its objects, and how it finds a missing inverse frame. Milliseconds.
 struct SrdoTimes
 {
     std::uint16_t sct_ms;
     std::uint8_t srvt_ms;
+    SrvtDetection detection{SrvtDetection::kEarly};
 };
 
 struct Limit

@@ -372,26 +372,26 @@ TEST(ComparePrepared, EqualPairsAgree)
 {
     Verifies(req::SRS_CMP_010);
     const PreparedPair other = kPrepared;
-    EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), DeviceFault::kNone);
-    EXPECT_EQ(Comparator::ComparePrepared(PreparedPair{}, PreparedPair{}), DeviceFault::kNone);
+    EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), PreparedVerdict::kEqual);
+    EXPECT_EQ(Comparator::ComparePrepared(PreparedPair{}, PreparedPair{}), PreparedVerdict::kEqual);
 }
 
 TEST(ComparePrepared, AnotherStatusKindOrLengthIsADisagreement)
 {
     Verifies(req::SRS_CMP_010);
     PreparedPair other = kPrepared;
-    other.status = PrepareStatus::kNotInverse;
-    EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), DeviceFault::kDisagreement);
-    EXPECT_EQ(Comparator::ComparePrepared(other, kPrepared), DeviceFault::kDisagreement);
+    other.status = PrepareStatus::kNotProducer;
+    EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), PreparedVerdict::kDisagreement);
+    EXPECT_EQ(Comparator::ComparePrepared(other, kPrepared), PreparedVerdict::kDisagreement);
     other = kPrepared;
     other.normal.kind = FrameKind::kRemote;
-    EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), DeviceFault::kDisagreement);
+    EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), PreparedVerdict::kDisagreement);
     other = kPrepared;
     other.normal.port = CanPortId::kSecond;
-    EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), DeviceFault::kDisagreement);
+    EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), PreparedVerdict::kDisagreement);
     other = kPrepared;
     other.normal.length_bytes = 3U;
-    EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), DeviceFault::kDisagreement);
+    EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), PreparedVerdict::kDisagreement);
 }
 
 TEST(ComparePrepared, EveryBitOfTheIdentifierAndOfTheDataCounts)
@@ -401,14 +401,14 @@ TEST(ComparePrepared, EveryBitOfTheIdentifierAndOfTheDataCounts)
     {
         PreparedPair other = kPrepared;
         other.normal.identifier ^= 1U << bit;
-        EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), DeviceFault::kDisagreement) << "bit " << bit;
+        EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), PreparedVerdict::kDisagreement) << "bit " << bit;
     }
     for (std::uint32_t bit = 0U; bit < 64U; ++bit)
     {
         PreparedPair other = kPrepared;
         std::uint8_t& byte = other.normal.data[bit / 8U];
         byte = static_cast<std::uint8_t>(byte ^ (1U << (bit % 8U)));
-        EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), DeviceFault::kDisagreement) << "bit " << bit;
+        EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), PreparedVerdict::kNotInverse) << "bit " << bit;
     }
 }
 

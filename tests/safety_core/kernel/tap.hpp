@@ -5,6 +5,7 @@
 #include "safety_core/contract/channel.hpp"
 
 #include <functional>
+#include <vector>
 
 namespace counterpoint
 {
@@ -33,6 +34,19 @@ class Tap final : public Channel
         ConfigItem item = real_.Load(address);
         item.value ^= load_flip;
         return item;
+    }
+    ChannelRoom Room() const noexcept override
+    {
+        return room;
+    }
+    void SetFields(SlotIndex slot, const StaticFields& fields) noexcept override
+    {
+        ++fields_set;
+        real_.SetFields(slot, fields);
+    }
+    DeviceDigest Digest(SlotIndex slot, DeviceDigest before) const noexcept override
+    {
+        return DeviceDigest{real_.Digest(slot, before).value ^ ((slot == digest_slot) ? digest_flip : 0U)};
     }
     CheckResult Validate(SlotIndex slot) noexcept override
     {
@@ -105,15 +119,21 @@ class Tap final : public Channel
     }
     void OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept override
     {
+        transmit_faults.push_back(cause);
         real_.OnTransmitFault(slot, cause);
     }
 
     std::function<void(CycleOutcome&)> on_outcome{};
     std::function<void(PreparedPair&)> on_prepared{};
+    std::vector<SrdoCause> transmit_faults{};
     SrdoMask requests{0U}; ///< All that were asked for.
     std::uint32_t load_flip{0U};
     std::uint32_t data_flip{0U};
     std::uint32_t permit_flip{0U};
+    std::uint32_t digest_flip{0U};
+    SlotIndex digest_slot{0U}; ///< Where it is flipped.
+    ChannelRoom room{64U, 128U};
+    int fields_set{0};
     std::uint16_t signature_flip{0U};
     ConfigFault check_fault{ConfigFault::kNone};
     int demotions{0};

@@ -1,0 +1,151 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "safety_core/kernel/configuration_guard.hpp"
+
+// Checks of the configuration: all at once, and bit by bit in the cycles. [SRS-CFG-048, SRS-CFG-050, SRS-KRN-015]
+namespace counterpoint
+{
+namespace
+{
+
+constexpr std::uint32_t kTokenRotation = 8U;
+constexpr std::uint32_t kWordBits = 32U;
+constexpr std::uint32_t kEveryByte = 0x01010101U;
+
+struct RuleResult
+{
+    ConfigFault rule;
+    Result result;
+};
+
+// Return codes of the reference for the rules of a configuration; a rule not listed is kInvalidConfiguration.
+constexpr RuleResult kRuleResults[] = {
+    // MISRA D-001
+    {ConfigFault::kNone, Result::kSuccessful},          {ConfigFault::kIdentifier, Result::kIdError},
+    {ConfigFault::kIdentifierInUse, Result::kIdInUse},  {ConfigFault::kTiming, Result::kTimingError},
+    {ConfigFault::kMapping, Result::kMappingError},     {ConfigFault::kLengthExceeded, Result::kLengthExceeded},
+    {ConfigFault::kSignature, Result::kSignatureError}, {ConfigFault::kTable, Result::kMappingError},
+    {ConfigFault::kInvalid, Result::kDeviceFault},
+};
+
+} // namespace
+
+Result ToResult(const ConfigFault rule) noexcept
+{
+    Result result = Result::kInvalidConfiguration;
+    for (const RuleResult& entry : kRuleResults)
+    {
+        if (entry.rule == rule)
+        {
+            result = entry.result;
+        }
+    }
+    return result;
+}
+
+ConfigurationFinding ConfigurationGuard::Check(const SlotIndex slot, const CheckDepth depth) noexcept
+{
+    const bool is_deep = depth == CheckDepth::kValidate;
+    const CheckResult a = is_deep ? a_.Validate(slot) : a_.Recheck(slot);
+    const CheckResult b = is_deep ? b_.Validate(slot) : b_.Recheck(slot);
+    const std::uint32_t rules = static_cast<std::uint32_t>(a.fault) ^ static_cast<std::uint32_t>(b.fault);
+    const std::uint32_t signatures = static_cast<std::uint32_t>(a.signature) ^ static_cast<std::uint32_t>(b.signature);
+    ConfigurationFinding finding{a.fault, slot, a.signature};
+    if ((rules | signatures) != 0U)
+    {
+        latch_.Enter(DeviceFault::kDisagreement, slot);
+        finding.rule = ConfigFault::kInvalid;
+    }
+    return finding;
+}
+
+ConfigurationFinding ConfigurationGuard::CheckAll(const CheckDepth depth) noexcept
+{
+    for (SlotIndex slot = 0U; slot < config_->srdo_count; ++slot)
+    {
+        const ConfigurationFinding finding = Check(slot, depth);
+        if (finding.rule != ConfigFault::kNone)
+        {
+            return finding;
+        }
+    }
+    return ConfigurationFinding{ConfigFault::kNone, kNoSlot, 0U};
+}
+
+// The digest of the device as it is becomes the reference of the cyclic one. [SRS-CFG-050]
+Result ConfigurationGuard::TakeDigest() noexcept
+{
+    DeviceDigest a{0U};
+    DeviceDigest b{0U};
+    for (SlotIndex slot = 0U; slot < config_->srdo_count; ++slot)
+    {
+        a = a_.Digest(slot, a);
+        b = b_.Digest(slot, b);
+    }
+    reference_ = a;
+    is_digest_whole_ = false;
+    if (a.value != b.value)
+    {
+        latch_.Enter(DeviceFault::kDisagreement, kNoSlot);
+        return Result::kDeviceFault;
+    }
+    const bool is_expected = (config_->digest == 0U) || (config_->digest == a.value);
+    return is_expected ? Result::kSuccessful : Result::kInvalidConfiguration;
+}
+
+std::uint32_t ConfigurationGuard::Cycle(const std::uint32_t challenge) noexcept
+{
+    --cycles_to_check_;
+    if (cycles_to_check_ == 0U)
+    {
+        cycles_to_check_ = cycles_per_check_;
+        Examine();
+    }
+    const std::uint32_t rotated = (challenge << kTokenRotation) | (challenge >> (kWordBits - kTokenRotation));
+    return rotated ^ (static_cast<std::uint32_t>(valid_) * kEveryByte);
+}
+
+// step    0          1         2          3         ...
+// slot    0 recheck  0 digest  1 recheck  1 digest  ...
+void ConfigurationGuard::Examine() noexcept
+{
+    const std::uint32_t step = step_;
+    const std::uint32_t following = step + 1U;
+    const bool is_last = following == (2U * static_cast<std::uint32_t>(config_->srdo_count));
+    step_ = is_last ? std::uint8_t{0U} : static_cast<std::uint8_t>(following);
+    const SlotIndex slot = static_cast<SlotIndex>(step / 2U);
+    if ((step & 1U) != 0U)
+    {
+        ExamineDigest(slot);
+    }
+    else if (IsValid() && (Check(slot, CheckDepth::kRecheck).rule != ConfigFault::kNone))
+    {
+        latch_.Enter(DeviceFault::kConfiguration, slot);
+    }
+    else
+    {
+        // This SRDO is as it was declared, or nothing is declared.
+    }
+}
+
+// A difference between the channels shows at the slot where it is, a change in both when all slots are done.
+void ConfigurationGuard::ExamineDigest(const SlotIndex slot) noexcept
+{
+    if (slot == 0U)
+    {
+        digest_ = DeviceDigest{0U};
+        is_digest_whole_ = true;
+    }
+    const DeviceDigest a = a_.Digest(slot, digest_);
+    if (a.value != b_.Digest(slot, digest_).value)
+    {
+        latch_.Enter(DeviceFault::kDisagreement, slot);
+    }
+    digest_ = a;
+    const bool is_compared = (step_ == 0U) && is_digest_whole_ && IsValid();
+    if (is_compared && (a.value != reference_.value))
+    {
+        latch_.Enter(DeviceFault::kConfiguration, kNoSlot);
+    }
+}
+
+} // namespace counterpoint
