@@ -88,18 +88,16 @@ constexpr Step kT11[] = {
     StoreAll(), Entry(0U, 2U, 0x60100108U), MapCount(0U, 2U), Signature(0U, 0x4D8FU), Validate(0U, kBadMap, 0x4D8FU),
 };
 
+constexpr Step kT12Pair = UnequalPair(0U, 0x3412U, 0x9912U);
+
 // Calls every 0.7 ms: the tenth refresh is due at 2000 + 10 * 25000 = 252000, seen by the call at 252000.
 constexpr Step kT12[] = {
-    Configure(), Cycle(0U), Cycle(2100U), Due(1U), NotInverted(0U), Cycle(27300U),
-    Due(1U), NotInverted(0U),
-    Cycle(52500U), Due(1U), NotInverted(0U), Cycle(77000U), Due(1U),
-    NotInverted(0U), Cycle(102200U), Due(1U),
-    NotInverted(0U), Cycle(127400U), Due(1U),
-    NotInverted(0U), Cycle(152600U), Due(1U),
-    NotInverted(0U), Cycle(177100U), Due(1U),
-    NotInverted(0U), Cycle(202300U), Due(1U),
-    NotInverted(0U), Cycle(227500U), Due(1U),
-    NotInverted(0U), Cycle(251999U), Due(0U), Cycle(252000U), Due(1U),
+    Configure(), kP1, kP2, kI1, Cycle(0U), Cycle(2100U), Due(1U), kT12Pair, NotInverse(0U), Cycle(27300U),
+    Due(1U), kT12Pair, NotInverse(0U), Cycle(52500U), Due(1U), kT12Pair, NotInverse(0U), Cycle(77000U),
+    Due(1U), kT12Pair, NotInverse(0U), Cycle(102200U), Due(1U), kT12Pair, NotInverse(0U), Cycle(127400U),
+    Due(1U), kT12Pair, NotInverse(0U), Cycle(152600U), Due(1U), kT12Pair, NotInverse(0U), Cycle(177100U),
+    Due(1U), kT12Pair, NotInverse(0U), Cycle(202300U), Due(1U), kT12Pair, NotInverse(0U), Cycle(227500U),
+    Due(1U), kT12Pair, NotInverse(0U), Cycle(251999U), Due(0U), Cycle(252000U), Due(1U),
 };
 
 // One full queue is one fault; the next pair is sent.

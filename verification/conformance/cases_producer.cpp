@@ -109,7 +109,8 @@ constexpr Step kPrepareInFlight[] = {
 
 constexpr Step kNotInverse[] = {
     Configure(), kP1, kP2, kI1, Put(0x6211U, 2U, 0xCAU), Cycle(0U), Request(0U), Cycle(2000U), Due(1U),
-    NotInverted(0U), Data(0U, 0U), Slot(0U, kProducing, Cause::kNotInverse, 0U, 1U, 0U), Signals(0U, 0U),
+    UnequalPair(0U, 0x3412U, 0x3512U), UnequalData(0U, 0x3412U, 0x3512U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
+    NotInverse(0U), Data(0U, 0U), Slot(0U, kProducing, Cause::kNotInverse, 0U, 1U, 0U), Signals(0U, 0U),
     // Nothing is in flight.
     TakeNone(0U), StrangeFirst(2100U), TakeNone(0U), Cycle(3000U),
     Due(0U), Signals(0U, Bit(Cause::kNotInverse)), Signalled(1U), Masks(0U, 0U, 0U, 0U, 0U),
@@ -119,11 +120,11 @@ constexpr Step kNotInverse[] = {
 
 constexpr Step kEveryObject[] = {
     Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Put(0x6210U, 1U, 0x13U),
-    NotInverted(0U), Put(0x6210U, 1U, 0x92U),
-    NotInverted(0U), kP1, Put(0x6210U, 2U, 0x35U),
-    NotInverted(0U), kP2, Put(0x6211U, 1U, 0x6DU),
-    NotInverted(0U), kI1, Put(0x6211U, 2U, 0x4BU),
-    NotInverted(0U), kI2, ReadyPair(0U),
+    UnequalPair(0U, 0x3413U, 0x3412U), NotInverse(0U), Put(0x6210U, 1U, 0x92U),
+    UnequalPair(0U, 0x3492U, 0x3412U), NotInverse(0U), kP1, Put(0x6210U, 2U, 0x35U),
+    UnequalPair(0U, 0x3512U, 0x3412U), NotInverse(0U), kP2, Put(0x6211U, 1U, 0x6DU),
+    UnequalPair(0U, 0x3412U, 0x3492U), NotInverse(0U), kI1, Put(0x6211U, 2U, 0x4BU),
+    UnequalPair(0U, 0x3412U, 0xB412U), NotInverse(0U), kI2, ReadyPair(0U),
     Slot(0U, kProducing, Cause::kNotInverse, 0U, 5U, 0U),
 };
 
@@ -131,7 +132,7 @@ constexpr Step kEveryObject[] = {
 constexpr Step kPreparedStays[] = {
     Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Put(0x6210U, 1U, 0x55U),
     Put(0x6211U, 1U, 0xAAU), Put(0x6211U, 2U, 0U), Data(0U, 0x3412U), ConfirmFirst(0U, 2100U), TakeSecond(0U),
-    ConfirmSecond(0U, 2200U), Cycle(3000U), NotInverted(0U), kI2,
+    ConfirmSecond(0U, 2200U), Cycle(3000U), UnequalPair(0U, 0x3455U, 0xFF55U), NotInverse(0U), kI2,
     Ready(0U, CanPortId::kFirst, 0x101U, 2U, 0x3455U), Data(0U, 0x3455U),
     ConfirmNormal(0U, 0x101U, 2U, 0x3455U, 0U, 3100U), TakeInverse(0U, CanPortId::kFirst, 0x102U, 2U, 0xCBAAU),
     ConfirmPair(0U, 0x102U, 2U, 0xCBAAU, 0U, 3200U), Slot(0U, kProducing, Cause::kNotInverse, 2U, 1U, 0U),
@@ -227,14 +228,20 @@ constexpr Step kSixteen[] = {
     TakeInverse(0U, CanPortId::kFirst, 0x180U, 8U, 0xBBCCDDEEU, 0x778899AAU),
     ConfirmPair(0U, 0x180U, 8U, 0xBBCCDDEEU, 0x778899AAU, 2200U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
     Put(0x6623U, 8U, 0x76U),
-    NotInverted(0U),
+    Unequal(0U, 0x17FU, 8U, Payload{0x44332211U, 0x88776655U}, Payload{0x44332211U, 0x89776655U}), NotInverse(0U),
+    Slot(0U, kProducing, Cause::kNotInverse, 1U, 1U, 0U),
 };
 
 constexpr Step kWords[] = {
     Configure(), Put(0x6400U, 4U, 0x44332211U), Put(0x6401U, 4U, 0xBBCCDDEEU), Put(0x6400U, 3U, 0x776655U),
     Put(0x6401U, 3U, 0x8899AAU), Put(0x6400U, 1U, 0x88U), Put(0x6401U, 1U, 0x77U), Cycle(0U), Cycle(2000U),
-    Put(0x6401U, 4U, 0x3BCCDDEEU), NotInverted(0U), Put(0x6401U, 4U, 0xBBCCDDEFU), NotInverted(0U),
-    Put(0x6401U, 4U, 0xBBCCDDEEU), Put(0x6401U, 3U, 0x0899AAU), NotInverted(0U), Put(0x6401U, 3U, 0x8899AAU),
+    Put(0x6401U, 4U, 0x3BCCDDEEU),
+    Unequal(0U, 0x101U, 8U, Payload{0x44332211U, 0x88776655U}, Payload{0xC4332211U, 0x88776655U}), NotInverse(0U),
+    Put(0x6401U, 4U, 0xBBCCDDEFU),
+    Unequal(0U, 0x101U, 8U, Payload{0x44332211U, 0x88776655U}, Payload{0x44332210U, 0x88776655U}), NotInverse(0U),
+    Put(0x6401U, 4U, 0xBBCCDDEEU), Put(0x6401U, 3U, 0x0899AAU),
+    Unequal(0U, 0x101U, 8U, Payload{0x44332211U, 0x88776655U}, Payload{0x44332211U, 0x88F76655U}), NotInverse(0U),
+    Put(0x6401U, 3U, 0x8899AAU),
     Ready(0U, CanPortId::kFirst, 0x101U, 8U, 0x44332211U, 0x88776655U),
     ConfirmNormal(0U, 0x101U, 8U, 0x44332211U, 0x88776655U, 2100U),
     TakeInverse(0U, CanPortId::kFirst, 0x102U, 8U, 0xBBCCDDEEU, 0x778899AAU),
@@ -242,7 +249,8 @@ constexpr Step kWords[] = {
 
 constexpr Step kLongObject[] = {
     Configure(), Put(0x6400U, 8U, 0x44332211U, 0x88776655U), Put(0x6401U, 8U, 0xBBCCDDEEU, 0xF78899AAU), Cycle(0U),
-    Cycle(2000U), NotInverted(0U), Put(0x6401U, 8U, 0xBBCCDDEEU, 0x778899AAU),
+    Cycle(2000U), Unequal(0U, 0x101U, 8U, Payload{0x44332211U, 0x88776655U}, Payload{0x44332211U, 0x08776655U}),
+    NotInverse(0U), Put(0x6401U, 8U, 0xBBCCDDEEU, 0x778899AAU),
     Ready(0U, CanPortId::kFirst, 0x101U, 8U, 0x44332211U, 0x88776655U),
 };
 

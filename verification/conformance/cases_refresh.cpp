@@ -158,12 +158,12 @@ constexpr Step kPreparedEarly[] = {
     Cycle(2000U), Cycle(28500U), Signals(0U, 0U), Cycle(28501U), Signals(0U, kMissedBit),
 };
 
-// Sent is not what counts: a pair that was prepared and given up ends the silence, one that was not inverse does not.
+// Sent is not what counts: a pair that was prepared and given up ends the silence, whatever it was given up for.
 constexpr Step kSilentAfterGivingUp[] = {
     Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(10000U), ReadyPair(0U), TransmitFault(0U, Cause::kBusOff),
-    Cycle(20000U), Put(0x6211U, 2U, 0U), NotInverted(0U), Cycle(21000U),
-    Slot(0U, kProducing, Cause::kBusOff, 0U, 2U, 0U), Cycle(36500U),
-    Slot(0U, kProducing, Cause::kBusOff, 0U, 2U, 0U), Cycle(36501U), Slot(0U, kProducing, Cause::kBusOff, 0U, 3U, 0U),
+    Cycle(20000U), Put(0x6211U, 2U, 0U), UnequalPair(0U, 0x3412U, 0xFF12U), NotInverse(0U), Cycle(21000U),
+    Slot(0U, kProducing, Cause::kBusOff, 0U, 2U, 0U), Cycle(46500U),
+    Slot(0U, kProducing, Cause::kBusOff, 0U, 2U, 0U), Cycle(46501U), Slot(0U, kProducing, Cause::kBusOff, 0U, 3U, 0U),
 };
 
 // A request that waits is no silence, even if nobody prepares it.
@@ -172,12 +172,12 @@ constexpr Step kRequestWaits[] = {
     Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
 };
 
-// However long the request waits, a whole round of the counter included: used up without a pair, there was silence.
+// However long the request waits, a whole round of the counter included: silence counts from the pair prepared then.
 constexpr Step kRequestWaitsARound[] = {
     Configure(), Cycle(0U), Cycle(2000U), Request(0U), Cycle(0x40000000U), Cycle(0x80000000U),
-    Cycle(0xC0000000U), Cycle(3000U), Signals(0U, 0U), NotInverted(0U),
-    Cycle(3001U), Signals(0U, kMissedBit | Bit(Cause::kNotInverse)),
-    Slot(0U, kProducing, Cause::kNotInverse, 0U, 2U, 0U),
+    Cycle(0xC0000000U), Cycle(3000U), Signals(0U, 0U), UnequalPair(0U, 0x6666U, 0x9999U),
+    NotInverse(0U), Cycle(3001U), Signals(0U, Bit(Cause::kNotInverse)), Cycle(29500U), Signals(0U, 0U),
+    Cycle(29501U), Signals(0U, kMissedBit), Slot(0U, kProducing, Cause::kNotInverse, 0U, 2U, 0U),
 };
 
 // Both forms at once: the provider is called, the application also asks.

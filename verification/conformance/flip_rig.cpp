@@ -229,11 +229,19 @@ void FlipRig::Prepare()
     }
     const PreparedPair pair_a = a_.Prepare(kProducerSlot);
     const PreparedPair pair_b = b_.Prepare(kProducerSlot);
-    const bool is_equal = Comparator::ComparePrepared(pair_a, pair_b) == DeviceFault::kNone;
-    is_device_safe_ = is_device_safe_ || (!is_equal);
-    if (is_equal)
+    const PreparedVerdict verdict = Comparator::ComparePrepared(pair_a, pair_b);
+    if (verdict == PreparedVerdict::kEqual)
     {
         normal_ = pair_a.normal;
+    }
+    else if (verdict == PreparedVerdict::kNotInverse)
+    {
+        a_.OnTransmitFault(kProducerSlot, SrdoCause::kNotInverse);
+        b_.OnTransmitFault(kProducerSlot, SrdoCause::kNotInverse);
+    }
+    else
+    {
+        is_device_safe_ = true;
     }
 }
 

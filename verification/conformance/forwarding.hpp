@@ -27,6 +27,18 @@ class Forwarding : public Channel
     {
         return inner_.Load(address);
     }
+    [[nodiscard]] ChannelRoom Room() const noexcept override
+    {
+        return inner_.Room();
+    }
+    void SetFields(SlotIndex slot, const StaticFields& fields) noexcept override
+    {
+        inner_.SetFields(slot, fields);
+    }
+    [[nodiscard]] DeviceDigest Digest(SlotIndex slot, DeviceDigest before) const noexcept override
+    {
+        return inner_.Digest(slot, before);
+    }
     [[nodiscard]] CheckResult Validate(SlotIndex slot) noexcept override
     {
         return inner_.Validate(slot);

@@ -52,9 +52,16 @@ constexpr Step Gfc(std::uint32_t stamp)
 
 // ---- producer of kSender and kProvider: objects 12h 34h and EDh CBh, frames 101h and 102h
 
-constexpr Step NotInverted(SlotIndex slot)
+/// Two bytes of which B read something else than the complement of what A read.
+constexpr Step UnequalPair(SlotIndex slot, std::uint32_t of_a, std::uint32_t of_b)
 {
-    return NotReady(slot, PrepareStatus::kNotInverse);
+    return Unequal(slot, 0x101U, 2U, Payload{of_a, 0U}, Payload{of_b, 0U});
+}
+
+/// What follows the comparison of an unequal pair.
+constexpr Step NotInverse(SlotIndex slot)
+{
+    return TransmitFault(slot, SrdoCause::kNotInverse);
 }
 
 constexpr Step NotProducing(SlotIndex slot)

@@ -63,7 +63,16 @@ class Runner
     }
 
   private:
+    static constexpr std::uint8_t kAlterable = 2U;
+
     void Start(const Device& device) noexcept;
+    void PowerOn() noexcept;
+    void Alter(const Step& step) noexcept;
+    void AlterDevice(Parameter parameter, std::uint32_t value) noexcept;
+    void AlterTimes(Parameter parameter, std::uint32_t value) noexcept;
+    void AlterSetup(Parameter parameter, SrdoSetup& setup, std::uint32_t value) noexcept;
+    void SetFields(SlotIndex slot, std::uint32_t normal, std::uint32_t inverse) noexcept;
+    bool RunDeviceStep(const Step& step) noexcept;
     void RunStep(const Step& step) noexcept;
     void RunRepeated(const Step& repeat) noexcept;
     bool RunConfigurationStep(const Step& step) noexcept;
@@ -93,6 +102,7 @@ class Runner
     Reporter& reporter_;
     Dictionary dictionary_{};
     DeviceConfig config_{};
+    SrdoSetup setups_[kAlterable]{}; ///< Of a device that has no more SRDOs: copies that Alter may change.
     Hash hash_{};
     CycleOutcome outcome_{};
     const Case* case_{nullptr};

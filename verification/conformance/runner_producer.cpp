@@ -99,7 +99,8 @@ void Runner::CheckPrepare(const Step& step) noexcept
     {
         Expect("status of Prepare", static_cast<std::uint64_t>(PrepareStatus::kReady),
                static_cast<std::uint64_t>(pair.status));
-        CheckFrame(step, pair.normal);
+        const bool is_a = party_ == Party::kA;
+        CheckFrame(With(step, is_a ? step.x : step.v, is_a ? step.y : step.w, step.z), pair.normal);
     }
     else
     {

@@ -62,6 +62,28 @@ ConfigItem ChannelTap::Load(const ConfigAddress& address) const noexcept
     return real_.Load(address);
 }
 
+ChannelRoom ChannelTap::Room() const noexcept
+{
+    return real_.Room();
+}
+
+void ChannelTap::SetFields(const SlotIndex slot, const StaticFields& fields) noexcept
+{
+    if (!IsStill())
+    {
+        real_.SetFields(slot, fields);
+    }
+}
+
+DeviceDigest ChannelTap::Digest(const SlotIndex slot, const DeviceDigest before) const noexcept
+{
+    if (!IsStill())
+    {
+        digest_ = real_.Digest(slot, before);
+    }
+    return digest_;
+}
+
 CheckResult ChannelTap::Validate(const SlotIndex slot) noexcept
 {
     if (!IsStill())

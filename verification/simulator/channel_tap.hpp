@@ -33,6 +33,9 @@ class ChannelTap final : public Channel
     void Restart(const DeviceConfig& config) noexcept override;
     void Store(const ConfigItem& item) noexcept override;
     [[nodiscard]] ConfigItem Load(const ConfigAddress& address) const noexcept override;
+    [[nodiscard]] ChannelRoom Room() const noexcept override;
+    void SetFields(SlotIndex slot, const StaticFields& fields) noexcept override;
+    [[nodiscard]] DeviceDigest Digest(SlotIndex slot, DeviceDigest before) const noexcept override;
     [[nodiscard]] CheckResult Validate(SlotIndex slot) noexcept override;
     [[nodiscard]] CheckResult Recheck(SlotIndex slot) noexcept override;
     void OnFrame(const CanFrame& frame, Instant stamp) noexcept override;
@@ -63,6 +66,7 @@ class ChannelTap final : public Channel
     PreparedPair prepared_{};
     CheckResult check_{};
     mutable Permit permit_{};
+    mutable DeviceDigest digest_{};
     mutable std::array<HeldPair, kMaxSrdoCount> held_{};
     mutable std::array<SrdoView, kMaxSrdoCount> views_{};
 };

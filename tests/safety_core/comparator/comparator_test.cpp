@@ -368,7 +368,7 @@ constexpr PreparedPair kPrepared{
     CanFrame{0x103U, FrameKind::kData, CanPortId::kFirst, 2U, {0x12U, 0x34U, 0U, 0U, 0U, 0U, 0U, 0U}},
     PrepareStatus::kReady};
 
-TEST(ComparePrepared, EqualPairsAgree)
+TEST(ComparePrepared, EqualFramesAreEqual)
 {
     Verifies(req::SRS_CMP_010);
     const PreparedPair other = kPrepared;
@@ -376,25 +376,31 @@ TEST(ComparePrepared, EqualPairsAgree)
     EXPECT_EQ(Comparator::ComparePrepared(PreparedPair{}, PreparedPair{}), PreparedVerdict::kEqual);
 }
 
-TEST(ComparePrepared, AnotherStatusKindOrLengthIsADisagreement)
+TEST(ComparePrepared, AnotherStatusKindControllerOrLengthIsADisagreement)
 {
     Verifies(req::SRS_CMP_010);
+    const auto disagrees = [](const PreparedPair& other)
+    {
+        EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), PreparedVerdict::kDisagreement);
+        EXPECT_EQ(Comparator::ComparePrepared(other, kPrepared), PreparedVerdict::kDisagreement);
+    };
     PreparedPair other = kPrepared;
     other.status = PrepareStatus::kNotProducer;
-    EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), PreparedVerdict::kDisagreement);
-    EXPECT_EQ(Comparator::ComparePrepared(other, kPrepared), PreparedVerdict::kDisagreement);
+    disagrees(other);
     other = kPrepared;
     other.normal.kind = FrameKind::kRemote;
-    EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), PreparedVerdict::kDisagreement);
+    disagrees(other);
     other = kPrepared;
     other.normal.port = CanPortId::kSecond;
-    EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), PreparedVerdict::kDisagreement);
+    disagrees(other);
     other = kPrepared;
     other.normal.length_bytes = 3U;
-    EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), PreparedVerdict::kDisagreement);
+    disagrees(other);
+    // One that is not a producer hands out an empty frame: that is no question of inversion.
+    disagrees(PreparedPair{CanFrame{}, PrepareStatus::kNotProducer});
 }
 
-TEST(ComparePrepared, EveryBitOfTheIdentifierAndOfTheDataCounts)
+TEST(ComparePrepared, EveryBitOfTheIdentifierIsADisagreementWhateverTheData)
 {
     Verifies(req::SRS_CMP_010);
     for (std::uint32_t bit = 0U; bit < 32U; ++bit)
@@ -402,13 +408,27 @@ TEST(ComparePrepared, EveryBitOfTheIdentifierAndOfTheDataCounts)
         PreparedPair other = kPrepared;
         other.normal.identifier ^= 1U << bit;
         EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), PreparedVerdict::kDisagreement) << "bit " << bit;
+        other.normal.data[0] = 0x13U;
+        EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), PreparedVerdict::kDisagreement) << "bit " << bit;
     }
+}
+
+TEST(ComparePrepared, EveryBitOfTheDataAloneIsNotInverse)
+{
+    Verifies(req::SRS_CMP_010);
     for (std::uint32_t bit = 0U; bit < 64U; ++bit)
     {
         PreparedPair other = kPrepared;
         std::uint8_t& byte = other.normal.data[bit / 8U];
         byte = static_cast<std::uint8_t>(byte ^ (1U << (bit % 8U)));
         EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), PreparedVerdict::kNotInverse) << "bit " << bit;
+        EXPECT_EQ(Comparator::ComparePrepared(other, kPrepared), PreparedVerdict::kNotInverse) << "bit " << bit;
+        // and with another status or length as well it is more than that
+        other.normal.length_bytes = 1U;
+        EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), PreparedVerdict::kDisagreement) << "bit " << bit;
+        other.normal.length_bytes = 2U;
+        other.status = PrepareStatus::kInvalid;
+        EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), PreparedVerdict::kDisagreement) << "bit " << bit;
     }
 }
 
