@@ -272,6 +272,9 @@ DeviceConfig DeviceSource::Config() const
     DeviceConfig config{};
     config.node_id = *node_id_;
     config.granularity_bits = 8U;
+    config.map_entries = kUsualMapEntries;
+    config.gaps = NumberGaps::kSearched;
+    config.gfc = GfcUse::kPresent;
     config.normal_port = CanPortId::kFirst;
     config.inverse_port = CanPortId::kFirst;
     config.cycle_us = parameters_.cycle_us;
