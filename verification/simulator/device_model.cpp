@@ -56,6 +56,10 @@ const char* MeaningOf(const AbortCode code)
     }
     return "unknown abort code";
 }
+std::uint8_t BytesOf(const MappableObject& object)
+{
+    return static_cast<std::uint8_t>((object.length_bits + 7U) / 8U);
+}
 } // namespace
 
 DeviceModel::DeviceModel(const std::string& file, const std::optional<std::uint8_t> node_id) : file_(file)
@@ -69,7 +73,7 @@ DeviceModel::DeviceModel(const std::string& file, const std::optional<std::uint8
     std::size_t bytes = 0U;
     for (const SourceVariable& variable : variables)
     {
-        bytes += variable.object.length_bits / 8U;
+        bytes += BytesOf(variable.object);
     }
     memory_.resize(bytes);
     initial_.resize(bytes);
@@ -78,7 +82,7 @@ DeviceModel::DeviceModel(const std::string& file, const std::optional<std::uint8
     {
         objects_.push_back(variable.object);
         objects_.back().place = memory_.data() + place;
-        for (std::uint8_t byte = 0U; byte < variable.object.length_bits / 8U; ++byte)
+        for (std::uint8_t byte = 0U; byte < BytesOf(variable.object); ++byte)
         {
             initial_[place] = static_cast<std::uint8_t>(variable.value >> (8U * byte));
             ++place;

@@ -40,7 +40,8 @@ struct VariablePair
 {
     std::size_t normal{0U}; ///< Indices into DeviceModel::Objects().
     std::size_t inverse{0U};
-    std::uint8_t srdo{0U}; ///< Number of the SRDO.
+    std::uint8_t srdo{0U};       ///< Number of the SRDO.
+    std::uint32_t first_bit{0U}; ///< Of the pair in the data of the SRDO; entries before it may be dummies.
     bool is_consumer{false};
 };
 

@@ -64,6 +64,7 @@ class NodeApplication final : public Application
         std::uint64_t safe{0U};
         std::uint64_t disturbance{0U};
         SrdoMask slot{0U};
+        std::uint32_t first_bit{0U};
         std::uint8_t srdo{0U};
         bool is_consumer{false};
     };
