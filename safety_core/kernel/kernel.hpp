@@ -215,6 +215,8 @@ class Kernel
 
     /// @brief The application demands the device safe state.
     void DemandSafeState() noexcept;
+    /// @brief The link to the other CPU is lost or wrong. [SRS-LNK-006]
+    void OnCrossLinkFault() noexcept;
     /// @brief fault kNone while running. [SRS-KRN-003]
     [[nodiscard]] DeviceFaultReport DeviceState() const noexcept;
     /// @brief How often a channel was demoted since Start; stays at 65535. [SRS-CMP-004]

@@ -223,6 +223,11 @@ void Kernel::DemandSafeState() noexcept
     latch_.Enter(DeviceFault::kApplication, kNoSlot);
 }
 
+void Kernel::OnCrossLinkFault() noexcept
+{
+    latch_.Enter(DeviceFault::kCrossLink, kNoSlot);
+}
+
 DeviceFaultReport Kernel::DeviceState() const noexcept
 {
     return latch_.Report();
