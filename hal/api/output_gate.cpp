@@ -31,11 +31,6 @@ struct PermitKey
 
 } // namespace
 
-ProbeAnswer SafetyOutput::Probe(const PermitSet& /*permits*/, const std::uint32_t /*challenge*/) const noexcept
-{
-    return ProbeAnswer::kAbsent;
-}
-
 std::uint32_t OutputGate::Challenge() noexcept
 {
     sequence_ += kChallengeStep;

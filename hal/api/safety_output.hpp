@@ -36,7 +36,10 @@ class SafetyOutput
     /// @brief The permits that answer the last challenge. Anything wrong closes all outputs at once.
     virtual void Drive(const PermitSet& permits) noexcept = 0;
     /// @brief Judges permits as Drive does, against `challenge`, and does nothing. [SRS-STS-031]
-    [[nodiscard]] virtual ProbeAnswer Probe(const PermitSet& permits, std::uint32_t challenge) const noexcept;
+    [[nodiscard]] virtual ProbeAnswer Probe(const PermitSet& /*permits*/, std::uint32_t /*challenge*/) const noexcept
+    {
+        return ProbeAnswer::kAbsent;
+    }
 
     SafetyOutput(const SafetyOutput&) = delete;
     SafetyOutput(SafetyOutput&&) = delete;
