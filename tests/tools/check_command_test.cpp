@@ -95,6 +95,21 @@ TEST_F(CheckCommandTest, GranularityAndNodeIdAreOptions)
               std::string::npos);
 }
 
+TEST_F(CheckCommandTest, ADigestThatIsNotTheComputedOneIsNamed)
+{
+    Verifies(req::SRS_CLI_022);
+    const std::string file =
+        File("bad.dcf", Changed(ExampleText("actuator"), {{"ParameterValue=0x046FFAB7", "ParameterValue=0x046FFAB8"}}));
+    const Answer answer = RunCommand({"check", file});
+    EXPECT_EQ(answer.status, 1);
+    EXPECT_NE(answer.out.find(file + ":627: error: 0x5F04:00: device digest 0x046FFAB8, expected 0x046FFAB7, computed "
+                                     "from the device's parameters\n"),
+              std::string::npos);
+    const std::string none =
+        File("none.dcf", Changed(ExampleText("actuator"), {{"ParameterValue=0x046FFAB7", "ParameterValue=0"}}));
+    EXPECT_EQ(RunCommand({"check", none}).out, "");
+}
+
 TEST_F(CheckCommandTest, AnswersAsJson)
 {
     Verifies(req::SRS_CLI_008);
