@@ -72,7 +72,10 @@ std::uint32_t Rig::Read(const std::uint16_t index, const std::uint8_t sub)
 void Rig::Configure()
 {
     ASSERT_EQ(kernel.Start(config, FlowCallback::kOn, handshake), StartResult::kStarted);
-    ASSERT_EQ(Write(0x1300U, 0U, 1U, 1U), AbortCode::kNone);
+    if (has_gfc)
+    {
+        ASSERT_EQ(Write(0x1300U, 0U, 1U, 1U), AbortCode::kNone);
+    }
     const auto map = [this](std::uint16_t mapping, std::uint32_t normal, std::uint32_t inverse)
     {
         ASSERT_EQ(Write(mapping, 1U, normal, 4U), AbortCode::kNone);

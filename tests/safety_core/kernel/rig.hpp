@@ -174,6 +174,7 @@ class Rig : public ::testing::Test
     std::array<SrdoSetup, 3> setups{};
     DeviceConfig config{};
     StatusHandshake handshake{StatusHandshake::kOff};
+    bool has_gfc{true}; ///< Configure writes 1 to 1300h.
 
     channel_a::StorageFor<3U> storage_a{};
     channel_b::StorageFor<3U> storage_b{};

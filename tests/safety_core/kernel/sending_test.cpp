@@ -142,5 +142,34 @@ TEST_F(Sending, ShortestRefreshTimeOfSeveralProducersCounts)
     EXPECT_EQ(application.gfcs_not_followed, 1);
 }
 
+// Option GFC: on in GfcIsSentOnlyIfSupportedAndOperational and GfcMakesConsumersSafeAndIsTold, off here.
+TEST_F(Sending, GfcThatIsRemovedIsNoObjectAndIsNeitherSentNorTaken)
+{
+    Verifies(req::SRS_KRN_019);
+    Operate();
+    ASSERT_EQ(Read(0x1300U, 0U), 1U);
+    config.gfc = GfcUse::kRemoved;
+    ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
+    EXPECT_EQ(kernel.ReadObject(ObjectAddress{0x1300U, 0U}).abort, AbortCode::kObjectUnknown);
+    EXPECT_EQ(Write(0x1300U, 0U, 1U, 1U), AbortCode::kObjectUnknown);
+    EXPECT_EQ(kernel.SendGfc(), Result::kNotExist);
+}
+
+TEST_F(Sending, ReceivedGfcHasNoEffectWhereItIsRemoved)
+{
+    Verifies(req::SRS_KRN_019);
+    config.gfc = GfcUse::kRemoved;
+    has_gfc = false;
+    Operate();
+    ReceivePair();
+    Cycle();
+    ASSERT_EQ(Open(), 1U);
+    Receive(0x001U, {}, 100U);
+    Cycle();
+    EXPECT_EQ(Open(), 1U);
+    EXPECT_EQ(application.gfcs, 0);
+    EXPECT_EQ(kernel.SendGfc(), Result::kNotExist);
+}
+
 } // namespace
 } // namespace counterpoint

@@ -75,8 +75,10 @@ TEST_F(Starting, DeviceMustFitIntoBothChannels)
     Verifies(req::SRS_KRN_020);
     const auto with_room = [this](ChannelRoom room_a, ChannelRoom room_b)
     {
-        a.room = room_a;
-        b.room = room_b;
+        a.room_slots = room_a.slots;
+        a.room_entries = room_a.map_entries;
+        b.room_slots = room_b.slots;
+        b.room_entries = room_b.map_entries;
         return Start();
     };
     // Given three SRDOs and 16 map entries
@@ -193,6 +195,61 @@ TEST_F(Starting, HardwareThatCannotGuaranteeIsRefused)
     ports.guarantees.stamps = hal::Guarantee::kGiven;
     ports.guarantees.confirmations = hal::Guarantee::kAbsent;
     EXPECT_EQ(Start(), StartResult::kConfirmations);
+}
+
+TEST_F(Starting, StoppedKernelGivesNoPermitAndRefusesEverything)
+{
+    Verifies(req::SRS_KRN_025);
+    // Given a released and open output
+    Operate();
+    ReceivePair();
+    Cycle();
+    ASSERT_EQ(Open(), 1U);
+    // When the kernel is stopped, then the output is closed without another cycle
+    kernel.Stop();
+    EXPECT_EQ(Open(), 0U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kInvalid);
+    ReceivePair();
+    kernel.OnConfirm(StampedFrame{});
+    kernel.OnOverflow();
+    kernel.SetNmtState(NmtState::kOperational);
+    Cycle();
+    EXPECT_EQ(Open(), 0U);
+    const CommunicationIndex first{0x1301U};
+    EXPECT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kDeviceState);
+    EXPECT_EQ(kernel.ReadObject(ObjectAddress{0x1300U, 0U}).abort, AbortCode::kDeviceState);
+    EXPECT_EQ(kernel.Send(first), Result::kNotExist);
+    EXPECT_EQ(kernel.SendGfc(), Result::kNotExist);
+    EXPECT_EQ(kernel.Sign(first).result, Result::kNotExist);
+    EXPECT_EQ(kernel.GetState(first).result, Result::kNotExist);
+    EXPECT_EQ(kernel.GetStatus(first).result, Result::kNotExist);
+    EXPECT_EQ(kernel.SetStatus(first, StatusByte{0U}), Result::kNotExist);
+    EXPECT_EQ(kernel.GetParameters(first).result, Result::kNotExist);
+    EXPECT_EQ(kernel.GetMapped(first, MappedEntry{1U}).result, Result::kNotExist);
+    EXPECT_EQ(kernel.DefineStaticFields(first, StaticFields{nullptr, nullptr}), Result::kNotExist);
+    EXPECT_EQ(kernel.CheckConfiguration().result, Result::kDeviceFault);
+    EXPECT_EQ(kernel.LoadItem(0U, 0U), Result::kDeviceFault);
+    EXPECT_EQ(kernel.LoadConfiguration(ImageHeader{}), Result::kDeviceFault);
+    EXPECT_EQ(kernel.RestoreDefaults(), Result::kDeviceFault);
+    // And a new start begins anew
+    watchdog.timer.Start(hal::WatchdogWindow{500U, 1600U}, Instant{now_us});
+    Operate();
+    ReceivePair();
+    Cycle();
+    EXPECT_EQ(Open(), 1U);
+}
+
+TEST_F(Starting, RefusedStartStopsARunningKernel)
+{
+    Verifies(req::SRS_KRN_025);
+    Operate();
+    ReceivePair();
+    Cycle();
+    ASSERT_EQ(Open(), 1U);
+    config.srdo_count = 0U;
+    EXPECT_EQ(Start(), StartResult::kSrdoCount);
+    EXPECT_EQ(Open(), 0U);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kNotExist);
 }
 
 TEST_F(Starting, NothingRunsBeforeStartOrAfterARefusedStart)

@@ -37,19 +37,6 @@ class Tap final : public Channel
     }
     ChannelRoom Room() const noexcept override
     {
-        return room;
-    }
-    void SetFields(SlotIndex slot, const StaticFields& fields) noexcept override
-    {
-        ++fields_set;
-        real_.SetFields(slot, fields);
-    }
-    DeviceDigest Digest(SlotIndex slot, DeviceDigest before) const noexcept override
-    {
-        return DeviceDigest{real_.Digest(slot, before).value ^ ((slot == digest_slot) ? digest_flip : 0U)};
-    }
-    ChannelRoom Room() const noexcept override
-    {
         const ChannelRoom real = real_.Room();
         return ChannelRoom{(room_slots == 0U) ? real.slots : room_slots,
                            (room_entries == 0U) ? real.map_entries : room_entries};
@@ -62,7 +49,7 @@ class Tap final : public Channel
     DeviceDigest Digest(SlotIndex slot, DeviceDigest before) const noexcept override
     {
         DeviceDigest digest = real_.Digest(slot, before);
-        digest.value ^= digest_flip;
+        digest.value ^= (slot == digest_slot) ? digest_flip : 0U;
         return digest;
     }
     CheckResult Validate(SlotIndex slot) noexcept override
@@ -149,9 +136,6 @@ class Tap final : public Channel
     std::uint32_t permit_flip{0U};
     std::uint32_t digest_flip{0U};
     SlotIndex digest_slot{0U}; ///< Where it is flipped.
-    ChannelRoom room{64U, 128U};
-    int fields_set{0};
-    std::uint32_t digest_flip{0U};
     std::uint16_t signature_flip{0U};
     std::uint8_t room_slots{0U};   ///< Instead of the real one's; 0: the real one's.
     std::uint8_t room_entries{0U}; ///< Likewise.
