@@ -194,6 +194,11 @@ void CheckParameters(const CheckContext& context, Findings& findings)
 void CheckDigest(const CheckContext& context, Findings& findings)
 {
     const DigestRecord record = ExtractDigest(context.device, context.configuration, context.node_id);
+    const bool has_place = !record.is_present || context.device.Find(kDigestIndex, 0U) != nullptr;
+    if (!has_place)
+    {
+        findings.Error(record.stored.line, DigestName(), "is missing", "an object of type UNSIGNED32");
+    }
     const bool is_expected = record.stored.value.value_or(0U) != 0U;
     if (!is_expected)
     {

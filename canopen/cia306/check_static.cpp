@@ -64,7 +64,9 @@ void CheckStaticMapping(const CheckContext& context, const SrdoConfiguration& sr
     std::size_t used = 0U;
     for (const auto& [sub, entry] : object->entries)
     {
-        const bool is_used = sub <= srdo.entry_count.value.value_or(0U);
+        // The number of a compact object is ro whatever its entries are.
+        const bool is_counter = sub == 0U && entry.is_compact;
+        const bool is_used = !is_counter && sub <= srdo.entry_count.value.value_or(0U);
         used += is_used ? 1U : 0U;
         if (is_used && entry.IsFixed())
         {

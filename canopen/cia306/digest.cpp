@@ -116,14 +116,16 @@ DigestRecord ExtractDigest(const Device& device, const SafetyConfiguration& conf
 {
     DigestRecord record;
     const Entry* const entry = device.Find(kDigestIndex, 0U);
-    record.is_present = entry != nullptr && !configuration.srdos.empty();
+    record.is_present = device.Find(kDigestIndex) != nullptr && !configuration.srdos.empty();
     if (!record.is_present)
     {
         return record;
     }
-    if (entry->Configured().IsSet())
+    const bool is_read = entry == nullptr || entry->Configured().IsSet();
+    record.stored.line = is_read ? 0U : entry->line;
+    if (is_read)
     {
-        record.stored = ReadField(device, kDigestIndex, 0U, kUnsigned32, node_id, entry->line, record.problems);
+        record.stored = ReadField(device, kDigestIndex, 0U, kUnsigned32, node_id, 0U, record.problems);
     }
     // Read once more for their problems: each is one of the digest only if it keeps the digest from being computed.
     if (device.Find(kGfcIndex) != nullptr)
@@ -139,7 +141,7 @@ DigestRecord ExtractDigest(const Device& device, const SafetyConfiguration& conf
     record.problems.insert(record.problems.end(), parameter_problems.begin(), parameter_problems.end());
     if (!node_id)
     {
-        record.problems.push_back({Severity::kError, entry->ValueLine(), DigestName(),
+        record.problems.push_back({Severity::kError, record.stored.line, DigestName(),
                                    "the digest needs the node-ID and there is none, expected --node-id, or NodeID in "
                                    "[DeviceComissioning]"});
     }

@@ -216,6 +216,39 @@ TEST(DeviceParameters, HaveTheirDefaultsWhereTheFileHasNone)
     EXPECT_EQ(parameters.Srdo(64U).release_policy, 0U);
     EXPECT_EQ(parameters.Srdo(1U).safe_value, 0U);
     EXPECT_EQ(parameters.Srdo(1U).producer_form, 0U);
+    EXPECT_EQ(parameters.Srdo(64U).srvt_detection, 0U);
+    EXPECT_EQ(parameters.granularity_bits, 8U);
+    EXPECT_EQ(parameters.map_entries, 16U);
+    EXPECT_EQ(parameters.dummy_mapping, 0U);
+    EXPECT_EQ(parameters.number_gaps, 0x99U);
+    EXPECT_EQ(parameters.gfc_use, 0U);
+    EXPECT_EQ(parameters.normal_port, 1U);
+    EXPECT_EQ(parameters.inverse_port, 1U);
+    EXPECT_EQ(parameters.digest, 0U);
+}
+
+TEST(DeviceParameters, WhatTheRestOfTheFileSaysIsTheDefault)
+{
+    Verifies(req::SRS_EDS_023);
+    const auto read = [](const std::string& name)
+    {
+        std::vector<Finding> problems;
+        const Device device = DeviceOf(ReadTextFile(test::SourceFolder() + "/tests/canopen/cia306/data/" + name));
+        return ReadDeviceParameters(device, device.node_id, problems);
+    };
+    // Given a file with 1300h, Granularity=1, no DummyUsage and a mapping of 128 entries
+    EXPECT_EQ(read("bits.dcf").gfc_use, 0x5AU);
+    EXPECT_EQ(read("bits.dcf").granularity_bits, 1U);
+    EXPECT_EQ(read("bits.dcf").dummy_mapping, 0U);
+    EXPECT_EQ(read("bits.dcf").map_entries, 128U);
+    EXPECT_EQ(read("dummies.dcf").dummy_mapping, 0x66U);
+    EXPECT_EQ(read("dummies.dcf").map_entries, 16U);
+    // And one that tells all of it
+    EXPECT_EQ(read("digest.dcf").map_entries, 128U);
+    EXPECT_EQ(read("digest.dcf").number_gaps, 0x99U);
+    EXPECT_EQ(read("digest.dcf").inverse_port, 2U);
+    EXPECT_EQ(read("digest.dcf").digest, 0x5F9AFA3DU);
+    EXPECT_EQ(read("digest.dcf").Srdo(2U).srvt_detection, 0x3CU);
 }
 
 TEST(DeviceParameters, AreReadWhereTheyAre)
