@@ -68,7 +68,7 @@ void Channel::Repair(SlotIndex slot, Census& census) noexcept
     Fault(slot, SrdoCause::kInvalid);
     Withdraw(MarksOf(x_storage, slot).automatic, bit);
     x_storage.first_cause[slot] = Code(SrdoCause::kInvalid);
-    x_storage.stage[slot] = Stage::kIdle;
+    x_storage.rows[slot].stage = Stage::kIdle;
     if (x_storage.direction[slot] == kDirectionConsumer)
     {
         census.faulted |= bit;
@@ -89,17 +89,21 @@ void Channel::TakeCensus(Census& census) noexcept
     {
         const std::uint64_t states = PackBytes(&x_storage.state[first]);
         const std::uint64_t directions = PackBytes(&x_storage.direction[first]);
-        const std::uint64_t causes = PackBytes(&x_storage.first_cause[first]) ^ kEightWithoutCause;
-        const std::uint64_t not_released = (states ^ kEightReleased) | (directions ^ kEightConsumers) | causes;
-        const std::uint64_t not_sending = (states ^ kEightSending) | (directions ^ kEightProducers);
-        // The word if all eight are like that, else nothing.
-        const HalfMask released = word * static_cast<HalfMask>(not_released == 0U);
-        const HalfMask producers = word * static_cast<HalfMask>(not_sending == 0U);
-        census.released |= released;
-        census.producers |= producers;
-        for (HalfMask rest = word & active & ~(released | producers); rest != 0U;)
+        const std::uint64_t causes = PackBytes(&x_storage.first_cause[first]);
+        if (((states ^ kEightReleased) | (directions ^ kEightConsumers) | (causes ^ kEightWithoutCause)) == 0U)
         {
-            Enlist(TakeLowest(rest, census.first), census);
+            census.released |= word;
+        }
+        else if (((states ^ kEightSending) | (directions ^ kEightProducers)) == 0U)
+        {
+            census.producers |= word;
+        }
+        else
+        {
+            for (HalfMask rest = word & active; rest != 0U; rest = WithoutLowest(rest))
+            {
+                Enlist(LowestOf(rest, census.first), census);
+            }
         }
         first = static_cast<SlotIndex>(first + kSlotsInWord);
     }
@@ -108,9 +112,10 @@ void Channel::TakeCensus(Census& census) noexcept
     const HalfMask consumers = census.waiting | census.faulted | census.released;
     const HalfMask twins = (marks.held.on ^ marks.held.off) & (marks.acknowledged.on ^ marks.acknowledged.off) &
                            (marks.automatic.on ^ marks.automatic.off);
-    for (HalfMask rest = census.corrupted | (consumers & ~twins) | (census.released & ~marks.held.on); rest != 0U;)
+    const HalfMask wrong = census.corrupted | (consumers & ~twins) | (census.released & ~marks.held.on);
+    for (HalfMask rest = wrong; rest != 0U; rest = WithoutLowest(rest))
     {
-        Repair(TakeLowest(rest, census.first), census);
+        Repair(LowestOf(rest, census.first), census);
     }
 }
 

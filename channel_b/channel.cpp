@@ -24,6 +24,12 @@ constexpr std::uint8_t kLastDefaultNode = 64U;
     return (value << count) | (value >> (32U - count));
 }
 
+/// Of a valid pair the inverse data tell the normal data.
+[[nodiscard]] Payload DataOf(const Row& row) noexcept
+{
+    return PayloadOf(~row.inverse_data & PayloadMask(row.length_bytes));
+}
+
 } // namespace
 
 Channel::Channel(const Storage& storage) noexcept : x_storage(storage)
@@ -32,29 +38,22 @@ Channel::Channel(const Storage& storage) noexcept : x_storage(storage)
 
 void Channel::ClearSlot(SlotIndex slot) noexcept
 {
+    Row& row = x_storage.rows[slot];
+    row = Row{};
+    for (std::uint8_t index = 0U; index < kMaxMapEntries; ++index)
+    {
+        row.image[kEntriesAt + (std::size_t{index} * kEntryBytes)] = static_cast<std::uint8_t>(index + 1U); // MISRA D-002
+        row.table[index] = kNoPlace;                                                           // MISRA D-002
+    }
+    row.image[kSctAt] = kDefaultRefreshMs;
+    row.image[kSrvtAt] = kDefaultSrvtMs;
+    row.image[kTransmissionTypeAt] = kTransmissionTypeAsynchronous;
     x_storage.direction[slot] = kDirectionOff;
     x_storage.state[slot] = Code(SrdoState::kOff);
     x_storage.first_cause[slot] = Code(SrdoCause::kNone);
-    x_storage.stage[slot] = Stage::kIdle;
-    x_storage.error_count[slot] = 0U;
-    x_storage.length_bytes[slot] = 0U;
     x_storage.ordinal[slot] = 0U;
-    x_storage.sent[slot] = 0U;
-    x_storage.causes[slot] = 0U;
-    x_storage.pair_limit[slot] = kNothingRuns;
-    const Column<std::uint8_t> image{ImageAt(x_storage, slot, 0U)};
-    for (std::uint8_t at = 0U; at < kImageBytes; ++at)
-    {
-        image[at] = 0U;
-    }
-    for (std::uint8_t index = 0U; index < kMaxMapEntries; ++index)
-    {
-        image[kEntriesAt + (static_cast<std::size_t>(index) * kEntryBytes)] = static_cast<std::uint8_t>(index + 1U);
-        x_storage.table[(static_cast<std::size_t>(slot) * kMaxMapEntries) + index] = kNoPlace;
-    }
-    image[kSctAt] = kDefaultRefreshMs;
-    image[kSrvtAt] = kDefaultSrvtMs;
-    image[kTransmissionTypeAt] = kTransmissionTypeAsynchronous;
+    x_storage.phase_left[slot] = kLongestPhase;
+    Ground(slot);
 }
 
 void Channel::Restart(const DeviceConfig& config) noexcept
@@ -91,7 +90,7 @@ void Channel::Restart(const DeviceConfig& config) noexcept
 void Channel::TakeSetup(SlotIndex slot, const SrdoSetup& setup) noexcept
 {
     const std::uint8_t node = x_config->node_id;
-    x_storage.safe_data[slot] = ~Join(setup.safe_value.low, setup.safe_value.high);
+    x_storage.rows[slot].safe_data = ~Join(setup.safe_value.low, setup.safe_value.high);
     if (setup.policy == ReleasePolicy::kAutomatic)
     {
         Grant(MarksOf(x_storage, slot).automatic, BitOf(slot));
@@ -103,7 +102,7 @@ void Channel::TakeSetup(SlotIndex slot, const SrdoSetup& setup) noexcept
     if ((setup.number == 1U) && (node <= kLastDefaultNode))
     {
         // 0FFh + 2n and the next one: 101h to 180h, so that the second byte is always 1.
-        const Column<std::uint8_t> image{ImageAt(x_storage, slot, 0U)};
+        const Column<std::uint8_t> image{&x_storage.rows[slot].image[0]};
         image[kCobId1At] = static_cast<std::uint8_t>((2U * node) - 1U);
         image[kCobId1At + 1U] = 1U;
         image[kCobId2At] = static_cast<std::uint8_t>(2U * node);
@@ -122,42 +121,33 @@ void Channel::ClearLookUp() noexcept
 
 HeldPair Channel::Held(SlotIndex slot) const noexcept
 {
-    HeldPair pair{{0U, 0U}, 0U, 0U};
     const Marks& marks = MarksOf(x_storage, slot);
-    const HalfMask bit = BitOf(slot);
-    if ((marks.consumers & bit) != 0U)
+    const HalfMask consumer = marks.consumers & BitOf(slot);
+    if ((Granted(marks.held) & consumer) != 0U)
     {
-        pair.ordinal = x_storage.ordinal[slot];
+        return HeldPair{DataOf(x_storage.rows[slot]), x_storage.ordinal[slot], 1U};
     }
-    if ((marks.consumers & Granted(marks.held) & bit) != 0U)
-    {
-        // Of a valid pair the inverse data tell the normal data.
-        pair.data = PayloadOf(~x_storage.inverse_data[slot] & PayloadMask(x_storage.length_bytes[slot]));
-        pair.holds_pair = 1U;
-    }
-    return pair;
+    return HeldPair{{0U, 0U}, (consumer != 0U) ? x_storage.ordinal[slot] : 0U, 0U};
 }
 
 SrdoView Channel::View(SlotIndex slot) const noexcept
 {
-    const Marks& marks = MarksOf(x_storage, slot);
-    const HalfMask bit = BitOf(slot);
-    const bool holds_pair = (Granted(marks.held) & bit) != 0U;
-    SrdoView view{{0U, 0U},
-                  x_storage.ordinal[slot] + x_storage.sent[slot],
+    const Row& row = x_storage.rows[slot];
+    const HeldPair held = Held(slot);
+    SrdoView view{held.data,
+                  x_storage.ordinal[slot] + row.sent,
                   0U,
-                  x_storage.error_count[slot],
+                  row.error_count,
                   StateOf(slot),
                   static_cast<SrdoCause>(x_storage.first_cause[slot]),
-                  static_cast<std::uint8_t>(holds_pair)};
-    if (holds_pair || ((view.state == SrdoState::kProducer) && IsInFlight(x_storage, slot)))
+                  static_cast<std::uint8_t>(held.holds_pair)};
+    if ((view.state == SrdoState::kProducer) && IsInFlight(row.stage))
     {
-        // Of a valid pair the inverse data tell the normal data.
-        view.data = PayloadOf(~x_storage.inverse_data[slot] & PayloadMask(x_storage.length_bytes[slot]));
+        view.data = DataOf(row);
     }
-    if ((marks.signalled & bit) != 0U)
+    if ((MarksOf(x_storage, slot).signalled & BitOf(slot)) != 0U)
     {
-        view.signals = x_storage.signals[slot];
+        view.signals = row.signals;
     }
     return view;
 }

@@ -45,7 +45,7 @@ class Channel final : public counterpoint::Channel
     struct Place
     {
         Column<std::uint8_t> bytes;
-        std::uint8_t width;
+        std::uint32_t width;
     };
 
     /// What a call of OnCycle finds for all slots alike.
@@ -54,9 +54,17 @@ class Channel final : public counterpoint::Channel
         HalfMask late;       ///< All bits if the call is late, else none.
         HalfMask overflowed; ///< All bits if frames were lost, else none.
         HalfMask alarmed;    ///< Both, and a global fail-safe command.
+        HalfMask phases;     ///< All bits if the phase of some slot is over, else none.
         bool is_entering;
         bool is_leaving;
         bool is_spent; ///< The budget of some pair.
+    };
+
+    /// What the time since the last call used up in some slot.
+    struct Spending
+    {
+        bool is_spent;
+        HalfMask phases;
     };
 
     /// What it finds and does for one half of the slots. The first five are slots by state, of one look at all of them;
@@ -67,6 +75,7 @@ class Channel final : public counterpoint::Channel
         HalfMask faulted;
         HalfMask released;
         HalfMask producers;
+        HalfMask consumers; ///< Those of the first three.
         HalfMask corrupted; ///< State, direction, first cause or marks do not fit each other.
         HalfMask spent;     ///< Slots whose pair has nothing left.
         HalfMask edges;     ///< Of the acknowledge inputs.
@@ -87,11 +96,11 @@ class Channel final : public counterpoint::Channel
         ConfigFault fault;
     };
 
-    /// What the objects of a producer hold.
+    /// What the inverse objects of a producer hold.
     struct ObjectData
     {
-        std::uint64_t normal;
         std::uint64_t inverse;
+        std::uint32_t wrong; ///< 0 if they are the inverse of the normal ones, bit by bit, and as long as they should.
     };
 
     // channel.cpp
@@ -113,18 +122,16 @@ class Channel final : public counterpoint::Channel
     [[nodiscard]] HalfMask Leave(const Census& half) noexcept;
 
     // cycle.cpp
-    [[nodiscard]] bool SpendPairs() noexcept;
+    [[nodiscard]] Spending Spend() noexcept;
     [[nodiscard]] HalfMask FindSpent(SlotIndex first) const noexcept;
-    void SpendWindows(const Census& half) noexcept;
+    void CloseWindows(const Census& half) noexcept;
     [[nodiscard]] HalfMask MissFirstPairs(const Census& census) noexcept;
     void Signal(Census& half, HalfMask slots) noexcept;
     void CycleHalf(const CycleInput& input, const Call& call, Census& half) noexcept;
 
     // consumer.cpp
-    void TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
-    void TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
-    void TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept;
-    void TakeLateFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
+    [[nodiscard]] SrdoCause TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
+    [[nodiscard]] SrdoCause TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept;
     void TakeCommand(const CanFrame& frame) noexcept;
     void ExamineConsumers(const Call& call, Census& census) noexcept;
     void Acknowledge(const Census& census) noexcept;
@@ -138,17 +145,17 @@ class Channel final : public counterpoint::Channel
     void Fault(SlotIndex slot, SrdoCause cause) noexcept;
     void FaultEach(SlotIndex first, HalfMask slots, SrdoCause cause) noexcept;
     void Expire(SlotIndex slot) noexcept;
+    void Ground(SlotIndex slot) noexcept;
     Confirmation Fail(SlotIndex slot, SrdoCause cause) noexcept;
     void DropPair(SlotIndex slot) noexcept;
 
     // producer.cpp
-    [[nodiscard]] HalfMask AdvanceProducers(const CycleInput& input, const Census& census) noexcept;
+    [[nodiscard]] HalfMask AdvanceProducers(const CycleInput& input, const Call& call, const Census& census) noexcept;
     void AdvanceProvider(SlotIndex slot) noexcept;
     void AdvanceApplication(SlotIndex slot) noexcept;
+    void EndPhases(const Census& census) noexcept;
     [[nodiscard]] std::uint32_t AbsenceUs(SlotIndex slot) const noexcept;
-    [[nodiscard]] Confirmation ConfirmInverse(SlotIndex slot, std::uint32_t since_call) noexcept;
-    [[nodiscard]] bool IsEchoWrong(SlotIndex slot, const CanFrame& frame, std::uint64_t expected) const noexcept;
-    [[nodiscard]] ObjectData ReadObjects(SlotIndex slot) const noexcept;
+    [[nodiscard]] ObjectData ReadObjects(const Row& row) const noexcept;
 
     // configuration.cpp
     [[nodiscard]] Place PlaceOf(const ConfigAddress& address) const noexcept;
@@ -160,7 +167,7 @@ class Channel final : public counterpoint::Channel
     [[nodiscard]] bool IsEntryRight(std::uint16_t place, std::uint32_t entry, std::uint8_t direction) const noexcept;
     [[nodiscard]] bool IsTableRight(SlotIndex slot) const noexcept;
     void Resolve(SlotIndex slot, const Mapping& mapping) noexcept;
-    void WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept;
+    void WriteInverse(const Row& row, std::uint64_t data) const noexcept;
 
     // signature.cpp
     [[nodiscard]] std::uint16_t SignatureOf(SlotIndex slot) const noexcept;
@@ -173,6 +180,7 @@ class Channel final : public counterpoint::Channel
     HalfMask x_gfc{0U};             ///< All bits if a global fail-safe command came since the last OnCycle, else none.
     std::uint32_t x_last_us{0U};    ///< The `now` of the last OnCycle: every budget and every stamp is relative to it.
     std::uint32_t x_elapsed_us{0U}; ///< Between the last two calls of OnCycle: what every budget is to be relieved of.
+    std::uint32_t x_active_us{0U};  ///< Since entering OPERATIONAL.
     std::uint32_t x_late_us{0U};    ///< Longest time since the last OnCycle that is not late.
     std::uint32_t x_cycle{0U};
     std::uint8_t x_count{0U};

@@ -18,82 +18,66 @@ void Channel::TakeCommand(const CanFrame& frame) noexcept
     }
 }
 
-/// The identifiers of normal frames are odd, those of inverse frames are even.
-void Channel::TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
+/// The checks are made in the order of SRS-CONS-011. Returns kNone if the frame was taken.
+[[gnu::always_inline]] inline SrdoCause Channel::TakeNormal(SlotIndex slot, const CanFrame& frame,
+                                                            std::uint32_t since_call) noexcept
 {
-    if ((frame.identifier & 1U) != 0U)
+    Row& row = x_storage.rows[slot];
+    if ((frame.identifier != NormalIdentifier(row)) || (frame.port != x_config->normal_port))
     {
-        TakeNormal(slot, frame, since_call);
+        return SrdoCause::kIdentifier;
     }
-    else
+    if (frame.length_bytes != row.length_bytes)
     {
-        TakeInverse(slot, frame);
-    }
-}
-
-/// The checks are made in the order of SRS-CONS-011.
-inline void Channel::TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
-{
-    if ((frame.identifier != NormalIdentifier(x_storage, slot)) || (frame.port != x_config->normal_port))
-    {
-        Fault(slot, SrdoCause::kIdentifier);
-        return;
-    }
-    if (frame.length_bytes != x_storage.length_bytes[slot])
-    {
-        Fault(slot, SrdoCause::kLength);
-        return;
+        return SrdoCause::kLength;
     }
     Marks& marks = MarksOf(x_storage, slot);
     const HalfMask bit = BitOf(slot);
     if ((marks.pending & bit) != 0U)
     {
-        Fault(slot, SrdoCause::kNormalTwice);
-        return;
+        return SrdoCause::kNormalTwice;
     }
     marks.pending |= bit;
-    x_storage.pending_data[slot] = PackBytes(&frame.data[0]);
+    row.pending_data = PackBytes(&frame.data[0]);
     StartBudget(x_storage, slot, since_call);
+    return SrdoCause::kNone;
 }
 
-/// The checks are made in the order of SRS-CONS-011.
-inline void Channel::TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept
+/// The same for the second half of a pair.
+[[gnu::always_inline]] inline SrdoCause Channel::TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept
 {
-    if ((frame.identifier != InverseIdentifier(x_storage, slot)) || (frame.port != x_config->inverse_port))
+    Row& row = x_storage.rows[slot];
+    if ((frame.identifier != InverseIdentifier(row)) || (frame.port != x_config->inverse_port))
     {
-        Fault(slot, SrdoCause::kIdentifier);
-        return;
+        return SrdoCause::kIdentifier;
     }
-    if (frame.length_bytes != x_storage.length_bytes[slot])
+    if (frame.length_bytes != row.length_bytes)
     {
-        Fault(slot, SrdoCause::kLength);
-        return;
+        return SrdoCause::kLength;
     }
     Marks& marks = MarksOf(x_storage, slot);
     const HalfMask bit = BitOf(slot);
     if ((marks.pending & bit) == 0U)
     {
-        Fault(slot, SrdoCause::kInverseFirst);
-        return;
+        return SrdoCause::kInverseFirst;
     }
     const std::uint64_t inverse = PackBytes(&frame.data[0]);
-    const std::uint64_t alike = ~(x_storage.pending_data[slot] ^ inverse);
+    const std::uint64_t alike = ~(row.pending_data ^ inverse);
     if ((alike & PayloadMask(frame.length_bytes)) != 0U) // Behind the mapped length anything may be.
     {
-        Fault(slot, SrdoCause::kNotInverse);
-        return;
+        return SrdoCause::kNotInverse;
     }
-    const std::uint32_t sct_us = SctUs(x_storage, slot);
-    const std::uint32_t srvt_us = x_storage.pair_limit[slot];
     marks.pending &= ~bit;
     marks.fresh |= bit;
     marks.unwritten |= bit;
     Grant(marks.held, bit);
-    x_storage.inverse_data[slot] = inverse;
+    row.inverse_data = inverse;
     x_storage.ordinal[slot] += 1U;
     // Both budgets count from the normal frame, so that the greater one has the difference more left.
-    x_storage.pair_left[slot] += sct_us - srvt_us;
+    const std::uint32_t sct_us = SctUs(row);
+    x_storage.pair_left[slot] += sct_us - x_storage.pair_limit[slot];
     x_storage.pair_limit[slot] = sct_us;
+    return SrdoCause::kNone;
 }
 
 void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
@@ -116,10 +100,15 @@ void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
     const std::uint32_t since_call = stamp.us - x_last_us;
     if ((x_storage.pair_left[slot] - since_call) > x_storage.pair_limit[slot])
     {
-        TakeLateFrame(slot, frame, since_call);
-        return;
+        Expire(slot); // The frame is then taken as the first one. [SRS-CONS-003, SRS-CONS-012]
     }
-    TakeFrame(slot, frame, since_call);
+    // The identifiers of normal frames are odd, those of inverse frames are even.
+    const bool is_normal = (frame.identifier & 1U) != 0U;
+    const SrdoCause cause = is_normal ? TakeNormal(slot, frame, since_call) : TakeInverse(slot, frame);
+    if (cause != SrdoCause::kNone)
+    {
+        Fault(slot, cause);
+    }
 }
 
 void Channel::Demote(SlotIndex slot) noexcept
@@ -140,16 +129,16 @@ void Channel::ExamineConsumers(const Call& call, Census& census) noexcept
     const HalfMask consumers = census.waiting | census.faulted | census.released;
     const HalfMask expired = census.spent & consumers;
     const HalfMask troubled = consumers & (marks.reporting | expired | call.alarmed);
-    for (HalfMask rest = expired; rest != 0U;)
+    for (HalfMask rest = expired; rest != 0U; rest = WithoutLowest(rest))
     {
-        Expire(TakeLowest(rest, census.first));
+        Expire(LowestOf(rest, census.first));
     }
     FaultEach(census.first, troubled & ~expired & call.late, SrdoCause::kLateCall);
     FaultEach(census.first, troubled & call.overflowed, SrdoCause::kQueueOverflow);
     FaultEach(census.first, troubled & x_gfc, SrdoCause::kGfc);
-    for (HalfMask rest = troubled & marks.held.on; rest != 0U;)
+    for (HalfMask rest = troubled & marks.held.on; rest != 0U; rest = WithoutLowest(rest))
     {
-        DropPair(TakeLowest(rest, census.first)); // Completed after the fault, before it was reported.
+        DropPair(LowestOf(rest, census.first)); // Completed after the fault, before it was reported.
     }
     census.faulted |= troubled;
     census.waiting &= ~troubled;
@@ -163,18 +152,18 @@ void Channel::Acknowledge(const Census& census) noexcept
     const HalfMask taken = census.edges & ~marks.reporting;
     const HalfMask waiting = taken & (census.waiting | census.faulted | census.released);
     Grant(marks.acknowledged, waiting);
-    for (HalfMask rest = waiting; rest != 0U;)
+    for (HalfMask rest = waiting; rest != 0U; rest = WithoutLowest(rest))
     {
-        x_storage.edge_left[TakeLowest(rest, census.first)] = x_config->acknowledge_window_us;
+        x_storage.phase_left[LowestOf(rest, census.first)] = x_config->acknowledge_window_us;
     }
     ForgetCauses(census.first, taken & census.producers);
 }
 
 void Channel::ForgetCauses(SlotIndex first, HalfMask slots) noexcept
 {
-    for (HalfMask rest = slots; rest != 0U;)
+    for (HalfMask rest = slots; rest != 0U; rest = WithoutLowest(rest))
     {
-        x_storage.first_cause[TakeLowest(rest, first)] = Code(SrdoCause::kNone);
+        x_storage.first_cause[LowestOf(rest, first)] = Code(SrdoCause::kNone);
     }
 }
 
@@ -184,9 +173,9 @@ void Channel::Release(Census& census) noexcept
     Marks& marks = MarksOf(x_storage, census.first);
     const HalfMask permitted = Granted(marks.automatic) | Granted(marks.acknowledged);
     const HalfMask ready = Granted(marks.held) & ~marks.reporting & permitted;
-    for (HalfMask rest = (census.waiting | census.faulted) & ready; rest != 0U;)
+    for (HalfMask rest = (census.waiting | census.faulted) & ready; rest != 0U; rest = WithoutLowest(rest))
     {
-        const SlotIndex slot = TakeLowest(rest, census.first);
+        const SlotIndex slot = LowestOf(rest, census.first);
         if (IsRecordable(x_storage.first_cause[slot]))
         {
             x_storage.state[slot] = Code(SrdoState::kReleased);
@@ -210,11 +199,12 @@ void Channel::Commit(const Agreement& agreement) noexcept
         const HalfMask released = PartOf(agreement.agreed, first) & marks.released & Granted(marks.held) & present;
         const HalfMask written = released & PartOf(agreement.matched, first) & marks.unwritten;
         const HalfMask withdrawn = marks.committed & ~released & present;
-        for (HalfMask rest = written | withdrawn; rest != 0U;)
+        for (HalfMask rest = written | withdrawn; rest != 0U; rest = WithoutLowest(rest))
         {
-            const SlotIndex slot = TakeLowest(rest, first);
+            const SlotIndex slot = LowestOf(rest, first);
             const bool is_written = (written & BitOf(slot)) != 0U;
-            WriteInverse(slot, is_written ? x_storage.inverse_data[slot] : x_storage.safe_data[slot]);
+            const Row& row = x_storage.rows[slot];
+            WriteInverse(row, is_written ? row.inverse_data : row.safe_data);
         }
         marks.unwritten &= ~written;
         marks.committed = (marks.committed & released) | written;

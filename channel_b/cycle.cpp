@@ -27,21 +27,25 @@ constexpr HalfMask kAll = 0xFFFFFFFFU;
 
 } // namespace
 
-/// Takes the time since the last call from the budgets of all pairs, whether they run or not; returns whether one has
-/// nothing left. The loop is without a decision, so that a compiler can do several slots at once.
-bool Channel::SpendPairs() noexcept
+/// Takes the time since the last call from the budgets of all slots, whether they run or not. The loop is without a
+/// decision, so that a compiler can do several slots at once.
+Channel::Spending Channel::Spend() noexcept
 {
     const std::uint32_t elapsed = x_elapsed_us;
     const Column<std::uint32_t> left = x_storage.pair_left;
     const Column<std::uint32_t> limit = x_storage.pair_limit;
+    const Column<std::uint32_t> phase = x_storage.phase_left;
     const std::size_t count = x_count;
     std::uint32_t any = 0U;
+    std::uint32_t phases = 0U;
     for (std::size_t slot = 0U; slot < count; ++slot)
     {
         left[slot] -= elapsed;
+        phase[slot] -= elapsed;
         any |= static_cast<std::uint32_t>(left[slot] > limit[slot]);
+        phases |= phase[slot] - 1U;
     }
-    return any != 0U;
+    return Spending{any != 0U, (phases > kLongestPhase) ? kAll : 0U};
 }
 
 HalfMask Channel::FindSpent(SlotIndex first) const noexcept
@@ -58,25 +62,25 @@ HalfMask Channel::FindSpent(SlotIndex first) const noexcept
     return spent;
 }
 
-/// Takes it from the windows of signals and from the acknowledge edges and closes those that are over. A corrupted mark
-/// must not lead to a slot that does not exist.
-void Channel::SpendWindows(const Census& half) noexcept
+/// Closes the windows of signals and forgets the acknowledge edges that are over. A corrupted mark must not lead to a
+/// slot that does not exist.
+void Channel::CloseWindows(const Census& half) noexcept
 {
     Marks& marks = MarksOf(x_storage, half.first);
-    for (HalfMask rest = marks.window_open & half.present; rest != 0U;)
+    for (HalfMask rest = marks.window_open & half.present; rest != 0U; rest = WithoutLowest(rest))
     {
-        const SlotIndex slot = TakeLowest(rest, half.first);
-        x_storage.window_left[slot] -= x_elapsed_us;
-        if (x_storage.window_left[slot] > SctUs(x_storage, slot))
+        const SlotIndex slot = LowestOf(rest, half.first);
+        Row& row = x_storage.rows[slot];
+        row.window_left -= x_elapsed_us;
+        if (row.window_left > SctUs(row))
         {
             marks.window_open &= ~BitOf(slot);
         }
     }
-    for (HalfMask rest = marks.acknowledged.on & half.present; rest != 0U;)
+    for (HalfMask rest = marks.acknowledged.on & half.present; rest != 0U; rest = WithoutLowest(rest))
     {
-        const SlotIndex slot = TakeLowest(rest, half.first);
-        x_storage.edge_left[slot] -= x_elapsed_us;
-        if (x_storage.edge_left[slot] > x_config->acknowledge_window_us)
+        const SlotIndex slot = LowestOf(rest, half.first);
+        if (x_storage.phase_left[slot] > x_config->acknowledge_window_us)
         {
             Withdraw(marks.acknowledged, BitOf(slot));
         }
@@ -89,13 +93,13 @@ inline HalfMask Channel::MissFirstPairs(const Census& census) noexcept
     Marks& marks = MarksOf(x_storage, census.first);
     HalfMask missed = 0U;
     marks.unheard &= census.waiting & ~marks.fresh;
-    for (HalfMask rest = marks.unheard; rest != 0U;)
+    for (HalfMask rest = marks.unheard; rest != 0U; rest = WithoutLowest(rest))
     {
-        const SlotIndex slot = TakeLowest(rest, census.first);
-        x_storage.phase_left[slot] -= x_elapsed_us;
-        if (x_storage.phase_left[slot] > SctUs(x_storage, slot))
+        const SlotIndex slot = LowestOf(rest, census.first);
+        Row& row = x_storage.rows[slot];
+        if (x_active_us > SctUs(row))
         {
-            x_storage.causes[slot] |= kWaitingBit;
+            row.causes |= kWaitingBit;
             missed |= BitOf(slot);
         }
     }
@@ -107,18 +111,19 @@ inline HalfMask Channel::MissFirstPairs(const Census& census) noexcept
 inline void Channel::Signal(Census& half, HalfMask slots) noexcept
 {
     Marks& marks = MarksOf(x_storage, half.first);
-    for (HalfMask rest = slots; rest != 0U;)
+    for (HalfMask rest = slots; rest != 0U; rest = WithoutLowest(rest))
     {
-        const SlotIndex slot = TakeLowest(rest, half.first);
+        const SlotIndex slot = LowestOf(rest, half.first);
+        Row& row = x_storage.rows[slot];
         if ((marks.window_open & BitOf(slot)) == 0U)
         {
-            x_storage.window_left[slot] = SctUs(x_storage, slot);
-            x_storage.told[slot] = 0U;
+            row.window_left = SctUs(row);
+            row.told = 0U;
         }
-        const std::uint32_t news = x_storage.causes[slot] & ~x_storage.told[slot];
-        x_storage.signals[slot] = news;
-        x_storage.told[slot] |= news;
-        x_storage.causes[slot] = 0U;
+        const std::uint32_t news = row.causes & ~row.told;
+        row.signals = news;
+        row.told |= news;
+        row.causes = 0U;
         if (news != 0U)
         {
             half.signalled |= BitOf(slot);
@@ -139,7 +144,7 @@ inline void Channel::Signal(Census& half, HalfMask slots) noexcept
     }
     if (((marks.window_open | marks.acknowledged.on) & half.present) != 0U)
     {
-        SpendWindows(half);
+        CloseWindows(half);
     }
     if (call.is_entering)
     {
@@ -151,14 +156,15 @@ inline void Channel::Signal(Census& half, HalfMask slots) noexcept
     }
     TakeCensus(half);
     const HalfMask consumers = half.waiting | half.faulted | half.released;
+    half.consumers = consumers;
     marks.consumers = consumers;
     if ((consumers & (marks.reporting | half.spent | call.alarmed)) != 0U)
     {
         ExamineConsumers(call, half);
     }
-    if (half.producers != 0U)
+    if ((half.producers | call.phases) != 0U)
     {
-        half.due = AdvanceProducers(input, half);
+        half.due = AdvanceProducers(input, call, half);
     }
     if (half.edges != 0U)
     {
@@ -189,9 +195,12 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
     const HalfMask late = (x_elapsed_us > x_late_us) ? kAll : 0U;
     const HalfMask overflowed = (input.queue != QueueState::kIntact) ? kAll : 0U;
     const HalfMask alarmed = late | overflowed | x_gfc;
-    const Call call{late, overflowed, alarmed, running > x_running, running < x_running, SpendPairs()};
+    const Spending spending = Spend();
+    const Call call{late,    overflowed,          alarmed,          spending.phases, running > x_running,
+                    running < x_running, spending.is_spent};
     x_late_us = x_config->cycle_us + x_config->cycle_tolerance_us;
     x_running = running;
+    x_active_us = call.is_entering ? 0U : (x_active_us + x_elapsed_us);
     if (call.is_leaving)
     {
         ClearLookUp();
@@ -206,8 +215,6 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
         halves[at].edges = levels & ~x_levels[at];
         x_levels[at] = levels;
         CycleHalf(input, call, halves[at]);
-        outcome.sct_checked += CountOf(halves[at].waiting | halves[at].faulted | halves[at].released);
-        outcome.is_tx += CountOf(halves[at].producers);
     }
     const Census& low = halves[0U];
     const Census& high = halves[1U];
@@ -218,6 +225,8 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
     outcome.fresh = Join(low.fresh, high.fresh);
     outcome.due = Join(low.due, high.due);
     outcome.signalled = Join(low.signalled, high.signalled);
+    outcome.sct_checked = CountOf(low.consumers, high.consumers);
+    outcome.is_tx = CountOf(low.producers, high.producers);
     outcome.cycle = ++x_cycle;
     outcome.ordinal_sum = SumOf(x_storage.ordinal, x_count);
     outcome.not_operational = static_cast<std::uint8_t>(running == 0U);

@@ -18,13 +18,14 @@ constexpr std::uint32_t kJustSpent = 0xFFFFFFFFU;
 /// For how long a producer of form kApplicationSends may be silent. [SRS-PROD-010]
 std::uint32_t Channel::AbsenceUs(SlotIndex slot) const noexcept
 {
-    return SctUs(x_storage, slot) + x_config->cycle_us + x_config->cycle_tolerance_us;
+    return SctUs(x_storage.rows[slot]) + x_config->cycle_us + x_config->cycle_tolerance_us;
 }
 
 PreparedPair Channel::Prepare(SlotIndex slot) noexcept
 {
     PreparedPair pair{{0U, FrameKind::kInvalid, CanPortId::kInvalid, 0U, {}}, PrepareStatus::kNotProducer};
-    if ((x_storage.state[slot] != Code(SrdoState::kProducer)) || IsInFlight(x_storage, slot))
+    Row& row = x_storage.rows[slot];
+    if ((x_storage.state[slot] != Code(SrdoState::kProducer)) || IsInFlight(row.stage))
     {
         return pair;
     }
@@ -32,26 +33,25 @@ PreparedPair Channel::Prepare(SlotIndex slot) noexcept
     const HalfMask bit = BitOf(slot);
     marks.requested &= ~bit;
     marks.refresh_due &= ~bit;
-    const ObjectData data = ReadObjects(slot);
-    const std::uint64_t mask = PayloadMask(x_storage.length_bytes[slot]);
-    if ((data.normal ^ data.inverse) != mask)
+    const ObjectData data = ReadObjects(row);
+    if (data.wrong != 0U)
     {
         static_cast<void>(Fail(slot, SrdoCause::kNotInverse));
         pair.status = PrepareStatus::kNotInverse;
         return pair;
     }
-    x_storage.inverse_data[slot] = data.inverse;
-    x_storage.stage[slot] = Stage::kAwaitNormal;
+    row.inverse_data = data.inverse;
+    row.stage = Stage::kAwaitNormal;
     StartBudget(x_storage, slot, 0U);
     if ((marks.started & ~marks.provider & bit) != 0U)
     {
         x_storage.phase_left[slot] = AbsenceUs(slot);
     }
-    pair.normal.identifier = NormalIdentifier(x_storage, slot);
+    pair.normal.identifier = NormalIdentifier(row);
     pair.normal.kind = FrameKind::kData;
     pair.normal.port = x_config->normal_port;
-    pair.normal.length_bytes = x_storage.length_bytes[slot];
-    UnpackBytes(data.inverse ^ mask, &pair.normal.data[0]);
+    pair.normal.length_bytes = row.length_bytes;
+    UnpackBytes(data.inverse ^ PayloadMask(row.length_bytes), &pair.normal.data[0]);
     pair.status = PrepareStatus::kReady;
     return pair;
 }
@@ -59,25 +59,17 @@ PreparedPair Channel::Prepare(SlotIndex slot) noexcept
 CanFrame Channel::InverseFrame(SlotIndex slot) noexcept
 {
     CanFrame frame{0U, FrameKind::kInvalid, CanPortId::kInvalid, 0U, {}};
-    if (x_storage.stage[slot] == Stage::kSendInverse)
+    Row& row = x_storage.rows[slot];
+    if (row.stage == Stage::kSendInverse)
     {
-        const std::uint64_t data = x_storage.inverse_data[slot];
-        x_storage.stage[slot] = Stage::kAwaitInverse;
-        frame.identifier = InverseIdentifier(x_storage, slot);
+        row.stage = Stage::kAwaitInverse;
+        frame.identifier = InverseIdentifier(row);
         frame.kind = FrameKind::kData;
         frame.port = x_config->inverse_port;
-        frame.length_bytes = x_storage.length_bytes[slot];
-        UnpackBytes(data, &frame.data[0]);
+        frame.length_bytes = row.length_bytes;
+        UnpackBytes(row.inverse_data, &frame.data[0]);
     }
     return frame;
-}
-
-[[gnu::always_inline]] inline bool Channel::IsEchoWrong(SlotIndex slot, const CanFrame& frame,
-                                                        std::uint64_t expected) const noexcept
-{
-    const std::uint8_t length_bytes = x_storage.length_bytes[slot];
-    const std::uint64_t different = (expected ^ PackBytes(&frame.data[0])) & PayloadMask(length_bytes);
-    return (frame.length_bytes != length_bytes) || (different != 0U);
 }
 
 Confirmation Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
@@ -87,61 +79,57 @@ Confirmation Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
     {
         return Confirmation{kNoSlot, ConfirmStep::kNone};
     }
+    Row& row = x_storage.rows[slot];
     // The identifiers of normal frames are odd, those of inverse frames are even.
     const bool is_normal = (frame.identifier & 1U) != 0U;
-    const Awaited confirmed = is_normal ? Awaited::kNormal : Awaited::kInverse;
-    const bool is_own = frame.identifier == OwnIdentifier(x_storage, slot, is_normal);
-    if ((AwaitedIn(x_storage.stage[slot]) != confirmed) || (!is_own))
+    const bool is_inverse_awaited = IsInFlight(row.stage) && (row.stage != Stage::kAwaitNormal);
+    const bool is_awaited = is_normal ? (row.stage == Stage::kAwaitNormal) : is_inverse_awaited;
+    const std::uint32_t own = is_normal ? NormalIdentifier(row) : InverseIdentifier(row);
+    if ((!is_awaited) || (frame.identifier != own))
     {
         return Confirmation{kNoSlot, ConfirmStep::kNone};
     }
-    const std::uint64_t inverse = x_storage.inverse_data[slot];
-    const std::uint32_t since_call = stamp.us - x_last_us;
-    if (IsEchoWrong(slot, frame, is_normal ? ~inverse : inverse))
+    const std::uint64_t echo = PackBytes(&frame.data[0]) ^ row.inverse_data;
+    const std::uint64_t different = (is_normal ? ~echo : echo) & PayloadMask(row.length_bytes);
+    if ((frame.length_bytes != row.length_bytes) || (different != 0U))
     {
         return Fail(slot, SrdoCause::kWrongEcho);
     }
-    if (!is_normal)
+    const std::uint32_t since_call = stamp.us - x_last_us;
+    if (is_normal)
     {
-        return ConfirmInverse(slot, since_call);
+        row.stage = Stage::kSendInverse;
+        StartBudget(x_storage, slot, since_call);
+        return Confirmation{slot, ConfirmStep::kNormal};
     }
-    x_storage.stage[slot] = Stage::kSendInverse;
-    StartBudget(x_storage, slot, since_call);
-    return Confirmation{slot, ConfirmStep::kNormal};
-}
-
-/// `since_call` is the time from the last OnCycle to the confirmation.
-[[gnu::always_inline]] inline Confirmation Channel::ConfirmInverse(SlotIndex slot, std::uint32_t since_call) noexcept
-{
     if ((x_storage.pair_left[slot] - since_call) > x_storage.pair_limit[slot])
     {
         return Fail(slot, SrdoCause::kNoConfirmation);
     }
-    x_storage.sent[slot] += 1U;
-    x_storage.stage[slot] = Stage::kIdle;
-    x_storage.pair_limit[slot] = kNothingRuns;
+    row.sent += 1U;
+    Ground(slot);
     return Confirmation{slot, ConfirmStep::kPair};
 }
 
 void Channel::OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept
 {
     const bool is_transmit_fault = (cause == SrdoCause::kTransmitQueue) || (cause == SrdoCause::kBusOff);
-    if (is_transmit_fault && IsInFlight(x_storage, slot))
+    if (is_transmit_fault && IsInFlight(x_storage.rows[slot].stage))
     {
         static_cast<void>(Fail(slot, cause));
     }
 }
 
 /// The refresh falls due at exact distances, whenever the calls come. [SRS-PROD-001, SRS-PROD-002]
-void Channel::AdvanceProvider(SlotIndex slot) noexcept
+inline void Channel::AdvanceProvider(SlotIndex slot) noexcept
 {
     Marks& marks = MarksOf(x_storage, slot);
     const HalfMask bit = BitOf(slot);
-    x_storage.phase_left[slot] += SctUs(x_storage, slot);
+    x_storage.phase_left[slot] += SctUs(x_storage.rows[slot]);
     marks.started |= bit;
-    if (IsInFlight(x_storage, slot) || ((marks.refresh_due & bit) != 0U))
+    if (IsInFlight(x_storage.rows[slot].stage) || ((marks.refresh_due & bit) != 0U))
     {
-        static_cast<void>(Fail(slot, SrdoCause::kRefreshMissed));
+        Record(slot, SrdoCause::kRefreshMissed);
     }
     else
     {
@@ -150,7 +138,7 @@ void Channel::AdvanceProvider(SlotIndex slot) noexcept
 }
 
 /// [SRS-PROD-001, SRS-PROD-010]
-void Channel::AdvanceApplication(SlotIndex slot) noexcept
+inline void Channel::AdvanceApplication(SlotIndex slot) noexcept
 {
     Marks& marks = MarksOf(x_storage, slot);
     const HalfMask bit = BitOf(slot);
@@ -170,35 +158,28 @@ void Channel::AdvanceApplication(SlotIndex slot) noexcept
     }
     else
     {
-        static_cast<void>(Fail(slot, SrdoCause::kRefreshMissed));
+        Record(slot, SrdoCause::kRefreshMissed);
         x_storage.phase_left[slot] = absence_us;
     }
 }
 
-/// Returns the slots that are due. [SRS-PROD-004, SRS-PROD-008, SRS-PROD-010]
-HalfMask Channel::AdvanceProducers(const CycleInput& input, const Census& census) noexcept
+/// Whose phase is over, or where no phase runs any longer.
+void Channel::EndPhases(const Census& census) noexcept
 {
-    Marks& marks = MarksOf(x_storage, census.first);
-    const std::uint32_t first_us = kFirstTransmissionStepUs * x_config->node_id;
-    const HalfMask standing = PartOf(input.stand, census.first) & marks.provider & marks.started;
-    marks.requested |= PartOf(input.request, census.first) & census.producers;
-    for (HalfMask rest = census.producers & census.spent; rest != 0U;)
+    const Marks& marks = MarksOf(x_storage, census.first);
+    for (HalfMask rest = census.present & ~(marks.acknowledged.on & marks.consumers); rest != 0U; rest = WithoutLowest(rest))
     {
-        static_cast<void>(Fail(TakeLowest(rest, census.first), SrdoCause::kNoConfirmation));
-    }
-    for (HalfMask rest = census.producers; rest != 0U;)
-    {
-        const SlotIndex slot = TakeLowest(rest, census.first);
+        const SlotIndex slot = LowestOf(rest, census.first);
         const HalfMask bit = BitOf(slot);
-        const std::uint32_t elapsed_us = ((standing & bit) != 0U) ? 0U : x_elapsed_us;
-        const std::uint32_t left_us = x_storage.phase_left[slot] - elapsed_us;
-        const std::uint32_t limit_us = ((marks.started & bit) != 0U) ? SctUs(x_storage, slot) : first_us;
-        x_storage.phase_left[slot] = left_us;
-        if ((left_us - 1U) < limit_us) // At least one microsecond is left.
+        if ((x_storage.phase_left[slot] - 1U) <= kLongestPhase)
         {
-            continue;
+            continue; // At least one microsecond is left.
         }
-        if ((marks.provider & bit) != 0U)
+        if ((census.producers & bit) == 0U)
+        {
+            x_storage.phase_left[slot] = kLongestPhase;
+        }
+        else if ((marks.provider & bit) != 0U)
         {
             AdvanceProvider(slot);
         }
@@ -207,11 +188,31 @@ HalfMask Channel::AdvanceProducers(const CycleInput& input, const Census& census
             AdvanceApplication(slot);
         }
     }
-    HalfMask due = census.producers & (marks.refresh_due | (marks.requested & marks.started));
-    for (HalfMask rest = due; rest != 0U;)
+}
+
+/// Returns the slots that are due. [SRS-PROD-003, SRS-PROD-004, SRS-PROD-008, SRS-PROD-010, SRS-PROD-012]
+HalfMask Channel::AdvanceProducers(const CycleInput& input, const Call& call, const Census& census) noexcept
+{
+    Marks& marks = MarksOf(x_storage, census.first);
+    const HalfMask standing = PartOf(input.stand, census.first) & marks.provider & marks.started & census.producers;
+    marks.requested |= PartOf(input.request, census.first) & census.producers;
+    for (HalfMask rest = census.producers & census.spent; rest != 0U; rest = WithoutLowest(rest))
     {
-        const SlotIndex slot = TakeLowest(rest, census.first);
-        if (IsInFlight(x_storage, slot))
+        static_cast<void>(Fail(LowestOf(rest, census.first), SrdoCause::kNoConfirmation));
+    }
+    for (HalfMask rest = standing; rest != 0U; rest = WithoutLowest(rest))
+    {
+        x_storage.phase_left[LowestOf(rest, census.first)] += x_elapsed_us;
+    }
+    if (call.phases != 0U)
+    {
+        EndPhases(census);
+    }
+    HalfMask due = census.producers & (marks.refresh_due | (marks.requested & marks.started));
+    for (HalfMask rest = due; rest != 0U; rest = WithoutLowest(rest))
+    {
+        const SlotIndex slot = LowestOf(rest, census.first);
+        if (IsInFlight(x_storage.rows[slot].stage))
         {
             due &= ~BitOf(slot);
         }

@@ -78,36 +78,41 @@ template <typename T> struct Column
     }
 };
 
-/// The fields of all slots, one array each, owned by the caller. `capacity` slots; state, direction and first_cause
-/// have room for the next multiple of 8, because they are examined eight at a time. Budgets are microseconds that
-/// remain, as of the last OnCycle; a budget is spent when it exceeds its own limit (modular subtraction has then gone
-/// below zero).
+/// What frames and faults lead to, slot by slot: no loop over all slots looks at it. Order: small places first.
+struct Row
+{
+    std::uint64_t inverse_data;          ///< Inverse data of the held pair, or of the pair being sent.
+    std::uint64_t pending_data;          ///< Normal data that wait for their inverse.
+    std::uint64_t safe_data;             ///< Complement of the safe value.
+    std::uint32_t sent;                  ///< Producer: pairs sent; else 0.
+    std::uint32_t causes;                ///< Bit (1 << cause): recorded and not reported yet.
+    std::uint32_t signals;               ///< Of the last OnCycle, where Marks::signalled says so.
+    std::uint32_t told;                  ///< Signalled in the open window.
+    std::uint32_t window_left;           ///< Budget of the window of signals.
+    std::uint16_t error_count;
+    Stage stage;
+    std::uint8_t length_bytes;           ///< Mapped length.
+    std::uint16_t table[kMaxMapEntries]; ///< Place in DeviceConfig::objects. MISRA D-001
+    std::uint8_t image[kImageBytes];     ///< MISRA D-001
+};
+
+/// A column for each field that every cycle looks at in all slots, and a row a slot for the rest; owned by the caller.
+/// `capacity` slots; state, direction and first_cause have room for the next multiple of 8, because they are examined
+/// eight at a time. Budgets are microseconds that remain, as of the last OnCycle; a budget is spent when it exceeds its
+/// own limit (modular subtraction has then gone below zero).
 struct Storage
 {
-    Column<std::uint8_t> image;         ///< kImageBytes a slot.
-    Column<std::uint8_t> direction;     ///< First byte of the canonical image; apart, because every cycle looks at it.
-    Column<std::uint8_t> device;        ///< kDeviceBytes.
-    Column<std::uint8_t> slot_of;       ///< kLookUpBytes: slot of each identifier while SRDOs are active, or kNoSlot.
-    Column<std::uint16_t> table;        ///< kMaxMapEntries a slot: place in DeviceConfig::objects.
-    Column<std::uint64_t> pending_data; ///< Normal data that wait for their inverse.
-    Column<std::uint64_t> inverse_data; ///< Inverse data of the held pair, or of the pair being sent.
-    Column<std::uint64_t> safe_data;    ///< Complement of the safe value.
-    Column<std::uint32_t> pair_left;    ///< Budget of SRVT while something is pending or in flight, else of SCT.
-    Column<std::uint32_t> pair_limit;   ///< What pair_left started with; all bits set if nothing runs.
-    Column<std::uint32_t> phase_left;   ///< Consumer: to the complaint about no first pair. Producer: to the refresh.
-    Column<std::uint32_t> window_left;  ///< Of the window of signals.
-    Column<std::uint32_t> edge_left;    ///< Of the acknowledge edge.
-    Column<std::uint32_t> ordinal;      ///< Consumer: pairs completed; else 0.
-    Column<std::uint32_t> sent;         ///< Producer: pairs sent; else 0.
-    Column<std::uint32_t> causes;       ///< Bit (1 << cause): recorded and not reported yet.
-    Column<std::uint32_t> signals;      ///< Of the last OnCycle, where Marks::signalled says so.
-    Column<std::uint32_t> told;         ///< Signalled in the open window.
-    Column<std::uint16_t> error_count;
-    Column<std::uint8_t> state; ///< SrdoState. A byte, as direction and first_cause, so that one look takes eight.
-    Column<std::uint8_t> first_cause; ///< SrdoCause.
-    Column<Stage> stage;
-    Column<std::uint8_t> length_bytes; ///< Mapped length.
+    Column<Row> rows;
     Column<Marks> marks;               ///< kHalves.
+    Column<std::uint32_t> pair_left;   ///< Budget of SRVT while something is pending or in flight, else of SCT.
+    Column<std::uint32_t> pair_limit;  ///< What pair_left started with; all bits set if nothing runs.
+    Column<std::uint32_t> phase_left;  ///< Consumer: of the acknowledge edge. Producer: to the next refresh.
+    Column<std::uint32_t> ordinal;     ///< Consumer: pairs completed; else 0.
+    Column<std::uint8_t> state;        ///< SrdoState. A byte, as direction and first_cause: one look takes eight.
+    Column<std::uint8_t> direction;    ///< First byte of the canonical image; apart, because every cycle looks at it.
+    Column<std::uint8_t> first_cause;  ///< SrdoCause.
+    Column<std::uint8_t> slot_of;      ///< kLookUpBytes: slot of each identifier while SRDOs are active, or kNoSlot.
+    Column<std::uint8_t> device;       ///< kDeviceBytes.
     std::uint8_t capacity;
 };
 
@@ -117,39 +122,23 @@ template <std::uint8_t kSlots> struct StorageFor
     static_assert((kSlots >= 1U) && (kSlots <= kMaxSrdoCount), "1 to 64 SRDOs");
     static constexpr std::size_t kPadded = ((kSlots + 7U) / 8U) * 8U;
 
-    Marks marks[kHalves];                                                   // MISRA D-001
-    std::uint64_t pending_data[kSlots];                                     // MISRA D-001
-    std::uint64_t inverse_data[kSlots];                                     // MISRA D-001
-    std::uint64_t safe_data[kSlots];                                        // MISRA D-001
-    std::uint32_t pair_left[kSlots];                                        // MISRA D-001
-    std::uint32_t pair_limit[kSlots];                                       // MISRA D-001
-    std::uint32_t phase_left[kSlots];                                       // MISRA D-001
-    std::uint32_t window_left[kSlots];                                      // MISRA D-001
-    std::uint32_t edge_left[kSlots];                                        // MISRA D-001
-    std::uint32_t ordinal[kSlots];                                          // MISRA D-001
-    std::uint32_t sent[kSlots];                                             // MISRA D-001
-    std::uint32_t causes[kSlots];                                           // MISRA D-001
-    std::uint32_t signals[kSlots];                                          // MISRA D-001
-    std::uint32_t told[kSlots];                                             // MISRA D-001
-    std::uint16_t table[static_cast<std::size_t>(kSlots) * kMaxMapEntries]; // MISRA D-001
-    std::uint16_t error_count[kSlots];                                      // MISRA D-001
-    std::uint8_t state[kPadded];                                            // MISRA D-001
-    std::uint8_t first_cause[kPadded];                                      // MISRA D-001
-    std::uint8_t direction[kPadded];                                        // MISRA D-001
-    Stage stage[kSlots];                                                    // MISRA D-001
-    std::uint8_t length_bytes[kSlots];                                      // MISRA D-001
-    std::uint8_t image[static_cast<std::size_t>(kSlots) * kImageBytes];     // MISRA D-001
-    std::uint8_t slot_of[kLookUpBytes];                                     // MISRA D-001
-    std::uint8_t device[kDeviceBytes];                                      // MISRA D-001
+    Row rows[kSlots];                   // MISRA D-001
+    Marks marks[kHalves];               // MISRA D-001
+    std::uint32_t pair_left[kSlots];    // MISRA D-001
+    std::uint32_t pair_limit[kSlots];   // MISRA D-001
+    std::uint32_t phase_left[kSlots];   // MISRA D-001
+    std::uint32_t ordinal[kSlots];      // MISRA D-001
+    std::uint8_t state[kPadded];        // MISRA D-001
+    std::uint8_t direction[kPadded];    // MISRA D-001
+    std::uint8_t first_cause[kPadded];  // MISRA D-001
+    std::uint8_t slot_of[kLookUpBytes]; // MISRA D-001
+    std::uint8_t device[kDeviceBytes];  // MISRA D-001
 
     /// What the constructor of the channel wants.
     [[nodiscard]] Storage Handle() noexcept
     {
-        return Storage{{image},        {direction},    {device},       {slot_of},     {table},
-                       {pending_data}, {inverse_data}, {safe_data},    {pair_left},   {pair_limit},
-                       {phase_left},   {window_left},  {edge_left},    {ordinal},     {sent},
-                       {causes},       {signals},      {told},         {error_count}, {state},
-                       {first_cause},  {stage},        {length_bytes}, {marks},       kSlots};
+        return Storage{{rows},    {marks},     {pair_left},   {pair_limit}, {phase_left}, {ordinal},
+                       {state},   {direction}, {first_cause}, {slot_of},    {device},     kSlots};
     }
 };
 
