@@ -25,6 +25,8 @@ constexpr std::uint32_t kDefaultIdentifierBase = 0xFFU;
 
 constexpr std::uint16_t kErrorCountMax = 0xFFFFU;
 constexpr std::uint32_t kHighShift = 32U;
+constexpr std::uint32_t kHalfMask = 1U; // Of an identifier that is not odd, as those of normal frames are.
+constexpr std::uint8_t kGfcEnabled = 1U;
 
 // Default connection set: SRDO 1 of the first 64 nodes. [SRS-CFG-002]
 void SetDefaults(Record& record, const std::uint8_t number, const std::uint8_t node_id) noexcept
@@ -72,10 +74,10 @@ void ReportWith(Voice& voice, Record& record, const SrdoMask bit, const SrdoCaus
 
 } // namespace
 
-const std::uint8_t kRuler[kRulerSize] = {
+const std::uint64_t kMapped[kLengthMask + 1U] = {
     // MISRA D-001
-    0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU,
-    0xFFU, 0xFFU, 0xFFU, 0x00U, 0x00U, 0x00U, 0x00U, 0x00U, 0x00U, 0x00U, 0x00U,
+    0xFFFFFFFFFFFFFFFFU, 0x00000000000000FFU, 0x000000000000FFFFU, 0x0000000000FFFFFFU,
+    0x00000000FFFFFFFFU, 0x000000FFFFFFFFFFU, 0x0000FFFFFFFFFFFFU, 0x00FFFFFFFFFFFFFFU,
 };
 
 Channel::Channel(const Storage& storage) noexcept : voice_{}
@@ -98,7 +100,7 @@ void Channel::Restart(const DeviceConfig& config) noexcept
     voice_.groups[kGroupOff] = ~SrdoMask{0U};
     voice_.levels = ~SrdoMask{0U}; // A level of 1 at power-on is no edge.
     ClearLookUp(voice_);
-    for (SlotIndex slot = 0U; slot < voice_.count; ++slot)
+    for (std::uint32_t slot = 0U; slot < voice_.count; ++slot)
     {
         const SrdoSetup& setup = config.srdos[slot]; // MISRA D-002
         Record& record = At(voice_, slot);
@@ -133,7 +135,7 @@ void MoveTo(Voice& voice, const SrdoMask bits, const std::uint8_t group) noexcep
 }
 
 // What a fault does, if the cell is one. In every other cell the event is none in this mode.
-void Raise(Voice& voice, const SlotIndex slot, const Event event, const SrdoCause given) noexcept
+void Raise(Voice& voice, const std::uint32_t slot, const Event event, const SrdoCause given) noexcept
 {
     Record& record = At(voice, slot);
     const SrdoMask bit = BitOf(slot);
@@ -164,12 +166,12 @@ void Count(Record& record, const SrdoCause cause) noexcept
     }
 }
 
-void Report(Voice& voice, const SlotIndex slot, const SrdoCause cause) noexcept
+void Report(Voice& voice, const std::uint32_t slot, const SrdoCause cause) noexcept
 {
     ReportWith(voice, At(voice, slot), BitOf(slot), cause);
 }
 
-void Discard(Voice& voice, const SlotIndex slot) noexcept
+void Discard(Voice& voice, const std::uint32_t slot) noexcept
 {
     Record& record = At(voice, slot);
     const SrdoMask bit = BitOf(slot);
@@ -178,6 +180,46 @@ void Discard(Voice& voice, const SlotIndex slot) noexcept
     if (cell.next == Mode::kFaultedEmpty)
     {
         record.limit_us = kNoLimit;
+    }
+}
+
+// [SRS-CONS-017]
+void ReceiveOther(Voice& voice, const CanFrame& frame) noexcept
+{
+    const bool is_gfc = (frame.identifier == kGfcIdentifier) && (frame.length_bytes == 0U);
+    if (is_gfc && voice.is_active && (voice.gfc_parameter == kGfcEnabled))
+    {
+        voice.gfc_pending = true;
+    }
+}
+
+// In the order of SRS-CONS-011; what order of frames means is the table's affair.
+void ReceiveOdd(Voice& voice, const CanFrame& frame, const std::uint32_t slot, const Event order) noexcept
+{
+    const Record& record = At(voice, slot);
+    const std::uint32_t half = ~frame.identifier & kHalfMask;
+    Event event = order;
+    if (frame.length_bytes != record.length_bytes)
+    {
+        event = Event::kWrongLength;
+    }
+    if ((frame.identifier != record.values[kCobIdPlace + half]) || (frame.port != voice.ports[half]))
+    {
+        event = Event::kWrongIdentifier;
+    }
+    Raise(voice, slot, event, SrdoCause::kNone);
+}
+
+// The limit first; the frame is then taken as if nothing had been there before it.
+void ReceiveLate(Voice& voice, const CanFrame& frame, const Instant stamp, const std::uint32_t slot) noexcept
+{
+    const bool is_inverse = (~frame.identifier & kHalfMask) != 0U;
+    Raise(voice, slot, Event::kExpired, SrdoCause::kNone);
+    ReceiveOdd(voice, frame, slot, is_inverse ? Event::kInverse : Event::kNormal);
+    Record& record = At(voice, slot);
+    if (record.mode == Mode::kFaultedFirst)
+    {
+        Keep(record, frame, stamp);
     }
 }
 

@@ -30,6 +30,7 @@ struct Cycle
     SrdoMask edges;    ///< Acknowledge inputs that went from 0 to 1.
     SrdoMask left;     ///< Consumers that ceased to be active in this call.
     SrdoMask standing; ///< Producers whose refresh stood still, if of the form that is called.
+    SrdoMask unconfirmed;
     SrdoMask new_fault;
     SrdoMask signalled;
 };
@@ -50,7 +51,7 @@ GuardView GuardOf(const CycleInput& input, const std::uint8_t configuration_vali
 // Only directions 1 and 2 come as far as a resolved mapping. `since` of a producer that is called is one refresh and a
 // microsecond before the first possible transmission, so that the first refresh falls due there; it is the first
 // possible transmission itself where the application sends.
-void EnterSlot(Voice& voice, const SlotIndex slot) noexcept
+void EnterSlot(Voice& voice, const std::uint32_t slot) noexcept
 {
     Record& record = At(voice, slot);
     const std::uint32_t place = record.values[kCobIdPlace] - kFirstSrdoIdentifier;
@@ -83,7 +84,7 @@ void Enter(Voice& voice, const Instant now) noexcept
     voice.refreshed = 0U;
     voice.ordinal_sum = 0U;
     voice.off_count = voice.count;
-    for (SlotIndex slot = 0U; slot < voice.count; ++slot)
+    for (std::uint32_t slot = 0U; slot < voice.count; ++slot)
     {
         const Record& record = At(voice, slot);
         if ((record.mapping == kMarked) && (record.check == kMarked) && IsSealed(record))
@@ -99,7 +100,7 @@ void Leave(Voice& voice, Cycle& cycle) noexcept
     SrdoMask to_leave = cycle.left | voice.groups[kGroupProducer];
     while (to_leave != 0U)
     {
-        const SlotIndex slot = TakeLowest(to_leave);
+        const std::uint32_t slot = TakeLowest(to_leave);
         Raise(voice, slot, Event::kLeave, SrdoCause::kNone);
         At(voice, slot).limit_us = kNoLimit;
         At(voice, slot).ordinal = 0U;
@@ -126,30 +127,37 @@ void FollowOperational(Voice& voice, Cycle& cycle, const bool is_active) noexcep
     voice.is_active = is_active;
 }
 
+// Producers that still wait for a confirmation after SRVT. [SRS-PROD-008]
+SrdoMask UnconfirmedOf(const Voice& voice, const Instant now) noexcept
+{
+    SrdoMask unconfirmed = 0U;
+    SrdoMask flying = voice.flying & voice.existing;
+    while (flying != 0U)
+    {
+        const std::uint32_t slot = TakeLowest(flying);
+        const Record& record = At(voice, slot);
+        if ((now.us - record.sent_since.us) > SrvtUs(record))
+        {
+            unconfirmed |= BitOf(slot);
+        }
+    }
+    return unconfirmed;
+}
+
 // The one loop over all slots. What it passes over has no limit that expired, fits its seal, and has nothing to tell,
 // to wait for or to release.
 SrdoMask Scanned(const Voice& voice, const Cycle& cycle) noexcept
 {
     // A new pair is of interest to a slot that is not released yet.
-    SrdoMask found = cycle.edges | cycle.standing | (voice.fresh & ~voice.groups[kGroupReleased]);
+    SrdoMask found = cycle.edges | cycle.standing | cycle.unconfirmed | (voice.fresh & ~voice.groups[kGroupReleased]);
     if (cycle.is_late || cycle.has_overflow || cycle.has_gfc)
     {
         found |= ConsumersOf(voice);
     }
-    for (SlotIndex slot = 0U; slot < voice.count; ++slot)
+    for (std::uint32_t slot = 0U; slot < voice.count; ++slot)
     {
         const Record& record = At(voice, slot);
         if (((cycle.now.us - record.since.us) > record.limit_us) || !IsSealed(record))
-        {
-            found |= BitOf(slot);
-        }
-    }
-    SrdoMask flying = voice.flying & voice.existing;
-    while (flying != 0U)
-    {
-        const SlotIndex slot = TakeLowest(flying);
-        const Record& record = At(voice, slot);
-        if ((cycle.now.us - record.sent_since.us) > SrvtUs(record))
         {
             found |= BitOf(slot);
         }
@@ -158,13 +166,13 @@ SrdoMask Scanned(const Voice& voice, const Cycle& cycle) noexcept
 }
 
 // A corrupted record; its old mode cannot be trusted to tell its old group.
-void Break(Voice& voice, const SlotIndex slot) noexcept
+void Break(Voice& voice, const std::uint32_t slot) noexcept
 {
     Raise(voice, slot, Event::kCorrupted, SrdoCause::kNone);
     MoveTo(voice, BitOf(slot), FactsOf(At(voice, slot).mode).group);
 }
 
-void ExamineConsumer(Voice& voice, const Cycle& cycle, const SlotIndex slot) noexcept
+void ExamineConsumer(Voice& voice, const Cycle& cycle, const std::uint32_t slot) noexcept
 {
     const Record& record = At(voice, slot);
     if (!IsSealed(record))
@@ -191,7 +199,7 @@ void ExamineConsumer(Voice& voice, const Cycle& cycle, const SlotIndex slot) noe
 }
 
 // An edge is good for a release until its window is over, and for nothing afterwards. [SRS-REL-003..007]
-void Acknowledge(Voice& voice, const Cycle& cycle, const SlotIndex slot) noexcept
+void Acknowledge(Voice& voice, const Cycle& cycle, const std::uint32_t slot) noexcept
 {
     Record& record = At(voice, slot);
     const SrdoMask bit = BitOf(slot);
@@ -219,7 +227,7 @@ void Acknowledge(Voice& voice, const Cycle& cycle, const SlotIndex slot) noexcep
 // t      frames of this cycle        now
 //        faults in bus order | SRVT or SCT, late call, overflow, GFC | report: nothing held, or acknowledge and release
 // Returns what else is to be signalled.
-std::uint32_t ServeConsumer(Voice& voice, Cycle& cycle, const SlotIndex slot) noexcept
+std::uint32_t ServeConsumer(Voice& voice, Cycle& cycle, const std::uint32_t slot) noexcept
 {
     Record& record = At(voice, slot);
     ExamineConsumer(voice, cycle, slot);
@@ -242,7 +250,7 @@ std::uint32_t ServeConsumer(Voice& voice, Cycle& cycle, const SlotIndex slot) no
 }
 
 // Exact addition keeps the phase. A refresh that cannot be is skipped. [SRS-PROD-002]
-void Refresh(Voice& voice, const SlotIndex slot) noexcept
+void Refresh(Voice& voice, const std::uint32_t slot) noexcept
 {
     Record& record = At(voice, slot);
     const SrdoMask bit = BitOf(slot);
@@ -258,7 +266,7 @@ void Refresh(Voice& voice, const SlotIndex slot) noexcept
 }
 
 // The limit of a producer is its next refresh. [SRS-PROD-010]
-void ExamineSending(Voice& voice, const Cycle& cycle, const SlotIndex slot) noexcept
+void ExamineSending(Voice& voice, const Cycle& cycle, const std::uint32_t slot) noexcept
 {
     Record& record = At(voice, slot);
     const SrdoMask bit = BitOf(slot);
@@ -287,7 +295,7 @@ void ExamineSending(Voice& voice, const Cycle& cycle, const SlotIndex slot) noex
     }
 }
 
-void ServeProducer(Voice& voice, const Cycle& cycle, const SlotIndex slot) noexcept
+void ServeProducer(Voice& voice, const Cycle& cycle, const std::uint32_t slot) noexcept
 {
     Record& record = At(voice, slot);
     if (!IsSealed(record))
@@ -298,9 +306,9 @@ void ServeProducer(Voice& voice, const Cycle& cycle, const SlotIndex slot) noexc
         voice.flying &= ~BitOf(slot);
         return;
     }
-    if ((cycle.now.us - record.sent_since.us) > SrvtUs(record))
+    if ((cycle.unconfirmed & BitOf(slot)) != 0U)
     {
-        Raise(voice, slot, Event::kUnconfirmed, SrdoCause::kNone); // Without effect if nothing is in flight.
+        Raise(voice, slot, Event::kUnconfirmed, SrdoCause::kNone);
     }
     ExamineSending(voice, cycle, slot);
     if (((cycle.edges & BitOf(slot)) != 0U) && (record.unreported == 0U))
@@ -326,7 +334,7 @@ void Signal(Cycle& cycle, Record& record, const SrdoMask bit, const std::uint32_
     }
 }
 
-void Serve(Voice& voice, Cycle& cycle, const SlotIndex slot) noexcept
+void Serve(Voice& voice, Cycle& cycle, const std::uint32_t slot) noexcept
 {
     const SrdoMask bit = BitOf(slot);
     Record& record = At(voice, slot);
@@ -381,6 +389,7 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
     {
         voice_.may_send = true; // Kept: the difference wraps after 71 minutes.
     }
+    cycle.unconfirmed = UnconfirmedOf(voice_, cycle.now);
     SrdoMask to_serve = Scanned(voice_, cycle);
     voice_.attention = 0U;
     while (to_serve != 0U)

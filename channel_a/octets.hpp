@@ -3,6 +3,7 @@
 #define CHANNEL_A_OCTETS_HPP
 
 #include "channel_a/storage.hpp"
+#include "channel_a/voice.hpp"
 #include "safety_core/contract/can_frame.hpp"
 #include "safety_core/contract/limits.hpp"
 #include "safety_core/contract/srdo.hpp"
@@ -15,17 +16,16 @@
 namespace counterpoint::channel_a
 {
 
-constexpr std::uint32_t kLengthMask = 0x0FU;
 constexpr std::size_t kBytesPerWord = 4U;
 constexpr std::uint32_t kBitsPerByte = 8U;
 
 /// What the bytes of an inverse frame are flipped with.
 constexpr std::uint64_t kInverseFlip = 0xFFFFFFFFFFFFFFFFU;
 
-/// The bytes that are mapped, for every length: seen from `kLengthMask - length` on, as many FFh as the length has
-/// bytes. 9 to 15 occur only in a corrupted record, which its seal gives away.
-constexpr std::size_t kRulerSize = kLengthMask + kMaxPayloadBytes;
-extern const std::uint8_t kRuler[kRulerSize]; // MISRA D-001
+/// The bits that are mapped, for lengths of 1 to 7 bytes and, as row 0, 8 bytes. Another length occurs only in a
+/// corrupted record, which its seal gives away.
+constexpr std::uint32_t kLengthMask = 0x07U;
+extern const std::uint64_t kMapped[kLengthMask + 1U]; // MISRA D-001
 
 /// @brief Eight bytes from `place` on, byte 0 as the lowest bits, whatever the order of the processor.
 [[nodiscard]] inline std::uint64_t BitsAt(const std::uint8_t* const place) noexcept
@@ -43,7 +43,7 @@ extern const std::uint8_t kRuler[kRulerSize]; // MISRA D-001
 
 [[nodiscard]] inline std::uint64_t MappedBits(const Record& record) noexcept
 {
-    return BitsAt(&kRuler[kLengthMask - (record.length_bytes & kLengthMask)]);
+    return kMapped[record.length_bytes & kLengthMask];
 }
 
 [[nodiscard]] inline Octets OctetsOf(const std::uint64_t bits) noexcept
@@ -65,17 +65,21 @@ extern const std::uint8_t kRuler[kRulerSize]; // MISRA D-001
     return Payload{WordAt(&octets.at[0]), WordAt(&octets.at[kBytesPerWord])};
 }
 
-/// @brief The mapped bytes of a frame of this record.
-[[nodiscard]] inline Octets TakenFrom(const Record& record, const CanFrame& frame) noexcept
-{
-    return OctetsOf(BitsAt(&frame.data[0]) & MappedBits(record));
-}
-
-/// @brief Whether each mapped byte of the frame is the byte of `expected` XOR `flip`.
+/// @brief Whether each mapped byte of the frame is the byte of `expected` XOR the byte of `flip`. Most frames have no
+/// other bytes.
 [[nodiscard]] inline bool IsEqual(const Record& record, const CanFrame& frame, const Octets& expected,
                                   const std::uint64_t flip) noexcept
 {
-    return ((BitsAt(&frame.data[0]) ^ Bits(expected) ^ flip) & MappedBits(record)) == 0U;
+    const std::uint64_t wrong = BitsAt(&frame.data[0]) ^ Bits(expected) ^ flip;
+    return (wrong == 0U) || ((wrong & MappedBits(record)) == 0U);
+}
+
+/// @brief The frame becomes the pending normal frame.
+inline void Keep(Record& record, const CanFrame& frame, const Instant stamp) noexcept
+{
+    record.pending = OctetsOf(BitsAt(&frame.data[0]) & MappedBits(record));
+    record.since = stamp;
+    record.limit_us = SrvtUs(record);
 }
 
 } // namespace counterpoint::channel_a
