@@ -35,7 +35,7 @@ void Channel::EnterSlot(SlotIndex slot, SrdoState state) noexcept
     x_storage.state[slot] = Code(state);
     x_storage.ordinal[slot] = 0U;
     x_storage.rows[slot].sent = 0U;
-    Ground(slot);
+    Ground(slot, (state == SrdoState::kProducer) ? Stage::kIdle : Stage::kOff);
     x_storage.phase_left[slot] = kFirstTransmissionStepUs * x_config->node_id; // Of a consumer: whatever.
 }
 
@@ -75,7 +75,7 @@ HalfMask Channel::Leave(const Census& half) noexcept
     {
         x_storage.state[slot] = Code(SrdoState::kOff);
         x_storage.rows[slot].sent = 0U;
-        Ground(slot);
+        Ground(slot, Stage::kOff);
     }
     return left;
 }

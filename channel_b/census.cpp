@@ -68,7 +68,7 @@ void Channel::Repair(SlotIndex slot, Census& census) noexcept
     Fault(slot, SrdoCause::kInvalid);
     Withdraw(MarksOf(x_storage, slot).automatic, bit);
     x_storage.first_cause[slot] = Code(SrdoCause::kInvalid);
-    x_storage.rows[slot].stage = Stage::kIdle;
+    x_storage.rows[slot].stage = Stage::kOff;
     if (x_storage.direction[slot] == kDirectionConsumer)
     {
         census.faulted |= bit;
@@ -84,31 +84,39 @@ void Channel::TakeCensus(Census& census) noexcept
 {
     const Marks& marks = MarksOf(x_storage, census.first);
     const HalfMask active = census.active;
-    SlotIndex first = census.first;
+    const Column<const std::uint8_t> state{&x_storage.state[census.first]};
+    const Column<const std::uint8_t> direction{&x_storage.direction[census.first]};
+    const Column<const std::uint8_t> cause{&x_storage.first_cause[census.first]};
+    HalfMask released = 0U;
+    HalfMask producers = 0U;
+    HalfMask others = 0U;
+    std::size_t at = 0U;
     for (HalfMask word = kAllOfWord; (word & active) != 0U; word <<= kSlotsInWord)
     {
-        const std::uint64_t states = PackBytes(&x_storage.state[first]);
-        const std::uint64_t directions = PackBytes(&x_storage.direction[first]);
-        const std::uint64_t causes = PackBytes(&x_storage.first_cause[first]);
-        if (((states ^ kEightReleased) | (directions ^ kEightConsumers) | (causes ^ kEightWithoutCause)) == 0U)
+        const std::uint64_t states = PackBytes(&state[at]);
+        const std::uint64_t directions = PackBytes(&direction[at]);
+        const std::uint64_t not_released = (states ^ kEightReleased) | (directions ^ kEightConsumers);
+        const std::uint64_t not_sending = (states ^ kEightSending) | (directions ^ kEightProducers);
+        if ((not_released | (PackBytes(&cause[at]) ^ kEightWithoutCause)) == 0U)
         {
-            census.released |= word;
+            released |= word;
         }
-        else if (((states ^ kEightSending) | (directions ^ kEightProducers)) == 0U)
+        else if (not_sending == 0U)
         {
-            census.producers |= word;
+            producers |= word;
         }
         else
         {
-            for (HalfMask rest = word & active; rest != 0U; rest = WithoutLowest(rest))
-            {
-                Enlist(LowestOf(rest, census.first), census);
-            }
+            others |= word;
         }
-        first = static_cast<SlotIndex>(first + kSlotsInWord);
+        at += kSlotsInWord;
     }
-    census.released &= active;
-    census.producers &= active;
+    census.released = released & active;
+    census.producers = producers & active;
+    for (HalfMask rest = others & active; rest != 0U; rest = WithoutLowest(rest))
+    {
+        Enlist(LowestOf(rest, census.first), census);
+    }
     const HalfMask consumers = census.waiting | census.faulted | census.released;
     const HalfMask twins = (marks.held.on ^ marks.held.off) & (marks.acknowledged.on ^ marks.acknowledged.off) &
                            (marks.automatic.on ^ marks.automatic.off);

@@ -27,7 +27,7 @@ constexpr std::uint8_t kLastDefaultNode = 64U;
 /// Of a valid pair the inverse data tell the normal data.
 [[nodiscard]] Payload DataOf(const Row& row) noexcept
 {
-    return PayloadOf(~row.inverse_data & PayloadMask(row.length_bytes));
+    return PayloadOf(~row.inverse_data & row.mask);
 }
 
 } // namespace
@@ -53,7 +53,7 @@ void Channel::ClearSlot(SlotIndex slot) noexcept
     x_storage.first_cause[slot] = Code(SrdoCause::kNone);
     x_storage.ordinal[slot] = 0U;
     x_storage.phase_left[slot] = kLongestPhase;
-    Ground(slot);
+    Ground(slot, Stage::kOff);
 }
 
 void Channel::Restart(const DeviceConfig& config) noexcept
@@ -61,6 +61,8 @@ void Channel::Restart(const DeviceConfig& config) noexcept
     const Column<const SrdoSetup> setups{config.srdos};
     x_config = &config;
     x_count = (config.srdo_count < x_storage.capacity) ? config.srdo_count : x_storage.capacity;
+    x_port[0U] = config.inverse_port;
+    x_port[1U] = config.normal_port;
     x_running = 0U;
     x_gfc = 0U;
     x_late_us = 0xFFFFFFFFU; // The first call is never late.
@@ -90,7 +92,6 @@ void Channel::Restart(const DeviceConfig& config) noexcept
 void Channel::TakeSetup(SlotIndex slot, const SrdoSetup& setup) noexcept
 {
     const std::uint8_t node = x_config->node_id;
-    x_storage.rows[slot].safe_data = ~Join(setup.safe_value.low, setup.safe_value.high);
     if (setup.policy == ReleasePolicy::kAutomatic)
     {
         Grant(MarksOf(x_storage, slot).automatic, BitOf(slot));

@@ -54,17 +54,9 @@ class Channel final : public counterpoint::Channel
         HalfMask late;       ///< All bits if the call is late, else none.
         HalfMask overflowed; ///< All bits if frames were lost, else none.
         HalfMask alarmed;    ///< Both, and a global fail-safe command.
-        HalfMask phases;     ///< All bits if the phase of some slot is over, else none.
         bool is_entering;
         bool is_leaving;
         bool is_spent; ///< The budget of some pair.
-    };
-
-    /// What the time since the last call used up in some slot.
-    struct Spending
-    {
-        bool is_spent;
-        HalfMask phases;
     };
 
     /// What it finds and does for one half of the slots. The first five are slots by state, of one look at all of them;
@@ -85,22 +77,15 @@ class Channel final : public counterpoint::Channel
         HalfMask fresh;
         HalfMask due;
         HalfMask signalled;
-        SlotIndex first; ///< Slot 0 or 32.
+        SlotIndex first;    ///< Slot 0 or 32.
+        bool is_phase_over; ///< Of some slot.
     };
 
-    /// A mapping while it is being checked.
-    struct Mapping
-    {
-        std::uint16_t table[kMaxMapEntries]; // MISRA D-001
-        std::uint32_t length_bits;
-        ConfigFault fault;
-    };
-
-    /// What the inverse objects of a producer hold.
+    /// What objects of a producer hold, and how long they are together.
     struct ObjectData
     {
-        std::uint64_t inverse;
-        std::uint32_t wrong; ///< 0 if they are the inverse of the normal ones, bit by bit, and as long as they should.
+        std::uint64_t word;
+        std::uint32_t length_bits;
     };
 
     // channel.cpp
@@ -122,7 +107,8 @@ class Channel final : public counterpoint::Channel
     [[nodiscard]] HalfMask Leave(const Census& half) noexcept;
 
     // cycle.cpp
-    [[nodiscard]] Spending Spend() noexcept;
+    [[nodiscard]] bool SpendPairs() noexcept;
+    [[nodiscard]] bool SpendPhases(const Census& half) noexcept;
     [[nodiscard]] HalfMask FindSpent(SlotIndex first) const noexcept;
     void CloseWindows(const Census& half) noexcept;
     [[nodiscard]] HalfMask MissFirstPairs(const Census& census) noexcept;
@@ -130,6 +116,7 @@ class Channel final : public counterpoint::Channel
     void CycleHalf(const CycleInput& input, const Call& call, Census& half) noexcept;
 
     // consumer.cpp
+    [[nodiscard]] SrdoCause TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
     [[nodiscard]] SrdoCause TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
     [[nodiscard]] SrdoCause TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept;
     void TakeCommand(const CanFrame& frame) noexcept;
@@ -142,32 +129,31 @@ class Channel final : public counterpoint::Channel
     void Count(SlotIndex slot, SrdoCause cause) noexcept;
     void Record(SlotIndex slot, SrdoCause cause) noexcept;
     void Discard(SlotIndex slot) noexcept;
-    void Fault(SlotIndex slot, SrdoCause cause) noexcept;
+    [[gnu::cold]] void Fault(SlotIndex slot, SrdoCause cause) noexcept;
     void FaultEach(SlotIndex first, HalfMask slots, SrdoCause cause) noexcept;
-    void Expire(SlotIndex slot) noexcept;
-    void Ground(SlotIndex slot) noexcept;
-    Confirmation Fail(SlotIndex slot, SrdoCause cause) noexcept;
-    void DropPair(SlotIndex slot) noexcept;
+    [[gnu::cold]] void Expire(SlotIndex slot) noexcept;
+    void Ground(SlotIndex slot, Stage stage) noexcept;
+    [[gnu::cold]] Confirmation Fail(SlotIndex slot, SrdoCause cause) noexcept;
 
     // producer.cpp
-    [[nodiscard]] HalfMask AdvanceProducers(const CycleInput& input, const Call& call, const Census& census) noexcept;
+    [[nodiscard]] HalfMask AdvanceProducers(const CycleInput& input, const Census& census) noexcept;
     void AdvanceProvider(SlotIndex slot) noexcept;
     void AdvanceApplication(SlotIndex slot) noexcept;
     void EndPhases(const Census& census) noexcept;
-    [[nodiscard]] std::uint32_t AbsenceUs(SlotIndex slot) const noexcept;
-    [[nodiscard]] ObjectData ReadObjects(const Row& row) const noexcept;
+    [[nodiscard]] ObjectData ReadObjects(const Row& row, std::uint32_t side) const noexcept;
 
     // configuration.cpp
     [[nodiscard]] Place PlaceOf(const ConfigAddress& address) const noexcept;
     [[nodiscard]] ConfigFault CheckParameters(SlotIndex slot) const noexcept;
     [[nodiscard]] bool IsIdentifierInUse(SlotIndex slot) const noexcept;
     [[nodiscard]] bool IsTimingWrong(SlotIndex slot) const noexcept;
-    [[nodiscard]] Mapping CheckMapping(SlotIndex slot) const noexcept;
+    [[nodiscard]] ConfigFault CheckMapping(SlotIndex slot) noexcept;
     [[nodiscard]] std::uint16_t Find(std::uint32_t entry) const noexcept;
     [[nodiscard]] bool IsEntryRight(std::uint16_t place, std::uint32_t entry, std::uint8_t direction) const noexcept;
     [[nodiscard]] bool IsTableRight(SlotIndex slot) const noexcept;
-    void Resolve(SlotIndex slot, const Mapping& mapping) noexcept;
     void WriteInverse(const Row& row, std::uint64_t data) const noexcept;
+
+    [[nodiscard]] std::uint64_t SafeDataOf(SlotIndex slot) const noexcept;
 
     // signature.cpp
     [[nodiscard]] std::uint16_t SignatureOf(SlotIndex slot) const noexcept;
@@ -183,6 +169,7 @@ class Channel final : public counterpoint::Channel
     std::uint32_t x_active_us{0U};  ///< Since entering OPERATIONAL.
     std::uint32_t x_late_us{0U};    ///< Longest time since the last OnCycle that is not late.
     std::uint32_t x_cycle{0U};
+    CanPortId x_port[2U]{};         ///< Of the inverse frames, of the normal frames. MISRA D-001
     std::uint8_t x_count{0U};
 };
 

@@ -179,7 +179,7 @@ std::uint16_t Channel::Find(std::uint32_t entry) const noexcept
 }
 
 /// Whether the object at `place` is the one that the entry names, of its length, and fits the direction.
-inline bool Channel::IsEntryRight(std::uint16_t place, std::uint32_t entry, std::uint8_t direction) const noexcept
+bool Channel::IsEntryRight(std::uint16_t place, std::uint32_t entry, std::uint8_t direction) const noexcept
 {
     if (place >= x_config->object_count)
     {
@@ -191,15 +191,14 @@ inline bool Channel::IsEntryRight(std::uint16_t place, std::uint32_t entry, std:
     return (named == entry) && (object.access == access);
 }
 
-/// SRS-CFG-026 to 028.
-Channel::Mapping Channel::CheckMapping(SlotIndex slot) const noexcept
+/// SRS-CFG-026 to 028. The table that it writes counts only after a Validate without fault.
+ConfigFault Channel::CheckMapping(SlotIndex slot) noexcept
 {
-    Mapping mapping{{}, 0U, ConfigFault::kMapping};
-    const Row& row = x_storage.rows[slot];
+    Row& row = x_storage.rows[slot];
     const std::uint32_t count = ByteAt(row, kMapCountAt);
     if ((count == 0U) || (count > kMaxMapEntries) || ((count & 1U) != 0U))
     {
-        return mapping;
+        return ConfigFault::kMapping;
     }
     const std::uint32_t granule = static_cast<std::uint32_t>(x_config->granularity_bits) - 1U;
     std::uint32_t wrong = 0U;
@@ -213,64 +212,71 @@ Channel::Mapping Channel::CheckMapping(SlotIndex slot) const noexcept
         wrong |= ((entry ^ partner) & 0xFFU) | (entry & 0xFFU & granule);
         for (std::uint32_t before = 0U; before < index; ++before)
         {
-            wrong |= static_cast<std::uint32_t>(mapping.table[before] == place);
+            wrong |= static_cast<std::uint32_t>(row.table[before] == place); // MISRA D-002
         }
-        mapping.table[index] = place;
+        row.table[index] = place; // MISRA D-002
         all_bits += entry & 0xFFU;
     }
-    if (wrong == 0U)
+    for (std::uint32_t index = count; index < kMaxMapEntries; ++index)
     {
-        // Each normal entry is as long as its inverse entry.
-        mapping.length_bits = all_bits / 2U;
-        mapping.fault = (mapping.length_bits > kMaxPayloadBits) ? ConfigFault::kLengthExceeded : ConfigFault::kNone;
+        row.table[index] = kNoPlace; // MISRA D-002
     }
-    return mapping;
-}
-
-void Channel::Resolve(SlotIndex slot, const Mapping& mapping) noexcept
-{
-    Row& row = x_storage.rows[slot];
-    const std::uint32_t count = EntryCount(row);
-    for (std::uint32_t index = 0U; index < kMaxMapEntries; ++index)
+    if (wrong != 0U)
     {
-        row.table[index] = (index < count) ? mapping.table[index] : kNoPlace; // MISRA D-002
+        return ConfigFault::kMapping;
     }
-    row.length_bytes = static_cast<std::uint8_t>(mapping.length_bits / 8U);
-    MarksOf(x_storage, slot).resolved |= BitOf(slot);
-    MarksOf(x_storage, slot).committed &= ~BitOf(slot); // Whatever was released is overwritten here, or no longer ours.
-    if (x_storage.direction[slot] == kDirectionConsumer)
+    // Each normal entry is as long as its inverse entry.
+    const std::uint32_t length_bytes = all_bits / 16U;
+    if (length_bytes > kMaxPayloadBytes)
     {
-        WriteInverse(row, row.safe_data);
+        return ConfigFault::kLengthExceeded;
     }
+    row.length_bytes = static_cast<std::uint8_t>(length_bytes & 0xFFU);
+    row.mask = 0U;
+    for (std::uint32_t byte = 0U; byte < length_bytes; ++byte)
+    {
+        row.mask = (row.mask << 8U) | 0xFFU;
+    }
+    return ConfigFault::kNone;
 }
 
 CheckResult Channel::Validate(SlotIndex slot) noexcept
 {
-    const std::uint16_t signature = SignatureOf(slot);
-    const bool is_signed = static_cast<std::uint32_t>(signature) == StoredSignature(x_storage.rows[slot]);
-    const bool is_on = x_storage.direction[slot] != kDirectionOff;
-    Mapping mapping{{}, 0U, ConfigFault::kNone};
-    MarksOf(x_storage, slot).resolved &= ~BitOf(slot);
-    Withdraw(MarksOf(x_storage, slot).valid, BitOf(slot));
-    if (is_on)
+    CheckResult result{ConfigFault::kNone, SignatureOf(slot)};
+    const Row& row = x_storage.rows[slot];
+    Marks& marks = MarksOf(x_storage, slot);
+    const HalfMask bit = BitOf(slot);
+    const std::uint8_t direction = x_storage.direction[slot];
+    marks.resolved &= ~bit;
+    Withdraw(marks.valid, bit);
+    if (direction != kDirectionOff)
     {
-        const ConfigFault fault = CheckParameters(slot);
-        mapping = CheckMapping(slot);
-        mapping.fault = (fault == ConfigFault::kNone) ? mapping.fault : fault;
-    }
-    if ((mapping.fault == ConfigFault::kNone) && (!is_signed))
-    {
-        mapping.fault = ConfigFault::kSignature;
-    }
-    if (mapping.fault == ConfigFault::kNone)
-    {
-        Grant(MarksOf(x_storage, slot).valid, BitOf(slot));
-        if (is_on)
+        result.fault = CheckParameters(slot);
+        if (result.fault == ConfigFault::kNone)
         {
-            Resolve(slot, mapping);
+            result.fault = CheckMapping(slot);
         }
     }
-    return CheckResult{mapping.fault, signature};
+    if (result.fault != ConfigFault::kNone)
+    {
+        return result;
+    }
+    if (static_cast<std::uint32_t>(result.signature) != StoredSignature(row))
+    {
+        result.fault = ConfigFault::kSignature;
+        return result;
+    }
+    Grant(marks.valid, bit);
+    if (direction != kDirectionOff)
+    {
+        marks.resolved |= bit;
+        marks.committed &= ~bit; // Whatever was released is overwritten here, or no longer ours.
+    }
+    if (direction == kDirectionConsumer)
+    {
+        WriteInverse(row, SafeDataOf(slot));
+    }
+    return result;
 }
 
 bool Channel::IsTableRight(SlotIndex slot) const noexcept

@@ -18,19 +18,9 @@ void Channel::TakeCommand(const CanFrame& frame) noexcept
     }
 }
 
-/// The checks are made in the order of SRS-CONS-011. Returns kNone if the frame was taken.
 [[gnu::always_inline]] inline SrdoCause Channel::TakeNormal(SlotIndex slot, const CanFrame& frame,
                                                             std::uint32_t since_call) noexcept
 {
-    Row& row = x_storage.rows[slot];
-    if ((frame.identifier != NormalIdentifier(row)) || (frame.port != x_config->normal_port))
-    {
-        return SrdoCause::kIdentifier;
-    }
-    if (frame.length_bytes != row.length_bytes)
-    {
-        return SrdoCause::kLength;
-    }
     Marks& marks = MarksOf(x_storage, slot);
     const HalfMask bit = BitOf(slot);
     if ((marks.pending & bit) != 0U)
@@ -38,23 +28,14 @@ void Channel::TakeCommand(const CanFrame& frame) noexcept
         return SrdoCause::kNormalTwice;
     }
     marks.pending |= bit;
-    row.pending_data = PackBytes(&frame.data[0]);
+    x_storage.rows[slot].pending_data = PackBytes(&frame.data[0]);
     StartBudget(x_storage, slot, since_call);
     return SrdoCause::kNone;
 }
 
-/// The same for the second half of a pair.
 [[gnu::always_inline]] inline SrdoCause Channel::TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept
 {
     Row& row = x_storage.rows[slot];
-    if ((frame.identifier != InverseIdentifier(row)) || (frame.port != x_config->inverse_port))
-    {
-        return SrdoCause::kIdentifier;
-    }
-    if (frame.length_bytes != row.length_bytes)
-    {
-        return SrdoCause::kLength;
-    }
     Marks& marks = MarksOf(x_storage, slot);
     const HalfMask bit = BitOf(slot);
     if ((marks.pending & bit) == 0U)
@@ -63,7 +44,7 @@ void Channel::TakeCommand(const CanFrame& frame) noexcept
     }
     const std::uint64_t inverse = PackBytes(&frame.data[0]);
     const std::uint64_t alike = ~(row.pending_data ^ inverse);
-    if ((alike & PayloadMask(frame.length_bytes)) != 0U) // Behind the mapped length anything may be.
+    if ((alike & row.mask) != 0U) // Behind the mapped length anything may be.
     {
         return SrdoCause::kNotInverse;
     }
@@ -78,6 +59,23 @@ void Channel::TakeCommand(const CanFrame& frame) noexcept
     x_storage.pair_left[slot] += sct_us - x_storage.pair_limit[slot];
     x_storage.pair_limit[slot] = sct_us;
     return SrdoCause::kNone;
+}
+
+/// The checks are made in the order of SRS-CONS-011. Returns kNone if the frame was taken.
+[[gnu::always_inline]] inline SrdoCause Channel::TakeFrame(SlotIndex slot, const CanFrame& frame,
+                                                           std::uint32_t since_call) noexcept
+{
+    const Row& row = x_storage.rows[slot];
+    const std::uint32_t parity = frame.identifier & 1U;
+    if ((frame.identifier != OwnIdentifier(row, parity)) || (frame.port != x_port[parity])) // MISRA D-002
+    {
+        return SrdoCause::kIdentifier;
+    }
+    if (frame.length_bytes != row.length_bytes)
+    {
+        return SrdoCause::kLength;
+    }
+    return (parity != 0U) ? TakeNormal(slot, frame, since_call) : TakeInverse(slot, frame);
 }
 
 void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
@@ -102,9 +100,7 @@ void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
     {
         Expire(slot); // The frame is then taken as the first one. [SRS-CONS-003, SRS-CONS-012]
     }
-    // The identifiers of normal frames are odd, those of inverse frames are even.
-    const bool is_normal = (frame.identifier & 1U) != 0U;
-    const SrdoCause cause = is_normal ? TakeNormal(slot, frame, since_call) : TakeInverse(slot, frame);
+    const SrdoCause cause = TakeFrame(slot, frame, since_call);
     if (cause != SrdoCause::kNone)
     {
         Fault(slot, cause);
@@ -138,7 +134,7 @@ void Channel::ExamineConsumers(const Call& call, Census& census) noexcept
     FaultEach(census.first, troubled & x_gfc, SrdoCause::kGfc);
     for (HalfMask rest = troubled & marks.held.on; rest != 0U; rest = WithoutLowest(rest))
     {
-        DropPair(LowestOf(rest, census.first)); // Completed after the fault, before it was reported.
+        Discard(LowestOf(rest, census.first)); // Completed after the fault, before it was reported.
     }
     census.faulted |= troubled;
     census.waiting &= ~troubled;
@@ -204,7 +200,7 @@ void Channel::Commit(const Agreement& agreement) noexcept
             const SlotIndex slot = LowestOf(rest, first);
             const bool is_written = (written & BitOf(slot)) != 0U;
             const Row& row = x_storage.rows[slot];
-            WriteInverse(row, is_written ? row.inverse_data : row.safe_data);
+            WriteInverse(row, is_written ? row.inverse_data : SafeDataOf(slot));
         }
         marks.unwritten &= ~written;
         marks.committed = (marks.committed & released) | written;

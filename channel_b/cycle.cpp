@@ -27,25 +27,38 @@ constexpr HalfMask kAll = 0xFFFFFFFFU;
 
 } // namespace
 
-/// Takes the time since the last call from the budgets of all slots, whether they run or not. The loop is without a
-/// decision, so that a compiler can do several slots at once.
-Channel::Spending Channel::Spend() noexcept
+/// Takes the time since the last call from the budgets of all pairs, whether they run or not; returns whether one has
+/// nothing left. The loop is without a decision, so that a compiler can do several slots at once.
+inline bool Channel::SpendPairs() noexcept
 {
     const std::uint32_t elapsed = x_elapsed_us;
     const Column<std::uint32_t> left = x_storage.pair_left;
     const Column<std::uint32_t> limit = x_storage.pair_limit;
-    const Column<std::uint32_t> phase = x_storage.phase_left;
     const std::size_t count = x_count;
     std::uint32_t any = 0U;
-    std::uint32_t phases = 0U;
     for (std::size_t slot = 0U; slot < count; ++slot)
     {
-        left[slot] -= elapsed;
-        phase[slot] -= elapsed;
-        any |= static_cast<std::uint32_t>(left[slot] > limit[slot]);
-        phases |= phase[slot] - 1U;
+        const std::uint32_t left_us = left[slot] - elapsed;
+        any |= 0U - static_cast<std::uint32_t>(left_us > limit[slot]);
+        left[slot] = left_us;
     }
-    return Spending{any != 0U, (phases > kLongestPhase) ? kAll : 0U};
+    return any != 0U;
+}
+
+/// The same for the phases of one half.
+inline bool Channel::SpendPhases(const Census& half) noexcept
+{
+    const std::uint32_t elapsed = x_elapsed_us;
+    const Column<std::uint32_t> phase = x_storage.phase_left;
+    const std::size_t end = EndOf(half.first);
+    std::uint32_t any = 0U;
+    for (std::size_t slot = half.first; slot < end; ++slot)
+    {
+        const std::uint32_t left_us = phase[slot] - elapsed;
+        any |= left_us - 1U;
+        phase[slot] = left_us;
+    }
+    return any > kLongestPhase;
 }
 
 HalfMask Channel::FindSpent(SlotIndex first) const noexcept
@@ -142,6 +155,10 @@ inline void Channel::Signal(Census& half, HalfMask slots) noexcept
     {
         half.spent = FindSpent(half.first);
     }
+    if (((half.present & ~marks.consumers) | marks.acknowledged.on) != 0U)
+    {
+        half.is_phase_over = SpendPhases(half);
+    }
     if (((marks.window_open | marks.acknowledged.on) & half.present) != 0U)
     {
         CloseWindows(half);
@@ -162,9 +179,9 @@ inline void Channel::Signal(Census& half, HalfMask slots) noexcept
     {
         ExamineConsumers(call, half);
     }
-    if ((half.producers | call.phases) != 0U)
+    if ((half.producers != 0U) || half.is_phase_over)
     {
-        half.due = AdvanceProducers(input, call, half);
+        half.due = AdvanceProducers(input, half);
     }
     if (half.edges != 0U)
     {
@@ -195,9 +212,7 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
     const HalfMask late = (x_elapsed_us > x_late_us) ? kAll : 0U;
     const HalfMask overflowed = (input.queue != QueueState::kIntact) ? kAll : 0U;
     const HalfMask alarmed = late | overflowed | x_gfc;
-    const Spending spending = Spend();
-    const Call call{late,    overflowed,          alarmed,          spending.phases, running > x_running,
-                    running < x_running, spending.is_spent};
+    const Call call{late, overflowed, alarmed, running > x_running, running < x_running, SpendPairs()};
     x_late_us = x_config->cycle_us + x_config->cycle_tolerance_us;
     x_running = running;
     x_active_us = call.is_entering ? 0U : (x_active_us + x_elapsed_us);

@@ -29,28 +29,21 @@ void Channel::Record(SlotIndex slot, SrdoCause cause) noexcept
     MarksOf(x_storage, slot).reporting |= BitOf(slot);
 }
 
-/// The pair is no longer held; a pending normal frame stays, and the budget is its own then.
-void Channel::DropPair(SlotIndex slot) noexcept
+/// Nothing is granted any longer. A pending normal frame stays, and the budget is its own then.
+void Channel::Discard(SlotIndex slot) noexcept
 {
     Marks& marks = MarksOf(x_storage, slot);
     const HalfMask bit = BitOf(slot);
     Withdraw(marks.held, bit);
+    Withdraw(marks.acknowledged, bit);
+    marks.released &= ~bit;
     marks.unwritten &= ~bit;
     x_storage.ordinal[slot] = 0U;
+    x_storage.state[slot] = Code(SrdoState::kFaulted);
     if ((marks.pending & bit) == 0U)
     {
         x_storage.pair_limit[slot] = kNothingRuns;
     }
-}
-
-/// Nothing is granted any longer.
-void Channel::Discard(SlotIndex slot) noexcept
-{
-    Marks& marks = MarksOf(x_storage, slot);
-    marks.released &= ~BitOf(slot);
-    Withdraw(marks.acknowledged, BitOf(slot));
-    x_storage.state[slot] = Code(SrdoState::kFaulted);
-    DropPair(slot);
 }
 
 void Channel::Fault(SlotIndex slot, SrdoCause cause) noexcept
@@ -76,9 +69,9 @@ void Channel::FaultEach(SlotIndex first, HalfMask slots, SrdoCause cause) noexce
 }
 
 /// Nothing is in flight any longer.
-void Channel::Ground(SlotIndex slot) noexcept
+void Channel::Ground(SlotIndex slot, Stage stage) noexcept
 {
-    x_storage.rows[slot].stage = Stage::kIdle;
+    x_storage.rows[slot].stage = stage;
     x_storage.pair_limit[slot] = kNothingRuns;
 }
 
@@ -86,7 +79,7 @@ void Channel::Ground(SlotIndex slot) noexcept
 Confirmation Channel::Fail(SlotIndex slot, SrdoCause cause) noexcept
 {
     Record(slot, cause);
-    Ground(slot);
+    Ground(slot, Stage::kIdle);
     return Confirmation{kNoSlot, ConfirmStep::kNone};
 }
 

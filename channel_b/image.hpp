@@ -58,6 +58,12 @@ static_assert(kLookUpBytes == kSrdoIdentifierCount, "one byte an identifier");
     return WordAt(row, kCobId2At);
 }
 
+/// Of the frame whose identifier has this lowest bit: normal frames are odd, inverse frames are even.
+[[nodiscard]] inline std::uint32_t OwnIdentifier(const Row& row, std::uint32_t parity) noexcept
+{
+    return WordAt(row, kCobId2At - (parity * (kCobId2At - kCobId1At)));
+}
+
 [[nodiscard]] inline std::uint32_t SctMs(const Row& row) noexcept
 {
     return ByteAt(row, kSctAt) | (ByteAt(row, kSctAt + 1U) << 8U);
@@ -94,16 +100,16 @@ static_assert(kLookUpBytes == kSrdoIdentifierCount, "one byte an identifier");
     return (offset < kSrdoIdentifierCount) ? storage.slot_of[offset] : kNoSlot;
 }
 
-/// A corrupted stage has nothing in flight: its pair is given up.
+/// A corrupted stage has nothing in flight, and nothing can follow it.
 [[nodiscard]] inline bool IsInFlight(Stage stage) noexcept
 {
     switch (stage)
     {
     case Stage::kInvalid:
+    case Stage::kOff:
     case Stage::kIdle:
         return false;
     case Stage::kAwaitNormal:
-    case Stage::kSendInverse:
     case Stage::kAwaitInverse:
         return true;
     }

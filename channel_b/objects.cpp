@@ -2,7 +2,6 @@
 #include "channel_b/channel.hpp"
 #include "channel_b/image.hpp"
 
-#include <cstddef>
 #include <cstdint>
 
 namespace counterpoint::channel_b
@@ -44,45 +43,40 @@ void Channel::WriteInverse(const Row& row, std::uint64_t data) const noexcept
     }
 }
 
-/// From the last object to the first one, so that bits enter the word at its low end.
-Channel::ObjectData Channel::ReadObjects(const Row& row) const noexcept
+/// Complement of the safe value.
+std::uint64_t Channel::SafeDataOf(SlotIndex slot) const noexcept
+{
+    const Payload& safe_value = Column<const SrdoSetup>{x_config->srdos}[slot].safe_value;
+    return ~Join(safe_value.low, safe_value.high);
+}
+
+/// What the normal objects hold, or the inverse ones: from the last object to the first one, so that bits enter the word
+/// at its low end.
+Channel::ObjectData Channel::ReadObjects(const Row& row, std::uint32_t side) const noexcept
 {
     const Column<const MappableObject> objects{x_config->objects};
-    const std::uint32_t object_count = x_config->object_count;
-    std::uint64_t word = 0U;
-    std::uint32_t alike = 0U;
-    std::uint32_t rest_bits = row.length_bytes * 8U;
-    for (std::uint32_t pair = EntryCount(row) / 2U; pair > 0U; --pair)
+    ObjectData data{0U, 0U};
+    for (std::uint32_t rest = EntryCount(row); rest >= 2U; rest -= 2U)
     {
-        const std::uint32_t normal = row.table[(2U * pair) - 2U];  // MISRA D-002
-        const std::uint32_t inverse = row.table[(2U * pair) - 1U]; // MISRA D-002
-        if ((normal >= object_count) || (inverse >= object_count))
+        const std::uint32_t at = row.table[(rest - 2U) + side]; // MISRA D-002
+        if (at >= x_config->object_count)
         {
-            return ObjectData{0U, 1U};
+            return ObjectData{0U, 0U}; // A corrupted place: of no length.
         }
-        const std::uint32_t length_bits = objects[inverse].length_bits;
-        if (objects[normal].length_bits != length_bits)
-        {
-            return ObjectData{0U, 1U};
-        }
-        const Column<const std::uint8_t> plain{objects[normal].place};
-        const Column<const std::uint8_t> inverted{objects[inverse].place};
-        rest_bits -= length_bits;
+        const std::uint32_t length_bits = objects[at].length_bits;
+        const Column<const std::uint8_t> place{objects[at].place};
+        data.length_bits += length_bits;
         if (length_bits == kFourBytes)
         {
-            const std::uint32_t four = PackFourBytes(&inverted[0U]);
-            alike |= ~(PackFourBytes(&plain[0U]) ^ four);
-            word = (word << kFourBytes) | four;
+            data.word = (data.word << kFourBytes) | PackFourBytes(&place[0U]);
             continue;
         }
         for (std::uint32_t behind = length_bits / 8U; behind > 0U; --behind)
         {
-            const std::uint32_t one = inverted[behind - 1U];
-            alike |= plain[behind - 1U] ^ one ^ 0xFFU;
-            word = (word << 8U) | one;
+            data.word = (data.word << 8U) | place[behind - 1U];
         }
     }
-    return ObjectData{word, alike | rest_bits};
+    return data;
 }
 
 } // namespace counterpoint::channel_b

@@ -17,9 +17,6 @@ constexpr SlotIndex kPlaceOf[kSlotsInHalf] = { // MISRA D-001
 
 } // namespace
 
-const std::uint64_t kPayloadMasks[kMaxPayloadBytes] = { // MISRA D-001
-    0xFFFFFFFFFFFFFFFFU, 0xFFU, 0xFFFFU, 0xFFFFFFU, 0xFFFFFFFFU, 0xFFFFFFFFFFU, 0xFFFFFFFFFFFFU, 0xFFFFFFFFFFFFFFU};
-
 SlotIndex LowestOf(HalfMask mask, SlotIndex first) noexcept
 {
     const HalfMask lowest = mask & (0U - mask);

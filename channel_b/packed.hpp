@@ -84,14 +84,6 @@ inline void UnpackBytes(std::uint64_t word, std::uint8_t* bytes) noexcept
     UnpackFourBytes(static_cast<std::uint32_t>(word >> 32U), &Column<std::uint8_t>{bytes}[4U]);
 }
 
-/// Mapped bits of a payload of 1 to 8 bytes; 8 bytes are row 0, and a corrupted length is some row.
-extern const std::uint64_t kPayloadMasks[kMaxPayloadBytes]; // MISRA D-001
-
-[[nodiscard]] inline std::uint64_t PayloadMask(std::uint8_t length_bytes) noexcept
-{
-    return kPayloadMasks[length_bytes % kMaxPayloadBytes];
-}
-
 [[nodiscard]] inline Payload PayloadOf(std::uint64_t word) noexcept
 {
     return Payload{static_cast<std::uint32_t>(word & 0xFFFFFFFFU), static_cast<std::uint32_t>(word >> 32U)};

@@ -2,6 +2,7 @@
 #include "channel_b/channel.hpp"
 #include "channel_b/image.hpp"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace counterpoint::channel_b
@@ -13,63 +14,58 @@ namespace
 /// A budget of which one microsecond too much was taken.
 constexpr std::uint32_t kJustSpent = 0xFFFFFFFFU;
 
-} // namespace
+constexpr CanFrame kNoFrame{0U, FrameKind::kInvalid, CanPortId::kInvalid, 0U, {}};
+constexpr Confirmation kNoConfirmation{kNoSlot, ConfirmStep::kNone};
 
-/// For how long a producer of form kApplicationSends may be silent. [SRS-PROD-010]
-std::uint32_t Channel::AbsenceUs(SlotIndex slot) const noexcept
+[[nodiscard]] CanFrame FrameOf(const Row& row, std::size_t identifier_at, CanPortId port, std::uint64_t data) noexcept
 {
-    return SctUs(x_storage.rows[slot]) + x_config->cycle_us + x_config->cycle_tolerance_us;
+    CanFrame frame{WordAt(row, identifier_at), FrameKind::kData, port, row.length_bytes, {}};
+    UnpackBytes(data, &frame.data[0]);
+    return frame;
 }
 
+} // namespace
+
+/// [SRS-PROD-005]
 PreparedPair Channel::Prepare(SlotIndex slot) noexcept
 {
-    PreparedPair pair{{0U, FrameKind::kInvalid, CanPortId::kInvalid, 0U, {}}, PrepareStatus::kNotProducer};
     Row& row = x_storage.rows[slot];
-    if ((x_storage.state[slot] != Code(SrdoState::kProducer)) || IsInFlight(row.stage))
+    if (row.stage != Stage::kIdle)
     {
-        return pair;
+        return PreparedPair{kNoFrame, PrepareStatus::kNotProducer};
     }
     Marks& marks = MarksOf(x_storage, slot);
     const HalfMask bit = BitOf(slot);
     marks.requested &= ~bit;
     marks.refresh_due &= ~bit;
-    const ObjectData data = ReadObjects(row);
-    if (data.wrong != 0U)
+    const std::uint32_t length_bits = row.length_bytes * 8U;
+    const ObjectData normal = ReadObjects(row, 0U);
+    const ObjectData inverse = ReadObjects(row, 1U);
+    const std::uint32_t wrong_bits = (normal.length_bits ^ length_bits) | (inverse.length_bits ^ length_bits);
+    if (((normal.word ^ inverse.word) != row.mask) || (wrong_bits != 0U))
     {
         static_cast<void>(Fail(slot, SrdoCause::kNotInverse));
-        pair.status = PrepareStatus::kNotInverse;
-        return pair;
+        return PreparedPair{kNoFrame, PrepareStatus::kNotInverse};
     }
-    row.inverse_data = data.inverse;
+    row.inverse_data = inverse.word;
     row.stage = Stage::kAwaitNormal;
     StartBudget(x_storage, slot, 0U);
     if ((marks.started & ~marks.provider & bit) != 0U)
     {
-        x_storage.phase_left[slot] = AbsenceUs(slot);
+        x_storage.phase_left[slot] = SctUs(row) + x_late_us;
     }
-    pair.normal.identifier = NormalIdentifier(row);
-    pair.normal.kind = FrameKind::kData;
-    pair.normal.port = x_config->normal_port;
-    pair.normal.length_bytes = row.length_bytes;
-    UnpackBytes(data.inverse ^ PayloadMask(row.length_bytes), &pair.normal.data[0]);
-    pair.status = PrepareStatus::kReady;
-    return pair;
+    return PreparedPair{FrameOf(row, kCobId1At, x_port[1U], inverse.word ^ row.mask), PrepareStatus::kReady};
 }
 
 CanFrame Channel::InverseFrame(SlotIndex slot) noexcept
 {
-    CanFrame frame{0U, FrameKind::kInvalid, CanPortId::kInvalid, 0U, {}};
     Row& row = x_storage.rows[slot];
-    if (row.stage == Stage::kSendInverse)
+    if ((row.stage != Stage::kAwaitInverse) || (row.to_send != kToSend))
     {
-        row.stage = Stage::kAwaitInverse;
-        frame.identifier = InverseIdentifier(row);
-        frame.kind = FrameKind::kData;
-        frame.port = x_config->inverse_port;
-        frame.length_bytes = row.length_bytes;
-        UnpackBytes(row.inverse_data, &frame.data[0]);
+        return kNoFrame;
     }
-    return frame;
+    row.to_send = kHandedOut;
+    return FrameOf(row, kCobId2At, x_port[0U], row.inverse_data);
 }
 
 Confirmation Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
@@ -77,29 +73,28 @@ Confirmation Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
     const SlotIndex slot = LookUp(x_storage, frame);
     if ((frame.kind != FrameKind::kData) || (slot >= x_count))
     {
-        return Confirmation{kNoSlot, ConfirmStep::kNone};
+        return kNoConfirmation;
     }
     Row& row = x_storage.rows[slot];
-    // The identifiers of normal frames are odd, those of inverse frames are even.
-    const bool is_normal = (frame.identifier & 1U) != 0U;
-    const bool is_inverse_awaited = IsInFlight(row.stage) && (row.stage != Stage::kAwaitNormal);
-    const bool is_awaited = is_normal ? (row.stage == Stage::kAwaitNormal) : is_inverse_awaited;
-    const std::uint32_t own = is_normal ? NormalIdentifier(row) : InverseIdentifier(row);
-    if ((!is_awaited) || (frame.identifier != own))
+    const std::uint32_t parity = frame.identifier & 1U;
+    const Stage awaited = (parity != 0U) ? Stage::kAwaitNormal : Stage::kAwaitInverse;
+    if ((row.stage != awaited) || (frame.identifier != OwnIdentifier(row, parity)))
     {
-        return Confirmation{kNoSlot, ConfirmStep::kNone};
+        return kNoConfirmation;
     }
-    const std::uint64_t echo = PackBytes(&frame.data[0]) ^ row.inverse_data;
-    const std::uint64_t different = (is_normal ? ~echo : echo) & PayloadMask(row.length_bytes);
+    // The normal frame is awaited with the complement of the inverse data; behind the mapped length anything may be.
+    const std::uint64_t expected = row.inverse_data ^ (0U - std::uint64_t{parity});
+    const std::uint64_t different = (PackBytes(&frame.data[0]) ^ expected) & row.mask;
     if ((frame.length_bytes != row.length_bytes) || (different != 0U))
     {
         return Fail(slot, SrdoCause::kWrongEcho);
     }
     const std::uint32_t since_call = stamp.us - x_last_us;
-    if (is_normal)
+    if (parity != 0U)
     {
-        row.stage = Stage::kSendInverse;
-        StartBudget(x_storage, slot, since_call);
+        row.stage = Stage::kAwaitInverse;
+        row.to_send = kToSend;
+        x_storage.pair_left[slot] = x_storage.pair_limit[slot] + since_call; // SRVT anew.
         return Confirmation{slot, ConfirmStep::kNormal};
     }
     if ((x_storage.pair_left[slot] - since_call) > x_storage.pair_limit[slot])
@@ -107,7 +102,8 @@ Confirmation Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
         return Fail(slot, SrdoCause::kNoConfirmation);
     }
     row.sent += 1U;
-    Ground(slot);
+    row.stage = Stage::kIdle;
+    x_storage.pair_limit[slot] = kNothingRuns;
     return Confirmation{slot, ConfirmStep::kPair};
 }
 
@@ -137,12 +133,12 @@ inline void Channel::AdvanceProvider(SlotIndex slot) noexcept
     }
 }
 
-/// [SRS-PROD-001, SRS-PROD-010]
+/// Silence is allowed for the refresh time and a cycle that is just in time. [SRS-PROD-001, SRS-PROD-010]
 inline void Channel::AdvanceApplication(SlotIndex slot) noexcept
 {
     Marks& marks = MarksOf(x_storage, slot);
     const HalfMask bit = BitOf(slot);
-    const std::uint32_t absence_us = AbsenceUs(slot);
+    const std::uint32_t absence_us = SctUs(x_storage.rows[slot]) + x_late_us;
     if ((marks.started & bit) == 0U)
     {
         marks.started |= bit;
@@ -191,7 +187,7 @@ void Channel::EndPhases(const Census& census) noexcept
 }
 
 /// Returns the slots that are due. [SRS-PROD-003, SRS-PROD-004, SRS-PROD-008, SRS-PROD-010, SRS-PROD-012]
-HalfMask Channel::AdvanceProducers(const CycleInput& input, const Call& call, const Census& census) noexcept
+HalfMask Channel::AdvanceProducers(const CycleInput& input, const Census& census) noexcept
 {
     Marks& marks = MarksOf(x_storage, census.first);
     const HalfMask standing = PartOf(input.stand, census.first) & marks.provider & marks.started & census.producers;
@@ -204,7 +200,7 @@ HalfMask Channel::AdvanceProducers(const CycleInput& input, const Call& call, co
     {
         x_storage.phase_left[LowestOf(rest, census.first)] += x_elapsed_us;
     }
-    if (call.phases != 0U)
+    if (census.is_phase_over)
     {
         EndPhases(census);
     }
