@@ -56,16 +56,7 @@ const Cell& Step(Voice& voice, Record& record, const SrdoMask bit, const Event e
     return cell;
 }
 
-void DropPair(Voice& voice, Record& record, const SrdoMask bit) noexcept
-{
-    voice.ordinal_sum -= record.ordinal;
-    record.ordinal = 0U;
-    record.edge = kUnmarked;
-    record.awaiting = kUnmarked;
-    voice.fresh &= ~bit;
-}
-
-void ReportWith(Voice& voice, Record& record, const SrdoMask bit, const SrdoCause cause) noexcept
+[[gnu::noinline]] void ReportWith(Voice& voice, Record& record, const SrdoMask bit, const SrdoCause cause) noexcept
 {
     Count(record, cause);
     record.unreported |= std::uint32_t{1U} << static_cast<std::uint8_t>(cause);
@@ -104,7 +95,6 @@ void Channel::Restart(const DeviceConfig& config) noexcept
     {
         const SrdoSetup& setup = config.srdos[slot]; // MISRA D-002
         Record& record = At(voice_, slot);
-        voice_.existing |= BitOf(slot);
         record = Record{};
         record.mode = Mode::kOff;
         record.first_cause = SrdoCause::kNone;
@@ -134,20 +124,26 @@ void MoveTo(Voice& voice, const SrdoMask bits, const std::uint8_t group) noexcep
     voice.groups[group] |= bits;
 }
 
-// What a fault does, if the cell is one. In every other cell the event is none in this mode.
+// In every other cell the event changes the mode at most.
 void Raise(Voice& voice, const std::uint32_t slot, const Event event, const SrdoCause given) noexcept
 {
     Record& record = At(voice, slot);
     const SrdoMask bit = BitOf(slot);
     const Cell& cell = Step(voice, record, bit, event);
     const SrdoCause cause = (cell.cause == SrdoCause::kNone) ? given : cell.cause;
-    if (cell.effect == Effect::kFault)
+    if ((cell.effect >= Effect::kDropHeld) && (cell.effect != Effect::kAbort))
     {
-        DropPair(voice, record, bit);
-        record.limit_us = kNoLimit;
-        ReportWith(voice, record, bit, cause);
+        voice.ordinal_sum -= record.ordinal;
+        record.ordinal = 0U;
+        record.edge = kUnmarked;
+        record.awaiting = kUnmarked;
+        voice.fresh &= ~bit;
     }
-    if (cell.effect == Effect::kAbort)
+    if ((cell.effect == Effect::kDropAll) || (cell.effect == Effect::kFault))
+    {
+        record.limit_us = kNoLimit;
+    }
+    if (cell.effect >= Effect::kFault)
     {
         voice.flying &= ~bit;
         ReportWith(voice, record, bit, cause);
@@ -171,23 +167,11 @@ void Report(Voice& voice, const std::uint32_t slot, const SrdoCause cause) noexc
     ReportWith(voice, At(voice, slot), BitOf(slot), cause);
 }
 
-void Discard(Voice& voice, const std::uint32_t slot) noexcept
-{
-    Record& record = At(voice, slot);
-    const SrdoMask bit = BitOf(slot);
-    const Cell& cell = Step(voice, record, bit, Event::kDiscard);
-    DropPair(voice, record, bit);
-    if (cell.next == Mode::kFaultedEmpty)
-    {
-        record.limit_us = kNoLimit;
-    }
-}
-
 // [SRS-CONS-017]
 void ReceiveOther(Voice& voice, const CanFrame& frame) noexcept
 {
     const bool is_gfc = (frame.identifier == kGfcIdentifier) && (frame.length_bytes == 0U);
-    if (is_gfc && voice.is_active && (voice.gfc_parameter == kGfcEnabled))
+    if (is_gfc && voice.is_active && (voice.globals[kGfcParameterPlace] == kGfcEnabled))
     {
         voice.gfc_pending = true;
     }

@@ -108,11 +108,13 @@ HeldPair Channel::Held(const SlotIndex slot) const noexcept
 
 void Channel::Demote(const SlotIndex slot) noexcept
 {
-    if ((ConsumersOf(voice_) & BitOf(slot)) != 0U)
+    Record& record = At(voice_, slot);
+    const std::uint32_t group = FactsOf(record.mode).group;
+    if ((group - kGroupWaiting) < kConsumerGroups)
     {
-        Discard(voice_, slot);
+        Raise(voice_, slot, Event::kDiscard, SrdoCause::kNone);
         // Counted and kept like a fault, but told to nobody: the other channel has reported it. [SRS-REL-006]
-        Count(At(voice_, slot), SrdoCause::kDemoted);
+        Count(record, SrdoCause::kDemoted);
     }
 }
 

@@ -30,7 +30,6 @@ struct Cycle
     SrdoMask edges;    ///< Acknowledge inputs that went from 0 to 1.
     SrdoMask left;     ///< Consumers that ceased to be active in this call.
     SrdoMask standing; ///< Producers whose refresh stood still, if of the form that is called.
-    SrdoMask unconfirmed;
     SrdoMask new_fault;
     SrdoMask signalled;
 };
@@ -127,42 +126,46 @@ void FollowOperational(Voice& voice, Cycle& cycle, const bool is_active) noexcep
     voice.is_active = is_active;
 }
 
-// Producers that still wait for a confirmation after SRVT. [SRS-PROD-008]
-SrdoMask UnconfirmedOf(const Voice& voice, const Instant now) noexcept
+// Kept out of the loops, which are shorter without a mask of two words.
+[[gnu::noinline]] void Mark(Voice& voice, const std::uint32_t slot) noexcept
 {
-    SrdoMask unconfirmed = 0U;
-    SrdoMask flying = voice.flying & voice.existing;
+    voice.attention |= BitOf(slot);
+}
+
+// Finds the producers that still wait for a confirmation after SRVT. [SRS-PROD-008]
+void ScanFlying(Voice& voice, const Instant now) noexcept
+{
+    SrdoMask flying = voice.flying;
     while (flying != 0U)
     {
         const std::uint32_t slot = TakeLowest(flying);
         const Record& record = At(voice, slot);
         if ((now.us - record.sent_since.us) > SrvtUs(record))
         {
-            unconfirmed |= BitOf(slot);
+            Mark(voice, slot);
         }
     }
-    return unconfirmed;
 }
 
 // The one loop over all slots. What it passes over has no limit that expired, fits its seal, and has nothing to tell,
 // to wait for or to release.
-SrdoMask Scanned(const Voice& voice, const Cycle& cycle) noexcept
+void ScanLimits(Voice& voice, const Cycle& cycle) noexcept
 {
     // A new pair is of interest to a slot that is not released yet.
-    SrdoMask found = cycle.edges | cycle.standing | cycle.unconfirmed | (voice.fresh & ~voice.groups[kGroupReleased]);
+    voice.attention |=
+        (cycle.edges & ~voice.groups[kGroupOff]) | cycle.standing | (voice.fresh & ~voice.groups[kGroupReleased]);
     if (cycle.is_late || cycle.has_overflow || cycle.has_gfc)
     {
-        found |= ConsumersOf(voice);
+        voice.attention |= ConsumersOf(voice);
     }
     for (std::uint32_t slot = 0U; slot < voice.count; ++slot)
     {
         const Record& record = At(voice, slot);
         if (((cycle.now.us - record.since.us) > record.limit_us) || !IsSealed(record))
         {
-            found |= BitOf(slot);
+            Mark(voice, slot);
         }
     }
-    return (found | voice.attention) & voice.existing;
 }
 
 // A corrupted record; its old mode cannot be trusted to tell its old group.
@@ -233,7 +236,7 @@ std::uint32_t ServeConsumer(Voice& voice, Cycle& cycle, const std::uint32_t slot
     ExamineConsumer(voice, cycle, slot);
     if (record.unreported != 0U)
     {
-        Discard(voice, slot);
+        Raise(voice, slot, Event::kDiscard, SrdoCause::kNone);
         cycle.new_fault |= BitOf(slot);
     }
     else
@@ -306,9 +309,9 @@ void ServeProducer(Voice& voice, const Cycle& cycle, const std::uint32_t slot) n
         voice.flying &= ~BitOf(slot);
         return;
     }
-    if ((cycle.unconfirmed & BitOf(slot)) != 0U)
+    if ((cycle.now.us - record.sent_since.us) > SrvtUs(record))
     {
-        Raise(voice, slot, Event::kUnconfirmed, SrdoCause::kNone);
+        Raise(voice, slot, Event::kUnconfirmed, SrdoCause::kNone); // Without effect where nothing is in flight.
     }
     ExamineSending(voice, cycle, slot);
     if (((cycle.edges & BitOf(slot)) != 0U) && (record.unreported == 0U))
@@ -367,7 +370,7 @@ SrdoMask DueOf(const Voice& voice) noexcept
 
 CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
 {
-    const GuardView guard = GuardOf(input, voice_.configuration_valid);
+    const GuardView guard = GuardOf(input, voice_.globals[kConfigurationValidPlace]);
     Cycle cycle{};
     cycle.now = input.now;
     cycle.step_us = input.now.us - voice_.now.us;
@@ -389,8 +392,9 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
     {
         voice_.may_send = true; // Kept: the difference wraps after 71 minutes.
     }
-    cycle.unconfirmed = UnconfirmedOf(voice_, cycle.now);
-    SrdoMask to_serve = Scanned(voice_, cycle);
+    ScanFlying(voice_, cycle.now);
+    ScanLimits(voice_, cycle);
+    SrdoMask to_serve = voice_.attention;
     voice_.attention = 0U;
     while (to_serve != 0U)
     {

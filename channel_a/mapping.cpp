@@ -22,10 +22,10 @@ constexpr std::uint32_t kIndexShift = 16U;
 constexpr std::uint32_t kLengthBits = 0xFFU;
 constexpr std::uint32_t kBitsToBytes = 3U;
 constexpr std::uint32_t kWordBits = 32U;
-constexpr std::uint32_t kOffsetMask = kMaxPayloadBits - 1U;
 constexpr std::uint32_t kPairMask = 1U; ///< Of a position from 0: even the normal, odd the inverse object.
+constexpr std::uint32_t kByteMask = 0xFFU;
 constexpr std::uint32_t kAllBits = 0xFFFFFFFFU;
-constexpr std::uint32_t kBitsAboveByte = 0xFFFFFF00U;
+constexpr std::uint32_t kWordPositions = 4U; ///< Of a mapping of objects of four bytes: two of them, twice.
 constexpr std::uint16_t kNoObject = 0xFFFFU;
 constexpr MappableObject kNothing{0U, 0U, 0U, MapAccess::kNone, nullptr};
 
@@ -53,16 +53,20 @@ std::uint32_t TotalLength(const Record& record) noexcept
     return total;
 }
 
+void PutWord(std::uint8_t* const to, const std::uint32_t word) noexcept
+{
+    to[0] = static_cast<std::uint8_t>(word);        // MISRA D-002
+    to[1] = static_cast<std::uint8_t>(word >> 8U);  // MISRA D-002
+    to[2] = static_cast<std::uint8_t>(word >> 16U); // MISRA D-002
+    to[3] = static_cast<std::uint8_t>(word >> 24U); // MISRA D-002
+}
+
 // Writes the lowest bytes into the object; returns the others.
 std::uint64_t Written(const MappableObject& object, std::uint64_t rest) noexcept
 {
     if (object.length_bits == kWordBits) // The usual one, in one go.
     {
-        std::uint8_t* const place = object.place;
-        place[0] = static_cast<std::uint8_t>(rest);        // MISRA D-002
-        place[1] = static_cast<std::uint8_t>(rest >> 8U);  // MISRA D-002
-        place[2] = static_cast<std::uint8_t>(rest >> 16U); // MISRA D-002
-        place[3] = static_cast<std::uint8_t>(rest >> 24U); // MISRA D-002
+        PutWord(object.place, static_cast<std::uint32_t>(rest));
         return rest >> kWordBits;
     }
     const std::uint32_t length_bytes = std::uint32_t{object.length_bits} >> kBitsToBytes;
@@ -127,13 +131,41 @@ bool FitsOthers(const DeviceConfig& config, const Record& record, const std::uin
     return (rest == 0U) && (length_bits == normal_bits) && is_first;
 }
 
-// Normal objects into `held`. False if a bit is not inverted, or an object is not there or not as long as its partner.
-bool ReadObjects(const DeviceConfig& config, Record& record) noexcept
+// Any lengths, from the first object on: once more what was read before.
+[[gnu::noinline]] bool ReadBytes(const DeviceConfig& config, Record& record) noexcept
 {
     const std::uint32_t count = MapCount(record);
-    std::uint64_t data = 0U;
-    std::uint32_t offset_bits = 0U;
-    std::uint32_t right = kAllBits;
+    std::uint32_t room = kMaxPayloadBytes;
+    std::uint32_t wrong = 0U;
+    std::uint8_t* to = &record.held.at[0];
+    for (std::uint32_t position = 0U; position < count; position += 2U)
+    {
+        const MappableObject& normal = ObjectAt(config, record, position);
+        const MappableObject& inverse = ObjectAt(config, record, position | kPairMask);
+        const std::uint32_t length_bytes = std::uint32_t{normal.length_bits} >> kBitsToBytes;
+        if ((normal.length_bits != inverse.length_bits) || (length_bytes > room))
+        {
+            return false;
+        }
+        for (std::uint32_t place = 0U; place < length_bytes; ++place)
+        {
+            const std::uint32_t byte = normal.place[place]; // MISRA D-002
+            *to = static_cast<std::uint8_t>(byte);
+            ++to;                                             // MISRA D-002
+            wrong |= byte ^ inverse.place[place] ^ kByteMask; // MISRA D-002
+        }
+        room -= length_bytes;
+    }
+    return wrong == 0U;
+}
+
+// Normal objects into `held`. False if a bit is not inverted, or an object is not there, not as long as its partner or
+// does not fit into the frame. Objects of four bytes are the usual ones and go without a call.
+[[gnu::noinline]] bool ReadObjects(const DeviceConfig& config, Record& record) noexcept
+{
+    const std::uint32_t count = MapCount(record);
+    record.held = Octets{};
+    std::uint8_t* to = &record.held.at[0];
     for (std::uint32_t position = 0U; position < count; position += 2U)
     {
         const std::uint32_t normal_place = record.objects[position];
@@ -144,29 +176,19 @@ bool ReadObjects(const DeviceConfig& config, Record& record) noexcept
         }
         const MappableObject& normal = config.objects[normal_place];   // MISRA D-002
         const MappableObject& inverse = config.objects[inverse_place]; // MISRA D-002
-        if (normal.length_bits != inverse.length_bits)
+        if ((normal.length_bits != kWordBits) || (inverse.length_bits != kWordBits) || (position >= kWordPositions))
+        {
+            return ReadBytes(config, record);
+        }
+        const std::uint32_t word = WordAt(normal.place);
+        if ((word ^ WordAt(inverse.place)) != kAllBits)
         {
             return false;
         }
-        if (normal.length_bits == kWordBits) // The usual one, in one go.
-        {
-            const std::uint32_t word = WordAt(normal.place);
-            right &= word ^ WordAt(inverse.place);
-            data |= std::uint64_t{word} << (offset_bits & kOffsetMask);
-            offset_bits += kWordBits;
-            continue;
-        }
-        const std::uint32_t length_bytes = std::uint32_t{normal.length_bits} >> kBitsToBytes;
-        for (std::uint32_t place = 0U; place < length_bytes; ++place)
-        {
-            const std::uint32_t byte = normal.place[place];        // MISRA D-002
-            right &= byte ^ inverse.place[place] ^ kBitsAboveByte; // MISRA D-002
-            data |= std::uint64_t{byte} << (offset_bits & kOffsetMask);
-            offset_bits += kBitsPerByte;
-        }
+        PutWord(to, word);
+        to += kBytesPerWord; // MISRA D-002
     }
-    record.held = OctetsOf(data);
-    return right == kAllBits;
+    return true;
 }
 
 } // namespace

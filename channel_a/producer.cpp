@@ -27,6 +27,49 @@ constexpr Confirmation kNotOurs{kNoSlot, ConfirmStep::kNone};
     return kNotOurs;
 }
 
+// Whether a frame with the expected identifier is not the one that was to be sent.
+inline bool IsWrong(const Record& record, const CanFrame& frame, const std::uint64_t flip) noexcept
+{
+    return (frame.length_bytes != record.length_bytes) || !IsEqual(record, frame, record.held, flip);
+}
+
+inline Confirmation ConfirmNormal(Voice& voice, Record& record, const CanFrame& frame, const Instant stamp,
+                                  const std::uint32_t slot) noexcept
+{
+    if ((record.mode != Mode::kNormalAwaited) || (record.values[kCobIdPlace] != frame.identifier))
+    {
+        return kNotOurs;
+    }
+    if (IsWrong(record, frame, 0U))
+    {
+        return GiveUp(voice, slot, Event::kAbort, SrdoCause::kWrongEcho);
+    }
+    SetMode(record, Mode::kInverseAwaited);
+    record.sent_since = stamp;
+    return Confirmation{static_cast<SlotIndex>(slot), ConfirmStep::kNormal};
+}
+
+inline Confirmation ConfirmInverse(Voice& voice, Record& record, const CanFrame& frame, const Instant stamp,
+                                   const std::uint32_t slot) noexcept
+{
+    if ((record.mode != Mode::kInverseAwaited) || (record.values[kCobIdPlace + 1U] != frame.identifier))
+    {
+        return kNotOurs;
+    }
+    if (IsWrong(record, frame, kInverseFlip))
+    {
+        return GiveUp(voice, slot, Event::kAbort, SrdoCause::kWrongEcho);
+    }
+    if ((stamp.us - record.sent_since.us) > SrvtUs(record))
+    {
+        return GiveUp(voice, slot, Event::kUnconfirmed, SrdoCause::kNone);
+    }
+    SetMode(record, Mode::kIdle);
+    ++record.ordinal;
+    voice.flying &= ~BitOf(slot);
+    return Confirmation{static_cast<SlotIndex>(slot), ConfirmStep::kPair};
+}
+
 } // namespace
 
 Confirmation Channel::OnConfirm(const CanFrame& frame, const Instant stamp) noexcept
@@ -43,30 +86,11 @@ Confirmation Channel::OnConfirm(const CanFrame& frame, const Instant stamp) noex
     }
     Record& record = At(voice_, slot);
     const std::uint32_t half = place & kHalfMask;
-    const Mode awaited = (half == 0U) ? Mode::kNormalAwaited : Mode::kInverseAwaited;
-    if ((record.mode != awaited) || (record.values[kCobIdPlace + half] != frame.identifier))
-    {
-        return kNotOurs;
-    }
-    const std::uint64_t flip = std::uint64_t{0U} - half; // Every bit of the inverse frame.
-    if ((frame.length_bytes != record.length_bytes) || !IsEqual(record, frame, record.held, flip))
-    {
-        return GiveUp(voice_, slot, Event::kAbort, SrdoCause::kWrongEcho);
-    }
     if (half == 0U)
     {
-        SetMode(record, Mode::kInverseAwaited);
-        record.sent_since = stamp;
-        return Confirmation{static_cast<SlotIndex>(slot), ConfirmStep::kNormal};
+        return ConfirmNormal(voice_, record, frame, stamp, slot);
     }
-    if ((stamp.us - record.sent_since.us) > SrvtUs(record))
-    {
-        return GiveUp(voice_, slot, Event::kUnconfirmed, SrdoCause::kNone);
-    }
-    SetMode(record, Mode::kIdle);
-    ++record.ordinal;
-    voice_.flying &= ~BitOf(slot);
-    return Confirmation{static_cast<SlotIndex>(slot), ConfirmStep::kPair};
+    return ConfirmInverse(voice_, record, frame, stamp, slot);
 }
 
 // The inverse frame is the other channel's.

@@ -61,8 +61,10 @@ enum class Effect : std::uint8_t
     kNothing = 1U,
     kTake = 2U,     ///< The frame becomes the pending normal frame.
     kComplete = 3U, ///< The pending frame becomes the held pair.
-    kFault = 4U,    ///< Consumer made safe, for the cell's cause or, where that is kNone, the given one.
-    kAbort = 5U,    ///< The pair in flight is given up with a fault of the producer.
+    kDropHeld = 4U, ///< The held pair is dropped without a fault, a pending normal frame stays.
+    kDropAll = 5U,  ///< Likewise where nothing is pending.
+    kFault = 6U,    ///< Consumer made safe, for the cell's cause or, where that is kNone, the given one.
+    kAbort = 7U,    ///< The pair in flight is given up with a fault of the producer.
 };
 
 struct Cell
@@ -79,6 +81,8 @@ constexpr std::uint8_t kGroupFaulted = 2U;
 constexpr std::uint8_t kGroupReleased = 3U;
 constexpr std::uint8_t kGroupProducer = 4U;
 constexpr std::uint8_t kGroupCount = 5U;
+/// From kGroupWaiting on.
+constexpr std::uint32_t kConsumerGroups = 3U;
 
 /// What Record::held is.
 constexpr std::uint8_t kNoData = 0U;

@@ -14,6 +14,11 @@
 namespace counterpoint::channel_a
 {
 
+/// Places in Voice::globals, in the order of their ConfigField.
+constexpr std::size_t kGfcParameterPlace = 0U;
+constexpr std::size_t kConfigurationValidPlace = 1U;
+constexpr std::size_t kGlobalCount = 2U;
+
 /// Everything that is not of one SRDO. Restart makes it anew but for the storage; zero is the start of all the rest.
 struct Voice
 {
@@ -21,8 +26,7 @@ struct Voice
     const DeviceConfig* config;
     CanPortId ports[2]; ///< Controllers of the normal frames (0) and of the inverse frames (1). MISRA D-001
     std::uint8_t count;
-    std::uint8_t gfc_parameter;
-    std::uint8_t configuration_valid;
+    std::uint8_t globals[kGlobalCount]; ///< 1300h, then 13FEh. MISRA D-001
     std::uint8_t consumer_count;
     std::uint8_t producer_count;
     std::uint8_t off_count;
@@ -40,12 +44,11 @@ struct Voice
     SrdoMask attention;           ///< Slots that the next OnCycle has to serve even if no limit expires.
     SrdoMask flying;              ///< Producers with a pair in flight.
     SrdoMask requested;           ///< Producers whose application asked for sending.
-    SrdoMask refreshed;           ///< Producers that are due by a refresh.
     SrdoMask groups[kGroupCount]; ///< MISRA D-001
     SrdoMask unwritten;           ///< The held pair was not written yet.
     SrdoMask committed;           ///< The objects hold a pair.
     SrdoMask levels;              ///< Acknowledge inputs as the last OnCycle saw them.
-    SrdoMask existing;
+    SrdoMask refreshed;           ///< Producers that are due by a refresh.
 };
 
 [[nodiscard]] inline Record& At(const Voice& voice, const std::uint32_t slot) noexcept
@@ -83,8 +86,6 @@ void Raise(Voice& voice, std::uint32_t slot, Event event, SrdoCause given) noexc
 void Count(Record& record, SrdoCause cause) noexcept;
 /// @brief A fault that the next OnCycle, or the one that goes on, tells.
 void Report(Voice& voice, std::uint32_t slot, SrdoCause cause) noexcept;
-/// @brief Drops the held pair; a pending normal frame stays, with its limit.
-void Discard(Voice& voice, std::uint32_t slot) noexcept;
 /// @brief No identifier leads to an SRDO any more.
 void ClearLookUp(const Voice& voice) noexcept;
 /// @brief Puts slots into the mask of their group.
