@@ -8,24 +8,6 @@
 namespace counterpoint::channel_b
 {
 
-GuardView Channel::ViewGuard(const CycleInput& input) const noexcept
-{
-    const std::uint32_t declared = x_storage.device[kConfigurationValidAt];
-    const std::uint32_t turned = (input.challenge << 8U) | (input.challenge >> 24U);
-    if (input.guard_token != (turned ^ (declared * 0x01010101U)))
-    {
-        return GuardView::kStale;
-    }
-    return (declared == kConfigurationValidValue) ? GuardView::kConfigured : GuardView::kUnconfigured;
-}
-
-/// Behind the last slot of the half.
-SlotIndex Channel::EndOf(SlotIndex first) const noexcept
-{
-    const std::uint32_t full = static_cast<std::uint32_t>(first) + kSlotsInHalf;
-    return (x_count < full) ? x_count : static_cast<SlotIndex>(full);
-}
-
 void Channel::EnterSlot(SlotIndex slot, SrdoState state) noexcept
 {
     // Identifiers were checked by Validate; the remainder keeps a corrupted one within the table.
@@ -41,7 +23,7 @@ void Channel::EnterSlot(SlotIndex slot, SrdoState state) noexcept
 
 void Channel::Enter(const Census& half) noexcept
 {
-    Marks& marks = MarksOf(x_storage, half.first);
+    Marks& marks = *half.marks;
     const HalfMask present = half.present;
     Withdraw(marks.held, present);
     Withdraw(marks.acknowledged, present);
@@ -68,8 +50,8 @@ void Channel::Enter(const Census& half) noexcept
 /// Returns the consumers that were active. [SRS-CONS-019, SRS-PROD-011]
 HalfMask Channel::Leave(const Census& half) noexcept
 {
-    const SlotIndex end = EndOf(half.first);
-    const HalfMask left = MarksOf(x_storage, half.first).consumers & half.present;
+    const SlotIndex end = EndOf(half.first, x_count);
+    const HalfMask left = half.marks->consumers & half.present;
     FaultEach(half.first, left, SrdoCause::kNotOperational);
     for (SlotIndex slot = half.first; slot < end; ++slot)
     {

@@ -82,7 +82,7 @@ void Channel::Repair(SlotIndex slot, Census& census) noexcept
 /// All masks stay empty while SRDOs are not active. The bytes of slots that do not exist count for nothing.
 void Channel::TakeCensus(Census& census) noexcept
 {
-    const Marks& marks = MarksOf(x_storage, census.first);
+    const Marks& marks = *census.marks;
     const HalfMask active = census.active;
     const Column<const std::uint8_t> state{&x_storage.state[census.first]};
     const Column<const std::uint8_t> direction{&x_storage.direction[census.first]};

@@ -30,11 +30,26 @@ constexpr std::uint8_t kLastDefaultNode = 64U;
     return PayloadOf(~row.inverse_data & row.mask);
 }
 
-} // namespace
-
-Channel::Channel(const Storage& storage) noexcept : x_storage(storage)
+[[nodiscard]] SrdoState StateOf(std::uint8_t code) noexcept
 {
+    switch (static_cast<SrdoState>(code))
+    {
+    case SrdoState::kReleased:
+        return SrdoState::kReleased;
+    case SrdoState::kWaiting:
+        return SrdoState::kWaiting;
+    case SrdoState::kOff:
+        return SrdoState::kOff;
+    case SrdoState::kProducer:
+        return SrdoState::kProducer;
+    case SrdoState::kFaulted:
+    case SrdoState::kInvalid:
+        return SrdoState::kFaulted;
+    }
+    return SrdoState::kFaulted;
 }
+
+} // namespace
 
 void Channel::ClearSlot(SlotIndex slot) noexcept
 {
@@ -102,13 +117,11 @@ void Channel::TakeSetup(SlotIndex slot, const SrdoSetup& setup) noexcept
     }
     if ((setup.number == 1U) && (node <= kLastDefaultNode))
     {
-        // 0FFh + 2n and the next one: 101h to 180h, so that the second byte is always 1.
-        const Column<std::uint8_t> image{&x_storage.rows[slot].image[0]};
-        image[kCobId1At] = static_cast<std::uint8_t>((2U * node) - 1U);
-        image[kCobId1At + 1U] = 1U;
-        image[kCobId2At] = static_cast<std::uint8_t>(2U * node);
-        image[kCobId2At + 1U] = 1U;
-        image[kSctAt] = (node > kLastDefaultProducer) ? kDefaultSctMs : kDefaultRefreshMs;
+        Row& row = x_storage.rows[slot];
+        const std::uint32_t normal = kFirstSrdoIdentifier + (2U * (std::uint32_t{node} - 1U)); // 0FFh + 2n
+        UnpackFourBytes(normal, &row.image[kCobId1At]);
+        UnpackFourBytes(normal + 1U, &row.image[kCobId2At]);
+        row.image[kSctAt] = (node > kLastDefaultProducer) ? kDefaultSctMs : kDefaultRefreshMs;
     }
 }
 
@@ -139,7 +152,7 @@ SrdoView Channel::View(SlotIndex slot) const noexcept
                   x_storage.ordinal[slot] + row.sent,
                   0U,
                   row.error_count,
-                  StateOf(slot),
+                  StateOf(x_storage.state[slot]),
                   static_cast<SrdoCause>(x_storage.first_cause[slot]),
                   static_cast<std::uint8_t>(held.holds_pair)};
     if ((view.state == SrdoState::kProducer) && IsInFlight(row.stage))
@@ -151,25 +164,6 @@ SrdoView Channel::View(SlotIndex slot) const noexcept
         view.signals = row.signals;
     }
     return view;
-}
-
-SrdoState Channel::StateOf(SlotIndex slot) const noexcept
-{
-    switch (static_cast<SrdoState>(x_storage.state[slot]))
-    {
-    case SrdoState::kReleased:
-        return SrdoState::kReleased;
-    case SrdoState::kWaiting:
-        return SrdoState::kWaiting;
-    case SrdoState::kOff:
-        return SrdoState::kOff;
-    case SrdoState::kProducer:
-        return SrdoState::kProducer;
-    case SrdoState::kFaulted:
-    case SrdoState::kInvalid:
-        return SrdoState::kFaulted;
-    }
-    return SrdoState::kFaulted;
 }
 
 Permit Channel::Answer(std::uint32_t challenge) const noexcept

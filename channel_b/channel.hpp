@@ -21,7 +21,9 @@ class Channel final : public counterpoint::Channel
 {
   public:
     /// @brief The arrays outlive the channel. Restart is the first call.
-    explicit Channel(const Storage& storage) noexcept;
+    explicit Channel(const Storage& storage) noexcept : x_storage(storage)
+    {
+    }
 
     void Restart(const DeviceConfig& config) noexcept override;
     void Store(const ConfigItem& item) noexcept override;
@@ -30,7 +32,7 @@ class Channel final : public counterpoint::Channel
     [[nodiscard]] CheckResult Recheck(SlotIndex slot) noexcept override;
     void OnFrame(const CanFrame& frame, Instant stamp) noexcept override;
     [[nodiscard]] CycleOutcome OnCycle(const CycleInput& input) noexcept override;
-    [[nodiscard]] HeldPair Held(SlotIndex slot) const noexcept override;
+    [[nodiscard]] [[gnu::noinline]] HeldPair Held(SlotIndex slot) const noexcept override;
     [[nodiscard]] SrdoView View(SlotIndex slot) const noexcept override;
     void Demote(SlotIndex slot) noexcept override;
     void Commit(const Agreement& agreement) noexcept override;
@@ -59,10 +61,13 @@ class Channel final : public counterpoint::Channel
         bool is_spent; ///< The budget of some pair.
     };
 
-    /// What it finds and does for one half of the slots. The first five are slots by state, of one look at all of them;
+    /// What it finds and does for one half of the slots. Those from `waiting` on are slots by state, of one look at all of them;
     /// a slot that is in none is off.
     struct Census
     {
+        Marks* marks;
+        SlotIndex first;    ///< Slot 0 or 32.
+        bool is_phase_over; ///< Of some slot.
         HalfMask waiting;
         HalfMask faulted;
         HalfMask released;
@@ -77,8 +82,6 @@ class Channel final : public counterpoint::Channel
         HalfMask fresh;
         HalfMask due;
         HalfMask signalled;
-        SlotIndex first;    ///< Slot 0 or 32.
-        bool is_phase_over; ///< Of some slot.
     };
 
     /// What objects of a producer hold, and how long they are together.
@@ -92,7 +95,6 @@ class Channel final : public counterpoint::Channel
     void ClearSlot(SlotIndex slot) noexcept;
     void TakeSetup(SlotIndex slot, const SrdoSetup& setup) noexcept;
     void ClearLookUp() noexcept;
-    [[nodiscard]] SrdoState StateOf(SlotIndex slot) const noexcept;
 
     // census.cpp
     void Enlist(SlotIndex slot, Census& census) const noexcept;
@@ -100,8 +102,6 @@ class Channel final : public counterpoint::Channel
     void TakeCensus(Census& census) noexcept;
 
     // activity.cpp
-    [[nodiscard]] GuardView ViewGuard(const CycleInput& input) const noexcept;
-    [[nodiscard]] SlotIndex EndOf(SlotIndex first) const noexcept;
     void Enter(const Census& half) noexcept;
     void EnterSlot(SlotIndex slot, SrdoState state) noexcept;
     [[nodiscard]] HalfMask Leave(const Census& half) noexcept;
@@ -109,7 +109,6 @@ class Channel final : public counterpoint::Channel
     // cycle.cpp
     [[nodiscard]] bool SpendPairs() noexcept;
     [[nodiscard]] bool SpendPhases(const Census& half) noexcept;
-    [[nodiscard]] HalfMask FindSpent(SlotIndex first) const noexcept;
     void CloseWindows(const Census& half) noexcept;
     [[nodiscard]] HalfMask MissFirstPairs(const Census& census) noexcept;
     void Signal(Census& half, HalfMask slots) noexcept;
@@ -126,7 +125,7 @@ class Channel final : public counterpoint::Channel
     void ForgetCauses(SlotIndex first, HalfMask slots) noexcept;
 
     // faults.cpp
-    void Count(SlotIndex slot, SrdoCause cause) noexcept;
+    [[gnu::noinline]] void Count(SlotIndex slot, SrdoCause cause) noexcept;
     void Record(SlotIndex slot, SrdoCause cause) noexcept;
     void Discard(SlotIndex slot) noexcept;
     [[gnu::cold]] void Fault(SlotIndex slot, SrdoCause cause) noexcept;
@@ -137,8 +136,8 @@ class Channel final : public counterpoint::Channel
 
     // producer.cpp
     [[nodiscard]] HalfMask AdvanceProducers(const CycleInput& input, const Census& census) noexcept;
-    void AdvanceProvider(SlotIndex slot) noexcept;
-    void AdvanceApplication(SlotIndex slot) noexcept;
+    void AdvanceProvider(SlotIndex slot, HalfMask bit, Marks& marks) noexcept;
+    void AdvanceApplication(SlotIndex slot, HalfMask bit, Marks& marks) noexcept;
     void EndPhases(const Census& census) noexcept;
     [[nodiscard]] ObjectData ReadObjects(const Row& row, std::uint32_t side) const noexcept;
 

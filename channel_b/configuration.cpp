@@ -208,7 +208,6 @@ ConfigFault Channel::CheckMapping(SlotIndex slot) noexcept
         const std::uint32_t entry = EntryAt(row, index);
         const std::uint32_t partner = EntryAt(row, index ^ 1U);
         const std::uint16_t place = Find(entry);
-        wrong |= static_cast<std::uint32_t>(!IsEntryRight(place, entry, x_storage.direction[slot]));
         wrong |= ((entry ^ partner) & 0xFFU) | (entry & 0xFFU & granule);
         for (std::uint32_t before = 0U; before < index; ++before)
         {
@@ -221,7 +220,7 @@ ConfigFault Channel::CheckMapping(SlotIndex slot) noexcept
     {
         row.table[index] = kNoPlace; // MISRA D-002
     }
-    if (wrong != 0U)
+    if ((wrong != 0U) || (!IsTableRight(slot)))
     {
         return ConfigFault::kMapping;
     }
@@ -283,7 +282,7 @@ bool Channel::IsTableRight(SlotIndex slot) const noexcept
 {
     const Row& row = x_storage.rows[slot];
     const std::uint32_t count = EntryCount(row);
-    bool is_right = (MarksOf(x_storage, slot).resolved & BitOf(slot)) != 0U;
+    bool is_right = true;
     for (std::uint32_t index = 0U; index < count; ++index)
     {
         if (!IsEntryRight(row.table[index], EntryAt(row, index), x_storage.direction[slot])) // MISRA D-002
@@ -297,20 +296,24 @@ bool Channel::IsTableRight(SlotIndex slot) const noexcept
 CheckResult Channel::Recheck(SlotIndex slot) noexcept
 {
     CheckResult result{ConfigFault::kNone, SignatureOf(slot)};
+    Marks& marks = MarksOf(x_storage, slot);
+    const HalfMask bit = BitOf(slot);
+    const bool is_on = x_storage.direction[slot] != kDirectionOff;
+    const bool is_right = ((marks.resolved & bit) != 0U) && IsTableRight(slot);
     if (static_cast<std::uint32_t>(result.signature) != StoredSignature(x_storage.rows[slot]))
     {
         result.fault = ConfigFault::kSignature;
     }
-    else if ((x_storage.direction[slot] != kDirectionOff) && (!IsTableRight(slot)))
+    else if (is_on && (!is_right))
     {
         result.fault = ConfigFault::kTable;
     }
     else
     {
-        Grant(MarksOf(x_storage, slot).valid, BitOf(slot));
+        Grant(marks.valid, bit);
         return result;
     }
-    Withdraw(MarksOf(x_storage, slot).valid, BitOf(slot));
+    Withdraw(marks.valid, bit);
     return result;
 }
 

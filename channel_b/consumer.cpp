@@ -121,7 +121,7 @@ void Channel::Demote(SlotIndex slot) noexcept
 /// The consumers' part of OnCycle up to the faults that it reports. [SRS-CONS-013 to 018]
 void Channel::ExamineConsumers(const Call& call, Census& census) noexcept
 {
-    const Marks& marks = MarksOf(x_storage, census.first);
+    const Marks& marks = *census.marks;
     const HalfMask consumers = census.waiting | census.faulted | census.released;
     const HalfMask expired = census.spent & consumers;
     const HalfMask troubled = consumers & (marks.reporting | expired | call.alarmed);
@@ -144,7 +144,7 @@ void Channel::ExamineConsumers(const Call& call, Census& census) noexcept
 /// Edges of this call, and the end of those that waited too long. [SRS-REL-005]
 void Channel::Acknowledge(const Census& census) noexcept
 {
-    Marks& marks = MarksOf(x_storage, census.first);
+    Marks& marks = *census.marks;
     const HalfMask taken = census.edges & ~marks.reporting;
     const HalfMask waiting = taken & (census.waiting | census.faulted | census.released);
     Grant(marks.acknowledged, waiting);
@@ -166,7 +166,7 @@ void Channel::ForgetCauses(SlotIndex first, HalfMask slots) noexcept
 /// [SRS-REL-003, SRS-REL-004, SRS-REL-007]
 void Channel::Release(Census& census) noexcept
 {
-    Marks& marks = MarksOf(x_storage, census.first);
+    Marks& marks = *census.marks;
     const HalfMask permitted = Granted(marks.automatic) | Granted(marks.acknowledged);
     const HalfMask ready = Granted(marks.held) & ~marks.reporting & permitted;
     for (HalfMask rest = (census.waiting | census.faulted) & ready; rest != 0U; rest = WithoutLowest(rest))

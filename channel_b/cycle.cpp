@@ -25,6 +25,29 @@ constexpr HalfMask kAll = 0xFFFFFFFFU;
     return sum;
 }
 
+[[nodiscard]] HalfMask FindSpent(const Storage& storage, SlotIndex first, SlotIndex end) noexcept
+{
+    HalfMask spent = 0U;
+    for (SlotIndex slot = first; slot < end; ++slot)
+    {
+        if (storage.pair_left[slot] > storage.pair_limit[slot])
+        {
+            spent |= BitOf(slot);
+        }
+    }
+    return spent;
+}
+
+[[nodiscard]] GuardView ViewGuard(const CycleInput& input, std::uint32_t declared) noexcept
+{
+    const std::uint32_t turned = (input.challenge << 8U) | (input.challenge >> 24U);
+    if (input.guard_token != (turned ^ (declared * 0x01010101U)))
+    {
+        return GuardView::kStale;
+    }
+    return (declared == kConfigurationValidValue) ? GuardView::kConfigured : GuardView::kUnconfigured;
+}
+
 } // namespace
 
 /// Takes the time since the last call from the budgets of all pairs, whether they run or not; returns whether one has
@@ -50,7 +73,7 @@ inline bool Channel::SpendPhases(const Census& half) noexcept
 {
     const std::uint32_t elapsed = x_elapsed_us;
     const Column<std::uint32_t> phase = x_storage.phase_left;
-    const std::size_t end = EndOf(half.first);
+    const std::size_t end = EndOf(half.first, x_count);
     std::uint32_t any = 0U;
     for (std::size_t slot = half.first; slot < end; ++slot)
     {
@@ -61,25 +84,11 @@ inline bool Channel::SpendPhases(const Census& half) noexcept
     return any > kLongestPhase;
 }
 
-HalfMask Channel::FindSpent(SlotIndex first) const noexcept
-{
-    const SlotIndex end = EndOf(first);
-    HalfMask spent = 0U;
-    for (SlotIndex slot = first; slot < end; ++slot)
-    {
-        if (x_storage.pair_left[slot] > x_storage.pair_limit[slot])
-        {
-            spent |= BitOf(slot);
-        }
-    }
-    return spent;
-}
-
 /// Closes the windows of signals and forgets the acknowledge edges that are over. A corrupted mark must not lead to a
 /// slot that does not exist.
 void Channel::CloseWindows(const Census& half) noexcept
 {
-    Marks& marks = MarksOf(x_storage, half.first);
+    Marks& marks = *half.marks;
     for (HalfMask rest = marks.window_open & half.present; rest != 0U; rest = WithoutLowest(rest))
     {
         const SlotIndex slot = LowestOf(rest, half.first);
@@ -103,7 +112,7 @@ void Channel::CloseWindows(const Census& half) noexcept
 /// Consumers that complain about no first pair. [SRS-CONS-022]
 inline HalfMask Channel::MissFirstPairs(const Census& census) noexcept
 {
-    Marks& marks = MarksOf(x_storage, census.first);
+    Marks& marks = *census.marks;
     HalfMask missed = 0U;
     marks.unheard &= census.waiting & ~marks.fresh;
     for (HalfMask rest = marks.unheard; rest != 0U; rest = WithoutLowest(rest))
@@ -123,7 +132,7 @@ inline HalfMask Channel::MissFirstPairs(const Census& census) noexcept
 /// [SRS-CONS-021]
 inline void Channel::Signal(Census& half, HalfMask slots) noexcept
 {
-    Marks& marks = MarksOf(x_storage, half.first);
+    Marks& marks = *half.marks;
     for (HalfMask rest = slots; rest != 0U; rest = WithoutLowest(rest))
     {
         const SlotIndex slot = LowestOf(rest, half.first);
@@ -149,11 +158,11 @@ inline void Channel::Signal(Census& half, HalfMask slots) noexcept
 /// What seldom happens is looked for first.
 [[gnu::always_inline]] inline void Channel::CycleHalf(const CycleInput& input, const Call& call, Census& half) noexcept
 {
-    Marks& marks = MarksOf(x_storage, half.first);
+    Marks& marks = *half.marks;
     HalfMask left = 0U;
     if (call.is_spent)
     {
-        half.spent = FindSpent(half.first);
+        half.spent = FindSpent(x_storage, half.first, EndOf(half.first, x_count));
     }
     if (((half.present & ~marks.consumers) | marks.acknowledged.on) != 0U)
     {
@@ -204,7 +213,7 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
 {
     CycleOutcome outcome{};
     Census halves[kHalves] = {}; // MISRA D-001
-    outcome.guard = ViewGuard(input);
+    outcome.guard = ViewGuard(input, x_storage.device[kConfigurationValidAt]);
     const bool is_configured = outcome.guard == GuardView::kConfigured;
     const HalfMask running = (is_configured && (input.nmt == NmtState::kOperational)) ? kAll : 0U;
     x_elapsed_us = input.now.us - x_last_us;
@@ -224,6 +233,7 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
     {
         const std::size_t at = first / kSlotsInHalf;
         const HalfMask levels = PartOf(input.acknowledge, first);
+        halves[at].marks = &x_storage.marks[at];
         halves[at].first = first;
         halves[at].present = x_present[at];
         halves[at].active = x_present[at] & running;

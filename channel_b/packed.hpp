@@ -31,6 +31,13 @@ namespace counterpoint::channel_b
     return (first == 0U) ? low : high;
 }
 
+/// Behind the last slot of the half, of a device with `count` slots.
+[[nodiscard]] inline SlotIndex EndOf(SlotIndex first, SlotIndex count) noexcept
+{
+    const std::uint32_t full = static_cast<std::uint32_t>(first) + kSlotsInHalf;
+    return (count < full) ? count : static_cast<SlotIndex>(full);
+}
+
 [[nodiscard]] inline SrdoMask Join(HalfMask low, HalfMask high) noexcept
 {
     return static_cast<SrdoMask>(low) | (static_cast<SrdoMask>(high) << 32U);

@@ -117,10 +117,8 @@ void Channel::OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept
 }
 
 /// The refresh falls due at exact distances, whenever the calls come. [SRS-PROD-001, SRS-PROD-002]
-inline void Channel::AdvanceProvider(SlotIndex slot) noexcept
+[[gnu::always_inline]] inline void Channel::AdvanceProvider(SlotIndex slot, HalfMask bit, Marks& marks) noexcept
 {
-    Marks& marks = MarksOf(x_storage, slot);
-    const HalfMask bit = BitOf(slot);
     x_storage.phase_left[slot] += SctUs(x_storage.rows[slot]);
     marks.started |= bit;
     if (IsInFlight(x_storage.rows[slot].stage) || ((marks.refresh_due & bit) != 0U))
@@ -134,10 +132,8 @@ inline void Channel::AdvanceProvider(SlotIndex slot) noexcept
 }
 
 /// Silence is allowed for the refresh time and a cycle that is just in time. [SRS-PROD-001, SRS-PROD-010]
-inline void Channel::AdvanceApplication(SlotIndex slot) noexcept
+[[gnu::always_inline]] inline void Channel::AdvanceApplication(SlotIndex slot, HalfMask bit, Marks& marks) noexcept
 {
-    Marks& marks = MarksOf(x_storage, slot);
-    const HalfMask bit = BitOf(slot);
     const std::uint32_t absence_us = SctUs(x_storage.rows[slot]) + x_late_us;
     if ((marks.started & bit) == 0U)
     {
@@ -160,9 +156,9 @@ inline void Channel::AdvanceApplication(SlotIndex slot) noexcept
 }
 
 /// Whose phase is over, or where no phase runs any longer.
-void Channel::EndPhases(const Census& census) noexcept
+inline void Channel::EndPhases(const Census& census) noexcept
 {
-    const Marks& marks = MarksOf(x_storage, census.first);
+    Marks& marks = *census.marks;
     for (HalfMask rest = census.present & ~(marks.acknowledged.on & marks.consumers); rest != 0U; rest = WithoutLowest(rest))
     {
         const SlotIndex slot = LowestOf(rest, census.first);
@@ -177,11 +173,11 @@ void Channel::EndPhases(const Census& census) noexcept
         }
         else if ((marks.provider & bit) != 0U)
         {
-            AdvanceProvider(slot);
+            AdvanceProvider(slot, bit, marks);
         }
         else
         {
-            AdvanceApplication(slot);
+            AdvanceApplication(slot, bit, marks);
         }
     }
 }
@@ -189,7 +185,7 @@ void Channel::EndPhases(const Census& census) noexcept
 /// Returns the slots that are due. [SRS-PROD-003, SRS-PROD-004, SRS-PROD-008, SRS-PROD-010, SRS-PROD-012]
 HalfMask Channel::AdvanceProducers(const CycleInput& input, const Census& census) noexcept
 {
-    Marks& marks = MarksOf(x_storage, census.first);
+    Marks& marks = *census.marks;
     const HalfMask standing = PartOf(input.stand, census.first) & marks.provider & marks.started & census.producers;
     marks.requested |= PartOf(input.request, census.first) & census.producers;
     for (HalfMask rest = census.producers & census.spent; rest != 0U; rest = WithoutLowest(rest))
