@@ -24,7 +24,6 @@ constexpr std::uint8_t kLastNodeIdWithDefault = 64U;
 constexpr std::uint32_t kDefaultIdentifierBase = 0xFFU;
 
 constexpr std::uint16_t kErrorCountMax = 0xFFFFU;
-constexpr std::uint32_t kHighShift = 32U;
 constexpr std::uint32_t kHalfMask = 1U; // Of an identifier that is not odd, as those of normal frames are.
 constexpr std::uint8_t kGfcEnabled = 1U;
 
@@ -61,6 +60,33 @@ const Cell& Step(Voice& voice, Record& record, const SrdoMask bit, const Event e
     Count(record, cause);
     record.unreported |= std::uint32_t{1U} << static_cast<std::uint8_t>(cause);
     voice.attention |= bit;
+}
+
+// Only directions 1 and 2 come as far as a resolved mapping. `since` of a producer that is called is one refresh and a
+// microsecond before the first possible transmission, so that the first refresh falls due there; it is the first
+// possible transmission itself where the application sends.
+void EnterSlot(Voice& voice, const std::uint32_t slot) noexcept
+{
+    Record& record = At(voice, slot);
+    const std::uint32_t place = record.values[kCobIdPlace] - kFirstSrdoIdentifier;
+    voice.storage.look_up[(place >> 1U) % kLookUpSize] = static_cast<std::uint8_t>(slot + 1U); // MISRA D-002
+    record.ordinal = 0U;
+    Mark(voice, slot);
+    --voice.off_count;
+    if (record.direction == kDirectionConsumer)
+    {
+        Raise(voice, slot, Event::kEnterConsumer, SrdoCause::kNone);
+        record.awaiting = kMarked;
+        ++voice.consumer_count;
+        return;
+    }
+    Raise(voice, slot, Event::kEnterProducer, SrdoCause::kNone);
+    ++voice.producer_count;
+    record.since.us = voice.entered.us + voice.first_delay_us;
+    if (record.form == ProducerForm::kProviderCalled)
+    {
+        record.since.us -= SctUs(record) + 1U;
+    }
 }
 
 } // namespace
@@ -102,7 +128,8 @@ void Channel::Restart(const DeviceConfig& config) noexcept
         record.limit_us = kNoLimit;
         record.policy = setup.policy;
         record.form = setup.form;
-        record.safe = OctetsOf((std::uint64_t{setup.safe_value.high} << kHighShift) | setup.safe_value.low);
+        PutWord(&record.safe.at[0], setup.safe_value.low);
+        PutWord(&record.safe.at[kBytesPerWord], setup.safe_value.high);
         SetDefaults(record, setup.number, config.node_id);
     }
 }
@@ -165,6 +192,47 @@ void Count(Record& record, const SrdoCause cause) noexcept
 void Report(Voice& voice, const std::uint32_t slot, const SrdoCause cause) noexcept
 {
     ReportWith(voice, At(voice, slot), BitOf(slot), cause);
+}
+
+void Mark(Voice& voice, const std::uint32_t slot) noexcept
+{
+    voice.attention |= BitOf(slot);
+}
+
+void Enter(Voice& voice, const Instant now) noexcept
+{
+    voice.entered = now;
+    voice.may_send = false;
+    voice.flying = 0U;
+    voice.requested = 0U;
+    voice.refreshed = 0U;
+    voice.ordinal_sum = 0U;
+    voice.off_count = voice.count;
+    for (std::uint32_t slot = 0U; slot < voice.count; ++slot)
+    {
+        const Record& record = At(voice, slot);
+        if ((record.mapping == kMarked) && (record.check == kMarked) && IsSealed(record))
+        {
+            EnterSlot(voice, slot);
+        }
+    }
+}
+
+// What an SRDO that is off has to leave is nothing.
+void Leave(Voice& voice) noexcept
+{
+    for (std::uint32_t slot = 0U; slot < voice.count; ++slot)
+    {
+        Raise(voice, slot, Event::kLeave, SrdoCause::kNone);
+        At(voice, slot).limit_us = kNoLimit;
+        At(voice, slot).ordinal = 0U;
+    }
+    MoveTo(voice, ~SrdoMask{0U}, kGroupOff);
+    ClearLookUp(voice);
+    voice.flying = 0U;
+    voice.consumer_count = 0U;
+    voice.producer_count = 0U;
+    voice.off_count = 0U;
 }
 
 // [SRS-CONS-017]

@@ -28,7 +28,6 @@ struct Cycle
     bool has_overflow;
     bool has_gfc;
     SrdoMask edges;    ///< Acknowledge inputs that went from 0 to 1.
-    SrdoMask left;     ///< Consumers that ceased to be active in this call.
     SrdoMask standing; ///< Producers whose refresh stood still, if of the form that is called.
     SrdoMask new_fault;
     SrdoMask signalled;
@@ -47,71 +46,6 @@ GuardView GuardOf(const CycleInput& input, const std::uint8_t configuration_vali
     return view;
 }
 
-// Only directions 1 and 2 come as far as a resolved mapping. `since` of a producer that is called is one refresh and a
-// microsecond before the first possible transmission, so that the first refresh falls due there; it is the first
-// possible transmission itself where the application sends.
-void EnterSlot(Voice& voice, const std::uint32_t slot) noexcept
-{
-    Record& record = At(voice, slot);
-    const std::uint32_t place = record.values[kCobIdPlace] - kFirstSrdoIdentifier;
-    voice.storage.look_up[(place >> 1U) % kLookUpSize] = static_cast<std::uint8_t>(slot + 1U); // MISRA D-002
-    record.ordinal = 0U;
-    voice.attention |= BitOf(slot);
-    --voice.off_count;
-    if (record.direction == kDirectionConsumer)
-    {
-        Raise(voice, slot, Event::kEnterConsumer, SrdoCause::kNone);
-        record.awaiting = kMarked;
-        ++voice.consumer_count;
-        return;
-    }
-    Raise(voice, slot, Event::kEnterProducer, SrdoCause::kNone);
-    ++voice.producer_count;
-    record.since.us = voice.entered.us + voice.first_delay_us;
-    if (record.form == ProducerForm::kProviderCalled)
-    {
-        record.since.us -= SctUs(record) + 1U;
-    }
-}
-
-void Enter(Voice& voice, const Instant now) noexcept
-{
-    voice.entered = now;
-    voice.may_send = false;
-    voice.flying = 0U;
-    voice.requested = 0U;
-    voice.refreshed = 0U;
-    voice.ordinal_sum = 0U;
-    voice.off_count = voice.count;
-    for (std::uint32_t slot = 0U; slot < voice.count; ++slot)
-    {
-        const Record& record = At(voice, slot);
-        if ((record.mapping == kMarked) && (record.check == kMarked) && IsSealed(record))
-        {
-            EnterSlot(voice, slot);
-        }
-    }
-}
-
-void Leave(Voice& voice, Cycle& cycle) noexcept
-{
-    cycle.left = ConsumersOf(voice);
-    SrdoMask to_leave = cycle.left | voice.groups[kGroupProducer];
-    while (to_leave != 0U)
-    {
-        const std::uint32_t slot = TakeLowest(to_leave);
-        Raise(voice, slot, Event::kLeave, SrdoCause::kNone);
-        At(voice, slot).limit_us = kNoLimit;
-        At(voice, slot).ordinal = 0U;
-    }
-    MoveTo(voice, ~SrdoMask{0U}, kGroupOff);
-    ClearLookUp(voice);
-    voice.flying = 0U;
-    voice.consumer_count = 0U;
-    voice.producer_count = 0U;
-    voice.off_count = 0U;
-}
-
 // [SRS-CONS-002]
 void FollowOperational(Voice& voice, Cycle& cycle, const bool is_active) noexcept
 {
@@ -121,15 +55,10 @@ void FollowOperational(Voice& voice, Cycle& cycle, const bool is_active) noexcep
     }
     if (!is_active && voice.is_active)
     {
-        Leave(voice, cycle);
+        cycle.new_fault = ConsumersOf(voice);
+        Leave(voice);
     }
     voice.is_active = is_active;
-}
-
-// Kept out of the loops, which are shorter without a mask of two words.
-[[gnu::noinline]] void Mark(Voice& voice, const std::uint32_t slot) noexcept
-{
-    voice.attention |= BitOf(slot);
 }
 
 // Finds the producers that still wait for a confirmation after SRVT. [SRS-PROD-008]
@@ -158,13 +87,15 @@ void ScanLimits(Voice& voice, const Cycle& cycle) noexcept
     {
         voice.attention |= ConsumersOf(voice);
     }
-    for (std::uint32_t slot = 0U; slot < voice.count; ++slot)
+    const std::uint32_t count = voice.count;
+    const Record* record = voice.storage.records;
+    for (std::uint32_t slot = 0U; slot < count; ++slot)
     {
-        const Record& record = At(voice, slot);
-        if (((cycle.now.us - record.since.us) > record.limit_us) || !IsSealed(record))
+        if (((cycle.now.us - record->since.us) > record->limit_us) || !IsSealed(*record))
         {
             Mark(voice, slot);
         }
+        ++record; // MISRA D-002
     }
 }
 
@@ -306,7 +237,6 @@ void ServeProducer(Voice& voice, const Cycle& cycle, const std::uint32_t slot) n
         Break(voice, slot);
         record.limit_us = kNoLimit;
         record.ordinal = 0U;
-        voice.flying &= ~BitOf(slot);
         return;
     }
     if ((cycle.now.us - record.sent_since.us) > SrvtUs(record))
@@ -352,7 +282,7 @@ void Serve(Voice& voice, Cycle& cycle, const std::uint32_t slot) noexcept
     }
     else
     {
-        cycle.new_fault |= cycle.left & bit;
+        // Only what was reported before it went off is to be told.
     }
     Signal(cycle, record, bit, extra);
     const std::uint32_t unfinished = record.told | record.edge | record.awaiting;

@@ -53,14 +53,6 @@ std::uint32_t TotalLength(const Record& record) noexcept
     return total;
 }
 
-void PutWord(std::uint8_t* const to, const std::uint32_t word) noexcept
-{
-    to[0] = static_cast<std::uint8_t>(word);        // MISRA D-002
-    to[1] = static_cast<std::uint8_t>(word >> 8U);  // MISRA D-002
-    to[2] = static_cast<std::uint8_t>(word >> 16U); // MISRA D-002
-    to[3] = static_cast<std::uint8_t>(word >> 24U); // MISRA D-002
-}
-
 // Writes the lowest bytes into the object; returns the others.
 std::uint64_t Written(const MappableObject& object, std::uint64_t rest) noexcept
 {

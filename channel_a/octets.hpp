@@ -54,6 +54,14 @@ extern const std::uint64_t kMapped[kLengthMask + 1U]; // MISRA D-001
     return kMapped[record.length_bytes & kLengthMask];
 }
 
+[[gnu::always_inline]] inline void PutWord(std::uint8_t* const to, const std::uint32_t word) noexcept
+{
+    to[0] = static_cast<std::uint8_t>(word);        // MISRA D-002
+    to[1] = static_cast<std::uint8_t>(word >> 8U);  // MISRA D-002
+    to[2] = static_cast<std::uint8_t>(word >> 16U); // MISRA D-002
+    to[3] = static_cast<std::uint8_t>(word >> 24U); // MISRA D-002
+}
+
 [[nodiscard, gnu::always_inline]] inline Octets OctetsOf(const std::uint64_t bits) noexcept
 {
     const std::uint32_t low = static_cast<std::uint32_t>(bits);

@@ -86,6 +86,12 @@ void Raise(Voice& voice, std::uint32_t slot, Event event, SrdoCause given) noexc
 void Count(Record& record, SrdoCause cause) noexcept;
 /// @brief A fault that the next OnCycle, or the one that goes on, tells.
 void Report(Voice& voice, std::uint32_t slot, SrdoCause cause) noexcept;
+/// @brief The next OnCycle, or the one that goes on, serves the slot. Not inline: loops are shorter without a mask.
+void Mark(Voice& voice, std::uint32_t slot) noexcept;
+/// @brief Every SRDO with a valid configuration becomes active.
+void Enter(Voice& voice, Instant now) noexcept;
+/// @brief None is active any more.
+void Leave(Voice& voice) noexcept;
 /// @brief No identifier leads to an SRDO any more.
 void ClearLookUp(const Voice& voice) noexcept;
 /// @brief Puts slots into the mask of their group.
