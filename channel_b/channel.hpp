@@ -56,9 +56,10 @@ class Channel final : public counterpoint::Channel
         HalfMask late;       ///< All bits if the call is late, else none.
         HalfMask overflowed; ///< All bits if frames were lost, else none.
         HalfMask alarmed;    ///< Both, and a global fail-safe command.
-        bool is_entering;
-        bool is_leaving;
-        bool is_spent; ///< The budget of some pair.
+        HalfMask entering;   ///< All bits if SRDOs become active in this call, else none.
+        HalfMask leaving;    ///< All bits if they cease to be active, else none.
+        HalfMask spent;      ///< All bits if the budget of some pair is, else none.
+        HalfMask ended;      ///< Some bits if the phase of some slot is over, else none.
     };
 
     /// What it finds and does for one half of the slots. Those from `waiting` on are slots by state, of one look at all of them;
@@ -66,8 +67,7 @@ class Channel final : public counterpoint::Channel
     struct Census
     {
         Marks* marks;
-        SlotIndex first;    ///< Slot 0 or 32.
-        bool is_phase_over; ///< Of some slot.
+        SlotIndex first; ///< Slot 0 or 32.
         HalfMask waiting;
         HalfMask faulted;
         HalfMask released;
@@ -107,8 +107,9 @@ class Channel final : public counterpoint::Channel
     [[nodiscard]] HalfMask Leave(const Census& half) noexcept;
 
     // cycle.cpp
-    [[nodiscard]] bool SpendPairs() noexcept;
-    [[nodiscard]] bool SpendPhases(const Census& half) noexcept;
+    [[nodiscard]] HalfMask SpendPairs() noexcept;
+    [[nodiscard]] HalfMask SpendPhases() noexcept;
+    [[nodiscard]] HalfMask FindPhases() const noexcept;
     void CloseWindows(const Census& half) noexcept;
     [[nodiscard]] HalfMask MissFirstPairs(const Census& census) noexcept;
     void Signal(Census& half, HalfMask slots) noexcept;
@@ -135,7 +136,7 @@ class Channel final : public counterpoint::Channel
     [[gnu::cold]] Confirmation Fail(SlotIndex slot, SrdoCause cause) noexcept;
 
     // producer.cpp
-    [[nodiscard]] HalfMask AdvanceProducers(const CycleInput& input, const Census& census) noexcept;
+    [[nodiscard]] HalfMask AdvanceProducers(const CycleInput& input, const Call& call, const Census& census) noexcept;
     void AdvanceProvider(SlotIndex slot, HalfMask bit, Marks& marks) noexcept;
     void AdvanceApplication(SlotIndex slot, HalfMask bit, Marks& marks) noexcept;
     void EndPhases(const Census& census) noexcept;

@@ -67,6 +67,10 @@ void Channel::TakeCommand(const CanFrame& frame) noexcept
 {
     const Row& row = x_storage.rows[slot];
     const std::uint32_t parity = frame.identifier & 1U;
+    if ((MarksOf(x_storage, slot).consumers & BitOf(slot)) == 0U)
+    {
+        return SrdoCause::kNone; // Not ours.
+    }
     if ((frame.identifier != OwnIdentifier(row, parity)) || (frame.port != x_port[parity])) // MISRA D-002
     {
         return SrdoCause::kIdentifier;
@@ -88,10 +92,6 @@ void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
     if (slot >= x_count)
     {
         TakeCommand(frame);
-        return;
-    }
-    if ((MarksOf(x_storage, slot).consumers & BitOf(slot)) == 0U)
-    {
         return;
     }
     // From the last OnCycle to the frame, modular, so that it may be before that call as well.

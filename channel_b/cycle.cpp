@@ -50,9 +50,9 @@ constexpr HalfMask kAll = 0xFFFFFFFFU;
 
 } // namespace
 
-/// Takes the time since the last call from the budgets of all pairs, whether they run or not; returns whether one has
-/// nothing left. The loop is without a decision, so that a compiler can do several slots at once.
-inline bool Channel::SpendPairs() noexcept
+/// Takes the time since the last call from the budgets of all pairs, whether they run or not; returns all bits if one
+/// has nothing left, else none. The loop is without a decision, so that a compiler can do several slots at once.
+inline HalfMask Channel::SpendPairs() noexcept
 {
     const std::uint32_t elapsed = x_elapsed_us;
     const Column<std::uint32_t> left = x_storage.pair_left;
@@ -65,23 +65,32 @@ inline bool Channel::SpendPairs() noexcept
         any |= 0U - static_cast<std::uint32_t>(left_us > limit[slot]);
         left[slot] = left_us;
     }
-    return any != 0U;
+    return any;
 }
 
-/// The same for the phases of one half.
-inline bool Channel::SpendPhases(const Census& half) noexcept
+/// The same for the phases; returns some bits if one is over, else none.
+inline HalfMask Channel::SpendPhases() noexcept
 {
     const std::uint32_t elapsed = x_elapsed_us;
     const Column<std::uint32_t> phase = x_storage.phase_left;
-    const std::size_t end = EndOf(half.first, x_count);
+    const std::size_t count = x_count;
     std::uint32_t any = 0U;
-    for (std::size_t slot = half.first; slot < end; ++slot)
+    for (std::size_t slot = 0U; slot < count; ++slot)
     {
         const std::uint32_t left_us = phase[slot] - elapsed;
         any |= left_us - 1U;
         phase[slot] = left_us;
     }
-    return any > kLongestPhase;
+    return any & ~kLongestPhase;
+}
+
+/// Whether a phase may run in some slot: a device of consumers without an acknowledge edge has none.
+inline HalfMask Channel::FindPhases() const noexcept
+{
+    const Marks& low = x_storage.marks[0U];
+    const Marks& high = x_storage.marks[1U];
+    const HalfMask others = (x_present[0U] & ~low.consumers) | (x_present[1U] & ~high.consumers); // MISRA D-002
+    return others | low.acknowledged.on | high.acknowledged.on;
 }
 
 /// Closes the windows of signals and forgets the acknowledge edges that are over. A corrupted mark must not lead to a
@@ -160,23 +169,19 @@ inline void Channel::Signal(Census& half, HalfMask slots) noexcept
 {
     Marks& marks = *half.marks;
     HalfMask left = 0U;
-    if (call.is_spent)
+    if (call.spent != 0U)
     {
         half.spent = FindSpent(x_storage, half.first, EndOf(half.first, x_count));
-    }
-    if (((half.present & ~marks.consumers) | marks.acknowledged.on) != 0U)
-    {
-        half.is_phase_over = SpendPhases(half);
     }
     if (((marks.window_open | marks.acknowledged.on) & half.present) != 0U)
     {
         CloseWindows(half);
     }
-    if (call.is_entering)
+    if (call.entering != 0U)
     {
         Enter(half);
     }
-    if (call.is_leaving)
+    if (call.leaving != 0U)
     {
         left = Leave(half);
     }
@@ -188,9 +193,9 @@ inline void Channel::Signal(Census& half, HalfMask slots) noexcept
     {
         ExamineConsumers(call, half);
     }
-    if ((half.producers != 0U) || half.is_phase_over)
+    if ((half.producers | call.ended) != 0U)
     {
-        half.due = AdvanceProducers(input, half);
+        half.due = AdvanceProducers(input, call, half);
     }
     if (half.edges != 0U)
     {
@@ -221,11 +226,12 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
     const HalfMask late = (x_elapsed_us > x_late_us) ? kAll : 0U;
     const HalfMask overflowed = (input.queue != QueueState::kIntact) ? kAll : 0U;
     const HalfMask alarmed = late | overflowed | x_gfc;
-    const Call call{late, overflowed, alarmed, running > x_running, running < x_running, SpendPairs()};
+    const HalfMask ended = (FindPhases() != 0U) ? SpendPhases() : 0U;
+    const Call call{late, overflowed, alarmed, running & ~x_running, x_running & ~running, SpendPairs(), ended};
     x_late_us = x_config->cycle_us + x_config->cycle_tolerance_us;
     x_running = running;
-    x_active_us = call.is_entering ? 0U : (x_active_us + x_elapsed_us);
-    if (call.is_leaving)
+    x_active_us = (x_active_us + x_elapsed_us) & ~call.entering;
+    if (call.leaving != 0U)
     {
         ClearLookUp();
     }

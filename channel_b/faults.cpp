@@ -53,11 +53,14 @@ void Channel::Fault(SlotIndex slot, SrdoCause cause) noexcept
     Record(slot, cause);
 }
 
-/// A limit ran out: SRVT while a normal frame waits, else SCT.
+/// A limit ran out: SRVT while a normal frame waits, else SCT. No effect on a slot that is no active consumer.
 void Channel::Expire(SlotIndex slot) noexcept
 {
-    const bool is_pending = (MarksOf(x_storage, slot).pending & BitOf(slot)) != 0U;
-    Fault(slot, is_pending ? SrdoCause::kSrvt : SrdoCause::kSct);
+    const Marks& marks = MarksOf(x_storage, slot);
+    if ((marks.consumers & BitOf(slot)) != 0U)
+    {
+        Fault(slot, ((marks.pending & BitOf(slot)) != 0U) ? SrdoCause::kSrvt : SrdoCause::kSct);
+    }
 }
 
 void Channel::FaultEach(SlotIndex first, HalfMask slots, SrdoCause cause) noexcept

@@ -26,6 +26,10 @@ SlotIndex LowestOf(HalfMask mask, SlotIndex first) noexcept
 /// By sums in ever wider fields: two halves together have at most 8 in four bits.
 std::uint8_t CountOf(HalfMask low, HalfMask high) noexcept
 {
+    if ((low | high) == 0U)
+    {
+        return 0U;
+    }
     const std::uint32_t low_pairs = low - ((low >> 1U) & 0x55555555U);
     const std::uint32_t high_pairs = high - ((high >> 1U) & 0x55555555U);
     const std::uint32_t low_nibbles = (low_pairs & 0x33333333U) + ((low_pairs >> 2U) & 0x33333333U);

@@ -183,7 +183,7 @@ inline void Channel::EndPhases(const Census& census) noexcept
 }
 
 /// Returns the slots that are due. [SRS-PROD-003, SRS-PROD-004, SRS-PROD-008, SRS-PROD-010, SRS-PROD-012]
-HalfMask Channel::AdvanceProducers(const CycleInput& input, const Census& census) noexcept
+HalfMask Channel::AdvanceProducers(const CycleInput& input, const Call& call, const Census& census) noexcept
 {
     Marks& marks = *census.marks;
     const HalfMask standing = PartOf(input.stand, census.first) & marks.provider & marks.started & census.producers;
@@ -196,7 +196,7 @@ HalfMask Channel::AdvanceProducers(const CycleInput& input, const Census& census
     {
         x_storage.phase_left[LowestOf(rest, census.first)] += x_elapsed_us;
     }
-    if (census.is_phase_over)
+    if (call.ended != 0U)
     {
         EndPhases(census);
     }
