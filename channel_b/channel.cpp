@@ -57,8 +57,9 @@ void Channel::ClearSlot(SlotIndex slot) noexcept
     row = Row{};
     for (std::uint8_t index = 0U; index < kMaxMapEntries; ++index)
     {
-        row.image[kEntriesAt + (std::size_t{index} * kEntryBytes)] = static_cast<std::uint8_t>(index + 1U); // MISRA D-002
-        row.table[index] = kNoPlace;                                                           // MISRA D-002
+        row.image[kEntriesAt + (std::size_t{index} * kEntryBytes)] =
+            static_cast<std::uint8_t>(index + 1U); // MISRA D-002
+        row.table[index] = kNoPlace;               // MISRA D-002
     }
     row.image[kSctAt] = kDefaultRefreshMs;
     row.image[kSrvtAt] = kDefaultSrvtMs;

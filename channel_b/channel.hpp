@@ -62,8 +62,8 @@ class Channel final : public counterpoint::Channel
         HalfMask ended;      ///< Some bits if the phase of some slot is over, else none.
     };
 
-    /// What it finds and does for one half of the slots. Those from `waiting` on are slots by state, of one look at all of them;
-    /// a slot that is in none is off.
+    /// What it finds and does for one half of the slots. Those from `waiting` on are slots by state, of one look at all
+    /// of them; a slot that is in none is off.
     struct Census
     {
         Marks* marks;
@@ -169,7 +169,7 @@ class Channel final : public counterpoint::Channel
     std::uint32_t x_active_us{0U};  ///< Since entering OPERATIONAL.
     std::uint32_t x_late_us{0U};    ///< Longest time since the last OnCycle that is not late.
     std::uint32_t x_cycle{0U};
-    CanPortId x_port[2U]{};         ///< Of the inverse frames, of the normal frames. MISRA D-001
+    CanPortId x_port[2U]{}; ///< Of the inverse frames, of the normal frames. MISRA D-001
     std::uint8_t x_count{0U};
 };
 

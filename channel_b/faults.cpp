@@ -57,10 +57,9 @@ void Channel::Fault(SlotIndex slot, SrdoCause cause) noexcept
 void Channel::Expire(SlotIndex slot) noexcept
 {
     const Marks& marks = MarksOf(x_storage, slot);
-    if ((marks.consumers & BitOf(slot)) != 0U)
-    {
-        Fault(slot, ((marks.pending & BitOf(slot)) != 0U) ? SrdoCause::kSrvt : SrdoCause::kSct);
-    }
+    const HalfMask bit = BitOf(slot);
+    const SrdoCause cause = ((marks.pending & bit) != 0U) ? SrdoCause::kSrvt : SrdoCause::kSct;
+    FaultEach(static_cast<SlotIndex>(slot - (slot % kSlotsInHalf)), marks.consumers & bit, cause);
 }
 
 void Channel::FaultEach(SlotIndex first, HalfMask slots, SrdoCause cause) noexcept

@@ -50,8 +50,8 @@ std::uint64_t Channel::SafeDataOf(SlotIndex slot) const noexcept
     return ~Join(safe_value.low, safe_value.high);
 }
 
-/// What the normal objects hold, or the inverse ones: from the last object to the first one, so that bits enter the word
-/// at its low end.
+/// What the normal objects hold, or the inverse ones: from the last object to the first one, so that bits enter the
+/// word at its low end.
 Channel::ObjectData Channel::ReadObjects(const Row& row, std::uint32_t side) const noexcept
 {
     const Column<const MappableObject> objects{x_config->objects};

@@ -159,7 +159,8 @@ void Channel::OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept
 inline void Channel::EndPhases(const Census& census) noexcept
 {
     Marks& marks = *census.marks;
-    for (HalfMask rest = census.present & ~(marks.acknowledged.on & marks.consumers); rest != 0U; rest = WithoutLowest(rest))
+    for (HalfMask rest = census.present & ~(marks.acknowledged.on & marks.consumers); rest != 0U;
+         rest = WithoutLowest(rest))
     {
         const SlotIndex slot = LowestOf(rest, census.first);
         const HalfMask bit = BitOf(slot);

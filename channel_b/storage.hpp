@@ -85,14 +85,14 @@ template <typename T> struct Column
 /// What frames and faults lead to, slot by slot: no loop over all slots looks at it. Order: small places first.
 struct Row
 {
-    std::uint64_t inverse_data;          ///< Inverse data of the held pair, or of the pair being sent.
-    std::uint64_t pending_data;          ///< Normal data that wait for their inverse.
-    std::uint64_t mask;                  ///< Mapped bits of a payload.
-    std::uint32_t sent;                  ///< Producer: pairs sent; else 0.
-    std::uint32_t causes;                ///< Bit (1 << cause): recorded and not reported yet.
-    std::uint32_t signals;               ///< Of the last OnCycle, where Marks::signalled says so.
-    std::uint32_t told;                  ///< Signalled in the open window.
-    std::uint32_t window_left;           ///< Budget of the window of signals.
+    std::uint64_t inverse_data; ///< Inverse data of the held pair, or of the pair being sent.
+    std::uint64_t pending_data; ///< Normal data that wait for their inverse.
+    std::uint64_t mask;         ///< Mapped bits of a payload.
+    std::uint32_t sent;         ///< Producer: pairs sent; else 0.
+    std::uint32_t causes;       ///< Bit (1 << cause): recorded and not reported yet.
+    std::uint32_t signals;      ///< Of the last OnCycle, where Marks::signalled says so.
+    std::uint32_t told;         ///< Signalled in the open window.
+    std::uint32_t window_left;  ///< Budget of the window of signals.
     std::uint16_t error_count;
     Stage stage;
     std::uint8_t length_bytes;           ///< Mapped length.
@@ -108,16 +108,16 @@ struct Row
 struct Storage
 {
     Column<Row> rows;
-    Column<Marks> marks;               ///< kHalves.
-    Column<std::uint32_t> pair_left;   ///< Budget of SRVT while something is pending or in flight, else of SCT.
-    Column<std::uint32_t> pair_limit;  ///< What pair_left started with; all bits set if nothing runs.
-    Column<std::uint32_t> phase_left;  ///< Consumer: of the acknowledge edge. Producer: to the next refresh.
-    Column<std::uint32_t> ordinal;     ///< Consumer: pairs completed; else 0.
-    Column<std::uint8_t> state;        ///< SrdoState. A byte, as direction and first_cause: one look takes eight.
-    Column<std::uint8_t> direction;    ///< First byte of the canonical image; apart, because every cycle looks at it.
-    Column<std::uint8_t> first_cause;  ///< SrdoCause.
-    Column<std::uint8_t> slot_of;      ///< kLookUpBytes: slot of each identifier while SRDOs are active, or kNoSlot.
-    Column<std::uint8_t> device;       ///< kDeviceBytes.
+    Column<Marks> marks;              ///< kHalves.
+    Column<std::uint32_t> pair_left;  ///< Budget of SRVT while something is pending or in flight, else of SCT.
+    Column<std::uint32_t> pair_limit; ///< What pair_left started with; all bits set if nothing runs.
+    Column<std::uint32_t> phase_left; ///< Consumer: of the acknowledge edge. Producer: to the next refresh.
+    Column<std::uint32_t> ordinal;    ///< Consumer: pairs completed; else 0.
+    Column<std::uint8_t> state;       ///< SrdoState. A byte, as direction and first_cause: one look takes eight.
+    Column<std::uint8_t> direction;   ///< First byte of the canonical image; apart, because every cycle looks at it.
+    Column<std::uint8_t> first_cause; ///< SrdoCause.
+    Column<std::uint8_t> slot_of;     ///< kLookUpBytes: slot of each identifier while SRDOs are active, or kNoSlot.
+    Column<std::uint8_t> device;      ///< kDeviceBytes.
     std::uint8_t capacity;
 };
 
@@ -142,8 +142,8 @@ template <std::uint8_t kSlots> struct StorageFor
     /// What the constructor of the channel wants.
     [[nodiscard]] Storage Handle() noexcept
     {
-        return Storage{{rows},    {marks},     {pair_left},   {pair_limit}, {phase_left}, {ordinal},
-                       {state},   {direction}, {first_cause}, {slot_of},    {device},     kSlots};
+        return Storage{{rows},  {marks},     {pair_left},   {pair_limit}, {phase_left}, {ordinal},
+                       {state}, {direction}, {first_cause}, {slot_of},    {device},     kSlots};
     }
 };
 
