@@ -97,11 +97,6 @@ const std::uint64_t kMapped[kLengthMask + 1U] = {
     0x00000000FFFFFFFFU, 0x000000FFFFFFFFFFU, 0x0000FFFFFFFFFFFFU, 0x00FFFFFFFFFFFFFFU,
 };
 
-Channel::Channel(const Storage& storage) noexcept : voice_{}
-{
-    voice_.storage = storage;
-}
-
 void Channel::Restart(const DeviceConfig& config) noexcept
 {
     const Storage storage = voice_.storage;

@@ -77,7 +77,7 @@ void StoreOfSlot(Voice& voice, const ConfigItem& item) noexcept
     {
         record.values[place] = value;
         record.mapping = (place == kSignaturePlace) ? record.mapping : kUnmarked;
-        voice.attention |= BitOf(item.address.slot); // A producer takes its refresh time anew.
+        Mark(voice, item.address.slot); // A producer takes its refresh time anew.
     }
     if (item.address.field == ConfigField::kDirection)
     {

@@ -20,13 +20,6 @@ namespace
 constexpr std::uint32_t kHalfMask = 1U; // Of the place of an identifier: 0 the normal, 1 the inverse frame.
 constexpr Confirmation kNotOurs{kNoSlot, ConfirmStep::kNone};
 
-[[gnu::noinline]] Confirmation GiveUp(Voice& voice, const std::uint32_t slot, const Event event,
-                                      const SrdoCause cause) noexcept
-{
-    Raise(voice, slot, event, cause);
-    return kNotOurs;
-}
-
 // Whether a frame with the expected identifier is not the one that was to be sent.
 inline bool IsWrong(const Record& record, const CanFrame& frame, const std::uint64_t flip) noexcept
 {
@@ -42,7 +35,8 @@ inline Confirmation ConfirmNormal(Voice& voice, Record& record, const CanFrame& 
     }
     if (IsWrong(record, frame, 0U))
     {
-        return GiveUp(voice, slot, Event::kAbort, SrdoCause::kWrongEcho);
+        Raise(voice, slot, Event::kAbort, SrdoCause::kWrongEcho);
+        return kNotOurs;
     }
     SetMode(record, Mode::kInverseAwaited);
     record.sent_since = stamp;
@@ -58,11 +52,13 @@ inline Confirmation ConfirmInverse(Voice& voice, Record& record, const CanFrame&
     }
     if (IsWrong(record, frame, kInverseFlip))
     {
-        return GiveUp(voice, slot, Event::kAbort, SrdoCause::kWrongEcho);
+        Raise(voice, slot, Event::kAbort, SrdoCause::kWrongEcho);
+        return kNotOurs;
     }
     if ((stamp.us - record.sent_since.us) > SrvtUs(record))
     {
-        return GiveUp(voice, slot, Event::kUnconfirmed, SrdoCause::kNone);
+        Raise(voice, slot, Event::kUnconfirmed, SrdoCause::kNone);
+        return kNotOurs;
     }
     SetMode(record, Mode::kIdle);
     ++record.ordinal;
