@@ -137,6 +137,8 @@ class Channel final : public counterpoint::Channel
 
     // producer.cpp
     [[nodiscard]] HalfMask AdvanceProducers(const CycleInput& input, const Call& call, const Census& census) noexcept;
+    [[nodiscard]] Confirmation ConfirmInverse(SlotIndex slot, const CanFrame& frame, Instant stamp) noexcept;
+    [[nodiscard]] static bool IsEchoWrong(const Row& row, const CanFrame& frame, std::uint64_t expected) noexcept;
     void AdvanceProvider(SlotIndex slot, HalfMask bit, Marks& marks) noexcept;
     void AdvanceApplication(SlotIndex slot, HalfMask bit, Marks& marks) noexcept;
     void EndPhases(const Census& census) noexcept;

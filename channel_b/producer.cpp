@@ -68,6 +68,36 @@ CanFrame Channel::InverseFrame(SlotIndex slot) noexcept
     return FrameOf(row, kCobId2At, x_port[0U], row.inverse_data);
 }
 
+/// Behind the mapped length anything may be.
+[[gnu::always_inline]] inline bool Channel::IsEchoWrong(const Row& row, const CanFrame& frame,
+                                                        std::uint64_t expected) noexcept
+{
+    const std::uint64_t different = (PackBytes(&frame.data[0]) ^ expected) & row.mask;
+    return (frame.length_bytes != row.length_bytes) || (different != 0U);
+}
+
+[[gnu::always_inline]] inline Confirmation Channel::ConfirmInverse(SlotIndex slot, const CanFrame& frame,
+                                                                   Instant stamp) noexcept
+{
+    Row& row = x_storage.rows[slot];
+    if ((row.stage != Stage::kAwaitInverse) || (frame.identifier != InverseIdentifier(row)))
+    {
+        return kNoConfirmation;
+    }
+    if (IsEchoWrong(row, frame, row.inverse_data))
+    {
+        return Fail(slot, SrdoCause::kWrongEcho);
+    }
+    if ((x_storage.pair_left[slot] - (stamp.us - x_last_us)) > x_storage.pair_limit[slot])
+    {
+        return Fail(slot, SrdoCause::kNoConfirmation);
+    }
+    row.sent += 1U;
+    row.stage = Stage::kIdle;
+    x_storage.pair_limit[slot] = kNothingRuns;
+    return Confirmation{slot, ConfirmStep::kPair};
+}
+
 Confirmation Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
 {
     const SlotIndex slot = LookUp(x_storage, frame);
@@ -76,35 +106,18 @@ Confirmation Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
         return kNoConfirmation;
     }
     Row& row = x_storage.rows[slot];
-    const std::uint32_t parity = frame.identifier & 1U;
-    const Stage awaited = (parity != 0U) ? Stage::kAwaitNormal : Stage::kAwaitInverse;
-    if ((row.stage != awaited) || (frame.identifier != OwnIdentifier(row, parity)))
+    if ((row.stage == Stage::kAwaitNormal) && (frame.identifier == NormalIdentifier(row)))
     {
-        return kNoConfirmation;
-    }
-    // The normal frame is awaited with the complement of the inverse data; behind the mapped length anything may be.
-    const std::uint64_t expected = row.inverse_data ^ (0U - std::uint64_t{parity});
-    const std::uint64_t different = (PackBytes(&frame.data[0]) ^ expected) & row.mask;
-    if ((frame.length_bytes != row.length_bytes) || (different != 0U))
-    {
-        return Fail(slot, SrdoCause::kWrongEcho);
-    }
-    const std::uint32_t since_call = stamp.us - x_last_us;
-    if (parity != 0U)
-    {
+        if (IsEchoWrong(row, frame, ~row.inverse_data))
+        {
+            return Fail(slot, SrdoCause::kWrongEcho);
+        }
         row.stage = Stage::kAwaitInverse;
         row.to_send = kToSend;
-        x_storage.pair_left[slot] = x_storage.pair_limit[slot] + since_call; // SRVT anew.
+        x_storage.pair_left[slot] = x_storage.pair_limit[slot] + (stamp.us - x_last_us); // SRVT anew.
         return Confirmation{slot, ConfirmStep::kNormal};
     }
-    if ((x_storage.pair_left[slot] - since_call) > x_storage.pair_limit[slot])
-    {
-        return Fail(slot, SrdoCause::kNoConfirmation);
-    }
-    row.sent += 1U;
-    row.stage = Stage::kIdle;
-    x_storage.pair_limit[slot] = kNothingRuns;
-    return Confirmation{slot, ConfirmStep::kPair};
+    return ConfirmInverse(slot, frame, stamp);
 }
 
 void Channel::OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept
