@@ -25,7 +25,8 @@ constexpr std::uint32_t kWordBits = 32U;
 constexpr std::uint32_t kPairMask = 1U; ///< Of a position from 0: even the normal, odd the inverse object.
 constexpr std::uint32_t kByteMask = 0xFFU;
 constexpr std::uint32_t kAllBits = 0xFFFFFFFFU;
-constexpr std::uint32_t kWordPositions = 4U; ///< Of a mapping of objects of four bytes: two of them, twice.
+constexpr std::uint32_t kOffsetMask = kMaxPayloadBits - 1U;
+constexpr std::uint32_t kWordCount = 2U; ///< Objects of four bytes in a frame.
 constexpr std::uint16_t kNoObject = 0xFFFFU;
 constexpr MappableObject kNothing{0U, 0U, 0U, MapAccess::kNone, nullptr};
 
@@ -127,37 +128,36 @@ bool FitsOthers(const DeviceConfig& config, const Record& record, const std::uin
 [[gnu::noinline]] bool ReadBytes(const DeviceConfig& config, Record& record) noexcept
 {
     const std::uint32_t count = MapCount(record);
-    std::uint32_t room = kMaxPayloadBytes;
+    std::uint64_t data = 0U;
+    std::uint32_t offset_bits = 0U;
     std::uint32_t wrong = 0U;
-    std::uint8_t* to = &record.held.at[0];
     for (std::uint32_t position = 0U; position < count; position += 2U)
     {
         const MappableObject& normal = ObjectAt(config, record, position);
         const MappableObject& inverse = ObjectAt(config, record, position | kPairMask);
         const std::uint32_t length_bytes = std::uint32_t{normal.length_bits} >> kBitsToBytes;
-        if ((normal.length_bits != inverse.length_bits) || (length_bytes > room))
+        if (normal.length_bits != inverse.length_bits)
         {
             return false;
         }
         for (std::uint32_t place = 0U; place < length_bytes; ++place)
         {
             const std::uint32_t byte = normal.place[place]; // MISRA D-002
-            *to = static_cast<std::uint8_t>(byte);
-            ++to;                                             // MISRA D-002
+            data |= std::uint64_t{byte} << (offset_bits & kOffsetMask);
+            offset_bits += kBitsPerByte;
             wrong |= byte ^ inverse.place[place] ^ kByteMask; // MISRA D-002
         }
-        room -= length_bytes;
     }
+    record.held = OctetsOf(data);
     return wrong == 0U;
 }
 
-// Normal objects into `held`. False if a bit is not inverted, or an object is not there, not as long as its partner or
-// does not fit into the frame. Objects of four bytes are the usual ones and go without a call.
+// Normal objects into `held`. False if a bit is not inverted, or an object is not there or not as long as its partner.
+// Objects of four bytes are the usual ones and go without a call.
 [[gnu::noinline]] bool ReadObjects(const DeviceConfig& config, Record& record) noexcept
 {
     const std::uint32_t count = MapCount(record);
-    record.held = Octets{};
-    std::uint8_t* to = &record.held.at[0];
+    std::uint32_t words[kWordCount]{}; // MISRA D-001
     for (std::uint32_t position = 0U; position < count; position += 2U)
     {
         const std::uint32_t normal_place = record.objects[position];
@@ -168,7 +168,7 @@ bool FitsOthers(const DeviceConfig& config, const Record& record, const std::uin
         }
         const MappableObject& normal = config.objects[normal_place];   // MISRA D-002
         const MappableObject& inverse = config.objects[inverse_place]; // MISRA D-002
-        if ((normal.length_bits != kWordBits) || (inverse.length_bits != kWordBits) || (position >= kWordPositions))
+        if ((normal.length_bits != kWordBits) || (inverse.length_bits != kWordBits))
         {
             return ReadBytes(config, record);
         }
@@ -177,9 +177,10 @@ bool FitsOthers(const DeviceConfig& config, const Record& record, const std::uin
         {
             return false;
         }
-        PutWord(to, word);
-        to += kBytesPerWord; // MISRA D-002
+        words[(position / 2U) % kWordCount] = word;
     }
+    PutWord(&record.held.at[0], words[0]);
+    PutWord(&record.held.at[kBytesPerWord], words[1]);
     return true;
 }
 
