@@ -24,7 +24,8 @@ constexpr std::uint8_t kLastNodeIdWithDefault = 64U;
 constexpr std::uint32_t kDefaultIdentifierBase = 0xFFU;
 
 constexpr std::uint16_t kErrorCountMax = 0xFFFFU;
-constexpr std::uint32_t kHighShift = 32U;
+constexpr std::uint32_t kHalfMask = 1U; // Of an identifier that is not odd, as those of normal frames are.
+constexpr std::uint8_t kGfcEnabled = 1U;
 
 // Default connection set: SRDO 1 of the first 64 nodes. [SRS-CFG-002]
 void SetDefaults(Record& record, const std::uint8_t number, const std::uint8_t node_id) noexcept
@@ -54,34 +55,47 @@ const Cell& Step(Voice& voice, Record& record, const SrdoMask bit, const Event e
     return cell;
 }
 
-void DropPair(Voice& voice, Record& record, const SrdoMask bit) noexcept
-{
-    voice.ordinal_sum -= record.ordinal;
-    record.ordinal = 0U;
-    record.edge = kUnmarked;
-    record.awaiting = kUnmarked;
-    voice.fresh &= ~bit;
-}
-
-void ReportWith(Voice& voice, Record& record, const SrdoMask bit, const SrdoCause cause) noexcept
+[[gnu::noinline]] void ReportWith(Voice& voice, Record& record, const SrdoMask bit, const SrdoCause cause) noexcept
 {
     Count(record, cause);
     record.unreported |= std::uint32_t{1U} << static_cast<std::uint8_t>(cause);
     voice.attention |= bit;
 }
 
+// Only directions 1 and 2 come as far as a resolved mapping. `since` of a producer that is called is one refresh and a
+// microsecond before the first possible transmission, so that the first refresh falls due there; it is the first
+// possible transmission itself where the application sends.
+void EnterSlot(Voice& voice, const std::uint32_t slot) noexcept
+{
+    Record& record = At(voice, slot);
+    const std::uint32_t place = record.values[kCobIdPlace] - kFirstSrdoIdentifier;
+    voice.storage.look_up[(place >> 1U) % kLookUpSize] = static_cast<std::uint8_t>(slot + 1U); // MISRA D-002
+    record.ordinal = 0U;
+    Mark(voice, slot);
+    --voice.off_count;
+    if (record.direction == kDirectionConsumer)
+    {
+        Raise(voice, slot, Event::kEnterConsumer, SrdoCause::kNone);
+        record.awaiting = kMarked;
+        ++voice.consumer_count;
+        return;
+    }
+    Raise(voice, slot, Event::kEnterProducer, SrdoCause::kNone);
+    ++voice.producer_count;
+    record.since.us = voice.entered.us + voice.first_delay_us;
+    if (record.form == ProducerForm::kProviderCalled)
+    {
+        record.since.us -= SctUs(record) + 1U;
+    }
+}
+
 } // namespace
 
-const std::uint8_t kRuler[kRulerSize] = {
+const std::uint64_t kMapped[kLengthMask + 1U] = {
     // MISRA D-001
-    0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU,
-    0xFFU, 0xFFU, 0xFFU, 0x00U, 0x00U, 0x00U, 0x00U, 0x00U, 0x00U, 0x00U, 0x00U,
+    0xFFFFFFFFFFFFFFFFU, 0x00000000000000FFU, 0x000000000000FFFFU, 0x0000000000FFFFFFU,
+    0x00000000FFFFFFFFU, 0x000000FFFFFFFFFFU, 0x0000FFFFFFFFFFFFU, 0x00FFFFFFFFFFFFFFU,
 };
-
-Channel::Channel(const Storage& storage) noexcept : voice_{}
-{
-    voice_.storage = storage;
-}
 
 void Channel::Restart(const DeviceConfig& config) noexcept
 {
@@ -98,11 +112,10 @@ void Channel::Restart(const DeviceConfig& config) noexcept
     voice_.groups[kGroupOff] = ~SrdoMask{0U};
     voice_.levels = ~SrdoMask{0U}; // A level of 1 at power-on is no edge.
     ClearLookUp(voice_);
-    for (SlotIndex slot = 0U; slot < voice_.count; ++slot)
+    for (std::uint32_t slot = 0U; slot < voice_.count; ++slot)
     {
         const SrdoSetup& setup = config.srdos[slot]; // MISRA D-002
         Record& record = At(voice_, slot);
-        voice_.existing |= BitOf(slot);
         record = Record{};
         record.mode = Mode::kOff;
         record.first_cause = SrdoCause::kNone;
@@ -110,7 +123,8 @@ void Channel::Restart(const DeviceConfig& config) noexcept
         record.limit_us = kNoLimit;
         record.policy = setup.policy;
         record.form = setup.form;
-        record.safe = OctetsOf((std::uint64_t{setup.safe_value.high} << kHighShift) | setup.safe_value.low);
+        PutWord(&record.safe.at[0], setup.safe_value.low);
+        PutWord(&record.safe.at[kBytesPerWord], setup.safe_value.high);
         SetDefaults(record, setup.number, config.node_id);
     }
 }
@@ -132,20 +146,26 @@ void MoveTo(Voice& voice, const SrdoMask bits, const std::uint8_t group) noexcep
     voice.groups[group] |= bits;
 }
 
-// What a fault does, if the cell is one. In every other cell the event is none in this mode.
-void Raise(Voice& voice, const SlotIndex slot, const Event event, const SrdoCause given) noexcept
+// In every other cell the event changes the mode at most.
+void Raise(Voice& voice, const std::uint32_t slot, const Event event, const SrdoCause given) noexcept
 {
     Record& record = At(voice, slot);
     const SrdoMask bit = BitOf(slot);
     const Cell& cell = Step(voice, record, bit, event);
     const SrdoCause cause = (cell.cause == SrdoCause::kNone) ? given : cell.cause;
-    if (cell.effect == Effect::kFault)
+    if ((cell.effect >= Effect::kDropHeld) && (cell.effect != Effect::kAbort))
     {
-        DropPair(voice, record, bit);
-        record.limit_us = kNoLimit;
-        ReportWith(voice, record, bit, cause);
+        voice.ordinal_sum -= record.ordinal;
+        record.ordinal = 0U;
+        record.edge = kUnmarked;
+        record.awaiting = kUnmarked;
+        voice.fresh &= ~bit;
     }
-    if (cell.effect == Effect::kAbort)
+    if ((cell.effect == Effect::kDropAll) || (cell.effect == Effect::kFault))
+    {
+        record.limit_us = kNoLimit;
+    }
+    if (cell.effect >= Effect::kFault)
     {
         voice.flying &= ~bit;
         ReportWith(voice, record, bit, cause);
@@ -164,20 +184,89 @@ void Count(Record& record, const SrdoCause cause) noexcept
     }
 }
 
-void Report(Voice& voice, const SlotIndex slot, const SrdoCause cause) noexcept
+void Report(Voice& voice, const std::uint32_t slot, const SrdoCause cause) noexcept
 {
     ReportWith(voice, At(voice, slot), BitOf(slot), cause);
 }
 
-void Discard(Voice& voice, const SlotIndex slot) noexcept
+void Mark(Voice& voice, const std::uint32_t slot) noexcept
 {
-    Record& record = At(voice, slot);
-    const SrdoMask bit = BitOf(slot);
-    const Cell& cell = Step(voice, record, bit, Event::kDiscard);
-    DropPair(voice, record, bit);
-    if (cell.next == Mode::kFaultedEmpty)
+    voice.attention |= BitOf(slot);
+}
+
+void Enter(Voice& voice, const Instant now) noexcept
+{
+    voice.entered = now;
+    voice.may_send = false;
+    voice.flying = 0U;
+    voice.requested = 0U;
+    voice.refreshed = 0U;
+    voice.ordinal_sum = 0U;
+    voice.off_count = voice.count;
+    for (std::uint32_t slot = 0U; slot < voice.count; ++slot)
     {
-        record.limit_us = kNoLimit;
+        const Record& record = At(voice, slot);
+        if ((record.mapping == kMarked) && (record.check == kMarked) && IsSealed(record))
+        {
+            EnterSlot(voice, slot);
+        }
+    }
+}
+
+// What an SRDO that is off has to leave is nothing.
+void Leave(Voice& voice) noexcept
+{
+    for (std::uint32_t slot = 0U; slot < voice.count; ++slot)
+    {
+        Raise(voice, slot, Event::kLeave, SrdoCause::kNone);
+        At(voice, slot).limit_us = kNoLimit;
+        At(voice, slot).ordinal = 0U;
+    }
+    MoveTo(voice, ~SrdoMask{0U}, kGroupOff);
+    ClearLookUp(voice);
+    voice.flying = 0U;
+    voice.consumer_count = 0U;
+    voice.producer_count = 0U;
+    voice.off_count = 0U;
+}
+
+// [SRS-CONS-017]
+void ReceiveOther(Voice& voice, const CanFrame& frame) noexcept
+{
+    const bool is_gfc = (frame.identifier == kGfcIdentifier) && (frame.length_bytes == 0U);
+    if (is_gfc && voice.is_active && (voice.globals[kGfcParameterPlace] == kGfcEnabled))
+    {
+        voice.gfc_pending = true;
+    }
+}
+
+// In the order of SRS-CONS-011; what order of frames means is the table's affair.
+void ReceiveOdd(Voice& voice, const CanFrame& frame, const std::uint32_t slot, const Event order) noexcept
+{
+    const Record& record = At(voice, slot);
+    const std::uint32_t half = ~frame.identifier & kHalfMask;
+    Event event = order;
+    if (frame.length_bytes != record.length_bytes)
+    {
+        event = Event::kWrongLength;
+    }
+    if ((frame.identifier != record.values[kCobIdPlace + half]) || (frame.port != voice.ports[half]))
+    {
+        event = Event::kWrongIdentifier;
+    }
+    Raise(voice, slot, event, SrdoCause::kNone);
+}
+
+// The limit first; the frame is then taken as if nothing had been there before it.
+void ReceiveLate(Voice& voice, const CanFrame& frame, const Instant stamp, const std::uint32_t slot) noexcept
+{
+    const bool is_inverse = (~frame.identifier & kHalfMask) != 0U;
+    Raise(voice, slot, Event::kExpired, SrdoCause::kNone);
+    ReceiveOdd(voice, frame, slot, is_inverse ? Event::kInverse : Event::kNormal);
+    Record& record = At(voice, slot);
+    if (record.mode == Mode::kFaultedFirst)
+    {
+        Keep(record, frame, stamp);
     }
 }
 

@@ -17,7 +17,10 @@ class Channel final : public counterpoint::Channel
 {
   public:
     /// @brief `storage` may hold anything, zeros included; Restart fills it.
-    explicit Channel(const Storage& storage) noexcept;
+    explicit Channel(const Storage& storage) noexcept : voice_{}
+    {
+        voice_.storage = storage;
+    }
 
     void Restart(const DeviceConfig& config) noexcept override;
     void Store(const ConfigItem& item) noexcept override;

@@ -14,23 +14,24 @@ namespace counterpoint::channel_a
 namespace
 {
 
-constexpr std::uint32_t kU8 = 0xFFU;
-constexpr std::uint32_t kU16 = 0xFFFFU;
-constexpr std::uint32_t kU32 = 0xFFFFFFFFU;
+constexpr std::uint32_t kAllBits = 0xFFFFFFFFU;
+constexpr std::uint32_t kU8 = 24U; // How many of them the field has not.
+constexpr std::uint32_t kU16 = 16U;
+constexpr std::uint32_t kU32 = 0U;
 
 constexpr std::size_t kNoPlace = kValueCount;
 
 // Width and place in Record::values by ConfigField; the direction has no place there, the entries follow the first one.
 struct FieldFacts
 {
-    std::uint32_t mask;
-    std::size_t place;
+    std::uint8_t missing_bits;
+    std::uint8_t place;
 };
 
 constexpr std::size_t kFieldCount = 10U;
 constexpr FieldFacts kFields[kFieldCount] = {
     // MISRA D-001
-    {0U, kNoPlace},
+    {kU8, kNoPlace},
     {kU8, kNoPlace},
     {kU16, kSctPlace},
     {kU8, kSrvtPlace},
@@ -42,6 +43,12 @@ constexpr FieldFacts kFields[kFieldCount] = {
     {kU16, kSignaturePlace},
 };
 static_assert(static_cast<std::size_t>(ConfigField::kSignature) + 1U == kFieldCount, "facts for each field of a slot");
+
+// Place of a value of the whole device; not below kGlobalCount if it is none of these.
+std::size_t GlobalPlaceOf(const ConfigAddress& address) noexcept
+{
+    return static_cast<std::size_t>(address.field) - static_cast<std::size_t>(ConfigField::kGfcParameter);
+}
 
 // Place of a value in a record; kNoPlace if it has none. `address.field` is a field of an SRDO.
 std::size_t PlaceOf(const ConfigAddress& address) noexcept
@@ -63,13 +70,14 @@ bool IsOfSlot(const Voice& voice, const ConfigAddress& address) noexcept
 void StoreOfSlot(Voice& voice, const ConfigItem& item) noexcept
 {
     Record& record = At(voice, item.address.slot);
-    const std::uint32_t value = item.value & kFields[static_cast<std::size_t>(item.address.field)].mask;
+    const std::uint32_t value =
+        item.value & (kAllBits >> kFields[static_cast<std::size_t>(item.address.field)].missing_bits);
     const std::size_t place = PlaceOf(item.address);
     if (place < kValueCount)
     {
         record.values[place] = value;
         record.mapping = (place == kSignaturePlace) ? record.mapping : kUnmarked;
-        voice.attention |= BitOf(item.address.slot); // A producer takes its refresh time anew.
+        Mark(voice, item.address.slot); // A producer takes its refresh time anew.
     }
     if (item.address.field == ConfigField::kDirection)
     {
@@ -154,13 +162,10 @@ ConfigFault CheckCommunication(const Voice& voice, const SlotIndex slot) noexcep
 
 void Channel::Store(const ConfigItem& item) noexcept
 {
-    if (item.address.field == ConfigField::kGfcParameter)
+    const std::size_t place = GlobalPlaceOf(item.address);
+    if (place < kGlobalCount)
     {
-        voice_.gfc_parameter = static_cast<std::uint8_t>(item.value & kU8);
-    }
-    if (item.address.field == ConfigField::kConfigurationValid)
-    {
-        voice_.configuration_valid = static_cast<std::uint8_t>(item.value & kU8);
+        voice_.globals[place] = static_cast<std::uint8_t>(item.value);
     }
     if (IsOfSlot(voice_, item.address))
     {
@@ -171,13 +176,10 @@ void Channel::Store(const ConfigItem& item) noexcept
 ConfigItem Channel::Load(const ConfigAddress& address) const noexcept
 {
     ConfigItem item{address, 0U};
-    if (address.field == ConfigField::kGfcParameter)
+    const std::size_t place = GlobalPlaceOf(address);
+    if (place < kGlobalCount)
     {
-        item.value = voice_.gfc_parameter;
-    }
-    if (address.field == ConfigField::kConfigurationValid)
-    {
-        item.value = voice_.configuration_valid;
+        item.value = voice_.globals[place];
     }
     if (IsOfSlot(voice_, address))
     {

@@ -15,28 +15,8 @@ namespace
 {
 
 constexpr std::uint32_t kHalfMask = 1U; // Of the place of an identifier: 0 the normal, 1 the inverse frame.
-constexpr std::uint8_t kGfcEnabled = 1U;
 
-// [SRS-CONS-017]
-void ReceiveOther(Voice& voice, const CanFrame& frame) noexcept
-{
-    const bool is_gfc = (frame.identifier == kGfcIdentifier) && (frame.length_bytes == 0U);
-    if (is_gfc && voice.is_active && (voice.gfc_parameter == kGfcEnabled))
-    {
-        voice.gfc_pending = true;
-    }
-}
-
-// The common cells of both halves stay within their group of modes.
-void Take(Record& record, const CanFrame& frame, const Instant stamp, const Cell& cell) noexcept
-{
-    SetMode(record, cell.next);
-    record.pending = TakenFrom(record, frame);
-    record.since = stamp;
-    record.limit_us = SrvtUs(record);
-}
-
-void Complete(Voice& voice, Record& record, const SlotIndex slot) noexcept
+void Complete(Voice& voice, Record& record, const std::uint32_t slot) noexcept
 {
     const SrdoMask bit = BitOf(slot);
     record.held = record.pending;
@@ -48,43 +28,10 @@ void Complete(Voice& voice, Record& record, const SlotIndex slot) noexcept
     voice.unwritten |= bit;
 }
 
-bool IsOnPlace(const Voice& voice, const Record& record, const CanFrame& frame, const std::uint32_t half) noexcept
+bool IsFitting(const Voice& voice, const Record& record, const CanFrame& frame, const std::uint32_t half) noexcept
 {
-    return (frame.identifier == record.values[kCobIdPlace + half]) && (frame.port == voice.ports[half]);
-}
-
-// What order of frames means is the table's affair.
-[[gnu::noinline]] void ReceiveOdd(Voice& voice, const CanFrame& frame, const SlotIndex slot, const Event order) noexcept
-{
-    const Record& record = At(voice, slot);
-    const std::uint32_t half = ~frame.identifier & kHalfMask;
-    Event event = order;
-    if (frame.length_bytes != record.length_bytes)
-    {
-        event = Event::kWrongLength;
-    }
-    if (!IsOnPlace(voice, record, frame, half))
-    {
-        event = Event::kWrongIdentifier;
-    }
-    Raise(voice, slot, event, SrdoCause::kNone);
-}
-
-// The limit first; the frame is then taken as if nothing had been there before it.
-[[gnu::noinline]] void ReceiveLate(Voice& voice, const CanFrame& frame, const Instant stamp,
-                                   const SlotIndex slot) noexcept
-{
-    Raise(voice, slot, Event::kExpired, SrdoCause::kNone);
-    Record& record = At(voice, slot);
-    const std::uint32_t half = ~frame.identifier & kHalfMask;
-    const Cell& cell = NextCell(record.mode, Event::kNormal);
-    const bool is_good = IsOnPlace(voice, record, frame, half) && (frame.length_bytes == record.length_bytes);
-    if (is_good && (half == 0U) && (cell.effect == Effect::kTake))
-    {
-        Take(record, frame, stamp, cell);
-        return;
-    }
-    ReceiveOdd(voice, frame, slot, Event::kInverse);
+    return (frame.identifier == record.values[kCobIdPlace + half]) && (frame.port == voice.ports[half]) &&
+           (frame.length_bytes == record.length_bytes);
 }
 
 } // namespace
@@ -102,7 +49,7 @@ void Channel::OnFrame(const CanFrame& frame, const Instant stamp) noexcept
         ReceiveOther(voice_, frame);
         return;
     }
-    const SlotIndex slot = SlotOfPlace(voice_, place);
+    const std::uint32_t slot = SlotOfPlace(voice_, place);
     if (slot >= voice_.count)
     {
         return;
@@ -114,19 +61,24 @@ void Channel::OnFrame(const CanFrame& frame, const Instant stamp) noexcept
         return;
     }
     const std::uint32_t half = place & kHalfMask;
-    const bool is_good = IsOnPlace(voice_, record, frame, half) && (frame.length_bytes == record.length_bytes);
-    if (half == 0U)
+    if (!IsFitting(voice_, record, frame, half))
+    {
+        ReceiveOdd(voice_, frame, slot, Event::kNormal);
+        return;
+    }
+    if (half == 0U) // The common cells of both halves stay within their group of modes.
     {
         const Cell& cell = NextCell(record.mode, Event::kNormal);
-        if (!is_good || (cell.effect != Effect::kTake))
+        if (cell.effect != Effect::kTake)
         {
             ReceiveOdd(voice_, frame, slot, Event::kNormal);
             return;
         }
-        Take(record, frame, stamp, cell);
+        SetMode(record, cell.next);
+        Keep(record, frame, stamp);
         return;
     }
-    if (!is_good || !IsEqual(record, frame, record.pending, kInverseFlip))
+    if (!IsEqual(record, frame, record.pending, kInverseFlip))
     {
         ReceiveOdd(voice_, frame, slot, Event::kNotInverse);
         return;
@@ -156,11 +108,13 @@ HeldPair Channel::Held(const SlotIndex slot) const noexcept
 
 void Channel::Demote(const SlotIndex slot) noexcept
 {
-    if ((ConsumersOf(voice_) & BitOf(slot)) != 0U)
+    Record& record = At(voice_, slot);
+    const std::uint32_t group = FactsOf(record.mode).group;
+    if ((group - kGroupWaiting) < kConsumerGroups)
     {
-        Discard(voice_, slot);
+        Raise(voice_, slot, Event::kDiscard, SrdoCause::kNone);
         // Counted and kept like a fault, but told to nobody: the other channel has reported it. [SRS-REL-006]
-        Count(At(voice_, slot), SrdoCause::kDemoted);
+        Count(record, SrdoCause::kDemoted);
     }
 }
 

@@ -28,7 +28,6 @@ struct Cycle
     bool has_overflow;
     bool has_gfc;
     SrdoMask edges;    ///< Acknowledge inputs that went from 0 to 1.
-    SrdoMask left;     ///< Consumers that ceased to be active in this call.
     SrdoMask standing; ///< Producers whose refresh stood still, if of the form that is called.
     SrdoMask new_fault;
     SrdoMask signalled;
@@ -47,71 +46,6 @@ GuardView GuardOf(const CycleInput& input, const std::uint8_t configuration_vali
     return view;
 }
 
-// Only directions 1 and 2 come as far as a resolved mapping. `since` of a producer that is called is one refresh and a
-// microsecond before the first possible transmission, so that the first refresh falls due there; it is the first
-// possible transmission itself where the application sends.
-void EnterSlot(Voice& voice, const SlotIndex slot) noexcept
-{
-    Record& record = At(voice, slot);
-    const std::uint32_t place = record.values[kCobIdPlace] - kFirstSrdoIdentifier;
-    voice.storage.look_up[(place >> 1U) % kLookUpSize] = static_cast<std::uint8_t>(slot + 1U); // MISRA D-002
-    record.ordinal = 0U;
-    voice.attention |= BitOf(slot);
-    --voice.off_count;
-    if (record.direction == kDirectionConsumer)
-    {
-        Raise(voice, slot, Event::kEnterConsumer, SrdoCause::kNone);
-        record.awaiting = kMarked;
-        ++voice.consumer_count;
-        return;
-    }
-    Raise(voice, slot, Event::kEnterProducer, SrdoCause::kNone);
-    ++voice.producer_count;
-    record.since.us = voice.entered.us + voice.first_delay_us;
-    if (record.form == ProducerForm::kProviderCalled)
-    {
-        record.since.us -= SctUs(record) + 1U;
-    }
-}
-
-void Enter(Voice& voice, const Instant now) noexcept
-{
-    voice.entered = now;
-    voice.may_send = false;
-    voice.flying = 0U;
-    voice.requested = 0U;
-    voice.refreshed = 0U;
-    voice.ordinal_sum = 0U;
-    voice.off_count = voice.count;
-    for (SlotIndex slot = 0U; slot < voice.count; ++slot)
-    {
-        const Record& record = At(voice, slot);
-        if ((record.mapping == kMarked) && (record.check == kMarked) && IsSealed(record))
-        {
-            EnterSlot(voice, slot);
-        }
-    }
-}
-
-void Leave(Voice& voice, Cycle& cycle) noexcept
-{
-    cycle.left = ConsumersOf(voice);
-    SrdoMask to_leave = cycle.left | voice.groups[kGroupProducer];
-    while (to_leave != 0U)
-    {
-        const SlotIndex slot = TakeLowest(to_leave);
-        Raise(voice, slot, Event::kLeave, SrdoCause::kNone);
-        At(voice, slot).limit_us = kNoLimit;
-        At(voice, slot).ordinal = 0U;
-    }
-    MoveTo(voice, ~SrdoMask{0U}, kGroupOff);
-    ClearLookUp(voice);
-    voice.flying = 0U;
-    voice.consumer_count = 0U;
-    voice.producer_count = 0U;
-    voice.off_count = 0U;
-}
-
 // [SRS-CONS-002]
 void FollowOperational(Voice& voice, Cycle& cycle, const bool is_active) noexcept
 {
@@ -121,50 +55,58 @@ void FollowOperational(Voice& voice, Cycle& cycle, const bool is_active) noexcep
     }
     if (!is_active && voice.is_active)
     {
-        Leave(voice, cycle);
+        cycle.new_fault = ConsumersOf(voice);
+        Leave(voice);
     }
     voice.is_active = is_active;
 }
 
-// The one loop over all slots. What it passes over has no limit that expired, fits its seal, and has nothing to tell,
-// to wait for or to release.
-SrdoMask Scanned(const Voice& voice, const Cycle& cycle) noexcept
+// Finds the producers that still wait for a confirmation after SRVT. [SRS-PROD-008]
+void ScanFlying(Voice& voice, const Instant now) noexcept
 {
-    // A new pair is of interest to a slot that is not released yet.
-    SrdoMask found = cycle.edges | cycle.standing | (voice.fresh & ~voice.groups[kGroupReleased]);
-    if (cycle.is_late || cycle.has_overflow || cycle.has_gfc)
-    {
-        found |= ConsumersOf(voice);
-    }
-    for (SlotIndex slot = 0U; slot < voice.count; ++slot)
-    {
-        const Record& record = At(voice, slot);
-        if (((cycle.now.us - record.since.us) > record.limit_us) || !IsSealed(record))
-        {
-            found |= BitOf(slot);
-        }
-    }
-    SrdoMask flying = voice.flying & voice.existing;
+    SrdoMask flying = voice.flying;
     while (flying != 0U)
     {
-        const SlotIndex slot = TakeLowest(flying);
+        const std::uint32_t slot = TakeLowest(flying);
         const Record& record = At(voice, slot);
-        if ((cycle.now.us - record.sent_since.us) > SrvtUs(record))
+        if ((now.us - record.sent_since.us) > SrvtUs(record))
         {
-            found |= BitOf(slot);
+            Mark(voice, slot);
         }
     }
-    return (found | voice.attention) & voice.existing;
+}
+
+// The one loop over all slots. What it passes over has no limit that expired, fits its seal, and has nothing to tell,
+// to wait for or to release.
+void ScanLimits(Voice& voice, const Cycle& cycle) noexcept
+{
+    // A new pair is of interest to a slot that is not released yet.
+    voice.attention |=
+        (cycle.edges & ~voice.groups[kGroupOff]) | cycle.standing | (voice.fresh & ~voice.groups[kGroupReleased]);
+    if (cycle.is_late || cycle.has_overflow || cycle.has_gfc)
+    {
+        voice.attention |= ConsumersOf(voice);
+    }
+    const std::uint32_t count = voice.count;
+    const Record* record = voice.storage.records;
+    for (std::uint32_t slot = 0U; slot < count; ++slot)
+    {
+        if (((cycle.now.us - record->since.us) > record->limit_us) || !IsSealed(*record))
+        {
+            Mark(voice, slot);
+        }
+        ++record; // MISRA D-002
+    }
 }
 
 // A corrupted record; its old mode cannot be trusted to tell its old group.
-void Break(Voice& voice, const SlotIndex slot) noexcept
+void Break(Voice& voice, const std::uint32_t slot) noexcept
 {
     Raise(voice, slot, Event::kCorrupted, SrdoCause::kNone);
     MoveTo(voice, BitOf(slot), FactsOf(At(voice, slot).mode).group);
 }
 
-void ExamineConsumer(Voice& voice, const Cycle& cycle, const SlotIndex slot) noexcept
+void ExamineConsumer(Voice& voice, const Cycle& cycle, const std::uint32_t slot) noexcept
 {
     const Record& record = At(voice, slot);
     if (!IsSealed(record))
@@ -191,7 +133,7 @@ void ExamineConsumer(Voice& voice, const Cycle& cycle, const SlotIndex slot) noe
 }
 
 // An edge is good for a release until its window is over, and for nothing afterwards. [SRS-REL-003..007]
-void Acknowledge(Voice& voice, const Cycle& cycle, const SlotIndex slot) noexcept
+void Acknowledge(Voice& voice, const Cycle& cycle, const std::uint32_t slot) noexcept
 {
     Record& record = At(voice, slot);
     const SrdoMask bit = BitOf(slot);
@@ -219,13 +161,13 @@ void Acknowledge(Voice& voice, const Cycle& cycle, const SlotIndex slot) noexcep
 // t      frames of this cycle        now
 //        faults in bus order | SRVT or SCT, late call, overflow, GFC | report: nothing held, or acknowledge and release
 // Returns what else is to be signalled.
-std::uint32_t ServeConsumer(Voice& voice, Cycle& cycle, const SlotIndex slot) noexcept
+std::uint32_t ServeConsumer(Voice& voice, Cycle& cycle, const std::uint32_t slot) noexcept
 {
     Record& record = At(voice, slot);
     ExamineConsumer(voice, cycle, slot);
     if (record.unreported != 0U)
     {
-        Discard(voice, slot);
+        Raise(voice, slot, Event::kDiscard, SrdoCause::kNone);
         cycle.new_fault |= BitOf(slot);
     }
     else
@@ -242,7 +184,7 @@ std::uint32_t ServeConsumer(Voice& voice, Cycle& cycle, const SlotIndex slot) no
 }
 
 // Exact addition keeps the phase. A refresh that cannot be is skipped. [SRS-PROD-002]
-void Refresh(Voice& voice, const SlotIndex slot) noexcept
+void Refresh(Voice& voice, const std::uint32_t slot) noexcept
 {
     Record& record = At(voice, slot);
     const SrdoMask bit = BitOf(slot);
@@ -258,7 +200,7 @@ void Refresh(Voice& voice, const SlotIndex slot) noexcept
 }
 
 // The limit of a producer is its next refresh. [SRS-PROD-010]
-void ExamineSending(Voice& voice, const Cycle& cycle, const SlotIndex slot) noexcept
+void ExamineSending(Voice& voice, const Cycle& cycle, const std::uint32_t slot) noexcept
 {
     Record& record = At(voice, slot);
     const SrdoMask bit = BitOf(slot);
@@ -287,7 +229,7 @@ void ExamineSending(Voice& voice, const Cycle& cycle, const SlotIndex slot) noex
     }
 }
 
-void ServeProducer(Voice& voice, const Cycle& cycle, const SlotIndex slot) noexcept
+void ServeProducer(Voice& voice, const Cycle& cycle, const std::uint32_t slot) noexcept
 {
     Record& record = At(voice, slot);
     if (!IsSealed(record))
@@ -295,12 +237,11 @@ void ServeProducer(Voice& voice, const Cycle& cycle, const SlotIndex slot) noexc
         Break(voice, slot);
         record.limit_us = kNoLimit;
         record.ordinal = 0U;
-        voice.flying &= ~BitOf(slot);
         return;
     }
     if ((cycle.now.us - record.sent_since.us) > SrvtUs(record))
     {
-        Raise(voice, slot, Event::kUnconfirmed, SrdoCause::kNone); // Without effect if nothing is in flight.
+        Raise(voice, slot, Event::kUnconfirmed, SrdoCause::kNone); // Without effect where nothing is in flight.
     }
     ExamineSending(voice, cycle, slot);
     if (((cycle.edges & BitOf(slot)) != 0U) && (record.unreported == 0U))
@@ -326,7 +267,7 @@ void Signal(Cycle& cycle, Record& record, const SrdoMask bit, const std::uint32_
     }
 }
 
-void Serve(Voice& voice, Cycle& cycle, const SlotIndex slot) noexcept
+void Serve(Voice& voice, Cycle& cycle, const std::uint32_t slot) noexcept
 {
     const SrdoMask bit = BitOf(slot);
     Record& record = At(voice, slot);
@@ -341,7 +282,7 @@ void Serve(Voice& voice, Cycle& cycle, const SlotIndex slot) noexcept
     }
     else
     {
-        cycle.new_fault |= cycle.left & bit;
+        // Only what was reported before it went off is to be told.
     }
     Signal(cycle, record, bit, extra);
     const std::uint32_t unfinished = record.told | record.edge | record.awaiting;
@@ -359,7 +300,7 @@ SrdoMask DueOf(const Voice& voice) noexcept
 
 CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
 {
-    const GuardView guard = GuardOf(input, voice_.configuration_valid);
+    const GuardView guard = GuardOf(input, voice_.globals[kConfigurationValidPlace]);
     Cycle cycle{};
     cycle.now = input.now;
     cycle.step_us = input.now.us - voice_.now.us;
@@ -381,7 +322,9 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
     {
         voice_.may_send = true; // Kept: the difference wraps after 71 minutes.
     }
-    SrdoMask to_serve = Scanned(voice_, cycle);
+    ScanFlying(voice_, cycle.now);
+    ScanLimits(voice_, cycle);
+    SrdoMask to_serve = voice_.attention;
     voice_.attention = 0U;
     while (to_serve != 0U)
     {

@@ -1,7 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "channel_a/channel.hpp"
 #include "channel_a/octets.hpp"
 #include "channel_a/seal.hpp"
 #include "channel_a/signature.hpp"
+#include "channel_a/slots.hpp"
 #include "channel_a/voice.hpp"
 
 #include <cstddef>
@@ -20,8 +22,11 @@ constexpr std::uint32_t kIndexShift = 16U;
 constexpr std::uint32_t kLengthBits = 0xFFU;
 constexpr std::uint32_t kBitsToBytes = 3U;
 constexpr std::uint32_t kWordBits = 32U;
-constexpr std::uint32_t kOffsetMask = kMaxPayloadBits - 1U;
 constexpr std::uint32_t kPairMask = 1U; ///< Of a position from 0: even the normal, odd the inverse object.
+constexpr std::uint32_t kByteMask = 0xFFU;
+constexpr std::uint32_t kAllBits = 0xFFFFFFFFU;
+constexpr std::uint32_t kOffsetMask = kMaxPayloadBits - 1U;
+constexpr std::uint32_t kWordCount = 2U; ///< Objects of four bytes in a frame.
 constexpr std::uint16_t kNoObject = 0xFFFFU;
 constexpr MappableObject kNothing{0U, 0U, 0U, MapAccess::kNone, nullptr};
 
@@ -54,11 +59,7 @@ std::uint64_t Written(const MappableObject& object, std::uint64_t rest) noexcept
 {
     if (object.length_bits == kWordBits) // The usual one, in one go.
     {
-        std::uint8_t* const place = object.place;
-        place[0] = static_cast<std::uint8_t>(rest);        // MISRA D-002
-        place[1] = static_cast<std::uint8_t>(rest >> 8U);  // MISRA D-002
-        place[2] = static_cast<std::uint8_t>(rest >> 16U); // MISRA D-002
-        place[3] = static_cast<std::uint8_t>(rest >> 24U); // MISRA D-002
+        PutWord(object.place, static_cast<std::uint32_t>(rest));
         return rest >> kWordBits;
     }
     const std::uint32_t length_bytes = std::uint32_t{object.length_bits} >> kBitsToBytes;
@@ -68,37 +69,6 @@ std::uint64_t Written(const MappableObject& object, std::uint64_t rest) noexcept
         rest >>= kBitsPerByte;
     }
     return rest;
-}
-
-struct Reading
-{
-    std::uint64_t normal;
-    std::uint32_t offset_bits;
-    std::uint32_t difference; ///< Bits that are not inverted, or lengths that differ.
-};
-
-void Add(Reading& reading, const std::uint32_t normal, const std::uint32_t inverse, const std::uint32_t bits) noexcept
-{
-    const std::uint32_t wrong = ~(normal ^ inverse);
-    reading.difference |= wrong << (kWordBits - bits);
-    reading.normal |= std::uint64_t{normal} << (reading.offset_bits & kOffsetMask);
-    reading.offset_bits += bits;
-}
-
-void Read(const MappableObject& normal, const MappableObject& inverse, Reading& reading) noexcept
-{
-    reading.difference |= std::uint32_t{normal.length_bits} ^ std::uint32_t{inverse.length_bits};
-    const std::uint32_t shorter_bits = std::uint32_t{normal.length_bits} & std::uint32_t{inverse.length_bits};
-    if (shorter_bits == kWordBits) // The usual one, in one go.
-    {
-        Add(reading, WordAt(normal.place), WordAt(inverse.place), kWordBits);
-        return;
-    }
-    const std::uint32_t length_bytes = shorter_bits >> kBitsToBytes;
-    for (std::uint32_t byte = 0U; byte < length_bytes; ++byte)
-    {
-        Add(reading, normal.place[byte], inverse.place[byte], kBitsPerByte); // MISRA D-002
-    }
 }
 
 // The objects are in ascending order of index and sub.
@@ -152,6 +122,66 @@ bool FitsOthers(const DeviceConfig& config, const Record& record, const std::uin
         }
     }
     return (rest == 0U) && (length_bits == normal_bits) && is_first;
+}
+
+// Any lengths, from the first object on: once more what was read before.
+[[gnu::noinline]] bool ReadBytes(const DeviceConfig& config, Record& record) noexcept
+{
+    const std::uint32_t count = MapCount(record);
+    std::uint64_t data = 0U;
+    std::uint32_t offset_bits = 0U;
+    std::uint32_t wrong = 0U;
+    for (std::uint32_t position = 0U; position < count; position += 2U)
+    {
+        const MappableObject& normal = ObjectAt(config, record, position);
+        const MappableObject& inverse = ObjectAt(config, record, position | kPairMask);
+        const std::uint32_t length_bytes = std::uint32_t{normal.length_bits} >> kBitsToBytes;
+        if (normal.length_bits != inverse.length_bits)
+        {
+            return false;
+        }
+        for (std::uint32_t place = 0U; place < length_bytes; ++place)
+        {
+            const std::uint32_t byte = normal.place[place]; // MISRA D-002
+            data |= std::uint64_t{byte} << (offset_bits & kOffsetMask);
+            offset_bits += kBitsPerByte;
+            wrong |= byte ^ inverse.place[place] ^ kByteMask; // MISRA D-002
+        }
+    }
+    record.held = OctetsOf(data);
+    return wrong == 0U;
+}
+
+// Normal objects into `held`. False if a bit is not inverted, or an object is not there or not as long as its partner.
+// Objects of four bytes are the usual ones and go without a call.
+[[gnu::noinline]] bool ReadObjects(const DeviceConfig& config, Record& record) noexcept
+{
+    const std::uint32_t count = MapCount(record);
+    std::uint32_t words[kWordCount]{}; // MISRA D-001
+    for (std::uint32_t position = 0U; position < count; position += 2U)
+    {
+        const std::uint32_t normal_place = record.objects[position];
+        const std::uint32_t inverse_place = record.objects[position | kPairMask];
+        if ((normal_place >= config.object_count) || (inverse_place >= config.object_count))
+        {
+            return false;
+        }
+        const MappableObject& normal = config.objects[normal_place];   // MISRA D-002
+        const MappableObject& inverse = config.objects[inverse_place]; // MISRA D-002
+        if ((normal.length_bits != kWordBits) || (inverse.length_bits != kWordBits))
+        {
+            return ReadBytes(config, record);
+        }
+        const std::uint32_t word = WordAt(normal.place);
+        if ((word ^ WordAt(inverse.place)) != kAllBits)
+        {
+            return false;
+        }
+        words[(position / 2U) % kWordCount] = word;
+    }
+    PutWord(&record.held.at[0], words[0]);
+    PutWord(&record.held.at[kBytesPerWord], words[1]);
+    return true;
 }
 
 } // namespace
@@ -216,16 +246,41 @@ void WriteObjects(const DeviceConfig& config, const Record& record, const Octets
     }
 }
 
-bool ReadObjects(const DeviceConfig& config, Record& record) noexcept
+PreparedPair Channel::Prepare(const SlotIndex slot) noexcept
 {
-    const std::uint32_t count = MapCount(record);
-    Reading reading{0U, 0U, 0U};
-    for (std::uint32_t position = 0U; position < count; position += 2U)
+    PreparedPair pair{};
+    pair.status = PrepareStatus::kNotProducer;
+    Record& record = At(voice_, slot);
+    if (record.mode != Mode::kIdle)
     {
-        Read(ObjectAt(config, record, position), ObjectAt(config, record, position | kPairMask), reading);
+        return pair;
     }
-    record.held = OctetsOf(reading.normal);
-    return reading.difference == 0U;
+    const SrdoMask bit = BitOf(slot);
+    voice_.refreshed &= ~bit;
+    voice_.requested &= ~bit;
+    if (!ReadObjects(*voice_.config, record))
+    {
+        pair.status = PrepareStatus::kNotInverse;
+        Report(voice_, slot, SrdoCause::kNotInverse);
+        return pair;
+    }
+    SetMode(record, Mode::kNormalAwaited);
+    voice_.flying |= bit;
+    record.sent_since = voice_.now;
+    if (voice_.may_send && (record.form != ProducerForm::kProviderCalled))
+    {
+        record.since = voice_.now;
+    }
+    pair.normal.identifier = record.values[kCobIdPlace];
+    pair.normal.kind = FrameKind::kData;
+    pair.normal.port = voice_.ports[0];
+    pair.normal.length_bytes = record.length_bytes;
+    for (std::uint32_t place = 0U; place < kMaxPayloadBytes; ++place)
+    {
+        pair.normal.data[place] = record.held.at[place];
+    }
+    pair.status = PrepareStatus::kReady;
+    return pair;
 }
 
 } // namespace counterpoint::channel_a

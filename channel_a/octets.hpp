@@ -3,6 +3,7 @@
 #define CHANNEL_A_OCTETS_HPP
 
 #include "channel_a/storage.hpp"
+#include "channel_a/voice.hpp"
 #include "safety_core/contract/can_frame.hpp"
 #include "safety_core/contract/limits.hpp"
 #include "safety_core/contract/srdo.hpp"
@@ -10,54 +11,65 @@
 #include <cstddef>
 #include <cstdint>
 
+// Inlined by force where a compiler knows the way from eight bytes to one or two words: only inline it is seen, and
+// then smaller than the call.
+//
 // Data of frames: kept as bytes, looked at as all eight of them at once, so that there is neither a length to be wrong
 // nor a branch that depends on data.
 namespace counterpoint::channel_a
 {
 
-constexpr std::uint32_t kLengthMask = 0x0FU;
 constexpr std::size_t kBytesPerWord = 4U;
 constexpr std::uint32_t kBitsPerByte = 8U;
+constexpr std::uint32_t kBitsPerWord = 32U;
 
 /// What the bytes of an inverse frame are flipped with.
 constexpr std::uint64_t kInverseFlip = 0xFFFFFFFFFFFFFFFFU;
 
-/// The bytes that are mapped, for every length: seen from `kLengthMask - length` on, as many FFh as the length has
-/// bytes. 9 to 15 occur only in a corrupted record, which its seal gives away.
-constexpr std::size_t kRulerSize = kLengthMask + kMaxPayloadBytes;
-extern const std::uint8_t kRuler[kRulerSize]; // MISRA D-001
+/// The bits that are mapped, for lengths of 1 to 7 bytes and, as row 0, 8 bytes. Another length occurs only in a
+/// corrupted record, which its seal gives away.
+constexpr std::uint32_t kLengthMask = 0x07U;
+extern const std::uint64_t kMapped[kLengthMask + 1U]; // MISRA D-001
 
-/// @brief Eight bytes from `place` on, byte 0 as the lowest bits, whatever the order of the processor.
-[[nodiscard]] inline std::uint64_t BitsAt(const std::uint8_t* const place) noexcept
+/// @brief Four bytes from `place` on, byte 0 as the lowest bits, whatever the order of the processor.
+[[nodiscard, gnu::always_inline]] inline std::uint32_t WordAt(const std::uint8_t* const place) noexcept
 {
-    return std::uint64_t{place[0]} | (std::uint64_t{place[1]} << 8U) |           // MISRA D-002
-           (std::uint64_t{place[2]} << 16U) | (std::uint64_t{place[3]} << 24U) | // MISRA D-002
-           (std::uint64_t{place[4]} << 32U) | (std::uint64_t{place[5]} << 40U) | // MISRA D-002
-           (std::uint64_t{place[6]} << 48U) | (std::uint64_t{place[7]} << 56U);  // MISRA D-002
+    return std::uint32_t{place[0]} | (std::uint32_t{place[1]} << 8U) |          // MISRA D-002
+           (std::uint32_t{place[2]} << 16U) | (std::uint32_t{place[3]} << 24U); // MISRA D-002
 }
 
-[[nodiscard]] inline std::uint64_t Bits(const Octets& octets) noexcept
+/// @brief Eight bytes likewise, in two words, for which a 32-bit processor has instructions.
+[[nodiscard, gnu::always_inline]] inline std::uint64_t BitsAt(const std::uint8_t* const place) noexcept
+{
+    return std::uint64_t{WordAt(place)} | (std::uint64_t{WordAt(place + kBytesPerWord)} << kBitsPerWord); // MISRA D-002
+}
+
+[[nodiscard, gnu::always_inline]] inline std::uint64_t Bits(const Octets& octets) noexcept
 {
     return BitsAt(&octets.at[0]);
 }
 
-[[nodiscard]] inline std::uint64_t MappedBits(const Record& record) noexcept
+[[nodiscard, gnu::always_inline]] inline std::uint64_t MappedBits(const Record& record) noexcept
 {
-    return BitsAt(&kRuler[kLengthMask - (record.length_bytes & kLengthMask)]);
+    return kMapped[record.length_bytes & kLengthMask];
 }
 
-[[nodiscard]] inline Octets OctetsOf(const std::uint64_t bits) noexcept
+[[gnu::always_inline]] inline void PutWord(std::uint8_t* const to, const std::uint32_t word) noexcept
 {
-    return Octets{{static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8U),
-                   static_cast<std::uint8_t>(bits >> 16U), static_cast<std::uint8_t>(bits >> 24U),
-                   static_cast<std::uint8_t>(bits >> 32U), static_cast<std::uint8_t>(bits >> 40U),
-                   static_cast<std::uint8_t>(bits >> 48U), static_cast<std::uint8_t>(bits >> 56U)}};
+    to[0] = static_cast<std::uint8_t>(word);        // MISRA D-002
+    to[1] = static_cast<std::uint8_t>(word >> 8U);  // MISRA D-002
+    to[2] = static_cast<std::uint8_t>(word >> 16U); // MISRA D-002
+    to[3] = static_cast<std::uint8_t>(word >> 24U); // MISRA D-002
 }
 
-[[nodiscard]] inline std::uint32_t WordAt(const std::uint8_t* const place) noexcept
+[[nodiscard, gnu::always_inline]] inline Octets OctetsOf(const std::uint64_t bits) noexcept
 {
-    return std::uint32_t{place[0]} | (std::uint32_t{place[1]} << 8U) |          // MISRA D-002
-           (std::uint32_t{place[2]} << 16U) | (std::uint32_t{place[3]} << 24U); // MISRA D-002
+    const std::uint32_t low = static_cast<std::uint32_t>(bits);
+    const std::uint32_t high = static_cast<std::uint32_t>(bits >> kBitsPerWord);
+    return Octets{{static_cast<std::uint8_t>(low), static_cast<std::uint8_t>(low >> 8U),
+                   static_cast<std::uint8_t>(low >> 16U), static_cast<std::uint8_t>(low >> 24U),
+                   static_cast<std::uint8_t>(high), static_cast<std::uint8_t>(high >> 8U),
+                   static_cast<std::uint8_t>(high >> 16U), static_cast<std::uint8_t>(high >> 24U)}};
 }
 
 [[nodiscard]] inline Payload PayloadOf(const Octets& octets) noexcept
@@ -65,17 +77,21 @@ extern const std::uint8_t kRuler[kRulerSize]; // MISRA D-001
     return Payload{WordAt(&octets.at[0]), WordAt(&octets.at[kBytesPerWord])};
 }
 
-/// @brief The mapped bytes of a frame of this record.
-[[nodiscard]] inline Octets TakenFrom(const Record& record, const CanFrame& frame) noexcept
-{
-    return OctetsOf(BitsAt(&frame.data[0]) & MappedBits(record));
-}
-
-/// @brief Whether each mapped byte of the frame is the byte of `expected` XOR `flip`.
+/// @brief Whether each mapped byte of the frame is the byte of `expected` XOR the byte of `flip`. Most frames have no
+/// other bytes.
 [[nodiscard]] inline bool IsEqual(const Record& record, const CanFrame& frame, const Octets& expected,
                                   const std::uint64_t flip) noexcept
 {
-    return ((BitsAt(&frame.data[0]) ^ Bits(expected) ^ flip) & MappedBits(record)) == 0U;
+    const std::uint64_t wrong = BitsAt(&frame.data[0]) ^ Bits(expected) ^ flip;
+    return (wrong == 0U) || ((wrong & MappedBits(record)) == 0U);
+}
+
+/// @brief The frame becomes the pending normal frame.
+inline void Keep(Record& record, const CanFrame& frame, const Instant stamp) noexcept
+{
+    record.pending = OctetsOf(BitsAt(&frame.data[0]) & MappedBits(record));
+    record.since = stamp;
+    record.limit_us = SrvtUs(record);
 }
 
 } // namespace counterpoint::channel_a

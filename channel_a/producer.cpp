@@ -7,64 +7,66 @@
 
 #include <cstdint>
 
-// A pair of a producer: what to send and what became of it. When to send: cycle.cpp.
+// What became of a pair of a producer. When to send: cycle.cpp; what: mapping.cpp.
+//
+// Idle --Prepare--> NormalAwaited --normal frame--> InverseAwaited --inverse frame--> Idle
+//
+// Each of these steps is taken from the one mode that it starts from; every other event is the table's.
 namespace counterpoint::channel_a
 {
 namespace
 {
 
 constexpr std::uint32_t kHalfMask = 1U; // Of the place of an identifier: 0 the normal, 1 the inverse frame.
-constexpr std::uint32_t kConfirmOfHalf = static_cast<std::uint32_t>(Effect::kConfirmNormal);
-static_assert(static_cast<std::uint32_t>(Effect::kConfirmInverse) == kConfirmOfHalf + 1U, "the halves in their order");
-constexpr std::uint64_t kFlips[2] = {0U, kInverseFlip}; // MISRA D-001
 constexpr Confirmation kNotOurs{kNoSlot, ConfirmStep::kNone};
 
-[[gnu::noinline]] Confirmation GiveUp(Voice& voice, const SlotIndex slot, const Event event,
-                                      const SrdoCause cause) noexcept
+// Whether a frame with the expected identifier is not the one that was to be sent.
+inline bool IsWrong(const Record& record, const CanFrame& frame, const std::uint64_t flip) noexcept
 {
-    Raise(voice, slot, event, cause);
-    return kNotOurs;
+    return (frame.length_bytes != record.length_bytes) || !IsEqual(record, frame, record.held, flip);
+}
+
+inline Confirmation ConfirmNormal(Voice& voice, Record& record, const CanFrame& frame, const Instant stamp,
+                                  const std::uint32_t slot) noexcept
+{
+    if ((record.mode != Mode::kNormalAwaited) || (record.values[kCobIdPlace] != frame.identifier))
+    {
+        return kNotOurs;
+    }
+    if (IsWrong(record, frame, 0U))
+    {
+        Raise(voice, slot, Event::kAbort, SrdoCause::kWrongEcho);
+        return kNotOurs;
+    }
+    SetMode(record, Mode::kInverseAwaited);
+    record.sent_since = stamp;
+    return Confirmation{static_cast<SlotIndex>(slot), ConfirmStep::kNormal};
+}
+
+inline Confirmation ConfirmInverse(Voice& voice, Record& record, const CanFrame& frame, const Instant stamp,
+                                   const std::uint32_t slot) noexcept
+{
+    if ((record.mode != Mode::kInverseAwaited) || (record.values[kCobIdPlace + 1U] != frame.identifier))
+    {
+        return kNotOurs;
+    }
+    if (IsWrong(record, frame, kInverseFlip))
+    {
+        Raise(voice, slot, Event::kAbort, SrdoCause::kWrongEcho);
+        return kNotOurs;
+    }
+    if ((stamp.us - record.sent_since.us) > SrvtUs(record))
+    {
+        Raise(voice, slot, Event::kUnconfirmed, SrdoCause::kNone);
+        return kNotOurs;
+    }
+    SetMode(record, Mode::kIdle);
+    ++record.ordinal;
+    voice.flying &= ~BitOf(slot);
+    return Confirmation{static_cast<SlotIndex>(slot), ConfirmStep::kPair};
 }
 
 } // namespace
-
-PreparedPair Channel::Prepare(const SlotIndex slot) noexcept
-{
-    PreparedPair pair{};
-    pair.status = PrepareStatus::kNotProducer;
-    Record& record = At(voice_, slot);
-    const Cell& cell = NextCell(record.mode, Event::kAdvance);
-    if (cell.effect != Effect::kLaunch)
-    {
-        return pair;
-    }
-    const SrdoMask bit = BitOf(slot);
-    voice_.refreshed &= ~bit;
-    voice_.requested &= ~bit;
-    if (!ReadObjects(*voice_.config, record))
-    {
-        pair.status = PrepareStatus::kNotInverse;
-        Report(voice_, slot, SrdoCause::kNotInverse);
-        return pair;
-    }
-    SetMode(record, cell.next);
-    voice_.flying |= bit;
-    record.sent_since = voice_.now;
-    if (voice_.may_send && (record.form != ProducerForm::kProviderCalled))
-    {
-        record.since = voice_.now;
-    }
-    pair.normal.identifier = record.values[kCobIdPlace];
-    pair.normal.kind = FrameKind::kData;
-    pair.normal.port = voice_.ports[0];
-    pair.normal.length_bytes = record.length_bytes;
-    for (std::uint32_t place = 0U; place < kMaxPayloadBytes; ++place)
-    {
-        pair.normal.data[place] = record.held.at[place];
-    }
-    pair.status = PrepareStatus::kReady;
-    return pair;
-}
 
 Confirmation Channel::OnConfirm(const CanFrame& frame, const Instant stamp) noexcept
 {
@@ -73,37 +75,18 @@ Confirmation Channel::OnConfirm(const CanFrame& frame, const Instant stamp) noex
     {
         return kNotOurs;
     }
-    const SlotIndex slot = SlotOfPlace(voice_, place);
+    const std::uint32_t slot = SlotOfPlace(voice_, place);
     if (slot >= voice_.count)
     {
         return kNotOurs;
     }
     Record& record = At(voice_, slot);
     const std::uint32_t half = place & kHalfMask;
-    const Cell& cell = NextCell(record.mode, Event::kAdvance);
-    const std::uint32_t wanted = half + kConfirmOfHalf;
-    if ((static_cast<std::uint32_t>(cell.effect) != wanted) || (record.values[kCobIdPlace + half] != frame.identifier))
-    {
-        return kNotOurs;
-    }
-    if ((frame.length_bytes != record.length_bytes) || !IsEqual(record, frame, record.held, kFlips[half]))
-    {
-        return GiveUp(voice_, slot, Event::kAbort, SrdoCause::kWrongEcho);
-    }
     if (half == 0U)
     {
-        SetMode(record, cell.next);
-        record.sent_since = stamp;
-        return Confirmation{slot, ConfirmStep::kNormal};
+        return ConfirmNormal(voice_, record, frame, stamp, slot);
     }
-    if ((stamp.us - record.sent_since.us) > SrvtUs(record))
-    {
-        return GiveUp(voice_, slot, Event::kUnconfirmed, SrdoCause::kNone);
-    }
-    SetMode(record, cell.next);
-    ++record.ordinal;
-    voice_.flying &= ~BitOf(slot);
-    return Confirmation{slot, ConfirmStep::kPair};
+    return ConfirmInverse(voice_, record, frame, stamp, slot);
 }
 
 // The inverse frame is the other channel's.

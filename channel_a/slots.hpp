@@ -31,13 +31,13 @@ inline constexpr std::size_t kFound =
 template <> inline constexpr std::size_t kFound<0U> = 0U;
 static_assert(kFound<kMaxSrdoCount> == kMaxSrdoCount, "every bit is found by its window");
 
-[[nodiscard]] inline SrdoMask BitOf(const SlotIndex slot) noexcept
+[[nodiscard]] inline SrdoMask BitOf(const std::uint32_t slot) noexcept
 {
     return SrdoMask{1U} << slot;
 }
 
 /// @brief Takes the lowest slot out of a mask that is not empty.
-[[nodiscard]] inline SlotIndex TakeLowest(SrdoMask& mask) noexcept
+[[nodiscard]] inline std::uint32_t TakeLowest(SrdoMask& mask) noexcept
 {
     const SrdoMask lowest = mask & (~mask + 1U);
     mask ^= lowest;

@@ -9,9 +9,9 @@ namespace counterpoint::channel_a
 namespace
 {
 
-static_assert(static_cast<std::size_t>(Event::kCorrupted) + 1U == kEventCount, "a column for each event");
+static_assert(static_cast<std::size_t>(Event::kCorrupted) + 1U == kEventCount, "a row for each event");
 
-// Numbers of the cells. Cells that change nothing, by the row they stand in.
+// Numbers of the cells. Cells that change nothing, by the column they stand in.
 constexpr std::uint8_t kOff = 1U;
 constexpr std::uint8_t kWaitingEmpty = 2U;
 constexpr std::uint8_t kWaitingFirst = 3U;
@@ -57,18 +57,15 @@ constexpr std::uint8_t kPairF = 36U;
 constexpr std::uint8_t kPairR = 37U;
 
 // Transmission.
-constexpr std::uint8_t kStart = 38U;
-constexpr std::uint8_t kHalf = 39U;
-constexpr std::uint8_t kDone = 40U;
-constexpr std::uint8_t kAbortC = 41U;
-constexpr std::uint8_t kSilent = 42U;
-constexpr std::uint8_t kCorruptP = 43U;
-constexpr std::uint8_t kLost = 44U;
-constexpr std::uint8_t kVoid = 45U;
+constexpr std::uint8_t kAbortC = 38U;
+constexpr std::uint8_t kSilent = 39U;
+constexpr std::uint8_t kCorruptP = 40U;
+constexpr std::uint8_t kLost = 41U;
+constexpr std::uint8_t kVoid = 42U;
 
 } // namespace
 
-constexpr ModeFacts kModeFacts[kRowCount] = {
+constexpr ModeFacts kModeFacts[kModeCount] = {
     // MISRA D-001
     {Mode::kBroken, SrdoState::kFaulted, kGroupFaulted, kNoData},
     {Mode::kOff, SrdoState::kOff, kGroupOff, kNoData},
@@ -83,7 +80,7 @@ constexpr ModeFacts kModeFacts[kRowCount] = {
     {Mode::kReleasedHeld, SrdoState::kReleased, kGroupReleased, kHeldPair},
     {Mode::kReleasedNext, SrdoState::kReleased, kGroupReleased, kHeldPair},
     {Mode::kIdle, SrdoState::kProducer, kGroupProducer, kNoData},
-    {Mode::kBroken, SrdoState::kFaulted, kGroupFaulted, kNoData}, // No mode has this row.
+    {Mode::kBroken, SrdoState::kFaulted, kGroupFaulted, kNoData}, // No mode has this place.
     {Mode::kNormalAwaited, SrdoState::kProducer, kGroupProducer, kInFlight},
     {Mode::kInverseAwaited, SrdoState::kProducer, kGroupProducer, kInFlight},
 };
@@ -119,8 +116,8 @@ constexpr Cell kCells[kCellCount] = {
     {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kSrvt},
     {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kSct},
     {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kNone},
-    {Mode::kFaultedEmpty, Effect::kNothing, SrdoCause::kNone},
-    {Mode::kFaultedFirst, Effect::kNothing, SrdoCause::kNone},
+    {Mode::kFaultedEmpty, Effect::kDropAll, SrdoCause::kNone},
+    {Mode::kFaultedFirst, Effect::kDropHeld, SrdoCause::kNone},
     {Mode::kWaitingFirst, Effect::kTake, SrdoCause::kNone},
     {Mode::kWaitingNext, Effect::kTake, SrdoCause::kNone},
     {Mode::kFaultedFirst, Effect::kTake, SrdoCause::kNone},
@@ -129,9 +126,6 @@ constexpr Cell kCells[kCellCount] = {
     {Mode::kWaitingHeld, Effect::kComplete, SrdoCause::kNone},
     {Mode::kFaultedHeld, Effect::kComplete, SrdoCause::kNone},
     {Mode::kReleasedHeld, Effect::kComplete, SrdoCause::kNone},
-    {Mode::kNormalAwaited, Effect::kLaunch, SrdoCause::kNone},
-    {Mode::kInverseAwaited, Effect::kConfirmNormal, SrdoCause::kNone},
-    {Mode::kIdle, Effect::kConfirmInverse, SrdoCause::kNone},
     {Mode::kIdle, Effect::kAbort, SrdoCause::kNone},
     {Mode::kIdle, Effect::kAbort, SrdoCause::kNoConfirmation},
     {Mode::kIdle, Effect::kAbort, SrdoCause::kInvalid},
@@ -139,57 +133,55 @@ constexpr Cell kCells[kCellCount] = {
     {Mode::kOff, Effect::kAbort, SrdoCause::kInvalid},
 };
 
-// Rows: modes by their low four bits. Columns: events by their number. A corrupted mode is a fault whatever happens,
-// only leaving OPERATIONAL is done at once.
-constexpr std::uint8_t kTransitions[kRowCount][kEventCount] = {
+// Rows: events by their number. Columns: modes by their low four bits, those of no mode (0 and 13) included. A
+// corrupted mode is a fault whatever happens, only leaving OPERATIONAL is done at once.
+constexpr std::uint8_t kTransitions[kEventCount][kModeCount] = {
     // MISRA D-001
-    // kBroken
-    {kCorrupt, kCorrupt, kLeaveC, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt,
-     kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt},
-    // kOff
-    {kBeginC, kBeginP, kOff, kOff, kOff, kOff, kOff, kOff, kOff, kOff, kOff, kOff, kOff, kOff, kOff, kLost},
-    // kWaitingEmpty
-    {kCorrupt, kCorrupt, kLeaveC, kTakeW1, kEarly, kEarly, kForeign, kLength, kCorrupt, kGiven, kDropAll, kWaitingEmpty,
-     kWaitingEmpty, kWaitingEmpty, kWaitingEmpty, kCorrupt},
-    // kWaitingFirst
-    {kCorrupt, kCorrupt, kLeaveC, kTwice, kPairW, kUnlike, kForeign, kLength, kSrvt, kGiven, kDropHeld, kWaitingFirst,
-     kWaitingFirst, kWaitingFirst, kWaitingFirst, kCorrupt},
-    // kWaitingHeld
-    {kCorrupt, kCorrupt, kLeaveC, kTakeWN, kEarly, kEarly, kForeign, kLength, kSct, kGiven, kDropAll, kReleasedHeld,
-     kWaitingHeld, kWaitingHeld, kWaitingHeld, kCorrupt},
-    // kWaitingNext
-    {kCorrupt, kCorrupt, kLeaveC, kTwice, kPairW, kUnlike, kForeign, kLength, kSrvt, kGiven, kDropHeld, kReleasedNext,
-     kWaitingNext, kWaitingNext, kWaitingNext, kCorrupt},
-    // kFaultedEmpty
-    {kCorrupt, kCorrupt, kLeaveC, kTakeF1, kEarly, kEarly, kForeign, kLength, kCorrupt, kGiven, kDropAll, kFaultedEmpty,
-     kFaultedEmpty, kFaultedEmpty, kFaultedEmpty, kCorrupt},
-    // kFaultedFirst
-    {kCorrupt, kCorrupt, kLeaveC, kTwice, kPairF, kUnlike, kForeign, kLength, kSrvt, kGiven, kDropHeld, kFaultedFirst,
-     kFaultedFirst, kFaultedFirst, kFaultedFirst, kCorrupt},
-    // kFaultedHeld
-    {kCorrupt, kCorrupt, kLeaveC, kTakeFN, kEarly, kEarly, kForeign, kLength, kSct, kGiven, kDropAll, kReleasedHeld,
-     kFaultedHeld, kFaultedHeld, kFaultedHeld, kCorrupt},
-    // kFaultedNext
-    {kCorrupt, kCorrupt, kLeaveC, kTwice, kPairF, kUnlike, kForeign, kLength, kSrvt, kGiven, kDropHeld, kReleasedNext,
-     kFaultedNext, kFaultedNext, kFaultedNext, kCorrupt},
-    // kReleasedHeld
-    {kCorrupt, kCorrupt, kLeaveC, kTakeRN, kEarly, kEarly, kForeign, kLength, kSct, kGiven, kDropAll, kReleasedHeld,
-     kReleasedHeld, kReleasedHeld, kReleasedHeld, kCorrupt},
-    // kReleasedNext
-    {kCorrupt, kCorrupt, kLeaveC, kTwice, kPairR, kUnlike, kForeign, kLength, kSrvt, kGiven, kDropHeld, kReleasedNext,
-     kReleasedNext, kReleasedNext, kReleasedNext, kCorrupt},
-    // kIdle
-    {kCorruptP, kCorruptP, kLeaveP, kIdle, kIdle, kIdle, kIdle, kIdle, kIdle, kIdle, kIdle, kIdle, kStart, kIdle, kIdle,
-     kVoid},
-    // No mode
-    {kCorrupt, kCorrupt, kLeaveC, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt,
-     kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt},
-    // kNormalAwaited
-    {kCorruptP, kCorruptP, kLeaveP, kNormalAwaited, kNormalAwaited, kNormalAwaited, kNormalAwaited, kNormalAwaited,
-     kNormalAwaited, kNormalAwaited, kNormalAwaited, kNormalAwaited, kHalf, kAbortC, kSilent, kVoid},
-    // kInverseAwaited
-    {kCorruptP, kCorruptP, kLeaveP, kInverseAwaited, kInverseAwaited, kInverseAwaited, kInverseAwaited, kInverseAwaited,
-     kInverseAwaited, kInverseAwaited, kInverseAwaited, kInverseAwaited, kDone, kAbortC, kSilent, kVoid},
+    // kEnterConsumer
+    {kCorrupt, kBeginC, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt,
+     kCorrupt, kCorruptP, kCorrupt, kCorruptP, kCorruptP},
+    // kEnterProducer
+    {kCorrupt, kBeginP, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt,
+     kCorrupt, kCorruptP, kCorrupt, kCorruptP, kCorruptP},
+    // kLeave
+    {kLeaveC, kOff, kLeaveC, kLeaveC, kLeaveC, kLeaveC, kLeaveC, kLeaveC, kLeaveC, kLeaveC, kLeaveC, kLeaveC, kLeaveP,
+     kLeaveC, kLeaveP, kLeaveP},
+    // kNormal
+    {kCorrupt, kOff, kTakeW1, kTwice, kTakeWN, kTwice, kTakeF1, kTwice, kTakeFN, kTwice, kTakeRN, kTwice, kIdle,
+     kCorrupt, kNormalAwaited, kInverseAwaited},
+    // kInverse
+    {kCorrupt, kOff, kEarly, kPairW, kEarly, kPairW, kEarly, kPairF, kEarly, kPairF, kEarly, kPairR, kIdle, kCorrupt,
+     kNormalAwaited, kInverseAwaited},
+    // kNotInverse
+    {kCorrupt, kOff, kEarly, kUnlike, kEarly, kUnlike, kEarly, kUnlike, kEarly, kUnlike, kEarly, kUnlike, kIdle,
+     kCorrupt, kNormalAwaited, kInverseAwaited},
+    // kWrongIdentifier
+    {kCorrupt, kOff, kForeign, kForeign, kForeign, kForeign, kForeign, kForeign, kForeign, kForeign, kForeign, kForeign,
+     kIdle, kCorrupt, kNormalAwaited, kInverseAwaited},
+    // kWrongLength
+    {kCorrupt, kOff, kLength, kLength, kLength, kLength, kLength, kLength, kLength, kLength, kLength, kLength, kIdle,
+     kCorrupt, kNormalAwaited, kInverseAwaited},
+    // kExpired
+    {kCorrupt, kOff, kCorrupt, kSrvt, kSct, kSrvt, kCorrupt, kSrvt, kSct, kSrvt, kSct, kSrvt, kIdle, kCorrupt,
+     kNormalAwaited, kInverseAwaited},
+    // kError
+    {kCorrupt, kOff, kGiven, kGiven, kGiven, kGiven, kGiven, kGiven, kGiven, kGiven, kGiven, kGiven, kIdle, kCorrupt,
+     kNormalAwaited, kInverseAwaited},
+    // kDiscard
+    {kCorrupt, kOff, kDropAll, kDropHeld, kDropAll, kDropHeld, kDropAll, kDropHeld, kDropAll, kDropHeld, kDropAll,
+     kDropHeld, kIdle, kCorrupt, kNormalAwaited, kInverseAwaited},
+    // kRelease
+    {kCorrupt, kOff, kWaitingEmpty, kWaitingFirst, kReleasedHeld, kReleasedNext, kFaultedEmpty, kFaultedFirst,
+     kReleasedHeld, kReleasedNext, kReleasedHeld, kReleasedNext, kIdle, kCorrupt, kNormalAwaited, kInverseAwaited},
+    // kAbort
+    {kCorrupt, kOff, kWaitingEmpty, kWaitingFirst, kWaitingHeld, kWaitingNext, kFaultedEmpty, kFaultedFirst,
+     kFaultedHeld, kFaultedNext, kReleasedHeld, kReleasedNext, kIdle, kCorrupt, kAbortC, kAbortC},
+    // kUnconfirmed
+    {kCorrupt, kOff, kWaitingEmpty, kWaitingFirst, kWaitingHeld, kWaitingNext, kFaultedEmpty, kFaultedFirst,
+     kFaultedHeld, kFaultedNext, kReleasedHeld, kReleasedNext, kIdle, kCorrupt, kSilent, kSilent},
+    // kCorrupted
+    {kCorrupt, kLost, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt,
+     kCorrupt, kVoid, kCorrupt, kVoid, kVoid},
 };
 
 namespace
@@ -200,11 +192,11 @@ namespace
 template <std::size_t kEntries>
 constexpr std::size_t kDefined =
     kDefined<kEntries - 1U> +
-    ((kCells[kTransitions[(kEntries - 1U) / kEventCount][(kEntries - 1U) % kEventCount]].effect != Effect::kInvalid)
+    ((kCells[kTransitions[(kEntries - 1U) / kModeCount][(kEntries - 1U) % kModeCount]].effect != Effect::kInvalid)
          ? 1U
          : 0U);
 template <> constexpr std::size_t kDefined<0U> = 0U;
-static_assert(kDefined<kRowCount * kEventCount> == (kRowCount * kEventCount), "the table of transitions is total");
+static_assert(kDefined<kModeCount * kEventCount> == (kModeCount * kEventCount), "the table of transitions is total");
 
 } // namespace
 

@@ -10,12 +10,12 @@
 namespace counterpoint::channel_a
 {
 
-/// State of one SRDO. The low four bits are the row of the table, the high four bits a check of them: two codes differ
-/// in at least four bits. Empty: nothing pending, nothing held. First: a normal frame is pending. Held: a pair is held.
-/// Next: both.
+/// State of one SRDO. The low four bits are the column of the table, the high four bits a check of them: two codes
+/// differ in at least four bits. Empty: nothing pending, nothing held. First: a normal frame is pending. Held: a pair
+/// is held. Next: both.
 enum class Mode : std::uint8_t
 {
-    kBroken = 0x00U, ///< Zeroed memory; every other value that is not listed leads to this row.
+    kBroken = 0x00U, ///< Zeroed memory; every other value that is not listed leads to this column.
     kOff = 0xB1U,
     kWaitingEmpty = 0xD2U,
     kWaitingFirst = 0x63U,
@@ -32,7 +32,7 @@ enum class Mode : std::uint8_t
     kInverseAwaited = 0xFFU ///< Producer that waits for the confirmation of the inverse frame.
 };
 
-/// Columns of the table.
+/// Rows of the table. What goes well with a pair of a producer is none of them: producer.cpp.
 enum class Event : std::uint8_t
 {
     kEnterConsumer = 0U,
@@ -47,13 +47,12 @@ enum class Event : std::uint8_t
     kError = 9U,    ///< Anything else that makes a consumer safe; the cause is given by who raises it.
     kDiscard = 10U, ///< The held pair is dropped, a pending normal frame stays.
     kRelease = 11U,
-    kAdvance = 12U,     ///< A pair was prepared, or its awaited frame was on the bus as it should be.
-    kAbort = 13U,       ///< The transmission failed; the cause is given by who raises it.
-    kUnconfirmed = 14U, ///< Nothing was confirmed within SRVT.
-    kCorrupted = 15U,   ///< The record does not fit its seal.
+    kAbort = 12U,       ///< The transmission failed; the cause is given by who raises it.
+    kUnconfirmed = 13U, ///< Nothing was confirmed within SRVT.
+    kCorrupted = 14U,   ///< The record does not fit its seal.
 };
 
-constexpr std::size_t kEventCount = 16U;
+constexpr std::size_t kEventCount = 15U;
 
 /// What is to be done with the record besides its new mode.
 enum class Effect : std::uint8_t
@@ -62,11 +61,10 @@ enum class Effect : std::uint8_t
     kNothing = 1U,
     kTake = 2U,     ///< The frame becomes the pending normal frame.
     kComplete = 3U, ///< The pending frame becomes the held pair.
-    kFault = 4U,    ///< Consumer made safe, for the cell's cause or, where that is kNone, the given one.
-    kAbort = 5U,    ///< The pair in flight is given up with a fault of the producer.
-    kLaunch = 6U,   ///< The pair is in flight.
-    kConfirmNormal = 7U,
-    kConfirmInverse = 8U, ///< The pair was sent.
+    kDropHeld = 4U, ///< The held pair is dropped without a fault, a pending normal frame stays.
+    kDropAll = 5U,  ///< Likewise where nothing is pending.
+    kFault = 6U,    ///< Consumer made safe, for the cell's cause or, where that is kNone, the given one.
+    kAbort = 7U,    ///< The pair in flight is given up with a fault of the producer.
 };
 
 struct Cell
@@ -83,6 +81,8 @@ constexpr std::uint8_t kGroupFaulted = 2U;
 constexpr std::uint8_t kGroupReleased = 3U;
 constexpr std::uint8_t kGroupProducer = 4U;
 constexpr std::uint8_t kGroupCount = 5U;
+/// From kGroupWaiting on.
+constexpr std::uint32_t kConsumerGroups = 3U;
 
 /// What Record::held is.
 constexpr std::uint8_t kNoData = 0U;
@@ -91,7 +91,7 @@ constexpr std::uint8_t kHeldPair = 3U; ///< Of a consumer.
 constexpr std::uint8_t kShownMask = 1U;
 constexpr std::uint8_t kHoldsShift = 1U;
 
-/// What a row means to the rest of the channel. Four bytes, so that a row is found by shifts.
+/// What a mode means to the rest of the channel. Four bytes, so that it is found by shifts.
 struct ModeFacts
 {
     Mode mode;
@@ -100,31 +100,31 @@ struct ModeFacts
     std::uint8_t data;
 };
 
-constexpr std::uint8_t kRowMask = 0x0FU;
-constexpr std::uint8_t kRowCount = 16U;
+constexpr std::uint8_t kModeMask = 0x0FU;
+constexpr std::uint8_t kModeCount = 16U;
 
-/// What the modes mean, by row.
-extern const ModeFacts kModeFacts[kRowCount]; // MISRA D-001
+/// What the modes mean, by their low four bits.
+extern const ModeFacts kModeFacts[kModeCount]; // MISRA D-001
 
-/// @brief What the row of a mode means. A value that is no mode is read as the row of its low four bits, here and in
+/// @brief What a mode means. A value that is no mode is read as the one of its low four bits, here and in
 /// NextCell: the seal of its record gives it away in the next OnCycle, whatever happens until then.
 [[nodiscard]] inline const ModeFacts& FactsOf(const Mode mode) noexcept
 {
-    return kModeFacts[static_cast<std::uint8_t>(mode) & kRowMask];
+    return kModeFacts[static_cast<std::uint8_t>(mode) & kModeMask];
 }
 
-constexpr std::size_t kCellCount = 46U;
+constexpr std::size_t kCellCount = 43U;
 
 /// The different cells of the table. Cell 0 is that of an omitted entry.
 extern const Cell kCells[kCellCount]; // MISRA D-001
 
-/// The table of transitions: rows by the low four bits of the mode, columns by event, entries are numbers of cells.
-extern const std::uint8_t kTransitions[kRowCount][kEventCount]; // MISRA D-001
+/// The table of transitions: rows by event, columns by the low four bits of the mode, entries are numbers of cells.
+extern const std::uint8_t kTransitions[kEventCount][kModeCount]; // MISRA D-001
 
 /// @brief What the event does in this mode.
 [[nodiscard]] inline const Cell& NextCell(const Mode mode, const Event event) noexcept
 {
-    return kCells[kTransitions[static_cast<std::uint8_t>(mode) & kRowMask][static_cast<std::uint8_t>(event)]];
+    return kCells[kTransitions[static_cast<std::uint8_t>(event)][static_cast<std::uint8_t>(mode) & kModeMask]];
 }
 
 } // namespace counterpoint::channel_a

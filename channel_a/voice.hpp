@@ -5,6 +5,7 @@
 #include "channel_a/slots.hpp"
 #include "channel_a/storage.hpp"
 #include "channel_a/transitions.hpp"
+#include "safety_core/contract/can_frame.hpp"
 #include "safety_core/contract/configuration.hpp"
 
 #include <cstddef>
@@ -13,6 +14,11 @@
 namespace counterpoint::channel_a
 {
 
+/// Places in Voice::globals, in the order of their ConfigField.
+constexpr std::size_t kGfcParameterPlace = 0U;
+constexpr std::size_t kConfigurationValidPlace = 1U;
+constexpr std::size_t kGlobalCount = 2U;
+
 /// Everything that is not of one SRDO. Restart makes it anew but for the storage; zero is the start of all the rest.
 struct Voice
 {
@@ -20,8 +26,7 @@ struct Voice
     const DeviceConfig* config;
     CanPortId ports[2]; ///< Controllers of the normal frames (0) and of the inverse frames (1). MISRA D-001
     std::uint8_t count;
-    std::uint8_t gfc_parameter;
-    std::uint8_t configuration_valid;
+    std::uint8_t globals[kGlobalCount]; ///< 1300h, then 13FEh. MISRA D-001
     std::uint8_t consumer_count;
     std::uint8_t producer_count;
     std::uint8_t off_count;
@@ -36,26 +41,25 @@ struct Voice
     std::uint32_t first_delay_us; ///< From OPERATIONAL to the first possible transmission.
     std::uint32_t ordinal_sum;
     SrdoMask fresh;
-    SrdoMask unwritten;           ///< The held pair was not written yet.
     SrdoMask attention;           ///< Slots that the next OnCycle has to serve even if no limit expires.
     SrdoMask flying;              ///< Producers with a pair in flight.
     SrdoMask requested;           ///< Producers whose application asked for sending.
-    SrdoMask refreshed;           ///< Producers that are due by a refresh.
     SrdoMask groups[kGroupCount]; ///< MISRA D-001
+    SrdoMask unwritten;           ///< The held pair was not written yet.
     SrdoMask committed;           ///< The objects hold a pair.
     SrdoMask levels;              ///< Acknowledge inputs as the last OnCycle saw them.
-    SrdoMask existing;
+    SrdoMask refreshed;           ///< Producers that are due by a refresh.
 };
 
-[[nodiscard]] inline Record& At(const Voice& voice, const SlotIndex slot) noexcept
+[[nodiscard]] inline Record& At(const Voice& voice, const std::uint32_t slot) noexcept
 {
     return voice.storage.records[slot]; // MISRA D-002
 }
 
-/// @brief kNoSlot, which is not below the count, where no SRDO has this identifier.
-[[nodiscard]] inline SlotIndex SlotOfPlace(const Voice& voice, const std::uint32_t place) noexcept
+/// @brief Not below the count where no SRDO has this identifier.
+[[nodiscard]] inline std::uint32_t SlotOfPlace(const Voice& voice, const std::uint32_t place) noexcept
 {
-    return static_cast<SlotIndex>(voice.storage.look_up[place >> 1U] - 1U); // MISRA D-002
+    return std::uint32_t{voice.storage.look_up[place >> 1U]} - 1U; // MISRA D-002
 }
 
 [[nodiscard]] inline SrdoMask ConsumersOf(const Voice& voice) noexcept
@@ -77,17 +81,28 @@ struct Voice
 // channel.cpp: what follows every event, in one place.
 
 /// @brief A step of the table and its fault, if it is one; `given` is the cause where the cell names none.
-void Raise(Voice& voice, SlotIndex slot, Event event, SrdoCause given) noexcept;
+void Raise(Voice& voice, std::uint32_t slot, Event event, SrdoCause given) noexcept;
 /// @brief Counts a fault and keeps it if it is the first. [SRS-CONS-020]
 void Count(Record& record, SrdoCause cause) noexcept;
 /// @brief A fault that the next OnCycle, or the one that goes on, tells.
-void Report(Voice& voice, SlotIndex slot, SrdoCause cause) noexcept;
-/// @brief Drops the held pair; a pending normal frame stays, with its limit.
-void Discard(Voice& voice, SlotIndex slot) noexcept;
+void Report(Voice& voice, std::uint32_t slot, SrdoCause cause) noexcept;
+/// @brief The next OnCycle, or the one that goes on, serves the slot. Not inline: loops are shorter without a mask.
+void Mark(Voice& voice, std::uint32_t slot) noexcept;
+/// @brief Every SRDO with a valid configuration becomes active.
+void Enter(Voice& voice, Instant now) noexcept;
+/// @brief None is active any more.
+void Leave(Voice& voice) noexcept;
 /// @brief No identifier leads to an SRDO any more.
 void ClearLookUp(const Voice& voice) noexcept;
 /// @brief Puts slots into the mask of their group.
 void MoveTo(Voice& voice, SrdoMask bits, std::uint8_t group) noexcept;
+
+/// @brief A frame that no SRDO has for its own.
+void ReceiveOther(Voice& voice, const CanFrame& frame) noexcept;
+/// @brief A frame that is not as it should be; `order` is what its order or its data mean.
+void ReceiveOdd(Voice& voice, const CanFrame& frame, std::uint32_t slot, Event order) noexcept;
+/// @brief A frame after the limit of its SRDO.
+void ReceiveLate(Voice& voice, const CanFrame& frame, Instant stamp, std::uint32_t slot) noexcept;
 
 // mapping.cpp: the only source that knows where objects are and how long.
 
@@ -97,8 +112,6 @@ void MoveTo(Voice& voice, SrdoMask bits, std::uint8_t group) noexcept;
 [[nodiscard]] bool HoldsTable(const DeviceConfig& config, const Record& record) noexcept;
 /// @brief Data into the normal objects.
 void WriteObjects(const DeviceConfig& config, const Record& record, const Octets& data) noexcept;
-/// @brief Normal objects into `held`. False if a bit of an inverse object is not inverted.
-[[nodiscard]] bool ReadObjects(const DeviceConfig& config, Record& record) noexcept;
 
 } // namespace counterpoint::channel_a
 

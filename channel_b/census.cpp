@@ -68,7 +68,7 @@ void Channel::Repair(SlotIndex slot, Census& census) noexcept
     Fault(slot, SrdoCause::kInvalid);
     Withdraw(MarksOf(x_storage, slot).automatic, bit);
     x_storage.first_cause[slot] = Code(SrdoCause::kInvalid);
-    x_storage.stage[slot] = Stage::kIdle;
+    x_storage.rows[slot].stage = Stage::kOff;
     if (x_storage.direction[slot] == kDirectionConsumer)
     {
         census.faulted |= bit;
@@ -82,35 +82,48 @@ void Channel::Repair(SlotIndex slot, Census& census) noexcept
 /// All masks stay empty while SRDOs are not active. The bytes of slots that do not exist count for nothing.
 void Channel::TakeCensus(Census& census) noexcept
 {
-    const Marks& marks = MarksOf(x_storage, census.first);
+    const Marks& marks = *census.marks;
     const HalfMask active = census.active;
-    SlotIndex first = census.first;
+    const Column<const std::uint8_t> state{&x_storage.state[census.first]};
+    const Column<const std::uint8_t> direction{&x_storage.direction[census.first]};
+    const Column<const std::uint8_t> cause{&x_storage.first_cause[census.first]};
+    HalfMask released = 0U;
+    HalfMask producers = 0U;
+    HalfMask others = 0U;
+    std::size_t at = 0U;
     for (HalfMask word = kAllOfWord; (word & active) != 0U; word <<= kSlotsInWord)
     {
-        const std::uint64_t states = PackBytes(&x_storage.state[first]);
-        const std::uint64_t directions = PackBytes(&x_storage.direction[first]);
-        const std::uint64_t causes = PackBytes(&x_storage.first_cause[first]) ^ kEightWithoutCause;
-        const std::uint64_t not_released = (states ^ kEightReleased) | (directions ^ kEightConsumers) | causes;
+        const std::uint64_t states = PackBytes(&state[at]);
+        const std::uint64_t directions = PackBytes(&direction[at]);
+        const std::uint64_t not_released = (states ^ kEightReleased) | (directions ^ kEightConsumers);
         const std::uint64_t not_sending = (states ^ kEightSending) | (directions ^ kEightProducers);
-        // The word if all eight are like that, else nothing.
-        const HalfMask released = word * static_cast<HalfMask>(not_released == 0U);
-        const HalfMask producers = word * static_cast<HalfMask>(not_sending == 0U);
-        census.released |= released;
-        census.producers |= producers;
-        for (HalfMask rest = word & active & ~(released | producers); rest != 0U;)
+        if ((not_released | (PackBytes(&cause[at]) ^ kEightWithoutCause)) == 0U)
         {
-            Enlist(TakeLowest(rest, census.first), census);
+            released |= word;
         }
-        first = static_cast<SlotIndex>(first + kSlotsInWord);
+        else if (not_sending == 0U)
+        {
+            producers |= word;
+        }
+        else
+        {
+            others |= word;
+        }
+        at += kSlotsInWord;
     }
-    census.released &= active;
-    census.producers &= active;
+    census.released = released & active;
+    census.producers = producers & active;
+    for (HalfMask rest = others & active; rest != 0U; rest = WithoutLowest(rest))
+    {
+        Enlist(LowestOf(rest, census.first), census);
+    }
     const HalfMask consumers = census.waiting | census.faulted | census.released;
     const HalfMask twins = (marks.held.on ^ marks.held.off) & (marks.acknowledged.on ^ marks.acknowledged.off) &
                            (marks.automatic.on ^ marks.automatic.off);
-    for (HalfMask rest = census.corrupted | (consumers & ~twins) | (census.released & ~marks.held.on); rest != 0U;)
+    const HalfMask wrong = census.corrupted | (consumers & ~twins) | (census.released & ~marks.held.on);
+    for (HalfMask rest = wrong; rest != 0U; rest = WithoutLowest(rest))
     {
-        Repair(TakeLowest(rest, census.first), census);
+        Repair(LowestOf(rest, census.first), census);
     }
 }
 

@@ -21,7 +21,9 @@ class Channel final : public counterpoint::Channel
 {
   public:
     /// @brief The arrays outlive the channel. Restart is the first call.
-    explicit Channel(const Storage& storage) noexcept;
+    explicit Channel(const Storage& storage) noexcept : x_storage(storage)
+    {
+    }
 
     void Restart(const DeviceConfig& config) noexcept override;
     void Store(const ConfigItem& item) noexcept override;
@@ -30,7 +32,7 @@ class Channel final : public counterpoint::Channel
     [[nodiscard]] CheckResult Recheck(SlotIndex slot) noexcept override;
     void OnFrame(const CanFrame& frame, Instant stamp) noexcept override;
     [[nodiscard]] CycleOutcome OnCycle(const CycleInput& input) noexcept override;
-    [[nodiscard]] HeldPair Held(SlotIndex slot) const noexcept override;
+    [[nodiscard]] [[gnu::noinline]] HeldPair Held(SlotIndex slot) const noexcept override;
     [[nodiscard]] SrdoView View(SlotIndex slot) const noexcept override;
     void Demote(SlotIndex slot) noexcept override;
     void Commit(const Agreement& agreement) noexcept override;
@@ -45,7 +47,7 @@ class Channel final : public counterpoint::Channel
     struct Place
     {
         Column<std::uint8_t> bytes;
-        std::uint8_t width;
+        std::uint32_t width;
     };
 
     /// What a call of OnCycle finds for all slots alike.
@@ -54,19 +56,23 @@ class Channel final : public counterpoint::Channel
         HalfMask late;       ///< All bits if the call is late, else none.
         HalfMask overflowed; ///< All bits if frames were lost, else none.
         HalfMask alarmed;    ///< Both, and a global fail-safe command.
-        bool is_entering;
-        bool is_leaving;
-        bool is_spent; ///< The budget of some pair.
+        HalfMask entering;   ///< All bits if SRDOs become active in this call, else none.
+        HalfMask leaving;    ///< All bits if they cease to be active, else none.
+        HalfMask spent;      ///< All bits if the budget of some pair is, else none.
+        HalfMask ended;      ///< Some bits if the phase of some slot is over, else none.
     };
 
-    /// What it finds and does for one half of the slots. The first five are slots by state, of one look at all of them;
-    /// a slot that is in none is off.
+    /// What it finds and does for one half of the slots. Those from `waiting` on are slots by state, of one look at all
+    /// of them; a slot that is in none is off.
     struct Census
     {
+        Marks* marks;
+        SlotIndex first; ///< Slot 0 or 32.
         HalfMask waiting;
         HalfMask faulted;
         HalfMask released;
         HalfMask producers;
+        HalfMask consumers; ///< Those of the first three.
         HalfMask corrupted; ///< State, direction, first cause or marks do not fit each other.
         HalfMask spent;     ///< Slots whose pair has nothing left.
         HalfMask edges;     ///< Of the acknowledge inputs.
@@ -76,29 +82,19 @@ class Channel final : public counterpoint::Channel
         HalfMask fresh;
         HalfMask due;
         HalfMask signalled;
-        SlotIndex first; ///< Slot 0 or 32.
     };
 
-    /// A mapping while it is being checked.
-    struct Mapping
-    {
-        std::uint16_t table[kMaxMapEntries]; // MISRA D-001
-        std::uint32_t length_bits;
-        ConfigFault fault;
-    };
-
-    /// What the objects of a producer hold.
+    /// What objects of a producer hold, and how long they are together.
     struct ObjectData
     {
-        std::uint64_t normal;
-        std::uint64_t inverse;
+        std::uint64_t word;
+        std::uint32_t length_bits;
     };
 
     // channel.cpp
     void ClearSlot(SlotIndex slot) noexcept;
     void TakeSetup(SlotIndex slot, const SrdoSetup& setup) noexcept;
     void ClearLookUp() noexcept;
-    [[nodiscard]] SrdoState StateOf(SlotIndex slot) const noexcept;
 
     // census.cpp
     void Enlist(SlotIndex slot, Census& census) const noexcept;
@@ -106,25 +102,23 @@ class Channel final : public counterpoint::Channel
     void TakeCensus(Census& census) noexcept;
 
     // activity.cpp
-    [[nodiscard]] GuardView ViewGuard(const CycleInput& input) const noexcept;
-    [[nodiscard]] SlotIndex EndOf(SlotIndex first) const noexcept;
     void Enter(const Census& half) noexcept;
     void EnterSlot(SlotIndex slot, SrdoState state) noexcept;
     [[nodiscard]] HalfMask Leave(const Census& half) noexcept;
 
     // cycle.cpp
-    [[nodiscard]] bool SpendPairs() noexcept;
-    [[nodiscard]] HalfMask FindSpent(SlotIndex first) const noexcept;
-    void SpendWindows(const Census& half) noexcept;
+    [[nodiscard]] HalfMask SpendPairs() noexcept;
+    [[nodiscard]] HalfMask SpendPhases() noexcept;
+    [[nodiscard]] HalfMask FindPhases() const noexcept;
+    void CloseWindows(const Census& half) noexcept;
     [[nodiscard]] HalfMask MissFirstPairs(const Census& census) noexcept;
     void Signal(Census& half, HalfMask slots) noexcept;
     void CycleHalf(const CycleInput& input, const Call& call, Census& half) noexcept;
 
     // consumer.cpp
-    void TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
-    void TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
-    void TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept;
-    void TakeLateFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
+    [[nodiscard]] SrdoCause TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
+    [[nodiscard]] SrdoCause TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
+    [[nodiscard]] SrdoCause TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept;
     void TakeCommand(const CanFrame& frame) noexcept;
     void ExamineConsumers(const Call& call, Census& census) noexcept;
     void Acknowledge(const Census& census) noexcept;
@@ -132,35 +126,36 @@ class Channel final : public counterpoint::Channel
     void ForgetCauses(SlotIndex first, HalfMask slots) noexcept;
 
     // faults.cpp
-    void Count(SlotIndex slot, SrdoCause cause) noexcept;
+    [[gnu::noinline]] void Count(SlotIndex slot, SrdoCause cause) noexcept;
     void Record(SlotIndex slot, SrdoCause cause) noexcept;
     void Discard(SlotIndex slot) noexcept;
-    void Fault(SlotIndex slot, SrdoCause cause) noexcept;
+    [[gnu::cold]] void Fault(SlotIndex slot, SrdoCause cause) noexcept;
     void FaultEach(SlotIndex first, HalfMask slots, SrdoCause cause) noexcept;
-    void Expire(SlotIndex slot) noexcept;
-    Confirmation Fail(SlotIndex slot, SrdoCause cause) noexcept;
-    void DropPair(SlotIndex slot) noexcept;
+    [[gnu::cold]] void Expire(SlotIndex slot) noexcept;
+    void Ground(SlotIndex slot, Stage stage) noexcept;
+    [[gnu::cold]] Confirmation Fail(SlotIndex slot, SrdoCause cause) noexcept;
 
     // producer.cpp
-    [[nodiscard]] HalfMask AdvanceProducers(const CycleInput& input, const Census& census) noexcept;
-    void AdvanceProvider(SlotIndex slot) noexcept;
-    void AdvanceApplication(SlotIndex slot) noexcept;
-    [[nodiscard]] std::uint32_t AbsenceUs(SlotIndex slot) const noexcept;
-    [[nodiscard]] Confirmation ConfirmInverse(SlotIndex slot, std::uint32_t since_call) noexcept;
-    [[nodiscard]] bool IsEchoWrong(SlotIndex slot, const CanFrame& frame, std::uint64_t expected) const noexcept;
-    [[nodiscard]] ObjectData ReadObjects(SlotIndex slot) const noexcept;
+    [[nodiscard]] HalfMask AdvanceProducers(const CycleInput& input, const Call& call, const Census& census) noexcept;
+    [[nodiscard]] Confirmation ConfirmInverse(SlotIndex slot, const CanFrame& frame, Instant stamp) noexcept;
+    [[nodiscard]] static bool IsEchoWrong(const Row& row, const CanFrame& frame, std::uint64_t expected) noexcept;
+    void AdvanceProvider(SlotIndex slot, HalfMask bit, Marks& marks) noexcept;
+    void AdvanceApplication(SlotIndex slot, HalfMask bit, Marks& marks) noexcept;
+    void EndPhases(const Census& census) noexcept;
+    [[nodiscard]] ObjectData ReadObjects(const Row& row, std::uint32_t side) const noexcept;
 
     // configuration.cpp
     [[nodiscard]] Place PlaceOf(const ConfigAddress& address) const noexcept;
     [[nodiscard]] ConfigFault CheckParameters(SlotIndex slot) const noexcept;
     [[nodiscard]] bool IsIdentifierInUse(SlotIndex slot) const noexcept;
     [[nodiscard]] bool IsTimingWrong(SlotIndex slot) const noexcept;
-    [[nodiscard]] Mapping CheckMapping(SlotIndex slot) const noexcept;
+    [[nodiscard]] ConfigFault CheckMapping(SlotIndex slot) noexcept;
     [[nodiscard]] std::uint16_t Find(std::uint32_t entry) const noexcept;
     [[nodiscard]] bool IsEntryRight(std::uint16_t place, std::uint32_t entry, std::uint8_t direction) const noexcept;
     [[nodiscard]] bool IsTableRight(SlotIndex slot) const noexcept;
-    void Resolve(SlotIndex slot, const Mapping& mapping) noexcept;
-    void WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept;
+    void WriteInverse(const Row& row, std::uint64_t data) const noexcept;
+
+    [[nodiscard]] std::uint64_t SafeDataOf(SlotIndex slot) const noexcept;
 
     // signature.cpp
     [[nodiscard]] std::uint16_t SignatureOf(SlotIndex slot) const noexcept;
@@ -173,8 +168,10 @@ class Channel final : public counterpoint::Channel
     HalfMask x_gfc{0U};             ///< All bits if a global fail-safe command came since the last OnCycle, else none.
     std::uint32_t x_last_us{0U};    ///< The `now` of the last OnCycle: every budget and every stamp is relative to it.
     std::uint32_t x_elapsed_us{0U}; ///< Between the last two calls of OnCycle: what every budget is to be relieved of.
+    std::uint32_t x_active_us{0U};  ///< Since entering OPERATIONAL.
     std::uint32_t x_late_us{0U};    ///< Longest time since the last OnCycle that is not late.
     std::uint32_t x_cycle{0U};
+    CanPortId x_port[2U]{}; ///< Of the inverse frames, of the normal frames. MISRA D-001
     std::uint8_t x_count{0U};
 };
 

@@ -28,7 +28,7 @@ constexpr FieldSpan kSpans[kFieldCount] = { // MISRA D-001
     {kCobId1At, 4U},
     {kCobId2At, 4U},
     {kMapCountAt, 1U},
-    {kEntriesAt, 4U},
+    {kEntriesAt + 1U, 4U},
     {kSignatureAt, 2U},
     {kGfcParameterAt, 1U},
     {kConfigurationValidAt, 1U}};
@@ -39,28 +39,25 @@ constexpr FieldSpan kSpans[kFieldCount] = { // MISRA D-001
     return (static_cast<std::uint32_t>(object.index) << 8U) | static_cast<std::uint32_t>(object.sub);
 }
 
-[[nodiscard]] std::uint32_t StoredSignature(const Storage& storage, SlotIndex slot) noexcept
+[[nodiscard]] std::uint32_t StoredSignature(const Row& row) noexcept
 {
-    const std::uint32_t low = *ImageAt(storage, slot, kSignatureAt);
-    const std::uint32_t high = *ImageAt(storage, slot, kSignatureAt + 1U);
-    return low | (high << 8U);
+    return ByteAt(row, kSignatureAt) | (ByteAt(row, kSignatureAt + 1U) << 8U);
 }
 
 } // namespace
 
 Channel::Place Channel::PlaceOf(const ConfigAddress& address) const noexcept
 {
-    const std::uint8_t field = static_cast<std::uint8_t>(address.field);
-    if (field >= kFieldCount)
-    {
-        return Place{{nullptr}, 0U};
-    }
-    const FieldSpan span = kSpans[field];
-    if (field >= static_cast<std::uint8_t>(ConfigField::kGfcParameter))
+    const std::uint32_t field = static_cast<std::uint32_t>(address.field);
+    const FieldSpan span = kSpans[(field < kFieldCount) ? field : 0U]; // MISRA D-002
+    if (field >= static_cast<std::uint32_t>(ConfigField::kGfcParameter))
     {
         return Place{{&x_storage.device[span.at]}, span.width};
     }
-    if (address.slot >= x_count)
+    // Without a map entry the sub-index counts for nothing; sub-index 0 of one becomes a huge number.
+    const bool is_entry = address.field == ConfigField::kMapEntry;
+    const std::uint32_t index = is_entry ? (static_cast<std::uint32_t>(address.sub) - 1U) : 0U;
+    if ((address.slot >= x_count) || (index >= kMaxMapEntries))
     {
         return Place{{nullptr}, 0U};
     }
@@ -68,17 +65,8 @@ Channel::Place Channel::PlaceOf(const ConfigAddress& address) const noexcept
     {
         return Place{{&x_storage.direction[address.slot]}, span.width};
     }
-    if (address.field != ConfigField::kMapEntry)
-    {
-        return Place{{ImageAt(x_storage, address.slot, span.at)}, span.width};
-    }
-    const std::uint32_t index = static_cast<std::uint32_t>(address.sub) - 1U; // Sub-index 0 becomes a huge number.
-    if (index >= kMaxMapEntries)
-    {
-        return Place{{nullptr}, 0U};
-    }
-    const std::size_t at = kEntriesAt + (static_cast<std::size_t>(index) * kEntryBytes) + 1U;
-    return Place{{ImageAt(x_storage, address.slot, at)}, span.width};
+    const std::size_t at = span.at + (std::size_t{index} * kEntryBytes);
+    return Place{{&x_storage.rows[address.slot].image[at]}, span.width}; // MISRA D-002
 }
 
 void Channel::Store(const ConfigItem& item) noexcept
@@ -93,9 +81,9 @@ void Channel::Store(const ConfigItem& item) noexcept
     {
         // A window of signals that is running ends by the new time.
         const std::uint32_t new_us = (item.value & 0xFFFFU) * kMicrosecondsPerMillisecond;
-        x_storage.window_left[slot] += new_us - SctUs(x_storage, slot);
+        x_storage.rows[slot].window_left += new_us - SctUs(x_storage.rows[slot]);
     }
-    for (std::uint8_t byte = 0U; byte < place.width; ++byte)
+    for (std::uint32_t byte = 0U; byte < place.width; ++byte)
     {
         place.bytes[byte] = static_cast<std::uint8_t>((item.value >> (8U * byte)) & 0xFFU);
     }
@@ -109,7 +97,7 @@ ConfigItem Channel::Load(const ConfigAddress& address) const noexcept
 {
     const Place place = PlaceOf(address);
     std::uint32_t value = 0U;
-    for (std::uint8_t byte = 0U; byte < place.width; ++byte)
+    for (std::uint32_t byte = 0U; byte < place.width; ++byte)
     {
         value |= static_cast<std::uint32_t>(place.bytes[byte]) << (8U * byte);
     }
@@ -118,14 +106,14 @@ ConfigItem Channel::Load(const ConfigAddress& address) const noexcept
 
 bool Channel::IsIdentifierInUse(SlotIndex slot) const noexcept
 {
-    const std::uint32_t normal = NormalIdentifier(x_storage, slot);
+    const std::uint32_t normal = NormalIdentifier(x_storage.rows[slot]);
     bool is_in_use = false;
     for (SlotIndex other = 0U; other < x_count; ++other)
     {
         // Ours are `normal` and the next one, so that a modular distance of 0 or 1 is one of them.
         const bool is_other = (other != slot) && (x_storage.direction[other] != kDirectionOff);
-        const bool is_normal_ours = (NormalIdentifier(x_storage, other) - normal) <= 1U;
-        const bool is_inverse_ours = (InverseIdentifier(x_storage, other) - normal) <= 1U;
+        const bool is_normal_ours = (NormalIdentifier(x_storage.rows[other]) - normal) <= 1U;
+        const bool is_inverse_ours = (InverseIdentifier(x_storage.rows[other]) - normal) <= 1U;
         if (is_other && (is_normal_ours || is_inverse_ours))
         {
             is_in_use = true;
@@ -138,10 +126,10 @@ bool Channel::IsTimingWrong(SlotIndex slot) const noexcept
 {
     if (x_storage.direction[slot] == kDirectionProducer)
     {
-        return SctUs(x_storage, slot) < x_config->cycle_us;
+        return SctUs(x_storage.rows[slot]) < x_config->cycle_us;
     }
-    const std::uint32_t srvt_ms = *ImageAt(x_storage, slot, kSrvtAt);
-    return (srvt_ms < 1U) || (srvt_ms >= SctMs(x_storage, slot));
+    const std::uint32_t srvt_ms = ByteAt(x_storage.rows[slot], kSrvtAt);
+    return (srvt_ms < 1U) || (srvt_ms >= SctMs(x_storage.rows[slot]));
 }
 
 /// All rules before those of the mapping. [SRS-CFG-021 to 025]
@@ -151,14 +139,14 @@ ConfigFault Channel::CheckParameters(SlotIndex slot) const noexcept
     {
         return ConfigFault::kDirection;
     }
-    if (*ImageAt(x_storage, slot, kTransmissionTypeAt) != kTransmissionTypeAsynchronous)
+    if (ByteAt(x_storage.rows[slot], kTransmissionTypeAt) != kTransmissionTypeAsynchronous)
     {
         return ConfigFault::kTransmissionType;
     }
-    const std::uint32_t normal = NormalIdentifier(x_storage, slot);
+    const std::uint32_t normal = NormalIdentifier(x_storage.rows[slot]);
     const std::uint32_t offset = normal - kFirstSrdoIdentifier;
     const bool is_normal_right = (offset < kSrdoIdentifierCount) && ((offset & 1U) == 0U);
-    if ((!is_normal_right) || (InverseIdentifier(x_storage, slot) != (normal + 1U)))
+    if ((!is_normal_right) || (InverseIdentifier(x_storage.rows[slot]) != (normal + 1U)))
     {
         return ConfigFault::kIdentifier;
     }
@@ -191,7 +179,7 @@ std::uint16_t Channel::Find(std::uint32_t entry) const noexcept
 }
 
 /// Whether the object at `place` is the one that the entry names, of its length, and fits the direction.
-inline bool Channel::IsEntryRight(std::uint16_t place, std::uint32_t entry, std::uint8_t direction) const noexcept
+bool Channel::IsEntryRight(std::uint16_t place, std::uint32_t entry, std::uint8_t direction) const noexcept
 {
     if (place >= x_config->object_count)
     {
@@ -203,96 +191,101 @@ inline bool Channel::IsEntryRight(std::uint16_t place, std::uint32_t entry, std:
     return (named == entry) && (object.access == access);
 }
 
-/// SRS-CFG-026 to 028.
-Channel::Mapping Channel::CheckMapping(SlotIndex slot) const noexcept
+/// SRS-CFG-026 to 028. The table that it writes counts only after a Validate without fault.
+ConfigFault Channel::CheckMapping(SlotIndex slot) noexcept
 {
-    Mapping mapping{{}, 0U, ConfigFault::kMapping};
-    const std::uint8_t count = *ImageAt(x_storage, slot, kMapCountAt);
+    Row& row = x_storage.rows[slot];
+    const std::uint32_t count = ByteAt(row, kMapCountAt);
     if ((count == 0U) || (count > kMaxMapEntries) || ((count & 1U) != 0U))
     {
-        return mapping;
+        return ConfigFault::kMapping;
     }
     const std::uint32_t granule = static_cast<std::uint32_t>(x_config->granularity_bits) - 1U;
     std::uint32_t wrong = 0U;
     std::uint32_t all_bits = 0U;
-    for (std::uint8_t index = 0U; index < count; ++index)
+    for (std::uint32_t index = 0U; index < count; ++index)
     {
-        const std::uint32_t entry = EntryAt(x_storage, slot, index);
-        const std::uint32_t partner = EntryAt(x_storage, slot, static_cast<std::size_t>(index) ^ 1U);
+        const std::uint32_t entry = EntryAt(row, index);
+        const std::uint32_t partner = EntryAt(row, index ^ 1U);
         const std::uint16_t place = Find(entry);
-        wrong |= static_cast<std::uint32_t>(!IsEntryRight(place, entry, x_storage.direction[slot]));
         wrong |= ((entry ^ partner) & 0xFFU) | (entry & 0xFFU & granule);
-        for (std::uint8_t before = 0U; before < index; ++before)
+        for (std::uint32_t before = 0U; before < index; ++before)
         {
-            wrong |= static_cast<std::uint32_t>(mapping.table[before] == place);
+            wrong |= static_cast<std::uint32_t>(row.table[before] == place); // MISRA D-002
         }
-        mapping.table[index] = place;
+        row.table[index] = place; // MISRA D-002
         all_bits += entry & 0xFFU;
     }
-    if (wrong == 0U)
+    for (std::uint32_t index = count; index < kMaxMapEntries; ++index)
     {
-        // Each normal entry is as long as its inverse entry.
-        mapping.length_bits = all_bits / 2U;
-        mapping.fault = (mapping.length_bits > kMaxPayloadBits) ? ConfigFault::kLengthExceeded : ConfigFault::kNone;
+        row.table[index] = kNoPlace; // MISRA D-002
     }
-    return mapping;
-}
-
-void Channel::Resolve(SlotIndex slot, const Mapping& mapping) noexcept
-{
-    const std::uint8_t count = EntryCount(x_storage, slot);
-    const std::size_t row = static_cast<std::size_t>(slot) * kMaxMapEntries;
-    for (std::uint8_t index = 0U; index < kMaxMapEntries; ++index)
+    if ((wrong != 0U) || (!IsTableRight(slot)))
     {
-        x_storage.table[row + index] = (index < count) ? mapping.table[index] : kNoPlace;
+        return ConfigFault::kMapping;
     }
-    x_storage.length_bytes[slot] = static_cast<std::uint8_t>(mapping.length_bits / 8U);
-    MarksOf(x_storage, slot).resolved |= BitOf(slot);
-    MarksOf(x_storage, slot).committed &= ~BitOf(slot); // Whatever was released is overwritten here, or no longer ours.
-    if (x_storage.direction[slot] == kDirectionConsumer)
+    // Each normal entry is as long as its inverse entry.
+    const std::uint32_t length_bytes = all_bits / 16U;
+    if (length_bytes > kMaxPayloadBytes)
     {
-        WriteInverse(slot, x_storage.safe_data[slot]);
+        return ConfigFault::kLengthExceeded;
     }
+    row.length_bytes = static_cast<std::uint8_t>(length_bytes & 0xFFU);
+    row.mask = 0U;
+    for (std::uint32_t byte = 0U; byte < length_bytes; ++byte)
+    {
+        row.mask = (row.mask << 8U) | 0xFFU;
+    }
+    return ConfigFault::kNone;
 }
 
 CheckResult Channel::Validate(SlotIndex slot) noexcept
 {
-    const std::uint16_t signature = SignatureOf(slot);
-    const bool is_signed = static_cast<std::uint32_t>(signature) == StoredSignature(x_storage, slot);
-    const bool is_on = x_storage.direction[slot] != kDirectionOff;
-    Mapping mapping{{}, 0U, ConfigFault::kNone};
-    MarksOf(x_storage, slot).resolved &= ~BitOf(slot);
-    Withdraw(MarksOf(x_storage, slot).valid, BitOf(slot));
-    if (is_on)
+    CheckResult result{ConfigFault::kNone, SignatureOf(slot)};
+    const Row& row = x_storage.rows[slot];
+    Marks& marks = MarksOf(x_storage, slot);
+    const HalfMask bit = BitOf(slot);
+    const std::uint8_t direction = x_storage.direction[slot];
+    marks.resolved &= ~bit;
+    Withdraw(marks.valid, bit);
+    if (direction != kDirectionOff)
     {
-        const ConfigFault fault = CheckParameters(slot);
-        mapping = CheckMapping(slot);
-        mapping.fault = (fault == ConfigFault::kNone) ? mapping.fault : fault;
-    }
-    if ((mapping.fault == ConfigFault::kNone) && (!is_signed))
-    {
-        mapping.fault = ConfigFault::kSignature;
-    }
-    if (mapping.fault == ConfigFault::kNone)
-    {
-        Grant(MarksOf(x_storage, slot).valid, BitOf(slot));
-        if (is_on)
+        result.fault = CheckParameters(slot);
+        if (result.fault == ConfigFault::kNone)
         {
-            Resolve(slot, mapping);
+            result.fault = CheckMapping(slot);
         }
     }
-    return CheckResult{mapping.fault, signature};
+    if (result.fault != ConfigFault::kNone)
+    {
+        return result;
+    }
+    if (static_cast<std::uint32_t>(result.signature) != StoredSignature(row))
+    {
+        result.fault = ConfigFault::kSignature;
+        return result;
+    }
+    Grant(marks.valid, bit);
+    if (direction != kDirectionOff)
+    {
+        marks.resolved |= bit;
+        marks.committed &= ~bit; // Whatever was released is overwritten here, or no longer ours.
+    }
+    if (direction == kDirectionConsumer)
+    {
+        WriteInverse(row, SafeDataOf(slot));
+    }
+    return result;
 }
 
 bool Channel::IsTableRight(SlotIndex slot) const noexcept
 {
-    const std::uint8_t count = EntryCount(x_storage, slot);
-    const std::size_t row = static_cast<std::size_t>(slot) * kMaxMapEntries;
-    bool is_right = (MarksOf(x_storage, slot).resolved & BitOf(slot)) != 0U;
-    for (std::uint8_t index = 0U; index < count; ++index)
+    const Row& row = x_storage.rows[slot];
+    const std::uint32_t count = EntryCount(row);
+    bool is_right = true;
+    for (std::uint32_t index = 0U; index < count; ++index)
     {
-        const std::uint32_t entry = EntryAt(x_storage, slot, index);
-        if (!IsEntryRight(x_storage.table[row + index], entry, x_storage.direction[slot]))
+        if (!IsEntryRight(row.table[index], EntryAt(row, index), x_storage.direction[slot])) // MISRA D-002
         {
             is_right = false;
         }
@@ -303,20 +296,24 @@ bool Channel::IsTableRight(SlotIndex slot) const noexcept
 CheckResult Channel::Recheck(SlotIndex slot) noexcept
 {
     CheckResult result{ConfigFault::kNone, SignatureOf(slot)};
-    if (static_cast<std::uint32_t>(result.signature) != StoredSignature(x_storage, slot))
+    Marks& marks = MarksOf(x_storage, slot);
+    const HalfMask bit = BitOf(slot);
+    const bool is_on = x_storage.direction[slot] != kDirectionOff;
+    const bool is_right = ((marks.resolved & bit) != 0U) && IsTableRight(slot);
+    if (static_cast<std::uint32_t>(result.signature) != StoredSignature(x_storage.rows[slot]))
     {
         result.fault = ConfigFault::kSignature;
     }
-    else if ((x_storage.direction[slot] != kDirectionOff) && (!IsTableRight(slot)))
+    else if (is_on && (!is_right))
     {
         result.fault = ConfigFault::kTable;
     }
     else
     {
-        Grant(MarksOf(x_storage, slot).valid, BitOf(slot));
+        Grant(marks.valid, bit);
         return result;
     }
-    Withdraw(MarksOf(x_storage, slot).valid, BitOf(slot));
+    Withdraw(marks.valid, bit);
     return result;
 }
 

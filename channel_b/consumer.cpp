@@ -18,82 +18,68 @@ void Channel::TakeCommand(const CanFrame& frame) noexcept
     }
 }
 
-/// The identifiers of normal frames are odd, those of inverse frames are even.
-void Channel::TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
+[[gnu::always_inline]] inline SrdoCause Channel::TakeNormal(SlotIndex slot, const CanFrame& frame,
+                                                            std::uint32_t since_call) noexcept
 {
-    if ((frame.identifier & 1U) != 0U)
-    {
-        TakeNormal(slot, frame, since_call);
-    }
-    else
-    {
-        TakeInverse(slot, frame);
-    }
-}
-
-/// The checks are made in the order of SRS-CONS-011.
-inline void Channel::TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
-{
-    if ((frame.identifier != NormalIdentifier(x_storage, slot)) || (frame.port != x_config->normal_port))
-    {
-        Fault(slot, SrdoCause::kIdentifier);
-        return;
-    }
-    if (frame.length_bytes != x_storage.length_bytes[slot])
-    {
-        Fault(slot, SrdoCause::kLength);
-        return;
-    }
     Marks& marks = MarksOf(x_storage, slot);
     const HalfMask bit = BitOf(slot);
     if ((marks.pending & bit) != 0U)
     {
-        Fault(slot, SrdoCause::kNormalTwice);
-        return;
+        return SrdoCause::kNormalTwice;
     }
     marks.pending |= bit;
-    x_storage.pending_data[slot] = PackBytes(&frame.data[0]);
+    x_storage.rows[slot].pending_data = PackBytes(&frame.data[0]);
     StartBudget(x_storage, slot, since_call);
+    return SrdoCause::kNone;
 }
 
-/// The checks are made in the order of SRS-CONS-011.
-inline void Channel::TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept
+[[gnu::always_inline]] inline SrdoCause Channel::TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept
 {
-    if ((frame.identifier != InverseIdentifier(x_storage, slot)) || (frame.port != x_config->inverse_port))
-    {
-        Fault(slot, SrdoCause::kIdentifier);
-        return;
-    }
-    if (frame.length_bytes != x_storage.length_bytes[slot])
-    {
-        Fault(slot, SrdoCause::kLength);
-        return;
-    }
+    Row& row = x_storage.rows[slot];
     Marks& marks = MarksOf(x_storage, slot);
     const HalfMask bit = BitOf(slot);
     if ((marks.pending & bit) == 0U)
     {
-        Fault(slot, SrdoCause::kInverseFirst);
-        return;
+        return SrdoCause::kInverseFirst;
     }
     const std::uint64_t inverse = PackBytes(&frame.data[0]);
-    const std::uint64_t alike = ~(x_storage.pending_data[slot] ^ inverse);
-    if ((alike & PayloadMask(frame.length_bytes)) != 0U) // Behind the mapped length anything may be.
+    const std::uint64_t alike = ~(row.pending_data ^ inverse);
+    if ((alike & row.mask) != 0U) // Behind the mapped length anything may be.
     {
-        Fault(slot, SrdoCause::kNotInverse);
-        return;
+        return SrdoCause::kNotInverse;
     }
-    const std::uint32_t sct_us = SctUs(x_storage, slot);
-    const std::uint32_t srvt_us = x_storage.pair_limit[slot];
     marks.pending &= ~bit;
     marks.fresh |= bit;
     marks.unwritten |= bit;
     Grant(marks.held, bit);
-    x_storage.inverse_data[slot] = inverse;
+    row.inverse_data = inverse;
     x_storage.ordinal[slot] += 1U;
     // Both budgets count from the normal frame, so that the greater one has the difference more left.
-    x_storage.pair_left[slot] += sct_us - srvt_us;
+    const std::uint32_t sct_us = SctUs(row);
+    x_storage.pair_left[slot] += sct_us - x_storage.pair_limit[slot];
     x_storage.pair_limit[slot] = sct_us;
+    return SrdoCause::kNone;
+}
+
+/// The checks are made in the order of SRS-CONS-011. Returns kNone if the frame was taken.
+[[gnu::always_inline]] inline SrdoCause Channel::TakeFrame(SlotIndex slot, const CanFrame& frame,
+                                                           std::uint32_t since_call) noexcept
+{
+    const Row& row = x_storage.rows[slot];
+    const std::uint32_t parity = frame.identifier & 1U;
+    if ((MarksOf(x_storage, slot).consumers & BitOf(slot)) == 0U)
+    {
+        return SrdoCause::kNone; // Not ours.
+    }
+    if ((frame.identifier != OwnIdentifier(row, parity)) || (frame.port != x_port[parity])) // MISRA D-002
+    {
+        return SrdoCause::kIdentifier;
+    }
+    if (frame.length_bytes != row.length_bytes)
+    {
+        return SrdoCause::kLength;
+    }
+    return (parity != 0U) ? TakeNormal(slot, frame, since_call) : TakeInverse(slot, frame);
 }
 
 void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
@@ -108,18 +94,17 @@ void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
         TakeCommand(frame);
         return;
     }
-    if ((MarksOf(x_storage, slot).consumers & BitOf(slot)) == 0U)
-    {
-        return;
-    }
     // From the last OnCycle to the frame, modular, so that it may be before that call as well.
     const std::uint32_t since_call = stamp.us - x_last_us;
     if ((x_storage.pair_left[slot] - since_call) > x_storage.pair_limit[slot])
     {
-        TakeLateFrame(slot, frame, since_call);
-        return;
+        Expire(slot); // The frame is then taken as the first one. [SRS-CONS-003, SRS-CONS-012]
     }
-    TakeFrame(slot, frame, since_call);
+    const SrdoCause cause = TakeFrame(slot, frame, since_call);
+    if (cause != SrdoCause::kNone)
+    {
+        Fault(slot, cause);
+    }
 }
 
 void Channel::Demote(SlotIndex slot) noexcept
@@ -136,20 +121,20 @@ void Channel::Demote(SlotIndex slot) noexcept
 /// The consumers' part of OnCycle up to the faults that it reports. [SRS-CONS-013 to 018]
 void Channel::ExamineConsumers(const Call& call, Census& census) noexcept
 {
-    const Marks& marks = MarksOf(x_storage, census.first);
+    const Marks& marks = *census.marks;
     const HalfMask consumers = census.waiting | census.faulted | census.released;
     const HalfMask expired = census.spent & consumers;
     const HalfMask troubled = consumers & (marks.reporting | expired | call.alarmed);
-    for (HalfMask rest = expired; rest != 0U;)
+    for (HalfMask rest = expired; rest != 0U; rest = WithoutLowest(rest))
     {
-        Expire(TakeLowest(rest, census.first));
+        Expire(LowestOf(rest, census.first));
     }
     FaultEach(census.first, troubled & ~expired & call.late, SrdoCause::kLateCall);
     FaultEach(census.first, troubled & call.overflowed, SrdoCause::kQueueOverflow);
     FaultEach(census.first, troubled & x_gfc, SrdoCause::kGfc);
-    for (HalfMask rest = troubled & marks.held.on; rest != 0U;)
+    for (HalfMask rest = troubled & marks.held.on; rest != 0U; rest = WithoutLowest(rest))
     {
-        DropPair(TakeLowest(rest, census.first)); // Completed after the fault, before it was reported.
+        Discard(LowestOf(rest, census.first)); // Completed after the fault, before it was reported.
     }
     census.faulted |= troubled;
     census.waiting &= ~troubled;
@@ -159,34 +144,34 @@ void Channel::ExamineConsumers(const Call& call, Census& census) noexcept
 /// Edges of this call, and the end of those that waited too long. [SRS-REL-005]
 void Channel::Acknowledge(const Census& census) noexcept
 {
-    Marks& marks = MarksOf(x_storage, census.first);
+    Marks& marks = *census.marks;
     const HalfMask taken = census.edges & ~marks.reporting;
     const HalfMask waiting = taken & (census.waiting | census.faulted | census.released);
     Grant(marks.acknowledged, waiting);
-    for (HalfMask rest = waiting; rest != 0U;)
+    for (HalfMask rest = waiting; rest != 0U; rest = WithoutLowest(rest))
     {
-        x_storage.edge_left[TakeLowest(rest, census.first)] = x_config->acknowledge_window_us;
+        x_storage.phase_left[LowestOf(rest, census.first)] = x_config->acknowledge_window_us;
     }
     ForgetCauses(census.first, taken & census.producers);
 }
 
 void Channel::ForgetCauses(SlotIndex first, HalfMask slots) noexcept
 {
-    for (HalfMask rest = slots; rest != 0U;)
+    for (HalfMask rest = slots; rest != 0U; rest = WithoutLowest(rest))
     {
-        x_storage.first_cause[TakeLowest(rest, first)] = Code(SrdoCause::kNone);
+        x_storage.first_cause[LowestOf(rest, first)] = Code(SrdoCause::kNone);
     }
 }
 
 /// [SRS-REL-003, SRS-REL-004, SRS-REL-007]
 void Channel::Release(Census& census) noexcept
 {
-    Marks& marks = MarksOf(x_storage, census.first);
+    Marks& marks = *census.marks;
     const HalfMask permitted = Granted(marks.automatic) | Granted(marks.acknowledged);
     const HalfMask ready = Granted(marks.held) & ~marks.reporting & permitted;
-    for (HalfMask rest = (census.waiting | census.faulted) & ready; rest != 0U;)
+    for (HalfMask rest = (census.waiting | census.faulted) & ready; rest != 0U; rest = WithoutLowest(rest))
     {
-        const SlotIndex slot = TakeLowest(rest, census.first);
+        const SlotIndex slot = LowestOf(rest, census.first);
         if (IsRecordable(x_storage.first_cause[slot]))
         {
             x_storage.state[slot] = Code(SrdoState::kReleased);
@@ -210,11 +195,12 @@ void Channel::Commit(const Agreement& agreement) noexcept
         const HalfMask released = PartOf(agreement.agreed, first) & marks.released & Granted(marks.held) & present;
         const HalfMask written = released & PartOf(agreement.matched, first) & marks.unwritten;
         const HalfMask withdrawn = marks.committed & ~released & present;
-        for (HalfMask rest = written | withdrawn; rest != 0U;)
+        for (HalfMask rest = written | withdrawn; rest != 0U; rest = WithoutLowest(rest))
         {
-            const SlotIndex slot = TakeLowest(rest, first);
+            const SlotIndex slot = LowestOf(rest, first);
             const bool is_written = (written & BitOf(slot)) != 0U;
-            WriteInverse(slot, is_written ? x_storage.inverse_data[slot] : x_storage.safe_data[slot]);
+            const Row& row = x_storage.rows[slot];
+            WriteInverse(row, is_written ? row.inverse_data : SafeDataOf(slot));
         }
         marks.unwritten &= ~written;
         marks.committed = (marks.committed & released) | written;

@@ -2,7 +2,6 @@
 #include "channel_b/channel.hpp"
 #include "channel_b/image.hpp"
 
-#include <cstddef>
 #include <cstdint>
 
 namespace counterpoint::channel_b
@@ -11,87 +10,71 @@ namespace counterpoint::channel_b
 namespace
 {
 
-constexpr std::size_t kPairs = kMaxMapEntries / 2U;
-constexpr std::uint8_t kFourBytes = 32U; ///< Length in bits.
-
-/// The value of an object of 1 to 8 bytes. Objects of four bytes are common; all others go byte by byte.
-[[nodiscard]] inline std::uint64_t ReadObject(const std::uint8_t* bytes, std::uint32_t length_bits) noexcept
-{
-    if (length_bits == kFourBytes)
-    {
-        return PackFourBytes(bytes);
-    }
-    const Column<const std::uint8_t> place{bytes};
-    std::uint64_t word = 0U;
-    for (std::uint32_t behind = length_bits / 8U; behind > 0U; --behind)
-    {
-        word = (word << 8U) | place[behind - 1U];
-    }
-    return word;
-}
-
-inline void WriteObject(std::uint8_t* bytes, std::uint32_t length_bits, std::uint64_t data) noexcept
-{
-    const Column<std::uint8_t> place{bytes};
-    std::uint64_t rest = data;
-    if (length_bits == kFourBytes)
-    {
-        place[0U] = static_cast<std::uint8_t>(data & 0xFFU);
-        place[1U] = static_cast<std::uint8_t>((data >> 8U) & 0xFFU);
-        place[2U] = static_cast<std::uint8_t>((data >> 16U) & 0xFFU);
-        place[3U] = static_cast<std::uint8_t>((data >> 24U) & 0xFFU);
-        return;
-    }
-    for (std::uint32_t at = 0U; at < (length_bits / 8U); ++at)
-    {
-        place[at] = static_cast<std::uint8_t>(rest & 0xFFU);
-        rest >>= 8U;
-    }
-}
+constexpr std::uint32_t kPairs = kMaxMapEntries / 2U;
+constexpr std::uint32_t kFourBytes = 32U; ///< Length in bits. Such objects are common; all others go byte by byte.
 
 } // namespace
 
-void Channel::WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept
+/// Bits leave `rest` at its low end, object by object.
+void Channel::WriteInverse(const Row& row, std::uint64_t data) const noexcept
 {
     const Column<const MappableObject> objects{x_config->objects};
-    const Column<std::uint16_t> table{&x_storage.table[static_cast<std::size_t>(slot) * kMaxMapEntries]};
-    const std::uint16_t object_count = x_config->object_count;
-    std::uint32_t shift = 0U;
-    for (std::size_t pair = 0U; pair < kPairs; ++pair)
+    std::uint64_t rest = data;
+    for (std::uint32_t pair = 0U; pair < kPairs; ++pair)
     {
-        const std::uint16_t place = table[(2U * pair) + 1U];
-        if (place >= object_count) // Behind the last entry; a corrupted place leads nowhere either.
+        const std::uint32_t inverse = row.table[(2U * pair) + 1U]; // MISRA D-002
+        if (inverse >= x_config->object_count) // Behind the last entry; a corrupted place leads nowhere either.
         {
             break;
         }
-        const MappableObject& object = objects[place];
-        const std::uint32_t length_bits = object.length_bits;
-        WriteObject(object.place, length_bits, data >> (shift & 63U));
-        shift += length_bits;
+        const std::uint32_t length_bits = objects[inverse].length_bits;
+        const Column<std::uint8_t> place{objects[inverse].place};
+        if (length_bits == kFourBytes)
+        {
+            UnpackFourBytes(static_cast<std::uint32_t>(rest & 0xFFFFFFFFU), &place[0U]);
+            rest >>= kFourBytes;
+            continue;
+        }
+        for (std::uint32_t at = 0U; at < (length_bits / 8U); ++at)
+        {
+            place[at] = static_cast<std::uint8_t>(rest & 0xFFU);
+            rest >>= 8U;
+        }
     }
 }
 
-Channel::ObjectData Channel::ReadObjects(SlotIndex slot) const noexcept
+/// Complement of the safe value.
+std::uint64_t Channel::SafeDataOf(SlotIndex slot) const noexcept
+{
+    const Payload& safe_value = Column<const SrdoSetup>{x_config->srdos}[slot].safe_value;
+    return ~Join(safe_value.low, safe_value.high);
+}
+
+/// What the normal objects hold, or the inverse ones: from the last object to the first one, so that bits enter the
+/// word at its low end.
+Channel::ObjectData Channel::ReadObjects(const Row& row, std::uint32_t side) const noexcept
 {
     const Column<const MappableObject> objects{x_config->objects};
-    const Column<std::uint16_t> table{&x_storage.table[static_cast<std::size_t>(slot) * kMaxMapEntries]};
-    const std::uint16_t object_count = x_config->object_count;
     ObjectData data{0U, 0U};
-    std::uint32_t shift = 0U;
-    for (std::size_t pair = 0U; pair < kPairs; ++pair)
+    for (std::uint32_t rest = EntryCount(row); rest >= 2U; rest -= 2U)
     {
-        const std::uint16_t normal = table[2U * pair];
-        const std::uint16_t inverse = table[(2U * pair) + 1U];
-        if ((normal >= object_count) || (inverse >= object_count))
+        const std::uint32_t at = row.table[(rest - 2U) + side]; // MISRA D-002
+        if (at >= x_config->object_count)
         {
-            break;
+            return ObjectData{0U, 0U}; // A corrupted place: of no length.
         }
-        const MappableObject& plain = objects[normal];
-        const MappableObject& inverted = objects[inverse];
-        const std::uint32_t length_bits = inverted.length_bits;
-        data.normal |= ReadObject(plain.place, plain.length_bits) << (shift & 63U);
-        data.inverse |= ReadObject(inverted.place, length_bits) << (shift & 63U);
-        shift += length_bits;
+        const std::uint32_t length_bits = objects[at].length_bits;
+        const Column<const std::uint8_t> place{objects[at].place};
+        data.length_bits += length_bits;
+        if (length_bits == kFourBytes)
+        {
+            data.word = (data.word << kFourBytes) | PackFourBytes(&place[0U]);
+            continue;
+        }
+        for (std::uint32_t behind = length_bits / 8U; behind > 0U; --behind)
+        {
+            data.word = (data.word << 8U) | place[behind - 1U];
+        }
     }
     return data;
 }

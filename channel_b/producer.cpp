@@ -2,6 +2,7 @@
 #include "channel_b/channel.hpp"
 #include "channel_b/image.hpp"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace counterpoint::channel_b
@@ -13,71 +14,88 @@ namespace
 /// A budget of which one microsecond too much was taken.
 constexpr std::uint32_t kJustSpent = 0xFFFFFFFFU;
 
-} // namespace
+constexpr CanFrame kNoFrame{0U, FrameKind::kInvalid, CanPortId::kInvalid, 0U, {}};
+constexpr Confirmation kNoConfirmation{kNoSlot, ConfirmStep::kNone};
 
-/// For how long a producer of form kApplicationSends may be silent. [SRS-PROD-010]
-std::uint32_t Channel::AbsenceUs(SlotIndex slot) const noexcept
+[[nodiscard]] CanFrame FrameOf(const Row& row, std::size_t identifier_at, CanPortId port, std::uint64_t data) noexcept
 {
-    return SctUs(x_storage, slot) + x_config->cycle_us + x_config->cycle_tolerance_us;
+    CanFrame frame{WordAt(row, identifier_at), FrameKind::kData, port, row.length_bytes, {}};
+    UnpackBytes(data, &frame.data[0]);
+    return frame;
 }
 
+} // namespace
+
+/// [SRS-PROD-005]
 PreparedPair Channel::Prepare(SlotIndex slot) noexcept
 {
-    PreparedPair pair{{0U, FrameKind::kInvalid, CanPortId::kInvalid, 0U, {}}, PrepareStatus::kNotProducer};
-    if ((x_storage.state[slot] != Code(SrdoState::kProducer)) || IsInFlight(x_storage, slot))
+    Row& row = x_storage.rows[slot];
+    if (row.stage != Stage::kIdle)
     {
-        return pair;
+        return PreparedPair{kNoFrame, PrepareStatus::kNotProducer};
     }
     Marks& marks = MarksOf(x_storage, slot);
     const HalfMask bit = BitOf(slot);
     marks.requested &= ~bit;
     marks.refresh_due &= ~bit;
-    const ObjectData data = ReadObjects(slot);
-    const std::uint64_t mask = PayloadMask(x_storage.length_bytes[slot]);
-    if ((data.normal ^ data.inverse) != mask)
+    const std::uint32_t length_bits = row.length_bytes * 8U;
+    const ObjectData normal = ReadObjects(row, 0U);
+    const ObjectData inverse = ReadObjects(row, 1U);
+    const std::uint32_t wrong_bits = (normal.length_bits ^ length_bits) | (inverse.length_bits ^ length_bits);
+    if (((normal.word ^ inverse.word) != row.mask) || (wrong_bits != 0U))
     {
         static_cast<void>(Fail(slot, SrdoCause::kNotInverse));
-        pair.status = PrepareStatus::kNotInverse;
-        return pair;
+        return PreparedPair{kNoFrame, PrepareStatus::kNotInverse};
     }
-    x_storage.inverse_data[slot] = data.inverse;
-    x_storage.stage[slot] = Stage::kAwaitNormal;
+    row.inverse_data = inverse.word;
+    row.stage = Stage::kAwaitNormal;
     StartBudget(x_storage, slot, 0U);
     if ((marks.started & ~marks.provider & bit) != 0U)
     {
-        x_storage.phase_left[slot] = AbsenceUs(slot);
+        x_storage.phase_left[slot] = SctUs(row) + x_late_us;
     }
-    pair.normal.identifier = NormalIdentifier(x_storage, slot);
-    pair.normal.kind = FrameKind::kData;
-    pair.normal.port = x_config->normal_port;
-    pair.normal.length_bytes = x_storage.length_bytes[slot];
-    UnpackBytes(data.inverse ^ mask, &pair.normal.data[0]);
-    pair.status = PrepareStatus::kReady;
-    return pair;
+    return PreparedPair{FrameOf(row, kCobId1At, x_port[1U], inverse.word ^ row.mask), PrepareStatus::kReady};
 }
 
 CanFrame Channel::InverseFrame(SlotIndex slot) noexcept
 {
-    CanFrame frame{0U, FrameKind::kInvalid, CanPortId::kInvalid, 0U, {}};
-    if (x_storage.stage[slot] == Stage::kSendInverse)
+    Row& row = x_storage.rows[slot];
+    if ((row.stage != Stage::kAwaitInverse) || (row.to_send != kToSend))
     {
-        const std::uint64_t data = x_storage.inverse_data[slot];
-        x_storage.stage[slot] = Stage::kAwaitInverse;
-        frame.identifier = InverseIdentifier(x_storage, slot);
-        frame.kind = FrameKind::kData;
-        frame.port = x_config->inverse_port;
-        frame.length_bytes = x_storage.length_bytes[slot];
-        UnpackBytes(data, &frame.data[0]);
+        return kNoFrame;
     }
-    return frame;
+    row.to_send = kHandedOut;
+    return FrameOf(row, kCobId2At, x_port[0U], row.inverse_data);
 }
 
-[[gnu::always_inline]] inline bool Channel::IsEchoWrong(SlotIndex slot, const CanFrame& frame,
-                                                        std::uint64_t expected) const noexcept
+/// Behind the mapped length anything may be.
+[[gnu::always_inline]] inline bool Channel::IsEchoWrong(const Row& row, const CanFrame& frame,
+                                                        std::uint64_t expected) noexcept
 {
-    const std::uint8_t length_bytes = x_storage.length_bytes[slot];
-    const std::uint64_t different = (expected ^ PackBytes(&frame.data[0])) & PayloadMask(length_bytes);
-    return (frame.length_bytes != length_bytes) || (different != 0U);
+    const std::uint64_t different = (PackBytes(&frame.data[0]) ^ expected) & row.mask;
+    return (frame.length_bytes != row.length_bytes) || (different != 0U);
+}
+
+[[gnu::always_inline]] inline Confirmation Channel::ConfirmInverse(SlotIndex slot, const CanFrame& frame,
+                                                                   Instant stamp) noexcept
+{
+    Row& row = x_storage.rows[slot];
+    if ((row.stage != Stage::kAwaitInverse) || (frame.identifier != InverseIdentifier(row)))
+    {
+        return kNoConfirmation;
+    }
+    if (IsEchoWrong(row, frame, row.inverse_data))
+    {
+        return Fail(slot, SrdoCause::kWrongEcho);
+    }
+    if ((x_storage.pair_left[slot] - (stamp.us - x_last_us)) > x_storage.pair_limit[slot])
+    {
+        return Fail(slot, SrdoCause::kNoConfirmation);
+    }
+    row.sent += 1U;
+    row.stage = Stage::kIdle;
+    x_storage.pair_limit[slot] = kNothingRuns;
+    return Confirmation{slot, ConfirmStep::kPair};
 }
 
 Confirmation Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
@@ -85,63 +103,40 @@ Confirmation Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
     const SlotIndex slot = LookUp(x_storage, frame);
     if ((frame.kind != FrameKind::kData) || (slot >= x_count))
     {
-        return Confirmation{kNoSlot, ConfirmStep::kNone};
+        return kNoConfirmation;
     }
-    // The identifiers of normal frames are odd, those of inverse frames are even.
-    const bool is_normal = (frame.identifier & 1U) != 0U;
-    const Awaited confirmed = is_normal ? Awaited::kNormal : Awaited::kInverse;
-    const bool is_own = frame.identifier == OwnIdentifier(x_storage, slot, is_normal);
-    if ((AwaitedIn(x_storage.stage[slot]) != confirmed) || (!is_own))
+    Row& row = x_storage.rows[slot];
+    if ((row.stage == Stage::kAwaitNormal) && (frame.identifier == NormalIdentifier(row)))
     {
-        return Confirmation{kNoSlot, ConfirmStep::kNone};
+        if (IsEchoWrong(row, frame, ~row.inverse_data))
+        {
+            return Fail(slot, SrdoCause::kWrongEcho);
+        }
+        row.stage = Stage::kAwaitInverse;
+        row.to_send = kToSend;
+        x_storage.pair_left[slot] = x_storage.pair_limit[slot] + (stamp.us - x_last_us); // SRVT anew.
+        return Confirmation{slot, ConfirmStep::kNormal};
     }
-    const std::uint64_t inverse = x_storage.inverse_data[slot];
-    const std::uint32_t since_call = stamp.us - x_last_us;
-    if (IsEchoWrong(slot, frame, is_normal ? ~inverse : inverse))
-    {
-        return Fail(slot, SrdoCause::kWrongEcho);
-    }
-    if (!is_normal)
-    {
-        return ConfirmInverse(slot, since_call);
-    }
-    x_storage.stage[slot] = Stage::kSendInverse;
-    StartBudget(x_storage, slot, since_call);
-    return Confirmation{slot, ConfirmStep::kNormal};
-}
-
-/// `since_call` is the time from the last OnCycle to the confirmation.
-[[gnu::always_inline]] inline Confirmation Channel::ConfirmInverse(SlotIndex slot, std::uint32_t since_call) noexcept
-{
-    if ((x_storage.pair_left[slot] - since_call) > x_storage.pair_limit[slot])
-    {
-        return Fail(slot, SrdoCause::kNoConfirmation);
-    }
-    x_storage.sent[slot] += 1U;
-    x_storage.stage[slot] = Stage::kIdle;
-    x_storage.pair_limit[slot] = kNothingRuns;
-    return Confirmation{slot, ConfirmStep::kPair};
+    return ConfirmInverse(slot, frame, stamp);
 }
 
 void Channel::OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept
 {
     const bool is_transmit_fault = (cause == SrdoCause::kTransmitQueue) || (cause == SrdoCause::kBusOff);
-    if (is_transmit_fault && IsInFlight(x_storage, slot))
+    if (is_transmit_fault && IsInFlight(x_storage.rows[slot].stage))
     {
         static_cast<void>(Fail(slot, cause));
     }
 }
 
 /// The refresh falls due at exact distances, whenever the calls come. [SRS-PROD-001, SRS-PROD-002]
-void Channel::AdvanceProvider(SlotIndex slot) noexcept
+[[gnu::always_inline]] inline void Channel::AdvanceProvider(SlotIndex slot, HalfMask bit, Marks& marks) noexcept
 {
-    Marks& marks = MarksOf(x_storage, slot);
-    const HalfMask bit = BitOf(slot);
-    x_storage.phase_left[slot] += SctUs(x_storage, slot);
+    x_storage.phase_left[slot] += SctUs(x_storage.rows[slot]);
     marks.started |= bit;
-    if (IsInFlight(x_storage, slot) || ((marks.refresh_due & bit) != 0U))
+    if (IsInFlight(x_storage.rows[slot].stage) || ((marks.refresh_due & bit) != 0U))
     {
-        static_cast<void>(Fail(slot, SrdoCause::kRefreshMissed));
+        Record(slot, SrdoCause::kRefreshMissed);
     }
     else
     {
@@ -149,12 +144,10 @@ void Channel::AdvanceProvider(SlotIndex slot) noexcept
     }
 }
 
-/// [SRS-PROD-001, SRS-PROD-010]
-void Channel::AdvanceApplication(SlotIndex slot) noexcept
+/// Silence is allowed for the refresh time and a cycle that is just in time. [SRS-PROD-001, SRS-PROD-010]
+[[gnu::always_inline]] inline void Channel::AdvanceApplication(SlotIndex slot, HalfMask bit, Marks& marks) noexcept
 {
-    Marks& marks = MarksOf(x_storage, slot);
-    const HalfMask bit = BitOf(slot);
-    const std::uint32_t absence_us = AbsenceUs(slot);
+    const std::uint32_t absence_us = SctUs(x_storage.rows[slot]) + x_late_us;
     if ((marks.started & bit) == 0U)
     {
         marks.started |= bit;
@@ -170,48 +163,62 @@ void Channel::AdvanceApplication(SlotIndex slot) noexcept
     }
     else
     {
-        static_cast<void>(Fail(slot, SrdoCause::kRefreshMissed));
+        Record(slot, SrdoCause::kRefreshMissed);
         x_storage.phase_left[slot] = absence_us;
     }
 }
 
-/// Returns the slots that are due. [SRS-PROD-004, SRS-PROD-008, SRS-PROD-010]
-HalfMask Channel::AdvanceProducers(const CycleInput& input, const Census& census) noexcept
+/// Whose phase is over, or where no phase runs any longer.
+inline void Channel::EndPhases(const Census& census) noexcept
 {
-    Marks& marks = MarksOf(x_storage, census.first);
-    const std::uint32_t first_us = kFirstTransmissionStepUs * x_config->node_id;
-    const HalfMask standing = PartOf(input.stand, census.first) & marks.provider & marks.started;
-    marks.requested |= PartOf(input.request, census.first) & census.producers;
-    for (HalfMask rest = census.producers & census.spent; rest != 0U;)
+    Marks& marks = *census.marks;
+    for (HalfMask rest = census.present & ~(marks.acknowledged.on & marks.consumers); rest != 0U;
+         rest = WithoutLowest(rest))
     {
-        static_cast<void>(Fail(TakeLowest(rest, census.first), SrdoCause::kNoConfirmation));
-    }
-    for (HalfMask rest = census.producers; rest != 0U;)
-    {
-        const SlotIndex slot = TakeLowest(rest, census.first);
+        const SlotIndex slot = LowestOf(rest, census.first);
         const HalfMask bit = BitOf(slot);
-        const std::uint32_t elapsed_us = ((standing & bit) != 0U) ? 0U : x_elapsed_us;
-        const std::uint32_t left_us = x_storage.phase_left[slot] - elapsed_us;
-        const std::uint32_t limit_us = ((marks.started & bit) != 0U) ? SctUs(x_storage, slot) : first_us;
-        x_storage.phase_left[slot] = left_us;
-        if ((left_us - 1U) < limit_us) // At least one microsecond is left.
+        if ((x_storage.phase_left[slot] - 1U) <= kLongestPhase)
         {
-            continue;
+            continue; // At least one microsecond is left.
         }
-        if ((marks.provider & bit) != 0U)
+        if ((census.producers & bit) == 0U)
         {
-            AdvanceProvider(slot);
+            x_storage.phase_left[slot] = kLongestPhase;
+        }
+        else if ((marks.provider & bit) != 0U)
+        {
+            AdvanceProvider(slot, bit, marks);
         }
         else
         {
-            AdvanceApplication(slot);
+            AdvanceApplication(slot, bit, marks);
         }
     }
-    HalfMask due = census.producers & (marks.refresh_due | (marks.requested & marks.started));
-    for (HalfMask rest = due; rest != 0U;)
+}
+
+/// Returns the slots that are due. [SRS-PROD-003, SRS-PROD-004, SRS-PROD-008, SRS-PROD-010, SRS-PROD-012]
+HalfMask Channel::AdvanceProducers(const CycleInput& input, const Call& call, const Census& census) noexcept
+{
+    Marks& marks = *census.marks;
+    const HalfMask standing = PartOf(input.stand, census.first) & marks.provider & marks.started & census.producers;
+    marks.requested |= PartOf(input.request, census.first) & census.producers;
+    for (HalfMask rest = census.producers & census.spent; rest != 0U; rest = WithoutLowest(rest))
     {
-        const SlotIndex slot = TakeLowest(rest, census.first);
-        if (IsInFlight(x_storage, slot))
+        static_cast<void>(Fail(LowestOf(rest, census.first), SrdoCause::kNoConfirmation));
+    }
+    for (HalfMask rest = standing; rest != 0U; rest = WithoutLowest(rest))
+    {
+        x_storage.phase_left[LowestOf(rest, census.first)] += x_elapsed_us;
+    }
+    if (call.ended != 0U)
+    {
+        EndPhases(census);
+    }
+    HalfMask due = census.producers & (marks.refresh_due | (marks.requested & marks.started));
+    for (HalfMask rest = due; rest != 0U; rest = WithoutLowest(rest))
+    {
+        const SlotIndex slot = LowestOf(rest, census.first);
+        if (IsInFlight(x_storage.rows[slot].stage))
         {
             due &= ~BitOf(slot);
         }

@@ -36,12 +36,12 @@ namespace
 
 std::uint16_t Channel::SignatureOf(SlotIndex slot) const noexcept
 {
-    const std::uint8_t count = EntryCount(x_storage, slot);
-    const std::size_t entry_bytes = static_cast<std::size_t>(count) * kEntryBytes;
+    const Row& row = x_storage.rows[slot];
+    const std::uint32_t count = EntryCount(row);
     std::uint32_t crc = Fold(0U, x_storage.direction[slot]);
-    crc = FoldAll(crc, ImageAt(x_storage, slot, kSctAt), kMapCountAt);
+    crc = FoldAll(crc, &row.image[kSctAt], kMapCountAt);
     crc = Fold(crc, count);
-    crc = FoldAll(crc, ImageAt(x_storage, slot, kEntriesAt), entry_bytes);
+    crc = FoldAll(crc, &row.image[kEntriesAt], std::size_t{count} * kEntryBytes);
     return static_cast<std::uint16_t>(crc & 0xFFFFU);
 }
 

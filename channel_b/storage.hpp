@@ -13,8 +13,8 @@ namespace counterpoint::channel_b
 
 /// Canonical image of one SRDO without its direction: refresh time or SCT (2 bytes), SRVT (1), COB-ID 1 and 2 (4 each),
 /// map count (1), sixteen times sub-index (1) and entry (4); behind it what the signature does not cover: transmission
-/// type (1), stored signature (2), and one byte that keeps the records aligned.
-constexpr std::uint8_t kImageBytes = 96U;
+/// type (1), stored signature (2).
+constexpr std::uint8_t kImageBytes = 95U;
 /// Identifiers 101h to 180h.
 constexpr std::uint8_t kLookUpBytes = 128U;
 /// 1300h and 13FEh.
@@ -25,15 +25,19 @@ using HalfMask = std::uint32_t;
 constexpr std::uint8_t kSlotsInHalf = 32U;
 constexpr std::uint8_t kHalves = kMaxSrdoCount / kSlotsInHalf;
 
-/// How far the transmission of a producer has come. Zero-filled memory is kInvalid and reads as nothing in flight.
+/// How far the transmission of a producer has come. Zero-filled memory is kInvalid: nothing is sent.
 enum class Stage : std::uint8_t
 {
     kInvalid = 0U,
-    kIdle = 0x1DU,
+    kOff = 0x1DU,          ///< Not an active producer.
+    kIdle = 0x2BU,         ///< Prepare may follow.
     kAwaitNormal = 0x4EU,  ///< Prepared; the normal frame of the other channel has not been seen yet.
-    kSendInverse = 0x71U,  ///< Normal frame seen; the inverse frame has not been handed out yet.
-    kAwaitInverse = 0x98U, ///< Inverse frame handed out; not seen yet.
+    kAwaitInverse = 0x98U, ///< Normal frame seen; the inverse frame has not been seen yet.
 };
+
+/// Whether the inverse frame has still to be handed out.
+constexpr std::uint8_t kToSend = 0x71U;
+constexpr std::uint8_t kHandedOut = 0U;
 
 /// One mark for each slot that grants something: kept twice, once inverted. Only `on` without `off` counts as set; a
 /// slot for which both agree is corrupted.
@@ -50,21 +54,21 @@ struct Marks
     TwinMask acknowledged; ///< An acknowledge edge waits.
     TwinMask automatic;    ///< Policy kAutomatic.
     TwinMask valid;        ///< The last Validate or Recheck found no fault.
-    HalfMask resolved;     ///< The table of objects belongs to the stored mapping.
     HalfMask pending;      ///< A normal frame waits for its inverse frame.
-    HalfMask fresh;        ///< A pair was completed since the last OnCycle.
-    HalfMask unwritten;    ///< The held pair has not been written into the objects.
-    HalfMask committed;    ///< The objects hold a released pair.
     HalfMask consumers;    ///< Consumers as of the last OnCycle.
+    HalfMask fresh;        ///< A pair was completed since the last OnCycle.
+    HalfMask committed;    ///< The objects hold a released pair.
+    HalfMask unwritten;    ///< The held pair has not been written into the objects.
     HalfMask released;     ///< State kReleased as of the last OnCycle, less those that had a fault since.
     HalfMask reporting;    ///< A fault has not been reported by OnCycle yet.
-    HalfMask window_open;  ///< A window of signals is running.
     HalfMask signalled;    ///< The last OnCycle signalled something.
     HalfMask unheard;      ///< Consumers without a pair and without a complaint about it since OPERATIONAL was entered.
-    HalfMask provider;     ///< Producers of the form kProviderCalled.
-    HalfMask started;      ///< Producers whose first transmission is possible.
+    HalfMask window_open;  ///< A window of signals is running.
+    HalfMask resolved;     ///< The table of objects belongs to the stored mapping.
     HalfMask requested;    ///< Producers that the application wants to send.
+    HalfMask started;      ///< Producers whose first transmission is possible.
     HalfMask refresh_due;  ///< Producers whose refresh has fallen due.
+    HalfMask provider;     ///< Producers of the form kProviderCalled.
 };
 
 /// One field of all slots.
@@ -78,36 +82,42 @@ template <typename T> struct Column
     }
 };
 
-/// The fields of all slots, one array each, owned by the caller. `capacity` slots; state, direction and first_cause
-/// have room for the next multiple of 8, because they are examined eight at a time. Budgets are microseconds that
-/// remain, as of the last OnCycle; a budget is spent when it exceeds its own limit (modular subtraction has then gone
-/// below zero).
+/// What frames and faults lead to, slot by slot: no loop over all slots looks at it. Order: small places first.
+struct Row
+{
+    std::uint64_t inverse_data; ///< Inverse data of the held pair, or of the pair being sent.
+    std::uint64_t pending_data; ///< Normal data that wait for their inverse.
+    std::uint64_t mask;         ///< Mapped bits of a payload.
+    std::uint32_t sent;         ///< Producer: pairs sent; else 0.
+    std::uint32_t causes;       ///< Bit (1 << cause): recorded and not reported yet.
+    std::uint32_t signals;      ///< Of the last OnCycle, where Marks::signalled says so.
+    std::uint32_t told;         ///< Signalled in the open window.
+    std::uint32_t window_left;  ///< Budget of the window of signals.
+    std::uint16_t error_count;
+    Stage stage;
+    std::uint8_t length_bytes;           ///< Mapped length.
+    std::uint16_t table[kMaxMapEntries]; ///< Place in DeviceConfig::objects. MISRA D-001
+    std::uint8_t image[kImageBytes];     ///< MISRA D-001
+    std::uint8_t to_send;                ///< kToSend or kHandedOut; counts while the inverse frame is awaited.
+};
+
+/// A column for each field that every cycle looks at in all slots, and a row a slot for the rest; owned by the caller.
+/// `capacity` slots; state, direction and first_cause have room for the next multiple of 8, because they are examined
+/// eight at a time. Budgets are microseconds that remain, as of the last OnCycle; a budget is spent when it exceeds its
+/// own limit (modular subtraction has then gone below zero).
 struct Storage
 {
-    Column<std::uint8_t> image;         ///< kImageBytes a slot.
-    Column<std::uint8_t> direction;     ///< First byte of the canonical image; apart, because every cycle looks at it.
-    Column<std::uint8_t> device;        ///< kDeviceBytes.
-    Column<std::uint8_t> slot_of;       ///< kLookUpBytes: slot of each identifier while SRDOs are active, or kNoSlot.
-    Column<std::uint16_t> table;        ///< kMaxMapEntries a slot: place in DeviceConfig::objects.
-    Column<std::uint64_t> pending_data; ///< Normal data that wait for their inverse.
-    Column<std::uint64_t> inverse_data; ///< Inverse data of the held pair, or of the pair being sent.
-    Column<std::uint64_t> safe_data;    ///< Complement of the safe value.
-    Column<std::uint32_t> pair_left;    ///< Budget of SRVT while something is pending or in flight, else of SCT.
-    Column<std::uint32_t> pair_limit;   ///< What pair_left started with; all bits set if nothing runs.
-    Column<std::uint32_t> phase_left;   ///< Consumer: to the complaint about no first pair. Producer: to the refresh.
-    Column<std::uint32_t> window_left;  ///< Of the window of signals.
-    Column<std::uint32_t> edge_left;    ///< Of the acknowledge edge.
-    Column<std::uint32_t> ordinal;      ///< Consumer: pairs completed; else 0.
-    Column<std::uint32_t> sent;         ///< Producer: pairs sent; else 0.
-    Column<std::uint32_t> causes;       ///< Bit (1 << cause): recorded and not reported yet.
-    Column<std::uint32_t> signals;      ///< Of the last OnCycle, where Marks::signalled says so.
-    Column<std::uint32_t> told;         ///< Signalled in the open window.
-    Column<std::uint16_t> error_count;
-    Column<std::uint8_t> state; ///< SrdoState. A byte, as direction and first_cause, so that one look takes eight.
+    Column<Row> rows;
+    Column<Marks> marks;              ///< kHalves.
+    Column<std::uint32_t> pair_left;  ///< Budget of SRVT while something is pending or in flight, else of SCT.
+    Column<std::uint32_t> pair_limit; ///< What pair_left started with; all bits set if nothing runs.
+    Column<std::uint32_t> phase_left; ///< Consumer: of the acknowledge edge. Producer: to the next refresh.
+    Column<std::uint32_t> ordinal;    ///< Consumer: pairs completed; else 0.
+    Column<std::uint8_t> state;       ///< SrdoState. A byte, as direction and first_cause: one look takes eight.
+    Column<std::uint8_t> direction;   ///< First byte of the canonical image; apart, because every cycle looks at it.
     Column<std::uint8_t> first_cause; ///< SrdoCause.
-    Column<Stage> stage;
-    Column<std::uint8_t> length_bytes; ///< Mapped length.
-    Column<Marks> marks;               ///< kHalves.
+    Column<std::uint8_t> slot_of;     ///< kLookUpBytes: slot of each identifier while SRDOs are active, or kNoSlot.
+    Column<std::uint8_t> device;      ///< kDeviceBytes.
     std::uint8_t capacity;
 };
 
@@ -117,39 +127,23 @@ template <std::uint8_t kSlots> struct StorageFor
     static_assert((kSlots >= 1U) && (kSlots <= kMaxSrdoCount), "1 to 64 SRDOs");
     static constexpr std::size_t kPadded = ((kSlots + 7U) / 8U) * 8U;
 
-    Marks marks[kHalves];                                                   // MISRA D-001
-    std::uint64_t pending_data[kSlots];                                     // MISRA D-001
-    std::uint64_t inverse_data[kSlots];                                     // MISRA D-001
-    std::uint64_t safe_data[kSlots];                                        // MISRA D-001
-    std::uint32_t pair_left[kSlots];                                        // MISRA D-001
-    std::uint32_t pair_limit[kSlots];                                       // MISRA D-001
-    std::uint32_t phase_left[kSlots];                                       // MISRA D-001
-    std::uint32_t window_left[kSlots];                                      // MISRA D-001
-    std::uint32_t edge_left[kSlots];                                        // MISRA D-001
-    std::uint32_t ordinal[kSlots];                                          // MISRA D-001
-    std::uint32_t sent[kSlots];                                             // MISRA D-001
-    std::uint32_t causes[kSlots];                                           // MISRA D-001
-    std::uint32_t signals[kSlots];                                          // MISRA D-001
-    std::uint32_t told[kSlots];                                             // MISRA D-001
-    std::uint16_t table[static_cast<std::size_t>(kSlots) * kMaxMapEntries]; // MISRA D-001
-    std::uint16_t error_count[kSlots];                                      // MISRA D-001
-    std::uint8_t state[kPadded];                                            // MISRA D-001
-    std::uint8_t first_cause[kPadded];                                      // MISRA D-001
-    std::uint8_t direction[kPadded];                                        // MISRA D-001
-    Stage stage[kSlots];                                                    // MISRA D-001
-    std::uint8_t length_bytes[kSlots];                                      // MISRA D-001
-    std::uint8_t image[static_cast<std::size_t>(kSlots) * kImageBytes];     // MISRA D-001
-    std::uint8_t slot_of[kLookUpBytes];                                     // MISRA D-001
-    std::uint8_t device[kDeviceBytes];                                      // MISRA D-001
+    Row rows[kSlots];                   // MISRA D-001
+    Marks marks[kHalves];               // MISRA D-001
+    std::uint32_t pair_left[kSlots];    // MISRA D-001
+    std::uint32_t pair_limit[kSlots];   // MISRA D-001
+    std::uint32_t phase_left[kSlots];   // MISRA D-001
+    std::uint32_t ordinal[kSlots];      // MISRA D-001
+    std::uint8_t state[kPadded];        // MISRA D-001
+    std::uint8_t direction[kPadded];    // MISRA D-001
+    std::uint8_t first_cause[kPadded];  // MISRA D-001
+    std::uint8_t slot_of[kLookUpBytes]; // MISRA D-001
+    std::uint8_t device[kDeviceBytes];  // MISRA D-001
 
     /// What the constructor of the channel wants.
     [[nodiscard]] Storage Handle() noexcept
     {
-        return Storage{{image},        {direction},    {device},       {slot_of},     {table},
-                       {pending_data}, {inverse_data}, {safe_data},    {pair_left},   {pair_limit},
-                       {phase_left},   {window_left},  {edge_left},    {ordinal},     {sent},
-                       {causes},       {signals},      {told},         {error_count}, {state},
-                       {first_cause},  {stage},        {length_bytes}, {marks},       kSlots};
+        return Storage{{rows},  {marks},     {pair_left},   {pair_limit}, {phase_left}, {ordinal},
+                       {state}, {direction}, {first_cause}, {slot_of},    {device},     kSlots};
     }
 };
 
