@@ -20,8 +20,8 @@ struct WireFaults
 {
     std::uint32_t loss_ppm{0U};
     std::uint32_t most_lost_in_a_row{1'000'000'000U}; ///< After so many the next one gets through.
-    std::uint32_t repeat_ppm{0U}; ///< The frame comes a second time, after a delay of its own.
-    std::uint32_t flip_ppm{0U};   ///< One to three bits of the frame, at random places.
+    std::uint32_t repeat_ppm{0U};                     ///< The frame comes a second time, after a delay of its own.
+    std::uint32_t flip_ppm{0U};                       ///< One to three bits of the frame, at random places.
     std::uint32_t shortest_us{0U};
     std::uint32_t longest_us{0U}; ///< Each frame's delay is its own: later frames may overtake.
     bool is_cut{false};           ///< Nothing gets in; what is under way arrives.

@@ -224,7 +224,7 @@ Permit OwnVoice::Answer(const std::uint32_t challenge) const noexcept
 
 void OwnVoice::TakeDue(const SrdoMask due, const Window& composed) noexcept
 {
-    peer_due_ = due;
+    peer_due_ = IsFollower() ? due : SrdoMask{0U};
     armed_.Clear(composed);
 }
 

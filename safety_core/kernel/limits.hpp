@@ -20,6 +20,7 @@ enum class FaultClass : std::uint8_t
     kConfiguration = 5U, ///< Configuration, memory, table.
     kSupervisor = 6U,    ///< Comparator, flow monitor, permits.
     kClock = 7U,         ///< Clock, cycle.
+    kCrossLink = 8U,     ///< Loss of the other CPU, its link, its clock: by the limit that takes a LinkTime.
 };
 
 /// Times of the SRDO concerned, from its objects, and how it finds a missing inverse frame. Milliseconds.
@@ -30,6 +31,12 @@ struct SrdoTimes
     SrvtDetection detection{SrvtDetection::kEarly};
 };
 
+/// Greatest age of what the other CPU said; a device with one CPU has none.
+struct LinkTime
+{
+    std::uint32_t timeout_us;
+};
+
 struct Limit
 {
     std::uint32_t us;
@@ -37,6 +44,8 @@ struct Limit
 
 /// @brief Greatest time from the first effect of a fault to the safe output, in microseconds. [SRS-LIM-001]
 [[nodiscard]] Limit ComputeLimit(const DeviceConfig& config, const SrdoTimes& times, FaultClass fault) noexcept;
+/// @brief The same for FaultClass::kCrossLink. [SRS-LNK-009]
+[[nodiscard]] Limit ComputeLimit(const DeviceConfig& config, const LinkTime& link) noexcept;
 
 } // namespace counterpoint
 

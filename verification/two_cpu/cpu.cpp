@@ -129,7 +129,8 @@ void Cpu::PowerOn(const double true_us)
         throw std::runtime_error("two_cpu: the kernel refuses to start");
     }
     Configure();
-    watchdog.timer.Start(hal::WatchdogWindow{timing_.cycle_us / 4U, 2U * timing_.cycle_us}, TrueInstant(true_us - timing_.cycle_us));
+    watchdog.timer.Start(hal::WatchdogWindow{timing_.cycle_us / 4U, 2U * timing_.cycle_us},
+                         TrueInstant(true_us - timing_.cycle_us));
     kernel.SetNmtState(NmtState::kPreOperational);
 }
 

@@ -46,8 +46,8 @@ Device::Device(const DeviceSetup& setup)
         clock.rate = 1.0 + (setup.drift_ppm[cpu] / kMillion);
         cpus[cpu] = std::make_unique<Cpu>(roles[cpu], setup.timing, clock);
         period_us_[cpu] = static_cast<double>(setup.timing.cycle_us) / clock.rate;
-        first_cycle_us_[cpu] = static_cast<double>(Below(random_, setup.timing.cycle_us)) +
-                               ((cpu == 1U) ? setup.second_starts_us : 0.0);
+        first_cycle_us_[cpu] =
+            static_cast<double>(Below(random_, setup.timing.cycle_us)) + ((cpu == 1U) ? setup.second_starts_us : 0.0);
         next_cycle_us_[cpu] = first_cycle_us_[cpu];
     }
     wire.Faults(host::WireEnd::kFirst) = setup.wire;

@@ -44,13 +44,13 @@ class Device
     }
 
     std::array<std::unique_ptr<Cpu>, 2U> cpus{};
-    std::array<bool, 2U> is_dead{false, false};      ///< Does nothing any more.
-    std::array<bool, 2U> cycles_on{false, false};    ///< Goes on with its cycles although its clock stands.
+    std::array<bool, 2U> is_dead{false, false};   ///< Does nothing any more.
+    std::array<bool, 2U> cycles_on{false, false}; ///< Goes on with its cycles although its clock stands.
     host::HostWire wire;
     bool sensor_is_silent{false};
     std::uint64_t cycles{0U};
-    std::uint64_t pairs_heard{0U}; ///< Complete inverse pairs of this device, by the listener.
-    std::uint64_t pairs_bad{0U};   ///< Inverse frames that do not fit their normal frame.
+    std::uint64_t pairs_heard{0U};                   ///< Complete inverse pairs of this device, by the listener.
+    std::uint64_t pairs_bad{0U};                     ///< Inverse frames that do not fit their normal frame.
     std::array<double, 2U> closed_at_us{-1.0, -1.0}; ///< Last time an open output was found closed at a cycle.
 
   private:

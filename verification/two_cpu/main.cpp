@@ -20,11 +20,16 @@ int main(int argc, char** argv)
         {
             two_cpu::Cpu& c = *device.cpus[static_cast<std::size_t>(i)];
             const LinkCounts& n = c.peer.Link().Counts();
-            std::printf("%9.1f cpu%d open %d fault %d slot %d finding %d taken %u lost %u rep %u old %u late %u corrupt %u rx %llu tx %llu cerr %llu perr %llu demo %u\n", t, i, c.IsOpen(device.Now()),
-                        (int)c.kernel.DeviceState().fault, (int)c.kernel.DeviceState().slot, (int)c.peer.Link().Finding(), n.taken, n.lost, n.repeated, n.old, n.late, n.corrupt,
-                        (unsigned long long)c.application.received, (unsigned long long)c.application.sent, (unsigned long long)c.application.consumer_errors, (unsigned long long)c.application.producer_errors, c.kernel.DemotionCount());
+            std::printf("%9.1f cpu%d open %d fault %d slot %d finding %d taken %u lost %u rep %u old %u late %u "
+                        "corrupt %u rx %llu tx %llu cerr %llu perr %llu demo %u\n",
+                        t, i, c.IsOpen(device.Now()), (int)c.kernel.DeviceState().fault,
+                        (int)c.kernel.DeviceState().slot, (int)c.peer.Link().Finding(), n.taken, n.lost, n.repeated,
+                        n.old, n.late, n.corrupt, (unsigned long long)c.application.received,
+                        (unsigned long long)c.application.sent, (unsigned long long)c.application.consumer_errors,
+                        (unsigned long long)c.application.producer_errors, c.kernel.DemotionCount());
         }
     }
-    std::printf("heard %llu bad %llu cycles %llu\n", (unsigned long long)device.pairs_heard, (unsigned long long)device.pairs_bad, (unsigned long long)device.cycles);
+    std::printf("heard %llu bad %llu cycles %llu\n", (unsigned long long)device.pairs_heard,
+                (unsigned long long)device.pairs_bad, (unsigned long long)device.cycles);
     return 0;
 }
