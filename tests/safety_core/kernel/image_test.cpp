@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // The configuration as a whole: read, loaded, and set to its power-on values.
+#include "tests/safety_core/kernel/image.hpp"
 #include "tests/safety_core/kernel/rig.hpp"
 
 namespace counterpoint
@@ -19,52 +20,6 @@ struct Image
     ImageHeader header;
     std::vector<std::uint32_t> items;
 };
-
-// The CRC as the requirement has it, over words.
-std::uint32_t CrcOf(const std::vector<std::uint32_t>& words)
-{
-    std::uint32_t crc = 0xFFFFFFFFU;
-    for (const std::uint32_t word : words)
-    {
-        for (std::uint32_t byte = 0U; byte < 4U; ++byte)
-        {
-            crc ^= (word >> (8U * byte)) & 0xFFU;
-            for (std::uint32_t bit = 0U; bit < 8U; ++bit)
-            {
-                crc = ((crc & 1U) != 0U) ? ((crc >> 1U) ^ 0xEDB88320U) : (crc >> 1U);
-            }
-        }
-    }
-    return ~crc;
-}
-
-// What the CRC of the rig's device runs over.
-std::vector<std::uint32_t> WordsOf(const std::vector<std::uint32_t>& items, const std::uint32_t valid)
-{
-    std::vector<std::uint32_t> words;
-    std::uint32_t item = 0U;
-    const auto add = [&words, &item, &items](std::uint32_t index, std::uint32_t sub)
-    {
-        words.push_back((index << 8U) | sub);
-        words.push_back(items[item]);
-        ++item;
-    };
-    for (const std::uint32_t number : {1U, 3U, 4U})
-    {
-        add(0x13FFU, number);
-        for (std::uint32_t sub = 1U; sub <= 6U; ++sub)
-        {
-            add(0x1300U + number, sub);
-        }
-        for (std::uint32_t sub = 0U; sub <= 16U; ++sub)
-        {
-            add(0x1380U + number, sub);
-        }
-    }
-    add(0x1300U, 0U);
-    words.push_back(valid);
-    return words;
-}
 
 class StoredConfiguration : public Rig
 {
@@ -144,7 +99,7 @@ TEST_F(StoredConfiguration, CrcCoversAddressesValuesAndValidity)
     Verifies(req::SRS_CFG_051);
     Configure();
     const Image image = Save();
-    EXPECT_EQ(image.header.crc, CrcOf(WordsOf(image.items, 0xA5U)));
+    EXPECT_EQ(image.header.crc, image::CrcOf(image::WordsOf(image.items, 0xA5U)));
 }
 
 TEST_F(StoredConfiguration, SavedConfigurationComesBackAfterPowerOnAndIsValid)
@@ -248,7 +203,7 @@ TEST_F(StoredConfiguration, ConfigurationThatBreaksARuleIsRefusedWithItsResult)
     const Image changed = Save();
     // and a header for it that claims A5h
     image.items = changed.items;
-    image.header = ImageHeader{kItems, CrcOf(WordsOf(changed.items, 0xA5U)), 0xA5U};
+    image.header = ImageHeader{kItems, image::CrcOf(image::WordsOf(changed.items, 0xA5U)), 0xA5U};
     EXPECT_EQ(Load(image), Result::kSignatureError);
     HasDefaults();
 }
