@@ -268,14 +268,14 @@ std::vector<ConfigurationWrite> DeviceSource::Writes() const
 
 DeviceConfig DeviceSource::Config() const
 {
-    const bool has_one_port = parameters_.normal_port == 1U && parameters_.inverse_port == 1U;
-    if (!has_one_port)
+    const bool has_two_ports = parameters_.inverse_port == 2U;
+    const bool has_ports = parameters_.normal_port == 1U && (has_two_ports || parameters_.inverse_port == 1U);
+    if (!has_ports)
     {
         const std::uint8_t sub = parameters_.normal_port == 1U ? cia306::kInversePortSub : cia306::kNormalPortSub;
-        const cia306::Entry* const entry = device_.Find(cia306::kDeviceParametersIndex, sub);
-        throw InputError(file_, entry == nullptr ? 0U : entry->ValueLine(),
+        throw InputError(file_, device_.Find(cia306::kDeviceParametersIndex, sub)->ValueLine(),
                          {cia306::ObjectName(cia306::kDeviceParametersIndex, sub) + " names another controller",
-                          "1: a simulated device has one"});
+                          "1 for the normal frames, 1 or 2 for the inverse frames of a simulated device"});
     }
     const bool has_dummies = parameters_.dummy_mapping == cia306::kDummiesAllowed;
     const bool has_gaps = parameters_.number_gaps == cia306::kGapsSearched;
@@ -288,7 +288,7 @@ DeviceConfig DeviceSource::Config() const
     config.gaps = has_gaps ? NumberGaps::kSearched : NumberGaps::kRefused;
     config.gfc = has_gfc ? GfcUse::kPresent : GfcUse::kRemoved;
     config.normal_port = CanPortId::kFirst;
-    config.inverse_port = CanPortId::kFirst;
+    config.inverse_port = has_two_ports ? CanPortId::kSecond : CanPortId::kFirst;
     config.cycle_us = parameters_.cycle_us;
     config.cycle_tolerance_us = parameters_.cycle_tolerance_us;
     config.discrepancy_us = parameters_.discrepancy_us;
