@@ -98,9 +98,12 @@ class SimulateCommand final : public Command
                                      streams.out);
         }
         WriteFiles(run);
-        for (const std::string& line : run.FaultsWithoutEffect())
+        for (const std::vector<std::string>& lines : {run.Findings(), run.FaultsWithoutEffect()})
         {
-            streams.err << line << "\n";
+            for (const std::string& line : lines)
+            {
+                streams.err << line << "\n";
+            }
         }
         if (!quiet_ || !run.Holds())
         {

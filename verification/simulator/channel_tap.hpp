@@ -23,7 +23,8 @@ class ChannelWitness
 };
 
 /// Stands between the kernel and a shipped channel: passes every call on, and makes the faults of calls (skipped,
-/// doubled, hung, frozen). The channel and the kernel know nothing of it. [SRS-SIM-021, SRS-SIM-025]
+/// doubled, hung, frozen, not called, always good). The channel and the kernel know nothing of it. [SRS-SIM-021,
+/// SRS-SIM-025]
 class ChannelTap final : public Channel
 {
   public:
@@ -53,6 +54,17 @@ class ChannelTap final : public Channel
   private:
     /// @brief Whether the channel does not run at all: frozen. A channel that hangs does not return from here.
     [[nodiscard]] bool IsStill() const noexcept;
+    /// @brief Whether no call reaches the channel; zeros are found instead of its answers.
+    [[nodiscard]] bool IsMute() const noexcept;
+    template <typename Answered> [[nodiscard]] Answered Told(const Answered& last) const noexcept
+    {
+        return IsMute() ? Answered{} : last;
+    }
+    /// @brief Whether the channel is always good: it works, but says that nothing is wrong. [SRS-SIM-033]
+    [[nodiscard]] bool IsGood() const noexcept;
+    void Whitewash(CycleOutcome& outcome) const noexcept;
+    [[nodiscard]] HeldPair GoodPair(SlotIndex slot, const HeldPair& real) const noexcept;
+    void GoodPermit(std::uint32_t challenge) const noexcept;
     /// @brief How often a call that can be skipped or doubled is to be made.
     [[nodiscard]] std::uint32_t Calls(ChannelCall call, bool matters) noexcept;
     [[nodiscard]] CycleOutcome Fresh(const CycleInput& input) noexcept;
@@ -63,6 +75,9 @@ class ChannelTap final : public Channel
     ChannelWitness* witness_;
     // The last answers: what a frozen channel goes on saying.
     CycleOutcome outcome_{};
+    SrdoMask once_released_{0U}; ///< What an always good channel goes on releasing.
+    SrdoMask agreed_{0U};
+    std::uint8_t slot_count_{0U};
     PreparedPair prepared_{};
     CheckResult check_{};
     mutable Permit permit_{};

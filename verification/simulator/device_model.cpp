@@ -151,6 +151,30 @@ const VariablePair* DeviceModel::PairOf(const ObjectAddress& normal) const noexc
     return nullptr;
 }
 
+void DeviceModel::UseTwoControllers() noexcept
+{
+    if (config_.normal_port == config_.inverse_port)
+    {
+        config_.normal_port = CanPortId::kFirst;
+        config_.inverse_port = CanPortId::kSecond;
+    }
+}
+
+std::vector<std::uint8_t>& DeviceModel::Memory() noexcept
+{
+    return memory_;
+}
+
+std::vector<MappableObject>& DeviceModel::ObjectTable() noexcept
+{
+    return objects_;
+}
+
+std::vector<SrdoSetup>& DeviceModel::SetupTable() noexcept
+{
+    return setups_;
+}
+
 void DeviceModel::ResetVariables() noexcept
 {
     std::copy(initial_.begin(), initial_.end(), memory_.begin());

@@ -69,6 +69,13 @@ class DeviceModel
     /// @brief The mapped pair whose normal object has this address.
     [[nodiscard]] const VariablePair* PairOf(const ObjectAddress& normal) const noexcept;
 
+    /// @brief Inverse frames by a second controller, unless the DCF names the controllers. [SRS-SIM-036]
+    void UseTwoControllers() noexcept;
+    /// @brief For bits that flip: variables, mappable objects, setups. [SRS-SIM-035]
+    [[nodiscard]] std::vector<std::uint8_t>& Memory() noexcept;
+    [[nodiscard]] std::vector<MappableObject>& ObjectTable() noexcept;
+    [[nodiscard]] std::vector<SrdoSetup>& SetupTable() noexcept;
+
     /// @brief Power-on: all variables take their values of the DCF.
     void ResetVariables() noexcept;
 

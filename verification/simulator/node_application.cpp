@@ -104,7 +104,7 @@ void NodeApplication::SetNow(const Nanoseconds now) noexcept
     now_ = now;
 }
 
-void NodeApplication::Run(const SrdoMask open, const Nanoseconds now)
+bool NodeApplication::Run(const SrdoMask open, const Nanoseconds now, const bool is_frozen)
 {
     for (PairState& pair : pairs_)
     {
@@ -117,13 +117,19 @@ void NodeApplication::Run(const SrdoMask open, const Nanoseconds now)
     {
         Apply(rule);
     }
+    bool is_held_back = false;
     for (PairState& pair : pairs_)
     {
-        if (!pair.is_consumer)
+        if (!pair.is_consumer && is_frozen)
+        {
+            is_held_back = is_held_back || ReadVariable(pair.normal_place).bits != pair.normal;
+        }
+        else if (!pair.is_consumer)
         {
             Write(pair, now);
         }
     }
+    return is_held_back;
 }
 
 void NodeApplication::TakePair(PairState& pair, const SrdoMask open, const Nanoseconds now)

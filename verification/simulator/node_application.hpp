@@ -32,7 +32,8 @@ class NodeApplication final : public Application
     /// @brief Time for what the kernel tells during the cycle to come.
     void SetNow(Nanoseconds now) noexcept;
     /// @brief Takes the consumers' pairs with the outputs as they are now, then the rules, then writes all producers.
-    void Run(SrdoMask open, Nanoseconds now);
+    /// A frozen application leaves the producers' objects as they are; true when that made a difference.
+    bool Run(SrdoMask open, Nanoseconds now, bool is_frozen);
     /// @brief What the application uses of a consumer, or its input of a producer.
     [[nodiscard]] std::uint64_t ValueOf(const ObjectAddress& normal) const;
     /// @brief What the application uses of a consumer that is safe.
