@@ -31,7 +31,18 @@ std::uint16_t MemberType(const Device& device, const Object& object, const std::
     {
         return 0U;
     }
-    const auto code = sub == 0U ? std::optional<std::uint64_t>(kUnsigned8) : NumberOf(*structure, sub);
+    if (sub == 0U)
+    {
+        return kUnsigned8;
+    }
+    const auto member = structure->entries.find(sub);
+    const bool has_value = member != structure->entries.end() && member->second.Configured().IsSet();
+    if (!has_value)
+    {
+        // Some files give the type of the member as its DataType instead of its value.
+        return member == structure->entries.end() ? std::uint16_t{0U} : member->second.data_type;
+    }
+    const auto code = NumberOf(*structure, sub);
     const bool is_code = code && *code <= 0xFFFFU;
     return is_code ? static_cast<std::uint16_t>(*code) : std::uint16_t{0U};
 }

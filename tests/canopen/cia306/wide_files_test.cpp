@@ -105,6 +105,13 @@ TEST(WideFiles, TypesOfAnyLengthComeFromTheFile)
         test::Changed(FileText("bits"), {{"ObjectType=0x5\nDataType=0x0007\nAccessType=ro\nDefaultValue=3",
                                           "ObjectType=0x5\nDataType=0x0007\nAccessType=ro\nDefaultValue=64"}});
     EXPECT_EQ(test::DeviceOf(longest).Find(0x2100U, 2U)->type.bits, 64U);
+    // A member of the structure without a value has its type as DataType; a member that is not there has none
+    const std::string member = "ObjectType=0x7\nDataType=0x0006\nAccessType=ro\nDefaultValue=0x0040\n";
+    const Device other =
+        test::DeviceOf(test::Changed(FileText("bits"), {{member, "ObjectType=0x7\nDataType=0x0016\nAccessType=ro\n"}}));
+    EXPECT_EQ(other.Find(0x2100U, 2U)->type.bits, 24U);
+    const Device without = test::DeviceOf(test::Changed(FileText("bits"), {{"[0041sub2]\n", "[0041sub4]\n"}}));
+    EXPECT_EQ(without.Find(0x2100U, 2U)->type.bits, 0U);
     // A variable whose type is the structure itself cannot be mapped
     const Device record = test::DeviceOf("[0041]\nObjectType=6\nSubNumber=1\n[2000]\nDataType=0x0041\nAccessType=ro\n");
     EXPECT_EQ(record.Find(0x2000U, 0U)->type.kind, DataKind::kStructure);
