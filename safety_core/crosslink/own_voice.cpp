@@ -170,7 +170,7 @@ CycleOutcome OwnVoice::OnCycle(const CycleInput& input) noexcept
     const Statement before = Said();
     CycleInput given = input;
     given.request |= Wanted();
-    given.stand = standing_;
+    given.stand = standing_ | armed_.Slots(); // Both are empty in the leader.
     NoteOutcome(channel_.OnCycle(given), input.now);
 
     CycleOutcome shown = outcome_;

@@ -1,35 +1,99 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "verification/two_cpu/device.hpp"
+// Two CPUs in one process: --runs breaks something at a random moment and judges each run against its limit; --seconds
+// lets them run undisturbed. Exit status: 0 it holds, 1 it does not, 2 bad input.
+#include "verification/two_cpu/campaign.hpp"
 
+#include <CLI/CLI.hpp>
+
+#include <cinttypes>
 #include <cstdio>
-#include <cstdlib>
+#include <exception>
+
+namespace
+{
+using namespace counterpoint;
+
+void Print(const two_cpu::CampaignResult& result)
+{
+    for (std::size_t kind = 0U; kind < two_cpu::kBreakages; ++kind)
+    {
+        const two_cpu::Score& score = result.scores[kind];
+        const std::uint32_t judged = score.runs - score.not_open;
+        std::printf("%-22s runs=%" PRIu32 " late=%" PRIu32 " not_open=%" PRIu32
+                    " limit=%.1f ms longest=%.1f ms mean=%.1f ms\n",
+                    two_cpu::NameOf(static_cast<two_cpu::Breakage>(kind)), score.runs, score.late, score.not_open,
+                    score.limit_us / 1000.0, score.longest_us / 1000.0,
+                    (judged == 0U) ? 0.0 : (score.sum_us / judged / 1000.0));
+    }
+    if (result.first_bad_seed != 0U)
+    {
+        std::printf("first bad run: seed %" PRIu64 "\n", result.first_bad_seed);
+    }
+}
+
+void Print(const two_cpu::SoakResult& result)
+{
+    for (std::size_t cpu = 0U; cpu < 2U; ++cpu)
+    {
+        const LinkCounts& counts = result.counts[cpu];
+        std::printf("cpu %c device_fault=%u taken=%" PRIu32 " lost=%" PRIu32 " repeated=%" PRIu32 " old=%" PRIu32
+                    " late=%" PRIu32 " corrupt=%" PRIu32 " released=%" PRIu64 " sent=%" PRIu64
+                    " consumer_errors=%" PRIu64 " producer_errors=%" PRIu64 " demotions=%u\n",
+                    (cpu == 0U) ? 'A' : 'B', static_cast<unsigned>(result.faults[cpu].fault), counts.taken, counts.lost,
+                    counts.repeated, counts.old, counts.late, counts.corrupt, result.released[cpu], result.sent[cpu],
+                    result.consumer_errors[cpu], result.producer_errors[cpu],
+                    static_cast<unsigned>(result.demotions[cpu]));
+    }
+    std::printf("pairs_heard=%" PRIu64 " pairs_bad=%" PRIu64 " output=%s\n", result.pairs_heard, result.pairs_bad,
+                result.is_open ? "open" : "closed");
+}
+} // namespace
 
 int main(int argc, char** argv)
 {
-    using namespace counterpoint;
-    two_cpu::DeviceSetup setup{};
-    setup.wire.loss_ppm = 1000U;
-    setup.wire.shortest_us = 300U;
-    setup.wire.longest_us = 3000U;
-    two_cpu::Device device{setup};
-    const double seconds = (argc > 1) ? std::atof(argv[1]) : 10.0;
-    for (double t = 1.0; t <= seconds; t += seconds / 10.0)
+    CLI::App app{"Two CPUs over a cross link: random losses against the computed limits, and undisturbed running"};
+    std::uint32_t runs = 0U;
+    std::uint32_t seconds = 0U;
+    std::uint64_t seed = 1U;
+    app.add_option("--runs", runs, "Runs in which something breaks, nine kinds in turn");
+    app.add_option("--seconds", seconds, "Simulated seconds of undisturbed running")
+        ->check(CLI::Range(0U, 10'000'000U));
+    app.add_option("--seed", seed, "The same numbers give the same runs");
+    try
     {
-        device.RunUntil(t * 1e6);
-        for (int i = 0; i < 2; ++i)
+        app.parse(argc, argv);
+        if ((runs == 0U) && (seconds < 2U))
         {
-            two_cpu::Cpu& c = *device.cpus[static_cast<std::size_t>(i)];
-            const LinkCounts& n = c.peer.Link().Counts();
-            std::printf("%9.1f cpu%d open %d fault %d slot %d finding %d taken %u lost %u rep %u old %u late %u "
-                        "corrupt %u rx %llu tx %llu cerr %llu perr %llu demo %u\n",
-                        t, i, c.IsOpen(device.Now()), (int)c.kernel.DeviceState().fault,
-                        (int)c.kernel.DeviceState().slot, (int)c.peer.Link().Finding(), n.taken, n.lost, n.repeated,
-                        n.old, n.late, n.corrupt, (unsigned long long)c.application.received,
-                        (unsigned long long)c.application.sent, (unsigned long long)c.application.consumer_errors,
-                        (unsigned long long)c.application.producer_errors, c.kernel.DemotionCount());
+            std::fprintf(stderr, "two_cpu: nothing to do, expected --runs N or --seconds N with N >= 2\n");
+            return 2;
         }
+        bool holds = true;
+        if (runs != 0U)
+        {
+            const two_cpu::CampaignResult result = two_cpu::RunCampaign(runs, seed);
+            Print(result);
+            holds = holds && result.Holds();
+            std::printf("campaign runs=%" PRIu32 " seed=%" PRIu64 ": %s\n", runs, seed,
+                        result.Holds() ? "pass" : "FAIL");
+        }
+        if (seconds != 0U)
+        {
+            const two_cpu::SoakResult result = two_cpu::RunSoak(seconds, seed);
+            Print(result);
+            holds = holds && result.Holds();
+            std::printf("undisturbed seconds=%" PRIu32 " seed=%" PRIu64 ": %s\n", seconds, seed,
+                        result.Holds() ? "pass" : "FAIL");
+        }
+        return holds ? 0 : 1;
     }
-    std::printf("heard %llu bad %llu cycles %llu\n", (unsigned long long)device.pairs_heard,
-                (unsigned long long)device.pairs_bad, (unsigned long long)device.cycles);
-    return 0;
+    catch (const CLI::ParseError& error)
+    {
+        const int status = app.exit(error);
+        return (status == 0) ? 0 : 2;
+    }
+    catch (const std::exception& error)
+    {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 2;
+    }
 }
