@@ -55,7 +55,8 @@ struct Element
     {
         const std::uint32_t background = kBackgrounds[number];
         differences |= memory.Exchange(place, ~background) ^ background;
-        differences |= memory.Exchange(place, kBackgrounds[number + 1U]) ^ ~background;
+        differences |= memory.Exchange(place, background) ^ ~background;
+        differences |= memory.Exchange(place, kBackgrounds[number + 1U]) ^ background;
     }
     return differences;
 }
@@ -161,8 +162,8 @@ RamWindow RamTest::Current(const hal::MemorySpan& span) const noexcept
 SliceResult RamTest::Advance(const hal::MemorySpan& span) noexcept
 {
     ++done_;
-    const bool has_neighbours = (span.words - word_) > setup_.slice_words;
-    if ((stride_ == 0U) && has_neighbours)
+    // Behind the last window of neighbours the position stays there: only lines follow.
+    if ((span.words - word_) > setup_.slice_words)
     {
         word_ += setup_.slice_words - std::uint32_t{1U};
         return SliceResult::kContinues;

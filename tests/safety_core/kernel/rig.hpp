@@ -151,7 +151,7 @@ class RecordingApplication final : public Application
 class Rig : public ::testing::Test
 {
   public:
-    Rig();
+    explicit Rig(SelfTestPart* self_test = nullptr);
 
     /// Writes and declares the configuration above; every write must be accepted.
     void Configure();
