@@ -86,7 +86,7 @@ TEST(CheckMapping, NumberOfEntries)
     test::ExpectRows("sensor", rows, {});
 }
 
-TEST(CheckMapping, TotalsOf64BitAndTheKernelsLimitOf16Entries)
+TEST(CheckMapping, TotalsOf64BitAndTheRoomFor16Entries)
 {
     Verifies(req::SRS_CLI_012);
     EXPECT_EQ(ErrorsOf(WithPairs("0x001B", 1, "40"), 8U), std::vector<std::string>{});
