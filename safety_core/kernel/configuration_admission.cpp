@@ -13,32 +13,28 @@ constexpr std::uint32_t kGfcSupported = 1U;
 
 AbortCode ConfigurationGuard::AdmitItem(const ConfigItem& item) const noexcept
 {
-    bool is_fit = true;
-    switch (item.address.field)
+    const ConfigField field = item.address.field;
+    if (field == ConfigField::kMapEntry)
     {
-    case ConfigField::kMapCount:
-        return AdmitMapCount(item);
-    case ConfigField::kMapEntry:
         return AdmitMapEntry(item);
-    case ConfigField::kDirection:
+    }
+    if (field == ConfigField::kMapCount)
+    {
+        return AdmitMapCount(item);
+    }
+    // The one transmission type that is admitted is the one that is stored: any change is wrong.
+    bool is_fit = field != ConfigField::kTransmissionType;
+    if (field == ConfigField::kDirection)
+    {
         is_fit = IsDirectionFit(item);
-        break;
-    case ConfigField::kCobId1:
-    case ConfigField::kCobId2:
+    }
+    if ((field == ConfigField::kCobId1) || (field == ConfigField::kCobId2))
+    {
         is_fit = IsCobIdFit(item);
-        break;
-    case ConfigField::kTransmissionType:
-        is_fit = false; // The one transmission type that is admitted is the one that is stored: any change is wrong.
-        break;
-    case ConfigField::kGfcParameter:
+    }
+    if (field == ConfigField::kGfcParameter)
+    {
         is_fit = item.value <= kGfcSupported;
-        break;
-    case ConfigField::kInvalid:
-    case ConfigField::kSct:
-    case ConfigField::kSrvt:
-    case ConfigField::kSignature:
-    case ConfigField::kConfigurationValid:
-        break;
     }
     return is_fit ? AbortCode::kNone : AbortCode::kValueRange;
 }

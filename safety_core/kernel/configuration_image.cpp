@@ -19,9 +19,11 @@ constexpr std::uint32_t kSignatureIndex = 0x13FFU;
 constexpr std::uint32_t kItemsBesideEntries = 8U; // signature, communication 1 to 6, map count
 constexpr std::uint32_t kGfcSupported = 1U;
 
-constexpr std::uint32_t kDefaultSctMs = 25U;
 constexpr std::uint32_t kDefaultConsumerSctMs = 50U;
-constexpr std::uint32_t kDefaultSrvtMs = 20U;
+// By the number of the field: SCT 25 ms, SRVT 20 ms, transmission type 254, all others 0.
+constexpr std::uint8_t kDefaults[] = {0U, 0U, 25U, 20U, kTransmissionTypeAsynchronous,
+                                      0U, 0U, 0U,  0U,  0U, // MISRA D-001
+                                      0U, 0U};
 
 constexpr std::uint8_t kLastProducerNode = 32U;
 constexpr std::uint8_t kLastDefaultNode = 64U;
@@ -187,28 +189,19 @@ std::uint32_t ConfigurationGuard::DefaultOf(const ConfigAddress& address) const 
     const bool is_first = config_->srdos[address.slot].number == 1U; // MISRA D-002
     const NodeId node{is_first ? config_->node_id : std::uint8_t{0U}};
     const Connection own = DefaultConnection(node);
-    switch (address.field)
+    if (address.field == ConfigField::kCobId1)
     {
-    case ConfigField::kSct:
-        return (own.direction == kDirectionConsumer) ? kDefaultConsumerSctMs : kDefaultSctMs;
-    case ConfigField::kSrvt:
-        return kDefaultSrvtMs;
-    case ConfigField::kTransmissionType:
-        return kTransmissionTypeAsynchronous;
-    case ConfigField::kCobId1:
         return own.cob_id_1;
-    case ConfigField::kCobId2:
-        return own.cob_id_2;
-    case ConfigField::kInvalid:
-    case ConfigField::kDirection:
-    case ConfigField::kMapCount:
-    case ConfigField::kMapEntry:
-    case ConfigField::kSignature:
-    case ConfigField::kGfcParameter:
-    case ConfigField::kConfigurationValid:
-        break;
     }
-    return 0U;
+    if (address.field == ConfigField::kCobId2)
+    {
+        return own.cob_id_2;
+    }
+    if ((address.field == ConfigField::kSct) && (own.direction == kDirectionConsumer))
+    {
+        return kDefaultConsumerSctMs;
+    }
+    return kDefaults[static_cast<std::uint8_t>(address.field)]; // MISRA D-002
 }
 
 Result ConfigurationGuard::RestoreDefaults() noexcept

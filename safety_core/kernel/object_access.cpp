@@ -15,9 +15,10 @@ constexpr std::uint32_t kValidOfArea = 0xFEU; ///< 13FEh.
 constexpr std::uint32_t kMappingOfArea = 0x80U;
 constexpr std::uint32_t kNumberOfArea = 0x7FU;
 constexpr std::uint32_t kBitsPerByte = 8U;
+constexpr std::uint32_t kAnySub = 0xFFU;
 
-// Sizes of sub-index 1 to 6 of 1301h to 1340h, whose fields are numbered likewise.
-constexpr std::uint8_t kCommunicationBytes[kCommunicationSubs] = {1U, 2U, 1U, 1U, 4U, 4U}; // MISRA D-001
+// Sizes of sub-index 0 to 6 of 1301h to 1340h; from 1 on the fields are numbered likewise.
+constexpr std::uint8_t kCommunicationBytes[kCommunicationSubs + 1U] = {1U, 1U, 2U, 1U, 1U, 4U, 4U}; // MISRA D-001
 static_assert(static_cast<std::uint8_t>(ConfigField::kCobId2) == kCommunicationSubs, "field n is sub-index n");
 
 // Lengths of the dummies 0001h to 0007h.
@@ -26,89 +27,86 @@ constexpr std::uint8_t kDummyBits[kLastDummyIndex] = {1U, 8U, 16U, 32U, 8U, 16U,
 constexpr std::uint8_t kEntryBytes = 4U;
 constexpr std::uint8_t kSignatureBytes = 2U;
 
-ObjectPlace Missing(const AbortCode refusal) noexcept
+/// A place while it is looked for.
+struct Search
 {
-    ObjectPlace place{};
-    place.refusal = refusal;
-    return place;
+    ObjectPlace place;
+    std::uint32_t sub;
+    std::uint32_t highest; ///< Greatest sub-index that there is.
+    bool is_counted;       ///< Sub-index 0 is a constant: the greatest sub-index.
+};
+
+void Found(Search& search, const ObjectKind kind, const ConfigField field) noexcept
+{
+    search.place.kind = kind;
+    search.place.config.field = field;
 }
 
-ObjectPlace Placed(const ObjectKind kind, const ConfigAddress& address, const std::uint8_t size_bytes) noexcept
+void FindCommunication(Search& search) noexcept
 {
-    ObjectPlace place{};
-    place.kind = kind;
-    place.config = address;
-    place.size_bytes = size_bytes;
-    return place;
-}
-
-ObjectPlace Constant(const std::uint8_t value) noexcept
-{
-    ObjectPlace place = Placed(ObjectKind::kConstant, {}, 1U);
-    place.constant = value;
-    return place;
-}
-
-ObjectPlace LocateCommunication(const SlotIndex slot, const std::uint8_t sub) noexcept
-{
-    if (sub == 0U)
+    search.highest = kCommunicationSubs;
+    search.is_counted = true;
+    if (search.sub <= kCommunicationSubs)
     {
-        return Constant(kCommunicationSubs);
+        Found(search, ObjectKind::kConfiguration, static_cast<ConfigField>(search.sub));
+        search.place.size_bytes = kCommunicationBytes[search.sub]; // MISRA D-002
     }
-    if (sub > kCommunicationSubs)
-    {
-        return Missing(AbortCode::kSubUnknown);
-    }
-    return Placed(ObjectKind::kConfiguration, {slot, static_cast<ConfigField>(sub), 0U},
-                  kCommunicationBytes[sub - 1U]); // MISRA D-002
 }
 
-ObjectPlace LocateMapping(const DeviceConfig& config, const SlotIndex slot, const std::uint8_t sub) noexcept
+void FindMapping(Search& search, const DeviceConfig& config) noexcept
 {
-    const StaticMap& map = config.srdos[slot].map; // MISRA D-002
+    const StaticMap& map = config.srdos[search.place.config.slot].map; // MISRA D-002
     const bool is_fixed = map.entries != nullptr;
-    if (sub > (is_fixed ? map.count : config.map_entries))
+    search.highest = is_fixed ? map.count : config.map_entries;
+    Found(search, is_fixed ? ObjectKind::kFixed : ObjectKind::kConfiguration, ConfigField::kMapCount);
+    if (search.sub != 0U)
     {
-        return Missing(AbortCode::kSubUnknown);
+        search.place.config.field = ConfigField::kMapEntry;
+        search.place.config.sub = static_cast<std::uint8_t>(search.sub);
+        search.place.size_bytes = kEntryBytes;
     }
-    const ObjectKind kind = is_fixed ? ObjectKind::kFixed : ObjectKind::kConfiguration;
-    return (sub == 0U) ? Placed(kind, {slot, ConfigField::kMapCount, 0U}, 1U)
-                       : Placed(kind, {slot, ConfigField::kMapEntry, sub}, kEntryBytes);
 }
 
-ObjectPlace LocateSignature(const DeviceConfig& config, const std::uint8_t sub) noexcept
+void FindSignature(Search& search, const DeviceConfig& config) noexcept
 {
-    const std::uint8_t highest = config.srdos[config.srdo_count - 1U].number; // MISRA D-002
-    if (sub == 0U)
-    {
-        return Constant(highest);
-    }
-    if (sub > highest)
-    {
-        return Missing(AbortCode::kSubUnknown);
-    }
-    const SlotIndex slot = SlotOf(config, SrdoNumber{sub});
-    return (slot == kNoSlot) ? Placed(ObjectKind::kGapSignature, {}, kSignatureBytes)
-                             : Placed(ObjectKind::kConfiguration, {slot, ConfigField::kSignature, 0U}, kSignatureBytes);
+    search.highest = config.srdos[config.srdo_count - 1U].number; // MISRA D-002
+    search.is_counted = true;
+    search.place.config.slot = SlotOf(config, SrdoNumber{static_cast<std::uint8_t>(search.sub)});
+    search.place.size_bytes = kSignatureBytes;
+    const bool is_gap = search.place.config.slot == kNoSlot;
+    Found(search, is_gap ? ObjectKind::kGapSignature : ObjectKind::kConfiguration,
+          is_gap ? ConfigField::kInvalid : ConfigField::kSignature);
 }
 
-// 1300h and 13FEh have sub-index 0 only.
-ObjectPlace LocateSingle(const ObjectKind kind, const ConfigField field, const std::uint8_t sub) noexcept
+// No SRDO has the number 0 or one above 64: what lies between the two areas leads to none.
+void FindSrdo(Search& search, const DeviceConfig& config, const std::uint32_t area) noexcept
 {
-    return (sub == 0U) ? Placed(kind, {0U, field, 0U}, 1U) : Missing(AbortCode::kSubUnknown);
+    search.place.config.slot = SlotOf(config, SrdoNumber{static_cast<std::uint8_t>(area & kNumberOfArea)});
+    if (search.place.config.slot == kNoSlot)
+    {
+        search.highest = kAnySub;
+    }
+    else if (area < kMappingOfArea)
+    {
+        FindCommunication(search);
+    }
+    else
+    {
+        FindMapping(search, config);
+    }
 }
 
-ObjectPlace LocateVariable(const DeviceConfig& config, const ObjectAddress& address) noexcept
+void FindVariable(Search& search, const DeviceConfig& config, const ObjectAddress& address) noexcept
 {
     const MappableObject* const object = FindObject(config, address);
-    if (object == nullptr)
+    search.highest = kAnySub;
+    if (object != nullptr)
     {
-        return Missing(AbortCode::kObjectUnknown);
+        const std::uint32_t size_bytes = (object->length_bits + (kBitsPerByte - 1U)) / kBitsPerByte;
+        search.place.kind = ObjectKind::kVariable;
+        search.place.size_bytes = static_cast<std::uint8_t>(size_bytes);
+        search.place.variable = object;
     }
-    const std::uint32_t size_bytes = (object->length_bits + (kBitsPerByte - 1U)) / kBitsPerByte;
-    ObjectPlace place = Placed(ObjectKind::kVariable, {}, static_cast<std::uint8_t>(size_bytes));
-    place.variable = object;
-    return place;
 }
 
 // Ascending order of the table of objects: index and sub-index as in a mapping entry.
@@ -179,29 +177,43 @@ bool IsDummy(const std::uint32_t entry) noexcept
 ObjectPlace Locate(const DeviceConfig& config, const ObjectAddress& address) noexcept
 {
     const std::uint32_t area = static_cast<std::uint32_t>(address.index) - kSafetyBase;
+    Search search{};
+    search.sub = address.sub;
+    search.place.refusal = AbortCode::kObjectUnknown;
+    search.place.size_bytes = 1U;
     if (area > kLastOfArea)
     {
-        return LocateVariable(config, address);
+        FindVariable(search, config, address);
     }
-    if (area == kLastOfArea)
+    else if (area == kLastOfArea)
     {
-        return LocateSignature(config, address.sub);
+        FindSignature(search, config);
     }
-    if (area == kValidOfArea)
+    else if (area == kValidOfArea)
     {
-        return LocateSingle(ObjectKind::kConfigurationValid, ConfigField::kConfigurationValid, address.sub);
+        Found(search, ObjectKind::kConfigurationValid, ConfigField::kConfigurationValid);
     }
-    if ((area == 0U) && (config.gfc == GfcUse::kPresent))
+    else if ((area == 0U) && (config.gfc == GfcUse::kPresent))
     {
-        return LocateSingle(ObjectKind::kConfiguration, ConfigField::kGfcParameter, address.sub);
+        Found(search, ObjectKind::kConfiguration, ConfigField::kGfcParameter);
     }
-    // No SRDO has the number 0 or one above 64: what lies between the two areas leads to none.
-    const SlotIndex slot = SlotOf(config, SrdoNumber{static_cast<std::uint8_t>(area & kNumberOfArea)});
-    if (slot == kNoSlot)
+    else
     {
-        return Missing(AbortCode::kObjectUnknown);
+        FindSrdo(search, config, area);
     }
-    return (area < kMappingOfArea) ? LocateCommunication(slot, address.sub) : LocateMapping(config, slot, address.sub);
+
+    if (search.sub > search.highest)
+    {
+        search.place.kind = ObjectKind::kInvalid;
+        search.place.refusal = AbortCode::kSubUnknown;
+    }
+    if (search.is_counted && (search.sub == 0U))
+    {
+        Found(search, ObjectKind::kConstant, ConfigField::kInvalid);
+        search.place.size_bytes = 1U;
+        search.place.constant = static_cast<std::uint8_t>(search.highest);
+    }
+    return search.place;
 }
 
 } // namespace counterpoint

@@ -298,6 +298,30 @@ TEST_F(Production, ChannelThatAloneCallsAProducerDueStandsInTheNextCycle)
     EXPECT_EQ(b.stands, 0);
 }
 
+TEST_F(Production, ConfirmationsOfDifferentSlotsAreFollowedByNothing)
+{
+    Verifies(req::SRS_KRN_014);
+    Operate();
+    Cycle();
+    b.on_confirmed = [](Confirmation& confirmation) { confirmation.slot = 0U; };
+    ConfirmLast();
+    EXPECT_EQ(ports.sent.size(), 1U);
+    EXPECT_EQ(b.inverse_frames, 0);
+}
+
+TEST_F(Production, ConfirmationThatIsNoStepIsFollowedByNothing)
+{
+    Verifies(req::SRS_KRN_014);
+    Operate();
+    Cycle();
+    const auto no_step = [](Confirmation& confirmation) { confirmation.step = static_cast<ConfirmStep>(0x11U); };
+    a.on_confirmed = no_step;
+    b.on_confirmed = no_step;
+    ConfirmLast();
+    EXPECT_EQ(ports.sent.size(), 1U);
+    EXPECT_TRUE(application.events.empty());
+}
+
 TEST_F(Production, ForeignConfirmationHasNoEffect)
 {
     Verifies(req::SRS_KRN_014);

@@ -114,7 +114,16 @@ class Tap final : public Channel
     }
     Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept override
     {
-        return drop_confirms ? Confirmation{kNoSlot, ConfirmStep::kNone} : real_.OnConfirm(frame, stamp);
+        Confirmation confirmation{kNoSlot, ConfirmStep::kNone};
+        if (!drop_confirms)
+        {
+            confirmation = real_.OnConfirm(frame, stamp);
+        }
+        if (on_confirmed)
+        {
+            on_confirmed(confirmation);
+        }
+        return confirmation;
     }
     CanFrame InverseFrame(SlotIndex slot) noexcept override
     {
@@ -129,6 +138,7 @@ class Tap final : public Channel
 
     std::function<void(CycleOutcome&)> on_outcome{};
     std::function<void(PreparedPair&)> on_prepared{};
+    std::function<void(Confirmation&)> on_confirmed{};
     std::vector<SrdoCause> transmit_faults{};
     SrdoMask requests{0U}; ///< All that were asked for.
     std::uint32_t load_flip{0U};
