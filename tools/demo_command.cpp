@@ -165,9 +165,12 @@ class DemoCommand final : public Command
         streams.out << "\n" << held << " of " << runs.size() << " runs as expected\n";
         for (const std::unique_ptr<simulator::Run>& run : runs)
         {
-            for (const std::string& line : run->FaultsWithoutEffect())
+            for (const std::vector<std::string>& lines : {run->Findings(), run->FaultsWithoutEffect()})
             {
-                streams.err << line << "\n";
+                for (const std::string& line : lines)
+                {
+                    streams.err << line << "\n";
+                }
             }
             if (!run->Holds())
             {

@@ -100,8 +100,9 @@ std::vector<std::string> Run::FaultsWithoutEffect() const
                         { return event.kind == EventKind::kFault && event.value == index; });
         if (!had_effect)
         {
-            lines.push_back(LineOf(fault.source, "fault " + Shown(fault.name) + " never happened",
-                                   fault.is_optional ? "(it is optional)" : "it within the run, or 'optional: true'"));
+            lines.push_back(
+                LineOf(fault.source, "fault " + Shown(fault.name) + " never happened",
+                       fault.is_optional ? "nothing else, it is optional" : "it within the run, or 'optional: true'"));
         }
     }
     return lines;

@@ -23,7 +23,8 @@ struct Happening
 
 /// @brief What begins at `end` or later, in the order of the file. [SRS-SIM-016]
 [[nodiscard]] std::vector<Happening> HappeningsFrom(const Scenario& scenario, Nanoseconds end);
-/// @brief Refuses what begins after the scenario's own end, and what comes and goes too often. Throws ScenarioError.
+/// @brief Refuses what the scenario's own file lets begin after its end, and what comes and goes too often. Throws
+/// ScenarioError.
 void RequireHappening(const Scenario& scenario);
 } // namespace counterpoint::simulator
 

@@ -65,12 +65,20 @@ std::string ExplainedKey(const KeySpec& key)
            ": " + key.example + "\n";
 }
 
-std::string ExplainedSection(const SectionSpec& section)
+/// With the keys of its parents, or only with their names.
+std::string ExplainedSection(const SectionSpec& section, const bool is_alone)
 {
     std::string text = std::string(section.name) + "\n" + Wrapped(section.meaning, "  ");
+    std::string parents;
+    for (const char* const parent : section.parents)
+    {
+        parents += (parents.empty() ? "" : ", ") + std::string(parent);
+    }
+    text += (is_alone || parents.empty()) ? "" : "  has the keys of " + parents + "\n";
     for (const KeySpec* const key : KeysOf(section))
     {
-        text += ExplainedKey(*key);
+        const bool is_own = key >= section.keys.data() && key < section.keys.data() + section.keys.size();
+        text += (is_alone || is_own) ? ExplainedKey(*key) : "";
     }
     return text + "\n";
 }
@@ -157,7 +165,7 @@ std::string ExplainText(const std::string& name)
     {
         if (name.empty() || name == section.name)
         {
-            text += ExplainedSection(section);
+            text += ExplainedSection(section, !name.empty());
             continue;
         }
         for (const KeySpec& key : section.keys)
