@@ -96,6 +96,10 @@ void Differential::CycleStep() noexcept
     for (SlotIndex slot = 0U; slot < device_.config_a.srdo_count; ++slot)
     {
         NoteRecovery(slot, a_.View(slot));
+        if (((a.fresh >> slot) & 1U) != 0U)
+        {
+            NoteAccepted(slot);
+        }
         if (a.not_operational == 1U)
         {
             transmissions_[slot] = Transmission{};

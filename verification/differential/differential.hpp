@@ -99,6 +99,7 @@ class Differential
     void CompareAllSlots() noexcept;
     void SameFrame(SlotIndex slot, const CanFrame& a, const CanFrame& b) noexcept;
     void CompareObjects(SlotIndex slot) noexcept;
+    void ComparePair(SlotIndex slot, std::uint32_t at, std::uint32_t bits) noexcept;
     void CompareOutcomes(const CycleOutcome& a, const CycleOutcome& b) noexcept;
     void NoteRecovery(SlotIndex slot, const SrdoView& view) noexcept;
     [[nodiscard]] SlotIndex AnySlot() noexcept;
@@ -112,6 +113,9 @@ class Differential
     void ValidateSlot(SlotIndex slot) noexcept;
     [[nodiscard]] CheckResult ValidateBoth(SlotIndex slot) noexcept;
     void RecheckBoth(SlotIndex slot) noexcept;
+    void RegisterFields(SlotIndex slot) noexcept;
+    void RegisterBoth(SlotIndex slot, std::uint32_t normal_at, std::uint32_t inverse_at) noexcept;
+    void DigestBoth() noexcept;
 
     // consume.cpp
     void ConsumerStep() noexcept;
@@ -119,6 +123,8 @@ class Differential
     void NormalFrame(SlotIndex slot, const Payload& data) noexcept;
     void InverseFrame(SlotIndex slot, const Payload& data) noexcept;
     void WrongFrame(SlotIndex slot) noexcept;
+    void SpoiledPair(SlotIndex slot) noexcept;
+    void NoteAccepted(SlotIndex slot) noexcept;
     void Feed(const CanFrame& frame, SlotIndex slot) noexcept;
     [[nodiscard]] CanFrame FrameOf(SlotIndex slot, bool is_inverse, const Payload& data) const noexcept;
     [[nodiscard]] Payload AnyData() noexcept;
@@ -135,12 +141,15 @@ class Differential
     void ProducerStep() noexcept;
     void Serve(SrdoMask due) noexcept;
     void PrepareBoth(SlotIndex slot) noexcept;
+    void ComparePrepared(SlotIndex slot, const PreparedPair& a, const PreparedPair& b) noexcept;
+    [[nodiscard]] CanFrame NormalOf(SlotIndex slot, const Payload& data) const noexcept;
     void TakeInverse(SlotIndex slot) noexcept;
     [[nodiscard]] CanFrame InverseOf(SlotIndex slot) const noexcept;
     void Confirm(SlotIndex slot) noexcept;
     void ConfirmBoth(const CanFrame& frame, SlotIndex slot) noexcept;
     void FailBoth(SlotIndex slot, SrdoCause cause) noexcept;
     void WriteObjects(SlotIndex slot) noexcept;
+    void NoteSent(SlotIndex slot) noexcept;
 
     Channel& a_;
     Channel& b_;

@@ -6,24 +6,34 @@
 namespace counterpoint::differential
 {
 
-/// The application writes its pair, as a rule inverse in every bit, into both memories.
+/// The application writes its pair, as a rule inverse in every bit, into both memories; above the objects it leaves
+/// what it likes.
 void Differential::WriteObjects(SlotIndex slot) noexcept
 {
+    const SlotPlan& plan = device_.plans[slot];
     const std::uint32_t at = Memory::kSlotBytes * slot;
-    const std::uint32_t bytes = device_.plans[slot].bytes;
-    if (device_.plans[slot].direction != kDirectionProducer)
+    if (plan.direction != kDirectionProducer)
     {
         return; // The objects of a consumer are the channels'.
     }
-    for (std::uint32_t i = 0U; i < bytes; ++i)
+    std::uint32_t offset = 0U;
+    for (std::uint32_t pair = 0U; pair < plan.pairs; ++pair)
     {
-        const std::uint32_t value = random_.Below(256U);
-        device_.memory_a.bytes[at + i] = static_cast<std::uint8_t>(value);
-        device_.memory_a.bytes[at + Memory::kInverseAt + i] = static_cast<std::uint8_t>(0xFFU ^ value);
+        const std::uint32_t bytes = BytesOf(plan.lengths[pair]);
+        for (std::uint32_t i = 0U; i < bytes; ++i)
+        {
+            const std::uint32_t mask = ((i + 1U) == bytes) ? LastByteMask(plan.lengths[pair]) : 0xFFU;
+            const std::uint32_t value = random_.Below(256U);
+            const std::uint32_t above = random_.Below(256U) & (0xFFU ^ mask);
+            device_.memory_a.bytes[at + offset] = static_cast<std::uint8_t>(value);
+            device_.memory_a.bytes[at + Memory::kInverseAt + offset] =
+                static_cast<std::uint8_t>(((0xFFU ^ value) & mask) | above);
+            ++offset;
+        }
     }
-    if (random_.Chance(80U))
+    if (random_.Chance(80U) && (offset != 0U))
     {
-        const std::uint32_t place = at + random_.Below(bytes);
+        const std::uint32_t place = at + random_.Below(offset);
         const std::uint32_t wrong = place + (random_.Chance(500U) ? Memory::kInverseAt : 0U);
         device_.memory_a.bytes[wrong] =
             static_cast<std::uint8_t>(device_.memory_a.bytes[wrong] ^ (1U << random_.Below(8U)));
@@ -34,31 +44,71 @@ void Differential::WriteObjects(SlotIndex slot) noexcept
     }
 }
 
+/// The normal frame of these data; bytes behind the length are 0.
+CanFrame Differential::NormalOf(SlotIndex slot, const Payload& data) const noexcept
+{
+    CanFrame frame = FrameOf(slot, false, data);
+    for (std::uint32_t i = frame.length_bytes; i < kMaxPayloadBytes; ++i)
+    {
+        frame.data[i] = 0U;
+    }
+    return frame;
+}
+
+/// Each frame is what the memory of the channel's own side says; that they differ is no difference of the channels.
+void Differential::ComparePrepared(SlotIndex slot, const PreparedPair& a, const PreparedPair& b) noexcept
+{
+    const SlotPlan& plan = device_.plans[slot];
+    Same("status of Prepare", slot, static_cast<std::uint64_t>(a.status), static_cast<std::uint64_t>(b.status));
+    if (a.status != PrepareStatus::kReady)
+    {
+        SameFrame(slot, a.normal, CanFrame{});
+        SameFrame(slot, CanFrame{}, b.normal);
+        return;
+    }
+    Same("identifier of the prepared frame", slot, a.normal.identifier, b.normal.identifier);
+    Same("kind of the prepared frame", slot, static_cast<std::uint64_t>(a.normal.kind),
+         static_cast<std::uint64_t>(b.normal.kind));
+    Same("controller of the prepared frame", slot, static_cast<std::uint64_t>(a.normal.port),
+         static_cast<std::uint64_t>(b.normal.port));
+    Same("length of the prepared frame", slot, a.normal.length_bytes, b.normal.length_bytes);
+    if (!has_odd_mapping_)
+    {
+        const Payload inverse = device_.memory_b.Read(slot, plan, true);
+        SameFrame(slot, a.normal, NormalOf(slot, device_.memory_a.Read(slot, plan, false)));
+        SameFrame(slot, NormalOf(slot, Payload{0xFFFFFFFFU ^ inverse.low, 0xFFFFFFFFU ^ inverse.high}), b.normal);
+    }
+}
+
 void Differential::PrepareBoth(SlotIndex slot) noexcept
 {
     Step("Prepare", slot, 0U, 0U, 0U);
     const PreparedPair a = a_.Prepare(slot);
     const PreparedPair b = b_.Prepare(slot);
-    Same("status of Prepare", slot, static_cast<std::uint64_t>(a.status), static_cast<std::uint64_t>(b.status));
-    SameFrame(slot, a.normal, b.normal);
-    CompareSlot(slot);
-    Transmission& transmission = transmissions_[slot];
-    if (a.status == PrepareStatus::kReady)
+    ComparePrepared(slot, a, b);
+    reached_.Add(Item::kPreparedNotProducer, (a.status == PrepareStatus::kNotProducer) ? 1U : 0U);
+    if (a.status != PrepareStatus::kReady)
     {
+        CompareSlot(slot);
+        return;
+    }
+    bool is_equal = true;
+    for (std::uint32_t i = 0U; i < kMaxPayloadBytes; ++i)
+    {
+        is_equal = is_equal && (a.normal.data[i] == b.normal.data[i]);
+    }
+    if (is_equal)
+    {
+        CompareSlot(slot);
+        transmissions_[slot] = Transmission{a.normal, a.normal};
         reached_.Add(Item::kPreparedReady);
-        transmission = Transmission{a.normal, a.normal};
-        Same("kind of the normal frame", slot, static_cast<std::uint64_t>(a.normal.kind),
-             static_cast<std::uint64_t>(FrameKind::kData));
-        Same("identifier of the normal frame", slot, a.normal.identifier, device_.plans[slot].cob_id_1);
-        Same("controller of the normal frame", slot, static_cast<std::uint64_t>(a.normal.port),
-             static_cast<std::uint64_t>(device_.config_a.normal_port));
     }
     else
     {
-        SameFrame(slot, a.normal, CanFrame{});
+        transmissions_[slot] = Transmission{};
+        reached_.Add(Item::kPreparedUnequal);
+        FailBoth(slot, SrdoCause::kNotInverse);
     }
-    reached_.Add(Item::kPreparedNotInverse, (a.status == PrepareStatus::kNotInverse) ? 1U : 0U);
-    reached_.Add(Item::kPreparedNotProducer, (a.status == PrepareStatus::kNotProducer) ? 1U : 0U);
 }
 
 /// What B has to hand out after the last ready Prepare.
@@ -103,7 +153,20 @@ void Differential::ConfirmBoth(const CanFrame& frame, SlotIndex slot) noexcept
     Same("step of OnConfirm", slot, static_cast<std::uint64_t>(a.step), static_cast<std::uint64_t>(b.step));
     CompareSlot(slot);
     reached_.Add(Item::kConfirmedNormal, (a.step == ConfirmStep::kNormal) ? 1U : 0U);
-    reached_.Add(Item::kSentPair, (a.step == ConfirmStep::kPair) ? 1U : 0U);
+    if (a.step == ConfirmStep::kPair)
+    {
+        NoteSent(slot);
+    }
+}
+
+/// What kind of SRDO sent a pair, for the counts.
+void Differential::NoteSent(SlotIndex slot) noexcept
+{
+    const SlotPlan& plan = device_.plans[slot];
+    reached_.Add(Item::kSentPair);
+    reached_.Add(Item::kSentBits, ((plan.bits % 8U) != 0U) ? 1U : 0U);
+    reached_.Add(Item::kSentStatic, plan.is_static ? 1U : 0U);
+    reached_.Add(Item::kSentManyEntries, (plan.pairs > 8U) ? 1U : 0U);
 }
 
 /// The frame on the bus is confirmed: as a rule as it was, now and then another, or just on or behind its limit.
@@ -204,7 +267,8 @@ void Differential::ProducerStep() noexcept
         TakeInverse(slot);
         break;
     case 3U:
-        FailBoth(slot, static_cast<SrdoCause>(random_.Between(11U, 19U)));
+        FailBoth(slot,
+                 random_.Chance(200U) ? SrdoCause::kNotInverse : static_cast<SrdoCause>(random_.Between(11U, 19U)));
         break;
     case 4U:
     case 5U:
