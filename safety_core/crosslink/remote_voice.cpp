@@ -96,7 +96,11 @@ bool RemoteVoice::IsOperational() const noexcept
 CheckResult RemoteVoice::Recheck(const SlotIndex slot) noexcept
 {
     const bool is_told = (checked_ & OnlySlot(slot).mask) != 0U;
-    return (is_told && IsOperational()) ? checks_[slot] : own_.Recheck(slot); // MISRA D-002
+    if (is_told && IsOperational())
+    {
+        return checks_[slot]; // MISRA D-002
+    }
+    return own_.Recheck(slot);
 }
 
 void RemoteVoice::OnFrame(const CanFrame& /*frame*/, const Instant /*stamp*/) noexcept

@@ -45,6 +45,21 @@ TEST(PeerMessages, DamagedOnesAreCounted)
     EXPECT_EQ(rig.peer.Link().State(), LinkState::kWaiting);
 }
 
+// Given contact, when a message comes a second time, then what it says is not taken again.
+TEST(PeerMessages, RepeatedOneSaysNothing)
+{
+    Verifies(req::SRS_LNK_003);
+    PeerRig rig{PeerRole::kA};
+    rig.Contact(1000U);
+    LinkMessage word = rig.Word(3000U);
+    rig.Hear(word, 4000U);
+    word.new_faults = 1U;
+    rig.Hear(word, 4500U);
+    rig.Cycle(10000U);
+    EXPECT_EQ(rig.remote.new_fault, 0U);
+    EXPECT_EQ(rig.peer.Link().Counts().repeated, 1U);
+}
+
 // Given contact, when the peer tells another flow signature, or its device safe state, then the link is lost at once.
 TEST(PeerMessages, PeerThatIsNotWellIsLost)
 {
