@@ -1,7 +1,7 @@
 # What another project takes: the rooms of the safety kernel and their headers, and none of the host tools.
 include(CMakePackageConfigHelpers)
 
-set(COUNTERPOINT_INSTALLED_ROOMS safety_core_contract safety_core_comparator hal_api safety_core_kernel channel_a channel_b
+set(COUNTERPOINT_INSTALLED_ROOMS safety_core_contract safety_core_comparator hal_api safety_core_kernel safety_core_selftest channel_a channel_b
     hal_absent)
 set(COUNTERPOINT_INSTALLED_FOLDERS safety_core hal/api hal/absent channel_a channel_b)
 set(COUNTERPOINT_PACKAGE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/Counterpoint)

@@ -10,21 +10,22 @@ namespace
 constexpr std::uint32_t kStart = 0xFFFFFFFFU;
 constexpr std::uint32_t kNibbleMask = 0xFU;
 constexpr std::uint32_t kNibbleBits = 4U;
-constexpr std::uint32_t kWordBits = 32U;
 
 /// Remainders of the 16 values of four bits for the reflected polynomial EDB88320h.
 constexpr std::uint32_t kRemainders[16] = { // MISRA D-001
     0x00000000U, 0x1DB71064U, 0x3B6E20C8U, 0x26D930ACU, 0x76DC4190U, 0x6B6B51F4U, 0x4DB26158U, 0x5005713CU,
     0xEDB88320U, 0xF00F9344U, 0xD6D6A3E8U, 0xCB61B38CU, 0x9B64C2B0U, 0x86D3D2D4U, 0xA00AE278U, 0xBDBDF21CU};
 
-[[nodiscard]] std::uint32_t Continue(const std::uint32_t before, const std::uint32_t word) noexcept
+[[nodiscard]] constexpr std::uint32_t Nibble(const std::uint32_t crc) noexcept
 {
-    std::uint32_t crc = before ^ word;
-    for (std::uint32_t bits = 0U; bits < kWordBits; bits += kNibbleBits)
-    {
-        crc = (crc >> kNibbleBits) ^ kRemainders[crc & kNibbleMask];
-    }
-    return crc;
+    return (crc >> kNibbleBits) ^ kRemainders[crc & kNibbleMask];
+}
+
+/// Eight times four bits, without a loop: most of the effort of a slice.
+[[nodiscard]] constexpr std::uint32_t Continue(const std::uint32_t before, const std::uint32_t word) noexcept
+{
+    const std::uint32_t half = Nibble(Nibble(Nibble(Nibble(before ^ word))));
+    return Nibble(Nibble(Nibble(Nibble(half))));
 }
 
 } // namespace

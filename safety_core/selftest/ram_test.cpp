@@ -152,11 +152,17 @@ RamWindow RamTest::Current(const hal::MemorySpan& span) const noexcept
 {
     if (stride_ != 0U)
     {
-        return RamWindow{BaseOf(span, stride_), stride_, 2U};
+        return RamWindow{BaseOf(span, stride_), stride_, 2U, 0U};
     }
+    const hal::Address first = span.first + Bytes(word_);
     const std::uint32_t left = span.words - word_;
-    const std::uint8_t count = (left < setup_.slice_words) ? static_cast<std::uint8_t>(left) : setup_.slice_words;
-    return RamWindow{span.first + Bytes(word_), hal::kWordBytes, count};
+    const std::uint8_t count = setup_.slice_words;
+    if (left > count)
+    {
+        return RamWindow{first, hal::kWordBytes, count, static_cast<std::uint8_t>(count - 1U)};
+    }
+    const std::uint8_t rest = static_cast<std::uint8_t>(left);
+    return RamWindow{first, hal::kWordBytes, rest, rest};
 }
 
 SliceResult RamTest::Advance(const hal::MemorySpan& span) noexcept
@@ -231,10 +237,16 @@ std::uint32_t RamTest::TestWindow(const RamWindow& window, hal::MemoryAccess& me
     differences |= Run(Element{last, down, kUpright}, window.count, memory);
     differences |= Run(Element{last, down, kInverse}, window.count, memory);
     place = window.first;
-    for (std::uint8_t number = 0U; number < window.count; ++number)
+    for (std::uint8_t number = 0U; number < window.own; ++number)
     {
         differences |= RunThrough(place, memory);
-        differences |= memory.Exchange(place, setup_.workspace->saved[number]);
+        place += window.stride;
+    }
+    place = window.first;
+    for (std::uint8_t number = 0U; number < window.count; ++number)
+    {
+        const std::uint32_t wanted = (number < window.own) ? 0U : BackgroundOf(place);
+        differences |= memory.Exchange(place, setup_.workspace->saved[number]) ^ wanted;
         place += window.stride;
     }
     place = window.first;

@@ -33,6 +33,7 @@ struct RamWindow
     hal::Address first;
     hal::Address stride;
     std::uint8_t count;
+    std::uint8_t own; ///< The first ones of them, whose bits are tested against each other here; others elsewhere.
 };
 
 /// What a test of RAM works with.

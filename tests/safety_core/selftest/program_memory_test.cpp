@@ -123,7 +123,7 @@ TEST_F(ProgramMemory, FlippedByteOfATableOfVirtualFunctionsIsFound)
     // Given the table of a class of this program
     const Unused object{};
     hal::Address table = 0U;
-    std::memcpy(&table, &object, sizeof table);
+    std::memcpy(&table, static_cast<const void*>(&object), sizeof table);
     ASSERT_TRUE(IsInImage(table));
     FlipIsFound(table + 8U, PROT_READ);
 }
