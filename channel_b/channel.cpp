@@ -55,11 +55,11 @@ void Channel::ClearSlot(SlotIndex slot) noexcept
 {
     Row& row = x_storage.rows[slot];
     row = Row{};
-    for (std::uint8_t index = 0U; index < kMaxMapEntries; ++index)
+    const std::size_t first = FirstEntryOf(slot);
+    for (std::size_t index = 0U; index < x_storage.map_entries; ++index)
     {
-        row.image[kEntriesAt + (std::size_t{index} * kEntryBytes)] =
-            static_cast<std::uint8_t>(index + 1U); // MISRA D-002
-        row.table[index] = kNoPlace;               // MISRA D-002
+        x_storage.entries[first + index] = 0U;
+        x_storage.table[first + index] = kNoPlace;
     }
     row.image[kSctAt] = kDefaultRefreshMs;
     row.image[kSrvtAt] = kDefaultSrvtMs;
@@ -77,6 +77,7 @@ void Channel::Restart(const DeviceConfig& config) noexcept
     const Column<const SrdoSetup> setups{config.srdos};
     x_config = &config;
     x_count = (config.srdo_count < x_storage.capacity) ? config.srdo_count : x_storage.capacity;
+    x_map_entries = (config.map_entries < x_storage.map_entries) ? config.map_entries : x_storage.map_entries;
     x_port[0U] = config.inverse_port;
     x_port[1U] = config.normal_port;
     x_running = 0U;
@@ -116,6 +117,10 @@ void Channel::TakeSetup(SlotIndex slot, const SrdoSetup& setup) noexcept
     {
         MarksOf(x_storage, slot).provider |= BitOf(slot);
     }
+    if (setup.detection == SrvtDetection::kLate)
+    {
+        MarksOf(x_storage, slot).late |= BitOf(slot);
+    }
     if ((setup.number == 1U) && (node <= kLastDefaultNode))
     {
         Row& row = x_storage.rows[slot];
@@ -124,6 +129,11 @@ void Channel::TakeSetup(SlotIndex slot, const SrdoSetup& setup) noexcept
         UnpackFourBytes(normal + 1U, &row.image[kCobId2At]);
         row.image[kSctAt] = (node > kLastDefaultProducer) ? kDefaultSctMs : kDefaultRefreshMs;
     }
+}
+
+ChannelRoom Channel::Room() const noexcept
+{
+    return ChannelRoom{x_storage.capacity, x_storage.map_entries};
 }
 
 void Channel::ClearLookUp() noexcept

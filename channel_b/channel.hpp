@@ -5,6 +5,7 @@
 #include "channel_b/storage.hpp"
 #include "safety_core/contract/channel.hpp"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace counterpoint::channel_b
@@ -13,7 +14,8 @@ namespace counterpoint::channel_b
 /// Channel B: owner of the inverse objects and sender of the inverse frame. DESIGN.md tells how it differs by design.
 ///
 /// Invariants between two calls, while SRDOs are active (x_running is not 0):
-/// - a budget that runs belongs to the latest normal frame of its slot: pending -> SRVT; only held -> SCT;
+/// - a budget that runs belongs to the latest normal frame of its slot: pending -> SRVT; only held -> SCT; with late
+///   detection each has its own;
 /// - pair_limit of a slot with nothing pending, held or in flight is kNothingRuns, so that it never counts as spent;
 /// - state kReleased implies that a pair is held;
 /// - Marks::committed are exactly the slots whose objects hold released data.
@@ -28,6 +30,9 @@ class Channel final : public counterpoint::Channel
     void Restart(const DeviceConfig& config) noexcept override;
     void Store(const ConfigItem& item) noexcept override;
     [[nodiscard]] ConfigItem Load(const ConfigAddress& address) const noexcept override;
+    [[nodiscard]] ChannelRoom Room() const noexcept override;
+    void SetFields(SlotIndex slot, const StaticFields& fields) noexcept override;
+    [[nodiscard]] DeviceDigest Digest(SlotIndex slot, DeviceDigest before) const noexcept override;
     [[nodiscard]] CheckResult Validate(SlotIndex slot) noexcept override;
     [[nodiscard]] CheckResult Recheck(SlotIndex slot) noexcept override;
     void OnFrame(const CanFrame& frame, Instant stamp) noexcept override;
@@ -84,13 +89,6 @@ class Channel final : public counterpoint::Channel
         HalfMask signalled;
     };
 
-    /// What objects of a producer hold, and how long they are together.
-    struct ObjectData
-    {
-        std::uint64_t word;
-        std::uint32_t length_bits;
-    };
-
     // channel.cpp
     void ClearSlot(SlotIndex slot) noexcept;
     void TakeSetup(SlotIndex slot, const SrdoSetup& setup) noexcept;
@@ -110,13 +108,15 @@ class Channel final : public counterpoint::Channel
     [[nodiscard]] HalfMask SpendPairs() noexcept;
     [[nodiscard]] HalfMask SpendPhases() noexcept;
     [[nodiscard]] HalfMask FindPhases() const noexcept;
+    void AgePending(const Census& half) noexcept;
     void CloseWindows(const Census& half) noexcept;
     [[nodiscard]] HalfMask MissFirstPairs(const Census& census) noexcept;
     void Signal(Census& half, HalfMask slots) noexcept;
     void CycleHalf(const CycleInput& input, const Call& call, Census& half) noexcept;
 
     // consumer.cpp
-    [[nodiscard]] SrdoCause TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
+    void ExamineLimits(SlotIndex slot, std::uint32_t parity, std::uint32_t since_call) noexcept;
+    [[gnu::noinline]] void TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
     [[nodiscard]] SrdoCause TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
     [[nodiscard]] SrdoCause TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept;
     void TakeCommand(const CanFrame& frame) noexcept;
@@ -142,19 +142,30 @@ class Channel final : public counterpoint::Channel
     void AdvanceProvider(SlotIndex slot, HalfMask bit, Marks& marks) noexcept;
     void AdvanceApplication(SlotIndex slot, HalfMask bit, Marks& marks) noexcept;
     void EndPhases(const Census& census) noexcept;
-    [[nodiscard]] ObjectData ReadObjects(const Row& row, std::uint32_t side) const noexcept;
 
     // configuration.cpp
     [[nodiscard]] Place PlaceOf(const ConfigAddress& address) const noexcept;
     [[nodiscard]] ConfigFault CheckParameters(SlotIndex slot) const noexcept;
     [[nodiscard]] bool IsIdentifierInUse(SlotIndex slot) const noexcept;
     [[nodiscard]] bool IsTimingWrong(SlotIndex slot) const noexcept;
-    [[nodiscard]] ConfigFault CheckMapping(SlotIndex slot) noexcept;
-    [[nodiscard]] std::uint16_t Find(std::uint32_t entry) const noexcept;
-    [[nodiscard]] bool IsEntryRight(std::uint16_t place, std::uint32_t entry, std::uint8_t direction) const noexcept;
-    [[nodiscard]] bool IsTableRight(SlotIndex slot) const noexcept;
-    void WriteInverse(const Row& row, std::uint64_t data) const noexcept;
+    [[nodiscard]] bool IsOfMapping(const ConfigAddress& address) const noexcept;
+    [[nodiscard]] bool StoreEntry(const ConfigItem& item) noexcept;
+    [[nodiscard]] bool StoreField(const ConfigItem& item) noexcept;
+    [[nodiscard]] std::uint32_t LoadEntry(const ConfigAddress& address) const noexcept;
 
+    // mapping.cpp
+    [[nodiscard]] std::size_t FirstEntryOf(SlotIndex slot) const noexcept;
+    [[nodiscard]] Mapping MappingOf(SlotIndex slot) const noexcept;
+    [[nodiscard]] std::uint16_t Find(std::uint32_t entry) const noexcept;
+    [[nodiscard]] std::uint16_t PlaceAt(const Mapping& mapping, std::uint32_t index) const noexcept;
+    void Resolve(const Mapping& mapping, bool is_consumer) const noexcept;
+    [[nodiscard]] bool IsTableRight(SlotIndex slot, const Mapping& mapping) const noexcept;
+    [[nodiscard]] bool IsStillRight(SlotIndex slot) const noexcept;
+    [[nodiscard]] ConfigFault CheckMapping(SlotIndex slot) noexcept;
+
+    // objects.cpp
+    void WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept;
+    [[nodiscard]] std::uint64_t ReadInverse(SlotIndex slot) const noexcept;
     [[nodiscard]] std::uint64_t SafeDataOf(SlotIndex slot) const noexcept;
 
     // signature.cpp
@@ -173,6 +184,7 @@ class Channel final : public counterpoint::Channel
     std::uint32_t x_cycle{0U};
     CanPortId x_port[2U]{}; ///< Of the inverse frames, of the normal frames. MISRA D-001
     std::uint8_t x_count{0U};
+    std::uint8_t x_map_entries{0U}; ///< Of each dynamic mapping.
 };
 
 } // namespace counterpoint::channel_b

@@ -28,16 +28,10 @@ constexpr FieldSpan kSpans[kFieldCount] = { // MISRA D-001
     {kCobId1At, 4U},
     {kCobId2At, 4U},
     {kMapCountAt, 1U},
-    {kEntriesAt + 1U, 4U},
+    {0U, 0U},
     {kSignatureAt, 2U},
     {kGfcParameterAt, 1U},
     {kConfigurationValidAt, 1U}};
-
-/// The object that the entry names: index and sub-index.
-[[nodiscard]] std::uint32_t KeyOf(const MappableObject& object) noexcept
-{
-    return (static_cast<std::uint32_t>(object.index) << 8U) | static_cast<std::uint32_t>(object.sub);
-}
 
 [[nodiscard]] std::uint32_t StoredSignature(const Row& row) noexcept
 {
@@ -46,6 +40,7 @@ constexpr FieldSpan kSpans[kFieldCount] = { // MISRA D-001
 
 } // namespace
 
+/// Of everything but the entries of mappings.
 Channel::Place Channel::PlaceOf(const ConfigAddress& address) const noexcept
 {
     const std::uint32_t field = static_cast<std::uint32_t>(address.field);
@@ -54,10 +49,7 @@ Channel::Place Channel::PlaceOf(const ConfigAddress& address) const noexcept
     {
         return Place{{&x_storage.device[span.at]}, span.width};
     }
-    // Without a map entry the sub-index counts for nothing; sub-index 0 of one becomes a huge number.
-    const bool is_entry = address.field == ConfigField::kMapEntry;
-    const std::uint32_t index = is_entry ? (static_cast<std::uint32_t>(address.sub) - 1U) : 0U;
-    if ((address.slot >= x_count) || (index >= kMaxMapEntries))
+    if (address.slot >= x_count)
     {
         return Place{{nullptr}, 0U};
     }
@@ -65,19 +57,45 @@ Channel::Place Channel::PlaceOf(const ConfigAddress& address) const noexcept
     {
         return Place{{&x_storage.direction[address.slot]}, span.width};
     }
-    const std::size_t at = span.at + (std::size_t{index} * kEntryBytes);
-    return Place{{&x_storage.rows[address.slot].image[at]}, span.width}; // MISRA D-002
+    return Place{{&x_storage.rows[address.slot].image[span.at]}, span.width}; // MISRA D-002
 }
 
-void Channel::Store(const ConfigItem& item) noexcept
+void Channel::SetFields(SlotIndex slot, const StaticFields& fields) noexcept
+{
+    if (MappingOf(slot).is_static)
+    {
+        x_storage.rows[slot].fields = fields;
+        MarksOf(x_storage, slot).resolved &= ~BitOf(slot);
+    }
+}
+
+/// Count or entry of a mapping of an existing slot: that of a static one is not to be changed. [SRS-CFG-003]
+bool Channel::StoreEntry(const ConfigItem& item) noexcept
+{
+    const Mapping mapping = MappingOf(item.address.slot);
+    const std::uint32_t index = static_cast<std::uint32_t>(item.address.sub) - 1U; // Of sub-index 0 a huge number.
+    if (mapping.is_static)
+    {
+        return false;
+    }
+    if (item.address.field == ConfigField::kMapCount)
+    {
+        x_storage.rows[item.address.slot].image[kMapCountAt] = static_cast<std::uint8_t>(item.value & 0xFFU);
+        return true;
+    }
+    if (index >= mapping.reach)
+    {
+        return false;
+    }
+    x_storage.entries[FirstEntryOf(item.address.slot) + index] = item.value;
+    return true;
+}
+
+bool Channel::StoreField(const ConfigItem& item) noexcept
 {
     const Place place = PlaceOf(item.address);
-    if (place.width == 0U)
-    {
-        return;
-    }
     const SlotIndex slot = item.address.slot;
-    if (item.address.field == ConfigField::kSct)
+    if ((item.address.field == ConfigField::kSct) && (place.width != 0U))
     {
         // A window of signals that is running ends by the new time.
         const std::uint32_t new_us = (item.value & 0xFFFFU) * kMicrosecondsPerMillisecond;
@@ -87,14 +105,42 @@ void Channel::Store(const ConfigItem& item) noexcept
     {
         place.bytes[byte] = static_cast<std::uint8_t>((item.value >> (8U * byte)) & 0xFFU);
     }
-    if (item.address.field <= ConfigField::kMapEntry)
+    return (place.width != 0U) && (item.address.field < ConfigField::kMapCount);
+}
+
+/// Map count and entries of an existing slot.
+bool Channel::IsOfMapping(const ConfigAddress& address) const noexcept
+{
+    const bool is_of_mapping = (address.field == ConfigField::kMapCount) || (address.field == ConfigField::kMapEntry);
+    return is_of_mapping && (address.slot < x_count);
+}
+
+void Channel::Store(const ConfigItem& item) noexcept
+{
+    const bool is_unresolved = IsOfMapping(item.address) ? StoreEntry(item) : StoreField(item);
+    if (is_unresolved)
     {
-        MarksOf(x_storage, slot).resolved &= ~BitOf(slot);
+        MarksOf(x_storage, item.address.slot).resolved &= ~BitOf(item.address.slot);
     }
+}
+
+std::uint32_t Channel::LoadEntry(const ConfigAddress& address) const noexcept
+{
+    const Mapping mapping = MappingOf(address.slot);
+    const std::uint32_t index = static_cast<std::uint32_t>(address.sub) - 1U;
+    if (address.field == ConfigField::kMapCount)
+    {
+        return mapping.declared;
+    }
+    return (index < mapping.reach) ? mapping.entries[index] : 0U;
 }
 
 ConfigItem Channel::Load(const ConfigAddress& address) const noexcept
 {
+    if (IsOfMapping(address))
+    {
+        return ConfigItem{address, LoadEntry(address)};
+    }
     const Place place = PlaceOf(address);
     std::uint32_t value = 0U;
     for (std::uint32_t byte = 0U; byte < place.width; ++byte)
@@ -157,88 +203,6 @@ ConfigFault Channel::CheckParameters(SlotIndex slot) const noexcept
     return IsTimingWrong(slot) ? ConfigFault::kTiming : ConfigFault::kNone;
 }
 
-std::uint16_t Channel::Find(std::uint32_t entry) const noexcept
-{
-    const Column<const MappableObject> objects{x_config->objects};
-    const std::uint32_t key = entry >> 8U;
-    std::uint16_t low = 0U;
-    std::uint16_t high = x_config->object_count;
-    while (low < high) // Halves at each turn: at most 11 for 1024 objects.
-    {
-        const std::uint16_t middle = static_cast<std::uint16_t>(low + ((high - low) / 2));
-        if (KeyOf(objects[middle]) < key)
-        {
-            low = static_cast<std::uint16_t>(middle + 1);
-        }
-        else
-        {
-            high = middle;
-        }
-    }
-    return low;
-}
-
-/// Whether the object at `place` is the one that the entry names, of its length, and fits the direction.
-bool Channel::IsEntryRight(std::uint16_t place, std::uint32_t entry, std::uint8_t direction) const noexcept
-{
-    if (place >= x_config->object_count)
-    {
-        return false;
-    }
-    const MappableObject& object = Column<const MappableObject>{x_config->objects}[place];
-    const MapAccess access = (direction == kDirectionProducer) ? MapAccess::kProducer : MapAccess::kConsumer;
-    const std::uint32_t named = (KeyOf(object) << 8U) | static_cast<std::uint32_t>(object.length_bits);
-    return (named == entry) && (object.access == access);
-}
-
-/// SRS-CFG-026 to 028. The table that it writes counts only after a Validate without fault.
-ConfigFault Channel::CheckMapping(SlotIndex slot) noexcept
-{
-    Row& row = x_storage.rows[slot];
-    const std::uint32_t count = ByteAt(row, kMapCountAt);
-    if ((count == 0U) || (count > kMaxMapEntries) || ((count & 1U) != 0U))
-    {
-        return ConfigFault::kMapping;
-    }
-    const std::uint32_t granule = static_cast<std::uint32_t>(x_config->granularity_bits) - 1U;
-    std::uint32_t wrong = 0U;
-    std::uint32_t all_bits = 0U;
-    for (std::uint32_t index = 0U; index < count; ++index)
-    {
-        const std::uint32_t entry = EntryAt(row, index);
-        const std::uint32_t partner = EntryAt(row, index ^ 1U);
-        const std::uint16_t place = Find(entry);
-        wrong |= ((entry ^ partner) & 0xFFU) | (entry & 0xFFU & granule);
-        for (std::uint32_t before = 0U; before < index; ++before)
-        {
-            wrong |= static_cast<std::uint32_t>(row.table[before] == place); // MISRA D-002
-        }
-        row.table[index] = place; // MISRA D-002
-        all_bits += entry & 0xFFU;
-    }
-    for (std::uint32_t index = count; index < kMaxMapEntries; ++index)
-    {
-        row.table[index] = kNoPlace; // MISRA D-002
-    }
-    if ((wrong != 0U) || (!IsTableRight(slot)))
-    {
-        return ConfigFault::kMapping;
-    }
-    // Each normal entry is as long as its inverse entry.
-    const std::uint32_t length_bytes = all_bits / 16U;
-    if (length_bytes > kMaxPayloadBytes)
-    {
-        return ConfigFault::kLengthExceeded;
-    }
-    row.length_bytes = static_cast<std::uint8_t>(length_bytes & 0xFFU);
-    row.mask = 0U;
-    for (std::uint32_t byte = 0U; byte < length_bytes; ++byte)
-    {
-        row.mask = (row.mask << 8U) | 0xFFU;
-    }
-    return ConfigFault::kNone;
-}
-
 CheckResult Channel::Validate(SlotIndex slot) noexcept
 {
     CheckResult result{ConfigFault::kNone, SignatureOf(slot)};
@@ -273,38 +237,22 @@ CheckResult Channel::Validate(SlotIndex slot) noexcept
     }
     if (direction == kDirectionConsumer)
     {
-        WriteInverse(row, SafeDataOf(slot));
+        WriteInverse(slot, SafeDataOf(slot));
     }
     return result;
 }
 
-bool Channel::IsTableRight(SlotIndex slot) const noexcept
-{
-    const Row& row = x_storage.rows[slot];
-    const std::uint32_t count = EntryCount(row);
-    bool is_right = true;
-    for (std::uint32_t index = 0U; index < count; ++index)
-    {
-        if (!IsEntryRight(row.table[index], EntryAt(row, index), x_storage.direction[slot])) // MISRA D-002
-        {
-            is_right = false;
-        }
-    }
-    return is_right;
-}
-
+/// Signature first; what it finds need not be looked for in the table.
 CheckResult Channel::Recheck(SlotIndex slot) noexcept
 {
     CheckResult result{ConfigFault::kNone, SignatureOf(slot)};
     Marks& marks = MarksOf(x_storage, slot);
     const HalfMask bit = BitOf(slot);
-    const bool is_on = x_storage.direction[slot] != kDirectionOff;
-    const bool is_right = ((marks.resolved & bit) != 0U) && IsTableRight(slot);
     if (static_cast<std::uint32_t>(result.signature) != StoredSignature(x_storage.rows[slot]))
     {
         result.fault = ConfigFault::kSignature;
     }
-    else if (is_on && (!is_right))
+    else if ((x_storage.direction[slot] != kDirectionOff) && (!IsStillRight(slot)))
     {
         result.fault = ConfigFault::kTable;
     }

@@ -21,6 +21,7 @@ void Channel::TakeCommand(const CanFrame& frame) noexcept
 [[gnu::always_inline]] inline SrdoCause Channel::TakeNormal(SlotIndex slot, const CanFrame& frame,
                                                             std::uint32_t since_call) noexcept
 {
+    Row& row = x_storage.rows[slot];
     Marks& marks = MarksOf(x_storage, slot);
     const HalfMask bit = BitOf(slot);
     if ((marks.pending & bit) != 0U)
@@ -28,8 +29,15 @@ void Channel::TakeCommand(const CanFrame& frame) noexcept
         return SrdoCause::kNormalTwice;
     }
     marks.pending |= bit;
-    x_storage.rows[slot].pending_data = PackBytes(&frame.data[0]);
-    StartBudget(x_storage, slot, since_call);
+    row.pending_data = PackBytes(&frame.data[0]);
+    const std::uint32_t srvt_us = SrvtUs(row);
+    row.srvt_limit = srvt_us;
+    row.srvt_left = srvt_us + since_call;
+    if ((marks.late & bit) == 0U)
+    {
+        x_storage.pair_limit[slot] = srvt_us;
+        x_storage.pair_left[slot] = srvt_us + since_call;
+    }
     return SrdoCause::kNone;
 }
 
@@ -42,44 +50,82 @@ void Channel::TakeCommand(const CanFrame& frame) noexcept
     {
         return SrdoCause::kInverseFirst;
     }
+    const std::uint64_t normal = row.pending_data;
     const std::uint64_t inverse = PackBytes(&frame.data[0]);
-    const std::uint64_t alike = ~(row.pending_data ^ inverse);
-    if ((alike & row.mask) != 0U) // Behind the mapped length anything may be.
+    const std::uint64_t alike = ~(normal ^ inverse) & row.mask; // Behind the length anything may be.
+    if ((alike | (normal & row.spare)) != 0U)
     {
         return SrdoCause::kNotInverse;
     }
+    // Both limits count from the normal frame, so that the greater one has the difference more left.
+    const std::uint32_t sct_us = SctUs(row);
+    const bool is_late = (marks.late & bit) != 0U;
+    const std::uint32_t left_us = is_late ? row.srvt_left : x_storage.pair_left[slot];
+    x_storage.pair_left[slot] = left_us + (sct_us - row.srvt_limit);
+    x_storage.pair_limit[slot] = sct_us;
     marks.pending &= ~bit;
     marks.fresh |= bit;
     marks.unwritten |= bit;
     Grant(marks.held, bit);
     row.inverse_data = inverse;
     x_storage.ordinal[slot] += 1U;
-    // Both budgets count from the normal frame, so that the greater one has the difference more left.
-    const std::uint32_t sct_us = SctUs(row);
-    x_storage.pair_left[slot] += sct_us - x_storage.pair_limit[slot];
-    x_storage.pair_limit[slot] = sct_us;
     return SrdoCause::kNone;
 }
 
-/// The checks are made in the order of SRS-CONS-011. Returns kNone if the frame was taken.
-[[gnu::always_inline]] inline SrdoCause Channel::TakeFrame(SlotIndex slot, const CanFrame& frame,
-                                                           std::uint32_t since_call) noexcept
+/// The limits at the stamp of a frame, where one has run out or SRVT is examined late: what was there before the frame
+/// is discarded, the frame is then taken as the first one. [SRS-CONS-003, SRS-CONS-012, SRS-TIME-009]
+void Channel::ExamineLimits(SlotIndex slot, std::uint32_t parity, std::uint32_t since_call) noexcept
+{
+    const Marks& marks = MarksOf(x_storage, slot);
+    const Row& row = x_storage.rows[slot];
+    const HalfMask waiting = marks.pending & marks.late & marks.consumers & BitOf(slot);
+    const std::uint32_t srvt_left = row.srvt_left - since_call;
+    const std::uint32_t sct_left = x_storage.pair_left[slot] - since_call;
+    const bool is_expired = sct_left > x_storage.pair_limit[slot];
+    const bool is_inverse_waited_for = (waiting != 0U) && (parity == 0U);
+    const bool is_srvt_over = is_inverse_waited_for && (srvt_left > row.srvt_limit);
+    // Further below zero is earlier.
+    const bool is_sct_before = is_expired && (sct_left < srvt_left);
+    if (is_srvt_over && (!is_sct_before))
+    {
+        Fault(slot, SrdoCause::kSrvt);
+    }
+    else if (is_expired)
+    {
+        Expire(slot);
+    }
+    else
+    {
+        // All is in time.
+    }
+}
+
+/// The checks are made in the order of SRS-CONS-011.
+void Channel::TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
 {
     const Row& row = x_storage.rows[slot];
     const std::uint32_t parity = frame.identifier & 1U;
+    SrdoCause cause = SrdoCause::kNone;
     if ((MarksOf(x_storage, slot).consumers & BitOf(slot)) == 0U)
     {
-        return SrdoCause::kNone; // Not ours.
+        return; // Not ours.
     }
     if ((frame.identifier != OwnIdentifier(row, parity)) || (frame.port != x_port[parity])) // MISRA D-002
     {
-        return SrdoCause::kIdentifier;
+        cause = SrdoCause::kIdentifier;
     }
-    if (frame.length_bytes != row.length_bytes)
+    else if (frame.length_bytes != row.length_bytes)
     {
-        return SrdoCause::kLength;
+        cause = SrdoCause::kLength;
     }
-    return (parity != 0U) ? TakeNormal(slot, frame, since_call) : TakeInverse(slot, frame);
+    else
+    {
+        cause = (parity != 0U) ? TakeNormal(slot, frame, since_call) : TakeInverse(slot, frame);
+    }
+    if (cause != SrdoCause::kNone)
+    {
+        Fault(slot, cause);
+    }
 }
 
 void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
@@ -96,15 +142,12 @@ void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
     }
     // From the last OnCycle to the frame, modular, so that it may be before that call as well.
     const std::uint32_t since_call = stamp.us - x_last_us;
-    if ((x_storage.pair_left[slot] - since_call) > x_storage.pair_limit[slot])
+    const bool is_expired = (x_storage.pair_left[slot] - since_call) > x_storage.pair_limit[slot];
+    if (is_expired || ((MarksOf(x_storage, slot).late & BitOf(slot)) != 0U))
     {
-        Expire(slot); // The frame is then taken as the first one. [SRS-CONS-003, SRS-CONS-012]
+        ExamineLimits(slot, frame.identifier & 1U, since_call);
     }
-    const SrdoCause cause = TakeFrame(slot, frame, since_call);
-    if (cause != SrdoCause::kNone)
-    {
-        Fault(slot, cause);
-    }
+    TakeFrame(slot, frame, since_call);
 }
 
 void Channel::Demote(SlotIndex slot) noexcept
@@ -199,8 +242,7 @@ void Channel::Commit(const Agreement& agreement) noexcept
         {
             const SlotIndex slot = LowestOf(rest, first);
             const bool is_written = (written & BitOf(slot)) != 0U;
-            const Row& row = x_storage.rows[slot];
-            WriteInverse(row, is_written ? row.inverse_data : SafeDataOf(slot));
+            WriteInverse(slot, is_written ? x_storage.rows[slot].inverse_data : SafeDataOf(slot));
         }
         marks.unwritten &= ~written;
         marks.committed = (marks.committed & released) | written;

@@ -93,6 +93,18 @@ inline HalfMask Channel::FindPhases() const noexcept
     return others | low.acknowledged.on | high.acknowledged.on;
 }
 
+/// With late detection: SRVT of the normal frames that wait goes on, and has once and for all run out when it has.
+/// [SRS-TIME-009]
+inline void Channel::AgePending(const Census& half) noexcept
+{
+    const Marks& marks = *half.marks;
+    for (HalfMask rest = marks.pending & marks.late & half.present; rest != 0U; rest = WithoutLowest(rest))
+    {
+        Row& row = x_storage.rows[LowestOf(rest, half.first)];
+        row.srvt_left = (row.srvt_left > kLongestLeft) ? kLongOver : (row.srvt_left - x_elapsed_us);
+    }
+}
+
 /// Closes the windows of signals and forgets the acknowledge edges that are over. A corrupted mark must not lead to a
 /// slot that does not exist.
 void Channel::CloseWindows(const Census& half) noexcept
@@ -177,6 +189,7 @@ inline void Channel::Signal(Census& half, HalfMask slots) noexcept
     {
         CloseWindows(half);
     }
+    AgePending(half);
     if (call.entering != 0U)
     {
         Enter(half);

@@ -29,7 +29,8 @@ void Channel::Record(SlotIndex slot, SrdoCause cause) noexcept
     MarksOf(x_storage, slot).reporting |= BitOf(slot);
 }
 
-/// Nothing is granted any longer. A pending normal frame stays, and the budget is its own then.
+/// Nothing is granted any longer. A pending normal frame stays, and the budget is its own then (with late detection it
+/// has another one).
 void Channel::Discard(SlotIndex slot) noexcept
 {
     Marks& marks = MarksOf(x_storage, slot);
@@ -40,7 +41,7 @@ void Channel::Discard(SlotIndex slot) noexcept
     marks.unwritten &= ~bit;
     x_storage.ordinal[slot] = 0U;
     x_storage.state[slot] = Code(SrdoState::kFaulted);
-    if ((marks.pending & bit) == 0U)
+    if ((marks.pending & ~marks.late & bit) == 0U)
     {
         x_storage.pair_limit[slot] = kNothingRuns;
     }
@@ -53,12 +54,13 @@ void Channel::Fault(SlotIndex slot, SrdoCause cause) noexcept
     Record(slot, cause);
 }
 
-/// A limit ran out: SRVT while a normal frame waits, else SCT. No effect on a slot that is no active consumer.
+/// A limit ran out: SRVT while a normal frame waits (not with late detection), else SCT. No effect on a slot that is no
+/// active consumer.
 void Channel::Expire(SlotIndex slot) noexcept
 {
     const Marks& marks = MarksOf(x_storage, slot);
     const HalfMask bit = BitOf(slot);
-    const SrdoCause cause = ((marks.pending & bit) != 0U) ? SrdoCause::kSrvt : SrdoCause::kSct;
+    const SrdoCause cause = ((marks.pending & ~marks.late & bit) != 0U) ? SrdoCause::kSrvt : SrdoCause::kSct;
     FaultEach(static_cast<SlotIndex>(slot - (slot % kSlotsInHalf)), marks.consumers & bit, cause);
 }
 

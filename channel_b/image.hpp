@@ -15,26 +15,31 @@ namespace counterpoint::channel_b
 
 /// Limit of a budget that nothing can exceed.
 constexpr std::uint32_t kNothingRuns = 0xFFFFFFFFU;
+/// A budget above has gone below zero; SRVT has long run out at this one, whatever instants a frame may have.
+constexpr std::uint32_t kLongestLeft = 0x7FFFFFFFU;
+constexpr std::uint32_t kLongOver = 0x80040000U;
 /// No phase and no refresh lasts longer: 2^27 us are 134 s. What is above is below zero.
 constexpr std::uint32_t kLongestPhase = 0x07FFFFFFU;
+/// Entries of a static mapping at most.
+constexpr std::uint32_t kLargestMapping = 2U * kMaxPayloadBits;
 /// Not the place of an object.
 constexpr std::uint16_t kNoPlace = 0xFFFFU;
+/// Place of a dummy entry.
+constexpr std::uint16_t kDummyPlace = 0xFFFEU;
 
-// Places in the image of one SRDO; what follows kEntriesAt are records of sub-index and entry.
+// Places in the image of one SRDO.
 constexpr std::uint8_t kSctAt = 0U;
 constexpr std::uint8_t kSrvtAt = 2U;
 constexpr std::uint8_t kCobId1At = 3U;
 constexpr std::uint8_t kCobId2At = 7U;
 constexpr std::uint8_t kMapCountAt = 11U;
-constexpr std::uint8_t kEntriesAt = 12U;
-constexpr std::uint8_t kEntryBytes = 5U;
-constexpr std::uint8_t kTransmissionTypeAt = 92U;
-constexpr std::uint8_t kSignatureAt = 93U;
+constexpr std::uint8_t kTransmissionTypeAt = 12U;
+constexpr std::uint8_t kSignatureAt = 13U;
 // Places in Storage::device.
 constexpr std::uint8_t kGfcParameterAt = 0U;
 constexpr std::uint8_t kConfigurationValidAt = 1U;
 
-static_assert(kTransmissionTypeAt == (kEntriesAt + (kMaxMapEntries * kEntryBytes)), "behind the last entry");
+static_assert(kImageBytes == (kSignatureAt + 2U), "nothing behind the signature");
 static_assert(kLookUpBytes == kSrdoIdentifierCount, "one byte an identifier");
 
 /// Reading past a row's own image is excluded by the constants above.
@@ -80,17 +85,10 @@ static_assert(kLookUpBytes == kSrdoIdentifierCount, "one byte an identifier");
     return ByteAt(row, kSrvtAt) * kMicrosecondsPerMillisecond;
 }
 
-/// A map count above 16 counts as 16. [SRS-CFG-020]
-[[nodiscard]] inline std::uint32_t EntryCount(const Row& row) noexcept
+/// Entries that count: what is declared above those that exist does not. [SRS-CFG-020]
+[[nodiscard]] inline std::uint32_t EntryCount(const Mapping& mapping) noexcept
 {
-    const std::uint32_t count = ByteAt(row, kMapCountAt);
-    return (count < kMaxMapEntries) ? count : kMaxMapEntries;
-}
-
-/// Entry `index` (0 is sub-index 1).
-[[nodiscard]] inline std::uint32_t EntryAt(const Row& row, std::size_t index) noexcept
-{
-    return WordAt(row, kEntriesAt + (index * kEntryBytes) + 1U);
+    return (mapping.declared < mapping.reach) ? mapping.declared : mapping.reach;
 }
 
 /// Slot to which the identifier leads; no existing slot if to none.

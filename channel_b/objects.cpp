@@ -10,36 +10,64 @@ namespace counterpoint::channel_b
 namespace
 {
 
-constexpr std::uint32_t kPairs = kMaxMapEntries / 2U;
 constexpr std::uint32_t kFourBytes = 32U; ///< Length in bits. Such objects are common; all others go byte by byte.
+
+/// The lowest bits leave `data` for the object; its last byte is filled up with 0. Returns what is left of the data.
+[[nodiscard]] std::uint64_t PutBits(std::uint64_t data, std::uint32_t bits, const Column<std::uint8_t>& place) noexcept
+{
+    std::uint64_t rest = data;
+    std::uint32_t left = bits;
+    for (std::uint32_t at = 0U; left > 0U; ++at)
+    {
+        const std::uint32_t step = (left < 8U) ? left : 8U;
+        place[at] = static_cast<std::uint8_t>(rest & ((1U << step) - 1U));
+        rest >>= step;
+        left -= step;
+    }
+    return rest;
+}
+
+/// The bits of the object enter `data` at its low end, the last byte first; it has the bits above the last whole byte.
+[[nodiscard]] std::uint64_t TakeBits(std::uint64_t data, std::uint32_t bits,
+                                     const Column<const std::uint8_t>& place) noexcept
+{
+    std::uint64_t taken = data;
+    std::uint32_t left = bits;
+    while (left > 0U)
+    {
+        const std::uint32_t step = ((left - 1U) & 7U) + 1U;
+        left -= step;
+        taken = (taken << step) | (place[left / 8U] & ((1U << step) - 1U));
+    }
+    return taken;
+}
 
 } // namespace
 
-/// Bits leave `rest` at its low end, object by object.
-void Channel::WriteInverse(const Row& row, std::uint64_t data) const noexcept
+/// Bits leave `rest` at its low end, object by object. Where an entry leads to no object (a dummy, or a corrupted
+/// place) they are left out.
+void Channel::WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept
 {
     const Column<const MappableObject> objects{x_config->objects};
+    const Mapping mapping = MappingOf(slot);
+    const std::uint32_t count = EntryCount(mapping);
     std::uint64_t rest = data;
-    for (std::uint32_t pair = 0U; pair < kPairs; ++pair)
+    for (std::uint32_t index = 1U; index < count; index += 2U)
     {
-        const std::uint32_t inverse = row.table[(2U * pair) + 1U]; // MISRA D-002
-        if (inverse >= x_config->object_count) // Behind the last entry; a corrupted place leads nowhere either.
+        const std::uint16_t at = PlaceAt(mapping, index);
+        if (at >= x_config->object_count)
         {
-            break;
-        }
-        const std::uint32_t length_bits = objects[inverse].length_bits;
-        const Column<std::uint8_t> place{objects[inverse].place};
-        if (length_bits == kFourBytes)
-        {
-            UnpackFourBytes(static_cast<std::uint32_t>(rest & 0xFFFFFFFFU), &place[0U]);
-            rest >>= kFourBytes;
+            rest >>= mapping.entries[index] & 63U;
             continue;
         }
-        for (std::uint32_t at = 0U; at < (length_bits / 8U); ++at)
+        const MappableObject& object = objects[at];
+        if (object.length_bits != kFourBytes)
         {
-            place[at] = static_cast<std::uint8_t>(rest & 0xFFU);
-            rest >>= 8U;
+            rest = PutBits(rest, object.length_bits, Column<std::uint8_t>{object.place});
+            continue;
         }
+        UnpackFourBytes(static_cast<std::uint32_t>(rest & 0xFFFFFFFFU), object.place);
+        rest >>= kFourBytes;
     }
 }
 
@@ -50,33 +78,28 @@ std::uint64_t Channel::SafeDataOf(SlotIndex slot) const noexcept
     return ~Join(safe_value.low, safe_value.high);
 }
 
-/// What the normal objects hold, or the inverse ones: from the last object to the first one, so that bits enter the
-/// word at its low end.
-Channel::ObjectData Channel::ReadObjects(const Row& row, std::uint32_t side) const noexcept
+/// What the inverse objects hold: from the last object to the first one, so that bits enter the word at its low end.
+std::uint64_t Channel::ReadInverse(SlotIndex slot) const noexcept
 {
     const Column<const MappableObject> objects{x_config->objects};
-    ObjectData data{0U, 0U};
-    for (std::uint32_t rest = EntryCount(row); rest >= 2U; rest -= 2U)
+    const Mapping mapping = MappingOf(slot);
+    std::uint64_t word = 0U;
+    for (std::uint32_t rest = EntryCount(mapping); rest > 1U; rest -= 2U)
     {
-        const std::uint32_t at = row.table[(rest - 2U) + side]; // MISRA D-002
+        const std::uint16_t at = PlaceAt(mapping, rest - 1U);
         if (at >= x_config->object_count)
         {
-            return ObjectData{0U, 0U}; // A corrupted place: of no length.
+            continue; // A corrupted place: other data than the other channel's.
         }
-        const std::uint32_t length_bits = objects[at].length_bits;
-        const Column<const std::uint8_t> place{objects[at].place};
-        data.length_bits += length_bits;
-        if (length_bits == kFourBytes)
+        const MappableObject& object = objects[at];
+        if (object.length_bits != kFourBytes)
         {
-            data.word = (data.word << kFourBytes) | PackFourBytes(&place[0U]);
+            word = TakeBits(word, object.length_bits, Column<const std::uint8_t>{object.place});
             continue;
         }
-        for (std::uint32_t behind = length_bits / 8U; behind > 0U; --behind)
-        {
-            data.word = (data.word << 8U) | place[behind - 1U];
-        }
+        word = (word << kFourBytes) | PackFourBytes(object.place);
     }
-    return data;
+    return word;
 }
 
 } // namespace counterpoint::channel_b

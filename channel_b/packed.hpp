@@ -91,6 +91,12 @@ inline void UnpackBytes(std::uint64_t word, std::uint8_t* bytes) noexcept
     UnpackFourBytes(static_cast<std::uint32_t>(word >> 32U), &Column<std::uint8_t>{bytes}[4U]);
 }
 
+/// 1 to 64 bits.
+[[nodiscard]] inline std::uint64_t LowBits(std::uint32_t count) noexcept
+{
+    return ~std::uint64_t{0U} >> ((64U - count) & 63U);
+}
+
 [[nodiscard]] inline Payload PayloadOf(std::uint64_t word) noexcept
 {
     return Payload{static_cast<std::uint32_t>(word & 0xFFFFFFFFU), static_cast<std::uint32_t>(word >> 32U)};

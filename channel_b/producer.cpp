@@ -38,23 +38,15 @@ PreparedPair Channel::Prepare(SlotIndex slot) noexcept
     const HalfMask bit = BitOf(slot);
     marks.requested &= ~bit;
     marks.refresh_due &= ~bit;
-    const std::uint32_t length_bits = row.length_bytes * 8U;
-    const ObjectData normal = ReadObjects(row, 0U);
-    const ObjectData inverse = ReadObjects(row, 1U);
-    const std::uint32_t wrong_bits = (normal.length_bits ^ length_bits) | (inverse.length_bits ^ length_bits);
-    if (((normal.word ^ inverse.word) != row.mask) || (wrong_bits != 0U))
-    {
-        static_cast<void>(Fail(slot, SrdoCause::kNotInverse));
-        return PreparedPair{kNoFrame, PrepareStatus::kNotInverse};
-    }
-    row.inverse_data = inverse.word;
+    const std::uint64_t data = ~ReadInverse(slot) & row.mask & ~row.spare;
+    row.inverse_data = ~data;
     row.stage = Stage::kAwaitNormal;
     StartBudget(x_storage, slot, 0U);
     if ((marks.started & ~marks.provider & bit) != 0U)
     {
         x_storage.phase_left[slot] = SctUs(row) + x_late_us;
     }
-    return PreparedPair{FrameOf(row, kCobId1At, x_port[1U], inverse.word ^ row.mask), PrepareStatus::kReady};
+    return PreparedPair{FrameOf(row, kCobId1At, x_port[1U], data), PrepareStatus::kReady};
 }
 
 CanFrame Channel::InverseFrame(SlotIndex slot) noexcept
@@ -65,7 +57,7 @@ CanFrame Channel::InverseFrame(SlotIndex slot) noexcept
         return kNoFrame;
     }
     row.to_send = kHandedOut;
-    return FrameOf(row, kCobId2At, x_port[0U], row.inverse_data);
+    return FrameOf(row, kCobId2At, x_port[0U], row.inverse_data & row.mask);
 }
 
 /// Behind the mapped length anything may be.
@@ -122,7 +114,8 @@ Confirmation Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
 
 void Channel::OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept
 {
-    const bool is_transmit_fault = (cause == SrdoCause::kTransmitQueue) || (cause == SrdoCause::kBusOff);
+    const bool is_of_bus = (cause == SrdoCause::kTransmitQueue) || (cause == SrdoCause::kBusOff);
+    const bool is_transmit_fault = is_of_bus || (cause == SrdoCause::kNotInverse);
     if (is_transmit_fault && IsInFlight(x_storage.rows[slot].stage))
     {
         static_cast<void>(Fail(slot, cause));

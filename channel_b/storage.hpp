@@ -2,6 +2,7 @@
 #ifndef CHANNEL_B_STORAGE_HPP
 #define CHANNEL_B_STORAGE_HPP
 
+#include "safety_core/contract/configuration.hpp"
 #include "safety_core/contract/limits.hpp"
 #include "safety_core/contract/srdo.hpp"
 
@@ -11,10 +12,10 @@
 namespace counterpoint::channel_b
 {
 
-/// Canonical image of one SRDO without its direction: refresh time or SCT (2 bytes), SRVT (1), COB-ID 1 and 2 (4 each),
-/// map count (1), sixteen times sub-index (1) and entry (4); behind it what the signature does not cover: transmission
-/// type (1), stored signature (2).
-constexpr std::uint8_t kImageBytes = 95U;
+/// Canonical image of one SRDO without its direction and its entries: refresh time or SCT (2 bytes), SRVT (1), COB-ID 1
+/// and 2 (4 each), map count (1); behind it what the signature does not cover: transmission type (1), stored signature
+/// (2).
+constexpr std::uint8_t kImageBytes = 15U;
 /// Identifiers 101h to 180h.
 constexpr std::uint8_t kLookUpBytes = 128U;
 /// 1300h and 13FEh.
@@ -69,6 +70,7 @@ struct Marks
     HalfMask started;      ///< Producers whose first transmission is possible.
     HalfMask refresh_due;  ///< Producers whose refresh has fallen due.
     HalfMask provider;     ///< Producers of the form kProviderCalled.
+    HalfMask late;         ///< Late detection of SRVT.
 };
 
 /// One field of all slots.
@@ -82,23 +84,37 @@ template <typename T> struct Column
     }
 };
 
-/// What frames and faults lead to, slot by slot: no loop over all slots looks at it. Order: small places first.
+/// What frames and faults lead to, slot by slot: no loop over all slots looks at it.
 struct Row
 {
-    std::uint64_t inverse_data; ///< Inverse data of the held pair, or of the pair being sent.
+    std::uint64_t
+        inverse_data; ///< Inverse data of the held pair, or of the pair being sent; behind the length anything.
     std::uint64_t pending_data; ///< Normal data that wait for their inverse.
-    std::uint64_t mask;         ///< Mapped bits of a payload.
+    std::uint64_t mask;         ///< All bits of the bytes of a frame.
+    std::uint64_t spare;        ///< Of those the bits above the mapped length: 0 in the normal frame.
     std::uint32_t sent;         ///< Producer: pairs sent; else 0.
     std::uint32_t causes;       ///< Bit (1 << cause): recorded and not reported yet.
     std::uint32_t signals;      ///< Of the last OnCycle, where Marks::signalled says so.
     std::uint32_t told;         ///< Signalled in the open window.
     std::uint32_t window_left;  ///< Budget of the window of signals.
+    std::uint32_t srvt_left;    ///< With late detection: budget of SRVT of the pending normal frame.
+    std::uint32_t srvt_limit;   ///< What srvt_left started with.
+    StaticFields fields;        ///< As registered; only compared with, never followed.
     std::uint16_t error_count;
     Stage stage;
-    std::uint8_t length_bytes;           ///< Mapped length.
-    std::uint16_t table[kMaxMapEntries]; ///< Place in DeviceConfig::objects. MISRA D-001
-    std::uint8_t image[kImageBytes];     ///< MISRA D-001
-    std::uint8_t to_send;                ///< kToSend or kHandedOut; counts while the inverse frame is awaited.
+    std::uint8_t length_bytes;       ///< Of a frame.
+    std::uint8_t image[kImageBytes]; ///< MISRA D-001
+    std::uint8_t to_send;            ///< kToSend or kHandedOut; counts while the inverse frame is awaited.
+};
+
+/// A mapping as it counts: of the program (static), or as stored.
+struct Mapping
+{
+    Column<const std::uint32_t> entries;
+    Column<std::uint16_t> table; ///< Of a dynamic mapping: place of each entry in DeviceConfig::objects.
+    std::uint32_t declared;      ///< Map count as set.
+    std::uint32_t reach;         ///< Entries that exist.
+    bool is_static;
 };
 
 /// A column for each field that every cycle looks at in all slots, and a row a slot for the rest; owned by the caller.
@@ -109,7 +125,8 @@ struct Storage
 {
     Column<Row> rows;
     Column<Marks> marks;              ///< kHalves.
-    Column<std::uint32_t> pair_left;  ///< Budget of SRVT while something is pending or in flight, else of SCT.
+    Column<std::uint32_t> pair_left;  ///< Budget of SRVT while something is pending or in flight, else of SCT; with
+                                      ///< late detection always of SCT.
     Column<std::uint32_t> pair_limit; ///< What pair_left started with; all bits set if nothing runs.
     Column<std::uint32_t> phase_left; ///< Consumer: of the acknowledge edge. Producer: to the next refresh.
     Column<std::uint32_t> ordinal;    ///< Consumer: pairs completed; else 0.
@@ -118,13 +135,19 @@ struct Storage
     Column<std::uint8_t> first_cause; ///< SrdoCause.
     Column<std::uint8_t> slot_of;     ///< kLookUpBytes: slot of each identifier while SRDOs are active, or kNoSlot.
     Column<std::uint8_t> device;      ///< kDeviceBytes.
+    Column<std::uint32_t> entries;    ///< `map_entries` for each slot: mapping as stored.
+    Column<std::uint16_t> table;      ///< As many: place in DeviceConfig::objects of each entry.
     std::uint8_t capacity;
+    std::uint8_t map_entries;
 };
 
-/// Memory for kSlots SRDOs. Zero-filled is a good start; Restart writes every byte that is read later.
-template <std::uint8_t kSlots> struct StorageFor
+/// Memory for kSlots SRDOs, each with a dynamic mapping of up to kMapEntries entries (0: all mappings are static).
+/// Zero-filled is a good start; Restart writes every byte that is read later.
+template <std::uint8_t kSlots, std::uint8_t kMapEntries = kUsualMapEntries> struct StorageFor
 {
     static_assert((kSlots >= 1U) && (kSlots <= kMaxSrdoCount), "1 to 64 SRDOs");
+    static_assert(kMapEntries <= kMaxMapEntries, "at most 64 normal and 64 inverse objects");
+    static constexpr std::size_t kEntries = (kMapEntries > 0U) ? (std::size_t{kSlots} * kMapEntries) : 1U;
     static constexpr std::size_t kPadded = ((kSlots + 7U) / 8U) * 8U;
 
     Row rows[kSlots];                   // MISRA D-001
@@ -133,6 +156,8 @@ template <std::uint8_t kSlots> struct StorageFor
     std::uint32_t pair_limit[kSlots];   // MISRA D-001
     std::uint32_t phase_left[kSlots];   // MISRA D-001
     std::uint32_t ordinal[kSlots];      // MISRA D-001
+    std::uint32_t entries[kEntries];    // MISRA D-001
+    std::uint16_t table[kEntries];      // MISRA D-001
     std::uint8_t state[kPadded];        // MISRA D-001
     std::uint8_t direction[kPadded];    // MISRA D-001
     std::uint8_t first_cause[kPadded];  // MISRA D-001
@@ -142,8 +167,9 @@ template <std::uint8_t kSlots> struct StorageFor
     /// What the constructor of the channel wants.
     [[nodiscard]] Storage Handle() noexcept
     {
-        return Storage{{rows},  {marks},     {pair_left},   {pair_limit}, {phase_left}, {ordinal},
-                       {state}, {direction}, {first_cause}, {slot_of},    {device},     kSlots};
+        return Storage{{rows},    {marks},   {pair_left}, {pair_limit},  {phase_left},
+                       {ordinal}, {state},   {direction}, {first_cause}, {slot_of},
+                       {device},  {entries}, {table},     kSlots,        kMapEntries};
     }
 };
 
