@@ -199,10 +199,10 @@ void Note(FlipResult& result, const FlipRig& rig, const Complaint& complaint, st
 }
 } // namespace
 
-FlipResult FlipEveryBit(Party party, ReleasePolicy policy, std::uint32_t phase)
+FlipResult FlipEveryBit(Party party, ReleasePolicy policy, std::uint32_t phase, RigKind device_kind)
 {
     FlipResult result{0U, 0U, 0U, Complaint{}};
-    const auto rig = std::make_unique<FlipRig>(policy);
+    const auto rig = std::make_unique<FlipRig>(policy, device_kind);
     const std::size_t bytes = FlipRig::ByteCount(party);
     for (std::size_t byte = 0U; byte < bytes; ++byte)
     {
@@ -217,10 +217,10 @@ FlipResult FlipEveryBit(Party party, ReleasePolicy policy, std::uint32_t phase)
     return result;
 }
 
-FlipResult FillStorage(Party party, ReleasePolicy policy, std::uint32_t phase, std::uint8_t fill)
+FlipResult FillStorage(Party party, ReleasePolicy policy, std::uint32_t phase, std::uint8_t fill, RigKind device_kind)
 {
     FlipResult result{0U, 0U, 0U, Complaint{}};
-    const auto rig = std::make_unique<FlipRig>(policy);
+    const auto rig = std::make_unique<FlipRig>(policy, device_kind);
     Reach(*rig, phase);
     const std::size_t bytes = FlipRig::ByteCount(party);
     for (std::size_t byte = 0U; byte < bytes; ++byte)

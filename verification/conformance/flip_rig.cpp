@@ -34,7 +34,8 @@ std::uint32_t DataOf(const CanFrame& frame)
 }
 } // namespace
 
-FlipRig::FlipRig(ReleasePolicy policy) : a_{storage_a_.Handle()}, b_{storage_b_.Handle()}
+FlipRig::FlipRig(ReleasePolicy policy, RigKind device_kind)
+    : device_{kRigDevices[static_cast<std::uint8_t>(device_kind)]}, a_{storage_a_.Handle()}, b_{storage_b_.Handle()}
 {
     config_ = kMixed.config;
     for (SlotIndex slot = 0U; slot < kRigSlots; ++slot)
@@ -42,7 +43,12 @@ FlipRig::FlipRig(ReleasePolicy policy) : a_{storage_a_.Handle()}, b_{storage_b_.
         setups_[slot] = kMixed.config.srdos[slot];
         setups_[slot].policy = policy;
     }
+    setups_[kConsumerSlot].detection = device_.detection;
+    setups_[kConsumerSlot].map = device_.maps[kConsumerSlot];
+    setups_[kProducerSlot].map = device_.maps[kProducerSlot];
     config_.srdos = setups_;
+    config_.granularity_bits = (device_kind == RigKind::kBits) ? std::uint8_t{1U} : std::uint8_t{8U};
+    config_.dummies = (device_kind == RigKind::kBits) ? DummyMapping::kAllowed : DummyMapping::kRefused;
     config_.objects = dictionary_.Objects();
     config_.object_count = Dictionary::kObjectCount;
 }
@@ -54,9 +60,18 @@ void FlipRig::Store(SlotIndex slot, ConfigField field, std::uint8_t sub, std::ui
     b_.Store(item);
 }
 
+/// Both work on one memory: each writes its own side.
+void FlipRig::RegisterFields(SlotIndex slot, const RigObject& first)
+{
+    const StaticFields fields{dictionary_.Place(first.normal_index, first.sub),
+                              dictionary_.Place(first.inverse_index, first.sub)};
+    a_.SetFields(slot, fields);
+    b_.SetFields(slot, fields);
+}
+
 void FlipRig::StoreSlot(SlotIndex slot)
 {
-    const SrdoValues& values = kMixed.values[slot];
+    const SrdoValues& values = (slot <= kProducerSlot) ? device_.values[slot] : kMixed.values[slot];
     Store(slot, ConfigField::kSct, 0U, values.sct_ms);
     Store(slot, ConfigField::kSrvt, 0U, values.srvt_ms);
     Store(slot, ConfigField::kCobId1, 0U, values.cob_id_1);
@@ -78,16 +93,20 @@ void FlipRig::Start()
     a_.Restart(config_);
     b_.Restart(config_);
     comparator_.Restart(ComparatorSetup{kDiscrepancyUs, kRigSlots});
+    RegisterFields(kConsumerSlot, device_.consumed[0]);
+    RegisterFields(kProducerSlot, device_.sent[0]);
     for (SlotIndex slot = 0U; slot < kRigSlots; ++slot)
     {
         StoreSlot(slot);
     }
     Store(0U, ConfigField::kGfcParameter, 0U, 1U);
     Store(0U, ConfigField::kConfigurationValid, 0U, kConfigurationValidValue);
-    dictionary_.Put(0x6210U, 1U, ObjectValue{0x12U, 0U});
-    dictionary_.Put(0x6210U, 2U, ObjectValue{0x34U, 0U});
-    dictionary_.Put(0x6211U, 1U, ObjectValue{0xEDU, 0U});
-    dictionary_.Put(0x6211U, 2U, ObjectValue{0xCBU, 0U});
+    for (const RigObject& object : device_.sent)
+    {
+        const std::uint32_t value = (kApplicationData >> object.shift) & object.mask;
+        dictionary_.Put(object.normal_index, object.sub, ObjectValue{value, 0U});
+        dictionary_.Put(object.inverse_index, object.sub, ObjectValue{value ^ object.mask, 0U});
+    }
     nmt_ = NmtState::kPreOperational;
     cycles_ = 0U;
     acknowledge_ = 0U;
@@ -157,9 +176,8 @@ void FlipRig::LookAtOutputs(const Permit& a, const Permit& b)
     {
         return;
     }
-    const std::uint32_t normal = dictionary_.Get(0x6010U, 1U).low | (dictionary_.Get(0x6010U, 2U).low << 8U);
-    const std::uint32_t inverse = dictionary_.Get(0x6011U, 1U).low | (dictionary_.Get(0x6011U, 2U).low << 8U);
-    if ((normal ^ inverse) != kWord)
+    const std::uint32_t normal = ReadSide(false);
+    if ((normal ^ ReadSide(true)) != MappedBits(device_))
     {
         return; // The application's check of the pair finds it.
     }
@@ -171,12 +189,25 @@ void FlipRig::LookAtOutputs(const Permit& a, const Permit& b)
     }
 }
 
+/// The consumer's objects of one side where their bits lie in the data; the bits of a dummy are 0.
+std::uint32_t FlipRig::ReadSide(bool is_inverse) const
+{
+    std::uint32_t data = 0U;
+    for (const RigObject& object : device_.consumed)
+    {
+        const std::uint16_t index = is_inverse ? object.inverse_index : object.normal_index;
+        data |= dictionary_.Get(index, object.sub).low << object.shift;
+    }
+    return data;
+}
+
 bool FlipRig::IsLegitimate(std::uint32_t granted) const
 {
+    const std::uint32_t mapped = MappedBits(device_);
     const bool is_last =
-        last_.is_valid && (granted == last_.data) && ((clock_us_ - last_.normal_us) <= (kSctUs + kSrvtUs));
-    const bool is_before =
-        before_.is_valid && (granted == before_.data) && ((clock_us_ - before_.normal_us) <= (kSctUs + kSrvtUs));
+        last_.is_valid && (granted == (last_.data & mapped)) && ((clock_us_ - last_.normal_us) <= (kSctUs + kSrvtUs));
+    const bool is_before = before_.is_valid && (granted == (before_.data & mapped)) &&
+                           ((clock_us_ - before_.normal_us) <= (kSctUs + kSrvtUs));
     return is_last || is_before;
 }
 
@@ -299,6 +330,20 @@ void FlipRig::Recheck()
         static_cast<void>(a_.Recheck(slot));
         static_cast<void>(b_.Recheck(slot));
     }
+    CompareDigests();
+}
+
+/// As the guard does it: copies of parameters that differ are no parameters.
+void FlipRig::CompareDigests()
+{
+    DeviceDigest a{0U};
+    DeviceDigest b{0U};
+    for (SlotIndex slot = 0U; slot < kRigSlots; ++slot)
+    {
+        a = a_.Digest(slot, a);
+        b = b_.Digest(slot, b);
+    }
+    is_device_safe_ = is_device_safe_ || (a.value != b.value);
 }
 
 void FlipRig::SpoilSignature()

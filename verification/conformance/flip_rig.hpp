@@ -25,10 +25,43 @@ constexpr std::uint8_t kRigSlots = 3U; ///< Consumer gold, producer of two bytes
 /// What a run with a flipped bit did wrong; empty if nothing.
 using Complaint = std::string;
 
+/// What the two SRDOs are.
+enum class RigKind : std::uint8_t
+{
+    kBytes, ///< Dynamic mappings of bytes, early detection.
+    kFixed, ///< Static mappings of bytes, late detection.
+    kBits,  ///< Dynamic mappings of 3 bits, a dummy and 12 bits; of 4 and 12 bits to send.
+};
+
+/// One object of each side, and the place of its bits in the data.
+struct RigObject
+{
+    std::uint16_t normal_index;
+    std::uint16_t inverse_index;
+    std::uint8_t sub;
+    std::uint8_t shift;
+    std::uint16_t mask; ///< Of its bits.
+};
+
+/// Device of a kind. `values` and `objects` are those of the consumer and of the producer.
+struct RigDevice
+{
+    SrdoValues values[2];
+    RigObject consumed[2];
+    RigObject sent[2];
+    StaticMap maps[2];
+    SrvtDetection detection;
+};
+
+/// By RigKind.
+extern const RigDevice kRigDevices[];
+/// @brief Bits of the data that objects of the consumer hold.
+[[nodiscard]] std::uint32_t MappedBits(const RigDevice& device);
+
 class FlipRig
 {
   public:
-    explicit FlipRig(ReleasePolicy policy);
+    explicit FlipRig(ReleasePolicy policy, RigKind device_kind = RigKind::kBytes);
 
     /// @brief Power-on and the whole configuration; NMT state PRE-OPERATIONAL.
     void Start();
@@ -65,11 +98,15 @@ class FlipRig
   private:
     void Store(SlotIndex slot, ConfigField field, std::uint8_t sub, std::uint32_t value);
     void StoreSlot(SlotIndex slot);
+    void RegisterFields(SlotIndex slot, const RigObject& first);
+    [[nodiscard]] std::uint32_t ReadSide(bool is_inverse) const;
+    void CompareDigests();
     [[nodiscard]] bool IsLegitimate(std::uint32_t granted) const;
     void LookAtOutputs(const Permit& a, const Permit& b);
     void Feed(std::uint32_t identifier, std::uint32_t data);
     void Confirm(const CanFrame& frame);
 
+    const RigDevice& device_;
     SrdoSetup setups_[kRigSlots]{};
     DeviceConfig config_{};
     Dictionary dictionary_{};
@@ -119,9 +156,11 @@ struct FlipResult
 };
 
 /// @brief Flips every single bit of the storage of `party`, and sets every byte to 00h and to FFh, one run each.
-[[nodiscard]] FlipResult FlipEveryBit(Party party, ReleasePolicy policy, std::uint32_t phase);
+[[nodiscard]] FlipResult FlipEveryBit(Party party, ReleasePolicy policy, std::uint32_t phase,
+                                      RigKind device_kind = RigKind::kBytes);
 /// @brief The whole storage of `party` becomes `fill` in the given phase.
-[[nodiscard]] FlipResult FillStorage(Party party, ReleasePolicy policy, std::uint32_t phase, std::uint8_t fill);
+[[nodiscard]] FlipResult FillStorage(Party party, ReleasePolicy policy, std::uint32_t phase, std::uint8_t fill,
+                                     RigKind device_kind = RigKind::kBytes);
 
 } // namespace counterpoint::conformance
 
