@@ -91,12 +91,6 @@ void EnterSlot(Voice& voice, const std::uint32_t slot) noexcept
 
 } // namespace
 
-const std::uint64_t kMapped[kLengthMask + 1U] = {
-    // MISRA D-001
-    0xFFFFFFFFFFFFFFFFU, 0x00000000000000FFU, 0x000000000000FFFFU, 0x0000000000FFFFFFU,
-    0x00000000FFFFFFFFU, 0x000000FFFFFFFFFFU, 0x0000FFFFFFFFFFFFU, 0x00FFFFFFFFFFFFFFU,
-};
-
 void Channel::Restart(const DeviceConfig& config) noexcept
 {
     const Storage storage = voice_.storage;
@@ -112,6 +106,10 @@ void Channel::Restart(const DeviceConfig& config) noexcept
     voice_.groups[kGroupOff] = ~SrdoMask{0U};
     voice_.levels = ~SrdoMask{0U}; // A level of 1 at power-on is no edge.
     ClearLookUp(voice_);
+    for (std::size_t entry = 0U; entry < (std::size_t{voice_.count} * storage.map_entries); ++entry)
+    {
+        storage.entries[entry] = 0U; // MISRA D-002
+    }
     for (std::uint32_t slot = 0U; slot < voice_.count; ++slot)
     {
         const SrdoSetup& setup = config.srdos[slot]; // MISRA D-002
@@ -123,6 +121,7 @@ void Channel::Restart(const DeviceConfig& config) noexcept
         record.limit_us = kNoLimit;
         record.policy = setup.policy;
         record.form = setup.form;
+        record.detection = setup.detection;
         PutWord(&record.safe.at[0], setup.safe_value.low);
         PutWord(&record.safe.at[kBytesPerWord], setup.safe_value.high);
         SetDefaults(record, setup.number, config.node_id);
@@ -161,7 +160,8 @@ void Raise(Voice& voice, const std::uint32_t slot, const Event event, const Srdo
         record.awaiting = kUnmarked;
         voice.fresh &= ~bit;
     }
-    if ((cell.effect == Effect::kDropAll) || (cell.effect == Effect::kFault))
+    const bool is_limit_of_pair = (cell.effect == Effect::kDropHeld) && (record.detection == SrvtDetection::kLate);
+    if (is_limit_of_pair || (cell.effect == Effect::kDropAll) || (cell.effect == Effect::kFault))
     {
         record.limit_us = kNoLimit;
     }
@@ -187,6 +187,21 @@ void Count(Record& record, const SrdoCause cause) noexcept
 void Report(Voice& voice, const std::uint32_t slot, const SrdoCause cause) noexcept
 {
     ReportWith(voice, At(voice, slot), BitOf(slot), cause);
+}
+
+// Early: SRVT follows SCT when a normal frame is there. Late: SRVT counts for an inverse frame only.
+void Expire(Voice& voice, const std::uint32_t slot, const Instant when, const Half half) noexcept
+{
+    const Record& record = At(voice, slot);
+    bool is_srvt = HasFirstFrame(record.mode);
+    if (record.detection == SrvtDetection::kLate)
+    {
+        const std::uint32_t over_sct_us = (when.us - record.since.us) - record.limit_us;
+        const std::uint32_t over_srvt_us = (when.us - record.frame_since.us) - SrvtUs(record);
+        const bool is_first = !IsExpired(record, when) || (over_srvt_us >= over_sct_us);
+        is_srvt = (half == Half::kInverse) && IsTooOld(record, when) && is_first;
+    }
+    Raise(voice, slot, Event::kError, is_srvt ? SrdoCause::kSrvt : SrdoCause::kSct);
 }
 
 void Mark(Voice& voice, const std::uint32_t slot) noexcept
@@ -246,7 +261,7 @@ void ReceiveOdd(Voice& voice, const CanFrame& frame, const std::uint32_t slot, c
     const Record& record = At(voice, slot);
     const std::uint32_t half = ~frame.identifier & kHalfMask;
     Event event = order;
-    if (frame.length_bytes != record.length_bytes)
+    if (frame.length_bytes != LengthBytes(record))
     {
         event = Event::kWrongLength;
     }
@@ -261,12 +276,11 @@ void ReceiveOdd(Voice& voice, const CanFrame& frame, const std::uint32_t slot, c
 void ReceiveLate(Voice& voice, const CanFrame& frame, const Instant stamp, const std::uint32_t slot) noexcept
 {
     const bool is_inverse = (~frame.identifier & kHalfMask) != 0U;
-    Raise(voice, slot, Event::kExpired, SrdoCause::kNone);
+    Expire(voice, slot, stamp, is_inverse ? Half::kInverse : Half::kNormal);
     ReceiveOdd(voice, frame, slot, is_inverse ? Event::kInverse : Event::kNormal);
-    Record& record = At(voice, slot);
-    if (record.mode == Mode::kFaultedFirst)
+    if (At(voice, slot).mode == Mode::kFaultedFirst)
     {
-        Keep(record, frame, stamp);
+        Keep(voice, frame, stamp, slot);
     }
 }
 
@@ -283,7 +297,7 @@ SrdoView Channel::View(const SlotIndex slot) const noexcept
     view.error_count = record.error_count;
     view.state = (facts.mode == record.mode) ? facts.state : SrdoState::kFaulted; // [SRS-CONS-024]
     view.first_cause = record.first_cause;
-    view.holds_pair = static_cast<std::uint8_t>(facts.data >> kHoldsShift);
+    view.holds_pair = static_cast<std::uint8_t>((facts.data & kHoldsMask) >> kHoldsShift);
     return view;
 }
 

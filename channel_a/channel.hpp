@@ -25,6 +25,9 @@ class Channel final : public counterpoint::Channel
     void Restart(const DeviceConfig& config) noexcept override;
     void Store(const ConfigItem& item) noexcept override;
     [[nodiscard]] ConfigItem Load(const ConfigAddress& address) const noexcept override;
+    [[nodiscard]] ChannelRoom Room() const noexcept override;
+    void SetFields(SlotIndex slot, const StaticFields& fields) noexcept override;
+    [[nodiscard]] DeviceDigest Digest(SlotIndex slot, DeviceDigest before) const noexcept override;
     [[nodiscard]] CheckResult Validate(SlotIndex slot) noexcept override;
     [[nodiscard]] CheckResult Recheck(SlotIndex slot) noexcept override;
     void OnFrame(const CanFrame& frame, Instant stamp) noexcept override;

@@ -21,7 +21,7 @@ constexpr std::uint32_t kU32 = 0U;
 
 constexpr std::size_t kNoPlace = kValueCount;
 
-// Width and place in Record::values by ConfigField; the direction has no place there, the entries follow the first one.
+// Width and place in Record::values by ConfigField; the direction and the entries have no place there.
 struct FieldFacts
 {
     std::uint8_t missing_bits;
@@ -39,7 +39,7 @@ constexpr FieldFacts kFields[kFieldCount] = {
     {kU32, kCobIdPlace},
     {kU32, kCobIdPlace + 1U},
     {kU8, kMapCountPlace},
-    {kU32, kMapEntryPlace},
+    {kU32, kNoPlace},
     {kU16, kSignaturePlace},
 };
 static_assert(static_cast<std::size_t>(ConfigField::kSignature) + 1U == kFieldCount, "facts for each field of a slot");
@@ -53,13 +53,13 @@ std::size_t GlobalPlaceOf(const ConfigAddress& address) noexcept
 // Place of a value in a record; kNoPlace if it has none. `address.field` is a field of an SRDO.
 std::size_t PlaceOf(const ConfigAddress& address) noexcept
 {
-    std::size_t place = kFields[static_cast<std::size_t>(address.field)].place;
-    if (address.field == ConfigField::kMapEntry)
-    {
-        const std::size_t position = address.sub - std::size_t{1U}; // 0 becomes greater than every position.
-        place = (position < kMaxMapEntries) ? (kMapEntryPlace + position) : kNoPlace;
-    }
-    return place;
+    return kFields[static_cast<std::size_t>(address.field)].place;
+}
+
+// Position of the entry that is addressed; not below the limit if it is none.
+std::uint32_t PositionOf(const ConfigAddress& address, const std::uint32_t limit) noexcept
+{
+    return (address.field == ConfigField::kMapEntry) ? (address.sub - std::uint32_t{1U}) : limit;
 }
 
 bool IsOfSlot(const Voice& voice, const ConfigAddress& address) noexcept
@@ -73,6 +73,18 @@ void StoreOfSlot(Voice& voice, const ConfigItem& item) noexcept
     const std::uint32_t value =
         item.value & (kAllBits >> kFields[static_cast<std::size_t>(item.address.field)].missing_bits);
     const std::size_t place = PlaceOf(item.address);
+    const Mapping mapping = MappingOf(voice, item.address.slot);
+    const std::uint32_t position = PositionOf(item.address, mapping.limit);
+    if ((mapping.places == nullptr) && ((item.address.field == ConfigField::kMapEntry) || (place == kMapCountPlace)))
+    {
+        return; // A part of the program.
+    }
+    if (position < mapping.limit)
+    {
+        voice.storage.entries[(item.address.slot * std::uint32_t{voice.storage.map_entries}) + position] =
+            value; // MISRA D-002
+        record.mapping = kUnmarked;
+    }
     if (place < kValueCount)
     {
         record.values[place] = value;
@@ -94,6 +106,17 @@ std::uint32_t LoadOfSlot(const Voice& voice, const ConfigAddress& address) noexc
     if (place < kValueCount)
     {
         value = record.values[place];
+    }
+    const Mapping mapping = MappingOf(voice, address.slot);
+    const std::uint32_t limit = (mapping.places == nullptr) ? mapping.stored_count : mapping.limit;
+    const std::uint32_t position = PositionOf(address, limit);
+    if (position < limit)
+    {
+        value = mapping.entries[position]; // MISRA D-002
+    }
+    if (place == kMapCountPlace)
+    {
+        value = mapping.stored_count;
     }
     if (address.field == ConfigField::kDirection)
     {
@@ -188,10 +211,25 @@ ConfigItem Channel::Load(const ConfigAddress& address) const noexcept
     return item;
 }
 
+ChannelRoom Channel::Room() const noexcept
+{
+    return ChannelRoom{voice_.storage.capacity, voice_.storage.map_entries};
+}
+
+void Channel::SetFields(const SlotIndex slot, const StaticFields& fields) noexcept
+{
+    if (MappingOf(voice_, slot).places == nullptr)
+    {
+        At(voice_, slot).fields = fields;
+        At(voice_, slot).mapping = kUnmarked;
+    }
+}
+
 CheckResult Channel::Validate(const SlotIndex slot) noexcept
 {
     Record& record = At(voice_, slot);
-    CheckResult result{ConfigFault::kNone, static_cast<std::uint16_t>(Signature(record))};
+    const Mapping mapping = MappingOf(voice_, slot);
+    CheckResult result{ConfigFault::kNone, static_cast<std::uint16_t>(Signature(record, mapping))};
     const bool is_off = record.direction == kDirectionOff;
     record.mapping = kUnmarked;
     record.check = kUnmarked;
@@ -201,7 +239,7 @@ CheckResult Channel::Validate(const SlotIndex slot) noexcept
     }
     if (!is_off && (result.fault == ConfigFault::kNone))
     {
-        result.fault = Resolve(*voice_.config, record);
+        result.fault = Resolve(*voice_.config, record, mapping);
     }
     if ((result.fault == ConfigFault::kNone) && (result.signature != record.values[kSignaturePlace]))
     {
@@ -214,7 +252,7 @@ CheckResult Channel::Validate(const SlotIndex slot) noexcept
     }
     if ((record.mapping == kMarked) && (record.direction == kDirectionConsumer))
     {
-        WriteObjects(*voice_.config, record, record.safe);
+        WriteObjects(voice_, slot, record.safe);
         voice_.committed &= ~BitOf(slot); // The objects hold no pair any more.
     }
     return result;
@@ -223,12 +261,13 @@ CheckResult Channel::Validate(const SlotIndex slot) noexcept
 CheckResult Channel::Recheck(const SlotIndex slot) noexcept
 {
     Record& record = At(voice_, slot);
-    CheckResult result{ConfigFault::kNone, static_cast<std::uint16_t>(Signature(record))};
+    const Mapping mapping = MappingOf(voice_, slot);
+    CheckResult result{ConfigFault::kNone, static_cast<std::uint16_t>(Signature(record, mapping))};
     if (result.signature != record.values[kSignaturePlace])
     {
         result.fault = ConfigFault::kSignature;
     }
-    else if ((record.direction != kDirectionOff) && !HoldsTable(*voice_.config, record))
+    else if ((record.direction != kDirectionOff) && !HoldsTable(*voice_.config, record, mapping))
     {
         result.fault = ConfigFault::kTable;
     }

@@ -16,10 +16,11 @@ namespace
 
 constexpr std::uint32_t kHalfMask = 1U; // Of the place of an identifier: 0 the normal, 1 the inverse frame.
 
-void Complete(Voice& voice, Record& record, const std::uint32_t slot) noexcept
+void Complete(Voice& voice, Record& record, const std::uint64_t data, const std::uint32_t slot) noexcept
 {
     const SrdoMask bit = BitOf(slot);
-    record.held = record.pending;
+    record.held = OctetsOf(data);
+    record.since = record.frame_since;
     record.limit_us = SctUs(record);
     record.awaiting = kUnmarked;
     ++record.ordinal;
@@ -31,7 +32,7 @@ void Complete(Voice& voice, Record& record, const std::uint32_t slot) noexcept
 bool IsFitting(const Voice& voice, const Record& record, const CanFrame& frame, const std::uint32_t half) noexcept
 {
     return (frame.identifier == record.values[kCobIdPlace + half]) && (frame.port == voice.ports[half]) &&
-           (frame.length_bytes == record.length_bytes);
+           (frame.length_bytes == LengthBytes(record));
 }
 
 } // namespace
@@ -55,12 +56,17 @@ void Channel::OnFrame(const CanFrame& frame, const Instant stamp) noexcept
         return;
     }
     Record& record = At(voice_, slot);
-    if ((stamp.us - record.since.us) > record.limit_us)
+    if (IsExpired(record, stamp))
     {
         ReceiveLate(voice_, frame, stamp, slot);
         return;
     }
     const std::uint32_t half = place & kHalfMask;
+    if ((half != 0U) && IsTooOld(record, stamp))
+    {
+        ReceiveLate(voice_, frame, stamp, slot);
+        return;
+    }
     if (!IsFitting(voice_, record, frame, half))
     {
         ReceiveOdd(voice_, frame, slot, Event::kNormal);
@@ -75,10 +81,14 @@ void Channel::OnFrame(const CanFrame& frame, const Instant stamp) noexcept
             return;
         }
         SetMode(record, cell.next);
-        Keep(record, frame, stamp);
+        Keep(voice_, frame, stamp, slot);
         return;
     }
-    if (!IsEqual(record, frame, record.pending, kInverseFlip))
+    // Bits above the length are 0 in the normal frame, so they are 1 in the inverse one.
+    const std::uint64_t pending = Bits(record.pending);
+    const std::uint64_t data = pending & LowBits(record.length_bits);
+    const std::uint64_t wrong = (BitsAt(&frame.data[0]) ^ ~data) | (pending ^ data);
+    if ((wrong & FrameBits(record)) != 0U)
     {
         ReceiveOdd(voice_, frame, slot, Event::kNotInverse);
         return;
@@ -90,14 +100,14 @@ void Channel::OnFrame(const CanFrame& frame, const Instant stamp) noexcept
         return;
     }
     SetMode(record, cell.next);
-    Complete(voice_, record, slot);
+    Complete(voice_, record, data, slot);
 }
 
 HeldPair Channel::Held(const SlotIndex slot) const noexcept
 {
     const Record& record = At(voice_, slot);
     HeldPair pair{};
-    if (FactsOf(record.mode).data == kHeldPair)
+    if ((FactsOf(record.mode).data & kHoldsMask) != 0U)
     {
         pair.data = PayloadOf(record.held);
         pair.ordinal = record.ordinal;

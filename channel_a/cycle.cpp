@@ -69,7 +69,7 @@ void ScanFlying(Voice& voice, const Instant now) noexcept
     {
         const std::uint32_t slot = TakeLowest(flying);
         const Record& record = At(voice, slot);
-        if ((now.us - record.sent_since.us) > SrvtUs(record))
+        if ((now.us - record.frame_since.us) > SrvtUs(record))
         {
             Mark(voice, slot);
         }
@@ -91,7 +91,7 @@ void ScanLimits(Voice& voice, const Cycle& cycle) noexcept
     const Record* record = voice.storage.records;
     for (std::uint32_t slot = 0U; slot < count; ++slot)
     {
-        if (((cycle.now.us - record->since.us) > record->limit_us) || !IsSealed(*record))
+        if (IsExpired(*record, cycle.now) || !IsSealed(*record))
         {
             Mark(voice, slot);
         }
@@ -113,10 +113,10 @@ void ExamineConsumer(Voice& voice, const Cycle& cycle, const std::uint32_t slot)
     {
         Break(voice, slot);
     }
-    const bool is_expired = (cycle.now.us - record.since.us) > record.limit_us;
+    const bool is_expired = IsExpired(record, cycle.now);
     if (is_expired)
     {
-        Raise(voice, slot, Event::kExpired, SrdoCause::kNone);
+        Expire(voice, slot, cycle.now, Half::kNormal);
     }
     if (cycle.is_late && !is_expired)
     {
@@ -165,6 +165,10 @@ std::uint32_t ServeConsumer(Voice& voice, Cycle& cycle, const std::uint32_t slot
 {
     Record& record = At(voice, slot);
     ExamineConsumer(voice, cycle, slot);
+    if (IsTooOld(record, cycle.now))
+    {
+        record.frame_since.us = cycle.now.us - (SrvtUs(record) + 1U); // Still too old, however long it waits.
+    }
     if (record.unreported != 0U)
     {
         Raise(voice, slot, Event::kDiscard, SrdoCause::kNone);
@@ -239,9 +243,9 @@ void ServeProducer(Voice& voice, const Cycle& cycle, const std::uint32_t slot) n
         record.ordinal = 0U;
         return;
     }
-    if ((cycle.now.us - record.sent_since.us) > SrvtUs(record))
+    if ((cycle.now.us - record.frame_since.us) > SrvtUs(record))
     {
-        Raise(voice, slot, Event::kUnconfirmed, SrdoCause::kNone); // Without effect where nothing is in flight.
+        Raise(voice, slot, Event::kAbort, SrdoCause::kNoConfirmation); // Without effect where nothing is in flight.
     }
     ExamineSending(voice, cycle, slot);
     if (((cycle.edges & BitOf(slot)) != 0U) && (record.unreported == 0U))
@@ -286,7 +290,8 @@ void Serve(Voice& voice, Cycle& cycle, const std::uint32_t slot) noexcept
     }
     Signal(cycle, record, bit, extra);
     const std::uint32_t unfinished = record.told | record.edge | record.awaiting;
-    voice.attention |= (unfinished != 0U) ? bit : 0U;
+    const bool is_watched = (record.detection == SrvtDetection::kLate) && HasFirstFrame(record.mode);
+    voice.attention |= ((unfinished != 0U) || is_watched) ? bit : 0U;
 }
 
 // Due: asked for or refreshed, and nothing in flight. [SRS-PROD-004]
@@ -359,13 +364,13 @@ void Channel::Commit(const Agreement& agreement) noexcept
     voice_.committed = (voice_.committed | to_write) & ~to_drop;
     while (to_write != 0U)
     {
-        const Record& record = At(voice_, TakeLowest(to_write));
-        WriteObjects(*voice_.config, record, record.held);
+        const std::uint32_t slot = TakeLowest(to_write);
+        WriteObjects(voice_, slot, At(voice_, slot).held);
     }
     while (to_drop != 0U)
     {
-        const Record& record = At(voice_, TakeLowest(to_drop));
-        WriteObjects(*voice_.config, record, record.safe);
+        const std::uint32_t slot = TakeLowest(to_drop);
+        WriteObjects(voice_, slot, At(voice_, slot).safe);
     }
 }
 

@@ -2,15 +2,15 @@
 #include "channel_a/channel.hpp"
 #include "channel_a/octets.hpp"
 #include "channel_a/seal.hpp"
-#include "channel_a/signature.hpp"
 #include "channel_a/slots.hpp"
 #include "channel_a/voice.hpp"
 
 #include <cstddef>
 #include <cstdint>
 
-// From entries of a mapping to objects, and data to and from them. Record::objects is read from memory that may be
-// corrupted: every use of a place compares it with the number of objects.
+// From entries of a mapping to objects, and data to and from them, bit by bit. Entries and places are read from memory
+// that may be corrupted: a place is compared with the number of objects at every use, an object is accessed by its own
+// length.
 namespace counterpoint::channel_a
 {
 namespace
@@ -20,15 +20,15 @@ constexpr std::uint32_t kKeyShift = 8U; ///< Of a map entry: index and sub above
 constexpr std::uint32_t kSubShift = 8U;
 constexpr std::uint32_t kIndexShift = 16U;
 constexpr std::uint32_t kLengthBits = 0xFFU;
+constexpr std::uint32_t kSubAndLength = 0xFFFFU;
 constexpr std::uint32_t kBitsToBytes = 3U;
-constexpr std::uint32_t kWordBits = 32U;
+constexpr std::uint32_t kRestOfByte = 7U;
 constexpr std::uint32_t kPairMask = 1U; ///< Of a position from 0: even the normal, odd the inverse object.
-constexpr std::uint32_t kByteMask = 0xFFU;
-constexpr std::uint32_t kAllBits = 0xFFFFFFFFU;
-constexpr std::uint32_t kOffsetMask = kMaxPayloadBits - 1U;
-constexpr std::uint32_t kWordCount = 2U; ///< Objects of four bytes in a frame.
 constexpr std::uint16_t kNoObject = 0xFFFFU;
 constexpr MappableObject kNothing{0U, 0U, 0U, MapAccess::kNone, nullptr};
+
+/// Bits of the data types 0001h to 0007h.
+constexpr std::uint8_t kDummyBits[kLastDummyIndex] = {1U, 8U, 16U, 32U, 8U, 16U, 32U}; // MISRA D-001
 
 // The map entry that names this object.
 std::uint32_t EntryOf(const MappableObject& object) noexcept
@@ -37,54 +37,36 @@ std::uint32_t EntryOf(const MappableObject& object) noexcept
            std::uint32_t{object.length_bits};
 }
 
-std::uint32_t LengthAt(const Record& record, const std::uint32_t position) noexcept
+std::uint32_t LengthAt(const Mapping& mapping, const std::uint32_t position) noexcept
 {
-    return record.values[kMapEntryPlace + position] & kLengthBits;
+    return mapping.entries[position] & kLengthBits; // MISRA D-002
 }
 
 // Bits of all normal entries.
-std::uint32_t TotalLength(const Record& record) noexcept
+std::uint32_t TotalLength(const Mapping& mapping) noexcept
 {
-    const std::uint32_t count = MapCount(record);
     std::uint32_t total = 0U;
-    for (std::uint32_t position = 0U; position < count; position += 2U)
+    for (std::uint32_t position = 0U; position < mapping.count; position += 2U)
     {
-        total += LengthAt(record, position);
+        total += LengthAt(mapping, position);
     }
     return total;
 }
 
-// Writes the lowest bytes into the object; returns the others.
-std::uint64_t Written(const MappableObject& object, std::uint64_t rest) noexcept
-{
-    if (object.length_bits == kWordBits) // The usual one, in one go.
-    {
-        PutWord(object.place, static_cast<std::uint32_t>(rest));
-        return rest >> kWordBits;
-    }
-    const std::uint32_t length_bytes = std::uint32_t{object.length_bits} >> kBitsToBytes;
-    for (std::uint32_t byte = 0U; byte < length_bytes; ++byte)
-    {
-        object.place[byte] = static_cast<std::uint8_t>(rest); // MISRA D-002
-        rest >>= kBitsPerByte;
-    }
-    return rest;
-}
-
 // The objects are in ascending order of index and sub.
-std::uint16_t FindObject(const DeviceConfig& config, const std::uint32_t entry) noexcept
+std::uint32_t FindObject(const DeviceConfig& config, const std::uint32_t entry) noexcept
 {
     const std::uint32_t key = entry >> kKeyShift;
     std::uint32_t low = 0U;
     std::uint32_t high = config.object_count;
-    std::uint16_t found = kNoObject;
+    std::uint32_t found = kNoObject;
     while (low < high)
     {
         const std::uint32_t middle = (low + high) >> 1U;
         const std::uint32_t seen = EntryOf(config.objects[middle]) >> kKeyShift; // MISRA D-002
         if (seen == key)
         {
-            found = static_cast<std::uint16_t>(middle);
+            found = middle;
         }
         low = (seen < key) ? (middle + 1U) : low;
         high = (seen < key) ? high : middle;
@@ -93,156 +75,211 @@ std::uint16_t FindObject(const DeviceConfig& config, const std::uint32_t entry) 
 }
 
 // An object without a single bit where the place leads to none.
-const MappableObject& ObjectAt(const DeviceConfig& config, const Record& record, const std::uint32_t position) noexcept
+const MappableObject& ObjectAt(const DeviceConfig& config, const Mapping& mapping,
+                               const std::uint32_t position) noexcept
 {
-    const std::uint32_t place = record.objects[position];
+    std::uint32_t place = 0U;
+    if (mapping.places != nullptr)
+    {
+        place = mapping.places[position]; // MISRA D-002
+    }
+    else
+    {
+        place = FindObject(config, mapping.entries[position]); // MISRA D-002
+    }
     return (place < config.object_count) ? config.objects[place] : kNothing; // MISRA D-002
 }
 
-// The object at this position is the one that the entry names, for this direction.
-bool FitsEntry(const DeviceConfig& config, const Record& record, const std::uint32_t position) noexcept
+// [SRS-CFG-033]
+bool IsDummy(const DeviceConfig& config, const Record& record, const std::uint32_t entry) noexcept
 {
-    const MappableObject& object = ObjectAt(config, record, position);
+    const std::uint32_t type = (entry >> kIndexShift) - 1U; // Index 0 becomes greater than every type.
+    if ((config.dummies != DummyMapping::kAllowed) || (record.direction != kDirectionConsumer))
+    {
+        return false;
+    }
+    return (type < kLastDummyIndex) && ((entry & kSubAndLength) == kDummyBits[type]);
+}
+
+// The object at this position is the one that the entry names, for this direction; a dummy entry has none.
+bool FitsEntry(const DeviceConfig& config, const Record& record, const Mapping& mapping,
+               const std::uint32_t position) noexcept
+{
+    const MappableObject& object = ObjectAt(config, mapping, position);
+    const std::uint32_t entry = mapping.entries[position]; // MISRA D-002
     const MapAccess wanted = (record.direction == kDirectionConsumer) ? MapAccess::kConsumer : MapAccess::kProducer;
-    return (EntryOf(object) == record.values[kMapEntryPlace + position]) && (object.access == wanted);
+    if (object.length_bits == 0U)
+    {
+        return (mapping.places != nullptr) && IsDummy(config, record, entry);
+    }
+    return (EntryOf(object) == entry) && (object.access == wanted);
 }
 
 // Length of the granularity and of the partner, and no object twice.
-bool FitsOthers(const DeviceConfig& config, const Record& record, const std::uint32_t position) noexcept
+bool FitsOthers(const DeviceConfig& config, const Mapping& mapping, const std::uint32_t position) noexcept
 {
-    const std::uint32_t length_bits = LengthAt(record, position);
-    const std::uint32_t normal_bits = LengthAt(record, position & ~kPairMask);
+    const std::uint32_t own_bits = ObjectAt(config, mapping, position).length_bits;
+    const std::uint32_t partner_bits = ObjectAt(config, mapping, position & ~kPairMask).length_bits;
+    const std::uint32_t length_bits = LengthAt(mapping, position);
     const std::uint32_t rest = length_bits & (config.granularity_bits - 1U);
-    bool is_first = true;
+    std::uint32_t twice = 0U;
     for (std::uint32_t before = 0U; before < position; ++before)
     {
-        if (record.objects[before] == record.objects[position])
+        if (mapping.entries[before] == mapping.entries[position]) // MISRA D-002
         {
-            is_first = false;
+            twice = own_bits; // Of a dummy 0: it may be named twice.
         }
     }
-    return (rest == 0U) && (length_bits == normal_bits) && is_first;
+    return (length_bits == LengthAt(mapping, position & ~kPairMask)) && (own_bits == partner_bits) &&
+           ((rest | twice) == 0U);
 }
 
-// Any lengths, from the first object on: once more what was read before.
-[[gnu::noinline]] bool ReadBytes(const DeviceConfig& config, Record& record) noexcept
+// The objects of a static mapping lie one behind the other in the two fields. [SRS-CFG-032]
+bool FitsFields(const DeviceConfig& config, const Record& record, const Mapping& mapping) noexcept
 {
-    const std::uint32_t count = MapCount(record);
+    const std::uint8_t* next[2] = {record.fields.normal, record.fields.inverse}; // MISRA D-001
+    bool fits = true;
+    for (std::uint32_t position = 0U; position < mapping.count; ++position)
+    {
+        const MappableObject& object = ObjectAt(config, mapping, position);
+        const std::uint32_t length_bits = object.length_bits;
+        if ((object.place != next[position & kPairMask]) || ((length_bits & kRestOfByte) != 0U))
+        {
+            fits = false;
+        }
+        next[position & kPairMask] = object.place + (length_bits >> kBitsToBytes); // MISRA D-002
+    }
+    return fits;
+}
+
+// What Validate and Recheck have in common.
+bool FitsDictionary(const DeviceConfig& config, const Record& record, const Mapping& mapping) noexcept
+{
+    bool fits = true;
+    for (std::uint32_t position = 0U; position < mapping.count; ++position)
+    {
+        if (!FitsEntry(config, record, mapping, position))
+        {
+            fits = false;
+        }
+    }
+    return fits && ((mapping.places != nullptr) || FitsFields(config, record, mapping));
+}
+
+// Any length, from the last byte to the first.
+[[gnu::noinline]] std::uint64_t BitsOf(const MappableObject& object) noexcept
+{
+    std::uint64_t value = 0U;
+    for (std::uint32_t byte = (object.length_bits + kRestOfByte) >> kBitsToBytes; byte != 0U; --byte)
+    {
+        value = (value << kBitsPerByte) | object.place[byte - 1U]; // MISRA D-002
+    }
+    return value & LowBits(object.length_bits);
+}
+
+[[gnu::noinline]] void PutBits(const MappableObject& object, const std::uint64_t data) noexcept
+{
+    const std::uint32_t length_bytes = (object.length_bits + kRestOfByte) >> kBitsToBytes;
+    std::uint64_t rest = data & LowBits(object.length_bits);
+    for (std::uint32_t byte = 0U; byte < length_bytes; ++byte)
+    {
+        object.place[byte] = static_cast<std::uint8_t>(rest); // MISRA D-002
+        rest >>= kBitsPerByte;
+    }
+}
+
+// What the normal objects hold, each read once. Objects of four bytes are the usual ones and go without a call.
+std::uint64_t ReadObjects(const DeviceConfig& config, const Mapping& mapping) noexcept
+{
     std::uint64_t data = 0U;
     std::uint32_t offset_bits = 0U;
-    std::uint32_t wrong = 0U;
-    for (std::uint32_t position = 0U; position < count; position += 2U)
+    for (std::uint32_t position = 0U; position < mapping.count; position += 2U)
     {
-        const MappableObject& normal = ObjectAt(config, record, position);
-        const MappableObject& inverse = ObjectAt(config, record, position | kPairMask);
-        const std::uint32_t length_bytes = std::uint32_t{normal.length_bits} >> kBitsToBytes;
-        if (normal.length_bits != inverse.length_bits)
-        {
-            return false;
-        }
-        for (std::uint32_t place = 0U; place < length_bytes; ++place)
-        {
-            const std::uint32_t byte = normal.place[place]; // MISRA D-002
-            data |= std::uint64_t{byte} << (offset_bits & kOffsetMask);
-            offset_bits += kBitsPerByte;
-            wrong |= byte ^ inverse.place[place] ^ kByteMask; // MISRA D-002
-        }
+        const MappableObject& object = ObjectAt(config, mapping, position);
+        const bool is_word = object.length_bits == kBitsPerWord;
+        data |= (is_word ? WordAt(object.place) : BitsOf(object)) << (offset_bits & kShiftMask);
+        offset_bits += LengthAt(mapping, position);
     }
-    record.held = OctetsOf(data);
-    return wrong == 0U;
-}
-
-// Normal objects into `held`. False if a bit is not inverted, or an object is not there or not as long as its partner.
-// Objects of four bytes are the usual ones and go without a call.
-[[gnu::noinline]] bool ReadObjects(const DeviceConfig& config, Record& record) noexcept
-{
-    const std::uint32_t count = MapCount(record);
-    std::uint32_t words[kWordCount]{}; // MISRA D-001
-    for (std::uint32_t position = 0U; position < count; position += 2U)
-    {
-        const std::uint32_t normal_place = record.objects[position];
-        const std::uint32_t inverse_place = record.objects[position | kPairMask];
-        if ((normal_place >= config.object_count) || (inverse_place >= config.object_count))
-        {
-            return false;
-        }
-        const MappableObject& normal = config.objects[normal_place];   // MISRA D-002
-        const MappableObject& inverse = config.objects[inverse_place]; // MISRA D-002
-        if ((normal.length_bits != kWordBits) || (inverse.length_bits != kWordBits))
-        {
-            return ReadBytes(config, record);
-        }
-        const std::uint32_t word = WordAt(normal.place);
-        if ((word ^ WordAt(inverse.place)) != kAllBits)
-        {
-            return false;
-        }
-        words[(position / 2U) % kWordCount] = word;
-    }
-    PutWord(&record.held.at[0], words[0]);
-    PutWord(&record.held.at[kBytesPerWord], words[1]);
-    return true;
+    return data;
 }
 
 } // namespace
 
-// SRS-CFG-026 to 028.
-ConfigFault Resolve(const DeviceConfig& config, Record& record) noexcept
+Mapping MappingOf(const Voice& voice, const std::uint32_t slot) noexcept
 {
-    const std::uint32_t count = record.values[kMapCountPlace];
-    if ((count == 0U) || ((count & kPairMask) != 0U) || (count > kMaxMapEntries))
+    const StaticMap& map = voice.config->srdos[slot].map; // MISRA D-002
+    Mapping mapping{map.entries, nullptr, map.count, map.count, kMaxMapEntries};
+    if (map.entries == nullptr)
+    {
+        const std::uint32_t first = slot * voice.storage.map_entries;
+        mapping.entries = voice.storage.entries + first; // MISRA D-002
+        mapping.places = voice.storage.places + first;   // MISRA D-002
+        mapping.stored_count = At(voice, slot).values[kMapCountPlace];
+        mapping.limit = voice.config->map_entries;
+    }
+    mapping.count = (mapping.stored_count < mapping.limit) ? mapping.stored_count : mapping.limit;
+    return mapping;
+}
+
+// SRS-CFG-026 to 028.
+ConfigFault Resolve(const DeviceConfig& config, Record& record, const Mapping& mapping) noexcept
+{
+    const std::uint32_t count = mapping.stored_count;
+    if ((count == 0U) || ((count & kPairMask) != 0U) || (count > mapping.limit))
     {
         return ConfigFault::kMapping;
-    }
-    for (std::uint16_t& place : record.objects)
-    {
-        place = kNoObject;
     }
     bool is_good = true;
     for (std::uint32_t position = 0U; position < count; ++position)
     {
-        record.objects[position] = FindObject(config, record.values[kMapEntryPlace + position]);
-        if (!FitsEntry(config, record, position) || !FitsOthers(config, record, position))
+        if (mapping.places != nullptr)
+        {
+            mapping.places[position] =
+                static_cast<std::uint16_t>(FindObject(config, mapping.entries[position])); // MISRA D-002
+        }
+        if (!FitsOthers(config, mapping, position))
         {
             is_good = false;
         }
     }
-    if (!is_good)
+    if (!is_good || !FitsDictionary(config, record, mapping))
     {
         return ConfigFault::kMapping;
     }
-    const std::uint32_t total = TotalLength(record);
+    const std::uint32_t total = TotalLength(mapping);
     if (total > kMaxPayloadBits)
     {
         return ConfigFault::kLengthExceeded;
     }
-    SetLength(record, static_cast<std::uint8_t>(total >> kBitsToBytes));
+    SetLength(record, static_cast<std::uint8_t>(total));
     return ConfigFault::kNone;
 }
 
 // [SRS-CFG-030]
-bool HoldsTable(const DeviceConfig& config, const Record& record) noexcept
+bool HoldsTable(const DeviceConfig& config, const Record& record, const Mapping& mapping) noexcept
 {
-    const std::uint32_t count = MapCount(record);
-    bool holds =
-        (record.mapping == kMarked) && (TotalLength(record) == (std::uint32_t{record.length_bytes} << kBitsToBytes));
-    for (std::uint32_t position = 0U; position < count; ++position)
-    {
-        if (!FitsEntry(config, record, position))
-        {
-            holds = false;
-        }
-    }
-    return holds;
+    return (record.mapping == kMarked) && (TotalLength(mapping) == record.length_bits) &&
+           FitsDictionary(config, record, mapping);
 }
 
-void WriteObjects(const DeviceConfig& config, const Record& record, const Octets& data) noexcept
+void WriteObjects(const Voice& voice, const std::uint32_t slot, const Octets& data) noexcept
 {
-    const std::uint32_t count = MapCount(record);
-    std::uint64_t rest = Bits(data);
-    for (std::uint32_t position = 0U; position < count; position += 2U)
+    const Mapping mapping = MappingOf(voice, slot);
+    const std::uint64_t bits = Bits(data);
+    std::uint32_t offset_bits = 0U;
+    for (std::uint32_t position = 0U; position < mapping.count; position += 2U)
     {
-        rest = Written(ObjectAt(config, record, position), rest);
+        const MappableObject& object = ObjectAt(*voice.config, mapping, position);
+        const std::uint64_t value = bits >> (offset_bits & kShiftMask);
+        if (object.length_bits == kBitsPerWord) // The usual one, in one go.
+        {
+            PutWord(object.place, static_cast<std::uint32_t>(value));
+        }
+        else
+        {
+            PutBits(object, value);
+        }
+        offset_bits += LengthAt(mapping, position);
     }
 }
 
@@ -258,15 +295,10 @@ PreparedPair Channel::Prepare(const SlotIndex slot) noexcept
     const SrdoMask bit = BitOf(slot);
     voice_.refreshed &= ~bit;
     voice_.requested &= ~bit;
-    if (!ReadObjects(*voice_.config, record))
-    {
-        pair.status = PrepareStatus::kNotInverse;
-        Report(voice_, slot, SrdoCause::kNotInverse);
-        return pair;
-    }
-    SetMode(record, Mode::kNormalAwaited);
     voice_.flying |= bit;
-    record.sent_since = voice_.now;
+    record.held = OctetsOf(ReadObjects(*voice_.config, MappingOf(voice_, slot)));
+    SetMode(record, Mode::kNormalAwaited);
+    record.frame_since = voice_.now;
     if (voice_.may_send && (record.form != ProducerForm::kProviderCalled))
     {
         record.since = voice_.now;
@@ -274,7 +306,7 @@ PreparedPair Channel::Prepare(const SlotIndex slot) noexcept
     pair.normal.identifier = record.values[kCobIdPlace];
     pair.normal.kind = FrameKind::kData;
     pair.normal.port = voice_.ports[0];
-    pair.normal.length_bytes = record.length_bytes;
+    pair.normal.length_bytes = static_cast<std::uint8_t>(LengthBytes(record));
     for (std::uint32_t place = 0U; place < kMaxPayloadBytes; ++place)
     {
         pair.normal.data[place] = record.held.at[place];

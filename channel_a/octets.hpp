@@ -26,10 +26,8 @@ constexpr std::uint32_t kBitsPerWord = 32U;
 /// What the bytes of an inverse frame are flipped with.
 constexpr std::uint64_t kInverseFlip = 0xFFFFFFFFFFFFFFFFU;
 
-/// The bits that are mapped, for lengths of 1 to 7 bytes and, as row 0, 8 bytes. Another length occurs only in a
-/// corrupted record, which its seal gives away.
-constexpr std::uint32_t kLengthMask = 0x07U;
-extern const std::uint64_t kMapped[kLengthMask + 1U]; // MISRA D-001
+constexpr std::uint32_t kShiftMask = 0x3FU;
+constexpr std::uint32_t kWholeBytes = 0x78U;
 
 /// @brief Four bytes from `place` on, byte 0 as the lowest bits, whatever the order of the processor.
 [[nodiscard, gnu::always_inline]] inline std::uint32_t WordAt(const std::uint8_t* const place) noexcept
@@ -49,9 +47,16 @@ extern const std::uint64_t kMapped[kLengthMask + 1U]; // MISRA D-001
     return BitsAt(&octets.at[0]);
 }
 
-[[nodiscard, gnu::always_inline]] inline std::uint64_t MappedBits(const Record& record) noexcept
+/// @brief The lowest bits, 1 to 64 of them. Another count occurs only in a corrupted record, which its seal gives away.
+[[nodiscard, gnu::always_inline]] inline std::uint64_t LowBits(const std::uint32_t count) noexcept
 {
-    return kMapped[record.length_bytes & kLengthMask];
+    return kInverseFlip >> ((0U - count) & kShiftMask);
+}
+
+/// @brief The bits of a frame that have a meaning.
+[[nodiscard, gnu::always_inline]] inline std::uint64_t FrameBits(const Record& record) noexcept
+{
+    return LowBits((record.length_bits + 7U) & kWholeBytes);
 }
 
 [[gnu::always_inline]] inline void PutWord(std::uint8_t* const to, const std::uint32_t word) noexcept
@@ -77,19 +82,19 @@ extern const std::uint64_t kMapped[kLengthMask + 1U]; // MISRA D-001
     return Payload{WordAt(&octets.at[0]), WordAt(&octets.at[kBytesPerWord])};
 }
 
-/// @brief Whether each mapped byte of the frame is the byte of `expected` XOR the byte of `flip`. Most frames have no
-/// other bytes.
-[[nodiscard]] inline bool IsEqual(const Record& record, const CanFrame& frame, const Octets& expected,
-                                  const std::uint64_t flip) noexcept
+/// @brief The frame becomes the pending normal frame. With late detection SRVT has no deadline, but the slot is served
+/// until the frame has become too old or is gone.
+[[gnu::always_inline]] inline void Keep(Voice& voice, const CanFrame& frame, const Instant stamp,
+                                        const std::uint32_t slot) noexcept
 {
-    const std::uint64_t wrong = BitsAt(&frame.data[0]) ^ Bits(expected) ^ flip;
-    return (wrong == 0U) || ((wrong & MappedBits(record)) == 0U);
-}
-
-/// @brief The frame becomes the pending normal frame.
-inline void Keep(Record& record, const CanFrame& frame, const Instant stamp) noexcept
-{
-    record.pending = OctetsOf(BitsAt(&frame.data[0]) & MappedBits(record));
+    Record& record = At(voice, slot);
+    record.pending = OctetsOf(BitsAt(&frame.data[0]));
+    record.frame_since = stamp;
+    if (record.detection == SrvtDetection::kLate)
+    {
+        Mark(voice, slot);
+        return;
+    }
     record.since = stamp;
     record.limit_us = SrvtUs(record);
 }

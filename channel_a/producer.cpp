@@ -23,7 +23,8 @@ constexpr Confirmation kNotOurs{kNoSlot, ConfirmStep::kNone};
 // Whether a frame with the expected identifier is not the one that was to be sent.
 inline bool IsWrong(const Record& record, const CanFrame& frame, const std::uint64_t flip) noexcept
 {
-    return (frame.length_bytes != record.length_bytes) || !IsEqual(record, frame, record.held, flip);
+    const std::uint64_t wrong = BitsAt(&frame.data[0]) ^ Bits(record.held) ^ flip;
+    return (frame.length_bytes != LengthBytes(record)) || ((wrong & FrameBits(record)) != 0U);
 }
 
 inline Confirmation ConfirmNormal(Voice& voice, Record& record, const CanFrame& frame, const Instant stamp,
@@ -39,7 +40,7 @@ inline Confirmation ConfirmNormal(Voice& voice, Record& record, const CanFrame& 
         return kNotOurs;
     }
     SetMode(record, Mode::kInverseAwaited);
-    record.sent_since = stamp;
+    record.frame_since = stamp;
     return Confirmation{static_cast<SlotIndex>(slot), ConfirmStep::kNormal};
 }
 
@@ -55,9 +56,9 @@ inline Confirmation ConfirmInverse(Voice& voice, Record& record, const CanFrame&
         Raise(voice, slot, Event::kAbort, SrdoCause::kWrongEcho);
         return kNotOurs;
     }
-    if ((stamp.us - record.sent_since.us) > SrvtUs(record))
+    if ((stamp.us - record.frame_since.us) > SrvtUs(record))
     {
-        Raise(voice, slot, Event::kUnconfirmed, SrdoCause::kNone);
+        Raise(voice, slot, Event::kAbort, SrdoCause::kNoConfirmation);
         return kNotOurs;
     }
     SetMode(record, Mode::kIdle);
@@ -97,7 +98,8 @@ CanFrame Channel::InverseFrame(SlotIndex /*slot*/) noexcept
 
 void Channel::OnTransmitFault(const SlotIndex slot, const SrdoCause cause) noexcept
 {
-    if ((cause == SrdoCause::kTransmitQueue) || (cause == SrdoCause::kBusOff))
+    const bool is_of_port = (cause == SrdoCause::kTransmitQueue) || (cause == SrdoCause::kBusOff);
+    if (is_of_port || (cause == SrdoCause::kNotInverse))
     {
         Raise(voice_, slot, Event::kAbort, cause);
     }

@@ -23,7 +23,7 @@ constexpr std::uint32_t kLengthShift = 24U;
     return (static_cast<std::uint32_t>(record.mode) << kModeShift) |
            (static_cast<std::uint32_t>(record.first_cause) << kCauseShift) |
            (static_cast<std::uint32_t>(record.direction) << kDirectionShift) |
-           (static_cast<std::uint32_t>(record.length_bytes) << kLengthShift);
+           (static_cast<std::uint32_t>(record.length_bits) << kLengthShift);
 }
 
 [[nodiscard]] inline bool IsSealed(const Record& record) noexcept
@@ -49,10 +49,10 @@ inline void SetDirection(Record& record, const std::uint8_t direction) noexcept
     record.direction = direction;
 }
 
-inline void SetLength(Record& record, const std::uint8_t length_bytes) noexcept
+inline void SetLength(Record& record, const std::uint8_t length_bits) noexcept
 {
-    record.seal ^= (std::uint32_t{record.length_bytes} ^ std::uint32_t{length_bytes}) << kLengthShift;
-    record.length_bytes = length_bytes;
+    record.seal ^= (std::uint32_t{record.length_bits} ^ std::uint32_t{length_bits}) << kLengthShift;
+    record.length_bits = length_bits;
 }
 
 } // namespace counterpoint::channel_a

@@ -40,28 +40,25 @@ constexpr std::uint8_t kTwice = 21U;
 constexpr std::uint8_t kUnlike = 22U;
 constexpr std::uint8_t kForeign = 23U;
 constexpr std::uint8_t kLength = 24U;
-constexpr std::uint8_t kSrvt = 25U;
-constexpr std::uint8_t kSct = 26U;
-constexpr std::uint8_t kGiven = 27U;
-constexpr std::uint8_t kDropAll = 28U;
-constexpr std::uint8_t kDropHeld = 29U;
+constexpr std::uint8_t kGiven = 25U;
+constexpr std::uint8_t kDropAll = 26U;
+constexpr std::uint8_t kDropHeld = 27U;
 
 // Frames that are as they should be.
-constexpr std::uint8_t kTakeW1 = 30U;
-constexpr std::uint8_t kTakeWN = 31U;
-constexpr std::uint8_t kTakeF1 = 32U;
-constexpr std::uint8_t kTakeFN = 33U;
-constexpr std::uint8_t kTakeRN = 34U;
-constexpr std::uint8_t kPairW = 35U;
-constexpr std::uint8_t kPairF = 36U;
-constexpr std::uint8_t kPairR = 37U;
+constexpr std::uint8_t kTakeW1 = 28U;
+constexpr std::uint8_t kTakeWN = 29U;
+constexpr std::uint8_t kTakeF1 = 30U;
+constexpr std::uint8_t kTakeFN = 31U;
+constexpr std::uint8_t kTakeRN = 32U;
+constexpr std::uint8_t kPairW = 33U;
+constexpr std::uint8_t kPairF = 34U;
+constexpr std::uint8_t kPairR = 35U;
 
 // Transmission.
-constexpr std::uint8_t kAbortC = 38U;
-constexpr std::uint8_t kSilent = 39U;
-constexpr std::uint8_t kCorruptP = 40U;
-constexpr std::uint8_t kLost = 41U;
-constexpr std::uint8_t kVoid = 42U;
+constexpr std::uint8_t kAbortC = 36U;
+constexpr std::uint8_t kCorruptP = 37U;
+constexpr std::uint8_t kLost = 38U;
+constexpr std::uint8_t kVoid = 39U;
 
 } // namespace
 
@@ -70,15 +67,15 @@ constexpr ModeFacts kModeFacts[kModeCount] = {
     {Mode::kBroken, SrdoState::kFaulted, kGroupFaulted, kNoData},
     {Mode::kOff, SrdoState::kOff, kGroupOff, kNoData},
     {Mode::kWaitingEmpty, SrdoState::kWaiting, kGroupWaiting, kNoData},
-    {Mode::kWaitingFirst, SrdoState::kWaiting, kGroupWaiting, kNoData},
+    {Mode::kWaitingFirst, SrdoState::kWaiting, kGroupWaiting, kFirstFrame},
     {Mode::kWaitingHeld, SrdoState::kWaiting, kGroupWaiting, kHeldPair},
-    {Mode::kWaitingNext, SrdoState::kWaiting, kGroupWaiting, kHeldPair},
+    {Mode::kWaitingNext, SrdoState::kWaiting, kGroupWaiting, kHeldPair | kFirstFrame},
     {Mode::kFaultedEmpty, SrdoState::kFaulted, kGroupFaulted, kNoData},
-    {Mode::kFaultedFirst, SrdoState::kFaulted, kGroupFaulted, kNoData},
+    {Mode::kFaultedFirst, SrdoState::kFaulted, kGroupFaulted, kFirstFrame},
     {Mode::kFaultedHeld, SrdoState::kFaulted, kGroupFaulted, kHeldPair},
-    {Mode::kFaultedNext, SrdoState::kFaulted, kGroupFaulted, kHeldPair},
+    {Mode::kFaultedNext, SrdoState::kFaulted, kGroupFaulted, kHeldPair | kFirstFrame},
     {Mode::kReleasedHeld, SrdoState::kReleased, kGroupReleased, kHeldPair},
-    {Mode::kReleasedNext, SrdoState::kReleased, kGroupReleased, kHeldPair},
+    {Mode::kReleasedNext, SrdoState::kReleased, kGroupReleased, kHeldPair | kFirstFrame},
     {Mode::kIdle, SrdoState::kProducer, kGroupProducer, kNoData},
     {Mode::kBroken, SrdoState::kFaulted, kGroupFaulted, kNoData}, // No mode has this place.
     {Mode::kNormalAwaited, SrdoState::kProducer, kGroupProducer, kInFlight},
@@ -113,8 +110,6 @@ constexpr Cell kCells[kCellCount] = {
     {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kNotInverse},
     {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kIdentifier},
     {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kLength},
-    {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kSrvt},
-    {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kSct},
     {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kNone},
     {Mode::kFaultedEmpty, Effect::kDropAll, SrdoCause::kNone},
     {Mode::kFaultedFirst, Effect::kDropHeld, SrdoCause::kNone},
@@ -127,7 +122,6 @@ constexpr Cell kCells[kCellCount] = {
     {Mode::kFaultedHeld, Effect::kComplete, SrdoCause::kNone},
     {Mode::kReleasedHeld, Effect::kComplete, SrdoCause::kNone},
     {Mode::kIdle, Effect::kAbort, SrdoCause::kNone},
-    {Mode::kIdle, Effect::kAbort, SrdoCause::kNoConfirmation},
     {Mode::kIdle, Effect::kAbort, SrdoCause::kInvalid},
     {Mode::kOff, Effect::kFault, SrdoCause::kInvalid},
     {Mode::kOff, Effect::kAbort, SrdoCause::kInvalid},
@@ -161,9 +155,6 @@ constexpr std::uint8_t kTransitions[kEventCount][kModeCount] = {
     // kWrongLength
     {kCorrupt, kOff, kLength, kLength, kLength, kLength, kLength, kLength, kLength, kLength, kLength, kLength, kIdle,
      kCorrupt, kNormalAwaited, kInverseAwaited},
-    // kExpired
-    {kCorrupt, kOff, kCorrupt, kSrvt, kSct, kSrvt, kCorrupt, kSrvt, kSct, kSrvt, kSct, kSrvt, kIdle, kCorrupt,
-     kNormalAwaited, kInverseAwaited},
     // kError
     {kCorrupt, kOff, kGiven, kGiven, kGiven, kGiven, kGiven, kGiven, kGiven, kGiven, kGiven, kGiven, kIdle, kCorrupt,
      kNormalAwaited, kInverseAwaited},
@@ -176,9 +167,6 @@ constexpr std::uint8_t kTransitions[kEventCount][kModeCount] = {
     // kAbort
     {kCorrupt, kOff, kWaitingEmpty, kWaitingFirst, kWaitingHeld, kWaitingNext, kFaultedEmpty, kFaultedFirst,
      kFaultedHeld, kFaultedNext, kReleasedHeld, kReleasedNext, kIdle, kCorrupt, kAbortC, kAbortC},
-    // kUnconfirmed
-    {kCorrupt, kOff, kWaitingEmpty, kWaitingFirst, kWaitingHeld, kWaitingNext, kFaultedEmpty, kFaultedFirst,
-     kFaultedHeld, kFaultedNext, kReleasedHeld, kReleasedNext, kIdle, kCorrupt, kSilent, kSilent},
     // kCorrupted
     {kCorrupt, kLost, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt,
      kCorrupt, kVoid, kCorrupt, kVoid, kVoid},

@@ -43,16 +43,14 @@ enum class Event : std::uint8_t
     kNotInverse = 5U, ///< Inverse frame with a bit that is not.
     kWrongIdentifier = 6U,
     kWrongLength = 7U,
-    kExpired = 8U,  ///< SRVT or SCT of a consumer.
-    kError = 9U,    ///< Anything else that makes a consumer safe; the cause is given by who raises it.
-    kDiscard = 10U, ///< The held pair is dropped, a pending normal frame stays.
-    kRelease = 11U,
-    kAbort = 12U,       ///< The transmission failed; the cause is given by who raises it.
-    kUnconfirmed = 13U, ///< Nothing was confirmed within SRVT.
-    kCorrupted = 14U,   ///< The record does not fit its seal.
+    kError = 8U,   ///< Anything else that makes a consumer safe; the cause is given by who raises it.
+    kDiscard = 9U, ///< The held pair is dropped, a pending normal frame stays.
+    kRelease = 10U,
+    kAbort = 11U,     ///< The pair in flight failed; the cause is given by who raises it.
+    kCorrupted = 12U, ///< The record does not fit its seal.
 };
 
-constexpr std::size_t kEventCount = 15U;
+constexpr std::size_t kEventCount = 13U;
 
 /// What is to be done with the record besides its new mode.
 enum class Effect : std::uint8_t
@@ -84,11 +82,13 @@ constexpr std::uint8_t kGroupCount = 5U;
 /// From kGroupWaiting on.
 constexpr std::uint32_t kConsumerGroups = 3U;
 
-/// What Record::held is.
+/// What a record holds.
 constexpr std::uint8_t kNoData = 0U;
-constexpr std::uint8_t kInFlight = 1U; ///< Of a producer.
-constexpr std::uint8_t kHeldPair = 3U; ///< Of a consumer.
+constexpr std::uint8_t kInFlight = 1U;   ///< Of a producer.
+constexpr std::uint8_t kHeldPair = 3U;   ///< Of a consumer.
+constexpr std::uint8_t kFirstFrame = 4U; ///< Besides: a normal frame is pending.
 constexpr std::uint8_t kShownMask = 1U;
+constexpr std::uint8_t kHoldsMask = 2U;
 constexpr std::uint8_t kHoldsShift = 1U;
 
 /// What a mode means to the rest of the channel. Four bytes, so that it is found by shifts.
@@ -113,7 +113,13 @@ extern const ModeFacts kModeFacts[kModeCount]; // MISRA D-001
     return kModeFacts[static_cast<std::uint8_t>(mode) & kModeMask];
 }
 
-constexpr std::size_t kCellCount = 43U;
+/// @brief A normal frame is pending.
+[[nodiscard]] inline bool HasFirstFrame(const Mode mode) noexcept
+{
+    return (FactsOf(mode).data & kFirstFrame) != 0U;
+}
+
+constexpr std::size_t kCellCount = 40U;
 
 /// The different cells of the table. Cell 0 is that of an omitted entry.
 extern const Cell kCells[kCellCount]; // MISRA D-001

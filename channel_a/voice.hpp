@@ -51,6 +51,24 @@ struct Voice
     SrdoMask refreshed;           ///< Producers that are due by a refresh.
 };
 
+/// What comes from the bus: a normal frame (or none), or an inverse frame.
+enum class Half : std::uint8_t
+{
+    kNormal = 0U,
+    kInverse = 1U,
+};
+
+/// The entries of one SRDO and where their objects are.
+struct Mapping
+{
+    const std::uint32_t* entries;
+    std::uint16_t* places; ///< In DeviceConfig::objects, of the entry of the same position; null: a static mapping,
+                           ///< whose objects are looked up.
+    std::uint32_t count;   ///< As the loops over a mapping use it: at most `limit`, whatever is stored.
+    std::uint32_t stored_count;
+    std::uint32_t limit;
+};
+
 [[nodiscard]] inline Record& At(const Voice& voice, const std::uint32_t slot) noexcept
 {
     return voice.storage.records[slot]; // MISRA D-002
@@ -67,6 +85,18 @@ struct Voice
     return voice.groups[kGroupWaiting] | voice.groups[kGroupFaulted] | voice.groups[kGroupReleased];
 }
 
+/// @brief Bytes of a frame of this SRDO.
+[[nodiscard]] inline std::uint32_t LengthBytes(const Record& record) noexcept
+{
+    return (record.length_bits + 7U) >> 3U;
+}
+
+/// @brief Whether the limit that the cycle looks at has passed.
+[[nodiscard]] inline bool IsExpired(const Record& record, const Instant when) noexcept
+{
+    return (when.us - record.since.us) > record.limit_us;
+}
+
 /// @brief Refresh time or SCT.
 [[nodiscard]] inline std::uint32_t SctUs(const Record& record) noexcept
 {
@@ -76,6 +106,13 @@ struct Voice
 [[nodiscard]] inline std::uint32_t SrvtUs(const Record& record) noexcept
 {
     return record.values[kSrvtPlace] * kMicrosecondsPerMillisecond;
+}
+
+/// @brief Whether with late detection the pending normal frame is too old for an inverse frame. [SRS-TIME-009]
+[[nodiscard]] inline bool IsTooOld(const Record& record, const Instant when) noexcept
+{
+    return (record.detection == SrvtDetection::kLate) && ((when.us - record.frame_since.us) > SrvtUs(record)) &&
+           HasFirstFrame(record.mode);
 }
 
 // channel.cpp: what follows every event, in one place.
@@ -88,6 +125,8 @@ void Count(Record& record, SrdoCause cause) noexcept;
 void Report(Voice& voice, std::uint32_t slot, SrdoCause cause) noexcept;
 /// @brief The next OnCycle, or the one that goes on, serves the slot. Not inline: loops are shorter without a mask.
 void Mark(Voice& voice, std::uint32_t slot) noexcept;
+/// @brief SRVT or SCT has expired: a fault by the one with the earlier deadline. [SRS-TIME-008]
+void Expire(Voice& voice, std::uint32_t slot, Instant when, Half half) noexcept;
 /// @brief Every SRDO with a valid configuration becomes active.
 void Enter(Voice& voice, Instant now) noexcept;
 /// @brief None is active any more.
@@ -106,12 +145,14 @@ void ReceiveLate(Voice& voice, const CanFrame& frame, Instant stamp, std::uint32
 
 // mapping.cpp: the only source that knows where objects are and how long.
 
-/// @brief SRS-CFG-026 to 028; leaves the places of the objects in the record.
-[[nodiscard]] ConfigFault Resolve(const DeviceConfig& config, Record& record) noexcept;
+/// @brief The mapping of one SRDO, be it dynamic or static.
+[[nodiscard]] Mapping MappingOf(const Voice& voice, std::uint32_t slot) noexcept;
+/// @brief SRS-CFG-026 to 028; keeps the places of the objects of a dynamic mapping.
+[[nodiscard]] ConfigFault Resolve(const DeviceConfig& config, Record& record, const Mapping& mapping) noexcept;
 /// @brief Whether the places still lead to what the entries name. [SRS-CFG-030]
-[[nodiscard]] bool HoldsTable(const DeviceConfig& config, const Record& record) noexcept;
+[[nodiscard]] bool HoldsTable(const DeviceConfig& config, const Record& record, const Mapping& mapping) noexcept;
 /// @brief Data into the normal objects.
-void WriteObjects(const DeviceConfig& config, const Record& record, const Octets& data) noexcept;
+void WriteObjects(const Voice& voice, std::uint32_t slot, const Octets& data) noexcept;
 
 } // namespace counterpoint::channel_a
 

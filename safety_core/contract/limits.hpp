@@ -10,7 +10,7 @@ namespace counterpoint
 /// EN 50325-5 knows SRDO 1 to 64 (objects 1301h to 1340h).
 constexpr std::uint8_t kMaxSrdoCount = 64U;
 /// Entries of one mapping at most: 64 normal and 64 inverse objects of one bit.
-constexpr std::uint8_t kMaxMapEntries = 16U;
+constexpr std::uint8_t kMaxMapEntries = 128U;
 /// Entries of one mapping where no object is shorter than a byte: 8 normal and 8 inverse ones.
 constexpr std::uint8_t kUsualMapEntries = 16U;
 constexpr std::uint8_t kMaxPayloadBytes = 8U;
@@ -35,6 +35,7 @@ constexpr std::uint32_t kMicrosecondsPerMillisecond = 1000U;
 
 static_assert(kSrdoIdentifierCount == (kLastSrdoIdentifier - kFirstSrdoIdentifier) + 1U, "one identifier pair an SRDO");
 static_assert(kSrdoIdentifierCount == 2U * kMaxSrdoCount, "one identifier pair an SRDO");
+static_assert(kMaxMapEntries == 2U * kMaxPayloadBits, "one normal and one inverse object a bit");
 static_assert(kUsualMapEntries == 2U * kMaxPayloadBytes, "one normal and one inverse object a byte");
 
 } // namespace counterpoint
