@@ -173,13 +173,14 @@ CampaignResult RunCampaign(const std::uint32_t runs, const std::uint64_t seed)
 
 bool SoakResult::Holds() const
 {
-    return (faults[0U].fault == DeviceFault::kNone) && (faults[1U].fault == DeviceFault::kNone) && is_open &&
-           (pairs_bad == 0U);
+    return (faults[0U].fault == DeviceFault::kNone) && (faults[1U].fault == DeviceFault::kNone) && (pairs_bad == 0U) &&
+           (is_open || (sensor_faults != 0U));
 }
 
-SoakResult RunSoak(const double seconds, const std::uint64_t seed)
+SoakResult RunSoak(const double seconds, const std::uint64_t seed, const std::uint32_t sensor_faults_ppm)
 {
     Device device{UsualSetup(seed)};
+    device.sensor_faults_ppm = sensor_faults_ppm;
     device.RunUntil(seconds * kMillion);
     SoakResult result{};
     for (std::size_t cpu = 0U; cpu < 2U; ++cpu)
@@ -195,6 +196,7 @@ SoakResult RunSoak(const double seconds, const std::uint64_t seed)
     }
     result.pairs_heard = device.pairs_heard;
     result.pairs_bad = device.pairs_bad;
+    result.sensor_faults = device.sensor_faults;
     result.seconds = seconds;
     result.is_open = device.IsOpen();
     return result;

@@ -62,13 +62,16 @@ struct SoakResult
     std::array<std::uint16_t, 2U> demotions{};
     std::uint64_t pairs_heard{0U};
     std::uint64_t pairs_bad{0U};
+    std::uint64_t sensor_faults{0U};
     double seconds{0.0};
     bool is_open{false};
 
     [[nodiscard]] bool Holds() const;
 };
 /// @brief So many simulated seconds with drift and a bad link, and nothing broken. [SRS-TWO-016]
-[[nodiscard]] SoakResult RunSoak(double seconds, std::uint64_t seed);
+/// `sensor_faults_ppm`: pairs in a million that the sensor does not send as it should; they are no device faults
+/// either.
+[[nodiscard]] SoakResult RunSoak(double seconds, std::uint64_t seed, std::uint32_t sensor_faults_ppm);
 /// @brief The device of soak and campaign: 100 ppm against each other, a message in 1000 lost.
 [[nodiscard]] DeviceSetup UsualSetup(std::uint64_t seed);
 

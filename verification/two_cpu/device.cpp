@@ -98,17 +98,39 @@ void Device::RunCpu(const std::size_t cpu)
     self.ports.sent.clear();
 }
 
+void Device::SendPair()
+{
+    const std::uint32_t value = Below(random_, 0x10000U);
+    const bool is_faulty = (sensor_faults_ppm != 0U) && (Below(random_, 1'000'000U) < sensor_faults_ppm);
+    const std::uint32_t fault = is_faulty ? (1U + Below(random_, 5U)) : 0U;
+    sensor_faults += is_faulty ? 1U : 0U;
+    if (fault == 5U)
+    {
+        next_pair_us_ += 500'000.0; // Longer than SCT.
+        return;
+    }
+    if (fault != 1U)
+    {
+        Submit(FrameOf(0x101U, value), 2, kFrameUs);
+    }
+    if (fault == 2U)
+    {
+        Submit(FrameOf(0x101U, value), 2, 2.0 * kFrameUs);
+    }
+    if (fault != 3U)
+    {
+        Submit(FrameOf(0x102U, (fault == 4U) ? value : ~value), 2, 3.0 * kFrameUs);
+    }
+}
+
 void Device::RunSensor()
 {
-    ++pair_;
     const double jitter_us = static_cast<double>(Below(random_, 2000U));
+    next_pair_us_ = now_us_ + static_cast<double>(setup_.timing.refresh_us) + jitter_us - 1000.0;
     if (!sensor_is_silent)
     {
-        const std::uint32_t value = static_cast<std::uint32_t>(Below(random_, 0x10000U));
-        Submit(FrameOf(0x101U, value), 2, kFrameUs);
-        Submit(FrameOf(0x102U, ~value), 2, 2.0 * kFrameUs);
+        SendPair();
     }
-    next_pair_us_ = now_us_ + static_cast<double>(setup_.timing.refresh_us) + jitter_us - 1000.0;
 }
 
 void Device::Listen(const CanFrame& frame)

@@ -48,10 +48,11 @@ class Device
     std::array<bool, 2U> cycles_on{false, false}; ///< Goes on with its cycles although its clock stands.
     host::HostWire wire;
     bool sensor_is_silent{false};
+    std::uint32_t sensor_faults_ppm{0U}; ///< Pairs of the sensor that are not as they should be.
+    std::uint64_t sensor_faults{0U};
     std::uint64_t cycles{0U};
-    std::uint64_t pairs_heard{0U};                   ///< Complete inverse pairs of this device, by the listener.
-    std::uint64_t pairs_bad{0U};                     ///< Inverse frames that do not fit their normal frame.
-    std::array<double, 2U> closed_at_us{-1.0, -1.0}; ///< Last time an open output was found closed at a cycle.
+    std::uint64_t pairs_heard{0U}; ///< Complete inverse pairs of this device, by the listener.
+    std::uint64_t pairs_bad{0U};   ///< Inverse frames that do not fit their normal frame.
 
   private:
     struct BusFrame
@@ -64,6 +65,7 @@ class Device
     void RunCpu(std::size_t cpu);
     void RunBus();
     void RunSensor();
+    void SendPair();
     void Submit(const CanFrame& frame, int sender, double after_us);
     void Listen(const CanFrame& frame);
 
@@ -76,7 +78,6 @@ class Device
     std::array<double, 2U> first_cycle_us_{};
     std::array<bool, 2U> is_operational_{};
     double next_pair_us_;
-    std::uint64_t pair_{0U};
     std::deque<BusFrame> bus_{}; ///< Ascending.
     std::uint32_t heard_normal_{0U};
     hal::LinkFrame link_frame_{};

@@ -44,8 +44,8 @@ void Print(const two_cpu::SoakResult& result)
                     result.consumer_errors[cpu], result.producer_errors[cpu],
                     static_cast<unsigned>(result.demotions[cpu]));
     }
-    std::printf("pairs_heard=%" PRIu64 " pairs_bad=%" PRIu64 " output=%s\n", result.pairs_heard, result.pairs_bad,
-                result.is_open ? "open" : "closed");
+    std::printf("pairs_heard=%" PRIu64 " pairs_bad=%" PRIu64 " sensor_faults=%" PRIu64 " output=%s\n",
+                result.pairs_heard, result.pairs_bad, result.sensor_faults, result.is_open ? "open" : "closed");
 }
 } // namespace
 
@@ -54,10 +54,13 @@ int main(int argc, char** argv)
     CLI::App app{"Two CPUs over a cross link: random losses against the computed limits, and undisturbed running"};
     std::uint32_t runs = 0U;
     std::uint32_t seconds = 0U;
+    std::uint32_t sensor_faults_ppm = 0U;
     std::uint64_t seed = 1U;
     app.add_option("--runs", runs, "Runs in which something breaks, nine kinds in turn");
     app.add_option("--seconds", seconds, "Simulated seconds of undisturbed running")
         ->check(CLI::Range(0U, 10'000'000U));
+    app.add_option("--sensor-faults-ppm", sensor_faults_ppm, "Pairs in a million that the sensor gets wrong meanwhile")
+        ->check(CLI::Range(0U, 1'000'000U));
     app.add_option("--seed", seed, "The same numbers give the same runs");
     try
     {
@@ -78,7 +81,7 @@ int main(int argc, char** argv)
         }
         if (seconds != 0U)
         {
-            const two_cpu::SoakResult result = two_cpu::RunSoak(seconds, seed);
+            const two_cpu::SoakResult result = two_cpu::RunSoak(seconds, seed, sensor_faults_ppm);
             Print(result);
             holds = holds && result.Holds();
             std::printf("undisturbed seconds=%" PRIu32 " seed=%" PRIu64 ": %s\n", seconds, seed,
