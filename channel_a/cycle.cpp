@@ -17,6 +17,7 @@ constexpr std::uint32_t kTokenRotation = 8U;
 constexpr std::uint32_t kWordBits = 32U;
 constexpr std::uint32_t kEachByte = 0x01010101U;
 constexpr std::uint32_t kPermitRotation = 16U;
+constexpr std::uint32_t kLongAgoUs = 0x80000000U; // As far as instants have a difference.
 constexpr std::uint32_t kWaitingPastSctBit = std::uint32_t{1U} << static_cast<std::uint8_t>(SrdoCause::kWaitingPastSct);
 
 // What one OnCycle is about, for all slots.
@@ -165,9 +166,9 @@ std::uint32_t ServeConsumer(Voice& voice, Cycle& cycle, const std::uint32_t slot
 {
     Record& record = At(voice, slot);
     ExamineConsumer(voice, cycle, slot);
-    if (IsTooOld(record, cycle.now))
+    if ((cycle.now.us - record.frame_since.us) > kLongAgoUs)
     {
-        record.frame_since.us = cycle.now.us - (SrvtUs(record) + 1U); // Still too old, however long it waits.
+        record.frame_since.us = cycle.now.us - kLongAgoUs; // Still too old, however long it waits.
     }
     if (record.unreported != 0U)
     {
