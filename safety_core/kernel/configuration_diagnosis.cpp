@@ -71,24 +71,34 @@ ConfigurationFinding ConfigurationGuard::CheckAll(const CheckDepth depth) noexce
     return ConfigurationFinding{ConfigFault::kNone, kNoSlot, 0U};
 }
 
-// The digest of the device as it is becomes the reference of the cyclic one. [SRS-CFG-050]
+// One more slot by both channels: a difference between them shows at the slot where it is. [SRS-CFG-050]
+bool ConfigurationGuard::StepDigest(const SlotIndex slot) noexcept
+{
+    const DeviceDigest before{(slot == 0U) ? 0U : digest_.value};
+    digest_ = a_.Digest(slot, before);
+    const bool is_equal = digest_.value == b_.Digest(slot, before).value;
+    if (!is_equal)
+    {
+        latch_.Enter(DeviceFault::kDisagreement, slot);
+    }
+    return is_equal;
+}
+
+// The digest of the device as it is becomes the reference of the cyclic one, whose walk this disturbs.
 Result ConfigurationGuard::TakeDigest() noexcept
 {
-    DeviceDigest a{0U};
-    DeviceDigest b{0U};
+    bool is_equal = true;
     for (SlotIndex slot = 0U; slot < config_->srdo_count; ++slot)
     {
-        a = a_.Digest(slot, a);
-        b = b_.Digest(slot, b);
+        is_equal = StepDigest(slot) && is_equal;
     }
-    reference_ = a;
+    reference_ = digest_;
     is_digest_whole_ = false;
-    if (a.value != b.value)
+    if (!is_equal)
     {
-        latch_.Enter(DeviceFault::kDisagreement, kNoSlot);
         return Result::kDeviceFault;
     }
-    const bool is_expected = (config_->digest == 0U) || (config_->digest == a.value);
+    const bool is_expected = (config_->digest == 0U) || (config_->digest == reference_.value);
     return is_expected ? Result::kSuccessful : Result::kInvalidConfiguration;
 }
 
@@ -105,7 +115,7 @@ std::uint32_t ConfigurationGuard::Cycle(const std::uint32_t challenge) noexcept
 }
 
 // step    0          1         2          3         ...
-// slot    0 recheck  0 digest  1 recheck  1 digest  ...
+// slot    0 recheck  0 digest  1 recheck  1 digest  ...    a change in both channels shows when all slots are done
 void ConfigurationGuard::Examine() noexcept
 {
     const std::uint32_t step = step_;
@@ -113,38 +123,24 @@ void ConfigurationGuard::Examine() noexcept
     const bool is_last = following == (2U * static_cast<std::uint32_t>(config_->srdo_count));
     step_ = is_last ? std::uint8_t{0U} : static_cast<std::uint8_t>(following);
     const SlotIndex slot = static_cast<SlotIndex>(step / 2U);
-    if ((step & 1U) != 0U)
+    bool is_sound = true;
+    if ((step & 1U) == 0U)
     {
-        ExamineDigest(slot);
+        is_digest_whole_ = is_digest_whole_ || (slot == 0U);
+        is_sound = (!IsValid()) || (Check(slot, CheckDepth::kRecheck).rule == ConfigFault::kNone);
     }
-    else if (IsValid() && (Check(slot, CheckDepth::kRecheck).rule != ConfigFault::kNone))
+    else if (StepDigest(slot) && is_last)
     {
-        latch_.Enter(DeviceFault::kConfiguration, slot);
+        const bool is_compared = is_digest_whole_ && IsValid();
+        is_sound = (!is_compared) || (digest_.value == reference_.value);
     }
     else
     {
-        // This SRDO is as it was declared, or nothing is declared.
+        // One slot of the digest more.
     }
-}
-
-// A difference between the channels shows at the slot where it is, a change in both when all slots are done.
-void ConfigurationGuard::ExamineDigest(const SlotIndex slot) noexcept
-{
-    if (slot == 0U)
+    if (!is_sound)
     {
-        digest_ = DeviceDigest{0U};
-        is_digest_whole_ = true;
-    }
-    const DeviceDigest a = a_.Digest(slot, digest_);
-    if (a.value != b_.Digest(slot, digest_).value)
-    {
-        latch_.Enter(DeviceFault::kDisagreement, slot);
-    }
-    digest_ = a;
-    const bool is_compared = (step_ == 0U) && is_digest_whole_ && IsValid();
-    if (is_compared && (a.value != reference_.value))
-    {
-        latch_.Enter(DeviceFault::kConfiguration, kNoSlot);
+        latch_.Enter(DeviceFault::kConfiguration, is_last ? kNoSlot : slot);
     }
 }
 

@@ -1,7 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "safety_core/kernel/configuration_guard.hpp"
 
-#include "safety_core/comparator/slot_mask.hpp"
 #include "safety_core/kernel/variable.hpp"
 
 namespace counterpoint
@@ -12,31 +11,6 @@ namespace
 constexpr std::uint32_t kBitsPerByte = 8U;
 
 constexpr ConfigAddress kValidAddress{0U, ConfigField::kConfigurationValid, 0U};
-
-std::uint32_t ToValue(const ObjectData& data) noexcept
-{
-    std::uint32_t value = 0U;
-    for (std::uint32_t byte = data.size_bytes; byte != 0U; --byte)
-    {
-        value = (value << kBitsPerByte) | data.bytes[byte - 1U]; // MISRA D-002
-    }
-    return value;
-}
-
-ObjectReading ToReading(const VariableValue& value, const std::uint8_t size_bytes) noexcept
-{
-    ObjectReading reading{};
-    reading.data.size_bytes = size_bytes;
-    WriteVariable(VariablePlace{&reading.data.bytes[0], static_cast<std::uint8_t>(kBitsPerByte * size_bytes)}, value);
-    return reading;
-}
-
-ObjectReading Refused(const AbortCode abort) noexcept
-{
-    ObjectReading reading{};
-    reading.abort = abort;
-    return reading;
-}
 
 } // namespace
 
@@ -99,19 +73,17 @@ void ConfigurationGuard::Invalidate() noexcept
 
 ObjectReading ConfigurationGuard::Read(const ObjectAddress& address) noexcept
 {
+    ObjectReading reading{};
+    reading.abort = AbortCode::kDeviceState;
     if (nmt_ == NmtState::kInvalid)
     {
-        return Refused(AbortCode::kDeviceState);
+        return reading;
     }
     const ObjectPlace place = Locate(*config_, address);
+    reading.abort = place.refusal;
     if (place.kind == ObjectKind::kInvalid)
     {
-        return Refused(place.refusal);
-    }
-    if (place.kind == ObjectKind::kVariable)
-    {
-        return ToReading(ReadVariable(VariablePlace{place.variable->place, place.variable->length_bits}),
-                         place.size_bytes);
+        return reading;
     }
     // What is not stored reads 0 in both channels.
     const std::uint32_t value_a = a_.Load(place.config).value;
@@ -119,9 +91,19 @@ ObjectReading ConfigurationGuard::Read(const ObjectAddress& address) noexcept
     if (value_a != value_b)
     {
         latch_.Enter(DeviceFault::kConfiguration, place.config.slot);
-        return Refused(AbortCode::kGeneral);
+        reading.abort = AbortCode::kGeneral;
+        return reading;
     }
-    return ToReading(VariableValue{value_a | place.constant}, place.size_bytes);
+    VariableValue value{value_a | place.constant};
+    if (place.kind == ObjectKind::kVariable)
+    {
+        value = ReadVariable(VariablePlace{place.variable->place, place.variable->length_bits});
+    }
+    reading.abort = AbortCode::kNone;
+    reading.data.size_bytes = place.size_bytes;
+    WriteVariable(VariablePlace{&reading.data.bytes[0], static_cast<std::uint8_t>(kBitsPerByte * place.size_bytes)},
+                  value);
+    return reading;
 }
 
 AbortCode ConfigurationGuard::Write(const ObjectAddress& address, const ObjectData& data) noexcept
@@ -200,23 +182,10 @@ Result ConfigurationGuard::Declare() noexcept
     }
     if (result == Result::kSuccessful)
     {
-        TakeDirections();
         valid_ = kConfigurationValidValue;
         StoreBoth(ConfigItem{kValidAddress, kConfigurationValidValue});
     }
     return result;
-}
-
-void ConfigurationGuard::TakeDirections() noexcept
-{
-    active_ = 0U;
-    producers_ = 0U;
-    for (SlotIndex slot = 0U; slot < config_->srdo_count; ++slot)
-    {
-        const std::uint32_t direction = Value(slot, ConfigField::kDirection);
-        active_ |= (direction != kDirectionOff) ? OnlySlot(slot).mask : 0U;
-        producers_ |= (direction == kDirectionProducer) ? OnlySlot(slot).mask : 0U;
-    }
 }
 
 Result ConfigurationGuard::DefineFields(const SlotIndex slot, const StaticFields& fields) noexcept

@@ -52,16 +52,6 @@ class ConfigurationGuard
     {
         return nmt_;
     }
-    /// @brief SRDOs that are not off, and the producers among them, as of the last declaration of a valid
-    /// configuration.
-    [[nodiscard]] SrdoMask Active() const noexcept
-    {
-        return active_;
-    }
-    [[nodiscard]] SrdoMask Producers() const noexcept
-    {
-        return producers_;
-    }
     [[nodiscard]] bool IsValid() const noexcept
     {
         return valid_ == kConfigurationValidValue;
@@ -108,10 +98,9 @@ class ConfigurationGuard
     [[nodiscard]] AbortCode AdmitMapEntry(const ConfigItem& item) const noexcept;
     [[nodiscard]] std::uint32_t MappedBits(SlotIndex slot, std::uint8_t first, std::uint32_t count) const noexcept;
     void StoreBoth(const ConfigItem& item) noexcept;
-    void TakeDirections() noexcept;
     [[nodiscard]] Result TakeDigest() noexcept;
     void Examine() noexcept;
-    void ExamineDigest(SlotIndex slot) noexcept;
+    [[nodiscard]] bool StepDigest(SlotIndex slot) noexcept;
     [[nodiscard]] std::uint32_t ItemCount() const noexcept;
     [[nodiscard]] ObjectAddress AddressOf(std::uint32_t number) const noexcept;
     [[nodiscard]] std::uint32_t DefaultOf(const ConfigAddress& address) const noexcept;
@@ -120,8 +109,6 @@ class ConfigurationGuard
     Channel& b_;
     SafeStateLatch& latch_;
     const DeviceConfig* config_; ///< Never null: a device without SRDOs before Restart.
-    SrdoMask active_{0U};
-    SrdoMask producers_{0U};
     std::uint32_t cycles_per_check_{0U};
     std::uint32_t cycles_to_check_{0U};
     DeviceDigest reference_{0U}; ///< Of the last declaration, or of the last write to 1300h.
@@ -129,7 +116,7 @@ class ConfigurationGuard
     std::uint8_t step_{0U};      ///< Of the diagnosis: twice the slot, plus one for its digest.
     NmtState nmt_{NmtState::kInvalid};
     std::uint8_t valid_{0U};
-    bool is_digest_whole_{false}; ///< `digest_` was begun after `reference_` was taken.
+    bool is_digest_whole_{false}; ///< `digest_` is that of the walk through the slots that is under way.
 };
 
 /// Default identifiers of SRDO 1 for a node-ID. [SRS-CFG-049]

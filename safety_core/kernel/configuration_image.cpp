@@ -40,17 +40,6 @@ std::uint32_t Continue(const std::uint32_t crc, const std::uint32_t word) noexce
     return rest;
 }
 
-// The lowest 32 bits of an object; 0 where there is none.
-std::uint32_t WordOf(const ObjectData& data) noexcept
-{
-    std::uint32_t word = 0U;
-    for (std::uint32_t byte = 4U; byte != 0U; --byte)
-    {
-        word = (word << kBitsPerByte) | data.bytes[byte - 1U]; // MISRA D-002
-    }
-    return word;
-}
-
 // Bits that a value of this object may have.
 std::uint32_t WidthOf(const ObjectPlace& place) noexcept
 {
@@ -108,7 +97,7 @@ ItemReply ConfigurationGuard::ReadItem(const std::uint32_t number) noexcept
     }
     const ObjectReading reading = Read(AddressOf(number));
     const bool is_general = reading.abort == AbortCode::kGeneral;
-    return ItemReply{is_general ? Result::kDeviceFault : Result::kSuccessful, WordOf(reading.data)};
+    return ItemReply{is_general ? Result::kDeviceFault : Result::kSuccessful, ToValue(reading.data)};
 }
 
 HeaderReply ConfigurationGuard::Header(const std::uint8_t valid) noexcept
@@ -209,14 +198,9 @@ Result ConfigurationGuard::RestoreDefaults() noexcept
     const Result readiness = Changeable();
     if (readiness == Result::kSuccessful)
     {
-        Invalidate();
         for (std::uint32_t number = 0U; number < ItemCount(); ++number)
         {
-            const ObjectPlace place = Locate(*config_, AddressOf(number));
-            if (place.kind == ObjectKind::kConfiguration)
-            {
-                StoreBoth(ConfigItem{place.config, DefaultOf(place.config)});
-            }
+            (void)LoadItem(number, DefaultOf(Locate(*config_, AddressOf(number)).config));
         }
     }
     return readiness;

@@ -110,18 +110,22 @@ Result Kernel::Send(const CommunicationIndex index) noexcept
     {
         return readiness;
     }
-    const SrdoMask bits = (wanted == kNoSlot) ? ~SrdoMask{0U} : OnlySlot(wanted).mask;
-    const SrdoMask to_send = bits & guard_.Producers();
-    run_.requests |= to_send;
-    if (to_send != 0U)
+    Result result = Result::kNotExist;
+    for (SlotIndex slot = 0U; slot < config_->srdo_count; ++slot)
     {
-        return Result::kSuccessful;
+        const bool is_meant = (wanted == kNoSlot) || (wanted == slot);
+        if (is_meant && (guard_.Value(slot, ConfigField::kDirection) == kDirectionProducer))
+        {
+            run_.requests |= OnlySlot(slot).mask;
+            result = Result::kSuccessful;
+        }
     }
-    if (wanted == kNoSlot)
+    if ((wanted != kNoSlot) && (result != Result::kSuccessful))
     {
-        return Result::kNotExist;
+        const bool is_off = guard_.Value(wanted, ConfigField::kDirection) == kDirectionOff;
+        result = is_off ? Result::kInvalid : Result::kRxTxConflict;
     }
-    return ((guard_.Active() & bits) == 0U) ? Result::kInvalid : Result::kRxTxConflict;
+    return result;
 }
 
 CheckReply Kernel::CheckConfiguration() noexcept

@@ -35,6 +35,11 @@ bool IsObject(const MappableObject& object) noexcept
     return ((object.length_bits - 1U) < kMaxPayloadBits) && (object.place != nullptr);
 }
 
+bool Fits(const DeviceConfig& config, const ChannelRoom& room) noexcept
+{
+    return (config.srdo_count <= room.slots) && (config.map_entries <= room.map_entries);
+}
+
 std::uint32_t OrderOf(const MappableObject& object) noexcept
 {
     return (static_cast<std::uint32_t>(object.index) << 8U) | object.sub;
@@ -112,12 +117,9 @@ StartResult Kernel::CheckTiming(const DeviceConfig& config) noexcept
 
 StartResult Kernel::CheckRoom(const DeviceConfig& config) const noexcept
 {
-    const ChannelRoom a = parts_.channel_a.Room();
-    const ChannelRoom b = parts_.channel_b.Room();
-    const bool has_slots = (config.srdo_count <= a.slots) && (config.srdo_count <= b.slots);
-    const bool has_entries = (config.map_entries <= a.map_entries) && (config.map_entries <= b.map_entries);
+    const bool fits = Fits(config, parts_.channel_a.Room()) && Fits(config, parts_.channel_b.Room());
     const bool are_pairs = (config.map_entries & 1U) == 0U;
-    return (has_slots && has_entries && are_pairs) ? StartResult::kStarted : StartResult::kStorage;
+    return (fits && are_pairs) ? StartResult::kStarted : StartResult::kStorage;
 }
 
 StartResult Kernel::CheckPlatform(const DeviceConfig& config) const noexcept

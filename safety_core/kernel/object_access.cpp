@@ -172,6 +172,16 @@ bool IsDummy(const std::uint32_t entry) noexcept
     return (type < kLastDummyIndex) && ((entry & 0xFFFFU) == kDummyBits[type]); // MISRA D-002
 }
 
+std::uint32_t ToValue(const ObjectData& data) noexcept
+{
+    std::uint32_t value = 0U;
+    for (std::uint32_t byte = data.size_bytes; byte != 0U; --byte)
+    {
+        value = (value << kBitsPerByte) | data.bytes[byte - 1U]; // MISRA D-002
+    }
+    return value;
+}
+
 // 1300h       1301h to 1340h     1381h to 13C0h    13FEh    13FFh
 // GFC         communication      mapping           valid    signatures     what else there is are variables
 ObjectPlace Locate(const DeviceConfig& config, const ObjectAddress& address) noexcept

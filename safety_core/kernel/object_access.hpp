@@ -86,6 +86,8 @@ constexpr std::uint32_t kEntryLengthMask = 0xFFU;
 [[nodiscard]] const MappableObject* FindObject(const DeviceConfig& config, const ObjectAddress& address) noexcept;
 /// @brief The mappable object that a mapping entry names, or null. O(log objects)
 [[nodiscard]] const MappableObject* FindMapped(const DeviceConfig& config, std::uint32_t entry) noexcept;
+/// @brief Value of an object of up to 4 bytes; 0 for none.
+[[nodiscard]] std::uint32_t ToValue(const ObjectData& data) noexcept;
 /// @brief Whether a mapping entry is one of the dummies. [SRS-CFG-033]
 [[nodiscard]] bool IsDummy(std::uint32_t entry) noexcept;
 

@@ -272,8 +272,10 @@ TEST_F(Configuring, DeclarationNeedsEqualAndExpectedDigests)
     a.digest_flip = 0x12345678U;
     b.digest_flip = 0x12345678U;
     EXPECT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
-    // and with two that differ
-    a.digest_flip = 0U;
+    // and with two that differ, at the first slot alone
+    a.digest_slot = 0U;
+    a.digest_flip = 0x12345678U;
+    b.digest_flip = 0U;
     EXPECT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kIncompatible);
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
 }
