@@ -62,7 +62,7 @@ class Unwrapped final : public Forwarding
 
 struct Parts
 {
-    channel_a::StorageFor<kMaxSrdoCount> storage{};
+    channel_a::StorageFor<kMaxSrdoCount, kMaxMapEntries> storage{};
     channel_a::Channel channel{storage.Handle()};
     Listener listener{};
 };

@@ -29,7 +29,7 @@ enum class Flaw : std::uint8_t
 };
 
 /// Entries of one mapping at most.
-constexpr std::uint8_t kMostEntries = 128U;
+constexpr std::uint8_t kMostEntries = kMaxMapEntries;
 constexpr std::uint8_t kMostPairs = 64U;
 
 /// One SRDO of a random device, as it is going to be stored.

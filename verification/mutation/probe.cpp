@@ -83,8 +83,8 @@ bool PassesFlips(conformance::Party party)
 /// The differential run is asked for by any argument, so that each mutant shows which of both kills it.
 int Main(bool is_differential_only)
 {
-    const auto storage_a = std::make_unique<channel_a::StorageFor<kMaxSrdoCount>>();
-    const auto storage_b = std::make_unique<channel_b::StorageFor<kMaxSrdoCount>>();
+    const auto storage_a = std::make_unique<channel_a::StorageFor<kMaxSrdoCount, kMaxMapEntries>>();
+    const auto storage_b = std::make_unique<channel_b::StorageFor<kMaxSrdoCount, kMaxMapEntries>>();
     channel_a::Channel a{storage_a->Handle()};
     channel_b::Channel b{storage_b->Handle()};
     if (is_differential_only)
