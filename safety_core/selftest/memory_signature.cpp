@@ -74,7 +74,7 @@ SliceResult MemorySignature::Slice(const hal::MemoryAccess& memory) noexcept
     const std::uint32_t left = span.words - word_;
     const std::uint32_t count = (left < setup_.slice_words) ? left : setup_.slice_words;
     std::uint32_t crc = crc_;
-    hal::Address place = span.first + (hal::Address{word_} * hal::kWordBytes);
+    hal::Address place = span.first + (static_cast<hal::Address>(word_) * hal::kWordBytes);
     for (std::uint32_t number = 0U; number < count; ++number)
     {
         crc = Continue(crc, memory.Read(place));

@@ -131,8 +131,10 @@ class KernelHook : public ::testing::Test
     {
         device->Run();
         const hal::Address place = device->cells.PlaceOf(object);
-        // A bit that is 1 at this moment is stuck there: nothing changes yet.
-        device->memory.Break({host::CellDefect::kStuckAtOne, {place, 7U}, {place, 7U}});
+        // A bit is stuck at what it is at this moment: nothing changes yet.
+        const bool is_one = (device->cells.Read(place) & 0x80U) != 0U;
+        const host::CellDefect stuck = is_one ? host::CellDefect::kStuckAtOne : host::CellDefect::kStuckAtZero;
+        device->memory.Break({stuck, {place, 7U}, {place, 7U}});
         EXPECT_NE(device->CyclesToFault(), 0U);
         EXPECT_EQ(device->kernel.DeviceState().fault, DeviceFault::kSelfTest);
         EXPECT_EQ(device->self_test.FirstFailed(), selftest::TestId::kRam);
