@@ -168,13 +168,13 @@ class Channel
     [[nodiscard]] virtual ConfigItem Load(const ConfigAddress& address) const noexcept = 0;
 
     /// @brief What this channel's storage has room for, for the kernel to refuse a device that is too large. O(1)
-    [[nodiscard]] virtual ChannelRoom Room() const noexcept { return {64U, 128U}; }
+    [[nodiscard]] virtual ChannelRoom Room() const noexcept = 0;
     /// @brief Registers the fields of an SRDO with a static mapping; makes its mapping unresolved. No effect on an SRDO
     /// with a dynamic one. O(1) [SRS-CFG-032]
-    virtual void SetFields(SlotIndex /*slot*/, const StaticFields& /*fields*/) noexcept {}
+    virtual void SetFields(SlotIndex slot, const StaticFields& fields) noexcept = 0;
     /// @brief CRC-32 over what the signature does not cover, continued from `before`: the device's part before slot 0,
     /// then the slot's part. 0 starts. O(1) [SRS-CFG-034]
-    [[nodiscard]] virtual DeviceDigest Digest(SlotIndex /*slot*/, DeviceDigest before) const noexcept { return before; }
+    [[nodiscard]] virtual DeviceDigest Digest(SlotIndex slot, DeviceDigest before) const noexcept = 0;
 
     /// @brief All rules of one SRDO, in order, then its signature; resolves the mapping and writes the safe value into
     /// the objects this channel owns if there is no fault. Not in OPERATIONAL. O(entries * log objects)
