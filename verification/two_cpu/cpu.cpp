@@ -69,7 +69,7 @@ void Cpu::Describe()
     config_.normal_port = CanPortId::kFirst;
     config_.inverse_port = CanPortId::kFirst;
     config_.cycle_us = timing_.cycle_us;
-    config_.cycle_tolerance_us = timing_.cycle_us / 2U;
+    config_.cycle_tolerance_us = timing_.tolerance_us;
     config_.discrepancy_us = timing_.discrepancy_us;
     config_.acknowledge_window_us = 100'000U;
     config_.diagnostic_interval_us = 16U * timing_.cycle_us;
@@ -129,7 +129,7 @@ void Cpu::PowerOn(const double true_us)
         throw std::runtime_error("two_cpu: the kernel refuses to start");
     }
     Configure();
-    watchdog.timer.Start(hal::WatchdogWindow{timing_.cycle_us / 4U, 2U * timing_.cycle_us},
+    watchdog.timer.Start(hal::WatchdogWindow{timing_.cycle_us / 8U, (2U * timing_.cycle_us) + timing_.tolerance_us},
                          TrueInstant(true_us - timing_.cycle_us));
     kernel.SetNmtState(NmtState::kPreOperational);
 }
@@ -171,7 +171,7 @@ bool Cpu::IsOpen(const double true_us)
 {
     const Instant now = TrueInstant(true_us);
     watchdog.timer.Examine(now);
-    const SrdoMask open = output.gate.Open(now, hal::GateLimit{timing_.cycle_us + (timing_.cycle_us / 2U)});
+    const SrdoMask open = output.gate.Open(now, hal::GateLimit{timing_.cycle_us + timing_.tolerance_us});
     return watchdog.timer.IsAlive() && ((open & 1U) != 0U);
 }
 
