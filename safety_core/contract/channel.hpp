@@ -123,7 +123,6 @@ enum class PrepareStatus : std::uint8_t
 {
     kInvalid = 0U,
     kReady = 0x69U,
-    kNotInverse = 1U,
     kNotProducer = 2U, ///< Not an idle producer in OPERATIONAL.
 };
 

@@ -48,6 +48,17 @@ class SpokenChannel final : public Channel
     {
         return SrdoView{};
     }
+    ChannelRoom Room() const noexcept override
+    {
+        return ChannelRoom{};
+    }
+    void SetFields(SlotIndex, const StaticFields&) noexcept override
+    {
+    }
+    DeviceDigest Digest(SlotIndex, DeviceDigest before) const noexcept override
+    {
+        return before;
+    }
     void Demote(SlotIndex) noexcept override
     {
     }
