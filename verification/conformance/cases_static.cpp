@@ -129,9 +129,11 @@ constexpr Step kOdd[] = {
     Load(0U, ConfigField::kMapEntry, 0U, 4U), Validate(0U, kBadMap, 0x4325U),
 };
 
-// 130 entries are signed as 128.
+// 130 entries are signed as 128; there are no addresses for the last two.
 constexpr Step kLarge[] = {
     StoreAll(), Validate(0U, kBadMap, 0xA6CFU), Load(0U, ConfigField::kMapEntry, 0x63054001U, 128U),
+    Load(0U, ConfigField::kMapEntry, 0U, 129U), Load(0U, ConfigField::kMapEntry, 0U, 130U),
+    Load(0U, ConfigField::kMapEntry, 0U, 255U),
     Direction(0U, 0U), Signature(0U, 0xED6DU), Validate(0U, kSound, 0xED6DU),
 };
 
