@@ -81,12 +81,17 @@ DeviceModel::DeviceModel(const std::string& file, const std::optional<std::uint8
     for (const SourceVariable& variable : variables)
     {
         objects_.push_back(variable.object);
+        addresses_.push_back({variable.object.index, variable.object.sub});
         objects_.back().place = memory_.data() + place;
         for (std::uint8_t byte = 0U; byte < BytesOf(variable.object); ++byte)
         {
             initial_[place] = static_cast<std::uint8_t>(variable.value >> (8U * byte));
             ++place;
         }
+    }
+    for (const SrdoSetup& setup : setups_)
+    {
+        numbers_.push_back(setup.number);
     }
     pairs_ = source.Pairs();
     config_ = source.Config();
@@ -129,21 +134,25 @@ const std::vector<ConfigurationWrite>& DeviceModel::Writes() const noexcept
 
 std::optional<SlotIndex> DeviceModel::SlotOf(const std::uint8_t number) const noexcept
 {
-    const auto found = std::find_if(setups_.begin(), setups_.end(),
-                                    [number](const SrdoSetup& setup) { return setup.number == number; });
-    if (found == setups_.end())
+    const auto found = std::find(numbers_.begin(), numbers_.end(), number);
+    if (found == numbers_.end())
     {
         return std::nullopt;
     }
-    return static_cast<SlotIndex>(found - setups_.begin());
+    return static_cast<SlotIndex>(found - numbers_.begin());
+}
+
+std::uint8_t DeviceModel::NumberOf(const SlotIndex slot) const noexcept
+{
+    return numbers_[slot];
 }
 
 const VariablePair* DeviceModel::PairOf(const ObjectAddress& normal) const noexcept
 {
     for (const VariablePair& pair : pairs_)
     {
-        const MappableObject& object = objects_[pair.normal];
-        if (object.index == normal.index && object.sub == normal.sub)
+        const ObjectAddress& address = addresses_[pair.normal];
+        if (address.index == normal.index && address.sub == normal.sub)
         {
             return &pair;
         }

@@ -66,6 +66,8 @@ class DeviceModel
 
     /// @brief Slot of an SRDO that exists.
     [[nodiscard]] std::optional<SlotIndex> SlotOf(std::uint8_t number) const noexcept;
+    /// @brief Number of the SRDO in a slot that exists, as the DCF has it.
+    [[nodiscard]] std::uint8_t NumberOf(SlotIndex slot) const noexcept;
     /// @brief The mapped pair whose normal object has this address.
     [[nodiscard]] const VariablePair* PairOf(const ObjectAddress& normal) const noexcept;
 
@@ -87,6 +89,8 @@ class DeviceModel
     std::vector<SrdoSetup> setups_;
     std::vector<SrdoModel> srdos_;
     std::vector<VariablePair> pairs_;
+    std::vector<ObjectAddress> addresses_; ///< Of the objects, and numbers of the setups: for people, whatever flips.
+    std::vector<std::uint8_t> numbers_;
     std::vector<ConfigurationWrite> writes_;
     DeviceConfig config_{};
 };

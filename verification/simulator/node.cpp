@@ -80,23 +80,6 @@ void Node::Run()
     SettleNextEvent();
 }
 
-template <typename Call> void Node::Guarded(const Call& call)
-{
-    if (insight_ == Insight::kNone)
-    {
-        call();
-        return;
-    }
-    faults_.SetNow(Now());
-    const SupervisorTap::Scope scope(&supervisors_);
-    if (setjmp(faults_.WayOut()) != 0)
-    {
-        NoteHung();
-        return;
-    }
-    call();
-}
-
 void Node::Cycle()
 {
     application_.SetNow(Now());

@@ -186,6 +186,23 @@ class Node final : private host::FrameSink, private ChannelWitness
     std::array<SlotIndex, kSrdoIdentifierCount> slot_of_{}; ///< Consumers by identifier.
     std::array<PairTimes, kMaxSrdoCount> times_{};
 };
+template <typename Call> void Node::Guarded(const Call& call)
+{
+    if (insight_ == Insight::kNone)
+    {
+        call();
+        return;
+    }
+    faults_.SetNow(Now());
+    const SupervisorTap::Scope scope(&supervisors_);
+    if (setjmp(faults_.WayOut()) != 0)
+    {
+        NoteHung();
+        return;
+    }
+    call();
+}
+
 } // namespace counterpoint::simulator
 
 #endif // VERIFICATION_SIMULATOR_NODE_HPP

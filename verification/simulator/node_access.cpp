@@ -115,6 +115,6 @@ Nanoseconds Node::Now() const noexcept
 
 std::uint8_t Node::NumberOf(const SlotIndex slot) const noexcept
 {
-    return model_.Config().srdos[slot].number;
+    return model_.NumberOf(slot);
 }
 } // namespace counterpoint::simulator

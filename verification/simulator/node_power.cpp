@@ -62,8 +62,8 @@ void Node::StartFresh()
     is_hung_ = false;
     try
     {
-        Rehearse();
         is_on_ = true;
+        Guarded([this]() { Rehearse(); }); // A part that hangs does so at the start, too.
     }
     catch (const cia306::InputError&)
     {
@@ -71,6 +71,10 @@ void Node::StartFresh()
         is_on_ = false;
         next_cycle_ = kNever;
         journal_.Note({Now(), EventKind::kNoStart, index_, 0U, 0U, 0U});
+        return;
+    }
+    if (is_hung_)
+    {
         return;
     }
     watchdog_.Start(WindowOf(model_.Config()));
