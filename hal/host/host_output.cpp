@@ -28,10 +28,15 @@ hal::ProbeAnswer HostOutput::Probe(const hal::PermitSet& permits, const std::uin
     return hal::OutputGate::Probe(permits, challenge);
 }
 
+void HostOutput::CutOff() noexcept
+{
+    is_cut_off_ = true;
+}
+
 SrdoMask HostOutput::Open()
 {
     const bool same_start = watchdog_.Starts() == watchdog_start_;
-    if (!watchdog_.IsAlive() || !same_start)
+    if (!watchdog_.IsAlive() || !same_start || is_cut_off_)
     {
         gate_.Close();
     }

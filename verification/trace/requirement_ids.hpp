@@ -321,6 +321,7 @@ inline constexpr RequirementId SRS_STS_031{"SRS-STS-031"};
 inline constexpr RequirementId SRS_STS_040{"SRS-STS-040"};
 inline constexpr RequirementId SRS_STS_050{"SRS-STS-050"};
 inline constexpr RequirementId SRS_STS_051{"SRS-STS-051"};
+inline constexpr RequirementId SRS_STS_052{"SRS-STS-052"};
 inline constexpr RequirementId SRS_STS_060{"SRS-STS-060"};
 inline constexpr RequirementId SRS_STS_061{"SRS-STS-061"};
 inline constexpr RequirementId SRS_STS_062{"SRS-STS-062"};

@@ -50,6 +50,21 @@ TEST_F(HostOutputTest, OpensByThreePermitsWhileTheWatchdogLives)
     EXPECT_EQ(output.Open(), 0U);
 }
 
+TEST_F(HostOutputTest, CutOffStaysClosedWhateverComes)
+{
+    Verifies(req::SRS_STS_052);
+    // Given an open output
+    watchdog.Start(kWindow);
+    DriveOpen();
+    ASSERT_EQ(output.Open(), 5U);
+    // When an exception cuts it off, then it is closed, and right permits open nothing
+    output.CutOff();
+    EXPECT_EQ(output.Open(), 0U);
+    DriveOpen();
+    EXPECT_EQ(output.Open(), 0U);
+    EXPECT_EQ(output.ClosesAt(), kNever);
+}
+
 TEST_F(HostOutputTest, ProbingChangesNothing)
 {
     Verifies(req::SRS_STS_031);
