@@ -30,25 +30,6 @@ constexpr std::uint8_t kLastDefaultNode = 64U;
     return PayloadOf(~row.inverse_data & row.mask);
 }
 
-[[nodiscard]] SrdoState StateOf(std::uint8_t code) noexcept
-{
-    switch (static_cast<SrdoState>(code))
-    {
-    case SrdoState::kReleased:
-        return SrdoState::kReleased;
-    case SrdoState::kWaiting:
-        return SrdoState::kWaiting;
-    case SrdoState::kOff:
-        return SrdoState::kOff;
-    case SrdoState::kProducer:
-        return SrdoState::kProducer;
-    case SrdoState::kFaulted:
-    case SrdoState::kInvalid:
-        return SrdoState::kFaulted;
-    }
-    return SrdoState::kFaulted;
-}
-
 } // namespace
 
 void Channel::ClearSlot(SlotIndex slot) noexcept
@@ -65,7 +46,6 @@ void Channel::ClearSlot(SlotIndex slot) noexcept
     row.image[kSrvtAt] = kDefaultSrvtMs;
     row.image[kTransmissionTypeAt] = kTransmissionTypeAsynchronous;
     x_storage.direction[slot] = kDirectionOff;
-    x_storage.state[slot] = Code(SrdoState::kOff);
     x_storage.first_cause[slot] = Code(SrdoCause::kNone);
     x_storage.ordinal[slot] = 0U;
     x_storage.phase_left[slot] = kLongestPhase;
@@ -96,6 +76,7 @@ void Channel::Restart(const DeviceConfig& config) noexcept
         marks.acknowledged.off = ~HalfMask{0U};
         marks.automatic.off = ~HalfMask{0U};
         marks.valid.off = ~HalfMask{0U};
+        marks.released.off = ~HalfMask{0U};
     }
     ClearLookUp();
     for (SlotIndex slot = 0U; slot < x_count; ++slot)
@@ -155,6 +136,21 @@ HeldPair Channel::Held(SlotIndex slot) const noexcept
     return HeldPair{{0U, 0U}, (consumer != 0U) ? x_storage.ordinal[slot] : 0U, 0U};
 }
 
+SrdoState Channel::StateOf(SlotIndex slot) const noexcept
+{
+    const Marks& marks = MarksOf(x_storage, slot);
+    const HalfMask bit = BitOf(slot);
+    if ((marks.consumers & bit) == 0U)
+    {
+        return ((marks.producers & bit) != 0U) ? SrdoState::kProducer : SrdoState::kOff;
+    }
+    if ((marks.faulted & bit) != 0U)
+    {
+        return SrdoState::kFaulted;
+    }
+    return ((Granted(marks.released) & bit) != 0U) ? SrdoState::kReleased : SrdoState::kWaiting;
+}
+
 SrdoView Channel::View(SlotIndex slot) const noexcept
 {
     const Row& row = x_storage.rows[slot];
@@ -163,10 +159,10 @@ SrdoView Channel::View(SlotIndex slot) const noexcept
                   x_storage.ordinal[slot] + row.sent,
                   0U,
                   row.error_count,
-                  StateOf(x_storage.state[slot]),
+                  StateOf(slot),
                   static_cast<SrdoCause>(x_storage.first_cause[slot]),
                   static_cast<std::uint8_t>(held.holds_pair)};
-    if ((view.state == SrdoState::kProducer) && IsInFlight(row.stage))
+    if (IsInFlight(row.stage))
     {
         view.data = DataOf(row);
     }

@@ -67,22 +67,14 @@ class Channel final : public counterpoint::Channel
         HalfMask ended;      ///< Some bits if the phase of some slot is over, else none.
     };
 
-    /// What it finds and does for one half of the slots. Those from `waiting` on are slots by state, of one look at all
-    /// of them; a slot that is in none is off.
-    struct Census
+    /// What it finds and does for one half of the slots.
+    struct Half
     {
         Marks* marks;
-        SlotIndex first; ///< Slot 0 or 32.
-        HalfMask waiting;
-        HalfMask faulted;
-        HalfMask released;
-        HalfMask producers;
-        HalfMask consumers; ///< Those of the first three.
-        HalfMask corrupted; ///< State, direction, first cause or marks do not fit each other.
-        HalfMask spent;     ///< Slots whose pair has nothing left.
-        HalfMask edges;     ///< Of the acknowledge inputs.
-        HalfMask present;   ///< All existing slots.
-        HalfMask active;    ///< The same while SRDOs are active, else none.
+        SlotIndex first;  ///< Slot 0 or 32.
+        HalfMask spent;   ///< Slots whose pair has nothing left.
+        HalfMask edges;   ///< Of the acknowledge inputs.
+        HalfMask present; ///< All existing slots.
         HalfMask new_fault;
         HalfMask fresh;
         HalfMask due;
@@ -93,26 +85,25 @@ class Channel final : public counterpoint::Channel
     void ClearSlot(SlotIndex slot) noexcept;
     void TakeSetup(SlotIndex slot, const SrdoSetup& setup) noexcept;
     void ClearLookUp() noexcept;
+    [[nodiscard]] SrdoState StateOf(SlotIndex slot) const noexcept;
 
     // census.cpp
-    void Enlist(SlotIndex slot, Census& census) const noexcept;
-    void Repair(SlotIndex slot, Census& census) noexcept;
-    void TakeCensus(Census& census) noexcept;
+    void ExamineMarks(const Half& half) noexcept;
 
     // activity.cpp
-    void Enter(const Census& half) noexcept;
-    void EnterSlot(SlotIndex slot, SrdoState state) noexcept;
-    [[nodiscard]] HalfMask Leave(const Census& half) noexcept;
+    void Enter(const Half& half) noexcept;
+    void EnterSlot(SlotIndex slot, Stage stage) noexcept;
+    [[nodiscard]] HalfMask Leave(const Half& half) noexcept;
 
     // cycle.cpp
     [[nodiscard]] HalfMask SpendPairs() noexcept;
     [[nodiscard]] HalfMask SpendPhases() noexcept;
     [[nodiscard]] HalfMask FindPhases() const noexcept;
-    void AgePending(const Census& half) noexcept;
-    void CloseWindows(const Census& half) noexcept;
-    [[nodiscard]] HalfMask MissFirstPairs(const Census& census) noexcept;
-    void Signal(Census& half, HalfMask slots) noexcept;
-    void CycleHalf(const CycleInput& input, const Call& call, Census& half) noexcept;
+    void AgePending(const Half& half) noexcept;
+    void CloseWindows(const Half& half) noexcept;
+    [[nodiscard]] HalfMask MissFirstPairs(const Half& half) noexcept;
+    void Signal(Half& half, HalfMask slots) noexcept;
+    void CycleHalf(const CycleInput& input, const Call& call, Half& half) noexcept;
 
     // consumer.cpp
     void ExamineLimits(SlotIndex slot, std::uint32_t parity, std::uint32_t since_call) noexcept;
@@ -120,9 +111,9 @@ class Channel final : public counterpoint::Channel
     [[nodiscard]] SrdoCause TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
     [[nodiscard]] SrdoCause TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept;
     void TakeCommand(const CanFrame& frame) noexcept;
-    void ExamineConsumers(const Call& call, Census& census) noexcept;
-    void Acknowledge(const Census& census) noexcept;
-    void Release(Census& census) noexcept;
+    void ExamineConsumers(const Call& call, const Half& half) noexcept;
+    void Acknowledge(const Half& half) noexcept;
+    void Release(const Half& half) noexcept;
     void ForgetCauses(SlotIndex first, HalfMask slots) noexcept;
 
     // faults.cpp
@@ -136,12 +127,12 @@ class Channel final : public counterpoint::Channel
     [[gnu::cold]] Confirmation Fail(SlotIndex slot, SrdoCause cause) noexcept;
 
     // producer.cpp
-    [[nodiscard]] HalfMask AdvanceProducers(const CycleInput& input, const Call& call, const Census& census) noexcept;
+    [[nodiscard]] HalfMask AdvanceProducers(const CycleInput& input, const Call& call, const Half& half) noexcept;
     [[nodiscard]] Confirmation ConfirmInverse(SlotIndex slot, const CanFrame& frame, Instant stamp) noexcept;
     [[nodiscard]] static bool IsEchoWrong(const Row& row, const CanFrame& frame, std::uint64_t expected) noexcept;
     void AdvanceProvider(SlotIndex slot, HalfMask bit, Marks& marks) noexcept;
     void AdvanceApplication(SlotIndex slot, HalfMask bit, Marks& marks) noexcept;
-    void EndPhases(const Census& census) noexcept;
+    void EndPhases(const Half& half) noexcept;
 
     // configuration.cpp
     [[nodiscard]] Place PlaceOf(const ConfigAddress& address) const noexcept;
@@ -155,7 +146,7 @@ class Channel final : public counterpoint::Channel
 
     // mapping.cpp
     [[nodiscard]] std::size_t FirstEntryOf(SlotIndex slot) const noexcept;
-    [[nodiscard]] Mapping MappingOf(SlotIndex slot) const noexcept;
+    [[nodiscard]] [[gnu::noinline]] Mapping MappingOf(SlotIndex slot) const noexcept;
     [[nodiscard]] std::uint16_t Find(std::uint32_t entry) const noexcept;
     [[nodiscard]] std::uint16_t PlaceAt(const Mapping& mapping, std::uint32_t index) const noexcept;
     void Resolve(const Mapping& mapping, bool is_consumer) const noexcept;

@@ -162,40 +162,36 @@ void Channel::Demote(SlotIndex slot) noexcept
 }
 
 /// The consumers' part of OnCycle up to the faults that it reports. [SRS-CONS-013 to 018]
-void Channel::ExamineConsumers(const Call& call, Census& census) noexcept
+void Channel::ExamineConsumers(const Call& call, const Half& half) noexcept
 {
-    const Marks& marks = *census.marks;
-    const HalfMask consumers = census.waiting | census.faulted | census.released;
-    const HalfMask expired = census.spent & consumers;
-    const HalfMask troubled = consumers & (marks.reporting | expired | call.alarmed);
+    const Marks& marks = *half.marks;
+    const HalfMask expired = half.spent & marks.consumers;
+    const HalfMask alarmed = marks.consumers & ~expired & call.late;
     for (HalfMask rest = expired; rest != 0U; rest = WithoutLowest(rest))
     {
-        Expire(LowestOf(rest, census.first));
+        Expire(LowestOf(rest, half.first));
     }
-    FaultEach(census.first, troubled & ~expired & call.late, SrdoCause::kLateCall);
-    FaultEach(census.first, troubled & call.overflowed, SrdoCause::kQueueOverflow);
-    FaultEach(census.first, troubled & x_gfc, SrdoCause::kGfc);
-    for (HalfMask rest = troubled & marks.held.on; rest != 0U; rest = WithoutLowest(rest))
+    FaultEach(half.first, alarmed, SrdoCause::kLateCall);
+    FaultEach(half.first, marks.consumers & call.overflowed, SrdoCause::kQueueOverflow);
+    FaultEach(half.first, marks.consumers & x_gfc, SrdoCause::kGfc);
+    for (HalfMask rest = marks.consumers & marks.reporting & marks.held.on; rest != 0U; rest = WithoutLowest(rest))
     {
-        Discard(LowestOf(rest, census.first)); // Completed after the fault, before it was reported.
+        Discard(LowestOf(rest, half.first)); // Completed after the fault, before it was reported.
     }
-    census.faulted |= troubled;
-    census.waiting &= ~troubled;
-    census.released &= ~troubled;
 }
 
-/// Edges of this call, and the end of those that waited too long. [SRS-REL-005]
-void Channel::Acknowledge(const Census& census) noexcept
+/// Edges of this call. [SRS-REL-005]
+void Channel::Acknowledge(const Half& half) noexcept
 {
-    Marks& marks = *census.marks;
-    const HalfMask taken = census.edges & ~marks.reporting;
-    const HalfMask waiting = taken & (census.waiting | census.faulted | census.released);
+    Marks& marks = *half.marks;
+    const HalfMask taken = half.edges & ~marks.reporting;
+    const HalfMask waiting = taken & marks.consumers;
     Grant(marks.acknowledged, waiting);
     for (HalfMask rest = waiting; rest != 0U; rest = WithoutLowest(rest))
     {
-        x_storage.phase_left[LowestOf(rest, census.first)] = x_config->acknowledge_window_us;
+        x_storage.phase_left[LowestOf(rest, half.first)] = x_config->acknowledge_window_us;
     }
-    ForgetCauses(census.first, taken & census.producers);
+    ForgetCauses(half.first, taken & marks.producers);
 }
 
 void Channel::ForgetCauses(SlotIndex first, HalfMask slots) noexcept
@@ -207,24 +203,22 @@ void Channel::ForgetCauses(SlotIndex first, HalfMask slots) noexcept
 }
 
 /// [SRS-REL-003, SRS-REL-004, SRS-REL-007]
-void Channel::Release(Census& census) noexcept
+void Channel::Release(const Half& half) noexcept
 {
-    Marks& marks = *census.marks;
+    Marks& marks = *half.marks;
     const HalfMask permitted = Granted(marks.automatic) | Granted(marks.acknowledged);
-    const HalfMask ready = Granted(marks.held) & ~marks.reporting & permitted;
-    for (HalfMask rest = (census.waiting | census.faulted) & ready; rest != 0U; rest = WithoutLowest(rest))
+    const HalfMask ready = marks.consumers & Granted(marks.held) & ~marks.reporting & permitted;
+    for (HalfMask rest = ready & ~marks.released.on; rest != 0U; rest = WithoutLowest(rest))
     {
-        const SlotIndex slot = LowestOf(rest, census.first);
+        const SlotIndex slot = LowestOf(rest, half.first);
         if (IsRecordable(x_storage.first_cause[slot]))
         {
-            x_storage.state[slot] = Code(SrdoState::kReleased);
-            census.released |= BitOf(slot);
+            Grant(marks.released, BitOf(slot));
+            marks.faulted &= ~BitOf(slot);
         }
     }
-    census.waiting &= ~census.released;
-    census.faulted &= ~census.released;
-    const HalfMask read = Granted(marks.acknowledged) & census.released;
-    ForgetCauses(census.first, read);
+    const HalfMask read = Granted(marks.acknowledged) & Granted(marks.released) & marks.consumers;
+    ForgetCauses(half.first, read);
     Withdraw(marks.acknowledged, read);
 }
 
@@ -235,7 +229,8 @@ void Channel::Commit(const Agreement& agreement) noexcept
     {
         Marks& marks = MarksOf(x_storage, first);
         const HalfMask present = x_present[first / kSlotsInHalf];
-        const HalfMask released = PartOf(agreement.agreed, first) & marks.released & Granted(marks.held) & present;
+        const HalfMask released =
+            PartOf(agreement.agreed, first) & Granted(marks.released) & Granted(marks.held) & present;
         const HalfMask written = released & PartOf(agreement.matched, first) & marks.unwritten;
         const HalfMask withdrawn = marks.committed & ~released & present;
         for (HalfMask rest = written | withdrawn; rest != 0U; rest = WithoutLowest(rest))

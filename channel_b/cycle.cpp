@@ -95,7 +95,7 @@ inline HalfMask Channel::FindPhases() const noexcept
 
 /// With late detection: SRVT of the normal frames that wait goes on, and has once and for all run out when it has.
 /// [SRS-TIME-009]
-inline void Channel::AgePending(const Census& half) noexcept
+inline void Channel::AgePending(const Half& half) noexcept
 {
     const Marks& marks = *half.marks;
     for (HalfMask rest = marks.pending & marks.late & half.present; rest != 0U; rest = WithoutLowest(rest))
@@ -107,7 +107,7 @@ inline void Channel::AgePending(const Census& half) noexcept
 
 /// Closes the windows of signals and forgets the acknowledge edges that are over. A corrupted mark must not lead to a
 /// slot that does not exist.
-void Channel::CloseWindows(const Census& half) noexcept
+void Channel::CloseWindows(const Half& half) noexcept
 {
     Marks& marks = *half.marks;
     for (HalfMask rest = marks.window_open & half.present; rest != 0U; rest = WithoutLowest(rest))
@@ -131,14 +131,14 @@ void Channel::CloseWindows(const Census& half) noexcept
 }
 
 /// Consumers that complain about no first pair. [SRS-CONS-022]
-inline HalfMask Channel::MissFirstPairs(const Census& census) noexcept
+inline HalfMask Channel::MissFirstPairs(const Half& half) noexcept
 {
-    Marks& marks = *census.marks;
+    Marks& marks = *half.marks;
     HalfMask missed = 0U;
-    marks.unheard &= census.waiting & ~marks.fresh;
+    marks.unheard &= marks.consumers & ~(marks.faulted | marks.released.on | marks.fresh);
     for (HalfMask rest = marks.unheard; rest != 0U; rest = WithoutLowest(rest))
     {
-        const SlotIndex slot = LowestOf(rest, census.first);
+        const SlotIndex slot = LowestOf(rest, half.first);
         Row& row = x_storage.rows[slot];
         if (x_active_us > SctUs(row))
         {
@@ -151,7 +151,7 @@ inline HalfMask Channel::MissFirstPairs(const Census& census) noexcept
 }
 
 /// [SRS-CONS-021]
-inline void Channel::Signal(Census& half, HalfMask slots) noexcept
+inline void Channel::Signal(Half& half, HalfMask slots) noexcept
 {
     Marks& marks = *half.marks;
     for (HalfMask rest = slots; rest != 0U; rest = WithoutLowest(rest))
@@ -177,7 +177,7 @@ inline void Channel::Signal(Census& half, HalfMask slots) noexcept
 }
 
 /// What seldom happens is looked for first.
-[[gnu::always_inline]] inline void Channel::CycleHalf(const CycleInput& input, const Call& call, Census& half) noexcept
+[[gnu::always_inline]] inline void Channel::CycleHalf(const CycleInput& input, const Call& call, Half& half) noexcept
 {
     Marks& marks = *half.marks;
     HalfMask left = 0U;
@@ -198,15 +198,12 @@ inline void Channel::Signal(Census& half, HalfMask slots) noexcept
     {
         left = Leave(half);
     }
-    TakeCensus(half);
-    const HalfMask consumers = half.waiting | half.faulted | half.released;
-    half.consumers = consumers;
-    marks.consumers = consumers;
-    if ((consumers & (marks.reporting | half.spent | call.alarmed)) != 0U)
+    ExamineMarks(half);
+    if ((marks.consumers & (marks.reporting | half.spent | call.alarmed)) != 0U)
     {
         ExamineConsumers(call, half);
     }
-    if ((half.producers | call.ended) != 0U)
+    if ((marks.producers | call.ended) != 0U)
     {
         half.due = AdvanceProducers(input, call, half);
     }
@@ -215,13 +212,12 @@ inline void Channel::Signal(Census& half, HalfMask slots) noexcept
         Acknowledge(half);
     }
     const HalfMask missed = MissFirstPairs(half);
-    if ((half.waiting | half.faulted | marks.acknowledged.on) != 0U)
+    if (((marks.consumers & ~marks.released.on) | marks.acknowledged.on) != 0U)
     {
         Release(half);
     }
-    marks.released = half.released;
-    half.new_fault = marks.reporting & (consumers | left);
-    half.fresh = marks.fresh & Granted(marks.held) & consumers;
+    half.new_fault = marks.reporting & (marks.consumers | left);
+    half.fresh = marks.fresh & Granted(marks.held) & marks.consumers;
     Signal(half, (marks.reporting | missed) & half.present);
     marks.fresh = 0U;
     marks.reporting = 0U;
@@ -230,7 +226,7 @@ inline void Channel::Signal(Census& half, HalfMask slots) noexcept
 CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
 {
     CycleOutcome outcome{};
-    Census halves[kHalves] = {}; // MISRA D-001
+    Half halves[kHalves] = {}; // MISRA D-001
     outcome.guard = ViewGuard(input, x_storage.device[kConfigurationValidAt]);
     const bool is_configured = outcome.guard == GuardView::kConfigured;
     const HalfMask running = (is_configured && (input.nmt == NmtState::kOperational)) ? kAll : 0U;
@@ -255,22 +251,24 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
         halves[at].marks = &x_storage.marks[at];
         halves[at].first = first;
         halves[at].present = x_present[at];
-        halves[at].active = x_present[at] & running;
         halves[at].edges = levels & ~x_levels[at];
         x_levels[at] = levels;
         CycleHalf(input, call, halves[at]);
     }
-    const Census& low = halves[0U];
-    const Census& high = halves[1U];
-    outcome.released = Join(low.released, high.released);
-    outcome.faulted = Join(low.faulted, high.faulted);
-    outcome.waiting = Join(low.waiting, high.waiting);
+    const Half& low = halves[0U];
+    const Half& high = halves[1U];
+    const Marks& low_marks = x_storage.marks[0U];
+    const Marks& high_marks = x_storage.marks[1U];
+    const SrdoMask consumers = Join(low_marks.consumers, high_marks.consumers);
+    outcome.released = consumers & Join(Granted(low_marks.released), Granted(high_marks.released));
+    outcome.faulted = consumers & Join(low_marks.faulted, high_marks.faulted);
+    outcome.waiting = consumers & ~(outcome.released | outcome.faulted);
     outcome.new_fault = Join(low.new_fault, high.new_fault);
     outcome.fresh = Join(low.fresh, high.fresh);
     outcome.due = Join(low.due, high.due);
     outcome.signalled = Join(low.signalled, high.signalled);
-    outcome.sct_checked = CountOf(low.consumers, high.consumers);
-    outcome.is_tx = CountOf(low.producers, high.producers);
+    outcome.sct_checked = CountOf(low_marks.consumers, high_marks.consumers);
+    outcome.is_tx = CountOf(low_marks.producers, high_marks.producers);
     outcome.cycle = ++x_cycle;
     outcome.ordinal_sum = SumOf(x_storage.ordinal, x_count);
     outcome.not_operational = static_cast<std::uint8_t>(running == 0U);

@@ -37,10 +37,10 @@ void Channel::Discard(SlotIndex slot) noexcept
     const HalfMask bit = BitOf(slot);
     Withdraw(marks.held, bit);
     Withdraw(marks.acknowledged, bit);
-    marks.released &= ~bit;
+    Withdraw(marks.released, bit);
     marks.unwritten &= ~bit;
+    marks.faulted |= bit;
     x_storage.ordinal[slot] = 0U;
-    x_storage.state[slot] = Code(SrdoState::kFaulted);
     if ((marks.pending & ~marks.late & bit) == 0U)
     {
         x_storage.pair_limit[slot] = kNothingRuns;

@@ -122,11 +122,6 @@ inline void StartBudget(const Storage& storage, SlotIndex slot, std::uint32_t si
     storage.pair_left[slot] = srvt_us + since_call;
 }
 
-[[nodiscard]] constexpr std::uint8_t Code(SrdoState state) noexcept
-{
-    return static_cast<std::uint8_t>(state);
-}
-
 [[nodiscard]] constexpr std::uint8_t Code(SrdoCause cause) noexcept
 {
     return static_cast<std::uint8_t>(cause);

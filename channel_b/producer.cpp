@@ -162,19 +162,19 @@ void Channel::OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept
 }
 
 /// Whose phase is over, or where no phase runs any longer.
-inline void Channel::EndPhases(const Census& census) noexcept
+inline void Channel::EndPhases(const Half& half) noexcept
 {
-    Marks& marks = *census.marks;
-    for (HalfMask rest = census.present & ~(marks.acknowledged.on & marks.consumers); rest != 0U;
+    Marks& marks = *half.marks;
+    for (HalfMask rest = half.present & ~(marks.acknowledged.on & marks.consumers); rest != 0U;
          rest = WithoutLowest(rest))
     {
-        const SlotIndex slot = LowestOf(rest, census.first);
+        const SlotIndex slot = LowestOf(rest, half.first);
         const HalfMask bit = BitOf(slot);
         if ((x_storage.phase_left[slot] - 1U) <= kLongestPhase)
         {
             continue; // At least one microsecond is left.
         }
-        if ((census.producers & bit) == 0U)
+        if ((marks.producers & bit) == 0U)
         {
             x_storage.phase_left[slot] = kLongestPhase;
         }
@@ -190,27 +190,27 @@ inline void Channel::EndPhases(const Census& census) noexcept
 }
 
 /// Returns the slots that are due. [SRS-PROD-003, SRS-PROD-004, SRS-PROD-008, SRS-PROD-010, SRS-PROD-012]
-HalfMask Channel::AdvanceProducers(const CycleInput& input, const Call& call, const Census& census) noexcept
+HalfMask Channel::AdvanceProducers(const CycleInput& input, const Call& call, const Half& half) noexcept
 {
-    Marks& marks = *census.marks;
-    const HalfMask standing = PartOf(input.stand, census.first) & marks.provider & marks.started & census.producers;
-    marks.requested |= PartOf(input.request, census.first) & census.producers;
-    for (HalfMask rest = census.producers & census.spent; rest != 0U; rest = WithoutLowest(rest))
+    Marks& marks = *half.marks;
+    const HalfMask standing = PartOf(input.stand, half.first) & marks.provider & marks.started & marks.producers;
+    marks.requested |= PartOf(input.request, half.first) & marks.producers;
+    for (HalfMask rest = marks.producers & half.spent; rest != 0U; rest = WithoutLowest(rest))
     {
-        static_cast<void>(Fail(LowestOf(rest, census.first), SrdoCause::kNoConfirmation));
+        static_cast<void>(Fail(LowestOf(rest, half.first), SrdoCause::kNoConfirmation));
     }
     for (HalfMask rest = standing; rest != 0U; rest = WithoutLowest(rest))
     {
-        x_storage.phase_left[LowestOf(rest, census.first)] += x_elapsed_us;
+        x_storage.phase_left[LowestOf(rest, half.first)] += x_elapsed_us;
     }
     if (call.ended != 0U)
     {
-        EndPhases(census);
+        EndPhases(half);
     }
-    HalfMask due = census.producers & (marks.refresh_due | (marks.requested & marks.started));
+    HalfMask due = marks.producers & (marks.refresh_due | (marks.requested & marks.started));
     for (HalfMask rest = due; rest != 0U; rest = WithoutLowest(rest))
     {
-        const SlotIndex slot = LowestOf(rest, census.first);
+        const SlotIndex slot = LowestOf(rest, half.first);
         if (IsInFlight(x_storage.rows[slot].stage))
         {
             due &= ~BitOf(slot);

@@ -40,7 +40,8 @@ constexpr std::uint32_t kReflectedPolynomial = 0xEDB88320U; ///< 04C11DB7h, lowe
 }
 
 /// CRC-32 over the lowest bits of a word, the lowest first: of whole bytes low byte first.
-[[nodiscard]] std::uint32_t Digested(std::uint32_t crc, std::uint32_t word, std::uint32_t bits) noexcept
+[[nodiscard]] [[gnu::noinline]] std::uint32_t Digested(std::uint32_t crc, std::uint32_t word,
+                                                       std::uint32_t bits) noexcept
 {
     std::uint32_t digested = crc ^ word;
     for (std::uint32_t bit = 0U; bit < bits; ++bit)
@@ -96,11 +97,12 @@ std::uint16_t Channel::SignatureOf(SlotIndex slot) const noexcept
     const Row& row = x_storage.rows[slot];
     const Mapping mapping = MappingOf(slot);
     const std::uint32_t count = EntryCount(mapping);
-    // Zeros before the first byte count for nothing, and the count is the last byte of the third word of the image.
-    std::uint32_t crc = FoldWord(0U, x_storage.direction[slot]);
-    crc = FoldWord(crc, Turned(WordAt(row, 0U)));
-    crc = FoldWord(crc, Turned(WordAt(row, 4U)));
-    crc = FoldWord(crc, (Turned(WordAt(row, 8U)) & 0xFFFFFF00U) | count);
+    std::uint32_t crc = FoldByte(0U, x_storage.direction[slot]);
+    for (std::size_t at = 0U; at < kMapCountAt; at += 4U)
+    {
+        crc = FoldWord(crc, Turned(WordAt(row, at)));
+    }
+    crc ^= FoldByte(0U, ByteAt(row, kMapCountAt) ^ count); // The last byte is the count as it counts.
     for (std::uint32_t index = 0U; index < count; ++index)
     {
         crc = FoldWord(FoldByte(crc, index + 1U), Turned(mapping.entries[index]));

@@ -55,12 +55,14 @@ struct Marks
     TwinMask acknowledged; ///< An acknowledge edge waits.
     TwinMask automatic;    ///< Policy kAutomatic.
     TwinMask valid;        ///< The last Validate or Recheck found no fault.
+    TwinMask released;     ///< Consumers that are released; less those that had a fault since.
     HalfMask pending;      ///< A normal frame waits for its inverse frame.
-    HalfMask consumers;    ///< Consumers as of the last OnCycle.
+    HalfMask consumers;    ///< Active consumers as of the last OnCycle.
+    HalfMask producers;    ///< Active producers as of the last OnCycle.
+    HalfMask faulted;      ///< Consumers with a fault since they were released or entered OPERATIONAL.
     HalfMask fresh;        ///< A pair was completed since the last OnCycle.
     HalfMask committed;    ///< The objects hold a released pair.
     HalfMask unwritten;    ///< The held pair has not been written into the objects.
-    HalfMask released;     ///< State kReleased as of the last OnCycle, less those that had a fault since.
     HalfMask reporting;    ///< A fault has not been reported by OnCycle yet.
     HalfMask signalled;    ///< The last OnCycle signalled something.
     HalfMask unheard;      ///< Consumers without a pair and without a complaint about it since OPERATIONAL was entered.
@@ -118,9 +120,9 @@ struct Mapping
 };
 
 /// A column for each field that every cycle looks at in all slots, and a row a slot for the rest; owned by the caller.
-/// `capacity` slots; state, direction and first_cause have room for the next multiple of 8, because they are examined
-/// eight at a time. Budgets are microseconds that remain, as of the last OnCycle; a budget is spent when it exceeds its
-/// own limit (modular subtraction has then gone below zero).
+/// `capacity` slots; first_cause has room for the next multiple of 8, because it is examined eight at a time. Budgets
+/// are microseconds that remain, as of the last OnCycle; a budget is spent when it exceeds its own limit (modular
+/// subtraction has then gone below zero).
 struct Storage
 {
     Column<Row> rows;
@@ -130,9 +132,8 @@ struct Storage
     Column<std::uint32_t> pair_limit; ///< What pair_left started with; all bits set if nothing runs.
     Column<std::uint32_t> phase_left; ///< Consumer: of the acknowledge edge. Producer: to the next refresh.
     Column<std::uint32_t> ordinal;    ///< Consumer: pairs completed; else 0.
-    Column<std::uint8_t> state;       ///< SrdoState. A byte, as direction and first_cause: one look takes eight.
-    Column<std::uint8_t> direction;   ///< First byte of the canonical image; apart, because every cycle looks at it.
-    Column<std::uint8_t> first_cause; ///< SrdoCause.
+    Column<std::uint8_t> direction;   ///< First byte of the canonical image.
+    Column<std::uint8_t> first_cause; ///< SrdoCause. A byte: one look takes eight.
     Column<std::uint8_t> slot_of;     ///< kLookUpBytes: slot of each identifier while SRDOs are active, or kNoSlot.
     Column<std::uint8_t> device;      ///< kDeviceBytes.
     Column<std::uint32_t> entries;    ///< `map_entries` for each slot: mapping as stored.
@@ -158,8 +159,7 @@ template <std::uint8_t kSlots, std::uint8_t kMapEntries = kUsualMapEntries> stru
     std::uint32_t ordinal[kSlots];      // MISRA D-001
     std::uint32_t entries[kEntries];    // MISRA D-001
     std::uint16_t table[kEntries];      // MISRA D-001
-    std::uint8_t state[kPadded];        // MISRA D-001
-    std::uint8_t direction[kPadded];    // MISRA D-001
+    std::uint8_t direction[kSlots];     // MISRA D-001
     std::uint8_t first_cause[kPadded];  // MISRA D-001
     std::uint8_t slot_of[kLookUpBytes]; // MISRA D-001
     std::uint8_t device[kDeviceBytes];  // MISRA D-001
@@ -167,9 +167,8 @@ template <std::uint8_t kSlots, std::uint8_t kMapEntries = kUsualMapEntries> stru
     /// What the constructor of the channel wants.
     [[nodiscard]] Storage Handle() noexcept
     {
-        return Storage{{rows},    {marks},   {pair_left}, {pair_limit},  {phase_left},
-                       {ordinal}, {state},   {direction}, {first_cause}, {slot_of},
-                       {device},  {entries}, {table},     kSlots,        kMapEntries};
+        return Storage{{rows},        {marks},   {pair_left}, {pair_limit}, {phase_left}, {ordinal}, {direction},
+                       {first_cause}, {slot_of}, {device},    {entries},    {table},      kSlots,    kMapEntries};
     }
 };
 
