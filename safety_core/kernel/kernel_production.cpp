@@ -6,6 +6,13 @@
 // Sending: SRDOs by both channels, GFC. [SRS-KRN-012..014]
 namespace counterpoint
 {
+namespace
+{
+
+constexpr SrdoCause kTransmitCauses[] = {SrdoCause::kTransmitQueue, SrdoCause::kBusOff}; // MISRA D-001
+
+} // namespace
+
 void Kernel::Produce() noexcept
 {
     run_.transmitted_told = run_.transmitted;
@@ -60,7 +67,9 @@ void Kernel::HandOver(const SlotIndex slot, const CanFrame& frame) noexcept
     const hal::TransmitStatus status = parts_.can.Transmit(frame);
     if (status != hal::TransmitStatus::kAccepted)
     {
-        GiveUp(slot, (status == hal::TransmitStatus::kBusOff) ? SrdoCause::kBusOff : SrdoCause::kTransmitQueue);
+        // Loaded, not computed: where the two compilers of a device leave the upper bits of a register with a scoped
+        // enumeration to the other one (x86-64), a byte that is loaded has them clear.
+        GiveUp(slot, kTransmitCauses[(status == hal::TransmitStatus::kBusOff) ? 1U : 0U]); // MISRA D-002
     }
 }
 

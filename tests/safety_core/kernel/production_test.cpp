@@ -234,8 +234,7 @@ TEST_F(Production, FullQueueAndBusOffAreCausesOfTheirOwn)
     EXPECT_EQ(application.errors[0].second, SrdoCause::kTransmitQueue);
     ports.answer = hal::TransmitStatus::kBusOff;
     Cycles(25U);
-    ASSERT_EQ(application.errors.size(), 2U);
-    EXPECT_EQ(application.errors[1].second, SrdoCause::kBusOff);
+    EXPECT_EQ(CausesOf(0x1303U), (std::vector<SrdoCause>{SrdoCause::kTransmitQueue, SrdoCause::kBusOff}));
 }
 
 TEST_F(Production, ChannelBThatSawNoConfirmationSendsNoInverse)
