@@ -29,6 +29,7 @@ void OwnVoice::Restart(const DeviceConfig& config) noexcept
     news_ = 0U;
     faults_ = 0U;
     peer_due_ = 0U;
+    contact_ = 0U;
     standing_ = 0U;
     now_ = Instant{0U};
     check_ = SlotCheck{kNoSlot, {ConfigFault::kInvalid, 0U}};
@@ -176,6 +177,7 @@ CycleOutcome OwnVoice::OnCycle(const CycleInput& input) noexcept
     CycleOutcome shown = outcome_;
     shown.faulted = 0U;
     shown.ordinal_sum = 0U;
+    shown.due &= contact_;
     if (IsFollower())
     {
         // The leader's place was asked before this one, and said what was known then.
@@ -225,6 +227,7 @@ Permit OwnVoice::Answer(const std::uint32_t challenge) const noexcept
 void OwnVoice::TakeDue(const SrdoMask due, const Window& composed) noexcept
 {
     peer_due_ = IsFollower() ? due : SrdoMask{0U};
+    contact_ = ~SrdoMask{0U};
     armed_.Clear(composed);
 }
 

@@ -124,6 +124,7 @@ class OwnVoice final : public Channel
     SrdoMask news_{0U};
     SrdoMask faults_{0U};
     SrdoMask peer_due_{0U};
+    SrdoMask contact_{0U}; ///< All bits once a message was taken.
     SrdoMask standing_{0U};
     Instant now_{0U};
     SlotCheck check_{kNoSlot, {ConfigFault::kInvalid, 0U}};

@@ -18,8 +18,9 @@ constexpr std::uint8_t kNodeId = 2U;
 
 RefreshAnswer ProcessApplication::OnRefresh(CommunicationIndex /*index*/) noexcept
 {
-    tx_normal = {static_cast<std::uint8_t>(process), static_cast<std::uint8_t>(process >> 8U)};
-    tx_inverse = {static_cast<std::uint8_t>(~process), static_cast<std::uint8_t>(~process >> 8U)};
+    const std::uint32_t value = static_cast<std::uint32_t>(process) + offset;
+    tx_normal = {static_cast<std::uint8_t>(value), static_cast<std::uint8_t>(value >> 8U)};
+    tx_inverse = {static_cast<std::uint8_t>(~value), static_cast<std::uint8_t>(~value >> 8U)};
     return RefreshAnswer::kReady;
 }
 

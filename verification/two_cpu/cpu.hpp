@@ -161,6 +161,7 @@ class ProcessApplication final : public Application
     std::array<std::uint8_t, 2U> rx_normal{};
     std::array<std::uint8_t, 2U> rx_inverse{};
     std::uint16_t process{0U};
+    std::uint16_t offset{0U}; ///< Of this CPU's value from the other's.
     std::uint64_t received{0U};
     std::uint64_t sent{0U};
     std::uint64_t consumer_errors{0U};

@@ -51,6 +51,10 @@ TEST(OwnVoice, LeaderShowsItsCycleWithoutLevels)
     Verifies(req::SRS_TWO_001);
     Verifies(req::SRS_TWO_010);
     PeerRig rig{PeerRole::kA};
+    rig.channel.outcome.due = 2U;
+    rig.Cycle(500U);
+    EXPECT_EQ(rig.own.due, 0U); // Nobody to send with yet.
+    rig.Contact(1000U);
     rig.channel.outcome.faulted = 1U;
     rig.channel.outcome.waiting = 0U;
     rig.channel.outcome.ordinal_sum = 44U;
