@@ -37,17 +37,46 @@ TEST_P(ChannelAFlipped, InterlockGrantsNothingWrong)
     EXPECT_EQ(result.granted, result.runs);
 }
 
+TEST_P(ChannelAFlipped, StaticMappingGrantsNothingWrong)
+{
+    Verifies(req::SRS_CONS_024);
+    Verifies(req::SRS_CNF_030);
+    Verifies(req::SRS_CFG_032);
+    // Given static mappings and late detection, when any one bit flips, fields and copies of the setup included
+    const conformance::FlipResult result = conformance::FlipEveryBit(conformance::Party::kA, ReleasePolicy::kAutomatic,
+                                                                     GetParam(), conformance::RigKind::kFixed);
+    EXPECT_EQ(result.complaints, 0U) << result.first;
+    EXPECT_EQ(result.granted, result.runs);
+}
+
+TEST_P(ChannelAFlipped, BitsAndDummiesGrantNothingWrong)
+{
+    Verifies(req::SRS_CONS_024);
+    Verifies(req::SRS_CNF_030);
+    Verifies(req::SRS_CFG_033);
+    // Given objects of 3 and 12 bits and a dummy pair
+    const conformance::FlipResult result = conformance::FlipEveryBit(conformance::Party::kA, ReleasePolicy::kInterlock,
+                                                                     GetParam(), conformance::RigKind::kBits);
+    EXPECT_EQ(result.complaints, 0U) << result.first;
+    EXPECT_EQ(result.granted, result.runs);
+}
+
 TEST_P(ChannelAFlipped, FilledMemoryGrantsNothing)
 {
     Verifies(req::SRS_CONS_024);
     Verifies(req::SRS_CNF_030);
     static constexpr std::uint8_t kFills[] = {0x00U, 0xFFU, 0x5AU, 0xA5U, 0xA6U};
-    for (const std::uint8_t fill : kFills)
+    static constexpr conformance::RigKind kKinds[] = {conformance::RigKind::kBytes, conformance::RigKind::kFixed,
+                                                      conformance::RigKind::kBits};
+    for (const conformance::RigKind kind : kKinds)
     {
-        const conformance::FlipResult result =
-            conformance::FillStorage(conformance::Party::kA, ReleasePolicy::kAutomatic, GetParam(), fill);
-        EXPECT_EQ(result.complaints, 0U) << result.first;
-        EXPECT_EQ(result.granted, result.runs);
+        for (const std::uint8_t fill : kFills)
+        {
+            const conformance::FlipResult result =
+                conformance::FillStorage(conformance::Party::kA, ReleasePolicy::kAutomatic, GetParam(), fill, kind);
+            EXPECT_EQ(result.complaints, 0U) << result.first;
+            EXPECT_EQ(result.granted, result.runs);
+        }
     }
 }
 
