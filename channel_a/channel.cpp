@@ -69,7 +69,7 @@ void EnterSlot(Voice& voice, const std::uint32_t slot) noexcept
 {
     Record& record = At(voice, slot);
     const std::uint32_t place = record.values[kCobIdPlace] - kFirstSrdoIdentifier;
-    voice.storage.look_up[(place >> 1U) % kLookUpSize] = static_cast<std::uint8_t>(slot + 1U); // MISRA D-002
+    voice.storage.look_up[(place >> 1U) % kLookUpSize] = static_cast<std::uint8_t>(slot); // MISRA D-002
     record.ordinal = 0U;
     Mark(voice, slot);
     --voice.off_count;
@@ -108,7 +108,8 @@ void Channel::Restart(const DeviceConfig& config) noexcept
     ClearLookUp(voice_);
     for (std::size_t entry = 0U; entry < (std::size_t{voice_.count} * storage.map_entries); ++entry)
     {
-        storage.entries[entry] = 0U; // MISRA D-002
+        storage.entries[entry] = 0U;       // MISRA D-002
+        storage.places[entry] = kNoObject; // MISRA D-002
     }
     for (std::uint32_t slot = 0U; slot < voice_.count; ++slot)
     {
@@ -132,7 +133,7 @@ void ClearLookUp(const Voice& voice) noexcept
 {
     for (std::size_t place = 0U; place < kLookUpSize; ++place)
     {
-        voice.storage.look_up[place] = 0U; // MISRA D-002
+        voice.storage.look_up[place] = kNoSlot; // MISRA D-002
     }
 }
 
@@ -255,33 +256,40 @@ void ReceiveOther(Voice& voice, const CanFrame& frame) noexcept
     }
 }
 
-// In the order of SRS-CONS-011; what order of frames means is the table's affair.
-void ReceiveOdd(Voice& voice, const CanFrame& frame, const std::uint32_t slot, const Event order) noexcept
+// In the order of SRS-CONS-011, backwards: the last one counts.
+void ReceiveOdd(Voice& voice, const CanFrame& frame, const std::uint32_t slot) noexcept
 {
     const Record& record = At(voice, slot);
     const std::uint32_t half = ~frame.identifier & kHalfMask;
-    Event event = order;
+    SrdoCause cause = SrdoCause::kNormalTwice;
+    if (half != 0U)
+    {
+        cause = HasFirstFrame(record.mode) ? SrdoCause::kNotInverse : SrdoCause::kInverseFirst;
+    }
     if (frame.length_bytes != LengthBytes(record))
     {
-        event = Event::kWrongLength;
+        cause = SrdoCause::kLength;
     }
     if ((frame.identifier != record.values[kCobIdPlace + half]) || (frame.port != voice.ports[half]))
     {
-        event = Event::kWrongIdentifier;
+        cause = SrdoCause::kIdentifier;
     }
-    Raise(voice, slot, event, SrdoCause::kNone);
+    Raise(voice, slot, Event::kError, cause);
 }
 
 // The limit first; the frame is then taken as if nothing had been there before it.
 void ReceiveLate(Voice& voice, const CanFrame& frame, const Instant stamp, const std::uint32_t slot) noexcept
 {
+    Record& record = At(voice, slot);
     const bool is_inverse = (~frame.identifier & kHalfMask) != 0U;
     Expire(voice, slot, stamp, is_inverse ? Half::kInverse : Half::kNormal);
-    ReceiveOdd(voice, frame, slot, is_inverse ? Event::kInverse : Event::kNormal);
-    if (At(voice, slot).mode == Mode::kFaultedFirst)
+    if (is_inverse || !IsFitting(voice, record, frame, Half::kNormal) || (record.mode != Mode::kFaultedEmpty))
     {
-        Keep(voice, frame, stamp, slot);
+        ReceiveOdd(voice, frame, slot);
+        return;
     }
+    SetMode(record, Mode::kFaultedFirst);
+    Keep(voice, frame, stamp, slot);
 }
 
 SrdoView Channel::View(const SlotIndex slot) const noexcept

@@ -108,7 +108,7 @@ std::uint32_t LoadOfSlot(const Voice& voice, const ConfigAddress& address) noexc
         value = record.values[place];
     }
     const Mapping mapping = MappingOf(voice, address.slot);
-    const std::uint32_t limit = (mapping.places == nullptr) ? mapping.stored_count : mapping.limit;
+    const std::uint32_t limit = (mapping.places == nullptr) ? mapping.count : mapping.limit;
     const std::uint32_t position = PositionOf(address, limit);
     if (position < limit)
     {

@@ -29,10 +29,51 @@ void Complete(Voice& voice, Record& record, const std::uint64_t data, const std:
     voice.unwritten |= bit;
 }
 
-bool IsFitting(const Voice& voice, const Record& record, const CanFrame& frame, const std::uint32_t half) noexcept
+[[gnu::noinline]] void TakeNormal(Voice& voice, const CanFrame& frame, const Instant stamp,
+                                  const std::uint32_t slot) noexcept
 {
-    return (frame.identifier == record.values[kCobIdPlace + half]) && (frame.port == voice.ports[half]) &&
-           (frame.length_bytes == LengthBytes(record));
+    Record& record = At(voice, slot);
+    const Mode next = kAfterNormal[static_cast<std::uint8_t>(record.mode) & kModeMask];
+    if (!IsFitting(voice, record, frame, Half::kNormal) || (next == Mode::kBroken))
+    {
+        ReceiveOdd(voice, frame, slot);
+        return;
+    }
+    SetMode(record, next);
+    Keep(voice, frame, stamp, slot);
+}
+
+// Bits above the length are 0 in the normal frame, so they are 1 in the inverse one.
+[[gnu::noinline]] void TakeInverse(Voice& voice, const CanFrame& frame, const std::uint32_t slot) noexcept
+{
+    Record& record = At(voice, slot);
+    if (!IsFitting(voice, record, frame, Half::kInverse))
+    {
+        ReceiveOdd(voice, frame, slot);
+        return;
+    }
+    const std::uint64_t data = Mapped(Bits(record.pending), record.spare_bits);
+    const std::uint64_t wrong = (BitsAt(&frame.data[0]) ^ ~data) | (Bits(record.pending) ^ data);
+    const Mode next = kAfterInverse[static_cast<std::uint8_t>(record.mode) & kModeMask];
+    if (HasBits(record, wrong) || (next == Mode::kBroken))
+    {
+        ReceiveOdd(voice, frame, slot);
+        return;
+    }
+    SetMode(record, next);
+    Complete(voice, record, data, slot);
+}
+
+// [SRS-TIME-009]
+[[gnu::noinline]] void TakeLateInverse(Voice& voice, const CanFrame& frame, const Instant stamp,
+                                       const std::uint32_t slot) noexcept
+{
+    if (IsTooOld(At(voice, slot), stamp))
+    {
+        ReceiveLate(voice, frame, stamp, slot);
+        return;
+    }
+    TakeInverse(voice, frame, slot);
 }
 
 } // namespace
@@ -55,52 +96,23 @@ void Channel::OnFrame(const CanFrame& frame, const Instant stamp) noexcept
     {
         return;
     }
-    Record& record = At(voice_, slot);
+    const Record& record = At(voice_, slot);
     if (IsExpired(record, stamp))
     {
         ReceiveLate(voice_, frame, stamp, slot);
-        return;
     }
-    const std::uint32_t half = place & kHalfMask;
-    if ((half != 0U) && IsTooOld(record, stamp))
+    else if ((place & kHalfMask) == 0U)
     {
-        ReceiveLate(voice_, frame, stamp, slot);
-        return;
+        TakeNormal(voice_, frame, stamp, slot);
     }
-    if (!IsFitting(voice_, record, frame, half))
+    else if (record.detection != SrvtDetection::kLate)
     {
-        ReceiveOdd(voice_, frame, slot, Event::kNormal);
-        return;
+        TakeInverse(voice_, frame, slot);
     }
-    if (half == 0U) // The common cells of both halves stay within their group of modes.
+    else
     {
-        const Cell& cell = NextCell(record.mode, Event::kNormal);
-        if (cell.effect != Effect::kTake)
-        {
-            ReceiveOdd(voice_, frame, slot, Event::kNormal);
-            return;
-        }
-        SetMode(record, cell.next);
-        Keep(voice_, frame, stamp, slot);
-        return;
+        TakeLateInverse(voice_, frame, stamp, slot);
     }
-    // Bits above the length are 0 in the normal frame, so they are 1 in the inverse one.
-    const std::uint64_t pending = Bits(record.pending);
-    const std::uint64_t data = pending & LowBits(record.length_bits);
-    const std::uint64_t wrong = (BitsAt(&frame.data[0]) ^ ~data) | (pending ^ data);
-    if ((wrong & FrameBits(record)) != 0U)
-    {
-        ReceiveOdd(voice_, frame, slot, Event::kNotInverse);
-        return;
-    }
-    const Cell& cell = NextCell(record.mode, Event::kInverse);
-    if (cell.effect != Effect::kComplete)
-    {
-        ReceiveOdd(voice_, frame, slot, Event::kInverse);
-        return;
-    }
-    SetMode(record, cell.next);
-    Complete(voice_, record, data, slot);
 }
 
 HeldPair Channel::Held(const SlotIndex slot) const noexcept

@@ -24,7 +24,6 @@ constexpr std::uint32_t kSubAndLength = 0xFFFFU;
 constexpr std::uint32_t kBitsToBytes = 3U;
 constexpr std::uint32_t kRestOfByte = 7U;
 constexpr std::uint32_t kPairMask = 1U; ///< Of a position from 0: even the normal, odd the inverse object.
-constexpr std::uint16_t kNoObject = 0xFFFFU;
 constexpr MappableObject kNothing{0U, 0U, 0U, MapAccess::kNone, nullptr};
 
 /// Bits of the data types 0001h to 0007h.
@@ -174,13 +173,13 @@ bool FitsDictionary(const DeviceConfig& config, const Record& record, const Mapp
     {
         value = (value << kBitsPerByte) | object.place[byte - 1U]; // MISRA D-002
     }
-    return value & LowBits(object.length_bits);
+    return Mapped(value, kMaxPayloadBits - object.length_bits);
 }
 
 [[gnu::noinline]] void PutBits(const MappableObject& object, const std::uint64_t data) noexcept
 {
     const std::uint32_t length_bytes = (object.length_bits + kRestOfByte) >> kBitsToBytes;
-    std::uint64_t rest = data & LowBits(object.length_bits);
+    std::uint64_t rest = Mapped(data, kMaxPayloadBits - object.length_bits);
     for (std::uint32_t byte = 0U; byte < length_bytes; ++byte)
     {
         object.place[byte] = static_cast<std::uint8_t>(rest); // MISRA D-002
@@ -188,19 +187,86 @@ bool FitsDictionary(const DeviceConfig& config, const Record& record, const Mapp
     }
 }
 
-// What the normal objects hold, each read once. Objects of four bytes are the usual ones and go without a call.
-std::uint64_t ReadObjects(const DeviceConfig& config, const Mapping& mapping) noexcept
+// What the normal objects hold, each read once.
+[[gnu::noinline]] std::uint64_t ReadObjects(const Voice& voice, const std::uint32_t slot) noexcept
 {
+    const Mapping mapping = MappingOf(voice, slot);
     std::uint64_t data = 0U;
     std::uint32_t offset_bits = 0U;
     for (std::uint32_t position = 0U; position < mapping.count; position += 2U)
     {
-        const MappableObject& object = ObjectAt(config, mapping, position);
-        const bool is_word = object.length_bits == kBitsPerWord;
-        data |= (is_word ? WordAt(object.place) : BitsOf(object)) << (offset_bits & kShiftMask);
+        const MappableObject& object = ObjectAt(*voice.config, mapping, position);
+        data |= BitsOf(object) << (offset_bits & kShiftMask);
         offset_bits += LengthAt(mapping, position);
     }
     return data;
+}
+
+[[gnu::noinline]] void WriteBits(const Voice& voice, const std::uint32_t slot, const Octets& data) noexcept
+{
+    const Mapping mapping = MappingOf(voice, slot);
+    const std::uint64_t bits = Bits(data);
+    std::uint32_t offset_bits = 0U;
+    for (std::uint32_t position = 0U; position < mapping.count; position += 2U)
+    {
+        PutBits(ObjectAt(*voice.config, mapping, position), bits >> (offset_bits & kShiftMask));
+        offset_bits += LengthAt(mapping, position);
+    }
+}
+
+// Two objects of four bytes each.
+struct Words
+{
+    std::uint8_t* low; ///< Null: the data are of other objects.
+    std::uint8_t* high;
+};
+
+// The usual mapping goes without a loop.
+[[gnu::always_inline]] inline Words WordsOf(const Voice& voice, const std::uint32_t slot) noexcept
+{
+    const DeviceConfig& config = *voice.config;
+    const std::uint16_t* const places = voice.storage.places + (slot * voice.storage.map_entries); // MISRA D-002
+    const std::uint32_t first = places[0];                                                         // MISRA D-002
+    const std::uint32_t second = places[kSecondWord];                                              // MISRA D-002
+    if ((first >= config.object_count) || (second >= config.object_count) || (At(voice, slot).spare_bits != 0U))
+    {
+        return Words{nullptr, nullptr};
+    }
+    const MappableObject& low = config.objects[first];   // MISRA D-002
+    const MappableObject& high = config.objects[second]; // MISRA D-002
+    if ((low.length_bits != kBitsPerWord) || (high.length_bits != kBitsPerWord))
+    {
+        return Words{nullptr, nullptr};
+    }
+    return Words{low.place, high.place};
+}
+
+// What is read is what is sent, once it is confirmed.
+[[gnu::noinline]] PreparedPair Send(Voice& voice, const std::uint32_t slot, const std::uint64_t data) noexcept
+{
+    Record& record = At(voice, slot);
+    const SrdoMask bit = BitOf(slot);
+    voice.refreshed &= ~bit;
+    voice.requested &= ~bit;
+    voice.flying |= bit;
+    record.held = OctetsOf(data);
+    SetMode(record, Mode::kNormalAwaited);
+    record.frame_since = voice.now;
+    if (voice.may_send && (record.form != ProducerForm::kProviderCalled))
+    {
+        record.since = voice.now;
+    }
+    PreparedPair pair{};
+    pair.normal.identifier = record.values[kCobIdPlace];
+    pair.normal.kind = FrameKind::kData;
+    pair.normal.port = voice.ports[0];
+    pair.normal.length_bytes = static_cast<std::uint8_t>(LengthBytes(record));
+    for (std::uint32_t place = 0U; place < kMaxPayloadBytes; ++place)
+    {
+        pair.normal.data[place] = record.held.at[place];
+    }
+    pair.status = PrepareStatus::kReady;
+    return pair;
 }
 
 } // namespace
@@ -251,68 +317,43 @@ ConfigFault Resolve(const DeviceConfig& config, Record& record, const Mapping& m
     {
         return ConfigFault::kLengthExceeded;
     }
-    SetLength(record, static_cast<std::uint8_t>(total));
+    SetSpare(record, static_cast<std::uint8_t>(kMaxPayloadBits - total));
     return ConfigFault::kNone;
 }
 
 // [SRS-CFG-030]
 bool HoldsTable(const DeviceConfig& config, const Record& record, const Mapping& mapping) noexcept
 {
-    return (record.mapping == kMarked) && (TotalLength(mapping) == record.length_bits) &&
+    return (record.mapping == kMarked) && (TotalLength(mapping) + record.spare_bits == kMaxPayloadBits) &&
            FitsDictionary(config, record, mapping);
 }
 
 void WriteObjects(const Voice& voice, const std::uint32_t slot, const Octets& data) noexcept
 {
-    const Mapping mapping = MappingOf(voice, slot);
-    const std::uint64_t bits = Bits(data);
-    std::uint32_t offset_bits = 0U;
-    for (std::uint32_t position = 0U; position < mapping.count; position += 2U)
+    const Words words = WordsOf(voice, slot);
+    if (words.low == nullptr)
     {
-        const MappableObject& object = ObjectAt(*voice.config, mapping, position);
-        const std::uint64_t value = bits >> (offset_bits & kShiftMask);
-        if (object.length_bits == kBitsPerWord) // The usual one, in one go.
-        {
-            PutWord(object.place, static_cast<std::uint32_t>(value));
-        }
-        else
-        {
-            PutBits(object, value);
-        }
-        offset_bits += LengthAt(mapping, position);
+        WriteBits(voice, slot, data);
+        return;
     }
+    PutWord(words.low, WordAt(&data.at[0]));
+    PutWord(words.high, WordAt(&data.at[kBytesPerWord]));
 }
 
 PreparedPair Channel::Prepare(const SlotIndex slot) noexcept
 {
-    PreparedPair pair{};
-    pair.status = PrepareStatus::kNotProducer;
-    Record& record = At(voice_, slot);
-    if (record.mode != Mode::kIdle)
+    if (At(voice_, slot).mode != Mode::kIdle)
     {
-        return pair;
+        PreparedPair none{};
+        none.status = PrepareStatus::kNotProducer;
+        return none;
     }
-    const SrdoMask bit = BitOf(slot);
-    voice_.refreshed &= ~bit;
-    voice_.requested &= ~bit;
-    voice_.flying |= bit;
-    record.held = OctetsOf(ReadObjects(*voice_.config, MappingOf(voice_, slot)));
-    SetMode(record, Mode::kNormalAwaited);
-    record.frame_since = voice_.now;
-    if (voice_.may_send && (record.form != ProducerForm::kProviderCalled))
+    const Words words = WordsOf(voice_, slot);
+    if (words.low == nullptr)
     {
-        record.since = voice_.now;
+        return Send(voice_, slot, ReadObjects(voice_, slot));
     }
-    pair.normal.identifier = record.values[kCobIdPlace];
-    pair.normal.kind = FrameKind::kData;
-    pair.normal.port = voice_.ports[0];
-    pair.normal.length_bytes = static_cast<std::uint8_t>(LengthBytes(record));
-    for (std::uint32_t place = 0U; place < kMaxPayloadBytes; ++place)
-    {
-        pair.normal.data[place] = record.held.at[place];
-    }
-    pair.status = PrepareStatus::kReady;
-    return pair;
+    return Send(voice_, slot, std::uint64_t{WordAt(words.low)} | (std::uint64_t{WordAt(words.high)} << kBitsPerWord));
 }
 
 } // namespace counterpoint::channel_a

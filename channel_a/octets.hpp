@@ -27,7 +27,7 @@ constexpr std::uint32_t kBitsPerWord = 32U;
 constexpr std::uint64_t kInverseFlip = 0xFFFFFFFFFFFFFFFFU;
 
 constexpr std::uint32_t kShiftMask = 0x3FU;
-constexpr std::uint32_t kWholeBytes = 0x78U;
+constexpr std::uint32_t kSpareBytes = 0x38U;
 
 /// @brief Four bytes from `place` on, byte 0 as the lowest bits, whatever the order of the processor.
 [[nodiscard, gnu::always_inline]] inline std::uint32_t WordAt(const std::uint8_t* const place) noexcept
@@ -47,16 +47,17 @@ constexpr std::uint32_t kWholeBytes = 0x78U;
     return BitsAt(&octets.at[0]);
 }
 
-/// @brief The lowest bits, 1 to 64 of them. Another count occurs only in a corrupted record, which its seal gives away.
-[[nodiscard, gnu::always_inline]] inline std::uint64_t LowBits(const std::uint32_t count) noexcept
+/// @brief The bits but for the uppermost `spare` ones, 0 to 63 of them.
+[[nodiscard, gnu::always_inline]] inline std::uint64_t Mapped(const std::uint64_t bits,
+                                                              const std::uint32_t spare) noexcept
 {
-    return kInverseFlip >> ((0U - count) & kShiftMask);
+    return (bits << (spare & kShiftMask)) >> (spare & kShiftMask);
 }
 
-/// @brief The bits of a frame that have a meaning.
-[[nodiscard, gnu::always_inline]] inline std::uint64_t FrameBits(const Record& record) noexcept
+/// @brief Whether a bit is set in the bytes of a frame of this SRDO.
+[[nodiscard, gnu::always_inline]] inline bool HasBits(const Record& record, const std::uint64_t bits) noexcept
 {
-    return LowBits((record.length_bits + 7U) & kWholeBytes);
+    return (bits << (record.spare_bits & kSpareBytes)) != 0U;
 }
 
 [[gnu::always_inline]] inline void PutWord(std::uint8_t* const to, const std::uint32_t word) noexcept
@@ -80,6 +81,15 @@ constexpr std::uint32_t kWholeBytes = 0x78U;
 [[nodiscard]] inline Payload PayloadOf(const Octets& octets) noexcept
 {
     return Payload{WordAt(&octets.at[0]), WordAt(&octets.at[kBytesPerWord])};
+}
+
+/// @brief Whether identifier, controller and length are those of this half of the SRDO.
+[[nodiscard, gnu::always_inline]] inline bool IsFitting(const Voice& voice, const Record& record, const CanFrame& frame,
+                                                        const Half half) noexcept
+{
+    const auto place = static_cast<std::size_t>(half);
+    return (frame.identifier == record.values[kCobIdPlace + place]) && (frame.port == voice.ports[place]) &&
+           (frame.length_bytes == LengthBytes(record));
 }
 
 /// @brief The frame becomes the pending normal frame. With late detection SRVT has no deadline, but the slot is served

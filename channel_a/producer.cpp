@@ -24,7 +24,13 @@ constexpr Confirmation kNotOurs{kNoSlot, ConfirmStep::kNone};
 inline bool IsWrong(const Record& record, const CanFrame& frame, const std::uint64_t flip) noexcept
 {
     const std::uint64_t wrong = BitsAt(&frame.data[0]) ^ Bits(record.held) ^ flip;
-    return (frame.length_bytes != LengthBytes(record)) || ((wrong & FrameBits(record)) != 0U);
+    return (frame.length_bytes != LengthBytes(record)) || HasBits(record, wrong);
+}
+
+[[gnu::noinline]] Confirmation Abort(Voice& voice, const std::uint32_t slot, const SrdoCause cause) noexcept
+{
+    Raise(voice, slot, Event::kAbort, cause);
+    return kNotOurs;
 }
 
 inline Confirmation ConfirmNormal(Voice& voice, Record& record, const CanFrame& frame, const Instant stamp,
@@ -36,8 +42,7 @@ inline Confirmation ConfirmNormal(Voice& voice, Record& record, const CanFrame& 
     }
     if (IsWrong(record, frame, 0U))
     {
-        Raise(voice, slot, Event::kAbort, SrdoCause::kWrongEcho);
-        return kNotOurs;
+        return Abort(voice, slot, SrdoCause::kWrongEcho);
     }
     SetMode(record, Mode::kInverseAwaited);
     record.frame_since = stamp;
@@ -53,13 +58,11 @@ inline Confirmation ConfirmInverse(Voice& voice, Record& record, const CanFrame&
     }
     if (IsWrong(record, frame, kInverseFlip))
     {
-        Raise(voice, slot, Event::kAbort, SrdoCause::kWrongEcho);
-        return kNotOurs;
+        return Abort(voice, slot, SrdoCause::kWrongEcho);
     }
     if ((stamp.us - record.frame_since.us) > SrvtUs(record))
     {
-        Raise(voice, slot, Event::kAbort, SrdoCause::kNoConfirmation);
-        return kNotOurs;
+        return Abort(voice, slot, SrdoCause::kNoConfirmation);
     }
     SetMode(record, Mode::kIdle);
     ++record.ordinal;

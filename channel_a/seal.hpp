@@ -15,7 +15,7 @@ namespace counterpoint::channel_a
 constexpr std::uint32_t kModeShift = 0U;
 constexpr std::uint32_t kCauseShift = 8U;
 constexpr std::uint32_t kDirectionShift = 16U;
-constexpr std::uint32_t kLengthShift = 24U;
+constexpr std::uint32_t kSpareShift = 24U;
 
 /// @brief The sealed bytes in one word.
 [[nodiscard]] inline std::uint32_t SealedBytes(const Record& record) noexcept
@@ -23,7 +23,7 @@ constexpr std::uint32_t kLengthShift = 24U;
     return (static_cast<std::uint32_t>(record.mode) << kModeShift) |
            (static_cast<std::uint32_t>(record.first_cause) << kCauseShift) |
            (static_cast<std::uint32_t>(record.direction) << kDirectionShift) |
-           (static_cast<std::uint32_t>(record.length_bits) << kLengthShift);
+           (static_cast<std::uint32_t>(record.spare_bits) << kSpareShift);
 }
 
 [[nodiscard]] inline bool IsSealed(const Record& record) noexcept
@@ -49,10 +49,10 @@ inline void SetDirection(Record& record, const std::uint8_t direction) noexcept
     record.direction = direction;
 }
 
-inline void SetLength(Record& record, const std::uint8_t length_bits) noexcept
+inline void SetSpare(Record& record, const std::uint8_t spare_bits) noexcept
 {
-    record.seal ^= (std::uint32_t{record.length_bits} ^ std::uint32_t{length_bits}) << kLengthShift;
-    record.length_bits = length_bits;
+    record.seal ^= (std::uint32_t{record.spare_bits} ^ std::uint32_t{spare_bits}) << kSpareShift;
+    record.spare_bits = spare_bits;
 }
 
 } // namespace counterpoint::channel_a

@@ -30,6 +30,12 @@ constexpr std::size_t kMapCountPlace = 5U;
 constexpr std::size_t kSignaturePlace = 6U;
 constexpr std::size_t kValueCount = 7U;
 
+/// Position of the second normal object, from 0.
+constexpr std::size_t kSecondWord = 2U;
+
+/// No place of an object.
+constexpr std::uint16_t kNoObject = 0xFFFFU;
+
 /// A limit that never expires.
 constexpr std::uint32_t kNoLimit = 0xFFFFFFFFU;
 
@@ -38,7 +44,7 @@ constexpr std::uint8_t kMarked = 0xA6U;
 constexpr std::uint8_t kUnmarked = 0U;
 
 /// Everything of one SRDO. Invariants between two calls:
-/// - `seal` is the complement of mode, first_cause, direction and length_bits. Every change of one of them changes the
+/// - `seal` is the complement of mode, first_cause, direction and spare_bits. Every change of one of them changes the
 ///   seal by the same bits; a flipped bit therefore never gets lost, the record stays unsealed until Restart.
 /// - `since` is the stamp of the pending normal frame (modes First and Next, limit SRVT), else that of the held pair's
 ///   normal frame (Held, limit SCT); with late detection always the latter (no limit in First). Of a producer that is
@@ -50,7 +56,7 @@ struct Record
     Mode mode;
     SrdoCause first_cause;
     std::uint8_t direction;
-    std::uint8_t length_bits;
+    std::uint8_t spare_bits; ///< How many of the 64 bits of a frame are not mapped.
     std::uint32_t seal;
     Instant since;
     std::uint32_t limit_us;
@@ -76,7 +82,7 @@ struct Record
     StaticFields fields; ///< Of a static mapping.
 };
 
-/// For each pair of identifiers (odd, even) from 101h on: slot + 1 of the SRDO, 0 for none.
+/// For each pair of identifiers (odd, even) from 101h on: the slot of the SRDO, kNoSlot for none.
 constexpr std::size_t kLookUpSize = kSrdoIdentifierCount / 2U;
 
 /// What a channel works on; it belongs to the caller and outlives the channel.
@@ -99,9 +105,12 @@ template <std::uint8_t kSlots, std::uint8_t kMapEntries = kUsualMapEntries> stru
     /// There is no array of nothing.
     static constexpr std::size_t kEntryCount = (kMapEntries == 0U) ? 1U : (std::size_t{kSlots} * kMapEntries);
 
+    /// Where an object of a word has its place is read before it is known whether there are so many.
+    static constexpr std::size_t kPlaceCount = (std::size_t{kSlots} * kMapEntries) + kSecondWord + 1U;
+
     Record records[kSlots];             // MISRA D-001
     std::uint32_t entries[kEntryCount]; // MISRA D-001
-    std::uint16_t places[kEntryCount];  // MISRA D-001
+    std::uint16_t places[kPlaceCount];  // MISRA D-001
     std::uint8_t look_up[kLookUpSize];  // MISRA D-001
 
     [[nodiscard]] Storage Handle() noexcept

@@ -35,30 +35,15 @@ constexpr std::uint8_t kLeaveP = 18U;
 
 // Faults of a consumer.
 constexpr std::uint8_t kCorrupt = 19U;
-constexpr std::uint8_t kEarly = 20U;
-constexpr std::uint8_t kTwice = 21U;
-constexpr std::uint8_t kUnlike = 22U;
-constexpr std::uint8_t kForeign = 23U;
-constexpr std::uint8_t kLength = 24U;
-constexpr std::uint8_t kGiven = 25U;
-constexpr std::uint8_t kDropAll = 26U;
-constexpr std::uint8_t kDropHeld = 27U;
-
-// Frames that are as they should be.
-constexpr std::uint8_t kTakeW1 = 28U;
-constexpr std::uint8_t kTakeWN = 29U;
-constexpr std::uint8_t kTakeF1 = 30U;
-constexpr std::uint8_t kTakeFN = 31U;
-constexpr std::uint8_t kTakeRN = 32U;
-constexpr std::uint8_t kPairW = 33U;
-constexpr std::uint8_t kPairF = 34U;
-constexpr std::uint8_t kPairR = 35U;
+constexpr std::uint8_t kGiven = 20U;
+constexpr std::uint8_t kDropAll = 21U;
+constexpr std::uint8_t kDropHeld = 22U;
 
 // Transmission.
-constexpr std::uint8_t kAbortC = 36U;
-constexpr std::uint8_t kCorruptP = 37U;
-constexpr std::uint8_t kLost = 38U;
-constexpr std::uint8_t kVoid = 39U;
+constexpr std::uint8_t kAbortC = 23U;
+constexpr std::uint8_t kCorruptP = 24U;
+constexpr std::uint8_t kLost = 25U;
+constexpr std::uint8_t kVoid = 26U;
 
 } // namespace
 
@@ -105,22 +90,9 @@ constexpr Cell kCells[kCellCount] = {
     {Mode::kOff, Effect::kFault, SrdoCause::kNotOperational},
     {Mode::kOff, Effect::kNothing, SrdoCause::kNone},
     {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kInvalid},
-    {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kInverseFirst},
-    {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kNormalTwice},
-    {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kNotInverse},
-    {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kIdentifier},
-    {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kLength},
     {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kNone},
     {Mode::kFaultedEmpty, Effect::kDropAll, SrdoCause::kNone},
     {Mode::kFaultedFirst, Effect::kDropHeld, SrdoCause::kNone},
-    {Mode::kWaitingFirst, Effect::kTake, SrdoCause::kNone},
-    {Mode::kWaitingNext, Effect::kTake, SrdoCause::kNone},
-    {Mode::kFaultedFirst, Effect::kTake, SrdoCause::kNone},
-    {Mode::kFaultedNext, Effect::kTake, SrdoCause::kNone},
-    {Mode::kReleasedNext, Effect::kTake, SrdoCause::kNone},
-    {Mode::kWaitingHeld, Effect::kComplete, SrdoCause::kNone},
-    {Mode::kFaultedHeld, Effect::kComplete, SrdoCause::kNone},
-    {Mode::kReleasedHeld, Effect::kComplete, SrdoCause::kNone},
     {Mode::kIdle, Effect::kAbort, SrdoCause::kNone},
     {Mode::kIdle, Effect::kAbort, SrdoCause::kInvalid},
     {Mode::kOff, Effect::kFault, SrdoCause::kInvalid},
@@ -140,21 +112,6 @@ constexpr std::uint8_t kTransitions[kEventCount][kModeCount] = {
     // kLeave
     {kLeaveC, kOff, kLeaveC, kLeaveC, kLeaveC, kLeaveC, kLeaveC, kLeaveC, kLeaveC, kLeaveC, kLeaveC, kLeaveC, kLeaveP,
      kLeaveC, kLeaveP, kLeaveP},
-    // kNormal
-    {kCorrupt, kOff, kTakeW1, kTwice, kTakeWN, kTwice, kTakeF1, kTwice, kTakeFN, kTwice, kTakeRN, kTwice, kIdle,
-     kCorrupt, kNormalAwaited, kInverseAwaited},
-    // kInverse
-    {kCorrupt, kOff, kEarly, kPairW, kEarly, kPairW, kEarly, kPairF, kEarly, kPairF, kEarly, kPairR, kIdle, kCorrupt,
-     kNormalAwaited, kInverseAwaited},
-    // kNotInverse
-    {kCorrupt, kOff, kEarly, kUnlike, kEarly, kUnlike, kEarly, kUnlike, kEarly, kUnlike, kEarly, kUnlike, kIdle,
-     kCorrupt, kNormalAwaited, kInverseAwaited},
-    // kWrongIdentifier
-    {kCorrupt, kOff, kForeign, kForeign, kForeign, kForeign, kForeign, kForeign, kForeign, kForeign, kForeign, kForeign,
-     kIdle, kCorrupt, kNormalAwaited, kInverseAwaited},
-    // kWrongLength
-    {kCorrupt, kOff, kLength, kLength, kLength, kLength, kLength, kLength, kLength, kLength, kLength, kLength, kIdle,
-     kCorrupt, kNormalAwaited, kInverseAwaited},
     // kError
     {kCorrupt, kOff, kGiven, kGiven, kGiven, kGiven, kGiven, kGiven, kGiven, kGiven, kGiven, kGiven, kIdle, kCorrupt,
      kNormalAwaited, kInverseAwaited},
@@ -170,6 +127,20 @@ constexpr std::uint8_t kTransitions[kEventCount][kModeCount] = {
     // kCorrupted
     {kCorrupt, kLost, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt,
      kCorrupt, kVoid, kCorrupt, kVoid, kVoid},
+};
+
+constexpr Mode kAfterNormal[kModeCount] = {
+    // MISRA D-001
+    Mode::kBroken,       Mode::kBroken, Mode::kWaitingFirst, Mode::kBroken, Mode::kWaitingNext,  Mode::kBroken,
+    Mode::kFaultedFirst, Mode::kBroken, Mode::kFaultedNext,  Mode::kBroken, Mode::kReleasedNext, Mode::kBroken,
+    Mode::kBroken,       Mode::kBroken, Mode::kBroken,       Mode::kBroken,
+};
+
+constexpr Mode kAfterInverse[kModeCount] = {
+    // MISRA D-001
+    Mode::kBroken, Mode::kBroken,      Mode::kBroken, Mode::kWaitingHeld, Mode::kBroken, Mode::kWaitingHeld,
+    Mode::kBroken, Mode::kFaultedHeld, Mode::kBroken, Mode::kFaultedHeld, Mode::kBroken, Mode::kReleasedHeld,
+    Mode::kBroken, Mode::kBroken,      Mode::kBroken, Mode::kBroken,
 };
 
 namespace

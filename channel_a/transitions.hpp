@@ -32,37 +32,31 @@ enum class Mode : std::uint8_t
     kInverseAwaited = 0xFFU ///< Producer that waits for the confirmation of the inverse frame.
 };
 
-/// Rows of the table. What goes well with a pair of a producer is none of them: producer.cpp.
+/// Rows of the table. What goes well with a pair is none of them: a frame that is as it should be takes a consumer on
+/// by kAfterNormal and kAfterInverse, a producer as producer.cpp tells.
 enum class Event : std::uint8_t
 {
     kEnterConsumer = 0U,
     kEnterProducer = 1U,
     kLeave = 2U,
-    kNormal = 3U,     ///< Normal frame of the right length.
-    kInverse = 4U,    ///< Inverse frame with every bit inverted.
-    kNotInverse = 5U, ///< Inverse frame with a bit that is not.
-    kWrongIdentifier = 6U,
-    kWrongLength = 7U,
-    kError = 8U,   ///< Anything else that makes a consumer safe; the cause is given by who raises it.
-    kDiscard = 9U, ///< The held pair is dropped, a pending normal frame stays.
-    kRelease = 10U,
-    kAbort = 11U,     ///< The pair in flight failed; the cause is given by who raises it.
-    kCorrupted = 12U, ///< The record does not fit its seal.
+    kError = 3U,   ///< What makes a consumer safe; the cause is given by who raises it.
+    kDiscard = 4U, ///< The held pair is dropped, a pending normal frame stays.
+    kRelease = 5U,
+    kAbort = 6U,     ///< The pair in flight failed; the cause is given by who raises it.
+    kCorrupted = 7U, ///< The record does not fit its seal.
 };
 
-constexpr std::size_t kEventCount = 13U;
+constexpr std::size_t kEventCount = 8U;
 
 /// What is to be done with the record besides its new mode.
 enum class Effect : std::uint8_t
 {
     kInvalid = 0U, ///< An omitted cell; does not compile.
     kNothing = 1U,
-    kTake = 2U,     ///< The frame becomes the pending normal frame.
-    kComplete = 3U, ///< The pending frame becomes the held pair.
-    kDropHeld = 4U, ///< The held pair is dropped without a fault, a pending normal frame stays.
-    kDropAll = 5U,  ///< Likewise where nothing is pending.
-    kFault = 6U,    ///< Consumer made safe, for the cell's cause or, where that is kNone, the given one.
-    kAbort = 7U,    ///< The pair in flight is given up with a fault of the producer.
+    kDropHeld = 2U, ///< The held pair is dropped without a fault, a pending normal frame stays.
+    kDropAll = 3U,  ///< Likewise where nothing is pending.
+    kFault = 4U,    ///< Consumer made safe, for the cell's cause or, where that is kNone, the given one.
+    kAbort = 5U,    ///< The pair in flight is given up with a fault of the producer.
 };
 
 struct Cell
@@ -119,13 +113,18 @@ extern const ModeFacts kModeFacts[kModeCount]; // MISRA D-001
     return (FactsOf(mode).data & kFirstFrame) != 0U;
 }
 
-constexpr std::size_t kCellCount = 40U;
+constexpr std::size_t kCellCount = 27U;
 
 /// The different cells of the table. Cell 0 is that of an omitted entry.
 extern const Cell kCells[kCellCount]; // MISRA D-001
 
 /// The table of transitions: rows by event, columns by the low four bits of the mode, entries are numbers of cells.
 extern const std::uint8_t kTransitions[kEventCount][kModeCount]; // MISRA D-001
+
+/// Modes of a consumer after a normal frame, or an inverse frame, that is as it should be; kBroken where it is not its
+/// turn. The group of the mode stays.
+extern const Mode kAfterNormal[kModeCount];  // MISRA D-001
+extern const Mode kAfterInverse[kModeCount]; // MISRA D-001
 
 /// @brief What the event does in this mode.
 [[nodiscard]] inline const Cell& NextCell(const Mode mode, const Event event) noexcept

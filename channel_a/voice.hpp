@@ -77,7 +77,7 @@ struct Mapping
 /// @brief Not below the count where no SRDO has this identifier.
 [[nodiscard]] inline std::uint32_t SlotOfPlace(const Voice& voice, const std::uint32_t place) noexcept
 {
-    return std::uint32_t{voice.storage.look_up[place >> 1U]} - 1U; // MISRA D-002
+    return voice.storage.look_up[place >> 1U]; // MISRA D-002
 }
 
 [[nodiscard]] inline SrdoMask ConsumersOf(const Voice& voice) noexcept
@@ -88,7 +88,7 @@ struct Mapping
 /// @brief Bytes of a frame of this SRDO.
 [[nodiscard]] inline std::uint32_t LengthBytes(const Record& record) noexcept
 {
-    return (record.length_bits + 7U) >> 3U;
+    return kMaxPayloadBytes - (std::uint32_t{record.spare_bits} >> 3U);
 }
 
 /// @brief Whether the limit that the cycle looks at has passed.
@@ -138,8 +138,8 @@ void MoveTo(Voice& voice, SrdoMask bits, std::uint8_t group) noexcept;
 
 /// @brief A frame that no SRDO has for its own.
 void ReceiveOther(Voice& voice, const CanFrame& frame) noexcept;
-/// @brief A frame that is not as it should be; `order` is what its order or its data mean.
-void ReceiveOdd(Voice& voice, const CanFrame& frame, std::uint32_t slot, Event order) noexcept;
+/// @brief A frame that is not as it should be.
+void ReceiveOdd(Voice& voice, const CanFrame& frame, std::uint32_t slot) noexcept;
 /// @brief A frame after the limit of its SRDO.
 void ReceiveLate(Voice& voice, const CanFrame& frame, Instant stamp, std::uint32_t slot) noexcept;
 
