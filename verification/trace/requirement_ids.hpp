@@ -379,6 +379,9 @@ inline constexpr RequirementId SRS_VER_013{"SRS-VER-013"};
 inline constexpr RequirementId SRS_VER_014{"SRS-VER-014"};
 inline constexpr RequirementId SRS_VER_015{"SRS-VER-015"};
 inline constexpr RequirementId SRS_VER_016{"SRS-VER-016"};
+inline constexpr RequirementId SRS_VER_017{"SRS-VER-017"};
+inline constexpr RequirementId SRS_VER_018{"SRS-VER-018"};
+inline constexpr RequirementId SRS_VER_019{"SRS-VER-019"};
 } // namespace counterpoint::req
 
 #endif
