@@ -114,6 +114,18 @@ std::uint32_t ConfigurationGuard::Cycle(const std::uint32_t challenge) noexcept
     return rotated ^ (static_cast<std::uint32_t>(valid_) * kEveryByte);
 }
 
+// Only what was declared can be otherwise than declared.
+bool ConfigurationGuard::IsSlotSound(const SlotIndex slot) noexcept
+{
+    return (!IsValid()) || (Check(slot, CheckDepth::kRecheck).rule == ConfigFault::kNone);
+}
+
+bool ConfigurationGuard::IsDigestSound() const noexcept
+{
+    const bool is_compared = is_digest_whole_ && IsValid();
+    return (!is_compared) || (digest_.value == reference_.value);
+}
+
 // step    0          1         2          3         ...
 // slot    0 recheck  0 digest  1 recheck  1 digest  ...    a change in both channels shows when all slots are done
 void ConfigurationGuard::Examine() noexcept
@@ -127,12 +139,11 @@ void ConfigurationGuard::Examine() noexcept
     if ((step & 1U) == 0U)
     {
         is_digest_whole_ = is_digest_whole_ || (slot == 0U);
-        is_sound = (!IsValid()) || (Check(slot, CheckDepth::kRecheck).rule == ConfigFault::kNone);
+        is_sound = IsSlotSound(slot);
     }
     else if (StepDigest(slot) && is_last)
     {
-        const bool is_compared = is_digest_whole_ && IsValid();
-        is_sound = (!is_compared) || (digest_.value == reference_.value);
+        is_sound = IsDigestSound();
     }
     else
     {

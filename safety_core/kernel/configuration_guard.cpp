@@ -12,6 +12,11 @@ constexpr std::uint32_t kBitsPerByte = 8U;
 
 constexpr ConfigAddress kValidAddress{0U, ConfigField::kConfigurationValid, 0U};
 
+bool IsReadOnly(const ObjectKind kind) noexcept
+{
+    return (kind == ObjectKind::kConstant) || (kind == ObjectKind::kVariable) || (kind == ObjectKind::kFixed);
+}
+
 } // namespace
 
 ConfigurationGuard::ConfigurationGuard(Channel& a, Channel& b, SafeStateLatch& latch) noexcept
@@ -117,8 +122,7 @@ AbortCode ConfigurationGuard::Write(const ObjectAddress& address, const ObjectDa
     {
         return place.refusal;
     }
-    if ((place.kind == ObjectKind::kConstant) || (place.kind == ObjectKind::kVariable) ||
-        (place.kind == ObjectKind::kFixed))
+    if (IsReadOnly(place.kind))
     {
         return AbortCode::kReadOnly;
     }
@@ -131,7 +135,11 @@ AbortCode ConfigurationGuard::Write(const ObjectAddress& address, const ObjectDa
     {
         return AbortCode::kDeviceState;
     }
-    const std::uint32_t value = ToValue(data);
+    return WritePlace(place, ToValue(data));
+}
+
+AbortCode ConfigurationGuard::WritePlace(const ObjectPlace& place, const std::uint32_t value) noexcept
+{
     if (place.kind == ObjectKind::kGapSignature)
     {
         return (value == 0U) ? AbortCode::kNone : AbortCode::kValueRange;

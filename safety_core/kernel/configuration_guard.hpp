@@ -88,6 +88,7 @@ class ConfigurationGuard
     }
 
   private:
+    [[nodiscard]] AbortCode WritePlace(const ObjectPlace& place, std::uint32_t value) noexcept;
     [[nodiscard]] AbortCode WriteConfiguration(const ConfigItem& item) noexcept;
     [[nodiscard]] Result Declare() noexcept;
     [[nodiscard]] AbortCode AdmitItem(const ConfigItem& item) const noexcept;
@@ -100,6 +101,8 @@ class ConfigurationGuard
     void StoreBoth(const ConfigItem& item) noexcept;
     [[nodiscard]] Result TakeDigest() noexcept;
     void Examine() noexcept;
+    [[nodiscard]] bool IsSlotSound(SlotIndex slot) noexcept;
+    [[nodiscard]] bool IsDigestSound() const noexcept;
     [[nodiscard]] bool StepDigest(SlotIndex slot) noexcept;
     [[nodiscard]] std::uint32_t ItemCount() const noexcept;
     [[nodiscard]] ObjectAddress AddressOf(std::uint32_t number) const noexcept;
