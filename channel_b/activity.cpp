@@ -24,9 +24,9 @@ void Channel::EnterSlot(SlotIndex slot, Stage stage) noexcept
 void Channel::Enter(const Half& half) noexcept
 {
     Marks& marks = *half.marks;
-    Withdraw(marks.held, half.present);
-    Withdraw(marks.acknowledged, half.present);
-    Withdraw(marks.released, half.present);
+    marks.held = kUnmarked;
+    marks.acknowledged = kUnmarked;
+    marks.released = kUnmarked;
     marks.unheard = half.present;
     marks.faulted = 0U;
     marks.pending = 0U;

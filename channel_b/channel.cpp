@@ -36,8 +36,8 @@ void Channel::ClearSlot(SlotIndex slot) noexcept
 {
     Row& row = x_storage.rows[slot];
     row = Row{};
-    const std::size_t first = FirstEntryOf(slot);
-    for (std::size_t index = 0U; index < x_storage.map_entries; ++index)
+    const std::uint32_t first = FirstEntryOf(slot);
+    for (std::uint32_t index = 0U; index < x_storage.map_entries; ++index)
     {
         x_storage.entries[first + index] = 0U;
         x_storage.table[first + index] = kNoPlace;
@@ -62,6 +62,7 @@ void Channel::Restart(const DeviceConfig& config) noexcept
     x_port[1U] = config.normal_port;
     x_running = 0U;
     x_gfc = 0U;
+    x_any_late = 0U;
     x_late_us = 0xFFFFFFFFU; // The first call is never late.
     x_cycle = 0U;
     x_storage.device[kGfcParameterAt] = 0U;
@@ -72,11 +73,11 @@ void Channel::Restart(const DeviceConfig& config) noexcept
         x_present[half] = 0U;
         x_levels[half] = ~HalfMask{0U}; // A level that is 1 from the start is no edge.
         marks = Marks{};
-        marks.held.off = ~HalfMask{0U};
-        marks.acknowledged.off = ~HalfMask{0U};
-        marks.automatic.off = ~HalfMask{0U};
-        marks.valid.off = ~HalfMask{0U};
-        marks.released.off = ~HalfMask{0U};
+        marks.held = kUnmarked;
+        marks.acknowledged = kUnmarked;
+        marks.automatic = kUnmarked;
+        marks.valid = kUnmarked;
+        marks.released = kUnmarked;
     }
     ClearLookUp();
     for (SlotIndex slot = 0U; slot < x_count; ++slot)
@@ -101,6 +102,7 @@ void Channel::TakeSetup(SlotIndex slot, const SrdoSetup& setup) noexcept
     if (setup.detection == SrvtDetection::kLate)
     {
         MarksOf(x_storage, slot).late |= BitOf(slot);
+        x_any_late |= BitOf(slot);
     }
     if ((setup.number == 1U) && (node <= kLastDefaultNode))
     {

@@ -106,7 +106,7 @@ class Channel final : public counterpoint::Channel
     void CycleHalf(const CycleInput& input, const Call& call, Half& half) noexcept;
 
     // consumer.cpp
-    void ExamineLimits(SlotIndex slot, std::uint32_t parity, std::uint32_t since_call) noexcept;
+    [[gnu::noinline]] void TakeSlowly(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
     [[gnu::noinline]] void TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
     [[nodiscard]] SrdoCause TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
     [[nodiscard]] SrdoCause TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept;
@@ -128,13 +128,13 @@ class Channel final : public counterpoint::Channel
 
     // producer.cpp
     [[nodiscard]] HalfMask AdvanceProducers(const CycleInput& input, const Call& call, const Half& half) noexcept;
-    [[nodiscard]] Confirmation ConfirmInverse(SlotIndex slot, const CanFrame& frame, Instant stamp) noexcept;
-    [[nodiscard]] static bool IsEchoWrong(const Row& row, const CanFrame& frame, std::uint64_t expected) noexcept;
     void AdvanceProvider(SlotIndex slot, HalfMask bit, Marks& marks) noexcept;
     void AdvanceApplication(SlotIndex slot, HalfMask bit, Marks& marks) noexcept;
     void EndPhases(const Half& half) noexcept;
 
     // configuration.cpp
+    [[nodiscard]] ConfigFault CheckSignature(SlotIndex slot, std::uint16_t signature) const noexcept;
+    [[nodiscard]] CheckResult Conclude(SlotIndex slot, ConfigFault fault, std::uint16_t signature) noexcept;
     [[nodiscard]] Place PlaceOf(const ConfigAddress& address) const noexcept;
     [[nodiscard]] ConfigFault CheckParameters(SlotIndex slot) const noexcept;
     [[nodiscard]] bool IsIdentifierInUse(SlotIndex slot) const noexcept;
@@ -145,13 +145,12 @@ class Channel final : public counterpoint::Channel
     [[nodiscard]] std::uint32_t LoadEntry(const ConfigAddress& address) const noexcept;
 
     // mapping.cpp
-    [[nodiscard]] std::size_t FirstEntryOf(SlotIndex slot) const noexcept;
+    [[nodiscard]] std::uint32_t FirstEntryOf(SlotIndex slot) const noexcept;
     [[nodiscard]] [[gnu::noinline]] Mapping MappingOf(SlotIndex slot) const noexcept;
     [[nodiscard]] std::uint16_t Find(std::uint32_t entry) const noexcept;
     [[nodiscard]] std::uint16_t PlaceAt(const Mapping& mapping, std::uint32_t index) const noexcept;
     void Resolve(const Mapping& mapping, bool is_consumer) const noexcept;
     [[nodiscard]] bool IsTableRight(SlotIndex slot, const Mapping& mapping) const noexcept;
-    [[nodiscard]] bool IsStillRight(SlotIndex slot) const noexcept;
     [[nodiscard]] ConfigFault CheckMapping(SlotIndex slot) noexcept;
 
     // objects.cpp
@@ -167,6 +166,7 @@ class Channel final : public counterpoint::Channel
     HalfMask x_present[kHalves]{};  ///< All existing slots. MISRA D-001
     HalfMask x_levels[kHalves]{};   ///< Acknowledge inputs of the last OnCycle. MISRA D-001
     HalfMask x_running{0U};         ///< All bits while SRDOs are active, else none.
+    HalfMask x_any_late{0U};        ///< Not 0 if some SRDO has late detection of SRVT.
     HalfMask x_gfc{0U};             ///< All bits if a global fail-safe command came since the last OnCycle, else none.
     std::uint32_t x_last_us{0U};    ///< The `now` of the last OnCycle: every budget and every stamp is relative to it.
     std::uint32_t x_elapsed_us{0U}; ///< Between the last two calls of OnCycle: what every budget is to be relieved of.

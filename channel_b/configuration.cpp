@@ -33,11 +33,6 @@ constexpr FieldSpan kSpans[kFieldCount] = { // MISRA D-001
     {kGfcParameterAt, 1U},
     {kConfigurationValidAt, 1U}};
 
-[[nodiscard]] std::uint32_t StoredSignature(const Row& row) noexcept
-{
-    return ByteAt(row, kSignatureAt) | (ByteAt(row, kSignatureAt + 1U) << 8U);
-}
-
 } // namespace
 
 /// Of everything but the entries of mappings.
@@ -62,7 +57,7 @@ Channel::Place Channel::PlaceOf(const ConfigAddress& address) const noexcept
 
 void Channel::SetFields(SlotIndex slot, const StaticFields& fields) noexcept
 {
-    if (MappingOf(slot).is_static)
+    if (IsStatic(MappingOf(slot)))
     {
         x_storage.rows[slot].fields = fields;
         MarksOf(x_storage, slot).resolved &= ~BitOf(slot);
@@ -74,7 +69,7 @@ bool Channel::StoreEntry(const ConfigItem& item) noexcept
 {
     const Mapping mapping = MappingOf(item.address.slot);
     const std::uint32_t index = static_cast<std::uint32_t>(item.address.sub) - 1U; // Of sub-index 0 a huge number.
-    if (mapping.is_static)
+    if (IsStatic(mapping))
     {
         return false;
     }
@@ -83,11 +78,11 @@ bool Channel::StoreEntry(const ConfigItem& item) noexcept
         x_storage.rows[item.address.slot].image[kMapCountAt] = static_cast<std::uint8_t>(item.value & 0xFFU);
         return true;
     }
-    if (index >= mapping.reach)
+    if (index >= x_map_entries)
     {
         return false;
     }
-    x_storage.entries[FirstEntryOf(item.address.slot) + index] = item.value;
+    x_storage.entries[mapping.first + index] = item.value;
     return true;
 }
 
@@ -132,7 +127,8 @@ std::uint32_t Channel::LoadEntry(const ConfigAddress& address) const noexcept
     {
         return mapping.declared;
     }
-    return (index < mapping.reach) ? mapping.entries[index] : 0U;
+    const std::uint32_t reach = IsStatic(mapping) ? mapping.count : x_map_entries;
+    return (index < reach) ? mapping.entries[index] : 0U;
 }
 
 ConfigItem Channel::Load(const ConfigAddress& address) const noexcept
@@ -203,66 +199,72 @@ ConfigFault Channel::CheckParameters(SlotIndex slot) const noexcept
     return IsTimingWrong(slot) ? ConfigFault::kTiming : ConfigFault::kNone;
 }
 
-CheckResult Channel::Validate(SlotIndex slot) noexcept
+/// The rule of the signature comes last of those of Validate and first of those of Recheck; a slot counts as valid if
+/// no rule is broken.
+CheckResult Channel::Conclude(SlotIndex slot, ConfigFault fault, std::uint16_t signature) noexcept
 {
-    CheckResult result{ConfigFault::kNone, SignatureOf(slot)};
-    const Row& row = x_storage.rows[slot];
-    Marks& marks = MarksOf(x_storage, slot);
-    const HalfMask bit = BitOf(slot);
-    const std::uint8_t direction = x_storage.direction[slot];
-    marks.resolved &= ~bit;
-    Withdraw(marks.valid, bit);
-    if (direction != kDirectionOff)
+    TwinMask& valid = MarksOf(x_storage, slot).valid;
+    if (fault == ConfigFault::kNone)
     {
-        result.fault = CheckParameters(slot);
-        if (result.fault == ConfigFault::kNone)
-        {
-            result.fault = CheckMapping(slot);
-        }
-    }
-    if (result.fault != ConfigFault::kNone)
-    {
-        return result;
-    }
-    if (static_cast<std::uint32_t>(result.signature) != StoredSignature(row))
-    {
-        result.fault = ConfigFault::kSignature;
-        return result;
-    }
-    Grant(marks.valid, bit);
-    if (direction != kDirectionOff)
-    {
-        marks.resolved |= bit;
-        marks.committed &= ~bit; // Whatever was released is overwritten here, or no longer ours.
-    }
-    if (direction == kDirectionConsumer)
-    {
-        WriteInverse(slot, SafeDataOf(slot));
-    }
-    return result;
-}
-
-/// Signature first; what it finds need not be looked for in the table.
-CheckResult Channel::Recheck(SlotIndex slot) noexcept
-{
-    CheckResult result{ConfigFault::kNone, SignatureOf(slot)};
-    Marks& marks = MarksOf(x_storage, slot);
-    const HalfMask bit = BitOf(slot);
-    if (static_cast<std::uint32_t>(result.signature) != StoredSignature(x_storage.rows[slot]))
-    {
-        result.fault = ConfigFault::kSignature;
-    }
-    else if ((x_storage.direction[slot] != kDirectionOff) && (!IsStillRight(slot)))
-    {
-        result.fault = ConfigFault::kTable;
+        Grant(valid, BitOf(slot));
     }
     else
     {
-        Grant(marks.valid, bit);
-        return result;
+        Withdraw(valid, BitOf(slot));
     }
-    Withdraw(marks.valid, bit);
-    return result;
+    return CheckResult{fault, signature};
+}
+
+ConfigFault Channel::CheckSignature(SlotIndex slot, std::uint16_t signature) const noexcept
+{
+    const Row& row = x_storage.rows[slot];
+    const std::uint32_t stored = ByteAt(row, kSignatureAt) | (ByteAt(row, kSignatureAt + 1U) << 8U);
+    return (signature != stored) ? ConfigFault::kSignature : ConfigFault::kNone;
+}
+
+CheckResult Channel::Validate(SlotIndex slot) noexcept
+{
+    Marks& marks = MarksOf(x_storage, slot);
+    const HalfMask bit = BitOf(slot);
+    const std::uint16_t signature = SignatureOf(slot);
+    const std::uint8_t direction = x_storage.direction[slot];
+    ConfigFault fault = ConfigFault::kNone;
+    marks.resolved &= ~bit;
+    if (direction != kDirectionOff)
+    {
+        fault = CheckParameters(slot);
+        if (fault == ConfigFault::kNone)
+        {
+            fault = CheckMapping(slot);
+        }
+    }
+    if (fault == ConfigFault::kNone)
+    {
+        fault = CheckSignature(slot, signature);
+    }
+    if ((fault == ConfigFault::kNone) && (direction != kDirectionOff))
+    {
+        marks.resolved |= bit;
+        marks.committed &= ~bit; // Whatever was released is overwritten here, or no longer ours.
+        if (direction == kDirectionConsumer)
+        {
+            WriteInverse(slot, SafeDataOf(slot));
+        }
+    }
+    return Conclude(slot, fault, signature);
+}
+
+/// What the signature finds need not be looked for in the table.
+CheckResult Channel::Recheck(SlotIndex slot) noexcept
+{
+    const std::uint16_t signature = SignatureOf(slot);
+    ConfigFault fault = CheckSignature(slot, signature);
+    if ((fault == ConfigFault::kNone) && (x_storage.direction[slot] != kDirectionOff))
+    {
+        const bool is_resolved = (MarksOf(x_storage, slot).resolved & BitOf(slot)) != 0U;
+        fault = (is_resolved && IsTableRight(slot, MappingOf(slot))) ? ConfigFault::kNone : ConfigFault::kTable;
+    }
+    return Conclude(slot, fault, signature);
 }
 
 } // namespace counterpoint::channel_b

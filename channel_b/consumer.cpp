@@ -30,14 +30,7 @@ void Channel::TakeCommand(const CanFrame& frame) noexcept
     }
     marks.pending |= bit;
     row.pending_data = PackBytes(&frame.data[0]);
-    const std::uint32_t srvt_us = SrvtUs(row);
-    row.srvt_limit = srvt_us;
-    row.srvt_left = srvt_us + since_call;
-    if ((marks.late & bit) == 0U)
-    {
-        x_storage.pair_limit[slot] = srvt_us;
-        x_storage.pair_left[slot] = srvt_us + since_call;
-    }
+    StartBudget(x_storage, slot, since_call);
     return SrdoCause::kNone;
 }
 
@@ -59,9 +52,7 @@ void Channel::TakeCommand(const CanFrame& frame) noexcept
     }
     // Both limits count from the normal frame, so that the greater one has the difference more left.
     const std::uint32_t sct_us = SctUs(row);
-    const bool is_late = (marks.late & bit) != 0U;
-    const std::uint32_t left_us = is_late ? row.srvt_left : x_storage.pair_left[slot];
-    x_storage.pair_left[slot] = left_us + (sct_us - row.srvt_limit);
+    x_storage.pair_left[slot] += sct_us - x_storage.pair_limit[slot];
     x_storage.pair_limit[slot] = sct_us;
     marks.pending &= ~bit;
     marks.fresh |= bit;
@@ -72,43 +63,15 @@ void Channel::TakeCommand(const CanFrame& frame) noexcept
     return SrdoCause::kNone;
 }
 
-/// The limits at the stamp of a frame, where one has run out or SRVT is examined late: what was there before the frame
-/// is discarded, the frame is then taken as the first one. [SRS-CONS-003, SRS-CONS-012, SRS-TIME-009]
-void Channel::ExamineLimits(SlotIndex slot, std::uint32_t parity, std::uint32_t since_call) noexcept
-{
-    const Marks& marks = MarksOf(x_storage, slot);
-    const Row& row = x_storage.rows[slot];
-    const HalfMask waiting = marks.pending & marks.late & marks.consumers & BitOf(slot);
-    const std::uint32_t srvt_left = row.srvt_left - since_call;
-    const std::uint32_t sct_left = x_storage.pair_left[slot] - since_call;
-    const bool is_expired = sct_left > x_storage.pair_limit[slot];
-    const bool is_inverse_waited_for = (waiting != 0U) && (parity == 0U);
-    const bool is_srvt_over = is_inverse_waited_for && (srvt_left > row.srvt_limit);
-    // Further below zero is earlier.
-    const bool is_sct_before = is_expired && (sct_left < srvt_left);
-    if (is_srvt_over && (!is_sct_before))
-    {
-        Fault(slot, SrdoCause::kSrvt);
-    }
-    else if (is_expired)
-    {
-        Expire(slot);
-    }
-    else
-    {
-        // All is in time.
-    }
-}
-
 /// The checks are made in the order of SRS-CONS-011.
 void Channel::TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
 {
     const Row& row = x_storage.rows[slot];
     const std::uint32_t parity = frame.identifier & 1U;
     SrdoCause cause = SrdoCause::kNone;
-    if ((MarksOf(x_storage, slot).consumers & BitOf(slot)) == 0U)
+    if (row.stage != Stage::kOff)
     {
-        return; // Not ours.
+        return; // A producer's own.
     }
     if ((frame.identifier != OwnIdentifier(row, parity)) || (frame.port != x_port[parity])) // MISRA D-002
     {
@@ -143,11 +106,58 @@ void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
     // From the last OnCycle to the frame, modular, so that it may be before that call as well.
     const std::uint32_t since_call = stamp.us - x_last_us;
     const bool is_expired = (x_storage.pair_left[slot] - since_call) > x_storage.pair_limit[slot];
-    if (is_expired || ((MarksOf(x_storage, slot).late & BitOf(slot)) != 0U))
+    if (is_expired || (x_any_late != 0U))
     {
-        ExamineLimits(slot, frame.identifier & 1U, since_call);
+        TakeSlowly(slot, frame, since_call);
+        return;
     }
     TakeFrame(slot, frame, since_call);
+}
+
+/// A frame where a limit has run out or may be examined late: what was there before the frame is discarded, the frame
+/// is then taken as the first one. With late detection SRVT has a budget of its own, which takes the place of the other
+/// one as long as the frame is looked at. [SRS-CONS-003, SRS-CONS-012, SRS-TIME-009]
+void Channel::TakeSlowly(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
+{
+    const Marks& marks = MarksOf(x_storage, slot);
+    Row& row = x_storage.rows[slot];
+    const HalfMask late = marks.late & marks.consumers & BitOf(slot);
+    std::uint32_t& left = x_storage.pair_left[slot];
+    std::uint32_t& limit = x_storage.pair_limit[slot];
+    const bool is_normal = (frame.identifier & 1U) != 0U;
+    const std::uint32_t srvt_left = row.srvt_left - since_call;
+    const bool is_examined = ((late & marks.pending) != 0U) && (!is_normal);
+    // Further below zero is earlier.
+    const bool is_srvt_over = is_examined && (srvt_left > row.srvt_limit);
+    const bool is_sct_over = (left - since_call) > limit;
+    const bool is_sct_first = is_sct_over && ((left - since_call) < srvt_left);
+    if (is_srvt_over && (!is_sct_first))
+    {
+        Fault(slot, SrdoCause::kSrvt);
+    }
+    else if (is_sct_over)
+    {
+        Expire(slot);
+    }
+    else if (is_examined)
+    {
+        left = row.srvt_left;
+        limit = row.srvt_limit;
+    }
+    else
+    {
+        // In time, or examined early.
+    }
+    const std::uint32_t sct_left = left;
+    const std::uint32_t sct_limit = limit;
+    TakeFrame(slot, frame, since_call);
+    if ((late & marks.pending) != 0U)
+    {
+        row.srvt_left = left;
+        row.srvt_limit = limit;
+        left = sct_left;
+        limit = sct_limit;
+    }
 }
 
 void Channel::Demote(SlotIndex slot) noexcept

@@ -21,7 +21,7 @@ constexpr std::uint32_t kLongOver = 0x80040000U;
 /// No phase and no refresh lasts longer: 2^27 us are 134 s. What is above is below zero.
 constexpr std::uint32_t kLongestPhase = 0x07FFFFFFU;
 /// Entries of a static mapping at most.
-constexpr std::uint32_t kLargestMapping = 2U * kMaxPayloadBits;
+constexpr std::uint8_t kLargestMapping = 2U * kMaxPayloadBits;
 /// Not the place of an object.
 constexpr std::uint16_t kNoPlace = 0xFFFFU;
 /// Place of a dummy entry.
@@ -85,10 +85,9 @@ static_assert(kLookUpBytes == kSrdoIdentifierCount, "one byte an identifier");
     return ByteAt(row, kSrvtAt) * kMicrosecondsPerMillisecond;
 }
 
-/// Entries that count: what is declared above those that exist does not. [SRS-CFG-020]
-[[nodiscard]] inline std::uint32_t EntryCount(const Mapping& mapping) noexcept
+[[nodiscard]] inline bool IsStatic(const Mapping& mapping) noexcept
 {
-    return (mapping.declared < mapping.reach) ? mapping.declared : mapping.reach;
+    return mapping.first == kStatic;
 }
 
 /// Slot to which the identifier leads; no existing slot if to none.

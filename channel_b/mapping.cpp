@@ -22,7 +22,7 @@ constexpr std::uint8_t kDummyBits[kLastDummyIndex + 1U] = {0U, 1U, 8U, 16U, 32U,
 }
 
 /// Whether the entry has the form of a dummy: no length goes with index 0.
-[[nodiscard]] bool IsDummy(std::uint32_t entry) noexcept
+[[nodiscard]] [[gnu::noinline]] bool IsDummy(std::uint32_t entry) noexcept
 {
     const std::uint32_t index = entry >> 16U;
     const std::uint32_t bits = kDummyBits[(index <= kLastDummyIndex) ? index : 0U]; // MISRA D-002
@@ -47,25 +47,22 @@ constexpr std::uint8_t kDummyBits[kLastDummyIndex + 1U] = {0U, 1U, 8U, 16U, 32U,
 
 } // namespace
 
-std::size_t Channel::FirstEntryOf(SlotIndex slot) const noexcept
+std::uint32_t Channel::FirstEntryOf(SlotIndex slot) const noexcept
 {
-    return std::size_t{slot} * x_storage.map_entries;
+    return std::uint32_t{slot} * x_storage.map_entries;
 }
 
 Mapping Channel::MappingOf(SlotIndex slot) const noexcept
 {
     const StaticMap& map = Column<const SrdoSetup>{x_config->srdos}[slot].map;
-    if (map.entries != nullptr)
-    {
-        const std::uint32_t reach = (map.count < kLargestMapping) ? map.count : kLargestMapping;
-        return Mapping{{map.entries}, {nullptr}, map.count, reach, true};
-    }
-    const std::size_t first = FirstEntryOf(slot);
-    return Mapping{{&x_storage.entries[first]},
-                   {&x_storage.table[first]},
-                   ByteAt(x_storage.rows[slot], kMapCountAt),
-                   x_map_entries,
-                   false};
+    const bool is_static = map.entries != nullptr;
+    const std::uint32_t first = FirstEntryOf(slot);
+    const std::uint8_t declared = is_static ? map.count : x_storage.rows[slot].image[kMapCountAt];
+    const std::uint8_t most = is_static ? kLargestMapping : x_map_entries;
+    return Mapping{{is_static ? map.entries : &x_storage.entries[first]},
+                   declared,
+                   (declared < most) ? declared : most,
+                   is_static ? kStatic : first};
 }
 
 std::uint16_t Channel::Find(std::uint32_t entry) const noexcept
@@ -92,15 +89,15 @@ std::uint16_t Channel::Find(std::uint32_t entry) const noexcept
 /// A static mapping has no table: its entries are looked up each time.
 std::uint16_t Channel::PlaceAt(const Mapping& mapping, std::uint32_t index) const noexcept
 {
-    return mapping.is_static ? Find(mapping.entries[index]) : mapping.table[index];
+    return IsStatic(mapping) ? Find(mapping.entries[index]) : x_storage.table[mapping.first + index];
 }
 
 /// Fills the table of a dynamic mapping. What an entry behind the last one leads to is no object.
 void Channel::Resolve(const Mapping& mapping, bool is_consumer) const noexcept
 {
     const bool may_be_dummy = is_consumer && (x_config->dummies == DummyMapping::kAllowed);
-    const std::uint32_t count = EntryCount(mapping);
-    for (std::uint32_t index = 0U; index < mapping.reach; ++index)
+    const std::uint32_t count = mapping.count;
+    for (std::uint32_t index = 0U; index < x_map_entries; ++index)
     {
         std::uint16_t place = kNoPlace;
         if (index < count)
@@ -108,7 +105,7 @@ void Channel::Resolve(const Mapping& mapping, bool is_consumer) const noexcept
             const std::uint32_t entry = mapping.entries[index];
             place = (may_be_dummy && IsDummy(entry)) ? kDummyPlace : Find(entry);
         }
-        mapping.table[index] = place;
+        x_storage.table[mapping.first + index] = place;
     }
 }
 
@@ -121,7 +118,7 @@ bool Channel::IsTableRight(SlotIndex slot, const Mapping& mapping) const noexcep
     const MapAccess access = is_sent ? MapAccess::kProducer : MapAccess::kConsumer;
     const StaticFields& fields = x_storage.rows[slot].fields;
     const std::uint8_t* next[2U] = {fields.normal, fields.inverse}; // MISRA D-001
-    const std::uint32_t count = EntryCount(mapping);
+    const std::uint32_t count = mapping.count;
     bool is_right = true;
     for (std::uint32_t index = 0U; index < count; ++index)
     {
@@ -138,7 +135,7 @@ bool Channel::IsTableRight(SlotIndex slot, const Mapping& mapping) const noexcep
         {
             is_right = false;
         }
-        if (mapping.is_static)
+        if (IsStatic(mapping))
         {
             is_right = is_right && (object.place == next[index & 1U]);                             // MISRA D-002
             next[index & 1U] = &Column<const std::uint8_t>{object.place}[object.length_bits / 8U]; // MISRA D-002
@@ -147,23 +144,17 @@ bool Channel::IsTableRight(SlotIndex slot, const Mapping& mapping) const noexcep
     return is_right;
 }
 
-bool Channel::IsStillRight(SlotIndex slot) const noexcept
-{
-    const bool is_resolved = (MarksOf(x_storage, slot).resolved & BitOf(slot)) != 0U;
-    return is_resolved && IsTableRight(slot, MappingOf(slot));
-}
-
 /// The table that it writes counts only after a Validate without fault.
 ConfigFault Channel::CheckMapping(SlotIndex slot) noexcept
 {
     const Mapping mapping = MappingOf(slot);
-    const std::uint32_t count = EntryCount(mapping);
+    const std::uint32_t count = mapping.count;
     if ((count == 0U) || (count != mapping.declared) || ((count & 1U) != 0U))
     {
         return ConfigFault::kMapping;
     }
     const std::uint32_t device_granule = static_cast<std::uint32_t>(x_config->granularity_bits) - 1U;
-    const std::uint32_t granule = mapping.is_static ? (device_granule | 7U) : device_granule;
+    const std::uint32_t granule = IsStatic(mapping) ? (device_granule | 7U) : device_granule;
     std::uint32_t flaws = 0U;
     std::uint32_t bits = 0U;
     for (std::uint32_t index = 0U; index < count; ++index)
@@ -171,7 +162,7 @@ ConfigFault Channel::CheckMapping(SlotIndex slot) noexcept
         flaws |= FlawsOf(mapping, index, granule);
         bits += mapping.entries[index] & 0xFFU;
     }
-    if (!mapping.is_static)
+    if (!IsStatic(mapping))
     {
         Resolve(mapping, x_storage.direction[slot] == kDirectionConsumer);
     }

@@ -50,7 +50,7 @@ void Channel::WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept
 {
     const Column<const MappableObject> objects{x_config->objects};
     const Mapping mapping = MappingOf(slot);
-    const std::uint32_t count = EntryCount(mapping);
+    const std::uint32_t count = mapping.count;
     std::uint64_t rest = data;
     for (std::uint32_t index = 1U; index < count; index += 2U)
     {
@@ -84,7 +84,7 @@ std::uint64_t Channel::ReadInverse(SlotIndex slot) const noexcept
     const Column<const MappableObject> objects{x_config->objects};
     const Mapping mapping = MappingOf(slot);
     std::uint64_t word = 0U;
-    for (std::uint32_t rest = EntryCount(mapping); rest > 1U; rest -= 2U)
+    for (std::uint32_t rest = mapping.count; rest > 1U; rest -= 2U)
     {
         const std::uint16_t at = PlaceAt(mapping, rest - 1U);
         if (at >= x_config->object_count)

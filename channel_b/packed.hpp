@@ -43,6 +43,9 @@ namespace counterpoint::channel_b
     return static_cast<SrdoMask>(low) | (static_cast<SrdoMask>(high) << 32U);
 }
 
+/// No slot has the mark.
+constexpr TwinMask kUnmarked{0U, 0xFFFFFFFFU};
+
 /// Set only if both twins say so.
 [[nodiscard]] inline HalfMask Granted(const TwinMask& mask) noexcept
 {

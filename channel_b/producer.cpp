@@ -60,36 +60,7 @@ CanFrame Channel::InverseFrame(SlotIndex slot) noexcept
     return FrameOf(row, kCobId2At, x_port[0U], row.inverse_data & row.mask);
 }
 
-/// Behind the mapped length anything may be.
-[[gnu::always_inline]] inline bool Channel::IsEchoWrong(const Row& row, const CanFrame& frame,
-                                                        std::uint64_t expected) noexcept
-{
-    const std::uint64_t different = (PackBytes(&frame.data[0]) ^ expected) & row.mask;
-    return (frame.length_bytes != row.length_bytes) || (different != 0U);
-}
-
-[[gnu::always_inline]] inline Confirmation Channel::ConfirmInverse(SlotIndex slot, const CanFrame& frame,
-                                                                   Instant stamp) noexcept
-{
-    Row& row = x_storage.rows[slot];
-    if ((row.stage != Stage::kAwaitInverse) || (frame.identifier != InverseIdentifier(row)))
-    {
-        return kNoConfirmation;
-    }
-    if (IsEchoWrong(row, frame, row.inverse_data))
-    {
-        return Fail(slot, SrdoCause::kWrongEcho);
-    }
-    if ((x_storage.pair_left[slot] - (stamp.us - x_last_us)) > x_storage.pair_limit[slot])
-    {
-        return Fail(slot, SrdoCause::kNoConfirmation);
-    }
-    row.sent += 1U;
-    row.stage = Stage::kIdle;
-    x_storage.pair_limit[slot] = kNothingRuns;
-    return Confirmation{slot, ConfirmStep::kPair};
-}
-
+/// One way for both frames of a pair; behind the length anything may be. [SRS-PROD-007, SRS-PROD-008]
 Confirmation Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
 {
     const SlotIndex slot = LookUp(x_storage, frame);
@@ -98,18 +69,35 @@ Confirmation Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
         return kNoConfirmation;
     }
     Row& row = x_storage.rows[slot];
-    if ((row.stage == Stage::kAwaitNormal) && (frame.identifier == NormalIdentifier(row)))
+    const bool is_normal = row.stage == Stage::kAwaitNormal;
+    const std::uint32_t parity = is_normal ? 1U : 0U;
+    const bool is_awaited = is_normal || (row.stage == Stage::kAwaitInverse);
+    if ((!is_awaited) || (frame.identifier != OwnIdentifier(row, parity)))
     {
-        if (IsEchoWrong(row, frame, ~row.inverse_data))
-        {
-            return Fail(slot, SrdoCause::kWrongEcho);
-        }
+        return kNoConfirmation;
+    }
+    const std::uint64_t expected = row.inverse_data ^ (std::uint64_t{0U} - parity);
+    const std::uint64_t different = (PackBytes(&frame.data[0]) ^ expected) & row.mask;
+    if ((different != 0U) || (frame.length_bytes != row.length_bytes))
+    {
+        return Fail(slot, SrdoCause::kWrongEcho);
+    }
+    const std::uint32_t since_call = stamp.us - x_last_us;
+    if (is_normal)
+    {
         row.stage = Stage::kAwaitInverse;
         row.to_send = kToSend;
-        x_storage.pair_left[slot] = x_storage.pair_limit[slot] + (stamp.us - x_last_us); // SRVT anew.
+        x_storage.pair_left[slot] = x_storage.pair_limit[slot] + since_call; // SRVT anew.
         return Confirmation{slot, ConfirmStep::kNormal};
     }
-    return ConfirmInverse(slot, frame, stamp);
+    if ((x_storage.pair_left[slot] - since_call) > x_storage.pair_limit[slot])
+    {
+        return Fail(slot, SrdoCause::kNoConfirmation);
+    }
+    row.sent += 1U;
+    row.stage = Stage::kIdle;
+    x_storage.pair_limit[slot] = kNothingRuns;
+    return Confirmation{slot, ConfirmStep::kPair};
 }
 
 void Channel::OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept

@@ -96,7 +96,7 @@ std::uint16_t Channel::SignatureOf(SlotIndex slot) const noexcept
 {
     const Row& row = x_storage.rows[slot];
     const Mapping mapping = MappingOf(slot);
-    const std::uint32_t count = EntryCount(mapping);
+    const std::uint32_t count = mapping.count;
     std::uint32_t crc = FoldByte(0U, x_storage.direction[slot]);
     for (std::size_t at = 0U; at < kMapCountAt; at += 4U)
     {

@@ -113,11 +113,11 @@ struct Row
 struct Mapping
 {
     Column<const std::uint32_t> entries;
-    Column<std::uint16_t> table; ///< Of a dynamic mapping: place of each entry in DeviceConfig::objects.
-    std::uint32_t declared;      ///< Map count as set.
-    std::uint32_t reach;         ///< Entries that exist.
-    bool is_static;
+    std::uint16_t declared; ///< Map count as set.
+    std::uint16_t count;    ///< Entries that count: what is declared above those that exist does not. [SRS-CFG-020]
+    std::uint32_t first;    ///< Of a dynamic mapping: where its part of entries and table begins; else kStatic.
 };
+constexpr std::uint32_t kStatic = 0xFFFFFFFFU;
 
 /// A column for each field that every cycle looks at in all slots, and a row a slot for the rest; owned by the caller.
 /// `capacity` slots; first_cause has room for the next multiple of 8, because it is examined eight at a time. Budgets
