@@ -91,6 +91,12 @@ void EnterSlot(Voice& voice, const std::uint32_t slot) noexcept
 
 } // namespace
 
+const std::uint64_t kMapped[kLengthMask + 1U] = {
+    // MISRA D-001
+    0xFFFFFFFFFFFFFFFFU, 0x00000000000000FFU, 0x000000000000FFFFU, 0x0000000000FFFFFFU,
+    0x00000000FFFFFFFFU, 0x000000FFFFFFFFFFU, 0x0000FFFFFFFFFFFFU, 0x00FFFFFFFFFFFFFFU,
+};
+
 void Channel::Restart(const DeviceConfig& config) noexcept
 {
     const Storage storage = voice_.storage;
@@ -266,7 +272,7 @@ void ReceiveOdd(Voice& voice, const CanFrame& frame, const std::uint32_t slot) n
     {
         cause = HasFirstFrame(record.mode) ? SrdoCause::kNotInverse : SrdoCause::kInverseFirst;
     }
-    if (frame.length_bytes != LengthBytes(record))
+    if (frame.length_bytes != record.length_bytes)
     {
         cause = SrdoCause::kLength;
     }

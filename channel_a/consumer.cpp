@@ -14,19 +14,18 @@ namespace counterpoint::channel_a
 namespace
 {
 
-constexpr std::uint32_t kHalfMask = 1U; // Of the place of an identifier: 0 the normal, 1 the inverse frame.
+constexpr std::uint32_t kSpareMasks = 0xFF00U; // Moved right by the number of spare bits: these bits of a byte.
+constexpr std::uint32_t kHalfMask = 1U;        // Of the place of an identifier: 0 the normal, 1 the inverse frame.
 
-void Complete(Voice& voice, Record& record, const std::uint64_t data, const std::uint32_t slot) noexcept
+void Complete(Voice& voice, Record& record, const std::uint32_t slot) noexcept
 {
-    const SrdoMask bit = BitOf(slot);
-    record.held = OctetsOf(data);
+    record.held = record.pending;
     record.since = record.frame_since;
     record.limit_us = SctUs(record);
     record.awaiting = kUnmarked;
     ++record.ordinal;
     ++voice.ordinal_sum;
-    voice.fresh |= bit;
-    voice.unwritten |= bit;
+    voice.fresh |= BitOf(slot);
 }
 
 [[gnu::noinline]] void TakeNormal(Voice& voice, const CanFrame& frame, const Instant stamp,
@@ -43,7 +42,14 @@ void Complete(Voice& voice, Record& record, const std::uint64_t data, const std:
     Keep(voice, frame, stamp, slot);
 }
 
-// Bits above the length are 0 in the normal frame, so they are 1 in the inverse one.
+// Whether the pending normal frame, of the same length as this one, has bits above the mapped ones. [SRS-CONS-009]
+inline bool HasSpareBits(const Record& record, const CanFrame& frame) noexcept
+{
+    const std::uint32_t last = record.pending.at[(frame.length_bytes - 1U) & kLengthMask];
+    return (record.spare_bits != 0U) && ((last & (kSpareMasks >> (record.spare_bits & kLengthMask))) != 0U);
+}
+
+// Where the spare bits are 0 in the normal frame they are 1 in its inverse.
 [[gnu::noinline]] void TakeInverse(Voice& voice, const CanFrame& frame, const std::uint32_t slot) noexcept
 {
     Record& record = At(voice, slot);
@@ -52,16 +58,15 @@ void Complete(Voice& voice, Record& record, const std::uint64_t data, const std:
         ReceiveOdd(voice, frame, slot);
         return;
     }
-    const std::uint64_t data = Mapped(Bits(record.pending), record.spare_bits);
-    const std::uint64_t wrong = (BitsAt(&frame.data[0]) ^ ~data) | (Bits(record.pending) ^ data);
+    const std::uint64_t wrong = (BitsAt(&frame.data[0]) ^ Bits(record.pending) ^ kInverseFlip) & MappedBits(frame);
     const Mode next = kAfterInverse[static_cast<std::uint8_t>(record.mode) & kModeMask];
-    if (HasBits(record, wrong) || (next == Mode::kBroken))
+    if ((wrong != 0U) || (next == Mode::kBroken) || HasSpareBits(record, frame))
     {
         ReceiveOdd(voice, frame, slot);
         return;
     }
     SetMode(record, next);
-    Complete(voice, record, data, slot);
+    Complete(voice, record, slot);
 }
 
 // [SRS-TIME-009]

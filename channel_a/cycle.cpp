@@ -352,6 +352,7 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
     outcome.is_tx = voice_.producer_count;
     outcome.is_invalid = voice_.off_count;
     outcome.not_operational = voice_.is_active ? 0U : 1U;
+    voice_.unwritten |= voice_.fresh;
     voice_.fresh = 0U;
     return outcome;
 }
@@ -359,7 +360,7 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
 void Channel::Commit(const Agreement& agreement) noexcept
 {
     const SrdoMask own = agreement.agreed & voice_.groups[kGroupReleased];
-    SrdoMask to_write = own & agreement.matched & voice_.unwritten;
+    SrdoMask to_write = own & agreement.matched & (voice_.unwritten | voice_.fresh);
     SrdoMask to_drop = voice_.committed & ~own;
     voice_.unwritten &= ~to_write;
     voice_.committed = (voice_.committed | to_write) & ~to_drop;

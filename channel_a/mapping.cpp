@@ -22,7 +22,9 @@ constexpr std::uint32_t kIndexShift = 16U;
 constexpr std::uint32_t kLengthBits = 0xFFU;
 constexpr std::uint32_t kSubAndLength = 0xFFFFU;
 constexpr std::uint32_t kBitsToBytes = 3U;
+constexpr std::uint32_t kOffsetMask = kMaxPayloadBits - 1U;
 constexpr std::uint32_t kRestOfByte = 7U;
+constexpr std::uint32_t kByteMask = 0xFFU;
 constexpr std::uint32_t kPairMask = 1U; ///< Of a position from 0: even the normal, odd the inverse object.
 constexpr MappableObject kNothing{0U, 0U, 0U, MapAccess::kNone, nullptr};
 
@@ -166,24 +168,28 @@ bool FitsDictionary(const DeviceConfig& config, const Record& record, const Mapp
 }
 
 // Any length, from the last byte to the first.
-[[gnu::noinline]] std::uint64_t BitsOf(const MappableObject& object) noexcept
+std::uint64_t BitsOf(const MappableObject& object) noexcept
 {
+    std::uint32_t mask = kByteMask >> ((0U - object.length_bits) & kRestOfByte);
     std::uint64_t value = 0U;
     for (std::uint32_t byte = (object.length_bits + kRestOfByte) >> kBitsToBytes; byte != 0U; --byte)
     {
-        value = (value << kBitsPerByte) | object.place[byte - 1U]; // MISRA D-002
+        value = (value << kBitsPerByte) | (object.place[byte - 1U] & mask); // MISRA D-002
+        mask = kByteMask;
     }
-    return Mapped(value, kMaxPayloadBits - object.length_bits);
+    return value;
 }
 
-[[gnu::noinline]] void PutBits(const MappableObject& object, const std::uint64_t data) noexcept
+void PutObject(const MappableObject& object, const std::uint64_t data) noexcept
 {
-    const std::uint32_t length_bytes = (object.length_bits + kRestOfByte) >> kBitsToBytes;
-    std::uint64_t rest = Mapped(data, kMaxPayloadBits - object.length_bits);
-    for (std::uint32_t byte = 0U; byte < length_bytes; ++byte)
+    std::uint64_t rest = data;
+    std::uint32_t byte = 0U;
+    for (std::uint32_t left = object.length_bits; left != 0U; left -= (left < kBitsPerByte) ? left : kBitsPerByte)
     {
-        object.place[byte] = static_cast<std::uint8_t>(rest); // MISRA D-002
+        const std::uint32_t unused = (left < kBitsPerByte) ? (kBitsPerByte - left) : 0U;
+        object.place[byte] = static_cast<std::uint8_t>(rest & (kByteMask >> unused)); // MISRA D-002
         rest >>= kBitsPerByte;
+        ++byte;
     }
 }
 
@@ -196,7 +202,7 @@ bool FitsDictionary(const DeviceConfig& config, const Record& record, const Mapp
     for (std::uint32_t position = 0U; position < mapping.count; position += 2U)
     {
         const MappableObject& object = ObjectAt(*voice.config, mapping, position);
-        data |= BitsOf(object) << (offset_bits & kShiftMask);
+        data |= BitsOf(object) << (offset_bits & kOffsetMask);
         offset_bits += LengthAt(mapping, position);
     }
     return data;
@@ -209,7 +215,7 @@ bool FitsDictionary(const DeviceConfig& config, const Record& record, const Mapp
     std::uint32_t offset_bits = 0U;
     for (std::uint32_t position = 0U; position < mapping.count; position += 2U)
     {
-        PutBits(ObjectAt(*voice.config, mapping, position), bits >> (offset_bits & kShiftMask));
+        PutObject(ObjectAt(*voice.config, mapping, position), bits >> (offset_bits & kOffsetMask));
         offset_bits += LengthAt(mapping, position);
     }
 }
@@ -222,13 +228,14 @@ struct Words
 };
 
 // The usual mapping goes without a loop.
-[[gnu::always_inline]] inline Words WordsOf(const Voice& voice, const std::uint32_t slot) noexcept
+inline Words WordsOf(const Voice& voice, const std::uint32_t slot) noexcept
 {
     const DeviceConfig& config = *voice.config;
     const std::uint16_t* const places = voice.storage.places + (slot * voice.storage.map_entries); // MISRA D-002
     const std::uint32_t first = places[0];                                                         // MISRA D-002
     const std::uint32_t second = places[kSecondWord];                                              // MISRA D-002
-    if ((first >= config.object_count) || (second >= config.object_count) || (At(voice, slot).spare_bits != 0U))
+    if ((first >= config.object_count) || (second >= config.object_count) ||
+        (At(voice, slot).length_bytes != kMaxPayloadBytes))
     {
         return Words{nullptr, nullptr};
     }
@@ -249,7 +256,7 @@ struct Words
     voice.refreshed &= ~bit;
     voice.requested &= ~bit;
     voice.flying |= bit;
-    record.held = OctetsOf(data);
+    PutBits(record.held, data);
     SetMode(record, Mode::kNormalAwaited);
     record.frame_since = voice.now;
     if (voice.may_send && (record.form != ProducerForm::kProviderCalled))
@@ -260,7 +267,7 @@ struct Words
     pair.normal.identifier = record.values[kCobIdPlace];
     pair.normal.kind = FrameKind::kData;
     pair.normal.port = voice.ports[0];
-    pair.normal.length_bytes = static_cast<std::uint8_t>(LengthBytes(record));
+    pair.normal.length_bytes = record.length_bytes;
     for (std::uint32_t place = 0U; place < kMaxPayloadBytes; ++place)
     {
         pair.normal.data[place] = record.held.at[place];
@@ -317,14 +324,16 @@ ConfigFault Resolve(const DeviceConfig& config, Record& record, const Mapping& m
     {
         return ConfigFault::kLengthExceeded;
     }
-    SetSpare(record, static_cast<std::uint8_t>(kMaxPayloadBits - total));
+    SetLength(record, static_cast<std::uint8_t>((total + kRestOfByte) >> kBitsToBytes));
+    record.spare_bits = static_cast<std::uint8_t>((kMaxPayloadBits - total) & kRestOfByte);
     return ConfigFault::kNone;
 }
 
 // [SRS-CFG-030]
 bool HoldsTable(const DeviceConfig& config, const Record& record, const Mapping& mapping) noexcept
 {
-    return (record.mapping == kMarked) && (TotalLength(mapping) + record.spare_bits == kMaxPayloadBits) &&
+    return (record.mapping == kMarked) &&
+           ((TotalLength(mapping) + record.spare_bits) == (std::uint32_t{record.length_bytes} * kBitsPerByte)) &&
            FitsDictionary(config, record, mapping);
 }
 

@@ -26,8 +26,10 @@ constexpr std::uint32_t kBitsPerWord = 32U;
 /// What the bytes of an inverse frame are flipped with.
 constexpr std::uint64_t kInverseFlip = 0xFFFFFFFFFFFFFFFFU;
 
-constexpr std::uint32_t kShiftMask = 0x3FU;
-constexpr std::uint32_t kSpareBytes = 0x38U;
+/// The bytes of a frame that are mapped, for lengths of 1 to 7 bytes and, as row 0, 8 bytes. Another length occurs only
+/// in a corrupted record, which its seal gives away.
+constexpr std::uint32_t kLengthMask = 0x07U;
+extern const std::uint64_t kMapped[kLengthMask + 1U]; // MISRA D-001
 
 /// @brief Four bytes from `place` on, byte 0 as the lowest bits, whatever the order of the processor.
 [[nodiscard, gnu::always_inline]] inline std::uint32_t WordAt(const std::uint8_t* const place) noexcept
@@ -47,17 +49,10 @@ constexpr std::uint32_t kSpareBytes = 0x38U;
     return BitsAt(&octets.at[0]);
 }
 
-/// @brief The bits but for the uppermost `spare` ones, 0 to 63 of them.
-[[nodiscard, gnu::always_inline]] inline std::uint64_t Mapped(const std::uint64_t bits,
-                                                              const std::uint32_t spare) noexcept
+/// @brief The bytes of the frame that are mapped.
+[[nodiscard]] inline std::uint64_t MappedBits(const CanFrame& frame) noexcept
 {
-    return (bits << (spare & kShiftMask)) >> (spare & kShiftMask);
-}
-
-/// @brief Whether a bit is set in the bytes of a frame of this SRDO.
-[[nodiscard, gnu::always_inline]] inline bool HasBits(const Record& record, const std::uint64_t bits) noexcept
-{
-    return (bits << (record.spare_bits & kSpareBytes)) != 0U;
+    return kMapped[frame.length_bytes & kLengthMask];
 }
 
 [[gnu::always_inline]] inline void PutWord(std::uint8_t* const to, const std::uint32_t word) noexcept
@@ -68,14 +63,10 @@ constexpr std::uint32_t kSpareBytes = 0x38U;
     to[3] = static_cast<std::uint8_t>(word >> 24U); // MISRA D-002
 }
 
-[[nodiscard, gnu::always_inline]] inline Octets OctetsOf(const std::uint64_t bits) noexcept
+[[gnu::always_inline]] inline void PutBits(Octets& to, const std::uint64_t bits) noexcept
 {
-    const std::uint32_t low = static_cast<std::uint32_t>(bits);
-    const std::uint32_t high = static_cast<std::uint32_t>(bits >> kBitsPerWord);
-    return Octets{{static_cast<std::uint8_t>(low), static_cast<std::uint8_t>(low >> 8U),
-                   static_cast<std::uint8_t>(low >> 16U), static_cast<std::uint8_t>(low >> 24U),
-                   static_cast<std::uint8_t>(high), static_cast<std::uint8_t>(high >> 8U),
-                   static_cast<std::uint8_t>(high >> 16U), static_cast<std::uint8_t>(high >> 24U)}};
+    PutWord(&to.at[0], static_cast<std::uint32_t>(bits));
+    PutWord(&to.at[kBytesPerWord], static_cast<std::uint32_t>(bits >> kBitsPerWord));
 }
 
 [[nodiscard]] inline Payload PayloadOf(const Octets& octets) noexcept
@@ -84,21 +75,20 @@ constexpr std::uint32_t kSpareBytes = 0x38U;
 }
 
 /// @brief Whether identifier, controller and length are those of this half of the SRDO.
-[[nodiscard, gnu::always_inline]] inline bool IsFitting(const Voice& voice, const Record& record, const CanFrame& frame,
-                                                        const Half half) noexcept
+[[nodiscard]] inline bool IsFitting(const Voice& voice, const Record& record, const CanFrame& frame,
+                                    const Half half) noexcept
 {
     const auto place = static_cast<std::size_t>(half);
     return (frame.identifier == record.values[kCobIdPlace + place]) && (frame.port == voice.ports[place]) &&
-           (frame.length_bytes == LengthBytes(record));
+           (frame.length_bytes == record.length_bytes);
 }
 
 /// @brief The frame becomes the pending normal frame. With late detection SRVT has no deadline, but the slot is served
 /// until the frame has become too old or is gone.
-[[gnu::always_inline]] inline void Keep(Voice& voice, const CanFrame& frame, const Instant stamp,
-                                        const std::uint32_t slot) noexcept
+inline void Keep(Voice& voice, const CanFrame& frame, const Instant stamp, const std::uint32_t slot) noexcept
 {
     Record& record = At(voice, slot);
-    record.pending = OctetsOf(BitsAt(&frame.data[0]));
+    PutBits(record.pending, BitsAt(&frame.data[0]) & MappedBits(frame));
     record.frame_since = stamp;
     if (record.detection == SrvtDetection::kLate)
     {

@@ -18,56 +18,13 @@ namespace
 {
 
 constexpr std::uint32_t kHalfMask = 1U; // Of the place of an identifier: 0 the normal, 1 the inverse frame.
+constexpr Mode kAwaited[2] = {Mode::kNormalAwaited, Mode::kInverseAwaited}; // By half. MISRA D-001
 constexpr Confirmation kNotOurs{kNoSlot, ConfirmStep::kNone};
-
-// Whether a frame with the expected identifier is not the one that was to be sent.
-inline bool IsWrong(const Record& record, const CanFrame& frame, const std::uint64_t flip) noexcept
-{
-    const std::uint64_t wrong = BitsAt(&frame.data[0]) ^ Bits(record.held) ^ flip;
-    return (frame.length_bytes != LengthBytes(record)) || HasBits(record, wrong);
-}
 
 [[gnu::noinline]] Confirmation Abort(Voice& voice, const std::uint32_t slot, const SrdoCause cause) noexcept
 {
     Raise(voice, slot, Event::kAbort, cause);
     return kNotOurs;
-}
-
-inline Confirmation ConfirmNormal(Voice& voice, Record& record, const CanFrame& frame, const Instant stamp,
-                                  const std::uint32_t slot) noexcept
-{
-    if ((record.mode != Mode::kNormalAwaited) || (record.values[kCobIdPlace] != frame.identifier))
-    {
-        return kNotOurs;
-    }
-    if (IsWrong(record, frame, 0U))
-    {
-        return Abort(voice, slot, SrdoCause::kWrongEcho);
-    }
-    SetMode(record, Mode::kInverseAwaited);
-    record.frame_since = stamp;
-    return Confirmation{static_cast<SlotIndex>(slot), ConfirmStep::kNormal};
-}
-
-inline Confirmation ConfirmInverse(Voice& voice, Record& record, const CanFrame& frame, const Instant stamp,
-                                   const std::uint32_t slot) noexcept
-{
-    if ((record.mode != Mode::kInverseAwaited) || (record.values[kCobIdPlace + 1U] != frame.identifier))
-    {
-        return kNotOurs;
-    }
-    if (IsWrong(record, frame, kInverseFlip))
-    {
-        return Abort(voice, slot, SrdoCause::kWrongEcho);
-    }
-    if ((stamp.us - record.frame_since.us) > SrvtUs(record))
-    {
-        return Abort(voice, slot, SrdoCause::kNoConfirmation);
-    }
-    SetMode(record, Mode::kIdle);
-    ++record.ordinal;
-    voice.flying &= ~BitOf(slot);
-    return Confirmation{static_cast<SlotIndex>(slot), ConfirmStep::kPair};
 }
 
 } // namespace
@@ -86,11 +43,33 @@ Confirmation Channel::OnConfirm(const CanFrame& frame, const Instant stamp) noex
     }
     Record& record = At(voice_, slot);
     const std::uint32_t half = place & kHalfMask;
+    if ((record.mode != kAwaited[half]) || (record.values[kCobIdPlace + half] != frame.identifier))
+    {
+        return kNotOurs;
+    }
+    if (frame.length_bytes != record.length_bytes)
+    {
+        return Abort(voice_, slot, SrdoCause::kWrongEcho);
+    }
+    const std::uint64_t wrong = BitsAt(&frame.data[0]) ^ Bits(record.held) ^ (std::uint64_t{0U} - half);
+    if ((wrong & MappedBits(frame)) != 0U)
+    {
+        return Abort(voice_, slot, SrdoCause::kWrongEcho);
+    }
     if (half == 0U)
     {
-        return ConfirmNormal(voice_, record, frame, stamp, slot);
+        SetMode(record, Mode::kInverseAwaited);
+        record.frame_since = stamp;
+        return Confirmation{static_cast<SlotIndex>(slot), ConfirmStep::kNormal};
     }
-    return ConfirmInverse(voice_, record, frame, stamp, slot);
+    if ((stamp.us - record.frame_since.us) > SrvtUs(record))
+    {
+        return Abort(voice_, slot, SrdoCause::kNoConfirmation);
+    }
+    SetMode(record, Mode::kIdle);
+    ++record.ordinal;
+    voice_.flying &= ~BitOf(slot);
+    return Confirmation{static_cast<SlotIndex>(slot), ConfirmStep::kPair};
 }
 
 // The inverse frame is the other channel's.

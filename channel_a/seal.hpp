@@ -15,7 +15,7 @@ namespace counterpoint::channel_a
 constexpr std::uint32_t kModeShift = 0U;
 constexpr std::uint32_t kCauseShift = 8U;
 constexpr std::uint32_t kDirectionShift = 16U;
-constexpr std::uint32_t kSpareShift = 24U;
+constexpr std::uint32_t kLengthShift = 24U;
 
 /// @brief The sealed bytes in one word.
 [[nodiscard]] inline std::uint32_t SealedBytes(const Record& record) noexcept
@@ -23,7 +23,7 @@ constexpr std::uint32_t kSpareShift = 24U;
     return (static_cast<std::uint32_t>(record.mode) << kModeShift) |
            (static_cast<std::uint32_t>(record.first_cause) << kCauseShift) |
            (static_cast<std::uint32_t>(record.direction) << kDirectionShift) |
-           (static_cast<std::uint32_t>(record.spare_bits) << kSpareShift);
+           (static_cast<std::uint32_t>(record.length_bytes) << kLengthShift);
 }
 
 [[nodiscard]] inline bool IsSealed(const Record& record) noexcept
@@ -49,10 +49,10 @@ inline void SetDirection(Record& record, const std::uint8_t direction) noexcept
     record.direction = direction;
 }
 
-inline void SetSpare(Record& record, const std::uint8_t spare_bits) noexcept
+inline void SetLength(Record& record, const std::uint8_t length_bytes) noexcept
 {
-    record.seal ^= (std::uint32_t{record.spare_bits} ^ std::uint32_t{spare_bits}) << kSpareShift;
-    record.spare_bits = spare_bits;
+    record.seal ^= (std::uint32_t{record.length_bytes} ^ std::uint32_t{length_bytes}) << kLengthShift;
+    record.length_bytes = length_bytes;
 }
 
 } // namespace counterpoint::channel_a

@@ -44,7 +44,7 @@ constexpr std::uint8_t kMarked = 0xA6U;
 constexpr std::uint8_t kUnmarked = 0U;
 
 /// Everything of one SRDO. Invariants between two calls:
-/// - `seal` is the complement of mode, first_cause, direction and spare_bits. Every change of one of them changes the
+/// - `seal` is the complement of mode, first_cause, direction and length_bytes. Every change of one of them changes the
 ///   seal by the same bits; a flipped bit therefore never gets lost, the record stays unsealed until Restart.
 /// - `since` is the stamp of the pending normal frame (modes First and Next, limit SRVT), else that of the held pair's
 ///   normal frame (Held, limit SCT); with late detection always the latter (no limit in First). Of a producer that is
@@ -56,7 +56,7 @@ struct Record
     Mode mode;
     SrdoCause first_cause;
     std::uint8_t direction;
-    std::uint8_t spare_bits; ///< How many of the 64 bits of a frame are not mapped.
+    std::uint8_t length_bytes;
     std::uint32_t seal;
     Instant since;
     std::uint32_t limit_us;
@@ -67,9 +67,10 @@ struct Record
     std::uint8_t mapping; ///< Marked: resolved.
     std::uint8_t check;   ///< Marked: the last Validate or Recheck found no fault.
     SrvtDetection detection;
+    std::uint8_t spare_bits; ///< How many of the last byte are not mapped.
     std::uint16_t error_count;
     std::uint32_t ordinal;
-    Octets pending;           ///< As received, whatever is behind the length.
+    Octets pending;           ///< As received; 0 behind the length.
     Octets held;              ///< Of a producer: normal data of the pair in flight.
     Instant frame_since;      ///< Stamp of the pending normal frame. Producer: start of the pair, then of that frame.
     std::uint32_t unreported; ///< Causes (bit 1 << cause) recorded since the last OnCycle.

@@ -85,12 +85,6 @@ struct Mapping
     return voice.groups[kGroupWaiting] | voice.groups[kGroupFaulted] | voice.groups[kGroupReleased];
 }
 
-/// @brief Bytes of a frame of this SRDO.
-[[nodiscard]] inline std::uint32_t LengthBytes(const Record& record) noexcept
-{
-    return kMaxPayloadBytes - (std::uint32_t{record.spare_bits} >> 3U);
-}
-
 /// @brief Whether the limit that the cycle looks at has passed.
 [[nodiscard]] inline bool IsExpired(const Record& record, const Instant when) noexcept
 {
