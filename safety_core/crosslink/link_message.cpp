@@ -68,7 +68,7 @@ class Writer
 class Reader
 {
   public:
-    explicit Reader(const hal::LinkFrame& frame) noexcept : frame_{frame}
+    Reader(const hal::LinkFrame& frame, const std::uint32_t place) noexcept : frame_{frame}, place_{place}
     {
     }
     [[nodiscard]] std::uint8_t Byte() noexcept
@@ -98,7 +98,7 @@ class Reader
 
   private:
     const hal::LinkFrame& frame_;
-    std::uint32_t place_{0U};
+    std::uint32_t place_;
 };
 
 void Put(Writer& writer, const SlotReport& report) noexcept
@@ -226,15 +226,13 @@ void Encode(const LinkMessage& message, hal::LinkFrame& frame) noexcept
 
 DecodeResult Decode(const hal::LinkFrame& frame, const LinkSender& expected, LinkMessage& message) noexcept
 {
-    const std::uint8_t* const end = &frame.bytes[kCoveredBytes];
-    const std::uint32_t told = static_cast<std::uint32_t>(end[0U]) | (static_cast<std::uint32_t>(end[1U]) << 8U) |
-                               (static_cast<std::uint32_t>(end[2U]) << 16U) | // MISRA D-002
-                               (static_cast<std::uint32_t>(end[3U]) << 24U);  // MISRA D-002
+    Reader tail{frame, kCoveredBytes};
+    const std::uint32_t told = tail.Word();
     if ((frame.length != hal::kLinkFrameBytes) || (told != ChecksumOf(frame).value))
     {
         return DecodeResult::kInvalid;
     }
-    Reader reader{frame};
+    Reader reader{frame, 0U};
     const std::uint32_t version = reader.Byte();
     message.sender.role = static_cast<PeerRole>(reader.Byte());
     message.sender.node_id = reader.Byte();

@@ -26,16 +26,20 @@ Peer::Peer(Channel& channel, hal::Watchdog& watchdog, const LinkConfig& config) 
 
 Channel& Peer::VoiceA() noexcept
 {
-    Channel& own = own_;
-    Channel& remote = remote_;
-    return (config_.role == PeerRole::kA) ? own : remote;
+    if (config_.role == PeerRole::kA)
+    {
+        return own_;
+    }
+    return remote_;
 }
 
 Channel& Peer::VoiceB() noexcept
 {
-    Channel& own = own_;
-    Channel& remote = remote_;
-    return (config_.role == PeerRole::kA) ? remote : own;
+    if (config_.role == PeerRole::kA)
+    {
+        return remote_;
+    }
+    return own_;
 }
 
 hal::Watchdog& Peer::Watchdog() noexcept

@@ -34,7 +34,7 @@ BRACKETS = {"nothing": 1, "idle": 1, "pair": 3, "check": 1, "idle_producers": 1,
 SELF_TESTS = {"selftest_signature": "signature, 24 words", "selftest_constants": "signature, end of a pass",
               "selftest_ram": "RAM, 4 words", "selftest_lines": "RAM, one address line", "selftest_permits": "permits, one set"}
 # Rooms whose bytes are shown but are not those of core and channels.
-APART = ("hal/api", "safety_core/selftest")
+APART = ("hal/api", "safety_core/selftest", "safety_core/crosslink")
 LOAD_CYCLES = 1000
 COUNTS = (1, 8, 64)
 

@@ -18,6 +18,7 @@ MAY_NEED = {
     "hal_api": [],
     "safety_core_kernel": ["safety_core_comparator", "hal_api"],
     "safety_core_selftest": ["hal_api"],
+    "safety_core_crosslink": ["safety_core_comparator", "hal_api"],
 }
 REFUSED_SECTIONS = (".init_array", ".ctors", ".fini_array", ".dtors", ".gcc_except_table", ".tdata", ".tbss")
 
