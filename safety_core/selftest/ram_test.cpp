@@ -67,16 +67,12 @@ struct Element
     return ((span.first & line) == 0U) ? span.first : ((span.first | (line - 1U)) + 1U);
 }
 
-/// First line from `line` on by which two words of the span differ alone; 0 if there is none.
-[[nodiscard]] hal::Address NextLine(const hal::MemorySpan& span, const hal::Address line) noexcept
+/// The line if two words of the span differ in it alone, else 0. Above a line without such words there is none with.
+[[nodiscard]] hal::Address LineWithin(const hal::MemorySpan& span, const hal::Address line) noexcept
 {
     const hal::Address extent = Bytes(span.words - 1U);
-    hal::Address found = line;
-    while ((found <= extent) && ((BaseOf(span, found) + found) > (span.first + extent)))
-    {
-        found <<= 1U;
-    }
-    return (found <= extent) ? found : 0U;
+    const bool leads_inside = (BaseOf(span, line) + line) <= (span.first + extent);
+    return leads_inside ? line : 0U;
 }
 
 /// Neighbours share one word, so that each window but the last adds one less than it has.
@@ -140,7 +136,7 @@ std::uint32_t RamTest::SlicesAPass(const RamPorts& ports) const noexcept
             return 0U;
         }
         slices += WindowsOf(span, setup_.slice_words);
-        for (hal::Address line = NextLine(span, hal::kWordBytes); line != 0U; line = NextLine(span, line << 1U))
+        for (hal::Address line = LineWithin(span, hal::kWordBytes); line != 0U; line = LineWithin(span, line << 1U))
         {
             ++slices;
         }
@@ -174,7 +170,7 @@ SliceResult RamTest::Advance(const hal::MemorySpan& span) noexcept
         word_ += setup_.slice_words - std::uint32_t{1U};
         return SliceResult::kContinues;
     }
-    stride_ = NextLine(span, (stride_ == 0U) ? hal::Address{hal::kWordBytes} : (stride_ << 1U));
+    stride_ = LineWithin(span, (stride_ == 0U) ? hal::Address{hal::kWordBytes} : (stride_ << 1U));
     if (stride_ != 0U)
     {
         return SliceResult::kContinues;

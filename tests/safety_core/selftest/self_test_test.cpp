@@ -4,8 +4,10 @@
 #include "tests/safety_core/selftest/device.hpp"
 #include "verification/trace/verifies.hpp"
 
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 namespace counterpoint::selftest
 {
@@ -303,6 +305,46 @@ TEST_F(SelfTestTest, FlippedByteOfItsOwnStateNeverHidesForLongerThanARound)
         }
     }
     EXPECT_EQ(found, 80U);
+}
+
+TEST_F(SelfTestTest, FlippedBitOfEachCounterIsFoundByTheProgress)
+{
+    Verifies(req::SRS_STS_062);
+    // Given the words of the object that count one further in a cycle: parts, stack, program, round
+    ASSERT_EQ(device->Start().answer, StartAnswer::kPassed);
+    static_cast<void>(device->self_test.OnCycle());
+    const hal::Address first = device->Place(&device->self_test);
+    std::array<std::uint32_t, sizeof(SelfTest) / 4U> before{};
+    for (std::size_t word = 0U; word < before.size(); ++word)
+    {
+        before[word] = device->cells.Read(first + (4U * word));
+    }
+    static_cast<void>(device->self_test.OnCycle());
+    std::vector<hal::Address> places;
+    for (std::size_t word = 0U; word < before.size(); ++word)
+    {
+        const hal::Address place = first + (4U * word);
+        if (device->cells.Read(place) == (before[word] + 1U))
+        {
+            places.push_back(place);
+        }
+    }
+    EXPECT_EQ(places.size(), 4U);
+    for (const hal::Address place : places)
+    {
+        for (std::uint32_t bit = 0U; bit < 32U; ++bit)
+        {
+            ASSERT_EQ(device->Start().answer, StartAnswer::kPassed);
+            device->cells.Write(place, device->cells.Read(place) ^ (std::uint32_t{1U} << bit));
+            bool is_found = false;
+            for (std::uint32_t cycle = 1U; cycle <= 39U; ++cycle)
+            {
+                const SelfTestOutcome outcome = device->self_test.OnCycle();
+                is_found = is_found || (outcome.fault != DeviceFault::kNone) || (outcome.progress != cycle);
+            }
+            EXPECT_TRUE(is_found) << "place " << (place - first) << " bit " << bit;
+        }
+    }
 }
 
 } // namespace
