@@ -169,6 +169,11 @@ void DeviceModel::UseTwoControllers() noexcept
     }
 }
 
+std::uint32_t DeviceModel::ControllerCount() const noexcept
+{
+    return (config_.normal_port == config_.inverse_port) ? 1U : 2U;
+}
+
 std::vector<std::uint8_t>& DeviceModel::Memory() noexcept
 {
     return memory_;

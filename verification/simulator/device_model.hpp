@@ -73,6 +73,7 @@ class DeviceModel
 
     /// @brief Inverse frames by a second controller, unless the DCF names the controllers. [SRS-SIM-036]
     void UseTwoControllers() noexcept;
+    [[nodiscard]] std::uint32_t ControllerCount() const noexcept;
     /// @brief For bits that flip: variables, mappable objects, setups. [SRS-SIM-035]
     [[nodiscard]] std::vector<std::uint8_t>& Memory() noexcept;
     [[nodiscard]] std::vector<MappableObject>& ObjectTable() noexcept;

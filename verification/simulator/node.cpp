@@ -36,7 +36,7 @@ Node::Node(const NodeIndex index, const NodeSetup& setup, DeviceModel& model, ho
                insight == Insight::kTapped ? static_cast<hal::Watchdog&>(watchdog_tap_) : watchdog_, application_})
 {
     application_.Join(kernel_);
-    ConnectControllers(setup.controllers);
+    ConnectControllers(model.ControllerCount());
     SetCounterRate(true, setup.counter_a.drift_ppm);
     SetCounterRate(false, setup.counter_b.drift_ppm);
     const std::int64_t cycle = std::int64_t{model.Config().cycle_us} * kNanosecondsPerMicrosecond * kMillion;

@@ -145,16 +145,10 @@ void ReadFrozenInput(Fields& fields, FaultSetup& fault)
     ReadSpan(fields, fault);
 }
 
-void ReadController(Fields& fields, const Scenario& scenario, FaultSetup& fault)
+void ReadController(Fields& fields, FaultSetup& fault)
 {
-    if (const auto controller = fields.Find("controller"))
-    {
-        fault.controller = controller->Checked();
-        if (fault.controller > scenario.nodes[fault.node].controllers)
-        {
-            controller->Refuse("controller 2 of a node with one", "'controllers: 2' of that node");
-        }
-    }
+    const auto controller = fields.Find("controller");
+    fault.controller = controller ? controller->Checked() : 0U;
     ReadSpan(fields, fault);
 }
 } // namespace
@@ -178,7 +172,7 @@ void ReadNodeFault(Fields& fields, const Scenario& scenario, FaultSetup& fault)
         return;
     case FaultKind::kBusOff:
     case FaultKind::kUnplugged:
-        ReadController(fields, scenario, fault);
+        ReadController(fields, fault);
         return;
     case FaultKind::kQueueOverflow:
         fault.capacity = fields.Require("capacity").Checked();

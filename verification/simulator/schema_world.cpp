@@ -76,8 +76,8 @@ std::vector<SectionSpec> WorldSections()
               nullptr,
               "1",
               "2",
-              "CAN controllers; with 2 the first has the normal frames (and everything else), the second the inverse "
-              "frames"},
+              "CAN controllers; 2, or a DCF that names two: the first has the normal frames (and everything else), the "
+              "second the inverse frames"},
              {"phase", T::kDuration, kNone, nullptr, nullptr, "0 ms", "130 us",
               "instant of power-on; cycles follow from then on"},
              {"start_at", T::kDuration, kNone, nullptr, nullptr, "10 ms", "10 ms", "enters OPERATIONAL"},

@@ -109,7 +109,7 @@ constexpr BadCase kBadCases[] = {
     {"half a pattern", "faults:\n  - {fault: bus_off, node: actuator, at: 1 ms, on: 1 ms}\n",
      "3:5: an on/off pattern of one part, expected both 'on' and 'off'"},
     {"second controller of one", "faults:\n  - {fault: bus_off, node: actuator, at: 1 ms, controller: 2}\n",
-     "3:60: controller 2 of a node with one, expected 'controllers: 2' of that node"},
+     "3:5: controller 2 of a node with one, expected 'controllers: 2' of that node, or a DCF that names two"},
     {"jump and rate", "faults:\n  - {fault: clock, node: actuator, counter: a, at: 1 ms, ppm: 5, jump: 1 ms}\n",
      "3:5: clock fault without an effect of its own, expected one of 'stopped: true', 'ppm' and 'jump'"},
     {"jump of nothing", "faults:\n  - {fault: clock, node: actuator, counter: a, at: 1 ms, jump: 0 ms}\n",
