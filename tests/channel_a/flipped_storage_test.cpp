@@ -80,6 +80,19 @@ TEST_P(ChannelAFlipped, FilledMemoryGrantsNothing)
     }
 }
 
+TEST(ChannelAFlippedEntries, AreFoundByTheTableWhateverTheSignature)
+{
+    Verifies(req::SRS_CFG_030);
+    Verifies(req::SRS_CNF_030);
+    for (const conformance::RigKind kind : {conformance::RigKind::kBytes, conformance::RigKind::kBits})
+    {
+        // Given a configured device, when a bit of an entry flips and the result is signed, then the table finds it
+        const conformance::FlipResult result = conformance::FlipSignedEntries(conformance::Party::kA, kind);
+        EXPECT_EQ(result.complaints, 0U) << result.first;
+        EXPECT_GE(result.granted, 4U * 32U);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Phases, ChannelAFlipped, ::testing::Range(0U, conformance::kPhaseCount));
 
 } // namespace

@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/conformance/flip_rig.hpp"
+#include "verification/conformance/hash.hpp"
 
 #include <memory>
 
@@ -185,6 +186,17 @@ Complaint Finish(FlipRig& rig, Party party, std::uint32_t phase)
     return rig.IsGranted() ? Complaint{} : Complaint{"nothing is granted after Restart"};
 }
 
+/// Stands for the first `count` entries of the consumer.
+std::uint32_t MappingOf(const Channel& channel, std::uint32_t count)
+{
+    Hash hash;
+    for (std::uint32_t sub = 1U; sub <= count; ++sub)
+    {
+        hash.Add(channel.Load(ConfigAddress{0U, ConfigField::kMapEntry, static_cast<std::uint8_t>(sub)}).value);
+    }
+    return hash.Value();
+}
+
 void Note(FlipResult& result, const FlipRig& rig, const Complaint& complaint, std::size_t byte, std::uint32_t kind)
 {
     result.runs += 1U;
@@ -212,6 +224,34 @@ FlipResult FlipEveryBit(Party party, ReleasePolicy policy, std::uint32_t phase, 
             std::uint8_t& place = rig->Bytes(party)[byte];
             place = Corrupted(place, kind);
             Note(result, *rig, Finish(*rig, party, phase), byte, kind);
+        }
+    }
+    return result;
+}
+
+FlipResult FlipSignedEntries(Party party, RigKind device_kind)
+{
+    FlipResult result{0U, 0U, 0U, Complaint{}};
+    const auto rig = std::make_unique<FlipRig>(ReleasePolicy::kAutomatic, device_kind);
+    Channel& channel = rig->Of(party);
+    const std::size_t bits = 8U * FlipRig::ByteCount(party);
+    for (std::size_t bit = 0U; bit < bits; ++bit)
+    {
+        rig->Start();
+        const std::uint32_t count = channel.Load(ConfigAddress{0U, ConfigField::kMapCount, 0U}).value;
+        const std::uint32_t before = MappingOf(channel, count);
+        std::uint8_t& place = rig->Bytes(party)[bit / 8U];
+        place = static_cast<std::uint8_t>(place ^ (1U << (bit % 8U)));
+        result.runs += 1U;
+        if (MappingOf(channel, count) != before)
+        {
+            const CheckResult first = channel.Recheck(0U);
+            channel.Store(ConfigItem{ConfigAddress{0U, ConfigField::kSignature, 0U}, first.signature});
+            const bool is_found =
+                (first.fault == ConfigFault::kSignature) && (channel.Recheck(0U).fault == ConfigFault::kTable);
+            result.granted += is_found ? 1U : 0U;
+            result.complaints += is_found ? 0U : 1U;
+            result.first = is_found ? result.first : ("bit " + std::to_string(bit) + ": entry not found");
         }
     }
     return result;

@@ -354,6 +354,11 @@ void FlipRig::SpoilSignature()
 
 // ---- what the tests look at
 
+Channel& FlipRig::Of(Party party)
+{
+    return (party == Party::kA) ? static_cast<Channel&>(a_) : static_cast<Channel&>(b_);
+}
+
 SrdoState FlipRig::StateOf(Party party) const
 {
     return (party == Party::kA) ? a_.View(kConsumerSlot).state : b_.View(kConsumerSlot).state;

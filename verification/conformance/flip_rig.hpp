@@ -88,6 +88,7 @@ class FlipRig
     /// @brief A wrong signature in both channels, and found by both.
     void SpoilSignature();
 
+    [[nodiscard]] Channel& Of(Party party);
     [[nodiscard]] SrdoState StateOf(Party party) const;
     /// @brief Bytes of the storage of one channel, flipped from outside.
     [[nodiscard]] std::uint8_t* Bytes(Party party);
@@ -158,6 +159,10 @@ struct FlipResult
 /// @brief Flips every single bit of the storage of `party`, and sets every byte to 00h and to FFh, one run each.
 [[nodiscard]] FlipResult FlipEveryBit(Party party, ReleasePolicy policy, std::uint32_t phase,
                                       RigKind device_kind = RigKind::kBytes);
+/// @brief Flips every single bit of the storage of a configured channel, then stores the signature that Recheck
+/// computes: a mapping entry that is not the one validated must be found by the table. `granted` counts those that
+/// were.
+[[nodiscard]] FlipResult FlipSignedEntries(Party party, RigKind device_kind);
 /// @brief The whole storage of `party` becomes `fill` in the given phase.
 [[nodiscard]] FlipResult FillStorage(Party party, ReleasePolicy policy, std::uint32_t phase, std::uint8_t fill,
                                      RigKind device_kind = RigKind::kBytes);
