@@ -27,6 +27,8 @@ void Channel::Enter(const Half& half) noexcept
     marks.held = kUnmarked;
     marks.acknowledged = kUnmarked;
     marks.released = kUnmarked;
+    marks.enrolled = kUnmarked;
+    marks.producers = 0U;
     marks.unheard = half.present;
     marks.faulted = 0U;
     marks.pending = 0U;
@@ -39,11 +41,12 @@ void Channel::Enter(const Half& half) noexcept
         const SlotIndex slot = LowestOf(rest, half.first);
         if (x_storage.direction[slot] == kDirectionConsumer)
         {
-            marks.consumers |= BitOf(slot);
+            Grant(marks.enrolled, BitOf(slot));
             EnterSlot(slot, Stage::kOff);
         }
         if (x_storage.direction[slot] == kDirectionProducer)
         {
+            Grant(marks.enrolled, BitOf(slot));
             marks.producers |= BitOf(slot);
             EnterSlot(slot, Stage::kIdle);
         }
@@ -62,8 +65,7 @@ HalfMask Channel::Leave(const Half& half) noexcept
         x_storage.rows[slot].sent = 0U;
         Ground(slot, Stage::kOff);
     }
-    marks.consumers = 0U;
-    marks.producers = 0U;
+    marks.enrolled = kUnmarked;
     return left;
 }
 

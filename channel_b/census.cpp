@@ -36,8 +36,10 @@ void Channel::ExamineMarks(const Half& half) noexcept
         caused |= (PackBytes(&x_storage.first_cause[at]) != kEightWithoutCause) ? word : 0U;
         at += kSlotsInWord;
     }
-    marks.consumers &= half.present;
-    marks.producers &= half.present & ~marks.consumers;
+    const HalfMask active = Granted(marks.enrolled) & half.present;
+    marks.producers &= active;
+    marks.consumers = active & ~marks.producers;
+    Withdraw(marks.released, ~marks.consumers);
     const HalfMask sound =
         SoundOf(marks.held) & SoundOf(marks.acknowledged) & SoundOf(marks.automatic) & SoundOf(marks.released);
     const HalfMask unfit = marks.released.on & (marks.faulted | ~marks.held.on);

@@ -77,6 +77,7 @@ void Channel::Restart(const DeviceConfig& config) noexcept
         marks.acknowledged = kUnmarked;
         marks.automatic = kUnmarked;
         marks.valid = kUnmarked;
+        marks.enrolled = kUnmarked;
         marks.released = kUnmarked;
     }
     ClearLookUp();

@@ -55,10 +55,11 @@ struct Marks
     TwinMask acknowledged; ///< An acknowledge edge waits.
     TwinMask automatic;    ///< Policy kAutomatic.
     TwinMask valid;        ///< The last Validate or Recheck found no fault.
+    TwinMask enrolled;     ///< Active since OPERATIONAL was entered.
     TwinMask released;     ///< Consumers that are released; less those that had a fault since.
     HalfMask pending;      ///< A normal frame waits for its inverse frame.
-    HalfMask consumers;    ///< Active consumers as of the last OnCycle.
-    HalfMask producers;    ///< Active producers as of the last OnCycle.
+    HalfMask consumers;    ///< Active consumers as of the last OnCycle, which takes them from the enrolled ones.
+    HalfMask producers;    ///< Those of the enrolled ones that are producers.
     HalfMask faulted;      ///< Consumers with a fault since they were released or entered OPERATIONAL.
     HalfMask fresh;        ///< A pair was completed since the last OnCycle.
     HalfMask committed;    ///< The objects hold a released pair.
