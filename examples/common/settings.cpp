@@ -42,45 +42,4 @@ void SetCommonConfig(DeviceConfig& config) noexcept
     config.output_time_us = 1000U;
 }
 
-RefreshAnswer QuietApplication::OnRefresh(CommunicationIndex /*index*/) noexcept
-{
-    return RefreshAnswer::kSkip;
-}
-
-void QuietApplication::OnSrdoEvent(CommunicationIndex /*index*/) noexcept
-{
-}
-
-void QuietApplication::OnSrdoError(CommunicationIndex /*index*/, const SrdoCause cause) noexcept
-{
-    error_ = (error_ == SrdoCause::kNone) ? cause : error_;
-}
-
-void QuietApplication::OnGfc() noexcept
-{
-}
-
-void QuietApplication::OnGfcNotFollowed() noexcept
-{
-}
-
-void QuietApplication::OnConfigurationInvalid(CommunicationIndex /*index*/) noexcept
-{
-}
-
-void QuietApplication::OnDeviceFault(const DeviceFaultReport& /*report*/) noexcept
-{
-}
-
-void QuietApplication::OnFlow(const FlowCount& /*count*/) noexcept
-{
-}
-
-SrdoCause QuietApplication::TakeError() noexcept
-{
-    const SrdoCause error = error_;
-    error_ = SrdoCause::kNone;
-    return error;
-}
-
 } // namespace counterpoint::examples

@@ -33,19 +33,43 @@ void SetCommonConfig(DeviceConfig& config) noexcept;
 class QuietApplication : public Application
 {
   public:
-    RefreshAnswer OnRefresh(CommunicationIndex index) noexcept override;
-    void OnSrdoEvent(CommunicationIndex index) noexcept override;
-    void OnSrdoError(CommunicationIndex index, SrdoCause cause) noexcept override;
-    void OnGfc() noexcept override;
-    void OnGfcNotFollowed() noexcept override;
-    void OnConfigurationInvalid(CommunicationIndex index) noexcept override;
-    void OnDeviceFault(const DeviceFaultReport& report) noexcept override;
-    void OnFlow(const FlowCount& count) noexcept override;
+    RefreshAnswer OnRefresh(CommunicationIndex /*index*/) noexcept override
+    {
+        return RefreshAnswer::kSkip;
+    }
+    void OnSrdoEvent(CommunicationIndex /*index*/) noexcept override
+    {
+    }
+    void OnSrdoError(CommunicationIndex /*index*/, const SrdoCause cause) noexcept override
+    {
+        error_ = (error_ == SrdoCause::kNone) ? cause : error_;
+    }
+    void OnGfc() noexcept override
+    {
+    }
+    void OnGfcNotFollowed() noexcept override
+    {
+    }
+    void OnConfigurationInvalid(CommunicationIndex /*index*/) noexcept override
+    {
+    }
+    void OnDeviceFault(const DeviceFaultReport& /*report*/) noexcept override
+    {
+    }
+    void OnFlow(const FlowCount& /*count*/) noexcept override
+    {
+    }
 
     /// @brief First cause since the last call; kNone if there was none.
-    [[nodiscard]] SrdoCause TakeError() noexcept;
+    [[nodiscard]] SrdoCause TakeError() noexcept
+    {
+        const SrdoCause error = error_;
+        error_ = SrdoCause::kNone;
+        return error;
+    }
 
   protected:
+    QuietApplication() noexcept = default;
     ~QuietApplication() noexcept = default;
 
   private:
