@@ -147,11 +147,11 @@ class Channel final : public counterpoint::Channel
     // mapping.cpp
     [[nodiscard]] std::uint32_t FirstEntryOf(SlotIndex slot) const noexcept;
     [[nodiscard]] [[gnu::noinline]] Mapping MappingOf(SlotIndex slot) const noexcept;
-    [[nodiscard]] std::uint16_t Find(std::uint32_t entry) const noexcept;
-    [[nodiscard]] std::uint16_t PlaceAt(const Mapping& mapping, std::uint32_t index) const noexcept;
+    [[nodiscard]] [[gnu::noinline]] std::uint16_t Find(std::uint32_t entry) const noexcept;
     void Resolve(const Mapping& mapping, bool is_consumer) const noexcept;
+    [[nodiscard]] bool AreFieldsRight(SlotIndex slot, const Mapping& mapping) const noexcept;
     [[nodiscard]] bool IsTableRight(SlotIndex slot, const Mapping& mapping) const noexcept;
-    [[nodiscard]] ConfigFault CheckMapping(SlotIndex slot) noexcept;
+    [[nodiscard]] ConfigFault CheckMapping(SlotIndex slot, const Mapping& mapping) noexcept;
 
     // objects.cpp
     void WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept;
@@ -159,7 +159,7 @@ class Channel final : public counterpoint::Channel
     [[nodiscard]] std::uint64_t SafeDataOf(SlotIndex slot) const noexcept;
 
     // signature.cpp
-    [[nodiscard]] std::uint16_t SignatureOf(SlotIndex slot) const noexcept;
+    [[nodiscard]] std::uint16_t SignatureOf(SlotIndex slot, const Mapping& mapping) const noexcept;
 
     Storage x_storage;
     const DeviceConfig* x_config{nullptr};

@@ -226,7 +226,8 @@ CheckResult Channel::Validate(SlotIndex slot) noexcept
 {
     Marks& marks = MarksOf(x_storage, slot);
     const HalfMask bit = BitOf(slot);
-    const std::uint16_t signature = SignatureOf(slot);
+    const Mapping mapping = MappingOf(slot);
+    const std::uint16_t signature = SignatureOf(slot, mapping);
     const std::uint8_t direction = x_storage.direction[slot];
     ConfigFault fault = ConfigFault::kNone;
     marks.resolved &= ~bit;
@@ -235,7 +236,7 @@ CheckResult Channel::Validate(SlotIndex slot) noexcept
         fault = CheckParameters(slot);
         if (fault == ConfigFault::kNone)
         {
-            fault = CheckMapping(slot);
+            fault = CheckMapping(slot, mapping);
         }
     }
     if (fault == ConfigFault::kNone)
@@ -257,12 +258,13 @@ CheckResult Channel::Validate(SlotIndex slot) noexcept
 /// What the signature finds need not be looked for in the table.
 CheckResult Channel::Recheck(SlotIndex slot) noexcept
 {
-    const std::uint16_t signature = SignatureOf(slot);
+    const Mapping mapping = MappingOf(slot);
+    const std::uint16_t signature = SignatureOf(slot, mapping);
     ConfigFault fault = CheckSignature(slot, signature);
     if ((fault == ConfigFault::kNone) && (x_storage.direction[slot] != kDirectionOff))
     {
         const bool is_resolved = (MarksOf(x_storage, slot).resolved & BitOf(slot)) != 0U;
-        fault = (is_resolved && IsTableRight(slot, MappingOf(slot))) ? ConfigFault::kNone : ConfigFault::kTable;
+        fault = (is_resolved && IsTableRight(slot, mapping)) ? ConfigFault::kNone : ConfigFault::kTable;
     }
     return Conclude(slot, fault, signature);
 }

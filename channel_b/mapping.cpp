@@ -86,12 +86,6 @@ std::uint16_t Channel::Find(std::uint32_t entry) const noexcept
     return low;
 }
 
-/// A static mapping has no table: its entries are looked up each time.
-std::uint16_t Channel::PlaceAt(const Mapping& mapping, std::uint32_t index) const noexcept
-{
-    return IsStatic(mapping) ? Find(mapping.entries[index]) : x_storage.table[mapping.first + index];
-}
-
 /// Fills the table of a dynamic mapping. What an entry behind the last one leads to is no object.
 void Channel::Resolve(const Mapping& mapping, bool is_consumer) const noexcept
 {
@@ -109,45 +103,60 @@ void Channel::Resolve(const Mapping& mapping, bool is_consumer) const noexcept
     }
 }
 
-/// Whether each entry leads to the object that it names, of its length, that fits the direction; those of a static
-/// mapping one behind the other from the registered fields on.
-bool Channel::IsTableRight(SlotIndex slot, const Mapping& mapping) const noexcept
+/// Whether the objects of a static mapping lie one behind the other from the registered fields on; each entry leads to
+/// its object.
+bool Channel::AreFieldsRight(SlotIndex slot, const Mapping& mapping) const noexcept
 {
     const Column<const MappableObject> objects{x_config->objects};
-    const bool is_sent = x_storage.direction[slot] == kDirectionProducer;
-    const MapAccess access = is_sent ? MapAccess::kProducer : MapAccess::kConsumer;
     const StaticFields& fields = x_storage.rows[slot].fields;
     const std::uint8_t* next[2U] = {fields.normal, fields.inverse}; // MISRA D-001
-    const std::uint32_t count = mapping.count;
     bool is_right = true;
-    for (std::uint32_t index = 0U; index < count; ++index)
+    for (std::uint32_t index = 0U; index < mapping.count; ++index)
     {
-        const std::uint32_t entry = mapping.entries[index];
-        const std::uint16_t place = PlaceAt(mapping, index);
-        if (place >= x_config->object_count)
-        {
-            is_right = is_right && (place == kDummyPlace) && IsDummy(entry);
-            continue;
-        }
-        const MappableObject& object = objects[place];
-        const std::uint32_t named = (KeyOf(object) << 8U) | static_cast<std::uint32_t>(object.length_bits);
-        if ((named != entry) || (object.access != access))
+        const MappableObject& object = objects[Find(mapping.entries[index])];
+        if (object.place != next[index & 1U]) // MISRA D-002
         {
             is_right = false;
         }
-        if (IsStatic(mapping))
-        {
-            is_right = is_right && (object.place == next[index & 1U]);                             // MISRA D-002
-            next[index & 1U] = &Column<const std::uint8_t>{object.place}[object.length_bits / 8U]; // MISRA D-002
-        }
+        next[index & 1U] = &Column<const std::uint8_t>{object.place}[object.length_bits / 8U]; // MISRA D-002
     }
     return is_right;
 }
 
-/// The table that it writes counts only after a Validate without fault.
-ConfigFault Channel::CheckMapping(SlotIndex slot) noexcept
+/// Whether each entry leads to the object that it names, of its length, that fits the direction; those of a static
+/// mapping in its fields.
+bool Channel::IsTableRight(SlotIndex slot, const Mapping& mapping) const noexcept
 {
-    const Mapping mapping = MappingOf(slot);
+    const Column<const MappableObject> objects{x_config->objects};
+    const std::uint32_t object_count = x_config->object_count;
+    const bool is_sent = x_storage.direction[slot] == kDirectionProducer;
+    const std::uint32_t access = static_cast<std::uint32_t>(is_sent ? MapAccess::kProducer : MapAccess::kConsumer);
+    std::uint32_t flaws = 0U;
+    for (std::uint32_t index = 0U; index < mapping.count; ++index)
+    {
+        const std::uint32_t entry = mapping.entries[index];
+        const std::uint32_t place = IsStatic(mapping) ? Find(entry) : x_storage.table[mapping.first + index];
+        if (place < object_count)
+        {
+            const MappableObject& object = objects[place];
+            const std::uint32_t named = (KeyOf(object) << 8U) | static_cast<std::uint32_t>(object.length_bits);
+            flaws |= (named ^ entry) | (static_cast<std::uint32_t>(object.access) ^ access);
+        }
+        else
+        {
+            flaws |= static_cast<std::uint32_t>(!IsDummy(entry)) | (place ^ kDummyPlace);
+        }
+    }
+    if (flaws != 0U)
+    {
+        return false;
+    }
+    return (!IsStatic(mapping)) || AreFieldsRight(slot, mapping);
+}
+
+/// The table that it writes counts only after a Validate without fault.
+ConfigFault Channel::CheckMapping(SlotIndex slot, const Mapping& mapping) noexcept
+{
     const std::uint32_t count = mapping.count;
     if ((count == 0U) || (count != mapping.declared) || ((count & 1U) != 0U))
     {

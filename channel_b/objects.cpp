@@ -13,7 +13,8 @@ namespace
 constexpr std::uint32_t kFourBytes = 32U; ///< Length in bits. Such objects are common; all others go byte by byte.
 
 /// The lowest bits leave `data` for the object; its last byte is filled up with 0. Returns what is left of the data.
-[[nodiscard]] std::uint64_t PutBits(std::uint64_t data, std::uint32_t bits, const Column<std::uint8_t>& place) noexcept
+[[nodiscard]] [[gnu::noinline]] std::uint64_t PutBits(std::uint64_t data, std::uint32_t bits,
+                                                      const Column<std::uint8_t>& place) noexcept
 {
     std::uint64_t rest = data;
     std::uint32_t left = bits;
@@ -28,8 +29,8 @@ constexpr std::uint32_t kFourBytes = 32U; ///< Length in bits. Such objects are 
 }
 
 /// The bits of the object enter `data` at its low end, the last byte first; it has the bits above the last whole byte.
-[[nodiscard]] std::uint64_t TakeBits(std::uint64_t data, std::uint32_t bits,
-                                     const Column<const std::uint8_t>& place) noexcept
+[[nodiscard]] [[gnu::noinline]] std::uint64_t TakeBits(std::uint64_t data, std::uint32_t bits,
+                                                       const Column<const std::uint8_t>& place) noexcept
 {
     std::uint64_t taken = data;
     std::uint32_t left = bits;
@@ -54,7 +55,8 @@ void Channel::WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept
     std::uint64_t rest = data;
     for (std::uint32_t index = 1U; index < count; index += 2U)
     {
-        const std::uint16_t at = PlaceAt(mapping, index);
+        const std::uint16_t at = // A static mapping has no table: its entries are looked up each time.
+            IsStatic(mapping) ? Find(mapping.entries[index]) : x_storage.table[mapping.first + index];
         if (at >= x_config->object_count)
         {
             rest >>= mapping.entries[index] & 63U;
@@ -86,7 +88,8 @@ std::uint64_t Channel::ReadInverse(SlotIndex slot) const noexcept
     std::uint64_t word = 0U;
     for (std::uint32_t rest = mapping.count; rest > 1U; rest -= 2U)
     {
-        const std::uint16_t at = PlaceAt(mapping, rest - 1U);
+        const std::uint16_t at =
+            IsStatic(mapping) ? Find(mapping.entries[rest - 1U]) : x_storage.table[mapping.first + rest - 1U];
         if (at >= x_config->object_count)
         {
             continue; // A corrupted place: other data than the other channel's.

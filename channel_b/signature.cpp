@@ -15,22 +15,23 @@ constexpr std::uint32_t kReflectedPolynomial = 0xEDB88320U; ///< 04C11DB7h, lowe
 
 /// CRC-16 with polynomial 1021h over the four bytes of a word, the highest first. What a word folds back is q (1 + x^5
 /// + x^12), where q is the word less what q itself folds back above bit 15: q = word + q / x^4 + q / x^11 + q / x^16.
-/// Three lines solve that for all bits at once, so that there is neither a table nor a loop over bits.
+/// Three lines solve that for all bits at once, so that there is neither a table nor a loop over bits. Bits of a CRC
+/// above bit 15 are rubbish that counts for nothing and is cut off at the end.
 [[nodiscard]] std::uint32_t FoldWord(std::uint32_t crc, std::uint32_t word) noexcept
 {
     std::uint32_t quotient = word ^ (crc << 16U);
     quotient ^= (quotient >> 4U) ^ (quotient >> 11U) ^ (quotient >> 16U);
     quotient ^= (quotient >> 8U) ^ (quotient >> 22U);
     quotient ^= quotient >> 16U;
-    return ((quotient << 12U) ^ (quotient << 5U) ^ quotient) & 0xFFFFU;
+    return (quotient << 12U) ^ (quotient << 5U) ^ quotient;
 }
 
 /// The same over one byte.
 [[nodiscard]] std::uint32_t FoldByte(std::uint32_t crc, std::uint32_t byte) noexcept
 {
-    const std::uint32_t leaving = (crc >> 8U) ^ byte;
+    const std::uint32_t leaving = ((crc >> 8U) ^ byte) & 0xFFU;
     const std::uint32_t quotient = leaving ^ (leaving >> 4U);
-    return ((crc << 8U) ^ (quotient << 12U) ^ (quotient << 5U) ^ quotient) & 0xFFFFU;
+    return (crc << 8U) ^ (quotient << 12U) ^ (quotient << 5U) ^ quotient;
 }
 
 /// Low byte first becomes high byte first.
@@ -92,10 +93,9 @@ template <typename T> [[nodiscard]] constexpr std::uint32_t OnlyIf(T value, T ex
 
 } // namespace
 
-std::uint16_t Channel::SignatureOf(SlotIndex slot) const noexcept
+std::uint16_t Channel::SignatureOf(SlotIndex slot, const Mapping& mapping) const noexcept
 {
     const Row& row = x_storage.rows[slot];
-    const Mapping mapping = MappingOf(slot);
     const std::uint32_t count = mapping.count;
     std::uint32_t crc = FoldByte(0U, x_storage.direction[slot]);
     for (std::size_t at = 0U; at < kMapCountAt; at += 4U)
