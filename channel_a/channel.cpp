@@ -42,17 +42,15 @@ void SetDefaults(Record& record, const std::uint8_t number, const std::uint8_t n
     }
 }
 
-// A step of the table. Returns what it was.
-const Cell& Step(Voice& voice, Record& record, const SrdoMask bit, const Event event) noexcept
+// The new mode, with its group.
+void Follow(Voice& voice, Record& record, const SrdoMask bit, const Mode next) noexcept
 {
-    const Cell& cell = NextCell(record.mode, event);
-    const std::uint8_t group = FactsOf(cell.next).group;
+    const std::uint8_t group = FactsOf(next).group;
     if (group != FactsOf(record.mode).group)
     {
         MoveTo(voice, bit, group);
     }
-    SetMode(record, cell.next);
-    return cell;
+    SetMode(record, next);
 }
 
 [[gnu::noinline]] void ReportWith(Voice& voice, Record& record, const SrdoMask bit, const SrdoCause cause) noexcept
@@ -75,12 +73,12 @@ void EnterSlot(Voice& voice, const std::uint32_t slot) noexcept
     --voice.off_count;
     if (record.direction == kDirectionConsumer)
     {
-        Raise(voice, slot, Event::kEnterConsumer, SrdoCause::kNone);
+        Follow(voice, record, BitOf(slot), Mode::kWaitingEmpty);
         record.awaiting = kMarked;
         ++voice.consumer_count;
         return;
     }
-    Raise(voice, slot, Event::kEnterProducer, SrdoCause::kNone);
+    Follow(voice, record, BitOf(slot), Mode::kIdle);
     ++voice.producer_count;
     record.since.us = voice.entered.us + voice.first_delay_us;
     if (record.form == ProducerForm::kProviderCalled)
@@ -157,7 +155,8 @@ void Raise(Voice& voice, const std::uint32_t slot, const Event event, const Srdo
 {
     Record& record = At(voice, slot);
     const SrdoMask bit = BitOf(slot);
-    const Cell& cell = Step(voice, record, bit, event);
+    const Cell& cell = NextCell(record.mode, event);
+    Follow(voice, record, bit, cell.next);
     const SrdoCause cause = (cell.cause == SrdoCause::kNone) ? given : cell.cause;
     if ((cell.effect >= Effect::kDropHeld) && (cell.effect != Effect::kAbort))
     {

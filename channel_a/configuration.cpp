@@ -125,7 +125,8 @@ std::uint32_t LoadOfSlot(const Voice& voice, const ConfigAddress& address) noexc
     return value;
 }
 
-bool IsInUse(const Voice& voice, const SlotIndex slot, const std::uint32_t identifier) noexcept
+// Whether another SRDO has one of the two identifiers from `first` on.
+bool IsInUse(const Voice& voice, const SlotIndex slot, const std::uint32_t first) noexcept
 {
     bool is_in_use = false;
     for (SlotIndex other = 0U; other < voice.count; ++other)
@@ -133,7 +134,7 @@ bool IsInUse(const Voice& voice, const SlotIndex slot, const std::uint32_t ident
         const Record& record = At(voice, other);
         const bool is_other = (other != slot) && (record.direction != kDirectionOff);
         const bool has_it =
-            (record.values[kCobIdPlace] == identifier) || (record.values[kCobIdPlace + 1U] == identifier);
+            ((record.values[kCobIdPlace] - first) < 2U) || ((record.values[kCobIdPlace + 1U] - first) < 2U);
         if (is_other && has_it)
         {
             is_in_use = true;
@@ -159,7 +160,6 @@ ConfigFault CheckCommunication(const Voice& voice, const SlotIndex slot) noexcep
 {
     const Record& record = At(voice, slot);
     const std::uint32_t identifier = record.values[kCobIdPlace];
-    const std::uint32_t second = record.values[kCobIdPlace + 1U];
     if (record.direction > kDirectionConsumer)
     {
         return ConfigFault::kDirection;
@@ -170,11 +170,12 @@ ConfigFault CheckCommunication(const Voice& voice, const SlotIndex slot) noexcep
     }
     // The range from 101h on makes an odd place an even identifier.
     const std::uint32_t place = identifier - kFirstSrdoIdentifier;
-    if ((place >= kSrdoIdentifierCount) || ((place % 2U) != 0U) || (second != (identifier + 1U)))
+    if ((place >= kSrdoIdentifierCount) || ((place % 2U) != 0U) ||
+        (record.values[kCobIdPlace + 1U] != (identifier + 1U)))
     {
         return ConfigFault::kIdentifier;
     }
-    if (IsInUse(voice, slot, identifier) || IsInUse(voice, slot, second))
+    if (IsInUse(voice, slot, identifier))
     {
         return ConfigFault::kIdentifierInUse;
     }

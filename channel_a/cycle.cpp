@@ -20,20 +20,6 @@ constexpr std::uint32_t kPermitRotation = 16U;
 constexpr std::uint32_t kLongAgoUs = 0x80000000U; // As far as instants have a difference.
 constexpr std::uint32_t kWaitingPastSctBit = std::uint32_t{1U} << static_cast<std::uint8_t>(SrdoCause::kWaitingPastSct);
 
-// What one OnCycle is about, for all slots.
-struct Cycle
-{
-    Instant now;
-    std::uint32_t step_us; ///< Since the OnCycle before.
-    bool is_late;
-    bool has_overflow;
-    bool has_gfc;
-    SrdoMask edges;    ///< Acknowledge inputs that went from 0 to 1.
-    SrdoMask standing; ///< Producers whose refresh stood still, if of the form that is called.
-    SrdoMask new_fault;
-    SrdoMask signalled;
-};
-
 // [SRS-CFG-031]
 GuardView GuardOf(const CycleInput& input, const std::uint8_t configuration_valid) noexcept
 {
@@ -48,29 +34,29 @@ GuardView GuardOf(const CycleInput& input, const std::uint8_t configuration_vali
 }
 
 // [SRS-CONS-002]
-void FollowOperational(Voice& voice, Cycle& cycle, const bool is_active) noexcept
+void FollowOperational(Voice& voice, const bool is_active) noexcept
 {
     if (is_active && !voice.is_active)
     {
-        Enter(voice, cycle.now);
+        Enter(voice, voice.now);
     }
     if (!is_active && voice.is_active)
     {
-        cycle.new_fault = ConsumersOf(voice);
+        voice.new_fault = ConsumersOf(voice);
         Leave(voice);
     }
     voice.is_active = is_active;
 }
 
 // Finds the producers that still wait for a confirmation after SRVT. [SRS-PROD-008]
-void ScanFlying(Voice& voice, const Instant now) noexcept
+void ScanFlying(Voice& voice) noexcept
 {
     SrdoMask flying = voice.flying;
     while (flying != 0U)
     {
         const std::uint32_t slot = TakeLowest(flying);
         const Record& record = At(voice, slot);
-        if ((now.us - record.frame_since.us) > SrvtUs(record))
+        if ((voice.now.us - record.frame_since.us) > SrvtUs(record))
         {
             Mark(voice, slot);
         }
@@ -79,12 +65,12 @@ void ScanFlying(Voice& voice, const Instant now) noexcept
 
 // The one loop over all slots. What it passes over has no limit that expired, fits its seal, and has nothing to tell,
 // to wait for or to release.
-void ScanLimits(Voice& voice, const Cycle& cycle) noexcept
+void ScanLimits(Voice& voice) noexcept
 {
     // A new pair is of interest to a slot that is not released yet.
     voice.attention |=
-        (cycle.edges & ~voice.groups[kGroupOff]) | cycle.standing | (voice.fresh & ~voice.groups[kGroupReleased]);
-    if (cycle.is_late || cycle.has_overflow || cycle.has_gfc)
+        (voice.edges & ~voice.groups[kGroupOff]) | voice.standing | (voice.fresh & ~voice.groups[kGroupReleased]);
+    if (voice.is_late || voice.has_overflow || voice.has_gfc)
     {
         voice.attention |= ConsumersOf(voice);
     }
@@ -92,7 +78,7 @@ void ScanLimits(Voice& voice, const Cycle& cycle) noexcept
     const Record* record = voice.storage.records;
     for (std::uint32_t slot = 0U; slot < count; ++slot)
     {
-        if (IsExpired(*record, cycle.now) || !IsSealed(*record))
+        if (IsExpired(*record, voice.now) || !IsSealed(*record))
         {
             Mark(voice, slot);
         }
@@ -107,43 +93,43 @@ void Break(Voice& voice, const std::uint32_t slot) noexcept
     MoveTo(voice, BitOf(slot), FactsOf(At(voice, slot).mode).group);
 }
 
-void ExamineConsumer(Voice& voice, const Cycle& cycle, const std::uint32_t slot) noexcept
+void ExamineConsumer(Voice& voice, const std::uint32_t slot) noexcept
 {
     const Record& record = At(voice, slot);
     if (!IsSealed(record))
     {
         Break(voice, slot);
     }
-    const bool is_expired = IsExpired(record, cycle.now);
+    const bool is_expired = IsExpired(record, voice.now);
     if (is_expired)
     {
-        Expire(voice, slot, cycle.now, Half::kNormal);
+        Expire(voice, slot, voice.now, Half::kNormal);
     }
-    if (cycle.is_late && !is_expired)
+    if (voice.is_late && !is_expired)
     {
         Raise(voice, slot, Event::kError, SrdoCause::kLateCall);
     }
-    if (cycle.has_overflow)
+    if (voice.has_overflow)
     {
         Raise(voice, slot, Event::kError, SrdoCause::kQueueOverflow);
     }
-    if (cycle.has_gfc)
+    if (voice.has_gfc)
     {
         Raise(voice, slot, Event::kError, SrdoCause::kGfc);
     }
 }
 
 // An edge is good for a release until its window is over, and for nothing afterwards. [SRS-REL-003..007]
-void Acknowledge(Voice& voice, const Cycle& cycle, const std::uint32_t slot) noexcept
+void Acknowledge(Voice& voice, const std::uint32_t slot) noexcept
 {
     Record& record = At(voice, slot);
     const SrdoMask bit = BitOf(slot);
-    if ((cycle.edges & bit) != 0U)
+    if ((voice.edges & bit) != 0U)
     {
         record.edge = kMarked;
-        record.edge_since = cycle.now;
+        record.edge_since = voice.now;
     }
-    if ((cycle.now.us - record.edge_since.us) > voice.config->acknowledge_window_us)
+    if ((voice.now.us - record.edge_since.us) > voice.config->acknowledge_window_us)
     {
         record.edge = kUnmarked;
     }
@@ -162,25 +148,25 @@ void Acknowledge(Voice& voice, const Cycle& cycle, const std::uint32_t slot) noe
 // t      frames of this cycle        now
 //        faults in bus order | SRVT or SCT, late call, overflow, GFC | report: nothing held, or acknowledge and release
 // Returns what else is to be signalled.
-std::uint32_t ServeConsumer(Voice& voice, Cycle& cycle, const std::uint32_t slot) noexcept
+std::uint32_t ServeConsumer(Voice& voice, const std::uint32_t slot) noexcept
 {
     Record& record = At(voice, slot);
-    ExamineConsumer(voice, cycle, slot);
-    if ((cycle.now.us - record.frame_since.us) > kLongAgoUs)
+    ExamineConsumer(voice, slot);
+    if ((voice.now.us - record.frame_since.us) > kLongAgoUs)
     {
-        record.frame_since.us = cycle.now.us - kLongAgoUs; // Still too old, however long it waits.
+        record.frame_since.us = voice.now.us - kLongAgoUs; // Still too old, however long it waits.
     }
     if (record.unreported != 0U)
     {
         Raise(voice, slot, Event::kDiscard, SrdoCause::kNone);
-        cycle.new_fault |= BitOf(slot);
+        voice.new_fault |= BitOf(slot);
     }
     else
     {
-        Acknowledge(voice, cycle, slot);
+        Acknowledge(voice, slot);
     }
     std::uint32_t extra = 0U;
-    if ((record.awaiting == kMarked) && ((cycle.now.us - voice.entered.us) > SctUs(record)))
+    if ((record.awaiting == kMarked) && ((voice.now.us - voice.entered.us) > SctUs(record)))
     {
         record.awaiting = kUnmarked;
         extra = kWaitingPastSctBit;
@@ -205,17 +191,17 @@ void Refresh(Voice& voice, const std::uint32_t slot) noexcept
 }
 
 // The limit of a producer is its next refresh. [SRS-PROD-010]
-void ExamineSending(Voice& voice, const Cycle& cycle, const std::uint32_t slot) noexcept
+void ExamineSending(Voice& voice, const std::uint32_t slot) noexcept
 {
     Record& record = At(voice, slot);
     const SrdoMask bit = BitOf(slot);
     const bool is_called = record.form == ProducerForm::kProviderCalled;
-    if (is_called && ((cycle.standing & bit) != 0U))
+    if (is_called && ((voice.standing & bit) != 0U))
     {
-        record.since.us += cycle.step_us;
+        record.since.us += voice.step_us;
     }
     record.limit_us = SctUs(record) + (is_called ? 0U : voice.late_after_us);
-    if (!voice.may_send || ((cycle.now.us - record.since.us) <= record.limit_us))
+    if (!voice.may_send || ((voice.now.us - record.since.us) <= record.limit_us))
     {
         return;
     }
@@ -225,16 +211,16 @@ void ExamineSending(Voice& voice, const Cycle& cycle, const std::uint32_t slot) 
     }
     else if ((voice.requested & bit) != 0U)
     {
-        record.since.us = cycle.now.us - (record.limit_us + 1U); // Still too long ago, however long the request waits.
+        record.since.us = voice.now.us - (record.limit_us + 1U); // Still too long ago, however long the request waits.
     }
     else
     {
-        record.since = cycle.now;
+        record.since = voice.now;
         Report(voice, slot, SrdoCause::kRefreshMissed);
     }
 }
 
-void ServeProducer(Voice& voice, const Cycle& cycle, const std::uint32_t slot) noexcept
+void ServeProducer(Voice& voice, const std::uint32_t slot) noexcept
 {
     Record& record = At(voice, slot);
     if (!IsSealed(record))
@@ -244,21 +230,21 @@ void ServeProducer(Voice& voice, const Cycle& cycle, const std::uint32_t slot) n
         record.ordinal = 0U;
         return;
     }
-    if ((cycle.now.us - record.frame_since.us) > SrvtUs(record))
+    if ((voice.now.us - record.frame_since.us) > SrvtUs(record))
     {
         Raise(voice, slot, Event::kAbort, SrdoCause::kNoConfirmation); // Without effect where nothing is in flight.
     }
-    ExamineSending(voice, cycle, slot);
-    if (((cycle.edges & BitOf(slot)) != 0U) && (record.unreported == 0U))
+    ExamineSending(voice, slot);
+    if (((voice.edges & BitOf(slot)) != 0U) && (record.unreported == 0U))
     {
         SetFirstCause(record, SrdoCause::kNone);
     }
 }
 
 // Each cause once in a window of SCT. [SRS-CONS-021]
-void Signal(Cycle& cycle, Record& record, const SrdoMask bit, const std::uint32_t extra) noexcept
+void Signal(Voice& voice, Record& record, const SrdoMask bit, const std::uint32_t extra) noexcept
 {
-    if ((cycle.now.us - record.told_since.us) > SctUs(record))
+    if ((voice.now.us - record.told_since.us) > SctUs(record))
     {
         record.told = 0U;
     }
@@ -266,30 +252,30 @@ void Signal(Cycle& cycle, Record& record, const SrdoMask bit, const std::uint32_
     record.unreported = 0U;
     if (record.signals != 0U)
     {
-        record.told_since = (record.told == 0U) ? cycle.now : record.told_since;
+        record.told_since = (record.told == 0U) ? voice.now : record.told_since;
         record.told |= record.signals;
-        cycle.signalled |= bit;
+        voice.signalled |= bit;
     }
 }
 
-void Serve(Voice& voice, Cycle& cycle, const std::uint32_t slot) noexcept
+void Serve(Voice& voice, const std::uint32_t slot) noexcept
 {
     const SrdoMask bit = BitOf(slot);
     Record& record = At(voice, slot);
     std::uint32_t extra = 0U;
     if ((voice.groups[kGroupProducer] & bit) != 0U)
     {
-        ServeProducer(voice, cycle, slot);
+        ServeProducer(voice, slot);
     }
     else if ((voice.groups[kGroupOff] & bit) == 0U)
     {
-        extra = ServeConsumer(voice, cycle, slot);
+        extra = ServeConsumer(voice, slot);
     }
     else
     {
         // Only what was reported before it went off is to be told.
     }
-    Signal(cycle, record, bit, extra);
+    Signal(voice, record, bit, extra);
     const std::uint32_t unfinished = record.told | record.edge | record.awaiting;
     const bool is_watched = (record.detection == SrvtDetection::kLate) && HasFirstFrame(record.mode);
     voice.attention |= ((unfinished != 0U) || is_watched) ? bit : 0U;
@@ -307,13 +293,13 @@ SrdoMask DueOf(const Voice& voice) noexcept
 CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
 {
     const GuardView guard = GuardOf(input, voice_.globals[kConfigurationValidPlace]);
-    Cycle cycle{};
-    cycle.now = input.now;
-    cycle.step_us = input.now.us - voice_.now.us;
-    cycle.is_late = voice_.has_run && (cycle.step_us > voice_.late_after_us);
-    cycle.has_overflow = input.queue != QueueState::kIntact;
-    cycle.has_gfc = voice_.gfc_pending;
-    cycle.edges = input.acknowledge & ~voice_.levels;
+    voice_.step_us = input.now.us - voice_.now.us;
+    voice_.is_late = voice_.has_run && (voice_.step_us > voice_.late_after_us);
+    voice_.has_overflow = input.queue != QueueState::kIntact;
+    voice_.has_gfc = voice_.gfc_pending;
+    voice_.edges = input.acknowledge & ~voice_.levels;
+    voice_.new_fault = 0U;
+    voice_.signalled = 0U;
     voice_.levels = input.acknowledge;
     voice_.has_run = true;
     voice_.gfc_pending = false;
@@ -321,30 +307,30 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
     ++voice_.cycle;
 
     const bool is_active = (input.nmt == NmtState::kOperational) && (guard == GuardView::kConfigured);
-    FollowOperational(voice_, cycle, is_active);
+    FollowOperational(voice_, is_active);
     voice_.requested |= input.request & voice_.groups[kGroupProducer];
-    cycle.standing = voice_.may_send ? (input.stand & voice_.groups[kGroupProducer]) : 0U;
-    if ((cycle.now.us - voice_.entered.us) >= voice_.first_delay_us)
+    voice_.standing = voice_.may_send ? (input.stand & voice_.groups[kGroupProducer]) : 0U;
+    if ((voice_.now.us - voice_.entered.us) >= voice_.first_delay_us)
     {
         voice_.may_send = true; // Kept: the difference wraps after 71 minutes.
     }
-    ScanFlying(voice_, cycle.now);
-    ScanLimits(voice_, cycle);
+    ScanFlying(voice_);
+    ScanLimits(voice_);
     SrdoMask to_serve = voice_.attention;
     voice_.attention = 0U;
     while (to_serve != 0U)
     {
-        Serve(voice_, cycle, TakeLowest(to_serve));
+        Serve(voice_, TakeLowest(to_serve));
     }
 
     CycleOutcome outcome{};
     outcome.released = voice_.groups[kGroupReleased];
     outcome.faulted = voice_.groups[kGroupFaulted];
     outcome.waiting = voice_.groups[kGroupWaiting];
-    outcome.new_fault = cycle.new_fault;
+    outcome.new_fault = voice_.new_fault;
     outcome.fresh = voice_.fresh;
     outcome.due = DueOf(voice_);
-    outcome.signalled = cycle.signalled;
+    outcome.signalled = voice_.signalled;
     outcome.cycle = voice_.cycle;
     outcome.ordinal_sum = voice_.ordinal_sum;
     outcome.guard = guard;

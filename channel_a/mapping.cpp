@@ -31,6 +31,11 @@ constexpr MappableObject kNothing{0U, 0U, 0U, MapAccess::kNone, nullptr};
 /// Bits of the data types 0001h to 0007h.
 constexpr std::uint8_t kDummyBits[kLastDummyIndex] = {1U, 8U, 16U, 32U, 8U, 16U, 32U}; // MISRA D-001
 
+std::uint32_t Lesser(const std::uint32_t one, const std::uint32_t other) noexcept
+{
+    return (one < other) ? one : other;
+}
+
 // The map entry that names this object.
 std::uint32_t EntryOf(const MappableObject& object) noexcept
 {
@@ -102,20 +107,6 @@ bool IsDummy(const DeviceConfig& config, const Record& record, const std::uint32
     return (type < kLastDummyIndex) && ((entry & kSubAndLength) == kDummyBits[type]);
 }
 
-// The object at this position is the one that the entry names, for this direction; a dummy entry has none.
-bool FitsEntry(const DeviceConfig& config, const Record& record, const Mapping& mapping,
-               const std::uint32_t position) noexcept
-{
-    const MappableObject& object = ObjectAt(config, mapping, position);
-    const std::uint32_t entry = mapping.entries[position]; // MISRA D-002
-    const MapAccess wanted = (record.direction == kDirectionConsumer) ? MapAccess::kConsumer : MapAccess::kProducer;
-    if (object.length_bits == 0U)
-    {
-        return (mapping.places != nullptr) && IsDummy(config, record, entry);
-    }
-    return (EntryOf(object) == entry) && (object.access == wanted);
-}
-
 // Length of the granularity and of the partner, and no object twice.
 bool FitsOthers(const DeviceConfig& config, const Mapping& mapping, const std::uint32_t position) noexcept
 {
@@ -153,13 +144,21 @@ bool FitsFields(const DeviceConfig& config, const Record& record, const Mapping&
     return fits;
 }
 
-// What Validate and Recheck have in common.
+// What Validate and Recheck have in common: each entry leads to the object that it names, for this direction, a dummy
+// entry to none.
 bool FitsDictionary(const DeviceConfig& config, const Record& record, const Mapping& mapping) noexcept
 {
+    const MapAccess wanted = (record.direction == kDirectionConsumer) ? MapAccess::kConsumer : MapAccess::kProducer;
     bool fits = true;
     for (std::uint32_t position = 0U; position < mapping.count; ++position)
     {
-        if (!FitsEntry(config, record, mapping, position))
+        const MappableObject& object = ObjectAt(config, mapping, position);
+        const std::uint32_t entry = mapping.entries[position]; // MISRA D-002
+        if ((EntryOf(object) == entry) && (object.access == wanted))
+        {
+            continue;
+        }
+        if ((object.length_bits != 0U) || (mapping.places == nullptr) || !IsDummy(config, record, entry))
         {
             fits = false;
         }
@@ -281,17 +280,15 @@ inline Words WordsOf(const Voice& voice, const std::uint32_t slot) noexcept
 Mapping MappingOf(const Voice& voice, const std::uint32_t slot) noexcept
 {
     const StaticMap& map = voice.config->srdos[slot].map; // MISRA D-002
-    Mapping mapping{map.entries, nullptr, map.count, map.count, kMaxMapEntries};
-    if (map.entries == nullptr)
+    if (map.entries != nullptr)
     {
-        const std::uint32_t first = slot * voice.storage.map_entries;
-        mapping.entries = voice.storage.entries + first; // MISRA D-002
-        mapping.places = voice.storage.places + first;   // MISRA D-002
-        mapping.stored_count = At(voice, slot).values[kMapCountPlace];
-        mapping.limit = voice.config->map_entries;
+        return Mapping{map.entries, nullptr, Lesser(map.count, kMaxMapEntries), map.count, kMaxMapEntries};
     }
-    mapping.count = (mapping.stored_count < mapping.limit) ? mapping.stored_count : mapping.limit;
-    return mapping;
+    const std::uint32_t first = slot * voice.storage.map_entries;
+    const std::uint32_t stored = At(voice, slot).values[kMapCountPlace];
+    const std::uint32_t limit = voice.config->map_entries;
+    return Mapping{voice.storage.entries + first, voice.storage.places + first, // MISRA D-002
+                   Lesser(stored, limit), stored, limit};
 }
 
 // SRS-CFG-026 to 028.

@@ -27,23 +27,20 @@ constexpr std::uint8_t kIdle = 12U;
 constexpr std::uint8_t kNormalAwaited = 13U;
 constexpr std::uint8_t kInverseAwaited = 14U;
 
-// Entering and leaving OPERATIONAL.
-constexpr std::uint8_t kBeginC = 15U;
-constexpr std::uint8_t kBeginP = 16U;
-constexpr std::uint8_t kLeaveC = 17U;
-constexpr std::uint8_t kLeaveP = 18U;
+// Leaving OPERATIONAL.
+constexpr std::uint8_t kLeaveC = 15U;
+constexpr std::uint8_t kLeaveP = 16U;
 
 // Faults of a consumer.
-constexpr std::uint8_t kCorrupt = 19U;
-constexpr std::uint8_t kGiven = 20U;
-constexpr std::uint8_t kDropAll = 21U;
-constexpr std::uint8_t kDropHeld = 22U;
+constexpr std::uint8_t kCorrupt = 17U;
+constexpr std::uint8_t kGiven = 18U;
+constexpr std::uint8_t kDropAll = 19U;
+constexpr std::uint8_t kDropHeld = 20U;
 
 // Transmission.
-constexpr std::uint8_t kAbortC = 23U;
-constexpr std::uint8_t kCorruptP = 24U;
-constexpr std::uint8_t kLost = 25U;
-constexpr std::uint8_t kVoid = 26U;
+constexpr std::uint8_t kAbortC = 21U;
+constexpr std::uint8_t kLost = 22U;
+constexpr std::uint8_t kVoid = 23U;
 
 } // namespace
 
@@ -85,8 +82,6 @@ constexpr Cell kCells[kCellCount] = {
     {Mode::kIdle, Effect::kNothing, SrdoCause::kNone},
     {Mode::kNormalAwaited, Effect::kNothing, SrdoCause::kNone},
     {Mode::kInverseAwaited, Effect::kNothing, SrdoCause::kNone},
-    {Mode::kWaitingEmpty, Effect::kNothing, SrdoCause::kNone},
-    {Mode::kIdle, Effect::kNothing, SrdoCause::kNone},
     {Mode::kOff, Effect::kFault, SrdoCause::kNotOperational},
     {Mode::kOff, Effect::kNothing, SrdoCause::kNone},
     {Mode::kFaultedEmpty, Effect::kFault, SrdoCause::kInvalid},
@@ -94,7 +89,6 @@ constexpr Cell kCells[kCellCount] = {
     {Mode::kFaultedEmpty, Effect::kDropAll, SrdoCause::kNone},
     {Mode::kFaultedFirst, Effect::kDropHeld, SrdoCause::kNone},
     {Mode::kIdle, Effect::kAbort, SrdoCause::kNone},
-    {Mode::kIdle, Effect::kAbort, SrdoCause::kInvalid},
     {Mode::kOff, Effect::kFault, SrdoCause::kInvalid},
     {Mode::kOff, Effect::kAbort, SrdoCause::kInvalid},
 };
@@ -103,12 +97,6 @@ constexpr Cell kCells[kCellCount] = {
 // corrupted mode is a fault whatever happens, only leaving OPERATIONAL is done at once.
 constexpr std::uint8_t kTransitions[kEventCount][kModeCount] = {
     // MISRA D-001
-    // kEnterConsumer
-    {kCorrupt, kBeginC, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt,
-     kCorrupt, kCorruptP, kCorrupt, kCorruptP, kCorruptP},
-    // kEnterProducer
-    {kCorrupt, kBeginP, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt, kCorrupt,
-     kCorrupt, kCorruptP, kCorrupt, kCorruptP, kCorruptP},
     // kLeave
     {kLeaveC, kOff, kLeaveC, kLeaveC, kLeaveC, kLeaveC, kLeaveC, kLeaveC, kLeaveC, kLeaveC, kLeaveC, kLeaveC, kLeaveP,
      kLeaveC, kLeaveP, kLeaveP},

@@ -36,17 +36,15 @@ enum class Mode : std::uint8_t
 /// by kAfterNormal and kAfterInverse, a producer as producer.cpp tells.
 enum class Event : std::uint8_t
 {
-    kEnterConsumer = 0U,
-    kEnterProducer = 1U,
-    kLeave = 2U,
-    kError = 3U,   ///< What makes a consumer safe; the cause is given by who raises it.
-    kDiscard = 4U, ///< The held pair is dropped, a pending normal frame stays.
-    kRelease = 5U,
-    kAbort = 6U,     ///< The pair in flight failed; the cause is given by who raises it.
-    kCorrupted = 7U, ///< The record does not fit its seal.
+    kLeave = 0U,
+    kError = 1U,   ///< What makes a consumer safe; the cause is given by who raises it.
+    kDiscard = 2U, ///< The held pair is dropped, a pending normal frame stays.
+    kRelease = 3U,
+    kAbort = 4U,     ///< The pair in flight failed; the cause is given by who raises it.
+    kCorrupted = 5U, ///< The record does not fit its seal.
 };
 
-constexpr std::size_t kEventCount = 8U;
+constexpr std::size_t kEventCount = 6U;
 
 /// What is to be done with the record besides its new mode.
 enum class Effect : std::uint8_t
@@ -113,7 +111,7 @@ extern const ModeFacts kModeFacts[kModeCount]; // MISRA D-001
     return (FactsOf(mode).data & kFirstFrame) != 0U;
 }
 
-constexpr std::size_t kCellCount = 27U;
+constexpr std::size_t kCellCount = 24U;
 
 /// The different cells of the table. Cell 0 is that of an omitted entry.
 extern const Cell kCells[kCellCount]; // MISRA D-001

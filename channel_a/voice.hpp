@@ -49,6 +49,16 @@ struct Voice
     SrdoMask committed;           ///< The objects hold a pair.
     SrdoMask levels;              ///< Acknowledge inputs as the last OnCycle saw them.
     SrdoMask refreshed;           ///< Producers that are due by a refresh.
+
+    // What the OnCycle that runs is about.
+    SrdoMask edges;    ///< Acknowledge inputs that went from 0 to 1.
+    SrdoMask standing; ///< Producers whose refresh stood still, if of the form that is called.
+    SrdoMask new_fault;
+    SrdoMask signalled;
+    std::uint32_t step_us; ///< Since the OnCycle before.
+    bool is_late;
+    bool has_overflow;
+    bool has_gfc;
 };
 
 /// What comes from the bus: a normal frame (or none), or an inverse frame.
