@@ -75,75 +75,95 @@ const char* NameOf(const SrdoState state)
     }
 }
 
-} // namespace
-
-int main()
+/// The hardware on the bench, and the device on it.
+struct Bench
 {
-    // The hardware: one bus of 500 kbit/s, two clocks, watchdog, output gate, one CAN controller.
     host::VirtualBus bus{host::BitRate::k500k};
     host::HostClocks clocks{bus, InstantPair{{1000U}, {70000U}}};
     host::HostWatchdog watchdog{bus};
     host::HostOutput output{bus, watchdog, hal::GateLimit{1500U}};
     Reception reception{};
     host::HostCanPorts can{clocks, reception};
-    static_cast<void>(can.ConnectPort(CanPortId::kFirst, bus, 8U));
     Sender sender{};
-    const host::NodeIndex sender_node = bus.Attach(sender, host::NodeSetup{CanPortId::kFirst, 8U});
+    host::NodeIndex sender_node{bus.Attach(sender, host::NodeSetup{CanPortId::kFirst, 8U})};
 
-    // The device: storage for two SRDOs in each channel, the application, the kernel.
-    channel_a::StorageFor<2U> storage_a{};
+    channel_a::StorageFor<2U> storage_a{}; // Two SRDOs.
     channel_b::StorageFor<2U> storage_b{};
     channel_a::Channel a{storage_a.Handle()};
     channel_b::Channel b{storage_b.Handle()};
     first_device::Device device{};
     Kernel kernel{KernelParts{a, b, can, output, watchdog, device}};
-    reception.kernel = &kernel;
+};
 
-    if (kernel.Start(device.Describe(), FlowCallback::kOff) != StartResult::kStarted)
+bool PowerOn(Bench& bench)
+{
+    bench.reception.kernel = &bench.kernel;
+    static_cast<void>(bench.can.ConnectPort(CanPortId::kFirst, bench.bus, 8U));
+    if (bench.kernel.Start(bench.device.Describe(), FlowCallback::kOff) != StartResult::kStarted)
     {
         std::puts("start refused");
-        return 1;
+        return false;
     }
-    const AbortCode abort = first_device::Device::Configure(kernel);
+    const AbortCode abort = first_device::Device::Configure(bench.kernel);
     if (abort != AbortCode::kNone)
     {
         std::printf("configuration refused, abort code %08X\n", static_cast<unsigned>(abort));
+        return false;
+    }
+    bench.watchdog.Start(hal::WatchdogWindow{500U, 1600U});
+    bench.kernel.SetNmtState(NmtState::kPreOperational);
+    return true;
+}
+
+/// What happens around the device until the millisecond `ms`, then its cycle.
+void Run(Bench& bench, const unsigned ms)
+{
+    if (((ms % 25U) == 0U) && ((ms < 300U) || (ms > 400U))) // No commands from 300 to 400 ms.
+    {
+        bench.sender.Send(bench.bus, bench.sender_node, 1U);
+    }
+    if (ms == 10U)
+    {
+        bench.kernel.SetNmtState(NmtState::kOperational);
+    }
+    bench.bus.Advance(ms * host::kMillisecond); // Frames and confirmations go to the kernel from in here.
+    const bool is_pressed = ((ms >= 100U) && (ms < 150U)) || (ms >= 450U);
+    const SrdoMask acknowledge = is_pressed ? 1U : 0U; // Bit 0: slot 0, which is SRDO 1.
+    bench.kernel.Cycle(CycleCall{bench.clocks.Now(), acknowledge, acknowledge});
+}
+
+} // namespace
+
+int main()
+{
+    Bench bench{};
+    if (!PowerOn(bench))
+    {
         return 1;
     }
-    watchdog.Start(hal::WatchdogWindow{500U, 1600U});
-    kernel.SetNmtState(NmtState::kPreOperational);
-
     bool was_on = false;
     SrdoState was_state = SrdoState::kOff;
     for (unsigned ms = 1U; ms <= 500U; ++ms)
     {
-        if (((ms % 25U) == 0U) && ((ms < 300U) || (ms > 400U))) // No commands from 300 to 400 ms.
-        {
-            sender.Send(bus, sender_node, 1U);
-        }
-        if (ms == 10U)
-        {
-            kernel.SetNmtState(NmtState::kOperational);
-        }
-        bus.Advance(ms * host::kMillisecond); // Frames and confirmations go to the kernel from in here.
-        const bool is_pressed = ((ms >= 100U) && (ms < 150U)) || (ms >= 450U);
-        const SrdoMask acknowledge = is_pressed ? 1U : 0U; // Bit 0: slot 0, which is SRDO 1.
-        kernel.Cycle(CycleCall{clocks.Now(), acknowledge, acknowledge});
-
+        Run(bench, ms);
         // The output: the gate must be open, and the command must be to move.
-        const bool is_on = ((output.Open() & 1U) != 0U) && (device.Command() == 1U);
-        const SrdoState state = kernel.GetState(CommunicationIndex{0x1301U}).state;
-        const SrdoCause error = device.TakeError();
+        const bool is_on = ((bench.output.Open() & 1U) != 0U) && (bench.device.Command() == 1U);
+        const SrdoState state = bench.kernel.GetState(CommunicationIndex{0x1301U}).state;
+        const SrdoCause error = bench.device.TakeError();
         if ((is_on != was_on) || (state != was_state) || (error != SrdoCause::kNone))
         {
             std::printf("%3u ms: SRDO 1 %s, output %s", ms, NameOf(state), is_on ? "on" : "off");
-            std::printf((error != SrdoCause::kNone) ? ", cause %u\n" : "\n", static_cast<unsigned>(error));
+            if (error != SrdoCause::kNone)
+            {
+                std::printf(", cause %u", static_cast<unsigned>(error));
+            }
+            std::puts("");
         }
         was_on = is_on;
         was_state = state;
     }
-    const bool is_running = kernel.DeviceState().fault == DeviceFault::kNone;
+    const bool is_running = bench.kernel.DeviceState().fault == DeviceFault::kNone;
     std::printf("device %s, pairs received by the other node: %u\n", is_running ? "running" : "in its safe state",
-                sender.reports);
+                bench.sender.reports);
     return is_running ? 0 : 1;
 }
