@@ -10,12 +10,11 @@ namespace counterpoint::channel_b
 namespace
 {
 
-constexpr std::uint32_t kFourBytes = 32U; ///< Length in bits. Such objects are common; all others go byte by byte.
-
 /// The lowest bits leave `data` for the object; its last byte is filled up with 0. Returns what is left of the data.
 [[nodiscard]] [[gnu::noinline]] std::uint64_t PutBits(std::uint64_t data, std::uint32_t bits,
-                                                      const Column<std::uint8_t>& place) noexcept
+                                                      std::uint8_t* bytes) noexcept
 {
+    const Column<std::uint8_t> place{bytes};
     std::uint64_t rest = data;
     std::uint32_t left = bits;
     for (std::uint32_t at = 0U; left > 0U; ++at)
@@ -26,21 +25,6 @@ constexpr std::uint32_t kFourBytes = 32U; ///< Length in bits. Such objects are 
         left -= step;
     }
     return rest;
-}
-
-/// The bits of the object enter `data` at its low end, the last byte first; it has the bits above the last whole byte.
-[[nodiscard]] [[gnu::noinline]] std::uint64_t TakeBits(std::uint64_t data, std::uint32_t bits,
-                                                       const Column<const std::uint8_t>& place) noexcept
-{
-    std::uint64_t taken = data;
-    std::uint32_t left = bits;
-    while (left > 0U)
-    {
-        const std::uint32_t step = ((left - 1U) & 7U) + 1U;
-        left -= step;
-        taken = (taken << step) | (place[left / 8U] & ((1U << step) - 1U));
-    }
-    return taken;
 }
 
 } // namespace
@@ -65,7 +49,7 @@ void Channel::WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept
         const MappableObject& object = objects[at];
         if (object.length_bits != kFourBytes)
         {
-            rest = PutBits(rest, object.length_bits, Column<std::uint8_t>{object.place});
+            rest = PutBits(rest, object.length_bits, object.place);
             continue;
         }
         UnpackFourBytes(static_cast<std::uint32_t>(rest & 0xFFFFFFFFU), object.place);
@@ -78,31 +62,6 @@ std::uint64_t Channel::SafeDataOf(SlotIndex slot) const noexcept
 {
     const Payload& safe_value = Column<const SrdoSetup>{x_config->srdos}[slot].safe_value;
     return ~Join(safe_value.low, safe_value.high);
-}
-
-/// What the inverse objects hold: from the last object to the first one, so that bits enter the word at its low end.
-std::uint64_t Channel::ReadInverse(SlotIndex slot) const noexcept
-{
-    const Column<const MappableObject> objects{x_config->objects};
-    const Mapping mapping = MappingOf(slot);
-    std::uint64_t word = 0U;
-    for (std::uint32_t rest = mapping.count; rest > 1U; rest -= 2U)
-    {
-        const std::uint16_t at =
-            IsStatic(mapping) ? Find(mapping.entries[rest - 1U]) : x_storage.table[mapping.first + rest - 1U];
-        if (at >= x_config->object_count)
-        {
-            continue; // A corrupted place: other data than the other channel's.
-        }
-        const MappableObject& object = objects[at];
-        if (object.length_bits != kFourBytes)
-        {
-            word = TakeBits(word, object.length_bits, Column<const std::uint8_t>{object.place});
-            continue;
-        }
-        word = (word << kFourBytes) | PackFourBytes(object.place);
-    }
-    return word;
 }
 
 } // namespace counterpoint::channel_b
