@@ -13,6 +13,7 @@ namespace
 {
 
 constexpr std::uint32_t kPolynomial = 0x1021U;
+constexpr std::uint32_t kByteMask = 0xFFU;
 constexpr std::uint32_t kHalfMask = 0x0FU;
 constexpr std::uint32_t kCrcMask = 0xFFFFU;
 constexpr std::uint32_t kTopBit = 15U;
@@ -52,7 +53,7 @@ static_assert(kRight<kHalfCount> == kHalfCount, "the tables are those of the pol
 // One byte of the stream.
 inline std::uint32_t Fed(const std::uint32_t crc, const std::uint32_t byte) noexcept
 {
-    const std::uint8_t in = static_cast<std::uint8_t>((crc >> 8U) ^ byte);
+    const std::uint32_t in = ((crc >> 8U) ^ byte) & kByteMask;
     return (crc << 8U) ^ kHigh[in >> kHalfShift] ^ kLow[in & kHalfMask]; // What is above 16 bits is left there.
 }
 
