@@ -40,6 +40,21 @@ void ArmedFrames::Answer(const SlotIndex slot, const Instant at) noexcept
     }
 }
 
+SlotIndex ArmedFrames::Refuse(const Refusal& refusal, const Instant at) noexcept
+{
+    SlotIndex slot = kNoSlot;
+    for (Place& place : places_)
+    {
+        if ((place.stage == Stage::kAwaited) && (place.armed.number == refusal.number))
+        {
+            place.stage = Stage::kAnswered;
+            place.since = at;
+            slot = place.armed.slot;
+        }
+    }
+    return slot;
+}
+
 void ArmedFrames::Examine(const Instant now) noexcept
 {
     for (Place& place : places_)

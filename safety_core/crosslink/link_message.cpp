@@ -177,7 +177,8 @@ void PutHead(Writer& writer, const LinkMessage& message) noexcept
     writer.Byte(message.check.slot);
     writer.Byte(static_cast<std::uint32_t>(message.check.result.fault));
     writer.Half(message.check.result.signature);
-    writer.Half(0U);
+    writer.Byte(message.refusal.number);
+    writer.Byte(static_cast<std::uint32_t>(message.refusal.cause));
 }
 
 // Version, role and node-ID were looked at before.
@@ -200,7 +201,8 @@ void GetHead(Reader& reader, LinkMessage& message) noexcept
     message.check.slot = reader.Byte();
     message.check.result.fault = static_cast<ConfigFault>(reader.Byte());
     message.check.result.signature = reader.Half();
-    static_cast<void>(reader.Half());
+    message.refusal.number = reader.Byte();
+    message.refusal.cause = static_cast<SrdoCause>(reader.Byte());
 }
 
 } // namespace

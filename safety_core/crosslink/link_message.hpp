@@ -78,13 +78,20 @@ struct ArmedFrame
     CanFrame frame;
 };
 
+/// The armed frame that the leader used last and gave up, and why; number 0: none.
+struct Refusal
+{
+    std::uint8_t number;
+    SrdoCause cause;
+};
+
 /// One message. Byte layout, multi-byte values low byte first:
 ///
 ///   0 version 01h        1 role           2 node-ID         3 device fault
 ///   4 sequence (4)       8 stamp (4)     12 echo sequence (4)   16 echo stamp (4)   20 echo hold (4)
 ///  24 flow (4)          28 digest (4)
 ///  32 heard             33 guard         34 sct_checked    35 is_tx   36 is_invalid   37 not_operational
-///  38 check slot        39 check rule    40 check signature (2)       42 00h 00h
+///  38 check slot        39 check rule    40 check signature (2)       42 refused number  43 cause
 ///  44 released (8)      52 new faults (8)                  60 due (8)
 ///  68 four reports of 20: slot, holding, state, cause, ordinal (4), age (4), data (8)
 /// 148 two armed frames of 18: slot, number, identifier (4), kind, port, length, data (8), 00h
@@ -100,6 +107,7 @@ struct LinkMessage
     DeviceDigest digest;
     Statement statement;
     SlotCheck check;
+    Refusal refusal;
     SrdoMask released;
     SrdoMask new_faults;
     SrdoMask due;

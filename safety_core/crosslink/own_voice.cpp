@@ -231,6 +231,15 @@ void OwnVoice::TakeDue(const SrdoMask due, const Window& composed) noexcept
     armed_.Clear(composed);
 }
 
+void OwnVoice::TakeRefusal(const Refusal& refusal, const Instant at) noexcept
+{
+    const SlotIndex slot = armed_.Refuse(refusal, at);
+    if (slot != kNoSlot)
+    {
+        channel_.OnTransmitFault(slot, refusal.cause);
+    }
+}
+
 PreparedPair OwnVoice::PrepareAhead(const SlotIndex slot) noexcept
 {
     prepared_ = channel_.Prepare(slot);

@@ -51,6 +51,8 @@ class OwnVoice final : public Channel
     }
     /// @brief A message was taken that tells these slots due, composed within this window.
     void TakeDue(SrdoMask due, const Window& composed) noexcept;
+    /// @brief The leader gave up what was armed: the channel gives it up for the same cause. [SRS-TWO-012]
+    void TakeRefusal(const Refusal& refusal, Instant at) noexcept;
     /// @brief Due slots of the leader that the follower still has to prepare.
     [[nodiscard]] SrdoMask Wanted() const noexcept
     {

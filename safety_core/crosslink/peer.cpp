@@ -115,6 +115,7 @@ void Peer::Compose(const PeerMoment& moment, hal::LinkFrame& frame) noexcept
     message.digest = own_.LastDigest();
     message.statement = own_.Said();
     message.check = own_.LastCheck();
+    message.refusal = remote_.Refused();
     message.released = own_.Outcome().released;
     message.new_faults = TellFaults();
     message.due = own_.Outcome().due;

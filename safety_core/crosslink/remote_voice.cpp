@@ -47,6 +47,7 @@ void RemoteVoice::Restart(const DeviceConfig& /*config*/) noexcept
     digests_.is_open = 0U;
     previous_ = Instant{0U};
     cycle_ = 0U;
+    refusal_ = Refusal{0U, SrdoCause::kNone};
     for (ArmedFrame& armed : armed_)
     {
         armed.slot = kNoSlot;
@@ -154,6 +155,8 @@ void RemoteVoice::OnMessage(const LinkMessage& message, const Instant received) 
     {
         armed_[place] = message.armed[place]; // MISRA D-002
     }
+    // Given up before this message was composed: the slots that it tells due are new ones.
+    own_.TakeRefusal(message.refusal, link_.Composed().first);
     own_.TakeDue(message.due, link_.Composed());
 }
 
@@ -361,9 +364,15 @@ CanFrame RemoteVoice::InverseFrame(const SlotIndex /*slot*/) noexcept
     return CanFrame{};
 }
 
-void RemoteVoice::OnTransmitFault(const SlotIndex /*slot*/, const SrdoCause /*cause*/) noexcept
+void RemoteVoice::OnTransmitFault(const SlotIndex slot, const SrdoCause cause) noexcept
 {
-    // Its frame was not sent from here; what it awaits and does not get it finds itself.
+    for (const ArmedFrame& armed : armed_)
+    {
+        if (armed.slot == slot)
+        {
+            refusal_ = Refusal{armed.number, cause};
+        }
+    }
 }
 
 } // namespace counterpoint

@@ -49,6 +49,11 @@ class RemoteVoice final : public Channel
 
     /// @brief An intact message of the peer, received at `received`.
     void OnMessage(const LinkMessage& message, Instant received) noexcept;
+    /// @brief What the message tells of the armed frame given up last.
+    [[nodiscard]] const Refusal& Refused() const noexcept
+    {
+        return refusal_;
+    }
     [[nodiscard]] LinkSupervisor& Link() noexcept
     {
         return link_;
@@ -91,6 +96,7 @@ class RemoteVoice final : public Channel
     Difference digests_{{0U}, 0U};
     Instant previous_{0U}; ///< `now` of the OnCycle before.
     std::uint32_t cycle_{0U};
+    Refusal refusal_{0U, SrdoCause::kNone};
     std::uint8_t used_[kArmedCount]{};    // MISRA D-001
     ArmedFrame armed_[kArmedCount]{};     // MISRA D-001
     CheckResult checks_[kMaxSrdoCount]{}; // MISRA D-001

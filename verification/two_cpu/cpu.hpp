@@ -25,8 +25,8 @@ struct Timing
     std::uint32_t cycle_us{25'000U};
     std::uint32_t tolerance_us{12'500U}; ///< By which a cycle may be late.
     std::uint32_t timeout_us{300'000U};  ///< Three cycles, two delays, three messages lost in a row in each direction.
-    std::uint32_t discrepancy_us{250'000U};
-    std::uint32_t refresh_us{125'000U}; ///< Of the sensor's pairs; of the own ones the same in milliseconds.
+    std::uint32_t discrepancy_us{400'000U}; ///< Six cycles, four delays, losses: a producer's way there and back.
+    std::uint32_t refresh_us{125'000U};     ///< Of the sensor's pairs; of the own ones the same in milliseconds.
     std::uint16_t sct_ms{400U};
     std::uint8_t srvt_ms{250U};
 };

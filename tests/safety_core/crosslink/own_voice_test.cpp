@@ -313,6 +313,33 @@ TEST(OwnVoice, FollowerArmsOnlyWhatIsReady)
     EXPECT_EQ(rig.Say(10000U).armed[0].slot, kNoSlot);
 }
 
+// Given an armed frame, when the leader tells its number as given up, then the channel gives it up for the same cause
+// and it is answered; another number changes nothing.
+TEST(OwnVoice, FollowerGivesUpWhatTheLeaderGaveUp)
+{
+    Verifies(req::SRS_TWO_012);
+    PeerRig rig{PeerRole::kB};
+    rig.Cycle(1000U);
+    rig.channel.prepared = PreparedPair{PeerRig::Frame(0x103U), PrepareStatus::kReady};
+    static_cast<void>(rig.Remote().Prepare(1U));
+    static_cast<void>(rig.Say(5000U));
+    LinkMessage word = rig.Word(6000U);
+    word.refusal = Refusal{2U, SrdoCause::kNotInverse};
+    rig.Hear(word, 7000U);
+    EXPECT_TRUE(rig.channel.transmit_faults.empty());
+    word = rig.Word(7000U);
+    word.refusal = Refusal{1U, SrdoCause::kNotInverse};
+    rig.Hear(word, 8000U);
+    ASSERT_EQ(rig.channel.transmit_faults.size(), 1U);
+    EXPECT_EQ(rig.channel.transmit_faults[0].first, 1U);
+    EXPECT_EQ(rig.channel.transmit_faults[0].second, SrdoCause::kNotInverse);
+    EXPECT_EQ(rig.Say(9000U).armed[0].slot, kNoSlot);
+    word = rig.Word(9500U);
+    word.refusal = Refusal{1U, SrdoCause::kNotInverse};
+    rig.Hear(word, 10000U);
+    EXPECT_EQ(rig.channel.transmit_faults.size(), 1U);
+}
+
 Arming ArmingOf(const SlotIndex slot, const std::uint32_t at_us)
 {
     return Arming{slot, PeerRig::Frame(0x101U), Instant{at_us}, 20000U};

@@ -451,6 +451,12 @@ TEST(RemoteVoiceAlone, ArmedFrameIsUsedOnce)
     tell(2U, 30000U);
     EXPECT_EQ(rig.remote.due, 2U);
     EXPECT_EQ(rig.Remote().InverseFrame(1U).kind, FrameKind::kInvalid);
+    // Given up here: the follower is told which, and why.
+    rig.Remote().OnTransmitFault(0U, SrdoCause::kBusOff);
+    EXPECT_EQ(rig.Say(34000U).refusal.number, 0U);
+    rig.Remote().OnTransmitFault(1U, SrdoCause::kBusOff);
+    EXPECT_EQ(rig.Say(34000U).refusal.number, 2U);
+    EXPECT_EQ(rig.Say(34000U).refusal.cause, SrdoCause::kBusOff);
 }
 
 // Given frames on the bus, then the remote voice names slot and step by the identifier alone.
