@@ -55,14 +55,14 @@ std::uint32_t Channel::FirstEntryOf(SlotIndex slot) const noexcept
 Mapping Channel::MappingOf(SlotIndex slot) const noexcept
 {
     const StaticMap& map = Column<const SrdoSetup>{x_config->srdos}[slot].map;
-    const bool is_static = map.entries != nullptr;
+    if (map.entries != nullptr)
+    {
+        return Mapping{{map.entries}, map.count, (map.count < kLargestMapping) ? map.count : kLargestMapping, kStatic};
+    }
     const std::uint32_t first = FirstEntryOf(slot);
-    const std::uint8_t declared = is_static ? map.count : x_storage.rows[slot].image[kMapCountAt];
-    const std::uint8_t most = is_static ? kLargestMapping : x_map_entries;
-    return Mapping{{is_static ? map.entries : &x_storage.entries[first]},
-                   declared,
-                   (declared < most) ? declared : most,
-                   is_static ? kStatic : first};
+    const std::uint8_t declared = x_storage.rows[slot].image[kMapCountAt];
+    const std::uint8_t count = (declared < x_map_entries) ? declared : x_map_entries;
+    return Mapping{{&x_storage.entries[first]}, declared, count, first};
 }
 
 std::uint16_t Channel::Find(std::uint32_t entry) const noexcept
