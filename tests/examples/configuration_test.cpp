@@ -63,6 +63,9 @@ struct Rig
 TEST(ExampleFiles, CheckFindsNothing)
 {
     Verifies(req::SRS_VER_019);
+    // Given the files as they are in the tree
+    // When they are checked without options
+    // Then nothing is found, so that signatures and digest are those of the values in the file
     for (const char* name : {"first_device", "sensor", "actuator", "controller"})
     {
         EXPECT_EQ(cia306::test::FindingsOf(FileText(name), {}), Lines{}) << name;
@@ -89,9 +92,12 @@ TEST(ExampleFiles, SensorsProgramWritesTheConfigurationOfItsFile)
 TEST(ExampleFiles, ActuatorsProgramWritesTheConfigurationOfItsFile)
 {
     Verifies(req::SRS_VER_019);
+    // Given the program with the digest that it expects
     Rig rig{};
     Actuator device{};
+    // When it configures itself
     rig.Power(device);
+    // Then both channels accept it, with signature and digest of the file
     EXPECT_EQ(rig.start, StartResult::kStarted);
     EXPECT_EQ(rig.abort, AbortCode::kNone);
     EXPECT_EQ(rig.Signature(0x1301U), 0x9FCBU);
@@ -103,9 +109,12 @@ TEST(ExampleFiles, ActuatorsProgramWritesTheConfigurationOfItsFile)
 TEST(ExampleFiles, ControllersProgramWritesTheConfigurationOfItsFile)
 {
     Verifies(req::SRS_VER_019);
+    // Given the program with the digest that it expects
     Rig rig{};
     Controller device{PeerRole::kA};
+    // When it configures itself
     rig.Power(device);
+    // Then both channels accept it, with signature and digest of the file
     EXPECT_EQ(rig.start, StartResult::kStarted);
     EXPECT_EQ(rig.abort, AbortCode::kNone);
     EXPECT_EQ(rig.Signature(0x1301U), 0xB881U);
