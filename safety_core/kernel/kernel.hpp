@@ -129,8 +129,9 @@ struct KernelRun
     SrdoStatus status;
     SrdoMask committed;
     SrdoMask received_mask;
-    SrdoMask requests; ///< Told to the channels by the next cycle, as the two below.
-    SrdoMask stand_a;  ///< Producers that only channel A called due.
+    SrdoMask producers; ///< As of entering OPERATIONAL; what Send may ask for.
+    SrdoMask requests;  ///< Told to the channels by the next cycle, as the two below.
+    SrdoMask stand_a;   ///< Producers that only channel A called due.
     SrdoMask stand_b;
     InstantPair now;
     Instant gfc_sent;

@@ -48,6 +48,13 @@ void Kernel::EnterOperational() noexcept
         guard_.Invalidate();
         parts_.application.OnConfigurationInvalid(IndexOf(finding.slot));
     }
+    // Directions stay as they are until OPERATIONAL is left.
+    run_.producers = 0U;
+    for (SlotIndex slot = 0U; slot < config_->srdo_count; ++slot)
+    {
+        const bool is_producer = guard_.Value(slot, ConfigField::kDirection) == kDirectionProducer;
+        run_.producers |= is_producer ? OnlySlot(slot).mask : SrdoMask{0U};
+    }
 }
 
 ObjectReading Kernel::ReadObject(const ObjectAddress& address) noexcept
@@ -110,17 +117,11 @@ Result Kernel::Send(const CommunicationIndex index) noexcept
     {
         return readiness;
     }
-    Result result = Result::kNotExist;
-    for (SlotIndex slot = 0U; slot < config_->srdo_count; ++slot)
-    {
-        const bool is_meant = (wanted == kNoSlot) || (wanted == slot);
-        if (is_meant && (guard_.Value(slot, ConfigField::kDirection) == kDirectionProducer))
-        {
-            run_.requests |= OnlySlot(slot).mask;
-            result = Result::kSuccessful;
-        }
-    }
-    if ((wanted != kNoSlot) && (result != Result::kSuccessful))
+    const SrdoMask meant = (wanted == kNoSlot) ? ~SrdoMask{0U} : OnlySlot(wanted).mask;
+    const SrdoMask to_send = meant & run_.producers;
+    run_.requests |= to_send;
+    Result result = (to_send != 0U) ? Result::kSuccessful : Result::kNotExist;
+    if ((wanted != kNoSlot) && (to_send == 0U))
     {
         const bool is_off = guard_.Value(wanted, ConfigField::kDirection) == kDirectionOff;
         result = is_off ? Result::kInvalid : Result::kRxTxConflict;

@@ -6,54 +6,64 @@
 namespace counterpoint
 {
 
-void SrdoStatus::Put(const SlotIndex slot, const std::uint32_t status) noexcept
+namespace
 {
-    const SrdoMask slot_bit = OnlySlot(slot).mask;
-    std::uint32_t rest = (status ^ kStatusReset) >> kLowestBit;
-    for (SrdoMask& bit : bits_)
-    {
-        bit &= ~slot_bit;
-        bit |= ((rest & 1U) != 0U) ? slot_bit : 0U;
-        rest >>= 1U;
-    }
+
+constexpr std::uint32_t kHalfBits = 4U;
+constexpr std::uint32_t kHalf = 0x0FU;
+constexpr std::uint32_t kErrorTold = 0x40U;
+
+std::uint32_t ShiftOf(const SlotIndex slot) noexcept
+{
+    return (static_cast<std::uint32_t>(slot) % 2U) * kHalfBits;
 }
+
+// Bits 5-4 are 11, and bits 7-6 are not 01.
+bool IsAnswer(const StatusByte status) noexcept
+{
+    const bool is_transfer_handled = (status.value & kStatusTransfer) == kStatusTransfer;
+    return is_transfer_handled && ((status.value & kStatusError) != kErrorTold);
+}
+
+} // namespace
 
 StatusByte SrdoStatus::Get(const SlotIndex slot) const noexcept
 {
-    std::uint32_t status = 0U;
-    for (std::uint32_t bit = kBits; bit != 0U; --bit)
-    {
-        status = (status << 1U) | (static_cast<std::uint32_t>(bits_[bit - 1U] >> slot) & 1U); // MISRA D-002
-    }
-    return StatusByte{static_cast<std::uint8_t>((status << kLowestBit) ^ kStatusReset)};
+    const std::uint32_t half = (pairs_[slot / 2U] >> ShiftOf(slot)) & kHalf; // MISRA D-002
+    return StatusByte{static_cast<std::uint8_t>((half << kHalfBits) ^ kStatusReset)};
 }
 
 void SrdoStatus::OnEvent(const SlotIndex slot) noexcept
 {
-    Put(slot, static_cast<std::uint32_t>(Get(slot).value) & kStatusError);
+    constexpr std::uint32_t kGood = kStatusTransfer >> kHalfBits; // Kept inverted.
+    std::uint8_t& pair = pairs_[slot / 2U];                       // MISRA D-002
+    pair = static_cast<std::uint8_t>(pair | (kGood << ShiftOf(slot)));
+    unanswered_ |= OnlySlot(slot).mask;
 }
 
 void SrdoStatus::OnError(const SlotIndex slot) noexcept
 {
-    Put(slot, kStatusFaulty);
+    Set(slot, StatusByte{kStatusFaulty});
 }
 
 void SrdoStatus::Set(const SlotIndex slot, const StatusByte status) noexcept
 {
-    Put(slot, status.value);
-    open_ &= Unanswered();
-}
-
-// Bits 5-4 other than 11, or bits 7-6 that are 01.
-SrdoMask SrdoStatus::Unanswered() const noexcept
-{
-    return bits_[0] | bits_[1] | (bits_[2] & ~bits_[3]);
+    const std::uint32_t shift = ShiftOf(slot);
+    const std::uint32_t half = (static_cast<std::uint32_t>(status.value) ^ kStatusReset) >> kHalfBits;
+    std::uint8_t& pair = pairs_[slot / 2U]; // MISRA D-002
+    pair = static_cast<std::uint8_t>((pair & ~(kHalf << shift)) | (half << shift));
+    unanswered_ |= OnlySlot(slot).mask;
+    if (IsAnswer(status))
+    {
+        unanswered_ ^= OnlySlot(slot).mask;
+    }
+    open_ &= unanswered_;
 }
 
 SrdoMask SrdoStatus::TakeOverdue() noexcept
 {
     const SrdoMask overdue = open_;
-    open_ = Unanswered();
+    open_ = unanswered_;
     return overdue;
 }
 

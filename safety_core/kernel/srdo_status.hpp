@@ -20,8 +20,9 @@ constexpr std::uint8_t kStatusTransfer = 0x30U; ///< Bits 5-4: 00 good, 01 fault
 constexpr std::uint8_t kStatusError = 0xC0U;    ///< Bits 7-6: 00 none, 01 told, 10 handled.
 constexpr std::uint8_t kStatusFaulty = 0x50U;   ///< Before OnSrdoError.
 
-/// Status bytes of all SRDOs; they signal and release nothing. Kept as four masks, one for each bit, so that what is
-/// unanswered is found without a loop; with bits 5 and 4 inverted, so that zero-filled memory is the reset value.
+/// Status bytes of all SRDOs; they signal and release nothing. Bits 7 to 4 of two SRDOs share a byte, bits 5 and 4
+/// inverted, so that zero-filled memory is the reset value. What is unanswered is also kept as a mask, so that it is
+/// found without a loop.
 class SrdoStatus
 {
   public:
@@ -36,14 +37,11 @@ class SrdoStatus
     [[nodiscard]] SrdoMask TakeOverdue() noexcept;
 
   private:
-    static constexpr std::uint32_t kBits = 4U;
-    static constexpr std::uint32_t kLowestBit = 4U;
+    static constexpr std::uint32_t kPairs = kMaxSrdoCount / 2U;
 
-    void Put(SlotIndex slot, std::uint32_t status) noexcept;
-    [[nodiscard]] SrdoMask Unanswered() const noexcept;
-
-    SrdoMask bits_[kBits]; ///< Bits 4 to 7. // MISRA D-001
-    SrdoMask open_;        ///< Unanswered since before the last call of TakeOverdue.
+    std::uint8_t pairs_[kPairs]; // MISRA D-001
+    SrdoMask unanswered_;
+    SrdoMask open_; ///< Unanswered since before the last call of TakeOverdue.
 };
 
 } // namespace counterpoint
