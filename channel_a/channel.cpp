@@ -195,6 +195,12 @@ void Report(Voice& voice, const std::uint32_t slot, const SrdoCause cause) noexc
     ReportWith(voice, At(voice, slot), BitOf(slot), cause);
 }
 
+bool IsTooOld(const Record& record, const Instant when) noexcept
+{
+    return (record.detection == SrvtDetection::kLate) && ((when.us - record.frame_since.us) > SrvtUs(record)) &&
+           HasFirstFrame(record.mode);
+}
+
 // Early: SRVT follows SCT when a normal frame is there. Late: SRVT counts for an inverse frame only.
 void Expire(Voice& voice, const std::uint32_t slot, const Instant when, const Half half) noexcept
 {
@@ -280,21 +286,6 @@ void ReceiveOdd(Voice& voice, const CanFrame& frame, const std::uint32_t slot) n
         cause = SrdoCause::kIdentifier;
     }
     Raise(voice, slot, Event::kError, cause);
-}
-
-// The limit first; the frame is then taken as if nothing had been there before it.
-void ReceiveLate(Voice& voice, const CanFrame& frame, const Instant stamp, const std::uint32_t slot) noexcept
-{
-    Record& record = At(voice, slot);
-    const bool is_inverse = (~frame.identifier & kHalfMask) != 0U;
-    Expire(voice, slot, stamp, is_inverse ? Half::kInverse : Half::kNormal);
-    if (is_inverse || !IsFitting(voice, record, frame, Half::kNormal) || (record.mode != Mode::kFaultedEmpty))
-    {
-        ReceiveOdd(voice, frame, slot);
-        return;
-    }
-    SetMode(record, Mode::kFaultedFirst);
-    Keep(voice, frame, stamp, slot);
 }
 
 SrdoView Channel::View(const SlotIndex slot) const noexcept

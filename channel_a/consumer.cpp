@@ -69,13 +69,27 @@ inline bool HasSpareBits(const Record& record, const CanFrame& frame) noexcept
     Complete(voice, record, slot);
 }
 
+// The limit first; the frame is then taken as if nothing had been there before it.
+[[gnu::noinline]] void TakeAfterLimit(Voice& voice, const CanFrame& frame, const Instant stamp,
+                                      const std::uint32_t slot) noexcept
+{
+    const bool is_inverse = (~frame.identifier & kHalfMask) != 0U; // Odd are those of normal frames.
+    Expire(voice, slot, stamp, is_inverse ? Half::kInverse : Half::kNormal);
+    if (is_inverse)
+    {
+        ReceiveOdd(voice, frame, slot);
+        return;
+    }
+    TakeNormal(voice, frame, stamp, slot);
+}
+
 // [SRS-TIME-009]
 [[gnu::noinline]] void TakeLateInverse(Voice& voice, const CanFrame& frame, const Instant stamp,
                                        const std::uint32_t slot) noexcept
 {
     if (IsTooOld(At(voice, slot), stamp))
     {
-        ReceiveLate(voice, frame, stamp, slot);
+        TakeAfterLimit(voice, frame, stamp, slot);
         return;
     }
     TakeInverse(voice, frame, slot);
@@ -104,7 +118,7 @@ void Channel::OnFrame(const CanFrame& frame, const Instant stamp) noexcept
     const Record& record = At(voice_, slot);
     if (IsExpired(record, stamp))
     {
-        ReceiveLate(voice_, frame, stamp, slot);
+        TakeAfterLimit(voice_, frame, stamp, slot);
     }
     else if ((place & kHalfMask) == 0U)
     {

@@ -112,13 +112,6 @@ struct Mapping
     return record.values[kSrvtPlace] * kMicrosecondsPerMillisecond;
 }
 
-/// @brief Whether with late detection the pending normal frame is too old for an inverse frame. [SRS-TIME-009]
-[[nodiscard]] inline bool IsTooOld(const Record& record, const Instant when) noexcept
-{
-    return (record.detection == SrvtDetection::kLate) && ((when.us - record.frame_since.us) > SrvtUs(record)) &&
-           HasFirstFrame(record.mode);
-}
-
 // channel.cpp: what follows every event, in one place.
 
 /// @brief A step of the table and its fault, if it is one; `given` is the cause where the cell names none.
@@ -129,6 +122,8 @@ void Count(Record& record, SrdoCause cause) noexcept;
 void Report(Voice& voice, std::uint32_t slot, SrdoCause cause) noexcept;
 /// @brief The next OnCycle, or the one that goes on, serves the slot. Not inline: loops are shorter without a mask.
 void Mark(Voice& voice, std::uint32_t slot) noexcept;
+/// @brief Whether with late detection the pending normal frame is too old for an inverse frame. [SRS-TIME-009]
+[[nodiscard]] bool IsTooOld(const Record& record, Instant when) noexcept;
 /// @brief SRVT or SCT has expired: a fault by the one with the earlier deadline. [SRS-TIME-008]
 void Expire(Voice& voice, std::uint32_t slot, Instant when, Half half) noexcept;
 /// @brief Every SRDO with a valid configuration becomes active.
@@ -144,9 +139,6 @@ void MoveTo(Voice& voice, SrdoMask bits, std::uint8_t group) noexcept;
 void ReceiveOther(Voice& voice, const CanFrame& frame) noexcept;
 /// @brief A frame that is not as it should be.
 void ReceiveOdd(Voice& voice, const CanFrame& frame, std::uint32_t slot) noexcept;
-/// @brief A frame after the limit of its SRDO.
-void ReceiveLate(Voice& voice, const CanFrame& frame, Instant stamp, std::uint32_t slot) noexcept;
-
 // mapping.cpp: the only source that knows where objects are and how long.
 
 /// @brief The mapping of one SRDO, be it dynamic or static.
