@@ -41,6 +41,18 @@ CanFrame Differential::FrameOf(SlotIndex slot, bool is_inverse, const Payload& d
     return frame;
 }
 
+/// Bytes behind the length have no meaning: now and then no complement of those of the normal frame.
+void Differential::ScatterBehind(CanFrame& frame) noexcept
+{
+    if (random_.Chance(200U))
+    {
+        for (std::uint32_t i = frame.length_bytes; i < kMaxPayloadBytes; ++i)
+        {
+            frame.data[i] = static_cast<std::uint8_t>(random_.Below(256U));
+        }
+    }
+}
+
 /// The bus moves on by less than `most_us`.
 void Differential::LetTimePass(std::uint32_t most_us) noexcept
 {
@@ -87,7 +99,9 @@ void Differential::NormalFrame(SlotIndex slot, const Payload& data) noexcept
 
 void Differential::InverseFrame(SlotIndex slot, const Payload& data) noexcept
 {
-    Feed(FrameOf(slot, true, Complement(data)), slot);
+    CanFrame frame = FrameOf(slot, true, Complement(data));
+    ScatterBehind(frame);
+    Feed(frame, slot);
 }
 
 void Differential::GoodPair(SlotIndex slot) noexcept
@@ -169,6 +183,7 @@ void Differential::SpoiledPair(SlotIndex slot) noexcept
         reached_.Add(Item::kUnusedBit);
     }
     inverse.data[byte] = static_cast<std::uint8_t>(inverse.data[byte] ^ bit);
+    ScatterBehind(inverse);
     Feed(normal, slot);
     last_us_[slot] = clock_us_;
     LetTimePass(300U);

@@ -124,6 +124,7 @@ class Differential
     void InverseFrame(SlotIndex slot, const Payload& data) noexcept;
     void WrongFrame(SlotIndex slot) noexcept;
     void SpoiledPair(SlotIndex slot) noexcept;
+    void ScatterBehind(CanFrame& frame) noexcept;
     void NoteAccepted(SlotIndex slot) noexcept;
     void Feed(const CanFrame& frame, SlotIndex slot) noexcept;
     [[nodiscard]] CanFrame FrameOf(SlotIndex slot, bool is_inverse, const Payload& data) const noexcept;
