@@ -70,7 +70,8 @@ DeviceFault Overall(const Comparison& comparison) noexcept
 
 void Comparator::Restart(const ComparatorSetup& setup) noexcept
 {
-    setup_ = setup;
+    slots_ = ~SrdoMask{0U} >> (std::uint32_t{kMaxSrdoCount} - setup.slot_count);
+    discrepancy_us_ = setup.discrepancy_us;
     watched_ = 0U;
     timed_ = 0U;
     previous_ = Instant{0U};
@@ -113,9 +114,9 @@ Verdict Comparator::Compare(const Comparison& comparison) noexcept
     watched_ |= a.fresh | b.fresh | one_sided;
     if (a.ordinal_sum != b.ordinal_sum)
     {
-        watched_ |= ~SrdoMask{0U} >> (std::uint32_t{kMaxSrdoCount} - setup_.slot_count);
+        watched_ = slots_;
     }
-    watched_ &= ~verdict.demote;
+    watched_ &= slots_ & ~verdict.demote;
     timed_ &= watched_;
     SlotSet to_look{watched_};
     while (to_look.mask != 0U)
@@ -173,7 +174,7 @@ void Comparator::Unmatched(const Comparison& comparison, const SlotIndex slot, c
         since_[slot] = previous_; // MISRA D-002
     }
     const std::uint32_t elapsed_us = comparison.now.us - since_[slot].us; // MISRA D-002
-    if (elapsed_us > setup_.discrepancy_us)
+    if (elapsed_us > discrepancy_us_)
     {
         if (fault == DeviceFault::kNone)
         {

@@ -70,7 +70,8 @@ class Comparator
 
     SrdoMask watched_{0U};
     SrdoMask timed_{0U};
-    ComparatorSetup setup_{0U, 0U};
+    SrdoMask slots_{0U}; ///< Those that exist: nothing else is ever looked at.
+    std::uint32_t discrepancy_us_{0U};
     Instant previous_{0U};           ///< `now` of the comparison before.
     Instant since_[kMaxSrdoCount]{}; // MISRA D-001
 };

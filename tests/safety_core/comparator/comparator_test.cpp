@@ -120,6 +120,21 @@ class Comparing : public ::testing::Test
     SpokenChannel b{};
 };
 
+TEST_F(Comparing, SlotThatDoesNotExistIsNeverLookedAt)
+{
+    Verifies(req::SRS_CMP_007);
+    // Given both channels speak of news in slot 5 of four, where one of them would show another pair
+    a.outcome.fresh = 0x20U;
+    b.outcome.fresh = 0x20U;
+    b.held[5].ordinal = 1U;
+    // When 6000 us pass, more than the discrepancy time
+    const Verdict first = CompareAt(0U);
+    const Verdict last = CompareAt(6000U);
+    // Then nothing was compared there
+    EXPECT_EQ(first.newly_matched & 0x20U, 0U);
+    EXPECT_EQ(last.fault, DeviceFault::kNone);
+}
+
 TEST_F(Comparing, EqualVoicesAgree)
 {
     Verifies(req::SRS_CMP_001);
