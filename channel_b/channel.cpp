@@ -36,7 +36,7 @@ void Channel::ClearSlot(SlotIndex slot) noexcept
 {
     Row& row = x_storage.rows[slot];
     row = Row{};
-    const std::uint32_t first = FirstEntryOf(slot);
+    const std::uint32_t first = FirstEntryOf(x_storage, slot);
     for (std::uint32_t index = 0U; index < x_storage.map_entries; ++index)
     {
         x_storage.entries[first + index] = 0U;

@@ -108,8 +108,8 @@ class Channel final : public counterpoint::Channel
     // consumer.cpp
     [[gnu::noinline]] void TakeSlowly(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
     [[gnu::noinline]] void TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
-    [[nodiscard]] SrdoCause TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
-    [[nodiscard]] SrdoCause TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept;
+    void TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
+    void TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept;
     void TakeCommand(const CanFrame& frame) noexcept;
     void ExamineConsumers(const Call& call, const Half& half) noexcept;
     void Acknowledge(const Half& half) noexcept;
@@ -145,7 +145,6 @@ class Channel final : public counterpoint::Channel
     [[nodiscard]] std::uint32_t LoadEntry(const ConfigAddress& address) const noexcept;
 
     // mapping.cpp
-    [[nodiscard]] std::uint32_t FirstEntryOf(SlotIndex slot) const noexcept;
     [[nodiscard]] [[gnu::noinline]] Mapping MappingOf(SlotIndex slot) const noexcept;
     [[nodiscard]] [[gnu::noinline]] std::uint16_t Find(std::uint32_t entry) const noexcept;
     void Resolve(const Mapping& mapping, bool is_consumer) const noexcept;
@@ -155,7 +154,10 @@ class Channel final : public counterpoint::Channel
 
     // objects.cpp
     void WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept;
-    [[nodiscard]] std::uint64_t ReadInverse(SlotIndex slot) const noexcept;
+    [[gnu::noinline]] void WriteFrom(SlotIndex slot, std::uint64_t data, std::uint32_t from) const noexcept;
+    [[nodiscard]] [[gnu::noinline]] std::uint64_t ReadInverse(SlotIndex slot) const noexcept;
+    [[nodiscard]] [[gnu::noinline]] std::uint64_t ReadFrom(SlotIndex slot, std::uint64_t data,
+                                                           std::uint32_t from) const noexcept;
     [[nodiscard]] std::uint64_t SafeDataOf(SlotIndex slot) const noexcept;
 
     // signature.cpp

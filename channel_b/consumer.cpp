@@ -18,37 +18,39 @@ void Channel::TakeCommand(const CanFrame& frame) noexcept
     }
 }
 
-[[gnu::always_inline]] inline SrdoCause Channel::TakeNormal(SlotIndex slot, const CanFrame& frame,
-                                                            std::uint32_t since_call) noexcept
+[[gnu::always_inline]] inline void Channel::TakeNormal(SlotIndex slot, const CanFrame& frame,
+                                                       std::uint32_t since_call) noexcept
 {
     Row& row = x_storage.rows[slot];
     Marks& marks = MarksOf(x_storage, slot);
     const HalfMask bit = BitOf(slot);
     if ((marks.pending & bit) != 0U)
     {
-        return SrdoCause::kNormalTwice;
+        Fault(slot, SrdoCause::kNormalTwice);
+        return;
     }
     marks.pending |= bit;
     row.pending_data = PackBytes(&frame.data[0]);
     StartBudget(x_storage, slot, since_call);
-    return SrdoCause::kNone;
 }
 
-[[gnu::always_inline]] inline SrdoCause Channel::TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept
+[[gnu::always_inline]] inline void Channel::TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept
 {
     Row& row = x_storage.rows[slot];
     Marks& marks = MarksOf(x_storage, slot);
     const HalfMask bit = BitOf(slot);
     if ((marks.pending & bit) == 0U)
     {
-        return SrdoCause::kInverseFirst;
+        Fault(slot, SrdoCause::kInverseFirst);
+        return;
     }
     const std::uint64_t normal = row.pending_data;
     const std::uint64_t inverse = PackBytes(&frame.data[0]);
     const std::uint64_t alike = ~(normal ^ inverse) & row.mask; // Behind the length anything may be.
     if ((alike | (normal & row.spare)) != 0U)
     {
-        return SrdoCause::kNotInverse;
+        Fault(slot, SrdoCause::kNotInverse);
+        return;
     }
     // Both limits count from the normal frame, so that the greater one has the difference more left.
     const std::uint32_t sct_us = SctUs(row);
@@ -60,7 +62,6 @@ void Channel::TakeCommand(const CanFrame& frame) noexcept
     Grant(marks.held, bit);
     row.inverse_data = inverse;
     x_storage.ordinal[slot] += 1U;
-    return SrdoCause::kNone;
 }
 
 /// The checks are made in the order of SRS-CONS-011.
@@ -68,27 +69,26 @@ void Channel::TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t sin
 {
     const Row& row = x_storage.rows[slot];
     const std::uint32_t parity = frame.identifier & 1U;
-    SrdoCause cause = SrdoCause::kNone;
     if (row.stage != Stage::kOff)
     {
         return; // A producer's own.
     }
     if ((frame.identifier != OwnIdentifier(row, parity)) || (frame.port != x_port[parity])) // MISRA D-002
     {
-        cause = SrdoCause::kIdentifier;
+        Fault(slot, SrdoCause::kIdentifier);
+        return;
     }
-    else if (frame.length_bytes != row.length_bytes)
+    if (frame.length_bytes != row.length_bytes)
     {
-        cause = SrdoCause::kLength;
+        Fault(slot, SrdoCause::kLength);
+        return;
     }
-    else
+    if (parity != 0U)
     {
-        cause = (parity != 0U) ? TakeNormal(slot, frame, since_call) : TakeInverse(slot, frame);
+        TakeNormal(slot, frame, since_call);
+        return;
     }
-    if (cause != SrdoCause::kNone)
-    {
-        Fault(slot, cause);
-    }
+    TakeInverse(slot, frame);
 }
 
 void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept

@@ -90,6 +90,19 @@ static_assert(kLookUpBytes == kSrdoIdentifierCount, "one byte an identifier");
     return mapping.first == kStatic;
 }
 
+/// Where the slot's part of entries and table begins.
+[[nodiscard]] inline std::uint32_t FirstEntryOf(const Storage& storage, SlotIndex slot) noexcept
+{
+    return std::uint32_t{slot} * storage.map_entries;
+}
+
+/// Entries of a stored mapping that count; of a static one, whose count is not stored, 0.
+[[nodiscard]] inline std::uint8_t StoredCount(const Row& row, std::uint8_t most) noexcept
+{
+    const std::uint8_t declared = row.image[kMapCountAt];
+    return (declared < most) ? declared : most;
+}
+
 /// Slot to which the identifier leads; no existing slot if to none.
 [[nodiscard]] inline SlotIndex LookUp(const Storage& storage, const CanFrame& frame) noexcept
 {

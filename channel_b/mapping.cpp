@@ -47,11 +47,6 @@ constexpr std::uint8_t kDummyBits[kLastDummyIndex + 1U] = {0U, 1U, 8U, 16U, 32U,
 
 } // namespace
 
-std::uint32_t Channel::FirstEntryOf(SlotIndex slot) const noexcept
-{
-    return std::uint32_t{slot} * x_storage.map_entries;
-}
-
 Mapping Channel::MappingOf(SlotIndex slot) const noexcept
 {
     const StaticMap& map = Column<const SrdoSetup>{x_config->srdos}[slot].map;
@@ -59,10 +54,9 @@ Mapping Channel::MappingOf(SlotIndex slot) const noexcept
     {
         return Mapping{{map.entries}, map.count, (map.count < kLargestMapping) ? map.count : kLargestMapping, kStatic};
     }
-    const std::uint32_t first = FirstEntryOf(slot);
-    const std::uint8_t declared = x_storage.rows[slot].image[kMapCountAt];
-    const std::uint8_t count = (declared < x_map_entries) ? declared : x_map_entries;
-    return Mapping{{&x_storage.entries[first]}, declared, count, first};
+    const std::uint32_t first = FirstEntryOf(x_storage, slot);
+    const Row& row = x_storage.rows[slot];
+    return Mapping{{&x_storage.entries[first]}, row.image[kMapCountAt], StoredCount(row, x_map_entries), first};
 }
 
 std::uint16_t Channel::Find(std::uint32_t entry) const noexcept

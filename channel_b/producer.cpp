@@ -26,31 +26,6 @@ constexpr Confirmation kNoConfirmation{kNoSlot, ConfirmStep::kNone};
 
 } // namespace
 
-/// What the inverse objects hold: from the last object to the first one, so that bits enter the word at its low end.
-inline std::uint64_t Channel::ReadInverse(SlotIndex slot) const noexcept
-{
-    const Column<const MappableObject> objects{x_config->objects};
-    const Mapping mapping = MappingOf(slot);
-    std::uint64_t word = 0U;
-    for (std::uint32_t rest = mapping.count; rest > 1U; rest -= 2U)
-    {
-        const std::uint16_t at =
-            IsStatic(mapping) ? Find(mapping.entries[rest - 1U]) : x_storage.table[mapping.first + rest - 1U];
-        if (at >= x_config->object_count)
-        {
-            continue; // A corrupted place: other data than the other channel's.
-        }
-        const MappableObject& object = objects[at];
-        if (object.length_bits != kFourBytes)
-        {
-            word = TakeBits(word, object.length_bits, object.place);
-            continue;
-        }
-        word = (word << kFourBytes) | PackFourBytes(object.place);
-    }
-    return word;
-}
-
 /// [SRS-PROD-005]
 PreparedPair Channel::Prepare(SlotIndex slot) noexcept
 {
