@@ -39,16 +39,15 @@ void Channel::Enter(const Half& half) noexcept
     for (HalfMask rest = usable; rest != 0U; rest = WithoutLowest(rest))
     {
         const SlotIndex slot = LowestOf(rest, half.first);
-        if (x_storage.direction[slot] == kDirectionConsumer)
+        const std::uint8_t direction = x_storage.direction[slot];
+        if (direction == kDirectionProducer)
         {
-            Grant(marks.enrolled, BitOf(slot));
-            EnterSlot(slot, Stage::kOff);
-        }
-        if (x_storage.direction[slot] == kDirectionProducer)
-        {
-            Grant(marks.enrolled, BitOf(slot));
             marks.producers |= BitOf(slot);
-            EnterSlot(slot, Stage::kIdle);
+        }
+        if ((direction == kDirectionProducer) || (direction == kDirectionConsumer))
+        {
+            Grant(marks.enrolled, BitOf(slot));
+            EnterSlot(slot, (direction == kDirectionProducer) ? Stage::kIdle : Stage::kOff);
         }
     }
 }

@@ -10,9 +10,10 @@ namespace counterpoint::channel_b
 namespace
 {
 
+constexpr std::uint32_t kFourBytes = 32U; ///< Length in bits of common objects.
+
 /// The lowest bits leave `data` for the object; its last byte is filled up with 0. Returns what is left of the data.
-[[nodiscard]] [[gnu::noinline]] std::uint64_t PutBits(std::uint64_t data, std::uint32_t bits,
-                                                      std::uint8_t* bytes) noexcept
+[[nodiscard]] std::uint64_t PutBits(std::uint64_t data, std::uint32_t bits, std::uint8_t* bytes) noexcept
 {
     const Column<std::uint8_t> place{bytes};
     std::uint64_t rest = data;
@@ -25,6 +26,21 @@ namespace
         left -= step;
     }
     return rest;
+}
+
+/// The bits of the object enter `data` at its low end, the last byte first; it has the bits above the last whole byte.
+[[nodiscard]] std::uint64_t TakeBits(std::uint64_t data, std::uint32_t bits, const std::uint8_t* bytes) noexcept
+{
+    const Column<const std::uint8_t> place{bytes};
+    std::uint64_t taken = data;
+    std::uint32_t left = bits;
+    while (left > 0U)
+    {
+        const std::uint32_t step = ((left - 1U) & 7U) + 1U;
+        left -= step;
+        taken = (taken << step) | (place[left / 8U] & ((1U << step) - 1U));
+    }
+    return taken;
 }
 
 } // namespace
@@ -46,14 +62,7 @@ void Channel::WriteFrom(SlotIndex slot, std::uint64_t data, std::uint32_t from) 
             rest >>= mapping.entries[index] & 63U;
             continue;
         }
-        const MappableObject& object = objects[at];
-        if (object.length_bits != kFourBytes)
-        {
-            rest = PutBits(rest, object.length_bits, object.place);
-            continue;
-        }
-        UnpackFourBytes(static_cast<std::uint32_t>(rest & 0xFFFFFFFFU), object.place);
-        rest >>= kFourBytes;
+        rest = PutBits(rest, objects[at].length_bits, objects[at].place);
     }
 }
 
@@ -103,13 +112,7 @@ std::uint64_t Channel::ReadFrom(SlotIndex slot, std::uint64_t data, std::uint32_
         {
             continue; // A corrupted place: other data than the other channel's.
         }
-        const MappableObject& object = objects[at];
-        if (object.length_bits != kFourBytes)
-        {
-            word = TakeBits(word, object.length_bits, object.place);
-            continue;
-        }
-        word = (word << kFourBytes) | PackFourBytes(object.place);
+        word = TakeBits(word, objects[at].length_bits, objects[at].place);
     }
     return word;
 }

@@ -17,21 +17,6 @@ constexpr SlotIndex kPlaceOf[kSlotsInHalf] = { // MISRA D-001
 
 } // namespace
 
-/// The bits of the object enter `data` at its low end, the last byte first; it has the bits above the last whole byte.
-std::uint64_t TakeBits(std::uint64_t data, std::uint32_t bits, const std::uint8_t* bytes) noexcept
-{
-    const Column<const std::uint8_t> place{bytes};
-    std::uint64_t taken = data;
-    std::uint32_t left = bits;
-    while (left > 0U)
-    {
-        const std::uint32_t step = ((left - 1U) & 7U) + 1U;
-        left -= step;
-        taken = (taken << step) | (place[left / 8U] & ((1U << step) - 1U));
-    }
-    return taken;
-}
-
 SlotIndex LowestOf(HalfMask mask, SlotIndex first) noexcept
 {
     const HalfMask lowest = mask & (0U - mask);

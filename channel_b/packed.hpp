@@ -105,11 +105,6 @@ inline void UnpackBytes(std::uint64_t word, std::uint8_t* bytes) noexcept
     return Payload{static_cast<std::uint32_t>(word & 0xFFFFFFFFU), static_cast<std::uint32_t>(word >> 32U)};
 }
 
-/// Length in bits of common objects; all others go byte by byte.
-constexpr std::uint32_t kFourBytes = 32U;
-/// @brief Bits of an object enter `data` at its low end.
-[[nodiscard]] std::uint64_t TakeBits(std::uint64_t data, std::uint32_t bits, const std::uint8_t* bytes) noexcept;
-
 /// @brief The slot of the lowest set bit of a mask that is not 0, in the half that starts at `first`.
 [[nodiscard]] SlotIndex LowestOf(HalfMask mask, SlotIndex first) noexcept;
 /// @brief The mask without its lowest set bit.
