@@ -202,9 +202,12 @@ void Differential::Reconfigure() noexcept
         RegisterFields(slot);
         break;
     case 6U:
-        StoreBoth(slot, ConfigField::kMapEntry, static_cast<std::uint8_t>(random_.Between(plan.map_count + 1U, 255U)),
-                  random_.Next());
+    {
+        // One after the other: compilers differ in the order in which they evaluate arguments.
+        const std::uint8_t sub = static_cast<std::uint8_t>(random_.Between(plan.map_count + 1U, 255U));
+        StoreBoth(slot, ConfigField::kMapEntry, sub, random_.Next());
         break;
+    }
     case 0U:
         StoreBoth(slot, ConfigField::kSct, 0U, device_.plans[slot].sct_ms);
         break;
