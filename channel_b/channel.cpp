@@ -92,18 +92,20 @@ void Channel::Restart(const DeviceConfig& config) noexcept
 void Channel::TakeSetup(SlotIndex slot, const SrdoSetup& setup) noexcept
 {
     const std::uint8_t node = x_config->node_id;
+    Marks& marks = MarksOf(x_storage, slot);
+    const HalfMask bit = BitOf(slot);
     if (setup.policy == ReleasePolicy::kAutomatic)
     {
-        Grant(MarksOf(x_storage, slot).automatic, BitOf(slot));
+        Grant(marks.automatic, bit);
     }
     if (setup.form == ProducerForm::kProviderCalled)
     {
-        MarksOf(x_storage, slot).provider |= BitOf(slot);
+        marks.provider |= bit;
     }
     if (setup.detection == SrvtDetection::kLate)
     {
-        MarksOf(x_storage, slot).late |= BitOf(slot);
-        x_any_late |= BitOf(slot);
+        marks.late |= bit;
+        x_any_late |= bit;
     }
     if ((setup.number == 1U) && (node <= kLastDefaultNode))
     {
