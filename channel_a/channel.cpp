@@ -26,6 +26,7 @@ constexpr std::uint32_t kDefaultIdentifierBase = 0xFFU;
 constexpr std::uint16_t kErrorCountMax = 0xFFFFU;
 constexpr std::uint32_t kHalfMask = 1U; // Of an identifier that is not odd, as those of normal frames are.
 constexpr std::uint8_t kGfcEnabled = 1U;
+constexpr std::uint32_t kCauseBits = 0x1FU; // Causes are smaller, but for the one that is none.
 
 // Default connection set: SRDO 1 of the first 64 nodes. [SRS-CFG-002]
 void SetDefaults(Record& record, const std::uint8_t number, const std::uint8_t node_id) noexcept
@@ -56,7 +57,7 @@ void Follow(Voice& voice, Record& record, const SrdoMask bit, const Mode next) n
 [[gnu::noinline]] void ReportWith(Voice& voice, Record& record, const SrdoMask bit, const SrdoCause cause) noexcept
 {
     Count(record, cause);
-    record.unreported |= std::uint32_t{1U} << static_cast<std::uint8_t>(cause);
+    record.unreported |= std::uint32_t{1U} << (static_cast<std::uint32_t>(cause) & kCauseBits);
     voice.attention |= bit;
 }
 
@@ -301,7 +302,7 @@ SrdoView Channel::View(const SlotIndex slot) const noexcept
     view.error_count = record.error_count;
     view.state = (facts.mode == record.mode) ? facts.state : SrdoState::kFaulted; // [SRS-CONS-024]
     view.first_cause = record.first_cause;
-    view.holds_pair = static_cast<std::uint8_t>((facts.data & kHoldsMask) >> kHoldsShift);
+    view.holds_pair = static_cast<std::uint8_t>((std::uint32_t{facts.data} & kHoldsMask) >> kHoldsShift);
     return view;
 }
 
