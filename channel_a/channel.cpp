@@ -111,7 +111,8 @@ void Channel::Restart(const DeviceConfig& config) noexcept
     voice_.groups[kGroupOff] = ~SrdoMask{0U};
     voice_.levels = ~SrdoMask{0U}; // A level of 1 at power-on is no edge.
     ClearLookUp(voice_);
-    for (std::size_t entry = 0U; entry < (std::size_t{voice_.count} * storage.map_entries); ++entry)
+    const std::size_t entries = (std::size_t{voice_.count} * storage.map_entries) + kMoreEntries;
+    for (std::size_t entry = 0U; entry < entries; ++entry)
     {
         storage.entries[entry] = 0U;       // MISRA D-002
         storage.places[entry] = kNoObject; // MISRA D-002

@@ -32,6 +32,8 @@ constexpr std::size_t kValueCount = 7U;
 
 /// Position of the second normal object, from 0.
 constexpr std::size_t kSecondWord = 2U;
+/// What the arrays of entries and places have besides those of the records; never an entry, and without an object.
+constexpr std::size_t kMoreEntries = kSecondWord + 1U;
 
 /// No place of an object.
 constexpr std::uint16_t kNoObject = 0xFFFFU;
@@ -90,7 +92,7 @@ constexpr std::size_t kLookUpSize = kSrdoIdentifierCount / 2U;
 struct Storage
 {
     Record* records;
-    std::uint32_t* entries;   ///< Of dynamic mappings, map_entries for each record.
+    std::uint32_t* entries;   ///< Of dynamic mappings, map_entries for each record, and kMoreEntries.
     std::uint16_t* places;    ///< Where in DeviceConfig::objects the objects are that they name, likewise.
     std::uint8_t* look_up;    ///< kLookUpSize bytes.
     std::uint8_t capacity;    ///< Number of records.
@@ -103,15 +105,12 @@ template <std::uint8_t kSlots, std::uint8_t kMapEntries = kUsualMapEntries> stru
     static_assert((kSlots >= 1U) && (kSlots <= kMaxSrdoCount), "1 to 64 SRDOs");
     static_assert(((kMapEntries % 2U) == 0U) && (kMapEntries <= kMaxMapEntries), "entries come in pairs");
 
-    /// There is no array of nothing.
-    static constexpr std::size_t kEntryCount = (kMapEntries == 0U) ? 1U : (std::size_t{kSlots} * kMapEntries);
-
-    /// Where an object of a word has its place is read before it is known whether there are so many.
-    static constexpr std::size_t kPlaceCount = (std::size_t{kSlots} * kMapEntries) + kSecondWord + 1U;
+    /// Where an object of a word has its place is read before it is known whether there are so many entries.
+    static constexpr std::size_t kEntryCount = (std::size_t{kSlots} * kMapEntries) + kMoreEntries;
 
     Record records[kSlots];             // MISRA D-001
     std::uint32_t entries[kEntryCount]; // MISRA D-001
-    std::uint16_t places[kPlaceCount];  // MISRA D-001
+    std::uint16_t places[kEntryCount];  // MISRA D-001
     std::uint8_t look_up[kLookUpSize];  // MISRA D-001
 
     [[nodiscard]] Storage Handle() noexcept
