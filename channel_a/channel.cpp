@@ -199,8 +199,7 @@ void Report(Voice& voice, const std::uint32_t slot, const SrdoCause cause) noexc
 
 bool IsTooOld(const Record& record, const Instant when) noexcept
 {
-    return (record.detection == SrvtDetection::kLate) && ((when.us - record.frame_since.us) > SrvtUs(record)) &&
-           HasFirstFrame(record.mode);
+    return ((when.us - record.frame_since.us) > SrvtUs(record)) && HasFirstFrame(record.mode);
 }
 
 // Early: SRVT follows SCT when a normal frame is there. Late: SRVT counts for an inverse frame only.

@@ -122,7 +122,7 @@ void Count(Record& record, SrdoCause cause) noexcept;
 void Report(Voice& voice, std::uint32_t slot, SrdoCause cause) noexcept;
 /// @brief The next OnCycle, or the one that goes on, serves the slot. Not inline: loops are shorter without a mask.
 void Mark(Voice& voice, std::uint32_t slot) noexcept;
-/// @brief Whether with late detection the pending normal frame is too old for an inverse frame. [SRS-TIME-009]
+/// @brief Of a slot with late detection: whether the pending normal frame is too old for an inverse one. [SRS-TIME-009]
 [[nodiscard]] bool IsTooOld(const Record& record, Instant when) noexcept;
 /// @brief SRVT or SCT has expired: a fault by the one with the earlier deadline. [SRS-TIME-008]
 void Expire(Voice& voice, std::uint32_t slot, Instant when, Half half) noexcept;
