@@ -3,6 +3,7 @@
 // Prepare: A reads the normal objects, B the inverse ones; objects of any length. What becomes of sides that are not
 // inverse. Node-ID 4: first transmission 2 ms after entering OPERATIONAL.
 #include "verification/conformance/gold.hpp"
+#include "verification/conformance/stores.hpp"
 
 namespace counterpoint::conformance
 {
@@ -167,6 +168,21 @@ constexpr Step kSplit[] = {
     TakeInverse(0U, CanPortId::kFirst, 0x102U, 8U, 0x76543210U, 0x3EDCBA99U),
 };
 
+// Two words a side; then one bit of each word of each side.
+constexpr Step kTwoWords[] = {
+    StoreAll(), Entry(0U, 1U, 0x64000420U), Entry(0U, 2U, 0x64010420U), Entry(0U, 3U, 0x64022020U),
+    Entry(0U, 4U, 0x64032020U), MapCount(0U, 4U), Signature(0U, 0xD39BU), Validate(0U, ConfigFault::kNone, 0xD39BU),
+    Store(0U, ConfigField::kConfigurationValid, 0xA5U), Put(0x6400U, 4U, 0x44332211U), Put(0x6401U, 4U, 0xBBCCDDEEU),
+    Put(0x6402U, 32U, 0x88776655U), Put(0x6403U, 32U, 0x778899AAU), Cycle(0U), Cycle(2000U),
+    Ready(0U, CanPortId::kFirst, 0x101U, 8U, 0x44332211U, 0x88776655U),
+    ConfirmNormal(0U, 0x101U, 8U, 0x44332211U, 0x88776655U, 2100U),
+    TakeInverse(0U, CanPortId::kFirst, 0x102U, 8U, 0xBBCCDDEEU, 0x778899AAU),
+    ConfirmPair(0U, 0x102U, 8U, 0xBBCCDDEEU, 0x778899AAU, 2200U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
+    Put(0x6402U, 32U, 0x08776655U), Put(0x6401U, 4U, 0xBBCCDDEFU),
+    Unequal(0U, 0x101U, 8U, Payload{0x44332211U, 0x08776655U}, Payload{0x44332210U, 0x88776655U}), NotInverse(0U),
+    Slot(0U, kProducing, Cause::kNotInverse, 1U, 1U, 0U),
+};
+
 constexpr Case kCases[] = {
     MakeCase("EachSideIsReadByItsOwner", {req::SRS_PROD_005, req::SRS_PROD_009, req::SRS_CONS_025}, kSender, kOwnSide),
     MakeCase("UnequalSidesAreInFlight", {req::SRS_PROD_005, req::SRS_PROD_008, req::SRS_PROD_004}, kSender, kInFlight),
@@ -176,6 +192,7 @@ constexpr Case kCases[] = {
     MakeCase("NotInverseIsCountedAndSignalled", {req::SRS_PROD_009, req::SRS_CONS_021}, kSender, kCounted),
     MakeCase("NotInverseUsesUpTheRefresh", {req::SRS_PROD_005, req::SRS_PROD_010, req::SRS_PROD_002}, kProvider,
              kPhaseStays),
+    MakeCase("TwoWordsAreSent", {req::SRS_PROD_005, req::SRS_PROD_006}, kSender, kTwoWords),
     MakeCase("BitsAcrossBordersAreSent", {req::SRS_PROD_005, req::SRS_CFG_036, req::SRS_PROD_007}, kBitRowSender, kRow),
     MakeCase("BitsThatAreNotInverse", {req::SRS_PROD_005, req::SRS_CFG_036}, kBitRowSender, kRowNotInverse),
     MakeCase("SixtyFourBitsAreSent", {req::SRS_PROD_005, req::SRS_PROD_006, req::SRS_CFG_036}, kBits64Sender,

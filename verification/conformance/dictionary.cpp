@@ -77,7 +77,7 @@ void Dictionary::AddSizes(std::uint16_t index, MapAccess access) noexcept
 void Dictionary::AddBits(std::uint16_t index, MapAccess access) noexcept
 {
     static constexpr std::uint8_t kLengths[] = {1U,  2U,  3U,  4U,  5U,  7U,  9U,  12U, 13U,
-                                                16U, 20U, 31U, 33U, 60U, 62U, 63U, 64U};
+                                                16U, 20U, 31U, 32U, 33U, 60U, 62U, 63U, 64U};
     for (const std::uint8_t bits : kLengths)
     {
         Add(index, bits, bits, access);

@@ -26,11 +26,11 @@ struct ObjectValue
 ///   6621h, 6623h:01..08  8 bits, producer                  6631h, 6633h:01..08  8 bits, consumer
 ///   6700h                8 bits, in no mapping             7000h + s:01..04     32 bits, consumer, s = 0 to 63
 /// The objects of one index lie one behind the other in memory. 6302h and the like have sub-indices 1, 2, 3, 4, 5, 7,
-/// 9, 12, 13, 16, 20, 31, 33, 60, 62, 63, 64.
+/// 9, 12, 13, 16, 20, 31, 32, 33, 60, 62, 63, 64.
 class Dictionary
 {
   public:
-    static constexpr std::uint16_t kObjectCount = 657U;
+    static constexpr std::uint16_t kObjectCount = 661U;
 
     Dictionary() noexcept;
     /// @brief Every byte of every object becomes `fill`.
@@ -54,7 +54,7 @@ class Dictionary
     [[nodiscard]] std::uint32_t Digest() const noexcept;
 
   private:
-    static constexpr std::size_t kPlaceBytes = 1800U;
+    static constexpr std::size_t kPlaceBytes = 1820U;
 
     void Add(std::uint16_t index, std::uint8_t sub, std::uint8_t bits, MapAccess access) noexcept;
     void AddRange(std::uint16_t index, std::uint8_t last_sub, std::uint8_t bits, MapAccess access) noexcept;
