@@ -267,6 +267,7 @@ inline constexpr RequirementId SRS_SIM_005{"SRS-SIM-005"};
 inline constexpr RequirementId SRS_SIM_006{"SRS-SIM-006"};
 inline constexpr RequirementId SRS_SIM_007{"SRS-SIM-007"};
 inline constexpr RequirementId SRS_SIM_008{"SRS-SIM-008"};
+inline constexpr RequirementId SRS_SIM_009{"SRS-SIM-009"};
 inline constexpr RequirementId SRS_SIM_010{"SRS-SIM-010"};
 inline constexpr RequirementId SRS_SIM_011{"SRS-SIM-011"};
 inline constexpr RequirementId SRS_SIM_012{"SRS-SIM-012"};
