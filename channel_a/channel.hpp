@@ -40,7 +40,7 @@ class Channel final : public counterpoint::Channel
     [[nodiscard]] PreparedPair Prepare(SlotIndex slot) noexcept override;
     [[nodiscard]] Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept override;
     [[nodiscard]] CanFrame InverseFrame(SlotIndex slot) noexcept override;
-    void OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept override;
+    void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept override;
 
   private:
     Voice voice_;

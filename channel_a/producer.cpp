@@ -78,12 +78,12 @@ CanFrame Channel::InverseFrame(SlotIndex /*slot*/) noexcept
     return CanFrame{};
 }
 
-void Channel::OnTransmitFault(const SlotIndex slot, const SrdoCause cause) noexcept
+void Channel::OnTransmitFault(const SlotIndex slot, const TransmitFault& fault) noexcept
 {
-    const bool is_of_port = (cause == SrdoCause::kTransmitQueue) || (cause == SrdoCause::kBusOff);
-    if (is_of_port || (cause == SrdoCause::kNotInverse))
+    const bool is_of_port = (fault.cause == SrdoCause::kTransmitQueue) || (fault.cause == SrdoCause::kBusOff);
+    if (is_of_port || (fault.cause == SrdoCause::kNotInverse))
     {
-        Raise(voice_, slot, Event::kAbort, cause);
+        Raise(voice_, slot, Event::kAbort, fault.cause);
     }
 }
 

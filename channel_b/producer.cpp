@@ -100,13 +100,13 @@ Confirmation Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
     return Confirmation{slot, ConfirmStep::kPair};
 }
 
-void Channel::OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept
+void Channel::OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept
 {
-    const bool is_of_bus = (cause == SrdoCause::kTransmitQueue) || (cause == SrdoCause::kBusOff);
-    const bool is_transmit_fault = is_of_bus || (cause == SrdoCause::kNotInverse);
+    const bool is_of_bus = (fault.cause == SrdoCause::kTransmitQueue) || (fault.cause == SrdoCause::kBusOff);
+    const bool is_transmit_fault = is_of_bus || (fault.cause == SrdoCause::kNotInverse);
     if (is_transmit_fault && IsInFlight(x_storage.rows[slot].stage))
     {
-        static_cast<void>(Fail(slot, cause));
+        static_cast<void>(Fail(slot, fault.cause));
     }
 }
 

@@ -151,6 +151,13 @@ struct Confirmation
     ConfirmStep step;
 };
 
+/// Why a transmission failed. A structure, because the compilers of the two channels do not agree on who clears the
+/// upper bits of an enumeration that is passed by itself.
+struct TransmitFault
+{
+    SrdoCause cause;
+};
+
 /// One voice. Two diverse implementations: channel_a, channel_b. Not reentrant; keeps no reference to its arguments
 /// except to the DeviceConfig of Restart. Every `slot` is below srdo_count, checked by the kernel. No call allocates,
 /// blocks or loops without bound. What each call does, step by step, is in docs/requirements/channel.sdoc.
@@ -201,8 +208,8 @@ class Channel
     /// @brief This channel's permit for the slots it released in the last Commit. O(1) [SRS-REL-010]
     [[nodiscard]] virtual Permit Answer(std::uint32_t challenge) const noexcept = 0;
 
-    /// @brief Reads the objects of its own side (A the normal, B the inverse ones); uses up what made the slot due. A pair
-    /// that is kReady is in flight from the `now` of the last OnCycle. O(entries) [SRS-PROD-005, SRS-PROD-006]
+    /// @brief Reads the objects of its own side (A the normal, B the inverse ones); uses up what made the slot due. A
+    /// pair that is kReady is in flight from the `now` of the last OnCycle. O(entries) [SRS-PROD-005, SRS-PROD-006]
     [[nodiscard]] virtual PreparedPair Prepare(SlotIndex slot) noexcept = 0;
     /// @brief A frame of this device was on the bus. O(payload) [SRS-PROD-007]
     [[nodiscard]] virtual Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept = 0;
@@ -212,7 +219,7 @@ class Channel
     /// @brief The transmission of this slot failed (kTransmitQueue, kBusOff), or the two sides are not inverse
     /// (kNotInverse): recorded, the pair is given up.
     /// [SRS-PROD-009]
-    virtual void OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept = 0;
+    virtual void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept = 0;
 
     Channel(const Channel&) = delete;
     Channel(Channel&&) = delete;

@@ -236,7 +236,7 @@ void OwnVoice::TakeRefusal(const Refusal& refusal, const Instant at) noexcept
     const SlotIndex slot = armed_.Refuse(refusal, at);
     if (slot != kNoSlot)
     {
-        channel_.OnTransmitFault(slot, refusal.cause);
+        channel_.OnTransmitFault(slot, TransmitFault{refusal.cause});
     }
 }
 
@@ -277,9 +277,9 @@ CanFrame OwnVoice::InverseFrame(const SlotIndex slot) noexcept
     return channel_.InverseFrame(slot);
 }
 
-void OwnVoice::OnTransmitFault(const SlotIndex slot, const SrdoCause cause) noexcept
+void OwnVoice::OnTransmitFault(const SlotIndex slot, const TransmitFault& fault) noexcept
 {
-    channel_.OnTransmitFault(slot, cause);
+    channel_.OnTransmitFault(slot, fault);
 }
 
 SrdoMask OwnVoice::TakeNews() noexcept

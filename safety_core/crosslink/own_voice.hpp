@@ -40,7 +40,7 @@ class OwnVoice final : public Channel
     [[nodiscard]] PreparedPair Prepare(SlotIndex slot) noexcept override;
     [[nodiscard]] Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept override;
     [[nodiscard]] CanFrame InverseFrame(SlotIndex slot) noexcept override;
-    void OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept override;
+    void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept override;
 
     /// @brief The follower's Prepare, called by the remote voice, which the kernel asks first. [SRS-TWO-011]
     [[nodiscard]] PreparedPair PrepareAhead(SlotIndex slot) noexcept;

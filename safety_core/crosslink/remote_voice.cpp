@@ -364,13 +364,13 @@ CanFrame RemoteVoice::InverseFrame(const SlotIndex /*slot*/) noexcept
     return CanFrame{};
 }
 
-void RemoteVoice::OnTransmitFault(const SlotIndex slot, const SrdoCause cause) noexcept
+void RemoteVoice::OnTransmitFault(const SlotIndex slot, const TransmitFault& fault) noexcept
 {
     for (const ArmedFrame& armed : armed_)
     {
         if (armed.slot == slot)
         {
-            refusal_ = Refusal{armed.number, cause};
+            refusal_ = Refusal{armed.number, fault.cause};
         }
     }
 }

@@ -45,7 +45,7 @@ class RemoteVoice final : public Channel
     [[nodiscard]] PreparedPair Prepare(SlotIndex slot) noexcept override;
     [[nodiscard]] Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept override;
     [[nodiscard]] CanFrame InverseFrame(SlotIndex slot) noexcept override;
-    void OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept override;
+    void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept override;
 
     /// @brief An intact message of the peer, received at `received`.
     void OnMessage(const LinkMessage& message, Instant received) noexcept;

@@ -6,13 +6,6 @@
 // Sending: SRDOs by both channels, GFC. [SRS-KRN-012..014]
 namespace counterpoint
 {
-namespace
-{
-
-constexpr SrdoCause kTransmitCauses[] = {SrdoCause::kTransmitQueue, SrdoCause::kBusOff}; // MISRA D-001
-
-} // namespace
-
 void Kernel::Produce() noexcept
 {
     run_.transmitted_told = run_.transmitted;
@@ -51,8 +44,8 @@ void Kernel::ProduceSlot(const SlotIndex slot) noexcept
 
 void Kernel::GiveUp(const SlotIndex slot, const SrdoCause cause) noexcept
 {
-    parts_.channel_a.OnTransmitFault(slot, cause);
-    parts_.channel_b.OnTransmitFault(slot, cause);
+    parts_.channel_a.OnTransmitFault(slot, TransmitFault{cause});
+    parts_.channel_b.OnTransmitFault(slot, TransmitFault{cause});
 }
 
 // A channel that has no frame to send gives one of kind kInvalid; one that should have been there is missed as
@@ -67,9 +60,7 @@ void Kernel::HandOver(const SlotIndex slot, const CanFrame& frame) noexcept
     const hal::TransmitStatus status = parts_.can.Transmit(frame);
     if (status != hal::TransmitStatus::kAccepted)
     {
-        // Loaded, not computed: where the two compilers of a device leave the upper bits of a register with a scoped
-        // enumeration to the other one (x86-64), a byte that is loaded has them clear.
-        GiveUp(slot, kTransmitCauses[(status == hal::TransmitStatus::kBusOff) ? 1U : 0U]); // MISRA D-002
+        GiveUp(slot, (status == hal::TransmitStatus::kBusOff) ? SrdoCause::kBusOff : SrdoCause::kTransmitQueue);
     }
 }
 

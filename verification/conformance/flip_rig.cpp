@@ -267,8 +267,8 @@ void FlipRig::Prepare()
     }
     else if (verdict == PreparedVerdict::kNotInverse)
     {
-        a_.OnTransmitFault(kProducerSlot, SrdoCause::kNotInverse);
-        b_.OnTransmitFault(kProducerSlot, SrdoCause::kNotInverse);
+        a_.OnTransmitFault(kProducerSlot, TransmitFault{SrdoCause::kNotInverse});
+        b_.OnTransmitFault(kProducerSlot, TransmitFault{SrdoCause::kNotInverse});
     }
     else
     {

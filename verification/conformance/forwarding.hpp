@@ -87,9 +87,9 @@ class Forwarding : public Channel
     {
         return inner_.InverseFrame(slot);
     }
-    void OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept override
+    void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept override
     {
-        inner_.OnTransmitFault(slot, cause);
+        inner_.OnTransmitFault(slot, fault);
     }
 
   protected:

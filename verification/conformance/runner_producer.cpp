@@ -157,7 +157,7 @@ void Runner::RunProducerStep(const Step& step) noexcept
     }
     else if (step.op == Op::kTransmitFault)
     {
-        channel_.OnTransmitFault(step.slot, static_cast<SrdoCause>(step.x));
+        channel_.OnTransmitFault(step.slot, counterpoint::TransmitFault{static_cast<SrdoCause>(step.x)});
     }
     else
     {

@@ -213,8 +213,8 @@ void Differential::Confirm(SlotIndex slot) noexcept
 void Differential::FailBoth(SlotIndex slot, SrdoCause cause) noexcept
 {
     Step("OnTransmitFault: cause", slot, static_cast<std::uint64_t>(cause), 0U, 0U);
-    a_.OnTransmitFault(slot, cause);
-    b_.OnTransmitFault(slot, cause);
+    a_.OnTransmitFault(slot, TransmitFault{cause});
+    b_.OnTransmitFault(slot, TransmitFault{cause});
     CompareSlot(slot);
 }
 

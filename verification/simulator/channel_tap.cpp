@@ -248,11 +248,11 @@ CanFrame ChannelTap::InverseFrame(const SlotIndex slot) noexcept
     return frame;
 }
 
-void ChannelTap::OnTransmitFault(const SlotIndex slot, const SrdoCause cause) noexcept
+void ChannelTap::OnTransmitFault(const SlotIndex slot, const TransmitFault& fault) noexcept
 {
     if (!IsStill())
     {
-        real_.OnTransmitFault(slot, cause);
+        real_.OnTransmitFault(slot, fault);
     }
 }
 } // namespace counterpoint::simulator

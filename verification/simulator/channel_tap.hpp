@@ -49,7 +49,7 @@ class ChannelTap final : public Channel
     [[nodiscard]] PreparedPair Prepare(SlotIndex slot) noexcept override;
     [[nodiscard]] Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept override;
     [[nodiscard]] CanFrame InverseFrame(SlotIndex slot) noexcept override;
-    void OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept override;
+    void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept override;
 
   private:
     /// @brief Whether the channel does not run at all: frozen. A channel that hangs does not return from here.

@@ -81,7 +81,7 @@ class SpokenChannel final : public Channel
     {
         return CanFrame{};
     }
-    void OnTransmitFault(SlotIndex, SrdoCause) noexcept override
+    void OnTransmitFault(SlotIndex, const TransmitFault&) noexcept override
     {
     }
 

@@ -97,9 +97,9 @@ class FakeChannel final : public Channel
     {
         return prepared.normal;
     }
-    void OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept override
+    void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept override
     {
-        transmit_faults.emplace_back(slot, cause);
+        transmit_faults.emplace_back(slot, fault.cause);
     }
 
     std::array<std::uint32_t, 3U> cob_id_1{0x101U, 0x103U, 0U};

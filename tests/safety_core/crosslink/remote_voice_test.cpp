@@ -382,7 +382,7 @@ TEST(RemoteVoiceAlone, ConfigurationIsTheOwnOne)
     Channel& remote = rig.Remote();
     remote.Store(ConfigItem{{0U, ConfigField::kSct, 0U}, 25U});
     remote.SetFields(0U, StaticFields{nullptr, nullptr});
-    remote.OnTransmitFault(1U, SrdoCause::kBusOff);
+    remote.OnTransmitFault(1U, TransmitFault{SrdoCause::kBusOff});
     remote.OnFrame(PeerRig::Frame(0x101U), Instant{5U});
     EXPECT_TRUE(rig.channel.stored.empty());
     EXPECT_EQ(rig.channel.fields_set, 0);
@@ -452,9 +452,9 @@ TEST(RemoteVoiceAlone, ArmedFrameIsUsedOnce)
     EXPECT_EQ(rig.remote.due, 2U);
     EXPECT_EQ(rig.Remote().InverseFrame(1U).kind, FrameKind::kInvalid);
     // Given up here: the follower is told which, and why.
-    rig.Remote().OnTransmitFault(0U, SrdoCause::kBusOff);
+    rig.Remote().OnTransmitFault(0U, TransmitFault{SrdoCause::kBusOff});
     EXPECT_EQ(rig.Say(34000U).refusal.number, 0U);
-    rig.Remote().OnTransmitFault(1U, SrdoCause::kBusOff);
+    rig.Remote().OnTransmitFault(1U, TransmitFault{SrdoCause::kBusOff});
     EXPECT_EQ(rig.Say(34000U).refusal.number, 2U);
     EXPECT_EQ(rig.Say(34000U).refusal.cause, SrdoCause::kBusOff);
 }

@@ -130,10 +130,10 @@ class Tap final : public Channel
         ++inverse_frames;
         return withhold_frames ? CanFrame{} : real_.InverseFrame(slot);
     }
-    void OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept override
+    void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept override
     {
-        transmit_faults.push_back(cause);
-        real_.OnTransmitFault(slot, cause);
+        transmit_faults.push_back(fault.cause);
+        real_.OnTransmitFault(slot, fault);
     }
 
     std::function<void(CycleOutcome&)> on_outcome{};
