@@ -161,8 +161,8 @@ TEST_P(FlippedMemory, IsFound)
 }
 
 constexpr MemoryCase kFound[] = {
-    {"latch, offset: 0, bit: 0", "none"},           {"latch, offset: 7, bit: 7", "none"},
-    {"guard, offset: 0, bit: 3", "guard"},          {"objects, offset: 0, bit: 0", "configuration"},
+    {"latch, offset: 0, bit: 0", "latch_corrupted"}, {"latch, offset: 7, bit: 7", "latch_corrupted"},
+    {"guard, offset: 0, bit: 3", "guard"},           {"objects, offset: 0, bit: 0", "configuration"},
     {"kernel, offset: 24, bit: 0", "disagreement"},
 };
 INSTANTIATE_TEST_SUITE_P(EachPlace, FlippedMemory, ::testing::ValuesIn(kFound));

@@ -220,11 +220,45 @@ std::vector<VariablePair> DeviceSource::Pairs() const
     return pairs;
 }
 
+std::vector<StaticMapping> DeviceSource::StaticMappings() const
+{
+    const std::vector<SourceVariable> variables = Variables();
+    std::vector<StaticMapping> maps;
+    for (const cia306::SrdoConfiguration& srdo : safety_.srdos)
+    {
+        if (!srdo.is_static)
+        {
+            continue;
+        }
+        StaticMapping map;
+        map.number = srdo.number;
+        map.line = srdo.entry_count.line;
+        for (const cia306::MappingEntry& entry : srdo.mapping)
+        {
+            std::vector<std::size_t>& field = entry.IsNormal() ? map.normal : map.inverse;
+            field.push_back(IndexOf(entry, variables));
+            map.entries.push_back(entry.raw);
+        }
+        maps.push_back(map);
+    }
+    return maps;
+}
+
+void DeviceSource::AppendMapping(const cia306::SrdoConfiguration& srdo, std::vector<ConfigurationWrite>& writes)
+{
+    const std::uint16_t mapping = srdo.MappingIndex();
+    writes.push_back({{mapping, 0U}, 0U, 1U, srdo.entry_count.line});
+    for (const cia306::MappingEntry& entry : srdo.mapping)
+    {
+        writes.push_back({{mapping, entry.sub}, entry.raw, 4U, entry.line});
+    }
+    writes.push_back({{mapping, 0U}, Number(srdo.entry_count), 1U, srdo.entry_count.line});
+}
+
 void DeviceSource::AppendParameters(const cia306::SrdoConfiguration& srdo,
                                     std::vector<ConfigurationWrite>& writes) const
 {
     const std::uint16_t index = srdo.CommunicationIndex();
-    const std::uint16_t mapping = srdo.MappingIndex();
     const auto add = [&writes](const std::uint16_t object, const std::uint8_t sub, const cia306::Field& field,
                                const std::uint8_t size_bytes)
     { writes.push_back({{object, sub}, Number(field), size_bytes, field.line}); };
@@ -233,12 +267,10 @@ void DeviceSource::AppendParameters(const cia306::SrdoConfiguration& srdo,
     add(index, 4U, srdo.transmission_type, 1U);
     add(index, 5U, srdo.cob_id_1, 4U);
     add(index, 6U, srdo.cob_id_2, 4U);
-    writes.push_back({{mapping, 0U}, 0U, 1U, srdo.entry_count.line});
-    for (const cia306::MappingEntry& entry : srdo.mapping)
+    if (!srdo.is_static)
     {
-        writes.push_back({{mapping, entry.sub}, entry.raw, 4U, entry.line});
+        AppendMapping(srdo, writes);
     }
-    add(mapping, 0U, srdo.entry_count, 1U);
     add(cia306::kSignatureIndex, srdo.number, srdo.signature, 2U);
 }
 
@@ -298,6 +330,8 @@ DeviceConfig DeviceSource::Config() const
     config.clock_tolerance_us = parameters_.clock_tolerance_us;
     config.clock_interval_us = parameters_.clock_tolerance_interval_us;
     config.output_time_us = parameters_.output_us;
+    // With another node-ID it is another device.
+    config.digest = (node_id_ == device_.node_id) ? parameters_.digest : 0U;
     return config;
 }
 } // namespace counterpoint::simulator

@@ -117,12 +117,21 @@ std::vector<MemoryPiece> PiecesOf(const Part part, DeviceModel& model, const std
         }
         return pieces;
     }
-    SrdoSetup& setup = model.SetupTable()[model.SlotOf(srdo).value_or(0U)];
+    const SlotIndex slot = model.SlotOf(srdo).value_or(0U);
+    SrdoSetup& setup = model.SetupTable()[slot];
     if (part == Part::kSetup)
     {
         pieces = {PieceOf(setup.number), PieceOf(setup.policy), PieceOf(setup.form), PieceOf(setup.detection)};
     }
     pieces.push_back(PieceOf(setup.safe_value));
+    StaticTable* const table = model.StaticTableOf(model.NumberOf(slot));
+    if (part == Part::kSetup && table != nullptr)
+    {
+        // The places the pointer leads to, not the pointer: a wild one is the processor's affair.
+        pieces.push_back(PieceOf(setup.map.count));
+        pieces.push_back(
+            {reinterpret_cast<std::uint8_t*>(table->entries.data()), table->count * sizeof(std::uint32_t)});
+    }
     return pieces;
 }
 

@@ -90,7 +90,7 @@ TEST(FindConfigBit, NamesTheBitThatHoldsAValueInEitherChannel)
     for (const Letter letter : {Letter::kA, Letter::kB})
     {
         // Given a channel that keeps SCT 50 (32h)
-        const auto host = MakeChannel(letter, model.Config().srdo_count);
+        const auto host = MakeChannel(letter, RoomOf(model.Config()));
         host->Voice().Restart(model.Config());
         const ConfigAddress sct{0U, ConfigField::kSct, 0U};
         host->Voice().Store({sct, 50U});
