@@ -179,10 +179,15 @@ class SimulateCommand final : public Command
         return run.Holds() ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
     }
 
-    /// No output may replace another, or the scenario.
+    /// No output may replace another or what the scenario is read from, and each can be written. All before the run:
+    /// what takes long shall not end without its files, and no output stays alone.
     void RequireFiles() const
     {
         std::vector<std::filesystem::path> taken{OneNameOf(scenario_)};
+        for (const std::string& file : simulator::FilesOf(simulator::LoadScenario(scenario_)))
+        {
+            taken.push_back(OneNameOf(file));
+        }
         const auto take = [this, &taken](const char* const option, const std::string& file)
         {
             if (file.empty())
@@ -196,10 +201,12 @@ class SimulateCommand final : public Command
             const std::filesystem::path path = OneNameOf(file);
             if (std::find(taken.begin(), taken.end(), path) != taken.end())
             {
-                throw simulator::ScenarioError(option, {}, simulator::Shown(file) + ", which is named already",
+                throw simulator::ScenarioError(option, {},
+                                               simulator::Shown(file) + ", which is named already or read by the run",
                                                "a file of its own for each output");
             }
             taken.push_back(path);
+            cia306::RequireWritable(file);
         };
         take("--html", html_);
         take("--json", json_);

@@ -300,6 +300,36 @@ std::vector<ScenarioDocument> LoadScenario(const std::string& file)
     return documents;
 }
 
+std::vector<std::string> FilesOf(const std::vector<ScenarioDocument>& documents)
+{
+    const auto member = [](const YamlNode& map, const std::string& key) -> const YamlNode*
+    {
+        for (std::size_t item = 0U; map.kind == YamlKind::kMap && item + 1U < map.items.size(); item += 2U)
+        {
+            if (map.items[item].scalar == key)
+            {
+                return &map.items[item + 1U];
+            }
+        }
+        return nullptr;
+    };
+    std::vector<std::string> files;
+    for (const ScenarioDocument& document : documents)
+    {
+        files.push_back(document.file);
+        const YamlNode* const nodes = member(document.root, "nodes");
+        for (std::size_t item = 1U; nodes != nullptr && item < nodes->items.size(); item += 2U)
+        {
+            const YamlNode* const dcf = member(nodes->items[item], "dcf");
+            if (dcf != nullptr)
+            {
+                files.push_back(Beside(document.file, dcf->scalar));
+            }
+        }
+    }
+    return files;
+}
+
 Scenario ReadScenario(const std::vector<ScenarioDocument>& documents)
 {
     Scenario scenario;

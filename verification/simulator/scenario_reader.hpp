@@ -20,6 +20,8 @@ struct ScenarioDocument
 /// The file and what it extends, which comes first. Throws ScenarioError. [SRS-SIM-013]
 [[nodiscard]] std::vector<ScenarioDocument> LoadScenario(const std::string& file);
 [[nodiscard]] Scenario ReadScenario(const std::vector<ScenarioDocument>& documents);
+/// All files that a run of the scenario reads: its own and the DCFs of its nodes, whether or not it is right otherwise.
+[[nodiscard]] std::vector<std::string> FilesOf(const std::vector<ScenarioDocument>& documents);
 
 /// The scenario in `file`, with what it extends. Whether objects and SRDOs exist is known only with the DCFs: see
 /// network.hpp. Throws ScenarioError. [SRS-SIM-010..013]

@@ -189,10 +189,10 @@ SweepAxis ParseSweepAxis(const std::string& text)
         Refuse(Shown(text), "three times with units, or three whole numbers");
     }
     constexpr std::int64_t kFarthest = 1000000000000000000;
-    const bool is_bounded = from.value >= -kFarthest && to.value <= kFarthest;
+    const bool is_bounded = from.value >= -kFarthest && to.value <= kFarthest && step.value <= kFarthest;
     if (!is_bounded || step.value <= 0 || to.value < from.value)
     {
-        Refuse(Shown(text), "FROM not above TO, and a STEP above 0");
+        Refuse(Shown(text), "FROM not above TO, a STEP above 0, and nothing beyond 10^18 (times: 10^9 s)");
     }
     if ((to.value - from.value) / step.value >= static_cast<std::int64_t>(kMostSweepRuns))
     {
@@ -209,6 +209,10 @@ SweepAxis ParseSweepAxis(const std::string& text)
 void SetByPath(std::vector<ScenarioDocument>& documents, const std::string& path, const std::string& value)
 {
     const std::vector<std::string> segments = Split(path, '.');
+    if (segments[0U] == "extends")
+    {
+        Refuse("path " + Shown(path) + ", which is read before the sweep", "the path of a value of the scenario");
+    }
     if (documents.back().root.kind != YamlKind::kMap)
     {
         return; // Refused by the reader.

@@ -82,6 +82,48 @@ TEST(SimulateCommand, WritesAllReportsAndSaysWhereItCannot)
     EXPECT_NE(lost.err.find("/nonexistent/x.json"), std::string::npos);
 }
 
+TEST(SimulateCommand, AnOutputThatCannotBeWrittenIsToldBeforeAnythingElse)
+{
+    Verifies(req::SRS_SIM_045);
+    // Given one output that can be written and one that cannot
+    const std::string page = ::testing::TempDir() + "counterpoint_alone.html";
+    const Answer answer = Tool(
+        {"simulate", simulator::Examples() + "03_corruption.yaml", "--html", page, "--json", "/nonexistent/x.json"});
+    // Then there is one line, and neither a time line nor the other output
+    EXPECT_EQ(answer.status, ExitStatus::kBadInput);
+    EXPECT_EQ(answer.out, "");
+    EXPECT_EQ(answer.err, "/nonexistent/x.json:0: error: it cannot be created (No such file or directory), expected a "
+                          "path in a writable folder\n");
+    EXPECT_FALSE(std::filesystem::exists(page));
+    // Then the same of demo
+    const Answer demo = Tool({"demo", "--scenarios", simulator::Examples(), "--html", "/dev/null"});
+    EXPECT_EQ(demo.status, ExitStatus::kBadInput);
+    EXPECT_EQ(demo.out, "");
+    EXPECT_EQ(std::count(demo.err.begin(), demo.err.end(), '\n'), 1) << demo.err;
+}
+
+TEST(SimulateCommand, NoOutputReplacesWhatTheRunReads)
+{
+    Verifies(req::SRS_SIM_049);
+    const std::string file = simulator::Examples() + "03_corruption.yaml";
+    for (const char* const name : {"03_corruption.yaml", "chain.yaml", "sensor.dcf", "./actuator.dcf"})
+    {
+        const std::string output = simulator::Examples() + name;
+        const std::string before = Content(output);
+        for (const std::vector<std::string>& more :
+             std::vector<std::vector<std::string>>{{}, {"--sweep", "duration=1s:2s:1s"}})
+        {
+            std::vector<std::string> arguments{"simulate", file, "--json", output};
+            arguments.insert(arguments.end(), more.begin(), more.end());
+            const Answer answer = Tool(arguments);
+            EXPECT_EQ(answer.status, ExitStatus::kBadInput) << name;
+            EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+            EXPECT_NE(answer.err.find("which is named already or read by the run"), std::string::npos) << answer.err;
+        }
+        EXPECT_EQ(Content(output), before) << name;
+    }
+}
+
 TEST(SimulateCommand, RefusesOptionsThatWouldBeIgnored)
 {
     Verifies(req::SRS_SIM_049);

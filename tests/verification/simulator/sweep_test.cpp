@@ -113,8 +113,12 @@ TEST(Sweep, RefusesWhatCannotBeSwept)
     for (const Refusal& refusal : std::vector<Refusal>{
              {"duration", "--sweep: 'duration', expected NAME=FROM:TO:STEP"},
              {"duration=1s:2s", "--sweep: 'duration=1s:2s', expected NAME=FROM:TO:STEP"},
-             {"duration=2s:1s:1s", "--sweep: 'duration=2s:1s:1s', expected FROM not above TO, and a STEP above 0"},
-             {"duration=1s:2s:0s", "--sweep: 'duration=1s:2s:0s', expected FROM not above TO, and a STEP above 0"},
+             {"duration=2s:1s:1s", "--sweep: 'duration=2s:1s:1s', expected FROM not above TO, a STEP above 0"},
+             {"duration=1s:2s:0s", "--sweep: 'duration=1s:2s:0s', expected FROM not above TO, a STEP above 0"},
+             {"seed=1:2:9223372036854775807", "--sweep: 'seed=1:2:9223372036854775807', expected FROM not above TO, a "
+                                              "STEP above 0, and nothing beyond"},
+             {"extends=1:2:1",
+              "--sweep: path 'extends', which is read before the sweep, expected the path of a value of the scenario"},
              {"duration=1s:2:1s",
               "--sweep: 'duration=1s:2:1s', expected three times with units, or three whole numbers"},
              {"duration=1s:x:1s", "--sweep: 'x', expected a time with its unit"},
