@@ -103,6 +103,7 @@ TEST_P(SelfTestParty, NotCalledOrFrozenClosesTheOutputWithinTheNextCycle)
     const std::uint32_t cycles = device->CyclesToClosed(5U);
     EXPECT_GE(cycles, 1U);
     EXPECT_LE(cycles, 2U);
+    EXPECT_LE(cycles * device->config.cycle_us, ComputeLimit(device->config, {50U, 20U}, FaultClass::kSupervisor).us);
     // And it stays closed, though the self test is there again
     device->part.way = FailingSelfTest::Way::kHealthy;
     for (int cycle = 0; cycle < 100; ++cycle)
@@ -130,8 +131,8 @@ TEST(SelfTestAlwaysGood, LeavesAChangedSafeValueToTheDigest)
         const bool is_blind = way == FailingSelfTest::Way::kAlwaysGood;
         // Then the self test finds it at once, and where it always says good the channels' digests do in time:
         // one has a copy of the safe value, one reads the table
-        const std::uint32_t most =
-            is_blind ? (2U * device->config.diagnostic_interval_us) / device->config.cycle_us : 2U;
+        const std::uint32_t limit_us = ComputeLimit(device->config, {50U, 20U}, FaultClass::kConfiguration).us;
+        const std::uint32_t most = is_blind ? limit_us / device->config.cycle_us : 2U;
         EXPECT_NE(device->CyclesToClosed(most), 0U);
         EXPECT_EQ(device->kernel.DeviceState().fault, is_blind ? DeviceFault::kDisagreement : DeviceFault::kSelfTest);
     }
