@@ -47,7 +47,7 @@ static_assert(kFound<kSlotsOfWord> == kSlotsOfWord, "every bit is found by its w
     }
     const std::uint32_t lowest = word & (~word + 1U);
     mask &= mask - 1U;
-    return first + kSlotOfWindow[(lowest * kDeBruijn) >> kDeBruijnShift];
+    return first + kSlotOfWindow[((lowest * kDeBruijn) >> kDeBruijnShift) % kSlotsOfWord];
 }
 
 } // namespace counterpoint::channel_a

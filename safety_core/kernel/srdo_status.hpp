@@ -39,9 +39,9 @@ class SrdoStatus
   private:
     static constexpr std::uint32_t kPairs = kMaxSrdoCount / 2U;
 
-    std::uint8_t pairs_[kPairs]; // MISRA D-001
-    SrdoMask unanswered_;
-    SrdoMask open_; ///< Unanswered since before the last call of TakeOverdue.
+    std::uint8_t pairs_[kPairs]{}; // MISRA D-001
+    SrdoMask unanswered_{0U};
+    SrdoMask open_{0U}; ///< Unanswered since before the last call of TakeOverdue.
 };
 
 } // namespace counterpoint
