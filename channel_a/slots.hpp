@@ -26,7 +26,8 @@ inline constexpr SlotIndex kSlotOfWindow[kSlotsOfWord] = {
 
 template <std::size_t kBits>
 inline constexpr std::size_t kFound =
-    kFound<kBits - 1U> + ((kSlotOfWindow[(kDeBruijn << (kBits - 1U)) >> kDeBruijnShift] == (kBits - 1U)) ? 1U : 0U);
+    kFound<kBits - 1U> +
+    ((kSlotOfWindow[((kDeBruijn << (kBits - 1U)) >> kDeBruijnShift) % kSlotsOfWord] == (kBits - 1U)) ? 1U : 0U);
 template <> inline constexpr std::size_t kFound<0U> = 0U;
 static_assert(kFound<kSlotsOfWord> == kSlotsOfWord, "every bit is found by its window");
 

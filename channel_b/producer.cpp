@@ -76,8 +76,9 @@ Confirmation Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
     {
         return kNoConfirmation;
     }
-    const std::uint64_t expected = row.inverse_data ^ (std::uint64_t{0U} - parity);
-    const std::uint64_t different = (PackBytes(&frame.data[0]) ^ expected) & row.mask;
+    const std::uint64_t flipped =
+        std::uint64_t{0U} - parity; // Every bit for the normal frame, none for the inverse one.
+    const std::uint64_t different = (PackBytes(&frame.data[0]) ^ row.inverse_data ^ flipped) & row.mask;
     if ((different != 0U) || (frame.length_bytes != row.length_bytes))
     {
         return Fail(slot, SrdoCause::kWrongEcho);
