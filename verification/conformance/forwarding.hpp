@@ -87,7 +87,7 @@ class Forwarding : public Channel
     {
         return inner_.InverseFrame(slot);
     }
-    void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept override
+    void OnTransmitFault(SlotIndex slot, const counterpoint::TransmitFault& fault) noexcept override
     {
         inner_.OnTransmitFault(slot, fault);
     }
