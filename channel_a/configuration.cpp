@@ -3,6 +3,7 @@
 #include "channel_a/seal.hpp"
 #include "channel_a/signature.hpp"
 #include "channel_a/slots.hpp"
+#include "channel_a/voice.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,23 +14,24 @@ namespace counterpoint::channel_a
 namespace
 {
 
-constexpr std::uint32_t kU8 = 0xFFU;
-constexpr std::uint32_t kU16 = 0xFFFFU;
-constexpr std::uint32_t kU32 = 0xFFFFFFFFU;
+constexpr std::uint32_t kAllBits = 0xFFFFFFFFU;
+constexpr std::uint32_t kU8 = 24U; // How many of them the field has not.
+constexpr std::uint32_t kU16 = 16U;
+constexpr std::uint32_t kU32 = 0U;
 
 constexpr std::size_t kNoPlace = kValueCount;
 
-// Width and place in Record::values by ConfigField; the direction has no place there, the entries follow the first one.
+// Width and place in Record::values by ConfigField; the direction and the entries have no place there.
 struct FieldFacts
 {
-    std::uint32_t mask;
-    std::size_t place;
+    std::uint8_t missing_bits;
+    std::uint8_t place;
 };
 
 constexpr std::size_t kFieldCount = 10U;
 constexpr FieldFacts kFields[kFieldCount] = {
     // MISRA D-001
-    {0U, kNoPlace},
+    {kU8, kNoPlace},
     {kU8, kNoPlace},
     {kU16, kSctPlace},
     {kU8, kSrvtPlace},
@@ -37,56 +39,57 @@ constexpr FieldFacts kFields[kFieldCount] = {
     {kU32, kCobIdPlace},
     {kU32, kCobIdPlace + 1U},
     {kU8, kMapCountPlace},
-    {kU32, kMapEntryPlace},
+    {kU32, kNoPlace},
     {kU16, kSignaturePlace},
 };
 static_assert(static_cast<std::size_t>(ConfigField::kSignature) + 1U == kFieldCount, "facts for each field of a slot");
 
+// Place of a value of the whole device; not below kGlobalCount if it is none of these.
+std::size_t GlobalPlaceOf(const ConfigAddress& address) noexcept
+{
+    return static_cast<std::size_t>(address.field) - static_cast<std::size_t>(ConfigField::kGfcParameter);
+}
+
 // Place of a value in a record; kNoPlace if it has none. `address.field` is a field of an SRDO.
 std::size_t PlaceOf(const ConfigAddress& address) noexcept
 {
-    std::size_t place = kFields[static_cast<std::size_t>(address.field)].place;
-    if (address.field == ConfigField::kMapEntry)
-    {
-        const std::size_t position = address.sub - std::size_t{1U}; // 0 becomes greater than every position.
-        place = (position < kMaxMapEntries) ? (kMapEntryPlace + position) : kNoPlace;
-    }
-    return place;
+    return kFields[static_cast<std::size_t>(address.field)].place;
 }
 
-} // namespace
-
-bool Channel::IsOfSlot(const ConfigAddress& address) const noexcept
+// Position of the entry that is addressed; not below the limit if it is none.
+std::uint32_t PositionOf(const ConfigAddress& address, const std::uint32_t limit) noexcept
 {
-    return (address.slot < count_) && (static_cast<std::size_t>(address.field) < kFieldCount);
+    return (address.field == ConfigField::kMapEntry) ? (address.sub - std::uint32_t{1U}) : limit;
 }
 
-void Channel::Store(const ConfigItem& item) noexcept
+bool IsOfSlot(const Voice& voice, const ConfigAddress& address) noexcept
 {
-    if (item.address.field == ConfigField::kGfcParameter)
-    {
-        gfc_parameter_ = static_cast<std::uint8_t>(item.value & kU8);
-    }
-    if (item.address.field == ConfigField::kConfigurationValid)
-    {
-        configuration_valid_ = static_cast<std::uint8_t>(item.value & kU8);
-    }
-    if (IsOfSlot(item.address))
-    {
-        StoreOfSlot(item);
-    }
+    return (address.slot < voice.count) && (static_cast<std::size_t>(address.field) < kFieldCount);
 }
 
-void Channel::StoreOfSlot(const ConfigItem& item) noexcept
+void StoreOfSlot(Voice& voice, const ConfigItem& item) noexcept
 {
-    Record& record = At(item.address.slot);
-    const std::uint32_t value = item.value & kFields[static_cast<std::size_t>(item.address.field)].mask;
+    Record& record = At(voice, item.address.slot);
+    const std::uint32_t value =
+        item.value & (kAllBits >> kFields[static_cast<std::size_t>(item.address.field)].missing_bits);
     const std::size_t place = PlaceOf(item.address);
+    const Mapping mapping = MappingOf(voice, item.address.slot);
+    const std::uint32_t position = PositionOf(item.address, mapping.limit);
+    if ((mapping.places == nullptr) && ((item.address.field == ConfigField::kMapEntry) || (place == kMapCountPlace)))
+    {
+        return; // A part of the program.
+    }
+    if (position < mapping.limit)
+    {
+        voice.storage.entries[(item.address.slot * std::uint32_t{voice.storage.map_entries}) + position] =
+            value; // MISRA D-002
+        record.mapping = kUnmarked;
+    }
     if (place < kValueCount)
     {
         record.values[place] = value;
         record.mapping = (place == kSignaturePlace) ? record.mapping : kUnmarked;
-        attention_ |= BitOf(item.address.slot); // A producer takes its refresh time anew.
+        Mark(voice, item.address.slot); // A producer takes its refresh time anew.
     }
     if (item.address.field == ConfigField::kDirection)
     {
@@ -95,32 +98,25 @@ void Channel::StoreOfSlot(const ConfigItem& item) noexcept
     }
 }
 
-ConfigItem Channel::Load(const ConfigAddress& address) const noexcept
+std::uint32_t LoadOfSlot(const Voice& voice, const ConfigAddress& address) noexcept
 {
-    ConfigItem item{address, 0U};
-    if (address.field == ConfigField::kGfcParameter)
-    {
-        item.value = gfc_parameter_;
-    }
-    if (address.field == ConfigField::kConfigurationValid)
-    {
-        item.value = configuration_valid_;
-    }
-    if (IsOfSlot(address))
-    {
-        item.value = LoadOfSlot(address);
-    }
-    return item;
-}
-
-std::uint32_t Channel::LoadOfSlot(const ConfigAddress& address) const noexcept
-{
-    const Record& record = At(address.slot);
+    const Record& record = At(voice, address.slot);
     const std::size_t place = PlaceOf(address);
     std::uint32_t value = 0U;
     if (place < kValueCount)
     {
         value = record.values[place];
+    }
+    const Mapping mapping = MappingOf(voice, address.slot);
+    const std::uint32_t limit = (mapping.places == nullptr) ? mapping.count : mapping.limit;
+    const std::uint32_t position = PositionOf(address, limit);
+    if (position < limit)
+    {
+        value = mapping.entries[position]; // MISRA D-002
+    }
+    if (place == kMapCountPlace)
+    {
+        value = mapping.stored_count;
     }
     if (address.field == ConfigField::kDirection)
     {
@@ -129,20 +125,122 @@ std::uint32_t Channel::LoadOfSlot(const ConfigAddress& address) const noexcept
     return value;
 }
 
+// Whether another SRDO has one of the two identifiers from `first` on.
+bool IsInUse(const Voice& voice, const SlotIndex slot, const std::uint32_t first) noexcept
+{
+    bool is_in_use = false;
+    for (SlotIndex other = 0U; other < voice.count; ++other)
+    {
+        const Record& record = At(voice, other);
+        const bool is_other = (other != slot) && (record.direction != kDirectionOff);
+        const bool has_it =
+            ((record.values[kCobIdPlace] - first) < 2U) || ((record.values[kCobIdPlace + 1U] - first) < 2U);
+        if (is_other && has_it)
+        {
+            is_in_use = true;
+        }
+    }
+    return is_in_use;
+}
+
+bool HasGoodTiming(const Voice& voice, const Record& record) noexcept
+{
+    const std::uint32_t sct_ms = record.values[kSctPlace];
+    const std::uint32_t srvt_ms = record.values[kSrvtPlace];
+    bool is_good = (sct_ms * kMicrosecondsPerMillisecond) >= voice.config->cycle_us;
+    if (record.direction == kDirectionConsumer)
+    {
+        is_good = (srvt_ms != 0U) && (srvt_ms < sct_ms);
+    }
+    return is_good;
+}
+
+// SRS-CFG-021 to 025.
+ConfigFault CheckCommunication(const Voice& voice, const SlotIndex slot) noexcept
+{
+    const Record& record = At(voice, slot);
+    const std::uint32_t identifier = record.values[kCobIdPlace];
+    if (record.direction > kDirectionConsumer)
+    {
+        return ConfigFault::kDirection;
+    }
+    if (record.values[kTransmissionTypePlace] != kTransmissionTypeAsynchronous)
+    {
+        return ConfigFault::kTransmissionType;
+    }
+    // The range from 101h on makes an odd place an even identifier.
+    const std::uint32_t place = identifier - kFirstSrdoIdentifier;
+    if ((place >= kSrdoIdentifierCount) || ((place % 2U) != 0U) ||
+        (record.values[kCobIdPlace + 1U] != (identifier + 1U)))
+    {
+        return ConfigFault::kIdentifier;
+    }
+    if (IsInUse(voice, slot, identifier))
+    {
+        return ConfigFault::kIdentifierInUse;
+    }
+    return HasGoodTiming(voice, record) ? ConfigFault::kNone : ConfigFault::kTiming;
+}
+
+} // namespace
+
+void Channel::Store(const ConfigItem& item) noexcept
+{
+    const std::size_t place = GlobalPlaceOf(item.address);
+    if (place < kGlobalCount)
+    {
+        voice_.globals[place] = static_cast<std::uint8_t>(item.value);
+    }
+    if (IsOfSlot(voice_, item.address))
+    {
+        StoreOfSlot(voice_, item);
+    }
+}
+
+ConfigItem Channel::Load(const ConfigAddress& address) const noexcept
+{
+    ConfigItem item{address, 0U};
+    const std::size_t place = GlobalPlaceOf(address);
+    if (place < kGlobalCount)
+    {
+        item.value = voice_.globals[place];
+    }
+    if (IsOfSlot(voice_, address))
+    {
+        item.value = LoadOfSlot(voice_, address);
+    }
+    return item;
+}
+
+ChannelRoom Channel::Room() const noexcept
+{
+    return ChannelRoom{voice_.storage.capacity, voice_.storage.map_entries};
+}
+
+void Channel::SetFields(const SlotIndex slot, const StaticFields& fields) noexcept
+{
+    if (MappingOf(voice_, slot).places == nullptr)
+    {
+        At(voice_, slot).fields = fields;
+        At(voice_, slot).mapping = kUnmarked;
+    }
+}
+
 CheckResult Channel::Validate(const SlotIndex slot) noexcept
 {
-    Record& record = At(slot);
-    CheckResult result{ConfigFault::kNone, static_cast<std::uint16_t>(Signature(record))};
+    Record& record = At(voice_, slot);
+    const Mapping mapping = MappingOf(voice_, slot);
+    CheckResult result{ConfigFault::kNone, static_cast<std::uint16_t>(Signature(record, mapping))};
     const bool is_off = record.direction == kDirectionOff;
     record.mapping = kUnmarked;
     record.check = kUnmarked;
     if (!is_off)
     {
-        result.fault = CheckCommunication(slot);
+        result.fault = CheckCommunication(voice_, slot);
     }
     if (!is_off && (result.fault == ConfigFault::kNone))
     {
-        result.fault = Resolve(record);
+        result.fault = Resolve(*voice_.config, record, mapping);
     }
     if ((result.fault == ConfigFault::kNone) && (result.signature != record.values[kSignaturePlace]))
     {
@@ -155,21 +253,22 @@ CheckResult Channel::Validate(const SlotIndex slot) noexcept
     }
     if ((record.mapping == kMarked) && (record.direction == kDirectionConsumer))
     {
-        WriteObjects(record, record.safe);
-        committed_ &= ~BitOf(slot); // The objects hold no pair any more.
+        WriteObjects(voice_, slot, record.safe);
+        voice_.committed &= ~BitOf(slot); // The objects hold no pair any more.
     }
     return result;
 }
 
 CheckResult Channel::Recheck(const SlotIndex slot) noexcept
 {
-    Record& record = At(slot);
-    CheckResult result{ConfigFault::kNone, static_cast<std::uint16_t>(Signature(record))};
+    Record& record = At(voice_, slot);
+    const Mapping mapping = MappingOf(voice_, slot);
+    CheckResult result{ConfigFault::kNone, static_cast<std::uint16_t>(Signature(record, mapping))};
     if (result.signature != record.values[kSignaturePlace])
     {
         result.fault = ConfigFault::kSignature;
     }
-    else if ((record.direction != kDirectionOff) && !HoldsTable(record))
+    else if ((record.direction != kDirectionOff) && !HoldsTable(*voice_.config, record, mapping))
     {
         result.fault = ConfigFault::kTable;
     }
@@ -179,62 +278,6 @@ CheckResult Channel::Recheck(const SlotIndex slot) noexcept
     }
     record.check = (result.fault == ConfigFault::kNone) ? kMarked : kUnmarked;
     return result;
-}
-
-// SRS-CFG-021 to 025.
-ConfigFault Channel::CheckCommunication(const SlotIndex slot) const noexcept
-{
-    const Record& record = At(slot);
-    const std::uint32_t identifier = record.values[kCobIdPlace];
-    const std::uint32_t second = record.values[kCobIdPlace + 1U];
-    if (record.direction > kDirectionConsumer)
-    {
-        return ConfigFault::kDirection;
-    }
-    if (record.values[kTransmissionTypePlace] != kTransmissionTypeAsynchronous)
-    {
-        return ConfigFault::kTransmissionType;
-    }
-    // The range from 101h on makes an odd place an even identifier.
-    const std::uint32_t place = identifier - kFirstSrdoIdentifier;
-    if ((place >= kSrdoIdentifierCount) || ((place % 2U) != 0U) || (second != (identifier + 1U)))
-    {
-        return ConfigFault::kIdentifier;
-    }
-    if (IsInUse(slot, identifier) || IsInUse(slot, second))
-    {
-        return ConfigFault::kIdentifierInUse;
-    }
-    return HasGoodTiming(record) ? ConfigFault::kNone : ConfigFault::kTiming;
-}
-
-bool Channel::IsInUse(const SlotIndex slot, const std::uint32_t identifier) const noexcept
-{
-    bool is_in_use = false;
-    for (SlotIndex other = 0U; other < count_; ++other)
-    {
-        const Record& record = At(other);
-        const bool is_other = (other != slot) && (record.direction != kDirectionOff);
-        const bool has_it =
-            (record.values[kCobIdPlace] == identifier) || (record.values[kCobIdPlace + 1U] == identifier);
-        if (is_other && has_it)
-        {
-            is_in_use = true;
-        }
-    }
-    return is_in_use;
-}
-
-bool Channel::HasGoodTiming(const Record& record) const noexcept
-{
-    const std::uint32_t sct_ms = record.values[kSctPlace];
-    const std::uint32_t srvt_ms = record.values[kSrvtPlace];
-    bool is_good = (sct_ms * kMicrosecondsPerMillisecond) >= config_->cycle_us;
-    if (record.direction == kDirectionConsumer)
-    {
-        is_good = (srvt_ms != 0U) && (srvt_ms < sct_ms);
-    }
-    return is_good;
 }
 
 } // namespace counterpoint::channel_a

@@ -3,224 +3,160 @@
 #include "channel_a/octets.hpp"
 #include "channel_a/seal.hpp"
 #include "channel_a/slots.hpp"
+#include "channel_a/voice.hpp"
 
 #include <cstdint>
 
-// Frames of consumers, their limits, acknowledge and release.
+// Frames of consumers and the pairs that come of them. The common case is one function without calls, so that it has
+// no registers to save; what is rare follows it by a jump.
 namespace counterpoint::channel_a
 {
 namespace
 {
 
-constexpr std::uint32_t kHalfMask = 1U; // Of the place of an identifier: 0 the normal, 1 the inverse frame.
-constexpr std::uint32_t kWaitingPastSctBit = std::uint32_t{1U} << static_cast<std::uint8_t>(SrdoCause::kWaitingPastSct);
+constexpr std::uint32_t kSpareMasks = 0xFF00U; // Moved right by the number of spare bits: these bits of a byte.
+constexpr std::uint32_t kHalfMask = 1U;        // Of the place of an identifier: 0 the normal, 1 the inverse frame.
 
-std::uint32_t SctUs(const Record& record) noexcept
+void Complete(Voice& voice, Record& record, const std::uint32_t slot) noexcept
 {
-    return record.values[kSctPlace] * kMicrosecondsPerMillisecond;
+    record.held = record.pending;
+    record.since = record.frame_since;
+    record.limit_us = SctUs(record);
+    record.awaiting = kUnmarked;
+    ++record.ordinal;
+    ++voice.ordinal_sum;
+    voice.fresh |= BitOf(slot);
+}
+
+[[gnu::noinline]] void TakeNormal(Voice& voice, const CanFrame& frame, const Instant stamp,
+                                  const std::uint32_t slot) noexcept
+{
+    Record& record = At(voice, slot);
+    const Mode next = kAfterNormal[static_cast<std::uint8_t>(record.mode) & kModeMask];
+    if (!IsFitting(voice, record, frame, Half::kNormal) || (next == Mode::kBroken))
+    {
+        ReceiveOdd(voice, frame, slot);
+        return;
+    }
+    SetMode(record, next);
+    Keep(voice, frame, stamp, slot);
+}
+
+// Whether the pending normal frame, of the same length as this one, has bits above the mapped ones. [SRS-CONS-009]
+inline bool HasSpareBits(const Record& record, const CanFrame& frame) noexcept
+{
+    const std::uint32_t last = record.pending.at[(frame.length_bytes - 1U) & kLengthMask];
+    return (record.spare_bits != 0U) && ((last & (kSpareMasks >> (record.spare_bits & kLengthMask))) != 0U);
+}
+
+// Where the spare bits are 0 in the normal frame they are 1 in its inverse.
+[[gnu::noinline]] void TakeInverse(Voice& voice, const CanFrame& frame, const std::uint32_t slot) noexcept
+{
+    Record& record = At(voice, slot);
+    if (!IsFitting(voice, record, frame, Half::kInverse))
+    {
+        ReceiveOdd(voice, frame, slot);
+        return;
+    }
+    const std::uint64_t wrong = (BitsAt(&frame.data[0]) ^ Bits(record.pending) ^ kInverseFlip) & MappedBits(frame);
+    const Mode next = kAfterInverse[static_cast<std::uint8_t>(record.mode) & kModeMask];
+    if ((wrong != 0U) || (next == Mode::kBroken) || HasSpareBits(record, frame))
+    {
+        ReceiveOdd(voice, frame, slot);
+        return;
+    }
+    SetMode(record, next);
+    Complete(voice, record, slot);
+}
+
+// The limit first; the frame is then taken as if nothing had been there before it.
+[[gnu::noinline]] void TakeAfterLimit(Voice& voice, const CanFrame& frame, const Instant stamp,
+                                      const std::uint32_t slot) noexcept
+{
+    const bool is_inverse = (~frame.identifier & kHalfMask) != 0U; // Odd are those of normal frames.
+    Expire(voice, slot, stamp, is_inverse ? Half::kInverse : Half::kNormal);
+    if (is_inverse)
+    {
+        ReceiveOdd(voice, frame, slot);
+        return;
+    }
+    TakeNormal(voice, frame, stamp, slot);
+}
+
+// [SRS-TIME-009]
+[[gnu::noinline]] void TakeLateInverse(Voice& voice, const CanFrame& frame, const Instant stamp,
+                                       const std::uint32_t slot) noexcept
+{
+    if (IsTooOld(At(voice, slot), stamp))
+    {
+        TakeAfterLimit(voice, frame, stamp, slot);
+        return;
+    }
+    TakeInverse(voice, frame, slot);
 }
 
 } // namespace
 
-// What is not the common case is done elsewhere (cycle.cpp), so that this one needs no registers saved.
+// Where no SRDO is active no identifier leads to one.
 void Channel::OnFrame(const CanFrame& frame, const Instant stamp) noexcept
 {
     const std::uint32_t place = frame.identifier - kFirstSrdoIdentifier; // Every other identifier is a greater place.
-    if ((frame.kind != FrameKind::kData) || !is_active_)
+    if (frame.kind != FrameKind::kData)
     {
         return;
     }
     if (place >= kSrdoIdentifierCount)
     {
-        ReceiveOther(frame);
+        ReceiveOther(voice_, frame);
         return;
     }
-    const SlotIndex slot = SlotOfPlace(place);
-    if (slot >= count_)
+    const std::uint32_t slot = SlotOfPlace(voice_, place);
+    if (slot >= voice_.count)
     {
         return;
     }
-    Record& record = At(slot);
-    if ((stamp.us - record.since.us) > record.limit_us)
+    const Record& record = At(voice_, slot);
+    if (IsExpired(record, stamp))
     {
-        ReceiveLate(frame, stamp, slot);
-        return;
+        TakeAfterLimit(voice_, frame, stamp, slot);
     }
-    ReceiveInTime(frame, stamp, slot, record);
-}
-
-// In the order of SRS-CONS-011; what order of frames means is the table's affair.
-void Channel::ReceiveInTime(const CanFrame& frame, const Instant stamp, const SlotIndex slot, Record& record) noexcept
-{
-    const std::uint32_t half = ~frame.identifier & kHalfMask; // Identifiers of normal frames are odd.
-    if ((frame.identifier != record.values[kCobIdPlace + half]) || (frame.port != ports_.of_half[half]))
+    else if ((place & kHalfMask) == 0U)
     {
-        RaiseAt(slot, Event::kWrongIdentifier);
-        return;
+        TakeNormal(voice_, frame, stamp, slot);
     }
-    if (frame.length_bytes != record.length_bytes)
+    else if (record.detection != SrvtDetection::kLate)
     {
-        RaiseAt(slot, Event::kWrongLength);
-        return;
-    }
-    if (half == 0U)
-    {
-        ReceiveNormal(frame, stamp, slot, record);
+        TakeInverse(voice_, frame, slot);
     }
     else
     {
-        ReceiveInverse(frame, slot, record);
+        TakeLateInverse(voice_, frame, stamp, slot);
     }
 }
 
-// The common cells of both halves stay within their group of modes.
-inline void Channel::ReceiveNormal(const CanFrame& frame, const Instant stamp, const SlotIndex slot,
-                                   Record& record) noexcept
+HeldPair Channel::Held(const SlotIndex slot) const noexcept
 {
-    const Cell& cell = NextCell(record.mode, Event::kNormal);
-    if (cell.effect != Effect::kTake)
+    const Record& record = At(voice_, slot);
+    HeldPair pair{};
+    if ((FactsOf(record.mode).data & kHoldsMask) != 0U)
     {
-        RaiseAt(slot, Event::kNormal);
-        return;
+        pair.data = PayloadOf(record.held);
+        pair.ordinal = record.ordinal;
+        pair.holds_pair = 1U;
     }
-    SetMode(record, cell.next);
-    record.pending = TakenFrom(record, frame);
-    record.since = stamp;
-    record.limit_us = record.values[kSrvtPlace] * kMicrosecondsPerMillisecond;
-}
-
-inline void Channel::ReceiveInverse(const CanFrame& frame, const SlotIndex slot, Record& record) noexcept
-{
-    if (!IsEqual(record, frame, record.pending, kFlips[1]))
-    {
-        RaiseAt(slot, Event::kNotInverse);
-        return;
-    }
-    const Cell& cell = NextCell(record.mode, Event::kInverse);
-    if (cell.effect != Effect::kComplete)
-    {
-        RaiseAt(slot, Event::kInverse);
-        return;
-    }
-    SetMode(record, cell.next);
-    Complete(record, BitOf(slot));
-}
-
-inline void Channel::Complete(Record& record, const SrdoMask bit) noexcept
-{
-    record.held = record.pending;
-    record.limit_us = SctUs(record);
-    record.awaiting = kUnmarked;
-    ++record.ordinal;
-    ++ordinal_sum_;
-    fresh_ |= bit;
-    unwritten_ |= bit;
-}
-
-// t      frames of this cycle        now
-//        faults in bus order | SRVT or SCT, late call, overflow, GFC | report: nothing held, or acknowledge and release
-// Returns what else is to be signalled.
-std::uint32_t Channel::ServeConsumer(Cycle& cycle, Record& record, const SrdoMask bit) noexcept
-{
-    ExamineConsumer(cycle, record, bit);
-    if (record.unreported != 0U)
-    {
-        Discard(record, bit);
-        cycle.new_fault |= bit;
-    }
-    else
-    {
-        Acknowledge(cycle, record, bit);
-    }
-    std::uint32_t extra = 0U;
-    if ((record.awaiting == kMarked) && ((cycle.now.us - entered_.us) > SctUs(record)))
-    {
-        record.awaiting = kUnmarked;
-        extra = kWaitingPastSctBit;
-    }
-    return extra;
-}
-
-void Channel::ExamineConsumer(const Cycle& cycle, Record& record, const SrdoMask bit) noexcept
-{
-    if (!IsSealed(record))
-    {
-        Raise(record, bit, Event::kCorrupted, SrdoCause::kNone);
-        MoveTo(bit, FactsOf(record.mode).group); // The old mode cannot be trusted to tell the old group.
-    }
-    const bool is_expired = (cycle.now.us - record.since.us) > record.limit_us;
-    if (is_expired)
-    {
-        Raise(record, bit, Event::kExpired, SrdoCause::kNone);
-    }
-    if (cycle.is_late && !is_expired)
-    {
-        Raise(record, bit, Event::kError, SrdoCause::kLateCall);
-    }
-    if (cycle.has_overflow)
-    {
-        Raise(record, bit, Event::kError, SrdoCause::kQueueOverflow);
-    }
-    if (cycle.has_gfc)
-    {
-        Raise(record, bit, Event::kError, SrdoCause::kGfc);
-    }
-}
-
-// An edge is good for a release until its window is over, and for nothing afterwards. [SRS-REL-003..007]
-void Channel::Acknowledge(const Cycle& cycle, Record& record, const SrdoMask bit) noexcept
-{
-    if ((cycle.edges & bit) != 0U)
-    {
-        record.edge = kMarked;
-        record.edge_since = cycle.now;
-    }
-    if ((cycle.now.us - record.edge_since.us) > config_->acknowledge_window_us)
-    {
-        record.edge = kUnmarked;
-    }
-    const bool has_edge = record.edge == kMarked;
-    if (has_edge || (record.policy == ReleasePolicy::kAutomatic))
-    {
-        Raise(record, bit, Event::kRelease, SrdoCause::kNone);
-    }
-    if (has_edge && ((groups_[kGroupReleased] & bit) != 0U))
-    {
-        SetFirstCause(record, SrdoCause::kNone);
-        record.edge = kUnmarked;
-    }
+    return pair;
 }
 
 void Channel::Demote(const SlotIndex slot) noexcept
 {
-    const SrdoMask bit = BitOf(slot);
-    if ((Consumers() & bit) != 0U)
+    Record& record = At(voice_, slot);
+    const std::uint32_t group = FactsOf(record.mode).group;
+    if ((group - kGroupWaiting) < kConsumerGroups)
     {
-        Record& record = At(slot);
-        Discard(record, bit);
+        Raise(voice_, slot, Event::kDiscard, SrdoCause::kNone);
         // Counted and kept like a fault, but told to nobody: the other channel has reported it. [SRS-REL-006]
         Count(record, SrdoCause::kDemoted);
     }
-}
-
-// A pending normal frame stays, with its limit.
-void Channel::Discard(Record& record, const SrdoMask bit) noexcept
-{
-    const Cell& cell = Step(record, bit, Event::kDiscard);
-    DropPair(record, bit);
-    if (cell.next == Mode::kFaultedEmpty)
-    {
-        record.limit_us = kNoLimit;
-    }
-}
-
-void Channel::DropPair(Record& record, const SrdoMask bit) noexcept
-{
-    ordinal_sum_ -= record.ordinal;
-    record.ordinal = 0U;
-    record.edge = kUnmarked;
-    record.awaiting = kUnmarked;
-    fresh_ &= ~bit;
 }
 
 } // namespace counterpoint::channel_a

@@ -37,14 +37,6 @@ inline void SetMode(Record& record, const Mode mode) noexcept
     record.mode = mode;
 }
 
-/// @brief A step of the table that stays within its group of modes.
-[[nodiscard]] inline const Cell& StepWithin(Record& record, const Event event) noexcept
-{
-    const Cell& cell = NextCell(record.mode, event);
-    SetMode(record, cell.next);
-    return cell;
-}
-
 inline void SetFirstCause(Record& record, const SrdoCause cause) noexcept
 {
     record.seal ^= (static_cast<std::uint32_t>(record.first_cause) ^ static_cast<std::uint32_t>(cause)) << kCauseShift;

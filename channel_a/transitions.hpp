@@ -10,12 +10,12 @@
 namespace counterpoint::channel_a
 {
 
-/// State of one SRDO. The low four bits are the row of the table, the high four bits a check of them: two codes differ
-/// in at least four bits. Empty: nothing pending, nothing held. First: a normal frame is pending. Held: a pair is held.
-/// Next: both.
+/// State of one SRDO. The low four bits are the column of the table, the high four bits a check of them: two codes
+/// differ in at least four bits. Empty: nothing pending, nothing held. First: a normal frame is pending. Held: a pair
+/// is held. Next: both.
 enum class Mode : std::uint8_t
 {
-    kBroken = 0x00U, ///< Zeroed memory; every other value that is not listed leads to this row.
+    kBroken = 0x00U, ///< Zeroed memory; every other value that is not listed leads to this column.
     kOff = 0xB1U,
     kWaitingEmpty = 0xD2U,
     kWaitingFirst = 0x63U,
@@ -28,53 +28,36 @@ enum class Mode : std::uint8_t
     kReleasedHeld = 0xAAU,
     kReleasedNext = 0x1BU,
     kIdle = 0x9CU,          ///< Producer without a pair in flight.
-    kLaunched = 0x2DU,      ///< Producer whose normal frame was not handed out yet.
     kNormalAwaited = 0x4EU, ///< Producer that waits for the confirmation of the normal frame.
     kInverseAwaited = 0xFFU ///< Producer that waits for the confirmation of the inverse frame.
 };
 
-/// Columns of the table.
+/// Rows of the table. What goes well with a pair is none of them: a frame that is as it should be takes a consumer on
+/// by kAfterNormal and kAfterInverse, a producer as producer.cpp tells.
 enum class Event : std::uint8_t
 {
-    kEnterConsumer = 0U,
-    kEnterProducer = 1U,
-    kLeave = 2U,
-    kNormal = 3U,     ///< Normal frame of the right length.
-    kInverse = 4U,    ///< Inverse frame with every bit inverted.
-    kNotInverse = 5U, ///< Inverse frame with a bit that is not.
-    kWrongIdentifier = 6U,
-    kWrongLength = 7U,
-    kExpired = 8U,  ///< SRVT or SCT of a consumer.
-    kError = 9U,    ///< Anything else that makes a consumer safe; the cause is given by who raises it.
-    kDiscard = 10U, ///< The held pair is dropped, a pending normal frame stays.
-    kRelease = 11U,
-    kLaunch = 12U,
-    kHandOut = 13U,
-    kConfirm = 14U,     ///< The awaited frame was on the bus as it should be.
-    kAbort = 15U,       ///< The transmission failed; the cause is given by who raises it.
-    kUnconfirmed = 16U, ///< Nothing was confirmed within SRVT.
-    kCorrupted = 17U,   ///< The record does not fit its seal.
+    kLeave = 0U,
+    kError = 1U,   ///< What makes a consumer safe; the cause is given by who raises it.
+    kDiscard = 2U, ///< The held pair is dropped, a pending normal frame stays.
+    kRelease = 3U,
+    kAbort = 4U,     ///< The pair in flight failed; the cause is given by who raises it.
+    kCorrupted = 5U, ///< The record does not fit its seal.
 };
 
-constexpr std::size_t kEventCount = 18U;
+constexpr std::size_t kEventCount = 6U;
 
 /// What is to be done with the record besides its new mode.
 enum class Effect : std::uint8_t
 {
     kInvalid = 0U, ///< An omitted cell; does not compile.
     kNothing = 1U,
-    kTake = 2U,     ///< The frame becomes the pending normal frame.
-    kComplete = 3U, ///< The pending frame becomes the held pair.
+    kDropHeld = 2U, ///< The held pair is dropped without a fault, a pending normal frame stays.
+    kDropAll = 3U,  ///< Likewise where nothing is pending.
     kFault = 4U,    ///< Consumer made safe, for the cell's cause or, where that is kNone, the given one.
-    kLaunch = 5U,
-    kHandOut = 6U,
-    kConfirmNormal = 7U,
-    kConfirmInverse = 8U, ///< The pair was sent.
-    kAbort = 9U,          ///< The pair in flight is given up with a fault of the producer.
+    kAbort = 5U,    ///< The pair in flight is given up with a fault of the producer.
 };
 
-/// Four bytes, so that a cell is found by shifts.
-struct alignas(4) Cell
+struct Cell
 {
     Mode next;
     Effect effect;
@@ -88,45 +71,63 @@ constexpr std::uint8_t kGroupFaulted = 2U;
 constexpr std::uint8_t kGroupReleased = 3U;
 constexpr std::uint8_t kGroupProducer = 4U;
 constexpr std::uint8_t kGroupCount = 5U;
+/// From kGroupWaiting on.
+constexpr std::uint32_t kConsumerGroups = 3U;
 
-/// What a row means to the rest of the channel. Eight bytes, so that a row is found by shifts.
-struct alignas(8) ModeFacts
+/// What a record holds.
+constexpr std::uint8_t kNoData = 0U;
+constexpr std::uint8_t kInFlight = 1U;   ///< Of a producer.
+constexpr std::uint8_t kHeldPair = 3U;   ///< Of a consumer.
+constexpr std::uint8_t kFirstFrame = 4U; ///< Besides: a normal frame is pending.
+constexpr std::uint8_t kShownMask = 1U;
+constexpr std::uint8_t kHoldsMask = 2U;
+constexpr std::uint8_t kHoldsShift = 1U;
+
+/// What a mode means to the rest of the channel. Four bytes, so that it is found by shifts.
+struct ModeFacts
 {
     Mode mode;
     SrdoState state;
     std::uint8_t group;
-    std::uint8_t holds_pair; ///< 1: consumer with a held pair.
-    std::uint8_t shown;      ///< 1: SrdoView has the data.
+    std::uint8_t data;
 };
 
-constexpr std::uint8_t kHidden = 0U;
-constexpr std::uint8_t kShown = 1U;
+constexpr std::uint8_t kModeMask = 0x0FU;
+constexpr std::uint8_t kModeCount = 16U;
 
-constexpr std::uint8_t kRowMask = 0x0FU;
-constexpr std::uint8_t kRowCount = 16U;
+/// What the modes mean, by their low four bits.
+extern const ModeFacts kModeFacts[kModeCount]; // MISRA D-001
 
-/// What the modes mean, by row.
-extern const ModeFacts kModeFacts[kRowCount]; // MISRA D-001
-
-/// @brief What the row of a mode means. A value that is no mode is read as the row of its low four bits, here and in
+/// @brief What a mode means. A value that is no mode is read as the one of its low four bits, here and in
 /// NextCell: the seal of its record gives it away in the next OnCycle, whatever happens until then.
 [[nodiscard]] inline const ModeFacts& FactsOf(const Mode mode) noexcept
 {
-    return kModeFacts[static_cast<std::uint8_t>(mode) & kRowMask];
+    return kModeFacts[static_cast<std::uint8_t>(mode) & kModeMask];
 }
 
-constexpr std::size_t kCellCount = 48U;
+/// @brief A normal frame is pending.
+[[nodiscard]] inline bool HasFirstFrame(const Mode mode) noexcept
+{
+    return (FactsOf(mode).data & kFirstFrame) != 0U;
+}
+
+constexpr std::size_t kCellCount = 24U;
 
 /// The different cells of the table. Cell 0 is that of an omitted entry.
 extern const Cell kCells[kCellCount]; // MISRA D-001
 
-/// The table of transitions: rows by the low four bits of the mode, columns by event, entries are numbers of cells.
-extern const std::uint8_t kTransitions[kRowCount][kEventCount]; // MISRA D-001
+/// The table of transitions: rows by event, columns by the low four bits of the mode, entries are numbers of cells.
+extern const std::uint8_t kTransitions[kEventCount][kModeCount]; // MISRA D-001
+
+/// Modes of a consumer after a normal frame, or an inverse frame, that is as it should be; kBroken where it is not its
+/// turn. The group of the mode stays.
+extern const Mode kAfterNormal[kModeCount];  // MISRA D-001
+extern const Mode kAfterInverse[kModeCount]; // MISRA D-001
 
 /// @brief What the event does in this mode.
 [[nodiscard]] inline const Cell& NextCell(const Mode mode, const Event event) noexcept
 {
-    return kCells[kTransitions[static_cast<std::uint8_t>(mode) & kRowMask][static_cast<std::uint8_t>(event)]];
+    return kCells[kTransitions[static_cast<std::uint8_t>(event)][static_cast<std::uint8_t>(mode) & kModeMask]];
 }
 
 } // namespace counterpoint::channel_a

@@ -8,81 +8,63 @@
 namespace counterpoint::channel_b
 {
 
-GuardView Channel::ViewGuard(const CycleInput& input) const noexcept
+void Channel::EnterSlot(SlotIndex slot, Stage stage) noexcept
 {
-    const std::uint32_t declared = x_storage.device[kConfigurationValidAt];
-    const std::uint32_t turned = (input.challenge << 8U) | (input.challenge >> 24U);
-    if (input.guard_token != (turned ^ (declared * 0x01010101U)))
-    {
-        return GuardView::kStale;
-    }
-    return (declared == kConfigurationValidValue) ? GuardView::kConfigured : GuardView::kUnconfigured;
-}
-
-/// Behind the last slot of the half.
-SlotIndex Channel::EndOf(SlotIndex first) const noexcept
-{
-    const std::uint32_t full = static_cast<std::uint32_t>(first) + kSlotsInHalf;
-    return (x_count < full) ? x_count : static_cast<SlotIndex>(full);
-}
-
-void Channel::EnterSlot(SlotIndex slot, SrdoState state) noexcept
-{
-    const std::uint32_t first_us = kFirstTransmissionStepUs * x_config->node_id;
     // Identifiers were checked by Validate; the remainder keeps a corrupted one within the table.
-    const std::uint32_t offset = NormalIdentifier(x_storage, slot) - kFirstSrdoIdentifier;
+    Row& row = x_storage.rows[slot];
+    const std::uint32_t offset = NormalIdentifier(row) - kFirstSrdoIdentifier;
     x_storage.slot_of[offset % kSrdoIdentifierCount] = slot;
     x_storage.slot_of[(offset + 1U) % kSrdoIdentifierCount] = slot;
-    x_storage.state[slot] = Code(state);
-    x_storage.stage[slot] = Stage::kIdle;
     x_storage.ordinal[slot] = 0U;
-    x_storage.sent[slot] = 0U;
-    x_storage.pair_limit[slot] = kNothingRuns;
-    // This call takes away the time before it from all phases, from this one as well.
-    const std::uint32_t phase_us = (state == SrdoState::kProducer) ? first_us : SctUs(x_storage, slot);
-    x_storage.phase_left[slot] = phase_us + x_elapsed_us;
+    row.sent = 0U;
+    Ground(slot, stage);
+    x_storage.phase_left[slot] = kFirstTransmissionStepUs * x_config->node_id; // Of a consumer: whatever.
 }
 
-void Channel::Enter(const Census& half) noexcept
+void Channel::Enter(const Half& half) noexcept
 {
-    Marks& marks = MarksOf(x_storage, half.first);
-    const HalfMask present = half.present;
-    Withdraw(marks.held, present);
-    Withdraw(marks.acknowledged, present);
-    marks.unheard = present;
+    Marks& marks = *half.marks;
+    marks.held = kUnmarked;
+    marks.acknowledged = kUnmarked;
+    marks.released = kUnmarked;
+    marks.enrolled = kUnmarked;
+    marks.producers = 0U;
+    marks.unheard = half.present;
+    marks.faulted = 0U;
     marks.pending = 0U;
     marks.started = 0U;
     marks.requested = 0U;
     marks.refresh_due = 0U;
-    marks.standing = 0U;
-    const HalfMask usable = Granted(marks.valid) & marks.resolved & present;
-    for (HalfMask rest = usable; rest != 0U;)
+    const HalfMask usable = Granted(marks.valid) & marks.resolved & half.present;
+    for (HalfMask rest = usable; rest != 0U; rest = WithoutLowest(rest))
     {
-        const SlotIndex slot = TakeLowest(rest, half.first);
-        if (x_storage.direction[slot] == kDirectionConsumer)
+        const SlotIndex slot = LowestOf(rest, half.first);
+        const std::uint8_t direction = x_storage.direction[slot];
+        if (direction == kDirectionProducer)
         {
-            EnterSlot(slot, SrdoState::kWaiting);
+            marks.producers |= BitOf(slot);
         }
-        if (x_storage.direction[slot] == kDirectionProducer)
+        if ((direction == kDirectionProducer) || (direction == kDirectionConsumer))
         {
-            EnterSlot(slot, SrdoState::kProducer);
+            Grant(marks.enrolled, BitOf(slot));
+            EnterSlot(slot, (direction == kDirectionProducer) ? Stage::kIdle : Stage::kOff);
         }
     }
 }
 
 /// Returns the consumers that were active. [SRS-CONS-019, SRS-PROD-011]
-HalfMask Channel::Leave(const Census& half) noexcept
+HalfMask Channel::Leave(const Half& half) noexcept
 {
-    const SlotIndex end = EndOf(half.first);
-    const HalfMask left = MarksOf(x_storage, half.first).consumers & half.present;
+    Marks& marks = *half.marks;
+    const HalfMask left = marks.consumers & half.present;
+    const SlotIndex end = EndOf(half.first, x_count);
     FaultEach(half.first, left, SrdoCause::kNotOperational);
     for (SlotIndex slot = half.first; slot < end; ++slot)
     {
-        x_storage.state[slot] = Code(SrdoState::kOff);
-        x_storage.stage[slot] = Stage::kIdle;
-        x_storage.sent[slot] = 0U;
-        x_storage.pair_limit[slot] = kNothingRuns;
+        x_storage.rows[slot].sent = 0U;
+        Ground(slot, Stage::kOff);
     }
+    marks.enrolled = kUnmarked;
     return left;
 }
 

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-/// One look at the states of all slots, eight bytes at a time where all eight are alike. A value counts only if it is
-/// exactly the one defined, so that a corrupted state is in no mask but that of the corrupted ones.
+/// Looks for consumers whose marks do not fit each other or whose first cause is none: eight causes at a time where
+/// there is no cause.
 namespace counterpoint::channel_b
 {
 
@@ -14,104 +14,43 @@ namespace
 
 constexpr std::uint8_t kSlotsInWord = 8U;
 constexpr HalfMask kAllOfWord = 0xFFU;
-constexpr std::uint64_t kEight = 0x0101010101010101U;
-constexpr std::uint64_t kEightReleased = kEight * Code(SrdoState::kReleased);
-constexpr std::uint64_t kEightSending = kEight * Code(SrdoState::kProducer);
-constexpr std::uint64_t kEightConsumers = kEight * kDirectionConsumer;
-constexpr std::uint64_t kEightProducers = kEight * kDirectionProducer;
-constexpr std::uint64_t kEightWithoutCause = kEight * Code(SrdoCause::kNone);
+constexpr std::uint64_t kEightWithoutCause = 0x0101010101010101U * Code(SrdoCause::kNone);
 
-/// Direction and state in one number.
-[[nodiscard]] constexpr std::uint32_t KindOf(std::uint8_t direction, std::uint8_t state) noexcept
+/// Slots for which exactly one of the twins is set.
+[[nodiscard]] HalfMask SoundOf(const TwinMask& mask) noexcept
 {
-    return (static_cast<std::uint32_t>(direction) << 8U) | static_cast<std::uint32_t>(state);
+    return mask.on ^ mask.off;
 }
 
 } // namespace
 
-/// Puts one slot where it belongs; slots that are off belong nowhere. What is corrupted is taken from the others by
-/// Repair.
-void Channel::Enlist(SlotIndex slot, Census& census) const noexcept
+/// What does not fit ends in kFaulted. With an undefined first cause nothing is released again. The bytes of slots that
+/// do not exist count for nothing. [SRS-CONS-024]
+void Channel::ExamineMarks(const Half& half) noexcept
 {
-    const HalfMask bit = BitOf(slot);
-    const std::uint8_t state = x_storage.state[slot];
-    switch (KindOf(x_storage.direction[slot], state))
+    Marks& marks = *half.marks;
+    HalfMask caused = 0U;
+    std::size_t at = half.first;
+    for (HalfMask word = kAllOfWord; (word & half.present) != 0U; word <<= kSlotsInWord)
     {
-    case KindOf(kDirectionConsumer, Code(SrdoState::kReleased)):
-        census.released |= bit;
-        census.corrupted |= IsRecordable(x_storage.first_cause[slot]) ? 0U : bit;
-        break;
-    case KindOf(kDirectionProducer, Code(SrdoState::kProducer)):
-        census.producers |= bit;
-        break;
-    case KindOf(kDirectionConsumer, Code(SrdoState::kWaiting)):
-        census.waiting |= bit;
-        break;
-    case KindOf(kDirectionConsumer, Code(SrdoState::kFaulted)):
-        census.faulted |= bit;
-        break;
-    default:
-        census.corrupted |= (state == Code(SrdoState::kOff)) ? 0U : bit;
-        break;
+        caused |= (PackBytes(&x_storage.first_cause[at]) != kEightWithoutCause) ? word : 0U;
+        at += kSlotsInWord;
     }
-}
-
-/// A slot whose state fits none of its other marks ends in kFaulted, or in kOff if it is no consumer. It stays there
-/// until Restart: with kInvalid as its first cause nothing is released. [SRS-CONS-024]
-void Channel::Repair(SlotIndex slot, Census& census) noexcept
-{
-    const HalfMask bit = BitOf(slot);
-    census.waiting &= ~bit;
-    census.released &= ~bit;
-    census.producers &= ~bit;
-    census.faulted &= ~bit;
-    Fault(slot, SrdoCause::kInvalid);
-    Withdraw(MarksOf(x_storage, slot).automatic, bit);
-    x_storage.first_cause[slot] = Code(SrdoCause::kInvalid);
-    x_storage.stage[slot] = Stage::kIdle;
-    if (x_storage.direction[slot] == kDirectionConsumer)
+    const HalfMask active = Granted(marks.enrolled) & half.present;
+    marks.producers &= active;
+    marks.consumers = active & ~marks.producers;
+    Withdraw(marks.released, ~marks.consumers);
+    const HalfMask sound =
+        SoundOf(marks.held) & SoundOf(marks.acknowledged) & SoundOf(marks.automatic) & SoundOf(marks.released);
+    const HalfMask unfit = marks.released.on & (marks.faulted | ~marks.held.on);
+    HalfMask wrong = marks.consumers & (unfit | ~sound);
+    for (HalfMask rest = caused & marks.released.on & marks.consumers; rest != 0U; rest = WithoutLowest(rest))
     {
-        census.faulted |= bit;
+        const SlotIndex slot = LowestOf(rest, half.first);
+        wrong |= IsRecordable(x_storage.first_cause[slot]) ? 0U : BitOf(slot);
     }
-    else
-    {
-        x_storage.state[slot] = Code(SrdoState::kOff);
-    }
-}
-
-/// All masks stay empty while SRDOs are not active. The bytes of slots that do not exist count for nothing.
-void Channel::TakeCensus(Census& census) noexcept
-{
-    const Marks& marks = MarksOf(x_storage, census.first);
-    const HalfMask active = census.active;
-    SlotIndex first = census.first;
-    for (HalfMask word = kAllOfWord; (word & active) != 0U; word <<= kSlotsInWord)
-    {
-        const std::uint64_t states = PackBytes(&x_storage.state[first]);
-        const std::uint64_t directions = PackBytes(&x_storage.direction[first]);
-        const std::uint64_t causes = PackBytes(&x_storage.first_cause[first]) ^ kEightWithoutCause;
-        const std::uint64_t not_released = (states ^ kEightReleased) | (directions ^ kEightConsumers) | causes;
-        const std::uint64_t not_sending = (states ^ kEightSending) | (directions ^ kEightProducers);
-        // The word if all eight are like that, else nothing.
-        const HalfMask released = word * static_cast<HalfMask>(not_released == 0U);
-        const HalfMask producers = word * static_cast<HalfMask>(not_sending == 0U);
-        census.released |= released;
-        census.producers |= producers;
-        for (HalfMask rest = word & active & ~(released | producers); rest != 0U;)
-        {
-            Enlist(TakeLowest(rest, census.first), census);
-        }
-        first = static_cast<SlotIndex>(first + kSlotsInWord);
-    }
-    census.released &= active;
-    census.producers &= active;
-    const HalfMask consumers = census.waiting | census.faulted | census.released;
-    const HalfMask twins = (marks.held.on ^ marks.held.off) & (marks.acknowledged.on ^ marks.acknowledged.off) &
-                           (marks.automatic.on ^ marks.automatic.off);
-    for (HalfMask rest = census.corrupted | (consumers & ~twins) | (census.released & ~marks.held.on); rest != 0U;)
-    {
-        Repair(TakeLowest(rest, census.first), census);
-    }
+    Withdraw(marks.automatic, wrong & ~SoundOf(marks.automatic));
+    FaultEach(half.first, wrong, SrdoCause::kInvalid);
 }
 
 } // namespace counterpoint::channel_b

@@ -24,37 +24,32 @@ constexpr std::uint8_t kLastDefaultNode = 64U;
     return (value << count) | (value >> (32U - count));
 }
 
-} // namespace
-
-Channel::Channel(const Storage& storage) noexcept : x_storage(storage)
+/// Of a valid pair the inverse data tell the normal data.
+[[nodiscard]] Payload DataOf(const Row& row) noexcept
 {
+    return PayloadOf(~row.inverse_data & row.mask);
 }
+
+} // namespace
 
 void Channel::ClearSlot(SlotIndex slot) noexcept
 {
+    Row& row = x_storage.rows[slot];
+    row = Row{};
+    const std::uint32_t first = FirstEntryOf(x_storage, slot);
+    for (std::uint32_t index = 0U; index < x_storage.map_entries; ++index)
+    {
+        x_storage.entries[first + index] = 0U;
+        x_storage.table[first + index] = kNoPlace;
+    }
+    row.image[kSctAt] = kDefaultRefreshMs;
+    row.image[kSrvtAt] = kDefaultSrvtMs;
+    row.image[kTransmissionTypeAt] = kTransmissionTypeAsynchronous;
     x_storage.direction[slot] = kDirectionOff;
-    x_storage.state[slot] = Code(SrdoState::kOff);
     x_storage.first_cause[slot] = Code(SrdoCause::kNone);
-    x_storage.stage[slot] = Stage::kIdle;
-    x_storage.error_count[slot] = 0U;
-    x_storage.length_bytes[slot] = 0U;
     x_storage.ordinal[slot] = 0U;
-    x_storage.sent[slot] = 0U;
-    x_storage.causes[slot] = 0U;
-    x_storage.pair_limit[slot] = kNothingRuns;
-    const Column<std::uint8_t> image{ImageAt(x_storage, slot, 0U)};
-    for (std::uint8_t at = 0U; at < kImageBytes; ++at)
-    {
-        image[at] = 0U;
-    }
-    for (std::uint8_t index = 0U; index < kMaxMapEntries; ++index)
-    {
-        image[kEntriesAt + (static_cast<std::size_t>(index) * kEntryBytes)] = static_cast<std::uint8_t>(index + 1U);
-        x_storage.table[(static_cast<std::size_t>(slot) * kMaxMapEntries) + index] = kNoPlace;
-    }
-    image[kSctAt] = kDefaultRefreshMs;
-    image[kSrvtAt] = kDefaultSrvtMs;
-    image[kTransmissionTypeAt] = kTransmissionTypeAsynchronous;
+    x_storage.phase_left[slot] = kLongestPhase;
+    Ground(slot, Stage::kOff);
 }
 
 void Channel::Restart(const DeviceConfig& config) noexcept
@@ -62,8 +57,12 @@ void Channel::Restart(const DeviceConfig& config) noexcept
     const Column<const SrdoSetup> setups{config.srdos};
     x_config = &config;
     x_count = (config.srdo_count < x_storage.capacity) ? config.srdo_count : x_storage.capacity;
+    x_map_entries = (config.map_entries < x_storage.map_entries) ? config.map_entries : x_storage.map_entries;
+    x_port[0U] = config.inverse_port;
+    x_port[1U] = config.normal_port;
     x_running = 0U;
     x_gfc = 0U;
+    x_any_late = 0U;
     x_late_us = 0xFFFFFFFFU; // The first call is never late.
     x_cycle = 0U;
     x_storage.device[kGfcParameterAt] = 0U;
@@ -74,10 +73,12 @@ void Channel::Restart(const DeviceConfig& config) noexcept
         x_present[half] = 0U;
         x_levels[half] = ~HalfMask{0U}; // A level that is 1 from the start is no edge.
         marks = Marks{};
-        marks.held.off = ~HalfMask{0U};
-        marks.acknowledged.off = ~HalfMask{0U};
-        marks.automatic.off = ~HalfMask{0U};
-        marks.valid.off = ~HalfMask{0U};
+        marks.held = kUnmarked;
+        marks.acknowledged = kUnmarked;
+        marks.automatic = kUnmarked;
+        marks.valid = kUnmarked;
+        marks.enrolled = kUnmarked;
+        marks.released = kUnmarked;
     }
     ClearLookUp();
     for (SlotIndex slot = 0U; slot < x_count; ++slot)
@@ -91,25 +92,34 @@ void Channel::Restart(const DeviceConfig& config) noexcept
 void Channel::TakeSetup(SlotIndex slot, const SrdoSetup& setup) noexcept
 {
     const std::uint8_t node = x_config->node_id;
-    x_storage.safe_data[slot] = ~Join(setup.safe_value.low, setup.safe_value.high);
+    Marks& marks = MarksOf(x_storage, slot);
+    const HalfMask bit = BitOf(slot);
     if (setup.policy == ReleasePolicy::kAutomatic)
     {
-        Grant(MarksOf(x_storage, slot).automatic, BitOf(slot));
+        Grant(marks.automatic, bit);
     }
     if (setup.form == ProducerForm::kProviderCalled)
     {
-        MarksOf(x_storage, slot).provider |= BitOf(slot);
+        marks.provider |= bit;
+    }
+    if (setup.detection == SrvtDetection::kLate)
+    {
+        marks.late |= bit;
+        x_any_late |= bit;
     }
     if ((setup.number == 1U) && (node <= kLastDefaultNode))
     {
-        // 0FFh + 2n and the next one: 101h to 180h, so that the second byte is always 1.
-        const Column<std::uint8_t> image{ImageAt(x_storage, slot, 0U)};
-        image[kCobId1At] = static_cast<std::uint8_t>((2U * node) - 1U);
-        image[kCobId1At + 1U] = 1U;
-        image[kCobId2At] = static_cast<std::uint8_t>(2U * node);
-        image[kCobId2At + 1U] = 1U;
-        image[kSctAt] = (node > kLastDefaultProducer) ? kDefaultSctMs : kDefaultRefreshMs;
+        Row& row = x_storage.rows[slot];
+        const std::uint32_t normal = kFirstSrdoIdentifier + (2U * (std::uint32_t{node} - 1U)); // 0FFh + 2n
+        UnpackFourBytes(normal, &row.image[kCobId1At]);
+        UnpackFourBytes(normal + 1U, &row.image[kCobId2At]);
+        row.image[kSctAt] = (node > kLastDefaultProducer) ? kDefaultSctMs : kDefaultRefreshMs;
     }
+}
+
+ChannelRoom Channel::Room() const noexcept
+{
+    return ChannelRoom{x_storage.capacity, x_storage.map_entries};
 }
 
 void Channel::ClearLookUp() noexcept
@@ -120,47 +130,52 @@ void Channel::ClearLookUp() noexcept
     }
 }
 
-SrdoView Channel::View(SlotIndex slot) const noexcept
+HeldPair Channel::Held(SlotIndex slot) const noexcept
 {
     const Marks& marks = MarksOf(x_storage, slot);
-    const HalfMask bit = BitOf(slot);
-    const bool holds_pair = (Granted(marks.held) & bit) != 0U;
-    SrdoView view{{0U, 0U},
-                  x_storage.ordinal[slot] + x_storage.sent[slot],
-                  0U,
-                  x_storage.error_count[slot],
-                  StateOf(slot),
-                  static_cast<SrdoCause>(x_storage.first_cause[slot]),
-                  static_cast<std::uint8_t>(holds_pair)};
-    if (holds_pair || ((view.state == SrdoState::kProducer) && IsInFlight(x_storage, slot)))
+    const HalfMask consumer = marks.consumers & BitOf(slot);
+    if ((Granted(marks.held) & consumer) != 0U)
     {
-        // Of a valid pair the inverse data tell the normal data.
-        view.data = PayloadOf(~x_storage.inverse_data[slot] & PayloadMask(x_storage.length_bytes[slot]));
+        return HeldPair{DataOf(x_storage.rows[slot]), x_storage.ordinal[slot], 1U};
     }
-    if ((marks.signalled & bit) != 0U)
-    {
-        view.signals = x_storage.signals[slot];
-    }
-    return view;
+    return HeldPair{{0U, 0U}, (consumer != 0U) ? x_storage.ordinal[slot] : 0U, 0U};
 }
 
 SrdoState Channel::StateOf(SlotIndex slot) const noexcept
 {
-    switch (static_cast<SrdoState>(x_storage.state[slot]))
+    const Marks& marks = MarksOf(x_storage, slot);
+    const HalfMask bit = BitOf(slot);
+    if ((marks.consumers & bit) == 0U)
     {
-    case SrdoState::kReleased:
-        return SrdoState::kReleased;
-    case SrdoState::kWaiting:
-        return SrdoState::kWaiting;
-    case SrdoState::kOff:
-        return SrdoState::kOff;
-    case SrdoState::kProducer:
-        return SrdoState::kProducer;
-    case SrdoState::kFaulted:
-    case SrdoState::kInvalid:
+        return ((marks.producers & bit) != 0U) ? SrdoState::kProducer : SrdoState::kOff;
+    }
+    if ((marks.faulted & bit) != 0U)
+    {
         return SrdoState::kFaulted;
     }
-    return SrdoState::kFaulted;
+    return ((Granted(marks.released) & bit) != 0U) ? SrdoState::kReleased : SrdoState::kWaiting;
+}
+
+SrdoView Channel::View(SlotIndex slot) const noexcept
+{
+    const Row& row = x_storage.rows[slot];
+    const HeldPair held = Held(slot);
+    SrdoView view{held.data,
+                  x_storage.ordinal[slot] + row.sent,
+                  0U,
+                  row.error_count,
+                  StateOf(slot),
+                  static_cast<SrdoCause>(x_storage.first_cause[slot]),
+                  static_cast<std::uint8_t>(held.holds_pair)};
+    if (IsInFlight(row.stage))
+    {
+        view.data = DataOf(row);
+    }
+    if ((MarksOf(x_storage, slot).signalled & BitOf(slot)) != 0U)
+    {
+        view.signals = row.signals;
+    }
+    return view;
 }
 
 Permit Channel::Answer(std::uint32_t challenge) const noexcept

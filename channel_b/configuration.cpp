@@ -28,35 +28,19 @@ constexpr FieldSpan kSpans[kFieldCount] = { // MISRA D-001
     {kCobId1At, 4U},
     {kCobId2At, 4U},
     {kMapCountAt, 1U},
-    {kEntriesAt, 4U},
+    {0U, 0U},
     {kSignatureAt, 2U},
     {kGfcParameterAt, 1U},
     {kConfigurationValidAt, 1U}};
 
-/// The object that the entry names: index and sub-index.
-[[nodiscard]] std::uint32_t KeyOf(const MappableObject& object) noexcept
-{
-    return (static_cast<std::uint32_t>(object.index) << 8U) | static_cast<std::uint32_t>(object.sub);
-}
-
-[[nodiscard]] std::uint32_t StoredSignature(const Storage& storage, SlotIndex slot) noexcept
-{
-    const std::uint32_t low = *ImageAt(storage, slot, kSignatureAt);
-    const std::uint32_t high = *ImageAt(storage, slot, kSignatureAt + 1U);
-    return low | (high << 8U);
-}
-
 } // namespace
 
+/// Of everything but the entries of mappings.
 Channel::Place Channel::PlaceOf(const ConfigAddress& address) const noexcept
 {
-    const std::uint8_t field = static_cast<std::uint8_t>(address.field);
-    if (field >= kFieldCount)
-    {
-        return Place{{nullptr}, 0U};
-    }
-    const FieldSpan span = kSpans[field];
-    if (field >= static_cast<std::uint8_t>(ConfigField::kGfcParameter))
+    const std::uint32_t field = static_cast<std::uint32_t>(address.field);
+    const FieldSpan span = kSpans[(field < kFieldCount) ? field : 0U]; // MISRA D-002
+    if (field >= static_cast<std::uint32_t>(ConfigField::kGfcParameter))
     {
         return Place{{&x_storage.device[span.at]}, span.width};
     }
@@ -68,48 +52,94 @@ Channel::Place Channel::PlaceOf(const ConfigAddress& address) const noexcept
     {
         return Place{{&x_storage.direction[address.slot]}, span.width};
     }
-    if (address.field != ConfigField::kMapEntry)
-    {
-        return Place{{ImageAt(x_storage, address.slot, span.at)}, span.width};
-    }
-    const std::uint32_t index = static_cast<std::uint32_t>(address.sub) - 1U; // Sub-index 0 becomes a huge number.
-    if (index >= kMaxMapEntries)
-    {
-        return Place{{nullptr}, 0U};
-    }
-    const std::size_t at = kEntriesAt + (static_cast<std::size_t>(index) * kEntryBytes) + 1U;
-    return Place{{ImageAt(x_storage, address.slot, at)}, span.width};
+    return Place{{&x_storage.rows[address.slot].image[span.at]}, span.width}; // MISRA D-002
 }
 
-void Channel::Store(const ConfigItem& item) noexcept
+void Channel::SetFields(SlotIndex slot, const StaticFields& fields) noexcept
 {
-    const Place place = PlaceOf(item.address);
-    if (place.width == 0U)
+    if (IsStatic(MappingOf(slot)))
     {
-        return;
-    }
-    const SlotIndex slot = item.address.slot;
-    if (item.address.field == ConfigField::kSct)
-    {
-        // A window of signals that is running ends by the new time.
-        const std::uint32_t new_us = (item.value & 0xFFFFU) * kMicrosecondsPerMillisecond;
-        x_storage.window_left[slot] += new_us - SctUs(x_storage, slot);
-    }
-    for (std::uint8_t byte = 0U; byte < place.width; ++byte)
-    {
-        place.bytes[byte] = static_cast<std::uint8_t>((item.value >> (8U * byte)) & 0xFFU);
-    }
-    if (item.address.field <= ConfigField::kMapEntry)
-    {
+        x_storage.rows[slot].fields = fields;
         MarksOf(x_storage, slot).resolved &= ~BitOf(slot);
     }
 }
 
+/// Count or entry of a mapping of an existing slot: that of a static one is not to be changed. [SRS-CFG-003]
+bool Channel::StoreEntry(const ConfigItem& item) noexcept
+{
+    const Mapping mapping = MappingOf(item.address.slot);
+    const std::uint32_t index = static_cast<std::uint32_t>(item.address.sub) - 1U; // Of sub-index 0 a huge number.
+    if (IsStatic(mapping))
+    {
+        return false;
+    }
+    if (item.address.field == ConfigField::kMapCount)
+    {
+        x_storage.rows[item.address.slot].image[kMapCountAt] = static_cast<std::uint8_t>(item.value & 0xFFU);
+        return true;
+    }
+    if (index >= x_map_entries)
+    {
+        return false;
+    }
+    x_storage.entries[mapping.first + index] = item.value;
+    return true;
+}
+
+bool Channel::StoreField(const ConfigItem& item) noexcept
+{
+    const Place place = PlaceOf(item.address);
+    const SlotIndex slot = item.address.slot;
+    if ((item.address.field == ConfigField::kSct) && (place.width != 0U))
+    {
+        // A window of signals that is running ends by the new time.
+        const std::uint32_t new_us = (item.value & 0xFFFFU) * kMicrosecondsPerMillisecond;
+        x_storage.rows[slot].window_left += new_us - SctUs(x_storage.rows[slot]);
+    }
+    for (std::uint32_t byte = 0U; byte < place.width; ++byte)
+    {
+        place.bytes[byte] = static_cast<std::uint8_t>((item.value >> (8U * byte)) & 0xFFU);
+    }
+    return (place.width != 0U) && (item.address.field < ConfigField::kMapCount);
+}
+
+/// Map count and entries of an existing slot.
+bool Channel::IsOfMapping(const ConfigAddress& address) const noexcept
+{
+    const bool is_of_mapping = (address.field == ConfigField::kMapCount) || (address.field == ConfigField::kMapEntry);
+    return is_of_mapping && (address.slot < x_count);
+}
+
+void Channel::Store(const ConfigItem& item) noexcept
+{
+    const bool is_unresolved = IsOfMapping(item.address) ? StoreEntry(item) : StoreField(item);
+    if (is_unresolved)
+    {
+        MarksOf(x_storage, item.address.slot).resolved &= ~BitOf(item.address.slot);
+    }
+}
+
+std::uint32_t Channel::LoadEntry(const ConfigAddress& address) const noexcept
+{
+    const Mapping mapping = MappingOf(address.slot);
+    const std::uint32_t index = static_cast<std::uint32_t>(address.sub) - 1U;
+    if (address.field == ConfigField::kMapCount)
+    {
+        return mapping.declared;
+    }
+    const std::uint32_t reach = IsStatic(mapping) ? mapping.count : x_map_entries;
+    return (index < reach) ? mapping.entries[index] : 0U;
+}
+
 ConfigItem Channel::Load(const ConfigAddress& address) const noexcept
 {
+    if (IsOfMapping(address))
+    {
+        return ConfigItem{address, LoadEntry(address)};
+    }
     const Place place = PlaceOf(address);
     std::uint32_t value = 0U;
-    for (std::uint8_t byte = 0U; byte < place.width; ++byte)
+    for (std::uint32_t byte = 0U; byte < place.width; ++byte)
     {
         value |= static_cast<std::uint32_t>(place.bytes[byte]) << (8U * byte);
     }
@@ -118,14 +148,14 @@ ConfigItem Channel::Load(const ConfigAddress& address) const noexcept
 
 bool Channel::IsIdentifierInUse(SlotIndex slot) const noexcept
 {
-    const std::uint32_t normal = NormalIdentifier(x_storage, slot);
+    const std::uint32_t normal = NormalIdentifier(x_storage.rows[slot]);
     bool is_in_use = false;
     for (SlotIndex other = 0U; other < x_count; ++other)
     {
         // Ours are `normal` and the next one, so that a modular distance of 0 or 1 is one of them.
         const bool is_other = (other != slot) && (x_storage.direction[other] != kDirectionOff);
-        const bool is_normal_ours = (NormalIdentifier(x_storage, other) - normal) <= 1U;
-        const bool is_inverse_ours = (InverseIdentifier(x_storage, other) - normal) <= 1U;
+        const bool is_normal_ours = (NormalIdentifier(x_storage.rows[other]) - normal) <= 1U;
+        const bool is_inverse_ours = (InverseIdentifier(x_storage.rows[other]) - normal) <= 1U;
         if (is_other && (is_normal_ours || is_inverse_ours))
         {
             is_in_use = true;
@@ -138,10 +168,10 @@ bool Channel::IsTimingWrong(SlotIndex slot) const noexcept
 {
     if (x_storage.direction[slot] == kDirectionProducer)
     {
-        return SctUs(x_storage, slot) < x_config->cycle_us;
+        return SctUs(x_storage.rows[slot]) < x_config->cycle_us;
     }
-    const std::uint32_t srvt_ms = *ImageAt(x_storage, slot, kSrvtAt);
-    return (srvt_ms < 1U) || (srvt_ms >= SctMs(x_storage, slot));
+    const std::uint32_t srvt_ms = ByteAt(x_storage.rows[slot], kSrvtAt);
+    return (srvt_ms < 1U) || (srvt_ms >= SctMs(x_storage.rows[slot]));
 }
 
 /// All rules before those of the mapping. [SRS-CFG-021 to 025]
@@ -151,14 +181,14 @@ ConfigFault Channel::CheckParameters(SlotIndex slot) const noexcept
     {
         return ConfigFault::kDirection;
     }
-    if (*ImageAt(x_storage, slot, kTransmissionTypeAt) != kTransmissionTypeAsynchronous)
+    if (ByteAt(x_storage.rows[slot], kTransmissionTypeAt) != kTransmissionTypeAsynchronous)
     {
         return ConfigFault::kTransmissionType;
     }
-    const std::uint32_t normal = NormalIdentifier(x_storage, slot);
+    const std::uint32_t normal = NormalIdentifier(x_storage.rows[slot]);
     const std::uint32_t offset = normal - kFirstSrdoIdentifier;
     const bool is_normal_right = (offset < kSrdoIdentifierCount) && ((offset & 1U) == 0U);
-    if ((!is_normal_right) || (InverseIdentifier(x_storage, slot) != (normal + 1U)))
+    if ((!is_normal_right) || (InverseIdentifier(x_storage.rows[slot]) != (normal + 1U)))
     {
         return ConfigFault::kIdentifier;
     }
@@ -169,155 +199,74 @@ ConfigFault Channel::CheckParameters(SlotIndex slot) const noexcept
     return IsTimingWrong(slot) ? ConfigFault::kTiming : ConfigFault::kNone;
 }
 
-std::uint16_t Channel::Find(std::uint32_t entry) const noexcept
+/// The rule of the signature comes last of those of Validate and first of those of Recheck; a slot counts as valid if
+/// no rule is broken.
+CheckResult Channel::Conclude(SlotIndex slot, ConfigFault fault, std::uint16_t signature) noexcept
 {
-    const Column<const MappableObject> objects{x_config->objects};
-    const std::uint32_t key = entry >> 8U;
-    std::uint16_t low = 0U;
-    std::uint16_t high = x_config->object_count;
-    while (low < high) // Halves at each turn: at most 11 for 1024 objects.
+    TwinMask& valid = MarksOf(x_storage, slot).valid;
+    if (fault == ConfigFault::kNone)
     {
-        const std::uint16_t middle = static_cast<std::uint16_t>(low + ((high - low) / 2));
-        if (KeyOf(objects[middle]) < key)
-        {
-            low = static_cast<std::uint16_t>(middle + 1);
-        }
-        else
-        {
-            high = middle;
-        }
+        Grant(valid, BitOf(slot));
     }
-    return low;
+    else
+    {
+        Withdraw(valid, BitOf(slot));
+    }
+    return CheckResult{fault, signature};
 }
 
-/// Whether the object at `place` is the one that the entry names, of its length, and fits the direction.
-inline bool Channel::IsEntryRight(std::uint16_t place, std::uint32_t entry, std::uint8_t direction) const noexcept
+ConfigFault Channel::CheckSignature(SlotIndex slot, std::uint16_t signature) const noexcept
 {
-    if (place >= x_config->object_count)
-    {
-        return false;
-    }
-    const MappableObject& object = Column<const MappableObject>{x_config->objects}[place];
-    const MapAccess access = (direction == kDirectionProducer) ? MapAccess::kProducer : MapAccess::kConsumer;
-    const std::uint32_t named = (KeyOf(object) << 8U) | static_cast<std::uint32_t>(object.length_bits);
-    return (named == entry) && (object.access == access);
-}
-
-/// SRS-CFG-026 to 028.
-Channel::Mapping Channel::CheckMapping(SlotIndex slot) const noexcept
-{
-    Mapping mapping{{}, 0U, ConfigFault::kMapping};
-    const std::uint8_t count = *ImageAt(x_storage, slot, kMapCountAt);
-    if ((count == 0U) || (count > kMaxMapEntries) || ((count & 1U) != 0U))
-    {
-        return mapping;
-    }
-    const std::uint32_t granule = static_cast<std::uint32_t>(x_config->granularity_bits) - 1U;
-    std::uint32_t wrong = 0U;
-    std::uint32_t all_bits = 0U;
-    for (std::uint8_t index = 0U; index < count; ++index)
-    {
-        const std::uint32_t entry = EntryAt(x_storage, slot, index);
-        const std::uint32_t partner = EntryAt(x_storage, slot, static_cast<std::size_t>(index) ^ 1U);
-        const std::uint16_t place = Find(entry);
-        wrong |= static_cast<std::uint32_t>(!IsEntryRight(place, entry, x_storage.direction[slot]));
-        wrong |= ((entry ^ partner) & 0xFFU) | (entry & 0xFFU & granule);
-        for (std::uint8_t before = 0U; before < index; ++before)
-        {
-            wrong |= static_cast<std::uint32_t>(mapping.table[before] == place);
-        }
-        mapping.table[index] = place;
-        all_bits += entry & 0xFFU;
-    }
-    if (wrong == 0U)
-    {
-        // Each normal entry is as long as its inverse entry.
-        mapping.length_bits = all_bits / 2U;
-        mapping.fault = (mapping.length_bits > kMaxPayloadBits) ? ConfigFault::kLengthExceeded : ConfigFault::kNone;
-    }
-    return mapping;
-}
-
-void Channel::Resolve(SlotIndex slot, const Mapping& mapping) noexcept
-{
-    const std::uint8_t count = EntryCount(x_storage, slot);
-    const std::size_t row = static_cast<std::size_t>(slot) * kMaxMapEntries;
-    for (std::uint8_t index = 0U; index < kMaxMapEntries; ++index)
-    {
-        x_storage.table[row + index] = (index < count) ? mapping.table[index] : kNoPlace;
-    }
-    x_storage.length_bytes[slot] = static_cast<std::uint8_t>(mapping.length_bits / 8U);
-    MarksOf(x_storage, slot).resolved |= BitOf(slot);
-    MarksOf(x_storage, slot).committed &= ~BitOf(slot); // Whatever was released is overwritten here, or no longer ours.
-    if (x_storage.direction[slot] == kDirectionConsumer)
-    {
-        WriteInverse(slot, x_storage.safe_data[slot]);
-    }
+    const Row& row = x_storage.rows[slot];
+    const std::uint32_t stored = ByteAt(row, kSignatureAt) | (ByteAt(row, kSignatureAt + 1U) << 8U);
+    return (signature != stored) ? ConfigFault::kSignature : ConfigFault::kNone;
 }
 
 CheckResult Channel::Validate(SlotIndex slot) noexcept
 {
-    const std::uint16_t signature = SignatureOf(slot);
-    const bool is_signed = static_cast<std::uint32_t>(signature) == StoredSignature(x_storage, slot);
-    const bool is_on = x_storage.direction[slot] != kDirectionOff;
-    Mapping mapping{{}, 0U, ConfigFault::kNone};
-    MarksOf(x_storage, slot).resolved &= ~BitOf(slot);
-    Withdraw(MarksOf(x_storage, slot).valid, BitOf(slot));
-    if (is_on)
+    Marks& marks = MarksOf(x_storage, slot);
+    const HalfMask bit = BitOf(slot);
+    const Mapping mapping = MappingOf(slot);
+    const std::uint16_t signature = SignatureOf(slot, mapping);
+    const std::uint8_t direction = x_storage.direction[slot];
+    ConfigFault fault = ConfigFault::kNone;
+    marks.resolved &= ~bit;
+    if (direction != kDirectionOff)
     {
-        const ConfigFault fault = CheckParameters(slot);
-        mapping = CheckMapping(slot);
-        mapping.fault = (fault == ConfigFault::kNone) ? mapping.fault : fault;
-    }
-    if ((mapping.fault == ConfigFault::kNone) && (!is_signed))
-    {
-        mapping.fault = ConfigFault::kSignature;
-    }
-    if (mapping.fault == ConfigFault::kNone)
-    {
-        Grant(MarksOf(x_storage, slot).valid, BitOf(slot));
-        if (is_on)
+        fault = CheckParameters(slot);
+        if (fault == ConfigFault::kNone)
         {
-            Resolve(slot, mapping);
+            fault = CheckMapping(slot, mapping);
         }
     }
-    return CheckResult{mapping.fault, signature};
-}
-
-bool Channel::IsTableRight(SlotIndex slot) const noexcept
-{
-    const std::uint8_t count = EntryCount(x_storage, slot);
-    const std::size_t row = static_cast<std::size_t>(slot) * kMaxMapEntries;
-    bool is_right = (MarksOf(x_storage, slot).resolved & BitOf(slot)) != 0U;
-    for (std::uint8_t index = 0U; index < count; ++index)
+    if (fault == ConfigFault::kNone)
     {
-        const std::uint32_t entry = EntryAt(x_storage, slot, index);
-        if (!IsEntryRight(x_storage.table[row + index], entry, x_storage.direction[slot]))
+        fault = CheckSignature(slot, signature);
+    }
+    if ((fault == ConfigFault::kNone) && (direction != kDirectionOff))
+    {
+        marks.resolved |= bit;
+        marks.committed &= ~bit; // Whatever was released is overwritten here, or no longer ours.
+        if (direction == kDirectionConsumer)
         {
-            is_right = false;
+            WriteInverse(slot, SafeDataOf(slot));
         }
     }
-    return is_right;
+    return Conclude(slot, fault, signature);
 }
 
+/// What the signature finds need not be looked for in the table.
 CheckResult Channel::Recheck(SlotIndex slot) noexcept
 {
-    CheckResult result{ConfigFault::kNone, SignatureOf(slot)};
-    if (static_cast<std::uint32_t>(result.signature) != StoredSignature(x_storage, slot))
+    const Mapping mapping = MappingOf(slot);
+    const std::uint16_t signature = SignatureOf(slot, mapping);
+    ConfigFault fault = CheckSignature(slot, signature);
+    if ((fault == ConfigFault::kNone) && (x_storage.direction[slot] != kDirectionOff))
     {
-        result.fault = ConfigFault::kSignature;
+        const bool is_resolved = (MarksOf(x_storage, slot).resolved & BitOf(slot)) != 0U;
+        fault = (is_resolved && IsTableRight(slot, mapping)) ? ConfigFault::kNone : ConfigFault::kTable;
     }
-    else if ((x_storage.direction[slot] != kDirectionOff) && (!IsTableRight(slot)))
-    {
-        result.fault = ConfigFault::kTable;
-    }
-    else
-    {
-        Grant(MarksOf(x_storage, slot).valid, BitOf(slot));
-        return result;
-    }
-    Withdraw(MarksOf(x_storage, slot).valid, BitOf(slot));
-    return result;
+    return Conclude(slot, fault, signature);
 }
 
 } // namespace counterpoint::channel_b

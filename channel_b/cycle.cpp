@@ -25,11 +25,34 @@ constexpr HalfMask kAll = 0xFFFFFFFFU;
     return sum;
 }
 
+[[nodiscard]] HalfMask FindSpent(const Storage& storage, SlotIndex first, SlotIndex end) noexcept
+{
+    HalfMask spent = 0U;
+    for (SlotIndex slot = first; slot < end; ++slot)
+    {
+        if (storage.pair_left[slot] > storage.pair_limit[slot])
+        {
+            spent |= BitOf(slot);
+        }
+    }
+    return spent;
+}
+
+[[nodiscard]] GuardView ViewGuard(const CycleInput& input, std::uint32_t declared) noexcept
+{
+    const std::uint32_t turned = (input.challenge << 8U) | (input.challenge >> 24U);
+    if (input.guard_token != (turned ^ (declared * 0x01010101U)))
+    {
+        return GuardView::kStale;
+    }
+    return (declared == kConfigurationValidValue) ? GuardView::kConfigured : GuardView::kUnconfigured;
+}
+
 } // namespace
 
-/// Takes the time since the last call from the budgets of all pairs, whether they run or not; returns whether one has
-/// nothing left. The loop is without a decision, so that a compiler can do several slots at once.
-bool Channel::SpendPairs() noexcept
+/// Takes the time since the last call from the budgets of all pairs, whether they run or not; returns all bits if one
+/// has nothing left, else none. The loop is without a decision, so that a compiler can do several slots at once.
+inline HalfMask Channel::SpendPairs() noexcept
 {
     const std::uint32_t elapsed = x_elapsed_us;
     const Column<std::uint32_t> left = x_storage.pair_left;
@@ -38,45 +61,69 @@ bool Channel::SpendPairs() noexcept
     std::uint32_t any = 0U;
     for (std::size_t slot = 0U; slot < count; ++slot)
     {
-        left[slot] -= elapsed;
-        any |= static_cast<std::uint32_t>(left[slot] > limit[slot]);
+        const std::uint32_t left_us = left[slot] - elapsed;
+        any |= 0U - static_cast<std::uint32_t>(left_us > limit[slot]);
+        left[slot] = left_us;
     }
-    return any != 0U;
+    return any;
 }
 
-HalfMask Channel::FindSpent(SlotIndex first) const noexcept
+/// The same for the phases; returns some bits if one is over, else none.
+inline HalfMask Channel::SpendPhases() noexcept
 {
-    const SlotIndex end = EndOf(first);
-    HalfMask spent = 0U;
-    for (SlotIndex slot = first; slot < end; ++slot)
+    const std::uint32_t elapsed = x_elapsed_us;
+    const Column<std::uint32_t> phase = x_storage.phase_left;
+    const std::size_t count = x_count;
+    std::uint32_t any = 0U;
+    for (std::size_t slot = 0U; slot < count; ++slot)
     {
-        if (x_storage.pair_left[slot] > x_storage.pair_limit[slot])
-        {
-            spent |= BitOf(slot);
-        }
+        const std::uint32_t left_us = phase[slot] - elapsed;
+        any |= left_us - 1U;
+        phase[slot] = left_us;
     }
-    return spent;
+    return any & ~kLongestPhase;
 }
 
-/// Takes it from the windows of signals and from the acknowledge edges and closes those that are over. A corrupted mark
-/// must not lead to a slot that does not exist.
-void Channel::SpendWindows(const Census& half) noexcept
+/// Whether a phase may run in some slot: a device of consumers without an acknowledge edge has none.
+inline HalfMask Channel::FindPhases() const noexcept
 {
-    Marks& marks = MarksOf(x_storage, half.first);
-    for (HalfMask rest = marks.window_open & half.present; rest != 0U;)
+    const Marks& low = x_storage.marks[0U];
+    const Marks& high = x_storage.marks[1U];
+    const HalfMask others = (x_present[0U] & ~low.consumers) | (x_present[1U] & ~high.consumers); // MISRA D-002
+    return others | low.acknowledged.on | high.acknowledged.on;
+}
+
+/// With late detection: SRVT of the normal frames that wait goes on, and has once and for all run out when it has.
+/// [SRS-TIME-009]
+inline void Channel::AgePending(const Half& half) noexcept
+{
+    const Marks& marks = *half.marks;
+    for (HalfMask rest = marks.pending & marks.late & half.present; rest != 0U; rest = WithoutLowest(rest))
     {
-        const SlotIndex slot = TakeLowest(rest, half.first);
-        x_storage.window_left[slot] -= x_elapsed_us;
-        if (x_storage.window_left[slot] > SctUs(x_storage, slot))
+        Row& row = x_storage.rows[LowestOf(rest, half.first)];
+        row.srvt_left = (row.srvt_left > kLongestLeft) ? kLongOver : (row.srvt_left - x_elapsed_us);
+    }
+}
+
+/// Closes the windows of signals and forgets the acknowledge edges that are over. A corrupted mark must not lead to a
+/// slot that does not exist.
+void Channel::CloseWindows(const Half& half) noexcept
+{
+    Marks& marks = *half.marks;
+    for (HalfMask rest = marks.window_open & half.present; rest != 0U; rest = WithoutLowest(rest))
+    {
+        const SlotIndex slot = LowestOf(rest, half.first);
+        Row& row = x_storage.rows[slot];
+        row.window_left -= x_elapsed_us;
+        if (row.window_left > SctUs(row))
         {
             marks.window_open &= ~BitOf(slot);
         }
     }
-    for (HalfMask rest = marks.acknowledged.on & half.present; rest != 0U;)
+    for (HalfMask rest = marks.acknowledged.on & half.present; rest != 0U; rest = WithoutLowest(rest))
     {
-        const SlotIndex slot = TakeLowest(rest, half.first);
-        x_storage.edge_left[slot] -= x_elapsed_us;
-        if (x_storage.edge_left[slot] > x_config->acknowledge_window_us)
+        const SlotIndex slot = LowestOf(rest, half.first);
+        if (x_storage.phase_left[slot] > x_config->acknowledge_window_us)
         {
             Withdraw(marks.acknowledged, BitOf(slot));
         }
@@ -84,18 +131,18 @@ void Channel::SpendWindows(const Census& half) noexcept
 }
 
 /// Consumers that complain about no first pair. [SRS-CONS-022]
-inline HalfMask Channel::MissFirstPairs(const Census& census) noexcept
+inline HalfMask Channel::MissFirstPairs(const Half& half) noexcept
 {
-    Marks& marks = MarksOf(x_storage, census.first);
+    Marks& marks = *half.marks;
     HalfMask missed = 0U;
-    marks.unheard &= census.waiting & ~marks.fresh;
-    for (HalfMask rest = marks.unheard; rest != 0U;)
+    marks.unheard &= marks.consumers & ~(marks.faulted | marks.released.on | marks.fresh);
+    for (HalfMask rest = marks.unheard; rest != 0U; rest = WithoutLowest(rest))
     {
-        const SlotIndex slot = TakeLowest(rest, census.first);
-        x_storage.phase_left[slot] -= x_elapsed_us;
-        if (x_storage.phase_left[slot] > SctUs(x_storage, slot))
+        const SlotIndex slot = LowestOf(rest, half.first);
+        Row& row = x_storage.rows[slot];
+        if (x_active_us > SctUs(row))
         {
-            x_storage.causes[slot] |= kWaitingBit;
+            row.causes |= kWaitingBit;
             missed |= BitOf(slot);
         }
     }
@@ -104,21 +151,22 @@ inline HalfMask Channel::MissFirstPairs(const Census& census) noexcept
 }
 
 /// [SRS-CONS-021]
-inline void Channel::Signal(Census& half, HalfMask slots) noexcept
+inline void Channel::Signal(Half& half, HalfMask slots) noexcept
 {
-    Marks& marks = MarksOf(x_storage, half.first);
-    for (HalfMask rest = slots; rest != 0U;)
+    Marks& marks = *half.marks;
+    for (HalfMask rest = slots; rest != 0U; rest = WithoutLowest(rest))
     {
-        const SlotIndex slot = TakeLowest(rest, half.first);
+        const SlotIndex slot = LowestOf(rest, half.first);
+        Row& row = x_storage.rows[slot];
         if ((marks.window_open & BitOf(slot)) == 0U)
         {
-            x_storage.window_left[slot] = SctUs(x_storage, slot);
-            x_storage.told[slot] = 0U;
+            row.window_left = SctUs(row);
+            row.told = 0U;
         }
-        const std::uint32_t news = x_storage.causes[slot] & ~x_storage.told[slot];
-        x_storage.signals[slot] = news;
-        x_storage.told[slot] |= news;
-        x_storage.causes[slot] = 0U;
+        const std::uint32_t news = row.causes & ~row.told;
+        row.signals = news;
+        row.told |= news;
+        row.causes = 0U;
         if (news != 0U)
         {
             half.signalled |= BitOf(slot);
@@ -129,49 +177,47 @@ inline void Channel::Signal(Census& half, HalfMask slots) noexcept
 }
 
 /// What seldom happens is looked for first.
-[[gnu::always_inline]] inline void Channel::CycleHalf(const Call& call, Census& half) noexcept
+[[gnu::always_inline]] inline void Channel::CycleHalf(const CycleInput& input, const Call& call, Half& half) noexcept
 {
-    Marks& marks = MarksOf(x_storage, half.first);
+    Marks& marks = *half.marks;
     HalfMask left = 0U;
-    if (call.is_spent)
+    if (call.spent != 0U)
     {
-        half.spent = FindSpent(half.first);
+        half.spent = FindSpent(x_storage, half.first, EndOf(half.first, x_count));
     }
     if (((marks.window_open | marks.acknowledged.on) & half.present) != 0U)
     {
-        SpendWindows(half);
+        CloseWindows(half);
     }
-    if (call.is_entering)
+    AgePending(half);
+    if (call.entering != 0U)
     {
         Enter(half);
     }
-    if (call.is_leaving)
+    if (call.leaving != 0U)
     {
         left = Leave(half);
     }
-    TakeCensus(half);
-    const HalfMask consumers = half.waiting | half.faulted | half.released;
-    marks.consumers = consumers;
-    if ((consumers & (marks.reporting | half.spent | call.alarmed)) != 0U)
+    ExamineMarks(half);
+    if ((marks.consumers & (marks.reporting | half.spent | call.alarmed)) != 0U)
     {
         ExamineConsumers(call, half);
     }
-    if (half.producers != 0U)
+    if ((marks.producers | call.ended) != 0U)
     {
-        half.due = AdvanceProducers(half);
+        half.due = AdvanceProducers(input, call, half);
     }
     if (half.edges != 0U)
     {
         Acknowledge(half);
     }
     const HalfMask missed = MissFirstPairs(half);
-    if ((half.waiting | half.faulted | marks.acknowledged.on) != 0U)
+    if (((marks.consumers & ~marks.released.on) | marks.acknowledged.on) != 0U)
     {
         Release(half);
     }
-    marks.released = half.released;
-    half.new_fault = marks.reporting & (consumers | left);
-    half.fresh = marks.fresh & Granted(marks.held) & consumers;
+    half.new_fault = marks.reporting & (marks.consumers | left);
+    half.fresh = marks.fresh & Granted(marks.held) & marks.consumers;
     Signal(half, (marks.reporting | missed) & half.present);
     marks.fresh = 0U;
     marks.reporting = 0U;
@@ -180,8 +226,8 @@ inline void Channel::Signal(Census& half, HalfMask slots) noexcept
 CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
 {
     CycleOutcome outcome{};
-    Census halves[kHalves] = {}; // MISRA D-001
-    outcome.guard = ViewGuard(input);
+    Half halves[kHalves] = {}; // MISRA D-001
+    outcome.guard = ViewGuard(input, x_storage.device[kConfigurationValidAt]);
     const bool is_configured = outcome.guard == GuardView::kConfigured;
     const HalfMask running = (is_configured && (input.nmt == NmtState::kOperational)) ? kAll : 0U;
     x_elapsed_us = input.now.us - x_last_us;
@@ -189,10 +235,12 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
     const HalfMask late = (x_elapsed_us > x_late_us) ? kAll : 0U;
     const HalfMask overflowed = (input.queue != QueueState::kIntact) ? kAll : 0U;
     const HalfMask alarmed = late | overflowed | x_gfc;
-    const Call call{late, overflowed, alarmed, running > x_running, running < x_running, SpendPairs()};
+    const HalfMask ended = (FindPhases() != 0U) ? SpendPhases() : 0U;
+    const Call call{late, overflowed, alarmed, running & ~x_running, x_running & ~running, SpendPairs(), ended};
     x_late_us = x_config->cycle_us + x_config->cycle_tolerance_us;
     x_running = running;
-    if (call.is_leaving)
+    x_active_us = (x_active_us + x_elapsed_us) & ~call.entering;
+    if (call.leaving != 0U)
     {
         ClearLookUp();
     }
@@ -200,24 +248,27 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
     {
         const std::size_t at = first / kSlotsInHalf;
         const HalfMask levels = PartOf(input.acknowledge, first);
+        halves[at].marks = &x_storage.marks[at];
         halves[at].first = first;
         halves[at].present = x_present[at];
-        halves[at].active = x_present[at] & running;
         halves[at].edges = levels & ~x_levels[at];
         x_levels[at] = levels;
-        CycleHalf(call, halves[at]);
-        outcome.sct_checked += CountOf(halves[at].waiting | halves[at].faulted | halves[at].released);
-        outcome.is_tx += CountOf(halves[at].producers);
+        CycleHalf(input, call, halves[at]);
     }
-    const Census& low = halves[0U];
-    const Census& high = halves[1U];
-    outcome.released = Join(low.released, high.released);
-    outcome.faulted = Join(low.faulted, high.faulted);
-    outcome.waiting = Join(low.waiting, high.waiting);
+    const Half& low = halves[0U];
+    const Half& high = halves[1U];
+    const Marks& low_marks = x_storage.marks[0U];
+    const Marks& high_marks = x_storage.marks[1U];
+    const SrdoMask consumers = Join(low_marks.consumers, high_marks.consumers);
+    outcome.released = consumers & Join(Granted(low_marks.released), Granted(high_marks.released));
+    outcome.faulted = consumers & Join(low_marks.faulted, high_marks.faulted);
+    outcome.waiting = consumers & ~(outcome.released | outcome.faulted);
     outcome.new_fault = Join(low.new_fault, high.new_fault);
     outcome.fresh = Join(low.fresh, high.fresh);
     outcome.due = Join(low.due, high.due);
     outcome.signalled = Join(low.signalled, high.signalled);
+    outcome.sct_checked = CountOf(low_marks.consumers, high_marks.consumers);
+    outcome.is_tx = CountOf(low_marks.producers, high_marks.producers);
     outcome.cycle = ++x_cycle;
     outcome.ordinal_sum = SumOf(x_storage.ordinal, x_count);
     outcome.not_operational = static_cast<std::uint8_t>(running == 0U);

@@ -10,9 +10,10 @@ namespace counterpoint::channel_b
 
 void Channel::Count(SlotIndex slot, SrdoCause cause) noexcept
 {
-    if (x_storage.error_count[slot] != 0xFFFFU)
+    std::uint16_t& count = x_storage.rows[slot].error_count;
+    if (count != 0xFFFFU)
     {
-        ++x_storage.error_count[slot];
+        ++count;
     }
     if (x_storage.first_cause[slot] == Code(SrdoCause::kNone))
     {
@@ -24,32 +25,26 @@ void Channel::Count(SlotIndex slot, SrdoCause cause) noexcept
 void Channel::Record(SlotIndex slot, SrdoCause cause) noexcept
 {
     Count(slot, cause);
-    x_storage.causes[slot] |= std::uint32_t{1U} << (static_cast<std::uint32_t>(cause) & 31U);
+    x_storage.rows[slot].causes |= std::uint32_t{1U} << (static_cast<std::uint32_t>(cause) & 31U);
     MarksOf(x_storage, slot).reporting |= BitOf(slot);
 }
 
-/// The pair is no longer held; a pending normal frame stays, and the budget is its own then.
-void Channel::DropPair(SlotIndex slot) noexcept
+/// Nothing is granted any longer. A pending normal frame stays, and the budget is its own then (with late detection it
+/// has another one).
+void Channel::Discard(SlotIndex slot) noexcept
 {
     Marks& marks = MarksOf(x_storage, slot);
     const HalfMask bit = BitOf(slot);
     Withdraw(marks.held, bit);
+    Withdraw(marks.acknowledged, bit);
+    Withdraw(marks.released, bit);
     marks.unwritten &= ~bit;
+    marks.faulted |= bit;
     x_storage.ordinal[slot] = 0U;
-    if ((marks.pending & bit) == 0U)
+    if ((marks.pending & ~marks.late & bit) == 0U)
     {
         x_storage.pair_limit[slot] = kNothingRuns;
     }
-}
-
-/// Nothing is granted any longer.
-void Channel::Discard(SlotIndex slot) noexcept
-{
-    Marks& marks = MarksOf(x_storage, slot);
-    marks.released &= ~BitOf(slot);
-    Withdraw(marks.acknowledged, BitOf(slot));
-    x_storage.state[slot] = Code(SrdoState::kFaulted);
-    DropPair(slot);
 }
 
 void Channel::Fault(SlotIndex slot, SrdoCause cause) noexcept
@@ -59,39 +54,37 @@ void Channel::Fault(SlotIndex slot, SrdoCause cause) noexcept
     Record(slot, cause);
 }
 
-/// A limit ran out: SRVT while a normal frame waits, else SCT.
+/// A limit ran out: SRVT while a normal frame waits (not with late detection), else SCT. No effect on a slot that is no
+/// active consumer.
 void Channel::Expire(SlotIndex slot) noexcept
 {
-    const bool is_pending = (MarksOf(x_storage, slot).pending & BitOf(slot)) != 0U;
-    Fault(slot, is_pending ? SrdoCause::kSrvt : SrdoCause::kSct);
-}
-
-/// The frame is then taken as the first one. [SRS-CONS-003, SRS-CONS-012]
-void Channel::TakeLateFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
-{
-    Expire(slot);
-    TakeFrame(slot, frame, since_call);
+    const Marks& marks = MarksOf(x_storage, slot);
+    const HalfMask bit = BitOf(slot);
+    const SrdoCause cause = ((marks.pending & ~marks.late & bit) != 0U) ? SrdoCause::kSrvt : SrdoCause::kSct;
+    FaultEach(static_cast<SlotIndex>(slot - (slot % kSlotsInHalf)), marks.consumers & bit, cause);
 }
 
 void Channel::FaultEach(SlotIndex first, HalfMask slots, SrdoCause cause) noexcept
 {
-    for (HalfMask rest = slots; rest != 0U;)
+    for (HalfMask rest = slots; rest != 0U; rest = WithoutLowest(rest))
     {
-        Fault(TakeLowest(rest, first), cause);
+        Fault(LowestOf(rest, first), cause);
     }
 }
 
-/// A fault of a producer; returns the slot, for the sake of OnConfirm. Only a missed refresh leaves the pair in flight
-/// alone. [SRS-PROD-009]
-SlotIndex Channel::Fail(SlotIndex slot, SrdoCause cause) noexcept
+/// Nothing is in flight any longer.
+void Channel::Ground(SlotIndex slot, Stage stage) noexcept
+{
+    x_storage.rows[slot].stage = stage;
+    x_storage.pair_limit[slot] = kNothingRuns;
+}
+
+/// A fault of a producer that gives up the pair in flight; returns what OnConfirm then tells. [SRS-PROD-009]
+Confirmation Channel::Fail(SlotIndex slot, SrdoCause cause) noexcept
 {
     Record(slot, cause);
-    if (cause != SrdoCause::kRefreshMissed)
-    {
-        x_storage.stage[slot] = Stage::kIdle;
-        x_storage.pair_limit[slot] = kNothingRuns;
-    }
-    return slot;
+    Ground(slot, Stage::kIdle);
+    return Confirmation{kNoSlot, ConfirmStep::kNone};
 }
 
 } // namespace counterpoint::channel_b

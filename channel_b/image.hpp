@@ -15,76 +15,92 @@ namespace counterpoint::channel_b
 
 /// Limit of a budget that nothing can exceed.
 constexpr std::uint32_t kNothingRuns = 0xFFFFFFFFU;
+/// A budget above has gone below zero; SRVT has long run out at this one, whatever instants a frame may have.
+constexpr std::uint32_t kLongestLeft = 0x7FFFFFFFU;
+constexpr std::uint32_t kLongOver = 0x80040000U;
+/// No phase and no refresh lasts longer: 2^27 us are 134 s. What is above is below zero.
+constexpr std::uint32_t kLongestPhase = 0x07FFFFFFU;
+/// Entries of a static mapping at most.
+constexpr std::uint8_t kLargestMapping = 2U * kMaxPayloadBits;
 /// Not the place of an object.
 constexpr std::uint16_t kNoPlace = 0xFFFFU;
+/// Place of a dummy entry.
+constexpr std::uint16_t kDummyPlace = 0xFFFEU;
 
-// Places in the image of one SRDO; what follows kEntriesAt are records of sub-index and entry.
+// Places in the image of one SRDO.
 constexpr std::uint8_t kSctAt = 0U;
 constexpr std::uint8_t kSrvtAt = 2U;
 constexpr std::uint8_t kCobId1At = 3U;
 constexpr std::uint8_t kCobId2At = 7U;
 constexpr std::uint8_t kMapCountAt = 11U;
-constexpr std::uint8_t kEntriesAt = 12U;
-constexpr std::uint8_t kEntryBytes = 5U;
-constexpr std::uint8_t kTransmissionTypeAt = 92U;
-constexpr std::uint8_t kSignatureAt = 93U;
+constexpr std::uint8_t kTransmissionTypeAt = 12U;
+constexpr std::uint8_t kSignatureAt = 13U;
 // Places in Storage::device.
 constexpr std::uint8_t kGfcParameterAt = 0U;
 constexpr std::uint8_t kConfigurationValidAt = 1U;
 
-static_assert(kTransmissionTypeAt == (kEntriesAt + (kMaxMapEntries * kEntryBytes)), "behind the last entry");
+static_assert(kImageBytes == (kSignatureAt + 2U), "nothing behind the signature");
 static_assert(kLookUpBytes == kSrdoIdentifierCount, "one byte an identifier");
 
-[[nodiscard]] inline std::uint8_t* ImageAt(const Storage& storage, SlotIndex slot, std::size_t at) noexcept
+/// Reading past a row's own image is excluded by the constants above.
+[[nodiscard]] inline std::uint32_t ByteAt(const Row& row, std::size_t at) noexcept
 {
-    return &storage.image[(static_cast<std::size_t>(slot) * kImageBytes) + at];
+    return row.image[at]; // MISRA D-002
 }
 
-[[nodiscard]] inline std::uint32_t NormalIdentifier(const Storage& storage, SlotIndex slot) noexcept
+[[nodiscard]] inline std::uint32_t WordAt(const Row& row, std::size_t at) noexcept
 {
-    return PackFourBytes(ImageAt(storage, slot, kCobId1At));
+    return PackFourBytes(&row.image[at]); // MISRA D-002
 }
 
-[[nodiscard]] inline std::uint32_t InverseIdentifier(const Storage& storage, SlotIndex slot) noexcept
+[[nodiscard]] inline std::uint32_t NormalIdentifier(const Row& row) noexcept
 {
-    return PackFourBytes(ImageAt(storage, slot, kCobId2At));
+    return WordAt(row, kCobId1At);
 }
 
-/// Of the normal frame, or of the inverse one.
-[[nodiscard]] inline std::uint32_t OwnIdentifier(const Storage& storage, SlotIndex slot, bool is_normal) noexcept
+[[nodiscard]] inline std::uint32_t InverseIdentifier(const Row& row) noexcept
 {
-    return PackFourBytes(ImageAt(storage, slot, is_normal ? kCobId1At : kCobId2At));
+    return WordAt(row, kCobId2At);
 }
 
-[[nodiscard]] inline std::uint32_t SctMs(const Storage& storage, SlotIndex slot) noexcept
+/// Of the frame whose identifier has this lowest bit: normal frames are odd, inverse frames are even.
+[[nodiscard]] inline std::uint32_t OwnIdentifier(const Row& row, std::uint32_t parity) noexcept
 {
-    const std::uint32_t low = *ImageAt(storage, slot, kSctAt);
-    const std::uint32_t high = *ImageAt(storage, slot, kSctAt + 1U);
-    return low | (high << 8U);
+    return WordAt(row, kCobId2At - (parity * (kCobId2At - kCobId1At)));
+}
+
+[[nodiscard]] inline std::uint32_t SctMs(const Row& row) noexcept
+{
+    return ByteAt(row, kSctAt) | (ByteAt(row, kSctAt + 1U) << 8U);
 }
 
 /// SCT of a consumer, refresh time of a producer.
-[[nodiscard]] inline std::uint32_t SctUs(const Storage& storage, SlotIndex slot) noexcept
+[[nodiscard]] inline std::uint32_t SctUs(const Row& row) noexcept
 {
-    return SctMs(storage, slot) * kMicrosecondsPerMillisecond;
+    return SctMs(row) * kMicrosecondsPerMillisecond;
 }
 
-[[nodiscard]] inline std::uint32_t SrvtUs(const Storage& storage, SlotIndex slot) noexcept
+[[nodiscard]] inline std::uint32_t SrvtUs(const Row& row) noexcept
 {
-    return static_cast<std::uint32_t>(*ImageAt(storage, slot, kSrvtAt)) * kMicrosecondsPerMillisecond;
+    return ByteAt(row, kSrvtAt) * kMicrosecondsPerMillisecond;
 }
 
-/// A map count above 16 counts as 16. [SRS-CFG-020]
-[[nodiscard]] inline std::uint8_t EntryCount(const Storage& storage, SlotIndex slot) noexcept
+[[nodiscard]] inline bool IsStatic(const Mapping& mapping) noexcept
 {
-    const std::uint8_t count = *ImageAt(storage, slot, kMapCountAt);
-    return (count < kMaxMapEntries) ? count : kMaxMapEntries;
+    return mapping.first == kStatic;
 }
 
-/// Entry `index` (0 is sub-index 1).
-[[nodiscard]] inline std::uint32_t EntryAt(const Storage& storage, SlotIndex slot, std::size_t index) noexcept
+/// Where the slot's part of entries and table begins.
+[[nodiscard]] inline std::uint32_t FirstEntryOf(const Storage& storage, SlotIndex slot) noexcept
 {
-    return PackFourBytes(ImageAt(storage, slot, kEntriesAt + (index * kEntryBytes) + 1U));
+    return std::uint32_t{slot} * storage.map_entries;
+}
+
+/// Entries of a stored mapping that count; of a static one, whose count is not stored, 0.
+[[nodiscard]] inline std::uint8_t StoredCount(const Row& row, std::uint8_t most) noexcept
+{
+    const std::uint8_t declared = row.image[kMapCountAt];
+    return (declared < most) ? declared : most;
 }
 
 /// Slot to which the identifier leads; no existing slot if to none.
@@ -94,48 +110,28 @@ static_assert(kLookUpBytes == kSrdoIdentifierCount, "one byte an identifier");
     return (offset < kSrdoIdentifierCount) ? storage.slot_of[offset] : kNoSlot;
 }
 
-/// Which frame of a pair the producer waits to see on the bus.
-enum class Awaited : std::uint8_t
-{
-    kNothing = 0U,
-    kNormal = 1U,
-    kInverse = 2U,
-};
-
-/// A corrupted stage awaits nothing: its pair is given up.
-[[nodiscard]] inline Awaited AwaitedIn(Stage stage) noexcept
+/// A corrupted stage has nothing in flight, and nothing can follow it.
+[[nodiscard]] inline bool IsInFlight(Stage stage) noexcept
 {
     switch (stage)
     {
     case Stage::kInvalid:
+    case Stage::kOff:
     case Stage::kIdle:
-    case Stage::kPrepared:
-        return Awaited::kNothing;
+        return false;
     case Stage::kAwaitNormal:
-        return Awaited::kNormal;
-    case Stage::kSendInverse:
     case Stage::kAwaitInverse:
-        return Awaited::kInverse;
+        return true;
     }
-    return Awaited::kNothing;
-}
-
-[[nodiscard]] inline bool IsInFlight(const Storage& storage, SlotIndex slot) noexcept
-{
-    return AwaitedIn(storage.stage[slot]) != Awaited::kNothing;
+    return false;
 }
 
 /// SRVT counts from the normal frame: the next OnCycle takes away what lay before it.
 inline void StartBudget(const Storage& storage, SlotIndex slot, std::uint32_t since_call) noexcept
 {
-    const std::uint32_t srvt_us = SrvtUs(storage, slot);
+    const std::uint32_t srvt_us = SrvtUs(storage.rows[slot]);
     storage.pair_limit[slot] = srvt_us;
     storage.pair_left[slot] = srvt_us + since_call;
-}
-
-[[nodiscard]] constexpr std::uint8_t Code(SrdoState state) noexcept
-{
-    return static_cast<std::uint8_t>(state);
 }
 
 [[nodiscard]] constexpr std::uint8_t Code(SrdoCause cause) noexcept

@@ -2,7 +2,6 @@
 #include "channel_b/channel.hpp"
 #include "channel_b/image.hpp"
 
-#include <cstddef>
 #include <cstdint>
 
 namespace counterpoint::channel_b
@@ -11,89 +10,132 @@ namespace counterpoint::channel_b
 namespace
 {
 
-constexpr std::size_t kPairs = kMaxMapEntries / 2U;
-constexpr std::uint8_t kFourBytes = 32U; ///< Length in bits.
+constexpr std::uint32_t kFourBytes = 32U; ///< Length in bits of common objects.
 
-/// The value of an object of 1 to 8 bytes. Objects of four bytes are common; all others go byte by byte.
-[[nodiscard]] inline std::uint64_t ReadObject(const std::uint8_t* bytes, std::uint32_t length_bits) noexcept
-{
-    if (length_bits == kFourBytes)
-    {
-        return PackFourBytes(bytes);
-    }
-    const Column<const std::uint8_t> place{bytes};
-    std::uint64_t word = 0U;
-    for (std::uint32_t behind = length_bits / 8U; behind > 0U; --behind)
-    {
-        word = (word << 8U) | place[behind - 1U];
-    }
-    return word;
-}
-
-inline void WriteObject(std::uint8_t* bytes, std::uint32_t length_bits, std::uint64_t data) noexcept
+/// The lowest bits leave `data` for the object; its last byte is filled up with 0. Returns what is left of the data.
+[[nodiscard]] std::uint64_t PutBits(std::uint64_t data, std::uint32_t bits, std::uint8_t* bytes) noexcept
 {
     const Column<std::uint8_t> place{bytes};
     std::uint64_t rest = data;
-    if (length_bits == kFourBytes)
+    std::uint32_t left = bits;
+    for (std::uint32_t at = 0U; left > 0U; ++at)
     {
-        place[0U] = static_cast<std::uint8_t>(data & 0xFFU);
-        place[1U] = static_cast<std::uint8_t>((data >> 8U) & 0xFFU);
-        place[2U] = static_cast<std::uint8_t>((data >> 16U) & 0xFFU);
-        place[3U] = static_cast<std::uint8_t>((data >> 24U) & 0xFFU);
-        return;
+        const std::uint32_t step = (left < 8U) ? left : 8U;
+        place[at] = static_cast<std::uint8_t>(rest & ((1U << step) - 1U));
+        rest >>= step;
+        left -= step;
     }
-    for (std::uint32_t at = 0U; at < (length_bits / 8U); ++at)
+    return rest;
+}
+
+/// The bits of the object enter `data` at its low end, the last byte first; it has the bits above the last whole byte.
+[[nodiscard]] std::uint64_t TakeBits(std::uint64_t data, std::uint32_t bits, const std::uint8_t* bytes) noexcept
+{
+    const Column<const std::uint8_t> place{bytes};
+    std::uint64_t taken = data;
+    std::uint32_t left = bits;
+    while (left > 0U)
     {
-        place[at] = static_cast<std::uint8_t>(rest & 0xFFU);
-        rest >>= 8U;
+        const std::uint32_t step = ((left - 1U) & 7U) + 1U;
+        left -= step;
+        taken = (taken << step) | (place[left / 8U] & ((1U << step) - 1U));
     }
+    return taken;
 }
 
 } // namespace
 
-void Channel::WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept
+/// Bits leave `rest` at its low end, object by object. Where an entry leads to no object (a dummy, or a corrupted
+/// place) they are left out.
+void Channel::WriteFrom(SlotIndex slot, std::uint64_t data, std::uint32_t from) const noexcept
 {
     const Column<const MappableObject> objects{x_config->objects};
-    const Column<std::uint16_t> table{&x_storage.table[static_cast<std::size_t>(slot) * kMaxMapEntries]};
-    const std::uint16_t object_count = x_config->object_count;
-    std::uint32_t shift = 0U;
-    for (std::size_t pair = 0U; pair < kPairs; ++pair)
+    const Mapping mapping = MappingOf(slot);
+    const std::uint32_t count = mapping.count;
+    std::uint64_t rest = data;
+    for (std::uint32_t index = from; index < count; index += 2U)
     {
-        const std::uint16_t place = table[(2U * pair) + 1U];
-        if (place >= object_count) // Behind the last entry; a corrupted place leads nowhere either.
+        const std::uint16_t at = // A static mapping has no table: its entries are looked up each time.
+            IsStatic(mapping) ? Find(mapping.entries[index]) : x_storage.table[mapping.first + index];
+        if (at >= x_config->object_count)
         {
-            break;
+            rest >>= mapping.entries[index] & 63U;
+            continue;
         }
-        const MappableObject& object = objects[place];
-        const std::uint32_t length_bits = object.length_bits;
-        WriteObject(object.place, length_bits, data >> (shift & 63U));
-        shift += length_bits;
+        rest = PutBits(rest, objects[at].length_bits, objects[at].place);
     }
 }
 
-Channel::ObjectData Channel::ReadObjects(SlotIndex slot) const noexcept
+/// As long as a stored mapping leads to objects of four bytes there is nothing to call.
+void Channel::WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept
 {
     const Column<const MappableObject> objects{x_config->objects};
-    const Column<std::uint16_t> table{&x_storage.table[static_cast<std::size_t>(slot) * kMaxMapEntries]};
-    const std::uint16_t object_count = x_config->object_count;
-    ObjectData data{0U, 0U};
-    std::uint32_t shift = 0U;
-    for (std::size_t pair = 0U; pair < kPairs; ++pair)
+    const std::uint32_t object_count = x_config->object_count;
+    const std::uint32_t count = StoredCount(x_storage.rows[slot], x_map_entries);
+    const Column<const std::uint16_t> table{&x_storage.table[FirstEntryOf(x_storage, slot)]};
+    std::uint64_t rest = data;
+    for (std::uint32_t index = 1U; index < count; index += 2U)
     {
-        const std::uint16_t normal = table[2U * pair];
-        const std::uint16_t inverse = table[(2U * pair) + 1U];
-        if ((normal >= object_count) || (inverse >= object_count))
+        const std::uint32_t at = table[index];
+        if ((at >= object_count) || (objects[at].length_bits != kFourBytes))
         {
-            break;
+            WriteFrom(slot, rest, index);
+            return;
         }
-        const MappableObject& plain = objects[normal];
-        const MappableObject& inverted = objects[inverse];
-        const std::uint32_t length_bits = inverted.length_bits;
-        data.normal |= ReadObject(plain.place, plain.length_bits) << (shift & 63U);
-        data.inverse |= ReadObject(inverted.place, length_bits) << (shift & 63U);
-        shift += length_bits;
+        UnpackFourBytes(static_cast<std::uint32_t>(rest & 0xFFFFFFFFU), objects[at].place);
+        rest >>= kFourBytes;
     }
-    return data;
+    if (count == 0U)
+    {
+        WriteFrom(slot, data, 1U); // A static mapping has a count of its own.
+    }
+}
+
+/// Complement of the safe value.
+std::uint64_t Channel::SafeDataOf(SlotIndex slot) const noexcept
+{
+    const Payload& safe_value = Column<const SrdoSetup>{x_config->srdos}[slot].safe_value;
+    return ~Join(safe_value.low, safe_value.high);
+}
+
+/// The way for all objects, from entry `from` (or the last one) on.
+std::uint64_t Channel::ReadFrom(SlotIndex slot, std::uint64_t data, std::uint32_t from) const noexcept
+{
+    const Column<const MappableObject> objects{x_config->objects};
+    const Mapping mapping = MappingOf(slot);
+    std::uint64_t word = data;
+    for (std::uint32_t rest = (from < mapping.count) ? from : mapping.count; rest > 1U; rest -= 2U)
+    {
+        const std::uint16_t at =
+            IsStatic(mapping) ? Find(mapping.entries[rest - 1U]) : x_storage.table[mapping.first + rest - 1U];
+        if (at >= x_config->object_count)
+        {
+            continue; // A corrupted place: other data than the other channel's.
+        }
+        word = TakeBits(word, objects[at].length_bits, objects[at].place);
+    }
+    return word;
+}
+
+/// What the inverse objects hold: from the last object to the first one, so that bits enter the word at its low end. As
+/// long as a stored mapping leads to objects of four bytes there is nothing to call.
+std::uint64_t Channel::ReadInverse(SlotIndex slot) const noexcept
+{
+    const Column<const MappableObject> objects{x_config->objects};
+    const std::uint32_t object_count = x_config->object_count;
+    const std::uint32_t count = StoredCount(x_storage.rows[slot], x_map_entries);
+    const Column<const std::uint16_t> table{&x_storage.table[FirstEntryOf(x_storage, slot)]};
+    std::uint64_t word = 0U;
+    for (std::uint32_t rest = count; rest > 1U; rest -= 2U)
+    {
+        const std::uint32_t at = table[rest - 1U];
+        if ((at >= object_count) || (objects[at].length_bits != kFourBytes))
+        {
+            return ReadFrom(slot, word, rest);
+        }
+        word = (word << kFourBytes) | PackFourBytes(objects[at].place);
+    }
+    return (count == 0U) ? ReadFrom(slot, word, kLargestMapping) : word; // A static mapping has a count of its own.
 }
 
 } // namespace counterpoint::channel_b

@@ -17,23 +17,24 @@ constexpr SlotIndex kPlaceOf[kSlotsInHalf] = { // MISRA D-001
 
 } // namespace
 
-const std::uint64_t kPayloadMasks[kMaxPayloadBytes] = { // MISRA D-001
-    0xFFFFFFFFFFFFFFFFU, 0xFFU, 0xFFFFU, 0xFFFFFFU, 0xFFFFFFFFU, 0xFFFFFFFFFFU, 0xFFFFFFFFFFFFU, 0xFFFFFFFFFFFFFFU};
-
-SlotIndex TakeLowest(HalfMask& mask, SlotIndex first) noexcept
+SlotIndex LowestOf(HalfMask mask, SlotIndex first) noexcept
 {
-    const HalfMask others = mask & (mask - 1U);
-    const HalfMask lowest = mask ^ others;
-    mask = others;
+    const HalfMask lowest = mask & (0U - mask);
     return static_cast<SlotIndex>(first + kPlaceOf[(lowest * kDeBruijn) >> 27U]);
 }
 
-/// By sums in ever wider fields.
-std::uint8_t CountOf(HalfMask mask) noexcept
+/// By sums in ever wider fields: two halves together have at most 8 in four bits.
+std::uint8_t CountOf(HalfMask low, HalfMask high) noexcept
 {
-    const std::uint32_t pairs = mask - ((mask >> 1U) & 0x55555555U);
-    const std::uint32_t nibbles = (pairs & 0x33333333U) + ((pairs >> 2U) & 0x33333333U);
-    const std::uint32_t bytes = (nibbles + (nibbles >> 4U)) & 0x0F0F0F0FU;
+    if ((low | high) == 0U)
+    {
+        return 0U;
+    }
+    const std::uint32_t low_pairs = low - ((low >> 1U) & 0x55555555U);
+    const std::uint32_t high_pairs = high - ((high >> 1U) & 0x55555555U);
+    const std::uint32_t low_nibbles = (low_pairs & 0x33333333U) + ((low_pairs >> 2U) & 0x33333333U);
+    const std::uint32_t nibbles = low_nibbles + (high_pairs & 0x33333333U) + ((high_pairs >> 2U) & 0x33333333U);
+    const std::uint32_t bytes = (nibbles & 0x0F0F0F0FU) + ((nibbles >> 4U) & 0x0F0F0F0FU);
     return static_cast<std::uint8_t>((bytes * 0x01010101U) >> 24U);
 }
 

@@ -31,10 +31,20 @@ namespace counterpoint::channel_b
     return (first == 0U) ? low : high;
 }
 
+/// Behind the last slot of the half, of a device with `count` slots.
+[[nodiscard]] inline SlotIndex EndOf(SlotIndex first, SlotIndex count) noexcept
+{
+    const std::uint32_t full = static_cast<std::uint32_t>(first) + kSlotsInHalf;
+    return (count < full) ? count : static_cast<SlotIndex>(full);
+}
+
 [[nodiscard]] inline SrdoMask Join(HalfMask low, HalfMask high) noexcept
 {
     return static_cast<SrdoMask>(low) | (static_cast<SrdoMask>(high) << 32U);
 }
+
+/// No slot has the mark.
+constexpr TwinMask kUnmarked{0U, 0xFFFFFFFFU};
 
 /// Set only if both twins say so.
 [[nodiscard]] inline HalfMask Granted(const TwinMask& mask) noexcept
@@ -69,25 +79,25 @@ inline void Withdraw(TwinMask& mask, HalfMask slots) noexcept
            (static_cast<std::uint64_t>(PackFourBytes(&byte[4U])) << 32U);
 }
 
-inline void UnpackBytes(std::uint64_t word, std::uint8_t* bytes) noexcept
+inline void UnpackFourBytes(std::uint32_t word, std::uint8_t* bytes) noexcept
 {
     const Column<std::uint8_t> byte{bytes};
     byte[0U] = static_cast<std::uint8_t>(word & 0xFFU);
     byte[1U] = static_cast<std::uint8_t>((word >> 8U) & 0xFFU);
     byte[2U] = static_cast<std::uint8_t>((word >> 16U) & 0xFFU);
     byte[3U] = static_cast<std::uint8_t>((word >> 24U) & 0xFFU);
-    byte[4U] = static_cast<std::uint8_t>((word >> 32U) & 0xFFU);
-    byte[5U] = static_cast<std::uint8_t>((word >> 40U) & 0xFFU);
-    byte[6U] = static_cast<std::uint8_t>((word >> 48U) & 0xFFU);
-    byte[7U] = static_cast<std::uint8_t>((word >> 56U) & 0xFFU);
 }
 
-/// Mapped bits of a payload of 1 to 8 bytes; 8 bytes are row 0, and a corrupted length is some row.
-extern const std::uint64_t kPayloadMasks[kMaxPayloadBytes]; // MISRA D-001
-
-[[nodiscard]] inline std::uint64_t PayloadMask(std::uint8_t length_bytes) noexcept
+inline void UnpackBytes(std::uint64_t word, std::uint8_t* bytes) noexcept
 {
-    return kPayloadMasks[length_bytes % kMaxPayloadBytes];
+    UnpackFourBytes(static_cast<std::uint32_t>(word & 0xFFFFFFFFU), bytes);
+    UnpackFourBytes(static_cast<std::uint32_t>(word >> 32U), &Column<std::uint8_t>{bytes}[4U]);
+}
+
+/// 1 to 64 bits.
+[[nodiscard]] inline std::uint64_t LowBits(std::uint32_t count) noexcept
+{
+    return ~std::uint64_t{0U} >> ((64U - count) & 63U);
 }
 
 [[nodiscard]] inline Payload PayloadOf(std::uint64_t word) noexcept
@@ -95,10 +105,16 @@ extern const std::uint64_t kPayloadMasks[kMaxPayloadBytes]; // MISRA D-001
     return Payload{static_cast<std::uint32_t>(word & 0xFFFFFFFFU), static_cast<std::uint32_t>(word >> 32U)};
 }
 
-/// @brief Clears the lowest set bit of a mask that is not 0 and returns its slot in the half that starts at `first`.
-[[nodiscard]] SlotIndex TakeLowest(HalfMask& mask, SlotIndex first) noexcept;
-/// @brief Number of set bits.
-[[nodiscard]] std::uint8_t CountOf(HalfMask mask) noexcept;
+/// @brief The slot of the lowest set bit of a mask that is not 0, in the half that starts at `first`.
+[[nodiscard]] SlotIndex LowestOf(HalfMask mask, SlotIndex first) noexcept;
+/// @brief The mask without its lowest set bit.
+[[nodiscard]] constexpr HalfMask WithoutLowest(HalfMask mask) noexcept
+{
+    return mask & (mask - 1U);
+}
+
+/// @brief Number of set bits of both halves.
+[[nodiscard]] std::uint8_t CountOf(HalfMask low, HalfMask high) noexcept;
 
 } // namespace counterpoint::channel_b
 

@@ -2,6 +2,7 @@
 #include "channel_b/channel.hpp"
 #include "channel_b/image.hpp"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace counterpoint::channel_b
@@ -13,159 +14,111 @@ namespace
 /// A budget of which one microsecond too much was taken.
 constexpr std::uint32_t kJustSpent = 0xFFFFFFFFU;
 
-} // namespace
+constexpr CanFrame kNoFrame{0U, FrameKind::kInvalid, CanPortId::kInvalid, 0U, {}};
+constexpr Confirmation kNoConfirmation{kNoSlot, ConfirmStep::kNone};
 
-/// For how long a producer of form kApplicationSends may be silent. [SRS-PROD-010]
-std::uint32_t Channel::AbsenceUs(SlotIndex slot) const noexcept
+[[nodiscard]] CanFrame FrameOf(const Row& row, std::size_t identifier_at, CanPortId port, std::uint64_t data) noexcept
 {
-    return SctUs(x_storage, slot) + x_config->cycle_us + x_config->cycle_tolerance_us;
-}
-
-void Channel::Request(SlotIndex slot) noexcept
-{
-    if (x_storage.state[slot] == Code(SrdoState::kProducer))
-    {
-        MarksOf(x_storage, slot).requested |= BitOf(slot);
-    }
-}
-
-void Channel::Hold(SlotIndex slot) noexcept
-{
-    Marks& marks = MarksOf(x_storage, slot);
-    if (x_storage.state[slot] == Code(SrdoState::kProducer))
-    {
-        marks.standing |= marks.provider & marks.started & BitOf(slot);
-    }
-}
-
-PreparedPair Channel::Prepare(SlotIndex slot) noexcept
-{
-    PreparedPair pair{{0U, 0U}, PrepareStatus::kNotProducer, 0U};
-    if ((x_storage.state[slot] != Code(SrdoState::kProducer)) || IsInFlight(x_storage, slot))
-    {
-        return pair;
-    }
-    Marks& marks = MarksOf(x_storage, slot);
-    marks.requested &= ~BitOf(slot);
-    marks.refresh_due &= ~BitOf(slot);
-    const ObjectData data = ReadObjects(slot);
-    const std::uint64_t mask = PayloadMask(x_storage.length_bytes[slot]);
-    if ((data.normal ^ data.inverse) != mask)
-    {
-        static_cast<void>(Fail(slot, SrdoCause::kNotInverse));
-        pair.status = PrepareStatus::kNotInverse;
-        return pair;
-    }
-    x_storage.inverse_data[slot] = data.inverse;
-    x_storage.stage[slot] = Stage::kPrepared;
-    pair.normal = PayloadOf(data.inverse ^ mask);
-    pair.status = PrepareStatus::kReady;
-    pair.length_bytes = x_storage.length_bytes[slot];
-    return pair;
-}
-
-void Channel::Launch(SlotIndex slot) noexcept
-{
-    if (x_storage.stage[slot] != Stage::kPrepared)
-    {
-        return;
-    }
-    const Marks& marks = MarksOf(x_storage, slot);
-    const HalfMask by_application = marks.started & ~marks.provider;
-    x_storage.stage[slot] = Stage::kAwaitNormal;
-    StartBudget(x_storage, slot, 0U);
-    if ((by_application & BitOf(slot)) != 0U)
-    {
-        x_storage.phase_left[slot] = AbsenceUs(slot);
-    }
-}
-
-CanFrame Channel::NextFrame(SlotIndex slot) noexcept
-{
-    CanFrame frame{0U, FrameKind::kInvalid, CanPortId::kInvalid, 0U, {}};
-    if (x_storage.stage[slot] == Stage::kSendInverse)
-    {
-        const std::uint64_t data = x_storage.inverse_data[slot];
-        x_storage.stage[slot] = Stage::kAwaitInverse;
-        frame.identifier = InverseIdentifier(x_storage, slot);
-        frame.kind = FrameKind::kData;
-        frame.port = x_config->inverse_port;
-        frame.length_bytes = x_storage.length_bytes[slot];
-        UnpackBytes(data, &frame.data[0]);
-    }
+    CanFrame frame{WordAt(row, identifier_at), FrameKind::kData, port, row.length_bytes, {}};
+    UnpackBytes(data, &frame.data[0]);
     return frame;
 }
 
-[[gnu::always_inline]] inline bool Channel::IsEchoWrong(SlotIndex slot, const CanFrame& frame,
-                                                        std::uint64_t expected) const noexcept
+} // namespace
+
+/// [SRS-PROD-005]
+PreparedPair Channel::Prepare(SlotIndex slot) noexcept
 {
-    const std::uint8_t length_bytes = x_storage.length_bytes[slot];
-    const std::uint64_t different = (expected ^ PackBytes(&frame.data[0])) & PayloadMask(length_bytes);
-    return (frame.length_bytes != length_bytes) || (different != 0U);
+    Row& row = x_storage.rows[slot];
+    if (row.stage != Stage::kIdle)
+    {
+        return PreparedPair{kNoFrame, PrepareStatus::kNotProducer};
+    }
+    const std::uint64_t data = ~ReadInverse(slot) & row.mask & ~row.spare;
+    Marks& marks = MarksOf(x_storage, slot);
+    const HalfMask bit = BitOf(slot);
+    marks.requested &= ~bit;
+    marks.refresh_due &= ~bit;
+    row.inverse_data = ~data;
+    row.stage = Stage::kAwaitNormal;
+    StartBudget(x_storage, slot, 0U);
+    if ((marks.started & ~marks.provider & bit) != 0U)
+    {
+        x_storage.phase_left[slot] = SctUs(row) + x_late_us;
+    }
+    return PreparedPair{FrameOf(row, kCobId1At, x_port[1U], data), PrepareStatus::kReady};
 }
 
-SlotIndex Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
+CanFrame Channel::InverseFrame(SlotIndex slot) noexcept
+{
+    Row& row = x_storage.rows[slot];
+    if ((row.stage != Stage::kAwaitInverse) || (row.to_send != kToSend))
+    {
+        return kNoFrame;
+    }
+    row.to_send = kHandedOut;
+    return FrameOf(row, kCobId2At, x_port[0U], row.inverse_data & row.mask);
+}
+
+/// One way for both frames of a pair; behind the length anything may be. [SRS-PROD-007, SRS-PROD-008]
+Confirmation Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
 {
     const SlotIndex slot = LookUp(x_storage, frame);
     if ((frame.kind != FrameKind::kData) || (slot >= x_count))
     {
-        return kNoSlot;
+        return kNoConfirmation;
     }
-    // The identifiers of normal frames are odd, those of inverse frames are even.
-    const bool is_normal = (frame.identifier & 1U) != 0U;
-    const Awaited confirmed = is_normal ? Awaited::kNormal : Awaited::kInverse;
-    const bool is_own = frame.identifier == OwnIdentifier(x_storage, slot, is_normal);
-    if ((AwaitedIn(x_storage.stage[slot]) != confirmed) || (!is_own))
+    Row& row = x_storage.rows[slot];
+    const bool is_normal = row.stage == Stage::kAwaitNormal;
+    const std::uint32_t parity = is_normal ? 1U : 0U;
+    const bool is_awaited = is_normal || (row.stage == Stage::kAwaitInverse);
+    if ((!is_awaited) || (frame.identifier != OwnIdentifier(row, parity)))
     {
-        return kNoSlot;
+        return kNoConfirmation;
     }
-    const std::uint64_t inverse = x_storage.inverse_data[slot];
-    const std::uint32_t since_call = stamp.us - x_last_us;
-    if (IsEchoWrong(slot, frame, is_normal ? ~inverse : inverse))
+    const std::uint64_t flipped =
+        std::uint64_t{0U} - parity; // Every bit for the normal frame, none for the inverse one.
+    const std::uint64_t different = (PackBytes(&frame.data[0]) ^ row.inverse_data ^ flipped) & row.mask;
+    if ((different != 0U) || (frame.length_bytes != row.length_bytes))
     {
         return Fail(slot, SrdoCause::kWrongEcho);
     }
-    if (!is_normal)
+    const std::uint32_t since_call = stamp.us - x_last_us;
+    if (is_normal)
     {
-        return ConfirmInverse(slot, since_call);
+        row.stage = Stage::kAwaitInverse;
+        row.to_send = kToSend;
+        x_storage.pair_left[slot] = x_storage.pair_limit[slot] + since_call; // SRVT anew.
+        return Confirmation{slot, ConfirmStep::kNormal};
     }
-    x_storage.stage[slot] = Stage::kSendInverse;
-    StartBudget(x_storage, slot, since_call);
-    return slot;
-}
-
-/// `since_call` is the time from the last OnCycle to the confirmation.
-[[gnu::always_inline]] inline SlotIndex Channel::ConfirmInverse(SlotIndex slot, std::uint32_t since_call) noexcept
-{
     if ((x_storage.pair_left[slot] - since_call) > x_storage.pair_limit[slot])
     {
         return Fail(slot, SrdoCause::kNoConfirmation);
     }
-    x_storage.sent[slot] += 1U;
-    x_storage.stage[slot] = Stage::kIdle;
+    row.sent += 1U;
+    row.stage = Stage::kIdle;
     x_storage.pair_limit[slot] = kNothingRuns;
-    return slot;
+    return Confirmation{slot, ConfirmStep::kPair};
 }
 
-void Channel::OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept
+void Channel::OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept
 {
-    const bool is_transmit_fault = (cause == SrdoCause::kTransmitQueue) || (cause == SrdoCause::kBusOff);
-    if (is_transmit_fault && IsInFlight(x_storage, slot))
+    const bool is_of_bus = (fault.cause == SrdoCause::kTransmitQueue) || (fault.cause == SrdoCause::kBusOff);
+    const bool is_transmit_fault = is_of_bus || (fault.cause == SrdoCause::kNotInverse);
+    if (is_transmit_fault && IsInFlight(x_storage.rows[slot].stage))
     {
-        static_cast<void>(Fail(slot, cause));
+        static_cast<void>(Fail(slot, fault.cause));
     }
 }
 
 /// The refresh falls due at exact distances, whenever the calls come. [SRS-PROD-001, SRS-PROD-002]
-void Channel::AdvanceProvider(SlotIndex slot) noexcept
+[[gnu::always_inline]] inline void Channel::AdvanceProvider(SlotIndex slot, HalfMask bit, Marks& marks) noexcept
 {
-    Marks& marks = MarksOf(x_storage, slot);
-    const HalfMask bit = BitOf(slot);
-    x_storage.phase_left[slot] += SctUs(x_storage, slot);
+    x_storage.phase_left[slot] += SctUs(x_storage.rows[slot]);
     marks.started |= bit;
-    if (IsInFlight(x_storage, slot) || ((marks.refresh_due & bit) != 0U))
+    if (IsInFlight(x_storage.rows[slot].stage) || ((marks.refresh_due & bit) != 0U))
     {
-        static_cast<void>(Fail(slot, SrdoCause::kRefreshMissed));
+        Record(slot, SrdoCause::kRefreshMissed);
     }
     else
     {
@@ -173,12 +126,10 @@ void Channel::AdvanceProvider(SlotIndex slot) noexcept
     }
 }
 
-/// [SRS-PROD-001, SRS-PROD-010]
-void Channel::AdvanceApplication(SlotIndex slot) noexcept
+/// Silence is allowed for the refresh time and a cycle that is just in time. [SRS-PROD-001, SRS-PROD-010]
+[[gnu::always_inline]] inline void Channel::AdvanceApplication(SlotIndex slot, HalfMask bit, Marks& marks) noexcept
 {
-    Marks& marks = MarksOf(x_storage, slot);
-    const HalfMask bit = BitOf(slot);
-    const std::uint32_t absence_us = AbsenceUs(slot);
+    const std::uint32_t absence_us = SctUs(x_storage.rows[slot]) + x_late_us;
     if ((marks.started & bit) == 0U)
     {
         marks.started |= bit;
@@ -194,47 +145,62 @@ void Channel::AdvanceApplication(SlotIndex slot) noexcept
     }
     else
     {
-        static_cast<void>(Fail(slot, SrdoCause::kRefreshMissed));
+        Record(slot, SrdoCause::kRefreshMissed);
         x_storage.phase_left[slot] = absence_us;
     }
 }
 
-/// Returns the slots that are due. [SRS-PROD-004, SRS-PROD-008, SRS-PROD-010]
-HalfMask Channel::AdvanceProducers(const Census& census) noexcept
+/// Whose phase is over, or where no phase runs any longer.
+inline void Channel::EndPhases(const Half& half) noexcept
 {
-    Marks& marks = MarksOf(x_storage, census.first);
-    const std::uint32_t first_us = kFirstTransmissionStepUs * x_config->node_id;
-    for (HalfMask rest = census.producers & census.spent; rest != 0U;)
+    Marks& marks = *half.marks;
+    for (HalfMask rest = half.present & ~(marks.acknowledged.on & marks.consumers); rest != 0U;
+         rest = WithoutLowest(rest))
     {
-        static_cast<void>(Fail(TakeLowest(rest, census.first), SrdoCause::kNoConfirmation));
-    }
-    for (HalfMask rest = census.producers; rest != 0U;)
-    {
-        const SlotIndex slot = TakeLowest(rest, census.first);
+        const SlotIndex slot = LowestOf(rest, half.first);
         const HalfMask bit = BitOf(slot);
-        const std::uint32_t elapsed_us = ((marks.standing & bit) != 0U) ? 0U : x_elapsed_us;
-        const std::uint32_t left_us = x_storage.phase_left[slot] - elapsed_us;
-        const std::uint32_t limit_us = ((marks.started & bit) != 0U) ? SctUs(x_storage, slot) : first_us;
-        x_storage.phase_left[slot] = left_us;
-        if ((left_us - 1U) < limit_us) // At least one microsecond is left.
+        if ((x_storage.phase_left[slot] - 1U) <= kLongestPhase)
         {
-            continue;
+            continue; // At least one microsecond is left.
         }
-        if ((marks.provider & bit) != 0U)
+        if ((marks.producers & bit) == 0U)
         {
-            AdvanceProvider(slot);
+            x_storage.phase_left[slot] = kLongestPhase;
+        }
+        else if ((marks.provider & bit) != 0U)
+        {
+            AdvanceProvider(slot, bit, marks);
         }
         else
         {
-            AdvanceApplication(slot);
+            AdvanceApplication(slot, bit, marks);
         }
     }
-    marks.standing = 0U;
-    HalfMask due = census.producers & (marks.refresh_due | (marks.requested & marks.started));
-    for (HalfMask rest = due; rest != 0U;)
+}
+
+/// Returns the slots that are due. [SRS-PROD-003, SRS-PROD-004, SRS-PROD-008, SRS-PROD-010, SRS-PROD-012]
+HalfMask Channel::AdvanceProducers(const CycleInput& input, const Call& call, const Half& half) noexcept
+{
+    Marks& marks = *half.marks;
+    const HalfMask standing = PartOf(input.stand, half.first) & marks.provider & marks.started & marks.producers;
+    marks.requested |= PartOf(input.request, half.first) & marks.producers;
+    for (HalfMask rest = marks.producers & half.spent; rest != 0U; rest = WithoutLowest(rest))
     {
-        const SlotIndex slot = TakeLowest(rest, census.first);
-        if (IsInFlight(x_storage, slot))
+        static_cast<void>(Fail(LowestOf(rest, half.first), SrdoCause::kNoConfirmation));
+    }
+    for (HalfMask rest = standing; rest != 0U; rest = WithoutLowest(rest))
+    {
+        x_storage.phase_left[LowestOf(rest, half.first)] += x_elapsed_us;
+    }
+    if (call.ended != 0U)
+    {
+        EndPhases(half);
+    }
+    HalfMask due = marks.producers & (marks.refresh_due | (marks.requested & marks.started));
+    for (HalfMask rest = due; rest != 0U; rest = WithoutLowest(rest))
+    {
+        const SlotIndex slot = LowestOf(rest, half.first);
+        if (IsInFlight(x_storage.rows[slot].stage))
         {
             due &= ~BitOf(slot);
         }

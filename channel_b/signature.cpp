@@ -11,38 +11,131 @@ namespace counterpoint::channel_b
 namespace
 {
 
-/// CRC-16 with polynomial 1021h over one more byte. With x the byte that leaves the register XOR the data, the
-/// polynomial x^16 + x^12 + x^5 + 1 folds back into x XOR (x >> 4) at the places 0, 5 and 12: no table and no loop over
-/// bits. Bits above 15 are rubbish that the caller cuts off at the end.
-[[nodiscard]] inline std::uint32_t Fold(std::uint32_t crc, std::uint32_t byte) noexcept
+/// What four bits that leave a CRC-32 with polynomial 04C11DB7h, lowest bit first, fold back.
+constexpr std::uint32_t kFolded[16U] = { // MISRA D-001
+    0x00000000U, 0x1DB71064U, 0x3B6E20C8U, 0x26D930ACU, 0x76DC4190U, 0x6B6B51F4U, 0x4DB26158U, 0x5005713CU,
+    0xEDB88320U, 0xF00F9344U, 0xD6D6A3E8U, 0xCB61B38CU, 0x9B64C2B0U, 0x86D3D2D4U, 0xA00AE278U, 0xBDBDF21CU};
+
+/// CRC-16 with polynomial 1021h over the four bytes of a word, the highest first. What a word folds back is q (1 + x^5
+/// + x^12), where q is the word less what q itself folds back above bit 15: q = word + q / x^4 + q / x^11 + q / x^16.
+/// Three lines solve that for all bits at once, so that there is neither a table nor a loop over bits. Bits of a CRC
+/// above bit 15 are rubbish that counts for nothing and is cut off at the end.
+[[nodiscard]] std::uint32_t FoldWord(std::uint32_t crc, std::uint32_t word) noexcept
 {
-    const std::uint32_t leaving = ((crc >> 8U) & 0xFFU) ^ byte;
-    const std::uint32_t mixed = leaving ^ (leaving >> 4U);
-    return (crc << 8U) ^ (mixed << 12U) ^ (mixed << 5U) ^ mixed;
+    std::uint32_t quotient = word ^ (crc << 16U);
+    quotient ^= (quotient >> 4U) ^ (quotient >> 11U) ^ (quotient >> 16U);
+    quotient ^= (quotient >> 8U) ^ (quotient >> 22U);
+    quotient ^= quotient >> 16U;
+    return (quotient << 12U) ^ (quotient << 5U) ^ quotient;
 }
 
-[[nodiscard]] std::uint32_t FoldAll(std::uint32_t crc, const std::uint8_t* bytes, std::size_t count) noexcept
+/// The same over one byte.
+[[nodiscard]] std::uint32_t FoldByte(std::uint32_t crc, std::uint32_t byte) noexcept
 {
-    const Column<const std::uint8_t> byte{bytes};
-    std::uint32_t folded = crc;
-    for (std::size_t index = 0U; index < count; ++index)
+    const std::uint32_t leaving = ((crc >> 8U) ^ byte) & 0xFFU;
+    const std::uint32_t quotient = leaving ^ (leaving >> 4U);
+    return (crc << 8U) ^ (quotient << 12U) ^ (quotient << 5U) ^ quotient;
+}
+
+/// Low byte first becomes high byte first.
+[[nodiscard]] constexpr std::uint32_t Turned(std::uint32_t word) noexcept
+{
+    return (word << 24U) | ((word & 0xFF00U) << 8U) | ((word >> 8U) & 0xFF00U) | (word >> 24U);
+}
+
+/// CRC-32 over the lowest bits of a word, four at a time, the lowest first: of whole bytes low byte first.
+[[nodiscard]] [[gnu::noinline]] std::uint32_t Digested(std::uint32_t crc, std::uint32_t word,
+                                                       std::uint32_t bits) noexcept
+{
+    std::uint32_t digested = crc ^ word;
+    for (std::uint32_t rest = bits; rest != 0U; rest -= 4U)
     {
-        folded = Fold(folded, byte[index]);
+        digested = (digested >> 4U) ^ kFolded[digested & 15U]; // MISRA D-002
     }
-    return folded;
+    return digested;
+}
+
+[[nodiscard]] constexpr std::uint32_t FourBytes(std::uint32_t first, std::uint32_t second, std::uint32_t third,
+                                                std::uint32_t fourth) noexcept
+{
+    return first | (second << 8U) | (third << 16U) | (fourth << 24U);
+}
+
+/// The only value that counts, or 0.
+template <typename T> [[nodiscard]] constexpr std::uint32_t OnlyIf(T value, T expected) noexcept
+{
+    return (value == expected) ? static_cast<std::uint32_t>(expected) : 0U;
+}
+
+[[nodiscard]] std::uint32_t DigestedDevice(std::uint32_t crc, const DeviceConfig& config, std::uint32_t gfc) noexcept
+{
+    const std::uint32_t words[9U] = {config.cycle_us, // MISRA D-001
+                                     config.cycle_tolerance_us,
+                                     config.discrepancy_us,
+                                     config.acknowledge_window_us,
+                                     config.diagnostic_interval_us,
+                                     config.test_interval_us,
+                                     config.clock_tolerance_us,
+                                     config.clock_interval_us,
+                                     config.output_time_us};
+    std::uint32_t digested =
+        Digested(crc,
+                 FourBytes(config.node_id, config.granularity_bits, OnlyIf(config.dummies, DummyMapping::kAllowed),
+                           OnlyIf(config.gaps, NumberGaps::kSearched)),
+                 32U);
+    digested = Digested(digested,
+                        FourBytes(OnlyIf(config.gfc, GfcUse::kPresent), static_cast<std::uint32_t>(config.normal_port),
+                                  static_cast<std::uint32_t>(config.inverse_port), 0U),
+                        24U);
+    for (const std::uint32_t word : words)
+    {
+        digested = Digested(digested, word, 32U);
+    }
+    return Digested(digested, gfc, 8U);
 }
 
 } // namespace
 
-std::uint16_t Channel::SignatureOf(SlotIndex slot) const noexcept
+std::uint16_t Channel::SignatureOf(SlotIndex slot, const Mapping& mapping) const noexcept
 {
-    const std::uint8_t count = EntryCount(x_storage, slot);
-    const std::size_t entry_bytes = static_cast<std::size_t>(count) * kEntryBytes;
-    std::uint32_t crc = Fold(0U, x_storage.direction[slot]);
-    crc = FoldAll(crc, ImageAt(x_storage, slot, kSctAt), kMapCountAt);
-    crc = Fold(crc, count);
-    crc = FoldAll(crc, ImageAt(x_storage, slot, kEntriesAt), entry_bytes);
+    const Row& row = x_storage.rows[slot];
+    const std::uint32_t count = mapping.count;
+    std::uint32_t crc = FoldByte(0U, x_storage.direction[slot]);
+    for (std::size_t at = 0U; at < kMapCountAt; at += 4U)
+    {
+        crc = FoldWord(crc, Turned(WordAt(row, at)));
+    }
+    crc ^= FoldByte(0U, ByteAt(row, kMapCountAt) ^ count); // The last byte is the count as it counts.
+    for (std::uint32_t index = 0U; index < count; ++index)
+    {
+        crc = FoldWord(FoldByte(crc, index + 1U), Turned(mapping.entries[index]));
+    }
     return static_cast<std::uint16_t>(crc & 0xFFFFU);
+}
+
+/// [SRS-CFG-034]
+DeviceDigest Channel::Digest(SlotIndex slot, DeviceDigest before) const noexcept
+{
+    const SrdoSetup& setup = Column<const SrdoSetup>{x_config->srdos}[slot];
+    const Marks& marks = MarksOf(x_storage, slot);
+    const HalfMask bit = BitOf(slot);
+    const bool is_automatic = (Granted(marks.automatic) & bit) != 0U;
+    const bool is_provider = (marks.provider & bit) != 0U;
+    const bool is_late = (marks.late & bit) != 0U;
+    std::uint32_t crc = ~before.value;
+    if (slot == 0U)
+    {
+        crc = DigestedDevice(crc, *x_config, x_storage.device[kGfcParameterAt]);
+    }
+    const std::uint32_t forms =
+        FourBytes(setup.number, is_automatic ? static_cast<std::uint32_t>(ReleasePolicy::kAutomatic) : 0U,
+                  is_provider ? static_cast<std::uint32_t>(ProducerForm::kProviderCalled) : 0U,
+                  is_late ? static_cast<std::uint32_t>(SrvtDetection::kLate) : 0U);
+    crc = Digested(crc, forms, 32U);
+    crc = Digested(crc, ByteAt(x_storage.rows[slot], kTransmissionTypeAt), 8U);
+    crc = Digested(crc, setup.safe_value.low, 32U);
+    crc = Digested(crc, setup.safe_value.high, 32U);
+    return DeviceDigest{~crc};
 }
 
 } // namespace counterpoint::channel_b

@@ -1,9 +1,15 @@
-# What another project takes: the rooms of the safety kernel and their headers, and none of the host tools.
+# What another project takes: the rooms of the safety kernel and their headers. The host layer is not for a device: it needs
+# no foreign library, and shows an application on a bench. Tools and examples come along where they were built.
 include(CMakePackageConfigHelpers)
 
-set(COUNTERPOINT_INSTALLED_ROOMS safety_core_contract safety_core_comparator hal_api safety_core_kernel channel_a channel_b
-    hal_absent)
+set(COUNTERPOINT_INSTALLED_ROOMS safety_core_contract safety_core_comparator hal_api safety_core_kernel safety_core_selftest
+    safety_core_crosslink channel_a channel_b hal_absent)
 set(COUNTERPOINT_INSTALLED_FOLDERS safety_core hal/api hal/absent channel_a channel_b)
+if(COUNTERPOINT_HOST)
+  list(APPEND COUNTERPOINT_INSTALLED_ROOMS hal_host)
+  list(APPEND COUNTERPOINT_INSTALLED_FOLDERS hal/host)
+  install(TARGETS counterpoint RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} OPTIONAL)
+endif()
 set(COUNTERPOINT_PACKAGE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/Counterpoint)
 
 foreach(room IN LISTS COUNTERPOINT_INSTALLED_ROOMS)
@@ -26,3 +32,5 @@ write_basic_package_version_file(${Counterpoint_BINARY_DIR}/CounterpointConfigVe
     COMPATIBILITY SameMinorVersion)
 install(FILES ${Counterpoint_BINARY_DIR}/CounterpointConfig.cmake ${Counterpoint_BINARY_DIR}/CounterpointConfigVersion.cmake
         DESTINATION ${COUNTERPOINT_PACKAGE_FOLDER})
+install(DIRECTORY ${Counterpoint_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/counterpoint)
+install(FILES ${Counterpoint_SOURCE_DIR}/docs/user_guide.md DESTINATION ${CMAKE_INSTALL_DATADIR}/counterpoint)

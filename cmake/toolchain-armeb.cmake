@@ -25,7 +25,7 @@ set(CMAKE_ASM_FLAGS_INIT "${cpu}")
 # Clang takes GCC's flags for this processor as they are and needs these on top; GCC's ABI has short enumerations.
 set(newlib /usr/include/newlib)
 set(gcc_headers ${newlib}/c++/12.2.1)
-set(COUNTERPOINT_CHANNEL_B_FLAGS --target=armebv7r-none-eabihf -fshort-enums
+set(COUNTERPOINT_CHANNEL_B_FLAGS --target=armebv7r-none-eabihf -fshort-enums -fomit-frame-pointer
     -isystem${gcc_headers} -isystem${gcc_headers}/arm-none-eabi -isystem${newlib}
     CACHE STRING "Flags of channel B's compiler that the compiler of the rest does not know")
 # Stack usage again, by the names that the linker knows: only GCC has this, and needs it.

@@ -17,8 +17,6 @@ namespace counterpoint::tools
 {
 namespace
 {
-constexpr int kDefaultGranularity = 8;
-
 std::size_t CountOf(const std::vector<cia306::Finding>& findings, const cia306::Severity severity)
 {
     return static_cast<std::size_t>(std::count_if(findings.begin(), findings.end(),
@@ -40,8 +38,8 @@ class CheckCommand final : public Command
     void Describe(CLI::App& app) override
     {
         options_.Describe(app);
-        app.add_option("--granularity", granularity_, "Bits that mapped lengths have to be multiples of")
-            ->capture_default_str()
+        app.add_option("--granularity", granularity_,
+                       "Bits that mapped lengths have to be multiples of (default: the ones in the file, else 8)")
             ->check(CLI::Validator(ProblemOfNumber, ""))
             ->check(CLI::IsMember(std::set<int>{1, 8, 16, 32, 64}));
     }
@@ -57,7 +55,10 @@ class CheckCommand final : public Command
         const cia306::Device device = cia306::ReadDeviceFile(options_.file);
         cia306::CheckOptions check_options;
         check_options.node_id = options_.NodeId(device);
-        check_options.granularity_bits = static_cast<std::uint8_t>(granularity_);
+        if (granularity_ != 0)
+        {
+            check_options.granularity_bits = static_cast<std::uint8_t>(granularity_);
+        }
         const std::vector<cia306::Finding> findings = cia306::CheckDevice(device, check_options);
         const std::size_t errors = CountOf(findings, cia306::Severity::kError);
         if (options_.is_json)
@@ -89,7 +90,7 @@ class CheckCommand final : public Command
     }
 
     DeviceOptions options_;
-    int granularity_{kDefaultGranularity};
+    int granularity_{0}; ///< 0: not given.
 };
 } // namespace
 

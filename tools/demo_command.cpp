@@ -149,25 +149,32 @@ class DemoCommand final : public Command
     [[nodiscard]] ExitStatus Demonstrate(const std::vector<std::string>& files, const Streams& streams) const
     {
         std::vector<std::unique_ptr<simulator::Run>> runs;
+        for (const std::string& file : files) // All before the first line: bad input prints nothing else.
+        {
+            runs.push_back(std::make_unique<simulator::Run>(file, std::nullopt, std::nullopt, true));
+        }
+        const std::string page = RequirePage();
         streams.out << "Emergency-stop chain: sensor -> controller -> actuator, 500 kbit/s, cycle 1 ms. Each limit is "
                        "computed\n"
                        "from the device's configuration before its run; times are simulated, output time included.\n\n";
         const Cells titles{"Run", "Limit", "Time", "Detected by", "Cause", "Verdict"};
         PrintBegin(titles, streams.out);
         PrintEnd(titles, streams.out);
-        for (const std::string& file : files)
+        for (const std::unique_ptr<simulator::Run>& run : runs)
         {
-            runs.push_back(std::make_unique<simulator::Run>(file, std::nullopt, std::nullopt, true));
-            DemonstrateOne(*runs.back(), streams.out);
+            DemonstrateOne(*run, streams.out);
         }
         const auto held = std::count_if(runs.begin(), runs.end(),
                                         [](const std::unique_ptr<simulator::Run>& run) { return run->Holds(); });
         streams.out << "\n" << held << " of " << runs.size() << " runs as expected\n";
         for (const std::unique_ptr<simulator::Run>& run : runs)
         {
-            for (const std::string& line : run->FaultsWithoutEffect())
+            for (const std::vector<std::string>& lines : {run->Findings(), run->FaultsWithoutEffect()})
             {
-                streams.err << line << "\n";
+                for (const std::string& line : lines)
+                {
+                    streams.err << line << "\n";
+                }
             }
             if (!run->Holds())
             {
@@ -175,7 +182,8 @@ class DemoCommand final : public Command
                 simulator::WriteVerdicts(*run, streams.out);
             }
         }
-        streams.out << "Timing diagrams: " << WritePage(runs) << "\n";
+        WritePage(runs, page);
+        streams.out << "Timing diagrams: " << page << "\n";
         return (static_cast<std::size_t>(held) == runs.size()) ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
     }
 
@@ -245,13 +253,9 @@ class DemoCommand final : public Command
         out << "\n";
     }
 
-    [[nodiscard]] std::string WritePage(const std::vector<std::unique_ptr<simulator::Run>>& runs) const
+    /// The name of the page; its folder is there and can be written.
+    [[nodiscard]] std::string RequirePage() const
     {
-        std::vector<const simulator::Run*> pages;
-        for (const std::unique_ptr<simulator::Run>& run : runs)
-        {
-            pages.push_back(run.get());
-        }
         const fs::path wanted(html_);
         const fs::path file = (wanted.extension() == ".html") ? wanted : wanted / "index.html";
         std::error_code error;
@@ -259,8 +263,18 @@ class DemoCommand final : public Command
         {
             fs::create_directories(file.parent_path(), error); // What fails here fails again below, with a message.
         }
-        cia306::WriteTextFile(file.string(), simulator::HtmlReport("Emergency-stop chain under faults", pages));
+        cia306::RequireWritable(file.string());
         return file.string();
+    }
+
+    static void WritePage(const std::vector<std::unique_ptr<simulator::Run>>& runs, const std::string& file)
+    {
+        std::vector<const simulator::Run*> pages;
+        for (const std::unique_ptr<simulator::Run>& run : runs)
+        {
+            pages.push_back(run.get());
+        }
+        cia306::WriteTextFile(file, simulator::HtmlReport("Emergency-stop chain under faults", pages));
     }
 
     std::string html_{"build/demo"};

@@ -2,6 +2,7 @@
 #include "tools/sign_command.hpp"
 
 #include "canopen/cia306/device_reader.hpp"
+#include "canopen/cia306/digest.hpp"
 #include "canopen/cia306/safety_configuration.hpp"
 #include "canopen/cia306/signature.hpp"
 #include "canopen/cia306/signing.hpp"
@@ -22,22 +23,36 @@ using cia306::SrdoConfiguration;
 
 /// Bytes of the longest field and its spaces, so that the meanings stand in one column.
 constexpr std::size_t kBytesColumn = 11U;
+constexpr std::size_t kObjectColumn = 9U;
 
 std::string SignatureName(const SrdoConfiguration& srdo)
 {
     return cia306::ObjectName(cia306::kSignatureIndex, srdo.number);
 }
 
-void PrintFields(const SrdoConfiguration& srdo, std::ostream& out)
+void PrintFields(const std::vector<cia306::SignedField>& fields, std::ostream& out)
 {
-    for (const cia306::SignedField& field : cia306::SignedFields(srdo))
+    for (const cia306::SignedField& field : fields)
     {
         std::string bytes = cia306::HexBytes(field.bytes);
+        std::string object = field.object;
         bytes.resize(kBytesColumn, ' ');
-        out << "    " << bytes << "  " << field.object << "  " << field.meaning << "\n";
+        object.resize(kObjectColumn, ' ');
+        out << "    " << bytes << "  " << object << "  " << field.meaning << "\n";
     }
-    const std::vector<std::uint8_t> bytes = cia306::CanonicalBytes(srdo);
+    const std::vector<std::uint8_t> bytes = cia306::BytesOf(fields);
     out << "    " << bytes.size() << " bytes: " << cia306::HexBytes(bytes) << "\n";
+}
+
+void AddFields(const std::vector<cia306::SignedField>& fields, nlohmann::ordered_json& answer)
+{
+    answer["bytes"] = cia306::HexBytes(cia306::BytesOf(fields));
+    answer["fields"] = nlohmann::ordered_json::array();
+    for (const cia306::SignedField& field : fields)
+    {
+        answer["fields"].push_back(
+            {{"object", field.object}, {"meaning", field.meaning}, {"bytes", cia306::HexBytes(field.bytes)}});
+    }
 }
 
 nlohmann::ordered_json ToJson(const SrdoConfiguration& srdo, const bool is_verbose)
@@ -49,13 +64,19 @@ nlohmann::ordered_json ToJson(const SrdoConfiguration& srdo, const bool is_verbo
                                   {"value", signature}};
     if (is_verbose)
     {
-        answer["bytes"] = cia306::HexBytes(cia306::CanonicalBytes(srdo));
-        answer["fields"] = nlohmann::ordered_json::array();
-        for (const cia306::SignedField& field : cia306::SignedFields(srdo))
-        {
-            answer["fields"].push_back(
-                {{"object", field.object}, {"meaning", field.meaning}, {"bytes", cia306::HexBytes(field.bytes)}});
-        }
+        AddFields(cia306::SignedFields(srdo), answer);
+    }
+    return answer;
+}
+
+nlohmann::ordered_json ToJson(const cia306::DigestRecord& digest, const bool is_verbose)
+{
+    const std::uint32_t value = cia306::DigestOf(digest.fields);
+    nlohmann::ordered_json answer{
+        {"object", cia306::DigestName()}, {"digest", cia306::Hex(value, 8)}, {"value", value}};
+    if (is_verbose)
+    {
+        AddFields(digest.fields, answer);
     }
     return answer;
 }
@@ -66,10 +87,12 @@ class SignCommand final : public Command
     void Describe(CLI::App& app) override
     {
         options_.Describe(app);
-        app.add_option("--write", output_, "Write a copy of FILE with the signatures as ParameterValue of 13FFh")
+        app.add_option("--write", output_,
+                       "Write a copy of FILE with the signatures and the digest as ParameterValue of 13FFh and 5F04h")
             ->type_name("COPY")
             ->check(CLI::Validator(ProblemOfFileName, ""));
-        app.add_flag("--verbose", is_verbose_, "Print the bytes that go into each signature, field by field");
+        app.add_flag("--verbose", is_verbose_,
+                     "Print the bytes that go into each signature and the digest, field by field");
     }
 
     [[nodiscard]] ExitStatus Run(const Streams& streams) override
@@ -88,6 +111,8 @@ class SignCommand final : public Command
         {
             cia306::RequireNone(device.file, srdo.signature_problems);
         }
+        const cia306::DigestRecord digest = cia306::ExtractDigest(device, configuration, node_id);
+        cia306::RequireNone(device.file, digest.problems);
         if (!output_.empty())
         {
             cia306::WriteTextFile(output_, cia306::WithSignatures(document, device, node_id).Text());
@@ -97,38 +122,58 @@ class SignCommand final : public Command
             streams.err << cia306::Printable(options_.file)
                         << ":0: warning: no SRDO, expected communication parameters at 0x1301 to 0x1340\n";
         }
-        Print(configuration, node_id, streams.out);
+        if (options_.is_json)
+        {
+            PrintJson(configuration, digest, node_id, streams.out);
+        }
+        else
+        {
+            Print(configuration, digest, streams.out);
+        }
         return ExitStatus::kHolds;
     }
 
-    void Print(const cia306::SafetyConfiguration& configuration, const std::optional<std::uint8_t> node_id,
+    void PrintJson(const cia306::SafetyConfiguration& configuration, const cia306::DigestRecord& digest,
+                   const std::optional<std::uint8_t> node_id, std::ostream& out) const
+    {
+        nlohmann::ordered_json answer{{"file", options_.file}, {"node_id", nullptr}};
+        if (node_id)
+        {
+            answer["node_id"] = *node_id;
+        }
+        answer["srdos"] = nlohmann::ordered_json::array();
+        for (const SrdoConfiguration& srdo : configuration.srdos)
+        {
+            answer["srdos"].push_back(ToJson(srdo, is_verbose_));
+        }
+        if (digest.is_present)
+        {
+            answer["digest"] = ToJson(digest, is_verbose_);
+        }
+        if (!output_.empty())
+        {
+            answer["written"] = output_;
+        }
+        out << JsonText(answer);
+    }
+
+    void Print(const cia306::SafetyConfiguration& configuration, const cia306::DigestRecord& digest,
                std::ostream& out) const
     {
-        if (options_.is_json)
-        {
-            nlohmann::ordered_json answer{{"file", options_.file}, {"node_id", nullptr}};
-            if (node_id)
-            {
-                answer["node_id"] = *node_id;
-            }
-            answer["srdos"] = nlohmann::ordered_json::array();
-            for (const SrdoConfiguration& srdo : configuration.srdos)
-            {
-                answer["srdos"].push_back(ToJson(srdo, is_verbose_));
-            }
-            if (!output_.empty())
-            {
-                answer["written"] = output_;
-            }
-            out << JsonText(answer);
-            return;
-        }
         for (const SrdoConfiguration& srdo : configuration.srdos)
         {
             out << SignatureName(srdo) << " = " << cia306::Hex(cia306::SignatureOf(srdo), 4) << "\n";
             if (is_verbose_)
             {
-                PrintFields(srdo, out);
+                PrintFields(cia306::SignedFields(srdo), out);
+            }
+        }
+        if (digest.is_present)
+        {
+            out << cia306::DigestName() << " = " << cia306::Hex(cia306::DigestOf(digest.fields), 8) << "\n";
+            if (is_verbose_)
+            {
+                PrintFields(digest.fields, out);
             }
         }
     }

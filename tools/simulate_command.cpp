@@ -3,10 +3,11 @@
 
 #include "canopen/cia306/text_file.hpp"
 #include "tools/progress_bar.hpp"
-#include "verification/simulator/page_parts.hpp"
 #include "verification/simulator/reports.hpp"
 #include "verification/simulator/run.hpp"
 #include "verification/simulator/scenario_reader.hpp"
+#include "verification/simulator/schema.hpp"
+#include "verification/simulator/sweep.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -44,21 +45,21 @@ class SimulateCommand final : public Command
         app.add_option("--until", until_, "Instead of the scenario's duration, with its unit: 500ms, 20s");
         CLI::Option* const frames = app.add_flag("--frames", frames_, "Show every frame on the time line");
         app.add_flag("--quiet", quiet_, "No time line; only what was expected and did not come")->excludes(frames);
-        app.add_flag("--explain", explain_, "Describe the scenario format and end");
+        app.add_option("--sweep", sweeps_, "NAME=FROM:TO:STEP: run once for each value of the key with this path")
+            ->allow_extra_args(false)
+            ->excludes(frames);
+        app.add_option("--explain", explained_, "Describe the scenario format, or one KEY or section of it, and end")
+            ->expected(0, 1)
+            ->type_name("[KEY]");
+        app.add_flag("--markdown", markdown_, "With --explain: the reference as it stands in docs/scenario.md");
         app_ = &app;
     }
 
     [[nodiscard]] ExitStatus Run(const Streams& streams) override
     {
-        if (explain_ && app_->count_all() > 2U) // The command itself counts as well.
+        if (app_->count("--explain") > 0U || markdown_)
         {
-            streams.err << "counterpoint simulate: --explain with something else, expected it alone\n";
-            return ExitStatus::kBadInput;
-        }
-        if (explain_)
-        {
-            streams.out << simulator::kScenarioText;
-            return ExitStatus::kHolds;
+            return Explain(streams);
         }
         if (scenario_.empty())
         {
@@ -67,7 +68,7 @@ class SimulateCommand final : public Command
         }
         try
         {
-            return Simulate(streams);
+            return sweeps_.empty() ? Simulate(streams) : Sweep(streams);
         }
         catch (const simulator::ScenarioError& error)
         {
@@ -77,13 +78,79 @@ class SimulateCommand final : public Command
     }
 
   private:
+    /// `simulate --explain`, alone or with a name. [SRS-SIM-047]
+    [[nodiscard]] ExitStatus Explain(const Streams& streams) const
+    {
+        const std::size_t known = app_->count("--explain") + (markdown_ ? 1U : 0U);
+        std::size_t given = 0U;
+        for (const CLI::Option* const option : app_->get_options())
+        {
+            given += option->empty() ? 0U : 1U;
+        }
+        if (app_->count("--explain") == 0U || given > ((known > 1U && markdown_) ? 2U : 1U))
+        {
+            streams.err << "counterpoint simulate: --explain with something else, expected it alone\n";
+            return ExitStatus::kBadInput;
+        }
+        const std::string text = markdown_ ? simulator::ExplainMarkdown() : simulator::ExplainText(explained_);
+        if (text.empty())
+        {
+            streams.err << "counterpoint simulate: --explain " << simulator::Shown(explained_)
+                        << ", expected a key or section of the format; without a name all of them are told\n";
+            return ExitStatus::kBadInput;
+        }
+        streams.out << text;
+        return ExitStatus::kHolds;
+    }
+
+    [[nodiscard]] std::optional<simulator::Nanoseconds> Until() const
+    {
+        return app_->count("--until") == 0U ? std::nullopt : std::optional(simulator::ParseDuration("--until", until_));
+    }
+
+    [[nodiscard]] std::optional<std::uint64_t> Seed() const
+    {
+        return app_->count("--seed") == 0U ? std::nullopt : std::optional(simulator::ParseSeed("--seed", seed_));
+    }
+
+    [[nodiscard]] ExitStatus Sweep(const Streams& streams) const
+    {
+        std::vector<simulator::SweepAxis> axes;
+        for (const std::string& sweep : sweeps_)
+        {
+            axes.push_back(simulator::ParseSweepAxis(sweep));
+        }
+        RequireFiles();
+        if (app_->count("--candump") > 0U)
+        {
+            throw simulator::ScenarioError("--candump", {}, "frames of one bus for a sweep", "--html or --json");
+        }
+        const simulator::SweepOptions options{Seed(), Until()};
+        simulator::SweepResult result;
+        {
+            ProgressBar bar(streams.err, "sweeping");
+            result = simulator::RunSweep(scenario_, axes, options, [&bar](const double part) { bar.Show(part); });
+        }
+        if (!html_.empty())
+        {
+            cia306::WriteTextFile(html_, simulator::SweepHtml(result));
+        }
+        if (!json_.empty())
+        {
+            cia306::WriteTextFile(json_, simulator::SweepJson(result));
+        }
+        if (!quiet_ || !result.Holds())
+        {
+            simulator::WriteSweepTable(result, streams.out);
+        }
+        return result.Holds() ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
+    }
+
     [[nodiscard]] ExitStatus Simulate(const Streams& streams) const
     {
-        const std::optional<simulator::Nanoseconds> until =
-            app_->count("--until") == 0U ? std::nullopt : std::optional(simulator::ParseDuration("--until", until_));
+        const std::optional<simulator::Nanoseconds> until = Until();
         RequireFiles();
-        const std::optional<std::uint64_t> seed =
-            app_->count("--seed") == 0U ? std::nullopt : std::optional(simulator::ParseSeed("--seed", seed_));
+        const std::optional<std::uint64_t> seed = Seed();
         const bool keeps_all = !quiet_ || !html_.empty() || !json_.empty() || !candump_.empty();
         simulator::Run run(scenario_, seed, until, keeps_all);
         {
@@ -98,9 +165,12 @@ class SimulateCommand final : public Command
                                      streams.out);
         }
         WriteFiles(run);
-        for (const std::string& line : run.FaultsWithoutEffect())
+        for (const std::vector<std::string>& lines : {run.Findings(), run.FaultsWithoutEffect()})
         {
-            streams.err << line << "\n";
+            for (const std::string& line : lines)
+            {
+                streams.err << line << "\n";
+            }
         }
         if (!quiet_ || !run.Holds())
         {
@@ -109,10 +179,15 @@ class SimulateCommand final : public Command
         return run.Holds() ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
     }
 
-    /// No output may replace another, or the scenario.
+    /// No output may replace another or what the scenario is read from, and each can be written. All before the run:
+    /// what takes long shall not end without its files, and no output stays alone.
     void RequireFiles() const
     {
         std::vector<std::filesystem::path> taken{OneNameOf(scenario_)};
+        for (const std::string& file : simulator::FilesOf(simulator::LoadScenario(scenario_)))
+        {
+            taken.push_back(OneNameOf(file));
+        }
         const auto take = [this, &taken](const char* const option, const std::string& file)
         {
             if (file.empty())
@@ -126,10 +201,12 @@ class SimulateCommand final : public Command
             const std::filesystem::path path = OneNameOf(file);
             if (std::find(taken.begin(), taken.end(), path) != taken.end())
             {
-                throw simulator::ScenarioError(option, {}, simulator::Shown(file) + ", which is named already",
+                throw simulator::ScenarioError(option, {},
+                                               simulator::Shown(file) + ", which is named already or read by the run",
                                                "a file of its own for each output");
             }
             taken.push_back(path);
+            cia306::RequireWritable(file);
         };
         take("--html", html_);
         take("--json", json_);
@@ -163,7 +240,9 @@ class SimulateCommand final : public Command
     const CLI::App* app_{nullptr};
     bool frames_{false};
     bool quiet_{false};
-    bool explain_{false};
+    std::string explained_;
+    std::vector<std::string> sweeps_;
+    bool markdown_{false};
 };
 } // namespace
 

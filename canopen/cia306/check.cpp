@@ -57,7 +57,8 @@ std::vector<Finding> CheckDevice(const Device& device, const CheckOptions& optio
     const SafetyConfiguration configuration = ExtractSafety(device, node_id);
     std::vector<Finding> parameter_problems;
     const DeviceParameters parameters = ReadDeviceParameters(device, node_id, parameter_problems);
-    const CheckContext context{device, configuration, parameters, node_id, options.granularity_bits};
+    const CheckContext context{device, configuration, parameters, node_id,
+                               options.granularity_bits.value_or(parameters.granularity_bits)};
     Findings findings;
     findings.Add(device.warnings);
     findings.Add(configuration.problems);
@@ -68,9 +69,11 @@ std::vector<Finding> CheckDevice(const Device& device, const CheckOptions& optio
         findings.Add(srdo.other_problems);
         CheckCommunication(context, srdo, findings);
         CheckMapping(context, srdo, findings);
+        CheckStaticMapping(context, srdo, findings);
     }
     CheckIdentifiers(configuration, findings);
     CheckParameters(context, findings);
+    CheckDigest(context, findings);
     CheckObjects(context, findings);
     return findings.Sorted();
 }

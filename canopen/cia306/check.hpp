@@ -13,7 +13,7 @@ namespace counterpoint::cia306
 struct CheckOptions
 {
     std::optional<std::uint8_t> node_id;
-    std::uint8_t granularity_bits{8U}; ///< 1, 8, 16, 32 or 64, checked by the caller.
+    std::optional<std::uint8_t> granularity_bits; ///< 1, 8, 16, 32 or 64, checked by the caller; else that of the file.
 };
 
 /// Everything that is wrong with the safety configuration of the device, the reader's warnings included, in the order

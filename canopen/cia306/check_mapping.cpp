@@ -10,17 +10,11 @@ namespace counterpoint::cia306
 namespace
 {
 constexpr std::uint32_t kMaxBits = 64U;
-constexpr std::size_t kMaxKernelEntries = 16U;
-constexpr std::uint16_t kLastDataType = 0x001FU;
+constexpr std::uint16_t kLastDummy = 0x0007U;
 
 std::string Bits(const std::uint32_t bits)
 {
     return std::to_string(bits) + " bit";
-}
-
-bool IsDummy(const MappingEntry& entry)
-{
-    return entry.Index() != 0U && entry.Index() <= kLastDataType;
 }
 
 std::string EntryName(const SrdoConfiguration& srdo, const MappingEntry& entry)
@@ -38,15 +32,21 @@ void CheckDummy(const CheckContext& context, const SrdoConfiguration& srdo, cons
 {
     const std::string name = EntryName(srdo, entry);
     const std::uint8_t bits = DataTypeOf(entry.Index()).bits;
-    const bool is_allowed = context.device.dummies.count(entry.Index()) != 0U && entry.Sub() == 0U && bits != 0U;
+    const bool is_allowed =
+        context.device.dummies.count(entry.Index()) != 0U && entry.Sub() == 0U && entry.Index() <= kLastDummy;
     if (!is_allowed)
     {
         findings.Error(entry.line, name, "dummy object " + MappedName(entry) + " is not mappable",
-                       "a data type that [DummyUsage] allows, with sub-index 0");
+                       "a data type 0x0001 to 0x0007 that [DummyUsage] allows, with sub-index 0");
     }
     else if (entry.Bits() != bits)
     {
         findings.Error(entry.line, name, "length of " + Bits(entry.Bits()), Bits(bits) + " of the dummy object");
+    }
+    else if (context.parameters.dummy_mapping != kDummiesAllowed)
+    {
+        findings.Error(entry.line, name, "dummy object " + MappedName(entry) + " in a device without dummy mapping",
+                       "0x66 in " + ObjectName(kDeviceParametersIndex, kDummyMappingSub));
     }
     if (srdo.IsProducer())
     {
@@ -95,7 +95,7 @@ void CheckObject(const SrdoConfiguration& srdo, const MappingEntry& entry, const
                        mapped + " has the wrong AccessType (line " + std::to_string(object.line) + ")",
                        srdo.IsConsumer() ? "rw, wo or rww to be received" : "ro, rw, rwr or const to be sent");
     }
-    const DataType type = DataTypeOf(object.data_type);
+    const DataType& type = object.type;
     if (type.bits == 0U)
     {
         findings.Error(entry.line, name, mapped + " is of " + type.name, "a data type with a fixed length");
@@ -107,7 +107,7 @@ void CheckObject(const SrdoConfiguration& srdo, const MappingEntry& entry, const
     }
 }
 
-void CheckCount(const SrdoConfiguration& srdo, Findings& findings)
+void CheckCount(const CheckContext& context, const SrdoConfiguration& srdo, Findings& findings)
 {
     const std::string name = ObjectName(srdo.MappingIndex(), 0U);
     const std::uint64_t count = srdo.entry_count.value.value_or(0U);
@@ -117,11 +117,13 @@ void CheckCount(const SrdoConfiguration& srdo, Findings& findings)
     {
         findings.Error(srdo.entry_count.line, name, text, "an even number: one normal and one inverse entry a pair");
     }
-    const bool is_above_kernel = count > kMaxKernelEntries && count <= kMaxMappingEntries;
-    if (is_above_kernel)
+    const std::uint8_t room = context.parameters.map_entries;
+    const bool is_above_room = !srdo.is_static && count > room && count <= kMaxMappingEntries;
+    if (is_above_room)
     {
-        findings.Warning(srdo.entry_count.line, name, text,
-                         "at most 16 (8 normal and 8 inverse), the limit of this kernel");
+        findings.Error(srdo.entry_count.line, name, text,
+                       "at most " + std::to_string(room) + ", for which " +
+                           ObjectName(kDeviceParametersIndex, kMapEntriesSub) + " gives room");
     }
     const bool is_empty = srdo.entry_count.Is(0U) && (srdo.IsProducer() || srdo.IsConsumer());
     if (is_empty)
@@ -168,10 +170,10 @@ void CheckPairs(const CheckContext& context, const SrdoConfiguration& srdo, Find
             findings.Error(inverse.line, name, "inverse entry of " + Bits(inverse.Bits()),
                            Bits(normal.Bits()) + " as the normal entry before it");
         }
-        if (IsDummy(normal) != IsDummy(inverse))
+        if (normal.IsDummy() != inverse.IsDummy())
         {
-            findings.Warning(inverse.line, name, "dummy object on one side of the pair only",
-                             "normal and inverse data to be stored both or not at all");
+            findings.Error(inverse.line, name, "dummy object on one side of the pair only",
+                           "normal and inverse data to be stored both or not at all");
         }
         const Entry* const object = context.device.Find(normal.Index(), normal.Sub());
         const bool has_other_inverse =
@@ -193,7 +195,7 @@ void CheckSides(const SrdoConfiguration& srdo, Findings& findings)
     std::map<std::uint32_t, const MappingEntry*> inverses;
     for (const MappingEntry& entry : srdo.mapping)
     {
-        if (IsDummy(entry))
+        if (entry.IsDummy())
         {
             continue; // Stores nothing, so that it may stand on both sides and often.
         }
@@ -228,7 +230,7 @@ void CheckMappedObject(const CheckContext& context, const SrdoConfiguration& srd
         findings.Error(entry.line, name, "length of " + Bits(entry.Bits()),
                        "a multiple of " + Bits(context.granularity_bits) + " (granularity)");
     }
-    if (IsDummy(entry))
+    if (entry.IsDummy())
     {
         CheckDummy(context, srdo, entry, findings);
         return;
@@ -245,7 +247,7 @@ void CheckMappedObject(const CheckContext& context, const SrdoConfiguration& srd
 
 void CheckMapping(const CheckContext& context, const SrdoConfiguration& srdo, Findings& findings)
 {
-    CheckCount(srdo, findings);
+    CheckCount(context, srdo, findings);
     for (const MappingEntry& entry : srdo.mapping)
     {
         CheckMappedObject(context, srdo, entry, findings);

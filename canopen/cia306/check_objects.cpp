@@ -167,8 +167,13 @@ void CheckEntries(const CheckContext& context, Findings& findings)
 void CheckGfc(const CheckContext& context, Findings& findings)
 {
     const Field& gfc = context.configuration.gfc;
+    const bool is_told = context.device.Find(kDeviceParametersIndex, kGfcUseSub) != nullptr;
     if (context.device.Find(kGfcIndex) == nullptr)
     {
+        if (is_told)
+        {
+            return; // By 5F00h, with which the parameters are compared.
+        }
         findings.Warning(FirstLine(context.configuration), Hex(kGfcIndex, 4), "the GFC parameter is missing",
                          "an object of type UNSIGNED8");
     }
@@ -287,48 +292,5 @@ void CheckObjects(const CheckContext& context, Findings& findings)
     CheckGfc(context, findings);
     CheckSignatures(context, findings);
     CheckValid(context, findings);
-}
-
-void CheckParameters(const CheckContext& context, Findings& findings)
-{
-    const auto line_of = [&](const std::uint16_t index, const std::uint8_t sub)
-    {
-        const Entry* const entry = context.device.Find(index, sub);
-        return entry == nullptr ? std::size_t{1U} : entry->ValueLine();
-    };
-    if (context.parameters.cycle_us == 0U)
-    {
-        findings.Error(line_of(kDeviceParametersIndex, 1U), ObjectName(kDeviceParametersIndex, 1U), "cycle time 0 us",
-                       "1 us or more");
-    }
-    for (const SrdoConfiguration& srdo : context.configuration.srdos)
-    {
-        const SrdoParameters& own = context.parameters.Srdo(srdo.number);
-        const bool is_known_policy = own.release_policy == 0U || own.release_policy == kAutomaticRelease;
-        if (!is_known_policy)
-        {
-            findings.Warning(line_of(kReleasePolicyIndex, srdo.number), ObjectName(kReleasePolicyIndex, srdo.number),
-                             "release policy " + Hex(own.release_policy, 2) + " is taken for the restart interlock",
-                             "0x00 (restart interlock) or 0x5A (automatic)");
-        }
-        if (own.producer_form > 1U)
-        {
-            findings.Warning(line_of(kProducerFormIndex, srdo.number), ObjectName(kProducerFormIndex, srdo.number),
-                             "producer form " + std::to_string(own.producer_form),
-                             "0 (the application sends) or 1 (provider)");
-        }
-        std::uint32_t bits = 0U;
-        for (const MappingEntry& entry : srdo.mapping)
-        {
-            bits += entry.IsNormal() ? entry.Bits() : 0U;
-        }
-        const bool has_more = bits < 64U && (own.safe_value >> bits) != 0U;
-        if (has_more)
-        {
-            findings.Warning(line_of(kSafeValueIndex, srdo.number), ObjectName(kSafeValueIndex, srdo.number),
-                             "safe value " + Hex(own.safe_value, 2),
-                             "no bit above the " + std::to_string(bits) + " mapped bits");
-        }
-    }
 }
 } // namespace counterpoint::cia306

@@ -43,7 +43,7 @@ struct CheckContext
     const SafetyConfiguration& configuration;
     const DeviceParameters& parameters;
     std::optional<std::uint8_t> node_id;
-    std::uint8_t granularity_bits;
+    std::uint32_t granularity_bits;
 };
 
 /// Direction, transmission type, COB-IDs and times of one SRDO. [SRS-CLI-010, 011, 017]
@@ -63,7 +63,13 @@ void CheckIdentifiers(const SafetyConfiguration& configuration, Findings& findin
 /// [SRS-CLI-014, 016, 017]
 void CheckObjects(const CheckContext& context, Findings& findings);
 
-/// 5F00h to 5F03h. [SRS-CLI-018]
+/// What can and cannot be written, and what a static mapping has to be. [SRS-CLI-023]
+void CheckStaticMapping(const CheckContext& context, const SrdoConfiguration& srdo, Findings& findings);
+
+/// 5F04h. [SRS-CLI-022]
+void CheckDigest(const CheckContext& context, Findings& findings);
+
+/// 5F00h to 5F03h and 5F05h. [SRS-CLI-018]
 void CheckParameters(const CheckContext& context, Findings& findings);
 } // namespace counterpoint::cia306
 

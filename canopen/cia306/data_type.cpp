@@ -9,6 +9,7 @@ namespace counterpoint::cia306
 namespace
 {
 constexpr std::size_t kTypeCount = 0x1CU;
+constexpr std::uint16_t kFirstBits = 0x0030U;
 
 constexpr std::array<DataType, kTypeCount> kTypes{{
     {},
@@ -40,10 +41,26 @@ constexpr std::array<DataType, kTypeCount> kTypes{{
     {"UNSIGNED56", DataKind::kUnsigned, 56U},
     {"UNSIGNED64", DataKind::kUnsigned, 64U},
 }};
+
+constexpr std::array<DataType, 8U> kBits{{
+    {"BIT1", DataKind::kUnsigned, 1U},
+    {"BIT2", DataKind::kUnsigned, 2U},
+    {"BIT3", DataKind::kUnsigned, 3U},
+    {"BIT4", DataKind::kUnsigned, 4U},
+    {"BIT5", DataKind::kUnsigned, 5U},
+    {"BIT6", DataKind::kUnsigned, 6U},
+    {"BIT7", DataKind::kUnsigned, 7U},
+    {"BIT8", DataKind::kUnsigned, 8U},
+}};
 } // namespace
 
 DataType DataTypeOf(const std::uint16_t code) noexcept
 {
+    const bool is_bits = code >= kFirstBits && code < kFirstBits + kBits.size();
+    if (is_bits)
+    {
+        return kBits[code - kFirstBits];
+    }
     return code < kTypes.size() ? kTypes[code] : DataType{};
 }
 } // namespace counterpoint::cia306

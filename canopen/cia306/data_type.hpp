@@ -13,8 +13,9 @@ enum class DataKind : std::uint8_t
     kSigned = 2U,
     kUnsigned = 3U,
     kReal = 4U,
-    kTime = 5U, ///< 48 bits, given as a number.
-    kText = 6U, ///< Strings and DOMAIN: no fixed length, never mapped.
+    kTime = 5U,      ///< 48 bits, given as a number.
+    kText = 6U,      ///< Strings and DOMAIN: no fixed length, never mapped.
+    kStructure = 7U, ///< Has sub-indices, each with a type of its own.
 };
 
 struct DataType
@@ -27,10 +28,11 @@ struct DataType
 constexpr std::uint16_t kUnsigned8 = 0x0005U;
 constexpr std::uint16_t kUnsigned16 = 0x0006U;
 constexpr std::uint16_t kUnsigned32 = 0x0007U;
-constexpr std::uint16_t kDomain = 0x000FU;
+constexpr std::uint16_t kDomainType = 0x000FU;
 constexpr std::uint16_t kUnsigned64 = 0x001BU;
 
-/// The data type of the code (index of the object dictionary, CiA 301 table 44).
+/// The data type of the code (index of the object dictionary, CiA 301 table 44; BIT1 to BIT8 at 0030h to 0037h, which
+/// files of devices with CoE have).
 [[nodiscard]] DataType DataTypeOf(std::uint16_t code) noexcept;
 } // namespace counterpoint::cia306
 

@@ -8,6 +8,11 @@ const Text& Entry::Configured() const noexcept
     return parameter_value.IsSet() ? parameter_value : default_value;
 }
 
+bool Entry::IsFixed() const noexcept
+{
+    return access == Access::kConstant || access == Access::kReadOnly;
+}
+
 std::size_t Entry::ValueLine() const noexcept
 {
     const Text& configured = Configured();
@@ -31,6 +36,12 @@ const Entry* Device::Find(const std::uint16_t index, const std::uint8_t sub) con
     return found == object->entries.end() ? nullptr : &found->second;
 }
 
+bool IsGranularity(const std::uint64_t bits) noexcept
+{
+    const bool is_bytes = bits == 8U || bits == 16U || bits == 32U || bits == 64U;
+    return bits == 1U || is_bytes;
+}
+
 ValueResult ConfiguredValue(const Entry& entry, const std::optional<std::uint8_t> node_id)
 {
     const Text& configured = entry.Configured();
@@ -38,6 +49,6 @@ ValueResult ConfiguredValue(const Entry& entry, const std::optional<std::uint8_t
     {
         return {std::nullopt, {"no value", "a ParameterValue or DefaultValue"}};
     }
-    return ParseValue(configured.text, entry.data_type, node_id);
+    return ParseValue(configured.text, entry.type, node_id);
 }
 } // namespace counterpoint::cia306

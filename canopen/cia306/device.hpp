@@ -2,6 +2,7 @@
 #ifndef CANOPEN_CIA306_DEVICE_HPP
 #define CANOPEN_CIA306_DEVICE_HPP
 
+#include "canopen/cia306/data_type.hpp"
 #include "canopen/cia306/finding.hpp"
 #include "canopen/cia306/value.hpp"
 
@@ -56,6 +57,7 @@ struct Entry
     std::uint8_t sub{0U};
     std::string name;
     std::uint16_t data_type{0U}; ///< 0: the file does not tell.
+    DataType type{};             ///< What `data_type` stands for in this file. [SRS-EDS-027]
     Access access{Access::kUnknown};
     bool is_pdo_mappable{false};
     std::optional<bool> is_srdo_mappable;       ///< SRDOMapping, where the key is there.
@@ -71,6 +73,8 @@ struct Entry
 
     /// ParameterValue, else DefaultValue. [SRS-EDS-010]
     [[nodiscard]] const Text& Configured() const noexcept;
+    /// Const or ro: nobody can write it over the bus.
+    [[nodiscard]] bool IsFixed() const noexcept;
     /// Line of the configured value, else of the section.
     [[nodiscard]] std::size_t ValueLine() const noexcept;
 };
@@ -80,6 +84,7 @@ struct Object
     std::uint16_t index{0U};
     std::string name;
     ObjectType type{ObjectType::kVar};
+    std::uint16_t data_type{0U}; ///< Of a record: its DEFSTRUCT, 0 where the file does not tell.
     std::map<std::uint8_t, Entry> entries;
     std::size_t line{0U};
     std::string section;
@@ -94,12 +99,16 @@ struct Device
     std::optional<std::uint8_t> node_id; ///< Of the commissioning section, 1 to 127.
     std::optional<bool> is_safety_supported;
     std::size_t device_info_line{0U};
-    std::set<std::uint16_t> dummies; ///< Data types that DummyUsage allows to be mapped.
-    std::vector<Finding> warnings;   ///< In the order of the lines.
+    std::optional<std::uint8_t> granularity_bits; ///< Of DeviceInfo, where it is one of a Counterpoint device.
+    std::set<std::uint16_t> dummies;              ///< Data types that DummyUsage allows to be mapped.
+    std::vector<Finding> warnings;                ///< In the order of the lines.
 
     [[nodiscard]] const Object* Find(std::uint16_t index) const;
     [[nodiscard]] const Entry* Find(std::uint16_t index, std::uint8_t sub) const;
 };
+
+/// 1, 8, 16, 32 or 64.
+[[nodiscard]] bool IsGranularity(std::uint64_t bits) noexcept;
 
 /// The configured value of an entry by its data type; an entry without a value has a problem.
 [[nodiscard]] ValueResult ConfiguredValue(const Entry& entry, std::optional<std::uint8_t> node_id);

@@ -5,6 +5,7 @@
 #include "canopen/cia306/number.hpp"
 #include "canopen/cia306/object_reader.hpp"
 #include "canopen/cia306/text_file.hpp"
+#include "canopen/cia306/type_reader.hpp"
 
 #include <algorithm>
 #include <array>
@@ -40,6 +41,7 @@ class DeviceReader
         ReadCommissioning();
         ReadDummyUsage();
         ReadLists();
+        ResolveTypes(device_);
         FinishEntries();
         device_.warnings = SortedByLine(std::move(device_.warnings));
         return std::move(device_);
@@ -57,6 +59,7 @@ class DeviceReader
     }
 
     void ReadDeviceInfo();
+    void ReadGranularity(const IniSection& section);
     void ReadCommissioning();
     void ReadNodeId(const IniSection& section);
     void ReadDummyUsage();
@@ -79,6 +82,27 @@ void DeviceReader::ReadDeviceInfo()
     }
     device_.device_info_line = section->line;
     device_.is_safety_supported = SectionReader(device_.file, *section).FlagAt("CANopenSafetySupported");
+    ReadGranularity(*section);
+}
+
+/// 0 stands for a mapping that cannot be changed and says nothing about lengths.
+void DeviceReader::ReadGranularity(const IniSection& section)
+{
+    const IniKey* const key = section.Find("Granularity");
+    if (key == nullptr || key->value.empty())
+    {
+        return;
+    }
+    const auto bits = ParseUnsigned(key->value, 64U);
+    const bool is_known = bits && IsGranularity(*bits);
+    if (is_known)
+    {
+        device_.granularity_bits = static_cast<std::uint8_t>(*bits);
+    }
+    else if (bits.value_or(1U) != 0U)
+    {
+        Warn(key->line, "Granularity is " + Quoted(key->value) + ", expected 1, 8, 16, 32 or 64; it is ignored");
+    }
 }
 
 void DeviceReader::ReadCommissioning()

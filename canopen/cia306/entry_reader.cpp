@@ -35,7 +35,7 @@ void WarnOfValue(const Entry& entry, const Text& value, std::string_view key, st
     {
         return;
     }
-    const auto problem = ProblemOf(value.text, entry.data_type);
+    const auto problem = ProblemOf(value.text, entry.type);
     if (problem)
     {
         Warn(warnings, value.line, entry, std::string(key) + ": " + problem->wrong + ", expected " + problem->expected);
@@ -150,7 +150,7 @@ Entry SectionReader::ReadEntry(const std::uint16_t index, const std::uint8_t sub
     entry.data_type = static_cast<std::uint16_t>(NumberAt("DataType", 0xFFFFU).value_or(0U));
     if (ObjectTypeAt("ObjectType") == ObjectType::kDomain)
     {
-        entry.data_type = kDomain;
+        entry.data_type = kDomainType;
     }
     entry.access = AccessAt("AccessType");
     entry.is_pdo_mappable = FlagAt("PDOMapping").value_or(false);
@@ -168,7 +168,7 @@ Entry SectionReader::ReadEntry(const std::uint16_t index, const std::uint8_t sub
 bool IsSafetyObject(const std::uint16_t index) noexcept
 {
     const bool is_communication = index >= 0x1300U && index <= 0x13FFU;
-    const bool is_parameter = index >= 0x5F00U && index <= 0x5F03U;
+    const bool is_parameter = index >= 0x5F00U && index <= 0x5F05U;
     return is_communication || is_parameter;
 }
 
@@ -178,11 +178,12 @@ void WarnOfEntry(const Entry& entry, std::vector<Finding>& warnings)
     {
         Warn(warnings, entry.line, entry, "no DataType, expected one; its values are not checked");
     }
-    else if (DataTypeOf(entry.data_type).kind == DataKind::kUnknown)
+    else if (entry.type.kind == DataKind::kUnknown)
     {
         Warn(warnings, entry.line, entry,
              "DataType " + Hex(entry.data_type, 4) +
-                 " is unknown, expected 0x0001 to 0x001B; its values are not checked");
+                 " is unknown, expected 0x0001 to 0x001B, or an object there that describes it; its values are not "
+                 "checked");
     }
     if (entry.access == Access::kUnknown)
     {

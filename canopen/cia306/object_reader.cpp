@@ -66,6 +66,7 @@ void ObjectReader::ReadObject(const IniSection& section, const SectionName& name
     object.section = section.name;
     object.name = reader.TextAt("ParameterName").text;
     object.type = reader.ObjectTypeAt("ObjectType");
+    object.data_type = static_cast<std::uint16_t>(reader.NumberAt("DataType", 0xFFFFU).value_or(0U));
     const auto compact = reader.NumberAt("CompactSubObj", kMaxCompactSubs).value_or(0U);
     const auto sub_number = reader.NumberAt("SubNumber", kMaxSubNumber).value_or(0U);
     const bool has_subs = sub_number != 0U || object.type == ObjectType::kArray || object.type == ObjectType::kRecord ||

@@ -44,6 +44,12 @@ class SrdoReader
         return ReadField(device_, index, sub, data_type, node_id_, line, problems);
     }
 
+    [[nodiscard]] bool IsFixed(const std::uint16_t index, const std::uint8_t sub) const
+    {
+        const Entry* const entry = device_.Find(index, sub);
+        return entry != nullptr && entry->IsFixed();
+    }
+
     void ReadCommunication(SrdoConfiguration& srdo) const
     {
         const std::uint16_t index = srdo.CommunicationIndex();
@@ -75,10 +81,12 @@ class SrdoReader
                      {std::to_string(count) + " mapping entries", "at most 128"});
             return;
         }
+        srdo.is_static = count != 0U && IsFixed(index, 0U);
         for (std::uint64_t place = 1U; place <= count; ++place)
         {
             const auto sub = static_cast<std::uint8_t>(place);
             const Field field = ReadAt(index, sub, kUnsigned32, srdo.entry_count.line, srdo.signature_problems);
+            srdo.is_static = srdo.is_static && IsFixed(index, sub);
             if (field.value)
             {
                 srdo.mapping.push_back({sub, static_cast<std::uint32_t>(*field.value), field.line});

@@ -16,6 +16,7 @@ constexpr std::uint16_t kFirstCommunicationIndex = 0x1301U;
 constexpr std::uint16_t kFirstMappingIndex = 0x1381U;
 constexpr std::uint16_t kConfigurationValidIndex = 0x13FEU;
 constexpr std::uint16_t kSignatureIndex = 0x13FFU;
+constexpr std::uint16_t kFirstObjectIndex = 0x0020U; ///< Below are the data types of CiA 301.
 constexpr std::uint8_t kMaxSrdos = 64U;
 constexpr std::uint8_t kMaxMappingEntries = 128U;
 constexpr std::uint8_t kConfigurationIsValid = 0xA5U;
@@ -51,6 +52,11 @@ struct MappingEntry
     {
         return static_cast<std::uint8_t>(raw & 0xFFU);
     }
+    /// Names a data type instead of an object: its bits are stored nowhere.
+    [[nodiscard]] bool IsDummy() const noexcept
+    {
+        return Index() != 0U && Index() < kFirstObjectIndex;
+    }
     [[nodiscard]] bool IsNormal() const noexcept
     {
         return (sub & 1U) != 0U;
@@ -70,6 +76,7 @@ struct SrdoConfiguration
     Field cob_id_2;
     Field entry_count;
     std::vector<MappingEntry> mapping; ///< As many as `entry_count` tells, those that can be read.
+    bool is_static{false};             ///< Sub-index 0 and every entry of the mapping are const or ro. [SRS-EDS-029]
     Field signature;                   ///< As the file has it.
     /// What keeps the signature from being computed; empty: every number that goes into it has a value.
     std::vector<Finding> signature_problems;

@@ -7,16 +7,6 @@ namespace counterpoint::cia306
 {
 namespace
 {
-std::vector<std::uint8_t> LittleEndian(const std::uint64_t value, const std::uint32_t count)
-{
-    std::vector<std::uint8_t> bytes;
-    for (std::uint32_t place = 0U; place < count; ++place)
-    {
-        bytes.push_back(static_cast<std::uint8_t>((value >> (8U * place)) & 0xFFU));
-    }
-    return bytes;
-}
-
 std::string DirectionName(const std::uint64_t direction)
 {
     switch (direction)
@@ -38,6 +28,16 @@ std::string MappingMeaning(const MappingEntry& entry)
            ", " + std::to_string(entry.Bits()) + " bit";
 }
 } // namespace
+
+std::vector<std::uint8_t> LittleEndian(const std::uint64_t value, const std::uint32_t count)
+{
+    std::vector<std::uint8_t> bytes;
+    for (std::uint32_t place = 0U; place < count; ++place)
+    {
+        bytes.push_back(static_cast<std::uint8_t>((value >> (8U * place)) & 0xFFU));
+    }
+    return bytes;
+}
 
 std::vector<SignedField> SignedFields(const SrdoConfiguration& srdo)
 {
@@ -68,14 +68,19 @@ std::vector<SignedField> SignedFields(const SrdoConfiguration& srdo)
     return fields;
 }
 
-std::vector<std::uint8_t> CanonicalBytes(const SrdoConfiguration& srdo)
+std::vector<std::uint8_t> BytesOf(const std::vector<SignedField>& fields)
 {
     std::vector<std::uint8_t> bytes;
-    for (const SignedField& field : SignedFields(srdo))
+    for (const SignedField& field : fields)
     {
         bytes.insert(bytes.end(), field.bytes.begin(), field.bytes.end());
     }
     return bytes;
+}
+
+std::vector<std::uint8_t> CanonicalBytes(const SrdoConfiguration& srdo)
+{
+    return BytesOf(SignedFields(srdo));
 }
 
 std::uint16_t SignatureOf(const std::vector<std::uint8_t>& bytes)

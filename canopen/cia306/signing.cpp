@@ -3,6 +3,7 @@
 
 #include "canopen/cia306/data_type.hpp"
 #include "canopen/cia306/device_reader.hpp"
+#include "canopen/cia306/digest.hpp"
 #include "canopen/cia306/signature.hpp"
 
 #include <utility>
@@ -86,7 +87,16 @@ void AddEntryCount(Edits& edits, const IniDocument& document, const std::string&
 
 void RequireSigned(const IniDocument& document, const std::optional<std::uint8_t> node_id)
 {
-    const SafetyConfiguration configuration = ExtractSafety(ReadDevice(document), node_id);
+    const Device device = ReadDevice(document);
+    const SafetyConfiguration configuration = ExtractSafety(device, node_id);
+    const DigestRecord digest = ExtractDigest(device, configuration, node_id);
+    RequireNone(document.File(), digest.problems);
+    const bool is_digest_there = !digest.is_present || digest.stored.Is(DigestOf(digest.fields));
+    if (!is_digest_there)
+    {
+        throw InputError(document.File(), digest.stored.line,
+                         {DigestName() + ": the digest is not there when read back", Hex(DigestOf(digest.fields), 8)});
+    }
     for (const SrdoConfiguration& srdo : configuration.srdos)
     {
         RequireNone(document.File(), srdo.signature_problems);
@@ -108,6 +118,12 @@ IniDocument WithSignatures(const IniDocument& document, const Device& device, co
     {
         RequireNone(device.file, srdo.signature_problems);
         AddEdit(edits, document, PlaceOf(device, srdo), Hex(SignatureOf(srdo), 4));
+    }
+    const DigestRecord digest = ExtractDigest(device, configuration, node_id);
+    RequireNone(device.file, digest.problems);
+    if (digest.is_present)
+    {
+        AddEdit(edits, document, *device.Find(kDigestIndex, 0U), Hex(DigestOf(digest.fields), 8));
     }
     AddEntryCount(edits, document, Hex(kSignatureIndex, 4).substr(2U) + "Value");
     std::vector<SectionEdit> sections;

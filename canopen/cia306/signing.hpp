@@ -10,9 +10,9 @@
 
 namespace counterpoint::cia306
 {
-/// The document with ParameterValue of 13FFh sub n set to the signature of each SRDO n of the configuration; all else
-/// is kept. Throws InputError where an SRDO cannot be signed, 13FFh has no place for it, or the result, read back,
-/// does not hold the signatures. [SRS-CLI-005, 006]
+/// The document with ParameterValue of 13FFh sub n set to the signature of each SRDO n of the configuration, and that
+/// of 5F04h, where it is there, to the device digest; all else is kept. Throws InputError where an SRDO cannot be
+/// signed, 13FFh has no place for it, or the result, read back, does not hold them. [SRS-CLI-005, 006, 021]
 [[nodiscard]] IniDocument WithSignatures(const IniDocument& document, const Device& device,
                                          std::optional<std::uint8_t> node_id);
 } // namespace counterpoint::cia306

@@ -141,6 +141,18 @@ std::string TargetOf(const std::string& path)
     ::free(resolved);
     return target;
 }
+
+/// Opens a new file beside `target`; its name is written into `temporary`.
+int CreateBeside(const std::string& path, const std::string& target, std::string& temporary)
+{
+    temporary = target + ".XXXXXX";
+    const int descriptor = ::mkostemp(temporary.data(), O_CLOEXEC);
+    if (descriptor < 0)
+    {
+        Refuse(path, "it cannot be created (" + ErrorText() + ")", "a path in a writable folder");
+    }
+    return descriptor;
+}
 } // namespace
 
 std::string ReadTextFile(const std::string& path)
@@ -160,16 +172,20 @@ std::string ReadTextFile(const std::string& path)
     return ReadAll(path, file.Number());
 }
 
+void RequireWritable(const std::string& path)
+{
+    (void)ModeFor(path);
+    std::string temporary;
+    const Descriptor file(CreateBeside(path, TargetOf(path), temporary));
+    (void)::unlink(temporary.c_str());
+}
+
 void WriteTextFile(const std::string& path, const std::string_view text)
 {
     const mode_t mode = ModeFor(path);
     const std::string target = TargetOf(path);
-    std::string temporary = target + ".XXXXXX";
-    Descriptor file(::mkostemp(temporary.data(), O_CLOEXEC));
-    if (file.Number() < 0)
-    {
-        Refuse(path, "it cannot be created (" + ErrorText() + ")", "a path in a writable folder");
-    }
+    std::string temporary;
+    Descriptor file(CreateBeside(path, target, temporary));
     try
     {
         WriteAll(path, file.Number(), text);

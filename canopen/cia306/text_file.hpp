@@ -14,6 +14,10 @@ constexpr std::size_t kMaxFileBytes = 16U * 1024U * 1024U;
 /// file that is larger than kMaxFileBytes. [SRS-EDS-017]
 [[nodiscard]] std::string ReadTextFile(const std::string& path);
 
+/// Throws the InputError that WriteTextFile would throw for this path; leaves nothing behind. For what is written at
+/// the end of something long.
+void RequireWritable(const std::string& path);
+
 /// Replaces or creates the file in one step (a temporary file beside it, then a rename); an existing file keeps its
 /// permissions. Throws InputError.
 void WriteTextFile(const std::string& path, std::string_view text);

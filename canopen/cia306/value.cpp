@@ -1,7 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia306/value.hpp"
 
-#include "canopen/cia306/data_type.hpp"
 #include "canopen/cia306/number.hpp"
 
 #include <charconv>
@@ -36,6 +35,7 @@ std::string RangeOf(const DataType& type)
     case DataKind::kUnsigned:
     case DataKind::kTime:
     case DataKind::kText:
+    case DataKind::kStructure:
     case DataKind::kUnknown:
         break;
     }
@@ -127,7 +127,11 @@ ValueResult ParseReal(const std::string_view text, const DataType& type)
 ValueResult ParseValue(const std::string_view text, const std::uint16_t data_type,
                        const std::optional<std::uint8_t> node_id)
 {
-    const DataType type = DataTypeOf(data_type);
+    return ParseValue(text, DataTypeOf(data_type), node_id);
+}
+
+ValueResult ParseValue(const std::string_view text, const DataType& type, const std::optional<std::uint8_t> node_id)
+{
     switch (type.kind)
     {
     case DataKind::kSigned:
@@ -139,6 +143,7 @@ ValueResult ParseValue(const std::string_view text, const std::uint16_t data_typ
     case DataKind::kReal:
         return ParseReal(text, type);
     case DataKind::kText:
+    case DataKind::kStructure:
     case DataKind::kUnknown:
         break;
     }
@@ -147,7 +152,12 @@ ValueResult ParseValue(const std::string_view text, const std::uint16_t data_typ
 
 std::optional<Problem> ProblemOf(const std::string_view text, const std::uint16_t data_type)
 {
-    ValueResult result = ParseValue(text, data_type, kHighestNodeId);
+    return ProblemOf(text, DataTypeOf(data_type));
+}
+
+std::optional<Problem> ProblemOf(const std::string_view text, const DataType& type)
+{
+    ValueResult result = ParseValue(text, type, kHighestNodeId);
     return result.value ? std::nullopt : std::optional(std::move(result.problem));
 }
 } // namespace counterpoint::cia306

@@ -2,6 +2,7 @@
 #ifndef CANOPEN_CIA306_VALUE_HPP
 #define CANOPEN_CIA306_VALUE_HPP
 
+#include "canopen/cia306/data_type.hpp"
 #include "canopen/cia306/input_error.hpp"
 
 #include <cstdint>
@@ -29,9 +30,11 @@ struct ValueResult
 /// A REAL may be a decimal fraction, or its IEEE 754 pattern after 0x. [SRS-EDS-007, 008, 014]
 [[nodiscard]] ValueResult ParseValue(std::string_view text, std::uint16_t data_type,
                                      std::optional<std::uint8_t> node_id);
+[[nodiscard]] ValueResult ParseValue(std::string_view text, const DataType& type, std::optional<std::uint8_t> node_id);
 
 /// The same without a node-ID: a formula is checked with node-ID 127 and its value is of no use.
 [[nodiscard]] std::optional<Problem> ProblemOf(std::string_view text, std::uint16_t data_type);
+[[nodiscard]] std::optional<Problem> ProblemOf(std::string_view text, const DataType& type);
 } // namespace counterpoint::cia306
 
 #endif // CANOPEN_CIA306_VALUE_HPP

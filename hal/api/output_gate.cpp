@@ -42,11 +42,7 @@ void OutputGate::Drive(const PermitSet& permits, const Instant now) noexcept
 {
     const std::uint32_t challenge = challenge_;
     challenge_ = 0U;
-    const bool a_right = IsRight(permits.a, PermitKey{challenge, kPermitConstantA});
-    const bool b_right = IsRight(permits.b, PermitKey{challenge, kPermitConstantB});
-    const bool kernel_right = IsRight(permits.kernel, PermitKey{challenge, kPermitConstantKernel});
-    const bool all_right = a_right && b_right && kernel_right;
-    if ((challenge != 0U) && all_right)
+    if (Probe(permits, challenge) == ProbeAnswer::kAccepted)
     {
         open_ = permits.a.mask & permits.b.mask & permits.kernel.mask;
         open_copy_ = ~open_;
@@ -57,6 +53,15 @@ void OutputGate::Drive(const PermitSet& permits, const Instant now) noexcept
     {
         Close();
     }
+}
+
+ProbeAnswer OutputGate::Probe(const PermitSet& permits, const std::uint32_t challenge) noexcept
+{
+    const bool a_right = IsRight(permits.a, PermitKey{challenge, kPermitConstantA});
+    const bool b_right = IsRight(permits.b, PermitKey{challenge, kPermitConstantB});
+    const bool kernel_right = IsRight(permits.kernel, PermitKey{challenge, kPermitConstantKernel});
+    const bool all_right = a_right && b_right && kernel_right;
+    return ((challenge != 0U) && all_right) ? ProbeAnswer::kAccepted : ProbeAnswer::kRefused;
 }
 
 SrdoMask OutputGate::Open(const Instant now, const GateLimit limit) noexcept

@@ -28,6 +28,9 @@ class OutputGate
     [[nodiscard]] std::uint32_t Challenge() noexcept;
     /// @brief Judges the permits; the challenge is used up. `now` is the port's own time in microseconds.
     void Drive(const PermitSet& permits, Instant now) noexcept;
+    /// @brief Judges the permits against `challenge`, which need not be one of this gate; nothing changes.
+    /// [SRS-STS-031]
+    [[nodiscard]] static ProbeAnswer Probe(const PermitSet& permits, std::uint32_t challenge) noexcept;
     /// @brief Slots whose outputs are open at `now`; none when the last right Drive is more than `limit` ago, and then
     /// none until the next right Drive. Call at least once in 2^32 us minus `limit`, as every port does that has pins
     /// to set.

@@ -17,6 +17,15 @@ struct PermitSet
     Permit kernel;
 };
 
+/// What the gate thinks of a permit set that it was only shown. [SRS-STS-031]
+enum class ProbeAnswer : std::uint8_t
+{
+    kInvalid = 0U,
+    kAccepted = 0x69U, ///< Drive would open by it, had the gate issued this challenge.
+    kRefused = 1U,
+    kAbsent = 2U, ///< This output cannot be probed.
+};
+
 /// The final output of a device: opens the outputs of a slot only by three right permits a cycle.
 /// hal/api/output_gate.hpp has the decision; a port adds the pins. [SRS-HAL-003, SRS-HAL-004]
 class SafetyOutput
@@ -26,6 +35,11 @@ class SafetyOutput
     [[nodiscard]] virtual std::uint32_t Challenge() noexcept = 0;
     /// @brief The permits that answer the last challenge. Anything wrong closes all outputs at once.
     virtual void Drive(const PermitSet& permits) noexcept = 0;
+    /// @brief Judges permits as Drive does, against `challenge`, and does nothing. [SRS-STS-031]
+    [[nodiscard]] virtual ProbeAnswer Probe(const PermitSet& /*permits*/, std::uint32_t /*challenge*/) const noexcept
+    {
+        return ProbeAnswer::kAbsent;
+    }
 
     SafetyOutput(const SafetyOutput&) = delete;
     SafetyOutput(SafetyOutput&&) = delete;

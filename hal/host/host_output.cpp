@@ -23,10 +23,20 @@ void HostOutput::Drive(const hal::PermitSet& permits) noexcept
     gate_.Drive(permits, Instant{static_cast<std::uint32_t>(driven_us_)});
 }
 
+hal::ProbeAnswer HostOutput::Probe(const hal::PermitSet& permits, const std::uint32_t challenge) const noexcept
+{
+    return hal::OutputGate::Probe(permits, challenge);
+}
+
+void HostOutput::CutOff() noexcept
+{
+    is_cut_off_ = true;
+}
+
 SrdoMask HostOutput::Open()
 {
     const bool same_start = watchdog_.Starts() == watchdog_start_;
-    if (!watchdog_.IsAlive() || !same_start)
+    if (!watchdog_.IsAlive() || !same_start || is_cut_off_)
     {
         gate_.Close();
     }

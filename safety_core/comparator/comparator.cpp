@@ -18,6 +18,28 @@ std::uint32_t Unequal(const Payload& left, const Payload& right) noexcept
     return (left.low ^ right.low) | (left.high ^ right.high);
 }
 
+// Four bytes as one word, on every processor the same.
+std::uint32_t WordAt(const std::uint8_t* const bytes) noexcept
+{
+    return static_cast<std::uint32_t>(bytes[0U]) | (static_cast<std::uint32_t>(bytes[1U]) << 8U) | // MISRA D-002
+           (static_cast<std::uint32_t>(bytes[2U]) << 16U) |
+           (static_cast<std::uint32_t>(bytes[3U]) << 24U); // MISRA D-002
+}
+
+// 0 when the frames have the same data.
+std::uint32_t UnequalData(const CanFrame& left, const CanFrame& right) noexcept
+{
+    return (WordAt(&left.data[0]) ^ WordAt(&right.data[0])) | (WordAt(&left.data[4]) ^ WordAt(&right.data[4]));
+}
+
+// 0 when the frames are of the same form.
+std::uint32_t UnequalForm(const CanFrame& left, const CanFrame& right) noexcept
+{
+    const std::uint32_t kinds = Unequal(static_cast<std::uint8_t>(left.kind), static_cast<std::uint8_t>(right.kind));
+    const std::uint32_t ports = Unequal(static_cast<std::uint8_t>(left.port), static_cast<std::uint8_t>(right.port));
+    return (left.identifier ^ right.identifier) | kinds | ports | Unequal(left.length_bytes, right.length_bytes);
+}
+
 // 0 when both voices speak of the expected cycle, the same guard and the same counts.
 std::uint32_t Unequal(const CycleOutcome& a, const CycleOutcome& b, const std::uint32_t cycle) noexcept
 {
@@ -48,17 +70,26 @@ DeviceFault Overall(const Comparison& comparison) noexcept
 
 void Comparator::Restart(const ComparatorSetup& setup) noexcept
 {
-    setup_ = setup;
+    slots_ = ~SrdoMask{0U} >> (std::uint32_t{kMaxSrdoCount} - setup.slot_count);
+    discrepancy_us_ = setup.discrepancy_us;
     watched_ = 0U;
     timed_ = 0U;
     previous_ = Instant{0U};
 }
 
-DeviceFault Comparator::ComparePrepared(const PreparedPair& a, const PreparedPair& b) noexcept
+PreparedVerdict Comparator::ComparePrepared(const PreparedPair& a, const PreparedPair& b) noexcept
 {
-    const std::uint32_t form = Unequal(static_cast<std::uint8_t>(a.status), static_cast<std::uint8_t>(b.status)) |
-                               Unequal(a.length_bytes, b.length_bytes);
-    return ((form | Unequal(a.normal, b.normal)) == 0U) ? DeviceFault::kNone : DeviceFault::kDisagreement;
+    const std::uint32_t statuses = Unequal(static_cast<std::uint8_t>(a.status), static_cast<std::uint8_t>(b.status));
+    PreparedVerdict verdict = PreparedVerdict::kEqual;
+    if (UnequalData(a.normal, b.normal) != 0U)
+    {
+        verdict = PreparedVerdict::kNotInverse;
+    }
+    if ((statuses | UnequalForm(a.normal, b.normal)) != 0U)
+    {
+        verdict = PreparedVerdict::kDisagreement;
+    }
+    return verdict;
 }
 
 Verdict Comparator::Compare(const Comparison& comparison) noexcept
@@ -83,9 +114,9 @@ Verdict Comparator::Compare(const Comparison& comparison) noexcept
     watched_ |= a.fresh | b.fresh | one_sided;
     if (a.ordinal_sum != b.ordinal_sum)
     {
-        watched_ |= ~SrdoMask{0U} >> (std::uint32_t{kMaxSrdoCount} - setup_.slot_count);
+        watched_ = slots_;
     }
-    watched_ &= ~verdict.demote;
+    watched_ &= slots_ & ~verdict.demote;
     timed_ &= watched_;
     SlotSet to_look{watched_};
     while (to_look.mask != 0U)
@@ -100,14 +131,13 @@ Verdict Comparator::Compare(const Comparison& comparison) noexcept
 void Comparator::Look(const Comparison& comparison, const SlotIndex slot, const SlotSet one_sided,
                       Verdict& verdict) noexcept
 {
-    const SrdoView a = comparison.channel_a->View(slot);
-    const SrdoView b = comparison.channel_b->View(slot);
+    // Nothing is held of a producer: its pair was compared before it left, and a confirmation at the very limit may
+    // count in one channel alone.
+    const HeldPair a = comparison.channel_a->Held(slot);
+    const HeldPair b = comparison.channel_b->Held(slot);
     const SrdoMask bit = OnlySlot(slot).mask;
-    const bool is_producer = a.state == SrdoState::kProducer;
-    // A producer's pair was compared before it left; a confirmation at the very limit may count in one channel alone.
-    const std::uint32_t pair_matters = is_producer ? 0U : ~std::uint32_t{0U};
-    const std::uint32_t ordinals = ((a.ordinal ^ b.ordinal) | Unequal(a.holds_pair, b.holds_pair)) & pair_matters;
-    const std::uint32_t data = Unequal(a.data, b.data) & pair_matters;
+    const std::uint32_t ordinals = (a.ordinal ^ b.ordinal) | (a.holds_pair ^ b.holds_pair);
+    const std::uint32_t data = Unequal(a.data, b.data);
     if (ordinals != 0U)
     {
         Unmatched(comparison, slot, DeviceFault::kUnmatched, verdict);
@@ -119,7 +149,9 @@ void Comparator::Look(const Comparison& comparison, const SlotIndex slot, const 
     }
     else if ((one_sided.mask & bit) != 0U)
     {
-        Unmatched(comparison, slot, is_producer ? DeviceFault::kUnmatched : DeviceFault::kNone, verdict);
+        const SrdoMask one_sided_due = comparison.outcome_a->due ^ comparison.outcome_b->due;
+        Unmatched(comparison, slot, ((one_sided_due & bit) != 0U) ? DeviceFault::kUnmatched : DeviceFault::kNone,
+                  verdict);
     }
     else
     {
@@ -142,7 +174,7 @@ void Comparator::Unmatched(const Comparison& comparison, const SlotIndex slot, c
         since_[slot] = previous_; // MISRA D-002
     }
     const std::uint32_t elapsed_us = comparison.now.us - since_[slot].us; // MISRA D-002
-    if (elapsed_us > setup_.discrepancy_us)
+    if (elapsed_us > discrepancy_us_)
     {
         if (fault == DeviceFault::kNone)
         {

@@ -35,6 +35,15 @@ struct Verdict
     SlotIndex slot;
 };
 
+/// What the two prepared pairs of one producer say. Zero-filled memory is no permission. [SRS-CMP-010]
+enum class PreparedVerdict : std::uint8_t
+{
+    kInvalid = 0U,
+    kEqual = 0x69U,     ///< Same status, same frame.
+    kNotInverse = 1U,   ///< The frames differ in their data alone: the objects of the two sides are not inverse.
+    kDisagreement = 2U, ///< The channels differ in anything else.
+};
+
 /// How long the channels may differ, and how many slots there are.
 struct ComparatorSetup
 {
@@ -52,8 +61,8 @@ class Comparator
     void Restart(const ComparatorSetup& setup) noexcept;
     /// @brief One comparison; call once a cycle. O(1) without news, O(slots to look at) with. [SRS-CMP-001..008]
     [[nodiscard]] Verdict Compare(const Comparison& comparison) noexcept;
-    /// @brief Whether two prepared pairs are equal in status, length and data. [SRS-CMP-010]
-    [[nodiscard]] static DeviceFault ComparePrepared(const PreparedPair& a, const PreparedPair& b) noexcept;
+    /// @brief Compares status and every member of the frame. [SRS-CMP-010]
+    [[nodiscard]] static PreparedVerdict ComparePrepared(const PreparedPair& a, const PreparedPair& b) noexcept;
 
   private:
     void Look(const Comparison& comparison, SlotIndex slot, SlotSet one_sided, Verdict& verdict) noexcept;
@@ -61,7 +70,8 @@ class Comparator
 
     SrdoMask watched_{0U};
     SrdoMask timed_{0U};
-    ComparatorSetup setup_{0U, 0U};
+    SrdoMask slots_{0U}; ///< Those that exist: nothing else is ever looked at.
+    std::uint32_t discrepancy_us_{0U};
     Instant previous_{0U};           ///< `now` of the comparison before.
     Instant since_[kMaxSrdoCount]{}; // MISRA D-001
 };

@@ -44,6 +44,12 @@ constexpr std::uint32_t kPermitConstantA = 0x9E3779B1U;
 constexpr std::uint32_t kPermitConstantB = 0x85EBCA77U;
 constexpr std::uint32_t kPermitConstantKernel = 0xC2B2AE3DU;
 
+/// CRC-32 over the safety parameters that the signature 13FFh does not cover. [SRS-CFG-034]
+struct DeviceDigest
+{
+    std::uint32_t value;
+};
+
 /// Permission of one party for the outputs of the slots in `mask`. A response of 0 never fits.
 struct Permit
 {
@@ -65,6 +71,8 @@ struct CycleInput
     std::uint32_t challenge; ///< Changes every cycle, never 0.
     std::uint32_t guard_token;
     SrdoMask acknowledge; ///< Level of the acknowledge input of each slot.
+    SrdoMask request; ///< Producers that the application wants to send; asked since the previous cycle. [SRS-PROD-003]
+    SrdoMask stand;   ///< Producers whose refresh phase stood still since the previous cycle. [SRS-PROD-012]
     NmtState nmt;
     QueueState queue; ///< Whether a frame was lost since the previous cycle.
 };
@@ -89,7 +97,16 @@ struct CycleOutcome
                                   ///< the others are 0.
 };
 
-/// Details of one slot.
+/// What the comparator needs of a consumer to match its pair: two words of a 64-bit processor, four of a 32-bit one.
+/// [SRS-CONS-025]
+struct HeldPair
+{
+    Payload data;             ///< As in SrdoView; 0 unless `holds_pair`.
+    std::uint32_t ordinal;    ///< As in SrdoView.
+    std::uint32_t holds_pair; ///< 1: a complete valid pair is held and no limit has expired; else 0.
+};
+
+/// Details of one slot, for diagnosis.
 struct SrdoView
 {
     Payload data;              ///< Normal data of the held pair (consumer) or of the pair being sent (producer).
@@ -106,16 +123,39 @@ enum class PrepareStatus : std::uint8_t
 {
     kInvalid = 0U,
     kReady = 0x69U,
-    kNotInverse = 1U,  ///< At least one bit of an inverse object is not the inverse; recorded as fault of this slot.
     kNotProducer = 2U, ///< Not an idle producer in OPERATIONAL.
 };
 
+/// What one channel wants to have on the bus. Each reads its own side, and both give the complete normal frame: where
+/// they are equal every bit of the inversion holds, and identifier, controller and length were found twice. All of
+/// `normal` is 0 unless `status` is kReady; bytes behind its length are 0.
 struct PreparedPair
 {
-    Payload
-        normal; ///< Channel A: as read from the normal objects. Channel B: complement of what the inverse objects hold.
+    CanFrame
+        normal; ///< Channel A: from what the normal objects hold. Channel B: from the complement of the inverse ones.
     PrepareStatus status;
-    std::uint8_t length_bytes;
+};
+
+/// What the confirmation of a frame meant to a channel. [SRS-PROD-007]
+enum class ConfirmStep : std::uint8_t
+{
+    kNone = 0U,      ///< Not a frame in flight, or one that ended the pair with a fault.
+    kNormal = 0x55U, ///< The normal frame of the pair in flight.
+    kPair = 0xAAU,   ///< The inverse frame: the pair was sent.
+};
+
+/// `slot` is kNoSlot with kNone.
+struct Confirmation
+{
+    SlotIndex slot;
+    ConfirmStep step;
+};
+
+/// Why a transmission failed. A structure, because the compilers of the two channels do not agree on who clears the
+/// upper bits of an enumeration that is passed by itself.
+struct TransmitFault
+{
+    SrdoCause cause;
 };
 
 /// One voice. Two diverse implementations: channel_a, channel_b. Not reentrant; keeps no reference to its arguments
@@ -133,6 +173,15 @@ class Channel
     /// @brief The value kept at `address`; 0 for an address that does not exist. O(1)
     [[nodiscard]] virtual ConfigItem Load(const ConfigAddress& address) const noexcept = 0;
 
+    /// @brief What this channel's storage has room for, for the kernel to refuse a device that is too large. O(1)
+    [[nodiscard]] virtual ChannelRoom Room() const noexcept = 0;
+    /// @brief Registers the fields of an SRDO with a static mapping; makes its mapping unresolved. No effect on an SRDO
+    /// with a dynamic one. O(1) [SRS-CFG-032]
+    virtual void SetFields(SlotIndex slot, const StaticFields& fields) noexcept = 0;
+    /// @brief CRC-32 over what the signature does not cover, continued from `before`: the device's part before slot 0,
+    /// then the slot's part. 0 starts. O(1) [SRS-CFG-034]
+    [[nodiscard]] virtual DeviceDigest Digest(SlotIndex slot, DeviceDigest before) const noexcept = 0;
+
     /// @brief All rules of one SRDO, in order, then its signature; resolves the mapping and writes the safe value into
     /// the objects this channel owns if there is no fault. Not in OPERATIONAL. O(entries * log objects)
     /// [SRS-CFG-020..029]
@@ -145,6 +194,9 @@ class Channel
     /// @brief Limits, acknowledge, NMT, refresh; once a kernel cycle, after all its frames. O(srdo_count) [SRS-CONS-*,
     /// SRS-REL-*]
     [[nodiscard]] virtual CycleOutcome OnCycle(const CycleInput& input) noexcept = 0;
+    /// @brief The held pair of an active consumer; all 0 for every other slot. O(1) [SRS-CONS-025]
+    [[nodiscard]] virtual HeldPair Held(SlotIndex slot) const noexcept = 0;
+    /// @brief Everything there is to tell of one slot. O(1) [SRS-CONS-025]
     [[nodiscard]] virtual SrdoView View(SlotIndex slot) const noexcept = 0;
     /// @brief The other channel reported a fault for this consumer: be safe too. No effect unless the slot is a
     /// consumer in kWaiting, kFaulted or kReleased. [SRS-REL-006]
@@ -156,27 +208,18 @@ class Channel
     /// @brief This channel's permit for the slots it released in the last Commit. O(1) [SRS-REL-010]
     [[nodiscard]] virtual Permit Answer(std::uint32_t challenge) const noexcept = 0;
 
-    /// @brief The application wants this producer to send. Kept until Prepare. [SRS-PROD-003]
-    virtual void Request(SlotIndex slot) noexcept = 0;
-    /// @brief The other channel does not call this producer due yet: the phase of the refresh stands still until the
-    /// next OnCycle, so that two counters that drift apart keep one phase. No effect on another slot. [SRS-PROD-012]
-    virtual void Hold(SlotIndex slot) noexcept = 0;
-    /// @brief Reads both objects of every entry and checks every bit of the inversion; consumes the due mark.
-    /// [SRS-PROD-005]
+    /// @brief Reads the objects of its own side (A the normal, B the inverse ones); uses up what made the slot due. A
+    /// pair that is kReady is in flight from the `now` of the last OnCycle. O(entries) [SRS-PROD-005, SRS-PROD-006]
     [[nodiscard]] virtual PreparedPair Prepare(SlotIndex slot) noexcept = 0;
-    /// @brief The kernel found both prepared pairs equal: transmission starts at the `now` of the last OnCycle.
-    /// [SRS-PROD-006]
-    virtual void Launch(SlotIndex slot) noexcept = 0;
-    /// @brief The frame that this channel has to put on the bus now: A the normal frame after Launch, B the inverse
-    /// frame after it saw the normal frame confirmed; kind kInvalid if none. Each frame is handed out once.
-    /// [SRS-PROD-006]
-    [[nodiscard]] virtual CanFrame NextFrame(SlotIndex slot) noexcept = 0;
-    /// @brief A frame of this device was on the bus. Returns its slot, or kNoSlot if it is not a frame in flight.
-    /// [SRS-PROD-007]
-    [[nodiscard]] virtual SlotIndex OnConfirm(const CanFrame& frame, Instant stamp) noexcept = 0;
-    /// @brief The transmission of this slot failed (kTransmitQueue, kBusOff): recorded, the pair is given up.
+    /// @brief A frame of this device was on the bus. O(payload) [SRS-PROD-007]
+    [[nodiscard]] virtual Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept = 0;
+    /// @brief Channel B: the inverse frame of a pair whose normal frame was confirmed; handed out once. Channel A has
+    /// none to hand out. Kind kInvalid and all bytes 0 if there is none. O(payload) [SRS-PROD-006]
+    [[nodiscard]] virtual CanFrame InverseFrame(SlotIndex slot) noexcept = 0;
+    /// @brief The transmission of this slot failed (kTransmitQueue, kBusOff), or the two sides are not inverse
+    /// (kNotInverse): recorded, the pair is given up.
     /// [SRS-PROD-009]
-    virtual void OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept = 0;
+    virtual void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept = 0;
 
     Channel(const Channel&) = delete;
     Channel(Channel&&) = delete;

@@ -19,15 +19,30 @@ enum class MapAccess : std::uint8_t
 };
 
 /// One mappable variable of the application. `place` points to ceil(length_bits / 8) bytes that hold the value in
-/// little-endian order on every processor (the order of the wire); the accessors of kernel/variable.hpp read and write
-/// it.
+/// little-endian order on every processor (the order of the wire); bits of the last byte above the length are ignored
+/// when it is read and 0 when a channel wrote it. The accessors of kernel/variable.hpp read and write it.
 struct MappableObject
 {
     std::uint16_t index;
     std::uint8_t sub;
-    std::uint8_t length_bits; ///< 8 to 64, a multiple of 8.
+    std::uint8_t length_bits; ///< 1 to 64.
     MapAccess access;
     std::uint8_t* place;
+};
+
+/// A mapping that is a part of the program: it takes no RAM and cannot be written. [SRS-CFG-032]
+struct StaticMap
+{
+    const std::uint32_t* entries; ///< As 138xh sub 1 onward; null: the mapping of this SRDO is dynamic.
+    std::uint8_t count;           ///< As 138xh sub 0.
+};
+
+/// The two fields of an SRDO with a static mapping: its normal and its inverse objects, each without a gap, in the
+/// order of the entries. Null: not registered.
+struct StaticFields
+{
+    std::uint8_t* normal;
+    std::uint8_t* inverse;
 };
 
 /// What one SRDO needs beyond its objects in 1301h to 13FFh.
@@ -38,6 +53,29 @@ struct SrdoSetup
     ProducerForm form;
     Payload
         safe_value; ///< Consumer: what the normal objects read while the SRDO is safe; inverse objects its complement.
+    SrvtDetection detection;
+    StaticMap map;
+};
+
+/// Whether a consumer may map dummy entries. [SRS-CFG-033]
+enum class DummyMapping : std::uint8_t
+{
+    kRefused = 0U,
+    kAllowed = 0x66U,
+};
+
+/// Whether numbers of SRDOs may be missing. Without gaps an SRDO is found without a search. [SRS-KRN-018]
+enum class NumberGaps : std::uint8_t
+{
+    kRefused = 0U,
+    kSearched = 0x99U,
+};
+
+/// Whether the device has the global fail-safe command. [SRS-KRN-019]
+enum class GfcUse : std::uint8_t
+{
+    kRemoved = 0U, ///< 1300h does not exist; no GFC is sent or accepted.
+    kPresent = 0x5AU,
 };
 
 /// Fixed description of a device. Whoever owns it keeps it unchanged while the kernel lives. Ranges are checked by
@@ -49,18 +87,30 @@ struct DeviceConfig
     std::uint16_t object_count;       ///< 0 to 1024.
     std::uint8_t srdo_count;          ///< 1 to 64.
     std::uint8_t node_id;             ///< 1 to 127.
-    std::uint8_t granularity_bits;    ///< 8, 16, 32 or 64.
+    std::uint8_t granularity_bits;    ///< 1, 8, 16, 32 or 64.
+    std::uint8_t map_entries;         ///< Entries of each dynamic mapping: even, 0 to 128; what the channels have room for.
+    DummyMapping dummies;
+    NumberGaps gaps;
+    GfcUse gfc;
     CanPortId normal_port;            ///< Controller of the normal frames.
     CanPortId inverse_port;           ///< Controller of the inverse frames; equal to normal_port with one controller.
     std::uint32_t cycle_us;           ///< 100 to 1 000 000: nominal distance of two calls of Kernel::Cycle.
     std::uint32_t cycle_tolerance_us; ///< 0 to cycle_us: a call this much later is still in time.
     std::uint32_t discrepancy_us;     ///< Greatest time for which the channels' ordinals may differ.
     std::uint32_t acknowledge_window_us;  ///< For how long an acknowledge edge waits for its pair.
-    std::uint32_t diagnostic_interval_us; ///< Every signature is recomputed at least once in it; >= srdo_count cycles.
+    std::uint32_t diagnostic_interval_us; ///< Every signature and digest is recomputed in it; >= 2 srdo_count cycles.
     std::uint32_t test_interval_us;       ///< The comparator is tested at least once in it; >= 1 cycle.
     std::uint32_t clock_tolerance_us;     ///< Greatest difference of the counters' progress within clock_interval_us.
     std::uint32_t clock_interval_us;      ///< > clock_tolerance_us.
     std::uint32_t output_time_us;         ///< From the dropped permit to the safe output; only in computed limits.
+    std::uint32_t digest;                 ///< Expected device digest (5F04h); 0: none is expected. [SRS-CFG-050]
+};
+
+/// What the storage of a channel has room for. [SRS-KRN-020]
+struct ChannelRoom
+{
+    std::uint8_t slots;       ///< SRDOs.
+    std::uint8_t map_entries; ///< Entries of each dynamic mapping.
 };
 
 /// Names one stored value of the configuration.
@@ -74,13 +124,13 @@ enum class ConfigField : std::uint8_t
     kCobId1 = 5U,              ///< 130xh sub 5, u32.
     kCobId2 = 6U,              ///< 130xh sub 6, u32.
     kMapCount = 7U,            ///< 138xh sub 0, u8.
-    kMapEntry = 8U,            ///< 138xh sub 1 to 16 (field `sub`), u32: index << 16 | sub << 8 | bits.
+    kMapEntry = 8U,            ///< 138xh sub 1 to 128 (field `sub`), u32: index << 16 | sub << 8 | bits.
     kSignature = 9U,           ///< 13FFh sub n, u16.
     kGfcParameter = 10U,       ///< 1300h, u8; slot has no meaning.
     kConfigurationValid = 11U, ///< 13FEh, u8; slot has no meaning.
 };
 
-/// `sub` is 1 to 16 with kMapEntry and 0 otherwise.
+/// `sub` is 1 to 128 with kMapEntry and 0 otherwise.
 struct ConfigAddress
 {
     SlotIndex slot;
@@ -104,7 +154,8 @@ enum class ConfigFault : std::uint8_t
     kIdentifierInUse = 4U,  ///< Another SRDO that is not off has one of the identifiers.
     kTiming = 5U,           ///< Consumer: not 1 <= SRVT < SCT. Producer: refresh time shorter than the cycle.
     kMapping =
-        6U, ///< Odd count, too many entries, unknown object, access, length, same object, unequal pair, granularity.
+        6U, ///< Odd count, too many entries, unknown object, access, length, same object, unequal pair, granularity,
+            ///< dummy, static fields.
     kLengthExceeded = 7U, ///< More than 64 bits of normal or inverse data.
     kSignature = 8U,      ///< 13FFh is not the computed signature.
     kTable = 9U,          ///< A resolved mapping no longer leads to the objects that the entries name.

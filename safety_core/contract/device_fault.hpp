@@ -23,6 +23,9 @@ enum class DeviceFault : std::uint8_t
     kLateCall = 8U,      ///< The cycle came too late.
     kFrameOrder = 9U,    ///< Frames out of order, or with stamps that cannot be.
     kApplication = 10U,  ///< The application demanded the safe state.
+    kSelfTest = 11U,     ///< A self test found a defect, stands still or was not done.
+    kHandshake = 12U,    ///< The application did not answer in time.
+    kCrossLink = 13U,    ///< The link to the other CPU is lost or wrong.
     kNone = 0x5AU,
 };
 

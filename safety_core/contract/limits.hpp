@@ -9,8 +9,10 @@ namespace counterpoint
 
 /// EN 50325-5 knows SRDO 1 to 64 (objects 1301h to 1340h).
 constexpr std::uint8_t kMaxSrdoCount = 64U;
-/// Entries of one mapping: 8 normal and 8 inverse objects of one byte at the least.
-constexpr std::uint8_t kMaxMapEntries = 16U;
+/// Entries of one mapping at most: 64 normal and 64 inverse objects of one bit.
+constexpr std::uint8_t kMaxMapEntries = 128U;
+/// Entries of one mapping where no object is shorter than a byte: 8 normal and 8 inverse ones.
+constexpr std::uint8_t kUsualMapEntries = 16U;
 constexpr std::uint8_t kMaxPayloadBytes = 8U;
 constexpr std::uint8_t kMaxPayloadBits = 64U;
 /// Communication parameter objects of an SRDO have sub-index 1 to 6.
@@ -20,6 +22,9 @@ constexpr std::uint16_t kFirstSrdoIdentifier = 0x101U;
 constexpr std::uint16_t kLastSrdoIdentifier = 0x180U;
 constexpr std::uint16_t kSrdoIdentifierCount = 128U;
 constexpr std::uint16_t kGfcIdentifier = 0x001U;
+/// Indices of the data types of CiA 301 that may stand for an object nobody wants (dummy entries): 0001h BOOLEAN to
+/// 0007h UNSIGNED32.
+constexpr std::uint16_t kLastDummyIndex = 0x0007U;
 
 constexpr std::uint8_t kTransmissionTypeAsynchronous = 254U;
 /// Value of 13FEh that declares the configuration valid.
@@ -30,7 +35,8 @@ constexpr std::uint32_t kMicrosecondsPerMillisecond = 1000U;
 
 static_assert(kSrdoIdentifierCount == (kLastSrdoIdentifier - kFirstSrdoIdentifier) + 1U, "one identifier pair an SRDO");
 static_assert(kSrdoIdentifierCount == 2U * kMaxSrdoCount, "one identifier pair an SRDO");
-static_assert(kMaxMapEntries == 2U * kMaxPayloadBytes, "one normal and one inverse object a byte");
+static_assert(kMaxMapEntries == 2U * kMaxPayloadBits, "one normal and one inverse object a bit");
+static_assert(kUsualMapEntries == 2U * kMaxPayloadBytes, "one normal and one inverse object a byte");
 
 } // namespace counterpoint
 

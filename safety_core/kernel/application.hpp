@@ -16,6 +16,9 @@ struct CommunicationIndex
     std::uint16_t value;
 };
 
+/// Of SRDO 1.
+constexpr std::uint16_t kFirstCommunication = 0x1301U;
+
 enum class RefreshAnswer : std::uint8_t
 {
     kInvalid = 0U,

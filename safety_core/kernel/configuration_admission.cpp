@@ -7,9 +7,6 @@ namespace counterpoint
 namespace
 {
 
-constexpr std::uint32_t kLengthMask = 0xFFU;
-constexpr std::uint32_t kSubShift = 8U;
-constexpr std::uint32_t kIndexShift = 16U;
 constexpr std::uint32_t kGfcSupported = 1U;
 
 } // namespace
@@ -17,104 +14,82 @@ constexpr std::uint32_t kGfcSupported = 1U;
 AbortCode ConfigurationGuard::AdmitItem(const ConfigItem& item) const noexcept
 {
     const ConfigField field = item.address.field;
-    if (field == ConfigField::kDirection)
+    if (field == ConfigField::kMapEntry)
     {
-        return AdmitDirection(item);
-    }
-    if ((field == ConfigField::kCobId1) || (field == ConfigField::kCobId2))
-    {
-        return AdmitCobId(item);
+        return AdmitMapEntry(item);
     }
     if (field == ConfigField::kMapCount)
     {
         return AdmitMapCount(item);
     }
-    if (field == ConfigField::kMapEntry)
-    {
-        return AdmitMapEntry(item);
-    }
     // The one transmission type that is admitted is the one that is stored: any change is wrong.
-    const bool is_wrong_type = field == ConfigField::kTransmissionType;
-    const bool is_wrong_gfc = (field == ConfigField::kGfcParameter) && (item.value > kGfcSupported);
-    return (is_wrong_type || is_wrong_gfc) ? AbortCode::kValueRange : AbortCode::kNone;
+    bool is_fit = field != ConfigField::kTransmissionType;
+    if (field == ConfigField::kDirection)
+    {
+        is_fit = IsDirectionFit(item);
+    }
+    if ((field == ConfigField::kCobId1) || (field == ConfigField::kCobId2))
+    {
+        is_fit = IsCobIdFit(item);
+    }
+    if (field == ConfigField::kGfcParameter)
+    {
+        is_fit = item.value <= kGfcSupported;
+    }
+    return is_fit ? AbortCode::kNone : AbortCode::kValueRange;
 }
 
-bool ConfigurationGuard::IsIdentifierFree(const ConfigItem& item) const noexcept
+// No other SRDO that is not off has the identifier.
+bool ConfigurationGuard::IsFree(const SlotIndex slot, const std::uint32_t identifier) const noexcept
 {
     bool is_free = true;
     for (SlotIndex other = 0U; other < config_->srdo_count; ++other)
     {
-        const bool is_on = Value(other, ConfigField::kDirection, 0U) != kDirectionOff;
-        if (is_on && (other != item.address.slot))
+        const bool has_it =
+            (Value(other, ConfigField::kCobId1) == identifier) || (Value(other, ConfigField::kCobId2) == identifier);
+        if (has_it && (other != slot) && (Value(other, ConfigField::kDirection) != kDirectionOff))
         {
-            const std::uint32_t cob_id_1 = Value(other, ConfigField::kCobId1, 0U);
-            const std::uint32_t cob_id_2 = Value(other, ConfigField::kCobId2, 0U);
-            if ((cob_id_1 == item.value) || (cob_id_2 == item.value))
-            {
-                is_free = false;
-            }
+            is_free = false;
         }
     }
     return is_free;
 }
 
-AbortCode ConfigurationGuard::AdmitCobId(const ConfigItem& item) const noexcept
+bool ConfigurationGuard::IsCobIdFit(const ConfigItem& item) const noexcept
 {
     const SlotIndex slot = item.address.slot;
     const bool is_first = item.address.field == ConfigField::kCobId1;
     const std::uint32_t parity = is_first ? 1U : 0U;
     // COB-ID 1 stands for itself; COB-ID 2 must follow it.
-    const std::uint32_t wanted = is_first ? item.value : (Value(slot, ConfigField::kCobId1, 0U) + 1U);
-    const bool is_in_range = (item.value >= kFirstSrdoIdentifier) && (item.value <= kLastSrdoIdentifier);
+    const std::uint32_t wanted = is_first ? item.value : (Value(slot, ConfigField::kCobId1) + 1U);
+    const bool is_in_range = (item.value - kFirstSrdoIdentifier) < kSrdoIdentifierCount;
     const bool is_of_kind = ((item.value & 1U) == parity) && (item.value == wanted);
-    const bool is_off = Value(slot, ConfigField::kDirection, 0U) == kDirectionOff;
-    if (!is_off)
-    {
-        return AbortCode::kValueRange;
-    }
-    if (is_in_range && is_of_kind && IsIdentifierFree(item))
-    {
-        return AbortCode::kNone;
-    }
-    return AbortCode::kValueRange;
+    const bool is_off = Value(slot, ConfigField::kDirection) == kDirectionOff;
+    return is_in_range && is_of_kind && (is_off && IsFree(slot, item.value));
 }
 
-// COB-IDs of an SRDO that is to be switched on.
-AbortCode ConfigurationGuard::AdmitConnection(const SlotIndex slot) const noexcept
+// An SRDO that is to be switched on needs its COB-IDs. A stored one is 0 or was admitted as 101h to 180h of its parity.
+bool ConfigurationGuard::IsDirectionFit(const ConfigItem& item) const noexcept
 {
-    const std::uint32_t cob_id_1 = Value(slot, ConfigField::kCobId1, 0U);
-    const std::uint32_t cob_id_2 = Value(slot, ConfigField::kCobId2, 0U);
-    const ConfigItem first{ConfigAddress{slot, ConfigField::kCobId1, 0U}, cob_id_1};
-    const ConfigItem second{ConfigAddress{slot, ConfigField::kCobId2, 0U}, cob_id_2};
-    // A stored identifier is 0 or was admitted as 101h to 180h of its parity.
-    const bool is_pair = (cob_id_1 != 0U) && (cob_id_2 == (cob_id_1 + 1U));
-    if (is_pair && IsIdentifierFree(first) && IsIdentifierFree(second))
-    {
-        return AbortCode::kNone;
-    }
-    return AbortCode::kValueRange;
-}
-
-AbortCode ConfigurationGuard::AdmitDirection(const ConfigItem& item) const noexcept
-{
-    if (item.value > kDirectionConsumer)
-    {
-        return AbortCode::kValueRange;
-    }
     if (item.value == kDirectionOff)
     {
-        return AbortCode::kNone;
+        return true;
     }
-    return AdmitConnection(item.address.slot);
+    const SlotIndex slot = item.address.slot;
+    const std::uint32_t cob_id_1 = Value(slot, ConfigField::kCobId1);
+    const std::uint32_t cob_id_2 = Value(slot, ConfigField::kCobId2);
+    const bool is_pair = (cob_id_1 != 0U) && (cob_id_2 == (cob_id_1 + 1U));
+    const bool is_direction = item.value <= kDirectionConsumer;
+    return is_direction && is_pair && (IsFree(slot, cob_id_1) && IsFree(slot, cob_id_2));
 }
 
 std::uint32_t ConfigurationGuard::MappedBits(const SlotIndex slot, const std::uint8_t first,
                                              const std::uint32_t count) const noexcept
 {
     std::uint32_t bits = 0U;
-    for (std::uint8_t sub = first; sub <= count; sub = static_cast<std::uint8_t>(sub + 2U))
+    for (std::uint32_t sub = first; sub <= count; sub += 2U)
     {
-        bits += Value(slot, ConfigField::kMapEntry, sub) & kLengthMask;
+        bits += Value(slot, ConfigField::kMapEntry, static_cast<std::uint8_t>(sub)) & kEntryLengthMask;
     }
     return bits;
 }
@@ -122,41 +97,35 @@ std::uint32_t ConfigurationGuard::MappedBits(const SlotIndex slot, const std::ui
 AbortCode ConfigurationGuard::AdmitMapCount(const ConfigItem& item) const noexcept
 {
     const SlotIndex slot = item.address.slot;
-    if (Value(slot, ConfigField::kDirection, 0U) != kDirectionOff)
+    if (Value(slot, ConfigField::kDirection) != kDirectionOff)
     {
         return AbortCode::kUnsupportedAccess;
     }
-    const bool is_count = (item.value <= kMaxMapEntries) && ((item.value & 1U) == 0U);
-    if (!is_count)
-    {
-        return AbortCode::kMapTooLong;
-    }
-    const bool fits =
-        (MappedBits(slot, 1U, item.value) <= kMaxPayloadBits) && (MappedBits(slot, 2U, item.value) <= kMaxPayloadBits);
+    const bool is_count = (item.value <= config_->map_entries) && ((item.value & 1U) == 0U);
+    const bool fits = is_count && (MappedBits(slot, 1U, item.value) <= kMaxPayloadBits) &&
+                      (MappedBits(slot, 2U, item.value) <= kMaxPayloadBits);
     return fits ? AbortCode::kNone : AbortCode::kMapTooLong;
 }
 
 AbortCode ConfigurationGuard::AdmitMapEntry(const ConfigItem& item) const noexcept
 {
     const SlotIndex slot = item.address.slot;
-    const std::uint32_t in_use = Value(slot, ConfigField::kDirection, 0U) | Value(slot, ConfigField::kMapCount, 0U);
-    if (in_use != 0U)
+    if ((Value(slot, ConfigField::kDirection) | Value(slot, ConfigField::kMapCount)) != 0U)
     {
         return AbortCode::kUnsupportedAccess;
     }
-    if (item.value == 0U)
+    const bool is_dummy = (config_->dummies == DummyMapping::kAllowed) && IsDummy(item.value);
+    if (is_dummy || (item.value == 0U))
     {
         return AbortCode::kNone;
     }
-    const ObjectAddress address{static_cast<std::uint16_t>(item.value >> kIndexShift),
-                                static_cast<std::uint8_t>(item.value >> kSubShift)};
-    const MappableObject* const object = FindObject(*config_, address);
+    const MappableObject* const object = FindMapped(*config_, item.value);
     if (object == nullptr)
     {
         return AbortCode::kObjectUnknown;
     }
     const bool is_mappable = object->access != MapAccess::kNone;
-    const bool has_length = (item.value & kLengthMask) == object->length_bits;
+    const bool has_length = (item.value & kEntryLengthMask) == object->length_bits;
     return (is_mappable && has_length) ? AbortCode::kNone : AbortCode::kNotMappable;
 }
 

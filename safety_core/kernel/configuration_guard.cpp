@@ -1,116 +1,45 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "safety_core/kernel/configuration_guard.hpp"
 
-#include "safety_core/comparator/slot_mask.hpp"
+#include "safety_core/kernel/variable.hpp"
 
 namespace counterpoint
 {
 namespace
 {
 
-constexpr DeviceConfig kNoDevice{};
+constexpr std::uint32_t kBitsPerByte = 8U;
 
-constexpr std::uint8_t kLastProducerNode = 32U;
-constexpr std::uint8_t kLastDefaultNode = 64U;
-constexpr std::uint16_t kDefaultCobId1Base = 0xFFU;
-constexpr std::uint16_t kDefaultCobId2Base = 0x100U;
-constexpr std::uint32_t kTokenRotation = 8U;
-constexpr std::uint32_t kWordBits = 32U;
-constexpr std::uint32_t kEveryByte = 0x01010101U;
-constexpr std::uint16_t kCommunicationBase = 0x1301U;
-
-constexpr DeviceFaultReport kNothingFound{DeviceFault::kNone, kNoSlot, 0U};
 constexpr ConfigAddress kValidAddress{0U, ConfigField::kConfigurationValid, 0U};
 
-std::uint32_t ToValue(const ObjectData& data) noexcept
+bool IsReadOnly(const ObjectKind kind) noexcept
 {
-    std::uint32_t value = 0U;
-    for (std::uint32_t byte = 0U; byte < data.size_bytes; ++byte)
-    {
-        value |= static_cast<std::uint32_t>(data.bytes[byte]) << (8U * byte); // MISRA D-002
-    }
-    return value;
-}
-
-ObjectReading ToReading(const std::uint32_t value, const std::uint8_t size_bytes) noexcept
-{
-    ObjectReading reading{};
-    reading.abort = AbortCode::kNone;
-    reading.data.size_bytes = size_bytes;
-    for (std::uint32_t byte = 0U; byte < size_bytes; ++byte)
-    {
-        reading.data.bytes[byte] = static_cast<std::uint8_t>(value >> (8U * byte)); // MISRA D-002
-    }
-    return reading;
-}
-
-ObjectReading ToReading(const MappableObject& object, const std::uint8_t size_bytes) noexcept
-{
-    ObjectReading reading{};
-    reading.abort = AbortCode::kNone;
-    reading.data.size_bytes = size_bytes;
-    for (std::uint32_t byte = 0U; byte < size_bytes; ++byte)
-    {
-        reading.data.bytes[byte] = object.place[byte]; // MISRA D-002
-    }
-    return reading;
-}
-
-ObjectReading Refused(const AbortCode abort) noexcept
-{
-    ObjectReading reading{};
-    reading.abort = abort;
-    return reading;
+    return (kind == ObjectKind::kConstant) || (kind == ObjectKind::kVariable) || (kind == ObjectKind::kFixed);
 }
 
 } // namespace
 
-Connection DefaultConnection(const NodeId node_id) noexcept
-{
-    if ((node_id.value == 0U) || (node_id.value > kLastDefaultNode))
-    {
-        return Connection{0U, 0U, kDirectionOff};
-    }
-    const std::uint32_t offset = 2U * static_cast<std::uint32_t>(node_id.value);
-    const std::uint8_t direction = (node_id.value <= kLastProducerNode) ? kDirectionProducer : kDirectionConsumer;
-    return Connection{static_cast<std::uint16_t>(kDefaultCobId1Base + offset),
-                      static_cast<std::uint16_t>(kDefaultCobId2Base + offset), direction};
-}
-
-ConfigurationGuard::ConfigurationGuard(Channel& a, Channel& b) noexcept : a_{a}, b_{b}, config_{&kNoDevice}
+ConfigurationGuard::ConfigurationGuard(Channel& a, Channel& b, SafeStateLatch& latch) noexcept
+    : a_{a}, b_{b}, latch_{latch}, config_{&kNoDevice}
 {
 }
 
 void ConfigurationGuard::Restart(const DeviceConfig& config) noexcept
 {
     config_ = &config;
-    // Kernel::Start made sure that the interval holds at least one cycle for each SRDO.
-    cycles_per_check_ = config.diagnostic_interval_us / (config.cycle_us * config.srdo_count);
+    // Kernel::Start made sure that the interval holds at least two cycles for each SRDO.
+    cycles_per_check_ = config.diagnostic_interval_us / (2U * config.cycle_us * config.srdo_count);
     cycles_to_check_ = cycles_per_check_;
-    finding_ = kNothingFound;
-    next_slot_ = 0U;
-    nmt_ = NmtState::kInitialising;
+    step_ = 0U;
     valid_ = 0U;
+    nmt_ = NmtState::kInitialising;
 }
 
-void ConfigurationGuard::SetNmt(const NmtState state) noexcept
+void ConfigurationGuard::Stop() noexcept
 {
-    nmt_ = state;
-}
-
-SrdoMask ConfigurationGuard::Active() const noexcept
-{
-    return active_;
-}
-
-SrdoMask ConfigurationGuard::Producers() const noexcept
-{
-    return producers_;
-}
-
-bool ConfigurationGuard::IsValid() const noexcept
-{
-    return valid_ == kConfigurationValidValue;
+    config_ = &kNoDevice;
+    nmt_ = NmtState::kInvalid;
+    valid_ = 0U;
 }
 
 std::uint32_t ConfigurationGuard::Value(const SlotIndex slot, const ConfigField field,
@@ -119,19 +48,13 @@ std::uint32_t ConfigurationGuard::Value(const SlotIndex slot, const ConfigField 
     return a_.Load(ConfigAddress{slot, field, sub}).value;
 }
 
-void ConfigurationGuard::Find(const DeviceFault fault, const SlotIndex slot) noexcept
+Result ConfigurationGuard::Changeable() const noexcept
 {
-    if (finding_.fault == DeviceFault::kNone)
+    if (nmt_ == NmtState::kInvalid)
     {
-        finding_ = DeviceFaultReport{fault, slot, 1U};
+        return Result::kDeviceFault;
     }
-}
-
-DeviceFaultReport ConfigurationGuard::TakeFinding() noexcept
-{
-    const DeviceFaultReport taken = finding_;
-    finding_ = kNothingFound;
-    return taken;
+    return (nmt_ == NmtState::kOperational) ? Result::kNmtError : Result::kSuccessful;
 }
 
 // Both channels keep the value; what they give back must be what was stored. [SRS-CFG-047]
@@ -143,7 +66,7 @@ void ConfigurationGuard::StoreBoth(const ConfigItem& item) noexcept
         (a_.Load(item.address).value ^ item.value) | (b_.Load(item.address).value ^ item.value);
     if (differences != 0U)
     {
-        Find(DeviceFault::kConfiguration, item.address.slot);
+        latch_.Enter(DeviceFault::kConfiguration, item.address.slot);
     }
 }
 
@@ -155,45 +78,51 @@ void ConfigurationGuard::Invalidate() noexcept
 
 ObjectReading ConfigurationGuard::Read(const ObjectAddress& address) noexcept
 {
+    ObjectReading reading{};
+    reading.abort = AbortCode::kDeviceState;
+    if (nmt_ == NmtState::kInvalid)
+    {
+        return reading;
+    }
     const ObjectPlace place = Locate(*config_, address);
+    reading.abort = place.refusal;
     if (place.kind == ObjectKind::kInvalid)
     {
-        return Refused(AbortCode::kObjectUnknown);
+        return reading;
     }
-    if (place.kind == ObjectKind::kSubUnknown)
+    // What is not stored reads 0 in both channels.
+    const std::uint32_t value_a = a_.Load(place.config).value;
+    const std::uint32_t value_b = b_.Load(place.config).value;
+    if (value_a != value_b)
     {
-        return Refused(AbortCode::kSubUnknown);
+        latch_.Enter(DeviceFault::kConfiguration, place.config.slot);
+        reading.abort = AbortCode::kGeneral;
+        return reading;
     }
+    VariableValue value{value_a | place.constant};
     if (place.kind == ObjectKind::kVariable)
     {
-        return ToReading(*place.variable, place.size_bytes);
+        value = ReadVariable(VariablePlace{place.variable->place, place.variable->length_bits});
     }
-    if ((place.kind == ObjectKind::kConstant) || (place.kind == ObjectKind::kGapSignature))
-    {
-        return ToReading(place.constant, place.size_bytes);
-    }
-    const ConfigItem item_a = a_.Load(place.config);
-    const ConfigItem item_b = b_.Load(place.config);
-    if (item_a.value != item_b.value)
-    {
-        Find(DeviceFault::kConfiguration, place.config.slot);
-        return Refused(AbortCode::kGeneral);
-    }
-    return ToReading(item_a.value, place.size_bytes);
+    reading.abort = AbortCode::kNone;
+    reading.data.size_bytes = place.size_bytes;
+    WriteVariable(VariablePlace{&reading.data.bytes[0], static_cast<std::uint8_t>(kBitsPerByte * place.size_bytes)},
+                  value);
+    return reading;
 }
 
 AbortCode ConfigurationGuard::Write(const ObjectAddress& address, const ObjectData& data) noexcept
 {
+    if (nmt_ == NmtState::kInvalid)
+    {
+        return AbortCode::kDeviceState;
+    }
     const ObjectPlace place = Locate(*config_, address);
     if (place.kind == ObjectKind::kInvalid)
     {
-        return AbortCode::kObjectUnknown;
+        return place.refusal;
     }
-    if (place.kind == ObjectKind::kSubUnknown)
-    {
-        return AbortCode::kSubUnknown;
-    }
-    if ((place.kind == ObjectKind::kConstant) || (place.kind == ObjectKind::kVariable))
+    if (IsReadOnly(place.kind))
     {
         return AbortCode::kReadOnly;
     }
@@ -206,16 +135,25 @@ AbortCode ConfigurationGuard::Write(const ObjectAddress& address, const ObjectDa
     {
         return AbortCode::kDeviceState;
     }
-    const std::uint32_t value = ToValue(data);
+    return WritePlace(place, ToValue(data));
+}
+
+AbortCode ConfigurationGuard::WritePlace(const ObjectPlace& place, const std::uint32_t value) noexcept
+{
     if (place.kind == ObjectKind::kGapSignature)
     {
         return (value == 0U) ? AbortCode::kNone : AbortCode::kValueRange;
     }
-    if (place.kind == ObjectKind::kConfigurationValid)
+    if (place.kind == ObjectKind::kConfiguration)
     {
-        return WriteValid(static_cast<std::uint8_t>(value));
+        return WriteConfiguration(ConfigItem{place.config, value});
     }
-    return WriteConfiguration(ConfigItem{place.config, value});
+    if (value == kConfigurationValidValue)
+    {
+        return (Declare() == Result::kSuccessful) ? AbortCode::kNone : AbortCode::kIncompatible;
+    }
+    Invalidate();
+    return AbortCode::kNone;
 }
 
 AbortCode ConfigurationGuard::WriteConfiguration(const ConfigItem& item) noexcept
@@ -230,118 +168,52 @@ AbortCode ConfigurationGuard::WriteConfiguration(const ConfigItem& item) noexcep
     {
         return abort;
     }
-    if (address.field != ConfigField::kGfcParameter)
+    const bool is_gfc = address.field == ConfigField::kGfcParameter;
+    if (!is_gfc)
     {
         Invalidate();
     }
     StoreBoth(item);
+    if (is_gfc)
+    {
+        (void)TakeDigest();
+    }
     return AbortCode::kNone;
 }
 
-AbortCode ConfigurationGuard::WriteValid(const std::uint8_t value) noexcept
+Result ConfigurationGuard::Declare() noexcept
 {
-    if (value != kConfigurationValidValue)
+    Result result = ToResult(CheckAll(CheckDepth::kValidate).rule);
+    if (result == Result::kSuccessful)
     {
-        Invalidate();
-        return AbortCode::kNone;
+        result = TakeDigest();
     }
-    for (SlotIndex slot = 0U; slot < config_->srdo_count; ++slot)
+    if (result == Result::kSuccessful)
     {
-        const CheckResult a = a_.Validate(slot);
-        const CheckResult b = b_.Validate(slot);
-        const ConfigurationFinding finding = Compare(slot, a, b);
-        if (finding.rule != ConfigFault::kNone)
-        {
-            if (finding.fault != DeviceFault::kNone)
-            {
-                Find(finding.fault, slot);
-            }
-            return AbortCode::kIncompatible;
-        }
+        valid_ = kConfigurationValidValue;
+        StoreBoth(ConfigItem{kValidAddress, kConfigurationValidValue});
     }
-    TakeDirections();
-    valid_ = value;
-    StoreBoth(ConfigItem{kValidAddress, value});
-    return AbortCode::kNone;
+    return result;
 }
 
-void ConfigurationGuard::TakeDirections() noexcept
+Result ConfigurationGuard::DefineFields(const SlotIndex slot, const StaticFields& fields) noexcept
 {
-    active_ = 0U;
-    producers_ = 0U;
-    for (SlotIndex slot = 0U; slot < config_->srdo_count; ++slot)
+    const Result readiness = Changeable();
+    if (readiness != Result::kSuccessful)
     {
-        const std::uint32_t direction = Value(slot, ConfigField::kDirection, 0U);
-        active_ |= (direction != kDirectionOff) ? OnlySlot(slot).mask : 0U;
-        producers_ |= (direction == kDirectionProducer) ? OnlySlot(slot).mask : 0U;
+        return readiness;
     }
-}
-
-ConfigurationFinding ConfigurationGuard::Compare(const SlotIndex slot, const CheckResult& a,
-                                                 const CheckResult& b) const noexcept
-{
-    const std::uint32_t rules = static_cast<std::uint32_t>(a.fault) ^ static_cast<std::uint32_t>(b.fault);
-    const std::uint32_t signatures = static_cast<std::uint32_t>(a.signature) ^ static_cast<std::uint32_t>(b.signature);
-    const CommunicationIndex index{
-        static_cast<std::uint16_t>((kCommunicationBase - 1U) + config_->srdos[slot].number)}; // MISRA D-002
-    if ((rules | signatures) != 0U)
+    if (config_->srdos[slot].map.entries == nullptr) // MISRA D-002
     {
-        return ConfigurationFinding{DeviceFault::kDisagreement, ConfigFault::kInvalid, index, slot};
+        return Result::kMappingError;
     }
-    return ConfigurationFinding{DeviceFault::kNone, a.fault, index, slot};
-}
-
-ConfigurationFinding ConfigurationGuard::CheckAll() noexcept
-{
-    for (SlotIndex slot = 0U; slot < config_->srdo_count; ++slot)
-    {
-        const CheckResult a = a_.Recheck(slot);
-        const CheckResult b = b_.Recheck(slot);
-        const ConfigurationFinding finding = Compare(slot, a, b);
-        if (finding.rule != ConfigFault::kNone)
-        {
-            return finding;
-        }
-    }
-    return ConfigurationFinding{DeviceFault::kNone, ConfigFault::kNone, CommunicationIndex{0U}, kNoSlot};
-}
-
-std::uint32_t ConfigurationGuard::Cycle(const std::uint32_t challenge) noexcept
-{
-    --cycles_to_check_;
-    if (cycles_to_check_ == 0U)
-    {
-        cycles_to_check_ = cycles_per_check_;
-        RecheckNext();
-    }
-    const std::uint32_t rotated = (challenge << kTokenRotation) | (challenge >> (kWordBits - kTokenRotation));
-    return rotated ^ (static_cast<std::uint32_t>(valid_) * kEveryByte);
-}
-
-void ConfigurationGuard::RecheckNext() noexcept
-{
-    const SlotIndex slot = next_slot_;
-    const std::uint32_t following = static_cast<std::uint32_t>(slot) + 1U;
-    next_slot_ = (following == config_->srdo_count) ? SlotIndex{0U} : static_cast<SlotIndex>(following);
-    if (!IsValid())
-    {
-        return;
-    }
-    const CheckResult a = a_.Recheck(slot);
-    const CheckResult b = b_.Recheck(slot);
-    const ConfigurationFinding finding = Compare(slot, a, b);
-    if (finding.fault != DeviceFault::kNone)
-    {
-        Find(finding.fault, slot);
-    }
-    else if (finding.rule != ConfigFault::kNone)
-    {
-        Find(DeviceFault::kConfiguration, slot);
-    }
-    else
-    {
-        // This SRDO is as it was declared.
-    }
+    Invalidate();
+    a_.SetFields(slot, fields);
+    b_.SetFields(slot, fields);
+    const Result result = ToResult(Check(slot, CheckDepth::kValidate).rule);
+    // What else is not right yet, such as its signature, is found when the configuration is declared valid.
+    const bool is_mapping = (result == Result::kMappingError) || (result == Result::kLengthExceeded);
+    return (is_mapping || (result == Result::kDeviceFault)) ? result : Result::kSuccessful;
 }
 
 } // namespace counterpoint

@@ -3,83 +3,123 @@
 #define SAFETY_CORE_KERNEL_CONFIGURATION_GUARD_HPP
 
 #include "safety_core/contract/channel.hpp"
-#include "safety_core/contract/device_fault.hpp"
-#include "safety_core/kernel/application.hpp"
+#include "safety_core/kernel/configuration_image.hpp"
 #include "safety_core/kernel/object_access.hpp"
+#include "safety_core/kernel/result.hpp"
+#include "safety_core/kernel/safe_state_latch.hpp"
 
 #include <cstdint>
 
 namespace counterpoint
 {
 
-/// A finding about the whole configuration.
+/// What a check of one or all SRDOs found, the channels compared.
 struct ConfigurationFinding
 {
-    DeviceFault fault;        ///< kDisagreement: the channels differ; else kNone.
-    ConfigFault rule;         ///< First broken rule; kNone: all hold.
-    CommunicationIndex index; ///< First faulty SRDO; 0: none.
-    SlotIndex slot;
+    ConfigFault rule; ///< First broken rule; kNone: all hold; kInvalid: the channels differ, a device fault by now.
+    SlotIndex slot;   ///< First faulty SRDO; kNoSlot: none.
+    std::uint16_t signature;
 };
 
+/// How an SRDO is checked: all rules, its mapping resolved anew, or signature and resolved mapping again.
+enum class CheckDepth : std::uint8_t
+{
+    kInvalid = 0U,
+    kRecheck = 1U,
+    kValidate = 2U,
+};
+
+/// @brief Return code of the reference for a rule of the configuration.
+[[nodiscard]] Result ToResult(ConfigFault rule) noexcept;
+
 /// Owner of 1300h to 13FFh: admits or refuses every access, keeps both channels' copies equal, looks at 13FEh every
-/// cycle and has the signatures rechecked. The values themselves live in the channels; the guard keeps only 13FEh.
-/// [SRS-CFG-040..049]
+/// cycle and has signatures and digests computed anew. The values themselves live in the channels; the guard keeps only
+/// 13FEh and the digest. Faults that it finds enter the latch at once. [SRS-CFG-040..053]
 class ConfigurationGuard
 {
   public:
-    ConfigurationGuard(Channel& a, Channel& b) noexcept;
+    ConfigurationGuard(Channel& a, Channel& b, SafeStateLatch& latch) noexcept;
 
     /// @brief Power-on: 13FEh 0; distance of the cyclic checks from the diagnostic interval.
     void Restart(const DeviceConfig& config) noexcept;
-    void SetNmt(NmtState state) noexcept;
-    /// @brief SRDOs that are not off, and the producers among them, as of the last declaration of a valid
-    /// configuration.
-    [[nodiscard]] SrdoMask Active() const noexcept;
-    [[nodiscard]] SrdoMask Producers() const noexcept;
+    /// @brief Every access is refused until the next Restart.
+    void Stop() noexcept;
+    void SetNmt(NmtState state) noexcept
+    {
+        nmt_ = state;
+    }
+    [[nodiscard]] NmtState Nmt() const noexcept
+    {
+        return nmt_;
+    }
+    [[nodiscard]] bool IsValid() const noexcept
+    {
+        return valid_ == kConfigurationValidValue;
+    }
     /// @brief One stored value as channel A has it; the cyclic check vouches for it.
-    [[nodiscard]] std::uint32_t Value(SlotIndex slot, ConfigField field, std::uint8_t sub) const noexcept;
+    [[nodiscard]] std::uint32_t Value(SlotIndex slot, ConfigField field, std::uint8_t sub = 0U) const noexcept;
     [[nodiscard]] ObjectReading Read(const ObjectAddress& address) noexcept;
     [[nodiscard]] AbortCode Write(const ObjectAddress& address, const ObjectData& data) noexcept;
-    /// @brief Looks at 13FEh and rechecks an SRDO when its turn has come. The token for CycleInput. [SRS-CFG-031,
-    /// SRS-CFG-048]
+    /// @brief kSuccessful where the configuration may be changed as a whole; kDeviceFault when stopped, kNmtError in
+    /// OPERATIONAL.
+    [[nodiscard]] Result Changeable() const noexcept;
+    /// @brief Looks at 13FEh and does a step of the diagnosis when its turn has come. The token for CycleInput.
+    /// [SRS-CFG-031, SRS-CFG-048, SRS-CFG-050]
     [[nodiscard]] std::uint32_t Cycle(std::uint32_t challenge) noexcept;
-    /// @brief Rechecks all SRDOs in both channels. [SRS-KRN-010, SRS-KRN-015]
-    [[nodiscard]] ConfigurationFinding CheckAll() noexcept;
+    /// @brief Checks one SRDO in both channels.
+    [[nodiscard]] ConfigurationFinding Check(SlotIndex slot, CheckDepth depth) noexcept;
+    /// @brief Checks all SRDOs in both channels up to the first that is faulty. [SRS-KRN-010, SRS-KRN-015]
+    [[nodiscard]] ConfigurationFinding CheckAll(CheckDepth depth) noexcept;
     /// @brief Sets 13FEh to 0 everywhere.
     void Invalidate() noexcept;
-    [[nodiscard]] bool IsValid() const noexcept;
-    /// @brief First device fault found since the last call; kNone if none.
-    [[nodiscard]] DeviceFaultReport TakeFinding() noexcept;
+    /// @brief Fields of an SRDO with a static mapping. [SRS-KRN-024]
+    [[nodiscard]] Result DefineFields(SlotIndex slot, const StaticFields& fields) noexcept;
+
+    /// @brief The stored configuration as a whole. [SRS-CFG-051..053]
+    [[nodiscard]] ItemReply ReadItem(std::uint32_t number) noexcept;
+    [[nodiscard]] HeaderReply Header(std::uint8_t valid) noexcept;
+    [[nodiscard]] Result LoadItem(std::uint32_t number, std::uint32_t value) noexcept;
+    [[nodiscard]] Result Load(const ImageHeader& header) noexcept;
+    [[nodiscard]] Result RestoreDefaults() noexcept;
+    /// @brief 13FEh as it is.
+    [[nodiscard]] std::uint8_t Valid() const noexcept
+    {
+        return valid_;
+    }
 
   private:
+    [[nodiscard]] AbortCode WritePlace(const ObjectPlace& place, std::uint32_t value) noexcept;
     [[nodiscard]] AbortCode WriteConfiguration(const ConfigItem& item) noexcept;
-    [[nodiscard]] AbortCode WriteValid(std::uint8_t value) noexcept;
+    [[nodiscard]] Result Declare() noexcept;
     [[nodiscard]] AbortCode AdmitItem(const ConfigItem& item) const noexcept;
-    [[nodiscard]] AbortCode AdmitDirection(const ConfigItem& item) const noexcept;
-    [[nodiscard]] AbortCode AdmitCobId(const ConfigItem& item) const noexcept;
+    [[nodiscard]] bool IsDirectionFit(const ConfigItem& item) const noexcept;
+    [[nodiscard]] bool IsCobIdFit(const ConfigItem& item) const noexcept;
+    [[nodiscard]] bool IsFree(SlotIndex slot, std::uint32_t identifier) const noexcept;
     [[nodiscard]] AbortCode AdmitMapCount(const ConfigItem& item) const noexcept;
     [[nodiscard]] AbortCode AdmitMapEntry(const ConfigItem& item) const noexcept;
-    [[nodiscard]] bool IsIdentifierFree(const ConfigItem& item) const noexcept;
-    [[nodiscard]] AbortCode AdmitConnection(SlotIndex slot) const noexcept;
     [[nodiscard]] std::uint32_t MappedBits(SlotIndex slot, std::uint8_t first, std::uint32_t count) const noexcept;
     void StoreBoth(const ConfigItem& item) noexcept;
-    [[nodiscard]] ConfigurationFinding Compare(SlotIndex slot, const CheckResult& a,
-                                               const CheckResult& b) const noexcept;
-    void TakeDirections() noexcept;
-    void Find(DeviceFault fault, SlotIndex slot) noexcept;
-    void RecheckNext() noexcept;
+    [[nodiscard]] Result TakeDigest() noexcept;
+    void Examine() noexcept;
+    [[nodiscard]] bool IsSlotSound(SlotIndex slot) noexcept;
+    [[nodiscard]] bool IsDigestSound() const noexcept;
+    [[nodiscard]] bool StepDigest(SlotIndex slot) noexcept;
+    [[nodiscard]] std::uint32_t ItemCount() const noexcept;
+    [[nodiscard]] ObjectAddress AddressOf(std::uint32_t number) const noexcept;
+    [[nodiscard]] std::uint32_t DefaultOf(const ConfigAddress& address) const noexcept;
 
     Channel& a_;
     Channel& b_;
+    SafeStateLatch& latch_;
     const DeviceConfig* config_; ///< Never null: a device without SRDOs before Restart.
-    SrdoMask active_{0U};
-    SrdoMask producers_{0U};
-    std::uint32_t cycles_per_check_{1U};
-    std::uint32_t cycles_to_check_{1U};
-    DeviceFaultReport finding_{DeviceFault::kNone, kNoSlot, 0U};
-    SlotIndex next_slot_{0U};
+    std::uint32_t cycles_per_check_{0U};
+    std::uint32_t cycles_to_check_{0U};
+    DeviceDigest reference_{0U}; ///< Of the last declaration, or of the last write to 1300h.
+    DeviceDigest digest_{0U};    ///< Of the slots so far.
+    std::uint8_t step_{0U};      ///< Of the diagnosis: twice the slot, plus one for its digest.
     NmtState nmt_{NmtState::kInvalid};
     std::uint8_t valid_{0U};
+    bool is_digest_whole_{false}; ///< `digest_` is that of the walk through the slots that is under way.
 };
 
 /// Default identifiers of SRDO 1 for a node-ID. [SRS-CFG-049]

@@ -15,18 +15,19 @@ namespace counterpoint
 enum class FlowStep : std::uint8_t
 {
     kInvalid = 0U,
-    kClocks = 1U,
-    kGuard = 2U,
-    kChannelA = 3U,
-    kChannelB = 4U,
-    kComparison = 5U,
-    kDemotion = 6U,
-    kProduction = 7U,
-    kCommit = 8U,
-    kEvents = 9U,
-    kPermits = 10U,
+    kSelfTest = 1U,
+    kClocks = 2U,
+    kGuard = 3U,
+    kChannelA = 4U,
+    kChannelB = 5U,
+    kComparison = 6U,
+    kDemotion = 7U,
+    kProduction = 8U,
+    kCommit = 9U,
+    kEvents = 10U,
+    kPermits = 11U,
 };
-constexpr std::uint8_t kFlowStepCount = 10U;
+constexpr std::uint8_t kFlowStepCount = 11U;
 
 /// A value that a step must have produced, with what it must be; their difference enters the signature.
 struct FlowEvidence

@@ -8,7 +8,6 @@ namespace counterpoint
 namespace
 {
 
-constexpr DeviceConfig kNoDevice{};
 constexpr std::uint16_t kMostDemotions = 65535U;
 constexpr std::uint32_t kPermitRotation = 16U;
 constexpr std::uint32_t kWordBits = 32U;
@@ -26,18 +25,27 @@ constexpr FlowEvidence kDone{0U, 0U};
 } // namespace
 
 Kernel::Kernel(const KernelParts& parts) noexcept
-    : parts_{parts}, config_{&kNoDevice}, guard_{parts.channel_a, parts.channel_b}
+    : parts_{parts}, config_{&kNoDevice}, guard_{parts.channel_a, parts.channel_b, latch_}
 {
 }
 
-void Kernel::Adopt(const DeviceFaultReport& report) noexcept
+// Before any other part is called. [SRS-STS-040, SRS-STS-063]
+PartsView Kernel::ExamineSelf() noexcept
 {
-    latch_.Enter(report.fault, report.slot);
+    if (parts_.self_test == nullptr)
+    {
+        flow_.Mark(FlowStep::kSelfTest, kDone);
+        return PartsView::kSound;
+    }
+    const SelfTestOutcome outcome = parts_.self_test->OnCycle();
+    latch_.Enter((outcome.parts == PartsView::kSound) ? outcome.fault : DeviceFault::kSelfTest, kNoSlot);
+    flow_.Mark(FlowStep::kSelfTest, FlowEvidence{outcome.progress, run_.cycle});
+    return outcome.parts;
 }
 
 void Kernel::OnFrame(const StampedFrame& frame) noexcept
 {
-    if (!started_)
+    if (!run_.started)
     {
         return;
     }
@@ -48,56 +56,65 @@ void Kernel::OnFrame(const StampedFrame& frame) noexcept
                         (frame.frame.length_bytes == 0U);
     if (is_gfc)
     {
-        gfc_seen_ = true;
+        run_.gfc_seen = true;
     }
 }
 
 void Kernel::OnOverflow() noexcept
 {
-    queue_ = QueueState::kOverflowed;
+    run_.queue = QueueState::kOverflowed;
 }
 
 void Kernel::Cycle(const CycleCall& call) noexcept
 {
-    if (!started_)
+    if (!run_.started)
     {
         return;
     }
-    ++cycle_;
-    now_ = call.now;
-    const std::uint32_t challenge = parts_.output.Challenge();
+    ++run_.cycle;
+    run_.now = call.now;
     flow_.Begin();
+    if (ExamineSelf() != PartsView::kSound)
+    {
+        return; // No permit, no answer to the watchdog: the outputs close, and nobody can be called to be told.
+    }
+    const std::uint32_t challenge = parts_.output.Challenge();
 
     latch_.Enter(clocks_.OnCycle(call.now), kNoSlot);
     flow_.Mark(FlowStep::kClocks, kDone);
     const std::uint32_t token = guard_.Cycle(challenge);
-    Adopt(guard_.TakeFinding());
     flow_.Mark(FlowStep::kGuard, kDone);
 
     // OPERATIONAL that was left and entered again between two cycles was left: the channels see one cycle outside of
     // it.
-    const NmtState nmt = left_operational_ ? NmtState::kPreOperational : nmt_;
-    left_operational_ = false;
-    const CycleInput input_a{call.now.a, challenge, token, call.acknowledge_a, nmt, queue_};
-    const CycleInput input_b{call.now.b, challenge, token, call.acknowledge_b, nmt, queue_};
-    queue_ = QueueState::kIntact;
-    const CycleOutcome outcome_a = parts_.channel_a.OnCycle(input_a);
-    flow_.Mark(FlowStep::kChannelA, FlowEvidence{outcome_a.cycle, cycle_});
-    const CycleOutcome outcome_b = parts_.channel_b.OnCycle(input_b);
-    flow_.Mark(FlowStep::kChannelB, FlowEvidence{outcome_b.cycle, cycle_});
+    const NmtState nmt = run_.left_operational ? NmtState::kPreOperational : guard_.Nmt();
+    run_.left_operational = false;
+    CycleInput input{call.now.a, challenge, token, call.acknowledge_a, run_.requests, run_.stand_a, nmt, run_.queue};
+    run_.queue = QueueState::kIntact;
+    run_.requests = 0U;
+    const CycleOutcome outcome_a = parts_.channel_a.OnCycle(input);
+    flow_.Mark(FlowStep::kChannelA, FlowEvidence{outcome_a.cycle, run_.cycle});
+    input.now = call.now.b;
+    input.acknowledge = call.acknowledge_b;
+    input.stand = run_.stand_b;
+    const CycleOutcome outcome_b = parts_.channel_b.OnCycle(input);
+    flow_.Mark(FlowStep::kChannelB, FlowEvidence{outcome_b.cycle, run_.cycle});
 
     CompareOutcomes(call, challenge, outcome_a, outcome_b);
-    flow_.Mark(FlowStep::kComparison, FlowEvidence{verdict_.echo, challenge});
+    flow_.Mark(FlowStep::kComparison, FlowEvidence{run_.verdict.echo, challenge});
     Demote();
     flow_.Mark(FlowStep::kDemotion, kDone);
-    HoldFaster(outcome_a, outcome_b);
+    // Each channel's refresh runs by its own counter; the one that is ahead waits for the other. [SRS-KRN-017]
+    run_.stand_a = outcome_a.due & ~outcome_b.due;
+    run_.stand_b = outcome_b.due & ~outcome_a.due;
     Produce();
     flow_.Mark(FlowStep::kProduction, kDone);
     Commit();
     flow_.Mark(FlowStep::kCommit, kDone);
     ReportErrors(outcome_a.signalled | outcome_b.signalled);
-    ReportReceived(received_mask_);
+    ReportReceived(run_.received_mask);
     ReportFlow(outcome_a);
+    ExamineHandshake();
     flow_.Mark(FlowStep::kEvents, Coverage(outcome_b, *config_));
     GivePermits(challenge);
     flow_.Mark(FlowStep::kPermits, kDone);
@@ -110,16 +127,16 @@ void Kernel::Cycle(const CycleCall& call) noexcept
 void Kernel::CompareOutcomes(const CycleCall& call, const std::uint32_t challenge, const CycleOutcome& a,
                              const CycleOutcome& b) noexcept
 {
-    const Comparison comparison{&a, &b, &parts_.channel_a, &parts_.channel_b, call.now.a, cycle_, challenge};
-    --cycles_to_test_;
-    if (cycles_to_test_ == 0U)
+    const Comparison comparison{&a, &b, &parts_.channel_a, &parts_.channel_b, call.now.a, run_.cycle, challenge};
+    --run_.cycles_to_test;
+    if (run_.cycles_to_test == 0U)
     {
-        cycles_to_test_ = test_cycles_;
+        run_.cycles_to_test = run_.test_cycles;
         TestComparator(comparison);
     }
-    verdict_ = comparator_.Compare(comparison);
-    latch_.Enter(verdict_.fault, verdict_.slot);
-    if (verdict_.echo != challenge)
+    run_.verdict = comparator_.Compare(comparison);
+    latch_.Enter(run_.verdict.fault, run_.verdict.slot);
+    if (run_.verdict.echo != challenge)
     {
         latch_.Enter(DeviceFault::kComparator, kNoSlot);
     }
@@ -132,21 +149,23 @@ void Kernel::TestComparator(const Comparison& comparison) noexcept
     CycleOutcome altered = *comparison.outcome_b;
     const std::uint8_t one = 1U;
     // The one field whose number it is gets its lowest bit flipped.
-    altered.cycle ^= (test_number_ == 0U) ? 1U : 0U;
-    altered.sct_checked ^= (test_number_ == 1U) ? one : std::uint8_t{0U};
-    altered.is_tx ^= (test_number_ == 2U) ? one : std::uint8_t{0U};
-    altered.is_invalid ^= (test_number_ == 3U) ? one : std::uint8_t{0U};
-    altered.not_operational ^= (test_number_ == 4U) ? one : std::uint8_t{0U};
-    altered.guard = (test_number_ == 5U) ? GuardView::kInvalid : altered.guard;
-    test_number_ = static_cast<std::uint8_t>((test_number_ + 1U) % kVariants);
+    altered.cycle ^= (run_.test_number == 0U) ? 1U : 0U;
+    altered.sct_checked ^= (run_.test_number == 1U) ? one : std::uint8_t{0U};
+    altered.is_tx ^= (run_.test_number == 2U) ? one : std::uint8_t{0U};
+    altered.is_invalid ^= (run_.test_number == 3U) ? one : std::uint8_t{0U};
+    altered.not_operational ^= (run_.test_number == 4U) ? one : std::uint8_t{0U};
+    altered.guard = (run_.test_number == 5U) ? GuardView::kInvalid : altered.guard;
+    run_.test_number = static_cast<std::uint8_t>((run_.test_number + 1U) % kVariants);
 
     Comparison deliberate = comparison;
     deliberate.outcome_b = &altered;
     const Verdict verdict = comparator_.Compare(deliberate);
-    const PreparedPair right{Payload{comparison.challenge, 0U}, PrepareStatus::kReady, kMaxPayloadBytes};
-    const PreparedPair wrong{Payload{comparison.challenge ^ 1U, 0U}, PrepareStatus::kReady, kMaxPayloadBytes};
-    const DeviceFault data = Comparator::ComparePrepared(right, wrong);
-    if ((verdict.fault == DeviceFault::kNone) || (data == DeviceFault::kNone))
+    PreparedPair right{};
+    right.normal.identifier = comparison.challenge;
+    PreparedPair wrong = right;
+    wrong.normal.data[run_.test_number] ^= one; // MISRA D-002
+    const PreparedVerdict data = Comparator::ComparePrepared(right, wrong);
+    if ((verdict.fault == DeviceFault::kNone) || (data != PreparedVerdict::kNotInverse))
     {
         latch_.Enter(DeviceFault::kComparator, kNoSlot);
     }
@@ -154,28 +173,28 @@ void Kernel::TestComparator(const Comparison& comparison) noexcept
 
 void Kernel::Demote() noexcept
 {
-    SlotSet to_demote{verdict_.demote};
+    SlotSet to_demote{run_.verdict.demote};
     while (to_demote.mask != 0U)
     {
         const SlotIndex slot = TakeLowest(to_demote);
         parts_.channel_a.Demote(slot);
         parts_.channel_b.Demote(slot);
-        if (demotions_ != kMostDemotions)
+        if (run_.demotions != kMostDemotions)
         {
-            ++demotions_;
+            ++run_.demotions;
         }
     }
 }
 
 void Kernel::Commit() noexcept
 {
-    const SrdoMask agreed = verdict_.agreement.agreed & ~verdict_.demote & latch_.Gate();
-    const SrdoMask written = agreed & verdict_.agreement.matched;
-    const Agreement agreement{agreed, verdict_.agreement.matched};
+    const SrdoMask agreed = run_.verdict.agreement.agreed & ~run_.verdict.demote & latch_.Gate();
+    const SrdoMask written = agreed & run_.verdict.agreement.matched;
+    const Agreement agreement{agreed, run_.verdict.agreement.matched};
     parts_.channel_a.Commit(agreement);
     parts_.channel_b.Commit(agreement);
-    received_mask_ = written & (verdict_.newly_matched | ~committed_);
-    committed_ = written | (committed_ & agreed);
+    run_.received_mask = written & (run_.verdict.newly_matched | ~run_.committed);
+    run_.committed = written | (run_.committed & agreed);
 }
 
 // Computed from the comparator's echo and spoiled by a latch that is not running: there is nothing to decide.
@@ -184,11 +203,11 @@ void Kernel::GivePermits(const std::uint32_t challenge) noexcept
 {
     const Permit permit_a = parts_.channel_a.Answer(challenge);
     const Permit permit_b = parts_.channel_b.Answer(challenge);
-    const std::uint32_t low = static_cast<std::uint32_t>(committed_);
-    const std::uint32_t high = static_cast<std::uint32_t>(committed_ >> kWordBits);
+    const std::uint32_t low = static_cast<std::uint32_t>(run_.committed);
+    const std::uint32_t high = static_cast<std::uint32_t>(run_.committed >> kWordBits);
     const std::uint32_t rotated = (high << kPermitRotation) | (high >> (kWordBits - kPermitRotation));
-    const std::uint32_t response = ((verdict_.echo + latch_.Spoiler() + low) ^ rotated) * kPermitConstantKernel;
-    parts_.output.Drive(hal::PermitSet{permit_a, permit_b, Permit{committed_, response}});
+    const std::uint32_t response = ((run_.verdict.echo + latch_.Spoiler() + low) ^ rotated) * kPermitConstantKernel;
+    parts_.output.Drive(hal::PermitSet{permit_a, permit_b, Permit{run_.committed, response}});
 }
 
 } // namespace counterpoint

@@ -11,7 +11,11 @@
 #include "safety_core/kernel/configuration_guard.hpp"
 #include "safety_core/kernel/flow_monitor.hpp"
 #include "safety_core/kernel/object_access.hpp"
+#include "safety_core/kernel/result.hpp"
 #include "safety_core/kernel/safe_state_latch.hpp"
+#include "safety_core/kernel/self_test_part.hpp"
+#include "safety_core/kernel/srdo_status.hpp"
+#include "safety_core/kernel/variable.hpp"
 
 #include <cstdint>
 
@@ -28,6 +32,7 @@ struct KernelParts
     hal::SafetyOutput& output;
     hal::Watchdog& watchdog;
     Application& application;
+    SelfTestPart* self_test{nullptr}; ///< Optional. [SRS-STS-063]
 };
 
 /// Whether OnFlow is called; the flow monitor works with either. [SRS-FLOW-004]
@@ -35,6 +40,13 @@ enum class FlowCallback : std::uint8_t
 {
     kOff = 0U,
     kOn = 1U,
+};
+
+/// Whether the application must answer in the status byte; the byte signals with either. [SRS-KRN-022]
+enum class StatusHandshake : std::uint8_t
+{
+    kOff = 0U,
+    kRequired = 0x69U,
 };
 
 /// Inputs of one cycle. Acknowledge levels: bit n is slot n; one input a channel, both may come from the same wire.
@@ -51,36 +63,16 @@ enum class StartResult : std::uint8_t
     kInvalid = 0U,
     kStarted = 0x69U,
     kSrdoCount = 1U,      ///< Not 1 to 64.
-    kSrdoNumbers = 2U,    ///< Not 1 to 64 in ascending order.
+    kSrdoNumbers = 2U,    ///< Not 1 to 64 in ascending order, or with a gap where gaps are refused.
     kNodeId = 3U,         ///< Not 1 to 127.
-    kGranularity = 4U,    ///< Not 8, 16, 32 or 64.
+    kGranularity = 4U,    ///< Not 1, 8, 16, 32 or 64.
     kPorts = 5U,          ///< Not kFirst or kSecond.
-    kObjects = 6U,        ///< Out of order, a length not 8 to 64 in steps of 8, no place, or more than 1024.
+    kObjects = 6U,        ///< Out of order, a length not 1 to 64, no place, or more than 1024.
     kTiming = 7U,         ///< A time outside its range.
     kBusOrder = 8U,       ///< The HAL does not guarantee bus order.
     kStamps = 9U,         ///< The HAL does not guarantee stamps.
     kConfirmations = 10U, ///< The HAL does not guarantee confirmations.
-};
-
-/// Return codes of the calls, named after the reference's. [SRS-KRN-011..015]
-enum class Result : std::uint8_t
-{
-    kInvalidResult = 0U,
-    kSuccessful = 0x69U,
-    kNotExist = 1U,
-    kNmtError = 2U,
-    kInvalidConfiguration = 3U,
-    kInvalid = 4U, ///< SRDO is off (direction 0).
-    kRxTxConflict = 5U,
-    kDeviceFault = 6U,
-    kGfcUnsupported = 7U, ///< 1300h is 0.
-    kTransmitFailed = 8U,
-    kTimingError = 9U,
-    kIdError = 10U,
-    kIdInUse = 11U,
-    kSignatureError = 12U,
-    kMappingError = 13U,
-    kLengthExceeded = 14U,
+    kStorage = 11U,       ///< More SRDOs or map entries than a channel has room for, or an odd number of entries.
 };
 
 struct CheckReply
@@ -103,6 +95,66 @@ struct StateReply
     std::uint16_t error_count;
 };
 
+struct StatusReply
+{
+    Result result;
+    StatusByte status;
+};
+
+/// Parameters of one SRDO that its application works with. [SRS-KRN-023]
+struct ParametersReply
+{
+    Result result;
+    std::uint8_t direction;
+    std::uint16_t refresh_ms; ///< Refresh time or SCT.
+    std::uint8_t map_count;
+};
+
+/// Entry of an SRDO's mapping by its number: 1 to the number of mapped entries.
+struct MappedEntry
+{
+    std::uint8_t number;
+};
+
+struct MappedReply
+{
+    Result result;
+    VariablePlace variable; ///< Place null: a dummy.
+};
+
+/// State of a kernel between Start and Stop. Zero-filled memory is a kernel that was not started.
+struct KernelRun
+{
+    Verdict verdict;
+    SrdoStatus status;
+    SrdoMask committed;
+    SrdoMask received_mask;
+    SrdoMask producers; ///< As of entering OPERATIONAL; what Send may ask for.
+    SrdoMask requests;  ///< Told to the channels by the next cycle, as the two below.
+    SrdoMask stand_a;   ///< Producers that only channel A called due.
+    SrdoMask stand_b;
+    InstantPair now;
+    Instant gfc_sent;
+    std::uint32_t gfc_limit_us;
+    std::uint32_t cycle;
+    std::uint32_t test_cycles;
+    std::uint32_t cycles_to_test;
+    std::uint16_t demotions;
+    std::uint8_t test_number;
+    std::uint8_t received;
+    std::uint8_t transmitted;
+    std::uint8_t transmitted_told;
+    std::uint8_t errors;
+    QueueState queue;
+    FlowCallback flow_callback;
+    StatusHandshake handshake;
+    bool started;
+    bool left_operational; ///< The channels have not seen it yet.
+    bool gfc_seen;
+    bool gfc_open;
+    bool fault_told;
+};
+
 /// The facade of the certified part: an application links this and the two channels. Not reentrant. All times and
 /// frames come in as arguments. Order of use: Start; WriteObject for the configuration; SetNmtState; then, for ever:
 /// OnFrame, OnConfirm and OnOverflow for everything that happened on the bus, in bus order, then Cycle.
@@ -112,7 +164,10 @@ class Kernel
     explicit Kernel(const KernelParts& parts) noexcept;
 
     /// @brief Power-on. `config` is kept by reference and checked here. O(srdo_count + objects) [SRS-KRN-001]
-    [[nodiscard]] StartResult Start(const DeviceConfig& config, FlowCallback flow) noexcept;
+    [[nodiscard]] StartResult Start(const DeviceConfig& config, FlowCallback flow,
+                                    StatusHandshake handshake = StatusHandshake::kOff) noexcept;
+    /// @brief The kernel is no longer used: permits are withdrawn, everything is refused until Start. [SRS-KRN-025]
+    void Stop() noexcept;
 
     /// @brief A received frame, in bus order. O(payload) [SRS-KRN-007, SRS-KRN-008]
     void OnFrame(const StampedFrame& frame) noexcept;
@@ -139,8 +194,30 @@ class Kernel
     [[nodiscard]] SignReply Sign(CommunicationIndex index) noexcept;
     /// @brief State of one SRDO. [SRS-KRN-015]
     [[nodiscard]] StateReply GetState(CommunicationIndex index) const noexcept;
+    /// @brief Status byte of one SRDO, for callbacks too. [SRS-KRN-021]
+    [[nodiscard]] StatusReply GetStatus(CommunicationIndex index) const noexcept;
+    [[nodiscard]] Result SetStatus(CommunicationIndex index, StatusByte status) noexcept;
+    /// @brief Parameters of one SRDO, and its mapped variables by number. [SRS-KRN-023]
+    [[nodiscard]] ParametersReply GetParameters(CommunicationIndex index) const noexcept;
+    [[nodiscard]] MappedReply GetMapped(CommunicationIndex index, MappedEntry entry) const noexcept;
+    /// @brief The fields of an SRDO with a static mapping; clears 13FEh. [SRS-KRN-024]
+    [[nodiscard]] Result DefineStaticFields(CommunicationIndex index, const StaticFields& fields) noexcept;
+
+    /// @brief The stored configuration, item by item, for a store of the device. Loading and restoring takes time for
+    /// each item (`header.count`) and is refused in OPERATIONAL; a device that cannot spare it in one cycle does it
+    /// before the first one. [SRS-CFG-051..053]
+    [[nodiscard]] HeaderReply ConfigurationHeader() noexcept;
+    [[nodiscard]] ItemReply ReadItem(std::uint32_t number) noexcept;
+    [[nodiscard]] Result LoadItem(std::uint32_t number, std::uint32_t value) noexcept;
+    /// @brief After all items: rechecks everything, and declares it valid if it was and still is. Else the power-on
+    /// configuration is restored.
+    [[nodiscard]] Result LoadConfiguration(const ImageHeader& header) noexcept;
+    [[nodiscard]] Result RestoreDefaults() noexcept;
+
     /// @brief The application demands the device safe state.
     void DemandSafeState() noexcept;
+    /// @brief The link to the other CPU is lost or wrong. [SRS-LNK-006]
+    void OnCrossLinkFault() noexcept;
     /// @brief fault kNone while running. [SRS-KRN-003]
     [[nodiscard]] DeviceFaultReport DeviceState() const noexcept;
     /// @brief How often a channel was demoted since Start; stays at 65535. [SRS-CMP-004]
@@ -152,27 +229,31 @@ class Kernel
     [[nodiscard]] static StartResult CheckNumbers(const DeviceConfig& config) noexcept;
     [[nodiscard]] static StartResult CheckObjects(const DeviceConfig& config) noexcept;
     [[nodiscard]] static StartResult CheckTiming(const DeviceConfig& config) noexcept;
+    [[nodiscard]] StartResult CheckRoom(const DeviceConfig& config) const noexcept;
     [[nodiscard]] StartResult CheckPlatform(const DeviceConfig& config) const noexcept;
     [[nodiscard]] SlotIndex SlotAt(CommunicationIndex index) const noexcept;
-    [[nodiscard]] CommunicationIndex IndexOf(SlotIndex slot) const noexcept;
-    [[nodiscard]] Result SendSlot(SlotIndex slot) noexcept;
+    [[nodiscard]] CommunicationIndex IndexOf(const SlotIndex slot) const noexcept
+    {
+        const std::uint32_t number = config_->srdos[slot].number; // MISRA D-002
+        return CommunicationIndex{static_cast<std::uint16_t>((kFirstCommunication - 1U) + number)};
+    }
     [[nodiscard]] Result SendReadiness() const noexcept;
-    void Adopt(const DeviceFaultReport& report) noexcept;
+    [[nodiscard]] PartsView ExamineSelf() noexcept;
     void CompareOutcomes(const CycleCall& call, std::uint32_t challenge, const CycleOutcome& a,
                          const CycleOutcome& b) noexcept;
     void TestComparator(const Comparison& comparison) noexcept;
     void Demote() noexcept;
     void Commit() noexcept;
     void Produce() noexcept;
-    void HoldFaster(const CycleOutcome& a, const CycleOutcome& b) noexcept;
     void ProduceSlot(SlotIndex slot) noexcept;
-    void FollowNormal(SlotIndex slot) noexcept;
-    void TellSent(SlotIndex slot) noexcept;
+    void GiveUp(SlotIndex slot, SrdoCause cause) noexcept;
     void HandOver(SlotIndex slot, const CanFrame& frame) noexcept;
     void FollowGfc() noexcept;
     void SetGfcLimit() noexcept;
     void EnterOperational() noexcept;
     void ReportErrors(SrdoMask signalled) noexcept;
+    void ReportEvent(SlotIndex slot) noexcept;
+    void ExamineHandshake() noexcept;
     void ReportSlot(SlotIndex slot) noexcept;
     void ReportReceived(SrdoMask received) noexcept;
     void ReportDevice() noexcept;
@@ -182,35 +263,12 @@ class Kernel
 
     KernelParts parts_;
     const DeviceConfig* config_; ///< Never null: a device without SRDOs before Start.
+    SafeStateLatch latch_{};
     ConfigurationGuard guard_;
     Comparator comparator_{};
     FlowMonitor flow_{};
     ClockSupervisor clocks_{};
-    SafeStateLatch latch_{};
-    Verdict verdict_{};
-    SrdoMask committed_{0U};
-    SrdoMask received_mask_{0U};
-    InstantPair now_{{0U}, {0U}};
-    Instant gfc_sent_{0U};
-    std::uint32_t gfc_limit_us_{0U};
-    std::uint32_t cycle_{0U};
-    std::uint32_t test_cycles_{1U};
-    std::uint32_t cycles_to_test_{1U};
-    std::uint16_t demotions_{0U};
-    std::uint8_t test_number_{0U};
-    std::uint8_t received_{0U};
-    std::uint8_t transmitted_{0U};
-    std::uint8_t transmitted_told_{0U};
-    std::uint8_t errors_{0U};
-    QueueState queue_{QueueState::kIntact};
-    NmtState nmt_{NmtState::kInvalid};
-    FlowCallback flow_callback_{FlowCallback::kOff};
-    std::uint8_t sent_[kMaxSrdoCount]{}; ///< Low byte of the ordinal last told as sent. MISRA D-001
-    bool started_{false};
-    bool left_operational_{false}; ///< The channels have not seen it yet.
-    bool gfc_seen_{false};
-    bool gfc_open_{false};
-    bool fault_told_{false};
+    KernelRun run_{};
 };
 
 } // namespace counterpoint

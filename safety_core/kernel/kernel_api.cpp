@@ -3,45 +3,10 @@
 
 #include "safety_core/comparator/slot_mask.hpp"
 
-// Calls of the application and of the services around the kernel. [SRS-KRN-010, SRS-KRN-011, SRS-KRN-015]
+// Calls of the application and of the services around the kernel. [SRS-KRN-010, SRS-KRN-011, SRS-KRN-015,
+// SRS-KRN-021..025]
 namespace counterpoint
 {
-namespace
-{
-
-constexpr std::uint16_t kFirstCommunication = 0x1301U;
-
-struct RuleResult
-{
-    ConfigFault rule;
-    Result result;
-};
-
-// Return codes of the reference for the rules of a configuration; a rule not listed is kInvalidConfiguration.
-constexpr RuleResult kRuleResults[] = {
-    // MISRA D-001
-    {ConfigFault::kNone, Result::kSuccessful},          {ConfigFault::kIdentifier, Result::kIdError},
-    {ConfigFault::kIdentifierInUse, Result::kIdInUse},  {ConfigFault::kTiming, Result::kTimingError},
-    {ConfigFault::kMapping, Result::kMappingError},     {ConfigFault::kLengthExceeded, Result::kLengthExceeded},
-    {ConfigFault::kSignature, Result::kSignatureError}, {ConfigFault::kTable, Result::kMappingError},
-    {ConfigFault::kInvalid, Result::kDeviceFault},
-};
-
-Result ToResult(const ConfigFault rule) noexcept
-{
-    Result result = Result::kInvalidConfiguration;
-    for (const RuleResult& entry : kRuleResults)
-    {
-        if (entry.rule == rule)
-        {
-            result = entry.result;
-        }
-    }
-    return result;
-}
-
-} // namespace
-
 SlotIndex Kernel::SlotAt(const CommunicationIndex index) const noexcept
 {
     const std::uint32_t distance = static_cast<std::uint32_t>(index.value) - kFirstCommunication;
@@ -52,70 +17,79 @@ SlotIndex Kernel::SlotAt(const CommunicationIndex index) const noexcept
     return SlotOf(*config_, SrdoNumber{static_cast<std::uint8_t>(distance + 1U)});
 }
 
-CommunicationIndex Kernel::IndexOf(const SlotIndex slot) const noexcept
-{
-    const std::uint32_t number = config_->srdos[slot].number; // MISRA D-002
-    return CommunicationIndex{static_cast<std::uint16_t>((kFirstCommunication - 1U) + number)};
-}
-
 void Kernel::SetNmtState(const NmtState state) noexcept
 {
-    if (!started_)
+    if (!run_.started)
     {
         return;
     }
+    const bool was_operational = guard_.Nmt() == NmtState::kOperational;
+    const bool is_operational = state == NmtState::kOperational;
     guard_.SetNmt(state);
-    if ((state == NmtState::kOperational) && (nmt_ != NmtState::kOperational))
+    if (is_operational && (!was_operational))
     {
         EnterOperational();
     }
-    if ((state != NmtState::kOperational) && (nmt_ == NmtState::kOperational))
+    if (was_operational && (!is_operational))
     {
-        left_operational_ = true;
+        run_.left_operational = true;
     }
-    nmt_ = state;
 }
 
 void Kernel::EnterOperational() noexcept
 {
-    for (std::uint8_t& ordinal : sent_)
-    {
-        ordinal = 0U;
-    }
     if (!guard_.IsValid())
     {
         return; // No fault: SRDOs are off until the configuration is declared valid.
     }
-    const ConfigurationFinding finding = guard_.CheckAll();
-    latch_.Enter(finding.fault, finding.slot);
+    const ConfigurationFinding finding = guard_.CheckAll(CheckDepth::kRecheck);
     if (finding.rule != ConfigFault::kNone)
     {
         guard_.Invalidate();
-        parts_.application.OnConfigurationInvalid(finding.index);
+        parts_.application.OnConfigurationInvalid(IndexOf(finding.slot));
+    }
+    // Directions stay as they are until OPERATIONAL is left.
+    run_.producers = 0U;
+    for (SlotIndex slot = 0U; slot < config_->srdo_count; ++slot)
+    {
+        const bool is_producer = guard_.Value(slot, ConfigField::kDirection) == kDirectionProducer;
+        run_.producers |= is_producer ? OnlySlot(slot).mask : SrdoMask{0U};
     }
 }
 
 ObjectReading Kernel::ReadObject(const ObjectAddress& address) noexcept
 {
-    ObjectReading reading{};
-    reading.abort = AbortCode::kDeviceState;
-    if (started_)
-    {
-        reading = guard_.Read(address);
-        Adopt(guard_.TakeFinding());
-    }
-    return reading;
+    return guard_.Read(address);
 }
 
 AbortCode Kernel::WriteObject(const ObjectAddress& address, const ObjectData& data) noexcept
 {
-    AbortCode abort = AbortCode::kDeviceState;
-    if (started_)
-    {
-        abort = guard_.Write(address, data);
-        Adopt(guard_.TakeFinding());
-    }
-    return abort;
+    return guard_.Write(address, data);
+}
+
+HeaderReply Kernel::ConfigurationHeader() noexcept
+{
+    return guard_.Header(guard_.Valid());
+}
+
+ItemReply Kernel::ReadItem(const std::uint32_t number) noexcept
+{
+    return guard_.ReadItem(number);
+}
+
+Result Kernel::LoadItem(const std::uint32_t number, const std::uint32_t value) noexcept
+{
+    return guard_.LoadItem(number, value);
+}
+
+Result Kernel::LoadConfiguration(const ImageHeader& header) noexcept
+{
+    return guard_.Load(header);
+}
+
+Result Kernel::RestoreDefaults() noexcept
+{
+    return guard_.RestoreDefaults();
 }
 
 Result Kernel::SendReadiness() const noexcept
@@ -124,27 +98,11 @@ Result Kernel::SendReadiness() const noexcept
     {
         return Result::kDeviceFault;
     }
-    if (nmt_ != NmtState::kOperational)
+    if (guard_.Nmt() != NmtState::kOperational)
     {
         return Result::kNmtError;
     }
     return guard_.IsValid() ? Result::kSuccessful : Result::kInvalidConfiguration;
-}
-
-Result Kernel::SendSlot(const SlotIndex slot) noexcept
-{
-    const SrdoMask bit = OnlySlot(slot).mask;
-    if ((guard_.Active() & bit) == 0U)
-    {
-        return Result::kInvalid;
-    }
-    if ((guard_.Producers() & bit) == 0U)
-    {
-        return Result::kRxTxConflict;
-    }
-    parts_.channel_a.Request(slot);
-    parts_.channel_b.Request(slot);
-    return Result::kSuccessful;
 }
 
 Result Kernel::Send(const CommunicationIndex index) noexcept
@@ -159,30 +117,31 @@ Result Kernel::Send(const CommunicationIndex index) noexcept
     {
         return readiness;
     }
-    if (wanted != kNoSlot)
+    const SrdoMask meant = (wanted == kNoSlot) ? ~SrdoMask{0U} : OnlySlot(wanted).mask;
+    const SrdoMask to_send = meant & run_.producers;
+    run_.requests |= to_send;
+    Result result = (to_send != 0U) ? Result::kSuccessful : Result::kNotExist;
+    if ((wanted != kNoSlot) && (to_send == 0U))
     {
-        return SendSlot(wanted);
-    }
-    Result result = Result::kNotExist;
-    for (SlotIndex slot = 0U; slot < config_->srdo_count; ++slot)
-    {
-        if (SendSlot(slot) == Result::kSuccessful)
-        {
-            result = Result::kSuccessful;
-        }
+        const bool is_off = guard_.Value(wanted, ConfigField::kDirection) == kDirectionOff;
+        result = is_off ? Result::kInvalid : Result::kRxTxConflict;
     }
     return result;
 }
 
 CheckReply Kernel::CheckConfiguration() noexcept
 {
-    if (!started_)
+    CheckReply reply{Result::kDeviceFault, CommunicationIndex{0U}};
+    if (run_.started)
     {
-        return CheckReply{Result::kDeviceFault, CommunicationIndex{0U}};
+        const ConfigurationFinding finding = guard_.CheckAll(CheckDepth::kRecheck);
+        reply.result = ToResult(finding.rule);
+        if (finding.slot != kNoSlot)
+        {
+            reply.index = IndexOf(finding.slot);
+        }
     }
-    const ConfigurationFinding finding = guard_.CheckAll();
-    latch_.Enter(finding.fault, finding.slot);
-    return CheckReply{ToResult(finding.rule), finding.index};
+    return reply;
 }
 
 SignReply Kernel::Sign(const CommunicationIndex index) noexcept
@@ -192,14 +151,9 @@ SignReply Kernel::Sign(const CommunicationIndex index) noexcept
     {
         return SignReply{Result::kNotExist, 0U};
     }
-    const CheckResult a = parts_.channel_a.Recheck(slot);
-    const CheckResult b = parts_.channel_b.Recheck(slot);
-    if (a.signature != b.signature)
-    {
-        latch_.Enter(DeviceFault::kDisagreement, slot);
-        return SignReply{Result::kDeviceFault, 0U};
-    }
-    return SignReply{Result::kSuccessful, a.signature};
+    const ConfigurationFinding finding = guard_.Check(slot, CheckDepth::kRecheck);
+    return (finding.rule == ConfigFault::kInvalid) ? SignReply{Result::kDeviceFault, 0U}
+                                                   : SignReply{Result::kSuccessful, finding.signature};
 }
 
 StateReply Kernel::GetState(const CommunicationIndex index) const noexcept
@@ -217,9 +171,66 @@ StateReply Kernel::GetState(const CommunicationIndex index) const noexcept
     return StateReply{Result::kSuccessful, state, asks_b ? b.first_cause : a.first_cause, a.error_count};
 }
 
+StatusReply Kernel::GetStatus(const CommunicationIndex index) const noexcept
+{
+    const SlotIndex slot = SlotAt(index);
+    return (slot == kNoSlot) ? StatusReply{Result::kNotExist, StatusByte{0U}}
+                             : StatusReply{Result::kSuccessful, run_.status.Get(slot)};
+}
+
+Result Kernel::SetStatus(const CommunicationIndex index, const StatusByte status) noexcept
+{
+    const SlotIndex slot = SlotAt(index);
+    if (slot == kNoSlot)
+    {
+        return Result::kNotExist;
+    }
+    run_.status.Set(slot, status);
+    return Result::kSuccessful;
+}
+
+ParametersReply Kernel::GetParameters(const CommunicationIndex index) const noexcept
+{
+    const SlotIndex slot = SlotAt(index);
+    if (slot == kNoSlot)
+    {
+        return ParametersReply{Result::kNotExist, 0U, 0U, 0U};
+    }
+    return ParametersReply{Result::kSuccessful, static_cast<std::uint8_t>(guard_.Value(slot, ConfigField::kDirection)),
+                           static_cast<std::uint16_t>(guard_.Value(slot, ConfigField::kSct)),
+                           static_cast<std::uint8_t>(guard_.Value(slot, ConfigField::kMapCount))};
+}
+
+MappedReply Kernel::GetMapped(const CommunicationIndex index, const MappedEntry entry) const noexcept
+{
+    MappedReply reply{Result::kNotExist, VariablePlace{nullptr, 0U}};
+    const SlotIndex slot = SlotAt(index);
+    // 0 - 1 is the greatest value: there is no entry 0.
+    if ((slot != kNoSlot) && ((entry.number - 1U) < guard_.Value(slot, ConfigField::kMapCount)))
+    {
+        const std::uint32_t mapped = guard_.Value(slot, ConfigField::kMapEntry, entry.number);
+        const MappableObject* const object = FindMapped(*config_, mapped);
+        reply.result = Result::kSuccessful;
+        reply.variable.length_bits = static_cast<std::uint8_t>(mapped & kEntryLengthMask);
+        reply.variable.place = (object == nullptr) ? nullptr : object->place;
+    }
+    return reply;
+}
+
+Result Kernel::DefineStaticFields(const CommunicationIndex index, const StaticFields& fields) noexcept
+{
+    const SlotIndex slot = SlotAt(index);
+    return (slot == kNoSlot) ? Result::kNotExist : guard_.DefineFields(slot, fields);
+}
+
 void Kernel::DemandSafeState() noexcept
 {
     latch_.Enter(DeviceFault::kApplication, kNoSlot);
+}
+
+void Kernel::OnCrossLinkFault() noexcept
+{
+    latch_.Enter(DeviceFault::kCrossLink, kNoSlot);
 }
 
 DeviceFaultReport Kernel::DeviceState() const noexcept
@@ -229,12 +240,12 @@ DeviceFaultReport Kernel::DeviceState() const noexcept
 
 std::uint16_t Kernel::DemotionCount() const noexcept
 {
-    return demotions_;
+    return run_.demotions;
 }
 
 const Verdict& Kernel::LastVerdict() const noexcept
 {
-    return verdict_;
+    return run_.verdict;
 }
 
 } // namespace counterpoint

@@ -12,14 +12,16 @@ constexpr std::uint16_t kMostObjects = 1024U;
 constexpr std::uint32_t kShortestCycleUs = 100U;
 constexpr std::uint32_t kLongestCycleUs = 1000000U;
 constexpr std::uint32_t kLongestTimeUs = 0x3FFFFFFFU; // Differences of instants stay valid with room to spare.
-constexpr std::uint8_t kBitsPerByte = 8U;
+constexpr std::uint8_t kGranularities[] = {1U, 8U, 16U, 32U, 64U}; // MISRA D-001
 
 bool IsGranularity(const std::uint8_t bits) noexcept
 {
-    // A power of two from 8 to 64.
-    const std::uint32_t value = bits;
-    const bool is_power = (value & (value - 1U)) == 0U;
-    return is_power && (value >= kBitsPerByte) && (value <= kMaxPayloadBits);
+    bool is_known = false;
+    for (const std::uint8_t known : kGranularities)
+    {
+        is_known = is_known || (bits == known);
+    }
+    return is_known;
 }
 
 bool IsPort(const CanPortId port) noexcept
@@ -29,9 +31,13 @@ bool IsPort(const CanPortId port) noexcept
 
 bool IsObject(const MappableObject& object) noexcept
 {
-    const bool is_length = (object.length_bits >= kBitsPerByte) && (object.length_bits <= kMaxPayloadBits);
-    const bool is_whole = (object.length_bits % kBitsPerByte) == 0U;
-    return is_length && is_whole && (object.place != nullptr);
+    // 0 - 1 is the greatest value.
+    return ((object.length_bits - 1U) < kMaxPayloadBits) && (object.place != nullptr);
+}
+
+bool Fits(const DeviceConfig& config, const ChannelRoom& room) noexcept
+{
+    return (config.srdo_count <= room.slots) && (config.map_entries <= room.map_entries);
 }
 
 std::uint32_t OrderOf(const MappableObject& object) noexcept
@@ -47,11 +53,13 @@ StartResult Kernel::CheckNumbers(const DeviceConfig& config) noexcept
     {
         return StartResult::kSrdoCount;
     }
-    std::uint8_t highest = 0U;
+    const bool has_gaps = config.gaps == NumberGaps::kSearched;
+    std::uint32_t highest = 0U;
     for (SlotIndex slot = 0U; slot < config.srdo_count; ++slot)
     {
-        const std::uint8_t number = config.srdos[slot].number; // MISRA D-002
-        if ((number <= highest) || (number > kMaxSrdoCount))
+        const std::uint32_t number = config.srdos[slot].number; // MISRA D-002
+        const bool is_next = has_gaps ? (number > highest) : (number == (highest + 1U));
+        if ((!is_next) || (number > kMaxSrdoCount))
         {
             return StartResult::kSrdoNumbers;
         }
@@ -101,10 +109,17 @@ StartResult Kernel::CheckTiming(const DeviceConfig& config) noexcept
     {
         return StartResult::kTiming;
     }
-    // One signature a cycle at the most, one test of the comparator a cycle at the most.
-    const bool is_diagnosed = config.diagnostic_interval_us >= (config.cycle_us * config.srdo_count);
+    // One signature or digest a cycle at the most, one test of the comparator a cycle at the most.
+    const bool is_diagnosed = config.diagnostic_interval_us >= (2U * config.cycle_us * config.srdo_count);
     const bool is_tested = config.test_interval_us >= config.cycle_us;
     return (is_diagnosed && is_tested) ? StartResult::kStarted : StartResult::kTiming;
+}
+
+StartResult Kernel::CheckRoom(const DeviceConfig& config) const noexcept
+{
+    const bool fits = Fits(config, parts_.channel_a.Room()) && Fits(config, parts_.channel_b.Room());
+    const bool are_pairs = (config.map_entries & 1U) == 0U;
+    return (fits && are_pairs) ? StartResult::kStarted : StartResult::kStorage;
 }
 
 StartResult Kernel::CheckPlatform(const DeviceConfig& config) const noexcept
@@ -117,6 +132,10 @@ StartResult Kernel::CheckPlatform(const DeviceConfig& config) const noexcept
     if (result == StartResult::kStarted)
     {
         result = CheckTiming(config);
+    }
+    if (result == StartResult::kStarted)
+    {
+        result = CheckRoom(config);
     }
     if (result != StartResult::kStarted)
     {
@@ -134,37 +153,36 @@ StartResult Kernel::CheckPlatform(const DeviceConfig& config) const noexcept
     return (missing == hal::MissingGuarantee::kStamps) ? StartResult::kStamps : StartResult::kConfirmations;
 }
 
-StartResult Kernel::Start(const DeviceConfig& config, const FlowCallback flow) noexcept
+void Kernel::Stop() noexcept
 {
-    started_ = false;
+    run_ = KernelRun{};
+    latch_ = SafeStateLatch{};
+    config_ = &kNoDevice;
+    guard_.Stop();
+    parts_.output.Drive(hal::PermitSet{});
+}
+
+StartResult Kernel::Start(const DeviceConfig& config, const FlowCallback flow, const StatusHandshake handshake) noexcept
+{
+    Stop();
     const StartResult result = CheckPlatform(config);
     if (result != StartResult::kStarted)
     {
         return result;
     }
     config_ = &config;
-    flow_callback_ = flow;
     parts_.channel_a.Restart(config);
     parts_.channel_b.Restart(config);
     guard_.Restart(config);
     comparator_.Restart(ComparatorSetup{config.discrepancy_us, config.srdo_count});
     clocks_.Restart(config);
-    verdict_ = Verdict{};
-    committed_ = 0U;
-    now_ = InstantPair{{0U}, {0U}};
-    cycle_ = 0U;
-    test_cycles_ = config.test_interval_us / config.cycle_us;
-    cycles_to_test_ = test_cycles_;
-    test_number_ = 0U;
-    demotions_ = 0U;
-    queue_ = QueueState::kIntact;
-    nmt_ = NmtState::kInitialising;
-    left_operational_ = false;
-    gfc_seen_ = false;
-    gfc_open_ = false;
-    fault_told_ = false;
+    run_.flow_callback = flow;
+    run_.handshake = handshake;
+    run_.queue = QueueState::kIntact;
+    run_.test_cycles = config.test_interval_us / config.cycle_us;
+    run_.cycles_to_test = run_.test_cycles;
+    run_.started = true;
     latch_.Arm();
-    started_ = true;
     return StartResult::kStarted;
 }
 

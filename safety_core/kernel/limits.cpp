@@ -19,7 +19,8 @@ std::uint32_t OwnPart(const DeviceConfig& config, const SrdoTimes& times, const 
     case FaultClass::kBus:
         return Microseconds(times.sct_ms);
     case FaultClass::kBusNextNormal:
-        return Microseconds(times.sct_ms) + Microseconds(times.srvt_ms);
+        return Microseconds(times.sct_ms) +
+               ((times.detection == SrvtDetection::kLate) ? 0U : Microseconds(times.srvt_ms));
     case FaultClass::kChannel:
         return config.discrepancy_us;
     case FaultClass::kConfiguration:
@@ -29,6 +30,7 @@ std::uint32_t OwnPart(const DeviceConfig& config, const SrdoTimes& times, const 
     case FaultClass::kClock:
         return config.clock_interval_us;
     case FaultClass::kWrongFrame:
+    case FaultClass::kCrossLink:
     case FaultClass::kInvalid:
         return 0U;
     }
@@ -40,6 +42,11 @@ std::uint32_t OwnPart(const DeviceConfig& config, const SrdoTimes& times, const 
 Limit ComputeLimit(const DeviceConfig& config, const SrdoTimes& times, const FaultClass fault) noexcept
 {
     return Limit{OwnPart(config, times, fault) + config.cycle_us + config.output_time_us};
+}
+
+Limit ComputeLimit(const DeviceConfig& config, const LinkTime& link) noexcept
+{
+    return Limit{link.timeout_us + config.cycle_us + config.output_time_us};
 }
 
 } // namespace counterpoint

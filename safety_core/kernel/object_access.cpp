@@ -3,146 +3,122 @@
 
 namespace counterpoint
 {
+
+const DeviceConfig kNoDevice{};
+
 namespace
 {
 
-constexpr std::uint16_t kGfcIndex = 0x1300U;
-constexpr std::uint16_t kCommunicationBase = 0x1300U;
-constexpr std::uint16_t kMappingBase = 0x1380U;
-constexpr std::uint16_t kConfigurationValidIndex = 0x13FEU;
-constexpr std::uint16_t kSignatureIndex = 0x13FFU;
+constexpr std::uint32_t kSafetyBase = 0x1300U;
+constexpr std::uint32_t kLastOfArea = 0xFFU;  ///< 13FFh: signatures.
+constexpr std::uint32_t kValidOfArea = 0xFEU; ///< 13FEh.
+constexpr std::uint32_t kMappingOfArea = 0x80U;
+constexpr std::uint32_t kNumberOfArea = 0x7FU;
+constexpr std::uint32_t kBitsPerByte = 8U;
+constexpr std::uint32_t kAnySub = 0xFFU;
 
-constexpr ObjectPlace kUnknown{ObjectKind::kInvalid, {kNoSlot, ConfigField::kInvalid, 0U}, 0U, 0U, nullptr};
-constexpr ObjectPlace kNoSuchSub{ObjectKind::kSubUnknown, {kNoSlot, ConfigField::kInvalid, 0U}, 0U, 0U, nullptr};
+// Sizes of sub-index 0 to 6 of 1301h to 1340h; from 1 on the fields are numbered likewise.
+constexpr std::uint8_t kCommunicationBytes[kCommunicationSubs + 1U] = {1U, 1U, 2U, 1U, 1U, 4U, 4U}; // MISRA D-001
+static_assert(static_cast<std::uint8_t>(ConfigField::kCobId2) == kCommunicationSubs, "field n is sub-index n");
 
-struct FieldPlace
-{
-    ConfigField field;
-    std::uint8_t size_bytes;
-};
-
-// Sub-index 1 to 6 of 1301h to 1340h.
-constexpr FieldPlace kCommunication[kCommunicationSubs] = { // MISRA D-001
-    {ConfigField::kDirection, 1U},        {ConfigField::kSct, 2U},    {ConfigField::kSrvt, 1U},
-    {ConfigField::kTransmissionType, 1U}, {ConfigField::kCobId1, 4U}, {ConfigField::kCobId2, 4U}};
+// Lengths of the dummies 0001h to 0007h.
+constexpr std::uint8_t kDummyBits[kLastDummyIndex] = {1U, 8U, 16U, 32U, 8U, 16U, 32U}; // MISRA D-001
 
 constexpr std::uint8_t kEntryBytes = 4U;
 constexpr std::uint8_t kSignatureBytes = 2U;
 
-ObjectPlace Constant(const std::uint8_t value) noexcept
+/// A place while it is looked for.
+struct Search
 {
-    return ObjectPlace{ObjectKind::kConstant, {kNoSlot, ConfigField::kInvalid, 0U}, 1U, value, nullptr};
+    ObjectPlace place;
+    std::uint32_t sub;
+    std::uint32_t highest; ///< Greatest sub-index that there is.
+    bool is_counted;       ///< Sub-index 0 is a constant: the greatest sub-index.
+};
+
+void Found(Search& search, const ObjectKind kind, const ConfigField field) noexcept
+{
+    search.place.kind = kind;
+    search.place.config.field = field;
 }
 
-ObjectPlace Stored(const ConfigAddress& address, const std::uint8_t size_bytes) noexcept
+void FindCommunication(Search& search) noexcept
 {
-    return ObjectPlace{ObjectKind::kConfiguration, address, size_bytes, 0U, nullptr};
+    search.highest = kCommunicationSubs;
+    search.is_counted = true;
+    if (search.sub <= kCommunicationSubs)
+    {
+        Found(search, ObjectKind::kConfiguration, static_cast<ConfigField>(search.sub));
+        search.place.size_bytes = kCommunicationBytes[search.sub]; // MISRA D-002
+    }
 }
 
-ObjectPlace LocateCommunication(const SlotIndex slot, const std::uint8_t sub) noexcept
+void FindMapping(Search& search, const DeviceConfig& config) noexcept
 {
-    if (sub == 0U)
+    const StaticMap& map = config.srdos[search.place.config.slot].map; // MISRA D-002
+    const bool is_fixed = map.entries != nullptr;
+    search.highest = is_fixed ? map.count : config.map_entries;
+    Found(search, is_fixed ? ObjectKind::kFixed : ObjectKind::kConfiguration, ConfigField::kMapCount);
+    if (search.sub != 0U)
     {
-        return Constant(kCommunicationSubs);
+        search.place.config.field = ConfigField::kMapEntry;
+        search.place.config.sub = static_cast<std::uint8_t>(search.sub);
+        search.place.size_bytes = kEntryBytes;
     }
-    if (sub > kCommunicationSubs)
-    {
-        return kNoSuchSub;
-    }
-    const FieldPlace& place = kCommunication[sub - 1U]; // MISRA D-002
-    return Stored(ConfigAddress{slot, place.field, 0U}, place.size_bytes);
 }
 
-ObjectPlace LocateMapping(const SlotIndex slot, const std::uint8_t sub) noexcept
+void FindSignature(Search& search, const DeviceConfig& config) noexcept
 {
-    if (sub == 0U)
-    {
-        return Stored(ConfigAddress{slot, ConfigField::kMapCount, 0U}, 1U);
-    }
-    if (sub > kMaxMapEntries)
-    {
-        return kNoSuchSub;
-    }
-    return Stored(ConfigAddress{slot, ConfigField::kMapEntry, sub}, kEntryBytes);
+    search.highest = config.srdos[config.srdo_count - 1U].number; // MISRA D-002
+    search.is_counted = true;
+    search.place.config.slot = SlotOf(config, SrdoNumber{static_cast<std::uint8_t>(search.sub)});
+    search.place.size_bytes = kSignatureBytes;
+    const bool is_gap = search.place.config.slot == kNoSlot;
+    Found(search, is_gap ? ObjectKind::kGapSignature : ObjectKind::kConfiguration,
+          is_gap ? ConfigField::kInvalid : ConfigField::kSignature);
 }
 
-ObjectPlace LocateSignature(const DeviceConfig& config, const std::uint8_t sub) noexcept
+// No SRDO has the number 0 or one above 64: what lies between the two areas leads to none.
+void FindSrdo(Search& search, const DeviceConfig& config, const std::uint32_t area) noexcept
 {
-    const std::uint8_t highest = config.srdos[config.srdo_count - 1U].number; // MISRA D-002
-    if (sub == 0U)
+    search.place.config.slot = SlotOf(config, SrdoNumber{static_cast<std::uint8_t>(area & kNumberOfArea)});
+    if (search.place.config.slot == kNoSlot)
     {
-        return Constant(highest);
+        search.highest = kAnySub;
     }
-    if (sub > highest)
+    else if (area < kMappingOfArea)
     {
-        return kNoSuchSub;
+        FindCommunication(search);
     }
-    const SlotIndex slot = SlotOf(config, SrdoNumber{sub});
-    if (slot == kNoSlot)
+    else
     {
-        return ObjectPlace{
-            ObjectKind::kGapSignature, {kNoSlot, ConfigField::kInvalid, 0U}, kSignatureBytes, 0U, nullptr};
+        FindMapping(search, config);
     }
-    return Stored(ConfigAddress{slot, ConfigField::kSignature, 0U}, kSignatureBytes);
 }
 
-// 1300h and 13FEh have sub-index 0 only.
-ObjectPlace LocateSingle(const ConfigField field, const ObjectKind kind, const std::uint8_t sub) noexcept
-{
-    return (sub == 0U) ? ObjectPlace{kind, {0U, field, 0U}, 1U, 0U, nullptr} : kNoSuchSub;
-}
-
-// The SRDO number that an index speaks of when its area starts behind `base`; 0 when it is outside that area.
-SrdoNumber NumberIn(const std::uint16_t index, const std::uint16_t base) noexcept
-{
-    const std::uint32_t distance = static_cast<std::uint32_t>(index) - base;
-    return SrdoNumber{(distance <= kMaxSrdoCount) ? static_cast<std::uint8_t>(distance) : std::uint8_t{0U}};
-}
-
-ObjectPlace LocateVariable(const DeviceConfig& config, const ObjectAddress& address) noexcept
+void FindVariable(Search& search, const DeviceConfig& config, const ObjectAddress& address) noexcept
 {
     const MappableObject* const object = FindObject(config, address);
-    if (object == nullptr)
+    search.highest = kAnySub;
+    if (object != nullptr)
     {
-        return kUnknown;
+        const std::uint32_t size_bytes = (object->length_bits + (kBitsPerByte - 1U)) / kBitsPerByte;
+        search.place.kind = ObjectKind::kVariable;
+        search.place.size_bytes = static_cast<std::uint8_t>(size_bytes);
+        search.place.variable = object;
     }
-    const std::uint8_t size_bytes = static_cast<std::uint8_t>(object->length_bits / 8U);
-    return ObjectPlace{ObjectKind::kVariable, {kNoSlot, ConfigField::kInvalid, 0U}, size_bytes, 0U, object};
 }
 
-// Ascending order of the table of objects.
-std::uint32_t OrderOf(const std::uint16_t index, const std::uint8_t sub) noexcept
+// Ascending order of the table of objects: index and sub-index as in a mapping entry.
+const MappableObject* Find(const DeviceConfig& config, const std::uint32_t wanted) noexcept
 {
-    return (static_cast<std::uint32_t>(index) << 8U) | sub;
-}
-
-} // namespace
-
-// Numbers ascend from 1: SRDO n is in slot n - 1 where nothing is missing before it, and below where something is.
-SlotIndex SlotOf(const DeviceConfig& config, const SrdoNumber number) noexcept
-{
-    std::uint32_t candidate = (number.value < config.srdo_count) ? number.value : config.srdo_count;
-    while (candidate != 0U)
-    {
-        --candidate;
-        if (config.srdos[candidate].number == number.value) // MISRA D-002
-        {
-            return static_cast<SlotIndex>(candidate);
-        }
-    }
-    return kNoSlot;
-}
-
-const MappableObject* FindObject(const DeviceConfig& config, const ObjectAddress& address) noexcept
-{
-    const std::uint32_t wanted = OrderOf(address.index, address.sub);
     std::uint32_t low = 0U;
     std::uint32_t high = config.object_count;
     while (low < high)
     {
         const std::uint32_t middle = (low + high) / 2U;
         const MappableObject& object = config.objects[middle]; // MISRA D-002
-        const std::uint32_t order = OrderOf(object.index, object.sub);
+        const std::uint32_t order = (static_cast<std::uint32_t>(object.index) << kBitsPerByte) | object.sub;
         if (order == wanted)
         {
             return &object;
@@ -159,31 +135,95 @@ const MappableObject* FindObject(const DeviceConfig& config, const ObjectAddress
     return nullptr;
 }
 
+} // namespace
+
+// Numbers ascend from 1: SRDO n is in slot n - 1 where nothing is missing before it, and below where something is.
+SlotIndex SlotOf(const DeviceConfig& config, const SrdoNumber number) noexcept
+{
+    const std::uint32_t place = static_cast<std::uint32_t>(number.value) - 1U;
+    if (config.gaps != NumberGaps::kSearched)
+    {
+        return (place < config.srdo_count) ? static_cast<SlotIndex>(place) : kNoSlot;
+    }
+    for (SlotIndex slot = 0U; slot < config.srdo_count; ++slot)
+    {
+        if (config.srdos[slot].number == number.value) // MISRA D-002
+        {
+            return slot;
+        }
+    }
+    return kNoSlot;
+}
+
+const MappableObject* FindObject(const DeviceConfig& config, const ObjectAddress& address) noexcept
+{
+    return Find(config, (static_cast<std::uint32_t>(address.index) << kBitsPerByte) | address.sub);
+}
+
+const MappableObject* FindMapped(const DeviceConfig& config, const std::uint32_t entry) noexcept
+{
+    return Find(config, entry >> kBitsPerByte);
+}
+
+// index 0001h to 0007h, sub-index 0, the length of the data type
+bool IsDummy(const std::uint32_t entry) noexcept
+{
+    const std::uint32_t type = (entry >> 16U) - 1U;
+    return (type < kLastDummyIndex) && ((entry & 0xFFFFU) == kDummyBits[type]); // MISRA D-002
+}
+
+std::uint32_t ToValue(const ObjectData& data) noexcept
+{
+    std::uint32_t value = 0U;
+    for (std::uint32_t byte = data.size_bytes; byte != 0U; --byte)
+    {
+        value = (value << kBitsPerByte) | data.bytes[byte - 1U]; // MISRA D-002
+    }
+    return value;
+}
+
+// 1300h       1301h to 1340h     1381h to 13C0h    13FEh    13FFh
+// GFC         communication      mapping           valid    signatures     what else there is are variables
 ObjectPlace Locate(const DeviceConfig& config, const ObjectAddress& address) noexcept
 {
-    if (address.index == kGfcIndex)
+    const std::uint32_t area = static_cast<std::uint32_t>(address.index) - kSafetyBase;
+    Search search{};
+    search.sub = address.sub;
+    search.place.refusal = AbortCode::kObjectUnknown;
+    search.place.size_bytes = 1U;
+    if (area > kLastOfArea)
     {
-        return LocateSingle(ConfigField::kGfcParameter, ObjectKind::kConfiguration, address.sub);
+        FindVariable(search, config, address);
     }
-    if (address.index == kConfigurationValidIndex)
+    else if (area == kLastOfArea)
     {
-        return LocateSingle(ConfigField::kConfigurationValid, ObjectKind::kConfigurationValid, address.sub);
+        FindSignature(search, config);
     }
-    if (address.index == kSignatureIndex)
+    else if (area == kValidOfArea)
     {
-        return LocateSignature(config, address.sub);
+        Found(search, ObjectKind::kConfigurationValid, ConfigField::kConfigurationValid);
     }
-    const SlotIndex communication = SlotOf(config, NumberIn(address.index, kCommunicationBase));
-    if (communication != kNoSlot)
+    else if ((area == 0U) && (config.gfc == GfcUse::kPresent))
     {
-        return LocateCommunication(communication, address.sub);
+        Found(search, ObjectKind::kConfiguration, ConfigField::kGfcParameter);
     }
-    const SlotIndex mapping = SlotOf(config, NumberIn(address.index, kMappingBase));
-    if (mapping != kNoSlot)
+    else
     {
-        return LocateMapping(mapping, address.sub);
+        FindSrdo(search, config, area);
     }
-    return LocateVariable(config, address);
+
+    if (search.sub > search.highest)
+    {
+        search.place.kind = ObjectKind::kInvalid;
+        search.place.refusal = AbortCode::kSubUnknown;
+    }
+    if (search.is_counted && (search.sub == 0U))
+    {
+        Found(search, ObjectKind::kConstant, ConfigField::kInvalid);
+        search.place.size_bytes = 1U;
+        search.place.constant = static_cast<std::uint8_t>(search.highest);
+    }
+    return search.place;
 }
 
 } // namespace counterpoint

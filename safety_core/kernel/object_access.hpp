@@ -54,31 +54,45 @@ struct ObjectReading
 /// What an object of 1300h to 13FFh, or a mappable variable, is.
 enum class ObjectKind : std::uint8_t
 {
-    kInvalid = 0U, ///< No such object.
-    kSubUnknown = 1U,
+    kInvalid = 0U,       ///< No such object or sub-index, see `refusal`.
     kConstant = 2U,      ///< Sub-index 0 with a fixed value.
     kConfiguration = 3U, ///< A stored value, see `config`.
     kGapSignature = 4U,  ///< 13FFh entry of an SRDO that does not exist.
     kConfigurationValid = 5U,
     kVariable = 6U,
+    kFixed = 7U, ///< As kConfiguration, but a part of the program: a static mapping.
 };
 
-/// Where an address leads. [SRS-CFG-040, SRS-CFG-041]
+/// Where an address leads. What is not stored has the field kInvalid, which reads 0. [SRS-CFG-040, SRS-CFG-041]
 struct ObjectPlace
 {
-    ObjectKind kind;
+    AbortCode refusal; ///< Only with kInvalid.
     ConfigAddress config;
+    ObjectKind kind;
     std::uint8_t size_bytes;
     std::uint8_t constant;
     const MappableObject* variable;
 };
 
-/// @brief Finds what an address of the safety part of the dictionary leads to. O(srdo_count + log objects)
+/// Bits of the object in a mapping entry; its index and sub-index stand above them.
+constexpr std::uint32_t kEntryLengthMask = 0xFFU;
+
+/// @brief Finds what an address of the safety part of the dictionary leads to. O(log objects); with gaps O(srdo_count)
+/// more
 [[nodiscard]] ObjectPlace Locate(const DeviceConfig& config, const ObjectAddress& address) noexcept;
-/// @brief Slot of an existing SRDO number, or kNoSlot. O(srdo_count)
+/// @brief Slot of an existing SRDO number, or kNoSlot. O(1); with gaps O(srdo_count) [SRS-KRN-018]
 [[nodiscard]] SlotIndex SlotOf(const DeviceConfig& config, SrdoNumber number) noexcept;
 /// @brief The mappable object at an address, or null. O(log objects)
 [[nodiscard]] const MappableObject* FindObject(const DeviceConfig& config, const ObjectAddress& address) noexcept;
+/// @brief The mappable object that a mapping entry names, or null. O(log objects)
+[[nodiscard]] const MappableObject* FindMapped(const DeviceConfig& config, std::uint32_t entry) noexcept;
+/// @brief Value of an object of up to 4 bytes; 0 for none.
+[[nodiscard]] std::uint32_t ToValue(const ObjectData& data) noexcept;
+/// @brief Whether a mapping entry is one of the dummies. [SRS-CFG-033]
+[[nodiscard]] bool IsDummy(std::uint32_t entry) noexcept;
+
+/// What a kernel works with before Start and after Stop: a device without SRDOs and objects.
+extern const DeviceConfig kNoDevice;
 
 } // namespace counterpoint
 

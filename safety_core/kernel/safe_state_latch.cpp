@@ -39,7 +39,12 @@ void SafeStateLatch::Enter(const DeviceFault fault, const SlotIndex slot) noexce
 
 DeviceFaultReport SafeStateLatch::Report() const noexcept
 {
-    return report_;
+    DeviceFaultReport report = report_;
+    if ((report.fault == DeviceFault::kNone) && (!IsRunning()))
+    {
+        report.fault = DeviceFault::kInvalid; // Nobody entered the safe state: the latch itself is corrupted.
+    }
+    return report;
 }
 
 } // namespace counterpoint

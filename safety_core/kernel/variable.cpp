@@ -9,36 +9,47 @@ namespace
 {
 
 constexpr std::uint32_t kBitsPerByte = 8U;
-constexpr std::uint64_t kByteMask = 0xFFU;
+
+// The value's bits that belong to a variable of this length, which is 1 to 64.
+VariableValue Cut(const VariableValue& value, const std::uint8_t length_bits) noexcept
+{
+    return VariableValue{value.bits & (~std::uint64_t{0U} >> (std::uint32_t{kMaxPayloadBits} - length_bits))};
+}
+
+std::uint32_t BytesOf(const VariablePlace& variable) noexcept
+{
+    return (variable.length_bits + (kBitsPerByte - 1U)) / kBitsPerByte;
+}
 
 } // namespace
 
 VariableValue ReadVariable(const VariablePlace& variable) noexcept
 {
     VariableValue value{0U};
-    for (std::uint32_t bit = 0U; bit < variable.length_bits; bit += kBitsPerByte)
+    for (std::uint32_t byte = BytesOf(variable); byte != 0U; --byte)
     {
-        const std::uint64_t byte = variable.place[bit / kBitsPerByte]; // MISRA D-002
-        value.bits |= byte << bit;
+        value.bits = (value.bits << kBitsPerByte) | variable.place[byte - 1U]; // MISRA D-002
     }
-    return value;
+    return Cut(value, variable.length_bits);
 }
 
 void WriteVariable(const VariablePlace& variable, const VariableValue& value) noexcept
 {
-    for (std::uint32_t bit = 0U; bit < variable.length_bits; bit += kBitsPerByte)
+    VariableValue rest = Cut(value, variable.length_bits);
+    const std::uint32_t bytes = BytesOf(variable);
+    for (std::uint32_t byte = 0U; byte < bytes; ++byte)
     {
-        variable.place[bit / kBitsPerByte] = static_cast<std::uint8_t>((value.bits >> bit) & kByteMask); // MISRA D-002
+        variable.place[byte] = static_cast<std::uint8_t>(rest.bits & 0xFFU); // MISRA D-002
+        rest.bits >>= kBitsPerByte;
     }
 }
 
 PairView IsInversePair(const VariablePlace& normal, const VariablePlace& inverse) noexcept
 {
-    const std::uint64_t all_bits = ~std::uint64_t{0U} >> (std::uint32_t{kMaxPayloadBits} - normal.length_bits);
-    const std::uint64_t same = ~(ReadVariable(normal).bits ^ ReadVariable(inverse).bits) & all_bits;
-    const std::uint64_t lengths =
-        static_cast<std::uint64_t>(normal.length_bits) ^ static_cast<std::uint64_t>(inverse.length_bits);
-    return ((same | lengths) == 0U) ? PairView::kInverse : PairView::kNotInverse;
+    const VariableValue same{~(ReadVariable(normal).bits ^ ReadVariable(inverse).bits)};
+    const std::uint32_t lengths =
+        static_cast<std::uint32_t>(normal.length_bits) ^ static_cast<std::uint32_t>(inverse.length_bits);
+    return ((Cut(same, normal.length_bits).bits | lengths) == 0U) ? PairView::kInverse : PairView::kNotInverse;
 }
 
 } // namespace counterpoint

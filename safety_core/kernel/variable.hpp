@@ -7,11 +7,12 @@
 namespace counterpoint
 {
 
-/// A mapped variable as the application sees it: its bytes in little-endian order, its length in bits.
+/// A mapped variable as the application sees it: its bytes in little-endian order, its length in bits. Bits of the last
+/// byte above the length are ignored when it is read and 0 when it was written.
 struct VariablePlace
 {
     std::uint8_t* place;
-    std::uint8_t length_bits; ///< 8 to 64.
+    std::uint8_t length_bits; ///< 1 to 64.
 };
 
 /// Up to 64 bits of a variable, native.

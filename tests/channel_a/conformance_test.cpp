@@ -19,7 +19,7 @@ class ChannelAConformance : public ::testing::TestWithParam<const conformance::C
 
 TEST_P(ChannelAConformance, Case)
 {
-    const auto storage = std::make_unique<channel_a::StorageFor<kMaxSrdoCount>>();
+    const auto storage = std::make_unique<channel_a::StorageFor<kMaxSrdoCount, kMaxMapEntries>>();
     channel_a::Channel channel{storage->Handle()};
     conformance::RunCase(*GetParam(), channel, conformance::Party::kA);
 }

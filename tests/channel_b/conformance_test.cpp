@@ -19,7 +19,7 @@ class ChannelBConformance : public ::testing::TestWithParam<const conformance::C
 
 TEST_P(ChannelBConformance, Case)
 {
-    const auto storage = std::make_unique<channel_b::StorageFor<kMaxSrdoCount>>();
+    const auto storage = std::make_unique<channel_b::StorageFor<kMaxSrdoCount, kMaxMapEntries>>();
     channel_b::Channel channel{storage->Handle()};
     conformance::RunCase(*GetParam(), channel, conformance::Party::kB);
 }

@@ -37,17 +37,59 @@ TEST_P(ChannelBFlipped, InterlockGrantsNothingWrong)
     EXPECT_EQ(result.granted, result.runs);
 }
 
+TEST_P(ChannelBFlipped, StaticMappingGrantsNothingWrong)
+{
+    Verifies(req::SRS_CONS_024);
+    Verifies(req::SRS_CNF_030);
+    Verifies(req::SRS_CFG_032);
+    // Given static mappings and late detection, when any one bit flips, fields and copies of the setup included
+    const conformance::FlipResult result = conformance::FlipEveryBit(conformance::Party::kB, ReleasePolicy::kAutomatic,
+                                                                     GetParam(), conformance::RigKind::kFixed);
+    EXPECT_EQ(result.complaints, 0U) << result.first;
+    EXPECT_EQ(result.granted, result.runs);
+}
+
+TEST_P(ChannelBFlipped, BitsAndDummiesGrantNothingWrong)
+{
+    Verifies(req::SRS_CONS_024);
+    Verifies(req::SRS_CNF_030);
+    Verifies(req::SRS_CFG_033);
+    // Given objects of 3 and 12 bits and a dummy pair
+    const conformance::FlipResult result = conformance::FlipEveryBit(conformance::Party::kB, ReleasePolicy::kInterlock,
+                                                                     GetParam(), conformance::RigKind::kBits);
+    EXPECT_EQ(result.complaints, 0U) << result.first;
+    EXPECT_EQ(result.granted, result.runs);
+}
+
 TEST_P(ChannelBFlipped, FilledMemoryGrantsNothing)
 {
     Verifies(req::SRS_CONS_024);
     Verifies(req::SRS_CNF_030);
     static constexpr std::uint8_t kFills[] = {0x00U, 0xFFU, 0x5AU, 0xA5U, 0xA6U};
-    for (const std::uint8_t fill : kFills)
+    static constexpr conformance::RigKind kKinds[] = {conformance::RigKind::kBytes, conformance::RigKind::kFixed,
+                                                      conformance::RigKind::kBits};
+    for (const conformance::RigKind kind : kKinds)
     {
-        const conformance::FlipResult result =
-            conformance::FillStorage(conformance::Party::kB, ReleasePolicy::kAutomatic, GetParam(), fill);
+        for (const std::uint8_t fill : kFills)
+        {
+            const conformance::FlipResult result =
+                conformance::FillStorage(conformance::Party::kB, ReleasePolicy::kAutomatic, GetParam(), fill, kind);
+            EXPECT_EQ(result.complaints, 0U) << result.first;
+            EXPECT_EQ(result.granted, result.runs);
+        }
+    }
+}
+
+TEST(ChannelBFlippedEntries, AreFoundByTheTableWhateverTheSignature)
+{
+    Verifies(req::SRS_CFG_030);
+    Verifies(req::SRS_CNF_030);
+    for (const conformance::RigKind kind : {conformance::RigKind::kBytes, conformance::RigKind::kBits})
+    {
+        // Given a configured device, when a bit of an entry flips and the result is signed, then the table finds it
+        const conformance::FlipResult result = conformance::FlipSignedEntries(conformance::Party::kB, kind);
         EXPECT_EQ(result.complaints, 0U) << result.first;
-        EXPECT_EQ(result.granted, result.runs);
+        EXPECT_GE(result.granted, 4U * 32U);
     }
 }
 

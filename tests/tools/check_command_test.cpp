@@ -45,10 +45,10 @@ TEST_F(CheckCommandTest, PrintsEveryFindingAndEndsWith1WhenOneIsAnError)
               file +
                   ":17: warning: [DeviceInfo] does not announce CANopen Safety, expected CANopenSafetySupported=1\n" +
                   file +
-                  ":307: error: 0x13FE:00: 0xA5 marks a configuration with errors as valid, expected 0x00 until all "
+                  ":309: error: 0x13FE:00: 0xA5 marks a configuration with errors as valid, expected 0x00 until all "
                   "of them are repaired\n" +
                   file +
-                  ":329: error: 0x13FF:01: signature 0xB632 of SRDO 1, expected 0xB631, computed from its "
+                  ":331: error: 0x13FF:01: signature 0xB632 of SRDO 1, expected 0xB631, computed from its "
                   "parameters\n");
     EXPECT_EQ(answer.err, "");
 }
@@ -73,10 +73,10 @@ TEST_F(CheckCommandTest, EndsWith2WhenTheFileCannotBeRead)
     EXPECT_EQ(missing.out, "");
     EXPECT_EQ(missing.err, Path("none.dcf") + ":0: error: it cannot be opened (No such file or directory), expected a "
                                               "readable EDS or DCF file\n");
-    const std::string file = File("cut.dcf", ExampleText("sensor").substr(0U, 3000U));
+    const std::string file = File("cut.dcf", ExampleText("sensor").substr(0U, 3018U));
     const Answer cut = RunCommand({"check", file});
     EXPECT_EQ(cut.status, 2);
-    EXPECT_EQ(cut.err, file + ":193: error: 'DefaultValu' is no line of an EDS, expected [section], key=value or a "
+    EXPECT_EQ(cut.err, file + ":195: error: 'DefaultValu' is no line of an EDS, expected [section], key=value or a "
                               "comment that begins with ';'\n");
 }
 
@@ -95,6 +95,21 @@ TEST_F(CheckCommandTest, GranularityAndNodeIdAreOptions)
               std::string::npos);
 }
 
+TEST_F(CheckCommandTest, ADigestThatIsNotTheComputedOneIsNamed)
+{
+    Verifies(req::SRS_CLI_022);
+    const std::string file =
+        File("bad.dcf", Changed(ExampleText("actuator"), {{"ParameterValue=0x046FFAB7", "ParameterValue=0x046FFAB8"}}));
+    const Answer answer = RunCommand({"check", file});
+    EXPECT_EQ(answer.status, 1);
+    EXPECT_NE(answer.out.find(file + ":627: error: 0x5F04:00: device digest 0x046FFAB8, expected 0x046FFAB7, computed "
+                                     "from the device's parameters\n"),
+              std::string::npos);
+    const std::string none =
+        File("none.dcf", Changed(ExampleText("actuator"), {{"ParameterValue=0x046FFAB7", "ParameterValue=0"}}));
+    EXPECT_EQ(RunCommand({"check", none}).out, "");
+}
+
 TEST_F(CheckCommandTest, AnswersAsJson)
 {
     Verifies(req::SRS_CLI_008);
@@ -108,7 +123,7 @@ TEST_F(CheckCommandTest, AnswersAsJson)
     EXPECT_EQ(document["warnings"], 0);
     ASSERT_EQ(document["findings"].size(), 2U);
     EXPECT_EQ(document["findings"][1]["severity"], "error");
-    EXPECT_EQ(document["findings"][1]["line"], 329);
+    EXPECT_EQ(document["findings"][1]["line"], 331);
     EXPECT_EQ(document["findings"][1]["object"], "0x13FF:01");
     EXPECT_EQ(document["findings"][1]["message"],
               "signature 0x0001 of SRDO 1, expected 0xB631, computed from its parameters");

@@ -134,7 +134,7 @@ TEST_F(SignCommandTest, WritesTheSignaturesAndNothingElse)
     const std::string file = File("in.dcf", unsigned_text);
     const Answer answer = RunCommand({"sign", file, "--write", Path("out.dcf")});
     EXPECT_EQ(answer.status, 0);
-    EXPECT_EQ(answer.out, "0x13FF:01 = 0xE3BF\n0x13FF:02 = 0xCA45\n");
+    EXPECT_EQ(answer.out, "0x13FF:01 = 0xE3BF\n0x13FF:02 = 0xCA45\n0x5F04:00 = 0x0D6A53FF\n");
     EXPECT_EQ(cia306::ReadTextFile(Path("out.dcf")), text);
     EXPECT_EQ(cia306::ReadTextFile(file), unsigned_text);
     // In place.
@@ -151,12 +151,64 @@ TEST_F(SignCommandTest, WritesNothingWhenItRefuses)
     const Answer answer = RunCommand({"sign", file, "--write", Path("out.dcf")});
     EXPECT_EQ(answer.status, 2);
     EXPECT_EQ(answer.err, file +
-                              ":310: error: 0x13FF:01 is missing, expected an object that takes the signature of SRDO "
+                              ":312: error: 0x13FF:01 is missing, expected an object that takes the signature of SRDO "
                               "1\n");
     EXPECT_FALSE(std::filesystem::exists(Path("out.dcf")));
     const Answer folder = RunCommand({"sign", GoldFile(), "--write", Path("no/out.dcf")});
     EXPECT_EQ(folder.status, 2);
     EXPECT_EQ(folder.out, "");
+}
+
+TEST_F(SignCommandTest, VerbosePrintsAll128Entries)
+{
+    Verifies(req::SRS_CLI_004);
+    const Answer answer =
+        RunCommand({"sign", "--verbose", cia306::test::SourceFolder() + "/tests/canopen/cia306/data/bits.dcf"});
+    EXPECT_EQ(answer.status, 0);
+    EXPECT_NE(answer.out.find("    80           0x1381:00  128 mapping entries\n"), std::string::npos);
+    EXPECT_NE(answer.out.find("    01 40 20 61  0x1381:80  inverse data 0x6120:40, 1 bit\n"
+                              "    653 bytes: 02 64 00 3C 11 01 00 00 12 01 00 00 80 01 01 01 20 60 02 01 01 20 61 "),
+              std::string::npos);
+    EXPECT_EQ(answer.out.substr(0U, 19U), "0x13FF:01 = 0xCB64\n");
+    EXPECT_NE(answer.out.find("\n0x13FF:02 = 0xE463\n"), std::string::npos);
+}
+
+TEST_F(SignCommandTest, PrintsTheDigestBehindTheSignatures)
+{
+    Verifies(req::SRS_CLI_021);
+    const std::string file = cia306::test::SourceFolder() + "/examples/emergency_stop/actuator.dcf";
+    EXPECT_EQ(RunCommand({"sign", file}).out, "0x13FF:01 = 0x9FCB\n0x5F04:00 = 0x046FFAB7\n");
+    const std::string verbose = RunCommand({"sign", "--verbose", file}).out;
+    EXPECT_NE(verbose.find("0x5F04:00 = 0x046FFAB7\n"
+                           "    21                      node-ID 33\n"
+                           "    08           0x5F00:0A  granularity 8 bit\n"
+                           "    66           0x5F00:0C  dummy mapping 0x66\n"),
+              std::string::npos);
+    EXPECT_NE(verbose.find("    00 00 00 00  0x5F02:01  safe value, bytes 4 to 7\n"
+                           "    57 bytes: 21 08 66 00 5A 01 01 E8 03 00 00 "),
+              std::string::npos);
+    const auto document = nlohmann::json::parse(RunCommand({"sign", "--json", "--verbose", file}).out);
+    EXPECT_EQ(document["digest"]["object"], "0x5F04:00");
+    EXPECT_EQ(document["digest"]["digest"], "0x046FFAB7");
+    EXPECT_EQ(document["digest"]["value"], 74447543);
+    EXPECT_EQ(document["digest"]["fields"].size(), 24U);
+    // Another node-ID, another digest
+    EXPECT_NE(RunCommand({"sign", file, "--node-id", "34"}).out.find("0x5F04:00 = 0x"), std::string::npos);
+    EXPECT_EQ(RunCommand({"sign", file, "--node-id", "34"}).out.find("0x046FFAB7"), std::string::npos);
+}
+
+TEST_F(SignCommandTest, ADigestThatCannotBeComputedIsRefused)
+{
+    Verifies(req::SRS_CLI_021);
+    const std::string text = cia306::test::ExampleText("actuator");
+    const std::string without = File("in.dcf", cia306::test::Changed(text, {{"NodeID=33\n", "NodeID=\n"}}));
+    const Answer answer = RunCommand({"sign", without, "--write", Path("out.dcf")});
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_EQ(answer.out, "");
+    EXPECT_EQ(answer.err, without + ":627: error: 0x5F04:00: the digest needs the node-ID and there is none, expected "
+                                    "--node-id, or NodeID in [DeviceComissioning]\n");
+    EXPECT_FALSE(std::filesystem::exists(Path("out.dcf")));
+    EXPECT_EQ(RunCommand({"sign", without, "--node-id", "33"}).out, "0x13FF:01 = 0x9FCB\n0x5F04:00 = 0x046FFAB7\n");
 }
 
 TEST_F(SignCommandTest, AnswersAsJson)

@@ -141,8 +141,12 @@ void Device::Describe(const DevicePlan& plan) noexcept
     const MapAccess access = (plan.role == DeviceRole::kConsumers) ? MapAccess::kConsumer : MapAccess::kProducer;
     for (std::uint8_t slot = 0U; slot < plan.srdo_count; ++slot)
     {
-        setups_[slot] = SrdoSetup{static_cast<std::uint8_t>(slot + 1U), ReleasePolicy::kAutomatic,
-                                  ProducerForm::kApplicationSends, Payload{0U, 0U}};
+        setups_[slot] = SrdoSetup{static_cast<std::uint8_t>(slot + 1U),
+                                  ReleasePolicy::kAutomatic,
+                                  ProducerForm::kApplicationSends,
+                                  Payload{0U, 0U},
+                                  SrvtDetection::kEarly,
+                                  StaticMap{nullptr, 0U}};
         for (std::uint8_t part = 0U; part < 2U; ++part)
         {
             const std::uint32_t normal = (2U * slot) + part;
@@ -160,6 +164,8 @@ void Device::Describe(const DevicePlan& plan) noexcept
     config_.srdo_count = plan.srdo_count;
     config_.node_id = kNodeId;
     config_.granularity_bits = 32U;
+    config_.map_entries = kUsualMapEntries;
+    config_.gfc = GfcUse::kPresent;
     config_.normal_port = CanPortId::kFirst;
     config_.inverse_port = CanPortId::kFirst;
     config_.cycle_us = kCycleUs;

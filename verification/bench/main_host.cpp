@@ -2,6 +2,7 @@
 //
 // Runs every item once. Under callgrind (--collect-atstart=no) each item leaves a dump with its label.
 #include "verification/bench/items.hpp"
+#include "verification/bench/self_tests.hpp"
 
 #include <cstdio>
 
@@ -12,6 +13,10 @@ int main()
     if (result == BenchResult::kDone)
     {
         result = counterpoint::bench::RunFullLoad();
+    }
+    if (result == BenchResult::kDone)
+    {
+        result = counterpoint::bench::MeasureSelfTests();
     }
     std::printf("bench: %s\n", counterpoint::bench::NameOf(result));
     return (result == BenchResult::kDone) ? 0 : 1;

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/bench/device.hpp"
 #include "verification/bench/items.hpp"
+#include "verification/bench/self_tests.hpp"
 #include "verification/target/target.hpp"
 
 namespace
@@ -38,6 +39,10 @@ extern "C" std::uint32_t TargetMain() noexcept
     if (result == BenchResult::kDone)
     {
         result = counterpoint::bench::RunFullLoad();
+    }
+    if (result == BenchResult::kDone)
+    {
+        result = counterpoint::bench::MeasureSelfTests();
     }
     counterpoint::target::Write("stack_used=");
     counterpoint::target::WriteNumber(counterpoint::target::StackUsed());

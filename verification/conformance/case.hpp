@@ -3,7 +3,7 @@
 #define VERIFICATION_CONFORMANCE_CASE_HPP
 
 #include "verification/conformance/device.hpp"
-#include "verification/conformance/step.hpp"
+#include "verification/conformance/steps.hpp"
 #include "verification/trace/requirement_ids.hpp"
 
 #include <cstddef>

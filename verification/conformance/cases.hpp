@@ -27,6 +27,13 @@ extern const CaseTable kRuleCases;
 extern const CaseTable kMappingCases;
 extern const CaseTable kRecheckCases;
 extern const CaseTable kSizeCases;
+extern const CaseTable kSideCases;
+extern const CaseTable kLateCases;
+extern const CaseTable kBitCases;
+extern const CaseTable kEntryCases;
+extern const CaseTable kDummyCases;
+extern const CaseTable kStaticCases;
+extern const CaseTable kDigestCases;
 
 /// In the order in which they run: simple ones first.
 extern const CaseTable* const kAllTables[];

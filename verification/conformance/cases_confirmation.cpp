@@ -15,115 +15,113 @@ constexpr Step kI1 = Put(0x6211U, 1U, 0xEDU);
 constexpr Step kI2 = Put(0x6211U, 2U, 0xCBU);
 
 constexpr Step kStrangers[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Confirm(kNoSlot, 0x101U, 2U, 0x3412U, 0U, 100U), Cycle(2000U),
-    ReadyPair(0U), Confirm(kNoSlot, 0x101U, 2U, 0x3412U, 0U, 2001U),
-    Launch(0U), Confirm(kNoSlot, 0x103U, 2U, 0x3412U, 0U, 2002U), Confirm(kNoSlot, 0x001U, 0U, 0U, 0U, 2003U),
-    Confirm(kNoSlot, 0x102U, 2U, 0xCBEDU, 0U, 2004U),
-    Confirm(kNoSlot, 0x80000101U, 2U, 0x3412U, 0U, 2005U), Confirm(kNoSlot, 0x7FFU, 2U, 0x3412U, 0U, 2006U),
-    OfKind(Confirm(kNoSlot, 0x101U, 2U, 0x3412U, 0U, 2007U), FrameKind::kRemote),
-    OfKind(Confirm(kNoSlot, 0x101U, 2U, 0x3412U, 0U, 2008U), FrameKind::kExtended),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), StrangeFirst(100U), Cycle(2000U),
+    ReadyPair(0U), ConfirmNone(0x103U, 2U, 0x3412U, 0U, 2002U), ConfirmNone(0x001U, 0U, 0U, 0U, 2003U),
+    StrangeSecond(2004U),
+    ConfirmNone(0x80000101U, 2U, 0x3412U, 0U, 2005U), ConfirmNone(0x7FFU, 2U, 0x3412U, 0U, 2006U),
+    OfKind(StrangeFirst(2007U), FrameKind::kRemote),
+    OfKind(StrangeFirst(2008U), FrameKind::kExtended),
     Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), ConfirmFirst(0U, 2100U),
-    Confirm(kNoSlot, 0x101U, 2U, 0x3412U, 0U, 2101U), NextSecond(0U), ConfirmSecond(0U, 2200U),
-    Confirm(kNoSlot, 0x102U, 2U, 0xCBEDU, 0U, 2201U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
+    StrangeFirst(2101U), TakeSecond(0U), ConfirmSecond(0U, 2200U),
+    StrangeSecond(2201U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
 };
 
 constexpr Step kWrongData[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U),
-    Confirm(0U, 0x101U, 2U, 0x3413U, 0U, 2100U),
-    Slot(0U, kProducing, Cause::kWrongEcho, 0U, 1U, 0U), NextNone(0U), Confirm(kNoSlot, 0x101U, 2U, 0x3412U, 0U, 2101U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U),
+    ConfirmNone(0x101U, 2U, 0x3413U, 0U, 2100U),
+    Slot(0U, kProducing, Cause::kWrongEcho, 0U, 1U, 0U), Data(0U, 0U), TakeNone(0U), StrangeFirst(2101U),
     Cycle(3000U), Signals(0U, Bit(Cause::kWrongEcho)),
     Masks(0U, 0U, 0U, 0U, 0U), Due(0U), Request(0U), Cycle(4000U), Due(1U),
 };
 
 constexpr Step kWrongLength[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U),
-    Confirm(0U, 0x101U, 1U, 0x12U, 0U, 2100U),
-    Slot(0U, kProducing, Cause::kWrongEcho, 0U, 1U, 0U), Cycle(3000U), ReadyPair(0U), Launch(0U),
-    Confirm(0U, 0x101U, 3U, 0x3412U, 0U, 3100U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U),
+    ConfirmNone(0x101U, 1U, 0x12U, 0U, 2100U),
+    Slot(0U, kProducing, Cause::kWrongEcho, 0U, 1U, 0U), Cycle(3000U), ReadyPair(0U),
+    ConfirmNone(0x101U, 3U, 0x3412U, 0U, 3100U),
     Slot(0U, kProducing, Cause::kWrongEcho, 0U, 2U, 0U),
 };
 
 constexpr Step kWrongInverse[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U),
-    ConfirmFirst(0U, 2100U), NextSecond(0U),
-    Confirm(0U, 0x102U, 2U, 0xCAEDU, 0U, 2200U), Slot(0U, kProducing, Cause::kWrongEcho, 0U, 1U, 0U), Cycle(3000U),
-    ReadyPair(0U), Launch(0U), NextFirst(0U),
-    ConfirmFirst(0U, 3100U), NextSecond(0U), Confirm(0U, 0x102U, 8U, 0xCBEDU, 0U, 3200U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U),
+    ConfirmFirst(0U, 2100U), TakeSecond(0U),
+    ConfirmNone(0x102U, 2U, 0xCAEDU, 0U, 2200U), Slot(0U, kProducing, Cause::kWrongEcho, 0U, 1U, 0U), Cycle(3000U),
+    ReadyPair(0U),
+    ConfirmFirst(0U, 3100U), TakeSecond(0U), ConfirmNone(0x102U, 8U, 0xCBEDU, 0U, 3200U),
     Slot(0U, kProducing, Cause::kWrongEcho, 0U, 2U, 0U),
 };
 
 constexpr Step kBytesBehind[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U),
-    Confirm(0U, 0x101U, 2U, 0xFFFF3412U, 0x12345678U, 2100U),
-    NextSecond(0U), Confirm(0U, 0x102U, 2U, 0xFFFFCBEDU, 0x12345678U, 2200U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U),
+    ConfirmNormal(0U, 0x101U, 2U, 0xFFFF3412U, 0x12345678U, 2100U),
+    TakeSecond(0U), ConfirmPair(0U, 0x102U, 2U, 0xFFFFCBEDU, 0x12345678U, 2200U),
     Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
 };
 
 // t     2000          22000 (on)   22001
-//       launched      cycle        cycle: no confirmation
+//       prepared      cycle        cycle: no confirmation
 constexpr Step kNormalMissing[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U), Cycle(21999U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Cycle(21999U),
     Cycle(22000U), Signals(0U, 0U), Cycle(22001U),
     Slot(0U, kProducing, Cause::kNoConfirmation, 0U, 1U, 0U), Signals(0U, Bit(Cause::kNoConfirmation)), Due(0U),
-    Confirm(kNoSlot, 0x101U, 2U, 0x3412U, 0U, 22002U), NextNone(0U),
+    Data(0U, 0U), StrangeFirst(22002U), TakeNone(0U), Cycle(23000U), ReadyPair(0U), ConfirmFirst(0U, 23100U),
+    TakeSecond(0U),
 };
 
-// Launch counts from the `now` of the cycle before it, wherever the frame was confirmed.
+// Prepare counts from the `now` of the cycle before it, wherever the frame was confirmed.
 constexpr Step kNormalLate[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U), Cycle(22000U),
-    ConfirmFirst(0U, 22000U), NextSecond(0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Cycle(22000U),
+    ConfirmFirst(0U, 22000U), TakeSecond(0U),
     ConfirmSecond(0U, 42000U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
 };
 
 // t     2000      2300         22300 (on)   22301
-//       launched  N confirmed  cycle        cycle: no confirmation
+//       prepared  N confirmed  cycle        cycle: no confirmation
 constexpr Step kInverseMissing[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U),
-    ConfirmFirst(0U, 2300U), NextSecond(0U), Cycle(22300U), Signals(0U, 0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U),
+    ConfirmFirst(0U, 2300U), TakeSecond(0U), Cycle(22300U), Signals(0U, 0U),
     Cycle(22301U), Slot(0U, kProducing, Cause::kNoConfirmation, 0U, 1U, 0U), Signals(0U, Bit(Cause::kNoConfirmation)),
 };
 
 constexpr Step kInverseOn[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U),
-    ConfirmFirst(0U, 2300U), NextSecond(0U), ConfirmSecond(0U, 22300U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U),
+    ConfirmFirst(0U, 2300U), TakeSecond(0U), ConfirmSecond(0U, 22300U),
     Slot(0U, kProducing, kNoCause, 1U, 0U, 0U), Cycle(23000U), Signals(0U, 0U),
 };
 
 constexpr Step kInverseOver[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U),
-    ConfirmFirst(0U, 2300U), NextSecond(0U), ConfirmSecond(0U, 22301U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U),
+    ConfirmFirst(0U, 2300U), TakeSecond(0U), StrangeSecond(22301U),
     Slot(0U, kProducing, Cause::kNoConfirmation, 0U, 1U, 0U), Cycle(23000U), Signals(0U, Bit(Cause::kNoConfirmation)),
 };
 
 // Wrong and late: the echo is what is named.
 constexpr Step kWrongAndLate[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U),
-    ConfirmFirst(0U, 2300U), NextSecond(0U),
-    Confirm(0U, 0x102U, 2U, 0U, 0U, 22301U), Slot(0U, kProducing, Cause::kWrongEcho, 0U, 1U, 0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U),
+    ConfirmFirst(0U, 2300U), TakeSecond(0U),
+    ConfirmNone(0x102U, 2U, 0U, 0U, 22301U), Slot(0U, kProducing, Cause::kWrongEcho, 0U, 1U, 0U),
 };
 
 constexpr Step kTransmitFaults[] = {
     Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), TransmitFault(0U, Cause::kTransmitQueue),
     Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), ReadyPair(0U),
-    TransmitFault(0U, Cause::kBusOff), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), Launch(0U), NextFirst(0U),
     TransmitFault(0U, Cause::kNoConfirmation),
     TransmitFault(0U, Cause::kNone), TransmitFault(0U, Cause::kInvalid), TransmitFault(0U, static_cast<Cause>(0xFFU)),
     TransmitFault(0U, Cause::kWrongEcho),
     Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), TransmitFault(0U, Cause::kTransmitQueue),
-    Slot(0U, kProducing, Cause::kTransmitQueue, 0U, 1U, 0U), NextNone(0U),
+    Slot(0U, kProducing, Cause::kTransmitQueue, 0U, 1U, 0U), TakeNone(0U),
     TransmitFault(0U, Cause::kTransmitQueue), Slot(0U, kProducing, Cause::kTransmitQueue, 0U, 1U, 0U), Cycle(3000U),
-    Signals(0U, Bit(Cause::kTransmitQueue)), ReadyPair(0U),
-    Launch(0U), NextFirst(0U), ConfirmFirst(0U, 3100U), TransmitFault(0U, Cause::kBusOff),
-    Slot(0U, kProducing, Cause::kTransmitQueue, 0U, 2U, 0U), NextNone(0U), Cycle(4000U),
+    Signals(0U, Bit(Cause::kTransmitQueue)), ReadyPair(0U), ConfirmFirst(0U, 3100U), TransmitFault(0U, Cause::kBusOff),
+    Slot(0U, kProducing, Cause::kTransmitQueue, 0U, 2U, 0U), TakeNone(0U), Cycle(4000U),
     Signals(0U, Bit(Cause::kBusOff)),
 };
 
 // An acknowledge edge of an active producer clears its first cause.
 constexpr Step kAcknowledged[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Launch(0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U),
     TransmitFault(0U, Cause::kBusOff), Cycle(3000U),
     Slot(0U, kProducing, Cause::kBusOff, 0U, 1U, 0U), Acknowledge(1U), Cycle(4000U),
-    Slot(0U, kProducing, kNoCause, 0U, 1U, 0U), ReadyPair(0U), Launch(0U),
+    Slot(0U, kProducing, kNoCause, 0U, 1U, 0U), ReadyPair(0U),
     TransmitFault(0U, Cause::kTransmitQueue), Cycle(5000U), Slot(0U, kProducing, Cause::kTransmitQueue, 0U, 2U, 0U),
     Cycle(6000U),
     Slot(0U, kProducing, Cause::kTransmitQueue, 0U, 2U, 0U),
@@ -132,20 +130,19 @@ constexpr Step kAcknowledged[] = {
 // Window of signals: the refresh time, 25 ms.
 // t     3000 (opens)   28000 (still open)   28001 (over)
 constexpr Step kWindow[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Launch(0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U),
     TransmitFault(0U, Cause::kBusOff), Cycle(3000U), Signals(0U, Bit(Cause::kBusOff)),
-    ReadyPair(0U), Launch(0U), TransmitFault(0U, Cause::kBusOff), Cycle(28000U), Signals(0U, 0U), ReadyPair(0U),
-    Launch(0U), TransmitFault(0U, Cause::kBusOff), Cycle(28001U),
+    ReadyPair(0U), TransmitFault(0U, Cause::kBusOff), Cycle(28000U), Signals(0U, 0U), ReadyPair(0U), TransmitFault(0U, Cause::kBusOff), Cycle(28001U),
     Signals(0U, Bit(Cause::kBusOff)), Slot(0U, kProducing, Cause::kBusOff, 0U, 3U, 0U),
 };
 
 // An identifier changed behind the look-up: the frame that still finds its way confirms nothing.
 constexpr Step kAstray[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U),
     Store(0U, ConfigField::kCobId1, 0x103U),
-    Confirm(kNoSlot, 0x101U, 2U, 0x3412U, 0U, 2100U), Store(0U, ConfigField::kCobId1, 0x101U), ConfirmFirst(0U, 2200U),
-    NextSecond(0U), Store(0U, ConfigField::kCobId2, 0x104U),
-    Confirm(kNoSlot, 0x102U, 2U, 0xCBEDU, 0U, 2300U), Store(0U, ConfigField::kCobId2, 0x102U), ConfirmSecond(0U, 2400U),
+    StrangeFirst(2100U), Store(0U, ConfigField::kCobId1, 0x101U), ConfirmFirst(0U, 2200U),
+    TakeSecond(0U), Store(0U, ConfigField::kCobId2, 0x104U),
+    StrangeSecond(2300U), Store(0U, ConfigField::kCobId2, 0x102U), ConfirmSecond(0U, 2400U),
     Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
 };
 

@@ -88,26 +88,23 @@ constexpr Step kT11[] = {
     StoreAll(), Entry(0U, 2U, 0x60100108U), MapCount(0U, 2U), Signature(0U, 0x4D8FU), Validate(0U, kBadMap, 0x4D8FU),
 };
 
+constexpr Step kT12Pair = UnequalPair(0U, 0x3412U, 0x9912U);
+
 // Calls every 0.7 ms: the tenth refresh is due at 2000 + 10 * 25000 = 252000, seen by the call at 252000.
 constexpr Step kT12[] = {
-    Configure(), Cycle(0U), Cycle(2100U), Due(1U), Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(27300U),
-    Due(1U), Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U),
-    Cycle(52500U), Due(1U), Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(77000U), Due(1U),
-    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(102200U), Due(1U),
-    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(127400U), Due(1U),
-    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(152600U), Due(1U),
-    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(177100U), Due(1U),
-    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(202300U), Due(1U),
-    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(227500U), Due(1U),
-    Prepare(0U, PrepareStatus::kNotInverse, 0U, 0U), Cycle(251999U), Due(0U), Cycle(252000U), Due(1U),
+    Configure(), kP1, kP2, kI1, Cycle(0U), Cycle(2100U), Due(1U), kT12Pair, NotInverse(0U), Cycle(27300U),
+    Due(1U), kT12Pair, NotInverse(0U), Cycle(52500U), Due(1U), kT12Pair, NotInverse(0U), Cycle(77000U),
+    Due(1U), kT12Pair, NotInverse(0U), Cycle(102200U), Due(1U), kT12Pair, NotInverse(0U), Cycle(127400U),
+    Due(1U), kT12Pair, NotInverse(0U), Cycle(152600U), Due(1U), kT12Pair, NotInverse(0U), Cycle(177100U),
+    Due(1U), kT12Pair, NotInverse(0U), Cycle(202300U), Due(1U), kT12Pair, NotInverse(0U), Cycle(227500U),
+    Due(1U), kT12Pair, NotInverse(0U), Cycle(251999U), Due(0U), Cycle(252000U), Due(1U),
 };
 
 // One full queue is one fault; the next pair is sent.
 constexpr Step kT13[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Launch(0U), NextFirst(0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U),
     TransmitFault(0U, Cause::kTransmitQueue), Cycle(3000U),
-    Slot(0U, kProducing, Cause::kTransmitQueue, 0U, 1U, 0U), Request(0U), Cycle(4000U), Due(1U), ReadyPair(0U),
-    Launch(0U), NextFirst(0U), ConfirmFirst(0U, 4100U), NextSecond(0U),
+    Slot(0U, kProducing, Cause::kTransmitQueue, 0U, 1U, 0U), Request(0U), Cycle(4000U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 4100U), TakeSecond(0U),
     ConfirmSecond(0U, 4200U), Slot(0U, kProducing, Cause::kTransmitQueue, 1U, 1U, 0U),
 };
 

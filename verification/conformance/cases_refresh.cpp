@@ -17,61 +17,63 @@ constexpr std::uint32_t kMissedBit = Bit(Cause::kRefreshMissed);
 
 // Due at 2000 + k * 25000, whatever the jitter of the calls.
 constexpr Step kPhase[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Due(0U), Cycle(1999U), Due(0U), Cycle(2900U), Due(1U), ReadyPair(0U),
-    Launch(0U), NextFirst(0U), ConfirmFirst(0U, 3000U),
-    NextSecond(0U), ConfirmSecond(0U, 3100U), Cycle(3500U), Due(0U), Cycle(26999U), Due(0U), Cycle(27000U), Due(1U),
-    ReadyPair(0U), Launch(0U), ConfirmFirst(0U, 27100U),
-    NextSecond(0U), ConfirmSecond(0U, 27200U), Cycle(51999U), Due(0U), Cycle(53300U), Due(1U), ReadyPair(0U),
-    Launch(0U), ConfirmFirst(0U, 53400U), NextSecond(0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Due(0U), Cycle(1999U), Due(0U), Cycle(2900U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 3000U),
+    TakeSecond(0U), ConfirmSecond(0U, 3100U), Cycle(3500U), Due(0U), Cycle(26999U), Due(0U), Cycle(27000U), Due(1U),
+    ReadyPair(0U), ConfirmFirst(0U, 27100U),
+    TakeSecond(0U), ConfirmSecond(0U, 27200U), Cycle(51999U), Due(0U), Cycle(53300U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 53400U), TakeSecond(0U),
     ConfirmSecond(0U, 53500U), Cycle(76999U), Due(0U), Cycle(77000U), Due(1U),
     Slot(0U, kProducing, kNoCause, 3U, 0U, 0U),
 };
 
 // A request between two refreshes is sent and leaves the phase alone.
 constexpr Step kRequestKeepsPhase[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Request(0U), Cycle(10000U),
-    Due(1U), ReadyPair(0U), Cycle(11000U), Due(0U), Cycle(26999U),
-    Due(0U), Cycle(27000U), Due(1U), ReadyPair(0U), Cycle(51999U), Due(0U), Cycle(52000U), Due(1U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 2100U), ConfirmSecond(0U, 2200U),
+    Request(0U), Cycle(10000U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 10100U), ConfirmSecond(0U, 10200U), Cycle(11000U), Due(0U),
+    Cycle(26999U), Due(0U), Cycle(27000U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 27100U), ConfirmSecond(0U, 27200U),
+    Cycle(51999U), Due(0U), Cycle(52000U), Due(1U), Slot(0U, kProducing, kNoCause, 3U, 0U, 0U),
 };
 
 // Prepare uses up both the request and the refresh that fell due.
 constexpr Step kBothUsedUp[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Request(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Cycle(3000U),
-    Due(0U), Cycle(26000U), Due(0U), Cycle(27000U), Due(1U),
-    Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Request(0U), Cycle(2000U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 2100U), ConfirmSecond(0U, 2200U),
+    Cycle(3000U), Due(0U), Cycle(26000U), Due(0U), Cycle(27000U), Due(1U),
+    Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
 };
 
 // A request whose mark is still there when the refresh falls due is no missed refresh.
 constexpr Step kRequestThenRefresh[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Request(0U), Cycle(26000U),
-    Due(1U), Cycle(27000U), Due(1U), Signals(0U, 0U), ReadyPair(0U),
-    Cycle(28000U), Due(0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 2100U), ConfirmSecond(0U, 2200U),
+    Request(0U), Cycle(26000U), Due(1U), Cycle(27000U), Due(1U), Signals(0U, 0U), ReadyPair(0U),
+    Cycle(28000U), Due(0U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
 };
 
 // t     2000        3000           27999   28000           53000
-//       due, held   due, prepared          due (25000 after 3000)
-constexpr Step kHeld[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Hold(0U), Hold(0U), Cycle(3000U), Due(1U),
-    ReadyPair(0U), Cycle(27999U), Due(0U), Cycle(28000U), Due(1U),
-    ReadyPair(0U), Cycle(52999U), Due(0U), Cycle(53000U), Due(1U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
+//       due         stood; prepared         due (25000 after 3000)
+constexpr Step kStood[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Stand(0U), Cycle(3000U), Due(1U),
+    ReadyPair(0U), ConfirmFirst(0U, 3100U), ConfirmSecond(0U, 3200U), Cycle(27999U), Due(0U), Cycle(28000U), Due(1U),
+    ReadyPair(0U), ConfirmFirst(0U, 28100U), ConfirmSecond(0U, 28200U), Cycle(52999U), Due(0U), Cycle(53000U), Due(1U),
+    Slot(0U, kProducing, kNoCause, 2U, 0U, 0U),
 };
 
-// The time until the next OnCycle counts, not the one before it; and the hold is over with it.
-constexpr Step kHeldOnce[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Hold(0U), Cycle(2300U), Cycle(3300U),
-    ReadyPair(0U), Cycle(27299U), Due(0U), Cycle(27300U), Due(1U),
+// The time since the previous OnCycle counts, and that of this call alone.
+constexpr Step kStoodOnce[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Stand(0U), Cycle(2300U), Cycle(3300U),
+    ReadyPair(0U), ConfirmFirst(0U, 3400U), ConfirmSecond(0U, 3500U), Cycle(27299U), Due(0U), Cycle(27300U), Due(1U),
 };
 
-// Before the first possible transmission there is nothing to hold.
-constexpr Step kHeldTooEarly[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(1000U), Hold(0U), Cycle(1999U), Due(0U), Cycle(2000U), Due(1U),
+// The initial delay does not stand: it was not over at the call before.
+constexpr Step kStoodTooEarly[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(1000U), Stand(0U), Cycle(1999U), Due(0U), Stand(0U),
+    Cycle(2000U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 2100U), ConfirmSecond(0U, 2200U), Cycle(26999U), Due(0U), Cycle(27000U), Due(1U),
 };
 
-// A hold before SRDOs became active again is none.
-constexpr Step kHoldForgotten[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Hold(0U), Nmt(NmtState::kPreOperational),
-    Cycle(3000U), Due(0U), Nmt(NmtState::kOperational),
-    Cycle(4000U), Cycle(5999U), Due(0U), Cycle(6000U), Due(1U),
+// Neither the call that leaves OPERATIONAL nor the one that enters it moves anything.
+constexpr Step kStoodOnEntering[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Stand(0U), Nmt(NmtState::kPreOperational),
+    Cycle(3000U), Due(0U), Nmt(NmtState::kOperational), Stand(0U), Cycle(4000U), Stand(0U), Cycle(5999U), Due(0U),
+    Stand(0U), Cycle(6000U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 6100U), ConfirmSecond(0U, 6200U), Cycle(30999U), Due(0U),
+    Cycle(31000U), Due(1U),
 };
 
 // t     2000         26999   27000                 52000
@@ -81,38 +83,45 @@ constexpr Step kNotPrepared[] = {
     Cycle(27000U), Due(1U), Signals(0U, kMissedBit),
     Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Cycle(27001U),
     Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Cycle(52000U),
-    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 2U, 0U), ReadyPair(0U), Cycle(76999U), Due(0U), Cycle(77000U),
-    Due(1U),
-    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 2U, 0U),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 2U, 0U), ReadyPair(0U), ConfirmFirst(0U, 52100U), ConfirmSecond(0U, 52200U),
+    Cycle(76999U), Due(0U), Cycle(77000U), Due(1U),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 1U, 2U, 0U),
 };
 
 // A pair in flight when the refresh falls due: that refresh is skipped, the pair goes on.
 // t     2000  20000              27000     28000        52000
-//       due   prepared, launched missed    confirmed    due
+//       due   prepared           missed    confirmed    due
 constexpr Step kInFlight[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Cycle(20000U), Due(1U), ReadyPair(0U),
-    Launch(0U), NextFirst(0U), Cycle(27000U), Due(0U),
-    Signals(0U, kMissedBit), ConfirmFirst(0U, 27100U), NextSecond(0U), ConfirmSecond(0U, 27200U), Cycle(28000U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Cycle(20000U), Due(1U), ReadyPair(0U), Cycle(27000U), Due(0U),
+    Signals(0U, kMissedBit), ConfirmFirst(0U, 27100U), TakeSecond(0U), ConfirmSecond(0U, 27200U), Cycle(28000U),
     Due(0U), Slot(0U, kProducing, Cause::kRefreshMissed, 1U, 1U, 0U),
     Cycle(51999U), Due(0U), Cycle(52000U), Due(1U),
 };
 
+// The refresh is skipped, not the request that waits.
+constexpr Step kInFlightWithRequest[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Cycle(20000U), ReadyPair(0U), Request(0U),
+    Cycle(27000U), Due(0U), Signals(0U, kMissedBit), ConfirmFirst(0U, 27100U), ConfirmSecond(0U, 27200U),
+    Cycle(28000U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 28100U), ConfirmSecond(0U, 28200U), Cycle(51999U), Due(0U),
+    Cycle(52000U), Due(1U), Slot(0U, kProducing, Cause::kRefreshMissed, 2U, 1U, 0U),
+};
+
 // No confirmation is examined before the refresh: the pair is given up, so the refresh of the same call takes place.
 constexpr Step kGivenUpFirst[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Launch(0U), NextFirst(0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U),
     Cycle(27000U), Due(1U), Signals(0U, Bit(Cause::kNoConfirmation)),
     Slot(0U, kProducing, Cause::kNoConfirmation, 0U, 1U, 0U),
 };
 
 // A call late by more than one refresh: one refresh a call is examined, the phase stays.
 constexpr Step kLateCalls[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Cycle(80000U), Due(1U),
-    Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), Cycle(80001U), Due(1U),
-    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Cycle(80002U),
-    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 2U, 0U), Cycle(80003U),
-    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 2U, 0U), ReadyPair(0U), Cycle(101999U), Due(0U), Cycle(102000U),
-    Due(1U),
-    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 2U, 0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 2100U), ConfirmSecond(0U, 2200U),
+    Cycle(80000U), Due(1U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U), Cycle(80001U), Due(1U),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 1U, 1U, 0U), Cycle(80002U),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 1U, 2U, 0U), Cycle(80003U),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 1U, 2U, 0U), ReadyPair(0U), ConfirmFirst(0U, 80103U), ConfirmSecond(0U, 80203U),
+    Cycle(101999U), Due(0U), Cycle(102000U), Due(1U),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 2U, 2U, 0U),
 };
 
 // The application: 25000 + cycle 1000 + tolerance 500 after the first possible transmission at 2000.
@@ -134,19 +143,27 @@ constexpr Step kSilentAtFirstCall[] = {
     Configure(), Cycle(0U), Cycle(28501U), Signals(0U, kMissedBit),
 };
 
-// From the last Launch on: its cycle was at 10000.
-constexpr Step kSilentAfterLaunch[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(10000U), ReadyPair(0U), Launch(0U), NextFirst(0U),
-    ConfirmFirst(0U, 10100U), NextSecond(0U), ConfirmSecond(0U, 10200U),
+// From the last Prepare on: its cycle was at 10000.
+constexpr Step kSilentAfterPrepare[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(10000U), ReadyPair(0U),
+    ConfirmFirst(0U, 10100U), TakeSecond(0U), ConfirmSecond(0U, 10200U),
     Cycle(36500U), Signals(0U, 0U), Cycle(36501U), Signals(0U, kMissedBit),
     Slot(0U, kProducing, Cause::kRefreshMissed, 1U, 1U, 0U),
 };
 
 // Sent before the first transmission is possible: silence counts from that instant, which is the later one.
-constexpr Step kLaunchedEarly[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(1000U), ReadyPair(0U), Launch(0U), NextFirst(0U),
-    ConfirmFirst(0U, 1100U), NextSecond(0U), ConfirmSecond(0U, 1200U),
+constexpr Step kPreparedEarly[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(1000U), ReadyPair(0U),
+    ConfirmFirst(0U, 1100U), TakeSecond(0U), ConfirmSecond(0U, 1200U),
     Cycle(2000U), Cycle(28500U), Signals(0U, 0U), Cycle(28501U), Signals(0U, kMissedBit),
+};
+
+// Sent is not what counts: a pair that was prepared and given up ends the silence, whatever it was given up for.
+constexpr Step kSilentAfterGivingUp[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(10000U), ReadyPair(0U), TransmitFault(0U, Cause::kBusOff),
+    Cycle(20000U), Put(0x6211U, 2U, 0U), UnequalPair(0U, 0x3412U, 0xFF12U), NotInverse(0U), Cycle(21000U),
+    Slot(0U, kProducing, Cause::kBusOff, 0U, 2U, 0U), Cycle(46500U),
+    Slot(0U, kProducing, Cause::kBusOff, 0U, 2U, 0U), Cycle(46501U), Slot(0U, kProducing, Cause::kBusOff, 0U, 3U, 0U),
 };
 
 // A request that waits is no silence, even if nobody prepares it.
@@ -155,65 +172,70 @@ constexpr Step kRequestWaits[] = {
     Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
 };
 
-// However long the request waits, a whole round of the counter included: used up without a Launch, there was silence.
+// However long the request waits, a whole round of the counter included: silence counts from the pair prepared then.
 constexpr Step kRequestWaitsARound[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Request(0U), Cycle(0x40000000U), Cycle(0x80000000U),
-    Cycle(0xC0000000U), Cycle(3000U), Signals(0U, 0U), ReadyPair(0U),
-    Cycle(3001U), Signals(0U, kMissedBit), Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U),
+    Configure(), Cycle(0U), Cycle(2000U), Request(0U), Cycle(0x40000000U), Cycle(0x80000000U),
+    Cycle(0xC0000000U), Cycle(3000U), Signals(0U, 0U), UnequalPair(0U, 0x6666U, 0x9999U),
+    NotInverse(0U), Cycle(3001U), Signals(0U, Bit(Cause::kNotInverse)), Cycle(29500U), Signals(0U, 0U),
+    Cycle(29501U), Signals(0U, kMissedBit), Slot(0U, kProducing, Cause::kNotInverse, 0U, 2U, 0U),
 };
 
 // Both forms at once: the provider is called, the application also asks.
 constexpr Step kOtherForm[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Cycle(26999U), Signals(0U, 0U),
-    Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), Cycle(27000U), ReadyPair(0U),
-    Cycle(51999U), Signals(0U, 0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), ConfirmFirst(0U, 2100U), ConfirmSecond(0U, 2200U),
+    Cycle(26999U), Signals(0U, 0U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U), Cycle(27000U),
+    ReadyPair(0U), ConfirmFirst(0U, 27100U), ConfirmSecond(0U, 27200U), Cycle(51999U), Signals(0U, 0U),
+    Slot(0U, kProducing, kNoCause, 2U, 0U, 0U),
 };
 
-// Held in two cycles before it is due: the refresh moves by the time of both, and so do all that follow.
+// Standing in two cycles before it is due: the refresh moves by the time of both, and so do all that follow.
 // t     2000        20000  20600         26000  26400         28000 = 27000 + 600 + 400     53000
-//       due, used   hold   moved by 600  hold   moved by 400  due                           due
-constexpr Step kHeldInTwoCycles[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Cycle(20000U), Hold(0U),
-    Cycle(20600U), Cycle(26000U), Hold(0U), Cycle(26400U),
-    Cycle(27999U), Due(0U), Cycle(28000U), Due(1U), ReadyPair(0U), Cycle(52999U), Due(0U), Cycle(53000U), Due(1U),
+//       due, used          moved by 600         moved by 400  due                           due
+constexpr Step kStoodInTwoCycles[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 2100U), ConfirmSecond(0U, 2200U),
+    Cycle(20000U), Stand(0U), Cycle(20600U), Cycle(26000U), Stand(0U), Cycle(26400U), Cycle(27999U), Due(0U),
+    Cycle(28000U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 28100U), ConfirmSecond(0U, 28200U), Cycle(52999U), Due(0U), Cycle(53000U),
+    Due(1U),
 };
 
-// More than once between two calls is once.
-constexpr Step kHeldTwice[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Cycle(20000U), Hold(0U), Hold(0U),
-    Hold(0U), Cycle(20600U), Cycle(27599U), Due(0U),
-    Cycle(27600U), Due(1U),
+// A pair in flight does not keep the phase from standing.
+constexpr Step kStoodInFlight[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Stand(0U), Cycle(2600U), Due(0U),
+    ConfirmFirst(0U, 2700U), Stand(0U), Cycle(2900U), ConfirmSecond(0U, 3000U), Cycle(27899U), Due(0U),
+    Cycle(27900U), Due(1U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
 };
 
-// Held in the call in which it would have fallen due: by the microsecond of that call.
-constexpr Step kHeldAtTheLast[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Cycle(26999U), Hold(0U),
-    Cycle(27000U), Due(0U), Cycle(27001U), Due(1U),
+// Standing in the call in which it would have fallen due: by the microsecond of that call.
+constexpr Step kStoodAtTheLast[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 2100U), ConfirmSecond(0U, 2200U),
+    Cycle(26999U), Stand(0U), Cycle(27000U), Due(0U), Cycle(27001U), Due(1U),
 };
 
-// The initial delay is not held, nor is what comes before OPERATIONAL.
-constexpr Step kHeldAllAlong[] = {
-    Configure(), kP1, kP2, kI1, kI2, Hold(0U), Nmt(NmtState::kPreOperational), Cycle(0U), Hold(0U),
-    Nmt(NmtState::kOperational), Cycle(1000U), Hold(0U), Cycle(2500U), Hold(0U), Cycle(2999U), Due(0U),
-    Hold(0U), Cycle(3000U), Due(1U), ReadyPair(0U), Cycle(27999U), Due(0U), Cycle(28000U), Due(1U),
+// The initial delay does not stand, nor does what comes before OPERATIONAL.
+constexpr Step kStoodAllAlong[] = {
+    Configure(), kP1, kP2, kI1, kI2, Nmt(NmtState::kPreOperational), Stand(0U), Cycle(0U),
+    Nmt(NmtState::kOperational), Stand(0U), Cycle(1000U), Stand(0U), Cycle(2500U), Stand(0U), Cycle(2999U), Due(0U),
+    Stand(0U), Cycle(3000U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 3100U), ConfirmSecond(0U, 3200U), Cycle(27999U), Due(0U),
+    Cycle(28000U), Due(1U),
 };
 
-// A Hold before leaving OPERATIONAL is none for what comes after it.
-constexpr Step kHeldAndLeft[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Hold(0U), Nmt(NmtState::kStopped),
-    Cycle(3000U), Hold(0U), Nmt(NmtState::kOperational), Cycle(4000U),
-    Cycle(5999U), Due(0U), Cycle(6000U), Due(1U), ReadyPair(0U), Cycle(30999U), Due(0U), Cycle(31000U), Due(1U),
+// What stood before leaving OPERATIONAL is nothing to what comes after it.
+constexpr Step kStoodAndLeft[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), Stand(0U), Cycle(2500U), Stand(0U),
+    Nmt(NmtState::kStopped), Cycle(3000U), Stand(0U), Cycle(3500U), Stand(0U), Nmt(NmtState::kOperational),
+    Cycle(4000U), Cycle(5999U), Due(0U), Cycle(6000U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 6100U), ConfirmSecond(0U, 6200U),
+    Cycle(30999U), Due(0U), Cycle(31000U), Due(1U),
 };
 
 // Another form has no phase: silence is found at the same moment.
-constexpr Step kHeldSender[] = {
-    Configure(), Cycle(0U), Cycle(2000U), Hold(0U), Cycle(10000U), Hold(0U), Cycle(28500U), Signals(0U, 0U),
+constexpr Step kStoodSender[] = {
+    Configure(), Cycle(0U), Cycle(2000U), Stand(0U), Cycle(10000U), Stand(0U), Cycle(28500U), Signals(0U, 0U),
     Cycle(28501U), Signals(0U, kMissedBit),
 };
 
-// Of a consumer and of one that is off, Hold is nothing.
-constexpr Step kHeldOthers[] = {
-    Configure(), Cycle(0U), Normal(1000U), Hold(0U), Hold(2U), Inverse(2000U), Cycle(3000U), Hold(0U),
+// A consumer and one that is off have nothing that stands.
+constexpr Step kStoodOthers[] = {
+    Configure(), Cycle(0U), Normal(1000U), Stand(0U), Stand(2U), Inverse(2000U), Cycle(3000U), Stand(0U),
     Slot(0U, kReleased, kNoCause, 1U, 0U, 1U), Cycle(51000U),
     Masks(1U, 0U, 0U, 0U, 0U), Cycle(51001U), Slot(0U, kFaulted, Cause::kSct, 0U, 1U, 0U),
     Slot(2U, kOff, kNoCause, 0U, 0U, 0U),
@@ -221,33 +243,36 @@ constexpr Step kHeldOthers[] = {
 
 constexpr Case kCases[] = {
     MakeCase("RefreshKeepsItsPhase", {req::SRS_PROD_002, req::SRS_TIME_001}, kProvider, kPhase),
-    MakeCase("HeldRefreshMovesOn", {req::SRS_PROD_012}, kProvider, kHeld),
-    MakeCase("HoldIsOverWithTheNextCycle", {req::SRS_PROD_012}, kProvider, kHeldOnce),
-    MakeCase("HoldBeforeTheFirstTransmission", {req::SRS_PROD_012}, kProvider, kHeldTooEarly),
-    MakeCase("HoldIsForgottenOutsideOperational", {req::SRS_PROD_012}, kProvider, kHoldForgotten),
+    MakeCase("StoodRefreshMovesOn", {req::SRS_PROD_012}, kProvider, kStood),
+    MakeCase("StoodInOneCallAlone", {req::SRS_PROD_012}, kProvider, kStoodOnce),
+    MakeCase("StoodUntilTheFirstTransmission", {req::SRS_PROD_012}, kProvider, kStoodTooEarly),
+    MakeCase("StoodInTheEnteringCall", {req::SRS_PROD_012}, kProvider, kStoodOnEntering),
     MakeCase("RequestLeavesThePhase", {req::SRS_PROD_003, req::SRS_PROD_002}, kProvider, kRequestKeepsPhase),
     MakeCase("PrepareUsesUpRequestAndRefresh", {req::SRS_PROD_005, req::SRS_PROD_004}, kProvider, kBothUsedUp),
     MakeCase("RequestIsNoMissedRefresh", {req::SRS_PROD_010, req::SRS_PROD_003}, kProvider, kRequestThenRefresh),
     MakeCase("RefreshThatNobodyPrepares", {req::SRS_PROD_010, req::SRS_PROD_004}, kProvider, kNotPrepared),
     MakeCase("RefreshWhileInFlight", {req::SRS_PROD_010, req::SRS_PROD_009}, kProvider, kInFlight),
+    MakeCase("RequestOutlivesASkippedRefresh", {req::SRS_PROD_010, req::SRS_PROD_003}, kProvider,
+             kInFlightWithRequest),
     MakeCase("ConfirmationIsExaminedBeforeRefresh", {req::SRS_PROD_008, req::SRS_PROD_010}, kProvider, kGivenUpFirst),
     MakeCase("OneRefreshACall", {req::SRS_PROD_010, req::SRS_PROD_002}, kProvider, kLateCalls),
     MakeCase("SilentApplication", {req::SRS_PROD_010, req::SRS_TIME_004, req::SRS_TIME_001}, kSender, kSilent),
     MakeCase("SilenceCountsFromTheInstant", {req::SRS_PROD_010}, kSender, kSilentFromTheInstant),
     MakeCase("SilenceFoundByTheFirstCall", {req::SRS_PROD_010, req::SRS_PROD_001}, kSender, kSilentAtFirstCall),
-    MakeCase("SilenceAfterLaunch", {req::SRS_PROD_010, req::SRS_PROD_007}, kSender, kSilentAfterLaunch),
+    MakeCase("SilenceAfterPrepare", {req::SRS_PROD_010, req::SRS_PROD_007}, kSender, kSilentAfterPrepare),
     MakeCase("RequestThatWaitsARoundOfTheCounter", {req::SRS_PROD_010, req::SRS_TIME_001}, kSender,
              kRequestWaitsARound),
-    MakeCase("SilenceAfterAnEarlyLaunch", {req::SRS_PROD_010, req::SRS_PROD_001}, kSender, kLaunchedEarly),
+    MakeCase("SilenceAfterAnEarlyPrepare", {req::SRS_PROD_010, req::SRS_PROD_001}, kSender, kPreparedEarly),
+    MakeCase("SilenceAfterAPairThatWasGivenUp", {req::SRS_PROD_010, req::SRS_PROD_005}, kSender, kSilentAfterGivingUp),
     MakeCase("RequestThatWaitsIsNoSilence", {req::SRS_PROD_010, req::SRS_PROD_003}, kSender, kRequestWaits),
-    MakeCase("HeldRefreshMoves", {req::SRS_PROD_012, req::SRS_PROD_002, req::SRS_TIME_001}, kProvider,
-             kHeldInTwoCycles),
-    MakeCase("HeldMoreThanOnce", {req::SRS_PROD_012}, kProvider, kHeldTwice),
-    MakeCase("HeldInTheCallInWhichItIsDue", {req::SRS_PROD_012}, kProvider, kHeldAtTheLast),
-    MakeCase("HeldBeforeTheFirstTransmission", {req::SRS_PROD_012, req::SRS_PROD_001}, kProvider, kHeldAllAlong),
-    MakeCase("HeldBeforeLeavingOperational", {req::SRS_PROD_012, req::SRS_PROD_011}, kProvider, kHeldAndLeft),
-    MakeCase("HeldApplicationIsSilentAllTheSame", {req::SRS_PROD_012}, kSender, kHeldSender),
-    MakeCase("HeldConsumerIsNone", {req::SRS_PROD_012}, kMixed, kHeldOthers),
+    MakeCase("StoodRefreshMoves", {req::SRS_PROD_012, req::SRS_PROD_002, req::SRS_TIME_001}, kProvider,
+             kStoodInTwoCycles),
+    MakeCase("StoodWhileInFlight", {req::SRS_PROD_012}, kProvider, kStoodInFlight),
+    MakeCase("StoodInTheCallInWhichItIsDue", {req::SRS_PROD_012}, kProvider, kStoodAtTheLast),
+    MakeCase("StoodBeforeTheFirstTransmission", {req::SRS_PROD_012, req::SRS_PROD_001}, kProvider, kStoodAllAlong),
+    MakeCase("StoodBeforeLeavingOperational", {req::SRS_PROD_012, req::SRS_PROD_011}, kProvider, kStoodAndLeft),
+    MakeCase("StoodApplicationIsSilentAllTheSame", {req::SRS_PROD_012}, kSender, kStoodSender),
+    MakeCase("StoodConsumerIsNone", {req::SRS_PROD_012}, kMixed, kStoodOthers),
     MakeCase("ProviderIsNeverSilent", {req::SRS_PROD_010, req::SRS_PROD_002}, kProvider, kOtherForm),
 };
 // clang-format on

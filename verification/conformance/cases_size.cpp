@@ -107,9 +107,9 @@ constexpr Step kNumbersWithGaps[] = {
 constexpr Step kManySenders[] = {
     Configure(), Put(0x6210U, 1U, 0x12U), Put(0x6210U, 2U, 0x34U), Put(0x6211U, 1U, 0xEDU), Put(0x6211U, 2U, 0xCBU),
     Cycle(0U), Counts(0U, 16U, 0U, 0U), Request(0U), Request(1U), Request(7U), Request(8U), Request(15U),
-    Cycle(2000U), Due(0x8183U), ReadyPair(8U), Launch(8U),
-    NextNormal(8U, CanPortId::kFirst, 0x111U, 2U, 0x3412U), Confirm(8U, 0x111U, 2U, 0x3412U, 0U, 2100U),
-    NextInverse(8U, CanPortId::kFirst, 0x112U, 2U, 0xCBEDU), Confirm(8U, 0x112U, 2U, 0xCBEDU, 0U, 2200U),
+    Cycle(2000U), Due(0x8183U), Ready(8U, CanPortId::kFirst, 0x111U, 2U, 0x3412U),
+    ConfirmNormal(8U, 0x111U, 2U, 0x3412U, 0U, 2100U),
+    TakeInverse(8U, CanPortId::kFirst, 0x112U, 2U, 0xCBEDU), ConfirmPair(8U, 0x112U, 2U, 0xCBEDU, 0U, 2200U),
     Slot(8U, kProducing, kNoCause, 1U, 0U, 0U), Slot(7U, kProducing, kNoCause, 0U, 0U, 0U),
     Cycle(3000U), Due(0x8083U), Counts(0U, 16U, 0U, 0U), Masks(0U, 0U, 0U, 0U, 0U), Signalled(0U),
     Nmt(NmtState::kStopped), Cycle(4000U), Due(0U), Slot(8U, kOff, kNoCause, 0U, 0U, 0U),

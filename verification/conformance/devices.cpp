@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "verification/conformance/device.hpp"
+#include "verification/conformance/device_parts.hpp"
 
 #include <cstddef>
 
@@ -8,8 +8,6 @@ namespace counterpoint::conformance
 
 namespace
 {
-constexpr std::uint32_t kGoldMap[] = {0x60100108U, 0x60110108U, 0x60100208U, 0x60110208U};
-constexpr std::uint32_t kWordMap[] = {0x62000120U, 0x62010120U};
 constexpr std::uint32_t kWideMap[] = {0x66310108U, 0x66330108U, 0x66310208U, 0x66330208U, 0x66310308U, 0x66330308U,
                                       0x66310408U, 0x66330408U, 0x66310508U, 0x66330508U, 0x66310608U, 0x66330608U,
                                       0x66310708U, 0x66330708U, 0x66310808U, 0x66330808U};
@@ -17,15 +15,11 @@ constexpr std::uint32_t kLongMap[] = {0x63000840U, 0x63010840U};
 constexpr std::uint32_t kMixedSizesMap[] = {0x63000318U, 0x63010318U, 0x63000210U,
                                             0x63010210U, 0x63000108U, 0x63010108U};
 constexpr std::uint32_t kByteMap[] = {0x63000108U, 0x63010108U};
-constexpr std::uint32_t kSenderMap[] = {0x62100108U, 0x62110108U, 0x62100208U, 0x62110208U};
 
-constexpr SrdoValues kGoldValues{2U, 50U, 20U, 0x111U, 0x112U, 4U, kGoldMap, 0x4370U};
-constexpr SrdoValues kWordValues{2U, 50U, 20U, 0x103U, 0x104U, 2U, kWordMap, 0xD999U};
 constexpr SrdoValues kWideValues{2U, 10U, 5U, 0x17FU, 0x180U, 16U, kWideMap, 0x72C4U};
 constexpr SrdoValues kLongValues{2U, 65535U, 255U, 0x105U, 0x106U, 2U, kLongMap, 0x321DU};
 constexpr SrdoValues kMixedSizesValues{2U, 50U, 20U, 0x107U, 0x108U, 6U, kMixedSizesMap, 0x7937U};
 constexpr SrdoValues kShortestValues{2U, 2U, 1U, 0x109U, 0x10AU, 2U, kByteMap, 0x225EU};
-constexpr SrdoValues kSenderValues{1U, 25U, 20U, 0x101U, 0x102U, 4U, kSenderMap, 0xF2B5U};
 constexpr std::uint32_t kWideSenderMap[] = {
     0x66210108U, 0x66230108U, 0x66210208U, 0x66230208U, 0x66210308U, 0x66230308U, 0x66210408U, 0x66230408U,
     0x66210508U, 0x66230508U, 0x66210608U, 0x66230608U, 0x66210708U, 0x66230708U, 0x66210808U, 0x66230808U};
@@ -38,7 +32,6 @@ constexpr SrdoValues kWordSenderValues{1U, 25U, 20U, 0x101U, 0x102U, 6U, kWordSe
 constexpr SrdoValues kLongSenderValues{1U, 25U, 20U, 0x101U, 0x102U, 2U, kLongSenderMap, 0x05DEU};
 constexpr SrdoValues kOddSenderValues{1U, 25U, 20U, 0x101U, 0x102U, 2U, kOddSenderMap, 0xB5BFU};
 constexpr SrdoValues kOffValues{0U, 25U, 20U, 0x101U, 0x102U, 0U, nullptr, 0x88E9U};
-constexpr SrdoValues kBareValues{0U, 25U, 20U, 0x0U, 0x0U, 0U, nullptr, 0x162EU};
 
 /// Signatures of the 64 SRDOs of kSixtyFour, by bitwise long division over the published layout, outside this program.
 constexpr std::uint16_t kSixtyFourSignatures[kMaxSrdoCount] = {
@@ -49,19 +42,7 @@ constexpr std::uint16_t kSixtyFourSignatures[kMaxSrdoCount] = {
     0x9114U, 0x75A7U, 0x45B1U, 0xB724U, 0x4A88U, 0xAE3BU, 0x9E2DU, 0x777CU, 0xF3E3U, 0x1750U, 0x2746U, 0x536BU,
 };
 
-constexpr Payload kGoldSafe{0x0000C3A5U, 0U};
-constexpr Payload kWordSafe{0x44332211U, 0U};
 constexpr Payload kWideSafe{0x04030201U, 0x08070605U};
-
-constexpr SrdoSetup Consumer(std::uint8_t number, ReleasePolicy policy, const Payload& safe_value)
-{
-    return SrdoSetup{number, policy, ProducerForm::kApplicationSends, safe_value};
-}
-
-constexpr SrdoSetup Producer(std::uint8_t number, ProducerForm form)
-{
-    return SrdoSetup{number, ReleasePolicy::kInterlock, form, Payload{0U, 0U}};
-}
 
 constexpr std::uint8_t kSendersCount = 16U;
 constexpr ReleasePolicy kNeither = static_cast<ReleasePolicy>(0x5BU);
@@ -162,60 +143,6 @@ constexpr Senders MakeSenders()
 
 constexpr Senders kSendersData = MakeSenders();
 
-/// Common to all: one second of cycle and of tolerance, 100 ms for an acknowledge, one controller.
-template <std::size_t kCount>
-constexpr DeviceConfig Config(const SrdoSetup (&setups)[kCount], std::uint8_t count = kCount)
-{
-    return DeviceConfig{setups,
-                        nullptr,
-                        kAllObjects,
-                        count,
-                        40U,
-                        8U,
-                        CanPortId::kFirst,
-                        CanPortId::kFirst,
-                        1000000U,
-                        1000000U,
-                        10000U,
-                        100000U,
-                        900000U,
-                        900000U,
-                        1000U,
-                        1000000U,
-                        1000U};
-}
-
-constexpr DeviceConfig Every(DeviceConfig config, std::uint32_t cycle_us, std::uint32_t tolerance_us)
-{
-    config.cycle_us = cycle_us;
-    config.cycle_tolerance_us = tolerance_us;
-    return config;
-}
-
-constexpr DeviceConfig OnTwoPorts(DeviceConfig config)
-{
-    config.inverse_port = CanPortId::kSecond;
-    return config;
-}
-
-constexpr DeviceConfig Node(DeviceConfig config, std::uint8_t node_id)
-{
-    config.node_id = node_id;
-    return config;
-}
-
-constexpr DeviceConfig Coarse(DeviceConfig config, std::uint8_t granularity_bits)
-{
-    config.granularity_bits = granularity_bits;
-    return config;
-}
-
-constexpr DeviceConfig Objects(DeviceConfig config, std::uint16_t object_count)
-{
-    config.object_count = object_count;
-    return config;
-}
-
 constexpr DeviceConfig kSending = Node(Every(Config(kSenderSetups), 1000U, 500U), 4U);
 constexpr DeviceConfig kProviding = Node(Every(Config(kProviderSetups), 1000U, 500U), 4U);
 } // namespace
@@ -235,6 +162,7 @@ const Device kSender{kSending, &kSenderValues};
 const Device kProvider{kProviding, &kSenderValues};
 const Device kProviderLast{Node(kProviding, 127U), &kSenderValues};
 const Device kSenderPorts{OnTwoPorts(kSending), &kSenderValues};
+const Device kSenderSwapped{OnSwappedPorts(kSending), &kSenderValues};
 const Device kSenderSlow{Every(kSending, 2500U, 500U), &kSenderValues};
 const Device kWideSender{kSending, &kWideSenderValues};
 const Device kWordSender{kSending, &kWordSenderValues};

@@ -6,6 +6,14 @@
 namespace counterpoint::conformance
 {
 
+namespace
+{
+std::uint8_t BytesOf(std::uint8_t bits) noexcept
+{
+    return static_cast<std::uint8_t>((bits + 7U) / 8U);
+}
+} // namespace
+
 Dictionary::Dictionary() noexcept
 {
     Add(0x2000U, 0U, 8U, MapAccess::kProducer);
@@ -18,8 +26,16 @@ Dictionary::Dictionary() noexcept
     AddRange(0x6211U, 2U, 8U, MapAccess::kProducer);
     AddSizes(0x6300U, MapAccess::kConsumer);
     AddSizes(0x6301U, MapAccess::kConsumer);
+    AddBits(0x6302U, MapAccess::kConsumer);
+    AddBits(0x6303U, MapAccess::kConsumer);
+    AddRange(0x6304U, kMaxPayloadBits, 1U, MapAccess::kConsumer);
+    AddRange(0x6305U, kMaxPayloadBits, 1U, MapAccess::kConsumer);
     AddSizes(0x6400U, MapAccess::kProducer);
     AddSizes(0x6401U, MapAccess::kProducer);
+    AddBits(0x6402U, MapAccess::kProducer);
+    AddBits(0x6403U, MapAccess::kProducer);
+    AddRange(0x6404U, kMaxPayloadBits, 1U, MapAccess::kProducer);
+    AddRange(0x6405U, kMaxPayloadBits, 1U, MapAccess::kProducer);
     AddRange(0x6621U, 8U, 8U, MapAccess::kProducer);
     AddRange(0x6623U, 8U, 8U, MapAccess::kProducer);
     AddRange(0x6631U, 8U, 8U, MapAccess::kConsumer);
@@ -33,7 +49,7 @@ Dictionary::Dictionary() noexcept
 
 void Dictionary::Add(std::uint16_t index, std::uint8_t sub, std::uint8_t bits, MapAccess access) noexcept
 {
-    const std::uint16_t bytes = static_cast<std::uint16_t>(bits / 8U);
+    const std::uint16_t bytes = BytesOf(bits);
     if ((count_ < kObjectCount) && (used_ + bytes <= kPlaceBytes))
     {
         objects_[count_] = MappableObject{index, sub, bits, access, &places_[used_]};
@@ -55,6 +71,16 @@ void Dictionary::AddSizes(std::uint16_t index, MapAccess access) noexcept
     for (std::uint8_t sub = 1U; sub <= 8U; ++sub)
     {
         Add(index, sub, static_cast<std::uint8_t>(8U * sub), access);
+    }
+}
+
+void Dictionary::AddBits(std::uint16_t index, MapAccess access) noexcept
+{
+    static constexpr std::uint8_t kLengths[] = {1U,  2U,  3U,  4U,  5U,  7U,  9U,  12U, 13U,
+                                                16U, 20U, 31U, 32U, 33U, 60U, 62U, 63U, 64U};
+    for (const std::uint8_t bits : kLengths)
+    {
+        Add(index, bits, bits, access);
     }
 }
 
@@ -85,7 +111,7 @@ void Dictionary::Put(std::uint16_t index, std::uint8_t sub, const ObjectValue& v
     {
         return;
     }
-    for (std::uint32_t i = 0U; i < (object->length_bits / 8U); ++i)
+    for (std::uint32_t i = 0U; i < BytesOf(object->length_bits); ++i)
     {
         const std::uint32_t half = (i < 4U) ? value.low : value.high;
         object->place[i] = static_cast<std::uint8_t>((half >> (8U * (i % 4U))) & 0xFFU);
@@ -100,7 +126,7 @@ ObjectValue Dictionary::Get(std::uint16_t index, std::uint8_t sub) const noexcep
     {
         return value;
     }
-    for (std::uint32_t i = 0U; i < (object->length_bits / 8U); ++i)
+    for (std::uint32_t i = 0U; i < BytesOf(object->length_bits); ++i)
     {
         std::uint32_t& half = (i < 4U) ? value.low : value.high;
         half |= static_cast<std::uint32_t>(object->place[i]) << (8U * (i % 4U));
@@ -111,7 +137,13 @@ ObjectValue Dictionary::Get(std::uint16_t index, std::uint8_t sub) const noexcep
 std::uint8_t Dictionary::Bytes(std::uint16_t index, std::uint8_t sub) const noexcept
 {
     const MappableObject* const object = Find(index, sub);
-    return (object == nullptr) ? std::uint8_t{0U} : static_cast<std::uint8_t>(object->length_bits / 8U);
+    return (object == nullptr) ? std::uint8_t{0U} : BytesOf(object->length_bits);
+}
+
+std::uint8_t* Dictionary::Place(std::uint16_t index, std::uint8_t sub) const noexcept
+{
+    const MappableObject* const object = Find(index, sub);
+    return (object == nullptr) ? nullptr : object->place;
 }
 
 std::uint32_t Dictionary::Digest() const noexcept

@@ -21,12 +21,16 @@ struct ObjectValue
 ///   2000h, 2001h         8 bits, producer                  6010h, 6011h:01,02   8 bits, consumer
 ///   6200h, 6201h:01      32 bits, consumer                 6210h, 6211h:01,02   8 bits, producer
 ///   6300h, 6301h:01..08  8 x sub bits, consumer            6400h, 6401h:01..08  8 x sub bits, producer
+///   6302h, 6303h          as many bits as the sub-index  6402h, 6403h          likewise, producer
+///   6304h, 6305h:01..40   1 bit, consumer               6404h, 6405h:01..40   1 bit, producer
 ///   6621h, 6623h:01..08  8 bits, producer                  6631h, 6633h:01..08  8 bits, consumer
 ///   6700h                8 bits, in no mapping             7000h + s:01..04     32 bits, consumer, s = 0 to 63
+/// The objects of one index lie one behind the other in memory. 6302h and the like have sub-indices 1, 2, 3, 4, 5, 7,
+/// 9, 12, 13, 16, 20, 31, 32, 33, 60, 62, 63, 64.
 class Dictionary
 {
   public:
-    static constexpr std::uint16_t kObjectCount = 333U;
+    static constexpr std::uint16_t kObjectCount = 661U;
 
     Dictionary() noexcept;
     /// @brief Every byte of every object becomes `fill`.
@@ -35,6 +39,13 @@ class Dictionary
     [[nodiscard]] ObjectValue Get(std::uint16_t index, std::uint8_t sub) const noexcept;
     /// @brief Bytes of the object; 0 if there is none.
     [[nodiscard]] std::uint8_t Bytes(std::uint16_t index, std::uint8_t sub) const noexcept;
+    /// @brief Where the object lies; null if there is none.
+    [[nodiscard]] std::uint8_t* Place(std::uint16_t index, std::uint8_t sub) const noexcept;
+    /// @brief Objects that found their place: kObjectCount.
+    [[nodiscard]] std::uint16_t Count() const noexcept
+    {
+        return count_;
+    }
     [[nodiscard]] const MappableObject* Objects() const noexcept
     {
         return objects_;
@@ -43,11 +54,12 @@ class Dictionary
     [[nodiscard]] std::uint32_t Digest() const noexcept;
 
   private:
-    static constexpr std::size_t kPlaceBytes = 1600U;
+    static constexpr std::size_t kPlaceBytes = 1820U;
 
     void Add(std::uint16_t index, std::uint8_t sub, std::uint8_t bits, MapAccess access) noexcept;
     void AddRange(std::uint16_t index, std::uint8_t last_sub, std::uint8_t bits, MapAccess access) noexcept;
     void AddSizes(std::uint16_t index, MapAccess access) noexcept;
+    void AddBits(std::uint16_t index, MapAccess access) noexcept;
     [[nodiscard]] const MappableObject* Find(std::uint16_t index, std::uint8_t sub) const noexcept;
 
     MappableObject objects_[kObjectCount]{};

@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/conformance/flip_rig.hpp"
+#include "verification/conformance/hash.hpp"
 
 #include <memory>
 
@@ -70,20 +71,22 @@ void Reach(FlipRig& rig, std::uint32_t phase)
         Released(rig);
         rig.Request();
         rig.Cycle(2U * kCycleUs);
-        rig.Launch();
+        rig.Prepare();
         break;
     case 10U: // Normal frame confirmed, inverse frame not sent.
         Released(rig);
         rig.Request();
         rig.Cycle(2U * kCycleUs);
-        rig.Launch();
+        rig.Prepare();
         rig.SendNormal();
         break;
-    case 11U: // Prepared, not launched.
+    case 11U: // Inverse frame handed out, not confirmed.
         Released(rig);
         rig.Request();
         rig.Cycle(2U * kCycleUs);
         rig.Prepare();
+        rig.SendNormal();
+        rig.TakeInverse();
         break;
     case kInvalidPhase: // Off, because a check found the configuration invalid.
         rig.SpoilSignature();
@@ -98,7 +101,6 @@ void Reach(FlipRig& rig, std::uint32_t phase)
 /// What comes after the flip: everything that may happen to a device.
 void GoOn(FlipRig& rig, std::uint32_t phase)
 {
-    rig.LaunchPrepared();
     rig.SendNormal();
     rig.SendInverse();
     if ((phase == 2U) || (phase == 7U))
@@ -110,7 +112,7 @@ void GoOn(FlipRig& rig, std::uint32_t phase)
     rig.Request();
     rig.Acknowledge(false);
     rig.Cycle(kCycleUs);
-    rig.Launch();
+    rig.Prepare();
     rig.SendNormal();
     rig.SendInverse();
     rig.Acknowledge(true);
@@ -184,6 +186,17 @@ Complaint Finish(FlipRig& rig, Party party, std::uint32_t phase)
     return rig.IsGranted() ? Complaint{} : Complaint{"nothing is granted after Restart"};
 }
 
+/// Stands for the first `count` entries of the consumer.
+std::uint32_t MappingOf(const Channel& channel, std::uint32_t count)
+{
+    Hash hash;
+    for (std::uint32_t sub = 1U; sub <= count; ++sub)
+    {
+        hash.Add(channel.Load(ConfigAddress{0U, ConfigField::kMapEntry, static_cast<std::uint8_t>(sub)}).value);
+    }
+    return hash.Value();
+}
+
 void Note(FlipResult& result, const FlipRig& rig, const Complaint& complaint, std::size_t byte, std::uint32_t kind)
 {
     result.runs += 1U;
@@ -198,10 +211,10 @@ void Note(FlipResult& result, const FlipRig& rig, const Complaint& complaint, st
 }
 } // namespace
 
-FlipResult FlipEveryBit(Party party, ReleasePolicy policy, std::uint32_t phase)
+FlipResult FlipEveryBit(Party party, ReleasePolicy policy, std::uint32_t phase, RigKind device_kind)
 {
     FlipResult result{0U, 0U, 0U, Complaint{}};
-    const auto rig = std::make_unique<FlipRig>(policy);
+    const auto rig = std::make_unique<FlipRig>(policy, device_kind);
     const std::size_t bytes = FlipRig::ByteCount(party);
     for (std::size_t byte = 0U; byte < bytes; ++byte)
     {
@@ -216,10 +229,38 @@ FlipResult FlipEveryBit(Party party, ReleasePolicy policy, std::uint32_t phase)
     return result;
 }
 
-FlipResult FillStorage(Party party, ReleasePolicy policy, std::uint32_t phase, std::uint8_t fill)
+FlipResult FlipSignedEntries(Party party, RigKind device_kind)
 {
     FlipResult result{0U, 0U, 0U, Complaint{}};
-    const auto rig = std::make_unique<FlipRig>(policy);
+    const auto rig = std::make_unique<FlipRig>(ReleasePolicy::kAutomatic, device_kind);
+    Channel& channel = rig->Of(party);
+    const std::size_t bits = 8U * FlipRig::ByteCount(party);
+    for (std::size_t bit = 0U; bit < bits; ++bit)
+    {
+        rig->Start();
+        const std::uint32_t count = channel.Load(ConfigAddress{0U, ConfigField::kMapCount, 0U}).value;
+        const std::uint32_t before = MappingOf(channel, count);
+        std::uint8_t& place = rig->Bytes(party)[bit / 8U];
+        place = static_cast<std::uint8_t>(place ^ (1U << (bit % 8U)));
+        result.runs += 1U;
+        if (MappingOf(channel, count) != before)
+        {
+            const CheckResult first = channel.Recheck(0U);
+            channel.Store(ConfigItem{ConfigAddress{0U, ConfigField::kSignature, 0U}, first.signature});
+            const bool is_found =
+                (first.fault == ConfigFault::kSignature) && (channel.Recheck(0U).fault == ConfigFault::kTable);
+            result.granted += is_found ? 1U : 0U;
+            result.complaints += is_found ? 0U : 1U;
+            result.first = is_found ? result.first : ("bit " + std::to_string(bit) + ": entry not found");
+        }
+    }
+    return result;
+}
+
+FlipResult FillStorage(Party party, ReleasePolicy policy, std::uint32_t phase, std::uint8_t fill, RigKind device_kind)
+{
+    FlipResult result{0U, 0U, 0U, Complaint{}};
+    const auto rig = std::make_unique<FlipRig>(policy, device_kind);
     Reach(*rig, phase);
     const std::size_t bytes = FlipRig::ByteCount(party);
     for (std::size_t byte = 0U; byte < bytes; ++byte)

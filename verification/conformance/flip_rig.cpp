@@ -34,7 +34,8 @@ std::uint32_t DataOf(const CanFrame& frame)
 }
 } // namespace
 
-FlipRig::FlipRig(ReleasePolicy policy) : a_{storage_a_.Handle()}, b_{storage_b_.Handle()}
+FlipRig::FlipRig(ReleasePolicy policy, RigKind device_kind)
+    : device_{kRigDevices[static_cast<std::uint8_t>(device_kind)]}, a_{storage_a_.Handle()}, b_{storage_b_.Handle()}
 {
     config_ = kMixed.config;
     for (SlotIndex slot = 0U; slot < kRigSlots; ++slot)
@@ -42,7 +43,12 @@ FlipRig::FlipRig(ReleasePolicy policy) : a_{storage_a_.Handle()}, b_{storage_b_.
         setups_[slot] = kMixed.config.srdos[slot];
         setups_[slot].policy = policy;
     }
+    setups_[kConsumerSlot].detection = device_.detection;
+    setups_[kConsumerSlot].map = device_.maps[kConsumerSlot];
+    setups_[kProducerSlot].map = device_.maps[kProducerSlot];
     config_.srdos = setups_;
+    config_.granularity_bits = (device_kind == RigKind::kBits) ? std::uint8_t{1U} : std::uint8_t{8U};
+    config_.dummies = (device_kind == RigKind::kBits) ? DummyMapping::kAllowed : DummyMapping::kRefused;
     config_.objects = dictionary_.Objects();
     config_.object_count = Dictionary::kObjectCount;
 }
@@ -54,9 +60,18 @@ void FlipRig::Store(SlotIndex slot, ConfigField field, std::uint8_t sub, std::ui
     b_.Store(item);
 }
 
+/// Both work on one memory: each writes its own side.
+void FlipRig::RegisterFields(SlotIndex slot, const RigObject& first)
+{
+    const StaticFields fields{dictionary_.Place(first.normal_index, first.sub),
+                              dictionary_.Place(first.inverse_index, first.sub)};
+    a_.SetFields(slot, fields);
+    b_.SetFields(slot, fields);
+}
+
 void FlipRig::StoreSlot(SlotIndex slot)
 {
-    const SrdoValues& values = kMixed.values[slot];
+    const SrdoValues& values = (slot <= kProducerSlot) ? device_.values[slot] : kMixed.values[slot];
     Store(slot, ConfigField::kSct, 0U, values.sct_ms);
     Store(slot, ConfigField::kSrvt, 0U, values.srvt_ms);
     Store(slot, ConfigField::kCobId1, 0U, values.cob_id_1);
@@ -78,16 +93,20 @@ void FlipRig::Start()
     a_.Restart(config_);
     b_.Restart(config_);
     comparator_.Restart(ComparatorSetup{kDiscrepancyUs, kRigSlots});
+    RegisterFields(kConsumerSlot, device_.consumed[0]);
+    RegisterFields(kProducerSlot, device_.sent[0]);
     for (SlotIndex slot = 0U; slot < kRigSlots; ++slot)
     {
         StoreSlot(slot);
     }
     Store(0U, ConfigField::kGfcParameter, 0U, 1U);
     Store(0U, ConfigField::kConfigurationValid, 0U, kConfigurationValidValue);
-    dictionary_.Put(0x6210U, 1U, ObjectValue{0x12U, 0U});
-    dictionary_.Put(0x6210U, 2U, ObjectValue{0x34U, 0U});
-    dictionary_.Put(0x6211U, 1U, ObjectValue{0xEDU, 0U});
-    dictionary_.Put(0x6211U, 2U, ObjectValue{0xCBU, 0U});
+    for (const RigObject& object : device_.sent)
+    {
+        const std::uint32_t value = (kApplicationData >> object.shift) & object.mask;
+        dictionary_.Put(object.normal_index, object.sub, ObjectValue{value, 0U});
+        dictionary_.Put(object.inverse_index, object.sub, ObjectValue{value ^ object.mask, 0U});
+    }
     nmt_ = NmtState::kPreOperational;
     cycles_ = 0U;
     acknowledge_ = 0U;
@@ -95,7 +114,9 @@ void FlipRig::Start()
     before_.is_valid = false;
     has_sent_normal_ = false;
     is_device_safe_ = false;
-    is_prepared_ = false;
+    request_ = 0U;
+    normal_ = CanFrame{};
+    inverse_ = CanFrame{};
     is_granted_ = false;
     Cycle(1000U);
 }
@@ -123,7 +144,9 @@ void FlipRig::Cycle(std::uint32_t elapsed_us)
     challenge_ = (challenge_ * 1664525U) + 1013904223U;
     ++cycles_;
     const std::uint32_t token = RotatedLeft(challenge_, 8U) ^ 0xA5A5A5A5U;
-    const CycleInput input{Instant{clock_us_}, challenge_, token, acknowledge_, nmt_, QueueState::kIntact};
+    const CycleInput input{Instant{clock_us_}, challenge_, token, acknowledge_,
+                           request_,           0U,         nmt_,  QueueState::kIntact};
+    request_ = 0U;
     const CycleOutcome outcome_a = a_.OnCycle(input);
     const CycleOutcome outcome_b = b_.OnCycle(input);
     verdict_ =
@@ -153,9 +176,8 @@ void FlipRig::LookAtOutputs(const Permit& a, const Permit& b)
     {
         return;
     }
-    const std::uint32_t normal = dictionary_.Get(0x6010U, 1U).low | (dictionary_.Get(0x6010U, 2U).low << 8U);
-    const std::uint32_t inverse = dictionary_.Get(0x6011U, 1U).low | (dictionary_.Get(0x6011U, 2U).low << 8U);
-    if ((normal ^ inverse) != kWord)
+    const std::uint32_t normal = ReadSide(false);
+    if ((normal ^ ReadSide(true)) != MappedBits(device_))
     {
         return; // The application's check of the pair finds it.
     }
@@ -167,12 +189,25 @@ void FlipRig::LookAtOutputs(const Permit& a, const Permit& b)
     }
 }
 
+/// The consumer's objects of one side where their bits lie in the data; the bits of a dummy are 0.
+std::uint32_t FlipRig::ReadSide(bool is_inverse) const
+{
+    std::uint32_t data = 0U;
+    for (const RigObject& object : device_.consumed)
+    {
+        const std::uint16_t index = is_inverse ? object.inverse_index : object.normal_index;
+        data |= dictionary_.Get(index, object.sub).low << object.shift;
+    }
+    return data;
+}
+
 bool FlipRig::IsLegitimate(std::uint32_t granted) const
 {
+    const std::uint32_t mapped = MappedBits(device_);
     const bool is_last =
-        last_.is_valid && (granted == last_.data) && ((clock_us_ - last_.normal_us) <= (kSctUs + kSrvtUs));
-    const bool is_before =
-        before_.is_valid && (granted == before_.data) && ((clock_us_ - before_.normal_us) <= (kSctUs + kSrvtUs));
+        last_.is_valid && (granted == (last_.data & mapped)) && ((clock_us_ - last_.normal_us) <= (kSctUs + kSrvtUs));
+    const bool is_before = before_.is_valid && (granted == (before_.data & mapped)) &&
+                           ((clock_us_ - before_.normal_us) <= (kSctUs + kSrvtUs));
     return is_last || is_before;
 }
 
@@ -213,37 +248,32 @@ void FlipRig::WrongPair(std::uint32_t data)
 
 void FlipRig::Request()
 {
-    a_.Request(kProducerSlot);
-    b_.Request(kProducerSlot);
+    request_ = SrdoMask{1U} << kProducerSlot;
 }
 
 void FlipRig::Prepare()
 {
-    is_prepared_ = false;
+    normal_ = CanFrame{};
     if (((verdict_.start >> kProducerSlot) & 1U) == 0U)
     {
         return;
     }
     const PreparedPair pair_a = a_.Prepare(kProducerSlot);
     const PreparedPair pair_b = b_.Prepare(kProducerSlot);
-    is_prepared_ = Comparator::ComparePrepared(pair_a, pair_b) == DeviceFault::kNone;
-    is_device_safe_ = is_device_safe_ || (!is_prepared_);
-}
-
-void FlipRig::LaunchPrepared()
-{
-    if (is_prepared_)
+    const PreparedVerdict verdict = Comparator::ComparePrepared(pair_a, pair_b);
+    if (verdict == PreparedVerdict::kEqual)
     {
-        a_.Launch(kProducerSlot);
-        b_.Launch(kProducerSlot);
+        normal_ = pair_a.normal;
     }
-    is_prepared_ = false;
-}
-
-void FlipRig::Launch()
-{
-    Prepare();
-    LaunchPrepared();
+    else if (verdict == PreparedVerdict::kNotInverse)
+    {
+        a_.OnTransmitFault(kProducerSlot, TransmitFault{SrdoCause::kNotInverse});
+        b_.OnTransmitFault(kProducerSlot, TransmitFault{SrdoCause::kNotInverse});
+    }
+    else
+    {
+        is_device_safe_ = true;
+    }
 }
 
 void FlipRig::Confirm(const CanFrame& frame)
@@ -255,7 +285,8 @@ void FlipRig::Confirm(const CanFrame& frame)
 
 void FlipRig::SendNormal()
 {
-    const CanFrame frame = a_.NextFrame(kProducerSlot);
+    const CanFrame frame = normal_;
+    normal_ = CanFrame{};
     has_sent_normal_ = (frame.kind == FrameKind::kData) && (frame.identifier == 0x101U) && (!is_device_safe_);
     sent_normal_ = DataOf(frame);
     if (has_sent_normal_)
@@ -264,10 +295,21 @@ void FlipRig::SendNormal()
     }
 }
 
+void FlipRig::TakeInverse()
+{
+    const CanFrame frame = b_.InverseFrame(kProducerSlot);
+    if (frame.kind == FrameKind::kData)
+    {
+        inverse_ = frame;
+    }
+}
+
 /// A valid pair on the bus must carry what the application wrote.
 void FlipRig::SendInverse()
 {
-    const CanFrame frame = b_.NextFrame(kProducerSlot);
+    TakeInverse();
+    const CanFrame frame = inverse_;
+    inverse_ = CanFrame{};
     if ((frame.kind != FrameKind::kData) || is_device_safe_)
     {
         return;
@@ -288,6 +330,20 @@ void FlipRig::Recheck()
         static_cast<void>(a_.Recheck(slot));
         static_cast<void>(b_.Recheck(slot));
     }
+    CompareDigests();
+}
+
+/// As the guard does it: copies of parameters that differ are no parameters.
+void FlipRig::CompareDigests()
+{
+    DeviceDigest a{0U};
+    DeviceDigest b{0U};
+    for (SlotIndex slot = 0U; slot < kRigSlots; ++slot)
+    {
+        a = a_.Digest(slot, a);
+        b = b_.Digest(slot, b);
+    }
+    is_device_safe_ = is_device_safe_ || (a.value != b.value);
 }
 
 void FlipRig::SpoilSignature()
@@ -297,6 +353,11 @@ void FlipRig::SpoilSignature()
 }
 
 // ---- what the tests look at
+
+Channel& FlipRig::Of(Party party)
+{
+    return (party == Party::kA) ? static_cast<Channel&>(a_) : static_cast<Channel&>(b_);
+}
 
 SrdoState FlipRig::StateOf(Party party) const
 {

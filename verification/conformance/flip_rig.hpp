@@ -25,10 +25,43 @@ constexpr std::uint8_t kRigSlots = 3U; ///< Consumer gold, producer of two bytes
 /// What a run with a flipped bit did wrong; empty if nothing.
 using Complaint = std::string;
 
+/// What the two SRDOs are.
+enum class RigKind : std::uint8_t
+{
+    kBytes, ///< Dynamic mappings of bytes, early detection.
+    kFixed, ///< Static mappings of bytes, late detection.
+    kBits,  ///< Dynamic mappings of 3 bits, a dummy and 12 bits; of 4 and 12 bits to send.
+};
+
+/// One object of each side, and the place of its bits in the data.
+struct RigObject
+{
+    std::uint16_t normal_index;
+    std::uint16_t inverse_index;
+    std::uint8_t sub;
+    std::uint8_t shift;
+    std::uint16_t mask; ///< Of its bits.
+};
+
+/// Device of a kind. `values` and `objects` are those of the consumer and of the producer.
+struct RigDevice
+{
+    SrdoValues values[2];
+    RigObject consumed[2];
+    RigObject sent[2];
+    StaticMap maps[2];
+    SrvtDetection detection;
+};
+
+/// By RigKind.
+extern const RigDevice kRigDevices[];
+/// @brief Bits of the data that objects of the consumer hold.
+[[nodiscard]] std::uint32_t MappedBits(const RigDevice& device);
+
 class FlipRig
 {
   public:
-    explicit FlipRig(ReleasePolicy policy);
+    explicit FlipRig(ReleasePolicy policy, RigKind device_kind = RigKind::kBytes);
 
     /// @brief Power-on and the whole configuration; NMT state PRE-OPERATIONAL.
     void Start();
@@ -41,18 +74,21 @@ class FlipRig
     void Pair(std::uint32_t data, bool is_whole);
     void InverseOf(std::uint32_t data);
     void WrongPair(std::uint32_t data);
+    /// @brief With the next cycle.
     void Request();
-    /// @brief Prepare and Launch of the producer, without frames.
-    void Launch();
+    /// @brief Prepare of the producer by both channels, if the comparator lets it start.
     void Prepare();
-    void LaunchPrepared();
-    /// @brief Takes what A has to send, confirms it; then B's.
+    /// @brief Confirms the normal frame that A prepared.
     void SendNormal();
+    /// @brief Takes the inverse frame that B has to send, without sending it.
+    void TakeInverse();
+    /// @brief Confirms the inverse frame that B has to send, or that was taken before.
     void SendInverse();
     void Recheck();
     /// @brief A wrong signature in both channels, and found by both.
     void SpoilSignature();
 
+    [[nodiscard]] Channel& Of(Party party);
     [[nodiscard]] SrdoState StateOf(Party party) const;
     /// @brief Bytes of the storage of one channel, flipped from outside.
     [[nodiscard]] std::uint8_t* Bytes(Party party);
@@ -63,11 +99,15 @@ class FlipRig
   private:
     void Store(SlotIndex slot, ConfigField field, std::uint8_t sub, std::uint32_t value);
     void StoreSlot(SlotIndex slot);
+    void RegisterFields(SlotIndex slot, const RigObject& first);
+    [[nodiscard]] std::uint32_t ReadSide(bool is_inverse) const;
+    void CompareDigests();
     [[nodiscard]] bool IsLegitimate(std::uint32_t granted) const;
     void LookAtOutputs(const Permit& a, const Permit& b);
     void Feed(std::uint32_t identifier, std::uint32_t data);
     void Confirm(const CanFrame& frame);
 
+    const RigDevice& device_;
     SrdoSetup setups_[kRigSlots]{};
     DeviceConfig config_{};
     Dictionary dictionary_{};
@@ -95,9 +135,11 @@ class FlipRig
     std::uint32_t pending_us_{0U};
     std::uint32_t sent_normal_{0U};
     SrdoMask acknowledge_{0U};
+    SrdoMask request_{0U};
+    CanFrame normal_{};  ///< Prepared, not on the bus yet; kind kInvalid if there is none.
+    CanFrame inverse_{}; ///< Taken, not on the bus yet.
     bool has_sent_normal_{false};
     bool is_device_safe_{false};
-    bool is_prepared_{false};
     bool is_granted_{false};
 };
 
@@ -115,9 +157,15 @@ struct FlipResult
 };
 
 /// @brief Flips every single bit of the storage of `party`, and sets every byte to 00h and to FFh, one run each.
-[[nodiscard]] FlipResult FlipEveryBit(Party party, ReleasePolicy policy, std::uint32_t phase);
+[[nodiscard]] FlipResult FlipEveryBit(Party party, ReleasePolicy policy, std::uint32_t phase,
+                                      RigKind device_kind = RigKind::kBytes);
+/// @brief Flips every single bit of the storage of a configured channel, then stores the signature that Recheck
+/// computes: a mapping entry that is not the one validated must be found by the table. `granted` counts those that
+/// were.
+[[nodiscard]] FlipResult FlipSignedEntries(Party party, RigKind device_kind);
 /// @brief The whole storage of `party` becomes `fill` in the given phase.
-[[nodiscard]] FlipResult FillStorage(Party party, ReleasePolicy policy, std::uint32_t phase, std::uint8_t fill);
+[[nodiscard]] FlipResult FillStorage(Party party, ReleasePolicy policy, std::uint32_t phase, std::uint8_t fill,
+                                     RigKind device_kind = RigKind::kBytes);
 
 } // namespace counterpoint::conformance
 

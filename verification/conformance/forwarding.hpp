@@ -27,6 +27,18 @@ class Forwarding : public Channel
     {
         return inner_.Load(address);
     }
+    [[nodiscard]] ChannelRoom Room() const noexcept override
+    {
+        return inner_.Room();
+    }
+    void SetFields(SlotIndex slot, const StaticFields& fields) noexcept override
+    {
+        inner_.SetFields(slot, fields);
+    }
+    [[nodiscard]] DeviceDigest Digest(SlotIndex slot, DeviceDigest before) const noexcept override
+    {
+        return inner_.Digest(slot, before);
+    }
     [[nodiscard]] CheckResult Validate(SlotIndex slot) noexcept override
     {
         return inner_.Validate(slot);
@@ -42,6 +54,10 @@ class Forwarding : public Channel
     [[nodiscard]] CycleOutcome OnCycle(const CycleInput& input) noexcept override
     {
         return inner_.OnCycle(input);
+    }
+    [[nodiscard]] HeldPair Held(SlotIndex slot) const noexcept override
+    {
+        return inner_.Held(slot);
     }
     [[nodiscard]] SrdoView View(SlotIndex slot) const noexcept override
     {
@@ -59,33 +75,21 @@ class Forwarding : public Channel
     {
         return inner_.Answer(challenge);
     }
-    void Request(SlotIndex slot) noexcept override
-    {
-        inner_.Request(slot);
-    }
-    void Hold(SlotIndex slot) noexcept override
-    {
-        inner_.Hold(slot);
-    }
     [[nodiscard]] PreparedPair Prepare(SlotIndex slot) noexcept override
     {
         return inner_.Prepare(slot);
     }
-    void Launch(SlotIndex slot) noexcept override
-    {
-        inner_.Launch(slot);
-    }
-    [[nodiscard]] CanFrame NextFrame(SlotIndex slot) noexcept override
-    {
-        return inner_.NextFrame(slot);
-    }
-    [[nodiscard]] SlotIndex OnConfirm(const CanFrame& frame, Instant stamp) noexcept override
+    [[nodiscard]] Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept override
     {
         return inner_.OnConfirm(frame, stamp);
     }
-    void OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept override
+    [[nodiscard]] CanFrame InverseFrame(SlotIndex slot) noexcept override
     {
-        inner_.OnTransmitFault(slot, cause);
+        return inner_.InverseFrame(slot);
+    }
+    void OnTransmitFault(SlotIndex slot, const counterpoint::TransmitFault& fault) noexcept override
+    {
+        inner_.OnTransmitFault(slot, fault);
     }
 
   protected:

@@ -52,32 +52,52 @@ constexpr Step Gfc(std::uint32_t stamp)
 
 // ---- producer of kSender and kProvider: objects 12h 34h and EDh CBh, frames 101h and 102h
 
-constexpr PrepareStatus kReady = PrepareStatus::kReady;
-constexpr PrepareStatus kNotProducing = PrepareStatus::kNotProducer;
+/// Two bytes of which B read something else than the complement of what A read.
+constexpr Step UnequalPair(SlotIndex slot, std::uint32_t of_a, std::uint32_t of_b)
+{
+    return Unequal(slot, 0x101U, 2U, Payload{of_a, 0U}, Payload{of_b, 0U});
+}
+
+/// What follows the comparison of an unequal pair.
+constexpr Step NotInverse(SlotIndex slot)
+{
+    return TransmitFault(slot, SrdoCause::kNotInverse);
+}
+
+constexpr Step NotProducing(SlotIndex slot)
+{
+    return NotReady(slot, PrepareStatus::kNotProducer);
+}
 
 constexpr Step ReadyPair(SlotIndex slot)
 {
-    return Prepare(slot, PrepareStatus::kReady, 2U, 0x3412U);
+    return Ready(slot, CanPortId::kFirst, 0x101U, 2U, 0x3412U);
 }
 
-constexpr Step NextFirst(SlotIndex slot)
+constexpr Step TakeSecond(SlotIndex slot)
 {
-    return NextNormal(slot, CanPortId::kFirst, 0x101U, 2U, 0x3412U);
-}
-
-constexpr Step NextSecond(SlotIndex slot)
-{
-    return NextInverse(slot, CanPortId::kFirst, 0x102U, 2U, 0xCBEDU);
+    return TakeInverse(slot, CanPortId::kFirst, 0x102U, 2U, 0xCBEDU);
 }
 
 constexpr Step ConfirmFirst(SlotIndex slot, std::uint32_t stamp)
 {
-    return Confirm(slot, 0x101U, 2U, 0x3412U, 0U, stamp);
+    return ConfirmNormal(slot, 0x101U, 2U, 0x3412U, 0U, stamp);
 }
 
 constexpr Step ConfirmSecond(SlotIndex slot, std::uint32_t stamp)
 {
-    return Confirm(slot, 0x102U, 2U, 0xCBEDU, 0U, stamp);
+    return ConfirmPair(slot, 0x102U, 2U, 0xCBEDU, 0U, stamp);
+}
+
+/// Neither frame is awaited.
+constexpr Step StrangeFirst(std::uint32_t stamp)
+{
+    return ConfirmNone(0x101U, 2U, 0x3412U, 0U, stamp);
+}
+
+constexpr Step StrangeSecond(std::uint32_t stamp)
+{
+    return ConfirmNone(0x102U, 2U, 0xCBEDU, 0U, stamp);
 }
 
 } // namespace counterpoint::conformance

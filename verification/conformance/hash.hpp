@@ -55,19 +55,23 @@ class Hash
         Add(view.holds_pair);
     }
 
+    void AddHeld(const HeldPair& held) noexcept
+    {
+        Add(held.data.low);
+        Add(held.data.high);
+        Add(held.ordinal);
+        Add(held.holds_pair);
+    }
+
     void AddFrame(const CanFrame& frame) noexcept
     {
-        Add(static_cast<std::uint32_t>(frame.kind));
-        if (frame.kind != FrameKind::kData)
-        {
-            return;
-        }
         Add(frame.identifier);
+        Add(static_cast<std::uint32_t>(frame.kind));
         Add(static_cast<std::uint32_t>(frame.port));
         Add(frame.length_bytes);
-        for (std::uint8_t i = 0U; (i < frame.length_bytes) && (i < kMaxPayloadBytes); ++i)
+        for (const std::uint8_t byte : frame.data)
         {
-            Add(frame.data[i]);
+            Add(byte);
         }
     }
 

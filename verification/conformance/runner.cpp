@@ -46,7 +46,7 @@ bool Runner::Run(const Case& test, std::uint32_t origin) noexcept
     {
         step_ = i + 1U;
         RunStep(test.steps[i]);
-        HashViews();
+        LookAtSlots();
     }
     hash_.Add(dictionary_.Digest());
     return !failed_;
@@ -60,11 +60,26 @@ void Runner::Start(const Device& device) noexcept
     {
         config_.object_count = Dictionary::kObjectCount;
     }
+    if (config_.srdo_count <= kAlterable)
+    {
+        for (SlotIndex slot = 0U; slot < config_.srdo_count; ++slot)
+        {
+            setups_[slot] = device.config.srdos[slot];
+        }
+        config_.srdos = setups_;
+    }
+    PowerOn();
+}
+
+void Runner::PowerOn() noexcept
+{
     outcome_ = CycleOutcome{};
     challenge_ = kFirstChallenge;
     token_flip_ = 0U;
     cycles_ = 0U;
     acknowledge_ = 0U;
+    request_ = 0U;
+    stand_ = 0U;
     nmt_ = NmtState::kOperational;
     queue_ = QueueState::kIntact;
     configuration_valid_ = 0U;
@@ -80,14 +95,6 @@ void Runner::Expect(const char* field, std::uint64_t expected, std::uint64_t got
     }
 }
 
-void Runner::HashViews() noexcept
-{
-    for (SlotIndex slot = 0U; slot < config_.srdo_count; ++slot)
-    {
-        hash_.AddView(channel_.View(slot));
-    }
-}
-
 void Runner::RunRepeated(const Step& repeat) noexcept
 {
     for (std::uint32_t i = 0U; i < repeat.x; ++i)
@@ -100,8 +107,8 @@ void Runner::RunRepeated(const Step& repeat) noexcept
 
 void Runner::RunStep(const Step& step) noexcept
 {
-    const bool done = RunConfigurationStep(step) || RunCycleStep(step) || RunSlotStep(step) || RunReleaseStep(step);
-    if (!done)
+    const bool done = RunConfigurationStep(step) || RunDeviceStep(step) || RunCycleStep(step);
+    if (!(done || RunSlotStep(step) || RunReleaseStep(step)))
     {
         RunProducerStep(step);
     }
@@ -123,6 +130,10 @@ void Runner::StoreValues(const Device& device) noexcept
     for (SlotIndex slot = 0U; slot < config_.srdo_count; ++slot)
     {
         const SrdoValues& values = device.values[slot];
+        if (values.normal_field != 0U)
+        {
+            SetFields(slot, values.normal_field, values.inverse_field);
+        }
         StoreItem(slot, ConfigField::kSct, 0U, values.sct_ms);
         StoreItem(slot, ConfigField::kSrvt, 0U, values.srvt_ms);
         StoreItem(slot, ConfigField::kCobId1, 0U, values.cob_id_1);
@@ -211,11 +222,15 @@ void Runner::DoCycle(const Step& step) noexcept
                            challenge_,
                            TokenOf(challenge_, configuration_valid_) ^ token_flip_,
                            acknowledge_,
+                           request_,
+                           stand_,
                            nmt_,
                            queue_};
     outcome_ = channel_.OnCycle(input);
     challenge_ = NextChallenge(challenge_);
     token_flip_ = 0U;
+    request_ = 0U;
+    stand_ = 0U;
     queue_ = QueueState::kIntact;
     ++cycles_;
     hash_.AddOutcome(outcome_);
@@ -321,69 +336,6 @@ bool Runner::RunCycleStep(const Step& step) noexcept
     else if (step.op == Op::kOrdinalSum)
     {
         Expect("ordinal_sum", step.x, outcome_.ordinal_sum);
-    }
-    else
-    {
-        return false;
-    }
-    return true;
-}
-
-// ---- details of a slot, objects
-
-void Runner::CheckView(const Step& step) noexcept
-{
-    const SrdoView view = channel_.View(step.slot);
-    Expect("state", step.field, static_cast<std::uint64_t>(view.state));
-    Expect("first_cause", step.sub, static_cast<std::uint64_t>(view.first_cause));
-    Expect("ordinal", step.x, view.ordinal);
-    Expect("error_count", step.y, view.error_count);
-    Expect("holds_pair", step.z, view.holds_pair);
-}
-
-/// `writer` owns the object: the other channel must have left it as it was before the case.
-void Runner::CheckObject(const Step& step, Party writer) noexcept
-{
-    const std::uint16_t index = static_cast<std::uint16_t>(step.x);
-    const ObjectValue value = dictionary_.Get(index, step.sub);
-    const std::uint8_t bytes = dictionary_.Bytes(index, step.sub);
-    std::uint32_t low = step.y;
-    std::uint32_t high = step.z;
-    if (writer != party_)
-    {
-        low = (bytes >= 4U) ? 0x66666666U : (0x66666666U & ((1U << (8U * bytes)) - 1U));
-        high = (bytes <= 4U) ? 0U : ((bytes == 8U) ? 0x66666666U : (0x66666666U & ((1U << (8U * (bytes - 4U))) - 1U)));
-    }
-    Expect("object, bytes 0 to 3", low, value.low);
-    Expect("object, bytes 4 to 7", high, value.high);
-}
-
-bool Runner::RunSlotStep(const Step& step) noexcept
-{
-    if (step.op == Op::kSlot)
-    {
-        CheckView(step);
-    }
-    else if (step.op == Op::kData)
-    {
-        Expect("data, bytes 0 to 3", step.x, channel_.View(step.slot).data.low);
-        Expect("data, bytes 4 to 7", step.y, channel_.View(step.slot).data.high);
-    }
-    else if (step.op == Op::kSignals)
-    {
-        Expect("signals", step.x, channel_.View(step.slot).signals);
-    }
-    else if (step.op == Op::kPut)
-    {
-        dictionary_.Put(static_cast<std::uint16_t>(step.x), step.sub, ObjectValue{step.y, step.z});
-    }
-    else if (step.op == Op::kNormalObject)
-    {
-        CheckObject(step, Party::kA);
-    }
-    else if (step.op == Op::kInverseObject)
-    {
-        CheckObject(step, Party::kB);
     }
     else
     {

@@ -63,7 +63,16 @@ class Runner
     }
 
   private:
+    static constexpr std::uint8_t kAlterable = 2U;
+
     void Start(const Device& device) noexcept;
+    void PowerOn() noexcept;
+    void Alter(const Step& step) noexcept;
+    void AlterDevice(Parameter parameter, std::uint32_t value) noexcept;
+    void AlterTimes(Parameter parameter, std::uint32_t value) noexcept;
+    void AlterSetup(Parameter parameter, SrdoSetup& setup, std::uint32_t value) noexcept;
+    void SetFields(SlotIndex slot, std::uint32_t normal, std::uint32_t inverse) noexcept;
+    bool RunDeviceStep(const Step& step) noexcept;
     void RunStep(const Step& step) noexcept;
     void RunRepeated(const Step& repeat) noexcept;
     bool RunConfigurationStep(const Step& step) noexcept;
@@ -80,14 +89,20 @@ class Runner
     void CheckMasks(const Step& step) noexcept;
     void CheckView(const Step& step) noexcept;
     void CheckObject(const Step& step, Party writer) noexcept;
-    void CheckNextFrame(const Step& step, Party sender) noexcept;
+    void CheckFrame(const Step& step, const CanFrame& frame) noexcept;
+    void CheckEmpty(const CanFrame& frame) noexcept;
+    void CheckPrepare(const Step& step) noexcept;
+    void CheckInverseFrame(const Step& step) noexcept;
+    void CheckConfirmation(const Step& step) noexcept;
+    void CheckHeld(SlotIndex slot, const SrdoView& view) noexcept;
     void Expect(const char* field, std::uint64_t expected, std::uint64_t got) noexcept;
-    void HashViews() noexcept;
+    void LookAtSlots() noexcept;
 
     Channel& channel_;
     Reporter& reporter_;
     Dictionary dictionary_{};
     DeviceConfig config_{};
+    SrdoSetup setups_[kAlterable]{}; ///< Of a device that has no more SRDOs: copies that Alter may change.
     Hash hash_{};
     CycleOutcome outcome_{};
     const Case* case_{nullptr};
@@ -100,6 +115,8 @@ class Runner
     std::uint32_t token_flip_{0U};
     std::uint32_t cycles_{0U};
     SrdoMask acknowledge_{0U};
+    SrdoMask request_{0U}; ///< For the next cycle only.
+    SrdoMask stand_{0U};   ///< For the next cycle only.
     NmtState nmt_{NmtState::kOperational};
     QueueState queue_{QueueState::kIntact};
     std::uint8_t configuration_valid_{0U};

@@ -38,7 +38,7 @@ enum class Op : std::uint8_t
     kGuard,         ///< x: guard view.
     kOrdinalSum,    ///< x.
     kSlot,          ///< slot; field state, sub first cause, x ordinal, y error count, z holds_pair.
-    kData,          ///< slot; x, y: View's data.
+    kData,          ///< slot; View's data: x, y of A, z, v of B.
     kSignals,       ///< slot; x.
     kDemote,        ///< slot.
     kCommit,        ///< x, y agreed; z, v matched.
@@ -46,17 +46,19 @@ enum class Op : std::uint8_t
     kPut,           ///< x index, sub; y, z value: the application writes an object.
     kNormalObject,  ///< x index, sub; y, z: what A wrote; B leaves it alone.
     kInverseObject, ///< x index, sub; y, z: what B wrote; A leaves it alone.
-    kRequest,       ///< slot.
-    kHold,          ///< slot.
-    kPrepare,       ///< slot; field status, sub length; x, y data.
-    kLaunch,        ///< slot.
-    kNextNormal,    ///< slot, field controller, sub length, z identifier, x, y data: from A; none from B.
-    kNextInverse,   ///< The same from B; none from A.
-    kNextNone,      ///< slot: neither has a frame.
-    kConfirm,       ///< As kFrame; v: the slot that is returned.
+    kRequest,       ///< slot: in `request` of the next cycle only.
+    kStand,         ///< slot: in `stand` of the next cycle only.
+    kReady,         ///< slot: Prepare is ready; field controller, sub length, z identifier, data x, y of A, v, w of B.
+    kNotReady,      ///< slot: Prepare gives an empty frame; field status.
+    kTakeInverse,   ///< slot, field controller, sub length, z identifier, x, y data: from B; empty from A.
+    kTakeNone,      ///< slot: neither has an inverse frame.
+    kConfirm,       ///< As kFrame; v: the slot that is returned, w: the step.
     kTransmitFault, ///< slot, x cause.
     kRestart,       ///< Power-on again, same device.
     kRepeat,        ///< x more times the last kFrame or kCycle, each y us later than the one before.
+    kFields,        ///< slot: SetFields with the places of two objects, x normal, y inverse; 0: null.
+    kDigest,        ///< slot; x continued from, y expected.
+    kAlter,         ///< field parameter, slot whose setup it is in; x value: power-on again as another device.
 };
 
 enum class MaskName : std::uint8_t
@@ -68,6 +70,35 @@ enum class MaskName : std::uint8_t
     kFresh,
     kDue,
     kSignalled,
+};
+
+/// Members of DeviceConfig and SrdoSetup.
+enum class Parameter : std::uint8_t
+{
+    kNodeId,
+    kGranularity,
+    kMapEntries,
+    kDummyMapping,
+    kNumberGaps,
+    kGfc,
+    kNormalPort,
+    kInversePort,
+    kCycle,
+    kCycleTolerance,
+    kDiscrepancy,
+    kAcknowledgeWindow,
+    kDiagnosticInterval,
+    kTestInterval,
+    kClockTolerance,
+    kClockInterval,
+    kOutputTime,
+    kDigest,
+    kNumber,
+    kPolicy,
+    kForm,
+    kDetection,
+    kSafeLow,
+    kSafeHigh,
 };
 
 /// One call of the channel or one expectation; the comment at each Op says what the members mean for it.
@@ -109,254 +140,6 @@ constexpr Step With(Step step, std::uint32_t x, std::uint32_t y = 0U, std::uint3
 constexpr Step Timed(Step step, std::uint32_t time)
 {
     return Step{step.op, step.slot, step.field, step.sub, time, step.x, step.y, step.z, step.v, step.w};
-}
-
-// ---- configuration
-
-constexpr Step Configure()
-{
-    return Make(Op::kConfigure);
-}
-
-constexpr Step StoreAll()
-{
-    return Make(Op::kStoreAll);
-}
-
-constexpr Step Store(SlotIndex slot, ConfigField field, std::uint32_t value, std::uint8_t sub = 0U)
-{
-    return With(Make(Op::kStore, slot, static_cast<std::uint8_t>(field), sub), value);
-}
-
-constexpr Step Load(SlotIndex slot, ConfigField field, std::uint32_t value, std::uint8_t sub = 0U)
-{
-    return With(Make(Op::kLoad, slot, static_cast<std::uint8_t>(field), sub), value);
-}
-
-constexpr Step Validate(SlotIndex slot, ConfigFault fault, std::uint16_t signature)
-{
-    return With(Make(Op::kValidate, slot), static_cast<std::uint32_t>(fault), signature);
-}
-
-constexpr Step Recheck(SlotIndex slot, ConfigFault fault, std::uint16_t signature)
-{
-    return With(Make(Op::kRecheck, slot), static_cast<std::uint32_t>(fault), signature);
-}
-
-constexpr Step Restart()
-{
-    return Make(Op::kRestart);
-}
-
-/// The last frame or cycle once more, `times` times, each `apart_us` later than the one before. Outcomes in between are
-/// free.
-constexpr Step Repeat(std::uint32_t times, std::uint32_t apart_us)
-{
-    return With(Make(Op::kRepeat), times, apart_us);
-}
-
-// ---- the cycle
-
-constexpr Step Nmt(NmtState state)
-{
-    return With(Make(Op::kNmt), static_cast<std::uint32_t>(state));
-}
-
-constexpr Step Acknowledge(SrdoMask mask)
-{
-    return With(Make(Op::kAcknowledge), LowerHalf(mask), UpperHalf(mask));
-}
-
-constexpr Step Queue(QueueState state)
-{
-    return With(Make(Op::kQueue), static_cast<std::uint32_t>(state));
-}
-
-constexpr Step Token(std::uint32_t flipped)
-{
-    return With(Make(Op::kToken), flipped);
-}
-
-constexpr Step Cycle(std::uint32_t now)
-{
-    return Timed(Make(Op::kCycle), now);
-}
-
-/// What the last cycle must have returned for the first 32 slots; the others must be in no mask.
-constexpr Step Masks(std::uint32_t released, std::uint32_t faulted, std::uint32_t waiting, std::uint32_t new_fault,
-                     std::uint32_t fresh)
-{
-    return With(Make(Op::kMasks), released, faulted, waiting, new_fault, fresh);
-}
-
-constexpr Step Mask(MaskName name, SrdoMask mask)
-{
-    return With(Make(Op::kMask, static_cast<std::uint8_t>(name)), LowerHalf(mask), UpperHalf(mask));
-}
-
-constexpr Step Due(SrdoMask mask)
-{
-    return Mask(MaskName::kDue, mask);
-}
-
-constexpr Step Signalled(SrdoMask mask)
-{
-    return Mask(MaskName::kSignalled, mask);
-}
-
-constexpr Step Counts(std::uint8_t sct_checked, std::uint8_t is_tx, std::uint8_t is_invalid,
-                      std::uint8_t not_operational)
-{
-    return With(Make(Op::kCounts, sct_checked, is_tx, is_invalid), not_operational);
-}
-
-constexpr Step Guard(GuardView view)
-{
-    return With(Make(Op::kGuard), static_cast<std::uint32_t>(view));
-}
-
-constexpr Step OrdinalSum(std::uint32_t sum)
-{
-    return With(Make(Op::kOrdinalSum), sum);
-}
-
-// ---- details of a slot
-
-/// `pair` is 1 when a pair is held.
-constexpr Step Slot(SlotIndex slot, SrdoState state, SrdoCause cause, std::uint32_t ordinal, std::uint32_t errors,
-                    std::uint32_t pair)
-{
-    return With(Make(Op::kSlot, slot, static_cast<std::uint8_t>(state), static_cast<std::uint8_t>(cause)), ordinal,
-                errors, pair);
-}
-
-constexpr Step Data(SlotIndex slot, std::uint32_t low, std::uint32_t high = 0U)
-{
-    return With(Make(Op::kData, slot), low, high);
-}
-
-constexpr std::uint32_t Bit(SrdoCause cause)
-{
-    return 1U << static_cast<std::uint8_t>(cause);
-}
-
-constexpr Step Signals(SlotIndex slot, std::uint32_t bits)
-{
-    return With(Make(Op::kSignals, slot), bits);
-}
-
-// ---- frames
-
-/// A data frame on the first controller; the first byte is bits 0 to 7 of `low`.
-constexpr Step Frame(std::uint32_t identifier, std::uint8_t length, std::uint32_t low, std::uint32_t high,
-                     std::uint32_t stamp)
-{
-    return Timed(With(Make(Op::kFrame, static_cast<std::uint8_t>(FrameKind::kData),
-                           static_cast<std::uint8_t>(CanPortId::kFirst), length),
-                      low, high, identifier),
-                 stamp);
-}
-
-constexpr Step OfKind(Step frame, FrameKind kind)
-{
-    return Step{frame.op,    static_cast<std::uint8_t>(kind),
-                frame.field, frame.sub,
-                frame.time,  frame.x,
-                frame.y,     frame.z,
-                frame.v,     frame.w};
-}
-
-constexpr Step On(Step frame, CanPortId port)
-{
-    return Step{frame.op, frame.slot, static_cast<std::uint8_t>(port), frame.sub, frame.time, frame.x, frame.y, frame.z,
-                frame.v,  frame.w};
-}
-
-// ---- release
-
-constexpr Step Demote(SlotIndex slot)
-{
-    return Make(Op::kDemote, slot);
-}
-
-constexpr Step Commit(SrdoMask agreed, SrdoMask matched)
-{
-    return With(Make(Op::kCommit), LowerHalf(agreed), UpperHalf(agreed), LowerHalf(matched), UpperHalf(matched));
-}
-
-constexpr Step Answer(std::uint32_t challenge, SrdoMask mask, std::uint32_t response_a, std::uint32_t response_b)
-{
-    return With(Make(Op::kAnswer), LowerHalf(mask), UpperHalf(mask), challenge, response_a, response_b);
-}
-
-constexpr Step Put(std::uint16_t index, std::uint8_t sub, std::uint32_t low, std::uint32_t high = 0U)
-{
-    return With(Make(Op::kPut, 0U, 0U, sub), index, low, high);
-}
-
-constexpr Step NormalObject(std::uint16_t index, std::uint8_t sub, std::uint32_t low, std::uint32_t high = 0U)
-{
-    return With(Make(Op::kNormalObject, 0U, 0U, sub), index, low, high);
-}
-
-constexpr Step InverseObject(std::uint16_t index, std::uint8_t sub, std::uint32_t low, std::uint32_t high = 0U)
-{
-    return With(Make(Op::kInverseObject, 0U, 0U, sub), index, low, high);
-}
-
-// ---- producer
-
-constexpr Step Hold(SlotIndex slot)
-{
-    return Make(Op::kHold, slot);
-}
-
-constexpr Step Request(SlotIndex slot)
-{
-    return Make(Op::kRequest, slot);
-}
-
-constexpr Step Prepare(SlotIndex slot, PrepareStatus status, std::uint8_t length, std::uint32_t low,
-                       std::uint32_t high = 0U)
-{
-    return With(Make(Op::kPrepare, slot, static_cast<std::uint8_t>(status), length), low, high);
-}
-
-constexpr Step Launch(SlotIndex slot)
-{
-    return Make(Op::kLaunch, slot);
-}
-
-constexpr Step NextNormal(SlotIndex slot, CanPortId port, std::uint32_t identifier, std::uint8_t length,
-                          std::uint32_t low, std::uint32_t high = 0U)
-{
-    return With(Make(Op::kNextNormal, slot, static_cast<std::uint8_t>(port), length), low, high, identifier);
-}
-
-constexpr Step NextInverse(SlotIndex slot, CanPortId port, std::uint32_t identifier, std::uint8_t length,
-                           std::uint32_t low, std::uint32_t high = 0U)
-{
-    return With(Make(Op::kNextInverse, slot, static_cast<std::uint8_t>(port), length), low, high, identifier);
-}
-
-constexpr Step NextNone(SlotIndex slot)
-{
-    return Make(Op::kNextNone, slot);
-}
-
-/// A frame of the device that was on the bus, and the slot that OnConfirm must return.
-constexpr Step Confirm(SlotIndex slot, std::uint32_t identifier, std::uint8_t length, std::uint32_t low,
-                       std::uint32_t high, std::uint32_t stamp)
-{
-    return Timed(With(Make(Op::kConfirm, static_cast<std::uint8_t>(FrameKind::kData),
-                           static_cast<std::uint8_t>(CanPortId::kFirst), length),
-                      low, high, identifier, slot),
-                 stamp);
-}
-
-constexpr Step TransmitFault(SlotIndex slot, SrdoCause cause)
-{
-    return With(Make(Op::kTransmitFault, slot), static_cast<std::uint32_t>(cause));
 }
 
 } // namespace counterpoint::conformance

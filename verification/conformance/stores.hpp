@@ -2,7 +2,7 @@
 #ifndef VERIFICATION_CONFORMANCE_STORES_HPP
 #define VERIFICATION_CONFORMANCE_STORES_HPP
 
-#include "verification/conformance/step.hpp"
+#include "verification/conformance/steps.hpp"
 
 /// Short names of the stores of one SRDO.
 namespace counterpoint::conformance

@@ -25,14 +25,32 @@ CanFrame Differential::FrameOf(SlotIndex slot, bool is_inverse, const Payload& d
     CanFrame frame{is_inverse ? plan.cob_id_2 : plan.cob_id_1,
                    FrameKind::kData,
                    is_inverse ? device_.config_a.inverse_port : device_.config_a.normal_port,
-                   (plan.bytes <= 8U) ? plan.bytes : std::uint8_t{8U},
+                   BytesOf((plan.bits <= kMaxPayloadBits) ? plan.bits : kMaxPayloadBits),
                    {}};
     for (std::uint32_t i = 0U; i < kMaxPayloadBytes; ++i)
     {
         const std::uint32_t half = (i < 4U) ? data.low : data.high;
         frame.data[i] = static_cast<std::uint8_t>((half >> (8U * (i % 4U))) & 0xFFU);
     }
+    if (frame.length_bytes != 0U)
+    {
+        const std::uint8_t mask = LastByteMask(plan.bits);
+        std::uint8_t& last = frame.data[frame.length_bytes - 1U];
+        last = static_cast<std::uint8_t>(is_inverse ? (last | (0xFFU ^ mask)) : (last & mask));
+    }
     return frame;
+}
+
+/// Bytes behind the length have no meaning: now and then no complement of those of the normal frame.
+void Differential::ScatterBehind(CanFrame& frame) noexcept
+{
+    if (random_.Chance(200U))
+    {
+        for (std::uint32_t i = frame.length_bytes; i < kMaxPayloadBytes; ++i)
+        {
+            frame.data[i] = static_cast<std::uint8_t>(random_.Below(256U));
+        }
+    }
 }
 
 /// The bus moves on by less than `most_us`.
@@ -70,7 +88,7 @@ void Differential::Feed(const CanFrame& frame, SlotIndex slot) noexcept
          stamp.us);
     a_.OnFrame(frame, stamp);
     b_.OnFrame(frame, stamp);
-    CompareView(slot);
+    CompareSlot(slot);
 }
 
 void Differential::NormalFrame(SlotIndex slot, const Payload& data) noexcept
@@ -81,7 +99,9 @@ void Differential::NormalFrame(SlotIndex slot, const Payload& data) noexcept
 
 void Differential::InverseFrame(SlotIndex slot, const Payload& data) noexcept
 {
-    Feed(FrameOf(slot, true, Complement(data)), slot);
+    CanFrame frame = FrameOf(slot, true, Complement(data));
+    ScatterBehind(frame);
+    Feed(frame, slot);
 }
 
 void Differential::GoodPair(SlotIndex slot) noexcept
@@ -134,17 +154,55 @@ void Differential::WrongFrame(SlotIndex slot) noexcept
     default: // Not inverted, or not at all the data of the normal frame before it.
         if (random_.Chance(700U))
         {
-            const Payload data = AnyData();
-            NormalFrame(slot, data);
-            LetTimePass(300U);
-            frame = FrameOf(slot, true, Complement(data));
-            const std::uint32_t length = (frame.length_bytes == 0U) ? 1U : frame.length_bytes;
-            const std::uint32_t byte = random_.Below(length);
-            frame.data[byte] = static_cast<std::uint8_t>(frame.data[byte] ^ (1U << random_.Below(8U)));
+            SpoiledPair(slot);
+            return;
         }
         break;
     }
     Feed(frame, slot);
+}
+
+/// One bit of the inverse frame, or one of the normal frame with its inverse if nobody maps it.
+void Differential::SpoiledPair(SlotIndex slot) noexcept
+{
+    const Payload data = AnyData();
+    const std::uint32_t used = device_.plans[slot].bits % 8U;
+    CanFrame normal = FrameOf(slot, false, data);
+    CanFrame inverse = FrameOf(slot, true, Complement(data));
+    const std::uint32_t length = (normal.length_bytes == 0U) ? 1U : normal.length_bytes;
+    std::uint32_t byte = random_.Below(length);
+    std::uint32_t bit = 1U << random_.Below(8U);
+    if ((used != 0U) && random_.Chance(500U))
+    {
+        byte = length - 1U;
+        bit = 1U << random_.Between(used, 7U);
+        if (random_.Chance(500U))
+        {
+            normal.data[byte] = static_cast<std::uint8_t>(normal.data[byte] | bit);
+        }
+        reached_.Add(Item::kUnusedBit);
+    }
+    inverse.data[byte] = static_cast<std::uint8_t>(inverse.data[byte] ^ bit);
+    ScatterBehind(inverse);
+    Feed(normal, slot);
+    last_us_[slot] = clock_us_;
+    LetTimePass(300U);
+    Feed(inverse, slot);
+}
+
+/// What kind of SRDO took a pair, for the counts.
+void Differential::NoteAccepted(SlotIndex slot) noexcept
+{
+    const SlotPlan& plan = device_.plans[slot];
+    bool has_dummy = false;
+    for (std::uint32_t pair = 0U; pair < plan.pairs; ++pair)
+    {
+        has_dummy = has_dummy || (plan.dummies[pair] != 0U);
+    }
+    reached_.Add(Item::kAcceptedBits, ((plan.bits % 8U) != 0U) ? 1U : 0U);
+    reached_.Add(Item::kAcceptedDummies, has_dummy ? 1U : 0U);
+    reached_.Add(Item::kAcceptedStatic, plan.is_static ? 1U : 0U);
+    reached_.Add(Item::kAcceptedManyEntries, (plan.pairs > 8U) ? 1U : 0U);
 }
 
 void Differential::ConsumerStep() noexcept
@@ -174,7 +232,7 @@ void Differential::ConsumerStep() noexcept
         Step("Demote", slot, 0U, 0U, 0U);
         a_.Demote(slot);
         b_.Demote(slot);
-        CompareView(slot);
+        CompareSlot(slot);
     }
 }
 

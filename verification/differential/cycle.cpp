@@ -48,6 +48,8 @@ void Differential::ChooseInputs() noexcept
     {
         acknowledge_ = random_.Chance(700U) ? ~acknowledge_ : random_.Mask();
     }
+    request_ |= random_.Chance(60U) ? random_.Mask() : 0U;
+    stand_ |= random_.Chance(60U) ? random_.Mask() : 0U;
     queue_ = random_.Chance(20U) ? static_cast<QueueState>(random_.Below(3U)) : QueueState::kIntact;
     token_flip_ = random_.Chance(12U) ? (random_.Chance(500U) ? (1U << random_.Below(32U)) : random_.Next()) : 0U;
     const std::uint32_t cycle_us = device_.config_a.cycle_us;
@@ -78,19 +80,26 @@ void Differential::CycleStep() noexcept
     challenge_ = (challenge_ == 0U) ? 1U : challenge_;
     now_us_ = clock_us_;
     const std::uint32_t token = RotatedLeft(challenge_, 8U) ^ (configuration_valid_ * 0x01010101U) ^ token_flip_;
-    const CycleInput input{Instant{now_us_}, challenge_, token, acknowledge_, nmt_, queue_};
+    const CycleInput input{Instant{now_us_}, challenge_, token, acknowledge_, request_, stand_, nmt_, queue_};
+    Step("Masks of OnCycle: request, stand", kNoSlot, request_, stand_, 0U);
     Step("OnCycle: now, acknowledge, NMT << 16 | queue << 8 | token wrong", kNoSlot, now_us_, acknowledge_,
          (static_cast<std::uint64_t>(nmt_) << 16U) | (static_cast<std::uint64_t>(queue_) << 8U) |
              ((token_flip_ != 0U) ? 1U : 0U));
     const CycleOutcome a = a_.OnCycle(input);
     const CycleOutcome b = b_.OnCycle(input);
+    request_ = 0U;
+    stand_ = 0U;
     CompareOutcomes(a, b);
-    CompareAllViews();
+    CompareAllSlots();
     reached_.AddGuard(a.guard);
     reached_.Add(Item::kAcceptedPair, BitsIn(a.fresh));
     for (SlotIndex slot = 0U; slot < device_.config_a.srdo_count; ++slot)
     {
         NoteRecovery(slot, a_.View(slot));
+        if (((a.fresh >> slot) & 1U) != 0U)
+        {
+            NoteAccepted(slot);
+        }
         if (a.not_operational == 1U)
         {
             transmissions_[slot] = Transmission{};

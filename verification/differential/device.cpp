@@ -8,13 +8,32 @@ namespace
 {
 constexpr std::uint16_t kNormalIndex = 0x2000U;
 constexpr std::uint16_t kInverseIndex = 0x3000U;
-constexpr std::uint16_t kUnmappableIndex = 0x4000U;
 constexpr std::uint8_t kManySlots = 32U;
 
-std::uint32_t EntryOf(std::uint16_t index, SlotIndex slot, std::uint8_t sub, std::uint8_t bytes) noexcept
+constexpr std::uint32_t kManyObjects = 1000U;
+
+std::uint32_t EntryOf(std::uint16_t index, SlotIndex slot, std::uint8_t sub, std::uint8_t bits) noexcept
 {
-    return (static_cast<std::uint32_t>(index + slot) << 16U) | (static_cast<std::uint32_t>(sub) << 8U) |
-           (8U * static_cast<std::uint32_t>(bytes));
+    return (static_cast<std::uint32_t>(index + slot) << 16U) | (static_cast<std::uint32_t>(sub) << 8U) | bits;
+}
+
+/// A data type of this length that may stand for an object; 0 if there is none.
+std::uint8_t DummyOf(Random& random, std::uint32_t bits) noexcept
+{
+    const bool is_other = random.Chance(500U);
+    switch (bits)
+    {
+    case 1U:
+        return 1U;
+    case 8U:
+        return is_other ? std::uint8_t{2U} : std::uint8_t{5U};
+    case 16U:
+        return is_other ? std::uint8_t{3U} : std::uint8_t{6U};
+    case 32U:
+        return is_other ? std::uint8_t{4U} : std::uint8_t{7U};
+    default:
+        return 0U;
+    }
 }
 
 /// One or two SRDOs as a rule, sometimes some, now and then all.
@@ -45,6 +64,25 @@ void Memory::Fill() noexcept
     }
 }
 
+Payload Memory::Read(SlotIndex slot, const SlotPlan& plan, bool is_inverse) const noexcept
+{
+    Payload value{0U, 0U};
+    std::uint32_t from = (kSlotBytes * slot) + (is_inverse ? kInverseAt : 0U);
+    std::uint32_t to = 0U;
+    for (std::uint32_t pair = 0U; pair < plan.pairs; ++pair)
+    {
+        for (std::uint32_t bit = 0U; bit < plan.lengths[pair]; ++bit)
+        {
+            const std::uint32_t one = (static_cast<std::uint32_t>(bytes[from + (bit / 8U)]) >> (bit % 8U)) & 1U;
+            std::uint32_t& half = (to < 32U) ? value.low : value.high;
+            half |= one << (to % 32U);
+            ++to;
+        }
+        from += BytesOf(plan.lengths[pair]);
+    }
+    return value;
+}
+
 void Device::Make(Random& random) noexcept
 {
     count_ = CountOfSlots(random);
@@ -62,6 +100,7 @@ void Device::Make(Random& random) noexcept
     for (SlotIndex slot = 0U; slot < count_; ++slot)
     {
         Spoil(random, slot);
+        FixMapping(slot);
     }
     config_b = config_a;
     MakeObjects(memory_a);
@@ -76,11 +115,20 @@ void Device::Make(Random& random) noexcept
 void Device::MakeTimes(Random& random) noexcept
 {
     static constexpr std::uint32_t kCycles[] = {500U, 1000U, 2000U, 2500U, 10000U, 20000U, 100000U, 1000000U};
-    static constexpr std::uint8_t kGranularities[] = {8U, 8U, 8U, 16U, 32U, 64U};
+    static constexpr std::uint8_t kGranularities[] = {1U, 1U, 1U, 8U, 8U, 8U, 16U, 32U, 64U};
+    static constexpr std::uint8_t kEntries[] = {16U, 16U, 16U, 128U, 8U};
     static constexpr std::uint32_t kWindows[] = {0U, 500U, 3000U, 20000U, 100000U};
     config_a.cycle_us = kCycles[random.Below(8U)];
     config_a.cycle_tolerance_us = random.Chance(300U) ? config_a.cycle_us : random.Below(config_a.cycle_us);
-    config_a.granularity_bits = kGranularities[random.Below(6U)];
+    config_a.granularity_bits = kGranularities[random.Below(9U)];
+    config_a.map_entries = kEntries[random.Below(5U)];
+    config_a.dummies = random.Chance(350U) ? DummyMapping::kAllowed : DummyMapping::kRefused;
+    if (random.Chance(20U))
+    {
+        config_a.dummies = static_cast<DummyMapping>(random.Below(256U));
+    }
+    config_a.gaps = random.Chance(500U) ? NumberGaps::kSearched : NumberGaps::kRefused;
+    config_a.gfc = random.Chance(500U) ? GfcUse::kPresent : GfcUse::kRemoved;
     config_a.acknowledge_window_us = kWindows[random.Below(5U)];
     config_a.node_id =
         static_cast<std::uint8_t>(random.Chance(800U) ? random.Between(1U, 6U) : random.Between(1U, 127U));
@@ -94,24 +142,58 @@ void Device::MakeTimes(Random& random) noexcept
     config_a.output_time_us = 1000U;
 }
 
+/// Static or not; a static mapping has whole bytes and no dummies.
+void Device::MakeKind(Random& random, SlotPlan& plan) noexcept
+{
+    plan.is_static = random.Chance(150U);
+    const bool is_consumer = plan.direction == kDirectionConsumer;
+    plan.has_dummies =
+        is_consumer && (!plan.is_static) && (config_a.dummies == DummyMapping::kAllowed) && random.Chance(500U);
+}
+
+/// Now and then as many entries as there is room for, else a few.
+std::uint32_t Device::MostPairs(Random& random, const SlotPlan& plan) const noexcept
+{
+    const std::uint32_t room = plan.is_static ? kMostPairs : (config_a.map_entries / 2U);
+    const std::uint32_t share = kManyObjects / (2U * static_cast<std::uint32_t>(count_));
+    const std::uint32_t most = (room < share) ? room : share;
+    const std::uint32_t usual = (count_ > kManySlots) ? 4U : 8U;
+    const bool is_big = (config_a.granularity_bits == 1U) && random.Chance(60U);
+    return (is_big || (most < usual)) ? most : usual;
+}
+
+void Device::AddPair(Random& random, SlotPlan& plan, std::uint32_t bits) noexcept
+{
+    plan.lengths[plan.pairs] = static_cast<std::uint8_t>(bits);
+    plan.dummies[plan.pairs] = (plan.has_dummies && random.Chance(300U)) ? DummyOf(random, bits) : std::uint8_t{0U};
+    plan.bits = static_cast<std::uint8_t>(plan.bits + bits);
+    ++plan.pairs;
+}
+
 void Device::MakeLengths(Random& random, SlotPlan& plan) noexcept
 {
-    const std::uint32_t unit = config_a.granularity_bits / 8U;
-    const std::uint32_t most = (plan.flaw == Flaw::kLengthExceeded) ? 16U : 8U;
-    const std::uint32_t most_pairs = (count_ > kManySlots) ? 4U : 8U;
-    const std::uint32_t wanted = (plan.flaw == Flaw::kLengthExceeded) ? most_pairs : random.Between(1U, most_pairs);
+    static constexpr std::uint8_t kBitLengths[] = {1U, 1U, 1U,  2U,  3U,  5U,  7U,  8U,
+                                                   8U, 9U, 12U, 16U, 31U, 32U, 33U, 63U};
+    const bool is_fine = (config_a.granularity_bits == 1U) && (!plan.is_static);
+    const std::uint32_t unit = is_fine ? 1U : ((config_a.granularity_bits < 8U) ? 8U : config_a.granularity_bits);
+    const std::uint32_t most = (plan.flaw == Flaw::kLengthExceeded) ? 128U : kMaxPayloadBits;
+    const std::uint32_t most_pairs = MostPairs(random, plan);
+    const bool is_full = (plan.flaw == Flaw::kLengthExceeded) || (most_pairs > 8U);
+    const std::uint32_t wanted = is_full ? most_pairs : random.Between(1U, most_pairs);
     plan.pairs = 0U;
-    plan.bytes = 0U;
-    while ((plan.pairs < wanted) && ((plan.bytes + unit) <= most))
+    plan.bits = 0U;
+    while ((plan.pairs < wanted) && ((plan.bits + unit) <= most))
     {
-        const std::uint32_t room = (most - plan.bytes) / unit;
-        const std::uint32_t room_of_object = (8U / unit);
+        const std::uint32_t room = (most - plan.bits) / unit;
+        const std::uint32_t room_of_object = kMaxPayloadBits / unit;
         std::uint32_t units = random.Between(1U, (room < room_of_object) ? room : room_of_object);
         units = random.Chance(500U) ? 1U : units;
-        const std::uint8_t bytes = static_cast<std::uint8_t>(units * unit);
-        plan.lengths[plan.pairs] = bytes;
-        plan.bytes = static_cast<std::uint8_t>(plan.bytes + bytes);
-        ++plan.pairs;
+        if (is_fine)
+        {
+            const std::uint32_t bits = kBitLengths[random.Below(16U)];
+            units = ((most_pairs > 8U) || (bits > room)) ? 1U : bits;
+        }
+        AddPair(random, plan, units * unit);
     }
 }
 
@@ -119,16 +201,28 @@ void Device::MakeEntries(SlotIndex slot) noexcept
 {
     SlotPlan& plan = plans[slot];
     plan.map_count = static_cast<std::uint8_t>(2U * plan.pairs);
-    for (std::uint32_t& entry : plan.entries)
-    {
-        entry = 0U;
-    }
     for (std::uint8_t pair = 0U; pair < plan.pairs; ++pair)
     {
         const std::uint8_t sub = static_cast<std::uint8_t>(pair + 1U);
         plan.entries[2U * pair] = EntryOf(kNormalIndex, slot, sub, plan.lengths[pair]);
         plan.entries[(2U * pair) + 1U] = EntryOf(kInverseIndex, slot, sub, plan.lengths[pair]);
+        if (plan.dummies[pair] != 0U)
+        {
+            plan.entries[2U * pair] = EntryOf(plan.dummies[pair], 0U, 0U, plan.lengths[pair]);
+            plan.entries[(2U * pair) + 1U] = plan.entries[2U * pair];
+        }
     }
+    for (std::uint32_t entry = plan.map_count; entry < kMostEntries; ++entry)
+    {
+        plan.entries[entry] = 0U;
+    }
+}
+
+/// With the entries as they are after all flaws.
+void Device::FixMapping(SlotIndex slot) noexcept
+{
+    const SlotPlan& plan = plans[slot];
+    setups[slot].map = plan.is_static ? StaticMap{plan.entries, plan.map_count} : StaticMap{nullptr, 0U};
 }
 
 void Device::MakeSlot(Random& random, SlotIndex slot, std::uint32_t pair_of_identifiers) noexcept
@@ -150,6 +244,7 @@ void Device::MakeSlot(Random& random, SlotIndex slot, std::uint32_t pair_of_iden
     plan.transmission_type = kTransmissionTypeAsynchronous;
     plan.cob_id_1 = kFirstSrdoIdentifier + (2U * pair_of_identifiers);
     plan.cob_id_2 = plan.cob_id_1 + 1U;
+    MakeKind(random, plan);
     MakeLengths(random, plan);
     MakeEntries(slot);
 }
@@ -166,9 +261,14 @@ void Device::MakeSetup(Random& random, SlotIndex slot, std::uint32_t& number) no
         setup.policy = static_cast<ReleasePolicy>(random.Between(1U, 0x59U));
     }
     setup.form = random.Chance(500U) ? ProducerForm::kProviderCalled : ProducerForm::kApplicationSends;
-    const std::uint32_t bytes = plans[slot].bytes;
-    const std::uint32_t low = (bytes >= 4U) ? 0xFFFFFFFFU : ((1U << (8U * bytes)) - 1U);
-    const std::uint32_t high = (bytes >= 8U) ? 0xFFFFFFFFU : ((bytes <= 4U) ? 0U : ((1U << (8U * (bytes - 4U))) - 1U));
+    setup.detection = random.Chance(330U) ? SrvtDetection::kLate : SrvtDetection::kEarly;
+    if (random.Chance(10U))
+    {
+        setup.detection = static_cast<SrvtDetection>(random.Below(256U));
+    }
+    const std::uint32_t bits = plans[slot].bits;
+    const std::uint32_t low = (bits >= 32U) ? 0xFFFFFFFFU : ((1U << bits) - 1U);
+    const std::uint32_t high = (bits >= 64U) ? 0xFFFFFFFFU : ((bits <= 32U) ? 0U : ((1U << (bits - 32U)) - 1U));
     setup.safe_value = Payload{random.Next() & low, random.Next() & high};
 }
 
@@ -182,11 +282,14 @@ void Device::AddObjects(Memory& memory, std::uint16_t first_index, std::uint32_t
         std::uint32_t at = (Memory::kSlotBytes * slot) + offset;
         for (std::uint8_t pair = 0U; pair < plan.pairs; ++pair)
         {
-            memory.objects[object_count_] =
-                MappableObject{static_cast<std::uint16_t>(first_index + slot), static_cast<std::uint8_t>(pair + 1U),
-                               static_cast<std::uint8_t>(8U * plan.lengths[pair]), access, &memory.bytes[at]};
-            at += plan.lengths[pair];
-            ++object_count_;
+            if (plan.dummies[pair] == 0U)
+            {
+                memory.objects[object_count_] =
+                    MappableObject{static_cast<std::uint16_t>(first_index + slot), static_cast<std::uint8_t>(pair + 1U),
+                                   plan.lengths[pair], access, &memory.bytes[at]};
+                at += BytesOf(plan.lengths[pair]);
+                ++object_count_;
+            }
         }
     }
 }
@@ -201,127 +304,6 @@ void Device::MakeObjects(Memory& memory) noexcept
     {
         memory.objects[object_count_] = MappableObject{kUnmappableIndex, 0U, 8U, MapAccess::kNone, memory.spare};
         ++object_count_;
-    }
-}
-
-// ---- flaws
-
-void Device::Spoil(Random& random, SlotIndex slot) noexcept
-{
-    SlotPlan& plan = plans[slot];
-    switch (plan.flaw)
-    {
-    case Flaw::kDirection:
-        plan.direction = static_cast<std::uint8_t>(random.Between(3U, 255U));
-        break;
-    case Flaw::kTransmissionType:
-        plan.transmission_type = static_cast<std::uint8_t>(random.Chance(500U) ? 255U : random.Below(254U));
-        break;
-    case Flaw::kIdentifier:
-        SpoilIdentifier(random, plan);
-        break;
-    case Flaw::kIdentifierInUse:
-    {
-        const SlotPlan& other = plans[random.Below(count_)];
-        plan.cob_id_1 = other.cob_id_1;
-        plan.cob_id_2 = other.cob_id_2;
-        break;
-    }
-    case Flaw::kTiming:
-        SpoilTiming(random, plan);
-        break;
-    case Flaw::kMapCount:
-        plan.map_count = static_cast<std::uint8_t>(random.Chance(500U) ? random.Below(18U) : random.Below(256U));
-        break;
-    case Flaw::kEntry:
-        SpoilEntry(random, slot);
-        break;
-    case Flaw::kLengthExceeded:
-    case Flaw::kSignature:
-    case Flaw::kNeverValidated:
-    case Flaw::kNone:
-        break;
-    }
-}
-
-void Device::SpoilIdentifier(Random& random, SlotPlan& plan) noexcept
-{
-    switch (random.Below(6U))
-    {
-    case 0U:
-        plan.cob_id_1 += 1U;
-        plan.cob_id_2 += 1U;
-        break;
-    case 1U:
-        plan.cob_id_2 = random.Chance(500U) ? (plan.cob_id_1 - 1U) : random.Between(0x100U, 0x181U);
-        break;
-    case 2U:
-        plan.cob_id_1 = random.Chance(500U) ? 0xFFU : 0x181U;
-        plan.cob_id_2 = plan.cob_id_1 + 1U;
-        break;
-    case 3U:
-        plan.cob_id_1 |= 1U << random.Between(9U, 31U);
-        plan.cob_id_2 = plan.cob_id_1 + 1U;
-        break;
-    case 4U:
-        plan.cob_id_2 |= 1U << random.Between(9U, 31U);
-        break;
-    default:
-        plan.cob_id_1 = random.Next();
-        plan.cob_id_2 = random.Next();
-        break;
-    }
-}
-
-void Device::SpoilTiming(Random& random, SlotPlan& plan) noexcept
-{
-    if (plan.direction == kDirectionProducer)
-    {
-        const std::uint32_t cycle_ms = config_a.cycle_us / kMicrosecondsPerMillisecond;
-        plan.sct_ms = static_cast<std::uint16_t>(random.Below(cycle_ms + 1U));
-    }
-    else if (random.Chance(500U))
-    {
-        plan.srvt_ms = 0U;
-    }
-    else
-    {
-        plan.sct_ms = static_cast<std::uint16_t>(plan.srvt_ms - random.Below(2U));
-    }
-}
-
-void Device::SpoilEntry(Random& random, SlotIndex slot) noexcept
-{
-    SlotPlan& plan = plans[slot];
-    const std::uint32_t at = random.Below(plan.map_count);
-    const SlotIndex other = static_cast<SlotIndex>(random.Below(count_));
-    switch (random.Below(7U))
-    {
-    case 0U:
-        plan.entries[at] ^= 1U << random.Below(32U);
-        break;
-    case 1U:
-        plan.entries[at] = plan.entries[random.Below(plan.map_count)];
-        break;
-    case 2U:
-        plan.entries[at] = plans[other].entries[random.Below(2U)];
-        break;
-    case 3U:
-        plan.entries[at] = (static_cast<std::uint32_t>(kUnmappableIndex) << 16U) | 8U;
-        break;
-    case 4U:
-        plan.entries[at] = random.Next();
-        break;
-    case 5U:
-        plan.entries[at] += 8U;
-        break;
-    default:
-    {
-        const std::uint32_t swapped = plan.entries[at];
-        plan.entries[at] = plan.entries[0];
-        plan.entries[0] = swapped;
-        break;
-    }
     }
 }
 

@@ -48,6 +48,7 @@ bool Differential::RunSequence(std::uint32_t seed, std::uint32_t number) noexcep
             Reconfigure();
         }
     }
+    DigestBoth();
     ++sequences_;
     steps_ += step_;
     failures_ += differs_ ? 1U : 0U;
@@ -64,6 +65,8 @@ void Differential::StartSequence() noexcept
         causes_[slot] = SrdoCause::kNone;
     }
     acknowledge_ = 0U;
+    request_ = 0U;
+    stand_ = 0U;
     configured_ = 0U;
     configuration_valid_ = 0U;
     nmt_ = NmtState::kPreOperational;
@@ -82,7 +85,7 @@ void Differential::StartSequence() noexcept
          device_.config_a.cycle_us);
     a_.Restart(device_.config_a);
     b_.Restart(device_.config_b);
-    CompareAllViews();
+    CompareAllSlots();
 }
 
 SlotIndex Differential::AnySlot() noexcept
@@ -128,11 +131,41 @@ void Differential::CompareView(SlotIndex slot) noexcept
     }
 }
 
-void Differential::CompareAllViews() noexcept
+void Differential::CompareHeld(SlotIndex slot) noexcept
+{
+    const HeldPair a = a_.Held(slot);
+    const HeldPair b = b_.Held(slot);
+    Same("held data, bytes 0 to 3", slot, a.data.low, b.data.low);
+    Same("held data, bytes 4 to 7", slot, a.data.high, b.data.high);
+    Same("held ordinal", slot, a.ordinal, b.ordinal);
+    Same("holds_pair of Held", slot, a.holds_pair, b.holds_pair);
+    reached_.Add(Item::kHeldPair, (a.holds_pair == 1U) ? 1U : 0U);
+}
+
+void Differential::CompareSlot(SlotIndex slot) noexcept
+{
+    CompareView(slot);
+    CompareHeld(slot);
+}
+
+/// Every byte, those behind the length too.
+void Differential::SameFrame(SlotIndex slot, const CanFrame& a, const CanFrame& b) noexcept
+{
+    Same("identifier of the frame", slot, a.identifier, b.identifier);
+    Same("kind of the frame", slot, static_cast<std::uint64_t>(a.kind), static_cast<std::uint64_t>(b.kind));
+    Same("controller of the frame", slot, static_cast<std::uint64_t>(a.port), static_cast<std::uint64_t>(b.port));
+    Same("length of the frame", slot, a.length_bytes, b.length_bytes);
+    for (std::uint32_t i = 0U; i < kMaxPayloadBytes; ++i)
+    {
+        Same("data of the frame", slot, a.data[i], b.data[i]);
+    }
+}
+
+void Differential::CompareAllSlots() noexcept
 {
     for (SlotIndex slot = 0U; slot < device_.config_a.srdo_count; ++slot)
     {
-        CompareView(slot);
+        CompareSlot(slot);
     }
 }
 
@@ -141,15 +174,39 @@ void Differential::CompareObjects(SlotIndex slot) noexcept
 {
     const std::uint8_t* const a = &device_.memory_a.bytes[Memory::kSlotBytes * slot];
     const std::uint8_t* const b = &device_.memory_b.bytes[Memory::kSlotBytes * slot];
-    if ((device_.plans[slot].direction == kDirectionProducer) || has_odd_mapping_)
+    const SlotPlan& plan = device_.plans[slot];
+    if ((plan.direction == kDirectionProducer) || has_odd_mapping_)
     {
         return; // The application's: equal in both memories from the start.
     }
-    const bool is_written = (configured_ & (SrdoMask{1U} << slot)) != 0U;
-    for (std::uint32_t i = 0U; i < device_.plans[slot].bytes; ++i)
+    std::uint32_t at = 0U;
+    for (std::uint32_t pair = 0U; pair < plan.pairs; ++pair)
     {
-        const std::uint32_t complement = 0xFFU ^ static_cast<std::uint32_t>(b[Memory::kInverseAt + i]);
-        Same("object of A, complement of B's", slot, a[i], is_written ? complement : b[Memory::kInverseAt + i]);
+        if (plan.dummies[pair] == 0U)
+        {
+            ComparePair(slot, at, plan.lengths[pair]);
+            at += BytesOf(plan.lengths[pair]);
+        }
+    }
+    for (; at < Memory::kInverseAt; ++at)
+    {
+        Same("byte behind the objects in A's memory", slot, a[at], Memory::kFill);
+        Same("byte behind the objects in B's memory", slot, Memory::kFill, b[Memory::kInverseAt + at]);
+    }
+}
+
+/// One object of each side. Bits above the length are 0 once they have been written.
+void Differential::ComparePair(SlotIndex slot, std::uint32_t at, std::uint32_t bits) noexcept
+{
+    const std::uint8_t* const a = &device_.memory_a.bytes[(Memory::kSlotBytes * slot) + at];
+    const std::uint8_t* const b = &device_.memory_b.bytes[(Memory::kSlotBytes * slot) + at];
+    const bool is_written = (configured_ & (SrdoMask{1U} << slot)) != 0U;
+    const std::uint32_t bytes = BytesOf(bits);
+    for (std::uint32_t i = 0U; i < bytes; ++i)
+    {
+        const std::uint32_t mask = ((i + 1U) == bytes) ? LastByteMask(bits) : 0xFFU;
+        const std::uint32_t inverse = b[Memory::kInverseAt + i];
+        Same("object of A, complement of B's", slot, a[i], is_written ? (mask ^ inverse) : inverse);
         Same("inverse object in A's memory", slot, a[Memory::kInverseAt + i], Memory::kFill);
         Same("normal object in B's memory", slot, Memory::kFill, b[i]);
     }
@@ -186,6 +243,13 @@ void Differential::NoteRecovery(SlotIndex slot, const SrdoView& view) noexcept
         reached_.Add(Item::kAcknowledgedCause);
     }
     reached_.AddSignals(view.signals, view.state == SrdoState::kProducer);
+    const bool is_late = device_.setups[slot].detection == SrvtDetection::kLate;
+    if (is_late && (view.state != SrdoState::kProducer))
+    {
+        reached_.Add(Item::kLateSrvt, (view.signals >> static_cast<std::uint8_t>(SrdoCause::kSrvt)) & 1U);
+        reached_.Add(Item::kLateSct, (view.signals >> static_cast<std::uint8_t>(SrdoCause::kSct)) & 1U);
+        reached_.Add(Item::kLateReleased, (view.state == SrdoState::kReleased) ? 1U : 0U);
+    }
     states_[slot] = view.state;
     causes_[slot] = view.first_cause;
 }

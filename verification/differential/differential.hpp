@@ -85,10 +85,8 @@ class Differential
     /// How far the transmission of one slot has come, as the generator knows it.
     struct Transmission
     {
-        CanFrame frame; ///< Awaited on the bus; kind kInvalid if none.
-        Payload data;   ///< Of the last ready Prepare.
-        std::uint8_t length_bytes;
-        bool is_inverse; ///< The frame is the inverse one.
+        CanFrame frame;  ///< Next on the bus; kind kInvalid if none.
+        CanFrame normal; ///< Of the last ready Prepare.
     };
 
     // differential.cpp
@@ -96,8 +94,12 @@ class Differential
     void Step(const char* name, SlotIndex slot, std::uint64_t x, std::uint64_t y, std::uint64_t z) noexcept;
     void Same(const char* field, SlotIndex slot, std::uint64_t a, std::uint64_t b) noexcept;
     void CompareView(SlotIndex slot) noexcept;
-    void CompareAllViews() noexcept;
+    void CompareHeld(SlotIndex slot) noexcept;
+    void CompareSlot(SlotIndex slot) noexcept;
+    void CompareAllSlots() noexcept;
+    void SameFrame(SlotIndex slot, const CanFrame& a, const CanFrame& b) noexcept;
     void CompareObjects(SlotIndex slot) noexcept;
+    void ComparePair(SlotIndex slot, std::uint32_t at, std::uint32_t bits) noexcept;
     void CompareOutcomes(const CycleOutcome& a, const CycleOutcome& b) noexcept;
     void NoteRecovery(SlotIndex slot, const SrdoView& view) noexcept;
     [[nodiscard]] SlotIndex AnySlot() noexcept;
@@ -111,6 +113,9 @@ class Differential
     void ValidateSlot(SlotIndex slot) noexcept;
     [[nodiscard]] CheckResult ValidateBoth(SlotIndex slot) noexcept;
     void RecheckBoth(SlotIndex slot) noexcept;
+    void RegisterFields(SlotIndex slot) noexcept;
+    void RegisterBoth(SlotIndex slot, std::uint32_t normal_at, std::uint32_t inverse_at) noexcept;
+    void DigestBoth() noexcept;
 
     // consume.cpp
     void ConsumerStep() noexcept;
@@ -118,6 +123,9 @@ class Differential
     void NormalFrame(SlotIndex slot, const Payload& data) noexcept;
     void InverseFrame(SlotIndex slot, const Payload& data) noexcept;
     void WrongFrame(SlotIndex slot) noexcept;
+    void SpoiledPair(SlotIndex slot) noexcept;
+    void ScatterBehind(CanFrame& frame) noexcept;
+    void NoteAccepted(SlotIndex slot) noexcept;
     void Feed(const CanFrame& frame, SlotIndex slot) noexcept;
     [[nodiscard]] CanFrame FrameOf(SlotIndex slot, bool is_inverse, const Payload& data) const noexcept;
     [[nodiscard]] Payload AnyData() noexcept;
@@ -134,13 +142,15 @@ class Differential
     void ProducerStep() noexcept;
     void Serve(SrdoMask due) noexcept;
     void PrepareBoth(SlotIndex slot) noexcept;
-    void LaunchBoth(SlotIndex slot) noexcept;
-    void TakeFrames(SlotIndex slot) noexcept;
-    void CheckFrame(SlotIndex slot, const CanFrame& frame, bool is_inverse) noexcept;
+    void ComparePrepared(SlotIndex slot, const PreparedPair& a, const PreparedPair& b) noexcept;
+    [[nodiscard]] CanFrame NormalOf(SlotIndex slot, const Payload& data) const noexcept;
+    void TakeInverse(SlotIndex slot) noexcept;
+    [[nodiscard]] CanFrame InverseOf(SlotIndex slot) const noexcept;
     void Confirm(SlotIndex slot) noexcept;
     void ConfirmBoth(const CanFrame& frame, SlotIndex slot) noexcept;
     void FailBoth(SlotIndex slot, SrdoCause cause) noexcept;
     void WriteObjects(SlotIndex slot) noexcept;
+    void NoteSent(SlotIndex slot) noexcept;
 
     Channel& a_;
     Channel& b_;
@@ -154,6 +164,8 @@ class Differential
     SrdoCause causes_[kMaxSrdoCount]{};      ///< First causes as of the OnCycle before.
     std::uint32_t last_us_[kMaxSrdoCount]{}; ///< Stamp of the latest normal frame.
     SrdoMask acknowledge_{0U};
+    SrdoMask request_{0U};    ///< For the next OnCycle.
+    SrdoMask stand_{0U};      ///< For the next OnCycle.
     SrdoMask configured_{0U}; ///< Slots whose last Validate found no fault.
     NmtState nmt_{NmtState::kPreOperational};
     QueueState queue_{QueueState::kIntact};

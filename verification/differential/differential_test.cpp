@@ -72,8 +72,8 @@ class Deaf final : public conformance::Forwarding
 
 struct Parts
 {
-    channel_a::StorageFor<kMaxSrdoCount> storage_a{};
-    channel_b::StorageFor<kMaxSrdoCount> storage_b{};
+    channel_a::StorageFor<kMaxSrdoCount, kMaxMapEntries> storage_a{};
+    channel_b::StorageFor<kMaxSrdoCount, kMaxMapEntries> storage_b{};
     channel_a::Channel a{storage_a.Handle()};
     channel_b::Channel b{storage_b.Handle()};
     Listener listener{};

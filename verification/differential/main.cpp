@@ -143,8 +143,8 @@ int Report(const DifferentialResult& result, const Reached& reached)
 
 int Main(const Options& options)
 {
-    const auto storage_a = std::make_unique<channel_a::StorageFor<kMaxSrdoCount>>();
-    const auto storage_b = std::make_unique<channel_b::StorageFor<kMaxSrdoCount>>();
+    const auto storage_a = std::make_unique<channel_a::StorageFor<kMaxSrdoCount, kMaxMapEntries>>();
+    const auto storage_b = std::make_unique<channel_b::StorageFor<kMaxSrdoCount, kMaxMapEntries>>();
     channel_a::Channel a{storage_a->Handle()};
     channel_b::Channel b{storage_b->Handle()};
     Printer printer;

@@ -1,38 +1,39 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// Producers: requests, Prepare, Launch, frames and their confirmations, in order and out of it.
+// Producers: requests, Prepare, frames and their confirmations, in order and out of it.
 #include "verification/differential/differential.hpp"
 
 namespace counterpoint::differential
 {
 
-namespace
-{
-std::uint32_t ByteOf(const Payload& data, std::uint32_t at) noexcept
-{
-    const std::uint32_t half = (at < 4U) ? data.low : data.high;
-    return (half >> (8U * (at % 4U))) & 0xFFU;
-}
-} // namespace
-
-/// The application writes its pair, as a rule inverse in every bit, into both memories.
+/// The application writes its pair, as a rule inverse in every bit, into both memories; above the objects it leaves
+/// what it likes.
 void Differential::WriteObjects(SlotIndex slot) noexcept
 {
+    const SlotPlan& plan = device_.plans[slot];
     const std::uint32_t at = Memory::kSlotBytes * slot;
-    const std::uint32_t bytes = device_.plans[slot].bytes;
-    if (device_.plans[slot].direction != kDirectionProducer)
+    if (plan.direction != kDirectionProducer)
     {
         return; // The objects of a consumer are the channels'.
     }
-    for (std::uint32_t i = 0U; i < bytes; ++i)
+    std::uint32_t offset = 0U;
+    for (std::uint32_t pair = 0U; pair < plan.pairs; ++pair)
     {
-        const std::uint32_t value = random_.Below(256U);
-        device_.memory_a.bytes[at + i] = static_cast<std::uint8_t>(value);
-        device_.memory_a.bytes[at + Memory::kInverseAt + i] = static_cast<std::uint8_t>(0xFFU ^ value);
+        const std::uint32_t bytes = BytesOf(plan.lengths[pair]);
+        for (std::uint32_t i = 0U; i < bytes; ++i)
+        {
+            const std::uint32_t mask = ((i + 1U) == bytes) ? LastByteMask(plan.lengths[pair]) : 0xFFU;
+            const std::uint32_t value = random_.Below(256U);
+            const std::uint32_t above = random_.Below(256U) & (0xFFU ^ mask);
+            device_.memory_a.bytes[at + offset] = static_cast<std::uint8_t>(value);
+            device_.memory_a.bytes[at + Memory::kInverseAt + offset] =
+                static_cast<std::uint8_t>(((0xFFU ^ value) & mask) | above);
+            ++offset;
+        }
     }
-    if (random_.Chance(80U))
+    if (random_.Chance(80U) && (offset != 0U))
     {
-        const std::uint32_t place = at + random_.Below(bytes);
+        const std::uint32_t place = at + random_.Below(offset);
         const std::uint32_t wrong = place + (random_.Chance(500U) ? Memory::kInverseAt : 0U);
         device_.memory_a.bytes[wrong] =
             static_cast<std::uint8_t>(device_.memory_a.bytes[wrong] ^ (1U << random_.Below(8U)));
@@ -43,89 +44,129 @@ void Differential::WriteObjects(SlotIndex slot) noexcept
     }
 }
 
+/// The normal frame of these data; bytes behind the length are 0.
+CanFrame Differential::NormalOf(SlotIndex slot, const Payload& data) const noexcept
+{
+    CanFrame frame = FrameOf(slot, false, data);
+    for (std::uint32_t i = frame.length_bytes; i < kMaxPayloadBytes; ++i)
+    {
+        frame.data[i] = 0U;
+    }
+    return frame;
+}
+
+/// Each frame is what the memory of the channel's own side says; that they differ is no difference of the channels.
+void Differential::ComparePrepared(SlotIndex slot, const PreparedPair& a, const PreparedPair& b) noexcept
+{
+    const SlotPlan& plan = device_.plans[slot];
+    Same("status of Prepare", slot, static_cast<std::uint64_t>(a.status), static_cast<std::uint64_t>(b.status));
+    if (a.status != PrepareStatus::kReady)
+    {
+        SameFrame(slot, a.normal, CanFrame{});
+        SameFrame(slot, CanFrame{}, b.normal);
+        return;
+    }
+    Same("identifier of the prepared frame", slot, a.normal.identifier, b.normal.identifier);
+    Same("kind of the prepared frame", slot, static_cast<std::uint64_t>(a.normal.kind),
+         static_cast<std::uint64_t>(b.normal.kind));
+    Same("controller of the prepared frame", slot, static_cast<std::uint64_t>(a.normal.port),
+         static_cast<std::uint64_t>(b.normal.port));
+    Same("length of the prepared frame", slot, a.normal.length_bytes, b.normal.length_bytes);
+    if (!has_odd_mapping_)
+    {
+        const Payload inverse = device_.memory_b.Read(slot, plan, true);
+        SameFrame(slot, a.normal, NormalOf(slot, device_.memory_a.Read(slot, plan, false)));
+        SameFrame(slot, NormalOf(slot, Payload{0xFFFFFFFFU ^ inverse.low, 0xFFFFFFFFU ^ inverse.high}), b.normal);
+    }
+}
+
 void Differential::PrepareBoth(SlotIndex slot) noexcept
 {
     Step("Prepare", slot, 0U, 0U, 0U);
     const PreparedPair a = a_.Prepare(slot);
     const PreparedPair b = b_.Prepare(slot);
-    Same("status of Prepare", slot, static_cast<std::uint64_t>(a.status), static_cast<std::uint64_t>(b.status));
-    Same("length of the prepared pair", slot, a.length_bytes, b.length_bytes);
-    Same("prepared data, bytes 0 to 3", slot, a.normal.low, b.normal.low);
-    Same("prepared data, bytes 4 to 7", slot, a.normal.high, b.normal.high);
-    CompareView(slot);
-    Transmission& transmission = transmissions_[slot];
-    if (a.status == PrepareStatus::kReady)
-    {
-        reached_.Add(Item::kPreparedReady);
-        transmission = Transmission{};
-        transmission.data = a.normal;
-        transmission.length_bytes = a.length_bytes;
-    }
-    reached_.Add(Item::kPreparedNotInverse, (a.status == PrepareStatus::kNotInverse) ? 1U : 0U);
+    ComparePrepared(slot, a, b);
     reached_.Add(Item::kPreparedNotProducer, (a.status == PrepareStatus::kNotProducer) ? 1U : 0U);
-}
-
-void Differential::LaunchBoth(SlotIndex slot) noexcept
-{
-    Step("Launch", slot, 0U, 0U, 0U);
-    a_.Launch(slot);
-    b_.Launch(slot);
-    CompareView(slot);
-}
-
-/// A frame that a channel handed out: that of the last ready Prepare, normal from A, inverse from B.
-void Differential::CheckFrame(SlotIndex slot, const CanFrame& frame, bool is_inverse) noexcept
-{
-    const SlotPlan& plan = device_.plans[slot];
-    const Transmission& transmission = transmissions_[slot];
-    const CanPortId port = is_inverse ? device_.config_a.inverse_port : device_.config_a.normal_port;
-    Same("kind of the next frame", slot, static_cast<std::uint64_t>(frame.kind),
-         static_cast<std::uint64_t>(FrameKind::kData));
-    Same("identifier of the next frame", slot, frame.identifier, is_inverse ? plan.cob_id_2 : plan.cob_id_1);
-    Same("controller of the next frame", slot, static_cast<std::uint64_t>(frame.port),
-         static_cast<std::uint64_t>(port));
-    Same("length of the next frame", slot, frame.length_bytes, transmission.length_bytes);
-    for (std::uint32_t i = 0U; i < transmission.length_bytes; ++i)
+    if (a.status != PrepareStatus::kReady)
     {
-        const std::uint32_t normal = ByteOf(transmission.data, i);
-        Same("data of the next frame", slot, frame.data[i], is_inverse ? (0xFFU ^ normal) : normal);
+        CompareSlot(slot);
+        return;
+    }
+    bool is_equal = true;
+    for (std::uint32_t i = 0U; i < kMaxPayloadBytes; ++i)
+    {
+        is_equal = is_equal && (a.normal.data[i] == b.normal.data[i]);
+    }
+    if (is_equal)
+    {
+        CompareSlot(slot);
+        transmissions_[slot] = Transmission{a.normal, a.normal};
+        reached_.Add(Item::kPreparedReady);
+    }
+    else
+    {
+        transmissions_[slot] = Transmission{};
+        reached_.Add(Item::kPreparedUnequal);
+        FailBoth(slot, SrdoCause::kNotInverse);
     }
 }
 
-/// Both are asked; at most one has a frame.
-void Differential::TakeFrames(SlotIndex slot) noexcept
+/// What B has to hand out after the last ready Prepare.
+CanFrame Differential::InverseOf(SlotIndex slot) const noexcept
 {
-    Step("NextFrame", slot, 0U, 0U, 0U);
-    const CanFrame a = a_.NextFrame(slot);
-    const CanFrame b = b_.NextFrame(slot);
-    const bool has_a = a.kind != FrameKind::kInvalid;
-    const bool has_b = b.kind != FrameKind::kInvalid;
-    Same("frames of both at once", slot, (has_a && has_b) ? 1U : 0U, 0U);
-    if (has_a)
+    CanFrame frame = transmissions_[slot].normal;
+    frame.identifier = device_.plans[slot].cob_id_2;
+    frame.port = device_.config_b.inverse_port;
+    for (std::uint32_t i = 0U; i < frame.length_bytes; ++i)
     {
-        CheckFrame(slot, a, false);
-        transmissions_[slot].frame = a;
-        transmissions_[slot].is_inverse = false;
+        frame.data[i] = static_cast<std::uint8_t>(0xFFU ^ frame.data[i]);
     }
-    if (has_b)
+    return frame;
+}
+
+/// Both are asked; only B may have one.
+void Differential::TakeInverse(SlotIndex slot) noexcept
+{
+    Step("InverseFrame", slot, 0U, 0U, 0U);
+    SameFrame(slot, a_.InverseFrame(slot), CanFrame{});
+    const CanFrame frame = b_.InverseFrame(slot);
+    if (frame.kind == FrameKind::kInvalid)
     {
-        CheckFrame(slot, b, true);
-        transmissions_[slot].frame = b;
-        transmissions_[slot].is_inverse = true;
+        SameFrame(slot, CanFrame{}, frame);
     }
+    else
+    {
+        SameFrame(slot, InverseOf(slot), frame);
+        transmissions_[slot].frame = frame;
+        reached_.Add(Item::kInverseFrame);
+    }
+    CompareSlot(slot);
 }
 
 void Differential::ConfirmBoth(const CanFrame& frame, SlotIndex slot) noexcept
 {
     Step("OnConfirm: identifier, length << 8 | kind, stamp", slot, frame.identifier,
          (static_cast<std::uint64_t>(frame.length_bytes) << 8U) | static_cast<std::uint64_t>(frame.kind), clock_us_);
-    const std::uint32_t before = a_.View(slot).ordinal;
-    const SlotIndex a = a_.OnConfirm(frame, Instant{clock_us_});
-    const SlotIndex b = b_.OnConfirm(frame, Instant{clock_us_});
-    Same("slot of OnConfirm", slot, a, b);
-    CompareView(slot);
-    const SrdoView view = a_.View(slot);
-    reached_.Add(Item::kSentPair, ((view.state == SrdoState::kProducer) && (view.ordinal == (before + 1U))) ? 1U : 0U);
+    const Confirmation a = a_.OnConfirm(frame, Instant{clock_us_});
+    const Confirmation b = b_.OnConfirm(frame, Instant{clock_us_});
+    Same("slot of OnConfirm", slot, a.slot, b.slot);
+    Same("step of OnConfirm", slot, static_cast<std::uint64_t>(a.step), static_cast<std::uint64_t>(b.step));
+    CompareSlot(slot);
+    reached_.Add(Item::kConfirmedNormal, (a.step == ConfirmStep::kNormal) ? 1U : 0U);
+    if (a.step == ConfirmStep::kPair)
+    {
+        NoteSent(slot);
+    }
+}
+
+/// What kind of SRDO sent a pair, for the counts.
+void Differential::NoteSent(SlotIndex slot) noexcept
+{
+    const SlotPlan& plan = device_.plans[slot];
+    reached_.Add(Item::kSentPair);
+    reached_.Add(Item::kSentBits, ((plan.bits % 8U) != 0U) ? 1U : 0U);
+    reached_.Add(Item::kSentStatic, plan.is_static ? 1U : 0U);
+    reached_.Add(Item::kSentManyEntries, (plan.pairs > 8U) ? 1U : 0U);
 }
 
 /// The frame on the bus is confirmed: as a rule as it was, now and then another, or just on or behind its limit.
@@ -172,9 +213,9 @@ void Differential::Confirm(SlotIndex slot) noexcept
 void Differential::FailBoth(SlotIndex slot, SrdoCause cause) noexcept
 {
     Step("OnTransmitFault: cause", slot, static_cast<std::uint64_t>(cause), 0U, 0U);
-    a_.OnTransmitFault(slot, cause);
-    b_.OnTransmitFault(slot, cause);
-    CompareView(slot);
+    a_.OnTransmitFault(slot, TransmitFault{cause});
+    b_.OnTransmitFault(slot, TransmitFault{cause});
+    CompareSlot(slot);
 }
 
 /// What the kernel does for the producers that are due.
@@ -188,13 +229,16 @@ void Differential::Serve(SrdoMask due) noexcept
         }
         WriteObjects(slot);
         PrepareBoth(slot);
-        if (random_.Chance(960U))
-        {
-            LaunchBoth(slot);
-        }
         for (std::uint32_t half = 0U; half < 2U; ++half)
         {
-            TakeFrames(slot);
+            if ((half == 1U) && random_.Chance(60U))
+            {
+                transmissions_[slot].frame = InverseOf(slot); // On the bus, although nobody asked for it.
+            }
+            else
+            {
+                TakeInverse(slot);
+            }
             if (random_.Chance(50U))
             {
                 FailBoth(slot, random_.Chance(500U) ? SrdoCause::kTransmitQueue : SrdoCause::kBusOff);
@@ -211,6 +255,7 @@ void Differential::Serve(SrdoMask due) noexcept
 void Differential::ProducerStep() noexcept
 {
     const SlotIndex slot = AnySlot();
+    const SrdoMask bit = SrdoMask{1U} << slot;
     switch (random_.Below(9U))
     {
     case 0U:
@@ -218,30 +263,23 @@ void Differential::ProducerStep() noexcept
         PrepareBoth(slot);
         break;
     case 1U:
-        LaunchBoth(slot);
-        break;
     case 2U:
-        TakeFrames(slot);
+        TakeInverse(slot);
         break;
     case 3U:
-        FailBoth(slot, static_cast<SrdoCause>(random_.Between(11U, 19U)));
+        FailBoth(slot,
+                 random_.Chance(200U) ? SrdoCause::kNotInverse : static_cast<SrdoCause>(random_.Between(11U, 19U)));
         break;
     case 4U:
     case 5U:
-        TakeFrames(slot);
+        TakeInverse(slot);
         Confirm(slot);
         break;
     case 6U:
-        Step("Hold", slot, 0U, 0U, 0U);
-        a_.Hold(slot);
-        b_.Hold(slot);
-        CompareView(slot);
+        stand_ |= bit;
         break;
     default:
-        Step("Request", slot, 0U, 0U, 0U);
-        a_.Request(slot);
-        b_.Request(slot);
-        CompareView(slot);
+        request_ |= bit;
         break;
     }
 }

@@ -9,7 +9,7 @@ import re
 import subprocess
 import sys
 
-SAFETY_ROOMS = ("safety_core/contract", "safety_core/comparator", "safety_core/kernel", "channel_a", "channel_b")
+SAFETY_ROOMS = ("safety_core/contract", "safety_core/comparator", "safety_core/kernel", "safety_core/selftest", "safety_core/crosslink", "channel_a", "channel_b")
 MISRA_ROOMS = ("safety_core", "channel_a", "channel_b", "hal")
 PRODUCT_FOLDERS = ("safety_core", "channel_a", "channel_b", "hal", "canopen", "examples", "tools",
                    "verification/simulator")

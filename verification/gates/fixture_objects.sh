@@ -5,7 +5,7 @@ set -euo pipefail
 sources=$1
 made=$2
 mkdir -p "$made/tree"
-for room in channel_a channel_b safety_core_comparator safety_core_kernel hal_api; do
+for room in channel_a channel_b safety_core_comparator safety_core_kernel safety_core_selftest safety_core_crosslink hal_api; do
     source=$made/$room.cpp
     if [ -e "$sources/$room.cpp" ]; then
         cp "$sources/$room.cpp" "$source"

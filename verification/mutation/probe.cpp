@@ -63,13 +63,25 @@ bool PassesDifferential(Channel& a, Channel& b)
     return differential::RunDifferential(*run, kSeed, 0U, kSequences, 1U).failures == 0U;
 }
 
+/// A device of each kind, and either policy.
+struct Rig
+{
+    conformance::RigKind kind;
+    ReleasePolicy policy;
+};
+
+constexpr Rig kRigs[] = {{conformance::RigKind::kBytes, ReleasePolicy::kAutomatic},
+                         {conformance::RigKind::kBytes, ReleasePolicy::kInterlock},
+                         {conformance::RigKind::kFixed, ReleasePolicy::kAutomatic},
+                         {conformance::RigKind::kBits, ReleasePolicy::kInterlock}};
+
 bool PassesFlips(conformance::Party party)
 {
     for (std::uint32_t phase = 0U; phase < conformance::kPhaseCount; ++phase)
     {
-        for (const ReleasePolicy policy : {ReleasePolicy::kAutomatic, ReleasePolicy::kInterlock})
+        for (const Rig& rig : kRigs)
         {
-            const conformance::FlipResult result = conformance::FlipEveryBit(party, policy, phase);
+            const conformance::FlipResult result = conformance::FlipEveryBit(party, rig.policy, phase, rig.kind);
             if ((result.complaints != 0U) || (result.granted != result.runs))
             {
                 std::printf("killed: corrupted storage, phase %u, %s\n", phase, result.first.c_str());
@@ -83,8 +95,8 @@ bool PassesFlips(conformance::Party party)
 /// The differential run is asked for by any argument, so that each mutant shows which of both kills it.
 int Main(bool is_differential_only)
 {
-    const auto storage_a = std::make_unique<channel_a::StorageFor<kMaxSrdoCount>>();
-    const auto storage_b = std::make_unique<channel_b::StorageFor<kMaxSrdoCount>>();
+    const auto storage_a = std::make_unique<channel_a::StorageFor<kMaxSrdoCount, kMaxMapEntries>>();
+    const auto storage_b = std::make_unique<channel_b::StorageFor<kMaxSrdoCount, kMaxMapEntries>>();
     channel_a::Channel a{storage_a->Handle()};
     channel_b::Channel b{storage_b->Handle()};
     if (is_differential_only)

@@ -23,7 +23,9 @@ EVIDENCE = ROOT / "build/evidence"
 DATA = EVIDENCE / "data"
 LOGS = ROOT / "build/log"
 ROOMS = {"channel_a": "channel_a", "channel_b": "channel_b", "safety_core_comparator": "safety_core/comparator",
-         "safety_core_kernel": "safety_core/kernel", "hal_api": "hal/api"}
+         "safety_core_kernel": "safety_core/kernel", "safety_core_selftest": "safety_core/selftest",
+         "safety_core_crosslink": "safety_core/crosslink",
+         "hal_api": "hal/api"}
 
 
 class StepFailed(Exception):

@@ -38,46 +38,54 @@ template <typename ShippedChannel, typename Storage> class Host final : public C
     ShippedChannel channel_;
 };
 
-template <std::uint8_t kSlots> std::unique_ptr<ChannelHost> MakeA()
+template <std::uint8_t kSlots, std::uint8_t kEntries> std::unique_ptr<ChannelHost> MakeA()
 {
-    return std::make_unique<Host<channel_a::Channel, channel_a::StorageFor<kSlots>>>();
+    return std::make_unique<Host<channel_a::Channel, channel_a::StorageFor<kSlots, kEntries>>>();
 }
 
-template <std::uint8_t kSlots> std::unique_ptr<ChannelHost> MakeB()
+template <std::uint8_t kSlots, std::uint8_t kEntries> std::unique_ptr<ChannelHost> MakeB()
 {
-    return std::make_unique<Host<channel_b::Channel, channel_b::StorageFor<kSlots>>>();
+    return std::make_unique<Host<channel_b::Channel, channel_b::StorageFor<kSlots, kEntries>>>();
 }
 
 using Maker = std::unique_ptr<ChannelHost> (*)();
+using Makers = std::array<Maker, kMaxSrdoCount>;
 
-template <std::size_t... kIndex>
-constexpr std::array<Maker, sizeof...(kIndex)> MakersA(std::index_sequence<kIndex...> indices)
+template <std::uint8_t kEntries, std::size_t... kIndex> constexpr Makers MakersA(std::index_sequence<kIndex...> indices)
 {
     static_cast<void>(indices);
-    return {{&MakeA<static_cast<std::uint8_t>(kIndex + 1U)>...}};
+    return {{&MakeA<static_cast<std::uint8_t>(kIndex + 1U), kEntries>...}};
 }
 
-template <std::size_t... kIndex>
-constexpr std::array<Maker, sizeof...(kIndex)> MakersB(std::index_sequence<kIndex...> indices)
+template <std::uint8_t kEntries, std::size_t... kIndex> constexpr Makers MakersB(std::index_sequence<kIndex...> indices)
 {
     static_cast<void>(indices);
-    return {{&MakeB<static_cast<std::uint8_t>(kIndex + 1U)>...}};
+    return {{&MakeB<static_cast<std::uint8_t>(kIndex + 1U), kEntries>...}};
 }
 
-constexpr std::array<Maker, kMaxSrdoCount> kMakersA = MakersA(std::make_index_sequence<kMaxSrdoCount>());
-constexpr std::array<Maker, kMaxSrdoCount> kMakersB = MakersB(std::make_index_sequence<kMaxSrdoCount>());
+constexpr Makers kUsualA = MakersA<kUsualMapEntries>(std::make_index_sequence<kMaxSrdoCount>());
+constexpr Makers kWideA = MakersA<kMaxMapEntries>(std::make_index_sequence<kMaxSrdoCount>());
+constexpr Makers kUsualB = MakersB<kUsualMapEntries>(std::make_index_sequence<kMaxSrdoCount>());
+constexpr Makers kWideB = MakersB<kMaxMapEntries>(std::make_index_sequence<kMaxSrdoCount>());
 } // namespace
 
-std::unique_ptr<ChannelHost> MakeChannel(const Letter letter, const std::uint8_t slots)
+std::unique_ptr<ChannelHost> MakeChannel(const Letter letter, const ChannelRoom& room)
 {
-    const std::array<Maker, kMaxSrdoCount>& makers = (letter == Letter::kA) ? kMakersA : kMakersB;
-    return makers.at(slots - 1U)();
+    const bool is_wide = room.map_entries > kUsualMapEntries;
+    const Makers& of_a = is_wide ? kWideA : kUsualA;
+    const Makers& of_b = is_wide ? kWideB : kUsualB;
+    return ((letter == Letter::kA) ? of_a : of_b).at(room.slots - 1U)();
+}
+
+ChannelRoom RoomOf(const DeviceConfig& config) noexcept
+{
+    return {config.srdo_count, config.map_entries};
 }
 
 std::optional<BitPlace> FindConfigBit(const Letter letter, const DeviceConfig& config, const ConfigAddress& address,
                                       const std::uint8_t bit)
 {
-    const std::unique_ptr<ChannelHost> trial = MakeChannel(letter, config.srdo_count);
+    const std::unique_ptr<ChannelHost> trial = MakeChannel(letter, RoomOf(config));
     trial->Voice().Restart(config);
     // What changes when the value does is looked at bit by bit: the one whose flip alone changes the value is it, and
     // not a check sum beside it.

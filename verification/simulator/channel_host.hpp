@@ -32,8 +32,10 @@ enum class Letter : std::uint8_t
     kB = 2U,
 };
 
-/// `slots` is 1 to 64.
-[[nodiscard]] std::unique_ptr<ChannelHost> MakeChannel(Letter letter, std::uint8_t slots);
+/// @brief What a device needs: 1 to 64 slots.
+[[nodiscard]] ChannelRoom RoomOf(const DeviceConfig& config) noexcept;
+/// @brief A channel with room for so many slots, and 16 entries each where they are enough, else 128.
+[[nodiscard]] std::unique_ptr<ChannelHost> MakeChannel(Letter letter, const ChannelRoom& room);
 
 struct BitPlace
 {

@@ -19,12 +19,24 @@ bool ChannelTap::IsStill() const noexcept
     {
         faults_.Hang(condition);
     }
-    if (condition.kind == FaultKind::kFrozen)
+    if (condition.kind == FaultKind::kFrozen || condition.kind == FaultKind::kNotCalled)
     {
         faults_.HasEffect(condition);
         return true;
     }
     return false;
+}
+
+bool ChannelTap::IsMute() const noexcept
+{
+    const PartCondition& condition = faults_.Condition(part_);
+    return condition.is_faulty && condition.kind == FaultKind::kNotCalled;
+}
+
+bool ChannelTap::IsGood() const noexcept
+{
+    const PartCondition& condition = faults_.Condition(part_);
+    return condition.is_faulty && condition.kind == FaultKind::kAlwaysGood;
 }
 
 std::uint32_t ChannelTap::Calls(const ChannelCall call, const bool matters) noexcept
@@ -47,6 +59,9 @@ void ChannelTap::Restart(const DeviceConfig& config) noexcept
 {
     real_.Restart(config);
     outcome_ = CycleOutcome{};
+    slot_count_ = config.srdo_count;
+    once_released_ = 0U;
+    held_.fill({});
 }
 
 void ChannelTap::Store(const ConfigItem& item) noexcept
@@ -62,13 +77,35 @@ ConfigItem ChannelTap::Load(const ConfigAddress& address) const noexcept
     return real_.Load(address);
 }
 
+ChannelRoom ChannelTap::Room() const noexcept
+{
+    return real_.Room();
+}
+
+void ChannelTap::SetFields(const SlotIndex slot, const StaticFields& fields) noexcept
+{
+    if (!IsStill())
+    {
+        real_.SetFields(slot, fields);
+    }
+}
+
+DeviceDigest ChannelTap::Digest(const SlotIndex slot, const DeviceDigest before) const noexcept
+{
+    if (!IsStill())
+    {
+        digest_ = real_.Digest(slot, before);
+    }
+    return Told(digest_);
+}
+
 CheckResult ChannelTap::Validate(const SlotIndex slot) noexcept
 {
     if (!IsStill())
     {
         check_ = real_.Validate(slot);
     }
-    return check_;
+    return Told(check_);
 }
 
 CheckResult ChannelTap::Recheck(const SlotIndex slot) noexcept
@@ -77,7 +114,12 @@ CheckResult ChannelTap::Recheck(const SlotIndex slot) noexcept
     {
         check_ = real_.Recheck(slot);
     }
-    return check_;
+    if (IsGood() && check_.fault != ConfigFault::kNone)
+    {
+        faults_.HasEffect(faults_.Condition(part_));
+        check_.fault = ConfigFault::kNone;
+    }
+    return Told(check_);
 }
 
 void ChannelTap::OnFrame(const CanFrame& frame, const Instant stamp) noexcept
@@ -98,12 +140,18 @@ CycleOutcome ChannelTap::OnCycle(const CycleInput& input) noexcept
     if (!IsStill())
     {
         outcome_ = Fresh(input);
+        once_released_ |= outcome_.released;
     }
+    if (IsGood())
+    {
+        Whitewash(outcome_);
+    }
+    const CycleOutcome told = Told(outcome_);
     if (witness_ != nullptr)
     {
-        witness_->OnOutcome(part_, *this, outcome_);
+        witness_->OnOutcome(part_, *this, told);
     }
-    return outcome_;
+    return told;
 }
 
 // A call that is left out leaves what was in the caller's memory: the outcome of the cycle before.
@@ -118,18 +166,32 @@ CycleOutcome ChannelTap::Fresh(const CycleInput& input) noexcept
     return outcome;
 }
 
+HeldPair ChannelTap::Held(const SlotIndex slot) const noexcept
+{
+    if (slot >= slot_count_)
+    {
+        return HeldPair{}; // A comparator with a flipped bit asks for what is not there.
+    }
+    if (!IsStill())
+    {
+        const HeldPair held = real_.Held(slot);
+        held_[slot] = IsGood() ? GoodPair(slot, held) : held;
+    }
+    return Told(held_[slot]);
+}
+
 SrdoView ChannelTap::View(const SlotIndex slot) const noexcept
 {
     if (!IsStill())
     {
         views_[slot] = real_.View(slot);
     }
-    return views_[slot];
+    return Told(views_[slot]);
 }
 
 void ChannelTap::Demote(const SlotIndex slot) noexcept
 {
-    if (!IsStill())
+    if (!IsStill() && slot < slot_count_)
     {
         real_.Demote(slot);
     }
@@ -137,6 +199,7 @@ void ChannelTap::Demote(const SlotIndex slot) noexcept
 
 void ChannelTap::Commit(const Agreement& agreement) noexcept
 {
+    agreed_ = agreement.agreed;
     if (!IsStill())
     {
         real_.Commit(agreement);
@@ -149,23 +212,11 @@ Permit ChannelTap::Answer(const std::uint32_t challenge) const noexcept
     {
         permit_ = real_.Answer(challenge);
     }
-    return permit_;
-}
-
-void ChannelTap::Request(const SlotIndex slot) noexcept
-{
-    if (!IsStill())
+    if (IsGood())
     {
-        real_.Request(slot);
+        GoodPermit(challenge);
     }
-}
-
-void ChannelTap::Hold(const SlotIndex slot) noexcept
-{
-    if (!IsStill())
-    {
-        real_.Hold(slot);
-    }
+    return Told(permit_);
 }
 
 PreparedPair ChannelTap::Prepare(const SlotIndex slot) noexcept
@@ -174,42 +225,34 @@ PreparedPair ChannelTap::Prepare(const SlotIndex slot) noexcept
     {
         prepared_ = real_.Prepare(slot);
     }
-    return prepared_;
+    return Told(prepared_);
 }
 
-void ChannelTap::Launch(const SlotIndex slot) noexcept
+Confirmation ChannelTap::OnConfirm(const CanFrame& frame, const Instant stamp) noexcept
 {
+    Confirmation confirmation{kNoSlot, ConfirmStep::kNone};
     if (!IsStill())
     {
-        real_.Launch(slot);
+        confirmation = real_.OnConfirm(frame, stamp);
     }
+    return confirmation;
 }
 
-CanFrame ChannelTap::NextFrame(const SlotIndex slot) noexcept
+CanFrame ChannelTap::InverseFrame(const SlotIndex slot) noexcept
 {
     CanFrame frame{};
     if (!IsStill())
     {
-        frame = real_.NextFrame(slot);
+        frame = real_.InverseFrame(slot);
     }
     return frame;
 }
 
-SlotIndex ChannelTap::OnConfirm(const CanFrame& frame, const Instant stamp) noexcept
-{
-    SlotIndex slot = kNoSlot;
-    if (!IsStill())
-    {
-        slot = real_.OnConfirm(frame, stamp);
-    }
-    return slot;
-}
-
-void ChannelTap::OnTransmitFault(const SlotIndex slot, const SrdoCause cause) noexcept
+void ChannelTap::OnTransmitFault(const SlotIndex slot, const TransmitFault& fault) noexcept
 {
     if (!IsStill())
     {
-        real_.OnTransmitFault(slot, cause);
+        real_.OnTransmitFault(slot, fault);
     }
 }
 } // namespace counterpoint::simulator

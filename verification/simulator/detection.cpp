@@ -76,6 +76,9 @@ Party PartyOf(const Event& device_fault)
         return Party::kClockSupervisor;
     case DeviceFault::kInvalid:
     case DeviceFault::kApplication:
+    case DeviceFault::kSelfTest:
+    case DeviceFault::kHandshake:
+    case DeviceFault::kCrossLink:
     case DeviceFault::kNone:
         break;
     }

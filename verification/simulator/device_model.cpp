@@ -56,6 +56,10 @@ const char* MeaningOf(const AbortCode code)
     }
     return "unknown abort code";
 }
+std::uint8_t BytesOf(const MappableObject& object)
+{
+    return static_cast<std::uint8_t>((object.length_bits + 7U) / 8U);
+}
 } // namespace
 
 DeviceModel::DeviceModel(const std::string& file, const std::optional<std::uint8_t> node_id) : file_(file)
@@ -66,24 +70,11 @@ DeviceModel::DeviceModel(const std::string& file, const std::optional<std::uint8
     setups_ = source.Setups();
     writes_ = source.Writes();
     const std::vector<SourceVariable> variables = source.Variables();
-    std::size_t bytes = 0U;
-    for (const SourceVariable& variable : variables)
+    for (const SrdoSetup& setup : setups_)
     {
-        bytes += variable.object.length_bits / 8U;
+        numbers_.push_back(setup.number);
     }
-    memory_.resize(bytes);
-    initial_.resize(bytes);
-    std::size_t place = 0U;
-    for (const SourceVariable& variable : variables)
-    {
-        objects_.push_back(variable.object);
-        objects_.back().place = memory_.data() + place;
-        for (std::uint8_t byte = 0U; byte < variable.object.length_bits / 8U; ++byte)
-        {
-            initial_[place] = static_cast<std::uint8_t>(variable.value >> (8U * byte));
-            ++place;
-        }
-    }
+    LayOut(variables, source.StaticMappings());
     pairs_ = source.Pairs();
     config_ = source.Config();
     config_.srdos = setups_.data();
@@ -91,6 +82,62 @@ DeviceModel::DeviceModel(const std::string& file, const std::optional<std::uint8
     config_.object_count = static_cast<std::uint16_t>(objects_.size());
     config_.srdo_count = static_cast<std::uint8_t>(setups_.size());
     ResetVariables();
+}
+
+// The fields of static mappings first, each without a gap, then everything else.
+void DeviceModel::LayOut(const std::vector<SourceVariable>& variables, const std::vector<StaticMapping>& maps)
+{
+    std::size_t bytes = 0U;
+    std::vector<std::size_t> all;
+    for (const SourceVariable& variable : variables)
+    {
+        bytes += BytesOf(variable.object);
+        objects_.push_back(variable.object);
+        addresses_.push_back({variable.object.index, variable.object.sub});
+        all.push_back(all.size());
+    }
+    memory_.resize(bytes);
+    initial_.reserve(bytes); // `Place` appends to it.
+    for (const StaticMapping& map : maps)
+    {
+        StaticTable table;
+        std::copy(map.entries.begin(), map.entries.end(), table.entries.begin());
+        table.number = map.number;
+        table.count = static_cast<std::uint8_t>(map.entries.size());
+        table.line = map.line;
+        table.normal = initial_.size();
+        Place(map.normal, variables);
+        table.inverse = initial_.size();
+        Place(map.inverse, variables);
+        tables_.push_back(table);
+    }
+    Place(all, variables);
+    JoinTables();
+}
+
+// Those of the list that have no place yet, one behind the other.
+void DeviceModel::Place(const std::vector<std::size_t>& variables, const std::vector<SourceVariable>& source)
+{
+    for (const std::size_t index : variables)
+    {
+        if (objects_[index].place != nullptr)
+        {
+            continue;
+        }
+        objects_[index].place = memory_.data() + initial_.size();
+        for (std::uint8_t byte = 0U; byte < BytesOf(objects_[index]); ++byte)
+        {
+            initial_.push_back(static_cast<std::uint8_t>(source[index].value >> (8U * byte)));
+        }
+    }
+}
+
+void DeviceModel::JoinTables() noexcept
+{
+    for (const StaticTable& table : tables_)
+    {
+        setups_[SlotOf(table.number).value_or(0U)].map = {table.entries.data(), table.count};
+    }
 }
 
 const std::string& DeviceModel::File() const noexcept
@@ -123,28 +170,79 @@ const std::vector<ConfigurationWrite>& DeviceModel::Writes() const noexcept
     return writes_;
 }
 
+const std::vector<StaticTable>& DeviceModel::StaticTables() const noexcept
+{
+    return tables_;
+}
+
+StaticFields DeviceModel::FieldsOf(const StaticTable& table) noexcept
+{
+    return {memory_.data() + table.normal, memory_.data() + table.inverse};
+}
+
+StaticTable* DeviceModel::StaticTableOf(const std::uint8_t number) noexcept
+{
+    const auto found = std::find_if(tables_.begin(), tables_.end(),
+                                    [number](const StaticTable& table) { return table.number == number; });
+    return (found == tables_.end()) ? nullptr : &*found;
+}
+
 std::optional<SlotIndex> DeviceModel::SlotOf(const std::uint8_t number) const noexcept
 {
-    const auto found = std::find_if(setups_.begin(), setups_.end(),
-                                    [number](const SrdoSetup& setup) { return setup.number == number; });
-    if (found == setups_.end())
+    const auto found = std::find(numbers_.begin(), numbers_.end(), number);
+    if (found == numbers_.end())
     {
         return std::nullopt;
     }
-    return static_cast<SlotIndex>(found - setups_.begin());
+    return static_cast<SlotIndex>(found - numbers_.begin());
+}
+
+std::uint8_t DeviceModel::NumberOf(const SlotIndex slot) const noexcept
+{
+    return numbers_[slot];
 }
 
 const VariablePair* DeviceModel::PairOf(const ObjectAddress& normal) const noexcept
 {
     for (const VariablePair& pair : pairs_)
     {
-        const MappableObject& object = objects_[pair.normal];
-        if (object.index == normal.index && object.sub == normal.sub)
+        const ObjectAddress& address = addresses_[pair.normal];
+        if (address.index == normal.index && address.sub == normal.sub)
         {
             return &pair;
         }
     }
     return nullptr;
+}
+
+void DeviceModel::UseTwoControllers() noexcept
+{
+    if (config_.normal_port == config_.inverse_port)
+    {
+        config_.normal_port = CanPortId::kFirst;
+        config_.inverse_port = CanPortId::kSecond;
+        config_.digest = 0U;
+    }
+}
+
+std::uint32_t DeviceModel::ControllerCount() const noexcept
+{
+    return (config_.normal_port == config_.inverse_port) ? 1U : 2U;
+}
+
+std::vector<std::uint8_t>& DeviceModel::Memory() noexcept
+{
+    return memory_;
+}
+
+std::vector<MappableObject>& DeviceModel::ObjectTable() noexcept
+{
+    return objects_;
+}
+
+std::vector<SrdoSetup>& DeviceModel::SetupTable() noexcept
+{
+    return setups_;
 }
 
 void DeviceModel::ResetVariables() noexcept
@@ -161,8 +259,14 @@ std::string AbortText(const AbortCode code)
     return text.data();
 }
 
-void Commission(Kernel& kernel, const DeviceModel& model)
+void Commission(Kernel& kernel, DeviceModel& model)
 {
+    // What the kernel says of a mapping before its SRDO is configured is not looked at: 13FEh has the last word.
+    for (const StaticTable& table : model.StaticTables())
+    {
+        static_cast<void>(kernel.DefineStaticFields(
+            {static_cast<std::uint16_t>(cia306::kFirstCommunicationIndex - 1U + table.number)}, model.FieldsOf(table)));
+    }
     for (const ConfigurationWrite& write : model.Writes())
     {
         const AbortCode code = kernel.WriteObject(write.object, DataOf(write));

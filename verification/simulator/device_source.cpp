@@ -1,7 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/simulator/device_source.hpp"
 
-#include "canopen/cia306/data_type.hpp"
 #include "canopen/cia306/input_error.hpp"
 
 #include <algorithm>
@@ -13,7 +12,6 @@ namespace
 using cia306::InputError;
 
 constexpr std::size_t kMostObjects = 1024U;
-constexpr std::uint32_t kMostMilliseconds = 4000000U; ///< As microseconds still an unsigned 32-bit number.
 
 std::uint32_t Number(const cia306::Field& field)
 {
@@ -50,7 +48,8 @@ DeviceSource::DeviceSource(const cia306::Device& device, const std::string& file
         if (srdo.mapping.size() > kMaxMapEntries)
         {
             throw InputError(file_, srdo.entry_count.line,
-                             {std::to_string(srdo.mapping.size()) + " mapping entries", "at most 16"});
+                             {std::to_string(srdo.mapping.size()) + " mapping entries",
+                              "at most " + std::to_string(kMaxMapEntries)});
         }
     }
     if (safety_.srdos.empty())
@@ -98,6 +97,8 @@ std::vector<SrdoSetup> DeviceSource::Setups() const
         setup.policy = is_automatic ? ReleasePolicy::kAutomatic : ReleasePolicy::kInterlock;
         const bool is_called = parameters.producer_form == 1U;
         setup.form = is_called ? ProducerForm::kProviderCalled : ProducerForm::kApplicationSends;
+        const bool is_late = parameters.srvt_detection == cia306::kLateDetection;
+        setup.detection = is_late ? SrvtDetection::kLate : SrvtDetection::kEarly;
         setup.safe_value = {static_cast<std::uint32_t>(parameters.safe_value & 0xFFFFFFFFU),
                             static_cast<std::uint32_t>(parameters.safe_value >> 32U)};
         setups.push_back(setup);
@@ -139,8 +140,8 @@ MapAccess DeviceSource::AccessOf(const cia306::Entry& entry) const
 void DeviceSource::AppendVariable(const cia306::Entry& entry, std::vector<SourceVariable>& variables) const
 {
     const bool is_mappable = entry.is_srdo_mappable.value_or(entry.is_pdo_mappable);
-    const std::uint8_t bits = cia306::DataTypeOf(entry.data_type).bits;
-    const bool has_length = bits >= 8U && bits <= 64U && bits % 8U == 0U;
+    const std::uint8_t bits = entry.type.bits;
+    const bool has_length = bits >= 1U && bits <= kMaxPayloadBits;
     if (!is_mappable || !has_length)
     {
         return;
@@ -190,7 +191,7 @@ std::size_t DeviceSource::IndexOf(const cia306::MappingEntry& entry, const std::
     }
     throw InputError(file_, entry.line,
                      {"the mapping names " + cia306::ObjectName(entry.Index(), entry.Sub()),
-                      "an object of the file with SRDOMapping=1 and a length of 8 to 64 bits"});
+                      "an object of the file with SRDOMapping=1 and a length of 1 to 64 bits"});
 }
 
 std::vector<VariablePair> DeviceSource::Pairs() const
@@ -199,24 +200,65 @@ std::vector<VariablePair> DeviceSource::Pairs() const
     std::vector<VariablePair> pairs;
     for (const cia306::SrdoConfiguration& srdo : safety_.srdos)
     {
+        std::uint32_t bit = 0U;
         for (std::size_t entry = 0U; entry + 1U < srdo.mapping.size(); entry += 2U)
         {
-            VariablePair pair;
-            pair.normal = IndexOf(srdo.mapping[entry], variables);
-            pair.inverse = IndexOf(srdo.mapping[entry + 1U], variables);
-            pair.srdo = srdo.number;
-            pair.is_consumer = srdo.IsConsumer();
-            pairs.push_back(pair);
+            const cia306::MappingEntry& normal = srdo.mapping[entry];
+            if (!normal.IsDummy())
+            {
+                VariablePair pair;
+                pair.normal = IndexOf(normal, variables);
+                pair.inverse = IndexOf(srdo.mapping[entry + 1U], variables);
+                pair.srdo = srdo.number;
+                pair.first_bit = bit;
+                pair.is_consumer = srdo.IsConsumer();
+                pairs.push_back(pair);
+            }
+            bit += normal.Bits();
         }
     }
     return pairs;
+}
+
+std::vector<StaticMapping> DeviceSource::StaticMappings() const
+{
+    const std::vector<SourceVariable> variables = Variables();
+    std::vector<StaticMapping> maps;
+    for (const cia306::SrdoConfiguration& srdo : safety_.srdos)
+    {
+        if (!srdo.is_static)
+        {
+            continue;
+        }
+        StaticMapping map;
+        map.number = srdo.number;
+        map.line = srdo.entry_count.line;
+        for (const cia306::MappingEntry& entry : srdo.mapping)
+        {
+            std::vector<std::size_t>& field = entry.IsNormal() ? map.normal : map.inverse;
+            field.push_back(IndexOf(entry, variables));
+            map.entries.push_back(entry.raw);
+        }
+        maps.push_back(map);
+    }
+    return maps;
+}
+
+void DeviceSource::AppendMapping(const cia306::SrdoConfiguration& srdo, std::vector<ConfigurationWrite>& writes)
+{
+    const std::uint16_t mapping = srdo.MappingIndex();
+    writes.push_back({{mapping, 0U}, 0U, 1U, srdo.entry_count.line});
+    for (const cia306::MappingEntry& entry : srdo.mapping)
+    {
+        writes.push_back({{mapping, entry.sub}, entry.raw, 4U, entry.line});
+    }
+    writes.push_back({{mapping, 0U}, Number(srdo.entry_count), 1U, srdo.entry_count.line});
 }
 
 void DeviceSource::AppendParameters(const cia306::SrdoConfiguration& srdo,
                                     std::vector<ConfigurationWrite>& writes) const
 {
     const std::uint16_t index = srdo.CommunicationIndex();
-    const std::uint16_t mapping = srdo.MappingIndex();
     const auto add = [&writes](const std::uint16_t object, const std::uint8_t sub, const cia306::Field& field,
                                const std::uint8_t size_bytes)
     { writes.push_back({{object, sub}, Number(field), size_bytes, field.line}); };
@@ -225,12 +267,10 @@ void DeviceSource::AppendParameters(const cia306::SrdoConfiguration& srdo,
     add(index, 4U, srdo.transmission_type, 1U);
     add(index, 5U, srdo.cob_id_1, 4U);
     add(index, 6U, srdo.cob_id_2, 4U);
-    writes.push_back({{mapping, 0U}, 0U, 1U, srdo.entry_count.line});
-    for (const cia306::MappingEntry& entry : srdo.mapping)
+    if (!srdo.is_static)
     {
-        writes.push_back({{mapping, entry.sub}, entry.raw, 4U, entry.line});
+        AppendMapping(srdo, writes);
     }
-    add(mapping, 0U, srdo.entry_count, 1U);
     add(cia306::kSignatureIndex, srdo.number, srdo.signature, 2U);
 }
 
@@ -260,29 +300,38 @@ std::vector<ConfigurationWrite> DeviceSource::Writes() const
 
 DeviceConfig DeviceSource::Config() const
 {
-    const auto milliseconds = [this](const std::uint32_t value)
+    const bool has_two_ports = parameters_.inverse_port == 2U;
+    const bool has_ports = parameters_.normal_port == 1U && (has_two_ports || parameters_.inverse_port == 1U);
+    if (!has_ports)
     {
-        if (value > kMostMilliseconds)
-        {
-            throw InputError(file_, 0U,
-                             {"an interval of " + std::to_string(value) + " ms in 0x5F00", "at most 4000000"});
-        }
-        return value * kMicrosecondsPerMillisecond;
-    };
+        const std::uint8_t sub = parameters_.normal_port == 1U ? cia306::kInversePortSub : cia306::kNormalPortSub;
+        throw InputError(file_, device_.Find(cia306::kDeviceParametersIndex, sub)->ValueLine(),
+                         {cia306::ObjectName(cia306::kDeviceParametersIndex, sub) + " names another controller",
+                          "1 for the normal frames, 1 or 2 for the inverse frames of a simulated device"});
+    }
+    const bool has_dummies = parameters_.dummy_mapping == cia306::kDummiesAllowed;
+    const bool has_gaps = parameters_.number_gaps == cia306::kGapsSearched;
+    const bool has_gfc = parameters_.gfc_use == cia306::kGfcPresent;
     DeviceConfig config{};
     config.node_id = *node_id_;
-    config.granularity_bits = 8U;
+    config.granularity_bits = parameters_.granularity_bits;
+    config.map_entries = parameters_.map_entries;
+    config.dummies = has_dummies ? DummyMapping::kAllowed : DummyMapping::kRefused;
+    config.gaps = has_gaps ? NumberGaps::kSearched : NumberGaps::kRefused;
+    config.gfc = has_gfc ? GfcUse::kPresent : GfcUse::kRemoved;
     config.normal_port = CanPortId::kFirst;
-    config.inverse_port = CanPortId::kFirst;
+    config.inverse_port = has_two_ports ? CanPortId::kSecond : CanPortId::kFirst;
     config.cycle_us = parameters_.cycle_us;
     config.cycle_tolerance_us = parameters_.cycle_tolerance_us;
     config.discrepancy_us = parameters_.discrepancy_us;
     config.acknowledge_window_us = parameters_.acknowledge_window_us;
-    config.diagnostic_interval_us = milliseconds(parameters_.diagnostic_interval_ms);
-    config.test_interval_us = milliseconds(parameters_.test_interval_ms);
+    config.diagnostic_interval_us = parameters_.diagnostic_interval_ms * kMicrosecondsPerMillisecond;
+    config.test_interval_us = parameters_.test_interval_ms * kMicrosecondsPerMillisecond;
     config.clock_tolerance_us = parameters_.clock_tolerance_us;
     config.clock_interval_us = parameters_.clock_tolerance_interval_us;
     config.output_time_us = parameters_.output_us;
+    // With another node-ID it is another device.
+    config.digest = (node_id_ == device_.node_id) ? parameters_.digest : 0U;
     return config;
 }
 } // namespace counterpoint::simulator

@@ -21,6 +21,16 @@ struct SourceVariable
     std::uint64_t value{0U}; ///< At power-on.
 };
 
+/// An SRDO whose mapping nobody can write. [SRS-SIM-009]
+struct StaticMapping
+{
+    std::uint8_t number{0U};            ///< Of the SRDO.
+    std::vector<std::uint32_t> entries; ///< 138xh sub 1 onward.
+    std::vector<std::size_t> normal;    ///< Indices into Variables(), in the order of the entries.
+    std::vector<std::size_t> inverse;
+    std::size_t line{0U}; ///< Where the DCF counts the entries.
+};
+
 /// Takes a DCF apart into what DeviceModel needs. Every call may throw cia306::InputError.
 class DeviceSource
 {
@@ -31,6 +41,8 @@ class DeviceSource
     [[nodiscard]] std::vector<SrdoSetup> Setups() const;
     [[nodiscard]] std::vector<SourceVariable> Variables() const;
     [[nodiscard]] std::vector<VariablePair> Pairs() const;
+    [[nodiscard]] std::vector<StaticMapping> StaticMappings() const;
+    /// @brief Without those of static mappings.
     [[nodiscard]] std::vector<ConfigurationWrite> Writes() const;
     /// @brief Everything but the pointers and their counts.
     [[nodiscard]] DeviceConfig Config() const;
@@ -40,6 +52,7 @@ class DeviceSource
     [[nodiscard]] std::size_t IndexOf(const cia306::MappingEntry& entry,
                                       const std::vector<SourceVariable>& variables) const;
     void AppendVariable(const cia306::Entry& entry, std::vector<SourceVariable>& variables) const;
+    static void AppendMapping(const cia306::SrdoConfiguration& srdo, std::vector<ConfigurationWrite>& writes);
     void AppendParameters(const cia306::SrdoConfiguration& srdo, std::vector<ConfigurationWrite>& writes) const;
 
     const cia306::Device& device_;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <set>
 #include <string_view>
 #include <system_error>
 
@@ -12,6 +11,7 @@ namespace counterpoint::simulator
 namespace
 {
 constexpr std::size_t kDigitsOfDecimal = 15U;
+constexpr Nanoseconds kLongestJump = 1000 * kNanosecondsPerSecond; // Fits the counters' difference.
 
 std::optional<std::uint64_t> ParseNumber(const std::string_view text, const int base)
 {
@@ -68,11 +68,12 @@ const char* KindName(const YamlKind kind)
     return "nothing";
 }
 
+} // namespace
+
 std::string WhatIs(const YamlNode& node)
 {
     return (node.kind == YamlKind::kScalar) ? Shown(node.scalar) : KindName(node.kind);
 }
-} // namespace
 
 ScenarioValue::ScenarioValue(const std::string& file, const YamlNode& node) noexcept : file_(&file), node_(&node)
 {
@@ -181,6 +182,24 @@ Nanoseconds ScenarioValue::Lasting() const
     return duration;
 }
 
+Nanoseconds ScenarioValue::SignedDuration() const
+{
+    const bool is_negative = node_->kind == YamlKind::kScalar && !node_->scalar.empty() && node_->scalar[0] == '-';
+    YamlNode magnitude = *node_;
+    magnitude.scalar.erase(0U, is_negative ? 1U : 0U);
+    const Nanoseconds time = ScenarioValue(*file_, magnitude).Lasting();
+    if (time > kLongestJump)
+    {
+        Refuse(Shown(node_->scalar), "at most 1000 s either way");
+    }
+    return is_negative ? -time : time;
+}
+
+std::uint32_t ScenarioValue::Checked() const
+{
+    return static_cast<std::uint32_t>(Number({0U, 0xFFFFFFFFU}));
+}
+
 std::int32_t ScenarioValue::PartsPerMillion() const
 {
     constexpr std::int64_t kMost = 1000000;
@@ -211,89 +230,5 @@ ObjectAddress ScenarioValue::Object() const
         Refuse(Shown(text), expected);
     }
     return {static_cast<std::uint16_t>(*index), static_cast<std::uint8_t>(*sub)};
-}
-
-Fields::Fields(const ScenarioValue& value, std::string meaning) : value_(value), meaning_(std::move(meaning))
-{
-    const YamlNode& node = value_.Node();
-    if (node.kind != YamlKind::kMap)
-    {
-        value_.Refuse(WhatIs(node), "a map with the keys of " + meaning_);
-    }
-    std::set<std::string> seen;
-    for (std::size_t member = 0U; member < node.items.size(); member += 2U)
-    {
-        const YamlNode& key = node.items[member];
-        if (key.kind != YamlKind::kScalar)
-        {
-            throw ScenarioError(value_.FileName(), key.place, WhatIs(key) + " as key", "a word");
-        }
-        if (!seen.insert(key.scalar).second)
-        {
-            throw ScenarioError(value_.FileName(), key.place, "key " + Shown(key.scalar) + " twice", "each key once");
-        }
-    }
-}
-
-std::optional<ScenarioValue> Fields::Find(const std::string& key)
-{
-    known_.push_back(key);
-    const YamlNode& node = value_.Node();
-    for (std::size_t member = 0U; member < node.items.size(); member += 2U)
-    {
-        if (node.items[member].scalar == key)
-        {
-            return ScenarioValue(value_.FileName(), node.items[member + 1U]);
-        }
-    }
-    return std::nullopt;
-}
-
-ScenarioValue Fields::Require(const std::string& key)
-{
-    const std::optional<ScenarioValue> found = Find(key);
-    if (!found)
-    {
-        value_.Refuse(meaning_ + " without key '" + key + "'", "that key");
-    }
-    return *found;
-}
-
-const ScenarioValue& Fields::Value() const noexcept
-{
-    return value_;
-}
-
-std::vector<std::pair<ScenarioValue, ScenarioValue>> Fields::All()
-{
-    const YamlNode& node = value_.Node();
-    std::vector<std::pair<ScenarioValue, ScenarioValue>> all;
-    for (std::size_t member = 0U; member < node.items.size(); member += 2U)
-    {
-        known_.push_back(node.items[member].scalar);
-        all.emplace_back(ScenarioValue(value_.FileName(), node.items[member]),
-                         ScenarioValue(value_.FileName(), node.items[member + 1U]));
-    }
-    return all;
-}
-
-void Fields::Close() const
-{
-    const YamlNode& node = value_.Node();
-    for (std::size_t member = 0U; member < node.items.size(); member += 2U)
-    {
-        const YamlNode& key = node.items[member];
-        if (std::find(known_.begin(), known_.end(), key.scalar) != known_.end())
-        {
-            continue;
-        }
-        std::string expected;
-        for (const std::string& known : known_)
-        {
-            expected += (expected.empty() ? "" : ", ") + known;
-        }
-        throw ScenarioError(value_.FileName(), key.place, "unknown key " + Shown(key.scalar) + " in " + meaning_,
-                            "one of " + expected);
-    }
 }
 } // namespace counterpoint::simulator

@@ -3,6 +3,7 @@
 #define VERIFICATION_SIMULATOR_FIELDS_HPP
 
 #include "verification/simulator/scenario.hpp"
+#include "verification/simulator/schema.hpp"
 #include "verification/simulator/yaml_document.hpp"
 
 #include <cstdint>
@@ -16,18 +17,8 @@ namespace counterpoint::simulator
 /// Longest time that a scenario may name.
 constexpr Nanoseconds kLongestTime = 10000000 * kNanosecondsPerSecond;
 
-struct Range
-{
-    std::uint64_t lowest{0U};
-    std::uint64_t highest{0U};
-};
-
-/// A word of a scenario and what it stands for.
-template <typename Meaning> struct Word
-{
-    const char* text;
-    Meaning meaning;
-};
+/// What stands there, for a message.
+[[nodiscard]] std::string WhatIs(const YamlNode& node);
 
 /// A value of the scenario with the file it stands in. All readers throw ScenarioError with the place of the value.
 class ScenarioValue
@@ -50,6 +41,10 @@ class ScenarioValue
     [[nodiscard]] Nanoseconds Duration() const;
     /// @brief A duration above 0.
     [[nodiscard]] Nanoseconds Lasting() const;
+    /// @brief A duration, or a negative one.
+    [[nodiscard]] Nanoseconds SignedDuration() const;
+    /// @brief A number whose range the schema has checked.
+    [[nodiscard]] std::uint32_t Checked() const;
     /// @brief Whole parts per million, at most 10^6 either way.
     [[nodiscard]] std::int32_t PartsPerMillion() const;
     /// @brief 0x2000:01; the sub-index is hexadecimal, too.
@@ -76,23 +71,30 @@ class ScenarioValue
     const YamlNode* node_;
 };
 
-/// The keys of one map. Remembers which keys were asked for, so that Close can refuse the others.
+/// The keys of one map. Every value that is found was checked against the schema. Remembers which keys were asked for,
+/// so that Close can refuse the others.
 class Fields
 {
   public:
-    Fields(const ScenarioValue& value, std::string meaning);
+    /// @brief `section` names what the schema says of this map.
+    Fields(const ScenarioValue& value, const char* section);
 
+    /// @brief From here on the keys of another section are known, too.
+    void Extend(const char* section);
+    /// @brief The value, else the schema's default, else nothing.
     [[nodiscard]] std::optional<ScenarioValue> Find(const std::string& key);
     [[nodiscard]] ScenarioValue Require(const std::string& key);
     [[nodiscard]] const ScenarioValue& Value() const noexcept;
     /// @brief All keys with their values, in the order of the file.
     [[nodiscard]] std::vector<std::pair<ScenarioValue, ScenarioValue>> All();
-    /// @brief Throws for the first key that nobody asked for.
+    /// @brief Throws for the first key that is unknown, or that nobody asked for.
     void Close() const;
 
   private:
+    [[nodiscard]] const KeySpec* SpecOf(const std::string& key) const;
+
     ScenarioValue value_;
-    std::string meaning_;
+    std::vector<const SectionSpec*> sections_; ///< The last one names the map in messages.
     std::vector<std::string> known_;
 };
 } // namespace counterpoint::simulator

@@ -2,17 +2,12 @@
 #include "verification/simulator/frame_faults.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace counterpoint::simulator
 {
 namespace
 {
-bool ActsOnFrames(const FaultKind kind)
-{
-    const bool is_foreign = kind == FaultKind::kInsertion || kind == FaultKind::kMasquerade;
-    return IsBusFault(kind) && !is_foreign;
-}
-
 /// Whether the frame is another one then: bits behind its last byte are no part of it.
 bool Corrupt(const FaultSetup& fault, CanFrame& frame)
 {
@@ -28,54 +23,47 @@ bool Corrupt(const FaultSetup& fault, CanFrame& frame)
 }
 } // namespace
 
-FrameFaults::FrameFaults(const Scenario& scenario, const host::VirtualBus& bus, Journal& journal)
-    : scenario_(scenario), bus_(bus), journal_(journal), random_(scenario.seed)
+bool ActsOnReceptions(const FaultKind kind) noexcept
 {
-    for (std::size_t index = 0U; index < scenario.faults.size(); ++index)
+    switch (kind)
     {
-        if (ActsOnFrames(scenario.faults[index].kind))
-        {
-            states_.push_back({index, 0U, 0U, false});
-        }
-        if (scenario.faults[index].kind == FaultKind::kMasquerade)
-        {
-            masquerades_.push_back(index);
-        }
+    case FaultKind::kCorruption:
+    case FaultKind::kRepetition:
+    case FaultKind::kWrongSequence:
+    case FaultKind::kLoss:
+    case FaultKind::kDelay:
+    case FaultKind::kAddressing:
+    case FaultKind::kStoreAndForward:
+    case FaultKind::kDuplicate:
+        return true;
+    default:
+        return false;
     }
 }
 
-bool FrameFaults::IsEmpty() const noexcept
+EffectTeller::EffectTeller(const FaultStage& stage) noexcept : stage_(stage)
 {
-    return states_.empty() && masquerades_.empty();
 }
 
-bool FrameFaults::Fits(const FaultSetup& fault, const host::FrameOnBus& sent) const
+void EffectTeller::Tell(const std::size_t fault, const NodeIndex receiver, const std::uint32_t identifier,
+                        const Nanoseconds at)
 {
-    const FrameChoice& choice = fault.frames;
-    const bool is_identifier = !choice.identifier || *choice.identifier == sent.frame.identifier;
-    const bool is_sender = !choice.sender || *choice.sender == sent.sender;
-    const bool is_in_time = bus_.Now() >= choice.from && bus_.Now() < choice.until;
-    return is_identifier && is_sender && is_in_time;
-}
-
-// Once for each frame, whoever receives it: which faults hit it.
-void FrameFaults::Choose(const host::FrameOnBus& sent)
-{
-    for (State& state : states_)
+    stage_.journal.Tell({at, EventKind::kFrameChanged, receiver, 0U, identifier, fault});
+    if (std::find(told_.begin(), told_.end(), fault) == told_.end())
     {
-        const FaultSetup& fault = scenario_.faults[state.index];
-        state.is_chosen = false;
-        if (!Fits(fault, sent))
-        {
-            continue;
-        }
-        ++state.seen;
-        const bool is_wanted = state.seen >= fault.frames.first && state.done < fault.frames.count;
-        // The number is drawn in any case, so that one fault does not shift the luck of another.
-        const bool is_lucky = random_.Below(1000000U) < fault.frames.probability_ppm;
-        state.is_chosen = is_wanted && is_lucky;
-        state.done += state.is_chosen ? 1U : 0U;
+        told_.push_back(fault);
+        stage_.journal.Note({at, EventKind::kFault, receiver, 0U, fault, 0U});
     }
+}
+
+FrameFaults::FrameFaults(const FaultStage& stage, std::vector<FrameSelector> selectors)
+    : stage_(stage), teller_(stage_), random_(stage.scenario.seed), selectors_(std::move(selectors))
+{
+}
+
+const std::map<std::size_t, std::uint32_t>& FrameFaults::Dropped() const noexcept
+{
+    return dropped_;
 }
 
 void FrameFaults::OnReception(const host::FrameOnBus& sent, const host::NodeIndex receiver,
@@ -83,49 +71,94 @@ void FrameFaults::OnReception(const host::FrameOnBus& sent, const host::NodeInde
 {
     if (sent.start != frame_start_)
     {
+        // Once for each frame, whoever receives it: which faults hit it.
         frame_start_ = sent.start;
-        Choose(sent);
-    }
-    ReleaseHeld(receiver, receptions);
-    for (const std::size_t index : masquerades_)
-    {
-        const FaultSetup& fault = scenario_.faults[index];
-        if (fault.node == sent.sender && fault.identifier == sent.frame.identifier)
+        for (FrameSelector& selector : selectors_)
         {
-            Tell(index, receiver, sent.frame.identifier, bus_.Now()); // Its effect begins where it arrives.
+            const bool is_own = stage_.places[sent.sender].fault == selector.Index(); // A duplicate has no duplicate.
+            if (!is_own)
+            {
+                selector.Examine(sent.frame, stage_.places[sent.sender].node, stage_.bus.Now(), random_);
+            }
         }
     }
-    for (const State& state : states_)
+    const BusPlace& place = stage_.places[receiver];
+    if (place.fault != kNoFaultIndex)
     {
-        const FaultSetup& fault = scenario_.faults[state.index];
-        const bool is_here = !fault.frames.receiver || *fault.frames.receiver == receiver;
-        if (state.is_chosen && is_here && !receptions.IsEmpty() && Apply(fault, state.index, receiver, receptions))
+        ForForeign(place, sent, receptions);
+        return;
+    }
+    ReleaseHeld(receiver, receptions);
+    TellForeign(sent, place.node);
+    for (const FrameSelector& selector : selectors_)
+    {
+        const bool is_here = selector.IsChosen() && selector.IsFor(place);
+        if (is_here && !receptions.IsEmpty() && Apply(selector, receiver, receptions))
         {
-            Tell(state.index, receiver, sent.frame.identifier, bus_.Now());
+            teller_.Tell(selector.Index(), place.node, sent.frame.identifier, stage_.bus.Now());
+        }
+    }
+}
+
+/// The controller of a duplicate hears the frames that it shall send again, and nothing else.
+void FrameFaults::ForForeign(const BusPlace& place, const host::FrameOnBus& sent, host::ReceptionList& receptions) const
+{
+    for (const FrameSelector& selector : selectors_)
+    {
+        const bool is_mine = selector.Index() == place.fault && stage_.places[sent.sender].fault != place.fault;
+        if (is_mine && selector.IsChosen() && !receptions.IsEmpty())
+        {
+            receptions[0U].delay += selector.Fault().by;
+            return;
+        }
+    }
+    receptions.Clear();
+}
+
+/// The effect of a frame that a fault sends begins where it arrives.
+void FrameFaults::TellForeign(const host::FrameOnBus& sent, const NodeIndex receiver)
+{
+    const BusPlace& sender = stage_.places[sent.sender];
+    if (sender.fault != kNoFaultIndex)
+    {
+        teller_.Tell(sender.fault, receiver, sent.frame.identifier, stage_.bus.Now());
+    }
+    for (std::size_t index = 0U; index < stage_.scenario.faults.size(); ++index)
+    {
+        const FaultSetup& fault = stage_.scenario.faults[index];
+        const bool is_masquerade = fault.kind == FaultKind::kMasquerade && fault.node == sender.node;
+        if (is_masquerade && fault.identifier == sent.frame.identifier)
+        {
+            teller_.Tell(index, receiver, sent.frame.identifier, stage_.bus.Now());
         }
     }
 }
 
 /// Whether the effect begins now; if not, it is told later.
-bool FrameFaults::Apply(const FaultSetup& fault, const std::size_t index, const host::NodeIndex receiver,
-                        host::ReceptionList& receptions)
+bool FrameFaults::Apply(const FrameSelector& selector, const host::NodeIndex receiver, host::ReceptionList& receptions)
 {
-    host::Reception& first = receptions[0U];
-    if (fault.kind == FaultKind::kRepetition)
+    switch (selector.Fault().kind)
     {
-        for (std::uint32_t time = 1U; time <= fault.times; ++time)
-        {
-            static_cast<void>(receptions.Add({first.frame, first.delay + fault.by * time}));
-        }
-        Tell(index, receiver, first.frame.identifier, bus_.Now() + fault.by);
+    case FaultKind::kRepetition:
+        Repeat(selector, receiver, receptions);
         return false;
-    }
-    if (fault.kind == FaultKind::kWrongSequence)
-    {
-        held_.push_back({receiver, index, first.frame});
+    case FaultKind::kWrongSequence:
+        held_.push_back({receiver, selector.Index(), receptions[0U].frame});
         receptions.Clear();
         return false;
+    case FaultKind::kStoreAndForward:
+        Store(selector, receiver, receptions);
+        return true;
+    case FaultKind::kDuplicate:
+        return false;
+    default:
+        return Change(selector.Fault(), receptions);
     }
+}
+
+bool FrameFaults::Change(const FaultSetup& fault, host::ReceptionList& receptions) const
+{
+    host::Reception& first = receptions[0U];
     if (fault.kind == FaultKind::kCorruption)
     {
         return Corrupt(fault, first.frame);
@@ -133,18 +166,48 @@ bool FrameFaults::Apply(const FaultSetup& fault, const std::size_t index, const 
     if (fault.kind == FaultKind::kLoss)
     {
         receptions.Clear();
+        return true;
     }
-    else if (fault.kind == FaultKind::kDelay)
+    if (fault.kind == FaultKind::kDelay)
     {
         first.delay += fault.by;
+        return true;
     }
-    else
+    const bool is_other = first.frame.identifier != fault.identifier;
+    first.frame.identifier = fault.identifier; // Addressing.
+    return is_other;
+}
+
+void FrameFaults::Repeat(const FrameSelector& selector, const host::NodeIndex receiver, host::ReceptionList& receptions)
+{
+    const FaultSetup& fault = selector.Fault();
+    const host::Reception first = receptions[0U];
+    std::uint32_t added = 0U;
+    for (std::uint32_t time = 1U; time <= fault.times; ++time)
     {
-        const bool is_other = first.frame.identifier != fault.identifier;
-        first.frame.identifier = fault.identifier; // Addressing.
-        return is_other;
+        const bool fits = receptions.Add({first.frame, first.delay + fault.by * time});
+        added += fits ? 1U : 0U;
     }
-    return true;
+    if (added != fault.times)
+    {
+        dropped_[selector.Index()] += fault.times - added;
+    }
+    if (added != 0U)
+    {
+        teller_.Tell(selector.Index(), stage_.places[receiver].node, first.frame.identifier,
+                     stage_.bus.Now() + fault.by);
+    }
+}
+
+// Kept for `by`, then let go in order, at least `gap` apart.
+void FrameFaults::Store(const FrameSelector& selector, const host::NodeIndex receiver, host::ReceptionList& receptions)
+{
+    const FaultSetup& fault = selector.Fault();
+    const auto known = let_go_.find({selector.Index(), receiver});
+    const Nanoseconds earliest = (known == let_go_.end()) ? 0 : known->second + fault.gap;
+    const Nanoseconds at = std::max(stage_.bus.Now() + receptions[0U].delay + fault.by, earliest);
+    receptions[0U].delay = at - stage_.bus.Now();
+    let_go_[{selector.Index(), receiver}] = at;
 }
 
 // The frame that was held back comes behind this one.
@@ -157,18 +220,7 @@ void FrameFaults::ReleaseHeld(const host::NodeIndex receiver, host::ReceptionLis
         return;
     }
     static_cast<void>(receptions.Add({mine->frame, 0}));
-    Tell(mine->fault, receiver, mine->frame.identifier, bus_.Now());
+    teller_.Tell(mine->fault, stage_.places[receiver].node, mine->frame.identifier, stage_.bus.Now());
     held_.erase(mine);
-}
-
-void FrameFaults::Tell(const std::size_t index, const host::NodeIndex receiver, const std::uint32_t identifier,
-                       const Nanoseconds at)
-{
-    journal_.Tell({at, EventKind::kFrameChanged, receiver, 0U, identifier, index});
-    if (std::find(told_.begin(), told_.end(), index) == told_.end())
-    {
-        told_.push_back(index);
-        journal_.Note({at, EventKind::kFault, receiver, 0U, index, 0U});
-    }
 }
 } // namespace counterpoint::simulator

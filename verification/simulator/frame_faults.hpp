@@ -2,6 +2,8 @@
 #ifndef VERIFICATION_SIMULATOR_FRAME_FAULTS_HPP
 #define VERIFICATION_SIMULATOR_FRAME_FAULTS_HPP
 
+#include "verification/simulator/bus_place.hpp"
+#include "verification/simulator/frame_selector.hpp"
 #include "verification/simulator/journal.hpp"
 #include "verification/simulator/random.hpp"
 #include "verification/simulator/scenario.hpp"
@@ -10,29 +12,44 @@
 #include "hal/host/virtual_bus.hpp"
 
 #include <cstddef>
+#include <map>
 #include <vector>
 
 namespace counterpoint::simulator
 {
-/// The bus faults of a scenario that act on frames on their way to receivers: corruption, repetition, wrong sequence,
-/// loss, delay, addressing. Nodes of the scenario are the nodes of the bus, in the same order. [SRS-SIM-020]
+/// What the faults on frames share. Everything outlives them.
+struct FaultStage
+{
+    const Scenario& scenario;
+    const host::VirtualBus& bus;
+    const BusPlaces& places;
+    Journal& journal;
+};
+
+/// Tells the journal of frames that a fault has changed, and of its first effect.
+class EffectTeller
+{
+  public:
+    explicit EffectTeller(const FaultStage& stage) noexcept;
+    void Tell(std::size_t fault, NodeIndex receiver, std::uint32_t identifier, Nanoseconds at);
+
+  private:
+    const FaultStage& stage_;
+    std::vector<std::size_t> told_; ///< Faults whose first effect is in the journal.
+};
+
+/// The faults that act on frames on their way to receivers, and the effects of frames that faults have sent. Selectors
+/// come in the order of the scenario. [SRS-SIM-020, SRS-SIM-027]
 class FrameFaults final : public host::BusFault
 {
   public:
-    /// @brief Everything given outlives the object.
-    FrameFaults(const Scenario& scenario, const host::VirtualBus& bus, Journal& journal);
+    FrameFaults(const FaultStage& stage, std::vector<FrameSelector> selectors);
 
-    [[nodiscard]] bool IsEmpty() const noexcept;
     void OnReception(const host::FrameOnBus& sent, host::NodeIndex receiver, host::ReceptionList& receptions) override;
+    /// @brief Copies of frames that did not fit any more, by fault. [SRS-SIM-017]
+    [[nodiscard]] const std::map<std::size_t, std::uint32_t>& Dropped() const noexcept;
 
   private:
-    struct State
-    {
-        std::size_t index{0U};  ///< In Scenario::faults.
-        std::uint32_t seen{0U}; ///< Frames that fit so far.
-        std::uint32_t done{0U}; ///< Frames that were hit so far.
-        bool is_chosen{false};  ///< The present frame is hit.
-    };
     /// A frame held back until the next one has come (wrong sequence).
     struct Held
     {
@@ -41,23 +58,50 @@ class FrameFaults final : public host::BusFault
         CanFrame frame{};
     };
 
-    void Choose(const host::FrameOnBus& sent);
-    [[nodiscard]] bool Fits(const FaultSetup& fault, const host::FrameOnBus& sent) const;
-    [[nodiscard]] bool Apply(const FaultSetup& fault, std::size_t index, host::NodeIndex receiver,
-                             host::ReceptionList& receptions);
+    void TellForeign(const host::FrameOnBus& sent, NodeIndex receiver);
+    void ForForeign(const BusPlace& place, const host::FrameOnBus& sent, host::ReceptionList& receptions) const;
+    [[nodiscard]] bool Apply(const FrameSelector& selector, host::NodeIndex receiver, host::ReceptionList& receptions);
+    [[nodiscard]] bool Change(const FaultSetup& fault, host::ReceptionList& receptions) const;
+    void Repeat(const FrameSelector& selector, host::NodeIndex receiver, host::ReceptionList& receptions);
+    void Store(const FrameSelector& selector, host::NodeIndex receiver, host::ReceptionList& receptions);
     void ReleaseHeld(host::NodeIndex receiver, host::ReceptionList& receptions);
-    void Tell(std::size_t index, host::NodeIndex receiver, std::uint32_t identifier, Nanoseconds at);
 
-    const Scenario& scenario_;
-    const host::VirtualBus& bus_;
-    Journal& journal_;
+    FaultStage stage_;
+    EffectTeller teller_;
     Random random_;
-    std::vector<State> states_;
-    std::vector<std::size_t> masquerades_; ///< Their frames are sent by nodes; here they are only told of.
+    std::vector<FrameSelector> selectors_;
     std::vector<Held> held_;
-    std::vector<std::size_t> told_; ///< Faults whose first effect is in the journal.
+    std::map<std::pair<std::size_t, host::NodeIndex>, Nanoseconds>
+        let_go_; ///< Store and forward: the last frame's time.
+    std::map<std::size_t, std::uint32_t> dropped_;
     host::BusTime frame_start_{-1};
 };
+
+/// The faults of controllers that act on single frames: refused, swallowed, destroyed on the wire, and confirmations.
+/// [SRS-SIM-027]
+class ControllerFaults final : public host::BusFault
+{
+  public:
+    ControllerFaults(const FaultStage& stage, std::vector<FrameSelector> selectors);
+
+    host::SubmitFate OnSubmit(CanFrame& frame, host::NodeIndex sender, host::BusTime now) override;
+    host::WireHit OnWire(const host::FrameOnBus& sent) override;
+    void OnConfirmation(const host::FrameOnBus& sent, host::ReceptionList& receptions) override;
+
+  private:
+    /// @brief The first fault of these kinds that hits the frame; nullptr: none.
+    [[nodiscard]] const FrameSelector* Hit(FaultKind one, FaultKind other, const CanFrame& frame,
+                                           host::NodeIndex sender);
+
+    FaultStage stage_;
+    EffectTeller teller_;
+    Random random_;
+    std::vector<FrameSelector> selectors_;
+};
+
+/// Which of the two classes makes a fault.
+[[nodiscard]] bool ActsOnReceptions(FaultKind kind) noexcept;
+[[nodiscard]] bool ActsInControllers(FaultKind kind) noexcept;
 } // namespace counterpoint::simulator
 
 #endif // VERIFICATION_SIMULATOR_FRAME_FAULTS_HPP

@@ -40,6 +40,8 @@ enum class EventKind : std::uint8_t
     kHung = 20U,        ///< A call did not return: the node stands still.
     kConfigurationInvalid = 21U,
     kReception = 22U, ///< A consumer got a frame. value: identifier; other: 1 when it completed a good pair.
+    kPowerOff = 23U,
+    kNoStart = 24U, ///< The kernel refused to start, or its configuration.
 };
 
 struct Event

@@ -45,6 +45,9 @@ inline constexpr Word<DeviceFault> kDeviceFaultWords[] = {
     {"late_call", DeviceFault::kLateCall},
     {"frame_order", DeviceFault::kFrameOrder},
     {"application", DeviceFault::kApplication},
+    {"self_test", DeviceFault::kSelfTest},
+    {"handshake", DeviceFault::kHandshake},
+    {"cross_link", DeviceFault::kCrossLink},
     {"latch_corrupted", DeviceFault::kInvalid},
 };
 
@@ -79,11 +82,85 @@ inline constexpr Word<FaultKind> kFaultWords[] = {
     {"clock", FaultKind::kClock},
     {"cycle", FaultKind::kCycle},
     {"not_inverse", FaultKind::kNotInverse},
+    {"store_and_forward", FaultKind::kStoreAndForward},
+    {"duplicate", FaultKind::kDuplicate},
+    {"babbling", FaultKind::kBabbling},
+    {"wire_error", FaultKind::kWireError},
+    {"bus_off", FaultKind::kBusOff},
+    {"unplugged", FaultKind::kUnplugged},
+    {"queue_full", FaultKind::kQueueFull},
+    {"swallowed", FaultKind::kSwallowed},
+    {"confirmation", FaultKind::kConfirmation},
+    {"queue_overflow", FaultKind::kQueueOverflow},
+    {"frozen_input", FaultKind::kFrozenInput},
+    {"permit", FaultKind::kPermit},
+    {"watchdog", FaultKind::kWatchdog},
 };
 
 inline constexpr Word<Part> kPartWords[] = {
     {"channel_a", Part::kChannelA},       {"channel_b", Part::kChannelB}, {"comparator", Part::kComparator},
     {"flow_monitor", Part::kFlowMonitor}, {"guard", Part::kGuard},
+};
+
+inline constexpr Word<Part> kChannelWords[] = {{"channel_a", Part::kChannelA}, {"channel_b", Part::kChannelB}};
+
+/// Where bits can flip.
+inline constexpr Word<Part> kMemoryWords[] = {
+    {"channel_a", Part::kChannelA},   {"channel_b", Part::kChannelB},    {"kernel", Part::kKernel},
+    {"latch", Part::kLatch},          {"comparator", Part::kComparator}, {"flow_monitor", Part::kFlowMonitor},
+    {"guard", Part::kGuard},          {"clocks", Part::kClocks},         {"setup", Part::kSetup},
+    {"safe_value", Part::kSafeValue}, {"objects", Part::kObjects},       {"variables", Part::kVariables},
+};
+
+inline constexpr Word<Part> kInputWords[] = {
+    {"acknowledge_a", Part::kAcknowledgeA}, {"acknowledge_b", Part::kAcknowledgeB}, {"acknowledge", Part::kNone},
+    {"application", Part::kApplication},    {"challenge", Part::kChallenge},        {"question", Part::kQuestion},
+};
+
+inline constexpr Word<Part> kPermitWords[] = {
+    {"a", Part::kPermitA}, {"b", Part::kPermitB}, {"kernel", Part::kPermitKernel}};
+
+inline constexpr Word<Wrongness> kPermitHowWords[] = {
+    {"wrong", Wrongness::kWrong}, {"old", Wrongness::kOld}, {"missing", Wrongness::kMissing}};
+inline constexpr Word<Wrongness> kWatchdogHowWords[] = {{"not_served", Wrongness::kMissing},
+                                                        {"served_twice", Wrongness::kTwice},
+                                                        {"wrong_answer", Wrongness::kWrong},
+                                                        {"old_answer", Wrongness::kOld}};
+inline constexpr Word<Wrongness> kConfirmationHowWords[] = {
+    {"missing", Wrongness::kMissing}, {"late", Wrongness::kLate}, {"wrong", Wrongness::kWrong}};
+
+inline constexpr Word<NmtCommand> kCommandWords[] = {
+    {"start", NmtCommand::kStart},
+    {"stop", NmtCommand::kStop},
+    {"enter_pre_operational", NmtCommand::kEnterPreOperational},
+    {"reset_node", NmtCommand::kResetNode},
+    {"reset_communication", NmtCommand::kResetCommunication},
+};
+
+inline constexpr Word<ChannelCall> kCallWords[] = {{"OnCycle", ChannelCall::kOnCycle},
+                                                   {"OnFrame", ChannelCall::kOnFrame}};
+inline constexpr Word<bool> kYesWords[] = {{"true", true}, {"false", false}};
+
+/// Which frames of an SRDO, and which counters.
+enum class Side : std::uint8_t
+{
+    kFirst = 1U,
+    kSecond = 2U,
+    kBoth = 3U,
+};
+inline constexpr Word<Side> kFrameSideWords[] = {
+    {"normal", Side::kFirst}, {"inverse", Side::kSecond}, {"both", Side::kBoth}};
+inline constexpr Word<Side> kCounterWords[] = {{"a", Side::kFirst}, {"b", Side::kSecond}, {"both", Side::kBoth}};
+
+inline constexpr Word<ExpectationKind> kExpectationWords[] = {
+    {"released", ExpectationKind::kReleased},
+    {"safe", ExpectationKind::kSafe},
+    {"value", ExpectationKind::kValue},
+    {"cause", ExpectationKind::kCause},
+    {"device_fault", ExpectationKind::kDeviceFault},
+    {"detected_by", ExpectationKind::kDetectedBy},
+    {"safe_within", ExpectationKind::kSafeWithin},
+    {"no_fault", ExpectationKind::kNoFault},
 };
 
 inline constexpr Word<Party> kPartyWords[] = {

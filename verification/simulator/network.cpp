@@ -25,7 +25,7 @@ Insight InsightOf(const Scenario& scenario, const Journal& journal)
 } // namespace
 
 Network::Network(const Scenario& scenario, Journal& journal)
-    : scenario_(scenario), journal_(journal), bus_(RateOf(scenario)), frame_faults_(scenario, bus_, journal)
+    : scenario_(scenario), journal_(journal), bus_(RateOf(scenario))
 {
     BuildNodes();
     RequireThatEverythingExists();
@@ -33,10 +33,8 @@ Network::Network(const Scenario& scenario, Journal& journal)
     {
         nodes_[rule.node]->App().AddRule(rule);
     }
-    if (!frame_faults_.IsEmpty())
-    {
-        bus_.Install(frame_faults_);
-    }
+    BuildForeignControllers();
+    InstallFaults();
     // What the DCFs make impossible is found now and not in the middle of the run.
     for (const std::unique_ptr<Node>& node : nodes_)
     {
@@ -58,7 +56,80 @@ void Network::BuildNodes()
     {
         const NodeSetup& setup = scenario_.nodes[index];
         models_.push_back(std::make_unique<DeviceModel>(setup.dcf, setup.node_id));
+        if (setup.controllers > 1U)
+        {
+            models_.back()->UseTwoControllers();
+        }
         nodes_.push_back(std::make_unique<Node>(index, setup, *models_.back(), bus_, journal_, insight));
+        std::uint32_t controller = 0U;
+        for (const host::NodeIndex place : nodes_.back()->BusNodes())
+        {
+            ++controller;
+            places_.resize(place + 1U);
+            places_[place] = {index, controller, kNoFaultIndex};
+        }
+    }
+}
+
+// A fault that sends frames of its own does it by a controller of its own.
+void Network::BuildForeignControllers()
+{
+    for (std::size_t index = 0U; index < scenario_.faults.size(); ++index)
+    {
+        const FaultKind kind = scenario_.faults[index].kind;
+        if (kind == FaultKind::kDuplicate || kind == FaultKind::kBabbling)
+        {
+            foreign_[index] = std::make_unique<ForeignController>(bus_);
+            places_.push_back({kNoNode, 1U, index});
+        }
+    }
+}
+
+std::vector<FrameSelector> Network::SelectorsOf(bool (*const is_wanted)(FaultKind)) const
+{
+    std::vector<FrameSelector> selectors;
+    for (std::size_t index = 0U; index < scenario_.faults.size(); ++index)
+    {
+        const FaultSetup& fault = scenario_.faults[index];
+        if (!is_wanted(fault.kind))
+        {
+            continue;
+        }
+        std::vector<std::uint32_t> identifiers = fault.frames.identifiers;
+        for (const SrdoModel& srdo : models_[fault.frames.srdo_of.value_or(0U)]->Srdos())
+        {
+            const bool is_it = fault.frames.srdo_of && srdo.number == fault.frames.srdo;
+            if (is_it && fault.frames.has_normal)
+            {
+                identifiers.push_back(srdo.cob_id_1);
+            }
+            if (is_it && fault.frames.has_inverse)
+            {
+                identifiers.push_back(srdo.cob_id_2);
+            }
+        }
+        selectors.emplace_back(fault, index, std::move(identifiers));
+    }
+    return selectors;
+}
+
+void Network::InstallFaults()
+{
+    const FaultStage stage{scenario_, bus_, places_, journal_};
+    const bool has_masquerade =
+        std::any_of(scenario_.faults.begin(), scenario_.faults.end(),
+                    [](const FaultSetup& fault) { return fault.kind == FaultKind::kMasquerade; });
+    std::vector<FrameSelector> on_receptions = SelectorsOf(&ActsOnReceptions);
+    if (!on_receptions.empty() || has_masquerade || !foreign_.empty())
+    {
+        frame_faults_ = std::make_unique<FrameFaults>(stage, std::move(on_receptions));
+        bus_.Install(*frame_faults_);
+    }
+    std::vector<FrameSelector> in_controllers = SelectorsOf(&ActsInControllers);
+    if (!in_controllers.empty())
+    {
+        controller_faults_ = std::make_unique<ControllerFaults>(stage, std::move(in_controllers));
+        bus_.Install(*controller_faults_);
     }
 }
 
@@ -90,19 +161,64 @@ void Network::PlanWorld()
         Plan(acknowledge.at + acknowledge.pulse,
              [this, &acknowledge]() { nodes_[acknowledge.node]->SetAcknowledge(acknowledge.srdo, false); });
     }
+    PlanNmt();
+    for (const GfcEvent& event : scenario_.gfc)
+    {
+        Plan(event.at, [this, &event]() { nodes_[event.node]->SendGfc(); });
+    }
+}
+
+void Network::PlanNmt()
+{
     for (const NmtEvent& event : scenario_.nmt)
     {
         for (NodeIndex index = 0U; index < nodes_.size(); ++index)
         {
-            if (event.node == kNoNode || event.node == index)
+            if (event.node != kNoNode && event.node != index)
             {
-                Plan(event.at, [this, &event, index]() { nodes_[index]->SetNmt(event.state); });
+                continue;
+            }
+            Plan(event.at, [this, &event, index]() { Command(index, event); });
+            if (event.start_after != kNever)
+            {
+                Plan(event.at + event.start_after, [this, index]() { nodes_[index]->SetNmt(NmtState::kOperational); });
             }
         }
     }
-    for (const GfcEvent& event : scenario_.gfc)
+    for (const PowerCycle& cycle : scenario_.power)
     {
-        Plan(event.at, [this, &event]() { nodes_[event.node]->SendGfc(); });
+        Plan(cycle.at, [this, &cycle]() { nodes_[cycle.node]->PowerOff(); });
+        Plan(cycle.at + cycle.off, [this, &cycle]() { nodes_[cycle.node]->PowerOn(); });
+        if (cycle.start_after != kNever)
+        {
+            Plan(cycle.at + cycle.off + cycle.start_after,
+                 [this, &cycle]() { nodes_[cycle.node]->SetNmt(NmtState::kOperational); });
+        }
+    }
+}
+
+void Network::Command(const NodeIndex node, const NmtEvent& event)
+{
+    switch (event.command)
+    {
+    case NmtCommand::kNone:
+        nodes_[node]->SetNmt(event.state);
+        return;
+    case NmtCommand::kStart:
+        nodes_[node]->SetNmt(NmtState::kOperational);
+        return;
+    case NmtCommand::kStop:
+        nodes_[node]->SetNmt(NmtState::kStopped);
+        return;
+    case NmtCommand::kEnterPreOperational:
+        nodes_[node]->SetNmt(NmtState::kPreOperational);
+        return;
+    case NmtCommand::kResetNode:
+        nodes_[node]->ResetNode();
+        return;
+    case NmtCommand::kResetCommunication:
+        nodes_[node]->ResetCommunication();
+        return;
     }
 }
 
@@ -146,7 +262,8 @@ void Network::RunActions()
 
 void Network::OnBusRecord(const host::BusRecord& record)
 {
-    journal_.Tell(FrameEntry{record.sent.start, record.end, record.sent.frame, record.sent.sender, record.fate});
+    const BusPlace& sender = places_[record.sent.sender];
+    journal_.Tell(FrameEntry{record.sent.start, record.end, record.sent.frame, sender.node, record.fate});
 }
 
 Nanoseconds Network::Now() const noexcept
@@ -167,6 +284,12 @@ std::size_t Network::Size() const noexcept
 host::VirtualBus& Network::Bus() noexcept
 {
     return bus_;
+}
+
+const std::map<std::size_t, std::uint32_t>& Network::DroppedCopies() const noexcept
+{
+    static const std::map<std::size_t, std::uint32_t> kNone;
+    return (frame_faults_ == nullptr) ? kNone : frame_faults_->Dropped();
 }
 
 std::uint64_t Network::CycleCount() const noexcept

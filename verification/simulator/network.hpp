@@ -2,6 +2,8 @@
 #ifndef VERIFICATION_SIMULATOR_NETWORK_HPP
 #define VERIFICATION_SIMULATOR_NETWORK_HPP
 
+#include "verification/simulator/bus_place.hpp"
+#include "verification/simulator/foreign_controller.hpp"
 #include "verification/simulator/frame_faults.hpp"
 #include "verification/simulator/journal.hpp"
 #include "verification/simulator/node.hpp"
@@ -10,6 +12,7 @@
 #include "hal/host/virtual_bus.hpp"
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -30,6 +33,8 @@ class Network final : private host::BusObserver
     [[nodiscard]] std::size_t Size() const noexcept;
     [[nodiscard]] host::VirtualBus& Bus() noexcept;
     [[nodiscard]] std::uint64_t CycleCount() const noexcept;
+    /// @brief Copies of frames that did not fit any more, by fault. [SRS-SIM-017]
+    [[nodiscard]] const std::map<std::size_t, std::uint32_t>& DroppedCopies() const noexcept;
 
   private:
     /// One thing that the scenario makes happen.
@@ -49,19 +54,33 @@ class Network final : private host::BusObserver
     void RequireOfFault(const FaultSetup& fault) const;
     void RequireOfExpectation(const Expectation& expectation) const;
     void Plan(Nanoseconds at, std::function<void()> act);
+    void BuildForeignControllers();
+    void InstallFaults();
+    [[nodiscard]] std::vector<FrameSelector> SelectorsOf(bool (*is_wanted)(FaultKind)) const;
     void PlanWorld();
+    void PlanNmt();
+    void Command(NodeIndex node, const NmtEvent& event);
     void PlanFault(std::size_t index);
+    /// @brief The beginnings and ends of a fault that lasts, as often as it comes and goes.
+    void PlanState(std::size_t index, const std::function<void()>& begin, const std::function<void()>& end);
     void PlanForeignFrames(std::size_t index);
     void PlanPartFault(std::size_t index);
     void PlanBitFlip(std::size_t index);
     void PlanDisturbance(std::size_t index);
+    void PlanClock(std::size_t index);
+    void PlanControllerFault(std::size_t index);
+    void PlanBabbling(std::size_t index);
+    void Insert(std::size_t index);
     void NoteFault(std::size_t index, NodeIndex node);
     void RunActions();
 
     const Scenario& scenario_;
     Journal& journal_;
     host::VirtualBus bus_;
-    FrameFaults frame_faults_;
+    BusPlaces places_;
+    std::unique_ptr<FrameFaults> frame_faults_;
+    std::unique_ptr<ControllerFaults> controller_faults_;
+    std::map<std::size_t, std::unique_ptr<ForeignController>> foreign_; ///< By fault.
     std::vector<std::unique_ptr<DeviceModel>> models_;
     std::vector<std::unique_ptr<Node>> nodes_;
     std::vector<Action> actions_; ///< By time; of two at the same time the one planned first.

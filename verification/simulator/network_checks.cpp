@@ -99,6 +99,19 @@ void Network::RequireOfFault(const FaultSetup& fault) const
             RequireValue(fault.node, fault.object, std::uint64_t{1U} << bit, fault.source);
         }
     }
+    if (fault.controller > 1U && models_[fault.node]->ControllerCount() == 1U)
+    {
+        throw ScenarioError(fault.source.file, fault.source.place, "controller 2 of a node with one",
+                            "'controllers: 2' of that node, or a DCF that names two");
+    }
+    if (fault.frames.srdo_of)
+    {
+        RequireSrdo(*fault.frames.srdo_of, fault.frames.srdo, false, fault.source);
+    }
+    if (fault.srdo != 0U)
+    {
+        RequireSrdo(fault.node, fault.srdo, false, fault.source);
+    }
     if (fault.config && fault.config->slot != 0U)
     {
         RequireSrdo(fault.node, fault.config->slot, false, fault.source);

@@ -33,46 +33,49 @@ std::uint64_t BitsOf(const FaultSetup& fault)
     return bits;
 }
 
-/// An SRDO's normal frames have odd identifiers.
-bool IsNormalIdentifier(const std::uint32_t identifier)
-{
-    return (identifier & 1U) != 0U;
-}
 } // namespace
 
 FaultClass ClassOf(const FaultSetup& fault)
 {
-    const bool is_normal = IsNormalIdentifier(fault.frames.identifier.value_or(1U));
+    const bool is_normal = ChoosesNormal(fault.frames);
     const bool is_channel = fault.part == Part::kChannelA || fault.part == Part::kChannelB;
     switch (fault.kind)
     {
     case FaultKind::kCorruption:
     case FaultKind::kRepetition:
     case FaultKind::kWrongSequence:
+    case FaultKind::kQueueOverflow:
         return FaultClass::kWrongFrame;
     case FaultKind::kLoss:
     case FaultKind::kDelay:
     case FaultKind::kAddressing:
+    case FaultKind::kStoreAndForward:
+    case FaultKind::kQueueFull:
+    case FaultKind::kSwallowed:
         return is_normal ? FaultClass::kBus : FaultClass::kBusNextNormal;
+    case FaultKind::kDuplicate:
+        return is_normal ? FaultClass::kBusNextNormal : FaultClass::kWrongFrame;
     case FaultKind::kInsertion:
     case FaultKind::kMasquerade:
-        return IsNormalIdentifier(fault.identifier) ? FaultClass::kBusNextNormal : FaultClass::kWrongFrame;
+        return ((fault.identifier & 1U) != 0U) ? FaultClass::kBusNextNormal : FaultClass::kWrongFrame;
+    case FaultKind::kBabbling:
+    case FaultKind::kWireError:
+    case FaultKind::kBusOff:
+    case FaultKind::kUnplugged:
+    case FaultKind::kConfirmation:
     case FaultKind::kNotInverse:
         return FaultClass::kBus;
+    case FaultKind::kFrozenInput:
+        return (fault.part == Part::kChallenge || fault.part == Part::kQuestion) ? FaultClass::kSupervisor
+                                                                                 : FaultClass::kBus;
     case FaultKind::kBitFlip:
         return FaultClass::kConfiguration;
     case FaultKind::kClock:
     case FaultKind::kCycle:
         return FaultClass::kClock;
-    case FaultKind::kSkipped:
-    case FaultKind::kDoubled:
-    case FaultKind::kHung:
-    case FaultKind::kFrozen:
-    case FaultKind::kNotCalled:
-    case FaultKind::kAlwaysGood:
-        break;
+    default:
+        return is_channel ? FaultClass::kChannel : FaultClass::kSupervisor;
     }
-    return is_channel ? FaultClass::kChannel : FaultClass::kSupervisor;
 }
 
 void Network::NoteFault(const std::size_t index, const NodeIndex node)
@@ -92,27 +95,69 @@ void Network::PlanFault(const std::size_t index)
     case FaultKind::kBitFlip:
         PlanBitFlip(index);
         return;
-    case FaultKind::kSkipped:
-    case FaultKind::kDoubled:
-    case FaultKind::kHung:
-    case FaultKind::kFrozen:
-    case FaultKind::kNotCalled:
-    case FaultKind::kAlwaysGood:
-        PlanPartFault(index);
-        return;
     case FaultKind::kClock:
+        PlanClock(index);
+        return;
     case FaultKind::kCycle:
     case FaultKind::kNotInverse:
         PlanDisturbance(index);
         return;
-    case FaultKind::kCorruption:
-    case FaultKind::kRepetition:
-    case FaultKind::kWrongSequence:
-    case FaultKind::kLoss:
-    case FaultKind::kDelay:
-    case FaultKind::kAddressing:
-        return; // FrameFaults makes these.
+    case FaultKind::kBabbling:
+        PlanBabbling(index);
+        return;
+    case FaultKind::kBusOff:
+    case FaultKind::kUnplugged:
+    case FaultKind::kQueueOverflow:
+        PlanControllerFault(index);
+        return;
+    default:
+        break;
     }
+    if (fault.part != Part::kNone)
+    {
+        PlanPartFault(index); // Those of frames are made by FrameFaults and ControllerFaults.
+    }
+}
+
+void Network::PlanState(const std::size_t index, const std::function<void()>& begin, const std::function<void()>& end)
+{
+    const FaultSetup& fault = scenario_.faults[index];
+    const Nanoseconds last = std::min(fault.until, scenario_.duration);
+    for (Nanoseconds at = fault.at; at < last; at += fault.on + fault.off)
+    {
+        Plan(at, begin);
+        if (fault.on == 0)
+        {
+            break;
+        }
+        if (at + fault.on < last)
+        {
+            Plan(at + fault.on, end);
+        }
+    }
+    if (fault.until != kNever)
+    {
+        Plan(fault.until, end);
+    }
+}
+
+void Network::Insert(const std::size_t index)
+{
+    const FaultSetup& fault = scenario_.faults[index];
+    const CanFrame frame = ForeignFrame(fault);
+    NoteFault(index, fault.frames.receiver.value_or(kNoNode));
+    for (NodeIndex node = 0U; node < nodes_.size(); ++node)
+    {
+        if (fault.frames.receiver.value_or(node) != node)
+        {
+            continue;
+        }
+        for (const host::NodeIndex place : nodes_[node]->BusNodes()) // Filters decide which of two it is for.
+        {
+            bus_.Plan(place, frame, Now());
+        }
+    }
+    journal_.Tell(FrameEntry{Now(), Now(), frame, kNoNode, host::FrameFate::kComplete});
 }
 
 void Network::PlanForeignFrames(const std::size_t index)
@@ -123,30 +168,61 @@ void Network::PlanForeignFrames(const std::size_t index)
         Plan(fault.at + fault.by * time,
              [this, index, &fault]()
              {
-                 const CanFrame frame = ForeignFrame(fault);
-                 if (fault.kind == FaultKind::kMasquerade)
+                 if (fault.kind == FaultKind::kInsertion)
                  {
-                     const host::NodeIndex sender = nodes_[fault.node]->Can().NodeOf(CanPortId::kFirst);
-                     static_cast<void>(bus_.Submit(sender, frame));
+                     Insert(index);
                      return;
                  }
-                 NoteFault(index, fault.frames.receiver.value_or(kNoNode));
-                 for (NodeIndex node = 0U; node < nodes_.size(); ++node)
-                 {
-                     if (fault.frames.receiver.value_or(node) == node)
-                     {
-                         bus_.Plan(nodes_[node]->Can().NodeOf(CanPortId::kFirst), frame, Now());
-                     }
-                 }
-                 journal_.Tell(FrameEntry{Now(), Now(), frame, kNoNode, host::FrameFate::kComplete});
+                 static_cast<void>(bus_.Submit(nodes_[fault.node]->BusNodes().front(), ForeignFrame(fault)));
              });
     }
+}
+
+void Network::PlanBabbling(const std::size_t index)
+{
+    const CanFrame frame = ForeignFrame(scenario_.faults[index]);
+    ForeignController& controller = *foreign_.at(index);
+    PlanState(index, [&controller, frame]() { controller.Babble(frame); }, [&controller]() { controller.Stop(); });
+}
+
+void Network::PlanControllerFault(const std::size_t index)
+{
+    const FaultSetup& fault = scenario_.faults[index];
+    if (fault.kind == FaultKind::kQueueOverflow)
+    {
+        Node& node = *nodes_[fault.node];
+        PlanState(
+            index, [&node, &fault, index]() { node.Poll(fault.capacity, index); },
+            [&node]() { node.Poll(0U, kNoFaultIndex); });
+        return;
+    }
+    const auto for_each = [this, &fault](void (host::VirtualBus::* const act)(host::NodeIndex))
+    {
+        const std::vector<host::NodeIndex>& places = nodes_[fault.node]->BusNodes();
+        for (std::uint32_t place = 0U; place < places.size(); ++place)
+        {
+            if (fault.controller == 0U || fault.controller == place + 1U)
+            {
+                (bus_.*act)(places[place]);
+            }
+        }
+    };
+    const bool is_bus_off = fault.kind == FaultKind::kBusOff;
+    PlanState(
+        index,
+        [this, for_each, is_bus_off, index, &fault]()
+        {
+            for_each(is_bus_off ? &host::VirtualBus::ForceBusOff : &host::VirtualBus::Disconnect);
+            NoteFault(index, fault.node);
+        },
+        [for_each, is_bus_off]() { for_each(is_bus_off ? &host::VirtualBus::Recover : &host::VirtualBus::Connect); });
 }
 
 void Network::PlanBitFlip(const std::size_t index)
 {
     const FaultSetup& fault = scenario_.faults[index];
     Node& node = *nodes_[fault.node];
+    const std::size_t size = SizeOf(node.PiecesOfPart(fault.part, fault.srdo));
     BitPlace place{fault.offset.value_or(0U), fault.bit};
     if (fault.config)
     {
@@ -161,22 +237,24 @@ void Network::PlanBitFlip(const std::size_t index)
         }
         place = *found;
     }
-    else if (fault.offset && *fault.offset >= node.StorageSize(fault.part))
+    else if (fault.offset && *fault.offset >= size)
     {
+        const char* const whose = (fault.part == Part::kChannelA || fault.part == Part::kChannelB)
+                                      ? ", the bytes of this channel's storage"
+                                      : ", the bytes of this part";
         throw ScenarioError(fault.source.file, fault.source.place, "offset " + std::to_string(*fault.offset),
-                            "an offset below " + std::to_string(node.StorageSize(fault.part)) +
-                                ", the bytes of this channel's storage");
+                            "an offset below " + std::to_string(size) + whose);
     }
     else if (!fault.offset)
     {
         Random random(scenario_.seed + kFlipSalt + index);
-        place.offset = random.Below(static_cast<std::uint32_t>(node.StorageSize(fault.part)));
+        place.offset = random.Below(static_cast<std::uint32_t>(size));
         place.bit = static_cast<std::uint8_t>(random.Below(8U));
     }
     Plan(fault.at,
          [this, index, &fault, place]()
          {
-             nodes_[fault.node]->FlipBit(fault.part, place);
+             FlipIn(nodes_[fault.node]->PiecesOfPart(fault.part, fault.srdo), place.offset, place.bit);
              NoteFault(index, fault.node);
          });
 }
@@ -184,53 +262,60 @@ void Network::PlanBitFlip(const std::size_t index)
 void Network::PlanPartFault(const std::size_t index)
 {
     const FaultSetup& fault = scenario_.faults[index];
-    Plan(fault.at, [this, index, &fault]() { nodes_[fault.node]->Faults().Begin(fault, index); });
-    if (fault.until != kNever)
+    PlanState(
+        index, [this, index, &fault]() { nodes_[fault.node]->Faults().Begin(fault, index); },
+        [this, &fault]() { nodes_[fault.node]->Faults().End(fault); });
+}
+
+void Network::PlanClock(const std::size_t index)
+{
+    const FaultSetup& fault = scenario_.faults[index];
+    const auto for_each = [this, &fault](const std::function<void(Node&, bool)>& act)
     {
-        Plan(fault.until, [this, &fault]() { nodes_[fault.node]->Faults().End(fault); });
-    }
+        if (fault.hits_counter_a)
+        {
+            act(*nodes_[fault.node], true);
+        }
+        if (fault.hits_counter_b)
+        {
+            act(*nodes_[fault.node], false);
+        }
+    };
+    const NodeSetup& setup = scenario_.nodes[fault.node];
+    const auto begin = [this, index, for_each, &fault]()
+    {
+        for_each([&fault](Node& node, const bool is_a)
+                 { fault.jump ? node.JumpCounter(is_a, *fault.jump) : node.SetCounterRate(is_a, fault.rate_ppm); });
+        NoteFault(index, fault.node);
+    };
+    const auto end = [for_each, &setup]()
+    {
+        for_each([&setup](Node& node, const bool is_a)
+                 { node.SetCounterRate(is_a, is_a ? setup.counter_a.drift_ppm : setup.counter_b.drift_ppm); });
+    };
+    PlanState(index, begin, end);
 }
 
 void Network::PlanDisturbance(const std::size_t index)
 {
     const FaultSetup& fault = scenario_.faults[index];
-    const CounterSetup& counter =
-        fault.is_counter_a ? scenario_.nodes[fault.node].counter_a : scenario_.nodes[fault.node].counter_b;
-    const std::int32_t normal_ppm = counter.drift_ppm;
-    const auto begin = [this, index, &fault]()
+    if (fault.kind == FaultKind::kCycle)
     {
-        Node& node = *nodes_[fault.node];
-        if (fault.kind == FaultKind::kClock)
-        {
-            node.SetCounterRate(fault.is_counter_a, fault.rate_ppm);
-        }
-        else if (fault.kind == FaultKind::kCycle)
-        {
-            node.ShiftCycle(fault.by);
-        }
-        else
-        {
-            node.App().Disturb(fault.object, BitsOf(fault));
-        }
-        NoteFault(index, fault.node);
-    };
-    Plan(fault.at, begin);
-    if (fault.until == kNever)
-    {
+        Plan(fault.at,
+             [this, index, &fault]()
+             {
+                 nodes_[fault.node]->ShiftCycle(fault.by);
+                 NoteFault(index, fault.node);
+             });
         return;
     }
-    Plan(fault.until,
-         [this, &fault, normal_ppm]()
-         {
-             Node& node = *nodes_[fault.node];
-             if (fault.kind == FaultKind::kClock)
-             {
-                 node.SetCounterRate(fault.is_counter_a, normal_ppm);
-             }
-             else
-             {
-                 node.App().Disturb(fault.object, 0U);
-             }
-         });
+    PlanState(
+        index,
+        [this, index, &fault]()
+        {
+            nodes_[fault.node]->App().Disturb(fault.object, BitsOf(fault));
+            NoteFault(index, fault.node);
+        },
+        [this, &fault]() { nodes_[fault.node]->App().Disturb(fault.object, 0U); });
 }
 } // namespace counterpoint::simulator

@@ -9,7 +9,6 @@ namespace counterpoint::simulator
 {
 namespace
 {
-constexpr std::size_t kQueueCapacity = 16U;
 constexpr std::int64_t kMillion = 1000000;
 constexpr std::uint16_t kCommunicationBase = 0x1300U;
 
@@ -18,29 +17,26 @@ hal::GateLimit LimitOf(const DeviceConfig& config)
     return {config.cycle_us + config.cycle_tolerance_us};
 }
 
-hal::WatchdogWindow WindowOf(const DeviceConfig& config)
-{
-    return {config.cycle_us / 2U, config.cycle_us + config.cycle_tolerance_us};
-}
 } // namespace
 
 Node::Node(const NodeIndex index, const NodeSetup& setup, DeviceModel& model, host::VirtualBus& bus, Journal& journal,
            const Insight insight)
     : index_(index), setup_(setup), model_(model), bus_(bus), journal_(journal), insight_(insight),
       clocks_(bus, {{setup.counter_a.start_us}, {setup.counter_b.start_us}}), watchdog_(bus),
-      output_(bus, watchdog_, LimitOf(model.Config())), output_tap_(output_), can_(clocks_, *this),
-      channel_a_(MakeChannel(Letter::kA, model.Config().srdo_count)),
-      channel_b_(MakeChannel(Letter::kB, model.Config().srdo_count)),
+      output_(bus, watchdog_, LimitOf(model.Config())), output_tap_(output_, faults_),
+      watchdog_tap_(watchdog_, faults_), can_(clocks_, *this),
+      channel_a_(MakeChannel(Letter::kA, RoomOf(model.Config()))),
+      channel_b_(MakeChannel(Letter::kB, RoomOf(model.Config()))),
       tap_a_(channel_a_->Voice(), Part::kChannelA, faults_, this),
       tap_b_(channel_b_->Voice(), Part::kChannelB, faults_, this), supervisors_(faults_),
       application_(index, model, journal),
       kernel_({insight == Insight::kTapped ? static_cast<Channel&>(tap_a_) : channel_a_->Voice(),
                insight == Insight::kTapped ? static_cast<Channel&>(tap_b_) : channel_b_->Voice(), can_,
-               insight == Insight::kTapped ? static_cast<hal::SafetyOutput&>(output_tap_) : output_, watchdog_,
-               application_})
+               insight == Insight::kTapped ? static_cast<hal::SafetyOutput&>(output_tap_) : output_,
+               insight == Insight::kTapped ? static_cast<hal::Watchdog&>(watchdog_tap_) : watchdog_, application_})
 {
     application_.Join(kernel_);
-    static_cast<void>(can_.ConnectPort(CanPortId::kFirst, bus, kQueueCapacity));
+    ConnectControllers(model.ControllerCount());
     SetCounterRate(true, setup.counter_a.drift_ppm);
     SetCounterRate(false, setup.counter_b.drift_ppm);
     const std::int64_t cycle = std::int64_t{model.Config().cycle_us} * kNanosecondsPerMicrosecond * kMillion;
@@ -60,50 +56,6 @@ Node::Node(const NodeIndex index, const NodeSetup& setup, DeviceModel& model, ho
             slot_of_.at(srdo.cob_id_1 - kFirstSrdoIdentifier + 1U) = slot;
         }
     }
-}
-
-void Node::Rehearse()
-{
-    model_.ResetVariables();
-    const StartResult result = kernel_.Start(model_.Config(), FlowCallback::kOff);
-    if (result != StartResult::kStarted)
-    {
-        throw cia306::InputError(model_.File(), 0U,
-                                 {"the kernel refuses this device, reason " +
-                                      std::to_string(static_cast<unsigned>(result)) + " of StartResult",
-                                  "SRDOs, objects and times of 0x5F00 within the ranges of DeviceConfig"});
-    }
-    nmt_ = NmtState::kPreOperational;
-    kernel_.SetNmtState(nmt_);
-    Commission(kernel_, model_);
-}
-
-void Node::PowerOn()
-{
-    Rehearse();
-    watchdog_.Start(WindowOf(model_.Config()));
-    is_on_ = true;
-    is_hung_ = false;
-    was_alive_ = true;
-    voice_a_ = Voice{};
-    voice_b_ = Voice{};
-    shown_agreed_ = 0U;
-    shown_matched_ = 0U;
-    fraction_sum_ = 0;
-    next_cycle_ = Now();
-    ScheduleNext();
-    for (const SrdoModel& srdo : model_.Srdos())
-    {
-        const SlotIndex slot = model_.SlotOf(srdo.number).value_or(0U);
-        const bool sends =
-            srdo.direction == kDirectionProducer && model_.Config().srdos[slot].form == ProducerForm::kApplicationSends;
-        const std::uint32_t cycles = (srdo.times.sct_ms * kMicrosecondsPerMillisecond) / model_.Config().cycle_us;
-        if (sends && (cycles_per_send_ == 0U || cycles < cycles_per_send_))
-        {
-            cycles_per_send_ = std::max(cycles, 1U);
-        }
-    }
-    journal_.Tell({Now(), EventKind::kPowerOn, index_, 0U, 0U, 0U});
 }
 
 void Node::SettleNextEvent() noexcept
@@ -128,31 +80,21 @@ void Node::Run()
     SettleNextEvent();
 }
 
-template <typename Call> void Node::Guarded(const Call& call)
-{
-    if (insight_ == Insight::kNone)
-    {
-        call();
-        return;
-    }
-    faults_.SetNow(Now());
-    const SupervisorTap::Scope scope(&supervisors_);
-    if (setjmp(faults_.WayOut()) != 0)
-    {
-        NoteHung();
-        return;
-    }
-    call();
-}
-
 void Node::Cycle()
 {
     application_.SetNow(Now());
+    DrainQueue();
+    if (is_hung_)
+    {
+        return;
+    }
     if (cycles_per_send_ != 0U)
     {
         SendByApplication();
     }
-    const CycleCall call{clocks_.Now(), acknowledge_, acknowledge_};
+    seen_acknowledge_a_ = Level(Part::kAcknowledgeA, seen_acknowledge_a_);
+    seen_acknowledge_b_ = Level(Part::kAcknowledgeB, seen_acknowledge_b_);
+    const CycleCall call{clocks_.Now(), seen_acknowledge_a_, seen_acknowledge_b_};
     Guarded([this, &call]() { kernel_.Cycle(call); });
     if (insight_ == Insight::kTapped)
     {
@@ -162,7 +104,11 @@ void Node::Cycle()
     LookAtOutput();
     if (!is_hung_)
     {
-        application_.Run(open_, Now());
+        const PartCondition& condition = faults_.Condition(Part::kApplication);
+        if (application_.Run(open_, Now(), condition.is_faulty))
+        {
+            faults_.HasEffect(condition);
+        }
         ScheduleNext();
     }
 }
@@ -204,7 +150,7 @@ void Node::SendByApplication()
     }
 }
 
-void Node::OnFrame(const StampedFrame& frame)
+void Node::Take(const StampedFrame& frame)
 {
     if (is_hung_ || !is_on_)
     {
@@ -217,7 +163,7 @@ void Node::OnFrame(const StampedFrame& frame)
     Guarded([this, &frame]() { kernel_.OnFrame(frame); });
 }
 
-void Node::OnConfirm(const StampedFrame& frame)
+void Node::TakeConfirmation(const StampedFrame& frame)
 {
     if (is_hung_ || !is_on_)
     {
@@ -227,7 +173,7 @@ void Node::OnConfirm(const StampedFrame& frame)
     Guarded([this, &frame]() { kernel_.OnConfirm(frame); });
 }
 
-void Node::OnOverflow()
+void Node::TakeOverflow()
 {
     kernel_.OnOverflow();
 }

@@ -6,11 +6,13 @@
 #include "verification/simulator/channel_tap.hpp"
 #include "verification/simulator/device_model.hpp"
 #include "verification/simulator/journal.hpp"
+#include "verification/simulator/memory_places.hpp"
 #include "verification/simulator/node_application.hpp"
 #include "verification/simulator/output_tap.hpp"
 #include "verification/simulator/part_faults.hpp"
 #include "verification/simulator/supervisor_tap.hpp"
 
+#include "hal/host/frame_queue.hpp"
 #include "hal/host/host_can_ports.hpp"
 #include "hal/host/host_clocks.hpp"
 #include "hal/host/host_output.hpp"
@@ -52,8 +54,15 @@ class Node final : private host::FrameSink, private ChannelWitness
     /// @brief Starts and commissions the kernel as PowerOn will, to find out early whether it can be. Throws
     /// cia306::InputError.
     void Rehearse();
-    /// @brief Starts and commissions the kernel, starts the watchdog; again for a restart. Throws cia306::InputError.
+    /// @brief The supply comes, for the first time or again: counters begin, the kernel starts and is commissioned, the
+    /// watchdog starts. A device whose tables were hit by a fault may not start; then it stays off.
     void PowerOn();
+    /// @brief The supply goes: outputs close, the controllers forget their frames. [SRS-SIM-037]
+    void PowerOff();
+    /// @brief Starts the kernel anew; a node that hangs does not hear of it.
+    void ResetNode();
+    /// @brief Passes initialising; the kernel's safe state and interlocks stay.
+    void ResetCommunication();
     /// @brief The next instant at which the node does something: a cycle, or an output that closes by itself.
     [[nodiscard]] Nanoseconds NextEvent() const noexcept
     {
@@ -68,8 +77,11 @@ class Node final : private host::FrameSink, private ChannelWitness
     /// @brief The next cycle, and all after it, come so much later (negative: earlier).
     void ShiftCycle(Nanoseconds by);
     void SetCounterRate(bool is_counter_a, std::int32_t drift_ppm);
-    /// @brief A bit of the injected storage of a channel flips, the `offset` modulo the size of the storage.
-    void FlipBit(Part part, const BitPlace& place);
+    void JumpCounter(bool is_counter_a, Nanoseconds by);
+    /// @brief The memory of a part, in which bits flip.
+    [[nodiscard]] std::vector<MemoryPiece> PiecesOfPart(Part part, std::uint8_t srdo);
+    /// @brief From now on frames wait in a queue of this capacity for the next cycle; 0: as before. [SRS-SIM-027]
+    void Poll(std::size_t capacity, std::size_t fault);
 
     [[nodiscard]] const DeviceModel& Model() const noexcept;
     [[nodiscard]] NodeApplication& App() noexcept;
@@ -77,7 +89,8 @@ class Node final : private host::FrameSink, private ChannelWitness
     [[nodiscard]] host::HostCanPorts& Can() noexcept;
     [[nodiscard]] const PairTimes& TimesOf(SlotIndex slot) const noexcept;
     [[nodiscard]] SrdoMask Open() const noexcept;
-    [[nodiscard]] std::size_t StorageSize(Part part) noexcept;
+    /// @brief Its nodes of the bus, the first controller first.
+    [[nodiscard]] const std::vector<host::NodeIndex>& BusNodes() const noexcept;
     [[nodiscard]] Kernel& Core() noexcept;
 
   private:
@@ -88,13 +101,22 @@ class Node final : private host::FrameSink, private ChannelWitness
         std::array<SrdoState, kMaxSrdoCount> states{};
     };
 
-    void OnFrame(const StampedFrame& frame) override;
+    void OnFrame(const StampedFrame& frame) override; // Of the controllers; the three below as well.
     void OnConfirm(const StampedFrame& frame) override;
     void OnOverflow() override;
     void OnOutcome(Part part, const Channel& channel, const CycleOutcome& outcome) override;
     [[nodiscard]] bool Concerns(const CanFrame& frame) const override;
     [[nodiscard]] SlotIndex ConsumerOf(const CanFrame& frame) const;
 
+    void ConnectControllers(std::uint32_t count);
+    void StartFresh();
+    void BeginCounters();
+    void PrepareSending();
+    void Take(const StampedFrame& frame);
+    void TakeConfirmation(const StampedFrame& frame);
+    void TakeOverflow();
+    void DrainQueue();
+    [[nodiscard]] SrdoMask Level(Part part, SrdoMask frozen);
     void Cycle();
     /// @brief Makes a call into the kernel that may never return.
     template <typename Call> void Guarded(const Call& call);
@@ -123,6 +145,7 @@ class Node final : private host::FrameSink, private ChannelWitness
     host::HostWatchdog watchdog_;
     host::HostOutput output_;
     OutputTap output_tap_;
+    WatchdogTap watchdog_tap_;
     host::HostCanPorts can_;
     std::unique_ptr<ChannelHost> channel_a_;
     std::unique_ptr<ChannelHost> channel_b_;
@@ -138,6 +161,13 @@ class Node final : private host::FrameSink, private ChannelWitness
     std::int64_t oscillator_{0};
     std::int64_t fraction_sum_{0};
     SrdoMask acknowledge_{0U};
+    SrdoMask seen_acknowledge_a_{0U}; ///< By the channels; a frozen one stays.
+    SrdoMask seen_acknowledge_b_{0U};
+    std::vector<host::NodeIndex> bus_nodes_;
+    std::unique_ptr<host::FrameQueue> queue_; ///< Between controllers and kernel while the node polls.
+    std::size_t queue_capacity_{0U};
+    std::size_t queue_fault_{kNoFaultIndex};
+    bool has_overflowed_{false};
     SrdoMask open_{0U};
     std::uint32_t cycles_to_send_{0U}; ///< Applications that send by themselves: cycles until the next refresh.
     std::uint32_t cycles_per_send_{0U};
@@ -156,6 +186,23 @@ class Node final : private host::FrameSink, private ChannelWitness
     std::array<SlotIndex, kSrdoIdentifierCount> slot_of_{}; ///< Consumers by identifier.
     std::array<PairTimes, kMaxSrdoCount> times_{};
 };
+template <typename Call> void Node::Guarded(const Call& call)
+{
+    if (insight_ == Insight::kNone)
+    {
+        call();
+        return;
+    }
+    faults_.SetNow(Now());
+    const SupervisorTap::Scope scope(&supervisors_);
+    if (setjmp(faults_.WayOut()) != 0)
+    {
+        NoteHung();
+        return;
+    }
+    call();
+}
+
 } // namespace counterpoint::simulator
 
 #endif // VERIFICATION_SIMULATOR_NODE_HPP

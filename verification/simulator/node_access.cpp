@@ -36,16 +36,41 @@ void Node::SetCounterRate(const bool is_counter_a, const std::int32_t drift_ppm)
     clock.SetRate(Now(), static_cast<std::uint32_t>(kTrueRate + drift_ppm));
 }
 
-void Node::FlipBit(const Part part, const BitPlace& place)
+void Node::JumpCounter(const bool is_counter_a, const Nanoseconds by)
 {
-    ChannelHost& channel = (part == Part::kChannelA) ? *channel_a_ : *channel_b_;
-    std::uint8_t& byte = channel.Bytes()[place.offset % channel.Size()];
-    byte = static_cast<std::uint8_t>(byte ^ (1U << place.bit));
+    host::HostClock& clock = is_counter_a ? clocks_.A() : clocks_.B();
+    clock.Jump(Now(), static_cast<std::int32_t>(by / kNanosecondsPerMicrosecond));
 }
 
-std::size_t Node::StorageSize(const Part part) noexcept
+std::vector<MemoryPiece> Node::PiecesOfPart(const Part part, const std::uint8_t srdo)
 {
-    return (part == Part::kChannelA) ? channel_a_->Size() : channel_b_->Size();
+    if (part == Part::kChannelA || part == Part::kChannelB)
+    {
+        ChannelHost& channel = (part == Part::kChannelA) ? *channel_a_ : *channel_b_;
+        return {{channel.Bytes(), channel.Size()}};
+    }
+    const bool is_of_device =
+        part == Part::kSetup || part == Part::kSafeValue || part == Part::kObjects || part == Part::kVariables;
+    return is_of_device ? PiecesOf(part, model_, srdo) : PiecesOf(part, kernel_);
+}
+
+const std::vector<host::NodeIndex>& Node::BusNodes() const noexcept
+{
+    return bus_nodes_;
+}
+
+SrdoMask Node::Level(const Part part, const SrdoMask frozen)
+{
+    const PartCondition& condition = faults_.Condition(part);
+    if (!condition.is_faulty)
+    {
+        return acknowledge_;
+    }
+    if (frozen != acknowledge_)
+    {
+        faults_.HasEffect(condition);
+    }
+    return frozen;
 }
 
 const DeviceModel& Node::Model() const noexcept
@@ -90,6 +115,6 @@ Nanoseconds Node::Now() const noexcept
 
 std::uint8_t Node::NumberOf(const SlotIndex slot) const noexcept
 {
-    return model_.Config().srdos[slot].number;
+    return model_.NumberOf(slot);
 }
 } // namespace counterpoint::simulator

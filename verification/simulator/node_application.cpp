@@ -35,6 +35,7 @@ NodeApplication::NodeApplication(const NodeIndex node, const DeviceModel& model,
         state.normal = ReadVariable(state.normal_place).bits;
         state.inverse = ReadVariable(state.inverse_place).bits;
         state.srdo = pair.srdo;
+        state.first_bit = pair.first_bit;
         state.is_consumer = pair.is_consumer;
         state.slot = SrdoMask{1U} << model.SlotOf(pair.srdo).value_or(0U);
         pairs_.push_back(state);
@@ -48,15 +49,13 @@ void NodeApplication::SetSafeValues()
     {
         const SrdoSetup& setup = config_.srdos[slot];
         const std::uint64_t image = (std::uint64_t{setup.safe_value.high} << 32U) | setup.safe_value.low;
-        std::uint32_t bit = 0U;
         for (PairState& pair : pairs_)
         {
-            if (pair.srdo != setup.number || !pair.is_consumer || bit >= kMaxPayloadBits)
+            if (pair.srdo != setup.number || !pair.is_consumer || pair.first_bit >= kMaxPayloadBits)
             {
                 continue;
             }
-            pair.safe = (image >> bit) & pair.mask;
-            bit += pair.normal_place.length_bits;
+            pair.safe = (image >> pair.first_bit) & pair.mask;
             pair.normal = pair.safe;
             pair.inverse = ~pair.safe & pair.mask;
         }
@@ -105,7 +104,7 @@ void NodeApplication::SetNow(const Nanoseconds now) noexcept
     now_ = now;
 }
 
-void NodeApplication::Run(const SrdoMask open, const Nanoseconds now)
+bool NodeApplication::Run(const SrdoMask open, const Nanoseconds now, const bool is_frozen)
 {
     for (PairState& pair : pairs_)
     {
@@ -118,13 +117,19 @@ void NodeApplication::Run(const SrdoMask open, const Nanoseconds now)
     {
         Apply(rule);
     }
+    bool is_held_back = false;
     for (PairState& pair : pairs_)
     {
-        if (!pair.is_consumer)
+        if (!pair.is_consumer && is_frozen)
+        {
+            is_held_back = is_held_back || ReadVariable(pair.normal_place).bits != pair.normal;
+        }
+        else if (!pair.is_consumer)
         {
             Write(pair, now);
         }
     }
+    return is_held_back;
 }
 
 void NodeApplication::TakePair(PairState& pair, const SrdoMask open, const Nanoseconds now)

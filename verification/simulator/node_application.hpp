@@ -32,7 +32,8 @@ class NodeApplication final : public Application
     /// @brief Time for what the kernel tells during the cycle to come.
     void SetNow(Nanoseconds now) noexcept;
     /// @brief Takes the consumers' pairs with the outputs as they are now, then the rules, then writes all producers.
-    void Run(SrdoMask open, Nanoseconds now);
+    /// A frozen application leaves the producers' objects as they are; true when that made a difference.
+    bool Run(SrdoMask open, Nanoseconds now, bool is_frozen);
     /// @brief What the application uses of a consumer, or its input of a producer.
     [[nodiscard]] std::uint64_t ValueOf(const ObjectAddress& normal) const;
     /// @brief What the application uses of a consumer that is safe.
@@ -64,6 +65,7 @@ class NodeApplication final : public Application
         std::uint64_t safe{0U};
         std::uint64_t disturbance{0U};
         SrdoMask slot{0U};
+        std::uint32_t first_bit{0U};
         std::uint8_t srdo{0U};
         bool is_consumer{false};
     };

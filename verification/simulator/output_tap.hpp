@@ -2,35 +2,50 @@
 #ifndef VERIFICATION_SIMULATOR_OUTPUT_TAP_HPP
 #define VERIFICATION_SIMULATOR_OUTPUT_TAP_HPP
 
+#include "verification/simulator/part_faults.hpp"
+
 #include "hal/api/safety_output.hpp"
+#include "hal/api/watchdog.hpp"
 
 namespace counterpoint::simulator
 {
-/// Passes everything on to the output stage of the host and remembers the permits of the last cycle.
+/// Stands before the output stage of the host: remembers the permits of the last cycle, and makes the faults of permits
+/// and of the challenge. [SRS-SIM-032, SRS-SIM-034]
 class OutputTap final : public hal::SafetyOutput
 {
   public:
-    explicit OutputTap(hal::SafetyOutput& real) noexcept : real_(real)
-    {
-    }
+    OutputTap(hal::SafetyOutput& real, PartFaults& faults) noexcept;
 
-    [[nodiscard]] std::uint32_t Challenge() noexcept override
-    {
-        return real_.Challenge();
-    }
-    void Drive(const hal::PermitSet& permits) noexcept override
-    {
-        permits_ = permits;
-        real_.Drive(permits);
-    }
-    [[nodiscard]] const hal::PermitSet& Permits() const noexcept
-    {
-        return permits_;
-    }
+    [[nodiscard]] std::uint32_t Challenge() noexcept override;
+    void Drive(const hal::PermitSet& permits) noexcept override;
+    [[nodiscard]] hal::ProbeAnswer Probe(const hal::PermitSet& permits,
+                                         std::uint32_t challenge) const noexcept override;
+    /// @brief As the kernel gave them.
+    [[nodiscard]] const hal::PermitSet& Permits() const noexcept;
 
   private:
+    [[nodiscard]] Permit Spoiled(Part part, const Permit& given, const Permit& before) noexcept;
+
     hal::SafetyOutput& real_;
+    PartFaults& faults_;
     hal::PermitSet permits_{};
+    std::uint32_t challenge_{0U};
+};
+
+/// The same before the watchdog. [SRS-SIM-032, SRS-SIM-034]
+class WatchdogTap final : public hal::Watchdog
+{
+  public:
+    WatchdogTap(hal::Watchdog& real, PartFaults& faults) noexcept;
+
+    [[nodiscard]] hal::WatchdogQuestion Question() noexcept override;
+    void Answer(const hal::WatchdogAnswer& answer) noexcept override;
+
+  private:
+    hal::Watchdog& real_;
+    PartFaults& faults_;
+    hal::WatchdogQuestion question_{0U};
+    hal::WatchdogAnswer before_{0U};
 };
 } // namespace counterpoint::simulator
 

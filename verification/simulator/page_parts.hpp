@@ -4,11 +4,10 @@
 
 namespace counterpoint::simulator
 {
-// The files of page/ and docs/scenario.md, built in by CMake.
+// The files of page/, built in by CMake.
 extern const char* const kPageHtml;
 extern const char* const kPageCss;
 extern const char* const kPageJs;
-extern const char* const kScenarioText;
 } // namespace counterpoint::simulator
 
 #endif // VERIFICATION_SIMULATOR_PAGE_PARTS_HPP

@@ -11,13 +11,22 @@ void PartFaults::Begin(const FaultSetup& fault, const std::size_t index)
     condition.is_faulty = true;
     condition.kind = fault.kind;
     condition.call = fault.call;
+    condition.how = fault.how;
     condition.remaining = fault.times;
     condition.fault = index;
+    if (fault.second_part != Part::kNone)
+    {
+        Condition(fault.second_part) = condition;
+    }
 }
 
 void PartFaults::End(const FaultSetup& fault)
 {
     Condition(fault.part) = PartCondition{};
+    if (fault.second_part != Part::kNone)
+    {
+        Condition(fault.second_part) = PartCondition{};
+    }
 }
 
 void PartFaults::SetNow(const Nanoseconds now) noexcept

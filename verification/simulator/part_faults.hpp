@@ -2,6 +2,7 @@
 #ifndef VERIFICATION_SIMULATOR_PART_FAULTS_HPP
 #define VERIFICATION_SIMULATOR_PART_FAULTS_HPP
 
+#include "verification/simulator/bus_place.hpp"
 #include "verification/simulator/scenario.hpp"
 
 #include <array>
@@ -12,7 +13,6 @@
 
 namespace counterpoint::simulator
 {
-constexpr std::size_t kNoFaultIndex = static_cast<std::size_t>(-1);
 
 /// What is wrong with one part of a node at present.
 struct PartCondition
@@ -20,6 +20,7 @@ struct PartCondition
     bool is_faulty{false};
     FaultKind kind{FaultKind::kFrozen};
     ChannelCall call{ChannelCall::kOnCycle};
+    Wrongness how{Wrongness::kNone};
     std::uint32_t remaining{0U}; ///< Calls that are still to be skipped or doubled.
     std::size_t fault{kNoFaultIndex};
 };

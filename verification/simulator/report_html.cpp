@@ -12,33 +12,6 @@ namespace counterpoint::simulator
 {
 namespace
 {
-std::string Escaped(const std::string& text)
-{
-    std::string escaped;
-    for (const char character : text)
-    {
-        switch (character)
-        {
-        case '&':
-            escaped += "&amp;";
-            break;
-        case '<':
-            escaped += "&lt;";
-            break;
-        case '>':
-            escaped += "&gt;";
-            break;
-        case '"':
-            escaped += "&quot;";
-            break;
-        default:
-            escaped += character;
-            break;
-        }
-    }
-    return escaped;
-}
-
 /// Replaces {{name}} once each; what is put in is not looked at again.
 std::string Filled(const std::string& page, const std::map<std::string, std::string>& parts)
 {
@@ -104,7 +77,7 @@ std::string Row(const Run& run, const std::size_t place)
     const auto cell = [](const char* style, const std::string& text)
     { return std::string("<td class=\"") + style + "\">" + text + "</td>"; };
     std::string row = "<tr data-run=\"" + std::to_string(place) + "\" tabindex=\"0\">";
-    row += cell("wide", Escaped(run.Setting().title));
+    row += cell("wide", HtmlEscaped(run.Setting().title));
     if (measurement == nullptr)
     {
         row += cell("", "") + cell("", "") + cell("num", "") + cell("num", "") + cell("", "");
@@ -141,12 +114,39 @@ std::string Lead(const std::vector<const Run*>& runs)
     if (runs.size() == 1U)
     {
         const std::filesystem::path file(runs.front()->Setting().file);
-        return Escaped(file.filename().string()) + ", seed " + std::to_string(runs.front()->Setting().seed);
+        return HtmlEscaped(file.filename().string()) + ", seed " + std::to_string(runs.front()->Setting().seed);
     }
     return std::to_string(held) + " of " + std::to_string(runs.size()) +
            " runs as expected. Choose a row; limits are computed from each device's configuration before the run.";
 }
 } // namespace
+
+std::string HtmlEscaped(const std::string& text)
+{
+    std::string escaped;
+    for (const char character : text)
+    {
+        switch (character)
+        {
+        case '&':
+            escaped += "&amp;";
+            break;
+        case '<':
+            escaped += "&lt;";
+            break;
+        case '>':
+            escaped += "&gt;";
+            break;
+        case '"':
+            escaped += "&quot;";
+            break;
+        default:
+            escaped += character;
+            break;
+        }
+    }
+    return escaped;
+}
 
 std::string HtmlReport(const std::string& title, const std::vector<const Run*>& runs)
 {
@@ -155,7 +155,7 @@ std::string HtmlReport(const std::string& title, const std::vector<const Run*>& 
     {
         data["runs"].push_back(RunToJson(*run));
     }
-    return Filled(kPageHtml, {{"title", Escaped(title)},
+    return Filled(kPageHtml, {{"title", HtmlEscaped(title)},
                               {"lead", Lead(runs)},
                               {"style", kPageCss},
                               {"script", kPageJs},

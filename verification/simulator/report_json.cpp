@@ -36,6 +36,8 @@ constexpr Word<EventKind> kEventWords[] = {
     {"hung", EventKind::kHung},
     {"configuration_invalid", EventKind::kConfigurationInvalid},
     {"reception", EventKind::kReception},
+    {"power_off", EventKind::kPowerOff},
+    {"no_start", EventKind::kNoStart},
 };
 
 constexpr Word<host::FrameFate> kFateWords[] = {

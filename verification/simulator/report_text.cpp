@@ -210,6 +210,10 @@ std::string EventText(const Run& run, const Event& event)
         return GfcText(event.value);
     case EventKind::kPowerOn:
         return "power on, configuration accepted";
+    case EventKind::kPowerOff:
+        return "power off";
+    case EventKind::kNoStart:
+        return "THE DEVICE DOES NOT START";
     case EventKind::kFault:
         return "FAULT: " + scenario.faults[event.value].name;
     case EventKind::kFrameChanged:

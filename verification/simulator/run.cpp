@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/simulator/run.hpp"
 
+#include "verification/simulator/names.hpp"
 #include "verification/simulator/scenario_checks.hpp"
 #include "verification/simulator/scenario_reader.hpp"
 
@@ -13,8 +14,15 @@ namespace
 constexpr Nanoseconds kStep = kNanosecondsPerSecond / 10;
 constexpr std::size_t kMostRecorded = 500000U;
 
+std::string LineOf(const Source& source, const std::string& what, const std::string& expected)
+{
+    return source.file + ":" + std::to_string(source.place.line) + ":" + std::to_string(source.place.column) + ": " +
+           what + ", expected " + expected;
+}
+
 Scenario Changed(Scenario scenario, const std::optional<std::uint64_t> seed, const std::optional<Nanoseconds> until)
 {
+    RequireHappening(scenario);
     scenario.seed = seed.value_or(scenario.seed);
     scenario.duration = until.value_or(scenario.duration);
     RequirePossible(scenario);
@@ -25,6 +33,12 @@ Scenario Changed(Scenario scenario, const std::optional<std::uint64_t> seed, con
 Run::Run(const std::string& file, const std::optional<std::uint64_t> seed, const std::optional<Nanoseconds> until,
          const bool keeps_all)
     : scenario_(Changed(ReadScenario(file), seed, until)), journal_(keeps_all),
+      network_(std::make_unique<Network>(scenario_, journal_))
+{
+}
+
+Run::Run(const Scenario& scenario, const std::optional<Nanoseconds> until, const bool keeps_all)
+    : scenario_(Changed(scenario, std::nullopt, until)), journal_(keeps_all),
       network_(std::make_unique<Network>(scenario_, journal_))
 {
 }
@@ -86,10 +100,27 @@ std::vector<std::string> Run::FaultsWithoutEffect() const
                         { return event.kind == EventKind::kFault && event.value == index; });
         if (!had_effect)
         {
-            const Place place = fault.source.place;
-            lines.push_back(fault.source.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) +
-                            ": fault " + Shown(fault.name) + " never had an effect, expected one within the run");
+            lines.push_back(
+                LineOf(fault.source, "fault " + Shown(fault.name) + " never happened",
+                       fault.is_optional ? "nothing else, it is optional" : "it within the run, or 'optional: true'"));
         }
+    }
+    return lines;
+}
+
+std::vector<std::string> Run::Findings() const
+{
+    std::vector<std::string> lines;
+    for (const Happening& late : HappeningsFrom(scenario_, scenario_.duration))
+    {
+        lines.push_back(LineOf(late.source, late.what + " at " + MillisecondsText(late.at) + " does not happen",
+                               "a time before the end of the run at " + MillisecondsText(scenario_.duration)));
+    }
+    for (const auto& [fault, count] : network_->DroppedCopies())
+    {
+        const FaultSetup& setup = scenario_.faults[fault];
+        lines.push_back(LineOf(setup.source, std::to_string(count) + " copies of " + Shown(setup.name) + " dropped",
+                               "at most 16 receptions of one frame"));
     }
     return lines;
 }

@@ -22,6 +22,9 @@ class Run
     /// @brief Reads and builds; nothing has happened yet. Throws ScenarioError and cia306::InputError.
     Run(const std::string& file, std::optional<std::uint64_t> seed, std::optional<Nanoseconds> until, bool keeps_all);
 
+    /// @brief The same of a scenario that was read already.
+    Run(const Scenario& scenario, std::optional<Nanoseconds> until, bool keeps_all);
+
     Run(const Run&) = delete;
     Run& operator=(const Run&) = delete;
 
@@ -35,6 +38,9 @@ class Run
     [[nodiscard]] const std::vector<ExpectationVerdict>& Verdicts() const noexcept;
     /// @brief One line for each fault that never changed anything. [SRS-SIM-015]
     [[nodiscard]] std::vector<std::string> FaultsWithoutEffect() const;
+    /// @brief One line for each thing of the scenario that --until cut off, and for copies of frames that were dropped.
+    /// [SRS-SIM-016, SRS-SIM-017]
+    [[nodiscard]] std::vector<std::string> Findings() const;
     /// @brief Whether all expectations hold.
     [[nodiscard]] bool Holds() const noexcept;
     /// @brief The first expectation with a limit, if any.

@@ -51,6 +51,7 @@ struct NodeSetup
     Nanoseconds start_at{0}; ///< Enters OPERATIONAL.
     CounterSetup counter_a;
     CounterSetup counter_b;
+    std::uint32_t controllers{1U}; ///< 2: normal frames by the first, inverse frames by the second.
 };
 
 /// The input of a producer changes.
@@ -89,17 +90,42 @@ struct Acknowledge
     Source source;
 };
 
+/// What an NMT master says.
+enum class NmtCommand : std::uint8_t
+{
+    kNone = 0U,
+    kStart = 1U,
+    kStop = 2U,
+    kEnterPreOperational = 3U,
+    kResetNode = 4U,
+    kResetCommunication = 5U,
+};
+
 struct NmtEvent
 {
     Nanoseconds at{0};
     NodeIndex node{kNoNode}; ///< kNoNode: all.
     NmtState state{NmtState::kInvalid};
+    NmtCommand command{NmtCommand::kNone}; ///< Instead of `state`.
+    Nanoseconds start_after{kNever};       ///< Enters OPERATIONAL so long after a reset.
+    Source source;
+};
+
+/// A node loses its supply for a while.
+struct PowerCycle
+{
+    Nanoseconds at{0};
+    NodeIndex node{0U};
+    Nanoseconds off{0};
+    Nanoseconds start_after{kNever}; ///< Enters OPERATIONAL so long after power-on.
+    Source source;
 };
 
 struct GfcEvent
 {
     Nanoseconds at{0};
     NodeIndex node{0U};
+    Source source;
 };
 
 enum class FaultKind : std::uint8_t
@@ -122,6 +148,21 @@ enum class FaultKind : std::uint8_t
     kClock = 16U,
     kCycle = 17U,
     kNotInverse = 18U,
+    kStoreAndForward = 19U,
+    kDuplicate = 20U,
+    kBabbling = 21U,
+    kWireError = 22U,
+    kBusOff = 23U,
+    kUnplugged = 24U,
+    kQueueFull = 25U,
+    kSwallowed = 26U,
+    kConfirmation = 27U,
+    kQueueOverflow = 28U,
+    kFrozenInput = 29U,
+    kPermit = 30U,
+    kWatchdog = 31U,
+    // What comes with the cross link of two CPUs goes here: a number, a word (names.hpp), a section
+    // (schema_faults.cpp), a reader (scenario_faults.cpp) and whoever brings it about (network_faults.cpp).
 };
 
 /// The part of a node that a fault hits.
@@ -133,8 +174,36 @@ enum class Part : std::uint8_t
     kComparator = 3U,
     kFlowMonitor = 4U,
     kGuard = 5U,
+    // Inputs, the last link, and what only bits flip in.
+    kAcknowledgeA = 6U,
+    kAcknowledgeB = 7U,
+    kApplication = 8U,
+    kChallenge = 9U,
+    kQuestion = 10U,
+    kPermitA = 11U,
+    kPermitB = 12U,
+    kPermitKernel = 13U,
+    kWatchdog = 14U,
+    kKernel = 15U,
+    kLatch = 16U,
+    kClocks = 17U,
+    kSetup = 18U,
+    kSafeValue = 19U,
+    kObjects = 20U,
+    kVariables = 21U,
 };
-constexpr std::size_t kPartCount = 6U;
+constexpr std::size_t kPartCount = 22U;
+
+/// How a permit, an answer to the watchdog or a confirmation is wrong.
+enum class Wrongness : std::uint8_t
+{
+    kNone = 0U,
+    kWrong = 1U,
+    kOld = 2U,
+    kMissing = 3U,
+    kTwice = 4U,
+    kLate = 5U,
+};
 
 /// Calls of a channel that can be skipped or doubled.
 enum class ChannelCall : std::uint8_t
@@ -146,12 +215,20 @@ enum class ChannelCall : std::uint8_t
 /// Chooses frames. Bus faults act on the frames that fit, from the `first`-th one on, at most `count` of them.
 struct FrameChoice
 {
-    std::optional<std::uint32_t> identifier;
+    std::vector<std::uint32_t> identifiers; ///< None: any.
+    std::optional<NodeIndex> srdo_of;       ///< The frames of SRDO `srdo` of this node, both or one of them.
+    std::uint8_t srdo{0U};
+    bool has_normal{true};
+    bool has_inverse{true};
     std::optional<NodeIndex> sender;
     std::optional<NodeIndex> receiver; ///< None: for all receivers.
+    std::uint32_t controller{0U};      ///< Of the receiver; 0: each.
     Nanoseconds from{0};
     Nanoseconds until{kNever};
+    Nanoseconds on{0}; ///< 0: all the time.
+    Nanoseconds off{0};
     std::uint32_t first{1U};
+    std::uint32_t every{1U};
     std::uint32_t count{1U};
     std::uint32_t probability_ppm{1000000U};
 };
@@ -165,8 +242,14 @@ struct FaultSetup
     // Everything else: what, where, when.
     Nanoseconds at{0};
     Nanoseconds until{kNever};
+    Nanoseconds on{0}; ///< Comes and goes: there for `on`, gone for `off`; 0: there all the time.
+    Nanoseconds off{0};
+    bool is_optional{false}; ///< It may be that it never has an effect.
     NodeIndex node{kNoNode};
+    std::uint32_t controller{0U}; ///< 0: each.
     Part part{Part::kNone};
+    Part second_part{Part::kNone}; ///< Where one cause hits two.
+    Wrongness how{Wrongness::kNone};
     ChannelCall call{ChannelCall::kOnCycle};
     // Corruption.
     std::vector<std::uint8_t> bits;     ///< Numbered from bit 0 of byte 0.
@@ -182,9 +265,15 @@ struct FaultSetup
     std::optional<std::uint32_t> offset;
     std::uint8_t bit{0U};
     std::optional<ConfigAddress> config; ///< `slot` holds the SRDO number here.
+    std::uint8_t srdo{0U};               ///< Of a setup or safe value; 0: any.
     // Clock.
-    bool is_counter_a{true};
-    std::int32_t rate_ppm{0}; ///< Instead of the drift; -10^6 stops the counter.
+    bool hits_counter_a{false};
+    bool hits_counter_b{false};
+    std::int32_t rate_ppm{0};        ///< Instead of the drift; -10^6 stops the counter.
+    std::optional<Nanoseconds> jump; ///< Instead of another rate.
+    // Store and forward; reception queue.
+    Nanoseconds gap{0};
+    std::uint32_t capacity{1U};
     // Application.
     ObjectAddress object{0U, 0U};
 };
@@ -246,14 +335,29 @@ struct Scenario
     std::vector<LogicRule> logic;
     std::vector<Acknowledge> acknowledges;
     std::vector<NmtEvent> nmt;
+    std::vector<PowerCycle> power;
     std::vector<GfcEvent> gfc;
     std::vector<FaultSetup> faults;
     std::vector<Expectation> expectations;
 };
 
-[[nodiscard]] constexpr bool IsBusFault(const FaultKind kind)
+/// Whether a state of a part, counter, object or controller begins and ends; else single frames or moments are hit.
+[[nodiscard]] constexpr bool IsState(const FaultKind kind)
 {
-    return kind <= FaultKind::kAddressing;
+    const bool is_old = kind >= FaultKind::kSkipped && kind != FaultKind::kCycle && kind <= FaultKind::kNotInverse;
+    const bool is_controller = kind == FaultKind::kBusOff || kind == FaultKind::kUnplugged;
+    return is_old || is_controller || kind == FaultKind::kBabbling || kind >= FaultKind::kQueueOverflow;
+}
+
+/// Whether normal frames, which have odd identifiers, are among the chosen ones.
+[[nodiscard]] inline bool ChoosesNormal(const FrameChoice& choice)
+{
+    bool is_odd = choice.identifiers.empty() && choice.has_normal;
+    for (const std::uint32_t identifier : choice.identifiers)
+    {
+        is_odd = is_odd || (identifier & 1U) != 0U;
+    }
+    return is_odd;
 }
 } // namespace counterpoint::simulator
 

@@ -9,12 +9,20 @@ namespace counterpoint::simulator
 {
 namespace
 {
+constexpr Nanoseconds kMostSwitches = 100000; ///< How often an intermittent fault may come and go.
+
 bool IsOfPart(const FaultSetup& fault)
 {
-    return fault.kind >= FaultKind::kSkipped && fault.kind <= FaultKind::kAlwaysGood;
+    return fault.part != Part::kNone && fault.kind != FaultKind::kBitFlip;
 }
 
-/// Whether two faults would work on the same part, counter or object.
+bool SharesController(const FaultSetup& one, const FaultSetup& other)
+{
+    const bool is_controller = one.kind == FaultKind::kBusOff || one.kind == FaultKind::kUnplugged;
+    return is_controller && (one.controller == 0U || other.controller == 0U || one.controller == other.controller);
+}
+
+/// Whether two faults would work on the same part, counter, object or controller.
 bool HitTheSame(const FaultSetup& one, const FaultSetup& other)
 {
     if (one.node != other.node)
@@ -23,16 +31,19 @@ bool HitTheSame(const FaultSetup& one, const FaultSetup& other)
     }
     if (IsOfPart(one) && IsOfPart(other))
     {
-        return one.part == other.part;
+        const bool is_second = one.second_part != Part::kNone && one.second_part == other.second_part;
+        return one.part == other.part || one.part == other.second_part || one.second_part == other.part || is_second;
     }
     if (one.kind != other.kind)
     {
         return false;
     }
-    const bool is_counter = one.kind == FaultKind::kClock && one.is_counter_a == other.is_counter_a;
+    const bool is_counter =
+        (one.hits_counter_a && other.hits_counter_a) || (one.hits_counter_b && other.hits_counter_b);
+    const bool is_rate = one.kind == FaultKind::kClock && !one.jump && !other.jump && is_counter;
     const bool is_object = one.kind == FaultKind::kNotInverse && one.object.index == other.object.index &&
                            one.object.sub == other.object.sub;
-    return is_counter || is_object;
+    return is_rate || is_object || SharesController(one, other) || one.kind == FaultKind::kQueueOverflow;
 }
 
 void RequireApart(const Scenario& scenario)
@@ -66,6 +77,25 @@ bool HasFault(const Expectation& expectation)
     return expectation.kind == ExpectationKind::kDetectedBy || expectation.kind == ExpectationKind::kSafeWithin;
 }
 
+/// The end of a fault and its pattern, in whatever way it chooses its time.
+Nanoseconds BeginOf(const FaultSetup& fault)
+{
+    return std::max(fault.at, fault.frames.from);
+}
+
+void RequireFewSwitches(const Scenario& scenario, const FaultSetup& fault)
+{
+    const Nanoseconds period = fault.on + fault.off;
+    const Nanoseconds length = std::min(fault.until, scenario.duration) - fault.at;
+    if (period > 0 && length / period > kMostSwitches)
+    {
+        throw ScenarioError(fault.source.file, fault.source.place,
+                            "fault " + Shown(fault.name) + " that comes and goes " + std::to_string(length / period) +
+                                " times",
+                            "at most " + std::to_string(kMostSwitches));
+    }
+}
+
 void RequireWithinTheRun(const Scenario& scenario, const Expectation& expectation)
 {
     if (HasTime(expectation) && expectation.at > scenario.duration)
@@ -92,6 +122,61 @@ void RequireOneFault(const Scenario& scenario, const Expectation& expectation)
     }
 }
 } // namespace
+
+std::vector<Happening> HappeningsFrom(const Scenario& scenario, const Nanoseconds end)
+{
+    std::vector<Happening> late;
+    const auto add = [&late, end](const Nanoseconds at, const Source& source, const std::string& what)
+    {
+        if (at >= end)
+        {
+            late.push_back({at, source, what});
+        }
+    };
+    for (const Stimulus& stimulus : scenario.stimuli)
+    {
+        add(stimulus.at, stimulus.source, "input");
+    }
+    for (const Acknowledge& acknowledge : scenario.acknowledges)
+    {
+        add(acknowledge.at, acknowledge.source, "acknowledge");
+    }
+    for (const NmtEvent& event : scenario.nmt)
+    {
+        add(event.at, event.source, "NMT event");
+    }
+    for (const PowerCycle& cycle : scenario.power)
+    {
+        add(cycle.at, cycle.source, "power cycle");
+    }
+    for (const GfcEvent& event : scenario.gfc)
+    {
+        add(event.at, event.source, "GFC event");
+    }
+    for (const FaultSetup& fault : scenario.faults)
+    {
+        add(BeginOf(fault), fault.source, "fault " + Shown(fault.name));
+    }
+    return late;
+}
+
+void RequireHappening(const Scenario& scenario)
+{
+    for (const Happening& first : HappeningsFrom(scenario, scenario.duration))
+    {
+        if (first.source.file != scenario.file)
+        {
+            continue; // Of the extended scenario, which may be longer: told after the run.
+        }
+        throw ScenarioError(first.source.file, first.source.place,
+                            first.what + " at " + MillisecondsText(first.at) + ", not before the end of the run",
+                            "a time below " + MillisecondsText(scenario.duration));
+    }
+    for (const FaultSetup& fault : scenario.faults)
+    {
+        RequireFewSwitches(scenario, fault);
+    }
+}
 
 void RequirePossible(const Scenario& scenario)
 {

@@ -8,17 +8,6 @@ namespace counterpoint::simulator
 {
 namespace
 {
-constexpr Word<ExpectationKind> kExpectationWords[] = {
-    {"released", ExpectationKind::kReleased},
-    {"safe", ExpectationKind::kSafe},
-    {"value", ExpectationKind::kValue},
-    {"cause", ExpectationKind::kCause},
-    {"device_fault", ExpectationKind::kDeviceFault},
-    {"detected_by", ExpectationKind::kDetectedBy},
-    {"safe_within", ExpectationKind::kSafeWithin},
-    {"no_fault", ExpectationKind::kNoFault},
-};
-
 /// The fault by its name, or by its place counted from 1; the only one if nothing is said.
 std::size_t ReadFaultIndex(Fields& fields, const Scenario& scenario)
 {
@@ -117,10 +106,11 @@ void ReadContent(Fields& fields, const Scenario& scenario, Expectation& expectat
 
 Expectation ReadExpectation(const Scenario& scenario, const ScenarioValue& value)
 {
-    Fields fields(value, "an expectation");
+    Fields fields(value, "expect");
     Expectation expectation;
     expectation.source = value.Where();
     expectation.kind = fields.Require("that").Choice(kExpectationWords);
+    fields.Extend(NameOf(kExpectationWords, expectation.kind));
     ReadContent(fields, scenario, expectation);
     fields.Close();
     return expectation;

@@ -14,6 +14,12 @@ inline constexpr Range kSrdoRange{1U, 64U};
 /// The node of that name. Throws ScenarioError.
 [[nodiscard]] NodeIndex NodeNamed(const Scenario& scenario, const ScenarioValue& name);
 [[nodiscard]] std::uint8_t SrdoNumber(const ScenarioValue& value);
+/// The keys `at`, `until`, `on` and `off`; the last two alone.
+void ReadSpan(Fields& fields, FaultSetup& fault);
+void ReadPattern(Fields& fields, Nanoseconds& on, Nanoseconds& off);
+[[nodiscard]] std::vector<std::uint8_t> ReadBytes(const ScenarioValue& value, const Range& range);
+/// What a fault of a node says beside its kind and name.
+void ReadNodeFault(Fields& fields, const Scenario& scenario, FaultSetup& fault);
 /// One item of `faults`, `expect`.
 [[nodiscard]] FaultSetup ReadFault(const Scenario& scenario, const ScenarioValue& value);
 [[nodiscard]] Expectation ReadExpectation(const Scenario& scenario, const ScenarioValue& value);

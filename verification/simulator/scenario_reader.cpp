@@ -14,14 +14,9 @@ namespace counterpoint::simulator
 namespace
 {
 constexpr std::size_t kMostNodes = 127U;
-constexpr Range kNodeIdRange{1U, 127U};
-constexpr Range kCounterRange{0U, 0xFFFFFFFFU};
 constexpr Range kSeedRange{0U, 0xFFFFFFFFFFFFFFFFU};
-constexpr Range kBitrateRange{10000U, 1000000U};
 constexpr std::uint32_t kBitrates[] = {10000U, 20000U, 50000U, 100000U, 125000U, 250000U, 500000U, 800000U, 1000000U};
 constexpr std::int32_t kStandsStill = -1000000;
-constexpr Nanoseconds kDefaultStart = 10 * kNanosecondsPerMillisecond;
-constexpr Nanoseconds kDefaultPulse = 50 * kNanosecondsPerMillisecond;
 
 std::string Beside(const std::string& file, const std::string& name)
 {
@@ -31,27 +26,22 @@ std::string Beside(const std::string& file, const std::string& name)
 
 CounterSetup ReadCounter(const ScenarioValue& value)
 {
-    Fields fields(value, "a counter");
+    Fields fields(value, "counter");
     CounterSetup counter;
-    if (const auto drift = fields.Find("ppm"))
+    const ScenarioValue drift = fields.Require("ppm");
+    counter.drift_ppm = drift.PartsPerMillion();
+    if (counter.drift_ppm == kStandsStill)
     {
-        counter.drift_ppm = drift->PartsPerMillion();
-        if (counter.drift_ppm == kStandsStill)
-        {
-            drift->Refuse("a counter that stands still from the start", "more than -1000000 ppm");
-        }
+        drift.Refuse("a counter that stands still from the start", "more than -1000000 ppm");
     }
-    if (const auto start = fields.Find("start_us"))
-    {
-        counter.start_us = static_cast<std::uint32_t>(start->Number(kCounterRange));
-    }
+    counter.start_us = fields.Require("start_us").Checked();
     fields.Close();
     return counter;
 }
 
 NodeSetup ReadNode(const ScenarioValue& name, const ScenarioValue& value)
 {
-    Fields fields(value, "a node");
+    Fields fields(value, "node");
     NodeSetup node;
     node.name = name.Text("the name of a node");
     if (node.name.empty() || node.name == "all" || node.name == "bus")
@@ -63,14 +53,11 @@ NodeSetup ReadNode(const ScenarioValue& name, const ScenarioValue& value)
     node.source = dcf.Where();
     if (const auto id = fields.Find("node_id"))
     {
-        node.node_id = static_cast<std::uint8_t>(id->Number(kNodeIdRange));
+        node.node_id = static_cast<std::uint8_t>(id->Checked());
     }
-    if (const auto phase = fields.Find("phase"))
-    {
-        node.phase = phase->Duration();
-    }
-    const auto start = fields.Find("start_at");
-    node.start_at = start ? start->Duration() : kDefaultStart;
+    node.controllers = fields.Require("controllers").Checked();
+    node.phase = fields.Require("phase").Duration();
+    node.start_at = fields.Require("start_at").Duration();
     if (const auto counter = fields.Find("counter_a"))
     {
         node.counter_a = ReadCounter(*counter);
@@ -106,7 +93,7 @@ void ReadNodes(const ScenarioValue& value, Scenario& scenario)
 
 Stimulus ReadStimulus(const Scenario& scenario, const ScenarioValue& value)
 {
-    Fields fields(value, "an input");
+    Fields fields(value, "input");
     Stimulus stimulus;
     stimulus.source = value.Where();
     stimulus.at = fields.Require("at").Duration();
@@ -119,7 +106,7 @@ Stimulus ReadStimulus(const Scenario& scenario, const ScenarioValue& value)
 
 LogicRule ReadLogic(const Scenario& scenario, const ScenarioValue& value)
 {
-    Fields fields(value, "a logic rule");
+    Fields fields(value, "logic");
     LogicRule rule;
     rule.source = value.Where();
     rule.node = NodeNamed(scenario, fields.Require("node"));
@@ -142,34 +129,61 @@ LogicRule ReadLogic(const Scenario& scenario, const ScenarioValue& value)
 
 Acknowledge ReadAcknowledge(const Scenario& scenario, const ScenarioValue& value)
 {
-    Fields fields(value, "an acknowledge");
+    Fields fields(value, "acknowledge");
     Acknowledge acknowledge;
     acknowledge.source = value.Where();
     acknowledge.at = fields.Require("at").Duration();
     acknowledge.node = NodeNamed(scenario, fields.Require("node"));
     acknowledge.srdo = SrdoNumber(fields.Require("srdo"));
-    const auto pulse = fields.Find("pulse");
-    acknowledge.pulse = pulse ? pulse->Duration() : kDefaultPulse;
+    acknowledge.pulse = fields.Require("pulse").Duration();
     fields.Close();
     return acknowledge;
 }
 
 NmtEvent ReadNmt(const Scenario& scenario, const ScenarioValue& value)
 {
-    Fields fields(value, "an NMT event");
+    Fields fields(value, "nmt");
     NmtEvent event;
+    event.source = value.Where();
     event.at = fields.Require("at").Duration();
     const ScenarioValue node = fields.Require("node");
     event.node = (node.Text("a node, or all") == "all") ? kNoNode : NodeNamed(scenario, node);
-    event.state = fields.Require("state").Choice(kNmtWords);
+    const auto state = fields.Find("state");
+    const auto command = fields.Find("command");
+    if (static_cast<bool>(state) == static_cast<bool>(command))
+    {
+        value.Refuse("an NMT event", "either 'state' or 'command'");
+    }
+    event.state = state ? state->Choice(kNmtWords) : NmtState::kInvalid;
+    event.command = command ? command->Choice(kCommandWords) : NmtCommand::kNone;
+    if (event.command == NmtCommand::kResetNode || event.command == NmtCommand::kResetCommunication)
+    {
+        const auto start = fields.Find("start_after");
+        event.start_after = start ? start->Duration() : kNever;
+    }
     fields.Close();
     return event;
 }
 
+PowerCycle ReadPower(const Scenario& scenario, const ScenarioValue& value)
+{
+    Fields fields(value, "power");
+    PowerCycle cycle;
+    cycle.source = value.Where();
+    cycle.at = fields.Require("at").Duration();
+    cycle.node = NodeNamed(scenario, fields.Require("node"));
+    cycle.off = fields.Require("off").Lasting();
+    const auto start = fields.Find("start_after");
+    cycle.start_after = start ? start->Duration() : kNever;
+    fields.Close();
+    return cycle;
+}
+
 GfcEvent ReadGfc(const Scenario& scenario, const ScenarioValue& value)
 {
-    Fields fields(value, "a GFC event");
+    Fields fields(value, "gfc");
     GfcEvent event;
+    event.source = value.Where();
     event.at = fields.Require("at").Duration();
     event.node = NodeNamed(scenario, fields.Require("node"));
     fields.Close();
@@ -203,7 +217,7 @@ void ReadSingles(Fields& fields, Scenario& scenario)
     }
     if (const auto bitrate = fields.Find("bitrate"))
     {
-        scenario.bitrate = static_cast<std::uint32_t>(bitrate->Number(kBitrateRange));
+        scenario.bitrate = bitrate->Checked();
         if (std::find(std::begin(kBitrates), std::end(kBitrates), scenario.bitrate) == std::end(kBitrates))
         {
             bitrate->Refuse(Shown(bitrate->Node().scalar),
@@ -220,22 +234,15 @@ void ReadSingles(Fields& fields, Scenario& scenario)
     }
 }
 
-enum class Extending
+/// What one file says, on top of what is known already.
+void ReadInto(const ScenarioDocument& document, Scenario& scenario)
 {
-    kAllowed,
-    kNotAllowed,
-};
-
-void ReadInto(const std::string& file, const Extending extending, Scenario& scenario)
-{
-    const YamlNode root = ParseYaml(file, ReadScenarioText(file));
-    Fields fields(ScenarioValue(file, root), "a scenario");
-    if (extending == Extending::kAllowed)
+    Fields fields(ScenarioValue(document.file, document.root), "scenario");
+    if (const auto base = fields.Find("extends"))
     {
-        const auto base = fields.Find("extends");
-        if (base)
+        if (document.is_base)
         {
-            ReadInto(Beside(file, base->Text("the file name of a scenario")), Extending::kNotAllowed, scenario);
+            base->Refuse("a scenario that extends another one", "none here: one step only");
         }
     }
     ReadSingles(fields, scenario);
@@ -247,6 +254,7 @@ void ReadInto(const std::string& file, const Extending extending, Scenario& scen
     Append(fields, "logic", scenario, scenario.logic, ReadLogic);
     Append(fields, "acknowledge", scenario, scenario.acknowledges, ReadAcknowledge);
     Append(fields, "nmt", scenario, scenario.nmt, ReadNmt);
+    Append(fields, "power", scenario, scenario.power, ReadPower);
     Append(fields, "gfc", scenario, scenario.gfc, ReadGfc);
     Append(fields, "faults", scenario, scenario.faults, ReadFault);
     Append(fields, "expect", scenario, scenario.expectations, ReadExpectation);
@@ -274,11 +282,63 @@ std::uint8_t SrdoNumber(const ScenarioValue& value)
     return static_cast<std::uint8_t>(value.Number(kSrdoRange));
 }
 
-Scenario ReadScenario(const std::string& file)
+std::vector<ScenarioDocument> LoadScenario(const std::string& file)
+{
+    std::vector<ScenarioDocument> documents;
+    documents.push_back({file, ParseYaml(file, ReadScenarioText(file)), false});
+    const YamlNode& root = documents.back().root;
+    if (root.kind == YamlKind::kMap)
+    {
+        Fields fields(ScenarioValue(file, root), "scenario");
+        if (const auto base = fields.Find("extends"))
+        {
+            const std::string name = Beside(file, base->Text("the file name of a scenario"));
+            YamlNode extended = ParseYaml(name, ReadScenarioText(name));
+            documents.insert(documents.begin(), {name, std::move(extended), true});
+        }
+    }
+    return documents;
+}
+
+std::vector<std::string> FilesOf(const std::vector<ScenarioDocument>& documents)
+{
+    const auto member = [](const YamlNode& map, const std::string& key) -> const YamlNode*
+    {
+        for (std::size_t item = 0U; map.kind == YamlKind::kMap && item + 1U < map.items.size(); item += 2U)
+        {
+            if (map.items[item].scalar == key)
+            {
+                return &map.items[item + 1U];
+            }
+        }
+        return nullptr;
+    };
+    std::vector<std::string> files;
+    for (const ScenarioDocument& document : documents)
+    {
+        files.push_back(document.file);
+        const YamlNode* const nodes = member(document.root, "nodes");
+        for (std::size_t item = 1U; nodes != nullptr && item < nodes->items.size(); item += 2U)
+        {
+            const YamlNode* const dcf = member(nodes->items[item], "dcf");
+            if (dcf != nullptr)
+            {
+                files.push_back(Beside(document.file, dcf->scalar));
+            }
+        }
+    }
+    return files;
+}
+
+Scenario ReadScenario(const std::vector<ScenarioDocument>& documents)
 {
     Scenario scenario;
+    const std::string& file = documents.back().file;
     scenario.file = file;
-    ReadInto(file, Extending::kAllowed, scenario);
+    for (const ScenarioDocument& document : documents)
+    {
+        ReadInto(document, scenario);
+    }
     if (scenario.nodes.empty())
     {
         throw ScenarioError(file, {1, 1}, "no nodes", "key 'nodes' with at least one node");
@@ -288,6 +348,11 @@ Scenario ReadScenario(const std::string& file)
         throw ScenarioError(file, {1, 1}, "no duration", "key 'duration' with a time above 0");
     }
     return scenario;
+}
+
+Scenario ReadScenario(const std::string& file)
+{
+    return ReadScenario(LoadScenario(file));
 }
 
 Nanoseconds ParseDuration(const std::string& place, const std::string& text)

@@ -5,9 +5,24 @@
 #include "verification/simulator/scenario.hpp"
 
 #include <string>
+#include <vector>
 
 namespace counterpoint::simulator
 {
+/// One file of a scenario as it stands there.
+struct ScenarioDocument
+{
+    std::string file;
+    YamlNode root;
+    bool is_base{false}; ///< It is extended by the other one.
+};
+
+/// The file and what it extends, which comes first. Throws ScenarioError. [SRS-SIM-013]
+[[nodiscard]] std::vector<ScenarioDocument> LoadScenario(const std::string& file);
+[[nodiscard]] Scenario ReadScenario(const std::vector<ScenarioDocument>& documents);
+/// All files that a run of the scenario reads: its own and the DCFs of its nodes, whether or not it is right otherwise.
+[[nodiscard]] std::vector<std::string> FilesOf(const std::vector<ScenarioDocument>& documents);
+
 /// The scenario in `file`, with what it extends. Whether objects and SRDOs exist is known only with the DCFs: see
 /// network.hpp. Throws ScenarioError. [SRS-SIM-010..013]
 [[nodiscard]] Scenario ReadScenario(const std::string& file);

@@ -11,6 +11,9 @@ namespace counterpoint::simulator
 {
 namespace
 {
+/// A5h, a valid configuration, in each byte: see CycleInput::guard_token.
+constexpr std::uint32_t kValidToken = 0xA5A5A5A5U;
+
 thread_local SupervisorTap* active_tap = nullptr;
 thread_local std::array<std::uint64_t, kPartCount> intercepted{};
 
@@ -161,7 +164,15 @@ hal::WatchdogAnswer SupervisorTap::FlowEnd(FlowMonitor& self, const hal::Watchdo
         answer_ = RealFlowEnd(self, question);
         return answer_;
     }
-    return (faults_.Condition(Part::kFlowMonitor).kind == FaultKind::kNotCalled) ? hal::WatchdogAnswer{0U} : answer_;
+    switch (faults_.Condition(Part::kFlowMonitor).kind)
+    {
+    case FaultKind::kNotCalled:
+        return hal::WatchdogAnswer{0U};
+    case FaultKind::kAlwaysGood:
+        return hal::WatchdogAnswer{(hal::kFlowReference + question.value) * hal::kWatchdogConstant};
+    default:
+        return answer_;
+    }
 }
 
 std::uint32_t SupervisorTap::GuardCycle(ConfigurationGuard& self, const std::uint32_t challenge) noexcept
@@ -171,6 +182,14 @@ std::uint32_t SupervisorTap::GuardCycle(ConfigurationGuard& self, const std::uin
         token_ = RealGuardCycle(self, challenge);
         return token_;
     }
-    return (faults_.Condition(Part::kGuard).kind == FaultKind::kNotCalled) ? 0U : token_;
+    switch (faults_.Condition(Part::kGuard).kind)
+    {
+    case FaultKind::kNotCalled:
+        return 0U;
+    case FaultKind::kAlwaysGood:
+        return ((challenge << 8U) | (challenge >> 24U)) ^ kValidToken;
+    default:
+        return token_;
+    }
 }
 } // namespace counterpoint::simulator

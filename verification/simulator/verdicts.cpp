@@ -41,6 +41,18 @@ class Judgement
         return {};
     }
 
+    [[nodiscard]] Nanoseconds EffectOf(const std::size_t fault) const
+    {
+        for (const Event& event : journal_.Events())
+        {
+            if (event.kind == EventKind::kFault && event.value == fault)
+            {
+                return event.at;
+            }
+        }
+        return -1;
+    }
+
   private:
     [[nodiscard]] const std::string& NameOfNode(const NodeIndex node) const
     {
@@ -137,18 +149,6 @@ class Judgement
         return verdict;
     }
 
-    [[nodiscard]] Nanoseconds EffectOf(const std::size_t fault) const
-    {
-        for (const Event& event : journal_.Events())
-        {
-            if (event.kind == EventKind::kFault && event.value == fault)
-            {
-                return event.at;
-            }
-        }
-        return -1;
-    }
-
     [[nodiscard]] ExpectationVerdict OfDetection(const Expectation& expectation) const
     {
         const Nanoseconds effect = EffectOf(expectation.fault);
@@ -160,7 +160,7 @@ class Judgement
             verdict.holds = verdict.holds || (effect >= 0 && party == detection.party);
             verdict.wanted += std::string(party == expectation.parties.front() ? "" : " or ") + Name(party);
         }
-        verdict.seen = (effect < 0) ? "the fault never had an effect" : Name(detection.party);
+        verdict.seen = (effect < 0) ? "the fault never happened" : Name(detection.party);
         verdict.seen += detection.cause.empty() ? "" : " (" + detection.cause + ")";
         return verdict;
     }
@@ -186,7 +186,7 @@ class Judgement
             return closed.since;
         }
         // Bits of a normal frame are wrong only beside the inverse frame that follows.
-        const bool is_normal = (fault.frames.identifier.value_or(0U) & 1U) != 0U;
+        const bool is_normal = !fault.frames.identifiers.empty() && ChoosesNormal(fault.frames);
         const bool waits = fault.kind == FaultKind::kCorruption && !fault.length && is_normal;
         return (waits && closed.inverse >= measurement.effect) ? closed.inverse : measurement.effect;
     }
@@ -228,7 +228,7 @@ class Judgement
                          scenario_.faults[expectation.fault].name + "' (limit: " + Name(measurement.fault_class) + ")";
         if (measurement.effect < 0)
         {
-            verdict.seen = "the fault never had an effect";
+            verdict.seen = "the fault never happened";
         }
         else if (!measurement.was_open)
         {
@@ -307,6 +307,17 @@ std::vector<ExpectationVerdict> Judge(const Scenario& scenario, const Journal& j
     {
         verdicts.push_back(judgement.Of(scenario.expectations[index]));
         verdicts.back().expectation = index;
+    }
+    for (std::size_t index = 0U; index < scenario.faults.size(); ++index)
+    {
+        if (!scenario.faults[index].is_optional && judgement.EffectOf(index) < 0)
+        {
+            ExpectationVerdict verdict;
+            verdict.expectation = kOfItself;
+            verdict.wanted = "fault " + Shown(scenario.faults[index].name) + " happens";
+            verdict.seen = "never happened";
+            verdicts.push_back(verdict);
+        }
     }
     return verdicts;
 }

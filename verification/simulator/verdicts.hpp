@@ -41,9 +41,12 @@ struct Measurement
     }
 };
 
+/// That a fault which is not optional happens is expected without being written. [SRS-SIM-015]
+constexpr std::size_t kOfItself = static_cast<std::size_t>(-1);
+
 struct ExpectationVerdict
 {
-    std::size_t expectation{0U}; ///< In Scenario::expectations.
+    std::size_t expectation{0U}; ///< In Scenario::expectations, or kOfItself.
     bool holds{false};
     std::string wanted;
     std::string seen;

@@ -8,6 +8,8 @@ import tempfile
 # Room, archive in the build folder. The digest goes over the objects in this order.
 CERTIFIED = [("safety_core/comparator", "safety_core/comparator/libsafety_core_comparator.a"),
              ("safety_core/kernel", "safety_core/kernel/libsafety_core_kernel.a"),
+             ("safety_core/selftest", "safety_core/selftest/libsafety_core_selftest.a"),
+             ("safety_core/crosslink", "safety_core/crosslink/libsafety_core_crosslink.a"),
              ("hal/api", "hal/api/libhal_api.a"),
              ("channel_a", "channel_a/libchannel_a.a"),
              ("channel_b", "channel_b/libchannel_b.a")]

@@ -3,7 +3,7 @@ import pathlib
 import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-CERTIFIED_TARGETS = ["safety_core_comparator", "safety_core_kernel", "hal_api", "channel_a", "channel_b"]
+CERTIFIED_TARGETS = ["safety_core_comparator", "safety_core_kernel", "safety_core_selftest", "safety_core_crosslink", "hal_api", "channel_a", "channel_b"]
 JOBS = "2"
 
 

@@ -28,7 +28,8 @@ std::string WithWideObjects(const std::string& type)
                     "\nAccessType=ro\nDefaultValue=0\nSRDOMapping=1\n";
         }
     }
-    return test::Changed(text, {{"SupportedObjects=6\n1=0x2000", "SupportedObjects=8\n7=0x3000\n8=0x3100\n1=0x2000"}});
+    return test::Changed(text,
+                         {{"SupportedObjects=8\n1=0x2000", "SupportedObjects=10\n9=0x3000\n10=0x3100\n1=0x2000"}});
 }
 
 /// The same with `pairs` pairs of entries of `bits` (two hexadecimal digits).
@@ -85,15 +86,14 @@ TEST(CheckMapping, NumberOfEntries)
     test::ExpectRows("sensor", rows, {});
 }
 
-TEST(CheckMapping, TotalsOf64BitAndTheKernelsLimitOf16Entries)
+TEST(CheckMapping, TotalsOf64BitAndTheRoomFor16Entries)
 {
     Verifies(req::SRS_CLI_012);
     EXPECT_EQ(ErrorsOf(WithPairs("0x001B", 1, "40"), 8U), std::vector<std::string>{});
     EXPECT_EQ(ErrorsOf(WithPairs("0x0005", 8, "08"), 8U), std::vector<std::string>{});
     EXPECT_EQ(ErrorsOf(WithPairs("0x0005", 9, "08"), 8U),
               (std::vector<std::string>{
-                  "warning: 0x1381:00: 18 mapping entries, expected at most 16 (8 normal and 8 inverse), the limit of "
-                  "this kernel",
+                  "error: 0x1381:00: 18 mapping entries, expected at most 16, for which 0x5F00:0B gives room",
                   "error: 0x1381:00: 72 bit of normal data, expected at most 64 bit",
                   "error: 0x1381:00: 72 bit of inverse data, expected at most 64 bit"}));
     EXPECT_EQ(ErrorsOf(WithPairs("0x001B", 2, "40"), 8U),
@@ -130,21 +130,21 @@ TEST(CheckMapping, WhatAnEntryNames)
           "error: 0x1381:01: mapped object 0x0000:00 is unknown, expected an object that the file describes",
           "error: 0x1381:02: inverse entry of 8 bit, expected 0 bit as the normal entry before it"}},
         {{{"2000sub1", "SRDOMapping", "0"}},
-         {"error: 0x1381:01: mapped object 0x2000:01 is not mappable (line 345), expected SRDOMapping=1, or "
+         {"error: 0x1381:01: mapped object 0x2000:01 is not mappable (line 347), expected SRDOMapping=1, or "
           "PDOMapping=1 "
           "where there is no SRDOMapping"}},
         {{{"2000sub1", "SRDOMapping", "0"}, {"2000sub1", "PDOMapping", "1"}},
-         {"error: 0x1381:01: mapped object 0x2000:01 is not mappable (line 345), expected SRDOMapping=1, or "
+         {"error: 0x1381:01: mapped object 0x2000:01 is not mappable (line 347), expected SRDOMapping=1, or "
           "PDOMapping=1 "
           "where there is no SRDOMapping"}},
         {{{"2000sub1", "SRDOMapping", ""}, {"2000sub1", "PDOMapping", "1"}}, {}},
         {{{"2000sub1", "AccessType", "wo"}},
-         {"error: 0x1381:01: mapped object 0x2000:01 has the wrong AccessType (line 345), expected ro, rw, rwr or "
+         {"error: 0x1381:01: mapped object 0x2000:01 has the wrong AccessType (line 347), expected ro, rw, rwr or "
           "const "
           "to be sent"}},
         {{{"2000sub1", "AccessType", "rwr"}}, {}},
         {{{"2000sub1", "AccessType", "rww"}},
-         {"error: 0x1381:01: mapped object 0x2000:01 has the wrong AccessType (line 345), expected ro, rw, rwr or "
+         {"error: 0x1381:01: mapped object 0x2000:01 has the wrong AccessType (line 347), expected ro, rw, rwr or "
           "const "
           "to be sent"}},
         {{{"1381sub1", kValue, "0x20000110"}, {"1381sub2", kValue, "0x21000110"}},
@@ -153,7 +153,7 @@ TEST(CheckMapping, WhatAnEntryNames)
         {{{"2000sub1", "DataType", "0x000F"}, {"2000sub1", "InvertedSRAD", ""}},
          {"error: 0x1381:01: mapped object 0x2000:01 is of DOMAIN, expected a data type with a fixed length"}},
         {{{"1381sub1", kValue, "0x13810108"}},
-         {"error: 0x1381:01: mapped object 0x1381:01 is not mappable (line 265), expected SRDOMapping=1, or "
+         {"error: 0x1381:01: mapped object 0x1381:01 is not mappable (line 267), expected SRDOMapping=1, or "
           "PDOMapping=1 where there is no SRDOMapping",
           "error: 0x1381:01: length of 8 bit, expected 32 bit, the length of 0x1381:01 (UNSIGNED32)"}},
     };
@@ -164,7 +164,7 @@ TEST(CheckMapping, AccessOfReceivedObjects)
 {
     Verifies(req::SRS_CLI_013);
     const std::string wrong =
-        "error: 0x1381:02: mapped object 0x2300:01 has the wrong AccessType (line 378), expected rw, wo or rww to be "
+        "error: 0x1381:02: mapped object 0x2300:01 has the wrong AccessType (line 380), expected rw, wo or rww to be "
         "received";
     const std::vector<CheckRow> rows = {
         {{{"2300sub1", "AccessType", "rw"}}, {}},       {{{"2300sub1", "AccessType", "wo"}}, {}},
@@ -187,8 +187,8 @@ TEST(CheckMapping, NormalAndInverseAreDifferentObjectsOfEqualLength)
         {{{"1381sub3", kValue, "0x20000108"}, {"2000sub1", "InvertedSRAD", ""}},
          {"error: 0x1381:03: object 0x2000:01 is mapped twice, expected another object than in sub-index 1"}},
         {{{"1381sub2", kValue, "0x21000208"}, {"1381sub4", kValue, "0x21000108"}},
-         {"error: 0x1381:02: inverse entry 0x2100:02, expected 0x2100:01, the InvertedSRAD of 0x2000:01 (line 353)",
-          "error: 0x1381:04: inverse entry 0x2100:01, expected 0x2100:02, the InvertedSRAD of 0x2000:02 (line 363)"}},
+         {"error: 0x1381:02: inverse entry 0x2100:02, expected 0x2100:01, the InvertedSRAD of 0x2000:01 (line 355)",
+          "error: 0x1381:04: inverse entry 0x2100:01, expected 0x2100:02, the InvertedSRAD of 0x2000:02 (line 365)"}},
         {{{"1381sub2", kValue, "0x21000208"},
           {"1381sub4", kValue, "0x21000108"},
           {"2000sub1", "InvertedSRAD", ""},
@@ -222,16 +222,19 @@ TEST(CheckMapping, DummyObjects)
     const std::vector<CheckRow> consumer = {
         {{{"1381sub3", kValue, "0x00050008"}, {"1381sub4", kValue, "0x00050008"}}, {}},
         {{{"1381sub4", kValue, "0x00050008"}, {"2200sub2", "InvertedSRAD", ""}},
-         {"warning: 0x1381:04: dummy object on one side of the pair only, expected normal and inverse data to be "
+         {"error: 0x1381:04: dummy object on one side of the pair only, expected normal and inverse data to be "
           "stored "
           "both or not at all"}},
         {{{"1381sub3", kValue, "0x00020008"}, {"1381sub4", kValue, "0x00020008"}},
-         {"error: 0x1381:03: dummy object 0x0002:00 is not mappable, expected a data type that [DummyUsage] allows, "
+         {"error: 0x1381:03: dummy object 0x0002:00 is not mappable, expected a data type 0x0001 to 0x0007 that "
+          "[DummyUsage] allows, "
           "with sub-index 0",
-          "error: 0x1381:04: dummy object 0x0002:00 is not mappable, expected a data type that [DummyUsage] allows, "
+          "error: 0x1381:04: dummy object 0x0002:00 is not mappable, expected a data type 0x0001 to 0x0007 that "
+          "[DummyUsage] allows, "
           "with sub-index 0"}},
         {{{"1381sub3", kValue, "0x00050008"}, {"1381sub4", kValue, "0x00050108"}},
-         {"error: 0x1381:04: dummy object 0x0005:01 is not mappable, expected a data type that [DummyUsage] allows, "
+         {"error: 0x1381:04: dummy object 0x0005:01 is not mappable, expected a data type 0x0001 to 0x0007 that "
+          "[DummyUsage] allows, "
           "with sub-index 0"}},
         {{{"1381sub3", kValue, "0x00060008"}, {"1381sub4", kValue, "0x00050008"}},
          {"error: 0x1381:03: length of 8 bit, expected 16 bit of the dummy object"}},

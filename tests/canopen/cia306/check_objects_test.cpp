@@ -72,7 +72,7 @@ TEST(CheckObjects, MissingObjects)
          {{"[13FFsub1]", "[Gone]"}}},
         {{},
          {"warning: 0x1300: " + listed,
-          "warning: 0x1300: the GFC parameter is missing, expected an object of type UNSIGNED8"},
+          "error: 0x5F00:0E: the GFC is used and there is no 0x1300, expected 0x00, or the object 0x1300"},
          {{"[1300]", "[Gone]"}}},
         {{},
          {"warning: [DeviceInfo] does not announce CANopen Safety, expected CANopenSafetySupported=1"},
@@ -183,8 +183,10 @@ TEST(CheckObjects, DeviceParameters)
         {{{"5F02sub1", kValue, "0xFFFF"}}, {}},
         {{{"5F02sub1", kValue, "0x10000"}},
          {"warning: 0x5F02:01: safe value 0x10000, expected no bit above the 16 mapped bits"}},
-        {{{"5F00sub1", kValue, "0"}}, {"error: 0x5F00:01: cycle time 0 us, expected 1 us or more"}},
-        {{{"5F00sub1", kValue, "1"}}, {}},
+        {{{"5F00sub1", kValue, "0"}},
+         {"error: 0x5F00:01: cycle time 0 us, expected 100 us to 1000000 us",
+          "error: 0x5F00:02: cycle tolerance of 500 us, expected at most the cycle time of 0 us"}},
+        {{{"5F00sub1", kValue, "100"}, {"5F00sub2", kValue, "100"}}, {}},
         {{{"5F00sub9", kValue, "0x100000000"}},
          {"error: 0x5F00:09: value '0x100000000', expected a number from 0 to 4294967295 (UNSIGNED32)"}},
     };
@@ -221,7 +223,7 @@ TEST(CheckObjects, AllFindingsComeAtOnceInTheOrderOfTheirLines)
         objects.push_back(finding.object);
     }
     EXPECT_EQ(objects, (Lines{"0x1300:00", "0x1301:04", "0x1301:05", "0x1381:04", "0x1381:04", "0x13FE:00", "0x13FF:01",
-                              "0x5F03:01"}));
+                              "0x5F03:01", "0x5F04:00"}));
 }
 } // namespace
 } // namespace counterpoint::cia306

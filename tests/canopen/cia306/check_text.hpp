@@ -55,7 +55,8 @@ inline std::string SignedAgain(const std::string& text, const std::optional<std:
     try
     {
         const IniDocument document = IniDocument::Parse("test.dcf", text);
-        return WithSignatures(document, ReadDevice(document), node_id).Text();
+        const Device device = ReadDevice(document);
+        return WithSignatures(document, device, node_id ? node_id : device.node_id).Text();
     }
     catch (const InputError&)
     {

@@ -156,20 +156,20 @@ TEST(SafetyConfiguration, WhatIsMissingOrWrongIsReportedWithItsPlace)
         std::string problem;
     };
     const Row rows[] = {
-        {{{"[1301sub2]", "[1301sub9]"}}, "f:183: error: 0x1301:02: is missing, expected an object of type UNSIGNED16"},
+        {{{"[1301sub2]", "[1301sub9]"}}, "f:185: error: 0x1301:02: is missing, expected an object of type UNSIGNED16"},
         {{{"DataType=0x0006\nAccessType=rw\nDefaultValue=25", "DataType=0x0005\nAccessType=rw\nDefaultValue=25"}},
-         "f:207: error: 0x1301:02: DataType is 0x0005 (UNSIGNED8), expected 0x0006 (UNSIGNED16)"},
+         "f:209: error: 0x1301:02: DataType is 0x0005 (UNSIGNED8), expected 0x0006 (UNSIGNED16)"},
         {{{"DefaultValue=25\nParameterValue=25\n", "DefaultValue=\n"}},
-         "f:207: error: 0x1301:02: has no value, expected a ParameterValue or DefaultValue"},
+         "f:209: error: 0x1301:02: has no value, expected a ParameterValue or DefaultValue"},
         {{{"ParameterValue=25\n", "ParameterValue=65536\n"}},
-         "f:213: error: 0x1301:02: value '65536', expected a number from 0 to 65535 (UNSIGNED16)"},
+         "f:215: error: 0x1301:02: value '65536', expected a number from 0 to 65535 (UNSIGNED16)"},
         {{{"[1381]", "[1391]"},
           {"[1381sub0]", "[1391sub0]"},
           {"[1381sub1]", "[1391sub1]"},
           {"[1381sub2]", "[1391sub2]"},
           {"[1381sub3]", "[1391sub3]"},
           {"[1381sub4]", "[1391sub4]"}},
-         "f:183: error: 0x1381: SRDO 1 has no mapping parameters, expected a section [1381]"},
+         "f:185: error: 0x1381: SRDO 1 has no mapping parameters, expected a section [1381]"},
     };
     for (const Row& row : rows)
     {
@@ -216,6 +216,39 @@ TEST(DeviceParameters, HaveTheirDefaultsWhereTheFileHasNone)
     EXPECT_EQ(parameters.Srdo(64U).release_policy, 0U);
     EXPECT_EQ(parameters.Srdo(1U).safe_value, 0U);
     EXPECT_EQ(parameters.Srdo(1U).producer_form, 0U);
+    EXPECT_EQ(parameters.Srdo(64U).srvt_detection, 0U);
+    EXPECT_EQ(parameters.granularity_bits, 8U);
+    EXPECT_EQ(parameters.map_entries, 16U);
+    EXPECT_EQ(parameters.dummy_mapping, 0U);
+    EXPECT_EQ(parameters.number_gaps, 0x99U);
+    EXPECT_EQ(parameters.gfc_use, 0U);
+    EXPECT_EQ(parameters.normal_port, 1U);
+    EXPECT_EQ(parameters.inverse_port, 1U);
+    EXPECT_EQ(parameters.digest, 0U);
+}
+
+TEST(DeviceParameters, WhatTheRestOfTheFileSaysIsTheDefault)
+{
+    Verifies(req::SRS_EDS_023);
+    const auto read = [](const std::string& name)
+    {
+        std::vector<Finding> problems;
+        const Device device = DeviceOf(ReadTextFile(test::SourceFolder() + "/tests/canopen/cia306/data/" + name));
+        return ReadDeviceParameters(device, device.node_id, problems);
+    };
+    // Given a file with 1300h, Granularity=1, no DummyUsage and a mapping of 128 entries
+    EXPECT_EQ(read("bits.dcf").gfc_use, 0x5AU);
+    EXPECT_EQ(read("bits.dcf").granularity_bits, 1U);
+    EXPECT_EQ(read("bits.dcf").dummy_mapping, 0U);
+    EXPECT_EQ(read("bits.dcf").map_entries, 128U);
+    EXPECT_EQ(read("dummies.dcf").dummy_mapping, 0x66U);
+    EXPECT_EQ(read("dummies.dcf").map_entries, 16U);
+    // And one that tells all of it
+    EXPECT_EQ(read("digest.dcf").map_entries, 128U);
+    EXPECT_EQ(read("digest.dcf").number_gaps, 0x99U);
+    EXPECT_EQ(read("digest.dcf").inverse_port, 2U);
+    EXPECT_EQ(read("digest.dcf").digest, 0x5F9AFA3DU);
+    EXPECT_EQ(read("digest.dcf").Srdo(2U).srvt_detection, 0x3CU);
 }
 
 TEST(DeviceParameters, AreReadWhereTheyAre)

@@ -19,7 +19,8 @@ using test::ExampleText;
 std::string Signed(const std::string& text)
 {
     const IniDocument document = IniDocument::Parse("test.dcf", text);
-    return WithSignatures(document, ReadDevice(document), std::nullopt).Text();
+    const Device device = ReadDevice(document);
+    return WithSignatures(document, device, device.node_id).Text();
 }
 
 std::string RefusalOfSigning(const std::string& text)
@@ -72,18 +73,18 @@ TEST(Signing, WithoutAPlaceForASignatureItIsRefused)
 {
     Verifies(req::SRS_CLI_005);
     EXPECT_EQ(RefusalOfSigning(Changed(ExampleText("controller"), {{"[13FFsub2]", "[13FFsub3]"}})),
-              "test.dcf:432: error: 0x13FF:02 is missing, expected an object that takes the signature of SRDO 2");
+              "test.dcf:434: error: 0x13FF:02 is missing, expected an object that takes the signature of SRDO 2");
     EXPECT_EQ(
         RefusalOfSigning(Changed(ExampleText("sensor"),
                                  {{"[13FF]", "[13F0]"}, {"[13FFsub0]", "[13F0sub0]"}, {"[13FFsub1]", "[13F0sub1]"}})),
-        "test.dcf:183: error: 0x13FF:01 is missing, expected an object that takes the signature of SRDO 1");
+        "test.dcf:185: error: 0x13FF:01 is missing, expected an object that takes the signature of SRDO 1");
 }
 
 TEST(Signing, WhatCannotBeSignedIsRefused)
 {
     Verifies(req::SRS_EDS_024);
     EXPECT_EQ(RefusalOfSigning(Changed(ExampleText("sensor"), {{"ParameterValue=25\n", "ParameterValue=25 ms\n"}})),
-              "test.dcf:213: error: 0x1301:02: value '25 ms', expected a number from 0 to 65535 (UNSIGNED16), or "
+              "test.dcf:215: error: 0x1301:02: value '25 ms', expected a number from 0 to 65535 (UNSIGNED16), or "
               "$NODEID+number");
 }
 
@@ -93,7 +94,7 @@ TEST(Signing, APlaceThatCannotHoldASignatureIsRefused)
     EXPECT_EQ(
         RefusalOfSigning(Changed(ExampleText("sensor"), {{"DataType=0x0006\nAccessType=rw\nDefaultValue=0x0000",
                                                           "DataType=0x0005\nAccessType=rw\nDefaultValue=0x0000"}})),
-        "test.dcf:323: error: 0x13FF:01 is of UNSIGNED8, expected UNSIGNED16");
+        "test.dcf:325: error: 0x13FF:01 is of UNSIGNED8, expected UNSIGNED16");
 }
 } // namespace
 } // namespace counterpoint::cia306

@@ -112,5 +112,18 @@ TEST_F(TextFile, WritingToWhatIsNoFileIsRefused)
     EXPECT_THROW(WriteTextFile(Path("no/such/folder/a"), "x"), InputError);
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
+
+TEST_F(TextFile, WhetherAPathCanBeWrittenIsKnownBefore)
+{
+    Verifies(req::SRS_CLI_006);
+    EXPECT_THROW(RequireWritable(folder_.string()), InputError);
+    EXPECT_THROW(RequireWritable("/dev/null"), InputError);
+    EXPECT_THROW(RequireWritable(Path("no/such/folder/a")), InputError);
+    WriteTextFile(Path("a"), "old");
+    RequireWritable(Path("a"));
+    RequireWritable(Path("b"));
+    EXPECT_EQ(ReadTextFile(Path("a")), "old");
+    EXPECT_FALSE(std::filesystem::exists(Path("b"))) << "nothing is left behind";
+}
 } // namespace
 } // namespace counterpoint::cia306

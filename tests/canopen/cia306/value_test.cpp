@@ -185,7 +185,7 @@ TEST(Value, StringsAndUnknownTypesStayText)
 {
     Verifies(req::SRS_EDS_014);
     EXPECT_EQ(ParseValue("0x1 $x", kVisibleString, std::nullopt).value->text, "0x1 $x");
-    EXPECT_EQ(ParseValue("file.bin", kDomain, std::nullopt).value->text, "file.bin");
+    EXPECT_EQ(ParseValue("file.bin", kDomainType, std::nullopt).value->text, "file.bin");
     EXPECT_EQ(ParseValue("any", 0x0040U, std::nullopt).value->text, "any");
 }
 

@@ -55,6 +55,13 @@ TEST(Absent, WatchdogIsTrippedWhateverTheAnswer)
     EXPECT_FALSE(watchdog.IsAlive());
 }
 
+TEST(Absent, OutputCannotBeProbed)
+{
+    Verifies(req::SRS_STS_031);
+    const AbsentSafetyOutput output;
+    EXPECT_EQ(output.Probe(PermitSet{}, 2U), ProbeAnswer::kAbsent);
+}
+
 TEST(Absent, MemoryProtectionSaysThatItIsAbsent)
 {
     Verifies(req::SRS_HAL_006);

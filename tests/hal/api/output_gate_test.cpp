@@ -314,5 +314,46 @@ TEST(OutputGate, NoFlippedBitOpensASlotOrMakesItStayOpenLonger)
     }
 }
 
+TEST(OutputGate, ProbeJudgesAsDriveDoesAndChangesNothing)
+{
+    Verifies(req::SRS_STS_031);
+    Verifies(req::SRS_STS_030);
+    // Given an open gate with an outstanding challenge
+    OutputGate gate = OpenGate();
+    const std::uint32_t outstanding = gate.Challenge();
+    // When it is shown right permits to an even challenge, then it would accept them
+    constexpr std::uint32_t kProbe = 0x1234'5678U;
+    const PermitSet right = RightPermits(kProbe, kSlots);
+    EXPECT_EQ(OutputGate::Probe(right, kProbe), ProbeAnswer::kAccepted);
+    // and refuses a wrong, an old and a missing one of each party, and challenge 0
+    for (Permit PermitSet::* const party : {&PermitSet::a, &PermitSet::b, &PermitSet::kernel})
+    {
+        PermitSet wrong = right;
+        (wrong.*party).response ^= 1U;
+        EXPECT_EQ(OutputGate::Probe(wrong, kProbe), ProbeAnswer::kRefused);
+        PermitSet old = right;
+        old.*party = RightPermits(kProbe - 2U, kSlots).*party;
+        EXPECT_EQ(OutputGate::Probe(old, kProbe), ProbeAnswer::kRefused);
+        PermitSet missing = right;
+        missing.*party = Permit{0U, 0U};
+        EXPECT_EQ(OutputGate::Probe(missing, kProbe), ProbeAnswer::kRefused);
+    }
+    EXPECT_EQ(OutputGate::Probe(RightPermits(0U, kSlots), 0U), ProbeAnswer::kRefused);
+    // Then the gate is still open, and its challenge is still the one to answer
+    EXPECT_EQ(gate.Open(Instant{1500U}, kLimit), kSlots);
+    gate.Drive(RightPermits(outstanding, kSlots), Instant{2500U});
+    EXPECT_EQ(gate.Open(Instant{4000U}, kLimit), kSlots);
+}
+
+TEST(OutputGate, NeverIssuesAnEvenChallenge)
+{
+    Verifies(req::SRS_STS_030);
+    OutputGate gate;
+    for (std::uint32_t cycle = 0U; cycle < 100000U; ++cycle)
+    {
+        ASSERT_EQ(gate.Challenge() % 2U, 1U) << cycle;
+    }
+}
+
 } // namespace
 } // namespace counterpoint::hal

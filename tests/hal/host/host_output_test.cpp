@@ -50,6 +50,37 @@ TEST_F(HostOutputTest, OpensByThreePermitsWhileTheWatchdogLives)
     EXPECT_EQ(output.Open(), 0U);
 }
 
+TEST_F(HostOutputTest, CutOffStaysClosedWhateverComes)
+{
+    Verifies(req::SRS_STS_052);
+    // Given an open output
+    watchdog.Start(kWindow);
+    DriveOpen();
+    ASSERT_EQ(output.Open(), 5U);
+    // When an exception cuts it off, then it is closed, and right permits open nothing
+    output.CutOff();
+    EXPECT_EQ(output.Open(), 0U);
+    DriveOpen();
+    EXPECT_EQ(output.Open(), 0U);
+    EXPECT_EQ(output.ClosesAt(), kNever);
+}
+
+TEST_F(HostOutputTest, ProbingChangesNothing)
+{
+    Verifies(req::SRS_STS_031);
+    // Given an open output
+    watchdog.Start(kWindow);
+    DriveOpen();
+    // When it is shown a right set of no slot and one with a missing permit
+    const hal::PermitSet right{{0U, 2U * 0x9E37'79B1U}, {0U, 2U * 0x85EB'CA77U}, {0U, 2U * 0xC2B2'AE3DU}};
+    hal::PermitSet missing = right;
+    missing.b = Permit{0U, 0U};
+    EXPECT_EQ(output.Probe(right, 2U), hal::ProbeAnswer::kAccepted);
+    EXPECT_EQ(output.Probe(missing, 2U), hal::ProbeAnswer::kRefused);
+    // Then it is as open as before
+    EXPECT_EQ(output.Open(), 5U);
+}
+
 TEST_F(HostOutputTest, PermitsOpenNothingWithoutTheWatchdog)
 {
     Verifies(req::SRS_HAL_013);

@@ -50,7 +50,8 @@ std::uint8_t normal_input[1]{0U};
 std::uint8_t inverse_input[1]{0xFFU};
 const MappableObject kObjects[]{{0x6000U, 1U, 8U, MapAccess::kConsumer, normal_input},
                                 {0x6000U, 2U, 8U, MapAccess::kConsumer, inverse_input}};
-const SrdoSetup kSrdos[]{{1U, ReleasePolicy::kInterlock, ProducerForm::kApplicationSends, Payload{}}};
+const SrdoSetup kSrdos[]{
+    {1U, ReleasePolicy::kInterlock, ProducerForm::kApplicationSends, Payload{}, SrvtDetection::kEarly, StaticMap{}}};
 
 DeviceConfig Describe()
 {
@@ -61,6 +62,9 @@ DeviceConfig Describe()
     config.object_count = 2U;
     config.node_id = 1U;
     config.granularity_bits = 8U;
+    config.map_entries = kUsualMapEntries;
+    config.gaps = NumberGaps::kSearched;
+    config.gfc = GfcUse::kPresent;
     config.normal_port = CanPortId::kFirst;
     config.inverse_port = CanPortId::kFirst;
     config.cycle_us = 1000U;

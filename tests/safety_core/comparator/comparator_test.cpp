@@ -11,7 +11,7 @@ namespace counterpoint
 namespace
 {
 
-/// A voice whose outcome and views a test writes down; the comparator sees nothing else of a channel.
+/// A voice whose outcome and held pairs a test writes down; the comparator sees nothing else of a channel.
 class SpokenChannel final : public Channel
 {
   public:
@@ -40,9 +40,24 @@ class SpokenChannel final : public Channel
     {
         return outcome;
     }
-    SrdoView View(SlotIndex slot) const noexcept override
+    HeldPair Held(SlotIndex slot) const noexcept override
     {
-        return views[slot];
+        return held[slot];
+    }
+    SrdoView View(SlotIndex) const noexcept override
+    {
+        return SrdoView{};
+    }
+    ChannelRoom Room() const noexcept override
+    {
+        return ChannelRoom{};
+    }
+    void SetFields(SlotIndex, const StaticFields&) noexcept override
+    {
+    }
+    DeviceDigest Digest(SlotIndex, DeviceDigest before) const noexcept override
+    {
+        return before;
     }
     void Demote(SlotIndex) noexcept override
     {
@@ -54,33 +69,24 @@ class SpokenChannel final : public Channel
     {
         return Permit{};
     }
-    void Request(SlotIndex) noexcept override
-    {
-    }
-    void Hold(SlotIndex) noexcept override
-    {
-    }
     PreparedPair Prepare(SlotIndex) noexcept override
     {
         return PreparedPair{};
     }
-    void Launch(SlotIndex) noexcept override
+    Confirmation OnConfirm(const CanFrame&, Instant) noexcept override
     {
+        return Confirmation{kNoSlot, ConfirmStep::kNone};
     }
-    CanFrame NextFrame(SlotIndex) noexcept override
+    CanFrame InverseFrame(SlotIndex) noexcept override
     {
         return CanFrame{};
     }
-    SlotIndex OnConfirm(const CanFrame&, Instant) noexcept override
-    {
-        return kNoSlot;
-    }
-    void OnTransmitFault(SlotIndex, SrdoCause) noexcept override
+    void OnTransmitFault(SlotIndex, const TransmitFault&) noexcept override
     {
     }
 
     CycleOutcome outcome{};
-    SrdoView views[kMaxSrdoCount]{};
+    HeldPair held[kMaxSrdoCount]{};
 };
 
 // Four slots; slot 2 is a consumer that holds pair 9; discrepancy time 5000 us.
@@ -98,11 +104,9 @@ class Comparing : public ::testing::Test
             channel->outcome.is_tx = 1U;
             channel->outcome.released = 4U;
             channel->outcome.ordinal_sum = 9U;
-            channel->views[2].state = SrdoState::kReleased;
-            channel->views[2].ordinal = 9U;
-            channel->views[2].holds_pair = 1U;
-            channel->views[2].data = Payload{0x11223344U, 0x55667788U};
-            channel->views[0].state = SrdoState::kProducer;
+            channel->held[2].ordinal = 9U;
+            channel->held[2].holds_pair = 1U;
+            channel->held[2].data = Payload{0x11223344U, 0x55667788U};
         }
     }
 
@@ -115,6 +119,21 @@ class Comparing : public ::testing::Test
     SpokenChannel a{};
     SpokenChannel b{};
 };
+
+TEST_F(Comparing, SlotThatDoesNotExistIsNeverLookedAt)
+{
+    Verifies(req::SRS_CMP_007);
+    // Given both channels speak of news in slot 5 of four, where one of them would show another pair
+    a.outcome.fresh = 0x20U;
+    b.outcome.fresh = 0x20U;
+    b.held[5].ordinal = 1U;
+    // When 6000 us pass, more than the discrepancy time
+    const Verdict first = CompareAt(0U);
+    const Verdict last = CompareAt(6000U);
+    // Then nothing was compared there
+    EXPECT_EQ(first.newly_matched & 0x20U, 0U);
+    EXPECT_EQ(last.fault, DeviceFault::kNone);
+}
 
 TEST_F(Comparing, EqualVoicesAgree)
 {
@@ -256,7 +275,7 @@ TEST_F(Comparing, UnequalDataUnderOneOrdinalIsADisagreementInEveryBit)
     b.outcome.fresh = 4U;
     for (std::uint32_t bit = 0U; bit < 64U; ++bit)
     {
-        std::uint32_t& word = (bit < 32U) ? b.views[2].data.low : b.views[2].data.high;
+        std::uint32_t& word = (bit < 32U) ? b.held[2].data.low : b.held[2].data.high;
         word ^= 1U << (bit % 32U);
         const Verdict verdict = CompareAt(0U);
         EXPECT_EQ(verdict.fault, DeviceFault::kDisagreement) << "bit " << bit;
@@ -275,7 +294,7 @@ TEST_F(Comparing, UnmatchedOrdinalsAreAFaultOneMicrosecondAfterTheDiscrepancyTim
     (void)CompareAt(1000U);
     a.outcome.fresh = 4U;
     a.outcome.ordinal_sum = 10U;
-    a.views[2].ordinal = 10U;
+    a.held[2].ordinal = 10U;
     Verdict verdict = CompareAt(2000U);
     EXPECT_EQ(verdict.fault, DeviceFault::kNone);
     EXPECT_EQ(verdict.agreement.agreed, 4U);
@@ -292,17 +311,17 @@ TEST_F(Comparing, OrdinalsThatMeetWithinTheDiscrepancyTimeAreNoFaultAndTheTimeSt
     Verifies(req::SRS_CMP_007);
     a.outcome.fresh = 4U;
     a.outcome.ordinal_sum = 10U;
-    a.views[2].ordinal = 10U;
+    a.held[2].ordinal = 10U;
     (void)CompareAt(1000U);
     // When B has the pair too, 4000 us later
     a.outcome.fresh = 0U;
     b.outcome.ordinal_sum = 10U;
-    b.views[2].ordinal = 10U;
+    b.held[2].ordinal = 10U;
     EXPECT_EQ(CompareAt(5000U).newly_matched, 4U);
     // and B is one pair ahead next time
     b.outcome.fresh = 4U;
     b.outcome.ordinal_sum = 11U;
-    b.views[2].ordinal = 11U;
+    b.held[2].ordinal = 11U;
     EXPECT_EQ(CompareAt(6000U).fault, DeviceFault::kNone);
     EXPECT_EQ(CompareAt(10000U).fault, DeviceFault::kNone);
     EXPECT_EQ(CompareAt(10001U).fault, DeviceFault::kUnmatched);
@@ -314,7 +333,7 @@ TEST_F(Comparing, UnequalOrdinalSumsAloneMakeItLookAtEverySlot)
     Verifies(req::SRS_CMP_007);
     // Given a corrupted ordinal that no channel calls fresh
     b.outcome.ordinal_sum = 13U;
-    b.views[2].ordinal = 13U;
+    b.held[2].ordinal = 13U;
     EXPECT_EQ(CompareAt(0U).agreement.matched & 4U, 0U);
     EXPECT_EQ(CompareAt(5001U).fault, DeviceFault::kUnmatched);
 }
@@ -323,7 +342,7 @@ TEST_F(Comparing, OnlyOneChannelHoldingAPairIsUnmatched)
 {
     Verifies(req::SRS_CMP_007);
     a.outcome.fresh = 4U;
-    b.views[2].holds_pair = 0U;
+    b.held[2].holds_pair = 0U;
     (void)CompareAt(0U);
     EXPECT_EQ(CompareAt(5001U).fault, DeviceFault::kUnmatched);
 }
@@ -360,34 +379,83 @@ TEST_F(Comparing, ProducerThatOneChannelNeverCallsDueIsAFault)
     EXPECT_EQ(CompareAt(5001U).fault, DeviceFault::kUnmatched);
 }
 
-TEST_F(Comparing, PairsCountedSentByOneChannelAloneAreNoFaultOfAProducer)
+TEST_F(Comparing, ProducerThatBothCallDueInTimeIsNoFault)
 {
     Verifies(req::SRS_CMP_008);
     a.outcome.due = 1U;
-    a.views[0].ordinal = 5U;
-    a.views[0].data.low = 1U;
     (void)CompareAt(0U);
+    EXPECT_EQ(CompareAt(5000U).fault, DeviceFault::kNone);
     b.outcome.due = 1U;
     EXPECT_EQ(CompareAt(5001U).fault, DeviceFault::kNone);
+    EXPECT_EQ(CompareAt(5001U).start, 1U);
 }
 
-TEST(ComparePrepared, AnyDifferenceIsADisagreement)
+constexpr PreparedPair kPrepared{
+    CanFrame{0x103U, FrameKind::kData, CanPortId::kFirst, 2U, {0x12U, 0x34U, 0U, 0U, 0U, 0U, 0U, 0U}},
+    PrepareStatus::kReady};
+
+TEST(ComparePrepared, EqualFramesAreEqual)
 {
     Verifies(req::SRS_CMP_010);
-    const PreparedPair right{Payload{1U, 2U}, PrepareStatus::kReady, 8U};
-    PreparedPair other = right;
-    EXPECT_EQ(Comparator::ComparePrepared(right, other), DeviceFault::kNone);
-    other.status = PrepareStatus::kNotInverse;
-    EXPECT_EQ(Comparator::ComparePrepared(right, other), DeviceFault::kDisagreement);
-    other = right;
-    other.length_bytes = 7U;
-    EXPECT_EQ(Comparator::ComparePrepared(right, other), DeviceFault::kDisagreement);
-    other = right;
-    other.normal.low = 3U;
-    EXPECT_EQ(Comparator::ComparePrepared(right, other), DeviceFault::kDisagreement);
-    other = right;
-    other.normal.high = 3U;
-    EXPECT_EQ(Comparator::ComparePrepared(right, other), DeviceFault::kDisagreement);
+    const PreparedPair other = kPrepared;
+    EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), PreparedVerdict::kEqual);
+    EXPECT_EQ(Comparator::ComparePrepared(PreparedPair{}, PreparedPair{}), PreparedVerdict::kEqual);
+}
+
+TEST(ComparePrepared, AnotherStatusKindControllerOrLengthIsADisagreement)
+{
+    Verifies(req::SRS_CMP_010);
+    const auto disagrees = [](const PreparedPair& other)
+    {
+        EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), PreparedVerdict::kDisagreement);
+        EXPECT_EQ(Comparator::ComparePrepared(other, kPrepared), PreparedVerdict::kDisagreement);
+    };
+    PreparedPair other = kPrepared;
+    other.status = PrepareStatus::kNotProducer;
+    disagrees(other);
+    other = kPrepared;
+    other.normal.kind = FrameKind::kRemote;
+    disagrees(other);
+    other = kPrepared;
+    other.normal.port = CanPortId::kSecond;
+    disagrees(other);
+    other = kPrepared;
+    other.normal.length_bytes = 3U;
+    disagrees(other);
+    // One that is not a producer hands out an empty frame: that is no question of inversion.
+    disagrees(PreparedPair{CanFrame{}, PrepareStatus::kNotProducer});
+}
+
+TEST(ComparePrepared, EveryBitOfTheIdentifierIsADisagreementWhateverTheData)
+{
+    Verifies(req::SRS_CMP_010);
+    for (std::uint32_t bit = 0U; bit < 32U; ++bit)
+    {
+        PreparedPair other = kPrepared;
+        other.normal.identifier ^= 1U << bit;
+        EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), PreparedVerdict::kDisagreement) << "bit " << bit;
+        other.normal.data[0] = 0x13U;
+        EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), PreparedVerdict::kDisagreement) << "bit " << bit;
+    }
+}
+
+TEST(ComparePrepared, EveryBitOfTheDataAloneIsNotInverse)
+{
+    Verifies(req::SRS_CMP_010);
+    for (std::uint32_t bit = 0U; bit < 64U; ++bit)
+    {
+        PreparedPair other = kPrepared;
+        std::uint8_t& byte = other.normal.data[bit / 8U];
+        byte = static_cast<std::uint8_t>(byte ^ (1U << (bit % 8U)));
+        EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), PreparedVerdict::kNotInverse) << "bit " << bit;
+        EXPECT_EQ(Comparator::ComparePrepared(other, kPrepared), PreparedVerdict::kNotInverse) << "bit " << bit;
+        // and with another status or length as well it is more than that
+        other.normal.length_bytes = 1U;
+        EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), PreparedVerdict::kDisagreement) << "bit " << bit;
+        other.normal.length_bytes = 2U;
+        other.status = PrepareStatus::kInvalid;
+        EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), PreparedVerdict::kDisagreement) << "bit " << bit;
+    }
 }
 
 TEST(SlotSet, EverySlotIsTakenFromTheLowestToTheHighest)

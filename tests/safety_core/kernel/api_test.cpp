@@ -59,5 +59,152 @@ TEST_F(Facade, StateThatTheChannelsDoNotShareIsFaulted)
     EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1301U}).state, SrdoState::kFaulted);
 }
 
+TEST_F(Facade, ParametersOfAnSrdo)
+{
+    Verifies(req::SRS_KRN_023);
+    Configure();
+    const ParametersReply consumer = kernel.GetParameters(CommunicationIndex{0x1301U});
+    EXPECT_EQ(consumer.result, Result::kSuccessful);
+    EXPECT_EQ(consumer.direction, 2U);
+    EXPECT_EQ(consumer.refresh_ms, 50U);
+    EXPECT_EQ(consumer.map_count, 2U);
+    const ParametersReply off = kernel.GetParameters(CommunicationIndex{0x1304U});
+    EXPECT_EQ(off.result, Result::kSuccessful);
+    EXPECT_EQ(off.direction, 0U);
+    EXPECT_EQ(off.refresh_ms, 25U);
+    EXPECT_EQ(off.map_count, 0U);
+    EXPECT_EQ(kernel.GetParameters(CommunicationIndex{0x1302U}).result, Result::kNotExist);
+}
+
+TEST_F(Facade, MappedVariablesByNumber)
+{
+    Verifies(req::SRS_KRN_023);
+    Configure();
+    const MappedReply first = kernel.GetMapped(CommunicationIndex{0x1301U}, MappedEntry{1U});
+    EXPECT_EQ(first.result, Result::kSuccessful);
+    EXPECT_EQ(first.variable.place, rx_normal.data());
+    EXPECT_EQ(first.variable.length_bits, 16U);
+    EXPECT_EQ(kernel.GetMapped(CommunicationIndex{0x1301U}, MappedEntry{2U}).variable.place, rx_inverse.data());
+    EXPECT_EQ(kernel.GetMapped(CommunicationIndex{0x1301U}, MappedEntry{0U}).result, Result::kNotExist);
+    EXPECT_EQ(kernel.GetMapped(CommunicationIndex{0x1301U}, MappedEntry{3U}).result, Result::kNotExist);
+    EXPECT_EQ(kernel.GetMapped(CommunicationIndex{0x1304U}, MappedEntry{1U}).result, Result::kNotExist);
+    EXPECT_EQ(kernel.GetMapped(CommunicationIndex{0x1302U}, MappedEntry{1U}).result, Result::kNotExist);
+}
+
+TEST_F(Facade, MappedDummyHasALengthAndNoPlace)
+{
+    Verifies(req::SRS_KRN_023);
+    config.dummies = DummyMapping::kAllowed;
+    ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
+    ASSERT_EQ(Write(0x1381U, 1U, 0x00060010U, 4U), AbortCode::kNone);
+    ASSERT_EQ(Write(0x1381U, 2U, 0x00060010U, 4U), AbortCode::kNone);
+    ASSERT_EQ(Write(0x1381U, 0U, 2U, 1U), AbortCode::kNone);
+    const MappedReply reply = kernel.GetMapped(CommunicationIndex{0x1301U}, MappedEntry{1U});
+    EXPECT_EQ(reply.result, Result::kSuccessful);
+    EXPECT_EQ(reply.variable.place, nullptr);
+    EXPECT_EQ(reply.variable.length_bits, 16U);
+}
+
+TEST_F(Facade, StaticFieldsNeedAStaticMappingOutsideOperational)
+{
+    Verifies(req::SRS_KRN_024);
+    Configure();
+    const StaticFields fields{rx_normal.data(), rx_inverse.data()};
+    EXPECT_EQ(kernel.DefineStaticFields(CommunicationIndex{0x1302U}, fields), Result::kNotExist);
+    EXPECT_EQ(kernel.DefineStaticFields(CommunicationIndex{0x1301U}, fields), Result::kMappingError);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+    kernel.SetNmtState(NmtState::kOperational);
+    EXPECT_EQ(kernel.DefineStaticFields(CommunicationIndex{0x1301U}, fields), Result::kNmtError);
+    EXPECT_EQ(a.fields_set, 0);
+    EXPECT_EQ(b.fields_set, 0);
+}
+
+TEST_F(Facade, StaticFieldsAreCheckedByBothChannels)
+{
+    Verifies(req::SRS_KRN_024);
+    static constexpr std::uint32_t kEntries[] = {0x22000110U, 0x23000110U};
+    setups[2].map = StaticMap{kEntries, 2U};
+    Configure();
+    const CommunicationIndex index{0x1304U};
+    const StaticFields fields{rx_normal.data(), rx_inverse.data()};
+    const auto gives = [this, index, &fields](ConfigFault rule, Result result)
+    {
+        a.check_fault = rule;
+        b.check_fault = rule;
+        EXPECT_EQ(kernel.DefineStaticFields(index, fields), result);
+    };
+    // Given an SRDO that is off
+    EXPECT_EQ(kernel.DefineStaticFields(index, fields), Result::kSuccessful);
+    EXPECT_EQ(a.fields_set, 1);
+    EXPECT_EQ(b.fields_set, 1);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0U);
+    gives(ConfigFault::kMapping, Result::kMappingError);
+    gives(ConfigFault::kLengthExceeded, Result::kLengthExceeded);
+    gives(ConfigFault::kSignature, Result::kSuccessful);
+    gives(ConfigFault::kTiming, Result::kSuccessful);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+    b.check_fault = ConfigFault::kMapping;
+    EXPECT_EQ(kernel.DefineStaticFields(index, fields), Result::kDeviceFault);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+}
+
+// Every state that an NMT event leads to; reset node and reset communication lead to kInitialising.
+TEST_F(Facade, EveryNmtEventOutOfOperationalIsSafe)
+{
+    Verifies(req::SRS_KRN_027);
+    for (const NmtState state : {NmtState::kInitialising, NmtState::kPreOperational, NmtState::kStopped})
+    {
+        Operate();
+        ReceivePair();
+        Cycle();
+        ASSERT_EQ(Open(), 1U);
+        kernel.SetNmtState(state);
+        Cycle();
+        EXPECT_EQ(Open(), 0U);
+        EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1301U}).state, SrdoState::kOff);
+        EXPECT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kNmtError);
+        EXPECT_EQ(Write(0x13FEU, 0U, 0U, 1U), AbortCode::kNone);
+    }
+}
+
+// t   released   reset communication, defaults, configuration loaded, OPERATIONAL   pair: no release   acknowledge:
+// released
+TEST_F(Facade, InterlockSurvivesResetCommunicationAndALoadedConfiguration)
+{
+    Verifies(req::SRS_KRN_027);
+    Verifies(req::SRS_REL_008);
+    setups[0].policy = ReleasePolicy::kInterlock;
+    Operate();
+    ReceivePair();
+    Cycle();
+    Cycle(1U);
+    ASSERT_EQ(Open(), 1U);
+    const ImageHeader header = kernel.ConfigurationHeader().header;
+    std::vector<std::uint32_t> items;
+    for (std::uint32_t number = 0U; number < header.count; ++number)
+    {
+        items.push_back(kernel.ReadItem(number).value);
+    }
+    kernel.SetNmtState(NmtState::kInitialising);
+    ASSERT_EQ(kernel.RestoreDefaults(), Result::kSuccessful);
+    for (std::uint32_t number = 0U; number < header.count; ++number)
+    {
+        ASSERT_EQ(kernel.LoadItem(number, items[number]), Result::kSuccessful);
+    }
+    ASSERT_EQ(kernel.LoadConfiguration(header), Result::kSuccessful);
+    kernel.SetNmtState(NmtState::kPreOperational);
+    kernel.SetNmtState(NmtState::kOperational);
+    Cycle(1U);
+    Cycle(1U);
+    ReceivePair();
+    Cycle(1U);
+    EXPECT_EQ(Open(), 0U);
+    Cycle();
+    EXPECT_EQ(Open(), 0U);
+    Cycle(1U);
+    EXPECT_EQ(Open(), 1U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+}
+
 } // namespace
 } // namespace counterpoint

@@ -18,8 +18,9 @@ extern "C"
 {
     Verdict __real__ZN12counterpoint10Comparator7CompareERKNS_10ComparisonE(Comparator* self,
                                                                             const Comparison& comparison);
-    DeviceFault __real__ZN12counterpoint10Comparator15ComparePreparedERKNS_12PreparedPairES3_(const PreparedPair& a,
-                                                                                              const PreparedPair& b);
+    PreparedVerdict
+    __real__ZN12counterpoint10Comparator15ComparePreparedERKNS_12PreparedPairES3_(const PreparedPair& a,
+                                                                                  const PreparedPair& b);
 
     Verdict __wrap__ZN12counterpoint10Comparator7CompareERKNS_10ComparisonE(Comparator* self,
                                                                             const Comparison& comparison)
@@ -40,11 +41,12 @@ extern "C"
         return last_verdict;
     }
 
-    DeviceFault __wrap__ZN12counterpoint10Comparator15ComparePreparedERKNS_12PreparedPairES3_(const PreparedPair& a,
-                                                                                              const PreparedPair& b)
+    PreparedVerdict __wrap__ZN12counterpoint10Comparator15ComparePreparedERKNS_12PreparedPairES3_(const PreparedPair& a,
+                                                                                                  const PreparedPair& b)
     {
-        const DeviceFault fault = __real__ZN12counterpoint10Comparator15ComparePreparedERKNS_12PreparedPairES3_(a, b);
-        return (comparator_calls == ComparatorCalls::kDataUnseen) ? DeviceFault::kNone : fault;
+        const PreparedVerdict verdict =
+            __real__ZN12counterpoint10Comparator15ComparePreparedERKNS_12PreparedPairES3_(a, b);
+        return (comparator_calls == ComparatorCalls::kDataUnseen) ? PreparedVerdict::kEqual : verdict;
     }
 }
 

@@ -195,5 +195,90 @@ TEST_F(Configuring, EachRuleHasItsReturnCode)
     gives(ConfigFault::kTransmissionType, Result::kInvalidConfiguration);
 }
 
+// Diagnostic interval 30 ms, three SRDOs: six steps, one every 5 cycles, the digest of slot n in step 2n + 1.
+TEST_F(Configuring, DigestsThatDifferAreFoundAtTheirSlot)
+{
+    Verifies(req::SRS_CFG_050);
+    Operate();
+    Cycles(60U);
+    ASSERT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+    b.digest_slot = 1U;
+    b.digest_flip = 1U;
+    Cycles(30U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+    EXPECT_EQ(kernel.DeviceState().slot, 1U);
+}
+
+TEST_F(Configuring, DigestThatChangesInBothChannelsIsFoundByTheNextCompleteOne)
+{
+    Verifies(req::SRS_CFG_050);
+    Operate();
+    Cycles(60U);
+    ASSERT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+    for (Tap* const tap : std::initializer_list<Tap*>{&a, &b})
+    {
+        tap->digest_slot = 2U;
+        tap->digest_flip = 0x80U;
+    }
+    Cycles(60U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kConfiguration);
+    EXPECT_EQ(kernel.DeviceState().slot, 0xFFU);
+}
+
+TEST_F(Configuring, DigestOfAnUndeclaredConfigurationIsNotCompared)
+{
+    Verifies(req::SRS_CFG_050);
+    Configure();
+    ASSERT_EQ(Write(0x13FEU, 0U, 0U, 1U), AbortCode::kNone);
+    a.digest_flip = 0x80U;
+    b.digest_flip = 0x80U;
+    Cycles(100U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+}
+
+// t [cycles]   12 digest of slot 0 done     1300h written     30 digest of slot 2 done: not compared
+TEST_F(Configuring, WriteToGfcParameterTakesTheDigestAnew)
+{
+    Verifies(req::SRS_CFG_050);
+    Operate();
+    Cycles(12U);
+    // Given channels whose digest changes because of the write
+    a.digest_flip = 0x80U;
+    b.digest_flip = 0x80U;
+    ASSERT_EQ(Write(0x1300U, 0U, 0U, 1U), AbortCode::kNone);
+    Cycles(100U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+    // An identical value takes nothing anew
+    a.digest_flip = 0x40U;
+    b.digest_flip = 0x40U;
+    ASSERT_EQ(Write(0x1300U, 0U, 0U, 1U), AbortCode::kNone);
+    Cycles(60U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kConfiguration);
+}
+
+TEST_F(Configuring, DeclarationNeedsEqualAndExpectedDigests)
+{
+    Verifies(req::SRS_CFG_050);
+    Configure();
+    ASSERT_EQ(Write(0x13FEU, 0U, 0U, 1U), AbortCode::kNone);
+    // Given channels with the digest that the device's description does not name
+    a.digest_slot = 2U;
+    b.digest_slot = 2U;
+    const std::uint32_t found = real_a.Digest(2U, real_a.Digest(1U, real_a.Digest(0U, DeviceDigest{0U}))).value;
+    config.digest = found ^ 0x12345678U;
+    EXPECT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kIncompatible);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+    // then with the one that it names
+    a.digest_flip = 0x12345678U;
+    b.digest_flip = 0x12345678U;
+    EXPECT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
+    // and with two that differ, at the first slot alone
+    a.digest_slot = 0U;
+    a.digest_flip = 0x12345678U;
+    b.digest_flip = 0U;
+    EXPECT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kIncompatible);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+}
+
 } // namespace
 } // namespace counterpoint

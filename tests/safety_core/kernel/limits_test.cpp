@@ -24,6 +24,8 @@ TEST(ComputedLimit, EachClassOfFaultHasTheLimitOfTheTable)
     const SrdoTimes times{50U, 20U};
     EXPECT_EQ(ComputeLimit(config, times, FaultClass::kBus).us, 53000U);
     EXPECT_EQ(ComputeLimit(config, times, FaultClass::kBusNextNormal).us, 73000U);
+    EXPECT_EQ(ComputeLimit(config, SrdoTimes{50U, 20U, SrvtDetection::kLate}, FaultClass::kBusNextNormal).us, 53000U);
+    EXPECT_EQ(ComputeLimit(config, SrdoTimes{50U, 20U, SrvtDetection::kLate}, FaultClass::kBus).us, 53000U);
     EXPECT_EQ(ComputeLimit(config, times, FaultClass::kWrongFrame).us, 3000U);
     EXPECT_EQ(ComputeLimit(config, times, FaultClass::kChannel).us, 8000U);
     EXPECT_EQ(ComputeLimit(config, times, FaultClass::kConfiguration).us, 1003000U);

@@ -74,6 +74,77 @@ TEST_F(SafetyObjects, VariablesAreReadWithTheirLength)
     EXPECT_EQ(reading.data.bytes[1], 0x34U);
 }
 
+TEST_F(SafetyObjects, VariableOfBitsIsReadInWholeBytesWithoutForeignBits)
+{
+    Verifies(req::SRS_CFG_040);
+    objects[0].length_bits = 11U;
+    tx_normal = {0x12U, 0xFCU};
+    ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
+    const ObjectReading reading = kernel.ReadObject(ObjectAddress{0x2000U, 1U});
+    EXPECT_EQ(reading.data.size_bytes, 2U);
+    EXPECT_EQ(reading.data.bytes[0], 0x12U);
+    EXPECT_EQ(reading.data.bytes[1], 0x04U);
+}
+
+TEST_F(SafetyObjects, MapEntriesOfTheDeviceLimitSubIndexAndCount)
+{
+    Verifies(req::SRS_CFG_041);
+    Verifies(req::SRS_CFG_045);
+    config.map_entries = 6U;
+    ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
+    EXPECT_EQ(Write(0x1381U, 6U, 0x20000110U, 4U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x1381U, 7U, 0x20000110U, 4U), AbortCode::kSubUnknown);
+    EXPECT_EQ(ReadAbort(0x1381U, 7U), AbortCode::kSubUnknown);
+    EXPECT_EQ(Write(0x1381U, 0U, 8U, 1U), AbortCode::kMapTooLong);
+    EXPECT_EQ(Write(0x1381U, 0U, 6U, 1U), AbortCode::kNone);
+}
+
+// Option dummy mapping: allowed here, refused below.
+TEST_F(SafetyObjects, DummyEntriesAreAdmittedWhereAllowed)
+{
+    Verifies(req::SRS_CFG_045);
+    Verifies(req::SRS_CFG_033);
+    config.dummies = DummyMapping::kAllowed;
+    ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
+    for (const std::uint32_t entry :
+         {0x00010001U, 0x00020008U, 0x00030010U, 0x00040020U, 0x00050008U, 0x00060010U, 0x00070020U})
+    {
+        EXPECT_EQ(Write(0x1384U, 1U, entry, 4U), AbortCode::kNone) << std::hex << entry;
+    }
+    // another length, another sub-index, no data type of this list
+    for (const std::uint32_t entry : {0x00010008U, 0x00050010U, 0x00050108U, 0x00000008U, 0x00080020U, 0x00010000U})
+    {
+        EXPECT_EQ(Write(0x1384U, 1U, entry, 4U), AbortCode::kObjectUnknown) << std::hex << entry;
+    }
+}
+
+TEST_F(SafetyObjects, DummyEntriesAreUnknownWhereRefused)
+{
+    Verifies(req::SRS_CFG_045);
+    ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
+    for (const std::uint32_t entry : {0x00010001U, 0x00050008U, 0x00060010U, 0x00070020U})
+    {
+        EXPECT_EQ(Write(0x1384U, 1U, entry, 4U), AbortCode::kObjectUnknown) << std::hex << entry;
+    }
+}
+
+// Option static mapping: on here, off in every other test of this file.
+TEST_F(SafetyObjects, StaticMappingCannotBeWritten)
+{
+    Verifies(req::SRS_CFG_041);
+    static constexpr std::uint32_t kEntries[] = {0x22000110U, 0x23000110U};
+    setups[2].map = StaticMap{kEntries, 2U};
+    ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
+    EXPECT_EQ(Write(0x1384U, 0U, 2U, 1U), AbortCode::kReadOnly);
+    EXPECT_EQ(Write(0x1384U, 0U, 0U, 1U), AbortCode::kReadOnly);
+    EXPECT_EQ(Write(0x1384U, 1U, 0x22000110U, 4U), AbortCode::kReadOnly);
+    EXPECT_EQ(Write(0x1384U, 2U, 0U, 4U), AbortCode::kReadOnly);
+    EXPECT_EQ(Write(0x1384U, 3U, 0U, 4U), AbortCode::kSubUnknown);
+    EXPECT_EQ(ReadAbort(0x1384U, 3U), AbortCode::kSubUnknown);
+    EXPECT_EQ(ReadAbort(0x1384U, 2U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x1381U, 1U, 0x22000110U, 4U), AbortCode::kNone);
+}
+
 TEST_F(SafetyObjects, SizeMustBeThatOfTheObject)
 {
     Verifies(req::SRS_CFG_040);

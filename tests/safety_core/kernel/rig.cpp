@@ -6,24 +6,29 @@
 namespace counterpoint
 {
 
-Rig::Rig()
+Rig::Rig(SelfTestPart* const self_test)
     : real_a{storage_a.Handle()}, real_b{storage_b.Handle()}, a{real_a}, b{real_b},
-      kernel{KernelParts{a, b, ports, output, watchdog, application}}
+      kernel{KernelParts{a, b, ports, output, watchdog, application, self_test}}
 {
     objects = {MappableObject{0x2000U, 1U, 16U, MapAccess::kProducer, tx_normal.data()},
                MappableObject{0x2100U, 1U, 16U, MapAccess::kProducer, tx_inverse.data()},
                MappableObject{0x2200U, 1U, 16U, MapAccess::kConsumer, rx_normal.data()},
                MappableObject{0x2300U, 1U, 16U, MapAccess::kConsumer, rx_inverse.data()},
                MappableObject{0x2400U, 1U, 16U, MapAccess::kNone, rx_inverse.data()}};
-    setups = {SrdoSetup{1U, ReleasePolicy::kAutomatic, ProducerForm::kApplicationSends, Payload{0x7F01U, 0U}},
-              SrdoSetup{3U, ReleasePolicy::kInterlock, ProducerForm::kProviderCalled, Payload{0U, 0U}},
-              SrdoSetup{4U, ReleasePolicy::kInterlock, ProducerForm::kApplicationSends, Payload{0U, 0U}}};
+    const auto setup = [](std::uint8_t number, ReleasePolicy policy, ProducerForm form, Payload safe_value)
+    { return SrdoSetup{number, policy, form, safe_value, SrvtDetection::kEarly, StaticMap{nullptr, 0U}}; };
+    setups = {setup(1U, ReleasePolicy::kAutomatic, ProducerForm::kApplicationSends, Payload{0x7F01U, 0U}),
+              setup(3U, ReleasePolicy::kInterlock, ProducerForm::kProviderCalled, Payload{0U, 0U}),
+              setup(4U, ReleasePolicy::kInterlock, ProducerForm::kApplicationSends, Payload{0U, 0U})};
     config.srdos = setups.data();
     config.srdo_count = 3U;
     config.objects = objects.data();
     config.object_count = 5U;
     config.node_id = 2U;
     config.granularity_bits = 8U;
+    config.map_entries = 16U;
+    config.gaps = NumberGaps::kSearched;
+    config.gfc = GfcUse::kPresent;
     config.normal_port = CanPortId::kFirst;
     config.inverse_port = CanPortId::kFirst;
     config.cycle_us = 1000U;
@@ -66,8 +71,11 @@ std::uint32_t Rig::Read(const std::uint16_t index, const std::uint8_t sub)
 
 void Rig::Configure()
 {
-    ASSERT_EQ(kernel.Start(config, FlowCallback::kOn), StartResult::kStarted);
-    ASSERT_EQ(Write(0x1300U, 0U, 1U, 1U), AbortCode::kNone);
+    ASSERT_EQ(kernel.Start(config, FlowCallback::kOn, handshake), StartResult::kStarted);
+    if (has_gfc)
+    {
+        ASSERT_EQ(Write(0x1300U, 0U, 1U, 1U), AbortCode::kNone);
+    }
     const auto map = [this](std::uint16_t mapping, std::uint32_t normal, std::uint32_t inverse)
     {
         ASSERT_EQ(Write(mapping, 1U, normal, 4U), AbortCode::kNone);

@@ -16,6 +16,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <initializer_list>
 #include <utility>
 #include <vector>
@@ -95,10 +96,18 @@ class RecordingApplication final : public Application
     void OnSrdoEvent(CommunicationIndex index) noexcept override
     {
         events.push_back(index.value);
+        if (on_event)
+        {
+            on_event(index);
+        }
     }
     void OnSrdoError(CommunicationIndex index, SrdoCause cause) noexcept override
     {
         errors.emplace_back(index.value, cause);
+        if (on_error)
+        {
+            on_error(index);
+        }
     }
     void OnGfc() noexcept override
     {
@@ -121,6 +130,8 @@ class RecordingApplication final : public Application
         flow.emplace_back(count.event, count.count);
     }
 
+    std::function<void(CommunicationIndex)> on_event{};
+    std::function<void(CommunicationIndex)> on_error{};
     RefreshAnswer refresh{RefreshAnswer::kReady};
     std::vector<std::uint16_t> refreshed{};
     std::vector<std::uint16_t> events{};
@@ -140,7 +151,7 @@ class RecordingApplication final : public Application
 class Rig : public ::testing::Test
 {
   public:
-    Rig();
+    explicit Rig(SelfTestPart* self_test = nullptr);
 
     /// Writes and declares the configuration above; every write must be accepted.
     void Configure();
@@ -173,6 +184,8 @@ class Rig : public ::testing::Test
     std::array<MappableObject, 5> objects{};
     std::array<SrdoSetup, 3> setups{};
     DeviceConfig config{};
+    StatusHandshake handshake{StatusHandshake::kOff};
+    bool has_gfc{true}; ///< Configure writes 1 to 1300h.
 
     channel_a::StorageFor<3U> storage_a{};
     channel_b::StorageFor<3U> storage_b{};

@@ -81,6 +81,8 @@ TEST(SafeStateLatch, AnySingleFlippedBitOfItsWordsStopsIt)
         EXPECT_FALSE(latch.IsRunning()) << "bit " << bit;
         EXPECT_NE(latch.Spoiler(), 0U) << "bit " << bit;
         EXPECT_EQ(latch.Gate(), 0U) << "bit " << bit;
+        // And says that nobody entered it
+        EXPECT_EQ(latch.Report().fault, DeviceFault::kInvalid) << "bit " << bit;
     }
 }
 

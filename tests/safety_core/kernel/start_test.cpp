@@ -46,6 +46,51 @@ TEST_F(Starting, SrdoNumbersAscendWithinOneToSixtyFour)
     EXPECT_EQ(Start(), StartResult::kStarted);
 }
 
+TEST_F(Starting, GapsAreRefusedOrSearched)
+{
+    Verifies(req::SRS_KRN_018);
+    // Given SRDO 1, 3 and 4
+    config.gaps = NumberGaps::kRefused;
+    EXPECT_EQ(Start(), StartResult::kSrdoNumbers);
+    setups[0].number = 2U;
+    EXPECT_EQ(Start(), StartResult::kSrdoNumbers);
+    // When there are 1, 2 and 3
+    setups[0].number = 1U;
+    setups[1].number = 2U;
+    setups[2].number = 3U;
+    EXPECT_EQ(Start(), StartResult::kStarted);
+    EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1302U}).result, Result::kSuccessful);
+    EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1303U}).result, Result::kSuccessful);
+    EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1304U}).result, Result::kNotExist);
+    EXPECT_EQ(Read(0x13FFU, 0U), 3U);
+    // Then a search finds the same
+    config.gaps = NumberGaps::kSearched;
+    EXPECT_EQ(Start(), StartResult::kStarted);
+    EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1303U}).result, Result::kSuccessful);
+    EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1304U}).result, Result::kNotExist);
+}
+
+TEST_F(Starting, DeviceMustFitIntoBothChannels)
+{
+    Verifies(req::SRS_KRN_020);
+    const auto with_room = [this](ChannelRoom room_a, ChannelRoom room_b)
+    {
+        a.room_slots = room_a.slots;
+        a.room_entries = room_a.map_entries;
+        b.room_slots = room_b.slots;
+        b.room_entries = room_b.map_entries;
+        return Start();
+    };
+    // Given three SRDOs and 16 map entries
+    EXPECT_EQ(with_room({3U, 16U}, {3U, 16U}), StartResult::kStarted);
+    EXPECT_EQ(with_room({2U, 16U}, {3U, 16U}), StartResult::kStorage);
+    EXPECT_EQ(with_room({3U, 16U}, {2U, 16U}), StartResult::kStorage);
+    EXPECT_EQ(with_room({3U, 14U}, {3U, 16U}), StartResult::kStorage);
+    EXPECT_EQ(with_room({3U, 16U}, {3U, 14U}), StartResult::kStorage);
+    config.map_entries = 15U;
+    EXPECT_EQ(with_room({3U, 16U}, {3U, 16U}), StartResult::kStorage);
+}
+
 TEST_F(Starting, NodeIdIsOneToOneHundredTwentySeven)
 {
     Verifies(req::SRS_KRN_001);
@@ -57,15 +102,15 @@ TEST_F(Starting, NodeIdIsOneToOneHundredTwentySeven)
     EXPECT_EQ(Start(), StartResult::kStarted);
 }
 
-TEST_F(Starting, GranularityIsEightSixteenThirtyTwoOrSixtyFour)
+TEST_F(Starting, GranularityIsOneEightSixteenThirtyTwoOrSixtyFour)
 {
     Verifies(req::SRS_KRN_001);
-    for (const std::uint8_t bits : std::initializer_list<std::uint8_t>{0, 1, 4, 7, 12, 24, 128, 255})
+    for (const std::uint8_t bits : std::initializer_list<std::uint8_t>{0, 2, 4, 7, 12, 24, 128, 255})
     {
         config.granularity_bits = bits;
         EXPECT_EQ(Start(), StartResult::kGranularity) << static_cast<int>(bits);
     }
-    for (const std::uint8_t bits : std::initializer_list<std::uint8_t>{8, 16, 32, 64})
+    for (const std::uint8_t bits : std::initializer_list<std::uint8_t>{1, 8, 16, 32, 64})
     {
         config.granularity_bits = bits;
         EXPECT_EQ(Start(), StartResult::kStarted) << static_cast<int>(bits);
@@ -86,10 +131,15 @@ TEST_F(Starting, PortsAreFirstOrSecond)
 TEST_F(Starting, ObjectsAscendHaveALengthAndAPlace)
 {
     Verifies(req::SRS_KRN_001);
-    for (const std::uint8_t bits : std::initializer_list<std::uint8_t>{0, 7, 12, 65, 72})
+    for (const std::uint8_t bits : std::initializer_list<std::uint8_t>{0, 65, 72, 255})
     {
         objects[1].length_bits = bits;
         EXPECT_EQ(Start(), StartResult::kObjects) << static_cast<int>(bits);
+    }
+    for (const std::uint8_t bits : std::initializer_list<std::uint8_t>{1, 7, 12, 64})
+    {
+        objects[1].length_bits = bits;
+        EXPECT_EQ(Start(), StartResult::kStarted) << static_cast<int>(bits);
     }
     objects[1].length_bits = 16U;
     objects[1].place = nullptr;
@@ -125,10 +175,10 @@ TEST_F(Starting, EachTimeHasItsRange)
     refused([](DeviceConfig& c) { c.cycle_tolerance_us = 1001U; });
     refused([](DeviceConfig& c) { c.clock_interval_us = 200U; });
     refused([](DeviceConfig& c) { c.discrepancy_us = 0x40000000U; });
-    refused([](DeviceConfig& c) { c.diagnostic_interval_us = 2999U; });
+    refused([](DeviceConfig& c) { c.diagnostic_interval_us = 5999U; });
     refused([](DeviceConfig& c) { c.test_interval_us = 999U; });
     config = good;
-    config.diagnostic_interval_us = 3000U;
+    config.diagnostic_interval_us = 6000U;
     config.test_interval_us = 1000U;
     EXPECT_EQ(Start(), StartResult::kStarted);
 }
@@ -145,6 +195,61 @@ TEST_F(Starting, HardwareThatCannotGuaranteeIsRefused)
     ports.guarantees.stamps = hal::Guarantee::kGiven;
     ports.guarantees.confirmations = hal::Guarantee::kAbsent;
     EXPECT_EQ(Start(), StartResult::kConfirmations);
+}
+
+TEST_F(Starting, StoppedKernelGivesNoPermitAndRefusesEverything)
+{
+    Verifies(req::SRS_KRN_025);
+    // Given a released and open output
+    Operate();
+    ReceivePair();
+    Cycle();
+    ASSERT_EQ(Open(), 1U);
+    // When the kernel is stopped, then the output is closed without another cycle
+    kernel.Stop();
+    EXPECT_EQ(Open(), 0U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kInvalid);
+    ReceivePair();
+    kernel.OnConfirm(StampedFrame{});
+    kernel.OnOverflow();
+    kernel.SetNmtState(NmtState::kOperational);
+    Cycle();
+    EXPECT_EQ(Open(), 0U);
+    const CommunicationIndex first{0x1301U};
+    EXPECT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kDeviceState);
+    EXPECT_EQ(kernel.ReadObject(ObjectAddress{0x1300U, 0U}).abort, AbortCode::kDeviceState);
+    EXPECT_EQ(kernel.Send(first), Result::kNotExist);
+    EXPECT_EQ(kernel.SendGfc(), Result::kNotExist);
+    EXPECT_EQ(kernel.Sign(first).result, Result::kNotExist);
+    EXPECT_EQ(kernel.GetState(first).result, Result::kNotExist);
+    EXPECT_EQ(kernel.GetStatus(first).result, Result::kNotExist);
+    EXPECT_EQ(kernel.SetStatus(first, StatusByte{0U}), Result::kNotExist);
+    EXPECT_EQ(kernel.GetParameters(first).result, Result::kNotExist);
+    EXPECT_EQ(kernel.GetMapped(first, MappedEntry{1U}).result, Result::kNotExist);
+    EXPECT_EQ(kernel.DefineStaticFields(first, StaticFields{nullptr, nullptr}), Result::kNotExist);
+    EXPECT_EQ(kernel.CheckConfiguration().result, Result::kDeviceFault);
+    EXPECT_EQ(kernel.LoadItem(0U, 0U), Result::kDeviceFault);
+    EXPECT_EQ(kernel.LoadConfiguration(ImageHeader{}), Result::kDeviceFault);
+    EXPECT_EQ(kernel.RestoreDefaults(), Result::kDeviceFault);
+    // And a new start begins anew
+    watchdog.timer.Start(hal::WatchdogWindow{500U, 1600U}, Instant{now_us});
+    Operate();
+    ReceivePair();
+    Cycle();
+    EXPECT_EQ(Open(), 1U);
+}
+
+TEST_F(Starting, RefusedStartStopsARunningKernel)
+{
+    Verifies(req::SRS_KRN_025);
+    Operate();
+    ReceivePair();
+    Cycle();
+    ASSERT_EQ(Open(), 1U);
+    config.srdo_count = 0U;
+    EXPECT_EQ(Start(), StartResult::kSrdoCount);
+    EXPECT_EQ(Open(), 0U);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kNotExist);
 }
 
 TEST_F(Starting, NothingRunsBeforeStartOrAfterARefusedStart)

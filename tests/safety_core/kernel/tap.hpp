@@ -5,6 +5,7 @@
 #include "safety_core/contract/channel.hpp"
 
 #include <functional>
+#include <vector>
 
 namespace counterpoint
 {
@@ -34,6 +35,23 @@ class Tap final : public Channel
         item.value ^= load_flip;
         return item;
     }
+    ChannelRoom Room() const noexcept override
+    {
+        const ChannelRoom real = real_.Room();
+        return ChannelRoom{(room_slots == 0U) ? real.slots : room_slots,
+                           (room_entries == 0U) ? real.map_entries : room_entries};
+    }
+    void SetFields(SlotIndex slot, const StaticFields& fields) noexcept override
+    {
+        ++fields_set;
+        real_.SetFields(slot, fields);
+    }
+    DeviceDigest Digest(SlotIndex slot, DeviceDigest before) const noexcept override
+    {
+        DeviceDigest digest = real_.Digest(slot, before);
+        digest.value ^= (slot == digest_slot) ? digest_flip : 0U;
+        return digest;
+    }
     CheckResult Validate(SlotIndex slot) noexcept override
     {
         return Alter(real_.Validate(slot));
@@ -51,6 +69,8 @@ class Tap final : public Channel
     }
     CycleOutcome OnCycle(const CycleInput& input) noexcept override
     {
+        requests |= input.request;
+        stands += (input.stand == 0U) ? 0 : 1;
         CycleOutcome outcome = skip_cycle ? CycleOutcome{} : real_.OnCycle(input);
         if (on_outcome)
         {
@@ -58,11 +78,15 @@ class Tap final : public Channel
         }
         return outcome;
     }
+    HeldPair Held(SlotIndex slot) const noexcept override
+    {
+        HeldPair held = real_.Held(slot);
+        held.data.low ^= data_flip;
+        return held;
+    }
     SrdoView View(SlotIndex slot) const noexcept override
     {
-        SrdoView view = real_.View(slot);
-        view.data.low ^= data_flip;
-        return view;
+        return real_.View(slot);
     }
     void Demote(SlotIndex slot) noexcept override
     {
@@ -79,47 +103,57 @@ class Tap final : public Channel
         permit.response ^= permit_flip;
         return permit;
     }
-    void Request(SlotIndex slot) noexcept override
-    {
-        real_.Request(slot);
-    }
-    void Hold(SlotIndex slot) noexcept override
-    {
-        ++holds;
-        real_.Hold(slot);
-    }
     PreparedPair Prepare(SlotIndex slot) noexcept override
     {
         PreparedPair pair = real_.Prepare(slot);
-        pair.normal.low ^= prepare_flip;
+        if (on_prepared)
+        {
+            on_prepared(pair);
+        }
         return pair;
     }
-    void Launch(SlotIndex slot) noexcept override
+    Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept override
     {
-        real_.Launch(slot);
+        Confirmation confirmation{kNoSlot, ConfirmStep::kNone};
+        if (!drop_confirms)
+        {
+            confirmation = real_.OnConfirm(frame, stamp);
+        }
+        if (on_confirmed)
+        {
+            on_confirmed(confirmation);
+        }
+        return confirmation;
     }
-    CanFrame NextFrame(SlotIndex slot) noexcept override
+    CanFrame InverseFrame(SlotIndex slot) noexcept override
     {
-        return withhold_frames ? CanFrame{} : real_.NextFrame(slot);
+        ++inverse_frames;
+        return withhold_frames ? CanFrame{} : real_.InverseFrame(slot);
     }
-    SlotIndex OnConfirm(const CanFrame& frame, Instant stamp) noexcept override
+    void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept override
     {
-        return drop_confirms ? kNoSlot : real_.OnConfirm(frame, stamp);
-    }
-    void OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept override
-    {
-        real_.OnTransmitFault(slot, cause);
+        transmit_faults.push_back(fault.cause);
+        real_.OnTransmitFault(slot, fault);
     }
 
     std::function<void(CycleOutcome&)> on_outcome{};
+    std::function<void(PreparedPair&)> on_prepared{};
+    std::function<void(Confirmation&)> on_confirmed{};
+    std::vector<SrdoCause> transmit_faults{};
+    SrdoMask requests{0U}; ///< All that were asked for.
     std::uint32_t load_flip{0U};
     std::uint32_t data_flip{0U};
     std::uint32_t permit_flip{0U};
-    std::uint32_t prepare_flip{0U};
+    std::uint32_t digest_flip{0U};
+    SlotIndex digest_slot{0U}; ///< Where it is flipped.
     std::uint16_t signature_flip{0U};
+    std::uint8_t room_slots{0U};   ///< Instead of the real one's; 0: the real one's.
+    std::uint8_t room_entries{0U}; ///< Likewise.
     ConfigFault check_fault{ConfigFault::kNone};
     int demotions{0};
-    int holds{0};
+    int fields_set{0};
+    int stands{0};         ///< Calls with a producer that stands.
+    int inverse_frames{0}; ///< Times that it was asked for one.
     bool withhold_frames{false};
     bool drop_store{false};
     bool drop_frames{false};

@@ -45,5 +45,25 @@ TEST(Variable, PairIsInverseOnlyIfEveryBitIs)
     EXPECT_EQ(IsInversePair(VariablePlace{normal, 8U}, VariablePlace{inverse, 16U}), PairView::kNotInverse);
 }
 
+// 11 bits in two bytes: bits 3 to 7 of the second byte do not belong to it.
+TEST(Variable, BitsAboveTheLengthAreIgnoredAndWrittenAsZero)
+{
+    Verifies(req::SRS_KRN_016);
+    std::uint8_t bytes[3] = {0x34U, 0xFAU, 0xEEU};
+    EXPECT_EQ(ReadVariable(VariablePlace{bytes, 11U}).bits, 0x234U);
+    EXPECT_EQ(ReadVariable(VariablePlace{bytes, 1U}).bits, 0U);
+    EXPECT_EQ(ReadVariable(VariablePlace{bytes, 3U}).bits, 4U);
+    WriteVariable(VariablePlace{bytes, 11U}, VariableValue{0xFFFFU});
+    EXPECT_EQ(bytes[0], 0xFFU);
+    EXPECT_EQ(bytes[1], 0x07U);
+    EXPECT_EQ(bytes[2], 0xEEU);
+    WriteVariable(VariablePlace{bytes, 1U}, VariableValue{0xFEU});
+    EXPECT_EQ(bytes[0], 0x00U);
+    std::uint8_t normal = 0xF5U;
+    std::uint8_t inverse = 0xFAU;
+    EXPECT_EQ(IsInversePair(VariablePlace{&normal, 4U}, VariablePlace{&inverse, 4U}), PairView::kInverse);
+    EXPECT_EQ(IsInversePair(VariablePlace{&normal, 5U}, VariablePlace{&inverse, 5U}), PairView::kNotInverse);
+}
+
 } // namespace
 } // namespace counterpoint

@@ -82,6 +82,48 @@ TEST(SimulateCommand, WritesAllReportsAndSaysWhereItCannot)
     EXPECT_NE(lost.err.find("/nonexistent/x.json"), std::string::npos);
 }
 
+TEST(SimulateCommand, AnOutputThatCannotBeWrittenIsToldBeforeAnythingElse)
+{
+    Verifies(req::SRS_SIM_045);
+    // Given one output that can be written and one that cannot
+    const std::string page = ::testing::TempDir() + "counterpoint_alone.html";
+    const Answer answer = Tool(
+        {"simulate", simulator::Examples() + "03_corruption.yaml", "--html", page, "--json", "/nonexistent/x.json"});
+    // Then there is one line, and neither a time line nor the other output
+    EXPECT_EQ(answer.status, ExitStatus::kBadInput);
+    EXPECT_EQ(answer.out, "");
+    EXPECT_EQ(answer.err, "/nonexistent/x.json:0: error: it cannot be created (No such file or directory), expected a "
+                          "path in a writable folder\n");
+    EXPECT_FALSE(std::filesystem::exists(page));
+    // Then the same of demo
+    const Answer demo = Tool({"demo", "--scenarios", simulator::Examples(), "--html", "/dev/null"});
+    EXPECT_EQ(demo.status, ExitStatus::kBadInput);
+    EXPECT_EQ(demo.out, "");
+    EXPECT_EQ(std::count(demo.err.begin(), demo.err.end(), '\n'), 1) << demo.err;
+}
+
+TEST(SimulateCommand, NoOutputReplacesWhatTheRunReads)
+{
+    Verifies(req::SRS_SIM_049);
+    const std::string file = simulator::Examples() + "03_corruption.yaml";
+    for (const char* const name : {"03_corruption.yaml", "chain.yaml", "sensor.dcf", "./actuator.dcf"})
+    {
+        const std::string output = simulator::Examples() + name;
+        const std::string before = Content(output);
+        for (const std::vector<std::string>& more :
+             std::vector<std::vector<std::string>>{{}, {"--sweep", "duration=1s:2s:1s"}})
+        {
+            std::vector<std::string> arguments{"simulate", file, "--json", output};
+            arguments.insert(arguments.end(), more.begin(), more.end());
+            const Answer answer = Tool(arguments);
+            EXPECT_EQ(answer.status, ExitStatus::kBadInput) << name;
+            EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+            EXPECT_NE(answer.err.find("which is named already or read by the run"), std::string::npos) << answer.err;
+        }
+        EXPECT_EQ(Content(output), before) << name;
+    }
+}
+
 TEST(SimulateCommand, RefusesOptionsThatWouldBeIgnored)
 {
     Verifies(req::SRS_SIM_049);
@@ -92,6 +134,9 @@ TEST(SimulateCommand, RefusesOptionsThatWouldBeIgnored)
              {"simulate", file, "--quiet", "--frames"},
              {"simulate", file, "--explain"},
              {"simulate", "--explain", "--quiet"},
+             {"simulate", "--markdown"},
+             {"simulate", file, "--sweep", "duration=1s:2s:1s", "--candump", out},
+             {"simulate", file, "--sweep", "duration=1s:2s:1s", "--frames"},
              {"simulate", file, "--seed", "18446744073709551616"},
              {"simulate", file, "--seed", "-1"},
              {"simulate", file, "--seed", ""},
@@ -125,8 +170,9 @@ expect:
     const Answer answer = Tool({"simulate", file, "--quiet"});
     // Then nothing that is expected of it holds, and its place is told
     EXPECT_EQ(answer.status, ExitStatus::kDoesNotHold);
-    EXPECT_EQ(answer.err, file + ":3:5: fault 'loss' never had an effect, expected one within the run\n");
-    EXPECT_NE(answer.out.find("0 of 2 expectations hold"), std::string::npos) << answer.out;
+    EXPECT_EQ(answer.err,
+              file + ":3:5: fault 'loss' never happened, expected it within the run, or 'optional: true'\n");
+    EXPECT_NE(answer.out.find("0 of 3 expectations hold"), std::string::npos) << answer.out;
 }
 
 TEST(SimulateCommand, EndsARecordingThatGrowsTooLarge)
@@ -158,9 +204,29 @@ TEST(SimulateCommand, SeedAndUntilReplaceThoseOfTheScenario)
 TEST(SimulateCommand, ExplainsTheFormat)
 {
     Verifies(req::SRS_SIM_047);
-    const Answer answer = Tool({"simulate", "--explain"});
-    EXPECT_EQ(answer.status, ExitStatus::kHolds);
-    EXPECT_EQ(answer.out, Content(std::string(COUNTERPOINT_SOURCE_FOLDER) + "/docs/scenario.md"));
+    // Given everything, a key, a fault kind, and a name that is none
+    const Answer all = Tool({"simulate", "--explain"});
+    EXPECT_EQ(all.status, ExitStatus::kHolds);
+    EXPECT_NE(all.out.find("\n  probability_ppm: number from 1 to 1000000; default 1000000\n"), std::string::npos);
+    const Answer key = Tool({"simulate", "--explain", "jump"});
+    EXPECT_EQ(
+        key.out,
+        "in clock:\n  jump: time other than 0, negative: back, at most 1000 s\n      jumps forward, or back, once\n"
+        "      e.g. jump: -3 ms\n\n");
+    const Answer kind = Tool({"simulate", "--explain", "loss"});
+    EXPECT_EQ(kind.out.substr(0U, 56U), "loss\n  The frame does not arrive.\n  fault: one of corrup");
+    const Answer none = Tool({"simulate", "--explain", "losses"});
+    EXPECT_EQ(none.status, ExitStatus::kBadInput);
+    EXPECT_EQ(none.err, "counterpoint simulate: --explain 'losses', expected a key or section of the format; without a "
+                        "name all of them are told\n");
+    // And the document has the same reference
+    const Answer reference = Tool({"simulate", "--explain", "--markdown"});
+    EXPECT_EQ(reference.status, ExitStatus::kHolds);
+    const std::string document = Content(std::string(COUNTERPOINT_SOURCE_FOLDER) + "/docs/scenario.md");
+    const std::string begin = "<!-- counterpoint simulate --explain --markdown -->\n";
+    const std::size_t place = document.find(begin);
+    ASSERT_NE(place, std::string::npos);
+    EXPECT_EQ(document.substr(place + begin.size()), reference.out);
 }
 
 TEST(DemoCommand, ShowsEveryRunWithItsLimitAndWritesThePage)
@@ -177,7 +243,7 @@ TEST(DemoCommand, ShowsEveryRunWithItsLimitAndWritesThePage)
     const auto took = std::chrono::steady_clock::now() - start;
     // Then every row is in time, the page is there and is named, and nobody had to wait
     EXPECT_EQ(answer.status, ExitStatus::kHolds) << answer.out << answer.err;
-    EXPECT_NE(answer.out.find("22 of 22 runs as expected"), std::string::npos) << answer.out;
+    EXPECT_NE(answer.out.find("30 of 30 runs as expected"), std::string::npos) << answer.out;
     EXPECT_NE(answer.out.find("Timing diagrams: " + folder + "/index.html"), std::string::npos) << answer.out;
     EXPECT_TRUE(std::filesystem::exists(folder + "/index.html"));
     EXPECT_LT(took, std::chrono::seconds(10));
@@ -198,7 +264,7 @@ expect:
 )";
     const Answer answer = Tool({"demo", "--scenarios", folder, "--html", folder + "/page.html"});
     EXPECT_EQ(answer.status, ExitStatus::kDoesNotHold);
-    EXPECT_NE(answer.out.find("the fault never had an effect"), std::string::npos) << answer.out;
+    EXPECT_NE(answer.out.find("the fault never happened"), std::string::npos) << answer.out;
     // and one without scenarios
     const Answer none = Tool({"demo", "--scenarios", "/nonexistent"});
     EXPECT_EQ(none.status, ExitStatus::kBadInput);

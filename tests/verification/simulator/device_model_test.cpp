@@ -46,6 +46,43 @@ TEST(DeviceModel, TakesTheControllerFromItsDcf)
     EXPECT_EQ(model.Writes().back().value, 0xA5U);
 }
 
+TEST(DeviceModel, TakesEveryDeviceParameterFromItsDcf)
+{
+    Verifies(req::SRS_SIM_002);
+    // Given a DCF in which each of 5F00h to 5F05h is another than its default
+    const DeviceModel model(Examples() + "../../tests/canopen/cia306/data/digest.dcf", std::nullopt);
+    const DeviceConfig& config = model.Config();
+    EXPECT_EQ(config.granularity_bits, 1U);
+    EXPECT_EQ(config.map_entries, 128U);
+    EXPECT_EQ(config.dummies, DummyMapping::kAllowed);
+    EXPECT_EQ(config.gaps, NumberGaps::kSearched);
+    EXPECT_EQ(config.gfc, GfcUse::kPresent);
+    EXPECT_EQ(config.normal_port, CanPortId::kFirst);
+    EXPECT_EQ(config.inverse_port, CanPortId::kSecond);
+    EXPECT_EQ(config.diagnostic_interval_us, 1234000U);
+    EXPECT_EQ(config.output_time_us, 4321U);
+    ASSERT_EQ(config.srdo_count, 2U);
+    EXPECT_EQ(config.srdos[0].policy, ReleasePolicy::kAutomatic);
+    EXPECT_EQ(config.srdos[0].detection, SrvtDetection::kLate);
+    EXPECT_EQ(config.srdos[0].safe_value.low, 0xA1B2C3D4U);
+    EXPECT_EQ(config.srdos[1].form, ProducerForm::kProviderCalled);
+    EXPECT_EQ(config.srdos[1].detection, SrvtDetection::kEarly);
+    EXPECT_EQ(config.srdos[1].safe_value.high, 0x11223344U);
+}
+
+TEST(DeviceModel, LeavesDummiesOutOfItsPairs)
+{
+    Verifies(req::SRS_SIM_002);
+    // Given SRDO 1 with dummies of 1, 8, 16 and 32 bits around objects of 1 and 6 bits
+    const DeviceModel model(Examples() + "../../tests/canopen/cia306/data/dummies.dcf", std::nullopt);
+    // Then its pairs are the objects, at their place in the data
+    ASSERT_EQ(model.Pairs().size(), 3U);
+    EXPECT_EQ(model.Pairs()[0].first_bit, 1U);
+    EXPECT_EQ(model.Pairs()[1].first_bit, 26U);
+    EXPECT_EQ(model.Pairs()[2].first_bit, 56U);
+    EXPECT_EQ(model.Objects()[1].length_bits, 6U);
+}
+
 TEST(FindConfigBit, NamesTheBitThatHoldsAValueInEitherChannel)
 {
     Verifies(req::SRS_SIM_021);
@@ -53,7 +90,7 @@ TEST(FindConfigBit, NamesTheBitThatHoldsAValueInEitherChannel)
     for (const Letter letter : {Letter::kA, Letter::kB})
     {
         // Given a channel that keeps SCT 50 (32h)
-        const auto host = MakeChannel(letter, model.Config().srdo_count);
+        const auto host = MakeChannel(letter, RoomOf(model.Config()));
         host->Voice().Restart(model.Config());
         const ConfigAddress sct{0U, ConfigField::kSct, 0U};
         host->Voice().Store({sct, 50U});

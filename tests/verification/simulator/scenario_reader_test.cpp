@@ -90,7 +90,7 @@ faults:
     ASSERT_EQ(scenario.faults.size(), 1U);
     const FaultSetup& fault = scenario.faults[0];
     EXPECT_EQ(fault.name, "mine");
-    EXPECT_EQ(fault.frames.identifier, 0x103U);
+    EXPECT_EQ(fault.frames.identifiers, std::vector<std::uint32_t>{0x103U});
     EXPECT_EQ(fault.frames.sender, 1U);
     EXPECT_EQ(fault.frames.receiver, 2U);
     EXPECT_EQ(fault.frames.from, 1000000);

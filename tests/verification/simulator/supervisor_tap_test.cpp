@@ -18,12 +18,12 @@ TEST(SupervisorTap, TakesEveryCallOfTheThreeSupervisors)
     simulator::Run run(TextFile("extends: " + Examples() + "chain.yaml\nduration: 100 ms\n"), std::nullopt,
                        std::nullopt, true);
     run.Simulate(nullptr);
-    // Then each cycle went through the wraps: one comparison, one token, Begin, ten marks and End
+    // Then each cycle went through the wraps: one comparison, one token, Begin, eleven marks and End
     const std::uint64_t cycles = SupervisorTap::Intercepted(Part::kGuard) - guarded;
     EXPECT_GE(cycles, 296U);
     EXPECT_LE(cycles, 300U);
     EXPECT_EQ(SupervisorTap::Intercepted(Part::kComparator) - compared, cycles);
-    EXPECT_EQ(SupervisorTap::Intercepted(Part::kFlowMonitor) - marked, 12U * cycles);
+    EXPECT_EQ(SupervisorTap::Intercepted(Part::kFlowMonitor) - marked, 13U * cycles);
 }
 
 TEST(SupervisorTap, GoesStraightThroughWithoutAScope)

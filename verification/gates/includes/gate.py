@@ -13,6 +13,7 @@ MAY_SEE = {
     "safety_core/contract": [],
     "safety_core/comparator": ["safety_core/contract"],
     "safety_core/kernel": ["safety_core/contract", "safety_core/comparator", "hal/api"],
+    "safety_core/crosslink": ["safety_core/contract", "safety_core/comparator", "hal/api"],
     "channel_a": ["safety_core/contract"],
     "channel_b": ["safety_core/contract"],
     "hal/api": ["safety_core/contract"],

@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
-# fixture_tree.sh MADE TARGET LIBRARIES: a package with one target and a consumer that links it.
+# fixture_tree.sh MADE TARGET LIBRARIES [OUTPUT [FILE]]: a package with one target, a consumer that links it, and a guide of
+# one program that prints "output off". OUTPUT is what the guide says instead, FILE the text of its source file.
 set -euo pipefail
 made=$1
 config=$made/data/package/lib/cmake/Counterpoint
-mkdir -p "$config" "$made/tree/tests/integration/package"
+example=$made/tree/examples/first_device
+mkdir -p "$config" "$made/tree/tests/integration/package" "$made/tree/docs" "$example"
 printf 'add_library(Counterpoint::%s INTERFACE IMPORTED)\nset_target_properties(Counterpoint::%s PROPERTIES INTERFACE_LINK_LIBRARIES "%s")\n' \
     "$2" "$2" "$3" >"$config/CounterpointConfig.cmake"
 cat >"$made/tree/tests/integration/package/CMakeLists.txt" <<'TEXT'
@@ -14,3 +16,15 @@ add_executable(consumer main.cpp)
 target_link_libraries(consumer PRIVATE Counterpoint::channel_a)
 TEXT
 echo 'int main() { return 0; }' >"$made/tree/tests/integration/package/main.cpp"
+cat >"$example/CMakeLists.txt" <<'TEXT'
+cmake_minimum_required(VERSION 3.25)
+project(FirstDevice LANGUAGES CXX)
+add_executable(first_device main.cpp)
+TEXT
+program=$(printf '#include <cstdio>\nint main() { std::puts("output off"); }')
+printf '%s\n' "$program" >"$example/main.cpp"
+{
+    printf '<!-- file: examples/first_device/CMakeLists.txt -->\n```cmake\n%s\n```\n' "$(cat "$example/CMakeLists.txt")"
+    printf '<!-- file: examples/first_device/main.cpp -->\n```cpp\n%s\n```\n' "${5:-$program}"
+    printf '<!-- output: build/first_device -->\n```\n%s\n```\n' "${4:-output off}"
+} >"$made/tree/docs/user_guide.md"

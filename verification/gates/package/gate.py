@@ -1,8 +1,16 @@
 #!/usr/bin/env python3
 """A project outside the tree finds the installed package, links kernel, channels and contract, runs, and needs no library
-of the host tools. Uses DATA/package, the installation of the product build."""
+of the host tools. The user's guide is such a project too: its files are taken out of the guide, built, run, and its output
+is compared. Uses DATA/package, the installation of the product build.
+
+In the guide the line `<!-- file: PATH -->` before a code block says that the block is this file, `<!-- part: PATH -->` that
+it is a piece of it, and `<!-- output: COMMAND -->` that it is what the command prints in a folder with the guide's files;
+`counterpoint` is the program of the package."""
+import os
 import pathlib
 import re
+import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -11,34 +19,117 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from common import CannotLook, run_gate  # noqa: E402
 
 CONSUMER = "tests/integration/package"
+GUIDE = "docs/user_guide.md"
 SYSTEM = re.compile(r"lib(c|m|gcc_s|stdc\+\+)\.so|ld-linux")
+BLOCK = re.compile(r"^<!-- (file|part|output): (.+?) -->\n```\w*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
-def step(findings, what, command):
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
+def step(findings, project, what, command, **options):
+    done = subprocess.run(command, capture_output=True, text=True, check=False, **options)
     if done.returncode != 0:
         lines = [line for line in (done.stdout + done.stderr).splitlines() if line.strip()]
-        findings.append(f"{CONSUMER}: {what} fails: " + " | ".join(lines[-8:]))
+        findings.append(f"{project}: {what} fails: " + " | ".join(lines[-8:]))
     return done.returncode == 0
+
+
+def build(findings, project, source, folder, package):
+    return (step(findings, project, "configuring", ["cmake", "-G", "Ninja", "-S", source, "-B", folder,
+                                                    "-DCMAKE_CXX_COMPILER=g++-12", f"-DCMAKE_PREFIX_PATH={package}"])
+            and step(findings, project, "building", ["cmake", "--build", folder]))
+
+
+def check_libraries(findings, project, program):
+    dynamic = subprocess.run(["readelf", "-d", program], capture_output=True, text=True, check=True).stdout
+    for library in re.findall(r"NEEDED.*\[(.*)\]", dynamic):
+        if not SYSTEM.match(library):
+            findings.append(f"{project}: the program needs {library}, expected only the language's own libraries")
+
+
+def first_difference(shown, real):
+    """Number of the first line that differs, from 0, and both lines."""
+    shown, real = shown.splitlines(), real.splitlines()
+    for number in range(max(len(shown), len(real))):
+        left = shown[number] if number < len(shown) else "nothing more"
+        right = real[number] if number < len(real) else "nothing more"
+        if left != right:
+            return number, left, right
+    return None
+
+
+def guide_blocks(root):
+    text = (root / GUIDE).read_text(encoding="utf-8")
+    marks = len(re.findall(r"^<!-- (?:file|part|output): ", text, re.MULTILINE))
+    blocks = [(text.count("\n", 0, match.start(3)) + 1, match[1], match[2], match[3]) for match in BLOCK.finditer(text)]
+    if not blocks or len(blocks) != marks:
+        raise CannotLook(f"a code block after each of the {marks} marks in {GUIDE}, there are {len(blocks)}")
+    return blocks
+
+
+def compare_with_files(findings, root, blocks, work):
+    """Lays out what the guide shows as files; what it does not show (a DCF) is copied from the package by the caller."""
+    for line, kind, name, shown in blocks:
+        if kind == "output":
+            continue
+        if not (root / name).is_file():
+            findings.append(f"{GUIDE}:{line}: there is no {name}, expected the file of this block")
+            continue
+        real = (root / name).read_text(encoding="utf-8")
+        if kind == "file":
+            (work / pathlib.PurePath(name).name).write_text(shown, encoding="utf-8")
+            difference = first_difference(shown, real)
+            if difference:
+                findings.append(f"{GUIDE}:{line + difference[0]}: '{difference[1]}', expected '{difference[2]}' as in {name}")
+        elif shown not in real:
+            findings.append(f"{GUIDE}:{line}: the block is no piece of {name}, expected that it is")
+
+
+def compare_output(findings, blocks, work, package):
+    path = f"{package / 'bin'}:{os.environ['PATH']}"
+    for line, kind, command, shown in blocks:
+        if kind != "output":
+            continue
+        words = shlex.split(command)
+        words[0] = shutil.which(words[0], path=path) or words[0]
+        try:
+            done = subprocess.run(words, cwd=work, capture_output=True, text=True, check=False, timeout=60)
+        except OSError as problem:
+            findings.append(f"{GUIDE}:{line}: {command} cannot be run: {problem.strerror}")
+            continue
+        difference = first_difference(shown, done.stdout + done.stderr)
+        if difference:
+            findings.append(f"{GUIDE}:{line + difference[0]}: the guide shows '{difference[1]}', {command} prints "
+                            f"'{difference[2]}'")
+
+
+def check_guide(findings, root, package):
+    blocks = guide_blocks(root)
+    with tempfile.TemporaryDirectory(prefix="guide_") as folder:
+        work = pathlib.Path(folder)
+        for sample in sorted((package / "share/counterpoint/examples/first_device").glob("*.dcf")):
+            shutil.copy(sample, work)
+        compare_with_files(findings, root, blocks, work)
+        if build(findings, GUIDE, work, work / "build", package):
+            compare_output(findings, blocks, work, package)
+            for program in sorted((work / "build").glob("first_device")):
+                check_libraries(findings, GUIDE, program)
+    return len(blocks)
 
 
 def gate(root, data):
     package = data / "package"
-    if not package.is_dir() or not (root / CONSUMER / "CMakeLists.txt").exists():
-        raise CannotLook(f"package/ (installed product) and {CONSUMER}/CMakeLists.txt")
+    for needed in (CONSUMER + "/CMakeLists.txt", GUIDE):
+        if not (root / needed).exists():
+            raise CannotLook(needed)
+    if not package.is_dir():
+        raise CannotLook("package/ (installed product)")
     findings = []
-    with tempfile.TemporaryDirectory(prefix="consumer_") as build:
-        program = pathlib.Path(build) / "consumer"
-        done = (step(findings, "configuring", ["cmake", "-G", "Ninja", "-S", root / CONSUMER, "-B", build,
-                                               "-DCMAKE_CXX_COMPILER=g++-12", f"-DCMAKE_PREFIX_PATH={package}"])
-                and step(findings, "building", ["cmake", "--build", build])
-                and step(findings, "running", [program]))
-        if done:
-            dynamic = subprocess.run(["readelf", "-d", program], capture_output=True, text=True, check=True).stdout
-            for library in re.findall(r"NEEDED.*\[(.*)\]", dynamic):
-                if not SYSTEM.match(library):
-                    findings.append(f"{CONSUMER}: the program needs {library}, expected only the language's own libraries")
-    return findings, "configure, build, run, needed libraries"
+    with tempfile.TemporaryDirectory(prefix="consumer_") as folder:
+        program = pathlib.Path(folder) / "consumer"
+        if (build(findings, CONSUMER, root / CONSUMER, folder, package)
+                and step(findings, CONSUMER, "running", [program])):
+            check_libraries(findings, CONSUMER, program)
+    blocks = check_guide(findings, root, package)
+    return findings, f"configure, build, run, needed libraries; {blocks} blocks of {GUIDE}"
 
 
 run_gate(gate)

@@ -17,6 +17,8 @@ MAY_NEED = {
     "safety_core_comparator": [],
     "hal_api": [],
     "safety_core_kernel": ["safety_core_comparator", "hal_api"],
+    "safety_core_selftest": ["hal_api"],
+    "safety_core_crosslink": ["safety_core_comparator", "hal_api"],
 }
 REFUSED_SECTIONS = (".init_array", ".ctors", ".fini_array", ".dtors", ".gcc_except_table", ".tdata", ".tbss")
 

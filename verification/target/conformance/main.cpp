@@ -10,6 +10,7 @@
 
 namespace
 {
+using counterpoint::kMaxMapEntries;
 using counterpoint::kMaxSrdoCount;
 using counterpoint::conformance::Failure;
 using counterpoint::conformance::Party;
@@ -113,8 +114,8 @@ bool Print(const char* run, const RunResult& result) noexcept
     return (result.cases != 0U) && (result.failures == 0U);
 }
 
-counterpoint::channel_a::StorageFor<kMaxSrdoCount> storage_a{};
-counterpoint::channel_b::StorageFor<kMaxSrdoCount> storage_b{};
+counterpoint::channel_a::StorageFor<kMaxSrdoCount, kMaxMapEntries> storage_a{};
+counterpoint::channel_b::StorageFor<kMaxSrdoCount, kMaxMapEntries> storage_b{};
 
 } // namespace
 

@@ -1,0 +1,169 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+//
+// The device on the host: a simulated bus with a sender of commands, and half a second of simulated time.
+#include "device.hpp"
+
+#include "channel_a/channel.hpp"
+#include "channel_a/storage.hpp"
+#include "channel_b/channel.hpp"
+#include "channel_b/storage.hpp"
+#include "hal/host/host_can_ports.hpp"
+#include "hal/host/host_clocks.hpp"
+#include "hal/host/host_output.hpp"
+#include "hal/host/host_watchdog.hpp"
+#include "hal/host/virtual_bus.hpp"
+
+#include <cstdio>
+
+namespace
+{
+using namespace counterpoint;
+
+/// What the controllers report goes to the kernel in the order of the bus.
+class Reception final : public host::FrameSink
+{
+  public:
+    void OnFrame(const StampedFrame& frame) override
+    {
+        kernel->OnFrame(frame);
+    }
+    void OnConfirm(const StampedFrame& frame) override
+    {
+        kernel->OnConfirm(frame);
+    }
+    void OnOverflow() override
+    {
+        kernel->OnOverflow();
+    }
+    Kernel* kernel{nullptr};
+};
+
+/// The other node: sends pairs as a sensor would, and counts the pairs of the device.
+class Sender final : public host::BusListener
+{
+  public:
+    void OnReceived(const CanFrame& frame, host::BusTime /*at*/) override
+    {
+        reports += (frame.identifier == 0x104U) ? 1U : 0U;
+    }
+    void OnConfirmed(const CanFrame& /*frame*/, host::BusTime /*at*/) override
+    {
+    }
+    void Send(host::VirtualBus& bus, const host::NodeIndex node, const std::uint8_t command)
+    {
+        CanFrame frame{0x101U, FrameKind::kData, CanPortId::kFirst, 1U, {command}};
+        static_cast<void>(bus.Submit(node, frame));
+        frame.identifier = 0x102U;
+        frame.data[0] = static_cast<std::uint8_t>(~command);
+        static_cast<void>(bus.Submit(node, frame));
+    }
+    unsigned reports{0U};
+};
+
+const char* NameOf(const SrdoState state)
+{
+    switch (state)
+    {
+    case SrdoState::kWaiting:
+        return "waiting";
+    case SrdoState::kFaulted:
+        return "faulted";
+    case SrdoState::kReleased:
+        return "released";
+    default:
+        return "off";
+    }
+}
+
+/// The hardware on the bench, and the device on it.
+struct Bench
+{
+    host::VirtualBus bus{host::BitRate::k500k};
+    host::HostClocks clocks{bus, InstantPair{{1000U}, {70000U}}};
+    host::HostWatchdog watchdog{bus};
+    host::HostOutput output{bus, watchdog, hal::GateLimit{1500U}};
+    Reception reception{};
+    host::HostCanPorts can{clocks, reception};
+    Sender sender{};
+    host::NodeIndex sender_node{bus.Attach(sender, host::NodeSetup{CanPortId::kFirst, 8U})};
+
+    channel_a::StorageFor<2U> storage_a{}; // Two SRDOs.
+    channel_b::StorageFor<2U> storage_b{};
+    channel_a::Channel a{storage_a.Handle()};
+    channel_b::Channel b{storage_b.Handle()};
+    first_device::Device device{};
+    Kernel kernel{KernelParts{a, b, can, output, watchdog, device}};
+};
+
+bool PowerOn(Bench& bench)
+{
+    bench.reception.kernel = &bench.kernel;
+    static_cast<void>(bench.can.ConnectPort(CanPortId::kFirst, bench.bus, 8U));
+    if (bench.kernel.Start(bench.device.Describe(), FlowCallback::kOff) != StartResult::kStarted)
+    {
+        std::puts("start refused");
+        return false;
+    }
+    const AbortCode abort = first_device::Device::Configure(bench.kernel);
+    if (abort != AbortCode::kNone)
+    {
+        std::printf("configuration refused, abort code %08X\n", static_cast<unsigned>(abort));
+        return false;
+    }
+    bench.watchdog.Start(hal::WatchdogWindow{500U, 1600U});
+    bench.kernel.SetNmtState(NmtState::kPreOperational);
+    return true;
+}
+
+/// What happens around the device until the millisecond `ms`, then its cycle.
+void Run(Bench& bench, const unsigned ms)
+{
+    if (((ms % 25U) == 0U) && ((ms < 300U) || (ms > 400U))) // No commands from 300 to 400 ms.
+    {
+        bench.sender.Send(bench.bus, bench.sender_node, 1U);
+    }
+    if (ms == 10U)
+    {
+        bench.kernel.SetNmtState(NmtState::kOperational);
+    }
+    bench.bus.Advance(ms * host::kMillisecond); // Frames and confirmations go to the kernel from in here.
+    const bool is_pressed = ((ms >= 100U) && (ms < 150U)) || (ms >= 450U);
+    const SrdoMask acknowledge = is_pressed ? 1U : 0U; // Bit 0: slot 0, which is SRDO 1.
+    bench.kernel.Cycle(CycleCall{bench.clocks.Now(), acknowledge, acknowledge});
+}
+
+} // namespace
+
+int main()
+{
+    Bench bench{};
+    if (!PowerOn(bench))
+    {
+        return 1;
+    }
+    bool was_on = false;
+    SrdoState was_state = SrdoState::kOff;
+    for (unsigned ms = 1U; ms <= 500U; ++ms)
+    {
+        Run(bench, ms);
+        // The output: the gate must be open, and the command must be to move.
+        const bool is_on = ((bench.output.Open() & 1U) != 0U) && (bench.device.Command() == 1U);
+        const SrdoState state = bench.kernel.GetState(CommunicationIndex{0x1301U}).state;
+        const SrdoCause error = bench.device.TakeError();
+        if ((is_on != was_on) || (state != was_state) || (error != SrdoCause::kNone))
+        {
+            std::printf("%3u ms: SRDO 1 %s, output %s", ms, NameOf(state), is_on ? "on" : "off");
+            if (error != SrdoCause::kNone)
+            {
+                std::printf(", cause %u", static_cast<unsigned>(error));
+            }
+            std::puts("");
+        }
+        was_on = is_on;
+        was_state = state;
+    }
+    const bool is_running = bench.kernel.DeviceState().fault == DeviceFault::kNone;
+    std::printf("device %s, pairs received by the other node: %u\n", is_running ? "running" : "in its safe state",
+                bench.sender.reports);
+    return is_running ? 0 : 1;
+}

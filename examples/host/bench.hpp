@@ -1,0 +1,117 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef EXAMPLES_HOST_BENCH_HPP
+#define EXAMPLES_HOST_BENCH_HPP
+
+#include "hal/host/host_can_ports.hpp"
+#include "hal/host/host_clocks.hpp"
+#include "hal/host/host_output.hpp"
+#include "hal/host/host_watchdog.hpp"
+#include "hal/host/virtual_bus.hpp"
+#include "safety_core/crosslink/peer.hpp"
+#include "safety_core/kernel/kernel.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace counterpoint::examples
+{
+
+/// The hardware of one device on a simulated bus. Two-CPU devices have two.
+class Board final : public host::FrameSink
+{
+  public:
+    Board(host::VirtualBus& bus, const InstantPair& start)
+        : clocks{bus, start}, watchdog{bus}, output{bus, watchdog, hal::GateLimit{1500U}}, can{clocks, *this}
+    {
+        static_cast<void>(can.ConnectPort(CanPortId::kFirst, bus, 8U));
+    }
+    /// The other CPU's half of a pair of this device is a confirmation.
+    void OnFrame(const StampedFrame& frame) override
+    {
+        if ((peer != nullptr) && peer->IsEcho(frame.frame))
+        {
+            kernel->OnConfirm(frame);
+        }
+        else
+        {
+            kernel->OnFrame(frame);
+        }
+    }
+    void OnConfirm(const StampedFrame& frame) override
+    {
+        kernel->OnConfirm(frame);
+    }
+    void OnOverflow() override
+    {
+        kernel->OnOverflow();
+    }
+    /// @brief Starts the watchdog and lets the device wait for the start command.
+    void PowerOn()
+    {
+        watchdog.Start(hal::WatchdogWindow{500U, 1600U});
+        kernel->SetNmtState(NmtState::kPreOperational);
+    }
+
+    host::HostClocks clocks;
+    host::HostWatchdog watchdog;
+    host::HostOutput output;
+    host::HostCanPorts can;
+    Kernel* kernel{nullptr};
+    const Peer* peer{nullptr}; ///< With two CPUs.
+};
+
+/// Data of two mapped bytes.
+struct TwoBytes
+{
+    std::uint8_t first;
+    std::uint8_t second;
+};
+
+/// Everything else on the bus: sends pairs with its first identifier, keeps the last complete pair with its second one.
+class OtherNode final : public host::BusListener
+{
+  public:
+    OtherNode(host::VirtualBus& bus, std::uint32_t sends, std::uint32_t hears)
+        : bus_{bus}, sends_{sends}, hears_{hears}, node_{bus.Attach(*this, host::NodeSetup{CanPortId::kFirst, 8U})}
+    {
+    }
+    void OnReceived(const CanFrame& frame, host::BusTime at) override;
+    void OnConfirmed(const CanFrame& /*frame*/, host::BusTime /*at*/) override
+    {
+    }
+    void Send(const TwoBytes& data);
+
+    TwoBytes heard{0U, 0U};
+    unsigned pairs{0U};
+    unsigned wrong{0U}; ///< Inverse frames that do not fit the frame before.
+
+  private:
+    host::VirtualBus& bus_;
+    std::uint32_t sends_;
+    std::uint32_t hears_;
+    host::NodeIndex node_;
+    CanFrame normal_{};
+};
+
+/// Prints a line of the time line only where it differs from the one before.
+class TimeLine
+{
+  public:
+    void Note(unsigned ms, const std::string& line);
+    [[nodiscard]] const std::string& Text() const
+    {
+        return text_;
+    }
+
+  private:
+    std::string last_{};
+    std::string text_{};
+};
+
+[[nodiscard]] const char* NameOf(SrdoState state);
+/// @brief "running", or the number of the DeviceFault.
+[[nodiscard]] std::string NameOf(const DeviceFaultReport& report);
+
+} // namespace counterpoint::examples
+
+#endif

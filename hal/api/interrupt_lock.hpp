@@ -1,0 +1,28 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef HAL_API_INTERRUPT_LOCK_HPP
+#define HAL_API_INTERRUPT_LOCK_HPP
+
+namespace counterpoint::hal
+{
+
+/// Keeps everything else of this processor away from memory for a bounded time. Calls are not nested. [SRS-STS-012]
+class InterruptLock
+{
+  public:
+    virtual void Lock() noexcept = 0;
+    /// @brief Back to what it was before Lock.
+    virtual void Unlock() noexcept = 0;
+
+    InterruptLock(const InterruptLock&) = delete;
+    InterruptLock(InterruptLock&&) = delete;
+    InterruptLock& operator=(const InterruptLock&) = delete;
+    InterruptLock& operator=(InterruptLock&&) = delete;
+
+  protected:
+    InterruptLock() noexcept = default;
+    ~InterruptLock() noexcept = default;
+};
+
+} // namespace counterpoint::hal
+
+#endif

@@ -1,0 +1,31 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SAFETY_CORE_CROSSLINK_FLOW_TAP_HPP
+#define SAFETY_CORE_CROSSLINK_FLOW_TAP_HPP
+
+#include "hal/api/watchdog.hpp"
+
+#include <cstdint>
+
+namespace counterpoint
+{
+
+/// Takes the flow signature of the last cycle back from the answer that the kernel gave its watchdog. [SRS-LNK-010]
+class FlowTap final : public hal::Watchdog
+{
+  public:
+    explicit FlowTap(hal::Watchdog& watchdog) noexcept;
+
+    [[nodiscard]] hal::WatchdogQuestion Question() noexcept override;
+    void Answer(const hal::WatchdogAnswer& answer) noexcept override;
+    /// @brief kFlowReference after an undisturbed cycle, for one call: a cycle that does not come leaves 0.
+    [[nodiscard]] std::uint32_t TakeSignature() noexcept;
+
+  private:
+    hal::Watchdog& watchdog_;
+    hal::WatchdogQuestion asked_{0U};
+    std::uint32_t signature_{0U};
+};
+
+} // namespace counterpoint
+
+#endif

@@ -1,0 +1,124 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SAFETY_CORE_CROSSLINK_LINK_SUPERVISOR_HPP
+#define SAFETY_CORE_CROSSLINK_LINK_SUPERVISOR_HPP
+
+#include "safety_core/crosslink/link_message.hpp"
+
+#include <cstdint>
+
+namespace counterpoint
+{
+
+/// Zero-filled memory is a lost link.
+enum class LinkState : std::uint8_t
+{
+    kLost = 0U,
+    kWaiting = 0x35U, ///< No contact yet: nothing is released, nothing is a fault.
+    kAlive = 0xC6U,
+};
+
+/// Messages since Restart, modular.
+struct LinkCounts
+{
+    std::uint32_t taken;
+    std::uint32_t lost;
+    std::uint32_t repeated;
+    std::uint32_t old;
+    std::uint32_t late;
+    std::uint32_t corrupt;
+};
+
+/// A time between two instants of the own clock, ends included.
+struct Window
+{
+    Instant first;
+    Instant last;
+};
+
+/// @brief Whether `instant` lies in the window. [SRS-TWO-002]
+[[nodiscard]] inline bool Holds(const Window& window, const Instant instant) noexcept
+{
+    return (instant.us - window.first.us) <= (window.last.us - window.first.us);
+}
+/// @brief Whether `left` is not after `right`; instants are modular.
+[[nodiscard]] inline bool IsNotAfter(const Instant left, const Instant right) noexcept
+{
+    return ((right.us - left.us) >> 31U) == 0U;
+}
+
+enum class TakeResult : std::uint8_t
+{
+    kDiscarded = 0U, ///< Repeated, old, or not fresh: tells nothing.
+    kTaken = 0x69U,
+};
+
+/// Judges intact messages: sequence, freshness by echo, clock, time-out. [SRS-LNK-003..007]
+class LinkSupervisor
+{
+  public:
+    void Restart(const LinkConfig& config) noexcept;
+    /// @brief A message that is intact, received at `received`. O(1)
+    [[nodiscard]] TakeResult Take(const LinkMessage& message, Instant received) noexcept;
+    /// @brief One that is not.
+    void CountCorrupt() noexcept;
+    /// @brief Once a cycle.
+    void Examine(Instant now) noexcept;
+    /// @brief From now on lost, with this reason if it is the first.
+    void Lose(LinkFinding finding) noexcept;
+    /// @brief What the next message gives as its echo.
+    [[nodiscard]] LinkEcho Echo(Instant now) const noexcept;
+    /// @brief When the message taken last was composed, by the own clock.
+    [[nodiscard]] const Window& Composed() const noexcept
+    {
+        return composed_;
+    }
+    /// @brief Own sequence number that the message taken last echoes.
+    [[nodiscard]] std::uint32_t Acknowledged() const noexcept
+    {
+        return acknowledged_;
+    }
+    [[nodiscard]] LinkState State() const noexcept
+    {
+        return state_;
+    }
+    [[nodiscard]] bool IsAlive() const noexcept
+    {
+        return state_ == LinkState::kAlive;
+    }
+    /// @brief 0 while alive, something else otherwise.
+    [[nodiscard]] std::uint32_t Spoiler() const noexcept
+    {
+        return static_cast<std::uint32_t>(state_) ^ static_cast<std::uint32_t>(LinkState::kAlive);
+    }
+    [[nodiscard]] LinkFinding Finding() const noexcept
+    {
+        return finding_;
+    }
+    [[nodiscard]] const LinkCounts& Counts() const noexcept
+    {
+        return counts_;
+    }
+
+  private:
+    [[nodiscard]] bool IsNext(const LinkMessage& message) noexcept;
+    [[nodiscard]] bool IsFresh(const LinkMessage& message, Instant received) const noexcept;
+    void CompareClocks(const LinkMessage& message, Instant received) noexcept;
+
+    LinkConfig config_{};
+    LinkCounts counts_{};
+    Window composed_{{0U}, {0U}};
+    Instant echoed_{0U};      ///< Own stamp that the message taken last echoes.
+    Instant heard_stamp_{0U}; ///< Stamp of the newest message heard, by the peer's clock, and when that was.
+    Instant heard_at_{0U};
+    std::uint32_t heard_sequence_{0U};
+    std::uint32_t acknowledged_{0U};
+    Instant reference_own_{0U}; ///< Where the comparison of the clocks began.
+    Instant reference_peer_{0U};
+    std::uint8_t heard_{0U};
+    LinkState state_{LinkState::kLost};
+    LinkFinding finding_{LinkFinding::kInvalid};
+};
+
+} // namespace counterpoint
+
+#endif

@@ -1,0 +1,108 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SAFETY_CORE_CROSSLINK_REMOTE_VOICE_HPP
+#define SAFETY_CORE_CROSSLINK_REMOTE_VOICE_HPP
+
+#include "safety_core/contract/channel.hpp"
+#include "safety_core/crosslink/link_message.hpp"
+#include "safety_core/crosslink/link_supervisor.hpp"
+#include "safety_core/crosslink/own_voice.hpp"
+
+#include <cstdint>
+
+namespace counterpoint
+{
+
+/// Since when two things differ.
+struct Difference
+{
+    Instant since;
+    std::uint32_t is_open; ///< 0: they do not.
+};
+
+/// The channel that runs on the other CPU, as far as its messages tell: takes the absent channel's place in the kernel.
+/// It says nothing of its own: out of contact it shows what the own channel holds and releases nothing; what it shows
+/// in contact was told, under names that the kernel understands. [SRS-TWO-003..013]
+class RemoteVoice final : public Channel
+{
+  public:
+    RemoteVoice(OwnVoice& own, const LinkConfig& config) noexcept;
+
+    void Restart(const DeviceConfig& config) noexcept override;
+    void Store(const ConfigItem& item) noexcept override;
+    [[nodiscard]] ConfigItem Load(const ConfigAddress& address) const noexcept override;
+    [[nodiscard]] ChannelRoom Room() const noexcept override;
+    void SetFields(SlotIndex slot, const StaticFields& fields) noexcept override;
+    [[nodiscard]] DeviceDigest Digest(SlotIndex slot, DeviceDigest before) const noexcept override;
+    [[nodiscard]] CheckResult Validate(SlotIndex slot) noexcept override;
+    [[nodiscard]] CheckResult Recheck(SlotIndex slot) noexcept override;
+    void OnFrame(const CanFrame& frame, Instant stamp) noexcept override;
+    [[nodiscard]] CycleOutcome OnCycle(const CycleInput& input) noexcept override;
+    [[nodiscard]] HeldPair Held(SlotIndex slot) const noexcept override;
+    [[nodiscard]] SrdoView View(SlotIndex slot) const noexcept override;
+    void Demote(SlotIndex slot) noexcept override;
+    void Commit(const Agreement& agreement) noexcept override;
+    [[nodiscard]] Permit Answer(std::uint32_t challenge) const noexcept override;
+    [[nodiscard]] PreparedPair Prepare(SlotIndex slot) noexcept override;
+    [[nodiscard]] Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept override;
+    [[nodiscard]] CanFrame InverseFrame(SlotIndex slot) noexcept override;
+    void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept override;
+
+    /// @brief An intact message of the peer, received at `received`.
+    void OnMessage(const LinkMessage& message, Instant received) noexcept;
+    /// @brief What the message tells of the armed frame given up last.
+    [[nodiscard]] const Refusal& Refused() const noexcept
+    {
+        return refusal_;
+    }
+    [[nodiscard]] LinkSupervisor& Link() noexcept
+    {
+        return link_;
+    }
+    [[nodiscard]] const LinkSupervisor& Link() const noexcept
+    {
+        return link_;
+    }
+
+  private:
+    /// Last report about one slot, its moment by the own clock.
+    struct Told
+    {
+        Window moment;
+        SlotReport report;
+    };
+
+    [[nodiscard]] Window WindowOf(std::uint32_t age_us) const noexcept;
+    void Keep(const SlotReport& report) noexcept;
+    [[nodiscard]] bool IsOperational() const noexcept;
+    [[nodiscard]] bool IsExcused(const Told& told, const HeldPair& own, SlotIndex slot) const noexcept;
+    [[nodiscard]] SrdoMask Due() const noexcept;
+    void CompareStatements(Instant now) noexcept;
+    void Follow(Difference& difference, std::uint32_t differs) const noexcept;
+
+    OwnVoice& own_;
+    LinkConfig config_;
+    LinkSupervisor link_{};
+    Statement statement_{};
+    DeviceDigest digest_{0U};
+    SrdoMask released_{0U};    ///< By the message taken last.
+    SrdoMask holding_{0U};     ///< Slots for which the last report holds a pair.
+    SrdoMask told_faults_{0U}; ///< By the message taken last.
+    SrdoMask new_faults_{0U};  ///< Not yet shown to the kernel.
+    SrdoMask fresh_{0U};
+    SrdoMask shown_{0U}; ///< Released in the last outcome.
+    SrdoMask committed_{0U};
+    SrdoMask checked_{0U}; ///< Slots with a check of the peer.
+    Difference statements_{{0U}, 0U};
+    Difference digests_{{0U}, 0U};
+    Instant previous_{0U}; ///< `now` of the OnCycle before.
+    std::uint32_t cycle_{0U};
+    Refusal refusal_{0U, SrdoCause::kNone};
+    std::uint8_t used_[kArmedCount]{};    // MISRA D-001
+    ArmedFrame armed_[kArmedCount]{};     // MISRA D-001
+    CheckResult checks_[kMaxSrdoCount]{}; // MISRA D-001
+    Told told_[kMaxSrdoCount]{};          // MISRA D-001
+};
+
+} // namespace counterpoint
+
+#endif

@@ -1,0 +1,158 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "safety_core/kernel/configuration_guard.hpp"
+
+// Checks of the configuration: all at once, and bit by bit in the cycles. [SRS-CFG-048, SRS-CFG-050, SRS-KRN-015]
+namespace counterpoint
+{
+namespace
+{
+
+constexpr std::uint32_t kTokenRotation = 8U;
+constexpr std::uint32_t kWordBits = 32U;
+constexpr std::uint32_t kEveryByte = 0x01010101U;
+
+struct RuleResult
+{
+    ConfigFault rule;
+    Result result;
+};
+
+// Return codes of the reference for the rules of a configuration; a rule not listed is kInvalidConfiguration.
+constexpr RuleResult kRuleResults[] = {
+    // MISRA D-001
+    {ConfigFault::kNone, Result::kSuccessful},          {ConfigFault::kIdentifier, Result::kIdError},
+    {ConfigFault::kIdentifierInUse, Result::kIdInUse},  {ConfigFault::kTiming, Result::kTimingError},
+    {ConfigFault::kMapping, Result::kMappingError},     {ConfigFault::kLengthExceeded, Result::kLengthExceeded},
+    {ConfigFault::kSignature, Result::kSignatureError}, {ConfigFault::kTable, Result::kMappingError},
+    {ConfigFault::kInvalid, Result::kDeviceFault},
+};
+
+} // namespace
+
+Result ToResult(const ConfigFault rule) noexcept
+{
+    Result result = Result::kInvalidConfiguration;
+    for (const RuleResult& entry : kRuleResults)
+    {
+        if (entry.rule == rule)
+        {
+            result = entry.result;
+        }
+    }
+    return result;
+}
+
+ConfigurationFinding ConfigurationGuard::Check(const SlotIndex slot, const CheckDepth depth) noexcept
+{
+    const bool is_deep = depth == CheckDepth::kValidate;
+    const CheckResult a = is_deep ? a_.Validate(slot) : a_.Recheck(slot);
+    const CheckResult b = is_deep ? b_.Validate(slot) : b_.Recheck(slot);
+    const std::uint32_t rules = static_cast<std::uint32_t>(a.fault) ^ static_cast<std::uint32_t>(b.fault);
+    const std::uint32_t signatures = static_cast<std::uint32_t>(a.signature) ^ static_cast<std::uint32_t>(b.signature);
+    ConfigurationFinding finding{a.fault, slot, a.signature};
+    if ((rules | signatures) != 0U)
+    {
+        latch_.Enter(DeviceFault::kDisagreement, slot);
+        finding.rule = ConfigFault::kInvalid;
+    }
+    return finding;
+}
+
+ConfigurationFinding ConfigurationGuard::CheckAll(const CheckDepth depth) noexcept
+{
+    for (SlotIndex slot = 0U; slot < config_->srdo_count; ++slot)
+    {
+        const ConfigurationFinding finding = Check(slot, depth);
+        if (finding.rule != ConfigFault::kNone)
+        {
+            return finding;
+        }
+    }
+    return ConfigurationFinding{ConfigFault::kNone, kNoSlot, 0U};
+}
+
+// One more slot by both channels: a difference between them shows at the slot where it is. [SRS-CFG-050]
+bool ConfigurationGuard::StepDigest(const SlotIndex slot) noexcept
+{
+    const DeviceDigest before{(slot == 0U) ? 0U : digest_.value};
+    digest_ = a_.Digest(slot, before);
+    const bool is_equal = digest_.value == b_.Digest(slot, before).value;
+    if (!is_equal)
+    {
+        latch_.Enter(DeviceFault::kDisagreement, slot);
+    }
+    return is_equal;
+}
+
+// The digest of the device as it is becomes the reference of the cyclic one, whose walk this disturbs.
+Result ConfigurationGuard::TakeDigest() noexcept
+{
+    bool is_equal = true;
+    for (SlotIndex slot = 0U; slot < config_->srdo_count; ++slot)
+    {
+        is_equal = StepDigest(slot) && is_equal;
+    }
+    reference_ = digest_;
+    is_digest_whole_ = false;
+    if (!is_equal)
+    {
+        return Result::kDeviceFault;
+    }
+    const bool is_expected = (config_->digest == 0U) || (config_->digest == reference_.value);
+    return is_expected ? Result::kSuccessful : Result::kInvalidConfiguration;
+}
+
+std::uint32_t ConfigurationGuard::Cycle(const std::uint32_t challenge) noexcept
+{
+    --cycles_to_check_;
+    if (cycles_to_check_ == 0U)
+    {
+        cycles_to_check_ = cycles_per_check_;
+        Examine();
+    }
+    const std::uint32_t rotated = (challenge << kTokenRotation) | (challenge >> (kWordBits - kTokenRotation));
+    return rotated ^ (static_cast<std::uint32_t>(valid_) * kEveryByte);
+}
+
+// Only what was declared can be otherwise than declared.
+bool ConfigurationGuard::IsSlotSound(const SlotIndex slot) noexcept
+{
+    return (!IsValid()) || (Check(slot, CheckDepth::kRecheck).rule == ConfigFault::kNone);
+}
+
+bool ConfigurationGuard::IsDigestSound() const noexcept
+{
+    const bool is_compared = is_digest_whole_ && IsValid();
+    return (!is_compared) || (digest_.value == reference_.value);
+}
+
+// step    0          1         2          3         ...
+// slot    0 recheck  0 digest  1 recheck  1 digest  ...    a change in both channels shows when all slots are done
+void ConfigurationGuard::Examine() noexcept
+{
+    const std::uint32_t step = step_;
+    const std::uint32_t following = step + 1U;
+    const bool is_last = following == (2U * static_cast<std::uint32_t>(config_->srdo_count));
+    step_ = is_last ? std::uint8_t{0U} : static_cast<std::uint8_t>(following);
+    const SlotIndex slot = static_cast<SlotIndex>(step / 2U);
+    bool is_sound = true;
+    if ((step & 1U) == 0U)
+    {
+        is_digest_whole_ = is_digest_whole_ || (slot == 0U);
+        is_sound = IsSlotSound(slot);
+    }
+    else if (StepDigest(slot) && is_last)
+    {
+        is_sound = IsDigestSound();
+    }
+    else
+    {
+        // One slot of the digest more.
+    }
+    if (!is_sound)
+    {
+        latch_.Enter(DeviceFault::kConfiguration, is_last ? kNoSlot : slot);
+    }
+}
+
+} // namespace counterpoint

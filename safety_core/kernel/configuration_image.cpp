@@ -1,0 +1,209 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "safety_core/kernel/configuration_guard.hpp"
+
+// The configuration as a whole: read, loaded, and set to its power-on values. [SRS-CFG-049, SRS-CFG-051..053]
+namespace counterpoint
+{
+namespace
+{
+
+constexpr std::uint32_t kPolynomial = 0xEDB88320U; // 04C11DB7h, reflected
+constexpr std::uint32_t kStart = 0xFFFFFFFFU;
+constexpr std::uint32_t kWordBits = 32U;
+constexpr std::uint32_t kBitsPerByte = 8U;
+
+constexpr std::uint32_t kGfcIndex = 0x1300U;
+constexpr std::uint32_t kCommunicationBase = 0x1300U;
+constexpr std::uint32_t kMappingBase = 0x1380U;
+constexpr std::uint32_t kSignatureIndex = 0x13FFU;
+constexpr std::uint32_t kItemsBesideEntries = 8U; // signature, communication 1 to 6, map count
+constexpr std::uint32_t kGfcSupported = 1U;
+
+constexpr std::uint32_t kDefaultConsumerSctMs = 50U;
+// By the number of the field: SCT 25 ms, SRVT 20 ms, transmission type 254, all others 0.
+constexpr std::uint8_t kDefaults[] = {0U, 0U, 25U, 20U, kTransmissionTypeAsynchronous,
+                                      0U, 0U, 0U,  0U,  0U, // MISRA D-001
+                                      0U, 0U};
+
+constexpr std::uint8_t kLastProducerNode = 32U;
+constexpr std::uint8_t kLastDefaultNode = 64U;
+constexpr std::uint32_t kDefaultCobId1Base = 0xFFU;
+
+// One more word, low byte first.
+std::uint32_t Continue(const std::uint32_t crc, const std::uint32_t word) noexcept
+{
+    std::uint32_t rest = crc ^ word;
+    for (std::uint32_t bit = 0U; bit < kWordBits; ++bit)
+    {
+        rest = (rest >> 1U) ^ (kPolynomial & (0U - (rest & 1U)));
+    }
+    return rest;
+}
+
+// Bits that a value of this object may have.
+std::uint32_t WidthOf(const ObjectPlace& place) noexcept
+{
+    const std::uint32_t all = ~std::uint32_t{0U} >> (kWordBits - (kBitsPerByte * place.size_bytes));
+    return (place.config.field == ConfigField::kGfcParameter) ? kGfcSupported : all;
+}
+
+} // namespace
+
+Connection DefaultConnection(const NodeId node_id) noexcept
+{
+    if ((node_id.value == 0U) || (node_id.value > kLastDefaultNode))
+    {
+        return Connection{0U, 0U, kDirectionOff};
+    }
+    const std::uint32_t first = kDefaultCobId1Base + (2U * static_cast<std::uint32_t>(node_id.value));
+    const std::uint8_t direction = (node_id.value <= kLastProducerNode) ? kDirectionProducer : kDirectionConsumer;
+    return Connection{static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(first + 1U), direction};
+}
+
+std::uint32_t ConfigurationGuard::ItemCount() const noexcept
+{
+    return (config_->srdo_count * (kItemsBesideEntries + config_->map_entries)) + 1U;
+}
+
+// place in a slot   0        1 to 6       7             8 ...
+//                   13FFh    130xh sub    138xh sub 0   sub 1 ...       behind the last slot: 1300h
+ObjectAddress ConfigurationGuard::AddressOf(const std::uint32_t number) const noexcept
+{
+    const std::uint32_t items = kItemsBesideEntries + config_->map_entries;
+    const std::uint32_t slot = number / items;
+    const std::uint32_t place = number - (slot * items);
+    std::uint32_t index = kGfcIndex;
+    std::uint32_t sub = 0U;
+    if (slot < config_->srdo_count)
+    {
+        const std::uint32_t srdo = config_->srdos[slot].number; // MISRA D-002
+        const bool is_mapping = place > kCommunicationSubs;
+        index = srdo + (is_mapping ? kMappingBase : kCommunicationBase);
+        sub = is_mapping ? (place - (kCommunicationSubs + 1U)) : place;
+        if (place == 0U)
+        {
+            index = kSignatureIndex;
+            sub = srdo;
+        }
+    }
+    return ObjectAddress{static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(sub)};
+}
+
+ItemReply ConfigurationGuard::ReadItem(const std::uint32_t number) noexcept
+{
+    if (number >= ItemCount())
+    {
+        return ItemReply{Result::kNotExist, 0U};
+    }
+    const ObjectReading reading = Read(AddressOf(number));
+    const bool is_general = reading.abort == AbortCode::kGeneral;
+    return ItemReply{is_general ? Result::kDeviceFault : Result::kSuccessful, ToValue(reading.data)};
+}
+
+HeaderReply ConfigurationGuard::Header(const std::uint8_t valid) noexcept
+{
+    HeaderReply reply{Result::kSuccessful, ImageHeader{ItemCount(), kStart, valid}};
+    std::uint32_t crc = kStart;
+    for (std::uint32_t number = 0U; number < reply.header.count; ++number)
+    {
+        const ItemReply item = ReadItem(number);
+        const ObjectAddress address = AddressOf(number);
+        crc = Continue(crc, (static_cast<std::uint32_t>(address.index) << kBitsPerByte) | address.sub);
+        crc = Continue(crc, item.value);
+        if (item.result != Result::kSuccessful)
+        {
+            reply.result = item.result;
+        }
+    }
+    reply.header.crc = ~Continue(crc, valid);
+    return reply;
+}
+
+Result ConfigurationGuard::LoadItem(const std::uint32_t number, const std::uint32_t value) noexcept
+{
+    if (number >= ItemCount())
+    {
+        return Result::kNotExist;
+    }
+    const Result readiness = Changeable();
+    if (readiness != Result::kSuccessful)
+    {
+        return readiness;
+    }
+    const ObjectPlace place = Locate(*config_, AddressOf(number));
+    if (place.kind != ObjectKind::kConfiguration)
+    {
+        return Result::kSuccessful; // The CRC tells whether the program has the same.
+    }
+    if ((value & ~WidthOf(place)) != 0U)
+    {
+        return Result::kDamagedImage;
+    }
+    Invalidate();
+    StoreBoth(ConfigItem{place.config, value});
+    return Result::kSuccessful;
+}
+
+Result ConfigurationGuard::Load(const ImageHeader& header) noexcept
+{
+    Result result = Changeable();
+    if (result != Result::kSuccessful)
+    {
+        return result;
+    }
+    Invalidate();
+    const HeaderReply held = Header(header.valid);
+    result = held.result;
+    if (header.crc != held.header.crc)
+    {
+        result = Result::kDamagedImage;
+    }
+    if (header.count != held.header.count)
+    {
+        result = Result::kForeignImage;
+    }
+    if ((result == Result::kSuccessful) && (header.valid == kConfigurationValidValue))
+    {
+        result = Declare();
+    }
+    if (result != Result::kSuccessful)
+    {
+        (void)RestoreDefaults();
+    }
+    return result;
+}
+
+std::uint32_t ConfigurationGuard::DefaultOf(const ConfigAddress& address) const noexcept
+{
+    const bool is_first = config_->srdos[address.slot].number == 1U; // MISRA D-002
+    const NodeId node{is_first ? config_->node_id : std::uint8_t{0U}};
+    const Connection own = DefaultConnection(node);
+    if (address.field == ConfigField::kCobId1)
+    {
+        return own.cob_id_1;
+    }
+    if (address.field == ConfigField::kCobId2)
+    {
+        return own.cob_id_2;
+    }
+    if ((address.field == ConfigField::kSct) && (own.direction == kDirectionConsumer))
+    {
+        return kDefaultConsumerSctMs;
+    }
+    return kDefaults[static_cast<std::uint8_t>(address.field)]; // MISRA D-002
+}
+
+Result ConfigurationGuard::RestoreDefaults() noexcept
+{
+    const Result readiness = Changeable();
+    if (readiness == Result::kSuccessful)
+    {
+        for (std::uint32_t number = 0U; number < ItemCount(); ++number)
+        {
+            (void)LoadItem(number, DefaultOf(Locate(*config_, AddressOf(number)).config));
+        }
+    }
+    return readiness;
+}
+
+} // namespace counterpoint

@@ -1,0 +1,105 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "safety_core/kernel/kernel.hpp"
+
+#include "safety_core/comparator/slot_mask.hpp"
+
+// What the application is told. [SRS-KRN-006, SRS-KRN-021, SRS-KRN-022, SRS-FLOW-004]
+namespace counterpoint
+{
+namespace
+{
+
+constexpr std::uint32_t kLastCause = static_cast<std::uint32_t>(SrdoCause::kWaitingPastSct);
+
+} // namespace
+
+void Kernel::ReportErrors(const SrdoMask signalled) noexcept
+{
+    run_.errors = 0U;
+    SlotSet to_report{signalled};
+    while (to_report.mask != 0U)
+    {
+        ReportSlot(TakeLowest(to_report));
+    }
+    const bool is_active = (guard_.Nmt() == NmtState::kOperational) && guard_.IsValid();
+    if (run_.gfc_seen && is_active && (guard_.Value(0U, ConfigField::kGfcParameter) == 1U))
+    {
+        parts_.application.OnGfc();
+    }
+    run_.gfc_seen = false;
+}
+
+void Kernel::ReportSlot(const SlotIndex slot) noexcept
+{
+    const std::uint32_t signals = parts_.channel_a.View(slot).signals | parts_.channel_b.View(slot).signals;
+    for (std::uint32_t cause = 1U; cause <= kLastCause; ++cause)
+    {
+        if (((signals >> cause) & 1U) != 0U)
+        {
+            ++run_.errors;
+            run_.status.OnError(slot);
+            parts_.application.OnSrdoError(IndexOf(slot), static_cast<SrdoCause>(cause));
+        }
+    }
+}
+
+void Kernel::ReportEvent(const SlotIndex slot) noexcept
+{
+    run_.status.OnEvent(slot);
+    parts_.application.OnSrdoEvent(IndexOf(slot));
+}
+
+void Kernel::ReportReceived(const SrdoMask received) noexcept
+{
+    run_.received = 0U;
+    SlotSet to_report{received};
+    while (to_report.mask != 0U)
+    {
+        ++run_.received;
+        ReportEvent(TakeLowest(to_report));
+    }
+}
+
+void Kernel::ReportFlow(const CycleOutcome& outcome) noexcept
+{
+    if (run_.flow_callback != FlowCallback::kOn)
+    {
+        return;
+    }
+    Deliver(FlowEvent::kSctChecked, outcome.sct_checked);
+    Deliver(FlowEvent::kItIsTx, outcome.is_tx);
+    Deliver(FlowEvent::kItIsInvalid, outcome.is_invalid);
+    Deliver(FlowEvent::kNotOperational, outcome.not_operational);
+    Deliver(FlowEvent::kSrdoError, run_.errors);
+    Deliver(FlowEvent::kSrdoReceived, run_.received);
+    Deliver(FlowEvent::kSrdoTransmitted, run_.transmitted_told);
+}
+
+void Kernel::Deliver(const FlowEvent event, const std::uint8_t count) noexcept
+{
+    if (count != 0U)
+    {
+        parts_.application.OnFlow(FlowCount{event, count});
+    }
+}
+
+// What is overdue is looked for with either option; only what follows from it is an option. [SRS-KRN-022]
+void Kernel::ExamineHandshake() noexcept
+{
+    SlotSet overdue{run_.status.TakeOverdue()};
+    if ((run_.handshake == StatusHandshake::kRequired) && (overdue.mask != 0U))
+    {
+        latch_.Enter(DeviceFault::kHandshake, TakeLowest(overdue));
+    }
+}
+
+void Kernel::ReportDevice() noexcept
+{
+    if ((!run_.fault_told) && (!latch_.IsRunning()))
+    {
+        run_.fault_told = true;
+        parts_.application.OnDeviceFault(latch_.Report());
+    }
+}
+
+} // namespace counterpoint

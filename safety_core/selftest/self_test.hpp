@@ -1,0 +1,124 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SAFETY_CORE_SELFTEST_SELF_TEST_HPP
+#define SAFETY_CORE_SELFTEST_SELF_TEST_HPP
+
+#include "safety_core/kernel/self_test_part.hpp"
+#include "safety_core/selftest/memory_signature.hpp"
+#include "safety_core/selftest/parts_check.hpp"
+#include "safety_core/selftest/permit_test.hpp"
+#include "safety_core/selftest/ram_test.hpp"
+#include "safety_core/selftest/stack_guard.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::selftest
+{
+
+enum class TestId : std::uint8_t
+{
+    kInvalid = 0U, ///< Never started.
+    kParts = 1U,
+    kStack = 2U,
+    kProgram = 3U,   ///< Signature with a given value.
+    kConstants = 4U, ///< Signature over what is constant after the start.
+    kRam = 5U,
+    kPermits = 6U,
+    kSchedule = 7U, ///< A round of all slices did not end when it had to.
+    kNone = 0x5AU,
+};
+constexpr std::uint8_t kTestCount = 6U;
+
+enum class TestState : std::uint8_t
+{
+    kInvalid = 0U, ///< Not done.
+    kPassed = 0x69U,
+    kFailed = 1U,
+    kUnusable = 2U, ///< Its setup cannot be used.
+};
+
+enum class StartAnswer : std::uint8_t
+{
+    kInvalid = 0U,
+    kPassed = 0x69U,
+    kUnusable = 1U, ///< The setup of `first_failed` cannot be used.
+    kInterval = 2U, ///< The slices do not fit into the diagnostic interval.
+    kFailed = 3U,   ///< `first_failed` found a defect.
+};
+
+struct StartReport
+{
+    StartAnswer answer;
+    TestId first_failed;
+    TestState states[kTestCount]; ///< By TestId less 1. // MISRA D-001
+    std::uint32_t cycles;         ///< What a round and the longest pass of a signature take: the interval needed.
+};
+
+struct SelfTestSetup
+{
+    PartsSetup parts;
+    StackSetup stack;
+    SignatureSetup program;
+    SignatureSetup constants;
+    RamSetup ram;
+    std::uint32_t interval_cycles; ///< Diagnostic interval.
+};
+
+/// What the self tests work with; all outlive them.
+struct SelfTestPorts
+{
+    hal::MemoryAccess& memory;
+    hal::InterruptLock& lock;
+    const hal::SafetyOutput& output;
+};
+
+/// All self tests of a device: once at the start, then for ever in slices, one a cycle. Zero-filled, it reports a
+/// fault. Nothing but Start leads out of a failure. [SRS-STS-060..062]
+class SelfTest final : public SelfTestPart
+{
+  public:
+    explicit SelfTest(const SelfTestPorts& ports) noexcept;
+
+    /// @brief Every test once, completely; before Kernel::Start. O(all memory)
+    [[nodiscard]] StartReport Start(const SelfTestSetup& setup) noexcept;
+    /// @brief Parts, stack guard and one slice. O(slice)
+    [[nodiscard]] SelfTestOutcome OnCycle() noexcept override;
+
+    /// @brief kNone while all is well.
+    [[nodiscard]] TestId FirstFailed() const noexcept
+    {
+        return first_failed_;
+    }
+    [[nodiscard]] const RamTest& Ram() const noexcept
+    {
+        return ram_;
+    }
+    [[nodiscard]] std::uint32_t StackHighWaterBytes() const noexcept
+    {
+        return stack_.HighWaterBytes(ports_.memory);
+    }
+
+  private:
+    void Restart(const SelfTestSetup& setup) noexcept;
+    [[nodiscard]] StartReport CheckSetup(const SelfTestSetup& setup) noexcept;
+    [[nodiscard]] TestState RunOnce(TestId test, std::uint32_t slices) noexcept;
+    [[nodiscard]] SliceResult Slice(TestId test) noexcept;
+    void Note(TestId test, SliceResult result) noexcept;
+    void DoSlice() noexcept;
+    [[nodiscard]] std::uint32_t Progress() const noexcept;
+
+    SelfTestPorts ports_;
+    PartsCheck parts_{};
+    StackGuard stack_{};
+    MemorySignature program_{};
+    MemorySignature constants_{};
+    RamTest ram_{};
+    PermitTest permits_{};
+    std::uint32_t round_slices_{0U};
+    std::uint32_t round_done_{0U};
+    TestId current_{TestId::kInvalid};
+    TestId first_failed_{TestId::kInvalid};
+};
+
+} // namespace counterpoint::selftest
+
+#endif

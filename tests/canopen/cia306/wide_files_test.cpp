@@ -1,0 +1,288 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// Signatures and digests in this file and in the files it reads were computed by Python: binascii.crc_hqx(bytes, 0) is
+// the CRC-16 of 13FFh, zlib.crc32(bytes) the CRC-32 of 5F04h.
+#include "canopen/cia306/digest.hpp"
+#include "tests/canopen/cia306/check_text.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace counterpoint::cia306
+{
+namespace
+{
+using Lines = std::vector<std::string>;
+
+std::string FileText(const std::string& name)
+{
+    return ReadTextFile(test::SourceFolder() + "/tests/canopen/cia306/data/" + name + ".dcf");
+}
+
+SafetyConfiguration SafetyOf(const Device& device)
+{
+    return ExtractSafety(device, device.node_id);
+}
+
+std::vector<std::uint16_t> SignaturesOf(const std::string& name)
+{
+    const Device device = test::DeviceOf(FileText(name));
+    std::vector<std::uint16_t> signatures;
+    for (const SrdoConfiguration& srdo : SafetyOf(device).srdos)
+    {
+        EXPECT_TRUE(srdo.signature_problems.empty());
+        signatures.push_back(SignatureOf(srdo));
+    }
+    return signatures;
+}
+
+DigestRecord DigestOfText(const std::string& text)
+{
+    const Device device = test::DeviceOf(text);
+    return ExtractDigest(device, SafetyOf(device), device.node_id);
+}
+
+TEST(WideFiles, EachIsSoundAsItStands)
+{
+    Verifies(req::SRS_CLI_012);
+    Verifies(req::SRS_CLI_013);
+    Verifies(req::SRS_EDS_028);
+    // Given files with 128 entries of one bit, static mappings, dummies of every length, every device parameter
+    for (const char* name : {"bits", "static", "dummies", "digest"})
+    {
+        // Then the check without options finds nothing in them
+        EXPECT_EQ(test::FindingsOf(FileText(name), {}), Lines{}) << name;
+    }
+}
+
+TEST(WideFiles, SignaturesAreThoseOfAnIndependentComputation)
+{
+    Verifies(req::SRS_EDS_021);
+    Verifies(req::SRS_EDS_022);
+    EXPECT_EQ(SignaturesOf("bits"), (std::vector<std::uint16_t>{0xCB64U, 0xE463U}));
+    EXPECT_EQ(SignaturesOf("static"), (std::vector<std::uint16_t>{0x37B3U, 0x4B9CU}));
+    EXPECT_EQ(SignaturesOf("dummies"), (std::vector<std::uint16_t>{0x5780U, 0xB329U}));
+    EXPECT_EQ(SignaturesOf("digest"), (std::vector<std::uint16_t>{0xED1FU, 0xA0ADU}));
+}
+
+TEST(WideFiles, AllOf128EntriesAreSigned)
+{
+    Verifies(req::SRS_EDS_020);
+    const SafetyConfiguration safety = SafetyOf(test::DeviceOf(FileText("bits")));
+    ASSERT_EQ(safety.srdos.size(), 2U);
+    EXPECT_EQ(safety.srdos[0].mapping.size(), 128U);
+    EXPECT_EQ(safety.srdos[0].mapping[127].raw, 0x61204001U);
+    const std::vector<std::uint8_t> bytes = CanonicalBytes(safety.srdos[0]);
+    ASSERT_EQ(bytes.size(), 653U);
+    EXPECT_EQ(bytes[12], 0x80U);
+    EXPECT_EQ(HexBytes({bytes.end() - 10, bytes.end()}), "7F 01 40 20 60 80 01 40 20 61");
+}
+
+TEST(WideFiles, TypesOfAnyLengthComeFromTheFile)
+{
+    Verifies(req::SRS_EDS_027);
+    // Given a record whose DEFSTRUCT names BOOLEAN, a DEFTYPE of 3 bits and UNSIGNED8, and sub-indices without a type
+    const Device device = test::DeviceOf(FileText("bits"));
+    EXPECT_EQ(device.Find(0x2100U, 0U)->type.bits, 8U);
+    EXPECT_EQ(device.Find(0x2100U, 1U)->type.bits, 1U);
+    EXPECT_EQ(device.Find(0x2100U, 2U)->type.bits, 3U);
+    EXPECT_EQ(device.Find(0x2100U, 2U)->data_type, 0x0040U);
+    EXPECT_EQ(device.Find(0x2100U, 3U)->type.bits, 8U);
+    // And BIT6 at 0035h
+    EXPECT_EQ(test::DeviceOf(FileText("dummies")).Find(0x2200U, 2U)->type.bits, 6U);
+    EXPECT_TRUE(device.warnings.empty());
+    // A DEFTYPE of 0 or 65 bits, or without a value, says nothing
+    for (const char* value : {"0", "65", "", "x"})
+    {
+        const std::string text = test::Changed(
+            FileText("bits"), {{"ObjectType=0x5\nDataType=0x0007\nAccessType=ro\nDefaultValue=3",
+                                std::string("ObjectType=0x5\nDataType=0x0007\nAccessType=ro\nDefaultValue=") + value}});
+        EXPECT_EQ(test::DeviceOf(text).Find(0x2100U, 2U)->type.bits, 0U) << value;
+    }
+    const std::string longest =
+        test::Changed(FileText("bits"), {{"ObjectType=0x5\nDataType=0x0007\nAccessType=ro\nDefaultValue=3",
+                                          "ObjectType=0x5\nDataType=0x0007\nAccessType=ro\nDefaultValue=64"}});
+    EXPECT_EQ(test::DeviceOf(longest).Find(0x2100U, 2U)->type.bits, 64U);
+    // A member of the structure without a value has its type as DataType; a member that is not there has none
+    const std::string member = "ObjectType=0x7\nDataType=0x0006\nAccessType=ro\nDefaultValue=0x0040\n";
+    const Device other =
+        test::DeviceOf(test::Changed(FileText("bits"), {{member, "ObjectType=0x7\nDataType=0x0016\nAccessType=ro\n"}}));
+    EXPECT_EQ(other.Find(0x2100U, 2U)->type.bits, 24U);
+    const Device without = test::DeviceOf(test::Changed(FileText("bits"), {{"[0041sub2]\n", "[0041sub4]\n"}}));
+    EXPECT_EQ(without.Find(0x2100U, 2U)->type.bits, 0U);
+    // A variable whose type is the structure itself cannot be mapped
+    const Device record = test::DeviceOf("[0041]\nObjectType=6\nSubNumber=1\n[2000]\nDataType=0x0041\nAccessType=ro\n");
+    EXPECT_EQ(record.Find(0x2000U, 0U)->type.kind, DataKind::kStructure);
+    EXPECT_EQ(record.Find(0x2000U, 0U)->type.bits, 0U);
+}
+
+TEST(WideFiles, AMappedLengthIsComparedWithTheTypeOfTheFile)
+{
+    Verifies(req::SRS_CLI_013);
+    const auto find = [](const std::string& from, const std::string& to)
+    {
+        Lines lines;
+        for (const std::string& line :
+             test::FindingsOf(test::SignedAgain(test::Changed(FileText("bits"), {{from, to}}), std::nullopt), {}))
+        {
+            if (line.find("0xA5 marks") == std::string::npos)
+            {
+                lines.push_back(line);
+            }
+        }
+        return lines;
+    };
+    EXPECT_EQ(find("ParameterValue=0x21000203", "ParameterValue=0x21000204"),
+              (Lines{"error: 0x1382:03: length of 4 bit, expected 3 bit, the length of 0x2100:02 (DEFTYPE)",
+                     "error: 0x1382:04: inverse entry of 3 bit, expected 4 bit as the normal entry before it"}));
+    EXPECT_EQ(find("ParameterValue=0x21100101", "ParameterValue=0x21100108"),
+              (Lines{"error: 0x1382:02: length of 8 bit, expected 1 bit, the length of 0x2110:01 (BOOLEAN)",
+                     "error: 0x1382:02: inverse entry of 8 bit, expected 1 bit as the normal entry before it"}));
+    EXPECT_EQ(find("ParameterValue=0x60204001", "ParameterValue=0x60204000"),
+              (Lines{"error: 0x1381:7F: length of 0 bit, expected a multiple of 1 bit (granularity)",
+                     "error: 0x1381:7F: length of 0 bit, expected 1 bit, the length of 0x6020:40 (BOOLEAN)",
+                     "error: 0x1381:80: inverse entry of 1 bit, expected 0 bit as the normal entry before it"}));
+}
+
+TEST(WideFiles, GranularityIsThatOfTheFile)
+{
+    Verifies(req::SRS_EDS_028);
+    const auto granularity = [](const std::string& value)
+    {
+        const Device device =
+            test::DeviceOf(test::Changed(FileText("bits"), {{"Granularity=1\n", "Granularity=" + value + "\n"}}));
+        std::vector<Finding> problems;
+        return ReadDeviceParameters(device, device.node_id, problems).granularity_bits;
+    };
+    EXPECT_EQ(granularity("1"), 1U);
+    EXPECT_EQ(granularity("0x40"), 64U);
+    EXPECT_EQ(granularity("0"), 8U);
+    EXPECT_EQ(granularity(""), 8U);
+    EXPECT_EQ(granularity("24"), 8U);
+    const auto warnings = [](const std::string& value)
+    {
+        return test::DeviceOf(test::Changed(FileText("bits"), {{"Granularity=1\n", "Granularity=" + value + "\n"}}))
+            .warnings;
+    };
+    EXPECT_TRUE(warnings("0").empty());
+    ASSERT_EQ(warnings("24").size(), 1U);
+    EXPECT_EQ(warnings("24")[0].text, "Granularity is '24', expected 1, 8, 16, 32 or 64; it is ignored");
+    EXPECT_EQ(warnings("24")[0].line, 15U);
+    EXPECT_EQ(warnings("fine").size(), 1U);
+    // The object tells before the key
+    const Device device = test::DeviceOf(
+        test::Changed(FileText("digest"), {{"DefaultValue=0\nParameterValue=1\nPDOMapping=0\n\n[5F00subB]",
+                                            "DefaultValue=0\nParameterValue=32\nPDOMapping=0\n\n[5F00subB]"}}));
+    std::vector<Finding> problems;
+    EXPECT_EQ(ReadDeviceParameters(device, device.node_id, problems).granularity_bits, 32U);
+}
+
+TEST(WideFiles, AStaticMappingIsOneThatNobodyCanWrite)
+{
+    Verifies(req::SRS_EDS_029);
+    EXPECT_TRUE(SafetyOf(test::DeviceOf(FileText("static"))).srdos[0].is_static);
+    EXPECT_TRUE(SafetyOf(test::DeviceOf(FileText("static"))).srdos[1].is_static);
+    EXPECT_FALSE(SafetyOf(test::DeviceOf(FileText("bits"))).srdos[0].is_static);
+    const std::string last = "AccessType=const\nDefaultValue=0x24100308";
+    const std::string text = FileText("static");
+    EXPECT_TRUE(SafetyOf(test::DeviceOf(test::Changed(text, {{last, "AccessType=ro\nDefaultValue=0x24100308"}})))
+                    .srdos[1]
+                    .is_static);
+    EXPECT_FALSE(SafetyOf(test::DeviceOf(test::Changed(text, {{last, "AccessType=rw\nDefaultValue=0x24100308"}})))
+                     .srdos[1]
+                     .is_static);
+}
+
+TEST(WideFiles, TheDigestIsThatOfAnIndependentComputation)
+{
+    Verifies(req::SRS_EDS_030);
+    // Given a file in which every parameter is another than its default
+    const DigestRecord record = DigestOfText(FileText("digest"));
+    EXPECT_TRUE(record.is_present);
+    EXPECT_TRUE(record.problems.empty());
+    // Then the bytes are those of SRS-CFG-034
+    EXPECT_EQ(HexBytes(BytesOf(record.fields)),
+              "7F 01 66 99 5A 01 02 D0 07 00 00 EE 02 00 00 28 23 00 00 C0 27 09 00 50 D4 12 00 E8 E5 04 00 4D 00 00 "
+              "00 40 E2 01 00 E1 10 00 00 01 02 5A 00 3C FE D4 C3 B2 A1 00 00 00 00 05 00 01 00 FE 88 77 66 55 44 33 "
+              "22 11");
+    EXPECT_EQ(DigestOf(record.fields), 0x5F9AFA3DU);
+    EXPECT_TRUE(record.stored.Is(0x5F9AFA3DU));
+    // And the examples have theirs
+    EXPECT_EQ(DigestOf(DigestOfText(test::ExampleText("actuator")).fields), 0x046FFAB7U);
+}
+
+TEST(WideFiles, WhatGrantsNothingCountsAsZeroInTheDigest)
+{
+    Verifies(req::SRS_EDS_030);
+    const auto byte = [](const std::string& section, const std::string& value, const std::size_t place)
+    {
+        const DigestRecord record =
+            DigestOfText(test::WithValues(FileText("digest"), {{section, "ParameterValue", value}}));
+        return BytesOf(record.fields).at(place);
+    };
+    EXPECT_EQ(byte("5F00subC", "0x67", 2U), 0x00U);
+    EXPECT_EQ(byte("5F00subD", "0x9A", 3U), 0x00U);
+    EXPECT_EQ(byte("5F00subE", "0x01", 4U), 0x00U);
+    EXPECT_EQ(byte("5F01sub2", "0x5B", 45U), 0x00U);
+    EXPECT_EQ(byte("5F03sub5", "0x02", 59U), 0x00U);
+    EXPECT_EQ(byte("5F05sub2", "0x3D", 47U), 0x00U);
+}
+
+TEST(WideFiles, AFileWithoutTheObjectOrWithoutAnSrdoHasNoDigest)
+{
+    Verifies(req::SRS_EDS_030);
+    EXPECT_FALSE(DigestOfText(FileText("bits")).is_present);
+    EXPECT_FALSE(DigestOfText("[5F04]\nDataType=7\nAccessType=rw\nDefaultValue=1\n").is_present);
+}
+
+TEST(WideFiles, WhatKeepsTheDigestFromBeingComputedIsReported)
+{
+    Verifies(req::SRS_EDS_030);
+    const auto problem = [](const std::vector<test::Change>& changes)
+    {
+        const DigestRecord record = DigestOfText(test::Changed(FileText("digest"), changes));
+        EXPECT_TRUE(record.fields.empty());
+        return record.problems.empty() ? std::string() : FormatFinding("f", record.problems.front());
+    };
+    EXPECT_EQ(problem({{"NodeID=127\n", "NodeID=255\n"}}),
+              "f:678: error: 0x5F04:00: the digest needs the node-ID and there is none, expected --node-id, or NodeID "
+              "in [DeviceComissioning]");
+    EXPECT_EQ(problem({{"ParameterValue=1234\n", "ParameterValue=1073742\n"}}),
+              "f:468: error: 0x5F00:04: interval of 1073742 ms, expected at most 1073741 ms");
+    EXPECT_EQ(problem({{"ParameterValue=0x5F9AFA3D", "ParameterValue=0x15F9AFA3D"}}),
+              "f:678: error: 0x5F04:00: value '0x15F9AFA3D', expected a number from 0 to 4294967295 (UNSIGNED32)");
+    EXPECT_EQ(problem({{"ParameterValue=0x3C\n", "ParameterValue=late\n"}}),
+              "f:700: error: 0x5F05:02: value 'late', expected a number from 0 to 255 (UNSIGNED8), or $NODEID+number");
+}
+
+TEST(WideFiles, TheDigestIsWrittenWithTheSignatures)
+{
+    Verifies(req::SRS_CLI_021);
+    const std::string without = test::Changed(FileText("digest"), {{"ParameterValue=0x5F9AFA3D\n", ""}});
+    EXPECT_EQ(test::SignedAgain(without, std::nullopt), FileText("digest"));
+    EXPECT_EQ(test::SignedAgain(FileText("digest"), std::nullopt), FileText("digest"));
+}
+
+TEST(WideFiles, ADigestThatIsNotTheComputedOneIsFound)
+{
+    Verifies(req::SRS_CLI_022);
+    const std::string text = FileText("digest");
+    const auto find = [&text](const std::vector<test::Change>& changes)
+    { return test::FindingsOf(test::Changed(text, changes), {}); };
+    const std::string valid = "error: 0x13FE:00: 0xA5 marks a configuration with errors as valid, expected 0x00 until "
+                              "all of them are repaired";
+    EXPECT_EQ(find({{"ParameterValue=0x5F9AFA3D", "ParameterValue=0x5F9AFA3E"}}),
+              (Lines{valid, "error: 0x5F04:00: device digest 0x5F9AFA3E, expected 0x5F9AFA3D, computed from the "
+                            "device's parameters"}));
+    EXPECT_EQ(find({{"ParameterValue=0x5F9AFA3D", "ParameterValue=0"}}), Lines{});
+    EXPECT_EQ(find({{"ParameterValue=0x5F9AFA3D\n", ""}}), Lines{});
+    // SRVT detection of SRDO 2: early instead of late
+    EXPECT_EQ(find({{"ParameterValue=0x3C\n", "ParameterValue=0\n"}}).size(), 2U);
+    EXPECT_EQ(find({{"NodeID=127\n", "NodeID=255\n"}}).back(),
+              "error: 0x5F04:00: the digest needs the node-ID and there is none, expected --node-id, or NodeID in "
+              "[DeviceComissioning]");
+}
+} // namespace
+} // namespace counterpoint::cia306

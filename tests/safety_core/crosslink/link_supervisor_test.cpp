@@ -1,0 +1,213 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "safety_core/crosslink/link_supervisor.hpp"
+
+#include "safety_core/crosslink/flow_tap.hpp"
+#include "tests/safety_core/crosslink/peer_rig.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <gtest/gtest.h>
+
+namespace counterpoint
+{
+namespace
+{
+
+constexpr LinkConfig kLink{PeerRole::kA, 40000U, 20000U, 100000U, 100U};
+
+LinkMessage Message(const std::uint32_t sequence, const std::uint32_t stamp_us, const LinkEcho& echo)
+{
+    LinkMessage message{};
+    message.sequence = sequence;
+    message.stamp = Instant{stamp_us};
+    message.echo = echo;
+    return message;
+}
+
+LinkEcho EchoOf(const std::uint32_t stamp_us, const std::uint32_t hold_us = 0U)
+{
+    return LinkEcho{7U, Instant{stamp_us}, hold_us, kHeard};
+}
+
+class Supervision : public ::testing::Test
+{
+  protected:
+    void SetUp() override
+    {
+        link.Restart(kLink);
+    }
+    /// Contact at 10 ms by a message 50 that echoes 8 ms.
+    void Contact()
+    {
+        ASSERT_EQ(link.Take(Message(50U, 510000U, EchoOf(8000U)), Instant{10000U}), TakeResult::kTaken);
+        ASSERT_TRUE(link.IsAlive());
+    }
+    LinkSupervisor link{};
+};
+
+// Given no contact, when messages without echo come, in any order, then nothing is taken, lost or a fault, and the
+// newest is echoed.
+TEST_F(Supervision, BeforeContactNothingIsAFault)
+{
+    Verifies(req::SRS_LNK_005);
+    EXPECT_EQ(link.Echo(Instant{5U}).heard, 0U);
+    EXPECT_EQ(link.Take(Message(90U, 500U, LinkEcho{}), Instant{10U}), TakeResult::kDiscarded);
+    EXPECT_EQ(link.Take(Message(20U, 700U, LinkEcho{}), Instant{30U}), TakeResult::kDiscarded);
+    link.Examine(Instant{90000000U});
+    EXPECT_EQ(link.State(), LinkState::kWaiting);
+    EXPECT_EQ(link.Finding(), LinkFinding::kNone);
+    EXPECT_NE(link.Spoiler(), 0U);
+    const LinkEcho echo = link.Echo(Instant{100U});
+    EXPECT_EQ(echo.heard, 0x96U);
+    EXPECT_EQ(echo.sequence, 20U);
+    EXPECT_EQ(echo.stamp.us, 700U);
+    EXPECT_EQ(echo.hold_us, 70U);
+    EXPECT_EQ(link.Counts().late, 2U);
+}
+
+// Given no contact, when a message with a fresh echo comes, then there is contact, whatever its sequence number.
+TEST_F(Supervision, FreshEchoMakesContact)
+{
+    Verifies(req::SRS_LNK_005);
+    EXPECT_EQ(link.Take(Message(90U, 500U, LinkEcho{}), Instant{10U}), TakeResult::kDiscarded);
+    Contact();
+    EXPECT_EQ(link.Spoiler(), 0U);
+    EXPECT_EQ(link.Acknowledged(), 7U);
+    EXPECT_EQ(link.Counts().taken, 1U);
+    EXPECT_EQ(link.Composed().first.us, 8000U);
+    EXPECT_EQ(link.Composed().last.us, 10000U);
+}
+
+// Given contact at 50, when 50 comes again, then 49, then 53, then they are a repeated, an old and a new one with two
+// lost.
+TEST_F(Supervision, SequenceTellsRepeatedOldAndLost)
+{
+    Verifies(req::SRS_LNK_003);
+    Contact();
+    EXPECT_EQ(link.Take(Message(50U, 511000U, EchoOf(9000U)), Instant{11000U}), TakeResult::kDiscarded);
+    EXPECT_EQ(link.Take(Message(49U, 511000U, EchoOf(9000U)), Instant{11000U}), TakeResult::kDiscarded);
+    EXPECT_EQ(link.Take(Message(53U, 511000U, EchoOf(9000U)), Instant{11000U}), TakeResult::kTaken);
+    EXPECT_EQ(link.Counts().repeated, 1U);
+    EXPECT_EQ(link.Counts().old, 1U);
+    EXPECT_EQ(link.Counts().lost, 2U);
+    EXPECT_EQ(link.Counts().taken, 2U);
+    EXPECT_EQ(link.Echo(Instant{11000U}).sequence, 53U);
+}
+
+// Given contact, when an echo is exactly as old as the time-out, then it is taken; a microsecond more is late.
+TEST_F(Supervision, EchoAtTheTimeoutIsTakenOneMoreIsLate)
+{
+    Verifies(req::SRS_LNK_004);
+    Contact();
+    EXPECT_EQ(link.Take(Message(51U, 511000U, EchoOf(9000U)), Instant{49000U}), TakeResult::kTaken);
+    EXPECT_EQ(link.Take(Message(52U, 511000U, EchoOf(9000U)), Instant{49001U}), TakeResult::kDiscarded);
+    EXPECT_EQ(link.Counts().late, 1U);
+    EXPECT_EQ(link.Echo(Instant{49001U}).sequence, 52U);
+}
+
+// Given contact, when an echo lies in the future, or was held for longer than there was time, then it is late; what the
+// drift of the clocks explains is not.
+TEST_F(Supervision, ImpossibleEchoIsLate)
+{
+    Verifies(req::SRS_LNK_004);
+    Contact();
+    EXPECT_EQ(link.Take(Message(51U, 511000U, EchoOf(12000U)), Instant{11000U}), TakeResult::kDiscarded);
+    EXPECT_EQ(link.Take(Message(52U, 511000U, EchoOf(9000U, 2101U)), Instant{11000U}), TakeResult::kDiscarded);
+    EXPECT_EQ(link.Counts().late, 2U);
+    EXPECT_EQ(link.Take(Message(53U, 511000U, EchoOf(9000U, 2100U)), Instant{11000U}), TakeResult::kTaken);
+    EXPECT_EQ(link.Composed().first.us, 11000U);
+    EXPECT_EQ(link.Take(Message(54U, 512000U, EchoOf(9000U, 500U)), Instant{12000U}), TakeResult::kTaken);
+    EXPECT_EQ(link.Composed().first.us, 9500U);
+}
+
+// Given contact with an echo of 8 ms, when nothing more comes, then the link is lost just beyond 48 ms and stays so.
+TEST_F(Supervision, SilenceBeyondTheTimeoutLosesTheLink)
+{
+    Verifies(req::SRS_LNK_006);
+    Contact();
+    link.Examine(Instant{48000U});
+    EXPECT_TRUE(link.IsAlive());
+    link.Examine(Instant{48001U});
+    EXPECT_EQ(link.State(), LinkState::kLost);
+    EXPECT_EQ(link.Finding(), LinkFinding::kTimeout);
+    EXPECT_NE(link.Spoiler(), 0U);
+    link.Examine(Instant{49000U});
+    EXPECT_EQ(link.Take(Message(51U, 550000U, EchoOf(49000U)), Instant{50000U}), TakeResult::kTaken);
+    EXPECT_EQ(link.State(), LinkState::kLost);
+    link.Lose(LinkFinding::kFlow);
+    EXPECT_EQ(link.Finding(), LinkFinding::kTimeout);
+}
+
+// Given contact, when the peer's clock falls behind or runs ahead by the tolerance, then nothing; by one more, lost.
+TEST_F(Supervision, ClockThatStandsIsFound)
+{
+    Verifies(req::SRS_LNK_007);
+    Contact();
+    EXPECT_EQ(link.Take(Message(51U, 510000U, EchoOf(29000U)), Instant{30000U}), TakeResult::kTaken);
+    EXPECT_TRUE(link.IsAlive());
+    EXPECT_EQ(link.Take(Message(52U, 510000U, EchoOf(29000U)), Instant{30001U}), TakeResult::kTaken);
+    EXPECT_EQ(link.State(), LinkState::kLost);
+    EXPECT_EQ(link.Finding(), LinkFinding::kClock);
+}
+
+TEST_F(Supervision, ClockThatRunsAwayIsFound)
+{
+    Verifies(req::SRS_LNK_007);
+    Contact();
+    EXPECT_EQ(link.Take(Message(51U, 530001U, EchoOf(9000U)), Instant{10000U}), TakeResult::kTaken);
+    EXPECT_EQ(link.Finding(), LinkFinding::kClock);
+}
+
+// Given a drift of 15 ms an interval, when the interval is over by either clock, then the comparison begins anew.
+TEST_F(Supervision, ReferenceMovesOnWithEitherClock)
+{
+    Verifies(req::SRS_LNK_007);
+    Contact();
+    EXPECT_EQ(link.Take(Message(51U, 595000U, EchoOf(110000U)), Instant{110000U}),
+              TakeResult::kTaken); // own 100, peer 85
+    EXPECT_EQ(link.Take(Message(52U, 680000U, EchoOf(210000U)), Instant{210000U}), TakeResult::kTaken);
+    EXPECT_EQ(link.Take(Message(53U, 780000U, EchoOf(295000U)), Instant{295000U}),
+              TakeResult::kTaken); // own 85, peer 100
+    EXPECT_EQ(link.Take(Message(54U, 880000U, EchoOf(380000U)), Instant{380000U}), TakeResult::kTaken);
+    EXPECT_TRUE(link.IsAlive());
+}
+
+// Given all members of a configuration that fits, when one is out of its range, then that one is named.
+TEST(LinkConfiguration, FirstReasonIsNamed)
+{
+    Verifies(req::SRS_LNK_008);
+    DeviceConfig device{};
+    device.cycle_us = 10000U;
+    device.discrepancy_us = 20000U;
+    const auto check = [&device](PeerRole role, std::uint32_t timeout, std::uint32_t tolerance, std::uint32_t interval,
+                                 std::uint32_t stamps)
+    { return CheckLinkConfig(device, LinkConfig{role, timeout, tolerance, interval, stamps}); };
+    EXPECT_EQ(check(PeerRole::kA, 30000U, 15000U, 30001U, 29999U), LinkConfigFault::kNone);
+    EXPECT_EQ(check(PeerRole::kB, 30000U, 1U, 0x20000000U, 0U), LinkConfigFault::kNone);
+    EXPECT_EQ(check(PeerRole::kInvalid, 30000U, 15000U, 30001U, 0U), LinkConfigFault::kRole);
+    EXPECT_EQ(check(PeerRole::kA, 29999U, 14999U, 30001U, 0U), LinkConfigFault::kTimeout);
+    EXPECT_EQ(check(PeerRole::kA, 30000U, 0U, 30001U, 0U), LinkConfigFault::kClock);
+    EXPECT_EQ(check(PeerRole::kA, 30000U, 15001U, 30001U, 0U), LinkConfigFault::kClock);
+    EXPECT_EQ(check(PeerRole::kA, 30000U, 15000U, 30000U, 0U), LinkConfigFault::kClock);
+    EXPECT_EQ(check(PeerRole::kA, 30000U, 15000U, 0x20000001U, 0U), LinkConfigFault::kClock);
+    EXPECT_EQ(check(PeerRole::kA, 30000U, 15000U, 30001U, 30000U), LinkConfigFault::kStampTolerance);
+    device.discrepancy_us = 19999U;
+    EXPECT_EQ(check(PeerRole::kA, 30000U, 15000U, 30001U, 0U), LinkConfigFault::kDiscrepancy);
+}
+
+// Given an answer for signature and question, when it passes the tap, then the signature comes out, once, and the
+// watchdog has its answer.
+TEST(FlowTap, TakesTheSignatureBack)
+{
+    Verifies(req::SRS_LNK_010);
+    FakeWatchdog watchdog{};
+    FlowTap tap{watchdog};
+    EXPECT_EQ(tap.TakeSignature(), 0U);
+    EXPECT_EQ(tap.Question().value, 0x11U);
+    tap.Answer(hal::WatchdogAnswer{(0x5EC0DE27U + 0x11U) * 0x01000193U});
+    EXPECT_EQ(watchdog.answered, (0x5EC0DE27U + 0x11U) * 0x01000193U);
+    EXPECT_EQ(tap.TakeSignature(), 0x5EC0DE27U);
+    EXPECT_EQ(tap.TakeSignature(), 0U);
+}
+
+} // namespace
+} // namespace counterpoint

@@ -1,0 +1,290 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+//
+// The configuration as a whole: read, loaded, and set to its power-on values.
+#include "tests/safety_core/kernel/image.hpp"
+#include "tests/safety_core/kernel/rig.hpp"
+
+namespace counterpoint
+{
+namespace
+{
+
+// Three SRDOs with 16 map entries each: 3 * (8 + 16) items and 1300h.
+constexpr std::uint32_t kItems = 73U;
+constexpr std::uint32_t kDirectionOfFirst = 1U; // 1301h sub 1
+constexpr std::uint32_t kSctOfFirst = 2U;       // 1301h sub 2
+constexpr std::uint32_t kGfcItem = 72U;
+
+struct Image
+{
+    ImageHeader header;
+    std::vector<std::uint32_t> items;
+};
+
+class StoredConfiguration : public Rig
+{
+  public:
+    Image Save()
+    {
+        const HeaderReply reply = kernel.ConfigurationHeader();
+        EXPECT_EQ(reply.result, Result::kSuccessful);
+        Image image{reply.header, {}};
+        for (std::uint32_t number = 0U; number < reply.header.count; ++number)
+        {
+            const ItemReply item = kernel.ReadItem(number);
+            EXPECT_EQ(item.result, Result::kSuccessful);
+            image.items.push_back(item.value);
+        }
+        return image;
+    }
+    Result Load(const Image& image)
+    {
+        for (std::uint32_t number = 0U; number < image.items.size(); ++number)
+        {
+            (void)kernel.LoadItem(number, image.items[number]);
+        }
+        return kernel.LoadConfiguration(image.header);
+    }
+    void HasDefaults()
+    {
+        EXPECT_EQ(Read(0x1300U, 0U), 0U);
+        EXPECT_EQ(Read(0x1301U, 1U), 0U);
+        EXPECT_EQ(Read(0x1301U, 2U), 25U);
+        EXPECT_EQ(Read(0x1301U, 3U), 20U);
+        EXPECT_EQ(Read(0x1301U, 4U), 254U);
+        EXPECT_EQ(Read(0x1301U, 5U), 0x103U);
+        EXPECT_EQ(Read(0x1301U, 6U), 0x104U);
+        EXPECT_EQ(Read(0x1303U, 2U), 25U);
+        EXPECT_EQ(Read(0x1303U, 5U), 0U);
+        EXPECT_EQ(Read(0x1303U, 6U), 0U);
+        EXPECT_EQ(Read(0x1381U, 0U), 0U);
+        EXPECT_EQ(Read(0x1381U, 1U), 0U);
+        EXPECT_EQ(Read(0x13FEU, 0U), 0U);
+        EXPECT_EQ(Read(0x13FFU, 1U), 0U);
+        EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+    }
+    void Restart()
+    {
+        ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
+    }
+};
+
+TEST_F(StoredConfiguration, ItemsAreInTheOrderOfTheRequirement)
+{
+    Verifies(req::SRS_CFG_051);
+    Configure();
+    const Image image = Save();
+    EXPECT_EQ(image.header.count, kItems);
+    EXPECT_EQ(image.header.valid, 0xA5U);
+    ASSERT_EQ(image.items.size(), kItems);
+    EXPECT_EQ(image.items[0], Read(0x13FFU, 1U));
+    EXPECT_EQ(image.items[1], 2U);
+    EXPECT_EQ(image.items[2], 50U);
+    EXPECT_EQ(image.items[3], 20U);
+    EXPECT_EQ(image.items[4], 254U);
+    EXPECT_EQ(image.items[5], 0x101U);
+    EXPECT_EQ(image.items[6], 0x102U);
+    EXPECT_EQ(image.items[7], 2U);
+    EXPECT_EQ(image.items[8], 0x22000110U);
+    EXPECT_EQ(image.items[9], 0x23000110U);
+    EXPECT_EQ(image.items[23], 0U);
+    EXPECT_EQ(image.items[24], Read(0x13FFU, 3U));
+    EXPECT_EQ(image.items[25], 1U);
+    EXPECT_EQ(image.items[72], 1U);
+    EXPECT_EQ(kernel.ReadItem(kItems).result, Result::kNotExist);
+}
+
+TEST_F(StoredConfiguration, CrcCoversAddressesValuesAndValidity)
+{
+    Verifies(req::SRS_CFG_051);
+    Configure();
+    const Image image = Save();
+    EXPECT_EQ(image.header.crc, image::CrcOf(image::WordsOf(image.items, 0xA5U)));
+}
+
+TEST_F(StoredConfiguration, SavedConfigurationComesBackAfterPowerOnAndIsValid)
+{
+    Verifies(req::SRS_CFG_052);
+    Configure();
+    const Image image = Save();
+    Restart();
+    HasDefaults();
+    EXPECT_EQ(Load(image), Result::kSuccessful);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+    EXPECT_EQ(Read(0x1381U, 1U), 0x22000110U);
+    EXPECT_EQ(kernel.CheckConfiguration().result, Result::kSuccessful);
+    // and works
+    kernel.SetNmtState(NmtState::kOperational);
+    Cycle();
+    ReceivePair();
+    Cycle();
+    EXPECT_EQ(Open(), 1U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+}
+
+TEST_F(StoredConfiguration, ConfigurationThatWasNotValidComesBackNotValid)
+{
+    Verifies(req::SRS_CFG_052);
+    Configure();
+    ASSERT_EQ(Write(0x13FEU, 0U, 0U, 1U), AbortCode::kNone);
+    const Image image = Save();
+    EXPECT_EQ(image.header.valid, 0U);
+    Restart();
+    EXPECT_EQ(Load(image), Result::kSuccessful);
+    EXPECT_EQ(Read(0x1301U, 1U), 2U);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0U);
+}
+
+TEST_F(StoredConfiguration, EveryChangedItemOrHeaderIsDamaged)
+{
+    Verifies(req::SRS_CFG_052);
+    Configure();
+    const Image good = Save();
+    for (std::uint32_t number = 0U; number < kItems; ++number)
+    {
+        Image image = good;
+        image.items[number] ^= 1U;
+        EXPECT_EQ(Load(image), Result::kDamagedImage) << number;
+        HasDefaults();
+    }
+    Image image = good;
+    image.header.crc ^= 0x80000000U;
+    EXPECT_EQ(Load(image), Result::kDamagedImage);
+    image = good;
+    image.header.valid = 0U;
+    EXPECT_EQ(Load(image), Result::kDamagedImage);
+    HasDefaults();
+    EXPECT_EQ(Load(good), Result::kSuccessful);
+}
+
+TEST_F(StoredConfiguration, ValuesWiderThanTheirItemAreRefusedAtOnce)
+{
+    Verifies(req::SRS_CFG_052);
+    Configure();
+    const Image good = Save();
+    EXPECT_EQ(kernel.LoadItem(kDirectionOfFirst, 0x102U), Result::kDamagedImage);
+    EXPECT_EQ(kernel.LoadItem(kSctOfFirst, 0x10000U), Result::kDamagedImage);
+    EXPECT_EQ(kernel.LoadItem(kGfcItem, 2U), Result::kDamagedImage);
+    EXPECT_EQ(kernel.LoadItem(5U, 0xFFFFFFFFU), Result::kSuccessful);
+    EXPECT_EQ(kernel.LoadItem(kItems, 0U), Result::kNotExist);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0U);
+    EXPECT_EQ(kernel.LoadConfiguration(good.header), Result::kDamagedImage);
+    HasDefaults();
+}
+
+TEST_F(StoredConfiguration, AnotherNumberOfItemsIsForeign)
+{
+    Verifies(req::SRS_CFG_052);
+    Configure();
+    Image image = Save();
+    image.header.count = 72U;
+    EXPECT_EQ(Load(image), Result::kForeignImage);
+    HasDefaults();
+}
+
+TEST_F(StoredConfiguration, DeviceWithAnotherNumberOfAnSrdoDoesNotTakeIt)
+{
+    Verifies(req::SRS_CFG_052);
+    Configure();
+    const Image image = Save();
+    setups[2].number = 5U;
+    Restart();
+    EXPECT_EQ(Load(image), Result::kDamagedImage);
+    HasDefaults();
+}
+
+// Given a header that fits, the rules decide.
+TEST_F(StoredConfiguration, ConfigurationThatBreaksARuleIsRefusedWithItsResult)
+{
+    Verifies(req::SRS_CFG_052);
+    Configure();
+    Image image = Save();
+    ASSERT_EQ(Write(0x1301U, 2U, 60U, 2U), AbortCode::kNone); // no longer the signature
+    const Image changed = Save();
+    // and a header for it that claims A5h
+    image.items = changed.items;
+    image.header = ImageHeader{kItems, image::CrcOf(image::WordsOf(changed.items, 0xA5U)), 0xA5U};
+    EXPECT_EQ(Load(image), Result::kSignatureError);
+    HasDefaults();
+}
+
+TEST_F(StoredConfiguration, AnotherDigestThanExpectedIsRefused)
+{
+    Verifies(req::SRS_CFG_052);
+    Verifies(req::SRS_CFG_050);
+    Configure();
+    const Image image = Save();
+    config.digest = 0x12345678U;
+    Restart();
+    EXPECT_EQ(Load(image), Result::kInvalidConfiguration);
+    HasDefaults();
+}
+
+TEST_F(StoredConfiguration, CopiesThatDifferAreADeviceFault)
+{
+    Verifies(req::SRS_CFG_051);
+    Configure();
+    b.load_flip = 1U;
+    EXPECT_EQ(kernel.ReadItem(0U).result, Result::kDeviceFault);
+    EXPECT_EQ(kernel.ConfigurationHeader().result, Result::kDeviceFault);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kConfiguration);
+}
+
+TEST_F(StoredConfiguration, NothingIsLoadedOrRestoredInOperational)
+{
+    Verifies(req::SRS_CFG_052);
+    Verifies(req::SRS_CFG_053);
+    Operate();
+    const Image image = Save();
+    EXPECT_EQ(kernel.LoadItem(0U, 0U), Result::kNmtError);
+    EXPECT_EQ(kernel.LoadConfiguration(image.header), Result::kNmtError);
+    EXPECT_EQ(kernel.RestoreDefaults(), Result::kNmtError);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+    EXPECT_EQ(Read(0x1301U, 1U), 2U);
+}
+
+TEST_F(StoredConfiguration, RestoredDefaultsAreThePowerOnConfiguration)
+{
+    Verifies(req::SRS_CFG_053);
+    Configure();
+    EXPECT_EQ(kernel.RestoreDefaults(), Result::kSuccessful);
+    HasDefaults();
+}
+
+TEST_F(StoredConfiguration, DefaultsFollowTheNodeId)
+{
+    Verifies(req::SRS_CFG_053);
+    Verifies(req::SRS_CFG_002);
+    for (const std::uint8_t node : std::initializer_list<std::uint8_t>{1, 32, 33, 64, 65, 127})
+    {
+        config.node_id = node;
+        Restart();
+        const Image power_on = Save();
+        ASSERT_EQ(Write(0x1301U, 2U, 99U, 2U), AbortCode::kNone);
+        ASSERT_EQ(Write(0x1301U, 3U, 9U, 1U), AbortCode::kNone);
+        ASSERT_EQ(Write(0x1301U, 5U, 0x151U, 4U), AbortCode::kNone);
+        ASSERT_EQ(Write(0x1301U, 6U, 0x152U, 4U), AbortCode::kNone);
+        EXPECT_EQ(kernel.RestoreDefaults(), Result::kSuccessful);
+        EXPECT_EQ(Save().items, power_on.items) << static_cast<int>(node);
+    }
+}
+
+TEST_F(StoredConfiguration, RemovedGfcParameterReadsZeroAndIsNotLoaded)
+{
+    Verifies(req::SRS_CFG_051);
+    Verifies(req::SRS_CFG_052);
+    Configure();
+    const Image with_gfc = Save();
+    config.gfc = GfcUse::kRemoved;
+    has_gfc = false;
+    Configure();
+    const Image image = Save();
+    EXPECT_EQ(image.items[kGfcItem], 0U);
+    EXPECT_EQ(Load(image), Result::kSuccessful);
+    EXPECT_EQ(kernel.LoadItem(kGfcItem, 1U), Result::kSuccessful);
+    EXPECT_EQ(kernel.ReadItem(kGfcItem).value, 0U);
+    EXPECT_EQ(Load(with_gfc), Result::kDamagedImage);
+}
+
+} // namespace
+} // namespace counterpoint

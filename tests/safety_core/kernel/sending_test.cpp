@@ -1,0 +1,175 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+//
+// What the application asks for: Send and the GFC.
+#include "tests/safety_core/kernel/rig.hpp"
+
+namespace counterpoint
+{
+namespace
+{
+
+/// Node-ID 2: the first transmission comes 1 ms after entering OPERATIONAL.
+class Sending : public Rig
+{
+};
+
+TEST_F(Sending, SendReturnsTheReferencesCodes)
+{
+    Verifies(req::SRS_KRN_011);
+    Configure();
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1302U}), Result::kNotExist);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1300U}), Result::kNotExist);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1341U}), Result::kNotExist);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kNmtError);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0U}), Result::kNmtError);
+    kernel.SetNmtState(NmtState::kOperational);
+    Cycle();
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1301U}), Result::kRxTxConflict);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1304U}), Result::kInvalid);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kSuccessful);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0U}), Result::kSuccessful);
+    kernel.SetNmtState(NmtState::kPreOperational);
+    ASSERT_EQ(Write(0x13FEU, 0U, 0U, 1U), AbortCode::kNone);
+    kernel.SetNmtState(NmtState::kOperational);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kInvalidConfiguration);
+}
+
+TEST_F(Sending, SendToAllWithoutAProducerDoesNotExist)
+{
+    Verifies(req::SRS_KRN_011);
+    Configure();
+    ASSERT_EQ(Write(0x1303U, 1U, 0U, 1U), AbortCode::kNone);
+    const SignReply reply = kernel.Sign(CommunicationIndex{0x1303U});
+    ASSERT_EQ(Write(0x13FFU, 3U, reply.signature, 2U), AbortCode::kNone);
+    ASSERT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
+    kernel.SetNmtState(NmtState::kOperational);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0U}), Result::kNotExist);
+}
+
+TEST_F(Sending, ApplicationSendsWhenItWants)
+{
+    Verifies(req::SRS_KRN_011);
+    Verifies(req::SRS_PROD_003);
+    setups[1].form = ProducerForm::kApplicationSends;
+    Operate();
+    Cycles(3U);
+    EXPECT_TRUE(ports.sent.empty());
+    ASSERT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kSuccessful);
+    Cycle();
+    ASSERT_EQ(ports.sent.size(), 1U);
+    EXPECT_TRUE(application.refreshed.empty());
+    EXPECT_EQ(a.requests, 2U);
+    EXPECT_EQ(b.requests, 2U);
+    // It was told once: nothing more is sent
+    ConfirmLast();
+    ConfirmLast();
+    Cycles(3U);
+    EXPECT_EQ(ports.sent.size(), 2U);
+}
+
+TEST_F(Sending, GfcIsSentOnlyIfSupportedAndOperational)
+{
+    Verifies(req::SRS_KRN_013);
+    Configure();
+    EXPECT_EQ(kernel.SendGfc(), Result::kNmtError);
+    kernel.SetNmtState(NmtState::kOperational);
+    ASSERT_EQ(Write(0x1300U, 0U, 0U, 1U), AbortCode::kNone);
+    EXPECT_EQ(kernel.SendGfc(), Result::kGfcUnsupported);
+    ASSERT_EQ(Write(0x1300U, 0U, 1U, 1U), AbortCode::kNone);
+    ports.answer = hal::TransmitStatus::kQueueFull;
+    EXPECT_EQ(kernel.SendGfc(), Result::kTransmitFailed);
+    ports.answer = hal::TransmitStatus::kAccepted;
+    EXPECT_EQ(kernel.SendGfc(), Result::kSuccessful);
+    ASSERT_EQ(ports.sent.size(), 1U);
+    EXPECT_EQ(ports.sent[0].identifier, 0x001U);
+    EXPECT_EQ(ports.sent[0].length_bytes, 0U);
+}
+
+TEST_F(Sending, GfcThatIsFollowedByAnSrdoIsComplete)
+{
+    Verifies(req::SRS_KRN_013);
+    Operate();
+    ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
+    ASSERT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kSuccessful);
+    Cycles(40U);
+    EXPECT_EQ(application.gfcs_not_followed, 0);
+}
+
+// t [ms]   10 GFC                      35 (limit)   36
+TEST_F(Sending, GfcWithoutAnSrdoWithinTheShortestRefreshTimeIsAnErrorOnce)
+{
+    Verifies(req::SRS_KRN_013);
+    setups[1].form = ProducerForm::kApplicationSends;
+    Operate();
+    ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
+    Cycles(25U);
+    EXPECT_EQ(application.gfcs_not_followed, 0);
+    Cycles(25U);
+    EXPECT_EQ(application.gfcs_not_followed, 1);
+}
+
+TEST_F(Sending, ShortestRefreshTimeOfSeveralProducersCounts)
+{
+    Verifies(req::SRS_KRN_013);
+    setups[1].form = ProducerForm::kApplicationSends;
+    Configure();
+    const auto make_producer = [this](std::uint16_t number, std::uint32_t cob_id)
+    {
+        const std::uint16_t communication = static_cast<std::uint16_t>(0x1300U + number);
+        const std::uint16_t mapping = static_cast<std::uint16_t>(0x1380U + number);
+        ASSERT_EQ(Write(communication, 1U, 0U, 1U), AbortCode::kNone);
+        ASSERT_EQ(Write(communication, 2U, 50U, 2U), AbortCode::kNone);
+        ASSERT_EQ(Write(communication, 5U, cob_id, 4U), AbortCode::kNone);
+        ASSERT_EQ(Write(communication, 6U, cob_id + 1U, 4U), AbortCode::kNone);
+        ASSERT_EQ(Write(mapping, 0U, 0U, 1U), AbortCode::kNone);
+        ASSERT_EQ(Write(mapping, 1U, 0x20000110U, 4U), AbortCode::kNone);
+        ASSERT_EQ(Write(mapping, 2U, 0x21000110U, 4U), AbortCode::kNone);
+        ASSERT_EQ(Write(mapping, 0U, 2U, 1U), AbortCode::kNone);
+        ASSERT_EQ(Write(communication, 1U, 1U, 1U), AbortCode::kNone);
+        const SignReply reply = kernel.Sign(CommunicationIndex{communication});
+        ASSERT_EQ(Write(0x13FFU, static_cast<std::uint8_t>(number), reply.signature, 2U), AbortCode::kNone);
+    };
+    // Given producers of 50, 25 and 50 ms
+    make_producer(1U, 0x101U);
+    make_producer(4U, 0x107U);
+    ASSERT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
+    kernel.SetNmtState(NmtState::kOperational);
+    Cycle();
+    ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
+    Cycles(25U);
+    EXPECT_EQ(application.gfcs_not_followed, 0);
+    Cycle();
+    EXPECT_EQ(application.gfcs_not_followed, 1);
+}
+
+// Option GFC: on in GfcIsSentOnlyIfSupportedAndOperational and GfcMakesConsumersSafeAndIsTold, off here.
+TEST_F(Sending, GfcThatIsRemovedIsNoObjectAndIsNeitherSentNorTaken)
+{
+    Verifies(req::SRS_KRN_019);
+    Operate();
+    ASSERT_EQ(Read(0x1300U, 0U), 1U);
+    config.gfc = GfcUse::kRemoved;
+    ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
+    EXPECT_EQ(kernel.ReadObject(ObjectAddress{0x1300U, 0U}).abort, AbortCode::kObjectUnknown);
+    EXPECT_EQ(Write(0x1300U, 0U, 1U, 1U), AbortCode::kObjectUnknown);
+    EXPECT_EQ(kernel.SendGfc(), Result::kNotExist);
+}
+
+TEST_F(Sending, ReceivedGfcHasNoEffectWhereItIsRemoved)
+{
+    Verifies(req::SRS_KRN_019);
+    config.gfc = GfcUse::kRemoved;
+    has_gfc = false;
+    Operate();
+    ReceivePair();
+    Cycle();
+    ASSERT_EQ(Open(), 1U);
+    Receive(0x001U, {}, 100U);
+    Cycle();
+    EXPECT_EQ(Open(), 1U);
+    EXPECT_EQ(application.gfcs, 0);
+    EXPECT_EQ(kernel.SendGfc(), Result::kNotExist);
+}
+
+} // namespace
+} // namespace counterpoint

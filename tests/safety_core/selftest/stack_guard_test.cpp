@@ -1,0 +1,149 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "safety_core/selftest/stack_guard.hpp"
+
+#include "hal/host/host_memory.hpp"
+#include "tests/safety_core/selftest/support.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <cstdint>
+#include <pthread.h>
+#include <sys/mman.h>
+
+namespace counterpoint::selftest
+{
+namespace
+{
+
+/// A stack of 1024 words at 10000h, four of them guard words.
+class StackGuardTest : public ::testing::Test
+{
+  protected:
+    static constexpr StackSetup kSetup{{0x10000U, 1024U}, 4U};
+
+    host::ArrayMemory cells{0x10000U, 1024U};
+    PlacedMemory memory{cells, 0U};
+    StackGuard guard{};
+};
+
+TEST_F(StackGuardTest, EachChangedGuardBitIsFound)
+{
+    Verifies(req::SRS_STS_020);
+    guard.Restart(kSetup, memory);
+    EXPECT_TRUE(guard.IsUsable());
+    EXPECT_EQ(guard.Check(memory), SliceResult::kPassed);
+    for (std::uint32_t bit = 0U; bit < 128U; ++bit)
+    {
+        const hal::Address place = 0x10000U + (4U * (bit / 32U));
+        const std::uint32_t word = memory.Read(place);
+        memory.Write(place, word ^ (std::uint32_t{1U} << (bit % 32U)));
+        EXPECT_EQ(guard.Check(memory), SliceResult::kFailed) << "bit " << bit;
+        memory.Write(place, word);
+    }
+    EXPECT_EQ(guard.Check(memory), SliceResult::kPassed);
+    EXPECT_EQ(guard.Done(), 130U);
+    // The fifth word is no guard word
+    memory.Write(0x10010U, 0U);
+    EXPECT_EQ(guard.Check(memory), SliceResult::kPassed);
+}
+
+TEST_F(StackGuardTest, HighWaterMarkIsTheDeepestWordEverUsed)
+{
+    Verifies(req::SRS_STS_020);
+    guard.Restart(kSetup, memory);
+    EXPECT_EQ(guard.HighWaterBytes(memory), 0U);
+    // When a frame was 16 words deep, then the mark is there, whatever is above it
+    memory.Write(0x11000U - 64U, 1U);
+    EXPECT_EQ(guard.HighWaterBytes(memory), 64U);
+    memory.Write(0x11000U - 4U, 1U);
+    EXPECT_EQ(guard.HighWaterBytes(memory), 64U);
+    // When everything but the guard was used
+    memory.Write(0x10010U, 1U);
+    EXPECT_EQ(guard.HighWaterBytes(memory), 4080U);
+}
+
+TEST_F(StackGuardTest, StackInUseIsFilledUpToAReachBelowItsPosition)
+{
+    Verifies(req::SRS_STS_020);
+    // Given a stack that is running 512 bytes below its near end
+    memory.stack_position = 0x11000U - 512U;
+    guard.Restart(kSetup, memory);
+    // Then what is nearer than 2048 bytes to that was not touched
+    EXPECT_EQ(guard.HighWaterBytes(memory), 2560U);
+    EXPECT_EQ(memory.Read(0x11000U - 2560U), 0U);
+    EXPECT_EQ(guard.Check(memory), SliceResult::kPassed);
+    // Given that it runs at its first and its last byte
+    memory.stack_position = 0x10000U;
+    cells.Write(0x10000U, 0U);
+    guard.Restart(kSetup, memory);
+    EXPECT_EQ(guard.Check(memory), SliceResult::kFailed);
+    memory.stack_position = 0x11000U;
+    guard.Restart(kSetup, memory);
+    EXPECT_EQ(guard.HighWaterBytes(memory), 0U);
+}
+
+TEST_F(StackGuardTest, WhatCannotBeUsedFails)
+{
+    Verifies(req::SRS_STS_020);
+    Verifies(req::SRS_STS_060);
+    // Given zero-filled memory instead of a started guard
+    EXPECT_FALSE(guard.IsUsable());
+    EXPECT_EQ(guard.Check(memory), SliceResult::kFailed);
+    // Given an unaligned area, no guard word, nothing but guard words
+    for (const StackSetup& setup :
+         {StackSetup{{0x10002U, 8U}, 4U}, StackSetup{{0x10000U, 8U}, 0U}, StackSetup{{0x10000U, 4U}, 4U}})
+    {
+        guard.Restart(setup, memory);
+        EXPECT_FALSE(guard.IsUsable());
+        EXPECT_EQ(guard.Check(memory), SliceResult::kFailed);
+    }
+    EXPECT_EQ(memory.Read(0x10000U), 0U);
+}
+
+/// Uses at least the given number of bytes of the stack it runs on; a sanitizer would move the array elsewhere.
+[[gnu::noinline]] __attribute__((no_sanitize("address"))) void* UseKilobytes(void* const kilobytes)
+{
+    volatile std::uint8_t frame[1024];
+    frame[0] = 1U;
+    auto* const left = static_cast<std::uint32_t*>(kilobytes);
+    if (*left > 1U)
+    {
+        --*left;
+        UseKilobytes(kilobytes);
+    }
+    frame[1023] = frame[0];
+    return nullptr;
+}
+
+TEST(StackGuardOfARealStack, SeesHowDeepAThreadWent)
+{
+    Verifies(req::SRS_STS_020);
+    // Given a real stack of 256 KiB, guarded before it runs
+    constexpr std::uint32_t kBytes = 262144U;
+    void* const stack = mmap(nullptr, kBytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    host::HostMemory memory;
+    StackGuard guard;
+    const auto deepest_of = [&](std::uint32_t kilobytes)
+    {
+        guard.Restart(StackSetup{{memory.PlaceOf(stack), kBytes / 4U}, 4U}, memory);
+        pthread_attr_t attributes{};
+        pthread_attr_init(&attributes);
+        pthread_attr_setstack(&attributes, stack, kBytes);
+        pthread_t thread{};
+        EXPECT_EQ(pthread_create(&thread, &attributes, &UseKilobytes, &kilobytes), 0);
+        pthread_join(thread, nullptr);
+        pthread_attr_destroy(&attributes);
+        return guard.HighWaterBytes(memory);
+    };
+    // When a thread uses 4 and then 64 KiB of it
+    const std::uint32_t little = deepest_of(4U);
+    const std::uint32_t much = deepest_of(64U);
+    // Then the mark tells, and the guard is as it was
+    EXPECT_GE(little, 4096U);
+    EXPECT_GE(much, little + (59U * 1024U));
+    EXPECT_LT(much, kBytes);
+    EXPECT_EQ(guard.Check(memory), SliceResult::kPassed);
+    munmap(stack, kBytes);
+}
+
+} // namespace
+} // namespace counterpoint::selftest
