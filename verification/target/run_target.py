@@ -162,7 +162,7 @@ def main():
     arguments = parser.parse_args()
     if not arguments.no_build:
         print("Building build/target (big-endian, two compilers) and the same programs in build/product ...", flush=True)
-        target_build.build_target(TARGET, "-O2", ["selftest", "bench", "conformance", "conformance_be32"])
+        target_build.build_target(TARGET, "-O2", ["selftest", "bench", "conformance", "conformance_be32", *target_build.CERTIFIED_TARGETS])
         target_build.build_preset("product", ["conformance_host"])
     report = Report()
     check_selftest(report)
