@@ -125,34 +125,34 @@ struct MappedReply
 /// State of a kernel between Start and Stop. Zero-filled memory is a kernel that was not started.
 struct KernelRun
 {
-    Verdict verdict;
-    SrdoStatus status;
-    SrdoMask committed;
-    SrdoMask received_mask;
-    SrdoMask producers; ///< As of entering OPERATIONAL; what Send may ask for.
-    SrdoMask requests;  ///< Told to the channels by the next cycle, as the two below.
-    SrdoMask stand_a;   ///< Producers that only channel A called due.
-    SrdoMask stand_b;
-    InstantPair now;
-    Instant gfc_sent;
-    std::uint32_t gfc_limit_us;
-    std::uint32_t cycle;
-    std::uint32_t test_cycles;
-    std::uint32_t cycles_to_test;
-    std::uint16_t demotions;
-    std::uint8_t test_number;
-    std::uint8_t received;
-    std::uint8_t transmitted;
-    std::uint8_t transmitted_told;
-    std::uint8_t errors;
-    QueueState queue;
-    FlowCallback flow_callback;
-    StatusHandshake handshake;
-    bool started;
-    bool left_operational; ///< The channels have not seen it yet.
-    bool gfc_seen;
-    bool gfc_open;
-    bool fault_told;
+    Verdict verdict{};
+    SrdoStatus status{};
+    SrdoMask committed{};
+    SrdoMask received_mask{};
+    SrdoMask producers{}; ///< As of entering OPERATIONAL; what Send may ask for.
+    SrdoMask requests{};  ///< Told to the channels by the next cycle, as the two below.
+    SrdoMask stand_a{};   ///< Producers that only channel A called due.
+    SrdoMask stand_b{};
+    InstantPair now{};
+    Instant gfc_sent{};
+    std::uint32_t gfc_limit_us{};
+    std::uint32_t cycle{};
+    std::uint32_t test_cycles{};
+    std::uint32_t cycles_to_test{};
+    std::uint16_t demotions{};
+    std::uint8_t test_number{};
+    std::uint8_t received{};
+    std::uint8_t transmitted{};
+    std::uint8_t transmitted_told{};
+    std::uint8_t errors{};
+    QueueState queue{};
+    FlowCallback flow_callback{};
+    StatusHandshake handshake{};
+    bool started{};
+    bool left_operational{}; ///< The channels have not seen it yet.
+    bool gfc_seen{};
+    bool gfc_open{};
+    bool fault_told{};
 };
 
 /// The facade of the certified part: an application links this and the two channels. Not reentrant. All times and

@@ -26,8 +26,8 @@ enum class FaultClass : std::uint8_t
 /// Times of the SRDO concerned, from its objects, and how it finds a missing inverse frame. Milliseconds.
 struct SrdoTimes
 {
-    std::uint16_t sct_ms;
-    std::uint8_t srvt_ms;
+    std::uint16_t sct_ms{0U};
+    std::uint8_t srvt_ms{0U};
     SrvtDetection detection{SrvtDetection::kEarly};
 };
 

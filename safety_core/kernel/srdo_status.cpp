@@ -29,7 +29,8 @@ bool IsAnswer(const StatusByte status) noexcept
 
 StatusByte SrdoStatus::Get(const SlotIndex slot) const noexcept
 {
-    const std::uint32_t half = (pairs_[slot / 2U] >> ShiftOf(slot)) & kHalf; // MISRA D-002
+    const std::uint32_t pair = pairs_[slot / 2U]; // MISRA D-002
+    const std::uint32_t half = (pair >> ShiftOf(slot)) & kHalf;
     return StatusByte{static_cast<std::uint8_t>((half << kHalfBits) ^ kStatusReset)};
 }
 
