@@ -271,6 +271,7 @@ inline constexpr RequirementId SRS_OBD_009{"SRS-OBD-009"};
 inline constexpr RequirementId SRS_OBD_010{"SRS-OBD-010"};
 inline constexpr RequirementId SRS_OBD_011{"SRS-OBD-011"};
 inline constexpr RequirementId SRS_OBD_012{"SRS-OBD-012"};
+inline constexpr RequirementId SRS_OBD_013{"SRS-OBD-013"};
 inline constexpr RequirementId SRS_PROD_001{"SRS-PROD-001"};
 inline constexpr RequirementId SRS_PROD_002{"SRS-PROD-002"};
 inline constexpr RequirementId SRS_PROD_003{"SRS-PROD-003"};
