@@ -161,6 +161,42 @@ TEST_F(SdoRandomTest, AfterEveryRandomSequenceAnAbortMakesTheServerUsable)
     ExpectGuards();
 }
 
+/// Every length around that of the buffer, which has 40 bytes: to its last byte and never beside it.
+TEST_F(SdoRandomTest, DownloadsOfEveryLengthAroundTheBuffersStayInIt)
+{
+    Verifies(req::SRS_SDO_013);
+    Verifies(req::SRS_SDO_015);
+    for (const std::uint32_t head : {0x20U, 0xC0U})
+    {
+        for (std::uint32_t length = 1U; length <= 56U; ++length)
+        {
+            const std::uint32_t segments = (length + 6U) / 7U;
+            const std::uint32_t unused = segments * 7U - length;
+            domain_length = 0U;
+            Octets answer =
+                Plain(small.OnFrame(SdoFrame{{static_cast<std::uint8_t>(head), 0x03U, 0x21U}}, 8U, {now_us}));
+            for (std::uint32_t i = 0U; (i < segments) && (answer.empty() || (answer[0] != 0x80U)); ++i)
+            {
+                const bool is_last = (i + 1U) == segments;
+                const std::uint32_t ordinary = ((i % 2U) << 4U) | (is_last ? ((unused << 1U) | 1U) : 0U);
+                const std::uint32_t block = ((i % 5U) + 1U) | (is_last ? 0x80U : 0U);
+                SdoFrame segment{{0U, 1U, 2U, 3U, 4U, 5U, 6U, 7U}};
+                segment.bytes[0] = static_cast<std::uint8_t>((head == 0x20U) ? ordinary : block);
+                answer = Plain(small.OnFrame(segment, 8U, Instant{now_us}));
+            }
+            if ((head == 0xC0U) && (answer.at(0) != 0x80U))
+            {
+                const SdoFrame end{{static_cast<std::uint8_t>(0xC1U | (unused << 2U))}};
+                answer = Plain(small.OnFrame(end, 8U, Instant{now_us}));
+            }
+            ExpectGuards();
+            EXPECT_FALSE(small.IsBusy());
+            EXPECT_EQ(domain_length, (length <= 40U) ? length : 0U);
+            EXPECT_EQ(answer == AbortOf(0x2103U, 0U, 0x05040005U), length > 40U) << length;
+        }
+    }
+}
+
 /// Lossy bus: every length from 0 to 40 arrives unharmed in both directions by blocks although segments vanish.
 TEST_F(SdoRandomTest, BlocksArriveThroughALossyBus)
 {
