@@ -126,7 +126,7 @@ TEST_F(SdoBlockTest, TheBufferIsFilledToItsLastByteAndNoFurther)
         }
         EXPECT_TRUE(SendSegments(1, 2).empty());
         EXPECT_EQ(Send({0x83U, 5U, 5U, 5U, 5U, 5U, 6U, 7U})[1], 3U);
-        const Octets answer = Send({static_cast<std::uint8_t>(0xC1U | (unused << 2U))});
+        const Octets answer = Send({static_cast<std::uint8_t>(0xC1U + (4U * unused))});
         EXPECT_EQ(answer,
                   (unused == 1U) ? (Octets{0xA1U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}) : AbortOf(0x2103U, 0U, 0x05040005U));
     }

@@ -1,4 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia301/little_endian.hpp"
 #include "tests/canopen/cia301/sdo_rig.hpp"
 
 #include <algorithm>
@@ -34,8 +35,7 @@ class SdoRandomTest : public SdoRig
     {
         if (!answer.empty() && (answer[0] == 0x80U))
         {
-            const std::uint32_t code =
-                answer[4] | (answer[5] << 8U) | (answer[6] << 16U) | (static_cast<std::uint32_t>(answer[7]) << 24U);
+            const auto code = static_cast<std::uint32_t>(FromLittleEndian(&answer[4], 4U));
             EXPECT_NE(std::find(kCodes.begin(), kCodes.end(), code), kCodes.end()) << std::hex << code;
         }
     }
