@@ -1,0 +1,205 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia301/emergency_producer.hpp"
+
+namespace counterpoint::cia301
+{
+namespace
+{
+
+constexpr std::uint32_t kOff = 0x80000000U;
+constexpr std::uint32_t kReservedBit = 0x40000000U;
+constexpr std::uint32_t kIdentifierBits = 0x7FFU;
+constexpr std::uint32_t kBelowOff = 0x3FFFFFFFU;
+constexpr std::uint8_t kGeneric = 0x01U;
+constexpr std::uint32_t kUsPerStep = 100U;
+
+/// Identifiers of other services: 000h to 07Fh, 101h to 180h, 581h to 5FFh, 601h to 67Fh, 6E0h to 6FFh, 701h to 7FFh.
+constexpr std::uint32_t kRestricted[][2] = {{0x000U, 0x07FU}, {0x101U, 0x180U}, {0x581U, 0x5FFU},
+                                            {0x601U, 0x67FU}, {0x6E0U, 0x6FFU}, {0x701U, 0x7FFU}};
+
+bool IsFree(const std::uint32_t identifier) noexcept
+{
+    bool is_free = (identifier <= kIdentifierBits);
+    for (const auto& range : kRestricted)
+    {
+        is_free = is_free && ((identifier < range[0]) || (identifier > range[1]));
+    }
+    return is_free;
+}
+
+} // namespace
+
+EmergencyProducer::EmergencyProducer(const NodeId node) noexcept
+    : active_{}, waiting_{}, history_{}, cob_id_(0x80U + node.value), inhibit_100us_(0U), active_count_(0U),
+      waiting_count_(0U), history_count_(0U), dropped_(0U), is_inhibited_(false), sent_{0U}
+{
+}
+
+void EmergencyProducer::Raise(const EmergencyError& error) noexcept
+{
+    if (Find(error.code) == active_count_)
+    {
+        if (active_count_ < kEmergencyRoom)
+        {
+            active_[active_count_] = error;
+            ++active_count_;
+            Remember(error);
+            Queue(error.code, error);
+        }
+        else if (dropped_ < 0xFFU)
+        {
+            ++dropped_;
+        }
+    }
+}
+
+void EmergencyProducer::Clear(const std::uint16_t code) noexcept
+{
+    const std::uint8_t at = Find(code);
+    if (at < active_count_)
+    {
+        --active_count_;
+        for (std::uint8_t i = at; i < active_count_; ++i)
+        {
+            active_[i] = active_[i + 1U];
+        }
+        Queue(0U, EmergencyError{});
+    }
+}
+
+FrameToSend EmergencyProducer::Poll(const NodeState state, const Instant now) noexcept
+{
+    const bool is_state = (state == NodeState::kPreOperational) || (state == NodeState::kOperational);
+    const bool is_waiting = (waiting_count_ > 0U) && ((cob_id_ & kOff) == 0U);
+    is_inhibited_ = is_inhibited_ && ((now.us - sent_.us) < (inhibit_100us_ * kUsPerStep));
+    FrameToSend message{false, {}};
+    if (is_state && is_waiting && !is_inhibited_)
+    {
+        message = FrameToSend{true, CanFrame{cob_id_ & kIdentifierBits, FrameKind::kData, CanPortId::kFirst, 8U, {}}};
+        for (std::uint32_t i = 0U; i < 8U; ++i)
+        {
+            message.frame.data[i] = waiting_[0].bytes[i];
+        }
+        --waiting_count_;
+        for (std::uint8_t i = 0U; i < waiting_count_; ++i)
+        {
+            waiting_[i] = waiting_[i + 1U];
+        }
+        is_inhibited_ = true;
+        sent_ = now;
+    }
+    return message;
+}
+
+std::uint8_t EmergencyProducer::Register() const noexcept
+{
+    std::uint8_t bits = 0U;
+    for (std::uint8_t i = 0U; i < active_count_; ++i)
+    {
+        bits |= static_cast<std::uint8_t>(active_[i].register_bits | kGeneric);
+    }
+    return bits;
+}
+
+HistoryReading EmergencyProducer::History(const std::uint8_t sub) const noexcept
+{
+    HistoryReading reading{SdoAbort::kNone, history_count_};
+    if (sub > kEmergencyRoom)
+    {
+        reading.abort = SdoAbort::kSubUnknown;
+    }
+    else if (sub > history_count_)
+    {
+        reading.abort = SdoAbort::kNoData;
+    }
+    else if (sub > 0U)
+    {
+        reading.value = history_[sub - 1U];
+    }
+    return reading;
+}
+
+SdoAbort EmergencyProducer::WriteHistory(const std::uint8_t count) noexcept
+{
+    history_count_ = (count == 0U) ? std::uint8_t{0U} : history_count_;
+    return (count == 0U) ? SdoAbort::kNone : SdoAbort::kValueRange;
+}
+
+std::uint32_t EmergencyProducer::CobId() const noexcept
+{
+    return cob_id_;
+}
+
+SdoAbort EmergencyProducer::WriteCobId(const std::uint32_t value) noexcept
+{
+    const bool is_on = ((cob_id_ & kOff) == 0U) && ((value & kOff) == 0U);
+    const bool is_changed = ((cob_id_ ^ value) & kBelowOff) != 0U;
+    const bool is_usable = ((value & kReservedBit) == 0U) && IsFree(value & kBelowOff);
+    SdoAbort abort = SdoAbort::kValueRange;
+    if (is_usable && !(is_on && is_changed))
+    {
+        cob_id_ = value;
+        abort = SdoAbort::kNone;
+    }
+    return abort;
+}
+
+std::uint16_t EmergencyProducer::InhibitTime() const noexcept
+{
+    return inhibit_100us_;
+}
+
+void EmergencyProducer::SetInhibitTime(const std::uint16_t time_100us) noexcept
+{
+    inhibit_100us_ = time_100us;
+}
+
+std::uint8_t EmergencyProducer::Dropped() const noexcept
+{
+    return dropped_;
+}
+
+/// Place of an active error, or `active_count_`.
+std::uint8_t EmergencyProducer::Find(const std::uint16_t code) const noexcept
+{
+    std::uint8_t at = 0U;
+    while ((at < active_count_) && (active_[at].code != code))
+    {
+        ++at;
+    }
+    return at;
+}
+
+void EmergencyProducer::Queue(const std::uint16_t code, const EmergencyError& error) noexcept
+{
+    if (waiting_count_ < kEmergencyRoom)
+    {
+        Message& message = waiting_[waiting_count_];
+        message.bytes[0] = static_cast<std::uint8_t>(code & 0xFFU);
+        message.bytes[1] = static_cast<std::uint8_t>(code >> 8U);
+        message.bytes[2] = Register();
+        for (std::uint32_t i = 0U; i < 5U; ++i)
+        {
+            message.bytes[3U + i] = error.details[i];
+        }
+        ++waiting_count_;
+    }
+    else if (dropped_ < 0xFFU)
+    {
+        ++dropped_;
+    }
+}
+
+void EmergencyProducer::Remember(const EmergencyError& error) noexcept
+{
+    for (std::uint32_t i = kEmergencyRoom - 1U; i > 0U; --i)
+    {
+        history_[i] = history_[i - 1U];
+    }
+    const std::uint32_t details = error.details[0] | (static_cast<std::uint32_t>(error.details[1]) << 8U);
+    history_[0] = error.code | (details << 16U);
+    history_count_ =
+        (history_count_ < kEmergencyRoom) ? static_cast<std::uint8_t>(history_count_ + 1U) : kEmergencyRoom;
+}
+
+} // namespace counterpoint::cia301

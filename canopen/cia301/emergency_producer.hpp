@@ -1,0 +1,80 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA301_EMERGENCY_PRODUCER_HPP
+#define CANOPEN_CIA301_EMERGENCY_PRODUCER_HPP
+
+#include "canopen/cia301/abort_code.hpp"
+#include "canopen/cia301/nmt_slave.hpp"
+
+namespace counterpoint::cia301
+{
+
+constexpr std::uint8_t kEmergencyRoom = 8U; ///< Errors active at once, messages waiting, entries of 1003h.
+
+/// An error of the device.
+struct EmergencyError
+{
+    std::uint16_t code;         ///< Emergency error code, not 0.
+    std::uint8_t register_bits; ///< Bits of 1001h; the generic bit is added.
+    std::uint8_t details[5];    ///< Manufacturer's bytes; the first two are in 1003h too.
+};
+
+/// Value of a sub-index of 1003h, or why there is none.
+struct HistoryReading
+{
+    SdoAbort abort;
+    std::uint32_t value;
+};
+
+/// Emergency messages with 1001h, 1003h, 1014h and 1015h. Poll at least once in 2^30 us. Not reentrant.
+class EmergencyProducer
+{
+  public:
+    explicit EmergencyProducer(NodeId node) noexcept;
+
+    /// @brief An error appeared; nothing happens if its code is active already. O(room) [SRS-EMCY-001]
+    void Raise(const EmergencyError& error) noexcept;
+    /// @brief The error of this code is gone; nothing happens if it is not active. O(room) [SRS-EMCY-001]
+    void Clear(std::uint16_t code) noexcept;
+    /// @brief The next message, if state, 1014h and 1015h allow one. [SRS-EMCY-003..005]
+    [[nodiscard]] FrameToSend Poll(NodeState state, Instant now) noexcept;
+
+    /// @brief 1001h.
+    [[nodiscard]] std::uint8_t Register() const noexcept;
+    /// @brief 1003h. [SRS-EMCY-002]
+    [[nodiscard]] HistoryReading History(std::uint8_t sub) const noexcept;
+    [[nodiscard]] SdoAbort WriteHistory(std::uint8_t count) noexcept;
+    /// @brief 1014h. [SRS-EMCY-003]
+    [[nodiscard]] std::uint32_t CobId() const noexcept;
+    [[nodiscard]] SdoAbort WriteCobId(std::uint32_t value) noexcept;
+    /// @brief 1015h, in 100 us. [SRS-EMCY-004]
+    [[nodiscard]] std::uint16_t InhibitTime() const noexcept;
+    void SetInhibitTime(std::uint16_t time_100us) noexcept;
+    /// @brief Messages that found no room; stays at 255.
+    [[nodiscard]] std::uint8_t Dropped() const noexcept;
+
+  private:
+    struct Message
+    {
+        std::uint8_t bytes[8];
+    };
+
+    [[nodiscard]] std::uint8_t Find(std::uint16_t code) const noexcept;
+    void Queue(std::uint16_t code, const EmergencyError& error) noexcept;
+    void Remember(const EmergencyError& error) noexcept;
+
+    EmergencyError active_[kEmergencyRoom]; ///< The first `active_count_`.
+    Message waiting_[kEmergencyRoom];       ///< The first `waiting_count_`, the oldest at 0.
+    std::uint32_t history_[kEmergencyRoom]; ///< The first `history_count_`, the newest at 0.
+    std::uint32_t cob_id_;
+    std::uint16_t inhibit_100us_;
+    std::uint8_t active_count_;
+    std::uint8_t waiting_count_;
+    std::uint8_t history_count_;
+    std::uint8_t dropped_;
+    bool is_inhibited_; ///< One was sent at `sent_`.
+    Instant sent_;
+};
+
+} // namespace counterpoint::cia301
+
+#endif

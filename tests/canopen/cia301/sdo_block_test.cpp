@@ -1,0 +1,243 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia301/crc16.hpp"
+#include "tests/canopen/cia301/sdo_rig.hpp"
+
+namespace counterpoint::cia301
+{
+namespace
+{
+
+class SdoBlockTest : public SdoRig
+{
+  public:
+    /// Segments `from` to `to` of a block; each but an acknowledged one must go without an answer.
+    Octets SendSegments(int from, int to)
+    {
+        Octets answer{};
+        for (int i = from; i <= to; ++i)
+        {
+            EXPECT_TRUE(answer.empty());
+            answer = Send({static_cast<std::uint8_t>(i), 1U, 2U, 3U, 4U, 5U, 6U, 7U});
+        }
+        return answer;
+    }
+};
+
+TEST_F(SdoBlockTest, CrcOfTheStandardsExample)
+{
+    Verifies(req::SRS_SDO_008);
+    const std::uint8_t digits[9] = {'1', '2', '3', '4', '5', '6', '7', '8', '9'};
+    EXPECT_EQ(ContinueCrc(0U, {digits, 9U}), 0x31C3U);
+    EXPECT_EQ(ContinueCrc(ContinueCrc(0U, {digits, 4U}), {&digits[4], 5U}), 0x31C3U);
+    EXPECT_EQ(ContinueCrc(0U, {digits, 0U}), 0U);
+}
+
+TEST_F(SdoBlockTest, DownloadOfNineBytesWithCrc)
+{
+    Verifies(req::SRS_SDO_006);
+    Verifies(req::SRS_SDO_008);
+    EXPECT_EQ(Send({0xC6U, 0x03U, 0x21U, 0x00U, 9U}), (Octets{0xA4U, 0x03U, 0x21U, 0x00U, 4U, 0U, 0U, 0U}));
+    EXPECT_TRUE(Send({0x01U, '1', '2', '3', '4', '5', '6', '7'}).empty());
+    EXPECT_EQ(Send({0x82U, '8', '9'}), (Octets{0xA2U, 2U, 4U, 0U, 0U, 0U, 0U, 0U}));
+    EXPECT_EQ(domain_length, 0U);
+    EXPECT_EQ(Send({0xD5U, 0xC3U, 0x31U}), (Octets{0xA1U, 0U, 0U, 0U, 0U, 0U, 0U, 0U})); // 5 bytes unused
+    EXPECT_EQ(domain_length, 9U);
+    EXPECT_EQ(domain[8], '9');
+    EXPECT_FALSE(server.IsBusy());
+}
+
+TEST_F(SdoBlockTest, AWrongCrcWritesNothing)
+{
+    Verifies(req::SRS_SDO_008);
+    EXPECT_EQ(Send({0xC6U, 0x03U, 0x21U, 0x00U, 9U})[0], 0xA4U);
+    EXPECT_TRUE(Send({0x01U, '1', '2', '3', '4', '5', '6', '7'}).empty());
+    EXPECT_EQ(Send({0x82U, '8', '8'})[1], 2U);
+    EXPECT_EQ(Send({0xD5U, 0xC3U, 0x31U}), AbortOf(0x2103U, 0U, 0x05040004U));
+    EXPECT_EQ(domain_length, 0U);
+    // A client without CRC is not asked for one
+    EXPECT_EQ(Send({0xC2U, 0x03U, 0x21U, 0x00U, 9U})[0], 0xA4U);
+    EXPECT_TRUE(Send({0x01U, '1', '2', '3', '4', '5', '6', '7'}).empty());
+    EXPECT_EQ(Send({0x82U, '8', '8'})[1], 2U);
+    EXPECT_EQ(Send({0xD5U, 0xFFU, 0xFFU})[0], 0xA1U);
+    EXPECT_EQ(domain_length, 9U);
+}
+
+TEST_F(SdoBlockTest, LostSegmentsAreRepeatedAndDoubledOnesIgnored)
+{
+    Verifies(req::SRS_SDO_006);
+    EXPECT_EQ(Send({0xC0U, 0x03U, 0x21U, 0x00U})[0], 0xA4U);
+    // Given that segment 3 of 4 is lost and 2 is doubled
+    EXPECT_TRUE(SendSegments(1, 2).empty());
+    EXPECT_TRUE(Send({0x02U, 9U}).empty());
+    EXPECT_EQ(Send({0x04U, 9U}), (Octets{0xA2U, 2U, 4U, 0U, 0U, 0U, 0U, 0U}));
+    // When the client goes on after 2, the second block is full
+    EXPECT_EQ(SendSegments(1, 4), (Octets{0xA2U, 4U, 4U, 0U, 0U, 0U, 0U, 0U}));
+    // and the last segment comes out of order, which does not end the data
+    EXPECT_EQ(Send({0x82U, 9U}), (Octets{0xA2U, 0U, 4U, 0U, 0U, 0U, 0U, 0U}));
+    EXPECT_EQ(Send({0x81U, 0x77U}), (Octets{0xA2U, 1U, 4U, 0U, 0U, 0U, 0U, 0U}));
+    EXPECT_EQ(Send({0xD9U})[0], 0xA1U); // 6 unused
+    EXPECT_EQ(domain_length, 43U);      // 6 segments and 1 byte
+    EXPECT_EQ(domain[14], 1U);
+    EXPECT_EQ(domain[42], 0x77U);
+}
+
+TEST_F(SdoBlockTest, SequenceNumbersBeyondTheBlockAreRefused)
+{
+    Verifies(req::SRS_SDO_006);
+    for (const std::uint8_t number : Octets{0x00U, 0x05U, 0x7FU, 0x85U, 0xFFU})
+    {
+        EXPECT_EQ(Send({0xC0U, 0x03U, 0x21U, 0x00U})[0], 0xA4U);
+        EXPECT_EQ(Send({number}), AbortOf(0x2103U, 0U, 0x05040003U)) << int{number};
+    }
+}
+
+TEST_F(SdoBlockTest, DownloadsOfOtherLengthsThanStatedAreRefused)
+{
+    Verifies(req::SRS_SDO_003);
+    Verifies(req::SRS_SDO_013);
+    EXPECT_EQ(Send({0xC2U, 0x03U, 0x21U, 0x00U, 7U})[0], 0xA4U);
+    EXPECT_TRUE(SendSegments(1, 1).empty());
+    EXPECT_EQ(Send({0x02U}), AbortOf(0x2103U, 0U, 0x06070012U));
+    EXPECT_EQ(Send({0xC2U, 0x03U, 0x21U, 0x00U, 9U})[0], 0xA4U);
+    EXPECT_EQ(Send({0x81U})[1], 1U);
+    EXPECT_EQ(Send({0xC1U}), AbortOf(0x2103U, 0U, 0x06070013U));
+    EXPECT_EQ(Send({0xC2U, 0x03U, 0x21U, 0x00U, 5U})[0], 0xA4U);
+    EXPECT_EQ(Send({0x81U})[1], 1U);
+    EXPECT_EQ(Send({0xC5U}), AbortOf(0x2103U, 0U, 0x06070012U)); // 6 bytes
+    // Without a stated length the buffer is the limit: 143 segments are 1001 bytes
+    EXPECT_EQ(Send({0xC0U, 0x03U, 0x21U, 0x00U})[0], 0xA4U);
+    for (int block = 0; block < 35; ++block)
+    {
+        EXPECT_EQ(SendSegments(1, 4)[1], 4U);
+    }
+    EXPECT_TRUE(SendSegments(1, 3).empty());
+    EXPECT_EQ(Send({0x04U}), AbortOf(0x2103U, 0U, 0x05040005U));
+}
+
+TEST_F(SdoBlockTest, TheBufferIsFilledToItsLastByteAndNoFurther)
+{
+    Verifies(req::SRS_SDO_013);
+    for (const std::uint8_t unused : Octets{1U, 0U})
+    {
+        EXPECT_EQ(Send({0xC0U, 0x03U, 0x21U, 0x00U})[0], 0xA4U);
+        for (int block = 0; block < 35; ++block)
+        {
+            EXPECT_EQ(SendSegments(1, 4)[1], 4U);
+        }
+        EXPECT_TRUE(SendSegments(1, 2).empty());
+        EXPECT_EQ(Send({0x83U, 5U, 5U, 5U, 5U, 5U, 6U, 7U})[1], 3U);
+        const Octets answer = Send({static_cast<std::uint8_t>(0xC1U + (4U * unused))});
+        EXPECT_EQ(answer,
+                  (unused == 1U) ? (Octets{0xA1U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}) : AbortOf(0x2103U, 0U, 0x05040005U));
+    }
+    EXPECT_EQ(domain_length, 1000U);
+    EXPECT_EQ(domain[999], 6U);
+}
+
+TEST_F(SdoBlockTest, DownloadOfNothing)
+{
+    Verifies(req::SRS_SDO_006);
+    domain_length = 3U;
+    EXPECT_EQ(Send({0xC6U, 0x03U, 0x21U, 0x00U, 0U})[0], 0xA4U);
+    EXPECT_EQ(Send({0x81U})[1], 1U);
+    EXPECT_EQ(Send({0xDDU})[0], 0xA1U);
+    EXPECT_EQ(domain_length, 0U);
+}
+
+TEST_F(SdoBlockTest, ASubBlockThatStopsIsAcknowledgedOnceAndThenTimesOut)
+{
+    Verifies(req::SRS_SDO_010);
+    EXPECT_EQ(Send({0xC0U, 0x03U, 0x21U, 0x00U})[0], 0xA4U);
+    now_us += 600U;
+    EXPECT_TRUE(Poll().empty()); // no segment came
+    EXPECT_TRUE(SendSegments(1, 2).empty());
+    now_us += 499U;
+    EXPECT_TRUE(Poll().empty());
+    now_us += 1U;
+    EXPECT_EQ(Poll(), (Octets{0xA2U, 2U, 4U, 0U, 0U, 0U, 0U, 0U}));
+    EXPECT_TRUE(SendSegments(1, 1).empty());
+    now_us += 500U;
+    EXPECT_TRUE(Poll().empty()); // once in a sub-block
+    now_us += 500U;
+    EXPECT_EQ(Poll(), AbortOf(0x2103U, 0U, 0x05040000U));
+    // Nothing but an end is taken after the last segment
+    EXPECT_EQ(Send({0xC0U, 0x03U, 0x21U, 0x00U})[0], 0xA4U);
+    EXPECT_EQ(Send({0x81U})[1], 1U);
+    EXPECT_EQ(Send({0xC0U}), AbortOf(0x2103U, 0U, 0x05040001U));
+}
+
+TEST_F(SdoBlockTest, UploadInBlocksOfTheClientsSizeWithCrc)
+{
+    Verifies(req::SRS_SDO_007);
+    Verifies(req::SRS_SDO_008);
+    const Octets digits{'1', '2', '3', '4', '5', '6', '7', '8', '9'};
+    std::copy(digits.begin(), digits.end(), domain.begin());
+    domain_length = 9U;
+    EXPECT_EQ(Send({0xA4U, 0x03U, 0x21U, 0x00U, 1U}), (Octets{0xC6U, 0x03U, 0x21U, 0x00U, 9U, 0U, 0U, 0U}));
+    EXPECT_TRUE(Poll().empty());
+    EXPECT_EQ(Send({0xA3U}), (Octets{0x01U, '1', '2', '3', '4', '5', '6', '7'}));
+    EXPECT_TRUE(Poll().empty()); // the block is full
+    EXPECT_EQ(Send({0xA2U, 1U, 127U}), (Octets{0x81U, '8', '9', 0U, 0U, 0U, 0U, 0U}));
+    EXPECT_TRUE(Poll().empty());
+    EXPECT_EQ(Send({0xA2U, 1U, 127U}), (Octets{0xD5U, 0xC3U, 0x31U, 0U, 0U, 0U, 0U, 0U}));
+    EXPECT_TRUE(Send({0xA1U}).empty());
+    EXPECT_FALSE(server.IsBusy());
+}
+
+TEST_F(SdoBlockTest, WhatWasNotAcknowledgedIsRepeated)
+{
+    Verifies(req::SRS_SDO_007);
+    domain_length = 20U;
+    EXPECT_EQ(Send({0xA0U, 0x03U, 0x21U, 0x00U, 2U})[0], 0xC6U);
+    EXPECT_EQ(Send({0xA3U})[0], 0x01U);
+    EXPECT_EQ(Poll(), (Octets{0x02U, 7U, 8U, 9U, 10U, 11U, 12U, 13U}));
+    EXPECT_EQ(Send({0xA2U, 1U, 3U}), (Octets{0x01U, 7U, 8U, 9U, 10U, 11U, 12U, 13U}));
+    EXPECT_EQ(Poll(), (Octets{0x82U, 14U, 15U, 16U, 17U, 18U, 19U, 0U}));
+    EXPECT_TRUE(Poll().empty());
+    EXPECT_EQ(Send({0xA2U, 0U, 3U})[1], 7U); // nothing came
+    EXPECT_EQ(Poll()[0], 0x82U);
+    EXPECT_EQ(Send({0xA2U, 2U, 3U}), (Octets{0xC5U, 0U, 0U, 0U, 0U, 0U, 0U, 0U})); // no CRC asked for
+    EXPECT_TRUE(Send({0xA1U}).empty());
+}
+
+TEST_F(SdoBlockTest, WrongBlockSizesAndAcknowledgementsAreRefused)
+{
+    Verifies(req::SRS_SDO_007);
+    domain_length = 20U;
+    EXPECT_EQ(Send({0xA0U, 0x03U, 0x21U, 0x00U, 0U}), AbortOf(0x2103U, 0U, 0x05040002U));
+    EXPECT_EQ(Send({0xA0U, 0x03U, 0x21U, 0x00U, 128U}), AbortOf(0x2103U, 0U, 0x05040002U));
+    for (const std::uint8_t size : Octets{0U, 128U})
+    {
+        EXPECT_EQ(Send({0xA0U, 0x03U, 0x21U, 0x00U, 127U})[0], 0xC6U);
+        EXPECT_EQ(Send({0xA3U})[0], 0x01U);
+        EXPECT_EQ(Send({0xA2U, 1U, size}), AbortOf(0x2103U, 0U, 0x05040002U));
+    }
+    EXPECT_EQ(Send({0xA0U, 0x03U, 0x21U, 0x00U, 127U})[0], 0xC6U);
+    EXPECT_EQ(Send({0xA3U})[0], 0x01U);
+    EXPECT_EQ(Send({0xA2U, 2U, 127U}), AbortOf(0x2103U, 0U, 0x05040003U));
+    // Commands out of place in each phase
+    EXPECT_EQ(Send({0xA0U, 0x03U, 0x21U, 0x00U, 127U})[0], 0xC6U);
+    EXPECT_EQ(Send({0xA2U, 0U, 127U}), AbortOf(0x2103U, 0U, 0x05040001U));
+    EXPECT_EQ(Send({0xA0U, 0x03U, 0x21U, 0x00U, 127U})[0], 0xC6U);
+    EXPECT_EQ(Send({0xA3U})[0], 0x01U);
+    EXPECT_EQ(Send({0xA3U}), AbortOf(0x2103U, 0U, 0x05040001U));
+    EXPECT_EQ(Send({0xA0U, 0x03U, 0x21U, 0x00U, 127U})[0], 0xC6U);
+    EXPECT_EQ(Send({0x60U}), AbortOf(0x2103U, 0U, 0x05040001U));
+}
+
+TEST_F(SdoBlockTest, ASmallValueIsUploadedAsTheThresholdSays)
+{
+    Verifies(req::SRS_SDO_009);
+    EXPECT_EQ(Send({0xA4U, 0x00U, 0x21U, 0x00U, 4U, 1U}), (Octets{0x4FU, 0x00U, 0x21U, 0x00U, 0x7FU, 0U, 0U, 0U}));
+    EXPECT_EQ(Send({0xA4U, 0x02U, 0x21U, 0x00U, 4U, 8U}), (Octets{0x41U, 0x02U, 0x21U, 0x00U, 8U, 0U, 0U, 0U}));
+    EXPECT_EQ(Send({0x60U})[0], 0x00U);
+    EXPECT_EQ(Send({0x70U})[0], 0x1DU);
+    EXPECT_EQ(Send({0xA4U, 0x02U, 0x21U, 0x00U, 4U, 7U})[0], 0xC6U); // longer than the threshold
+    EXPECT_TRUE(Send({0x80U}).empty());
+    EXPECT_EQ(Send({0xA4U, 0x03U, 0x21U, 0x00U, 4U, 0U})[0], 0xC6U); // nothing, without a threshold
+    EXPECT_EQ(Send({0xA3U})[0], 0x81U);
+    EXPECT_EQ(Send({0xA2U, 1U, 4U}), (Octets{0xDDU, 0U, 0U, 0U, 0U, 0U, 0U, 0U}));
+}
+
+} // namespace
+} // namespace counterpoint::cia301
