@@ -83,12 +83,12 @@ enum class GfcUse : std::uint8_t
 struct DeviceConfig
 {
     const SrdoSetup* srdos;
-    const MappableObject* objects;    ///< Ascending by (index, sub), no duplicates.
-    std::uint16_t object_count;       ///< 0 to 1024.
-    std::uint8_t srdo_count;          ///< 1 to 64.
-    std::uint8_t node_id;             ///< 1 to 127.
-    std::uint8_t granularity_bits;    ///< 1, 8, 16, 32 or 64.
-    std::uint8_t map_entries;         ///< Entries of each dynamic mapping: even, 0 to 128; what the channels have room for.
+    const MappableObject* objects; ///< Ascending by (index, sub), no duplicates.
+    std::uint16_t object_count;    ///< 0 to 1024.
+    std::uint8_t srdo_count;       ///< 1 to 64.
+    std::uint8_t node_id;          ///< 1 to 127.
+    std::uint8_t granularity_bits; ///< 1, 8, 16, 32 or 64.
+    std::uint8_t map_entries; ///< Entries of each dynamic mapping: even, 0 to 128; what the channels have room for.
     DummyMapping dummies;
     NumberGaps gaps;
     GfcUse gfc;
@@ -153,9 +153,8 @@ enum class ConfigFault : std::uint8_t
     kIdentifier = 3U,       ///< Reserved bits, outside 101h to 180h, parity, or COB-ID 2 not COB-ID 1 + 1.
     kIdentifierInUse = 4U,  ///< Another SRDO that is not off has one of the identifiers.
     kTiming = 5U,           ///< Consumer: not 1 <= SRVT < SCT. Producer: refresh time shorter than the cycle.
-    kMapping =
-        6U, ///< Odd count, too many entries, unknown object, access, length, same object, unequal pair, granularity,
-            ///< dummy, static fields.
+    kMapping = 6U,          ///< Odd count, too many entries, unknown object, access, length, same object, unequal pair,
+                   ///< granularity, dummy, static fields.
     kLengthExceeded = 7U, ///< More than 64 bits of normal or inverse data.
     kSignature = 8U,      ///< 13FFh is not the computed signature.
     kTable = 9U,          ///< A resolved mapping no longer leads to the objects that the entries name.

@@ -75,8 +75,8 @@ enum class ProducerForm : std::uint8_t
 /// When a missing inverse frame is found. Everything that is not kLate is early. [SRS-TIME-007, SRS-TIME-009]
 enum class SrvtDetection : std::uint8_t
 {
-    kEarly = 0U,    ///< By the cycle in which SRVT has expired.
-    kLate = 0x3CU,  ///< By an inverse frame that comes too late, or by SCT.
+    kEarly = 0U,   ///< By the cycle in which SRVT has expired.
+    kLate = 0x3CU, ///< By an inverse frame that comes too late, or by SCT.
 };
 
 /// Data of one frame: byte 0 of the frame is bits 0 to 7 of `low`, byte 4 is bits 0 to 7 of `high`. Bits above the
