@@ -154,10 +154,10 @@ enum class ConfigFault : std::uint8_t
     kIdentifierInUse = 4U,  ///< Another SRDO that is not off has one of the identifiers.
     kTiming = 5U,           ///< Consumer: not 1 <= SRVT < SCT. Producer: refresh time shorter than the cycle.
     kMapping = 6U,          ///< Odd count, too many entries, unknown object, access, length, same object, unequal pair,
-                   ///< granularity, dummy, static fields.
-    kLengthExceeded = 7U, ///< More than 64 bits of normal or inverse data.
-    kSignature = 8U,      ///< 13FFh is not the computed signature.
-    kTable = 9U,          ///< A resolved mapping no longer leads to the objects that the entries name.
+                            ///< granularity, dummy, static fields.
+    kLengthExceeded = 7U,   ///< More than 64 bits of normal or inverse data.
+    kSignature = 8U,        ///< 13FFh is not the computed signature.
+    kTable = 9U,            ///< A resolved mapping no longer leads to the objects that the entries name.
     kNone = 0x5AU,
 };
 
