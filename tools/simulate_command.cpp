@@ -32,6 +32,9 @@ std::filesystem::path OneNameOf(const std::string& file)
     return error ? absolute : name;
 }
 
+/// What --explain alone stands for: an empty KEY is a slip, as of a variable that a shell does not know.
+constexpr const char* kEverything = "all";
+
 class SimulateCommand final : public Command
 {
   public:
@@ -48,8 +51,10 @@ class SimulateCommand final : public Command
         app.add_option("--sweep", sweeps_, "NAME=FROM:TO:STEP: run once for each value of the key with this path")
             ->allow_extra_args(false)
             ->excludes(frames);
-        app.add_option("--explain", explained_, "Describe the scenario format, or one KEY or section of it, and end")
+        app.add_option("--explain", explained_,
+                       "Describe the scenario format (all), or one KEY or section of it, and end")
             ->expected(0, 1)
+            ->default_str(kEverything)
             ->type_name("[KEY]");
         app.add_flag("--markdown", markdown_, "With --explain: the reference as it stands in docs/scenario.md");
         app_ = &app;
@@ -92,8 +97,9 @@ class SimulateCommand final : public Command
             streams.err << "counterpoint simulate: --explain with something else, expected it alone\n";
             return ExitStatus::kBadInput;
         }
-        const std::string text = markdown_ ? simulator::ExplainMarkdown() : simulator::ExplainText(explained_);
-        if (text.empty())
+        const std::string name = (explained_ == kEverything) ? std::string() : explained_;
+        const std::string text = markdown_ ? simulator::ExplainMarkdown() : simulator::ExplainText(name);
+        if (explained_.empty() || text.empty())
         {
             streams.err << "counterpoint simulate: --explain " << simulator::Shown(explained_)
                         << ", expected a key or section of the format; without a name all of them are told\n";

@@ -215,6 +215,11 @@ TEST(SimulateCommand, ExplainsTheFormat)
         "      e.g. jump: -3 ms\n\n");
     const Answer kind = Tool({"simulate", "--explain", "loss"});
     EXPECT_EQ(kind.out.substr(0U, 56U), "loss\n  The frame does not arrive.\n  fault: one of corrup");
+    const Answer empty = Tool({"simulate", "--explain", ""});
+    EXPECT_EQ(empty.status, ExitStatus::kBadInput);
+    EXPECT_EQ(empty.out, "");
+    EXPECT_EQ(empty.err, "counterpoint simulate: --explain '', expected a key or section of the format; without a name "
+                         "all of them are told\n");
     const Answer none = Tool({"simulate", "--explain", "losses"});
     EXPECT_EQ(none.status, ExitStatus::kBadInput);
     EXPECT_EQ(none.err, "counterpoint simulate: --explain 'losses', expected a key or section of the format; without a "
