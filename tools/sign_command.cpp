@@ -107,6 +107,7 @@ class SignCommand final : public Command
         const cia306::Device device = cia306::ReadDevice(document);
         const std::optional<std::uint8_t> node_id = options_.NodeId(device);
         const cia306::SafetyConfiguration configuration = cia306::ExtractSafety(device, node_id);
+        cia306::RequireNone(device.file, configuration.missing);
         for (const SrdoConfiguration& srdo : configuration.srdos)
         {
             cia306::RequireNone(device.file, srdo.signature_problems);

@@ -61,6 +61,7 @@ std::vector<Finding> CheckDevice(const Device& device, const CheckOptions& optio
                                options.granularity_bits.value_or(parameters.granularity_bits)};
     Findings findings;
     findings.Add(device.warnings);
+    findings.Add(configuration.missing);
     findings.Add(configuration.problems);
     findings.Add(parameter_problems);
     for (const SrdoConfiguration& srdo : configuration.srdos)

@@ -101,6 +101,7 @@ struct Device
     std::size_t device_info_line{0U};
     std::optional<std::uint8_t> granularity_bits; ///< Of DeviceInfo, where it is one of a Counterpoint device.
     std::set<std::uint16_t> dummies;              ///< Data types that DummyUsage allows to be mapped.
+    std::map<std::uint16_t, std::size_t> missing; ///< Objects that a list names and no section describes; their lines.
     std::vector<Finding> warnings;                ///< In the order of the lines.
 
     [[nodiscard]] const Object* Find(std::uint16_t index) const;

@@ -65,6 +65,7 @@ class DeviceReader
     void ReadDummyUsage();
     void ReadLists();
     void ReadList(const IniSection& section, std::set<std::uint16_t>& listed);
+    void AddMissing(std::size_t line, std::uint16_t index);
     void FinishEntries();
     void WarnOfSubNumber(const Object& object);
 
@@ -218,7 +219,7 @@ void DeviceReader::ReadList(const IniSection& section, std::set<std::uint16_t>& 
         ++found;
         if (device_.Find(static_cast<std::uint16_t>(*index)) == nullptr)
         {
-            Warn(key.line, static_cast<std::uint16_t>(*index), "is listed, expected a section that describes it");
+            AddMissing(key.line, static_cast<std::uint16_t>(*index));
         }
         listed.insert(static_cast<std::uint16_t>(*index));
     }
@@ -226,6 +227,15 @@ void DeviceReader::ReadList(const IniSection& section, std::set<std::uint16_t>& 
     {
         Warn(section.line, "section " + Quoted(section.name) + " lists " + std::to_string(found) +
                                " objects, expected SupportedObjects of that number");
+    }
+}
+
+void DeviceReader::AddMissing(const std::size_t line, const std::uint16_t index)
+{
+    device_.missing.emplace(index, line);
+    if (!IsSafetyObject(index))
+    {
+        Warn(line, index, "is listed, expected a section that describes it");
     }
 }
 

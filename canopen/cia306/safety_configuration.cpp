@@ -2,6 +2,7 @@
 #include "canopen/cia306/safety_configuration.hpp"
 
 #include "canopen/cia306/data_type.hpp"
+#include "canopen/cia306/entry_reader.hpp"
 
 #include <algorithm>
 
@@ -145,6 +146,13 @@ SafetyConfiguration ExtractSafety(const Device& device, const std::optional<std:
         if (object != nullptr)
         {
             configuration.srdos.push_back(reader.Read(number, *object));
+        }
+    }
+    for (const auto& [index, line] : device.missing)
+    {
+        if (IsSafetyObject(index))
+        {
+            AddError(configuration.missing, line, Hex(index, 4), {"is listed", "a section that describes it"});
         }
     }
     const auto read = [&](const std::uint16_t index, Field& field)

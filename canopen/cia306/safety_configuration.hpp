@@ -107,6 +107,7 @@ struct SafetyConfiguration
     Field gfc;
     Field configuration_valid;
     Field signature_count;
+    std::vector<Finding> missing;  ///< Safety objects that are listed and not described: the file was cut.
     std::vector<Finding> problems; ///< Of what belongs to no SRDO.
 };
 

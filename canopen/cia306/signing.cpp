@@ -113,6 +113,7 @@ void RequireSigned(const IniDocument& document, const std::optional<std::uint8_t
 IniDocument WithSignatures(const IniDocument& document, const Device& device, const std::optional<std::uint8_t> node_id)
 {
     const SafetyConfiguration configuration = ExtractSafety(device, node_id);
+    RequireNone(device.file, configuration.missing);
     Edits edits;
     for (const SrdoConfiguration& srdo : configuration.srdos)
     {

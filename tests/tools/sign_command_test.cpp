@@ -98,6 +98,20 @@ TEST_F(SignCommandTest, AFileWithoutSrdoGivesAWarningAndNoLine)
     EXPECT_EQ(answer.err, file + ":0: warning: no SRDO, expected communication parameters at 0x1301 to 0x1340\n");
 }
 
+TEST_F(SignCommandTest, RefusesAFileThatWasCut)
+{
+    Verifies(req::SRS_EDS_031);
+    // Given a shipped device's file that ends before its SRDO
+    const std::string text = cia306::ReadTextFile(cia306::test::SourceFolder() + "/examples/actuator/actuator.dcf");
+    const std::string file = File("cut.dcf", text.substr(0U, text.find("[1301]")));
+    // When it is signed
+    const Answer answer = RunCommand({"sign", file});
+    // Then one line names the first object that is not there
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_EQ(answer.out, "");
+    EXPECT_EQ(answer.err, file + ":72: error: 0x1301: is listed, expected a section that describes it\n");
+}
+
 TEST_F(SignCommandTest, VerbosePrintsTheBytesFieldByField)
 {
     Verifies(req::SRS_CLI_004);

@@ -40,6 +40,7 @@ DeviceSource::DeviceSource(const cia306::Device& device, const std::string& file
         throw InputError(file_, 0U, {"no node-ID", "NodeID in the commissioning section, or node_id in the scenario"});
     }
     safety_ = cia306::ExtractSafety(device_, node_id_);
+    cia306::RequireNone(file_, safety_.missing);
     cia306::RequireNone(file_, safety_.problems);
     for (const cia306::SrdoConfiguration& srdo : safety_.srdos)
     {

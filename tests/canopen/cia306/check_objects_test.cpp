@@ -59,20 +59,20 @@ TEST(CheckObjects, MissingObjects)
     const std::string listed = "is listed, expected a section that describes it";
     const std::vector<CheckRow> rows = {
         {{},
-         {"warning: 0x13FE: " + listed,
+         {"error: 0x13FE: " + listed,
           "error: 0x13FE:00: the configuration valid flag is missing, expected an object of type UNSIGNED8"},
          {{"[13FE]", "[Gone]"}}},
         {{},
-         {"warning: 0x13FF: " + listed,
-          "error: 0x13FF: the safety configuration signature is missing, expected an array "
-          "with a sub-index for each SRDO"},
+         {"error: 0x13FF: " + listed, "error: 0x13FF: the safety configuration signature is missing, expected an array "
+                                      "with a sub-index for each SRDO"},
          {{"[13FF]", "[Gone]"}, {"[13FFsub0]", "[Gone0]"}, {"[13FFsub1]", "[Gone1]"}}},
         {{{"13FF", "SubNumber", "1"}},
          {"error: 0x13FF:01: is missing, expected an object of type UNSIGNED16"},
          {{"[13FFsub1]", "[Gone]"}}},
         {{},
-         {"warning: 0x1300: " + listed,
-          "error: 0x5F00:0E: the GFC is used and there is no 0x1300, expected 0x00, or the object 0x1300"},
+         {"error: 0x1300: " + listed,
+          "error: 0x5F00:0E: the GFC is used and there is no 0x1300, expected 0x00, or the object 0x1300",
+          "error: 0x5F04:00: device digest 0x66596575, expected 0xFB568403, computed from the device's parameters"},
          {{"[1300]", "[Gone]"}}},
         {{},
          {"warning: [DeviceInfo] does not announce CANopen Safety, expected CANopenSafetySupported=1"},

@@ -74,10 +74,11 @@ TEST(Signing, WithoutAPlaceForASignatureItIsRefused)
     Verifies(req::SRS_CLI_005);
     EXPECT_EQ(RefusalOfSigning(Changed(ExampleText("controller"), {{"[13FFsub2]", "[13FFsub3]"}})),
               "test.dcf:434: error: 0x13FF:02 is missing, expected an object that takes the signature of SRDO 2");
-    EXPECT_EQ(
-        RefusalOfSigning(Changed(ExampleText("sensor"),
-                                 {{"[13FF]", "[13F0]"}, {"[13FFsub0]", "[13F0sub0]"}, {"[13FFsub1]", "[13F0sub1]"}})),
-        "test.dcf:185: error: 0x13FF:01 is missing, expected an object that takes the signature of SRDO 1");
+    EXPECT_EQ(RefusalOfSigning(Changed(ExampleText("sensor"), {{"[13FF]", "[13F0]"},
+                                                               {"[13FFsub0]", "[13F0sub0]"},
+                                                               {"[13FFsub1]", "[13F0sub1]"},
+                                                               {"=0x13FF", "=0x13F0"}})),
+              "test.dcf:185: error: 0x13FF:01 is missing, expected an object that takes the signature of SRDO 1");
 }
 
 TEST(Signing, WhatCannotBeSignedIsRefused)

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,44 @@ TEST(WideFiles, EachIsSoundAsItStands)
         // Then the check without options finds nothing in them
         EXPECT_EQ(test::FindingsOf(FileText(name), {}), Lines{}) << name;
     }
+}
+
+/// Whether somebody who checks the text is told that it cannot be right.
+bool IsRefused(const std::string& text)
+{
+    try
+    {
+        const std::vector<Finding> findings = CheckDevice(test::DeviceOf(text), {});
+        return std::any_of(findings.begin(), findings.end(),
+                           [](const Finding& finding) { return finding.severity == Severity::kError; });
+    }
+    catch (const InputError&)
+    {
+        return true;
+    }
+}
+
+TEST(WideFiles, EveryCutBeforeTheLastSafetyObjectIsRefused)
+{
+    Verifies(req::SRS_EDS_031);
+    // Given a shipped device's file, whose last object is 5F05h
+    const std::string text = ReadTextFile(test::SourceFolder() + "/examples/actuator/actuator.dcf");
+    const std::size_t last_object = text.find("[5F05]");
+    ASSERT_NE(last_object, std::string::npos);
+    EXPECT_FALSE(IsRefused(text));
+    // When it ends behind any of the lines before that object
+    std::size_t accepted = 0U;
+    std::size_t cuts = 0U;
+    for (std::size_t end = text.find('\n'); end < last_object; end = text.find('\n', end + 1U))
+    {
+        ++cuts;
+        accepted += IsRefused(text.substr(0U, end + 1U)) ? 0U : 1U;
+    }
+    // Then each of the cuts is an error but those before the objects are listed
+    const std::size_t lists = text.find("[OptionalObjects]");
+    const auto lines_before_lists = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(lists), '\n');
+    EXPECT_GT(cuts, 600U);
+    EXPECT_LE(accepted, static_cast<std::size_t>(lines_before_lists)) << cuts << " cuts";
 }
 
 TEST(WideFiles, SignaturesAreThoseOfAnIndependentComputation)
