@@ -26,6 +26,21 @@ std::vector<std::string> ShippedScenarios()
     return files;
 }
 
+/// Beside the demonstration: of what devices find about themselves and about their other CPU.
+std::vector<std::string> MoreScenarios()
+{
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(Examples() + "../scenarios"))
+    {
+        if (entry.path().extension() == ".yaml")
+        {
+            files.push_back("../scenarios/" + entry.path().filename().string());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
 class ShippedScenario : public ::testing::TestWithParam<std::string>
 {
 };
@@ -34,6 +49,8 @@ TEST_P(ShippedScenario, HoldsInEveryExpectation)
 {
     Verifies(req::SRS_DEMO_001);
     Verifies(req::SRS_SIM_030);
+    Verifies(req::SRS_SIM_053);
+    Verifies(req::SRS_SIM_057);
     // Given a scenario that people start from; when it runs (a soak run in short)
     simulator::Run run(Examples() + GetParam(), std::nullopt, std::nullopt, false);
     run.Simulate(nullptr);
@@ -43,11 +60,13 @@ TEST_P(ShippedScenario, HoldsInEveryExpectation)
 
 std::string NameOf(const ::testing::TestParamInfo<std::string>& info)
 {
-    std::string name = info.param.substr(0U, info.param.find('.'));
+    const std::string file = std::filesystem::path(info.param).filename().string();
+    std::string name = file.substr(0U, file.find('.'));
     return "file_" + name;
 }
 
 INSTANTIATE_TEST_SUITE_P(EmergencyStop, ShippedScenario, ::testing::ValuesIn(ShippedScenarios()), NameOf);
+INSTANTIATE_TEST_SUITE_P(SelfTestsAndTwoCpus, ShippedScenario, ::testing::ValuesIn(MoreScenarios()), NameOf);
 
 TEST(ShippedScenarios, CoverEveryClassOfTheDemonstration)
 {

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 
 namespace counterpoint::simulator
@@ -38,6 +39,25 @@ inline std::unique_ptr<Run> RunChain(const std::string& text, const bool keeps_a
 {
     auto run = std::make_unique<Run>(TextFile("extends: " + Examples() + "chain.yaml\n" + text), std::nullopt,
                                      std::nullopt, keeps_all);
+    run->Simulate(nullptr);
+    return run;
+}
+
+/// The same of devices without self tests, of which some faults are found by nobody.
+inline std::unique_ptr<Run> RunChainWithoutSelfTests(const std::string& text)
+{
+    std::ostringstream chain;
+    chain << std::ifstream(Examples() + "chain.yaml").rdbuf();
+    std::string whole = chain.str();
+    const std::string key = "{dcf: ";
+    for (std::size_t at = whole.find(key); at != std::string::npos; at = whole.find(key, at + key.size()))
+    {
+        whole.replace(at, key.size(), "{self_tests: false, dcf: " + Examples());
+    }
+    const std::string base = TextFile(whole);
+    const std::string file = base + ".extended.yaml";
+    std::ofstream(file, std::ios::binary) << "extends: " << base << "\n" << text;
+    auto run = std::make_unique<Run>(file, std::nullopt, std::nullopt, false);
     run->Simulate(nullptr);
     return run;
 }

@@ -32,6 +32,10 @@ template <typename ShippedChannel, typename Storage> class Host final : public C
     {
         return sizeof(storage_);
     }
+    [[nodiscard]] std::size_t VoiceSize() const noexcept override
+    {
+        return sizeof(channel_);
+    }
 
   private:
     Storage storage_{};

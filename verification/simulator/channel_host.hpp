@@ -24,6 +24,8 @@ class ChannelHost
     [[nodiscard]] virtual Channel& Voice() noexcept = 0;
     [[nodiscard]] virtual std::uint8_t* Bytes() noexcept = 0;
     [[nodiscard]] virtual std::size_t Size() const noexcept = 0;
+    /// @brief The channel itself; what it keeps is in the storage.
+    [[nodiscard]] virtual std::size_t VoiceSize() const noexcept = 0;
 };
 
 enum class Letter : std::uint8_t

@@ -74,9 +74,10 @@ Party PartyOf(const Event& device_fault)
     case DeviceFault::kLateCall:
     case DeviceFault::kFrameOrder:
         return Party::kClockSupervisor;
+    case DeviceFault::kSelfTest:
+        return Party::kSelfTest;
     case DeviceFault::kInvalid:
     case DeviceFault::kApplication:
-    case DeviceFault::kSelfTest:
     case DeviceFault::kHandshake:
     case DeviceFault::kCrossLink:
     case DeviceFault::kNone:

@@ -37,11 +37,12 @@ enum class EventKind : std::uint8_t
     kSignal = 17U,      ///< The application was told of a cause. value: SrdoCause.
     kDeviceFault = 18U, ///< value: DeviceFault; other: that of the comparator's verdict.
     kWatchdog = 19U,    ///< The watchdog tripped.
-    kHung = 20U,        ///< A call did not return: the node stands still.
+    kHung = 20U,        ///< The node stands still. value: 0 a call did not return, 1 exception, 2 nothing runs.
     kConfigurationInvalid = 21U,
     kReception = 22U, ///< A consumer got a frame. value: identifier; other: 1 when it completed a good pair.
     kPowerOff = 23U,
-    kNoStart = 24U, ///< The kernel refused to start, or its configuration.
+    kNoStart = 24U,  ///< The kernel refused to start, or its configuration.
+    kSelfTest = 25U, ///< A self test failed. value: selftest::TestId.
 };
 
 struct Event

@@ -95,22 +95,47 @@ inline constexpr Word<FaultKind> kFaultWords[] = {
     {"frozen_input", FaultKind::kFrozenInput},
     {"permit", FaultKind::kPermit},
     {"watchdog", FaultKind::kWatchdog},
+    {"stuck_bit", FaultKind::kStuckBit},
+    {"standstill", FaultKind::kStandstill},
 };
 
 inline constexpr Word<Part> kPartWords[] = {
     {"channel_a", Part::kChannelA},       {"channel_b", Part::kChannelB}, {"comparator", Part::kComparator},
-    {"flow_monitor", Part::kFlowMonitor}, {"guard", Part::kGuard},
+    {"flow_monitor", Part::kFlowMonitor}, {"guard", Part::kGuard},        {"self_test", Part::kSelfTest},
+};
+
+/// What can always be good: chips, too.
+inline constexpr Word<Part> kGoodPartWords[] = {
+    {"channel_a", Part::kChannelA},       {"channel_b", Part::kChannelB},    {"comparator", Part::kComparator},
+    {"flow_monitor", Part::kFlowMonitor}, {"guard", Part::kGuard},           {"self_test", Part::kSelfTest},
+    {"output_gate", Part::kOutputGate},   {"watchdog", Part::kWatchdogChip},
 };
 
 inline constexpr Word<Part> kChannelWords[] = {{"channel_a", Part::kChannelA}, {"channel_b", Part::kChannelB}};
 
 /// Where bits can flip.
 inline constexpr Word<Part> kMemoryWords[] = {
-    {"channel_a", Part::kChannelA},   {"channel_b", Part::kChannelB},    {"kernel", Part::kKernel},
-    {"latch", Part::kLatch},          {"comparator", Part::kComparator}, {"flow_monitor", Part::kFlowMonitor},
-    {"guard", Part::kGuard},          {"clocks", Part::kClocks},         {"setup", Part::kSetup},
-    {"safe_value", Part::kSafeValue}, {"objects", Part::kObjects},       {"variables", Part::kVariables},
+    {"channel_a", Part::kChannelA},
+    {"channel_b", Part::kChannelB},
+    {"kernel", Part::kKernel},
+    {"latch", Part::kLatch},
+    {"comparator", Part::kComparator},
+    {"flow_monitor", Part::kFlowMonitor},
+    {"guard", Part::kGuard},
+    {"clocks", Part::kClocks},
+    {"setup", Part::kSetup},
+    {"safe_value", Part::kSafeValue},
+    {"objects", Part::kObjects},
+    {"variables", Part::kVariables},
+    {"program", Part::kProgram},
+    {"constants", Part::kConstants},
+    {"stack_guard", Part::kStackGuard},
+    {"table_pointer", Part::kTablePointer},
 };
+
+/// Live memory, which a march tests.
+inline constexpr Word<Part> kLiveWords[] = {
+    {"channel_a", Part::kChannelA}, {"channel_b", Part::kChannelB}, {"kernel", Part::kKernel}};
 
 inline constexpr Word<Part> kInputWords[] = {
     {"acknowledge_a", Part::kAcknowledgeA}, {"acknowledge_b", Part::kAcknowledgeB}, {"acknowledge", Part::kNone},
@@ -140,6 +165,13 @@ inline constexpr Word<NmtCommand> kCommandWords[] = {
 inline constexpr Word<ChannelCall> kCallWords[] = {{"OnCycle", ChannelCall::kOnCycle},
                                                    {"OnFrame", ChannelCall::kOnFrame}};
 inline constexpr Word<bool> kYesWords[] = {{"true", true}, {"false", false}};
+
+inline constexpr Word<bool> kLevelWords[] = {{"0", false}, {"1", true}};
+
+/// The self tests by the number of selftest::TestId.
+inline constexpr Word<std::uint64_t> kTestWords[] = {
+    {"no test started", 0U}, {"pointers to tables", 1U}, {"stack guard", 2U}, {"program", 3U},
+    {"constants", 4U},       {"live memory", 5U},        {"permits", 6U},     {"schedule", 7U}};
 
 /// Which frames of an SRDO, and which counters.
 enum class Side : std::uint8_t
@@ -175,6 +207,7 @@ inline constexpr Word<Party> kPartyWords[] = {
     {"output_gate", Party::kOutputGate},
     {"clock_supervisor", Party::kClockSupervisor},
     {"guard", Party::kGuard},
+    {"self_test", Party::kSelfTest},
 };
 
 inline constexpr Word<FaultClass> kFaultClassWords[] = {

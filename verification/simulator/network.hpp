@@ -65,7 +65,9 @@ class Network final : private host::BusObserver
     void PlanState(std::size_t index, const std::function<void()>& begin, const std::function<void()>& end);
     void PlanForeignFrames(std::size_t index);
     void PlanPartFault(std::size_t index);
-    void PlanBitFlip(std::size_t index);
+    [[nodiscard]] BitPlace PlaceOfBit(std::size_t index);
+    void PlanBitFault(std::size_t index);
+    void PlanStandstill(std::size_t index);
     void PlanDisturbance(std::size_t index);
     void PlanClock(std::size_t index);
     void PlanControllerFault(std::size_t index);

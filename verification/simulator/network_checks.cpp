@@ -104,6 +104,11 @@ void Network::RequireOfFault(const FaultSetup& fault) const
         throw ScenarioError(fault.source.file, fault.source.place, "controller 2 of a node with one",
                             "'controllers: 2' of that node, or a DCF that names two");
     }
+    if (fault.part == Part::kSelfTest && !scenario_.nodes[fault.node].self_tests)
+    {
+        throw ScenarioError(fault.source.file, fault.source.place, "the self test of a node without one",
+                            "a node without 'self_tests: false'");
+    }
     if (fault.frames.srdo_of)
     {
         RequireSrdo(*fault.frames.srdo_of, fault.frames.srdo, false, fault.source);

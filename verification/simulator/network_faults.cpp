@@ -69,6 +69,7 @@ FaultClass ClassOf(const FaultSetup& fault)
         return (fault.part == Part::kChallenge || fault.part == Part::kQuestion) ? FaultClass::kSupervisor
                                                                                  : FaultClass::kBus;
     case FaultKind::kBitFlip:
+    case FaultKind::kStuckBit:
         return FaultClass::kConfiguration;
     case FaultKind::kClock:
     case FaultKind::kCycle:
@@ -93,7 +94,11 @@ void Network::PlanFault(const std::size_t index)
         PlanForeignFrames(index);
         return;
     case FaultKind::kBitFlip:
-        PlanBitFlip(index);
+    case FaultKind::kStuckBit:
+        PlanBitFault(index);
+        return;
+    case FaultKind::kStandstill:
+        PlanStandstill(index);
         return;
     case FaultKind::kClock:
         PlanClock(index);
@@ -218,7 +223,18 @@ void Network::PlanControllerFault(const std::size_t index)
         [for_each, is_bus_off]() { for_each(is_bus_off ? &host::VirtualBus::Recover : &host::VirtualBus::Connect); });
 }
 
-void Network::PlanBitFlip(const std::size_t index)
+void Network::PlanStandstill(const std::size_t index)
+{
+    const FaultSetup& fault = scenario_.faults[index];
+    Plan(fault.at,
+         [this, index, &fault]()
+         {
+             NoteFault(index, fault.node);
+             nodes_[fault.node]->StandStill();
+         });
+}
+
+BitPlace Network::PlaceOfBit(const std::size_t index)
 {
     const FaultSetup& fault = scenario_.faults[index];
     Node& node = *nodes_[fault.node];
@@ -251,10 +267,22 @@ void Network::PlanBitFlip(const std::size_t index)
         place.offset = random.Below(static_cast<std::uint32_t>(size));
         place.bit = static_cast<std::uint8_t>(random.Below(8U));
     }
+    return place;
+}
+
+void Network::PlanBitFault(const std::size_t index)
+{
+    const FaultSetup& fault = scenario_.faults[index];
+    const BitPlace place = PlaceOfBit(index);
+    if (fault.kind == FaultKind::kStuckBit)
+    {
+        Plan(fault.at, [this, index, &fault, place]() { nodes_[fault.node]->StickBit(fault, place, index); });
+        return;
+    }
     Plan(fault.at,
          [this, index, &fault, place]()
          {
-             FlipIn(nodes_[fault.node]->PiecesOfPart(fault.part, fault.srdo), place.offset, place.bit);
+             nodes_[fault.node]->FlipBit(fault.part, fault.srdo, place);
              NoteFault(index, fault.node);
          });
 }

@@ -30,11 +30,19 @@ Node::Node(const NodeIndex index, const NodeSetup& setup, DeviceModel& model, ho
       tap_a_(channel_a_->Voice(), Part::kChannelA, faults_, this),
       tap_b_(channel_b_->Voice(), Part::kChannelB, faults_, this), supervisors_(faults_),
       application_(index, model, journal),
+      self_test_(setup.self_tests
+                     ? std::make_unique<NodeSelfTest>(
+                           memory_, image_,
+                           insight == Insight::kTapped ? static_cast<hal::SafetyOutput&>(output_tap_) : output_,
+                           faults_)
+                     : nullptr),
       kernel_({insight == Insight::kTapped ? static_cast<Channel&>(tap_a_) : channel_a_->Voice(),
                insight == Insight::kTapped ? static_cast<Channel&>(tap_b_) : channel_b_->Voice(), can_,
                insight == Insight::kTapped ? static_cast<hal::SafetyOutput&>(output_tap_) : output_,
-               insight == Insight::kTapped ? static_cast<hal::Watchdog&>(watchdog_tap_) : watchdog_, application_})
+               insight == Insight::kTapped ? static_cast<hal::Watchdog&>(watchdog_tap_) : watchdog_, application_,
+               self_test_.get()})
 {
+    FurnishSelfTest();
     application_.Join(kernel_);
     ConnectControllers(model.ControllerCount());
     SetCounterRate(true, setup.counter_a.drift_ppm);
@@ -95,10 +103,19 @@ void Node::Cycle()
     seen_acknowledge_a_ = Level(Part::kAcknowledgeA, seen_acknowledge_a_);
     seen_acknowledge_b_ = Level(Part::kAcknowledgeB, seen_acknowledge_b_);
     const CycleCall call{clocks_.Now(), seen_acknowledge_a_, seen_acknowledge_b_};
-    Guarded([this, &call]() { kernel_.Cycle(call); });
+    Guarded(
+        [this, &call]()
+        {
+            if (self_test_ == nullptr)
+            {
+                RequireSound();
+            }
+            kernel_.Cycle(call);
+        });
     if (insight_ == Insight::kTapped)
     {
         NoteEffects();
+        NoteSelfTest();
         LookInside();
     }
     LookAtOutput();
@@ -160,7 +177,12 @@ void Node::Take(const StampedFrame& frame)
     {
         Follow(frame);
     }
-    Guarded([this, &frame]() { kernel_.OnFrame(frame); });
+    Guarded(
+        [this, &frame]()
+        {
+            RequireSound();
+            kernel_.OnFrame(frame);
+        });
 }
 
 void Node::TakeConfirmation(const StampedFrame& frame)
@@ -170,7 +192,12 @@ void Node::TakeConfirmation(const StampedFrame& frame)
         return;
     }
     application_.SetNow(Now());
-    Guarded([this, &frame]() { kernel_.OnConfirm(frame); });
+    Guarded(
+        [this, &frame]()
+        {
+            RequireSound();
+            kernel_.OnConfirm(frame);
+        });
 }
 
 void Node::TakeOverflow()
@@ -235,13 +262,14 @@ void Node::LookAtOutput()
 
 void Node::LookAtWatchdog()
 {
+    const Nanoseconds served = watchdog_tap_.Keep(Now(), cycle_ns_);
     const bool is_alive = watchdog_.IsAlive();
     if (was_alive_ && !is_alive)
     {
         journal_.Note({Now(), EventKind::kWatchdog, index_, 0U, 0U, 0U});
     }
     was_alive_ = is_alive;
-    look_at_ = std::min(output_.ClosesAt(), watchdog_.TripsAt());
+    look_at_ = std::min({output_.ClosesAt(), watchdog_.TripsAt(), served});
 }
 
 void Node::SetNmt(const NmtState state)
@@ -251,7 +279,12 @@ void Node::SetNmt(const NmtState state)
     if (!is_hung_ && is_on_)
     {
         application_.SetNow(Now());
-        Guarded([this, state]() { kernel_.SetNmtState(state); });
+        Guarded(
+            [this, state]()
+            {
+                RequireSound();
+                kernel_.SetNmtState(state);
+            });
     }
 }
 

@@ -8,6 +8,8 @@
 #include "verification/simulator/journal.hpp"
 #include "verification/simulator/memory_places.hpp"
 #include "verification/simulator/node_application.hpp"
+#include "verification/simulator/node_memory.hpp"
+#include "verification/simulator/node_self_test.hpp"
 #include "verification/simulator/output_tap.hpp"
 #include "verification/simulator/part_faults.hpp"
 #include "verification/simulator/supervisor_tap.hpp"
@@ -80,6 +82,12 @@ class Node final : private host::FrameSink, private ChannelWitness
     void JumpCounter(bool is_counter_a, Nanoseconds by);
     /// @brief The memory of a part, in which bits flip.
     [[nodiscard]] std::vector<MemoryPiece> PiecesOfPart(Part part, std::uint8_t srdo);
+    /// @brief Flips one bit of a part's memory, of those that PiecesOfPart tells.
+    void FlipBit(Part part, std::uint8_t srdo, const BitPlace& place);
+    /// @brief From now on this bit of the part's live memory stays at one level.
+    void StickBit(const FaultSetup& fault, const BitPlace& place, std::size_t index);
+    /// @brief Nothing of the node runs any more, until a power cycle.
+    void StandStill();
     /// @brief From now on frames wait in a queue of this capacity for the next cycle; 0: as before. [SRS-SIM-027]
     void Poll(std::size_t capacity, std::size_t fault);
 
@@ -109,6 +117,9 @@ class Node final : private host::FrameSink, private ChannelWitness
     [[nodiscard]] SlotIndex ConsumerOf(const CanFrame& frame) const;
 
     void ConnectControllers(std::uint32_t count);
+    void FurnishSelfTest();
+    [[nodiscard]] std::vector<MemoryPiece> WatchedPieces(Part part);
+    void NoteSelfTest();
     void StartFresh();
     void BeginCounters();
     void PrepareSending();
@@ -118,6 +129,9 @@ class Node final : private host::FrameSink, private ChannelWitness
     void DrainQueue();
     [[nodiscard]] SrdoMask Level(Part part, SrdoMask frozen);
     void Cycle();
+    /// @brief Ends as an exception does if a call into the kernel would lead anywhere: all but a cycle that begins with
+    /// a look at the pointers.
+    void RequireSound();
     /// @brief Makes a call into the kernel that may never return.
     template <typename Call> void Guarded(const Call& call);
     void SendByApplication();
@@ -153,6 +167,9 @@ class Node final : private host::FrameSink, private ChannelWitness
     ChannelTap tap_b_;
     SupervisorTap supervisors_;
     NodeApplication application_;
+    NodeMemory memory_;
+    NodeImage image_;
+    std::unique_ptr<NodeSelfTest> self_test_; ///< Null: the device has none.
     Kernel kernel_;
 
     Nanoseconds next_cycle_{0};
@@ -174,6 +191,8 @@ class Node final : private host::FrameSink, private ChannelWitness
     Nanoseconds next_event_{0};
     Nanoseconds look_at_{kNever}; ///< When output or watchdog change by themselves.
     bool is_hung_{false};
+    bool has_told_test_{false};
+    bool may_be_wild_{false}; ///< A pointer to a virtual table was hit.
     bool is_on_{false};
     bool was_alive_{true};
     NmtState nmt_{NmtState::kInvalid};
@@ -194,6 +213,7 @@ template <typename Call> void Node::Guarded(const Call& call)
         return;
     }
     faults_.SetNow(Now());
+    memory_.Hold();
     const SupervisorTap::Scope scope(&supervisors_);
     if (setjmp(faults_.WayOut()) != 0)
     {

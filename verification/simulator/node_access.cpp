@@ -20,7 +20,16 @@ void Node::SetAcknowledge(const std::uint8_t srdo, const bool level)
 
 void Node::SendGfc()
 {
-    const Result result = (is_hung_ || !is_on_) ? Result::kDeviceFault : kernel_.SendGfc();
+    Result result = Result::kDeviceFault;
+    if (!is_hung_ && is_on_)
+    {
+        Guarded(
+            [this, &result]()
+            {
+                RequireSound();
+                result = kernel_.SendGfc();
+            });
+    }
     journal_.Tell({Now(), EventKind::kGfc, index_, 0U, (result == Result::kSuccessful) ? 1U : 0U, 0U});
 }
 
@@ -48,6 +57,10 @@ std::vector<MemoryPiece> Node::PiecesOfPart(const Part part, const std::uint8_t 
     {
         ChannelHost& channel = (part == Part::kChannelA) ? *channel_a_ : *channel_b_;
         return {{channel.Bytes(), channel.Size()}};
+    }
+    if (part >= Part::kProgram)
+    {
+        return WatchedPieces(part);
     }
     const bool is_of_device =
         part == Part::kSetup || part == Part::kSafeValue || part == Part::kObjects || part == Part::kVariables;

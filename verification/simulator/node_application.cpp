@@ -209,6 +209,19 @@ Event NodeApplication::At(const EventKind kind, const CommunicationIndex index, 
     return {now_, kind, node_, srdo, value, 0U};
 }
 
+void NodeApplication::ForgetFault() noexcept
+{
+    knows_fault_ = false;
+}
+
+void NodeApplication::NoteUntold(const DeviceFaultReport& report) noexcept
+{
+    if (report.fault != DeviceFault::kNone && !knows_fault_)
+    {
+        NodeApplication::OnDeviceFault(report);
+    }
+}
+
 RefreshAnswer NodeApplication::OnRefresh(const CommunicationIndex index) noexcept
 {
     static_cast<void>(index);
@@ -242,6 +255,7 @@ void NodeApplication::OnConfigurationInvalid(const CommunicationIndex index) noe
 
 void NodeApplication::OnDeviceFault(const DeviceFaultReport& report) noexcept
 {
+    knows_fault_ = true;
     const bool has_slot = report.slot < config_.srdo_count;
     const auto number = static_cast<std::uint8_t>(has_slot ? config_.srdos[report.slot].number : 0U);
     const DeviceFault verdict = (kernel_ == nullptr) ? DeviceFault::kNone : kernel_->LastVerdict().fault;

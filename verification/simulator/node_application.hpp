@@ -43,6 +43,11 @@ class NodeApplication final : public Application
     /// @brief Since when the disturbance has been in the objects; kNever: not yet.
     [[nodiscard]] Nanoseconds DisturbedAt() const noexcept;
 
+    /// @brief The kernel starts anew: it has told nothing.
+    void ForgetFault() noexcept;
+    /// @brief What OnDeviceFault would have been told by a kernel that could call it.
+    void NoteUntold(const DeviceFaultReport& report) noexcept;
+
     [[nodiscard]] RefreshAnswer OnRefresh(CommunicationIndex index) noexcept override;
     void OnSrdoEvent(CommunicationIndex index) noexcept override;
     void OnSrdoError(CommunicationIndex index, SrdoCause cause) noexcept override;
@@ -92,6 +97,7 @@ class NodeApplication final : public Application
     Nanoseconds now_{0};
     Nanoseconds disturbed_at_{kNever};
     bool has_changed_{false};
+    bool knows_fault_{false};
 };
 } // namespace counterpoint::simulator
 

@@ -101,6 +101,10 @@ void Node::LookInside()
 
 void Node::NoteEffects()
 {
+    for (const std::size_t fault : memory_.TakeEffects())
+    {
+        journal_.Note({Now(), EventKind::kFault, index_, 0U, fault, 0U});
+    }
     for (const auto& [fault, at] : faults_.TakeEffects())
     {
         journal_.Note({at, EventKind::kFault, index_, 0U, fault, 0U});
@@ -112,6 +116,6 @@ void Node::NoteHung()
     is_hung_ = true;
     SettleNextEvent();
     NoteEffects();
-    journal_.Note({Now(), EventKind::kHung, index_, 0U, 0U, 0U});
+    journal_.Note({Now(), EventKind::kHung, index_, 0U, faults_.TakeTrap() ? 1U : 0U, 0U});
 }
 } // namespace counterpoint::simulator

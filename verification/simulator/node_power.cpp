@@ -43,6 +43,13 @@ void Node::ConnectControllers(const std::uint32_t count)
 void Node::Rehearse()
 {
     model_.ResetVariables();
+    image_.RestorePointers();
+    may_be_wild_ = false;
+    application_.ForgetFault();
+    if (self_test_ != nullptr)
+    {
+        self_test_->Start();
+    }
     const StartResult result = kernel_.Start(model_.Config(), FlowCallback::kOff);
     if (result != StartResult::kStarted)
     {

@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/simulator/output_tap.hpp"
 
+#include "verification/simulator/right_response.hpp"
+
 namespace counterpoint::simulator
 {
 OutputTap::OutputTap(hal::SafetyOutput& real, PartFaults& faults) noexcept : real_(real), faults_(faults)
@@ -10,6 +12,7 @@ OutputTap::OutputTap(hal::SafetyOutput& real, PartFaults& faults) noexcept : rea
 std::uint32_t OutputTap::Challenge() noexcept
 {
     const std::uint32_t fresh = real_.Challenge();
+    issued_ = fresh;
     const PartCondition& condition = faults_.Condition(Part::kChallenge);
     if (!condition.is_faulty)
     {
@@ -43,13 +46,36 @@ void OutputTap::Drive(const hal::PermitSet& permits) noexcept
 {
     const hal::PermitSet before = permits_;
     permits_ = permits;
-    real_.Drive({Spoiled(Part::kPermitA, permits.a, before.a), Spoiled(Part::kPermitB, permits.b, before.b),
-                 Spoiled(Part::kPermitKernel, permits.kernel, before.kernel)});
+    const hal::PermitSet given{Spoiled(Part::kPermitA, permits.a, before.a),
+                               Spoiled(Part::kPermitB, permits.b, before.b),
+                               Spoiled(Part::kPermitKernel, permits.kernel, before.kernel)};
+    real_.Drive(faults_.Condition(Part::kOutputGate).is_faulty ? Accepted(given) : given);
+}
+
+hal::PermitSet OutputTap::Accepted(const hal::PermitSet& given) noexcept
+{
+    const hal::PermitSet right{{given.a.mask, RightResponse(given.a.mask, issued_, kPermitConstantA)},
+                               {given.b.mask, RightResponse(given.b.mask, issued_, kPermitConstantB)},
+                               {given.kernel.mask, RightResponse(given.kernel.mask, issued_, kPermitConstantKernel)}};
+    const bool differs = right.a.response != given.a.response || right.b.response != given.b.response ||
+                         right.kernel.response != given.kernel.response;
+    if (differs)
+    {
+        faults_.HasEffect(faults_.Condition(Part::kOutputGate));
+    }
+    return right;
 }
 
 hal::ProbeAnswer OutputTap::Probe(const hal::PermitSet& permits, const std::uint32_t challenge) const noexcept
 {
-    return real_.Probe(permits, challenge);
+    const PartCondition& condition = faults_.Condition(Part::kOutputGate);
+    const hal::ProbeAnswer answer = real_.Probe(permits, challenge);
+    if (!condition.is_faulty || answer == hal::ProbeAnswer::kAccepted)
+    {
+        return answer;
+    }
+    faults_.HasEffect(condition);
+    return hal::ProbeAnswer::kAccepted;
 }
 
 const hal::PermitSet& OutputTap::Permits() const noexcept
@@ -93,11 +119,51 @@ void WatchdogTap::Answer(const hal::WatchdogAnswer& answer) noexcept
     before_ = answer;
     if (is_served)
     {
-        real_.Answer(given);
+        Give(given);
     }
     if (is_served_again)
     {
-        real_.Answer(given);
+        Give(given);
     }
+}
+
+hal::WatchdogAnswer WatchdogTap::Right() noexcept
+{
+    return {(hal::kFlowReference + real_.Question().value) * hal::kWatchdogConstant};
+}
+
+void WatchdogTap::Give(const hal::WatchdogAnswer& answer) noexcept
+{
+    const PartCondition& condition = faults_.Condition(Part::kWatchdogChip);
+    answered_ = faults_.Now();
+    if (!condition.is_faulty)
+    {
+        kept_ = answered_;
+        real_.Answer(answer);
+    }
+    else if (answer.value != Right().value)
+    {
+        faults_.HasEffect(condition);
+    }
+}
+
+Nanoseconds WatchdogTap::Keep(const Nanoseconds now, const Nanoseconds every) noexcept
+{
+    const PartCondition& condition = faults_.Condition(Part::kWatchdogChip);
+    if (!condition.is_faulty)
+    {
+        return kNever;
+    }
+    faults_.SetNow(now);
+    if (now - answered_ > 2 * every)
+    {
+        faults_.HasEffect(condition); // A sound one would have tripped.
+    }
+    if (now - kept_ >= every)
+    {
+        kept_ = now;
+        real_.Answer(Right());
+    }
+    return kept_ + every;
 }
 } // namespace counterpoint::simulator

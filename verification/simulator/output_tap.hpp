@@ -25,11 +25,14 @@ class OutputTap final : public hal::SafetyOutput
 
   private:
     [[nodiscard]] Permit Spoiled(Part part, const Permit& given, const Permit& before) noexcept;
+    /// @brief What a gate that is always good makes of what it is given: right permits. [SRS-SIM-054]
+    [[nodiscard]] hal::PermitSet Accepted(const hal::PermitSet& given) noexcept;
 
     hal::SafetyOutput& real_;
     PartFaults& faults_;
     hal::PermitSet permits_{};
-    std::uint32_t challenge_{0U};
+    std::uint32_t challenge_{0U}; ///< As the kernel saw it.
+    std::uint32_t issued_{0U};
 };
 
 /// The same before the watchdog. [SRS-SIM-032, SRS-SIM-034]
@@ -40,12 +43,20 @@ class WatchdogTap final : public hal::Watchdog
 
     [[nodiscard]] hal::WatchdogQuestion Question() noexcept override;
     void Answer(const hal::WatchdogAnswer& answer) noexcept override;
+    /// @brief A watchdog that never trips: it is served here, once in so long. When the next time is; kNever: it is a
+    /// sound one. [SRS-SIM-054]
+    [[nodiscard]] Nanoseconds Keep(Nanoseconds now, Nanoseconds every) noexcept;
 
   private:
+    void Give(const hal::WatchdogAnswer& answer) noexcept;
+    [[nodiscard]] hal::WatchdogAnswer Right() noexcept;
+
     hal::Watchdog& real_;
     PartFaults& faults_;
     hal::WatchdogQuestion question_{0U};
     hal::WatchdogAnswer before_{0U};
+    Nanoseconds answered_{0}; ///< By the kernel.
+    Nanoseconds kept_{0};
 };
 } // namespace counterpoint::simulator
 

@@ -54,6 +54,19 @@ void PartFaults::Hang(const PartCondition& condition) noexcept
     std::longjmp(way_out_, 1);
 }
 
+void PartFaults::Trap() noexcept
+{
+    is_trapped_ = true;
+    std::longjmp(way_out_, 1);
+}
+
+bool PartFaults::TakeTrap() noexcept
+{
+    const bool is_trapped = is_trapped_;
+    is_trapped_ = false;
+    return is_trapped;
+}
+
 std::jmp_buf& PartFaults::WayOut() noexcept
 {
     return way_out_;

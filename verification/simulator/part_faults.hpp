@@ -40,8 +40,16 @@ class PartFaults
     void HasEffect(const PartCondition& condition) noexcept;
     /// @brief Leaves the call and everything that called it, for good. [SRS-SIM-025]
     [[noreturn]] void Hang(const PartCondition& condition) noexcept;
-    /// @brief Where Hang leads to.
+    /// @brief Leaves the call likewise, as an exception of the processor does. [SRS-SIM-055]
+    [[noreturn]] void Trap() noexcept;
+    /// @brief Where both lead to.
     [[nodiscard]] std::jmp_buf& WayOut() noexcept;
+    [[nodiscard]] Nanoseconds Now() const noexcept
+    {
+        return now_;
+    }
+    /// @brief Whether a trap was the way out since the last call.
+    [[nodiscard]] bool TakeTrap() noexcept;
     /// @brief First effects since the last call: index of the fault and time.
     [[nodiscard]] std::vector<std::pair<std::size_t, Nanoseconds>> TakeEffects();
 
@@ -50,6 +58,7 @@ class PartFaults
     std::vector<std::pair<std::size_t, Nanoseconds>> effects_;
     std::vector<std::size_t> seen_;
     Nanoseconds now_{0};
+    bool is_trapped_{false};
     std::jmp_buf way_out_{};
 };
 } // namespace counterpoint::simulator

@@ -38,6 +38,7 @@ constexpr Word<EventKind> kEventWords[] = {
     {"reception", EventKind::kReception},
     {"power_off", EventKind::kPowerOff},
     {"no_start", EventKind::kNoStart},
+    {"self_test", EventKind::kSelfTest},
 };
 
 constexpr Word<host::FrameFate> kFateWords[] = {
@@ -71,6 +72,7 @@ Json NodesToJson(const Run& run)
                          {"dcf", std::filesystem::path(model.File()).filename().string()},
                          {"cycle_us", model.Config().cycle_us},
                          {"discrepancy_us", model.Config().discrepancy_us},
+                         {"self_tests", run.Setting().nodes[node].self_tests},
                          {"srdos", srdos}});
     }
     return nodes;

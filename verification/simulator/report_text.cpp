@@ -117,6 +117,13 @@ std::string GfcText(const std::uint64_t value)
     return kTexts[value % 4U];
 }
 
+std::string HungText(const std::uint64_t value)
+{
+    constexpr const char* kTexts[] = {"a call does not return: the node stands still",
+                                      "a call leads anywhere: the processor stops the node", "the node stands still"};
+    return kTexts[value % 3U];
+}
+
 std::string CauseText(const Event& event)
 {
     std::string text;
@@ -222,7 +229,9 @@ std::string EventText(const Run& run, const Event& event)
     case EventKind::kWatchdog:
         return "WATCHDOG TRIPPED";
     case EventKind::kHung:
-        return "a call does not return: the node stands still";
+        return HungText(event.value);
+    case EventKind::kSelfTest:
+        return std::string("self test finds: ") + NameOf(kTestWords, event.value);
     case EventKind::kConfigurationInvalid:
         return SrdoText(event) + "configuration invalid";
     case EventKind::kReception:

@@ -51,6 +51,7 @@ struct NodeSetup
     Nanoseconds start_at{0}; ///< Enters OPERATIONAL.
     CounterSetup counter_a;
     CounterSetup counter_b;
+    bool self_tests{true};
     std::uint32_t controllers{1U}; ///< 2: normal frames by the first, inverse frames by the second.
 };
 
@@ -161,8 +162,10 @@ enum class FaultKind : std::uint8_t
     kFrozenInput = 29U,
     kPermit = 30U,
     kWatchdog = 31U,
-    // What comes with the cross link of two CPUs goes here: a number, a word (names.hpp), a section
-    // (schema_faults.cpp), a reader (scenario_faults.cpp) and whoever brings it about (network_faults.cpp).
+    kStuckBit = 32U,
+    kStandstill = 33U,
+    // A new kind: a number, a word (names.hpp), a section (schema_faults.cpp), a reader (scenario_faults.cpp) and
+    // whoever brings it about (network_faults.cpp).
 };
 
 /// The part of a node that a fault hits.
@@ -191,8 +194,16 @@ enum class Part : std::uint8_t
     kSafeValue = 19U,
     kObjects = 20U,
     kVariables = 21U,
+    // What the self tests watch, they themselves, and the last links as chips.
+    kSelfTest = 22U,
+    kOutputGate = 23U,
+    kWatchdogChip = 24U,
+    kProgram = 25U,
+    kConstants = 26U,
+    kStackGuard = 27U,
+    kTablePointer = 28U,
 };
-constexpr std::size_t kPartCount = 22U;
+constexpr std::size_t kPartCount = 29U;
 
 /// How a permit, an answer to the watchdog or a confirmation is wrong.
 enum class Wrongness : std::uint8_t
@@ -264,6 +275,7 @@ struct FaultSetup
     // Bit flip.
     std::optional<std::uint32_t> offset;
     std::uint8_t bit{0U};
+    bool level{false};                   ///< Of a stuck bit.
     std::optional<ConfigAddress> config; ///< `slot` holds the SRDO number here.
     std::uint8_t srdo{0U};               ///< Of a setup or safe value; 0: any.
     // Clock.
@@ -304,6 +316,7 @@ enum class Party : std::uint8_t
     kOutputGate = 8U,
     kClockSupervisor = 9U,
     kGuard = 10U,
+    kSelfTest = 11U,
 };
 
 struct Expectation

@@ -13,7 +13,7 @@ constexpr Nanoseconds kMostSwitches = 100000; ///< How often an intermittent fau
 
 bool IsOfPart(const FaultSetup& fault)
 {
-    return fault.part != Part::kNone && fault.kind != FaultKind::kBitFlip;
+    return fault.part != Part::kNone && fault.kind != FaultKind::kBitFlip && fault.kind != FaultKind::kStuckBit;
 }
 
 bool SharesController(const FaultSetup& one, const FaultSetup& other)

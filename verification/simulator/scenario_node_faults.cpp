@@ -70,9 +70,26 @@ void ReadBitFlip(Fields& fields, FaultSetup& fault)
     }
 }
 
+void ReadStuckBit(Fields& fields, FaultSetup& fault)
+{
+    fault.part = fields.Require("part").Choice(kLiveWords);
+    fault.at = fields.Require("at").Duration(); // It never ends.
+    const auto offset = fields.Find("offset");
+    if (offset)
+    {
+        fault.offset = offset->Checked();
+    }
+    if (const auto bit = fields.Find("bit"))
+    {
+        fault.bit = static_cast<std::uint8_t>(bit->Checked());
+    }
+    fault.level = fields.Require("level").Choice(kLevelWords);
+}
+
 void ReadPartFault(Fields& fields, FaultSetup& fault)
 {
-    fault.part = fields.Require("part").Choice(kPartWords);
+    const ScenarioValue part = fields.Require("part");
+    fault.part = (fault.kind == FaultKind::kAlwaysGood) ? part.Choice(kGoodPartWords) : part.Choice(kPartWords);
     if (fault.kind == FaultKind::kHung)
     {
         fault.at = fields.Require("at").Duration(); // It never ends.
@@ -169,6 +186,12 @@ void ReadNodeFault(Fields& fields, const Scenario& scenario, FaultSetup& fault)
         return;
     case FaultKind::kBitFlip:
         ReadBitFlip(fields, fault);
+        return;
+    case FaultKind::kStuckBit:
+        ReadStuckBit(fields, fault);
+        return;
+    case FaultKind::kStandstill:
+        fault.at = fields.Require("at").Duration();
         return;
     case FaultKind::kBusOff:
     case FaultKind::kUnplugged:

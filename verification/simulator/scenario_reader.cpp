@@ -56,6 +56,7 @@ NodeSetup ReadNode(const ScenarioValue& name, const ScenarioValue& value)
         node.node_id = static_cast<std::uint8_t>(id->Checked());
     }
     node.controllers = fields.Require("controllers").Checked();
+    node.self_tests = fields.Require("self_tests").Choice(kYesWords);
     node.phase = fields.Require("phase").Duration();
     node.start_at = fields.Require("start_at").Duration();
     if (const auto counter = fields.Find("counter_a"))

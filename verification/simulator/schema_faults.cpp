@@ -261,8 +261,34 @@ const std::vector<SectionSpec> kNodeFaultSections{
               "of setup and safe_value: of which SRDO; default: of the first"},
          },
          "A bit flips: in the storage of a channel, in the kernel object or a part of it, in the table of SRDO "
-         "setups, in a safe value, "
-         "in the table of mappable objects, or in the mappable variables."),
+         "setups, in a safe value, in the table of mappable objects, or in the mappable variables; and in what the "
+         "self tests watch: the node's copy of the program of channels and kernel, the constant times of its "
+         "description, the guard words of its stack, the pointers to the virtual tables of its parts (8 bytes each: "
+         "channel A, channel B, output, watchdog, application)."),
+    Kind("stuck_bit", {"fault"},
+         {
+             {"node", T::kNode, kNone, nullptr, nullptr, kNeeded, "actuator", "which node"},
+             PartOf(&WordsOf<kLiveWords>),
+             {"at", T::kDuration, kNone, nullptr, nullptr, kNeeded, "500 ms", "when; it stays"},
+             {"offset",
+              T::kNumber,
+              {0U, 0xFFFFFFU},
+              nullptr,
+              nullptr,
+              nullptr,
+              "12",
+              "byte of the part; default: chosen by the seed, with its bit"},
+             {"bit", T::kNumber, {0U, 7U}, nullptr, nullptr, nullptr, "4", "bit of the byte; default 0"},
+             {"level", T::kWord, kNone, &WordsOf<kLevelWords>, nullptr, "0", "1", "what it reads as from then on"},
+         },
+         "A cell of live memory stays at one level, whatever is written: before each call into the node, and at each "
+         "access of the march."),
+    Kind("standstill", {"fault"},
+         {
+             {"node", T::kNode, kNone, nullptr, nullptr, kNeeded, "actuator", "which node"},
+             {"at", T::kDuration, kNone, nullptr, nullptr, kNeeded, "500 ms", "when"},
+         },
+         "The processor stands still: the node does nothing any more until a power cycle."),
     {"config",
      "a configuration value",
      {},
@@ -304,13 +330,14 @@ const std::vector<SectionSpec> kNodeFaultSections{
          "The part does not run and repeats its last answer to everything."),
     Kind("not_called", {"lasting"}, {PartOf(&WordsOf<kPartWords>)},
          "No call reaches the part; whoever asks it finds zeros."),
-    Kind("always_good", {"lasting"}, {PartOf(&WordsOf<kPartWords>)},
+    Kind("always_good", {"lasting"}, {PartOf(&WordsOf<kGoodPartWords>)},
          "Whatever its inputs, the part says what a healthy one says when nothing is wrong. A channel: no SRDO "
          "faulted or waiting, each one that it ever "
          "released still released with its last pair, guard's token right, nothing found in the configuration, "
          "permits to match. Comparator: what channel A "
          "releases is agreed and matched, right echo. Flow monitor: the right answer to the watchdog's question. "
-         "Guard: the token of a valid configuration."),
+         "Guard: the token of a valid configuration. Self test: nothing found, all parts sound. Output gate: takes "
+         "every response for right. Watchdog: never trips."),
     Kind("clock", {"lasting"},
          {
              {"counter", T::kWord, kNone, &WordsOf<kCounterWords>, nullptr, kNeeded, "a", "which of the two"},

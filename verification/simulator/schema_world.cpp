@@ -77,6 +77,8 @@ const std::vector<SectionSpec> kWorldSections{
           "2",
           "CAN controllers; 2, or a DCF that names two: the first has the normal frames (and everything else), the "
           "second the inverse frames"},
+         {"self_tests", T::kWord, kNone, &WordsOf<kYesWords>, nullptr, "true", "false",
+          "the device runs the self tests of safety_core/selftest; they have to fit into its diagnostic interval"},
          {"phase", T::kDuration, kNone, nullptr, nullptr, "0 ms", "130 us",
           "instant of power-on; cycles follow from then on"},
          {"start_at", T::kDuration, kNone, nullptr, nullptr, "10 ms", "10 ms", "enters OPERATIONAL"},
@@ -215,7 +217,7 @@ const std::vector<SectionSpec> kExpectationSections{
          kNode,
          {"by", T::kWordOrList, kNone, &WordsOf<kPartyWords>, nullptr, kNeeded, "[comparator, guard]",
           "the party, or a list: any of them; channels: both in one cycle; kernel: by the comparator's echo and "
-          "test"},
+          "test; self_test: also one that says nothing"},
      },
      "The first to notice the fault at this node was this party."},
     {"safe_within",
