@@ -2,6 +2,8 @@
 #ifndef VERIFICATION_SIMULATOR_CHANNEL_HOST_HPP
 #define VERIFICATION_SIMULATOR_CHANNEL_HOST_HPP
 
+#include "verification/simulator/scenario_kinds.hpp"
+
 #include "safety_core/contract/channel.hpp"
 
 #include <cstddef>
@@ -34,6 +36,11 @@ enum class Letter : std::uint8_t
     kB = 2U,
 };
 
+/// @brief Whether a CPU with this role runs the channel.
+[[nodiscard]] constexpr bool HasChannel(const CpuRole role, const Letter letter) noexcept
+{
+    return role == CpuRole::kWhole || (role == CpuRole::kA) == (letter == Letter::kA);
+}
 /// @brief What a device needs: 1 to 64 slots.
 [[nodiscard]] ChannelRoom RoomOf(const DeviceConfig& config) noexcept;
 /// @brief A channel with room for so many slots, and 16 entries each where they are enough, else 128.

@@ -76,10 +76,11 @@ Party PartyOf(const Event& device_fault)
         return Party::kClockSupervisor;
     case DeviceFault::kSelfTest:
         return Party::kSelfTest;
+    case DeviceFault::kCrossLink:
+        return Party::kCrossLink;
     case DeviceFault::kInvalid:
     case DeviceFault::kApplication:
     case DeviceFault::kHandshake:
-    case DeviceFault::kCrossLink:
     case DeviceFault::kNone:
         break;
     }

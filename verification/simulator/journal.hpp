@@ -41,8 +41,10 @@ enum class EventKind : std::uint8_t
     kConfigurationInvalid = 21U,
     kReception = 22U, ///< A consumer got a frame. value: identifier; other: 1 when it completed a good pair.
     kPowerOff = 23U,
-    kNoStart = 24U,  ///< The kernel refused to start, or its configuration.
-    kSelfTest = 25U, ///< A self test failed. value: selftest::TestId.
+    kNoStart = 24U,     ///< The kernel refused to start, or its configuration.
+    kSelfTest = 25U,    ///< A self test failed. value: selftest::TestId.
+    kLink = 26U,        ///< The link to the other CPU changed. value: LinkState; other: LinkFinding.
+    kLinkMessage = 27U, ///< A message does not arrive here as it was sent. other: index of the fault.
 };
 
 struct Event

@@ -5,6 +5,8 @@
 #include "verification/simulator/fields.hpp"
 #include "verification/simulator/scenario.hpp"
 
+#include "safety_core/crosslink/link_supervisor.hpp"
+
 #include <cstddef>
 #include <string>
 
@@ -97,6 +99,13 @@ inline constexpr Word<FaultKind> kFaultWords[] = {
     {"watchdog", FaultKind::kWatchdog},
     {"stuck_bit", FaultKind::kStuckBit},
     {"standstill", FaultKind::kStandstill},
+    {"link_loss", FaultKind::kLinkLoss},
+    {"link_delay", FaultKind::kLinkDelay},
+    {"link_repetition", FaultKind::kLinkRepetition},
+    {"link_reordering", FaultKind::kLinkReordering},
+    {"link_corruption", FaultKind::kLinkCorruption},
+    {"link_insertion", FaultKind::kLinkInsertion},
+    {"link_cut", FaultKind::kLinkCut},
 };
 
 inline constexpr Word<Part> kPartWords[] = {
@@ -180,6 +189,16 @@ enum class Side : std::uint8_t
     kSecond = 2U,
     kBoth = 3U,
 };
+inline constexpr Word<bool> kStructureWords[] = {{"one_cpu", false}, {"two_cpu", true}};
+inline constexpr Word<bool> kInsertedWords[] = {{"earlier", true}, {"noise", false}};
+/// The state of the link as a CPU sees it, by the number of its LinkState.
+inline constexpr Word<LinkState> kLinkStateWords[] = {
+    {"lost", LinkState::kLost}, {"waiting", LinkState::kWaiting}, {"alive", LinkState::kAlive}};
+inline constexpr Word<LinkFinding> kLinkFindingWords[] = {{"nothing", LinkFinding::kNone},
+                                                          {"timeout", LinkFinding::kTimeout},
+                                                          {"clock", LinkFinding::kClock},
+                                                          {"flow", LinkFinding::kFlow},
+                                                          {"peer_safe", LinkFinding::kPeerSafe}};
 inline constexpr Word<Side> kFrameSideWords[] = {
     {"normal", Side::kFirst}, {"inverse", Side::kSecond}, {"both", Side::kBoth}};
 inline constexpr Word<Side> kCounterWords[] = {{"a", Side::kFirst}, {"b", Side::kSecond}, {"both", Side::kBoth}};
@@ -208,6 +227,7 @@ inline constexpr Word<Party> kPartyWords[] = {
     {"clock_supervisor", Party::kClockSupervisor},
     {"guard", Party::kGuard},
     {"self_test", Party::kSelfTest},
+    {"cross_link", Party::kCrossLink},
 };
 
 inline constexpr Word<FaultClass> kFaultClassWords[] = {
@@ -218,6 +238,7 @@ inline constexpr Word<FaultClass> kFaultClassWords[] = {
     {"configuration", FaultClass::kConfiguration},
     {"supervisor", FaultClass::kSupervisor},
     {"clock", FaultClass::kClock},
+    {"cross_link", FaultClass::kCrossLink},
 };
 
 inline constexpr Word<LogicOperation> kOperationWords[] = {

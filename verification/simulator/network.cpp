@@ -29,6 +29,7 @@ Network::Network(const Scenario& scenario, Journal& journal)
 {
     BuildNodes();
     RequireThatEverythingExists();
+    BuildLinks();
     for (const LogicRule& rule : scenario_.logic)
     {
         nodes_[rule.node]->App().AddRule(rule);
@@ -67,6 +68,31 @@ void Network::BuildNodes()
             ++controller;
             places_.resize(place + 1U);
             places_[place] = {index, controller, kNoFaultIndex};
+        }
+    }
+}
+
+void Network::BuildLinks()
+{
+    for (NodeIndex index = 0U; index < nodes_.size(); ++index)
+    {
+        if (scenario_.nodes[index].role == CpuRole::kA)
+        {
+            LinkWire& wire =
+                *wires_.emplace(index, std::make_unique<LinkWire>(scenario_, index, journal_)).first->second;
+            nodes_[index]->Join(wire);
+            nodes_[index + 1U]->Join(wire);
+        }
+    }
+}
+
+void Network::DeliverMessages()
+{
+    for (const auto& [first, wire] : wires_)
+    {
+        while (const std::optional<LinkArrival> arrival = wire->Take(Now()))
+        {
+            nodes_[arrival->receiver]->TakeMessage(arrival->frame);
         }
     }
 }
@@ -222,7 +248,8 @@ void Network::Command(const NodeIndex node, const NmtEvent& event)
     }
 }
 
-// t = the next instant of bus, world and nodes; first the bus up to t, then the world, then the nodes in their order.
+// t = the next instant of bus, world, links and nodes; first the bus up to t, then the world, then messages between
+// CPUs, then the nodes in their order.
 void Network::RunUntil(const Nanoseconds until)
 {
     host::BusObserver* const observer = journal_.KeepsAll() ? this : nullptr;
@@ -233,12 +260,17 @@ void Network::RunUntil(const Nanoseconds until)
         {
             next = std::min(next, node->NextEvent());
         }
+        for (const auto& [first, wire] : wires_)
+        {
+            next = std::min(next, wire->NextArrival());
+        }
         if (next > until)
         {
             break;
         }
         bus_.Advance(next, observer);
         RunActions();
+        DeliverMessages();
         for (const std::unique_ptr<Node>& node : nodes_)
         {
             if (node->NextEvent() <= next)

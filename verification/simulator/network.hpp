@@ -6,6 +6,7 @@
 #include "verification/simulator/foreign_controller.hpp"
 #include "verification/simulator/frame_faults.hpp"
 #include "verification/simulator/journal.hpp"
+#include "verification/simulator/link_wire.hpp"
 #include "verification/simulator/node.hpp"
 #include "verification/simulator/scenario.hpp"
 
@@ -46,6 +47,11 @@ class Network final : private host::BusObserver
 
     void OnBusRecord(const host::BusRecord& record) override;
     void BuildNodes();
+    void BuildLinks();
+    void DeliverMessages();
+    void RequireLinks() const;
+    void RequireOfCpu(const FaultSetup& fault) const;
+    void PlanInsertedMessages(std::size_t index);
     void RequireThatEverythingExists() const;
     void RequirePair(NodeIndex node, const ObjectAddress& object, bool is_consumer, const Source& source) const;
     void RequireSrdo(NodeIndex node, std::uint8_t number, bool needs_consumer, const Source& source) const;
@@ -85,7 +91,8 @@ class Network final : private host::BusObserver
     std::map<std::size_t, std::unique_ptr<ForeignController>> foreign_; ///< By fault.
     std::vector<std::unique_ptr<DeviceModel>> models_;
     std::vector<std::unique_ptr<Node>> nodes_;
-    std::vector<Action> actions_; ///< By time; of two at the same time the one planned first.
+    std::map<NodeIndex, std::unique_ptr<LinkWire>> wires_; ///< By CPU A.
+    std::vector<Action> actions_;                          ///< By time; of two at the same time the one planned first.
     std::size_t next_action_{0U};
     std::uint64_t cycles_{0U};
 };

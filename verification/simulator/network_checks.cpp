@@ -78,7 +78,8 @@ void Network::RequireNodeIds() const
         for (NodeIndex other = 0U; other < node; ++other)
         {
             const std::uint8_t id = models_[node]->Config().node_id;
-            if (models_[other]->Config().node_id == id)
+            const bool is_one_device = scenario_.nodes[other].device == scenario_.nodes[node].device;
+            if (models_[other]->Config().node_id == id && !is_one_device)
             {
                 const NodeSetup& setup = scenario_.nodes[node];
                 throw ScenarioError(setup.source.file, setup.source.place,
@@ -91,6 +92,7 @@ void Network::RequireNodeIds() const
 
 void Network::RequireOfFault(const FaultSetup& fault) const
 {
+    RequireOfCpu(fault);
     if (fault.kind == FaultKind::kNotInverse)
     {
         RequirePair(fault.node, fault.object, false, fault.source);
@@ -149,6 +151,7 @@ void Network::RequireOfExpectation(const Expectation& expectation) const
 void Network::RequireThatEverythingExists() const
 {
     RequireNodeIds();
+    RequireLinks();
     for (const NodeSetup& node : scenario_.nodes)
     {
         if (node.start_at <= node.phase)

@@ -74,6 +74,14 @@ FaultClass ClassOf(const FaultSetup& fault)
     case FaultKind::kClock:
     case FaultKind::kCycle:
         return FaultClass::kClock;
+    case FaultKind::kLinkLoss:
+    case FaultKind::kLinkDelay:
+    case FaultKind::kLinkRepetition:
+    case FaultKind::kLinkReordering:
+    case FaultKind::kLinkCorruption:
+    case FaultKind::kLinkInsertion:
+    case FaultKind::kLinkCut:
+        return FaultClass::kCrossLink;
     default:
         return is_channel ? FaultClass::kChannel : FaultClass::kSupervisor;
     }
@@ -99,6 +107,9 @@ void Network::PlanFault(const std::size_t index)
         return;
     case FaultKind::kStandstill:
         PlanStandstill(index);
+        return;
+    case FaultKind::kLinkInsertion:
+        PlanInsertedMessages(index);
         return;
     case FaultKind::kClock:
         PlanClock(index);

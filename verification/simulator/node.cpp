@@ -17,6 +17,14 @@ hal::GateLimit LimitOf(const DeviceConfig& config)
     return {config.cycle_us + config.cycle_tolerance_us};
 }
 
+Half HalfOf(const CpuRole role)
+{
+    if (role == CpuRole::kWhole)
+    {
+        return Half::kBoth;
+    }
+    return (role == CpuRole::kA) ? Half::kNormal : Half::kInverse;
+}
 } // namespace
 
 Node::Node(const NodeIndex index, const NodeSetup& setup, DeviceModel& model, host::VirtualBus& bus, Journal& journal,
@@ -29,18 +37,14 @@ Node::Node(const NodeIndex index, const NodeSetup& setup, DeviceModel& model, ho
       channel_b_(MakeChannel(Letter::kB, RoomOf(model.Config()))),
       tap_a_(channel_a_->Voice(), Part::kChannelA, faults_, this),
       tap_b_(channel_b_->Voice(), Part::kChannelB, faults_, this), supervisors_(faults_),
-      application_(index, model, journal),
-      self_test_(setup.self_tests
-                     ? std::make_unique<NodeSelfTest>(
-                           memory_, image_,
-                           insight == Insight::kTapped ? static_cast<hal::SafetyOutput&>(output_tap_) : output_,
-                           faults_)
-                     : nullptr),
-      kernel_({insight == Insight::kTapped ? static_cast<Channel&>(tap_a_) : channel_a_->Voice(),
-               insight == Insight::kTapped ? static_cast<Channel&>(tap_b_) : channel_b_->Voice(), can_,
-               insight == Insight::kTapped ? static_cast<hal::SafetyOutput&>(output_tap_) : output_,
-               insight == Insight::kTapped ? static_cast<hal::Watchdog&>(watchdog_tap_) : watchdog_, application_,
-               self_test_.get()})
+      application_(index, model, journal, HalfOf(setup.role)),
+      self_test_(setup.self_tests ? std::make_unique<NodeSelfTest>(memory_, image_, Output(), faults_) : nullptr),
+      peer_((setup.role == CpuRole::kWhole)
+                ? nullptr
+                : std::make_unique<Peer>(RealChannel((setup.role == CpuRole::kA) ? Letter::kA : Letter::kB),
+                                         Supervision(), LinkConfigOf(setup))),
+      kernel_({VoiceOf(Letter::kA), VoiceOf(Letter::kB), can_, Output(),
+               (peer_ == nullptr) ? Supervision() : peer_->Watchdog(), application_, self_test_.get()})
 {
     FurnishSelfTest();
     application_.Join(kernel_);
@@ -96,13 +100,13 @@ void Node::Cycle()
     {
         return;
     }
-    if (cycles_per_send_ != 0U)
+    if (cycles_per_send_ != 0U && setup_.role != CpuRole::kB) // CPU B follows.
     {
         SendByApplication();
     }
     seen_acknowledge_a_ = Level(Part::kAcknowledgeA, seen_acknowledge_a_);
     seen_acknowledge_b_ = Level(Part::kAcknowledgeB, seen_acknowledge_b_);
-    const CycleCall call{clocks_.Now(), seen_acknowledge_a_, seen_acknowledge_b_};
+    const CycleCall call{Instants(), seen_acknowledge_a_, seen_acknowledge_b_};
     Guarded(
         [this, &call]()
         {
@@ -110,7 +114,7 @@ void Node::Cycle()
             {
                 RequireSound();
             }
-            kernel_.Cycle(call);
+            RunKernel(call);
         });
     if (insight_ == Insight::kTapped)
     {
@@ -181,7 +185,8 @@ void Node::Take(const StampedFrame& frame)
         [this, &frame]()
         {
             RequireSound();
-            kernel_.OnFrame(frame);
+            const bool is_echo = peer_ != nullptr && peer_->IsEcho(frame.frame);
+            is_echo ? kernel_.OnConfirm(Stamped(frame)) : kernel_.OnFrame(Stamped(frame));
         });
 }
 
@@ -196,7 +201,7 @@ void Node::TakeConfirmation(const StampedFrame& frame)
         [this, &frame]()
         {
             RequireSound();
-            kernel_.OnConfirm(frame);
+            kernel_.OnConfirm(Stamped(frame));
         });
 }
 

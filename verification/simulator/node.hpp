@@ -6,6 +6,7 @@
 #include "verification/simulator/channel_tap.hpp"
 #include "verification/simulator/device_model.hpp"
 #include "verification/simulator/journal.hpp"
+#include "verification/simulator/link_wire.hpp"
 #include "verification/simulator/memory_places.hpp"
 #include "verification/simulator/node_application.hpp"
 #include "verification/simulator/node_memory.hpp"
@@ -20,6 +21,7 @@
 #include "hal/host/host_output.hpp"
 #include "hal/host/host_watchdog.hpp"
 #include "hal/host/virtual_bus.hpp"
+#include "safety_core/crosslink/peer.hpp"
 #include "safety_core/kernel/kernel.hpp"
 
 #include <array>
@@ -45,7 +47,11 @@ enum class Insight : std::uint8_t
     kTapped = 1U,
 };
 
-/// One device of the simulated network: shipped kernel and channels on the hardware layer of the host. [SRS-SIM-001]
+/// What the core is told of the link. [SRS-SIM-056]
+[[nodiscard]] LinkConfig LinkConfigOf(const NodeSetup& setup);
+
+/// One device of the simulated network, or one CPU of it: shipped kernel and channels on the hardware layer of the
+/// host. [SRS-SIM-001]
 class Node final : private host::FrameSink, private ChannelWitness
 {
   public:
@@ -53,6 +59,10 @@ class Node final : private host::FrameSink, private ChannelWitness
     Node(NodeIndex index, const NodeSetup& setup, DeviceModel& model, host::VirtualBus& bus, Journal& journal,
          Insight insight);
 
+    /// @brief Of a CPU of two: the wire to the other one, which outlives the node.
+    void Join(LinkWire& wire) noexcept;
+    /// @brief A message that came over it.
+    void TakeMessage(const hal::LinkFrame& frame);
     /// @brief Starts and commissions the kernel as PowerOn will, to find out early whether it can be. Throws
     /// cia306::InputError.
     void Rehearse();
@@ -118,6 +128,15 @@ class Node final : private host::FrameSink, private ChannelWitness
 
     void ConnectControllers(std::uint32_t count);
     void FurnishSelfTest();
+    [[nodiscard]] bool IsTapped() const noexcept;
+    [[nodiscard]] Channel& RealChannel(Letter letter) noexcept;
+    [[nodiscard]] Channel& VoiceOf(Letter letter) noexcept;
+    [[nodiscard]] hal::SafetyOutput& Output() noexcept;
+    [[nodiscard]] hal::Watchdog& Supervision() noexcept;
+    [[nodiscard]] InstantPair Instants() noexcept;
+    [[nodiscard]] StampedFrame Stamped(const StampedFrame& frame) const noexcept;
+    void RunKernel(const CycleCall& call);
+    void TellLink();
     [[nodiscard]] std::vector<MemoryPiece> WatchedPieces(Part part);
     void NoteSelfTest();
     void StartFresh();
@@ -170,6 +189,9 @@ class Node final : private host::FrameSink, private ChannelWitness
     NodeMemory memory_;
     NodeImage image_;
     std::unique_ptr<NodeSelfTest> self_test_; ///< Null: the device has none.
+    std::unique_ptr<Peer> peer_;              ///< Null: the device has one CPU.
+    LinkWire* wire_{nullptr};
+    LinkState shown_link_{LinkState::kWaiting};
     Kernel kernel_;
 
     Nanoseconds next_cycle_{0};

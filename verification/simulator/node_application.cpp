@@ -20,8 +20,8 @@ std::uint64_t ObjectNumber(const ObjectAddress& object)
 }
 } // namespace
 
-NodeApplication::NodeApplication(const NodeIndex node, const DeviceModel& model, Journal& journal)
-    : node_(node), config_(model.Config()), journal_(journal)
+NodeApplication::NodeApplication(const NodeIndex node, const DeviceModel& model, Journal& journal, const Half half)
+    : node_(node), half_(half), config_(model.Config()), journal_(journal)
 {
     for (const VariablePair& pair : model.Pairs())
     {
@@ -135,10 +135,16 @@ bool NodeApplication::Run(const SrdoMask open, const Nanoseconds now, const bool
 void NodeApplication::TakePair(PairState& pair, const SrdoMask open, const Nanoseconds now)
 {
     const bool is_open = (open & pair.slot) != 0U;
-    const bool is_inverse = IsInversePair(pair.normal_place, pair.inverse_place) == PairView::kInverse;
+    const bool is_inverse =
+        half_ != Half::kBoth || IsInversePair(pair.normal_place, pair.inverse_place) == PairView::kInverse;
     const bool is_usable = is_open && is_inverse;
-    const std::uint64_t normal = is_usable ? ReadVariable(pair.normal_place).bits : pair.safe;
-    pair.inverse = is_usable ? ReadVariable(pair.inverse_place).bits : (~pair.safe & pair.mask);
+    const std::uint64_t read_normal = ReadVariable(pair.normal_place).bits;
+    const std::uint64_t read_inverse = ReadVariable(pair.inverse_place).bits;
+    // The half that is on the other CPU follows from the own one.
+    const std::uint64_t normal_bits = (half_ == Half::kInverse) ? (~read_inverse & pair.mask) : read_normal;
+    const std::uint64_t inverse_bits = (half_ == Half::kNormal) ? (~read_normal & pair.mask) : read_inverse;
+    const std::uint64_t normal = is_usable ? normal_bits : pair.safe;
+    pair.inverse = is_usable ? inverse_bits : (~pair.safe & pair.mask);
     if (normal != pair.normal)
     {
         pair.normal = normal;
@@ -172,8 +178,14 @@ void NodeApplication::Apply(const Rule& rule)
 
 void NodeApplication::Write(PairState& pair, const Nanoseconds now)
 {
-    WriteVariable(pair.normal_place, {pair.normal});
-    WriteVariable(pair.inverse_place, {pair.inverse ^ pair.disturbance});
+    if (half_ != Half::kInverse)
+    {
+        WriteVariable(pair.normal_place, {pair.normal});
+    }
+    if (half_ != Half::kNormal)
+    {
+        WriteVariable(pair.inverse_place, {pair.inverse ^ pair.disturbance});
+    }
     if (pair.disturbance != 0U && disturbed_at_ == kNever)
     {
         disturbed_at_ = now;

@@ -14,13 +14,21 @@
 
 namespace counterpoint::simulator
 {
+/// What of its pairs an application has: on a CPU of two its own half.
+enum class Half : std::uint8_t
+{
+    kBoth = 0U,
+    kNormal = 1U,
+    kInverse = 2U,
+};
+
 /// The application of a simulated node. Producers: the normal objects hold the input, the inverse objects are computed
 /// from the input by another path. Consumers: a pair counts only while its two objects are inverse and the output of
 /// its SRDO is open. Logic rules join the two. [SRS-SIM-006, SRS-SIM-007]
 class NodeApplication final : public Application
 {
   public:
-    NodeApplication(NodeIndex node, const DeviceModel& model, Journal& journal);
+    NodeApplication(NodeIndex node, const DeviceModel& model, Journal& journal, Half half);
 
     /// @brief Where details of a device fault are read from.
     void Join(const Kernel& kernel) noexcept;
@@ -89,6 +97,7 @@ class NodeApplication final : public Application
     [[nodiscard]] Event At(EventKind kind, CommunicationIndex index, std::uint64_t value) const;
 
     NodeIndex node_;
+    Half half_;
     const DeviceConfig& config_;
     Journal& journal_;
     std::vector<PairState> pairs_;

@@ -76,6 +76,7 @@ void Node::LookInside()
     {
         return;
     }
+    TellLink();
     const Verdict& verdict = kernel_.LastVerdict();
     const SrdoMask slots = ~SrdoMask{0U} >> (kMaxSrdoCount - model_.Config().srdo_count);
     const SrdoMask agreed = verdict.agreement.agreed & slots;

@@ -27,15 +27,29 @@ void Node::FurnishSelfTest()
     image_.AddPart(static_cast<hal::SafetyOutput*>(&output_tap_));
     image_.AddPart(static_cast<hal::Watchdog*>(&watchdog_tap_));
     image_.AddPart(static_cast<Application*>(&application_));
+    if (peer_ != nullptr)
+    {
+        image_.AddPart(&peer_->VoiceA());
+        image_.AddPart(&peer_->VoiceB());
+    }
     if (self_test_ == nullptr)
     {
         return;
     }
-    self_test_->AddLive(channel_a_->Bytes(), channel_a_->Size());
-    self_test_->AddLive(channel_b_->Bytes(), channel_b_->Size());
-    self_test_->AddLive(&channel_a_->Voice(), channel_a_->VoiceSize());
-    self_test_->AddLive(&channel_b_->Voice(), channel_b_->VoiceSize());
+    for (ChannelHost* const channel : {channel_a_.get(), channel_b_.get()})
+    {
+        const Letter letter = (channel == channel_a_.get()) ? Letter::kA : Letter::kB;
+        if (HasChannel(setup_.role, letter))
+        {
+            self_test_->AddLive(channel->Bytes(), channel->Size());
+            self_test_->AddLive(&channel->Voice(), channel->VoiceSize());
+        }
+    }
     self_test_->AddLive(&kernel_, sizeof kernel_);
+    if (peer_ != nullptr)
+    {
+        self_test_->AddLive(peer_.get(), sizeof *peer_);
+    }
     const DeviceConfig& config = model_.Config();
     self_test_->AddConstant(&config, sizeof config);
     self_test_->AddConstant(config.srdos, config.srdo_count * sizeof(SrdoSetup));

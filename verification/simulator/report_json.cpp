@@ -39,6 +39,8 @@ constexpr Word<EventKind> kEventWords[] = {
     {"power_off", EventKind::kPowerOff},
     {"no_start", EventKind::kNoStart},
     {"self_test", EventKind::kSelfTest},
+    {"link", EventKind::kLink},
+    {"link_message", EventKind::kLinkMessage},
 };
 
 constexpr Word<host::FrameFate> kFateWords[] = {
@@ -67,13 +69,17 @@ Json NodesToJson(const Run& run)
                              {"cob_id_1", srdo.cob_id_1},
                              {"cob_id_2", srdo.cob_id_2}});
         }
-        nodes.push_back({{"name", run.NodeName(node)},
-                         {"node_id", model.Config().node_id},
-                         {"dcf", std::filesystem::path(model.File()).filename().string()},
-                         {"cycle_us", model.Config().cycle_us},
-                         {"discrepancy_us", model.Config().discrepancy_us},
-                         {"self_tests", run.Setting().nodes[node].self_tests},
-                         {"srdos", srdos}});
+        const NodeSetup& setup = run.Setting().nodes[node];
+        nodes.push_back(
+            {{"name", run.NodeName(node)},
+             {"device", setup.device},
+             {"cpu", (setup.role == CpuRole::kWhole) ? Json() : Json((setup.role == CpuRole::kA) ? "a" : "b")},
+             {"node_id", model.Config().node_id},
+             {"dcf", std::filesystem::path(model.File()).filename().string()},
+             {"cycle_us", model.Config().cycle_us},
+             {"discrepancy_us", model.Config().discrepancy_us},
+             {"self_tests", setup.self_tests},
+             {"srdos", srdos}});
     }
     return nodes;
 }
@@ -113,6 +119,10 @@ void AddDetails(const Run& run, const Event& event, Json& json)
     case EventKind::kFault:
         json["fault"] = run.Setting().faults[event.value].name;
         json["place"] = event.value;
+        return;
+    case EventKind::kLink:
+        json["state"] = NameOf(kLinkStateWords, static_cast<LinkState>(event.value));
+        json["finding"] = NameOf(kLinkFindingWords, static_cast<LinkFinding>(event.other));
         return;
     case EventKind::kFrameChanged:
         json["identifier"] = event.value;
@@ -167,7 +177,7 @@ Json MeasurementToJson(const Run& run, const Measurement& measurement)
 {
     const auto time = [](const Nanoseconds at) { return (at < 0) ? Json() : Json(at); };
     return {{"fault", run.Setting().faults[measurement.fault].name},
-            {"node", run.NodeName(measurement.node)},
+            {"node", measurement.place},
             {"srdo", measurement.srdo},
             {"limit_class", Name(measurement.fault_class)},
             {"limit_ns", measurement.limit},

@@ -124,6 +124,15 @@ std::string HungText(const std::uint64_t value)
     return kTexts[value % 3U];
 }
 
+std::string LinkText(const Event& event)
+{
+    const auto finding = static_cast<LinkFinding>(event.other);
+    const std::string why = (finding == LinkFinding::kNone || finding == LinkFinding::kInvalid)
+                                ? ""
+                                : std::string(": ") + NameOf(kLinkFindingWords, finding);
+    return std::string("link to the other CPU ") + NameOf(kLinkStateWords, static_cast<LinkState>(event.value)) + why;
+}
+
 std::string CauseText(const Event& event)
 {
     std::string text;
@@ -230,6 +239,10 @@ std::string EventText(const Run& run, const Event& event)
         return "WATCHDOG TRIPPED";
     case EventKind::kHung:
         return HungText(event.value);
+    case EventKind::kLink:
+        return LinkText(event);
+    case EventKind::kLinkMessage:
+        return "message of the other CPU: " + scenario.faults[event.other].name;
     case EventKind::kSelfTest:
         return std::string("self test finds: ") + NameOf(kTestWords, event.value);
     case EventKind::kConfigurationInvalid:

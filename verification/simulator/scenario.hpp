@@ -2,6 +2,7 @@
 #ifndef VERIFICATION_SIMULATOR_SCENARIO_HPP
 #define VERIFICATION_SIMULATOR_SCENARIO_HPP
 
+#include "verification/simulator/scenario_kinds.hpp"
 #include "verification/simulator/yaml_document.hpp"
 
 #include "safety_core/contract/channel.hpp"
@@ -41,9 +42,24 @@ struct CounterSetup
     std::uint32_t start_us{0U};
 };
 
+/// The link between the two CPUs of a device. [SRS-SIM-056]
+struct LinkSetup
+{
+    Nanoseconds timeout{10 * kNanosecondsPerMillisecond};
+    Nanoseconds delay{100 * kNanosecondsPerMicrosecond};
+    Nanoseconds jitter{0}; ///< Each message takes up to so much longer.
+    Nanoseconds clock_tolerance{2 * kNanosecondsPerMillisecond};
+    Nanoseconds clock_interval{500 * kNanosecondsPerMillisecond};
+    Nanoseconds stamp_tolerance{50 * kNanosecondsPerMicrosecond};
+};
+
+/// One processor: a device with one CPU, or one of the two CPUs of a device, which follow each other, A first.
 struct NodeSetup
 {
     std::string name;
+    std::string device; ///< The same, or without .a and .b.
+    CpuRole role{CpuRole::kWhole};
+    LinkSetup link;
     std::string dcf; ///< Path, usable from here.
     Source source;
     std::optional<std::uint8_t> node_id;
@@ -65,14 +81,6 @@ struct Stimulus
     Source source;
 };
 
-enum class LogicOperation : std::uint8_t
-{
-    kCopy = 1U,
-    kAnd = 2U,
-    kOr = 3U,
-    kNot = 4U,
-};
-
 struct LogicRule
 {
     NodeIndex node{0U};
@@ -89,17 +97,6 @@ struct Acknowledge
     NodeIndex node{0U};
     std::uint8_t srdo{0U};
     Source source;
-};
-
-/// What an NMT master says.
-enum class NmtCommand : std::uint8_t
-{
-    kNone = 0U,
-    kStart = 1U,
-    kStop = 2U,
-    kEnterPreOperational = 3U,
-    kResetNode = 4U,
-    kResetCommunication = 5U,
 };
 
 struct NmtEvent
@@ -127,100 +124,6 @@ struct GfcEvent
     Nanoseconds at{0};
     NodeIndex node{0U};
     Source source;
-};
-
-enum class FaultKind : std::uint8_t
-{
-    kCorruption = 1U,
-    kRepetition = 2U,
-    kWrongSequence = 3U,
-    kLoss = 4U,
-    kDelay = 5U,
-    kInsertion = 6U,
-    kMasquerade = 7U,
-    kAddressing = 8U,
-    kBitFlip = 9U,
-    kSkipped = 10U,
-    kDoubled = 11U,
-    kHung = 12U,
-    kFrozen = 13U,
-    kNotCalled = 14U,
-    kAlwaysGood = 15U,
-    kClock = 16U,
-    kCycle = 17U,
-    kNotInverse = 18U,
-    kStoreAndForward = 19U,
-    kDuplicate = 20U,
-    kBabbling = 21U,
-    kWireError = 22U,
-    kBusOff = 23U,
-    kUnplugged = 24U,
-    kQueueFull = 25U,
-    kSwallowed = 26U,
-    kConfirmation = 27U,
-    kQueueOverflow = 28U,
-    kFrozenInput = 29U,
-    kPermit = 30U,
-    kWatchdog = 31U,
-    kStuckBit = 32U,
-    kStandstill = 33U,
-    // A new kind: a number, a word (names.hpp), a section (schema_faults.cpp), a reader (scenario_faults.cpp) and
-    // whoever brings it about (network_faults.cpp).
-};
-
-/// The part of a node that a fault hits.
-enum class Part : std::uint8_t
-{
-    kNone = 0U,
-    kChannelA = 1U,
-    kChannelB = 2U,
-    kComparator = 3U,
-    kFlowMonitor = 4U,
-    kGuard = 5U,
-    // Inputs, the last link, and what only bits flip in.
-    kAcknowledgeA = 6U,
-    kAcknowledgeB = 7U,
-    kApplication = 8U,
-    kChallenge = 9U,
-    kQuestion = 10U,
-    kPermitA = 11U,
-    kPermitB = 12U,
-    kPermitKernel = 13U,
-    kWatchdog = 14U,
-    kKernel = 15U,
-    kLatch = 16U,
-    kClocks = 17U,
-    kSetup = 18U,
-    kSafeValue = 19U,
-    kObjects = 20U,
-    kVariables = 21U,
-    // What the self tests watch, they themselves, and the last links as chips.
-    kSelfTest = 22U,
-    kOutputGate = 23U,
-    kWatchdogChip = 24U,
-    kProgram = 25U,
-    kConstants = 26U,
-    kStackGuard = 27U,
-    kTablePointer = 28U,
-};
-constexpr std::size_t kPartCount = 29U;
-
-/// How a permit, an answer to the watchdog or a confirmation is wrong.
-enum class Wrongness : std::uint8_t
-{
-    kNone = 0U,
-    kWrong = 1U,
-    kOld = 2U,
-    kMissing = 3U,
-    kTwice = 4U,
-    kLate = 5U,
-};
-
-/// Calls of a channel that can be skipped or doubled.
-enum class ChannelCall : std::uint8_t
-{
-    kOnCycle = 1U,
-    kOnFrame = 2U,
 };
 
 /// Chooses frames. Bus faults act on the frames that fit, from the `first`-th one on, at most `count` of them.
@@ -283,40 +186,16 @@ struct FaultSetup
     bool hits_counter_b{false};
     std::int32_t rate_ppm{0};        ///< Instead of the drift; -10^6 stops the counter.
     std::optional<Nanoseconds> jump; ///< Instead of another rate.
+    // Link between two CPUs: `frames` has window, turn and chance; `node` is CPU A.
+    bool hits_from_a{true};
+    bool hits_from_b{true};
+    std::uint32_t back{0U}; ///< Of an insertion: so many messages ago; 0: noise.
+    std::vector<std::uint32_t> message_bits;
     // Store and forward; reception queue.
     Nanoseconds gap{0};
     std::uint32_t capacity{1U};
     // Application.
     ObjectAddress object{0U, 0U};
-};
-
-enum class ExpectationKind : std::uint8_t
-{
-    kReleased = 1U,
-    kSafe = 2U,
-    kValue = 3U,
-    kCause = 4U,
-    kDeviceFault = 5U,
-    kDetectedBy = 6U,
-    kSafeWithin = 7U,
-    kNoFault = 8U,
-};
-
-/// Who can find a fault.
-enum class Party : std::uint8_t
-{
-    kNobody = 0U,
-    kChannels = 1U, ///< Both channels in the same cycle.
-    kChannelA = 2U,
-    kChannelB = 3U,
-    kComparator = 4U,
-    kKernel = 5U, ///< By the comparator's echo and its negative test.
-    kFlowMonitor = 6U,
-    kWatchdog = 7U,
-    kOutputGate = 8U,
-    kClockSupervisor = 9U,
-    kGuard = 10U,
-    kSelfTest = 11U,
 };
 
 struct Expectation
@@ -325,6 +204,7 @@ struct Expectation
     Source source;
     Nanoseconds at{0};
     NodeIndex node{kNoNode};
+    bool is_series{false}; ///< Of both CPUs of a device: `node` and the next one, their outputs in series.
     std::uint8_t srdo{0U};
     ObjectAddress object{0U, 0U};
     std::uint64_t value{0U};
@@ -353,14 +233,6 @@ struct Scenario
     std::vector<FaultSetup> faults;
     std::vector<Expectation> expectations;
 };
-
-/// Whether a state of a part, counter, object or controller begins and ends; else single frames or moments are hit.
-[[nodiscard]] constexpr bool IsState(const FaultKind kind)
-{
-    const bool is_old = kind >= FaultKind::kSkipped && kind != FaultKind::kCycle && kind <= FaultKind::kNotInverse;
-    const bool is_controller = kind == FaultKind::kBusOff || kind == FaultKind::kUnplugged;
-    return is_old || is_controller || kind == FaultKind::kBabbling || kind >= FaultKind::kQueueOverflow;
-}
 
 /// Whether normal frames, which have odd identifiers, are among the chosen ones.
 [[nodiscard]] inline bool ChoosesNormal(const FrameChoice& choice)

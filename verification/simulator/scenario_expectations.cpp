@@ -52,9 +52,15 @@ void ReadParties(Fields& fields, Expectation& expectation)
     }
 }
 
+void ReadPlace(const ScenarioValue& name, const Scenario& scenario, Expectation& expectation)
+{
+    expectation.node = NodeNamed(scenario, name);
+    expectation.is_series = IsTwoCpus(scenario, name);
+}
+
 void ReadOutputOf(Fields& fields, const Scenario& scenario, Expectation& expectation)
 {
-    expectation.node = NodeNamed(scenario, fields.Require("node"));
+    ReadPlace(fields.Require("node"), scenario, expectation);
     expectation.srdo = SrdoNumber(fields.Require("srdo"));
 }
 
@@ -68,7 +74,7 @@ void ReadContent(Fields& fields, const Scenario& scenario, Expectation& expectat
         expectation.at = fields.Require("at").Duration();
         return;
     case ExpectationKind::kValue:
-        expectation.node = NodeNamed(scenario, fields.Require("node"));
+        ReadPlace(fields.Require("node"), scenario, expectation);
         expectation.object = fields.Require("object").Object();
         expectation.value = fields.Require("is").Number({0U, 0xFFFFFFFFFFFFFFFFU});
         expectation.at = fields.Require("at").Duration();
@@ -78,12 +84,12 @@ void ReadContent(Fields& fields, const Scenario& scenario, Expectation& expectat
         expectation.cause = fields.Require("is").Choice(kCauseWords);
         return;
     case ExpectationKind::kDeviceFault:
-        expectation.node = NodeNamed(scenario, fields.Require("node"));
+        ReadPlace(fields.Require("node"), scenario, expectation);
         expectation.device_fault = fields.Require("is").Choice(kDeviceFaultWords);
         return;
     case ExpectationKind::kDetectedBy:
         expectation.fault = ReadFaultIndex(fields, scenario);
-        expectation.node = NodeNamed(scenario, fields.Require("node"));
+        ReadPlace(fields.Require("node"), scenario, expectation);
         ReadParties(fields, expectation);
         return;
     case ExpectationKind::kSafeWithin:
@@ -92,12 +98,17 @@ void ReadContent(Fields& fields, const Scenario& scenario, Expectation& expectat
         if (const auto limit = fields.Find("limit"))
         {
             expectation.fault_class = limit->Choice(kFaultClassWords);
+            const bool is_link = expectation.fault_class == FaultClass::kCrossLink;
+            if (is_link && scenario.nodes[expectation.node].role == CpuRole::kWhole)
+            {
+                limit->Refuse("cross_link of a node with one CPU", "another row, or a node with 'structure: two_cpu'");
+            }
         }
         return;
     case ExpectationKind::kNoFault:
         if (const auto node = fields.Find("node"))
         {
-            expectation.node = NodeNamed(scenario, *node);
+            ReadPlace(*node, scenario, expectation);
         }
         return;
     }

@@ -16,7 +16,7 @@ constexpr std::uint32_t kLastStandardIdentifier = 0x7FFU;
 std::optional<NodeIndex> FindNode(Fields& fields, const char* key, const Scenario& scenario)
 {
     const auto value = fields.Find(key);
-    return value ? std::optional<NodeIndex>(NodeNamed(scenario, *value)) : std::nullopt;
+    return value ? std::optional<NodeIndex>(CpuNamed(scenario, *value)) : std::nullopt;
 }
 
 void ReadIdentifiers(const ScenarioValue& value, FrameChoice& choice)
@@ -140,7 +140,7 @@ void ReadForeignFrame(Fields& fields, const Scenario& scenario, FaultSetup& faul
         fault.frames.receiver = FindNode(fields, "receiver", scenario);
         return;
     }
-    fault.node = NodeNamed(scenario, fields.Require("node"));
+    fault.node = CpuNamed(scenario, fields.Require("node"));
 }
 
 void ReadCorruption(Fields& fields, FaultSetup& fault)
@@ -292,6 +292,10 @@ FaultSetup ReadFault(const Scenario& scenario, const ScenarioValue& value)
     else if (fault.kind == FaultKind::kBabbling)
     {
         ReadBabbling(fields, fault);
+    }
+    else if (IsOfLink(fault.kind))
+    {
+        ReadLinkFault(fields, scenario, fault);
     }
     else
     {

@@ -172,7 +172,7 @@ void ReadController(Fields& fields, FaultSetup& fault)
 
 void ReadNodeFault(Fields& fields, const Scenario& scenario, FaultSetup& fault)
 {
-    fault.node = NodeNamed(scenario, fields.Require("node"));
+    fault.node = CpuNamed(scenario, fields.Require("node"));
     switch (fault.kind)
     {
     case FaultKind::kClock:

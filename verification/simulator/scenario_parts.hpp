@@ -11,8 +11,16 @@ namespace counterpoint::simulator
 inline constexpr Range kCountRange{1U, 0x7FFFFFFFU};
 inline constexpr Range kSrdoRange{1U, 64U};
 
-/// The node of that name. Throws ScenarioError.
+/// What the file `name` means that another file names.
+[[nodiscard]] std::string Beside(const std::string& file, const std::string& name);
+/// The section `nodes`, added to the scenario.
+void ReadNodes(const ScenarioValue& value, Scenario& scenario);
+/// The node of that name; of a device with two CPUs the first one. Throws ScenarioError.
 [[nodiscard]] NodeIndex NodeNamed(const Scenario& scenario, const ScenarioValue& name);
+/// Whether that is the name of a device with two CPUs; where one of them has to be named; and of an item's `node`.
+[[nodiscard]] bool IsTwoCpus(const Scenario& scenario, const ScenarioValue& name);
+[[nodiscard]] NodeIndex CpuNamed(const Scenario& scenario, const ScenarioValue& name);
+[[nodiscard]] bool NamesBothCpus(const Scenario& scenario, const ScenarioValue& item);
 [[nodiscard]] std::uint8_t SrdoNumber(const ScenarioValue& value);
 /// The keys `at`, `until`, `on` and `off`; the last two alone.
 void ReadSpan(Fields& fields, FaultSetup& fault);
@@ -20,6 +28,8 @@ void ReadPattern(Fields& fields, Nanoseconds& on, Nanoseconds& off);
 [[nodiscard]] std::vector<std::uint8_t> ReadBytes(const ScenarioValue& value, const Range& range);
 /// What a fault of a node says beside its kind and name.
 void ReadNodeFault(Fields& fields, const Scenario& scenario, FaultSetup& fault);
+/// What a fault of the link between two CPUs says beside its kind and name.
+void ReadLinkFault(Fields& fields, const Scenario& scenario, FaultSetup& fault);
 /// One item of `faults`, `expect`.
 [[nodiscard]] FaultSetup ReadFault(const Scenario& scenario, const ScenarioValue& value);
 [[nodiscard]] Expectation ReadExpectation(const Scenario& scenario, const ScenarioValue& value);

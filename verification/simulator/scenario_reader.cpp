@@ -13,84 +13,8 @@ namespace counterpoint::simulator
 {
 namespace
 {
-constexpr std::size_t kMostNodes = 127U;
 constexpr Range kSeedRange{0U, 0xFFFFFFFFFFFFFFFFU};
 constexpr std::uint32_t kBitrates[] = {10000U, 20000U, 50000U, 100000U, 125000U, 250000U, 500000U, 800000U, 1000000U};
-constexpr std::int32_t kStandsStill = -1000000;
-
-std::string Beside(const std::string& file, const std::string& name)
-{
-    const std::filesystem::path path(name);
-    return path.is_absolute() ? name : (std::filesystem::path(file).parent_path() / path).string();
-}
-
-CounterSetup ReadCounter(const ScenarioValue& value)
-{
-    Fields fields(value, "counter");
-    CounterSetup counter;
-    const ScenarioValue drift = fields.Require("ppm");
-    counter.drift_ppm = drift.PartsPerMillion();
-    if (counter.drift_ppm == kStandsStill)
-    {
-        drift.Refuse("a counter that stands still from the start", "more than -1000000 ppm");
-    }
-    counter.start_us = fields.Require("start_us").Checked();
-    fields.Close();
-    return counter;
-}
-
-NodeSetup ReadNode(const ScenarioValue& name, const ScenarioValue& value)
-{
-    Fields fields(value, "node");
-    NodeSetup node;
-    node.name = name.Text("the name of a node");
-    if (node.name.empty() || node.name == "all" || node.name == "bus")
-    {
-        name.Refuse("node name " + Shown(node.name), "a name other than 'all' and 'bus'");
-    }
-    const ScenarioValue dcf = fields.Require("dcf");
-    node.dcf = Beside(value.FileName(), dcf.Text("the file name of a DCF"));
-    node.source = dcf.Where();
-    if (const auto id = fields.Find("node_id"))
-    {
-        node.node_id = static_cast<std::uint8_t>(id->Checked());
-    }
-    node.controllers = fields.Require("controllers").Checked();
-    node.self_tests = fields.Require("self_tests").Choice(kYesWords);
-    node.phase = fields.Require("phase").Duration();
-    node.start_at = fields.Require("start_at").Duration();
-    if (const auto counter = fields.Find("counter_a"))
-    {
-        node.counter_a = ReadCounter(*counter);
-    }
-    if (const auto counter = fields.Find("counter_b"))
-    {
-        node.counter_b = ReadCounter(*counter);
-    }
-    fields.Close();
-    return node;
-}
-
-void ReadNodes(const ScenarioValue& value, Scenario& scenario)
-{
-    Fields fields(value, "nodes");
-    for (const auto& [name, node] : fields.All())
-    {
-        if (scenario.nodes.size() >= kMostNodes)
-        {
-            name.Refuse("node " + Shown(name.Node().scalar), "at most 127 nodes");
-        }
-        NodeSetup setup = ReadNode(name, node);
-        for (const NodeSetup& other : scenario.nodes)
-        {
-            if (other.name == setup.name)
-            {
-                name.Refuse("node " + Shown(setup.name) + " twice", "each node once");
-            }
-        }
-        scenario.nodes.push_back(std::move(setup));
-    }
-}
 
 Stimulus ReadStimulus(const Scenario& scenario, const ScenarioValue& value)
 {
@@ -206,6 +130,27 @@ void Append(Fields& fields, const char* key, const Scenario& scenario, std::vect
     }
 }
 
+/// The same of what happens to both CPUs of a device that is named without one.
+template <typename Item, typename Read>
+void AppendToEach(Fields& fields, const char* key, const Scenario& scenario, std::vector<Item>& items, const Read& read)
+{
+    const auto list = fields.Find(key);
+    if (!list)
+    {
+        return;
+    }
+    for (const ScenarioValue& value : list->Items("a list"))
+    {
+        items.push_back(read(scenario, value));
+        if (NamesBothCpus(scenario, value))
+        {
+            Item second = items.back();
+            ++second.node;
+            items.push_back(second);
+        }
+    }
+}
+
 void ReadSingles(Fields& fields, Scenario& scenario)
 {
     if (const auto title = fields.Find("title"))
@@ -251,32 +196,17 @@ void ReadInto(const ScenarioDocument& document, Scenario& scenario)
     {
         ReadNodes(*nodes, scenario);
     }
-    Append(fields, "inputs", scenario, scenario.stimuli, ReadStimulus);
-    Append(fields, "logic", scenario, scenario.logic, ReadLogic);
-    Append(fields, "acknowledge", scenario, scenario.acknowledges, ReadAcknowledge);
-    Append(fields, "nmt", scenario, scenario.nmt, ReadNmt);
-    Append(fields, "power", scenario, scenario.power, ReadPower);
+    AppendToEach(fields, "inputs", scenario, scenario.stimuli, ReadStimulus);
+    AppendToEach(fields, "logic", scenario, scenario.logic, ReadLogic);
+    AppendToEach(fields, "acknowledge", scenario, scenario.acknowledges, ReadAcknowledge);
+    AppendToEach(fields, "nmt", scenario, scenario.nmt, ReadNmt);
+    AppendToEach(fields, "power", scenario, scenario.power, ReadPower);
     Append(fields, "gfc", scenario, scenario.gfc, ReadGfc);
     Append(fields, "faults", scenario, scenario.faults, ReadFault);
     Append(fields, "expect", scenario, scenario.expectations, ReadExpectation);
     fields.Close();
 }
 } // namespace
-
-NodeIndex NodeNamed(const Scenario& scenario, const ScenarioValue& name)
-{
-    const std::string text = name.Text("the name of a node");
-    std::string expected;
-    for (NodeIndex node = 0U; node < scenario.nodes.size(); ++node)
-    {
-        if (scenario.nodes[node].name == text)
-        {
-            return node;
-        }
-        expected += (expected.empty() ? "" : ", ") + scenario.nodes[node].name;
-    }
-    name.Refuse("node " + Shown(text), expected.empty() ? "a node of 'nodes', which has none" : "one of " + expected);
-}
 
 std::uint8_t SrdoNumber(const ScenarioValue& value)
 {

@@ -13,7 +13,7 @@ std::vector<SectionSpec> Joined()
 {
     std::vector<SectionSpec> all;
     for (std::vector<SectionSpec> part :
-         {WorldSections(), FrameFaultSections(), NodeFaultSections(), ExpectationSections()})
+         {WorldSections(), FrameFaultSections(), NodeFaultSections(), LinkFaultSections(), ExpectationSections()})
     {
         std::move(part.begin(), part.end(), std::back_inserter(all));
     }

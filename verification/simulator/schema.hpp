@@ -98,6 +98,7 @@ template <const auto& kTable> [[nodiscard]] std::string WordsOf()
 [[nodiscard]] std::vector<SectionSpec> WorldSections();
 [[nodiscard]] std::vector<SectionSpec> FrameFaultSections();
 [[nodiscard]] std::vector<SectionSpec> NodeFaultSections();
+[[nodiscard]] std::vector<SectionSpec> LinkFaultSections();
 [[nodiscard]] std::vector<SectionSpec> ExpectationSections();
 } // namespace counterpoint::simulator
 

@@ -59,9 +59,21 @@ class Judgement
         return scenario_.nodes[node].name;
     }
 
+    [[nodiscard]] const std::string& NameOfPlace(const Expectation& expectation) const
+    {
+        const NodeSetup& setup = scenario_.nodes[expectation.node];
+        return expectation.is_series ? setup.device : setup.name;
+    }
+
+    /// Whether the node is meant: of a device with two CPUs each of them.
+    [[nodiscard]] static bool IsMeant(const Expectation& expectation, const NodeIndex node)
+    {
+        return node == expectation.node || (expectation.is_series && node == expectation.node + 1U);
+    }
+
     [[nodiscard]] std::string Place(const Expectation& expectation) const
     {
-        return NameOfNode(expectation.node) + " SRDO " + std::to_string(expectation.srdo);
+        return NameOfPlace(expectation) + " SRDO " + std::to_string(expectation.srdo);
     }
 
     [[nodiscard]] bool IsOpen(const NodeIndex node, const std::uint8_t srdo, const Nanoseconds at) const
@@ -75,9 +87,16 @@ class Judgement
         return is_open;
     }
 
+    /// Two outputs in series are open while both are.
+    [[nodiscard]] bool IsOpen(const Expectation& expectation, const std::uint8_t srdo, const Nanoseconds at) const
+    {
+        return IsOpen(expectation.node, srdo, at) &&
+               (!expectation.is_series || IsOpen(expectation.node + 1U, srdo, at));
+    }
+
     [[nodiscard]] ExpectationVerdict OfOutput(const Expectation& expectation) const
     {
-        const bool is_open = IsOpen(expectation.node, expectation.srdo, expectation.at);
+        const bool is_open = IsOpen(expectation, expectation.srdo, expectation.at);
         const bool wants_open = expectation.kind == ExpectationKind::kReleased;
         ExpectationVerdict verdict;
         verdict.holds = is_open == wants_open;
@@ -87,26 +106,35 @@ class Judgement
         return verdict;
     }
 
+    /// What the application of that node used last.
+    [[nodiscard]] std::uint64_t UsedAt(const NodeIndex node, const Expectation& expectation,
+                                       const std::uint64_t safe) const
+    {
+        const std::uint64_t object = (std::uint64_t{expectation.object.index} << 8U) | expectation.object.sub;
+        std::uint64_t value = safe;
+        for (const Event& event : journal_.Events())
+        {
+            const bool is_this = event.kind == EventKind::kValue && event.node == node && event.other == object;
+            value = (is_this && event.at <= expectation.at) ? event.value : value;
+        }
+        return value;
+    }
+
     [[nodiscard]] ExpectationVerdict OfValue(const Expectation& expectation)
     {
         const Node& node = network_.At(expectation.node);
         const VariablePair* const pair = node.Model().PairOf(expectation.object);
         const std::uint64_t safe = network_.At(expectation.node).App().SafeValueOf(expectation.object);
-        const std::uint64_t object = (std::uint64_t{expectation.object.index} << 8U) | expectation.object.sub;
-        std::uint64_t value = safe;
-        for (const Event& event : journal_.Events())
-        {
-            const bool is_this =
-                event.kind == EventKind::kValue && event.node == expectation.node && event.other == object;
-            value = (is_this && event.at <= expectation.at) ? event.value : value;
-        }
         // Behind a closed output no value counts, whatever the application last saw.
-        value = IsOpen(expectation.node, pair->srdo, expectation.at) ? value : safe;
+        const bool is_open = IsOpen(expectation, pair->srdo, expectation.at);
+        const std::uint64_t value = is_open ? UsedAt(expectation.node, expectation, safe) : safe;
+        const bool is_same =
+            !is_open || !expectation.is_series || UsedAt(expectation.node + 1U, expectation, safe) == value;
         ExpectationVerdict verdict;
-        verdict.holds = value == expectation.value;
-        verdict.wanted = NameOfNode(expectation.node) + " " + ObjectText(expectation.object) + " is " +
+        verdict.holds = is_same && value == expectation.value;
+        verdict.wanted = NameOfPlace(expectation) + " " + ObjectText(expectation.object) + " is " +
                          std::to_string(expectation.value) + " at " + MillisecondsText(expectation.at);
-        verdict.seen = std::to_string(value);
+        verdict.seen = std::to_string(value) + (is_same ? "" : ", and another one on the second CPU");
         return verdict;
     }
 
@@ -117,7 +145,7 @@ class Judgement
         for (const Event& event : journal_.Events())
         {
             const bool is_this =
-                event.kind == EventKind::kSignal && event.node == expectation.node && event.srdo == expectation.srdo;
+                event.kind == EventKind::kSignal && IsMeant(expectation, event.node) && event.srdo == expectation.srdo;
             if (!is_this)
             {
                 continue;
@@ -139,22 +167,31 @@ class Judgement
         DeviceFault fault = DeviceFault::kNone;
         for (const Event& event : journal_.Events())
         {
-            const bool is_this = event.kind == EventKind::kDeviceFault && event.node == expectation.node;
+            const bool is_this = event.kind == EventKind::kDeviceFault && IsMeant(expectation, event.node);
             fault = (is_this && fault == DeviceFault::kNone) ? static_cast<DeviceFault>(event.value) : fault;
         }
         ExpectationVerdict verdict;
         verdict.holds = fault == expectation.device_fault;
-        verdict.wanted = NameOfNode(expectation.node) + " device fault " + Name(expectation.device_fault);
+        verdict.wanted = NameOfPlace(expectation) + " device fault " + Name(expectation.device_fault);
         verdict.seen = Name(fault);
         return verdict;
+    }
+
+    [[nodiscard]] Detection FirstDetection(const Expectation& expectation, const Nanoseconds from) const
+    {
+        const Detection one = DetectionAt(journal_, expectation.node, from);
+        const Detection other =
+            expectation.is_series ? DetectionAt(journal_, expectation.node + 1U, from) : Detection{};
+        const bool is_other = other.at >= 0 && (one.at < 0 || other.at < one.at);
+        return is_other ? other : one;
     }
 
     [[nodiscard]] ExpectationVerdict OfDetection(const Expectation& expectation) const
     {
         const Nanoseconds effect = EffectOf(expectation.fault);
-        const Detection detection = (effect < 0) ? Detection{} : DetectionAt(journal_, expectation.node, effect);
+        const Detection detection = (effect < 0) ? Detection{} : FirstDetection(expectation, effect);
         ExpectationVerdict verdict;
-        verdict.wanted = "detected at " + NameOfNode(expectation.node) + " by ";
+        verdict.wanted = "detected at " + NameOfPlace(expectation) + " by ";
         for (const Party party : expectation.parties)
         {
             verdict.holds = verdict.holds || (effect >= 0 && party == detection.party);
@@ -170,9 +207,9 @@ class Judgement
         const auto found = std::find_if(journal_.Events().begin(), journal_.Events().end(),
                                         [&expectation, from](const Event& event)
                                         {
-                                            return event.kind == EventKind::kOutput && event.node == expectation.node &&
-                                                   event.srdo == expectation.srdo && event.value == 0U &&
-                                                   event.at >= from;
+                                            return event.kind == EventKind::kOutput &&
+                                                   IsMeant(expectation, event.node) && event.srdo == expectation.srdo &&
+                                                   event.value == 0U && event.at >= from;
                                         });
         return (found == journal_.Events().end()) ? nullptr : &*found;
     }
@@ -197,6 +234,7 @@ class Judgement
         Measurement measurement;
         measurement.fault = expectation.fault;
         measurement.node = expectation.node;
+        measurement.place = NameOfPlace(expectation);
         measurement.srdo = expectation.srdo;
         const FaultClass own = ClassOf(scenario_.faults[expectation.fault]);
         measurement.fault_class = (expectation.fault_class == FaultClass::kInvalid) ? own : expectation.fault_class;
@@ -206,7 +244,7 @@ class Judgement
         {
             return measurement;
         }
-        measurement.was_open = IsOpen(expectation.node, expectation.srdo, measurement.effect - 1);
+        measurement.was_open = IsOpen(expectation, expectation.srdo, measurement.effect - 1);
         const Event* const closed = ClosedAfter(expectation, measurement.effect);
         if (closed != nullptr)
         {
@@ -215,7 +253,7 @@ class Judgement
             measurement.elapsed =
                 closed->at - measurement.reference + model.Config().output_time_us * kNanosecondsPerMicrosecond;
         }
-        measurement.detection = DetectionAt(journal_, expectation.node, measurement.effect);
+        measurement.detection = FirstDetection(expectation, measurement.effect);
         return measurement;
     }
 
@@ -264,10 +302,10 @@ class Judgement
     {
         ExpectationVerdict verdict;
         const bool is_any = expectation.node == kNoNode;
-        verdict.wanted = "no fault" + (is_any ? std::string() : " at " + NameOfNode(expectation.node));
+        verdict.wanted = "no fault" + (is_any ? std::string() : " at " + NameOfPlace(expectation));
         for (const Event& event : journal_.Events())
         {
-            const bool is_here = event.node != kNoNode && (is_any || event.node == expectation.node);
+            const bool is_here = event.node != kNoNode && (is_any || IsMeant(expectation, event.node));
             const bool is_harmless = event.kind == EventKind::kSignal &&
                                      event.value == static_cast<std::uint64_t>(SrdoCause::kWaitingPastSct);
             if (is_here && !is_harmless && verdict.seen.empty())
@@ -295,6 +333,15 @@ Nanoseconds LimitOf(const Scenario& scenario, const Expectation& expectation, co
     for (const SrdoModel& srdo : model.Srdos())
     {
         times = (srdo.number == expectation.srdo) ? srdo.times : times;
+    }
+    if (fault_class == FaultClass::kCrossLink)
+    {
+        // At a node with one CPU it is the device of the fault that stops to be heard.
+        const NodeSetup& own_node = scenario.nodes[expectation.node];
+        const NodeSetup& node =
+            (own_node.role == CpuRole::kWhole) ? scenario.nodes[scenario.faults[expectation.fault].node] : own_node;
+        const auto timeout_us = static_cast<std::uint32_t>(node.link.timeout / kNanosecondsPerMicrosecond);
+        return Nanoseconds{ComputeLimit(model.Config(), LinkTime{timeout_us}).us} * kNanosecondsPerMicrosecond;
     }
     return ComputeLimit(model.Config(), times, fault_class).us * kNanosecondsPerMicrosecond;
 }

@@ -25,6 +25,7 @@ struct Measurement
 {
     std::size_t fault{0U};
     NodeIndex node{kNoNode};
+    std::string place; ///< Name of the node, or of a device whose two outputs are in series.
     std::uint8_t srdo{0U};
     FaultClass fault_class{FaultClass::kInvalid};
     Nanoseconds effect{-1};    ///< When the fault first changed something; -1: never.

@@ -4,7 +4,7 @@
   const DATA = JSON.parse(document.getElementById("data").textContent);
   const $ = id => document.getElementById(id);
   const GUTTER = 210, RIGHT = 32, TOP = 46, AXIS = 26;
-  const LOUD = new Set(["fault", "device_fault", "watchdog", "hung", "output", "frame_changed"]);
+  const LOUD = new Set(["fault", "link", "self_test", "device_fault", "watchdog", "hung", "output", "frame_changed"]);
   const esc = text => String(text).replace(/[&<>"]/g, c => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" }[c]));
   const hex = id => id.toString(16).toUpperCase().padStart(3, "0") + "h";
   let run = null, lanes = [], hidden = new Set(), from = 0, to = 1, queued = false;
@@ -100,12 +100,14 @@
       kind: "state", height: height || 15, label, words: { halted: "stands still", ...words },
       segments: cut(events, "off", e => value(e) ? "released" : "off")
     });
-    if (srdo.direction === "producer") return [view("a", 16), view("b", 16)];
+    // A CPU of two has one channel; the other one is heard over the link.
+    const views = node.cpu ? [view(node.cpu, 16)] : [view("a", 16), view("b", 16)];
+    if (srdo.direction === "producer") return views;
     if (srdo.direction !== "consumer") return [];
     const list = [
       { kind: "timers", height: 44, label: "SRDO " + srdo.number + " time left",
         note: "SCT " + srdo.sct_ms + " ms, SRVT " + srdo.srvt_ms + " ms", lines: timers(node, srdo), srdo },
-      view("a", 16), view("b", 16),
+      ...views,
       onOff("SRDO " + srdo.number + " comparator", untilHung, ofNode("verdict"), e => bit(e.agreed, srdo.slot), { released: "agreed", off: "not agreed" }),
       onOff("SRDO " + srdo.number + " permits", untilHung, ofNode("permits"), e => bit(e.value, srdo.slot), { released: "three", off: "none" }),
       onOff("SRDO " + srdo.number + " output", segments, mine("output"), e => e.value !== 0, { released: "OPEN", off: "SAFE" }, 20)
@@ -121,6 +123,19 @@
     return list;
   }
 
+  // What a CPU of two has of the other one, and the messages that a fault hit.
+  function linkLane(node) {
+    if (!node.cpu) return [];
+    const mine = kind => run.events.filter(e => e.kind === kind && e.node === node.name);
+    const states = { alive: "released", waiting: "off", lost: "faulted" };
+    return [{
+      kind: "state", height: 16, label: "link to the other CPU",
+      segments: segments(mine("link"), "off", e => states[e.state]),
+      words: { released: "alive", off: "no contact yet", faulted: "LOST" },
+      marks: mine("link_message").map(e => [e.at_ns, e.text])
+    }];
+  }
+
   function buildLanes() {
     lanes = [];
     const group = (name, note, content) => {
@@ -130,7 +145,7 @@
     };
     group("bus", run.bitrate / 1000 + " kbit/s", busLanes());
     for (const node of run.nodes) {
-      group(node.name, "node " + node.node_id + ", " + node.dcf, node.srdos.flatMap(srdo => srdoLanes(node, srdo)));
+      group(node.name, "node " + node.node_id + ", " + node.dcf, [...linkLane(node), ...node.srdos.flatMap(srdo => srdoLanes(node, srdo))]);
     }
     let y = TOP;
     for (const lane of lanes) {

@@ -1,0 +1,256 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+//
+// Devices with two CPUs on the simulated bus: the link between them, the loss of one of them, one that always says
+// good. Each time to the safe output is held to the computed limit.
+#include "tests/integration/scenario_run.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <ostream>
+#include <string>
+
+namespace counterpoint::simulator
+{
+namespace
+{
+/// A scenario on the chain whose actuator has two CPUs; `text` is what it adds.
+std::unique_ptr<Run> RunTwoCpus(const std::string& text)
+{
+    auto run = std::make_unique<Run>(TextFile("extends: " + Examples() + "../scenarios/two_cpu_chain.yaml\n" + text),
+                                     std::nullopt, std::nullopt, false);
+    run->Simulate(nullptr);
+    return run;
+}
+
+TEST(TwoCpuNode, RunsWithDriftingClocksAndAJitterThatVaries)
+{
+    Verifies(req::SRS_SIM_056);
+    Verifies(req::SRS_SIM_052);
+    const auto run = RunTwoCpus("duration: 30 s\nexpect:\n  - {that: no_fault}\n"
+                                "  - {that: value, node: actuator, object: 0x2200:01, is: 1, at: 29990 ms}\n"
+                                "  - {that: released, node: actuator.a, srdo: 1, at: 29990 ms}\n"
+                                "  - {that: released, node: actuator.b, srdo: 1, at: 29990 ms}\n");
+    EXPECT_EQ(Failures(*run), "");
+}
+
+/// What goes wrong at 500 ms or later, and which CPUs lose the other one's voice.
+struct LinkCase
+{
+    const char* fault;
+    const char* cpus; ///< "a", "b" or "ab".
+    const char* by{"cross_link"};
+};
+
+void PrintTo(const LinkCase& link, std::ostream* const out)
+{
+    *out << link.fault;
+}
+
+class LostPeer : public ::testing::TestWithParam<LinkCase>
+{
+};
+
+TEST_P(LostPeer, IsFoundByTheLinkOfWhoIsLeftWithinTheLimit)
+{
+    Verifies(req::SRS_SIM_057);
+    Verifies(req::SRS_LNK_006);
+    Verifies(req::SRS_LNK_009);
+    std::string text = std::string("duration: 2 s\nfaults:\n  - {fault: ") + GetParam().fault + R"(}
+expect:
+  - {that: safe_within, node: actuator, srdo: 1, limit: cross_link}
+  - {that: safe, node: actuator, srdo: 1, at: 1999 ms}
+)";
+    for (const char* cpu = GetParam().cpus; *cpu != '\0'; ++cpu)
+    {
+        const std::string node = std::string("node: actuator.") + *cpu;
+        text += "  - {that: safe_within, " + node + ", srdo: 1, limit: cross_link}\n";
+        text += "  - {that: detected_by, " + node + ", by: " + GetParam().by + "}\n";
+    }
+    EXPECT_EQ(Failures(*RunTwoCpus(text)), "");
+}
+
+constexpr LinkCase kLostPeers[] = {
+    // A pair that comes meanwhile is unmatched within the discrepancy time, which is shorter than this time-out.
+    // The link, in each direction and both: cut, or nothing that can be believed comes through.
+    {"link_cut, node: actuator, at: 500 ms", "ab"},
+    {"link_cut, node: actuator, sender: a, at: 500.3 ms", "ab"},
+    {"link_cut, node: actuator, sender: b, at: 511.7 ms", "ab", "[cross_link, comparator]"},
+    {"link_cut, node: actuator, at: 500 ms, until: 520 ms", "ab"},
+    {"link_loss, node: actuator, at: 500 ms", "ab"},
+    {"link_loss, node: actuator, sender: a, at: 500 ms, count: 20", "ab"},
+    {"link_delay, node: actuator, at: 500 ms, by: 15 ms", "ab"},
+    {"link_delay, node: actuator, sender: b, at: 500 ms, by: 1 s", "ab"},
+    {"link_corruption, node: actuator, at: 500 ms, bits: [0]", "ab"},
+    {"link_corruption, node: actuator, sender: a, at: 500 ms, bits: [1503]", "ab"},
+    {"link_corruption, node: actuator, sender: b, at: 500 ms, bits: [545, 770, 771]", "ab"},
+    {"link_loss, node: actuator, at: 500 ms, on: 15 ms, off: 5 ms", "ab"},
+    // The other CPU: it stands still, hangs, or has no supply.
+    {"standstill, node: actuator.a, at: 500 ms", "b"},
+    {"standstill, node: actuator.b, at: 512.2 ms", "a", "comparator"},
+    {"hung, node: actuator.a, part: channel_a, at: 500 ms", "b"},
+    {"hung, node: actuator.b, part: channel_b, at: 500 ms", "a"},
+    {"hung, node: actuator.b, part: comparator, at: 500 ms", "a"},
+    {"hung, node: actuator.a, part: self_test, at: 500 ms", "b"},
+    // Its clock: it stands still, or jumps farther than the tolerance.
+    {"clock, node: actuator.a, counter: a, stopped: true, at: 500 ms", "b"},
+    {"clock, node: actuator.b, counter: a, stopped: true, at: 500 ms", "a"},
+    {"clock, node: actuator.a, counter: a, jump: 30 ms, at: 500 ms", "b"},
+    {"clock, node: actuator.b, counter: a, jump: 30 ms, at: 500 ms", "a"},
+};
+INSTANTIATE_TEST_SUITE_P(EachWay, LostPeer, ::testing::ValuesIn(kLostPeers));
+
+TEST(LostPeer, WithoutSupplyIsFoundByTheOtherCpu)
+{
+    Verifies(req::SRS_SIM_057);
+    Verifies(req::SRS_SIM_037);
+    // When CPU B loses its supply and comes back
+    const auto run = RunTwoCpus(R"(
+duration: 2 s
+power:
+  - {at: 500 ms, node: actuator.b, off: 100 ms, start_after: 10 ms}
+expect:
+  - {that: device_fault, node: actuator.a, is: cross_link}
+  - {that: safe, node: actuator, srdo: 1, at: 500 ms}
+  - {that: safe, node: actuator.a, srdo: 1, at: 512 ms}
+  - {that: safe, node: actuator, srdo: 1, at: 1999 ms}
+)");
+    // Then CPU A is safe within time-out 10 ms + cycle 1 ms + output 1 ms, and the device until both are restarted
+    EXPECT_EQ(Failures(*run), "");
+}
+
+TEST(LostPeer, OfADeviceThatIsSwitchedOffAndOnIsThereAgain)
+{
+    Verifies(req::SRS_SIM_056);
+    const auto run = RunTwoCpus(R"(
+duration: 2 s
+power:
+  - {at: 600 ms, node: actuator, off: 100 ms, start_after: 10 ms}
+acknowledge:
+  - {at: 900 ms, node: actuator, srdo: 1}
+faults:
+  - {fault: link_cut, node: actuator, at: 500 ms, until: 550 ms}
+expect:
+  - {that: safe_within, node: actuator, srdo: 1}
+  - {that: safe, node: actuator, srdo: 1, at: 890 ms}
+  - {that: released, node: actuator, srdo: 1, at: 1990 ms}
+)");
+    EXPECT_EQ(Failures(*run), "");
+}
+
+class BorneByTheLink : public ::testing::TestWithParam<const char*>
+{
+};
+
+TEST_P(BorneByTheLink, ChangesNothing)
+{
+    Verifies(req::SRS_SIM_057);
+    Verifies(req::SRS_LNK_003);
+    Verifies(req::SRS_LNK_004);
+    const auto run =
+        RunTwoCpus(std::string("duration: 2 s\nfaults:\n  - {node: actuator, at: 500 ms, fault: ") + GetParam() +
+                   "}\nexpect:\n  - {that: no_fault}\n  - {that: detected_by, node: actuator, by: nobody}\n"
+                   "  - {that: released, node: actuator, srdo: 1, at: 1999 ms}\n");
+    EXPECT_EQ(Failures(*run), "");
+}
+INSTANTIATE_TEST_SUITE_P(
+    EachWay, BorneByTheLink,
+    ::testing::Values("link_loss, every: 20", "link_loss, sender: b, count: 1", "link_loss, probability_ppm: 10000",
+                      "link_delay, by: 1 ms", "link_delay, by: 3 ms, every: 9",
+                      "link_repetition, times: 3, after: 700 us", "link_repetition, times: 50",
+                      "link_reordering, every: 2", "link_reordering, sender: a, every: 5",
+                      "link_corruption, bits: [64, 65, 900], every: 15", "link_insertion, times: 500, every: 1300 us",
+                      "link_insertion, what: earlier, back: 1, times: 500, every: 1300 us",
+                      "link_insertion, sender: b, what: earlier, back: 50, times: 500, every: 700 us"));
+
+/// A CPU that always says good, what goes wrong beside it, and who closes.
+struct GoodPeer
+{
+    const char* parts; ///< Of the faults that make it always good.
+    const char* cpu;
+    const char* fault;
+    const char* other;
+    const char* by;
+};
+
+void PrintTo(const GoodPeer& good, std::ostream* const out)
+{
+    *out << good.parts << " of CPU " << good.cpu << " always good, then " << good.fault;
+}
+
+class AlwaysGoodPeer : public ::testing::TestWithParam<GoodPeer>
+{
+};
+
+TEST_P(AlwaysGoodPeer, LeavesTheFaultToTheOtherCpu)
+{
+    Verifies(req::SRS_SIM_056);
+    Verifies(req::SRS_SIM_033);
+    // Given a CPU of which channel, comparator and flow monitor say from 400 ms on that all is well
+    const GoodPeer& good = GetParam();
+    std::string text = "duration: 2 s\nfaults:\n";
+    const std::string parts = good.parts;
+    for (std::size_t begin = 0U; begin < parts.size();)
+    {
+        const std::size_t end = std::min(parts.find(' ', begin), parts.size());
+        const std::string part = parts.substr(begin, end - begin);
+        text += "  - {fault: always_good, optional: true, name: " + part + ", node: actuator." + good.cpu +
+                ", part: " + part + ", at: 400 ms}\n";
+        begin = end + 1U;
+    }
+    // When it should have found this
+    text += std::string("  - {name: second, fault: ") + good.fault + "}\nexpect:\n";
+    const std::string other = std::string("node: actuator.") + good.other;
+    text += "  - {that: safe_within, fault: second, node: actuator, srdo: 1}\n"
+            "  - {that: safe_within, fault: second, " +
+            other + ", srdo: 1}\n  - {that: detected_by, fault: second, " + other + ", by: " + good.by +
+            "}\n  - {that: safe, node: actuator, srdo: 1, at: 1999 ms}\n";
+    // Then the other CPU closes in time: its output is in series
+    EXPECT_EQ(Failures(*RunTwoCpus(text)), "");
+}
+
+constexpr const char* kGoodA = "channel_a comparator flow_monitor guard self_test";
+constexpr const char* kGoodB = "channel_b comparator flow_monitor guard self_test";
+constexpr const char* kLost = "loss, frames: {sender: controller, from: 500 ms, count: 1000}";
+constexpr const char* kChanged = "corruption, frames: {identifier: 0x104, from: 500 ms, count: 1000}, bits: [0]";
+constexpr GoodPeer kGoodPeers[] = {
+    {kGoodA, "a", kLost, "b", "channel_b"},
+    {kGoodB, "b", kLost, "a", "channel_a"},
+    {kGoodA, "a", kChanged, "b", "channel_b"},
+    {kGoodB, "b", kChanged, "a", "channel_a"},
+    {kGoodA, "a", "frozen, node: actuator.b, part: channel_b, at: 500 ms", "b", "comparator"},
+    {kGoodB, "b", "frozen, node: actuator.a, part: channel_a, at: 500 ms", "a", "comparator"},
+    {kGoodA, "a", "link_cut, node: actuator, at: 500 ms", "b", "cross_link"},
+    {kGoodB, "b", "link_cut, node: actuator, at: 500 ms", "a", "cross_link"},
+    {"output_gate watchdog", "a", kLost, "b", "[channel_b, comparator, cross_link]"},
+    {"output_gate watchdog", "b", kLost, "a", "[channel_a, comparator, cross_link]"},
+};
+INSTANTIATE_TEST_SUITE_P(EachCpu, AlwaysGoodPeer, ::testing::ValuesIn(kGoodPeers));
+
+class FlippedInACpu : public ::testing::TestWithParam<const char*>
+{
+};
+
+TEST_P(FlippedInACpu, IsFoundByItsSelfTestAndToldToTheOtherCpu)
+{
+    Verifies(req::SRS_SIM_053);
+    Verifies(req::SRS_SIM_056);
+    const std::string place = GetParam();
+    const auto run = RunTwoCpus("duration: 2500 ms\nfaults:\n  - {fault: bit_flip, " + place + R"(}
+expect:
+  - {that: safe_within, node: actuator, srdo: 1}
+  - {that: detected_by, node: actuator, by: self_test}
+  - {that: safe, node: actuator.a, srdo: 1, at: 2499 ms}
+  - {that: safe, node: actuator.b, srdo: 1, at: 2499 ms}
+)");
+    EXPECT_EQ(Failures(*run), "");
+}
+INSTANTIATE_TEST_SUITE_P(EachPlace, FlippedInACpu,
+                         ::testing::Values("at: 500.7 ms, node: actuator.a, part: program, offset: 300",
+                                           "at: 501.2 ms, node: actuator.b, part: program, offset: 3000",
+                                           "at: 500.7 ms, node: actuator.a, part: stack_guard, offset: 2",
+                                           "at: 501.2 ms, node: actuator.b, part: stack_guard, offset: 9",
+                                           "at: 500.7 ms, node: actuator.a, part: table_pointer, offset: 0, bit: 4",
+                                           "at: 501.2 ms, node: actuator.b, part: table_pointer, offset: 8, bit: 4",
+                                           "at: 500.7 ms, node: actuator.a, part: table_pointer, offset: 40, bit: 4",
+                                           "at: 501.2 ms, node: actuator.b, part: table_pointer, offset: 48, bit: 4"));
+} // namespace
+} // namespace counterpoint::simulator
