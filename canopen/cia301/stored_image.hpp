@@ -1,0 +1,95 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA301_STORED_IMAGE_HPP
+#define CANOPEN_CIA301_STORED_IMAGE_HPP
+
+#include "canopen/cia301/entry.hpp"
+
+#include "hal/api/parameter_memory.hpp"
+
+namespace counterpoint::cia301
+{
+
+constexpr std::uint32_t kStoreStepBytes = 64U;
+constexpr std::uint32_t kImageHeaderBytes = 24U;
+constexpr std::uint32_t kItemHeadBytes = 4U; ///< Group, part, length.
+
+/// One bank holds, all little-endian:
+///     0  mark   "CPS1"          8  bytes behind the header
+///     4  generation            12  CRC-32 of the bytes behind the header
+///                              16  CRC-32 of bytes 0 to 15; 20 to 23 are 0
+///    24  items: group, part, 2 bytes of length, bytes; then FFh to the next unit
+/// The header is written last: where it is whole, so is the rest.
+struct SetHeader
+{
+    std::uint32_t generation;
+    std::uint32_t length;
+    std::uint32_t crc;
+};
+
+/// Head of an item.
+struct ItemHead
+{
+    bool is_present; ///< False: the end of the set.
+    std::uint8_t group;
+    std::uint8_t part;
+    std::uint32_t size_bytes;
+};
+
+/// @brief CRC-32 (IEEE 802.3) from `crc`, 0 at first. O(length)
+[[nodiscard]] std::uint32_t ContinueCrc32(std::uint32_t crc, const Bytes& bytes) noexcept;
+
+/// A valid set in a bank. The memory is kept by reference.
+class ImageReader
+{
+  public:
+    explicit ImageReader(hal::ParameterMemory& memory) noexcept;
+
+    /// @brief Whether the header of the bank is whole. The rest is checked by CheckStep.
+    [[nodiscard]] bool Open(hal::MemoryBank bank) noexcept;
+    /// @brief Whether the whole bank is a valid set. O(bank)
+    [[nodiscard]] bool Check() noexcept;
+    [[nodiscard]] hal::MemoryBank Bank() const noexcept;
+    [[nodiscard]] const SetHeader& Header() const noexcept;
+    /// @brief The item at a place, from 0; the next one is kItemHeadBytes + size_bytes behind it.
+    [[nodiscard]] ItemHead HeadAt(std::uint32_t place) noexcept;
+    /// @brief Bytes of the set from a place.
+    [[nodiscard]] bool Read(std::uint32_t place, const Room& room) noexcept;
+
+  private:
+    hal::ParameterMemory* memory_;
+    hal::MemoryBank bank_;
+    SetHeader header_;
+};
+
+/// Writes a set into a bank, unit by unit. The memory is kept by reference.
+class ImageWriter
+{
+  public:
+    explicit ImageWriter(hal::ParameterMemory& memory) noexcept;
+
+    /// @brief Starts to erase the bank.
+    void Begin(hal::MemoryBank bank) noexcept;
+    /// @brief Bytes that Put takes now.
+    [[nodiscard]] std::uint32_t Space() const noexcept;
+    /// @brief Whether the set may still grow by so many bytes.
+    [[nodiscard]] bool HasRoom(std::uint32_t count) const noexcept;
+    /// @brief Adds bytes, at most Space().
+    void Put(const Bytes& bytes) noexcept;
+    /// @brief Starts to write what is complete, if it fills the buffer or `is_last`; whether there was something.
+    bool Flush(bool is_last) noexcept;
+    /// @brief Starts to write the header; the set is complete with it.
+    void Close(std::uint32_t generation) noexcept;
+
+  private:
+    hal::ParameterMemory* memory_;
+    hal::MemoryBank bank_;
+    std::uint32_t written_; ///< Bytes behind the header that are in the memory.
+    std::uint32_t length_;  ///< And those in the buffer.
+    std::uint32_t crc_;
+    std::uint8_t buffer_[kStoreStepBytes];
+    std::uint32_t filled_;
+};
+
+} // namespace counterpoint::cia301
+
+#endif
