@@ -3,6 +3,7 @@
 
 #include "hal/host/frame_bits.hpp"
 #include "hal/host/live_address.hpp"
+#include "hal/host/live_socketcan_bus.hpp"
 #include "hal/host/live_udp_bus.hpp"
 
 #include <algorithm>
@@ -44,7 +45,11 @@ FrameKind KindOf(const LiveFrame& frame)
 std::unique_ptr<LiveBus> OpenLiveBus(const std::string& address, const LiveOptions& options)
 {
     const LiveAddress parts = ParseLiveAddress(address);
-    return std::make_unique<LiveUdpBus>(parts, options);
+    if (parts.kind == LiveKind::kUdp)
+    {
+        return std::make_unique<LiveUdpBus>(parts, options);
+    }
+    return std::make_unique<LiveSocketCanBus>(parts, options);
 }
 
 std::unique_ptr<LiveBus> OpenLiveBus(const std::string& address)
