@@ -3,6 +3,7 @@
 
 #include "tools/check_command.hpp"
 #include "tools/demo_command.hpp"
+#include "tools/generate_command.hpp"
 #include "tools/sign_command.hpp"
 #include "tools/simulate_command.hpp"
 
@@ -15,6 +16,7 @@ std::vector<CommandRow> CommandTable()
         {"simulate", "Simulate a scenario: devices, faults, expectations", &MakeSimulateCommand},
         {"sign", "Compute the safety configuration signatures (13FFh) of a DCF", &MakeSignCommand},
         {"check", "Check the safety configuration of a DCF against every rule", &MakeCheckCommand},
+        {"generate", "Generate the C++ object dictionary of a device from its EDS or DCF", &MakeGenerateCommand},
     };
 }
 } // namespace counterpoint::tools
