@@ -93,7 +93,8 @@ class Rpdos
 
   private:
     [[nodiscard]] Rpdo* Find(std::uint16_t number) const noexcept;
-    [[nodiscard]] SdoAbort WriteCobId(Rpdo& pdo, std::uint32_t value) noexcept;
+    [[nodiscard]] SdoAbort Change(Rpdo& pdo, std::uint8_t sub, std::uint32_t value) noexcept;
+    [[nodiscard]] bool WriteCobId(Rpdo& pdo, std::uint32_t value) noexcept;
     void FollowState(const Moment& moment) noexcept;
     void Take(Rpdo& pdo, const CanFrame& frame, Instant now) noexcept;
     void Apply(Rpdo& pdo, Instant now) noexcept;

@@ -101,11 +101,12 @@ class Tpdos
 
   private:
     [[nodiscard]] Tpdo* Find(std::uint16_t number) const noexcept;
-    [[nodiscard]] SdoAbort WriteCobId(Tpdo& pdo, std::uint32_t value) noexcept;
+    [[nodiscard]] SdoAbort Change(Tpdo& pdo, std::uint8_t sub, std::uint32_t value) noexcept;
+    [[nodiscard]] bool WriteCobId(Tpdo& pdo, std::uint32_t value) noexcept;
     void FollowState(const Moment& moment) noexcept;
     void Start(Tpdo& pdo) noexcept;
     void RunEvents(Tpdo& pdo, const Moment& moment) noexcept;
-    [[nodiscard]] bool IsSyncDue(Tpdo& pdo, const SyncEvent& event) noexcept;
+    [[nodiscard]] bool IsSyncDue(Tpdo& pdo, const SyncEvent& event, const PdoData& now) const noexcept;
     void Transmit(Tpdo& pdo, Instant now) noexcept;
 
     TpdoParts parts_;
