@@ -62,23 +62,22 @@ NodeDevice::NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeRepor
       output_(time_, watchdog_, {config_.cycle_us + config_.cycle_tolerance_us}),
       channel_a_(MakeChannel(simulator::Letter::kA, simulator::RoomOf(config_))),
       channel_b_(MakeChannel(simulator::Letter::kB, simulator::RoomOf(config_))), application_(model_, report),
-      supervised_(NodeObjects::ConsumersOf(cia306::ReadDeviceFile(settings.dcf))),
-      services_({config_.node_id}, {supervised_.data(), static_cast<std::uint8_t>(supervised_.size())}),
-      watch_(services_.errors, application_),
-      kernel_({channel_a_->Voice(), channel_b_->Voice(), ports, output_, watchdog_, watch_}),
-      objects_(cia306::ReadDeviceFile(settings.dcf), config_.node_id, KernelsOf(model_), services_),
-      sdo_buffer_(objects_.LongestBytes()), safety_room_(2U * config_.srdo_count + 2U), service_room_(kServiceFrames),
+      objects_(cia306::ReadDeviceFile(settings.dcf), config_.node_id, KernelsOf(model_)), emergency_({config_.node_id}),
+      watch_(emergency_, application_),
+      kernel_({channel_a_->Voice(), channel_b_->Voice(), ports, output_, watchdog_, watch_}), facade_(kernel_),
+      dictionary_(objects_.Table(), facade_),
+      services_({config_.node_id}, {emergency_, ports, dictionary_, objects_.Rooms()}),
+      safety_room_(2U * config_.srdo_count + 2U), service_room_(kServiceFrames),
       device_({kernel_,
                watch_,
+               dictionary_,
                services_,
-               ports,
                *this,
-               objects_.Table(),
-               {sdo_buffer_.data(), static_cast<std::uint32_t>(sdo_buffer_.size())},
                {safety_room_.data(), static_cast<std::uint32_t>(safety_room_.size())},
                {service_room_.data(), static_cast<std::uint32_t>(service_room_.size())},
                config_.srdo_count})
 {
+    objects_.Connect(services_);
     slot_of_.fill(kNoSlot);
     application_.Tell([this](const std::uint8_t srdo) { paired_ |= SrdoMask{1U} << model_.SlotOf(srdo).value_or(0U); });
 }
@@ -101,6 +100,11 @@ NodeApplication& NodeDevice::App() noexcept
 device::Device& NodeDevice::Services() noexcept
 {
     return device_;
+}
+
+cia301::Dictionary& NodeDevice::Objects() noexcept
+{
+    return dictionary_;
 }
 
 Kernel& NodeDevice::Core() noexcept

@@ -44,6 +44,7 @@ class NodeDevice final : private device::Owner
     [[nodiscard]] const simulator::DeviceModel& Model() const noexcept;
     [[nodiscard]] NodeApplication& App() noexcept;
     [[nodiscard]] device::Device& Services() noexcept;
+    [[nodiscard]] cia301::Dictionary& Objects() noexcept;
     [[nodiscard]] Kernel& Core() noexcept;
     [[nodiscard]] const NodeLatency& Latency() const noexcept;
     [[nodiscard]] SrdoMask Open() noexcept;
@@ -90,12 +91,13 @@ class NodeDevice final : private device::Owner
     std::unique_ptr<simulator::ChannelHost> channel_a_;
     std::unique_ptr<simulator::ChannelHost> channel_b_;
     NodeApplication application_;
-    std::vector<cia301::SupervisedNode> supervised_;
-    device::Services services_;
+    NodeObjects objects_;
+    cia301::EmergencyProducer emergency_;
     device::KernelWatch watch_;
     Kernel kernel_;
-    NodeObjects objects_;
-    std::vector<std::uint8_t> sdo_buffer_;
+    cia301::KernelObjects facade_;
+    cia301::Dictionary dictionary_;
+    device::Services services_;
     std::vector<device::QueuedFrame> safety_room_;
     std::vector<device::QueuedFrame> service_room_;
     device::Device device_;

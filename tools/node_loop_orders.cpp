@@ -112,12 +112,12 @@ void NodeLoop::SetObject(const NodeOrder& order)
     {
         return;
     }
-    const cia301::Entry* const entry = parts_.device.Services().Objects().Find(order.object);
+    const cia301::Entry* const entry = parts_.device.Objects().Find(order.object);
     const bool is_number = entry != nullptr && entry->size_bytes <= kMaxPayloadBytes;
     cia301::SdoAbort abort = cia301::SdoAbort::kObjectUnknown;
     if (is_number)
     {
-        abort = parts_.device.Services().Objects().WriteNumber(order.object, order.value, entry->size_bytes);
+        abort = parts_.device.Objects().WriteNumber(order.object, order.value, entry->size_bytes);
     }
     if (abort != cia301::SdoAbort::kNone)
     {
@@ -130,7 +130,7 @@ void NodeLoop::SetObject(const NodeOrder& order)
 
 void NodeLoop::TellObject(const ObjectAddress& object)
 {
-    const cia301::NumberReading reading = parts_.device.Services().Objects().ReadNumber(object);
+    const cia301::NumberReading reading = parts_.device.Objects().ReadNumber(object);
     if (reading.abort == cia301::SdoAbort::kNone)
     {
         Tell(ObjectText(object) + " = " + std::to_string(reading.value), "object",

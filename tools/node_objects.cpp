@@ -26,12 +26,38 @@ constexpr std::uint16_t kConsumerTimes = 0x1016U;
 constexpr std::uint16_t kFirstApplication = 0x2000U;
 constexpr std::uint16_t kLastFixed = 0x5F05U;
 
-/// Objects whose values the services keep.
-constexpr std::array<std::uint16_t, 8U> kServiceObjects{0x1001U, 0x1003U, 0x100CU, 0x100DU,
-                                                        0x1014U, 0x1015U, 0x1016U, 0x1017U};
+constexpr std::uint16_t kHighestPdo = 512U;
+constexpr std::uint16_t kFirstRpdo = 0x1400U;
+constexpr std::uint16_t kFirstRpdoMap = 0x1600U;
+constexpr std::uint16_t kFirstTpdo = 0x1800U;
+constexpr std::uint16_t kFirstTpdoMap = 0x1A00U;
+constexpr std::uint16_t kLastTpdoMap = 0x1BFFU;
+constexpr std::uint8_t kPdoEntries = 64U;
 
-bool IsOfService(const std::uint16_t index)
+/// The hook of an object whose value a service keeps; null: none does.
+cia301::NumberHook* NumberHookOf(const std::uint16_t index, device::Services& services)
 {
+    switch (index)
+    {
+    case 0x1005U:
+    case 0x1006U:
+    case 0x1007U:
+    case 0x1019U:
+        return &services.sync;
+    case 0x1029U:
+        return &services.errors;
+    case 0x1200U:
+        return &services.sdo_port;
+    default:
+        break;
+    }
+    return (index >= kFirstRpdo && index <= kLastTpdoMap) ? &services.pdos : nullptr;
+}
+
+bool IsOfServiceObjects(const std::uint16_t index)
+{
+    constexpr std::array<std::uint16_t, 8U> kServiceObjects{0x1001U, 0x1003U, 0x100CU, 0x100DU,
+                                                            0x1014U, 0x1015U, 0x1016U, 0x1017U};
     return std::find(kServiceObjects.begin(), kServiceObjects.end(), index) != kServiceObjects.end();
 }
 
@@ -41,28 +67,24 @@ bool IsFixedAtStart(const std::uint16_t index)
     return index >= cia306::kDeviceParametersIndex && index <= kLastFixed;
 }
 
+/// The types of both rooms have the numbers of CiA 301. BIT1 to BIT8 are small numbers.
 DataType TypeOf(const cia306::Entry& entry)
 {
-    switch (entry.type.kind)
+    const bool is_known = entry.data_type != 0U && entry.data_type <= static_cast<std::uint16_t>(DataType::kUnsigned64);
+    if (is_known && entry.type.kind != cia306::DataKind::kUnknown)
     {
-    case cia306::DataKind::kBoolean:
-        return DataType::kBoolean;
-    case cia306::DataKind::kSigned:
-        return DataType::kInteger64; // Whatever its length: the entry has it.
-    case cia306::DataKind::kUnsigned:
-        return DataType::kUnsigned64;
-    case cia306::DataKind::kReal:
-        return (entry.type.bits == 32U) ? DataType::kReal32 : DataType::kReal64;
-    case cia306::DataKind::kText:
-        return (entry.data_type == kVisibleString)        ? DataType::kVisibleString
-               : (entry.data_type == cia306::kDomainType) ? DataType::kDomain
-                                                          : DataType::kOctetString;
-    case cia306::DataKind::kTime:
-    case cia306::DataKind::kStructure:
-    case cia306::DataKind::kUnknown:
-        break;
+        return static_cast<DataType>(entry.data_type);
     }
-    return DataType::kOctetString;
+    return (entry.type.kind == cia306::DataKind::kUnsigned) ? DataType::kUnsigned8 : DataType::kOctetString;
+}
+
+/// Process data go where they may be read, and come where they may be written.
+std::uint8_t UsesOf(const cia306::Entry& entry)
+{
+    const bool is_sent = entry.access != cia306::Access::kWriteOnly && entry.access != cia306::Access::kReadWriteOutput;
+    const bool is_received = !entry.IsFixed() && entry.access != cia306::Access::kReadWriteInput;
+    const unsigned uses = (is_sent ? cia301::kInTpdo : 0U) | (is_received ? cia301::kInRpdo : 0U);
+    return static_cast<std::uint8_t>(entry.is_pdo_mappable ? uses : 0U);
 }
 
 cia301::Access AccessOf(const cia306::Entry& entry)
@@ -121,8 +143,7 @@ SdoAbort FixedHook::OnWrite(const ObjectAddress& address, const cia301::Bytes& v
     return is_same ? SdoAbort::kNone : SdoAbort::kLocalControl;
 }
 
-NodeObjects::NodeObjects(const cia306::Device& device, const std::uint8_t node_id, const IsKernels& is_kernels,
-                         device::Services& services)
+NodeObjects::NodeObjects(const cia306::Device& device, const std::uint8_t node_id, const IsKernels& is_kernels)
     : file_(device.file)
 {
     for (const auto& [index, object] : device.objects)
@@ -132,11 +153,20 @@ NodeObjects::NodeObjects(const cia306::Device& device, const std::uint8_t node_i
             const bool has_value = entry.type.kind != cia306::DataKind::kStructure;
             if (has_value && index >= cia306::kFirstObjectIndex && !is_kernels(index, sub))
             {
-                Append(entry, node_id, services);
+                Append(entry, node_id);
             }
         }
     }
     table_ = {entries_.data(), static_cast<std::uint32_t>(entries_.size())};
+    std::uint32_t longest = kMaxPayloadBytes;
+    for (const cia301::Entry& entry : entries_)
+    {
+        longest = std::max(longest, entry.size_bytes);
+    }
+    sdo_buffer_.resize(longest);
+    const cia306::Object* const consumers = device.Find(kConsumerTimes);
+    supervised_.resize((consumers == nullptr || consumers->entries.empty()) ? 0U : consumers->entries.rbegin()->first);
+    AppendPdos(device);
 }
 
 const cia301::EntryTable& NodeObjects::Table() const noexcept
@@ -144,24 +174,38 @@ const cia301::EntryTable& NodeObjects::Table() const noexcept
     return table_;
 }
 
-std::uint32_t NodeObjects::LongestBytes() const noexcept
+device::ServiceRooms NodeObjects::Rooms() noexcept
 {
-    std::uint32_t longest = kMaxPayloadBytes;
-    for (const cia301::Entry& entry : entries_)
+    return {{supervised_.data(), static_cast<std::uint8_t>(supervised_.size())},
+            {tpdos_.data(), static_cast<std::uint16_t>(tpdos_.size())},
+            {rpdos_.data(), static_cast<std::uint16_t>(rpdos_.size())},
+            {sdo_buffer_.data(), static_cast<std::uint32_t>(sdo_buffer_.size())}};
+}
+
+void NodeObjects::Connect(device::Services& services) noexcept
+{
+    for (cia301::Entry& entry : entries_)
     {
-        longest = std::max(longest, entry.size_bytes);
+        if (IsOfServiceObjects(entry.index))
+        {
+            entry.read_hook = &services.objects;
+            entry.write_hook = &services.objects;
+        }
+        else if (cia301::NumberHook* const hook = NumberHookOf(entry.index, services))
+        {
+            entry.read_hook = hook;
+            entry.write_hook = hook;
+        }
+        else
+        {
+            continue; // Has a place of its own.
+        }
+        entry.place = nullptr;
+        entry.length_bytes = nullptr;
     }
-    return longest;
 }
 
-std::uint8_t NodeObjects::ConsumersOf(const cia306::Device& device)
-{
-    const cia306::Object* const object = device.Find(kConsumerTimes);
-    const bool has_subs = object != nullptr && !object->entries.empty();
-    return has_subs ? object->entries.rbegin()->first : std::uint8_t{0U};
-}
-
-void NodeObjects::Append(const cia306::Entry& source, const std::uint8_t node_id, device::Services& services)
+void NodeObjects::Append(const cia306::Entry& source, const std::uint8_t node_id)
 {
     SetValue(source, node_id);
     cia301::Entry entry{};
@@ -171,19 +215,39 @@ void NodeObjects::Append(const cia306::Entry& source, const std::uint8_t node_id
     entry.access = AccessOf(source);
     entry.readable_in = cia301::kInBoth;
     entry.writable_in = cia301::kInBoth;
+    entry.uses = UsesOf(source);
     entry.size_bytes = static_cast<std::uint32_t>((source.type.bits + 7U) / 8U);
-    if (IsOfService(source.index))
-    {
-        entry.read_hook = &services.objects;
-        entry.write_hook = &services.objects;
-    }
-    else
-    {
-        SetRoom(entry, source);
-        entry.write_hook = IsFixedAtStart(source.index) ? &fixed_ : nullptr;
-    }
+    SetRoom(entry, source);
+    entry.write_hook = IsFixedAtStart(source.index) ? &fixed_ : nullptr;
     SetLimits(entry, source, node_id);
     entries_.push_back(entry);
+}
+
+/// A PDO for each object of communication parameters, with as many fields as its mapping has sub-indices.
+void NodeObjects::AppendPdos(const cia306::Device& device)
+{
+    for (std::uint16_t number = 1U; number <= kHighestPdo; ++number)
+    {
+        const auto step = static_cast<std::uint16_t>(number - 1U);
+        if (device.Find(static_cast<std::uint16_t>(kFirstRpdo + step)) != nullptr)
+        {
+            rpdos_.push_back({number, MapOf(device, static_cast<std::uint16_t>(kFirstRpdoMap + step))});
+        }
+        if (device.Find(static_cast<std::uint16_t>(kFirstTpdo + step)) != nullptr)
+        {
+            tpdos_.push_back(
+                {number, cia301::PdoTrigger::kChange, MapOf(device, static_cast<std::uint16_t>(kFirstTpdoMap + step))});
+        }
+    }
+}
+
+cia301::PdoMap NodeObjects::MapOf(const cia306::Device& device, const std::uint16_t index)
+{
+    const cia306::Object* const object = device.Find(index);
+    const bool has_subs = object != nullptr && !object->entries.empty();
+    const std::uint8_t room = has_subs ? std::min(object->entries.rbegin()->first, kPdoEntries) : std::uint8_t{0U};
+    fields_.emplace_back(room);
+    return {fields_.back().data(), room};
 }
 
 /// The value of the file as bytes, 0 where it gives none.
@@ -300,8 +364,11 @@ void NodeObjects::Load(const Stored& stored) noexcept
         }
         return;
     }
-    const bool is_told = stored.is_configured && entry.sub == 0U && entry.index == kConsumerTimes;
-    const bool is_own = entry.index == 0x1001U || entry.index == 0x1003U || is_told; // The device's alone.
+    // The device's own: errors, and what has one value only.
+    const bool is_mapping = (entry.index & 0xFE00U) == kFirstRpdoMap || (entry.index & 0xFE00U) == kFirstTpdoMap;
+    const bool is_count = entry.sub == 0U && entry.size_bytes == 1U && entry.index >= kConsumerTimes && !is_mapping &&
+                          entry.index != 0x1019U;
+    const bool is_own = entry.index == 0x1001U || entry.index == 0x1003U || entry.index == 0x1200U || is_count;
     if (!stored.is_configured || is_own)
     {
         return;

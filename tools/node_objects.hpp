@@ -36,23 +36,22 @@ class NodeObjects
     using IsKernels = std::function<bool(std::uint16_t index, std::uint8_t sub)>;
 
     /// Throws cia306::InputError for a value or limit that its data type cannot have.
-    NodeObjects(const cia306::Device& device, std::uint8_t node_id, const IsKernels& is_kernels,
-                device::Services& services);
+    NodeObjects(const cia306::Device& device, std::uint8_t node_id, const IsKernels& is_kernels);
     NodeObjects(const NodeObjects&) = delete;
     NodeObjects& operator=(const NodeObjects&) = delete;
 
+    /// @brief Stays as it is, but for the hooks that Connect fills in.
     [[nodiscard]] const cia301::EntryTable& Table() const noexcept;
-    /// @brief Bytes of the longest value that an SDO may carry.
-    [[nodiscard]] std::uint32_t LongestBytes() const noexcept;
+    /// @brief What the services of this device need; owned here.
+    [[nodiscard]] device::ServiceRooms Rooms() noexcept;
+    /// @brief The objects of services lead to them from now on.
+    void Connect(device::Services& services) noexcept;
     /// @brief Values of the file for all objects from 2000h on.
     void LoadApplication() noexcept;
     /// @brief The same for 1000h to 1FFFh; services take theirs by their hooks.
     void LoadCommunication() noexcept;
     /// @brief Values of the file that a service refuses, as lines; since the last LoadCommunication.
     [[nodiscard]] const std::vector<std::string>& Refusals() const noexcept;
-
-    /// @brief Entries of 1016h.
-    [[nodiscard]] static std::uint8_t ConsumersOf(const cia306::Device& device);
 
   private:
     /// A value and where it goes.
@@ -64,7 +63,9 @@ class NodeObjects
         bool is_configured{false}; ///< The file gives it.
     };
 
-    void Append(const cia306::Entry& source, std::uint8_t node_id, device::Services& services);
+    void Append(const cia306::Entry& source, std::uint8_t node_id);
+    void AppendPdos(const cia306::Device& device);
+    [[nodiscard]] cia301::PdoMap MapOf(const cia306::Device& device, std::uint16_t index);
     void SetValue(const cia306::Entry& source, std::uint8_t node_id);
     void SetRoom(cia301::Entry& entry, const cia306::Entry& source);
     void SetLimits(cia301::Entry& entry, const cia306::Entry& source, std::uint8_t node_id);
@@ -78,6 +79,11 @@ class NodeObjects
     std::deque<std::vector<std::uint8_t>> memory_;
     std::deque<std::uint32_t> lengths_;
     std::deque<cia301::ValueLimits> limits_;
+    std::vector<cia301::SupervisedNode> supervised_;
+    std::vector<cia301::Tpdo> tpdos_;
+    std::vector<cia301::Rpdo> rpdos_;
+    std::deque<std::vector<cia301::PdoField>> fields_;
+    std::vector<std::uint8_t> sdo_buffer_;
     std::vector<std::string> refusals_;
     cia301::EntryTable table_{nullptr, 0U};
     FixedHook fixed_{table_};

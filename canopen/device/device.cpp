@@ -6,30 +6,27 @@ namespace counterpoint::device
 namespace
 {
 
-constexpr std::uint32_t kSdoTimeOutUs = 1000000U;
-constexpr std::uint8_t kSdoBlock = 64U;
-constexpr std::uint32_t kSdoRequest = 0x600U;
-constexpr std::uint32_t kErrorControlFirst = 0x700U;
-constexpr std::uint32_t kErrorControlLast = 0x77FU;
+using cia301::CommunicationError;
+
+constexpr std::uint16_t kOwnController = 0U;
 
 } // namespace
 
 Device::Device(const DeviceParts& parts) noexcept
     : parts_(parts), command_frames_{}, safety_(parts.safety_room), commands_({command_frames_, kCommandRoom}),
-      others_(parts.service_room), outbox_(parts.can), facade_(parts.kernel), dictionary_(parts.table, facade_),
-      sdo_({dictionary_, parts.sdo_buffer, kSdoTimeOutUs, kSdoBlock}), kernel_state_(NmtState::kInvalid),
-      is_failed_(false), has_lost_others_(false)
+      others_(parts.service_room), kernel_state_(NmtState::kInvalid), bus_(BusCondition::kActive), is_failed_(false),
+      has_lost_others_(false)
 {
 }
 
 LoadResult Device::PowerOn(const Instant now) noexcept
 {
     LoadResult result = LoadResult::kFailed;
-    if (safety_.HasRoomFor(parts_.srdo_count) && cia301::IsUsable(parts_.table))
+    if (safety_.HasRoomFor(parts_.srdo_count))
     {
         is_failed_ = false;
         Settle();
-        outbox_.Poll(now);
+        parts_.services.outbox.Poll(now);
         const bool is_up = cia301::StateByte(State()) != 0U;
         result = is_up ? LoadResult::kLoaded : LoadResult::kFailed;
     }
@@ -43,17 +40,14 @@ void Device::OnFrame(const StampedFrame& frame) noexcept
     {
         safety_.Offer(item);
     }
-    else if (frame.frame.identifier == 0U)
-    {
-        has_lost_others_ = !commands_.Put(item) || has_lost_others_;
-    }
-    else if (IsWanted(frame.frame))
-    {
-        has_lost_others_ = !others_.Put(item) || has_lost_others_;
-    }
     else
     {
-        // For others.
+        const bool is_command = frame.frame.identifier == 0U;
+        const bool is_wanted = is_command || parts_.services.Wants(frame.frame);
+        if (is_wanted && !(is_command ? commands_ : others_).Put(item))
+        {
+            has_lost_others_.store(true);
+        }
     }
 }
 
@@ -65,14 +59,40 @@ void Device::OnConfirm(const StampedFrame& frame) noexcept
     }
     else
     {
-        outbox_.OnConfirm();
+        parts_.services.outbox.OnConfirm();
     }
 }
 
 void Device::OnLoss() noexcept
 {
     safety_.MarkLoss();
-    has_lost_others_ = true;
+    has_lost_others_.store(true);
+}
+
+void Device::OnBus(const BusCondition condition) noexcept
+{
+    cia301::CommunicationErrors& errors = parts_.services.errors;
+    const bool was_off = bus_ == BusCondition::kOff;
+    bus_ = (condition == BusCondition::kInvalid) ? BusCondition::kOff : condition;
+    const bool is_off = bus_ == BusCondition::kOff;
+    if (bus_ == BusCondition::kPassive)
+    {
+        errors.Raise(CommunicationError::kPassive, kOwnController);
+    }
+    if (bus_ == BusCondition::kActive)
+    {
+        errors.Clear(CommunicationError::kPassive, kOwnController);
+    }
+    if (is_off && !was_off)
+    {
+        parts_.services.outbox.Clear();
+        parts_.services.sdo_port.Reset(parts_.services.node);
+        errors.Raise(CommunicationError::kBusOff, kOwnController);
+    }
+    if (was_off && !is_off)
+    {
+        errors.Clear(CommunicationError::kBusOff, kOwnController);
+    }
 }
 
 void Device::Cycle(const CycleCall& call) noexcept
@@ -82,7 +102,7 @@ void Device::Cycle(const CycleCall& call) noexcept
     Serve(call.now.a);
 }
 
-// Whoever asks first for a loss may hear of it one frame early, never late.
+// A loss is told before the frames that wait: earlier than it happened, never later.
 void Device::HandOver() noexcept
 {
     if (safety_.TakeLoss())
@@ -107,18 +127,6 @@ void Device::HandOver() noexcept
 cia301::NodeState Device::State() const noexcept
 {
     return parts_.services.slave.State();
-}
-
-cia301::Dictionary& Device::Objects() noexcept
-{
-    return dictionary_;
-}
-
-bool Device::IsWanted(const CanFrame& frame) const noexcept
-{
-    const std::uint32_t identifier = frame.identifier;
-    const bool is_error_control = (identifier >= kErrorControlFirst) && (identifier <= kErrorControlLast);
-    return is_error_control || (identifier == (kSdoRequest + parts_.services.node.value));
 }
 
 } // namespace counterpoint::device

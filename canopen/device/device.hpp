@@ -3,12 +3,10 @@
 #define CANOPEN_DEVICE_DEVICE_HPP
 
 #include "canopen/device/kernel_watch.hpp"
-#include "canopen/device/outbox.hpp"
 #include "canopen/device/safety_queue.hpp"
 #include "canopen/device/services.hpp"
 
 #include "canopen/cia301/foreign_objects.hpp"
-#include "canopen/cia301/sdo_server.hpp"
 #include "safety_core/kernel/kernel.hpp"
 
 #include <atomic>
@@ -42,19 +40,27 @@ class Owner
     Owner& operator=(const Owner&) = default;
 };
 
-/// What a device is made of; all outlive it. `watch` is the application of `kernel`.
+/// What a device is made of; all outlive it. `watch` is the application of `kernel`; `dictionary` is that of
+/// `services`, and what its table does not have it asks the kernel for.
 struct DeviceParts
 {
     Kernel& kernel;
     KernelWatch& watch;
+    cia301::Dictionary& dictionary;
     Services& services;
-    hal::CanPorts& can; ///< The one of the kernel, or one beside it.
     Owner& owner;
-    cia301::EntryTable table; ///< Own entries: all but those of the kernel.
-    cia301::Room sdo_buffer;  ///< As long as the longest object.
-    FrameRoom safety_room;    ///< SafetyQueue tells how much.
-    FrameRoom service_room;   ///< What may wait between two calls of Serve.
-    std::uint8_t srdo_count;  ///< Of the kernel's device.
+    FrameRoom safety_room;   ///< Two frames for each SRDO and two more.
+    FrameRoom service_room;  ///< What may wait between two calls of Serve.
+    std::uint8_t srdo_count; ///< Of the kernel's device.
+};
+
+/// What the controller tells of the bus.
+enum class BusCondition : std::uint8_t
+{
+    kInvalid = 0U, ///< Read as off.
+    kActive = 0x3CU,
+    kPassive = 1U,
+    kOff = 2U,
 };
 
 /// A whole CANopen Safety device: the kernel and the services of CiA 301 on one or two CAN controllers.
@@ -79,14 +85,14 @@ class Device
     /// @brief The hardware layer lost frames. [SRS-DEV-008]
     void OnLoss() noexcept;
 
+    /// @brief How the controller feels; tell every change. Not from an interrupt. [SRS-DEV-016]
+    void OnBus(BusCondition condition) noexcept;
     /// @brief Safety frames to the kernel, its cycle, then Serve. [SRS-DEV-006]
     void Cycle(const CycleCall& call) noexcept;
     /// @brief Safety frames to the kernel, then the services. O(frames that wait + services)
     void Serve(Instant now) noexcept;
 
     [[nodiscard]] cia301::NodeState State() const noexcept;
-    /// @brief All objects, for the device itself.
-    [[nodiscard]] cia301::Dictionary& Objects() noexcept;
 
   private:
     static constexpr std::uint32_t kCommandRoom = 8U;
@@ -97,25 +103,14 @@ class Device
     void Initialise() noexcept;
     [[nodiscard]] LoadResult Load() noexcept;
     void ApplyState() noexcept;
-    void EnterOperational() noexcept;
-    void LeaveOperational() noexcept;
     void AdmitSrdos() noexcept;
-    void ServeFrame(const StampedFrame& frame, Instant now) noexcept;
-    void Answer(const cia301::SdoAnswer& answer) noexcept;
-    void PollSdo(Instant now) noexcept;
-    void Send(const cia301::FrameToSend& frame) noexcept;
-    [[nodiscard]] bool IsWanted(const CanFrame& frame) const noexcept;
-
     DeviceParts parts_;
     QueuedFrame command_frames_[kCommandRoom];
     SafetyQueue safety_;
     FrameRing commands_;
     FrameRing others_;
-    Outbox outbox_;
-    cia301::KernelObjects facade_;
-    cia301::Dictionary dictionary_;
-    cia301::SdoServer sdo_;
     NmtState kernel_state_;
+    BusCondition bus_;
     bool is_failed_; ///< The owner could not load; only PowerOn tries again.
     std::atomic<bool> has_lost_others_;
 };

@@ -6,45 +6,59 @@ namespace counterpoint::device
 namespace
 {
 
-constexpr Concern kSrdoConcerns[] = {Concern::kApplication, Concern::kCommunication, Concern::kLostFrames,
-                                     Concern::kFrameLength, Concern::kSrdo};
-constexpr Concern kDeviceConcerns[] = {Concern::kHardware,      Concern::kSoftware, Concern::kApplication,
-                                       Concern::kConfiguration, Concern::kModule,   Concern::kCommunication};
+constexpr std::uint16_t kHardware = 0x5000U;
+constexpr std::uint16_t kSoftware = 0x6100U;
+constexpr std::uint16_t kApplication = 0x6200U;
+constexpr std::uint16_t kConfiguration = 0x6300U;
+constexpr std::uint16_t kModule = 0x7500U;
+constexpr std::uint16_t kCommunication = 0x8100U;
+constexpr std::uint16_t kLostFrames = 0x8110U;
+constexpr std::uint16_t kLength = 0x8210U;
+constexpr std::uint16_t kSrdo = 0x8250U;
+constexpr std::uint16_t kSrdoCodes[] = {kApplication, kCommunication, kLostFrames, kLength, kSrdo};
 
-/// The device's own entry in the book.
-constexpr ErrorSource kDevice{0U};
-/// An SRDO of this device and the device itself can have errors of one concern: numbers of SRDOs begin at 1.
-ErrorSource SourceOf(const CommunicationIndex index) noexcept
+constexpr std::uint8_t kCommunicationBit = 0x10U; ///< Of 1001h.
+constexpr std::uint8_t kManufacturerBit = 0x80U;
+/// Sources beside the indices of SRDOs.
+constexpr std::uint16_t kDevice = 0U;
+constexpr std::uint16_t kConfigurationValidIndex = 0x13FEU;
+
+std::uint8_t NumberOf(const CommunicationIndex index) noexcept
 {
-    return ErrorSource{static_cast<std::uint8_t>((index.value - kFirstCommunication) + 1U)};
+    return static_cast<std::uint8_t>((index.value - kFirstCommunication) + 1U);
+}
+
+std::uint8_t BitsOf(const std::uint16_t code) noexcept
+{
+    return (code >= kModule) ? kCommunicationBit : kManufacturerBit;
 }
 
 /// Whether a cause is an error to tell of, and what about.
 struct Told
 {
     bool is_told;
-    Concern concern;
+    std::uint16_t code;
 };
 
-Told ConcernOf(const SrdoCause cause) noexcept
+Told CodeOf(const SrdoCause cause) noexcept
 {
-    Told told{true, Concern::kSrdo};
+    Told told{true, kSrdo};
     switch (cause)
     {
     case SrdoCause::kLength:
-        told.concern = Concern::kFrameLength;
+        told.code = kLength;
         break;
     case SrdoCause::kQueueOverflow:
-        told.concern = Concern::kLostFrames;
+        told.code = kLostFrames;
         break;
     case SrdoCause::kTransmitQueue:
     case SrdoCause::kBusOff:
     case SrdoCause::kNoConfirmation:
     case SrdoCause::kWrongEcho:
-        told.concern = Concern::kCommunication;
+        told.code = kCommunication;
         break;
     case SrdoCause::kRefreshMissed:
-        told.concern = Concern::kApplication;
+        told.code = kApplication;
         break;
     case SrdoCause::kNotOperational:
     case SrdoCause::kGfc:
@@ -67,27 +81,27 @@ Told ConcernOf(const SrdoCause cause) noexcept
     return told;
 }
 
-Concern ConcernOf(const DeviceFault fault) noexcept
+std::uint16_t CodeOf(const DeviceFault fault) noexcept
 {
-    Concern concern = Concern::kSoftware;
+    std::uint16_t code = kSoftware;
     switch (fault)
     {
     case DeviceFault::kSelfTest:
     case DeviceFault::kClock:
-        concern = Concern::kHardware;
+        code = kHardware;
         break;
     case DeviceFault::kApplication:
     case DeviceFault::kHandshake:
-        concern = Concern::kApplication;
+        code = kApplication;
         break;
     case DeviceFault::kConfiguration:
-        concern = Concern::kConfiguration;
+        code = kConfiguration;
         break;
     case DeviceFault::kCrossLink:
-        concern = Concern::kModule;
+        code = kModule;
         break;
     case DeviceFault::kFrameOrder:
-        concern = Concern::kCommunication;
+        code = kCommunication;
         break;
     case DeviceFault::kInvalid:
     case DeviceFault::kDisagreement:
@@ -100,13 +114,13 @@ Concern ConcernOf(const DeviceFault fault) noexcept
     default:
         break;
     }
-    return concern;
+    return code;
 }
 
 } // namespace
 
-KernelWatch::KernelWatch(ErrorBook& errors, Application& application) noexcept
-    : errors_(errors), application_(application)
+KernelWatch::KernelWatch(cia301::EmergencyProducer& emergency, Application& application) noexcept
+    : emergency_(emergency), application_(application), device_code_(0U)
 {
 }
 
@@ -118,19 +132,20 @@ RefreshAnswer KernelWatch::OnRefresh(const CommunicationIndex index) noexcept
 // A pair was released, or confirmed: what was wrong with this SRDO is over.
 void KernelWatch::OnSrdoEvent(const CommunicationIndex index) noexcept
 {
-    for (const Concern concern : kSrdoConcerns)
+    for (const std::uint16_t code : kSrdoCodes)
     {
-        errors_.End(concern, SourceOf(index));
+        emergency_.Clear(code, index.value);
     }
     application_.OnSrdoEvent(index);
 }
 
 void KernelWatch::OnSrdoError(const CommunicationIndex index, const SrdoCause cause) noexcept
 {
-    const Told told = ConcernOf(cause);
+    const Told told = CodeOf(cause);
     if (told.is_told)
     {
-        errors_.Set(told.concern, ErrorEvent{SourceOf(index), static_cast<std::uint8_t>(cause)});
+        const auto detail = static_cast<std::uint8_t>(cause);
+        emergency_.Raise({told.code, BitsOf(told.code), {NumberOf(index), detail, 0U, 0U, 0U}, index.value});
     }
     application_.OnSrdoError(index, cause);
 }
@@ -147,13 +162,16 @@ void KernelWatch::OnGfcNotFollowed() noexcept
 
 void KernelWatch::OnConfigurationInvalid(const CommunicationIndex index) noexcept
 {
-    errors_.Set(Concern::kConfiguration, ErrorEvent{SourceOf(index), 0U});
+    const std::uint8_t bits = BitsOf(kConfiguration);
+    emergency_.Raise({kConfiguration, bits, {NumberOf(index), 0U, 0U, 0U, 0U}, kConfigurationValidIndex});
     application_.OnConfigurationInvalid(index);
 }
 
 void KernelWatch::OnDeviceFault(const DeviceFaultReport& report) noexcept
 {
-    errors_.Set(ConcernOf(report.fault), ErrorEvent{kDevice, static_cast<std::uint8_t>(report.fault)});
+    device_code_ = CodeOf(report.fault);
+    const auto detail = static_cast<std::uint8_t>(report.fault);
+    emergency_.Raise({device_code_, BitsOf(device_code_), {0U, detail, 0U, 0U, 0U}, kDevice});
     application_.OnDeviceFault(report);
 }
 
@@ -162,22 +180,30 @@ void KernelWatch::OnFlow(const FlowCount& count) noexcept
     application_.OnFlow(count);
 }
 
-void KernelWatch::EndSrdoErrors() noexcept
+void KernelWatch::OnNotConfigured() noexcept
 {
-    for (std::uint8_t number = 1U; number <= kMaxSrdoCount; ++number)
-    {
-        for (const Concern concern : kSrdoConcerns)
-        {
-            errors_.End(concern, ErrorSource{number});
-        }
-    }
+    const std::uint8_t bits = BitsOf(kConfiguration);
+    emergency_.Raise({kConfiguration, bits, {0U, 0U, 0U, 0U, 0U}, kConfigurationValidIndex});
 }
 
-void KernelWatch::EndDeviceFault() noexcept
+void KernelWatch::OnOperationalLeft() noexcept
 {
-    for (const Concern concern : kDeviceConcerns)
+    for (std::uint16_t number = 0U; number < kMaxSrdoCount; ++number)
     {
-        errors_.End(concern, kDevice);
+        for (const std::uint16_t code : kSrdoCodes)
+        {
+            emergency_.Clear(code, static_cast<std::uint16_t>(kFirstCommunication + number));
+        }
+    }
+    emergency_.Clear(kConfiguration, kConfigurationValidIndex);
+}
+
+void KernelWatch::OnRestart() noexcept
+{
+    if (device_code_ != 0U)
+    {
+        emergency_.Clear(device_code_, kDevice);
+        device_code_ = 0U;
     }
 }
 

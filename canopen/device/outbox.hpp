@@ -25,6 +25,7 @@ class Outbox final : public cia301::FrameSink
 
     /// @brief Whether there was room.
     [[nodiscard]] bool Send(const CanFrame& frame) noexcept override;
+    [[nodiscard]] bool HasRoom() const noexcept;
     /// @brief A frame of a service was on the bus.
     void OnConfirm() noexcept;
     /// @brief Hands over what the controller may have. O(kUnconfirmed)
@@ -33,7 +34,6 @@ class Outbox final : public cia301::FrameSink
     void Clear() noexcept;
 
   private:
-    [[nodiscard]] bool HasRoom() const noexcept;
     void TakeConfirmations(Instant now) noexcept;
 
     hal::CanPorts& can_;
