@@ -91,7 +91,8 @@ bool IsBelow(const std::uint64_t left, const std::uint64_t right, const bool is_
     return is_signed ? (left ^ sign) < (right ^ sign) : left < right;
 }
 
-void ReadLimits(const ElementContext& context, Element& element, const std::uint64_t value)
+/// Sets the limits. An element to which the file gives no value begins with the limit next to 0.
+void ReadLimits(const ElementContext& context, Element& element, std::uint64_t& value)
 {
     const cia306::Entry& entry = *element.entry;
     const bool has_limits = IsSigned(entry.type) || entry.type.kind == DataKind::kUnsigned;
@@ -109,9 +110,13 @@ void ReadLimits(const ElementContext& context, Element& element, const std::uint
         element.limits = limits;
     }
     const std::uint64_t extended = Extended(value, entry.type);
-    const bool is_outside =
-        IsBelow(extended, limits.low, IsSigned(entry.type)) || IsBelow(limits.high, extended, IsSigned(entry.type));
-    if (is_outside && entry.Configured().IsSet())
+    const bool is_below = IsBelow(extended, limits.low, IsSigned(entry.type));
+    const bool is_above = IsBelow(limits.high, extended, IsSigned(entry.type));
+    if (!entry.Configured().IsSet())
+    {
+        value = is_below ? limits.low : (is_above ? limits.high : value);
+    }
+    else if (is_below || is_above)
     {
         context.warnings.push_back({cia306::Severity::kWarning, entry.ValueLine(),
                                     cia306::ObjectName(entry.index, entry.sub),
@@ -146,7 +151,7 @@ void ReadValue(const ElementContext& context, Element& element)
         value = result.value->bits;
     }
     element.size_bytes = (entry.type.bits + 7U) / 8U;
-    element.value = cia306::LittleEndian(value, element.size_bytes);
     ReadLimits(context, element, value);
+    element.value = cia306::LittleEndian(value, element.size_bytes);
 }
 } // namespace counterpoint::generate
