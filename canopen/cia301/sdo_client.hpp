@@ -88,9 +88,10 @@ class SdoClient
         kBlockUploadBegin = 10U,
         kBlockUpload = 11U, ///< Segments come.
         kBlockUploadEnd = 12U,
+        kQueued = 13U, ///< A frame of the transfer before has not left yet.
     };
 
-    [[nodiscard]] bool Start(const ObjectAddress& target, bool is_upload, SdoMode mode, Instant now) noexcept;
+    [[nodiscard]] bool Start(const ObjectAddress& target, SdoMode mode, bool is_upload, Instant now) noexcept;
     void Begin() noexcept;
     void BeginDownload() noexcept;
     void SendMark() noexcept;
@@ -101,23 +102,24 @@ class SdoClient
     void GiveUp(SdoAbort reason) noexcept;
     void Fail(SdoAbort reason, bool by_server) noexcept;
     void Dispatch(const SdoFrame& answer) noexcept;
-    [[nodiscard]] bool IsAbortForUs(const SdoFrame& answer) const noexcept;
-    [[nodiscard]] bool IsForTarget(const SdoFrame& answer) const noexcept;
-
+    void DispatchBegin(const SdoFrame& answer) noexcept;
+    void DispatchRest(const SdoFrame& answer) noexcept;
     void OnMark(const SdoFrame& answer) noexcept;
-    void OnDownloadAnswer(const SdoFrame& answer) noexcept;
+
     void SendSegment() noexcept;
+    void OnSegmentTaken(const SdoFrame& answer) noexcept;
     void OnUploadBegin(const SdoFrame& answer) noexcept;
     void OnUploadSegment(const SdoFrame& answer) noexcept;
+
     void OnBlockDownloadBegin(const SdoFrame& answer) noexcept;
-    void SendBlockSegment() noexcept;
+    void SendBlockSegments() noexcept;
     void OnBlockAck(const SdoFrame& answer) noexcept;
-    void EndBlockDownload() noexcept;
     void OnBlockUploadBegin(const SdoFrame& answer) noexcept;
     void OnBlockSegment(const SdoFrame& answer) noexcept;
+    void KeepBlockSegment(const SdoFrame& answer) noexcept;
     void AcknowledgeBlock() noexcept;
     void OnBlockUploadEnd(const SdoFrame& answer) noexcept;
-    [[nodiscard]] bool Keep(const SdoFrame& answer, std::uint32_t count) noexcept;
+    [[nodiscard]] SdoAbort CheckEnd(std::uint32_t size_bytes) const noexcept;
 
     SdoClientParts parts_;
     Phase phase_;
@@ -125,11 +127,14 @@ class SdoClient
     SdoMode mode_;
     SdoOutcome outcome_;
     ObjectAddress target_;
-    Bytes source_;           ///< Of a download.
-    Room room_;              ///< Of an upload.
-    Instant last_;           ///< Last frame of the server, or last segment sent.
-    std::uint32_t length_;   ///< Bytes of a download; stated bytes of an upload, or kUnknownLength.
-    std::uint32_t position_; ///< Bytes that arrived on the other side.
+    ObjectAddress stale_;     ///< Object of the last request: no mark may look like it.
+    Bytes source_;            ///< Of a download.
+    Room room_;               ///< Of an upload.
+    Instant now_;             ///< Of the running call.
+    Instant last_;            ///< Last frame of the server, or last one sent.
+    std::uint32_t length_;    ///< Bytes of a download; stated bytes of an upload, or kUnknownLength.
+    std::uint32_t position_;  ///< Bytes sent and, in blocks, acknowledged; or bytes received.
+    std::uint32_t crc_bytes_; ///< Bytes of a block upload that are in `crc_`.
     std::uint16_t crc_;
     std::uint8_t toggle_;   ///< 0 or 10h.
     std::uint8_t sequence_; ///< Last segment of the sub-block.
@@ -137,10 +142,11 @@ class SdoClient
     std::uint8_t mark_; ///< Sub-index of the last mark.
     bool is_upload_;
     bool has_crc_;
-    bool has_last_;    ///< The last segment of a block upload came.
-    bool is_repeated_; ///< The half time-out of this sub-block was used.
-    bool is_doubtful_; ///< Answers from before may be under way.
-    bool is_sending_;  ///< `waiting_` found no room in the sink.
+    bool has_last_;     ///< The last segment went, or came in order.
+    bool is_repeated_;  ///< The half time-out of this sub-block was used.
+    bool is_doubtful_;  ///< Answers from before may be under way.
+    bool has_given_up_; ///< Ever: a server that is returned to is in doubt.
+    bool is_sending_;   ///< `waiting_` found no room in the sink.
     SdoFrame waiting_;
 };
 

@@ -5,6 +5,7 @@
 #include "canopen/cia301/pdo_objects.hpp"
 #include "canopen/cia301/sync.hpp"
 #include "tests/canopen/cia301/fake_objects.hpp"
+#include "tests/canopen/cia301/keeping_sink.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <array>
@@ -14,41 +15,6 @@
 
 namespace counterpoint::cia301
 {
-
-using Octets = std::vector<std::uint8_t>;
-
-/// Keeps what is sent; takes `room` frames.
-class KeepingSink final : public FrameSink
-{
-  public:
-    bool Send(const CanFrame& frame) noexcept override
-    {
-        const bool is_taken = room > 0;
-        if (is_taken)
-        {
-            --room;
-            frames.push_back(frame);
-        }
-        return is_taken;
-    }
-    /// Identifier and bytes of the oldest frame; empty: there is none.
-    Octets Next()
-    {
-        Octets bytes{};
-        if (!frames.empty())
-        {
-            const CanFrame frame = frames.front();
-            bytes.assign(frame.data, frame.data + frame.length_bytes);
-            identifier = frame.identifier;
-            frames.erase(frames.begin());
-        }
-        return bytes;
-    }
-
-    std::vector<CanFrame> frames{};
-    std::uint32_t identifier{0U};
-    int room{1000};
-};
 
 inline CanFrame FrameOf(const std::uint32_t identifier, const std::initializer_list<std::uint8_t> bytes)
 {
