@@ -295,6 +295,7 @@ inline constexpr RequirementId SRS_LIVE_023{"SRS-LIVE-023"};
 inline constexpr RequirementId SRS_LIVE_024{"SRS-LIVE-024"};
 inline constexpr RequirementId SRS_LIVE_025{"SRS-LIVE-025"};
 inline constexpr RequirementId SRS_LIVE_026{"SRS-LIVE-026"};
+inline constexpr RequirementId SRS_LIVE_040{"SRS-LIVE-040"};
 inline constexpr RequirementId SRS_LNK_001{"SRS-LNK-001"};
 inline constexpr RequirementId SRS_LNK_002{"SRS-LNK-002"};
 inline constexpr RequirementId SRS_LNK_003{"SRS-LNK-003"};
