@@ -17,6 +17,8 @@ namespace counterpoint::host
 namespace
 {
 
+/// IFF_LOWER_UP, which <net/if.h> does not have and <linux/if.h> not beside it.
+constexpr unsigned int kLowerUp = 0x1'0000U;
 constexpr std::size_t kAnswerBytes = 16U * 1024U;
 
 /// A stretch of attributes, each: length (2 bytes, with this head), type (2 bytes), value, filled up to 4 bytes.
@@ -148,6 +150,8 @@ std::optional<LinkState> ReadLinkMessage(const std::uint8_t* const bytes, const 
     LinkState state;
     state.index = link.ifi_index;
     state.is_up = (link.ifi_flags & IFF_UP) != 0U;
+    // Running follows the carrier when the kernel has also set the queue going, or stopped it.
+    state.is_carrying = state.is_up && ((link.ifi_flags & IFF_RUNNING) != 0U) && ((link.ifi_flags & kLowerUp) != 0U);
     const Attributes kind = Find(info, IFLA_INFO_KIND);
     constexpr char kCan[]{'c', 'a', 'n', '\0'};
     if ((kind.count != sizeof(kCan)) || !std::equal(std::begin(kCan), std::end(kCan), kind.bytes))

@@ -18,6 +18,7 @@ struct LinkState
 {
     int index{0};
     bool is_up{false};
+    bool is_carrying{false};            ///< Its queue takes frames; just after bus-off it does not yet.
     std::optional<BusState> controller; ///< Empty: a virtual interface, which has no controller.
     std::uint8_t transmit_errors{0U};
     std::uint8_t receive_errors{0U};

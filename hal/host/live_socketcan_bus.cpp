@@ -111,11 +111,12 @@ void LiveSocketCanBus::Configure()
 
 void LiveSocketCanBus::ApplyFilters()
 {
+    // Also the one that passes everything has to be set: a socket whose interface was removed has lost its own.
+    std::vector<can_filter> filters;
     if (options_.filters.empty())
     {
-        return;
+        filters.push_back({0U, 0U});
     }
-    std::vector<can_filter> filters;
     for (const IdentifierFilter& filter : options_.filters)
     {
         // The width is always compared.
@@ -145,11 +146,12 @@ bool LiveSocketCanBus::Bind()
 void LiveSocketCanBus::Look()
 {
     const int found = static_cast<int>(::if_nametoindex(address_.interface.c_str()));
-    if ((found != 0) && (found != index_))
+    if ((found != 0) && (found != index_) && Bind())
     {
-        static_cast<void>(Bind());
+        ApplyFilters();
     }
     const std::optional<LinkState> link = (found == 0) ? std::nullopt : link_.Ask(found);
+    is_carrying_ = link && link->is_carrying;
     if (!link || !link->is_up)
     {
         Enter(BusState::kDown);
@@ -223,15 +225,20 @@ SendResult LiveSocketCanBus::Send(const LiveFrame& frame)
     }
     if (queue_.IsEmpty())
     {
-        const int failure = Transmit(frame);
+        int failure = Transmit(frame);
+        if (IsGone(failure))
+        {
+            // Also told once after the interface has come back already.
+            Look();
+            PlanWake();
+            failure = (state_ == BusState::kDown) ? failure : Transmit(frame);
+        }
         if (failure == 0)
         {
             return SendResult::kSent;
         }
         if (!IsQueueFull(failure))
         {
-            Look();
-            PlanWake();
             return IsGone(failure) ? SendResult::kDown : SendResult::kRefused;
         }
         retry_at_ns_ = LiveNow() + kRetryNs;
@@ -247,6 +254,10 @@ SendResult LiveSocketCanBus::Send(const LiveFrame& frame)
 
 int LiveSocketCanBus::Transmit(const LiveFrame& frame)
 {
+    if (!is_carrying_)
+    {
+        return ENOBUFS;
+    }
     const SocketCanFrame raw = ToSocketCan(frame);
     const ssize_t written = ::send(socket_.Get(), &raw.frame, raw.bytes, MSG_DONTWAIT);
     return (written == static_cast<ssize_t>(raw.bytes)) ? 0 : errno;
@@ -257,14 +268,10 @@ void LiveSocketCanBus::SendWaiting()
     while (!queue_.IsEmpty() && (LiveNow() >= retry_at_ns_))
     {
         const int failure = Transmit(queue_.First());
-        if (IsQueueFull(failure))
+        if (IsQueueFull(failure) || IsGone(failure))
         {
             retry_at_ns_ = LiveNow() + kRetryNs;
-            return;
-        }
-        if (IsGone(failure))
-        {
-            Look();
+            Look(); // A bus that is off refuses frames like a full queue.
             return;
         }
         counts_.dropped_frames += (failure == 0) ? 0U : 1U;
