@@ -69,7 +69,7 @@ struct StoreRequest
 };
 
 /// What was loaded.
-struct LoadResult
+struct LoadReport
 {
     bool is_present; ///< There was a valid set.
     std::uint32_t loaded;
@@ -88,8 +88,9 @@ class ParameterStore
 
     /// @brief Finds the newest valid set; whether there is one. Waits for nothing: the memory must be ready. O(bank)
     bool Mount() noexcept;
-    /// @brief Hands the items of these groups to their parts. O(set)
-    LoadResult Load(std::uint8_t groups) noexcept;
+    /// @brief Hands the items of these groups to their parts. Not while IsBusy: a device that is reset during a store
+    /// first sees the store through. O(set) [SRS-STO-007]
+    LoadReport Load(std::uint8_t groups) noexcept;
     /// @brief Starts a request, or asks for the end of the running one: kPending until it ended, then kNone once, or
     /// kHardware (memory), kNotStored (no room), kLocalControl (another request is running). A result that nobody asks
     /// for in two cycles is forgotten. [SRS-STO-005]
@@ -102,30 +103,38 @@ class ParameterStore
     enum class Phase : std::uint8_t
     {
         kIdle = 0U,
-        kErase = 1U,
+        kBegin = 1U,
         kItems = 2U, ///< Items of now.
         kCopy = 3U,  ///< Items of the old set that stay.
-        kHeader = 4U,
-        kVerify = 5U,
-        kEnded = 6U,
+        kClose = 4U, ///< Last bytes and header.
+        kOpen = 5U,  ///< The header is being written.
+        kVerify = 6U,
+        kEnded = 7U,
     };
 
     void Step() noexcept;
-    void StepItems() noexcept;
-    void StepCopy() noexcept;
-    void StepVerify() noexcept;
+    void FetchItem() noexcept;
+    void FetchOld() noexcept;
+    void PutPiece() noexcept;
+    void Close() noexcept;
+    void Verify() noexcept;
     void End(SdoAbort result) noexcept;
+    [[nodiscard]] bool Examine(hal::MemoryBank bank) noexcept;
 
     StoreParts parts_;
     ImageReader current_;
+    ImageReader candidate_;
     ImageWriter writer_;
     StoreRequest request_;
     Phase phase_;
     SdoAbort result_;
     std::uint8_t age_; ///< Cycles since the end.
     std::uint8_t part_;
+    std::uint32_t item_count_; ///< Of the part; kUnknownLength: not asked.
     std::uint32_t item_;
     std::uint32_t place_; ///< In the old set.
+    std::uint32_t size_;  ///< Bytes of the item in hand, head included.
+    std::uint32_t put_;   ///< Those that are written.
     bool has_current_;
 };
 

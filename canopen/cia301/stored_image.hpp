@@ -38,27 +38,37 @@ struct ItemHead
 /// @brief CRC-32 (IEEE 802.3) from `crc`, 0 at first. O(length)
 [[nodiscard]] std::uint32_t ContinueCrc32(std::uint32_t crc, const Bytes& bytes) noexcept;
 
-/// A valid set in a bank. The memory is kept by reference.
+/// How far the check of a bank is.
+enum class ImageCheck : std::uint8_t
+{
+    kInvalid = 0U, ///< No valid set.
+    kMore = 1U,
+    kValid = 0x5AU,
+};
+
+/// A set in a bank. The memory is kept by reference and must be ready whenever something is called.
 class ImageReader
 {
   public:
     explicit ImageReader(hal::ParameterMemory& memory) noexcept;
 
-    /// @brief Whether the header of the bank is whole. The rest is checked by CheckStep.
+    /// @brief Begins the check of a bank; whether its header is whole. O(1)
     [[nodiscard]] bool Open(hal::MemoryBank bank) noexcept;
-    /// @brief Whether the whole bank is a valid set. O(bank)
-    [[nodiscard]] bool Check() noexcept;
+    /// @brief Goes on with the check; at most kStoreStepBytes. [SRS-STO-001]
+    [[nodiscard]] ImageCheck Continue() noexcept;
     [[nodiscard]] hal::MemoryBank Bank() const noexcept;
-    [[nodiscard]] const SetHeader& Header() const noexcept;
-    /// @brief The item at a place, from 0; the next one is kItemHeadBytes + size_bytes behind it.
+    [[nodiscard]] std::uint32_t Generation() const noexcept;
+    /// @brief The item at a place, from 0; the next one is kItemHeadBytes + size_bytes behind it. O(1)
     [[nodiscard]] ItemHead HeadAt(std::uint32_t place) noexcept;
-    /// @brief Bytes of the set from a place.
+    /// @brief Bytes of the set from a place; false beyond its end. O(length)
     [[nodiscard]] bool Read(std::uint32_t place, const Room& room) noexcept;
 
   private:
     hal::ParameterMemory* memory_;
     hal::MemoryBank bank_;
     SetHeader header_;
+    std::uint32_t checked_; ///< Bytes in `crc_`.
+    std::uint32_t crc_;
 };
 
 /// Writes a set into a bank, unit by unit. The memory is kept by reference.

@@ -11,12 +11,12 @@
 namespace counterpoint::cia301
 {
 
-/// The entries of the dictionary with kStored. An item is index, sub-index, value. PDOs are configured in any order
-/// while a set is loaded. All kept by reference. [SRS-STO-011]
+/// The entries of a table with kStored; `dictionary` is over the same table. An item is index, sub-index, value. PDOs
+/// are configured in any order while a set is loaded. All kept by reference. [SRS-STO-011]
 class StoredEntries final : public StoredPart
 {
   public:
-    StoredEntries(const EntryTable& table, Tpdos& tpdos, Rpdos& rpdos) noexcept;
+    StoredEntries(const EntryTable& table, const Dictionary& dictionary, Tpdos& tpdos, Rpdos& rpdos) noexcept;
 
     [[nodiscard]] std::uint32_t ItemCount() noexcept override;
     [[nodiscard]] StoredItem Item(std::uint32_t number, const Room& room) noexcept override;
@@ -26,6 +26,7 @@ class StoredEntries final : public StoredPart
 
   private:
     EntryTable table_;
+    const Dictionary& dictionary_;
     Tpdos& tpdos_;
     Rpdos& rpdos_;
 };
@@ -45,7 +46,7 @@ class StoredSafety final : public StoredPart
 
   private:
     Kernel& kernel_;
-    ImageHeader header_;
+    ImageHeader header_; ///< Of the set that is being saved or loaded.
     bool has_header_;
 };
 
