@@ -20,9 +20,12 @@ constexpr std::uint64_t kPressCycles = 4U;
 
 /// Another cycle time is another device than that of the file: no digest is expected, and what has to last some cycles
 /// does.
-DeviceConfig ConfigOf(const simulator::DeviceModel& model, const std::optional<std::uint32_t> cycle_us)
+DeviceConfig ConfigOf(const simulator::DeviceModel& model, const std::vector<MappableObject>& objects,
+                      const std::optional<std::uint32_t> cycle_us)
 {
     DeviceConfig config = model.Config();
+    config.objects = objects.data();
+    config.object_count = static_cast<std::uint16_t>(objects.size());
     if (config.normal_port != config.inverse_port)
     {
         throw cia306::InputError(model.File(), 0U,
@@ -40,12 +43,31 @@ DeviceConfig ConfigOf(const simulator::DeviceModel& model, const std::optional<s
     return config;
 }
 
-NodeObjects::IsKernels KernelsOf(const simulator::DeviceModel& model)
+/// Mapped by an SRDO or made for one: an object that a file only marks as process data is not the kernel's.
+std::vector<MappableObject> SafetyObjectsOf(const simulator::DeviceModel& model, const cia306::Device& device)
 {
-    return [&model](const std::uint16_t index, const std::uint8_t sub)
+    std::vector<MappableObject> kept;
+    for (std::size_t place = 0U; place < model.Objects().size(); ++place)
+    {
+        const MappableObject& object = model.Objects()[place];
+        const cia306::Entry* const entry = device.Find(object.index, object.sub);
+        const bool is_mapped =
+            std::any_of(model.Pairs().begin(), model.Pairs().end(), [place](const simulator::VariablePair& pair)
+                        { return pair.normal == place || pair.inverse == place; });
+        if (is_mapped || (entry != nullptr && entry->is_srdo_mappable.value_or(false)))
+        {
+            kept.push_back(object);
+        }
+    }
+    return kept;
+}
+
+NodeObjects::IsKernels KernelsOf(const DeviceConfig& config)
+{
+    return [&config](const std::uint16_t index, const std::uint8_t sub)
     {
         const bool is_safety = index >= cia301::kFirstKernelIndex && index <= cia301::kLastKernelIndex;
-        return is_safety || FindObject(model.Config(), {index, sub}) != nullptr;
+        return is_safety || FindObject(config, {index, sub}) != nullptr;
     };
 }
 
@@ -58,14 +80,15 @@ hal::WatchdogWindow WindowOf(const DeviceConfig& config)
 
 NodeDevice::NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeReport& report)
     : report_(report), ports_(ports), model_(settings.dcf, settings.node_id),
-      config_(ConfigOf(model_, settings.cycle_us)), time_(host::BitRate::k500k), watchdog_(time_),
+      safety_objects_(SafetyObjectsOf(model_, cia306::ReadDeviceFile(settings.dcf))),
+      config_(ConfigOf(model_, safety_objects_, settings.cycle_us)), time_(host::BitRate::k500k), watchdog_(time_),
       output_(time_, watchdog_, {config_.cycle_us + config_.cycle_tolerance_us}),
       channel_a_(MakeChannel(simulator::Letter::kA, simulator::RoomOf(config_))),
       channel_b_(MakeChannel(simulator::Letter::kB, simulator::RoomOf(config_))), application_(model_, report),
-      objects_(cia306::ReadDeviceFile(settings.dcf), config_.node_id, KernelsOf(model_)), emergency_({config_.node_id}),
-      watch_(emergency_, application_),
-      kernel_({channel_a_->Voice(), channel_b_->Voice(), ports, output_, watchdog_, watch_}), facade_(kernel_),
-      dictionary_(objects_.Table(), facade_),
+      objects_(cia306::ReadDeviceFile(settings.dcf), config_.node_id, KernelsOf(config_)),
+      emergency_({config_.node_id}), watch_(emergency_, application_),
+      kernel_({channel_a_->Voice(), channel_b_->Voice(), ports, output_, watchdog_, watch_}),
+      facade_(kernel_, objects_.Table()), dictionary_(objects_.Table(), facade_),
       services_({config_.node_id}, {emergency_, ports, dictionary_, objects_.Rooms()}),
       safety_room_(2U * config_.srdo_count + 2U), service_room_(kServiceFrames),
       device_({kernel_,
@@ -167,6 +190,11 @@ void NodeDevice::OnFrame(const host::LiveFrame& frame, const InstantPair& stamp)
 void NodeDevice::OnLoss() noexcept
 {
     device_.OnLoss();
+}
+
+void NodeDevice::OnBus(const device::BusCondition condition) noexcept
+{
+    device_.OnBus(condition);
 }
 
 void NodeDevice::Cycle(const InstantPair& now, const std::uint64_t now_ns)

@@ -9,6 +9,7 @@
 #include "tools/node_report.hpp"
 
 #include "canopen/device/device.hpp"
+#include "canopen/device/safety_objects.hpp"
 #include "hal/host/host_output.hpp"
 #include "hal/host/host_watchdog.hpp"
 #include "hal/host/virtual_bus.hpp"
@@ -54,6 +55,8 @@ class NodeDevice final : private device::Owner
     /// @brief A frame of the bus, with its stamp.
     void OnFrame(const host::LiveFrame& frame, const InstantPair& stamp);
     void OnLoss() noexcept;
+    /// @brief How the controllers feel.
+    void OnBus(device::BusCondition condition) noexcept;
     /// @brief One cycle of the device; frames up to it were told.
     void Cycle(const InstantPair& now, std::uint64_t now_ns);
     /// @brief What waits, between two cycles.
@@ -84,6 +87,7 @@ class NodeDevice final : private device::Owner
     NodeReport& report_;
     NodePorts& ports_;
     simulator::DeviceModel model_;
+    std::vector<MappableObject> safety_objects_; ///< Those of the model that are not for PDOs alone.
     DeviceConfig config_;
     host::VirtualBus time_; ///< Nobody is on it: the time of output and watchdog.
     host::HostWatchdog watchdog_;
@@ -95,7 +99,7 @@ class NodeDevice final : private device::Owner
     cia301::EmergencyProducer emergency_;
     device::KernelWatch watch_;
     Kernel kernel_;
-    cia301::KernelObjects facade_;
+    device::SafetyObjects facade_;
     cia301::Dictionary dictionary_;
     device::Services services_;
     std::vector<device::QueuedFrame> safety_room_;

@@ -25,6 +25,18 @@ constexpr int kPriority = 20;
 
 volatile std::sig_atomic_t caught_signal = 0;
 
+struct BusWord
+{
+    host::BusState state;
+    const char* name;
+    device::BusCondition condition;
+};
+constexpr std::array<BusWord, 5U> kBusWords{{{host::BusState::kActive, "active", device::BusCondition::kActive},
+                                             {host::BusState::kWarning, "warning", device::BusCondition::kActive},
+                                             {host::BusState::kPassive, "passive", device::BusCondition::kPassive},
+                                             {host::BusState::kBusOff, "bus_off", device::BusCondition::kOff},
+                                             {host::BusState::kDown, "down", device::BusCondition::kOff}}};
+
 void Catch(const int number)
 {
     caught_signal = number;
@@ -185,6 +197,15 @@ void NodeLoop::WatchBus()
              {{"count", lost - lost_}});
         lost_ = lost;
         parts_.device.OnLoss();
+    }
+    const host::BusState state = parts_.ports.Services().Health().state;
+    const auto word =
+        std::find_if(kBusWords.begin(), kBusWords.end(), [state](const BusWord& each) { return each.state == state; });
+    if (state != bus_ && word != kBusWords.end())
+    {
+        bus_ = state;
+        Tell(std::string("bus ") + word->name, "bus", {{"state", word->name}});
+        parts_.device.OnBus(word->condition);
     }
 }
 

@@ -61,6 +61,7 @@ class NodeLoop
     std::uint64_t watched_ns_{0U};
     std::uint64_t latest_cycle_ns_{0U}; ///< Greatest distance of a cycle from its time.
     std::uint32_t lost_{0U};
+    host::BusState bus_{host::BusState::kActive};
     InstantPair now_{{0U}, {0U}};
     std::uint64_t now_ns_{0U};
     std::string typed_;  ///< Begin of a line.

@@ -35,9 +35,9 @@ constexpr std::uint16_t kLastTpdoMap = 0x1BFFU;
 constexpr std::uint8_t kPdoEntries = 64U;
 
 /// The hook of an object whose value a service keeps; null: none does.
-cia301::NumberHook* NumberHookOf(const std::uint16_t index, device::Services& services)
+cia301::NumberHook* NumberHookOf(const cia301::Entry& entry, device::Services& services)
 {
-    switch (index)
+    switch (entry.index)
     {
     case 0x1005U:
     case 0x1006U:
@@ -51,7 +51,7 @@ cia301::NumberHook* NumberHookOf(const std::uint16_t index, device::Services& se
     default:
         break;
     }
-    return (index >= kFirstRpdo && index <= kLastTpdoMap) ? &services.pdos : nullptr;
+    return (entry.index >= kFirstRpdo && entry.index <= kLastTpdoMap) ? &services.pdos : nullptr;
 }
 
 bool IsOfServiceObjects(const std::uint16_t index)
@@ -186,12 +186,17 @@ void NodeObjects::Connect(device::Services& services) noexcept
 {
     for (cia301::Entry& entry : entries_)
     {
+        const bool is_count = entry.sub == 0U && entry.access == cia301::Access::kConstant; // What the file says.
+        if (is_count)
+        {
+            continue;
+        }
         if (IsOfServiceObjects(entry.index))
         {
             entry.read_hook = &services.objects;
             entry.write_hook = &services.objects;
         }
-        else if (cia301::NumberHook* const hook = NumberHookOf(entry.index, services))
+        else if (cia301::NumberHook* const hook = NumberHookOf(entry, services))
         {
             entry.read_hook = hook;
             entry.write_hook = hook;
@@ -364,11 +369,9 @@ void NodeObjects::Load(const Stored& stored) noexcept
         }
         return;
     }
-    // The device's own: errors, and what has one value only.
-    const bool is_mapping = (entry.index & 0xFE00U) == kFirstRpdoMap || (entry.index & 0xFE00U) == kFirstTpdoMap;
-    const bool is_count = entry.sub == 0U && entry.size_bytes == 1U && entry.index >= kConsumerTimes && !is_mapping &&
-                          entry.index != 0x1019U;
-    const bool is_own = entry.index == 0x1001U || entry.index == 0x1003U || entry.index == 0x1200U || is_count;
+    // The device's own: its errors, and what has one value only.
+    const bool is_own = entry.index == 0x1001U || entry.index == 0x1003U || entry.index == 0x1200U ||
+                        entry.access == cia301::Access::kConstant;
     if (!stored.is_configured || is_own)
     {
         return;
