@@ -4,6 +4,7 @@
 #include "hal/host/frame_bits.hpp"
 #include "hal/host/live_address.hpp"
 #include "hal/host/live_socketcan_bus.hpp"
+#include "hal/host/live_socketcand_bus.hpp"
 #include "hal/host/live_udp_bus.hpp"
 
 #include <algorithm>
@@ -48,6 +49,10 @@ std::unique_ptr<LiveBus> OpenLiveBus(const std::string& address, const LiveOptio
     if (parts.kind == LiveKind::kUdp)
     {
         return std::make_unique<LiveUdpBus>(parts, options);
+    }
+    if (parts.kind == LiveKind::kSocketcand)
+    {
+        return std::make_unique<LiveSocketcandBus>(parts, options);
     }
     return std::make_unique<LiveSocketCanBus>(parts, options);
 }
