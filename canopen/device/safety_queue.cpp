@@ -9,9 +9,10 @@ namespace
 constexpr std::uint32_t kFramesOfSrdo = 2U;
 constexpr std::uint32_t kSpareFrames = 2U;
 
+/// Of another length it is none, and must not take the place of one.
 bool IsGfc(const CanFrame& frame) noexcept
 {
-    return (frame.identifier == kGfcIdentifier) && (frame.kind == FrameKind::kData);
+    return (frame.identifier == kGfcIdentifier) && (frame.kind == FrameKind::kData) && (frame.length_bytes == 0U);
 }
 
 } // namespace
