@@ -7,10 +7,11 @@
 namespace counterpoint::cia301
 {
 
-/// The SDO abort codes of CiA 301; kNone is success and never on the bus.
+/// The SDO abort codes of CiA 301; kNone is success, kPending a hook that is not ready: both are never on the bus.
 enum class SdoAbort : std::uint32_t
 {
     kNone = 0U,
+    kPending = 1U,
     kToggle = 0x05030000U,
     kTimeOut = 0x05040000U,
     kCommand = 0x05040001U,

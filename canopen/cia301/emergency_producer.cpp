@@ -1,31 +1,17 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia301/emergency_producer.hpp"
 
+#include "canopen/cia301/cob_id.hpp"
+
 namespace counterpoint::cia301
 {
 namespace
 {
 
-constexpr std::uint32_t kOff = 0x80000000U;
-constexpr std::uint32_t kReservedBit = 0x40000000U;
 constexpr std::uint32_t kIdentifierBits = 0x7FFU;
 constexpr std::uint32_t kBelowOff = 0x3FFFFFFFU;
 constexpr std::uint8_t kGeneric = 0x01U;
 constexpr std::uint32_t kUsPerStep = 100U;
-
-/// Identifiers of other services: 000h to 07Fh, 101h to 180h, 581h to 5FFh, 601h to 67Fh, 6E0h to 6FFh, 701h to 7FFh.
-constexpr std::uint32_t kRestricted[][2] = {{0x000U, 0x07FU}, {0x101U, 0x180U}, {0x581U, 0x5FFU},
-                                            {0x601U, 0x67FU}, {0x6E0U, 0x6FFU}, {0x701U, 0x7FFU}};
-
-bool IsFree(const std::uint32_t identifier) noexcept
-{
-    bool is_free = (identifier <= kIdentifierBits);
-    for (const auto& range : kRestricted)
-    {
-        is_free = is_free && ((identifier < range[0]) || (identifier > range[1]));
-    }
-    return is_free;
-}
 
 } // namespace
 
@@ -35,9 +21,17 @@ EmergencyProducer::EmergencyProducer(const NodeId node) noexcept
 {
 }
 
+void EmergencyProducer::ResetCommunication(const NodeId node) noexcept
+{
+    cob_id_ = 0x80U + node.value;
+    inhibit_100us_ = 0U;
+    waiting_count_ = 0U;
+    is_inhibited_ = false;
+}
+
 void EmergencyProducer::Raise(const EmergencyError& error) noexcept
 {
-    if (Find(error.code) == active_count_)
+    if (Find(error.code, error.source) == active_count_)
     {
         if (active_count_ < kEmergencyRoom)
         {
@@ -53,9 +47,9 @@ void EmergencyProducer::Raise(const EmergencyError& error) noexcept
     }
 }
 
-void EmergencyProducer::Clear(const std::uint16_t code) noexcept
+void EmergencyProducer::Clear(const std::uint16_t code, const std::uint16_t source) noexcept
 {
-    const std::uint8_t at = Find(code);
+    const std::uint8_t at = Find(code, source);
     if (at < active_count_)
     {
         --active_count_;
@@ -70,7 +64,7 @@ void EmergencyProducer::Clear(const std::uint16_t code) noexcept
 FrameToSend EmergencyProducer::Poll(const NodeState state, const Instant now) noexcept
 {
     const bool is_state = (state == NodeState::kPreOperational) || (state == NodeState::kOperational);
-    const bool is_waiting = (waiting_count_ > 0U) && ((cob_id_ & kOff) == 0U);
+    const bool is_waiting = (waiting_count_ > 0U) && ((cob_id_ & kCobOff) == 0U);
     is_inhibited_ = is_inhibited_ && ((now.us - sent_.us) < (inhibit_100us_ * kUsPerStep));
     FrameToSend message{false, {}};
     if (is_state && is_waiting && !is_inhibited_)
@@ -132,9 +126,9 @@ std::uint32_t EmergencyProducer::CobId() const noexcept
 
 SdoAbort EmergencyProducer::WriteCobId(const std::uint32_t value) noexcept
 {
-    const bool is_on = ((cob_id_ & kOff) == 0U) && ((value & kOff) == 0U);
+    const bool is_on = ((cob_id_ & kCobOff) == 0U) && ((value & kCobOff) == 0U);
     const bool is_changed = ((cob_id_ ^ value) & kBelowOff) != 0U;
-    const bool is_usable = ((value & kReservedBit) == 0U) && IsFree(value & kBelowOff);
+    const bool is_usable = ((value & kCobBit30) == 0U) && IsConfigurable(value & kBelowOff);
     SdoAbort abort = SdoAbort::kValueRange;
     if (is_usable && !(is_on && is_changed))
     {
@@ -160,10 +154,10 @@ std::uint8_t EmergencyProducer::Dropped() const noexcept
 }
 
 /// Place of an active error, or `active_count_`.
-std::uint8_t EmergencyProducer::Find(const std::uint16_t code) const noexcept
+std::uint8_t EmergencyProducer::Find(const std::uint16_t code, const std::uint16_t source) const noexcept
 {
     std::uint8_t at = 0U;
-    while ((at < active_count_) && (active_[at].code != code))
+    while ((at < active_count_) && ((active_[at].code != code) || (active_[at].source != source)))
     {
         ++at;
     }

@@ -16,6 +16,7 @@ struct EmergencyError
     std::uint16_t code;         ///< Emergency error code, not 0.
     std::uint8_t register_bits; ///< Bits of 1001h; the generic bit is added.
     std::uint8_t details[5];    ///< Manufacturer's bytes; the first two are in 1003h too.
+    std::uint16_t source{0U};   ///< Tells errors of one code apart: a node, a PDO. [SRS-EMCY-007]
 };
 
 /// Value of a sub-index of 1003h, or why there is none.
@@ -31,10 +32,12 @@ class EmergencyProducer
   public:
     explicit EmergencyProducer(NodeId node) noexcept;
 
-    /// @brief An error appeared; nothing happens if its code is active already. O(room) [SRS-EMCY-001]
+    /// @brief Reset communication: 1014h and 1015h as at power-on; errors stay. [SRS-EMCY-008]
+    void ResetCommunication(NodeId node) noexcept;
+    /// @brief An error appeared; nothing happens if its code is active already for its source. O(room) [SRS-EMCY-001]
     void Raise(const EmergencyError& error) noexcept;
-    /// @brief The error of this code is gone; nothing happens if it is not active. O(room) [SRS-EMCY-001]
-    void Clear(std::uint16_t code) noexcept;
+    /// @brief The error of this code and source is gone; nothing happens if it is not active. O(room) [SRS-EMCY-001]
+    void Clear(std::uint16_t code, std::uint16_t source = 0U) noexcept;
     /// @brief The next message, if state, 1014h and 1015h allow one. [SRS-EMCY-003..005]
     [[nodiscard]] FrameToSend Poll(NodeState state, Instant now) noexcept;
 
@@ -58,7 +61,7 @@ class EmergencyProducer
         std::uint8_t bytes[8];
     };
 
-    [[nodiscard]] std::uint8_t Find(std::uint16_t code) const noexcept;
+    [[nodiscard]] std::uint8_t Find(std::uint16_t code, std::uint16_t source) const noexcept;
     void Queue(std::uint16_t code, const EmergencyError& error) noexcept;
     void Remember(const EmergencyError& error) noexcept;
 

@@ -25,9 +25,20 @@ enum class DataType : std::uint8_t
     kReal32 = 0x08U,
     kVisibleString = 0x09U,
     kOctetString = 0x0AU,
+    kUnicodeString = 0x0BU,
+    kTimeOfDay = 0x0CU,
+    kTimeDifference = 0x0DU,
     kDomain = 0x0FU,
+    kInteger24 = 0x10U,
     kReal64 = 0x11U,
+    kInteger40 = 0x12U,
+    kInteger48 = 0x13U,
+    kInteger56 = 0x14U,
     kInteger64 = 0x15U,
+    kUnsigned24 = 0x16U,
+    kUnsigned40 = 0x18U,
+    kUnsigned48 = 0x19U,
+    kUnsigned56 = 0x1AU,
     kUnsigned64 = 0x1BU,
 };
 
@@ -44,6 +55,11 @@ enum class Access : std::uint8_t
 constexpr std::uint8_t kInPreOperational = 1U;
 constexpr std::uint8_t kInOperational = 2U;
 constexpr std::uint8_t kInBoth = 3U;
+
+/// What else an entry takes part in, as bits of `uses`.
+constexpr std::uint8_t kInTpdo = 1U; ///< May be mapped into a TPDO.
+constexpr std::uint8_t kInRpdo = 2U; ///< May be mapped into an RPDO.
+constexpr std::uint8_t kStored = 4U; ///< Kept by 1010h.
 
 /// Bytes that are only read.
 struct Bytes
@@ -84,7 +100,8 @@ class ReadHook
 class WriteHook
 {
   public:
-    /// @brief kNone accepts; everything else refuses and goes to the client as it is.
+    /// @brief kNone accepts; kPending: to be asked again; everything else refuses and goes to the client as it is.
+    /// [SRS-OBD-007, SRS-OBD-015]
     [[nodiscard]] virtual SdoAbort OnWrite(const ObjectAddress& address, const Bytes& value) noexcept = 0;
 
   protected:
@@ -116,6 +133,7 @@ struct Entry
     const ValueLimits* limits;   ///< Null: the whole range of the type.
     ReadHook* read_hook;
     WriteHook* write_hook;
+    std::uint8_t uses{0U}; ///< kInTpdo, kInRpdo, kStored.
 };
 
 /// A constant table, strictly ordered by index and sub-index.

@@ -11,6 +11,13 @@ namespace
 constexpr std::uint64_t kSignBit = 0x8000000000000000U;
 constexpr std::uint32_t kMaxNumberBytes = 8U;
 
+constexpr DataType kSignedTypes[] = {DataType::kInteger8,  DataType::kInteger16, DataType::kInteger24,
+                                     DataType::kInteger32, DataType::kInteger40, DataType::kInteger48,
+                                     DataType::kInteger56, DataType::kInteger64};
+constexpr DataType kUnsignedTypes[] = {DataType::kUnsigned8,  DataType::kUnsigned16, DataType::kUnsigned24,
+                                       DataType::kUnsigned32, DataType::kUnsigned40, DataType::kUnsigned48,
+                                       DataType::kUnsigned56, DataType::kUnsigned64};
+
 std::uint32_t LengthOf(const Entry& entry) noexcept
 {
     return (entry.length_bytes == nullptr) ? entry.size_bytes : *entry.length_bytes;
@@ -26,15 +33,22 @@ std::uint64_t Ordered(const DataType type, const std::uint64_t number) noexcept
 
 bool IsSigned(const DataType type) noexcept
 {
-    const bool is_short = (type == DataType::kInteger8) || (type == DataType::kInteger16);
-    return is_short || (type == DataType::kInteger32) || (type == DataType::kInteger64);
+    bool is_signed = false;
+    for (const DataType one : kSignedTypes)
+    {
+        is_signed = is_signed || (type == one);
+    }
+    return is_signed;
 }
 
 bool IsNumber(const DataType type) noexcept
 {
-    const bool is_short = (type == DataType::kUnsigned8) || (type == DataType::kUnsigned16);
-    const bool is_long = (type == DataType::kUnsigned32) || (type == DataType::kUnsigned64);
-    return IsSigned(type) || is_short || is_long;
+    bool is_number = IsSigned(type);
+    for (const DataType one : kUnsignedTypes)
+    {
+        is_number = is_number || (type == one);
+    }
+    return is_number;
 }
 
 std::uint64_t NumberOf(const DataType type, const Bytes& value) noexcept

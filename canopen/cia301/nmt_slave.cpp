@@ -14,11 +14,17 @@ constexpr std::uint8_t kResetCommunication = 130U;
 constexpr std::uint32_t kMasterBit = 0x01U;
 constexpr std::uint32_t kWaitBit = 0x04U;
 constexpr std::uint32_t kErrorControl = 0x700U;
+constexpr std::uint8_t kLastNode = 127U;
 
 bool IsRunning(const NodeState state) noexcept
 {
     const bool is_working = (state == NodeState::kPreOperational) || (state == NodeState::kOperational);
     return is_working || (state == NodeState::kStopped);
+}
+
+bool IsNode(const NodeId node) noexcept
+{
+    return (node.value >= 1U) && (node.value <= kLastNode);
 }
 
 } // namespace
@@ -91,13 +97,18 @@ FrameToSend NmtSlave::Advance() noexcept
     {
         state_ = NodeState::kResetCommunication;
     }
-    else if (state_ == NodeState::kResetCommunication)
+    else if ((state_ == NodeState::kResetCommunication) && IsNode(node_))
     {
         const bool is_starting = start_up_.is_present && ((start_up_.value & (kMasterBit | kWaitBit)) == 0U);
         state_ = is_starting ? NodeState::kOperational : NodeState::kPreOperational;
         boot_up = FrameToSend{true, ErrorControlFrame(node_, 0U)};
     }
     return boot_up;
+}
+
+void NmtSlave::SetNodeId(const NodeId node) noexcept
+{
+    node_ = node;
 }
 
 void NmtSlave::OnFrame(const CanFrame& frame) noexcept

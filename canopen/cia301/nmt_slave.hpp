@@ -10,7 +10,7 @@
 namespace counterpoint::cia301
 {
 
-/// Node-ID, 1 to 127.
+/// Node-ID, 1 to 127; every other value is none.
 struct NodeId
 {
     std::uint8_t value;
@@ -60,6 +60,8 @@ class NmtSlave
     /// @brief One step of INITIALISATION; from the last one the boot-up message comes back. Elsewhere nothing.
     /// [SRS-NMT-001, SRS-NMT-002, SRS-NMT-005]
     [[nodiscard]] FrameToSend Advance() noexcept;
+    /// @brief The node-ID from now on, in RESET COMMUNICATION; without one the slave stays there. [SRS-NMT-009]
+    void SetNodeId(NodeId node) noexcept;
     /// @brief A frame from the bus; what is no command for this node is ignored. [SRS-NMT-003, SRS-NMT-004]
     void OnFrame(const CanFrame& frame) noexcept;
     /// @brief The device leaves OPERATIONAL by itself for PRE-OPERATIONAL or STOPPED; whether it did. [SRS-NMT-007]

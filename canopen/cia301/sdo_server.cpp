@@ -32,7 +32,8 @@ SdoServer::SdoServer(const SdoServerParts& parts) noexcept
     : dictionary_(parts.dictionary), buffer_(parts.buffer), time_out_us_(parts.time_out_us),
       own_block_size_((parts.block_size == 0U) ? kMaxBlockSize : AtMost(parts.block_size, kMaxBlockSize)),
       phase_(Phase::kIdle), target_{0U, 0U}, last_{0U}, length_(0U), position_(0U), crc_bytes_(0U), crc_(0U),
-      toggle_(0U), sequence_(0U), block_size_(0U), has_crc_(false), has_last_(false), is_repeated_(false)
+      toggle_(0U), sequence_(0U), block_size_(0U), has_crc_(false), has_last_(false), is_repeated_(false),
+      delayed_{SdoPresence::kNothing, {}}
 {
 }
 
@@ -69,6 +70,10 @@ SdoAnswer SdoServer::Poll(const Instant now) noexcept
     {
         last_ = now;
         answer = NextSegment();
+    }
+    else if (phase_ == Phase::kDelayed)
+    {
+        answer = AskAgain();
     }
     else if (IsBusy() && (silence_us >= time_out_us_))
     {

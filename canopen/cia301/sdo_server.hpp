@@ -56,7 +56,8 @@ class SdoServer
     /// @brief A request of the client. Frames of another length than 8 are ignored. O(length of the object) at the
     /// begin of an upload and the end of a download, else O(block) [SRS-SDO-001..013]
     [[nodiscard]] SdoAnswer OnFrame(const SdoFrame& request, std::uint8_t length_bytes, Instant now) noexcept;
-    /// @brief The next segment of a block upload, or what a time-out demands, or nothing. O(1) [SRS-SDO-007, 010]
+    /// @brief The next segment of a block upload, what a time-out demands, the end of a delayed write, or nothing. O(1)
+    /// [SRS-SDO-007, SRS-SDO-010, SRS-SDO-017]
     [[nodiscard]] SdoAnswer Poll(Instant now) noexcept;
     /// @brief Ends a running transfer with an abort; without one there is nothing to send. [SRS-SDO-014]
     [[nodiscard]] SdoAnswer Close(SdoAbort reason) noexcept;
@@ -75,6 +76,7 @@ class SdoServer
         kBlockUpload = 6U,      ///< Segments of a sub-block go.
         kBlockUploadAck = 7U,   ///< All of the sub-block went.
         kBlockUploadEnd = 8U,   ///< The CRC went.
+        kDelayed = 9U,          ///< A hook is not ready; the value is in the buffer.
     };
 
     [[nodiscard]] SdoAnswer Dispatch(const SdoFrame& request) noexcept;
@@ -88,6 +90,8 @@ class SdoServer
     [[nodiscard]] SdoAbort PrepareDownload(std::uint32_t stated) noexcept;
     [[nodiscard]] SdoAnswer DownloadSegment(const SdoFrame& request) noexcept;
     [[nodiscard]] SdoAbort Store(std::uint32_t size_bytes) noexcept;
+    [[nodiscard]] SdoAnswer Finish(SdoAbort abort, const SdoAnswer& done) noexcept;
+    [[nodiscard]] SdoAnswer AskAgain() noexcept;
     [[nodiscard]] SdoAnswer BeginUpload() noexcept;
     [[nodiscard]] SdoAnswer AnswerUpload() noexcept;
     [[nodiscard]] SdoAnswer UploadSegment(const SdoFrame& request) noexcept;
@@ -118,8 +122,9 @@ class SdoServer
     std::uint8_t sequence_;
     std::uint8_t block_size_;
     bool has_crc_;
-    bool has_last_;    ///< The segment with the end mark came.
-    bool is_repeated_; ///< The half time-out of this sub-block was used.
+    bool has_last_;     ///< The segment with the end mark came.
+    bool is_repeated_;  ///< The half time-out of this sub-block was used.
+    SdoAnswer delayed_; ///< Follows when the hook has taken the value.
 };
 
 } // namespace counterpoint::cia301

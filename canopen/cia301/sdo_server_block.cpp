@@ -110,16 +110,9 @@ SdoAnswer SdoServer::EndBlockDownload(const SdoFrame& request) noexcept
         const bool is_whole = !has_crc_ || (FromLittleEndian(&request.bytes[1], 2U) == crc_);
         abort = is_whole ? Store(size_bytes) : SdoAbort::kCrc;
     }
-    SdoAnswer answer{SdoPresence::kFrame, {}};
-    if (abort == SdoAbort::kNone)
-    {
-        answer.frame.bytes[0] = kDownloadEnded;
-    }
-    else
-    {
-        answer = Abort(abort);
-    }
-    return answer;
+    SdoAnswer done{SdoPresence::kFrame, {}};
+    done.frame.bytes[0] = kDownloadEnded;
+    return Finish(abort, done);
 }
 
 SdoAnswer SdoServer::BeginBlockUpload(const SdoFrame& request) noexcept

@@ -53,7 +53,42 @@ SdoAnswer SdoServer::DownloadExpedited(const SdoFrame& request) noexcept
     {
         abort = dictionary_.Write(target_, Bytes{&request.bytes[4], size_bytes});
     }
-    return (abort == SdoAbort::kNone) ? Answer(kDownloadDone, 0U) : Abort(abort);
+    if ((abort == SdoAbort::kPending) && (size_bytes > buffer_.size_bytes))
+    {
+        abort = SdoAbort::kOutOfMemory;
+    }
+    else if (abort == SdoAbort::kPending)
+    {
+        for (std::uint32_t i = 0U; i < size_bytes; ++i)
+        {
+            buffer_.data[i] = request.bytes[4U + i];
+        }
+        position_ = size_bytes;
+    }
+    return Finish(abort, Answer(kDownloadDone, 0U));
+}
+
+/// The end of a write: `done`, an abort, or nothing yet.
+SdoAnswer SdoServer::Finish(const SdoAbort abort, const SdoAnswer& done) noexcept
+{
+    SdoAnswer answer{};
+    if (abort == SdoAbort::kPending)
+    {
+        delayed_ = done;
+        phase_ = Phase::kDelayed;
+    }
+    else
+    {
+        answer = (abort == SdoAbort::kNone) ? done : Abort(abort);
+    }
+    return answer;
+}
+
+/// The first `position_` bytes of the buffer are the value.
+SdoAnswer SdoServer::AskAgain() noexcept
+{
+    phase_ = Phase::kIdle;
+    return Finish(dictionary_.Write(target_, Bytes{buffer_.data, position_}), delayed_);
 }
 
 /// Whether a download of the stated length can be taken.
@@ -95,18 +130,10 @@ SdoAnswer SdoServer::DownloadSegment(const SdoFrame& request) noexcept
         position_ += count;
         abort = ((head & kLast) != 0U) ? Store(position_) : SdoAbort::kNone;
     }
-    SdoAnswer answer{};
-    if (abort == SdoAbort::kNone)
-    {
-        answer.presence = SdoPresence::kFrame;
-        answer.frame.bytes[0] = kSegmentDone | toggle_;
-        toggle_ ^= kToggle;
-    }
-    else
-    {
-        answer = Abort(abort);
-    }
-    return answer;
+    SdoAnswer done{SdoPresence::kFrame, {}};
+    done.frame.bytes[0] = kSegmentDone | toggle_;
+    toggle_ ^= kToggle;
+    return Finish(abort, done);
 }
 
 /// Writes a value that is complete; the transfer is over.
@@ -120,6 +147,7 @@ SdoAbort SdoServer::Store(const std::uint32_t size_bytes) noexcept
     else
     {
         abort = dictionary_.Write(target_, Bytes{buffer_.data, size_bytes});
+        position_ = size_bytes;
     }
     phase_ = Phase::kIdle;
     return abort;

@@ -329,5 +329,46 @@ TEST_F(DictionaryTest, AWriteIsJudgedBeforehand)
     EXPECT_EQ(foreign.writes, 0);
 }
 
+struct WideCase
+{
+    DataType type;
+    std::uint32_t bytes;
+    bool is_signed;
+};
+
+TEST(WideNumbers, TypesOf24To56BitsHaveSignAndLimits)
+{
+    Verifies(req::SRS_OBD_014);
+    constexpr WideCase kCases[] = {{DataType::kInteger24, 3U, true}, {DataType::kUnsigned24, 3U, false},
+                                   {DataType::kInteger40, 5U, true}, {DataType::kUnsigned40, 5U, false},
+                                   {DataType::kInteger48, 6U, true}, {DataType::kUnsigned48, 6U, false},
+                                   {DataType::kInteger56, 7U, true}, {DataType::kUnsigned56, 7U, false}};
+    const ValueLimits limits{static_cast<std::uint64_t>(std::int64_t{-5}), 5U};
+    const ValueLimits positive{0U, 5U};
+    for (const WideCase& one : kCases)
+    {
+        std::uint8_t place[8] = {};
+        const Entry entry{0x2000U,   0U,
+                          one.type,  Access::kReadWrite,
+                          kInBoth,   kInBoth,
+                          one.bytes, place,
+                          nullptr,   one.is_signed ? &limits : &positive,
+                          nullptr,   nullptr};
+        FakeObjects foreign{};
+        Dictionary dictionary{EntryTable{&entry, 1U}, foreign};
+        EXPECT_EQ(dictionary.WriteNumber({0x2000U, 0U}, 6U, one.bytes), SdoAbort::kValueHigh);
+        EXPECT_EQ(dictionary.WriteNumber({0x2000U, 0U}, 5U, one.bytes), SdoAbort::kNone);
+        EXPECT_EQ(dictionary.ReadNumber({0x2000U, 0U}).value, 5U);
+        const auto minus_five = static_cast<std::uint64_t>(std::int64_t{-5});
+        EXPECT_EQ(dictionary.WriteNumber({0x2000U, 0U}, minus_five, one.bytes),
+                  one.is_signed ? SdoAbort::kNone : SdoAbort::kValueHigh);
+        EXPECT_EQ(dictionary.ReadNumber({0x2000U, 0U}).value, one.is_signed ? minus_five : 5U);
+        EXPECT_EQ(dictionary.WriteNumber({0x2000U, 0U}, minus_five - 1U, one.bytes),
+                  one.is_signed ? SdoAbort::kValueLow : SdoAbort::kValueHigh);
+        EXPECT_EQ(dictionary.WriteNumber({0x2000U, 0U}, 1U, one.bytes + 1U), SdoAbort::kLengthMismatch);
+        EXPECT_EQ(place[one.bytes], 0U); // nothing beside it
+    }
+}
+
 } // namespace
 } // namespace counterpoint::cia301

@@ -1,0 +1,132 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/device/device.hpp"
+
+namespace counterpoint::device
+{
+namespace
+{
+
+using cia301::CommunicationError;
+
+constexpr std::uint16_t kOwnController = 0U;
+
+} // namespace
+
+Device::Device(const DeviceParts& parts) noexcept
+    : parts_(parts), command_frames_{}, safety_(parts.safety_room), commands_({command_frames_, kCommandRoom}),
+      others_(parts.service_room), kernel_state_(NmtState::kInvalid), bus_(BusCondition::kActive), is_failed_(false),
+      has_lost_others_(false)
+{
+}
+
+LoadResult Device::PowerOn(const Instant now) noexcept
+{
+    LoadResult result = LoadResult::kFailed;
+    if (safety_.HasRoomFor(parts_.srdo_count))
+    {
+        is_failed_ = false;
+        Settle();
+        parts_.services.outbox.Poll(now);
+        const bool is_up = cia301::StateByte(State()) != 0U;
+        result = is_up ? LoadResult::kLoaded : LoadResult::kFailed;
+    }
+    return result;
+}
+
+void Device::OnFrame(const StampedFrame& frame) noexcept
+{
+    const QueuedFrame item{frame, Origin::kReceived};
+    if (IsSafetyIdentifier(frame.frame.identifier))
+    {
+        safety_.Offer(item);
+    }
+    else
+    {
+        const bool is_command = frame.frame.identifier == 0U;
+        const bool is_wanted = is_command || parts_.services.Wants(frame.frame);
+        if (is_wanted && !(is_command ? commands_ : others_).Put(item))
+        {
+            has_lost_others_.store(true);
+        }
+    }
+}
+
+void Device::OnConfirm(const StampedFrame& frame) noexcept
+{
+    if (IsSafetyIdentifier(frame.frame.identifier))
+    {
+        safety_.Offer(QueuedFrame{frame, Origin::kConfirmed});
+    }
+    else
+    {
+        parts_.services.outbox.OnConfirm();
+    }
+}
+
+void Device::OnLoss() noexcept
+{
+    safety_.MarkLoss();
+    has_lost_others_.store(true);
+}
+
+void Device::OnBus(const BusCondition condition) noexcept
+{
+    cia301::CommunicationErrors& errors = parts_.services.errors;
+    const bool was_off = bus_ == BusCondition::kOff;
+    bus_ = (condition == BusCondition::kInvalid) ? BusCondition::kOff : condition;
+    const bool is_off = bus_ == BusCondition::kOff;
+    if (bus_ == BusCondition::kPassive)
+    {
+        errors.Raise(CommunicationError::kPassive, kOwnController);
+    }
+    if (bus_ == BusCondition::kActive)
+    {
+        errors.Clear(CommunicationError::kPassive, kOwnController);
+    }
+    if (is_off && !was_off)
+    {
+        parts_.services.outbox.Clear();
+        parts_.services.sdo_port.Reset(parts_.services.node);
+        errors.Raise(CommunicationError::kBusOff, kOwnController);
+    }
+    if (was_off && !is_off)
+    {
+        errors.Clear(CommunicationError::kBusOff, kOwnController);
+    }
+}
+
+void Device::Cycle(const CycleCall& call) noexcept
+{
+    HandOver();
+    parts_.kernel.Cycle(call);
+    Serve(call.now.a);
+}
+
+// A loss is told before the frames that wait: earlier than it happened, never later.
+void Device::HandOver() noexcept
+{
+    if (safety_.TakeLoss())
+    {
+        parts_.kernel.OnOverflow();
+    }
+    TakenFrame taken = safety_.Take();
+    while (taken.is_present)
+    {
+        if (taken.item.origin == Origin::kConfirmed)
+        {
+            parts_.kernel.OnConfirm(taken.item.frame);
+        }
+        else
+        {
+            parts_.kernel.OnFrame(taken.item.frame);
+        }
+        taken = safety_.Take();
+    }
+}
+
+cia301::NodeState Device::State() const noexcept
+{
+    return parts_.services.slave.State();
+}
+
+} // namespace counterpoint::device

@@ -1,0 +1,120 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_DEVICE_DEVICE_HPP
+#define CANOPEN_DEVICE_DEVICE_HPP
+
+#include "canopen/device/kernel_watch.hpp"
+#include "canopen/device/safety_queue.hpp"
+#include "canopen/device/services.hpp"
+
+#include "canopen/cia301/foreign_objects.hpp"
+#include "safety_core/kernel/kernel.hpp"
+
+#include <atomic>
+#include <cstdint>
+
+namespace counterpoint::device
+{
+
+enum class LoadResult : std::uint8_t
+{
+    kInvalid = 0U,
+    kLoaded = 0x69U,
+    kFailed = 1U,
+};
+
+/// Who knows what a device had at power-on or has stored. Called from within PowerOn, Serve and Cycle.
+class Owner
+{
+  public:
+    /// @brief Reset node: start the kernel with all self tests, configure it, load the application objects. kFailed
+    /// keeps the device in INITIALISATION.
+    [[nodiscard]] virtual LoadResult OnResetNode() noexcept = 0;
+    /// @brief Reset communication: load the objects of 1000h to 1FFFh, 1300h to 13FFh among them. The services are as
+    /// at power-on already. kFailed as above.
+    [[nodiscard]] virtual LoadResult OnResetCommunication() noexcept = 0;
+
+  protected:
+    Owner() noexcept = default;
+    ~Owner() noexcept = default;
+    Owner(const Owner&) = default;
+    Owner& operator=(const Owner&) = default;
+};
+
+/// What a device is made of; all outlive it. `watch` is the application of `kernel`; `dictionary` is that of
+/// `services`, and what its table does not have it asks the kernel for.
+struct DeviceParts
+{
+    Kernel& kernel;
+    KernelWatch& watch;
+    cia301::Dictionary& dictionary;
+    Services& services;
+    Owner& owner;
+    FrameRoom safety_room;   ///< Two frames for each SRDO and two more.
+    FrameRoom service_room;  ///< What may wait between two calls of Serve.
+    std::uint8_t srdo_count; ///< Of the kernel's device.
+};
+
+/// What the controller tells of the bus.
+enum class BusCondition : std::uint8_t
+{
+    kInvalid = 0U, ///< Read as off.
+    kActive = 0x3CU,
+    kPassive = 1U,
+    kOff = 2U,
+};
+
+/// A whole CANopen Safety device: the kernel and the services of CiA 301 on one or two CAN controllers.
+///
+///     reception, in bus order:  OnFrame, OnConfirm, OnLoss      may interrupt all others
+///     once a cycle:             Cycle
+///     between cycles, optional: Serve                           shorter answers, inverse frames at once
+///
+/// No clock, no heap; times are those of counter A. Not reentrant but for the reception. [SRS-DEV-001..018]
+class Device
+{
+  public:
+    explicit Device(const DeviceParts& parts) noexcept;
+
+    /// @brief Supply on: INITIALISATION, boot-up, and where 1F80h leads to. Whether the device came up. [SRS-DEV-002]
+    [[nodiscard]] LoadResult PowerOn(Instant now) noexcept;
+
+    /// @brief A received frame. O(1) [SRS-DEV-005, SRS-DEV-007]
+    void OnFrame(const StampedFrame& frame) noexcept;
+    /// @brief A frame of this device was on the bus. O(1)
+    void OnConfirm(const StampedFrame& frame) noexcept;
+    /// @brief The hardware layer lost frames. [SRS-DEV-008]
+    void OnLoss() noexcept;
+
+    /// @brief How the controller feels; tell every change. Not from an interrupt. [SRS-DEV-016]
+    void OnBus(BusCondition condition) noexcept;
+    /// @brief Safety frames to the kernel, its cycle, then Serve. [SRS-DEV-006]
+    void Cycle(const CycleCall& call) noexcept;
+    /// @brief Safety frames to the kernel, then the services. O(frames that wait + services)
+    void Serve(Instant now) noexcept;
+
+    [[nodiscard]] cia301::NodeState State() const noexcept;
+
+  private:
+    static constexpr std::uint32_t kCommandRoom = 8U;
+
+    void HandOver() noexcept;
+    void Obey(const CanFrame& command) noexcept;
+    void Settle() noexcept;
+    void Initialise() noexcept;
+    [[nodiscard]] LoadResult Load() noexcept;
+    void ApplyState() noexcept;
+    void AdmitSrdos() noexcept;
+    DeviceParts parts_;
+    QueuedFrame command_frames_[kCommandRoom];
+    SafetyQueue safety_;
+    FrameRing commands_;
+    FrameRing others_;
+    NmtState kernel_state_;
+    BusCondition bus_;
+    bool is_failed_; ///< The owner could not load; only PowerOn tries again.
+    std::atomic<bool> has_lost_others_;
+};
+
+} // namespace counterpoint::device
+
+#endif

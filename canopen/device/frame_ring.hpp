@@ -1,0 +1,65 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_DEVICE_FRAME_RING_HPP
+#define CANOPEN_DEVICE_FRAME_RING_HPP
+
+#include "safety_core/contract/can_frame.hpp"
+
+#include <atomic>
+#include <cstdint>
+
+namespace counterpoint::device
+{
+
+enum class Origin : std::uint8_t
+{
+    kInvalid = 0U,
+    kReceived = 1U,
+    kConfirmed = 2U, ///< A frame of this device that was on the bus.
+};
+
+struct QueuedFrame
+{
+    StampedFrame frame;
+    Origin origin;
+};
+
+/// Room of a queue, kept by reference.
+struct FrameRoom
+{
+    QueuedFrame* frames;
+    std::uint32_t count; ///< Below 2^31.
+};
+
+/// The oldest frame of a queue, or none.
+struct TakenFrame
+{
+    bool is_present;
+    QueuedFrame item;
+};
+
+/// First in, first out, for one writer and one reader that may interrupt each other.
+///
+/// Invariant: both positions count up to twice the room and then from 0; their distance is the number of frames.
+class FrameRing
+{
+  public:
+    explicit FrameRing(const FrameRoom& room) noexcept;
+
+    /// @brief Whether there was room. For the writer. O(1)
+    [[nodiscard]] bool Put(const QueuedFrame& item) noexcept;
+    /// @brief For the reader. O(1)
+    [[nodiscard]] TakenFrame Take() noexcept;
+    [[nodiscard]] std::uint32_t Room() const noexcept;
+
+  private:
+    [[nodiscard]] std::uint32_t After(std::uint32_t position) const noexcept;
+    [[nodiscard]] QueuedFrame& At(std::uint32_t position) const noexcept;
+
+    FrameRoom room_;
+    std::atomic<std::uint32_t> written_;
+    std::atomic<std::uint32_t> read_;
+};
+
+} // namespace counterpoint::device
+
+#endif

@@ -1,0 +1,30 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_DEVICE_SAFETY_OBJECTS_HPP
+#define CANOPEN_DEVICE_SAFETY_OBJECTS_HPP
+
+#include "canopen/cia301/entry.hpp"
+#include "canopen/cia301/foreign_objects.hpp"
+
+namespace counterpoint::device
+{
+
+/// The kernel's objects by its facade, which knows no others: an object of the own table in a mapping of an SRDO is not
+/// unknown (0602 0000h) but not mappable (0604 0041h). The kernel is kept by reference. [SRS-DEV-001, SRS-DEV-017]
+class SafetyObjects final : public cia301::ForeignObjects
+{
+  public:
+    SafetyObjects(Kernel& kernel, const cia301::EntryTable& own) noexcept;
+
+    [[nodiscard]] ObjectReading Read(const ObjectAddress& address) noexcept override;
+    [[nodiscard]] AbortCode Write(const ObjectAddress& address, const ObjectData& data) noexcept override;
+
+  private:
+    [[nodiscard]] bool IsOwn(std::uint32_t key) const noexcept;
+
+    Kernel& kernel_;
+    cia301::EntryTable own_;
+};
+
+} // namespace counterpoint::device
+
+#endif

@@ -1,0 +1,55 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_DEVICE_SAFETY_QUEUE_HPP
+#define CANOPEN_DEVICE_SAFETY_QUEUE_HPP
+
+#include "canopen/device/frame_ring.hpp"
+
+#include "safety_core/contract/limits.hpp"
+
+namespace counterpoint::device
+{
+
+/// @brief Whether an identifier belongs to SRDOs or GFC: 001h, 101h to 180h.
+[[nodiscard]] constexpr bool IsSafetyIdentifier(const std::uint32_t identifier) noexcept
+{
+    return (identifier == kGfcIdentifier) ||
+           ((identifier >= kFirstSrdoIdentifier) && (identifier <= kLastSrdoIdentifier));
+}
+
+/// The receive queue of the safety part: nothing enters it but data frames of admitted SRDOs, confirmations of own
+/// ones, and one GFC at a time. One writer, one reader. [SRS-DEV-007, SRS-DEV-008]
+class SafetyQueue
+{
+  public:
+    explicit SafetyQueue(const FrameRoom& room) noexcept;
+
+    /// @brief Whether the room is enough for a device of so many SRDOs.
+    [[nodiscard]] bool HasRoomFor(std::uint8_t srdo_count) const noexcept;
+    /// @brief From now on frames with this identifier (101h to 180h) enter.
+    void Admit(std::uint32_t identifier) noexcept;
+    void AdmitNone() noexcept;
+
+    /// @brief A frame with a safety identifier; what is not admitted is dropped. For the writer. O(1)
+    void Offer(const QueuedFrame& item) noexcept;
+    /// @brief Frames were lost elsewhere.
+    void MarkLoss() noexcept;
+    /// @brief Whether a frame was lost since the last call. Ask before Take.
+    [[nodiscard]] bool TakeLoss() noexcept;
+    /// @brief The oldest frame. For the reader. O(1)
+    [[nodiscard]] TakenFrame Take() noexcept;
+
+  private:
+    static constexpr std::uint32_t kWordBits = 32U;
+    static constexpr std::uint32_t kWords = kSrdoIdentifierCount / kWordBits;
+
+    [[nodiscard]] bool IsAdmitted(const QueuedFrame& item) const noexcept;
+
+    FrameRing ring_;
+    std::atomic<std::uint32_t> admitted_[kWords]; ///< Bit n: identifier 101h + n.
+    std::atomic<bool> has_gfc_;                   ///< One is in the ring.
+    std::atomic<bool> has_lost_;
+};
+
+} // namespace counterpoint::device
+
+#endif

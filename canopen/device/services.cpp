@@ -1,0 +1,134 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/device/services.hpp"
+
+#include "canopen/cia301/service_table.hpp"
+
+namespace counterpoint::device
+{
+namespace
+{
+
+using cia301::CommunicationError;
+using cia301::GuardEvent;
+using cia301::Service;
+
+constexpr cia301::StartUp kNoStartUp{false, 0U};
+constexpr std::uint32_t kSdoTimeOutUs = 1000000U;
+constexpr std::uint8_t kSdoBlock = 64U;
+constexpr std::uint16_t kGuardTimeIndex = 0x100CU;
+constexpr std::uint16_t kLifeFactorIndex = 0x100DU;
+
+constexpr std::uint32_t kSdoAnswers = 0x580U;
+constexpr std::uint32_t kSdoRequests = 0x600U;
+constexpr std::uint32_t kSdoLast = 0x67FU;
+constexpr std::uint32_t kErrorControl = 0x700U;
+constexpr std::uint32_t kErrorControlLast = 0x77FU;
+
+} // namespace
+
+Services::Services(const cia301::NodeId own_node, const ServiceParts& parts) noexcept
+    : node(own_node), supervised(parts.rooms.supervised), outbox(parts.can), slave(own_node, kNoStartUp),
+      emergency(parts.emergency), errors(emergency, slave), consumer(supervised, errors), producer(own_node),
+      guarding(own_node), objects({emergency, consumer, producer, guarding, supervised.count}),
+      tpdos({outbox, parts.dictionary, parts.rooms.tpdos}),
+      rpdos({errors, parts.dictionary, parts.rooms.rpdos, nullptr}), pdos(tpdos, rpdos), sync({outbox, errors, pdos}),
+      sdo({parts.dictionary, parts.rooms.sdo_buffer, kSdoTimeOutUs, kSdoBlock}), sdo_port(sdo, outbox, own_node)
+{
+}
+
+void Services::BeginConfiguration() noexcept
+{
+    emergency.ResetCommunication(node);
+    errors.Reset();
+    for (std::uint8_t place = 0U; place < supervised.count; ++place)
+    {
+        supervised.nodes[place] = cia301::SupervisedNode{};
+    }
+    producer.SetPeriod(0U);
+    constexpr std::uint8_t kZero[2] = {0U, 0U};
+    static_cast<void>(objects.OnWrite({kGuardTimeIndex, 0U}, {kZero, 2U}));
+    static_cast<void>(objects.OnWrite({kLifeFactorIndex, 0U}, {kZero, 1U}));
+    guarding.Reset();
+    sync.Reset();
+    tpdos.Reset();
+    rpdos.Reset();
+    sdo_port.Reset(node);
+    tpdos.BeginConfiguration();
+    rpdos.BeginConfiguration();
+}
+
+void Services::EndConfiguration(const cia301::StartUp& start_up) noexcept
+{
+    rpdos.EndConfiguration();
+    tpdos.EndConfiguration();
+    slave = cia301::NmtSlave{node, start_up};
+    static_cast<void>(slave.Advance()); // To reset application,
+    static_cast<void>(slave.Advance()); // and back to where it was: reset communication.
+}
+
+bool Services::Wants(const CanFrame& frame) const noexcept
+{
+    const std::uint32_t identifier = frame.identifier;
+    const bool is_sdo = (identifier > kSdoAnswers) && (identifier <= kSdoLast);
+    const bool is_own_sdo = (identifier == (kSdoRequests + node.value)) || (identifier == (kSdoAnswers + node.value));
+    return is_sdo ? is_own_sdo : (identifier <= kErrorControlLast);
+}
+
+void Services::OnFrame(const CanFrame& frame, const cia301::Moment& moment) noexcept
+{
+    sdo_port.OnFrame(frame, moment);
+    sync.OnFrame(frame, moment);
+    tpdos.OnFrame(frame, moment);
+    rpdos.OnFrame(frame, moment);
+    if (cia301::IsAllowed(Service::kErrorControl, moment.state))
+    {
+        consumer.OnFrame(frame, moment.now);
+        const cia301::GuardMoment guard_moment{moment.state, producer.PeriodMs(), moment.now};
+        const cia301::GuardReply reply = guarding.OnFrame(frame, guard_moment);
+        Send(reply.reply);
+        if (reply.event == GuardEvent::kResumed)
+        {
+            errors.Clear(CommunicationError::kLifeGuard, 0U);
+        }
+    }
+    // Nobody else may send what only this node sends.
+    const bool is_own =
+        (frame.identifier == (kSdoAnswers + node.value)) || (frame.identifier == (kErrorControl + node.value));
+    if (is_own && (frame.kind == FrameKind::kData))
+    {
+        errors.Raise(CommunicationError::kCollision, static_cast<std::uint16_t>(frame.identifier));
+    }
+}
+
+void Services::OnCycle(const cia301::Moment& moment) noexcept
+{
+    consumer.Poll(moment.now);
+    if (guarding.Poll(moment.now) == GuardEvent::kLost)
+    {
+        errors.Raise(CommunicationError::kLifeGuard, 0U);
+    }
+    sync.OnCycle(moment);
+    rpdos.OnCycle(moment);
+    tpdos.OnCycle(moment);
+    // Both forget what they hand out: only with room.
+    if (outbox.HasRoom())
+    {
+        Send(producer.Poll(moment.state, moment.now));
+    }
+    if (outbox.HasRoom())
+    {
+        Send(emergency.Poll(moment.state, moment.now));
+    }
+    sdo_port.OnCycle(moment);
+    outbox.Poll(moment.now);
+}
+
+void Services::Send(const cia301::FrameToSend& frame) noexcept
+{
+    if (frame.is_present)
+    {
+        static_cast<void>(outbox.Send(frame.frame));
+    }
+}
+
+} // namespace counterpoint::device

@@ -1,0 +1,74 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_DEVICE_SERVICES_HPP
+#define CANOPEN_DEVICE_SERVICES_HPP
+
+#include "canopen/device/outbox.hpp"
+
+#include "canopen/cia301/communication_errors.hpp"
+#include "canopen/cia301/heartbeat_consumer.hpp"
+#include "canopen/cia301/pdo_objects.hpp"
+#include "canopen/cia301/sdo_server_port.hpp"
+#include "canopen/cia301/service_objects.hpp"
+#include "canopen/cia301/sync.hpp"
+
+namespace counterpoint::device
+{
+
+/// Room for what differs from device to device, kept by reference.
+struct ServiceRooms
+{
+    cia301::SupervisedNodes supervised; ///< Entries of 1016h.
+    cia301::TpdoTable tpdos;
+    cia301::RpdoTable rpdos;
+    cia301::Room sdo_buffer; ///< As long as the longest object.
+};
+
+/// All kept by reference. `emergency` is there before the kernel, which has errors to tell.
+struct ServiceParts
+{
+    cia301::EmergencyProducer& emergency;
+    hal::CanPorts& can;
+    cia301::Dictionary& dictionary;
+    ServiceRooms rooms;
+};
+
+/// The services of CiA 301 of one device. Members in the open, because entries of the dictionary name them as hooks;
+/// who builds the table needs only their addresses. Used by Device. [SRS-DEV-009, SRS-DEV-010, SRS-DEV-012]
+struct Services
+{
+    Services(cia301::NodeId own_node, const ServiceParts& parts) noexcept;
+
+    cia301::NodeId node;
+    cia301::SupervisedNodes supervised;
+    Outbox outbox;
+    cia301::NmtSlave slave;
+    cia301::EmergencyProducer& emergency;
+    cia301::CommunicationErrors errors; ///< Hook of 1029h.
+    cia301::HeartbeatConsumer consumer;
+    cia301::HeartbeatProducer producer;
+    cia301::NodeGuarding guarding;
+    cia301::ServiceObjects objects; ///< Hook of 1001h, 1003h, 100Ch, 100Dh, 1014h to 1017h.
+    cia301::Tpdos tpdos;
+    cia301::Rpdos rpdos;
+    cia301::PdoObjects pdos; ///< Hook of 1400h to 1BFFh.
+    cia301::Sync sync;       ///< Hook of 1005h, 1006h, 1007h, 1019h.
+    cia301::SdoServer sdo;
+    cia301::SdoServerPort sdo_port; ///< Hook of 1200h.
+
+    /// @brief Reset communication: parameters as at power-on; errors that are there stay. Until EndConfiguration
+    /// values may come in any order.
+    void BeginConfiguration() noexcept;
+    /// @brief All values are there: 1F80h tells where INITIALISATION leads to.
+    void EndConfiguration(const cia301::StartUp& start_up) noexcept;
+
+    /// @brief Whether a frame may concern this node; what cannot takes no room. O(1)
+    [[nodiscard]] bool Wants(const CanFrame& frame) const noexcept;
+    void OnFrame(const CanFrame& frame, const cia301::Moment& moment) noexcept;
+    void OnCycle(const cia301::Moment& moment) noexcept;
+    /// @brief What the state machine wants to send; the boot-up message.
+    void Send(const cia301::FrameToSend& frame) noexcept;
+};
+
+} // namespace counterpoint::device
+
+#endif

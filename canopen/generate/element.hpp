@@ -1,0 +1,83 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_GENERATE_ELEMENT_HPP
+#define CANOPEN_GENERATE_ELEMENT_HPP
+
+#include "canopen/cia306/device.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace counterpoint::generate
+{
+/// Where the value of an element is kept.
+enum class Home : std::uint8_t
+{
+    kStored = 0U,   ///< In memory, an entry of the table.
+    kConstant = 1U, ///< In program memory, an entry of the table.
+    kNowhere = 2U,  ///< A DOMAIN: whoever attaches a hook has it.
+    kProduced = 3U, ///< In memory, a variable of the kernel that the application writes.
+    kConsumed = 4U, ///< In memory, a variable of the kernel that the channels write.
+};
+
+/// Bounds as the dictionary takes them: signed ones as two's complement of 64 bits.
+struct Limits
+{
+    std::uint64_t low{0U};
+    std::uint64_t high{0U};
+};
+
+/// One data element of the device as the generated code has it.
+struct Element
+{
+    const cia306::Entry* entry{nullptr};
+    std::string object_name;
+    Home home{Home::kStored};
+    bool is_text{false};             ///< A string: its length may be less than `size_bytes`.
+    bool is_counter{false};          ///< Sub-index 0 of an object with others.
+    std::uint32_t size_bytes{0U};    ///< Length, or room of a string.
+    std::vector<std::uint8_t> value; ///< As many bytes as the value has now.
+    std::optional<Limits> limits;
+    std::string name;                   ///< PascalCase, its own.
+    std::size_t offset{0U};             ///< In the memory, or in the constants.
+    std::size_t length{0U};             ///< Place of a string's length among the lengths.
+    std::optional<std::size_t> inverse; ///< Of a normal variable: the element of its inverse.
+
+    [[nodiscard]] std::uint32_t Key() const noexcept
+    {
+        return (static_cast<std::uint32_t>(entry->index) << 8U) | entry->sub;
+    }
+    [[nodiscard]] bool IsVariable() const noexcept
+    {
+        return home == Home::kProduced || home == Home::kConsumed;
+    }
+    [[nodiscard]] bool IsInMemory() const noexcept
+    {
+        return home == Home::kStored || IsVariable();
+    }
+};
+
+/// What the program is made from, decided once.
+struct ElementContext
+{
+    const cia306::Device& device;
+    std::optional<std::uint8_t> node_id;
+    std::vector<cia306::Finding>& warnings;
+};
+
+/// The C++ type of a number; empty for a string or DOMAIN.
+[[nodiscard]] std::string CppTypeOf(const cia306::DataType& type);
+/// Enumerator of cia301::DataType.
+[[nodiscard]] std::string TableTypeOf(const cia306::Entry& entry);
+/// Enumerator of cia301::Access.
+[[nodiscard]] std::string TableAccessOf(const Element& element);
+/// "rw" as the file writes it.
+[[nodiscard]] std::string AccessName(cia306::Access access);
+
+/// Value, room and limits of the element from its file. Throws InputError. [SRS-GEN-003, SRS-GEN-005]
+void ReadValue(const ElementContext& context, Element& element);
+} // namespace counterpoint::generate
+
+#endif // CANOPEN_GENERATE_ELEMENT_HPP

@@ -1,0 +1,157 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/generate/element.hpp"
+
+#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/signature.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace counterpoint::generate
+{
+namespace
+{
+using cia306::DataKind;
+
+constexpr std::uint16_t kOctetString = 0x000AU;
+constexpr std::uint32_t kLeastTextRoom = 32U; ///< Of a string that can be written: a file tells no room.
+
+bool IsSigned(const cia306::DataType& type)
+{
+    return type.kind == DataKind::kSigned;
+}
+
+std::uint64_t Extended(const std::uint64_t bits, const cia306::DataType& type)
+{
+    const bool is_negative = IsSigned(type) && type.bits < 64U && ((bits >> (type.bits - 1U)) & 1U) != 0U;
+    return is_negative ? bits | (~std::uint64_t{0U} << type.bits) : bits;
+}
+
+Limits RangeOf(const cia306::DataType& type)
+{
+    const std::uint64_t all = ~std::uint64_t{0U} >> (64U - type.bits);
+    return IsSigned(type) ? Limits{~(all / 2U), all / 2U} : Limits{0U, all};
+}
+
+int HexDigit(const char character)
+{
+    constexpr std::string_view digits = "0123456789abcdef";
+    const char lower = (character >= 'A' && character <= 'F') ? static_cast<char>(character - 'A' + 'a') : character;
+    const auto place = digits.find(lower);
+    return place == std::string_view::npos ? -1 : static_cast<int>(place);
+}
+
+/// Pairs of hexadecimal digits, or nothing.
+std::optional<std::vector<std::uint8_t>> Octets(const std::string& text)
+{
+    std::vector<int> digits;
+    for (const char character : text)
+    {
+        if (character != ' ')
+        {
+            digits.push_back(HexDigit(character));
+        }
+    }
+    const bool is_hex = digits.size() % 2U == 0U && std::count(digits.begin(), digits.end(), -1) == 0;
+    if (!is_hex)
+    {
+        return std::nullopt;
+    }
+    std::vector<std::uint8_t> octets;
+    for (std::size_t place = 0U; place < digits.size(); place += 2U)
+    {
+        octets.push_back(static_cast<std::uint8_t>(digits[place] * 16 + digits[place + 1U]));
+    }
+    return octets;
+}
+
+void ReadText(Element& element)
+{
+    const cia306::Entry& entry = *element.entry;
+    const std::string& text = entry.Configured().text;
+    const auto octets = entry.data_type == kOctetString ? Octets(text) : std::nullopt;
+    element.is_text = true;
+    element.value = octets.value_or(std::vector<std::uint8_t>(text.begin(), text.end()));
+    const auto length = static_cast<std::uint32_t>(element.value.size());
+    element.size_bytes = element.home == Home::kConstant ? length : std::max(length, kLeastTextRoom);
+}
+
+/// The limit that the file gives; nothing where it gives none, or one that the reader has warned of.
+std::optional<std::uint64_t> LimitOf(const ElementContext& context, const Element& element, const cia306::Text& text)
+{
+    const cia306::DataType& type = element.entry->type;
+    const cia306::ValueResult result =
+        text.IsSet() ? cia306::ParseValue(text.text, type, context.node_id) : cia306::ValueResult{};
+    return result.value ? std::optional(Extended(result.value->bits, type)) : std::nullopt;
+}
+
+bool IsBelow(const std::uint64_t left, const std::uint64_t right, const bool is_signed)
+{
+    constexpr std::uint64_t sign = std::uint64_t{1U} << 63U;
+    return is_signed ? (left ^ sign) < (right ^ sign) : left < right;
+}
+
+/// Sets the limits. An element to which the file gives no value begins with the limit next to 0.
+void ReadLimits(const ElementContext& context, Element& element, std::uint64_t& value)
+{
+    const cia306::Entry& entry = *element.entry;
+    const bool has_limits = IsSigned(entry.type) || entry.type.kind == DataKind::kUnsigned;
+    if (!has_limits)
+    {
+        return;
+    }
+    const Limits range = RangeOf(entry.type);
+    const auto low = LimitOf(context, element, entry.low_limit);
+    const auto high = LimitOf(context, element, entry.high_limit);
+    const Limits limits{low.value_or(range.low), high.value_or(range.high)};
+    const bool is_narrow = limits.low != range.low || limits.high != range.high || entry.type.bits % 8U != 0U;
+    if (is_narrow)
+    {
+        element.limits = limits;
+    }
+    const std::uint64_t extended = Extended(value, entry.type);
+    const bool is_below = IsBelow(extended, limits.low, IsSigned(entry.type));
+    const bool is_above = IsBelow(limits.high, extended, IsSigned(entry.type));
+    if (!entry.Configured().IsSet())
+    {
+        value = is_below ? limits.low : (is_above ? limits.high : value);
+    }
+    else if (is_below || is_above)
+    {
+        context.warnings.push_back({cia306::Severity::kWarning, entry.ValueLine(),
+                                    cia306::ObjectName(entry.index, entry.sub),
+                                    "value " + cia306::Quoted(entry.Configured().text) +
+                                        ", expected one between LowLimit and HighLimit; it is generated all the same"});
+    }
+}
+} // namespace
+
+void ReadValue(const ElementContext& context, Element& element)
+{
+    const cia306::Entry& entry = *element.entry;
+    if (element.home == Home::kNowhere)
+    {
+        return;
+    }
+    if (entry.type.kind == DataKind::kText)
+    {
+        ReadText(element);
+        return;
+    }
+    std::uint64_t value = 0U;
+    if (entry.Configured().IsSet())
+    {
+        const cia306::ValueResult result = cia306::ConfiguredValue(entry, context.node_id);
+        if (!result.value)
+        {
+            throw cia306::InputError(
+                context.device.file, entry.ValueLine(),
+                {cia306::ObjectName(entry.index, entry.sub) + ": " + result.problem.wrong, result.problem.expected});
+        }
+        value = result.value->bits;
+    }
+    element.size_bytes = (entry.type.bits + 7U) / 8U;
+    ReadLimits(context, element, value);
+    element.value = cia306::LittleEndian(value, element.size_bytes);
+}
+} // namespace counterpoint::generate

@@ -1,0 +1,49 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_GENERATE_GENERATE_HPP
+#define CANOPEN_GENERATE_GENERATE_HPP
+
+#include "canopen/cia306/device.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace counterpoint::generate
+{
+constexpr const char* kHeaderName = "object_dictionary.hpp";
+constexpr const char* kSourceName = "object_dictionary.cpp";
+
+struct GenerateOptions
+{
+    std::string name_space; ///< ProblemOfNamespace has nothing to say about it.
+    std::optional<std::uint8_t> node_id;
+};
+
+struct GeneratedCode
+{
+    std::string header;
+    std::string source;
+    std::size_t entry_count{0U};    ///< Of the table.
+    std::size_t variable_count{0U}; ///< That the kernel serves.
+    std::size_t srdo_count{0U};
+    std::size_t stored_bytes{0U};
+    std::size_t constant_bytes{0U};
+    std::vector<cia306::Finding> warnings; ///< Beyond those of the check.
+};
+
+/// The code of a device. `text` is that of the file, for its CRC. Throws InputError for what cannot be generated.
+/// [SRS-GEN-001, SRS-GEN-003..014]
+[[nodiscard]] GeneratedCode Generate(const cia306::Device& device, std::string_view text,
+                                     const GenerateOptions& options);
+
+/// What is wrong with the name of a namespace (`a::b` is one), nothing where it can be used. [SRS-GEN-003]
+[[nodiscard]] std::string ProblemOfNamespace(const std::string& name);
+
+/// A namespace that can be used, from the name of a file. [SRS-GEN-012]
+[[nodiscard]] std::string NamespaceOf(const std::string& file);
+} // namespace counterpoint::generate
+
+#endif // CANOPEN_GENERATE_GENERATE_HPP

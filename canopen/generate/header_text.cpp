@@ -1,0 +1,152 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/generate/text.hpp"
+
+#include "canopen/cia306/input_error.hpp"
+
+namespace counterpoint::generate
+{
+namespace
+{
+std::string GuardOf(const std::string& name_space)
+{
+    std::string guard;
+    for (const char character : name_space)
+    {
+        const bool is_small = character >= 'a' && character <= 'z';
+        const bool is_gap = character == ':';
+        const bool is_second = is_gap && guard.back() == '_';
+        guard +=
+            is_second
+                ? ""
+                : std::string(1U, is_gap ? '_' : (is_small ? static_cast<char>(character - 'a' + 'A') : character));
+    }
+    return guard + "_OBJECT_DICTIONARY_HPP";
+}
+
+/// A constant as its type holds it.
+std::string ConstantLiteral(const Element& element)
+{
+    const cia306::DataType& type = element.entry->type;
+    std::uint64_t bits = 0U;
+    for (std::size_t place = element.value.size(); place != 0U; --place)
+    {
+        bits = (bits << 8U) | element.value[place - 1U];
+    }
+    if (type.kind == cia306::DataKind::kBoolean)
+    {
+        return bits != 0U ? "true" : "false";
+    }
+    const bool is_negative = type.kind == cia306::DataKind::kSigned && ((bits >> (type.bits - 1U)) & 1U) != 0U;
+    if (!is_negative)
+    {
+        const bool is_signed = type.kind == cia306::DataKind::kSigned;
+        return is_signed ? std::to_string(bits) + (type.bits > 32U ? "LL" : "") : UnsignedLiteral(bits);
+    }
+    // The most negative number has no literal.
+    const std::uint64_t all = ~std::uint64_t{0U} >> (64U - type.bits);
+    return "-" + std::to_string(all - bits) + (type.bits > 32U ? "LL" : "") + " - 1";
+}
+
+std::string ConstantDeclaration(const Element& element)
+{
+    const bool is_real = element.entry->type.kind == cia306::DataKind::kReal;
+    if (!IsNumber(element) || is_real || element.is_counter)
+    {
+        return "";
+    }
+    return "constexpr " + CppTypeOf(element.entry->type) + " k" + element.name + " = " + ConstantLiteral(element) +
+           "; ///< " + Describe(element) + "\n";
+}
+
+std::string AccessDeclaration(const Element& element)
+{
+    const bool is_number = IsNumber(element);
+    const std::string type = is_number ? CppTypeOf(element.entry->type) : "counterpoint::cia301::Bytes";
+    std::string text = "/// " + Describe(element);
+    text += element.home == Home::kProduced ? "; the application writes it for its SRDO\n" : "";
+    text += element.home == Home::kConsumed ? "; the channels write it\n" : "";
+    text += element.IsVariable() ? "" : "\n";
+    text += "[[nodiscard]] " + type + " Get" + element.name + "() noexcept;\n";
+    if (HasSetter(element) && is_number)
+    {
+        text += "void Set" + element.name + "(" + type + " value) noexcept;\n";
+    }
+    else if (HasSetter(element))
+    {
+        text += "/// False, and nothing is changed, where it is longer than " + std::to_string(element.size_bytes) +
+                " bytes.\n[[nodiscard]] bool Set" + element.name + "(const " + type + "& value) noexcept;\n";
+    }
+    if (element.inverse)
+    {
+        text +=
+            "/// Whether each bit is inverted in its inverse object.\n[[nodiscard]] counterpoint::PairView Compare" +
+            element.name + "() noexcept;\n";
+    }
+    return text + "\n";
+}
+
+std::string SrdoConstants(const Layout& layout)
+{
+    std::string text;
+    std::size_t slot = 0U;
+    for (const cia306::SrdoConfiguration& srdo : layout.safety.Srdos())
+    {
+        const std::string number = std::to_string(srdo.number);
+        const std::string kind = srdo.IsProducer() ? "producer" : (srdo.IsConsumer() ? "consumer" : "off");
+        text += "/// SRDO " + number + ": " + kind + ", COB-IDs " + cia306::Hex(srdo.cob_id_1.value.value_or(0U), 3) +
+                " and " + cia306::Hex(srdo.cob_id_2.value.value_or(0U), 3) +
+                (srdo.is_static ? ", static mapping" : "") + "\nconstexpr counterpoint::CommunicationIndex kSrdo" +
+                number + "{" + HexLiteral(srdo.CommunicationIndex(), 4) +
+                "};\nconstexpr counterpoint::SlotIndex kSrdo" + number + "Slot = " + UnsignedLiteral(slot) + ";\n";
+        ++slot;
+    }
+    return text + (text.empty() ? "" : "\n");
+}
+
+std::string Opening(const FileText& file)
+{
+    const Layout& layout = file.layout;
+    return "//" + file.origin + "\n// clang-format off\n#ifndef " + GuardOf(file.name_space) + "\n#define " +
+           GuardOf(file.name_space) +
+           "\n\n#include \"canopen/cia301/dictionary.hpp\"\n#include \"canopen/generated/configuration.hpp\"\n"
+           "#include \"canopen/generated/stored_objects.hpp\"\n#include \"safety_core/kernel/kernel.hpp\"\n\n"
+           "#include <cstdint>\n\nnamespace " +
+           file.name_space + "\n{\n\nconstexpr std::uint8_t kNodeId = " + UnsignedLiteral(file.node_id.value_or(0U)) +
+           "; ///< 0: the file has none.\nconstexpr std::uint8_t kSrdoCount = " +
+           UnsignedLiteral(layout.safety.Srdos().size()) + "; ///< Slots that a channel's storage needs.\n" +
+           "constexpr std::uint8_t kMapEntries = " + UnsignedLiteral(layout.safety.Parameters().map_entries) +
+           "; ///< Map entries that a channel's storage needs.\n" +
+           "constexpr std::uint32_t kLongestObjectBytes = " + UnsignedLiteral(layout.longest_bytes) +
+           "; ///< Buffer that an SDO server needs; a DOMAIN not counted.\n" +
+           "constexpr std::uint32_t kEntryCount = " + UnsignedLiteral(layout.entry_count) + ";\n\n" +
+           SrdoConstants(layout);
+}
+
+constexpr const char* kTables =
+    "/// For cia301::Dictionary: all but what the kernel serves.\n"
+    "extern const counterpoint::cia301::EntryTable kEntryTable;\n"
+    "/// For Kernel::Start.\n"
+    "extern const counterpoint::DeviceConfig kDevice;\n\n"
+    "/// Hooks of services and application.\n"
+    "[[nodiscard]] counterpoint::generated::StoredObjects& Objects() noexcept;\n"
+    "/// Writes the safety configuration to a started kernel; the first refusal ends it.\n"
+    "[[nodiscard]] counterpoint::generated::ConfigureReply Configure(counterpoint::Kernel& kernel) noexcept;\n"
+    "/// Values of power-on: everything; 1000h to 1FFFh. They are there at the start of the program, too.\n"
+    "void ResetApplication() noexcept;\n"
+    "void ResetCommunication() noexcept;\n\n";
+} // namespace
+
+std::string HeaderText(const FileText& file)
+{
+    std::string text = Opening(file) + kTables;
+    std::string constants;
+    std::string access;
+    for (const Element& element : file.layout.elements)
+    {
+        constants += element.home == Home::kConstant ? ConstantDeclaration(element) : "";
+        access += element.IsInMemory() ? AccessDeclaration(element) : "";
+    }
+    text += constants + (constants.empty() ? "" : "\n") + access;
+    return text + "} // namespace " + file.name_space + "\n\n#endif\n";
+}
+} // namespace counterpoint::generate

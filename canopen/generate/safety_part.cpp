@@ -1,0 +1,214 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/generate/safety_part.hpp"
+
+#include "canopen/cia306/input_error.hpp"
+
+#include <algorithm>
+
+namespace counterpoint::generate
+{
+namespace
+{
+using cia306::MappingEntry;
+using cia306::SrdoConfiguration;
+
+std::uint32_t Number(const cia306::Field& field)
+{
+    return static_cast<std::uint32_t>(field.value.value_or(0U));
+}
+
+/// Place of the variable with this index and sub-index; nothing where there is none.
+std::optional<std::size_t> Find(const std::vector<Element>& elements, const std::uint32_t key)
+{
+    const auto found =
+        std::lower_bound(elements.begin(), elements.end(), key,
+                         [](const Element& element, const std::uint32_t wanted) { return element.Key() < wanted; });
+    const bool is_there = found != elements.end() && found->Key() == key && found->IsVariable();
+    return is_there ? std::optional(static_cast<std::size_t>(found - elements.begin())) : std::nullopt;
+}
+
+void AppendMapping(const SrdoConfiguration& srdo, std::vector<SafetySetting>& settings)
+{
+    settings.push_back({srdo.MappingIndex(), 0U, 1U, 0U});
+    for (const MappingEntry& entry : srdo.mapping)
+    {
+        settings.push_back({srdo.MappingIndex(), entry.sub, 4U, entry.raw});
+    }
+    settings.push_back({srdo.MappingIndex(), 0U, 1U, Number(srdo.entry_count)});
+}
+
+void AppendParameters(const SrdoConfiguration& srdo, std::vector<SafetySetting>& settings)
+{
+    const std::uint16_t index = srdo.CommunicationIndex();
+    settings.push_back({index, 2U, 2U, Number(srdo.sct_ms)});
+    settings.push_back({index, 3U, 1U, Number(srdo.srvt_ms)});
+    settings.push_back({index, 4U, 1U, Number(srdo.transmission_type)});
+    settings.push_back({index, 5U, 4U, Number(srdo.cob_id_1)});
+    settings.push_back({index, 6U, 4U, Number(srdo.cob_id_2)});
+    if (!srdo.is_static)
+    {
+        AppendMapping(srdo, settings);
+    }
+    settings.push_back({cia306::kSignatureIndex, srdo.number, 2U, Number(srdo.signature)});
+}
+} // namespace
+
+SafetyPart::SafetyPart(const cia306::Device& device, const std::optional<std::uint8_t> node_id)
+    : device_(device), node_id_(node_id), safety_(cia306::ExtractSafety(device, node_id))
+{
+    std::vector<cia306::Finding> problems;
+    parameters_ = cia306::ReadDeviceParameters(device_, node_id_, problems);
+    if (safety_.srdos.empty())
+    {
+        return;
+    }
+    cia306::RequireNone(device_.file, safety_.problems);
+    for (const SrdoConfiguration& srdo : safety_.srdos)
+    {
+        cia306::RequireNone(device_.file, srdo.signature_problems);
+        cia306::RequireNone(device_.file, srdo.other_problems);
+    }
+    cia306::RequireNone(device_.file, problems);
+    if (!node_id_)
+    {
+        throw cia306::InputError(device_.file, 0U, {"no node-ID", "--node-id, or NodeID in [DeviceComissioning]"});
+    }
+}
+
+const std::vector<SrdoConfiguration>& SafetyPart::Srdos() const noexcept
+{
+    return safety_.srdos;
+}
+
+const cia306::DeviceParameters& SafetyPart::Parameters() const noexcept
+{
+    return parameters_;
+}
+
+std::uint32_t SafetyPart::Digest() const noexcept
+{
+    return node_id_ == device_.node_id ? parameters_.digest : 0U;
+}
+
+bool SafetyPart::IsMapped(const cia306::Entry& entry, const bool by_consumer) const
+{
+    for (const SrdoConfiguration& srdo : safety_.srdos)
+    {
+        const bool is_wanted = srdo.IsConsumer() || !by_consumer;
+        for (const MappingEntry& mapped : srdo.mapping)
+        {
+            const bool is_this = mapped.Index() == entry.index && mapped.Sub() == entry.sub;
+            if (is_this && is_wanted)
+            {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+std::optional<Home> SafetyPart::HomeOf(const cia306::Entry& entry) const
+{
+    const bool is_mappable = entry.is_srdo_mappable.value_or(entry.is_pdo_mappable && IsMapped(entry, false));
+    const bool has_length = entry.type.bits >= 1U && entry.type.bits <= 64U;
+    if (safety_.srdos.empty() || !is_mappable || !has_length)
+    {
+        return std::nullopt;
+    }
+    switch (entry.access)
+    {
+    case cia306::Access::kReadOnly:
+    case cia306::Access::kReadWriteInput:
+    case cia306::Access::kConstant:
+        return Home::kProduced;
+    case cia306::Access::kWriteOnly:
+    case cia306::Access::kReadWriteOutput:
+        return Home::kConsumed;
+    case cia306::Access::kReadWrite:
+        // Fits both directions: what the file maps it to decides.
+        return IsMapped(entry, true) ? Home::kConsumed : Home::kProduced;
+    case cia306::Access::kUnknown:
+        break;
+    }
+    return std::nullopt;
+}
+
+void SafetyPart::JoinPairs(std::vector<Element>& elements) const
+{
+    for (Element& element : elements)
+    {
+        if (element.IsVariable() && element.entry->inverted_srad)
+        {
+            element.inverse = Find(elements, *element.entry->inverted_srad);
+        }
+    }
+    for (const SrdoConfiguration& srdo : safety_.srdos)
+    {
+        for (std::size_t place = 0U; place + 1U < srdo.mapping.size(); place += 2U)
+        {
+            const auto normal = Find(elements, srdo.mapping[place].raw >> 8U);
+            const auto inverse = Find(elements, srdo.mapping[place + 1U].raw >> 8U);
+            if (normal && inverse)
+            {
+                elements[*normal].inverse = inverse;
+            }
+        }
+    }
+}
+
+std::vector<StaticPart> SafetyPart::StaticParts(const std::vector<Element>& elements) const
+{
+    std::vector<StaticPart> parts;
+    for (const SrdoConfiguration& srdo : safety_.srdos)
+    {
+        if (!srdo.is_static)
+        {
+            continue;
+        }
+        StaticPart part;
+        part.number = srdo.number;
+        part.line = srdo.entry_count.line;
+        for (const MappingEntry& entry : srdo.mapping)
+        {
+            const auto place = Find(elements, entry.raw >> 8U);
+            if (!place)
+            {
+                throw cia306::InputError(device_.file, entry.line,
+                                         {"the static mapping names " + cia306::ObjectName(entry.Index(), entry.Sub()),
+                                          "an object of the file with SRDOMapping=1 and a length of 1 to 64 bits"});
+            }
+            (entry.IsNormal() ? part.normal : part.inverse).push_back(*place);
+            part.entries.push_back(entry.raw);
+        }
+        parts.push_back(part);
+    }
+    return parts;
+}
+
+std::vector<SafetySetting> SafetyPart::Settings() const
+{
+    std::vector<SafetySetting> settings;
+    for (const SrdoConfiguration& srdo : safety_.srdos)
+    {
+        settings.push_back({srdo.CommunicationIndex(), 1U, 1U, 0U}); // Off, so that the rest can be written.
+    }
+    for (const SrdoConfiguration& srdo : safety_.srdos)
+    {
+        AppendParameters(srdo, settings);
+    }
+    for (const SrdoConfiguration& srdo : safety_.srdos)
+    {
+        settings.push_back({srdo.CommunicationIndex(), 1U, 1U, Number(srdo.direction)});
+    }
+    const bool has_gfc = safety_.gfc.value && parameters_.gfc_use == cia306::kGfcPresent;
+    if (has_gfc)
+    {
+        settings.push_back({cia306::kGfcIndex, 0U, 1U, Number(safety_.gfc)});
+    }
+    if (!settings.empty())
+    {
+        settings.push_back({cia306::kConfigurationValidIndex, 0U, 1U, Number(safety_.configuration_valid)});
+    }
+    return settings;
+}
+} // namespace counterpoint::generate

@@ -1,0 +1,64 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_GENERATE_SAFETY_PART_HPP
+#define CANOPEN_GENERATE_SAFETY_PART_HPP
+
+#include "canopen/generate/element.hpp"
+
+#include "canopen/cia306/device_parameters.hpp"
+#include "canopen/cia306/safety_configuration.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace counterpoint::generate
+{
+/// One write of the configuration.
+struct SafetySetting
+{
+    std::uint16_t index{0U};
+    std::uint8_t sub{0U};
+    std::uint8_t size_bytes{0U};
+    std::uint32_t value{0U};
+};
+
+/// A mapping that is a part of the program: its variables by their places in the list of elements.
+struct StaticPart
+{
+    std::uint8_t number{0U};
+    std::vector<std::uint32_t> entries;
+    std::vector<std::size_t> normal;
+    std::vector<std::size_t> inverse;
+    std::size_t line{0U};
+};
+
+/// The safety configuration of a file. Every call may throw InputError.
+class SafetyPart
+{
+  public:
+    SafetyPart(const cia306::Device& device, std::optional<std::uint8_t> node_id);
+
+    [[nodiscard]] const std::vector<cia306::SrdoConfiguration>& Srdos() const noexcept;
+    [[nodiscard]] const cia306::DeviceParameters& Parameters() const noexcept;
+    /// @brief Expected device digest: none with another node-ID than the file's. [SRS-GEN-009]
+    [[nodiscard]] std::uint32_t Digest() const noexcept;
+    /// @brief kProduced or kConsumed for a variable of the kernel, nothing else for the others. [SRS-GEN-009]
+    [[nodiscard]] std::optional<Home> HomeOf(const cia306::Entry& entry) const;
+    /// @brief Joins the variables of each pair. [SRS-GEN-013]
+    void JoinPairs(std::vector<Element>& elements) const;
+    [[nodiscard]] std::vector<StaticPart> StaticParts(const std::vector<Element>& elements) const;
+    /// @brief In the order in which the kernel takes them, without those of static mappings. [SRS-GEN-011]
+    [[nodiscard]] std::vector<SafetySetting> Settings() const;
+
+  private:
+    [[nodiscard]] bool IsMapped(const cia306::Entry& entry, bool by_consumer) const;
+
+    const cia306::Device& device_;
+    std::optional<std::uint8_t> node_id_;
+    cia306::SafetyConfiguration safety_;
+    cia306::DeviceParameters parameters_;
+};
+} // namespace counterpoint::generate
+
+#endif // CANOPEN_GENERATE_SAFETY_PART_HPP

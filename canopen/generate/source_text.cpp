@@ -1,0 +1,144 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/generate/text.hpp"
+
+#include "canopen/cia306/input_error.hpp"
+
+namespace counterpoint::generate
+{
+namespace
+{
+using cia306::DataKind;
+
+/// The body that reads a number.
+std::string ReadText(const Element& element)
+{
+    const cia306::DataType& type = element.entry->type;
+    const std::string place = PlaceText(element);
+    switch (type.kind)
+    {
+    case DataKind::kBoolean:
+        return "counterpoint::ReadVariable(" + place + ").bits != 0U";
+    case DataKind::kSigned:
+    {
+        const std::string value = "counterpoint::generated::ReadSigned(" + place + ")";
+        return type.bits > 32U ? value : "static_cast<" + CppTypeOf(type) + ">(" + value + ")";
+    }
+    case DataKind::kReal:
+        return "counterpoint::generated::ReadReal" + std::to_string(type.bits) + "(" + place + ")";
+    case DataKind::kUnsigned:
+    case DataKind::kTime:
+    case DataKind::kText:
+    case DataKind::kStructure:
+    case DataKind::kUnknown:
+        break;
+    }
+    const std::string value = "counterpoint::ReadVariable(" + place + ").bits";
+    return type.bits > 32U ? value : "static_cast<" + CppTypeOf(type) + ">(" + value + ")";
+}
+
+std::string WriteText(const Element& element)
+{
+    const cia306::DataType& type = element.entry->type;
+    const std::string place = PlaceText(element);
+    switch (type.kind)
+    {
+    case DataKind::kBoolean:
+        return "counterpoint::WriteVariable(" + place + ", counterpoint::VariableValue{value ? 1U : 0U})";
+    case DataKind::kSigned:
+        return "counterpoint::generated::WriteSigned(" + place + ", value)";
+    case DataKind::kReal:
+        return "counterpoint::generated::WriteReal" + std::to_string(type.bits) + "(" + place + ", value)";
+    case DataKind::kUnsigned:
+    case DataKind::kTime:
+    case DataKind::kText:
+    case DataKind::kStructure:
+    case DataKind::kUnknown:
+        break;
+    }
+    return "counterpoint::WriteVariable(" + place + ", counterpoint::VariableValue{value})";
+}
+
+std::string Function(const std::string& head, const std::string& body)
+{
+    return head + " noexcept\n{\n    " + body + "\n}\n\n";
+}
+
+std::string StringAccess(const Element& element)
+{
+    const std::string bytes = "storage.bytes + " + UnsignedLiteral(element.offset);
+    const std::string length = "storage.lengths[" + UnsignedLiteral(element.length) + "]";
+    return Function("counterpoint::cia301::Bytes Get" + element.name + "()",
+                    "return counterpoint::cia301::Bytes{" + bytes + ", " + length + "};") +
+           Function("bool Set" + element.name + "(const counterpoint::cia301::Bytes& value)",
+                    "return SetText(counterpoint::cia301::Room{" + bytes + ", " + UnsignedLiteral(element.size_bytes) +
+                        "}, " + length + ", value);");
+}
+
+std::string NumberAccess(const Layout& layout, const Element& element)
+{
+    const std::string type = CppTypeOf(element.entry->type);
+    std::string text = Function(type + " Get" + element.name + "()", "return " + ReadText(element) + ";");
+    if (HasSetter(element))
+    {
+        text += Function("void Set" + element.name + "(const " + type + " value)", WriteText(element) + ";");
+    }
+    if (element.inverse)
+    {
+        text += Function("counterpoint::PairView Compare" + element.name + "()",
+                         "return counterpoint::IsInversePair(" + PlaceText(element) + ", " +
+                             PlaceText(layout.elements[*element.inverse]) + ");");
+    }
+    return text;
+}
+
+constexpr const char* kCopy =
+    "/// Values of power-on for the first bytes and lengths.\n"
+    "void Restore(const std::uint32_t byte_count, const std::uint32_t length_count) noexcept\n{\n"
+    "    for (std::uint32_t i = 0U; i < byte_count; ++i)\n    {\n        storage.bytes[i] = kPowerOn.bytes[i];\n    }\n"
+    "    for (std::uint32_t i = 0U; i < length_count; ++i)\n    {\n        storage.lengths[i] = kPowerOn.lengths[i];\n"
+    "    }\n}\n\n";
+
+constexpr const char* kSetText = "bool SetText(const counterpoint::cia301::Room& room, std::uint32_t& length,\n"
+                                 "             const counterpoint::cia301::Bytes& value) noexcept\n{\n"
+                                 "    const bool fits = value.size_bytes <= room.size_bytes;\n"
+                                 "    for (std::uint32_t i = 0U; fits && (i < value.size_bytes); ++i)\n    {\n"
+                                 "        room.data[i] = value.data[i];\n    }\n"
+                                 "    length = fits ? value.size_bytes : length;\n    return fits;\n}\n\n";
+
+std::string PublicText(const FileText& file)
+{
+    const Layout& layout = file.layout;
+    const std::string all = UnsignedLiteral(layout.stored_bytes) + ", " + UnsignedLiteral(layout.length_count);
+    const std::string communication =
+        UnsignedLiteral(layout.communication_bytes) + ", " + UnsignedLiteral(layout.communication_lengths);
+    return "constexpr counterpoint::cia301::EntryTable kEntryTable{kEntries, kEntryCount};\n"
+           "static_assert(counterpoint::cia301::IsUsable(kEntryTable), \"ordered, nothing of the kernel\");\n\n" +
+           Function("counterpoint::generated::StoredObjects& Objects()", "return objects;") +
+           Function("counterpoint::generated::ConfigureReply Configure(counterpoint::Kernel& kernel)",
+                    "return counterpoint::generated::Configure(kernel, kConfiguration);") +
+           Function("void ResetApplication()", "Restore(" + all + ");") +
+           Function("void ResetCommunication()", "Restore(" + communication + ");");
+}
+} // namespace
+
+std::string SourceText(const FileText& file)
+{
+    const Layout& layout = file.layout;
+    std::string access;
+    bool has_strings = false;
+    for (const Element& element : layout.elements)
+    {
+        if (element.IsInMemory())
+        {
+            access += element.is_text ? StringAccess(element) : NumberAccess(layout, element);
+            has_strings = has_strings || element.is_text;
+        }
+    }
+    return "//" + file.origin + "\n// clang-format off\n#include \"" + kHeaderName +
+           "\"\n\n#include \"canopen/generated/constant_objects.hpp\"\n#include \"canopen/generated/numbers.hpp\"\n"
+           "#include \"safety_core/kernel/variable.hpp\"\n\nnamespace " +
+           file.name_space + "\n{\nnamespace\n{\n\n" + TableText(layout) + KernelText(file) + kCopy +
+           (has_strings ? kSetText : "") + "} // namespace\n\n" + DeviceText(file) + PublicText(file) + access +
+           "} // namespace " + file.name_space + "\n";
+}
+} // namespace counterpoint::generate

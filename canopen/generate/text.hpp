@@ -1,0 +1,50 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_GENERATE_TEXT_HPP
+#define CANOPEN_GENERATE_TEXT_HPP
+
+#include "canopen/generate/layout.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace counterpoint::generate
+{
+/// What both files say about themselves.
+struct FileText
+{
+    const Layout& layout;
+    std::string name_space;
+    std::string origin; ///< First line, without "//".
+    std::optional<std::uint8_t> node_id;
+};
+
+/// "0x00FFU"
+[[nodiscard]] std::string HexLiteral(std::uint64_t value, int digits);
+/// A number of up to 64 bits, with its suffix.
+[[nodiscard]] std::string UnsignedLiteral(std::uint64_t value);
+/// "0x01U, 0x02U, "
+[[nodiscard]] std::string ByteList(const std::vector<std::uint8_t>& bytes);
+/// "2200h:01"
+[[nodiscard]] std::string AddressName(const cia306::Entry& entry);
+/// "2200h:01 Command, UNSIGNED8, rww"
+[[nodiscard]] std::string Describe(const Element& element);
+/// "counterpoint::VariablePlace{storage.bytes + 12U, 8U}"
+[[nodiscard]] std::string PlaceText(const Element& element);
+/// Whether the application may write it by a function.
+[[nodiscard]] bool HasSetter(const Element& element);
+/// Whether it is a number.
+[[nodiscard]] bool IsNumber(const Element& element);
+
+[[nodiscard]] std::string HeaderText(const FileText& file);
+[[nodiscard]] std::string SourceText(const FileText& file);
+/// Memory, constants and entries.
+[[nodiscard]] std::string TableText(const Layout& layout);
+/// Tables of what the kernel is given.
+[[nodiscard]] std::string KernelText(const FileText& file);
+/// The description of the device.
+[[nodiscard]] std::string DeviceText(const FileText& file);
+} // namespace counterpoint::generate
+
+#endif // CANOPEN_GENERATE_TEXT_HPP

@@ -1,0 +1,72 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_GENERATED_STORED_OBJECTS_HPP
+#define CANOPEN_GENERATED_STORED_OBJECTS_HPP
+
+#include "canopen/cia301/entry.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::generated
+{
+
+constexpr std::uint8_t kMaxHookedRanges = 8U;
+
+/// Indices, both ends included.
+struct IndexRange
+{
+    std::uint16_t first;
+    std::uint16_t last;
+};
+
+/// Who keeps the objects of a range. Null: the stored value does.
+struct ObjectHooks
+{
+    cia301::ReadHook* read;
+    cia301::WriteHook* write;
+};
+
+enum class AttachResult : std::uint8_t
+{
+    kInvalid = 0U,
+    kAttached = 0x69U,
+    kOverlap = 1U, ///< The range is empty, or a part of it has hooks already.
+    kFull = 2U,    ///< kMaxHookedRanges have hooks.
+};
+
+/// Hook of all entries that have a place: leads to who keeps the object now, else to the place. Hooks are kept by
+/// reference. Not reentrant. [SRS-GEN-008]
+class StoredObjects final : public cia301::ReadHook, public cia301::WriteHook
+{
+  public:
+    /// @brief `table` may be defined later than this object: it is looked at when an entry is read.
+    explicit constexpr StoredObjects(const cia301::EntryTable& table) noexcept : table_(table)
+    {
+    }
+
+    [[nodiscard]] AttachResult Attach(const IndexRange& range, const ObjectHooks& hooks) noexcept;
+    /// @brief Tells the hook of each writable entry of the range its stored value; the first refusal ends it. A
+    /// sub-index 0 of an object that has others is not told. O(entries)
+    [[nodiscard]] cia301::SdoAbort Preset(const IndexRange& range) noexcept;
+
+    [[nodiscard]] cia301::Reading OnRead(const ObjectAddress& address, const cia301::Room& room) noexcept override;
+    [[nodiscard]] cia301::SdoAbort OnWrite(const ObjectAddress& address, const cia301::Bytes& value) noexcept override;
+
+  private:
+    struct HookedRange
+    {
+        IndexRange range;
+        ObjectHooks hooks;
+    };
+
+    [[nodiscard]] ObjectHooks HooksOf(std::uint16_t index) const noexcept;
+    [[nodiscard]] const cia301::Entry* Find(const ObjectAddress& address) const noexcept;
+    [[nodiscard]] bool IsPreset(std::uint32_t position, const IndexRange& range) const noexcept;
+
+    cia301::EntryTable table_;
+    HookedRange ranges_[kMaxHookedRanges]{}; ///< The first `count_`.
+    std::uint8_t count_{0U};
+};
+
+} // namespace counterpoint::generated
+
+#endif

@@ -1,0 +1,26 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "examples/generated_actuator/drive.hpp"
+
+#include "actuator/object_dictionary.hpp"
+#include "canopen/cia301/little_endian.hpp"
+
+namespace counterpoint::examples
+{
+
+// The gate says whether the data may be used at all; a bit that flipped in these variables since is found here.
+bool Drive::MayMove(const SrdoMask open) noexcept
+{
+    const bool is_open = ((open >> actuator::kSrdo1Slot) & 1U) != 0U;
+    const bool is_whole = (actuator::CompareReceivedCommandCommand() == PairView::kInverse) &&
+                          (actuator::CompareReceivedCommandMode() == PairView::kInverse);
+    return is_open && is_whole && (actuator::GetReceivedCommandCommand() == 1U) &&
+           (actuator::GetReceivedCommandMode() == 1U);
+}
+
+cia301::SdoAbort HeartbeatTime::OnWrite(const ObjectAddress& /*address*/, const cia301::Bytes& value) noexcept
+{
+    producer_.SetPeriod(static_cast<std::uint16_t>(cia301::FromLittleEndian(value.data, value.size_bytes)));
+    return cia301::SdoAbort::kNone;
+}
+
+} // namespace counterpoint::examples

@@ -1,0 +1,59 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef HAL_HOST_LIVE_SOCKETCAND_BUS_HPP
+#define HAL_HOST_LIVE_SOCKETCAND_BUS_HPP
+
+#include "hal/host/live_address.hpp"
+#include "hal/host/live_bus.hpp"
+#include "hal/host/live_poll.hpp"
+#include "hal/host/live_send_queue.hpp"
+#include "hal/host/live_socketcand_link.hpp"
+
+#include <cstdint>
+#include <deque>
+#include <string>
+
+namespace counterpoint::host
+{
+
+/// A bus that a socketcand server offers: ours, or one by others. Frames have the time of their reading, because the
+/// server's clock is not ours. With a server by others, own means that the server took the frame, not that it was on
+/// the bus. A lost connection stays lost. [SRS-LIVE-051] [SRS-LIVE-052] [SRS-LIVE-055]
+class LiveSocketcandBus final : public LiveBus
+{
+  public:
+    LiveSocketcandBus(const LiveAddress& address, const LiveOptions& options);
+
+    [[nodiscard]] SendResult Send(const LiveFrame& frame) override;
+    [[nodiscard]] bool Receive(LiveFrame& frame) override;
+    [[nodiscard]] int Descriptor() const override;
+    [[nodiscard]] BusHealth Health() const override;
+    [[nodiscard]] std::string Name() const override;
+    [[nodiscard]] bool Restart() override;
+
+  private:
+    [[nodiscard]] SocketcandMessage Await(std::uint64_t until_ns);
+    void Demand(const SocketcandMessage& order, SocketcandWord answer, std::uint64_t until_ns);
+    [[noreturn]] void Refuse(const std::string& what) const;
+    void Greet();
+    void Hand(const LiveFrame& frame);
+    void SendWaiting();
+    void NoteLoss();
+    [[nodiscard]] bool Take(const SocketcandMessage& message, LiveFrame& frame);
+    void LearnText(const std::string& text);
+
+    LiveAddress address_;
+    LiveOptions options_;
+    SocketcandLink link_;
+    LivePoll poll_{};
+    LiveSendQueue queue_{};
+    std::deque<SocketcandMessage> early_{}; ///< Came while the greeting was under way.
+    std::deque<LiveFrame> unconfirmed_{};   ///< Sent to a server that does not tell own frames.
+    bool has_own_{false};
+    bool is_lost_{false};
+    BusState state_{BusState::kActive};
+    BusHealth counts_{};
+};
+
+} // namespace counterpoint::host
+
+#endif

@@ -1,0 +1,91 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "hal/host/live_stamp.hpp"
+
+#include "hal/host/live_bus.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <ctime>
+
+namespace counterpoint::host
+{
+namespace
+{
+
+constexpr std::uint64_t kSecondNs = 1'000'000'000U;
+constexpr std::uint64_t kOldestNs = 10U * kSecondNs;
+
+std::uint64_t NanosecondsOf(const timespec& time)
+{
+    return (static_cast<std::uint64_t>(time.tv_sec) * kSecondNs) + static_cast<std::uint64_t>(time.tv_nsec);
+}
+
+std::uint64_t WallNow()
+{
+    timespec now{};
+    static_cast<void>(::clock_gettime(CLOCK_REALTIME, &now));
+    return NanosecondsOf(now);
+}
+
+void ReadControl(msghdr& message, LiveArrival& arrival)
+{
+    for (cmsghdr* item = CMSG_FIRSTHDR(&message); item != nullptr; item = CMSG_NXTHDR(&message, item))
+    {
+        if (item->cmsg_level != SOL_SOCKET)
+        {
+            continue;
+        }
+        if (item->cmsg_type == SO_TIMESTAMPNS)
+        {
+            timespec stamp{};
+            std::memcpy(&stamp, CMSG_DATA(item), sizeof(stamp));
+            arrival.time_ns = MonotonicStamp(NanosecondsOf(stamp), WallNow(), arrival.time_ns);
+        }
+        else if (item->cmsg_type == SO_RXQ_OVFL)
+        {
+            std::memcpy(&arrival.dropped, CMSG_DATA(item), sizeof(arrival.dropped));
+        }
+    }
+}
+
+} // namespace
+
+void RequestStamps(const int socket)
+{
+    // Without them a frame has the time of its reading: later, but no less monotonic.
+    const int on = 1;
+    static_cast<void>(::setsockopt(socket, SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof(on)));
+    static_cast<void>(::setsockopt(socket, SOL_SOCKET, SO_RXQ_OVFL, &on, sizeof(on)));
+}
+
+LiveArrival ReadStamped(const int socket, void* const bytes, const std::size_t room)
+{
+    alignas(cmsghdr) char control[256]{};
+    iovec part{bytes, room};
+    msghdr message{};
+    message.msg_iov = &part;
+    message.msg_iovlen = 1U;
+    message.msg_control = control;
+    message.msg_controllen = sizeof(control);
+    LiveArrival arrival;
+    arrival.count = ::recvmsg(socket, &message, MSG_DONTWAIT);
+    if (arrival.count < 0)
+    {
+        arrival.failure = errno;
+        return arrival;
+    }
+    arrival.flags = message.msg_flags;
+    arrival.time_ns = LiveNow();
+    ReadControl(message, arrival);
+    return arrival;
+}
+
+std::uint64_t MonotonicStamp(const std::uint64_t stamp_ns, const std::uint64_t wall_now_ns,
+                             const std::uint64_t monotonic_now_ns)
+{
+    const std::uint64_t age_ns = wall_now_ns - stamp_ns;
+    const bool is_usable = (stamp_ns <= wall_now_ns) && (age_ns <= kOldestNs) && (age_ns <= monotonic_now_ns);
+    return is_usable ? (monotonic_now_ns - age_ns) : monotonic_now_ns;
+}
+
+} // namespace counterpoint::host

@@ -1,0 +1,34 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef HAL_HOST_LIVE_STAMP_HPP
+#define HAL_HOST_LIVE_STAMP_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <sys/socket.h>
+
+namespace counterpoint::host
+{
+
+/// What the system told besides the bytes of a datagram.
+struct LiveArrival
+{
+    std::ptrdiff_t count{-1};  ///< Bytes; below 0: nothing came, `failure` says why.
+    int failure{0};            ///< errno.
+    int flags{0};              ///< MSG_CONFIRM, MSG_TRUNC and the like.
+    std::uint64_t time_ns{0U}; ///< CLOCK_MONOTONIC.
+    std::uint32_t dropped{0U}; ///< Datagrams dropped by the system since the socket was opened; 0: not told.
+};
+
+/// @brief Asks the system for stamps (nanoseconds) and counts of dropped datagrams with each datagram.
+void RequestStamps(int socket);
+/// @brief Reads one datagram without blocking.
+[[nodiscard]] LiveArrival ReadStamped(int socket, void* bytes, std::size_t room);
+/// @brief A stamp of the wall clock as one of the monotonic clock: what counts is its age, `wall_now_ns - stamp_ns`. An
+/// age below 0 or above ten seconds is one of a clock that was set meanwhile, and gives `monotonic_now_ns`.
+/// [SRS-LIVE-002]
+[[nodiscard]] std::uint64_t MonotonicStamp(std::uint64_t stamp_ns, std::uint64_t wall_now_ns,
+                                           std::uint64_t monotonic_now_ns);
+
+} // namespace counterpoint::host
+
+#endif

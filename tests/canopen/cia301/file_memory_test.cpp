@@ -1,0 +1,106 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "hal/host/file_parameter_memory.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+namespace counterpoint::host
+{
+namespace
+{
+
+using hal::MemoryBank;
+using hal::MemoryStatus;
+
+class FileMemoryTest : public ::testing::Test
+{
+  public:
+    FileMemoryTest() : path((std::filesystem::path(::testing::TempDir()) / "counterpoint_parameters.bin").string())
+    {
+        std::filesystem::remove(path);
+    }
+    ~FileMemoryTest() override
+    {
+        std::filesystem::remove(path);
+    }
+    /// What the constructor says about it; empty: nothing.
+    static std::string Refusal(const std::string& file, std::uint32_t bank_bytes)
+    {
+        std::string text{};
+        try
+        {
+            const FileParameterMemory memory{file, bank_bytes};
+        }
+        catch (const std::runtime_error& error)
+        {
+            text = error.what();
+        }
+        return text;
+    }
+
+    std::string path;
+};
+
+TEST_F(FileMemoryTest, BytesOutliveTheProgram)
+{
+    Verifies(req::SRS_STO_010);
+    Verifies(req::SRS_STO_013);
+    const std::array<std::uint8_t, 8> bytes{1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U};
+    std::array<std::uint8_t, 8> got{};
+    {
+        FileParameterMemory memory{path, 8192U};
+        EXPECT_EQ(memory.BankBytes(), 8192U);
+        EXPECT_TRUE(memory.Read({MemoryBank::kSecond, 8184U, 8U}, got.data()));
+        EXPECT_EQ(got, (std::array<std::uint8_t, 8>{255U, 255U, 255U, 255U, 255U, 255U, 255U, 255U}));
+        memory.Program({MemoryBank::kFirst, 16U, 8U}, bytes.data());
+        EXPECT_EQ(memory.Status(), MemoryStatus::kReady);
+        memory.Program({MemoryBank::kSecond, 8184U, 8U}, bytes.data());
+        EXPECT_EQ(memory.Status(), MemoryStatus::kReady);
+    }
+    EXPECT_EQ(std::filesystem::file_size(path), 16384U);
+    FileParameterMemory memory{path, 8192U};
+    EXPECT_TRUE(memory.Read({MemoryBank::kFirst, 16U, 8U}, got.data()));
+    EXPECT_EQ(got, bytes);
+    memory.Erase(MemoryBank::kFirst);
+    EXPECT_EQ(memory.Status(), MemoryStatus::kReady);
+    EXPECT_TRUE(memory.Read({MemoryBank::kFirst, 16U, 8U}, got.data()));
+    EXPECT_EQ(got[0], 0xFFU);
+    EXPECT_TRUE(memory.Read({MemoryBank::kSecond, 8184U, 8U}, got.data()));
+    EXPECT_EQ(got, bytes);
+}
+
+TEST_F(FileMemoryTest, WhatIsNoSectionFails)
+{
+    Verifies(req::SRS_STO_010);
+    FileParameterMemory memory{path, 64U};
+    std::array<std::uint8_t, 64> bytes{};
+    EXPECT_FALSE(memory.Read({MemoryBank::kFirst, 60U, 8U}, bytes.data()));
+    EXPECT_FALSE(memory.Read({MemoryBank::kInvalid, 0U, 8U}, bytes.data()));
+    EXPECT_TRUE(memory.Read({MemoryBank::kFirst, 56U, 8U}, bytes.data()));
+    for (const hal::MemorySection& wrong :
+         {hal::MemorySection{MemoryBank::kFirst, 4U, 8U}, hal::MemorySection{MemoryBank::kFirst, 0U, 7U},
+          hal::MemorySection{MemoryBank::kFirst, 64U, 8U}, hal::MemorySection{MemoryBank::kInvalid, 0U, 8U}})
+    {
+        memory.Program(wrong, bytes.data());
+        EXPECT_EQ(memory.Status(), MemoryStatus::kFailed);
+        memory.Program({MemoryBank::kFirst, 0U, 8U}, bytes.data());
+        EXPECT_EQ(memory.Status(), MemoryStatus::kReady);
+    }
+    memory.Erase(MemoryBank::kInvalid);
+    EXPECT_EQ(memory.Status(), MemoryStatus::kFailed);
+}
+
+TEST_F(FileMemoryTest, AFileThatIsNoneIsRefusedWithOneLine)
+{
+    Verifies(req::SRS_STO_013);
+    std::ofstream(path) << "0123456789";
+    EXPECT_EQ(Refusal(path, 64U), path + ": has 10 bytes, expected two banks of 64");
+    EXPECT_EQ(Refusal(path, 60U), path + ": a bank of 60 bytes, expected a multiple of 8 above 0");
+    EXPECT_EQ(Refusal("/", 64U), "/: cannot be opened for reading and writing: Is a directory");
+}
+
+} // namespace
+} // namespace counterpoint::host

@@ -1,0 +1,358 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia301/parameter_store.hpp"
+#include "tests/canopen/cia301/cut_memory.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <map>
+
+namespace counterpoint::cia301
+{
+namespace
+{
+
+using Octets = std::vector<std::uint8_t>;
+using Values = std::map<int, Octets>;
+
+/// Items by number, three of each group; the first byte of an item is its number.
+class ListPart final : public StoredPart
+{
+  public:
+    std::uint32_t ItemCount() noexcept override
+    {
+        return 100U; // Most of them are not stored.
+    }
+    StoredItem Item(std::uint32_t number, const Room& room) noexcept override
+    {
+        StoredItem item{SdoAbort::kNone, 0U, 0U};
+        const auto found = values.find(static_cast<int>(number));
+        if ((found != values.end()) && (found->second.size() < room.size_bytes))
+        {
+            item.abort = abort;
+            item.group = static_cast<std::uint8_t>(1U << (number % 3U));
+            item.size_bytes = static_cast<std::uint32_t>(1U + found->second.size());
+            room.data[0] = static_cast<std::uint8_t>(number);
+            std::copy(found->second.begin(), found->second.end(), &room.data[1]);
+        }
+        return item;
+    }
+    void BeginLoad(std::uint8_t) noexcept override
+    {
+        values = defaults;
+        ++loads;
+    }
+    bool LoadItem(const Bytes& item) noexcept override
+    {
+        values[item.data[0]] = Octets(&item.data[1], &item.data[item.size_bytes]);
+        return item.data[0] != 99U;
+    }
+    void EndLoad(std::uint8_t) noexcept override
+    {
+        ++loads;
+    }
+
+    Values values{};
+    Values defaults{};
+    SdoAbort abort{SdoAbort::kNone};
+    int loads{0};
+};
+
+constexpr StoreRequest kSaveAll{StoreAction::kSave, kAllGroups};
+
+class ParameterStoreTest : public ::testing::Test
+{
+  public:
+    explicit ParameterStoreTest(std::uint32_t bank_bytes = 512U) : memory(bank_bytes)
+    {
+    }
+    /// A store after power-on.
+    struct Started
+    {
+        explicit Started(ParameterStoreTest& test)
+            : store(StoreParts{test.memory, test.parts.data(), 1U, Room{test.scratch.data(), 64U}})
+        {
+            is_mounted = store.Mount();
+        }
+        /// Cycles until the request has an answer; kPending: it has none.
+        SdoAbort Finish(const StoreRequest& request)
+        {
+            SdoAbort answer = store.Ask(request);
+            for (int i = 0; (i < 500) && (answer == SdoAbort::kPending); ++i)
+            {
+                store.OnCycle();
+                answer = store.Ask(request);
+            }
+            return answer;
+        }
+        ParameterStore store;
+        bool is_mounted{false};
+    };
+    static Values SetOf(std::uint8_t fill)
+    {
+        Values values{};
+        for (const int number : {0, 1, 2, 30, 61, 92})
+        {
+            values[number] = Octets(static_cast<std::size_t>(3 + (number / 3)), fill);
+        }
+        return values;
+    }
+    SdoAbort Save(const Values& values, const StoreRequest& request = kSaveAll)
+    {
+        part.values = values;
+        return Started(*this).Finish(request);
+    }
+    Values LoadNow(std::uint8_t groups = kAllGroups)
+    {
+        part.values.clear();
+        Started started{*this};
+        report = started.store.Load(groups);
+        return part.values;
+    }
+
+    CutMemory memory;
+    ListPart part{};
+    std::array<StoredPart*, 1> parts{&part};
+    std::array<std::uint8_t, 64> scratch{};
+    LoadReport report{false, 0U, 0U};
+};
+
+TEST_F(ParameterStoreTest, WhatWasSavedIsLoaded)
+{
+    Verifies(req::SRS_STO_001);
+    Verifies(req::SRS_STO_007);
+    EXPECT_FALSE(Started(*this).is_mounted);
+    EXPECT_TRUE(LoadNow().empty());
+    EXPECT_FALSE(report.is_present);
+    EXPECT_EQ(part.loads, 0);
+    // The generations go on from bank to bank
+    for (std::uint8_t fill = 1U; fill <= 5U; ++fill)
+    {
+        EXPECT_EQ(Save(SetOf(fill)), SdoAbort::kNone);
+        EXPECT_EQ(LoadNow(), SetOf(fill));
+        EXPECT_EQ(report.loaded, 6U);
+    }
+    EXPECT_FALSE(memory.is_misused);
+    // Only the groups that are asked for
+    const Values some = LoadNow(kApplicationGroup);
+    EXPECT_EQ(some.size(), 2U);
+    EXPECT_EQ(some.count(1), 1U);
+    EXPECT_EQ(some.count(61), 1U);
+}
+
+TEST_F(ParameterStoreTest, TheCrcIsThatOfTheStandardsExample)
+{
+    Verifies(req::SRS_STO_001);
+    const std::uint8_t digits[9] = {'1', '2', '3', '4', '5', '6', '7', '8', '9'};
+    EXPECT_EQ(ContinueCrc32(0U, {digits, 9U}), 0xCBF43926U);
+    EXPECT_EQ(ContinueCrc32(ContinueCrc32(0U, {digits, 4U}), {&digits[4], 5U}), 0xCBF43926U);
+}
+
+TEST_F(ParameterStoreTest, EveryDamagedBitIsFound)
+{
+    Verifies(req::SRS_STO_001);
+    EXPECT_EQ(Save(SetOf(1U)), SdoAbort::kNone);
+    EXPECT_EQ(Save(SetOf(2U)), SdoAbort::kNone); // in the second bank
+    const std::uint32_t length = 24U + (6U * 5U) + (3U + 3U + 3U + 13U + 23U + 33U);
+    for (std::uint32_t at = 0U; at < (8U * length); ++at)
+    {
+        const bool is_unused = (at >= (8U * 20U)) && (at < (8U * 24U));
+        std::uint8_t& cell = memory.banks[1][at / 8U];
+        cell = static_cast<std::uint8_t>(cell ^ (1U << (at % 8U)));
+        ASSERT_EQ(LoadNow(), SetOf(is_unused ? 2U : 1U)) << at;
+        cell = static_cast<std::uint8_t>(cell ^ (1U << (at % 8U)));
+    }
+    EXPECT_EQ(LoadNow(), SetOf(2U));
+}
+
+TEST_F(ParameterStoreTest, TheLaterGenerationCountsAlsoBeyondItsEnd)
+{
+    Verifies(req::SRS_STO_001);
+    EXPECT_EQ(Save(SetOf(1U)), SdoAbort::kNone);
+    // Given a set with the last generation that there is
+    memory.banks[0][4] = 0xFFU;
+    memory.banks[0][5] = 0xFFU;
+    memory.banks[0][6] = 0xFFU;
+    memory.banks[0][7] = 0xFFU;
+    const std::uint32_t crc = ContinueCrc32(0U, {memory.banks[0].data(), 16U});
+    for (std::uint32_t i = 0U; i < 4U; ++i)
+    {
+        memory.banks[0][16U + i] = static_cast<std::uint8_t>((crc >> (8U * i)) & 0xFFU);
+    }
+    EXPECT_EQ(LoadNow(), SetOf(1U));
+    // When two more are saved, the later one counts
+    EXPECT_EQ(Save(SetOf(2U)), SdoAbort::kNone);
+    EXPECT_EQ(LoadNow(), SetOf(2U));
+    EXPECT_EQ(Save(SetOf(3U)), SdoAbort::kNone);
+    EXPECT_EQ(LoadNow(), SetOf(3U));
+}
+
+// Power fails at each byte of a store, with each of several values in the byte that was being changed.
+TEST_F(ParameterStoreTest, PowerLossAtAnyByteLeavesTheWholeOldSetOrTheWholeNewOne)
+{
+    Verifies(req::SRS_STO_002);
+    EXPECT_EQ(Save(SetOf(1U)), SdoAbort::kNone);
+    EXPECT_EQ(Save(SetOf(2U)), SdoAbort::kNone);
+    const auto before = memory.banks;
+    int old_ones = 0;
+    int new_ones = 0;
+    bool is_complete = false;
+    for (std::int64_t cut = 0; !is_complete; ++cut)
+    {
+        for (const std::uint8_t torn : Octets{0x00U, 0xFFU, 0x5AU, 0xA5U, 0x03U})
+        {
+            memory.banks = before;
+            memory.torn = torn;
+            memory.bytes_left = cut;
+            const SdoAbort answer = Save(SetOf(3U));
+            is_complete = !memory.is_off;
+            memory.PowerOn();
+            const Values loaded = LoadNow();
+            const bool is_new = (loaded == SetOf(3U));
+            ASSERT_TRUE(is_new || (loaded == SetOf(2U))) << cut;
+            ASSERT_TRUE(is_new || (answer != SdoAbort::kNone)) << cut;
+            old_ones += is_new ? 0 : 1;
+            new_ones += is_new ? 1 : 0;
+            // The next store succeeds, whatever is in the bank
+            ASSERT_EQ(Save(SetOf(4U)), SdoAbort::kNone) << cut;
+            ASSERT_EQ(LoadNow(), SetOf(4U)) << cut;
+            ASSERT_FALSE(memory.is_misused) << cut;
+        }
+    }
+    EXPECT_GT(old_ones, 5 * (512 + 130));
+    EXPECT_GE(new_ones, 5);
+}
+
+TEST_F(ParameterStoreTest, PowerLossWhileForgettingIsAsHarmless)
+{
+    Verifies(req::SRS_STO_002);
+    Verifies(req::SRS_STO_004);
+    EXPECT_EQ(Save(SetOf(1U)), SdoAbort::kNone);
+    const auto before = memory.banks;
+    const StoreRequest forget{StoreAction::kForget, kCommunicationGroup};
+    Values rest = SetOf(1U);
+    rest.erase(0);
+    rest.erase(30);
+    bool is_complete = false;
+    for (std::int64_t cut = 0; !is_complete; ++cut)
+    {
+        memory.banks = before;
+        memory.bytes_left = cut;
+        static_cast<void>(Started(*this).Finish(forget));
+        is_complete = !memory.is_off;
+        memory.PowerOn();
+        const Values loaded = LoadNow();
+        ASSERT_TRUE((loaded == SetOf(1U)) || (loaded == rest)) << cut;
+    }
+    EXPECT_EQ(LoadNow(), rest);
+}
+
+TEST_F(ParameterStoreTest, OtherGroupsStayAsTheyWereStored)
+{
+    Verifies(req::SRS_STO_003);
+    EXPECT_EQ(Save(SetOf(1U)), SdoAbort::kNone);
+    EXPECT_EQ(Save(SetOf(2U), {StoreAction::kSave, kApplicationGroup}), SdoAbort::kNone);
+    Values expected = SetOf(1U);
+    expected[1] = SetOf(2U)[1];
+    expected[61] = SetOf(2U)[61];
+    EXPECT_EQ(LoadNow(), expected);
+    // A group that was never stored stays away
+    EXPECT_EQ(Save({}, {StoreAction::kForget, kAllGroups}), SdoAbort::kNone);
+    EXPECT_TRUE(LoadNow().empty());
+    EXPECT_TRUE(report.is_present);
+    EXPECT_EQ(Save(SetOf(3U), {StoreAction::kSave, kManufacturerGroup}), SdoAbort::kNone);
+    EXPECT_EQ(LoadNow().size(), 2U);
+}
+
+TEST_F(ParameterStoreTest, FailuresAreToldAndLeaveTheOldSet)
+{
+    Verifies(req::SRS_STO_005);
+    EXPECT_EQ(Save(SetOf(1U)), SdoAbort::kNone);
+    // An item that cannot be read
+    part.abort = SdoAbort::kDeviceState;
+    EXPECT_EQ(Save(SetOf(2U)), SdoAbort::kDeviceState);
+    part.abort = SdoAbort::kNone;
+    // A memory that fails, and one that does not keep what it was given
+    memory.is_failed = true;
+    EXPECT_EQ(Save(SetOf(2U)), SdoAbort::kHardware);
+    memory.is_failed = false;
+    part.values = SetOf(2U);
+    Started started{*this};
+    EXPECT_EQ(started.store.Ask(kSaveAll), SdoAbort::kPending);
+    for (int i = 0; i < 20; ++i)
+    {
+        started.store.OnCycle();
+    }
+    memory.banks[1][30] ^= 1U;
+    EXPECT_EQ(started.Finish(kSaveAll), SdoAbort::kHardware);
+    // More than a bank
+    Values big{};
+    for (int number = 0; number < 9; ++number)
+    {
+        big[number] = Octets(58U, 1U);
+    }
+    EXPECT_EQ(Save(big), SdoAbort::kNotStored);
+    EXPECT_EQ(LoadNow(), SetOf(1U));
+    // 488 bytes fill the bank to its end: 7 items of 63 bytes and one of 47
+    big.erase(8);
+    big[7] = Octets(42U, 1U);
+    EXPECT_EQ(Save(big), SdoAbort::kNone);
+    EXPECT_EQ(LoadNow(), big);
+    EXPECT_FALSE(memory.is_misused);
+}
+
+TEST_F(ParameterStoreTest, OneRequestAtATimeAndAnAnswerThatNobodyFetchesIsForgotten)
+{
+    Verifies(req::SRS_STO_005);
+    part.values = SetOf(1U);
+    Started started{*this};
+    EXPECT_FALSE(started.store.IsBusy());
+    EXPECT_EQ(started.store.Ask(kSaveAll), SdoAbort::kPending);
+    EXPECT_TRUE(started.store.IsBusy());
+    EXPECT_EQ(started.store.Ask({StoreAction::kForget, kAllGroups}), SdoAbort::kLocalControl);
+    EXPECT_EQ(started.store.Ask({StoreAction::kSave, kLssGroup}), SdoAbort::kLocalControl);
+    while (started.store.IsBusy())
+    {
+        started.store.OnCycle();
+    }
+    started.store.OnCycle();
+    EXPECT_EQ(started.store.Ask({StoreAction::kSave, kLssGroup}), SdoAbort::kLocalControl);
+    started.store.OnCycle();
+    // The next one begins anew
+    part.values = SetOf(2U);
+    EXPECT_EQ(started.Finish(kSaveAll), SdoAbort::kNone);
+    EXPECT_EQ(LoadNow(), SetOf(2U));
+}
+
+TEST_F(ParameterStoreTest, NoStepIsLong)
+{
+    Verifies(req::SRS_STO_006);
+    part.values = SetOf(1U);
+    Started started{*this};
+    EXPECT_EQ(started.store.Ask(kSaveAll), SdoAbort::kPending);
+    int steps = 0;
+    std::int64_t greatest = 0;
+    while (started.store.IsBusy())
+    {
+        const std::int64_t before = memory.bytes_left;
+        started.store.OnCycle();
+        const std::int64_t written = before - memory.bytes_left;
+        greatest = ((written > greatest) && (written != 512)) ? written : greatest;
+        ++steps;
+    }
+    EXPECT_EQ(greatest, 64);
+    EXPECT_GT(steps, 12);
+}
+
+TEST_F(ParameterStoreTest, UnknownItemsAreCounted)
+{
+    Verifies(req::SRS_STO_007);
+    Values values = SetOf(1U);
+    values[99] = Octets{1U};
+    EXPECT_EQ(Save(values), SdoAbort::kNone);
+    static_cast<void>(LoadNow());
+    EXPECT_EQ(report.loaded, 6U);
+    EXPECT_EQ(report.refused, 1U);
+    EXPECT_EQ(part.loads, 2);
+}
+
+} // namespace
+} // namespace counterpoint::cia301

@@ -1,0 +1,151 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/canopen/cia301/service_rig.hpp"
+
+namespace counterpoint::cia301
+{
+namespace
+{
+
+using RpdoTest = ServiceRig;
+
+TEST_F(RpdoTest, EventDrivenValuesAreWrittenAtOnce)
+{
+    Verifies(req::SRS_PDO_020);
+    for (const std::uint8_t type : Octets{254U, 255U})
+    {
+        rpdos.Reset();
+        UseRpdo(type);
+        Hear({0x01U, 0x02U, type});
+        EXPECT_EQ(u8[0], 0x01U);
+        EXPECT_EQ(u16[0], 0x02U);
+        EXPECT_EQ(u16[1], type);
+    }
+    EXPECT_EQ(written, (std::vector<std::uint16_t>{1U, 1U}));
+    rpdos.OnFrame(FrameOf(0x206U, {9U, 9U, 9U}), Now());
+    rpdos.OnFrame(RemoteOf(0x205U), Now());
+    EXPECT_EQ(u8[0], 0x01U);
+    EXPECT_EQ(WritePdo(0x1400U, 1U, 0x80000205U), SdoAbort::kNone);
+    Hear({9U, 9U, 9U});
+    EXPECT_EQ(u8[0], 0x01U);
+}
+
+TEST_F(RpdoTest, OnlyInOperational)
+{
+    Verifies(req::SRS_PDO_008);
+    UseRpdo(1U);
+    Hear({1U, 2U, 3U});
+    Command(128U);
+    Cycle();
+    Hear({4U, 5U, 6U});
+    Command(1U);
+    Cycle();
+    Sync0();
+    EXPECT_EQ(u8[0], 0x11U); // what waited was forgotten
+    Command(2U);
+    Hear({4U, 5U, 6U});
+    Command(1U);
+    Sync0();
+    EXPECT_EQ(u8[0], 0x11U);
+}
+
+TEST_F(RpdoTest, SynchronousValuesWaitForSyncAndTheLastOnesCount)
+{
+    Verifies(req::SRS_PDO_021);
+    for (const std::uint8_t type : Octets{0U, 1U, 240U})
+    {
+        rpdos.Reset();
+        UseRpdo(type);
+        u8[0] = 0x11U;
+        Hear({1U, 2U, 3U});
+        Hear({2U, 2U, 3U});
+        EXPECT_EQ(u8[0], 0x11U);
+        Sync0();
+        EXPECT_EQ(u8[0], 2U);
+        u8[0] = 0x55U;
+        Sync0();
+        EXPECT_EQ(u8[0], 0x55U); // once
+    }
+    // Received values take effect before values are sampled
+    UseTpdo(1U);
+    Hear({0x42U, 2U, 3U});
+    Sync0();
+    EXPECT_EQ(sink.Next()[0], 0x42U);
+}
+
+TEST_F(RpdoTest, SynchronousPdosAfterTheWindowAreIgnored)
+{
+    Verifies(req::SRS_PDO_015);
+    EXPECT_EQ(Write(sync, 0x1007U, 0U, 500U), SdoAbort::kNone);
+    UseRpdo(1U);
+    Sync0();
+    now_us += 500U;
+    Hear({1U, 2U, 3U});
+    Sync0();
+    EXPECT_EQ(u8[0], 1U);
+    now_us += 501U;
+    Hear({2U, 2U, 3U});
+    Sync0();
+    EXPECT_EQ(u8[0], 1U);
+    // The window is none for event-driven ones
+    EXPECT_EQ(WritePdo(0x1400U, 2U, 254U), SdoAbort::kNone);
+    now_us += 501U;
+    Hear({2U, 2U, 3U});
+    EXPECT_EQ(u8[0], 2U);
+}
+
+TEST_F(RpdoTest, WrongLengthsAreToldOnce)
+{
+    Verifies(req::SRS_PDO_022);
+    UseRpdo(254U);
+    Hear({1U, 2U});
+    Hear({1U, 2U});
+    EXPECT_EQ(u8[0], 0x11U);
+    EXPECT_EQ(Emergency(), 0x8210U);
+    EXPECT_EQ(source, 1U);
+    EXPECT_EQ(Emergency(), 0xFFFFFFFFU);
+    Hear({3U, 2U, 1U, 0U});
+    EXPECT_EQ(u8[0], 3U);
+    EXPECT_EQ(Emergency(), 0x0000U);
+    EXPECT_EQ(Emergency(), 0x8220U);
+    Hear({4U, 2U, 1U});
+    EXPECT_EQ(u8[0], 4U);
+    EXPECT_EQ(Emergency(), 0x0000U);
+    EXPECT_EQ(Emergency(), 0xFFFFFFFFU);
+}
+
+// t [ms]    0      10         10.001
+// frame     R                 8250h        event time 10 ms
+TEST_F(RpdoTest, TheDeadlineLeavesOperational)
+{
+    Verifies(req::SRS_PDO_023);
+    Verifies(req::SRS_ERR_002);
+    EXPECT_EQ(WritePdo(0x1400U, 5U, 10U), SdoAbort::kNone);
+    UseRpdo(254U);
+    now_us += 50000U;
+    Cycle(); // nobody was there yet
+    EXPECT_EQ(Emergency(), 0xFFFFFFFFU);
+    Hear({1U, 2U, 3U});
+    now_us += 10000U;
+    Cycle();
+    EXPECT_EQ(Emergency(), 0xFFFFFFFFU);
+    now_us += 1U;
+    Cycle();
+    EXPECT_EQ(Emergency(), 0x8250U);
+    EXPECT_EQ(source, 1U);
+    EXPECT_EQ(slave.State(), NodeState::kPreOperational);
+    // Supervision begins anew with the next reception, which clears the error
+    Command(1U);
+    now_us += 50000U;
+    Cycle();
+    EXPECT_EQ(slave.State(), NodeState::kOperational);
+    Hear({1U, 2U, 3U});
+    EXPECT_EQ(Emergency(), 0x0000U);
+    EXPECT_EQ(Write(errors, 0x1029U, 1U, 1U), SdoAbort::kNone);
+    now_us += 10001U;
+    Cycle();
+    EXPECT_EQ(Emergency(), 0x8250U);
+    EXPECT_EQ(slave.State(), NodeState::kOperational);
+}
+
+} // namespace
+} // namespace counterpoint::cia301

@@ -1,0 +1,261 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia301/sdo_server_port.hpp"
+#include "canopen/cia301/stored_parts.hpp"
+#include "tests/canopen/cia301/cut_memory.hpp"
+#include "tests/canopen/cia301/service_rig.hpp"
+#include "tests/safety_core/kernel/rig.hpp"
+
+namespace counterpoint::cia301
+{
+namespace
+{
+
+/// The device of ServiceRig with its PDO objects and 1010h, 1011h in a dictionary of their own, behind an SDO server.
+class StoredPartsTest : public ServiceRig
+{
+  public:
+    StoredPartsTest()
+    {
+        Add(0x1010U, 1U, 4U, store_objects, 0U);
+        Add(0x1010U, 3U, 4U, store_objects, 0U);
+        Add(0x1011U, 1U, 4U, store_objects, 0U);
+        Add(0x1011U, 4U, 4U, store_objects, 0U);
+        Add(0x1800U, 1U, 4U, objects, kStored);
+        Add(0x1800U, 2U, 1U, objects, kStored);
+        Add(0x1A00U, 0U, 1U, objects, kStored);
+        Add(0x1A00U, 1U, 4U, objects, kStored);
+        table[count++] = {0x2200U,
+                          0U,
+                          DataType::kUnsigned16,
+                          Access::kReadWrite,
+                          kInBoth,
+                          kInBoth,
+                          2U,
+                          manufacturer.data(),
+                          nullptr,
+                          nullptr,
+                          nullptr,
+                          nullptr,
+                          kStored};
+        table[count++] = {0x6000U,
+                          0U,
+                          DataType::kUnsigned8,
+                          Access::kReadWrite,
+                          kInBoth,
+                          kInBoth,
+                          1U,
+                          application.data(),
+                          nullptr,
+                          nullptr,
+                          nullptr,
+                          nullptr,
+                          kStored};
+        stored_dictionary.SetNmtState(NmtState::kPreOperational);
+        Command(128U);
+    }
+    void Add(std::uint16_t index, std::uint8_t sub, std::uint32_t size, NumberHook& hook, std::uint8_t uses)
+    {
+        table[count++] = {index,
+                          sub,
+                          DataType::kUnsigned32,
+                          Access::kReadWrite,
+                          kInBoth,
+                          kInPreOperational,
+                          size,
+                          nullptr,
+                          nullptr,
+                          nullptr,
+                          &hook,
+                          &hook,
+                          uses};
+    }
+    /// Expedited download by SDO; the code of the answer after so many cycles, FFFFFFFFh: there is none.
+    std::uint32_t Download(const Octets& request, int cycles = 300)
+    {
+        CanFrame frame{0x605U, FrameKind::kData, CanPortId::kFirst, 8U, {}};
+        std::copy(request.begin(), request.end(), frame.data);
+        port.OnFrame(frame, Now());
+        for (int i = 0; i < cycles; ++i)
+        {
+            now_us += 1000U;
+            store.OnCycle();
+            port.OnCycle(Now());
+        }
+        const Octets answer = sink.Next();
+        std::uint32_t code = 0xFFFFFFFFU;
+        if (!answer.empty())
+        {
+            code = (answer[0] == 0x60U) ? 0U : (answer[4] | (answer[5] << 8U) | (answer[6] << 16U));
+            code |= (answer[0] == 0x60U) ? 0U : (static_cast<std::uint32_t>(answer[7]) << 24U);
+        }
+        return code;
+    }
+    void Restart()
+    {
+        manufacturer = {0U, 0U};
+        application = {0U};
+        tpdos.Reset();
+        EXPECT_TRUE(store.Mount());
+        report = store.Load(kAllGroups);
+    }
+
+    std::array<std::uint8_t, 2> manufacturer{0x34U, 0x12U};
+    std::array<std::uint8_t, 1> application{0x77U};
+    std::array<Entry, 12> table{};
+    std::uint32_t count{0U};
+    std::array<std::uint8_t, 64> scratch{};
+    std::array<std::uint8_t, 16> buffer{};
+    LoadReport report{false, 0U, 0U};
+    CutMemory memory{512U};
+    Dictionary stored_dictionary{EntryTable{table.data(), 10U}, foreign};
+    StoredEntries stored_entries{EntryTable{table.data(), 10U}, stored_dictionary, tpdos, rpdos};
+    std::array<StoredPart*, 1> parts{&stored_entries};
+    ParameterStore store{StoreParts{memory, parts.data(), 1U, Room{scratch.data(), 64U}}};
+    StoreObjects store_objects{store};
+    SdoServer server{SdoServerParts{stored_dictionary, Room{buffer.data(), 16U}, 5000U, 127U}};
+    SdoServerPort port{server, sink, NodeId{5U}};
+};
+
+const Octets kSaveAllRequest{0x23U, 0x10U, 0x10U, 1U, 's', 'a', 'v', 'e'};
+
+TEST_F(StoredPartsTest, SaveIsAnsweredWhenItIsDoneAndDoesNotTimeOut)
+{
+    Verifies(req::SRS_STO_003);
+    Verifies(req::SRS_STO_005);
+    Verifies(req::SRS_STO_006);
+    Verifies(req::SRS_SDO_017);
+    Verifies(req::SRS_OBD_015);
+    memory.busy_for = 8; // longer than the server's time-out of 5 cycles
+    EXPECT_EQ(Download(kSaveAllRequest, 12), 0xFFFFFFFFU);
+    EXPECT_TRUE(server.IsBusy());
+    Octets answer{};
+    for (int i = 0; (i < 300) && answer.empty(); ++i)
+    {
+        now_us += 1000U;
+        store.OnCycle();
+        port.OnCycle(Now());
+        answer = sink.Next();
+    }
+    EXPECT_EQ(answer, (Octets{0x60U, 0x10U, 0x10U, 1U, 0U, 0U, 0U, 0U}));
+    EXPECT_FALSE(server.IsBusy());
+    // An abort of the client ends the waiting; the store goes on
+    EXPECT_EQ(Download(kSaveAllRequest, 3), 0xFFFFFFFFU);
+    EXPECT_EQ(Download({0x80U, 0x10U, 0x10U, 1U}, 3), 0xFFFFFFFFU);
+    EXPECT_FALSE(server.IsBusy());
+    EXPECT_TRUE(store.IsBusy());
+}
+
+TEST_F(StoredPartsTest, SignaturesAndSubIndices)
+{
+    Verifies(req::SRS_STO_003);
+    Verifies(req::SRS_STO_004);
+    EXPECT_EQ(Read(store_objects, 0x1010U, 0U), 0x100000004U);
+    EXPECT_EQ(Read(store_objects, 0x1011U, 0U), 0x100000004U);
+    EXPECT_EQ(Read(store_objects, 0x1010U, 4U), 0x400000001U);
+    EXPECT_EQ(Read(store_objects, 0x1011U, 1U), 0x400000001U);
+    EXPECT_EQ(Write(store_objects, 0x1010U, 5U, 0x65766173U), SdoAbort::kSubUnknown);
+    EXPECT_EQ(Write(store_objects, 0x1010U, 0U, 4U), SdoAbort::kReadOnly);
+    EXPECT_EQ(Write(store_objects, 0x1012U, 1U, 4U), SdoAbort::kObjectUnknown);
+    EXPECT_EQ(Download({0x23U, 0x10U, 0x10U, 1U, 'l', 'o', 'a', 'd'}), 0x08000020U);
+    EXPECT_EQ(Download({0x23U, 0x11U, 0x10U, 1U, 's', 'a', 'v', 'e'}), 0x08000020U);
+    EXPECT_EQ(Download({0x23U, 0x10U, 0x10U, 1U, 'S', 'A', 'V', 'E'}), 0x08000020U);
+    EXPECT_FALSE(memory.is_misused);
+    EXPECT_EQ(memory.bytes_left, CutMemory::kEndless);
+}
+
+TEST_F(StoredPartsTest, InOperationalNothingIsStored)
+{
+    Verifies(req::SRS_STO_008);
+    Command(1U);
+    stored_dictionary.SetNmtState(NmtState::kOperational);
+    EXPECT_EQ(Download(kSaveAllRequest), 0x08000022U);
+    EXPECT_EQ(Download({0x23U, 0x11U, 0x10U, 1U, 'l', 'o', 'a', 'd'}), 0x08000022U);
+}
+
+TEST_F(StoredPartsTest, EntriesComeBackAndPdosWork)
+{
+    Verifies(req::SRS_STO_011);
+    Verifies(req::SRS_PDO_007);
+    EXPECT_EQ(WritePdo(0x1A00U, 1U, 0x21000008U), SdoAbort::kNone);
+    EXPECT_EQ(WritePdo(0x1A00U, 0U, 1U), SdoAbort::kNone);
+    EXPECT_EQ(WritePdo(0x1800U, 2U, 1U), SdoAbort::kNone);
+    EXPECT_EQ(WritePdo(0x1800U, 1U, 0x185U), SdoAbort::kNone);
+    EXPECT_EQ(Download(kSaveAllRequest), 0U);
+    Restart();
+    EXPECT_EQ(report.loaded, 6U);
+    EXPECT_EQ(report.refused, 0U);
+    EXPECT_EQ(manufacturer[1], 0x12U);
+    EXPECT_EQ(application[0], 0x77U);
+    EXPECT_EQ(Read(objects, 0x1800U, 1U), 0x400000185U);
+    Command(1U);
+    Sync0();
+    EXPECT_EQ(sink.Next(), (Octets{0x11U}));
+    // The application's group alone, then the manufacturer's defaults
+    Command(128U);
+    manufacturer = {9U, 9U};
+    application = {9U};
+    EXPECT_EQ(Download({0x23U, 0x10U, 0x10U, 3U, 's', 'a', 'v', 'e'}), 0U);
+    Restart();
+    EXPECT_EQ(manufacturer[1], 0x12U);
+    EXPECT_EQ(application[0], 9U);
+    EXPECT_EQ(Download({0x23U, 0x11U, 0x10U, 4U, 'l', 'o', 'a', 'd'}), 0U);
+    EXPECT_EQ(manufacturer[1], 0x12U); // until the reset
+    Restart();
+    EXPECT_EQ(manufacturer[1], 0U);
+    EXPECT_EQ(application[0], 9U);
+    EXPECT_EQ(Download({0x23U, 0x11U, 0x10U, 1U, 'l', 'o', 'a', 'd'}), 0U);
+    Restart();
+    EXPECT_EQ(report.loaded, 0U);
+    EXPECT_EQ(Read(objects, 0x1800U, 1U), 0x4C0000000U);
+}
+
+TEST_F(StoredPartsTest, AnEntryThatIsGoneOrRefusesIsCounted)
+{
+    Verifies(req::SRS_STO_007);
+    EXPECT_EQ(Download(kSaveAllRequest), 0U);
+    table[8].index = 0x2201U; // 2200h is gone
+    table[9].size_bytes = 2U; // 6000h has another length
+    Restart();
+    EXPECT_EQ(report.loaded, 4U);
+    EXPECT_EQ(report.refused, 2U);
+}
+
+class StoredSafetyTest : public Rig
+{
+};
+
+TEST_F(StoredSafetyTest, TheKernelsConfigurationComesBackValid)
+{
+    Verifies(req::SRS_STO_012);
+    // Given a kernel with a valid configuration that is stored
+    Configure();
+    std::array<std::uint8_t, 64> scratch{};
+    CutMemory memory{8192U};
+    StoredSafety safety{kernel};
+    std::array<StoredPart*, 1> parts{&safety};
+    ParameterStore store{StoreParts{memory, parts.data(), 1U, Room{scratch.data(), 64U}}};
+    EXPECT_EQ(store.Ask({StoreAction::kSave, kAllGroups}), SdoAbort::kPending);
+    for (int i = 0; (i < 3000) && store.IsBusy(); ++i)
+    {
+        store.OnCycle();
+    }
+    EXPECT_EQ(store.Ask({StoreAction::kSave, kAllGroups}), SdoAbort::kNone);
+    // When it is changed, and loaded again
+    EXPECT_EQ(kernel.RestoreDefaults(), Result::kSuccessful);
+    EXPECT_NE(Read(0x13FEU, 0U), 0xA5U);
+    const LoadReport report = store.Load(kCommunicationGroup);
+    // Then the kernel declares it valid
+    EXPECT_EQ(report.refused, 0U);
+    EXPECT_GT(report.loaded, 3U);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+    // A set of another device leaves the power-on configuration
+    const std::uint8_t foreign[10] = {0U, 1U, 0U, 0U, 0U, 9U, 9U, 9U, 9U, 0xA5U};
+    safety.BeginLoad(kAllGroups);
+    EXPECT_TRUE(safety.LoadItem({foreign, 10U}));
+    EXPECT_FALSE(safety.LoadItem({foreign, 4U}));
+    safety.EndLoad(kAllGroups);
+    EXPECT_NE(Read(0x13FEU, 0U), 0xA5U);
+}
+
+} // namespace
+} // namespace counterpoint::cia301

@@ -1,0 +1,299 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/canopen/device/device_rig.hpp"
+
+namespace counterpoint::device
+{
+namespace
+{
+
+using cia301::NodeState;
+using Codes = std::vector<unsigned>;
+
+class DeviceServicesTest : public DeviceRig
+{
+};
+
+TEST_F(DeviceServicesTest, ServicesWorkInTheStatesOfTheTable)
+{
+    Verifies(req::SRS_DEV_010);
+    stored_heartbeat_ms = 5U;
+    Start();
+    Cycles(12U);
+    EXPECT_GE(Sent(0x702U).size(), 3U);
+    EXPECT_EQ(Upload(0x1000U, 0U), 0x11223344U);
+    EXPECT_TRUE(Sent(0x103U).empty());
+    Command(1U);
+    Forget();
+    Cycles(40U);
+    EXPECT_EQ(Upload(0x1000U, 0U), 0x11223344U);
+    // In STOPPED there is the heartbeat, and neither SDO nor SRDO nor emergency
+    Command(2U);
+    Cycle();
+    Forget();
+    EXPECT_EQ(Upload(0x1000U, 0U), 0xFFFFFFFFU);
+    core.DemandSafeState();
+    Cycles(40U);
+    EXPECT_GE(Sent(0x702U).size(), 7U);
+    EXPECT_EQ(Sent(0x702U)[0], (Octets{4U}));
+    EXPECT_TRUE(Sent(0x103U).empty());
+    EXPECT_TRUE(Emergencies().empty());
+    // What waited comes when it is left
+    Command(128U);
+    Cycles(2U);
+    EXPECT_EQ(Emergencies(), (Codes{0x6200U}));
+}
+
+TEST_F(DeviceServicesTest, AnOpenTransferIsAbortedByStop)
+{
+    Verifies(req::SRS_DEV_011);
+    Start();
+    Frame(0x602U, {0x21U, 0x00U, 0x25U, 0U, 4U, 0U, 0U, 0U});
+    device.Serve(Instant{now_us});
+    ConfirmAll();
+    Forget();
+    Command(2U);
+    Cycle();
+    ASSERT_EQ(Sent(0x582U).size(), 1U);
+    EXPECT_EQ(Sent(0x582U)[0], (Octets{0x80U, 0x00U, 0x25U, 0U, 0x22U, 0x00U, 0x00U, 0x08U}));
+}
+
+TEST_F(DeviceServicesTest, AResetEndsATransferWithoutAWord)
+{
+    Verifies(req::SRS_DEV_004);
+    Start();
+    Frame(0x602U, {0x21U, 0x00U, 0x25U, 0U, 4U, 0U, 0U, 0U});
+    device.Serve(Instant{now_us});
+    ConfirmAll();
+    Forget();
+    Command(130U);
+    Cycle();
+    EXPECT_TRUE(Sent(0x582U).empty());
+    EXPECT_EQ(Sent(0x702U), (std::vector<Octets>{{0U}}));
+    EXPECT_EQ(Upload(0x1000U, 0U), 0x11223344U);
+}
+
+TEST_F(DeviceServicesTest, EachLostNodeIsAnErrorOfItsOwn)
+{
+    Verifies(req::SRS_DEV_012);
+    Run();
+    EXPECT_EQ(Download(0x1016U, 1U, 0x0005000AU, 4U), 0U); // Node 5, 10 ms.
+    EXPECT_EQ(Download(0x1016U, 2U, 0x0006000AU, 4U), 0U);
+    Frame(0x705U, {5U});
+    Frame(0x706U, {5U});
+    Cycles(5U);
+    Forget();
+    Frame(0x706U, {5U});
+    Cycles(8U);
+    EXPECT_EQ(Emergencies(), (Codes{0x8130U}));
+    EXPECT_EQ(device.State(), NodeState::kPreOperational);
+    Cycles(8U);
+    EXPECT_EQ(Emergencies(), (Codes{0x8130U, 0x8130U}));
+    // When one returns, the other is still lost
+    Frame(0x705U, {0U});
+    Cycles(2U);
+    EXPECT_EQ(Upload(0x1001U, 0U) & 0xFFU, 0x11U);
+    Frame(0x706U, {127U});
+    Cycles(2U);
+    EXPECT_EQ(Upload(0x1001U, 0U) & 0xFFU, 0U);
+}
+
+TEST_F(DeviceServicesTest, TheReactionToALostNodeIs1029s)
+{
+    Verifies(req::SRS_DEV_012);
+    Run();
+    EXPECT_EQ(Download(0x1029U, 1U, 1U, 1U), 0U);
+    EXPECT_EQ(Download(0x1016U, 1U, 0x0005000AU, 4U), 0U);
+    Frame(0x705U, {5U});
+    Cycles(15U);
+    EXPECT_EQ(device.State(), NodeState::kOperational);
+    EXPECT_EQ(Download(0x1029U, 1U, 2U, 1U), 0U);
+    Frame(0x705U, {5U});
+    Cycles(15U);
+    EXPECT_EQ(device.State(), NodeState::kStopped);
+    // The consumer works in STOPPED, too: nothing more happens, and nothing is forgotten
+    Frame(0x705U, {5U});
+    Command(128U);
+    Forget();
+    Cycles(2U);
+    EXPECT_EQ(Emergencies(), (Codes{0U}));
+}
+
+TEST_F(DeviceServicesTest, ALostMasterIsToldAndItsReturn)
+{
+    Verifies(req::SRS_DEV_012);
+    Start();
+    EXPECT_EQ(Download(0x100CU, 0U, 5U, 2U), 0U);
+    EXPECT_EQ(Download(0x100DU, 0U, 2U, 1U), 0U);
+    Forget();
+    Remote(0x702U);
+    Cycles(15U);
+    EXPECT_EQ(Sent(0x702U), (std::vector<Octets>{{127U}}));
+    EXPECT_EQ(Emergencies(), (Codes{0x8130U}));
+    Remote(0x702U);
+    Cycles(2U);
+    EXPECT_EQ(Emergencies(), (Codes{0x8130U, 0U}));
+}
+
+TEST_F(DeviceServicesTest, SrdoErrorsAreEmergenciesUntilTheNextGoodPair)
+{
+    Verifies(req::SRS_DEV_013);
+    Run();
+    Pair();
+    Cycle();
+    Forget();
+    // When a frame is too short
+    Frame(0x101U, {0x12U});
+    Cycles(2U);
+    ASSERT_EQ(Sent(0x82U).size(), 1U);
+    EXPECT_EQ(Sent(0x82U)[0], (Octets{0x10U, 0x82U, 0x11U, 1U, 1U, 0U, 0U, 0U}));
+    // and then the inverse frame comes first: an error of another kind
+    Frame(0x102U, {0xEDU, 0xCBU});
+    Cycles(2U);
+    ASSERT_EQ(Sent(0x82U).size(), 2U);
+    EXPECT_EQ(Sent(0x82U)[1], (Octets{0x50U, 0x82U, 0x11U, 1U, 2U, 0U, 0U, 0U}));
+    // Then a good pair ends both
+    Pair();
+    Cycles(3U);
+    EXPECT_EQ(Emergencies(), (Codes{0x8210U, 0x8250U, 0U, 0U}));
+    EXPECT_EQ(Upload(0x1001U, 0U) & 0xFFU, 0U);
+}
+
+TEST_F(DeviceServicesTest, GfcAndLeavingAreNoErrors)
+{
+    Verifies(req::SRS_DEV_013);
+    Run();
+    Pair();
+    Cycle();
+    Forget();
+    Frame(0x001U, {});
+    Cycles(2U);
+    EXPECT_EQ(application.gfcs, 1);
+    Pair();
+    Cycle();
+    Frame(0x101U, {0x12U});
+    Cycles(2U);
+    EXPECT_EQ(Emergencies(), (Codes{0x8210U}));
+    // OPERATIONAL is left: SRDOs have no errors any more
+    Command(128U);
+    Cycles(3U);
+    EXPECT_EQ(Emergencies(), (Codes{0x8210U, 0U}));
+}
+
+TEST_F(DeviceServicesTest, ATransmissionThatFailsIsTold)
+{
+    Verifies(req::SRS_DEV_013);
+    Run();
+    Cycles(10U);
+    Forget();
+    ports.answer = hal::TransmitStatus::kBusOff;
+    Cycles(30U);
+    ports.answer = hal::TransmitStatus::kAccepted;
+    Cycles(40U);
+    EXPECT_EQ(Emergencies(), (Codes{0x8100U, 0U}));
+}
+
+TEST_F(DeviceServicesTest, OperationalWithoutAConfigurationIs6300)
+{
+    Verifies(req::SRS_DEV_014);
+    is_configured = false;
+    Run();
+    Cycles(40U);
+    ASSERT_EQ(Sent(0x82U).size(), 1U);
+    EXPECT_EQ(Sent(0x82U)[0], (Octets{0x00U, 0x63U, 0x81U, 0U, 0U, 0U, 0U, 0U}));
+    EXPECT_TRUE(Sent(0x103U).empty());
+    // It ends with OPERATIONAL
+    Command(128U);
+    Cycles(2U);
+    EXPECT_EQ(Emergencies(), (Codes{0x6300U, 0U}));
+    // and does not come with a valid configuration
+    EXPECT_EQ(Download(0x13FEU, 0U, 0xA5U, 1U), 0U);
+    Forget();
+    Command(1U);
+    Cycles(2U);
+    EXPECT_TRUE(Emergencies().empty());
+}
+
+TEST_F(DeviceServicesTest, BusOffEmptiesAndReacts)
+{
+    Verifies(req::SRS_DEV_016);
+    Run();
+    device.OnBus(BusCondition::kPassive);
+    Cycles(2U);
+    EXPECT_EQ(Emergencies(), (Codes{0x8120U}));
+    device.OnBus(BusCondition::kActive);
+    Cycles(2U);
+    EXPECT_EQ(Emergencies(), (Codes{0x8120U, 0U}));
+    Forget();
+    ports.answer = hal::TransmitStatus::kBusOff;
+    Frame(0x602U, {0x40U, 0x00U, 0x10U, 0U, 0U, 0U, 0U, 0U});
+    device.OnBus(BusCondition::kOff);
+    Cycles(3U);
+    EXPECT_EQ(device.State(), NodeState::kPreOperational);
+    device.OnBus(BusCondition::kOff);
+    ports.answer = hal::TransmitStatus::kAccepted;
+    device.OnBus(BusCondition::kActive);
+    Cycles(3U);
+    EXPECT_EQ(Emergencies(), (Codes{0x8140U, 0U}));
+}
+
+TEST_F(DeviceServicesTest, LostFramesOfServicesAreTold)
+{
+    Verifies(req::SRS_DEV_016);
+    Start();
+    Forget();
+    for (int count = 0; count < 17; ++count)
+    {
+        Frame(0x705U, {5U});
+    }
+    Cycles(3U);
+    EXPECT_EQ(Emergencies(), (Codes{0x8110U, 0U}));
+}
+
+TEST_F(DeviceServicesTest, AnotherNodeWithOurIdentifierIsTold)
+{
+    Verifies(req::SRS_DEV_016);
+    Start();
+    Forget();
+    Frame(0x702U, {5U});
+    Cycles(2U);
+    EXPECT_EQ(Emergencies(), (Codes{0x8150U}));
+    Frame(0x582U, {0x60U, 0U, 0U, 0U, 0U, 0U, 0U, 0U});
+    Cycles(2U);
+    EXPECT_EQ(Emergencies(), (Codes{0x8150U, 0x8150U}));
+}
+
+TEST_F(DeviceServicesTest, TheSafetyConfigurationProcedureWorksOverSdo)
+{
+    Verifies(req::SRS_DEV_017);
+    Start();
+    const std::uint32_t signature = Upload(0x13FFU, 1U);
+    // Given another SCT, the configuration is no longer valid and its signature wrong
+    EXPECT_EQ(Download(0x1301U, 2U, 60U, 2U), 0U);
+    EXPECT_EQ(Upload(0x13FEU, 0U) & 0xFFU, 0U);
+    EXPECT_EQ(Download(0x13FEU, 0U, 0xA5U, 1U), 0x06040043U);
+    // The old value and its signature are valid again
+    EXPECT_EQ(Download(0x1301U, 2U, 50U, 2U), 0U);
+    EXPECT_EQ(Upload(0x13FFU, 1U), signature);
+    EXPECT_EQ(Download(0x13FEU, 0U, 0xA5U, 1U), 0U);
+    EXPECT_EQ(Upload(0x13FEU, 0U) & 0xFFU, 0xA5U);
+    // In OPERATIONAL nothing of it can be written, identical or not
+    Command(1U);
+    Cycle();
+    EXPECT_EQ(Download(0x1301U, 2U, 50U, 2U), 0x08000022U);
+    EXPECT_EQ(Download(0x13FEU, 0U, 0xA5U, 1U), 0x08000022U);
+    EXPECT_EQ(Download(0x1300U, 0U, 1U, 1U), 0U);
+}
+
+TEST_F(DeviceServicesTest, AMappingThatNamesAnOwnObjectIsNotMappable)
+{
+    Verifies(req::SRS_DEV_017);
+    Start();
+    EXPECT_EQ(Download(0x1301U, 1U, 0U, 1U), 0U);
+    EXPECT_EQ(Download(0x1381U, 0U, 0U, 1U), 0U);
+    EXPECT_EQ(Download(0x1381U, 1U, 0x25000020U, 4U), 0x06040041U);
+    EXPECT_EQ(Download(0x1381U, 1U, 0x25010020U, 4U), 0x06020000U);
+    EXPECT_EQ(Download(0x1381U, 1U, 0x22000110U, 4U), 0U);
+}
+
+} // namespace
+} // namespace counterpoint::device

@@ -1,0 +1,256 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/canopen/device/device_rig.hpp"
+
+namespace counterpoint::device
+{
+namespace
+{
+
+using cia301::NodeState;
+
+class DeviceTest : public DeviceRig
+{
+};
+
+TEST_F(DeviceTest, BootsUpAndWaitsForTheStart)
+{
+    Verifies(req::SRS_DEV_002);
+    stored_heartbeat_ms = 10U;
+    Start();
+    EXPECT_EQ(device.State(), NodeState::kPreOperational);
+    EXPECT_EQ(node_resets, 1);
+    EXPECT_EQ(communication_resets, 1);
+    Cycle();
+    // Boot-up first, then the heartbeat
+    EXPECT_EQ(Sent(0x702U), (std::vector<Octets>{{0U}, {127U}}));
+}
+
+TEST_F(DeviceTest, StartsItselfWhere1F80Says)
+{
+    Verifies(req::SRS_DEV_002);
+    start_up = {0x00U, 0U, 0U, 0U};
+    Start();
+    EXPECT_EQ(device.State(), NodeState::kOperational);
+    EXPECT_EQ(core.GetState(CommunicationIndex{0x1301U}).state, SrdoState::kOff);
+    Cycle();
+    EXPECT_EQ(core.GetState(CommunicationIndex{0x1301U}).state, SrdoState::kWaiting);
+    EXPECT_EQ(Sent(0x702U), (std::vector<Octets>{{0U}}));
+}
+
+TEST_F(DeviceTest, WithoutAKernelItSaysNothing)
+{
+    Verifies(req::SRS_DEV_002);
+    node_answer = LoadResult::kFailed;
+    EXPECT_EQ(device.PowerOn(Instant{now_us}), LoadResult::kFailed);
+    Command(1U);
+    Cycles(10U);
+    EXPECT_TRUE(ports.sent.empty());
+    EXPECT_EQ(node_resets, 1);
+}
+
+TEST_F(DeviceTest, ATooSmallSafetyQueueIsRefused)
+{
+    Verifies(req::SRS_DEV_007);
+    Device small{DeviceParts{core, watch, dictionary, services, *this, FrameRoom{safety_frames.data(), 7U},
+                             FrameRoom{service_frames.data(), 16U}, 3U}};
+    EXPECT_EQ(small.PowerOn(Instant{now_us}), LoadResult::kFailed);
+    EXPECT_EQ(node_resets, 0);
+}
+
+TEST_F(DeviceTest, ResetNodeLeadsOutOfTheSafeStateResetCommunicationDoesNot)
+{
+    Verifies(req::SRS_DEV_003);
+    Verifies(req::SRS_DEV_004);
+    Verifies(req::SRS_DEV_015);
+    Run();
+    core.DemandSafeState();
+    Forget();
+    Cycles(2U);
+    // Then the network is told: 6200h, source 0, fault 10
+    ASSERT_EQ(Sent(0x82U).size(), 1U);
+    EXPECT_EQ(Sent(0x82U)[0], (Octets{0x00U, 0x62U, 0x81U, 0x00U, 0x0AU, 0x00U, 0x00U, 0x00U}));
+    // When communication is reset, the fault and its emergency stay
+    Command(130U);
+    Cycle();
+    EXPECT_EQ(core.DeviceState().fault, DeviceFault::kApplication);
+    EXPECT_EQ(Upload(0x1001U, 0U) & 0xFFU, 0x81U);
+    EXPECT_EQ(communication_resets, 2);
+    EXPECT_EQ(node_resets, 1);
+    // When the node is reset, both are gone
+    Forget();
+    Command(129U);
+    Cycles(2U);
+    EXPECT_EQ(core.DeviceState().fault, DeviceFault::kNone);
+    EXPECT_EQ(Upload(0x1001U, 0U) & 0xFFU, 0U);
+    EXPECT_EQ(node_resets, 2);
+}
+
+TEST_F(DeviceTest, ResetCommunicationBringsBackStoredValues)
+{
+    Verifies(req::SRS_DEV_004);
+    Start();
+    EXPECT_EQ(Download(0x1017U, 0U, 777U, 2U), 0U);
+    EXPECT_EQ(Download(0x1016U, 1U, 0x00050064U, 4U), 0U);
+    EXPECT_EQ(Download(0x100CU, 0U, 100U, 2U), 0U);
+    EXPECT_EQ(Download(0x1029U, 1U, 2U, 1U), 0U);
+    EXPECT_EQ(Download(0x1014U, 0U, 0x80000082U, 4U), 0U);
+    start_up[0] = 0U; // And 1F80h is read again: the device starts itself.
+    Command(130U);
+    Cycle();
+    EXPECT_EQ(device.State(), NodeState::kOperational);
+    EXPECT_EQ(Upload(0x1017U, 0U), 0U);
+    EXPECT_EQ(Upload(0x1016U, 1U), 0U);
+    EXPECT_EQ(Upload(0x100CU, 0U), 0U);
+    EXPECT_EQ(Upload(0x1029U, 1U), 0U);
+    EXPECT_EQ(Upload(0x1014U, 0U), 0x82U);
+}
+
+TEST_F(DeviceTest, AllCommandsOfACycleAreCarriedOutInOrder)
+{
+    Verifies(req::SRS_DEV_005);
+    Start();
+    Forget();
+    // When traffic fills the queue of services and eight commands come in one cycle
+    for (int count = 0; count < 100; ++count)
+    {
+        Frame(0x080U, {});
+    }
+    for (const int command : {1, 130, 1, 2, 129, 1, 128, 1})
+    {
+        Command(static_cast<std::uint8_t>(command));
+    }
+    Cycle();
+    // Then both resets were carried out, and the last command holds
+    EXPECT_EQ(Sent(0x702U).size(), 2U);
+    EXPECT_EQ(communication_resets, 3);
+    EXPECT_EQ(device.State(), NodeState::kOperational);
+}
+
+TEST_F(DeviceTest, WhatIsNoCommandIsIgnored)
+{
+    Verifies(req::SRS_DEV_005);
+    Start();
+    Frame(0U, {1U});
+    Frame(0U, {1U, 2U, 0U});
+    Frame(0U, {});
+    Frame(0U, {77U, 2U});
+    Command(1U, 3U);
+    Cycle();
+    EXPECT_EQ(device.State(), NodeState::kPreOperational);
+    Command(1U, 0U);
+    Cycle();
+    EXPECT_EQ(device.State(), NodeState::kOperational);
+}
+
+TEST_F(DeviceTest, TrafficCannotPushAPairOut)
+{
+    Verifies(req::SRS_DEV_007);
+    Run();
+    // When a cycle brings a thousand frames of all kinds around a pair
+    for (std::uint32_t count = 0U; count < 1000U; ++count)
+    {
+        Frame((count * 7U) % 0x800U == 0U ? 0x300U : ((count * 7U) % 0x700U) + 0x181U, {1U, 2U});
+        Frame(0x001U, {1U});
+        Frame(0x105U, {1U, 2U});
+        now_us -= 30U;
+    }
+    now_us += 50U;
+    Pair();
+    Cycle();
+    // Then the pair is released, and the kernel knows of no loss
+    EXPECT_EQ(NormalOut(), 0x3412U);
+    EXPECT_TRUE(CausesOf(0x1301U).empty());
+}
+
+TEST_F(DeviceTest, ALostFrameMakesTheSrdoSafe)
+{
+    Verifies(req::SRS_DEV_008);
+    Verifies(req::SRS_DEV_013);
+    Run();
+    Pair();
+    Cycle();
+    EXPECT_EQ(NormalOut(), 0x3412U);
+    // When more frames of the SRDO come than its queue has room for
+    for (int count = 0; count < 5; ++count)
+    {
+        Pair();
+    }
+    Cycle();
+    EXPECT_EQ(NormalOut(), 0x7F01U);
+    EXPECT_EQ(CausesOf(0x1301U).back(), SrdoCause::kQueueOverflow);
+    // And when the hardware layer lost frames
+    Pair();
+    Cycle();
+    EXPECT_EQ(NormalOut(), 0x3412U);
+    device.OnLoss();
+    Cycle();
+    EXPECT_EQ(NormalOut(), 0x7F01U);
+}
+
+/// What the application was told when the services saw their first frame.
+class Spy final : public cia301::ReadHook
+{
+  public:
+    explicit Spy(const RecordingApplication& application) : application_(application)
+    {
+    }
+    cia301::Reading OnRead(const ObjectAddress& /*address*/, const cia301::Room& room) noexcept override
+    {
+        events_then = application_.events.size();
+        room.data[0] = 1U;
+        return {cia301::SdoAbort::kNone, 4U};
+    }
+    std::size_t events_then{99U};
+
+  private:
+    const RecordingApplication& application_;
+};
+
+TEST_F(DeviceTest, SafetyComesFirstWhateverCameFirst)
+{
+    Verifies(req::SRS_DEV_006);
+    Run();
+    Spy spy{application};
+    entries[11].place = nullptr;
+    entries[11].read_hook = &spy;
+    application.events.clear();
+    // Given an SDO request that came before a pair
+    Frame(0x602U, {0x40U, 0x00U, 0x25U, 0U, 0U, 0U, 0U, 0U});
+    Pair();
+    Cycle();
+    // Then the pair was released when the request was looked at
+    EXPECT_EQ(spy.events_then, 1U);
+}
+
+TEST_F(DeviceTest, TheInverseFrameFollowsItsConfirmationBetweenTwoCycles)
+{
+    Verifies(req::SRS_DEV_006);
+    Run();
+    Cycles(60U);
+    EXPECT_GE(Sent(0x103U).size(), 2U);
+    EXPECT_EQ(Sent(0x103U).size(), Sent(0x104U).size());
+    EXPECT_EQ(Sent(0x103U)[0], (Octets{0x12U, 0x34U}));
+    EXPECT_EQ(Sent(0x104U)[0], (Octets{0xEDU, 0xCBU}));
+    EXPECT_TRUE(CausesOf(0x1303U).empty());
+}
+
+TEST_F(DeviceTest, OneServerReachesOwnObjectsAndTheKernels)
+{
+    Verifies(req::SRS_DEV_001);
+    Start();
+    EXPECT_EQ(Upload(0x1000U, 0U), 0x11223344U);
+    EXPECT_EQ(Upload(0x1301U, 5U), 0x101U);
+    EXPECT_EQ(Upload(0x2000U, 1U), 0x3412U);
+    EXPECT_EQ(Upload(0x3000U, 0U), 0x06020000U);
+    EXPECT_EQ(Upload(0x1016U, 3U), 0x06090011U);
+}
+
+TEST_F(DeviceTest, IsUsableWithoutHeap)
+{
+    Verifies(req::SRS_DEV_018);
+    // All room is the rig's: the object itself is of a fixed size, and small
+    EXPECT_LT(sizeof(Device) + sizeof(Services), 4096U);
+}
+
+} // namespace
+} // namespace counterpoint::device

@@ -1,0 +1,204 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/device/outbox.hpp"
+#include "canopen/device/safety_queue.hpp"
+#include "tests/safety_core/kernel/rig.hpp"
+
+#include <array>
+
+namespace counterpoint::device
+{
+namespace
+{
+
+QueuedFrame ItemOf(const std::uint32_t identifier, const std::uint8_t byte = 0U,
+                   const Origin origin = Origin::kReceived)
+{
+    QueuedFrame item{};
+    item.frame.frame.identifier = identifier;
+    item.frame.frame.kind = FrameKind::kData;
+    item.frame.frame.data[0] = byte;
+    item.origin = origin;
+    return item;
+}
+
+TEST(FrameRingTest, KeepsOrderOverManyRounds)
+{
+    Verifies(req::SRS_DEV_007);
+    std::array<QueuedFrame, 3> room{};
+    FrameRing ring{FrameRoom{room.data(), 3U}};
+    EXPECT_FALSE(ring.Take().is_present);
+    std::uint8_t put = 0U;
+    std::uint8_t taken = 0U;
+    for (int round = 0; round < 100; ++round)
+    {
+        // Given a ring that is filled up, one is too many
+        for (int count = 0; count < 3; ++count)
+        {
+            ASSERT_TRUE(ring.Put(ItemOf(1U, put)));
+            ++put;
+        }
+        ASSERT_FALSE(ring.Put(ItemOf(1U, 99U)));
+        // When one, two or three are taken, they come in order
+        for (int count = 0; count <= (round % 3); ++count)
+        {
+            ASSERT_EQ(ring.Take().item.frame.frame.data[0], taken);
+            ++taken;
+        }
+        for (int count = round % 3; count < 2; ++count)
+        {
+            ASSERT_EQ(ring.Take().item.frame.frame.data[0], taken);
+            ++taken;
+        }
+        ASSERT_FALSE(ring.Take().is_present);
+    }
+}
+
+class SafetyQueueTest : public ::testing::Test
+{
+  public:
+    std::array<QueuedFrame, 4> room{};
+    SafetyQueue queue{FrameRoom{room.data(), 4U}};
+};
+
+TEST_F(SafetyQueueTest, HasRoomForTwoFramesAnSrdoAndTwoMore)
+{
+    Verifies(req::SRS_DEV_007);
+    EXPECT_TRUE(queue.HasRoomFor(1U));
+    EXPECT_FALSE(queue.HasRoomFor(2U));
+}
+
+TEST_F(SafetyQueueTest, NothingButAdmittedDataFramesEnters)
+{
+    Verifies(req::SRS_DEV_007);
+    queue.Admit(0x101U);
+    queue.Admit(0x180U);
+    queue.Admit(0x181U); // No SRDO has it.
+    for (const std::uint32_t identifier : {0x102U, 0x17FU, 0x100U, 0x181U})
+    {
+        queue.Offer(ItemOf(identifier));
+    }
+    QueuedFrame remote = ItemOf(0x101U);
+    remote.frame.frame.kind = FrameKind::kRemote;
+    queue.Offer(remote);
+    EXPECT_FALSE(queue.Take().is_present);
+    queue.Offer(ItemOf(0x101U));
+    queue.Offer(ItemOf(0x180U));
+    EXPECT_EQ(queue.Take().item.frame.frame.identifier, 0x101U);
+    EXPECT_EQ(queue.Take().item.frame.frame.identifier, 0x180U);
+    queue.AdmitNone();
+    queue.Offer(ItemOf(0x101U));
+    EXPECT_FALSE(queue.Take().is_present);
+    EXPECT_FALSE(queue.TakeLoss());
+}
+
+TEST_F(SafetyQueueTest, OneGfcAtATime)
+{
+    Verifies(req::SRS_DEV_007);
+    // When a node sends GFC without end, and an own one is confirmed
+    for (int count = 0; count < 100; ++count)
+    {
+        queue.Offer(ItemOf(0x001U));
+    }
+    queue.Offer(ItemOf(0x001U, 0U, Origin::kConfirmed));
+    QueuedFrame wrong = ItemOf(0x001U);
+    wrong.frame.frame.length_bytes = 1U;
+    queue.Offer(wrong); // No GFC at all.
+    // Then one waits, and the next one may come after it was taken
+    EXPECT_TRUE(queue.Take().is_present);
+    EXPECT_FALSE(queue.Take().is_present);
+    queue.Offer(ItemOf(0x001U));
+    EXPECT_TRUE(queue.Take().is_present);
+    EXPECT_FALSE(queue.TakeLoss());
+}
+
+TEST_F(SafetyQueueTest, ALossIsToldOnce)
+{
+    Verifies(req::SRS_DEV_008);
+    queue.Admit(0x101U);
+    for (int count = 0; count < 4; ++count)
+    {
+        queue.Offer(ItemOf(0x101U));
+    }
+    EXPECT_FALSE(queue.TakeLoss());
+    queue.Offer(ItemOf(0x101U));
+    EXPECT_TRUE(queue.TakeLoss());
+    EXPECT_FALSE(queue.TakeLoss());
+    // A GFC that finds no room is lost, too, and the next one is let in
+    queue.Offer(ItemOf(0x001U));
+    EXPECT_TRUE(queue.TakeLoss());
+    EXPECT_TRUE(queue.Take().is_present);
+    queue.Offer(ItemOf(0x001U));
+    EXPECT_FALSE(queue.TakeLoss());
+    queue.MarkLoss();
+    EXPECT_TRUE(queue.TakeLoss());
+}
+
+class OutboxTest : public ::testing::Test
+{
+  public:
+    void Fill(const std::uint32_t count)
+    {
+        for (std::uint32_t number = 0U; number < count; ++number)
+        {
+            CanFrame frame{};
+            frame.identifier = 0x200U + number;
+            frame.kind = FrameKind::kData;
+            frame.port = CanPortId::kFirst;
+            ASSERT_TRUE(outbox.Send(frame));
+        }
+    }
+    RecordingPorts ports{};
+    Outbox outbox{ports};
+};
+
+TEST_F(OutboxTest, TwoFramesAreUnderWayAtMost)
+{
+    Verifies(req::SRS_DEV_009);
+    Fill(16U);
+    EXPECT_FALSE(outbox.HasRoom());
+    EXPECT_FALSE(outbox.Send(CanFrame{}));
+    outbox.Poll(Instant{0U});
+    outbox.Poll(Instant{99999U});
+    EXPECT_EQ(ports.sent.size(), 2U);
+    // When one is confirmed, one follows, in order
+    outbox.OnConfirm();
+    outbox.Poll(Instant{1000U});
+    ASSERT_EQ(ports.sent.size(), 3U);
+    EXPECT_EQ(ports.sent[2].identifier, 0x202U);
+    // When confirmations stay away for 100 ms, the next two go
+    outbox.Poll(Instant{100999U});
+    EXPECT_EQ(ports.sent.size(), 3U);
+    outbox.Poll(Instant{101000U});
+    EXPECT_EQ(ports.sent.size(), 5U);
+}
+
+TEST_F(OutboxTest, WhatTheControllerDoesNotTakeWaits)
+{
+    Verifies(req::SRS_DEV_009);
+    Fill(2U);
+    ports.answer = hal::TransmitStatus::kQueueFull;
+    outbox.Poll(Instant{0U});
+    ports.answer = hal::TransmitStatus::kAccepted;
+    outbox.Poll(Instant{0U});
+    ASSERT_EQ(ports.sent.size(), 2U);
+    EXPECT_EQ(ports.sent[0].identifier, 0x200U);
+    // What it never will take does not block the others
+    outbox.OnConfirm();
+    outbox.OnConfirm();
+    CanFrame wrong{};
+    wrong.identifier = 0x900U;
+    wrong.kind = FrameKind::kData;
+    wrong.port = CanPortId::kFirst;
+    ASSERT_TRUE(outbox.Send(wrong));
+    Fill(1U);
+    outbox.Poll(Instant{10U});
+    EXPECT_EQ(ports.sent.size(), 3U);
+    // Cleared, nothing is left
+    Fill(3U);
+    outbox.Clear();
+    outbox.Poll(Instant{300000U});
+    EXPECT_EQ(ports.sent.size(), 3U);
+}
+
+} // namespace
+} // namespace counterpoint::device

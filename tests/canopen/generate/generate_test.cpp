@@ -1,0 +1,147 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/generate/generate.hpp"
+#include "tests/canopen/cia306/device_text.hpp"
+#include "tests/canopen/generate/random_device.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <gtest/gtest.h>
+
+namespace counterpoint::generate
+{
+namespace
+{
+using cia306::test::Changed;
+
+GeneratedCode Code(const std::string& text, const std::optional<std::uint8_t> node_id = std::nullopt)
+{
+    const cia306::Device device = cia306::test::DeviceOf(text);
+    return Generate(device, text, {"a_device", node_id ? node_id : device.node_id});
+}
+
+std::string RefusalOf(const std::string& text)
+{
+    try
+    {
+        static_cast<void>(Code(text));
+    }
+    catch (const cia306::InputError& error)
+    {
+        return error.what();
+    }
+    return "";
+}
+
+std::string StaticText()
+{
+    return cia306::ReadTextFile(cia306::test::SourceFolder() + "/tests/canopen/cia306/data/static.dcf");
+}
+
+bool Has(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+TEST(GenerateTest, TheSameFileGivesTheSameBytes)
+{
+    Verifies(req::SRS_GEN_001);
+    for (const std::uint64_t seed : {5U, 6U, 7U, 8U})
+    {
+        const std::string text = test::RandomDevice(seed);
+        EXPECT_EQ(text, test::RandomDevice(seed));
+        EXPECT_EQ(Code(text).header, Code(text).header);
+        EXPECT_EQ(Code(text).source, Code(text).source);
+        EXPECT_EQ(Code(text).header.rfind("// Made by `counterpoint generate` from test.dcf (CRC-32 0x", 0U), 0U);
+    }
+}
+
+TEST(GenerateTest, TheNodeIdGoesIntoValuesAndDevice)
+{
+    Verifies(req::SRS_GEN_009);
+    const std::string text = cia306::test::ExampleText("sensor");
+    // Given the node-ID of the file, the digest of the file is expected
+    EXPECT_TRUE(Has(Code(text).header, "kNodeId = 1U;"));
+    EXPECT_TRUE(Has(Code(text).source, "0x66596575U, // digest"));
+    // With another one it is another device
+    EXPECT_TRUE(Has(Code(text, std::uint8_t{9U}).header, "kNodeId = 9U;"));
+    EXPECT_TRUE(Has(Code(text, std::uint8_t{9U}).source, "0x00000000U, // digest"));
+    EXPECT_TRUE(Has(Code(text, std::uint8_t{9U}).source, "0x89U, 0x00U, 0x00U, 0x00U, // 1014h:00"));
+}
+
+TEST(GenerateTest, WhatCannotBeGeneratedIsNamedWithItsLine)
+{
+    Verifies(req::SRS_GEN_003);
+    const std::string head = "[FileInfo]\n\n";
+    EXPECT_EQ(RefusalOf(head + test::Section("2000", "A", 6U, "rw", "70000")),
+              "test.dcf:8: error: 0x2000:00: value '70000', expected a number from 0 to 65535 (UNSIGNED16)");
+    EXPECT_EQ(
+        RefusalOf(head + test::Section("2000", "A", 7U, "rw", "$NODEID+1")),
+        "test.dcf:8: error: 0x2000:00: value '$NODEID+1' needs the node-ID and there is none, expected --node-id, "
+        "or NodeID in [DeviceComissioning]");
+    EXPECT_EQ(RefusalOf(head + test::Section("0040", "A", 5U, "rw", "1")),
+              "test.dcf:0: error: no object for a dictionary, expected objects from 0x1000 on");
+    const std::string twice = Changed(StaticText(), {{"DefaultValue=0x24000110", "DefaultValue=0x22000110"}});
+    EXPECT_NE(RefusalOf(twice).find("which a static mapping has already, expected each object in one static mapping"),
+              std::string::npos)
+        << RefusalOf(twice);
+}
+
+TEST(GenerateTest, AStaticMappingIsAConstantTableAndTwoFields)
+{
+    Verifies(req::SRS_GEN_010);
+    const GeneratedCode code = Code(StaticText());
+    EXPECT_TRUE(Has(code.source, "constexpr std::uint32_t kMap1[]{0x"));
+    EXPECT_TRUE(Has(code.source, "{{0x1301U}, {storage.bytes + "));
+    EXPECT_FALSE(Has(code.source, "{{0x1381U, 0x01U}, 4U"));
+    EXPECT_TRUE(Has(code.header, ", static mapping\n"));
+}
+
+TEST(GenerateTest, ConstantsAndTypesAreThoseOfTheFile)
+{
+    Verifies(req::SRS_GEN_013);
+    std::string text = "[FileInfo]\n\n" + test::Section("2000", "Least", 4U, "const", "-2147483648");
+    text += test::Section("2001", "Least 64", 0x15U, "const", "-9223372036854775808");
+    text += test::Section("2002", "Greatest", 0x1BU, "const", "0xFFFFFFFFFFFFFFFF");
+    text += test::Section("2003", "Flag", 1U, "const", "1") + test::Section("2004", "Three", 0x16U, "rw", "1");
+    text += test::Section("2005", "Signed three", 0x10U, "ro", "-1") + test::Section("2006", "Real", 8U, "rw", "1.5");
+    text += test::Section("2007", "Word", 9U, "rw", "abc") + test::Section("2008", "Name", 9U, "const", "abc");
+    const GeneratedCode code = Code(text);
+    EXPECT_TRUE(Has(code.header, "constexpr std::int32_t kLeast = -2147483647 - 1;"));
+    EXPECT_TRUE(Has(code.header, "constexpr std::int64_t kLeast64 = -9223372036854775807LL - 1;"));
+    EXPECT_TRUE(Has(code.header, "constexpr std::uint64_t kGreatest = 18446744073709551615ULL;"));
+    EXPECT_TRUE(Has(code.header, "constexpr bool kFlag = true;"));
+    EXPECT_TRUE(Has(code.header, "std::uint32_t GetThree() noexcept;"));
+    EXPECT_TRUE(Has(code.header, "std::int32_t GetSignedThree() noexcept;"));
+    EXPECT_TRUE(Has(code.header, "void SetReal(float value) noexcept;"));
+    EXPECT_TRUE(Has(code.header, "bool SetWord(const counterpoint::cia301::Bytes& value) noexcept;"));
+    EXPECT_FALSE(Has(code.header, "SetName"));
+    EXPECT_EQ(code.entry_count, 9U);
+    EXPECT_EQ(code.stored_bytes, 3U + 3U + 4U + 32U);
+    EXPECT_EQ(code.constant_bytes, 4U + 8U + 8U + 1U + 3U);
+}
+
+TEST(GenerateTest, WhatHasNoLengthIsLeftOutWithAWarning)
+{
+    Verifies(req::SRS_GEN_005);
+    const GeneratedCode code = Code("[FileInfo]\n\n" + test::Section("2000", "Odd", 0x999U, "rw", "1") +
+                                    test::Section("0040", "Below 1000h", 5U, "rw", "1") +
+                                    test::Section("2001", "Kept", 5U, "rw", "9", "LowLimit=10\n"));
+    EXPECT_EQ(code.entry_count, 1U);
+    ASSERT_EQ(code.warnings.size(), 2U);
+    EXPECT_EQ(cia306::FormatFinding("a.eds", code.warnings[0]),
+              "a.eds:3: warning: 0x2000:00: is left out, expected a data type whose length is known");
+    EXPECT_EQ(code.warnings[1].text,
+              "value '9', expected one between LowLimit and HighLimit; it is generated all the same");
+}
+
+TEST(GenerateTest, OnlyWhatTheChannelsDoNotWriteCanBeWritten)
+{
+    Verifies(req::SRS_GEN_013);
+    const GeneratedCode code = Code(cia306::test::ExampleText("controller"));
+    EXPECT_EQ(code.variable_count, 8U);
+    EXPECT_EQ(code.srdo_count, 2U);
+    EXPECT_TRUE(Has(code.source, "counterpoint::MapAccess::kConsumer"));
+    EXPECT_TRUE(Has(code.source, "counterpoint::MapAccess::kProducer"));
+    EXPECT_TRUE(Has(code.header, "rww; the channels write it\n[[nodiscard]]"));
+}
+} // namespace
+} // namespace counterpoint::generate

@@ -1,0 +1,233 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// What the SDO server says over a generated dictionary, against what the reader says about the file it was made from.
+#include "canopen/cia306/check.hpp"
+#include "canopen/cia306/device_parameters.hpp"
+#include "canopen/cia306/device_reader.hpp"
+#include "canopen/cia306/input_error.hpp"
+#include "tests/canopen/generate/generated_node.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+namespace counterpoint::generate
+{
+namespace
+{
+using test::GeneratedCase;
+using test::GeneratedCases;
+using test::GeneratedNode;
+using test::Upload;
+
+constexpr std::uint32_t kWriteOnly = 0x06010001U;
+constexpr std::uint32_t kObjectUnknown = 0x06020000U;
+constexpr std::uint32_t kSubUnknown = 0x06090011U;
+/// Of a kernel that was not started: there are no SRDOs.
+constexpr std::uint32_t kDeviceState = 0x08000022U;
+constexpr std::uint32_t kGeneral = 0x08000000U;
+
+bool HasSrdos(const cia306::Device& device)
+{
+    return std::any_of(device.objects.begin(), device.objects.end(),
+                       [](const auto& object) { return object.first >= 0x1301U && object.first <= 0x1340U; });
+}
+
+bool IsKernels(const std::uint16_t index)
+{
+    return index >= 0x1300U && index <= 0x13FFU;
+}
+
+/// Octet strings stand in a file as pairs of hexadecimal digits, or as they are.
+std::vector<std::uint8_t> TextBytes(const cia306::Entry& entry)
+{
+    const std::string& text = entry.Configured().text;
+    const bool is_hex = entry.data_type == 0x000AU && text.size() % 2U == 0U &&
+                        text.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
+    std::vector<std::uint8_t> bytes;
+    for (std::size_t place = 0U; place < text.size(); place += is_hex ? 2U : 1U)
+    {
+        bytes.push_back(is_hex ? static_cast<std::uint8_t>(std::stoul(text.substr(place, 2U), nullptr, 16))
+                               : static_cast<std::uint8_t>(text[place]));
+    }
+    return bytes;
+}
+
+std::vector<std::uint8_t> NumberBytes(const std::uint64_t value, const std::uint32_t bits)
+{
+    std::vector<std::uint8_t> bytes;
+    for (std::uint32_t bit = 0U; bit < bits; bit += 8U)
+    {
+        const std::uint64_t cut = value & (~std::uint64_t{0U} >> (64U - bits));
+        bytes.push_back(static_cast<std::uint8_t>((cut >> bit) & 0xFFU));
+    }
+    return bytes;
+}
+
+/// Received variables have their safe values until a pair comes, whatever the file says: by index and sub-index.
+std::map<std::uint32_t, std::vector<std::uint8_t>> SafeValues(const cia306::Device& device, const std::uint8_t node_id)
+{
+    std::vector<cia306::Finding> problems;
+    const cia306::DeviceParameters parameters = cia306::ReadDeviceParameters(device, node_id, problems);
+    std::map<std::uint32_t, std::vector<std::uint8_t>> values;
+    for (const cia306::SrdoConfiguration& srdo : cia306::ExtractSafety(device, node_id).srdos)
+    {
+        std::uint64_t rest = parameters.Srdo(srdo.number).safe_value;
+        for (std::size_t place = 0U; srdo.IsConsumer() && place + 1U < srdo.mapping.size(); place += 2U)
+        {
+            const std::uint32_t bits = srdo.mapping[place].Bits();
+            values[srdo.mapping[place].raw >> 8U] = NumberBytes(rest, bits);
+            values[srdo.mapping[place + 1U].raw >> 8U] = NumberBytes(~rest, bits);
+            rest = bits < 64U ? rest >> bits : 0U;
+        }
+    }
+    return values;
+}
+
+/// An element without a value begins with 0, or with the limit next to it.
+std::uint64_t ValueWithoutOne(const cia306::Entry& entry)
+{
+    const bool is_integer =
+        entry.type.kind == cia306::DataKind::kSigned || entry.type.kind == cia306::DataKind::kUnsigned;
+    const std::string low = entry.low_limit.text;
+    const bool is_above_zero = !low.empty() && low[0] != '-' && entry.type.kind == cia306::DataKind::kUnsigned;
+    if (is_integer && is_above_zero)
+    {
+        return cia306::ParseValue(low, entry.type, std::nullopt).value.value().bits;
+    }
+    // The one of the real files with limits below 0: -1 as a pattern.
+    return entry.high_limit.text == "0xFFFFFFFF" && entry.data_type == 0x0004U ? 0xFFFFFFFFU : 0U;
+}
+
+/// The answer that the file asks for.
+Upload Expected(const cia306::Entry& entry, const std::uint8_t node_id, const bool is_variable)
+{
+    const bool is_text = entry.type.kind == cia306::DataKind::kText;
+    if (entry.access == cia306::Access::kWriteOnly && !is_variable)
+    {
+        return {kWriteOnly, {}};
+    }
+    if (entry.data_type == cia306::kDomainType)
+    {
+        return {kGeneral, {}};
+    }
+    if (is_text)
+    {
+        return {0U, TextBytes(entry)};
+    }
+    std::uint64_t value = ValueWithoutOne(entry);
+    if (entry.Configured().IsSet())
+    {
+        value = cia306::ConfiguredValue(entry, node_id).value.value().bits;
+    }
+    return {0U, NumberBytes(value, entry.type.bits)};
+}
+
+class GeneratedValues : public ::testing::TestWithParam<std::size_t>
+{
+  protected:
+    [[nodiscard]] static const GeneratedCase& Case()
+    {
+        return GeneratedCases().at(GetParam());
+    }
+};
+
+TEST_P(GeneratedValues, TheSdoServerServesWhatTheFileSays)
+{
+    Verifies(req::SRS_GEN_014);
+    Verifies(req::SRS_GEN_005);
+    Verifies(req::SRS_GEN_009);
+    Verifies(req::SRS_GEN_010);
+    Verifies(req::SRS_GEN_011);
+    // Given the node of the generated code, configured as its file says
+    const cia306::Device device = cia306::ReadDeviceFile(Case().file);
+    const bool has_srdos = HasSrdos(device);
+    GeneratedNode node(Case());
+    if (has_srdos)
+    {
+        ASSERT_EQ(node.Start(), StartResult::kStarted);
+        const generated::ConfigureReply reply = node.Configure();
+        ASSERT_EQ(reply.abort, AbortCode::kNone) << cia306::ObjectName(reply.object.index, reply.object.sub);
+    }
+    // When a client reads every data element, then it gets the value of the file
+    const auto safe_values = SafeValues(device, Case().node_id);
+    std::size_t count = 0U;
+    for (const auto& [index, object] : device.objects)
+    {
+        const bool is_looked_at = index >= 0x1000U && (has_srdos || !IsKernels(index));
+        for (const auto& [sub, entry] : object.entries)
+        {
+            if (!is_looked_at)
+            {
+                continue;
+            }
+            const Upload upload = node.Read(index, sub);
+            const bool is_known = entry.type.bits != 0U || entry.type.kind == cia306::DataKind::kText;
+            const bool is_variable = entry.is_srdo_mappable.value_or(false);
+            const std::uint32_t unknown = object.entries.size() > 1U ? kSubUnknown : kObjectUnknown;
+            Upload expected = is_known ? Expected(entry, Case().node_id, is_variable)
+                                       : Upload{has_srdos ? unknown : kDeviceState, {}};
+            const auto safe = safe_values.find((static_cast<std::uint32_t>(index) << 8U) | sub);
+            expected = safe != safe_values.end() ? Upload{0U, safe->second} : expected;
+            EXPECT_EQ(upload.abort, expected.abort) << cia306::ObjectName(index, sub);
+            EXPECT_EQ(upload.bytes, expected.bytes) << cia306::ObjectName(index, sub);
+            ++count;
+        }
+    }
+    EXPECT_GE(count, 4U);
+}
+
+TEST_P(GeneratedValues, FilesOfTheTestAreWithoutErrors)
+{
+    Verifies(req::SRS_GEN_002);
+    const cia306::Device device = cia306::ReadDeviceFile(Case().file);
+    for (const cia306::Finding& finding : cia306::CheckDevice(device, {Case().node_id, std::nullopt}))
+    {
+        EXPECT_NE(finding.severity, cia306::Severity::kError) << cia306::FormatFinding(Case().file, finding);
+    }
+}
+
+TEST_P(GeneratedValues, AConfigurationToolMayWriteBackWhatItReads)
+{
+    Verifies(req::SRS_GEN_006);
+    GeneratedNode node(Case());
+    cia301::Dictionary& objects = node.Objects();
+    for (std::uint32_t place = 0U; place < Case().table->count; ++place)
+    {
+        // Given each entry that can be written and read
+        const cia301::Entry& entry = Case().table->entries[place];
+        const Upload upload = node.Read(entry.index, entry.sub);
+        if (entry.access != cia301::Access::kReadWrite || upload.abort != 0U)
+        {
+            continue;
+        }
+        // When what was read is written, then it is accepted, unless the file itself gives a value outside its limits
+        const auto size = static_cast<std::uint32_t>(upload.bytes.size());
+        EXPECT_EQ(objects.Write({entry.index, entry.sub}, {upload.bytes.data(), size}), cia301::SdoAbort::kNone)
+            << cia306::ObjectName(entry.index, entry.sub);
+    }
+    GeneratedNode again(Case());
+}
+
+std::vector<std::size_t> Places()
+{
+    std::vector<std::size_t> places;
+    for (std::size_t place = 0U; place < COUNTERPOINT_GENERATED_CASES; ++place)
+    {
+        places.push_back(place);
+    }
+    return places;
+}
+
+// The list fills itself before main; its length is known to the build.
+INSTANTIATE_TEST_SUITE_P(Files, GeneratedValues, ::testing::ValuesIn(Places()));
+
+TEST(GeneratedCasesTest, AllAreHere)
+{
+    Verifies(req::SRS_GEN_014);
+    EXPECT_EQ(GeneratedCases().size(), static_cast<std::size_t>(COUNTERPOINT_GENERATED_CASES));
+    EXPECT_GE(GeneratedCases().size(), 20U);
+}
+} // namespace
+} // namespace counterpoint::generate

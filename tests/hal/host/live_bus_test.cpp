@@ -1,0 +1,99 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "hal/host/live_bus.hpp"
+
+#include "hal/host/live_address.hpp"
+#include "hal/host/live_stamp.hpp"
+#include "tests/hal/host/live_rig.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <gtest/gtest.h>
+
+namespace counterpoint::host
+{
+namespace
+{
+
+TEST(LiveAddressTest, ReadsTheFourForms)
+{
+    Verifies(req::SRS_LIVE_001);
+    EXPECT_EQ(ParseLiveAddress("can0").interface, "can0");
+    EXPECT_EQ(ParseLiveAddress("socketcan:vcan1").kind, LiveKind::kSocketCan);
+    EXPECT_EQ(ParseLiveAddress("socketcan:vcan1").interface, "vcan1");
+    const LiveAddress remote = ParseLiveAddress("socketcand:localhost:29536/can0");
+    EXPECT_EQ(remote.kind, LiveKind::kSocketcand);
+    EXPECT_EQ(remote.host, "localhost");
+    EXPECT_EQ(remote.port, 29'536U);
+    EXPECT_EQ(remote.interface, "can0");
+    const LiveAddress udp = ParseLiveAddress("udp:239.74.163.2:43113?bitrate=125000");
+    EXPECT_EQ(udp.kind, LiveKind::kUdp);
+    EXPECT_EQ(udp.host, "239.74.163.2");
+    EXPECT_EQ(udp.port, 43'113U);
+    EXPECT_EQ(udp.bits_per_second, 125'000U);
+}
+
+TEST(LiveAddressTest, SaysWhatIsWrong)
+{
+    Verifies(req::SRS_LIVE_001);
+    const auto problem = [](const std::string& text)
+    { return ProblemOf([&text] { static_cast<void>(ParseLiveAddress(text)); }); };
+    const std::string name = ", expected a name of 1 to 15 characters such as can0";
+    EXPECT_EQ(problem(""), "bus '': interface ''" + name);
+    EXPECT_EQ(problem("a/b"), "bus 'a/b': interface 'a/b'" + name);
+    EXPECT_EQ(problem("socketcan:sixteen_letters_"),
+              "bus 'socketcan:sixteen_letters_': interface 'sixteen_letters_'" + name);
+    EXPECT_EQ(problem("tcp:x"), "bus 'tcp:x': kind 'tcp', expected can0, socketcan:can0, socketcand:HOST:PORT/can0 or "
+                                "udp:239.74.163.2:43113");
+    EXPECT_EQ(problem("socketcand:h:1"), "bus 'socketcand:h:1': no bus, expected socketcand:HOST:PORT/BUS");
+    EXPECT_EQ(problem("socketcand:h/c"), "bus 'socketcand:h/c': no port in 'h', expected HOST:PORT");
+    EXPECT_EQ(problem("socketcand:h:0/c"), "bus 'socketcand:h:0/c': port '0', expected a number from 1 to 65535");
+    EXPECT_EQ(problem("socketcand:h:65536/c"),
+              "bus 'socketcand:h:65536/c': port '65536', expected a number from 1 to 65535");
+    EXPECT_EQ(problem("socketcand:h:1x/c"), "bus 'socketcand:h:1x/c': port '1x', expected a number from 1 to 65535");
+    EXPECT_EQ(problem("udp:10.0.0.1:5"),
+              "bus 'udp:10.0.0.1:5': group '10.0.0.1', expected an IPv4 multicast group such as 239.74.163.2");
+    EXPECT_EQ(problem("udp:239.0.0.1:5?rate=1"), "bus 'udp:239.0.0.1:5?rate=1': option 'rate=1', expected bitrate=N");
+    EXPECT_EQ(problem("udp:239.0.0.1:5?bitrate=9"),
+              "bus 'udp:239.0.0.1:5?bitrate=9': bit rate '9', expected 10000, 20000, 50000, 100000, 125000, 250000, "
+              "500000, 800000 or 1000000");
+}
+
+// Given a stamp 5 ms old by the wall clock, then it is 5 ms old by the monotonic clock; one from the future, or older
+// than 10 s, is now.
+TEST(LiveStampTest, TakesTheAgeOfAStamp)
+{
+    Verifies(req::SRS_LIVE_002);
+    constexpr std::uint64_t kWall = 1'700'000'000'000'000'000U;
+    EXPECT_EQ(MonotonicStamp(kWall - 5'000'000U, kWall, 60'000'000'000U), 59'995'000'000U);
+    EXPECT_EQ(MonotonicStamp(kWall, kWall, 60'000'000'000U), 60'000'000'000U);
+    EXPECT_EQ(MonotonicStamp(kWall + 1U, kWall, 60'000'000'000U), 60'000'000'000U);
+    EXPECT_EQ(MonotonicStamp(kWall - 10'000'000'000U, kWall, 60'000'000'000U), 50'000'000'000U);
+    EXPECT_EQ(MonotonicStamp(kWall - 10'000'000'001U, kWall, 60'000'000'000U), 60'000'000'000U);
+    EXPECT_EQ(MonotonicStamp(kWall - 2'000U, kWall, 1'000U), 1'000U);
+}
+
+// Given every kind of frame of the kernel, then it is the same after a way through the live form.
+TEST(LiveFrameTest, ConvertsToTheKernelsFrameAndBack)
+{
+    Verifies(req::SRS_LIVE_015);
+    for (const FrameKind kind : {FrameKind::kData, FrameKind::kRemote, FrameKind::kExtended, FrameKind::kExtendedRemote,
+                                 FrameKind::kFlexibleDataRate})
+    {
+        const CanFrame frame{0x123U, kind, CanPortId::kSecond, 3U, {1U, 2U, 3U}};
+        const CanFrame back = ToCanFrame(FromCanFrame(frame), CanPortId::kSecond);
+        EXPECT_EQ(back.identifier, 0x123U);
+        EXPECT_EQ(back.kind, kind);
+        EXPECT_EQ(back.port, CanPortId::kSecond);
+        EXPECT_EQ(back.length_bytes, 3U);
+        EXPECT_EQ(back.data[2], 3U);
+    }
+    LiveFrame error;
+    error.error = true;
+    EXPECT_EQ(ToCanFrame(error, CanPortId::kFirst).kind, FrameKind::kInvalid);
+    LiveFrame flexible;
+    flexible.fd = true;
+    flexible.length_bytes = 64U;
+    EXPECT_EQ(ToCanFrame(flexible, CanPortId::kFirst).length_bytes, 64U);
+}
+
+} // namespace
+} // namespace counterpoint::host

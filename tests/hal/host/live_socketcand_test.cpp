@@ -1,0 +1,407 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// Server and client of the socketcand protocol, over loopback and a UDP bus.
+#include "hal/host/live_socketcand_server.hpp"
+#include "tests/hal/host/live_rig.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <arpa/inet.h>
+#include <atomic>
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <thread>
+#include <unistd.h>
+
+namespace counterpoint::host
+{
+namespace
+{
+
+std::string Group(const std::string& option)
+{
+    return "udp:239.74.163.10:" + std::to_string(20'000 + (::getpid() % 40'000)) + option;
+}
+
+/// A server that runs in a thread of its own until it is destroyed.
+class RunningServer
+{
+  public:
+    explicit RunningServer(const std::string& bus) : server_{"127.0.0.1", 0U, {{"can0", bus}}}
+    {
+    }
+    ~RunningServer()
+    {
+        is_ending_ = true;
+        thread_.join();
+    }
+    [[nodiscard]] std::uint16_t Port() const
+    {
+        return port_;
+    }
+    [[nodiscard]] std::string Address(const std::string& name) const
+    {
+        return "socketcand:127.0.0.1:" + std::to_string(port_) + "/" + name;
+    }
+    /// Only after the thread has ended, or for what does not change.
+    [[nodiscard]] ServerCounts Counts() const
+    {
+        return {clients_, 0U, 0U, 0U, 0U, too_slow_};
+    }
+
+  private:
+    void Run()
+    {
+        while (!is_ending_)
+        {
+            server_.Serve(10);
+            clients_ = server_.Counts().clients;
+            too_slow_ = server_.Counts().too_slow;
+        }
+    }
+
+    SocketcandServer server_;
+    std::uint16_t port_{server_.Port()};
+    std::atomic<bool> is_ending_{false};
+    std::atomic<std::uint32_t> clients_{0U};
+    std::atomic<std::uint64_t> too_slow_{0U};
+    std::thread thread_{[this] { Run(); }};
+};
+
+/// A connection that says and hears plain text.
+class PlainClient
+{
+  public:
+    explicit PlainClient(const std::uint16_t port) : socket_{::socket(AF_INET, SOCK_STREAM, 0)}
+    {
+        sockaddr_in server{};
+        server.sin_family = AF_INET;
+        server.sin_port = htons(port);
+        server.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        EXPECT_EQ(::connect(socket_, reinterpret_cast<sockaddr*>(&server), sizeof(server)), 0);
+        const timeval patience{2, 0};
+        static_cast<void>(::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof(patience)));
+        static_cast<void>(::setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof(patience)));
+    }
+    ~PlainClient()
+    {
+        static_cast<void>(::close(socket_));
+    }
+    PlainClient(const PlainClient&) = delete;
+    PlainClient& operator=(const PlainClient&) = delete;
+    void Say(const std::string& text) const
+    {
+        EXPECT_EQ(::send(socket_, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
+    }
+    /// The next element; empty: the connection ended, or nothing came.
+    [[nodiscard]] std::string Hear() const
+    {
+        std::string text;
+        char letter = '\0';
+        while ((text.empty() || (text.back() != '>')) && (::recv(socket_, &letter, 1U, 0) == 1))
+        {
+            text += letter;
+        }
+        return text;
+    }
+
+  private:
+    int socket_;
+};
+
+class Socketcand : public ::testing::Test
+{
+  protected:
+    RunningServer server{Group("")};
+};
+
+// Given a client and a member of the bus behind the server, then frames of every kind go both ways unchanged, and those
+// of the client come back to it as own.
+TEST_F(Socketcand, CarriesBothWays)
+{
+    Verifies(req::SRS_LIVE_051);
+    Verifies(req::SRS_LIVE_052);
+    Verifies(req::SRS_LIVE_053);
+    const auto client = OpenLiveBus(server.Address("can0"));
+    const auto member = OpenLiveBus(Group(""));
+    LiveFrame extended = Live(0x1ABC'DEF0U, {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U});
+    extended.extended = true;
+    LiveFrame remote = Live(0x701U, {});
+    remote.remote = true;
+    remote.length_bytes = 5U;
+    for (const LiveFrame& sent : {Live(0x123U, {0xA5U}), extended, remote, Live(0U, {})})
+    {
+        for (const bool is_client : {true, false})
+        {
+            LiveBus& from = is_client ? *client : *member;
+            ASSERT_EQ(from.Send(sent), SendResult::kSent);
+            for (LiveBus* const bus : {client.get(), member.get()})
+            {
+                const std::optional<LiveFrame> got = Wait(*bus);
+                ASSERT_TRUE(got);
+                EXPECT_EQ(got->own, bus == &from);
+                EXPECT_EQ(got->identifier, sent.identifier);
+                EXPECT_EQ(got->extended, sent.extended);
+                EXPECT_EQ(got->remote, sent.remote);
+                EXPECT_EQ(got->length_bytes, sent.length_bytes);
+                EXPECT_TRUE(std::equal(std::begin(got->data), std::end(got->data), std::begin(sent.data)));
+                EXPECT_LE(got->time_ns, LiveNow());
+            }
+        }
+    }
+    EXPECT_EQ(client->Health().state, BusState::kActive);
+    EXPECT_EQ(client->Name(), server.Address("can0"));
+    EXPECT_FALSE(client->Restart());
+    LiveFrame flexible = Live(1U, {});
+    flexible.fd = true;
+    EXPECT_EQ(client->Send(flexible), SendResult::kRefused);
+}
+
+// Given two clients, then each is a sender of its own: a frame of one is no own frame of the other.
+TEST_F(Socketcand, ServesSeveralClients)
+{
+    Verifies(req::SRS_LIVE_053);
+    const auto one = OpenLiveBus(server.Address("can0"));
+    const auto other = OpenLiveBus(server.Address("can0"));
+    ASSERT_EQ(one->Send(Live(0x42U, {1U})), SendResult::kSent);
+    EXPECT_TRUE(Wait(*one)->own);
+    EXPECT_FALSE(Wait(*other)->own);
+    EXPECT_EQ(server.Counts().clients, 2U);
+}
+
+// Given a program by others, which says only what the protocol's text has, then the answers are those of the protocol
+// and its own frames are not told.
+TEST_F(Socketcand, TalksAsTheProtocolSays)
+{
+    Verifies(req::SRS_LIVE_053);
+    const auto member = OpenLiveBus(Group(""));
+    const PlainClient client(server.Port());
+    EXPECT_EQ(client.Hear(), "< hi >");
+    client.Say("< open can0 >< rawmode >");
+    EXPECT_EQ(client.Hear(), "< ok >");
+    EXPECT_EQ(client.Hear(), "< ok >");
+    client.Say("< send 123 2 1 f1 >< echo >");
+    EXPECT_EQ(client.Hear(), "< echo >");
+    const std::optional<LiveFrame> frame = Wait(*member);
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(frame->identifier, 0x123U);
+    EXPECT_EQ(frame->data[1], 0xF1U);
+    ASSERT_EQ(member->Send(Live(0x7FFU, {0x11U, 0x22U})), SendResult::kSent);
+    const std::string told = client.Hear();
+    EXPECT_EQ(told.substr(0U, 12U), "< frame 7FF ");
+    EXPECT_EQ(told.substr(told.size() - 7U), " 1122 >");
+    client.Say("< bcmmode >");
+    EXPECT_EQ(client.Hear(), "< ok >");
+    ASSERT_EQ(member->Send(Live(0x7FEU, {})), SendResult::kSent);
+    client.Say("< echo >");
+    EXPECT_EQ(client.Hear(), "< echo >");
+}
+
+// Given orders that are malformed or not due, then each is answered by a sentence and the connection goes on.
+TEST_F(Socketcand, AnswersWhatIsWrong)
+{
+    Verifies(req::SRS_LIVE_050);
+    Verifies(req::SRS_LIVE_053);
+    const PlainClient client(server.Port());
+    EXPECT_EQ(client.Hear(), "< hi >");
+    client.Say("< send 123 0 >");
+    EXPECT_EQ(client.Hear(), "< error no bus is open, expected open first >");
+    client.Say("< open can0 >< ownmode >< open can0 >< send 123 2 1 >\x01\x02< echo >");
+    EXPECT_EQ(client.Hear(), "< ok >");
+    const std::string not_now =
+        "< error not now, expected rawmode, bcmmode, send, sendrtr, echo, or ownmode in raw mode >";
+    EXPECT_EQ(client.Hear(), not_now);
+    EXPECT_EQ(client.Hear(), not_now);
+    EXPECT_EQ(client.Hear(), "< error send: count of data bytes '1', expected 2 as the length says >");
+    EXPECT_EQ(client.Hear(), "< error '?"
+                             "?' outside of angle brackets, expected an element >");
+    EXPECT_EQ(client.Hear(), "< echo >");
+}
+
+// Given a bus that is not served, and one that cannot be opened, then the server says so and ends the connection.
+TEST_F(Socketcand, RefusesABusThatIsNotThere)
+{
+    Verifies(req::SRS_LIVE_053);
+    const PlainClient client(server.Port());
+    EXPECT_EQ(client.Hear(), "< hi >");
+    client.Say("< open can9 >");
+    EXPECT_EQ(client.Hear(), "< error no bus of that name, expected can0 >");
+    EXPECT_EQ(client.Hear(), "");
+    EXPECT_EQ(ProblemOf([this] { static_cast<void>(OpenLiveBus(server.Address("can9"))); }),
+              "bus '" + server.Address("can9") + "': the server says: no bus of that name, expected can0");
+}
+
+// Given no server, a host that is none, and a server that says nothing of the protocol, then one sentence says so.
+TEST(SocketcandClientTest, SaysWhatItCannotReach)
+{
+    Verifies(req::SRS_LIVE_051);
+    const int listener = ::socket(AF_INET, SOCK_STREAM, 0);
+    sockaddr_in own{};
+    own.sin_family = AF_INET;
+    own.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t bytes = sizeof(own);
+    ASSERT_EQ(::bind(listener, reinterpret_cast<sockaddr*>(&own), sizeof(own)), 0);
+    ASSERT_EQ(::getsockname(listener, reinterpret_cast<sockaddr*>(&own), &bytes), 0);
+    const std::string port = std::to_string(ntohs(own.sin_port));
+    const std::string address = "socketcand:127.0.0.1:" + port + "/can0";
+    const auto problem = [&address] { return ProblemOf([&address] { static_cast<void>(OpenLiveBus(address)); }); };
+    EXPECT_EQ(problem(),
+              "bus '" + address + "': Connection refused, expected a socketcand server at 127.0.0.1 port " + port);
+    ASSERT_EQ(::listen(listener, 1), 0);
+    const std::uint64_t start_ns = LiveNow();
+    EXPECT_EQ(problem(), "bus '" + address + "': the server said nothing for 3 s, expected the socketcand protocol");
+    EXPECT_LT(LiveNow() - start_ns, 4'000'000'000U);
+    static_cast<void>(::close(listener));
+}
+
+/// A server by others, of which the test says what it says. It knows no ownmode.
+class ForeignServer
+{
+  public:
+    ForeignServer() : listener_{::socket(AF_INET, SOCK_STREAM, 0)}
+    {
+        sockaddr_in own{};
+        own.sin_family = AF_INET;
+        own.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        socklen_t bytes = sizeof(own);
+        EXPECT_EQ(::bind(listener_, reinterpret_cast<sockaddr*>(&own), sizeof(own)), 0);
+        EXPECT_EQ(::getsockname(listener_, reinterpret_cast<sockaddr*>(&own), &bytes), 0);
+        EXPECT_EQ(::listen(listener_, 1), 0);
+        address_ = "socketcand:127.0.0.1:" + std::to_string(ntohs(own.sin_port)) + "/can0";
+        // What a client waits for can be said before it asks.
+        thread_ = std::thread{[this]
+                              {
+                                  connection_ = ::accept(listener_, nullptr, nullptr);
+                                  Say("< hi >< ok >< ok >< frame 001 1.0 AA >< error unknown command >");
+                              }};
+    }
+    ~ForeignServer()
+    {
+        Close();
+        static_cast<void>(::close(listener_));
+    }
+    ForeignServer(const ForeignServer&) = delete;
+    ForeignServer& operator=(const ForeignServer&) = delete;
+    [[nodiscard]] std::unique_ptr<LiveBus> Open()
+    {
+        std::unique_ptr<LiveBus> bus = OpenLiveBus(address_);
+        thread_.join();
+        return bus;
+    }
+    void Say(const std::string& text) const
+    {
+        static_cast<void>(::send(connection_, text.data(), text.size(), MSG_NOSIGNAL));
+    }
+    void Close()
+    {
+        if (connection_ >= 0)
+        {
+            static_cast<void>(::close(connection_));
+            connection_ = -1;
+        }
+    }
+
+  private:
+    int listener_;
+    int connection_{-1};
+    std::string address_;
+    std::thread thread_;
+};
+
+// Given a server without ownmode, then a frame that came during the greeting is not lost, a sent frame is own when the
+// echo behind it is answered and not before, and what is malformed is counted.
+TEST(SocketcandClientTest, ConfirmsByEchoWhereTheServerTellsNoOwnFrames)
+{
+    Verifies(req::SRS_LIVE_052);
+    ForeignServer server;
+    const auto bus = server.Open();
+    EXPECT_EQ(Wait(*bus)->identifier, 1U);
+    ASSERT_EQ(bus->Send(Live(0x123U, {7U})), SendResult::kSent);
+    ASSERT_EQ(bus->Send(Live(0x124U, {})), SendResult::kSent);
+    server.Say("< frame 002 1.0 >< nonsense >< echo >< error 040 1.0 >");
+    EXPECT_EQ(Wait(*bus)->identifier, 2U);
+    const std::optional<LiveFrame> own = Wait(*bus);
+    ASSERT_TRUE(own);
+    EXPECT_TRUE(own->own);
+    EXPECT_EQ(own->identifier, 0x123U);
+    EXPECT_EQ(own->data[0], 7U);
+    EXPECT_TRUE(Wait(*bus)->error);
+    EXPECT_EQ(bus->Health().state, BusState::kBusOff);
+    EXPECT_EQ(bus->Health().bus_offs, 1U);
+    EXPECT_EQ(bus->Health().malformed, 1U);
+}
+
+// Given a connection that ends, then Receive has nothing, Send answers kDown, and Descriptor is quiet afterwards.
+TEST(SocketcandClientTest, SeesThatTheConnectionEnds)
+{
+    Verifies(req::SRS_LIVE_055);
+    ForeignServer server;
+    const auto bus = server.Open();
+    ASSERT_TRUE(Wait(*bus));
+    server.Close();
+    pollfd wait{bus->Descriptor(), POLLIN, 0};
+    EXPECT_EQ(::poll(&wait, 1U, 2'000), 1);
+    LiveFrame none;
+    while (bus->Health().state != BusState::kDown)
+    {
+        ASSERT_FALSE(bus->Receive(none));
+    }
+    EXPECT_EQ(bus->Send(Live(1U, {})), SendResult::kDown);
+    EXPECT_EQ(::poll(&wait, 1U, 0), 0);
+}
+
+// Given a slow bus behind the server, when a client sends 300 frames at once, then all arrive in order.
+TEST(SocketcandServerTest, HoldsFramesForAFullBus)
+{
+    Verifies(req::SRS_LIVE_054);
+    const RunningServer server{Group("?bitrate=1000000")};
+    const auto member = OpenLiveBus(Group(""));
+    const PlainClient client(server.Port());
+    std::string orders = "< open can0 >";
+    for (int n = 0; n < 300; ++n)
+    {
+        orders += "< send 100 2 " + std::to_string(n / 100) + " " + std::to_string(n % 100) + " >";
+    }
+    client.Say(orders);
+    for (int n = 0; n < 300; ++n)
+    {
+        const std::optional<LiveFrame> frame = Wait(*member);
+        ASSERT_TRUE(frame) << n;
+        // The numbers were read as hexadecimal ones.
+        ASSERT_EQ(frame->data[0], n / 100);
+        ASSERT_EQ(frame->data[1], (((n % 100) / 10) * 16) + (n % 10));
+    }
+}
+
+// Given a client that never reads, when more than 1 MiB waits for it, then it is disconnected and the server goes on.
+TEST(SocketcandServerTest, DisconnectsWhoDoesNotRead)
+{
+    Verifies(req::SRS_LIVE_054);
+    const RunningServer server{Group("")};
+    const auto member = OpenLiveBus(Group(""));
+    const PlainClient client(server.Port());
+    client.Say("< open can0 >< rawmode >");
+    const std::uint64_t start_ns = LiveNow();
+    LiveFrame own;
+    while ((server.Counts().too_slow == 0U) && (LiveNow() - start_ns < 30'000'000'000U))
+    {
+        static_cast<void>(member->Send(Live(0x100U, {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U})));
+        static_cast<void>(member->Receive(own));
+    }
+    EXPECT_EQ(server.Counts().too_slow, 1U);
+    EXPECT_TRUE(OpenLiveBus(server.Address("can0")));
+}
+
+// Given a port that is in use, then the server says so.
+TEST(SocketcandServerTest, RefusesAPortInUse)
+{
+    Verifies(req::SRS_LIVE_053);
+    const RunningServer server{Group("")};
+    const std::string port = std::to_string(server.Port());
+    EXPECT_EQ(ProblemOf([&server] { static_cast<void>(SocketcandServer("127.0.0.1", server.Port(), {})); }),
+              "socketcand server at 127.0.0.1 port " + port +
+                  ": Address already in use, expected a free port of this "
+                  "machine");
+}
+
+} // namespace
+} // namespace counterpoint::host

@@ -1,0 +1,117 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/canopen/cia306/device_text.hpp"
+#include "tests/tools/command_run.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace counterpoint::tools
+{
+namespace
+{
+using cia306::test::Changed;
+using cia306::test::ExampleText;
+using test::Answer;
+using test::RunCommand;
+
+class GenerateCommandTest : public test::CommandTest
+{
+  protected:
+    [[nodiscard]] static std::string Example()
+    {
+        return cia306::test::SourceFolder() + "/examples/emergency_stop/sensor.dcf";
+    }
+    [[nodiscard]] std::size_t FilesIn(const std::string& folder) const
+    {
+        const auto files = std::filesystem::directory_iterator(Path(folder));
+        return static_cast<std::size_t>(std::distance(begin(files), end(files)));
+    }
+};
+
+TEST_F(GenerateCommandTest, WritesTwoFilesIntoANewFolder)
+{
+    Verifies(req::SRS_GEN_001);
+    const Answer answer = RunCommand({"generate", Example(), "--output", Path("out"), "--namespace", "a::sensor"});
+    EXPECT_EQ(answer.status, 0) << answer.err;
+    EXPECT_EQ(answer.err, "");
+    EXPECT_EQ(answer.out, Path("out/object_dictionary.hpp") + "\n" + Path("out/object_dictionary.cpp") +
+                              "\n38 entries, 4 variables of 1 SRDOs, 33 bytes of memory, 66 bytes of constants\n");
+    EXPECT_EQ(FilesIn("out"), 2U);
+    const std::string header = cia306::ReadTextFile(Path("out/object_dictionary.hpp"));
+    EXPECT_NE(header.find("namespace a::sensor\n"), std::string::npos);
+    EXPECT_EQ(header.find(cia306::test::SourceFolder()), std::string::npos);
+}
+
+TEST_F(GenerateCommandTest, TheSameCallWritesTheSameBytes)
+{
+    Verifies(req::SRS_GEN_001);
+    ASSERT_EQ(RunCommand({"generate", Example(), "--output", Path("one")}).status, 0);
+    ASSERT_EQ(RunCommand({"generate", Example(), "--output", Path("two")}).status, 0);
+    for (const char* name : {"object_dictionary.hpp", "object_dictionary.cpp"})
+    {
+        EXPECT_EQ(cia306::ReadTextFile(Path("one/") + name), cia306::ReadTextFile(Path("two/") + name));
+    }
+}
+
+TEST_F(GenerateCommandTest, AnErrorOfTheCheckWritesNothing)
+{
+    Verifies(req::SRS_GEN_002);
+    const std::string file =
+        File("bad.dcf", Changed(ExampleText("sensor"), {{"ParameterValue=0xB631", "ParameterValue=0xB632"}}));
+    const Answer answer = RunCommand({"generate", file, "--output", Path("out")});
+    EXPECT_EQ(answer.status, 1);
+    EXPECT_EQ(answer.out, "");
+    EXPECT_NE(answer.err.find(":331: error: 0x13FF:01: signature 0xB632 of SRDO 1, expected 0xB631"),
+              std::string::npos);
+    EXPECT_NE(answer.err.find(":0: error: nothing is written, expected a file without errors, or --force\n"),
+              std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(Path("out")));
+    // With --force it is told, and written
+    const Answer forced = RunCommand({"generate", file, "--output", Path("out"), "--force"});
+    EXPECT_EQ(forced.status, 0);
+    EXPECT_NE(forced.err.find(":331: error:"), std::string::npos);
+    EXPECT_EQ(FilesIn("out"), 2U);
+}
+
+TEST_F(GenerateCommandTest, BadInputIsOneLineAndNoFile)
+{
+    Verifies(req::SRS_GEN_003);
+    const std::string formula = File("f.eds", "[FileInfo]\n\n[1014]\nParameterName=EMCY\nDataType=7\nAccessType=rw\n"
+                                              "DefaultValue=$NODEID+0x80\n");
+    const Answer lacking = RunCommand({"generate", formula, "--output", Path("out")});
+    EXPECT_EQ(lacking.status, 2);
+    EXPECT_EQ(lacking.err, formula + ":7: error: 0x1014:00: value '$NODEID+0x80' needs the node-ID and there is none, "
+                                     "expected --node-id, or NodeID in [DeviceComissioning]\n");
+    EXPECT_FALSE(std::filesystem::exists(Path("out")));
+    EXPECT_EQ(RunCommand({"generate", formula, "--output", Path("out"), "--node-id", "3"}).status, 0);
+    EXPECT_EQ(RunCommand({"generate", Example(), "--namespace", "class"}).status, 2);
+    EXPECT_EQ(RunCommand({"generate", Example(), "--output", Path("no/such")}).status, 2);
+    EXPECT_EQ(RunCommand({"generate", Example(), "--output", Example()}).status, 2);
+    EXPECT_EQ(RunCommand({"generate", Path("none.dcf")}).status, 2);
+}
+
+TEST_F(GenerateCommandTest, AnswersAsJson)
+{
+    Verifies(req::SRS_GEN_015);
+    const Answer answer = RunCommand({"generate", Example(), "--output", Path("out"), "--json"});
+    EXPECT_EQ(answer.status, 0);
+    const auto document = nlohmann::json::parse(answer.out);
+    EXPECT_EQ(document["holds"], true);
+    EXPECT_EQ(document["written"].size(), 2U);
+    EXPECT_EQ(document["entries"], 38);
+    EXPECT_EQ(document["variables"], 4);
+    EXPECT_EQ(document["memory_bytes"], 33);
+    EXPECT_EQ(document["findings"].size(), 0U);
+    const std::string bad =
+        File("bad.dcf", Changed(ExampleText("sensor"), {{"ParameterValue=0xB631", "ParameterValue=0xB632"}}));
+    const auto refusal = nlohmann::json::parse(RunCommand({"generate", bad, "--json"}).out);
+    EXPECT_EQ(refusal["holds"], false);
+    EXPECT_EQ(refusal["written"].size(), 0U);
+    EXPECT_EQ(refusal["findings"].size(), 2U);
+    EXPECT_EQ(nlohmann::json::parse(RunCommand({"generate", "--json", Path("none.dcf")}).out)["error"]["line"], 0);
+}
+} // namespace
+} // namespace counterpoint::tools

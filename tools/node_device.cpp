@@ -1,0 +1,292 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tools/node_device.hpp"
+
+#include "canopen/cia306/device_reader.hpp"
+#include "canopen/cia306/input_error.hpp"
+#include "verification/simulator/names.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace counterpoint::tools
+{
+namespace
+{
+constexpr std::size_t kServiceFrames = 256U;
+constexpr std::uint32_t kCyclesOfDiscrepancy = 5U;
+constexpr std::uint64_t kPressNs = 200000000U;
+constexpr std::uint64_t kNsPerUs = 1000U;
+constexpr std::uint64_t kPressCycles = 4U;
+
+/// Another cycle time is another device than that of the file: no digest is expected, and what has to last some cycles
+/// does.
+DeviceConfig ConfigOf(const simulator::DeviceModel& model, const std::vector<MappableObject>& objects,
+                      const std::optional<std::uint32_t> cycle_us)
+{
+    DeviceConfig config = model.Config();
+    config.objects = objects.data();
+    config.object_count = static_cast<std::uint16_t>(objects.size());
+    if (config.normal_port != config.inverse_port)
+    {
+        throw cia306::InputError(model.File(), 0U,
+                                 {"a device with two controllers, 0x5F00:10 = 2", "a device with one: 1"});
+    }
+    if (cycle_us && *cycle_us != config.cycle_us)
+    {
+        config.cycle_us = *cycle_us;
+        config.cycle_tolerance_us = *cycle_us;
+        config.discrepancy_us = std::max(config.discrepancy_us, kCyclesOfDiscrepancy * *cycle_us);
+        config.diagnostic_interval_us = std::max(config.diagnostic_interval_us, 2U * *cycle_us * config.srdo_count);
+        config.test_interval_us = std::max(config.test_interval_us, *cycle_us);
+        config.digest = 0U;
+    }
+    return config;
+}
+
+/// Mapped by an SRDO or made for one: an object that a file only marks as process data is not the kernel's.
+std::vector<MappableObject> SafetyObjectsOf(const simulator::DeviceModel& model, const cia306::Device& device)
+{
+    std::vector<MappableObject> kept;
+    for (std::size_t place = 0U; place < model.Objects().size(); ++place)
+    {
+        const MappableObject& object = model.Objects()[place];
+        const cia306::Entry* const entry = device.Find(object.index, object.sub);
+        const bool is_mapped =
+            std::any_of(model.Pairs().begin(), model.Pairs().end(), [place](const simulator::VariablePair& pair)
+                        { return pair.normal == place || pair.inverse == place; });
+        if (is_mapped || (entry != nullptr && entry->is_srdo_mappable.value_or(false)))
+        {
+            kept.push_back(object);
+        }
+    }
+    return kept;
+}
+
+NodeObjects::IsKernels KernelsOf(const DeviceConfig& config)
+{
+    return [&config](const std::uint16_t index, const std::uint8_t sub)
+    {
+        const bool is_safety = index >= cia301::kFirstKernelIndex && index <= cia301::kLastKernelIndex;
+        return is_safety || FindObject(config, {index, sub}) != nullptr;
+    };
+}
+
+hal::WatchdogWindow WindowOf(const DeviceConfig& config)
+{
+    return {config.cycle_us / 2U, config.cycle_us + config.cycle_tolerance_us};
+}
+
+} // namespace
+
+NodeDevice::NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeReport& report)
+    : report_(report), ports_(ports), model_(settings.dcf, settings.node_id),
+      safety_objects_(SafetyObjectsOf(model_, cia306::ReadDeviceFile(settings.dcf))),
+      config_(ConfigOf(model_, safety_objects_, settings.cycle_us)), time_(host::BitRate::k500k), watchdog_(time_),
+      output_(time_, watchdog_, {config_.cycle_us + config_.cycle_tolerance_us}),
+      channel_a_(MakeChannel(simulator::Letter::kA, simulator::RoomOf(config_))),
+      channel_b_(MakeChannel(simulator::Letter::kB, simulator::RoomOf(config_))), application_(model_, report),
+      objects_(cia306::ReadDeviceFile(settings.dcf), config_.node_id, KernelsOf(config_)),
+      emergency_({config_.node_id}), watch_(emergency_, application_),
+      kernel_({channel_a_->Voice(), channel_b_->Voice(), ports, output_, watchdog_, watch_}),
+      facade_(kernel_, objects_.Table()), dictionary_(objects_.Table(), facade_),
+      services_({config_.node_id}, {emergency_, ports, dictionary_, objects_.Rooms()}),
+      safety_room_(2U * config_.srdo_count + 2U), service_room_(kServiceFrames),
+      device_({kernel_,
+               watch_,
+               dictionary_,
+               services_,
+               *this,
+               {safety_room_.data(), static_cast<std::uint32_t>(safety_room_.size())},
+               {service_room_.data(), static_cast<std::uint32_t>(service_room_.size())},
+               config_.srdo_count})
+{
+    objects_.Connect(services_);
+    slot_of_.fill(kNoSlot);
+    application_.Tell([this](const std::uint8_t srdo) { paired_ |= SrdoMask{1U} << model_.SlotOf(srdo).value_or(0U); });
+}
+
+const DeviceConfig& NodeDevice::Config() const noexcept
+{
+    return config_;
+}
+
+const simulator::DeviceModel& NodeDevice::Model() const noexcept
+{
+    return model_;
+}
+
+NodeApplication& NodeDevice::App() noexcept
+{
+    return application_;
+}
+
+device::Device& NodeDevice::Services() noexcept
+{
+    return device_;
+}
+
+cia301::Dictionary& NodeDevice::Objects() noexcept
+{
+    return dictionary_;
+}
+
+Kernel& NodeDevice::Core() noexcept
+{
+    return kernel_;
+}
+
+const NodeLatency& NodeDevice::Latency() const noexcept
+{
+    return latency_;
+}
+
+SrdoMask NodeDevice::Open() noexcept
+{
+    return open_;
+}
+
+void NodeDevice::SetTime(const std::uint64_t now_ns)
+{
+    time_.Advance(static_cast<host::BusTime>(now_ns - start_ns_));
+    application_.SetNow(now_ns);
+}
+
+bool NodeDevice::PowerOn(const InstantPair& now, const std::uint64_t now_ns)
+{
+    start_ns_ = now_ns;
+    SetTime(now_ns);
+    const bool is_up = device_.PowerOn(now.a) == device::LoadResult::kLoaded;
+    TellState(now_ns);
+    return is_up;
+}
+
+bool NodeDevice::TakeRestart() noexcept
+{
+    const bool has_restarted = has_restarted_;
+    if (has_restarted)
+    {
+        watchdog_.Start(WindowOf(config_));
+        has_restarted_ = false;
+    }
+    return has_restarted;
+}
+
+void NodeDevice::OnFrame(const host::LiveFrame& frame, const InstantPair& stamp)
+{
+    const StampedFrame stamped{host::ToCanFrame(frame, CanPortId::kFirst), stamp};
+    if (frame.own)
+    {
+        device_.OnConfirm(stamped);
+        return;
+    }
+    const std::uint32_t number = frame.identifier - kFirstSrdoIdentifier;
+    if (number < kSrdoIdentifierCount && slot_of_.at(number) != kNoSlot)
+    {
+        received_ns_.at(slot_of_.at(number)) = frame.time_ns;
+    }
+    device_.OnFrame(stamped);
+}
+
+void NodeDevice::OnLoss() noexcept
+{
+    device_.OnLoss();
+}
+
+void NodeDevice::OnBus(const device::BusCondition condition) noexcept
+{
+    device_.OnBus(condition);
+}
+
+void NodeDevice::Cycle(const InstantPair& now, const std::uint64_t now_ns)
+{
+    SetTime(now_ns);
+    SendByApplication();
+    paired_ = 0U;
+    const SrdoMask levels = AcknowledgeLevels(now_ns);
+    device_.Cycle({now, levels, levels});
+    TellState(now_ns);
+}
+
+void NodeDevice::Serve(const InstantPair& now, const std::uint64_t now_ns)
+{
+    SetTime(now_ns);
+    device_.Serve(now.a);
+    TellState(now_ns);
+}
+
+void NodeDevice::LookAtOutput(const std::uint64_t now_ns)
+{
+    // What closes by itself does so at its time, not when somebody looks again.
+    const host::BusTime closes_at = output_.ClosesAt();
+    SetTime(now_ns);
+    const SrdoMask open = output_.Open();
+    TellLatency(now_ns);
+    for (SlotIndex slot = 0U; slot < config_.srdo_count; ++slot)
+    {
+        const bool is_open = ((open >> slot) & 1U) != 0U;
+        if (((open_ ^ open) >> slot) & 1U)
+        {
+            const std::uint64_t closed_ns = start_ns_ + static_cast<std::uint64_t>(closes_at);
+            const std::uint64_t at_ns = (is_open || closes_at == host::kNever) ? now_ns : std::min(closed_ns, now_ns);
+            report_.Tell(at_ns,
+                         "output of SRDO " + std::to_string(model_.NumberOf(slot)) + (is_open ? " open" : " closed"),
+                         "output", {{"srdo", model_.NumberOf(slot)}, {"open", is_open}});
+        }
+    }
+    open_ = open;
+    application_.Run(open);
+}
+
+// From the stamp of the inverse frame to now, when the gate is open with the new pair.
+void NodeDevice::TellLatency(const std::uint64_t now_ns)
+{
+    const SrdoMask released = paired_ & output_.Open();
+    for (SlotIndex slot = 0U; slot < config_.srdo_count; ++slot)
+    {
+        if (((released >> slot) & 1U) != 0U && received_ns_.at(slot) != 0U && received_ns_.at(slot) < now_ns)
+        {
+            latency_.Add(now_ns - received_ns_.at(slot));
+        }
+    }
+    paired_ = 0U;
+}
+
+bool NodeDevice::Acknowledge(const std::uint8_t srdo, const std::uint64_t now_ns)
+{
+    const std::optional<SlotIndex> slot = model_.SlotOf(srdo);
+    if (slot)
+    {
+        const std::uint64_t cycles_ns = kPressCycles * config_.cycle_us * kNsPerUs;
+        pressed_until_ns_.at(*slot) = now_ns + std::max(kPressNs, cycles_ns);
+    }
+    return slot.has_value();
+}
+
+SrdoMask NodeDevice::AcknowledgeLevels(const std::uint64_t now_ns) const noexcept
+{
+    SrdoMask levels = 0U;
+    for (SlotIndex slot = 0U; slot < config_.srdo_count; ++slot)
+    {
+        levels |= (now_ns < pressed_until_ns_[slot]) ? SrdoMask{1U} << slot : SrdoMask{0U};
+    }
+    return levels;
+}
+
+void NodeDevice::TellState(const std::uint64_t now_ns)
+{
+    const cia301::NodeState state = device_.State();
+    if (state != state_)
+    {
+        state_ = state;
+        const std::string name = simulator::Name(cia301::KernelState(state));
+        report_.Tell(now_ns, "NMT " + name, "nmt", {{"state", name}});
+    }
+}
+
+void NodeDevice::Stop(const std::uint64_t now_ns)
+{
+    ports_.EndProduction();
+    kernel_.Stop();
+    LookAtOutput(now_ns);
+}
+} // namespace counterpoint::tools

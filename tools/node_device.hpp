@@ -1,0 +1,123 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef TOOLS_NODE_DEVICE_HPP
+#define TOOLS_NODE_DEVICE_HPP
+
+#include "tools/node_application.hpp"
+#include "tools/node_latency.hpp"
+#include "tools/node_objects.hpp"
+#include "tools/node_ports.hpp"
+#include "tools/node_report.hpp"
+
+#include "canopen/device/device.hpp"
+#include "canopen/device/safety_objects.hpp"
+#include "hal/host/host_output.hpp"
+#include "hal/host/host_watchdog.hpp"
+#include "hal/host/virtual_bus.hpp"
+#include "verification/simulator/channel_host.hpp"
+#include "verification/simulator/device_model.hpp"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace counterpoint::tools
+{
+/// What a live node is built from.
+struct NodeSettings
+{
+    std::string dcf;
+    std::optional<std::uint8_t> node_id;
+    std::optional<std::uint32_t> cycle_us; ///< Instead of 5F00h:01.
+};
+
+/// A device of a DCF in real time: shipped kernel, channels and services, the gate and the watchdog of the host, real
+/// frames. Time comes in with every call. [SRS-NODE-001, SRS-NODE-006]
+class NodeDevice final : private device::Owner
+{
+  public:
+    /// Throws cia306::InputError.
+    NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeReport& report);
+
+    [[nodiscard]] const DeviceConfig& Config() const noexcept;
+    [[nodiscard]] const simulator::DeviceModel& Model() const noexcept;
+    [[nodiscard]] NodeApplication& App() noexcept;
+    [[nodiscard]] device::Device& Services() noexcept;
+    [[nodiscard]] cia301::Dictionary& Objects() noexcept;
+    [[nodiscard]] Kernel& Core() noexcept;
+    [[nodiscard]] const NodeLatency& Latency() const noexcept;
+    [[nodiscard]] SrdoMask Open() noexcept;
+
+    /// @brief Supply on. False: the kernel refuses the device, told in the report.
+    [[nodiscard]] bool PowerOn(const InstantPair& now, std::uint64_t now_ns);
+    /// @brief A frame of the bus, with its stamp.
+    void OnFrame(const host::LiveFrame& frame, const InstantPair& stamp);
+    void OnLoss() noexcept;
+    /// @brief How the controllers feel.
+    void OnBus(device::BusCondition condition) noexcept;
+    /// @brief One cycle of the device; frames up to it were told.
+    void Cycle(const InstantPair& now, std::uint64_t now_ns);
+    /// @brief What waits, between two cycles.
+    void Serve(const InstantPair& now, std::uint64_t now_ns);
+    /// @brief Outputs as they are at this instant: some close by themselves.
+    void LookAtOutput(std::uint64_t now_ns);
+    /// @brief Whether the kernel was started anew since the last call: cycles and watchdog begin anew.
+    [[nodiscard]] bool TakeRestart() noexcept;
+
+    /// @brief A person presses the acknowledge button of one SRDO; false: there is no such SRDO.
+    [[nodiscard]] bool Acknowledge(std::uint8_t srdo, std::uint64_t now_ns);
+    /// @brief Outputs closed, no SRDO any more.
+    void Stop(std::uint64_t now_ns);
+
+  private:
+    [[nodiscard]] device::LoadResult OnResetNode() noexcept override;
+    [[nodiscard]] device::LoadResult OnResetCommunication() noexcept override;
+
+    void LoadSafety();
+    [[nodiscard]] bool IsSafetyLoaded();
+    void PrepareSending();
+    void SendByApplication();
+    [[nodiscard]] SrdoMask AcknowledgeLevels(std::uint64_t now_ns) const noexcept;
+    void SetTime(std::uint64_t now_ns);
+    void TellState(std::uint64_t now_ns);
+    void TellLatency(std::uint64_t now_ns);
+
+    NodeReport& report_;
+    NodePorts& ports_;
+    simulator::DeviceModel model_;
+    std::vector<MappableObject> safety_objects_; ///< Those of the model that are not for PDOs alone.
+    DeviceConfig config_;
+    host::VirtualBus time_; ///< Nobody is on it: the time of output and watchdog.
+    host::HostWatchdog watchdog_;
+    host::HostOutput output_;
+    std::unique_ptr<simulator::ChannelHost> channel_a_;
+    std::unique_ptr<simulator::ChannelHost> channel_b_;
+    NodeApplication application_;
+    NodeObjects objects_;
+    cia301::EmergencyProducer emergency_;
+    device::KernelWatch watch_;
+    Kernel kernel_;
+    device::SafetyObjects facade_;
+    cia301::Dictionary dictionary_;
+    device::Services services_;
+    std::vector<device::QueuedFrame> safety_room_;
+    std::vector<device::QueuedFrame> service_room_;
+    device::Device device_;
+
+    NodeLatency latency_;
+    std::uint64_t start_ns_{0U};
+    std::array<std::uint64_t, kMaxSrdoCount> pressed_until_ns_{};
+    std::array<std::uint64_t, kMaxSrdoCount> received_ns_{}; ///< Last inverse frame, by slot.
+    std::array<SlotIndex, kSrdoIdentifierCount> slot_of_{};  ///< By identifier of the inverse frame.
+    SrdoMask paired_{0U};                                    ///< Slots with a new pair in this cycle.
+    SrdoMask open_{0U};
+    cia301::NodeState state_{cia301::NodeState::kInvalid};
+    std::uint32_t cycles_per_send_{0U};
+    std::uint32_t cycles_to_send_{0U};
+    bool has_restarted_{false};
+};
+} // namespace counterpoint::tools
+
+#endif // TOOLS_NODE_DEVICE_HPP

@@ -1,0 +1,146 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tools/node_device.hpp"
+
+#include "canopen/cia301/little_endian.hpp"
+#include "canopen/cia306/input_error.hpp"
+
+#include <algorithm>
+
+// What a live node loads at its resets, and what its application sends by itself. [SRS-NODE-001]
+namespace counterpoint::tools
+{
+namespace
+{
+constexpr std::uint16_t kCommunicationBase = 0x1300U;
+
+ObjectData DataOf(const simulator::ConfigurationWrite& write)
+{
+    ObjectData data{};
+    data.size_bytes = write.size_bytes;
+    cia301::ToLittleEndian(write.value, data.bytes, write.size_bytes);
+    return data;
+}
+} // namespace
+
+device::LoadResult NodeDevice::OnResetNode() noexcept
+{
+    model_.ResetVariables();
+    objects_.LoadApplication();
+    const StartResult result = kernel_.Start(config_, FlowCallback::kOff);
+    if (result != StartResult::kStarted)
+    {
+        const auto reason = static_cast<unsigned>(result);
+        report_.Tell(0U, "the kernel refuses this device, reason " + std::to_string(reason) + " of StartResult",
+                     "no_start", {{"reason", reason}});
+        return device::LoadResult::kFailed;
+    }
+    for (const simulator::StaticTable& table : model_.StaticTables())
+    {
+        // What the kernel says of a mapping before its SRDO is configured is not looked at: 13FEh has the last word.
+        const auto index = static_cast<std::uint16_t>(kCommunicationBase + table.number);
+        static_cast<void>(kernel_.DefineStaticFields({index}, model_.FieldsOf(table)));
+    }
+    PrepareSending();
+    has_restarted_ = true;
+    return device::LoadResult::kLoaded;
+}
+
+device::LoadResult NodeDevice::OnResetCommunication() noexcept
+{
+    objects_.LoadCommunication();
+    for (const std::string& refusal : objects_.Refusals())
+    {
+        report_.Tell(0U, refusal, "refused", {{"text", refusal}});
+    }
+    if (!IsSafetyLoaded())
+    {
+        LoadSafety();
+    }
+    slot_of_.fill(kNoSlot);
+    for (const simulator::SrdoModel& srdo : model_.Srdos())
+    {
+        const std::uint32_t number = srdo.cob_id_2 - kFirstSrdoIdentifier;
+        if (srdo.direction == kDirectionConsumer && number < kSrdoIdentifierCount)
+        {
+            slot_of_.at(number) = model_.SlotOf(srdo.number).value_or(kNoSlot);
+        }
+    }
+    return device::LoadResult::kLoaded;
+}
+
+/// Writing the same values again would withdraw 13FEh for a moment.
+bool NodeDevice::IsSafetyLoaded()
+{
+    const auto& writes = model_.Writes();
+    return std::all_of(writes.begin(), writes.end(),
+                       [this, &writes](const simulator::ConfigurationWrite& write)
+                       {
+                           // Each object counts with the last value that it gets.
+                           const auto same = [&write](const simulator::ConfigurationWrite& other)
+                           { return other.object.index == write.object.index && other.object.sub == write.object.sub; };
+                           const auto last = std::find_if(writes.rbegin(), writes.rend(), same);
+                           const ObjectReading reading = kernel_.ReadObject(write.object);
+                           return reading.abort == AbortCode::kNone && ToValue(reading.data) == last->value;
+                       });
+}
+
+void NodeDevice::LoadSafety()
+{
+    for (const simulator::ConfigurationWrite& write : model_.Writes())
+    {
+        const AbortCode code = kernel_.WriteObject(write.object, DataOf(write));
+        if (code != AbortCode::kNone)
+        {
+            const std::string text = model_.File() + ":" + std::to_string(write.line) +
+                                     ": warning: " + cia306::ObjectName(write.object.index, write.object.sub) +
+                                     ": the kernel refuses " + cia306::Hex(write.value, write.size_bytes * 2) +
+                                     " with abort code " + simulator::AbortText(code) +
+                                     ", expected what 'counterpoint check' finds right";
+            report_.Tell(0U, text, "refused", {{"text", text}});
+        }
+    }
+}
+
+// The shortest refresh time of the producers that the application sends by itself.
+void NodeDevice::PrepareSending()
+{
+    cycles_per_send_ = 0U;
+    cycles_to_send_ = 0U;
+    for (const simulator::SrdoModel& srdo : model_.Srdos())
+    {
+        const SlotIndex slot = model_.SlotOf(srdo.number).value_or(0U);
+        const bool sends =
+            srdo.direction == kDirectionProducer && config_.srdos[slot].form == ProducerForm::kApplicationSends;
+        const std::uint32_t cycles = (srdo.times.sct_ms * kMicrosecondsPerMillisecond) / config_.cycle_us;
+        if (sends && (cycles_per_send_ == 0U || cycles < cycles_per_send_))
+        {
+            cycles_per_send_ = std::max(cycles, std::uint32_t{1U});
+        }
+    }
+}
+
+// At once after a change, and every refresh time after the last time.
+void NodeDevice::SendByApplication()
+{
+    if (cycles_per_send_ == 0U || device_.State() != cia301::NodeState::kOperational)
+    {
+        cycles_to_send_ = 0U;
+        return;
+    }
+    const bool has_changed = application_.TakeChange();
+    if (cycles_to_send_ != 0U && !has_changed)
+    {
+        --cycles_to_send_;
+        return;
+    }
+    cycles_to_send_ = cycles_per_send_ - 1U;
+    for (SlotIndex slot = 0U; slot < config_.srdo_count; ++slot)
+    {
+        if (config_.srdos[slot].form == ProducerForm::kApplicationSends)
+        {
+            const auto index = static_cast<std::uint16_t>(kCommunicationBase + model_.NumberOf(slot));
+            static_cast<void>(kernel_.Send({index})); // Consumers among them refuse.
+        }
+    }
+}
+} // namespace counterpoint::tools

@@ -1,0 +1,264 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tools/node_loop.hpp"
+
+#include "canopen/device/safety_queue.hpp"
+#include "safety_core/kernel/limits.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <ctime>
+#include <poll.h>
+#include <sched.h>
+#include <unistd.h>
+
+namespace counterpoint::tools
+{
+namespace
+{
+constexpr std::uint64_t kNsPerUs = 1000U;
+constexpr std::uint64_t kNsPerSecond = 1000000000U;
+constexpr std::uint64_t kWatchNs = 50000000U;
+constexpr int kPriority = 20;
+
+volatile std::sig_atomic_t caught_signal = 0;
+
+struct BusWord
+{
+    host::BusState state;
+    const char* name;
+    device::BusCondition condition;
+};
+constexpr std::array<BusWord, 5U> kBusWords{{{host::BusState::kActive, "active", device::BusCondition::kActive},
+                                             {host::BusState::kWarning, "warning", device::BusCondition::kActive},
+                                             {host::BusState::kPassive, "passive", device::BusCondition::kPassive},
+                                             {host::BusState::kBusOff, "bus_off", device::BusCondition::kOff},
+                                             {host::BusState::kDown, "down", device::BusCondition::kOff}}};
+
+void Catch(const int number)
+{
+    caught_signal = number;
+}
+
+/// Signals come only while the loop waits, so that none is lost between looking and waiting.
+void CatchSignals()
+{
+    caught_signal = 0;
+    struct sigaction action{};
+    action.sa_handler = &Catch;
+    sigset_t blocked{};
+    sigemptyset(&blocked);
+    for (const int number : {SIGTERM, SIGINT})
+    {
+        static_cast<void>(::sigaction(number, &action, nullptr));
+        sigaddset(&blocked, number);
+    }
+    static_cast<void>(::sigprocmask(SIG_BLOCK, &blocked, nullptr));
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGTTIN, SIG_IGN);
+}
+} // namespace
+
+NodeLoop::NodeLoop(const NodeLoopParts& parts)
+    : parts_(parts), clocks_(parts.device.Config().cycle_tolerance_us), script_(parts.script),
+      cycle_ns_(parts.device.Config().cycle_us * kNsPerUs), is_input_open_(parts.input >= 0)
+{
+}
+
+ExitStatus NodeLoop::Run()
+{
+    CatchSignals();
+    sched_param priority{};
+    priority.sched_priority = kPriority;
+    const bool is_preferred = ::sched_setscheduler(0, SCHED_FIFO, &priority) == 0;
+    now_ = clocks_.Now();
+    now_ns_ = clocks_.NowNs();
+    start_ns_ = now_ns_;
+    TellStart();
+    if (!is_preferred)
+    {
+        Tell(std::string("warning: no real-time priority (") + std::strerror(errno) + "): cycles may come too late",
+             "warning", {{"text", "no real-time priority"}});
+    }
+    if (!parts_.device.PowerOn(now_, now_ns_))
+    {
+        return ExitStatus::kDoesNotHold;
+    }
+    next_cycle_ns_ = now_ns_ + cycle_ns_;
+    while (reason_.empty())
+    {
+        Step();
+        Wait();
+    }
+    return End();
+}
+
+void NodeLoop::Step()
+{
+    now_ = clocks_.Now();
+    now_ns_ = clocks_.NowNs();
+    Receive();
+    if (now_ns_ >= next_cycle_ns_)
+    {
+        RunCycle();
+    }
+    else
+    {
+        parts_.device.Serve(now_, now_ns_);
+    }
+    if (parts_.device.TakeRestart())
+    {
+        next_cycle_ns_ = clocks_.NowNs() + cycle_ns_;
+    }
+    static_cast<void>(clocks_.Now());
+    parts_.device.LookAtOutput(clocks_.NowNs());
+    WatchBus();
+    FollowScript();
+    if (caught_signal != 0)
+    {
+        reason_ = (caught_signal == SIGINT) ? "SIGINT" : "SIGTERM";
+    }
+}
+
+// After a late one the cycles keep their distance: a watchdog that is answered too early trips, too.
+void NodeLoop::RunCycle()
+{
+    const std::uint64_t late_ns = now_ns_ - next_cycle_ns_;
+    latest_cycle_ns_ = std::max(latest_cycle_ns_, late_ns);
+    parts_.device.Cycle(clocks_.Seal(), now_ns_);
+    next_cycle_ns_ += (late_ns > cycle_ns_ / 4U) ? late_ns + cycle_ns_ : cycle_ns_;
+}
+
+void NodeLoop::Wait()
+{
+    static_cast<void>(clocks_.Now());
+    const std::uint64_t now_ns = clocks_.NowNs();
+    const std::uint64_t wait_ns = (next_cycle_ns_ > now_ns) ? next_cycle_ns_ - now_ns : 0U;
+    const timespec time{static_cast<time_t>(wait_ns / kNsPerSecond), static_cast<long>(wait_ns % kNsPerSecond)};
+    std::array<pollfd, 3U> places{{{parts_.ports.Safety().Descriptor(), POLLIN, 0},
+                                   {parts_.ports.Services().Descriptor(), POLLIN, 0},
+                                   {is_input_open_ ? parts_.input : -1, POLLIN, 0}}};
+    sigset_t none{};
+    sigemptyset(&none);
+    const int ready = ::ppoll(places.data(), places.size(), &time, &none);
+    if (ready > 0 && places[2U].revents != 0)
+    {
+        ReadOrders();
+    }
+}
+
+void NodeLoop::Receive()
+{
+    while (!held_.empty() && held_.front().time_ns <= now_ns_)
+    {
+        parts_.device.OnFrame(held_.front(), clocks_.Stamp(held_.front().time_ns));
+        held_.pop_front();
+    }
+    Take(parts_.ports.Safety(), true);
+    Take(parts_.ports.Services(), false);
+}
+
+void NodeLoop::Take(host::LiveBus& bus, const bool is_safety)
+{
+    host::LiveFrame frame;
+    while (bus.Receive(frame))
+    {
+        const bool is_meant = !frame.error && device::IsSafetyIdentifier(frame.identifier) == is_safety;
+        if (!is_meant)
+        {
+            continue;
+        }
+        if (is_safety && (frame.time_ns > now_ns_ || !held_.empty()))
+        {
+            held_.push_back(frame);
+        }
+        else
+        {
+            const InstantPair stamp = is_safety ? clocks_.Stamp(frame.time_ns) : now_; // Services need no stamps.
+            parts_.device.OnFrame(frame, stamp);
+        }
+    }
+}
+
+void NodeLoop::WatchBus()
+{
+    if (now_ns_ - watched_ns_ < kWatchNs)
+    {
+        return;
+    }
+    watched_ns_ = now_ns_;
+    const std::uint32_t lost =
+        parts_.ports.Safety().Health().lost_frames + parts_.ports.Services().Health().lost_frames;
+    if (lost != lost_)
+    {
+        Tell(std::to_string(lost - lost_) + " frames lost between bus and node", "lost_frames",
+             {{"count", lost - lost_}});
+        lost_ = lost;
+        parts_.device.OnLoss();
+    }
+    const host::BusState state = parts_.ports.Services().Health().state;
+    const auto word =
+        std::find_if(kBusWords.begin(), kBusWords.end(), [state](const BusWord& each) { return each.state == state; });
+    if (state != bus_ && word != kBusWords.end())
+    {
+        bus_ = state;
+        Tell(std::string("bus ") + word->name, "bus", {{"state", word->name}});
+        parts_.device.OnBus(word->condition);
+    }
+}
+
+void NodeLoop::FollowScript()
+{
+    const std::uint64_t since_ns = now_ns_ - start_ns_;
+    for (ScriptStep& step : script_.steps)
+    {
+        if (step.order.kind != OrderKind::kNothing && since_ns >= step.at_ns)
+        {
+            Carry(step.order);
+            step.at_ns += step.every_ns;
+            step.order.kind = (step.every_ns == 0U) ? OrderKind::kNothing : step.order.kind;
+        }
+    }
+}
+
+void NodeLoop::ReadOrders()
+{
+    std::array<char, 4096U> bytes{};
+    const ssize_t count = ::read(parts_.input, bytes.data(), bytes.size());
+    is_input_open_ = count > 0;
+    typed_.append(bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    for (std::size_t end = typed_.find('\n'); end != std::string::npos; end = typed_.find('\n'))
+    {
+        Carry(ParseOrder(typed_.substr(0U, end)));
+        typed_.erase(0U, end + 1U);
+    }
+}
+
+void NodeLoop::Tell(const std::string& text, const std::string& event, const nlohmann::ordered_json& details)
+{
+    parts_.report.Tell(now_ns_, text, event, details);
+}
+
+ExitStatus NodeLoop::End()
+{
+    const bool is_safe = parts_.device.Core().DeviceState().fault != DeviceFault::kNone;
+    static_cast<void>(clocks_.Now());
+    now_ns_ = clocks_.NowNs();
+    parts_.device.Stop(now_ns_);
+    parts_.report.Print(parts_.device.Latency().Text());
+    if (parts_.report.Form() == ReportForm::kJson)
+    {
+        Tell("", "latency", parts_.device.Latency().Json());
+    }
+    const std::uint64_t latest_us = latest_cycle_ns_ / kNsPerUs;
+    Tell("greatest delay of a cycle " + std::to_string(latest_us) + " us; frames stamped behind another: " +
+             std::to_string(clocks_.LateCount()) + ", by at most " + std::to_string(clocks_.LatestUs()) + " us",
+         "delays", {{"cycle_us", latest_us}, {"late_stamps", clocks_.LateCount()}, {"stamp_us", clocks_.LatestUs()}});
+    Tell("stopped by " + reason_ + ": outputs closed, production ended" +
+             (is_safe ? "; was in the device safe state" : ""),
+         "stopped", {{"reason", reason_}, {"device_safe_state", is_safe}});
+    return is_safe ? ExitStatus::kDoesNotHold : ExitStatus::kHolds;
+}
+} // namespace counterpoint::tools

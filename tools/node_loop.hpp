@@ -1,0 +1,73 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef TOOLS_NODE_LOOP_HPP
+#define TOOLS_NODE_LOOP_HPP
+
+#include "tools/command.hpp"
+#include "tools/node_clocks.hpp"
+#include "tools/node_device.hpp"
+#include "tools/node_script.hpp"
+
+#include <cstdint>
+#include <deque>
+#include <string>
+
+namespace counterpoint::tools
+{
+/// All that a loop runs; all outlive it.
+struct NodeLoopParts
+{
+    NodeDevice& device;
+    NodePorts& ports;
+    NodeReport& report;
+    const NodeScript& script;
+    int input; ///< Descriptor of typed orders; -1: none.
+};
+
+/// The executive of a live node: cycles at their times, frames and orders between them, until it is told to stop.
+/// [SRS-NODE-003, SRS-NODE-005, SRS-NODE-006]
+class NodeLoop
+{
+  public:
+    explicit NodeLoop(const NodeLoopParts& parts);
+
+    /// @brief Until quit, SIGTERM, SIGINT or the end of the script. 1: the device ended in its safe state.
+    [[nodiscard]] ExitStatus Run();
+
+  private:
+    void TellStart();
+    void Wait();
+    void Receive();
+    void Take(host::LiveBus& bus, bool is_safety);
+    void Step();
+    void RunCycle();
+    void WatchBus();
+    void FollowScript();
+    void ReadOrders();
+    void Carry(const NodeOrder& order);
+    void SetObject(const NodeOrder& order);
+    void TellObject(const ObjectAddress& object);
+    void SendCommand(const NodeOrder& order);
+    void TellState();
+    void Tell(const std::string& text, const std::string& event, const nlohmann::ordered_json& details);
+    [[nodiscard]] ExitStatus End();
+
+    NodeLoopParts parts_;
+    NodeClocks clocks_;
+    NodeScript script_;                ///< Steps that are left.
+    std::deque<host::LiveFrame> held_; ///< Safety frames that came after the instant that is being worked on.
+    std::uint64_t start_ns_{0U};
+    std::uint64_t next_cycle_ns_{0U};
+    std::uint64_t cycle_ns_;
+    std::uint64_t watched_ns_{0U};
+    std::uint64_t latest_cycle_ns_{0U}; ///< Greatest distance of a cycle from its time.
+    std::uint32_t lost_{0U};
+    host::BusState bus_{host::BusState::kActive};
+    InstantPair now_{{0U}, {0U}};
+    std::uint64_t now_ns_{0U};
+    std::string typed_;  ///< Begin of a line.
+    std::string reason_; ///< Why it ends; empty: it does not.
+    bool is_input_open_;
+};
+} // namespace counterpoint::tools
+
+#endif // TOOLS_NODE_LOOP_HPP

@@ -1,0 +1,188 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tools/node_loop.hpp"
+
+#include "canopen/cia306/input_error.hpp"
+#include "safety_core/kernel/limits.hpp"
+#include "verification/simulator/names.hpp"
+
+// What a live node is asked, and its answers. [SRS-NODE-003, SRS-NODE-004]
+namespace counterpoint::tools
+{
+namespace
+{
+using simulator::ObjectText;
+
+constexpr double kUsPerMs = 1000.0;
+constexpr std::uint16_t kCommunicationBase = 0x1300U;
+
+std::string AbortText(const cia301::SdoAbort abort)
+{
+    return simulator::AbortText(static_cast<AbortCode>(static_cast<std::uint32_t>(abort)));
+}
+
+std::string Milliseconds(const std::uint32_t us)
+{
+    return simulator::MillisecondsText(simulator::Nanoseconds{us} * simulator::kNanosecondsPerMicrosecond);
+}
+} // namespace
+
+void NodeLoop::TellStart()
+{
+    const DeviceConfig& config = parts_.device.Config();
+    const simulator::DeviceModel& model = parts_.device.Model();
+    Tell("node " + std::to_string(config.node_id) + " of " + cia306::Printable(model.File()) + " on " +
+             parts_.ports.Services().Name() + ", cycle " + Milliseconds(config.cycle_us) + ", late above " +
+             Milliseconds(config.cycle_us + config.cycle_tolerance_us),
+         "start",
+         {{"node_id", config.node_id},
+          {"dcf", model.File()},
+          {"can", parts_.ports.Services().Name()},
+          {"cycle_us", config.cycle_us},
+          {"cycle_tolerance_us", config.cycle_tolerance_us}});
+    for (const simulator::SrdoModel& srdo : model.Srdos())
+    {
+        const bool is_consumer = srdo.direction == kDirectionConsumer;
+        if (is_consumer || srdo.direction == kDirectionProducer)
+        {
+            const std::uint32_t limit_us = is_consumer ? ComputeLimit(config, srdo.times, FaultClass::kBus).us : 0U;
+            const std::string text = "SRDO " + std::to_string(srdo.number) +
+                                     (is_consumer ? " consumer " : " producer ") +
+                                     simulator::IdentifierText(srdo.cob_id_1) +
+                                     (is_consumer ? ", safe within " + Milliseconds(limit_us) + " of the last good pair"
+                                                  : ", every " + std::to_string(srdo.times.sct_ms) + " ms");
+            Tell(text, "srdo", {{"srdo", srdo.number}, {"consumer", is_consumer}, {"limit_us", limit_us}});
+        }
+    }
+}
+
+void NodeLoop::Carry(const NodeOrder& order)
+{
+    switch (order.kind)
+    {
+    case OrderKind::kSet:
+        SetObject(order);
+        break;
+    case OrderKind::kGet:
+        TellObject(order.object);
+        break;
+    case OrderKind::kAcknowledge:
+        if (!parts_.device.Acknowledge(static_cast<std::uint8_t>(order.value), now_ns_))
+        {
+            Tell("ack: no SRDO " + std::to_string(order.value) + ", expected one of this device", "problem",
+                 {{"text", "no such SRDO"}});
+        }
+        break;
+    case OrderKind::kGfc:
+        if (parts_.device.Core().SendGfc() != Result::kSuccessful)
+        {
+            Tell("gfc: refused, expected OPERATIONAL, a valid configuration and 1300h = 1", "problem",
+                 {{"text", "gfc refused"}});
+        }
+        break;
+    case OrderKind::kNmt:
+    {
+        const std::string name = simulator::Name(cia301::KernelState(parts_.device.Services().State()));
+        Tell("NMT " + name, "nmt", {{"state", name}});
+        break;
+    }
+    case OrderKind::kCommand:
+        SendCommand(order);
+        break;
+    case OrderKind::kState:
+        TellState();
+        break;
+    case OrderKind::kHelp:
+        parts_.report.Print(OrderHelp());
+        break;
+    case OrderKind::kQuit:
+        reason_ = "quit";
+        break;
+    case OrderKind::kProblem:
+        Tell(order.problem, "problem", {{"text", order.problem}});
+        break;
+    case OrderKind::kNothing:
+        break;
+    }
+}
+
+/// An input of the application, else an object of the device itself.
+void NodeLoop::SetObject(const NodeOrder& order)
+{
+    if (parts_.device.App().SetInput(order.object, order.value))
+    {
+        return;
+    }
+    const cia301::Entry* const entry = parts_.device.Objects().Find(order.object);
+    const bool is_number = entry != nullptr && entry->size_bytes <= kMaxPayloadBytes;
+    cia301::SdoAbort abort = cia301::SdoAbort::kObjectUnknown;
+    if (is_number)
+    {
+        abort = parts_.device.Objects().WriteNumber(order.object, order.value, entry->size_bytes);
+    }
+    if (abort != cia301::SdoAbort::kNone)
+    {
+        const std::string text = "set: " + ObjectText(order.object) + " = " + std::to_string(order.value) +
+                                 " refused with " + AbortText(abort) +
+                                 ", expected an input or an object of the device, and a value that it takes";
+        Tell(text, "problem", {{"text", text}});
+    }
+}
+
+void NodeLoop::TellObject(const ObjectAddress& object)
+{
+    const cia301::NumberReading reading = parts_.device.Objects().ReadNumber(object);
+    if (reading.abort == cia301::SdoAbort::kNone)
+    {
+        Tell(ObjectText(object) + " = " + std::to_string(reading.value), "object",
+             {{"object", ObjectText(object)}, {"value", reading.value}});
+        return;
+    }
+    const std::string text =
+        "get: " + ObjectText(object) + ": " + AbortText(reading.abort) + ", expected an object of numbers";
+    Tell(text, "problem", {{"text", text}});
+}
+
+/// To this node as if it had come from the bus, to another as a master would.
+void NodeLoop::SendCommand(const NodeOrder& order)
+{
+    const std::uint8_t own = parts_.device.Config().node_id;
+    host::LiveFrame frame;
+    frame.length_bytes = 2U;
+    frame.data[0U] = static_cast<std::uint8_t>(order.value);
+    frame.data[1U] = (order.node == 0U) ? own : order.node;
+    if (frame.data[1U] == own)
+    {
+        parts_.device.OnFrame(frame, now_);
+    }
+    else if (parts_.ports.Services().Send(frame) != host::SendResult::kSent)
+    {
+        Tell("nmt: the bus takes no frame now", "problem", {{"text", "bus takes no frame"}});
+    }
+}
+
+void NodeLoop::TellState()
+{
+    const DeviceFaultReport fault = parts_.device.Core().DeviceState();
+    const SrdoMask open = parts_.device.Open();
+    std::string text = std::string("NMT ") + simulator::Name(cia301::KernelState(parts_.device.Services().State())) +
+                       ", device " + (fault.fault == DeviceFault::kNone ? "running" : simulator::Name(fault.fault));
+    nlohmann::ordered_json details{{"nmt", simulator::Name(cia301::KernelState(parts_.device.Services().State()))},
+                                   {"device_fault", simulator::Name(fault.fault)},
+                                   {"srdos", nlohmann::ordered_json::array()}};
+    for (SlotIndex slot = 0U; slot < parts_.device.Config().srdo_count; ++slot)
+    {
+        const std::uint8_t number = parts_.device.Model().NumberOf(slot);
+        const auto index = static_cast<std::uint16_t>(kCommunicationBase + number);
+        const StateReply state = parts_.device.Core().GetState({index});
+        const bool is_open = ((open >> slot) & 1U) != 0U;
+        const std::string name = simulator::NameOf(simulator::kStateWords, state.state);
+        const std::string cause = simulator::Name(state.first_cause);
+        text += "; SRDO " + std::to_string(number) + " " + name + (cause == "none" ? "" : " (" + cause + ")") +
+                (is_open ? ", output open" : "");
+        details["srdos"].push_back(
+            {{"srdo", number}, {"state", name}, {"cause", cause}, {"errors", state.error_count}, {"open", is_open}});
+    }
+    details["values"] = parts_.device.App().Values();
+    Tell(text + "; " + parts_.device.App().Values(), "state", details);
+}
+} // namespace counterpoint::tools

@@ -1,0 +1,44 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef TOOLS_NODE_ORDER_HPP
+#define TOOLS_NODE_ORDER_HPP
+
+#include "safety_core/kernel/object_access.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace counterpoint::tools
+{
+enum class OrderKind : std::uint8_t
+{
+    kNothing = 0U,     ///< An empty line or a comment.
+    kSet = 1U,         ///< object, value
+    kGet = 2U,         ///< object
+    kAcknowledge = 3U, ///< value: number of the SRDO
+    kGfc = 4U,
+    kNmt = 5U,     ///< Shows the state.
+    kCommand = 6U, ///< value: NMT command; node: 0 is this one.
+    kState = 7U,
+    kHelp = 8U,
+    kQuit = 9U,
+    kProblem = 10U, ///< `problem` tells.
+};
+
+/// What a person or a script wants of a live node.
+struct NodeOrder
+{
+    OrderKind kind{OrderKind::kNothing};
+    ObjectAddress object{0U, 0U};
+    std::uint64_t value{0U};
+    std::uint8_t node{0U};
+    std::string problem; ///< What is wrong and what was expected.
+};
+
+/// @brief One line: set 0x2000:01 1, get 0x1018:01, ack 1, gfc, nmt, nmt start [NODE], state, help, quit.
+/// [SRS-NODE-003]
+[[nodiscard]] NodeOrder ParseOrder(const std::string& line);
+/// @brief All orders, a line each.
+[[nodiscard]] std::string OrderHelp();
+} // namespace counterpoint::tools
+
+#endif // TOOLS_NODE_ORDER_HPP

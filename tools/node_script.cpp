@@ -1,0 +1,138 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tools/node_script.hpp"
+
+#include "verification/simulator/fields.hpp"
+#include "verification/simulator/names.hpp"
+#include "verification/simulator/yaml_document.hpp"
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <optional>
+
+namespace counterpoint::tools
+{
+namespace
+{
+using simulator::ScenarioValue;
+using simulator::YamlNode;
+
+/// The keys of one map: known ones once at the most, no others.
+class Map
+{
+  public:
+    Map(const std::string& file, const YamlNode& node, const std::initializer_list<const char*> known)
+        : file_(file), value_(file, node)
+    {
+        std::string names;
+        for (const char* const name : known)
+        {
+            names += (names.empty() ? "" : ", ") + std::string(name);
+        }
+        if (node.kind != simulator::YamlKind::kMap)
+        {
+            value_.Refuse(simulator::WhatIs(node), "a map with " + names);
+        }
+        for (std::size_t place = 0U; place + 1U < node.items.size(); place += 2U)
+        {
+            const YamlNode& key = node.items[place];
+            const bool is_known =
+                std::any_of(known.begin(), known.end(), [&key](const char* const name) { return key.scalar == name; });
+            if (!is_known)
+            {
+                ScenarioValue(file_, key).Refuse("unknown key " + simulator::Shown(key.scalar), names);
+            }
+        }
+    }
+    [[nodiscard]] std::optional<ScenarioValue> Find(const std::string& name) const
+    {
+        const std::vector<YamlNode>& items = value_.Node().items;
+        for (std::size_t place = 0U; place + 1U < items.size(); place += 2U)
+        {
+            if (items[place].scalar == name)
+            {
+                return ScenarioValue(file_, items[place + 1U]);
+            }
+        }
+        return std::nullopt;
+    }
+    [[nodiscard]] ScenarioValue Require(const std::string& name) const
+    {
+        const std::optional<ScenarioValue> found = Find(name);
+        if (!found)
+        {
+            value_.Refuse("no key '" + name + "'", "it here");
+        }
+        return *found;
+    }
+
+  private:
+    const std::string& file_;
+    ScenarioValue value_;
+};
+
+simulator::LogicRule ReadRule(const std::string& file, const ScenarioValue& value)
+{
+    const Map map(file, value.Node(), {"set", "op", "from"});
+    simulator::LogicRule rule;
+    rule.source = value.Where();
+    rule.target = map.Require("set").Object();
+    rule.operation = map.Require("op").Choice(simulator::kOperationWords);
+    const ScenarioValue from = map.Require("from");
+    for (const ScenarioValue& input : from.Items("a list of objects"))
+    {
+        rule.inputs.push_back(input.Object());
+    }
+    const bool takes_one =
+        rule.operation == simulator::LogicOperation::kCopy || rule.operation == simulator::LogicOperation::kNot;
+    if (rule.inputs.empty() || (takes_one && rule.inputs.size() != 1U))
+    {
+        from.Refuse(std::to_string(rule.inputs.size()) + " objects",
+                    "one with copy and not, one or more with and and or");
+    }
+    return rule;
+}
+
+ScriptStep ReadStep(const std::string& file, const ScenarioValue& value)
+{
+    const Map map(file, value.Node(), {"at", "do", "every"});
+    ScriptStep step;
+    step.at_ns = static_cast<std::uint64_t>(map.Require("at").Duration());
+    const ScenarioValue order = map.Require("do");
+    step.order = ParseOrder(order.Text("an order such as set 0x2000:01 1"));
+    if (step.order.kind == OrderKind::kProblem)
+    {
+        order.Refuse(step.order.problem.substr(0U, step.order.problem.find(", expected ")),
+                     step.order.problem.substr(step.order.problem.find(", expected ") + 11U));
+    }
+    if (const std::optional<ScenarioValue> every = map.Find("every"))
+    {
+        step.every_ns = static_cast<std::uint64_t>(every->Lasting());
+    }
+    return step;
+}
+} // namespace
+
+NodeScript ReadNodeScript(const std::string& file)
+{
+    NodeScript script;
+    script.file = file;
+    const YamlNode document = simulator::ParseYaml(file, simulator::ReadScenarioText(file));
+    const Map map(script.file, document, {"title", "logic", "steps"});
+    if (const std::optional<ScenarioValue> logic = map.Find("logic"))
+    {
+        for (const ScenarioValue& rule : logic->Items("a list of rules"))
+        {
+            script.rules.push_back(ReadRule(script.file, rule));
+        }
+    }
+    if (const std::optional<ScenarioValue> steps = map.Find("steps"))
+    {
+        for (const ScenarioValue& step : steps->Items("a list of steps"))
+        {
+            script.steps.push_back(ReadStep(script.file, step));
+        }
+    }
+    return script;
+}
+} // namespace counterpoint::tools

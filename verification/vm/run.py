@@ -1,0 +1,161 @@
+#!/usr/bin/env python3
+"""Boots Debian's kernel in an emulated PC and runs the checks of verification/vm/checks in it.
+
+A check is one file, NAME.sh (BusyBox's shell) or NAME.py, which passes by exit status 0. Comments at its head:
+  # Needs: PATH ...            files, programs, folders from the root of the tree, placed at the same path under /
+  # Requirements: SRS-...      what a pass shows; written to build/vm/vm.json
+  # Seconds: N                 its limit (default 30)
+The first comment line that is none of these says in words what it checks. /lib.sh has functions for the shell.
+
+Exit status: 0 every check passed, 1 one did not, 2 the machine could not be made or did not boot.
+"""
+import argparse
+import json
+import pathlib
+import re
+import selectors
+import subprocess
+import sys
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import image  # noqa: E402
+from image import BUILD, ROOT, CannotMake  # noqa: E402
+
+CHECKS = pathlib.Path(__file__).resolve().parent / "checks"
+BOOT_SECONDS = 120
+
+
+class Check:
+    """One file of checks/, with what its head says."""
+
+    def __init__(self, path):
+        self.path = path
+        self.name = path.stem
+        self.needs, self.requirements, self.seconds, self.title = [], [], 30, ""
+        for line in path.read_text(encoding="utf-8").splitlines():
+            if line.startswith("#!"):
+                continue
+            if not line.startswith("#"):
+                break
+            key, _, value = line[1:].strip().partition(": ")
+            if key == "Needs":
+                self.needs += value.split()
+            elif key == "Requirements":
+                self.requirements += value.split()
+            elif key == "Seconds":
+                self.seconds = int(value)
+            elif not self.title:
+                self.title = line[1:].strip()
+        for uid in self.requirements:
+            if not re.fullmatch(r"SRS-[A-Z][A-Z0-9]*-[0-9]{3}", uid):
+                raise CannotMake(f"{path.name}: requirement '{uid}', expected the form SRS-AREA-000")
+
+
+def chosen(patterns):
+    """The checks whose name contains one of the patterns; all without patterns."""
+    found = [Check(path) for path in sorted(CHECKS.iterdir()) if path.suffix in (".sh", ".py")]
+    picked = [check for check in found if not patterns or any(pattern in check.name for pattern in patterns)]
+    if not picked:
+        names = ", ".join(check.name for check in found)
+        raise CannotMake(f"no check's name contains {' or '.join(patterns)}, expected one of: {names}")
+    return picked
+
+
+def command(kernel, disk):
+    """One emulated PC: two Kvaser cards (SJA1000) on one CAN bus, console to a file, report to us."""
+    return [image.tool("qemu-system-x86_64"), "-M", "pc", "-cpu", "max", "-accel", "tcg", "-m", "768", "-nodefaults", "-no-user-config",
+            "-display", "none", "-no-reboot", "-kernel", str(kernel), "-initrd", str(disk),
+            "-append", "console=ttyS0 loglevel=4 panic=-1 mitigations=off tsc=reliable random.trust_cpu=on",
+            "-object", "can-bus,id=canbus0", "-device", "kvaser_pci,canbus=canbus0", "-device", "kvaser_pci,canbus=canbus0",
+            "-serial", f"file:{BUILD / 'console.log'}", "-serial", "stdio"]
+
+
+def report_lines(machine, limit):
+    """Lines of the report as they come; CannotMake when the limit passes."""
+    waiting = selectors.DefaultSelector()
+    waiting.register(machine.stdout, selectors.EVENT_READ)
+    end, rest = time.monotonic() + limit, b""
+    while True:
+        if not waiting.select(max(0.0, end - time.monotonic())):
+            raise CannotMake(f"no end after {limit} s; console: build/vm/console.log")
+        got = machine.stdout.read1(65536)
+        if not got:
+            return
+        *lines, rest = (rest + got).split(b"\n")
+        for line in lines:
+            yield line.decode("utf-8", "replace").rstrip("\r")
+
+
+def run(checks, kernel, disk):
+    """Boots, prints what comes, returns {name: (passed, seconds)}."""
+    results = {}
+    limit = BOOT_SECONDS + sum(check.seconds for check in checks)
+    by_file = {check.path.name: check for check in checks}
+    started = time.monotonic()
+    with open(BUILD / "report.log", "w", encoding="utf-8") as log, \
+            subprocess.Popen(command(kernel, disk), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE) as machine:
+        try:
+            for line in report_lines(machine, limit):
+                log.write(line + "\n")
+                if line == "up":
+                    print(f"booted after {time.monotonic() - started:.1f} s", flush=True)
+                verdict = re.fullmatch(r"(pass|FAIL) (\S+) (\d+)", line)
+                if verdict:
+                    check = by_file[verdict[2]]
+                    results[check.name] = (verdict[1] == "pass", int(verdict[3]))
+                    print(f"{verdict[1]}  {check.name}: {check.title} ({verdict[3]} s)", flush=True)
+                elif line.startswith("  "):
+                    print(line, flush=True)
+        finally:
+            machine.kill()
+    return results
+
+
+def write_json(checks, results):
+    """Requirements that every one of their checks shows, for the trace."""
+    shown = {}
+    for check in checks:
+        for uid in check.requirements:
+            shown[uid] = shown.get(uid, True) and results.get(check.name, (False, 0))[0]
+    answer = {"checks": {name: passed for name, (passed, _) in results.items()}, "requirements": shown}
+    (BUILD / "vm.json").write_text(json.dumps(answer, indent=1) + "\n", encoding="utf-8")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("pattern", nargs="*", help="run only checks whose name contains one of these")
+    parser.add_argument("--build", default="build/product", help="take programs from this build folder instead of build/product")
+    parser.add_argument("--list", action="store_true", help="list the checks and what they need")
+    parser.add_argument("--needs", action="store_true", help="list only the built programs that the checks need")
+    arguments = parser.parse_args()
+    try:
+        checks = chosen(arguments.pattern)
+        if arguments.list:
+            for check in checks:
+                print(f"{check.name}: {check.title}")
+            return 0
+        if arguments.needs:
+            needed = sorted({name for check in checks for name in check.needs if name.startswith("build/")})
+            print("\n".join(needed))
+            return 0
+        BUILD.mkdir(parents=True, exist_ok=True)
+        kernel, base = image.base(image.python_of(ROOT))
+        disk = BUILD / "disk.cpio"
+        disk.write_bytes(base.read_bytes() + image.load(checks, arguments.build).read_bytes())
+        results = run(checks, kernel, disk)
+    except CannotMake as problem:
+        print(f"vm: {problem}", file=sys.stderr)
+        return 2
+    if len(results) != len(checks):
+        print(f"vm: {len(results)} of {len(checks)} checks reported; console: build/vm/console.log", file=sys.stderr)
+        write_json(checks, results)
+        return 2 if not results else 1
+    write_json(checks, results)
+    passed = sum(good for good, _ in results.values())
+    print(f"{passed} passed, {len(results) - passed} failed")
+    return 0 if passed == len(results) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
