@@ -88,38 +88,38 @@ class ConfigurationGuard
     }
 
   private:
-    [[nodiscard]] AbortCode WritePlace(const ObjectPlace& place, std::uint32_t value) noexcept;
-    [[nodiscard]] AbortCode WriteConfiguration(const ConfigItem& item) noexcept;
+    [[nodiscard]] inline AbortCode WritePlace(const ObjectPlace& place, std::uint32_t value) noexcept;
+    [[nodiscard]] inline AbortCode WriteConfiguration(const ConfigItem& item) noexcept;
     [[nodiscard]] Result Declare() noexcept;
     [[nodiscard]] AbortCode AdmitItem(const ConfigItem& item) const noexcept;
-    [[nodiscard]] bool IsDirectionFit(const ConfigItem& item) const noexcept;
-    [[nodiscard]] bool IsCobIdFit(const ConfigItem& item) const noexcept;
+    [[nodiscard]] inline bool IsDirectionFit(const ConfigItem& item) const noexcept;
+    [[nodiscard]] inline bool IsCobIdFit(const ConfigItem& item) const noexcept;
     [[nodiscard]] bool IsFree(SlotIndex slot, std::uint32_t identifier) const noexcept;
-    [[nodiscard]] AbortCode AdmitMapCount(const ConfigItem& item) const noexcept;
-    [[nodiscard]] AbortCode AdmitMapEntry(const ConfigItem& item) const noexcept;
+    [[nodiscard]] inline AbortCode AdmitMapCount(const ConfigItem& item) const noexcept;
+    [[nodiscard]] inline AbortCode AdmitMapEntry(const ConfigItem& item) const noexcept;
     [[nodiscard]] std::uint32_t MappedBits(SlotIndex slot, std::uint8_t first, std::uint32_t count) const noexcept;
     void StoreBoth(const ConfigItem& item) noexcept;
     [[nodiscard]] Result TakeDigest() noexcept;
-    void Examine() noexcept;
-    [[nodiscard]] bool IsSlotSound(SlotIndex slot) noexcept;
-    [[nodiscard]] bool IsDigestSound() const noexcept;
+    inline void Examine() noexcept;
+    [[nodiscard]] inline bool IsSlotSound(SlotIndex slot) noexcept;
+    [[nodiscard]] inline bool IsDigestSound() const noexcept;
     [[nodiscard]] bool StepDigest(SlotIndex slot) noexcept;
     [[nodiscard]] std::uint32_t ItemCount() const noexcept;
     [[nodiscard]] ObjectAddress AddressOf(std::uint32_t number) const noexcept;
-    [[nodiscard]] std::uint32_t DefaultOf(const ConfigAddress& address) const noexcept;
+    [[nodiscard]] inline std::uint32_t DefaultOf(const ConfigAddress& address) const noexcept;
 
     Channel& a_;
     Channel& b_;
     SafeStateLatch& latch_;
     const DeviceConfig* config_; ///< Never null: a device without SRDOs before Restart.
-    std::uint32_t cycles_per_check_{0U};
-    std::uint32_t cycles_to_check_{0U};
-    DeviceDigest reference_{0U}; ///< Of the last declaration, or of the last write to 1300h.
-    DeviceDigest digest_{0U};    ///< Of the slots so far.
     std::uint8_t step_{0U};      ///< Of the diagnosis: twice the slot, plus one for its digest.
     NmtState nmt_{NmtState::kInvalid};
     std::uint8_t valid_{0U};
     bool is_digest_whole_{false}; ///< `digest_` is that of the walk through the slots that is under way.
+    std::uint32_t cycles_per_check_{0U};
+    std::uint32_t cycles_to_check_{0U};
+    DeviceDigest reference_{0U}; ///< Of the last declaration, or of the last write to 1300h.
+    DeviceDigest digest_{0U};    ///< Of the slots so far.
 };
 
 /// Default identifiers of SRDO 1 for a node-ID. [SRS-CFG-049]

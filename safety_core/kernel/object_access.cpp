@@ -30,7 +30,7 @@ constexpr std::uint8_t kSignatureBytes = 2U;
 /// A place while it is looked for.
 struct Search
 {
-    ObjectPlace place;
+    ObjectPlace& place;
     std::uint32_t sub;
     std::uint32_t highest; ///< Greatest sub-index that there is.
     bool is_counted;       ///< Sub-index 0 is a constant: the greatest sub-index.
@@ -71,7 +71,7 @@ void FindSignature(Search& search, const DeviceConfig& config) noexcept
 {
     search.highest = config.srdos[config.srdo_count - 1U].number; // MISRA D-002
     search.is_counted = true;
-    search.place.config.slot = SlotOf(config, SrdoNumber{static_cast<std::uint8_t>(search.sub)});
+    search.place.config.slot = SlotOf(config, SrdoNumber{search.sub});
     search.place.size_bytes = kSignatureBytes;
     const bool is_gap = search.place.config.slot == kNoSlot;
     Found(search, is_gap ? ObjectKind::kGapSignature : ObjectKind::kConfiguration,
@@ -81,7 +81,7 @@ void FindSignature(Search& search, const DeviceConfig& config) noexcept
 // No SRDO has the number 0 or one above 64: what lies between the two areas leads to none.
 void FindSrdo(Search& search, const DeviceConfig& config, const std::uint32_t area) noexcept
 {
-    search.place.config.slot = SlotOf(config, SrdoNumber{static_cast<std::uint8_t>(area & kNumberOfArea)});
+    search.place.config.slot = SlotOf(config, SrdoNumber{area & kNumberOfArea});
     if (search.place.config.slot == kNoSlot)
     {
         search.highest = kAnySub;
@@ -140,7 +140,7 @@ const MappableObject* Find(const DeviceConfig& config, const std::uint32_t wante
 // Numbers ascend from 1: SRDO n is in slot n - 1 where nothing is missing before it, and below where something is.
 SlotIndex SlotOf(const DeviceConfig& config, const SrdoNumber number) noexcept
 {
-    const std::uint32_t place = static_cast<std::uint32_t>(number.value) - 1U;
+    const std::uint32_t place = number.value - 1U;
     if (config.gaps != NumberGaps::kSearched)
     {
         return (place < config.srdo_count) ? static_cast<SlotIndex>(place) : kNoSlot;
@@ -187,10 +187,10 @@ std::uint32_t ToValue(const ObjectData& data) noexcept
 ObjectPlace Locate(const DeviceConfig& config, const ObjectAddress& address) noexcept
 {
     const std::uint32_t area = static_cast<std::uint32_t>(address.index) - kSafetyBase;
-    Search search{};
-    search.sub = address.sub;
-    search.place.refusal = AbortCode::kObjectUnknown;
-    search.place.size_bytes = 1U;
+    ObjectPlace found{};
+    found.refusal = AbortCode::kObjectUnknown;
+    found.size_bytes = 1U;
+    Search search{found, address.sub, 0U, false};
     if (area > kLastOfArea)
     {
         FindVariable(search, config, address);
@@ -223,7 +223,7 @@ ObjectPlace Locate(const DeviceConfig& config, const ObjectAddress& address) noe
         search.place.size_bytes = 1U;
         search.place.constant = static_cast<std::uint8_t>(search.highest);
     }
-    return search.place;
+    return found;
 }
 
 } // namespace counterpoint

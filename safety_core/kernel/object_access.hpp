@@ -29,7 +29,7 @@ enum class AbortCode : std::uint32_t
 /// Number of an SRDO, 1 to 64; 0 is none.
 struct SrdoNumber
 {
-    std::uint8_t value;
+    std::uint32_t value;
 };
 
 struct ObjectAddress

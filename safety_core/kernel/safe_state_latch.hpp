@@ -30,12 +30,12 @@ class SafeStateLatch
     }
     [[nodiscard]] bool IsRunning() const noexcept
     {
-        return Spoiler() == 0U;
+        return (word_ == kRunning) && (inverse_ == ~kRunning);
     }
     [[nodiscard]] DeviceFaultReport Report() const noexcept;
 
   private:
-    static constexpr std::uint32_t kRunning = 0x5A3C96E1U;
+    static constexpr std::uint32_t kRunning = 0x5A5A5A5AU;
 
     std::uint32_t word_{0U};
     std::uint32_t inverse_{0U};
