@@ -112,10 +112,9 @@ Verdict Comparator::Compare(const Comparison& comparison) noexcept
         watched_ = slots_;
     }
     watched_ &= slots_ & ~verdict.demote;
-    SlotSet to_look{watched_};
-    while (to_look.mask != 0U)
+    for (SrdoMask to_look = watched_; to_look != 0U; to_look &= to_look - 1U)
     {
-        Look(comparison, TakeLowest(to_look), verdict);
+        Look(comparison, SlotSet{to_look & (0U - to_look)}, verdict);
     }
     verdict.agreement.matched = ~watched_;
     previous_ = comparison.now;
@@ -126,18 +125,19 @@ Verdict Comparator::Compare(const Comparison& comparison) noexcept
 //         |....x........|       discrepancy time and one cycle cover it from its first effect.
 // Nothing is held of a producer: its pair was compared before it left, and a confirmation at the very limit may count
 // in one channel alone.
-void Comparator::Look(const Comparison& comparison, const SlotIndex slot, Verdict& verdict) noexcept
+void Comparator::Look(const Comparison& comparison, const SlotSet only, Verdict& verdict) noexcept
 {
-    const SrdoMask bit = OnlySlot(slot).mask;
+    const SrdoMask bit = only.mask;
+    const SlotIndex slot = LowestOf(only);
     if ((known_ & bit) == 0U)
     {
         since_[slot] = previous_; // MISRA D-002
     }
-    const std::uint32_t elapsed_us = comparison.now.us - since_[slot].us; // MISRA D-002
     const HeldPair a = comparison.channel_a->Held(slot);
     const HeldPair b = comparison.channel_b->Held(slot);
     const std::uint32_t data = Unequal(a.data, b.data);
     const bool is_one_pair = ((a.ordinal ^ b.ordinal) | (a.holds_pair ^ b.holds_pair)) == 0U;
+    const std::uint32_t elapsed_us = comparison.now.us - since_[slot].us; // MISRA D-002
     DeviceFault fault = DeviceFault::kNone;
     if (is_one_pair && (data != 0U))
     {

@@ -64,7 +64,7 @@ class Comparator
     [[nodiscard]] static PreparedVerdict ComparePrepared(const PreparedPair& a, const PreparedPair& b) noexcept;
 
   private:
-    void Look(const Comparison& comparison, SlotIndex slot, Verdict& verdict) noexcept;
+    void Look(const Comparison& comparison, SlotSet only, Verdict& verdict) noexcept;
 
     SrdoMask watched_{0U};
     SrdoMask known_{0U};     ///< What was watched before this comparison.

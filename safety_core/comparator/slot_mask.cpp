@@ -18,7 +18,7 @@ constexpr std::uint8_t kNumberAt[kHalfBits] = {0U,  1U,  28U, 2U,  29U, 14U, 24U
 
 } // namespace
 
-SlotIndex TakeLowest(SlotSet& set) noexcept
+SlotIndex LowestOf(const SlotSet set) noexcept
 {
     const std::uint32_t low = static_cast<std::uint32_t>(set.mask);
     const std::uint32_t high = static_cast<std::uint32_t>(set.mask >> kHalfBits);
@@ -27,7 +27,6 @@ SlotIndex TakeLowest(SlotSet& set) noexcept
     // A word with one bit, times the sequence, has that bit's number in its five highest bits as a place in the table.
     const std::uint32_t lowest_bit = half & (0U - half);
     const std::uint32_t place = (lowest_bit * kSequence) >> kPlaceShift;
-    set.mask &= set.mask - 1U;
     return static_cast<SlotIndex>(base + kNumberAt[place]); // MISRA D-002
 }
 

@@ -22,11 +22,28 @@ FlowEvidence Coverage(const CycleOutcome& outcome, const DeviceConfig& config) n
 
 constexpr FlowEvidence kDone{0U, 0U};
 
-// What the test of the comparator alters one by one, before the guard's view and the number of the cycle.
+// What the test of the comparator alters one by one, besides the guard's view and the number of the cycle.
 constexpr std::uint32_t kCounts = 4U;
 constexpr std::uint8_t CycleOutcome::* kCount[kCounts] = {&CycleOutcome::sct_checked,
                                                           &CycleOutcome::is_tx, // MISRA D-001
                                                           &CycleOutcome::is_invalid, &CycleOutcome::not_operational};
+
+// One bit of one member; doing it again undoes it.
+void Alter(CycleOutcome& outcome, const std::uint32_t number) noexcept
+{
+    if (number < kCounts)
+    {
+        outcome.*kCount[number] ^= 1U; // MISRA D-002
+    }
+    else if (number == kCounts)
+    {
+        outcome.guard = static_cast<GuardView>(static_cast<std::uint32_t>(outcome.guard) ^ 1U);
+    }
+    else
+    {
+        outcome.cycle ^= 1U;
+    }
+}
 
 } // namespace
 
@@ -98,12 +115,13 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     input.now = call.now.b;
     input.acknowledge = call.acknowledge_b;
     input.stand = run_.stand_b;
-    const CycleOutcome outcome_b = parts_.channel_b.OnCycle(input);
+    CycleOutcome outcome_b = parts_.channel_b.OnCycle(input);
     flow_.Mark(FlowStep::kChannelB, FlowEvidence{outcome_b.cycle, run_.cycle});
 
     CompareOutcomes(
-        Comparison{&outcome_a, &outcome_b, &parts_.channel_a, &parts_.channel_b, call.now.a, run_.cycle, challenge});
-    flow_.Mark(FlowStep::kComparison, FlowEvidence{verdict_.echo, challenge});
+        Comparison{&outcome_a, &outcome_b, &parts_.channel_a, &parts_.channel_b, call.now.a, run_.cycle, challenge},
+        outcome_b);
+    flow_.Mark(FlowStep::kComparison, FlowEvidence{record_.verdict.echo, challenge});
     Demote();
     flow_.Mark(FlowStep::kDemotion, kDone);
     // Each channel's refresh runs by its own counter; the one that is ahead waits for the other. [SRS-KRN-017]
@@ -111,10 +129,10 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     run_.stand_b = outcome_b.due & ~outcome_a.due;
     Produce();
     flow_.Mark(FlowStep::kProduction, kDone);
-    Commit();
+    const SrdoMask received = Commit();
     flow_.Mark(FlowStep::kCommit, kDone);
     ReportErrors(outcome_a.signalled | outcome_b.signalled);
-    ReportReceived(run_.received_mask);
+    ReportReceived(received);
     ReportFlow(outcome_a);
     ExamineHandshake();
     flow_.Mark(FlowStep::kEvents, Coverage(outcome_b, *config_));
@@ -126,47 +144,34 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     ReportDevice();
 }
 
-void Kernel::CompareOutcomes(const Comparison& comparison) noexcept
+void Kernel::CompareOutcomes(const Comparison& comparison, CycleOutcome& outcome_b) noexcept
 {
     --run_.cycles_to_test;
     if (run_.cycles_to_test == 0U)
     {
         run_.cycles_to_test = run_.test_cycles;
-        TestComparator(comparison);
+        TestComparator(comparison, outcome_b);
     }
-    verdict_ = comparator_.Compare(comparison);
-    latch_.Enter(verdict_.fault, verdict_.slot);
-    if (verdict_.echo != comparison.challenge)
+    record_.verdict = comparator_.Compare(comparison);
+    latch_.Enter(record_.verdict.fault, record_.verdict.slot);
+    if (record_.verdict.echo != comparison.challenge)
     {
         latch_.Enter(DeviceFault::kComparator, kNoSlot);
     }
 }
 
-// A comparator that always says yes is found by a difference that it must see, another one each time. [SRS-CMP-009]
-void Kernel::TestComparator(const Comparison& comparison) noexcept
+// A comparator that always says yes is found by a difference that it must see, another one each time. It is put into
+// the outcome of channel B and taken out again. [SRS-CMP-009]
+void Kernel::TestComparator(const Comparison& comparison, CycleOutcome& outcome_b) noexcept
 {
     const std::uint32_t number = (run_.test_number > kCounts) ? 0U : (run_.test_number + 1U);
     run_.test_number = static_cast<std::uint8_t>(number);
-    CycleOutcome altered = *comparison.outcome_b;
-    Comparison deliberate = comparison;
-    deliberate.outcome_b = &altered;
-    if (number < kCounts)
-    {
-        altered.*kCount[number] ^= 1U; // MISRA D-002
-    }
-    else if (number == kCounts)
-    {
-        altered.guard = GuardView::kInvalid;
-    }
-    else
-    {
-        altered.cycle ^= 1U;
-    }
-
-    PreparedPair wrong{};
-    wrong.normal.data[number] = 1U; // MISRA D-002
-    const PreparedVerdict data = Comparator::ComparePrepared(PreparedPair{}, wrong);
-    const DeviceFault fault = comparator_.Compare(deliberate).fault;
+    Alter(outcome_b, number);
+    const DeviceFault fault = comparator_.Compare(comparison).fault;
+    Alter(outcome_b, number);
+    PreparedPair pairs[2]{};           // MISRA D-001
+    pairs[1].normal.data[number] = 1U; // MISRA D-002
+    const PreparedVerdict data = Comparator::ComparePrepared(pairs[0], pairs[1]);
     if ((fault == DeviceFault::kNone) || (data != PreparedVerdict::kNotInverse))
     {
         latch_.Enter(DeviceFault::kComparator, kNoSlot);
@@ -175,7 +180,7 @@ void Kernel::TestComparator(const Comparison& comparison) noexcept
 
 void Kernel::Demote() noexcept
 {
-    SlotSet to_demote{verdict_.demote};
+    SlotSet to_demote{record_.verdict.demote};
     while (to_demote.mask != 0U)
     {
         const SlotIndex slot = TakeLowest(to_demote);
@@ -188,15 +193,16 @@ void Kernel::Demote() noexcept
     }
 }
 
-void Kernel::Commit() noexcept
+SrdoMask Kernel::Commit() noexcept
 {
-    const SrdoMask agreed = verdict_.agreement.agreed & ~verdict_.demote & latch_.Gate();
-    const SrdoMask written = agreed & verdict_.agreement.matched;
-    const Agreement agreement{agreed, verdict_.agreement.matched};
+    const SrdoMask agreed = record_.verdict.agreement.agreed & ~record_.verdict.demote & latch_.Gate();
+    const SrdoMask written = agreed & record_.verdict.agreement.matched;
+    const Agreement agreement{agreed, record_.verdict.agreement.matched};
     parts_.channel_a.Commit(agreement);
     parts_.channel_b.Commit(agreement);
-    run_.received_mask = written & (verdict_.newly_matched | ~run_.committed);
+    const SrdoMask received = written & (record_.verdict.newly_matched | ~run_.committed);
     run_.committed = written | (run_.committed & agreed);
+    return received;
 }
 
 // Computed from the comparator's echo and spoiled by a latch that is not running: there is nothing to decide.
@@ -206,7 +212,7 @@ void Kernel::GivePermits(const std::uint32_t challenge) noexcept
     const std::uint32_t low = static_cast<std::uint32_t>(run_.committed);
     const std::uint32_t high = static_cast<std::uint32_t>(run_.committed >> kWordBits);
     const std::uint32_t rotated = (high << kPermitRotation) | (high >> (kWordBits - kPermitRotation));
-    const std::uint32_t response = ((verdict_.echo + latch_.Spoiler() + low) ^ rotated) * kPermitConstantKernel;
+    const std::uint32_t response = ((record_.verdict.echo + latch_.Spoiler() + low) ^ rotated) * kPermitConstantKernel;
     // In their places: channel A is asked before channel B.
     parts_.output.Drive(hal::PermitSet{parts_.channel_a.Answer(challenge), parts_.channel_b.Answer(challenge),
                                        Permit{run_.committed, response}});

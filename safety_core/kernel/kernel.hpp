@@ -151,7 +151,13 @@ struct KernelRun
     SrdoMask requests{};  ///< Told to the channels by the next cycle, as the two below.
     SrdoMask stand_a{};   ///< Producers that only channel A called due.
     SrdoMask stand_b{};
-    SrdoMask received_mask{};
+};
+
+/// What a kernel tells of its SRDOs beside what the channels tell.
+struct KernelRecord
+{
+    Verdict verdict{};
+    SrdoStatus status{};
 };
 
 /// The facade of the certified part: an application links this and the two channels. Not reentrant. All times and
@@ -185,11 +191,11 @@ class Kernel
     /// @brief 1300h to 13FFh and the mappable variables. [SRS-CFG-040..047]
     [[nodiscard]] ObjectReading ReadObject(const ObjectAddress& address) noexcept
     {
-        return guard_.Read(address);
+        return guard_.Read(KeyOf(address));
     }
     [[nodiscard]] AbortCode WriteObject(const ObjectAddress& address, const ObjectData& data) noexcept
     {
-        return guard_.Write(address, data);
+        return guard_.Write(KeyOf(address), data);
     }
 
     /// @brief Requests the transmission of one producer, or of all with index 0. [SRS-KRN-011]
@@ -260,7 +266,7 @@ class Kernel
     /// @brief The comparator's last verdict, for diagnosis only: nothing is granted from it.
     [[nodiscard]] const Verdict& LastVerdict() const noexcept
     {
-        return verdict_;
+        return record_.verdict;
     }
 
   private:
@@ -279,10 +285,10 @@ class Kernel
     [[nodiscard]] inline Result Request(SlotIndex wanted, SrdoMask to_send) noexcept;
     [[nodiscard]] Result WhyNotSent(SlotIndex wanted) const noexcept;
     [[nodiscard]] inline PartsView ExamineSelf() noexcept;
-    inline void CompareOutcomes(const Comparison& comparison) noexcept;
-    void TestComparator(const Comparison& comparison) noexcept;
+    inline void CompareOutcomes(const Comparison& comparison, CycleOutcome& outcome_b) noexcept;
+    void TestComparator(const Comparison& comparison, CycleOutcome& outcome_b) noexcept;
     inline void Demote() noexcept;
-    inline void Commit() noexcept;
+    [[nodiscard]] inline SrdoMask Commit() noexcept; ///< Consumers whose new pair was released.
     void Produce() noexcept;
     inline void ProduceSlot(SlotIndex slot) noexcept;
     void GiveUp(SlotIndex slot, SrdoCause cause) noexcept;
@@ -307,8 +313,7 @@ class Kernel
     Comparator comparator_{};
     FlowMonitor flow_{};
     ClockSupervisor clocks_{};
-    Verdict verdict_{};
-    SrdoStatus status_{};
+    KernelRecord record_{};
 };
 
 } // namespace counterpoint

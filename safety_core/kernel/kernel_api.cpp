@@ -38,11 +38,10 @@ void Kernel::EnterOperational() noexcept
     {
         return; // No fault: SRDOs are off until the configuration is declared valid.
     }
-    const ConfigurationFinding finding = guard_.CheckAll(CheckDepth::kRecheck);
-    if (finding.rule != ConfigFault::kNone)
+    if (guard_.CheckAll(CheckDepth::kRecheck) != ConfigFault::kNone)
     {
         guard_.Invalidate();
-        parts_.application.OnConfigurationInvalid(IndexOf(finding.slot));
+        parts_.application.OnConfigurationInvalid(IndexOf(guard_.Faulty()));
         return;
     }
     // Directions and times stay as they are until OPERATIONAL is left. The shortest refresh time of the producers is
@@ -114,11 +113,11 @@ CheckReply Kernel::CheckConfiguration() noexcept
     CheckReply reply{Result::kDeviceFault, CommunicationIndex{0U}};
     if (run_.started)
     {
-        const ConfigurationFinding finding = guard_.CheckAll(CheckDepth::kRecheck);
-        reply.result = ToResult(finding.rule);
-        if (finding.slot != kNoSlot)
+        const ConfigFault rule = guard_.CheckAll(CheckDepth::kRecheck);
+        reply.result = ToResult(rule);
+        if (rule != ConfigFault::kNone)
         {
-            reply.index = IndexOf(finding.slot);
+            reply.index = IndexOf(guard_.Faulty());
         }
     }
     return reply;
@@ -131,9 +130,9 @@ SignReply Kernel::Sign(const CommunicationIndex index) noexcept
     {
         return SignReply{Result::kNotExist, 0U};
     }
-    const ConfigurationFinding finding = guard_.Check(slot, CheckDepth::kRecheck);
-    return (finding.rule == ConfigFault::kInvalid) ? SignReply{Result::kDeviceFault, 0U}
-                                                   : SignReply{Result::kSuccessful, finding.signature};
+    const CheckResult result = guard_.Check(slot, CheckDepth::kRecheck);
+    return (result.fault == ConfigFault::kInvalid) ? SignReply{Result::kDeviceFault, 0U}
+                                                   : SignReply{Result::kSuccessful, result.signature};
 }
 
 StateReply Kernel::GetState(const CommunicationIndex index) const noexcept
@@ -155,7 +154,7 @@ StatusReply Kernel::GetStatus(const CommunicationIndex index) const noexcept
 {
     const SlotIndex slot = SlotAt(index.value);
     return (slot == kNoSlot) ? StatusReply{Result::kNotExist, StatusByte{0U}}
-                             : StatusReply{Result::kSuccessful, status_.Get(slot)};
+                             : StatusReply{Result::kSuccessful, record_.status.Get(slot)};
 }
 
 Result Kernel::SetStatus(const CommunicationIndex index, const StatusByte status) noexcept
@@ -165,7 +164,7 @@ Result Kernel::SetStatus(const CommunicationIndex index, const StatusByte status
     {
         return Result::kNotExist;
     }
-    status_.Set(slot, status);
+    record_.status.Set(slot, status);
     return Result::kSuccessful;
 }
 

@@ -37,7 +37,7 @@ void Kernel::ReportSlot(const SlotIndex slot) noexcept
         if (((signals >> cause) & 1U) != 0U)
         {
             ++run_.errors;
-            status_.Set(slot, StatusByte{kStatusFaulty});
+            record_.status.Set(slot, StatusByte{kStatusFaulty});
             parts_.application.OnSrdoError(IndexOf(slot), static_cast<SrdoCause>(cause));
         }
     }
@@ -72,7 +72,7 @@ void Kernel::ExamineHandshake() noexcept
     {
         return;
     }
-    const SlotIndex overdue = status_.TakeOverdue();
+    const SlotIndex overdue = record_.status.TakeOverdue();
     if (overdue != kNoSlot)
     {
         latch_.Enter(DeviceFault::kHandshake, overdue);

@@ -23,7 +23,7 @@ void Kernel::Produce() noexcept
 {
     run_.transmitted_told = run_.transmitted;
     run_.transmitted = 0U;
-    SlotSet to_start{verdict_.start & latch_.Gate()};
+    SlotSet to_start{record_.verdict.start & latch_.Gate()};
     while (to_start.mask != 0U)
     {
         ProduceSlot(TakeLowest(to_start));
@@ -57,8 +57,9 @@ void Kernel::ProduceSlot(const SlotIndex slot) noexcept
 
 void Kernel::GiveUp(const SlotIndex slot, const SrdoCause cause) noexcept
 {
-    parts_.channel_a.OnTransmitFault(slot, TransmitFault{cause});
-    parts_.channel_b.OnTransmitFault(slot, TransmitFault{cause});
+    const TransmitFault fault{cause};
+    parts_.channel_a.OnTransmitFault(slot, fault);
+    parts_.channel_b.OnTransmitFault(slot, fault);
 }
 
 // A channel that has no frame to send gives one of kind kInvalid, which the HAL does not take; one that should have
@@ -113,7 +114,7 @@ void Kernel::OnConfirm(const StampedFrame& frame) noexcept
 
 void Kernel::ReportEvent(const SlotIndex slot) noexcept
 {
-    status_.OnEvent(slot);
+    record_.status.OnEvent(slot);
     parts_.application.OnSrdoEvent(IndexOf(slot));
 }
 

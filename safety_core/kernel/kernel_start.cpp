@@ -12,7 +12,7 @@ constexpr std::uint16_t kMostObjects = 1024U;
 constexpr std::uint32_t kShortestCycleUs = 100U;
 constexpr std::uint32_t kLongestCycleUs = 1000000U;
 constexpr std::uint32_t kLongestTimeUs = 0x3FFFFFFFU; // Differences of instants stay valid with room to spare.
-constexpr std::uint8_t kGranularities[] = {1U, 8U, 16U, 32U, 64U}; // MISRA D-001
+constexpr std::uint32_t kGranularities = 1U | 8U | 16U | 32U | 64U;
 
 // A guarantee that is missing has its result at the same place of the same order.
 constexpr std::uint32_t kFirstMissing = static_cast<std::uint32_t>(hal::MissingGuarantee::kBusOrder);
@@ -21,14 +21,10 @@ static_assert(static_cast<std::uint32_t>(hal::MissingGuarantee::kConfirmations) 
                   static_cast<std::uint32_t>(StartResult::kConfirmations) - kFirstGuarantee,
               "as many results as guarantees");
 
-bool IsGranularity(const std::uint8_t bits) noexcept
+bool IsGranularity(const std::uint32_t bits) noexcept
 {
-    bool is_known = false;
-    for (const std::uint8_t known : kGranularities)
-    {
-        is_known = is_known || (bits == known);
-    }
-    return is_known;
+    const bool is_one_bit = (bits & (bits - 1U)) == 0U;
+    return is_one_bit && ((bits & kGranularities) != 0U);
 }
 
 bool IsPort(const CanPortId port) noexcept
@@ -42,8 +38,9 @@ bool IsObject(const MappableObject& object) noexcept
     return ((object.length_bits - 1U) < kMaxPayloadBits) && (object.place != nullptr);
 }
 
-bool Fits(const DeviceConfig& config, const ChannelRoom& room) noexcept
+bool Fits(const DeviceConfig& config, const Channel& channel) noexcept
 {
+    const ChannelRoom room = channel.Room();
     return (config.srdo_count <= room.slots) && (config.map_entries <= room.map_entries);
 }
 
@@ -135,7 +132,7 @@ StartResult Kernel::CheckTiming(const DeviceConfig& config) noexcept
 
 StartResult Kernel::CheckRoom(const DeviceConfig& config) const noexcept
 {
-    const bool fits = Fits(config, parts_.channel_a.Room()) && Fits(config, parts_.channel_b.Room());
+    const bool fits = Fits(config, parts_.channel_a) && Fits(config, parts_.channel_b);
     const bool are_pairs = (config.map_entries & 1U) == 0U;
     return (fits && are_pairs) ? StartResult::kStarted : StartResult::kStorage;
 }
@@ -171,8 +168,8 @@ StartResult Kernel::CheckPlatform(const DeviceConfig& config) const noexcept
 void Kernel::Stop() noexcept
 {
     run_ = KernelRun{};
-    status_ = SrdoStatus{};
-    latch_ = SafeStateLatch{};
+    record_.status = SrdoStatus{};
+    latch_.Disarm();
     config_ = &kNoDevice;
     guard_.Stop();
     parts_.output.Drive(hal::PermitSet{});

@@ -16,6 +16,13 @@ class SafeStateLatch
   public:
     /// @brief Leaves the safe state; only Kernel::Start calls this.
     void Arm() noexcept;
+    /// @brief The power-on state: safe, no fault recorded.
+    void Disarm() noexcept
+    {
+        word_ = 0U;
+        inverse_ = 0U;
+        report_ = DeviceFaultReport{DeviceFault::kInvalid, kNoSlot, 0U};
+    }
     /// @brief Enters the device safe state; the first fault is kept. A fault of kNone has no effect.
     void Enter(DeviceFault fault, SlotIndex slot) noexcept;
     /// @brief All bits set while running, no bit otherwise.
