@@ -8,11 +8,6 @@ namespace counterpoint
 namespace
 {
 
-std::uint32_t Unequal(const std::uint8_t left, const std::uint8_t right) noexcept
-{
-    return static_cast<std::uint32_t>(left) ^ static_cast<std::uint32_t>(right);
-}
-
 std::uint32_t Unequal(const Payload& left, const Payload& right) noexcept
 {
     return (left.low ^ right.low) | (left.high ^ right.high);
@@ -32,38 +27,30 @@ std::uint32_t UnequalData(const CanFrame& left, const CanFrame& right) noexcept
     return (WordAt(&left.data[0]) ^ WordAt(&right.data[0])) | (WordAt(&left.data[4]) ^ WordAt(&right.data[4]));
 }
 
-// 0 when the frames are of the same form.
-std::uint32_t UnequalForm(const CanFrame& left, const CanFrame& right) noexcept
+bool IsSameForm(const CanFrame& left, const CanFrame& right) noexcept
 {
-    const std::uint32_t kinds = Unequal(static_cast<std::uint8_t>(left.kind), static_cast<std::uint8_t>(right.kind));
-    const std::uint32_t ports = Unequal(static_cast<std::uint8_t>(left.port), static_cast<std::uint8_t>(right.port));
-    return (left.identifier ^ right.identifier) | kinds | ports | Unequal(left.length_bytes, right.length_bytes);
+    return (left.identifier == right.identifier) && (left.kind == right.kind) && (left.port == right.port) &&
+           (left.length_bytes == right.length_bytes);
 }
 
-// 0 when both voices speak of the expected cycle, the same guard and the same counts.
-std::uint32_t Unequal(const CycleOutcome& a, const CycleOutcome& b, const std::uint32_t cycle) noexcept
+bool AreSameCounts(const CycleOutcome& a, const CycleOutcome& b) noexcept
 {
-    const std::uint32_t cycles = (a.cycle ^ cycle) | (b.cycle ^ cycle);
-    const std::uint32_t guards = Unequal(static_cast<std::uint8_t>(a.guard), static_cast<std::uint8_t>(b.guard));
-    const std::uint32_t examined = Unequal(a.sct_checked, b.sct_checked) | Unequal(a.is_tx, b.is_tx);
-    const std::uint32_t passed = Unequal(a.is_invalid, b.is_invalid) | Unequal(a.not_operational, b.not_operational);
-    return cycles | guards | examined | passed;
+    return (a.sct_checked == b.sct_checked) && (a.is_tx == b.is_tx) && (a.is_invalid == b.is_invalid) &&
+           (a.not_operational == b.not_operational);
 }
 
+// What both voices must say alike in every cycle.
 DeviceFault Overall(const Comparison& comparison) noexcept
 {
     const CycleOutcome& a = *comparison.outcome_a;
     const CycleOutcome& b = *comparison.outcome_b;
-    DeviceFault fault = DeviceFault::kNone;
-    if (Unequal(a, b, comparison.cycle) != 0U)
-    {
-        fault = DeviceFault::kDisagreement;
-    }
     if ((a.guard == GuardView::kStale) || (b.guard == GuardView::kStale))
     {
-        fault = DeviceFault::kGuard;
+        return DeviceFault::kGuard;
     }
-    return fault;
+    const std::uint32_t cycles = (a.cycle ^ comparison.cycle) | (b.cycle ^ comparison.cycle);
+    const bool is_equal = (cycles == 0U) && (a.guard == b.guard) && AreSameCounts(a, b);
+    return is_equal ? DeviceFault::kNone : DeviceFault::kDisagreement;
 }
 
 } // namespace
@@ -78,8 +65,7 @@ void Comparator::Restart(const ComparatorSetup& setup) noexcept
 
 PreparedVerdict Comparator::ComparePrepared(const PreparedPair& a, const PreparedPair& b) noexcept
 {
-    const std::uint32_t statuses = Unequal(static_cast<std::uint8_t>(a.status), static_cast<std::uint8_t>(b.status));
-    if ((statuses | UnequalForm(a.normal, b.normal)) != 0U)
+    if ((a.status != b.status) || (!IsSameForm(a.normal, b.normal)))
     {
         return PreparedVerdict::kDisagreement;
     }
