@@ -24,10 +24,10 @@ enum class Way : std::uint8_t
     kWrite = 1U,
 };
 
-// The bits of all objects one behind the other, byte by byte, in one register: what is written is taken from its low
-// end, what is read enters it at its high end; objects of the mapping of `total` bits fill it from there.
-[[gnu::noinline, gnu::cold]] std::uint64_t Exchange(const Voice& voice, const std::size_t slot, const Way way,
-                                                    const std::uint64_t data) noexcept
+// All objects one behind the other, byte by byte, through one register: a byte that is written is its low end, and the
+// byte that the object then holds comes in at the high end, without the bits above the object's length.
+[[gnu::noinline]] std::uint64_t Exchange(const Voice& voice, const std::size_t slot, const Way way,
+                                         const std::uint64_t data) noexcept
 {
     const Mapping mapping = MappingOf(voice, slot);
     std::uint64_t bits = data;
@@ -39,12 +39,11 @@ enum class Way : std::uint8_t
         for (std::uint32_t left = object.length_bits; left != 0U; left -= width)
         {
             width = (left < kBitsPerByte) ? left : kBitsPerByte;
-            const std::uint32_t mask = kByteMask >> (kBitsPerByte - width);
             if (way == Way::kWrite)
             {
-                *place = static_cast<std::uint8_t>(LowOf(bits) & mask);
+                *place = static_cast<std::uint8_t>(LowOf(bits) & (kByteMask >> (kBitsPerByte - width)));
             }
-            bits = (bits >> width) | (std::uint64_t{*place & mask} << (kMaxPayloadBits - width));
+            bits = (bits >> width) | (std::uint64_t{*place} << (kMaxPayloadBits - width));
             ++place; // MISRA D-002
         }
         if (object.length_bits == 0U)
@@ -84,6 +83,53 @@ inline bool FindWords(const Voice& voice, const std::size_t slot, Words& words) 
     return true;
 }
 
+template <std::uint32_t kPlace> constexpr std::uint8_t Octet(const std::uint64_t bits) noexcept
+{
+    return static_cast<std::uint8_t>((bits >> (kPlace * kBitsPerByte)) & kByteMask);
+}
+
+inline void Hold(Record& record, const std::uint64_t bits) noexcept
+{
+    record.held = Payload{LowOf(bits), HighOf(bits)};
+}
+
+// What was read is what is sent, once it is confirmed. The way of the usual mapping has it inline, without a call, so
+// that it has no registers to save.
+inline PreparedPair Send(Voice& voice, const std::size_t slot) noexcept
+{
+    Record& record = At(voice, slot);
+    const Instant now = voice.now;
+    SetMode(record, kNormalAwaited);
+    Demand(record, kInFlight);
+    record.refreshed = kUnmarked;
+    record.frame_since = now;
+    if (voice.may_send && (record.form != ProducerForm::kProviderCalled))
+    {
+        record.since = now;
+    }
+    voice.wanted &= ~BitOf(slot);
+    const std::uint64_t bits = Joined(record.held.low, record.held.high);
+    return PreparedPair{CanFrame{record.values[kCobIdPlace],
+                                 FrameKind::kData,
+                                 voice.ports[0],
+                                 record.length_bytes,
+                                 {Octet<0U>(bits), Octet<1U>(bits), Octet<2U>(bits), Octet<3U>(bits), Octet<4U>(bits),
+                                  Octet<5U>(bits), Octet<6U>(bits), Octet<7U>(bits)}},
+                        PrepareStatus::kReady};
+}
+
+[[gnu::noinline]] PreparedPair SendOther(Voice& voice, const std::size_t slot) noexcept
+{
+    if (At(voice, slot).mode != kProducer)
+    {
+        PreparedPair none{};
+        none.status = PrepareStatus::kNotProducer;
+        return none;
+    }
+    Hold(At(voice, slot), Exchange(voice, slot, Way::kRead, 0U));
+    return Send(voice, slot);
+}
+
 } // namespace
 
 void WriteObjects(const Voice& voice, const std::size_t slot, const Payload& data) noexcept
@@ -98,44 +144,15 @@ void WriteObjects(const Voice& voice, const std::size_t slot, const Payload& dat
     PutWord(words.high, data.high);
 }
 
-// What is read is what is sent, once it is confirmed.
 PreparedPair Channel::Prepare(const SlotIndex slot) noexcept
 {
-    Record& record = At(voice_, slot);
-    PreparedPair pair{};
-    pair.status = PrepareStatus::kNotProducer;
-    if (record.mode != kProducer)
-    {
-        return pair;
-    }
-    SetMode(record, kNormalAwaited);
     Words words{};
-    if (FindWords(voice_, slot, words))
+    if ((At(voice_, slot).mode != kProducer) || !FindWords(voice_, slot, words))
     {
-        record.held = Payload{WordAt(words.low), WordAt(words.high)};
+        return SendOther(voice_, slot);
     }
-    else
-    {
-        const std::uint64_t bits = Exchange(voice_, slot, Way::kRead, 0U);
-        record.held = Payload{LowOf(bits), HighOf(bits)};
-    }
-    voice_.wanted &= ~BitOf(slot);
-    Demand(record, kInFlight);
-    record.refreshed = kUnmarked;
-    const Instant now = voice_.now;
-    record.frame_since = now;
-    if (voice_.may_send && (record.form != ProducerForm::kProviderCalled))
-    {
-        record.since = now;
-    }
-    pair.normal.identifier = record.values[kCobIdPlace];
-    pair.normal.kind = FrameKind::kData;
-    pair.normal.port = voice_.ports[0];
-    pair.normal.length_bytes = record.length_bytes;
-    PutWord(&pair.normal.data[0], record.held.low);
-    PutWord(&pair.normal.data[kBytesPerWord], record.held.high);
-    pair.status = PrepareStatus::kReady;
-    return pair;
+    Hold(At(voice_, slot), Joined(WordAt(words.low), WordAt(words.high)));
+    return Send(voice_, slot);
 }
 
 } // namespace counterpoint::channel_a

@@ -17,6 +17,17 @@ namespace
 
 constexpr Confirmation kNotOurs{kNoSlot, ConfirmStep::kNone};
 
+// Whether the frame is this half of the SRDO: 0 the normal, 1 the inverse one.
+inline bool IsHalf(const Record& record, const CanFrame& frame, const std::size_t half) noexcept
+{
+    return (frame.identifier == record.values[kCobIdPlace + half]) && (frame.kind == FrameKind::kData);
+}
+
+inline bool IsEcho(const Record& record, const CanFrame& frame, const std::uint64_t wrong) noexcept
+{
+    return (frame.length_bytes == record.length_bytes) && ((wrong & record.mapped) == 0U);
+}
+
 [[gnu::noinline]] Confirmation GiveUp(Record& record, const SrdoCause cause) noexcept
 {
     Abort(record, cause);
@@ -30,15 +41,15 @@ constexpr Confirmation kNotOurs{kNoSlot, ConfirmStep::kNone};
 Confirmation Channel::OnConfirm(const CanFrame& frame, const Instant stamp) noexcept
 {
     const std::size_t slot = SlotOfPlace(voice_, (frame.identifier - kFirstSrdoIdentifier) % kSrdoIdentifierCount);
-    if ((slot >= voice_.count) || (frame.kind != FrameKind::kData))
+    if (slot >= voice_.count)
     {
         return kNotOurs;
     }
     Record& record = At(voice_, slot);
-    const std::uint64_t wrong = (BitsOf(frame) ^ Joined(record.held.low, record.held.high));
-    if ((record.mode == kNormalAwaited) && (frame.identifier == record.values[kCobIdPlace]))
+    const std::uint64_t wrong = BitsOf(frame) ^ Joined(record.held.low, record.held.high);
+    if ((record.mode == kNormalAwaited) && IsHalf(record, frame, 0U))
     {
-        if ((frame.length_bytes != record.length_bytes) || ((wrong & record.mapped) != 0U))
+        if (!IsEcho(record, frame, wrong))
         {
             return GiveUp(record, SrdoCause::kWrongEcho);
         }
@@ -46,9 +57,9 @@ Confirmation Channel::OnConfirm(const CanFrame& frame, const Instant stamp) noex
         record.frame_since = stamp;
         return Confirmation{static_cast<SlotIndex>(slot), ConfirmStep::kNormal};
     }
-    if ((record.mode == kInverseAwaited) && (frame.identifier == record.values[kCobIdPlace + 1U]))
+    if ((record.mode == kInverseAwaited) && IsHalf(record, frame, 1U))
     {
-        if ((frame.length_bytes != record.length_bytes) || ((~wrong & record.mapped) != 0U))
+        if (!IsEcho(record, frame, ~wrong))
         {
             return GiveUp(record, SrdoCause::kWrongEcho);
         }
