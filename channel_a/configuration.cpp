@@ -19,6 +19,7 @@ constexpr std::uint32_t kU16 = 16U;
 constexpr std::uint32_t kU32 = 0U;
 
 constexpr std::size_t kNoPlace = kValueCount;
+constexpr std::uint32_t kNoSub = 0xFFFFFFFFU; // Above every limit of a mapping.
 
 // Width and place in Record::values by ConfigField; the direction and the entries have no place there.
 struct FieldFacts
@@ -56,14 +57,20 @@ std::uint32_t* CellOf(const Voice& voice, const ConfigAddress& address) noexcept
         return &At(voice, address.slot).values[place];
     }
     const Mapping mapping = MappingOf(voice, address.slot);
-    const bool is_count = address.field == ConfigField::kMapCount;
-    const bool is_entry =
-        (address.field == ConfigField::kMapEntry) && ((address.sub - std::uint32_t{1U}) < mapping.limit);
-    if ((mapping.places == nullptr) || !(is_count || is_entry))
+    std::uint32_t sub = kNoSub;
+    if (address.field == ConfigField::kMapCount)
+    {
+        sub = 0U;
+    }
+    if ((address.field == ConfigField::kMapEntry) && (address.sub != 0U))
+    {
+        sub = address.sub;
+    }
+    if ((mapping.places == nullptr) || (sub > mapping.limit))
     {
         return nullptr;
     }
-    return RowOf(voice, address.slot) + (is_count ? 0U : address.sub); // MISRA D-002
+    return RowOf(voice, address.slot) + sub; // MISRA D-002
 }
 
 // A producer takes its refresh time anew.

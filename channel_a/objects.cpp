@@ -51,7 +51,7 @@ enum class Way : std::uint8_t
             bits >>= mapping.entries[position] & kShiftMask; // A dummy. MISRA D-002
         }
     }
-    return bits >> ((kMaxPayloadBits - At(voice, slot).total_bits) & kShiftMask);
+    return bits >> ((kMaxPayloadBits - std::uint32_t{At(voice, slot).total_bits}) & kShiftMask);
 }
 
 // Two objects of four bytes each.

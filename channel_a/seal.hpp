@@ -25,7 +25,7 @@ namespace counterpoint::channel_a
 
 inline void SetMode(Record& record, const std::uint32_t mode) noexcept
 {
-    record.seal[kModeSeal] = static_cast<std::uint8_t>(record.seal[kModeSeal] ^ record.mode ^ mode);
+    record.seal[kModeSeal] = static_cast<std::uint8_t>(std::uint32_t{record.seal[kModeSeal]} ^ record.mode ^ mode);
     record.mode = static_cast<std::uint8_t>(mode);
 }
 
@@ -38,20 +38,23 @@ inline void FlipMode(Record& record, const std::uint32_t bits) noexcept
 
 inline void SetFirstCause(Record& record, const SrdoCause cause) noexcept
 {
-    record.seal[kCauseSeal] = static_cast<std::uint8_t>(
-        record.seal[kCauseSeal] ^ static_cast<std::uint32_t>(record.first_cause) ^ static_cast<std::uint32_t>(cause));
+    record.seal[kCauseSeal] =
+        static_cast<std::uint8_t>(std::uint32_t{record.seal[kCauseSeal]} ^
+                                  static_cast<std::uint32_t>(record.first_cause) ^ static_cast<std::uint32_t>(cause));
     record.first_cause = cause;
 }
 
 inline void SetDirection(Record& record, const std::uint8_t direction) noexcept
 {
-    record.seal[kDirectionSeal] = static_cast<std::uint8_t>(record.seal[kDirectionSeal] ^ record.direction ^ direction);
+    record.seal[kDirectionSeal] =
+        static_cast<std::uint8_t>(std::uint32_t{record.seal[kDirectionSeal]} ^ record.direction ^ direction);
     record.direction = direction;
 }
 
 inline void SetLength(Record& record, const std::uint8_t length_bytes) noexcept
 {
-    record.seal[kLengthSeal] = static_cast<std::uint8_t>(record.seal[kLengthSeal] ^ record.length_bytes ^ length_bytes);
+    record.seal[kLengthSeal] =
+        static_cast<std::uint8_t>(std::uint32_t{record.seal[kLengthSeal]} ^ record.length_bytes ^ length_bytes);
     record.length_bytes = length_bytes;
 }
 
