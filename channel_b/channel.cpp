@@ -91,6 +91,7 @@ void Channel::TakeSetup(SlotIndex slot, const SrdoSetup& setup) noexcept
     x_storage.fields[slot] = StaticFields{nullptr, nullptr};
     Ground(row);
     row.first_cause = Code(SrdoCause::kNone);
+    row.awaited.kind = FrameKind::kData;
     row.policy = OnlyIf(setup.policy, ReleasePolicy::kAutomatic, ReleasePolicy::kInterlock);
     row.form = OnlyIf(setup.form, ProducerForm::kProviderCalled, ProducerForm::kApplicationSends);
     row.detection = OnlyIf(setup.detection, SrvtDetection::kLate, SrvtDetection::kEarly);
@@ -146,7 +147,7 @@ SrdoView Channel::View(SlotIndex slot) const noexcept
     if (IsInFlight(row))
     {
         const std::uint64_t data = PackBytes(&row.awaited.data[0]);
-        const bool is_normal = (row.awaited.identifier & 1U) != 0U;
+        const bool is_normal = row.stage == Stage::kPrepared;
         view.data = PayloadOf(is_normal ? data : (~data & row.mask));
     }
     return view;

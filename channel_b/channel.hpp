@@ -110,6 +110,8 @@ class Channel final : public counterpoint::Channel
     [[gnu::always_inline]] void TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept;
 
     // producer.cpp
+    [[nodiscard]] [[gnu::noinline]] PreparedPair PrepareSlowly(SlotIndex slot) const noexcept;
+    [[nodiscard]] [[gnu::always_inline]] PreparedPair Launch(Row& row, std::uint64_t data) const noexcept;
     void ServeProducer(Row& row, Half& half) const noexcept;
     void AdvanceProvider(Row& row) const noexcept;
     void AdvanceApplication(Row& row) const noexcept;
@@ -134,7 +136,6 @@ class Channel final : public counterpoint::Channel
     // objects.cpp
     [[nodiscard]] [[gnu::noinline]] std::uint64_t ExchangeFrom(SlotIndex slot, std::uint32_t from, std::uint64_t data,
                                                                Way way) const noexcept;
-    [[nodiscard]] std::uint64_t ReadInverse(SlotIndex slot) const noexcept;
     void WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept;
     void WriteSafe(SlotIndex slot) const noexcept;
 

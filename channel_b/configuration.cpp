@@ -104,7 +104,12 @@ void Channel::Store(const ConfigItem& item) noexcept
     }
     if (is_of_slot)
     {
-        x_storage.rows[address.slot].resolved = kUnset;
+        Row& row = x_storage.rows[address.slot];
+        row.resolved = kUnset;
+        if (IsInFlight(row))
+        {
+            row.awaited.identifier = OwnIdentifier(row, (row.stage == Stage::kPrepared) ? 1U : 0U);
+        }
     }
 }
 

@@ -22,18 +22,12 @@ constexpr std::uint32_t kWaitingBit = std::uint32_t{1U} << static_cast<std::uint
 /// Whether the marks of a consumer fit each other. [SRS-CONS-024]
 [[nodiscard]] bool IsSound(const Row& row) noexcept
 {
-    switch (row.standing)
+    if (row.standing == Standing::kReleased)
     {
-    case Standing::kWaiting:
-    case Standing::kFaulted:
-        return IsHeld(row) || (row.held == kUnset);
-    case Standing::kReleased:
         return IsHeld(row) && IsRecordable(row.first_cause);
-    case Standing::kOff:
-    case Standing::kProducer:
-        break;
     }
-    return false;
+    const bool is_defined = (row.standing == Standing::kWaiting) || (row.standing == Standing::kFaulted);
+    return is_defined && (IsHeld(row) || (row.held == kUnset));
 }
 
 /// The limit that is over at an instant so long after the last OnCycle: where both are the one with the earlier
@@ -117,7 +111,7 @@ void Channel::TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t sin
         Reject(slot, SrdoCause::kIdentifier);
         return;
     }
-    if (frame.length_bytes != row.length_bytes)
+    if (frame.length_bytes != row.awaited.length_bytes)
     {
         Reject(slot, SrdoCause::kLength);
         return;

@@ -20,6 +20,8 @@ constexpr std::uint32_t kNothingRuns = 0xFFFFFFFFU;
 constexpr std::uint8_t kLargestMapping = 2U * kMaxPayloadBits;
 /// Not the place of an object.
 constexpr std::uint16_t kNoPlace = 0xFFFFU;
+/// Length in bits of common objects.
+constexpr std::uint32_t kFourBytes = 32U;
 /// Place of a dummy entry.
 constexpr std::uint16_t kDummyPlace = 0xFFFEU;
 
@@ -105,7 +107,7 @@ static_assert(kLookUpBytes == kSrdoIdentifierCount, "one byte an identifier");
 
 [[nodiscard]] inline bool IsInFlight(const Row& row) noexcept
 {
-    return row.awaited.identifier != 0U;
+    return row.stage != Stage::kIdle;
 }
 
 /// Slot to which the identifier leads; no existing slot if to none.
@@ -140,7 +142,7 @@ inline void Ground(Row& row) noexcept
 {
     row.limit = kNothingRuns;
     row.awaited.identifier = 0U;
-    row.to_send = kUnset;
+    row.stage = Stage::kIdle;
 }
 
 inline void ForgetEdge(Row& row) noexcept

@@ -155,7 +155,7 @@ ConfigFault Channel::CheckMapping(SlotIndex slot, const Mapping& mapping) const 
     }
     const std::uint32_t length_bytes = (bits + 7U) / 8U;
     row.length_bits = static_cast<std::uint8_t>(bits);
-    row.length_bytes = static_cast<std::uint8_t>(length_bytes);
+    row.awaited.length_bytes = static_cast<std::uint8_t>(length_bytes);
     row.mask = LowBits(length_bytes * 8U);
     row.spare = row.mask & ~LowBits(bits);
     return ConfigFault::kNone;

@@ -10,8 +10,6 @@ namespace counterpoint::channel_b
 namespace
 {
 
-constexpr std::uint32_t kFourBytes = 32U; ///< Length in bits of common objects.
-
 /// One object of any length, up to eight bits at a time; its last byte is filled up with 0.
 [[nodiscard]] std::uint64_t ExchangeBits(const MappableObject& object, std::uint64_t data, bool is_read) noexcept
 {
@@ -62,9 +60,14 @@ void Channel::WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept
     const Column<const MappableObject> objects{x_config->objects};
     const std::uint32_t object_count = x_config->object_count;
     const Column<const std::uint16_t> table{&x_storage.table[FirstEntryOf(x_storage, slot)]};
-    const std::uint32_t count = StoredCount(x_storage.rows[slot], x_map_entries);
+    const std::uint32_t last = std::uint32_t{x_storage.rows[slot].image[kMapCountAt]} - 1U;
     std::uint64_t word = data;
-    for (std::uint32_t index = 1U; index < count; index += 2U)
+    if (last >= x_map_entries)
+    {
+        static_cast<void>(ExchangeFrom(slot, 1U, word, Way::kWritten)); // A static mapping has a count of its own.
+        return;
+    }
+    for (std::uint32_t index = 1U; index <= last; index += 2U)
     {
         const std::uint32_t at = table[index];
         if ((at >= object_count) || (objects[at].length_bits != kFourBytes))
@@ -75,30 +78,6 @@ void Channel::WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept
         UnpackFourBytes(static_cast<std::uint32_t>(word & 0xFFFFFFFFU), objects[at].place);
         word >>= kFourBytes;
     }
-    if (count == 0U)
-    {
-        static_cast<void>(ExchangeFrom(slot, 1U, word, Way::kWritten)); // A static mapping has a count of its own.
-    }
-}
-
-/// The same the other way.
-std::uint64_t Channel::ReadInverse(SlotIndex slot) const noexcept
-{
-    const Column<const MappableObject> objects{x_config->objects};
-    const std::uint32_t object_count = x_config->object_count;
-    const Column<const std::uint16_t> table{&x_storage.table[FirstEntryOf(x_storage, slot)]};
-    const std::uint32_t count = StoredCount(x_storage.rows[slot], x_map_entries);
-    std::uint64_t word = 0U;
-    for (std::uint32_t rest = count; rest > 1U; rest -= 2U)
-    {
-        const std::uint32_t at = table[rest - 1U];
-        if ((at >= object_count) || (objects[at].length_bits != kFourBytes))
-        {
-            return ExchangeFrom(slot, 1U, 0U, Way::kRead);
-        }
-        word = (word << kFourBytes) | PackFourBytes(objects[at].place);
-    }
-    return (count == 0U) ? ExchangeFrom(slot, 1U, 0U, Way::kRead) : word;
 }
 
 /// Complement of the safe value.

@@ -16,23 +16,21 @@ constexpr std::uint32_t kJustSpent = 0xFFFFFFFFU;
 /// No phase and no refresh lasts longer: 2^27 us are 134 s. What is above is below zero.
 constexpr std::uint32_t kLongestPhase = 0x07FFFFFFU;
 
+constexpr Confirmation kNoConfirmation{kNoSlot, ConfirmStep::kNone};
+/// Of a mapping of two normal and two inverse objects.
+constexpr std::uint8_t kEntriesOfTwo = 4U;
+
 constexpr CanFrame kNoFrame{0U, FrameKind::kInvalid, CanPortId::kInvalid, 0U, {}};
 
 } // namespace
 
-/// [SRS-PROD-005]
-PreparedPair Channel::Prepare(SlotIndex slot) noexcept
+/// The pair is in flight from the last OnCycle on. [SRS-PROD-006]
+[[gnu::always_inline]] inline PreparedPair Channel::Launch(Row& row, std::uint64_t data) const noexcept
 {
-    Row& row = x_storage.rows[slot];
-    if ((row.standing != Standing::kProducer) || IsInFlight(row))
-    {
-        return PreparedPair{kNoFrame, PrepareStatus::kNotProducer};
-    }
-    UnpackBytes(~ReadInverse(slot) & row.mask & ~row.spare, &row.awaited.data[0]);
-    row.awaited.identifier = WordAt(row, kCobId1At);
-    row.awaited.kind = FrameKind::kData;
+    UnpackBytes(data, &row.awaited.data[0]);
+    row.awaited.identifier = OwnIdentifier(row, 1U);
     row.awaited.port = x_port[1U];
-    row.awaited.length_bytes = row.length_bytes;
+    row.stage = Stage::kPrepared;
     row.left = SrvtUs(row);
     row.limit = row.left;
     ClearNews(row, kRequested | kRefreshDue);
@@ -43,14 +41,48 @@ PreparedPair Channel::Prepare(SlotIndex slot) noexcept
     return PreparedPair{row.awaited, PrepareStatus::kReady};
 }
 
+/// The way for all objects.
+PreparedPair Channel::PrepareSlowly(SlotIndex slot) const noexcept
+{
+    Row& row = x_storage.rows[slot];
+    return Launch(row, ~(ExchangeFrom(slot, 1U, 0U, Way::kRead) | row.spare) & row.mask);
+}
+
+/// For two objects of four bytes, which fill a frame, there is nothing to call. [SRS-PROD-005]
+PreparedPair Channel::Prepare(SlotIndex slot) noexcept
+{
+    Row& row = x_storage.rows[slot];
+    if ((row.standing != Standing::kProducer) || IsInFlight(row))
+    {
+        return PreparedPair{kNoFrame, PrepareStatus::kNotProducer};
+    }
+    if (StoredCount(row, x_map_entries) == kEntriesOfTwo)
+    {
+        const Column<const std::uint16_t> table{&x_storage.table[FirstEntryOf(x_storage, slot)]};
+        const std::size_t low = table[1U];
+        const std::size_t high = table[3U];
+        if (((low < high) ? high : low) < x_config->object_count)
+        {
+            const Column<const MappableObject> objects{x_config->objects};
+            const MappableObject& first = objects[low];
+            const MappableObject& second = objects[high];
+            if ((first.length_bits == kFourBytes) && (second.length_bits == kFourBytes))
+            {
+                return Launch(row, ~Join(PackFourBytes(first.place), PackFourBytes(second.place)));
+            }
+        }
+    }
+    return PrepareSlowly(slot);
+}
+
 CanFrame Channel::InverseFrame(SlotIndex slot) noexcept
 {
     Row& row = x_storage.rows[slot];
-    if (row.to_send != kToSend)
+    if (row.stage != Stage::kToSend)
     {
         return kNoFrame;
     }
-    row.to_send = kUnset;
+    row.stage = Stage::kHandedOut;
     return row.awaited;
 }
 
@@ -58,39 +90,39 @@ CanFrame Channel::InverseFrame(SlotIndex slot) noexcept
 Confirmation Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
 {
     const SlotIndex slot = LookUp(x_storage, frame);
-    if ((slot >= x_count) || (frame.kind != FrameKind::kData))
+    if (slot >= x_count)
     {
-        return Confirmation{kNoSlot, ConfirmStep::kNone};
+        return kNoConfirmation;
     }
     Row& row = x_storage.rows[slot];
-    const std::uint32_t parity = frame.identifier & 1U;
-    if ((frame.identifier != row.awaited.identifier) || (frame.identifier != OwnIdentifier(row, parity)))
+    if ((frame.identifier != row.awaited.identifier) || (frame.kind != FrameKind::kData))
     {
-        return Confirmation{kNoSlot, ConfirmStep::kNone};
+        return kNoConfirmation;
     }
     const std::uint64_t data = PackBytes(&row.awaited.data[0]);
     const std::uint64_t different = (PackBytes(&frame.data[0]) ^ data) & row.mask;
-    if ((different != 0U) || (frame.length_bytes != row.awaited.length_bytes))
+    SrdoCause objection = SrdoCause::kWrongEcho;
+    if ((different == 0U) && (frame.length_bytes == row.awaited.length_bytes))
     {
-        return Fail(row, SrdoCause::kWrongEcho);
+        const std::uint32_t since_call = stamp.us - x_last_us;
+        if (row.stage == Stage::kPrepared)
+        {
+            UnpackBytes(~data & row.mask, &row.awaited.data[0]);
+            row.awaited.identifier = OwnIdentifier(row, 0U);
+            row.awaited.port = x_port[0U];
+            row.stage = Stage::kToSend;
+            row.left = row.limit + since_call; // SRVT anew.
+            return Confirmation{slot, ConfirmStep::kNormal};
+        }
+        if ((row.left - since_call) <= row.limit)
+        {
+            row.ordinal += 1U;
+            Ground(row);
+            return Confirmation{slot, ConfirmStep::kPair};
+        }
+        objection = SrdoCause::kNoConfirmation;
     }
-    const std::uint32_t since_call = stamp.us - x_last_us;
-    if (parity != 0U)
-    {
-        UnpackBytes(~data & row.mask, &row.awaited.data[0]);
-        row.left = row.limit + since_call; // SRVT anew.
-        row.awaited.identifier = OwnIdentifier(row, 0U);
-        row.awaited.port = x_port[0U];
-        row.to_send = kToSend;
-        return Confirmation{slot, ConfirmStep::kNormal};
-    }
-    if ((row.left - since_call) > row.limit)
-    {
-        return Fail(row, SrdoCause::kNoConfirmation);
-    }
-    row.ordinal += 1U;
-    Ground(row);
-    return Confirmation{slot, ConfirmStep::kPair};
+    return Fail(row, objection);
 }
 
 void Channel::OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept

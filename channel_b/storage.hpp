@@ -32,11 +32,19 @@ enum class Standing : std::uint8_t
     kProducer = 0x98U,
 };
 
+/// How far the transmission of a producer has come.
+enum class Stage : std::uint8_t
+{
+    kIdle = 0U,         ///< Prepare may follow.
+    kPrepared = 0x4EU,  ///< The normal frame of the other channel has not been seen yet.
+    kToSend = 0x71U,    ///< Normal frame seen; the inverse frame has to be handed out.
+    kHandedOut = 0x98U, ///< The inverse frame has not been seen yet.
+};
+
 // Sealed marks: set only if the byte is exactly this one.
 constexpr std::uint8_t kHeld = 0xC6U;
 constexpr std::uint8_t kWaits = 0x5CU;
 constexpr std::uint8_t kGood = 0x93U;
-constexpr std::uint8_t kToSend = 0x71U;
 constexpr std::uint8_t kUnset = 0U;
 
 // Bits of Row::news: what OnCycle has to look at. None of them grants anything by itself.
@@ -77,13 +85,12 @@ struct Row
     ReleasePolicy policy;  ///< Of the setup, as the next two.
     ProducerForm form;
     SrvtDetection detection;
-    std::uint8_t length_bytes;       ///< Of a frame.
+    Stage stage;
     std::uint8_t length_bits;        ///< Of the mapped data.
     std::uint8_t valid;              ///< kGood: the last Validate or Recheck found no fault.
     std::uint8_t resolved;           ///< kGood: the table of objects belongs to the mapping.
     std::uint8_t image[kImageBytes]; // MISRA D-001
     std::uint16_t error_count;
-    std::uint8_t to_send;     ///< kToSend: the inverse frame in `awaited` has still to be handed out.
     std::uint32_t phase_left; ///< Consumer: budget of the acknowledge edge. Producer: to the next refresh.
     std::uint32_t srvt_left;  ///< Consumer: budget of SRVT while a normal frame is pending.
     std::uint32_t srvt_limit; ///< What `srvt_left` started with; all bits set if nothing is pending.
@@ -91,9 +98,10 @@ struct Row
     std::uint32_t causes;     ///< Bit (1 << cause): recorded and not reported yet.
     std::uint32_t told;       ///< Signalled in the open window.
     std::uint32_t signals;    ///< Of the last OnCycle.
-    CanFrame awaited;         ///< Producer: the frame that must be on the bus next; identifier 0 if none is in flight.
-    std::uint64_t mask;       ///< All bits of the bytes of a frame.
-    std::uint64_t spare;      ///< Of those the bits above the mapped length: 0 in the normal frame.
+    CanFrame awaited;    ///< Producer: the frame that must be on the bus next; identifier 0 if none is in flight. Its
+                         ///< length is that of all frames of the slot.
+    std::uint64_t mask;  ///< All bits of the bytes of a frame.
+    std::uint64_t spare; ///< Of those the bits above the mapped length: 0 in the normal frame.
     std::uint64_t inverse_data; ///< Inverse data of the held pair; behind the length anything.
     std::uint64_t pending_data; ///< Normal data that wait for their inverse.
     std::uint64_t unused;       ///< Fills the row up to 128 bytes, so that a shift finds it.
