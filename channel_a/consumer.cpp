@@ -152,7 +152,7 @@ void Channel::OnFrame(const CanFrame& frame, const Instant stamp) noexcept
         ReceiveOther(voice_, frame);
         return;
     }
-    const std::size_t slot = SlotOfPlace(voice_, place);
+    const std::size_t slot = LookUp(voice_, frame.identifier);
     if (slot >= voice_.count)
     {
         return;

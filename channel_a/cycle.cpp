@@ -324,6 +324,7 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
     {
         voice.may_send = true; // Kept: the difference wraps after 71 minutes.
     }
+    voice.origin = voice.may_send ? voice.now : voice.origin;
     voice.wanted = (voice.wanted | input.request) & voice.producers;
     outcome.due = voice.may_send ? voice.wanted : 0U;
     NoteEdges(voice, input.acknowledge);

@@ -95,7 +95,7 @@ inline void Hold(Record& record, const std::uint64_t bits) noexcept
 
 // What was read is what is sent, once it is confirmed. The way of the usual mapping has it inline, without a call, so
 // that it has no registers to save.
-inline PreparedPair Send(Voice& voice, const std::size_t slot) noexcept
+inline PreparedPair Send(Voice& voice, const std::size_t slot, const std::uint8_t length_bytes) noexcept
 {
     Record& record = At(voice, slot);
     const Instant now = voice.now;
@@ -103,16 +103,16 @@ inline PreparedPair Send(Voice& voice, const std::size_t slot) noexcept
     Demand(record, kInFlight);
     record.refreshed = kUnmarked;
     record.frame_since = now;
-    if (voice.may_send && (record.form != ProducerForm::kProviderCalled))
+    if (record.form != ProducerForm::kProviderCalled)
     {
-        record.since = now;
+        record.since = voice.origin;
     }
     voice.wanted &= ~BitOf(slot);
     const std::uint64_t bits = Joined(record.held.low, record.held.high);
     return PreparedPair{CanFrame{record.values[kCobIdPlace],
                                  FrameKind::kData,
                                  voice.ports[0],
-                                 record.length_bytes,
+                                 length_bytes,
                                  {Octet<0U>(bits), Octet<1U>(bits), Octet<2U>(bits), Octet<3U>(bits), Octet<4U>(bits),
                                   Octet<5U>(bits), Octet<6U>(bits), Octet<7U>(bits)}},
                         PrepareStatus::kReady};
@@ -127,7 +127,7 @@ inline PreparedPair Send(Voice& voice, const std::size_t slot) noexcept
         return none;
     }
     Hold(At(voice, slot), Exchange(voice, slot, Way::kRead, 0U));
-    return Send(voice, slot);
+    return Send(voice, slot, At(voice, slot).length_bytes);
 }
 
 } // namespace
@@ -152,7 +152,7 @@ PreparedPair Channel::Prepare(const SlotIndex slot) noexcept
         return SendOther(voice_, slot);
     }
     Hold(At(voice_, slot), Joined(WordAt(words.low), WordAt(words.high)));
-    return Send(voice_, slot);
+    return Send(voice_, slot, kMaxPayloadBytes);
 }
 
 } // namespace counterpoint::channel_a

@@ -40,7 +40,7 @@ inline bool IsEcho(const Record& record, const CanFrame& frame, const std::uint6
 // that it leads to.
 Confirmation Channel::OnConfirm(const CanFrame& frame, const Instant stamp) noexcept
 {
-    const std::size_t slot = SlotOfPlace(voice_, (frame.identifier - kFirstSrdoIdentifier) % kSrdoIdentifierCount);
+    const std::size_t slot = LookUp(voice_, frame.identifier);
     if (slot >= voice_.count)
     {
         return kNotOurs;

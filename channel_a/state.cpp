@@ -30,8 +30,8 @@ constexpr std::uint32_t kCauseBits = 0x1FU; // Causes are smaller, but for the o
 void EnterSlot(Voice& voice, const std::size_t slot) noexcept
 {
     Record& record = At(voice, slot);
-    const std::uint32_t place = record.values[kCobIdPlace] - kFirstSrdoIdentifier;
-    voice.storage.look_up[(place >> 1U) % kLookUpSize] = static_cast<std::uint8_t>(slot); // MISRA D-002
+    LookUp(voice, record.values[kCobIdPlace]) = static_cast<std::uint8_t>(slot);
+    LookUp(voice, record.values[kCobIdPlace + 1U]) = static_cast<std::uint8_t>(slot);
     --voice.outcome.is_invalid;
     if (record.direction == kDirectionConsumer)
     {
@@ -42,7 +42,7 @@ void EnterSlot(Voice& voice, const std::size_t slot) noexcept
     }
     Turn(voice, slot, kProducer);
     ++voice.outcome.is_tx;
-    record.since.us = voice.entered.us + voice.first_delay_us;
+    record.since = voice.origin;
     if (record.form == ProducerForm::kProviderCalled)
     {
         record.since.us -= SctUs(record) + 1U;
@@ -146,6 +146,7 @@ SrdoCause ExpiredLimit(const Record& record, const Instant when, const std::size
 void Enter(Voice& voice) noexcept
 {
     voice.entered = voice.now;
+    voice.origin.us = voice.now.us + voice.first_delay_us;
     voice.may_send = false;
     voice.wanted = 0U;
     voice.outcome.ordinal_sum = 0U;

@@ -110,8 +110,8 @@ struct alignas(16) Record
     Payload safe;
 };
 
-/// For each pair of identifiers (odd, even) from 101h on: the slot of the SRDO, kNoSlot for none.
-constexpr std::size_t kLookUpSize = kSrdoIdentifierCount / 2U;
+/// For each identifier from 101h to 180h, by its low bits: the slot of the SRDO, kNoSlot for none.
+constexpr std::size_t kLookUpSize = kSrdoIdentifierCount;
 
 /// What a channel works on; it belongs to the caller and outlives the channel.
 struct Storage

@@ -35,6 +35,7 @@ struct Voice
     bool has_overflow;
     Instant now;
     Instant entered;              ///< OPERATIONAL, by the OnCycle that saw it first.
+    Instant origin;               ///< The later of the first possible transmission and `now`.
     std::uint32_t step_us;        ///< Since the OnCycle before.
     std::uint32_t late_after_us;  ///< Since the OnCycle before.
     std::uint32_t first_delay_us; ///< From OPERATIONAL to the first possible transmission.
@@ -76,10 +77,10 @@ struct Mapping
     return voice.outcome.not_operational == 0U;
 }
 
-/// @brief Not below the count where no SRDO has this identifier.
-[[nodiscard]] inline std::size_t SlotOfPlace(const Voice& voice, const std::uint32_t place) noexcept
+/// @brief Which slot an identifier from 101h to 180h leads to; any other one leads where one of these does.
+[[nodiscard]] inline std::uint8_t& LookUp(const Voice& voice, const std::uint32_t identifier) noexcept
 {
-    return voice.storage.look_up[place >> 1U]; // MISRA D-002
+    return voice.storage.look_up[identifier % kLookUpSize]; // MISRA D-002
 }
 
 [[nodiscard]] inline bool Is(const Record& record, const std::uint32_t bits) noexcept
