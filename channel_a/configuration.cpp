@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "channel_a/channel.hpp"
+#include "channel_a/octets.hpp"
 #include "channel_a/seal.hpp"
-#include "channel_a/signature.hpp"
 #include "channel_a/slots.hpp"
 #include "channel_a/voice.hpp"
 
@@ -14,12 +14,12 @@ namespace counterpoint::channel_a
 namespace
 {
 
-constexpr std::uint32_t kAllBits = 0xFFFFFFFFU;
-constexpr std::uint32_t kU8 = 24U; // How many of them the field has not.
+constexpr std::uint32_t kU8 = 24U; // How many of 32 bits the field has not.
 constexpr std::uint32_t kU16 = 16U;
 constexpr std::uint32_t kU32 = 0U;
 
 constexpr std::size_t kNoPlace = kValueCount;
+constexpr std::uint32_t kNoSub = 0xFFFFFFFFU; // Above every limit of a mapping.
 
 // Width and place in Record::values by ConfigField; the direction and the entries have no place there.
 struct FieldFacts
@@ -31,16 +31,8 @@ struct FieldFacts
 constexpr std::size_t kFieldCount = 10U;
 constexpr FieldFacts kFields[kFieldCount] = {
     // MISRA D-001
-    {kU8, kNoPlace},
-    {kU8, kNoPlace},
-    {kU16, kSctPlace},
-    {kU8, kSrvtPlace},
-    {kU8, kTransmissionTypePlace},
-    {kU32, kCobIdPlace},
-    {kU32, kCobIdPlace + 1U},
-    {kU8, kMapCountPlace},
-    {kU32, kNoPlace},
-    {kU16, kSignaturePlace},
+    {kU8, kNoPlace},     {kU8, kNoPlace},          {kU16, kSctPlace}, {kU8, kSrvtPlace}, {kU8, kTransmissionTypePlace},
+    {kU32, kCobIdPlace}, {kU32, kCobIdPlace + 1U}, {kU8, kNoPlace},   {kU32, kNoPlace},  {kU16, kSignaturePlace},
 };
 static_assert(static_cast<std::size_t>(ConfigField::kSignature) + 1U == kFieldCount, "facts for each field of a slot");
 
@@ -50,77 +42,88 @@ std::size_t GlobalPlaceOf(const ConfigAddress& address) noexcept
     return static_cast<std::size_t>(address.field) - static_cast<std::size_t>(ConfigField::kGfcParameter);
 }
 
-// Place of a value in a record; kNoPlace if it has none. `address.field` is a field of an SRDO.
-std::size_t PlaceOf(const ConfigAddress& address) noexcept
-{
-    return kFields[static_cast<std::size_t>(address.field)].place;
-}
-
-// Position of the entry that is addressed; not below the limit if it is none.
-std::uint32_t PositionOf(const ConfigAddress& address, const std::uint32_t limit) noexcept
-{
-    return (address.field == ConfigField::kMapEntry) ? (address.sub - std::uint32_t{1U}) : limit;
-}
-
 bool IsOfSlot(const Voice& voice, const ConfigAddress& address) noexcept
 {
     return (address.slot < voice.count) && (static_cast<std::size_t>(address.field) < kFieldCount);
 }
 
-void StoreOfSlot(Voice& voice, const ConfigItem& item) noexcept
+// Where the value of a field of a slot is kept; null if it is not: the direction, an entry that does not exist, what is
+// a part of the program.
+std::uint32_t* CellOf(const Voice& voice, const ConfigAddress& address) noexcept
+{
+    const std::size_t place = kFields[static_cast<std::size_t>(address.field)].place;
+    if (place < kValueCount)
+    {
+        return &At(voice, address.slot).values[place];
+    }
+    const Mapping mapping = MappingOf(voice, address.slot);
+    std::uint32_t sub = kNoSub;
+    if (address.field == ConfigField::kMapCount)
+    {
+        sub = 0U;
+    }
+    if ((address.field == ConfigField::kMapEntry) && (address.sub != 0U))
+    {
+        sub = address.sub;
+    }
+    if ((mapping.places == nullptr) || (sub > mapping.limit))
+    {
+        return nullptr;
+    }
+    return RowOf(voice, address.slot) + sub; // MISRA D-002
+}
+
+// A producer takes its refresh time anew.
+void StoreOfSlot(const Voice& voice, const ConfigItem& item) noexcept
 {
     Record& record = At(voice, item.address.slot);
     const std::uint32_t value =
         item.value & (kAllBits >> kFields[static_cast<std::size_t>(item.address.field)].missing_bits);
-    const std::size_t place = PlaceOf(item.address);
-    const Mapping mapping = MappingOf(voice, item.address.slot);
-    const std::uint32_t position = PositionOf(item.address, mapping.limit);
-    if ((mapping.places == nullptr) && ((item.address.field == ConfigField::kMapEntry) || (place == kMapCountPlace)))
-    {
-        return; // A part of the program.
-    }
-    if (position < mapping.limit)
-    {
-        voice.storage.entries[(item.address.slot * std::uint32_t{voice.storage.map_entries}) + position] =
-            value; // MISRA D-002
-        record.mapping = kUnmarked;
-    }
-    if (place < kValueCount)
-    {
-        record.values[place] = value;
-        record.mapping = (place == kSignaturePlace) ? record.mapping : kUnmarked;
-        Mark(voice, item.address.slot); // A producer takes its refresh time anew.
-    }
+    std::uint32_t* const cell = CellOf(voice, item.address);
     if (item.address.field == ConfigField::kDirection)
     {
         SetDirection(record, static_cast<std::uint8_t>(value));
+    }
+    else if (cell != nullptr)
+    {
+        *cell = value;
+    }
+    else
+    {
+        return;
+    }
+    Demand(record, kLook);
+    if (item.address.field != ConfigField::kSignature)
+    {
         record.mapping = kUnmarked;
     }
 }
 
 std::uint32_t LoadOfSlot(const Voice& voice, const ConfigAddress& address) noexcept
 {
-    const Record& record = At(voice, address.slot);
-    const std::size_t place = PlaceOf(address);
-    std::uint32_t value = 0U;
-    if (place < kValueCount)
-    {
-        value = record.values[place];
-    }
     const Mapping mapping = MappingOf(voice, address.slot);
-    const std::uint32_t limit = (mapping.places == nullptr) ? mapping.count : mapping.limit;
-    const std::uint32_t position = PositionOf(address, limit);
-    if (position < limit)
+    const std::uint32_t* const cell = CellOf(voice, address);
+    const std::uint32_t position = address.sub - std::uint32_t{1U};
+    std::uint32_t value = 0U;
+    if (cell != nullptr)
     {
-        value = mapping.entries[position]; // MISRA D-002
+        value = *cell;
     }
-    if (place == kMapCountPlace)
+    else if (address.field == ConfigField::kDirection)
+    {
+        value = At(voice, address.slot).direction;
+    }
+    else if (address.field == ConfigField::kMapCount)
     {
         value = mapping.stored_count;
     }
-    if (address.field == ConfigField::kDirection)
+    else if ((address.field == ConfigField::kMapEntry) && (position < mapping.count))
     {
-        value = record.direction;
+        value = mapping.entries[position]; // MISRA D-002
+    }
+    else
+    {
+        // Nothing is there.
     }
     return value;
 }
@@ -214,7 +217,8 @@ ConfigItem Channel::Load(const ConfigAddress& address) const noexcept
 
 ChannelRoom Channel::Room() const noexcept
 {
-    return ChannelRoom{voice_.storage.capacity, voice_.storage.map_entries};
+    const std::size_t entries = voice_.storage.row - kFirstEntry;
+    return ChannelRoom{voice_.storage.capacity, static_cast<std::uint8_t>(entries)};
 }
 
 void Channel::SetFields(const SlotIndex slot, const StaticFields& fields) noexcept
@@ -254,7 +258,7 @@ CheckResult Channel::Validate(const SlotIndex slot) noexcept
     if ((record.mapping == kMarked) && (record.direction == kDirectionConsumer))
     {
         WriteObjects(voice_, slot, record.safe);
-        voice_.committed &= ~BitOf(slot); // The objects hold no pair any more.
+        Put(voice_.committed, slot, 0U); // The objects hold no pair any more.
     }
     return result;
 }

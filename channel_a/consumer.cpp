@@ -5,99 +5,141 @@
 #include "channel_a/slots.hpp"
 #include "channel_a/voice.hpp"
 
+#include <cstddef>
 #include <cstdint>
 
-// Frames of consumers and the pairs that come of them. The common case is one function without calls, so that it has
-// no registers to save; what is rare follows it by a jump.
+// Frames of consumers and the pairs that come of them. The common case is two functions, one behind the other by a
+// jump, without calls, so that they have no registers to save; what is rare follows them by a jump.
 namespace counterpoint::channel_a
 {
 namespace
 {
 
-constexpr std::uint32_t kSpareMasks = 0xFF00U; // Moved right by the number of spare bits: these bits of a byte.
-constexpr std::uint32_t kHalfMask = 1U;        // Of the place of an identifier: 0 the normal, 1 the inverse frame.
+constexpr std::uint8_t kGfcEnabled = 1U;
+constexpr std::size_t kHalfMask = 1U;
+constexpr std::uint32_t kRestOfByte = 7U;
+constexpr std::uint32_t kShiftMask = 63U;
 
-void Complete(Voice& voice, Record& record, const std::uint32_t slot) noexcept
+// Which half of a pair a frame is: 0 the normal one, whose identifier is odd, 1 the inverse one.
+inline std::size_t HalfOf(const CanFrame& frame) noexcept
 {
-    record.held = record.pending;
+    return ~std::size_t{frame.identifier} & kHalfMask;
+}
+
+// Whether identifier and controller are those of this half of the SRDO.
+inline bool IsAddressed(const Voice& voice, const Record& record, const CanFrame& frame,
+                        const std::size_t half) noexcept
+{
+    return (frame.identifier == record.values[kCobIdPlace + half]) && (frame.port == voice.ports[half]);
+}
+
+inline bool IsFitting(const Voice& voice, const Record& record, const CanFrame& frame, const std::size_t half) noexcept
+{
+    return IsAddressed(voice, record, frame, half) && (frame.length_bytes == record.length_bytes);
+}
+
+// Whether the pending normal frame has bits above the mapped ones. [SRS-CONS-009]
+inline bool HasSpareBits(const Record& record) noexcept
+{
+    return ((record.total_bits & kRestOfByte) != 0U) && ((record.pending >> (record.total_bits & kShiftMask)) != 0U);
+}
+
+// [SRS-CONS-017]
+void ReceiveOther(Voice& voice, const CanFrame& frame) noexcept
+{
+    const bool is_gfc = (frame.identifier == kGfcIdentifier) && (frame.length_bytes == 0U);
+    if (is_gfc && IsActive(voice) && (voice.globals[kGfcParameterPlace] == kGfcEnabled))
+    {
+        voice.gfc_pending = true;
+    }
+}
+
+// A frame that is not as it should be. [SRS-CONS-011]
+[[gnu::noinline]] void ReceiveOdd(Voice& voice, const CanFrame& frame, const std::size_t slot) noexcept
+{
+    const Record& record = At(voice, slot);
+    const std::size_t half = HalfOf(frame);
+    SrdoCause cause = SrdoCause::kIdentifier;
+    if (IsAddressed(voice, record, frame, half))
+    {
+        const SrdoCause of_inverse = Is(record, kPending) ? SrdoCause::kNotInverse : SrdoCause::kInverseFirst;
+        cause = (half == 0U) ? SrdoCause::kNormalTwice : of_inverse;
+        cause = (frame.length_bytes != record.length_bytes) ? SrdoCause::kLength : cause;
+    }
+    Fail(voice, slot, cause);
+}
+
+// With late detection SRVT has no deadline, but the slot is served until the frame has become too old or is gone.
+inline void Keep(Record& record, const CanFrame& frame, const Instant stamp) noexcept
+{
+    FlipMode(record, kPending);
+    record.pending = BitsOf(frame) & record.mapped;
+    record.frame_since = stamp;
+    if (record.detection == SrvtDetection::kLate)
+    {
+        Demand(record, kLook);
+        return;
+    }
+    record.since = stamp;
+    record.limit_us = SrvtUs(record);
+}
+
+// A new pair is of interest to a slot that is not released yet.
+inline void Complete(Voice& voice, Record& record, const std::size_t slot) noexcept
+{
+    FlipMode(record, kPending | (~std::uint32_t{record.mode} & kHeld));
+    record.held = Payload{LowOf(record.pending), HighOf(record.pending)};
     record.since = record.frame_since;
     record.limit_us = SctUs(record);
     record.awaiting = kUnmarked;
     ++record.ordinal;
-    ++voice.ordinal_sum;
-    voice.fresh |= BitOf(slot);
+    ++voice.outcome.ordinal_sum;
+    voice.outcome.fresh |= BitOf(slot);
+    if (!Is(record, kReleased))
+    {
+        Demand(record, kLook);
+    }
 }
 
-[[gnu::noinline]] void TakeNormal(Voice& voice, const CanFrame& frame, const Instant stamp,
-                                  const std::uint32_t slot) noexcept
+// A frame of this SRDO whose limits have been examined.
+[[gnu::noinline]] void Take(Voice& voice, const CanFrame& frame, const Instant stamp, const std::size_t slot) noexcept
 {
     Record& record = At(voice, slot);
-    const Mode next = kAfterNormal[static_cast<std::uint8_t>(record.mode) & kModeMask];
-    if (!IsFitting(voice, record, frame, Half::kNormal) || (next == Mode::kBroken))
+    const bool has_pending = Is(record, kPending);
+    if (HalfOf(frame) == 0U)
+    {
+        if (!IsFitting(voice, record, frame, 0U) || has_pending)
+        {
+            ReceiveOdd(voice, frame, slot);
+            return;
+        }
+        Keep(record, frame, stamp);
+        return;
+    }
+    // Where the spare bits are 0 in the normal frame they are 1 in its inverse.
+    const std::uint64_t wrong = ~(BitsOf(frame) ^ record.pending) & record.mapped;
+    if (!IsFitting(voice, record, frame, 1U) || !has_pending || (wrong != 0U) || HasSpareBits(record))
     {
         ReceiveOdd(voice, frame, slot);
         return;
     }
-    SetMode(record, next);
-    Keep(voice, frame, stamp, slot);
-}
-
-// Whether the pending normal frame, of the same length as this one, has bits above the mapped ones. [SRS-CONS-009]
-inline bool HasSpareBits(const Record& record, const CanFrame& frame) noexcept
-{
-    const std::uint32_t last = record.pending.at[(frame.length_bytes - 1U) & kLengthMask];
-    return (record.spare_bits != 0U) && ((last & (kSpareMasks >> (record.spare_bits & kLengthMask))) != 0U);
-}
-
-// Where the spare bits are 0 in the normal frame they are 1 in its inverse.
-[[gnu::noinline]] void TakeInverse(Voice& voice, const CanFrame& frame, const std::uint32_t slot) noexcept
-{
-    Record& record = At(voice, slot);
-    if (!IsFitting(voice, record, frame, Half::kInverse))
-    {
-        ReceiveOdd(voice, frame, slot);
-        return;
-    }
-    const std::uint64_t wrong = (BitsAt(&frame.data[0]) ^ Bits(record.pending) ^ kInverseFlip) & MappedBits(frame);
-    const Mode next = kAfterInverse[static_cast<std::uint8_t>(record.mode) & kModeMask];
-    if ((wrong != 0U) || (next == Mode::kBroken) || HasSpareBits(record, frame))
-    {
-        ReceiveOdd(voice, frame, slot);
-        return;
-    }
-    SetMode(record, next);
     Complete(voice, record, slot);
 }
 
 // The limit first; the frame is then taken as if nothing had been there before it.
 [[gnu::noinline]] void TakeAfterLimit(Voice& voice, const CanFrame& frame, const Instant stamp,
-                                      const std::uint32_t slot) noexcept
+                                      const std::size_t slot) noexcept
 {
-    const bool is_inverse = (~frame.identifier & kHalfMask) != 0U; // Odd are those of normal frames.
-    Expire(voice, slot, stamp, is_inverse ? Half::kInverse : Half::kNormal);
-    if (is_inverse)
+    const SrdoCause cause = ExpiredLimit(At(voice, slot), stamp, HalfOf(frame));
+    if (cause != SrdoCause::kNone)
     {
-        ReceiveOdd(voice, frame, slot);
-        return;
+        Fail(voice, slot, cause);
     }
-    TakeNormal(voice, frame, stamp, slot);
-}
-
-// [SRS-TIME-009]
-[[gnu::noinline]] void TakeLateInverse(Voice& voice, const CanFrame& frame, const Instant stamp,
-                                       const std::uint32_t slot) noexcept
-{
-    if (IsTooOld(At(voice, slot), stamp))
-    {
-        TakeAfterLimit(voice, frame, stamp, slot);
-        return;
-    }
-    TakeInverse(voice, frame, slot);
+    Take(voice, frame, stamp, slot);
 }
 
 } // namespace
 
-// Where no SRDO is active no identifier leads to one.
 void Channel::OnFrame(const CanFrame& frame, const Instant stamp) noexcept
 {
     const std::uint32_t place = frame.identifier - kFirstSrdoIdentifier; // Every other identifier is a greater place.
@@ -110,51 +152,44 @@ void Channel::OnFrame(const CanFrame& frame, const Instant stamp) noexcept
         ReceiveOther(voice_, frame);
         return;
     }
-    const std::uint32_t slot = SlotOfPlace(voice_, place);
+    const std::size_t slot = LookUp(voice_, frame.identifier);
     if (slot >= voice_.count)
     {
         return;
     }
     const Record& record = At(voice_, slot);
-    if (IsExpired(record, stamp))
+    if (!Is(record, kConsumer))
+    {
+        return;
+    }
+    if (IsExpired(record, stamp) || (record.detection == SrvtDetection::kLate))
     {
         TakeAfterLimit(voice_, frame, stamp, slot);
+        return;
     }
-    else if ((place & kHalfMask) == 0U)
-    {
-        TakeNormal(voice_, frame, stamp, slot);
-    }
-    else if (record.detection != SrvtDetection::kLate)
-    {
-        TakeInverse(voice_, frame, slot);
-    }
-    else
-    {
-        TakeLateInverse(voice_, frame, stamp, slot);
-    }
+    Take(voice_, frame, stamp, slot);
 }
 
 HeldPair Channel::Held(const SlotIndex slot) const noexcept
 {
     const Record& record = At(voice_, slot);
     HeldPair pair{};
-    if ((FactsOf(record.mode).data & kHoldsMask) != 0U)
+    if (Is(record, kHeld))
     {
-        pair.data = PayloadOf(record.held);
+        pair.data = record.held;
         pair.ordinal = record.ordinal;
         pair.holds_pair = 1U;
     }
     return pair;
 }
 
+// Counted and kept like a fault, but told to nobody: the other channel has reported it. [SRS-REL-006]
 void Channel::Demote(const SlotIndex slot) noexcept
 {
     Record& record = At(voice_, slot);
-    const std::uint32_t group = FactsOf(record.mode).group;
-    if ((group - kGroupWaiting) < kConsumerGroups)
+    if (Is(record, kConsumer))
     {
-        Raise(voice_, slot, Event::kDiscard, SrdoCause::kNone);
-        // Counted and kept like a fault, but told to nobody: the other channel has reported it. [SRS-REL-006]
+        Drop(voice_, slot, kPending);
         Count(record, SrdoCause::kDemoted);
     }
 }

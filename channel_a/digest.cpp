@@ -13,8 +13,7 @@ namespace
 {
 
 constexpr std::uint32_t kPolynomial = 0xEDB88320U; // 04C11DB7h reflected.
-constexpr std::uint32_t kHalfMask = 0x0FU;
-constexpr std::uint32_t kHalfShift = 4U;
+constexpr std::uint32_t kHalfBits = 4U;
 constexpr std::uint32_t kHalfCount = 16U;
 
 // What four bits do to an empty register.
@@ -40,20 +39,25 @@ static_assert(kHalves[2U] == kShifted<kHalves[4U]>, "the bit before that");
 static_assert(kHalves[1U] == kShifted<kHalves[2U]>, "the first bit in");
 static_assert(kRight<kHalfCount - 1U> == (kHalfCount - 1U), "the table is that of the polynomial");
 
+// The low `bits` of the value, four at a time, the lowest first.
+std::uint32_t Fed(const std::uint32_t crc, const std::uint32_t value, const std::uint32_t bits) noexcept
+{
+    std::uint32_t fed = crc ^ value;
+    for (std::uint32_t bit = 0U; bit < bits; bit += kHalfBits)
+    {
+        fed = (fed >> kHalfBits) ^ kHalves[fed % kHalfCount];
+    }
+    return fed;
+}
+
 std::uint32_t FedByte(const std::uint32_t crc, const std::uint32_t byte) noexcept
 {
-    const std::uint32_t half = (crc >> kHalfShift) ^ kHalves[(crc ^ byte) & kHalfMask];
-    return (half >> kHalfShift) ^ kHalves[(half ^ (byte >> kHalfShift)) & kHalfMask];
+    return Fed(crc, byte, kBitsPerByte);
 }
 
 std::uint32_t FedWord(const std::uint32_t crc, const std::uint32_t word) noexcept
 {
-    std::uint32_t fed = crc;
-    for (std::uint32_t shift = 0U; shift < kBitsPerWord; shift += kBitsPerByte)
-    {
-        fed = FedByte(fed, word >> shift);
-    }
-    return fed;
+    return Fed(crc, word, kBitsPerWord);
 }
 
 // One byte: the value that grants something, or 00h for any other.
@@ -101,8 +105,8 @@ DeviceDigest Channel::Digest(const SlotIndex slot, const DeviceDigest before) co
     crc = FedOption(crc, record.form, ProducerForm::kProviderCalled);
     crc = FedOption(crc, record.detection, SrvtDetection::kLate);
     crc = FedByte(crc, record.values[kTransmissionTypePlace]);
-    crc = FedWord(crc, WordAt(&record.safe.at[0]));
-    crc = FedWord(crc, WordAt(&record.safe.at[kBytesPerWord]));
+    crc = FedWord(crc, record.safe.low);
+    crc = FedWord(crc, record.safe.high);
     return DeviceDigest{~crc};
 }
 

@@ -2,57 +2,56 @@
 #ifndef CHANNEL_A_OCTETS_HPP
 #define CHANNEL_A_OCTETS_HPP
 
-#include "channel_a/storage.hpp"
-#include "channel_a/voice.hpp"
 #include "safety_core/contract/can_frame.hpp"
-#include "safety_core/contract/limits.hpp"
-#include "safety_core/contract/srdo.hpp"
 
 #include <cstddef>
 #include <cstdint>
 
-// Inlined by force where a compiler knows the way from eight bytes to one or two words: only inline it is seen, and
-// then smaller than the call.
-//
-// Data of frames: kept as bytes, looked at as all eight of them at once, so that there is neither a length to be wrong
-// nor a branch that depends on data.
+// Bytes in the order of the bus and the words they are kept as: byte 0 in the lowest bits, whatever the order of the
+// processor. Inlined by force where a compiler knows the way from bytes to a word: only inline it is seen, and then
+// smaller than the call.
 namespace counterpoint::channel_a
 {
 
 constexpr std::size_t kBytesPerWord = 4U;
 constexpr std::uint32_t kBitsPerByte = 8U;
 constexpr std::uint32_t kBitsPerWord = 32U;
+constexpr std::uint32_t kAllBits = 0xFFFFFFFFU;
 
-/// What the bytes of an inverse frame are flipped with.
-constexpr std::uint64_t kInverseFlip = 0xFFFFFFFFFFFFFFFFU;
+[[nodiscard, gnu::always_inline]] inline std::uint32_t WordOf(const std::uint8_t first, const std::uint8_t second,
+                                                              const std::uint8_t third,
+                                                              const std::uint8_t fourth) noexcept
+{
+    return std::uint32_t{first} | (std::uint32_t{second} << 8U) | (std::uint32_t{third} << 16U) |
+           (std::uint32_t{fourth} << 24U);
+}
 
-/// The bytes of a frame that are mapped, for lengths of 1 to 7 bytes and, as row 0, 8 bytes. Another length occurs only
-/// in a corrupted record, which its seal gives away.
-constexpr std::uint32_t kLengthMask = 0x07U;
-extern const std::uint64_t kMapped[kLengthMask + 1U]; // MISRA D-001
-
-/// @brief Four bytes from `place` on, byte 0 as the lowest bits, whatever the order of the processor.
+/// @brief Four bytes from `place` on.
 [[nodiscard, gnu::always_inline]] inline std::uint32_t WordAt(const std::uint8_t* const place) noexcept
 {
-    return std::uint32_t{place[0]} | (std::uint32_t{place[1]} << 8U) |          // MISRA D-002
-           (std::uint32_t{place[2]} << 16U) | (std::uint32_t{place[3]} << 24U); // MISRA D-002
+    return WordOf(place[0], place[1], place[2], place[3]); // MISRA D-002
 }
 
-/// @brief Eight bytes likewise, in two words, for which a 32-bit processor has instructions.
-[[nodiscard, gnu::always_inline]] inline std::uint64_t BitsAt(const std::uint8_t* const place) noexcept
+[[nodiscard, gnu::always_inline]] inline std::uint64_t Joined(const std::uint32_t low,
+                                                              const std::uint32_t high) noexcept
 {
-    return std::uint64_t{WordAt(place)} | (std::uint64_t{WordAt(place + kBytesPerWord)} << kBitsPerWord); // MISRA D-002
+    return std::uint64_t{low} | (std::uint64_t{high} << kBitsPerWord);
 }
 
-[[nodiscard, gnu::always_inline]] inline std::uint64_t Bits(const Octets& octets) noexcept
+/// @brief All eight bytes of a frame, so that there is no branch that depends on its length.
+[[nodiscard, gnu::always_inline]] inline std::uint64_t BitsOf(const CanFrame& frame) noexcept
 {
-    return BitsAt(&octets.at[0]);
+    return Joined(WordAt(&frame.data[0]), WordAt(&frame.data[kBytesPerWord]));
 }
 
-/// @brief The bytes of the frame that are mapped.
-[[nodiscard]] inline std::uint64_t MappedBits(const CanFrame& frame) noexcept
+[[nodiscard, gnu::always_inline]] inline std::uint32_t LowOf(const std::uint64_t bits) noexcept
 {
-    return kMapped[frame.length_bytes & kLengthMask];
+    return static_cast<std::uint32_t>(bits);
+}
+
+[[nodiscard, gnu::always_inline]] inline std::uint32_t HighOf(const std::uint64_t bits) noexcept
+{
+    return static_cast<std::uint32_t>(bits >> kBitsPerWord);
 }
 
 [[gnu::always_inline]] inline void PutWord(std::uint8_t* const to, const std::uint32_t word) noexcept
@@ -61,42 +60,6 @@ extern const std::uint64_t kMapped[kLengthMask + 1U]; // MISRA D-001
     to[1] = static_cast<std::uint8_t>(word >> 8U);  // MISRA D-002
     to[2] = static_cast<std::uint8_t>(word >> 16U); // MISRA D-002
     to[3] = static_cast<std::uint8_t>(word >> 24U); // MISRA D-002
-}
-
-[[gnu::always_inline]] inline void PutBits(Octets& to, const std::uint64_t bits) noexcept
-{
-    PutWord(&to.at[0], static_cast<std::uint32_t>(bits));
-    PutWord(&to.at[kBytesPerWord], static_cast<std::uint32_t>(bits >> kBitsPerWord));
-}
-
-[[nodiscard]] inline Payload PayloadOf(const Octets& octets) noexcept
-{
-    return Payload{WordAt(&octets.at[0]), WordAt(&octets.at[kBytesPerWord])};
-}
-
-/// @brief Whether identifier, controller and length are those of this half of the SRDO.
-[[nodiscard]] inline bool IsFitting(const Voice& voice, const Record& record, const CanFrame& frame,
-                                    const Half half) noexcept
-{
-    const auto place = static_cast<std::size_t>(half);
-    return (frame.identifier == record.values[kCobIdPlace + place]) && (frame.port == voice.ports[place]) &&
-           (frame.length_bytes == record.length_bytes);
-}
-
-/// @brief The frame becomes the pending normal frame. With late detection SRVT has no deadline, but the slot is served
-/// until the frame has become too old or is gone.
-inline void Keep(Voice& voice, const CanFrame& frame, const Instant stamp, const std::uint32_t slot) noexcept
-{
-    Record& record = At(voice, slot);
-    PutBits(record.pending, BitsAt(&frame.data[0]) & MappedBits(frame));
-    record.frame_since = stamp;
-    if (record.detection == SrvtDetection::kLate)
-    {
-        Mark(voice, slot);
-        return;
-    }
-    record.since = stamp;
-    record.limit_us = SrvtUs(record);
 }
 
 } // namespace counterpoint::channel_a

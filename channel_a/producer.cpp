@@ -2,74 +2,77 @@
 #include "channel_a/channel.hpp"
 #include "channel_a/octets.hpp"
 #include "channel_a/seal.hpp"
-#include "channel_a/slots.hpp"
 #include "channel_a/voice.hpp"
 
+#include <cstddef>
 #include <cstdint>
 
-// What became of a pair of a producer. When to send: cycle.cpp; what: mapping.cpp.
+// What became of a pair of a producer. When to send: cycle.cpp; what: objects.cpp.
 //
 // Idle --Prepare--> NormalAwaited --normal frame--> InverseAwaited --inverse frame--> Idle
-//
-// Each of these steps is taken from the one mode that it starts from; every other event is the table's.
 namespace counterpoint::channel_a
 {
 namespace
 {
 
-constexpr std::uint32_t kHalfMask = 1U; // Of the place of an identifier: 0 the normal, 1 the inverse frame.
-constexpr Mode kAwaited[2] = {Mode::kNormalAwaited, Mode::kInverseAwaited}; // By half. MISRA D-001
 constexpr Confirmation kNotOurs{kNoSlot, ConfirmStep::kNone};
 
-[[gnu::noinline]] Confirmation Abort(Voice& voice, const std::uint32_t slot, const SrdoCause cause) noexcept
+// Whether the frame is this half of the SRDO: 0 the normal, 1 the inverse one.
+inline bool IsHalf(const Record& record, const CanFrame& frame, const std::size_t half) noexcept
 {
-    Raise(voice, slot, Event::kAbort, cause);
+    return (frame.identifier == record.values[kCobIdPlace + half]) && (frame.kind == FrameKind::kData);
+}
+
+inline bool IsEcho(const Record& record, const CanFrame& frame, const std::uint64_t wrong) noexcept
+{
+    return (frame.length_bytes == record.length_bytes) && ((wrong & record.mapped) == 0U);
+}
+
+[[gnu::noinline]] Confirmation GiveUp(Record& record, const SrdoCause cause) noexcept
+{
+    Abort(record, cause);
     return kNotOurs;
 }
 
 } // namespace
 
+// Each of the two frames is awaited in a mode of its own; an identifier that is none of an SRDO is not that of the slot
+// that it leads to.
 Confirmation Channel::OnConfirm(const CanFrame& frame, const Instant stamp) noexcept
 {
-    const std::uint32_t place = frame.identifier - kFirstSrdoIdentifier; // Every other identifier is a greater place.
-    if ((frame.kind != FrameKind::kData) || (place >= kSrdoIdentifierCount))
-    {
-        return kNotOurs;
-    }
-    const std::uint32_t slot = SlotOfPlace(voice_, place);
+    const std::size_t slot = LookUp(voice_, frame.identifier);
     if (slot >= voice_.count)
     {
         return kNotOurs;
     }
     Record& record = At(voice_, slot);
-    const std::uint32_t half = place & kHalfMask;
-    if ((record.mode != kAwaited[half]) || (record.values[kCobIdPlace + half] != frame.identifier))
+    const std::uint64_t wrong = BitsOf(frame) ^ Joined(record.held.low, record.held.high);
+    if ((record.mode == kNormalAwaited) && IsHalf(record, frame, 0U))
     {
-        return kNotOurs;
-    }
-    if (frame.length_bytes != record.length_bytes)
-    {
-        return Abort(voice_, slot, SrdoCause::kWrongEcho);
-    }
-    const std::uint64_t wrong = BitsAt(&frame.data[0]) ^ Bits(record.held) ^ (std::uint64_t{0U} - half);
-    if ((wrong & MappedBits(frame)) != 0U)
-    {
-        return Abort(voice_, slot, SrdoCause::kWrongEcho);
-    }
-    if (half == 0U)
-    {
-        SetMode(record, Mode::kInverseAwaited);
+        if (!IsEcho(record, frame, wrong))
+        {
+            return GiveUp(record, SrdoCause::kWrongEcho);
+        }
+        SetMode(record, kInverseAwaited);
         record.frame_since = stamp;
         return Confirmation{static_cast<SlotIndex>(slot), ConfirmStep::kNormal};
     }
-    if ((stamp.us - record.frame_since.us) > SrvtUs(record))
+    if ((record.mode == kInverseAwaited) && IsHalf(record, frame, 1U))
     {
-        return Abort(voice_, slot, SrdoCause::kNoConfirmation);
+        if (!IsEcho(record, frame, ~wrong))
+        {
+            return GiveUp(record, SrdoCause::kWrongEcho);
+        }
+        if ((stamp.us - record.frame_since.us) > SrvtUs(record))
+        {
+            return GiveUp(record, SrdoCause::kNoConfirmation);
+        }
+        SetMode(record, kProducer);
+        record.todo = static_cast<std::uint8_t>(record.todo & ~kInFlight);
+        ++record.ordinal;
+        return Confirmation{static_cast<SlotIndex>(slot), ConfirmStep::kPair};
     }
-    SetMode(record, Mode::kIdle);
-    ++record.ordinal;
-    voice_.flying &= ~BitOf(slot);
-    return Confirmation{static_cast<SlotIndex>(slot), ConfirmStep::kPair};
+    return kNotOurs;
 }
 
 // The inverse frame is the other channel's.
@@ -83,7 +86,7 @@ void Channel::OnTransmitFault(const SlotIndex slot, const TransmitFault& fault) 
     const bool is_of_port = (fault.cause == SrdoCause::kTransmitQueue) || (fault.cause == SrdoCause::kBusOff);
     if (is_of_port || (fault.cause == SrdoCause::kNotInverse))
     {
-        Raise(voice_, slot, Event::kAbort, fault.cause);
+        Abort(At(voice_, slot), fault.cause);
     }
 }
 

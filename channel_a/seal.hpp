@@ -2,8 +2,8 @@
 #ifndef CHANNEL_A_SEAL_HPP
 #define CHANNEL_A_SEAL_HPP
 
+#include "channel_a/octets.hpp"
 #include "channel_a/storage.hpp"
-#include "channel_a/transitions.hpp"
 
 #include <cstdint>
 
@@ -12,46 +12,49 @@
 namespace counterpoint::channel_a
 {
 
-constexpr std::uint32_t kModeShift = 0U;
-constexpr std::uint32_t kCauseShift = 8U;
-constexpr std::uint32_t kDirectionShift = 16U;
-constexpr std::uint32_t kLengthShift = 24U;
-
 /// @brief The sealed bytes in one word.
 [[nodiscard]] inline std::uint32_t SealedBytes(const Record& record) noexcept
 {
-    return (static_cast<std::uint32_t>(record.mode) << kModeShift) |
-           (static_cast<std::uint32_t>(record.first_cause) << kCauseShift) |
-           (static_cast<std::uint32_t>(record.direction) << kDirectionShift) |
-           (static_cast<std::uint32_t>(record.length_bytes) << kLengthShift);
+    return WordOf(record.mode, static_cast<std::uint8_t>(record.first_cause), record.direction, record.length_bytes);
 }
 
 [[nodiscard]] inline bool IsSealed(const Record& record) noexcept
 {
-    return SealedBytes(record) == ~record.seal;
+    return (SealedBytes(record) ^ WordAt(&record.seal[0])) == kAllBits;
 }
 
-inline void SetMode(Record& record, const Mode mode) noexcept
+inline void SetMode(Record& record, const std::uint32_t mode) noexcept
 {
-    record.seal ^= (static_cast<std::uint32_t>(record.mode) ^ static_cast<std::uint32_t>(mode)) << kModeShift;
-    record.mode = mode;
+    record.seal[kModeSeal] = static_cast<std::uint8_t>(std::uint32_t{record.seal[kModeSeal]} ^ record.mode ^ mode);
+    record.mode = static_cast<std::uint8_t>(mode);
+}
+
+/// @brief Other bits of the mode, its state stays.
+inline void FlipMode(Record& record, const std::uint32_t bits) noexcept
+{
+    record.seal[kModeSeal] = static_cast<std::uint8_t>(record.seal[kModeSeal] ^ bits);
+    record.mode = static_cast<std::uint8_t>(record.mode ^ bits);
 }
 
 inline void SetFirstCause(Record& record, const SrdoCause cause) noexcept
 {
-    record.seal ^= (static_cast<std::uint32_t>(record.first_cause) ^ static_cast<std::uint32_t>(cause)) << kCauseShift;
+    record.seal[kCauseSeal] =
+        static_cast<std::uint8_t>(std::uint32_t{record.seal[kCauseSeal]} ^
+                                  static_cast<std::uint32_t>(record.first_cause) ^ static_cast<std::uint32_t>(cause));
     record.first_cause = cause;
 }
 
 inline void SetDirection(Record& record, const std::uint8_t direction) noexcept
 {
-    record.seal ^= (std::uint32_t{record.direction} ^ std::uint32_t{direction}) << kDirectionShift;
+    record.seal[kDirectionSeal] =
+        static_cast<std::uint8_t>(std::uint32_t{record.seal[kDirectionSeal]} ^ record.direction ^ direction);
     record.direction = direction;
 }
 
 inline void SetLength(Record& record, const std::uint8_t length_bytes) noexcept
 {
-    record.seal ^= (std::uint32_t{record.length_bytes} ^ std::uint32_t{length_bytes}) << kLengthShift;
+    record.seal[kLengthSeal] =
+        static_cast<std::uint8_t>(std::uint32_t{record.seal[kLengthSeal]} ^ record.length_bytes ^ length_bytes);
     record.length_bytes = length_bytes;
 }
 

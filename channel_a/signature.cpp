@@ -1,7 +1,4 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "channel_a/signature.hpp"
-
-#include "channel_a/storage.hpp"
 #include "channel_a/voice.hpp"
 
 #include <cstddef>
@@ -13,63 +10,64 @@ namespace
 {
 
 constexpr std::uint32_t kPolynomial = 0x1021U;
-constexpr std::uint32_t kByteMask = 0xFFU;
-constexpr std::uint32_t kHalfMask = 0x0FU;
+constexpr std::uint32_t kCrcBits = 16U;
 constexpr std::uint32_t kCrcMask = 0xFFFFU;
-constexpr std::uint32_t kTopBit = 15U;
-constexpr std::uint32_t kHalfShift = 4U;
-constexpr std::uint32_t kHalfCount = 16U;
 
-// What a byte does to an empty register, CRC-16, most significant bit first: by its low four bits, and by its high
-// four. The register is linear: a byte does what its halves do.
-constexpr std::uint16_t kLow[kHalfCount] = {
-    // MISRA D-001
-    // clang-format off
-    0x0000U, 0x1021U, 0x2042U, 0x3063U, 0x4084U, 0x50A5U, 0x60C6U, 0x70E7U,
-    0x8108U, 0x9129U, 0xA14AU, 0xB16BU, 0xC18CU, 0xD1ADU, 0xE1CEU, 0xF1EFU,
-    // clang-format on
-};
-constexpr std::uint16_t kHigh[kHalfCount] = {
-    // MISRA D-001
-    // clang-format off
-    0x0000U, 0x1231U, 0x2462U, 0x3653U, 0x48C4U, 0x5AF5U, 0x6CA6U, 0x7E97U,
-    0x9188U, 0x83B9U, 0xB5EAU, 0xA7DBU, 0xD94CU, 0xCB7DU, 0xFD2EU, 0xEF1FU,
-    // clang-format on
-};
+// What bits do to an empty register, CRC-16, most significant bit first: the rest of bits * X^16 by
+// X^16 + X^12 + X^5 + 1 is what the polynomial's lower terms make of the quotient.
+constexpr std::uint32_t Rest(const std::uint32_t quotient) noexcept
+{
+    return (quotient ^ (quotient << 5U) ^ (quotient << 12U)) & kCrcMask;
+}
+
+// The quotient q is the one with q + (q >> 4) + (q >> 11) + (q >> 16) = bits, without carries. With s for the three
+// shifts that is q = bits / (1 + s), which is (1 + s) (1 + s^2) (1 + s^4) times bits, because s^8 leaves nothing of 32.
+constexpr std::uint32_t RestOfWord(const std::uint32_t bits) noexcept
+{
+    std::uint32_t quotient = bits ^ (bits >> 16U);
+    quotient ^= (quotient >> 8U) ^ (quotient >> 22U);
+    return Rest(quotient ^ (quotient >> 4U) ^ (quotient >> 11U) ^ (quotient >> 16U));
+}
+
+// Of eight bits only q + (q >> 4) is left.
+constexpr std::uint32_t RestOfByte(const std::uint32_t bits) noexcept
+{
+    return Rest(bits ^ (bits >> 4U));
+}
 
 // One bit more in the register.
 template <std::uint32_t kCrc>
-constexpr std::uint32_t kShifted = ((kCrc << 1U) & kCrcMask) ^ ((kCrc >> kTopBit) * kPolynomial);
-template <std::size_t kEntry>
-constexpr bool kIsRight = (kLow[kEntry] == (kShifted<kLow[kEntry / 2U]> ^ ((kEntry % 2U) * kPolynomial))) &&
-                          (kHigh[kEntry] == kShifted<kShifted<kShifted<kShifted<kLow[kEntry]>>>>);
-// Entry n is entry n / 2 shifted, with the polynomial for the bit that came in: by induction all are right if this
-// holds for each.
-template <std::size_t kEntries>
-constexpr std::size_t kRight = kRight<kEntries - 1U> + (kIsRight<kEntries - 1U> ? 1U : 0U);
-template <> constexpr std::size_t kRight<0U> = 0U;
-static_assert(kRight<kHalfCount> == kHalfCount, "the tables are those of the polynomial");
+constexpr std::uint32_t kShifted = ((kCrc << 1U) & kCrcMask) ^ ((kCrc >> (kCrcBits - 1U)) * kPolynomial);
+// Both are linear: they are right if they are for each single bit. That of a bit is that of the lower bit shifted.
+template <std::uint32_t kBit>
+constexpr std::uint32_t kRight =
+    kRight<kBit - 1U> + ((RestOfWord(1U << kBit) == kShifted<RestOfWord(1U << (kBit - 1U))>) ? 1U : 0U);
+template <> constexpr std::uint32_t kRight<0U> = (RestOfWord(1U) == kPolynomial) ? 1U : 0U;
+static_assert(kRight<31U> == 32U, "the rest of a word is that of the polynomial");
+template <std::uint32_t kBit>
+constexpr std::uint32_t kSame = kSame<kBit - 1U> + ((RestOfByte(1U << kBit) == RestOfWord(1U << kBit)) ? 1U : 0U);
+template <> constexpr std::uint32_t kSame<0U> = (RestOfByte(1U) == RestOfWord(1U)) ? 1U : 0U;
+static_assert(kSame<7U> == 8U, "that of a byte is the same");
 
-// One byte of the stream.
-inline std::uint32_t Fed(const std::uint32_t crc, const std::uint32_t byte) noexcept
+std::uint32_t Fed(const std::uint32_t crc, const std::uint32_t byte) noexcept
 {
-    const std::uint32_t in = ((crc >> 8U) ^ byte) & kByteMask;
-    return (crc << 8U) ^ kHigh[in >> kHalfShift] ^ kLow[in & kHalfMask]; // What is above 16 bits is left there.
+    return RestOfByte((crc >> 8U) ^ byte) ^ ((crc << 8U) & kCrcMask);
 }
 
-inline std::uint32_t FedWord(const std::uint32_t crc, const std::uint32_t word) noexcept
+// Four bytes of the stream, the low one first.
+std::uint32_t FedWord(const std::uint32_t crc, const std::uint32_t word) noexcept
 {
-    return Fed(Fed(Fed(Fed(crc, word), word >> 8U), word >> 16U), word >> 24U);
+    const std::uint32_t swapped = (word << 24U) | ((word & 0xFF00U) << 8U) | ((word >> 8U) & 0xFF00U) | (word >> 24U);
+    return RestOfWord(swapped ^ (crc << kCrcBits));
 }
 
 } // namespace
 
+// The fields before the COB-IDs make up a word.
 std::uint32_t Signature(const Record& record, const Mapping& mapping) noexcept
 {
-    std::uint32_t crc = Fed(0U, record.direction);
-    crc = Fed(crc, record.values[kSctPlace]);
-    crc = Fed(crc, record.values[kSctPlace] >> 8U);
-    crc = Fed(crc, record.values[kSrvtPlace]);
+    std::uint32_t crc =
+        FedWord(0U, record.direction ^ (record.values[kSctPlace] << 8U) ^ (record.values[kSrvtPlace] << 24U));
     crc = FedWord(crc, record.values[kCobIdPlace]);
     crc = FedWord(crc, record.values[kCobIdPlace + 1U]);
     crc = Fed(crc, mapping.count);

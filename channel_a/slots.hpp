@@ -31,16 +31,16 @@ inline constexpr std::size_t kFound =
 template <> inline constexpr std::size_t kFound<0U> = 0U;
 static_assert(kFound<kSlotsOfWord> == kSlotsOfWord, "every bit is found by its window");
 
-[[nodiscard]] inline SrdoMask BitOf(const std::uint32_t slot) noexcept
+[[nodiscard]] inline SrdoMask BitOf(const std::size_t slot) noexcept
 {
     return SrdoMask{1U} << slot;
 }
 
 /// @brief Takes the lowest slot out of a mask that is not empty.
-[[nodiscard]] inline std::uint32_t TakeLowest(SrdoMask& mask) noexcept
+[[nodiscard]] inline std::size_t TakeLowest(SrdoMask& mask) noexcept
 {
     std::uint32_t word = static_cast<std::uint32_t>(mask);
-    std::uint32_t first = 0U;
+    std::size_t first = 0U;
     if (word == 0U)
     {
         word = static_cast<std::uint32_t>(mask >> kSlotsOfWord);

@@ -24,33 +24,36 @@ constexpr std::uint8_t kLastDefaultNode = 64U;
     return (value << count) | (value >> (32U - count));
 }
 
-/// Of a valid pair the inverse data tell the normal data.
-[[nodiscard]] Payload DataOf(const Row& row) noexcept
+/// The value that counts, or that of all others.
+template <typename T> [[nodiscard]] constexpr T OnlyIf(T value, T expected, T other) noexcept
 {
-    return PayloadOf(~row.inverse_data & row.mask);
+    return (value == expected) ? expected : other;
+}
+
+[[nodiscard]] Payload PayloadOf(std::uint64_t word) noexcept
+{
+    return Payload{PartOf(word, 0U), PartOf(word, 1U)};
+}
+
+[[nodiscard]] SrdoState StateOf(const Row& row) noexcept
+{
+    switch (row.standing)
+    {
+    case Standing::kWaiting:
+        return SrdoState::kWaiting;
+    case Standing::kFaulted:
+        return SrdoState::kFaulted;
+    case Standing::kReleased:
+        return SrdoState::kReleased;
+    case Standing::kProducer:
+        return SrdoState::kProducer;
+    case Standing::kOff:
+        break;
+    }
+    return SrdoState::kOff;
 }
 
 } // namespace
-
-void Channel::ClearSlot(SlotIndex slot) noexcept
-{
-    Row& row = x_storage.rows[slot];
-    row = Row{};
-    const std::uint32_t first = FirstEntryOf(x_storage, slot);
-    for (std::uint32_t index = 0U; index < x_storage.map_entries; ++index)
-    {
-        x_storage.entries[first + index] = 0U;
-        x_storage.table[first + index] = kNoPlace;
-    }
-    row.image[kSctAt] = kDefaultRefreshMs;
-    row.image[kSrvtAt] = kDefaultSrvtMs;
-    row.image[kTransmissionTypeAt] = kTransmissionTypeAsynchronous;
-    x_storage.direction[slot] = kDirectionOff;
-    x_storage.first_cause[slot] = Code(SrdoCause::kNone);
-    x_storage.ordinal[slot] = 0U;
-    x_storage.phase_left[slot] = kLongestPhase;
-    Ground(slot, Stage::kOff);
-}
 
 void Channel::Restart(const DeviceConfig& config) noexcept
 {
@@ -61,56 +64,47 @@ void Channel::Restart(const DeviceConfig& config) noexcept
     x_port[0U] = config.inverse_port;
     x_port[1U] = config.normal_port;
     x_running = 0U;
-    x_gfc = 0U;
-    x_any_late = 0U;
+    x_alarms = 0U;
     x_late_us = 0xFFFFFFFFU; // The first call is never late.
     x_cycle = 0U;
     x_storage.device[kGfcParameterAt] = 0U;
     x_storage.device[kConfigurationValidAt] = 0U;
     for (std::uint8_t half = 0U; half < kHalves; ++half)
     {
-        Marks& marks = x_storage.marks[half];
-        x_present[half] = 0U;
         x_levels[half] = ~HalfMask{0U}; // A level that is 1 from the start is no edge.
-        marks = Marks{};
-        marks.held = kUnmarked;
-        marks.acknowledged = kUnmarked;
-        marks.automatic = kUnmarked;
-        marks.valid = kUnmarked;
-        marks.enrolled = kUnmarked;
-        marks.released = kUnmarked;
+        x_committed[half] = 0U;
+        x_released[half] = 0U;
+        x_unwritten[half] = 0U;
     }
-    ClearLookUp();
     for (SlotIndex slot = 0U; slot < x_count; ++slot)
     {
-        x_present[slot / kSlotsInHalf] |= BitOf(slot);
-        ClearSlot(slot);
         TakeSetup(slot, setups[slot]);
     }
 }
 
 void Channel::TakeSetup(SlotIndex slot, const SrdoSetup& setup) noexcept
 {
-    const std::uint8_t node = x_config->node_id;
-    Marks& marks = MarksOf(x_storage, slot);
-    const HalfMask bit = BitOf(slot);
-    if (setup.policy == ReleasePolicy::kAutomatic)
+    const std::uint32_t node = x_config->node_id;
+    const std::uint32_t first = FirstEntryOf(x_storage, slot);
+    Row& row = x_storage.rows[slot];
+    row = Row{};
+    x_storage.fields[slot] = StaticFields{nullptr, nullptr};
+    Ground(row);
+    row.first_cause = Code(SrdoCause::kNone);
+    row.awaited.kind = FrameKind::kData;
+    row.policy = OnlyIf(setup.policy, ReleasePolicy::kAutomatic, ReleasePolicy::kInterlock);
+    row.form = OnlyIf(setup.form, ProducerForm::kProviderCalled, ProducerForm::kApplicationSends);
+    row.detection = OnlyIf(setup.detection, SrvtDetection::kLate, SrvtDetection::kEarly);
+    row.image[kSctAt] = kDefaultRefreshMs;
+    row.image[kSrvtAt] = kDefaultSrvtMs;
+    row.image[kTransmissionTypeAt] = kTransmissionTypeAsynchronous;
+    for (std::uint32_t index = 0U; index < x_storage.map_entries; ++index)
     {
-        Grant(marks.automatic, bit);
-    }
-    if (setup.form == ProducerForm::kProviderCalled)
-    {
-        marks.provider |= bit;
-    }
-    if (setup.detection == SrvtDetection::kLate)
-    {
-        marks.late |= bit;
-        x_any_late |= bit;
+        x_storage.entries[first + index] = 0U;
     }
     if ((setup.number == 1U) && (node <= kLastDefaultNode))
     {
-        Row& row = x_storage.rows[slot];
-        const std::uint32_t normal = kFirstSrdoIdentifier + (2U * (std::uint32_t{node} - 1U)); // 0FFh + 2n
+        const std::uint32_t normal = (kFirstSrdoIdentifier - 2U) + (2U * node); // 0FFh + 2n
         UnpackFourBytes(normal, &row.image[kCobId1At]);
         UnpackFourBytes(normal + 1U, &row.image[kCobId2At]);
         row.image[kSctAt] = (node > kLastDefaultProducer) ? kDefaultSctMs : kDefaultRefreshMs;
@@ -122,38 +116,21 @@ ChannelRoom Channel::Room() const noexcept
     return ChannelRoom{x_storage.capacity, x_storage.map_entries};
 }
 
-void Channel::ClearLookUp() noexcept
-{
-    for (std::uint8_t offset = 0U; offset < kLookUpBytes; ++offset)
-    {
-        x_storage.slot_of[offset] = kNoSlot;
-    }
-}
-
+/// Of a valid pair the inverse data tell the normal data.
 HeldPair Channel::Held(SlotIndex slot) const noexcept
 {
-    const Marks& marks = MarksOf(x_storage, slot);
-    const HalfMask consumer = marks.consumers & BitOf(slot);
-    if ((Granted(marks.held) & consumer) != 0U)
+    const Row& row = x_storage.rows[slot];
+    HeldPair pair{{0U, 0U}, 0U, 0U};
+    if (IsConsumer(row))
     {
-        return HeldPair{DataOf(x_storage.rows[slot]), x_storage.ordinal[slot], 1U};
+        pair.ordinal = row.ordinal;
+        if (IsHeld(row))
+        {
+            pair.data = PayloadOf(~row.inverse_data & row.mask);
+            pair.holds_pair = 1U;
+        }
     }
-    return HeldPair{{0U, 0U}, (consumer != 0U) ? x_storage.ordinal[slot] : 0U, 0U};
-}
-
-SrdoState Channel::StateOf(SlotIndex slot) const noexcept
-{
-    const Marks& marks = MarksOf(x_storage, slot);
-    const HalfMask bit = BitOf(slot);
-    if ((marks.consumers & bit) == 0U)
-    {
-        return ((marks.producers & bit) != 0U) ? SrdoState::kProducer : SrdoState::kOff;
-    }
-    if ((marks.faulted & bit) != 0U)
-    {
-        return SrdoState::kFaulted;
-    }
-    return ((Granted(marks.released) & bit) != 0U) ? SrdoState::kReleased : SrdoState::kWaiting;
+    return pair;
 }
 
 SrdoView Channel::View(SlotIndex slot) const noexcept
@@ -161,27 +138,25 @@ SrdoView Channel::View(SlotIndex slot) const noexcept
     const Row& row = x_storage.rows[slot];
     const HeldPair held = Held(slot);
     SrdoView view{held.data,
-                  x_storage.ordinal[slot] + row.sent,
-                  0U,
+                  row.ordinal,
+                  row.signals,
                   row.error_count,
-                  StateOf(slot),
-                  static_cast<SrdoCause>(x_storage.first_cause[slot]),
+                  StateOf(row),
+                  static_cast<SrdoCause>(row.first_cause),
                   static_cast<std::uint8_t>(held.holds_pair)};
-    if (IsInFlight(row.stage))
+    if (IsInFlight(row))
     {
-        view.data = DataOf(row);
-    }
-    if ((MarksOf(x_storage, slot).signalled & BitOf(slot)) != 0U)
-    {
-        view.signals = row.signals;
+        const std::uint64_t data = PackBytes(&row.awaited.data[0]);
+        const bool is_normal = row.stage == Stage::kPrepared;
+        view.data = PayloadOf(is_normal ? data : (~data & row.mask));
     }
     return view;
 }
 
 Permit Channel::Answer(std::uint32_t challenge) const noexcept
 {
-    const HalfMask low = x_storage.marks[0U].committed & x_running;
-    const HalfMask high = x_storage.marks[1U].committed & x_running;
+    const HalfMask low = x_committed[0U] & x_running;
+    const HalfMask high = x_committed[1U] & x_running;
     return Permit{Join(low, high), ((challenge + low) ^ RotateLeft(high, 16U)) * kPermitConstantB};
 }
 

@@ -2,6 +2,7 @@
 #ifndef CHANNEL_B_CHANNEL_HPP
 #define CHANNEL_B_CHANNEL_HPP
 
+#include "channel_b/packed.hpp"
 #include "channel_b/storage.hpp"
 #include "safety_core/contract/channel.hpp"
 
@@ -14,11 +15,9 @@ namespace counterpoint::channel_b
 /// Channel B: owner of the inverse objects and sender of the inverse frame. DESIGN.md tells how it differs by design.
 ///
 /// Invariants between two calls, while SRDOs are active (x_running is not 0):
-/// - a budget that runs belongs to the latest normal frame of its slot: pending -> SRVT; only held -> SCT; with late
-///   detection each has its own;
-/// - pair_limit of a slot with nothing pending, held or in flight is kNothingRuns, so that it never counts as spent;
-/// - state kReleased implies that a pair is held;
-/// - Marks::committed are exactly the slots whose objects hold released data.
+/// - a budget whose limit is not kNothingRuns belongs to the latest normal frame of its slot;
+/// - Standing::kReleased implies that a pair is held;
+/// - x_committed are exactly the slots whose objects hold released data.
 class Channel final : public counterpoint::Channel
 {
   public:
@@ -55,125 +54,106 @@ class Channel final : public counterpoint::Channel
         std::uint32_t width;
     };
 
-    /// What a call of OnCycle finds for all slots alike.
-    struct Call
+    /// A mapping as it counts: of the program (static), or as stored.
+    struct Mapping
     {
-        HalfMask late;       ///< All bits if the call is late, else none.
-        HalfMask overflowed; ///< All bits if frames were lost, else none.
-        HalfMask alarmed;    ///< Both, and a global fail-safe command.
-        HalfMask entering;   ///< All bits if SRDOs become active in this call, else none.
-        HalfMask leaving;    ///< All bits if they cease to be active, else none.
-        HalfMask spent;      ///< All bits if the budget of some pair is, else none.
-        HalfMask ended;      ///< Some bits if the phase of some slot is over, else none.
+        Column<const std::uint32_t> entries;
+        Column<std::uint16_t> table; ///< Places of the entries of a dynamic mapping; null of a static one.
+        std::uint8_t declared;       ///< Map count as set.
+        std::uint8_t count; ///< Entries that count: what is declared above those that exist does not. [SRS-CFG-020]
     };
 
-    /// What it finds and does for one half of the slots.
+    /// What data and objects do to each other.
+    enum class Way : std::uint8_t
+    {
+        kRead,
+        kWritten,
+    };
+
+    /// One call of OnCycle for one half of the slots: what it is told, and what it tells.
     struct Half
     {
-        Marks* marks;
-        SlotIndex first;  ///< Slot 0 or 32.
-        HalfMask spent;   ///< Slots whose pair has nothing left.
-        HalfMask edges;   ///< Of the acknowledge inputs.
-        HalfMask present; ///< All existing slots.
+        HalfMask bit; ///< Of the slot at hand.
+        HalfMask edges;
+        HalfMask requests;
+        HalfMask stand;
+        HalfMask busy; ///< Where there is more to do than to take the time.
+        HalfMask released;
+        HalfMask faulted;
+        HalfMask waiting;
         HalfMask new_fault;
         HalfMask fresh;
         HalfMask due;
         HalfMask signalled;
+        std::uint32_t ordinal_sum;
+        std::uint32_t consumers;
+        std::uint32_t producers;
     };
 
     // channel.cpp
-    void ClearSlot(SlotIndex slot) noexcept;
     void TakeSetup(SlotIndex slot, const SrdoSetup& setup) noexcept;
-    void ClearLookUp() noexcept;
-    [[nodiscard]] SrdoState StateOf(SlotIndex slot) const noexcept;
-
-    // census.cpp
-    void ExamineMarks(const Half& half) noexcept;
-
-    // activity.cpp
-    void Enter(const Half& half) noexcept;
-    void EnterSlot(SlotIndex slot, Stage stage) noexcept;
-    [[nodiscard]] HalfMask Leave(const Half& half) noexcept;
 
     // cycle.cpp
-    [[nodiscard]] HalfMask SpendPairs() noexcept;
-    [[nodiscard]] HalfMask SpendPhases() noexcept;
-    [[nodiscard]] HalfMask FindPhases() const noexcept;
-    void AgePending(const Half& half) noexcept;
-    void CloseWindows(const Half& half) noexcept;
-    [[nodiscard]] HalfMask MissFirstPairs(const Half& half) noexcept;
-    void Signal(Half& half, HalfMask slots) noexcept;
-    void CycleHalf(const CycleInput& input, const Call& call, Half& half) noexcept;
+    void Enter(SlotIndex slot, Row& row) noexcept;
+    void Age(Row& row) const noexcept;
+    [[gnu::noinline]] void Spend(SlotIndex first, Half& half) const noexcept;
+    void ServeHalf(SlotIndex first, Half& half) noexcept;
+    [[gnu::noinline]] void Serve(SlotIndex slot, Row& row, Half& half) noexcept;
 
     // consumer.cpp
-    [[gnu::noinline]] void TakeSlowly(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
+    void ServeConsumer(Row& row, Half& half) const noexcept;
+    void Release(Row& row, Half& half) const noexcept;
+    [[gnu::noinline]] void Reject(SlotIndex slot, SrdoCause cause) noexcept;
     [[gnu::noinline]] void TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
-    void TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
-    void TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept;
-    void TakeCommand(const CanFrame& frame) noexcept;
-    void ExamineConsumers(const Call& call, const Half& half) noexcept;
-    void Acknowledge(const Half& half) noexcept;
-    void Release(const Half& half) noexcept;
-    void ForgetCauses(SlotIndex first, HalfMask slots) noexcept;
-
-    // faults.cpp
-    [[gnu::noinline]] void Count(SlotIndex slot, SrdoCause cause) noexcept;
-    void Record(SlotIndex slot, SrdoCause cause) noexcept;
-    void Discard(SlotIndex slot) noexcept;
-    [[gnu::cold]] void Fault(SlotIndex slot, SrdoCause cause) noexcept;
-    void FaultEach(SlotIndex first, HalfMask slots, SrdoCause cause) noexcept;
-    [[gnu::cold]] void Expire(SlotIndex slot) noexcept;
-    void Ground(SlotIndex slot, Stage stage) noexcept;
-    [[gnu::cold]] Confirmation Fail(SlotIndex slot, SrdoCause cause) noexcept;
+    [[gnu::noinline]] void TakeLate(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
+    [[gnu::always_inline]] void TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept;
+    [[gnu::always_inline]] void TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept;
 
     // producer.cpp
-    [[nodiscard]] HalfMask AdvanceProducers(const CycleInput& input, const Call& call, const Half& half) noexcept;
-    void AdvanceProvider(SlotIndex slot, HalfMask bit, Marks& marks) noexcept;
-    void AdvanceApplication(SlotIndex slot, HalfMask bit, Marks& marks) noexcept;
-    void EndPhases(const Half& half) noexcept;
+    [[nodiscard]] [[gnu::noinline]] PreparedPair PrepareSlowly(SlotIndex slot) const noexcept;
+    [[nodiscard]] [[gnu::always_inline]] PreparedPair Launch(Row& row, std::uint64_t data) const noexcept;
+    void ServeProducer(Row& row, Half& half) const noexcept;
+    void AdvanceProvider(Row& row) const noexcept;
+    void AdvanceApplication(Row& row) const noexcept;
 
     // configuration.cpp
-    [[nodiscard]] ConfigFault CheckSignature(SlotIndex slot, std::uint16_t signature) const noexcept;
-    [[nodiscard]] CheckResult Conclude(SlotIndex slot, ConfigFault fault, std::uint16_t signature) noexcept;
     [[nodiscard]] Place PlaceOf(const ConfigAddress& address) const noexcept;
+    [[nodiscard]] bool IsOfMapping(const ConfigAddress& address) const noexcept;
     [[nodiscard]] ConfigFault CheckParameters(SlotIndex slot) const noexcept;
     [[nodiscard]] bool IsIdentifierInUse(SlotIndex slot) const noexcept;
-    [[nodiscard]] bool IsTimingWrong(SlotIndex slot) const noexcept;
-    [[nodiscard]] bool IsOfMapping(const ConfigAddress& address) const noexcept;
-    [[nodiscard]] bool StoreEntry(const ConfigItem& item) noexcept;
-    [[nodiscard]] bool StoreField(const ConfigItem& item) noexcept;
-    [[nodiscard]] std::uint32_t LoadEntry(const ConfigAddress& address) const noexcept;
 
     // mapping.cpp
+    [[nodiscard]] static bool IsStatic(const Mapping& mapping) noexcept
+    {
+        return mapping.table.first == nullptr;
+    }
     [[nodiscard]] [[gnu::noinline]] Mapping MappingOf(SlotIndex slot) const noexcept;
-    [[nodiscard]] [[gnu::noinline]] std::uint16_t Find(std::uint32_t entry) const noexcept;
-    void Resolve(const Mapping& mapping, bool is_consumer) const noexcept;
-    [[nodiscard]] bool AreFieldsRight(SlotIndex slot, const Mapping& mapping) const noexcept;
+    [[nodiscard]] [[gnu::noinline]] std::uint32_t Find(std::uint32_t entry) const noexcept;
+    void Resolve(const Mapping& mapping, bool may_be_dummy) const noexcept;
     [[nodiscard]] bool IsTableRight(SlotIndex slot, const Mapping& mapping) const noexcept;
-    [[nodiscard]] ConfigFault CheckMapping(SlotIndex slot, const Mapping& mapping) noexcept;
+    [[nodiscard]] ConfigFault CheckMapping(SlotIndex slot, const Mapping& mapping) const noexcept;
 
     // objects.cpp
+    [[nodiscard]] [[gnu::noinline]] std::uint64_t ExchangeFrom(SlotIndex slot, std::uint32_t from, std::uint64_t data,
+                                                               Way way) const noexcept;
     void WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept;
-    [[gnu::noinline]] void WriteFrom(SlotIndex slot, std::uint64_t data, std::uint32_t from) const noexcept;
-    [[nodiscard]] [[gnu::noinline]] std::uint64_t ReadInverse(SlotIndex slot) const noexcept;
-    [[nodiscard]] [[gnu::noinline]] std::uint64_t ReadFrom(SlotIndex slot, std::uint64_t data,
-                                                           std::uint32_t from) const noexcept;
-    [[nodiscard]] std::uint64_t SafeDataOf(SlotIndex slot) const noexcept;
+    void WriteSafe(SlotIndex slot) const noexcept;
 
     // signature.cpp
-    [[nodiscard]] std::uint16_t SignatureOf(SlotIndex slot, const Mapping& mapping) const noexcept;
+    [[nodiscard]] std::uint16_t SignatureOf(const Row& row, const Mapping& mapping) const noexcept;
 
     Storage x_storage;
     const DeviceConfig* x_config{nullptr};
-    HalfMask x_present[kHalves]{};  ///< All existing slots. MISRA D-001
-    HalfMask x_levels[kHalves]{};   ///< Acknowledge inputs of the last OnCycle. MISRA D-001
-    HalfMask x_running{0U};         ///< All bits while SRDOs are active, else none.
-    HalfMask x_any_late{0U};        ///< Not 0 if some SRDO has late detection of SRVT.
-    HalfMask x_gfc{0U};             ///< All bits if a global fail-safe command came since the last OnCycle, else none.
-    std::uint32_t x_last_us{0U};    ///< The `now` of the last OnCycle: every budget and every stamp is relative to it.
-    std::uint32_t x_elapsed_us{0U}; ///< Between the last two calls of OnCycle: what every budget is to be relieved of.
-    std::uint32_t x_active_us{0U};  ///< Since entering OPERATIONAL.
-    std::uint32_t x_late_us{0U};    ///< Longest time since the last OnCycle that is not late.
+    HalfMask x_levels[kHalves]{};    ///< Acknowledge inputs of the last OnCycle. MISRA D-001
+    HalfMask x_released[kHalves]{};  ///< Released by the last OnCycle, and no fault since. MISRA D-001
+    HalfMask x_committed[kHalves]{}; ///< The objects hold a released pair. MISRA D-001
+    HalfMask x_unwritten[kHalves]{}; ///< The held pair has not been written into the objects. MISRA D-001
+    HalfMask x_running{0U};          ///< All bits while SRDOs are active, else none.
+    std::uint32_t x_alarms{0U};      ///< What this call of OnCycle, or the next one, finds for all slots alike.
+    std::uint32_t x_last_us{0U};     ///< The `now` of the last OnCycle: every budget and every stamp is relative to it.
+    std::uint32_t x_elapsed_us{0U};  ///< Between the last two calls of OnCycle: what every budget is to be relieved of.
+    std::uint32_t x_active_us{0U};   ///< Since entering OPERATIONAL.
+    std::uint32_t x_late_us{0U};     ///< Longest time since the last OnCycle that is not late.
     std::uint32_t x_cycle{0U};
     CanPortId x_port[2U]{}; ///< Of the inverse frames, of the normal frames. MISRA D-001
     std::uint8_t x_count{0U};

@@ -20,18 +20,33 @@ struct FieldSpan
 
 constexpr std::uint8_t kFieldCount = 12U;
 constexpr FieldSpan kSpans[kFieldCount] = { // MISRA D-001
-    {0U, 0U},
-    {0U, 1U},
-    {kSctAt, 2U},
-    {kSrvtAt, 1U},
-    {kTransmissionTypeAt, 1U},
-    {kCobId1At, 4U},
-    {kCobId2At, 4U},
-    {kMapCountAt, 1U},
-    {0U, 0U},
-    {kSignatureAt, 2U},
-    {kGfcParameterAt, 1U},
-    {kConfigurationValidAt, 1U}};
+    {0U, 0U},           {kDirectionAt, 1U},        {kSctAt, 2U},
+    {kSrvtAt, 1U},      {kTransmissionTypeAt, 1U}, {kCobId1At, 4U},
+    {kCobId2At, 4U},    {kMapCountAt, 1U},         {0U, 0U},
+    {kSignatureAt, 2U}, {kGfcParameterAt, 1U},     {kConfigurationValidAt, 1U}};
+
+[[nodiscard]] bool IsTimingWrong(const Row& row, std::uint32_t cycle_us) noexcept
+{
+    if (row.image[kDirectionAt] == kDirectionProducer)
+    {
+        return SctUs(row) < cycle_us;
+    }
+    const std::uint32_t srvt_ms = ByteAt(row, kSrvtAt);
+    return (srvt_ms < 1U) || (srvt_ms >= TwoBytesAt(row, kSctAt));
+}
+
+/// The rule of the signature comes last of those of Validate and first of those of Recheck.
+[[nodiscard]] ConfigFault CheckSignature(const Row& row, std::uint32_t signature) noexcept
+{
+    return (signature != TwoBytesAt(row, kSignatureAt)) ? ConfigFault::kSignature : ConfigFault::kNone;
+}
+
+/// A slot counts as valid if no rule is broken.
+[[nodiscard]] CheckResult Conclude(Row& row, ConfigFault fault, std::uint16_t signature) noexcept
+{
+    row.valid = (fault == ConfigFault::kNone) ? kGood : kUnset;
+    return CheckResult{fault, signature};
+}
 
 } // namespace
 
@@ -48,10 +63,6 @@ Channel::Place Channel::PlaceOf(const ConfigAddress& address) const noexcept
     {
         return Place{{nullptr}, 0U};
     }
-    if (address.field == ConfigField::kDirection)
-    {
-        return Place{{&x_storage.direction[address.slot]}, span.width};
-    }
     return Place{{&x_storage.rows[address.slot].image[span.at]}, span.width}; // MISRA D-002
 }
 
@@ -59,48 +70,9 @@ void Channel::SetFields(SlotIndex slot, const StaticFields& fields) noexcept
 {
     if (IsStatic(MappingOf(slot)))
     {
-        x_storage.rows[slot].fields = fields;
-        MarksOf(x_storage, slot).resolved &= ~BitOf(slot);
+        x_storage.fields[slot] = fields;
+        x_storage.rows[slot].resolved = kUnset;
     }
-}
-
-/// Count or entry of a mapping of an existing slot: that of a static one is not to be changed. [SRS-CFG-003]
-bool Channel::StoreEntry(const ConfigItem& item) noexcept
-{
-    const Mapping mapping = MappingOf(item.address.slot);
-    const std::uint32_t index = static_cast<std::uint32_t>(item.address.sub) - 1U; // Of sub-index 0 a huge number.
-    if (IsStatic(mapping))
-    {
-        return false;
-    }
-    if (item.address.field == ConfigField::kMapCount)
-    {
-        x_storage.rows[item.address.slot].image[kMapCountAt] = static_cast<std::uint8_t>(item.value & 0xFFU);
-        return true;
-    }
-    if (index >= x_map_entries)
-    {
-        return false;
-    }
-    x_storage.entries[mapping.first + index] = item.value;
-    return true;
-}
-
-bool Channel::StoreField(const ConfigItem& item) noexcept
-{
-    const Place place = PlaceOf(item.address);
-    const SlotIndex slot = item.address.slot;
-    if ((item.address.field == ConfigField::kSct) && (place.width != 0U))
-    {
-        // A window of signals that is running ends by the new time.
-        const std::uint32_t new_us = (item.value & 0xFFFFU) * kMicrosecondsPerMillisecond;
-        x_storage.rows[slot].window_left += new_us - SctUs(x_storage.rows[slot]);
-    }
-    for (std::uint32_t byte = 0U; byte < place.width; ++byte)
-    {
-        place.bytes[byte] = static_cast<std::uint8_t>((item.value >> (8U * byte)) & 0xFFU);
-    }
-    return (place.width != 0U) && (item.address.field < ConfigField::kMapCount);
 }
 
 /// Map count and entries of an existing slot.
@@ -110,52 +82,78 @@ bool Channel::IsOfMapping(const ConfigAddress& address) const noexcept
     return is_of_mapping && (address.slot < x_count);
 }
 
+/// Count and entries of a static mapping are not to be changed. [SRS-CFG-003]
 void Channel::Store(const ConfigItem& item) noexcept
 {
-    const bool is_unresolved = IsOfMapping(item.address) ? StoreEntry(item) : StoreField(item);
-    if (is_unresolved)
+    const ConfigAddress& address = item.address;
+    if (IsOfMapping(address) && IsStatic(MappingOf(address.slot)))
     {
-        MarksOf(x_storage, item.address.slot).resolved &= ~BitOf(item.address.slot);
+        return;
     }
-}
-
-std::uint32_t Channel::LoadEntry(const ConfigAddress& address) const noexcept
-{
-    const Mapping mapping = MappingOf(address.slot);
-    const std::uint32_t index = static_cast<std::uint32_t>(address.sub) - 1U;
-    if (address.field == ConfigField::kMapCount)
+    const Place place = PlaceOf(address);
+    for (std::uint32_t byte = 0U; byte < place.width; ++byte)
     {
-        return mapping.declared;
+        place.bytes[byte] = static_cast<std::uint8_t>((item.value >> (8U * byte)) & 0xFFU);
     }
-    const std::uint32_t reach = IsStatic(mapping) ? mapping.count : x_map_entries;
-    return (index < reach) ? mapping.entries[index] : 0U;
+    const std::uint32_t index = static_cast<std::uint32_t>(address.sub) - 1U; // Of sub-index 0 a huge number.
+    bool is_of_slot = (place.width != 0U) && (address.field <= ConfigField::kMapCount);
+    if ((address.field == ConfigField::kMapEntry) && (address.slot < x_count) && (index < x_map_entries))
+    {
+        x_storage.entries[FirstEntryOf(x_storage, address.slot) + index] = item.value;
+        is_of_slot = true;
+    }
+    if (is_of_slot)
+    {
+        Row& row = x_storage.rows[address.slot];
+        row.resolved = kUnset;
+        if (IsInFlight(row))
+        {
+            row.awaited.identifier = OwnIdentifier(row, (row.stage == Stage::kPrepared) ? 1U : 0U);
+        }
+    }
 }
 
 ConfigItem Channel::Load(const ConfigAddress& address) const noexcept
 {
+    ConfigItem item{address, 0U};
     if (IsOfMapping(address))
     {
-        return ConfigItem{address, LoadEntry(address)};
+        const Mapping mapping = MappingOf(address.slot);
+        const std::uint32_t index = static_cast<std::uint32_t>(address.sub) - 1U;
+        const std::uint32_t reach = IsStatic(mapping) ? mapping.count : x_map_entries;
+        if (address.field == ConfigField::kMapCount)
+        {
+            item.value = mapping.declared;
+        }
+        else if (index < reach)
+        {
+            item.value = mapping.entries[index];
+        }
+        else
+        {
+            // There is none.
+        }
+        return item;
     }
     const Place place = PlaceOf(address);
-    std::uint32_t value = 0U;
     for (std::uint32_t byte = 0U; byte < place.width; ++byte)
     {
-        value |= static_cast<std::uint32_t>(place.bytes[byte]) << (8U * byte);
+        item.value |= static_cast<std::uint32_t>(place.bytes[byte]) << (8U * byte);
     }
-    return ConfigItem{address, value};
+    return item;
 }
 
 bool Channel::IsIdentifierInUse(SlotIndex slot) const noexcept
 {
-    const std::uint32_t normal = NormalIdentifier(x_storage.rows[slot]);
+    const std::uint32_t normal = WordAt(x_storage.rows[slot], kCobId1At);
     bool is_in_use = false;
     for (SlotIndex other = 0U; other < x_count; ++other)
     {
         // Ours are `normal` and the next one, so that a modular distance of 0 or 1 is one of them.
-        const bool is_other = (other != slot) && (x_storage.direction[other] != kDirectionOff);
-        const bool is_normal_ours = (NormalIdentifier(x_storage.rows[other]) - normal) <= 1U;
-        const bool is_inverse_ours = (InverseIdentifier(x_storage.rows[other]) - normal) <= 1U;
+        const Row& row = x_storage.rows[other];
+        const bool is_other = (other != slot) && (row.image[kDirectionAt] != kDirectionOff);
+        const bool is_normal_ours = (WordAt(row, kCobId1At) - normal) <= 1U;
+        const bool is_inverse_ours = (WordAt(row, kCobId2At) - normal) <= 1U;
         if (is_other && (is_normal_ours || is_inverse_ours))
         {
             is_in_use = true;
@@ -164,31 +162,22 @@ bool Channel::IsIdentifierInUse(SlotIndex slot) const noexcept
     return is_in_use;
 }
 
-bool Channel::IsTimingWrong(SlotIndex slot) const noexcept
-{
-    if (x_storage.direction[slot] == kDirectionProducer)
-    {
-        return SctUs(x_storage.rows[slot]) < x_config->cycle_us;
-    }
-    const std::uint32_t srvt_ms = ByteAt(x_storage.rows[slot], kSrvtAt);
-    return (srvt_ms < 1U) || (srvt_ms >= SctMs(x_storage.rows[slot]));
-}
-
 /// All rules before those of the mapping. [SRS-CFG-021 to 025]
 ConfigFault Channel::CheckParameters(SlotIndex slot) const noexcept
 {
-    if (x_storage.direction[slot] > kDirectionConsumer)
+    const Row& row = x_storage.rows[slot];
+    if (row.image[kDirectionAt] > kDirectionConsumer)
     {
         return ConfigFault::kDirection;
     }
-    if (ByteAt(x_storage.rows[slot], kTransmissionTypeAt) != kTransmissionTypeAsynchronous)
+    if (row.image[kTransmissionTypeAt] != kTransmissionTypeAsynchronous)
     {
         return ConfigFault::kTransmissionType;
     }
-    const std::uint32_t normal = NormalIdentifier(x_storage.rows[slot]);
+    const std::uint32_t normal = WordAt(row, kCobId1At);
     const std::uint32_t offset = normal - kFirstSrdoIdentifier;
     const bool is_normal_right = (offset < kSrdoIdentifierCount) && ((offset & 1U) == 0U);
-    if ((!is_normal_right) || (InverseIdentifier(x_storage.rows[slot]) != (normal + 1U)))
+    if ((!is_normal_right) || (WordAt(row, kCobId2At) != (normal + 1U)))
     {
         return ConfigFault::kIdentifier;
     }
@@ -196,41 +185,17 @@ ConfigFault Channel::CheckParameters(SlotIndex slot) const noexcept
     {
         return ConfigFault::kIdentifierInUse;
     }
-    return IsTimingWrong(slot) ? ConfigFault::kTiming : ConfigFault::kNone;
-}
-
-/// The rule of the signature comes last of those of Validate and first of those of Recheck; a slot counts as valid if
-/// no rule is broken.
-CheckResult Channel::Conclude(SlotIndex slot, ConfigFault fault, std::uint16_t signature) noexcept
-{
-    TwinMask& valid = MarksOf(x_storage, slot).valid;
-    if (fault == ConfigFault::kNone)
-    {
-        Grant(valid, BitOf(slot));
-    }
-    else
-    {
-        Withdraw(valid, BitOf(slot));
-    }
-    return CheckResult{fault, signature};
-}
-
-ConfigFault Channel::CheckSignature(SlotIndex slot, std::uint16_t signature) const noexcept
-{
-    const Row& row = x_storage.rows[slot];
-    const std::uint32_t stored = ByteAt(row, kSignatureAt) | (ByteAt(row, kSignatureAt + 1U) << 8U);
-    return (signature != stored) ? ConfigFault::kSignature : ConfigFault::kNone;
+    return IsTimingWrong(row, x_config->cycle_us) ? ConfigFault::kTiming : ConfigFault::kNone;
 }
 
 CheckResult Channel::Validate(SlotIndex slot) noexcept
 {
-    Marks& marks = MarksOf(x_storage, slot);
-    const HalfMask bit = BitOf(slot);
+    Row& row = x_storage.rows[slot];
     const Mapping mapping = MappingOf(slot);
-    const std::uint16_t signature = SignatureOf(slot, mapping);
-    const std::uint8_t direction = x_storage.direction[slot];
+    const std::uint16_t signature = SignatureOf(row, mapping);
+    const std::uint8_t direction = row.image[kDirectionAt];
     ConfigFault fault = ConfigFault::kNone;
-    marks.resolved &= ~bit;
+    row.resolved = kUnset;
     if (direction != kDirectionOff)
     {
         fault = CheckParameters(slot);
@@ -241,32 +206,33 @@ CheckResult Channel::Validate(SlotIndex slot) noexcept
     }
     if (fault == ConfigFault::kNone)
     {
-        fault = CheckSignature(slot, signature);
+        fault = CheckSignature(row, signature);
     }
     if ((fault == ConfigFault::kNone) && (direction != kDirectionOff))
     {
-        marks.resolved |= bit;
-        marks.committed &= ~bit; // Whatever was released is overwritten here, or no longer ours.
+        row.resolved = kGood;
+        x_committed[slot / kSlotsInHalf] &= ~BitOf(slot); // What was released is overwritten here, or no longer ours.
         if (direction == kDirectionConsumer)
         {
-            WriteInverse(slot, SafeDataOf(slot));
+            WriteSafe(slot);
         }
     }
-    return Conclude(slot, fault, signature);
+    return Conclude(row, fault, signature);
 }
 
 /// What the signature finds need not be looked for in the table.
 CheckResult Channel::Recheck(SlotIndex slot) noexcept
 {
+    Row& row = x_storage.rows[slot];
     const Mapping mapping = MappingOf(slot);
-    const std::uint16_t signature = SignatureOf(slot, mapping);
-    ConfigFault fault = CheckSignature(slot, signature);
-    if ((fault == ConfigFault::kNone) && (x_storage.direction[slot] != kDirectionOff))
+    const std::uint16_t signature = SignatureOf(row, mapping);
+    ConfigFault fault = CheckSignature(row, signature);
+    if ((fault == ConfigFault::kNone) && (row.image[kDirectionAt] != kDirectionOff))
     {
-        const bool is_resolved = (MarksOf(x_storage, slot).resolved & BitOf(slot)) != 0U;
-        fault = (is_resolved && IsTableRight(slot, mapping)) ? ConfigFault::kNone : ConfigFault::kTable;
+        const bool is_right = (row.resolved == kGood) && IsTableRight(slot, mapping);
+        fault = is_right ? ConfigFault::kNone : ConfigFault::kTable;
     }
-    return Conclude(slot, fault, signature);
+    return Conclude(row, fault, signature);
 }
 
 } // namespace counterpoint::channel_b

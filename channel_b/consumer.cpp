@@ -8,40 +8,78 @@
 namespace counterpoint::channel_b
 {
 
-/// Global fail-safe command. [SRS-CONS-017]
-void Channel::TakeCommand(const CanFrame& frame) noexcept
+namespace
 {
-    const bool is_accepted = x_storage.device[kGfcParameterAt] == 1U;
-    if ((frame.identifier == kGfcIdentifier) && (frame.length_bytes == 0U) && is_accepted)
-    {
-        x_gfc |= x_running;
-    }
+
+constexpr std::uint32_t kWaitingBit = std::uint32_t{1U} << static_cast<std::uint32_t>(SrdoCause::kWaitingPastSct);
+
+/// Any other first cause is corrupted, or was put there because something else was. [SRS-CONS-024]
+[[nodiscard]] bool IsRecordable(std::uint32_t cause) noexcept
+{
+    return ((cause - 1U) < Code(SrdoCause::kWrongEcho)) || (cause == Code(SrdoCause::kNone));
 }
 
+/// Whether the marks of a consumer fit each other. [SRS-CONS-024]
+[[nodiscard]] bool IsSound(const Row& row) noexcept
+{
+    if (row.standing == Standing::kReleased)
+    {
+        return IsHeld(row) && IsRecordable(row.first_cause);
+    }
+    const bool is_defined = (row.standing == Standing::kWaiting) || (row.standing == Standing::kFaulted);
+    return is_defined && (IsHeld(row) || (row.held == kUnset));
+}
+
+/// The limit that is over at an instant so long after the last OnCycle: where both are the one with the earlier
+/// deadline, which is further below zero, and at a tie SRVT. [SRS-TIME-008, SRS-TIME-009]
+[[nodiscard]] SrdoCause ExpiredAt(const Row& row, std::uint32_t since_call, bool is_srvt_examined) noexcept
+{
+    const std::uint32_t sct_left = row.left - since_call;
+    const std::uint32_t srvt_left = row.srvt_left - since_call;
+    const bool is_sct_over = sct_left > row.limit;
+    if (is_srvt_examined && (srvt_left > row.srvt_limit))
+    {
+        return (is_sct_over && (sct_left < srvt_left)) ? SrdoCause::kSct : SrdoCause::kSrvt;
+    }
+    return is_sct_over ? SrdoCause::kSct : SrdoCause::kNone;
+}
+
+} // namespace
+
+/// A fault between two calls of OnCycle.
+void Channel::Reject(SlotIndex slot, SrdoCause cause) noexcept
+{
+    x_released[slot / kSlotsInHalf] &= ~BitOf(slot);
+    Fault(x_storage.rows[slot], cause);
+}
+
+/// First half of a pair. With early detection it has answered SCT. [SRS-CONS-006, SRS-TIME-007]
 [[gnu::always_inline]] inline void Channel::TakeNormal(SlotIndex slot, const CanFrame& frame,
                                                        std::uint32_t since_call) noexcept
 {
     Row& row = x_storage.rows[slot];
-    Marks& marks = MarksOf(x_storage, slot);
-    const HalfMask bit = BitOf(slot);
-    if ((marks.pending & bit) != 0U)
+    if (HasNews(row, kPending))
     {
-        Fault(slot, SrdoCause::kNormalTwice);
+        Reject(slot, SrdoCause::kNormalTwice);
         return;
     }
-    marks.pending |= bit;
+    SetNews(row, kPending);
     row.pending_data = PackBytes(&frame.data[0]);
-    StartBudget(x_storage, slot, since_call);
+    row.srvt_limit = SrvtUs(row);
+    row.srvt_left = row.srvt_limit + since_call; // The next OnCycle takes away what lay before the frame.
+    if (row.detection != SrvtDetection::kLate)
+    {
+        row.limit = kNothingRuns;
+    }
 }
 
+/// [SRS-CONS-008 to 010]
 [[gnu::always_inline]] inline void Channel::TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept
 {
     Row& row = x_storage.rows[slot];
-    Marks& marks = MarksOf(x_storage, slot);
-    const HalfMask bit = BitOf(slot);
-    if ((marks.pending & bit) == 0U)
+    if (!HasNews(row, kPending))
     {
-        Fault(slot, SrdoCause::kInverseFirst);
+        Reject(slot, SrdoCause::kInverseFirst);
         return;
     }
     const std::uint64_t normal = row.pending_data;
@@ -49,19 +87,18 @@ void Channel::TakeCommand(const CanFrame& frame) noexcept
     const std::uint64_t alike = ~(normal ^ inverse) & row.mask; // Behind the length anything may be.
     if ((alike | (normal & row.spare)) != 0U)
     {
-        Fault(slot, SrdoCause::kNotInverse);
+        Reject(slot, SrdoCause::kNotInverse);
         return;
     }
     // Both limits count from the normal frame, so that the greater one has the difference more left.
-    const std::uint32_t sct_us = SctUs(row);
-    x_storage.pair_left[slot] += sct_us - x_storage.pair_limit[slot];
-    x_storage.pair_limit[slot] = sct_us;
-    marks.pending &= ~bit;
-    marks.fresh |= bit;
-    marks.unwritten |= bit;
-    Grant(marks.held, bit);
+    row.limit = SctUs(row);
+    row.left = row.srvt_left + (row.limit - row.srvt_limit);
+    row.srvt_limit = kNothingRuns;
+    row.news = static_cast<std::uint8_t>((row.news | kFresh) & (0xFFU ^ (kPending | kUnheard)));
+    row.held = kHeld;
     row.inverse_data = inverse;
-    x_storage.ordinal[slot] += 1U;
+    row.ordinal += 1U;
+    x_unwritten[slot / kSlotsInHalf] |= BitOf(slot);
 }
 
 /// The checks are made in the order of SRS-CONS-011.
@@ -69,18 +106,14 @@ void Channel::TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t sin
 {
     const Row& row = x_storage.rows[slot];
     const std::uint32_t parity = frame.identifier & 1U;
-    if (row.stage != Stage::kOff)
-    {
-        return; // A producer's own.
-    }
     if ((frame.identifier != OwnIdentifier(row, parity)) || (frame.port != x_port[parity])) // MISRA D-002
     {
-        Fault(slot, SrdoCause::kIdentifier);
+        Reject(slot, SrdoCause::kIdentifier);
         return;
     }
-    if (frame.length_bytes != row.length_bytes)
+    if (frame.length_bytes != row.awaited.length_bytes)
     {
-        Fault(slot, SrdoCause::kLength);
+        Reject(slot, SrdoCause::kLength);
         return;
     }
     if (parity != 0U)
@@ -91,166 +124,177 @@ void Channel::TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t sin
     TakeInverse(slot, frame);
 }
 
+/// A limit that is over discards what was there before the frame, which is then taken as the first one.
+/// [SRS-CONS-003, SRS-CONS-012]
+void Channel::TakeLate(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
+{
+    const Row& row = x_storage.rows[slot];
+    const bool is_inverse = (frame.identifier & 1U) == 0U;
+    const SrdoCause expired = ExpiredAt(row, since_call, is_inverse || (row.detection != SrvtDetection::kLate));
+    if (expired != SrdoCause::kNone)
+    {
+        Reject(slot, expired);
+    }
+    TakeFrame(slot, frame, since_call);
+}
+
 void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
 {
+    const std::uint32_t offset = frame.identifier - kFirstSrdoIdentifier;
     if (frame.kind != FrameKind::kData)
     {
         return;
     }
-    const SlotIndex slot = LookUp(x_storage, frame);
-    if (slot >= x_count)
+    if (offset >= kSrdoIdentifierCount)
     {
-        TakeCommand(frame);
+        // Global fail-safe command. [SRS-CONS-017]
+        const bool is_accepted = x_storage.device[kGfcParameterAt] == 1U;
+        if ((frame.identifier == kGfcIdentifier) && (frame.length_bytes == 0U) && is_accepted)
+        {
+            x_alarms |= x_running & kGfc;
+        }
         return;
     }
+    const SlotIndex slot = x_storage.slot_of[offset];
+    if ((slot >= x_count) || (!IsConsumer(x_storage.rows[slot])))
+    {
+        return; // Nobody's, or a producer's own.
+    }
+    const Row& row = x_storage.rows[slot];
     // From the last OnCycle to the frame, modular, so that it may be before that call as well.
     const std::uint32_t since_call = stamp.us - x_last_us;
-    const bool is_expired = (x_storage.pair_left[slot] - since_call) > x_storage.pair_limit[slot];
-    if (is_expired || (x_any_late != 0U))
+    if (((row.left - since_call) > row.limit) || ((row.srvt_left - since_call) > row.srvt_limit))
     {
-        TakeSlowly(slot, frame, since_call);
+        TakeLate(slot, frame, since_call);
         return;
     }
     TakeFrame(slot, frame, since_call);
-}
-
-/// A frame where a limit has run out or may be examined late: what was there before the frame is discarded, the frame
-/// is then taken as the first one. With late detection SRVT has a budget of its own, which takes the place of the other
-/// one as long as the frame is looked at. [SRS-CONS-003, SRS-CONS-012, SRS-TIME-009]
-void Channel::TakeSlowly(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
-{
-    const Marks& marks = MarksOf(x_storage, slot);
-    Row& row = x_storage.rows[slot];
-    const HalfMask late = marks.late & marks.consumers & BitOf(slot);
-    std::uint32_t& left = x_storage.pair_left[slot];
-    std::uint32_t& limit = x_storage.pair_limit[slot];
-    const bool is_normal = (frame.identifier & 1U) != 0U;
-    const std::uint32_t srvt_left = row.srvt_left - since_call;
-    const bool is_examined = ((late & marks.pending) != 0U) && (!is_normal);
-    // Further below zero is earlier.
-    const bool is_srvt_over = is_examined && (srvt_left > row.srvt_limit);
-    const bool is_sct_over = (left - since_call) > limit;
-    const bool is_sct_first = is_sct_over && ((left - since_call) < srvt_left);
-    if (is_srvt_over && (!is_sct_first))
-    {
-        Fault(slot, SrdoCause::kSrvt);
-    }
-    else if (is_sct_over)
-    {
-        Expire(slot);
-    }
-    else if (is_examined)
-    {
-        left = row.srvt_left;
-        limit = row.srvt_limit;
-    }
-    else
-    {
-        // In time, or examined early.
-    }
-    const std::uint32_t sct_left = left;
-    const std::uint32_t sct_limit = limit;
-    TakeFrame(slot, frame, since_call);
-    if ((late & marks.pending) != 0U)
-    {
-        row.srvt_left = left;
-        row.srvt_limit = limit;
-        left = sct_left;
-        limit = sct_limit;
-    }
 }
 
 void Channel::Demote(SlotIndex slot) noexcept
 {
-    const Marks& marks = MarksOf(x_storage, slot);
-    if ((marks.consumers & BitOf(slot)) == 0U)
+    Row& row = x_storage.rows[slot];
+    if (!IsConsumer(row))
     {
         return;
     }
-    Discard(slot);
-    Count(slot, SrdoCause::kDemoted);
+    x_released[slot / kSlotsInHalf] &= ~BitOf(slot);
+    Discard(row);
+    Count(row, SrdoCause::kDemoted);
 }
 
-/// The consumers' part of OnCycle up to the faults that it reports. [SRS-CONS-013 to 018]
-void Channel::ExamineConsumers(const Call& call, const Half& half) noexcept
+/// [SRS-CONS-013 to 018, SRS-CONS-022, SRS-REL-003 to 005, SRS-REL-007]
+void Channel::ServeConsumer(Row& row, Half& half) const noexcept
 {
-    const Marks& marks = *half.marks;
-    const HalfMask expired = half.spent & marks.consumers;
-    const HalfMask alarmed = marks.consumers & ~expired & call.late;
-    for (HalfMask rest = expired; rest != 0U; rest = WithoutLowest(rest))
+    if (!IsSound(row))
     {
-        Expire(LowestOf(rest, half.first));
+        Fault(row, SrdoCause::kInvalid);
     }
-    FaultEach(half.first, alarmed, SrdoCause::kLateCall);
-    FaultEach(half.first, marks.consumers & call.overflowed, SrdoCause::kQueueOverflow);
-    FaultEach(half.first, marks.consumers & x_gfc, SrdoCause::kGfc);
-    for (HalfMask rest = marks.consumers & marks.reporting & marks.held.on; rest != 0U; rest = WithoutLowest(rest))
+    const SrdoCause expired = ExpiredAt(row, 0U, row.detection != SrvtDetection::kLate);
+    if (expired != SrdoCause::kNone)
     {
-        Discard(LowestOf(rest, half.first)); // Completed after the fault, before it was reported.
+        Fault(row, expired);
     }
+    else if ((x_alarms & kLate) != 0U)
+    {
+        Fault(row, SrdoCause::kLateCall);
+    }
+    else
+    {
+        // In time.
+    }
+    if ((x_alarms & kOverflowed) != 0U)
+    {
+        Fault(row, SrdoCause::kQueueOverflow);
+    }
+    if ((x_alarms & kGfc) != 0U)
+    {
+        Fault(row, SrdoCause::kGfc);
+    }
+    if (row.phase_left > x_config->acknowledge_window_us)
+    {
+        ForgetEdge(row);
+    }
+    if (row.causes != 0U)
+    {
+        Discard(row); // A pair completed after the fault, before it was reported.
+        half.new_fault |= half.bit;
+    }
+    else if ((half.edges & half.bit) != 0U)
+    {
+        row.edge = kWaits;
+        row.phase_left = x_config->acknowledge_window_us;
+        SetNews(row, kEdge);
+    }
+    else
+    {
+        // Nothing new.
+    }
+    if (HasNews(row, kUnheard) && (x_active_us > SctUs(row)))
+    {
+        ClearNews(row, kUnheard);
+        row.causes |= kWaitingBit;
+    }
+    Release(row, half);
 }
 
-/// Edges of this call. [SRS-REL-005]
-void Channel::Acknowledge(const Half& half) noexcept
+/// What has a fault to report holds no pair any longer. [SRS-REL-003, SRS-REL-004, SRS-REL-007]
+void Channel::Release(Row& row, Half& half) const noexcept
 {
-    Marks& marks = *half.marks;
-    const HalfMask taken = half.edges & ~marks.reporting;
-    const HalfMask waiting = taken & marks.consumers;
-    Grant(marks.acknowledged, waiting);
-    for (HalfMask rest = waiting; rest != 0U; rest = WithoutLowest(rest))
+    const bool is_acknowledged = row.edge == kWaits;
+    const bool is_permitted = is_acknowledged || (row.policy == ReleasePolicy::kAutomatic);
+    if (IsHeld(row) && is_permitted && IsRecordable(row.first_cause))
     {
-        x_storage.phase_left[LowestOf(rest, half.first)] = x_config->acknowledge_window_us;
+        row.standing = Standing::kReleased;
     }
-    ForgetCauses(half.first, taken & marks.producers);
-}
-
-void Channel::ForgetCauses(SlotIndex first, HalfMask slots) noexcept
-{
-    for (HalfMask rest = slots; rest != 0U; rest = WithoutLowest(rest))
+    if (row.standing == Standing::kReleased)
     {
-        x_storage.first_cause[LowestOf(rest, first)] = Code(SrdoCause::kNone);
-    }
-}
-
-/// [SRS-REL-003, SRS-REL-004, SRS-REL-007]
-void Channel::Release(const Half& half) noexcept
-{
-    Marks& marks = *half.marks;
-    const HalfMask permitted = Granted(marks.automatic) | Granted(marks.acknowledged);
-    const HalfMask ready = marks.consumers & Granted(marks.held) & ~marks.reporting & permitted;
-    for (HalfMask rest = ready & ~marks.released.on; rest != 0U; rest = WithoutLowest(rest))
-    {
-        const SlotIndex slot = LowestOf(rest, half.first);
-        if (IsRecordable(x_storage.first_cause[slot]))
+        half.released |= half.bit;
+        if (is_acknowledged)
         {
-            Grant(marks.released, BitOf(slot));
-            marks.faulted &= ~BitOf(slot);
+            row.first_cause = Code(SrdoCause::kNone);
+            ForgetEdge(row);
         }
     }
-    const HalfMask read = Granted(marks.acknowledged) & Granted(marks.released) & marks.consumers;
-    ForgetCauses(half.first, read);
-    Withdraw(marks.acknowledged, read);
+    else if (row.standing == Standing::kFaulted)
+    {
+        half.faulted |= half.bit;
+    }
+    else
+    {
+        half.waiting |= half.bit;
+    }
+    if (HasNews(row, kFresh) && IsHeld(row))
+    {
+        half.fresh |= half.bit;
+    }
+    ClearNews(row, kFresh);
+    half.consumers += 1U;
+    half.ordinal_sum += row.ordinal;
 }
 
 /// [SRS-REL-002]
 void Channel::Commit(const Agreement& agreement) noexcept
 {
-    for (SlotIndex first = 0U; first < x_count; first = static_cast<SlotIndex>(first + kSlotsInHalf))
+    for (std::uint8_t half = 0U; half < kHalves; ++half)
     {
-        Marks& marks = MarksOf(x_storage, first);
-        const HalfMask present = x_present[first / kSlotsInHalf];
-        const HalfMask released =
-            PartOf(agreement.agreed, first) & Granted(marks.released) & Granted(marks.held) & present;
-        const HalfMask written = released & PartOf(agreement.matched, first) & marks.unwritten;
-        const HalfMask withdrawn = marks.committed & ~released & present;
-        for (HalfMask rest = written | withdrawn; rest != 0U; rest = WithoutLowest(rest))
+        const HalfMask committed = x_committed[half]; // MISRA D-002
+        const HalfMask released = PartOf(agreement.agreed, half) & x_released[half];
+        const HalfMask written = PartOf(agreement.matched, half) & released & x_unwritten[half];
+        x_unwritten[half] &= ~written;
+        x_committed[half] = (committed & released) | written;
+        for (HalfMask rest = written | (committed & ~released); rest != 0U; rest = WithoutLowest(rest))
         {
-            const SlotIndex slot = LowestOf(rest, first);
-            const bool is_written = (written & BitOf(slot)) != 0U;
-            WriteInverse(slot, is_written ? x_storage.rows[slot].inverse_data : SafeDataOf(slot));
+            const SlotIndex slot = static_cast<SlotIndex>(LowestOf(rest) + (half * kSlotsInHalf));
+            if ((written & BitOf(slot)) != 0U)
+            {
+                WriteInverse(slot, x_storage.rows[slot].inverse_data);
+            }
+            else
+            {
+                WriteSafe(slot);
+            }
         }
-        marks.unwritten &= ~written;
-        marks.committed = (marks.committed & released) | written;
     }
 }
 

@@ -11,31 +11,22 @@ namespace counterpoint::channel_b
 namespace
 {
 
-constexpr std::uint32_t kWaitingBit = std::uint32_t{1U} << static_cast<std::uint32_t>(SrdoCause::kWaitingPastSct);
-
 constexpr HalfMask kAll = 0xFFFFFFFFU;
+/// A budget of SRVT above has gone below zero; at the second one it has long run out, whatever instants a frame may
+/// have.
+constexpr std::uint32_t kLongestLeft = 0x7FFFFFFFU;
+constexpr std::uint32_t kLongOver = 0x80040000U;
 
-[[nodiscard]] std::uint32_t SumOf(const Column<std::uint32_t>& column, std::size_t count) noexcept
-{
-    std::uint32_t sum = 0U;
-    for (std::size_t index = 0U; index < count; ++index)
-    {
-        sum += column[index];
-    }
-    return sum;
-}
+/// A released consumer that holds a pair, has no cause and no news: all there is to do is to take the time.
+constexpr std::uint32_t kQuiet =
+    FourBytes(static_cast<std::uint32_t>(Standing::kReleased), kHeld, Code(SrdoCause::kNone), 0U);
 
-[[nodiscard]] HalfMask FindSpent(const Storage& storage, SlotIndex first, SlotIndex end) noexcept
+/// With no other news than these.
+[[nodiscard]] inline bool IsQuiet(const Row& row, std::uint32_t news) noexcept
 {
-    HalfMask spent = 0U;
-    for (SlotIndex slot = first; slot < end; ++slot)
-    {
-        if (storage.pair_left[slot] > storage.pair_limit[slot])
-        {
-            spent |= BitOf(slot);
-        }
-    }
-    return spent;
+    const std::uint32_t marks =
+        FourBytes(static_cast<std::uint32_t>(row.standing), row.held, row.first_cause, row.news);
+    return (marks == (kQuiet | (news << 24U))) && (row.left <= row.limit);
 }
 
 [[nodiscard]] GuardView ViewGuard(const CycleInput& input, std::uint32_t declared) noexcept
@@ -48,179 +39,172 @@ constexpr HalfMask kAll = 0xFFFFFFFFU;
     return (declared == kConfigurationValidValue) ? GuardView::kConfigured : GuardView::kUnconfigured;
 }
 
-} // namespace
-
-/// Takes the time since the last call from the budgets of all pairs, whether they run or not; returns all bits if one
-/// has nothing left, else none. The loop is without a decision, so that a compiler can do several slots at once.
-inline HalfMask Channel::SpendPairs() noexcept
+/// It ceases to be active. [SRS-CONS-019, SRS-PROD-011]
+void Leave(Row& row) noexcept
 {
-    const std::uint32_t elapsed = x_elapsed_us;
-    const Column<std::uint32_t> left = x_storage.pair_left;
-    const Column<std::uint32_t> limit = x_storage.pair_limit;
-    const std::size_t count = x_count;
-    std::uint32_t any = 0U;
-    for (std::size_t slot = 0U; slot < count; ++slot)
+    if (IsConsumer(row))
     {
-        const std::uint32_t left_us = left[slot] - elapsed;
-        any |= 0U - static_cast<std::uint32_t>(left_us > limit[slot]);
-        left[slot] = left_us;
+        Fault(row, SrdoCause::kNotOperational);
     }
-    return any;
-}
-
-/// The same for the phases; returns some bits if one is over, else none.
-inline HalfMask Channel::SpendPhases() noexcept
-{
-    const std::uint32_t elapsed = x_elapsed_us;
-    const Column<std::uint32_t> phase = x_storage.phase_left;
-    const std::size_t count = x_count;
-    std::uint32_t any = 0U;
-    for (std::size_t slot = 0U; slot < count; ++slot)
-    {
-        const std::uint32_t left_us = phase[slot] - elapsed;
-        any |= left_us - 1U;
-        phase[slot] = left_us;
-    }
-    return any & ~kLongestPhase;
-}
-
-/// Whether a phase may run in some slot: a device of consumers without an acknowledge edge has none.
-inline HalfMask Channel::FindPhases() const noexcept
-{
-    const Marks& low = x_storage.marks[0U];
-    const Marks& high = x_storage.marks[1U];
-    const HalfMask others = (x_present[0U] & ~low.consumers) | (x_present[1U] & ~high.consumers); // MISRA D-002
-    return others | low.acknowledged.on | high.acknowledged.on;
-}
-
-/// With late detection: SRVT of the normal frames that wait goes on, and has once and for all run out when it has.
-/// [SRS-TIME-009]
-inline void Channel::AgePending(const Half& half) noexcept
-{
-    const Marks& marks = *half.marks;
-    for (HalfMask rest = marks.pending & marks.late & half.present; rest != 0U; rest = WithoutLowest(rest))
-    {
-        Row& row = x_storage.rows[LowestOf(rest, half.first)];
-        row.srvt_left = (row.srvt_left > kLongestLeft) ? kLongOver : (row.srvt_left - x_elapsed_us);
-    }
-}
-
-/// Closes the windows of signals and forgets the acknowledge edges that are over. A corrupted mark must not lead to a
-/// slot that does not exist.
-void Channel::CloseWindows(const Half& half) noexcept
-{
-    Marks& marks = *half.marks;
-    for (HalfMask rest = marks.window_open & half.present; rest != 0U; rest = WithoutLowest(rest))
-    {
-        const SlotIndex slot = LowestOf(rest, half.first);
-        Row& row = x_storage.rows[slot];
-        row.window_left -= x_elapsed_us;
-        if (row.window_left > SctUs(row))
-        {
-            marks.window_open &= ~BitOf(slot);
-        }
-    }
-    for (HalfMask rest = marks.acknowledged.on & half.present; rest != 0U; rest = WithoutLowest(rest))
-    {
-        const SlotIndex slot = LowestOf(rest, half.first);
-        if (x_storage.phase_left[slot] > x_config->acknowledge_window_us)
-        {
-            Withdraw(marks.acknowledged, BitOf(slot));
-        }
-    }
-}
-
-/// Consumers that complain about no first pair. [SRS-CONS-022]
-inline HalfMask Channel::MissFirstPairs(const Half& half) noexcept
-{
-    Marks& marks = *half.marks;
-    HalfMask missed = 0U;
-    marks.unheard &= marks.consumers & ~(marks.faulted | marks.released.on | marks.fresh);
-    for (HalfMask rest = marks.unheard; rest != 0U; rest = WithoutLowest(rest))
-    {
-        const SlotIndex slot = LowestOf(rest, half.first);
-        Row& row = x_storage.rows[slot];
-        if (x_active_us > SctUs(row))
-        {
-            row.causes |= kWaitingBit;
-            missed |= BitOf(slot);
-        }
-    }
-    marks.unheard &= ~missed;
-    return missed;
+    Ground(row);
+    row.standing = Standing::kOff;
+    row.ordinal = 0U;
 }
 
 /// [SRS-CONS-021]
-inline void Channel::Signal(Half& half, HalfMask slots) noexcept
+[[nodiscard]] std::uint32_t Signal(Row& row) noexcept
 {
-    Marks& marks = *half.marks;
-    for (HalfMask rest = slots; rest != 0U; rest = WithoutLowest(rest))
+    const std::uint32_t causes = row.causes;
+    if (causes == 0U)
     {
-        const SlotIndex slot = LowestOf(rest, half.first);
-        Row& row = x_storage.rows[slot];
-        if ((marks.window_open & BitOf(slot)) == 0U)
-        {
-            row.window_left = SctUs(row);
-            row.told = 0U;
-        }
-        const std::uint32_t news = row.causes & ~row.told;
-        row.signals = news;
-        row.told |= news;
-        row.causes = 0U;
-        if (news != 0U)
-        {
-            half.signalled |= BitOf(slot);
-        }
+        return 0U;
     }
-    marks.window_open |= slots;
-    marks.signalled = half.signalled;
+    if (!HasNews(row, kWindowOpen))
+    {
+        SetNews(row, kWindowOpen);
+        row.window_us = 0U;
+        row.told = 0U;
+    }
+    row.signals = causes & ~row.told;
+    row.told |= causes;
+    row.causes = 0U;
+    ClearNews(row, kReported);
+    return row.signals;
 }
 
-/// What seldom happens is looked for first.
-[[gnu::always_inline]] inline void Channel::CycleHalf(const CycleInput& input, const Call& call, Half& half) noexcept
+} // namespace
+
+/// Whether it becomes active, and as what. A window of signals stays open.
+void Channel::Enter(SlotIndex slot, Row& row) noexcept
 {
-    Marks& marks = *half.marks;
-    HalfMask left = 0U;
-    if (call.spent != 0U)
+    const std::uint32_t direction = ByteAt(row, kDirectionAt);
+    Ground(row);
+    row.standing = Standing::kOff;
+    row.held = kUnset;
+    row.edge = kUnset;
+    row.ordinal = 0U;
+    row.srvt_limit = kNothingRuns;
+    row.news = static_cast<std::uint8_t>(row.news & kWindowOpen);
+    row.phase_left = kFirstTransmissionStepUs * x_config->node_id;
+    if ((row.valid != kGood) || (row.resolved != kGood))
     {
-        half.spent = FindSpent(x_storage, half.first, EndOf(half.first, x_count));
+        return;
     }
-    if (((marks.window_open | marks.acknowledged.on) & half.present) != 0U)
+    if (direction == kDirectionProducer)
     {
-        CloseWindows(half);
+        row.standing = Standing::kProducer;
     }
-    AgePending(half);
-    if (call.entering != 0U)
+    else if (direction == kDirectionConsumer)
     {
-        Enter(half);
+        row.standing = Standing::kWaiting;
+        SetNews(row, kUnheard);
     }
-    if (call.leaving != 0U)
+    else
     {
-        left = Leave(half);
+        return;
     }
-    ExamineMarks(half);
-    if ((marks.consumers & (marks.reporting | half.spent | call.alarmed)) != 0U)
+    // Identifiers were checked by Validate; the remainder keeps a corrupted one within the table.
+    const std::uint32_t offset = WordAt(row, kCobId1At) - kFirstSrdoIdentifier;
+    x_storage.slot_of[offset % kSrdoIdentifierCount] = slot;
+    x_storage.slot_of[(offset + 1U) % kSrdoIdentifierCount] = slot;
+}
+
+/// What runs beside the budget of the pair, whether it counts or not.
+void Channel::Age(Row& row) const noexcept
+{
+    row.signals = 0U;
+    row.window_us += x_elapsed_us;
+    if (row.window_us > SctUs(row))
     {
-        ExamineConsumers(call, half);
+        ClearNews(row, kWindowOpen);
     }
-    if ((marks.producers | call.ended) != 0U)
+    row.phase_left -= x_elapsed_us;
+    // Once and for all it has run out when it has. [SRS-TIME-009]
+    row.srvt_left = (row.srvt_left > kLongestLeft) ? kLongOver : (row.srvt_left - x_elapsed_us);
+}
+
+void Channel::Serve(SlotIndex slot, Row& row, Half& half) noexcept
+{
+    Age(row);
+    if ((x_alarms & kEntering) != 0U)
     {
-        half.due = AdvanceProducers(input, call, half);
+        Enter(slot, row);
     }
-    if (half.edges != 0U)
+    if ((x_alarms & kLeaving) != 0U)
     {
-        Acknowledge(half);
+        half.new_fault |= IsConsumer(row) ? half.bit : 0U;
+        Leave(row);
     }
-    const HalfMask missed = MissFirstPairs(half);
-    if (((marks.consumers & ~marks.released.on) | marks.acknowledged.on) != 0U)
+    if (IsConsumer(row))
     {
-        Release(half);
+        ServeConsumer(row, half);
     }
-    half.new_fault = marks.reporting & (marks.consumers | left);
-    half.fresh = marks.fresh & Granted(marks.held) & marks.consumers;
-    Signal(half, (marks.reporting | missed) & half.present);
-    marks.fresh = 0U;
-    marks.reporting = 0U;
+    if (row.standing == Standing::kProducer)
+    {
+        ServeProducer(row, half);
+    }
+    if (Signal(row) != 0U)
+    {
+        half.signalled |= half.bit;
+    }
+}
+
+/// Takes the time from the budgets of all pairs of one half. A slot where that is all there is to do is released as it
+/// was; the others are busy.
+void Channel::Spend(SlotIndex first, Half& half) const noexcept
+{
+    const std::uint32_t above = std::uint32_t{x_count} - first;
+    const std::uint32_t count = (above < kSlotsInHalf) ? above : kSlotsInHalf; // At least one.
+    const HalfMask beyond = HalfMask{2U} << (count - 1U);
+    const std::uint32_t elapsed_us = x_elapsed_us;
+    std::uint32_t ordinal_sum = 0U;
+    std::size_t slot = first;
+    half.consumers = count;
+    for (HalfMask bit = 1U; bit != beyond; bit <<= 1U)
+    {
+        Row& row = x_storage.rows[slot];
+        row.left -= elapsed_us;
+        if (IsQuiet(row, 0U))
+        {
+            ordinal_sum += row.ordinal;
+        }
+        else
+        {
+            half.busy |= bit;
+        }
+        ++slot;
+    }
+    if ((x_alarms | half.edges) != 0U)
+    {
+        half.busy = beyond - 1U;
+        ordinal_sum = 0U;
+    }
+    half.ordinal_sum = ordinal_sum;
+    half.released = (beyond - 1U) & ~half.busy;
+}
+
+void Channel::ServeHalf(SlotIndex first, Half& half) noexcept
+{
+    Spend(first, half);
+    const bool is_calm = (x_alarms | half.edges) == 0U;
+    for (HalfMask rest = half.busy; rest != 0U; rest = WithoutLowest(rest))
+    {
+        const SlotIndex slot = static_cast<SlotIndex>(first + LowestOf(rest));
+        Row& row = x_storage.rows[slot];
+        half.bit = BitOf(slot);
+        if (is_calm && IsQuiet(row, kFresh))
+        {
+            half.ordinal_sum += row.ordinal;
+            half.released |= half.bit;
+            half.fresh |= half.bit;
+            row.news = 0U;
+        }
+        else
+        {
+            half.consumers -= 1U;
+            Serve(slot, row, half);
+        }
+    }
 }
 
 CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
@@ -232,48 +216,49 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
     const HalfMask running = (is_configured && (input.nmt == NmtState::kOperational)) ? kAll : 0U;
     x_elapsed_us = input.now.us - x_last_us;
     x_last_us = input.now.us;
-    const HalfMask late = (x_elapsed_us > x_late_us) ? kAll : 0U;
-    const HalfMask overflowed = (input.queue != QueueState::kIntact) ? kAll : 0U;
-    const HalfMask alarmed = late | overflowed | x_gfc;
-    const HalfMask ended = (FindPhases() != 0U) ? SpendPhases() : 0U;
-    const Call call{late, overflowed, alarmed, running & ~x_running, x_running & ~running, SpendPairs(), ended};
+    x_active_us += x_elapsed_us;
+    x_alarms |= (x_elapsed_us > x_late_us) ? kLate : 0U;
+    x_alarms |= (input.queue != QueueState::kIntact) ? kOverflowed : 0U;
+    x_alarms |= x_running & ~running & kLeaving;
+    if ((running & ~x_running) != 0U)
+    {
+        x_alarms |= kEntering;
+        x_active_us = 0U;
+        for (std::uint8_t offset = 0U; offset < kLookUpBytes; ++offset)
+        {
+            x_storage.slot_of[offset] = kNoSlot;
+        }
+    }
     x_late_us = x_config->cycle_us + x_config->cycle_tolerance_us;
     x_running = running;
-    x_active_us = (x_active_us + x_elapsed_us) & ~call.entering;
-    if (call.leaving != 0U)
-    {
-        ClearLookUp();
-    }
     for (SlotIndex first = 0U; first < x_count; first = static_cast<SlotIndex>(first + kSlotsInHalf))
     {
-        const std::size_t at = first / kSlotsInHalf;
-        const HalfMask levels = PartOf(input.acknowledge, first);
-        halves[at].marks = &x_storage.marks[at];
-        halves[at].first = first;
-        halves[at].present = x_present[at];
-        halves[at].edges = levels & ~x_levels[at];
-        x_levels[at] = levels;
-        CycleHalf(input, call, halves[at]);
+        const std::size_t index = first / kSlotsInHalf;
+        Half& half = halves[index];
+        const HalfMask levels = PartOf(input.acknowledge, index);
+        half.edges = levels & ~x_levels[index];
+        half.requests = PartOf(input.request, index);
+        half.stand = PartOf(input.stand, index);
+        x_levels[index] = levels;
+        ServeHalf(first, half);
+        x_released[index] = half.released;
     }
+    x_alarms = 0U;
     const Half& low = halves[0U];
     const Half& high = halves[1U];
-    const Marks& low_marks = x_storage.marks[0U];
-    const Marks& high_marks = x_storage.marks[1U];
-    const SrdoMask consumers = Join(low_marks.consumers, high_marks.consumers);
-    outcome.released = consumers & Join(Granted(low_marks.released), Granted(high_marks.released));
-    outcome.faulted = consumers & Join(low_marks.faulted, high_marks.faulted);
-    outcome.waiting = consumers & ~(outcome.released | outcome.faulted);
+    outcome.released = Join(low.released, high.released);
+    outcome.faulted = Join(low.faulted, high.faulted);
+    outcome.waiting = Join(low.waiting, high.waiting);
     outcome.new_fault = Join(low.new_fault, high.new_fault);
     outcome.fresh = Join(low.fresh, high.fresh);
     outcome.due = Join(low.due, high.due);
     outcome.signalled = Join(low.signalled, high.signalled);
-    outcome.sct_checked = CountOf(low_marks.consumers, high_marks.consumers);
-    outcome.is_tx = CountOf(low_marks.producers, high_marks.producers);
     outcome.cycle = ++x_cycle;
-    outcome.ordinal_sum = SumOf(x_storage.ordinal, x_count);
-    outcome.not_operational = static_cast<std::uint8_t>(running == 0U);
+    outcome.ordinal_sum = low.ordinal_sum + high.ordinal_sum;
+    outcome.sct_checked = static_cast<std::uint8_t>(low.consumers + high.consumers);
+    outcome.is_tx = static_cast<std::uint8_t>(low.producers + high.producers);
     outcome.is_invalid = static_cast<std::uint8_t>((x_count & running) - (outcome.sct_checked + outcome.is_tx));
-    x_gfc = 0U;
+    outcome.not_operational = static_cast<std::uint8_t>(running == 0U);
     return outcome;
 }
 

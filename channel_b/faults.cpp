@@ -1,5 +1,4 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "channel_b/channel.hpp"
 #include "channel_b/image.hpp"
 
 #include <cstdint>
@@ -8,82 +7,47 @@
 namespace counterpoint::channel_b
 {
 
-void Channel::Count(SlotIndex slot, SrdoCause cause) noexcept
+void Count(Row& row, SrdoCause cause) noexcept
 {
-    std::uint16_t& count = x_storage.rows[slot].error_count;
-    if (count != 0xFFFFU)
+    if (row.error_count != 0xFFFFU)
     {
-        ++count;
+        ++row.error_count;
     }
-    if (x_storage.first_cause[slot] == Code(SrdoCause::kNone))
+    if (row.first_cause == Code(SrdoCause::kNone))
     {
-        x_storage.first_cause[slot] = Code(cause);
-    }
-}
-
-/// A fault that the next OnCycle, or this one, reports.
-void Channel::Record(SlotIndex slot, SrdoCause cause) noexcept
-{
-    Count(slot, cause);
-    x_storage.rows[slot].causes |= std::uint32_t{1U} << (static_cast<std::uint32_t>(cause) & 31U);
-    MarksOf(x_storage, slot).reporting |= BitOf(slot);
-}
-
-/// Nothing is granted any longer. A pending normal frame stays, and the budget is its own then (with late detection it
-/// has another one).
-void Channel::Discard(SlotIndex slot) noexcept
-{
-    Marks& marks = MarksOf(x_storage, slot);
-    const HalfMask bit = BitOf(slot);
-    Withdraw(marks.held, bit);
-    Withdraw(marks.acknowledged, bit);
-    Withdraw(marks.released, bit);
-    marks.unwritten &= ~bit;
-    marks.faulted |= bit;
-    x_storage.ordinal[slot] = 0U;
-    if ((marks.pending & ~marks.late & bit) == 0U)
-    {
-        x_storage.pair_limit[slot] = kNothingRuns;
+        row.first_cause = Code(cause);
     }
 }
 
-void Channel::Fault(SlotIndex slot, SrdoCause cause) noexcept
+void Record(Row& row, SrdoCause cause) noexcept
 {
-    MarksOf(x_storage, slot).pending &= ~BitOf(slot);
-    Discard(slot);
-    Record(slot, cause);
+    row.causes |= std::uint32_t{1U} << (static_cast<std::uint32_t>(cause) & 31U);
+    SetNews(row, kReported);
+    Count(row, cause);
 }
 
-/// A limit ran out: SRVT while a normal frame waits (not with late detection), else SCT. No effect on a slot that is no
-/// active consumer.
-void Channel::Expire(SlotIndex slot) noexcept
+void Discard(Row& row) noexcept
 {
-    const Marks& marks = MarksOf(x_storage, slot);
-    const HalfMask bit = BitOf(slot);
-    const SrdoCause cause = ((marks.pending & ~marks.late & bit) != 0U) ? SrdoCause::kSrvt : SrdoCause::kSct;
-    FaultEach(static_cast<SlotIndex>(slot - (slot % kSlotsInHalf)), marks.consumers & bit, cause);
+    row.standing = Standing::kFaulted;
+    row.held = kUnset;
+    row.ordinal = 0U;
+    row.limit = kNothingRuns;
+    ClearNews(row, kUnheard);
+    ForgetEdge(row);
 }
 
-void Channel::FaultEach(SlotIndex first, HalfMask slots, SrdoCause cause) noexcept
+void Fault(Row& row, SrdoCause cause) noexcept
 {
-    for (HalfMask rest = slots; rest != 0U; rest = WithoutLowest(rest))
-    {
-        Fault(LowestOf(rest, first), cause);
-    }
+    row.srvt_limit = kNothingRuns;
+    ClearNews(row, kPending);
+    Discard(row);
+    Record(row, cause);
 }
 
-/// Nothing is in flight any longer.
-void Channel::Ground(SlotIndex slot, Stage stage) noexcept
+Confirmation Fail(Row& row, SrdoCause cause) noexcept
 {
-    x_storage.rows[slot].stage = stage;
-    x_storage.pair_limit[slot] = kNothingRuns;
-}
-
-/// A fault of a producer that gives up the pair in flight; returns what OnConfirm then tells. [SRS-PROD-009]
-Confirmation Channel::Fail(SlotIndex slot, SrdoCause cause) noexcept
-{
-    Record(slot, cause);
-    Ground(slot, Stage::kIdle);
+    Ground(row);
+    Record(row, cause);
     return Confirmation{kNoSlot, ConfirmStep::kNone};
 }
 

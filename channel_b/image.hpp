@@ -5,39 +5,45 @@
 #include "channel_b/packed.hpp"
 #include "channel_b/storage.hpp"
 #include "safety_core/contract/can_frame.hpp"
+#include "safety_core/contract/channel.hpp"
 
 #include <cstddef>
 #include <cstdint>
 
-/// Reads the canonical images, the only copy of the configuration that this channel has.
+/// Reads the rows: canonical images, the only copy of the configuration that this channel has, and marks.
 namespace counterpoint::channel_b
 {
 
 /// Limit of a budget that nothing can exceed.
 constexpr std::uint32_t kNothingRuns = 0xFFFFFFFFU;
-/// A budget above has gone below zero; SRVT has long run out at this one, whatever instants a frame may have.
-constexpr std::uint32_t kLongestLeft = 0x7FFFFFFFU;
-constexpr std::uint32_t kLongOver = 0x80040000U;
-/// No phase and no refresh lasts longer: 2^27 us are 134 s. What is above is below zero.
-constexpr std::uint32_t kLongestPhase = 0x07FFFFFFU;
 /// Entries of a static mapping at most.
 constexpr std::uint8_t kLargestMapping = 2U * kMaxPayloadBits;
 /// Not the place of an object.
 constexpr std::uint16_t kNoPlace = 0xFFFFU;
+/// Length in bits of common objects.
+constexpr std::uint32_t kFourBytes = 32U;
 /// Place of a dummy entry.
 constexpr std::uint16_t kDummyPlace = 0xFFFEU;
 
 // Places in the image of one SRDO.
-constexpr std::uint8_t kSctAt = 0U;
-constexpr std::uint8_t kSrvtAt = 2U;
-constexpr std::uint8_t kCobId1At = 3U;
-constexpr std::uint8_t kCobId2At = 7U;
-constexpr std::uint8_t kMapCountAt = 11U;
-constexpr std::uint8_t kTransmissionTypeAt = 12U;
-constexpr std::uint8_t kSignatureAt = 13U;
+constexpr std::uint8_t kDirectionAt = 0U;
+constexpr std::uint8_t kSctAt = 1U;
+constexpr std::uint8_t kSrvtAt = 3U;
+constexpr std::uint8_t kCobId1At = 4U;
+constexpr std::uint8_t kCobId2At = 8U;
+constexpr std::uint8_t kMapCountAt = 12U;
+constexpr std::uint8_t kTransmissionTypeAt = 13U;
+constexpr std::uint8_t kSignatureAt = 14U;
 // Places in Storage::device.
 constexpr std::uint8_t kGfcParameterAt = 0U;
 constexpr std::uint8_t kConfigurationValidAt = 1U;
+
+// What OnCycle finds for all slots alike.
+constexpr std::uint32_t kEntering = 0x01U;
+constexpr std::uint32_t kLeaving = 0x02U;
+constexpr std::uint32_t kLate = 0x04U;
+constexpr std::uint32_t kOverflowed = 0x08U;
+constexpr std::uint32_t kGfc = 0x10U; ///< A global fail-safe command came since the last OnCycle.
 
 static_assert(kImageBytes == (kSignatureAt + 2U), "nothing behind the signature");
 static_assert(kLookUpBytes == kSrdoIdentifierCount, "one byte an identifier");
@@ -48,46 +54,31 @@ static_assert(kLookUpBytes == kSrdoIdentifierCount, "one byte an identifier");
     return row.image[at]; // MISRA D-002
 }
 
+[[nodiscard]] inline std::uint32_t TwoBytesAt(const Row& row, std::size_t at) noexcept
+{
+    return ByteAt(row, at) | (ByteAt(row, at + 1U) << 8U);
+}
+
 [[nodiscard]] inline std::uint32_t WordAt(const Row& row, std::size_t at) noexcept
 {
     return PackFourBytes(&row.image[at]); // MISRA D-002
 }
 
-[[nodiscard]] inline std::uint32_t NormalIdentifier(const Row& row) noexcept
-{
-    return WordAt(row, kCobId1At);
-}
-
-[[nodiscard]] inline std::uint32_t InverseIdentifier(const Row& row) noexcept
-{
-    return WordAt(row, kCobId2At);
-}
-
-/// Of the frame whose identifier has this lowest bit: normal frames are odd, inverse frames are even.
+/// Identifier of the frames of this parity: normal frames are odd, inverse frames are even.
 [[nodiscard]] inline std::uint32_t OwnIdentifier(const Row& row, std::uint32_t parity) noexcept
 {
     return WordAt(row, kCobId2At - (parity * (kCobId2At - kCobId1At)));
 }
 
-[[nodiscard]] inline std::uint32_t SctMs(const Row& row) noexcept
-{
-    return ByteAt(row, kSctAt) | (ByteAt(row, kSctAt + 1U) << 8U);
-}
-
 /// SCT of a consumer, refresh time of a producer.
 [[nodiscard]] inline std::uint32_t SctUs(const Row& row) noexcept
 {
-    return SctMs(row) * kMicrosecondsPerMillisecond;
+    return TwoBytesAt(row, kSctAt) * kMicrosecondsPerMillisecond;
 }
 
 [[nodiscard]] inline std::uint32_t SrvtUs(const Row& row) noexcept
 {
     return ByteAt(row, kSrvtAt) * kMicrosecondsPerMillisecond;
-}
-
-[[nodiscard]] inline bool IsStatic(const Mapping& mapping) noexcept
-{
-    return mapping.first == kStatic;
 }
 
 /// Where the slot's part of entries and table begins.
@@ -103,6 +94,22 @@ static_assert(kLookUpBytes == kSrdoIdentifierCount, "one byte an identifier");
     return (declared < most) ? declared : most;
 }
 
+/// Whatever else a corrupted consumer is, it stays one that OnCycle makes safe.
+[[nodiscard]] inline bool IsConsumer(const Row& row) noexcept
+{
+    return (static_cast<std::uint32_t>(row.standing) >> 4U) == 6U;
+}
+
+[[nodiscard]] inline bool IsHeld(const Row& row) noexcept
+{
+    return row.held == kHeld;
+}
+
+[[nodiscard]] inline bool IsInFlight(const Row& row) noexcept
+{
+    return row.stage != Stage::kIdle;
+}
+
 /// Slot to which the identifier leads; no existing slot if to none.
 [[nodiscard]] inline SlotIndex LookUp(const Storage& storage, const CanFrame& frame) noexcept
 {
@@ -110,28 +117,19 @@ static_assert(kLookUpBytes == kSrdoIdentifierCount, "one byte an identifier");
     return (offset < kSrdoIdentifierCount) ? storage.slot_of[offset] : kNoSlot;
 }
 
-/// A corrupted stage has nothing in flight, and nothing can follow it.
-[[nodiscard]] inline bool IsInFlight(Stage stage) noexcept
+[[nodiscard]] inline bool HasNews(const Row& row, std::uint32_t bits) noexcept
 {
-    switch (stage)
-    {
-    case Stage::kInvalid:
-    case Stage::kOff:
-    case Stage::kIdle:
-        return false;
-    case Stage::kAwaitNormal:
-    case Stage::kAwaitInverse:
-        return true;
-    }
-    return false;
+    return (row.news & bits) != 0U;
 }
 
-/// SRVT counts from the normal frame: the next OnCycle takes away what lay before it.
-inline void StartBudget(const Storage& storage, SlotIndex slot, std::uint32_t since_call) noexcept
+inline void SetNews(Row& row, std::uint32_t bits) noexcept
 {
-    const std::uint32_t srvt_us = SrvtUs(storage.rows[slot]);
-    storage.pair_limit[slot] = srvt_us;
-    storage.pair_left[slot] = srvt_us + since_call;
+    row.news = static_cast<std::uint8_t>(row.news | bits);
+}
+
+inline void ClearNews(Row& row, std::uint32_t bits) noexcept
+{
+    row.news = static_cast<std::uint8_t>(row.news & (bits ^ 0xFFU));
 }
 
 [[nodiscard]] constexpr std::uint8_t Code(SrdoCause cause) noexcept
@@ -139,12 +137,30 @@ inline void StartBudget(const Storage& storage, SlotIndex slot, std::uint32_t si
     return static_cast<std::uint8_t>(cause);
 }
 
-/// Any other value is corrupted, or was put there because something else was. [SRS-CONS-024]
-[[nodiscard]] inline bool IsRecordable(std::uint8_t cause) noexcept
+/// Nothing is held and nothing in flight.
+inline void Ground(Row& row) noexcept
 {
-    const std::uint32_t above_invalid = static_cast<std::uint32_t>(cause) - 1U;
-    return (above_invalid < Code(SrdoCause::kWrongEcho)) || (cause == Code(SrdoCause::kNone));
+    row.limit = kNothingRuns;
+    row.awaited.identifier = 0U;
+    row.stage = Stage::kIdle;
 }
+
+inline void ForgetEdge(Row& row) noexcept
+{
+    row.edge = kUnset;
+    ClearNews(row, kEdge);
+}
+
+/// @brief Counts a fault; the first one is kept.
+void Count(Row& row, SrdoCause cause) noexcept;
+/// @brief A fault that the next OnCycle, or this one, reports.
+void Record(Row& row, SrdoCause cause) noexcept;
+/// @brief Of a consumer: nothing is granted any longer. A pending normal frame stays.
+void Discard(Row& row) noexcept;
+/// @brief A fault of a consumer.
+void Fault(Row& row, SrdoCause cause) noexcept;
+/// @brief A fault of a producer that gives up the pair in flight; returns what OnConfirm then tells. [SRS-PROD-009]
+[[nodiscard]] Confirmation Fail(Row& row, SrdoCause cause) noexcept;
 
 } // namespace counterpoint::channel_b
 

@@ -10,60 +10,48 @@ namespace counterpoint::channel_b
 namespace
 {
 
-constexpr std::uint32_t kFourBytes = 32U; ///< Length in bits of common objects.
-
-/// The lowest bits leave `data` for the object; its last byte is filled up with 0. Returns what is left of the data.
-[[nodiscard]] std::uint64_t PutBits(std::uint64_t data, std::uint32_t bits, std::uint8_t* bytes) noexcept
+/// One object of any length, up to eight bits at a time; its last byte is filled up with 0.
+[[nodiscard]] std::uint64_t ExchangeBits(const MappableObject& object, std::uint64_t data, bool is_read) noexcept
 {
-    const Column<std::uint8_t> place{bytes};
-    std::uint64_t rest = data;
-    std::uint32_t left = bits;
+    const Column<std::uint8_t> place{object.place};
+    std::uint64_t word = data;
+    std::uint32_t left = object.length_bits;
     for (std::uint32_t at = 0U; left > 0U; ++at)
     {
         const std::uint32_t step = (left < 8U) ? left : 8U;
-        place[at] = static_cast<std::uint8_t>(rest & ((1U << step) - 1U));
-        rest >>= step;
+        const std::uint32_t bits = (1U << step) - 1U;
+        if (is_read)
+        {
+            word |= place[at] & bits;
+        }
+        else
+        {
+            place[at] = static_cast<std::uint8_t>(word & bits);
+        }
+        word = Turned(word, step);
         left -= step;
     }
-    return rest;
-}
-
-/// The bits of the object enter `data` at its low end, the last byte first; it has the bits above the last whole byte.
-[[nodiscard]] std::uint64_t TakeBits(std::uint64_t data, std::uint32_t bits, const std::uint8_t* bytes) noexcept
-{
-    const Column<const std::uint8_t> place{bytes};
-    std::uint64_t taken = data;
-    std::uint32_t left = bits;
-    while (left > 0U)
-    {
-        const std::uint32_t step = ((left - 1U) & 7U) + 1U;
-        left -= step;
-        taken = (taken << step) | (place[left / 8U] & ((1U << step) - 1U));
-    }
-    return taken;
+    return word;
 }
 
 } // namespace
 
-/// Bits leave `rest` at its low end, object by object. Where an entry leads to no object (a dummy, or a corrupted
-/// place) they are left out.
-void Channel::WriteFrom(SlotIndex slot, std::uint64_t data, std::uint32_t from) const noexcept
+/// The way for all objects, from one entry on: the word turns object by object, so that those bits are at its low end
+/// that are written to an object, or that enter it where they are read (they are 0 then). A dummy, or a corrupted
+/// place, leaves its bits out.
+std::uint64_t Channel::ExchangeFrom(SlotIndex slot, std::uint32_t from, std::uint64_t data, Way way) const noexcept
 {
     const Column<const MappableObject> objects{x_config->objects};
     const Mapping mapping = MappingOf(slot);
-    const std::uint32_t count = mapping.count;
-    std::uint64_t rest = data;
-    for (std::uint32_t index = from; index < count; index += 2U)
+    std::uint64_t word = data;
+    for (std::uint32_t index = from; index < mapping.count; index += 2U)
     {
-        const std::uint16_t at = // A static mapping has no table: its entries are looked up each time.
-            IsStatic(mapping) ? Find(mapping.entries[index]) : x_storage.table[mapping.first + index];
-        if (at >= x_config->object_count)
-        {
-            rest >>= mapping.entries[index] & 63U;
-            continue;
-        }
-        rest = PutBits(rest, objects[at].length_bits, objects[at].place);
+        const std::uint32_t entry = mapping.entries[index];
+        const std::uint32_t at = IsStatic(mapping) ? Find(entry) : mapping.table[index];
+        const bool is_object = at < x_config->object_count;
+        word = is_object ? ExchangeBits(objects[at], word, way == Way::kRead) : Turned(word, entry);
     }
+    return Turned(word, 64U - x_storage.rows[slot].length_bits);
 }
 
 /// As long as a stored mapping leads to objects of four bytes there is nothing to call.
@@ -71,71 +59,32 @@ void Channel::WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept
 {
     const Column<const MappableObject> objects{x_config->objects};
     const std::uint32_t object_count = x_config->object_count;
-    const std::uint32_t count = StoredCount(x_storage.rows[slot], x_map_entries);
     const Column<const std::uint16_t> table{&x_storage.table[FirstEntryOf(x_storage, slot)]};
-    std::uint64_t rest = data;
-    for (std::uint32_t index = 1U; index < count; index += 2U)
+    const std::uint32_t last = std::uint32_t{x_storage.rows[slot].image[kMapCountAt]} - 1U;
+    std::uint64_t word = data;
+    if (last >= x_map_entries)
+    {
+        static_cast<void>(ExchangeFrom(slot, 1U, word, Way::kWritten)); // A static mapping has a count of its own.
+        return;
+    }
+    for (std::uint32_t index = 1U; index <= last; index += 2U)
     {
         const std::uint32_t at = table[index];
         if ((at >= object_count) || (objects[at].length_bits != kFourBytes))
         {
-            WriteFrom(slot, rest, index);
+            static_cast<void>(ExchangeFrom(slot, index, word, Way::kWritten));
             return;
         }
-        UnpackFourBytes(static_cast<std::uint32_t>(rest & 0xFFFFFFFFU), objects[at].place);
-        rest >>= kFourBytes;
-    }
-    if (count == 0U)
-    {
-        WriteFrom(slot, data, 1U); // A static mapping has a count of its own.
+        UnpackFourBytes(static_cast<std::uint32_t>(word & 0xFFFFFFFFU), objects[at].place);
+        word >>= kFourBytes;
     }
 }
 
 /// Complement of the safe value.
-std::uint64_t Channel::SafeDataOf(SlotIndex slot) const noexcept
+void Channel::WriteSafe(SlotIndex slot) const noexcept
 {
     const Payload& safe_value = Column<const SrdoSetup>{x_config->srdos}[slot].safe_value;
-    return ~Join(safe_value.low, safe_value.high);
-}
-
-/// The way for all objects, from entry `from` (or the last one) on.
-std::uint64_t Channel::ReadFrom(SlotIndex slot, std::uint64_t data, std::uint32_t from) const noexcept
-{
-    const Column<const MappableObject> objects{x_config->objects};
-    const Mapping mapping = MappingOf(slot);
-    std::uint64_t word = data;
-    for (std::uint32_t rest = (from < mapping.count) ? from : mapping.count; rest > 1U; rest -= 2U)
-    {
-        const std::uint16_t at =
-            IsStatic(mapping) ? Find(mapping.entries[rest - 1U]) : x_storage.table[mapping.first + rest - 1U];
-        if (at >= x_config->object_count)
-        {
-            continue; // A corrupted place: other data than the other channel's.
-        }
-        word = TakeBits(word, objects[at].length_bits, objects[at].place);
-    }
-    return word;
-}
-
-/// What the inverse objects hold: from the last object to the first one, so that bits enter the word at its low end. As
-/// long as a stored mapping leads to objects of four bytes there is nothing to call.
-std::uint64_t Channel::ReadInverse(SlotIndex slot) const noexcept
-{
-    const Column<const MappableObject> objects{x_config->objects};
-    const std::uint32_t object_count = x_config->object_count;
-    const std::uint32_t count = StoredCount(x_storage.rows[slot], x_map_entries);
-    const Column<const std::uint16_t> table{&x_storage.table[FirstEntryOf(x_storage, slot)]};
-    std::uint64_t word = 0U;
-    for (std::uint32_t rest = count; rest > 1U; rest -= 2U)
-    {
-        const std::uint32_t at = table[rest - 1U];
-        if ((at >= object_count) || (objects[at].length_bits != kFourBytes))
-        {
-            return ReadFrom(slot, word, rest);
-        }
-        word = (word << kFourBytes) | PackFourBytes(objects[at].place);
-    }
-    return (count == 0U) ? ReadFrom(slot, word, kLargestMapping) : word; // A static mapping has a count of its own.
+    WriteInverse(slot, ~Join(safe_value.low, safe_value.high));
 }
 
 } // namespace counterpoint::channel_b

@@ -17,25 +17,15 @@ constexpr SlotIndex kPlaceOf[kSlotsInHalf] = { // MISRA D-001
 
 } // namespace
 
-SlotIndex LowestOf(HalfMask mask, SlotIndex first) noexcept
+std::uint64_t Turned(std::uint64_t word, std::uint32_t count) noexcept
 {
-    const HalfMask lowest = mask & (0U - mask);
-    return static_cast<SlotIndex>(first + kPlaceOf[(lowest * kDeBruijn) >> 27U]);
+    return (word >> (count & 63U)) | (word << ((64U - count) & 63U));
 }
 
-/// By sums in ever wider fields: two halves together have at most 8 in four bits.
-std::uint8_t CountOf(HalfMask low, HalfMask high) noexcept
+SlotIndex LowestOf(HalfMask mask) noexcept
 {
-    if ((low | high) == 0U)
-    {
-        return 0U;
-    }
-    const std::uint32_t low_pairs = low - ((low >> 1U) & 0x55555555U);
-    const std::uint32_t high_pairs = high - ((high >> 1U) & 0x55555555U);
-    const std::uint32_t low_nibbles = (low_pairs & 0x33333333U) + ((low_pairs >> 2U) & 0x33333333U);
-    const std::uint32_t nibbles = low_nibbles + (high_pairs & 0x33333333U) + ((high_pairs >> 2U) & 0x33333333U);
-    const std::uint32_t bytes = (nibbles & 0x0F0F0F0FU) + ((nibbles >> 4U) & 0x0F0F0F0FU);
-    return static_cast<std::uint8_t>((bytes * 0x01010101U) >> 24U);
+    const HalfMask lowest = mask & (0U - mask);
+    return kPlaceOf[(lowest * kDeBruijn) >> 27U];
 }
 
 } // namespace counterpoint::channel_b

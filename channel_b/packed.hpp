@@ -7,35 +7,28 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Words: payload of a frame, one bit for each slot of a half, or one byte of each of eight slots. Packing is by
-/// shifts, so that the order of bytes of the processor does not matter.
+/// Words: payload of a frame, or one bit for each slot of a half. Packing is by shifts, so that the order of bytes of
+/// the processor does not matter.
 namespace counterpoint::channel_b
 {
 
-/// The slot's bit in the marks of its half.
+/// One bit for each slot of one half: slots 0 to 31, or 32 to 63. A word of a small processor holds it.
+using HalfMask = std::uint32_t;
+constexpr std::uint8_t kSlotsInHalf = 32U;
+constexpr std::uint8_t kHalves = kMaxSrdoCount / kSlotsInHalf;
+
+/// The slot's bit in a mask of its half.
 [[nodiscard]] inline HalfMask BitOf(SlotIndex slot) noexcept
 {
     return HalfMask{1U} << (static_cast<std::uint32_t>(slot) % kSlotsInHalf);
 }
 
-[[nodiscard]] inline Marks& MarksOf(const Storage& storage, SlotIndex slot) noexcept
-{
-    return storage.marks[slot / kSlotsInHalf];
-}
-
-/// The part of a mask of all slots that belongs to the half whose first slot is `first`.
-[[nodiscard]] inline HalfMask PartOf(SrdoMask mask, SlotIndex first) noexcept
+/// The part of a mask of all slots that belongs to a half.
+[[nodiscard]] inline HalfMask PartOf(SrdoMask mask, std::size_t half) noexcept
 {
     const std::uint32_t low = static_cast<std::uint32_t>(mask & 0xFFFFFFFFU);
     const std::uint32_t high = static_cast<std::uint32_t>(mask >> 32U);
-    return (first == 0U) ? low : high;
-}
-
-/// Behind the last slot of the half, of a device with `count` slots.
-[[nodiscard]] inline SlotIndex EndOf(SlotIndex first, SlotIndex count) noexcept
-{
-    const std::uint32_t full = static_cast<std::uint32_t>(first) + kSlotsInHalf;
-    return (count < full) ? count : static_cast<SlotIndex>(full);
+    return (half == 0U) ? low : high;
 }
 
 [[nodiscard]] inline SrdoMask Join(HalfMask low, HalfMask high) noexcept
@@ -43,40 +36,22 @@ namespace counterpoint::channel_b
     return static_cast<SrdoMask>(low) | (static_cast<SrdoMask>(high) << 32U);
 }
 
-/// No slot has the mark.
-constexpr TwinMask kUnmarked{0U, 0xFFFFFFFFU};
-
-/// Set only if both twins say so.
-[[nodiscard]] inline HalfMask Granted(const TwinMask& mask) noexcept
+[[nodiscard]] constexpr std::uint32_t FourBytes(std::uint32_t first, std::uint32_t second, std::uint32_t third,
+                                                std::uint32_t fourth) noexcept
 {
-    return mask.on & ~mask.off;
-}
-
-inline void Grant(TwinMask& mask, HalfMask slots) noexcept
-{
-    mask.on |= slots;
-    mask.off &= ~slots;
-}
-
-inline void Withdraw(TwinMask& mask, HalfMask slots) noexcept
-{
-    mask.on &= ~slots;
-    mask.off |= slots;
+    return first | (second << 8U) | (third << 16U) | (fourth << 24U);
 }
 
 [[nodiscard]] inline std::uint32_t PackFourBytes(const std::uint8_t* bytes) noexcept
 {
     const Column<const std::uint8_t> byte{bytes};
-    return static_cast<std::uint32_t>(byte[0U]) | (static_cast<std::uint32_t>(byte[1U]) << 8U) |
-           (static_cast<std::uint32_t>(byte[2U]) << 16U) | (static_cast<std::uint32_t>(byte[3U]) << 24U);
+    return FourBytes(byte[0U], byte[1U], byte[2U], byte[3U]);
 }
 
 /// Byte n of the result is bits 8n to 8n + 7 of the word.
 [[nodiscard]] inline std::uint64_t PackBytes(const std::uint8_t* bytes) noexcept
 {
-    const Column<const std::uint8_t> byte{bytes};
-    return static_cast<std::uint64_t>(PackFourBytes(bytes)) |
-           (static_cast<std::uint64_t>(PackFourBytes(&byte[4U])) << 32U);
+    return Join(PackFourBytes(bytes), PackFourBytes(&Column<const std::uint8_t>{bytes}[4U]));
 }
 
 inline void UnpackFourBytes(std::uint32_t word, std::uint8_t* bytes) noexcept
@@ -100,21 +75,17 @@ inline void UnpackBytes(std::uint64_t word, std::uint8_t* bytes) noexcept
     return ~std::uint64_t{0U} >> ((64U - count) & 63U);
 }
 
-[[nodiscard]] inline Payload PayloadOf(std::uint64_t word) noexcept
-{
-    return Payload{static_cast<std::uint32_t>(word & 0xFFFFFFFFU), static_cast<std::uint32_t>(word >> 32U)};
-}
+/// @brief The lowest `count` bits leave the word at its low end and come back at its high end; 64 is as good as 0.
+[[nodiscard]] std::uint64_t Turned(std::uint64_t word, std::uint32_t count) noexcept;
 
-/// @brief The slot of the lowest set bit of a mask that is not 0, in the half that starts at `first`.
-[[nodiscard]] SlotIndex LowestOf(HalfMask mask, SlotIndex first) noexcept;
-/// @brief The mask without its lowest set bit.
+/// @brief The slot of the lowest set bit of a mask that is not 0, in its half.
+[[nodiscard]] SlotIndex LowestOf(HalfMask mask) noexcept;
+
+/// The mask without its lowest set bit.
 [[nodiscard]] constexpr HalfMask WithoutLowest(HalfMask mask) noexcept
 {
     return mask & (mask - 1U);
 }
-
-/// @brief Number of set bits of both halves.
-[[nodiscard]] std::uint8_t CountOf(HalfMask low, HalfMask high) noexcept;
 
 } // namespace counterpoint::channel_b
 

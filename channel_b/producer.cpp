@@ -13,199 +13,205 @@ namespace
 
 /// A budget of which one microsecond too much was taken.
 constexpr std::uint32_t kJustSpent = 0xFFFFFFFFU;
+/// No phase and no refresh lasts longer: 2^27 us are 134 s. What is above is below zero.
+constexpr std::uint32_t kLongestPhase = 0x07FFFFFFU;
+
+constexpr Confirmation kNoConfirmation{kNoSlot, ConfirmStep::kNone};
+/// Of a mapping of two normal and two inverse objects.
+constexpr std::uint8_t kEntriesOfTwo = 4U;
 
 constexpr CanFrame kNoFrame{0U, FrameKind::kInvalid, CanPortId::kInvalid, 0U, {}};
-constexpr Confirmation kNoConfirmation{kNoSlot, ConfirmStep::kNone};
-
-[[nodiscard]] CanFrame FrameOf(const Row& row, std::size_t identifier_at, CanPortId port, std::uint64_t data) noexcept
-{
-    CanFrame frame{WordAt(row, identifier_at), FrameKind::kData, port, row.length_bytes, {}};
-    UnpackBytes(data, &frame.data[0]);
-    return frame;
-}
 
 } // namespace
 
-/// [SRS-PROD-005]
+/// The pair is in flight from the last OnCycle on. [SRS-PROD-006]
+[[gnu::always_inline]] inline PreparedPair Channel::Launch(Row& row, std::uint64_t data) const noexcept
+{
+    UnpackBytes(data, &row.awaited.data[0]);
+    row.awaited.identifier = OwnIdentifier(row, 1U);
+    row.awaited.port = x_port[1U];
+    row.stage = Stage::kPrepared;
+    row.left = SrvtUs(row);
+    row.limit = row.left;
+    ClearNews(row, kRequested | kRefreshDue);
+    if (HasNews(row, kStarted) && (row.form != ProducerForm::kProviderCalled))
+    {
+        row.phase_left = SctUs(row) + x_late_us;
+    }
+    return PreparedPair{row.awaited, PrepareStatus::kReady};
+}
+
+/// The way for all objects.
+PreparedPair Channel::PrepareSlowly(SlotIndex slot) const noexcept
+{
+    Row& row = x_storage.rows[slot];
+    return Launch(row, ~(ExchangeFrom(slot, 1U, 0U, Way::kRead) | row.spare) & row.mask);
+}
+
+/// For two objects of four bytes, which fill a frame, there is nothing to call. [SRS-PROD-005]
 PreparedPair Channel::Prepare(SlotIndex slot) noexcept
 {
     Row& row = x_storage.rows[slot];
-    if (row.stage != Stage::kIdle)
+    if ((row.standing != Standing::kProducer) || IsInFlight(row))
     {
         return PreparedPair{kNoFrame, PrepareStatus::kNotProducer};
     }
-    const std::uint64_t data = ~ReadInverse(slot) & row.mask & ~row.spare;
-    Marks& marks = MarksOf(x_storage, slot);
-    const HalfMask bit = BitOf(slot);
-    marks.requested &= ~bit;
-    marks.refresh_due &= ~bit;
-    row.inverse_data = ~data;
-    row.stage = Stage::kAwaitNormal;
-    StartBudget(x_storage, slot, 0U);
-    if ((marks.started & ~marks.provider & bit) != 0U)
+    if (StoredCount(row, x_map_entries) == kEntriesOfTwo)
     {
-        x_storage.phase_left[slot] = SctUs(row) + x_late_us;
+        const Column<const std::uint16_t> table{&x_storage.table[FirstEntryOf(x_storage, slot)]};
+        const std::size_t low = table[1U];
+        const std::size_t high = table[3U];
+        if (((low < high) ? high : low) < x_config->object_count)
+        {
+            const Column<const MappableObject> objects{x_config->objects};
+            const MappableObject& first = objects[low];
+            const MappableObject& second = objects[high];
+            if ((first.length_bits == kFourBytes) && (second.length_bits == kFourBytes))
+            {
+                return Launch(row, ~Join(PackFourBytes(first.place), PackFourBytes(second.place)));
+            }
+        }
     }
-    return PreparedPair{FrameOf(row, kCobId1At, x_port[1U], data), PrepareStatus::kReady};
+    return PrepareSlowly(slot);
 }
 
 CanFrame Channel::InverseFrame(SlotIndex slot) noexcept
 {
     Row& row = x_storage.rows[slot];
-    if ((row.stage != Stage::kAwaitInverse) || (row.to_send != kToSend))
+    if (row.stage != Stage::kToSend)
     {
         return kNoFrame;
     }
-    row.to_send = kHandedOut;
-    return FrameOf(row, kCobId2At, x_port[0U], row.inverse_data & row.mask);
+    row.stage = Stage::kHandedOut;
+    return row.awaited;
 }
 
 /// One way for both frames of a pair; behind the length anything may be. [SRS-PROD-007, SRS-PROD-008]
 Confirmation Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
 {
     const SlotIndex slot = LookUp(x_storage, frame);
-    if ((frame.kind != FrameKind::kData) || (slot >= x_count))
+    if (slot >= x_count)
     {
         return kNoConfirmation;
     }
     Row& row = x_storage.rows[slot];
-    const bool is_normal = row.stage == Stage::kAwaitNormal;
-    const std::uint32_t parity = is_normal ? 1U : 0U;
-    const bool is_awaited = is_normal || (row.stage == Stage::kAwaitInverse);
-    if ((!is_awaited) || (frame.identifier != OwnIdentifier(row, parity)))
+    if ((frame.identifier != row.awaited.identifier) || (frame.kind != FrameKind::kData))
     {
         return kNoConfirmation;
     }
-    const std::uint64_t flipped =
-        std::uint64_t{0U} - parity; // Every bit for the normal frame, none for the inverse one.
-    const std::uint64_t different = (PackBytes(&frame.data[0]) ^ row.inverse_data ^ flipped) & row.mask;
-    if ((different != 0U) || (frame.length_bytes != row.length_bytes))
+    const std::uint64_t data = PackBytes(&row.awaited.data[0]);
+    const std::uint64_t different = (PackBytes(&frame.data[0]) ^ data) & row.mask;
+    SrdoCause objection = SrdoCause::kWrongEcho;
+    if ((different == 0U) && (frame.length_bytes == row.awaited.length_bytes))
     {
-        return Fail(slot, SrdoCause::kWrongEcho);
+        const std::uint32_t since_call = stamp.us - x_last_us;
+        if (row.stage == Stage::kPrepared)
+        {
+            UnpackBytes(~data & row.mask, &row.awaited.data[0]);
+            row.awaited.identifier = OwnIdentifier(row, 0U);
+            row.awaited.port = x_port[0U];
+            row.stage = Stage::kToSend;
+            row.left = row.limit + since_call; // SRVT anew.
+            return Confirmation{slot, ConfirmStep::kNormal};
+        }
+        if ((row.left - since_call) <= row.limit)
+        {
+            row.ordinal += 1U;
+            Ground(row);
+            return Confirmation{slot, ConfirmStep::kPair};
+        }
+        objection = SrdoCause::kNoConfirmation;
     }
-    const std::uint32_t since_call = stamp.us - x_last_us;
-    if (is_normal)
-    {
-        row.stage = Stage::kAwaitInverse;
-        row.to_send = kToSend;
-        x_storage.pair_left[slot] = x_storage.pair_limit[slot] + since_call; // SRVT anew.
-        return Confirmation{slot, ConfirmStep::kNormal};
-    }
-    if ((x_storage.pair_left[slot] - since_call) > x_storage.pair_limit[slot])
-    {
-        return Fail(slot, SrdoCause::kNoConfirmation);
-    }
-    row.sent += 1U;
-    row.stage = Stage::kIdle;
-    x_storage.pair_limit[slot] = kNothingRuns;
-    return Confirmation{slot, ConfirmStep::kPair};
+    return Fail(row, objection);
 }
 
 void Channel::OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept
 {
     const bool is_of_bus = (fault.cause == SrdoCause::kTransmitQueue) || (fault.cause == SrdoCause::kBusOff);
     const bool is_transmit_fault = is_of_bus || (fault.cause == SrdoCause::kNotInverse);
-    if (is_transmit_fault && IsInFlight(x_storage.rows[slot].stage))
+    Row& row = x_storage.rows[slot];
+    if (is_transmit_fault && IsInFlight(row))
     {
-        static_cast<void>(Fail(slot, fault.cause));
+        static_cast<void>(Fail(row, fault.cause));
     }
 }
 
 /// The refresh falls due at exact distances, whenever the calls come. [SRS-PROD-001, SRS-PROD-002]
-[[gnu::always_inline]] inline void Channel::AdvanceProvider(SlotIndex slot, HalfMask bit, Marks& marks) noexcept
+void Channel::AdvanceProvider(Row& row) const noexcept
 {
-    x_storage.phase_left[slot] += SctUs(x_storage.rows[slot]);
-    marks.started |= bit;
-    if (IsInFlight(x_storage.rows[slot].stage) || ((marks.refresh_due & bit) != 0U))
+    row.phase_left += SctUs(row);
+    SetNews(row, kStarted);
+    if (IsInFlight(row) || HasNews(row, kRefreshDue))
     {
-        Record(slot, SrdoCause::kRefreshMissed);
+        Record(row, SrdoCause::kRefreshMissed);
     }
     else
     {
-        marks.refresh_due |= bit;
+        SetNews(row, kRefreshDue);
     }
 }
 
 /// Silence is allowed for the refresh time and a cycle that is just in time. [SRS-PROD-001, SRS-PROD-010]
-[[gnu::always_inline]] inline void Channel::AdvanceApplication(SlotIndex slot, HalfMask bit, Marks& marks) noexcept
+void Channel::AdvanceApplication(Row& row) const noexcept
 {
-    const std::uint32_t absence_us = SctUs(x_storage.rows[slot]) + x_late_us;
-    if ((marks.started & bit) == 0U)
+    const std::uint32_t absence_us = SctUs(row) + x_late_us;
+    if (!HasNews(row, kStarted))
     {
-        marks.started |= bit;
-        x_storage.phase_left[slot] += absence_us; // Silence counts from the instant, not from this call.
+        SetNews(row, kStarted);
+        row.phase_left += absence_us; // Silence counts from the instant, not from this call.
     }
-    if (x_storage.phase_left[slot] <= absence_us)
+    if (row.phase_left <= absence_us)
     {
         return;
     }
-    if ((marks.requested & bit) != 0U)
+    if (HasNews(row, kRequested))
     {
-        x_storage.phase_left[slot] = kJustSpent; // However long the request waits, the budget must not wrap.
+        row.phase_left = kJustSpent; // However long the request waits, the budget must not wrap.
     }
     else
     {
-        Record(slot, SrdoCause::kRefreshMissed);
-        x_storage.phase_left[slot] = absence_us;
+        Record(row, SrdoCause::kRefreshMissed);
+        row.phase_left = absence_us;
     }
 }
 
-/// Whose phase is over, or where no phase runs any longer.
-inline void Channel::EndPhases(const Half& half) noexcept
+/// [SRS-PROD-003, SRS-PROD-004, SRS-PROD-008, SRS-PROD-010, SRS-PROD-012]
+void Channel::ServeProducer(Row& row, Half& half) const noexcept
 {
-    Marks& marks = *half.marks;
-    for (HalfMask rest = half.present & ~(marks.acknowledged.on & marks.consumers); rest != 0U;
-         rest = WithoutLowest(rest))
+    const bool is_provider = row.form == ProducerForm::kProviderCalled;
+    half.producers += 1U;
+    if (row.left > row.limit)
     {
-        const SlotIndex slot = LowestOf(rest, half.first);
-        const HalfMask bit = BitOf(slot);
-        if ((x_storage.phase_left[slot] - 1U) <= kLongestPhase)
+        static_cast<void>(Fail(row, SrdoCause::kNoConfirmation));
+    }
+    if ((half.requests & half.bit) != 0U)
+    {
+        SetNews(row, kRequested);
+    }
+    if (((half.stand & half.bit) != 0U) && is_provider && HasNews(row, kStarted))
+    {
+        row.phase_left += x_elapsed_us;
+    }
+    if ((row.phase_left - 1U) > kLongestPhase) // Not one microsecond is left.
+    {
+        if (is_provider)
         {
-            continue; // At least one microsecond is left.
-        }
-        if ((marks.producers & bit) == 0U)
-        {
-            x_storage.phase_left[slot] = kLongestPhase;
-        }
-        else if ((marks.provider & bit) != 0U)
-        {
-            AdvanceProvider(slot, bit, marks);
+            AdvanceProvider(row);
         }
         else
         {
-            AdvanceApplication(slot, bit, marks);
+            AdvanceApplication(row);
         }
     }
-}
-
-/// Returns the slots that are due. [SRS-PROD-003, SRS-PROD-004, SRS-PROD-008, SRS-PROD-010, SRS-PROD-012]
-HalfMask Channel::AdvanceProducers(const CycleInput& input, const Call& call, const Half& half) noexcept
-{
-    Marks& marks = *half.marks;
-    const HalfMask standing = PartOf(input.stand, half.first) & marks.provider & marks.started & marks.producers;
-    marks.requested |= PartOf(input.request, half.first) & marks.producers;
-    for (HalfMask rest = marks.producers & half.spent; rest != 0U; rest = WithoutLowest(rest))
+    if (((half.edges & half.bit) != 0U) && (row.causes == 0U))
     {
-        static_cast<void>(Fail(LowestOf(rest, half.first), SrdoCause::kNoConfirmation));
+        row.first_cause = Code(SrdoCause::kNone);
     }
-    for (HalfMask rest = standing; rest != 0U; rest = WithoutLowest(rest))
+    const bool is_requested = HasNews(row, kRequested) && HasNews(row, kStarted);
+    if ((is_requested || HasNews(row, kRefreshDue)) && (!IsInFlight(row)))
     {
-        x_storage.phase_left[LowestOf(rest, half.first)] += x_elapsed_us;
+        half.due |= half.bit;
     }
-    if (call.ended != 0U)
-    {
-        EndPhases(half);
-    }
-    HalfMask due = marks.producers & (marks.refresh_due | (marks.requested & marks.started));
-    for (HalfMask rest = due; rest != 0U; rest = WithoutLowest(rest))
-    {
-        const SlotIndex slot = LowestOf(rest, half.first);
-        if (IsInFlight(x_storage.rows[slot].stage))
-        {
-            due &= ~BitOf(slot);
-        }
-    }
-    return due;
 }
 
 } // namespace counterpoint::channel_b

@@ -38,7 +38,7 @@ constexpr std::uint32_t kFolded[16U] = { // MISRA D-001
 }
 
 /// Low byte first becomes high byte first.
-[[nodiscard]] constexpr std::uint32_t Turned(std::uint32_t word) noexcept
+[[nodiscard]] constexpr std::uint32_t Reversed(std::uint32_t word) noexcept
 {
     return (word << 24U) | ((word & 0xFF00U) << 8U) | ((word >> 8U) & 0xFF00U) | (word >> 24U);
 }
@@ -53,12 +53,6 @@ constexpr std::uint32_t kFolded[16U] = { // MISRA D-001
         digested = (digested >> 4U) ^ kFolded[digested & 15U]; // MISRA D-002
     }
     return digested;
-}
-
-[[nodiscard]] constexpr std::uint32_t FourBytes(std::uint32_t first, std::uint32_t second, std::uint32_t third,
-                                                std::uint32_t fourth) noexcept
-{
-    return first | (second << 8U) | (third << 16U) | (fourth << 24U);
 }
 
 /// The only value that counts, or 0.
@@ -96,19 +90,17 @@ template <typename T> [[nodiscard]] constexpr std::uint32_t OnlyIf(T value, T ex
 
 } // namespace
 
-std::uint16_t Channel::SignatureOf(SlotIndex slot, const Mapping& mapping) const noexcept
+std::uint16_t Channel::SignatureOf(const Row& row, const Mapping& mapping) const noexcept
 {
-    const Row& row = x_storage.rows[slot];
-    const std::uint32_t count = mapping.count;
-    std::uint32_t crc = FoldByte(0U, x_storage.direction[slot]);
+    std::uint32_t crc = 0U;
     for (std::size_t at = 0U; at < kMapCountAt; at += 4U)
     {
-        crc = FoldWord(crc, Turned(WordAt(row, at)));
+        crc = FoldWord(crc, Reversed(WordAt(row, at)));
     }
-    crc ^= FoldByte(0U, ByteAt(row, kMapCountAt) ^ count); // The last byte is the count as it counts.
-    for (std::uint32_t index = 0U; index < count; ++index)
+    crc = FoldByte(crc, mapping.count);
+    for (std::uint32_t index = 0U; index < mapping.count; ++index)
     {
-        crc = FoldWord(FoldByte(crc, index + 1U), Turned(mapping.entries[index]));
+        crc = FoldWord(FoldByte(crc, index + 1U), Reversed(mapping.entries[index]));
     }
     return static_cast<std::uint16_t>(crc & 0xFFFFU);
 }
@@ -117,22 +109,17 @@ std::uint16_t Channel::SignatureOf(SlotIndex slot, const Mapping& mapping) const
 DeviceDigest Channel::Digest(SlotIndex slot, DeviceDigest before) const noexcept
 {
     const SrdoSetup& setup = Column<const SrdoSetup>{x_config->srdos}[slot];
-    const Marks& marks = MarksOf(x_storage, slot);
-    const HalfMask bit = BitOf(slot);
-    const bool is_automatic = (Granted(marks.automatic) & bit) != 0U;
-    const bool is_provider = (marks.provider & bit) != 0U;
-    const bool is_late = (marks.late & bit) != 0U;
+    const Row& row = x_storage.rows[slot];
     std::uint32_t crc = ~before.value;
     if (slot == 0U)
     {
         crc = DigestedDevice(crc, *x_config, x_storage.device[kGfcParameterAt]);
     }
-    const std::uint32_t forms =
-        FourBytes(setup.number, is_automatic ? static_cast<std::uint32_t>(ReleasePolicy::kAutomatic) : 0U,
-                  is_provider ? static_cast<std::uint32_t>(ProducerForm::kProviderCalled) : 0U,
-                  is_late ? static_cast<std::uint32_t>(SrvtDetection::kLate) : 0U);
-    crc = Digested(crc, forms, 32U);
-    crc = Digested(crc, ByteAt(x_storage.rows[slot], kTransmissionTypeAt), 8U);
+    crc = Digested(crc,
+                   FourBytes(setup.number, static_cast<std::uint32_t>(row.policy), static_cast<std::uint32_t>(row.form),
+                             static_cast<std::uint32_t>(row.detection)),
+                   32U);
+    crc = Digested(crc, row.image[kTransmissionTypeAt], 8U);
     crc = Digested(crc, setup.safe_value.low, 32U);
     crc = Digested(crc, setup.safe_value.high, 32U);
     return DeviceDigest{~crc};

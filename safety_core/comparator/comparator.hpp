@@ -53,8 +53,7 @@ struct ComparatorSetup
 
 /// Decides whether the two channels say the same. Owns the discrepancy time: for each slot since when it is unmatched.
 /// Invariant: bit n of `watched_` is set exactly while slot n needs a look in the next comparison; `since_[n]` has a
-/// meaning only if bit n of `timed_` is set: the comparison before the first one that saw the difference, since the
-/// difference may be as old as that.
+/// meaning only then: the comparison before the first one that looked, since the difference may be as old as that.
 class Comparator
 {
   public:
@@ -65,12 +64,12 @@ class Comparator
     [[nodiscard]] static PreparedVerdict ComparePrepared(const PreparedPair& a, const PreparedPair& b) noexcept;
 
   private:
-    void Look(const Comparison& comparison, SlotIndex slot, SlotSet one_sided, Verdict& verdict) noexcept;
-    void Unmatched(const Comparison& comparison, SlotIndex slot, DeviceFault fault, Verdict& verdict) noexcept;
+    void Look(const Comparison& comparison, SlotSet only, Verdict& verdict) noexcept;
 
     SrdoMask watched_{0U};
-    SrdoMask timed_{0U};
-    SrdoMask slots_{0U}; ///< Those that exist: nothing else is ever looked at.
+    SrdoMask known_{0U};     ///< What was watched before this comparison.
+    SrdoMask one_sided_{0U}; ///< Released or due in one channel alone, in this comparison.
+    SrdoMask slots_{0U};     ///< Those that exist: nothing else is ever looked at.
     std::uint32_t discrepancy_us_{0U};
     Instant previous_{0U};           ///< `now` of the comparison before.
     Instant since_[kMaxSrdoCount]{}; // MISRA D-001

@@ -9,6 +9,7 @@ namespace
 {
 
 constexpr std::uint32_t kHalfBits = 32U;
+constexpr std::uint32_t kHighestBit = 0x80000000U;
 constexpr std::uint32_t kPlaceShift = 27U;
 // A sequence in which each group of five bits occurs once (de Bruijn), and which bit its shifts belong to.
 constexpr std::uint32_t kSequence = 0x077CB531U;
@@ -18,16 +19,16 @@ constexpr std::uint8_t kNumberAt[kHalfBits] = {0U,  1U,  28U, 2U,  29U, 14U, 24U
 
 } // namespace
 
-SlotIndex TakeLowest(SlotSet& set) noexcept
+SlotIndex LowestOf(const SlotSet set) noexcept
 {
     const std::uint32_t low = static_cast<std::uint32_t>(set.mask);
     const std::uint32_t high = static_cast<std::uint32_t>(set.mask >> kHalfBits);
     const std::uint32_t base = (low == 0U) ? kHalfBits : 0U;
-    const std::uint32_t half = (low == 0U) ? high : low;
+    // The highest bit is never below another one: with it there is always a lowest bit.
+    const std::uint32_t half = ((low == 0U) ? high : low) | kHighestBit;
     // A word with one bit, times the sequence, has that bit's number in its five highest bits as a place in the table.
     const std::uint32_t lowest_bit = half & (0U - half);
     const std::uint32_t place = (lowest_bit * kSequence) >> kPlaceShift;
-    set.mask &= set.mask - 1U;
     return static_cast<SlotIndex>(base + kNumberAt[place]); // MISRA D-002
 }
 

@@ -19,9 +19,16 @@ struct SlotSet
     return SlotSet{SrdoMask{1U} << slot};
 }
 
-/// @brief Takes the lowest slot out of a set that is not empty. O(1): six halvings, no instruction that a target may
-/// lack.
-[[nodiscard]] SlotIndex TakeLowest(SlotSet& set) noexcept;
+/// @brief The lowest slot of a set that is not empty. O(1), without an instruction that a target may lack.
+[[nodiscard]] SlotIndex LowestOf(SlotSet set) noexcept;
+
+/// @brief Takes the lowest slot out of a set that is not empty. O(1)
+[[nodiscard]] inline SlotIndex TakeLowest(SlotSet& set) noexcept
+{
+    const SlotIndex lowest = LowestOf(set);
+    set.mask &= set.mask - 1U;
+    return lowest;
+}
 
 } // namespace counterpoint
 

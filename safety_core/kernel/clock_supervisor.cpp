@@ -8,6 +8,8 @@ namespace counterpoint
 namespace
 {
 
+constexpr std::uint32_t kSignBit = 31U;
+
 std::uint32_t Apart(const std::uint32_t left, const std::uint32_t right) noexcept
 {
     return (left > right) ? (left - right) : (right - left);
@@ -20,26 +22,23 @@ void ClockSupervisor::Restart(const DeviceConfig& config) noexcept
     tolerance_us_ = config.clock_tolerance_us;
     interval_us_ = config.clock_interval_us;
     late_us_ = config.cycle_us + config.cycle_tolerance_us;
-    found_ = DeviceFault::kNone;
     started_ = false;
 }
 
 DeviceFault ClockSupervisor::OnCycle(const InstantPair& now) noexcept
 {
-    DeviceFault fault = found_;
-    found_ = DeviceFault::kNone;
+    OnFrame(now);
+    const bool is_ordered = (disorder_ >> kSignBit) == 0U;
+    disorder_ = 0U;
     if (!started_)
     {
         reference_ = now;
         previous_ = now;
-        newest_ = now;
         started_ = true;
+        return DeviceFault::kNone;
     }
 
-    if (!IsOrdered(newest_, now))
-    {
-        fault = DeviceFault::kFrameOrder;
-    }
+    DeviceFault fault = is_ordered ? DeviceFault::kNone : DeviceFault::kFrameOrder;
     if (((now.a.us - previous_.a.us) > late_us_) || ((now.b.us - previous_.b.us) > late_us_))
     {
         fault = DeviceFault::kLateCall;
@@ -56,7 +55,6 @@ DeviceFault ClockSupervisor::OnCycle(const InstantPair& now) noexcept
         reference_ = now;
     }
     previous_ = now;
-    newest_ = now;
     return fault;
 }
 

@@ -23,10 +23,7 @@ class ClockSupervisor
     /// instants    |--- f1 f2 ---|
     void OnFrame(const InstantPair& stamp) noexcept
     {
-        if (started_ && !IsOrdered(newest_, stamp))
-        {
-            found_ = DeviceFault::kFrameOrder;
-        }
+        disorder_ |= (stamp.a.us - newest_.a.us) | (stamp.b.us - newest_.b.us);
         newest_ = stamp;
     }
     /// @brief Instants of this cycle; the first device fault found since the last call. The first call after Restart
@@ -34,20 +31,15 @@ class ClockSupervisor
     [[nodiscard]] DeviceFault OnCycle(const InstantPair& now) noexcept;
 
   private:
-    /// Instants are modular: `later` is not before `earlier` when their difference is below 2^31.
-    [[nodiscard]] static bool IsOrdered(const InstantPair& earlier, const InstantPair& later) noexcept
-    {
-        const std::uint32_t differences = (later.a.us - earlier.a.us) | (later.b.us - earlier.b.us);
-        return (differences >> 31U) == 0U;
-    }
-
     InstantPair reference_{{0U}, {0U}};
     InstantPair previous_{{0U}, {0U}};
     InstantPair newest_{{0U}, {0U}}; ///< Latest stamp or cycle instant seen.
     std::uint32_t tolerance_us_{0U};
     std::uint32_t interval_us_{0U};
     std::uint32_t late_us_{0U};
-    DeviceFault found_{DeviceFault::kInvalid};
+    /// Steps from one stamp to the next since the last cycle, their bits together. Instants are modular: bit 31 stands
+    /// for a step backwards.
+    std::uint32_t disorder_{0U};
     bool started_{false};
 };
 

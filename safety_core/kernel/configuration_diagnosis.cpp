@@ -11,64 +11,54 @@ constexpr std::uint32_t kTokenRotation = 8U;
 constexpr std::uint32_t kWordBits = 32U;
 constexpr std::uint32_t kEveryByte = 0x01010101U;
 
-struct RuleResult
-{
-    ConfigFault rule;
-    Result result;
-};
-
-// Return codes of the reference for the rules of a configuration; a rule not listed is kInvalidConfiguration.
-constexpr RuleResult kRuleResults[] = {
+// Return codes of the reference for the rules of a configuration, by their number.
+constexpr Result kRuleResults[] = {
     // MISRA D-001
-    {ConfigFault::kNone, Result::kSuccessful},          {ConfigFault::kIdentifier, Result::kIdError},
-    {ConfigFault::kIdentifierInUse, Result::kIdInUse},  {ConfigFault::kTiming, Result::kTimingError},
-    {ConfigFault::kMapping, Result::kMappingError},     {ConfigFault::kLengthExceeded, Result::kLengthExceeded},
-    {ConfigFault::kSignature, Result::kSignatureError}, {ConfigFault::kTable, Result::kMappingError},
-    {ConfigFault::kInvalid, Result::kDeviceFault},
+    Result::kDeviceFault,    Result::kInvalidConfiguration, Result::kInvalidConfiguration, Result::kIdError,
+    Result::kIdInUse,        Result::kTimingError,          Result::kMappingError,         Result::kLengthExceeded,
+    Result::kSignatureError, Result::kMappingError,
 };
+constexpr std::uint32_t kRules = 10U;
+static_assert(static_cast<std::uint32_t>(ConfigFault::kTable) == kRules - 1U, "one result a rule");
+
+CheckResult CheckBy(Channel& channel, const SlotIndex slot, const CheckDepth depth) noexcept
+{
+    return (depth == CheckDepth::kValidate) ? channel.Validate(slot) : channel.Recheck(slot);
+}
 
 } // namespace
 
 Result ToResult(const ConfigFault rule) noexcept
 {
-    Result result = Result::kInvalidConfiguration;
-    for (const RuleResult& entry : kRuleResults)
+    if (rule == ConfigFault::kNone)
     {
-        if (entry.rule == rule)
-        {
-            result = entry.result;
-        }
+        return Result::kSuccessful;
+    }
+    const std::uint32_t number = static_cast<std::uint32_t>(rule);
+    return (number < kRules) ? kRuleResults[number] : Result::kDeviceFault; // MISRA D-002
+}
+
+CheckResult ConfigurationGuard::Check(const SlotIndex slot, const CheckDepth depth) noexcept
+{
+    CheckResult result = CheckBy(a_, slot, depth);
+    const CheckResult other = CheckBy(b_, slot, depth);
+    if ((result.fault != other.fault) || (result.signature != other.signature))
+    {
+        latch_.Enter(DeviceFault::kDisagreement, slot);
+        result.fault = ConfigFault::kInvalid;
     }
     return result;
 }
 
-ConfigurationFinding ConfigurationGuard::Check(const SlotIndex slot, const CheckDepth depth) noexcept
+ConfigFault ConfigurationGuard::CheckAll(const CheckDepth depth) noexcept
 {
-    const bool is_deep = depth == CheckDepth::kValidate;
-    const CheckResult a = is_deep ? a_.Validate(slot) : a_.Recheck(slot);
-    const CheckResult b = is_deep ? b_.Validate(slot) : b_.Recheck(slot);
-    const std::uint32_t rules = static_cast<std::uint32_t>(a.fault) ^ static_cast<std::uint32_t>(b.fault);
-    const std::uint32_t signatures = static_cast<std::uint32_t>(a.signature) ^ static_cast<std::uint32_t>(b.signature);
-    ConfigurationFinding finding{a.fault, slot, a.signature};
-    if ((rules | signatures) != 0U)
+    ConfigFault rule = ConfigFault::kNone;
+    for (SlotIndex slot = 0U; (slot < config_->srdo_count) && (rule == ConfigFault::kNone); ++slot)
     {
-        latch_.Enter(DeviceFault::kDisagreement, slot);
-        finding.rule = ConfigFault::kInvalid;
+        rule = Check(slot, depth).fault;
+        faulty_ = slot;
     }
-    return finding;
-}
-
-ConfigurationFinding ConfigurationGuard::CheckAll(const CheckDepth depth) noexcept
-{
-    for (SlotIndex slot = 0U; slot < config_->srdo_count; ++slot)
-    {
-        const ConfigurationFinding finding = Check(slot, depth);
-        if (finding.rule != ConfigFault::kNone)
-        {
-            return finding;
-        }
-    }
-    return ConfigurationFinding{ConfigFault::kNone, kNoSlot, 0U};
+    return rule;
 }
 
 // One more slot by both channels: a difference between them shows at the slot where it is. [SRS-CFG-050]
@@ -117,7 +107,7 @@ std::uint32_t ConfigurationGuard::Cycle(const std::uint32_t challenge) noexcept
 // Only what was declared can be otherwise than declared.
 bool ConfigurationGuard::IsSlotSound(const SlotIndex slot) noexcept
 {
-    return (!IsValid()) || (Check(slot, CheckDepth::kRecheck).rule == ConfigFault::kNone);
+    return (!IsValid()) || (Check(slot, CheckDepth::kRecheck).fault == ConfigFault::kNone);
 }
 
 bool ConfigurationGuard::IsDigestSound() const noexcept

@@ -17,6 +17,13 @@ bool IsReadOnly(const ObjectKind kind) noexcept
     return (kind == ObjectKind::kConstant) || (kind == ObjectKind::kVariable) || (kind == ObjectKind::kFixed);
 }
 
+// 0 when the channel gives back what was stored.
+std::uint32_t StoreIn(Channel& channel, const ConfigItem& item) noexcept
+{
+    channel.Store(item);
+    return channel.Load(item.address).value ^ item.value;
+}
+
 } // namespace
 
 ConfigurationGuard::ConfigurationGuard(Channel& a, Channel& b, SafeStateLatch& latch) noexcept
@@ -60,11 +67,9 @@ Result ConfigurationGuard::Changeable() const noexcept
 // Both channels keep the value; what they give back must be what was stored. [SRS-CFG-047]
 void ConfigurationGuard::StoreBoth(const ConfigItem& item) noexcept
 {
-    a_.Store(item);
-    b_.Store(item);
-    const std::uint32_t differences =
-        (a_.Load(item.address).value ^ item.value) | (b_.Load(item.address).value ^ item.value);
-    if (differences != 0U)
+    const std::uint32_t difference_a = StoreIn(a_, item);
+    const std::uint32_t difference_b = StoreIn(b_, item);
+    if ((difference_a | difference_b) != 0U)
     {
         latch_.Enter(DeviceFault::kConfiguration, item.address.slot);
     }
@@ -76,7 +81,7 @@ void ConfigurationGuard::Invalidate() noexcept
     StoreBoth(ConfigItem{kValidAddress, 0U});
 }
 
-ObjectReading ConfigurationGuard::Read(const ObjectAddress& address) noexcept
+ObjectReading ConfigurationGuard::Read(const ObjectKey key) noexcept
 {
     ObjectReading reading{};
     reading.abort = AbortCode::kDeviceState;
@@ -84,18 +89,18 @@ ObjectReading ConfigurationGuard::Read(const ObjectAddress& address) noexcept
     {
         return reading;
     }
-    const ObjectPlace place = Locate(*config_, address);
+    const ObjectPlace place = Locate(*config_, key);
     reading.abort = place.refusal;
     if (place.kind == ObjectKind::kInvalid)
     {
         return reading;
     }
     // What is not stored reads 0 in both channels.
-    const std::uint32_t value_a = a_.Load(place.config).value;
-    const std::uint32_t value_b = b_.Load(place.config).value;
+    const std::uint32_t value_a = a_.Load(place.item.address).value;
+    const std::uint32_t value_b = b_.Load(place.item.address).value;
     if (value_a != value_b)
     {
-        latch_.Enter(DeviceFault::kConfiguration, place.config.slot);
+        latch_.Enter(DeviceFault::kConfiguration, place.item.address.slot);
         reading.abort = AbortCode::kGeneral;
         return reading;
     }
@@ -111,13 +116,13 @@ ObjectReading ConfigurationGuard::Read(const ObjectAddress& address) noexcept
     return reading;
 }
 
-AbortCode ConfigurationGuard::Write(const ObjectAddress& address, const ObjectData& data) noexcept
+AbortCode ConfigurationGuard::Write(const ObjectKey key, const ObjectData& data) noexcept
 {
     if (nmt_ == NmtState::kInvalid)
     {
         return AbortCode::kDeviceState;
     }
-    const ObjectPlace place = Locate(*config_, address);
+    ObjectPlace place = Locate(*config_, key);
     if (place.kind == ObjectKind::kInvalid)
     {
         return place.refusal;
@@ -130,23 +135,25 @@ AbortCode ConfigurationGuard::Write(const ObjectAddress& address, const ObjectDa
     {
         return AbortCode::kLengthMismatch;
     }
-    const bool is_gfc = place.config.field == ConfigField::kGfcParameter;
+    const bool is_gfc = place.item.address.field == ConfigField::kGfcParameter;
     if ((nmt_ == NmtState::kOperational) && (!is_gfc))
     {
         return AbortCode::kDeviceState;
     }
-    return WritePlace(place, ToValue(data));
+    place.item.value = ToValue(data);
+    return WritePlace(place);
 }
 
-AbortCode ConfigurationGuard::WritePlace(const ObjectPlace& place, const std::uint32_t value) noexcept
+AbortCode ConfigurationGuard::WritePlace(const ObjectPlace& place) noexcept
 {
+    const std::uint32_t value = place.item.value;
     if (place.kind == ObjectKind::kGapSignature)
     {
         return (value == 0U) ? AbortCode::kNone : AbortCode::kValueRange;
     }
     if (place.kind == ObjectKind::kConfiguration)
     {
-        return WriteConfiguration(ConfigItem{place.config, value});
+        return WriteConfiguration(place.item);
     }
     if (value == kConfigurationValidValue)
     {
@@ -183,7 +190,7 @@ AbortCode ConfigurationGuard::WriteConfiguration(const ConfigItem& item) noexcep
 
 Result ConfigurationGuard::Declare() noexcept
 {
-    Result result = ToResult(CheckAll(CheckDepth::kValidate).rule);
+    Result result = ToResult(CheckAll(CheckDepth::kValidate));
     if (result == Result::kSuccessful)
     {
         result = TakeDigest();
@@ -210,7 +217,7 @@ Result ConfigurationGuard::DefineFields(const SlotIndex slot, const StaticFields
     Invalidate();
     a_.SetFields(slot, fields);
     b_.SetFields(slot, fields);
-    const Result result = ToResult(Check(slot, CheckDepth::kValidate).rule);
+    const Result result = ToResult(Check(slot, CheckDepth::kValidate).fault);
     // What else is not right yet, such as its signature, is found when the configuration is declared valid.
     const bool is_mapping = (result == Result::kMappingError) || (result == Result::kLengthExceeded);
     return (is_mapping || (result == Result::kDeviceFault)) ? result : Result::kSuccessful;

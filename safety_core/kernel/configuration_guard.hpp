@@ -13,14 +13,6 @@
 namespace counterpoint
 {
 
-/// What a check of one or all SRDOs found, the channels compared.
-struct ConfigurationFinding
-{
-    ConfigFault rule; ///< First broken rule; kNone: all hold; kInvalid: the channels differ, a device fault by now.
-    SlotIndex slot;   ///< First faulty SRDO; kNoSlot: none.
-    std::uint16_t signature;
-};
-
 /// How an SRDO is checked: all rules, its mapping resolved anew, or signature and resolved mapping again.
 enum class CheckDepth : std::uint8_t
 {
@@ -58,18 +50,24 @@ class ConfigurationGuard
     }
     /// @brief One stored value as channel A has it; the cyclic check vouches for it.
     [[nodiscard]] std::uint32_t Value(SlotIndex slot, ConfigField field, std::uint8_t sub = 0U) const noexcept;
-    [[nodiscard]] ObjectReading Read(const ObjectAddress& address) noexcept;
-    [[nodiscard]] AbortCode Write(const ObjectAddress& address, const ObjectData& data) noexcept;
+    [[nodiscard]] ObjectReading Read(ObjectKey key) noexcept;
+    [[nodiscard]] AbortCode Write(ObjectKey key, const ObjectData& data) noexcept;
     /// @brief kSuccessful where the configuration may be changed as a whole; kDeviceFault when stopped, kNmtError in
     /// OPERATIONAL.
     [[nodiscard]] Result Changeable() const noexcept;
     /// @brief Looks at 13FEh and does a step of the diagnosis when its turn has come. The token for CycleInput.
     /// [SRS-CFG-031, SRS-CFG-048, SRS-CFG-050]
     [[nodiscard]] std::uint32_t Cycle(std::uint32_t challenge) noexcept;
-    /// @brief Checks one SRDO in both channels.
-    [[nodiscard]] ConfigurationFinding Check(SlotIndex slot, CheckDepth depth) noexcept;
-    /// @brief Checks all SRDOs in both channels up to the first that is faulty. [SRS-KRN-010, SRS-KRN-015]
-    [[nodiscard]] ConfigurationFinding CheckAll(CheckDepth depth) noexcept;
+    /// @brief Checks one SRDO in both channels; kInvalid where they differ, a device fault by now.
+    [[nodiscard]] CheckResult Check(SlotIndex slot, CheckDepth depth) noexcept;
+    /// @brief Checks all SRDOs in both channels up to the first that is faulty: the rule that it breaks, or kNone.
+    /// [SRS-KRN-010, SRS-KRN-015]
+    [[nodiscard]] ConfigFault CheckAll(CheckDepth depth) noexcept;
+    /// @brief The faulty SRDO that the last CheckAll found, if it found one.
+    [[nodiscard]] SlotIndex Faulty() const noexcept
+    {
+        return faulty_;
+    }
     /// @brief Sets 13FEh to 0 everywhere.
     void Invalidate() noexcept;
     /// @brief Fields of an SRDO with a static mapping. [SRS-KRN-024]
@@ -88,38 +86,39 @@ class ConfigurationGuard
     }
 
   private:
-    [[nodiscard]] AbortCode WritePlace(const ObjectPlace& place, std::uint32_t value) noexcept;
-    [[nodiscard]] AbortCode WriteConfiguration(const ConfigItem& item) noexcept;
+    [[nodiscard]] inline AbortCode WritePlace(const ObjectPlace& place) noexcept;
+    [[nodiscard]] inline AbortCode WriteConfiguration(const ConfigItem& item) noexcept;
     [[nodiscard]] Result Declare() noexcept;
     [[nodiscard]] AbortCode AdmitItem(const ConfigItem& item) const noexcept;
-    [[nodiscard]] bool IsDirectionFit(const ConfigItem& item) const noexcept;
-    [[nodiscard]] bool IsCobIdFit(const ConfigItem& item) const noexcept;
+    [[nodiscard]] inline bool IsDirectionFit(const ConfigItem& item) const noexcept;
+    [[nodiscard]] inline bool IsCobIdFit(const ConfigItem& item) const noexcept;
     [[nodiscard]] bool IsFree(SlotIndex slot, std::uint32_t identifier) const noexcept;
-    [[nodiscard]] AbortCode AdmitMapCount(const ConfigItem& item) const noexcept;
-    [[nodiscard]] AbortCode AdmitMapEntry(const ConfigItem& item) const noexcept;
+    [[nodiscard]] inline AbortCode AdmitMapCount(const ConfigItem& item) const noexcept;
+    [[nodiscard]] inline AbortCode AdmitMapEntry(const ConfigItem& item) const noexcept;
     [[nodiscard]] std::uint32_t MappedBits(SlotIndex slot, std::uint8_t first, std::uint32_t count) const noexcept;
     void StoreBoth(const ConfigItem& item) noexcept;
     [[nodiscard]] Result TakeDigest() noexcept;
-    void Examine() noexcept;
-    [[nodiscard]] bool IsSlotSound(SlotIndex slot) noexcept;
-    [[nodiscard]] bool IsDigestSound() const noexcept;
+    inline void Examine() noexcept;
+    [[nodiscard]] inline bool IsSlotSound(SlotIndex slot) noexcept;
+    [[nodiscard]] inline bool IsDigestSound() const noexcept;
     [[nodiscard]] bool StepDigest(SlotIndex slot) noexcept;
     [[nodiscard]] std::uint32_t ItemCount() const noexcept;
-    [[nodiscard]] ObjectAddress AddressOf(std::uint32_t number) const noexcept;
-    [[nodiscard]] std::uint32_t DefaultOf(const ConfigAddress& address) const noexcept;
+    [[nodiscard]] ObjectKey KeyAt(std::uint32_t number) const noexcept;
+    [[nodiscard]] inline std::uint32_t DefaultOf(const ConfigAddress& address) const noexcept;
 
     Channel& a_;
     Channel& b_;
     SafeStateLatch& latch_;
     const DeviceConfig* config_; ///< Never null: a device without SRDOs before Restart.
+    std::uint8_t step_{0U};      ///< Of the diagnosis: twice the slot, plus one for its digest.
+    NmtState nmt_{NmtState::kInvalid};
+    std::uint8_t valid_{0U};
+    SlotIndex faulty_{0U};
+    bool is_digest_whole_{false}; ///< `digest_` is that of the walk through the slots that is under way.
     std::uint32_t cycles_per_check_{0U};
     std::uint32_t cycles_to_check_{0U};
     DeviceDigest reference_{0U}; ///< Of the last declaration, or of the last write to 1300h.
     DeviceDigest digest_{0U};    ///< Of the slots so far.
-    std::uint8_t step_{0U};      ///< Of the diagnosis: twice the slot, plus one for its digest.
-    NmtState nmt_{NmtState::kInvalid};
-    std::uint8_t valid_{0U};
-    bool is_digest_whole_{false}; ///< `digest_` is that of the walk through the slots that is under way.
 };
 
 /// Default identifiers of SRDO 1 for a node-ID. [SRS-CFG-049]

@@ -12,11 +12,12 @@ constexpr std::uint32_t kStart = 0xFFFFFFFFU;
 constexpr std::uint32_t kWordBits = 32U;
 constexpr std::uint32_t kBitsPerByte = 8U;
 
-constexpr std::uint32_t kGfcIndex = 0x1300U;
-constexpr std::uint32_t kCommunicationBase = 0x1300U;
-constexpr std::uint32_t kMappingBase = 0x1380U;
-constexpr std::uint32_t kSignatureIndex = 0x13FFU;
 constexpr std::uint32_t kItemsBesideEntries = 8U; // signature, communication 1 to 6, map count
+constexpr std::uint32_t kGfcKey = 0x130000U;
+constexpr std::uint32_t kCommunicationKey = 0x130000U; // of an SRDO 0
+constexpr std::uint32_t kSignatureKey = 0x13FF00U;
+// The item of the map count, 138xh sub-index 0, follows that of the last communication parameter.
+constexpr std::uint32_t kFromCommunicationToMapping = 0x8000U - (kCommunicationSubs + 1U);
 constexpr std::uint32_t kGfcSupported = 1U;
 
 constexpr std::uint32_t kDefaultConsumerSctMs = 50U;
@@ -44,7 +45,7 @@ std::uint32_t Continue(const std::uint32_t crc, const std::uint32_t word) noexce
 std::uint32_t WidthOf(const ObjectPlace& place) noexcept
 {
     const std::uint32_t all = ~std::uint32_t{0U} >> (kWordBits - (kBitsPerByte * place.size_bytes));
-    return (place.config.field == ConfigField::kGfcParameter) ? kGfcSupported : all;
+    return (place.item.address.field == ConfigField::kGfcParameter) ? kGfcSupported : all;
 }
 
 } // namespace
@@ -67,26 +68,26 @@ std::uint32_t ConfigurationGuard::ItemCount() const noexcept
 
 // place in a slot   0        1 to 6       7             8 ...
 //                   13FFh    130xh sub    138xh sub 0   sub 1 ...       behind the last slot: 1300h
-ObjectAddress ConfigurationGuard::AddressOf(const std::uint32_t number) const noexcept
+ObjectKey ConfigurationGuard::KeyAt(const std::uint32_t number) const noexcept
 {
     const std::uint32_t items = kItemsBesideEntries + config_->map_entries;
     const std::uint32_t slot = number / items;
     const std::uint32_t place = number - (slot * items);
-    std::uint32_t index = kGfcIndex;
-    std::uint32_t sub = 0U;
+    std::uint32_t key = kGfcKey;
     if (slot < config_->srdo_count)
     {
         const std::uint32_t srdo = config_->srdos[slot].number; // MISRA D-002
-        const bool is_mapping = place > kCommunicationSubs;
-        index = srdo + (is_mapping ? kMappingBase : kCommunicationBase);
-        sub = is_mapping ? (place - (kCommunicationSubs + 1U)) : place;
+        key = kCommunicationKey + (srdo << kBitsPerByte) + place;
+        if (place > kCommunicationSubs)
+        {
+            key += kFromCommunicationToMapping;
+        }
         if (place == 0U)
         {
-            index = kSignatureIndex;
-            sub = srdo;
+            key = kSignatureKey + srdo;
         }
     }
-    return ObjectAddress{static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(sub)};
+    return ObjectKey{key};
 }
 
 ItemReply ConfigurationGuard::ReadItem(const std::uint32_t number) noexcept
@@ -95,7 +96,7 @@ ItemReply ConfigurationGuard::ReadItem(const std::uint32_t number) noexcept
     {
         return ItemReply{Result::kNotExist, 0U};
     }
-    const ObjectReading reading = Read(AddressOf(number));
+    const ObjectReading reading = Read(KeyAt(number));
     const bool is_general = reading.abort == AbortCode::kGeneral;
     return ItemReply{is_general ? Result::kDeviceFault : Result::kSuccessful, ToValue(reading.data)};
 }
@@ -107,8 +108,7 @@ HeaderReply ConfigurationGuard::Header(const std::uint8_t valid) noexcept
     for (std::uint32_t number = 0U; number < reply.header.count; ++number)
     {
         const ItemReply item = ReadItem(number);
-        const ObjectAddress address = AddressOf(number);
-        crc = Continue(crc, (static_cast<std::uint32_t>(address.index) << kBitsPerByte) | address.sub);
+        crc = Continue(crc, KeyAt(number).value);
         crc = Continue(crc, item.value);
         if (item.result != Result::kSuccessful)
         {
@@ -121,16 +121,12 @@ HeaderReply ConfigurationGuard::Header(const std::uint8_t valid) noexcept
 
 Result ConfigurationGuard::LoadItem(const std::uint32_t number, const std::uint32_t value) noexcept
 {
-    if (number >= ItemCount())
-    {
-        return Result::kNotExist;
-    }
-    const Result readiness = Changeable();
+    const Result readiness = (number < ItemCount()) ? Changeable() : Result::kNotExist;
     if (readiness != Result::kSuccessful)
     {
         return readiness;
     }
-    const ObjectPlace place = Locate(*config_, AddressOf(number));
+    ObjectPlace place = Locate(*config_, KeyAt(number));
     if (place.kind != ObjectKind::kConfiguration)
     {
         return Result::kSuccessful; // The CRC tells whether the program has the same.
@@ -140,7 +136,8 @@ Result ConfigurationGuard::LoadItem(const std::uint32_t number, const std::uint3
         return Result::kDamagedImage;
     }
     Invalidate();
-    StoreBoth(ConfigItem{place.config, value});
+    place.item.value = value;
+    StoreBoth(place.item);
     return Result::kSuccessful;
 }
 
@@ -198,9 +195,15 @@ Result ConfigurationGuard::RestoreDefaults() noexcept
     const Result readiness = Changeable();
     if (readiness == Result::kSuccessful)
     {
+        Invalidate();
         for (std::uint32_t number = 0U; number < ItemCount(); ++number)
         {
-            (void)LoadItem(number, DefaultOf(Locate(*config_, AddressOf(number)).config));
+            ObjectPlace place = Locate(*config_, KeyAt(number));
+            if (place.kind == ObjectKind::kConfiguration)
+            {
+                place.item.value = DefaultOf(place.item.address);
+                StoreBoth(place.item);
+            }
         }
     }
     return readiness;

@@ -22,6 +22,29 @@ FlowEvidence Coverage(const CycleOutcome& outcome, const DeviceConfig& config) n
 
 constexpr FlowEvidence kDone{0U, 0U};
 
+// What the test of the comparator alters one by one, besides the guard's view and the number of the cycle.
+constexpr std::uint32_t kCounts = 4U;
+constexpr std::uint8_t CycleOutcome::* kCount[kCounts] = {&CycleOutcome::sct_checked,
+                                                          &CycleOutcome::is_tx, // MISRA D-001
+                                                          &CycleOutcome::is_invalid, &CycleOutcome::not_operational};
+
+// One bit of one member; doing it again undoes it.
+void Alter(CycleOutcome& outcome, const std::uint32_t number) noexcept
+{
+    if (number < kCounts)
+    {
+        outcome.*kCount[number] ^= 1U; // MISRA D-002
+    }
+    else if (number == kCounts)
+    {
+        outcome.guard = static_cast<GuardView>(static_cast<std::uint32_t>(outcome.guard) ^ 1U);
+    }
+    else
+    {
+        outcome.cycle ^= 1U;
+    }
+}
+
 } // namespace
 
 Kernel::Kernel(const KernelParts& parts) noexcept
@@ -60,11 +83,6 @@ void Kernel::OnFrame(const StampedFrame& frame) noexcept
     }
 }
 
-void Kernel::OnOverflow() noexcept
-{
-    run_.queue = QueueState::kOverflowed;
-}
-
 void Kernel::Cycle(const CycleCall& call) noexcept
 {
     if (!run_.started)
@@ -72,7 +90,7 @@ void Kernel::Cycle(const CycleCall& call) noexcept
         return;
     }
     ++run_.cycle;
-    run_.now = call.now;
+    run_.now = call.now.a;
     flow_.Begin();
     if (ExamineSelf() != PartsView::kSound)
     {
@@ -97,11 +115,13 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     input.now = call.now.b;
     input.acknowledge = call.acknowledge_b;
     input.stand = run_.stand_b;
-    const CycleOutcome outcome_b = parts_.channel_b.OnCycle(input);
+    CycleOutcome outcome_b = parts_.channel_b.OnCycle(input);
     flow_.Mark(FlowStep::kChannelB, FlowEvidence{outcome_b.cycle, run_.cycle});
 
-    CompareOutcomes(call, challenge, outcome_a, outcome_b);
-    flow_.Mark(FlowStep::kComparison, FlowEvidence{run_.verdict.echo, challenge});
+    CompareOutcomes(
+        Comparison{&outcome_a, &outcome_b, &parts_.channel_a, &parts_.channel_b, call.now.a, run_.cycle, challenge},
+        outcome_b);
+    flow_.Mark(FlowStep::kComparison, FlowEvidence{record_.verdict.echo, challenge});
     Demote();
     flow_.Mark(FlowStep::kDemotion, kDone);
     // Each channel's refresh runs by its own counter; the one that is ahead waits for the other. [SRS-KRN-017]
@@ -109,10 +129,10 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     run_.stand_b = outcome_b.due & ~outcome_a.due;
     Produce();
     flow_.Mark(FlowStep::kProduction, kDone);
-    Commit();
+    const SrdoMask received = Commit();
     flow_.Mark(FlowStep::kCommit, kDone);
     ReportErrors(outcome_a.signalled | outcome_b.signalled);
-    ReportReceived(run_.received_mask);
+    ReportReceived(received);
     ReportFlow(outcome_a);
     ExamineHandshake();
     flow_.Mark(FlowStep::kEvents, Coverage(outcome_b, *config_));
@@ -124,48 +144,35 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     ReportDevice();
 }
 
-void Kernel::CompareOutcomes(const CycleCall& call, const std::uint32_t challenge, const CycleOutcome& a,
-                             const CycleOutcome& b) noexcept
+void Kernel::CompareOutcomes(const Comparison& comparison, CycleOutcome& outcome_b) noexcept
 {
-    const Comparison comparison{&a, &b, &parts_.channel_a, &parts_.channel_b, call.now.a, run_.cycle, challenge};
     --run_.cycles_to_test;
     if (run_.cycles_to_test == 0U)
     {
         run_.cycles_to_test = run_.test_cycles;
-        TestComparator(comparison);
+        TestComparator(comparison, outcome_b);
     }
-    run_.verdict = comparator_.Compare(comparison);
-    latch_.Enter(run_.verdict.fault, run_.verdict.slot);
-    if (run_.verdict.echo != challenge)
+    record_.verdict = comparator_.Compare(comparison);
+    latch_.Enter(record_.verdict.fault, record_.verdict.slot);
+    if (record_.verdict.echo != comparison.challenge)
     {
         latch_.Enter(DeviceFault::kComparator, kNoSlot);
     }
 }
 
-// A comparator that always says yes is found by a difference that it must see, another one each time. [SRS-CMP-009]
-void Kernel::TestComparator(const Comparison& comparison) noexcept
+// A comparator that always says yes is found by a difference that it must see, another one each time. It is put into
+// the outcome of channel B and taken out again. [SRS-CMP-009]
+void Kernel::TestComparator(const Comparison& comparison, CycleOutcome& outcome_b) noexcept
 {
-    constexpr std::uint8_t kVariants = 6U;
-    CycleOutcome altered = *comparison.outcome_b;
-    const std::uint8_t one = 1U;
-    // The one field whose number it is gets its lowest bit flipped.
-    altered.cycle ^= (run_.test_number == 0U) ? 1U : 0U;
-    altered.sct_checked ^= (run_.test_number == 1U) ? one : std::uint8_t{0U};
-    altered.is_tx ^= (run_.test_number == 2U) ? one : std::uint8_t{0U};
-    altered.is_invalid ^= (run_.test_number == 3U) ? one : std::uint8_t{0U};
-    altered.not_operational ^= (run_.test_number == 4U) ? one : std::uint8_t{0U};
-    altered.guard = (run_.test_number == 5U) ? GuardView::kInvalid : altered.guard;
-    run_.test_number = static_cast<std::uint8_t>((run_.test_number + 1U) % kVariants);
-
-    Comparison deliberate = comparison;
-    deliberate.outcome_b = &altered;
-    const Verdict verdict = comparator_.Compare(deliberate);
-    PreparedPair right{};
-    right.normal.identifier = comparison.challenge;
-    PreparedPair wrong = right;
-    wrong.normal.data[run_.test_number] ^= one; // MISRA D-002
-    const PreparedVerdict data = Comparator::ComparePrepared(right, wrong);
-    if ((verdict.fault == DeviceFault::kNone) || (data != PreparedVerdict::kNotInverse))
+    const std::uint32_t number = (run_.test_number > kCounts) ? 0U : (run_.test_number + 1U);
+    run_.test_number = static_cast<std::uint8_t>(number);
+    Alter(outcome_b, number);
+    const DeviceFault fault = comparator_.Compare(comparison).fault;
+    Alter(outcome_b, number);
+    PreparedPair pairs[2]{};           // MISRA D-001
+    pairs[1].normal.data[number] = 1U; // MISRA D-002
+    const PreparedVerdict data = Comparator::ComparePrepared(pairs[0], pairs[1]);
+    if ((fault == DeviceFault::kNone) || (data != PreparedVerdict::kNotInverse))
     {
         latch_.Enter(DeviceFault::kComparator, kNoSlot);
     }
@@ -173,7 +180,7 @@ void Kernel::TestComparator(const Comparison& comparison) noexcept
 
 void Kernel::Demote() noexcept
 {
-    SlotSet to_demote{run_.verdict.demote};
+    SlotSet to_demote{record_.verdict.demote};
     while (to_demote.mask != 0U)
     {
         const SlotIndex slot = TakeLowest(to_demote);
@@ -186,28 +193,29 @@ void Kernel::Demote() noexcept
     }
 }
 
-void Kernel::Commit() noexcept
+SrdoMask Kernel::Commit() noexcept
 {
-    const SrdoMask agreed = run_.verdict.agreement.agreed & ~run_.verdict.demote & latch_.Gate();
-    const SrdoMask written = agreed & run_.verdict.agreement.matched;
-    const Agreement agreement{agreed, run_.verdict.agreement.matched};
+    const SrdoMask agreed = record_.verdict.agreement.agreed & ~record_.verdict.demote & latch_.Gate();
+    const SrdoMask written = agreed & record_.verdict.agreement.matched;
+    const Agreement agreement{agreed, record_.verdict.agreement.matched};
     parts_.channel_a.Commit(agreement);
     parts_.channel_b.Commit(agreement);
-    run_.received_mask = written & (run_.verdict.newly_matched | ~run_.committed);
+    const SrdoMask received = written & (record_.verdict.newly_matched | ~run_.committed);
     run_.committed = written | (run_.committed & agreed);
+    return received;
 }
 
 // Computed from the comparator's echo and spoiled by a latch that is not running: there is nothing to decide.
 // [SRS-KRN-005]
 void Kernel::GivePermits(const std::uint32_t challenge) noexcept
 {
-    const Permit permit_a = parts_.channel_a.Answer(challenge);
-    const Permit permit_b = parts_.channel_b.Answer(challenge);
     const std::uint32_t low = static_cast<std::uint32_t>(run_.committed);
     const std::uint32_t high = static_cast<std::uint32_t>(run_.committed >> kWordBits);
     const std::uint32_t rotated = (high << kPermitRotation) | (high >> (kWordBits - kPermitRotation));
-    const std::uint32_t response = ((run_.verdict.echo + latch_.Spoiler() + low) ^ rotated) * kPermitConstantKernel;
-    parts_.output.Drive(hal::PermitSet{permit_a, permit_b, Permit{run_.committed, response}});
+    const std::uint32_t response = ((record_.verdict.echo + latch_.Spoiler() + low) ^ rotated) * kPermitConstantKernel;
+    // In their places: channel A is asked before channel B.
+    parts_.output.Drive(hal::PermitSet{parts_.channel_a.Answer(challenge), parts_.channel_b.Answer(challenge),
+                                       Permit{run_.committed, response}});
 }
 
 } // namespace counterpoint

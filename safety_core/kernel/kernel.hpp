@@ -122,24 +122,10 @@ struct MappedReply
     VariablePlace variable; ///< Place null: a dummy.
 };
 
-/// State of a kernel between Start and Stop. Zero-filled memory is a kernel that was not started.
+/// State of a kernel between Start and Stop. Zero-filled memory is a kernel that was not started. What is short comes
+/// first, within the reach of the shortest instructions.
 struct KernelRun
 {
-    Verdict verdict{};
-    SrdoStatus status{};
-    SrdoMask committed{};
-    SrdoMask received_mask{};
-    SrdoMask producers{}; ///< As of entering OPERATIONAL; what Send may ask for.
-    SrdoMask requests{};  ///< Told to the channels by the next cycle, as the two below.
-    SrdoMask stand_a{};   ///< Producers that only channel A called due.
-    SrdoMask stand_b{};
-    InstantPair now{};
-    Instant gfc_sent{};
-    std::uint32_t gfc_limit_us{};
-    std::uint32_t cycle{};
-    std::uint32_t test_cycles{};
-    std::uint32_t cycles_to_test{};
-    std::uint16_t demotions{};
     std::uint8_t test_number{};
     std::uint8_t received{};
     std::uint8_t transmitted{};
@@ -153,6 +139,25 @@ struct KernelRun
     bool gfc_seen{};
     bool gfc_open{};
     bool fault_told{};
+    std::uint16_t demotions{};
+    std::uint32_t cycle{};
+    std::uint32_t test_cycles{};
+    std::uint32_t cycles_to_test{};
+    std::uint32_t gfc_limit_us{};
+    Instant gfc_sent{};
+    Instant now{}; ///< By counter A.
+    SrdoMask committed{};
+    SrdoMask producers{}; ///< What Send may ask for; none outside OPERATIONAL and without a valid configuration.
+    SrdoMask requests{};  ///< Told to the channels by the next cycle, as the two below.
+    SrdoMask stand_a{};   ///< Producers that only channel A called due.
+    SrdoMask stand_b{};
+};
+
+/// What a kernel tells of its SRDOs beside what the channels tell.
+struct KernelRecord
+{
+    Verdict verdict{};
+    SrdoStatus status{};
 };
 
 /// The facade of the certified part: an application links this and the two channels. Not reentrant. All times and
@@ -174,15 +179,24 @@ class Kernel
     /// @brief A frame of this device was on the bus, in bus order with the received ones. [SRS-KRN-014]
     void OnConfirm(const StampedFrame& frame) noexcept;
     /// @brief Frames were lost between controller and kernel. [SRS-KRN-009]
-    void OnOverflow() noexcept;
+    void OnOverflow() noexcept
+    {
+        run_.queue = QueueState::kOverflowed;
+    }
     /// @brief One cycle. O(srdo_count) [SRS-KRN-002]
     void Cycle(const CycleCall& call) noexcept;
 
     /// @brief NMT state of the node. O(srdo_count) on entering OPERATIONAL. [SRS-KRN-010]
     void SetNmtState(NmtState state) noexcept;
     /// @brief 1300h to 13FFh and the mappable variables. [SRS-CFG-040..047]
-    [[nodiscard]] ObjectReading ReadObject(const ObjectAddress& address) noexcept;
-    [[nodiscard]] AbortCode WriteObject(const ObjectAddress& address, const ObjectData& data) noexcept;
+    [[nodiscard]] ObjectReading ReadObject(const ObjectAddress& address) noexcept
+    {
+        return guard_.Read(KeyOf(address));
+    }
+    [[nodiscard]] AbortCode WriteObject(const ObjectAddress& address, const ObjectData& data) noexcept
+    {
+        return guard_.Write(KeyOf(address), data);
+    }
 
     /// @brief Requests the transmission of one producer, or of all with index 0. [SRS-KRN-011]
     [[nodiscard]] Result Send(CommunicationIndex index) noexcept;
@@ -206,61 +220,92 @@ class Kernel
     /// @brief The stored configuration, item by item, for a store of the device. Loading and restoring takes time for
     /// each item (`header.count`) and is refused in OPERATIONAL; a device that cannot spare it in one cycle does it
     /// before the first one. [SRS-CFG-051..053]
-    [[nodiscard]] HeaderReply ConfigurationHeader() noexcept;
-    [[nodiscard]] ItemReply ReadItem(std::uint32_t number) noexcept;
-    [[nodiscard]] Result LoadItem(std::uint32_t number, std::uint32_t value) noexcept;
+    [[nodiscard]] HeaderReply ConfigurationHeader() noexcept
+    {
+        return guard_.Header(guard_.Valid());
+    }
+    [[nodiscard]] ItemReply ReadItem(const std::uint32_t number) noexcept
+    {
+        return guard_.ReadItem(number);
+    }
+    [[nodiscard]] Result LoadItem(const std::uint32_t number, const std::uint32_t value) noexcept
+    {
+        return guard_.LoadItem(number, value);
+    }
     /// @brief After all items: rechecks everything, and declares it valid if it was and still is. Else the power-on
     /// configuration is restored.
-    [[nodiscard]] Result LoadConfiguration(const ImageHeader& header) noexcept;
-    [[nodiscard]] Result RestoreDefaults() noexcept;
+    [[nodiscard]] Result LoadConfiguration(const ImageHeader& header) noexcept
+    {
+        return guard_.Load(header);
+    }
+    [[nodiscard]] Result RestoreDefaults() noexcept
+    {
+        return guard_.RestoreDefaults();
+    }
 
     /// @brief The application demands the device safe state.
-    void DemandSafeState() noexcept;
+    void DemandSafeState() noexcept
+    {
+        latch_.Enter(DeviceFault::kApplication, kNoSlot);
+    }
     /// @brief The link to the other CPU is lost or wrong. [SRS-LNK-006]
-    void OnCrossLinkFault() noexcept;
+    void OnCrossLinkFault() noexcept
+    {
+        latch_.Enter(DeviceFault::kCrossLink, kNoSlot);
+    }
     /// @brief fault kNone while running. [SRS-KRN-003]
-    [[nodiscard]] DeviceFaultReport DeviceState() const noexcept;
+    [[nodiscard]] DeviceFaultReport DeviceState() const noexcept
+    {
+        return latch_.Report();
+    }
     /// @brief How often a channel was demoted since Start; stays at 65535. [SRS-CMP-004]
-    [[nodiscard]] std::uint16_t DemotionCount() const noexcept;
+    [[nodiscard]] std::uint16_t DemotionCount() const noexcept
+    {
+        return run_.demotions;
+    }
     /// @brief The comparator's last verdict, for diagnosis only: nothing is granted from it.
-    [[nodiscard]] const Verdict& LastVerdict() const noexcept;
+    [[nodiscard]] const Verdict& LastVerdict() const noexcept
+    {
+        return record_.verdict;
+    }
 
   private:
-    [[nodiscard]] static StartResult CheckNumbers(const DeviceConfig& config) noexcept;
-    [[nodiscard]] static StartResult CheckObjects(const DeviceConfig& config) noexcept;
-    [[nodiscard]] static StartResult CheckTiming(const DeviceConfig& config) noexcept;
-    [[nodiscard]] StartResult CheckRoom(const DeviceConfig& config) const noexcept;
-    [[nodiscard]] StartResult CheckPlatform(const DeviceConfig& config) const noexcept;
-    [[nodiscard]] SlotIndex SlotAt(CommunicationIndex index) const noexcept;
+    [[nodiscard]] static inline StartResult CheckNumbers(const DeviceConfig& config) noexcept;
+    [[nodiscard]] static inline StartResult CheckObjects(const DeviceConfig& config) noexcept;
+    [[nodiscard]] static inline StartResult CheckTiming(const DeviceConfig& config) noexcept;
+    [[nodiscard]] inline StartResult CheckRoom(const DeviceConfig& config) const noexcept;
+    [[nodiscard]] inline StartResult CheckPlatform(const DeviceConfig& config) const noexcept;
+    [[nodiscard]] SlotIndex SlotAt(std::uint32_t index) const noexcept;
     [[nodiscard]] CommunicationIndex IndexOf(const SlotIndex slot) const noexcept
     {
         const std::uint32_t number = config_->srdos[slot].number; // MISRA D-002
         return CommunicationIndex{static_cast<std::uint16_t>((kFirstCommunication - 1U) + number)};
     }
     [[nodiscard]] Result SendReadiness() const noexcept;
-    [[nodiscard]] PartsView ExamineSelf() noexcept;
-    void CompareOutcomes(const CycleCall& call, std::uint32_t challenge, const CycleOutcome& a,
-                         const CycleOutcome& b) noexcept;
-    void TestComparator(const Comparison& comparison) noexcept;
-    void Demote() noexcept;
-    void Commit() noexcept;
+    [[nodiscard]] inline Result Request(SlotIndex wanted, SrdoMask to_send) noexcept;
+    [[nodiscard]] Result WhyNotSent(SlotIndex wanted) const noexcept;
+    [[nodiscard]] inline PartsView ExamineSelf() noexcept;
+    inline void CompareOutcomes(const Comparison& comparison, CycleOutcome& outcome_b) noexcept;
+    void TestComparator(const Comparison& comparison, CycleOutcome& outcome_b) noexcept;
+    inline void Demote() noexcept;
+    [[nodiscard]] inline SrdoMask Commit() noexcept; ///< Consumers whose new pair was released.
     void Produce() noexcept;
-    void ProduceSlot(SlotIndex slot) noexcept;
+    inline void ProduceSlot(SlotIndex slot) noexcept;
     void GiveUp(SlotIndex slot, SrdoCause cause) noexcept;
-    void HandOver(SlotIndex slot, const CanFrame& frame) noexcept;
-    void FollowGfc() noexcept;
-    void SetGfcLimit() noexcept;
-    void EnterOperational() noexcept;
+    inline void HandOver(SlotIndex slot, const CanFrame& frame) noexcept;
+    inline void FollowGfc() noexcept;
+    inline void EnterOperational() noexcept;
     void ReportErrors(SrdoMask signalled) noexcept;
-    void ReportEvent(SlotIndex slot) noexcept;
+    inline void ReportEvent(SlotIndex slot) noexcept;
     void ExamineHandshake() noexcept;
-    void ReportSlot(SlotIndex slot) noexcept;
+    inline void ReportSlot(SlotIndex slot) noexcept;
     void ReportReceived(SrdoMask received) noexcept;
     void ReportDevice() noexcept;
     void ReportFlow(const CycleOutcome& outcome) noexcept;
     void Deliver(FlowEvent event, std::uint8_t count) noexcept;
-    void GivePermits(std::uint32_t challenge) noexcept;
+    inline void GivePermits(std::uint32_t challenge) noexcept;
 
+    KernelRun run_{};
     KernelParts parts_;
     const DeviceConfig* config_; ///< Never null: a device without SRDOs before Start.
     SafeStateLatch latch_{};
@@ -268,7 +313,7 @@ class Kernel
     Comparator comparator_{};
     FlowMonitor flow_{};
     ClockSupervisor clocks_{};
-    KernelRun run_{};
+    KernelRecord record_{};
 };
 
 } // namespace counterpoint

@@ -7,14 +7,10 @@
 // SRS-KRN-021..025]
 namespace counterpoint
 {
-SlotIndex Kernel::SlotAt(const CommunicationIndex index) const noexcept
+// What lies outside of 1301h to 1340h leads to a number that no SRDO has.
+SlotIndex Kernel::SlotAt(const std::uint32_t index) const noexcept
 {
-    const std::uint32_t distance = static_cast<std::uint32_t>(index.value) - kFirstCommunication;
-    if (distance >= kMaxSrdoCount)
-    {
-        return kNoSlot;
-    }
-    return SlotOf(*config_, SrdoNumber{static_cast<std::uint8_t>(distance + 1U)});
+    return SlotOf(*config_, SrdoNumber{index - (kFirstCommunication - 1U)});
 }
 
 void Kernel::SetNmtState(const NmtState state) noexcept
@@ -23,16 +19,16 @@ void Kernel::SetNmtState(const NmtState state) noexcept
     {
         return;
     }
-    const bool was_operational = guard_.Nmt() == NmtState::kOperational;
-    const bool is_operational = state == NmtState::kOperational;
+    if (state == guard_.Nmt())
+    {
+        return;
+    }
+    run_.left_operational = run_.left_operational || (guard_.Nmt() == NmtState::kOperational);
+    run_.producers = 0U;
     guard_.SetNmt(state);
-    if (is_operational && (!was_operational))
+    if (state == NmtState::kOperational)
     {
         EnterOperational();
-    }
-    if (was_operational && (!is_operational))
-    {
-        run_.left_operational = true;
     }
 }
 
@@ -42,54 +38,26 @@ void Kernel::EnterOperational() noexcept
     {
         return; // No fault: SRDOs are off until the configuration is declared valid.
     }
-    const ConfigurationFinding finding = guard_.CheckAll(CheckDepth::kRecheck);
-    if (finding.rule != ConfigFault::kNone)
+    if (guard_.CheckAll(CheckDepth::kRecheck) != ConfigFault::kNone)
     {
         guard_.Invalidate();
-        parts_.application.OnConfigurationInvalid(IndexOf(finding.slot));
+        parts_.application.OnConfigurationInvalid(IndexOf(guard_.Faulty()));
+        return;
     }
-    // Directions stay as they are until OPERATIONAL is left.
-    run_.producers = 0U;
+    // Directions and times stay as they are until OPERATIONAL is left. The shortest refresh time of the producers is
+    // the limit within which an SRDO must follow a GFC; 0 without one: then it cannot be followed at all.
+    std::uint32_t shortest_ms = 0U;
     for (SlotIndex slot = 0U; slot < config_->srdo_count; ++slot)
     {
-        const bool is_producer = guard_.Value(slot, ConfigField::kDirection) == kDirectionProducer;
-        run_.producers |= is_producer ? OnlySlot(slot).mask : SrdoMask{0U};
+        if (guard_.Value(slot, ConfigField::kDirection) == kDirectionProducer)
+        {
+            run_.producers |= OnlySlot(slot).mask;
+            const std::uint32_t refresh_ms = guard_.Value(slot, ConfigField::kSct);
+            // 0 - 1 is the greatest value: the first producer is always shorter.
+            shortest_ms = ((refresh_ms - 1U) < (shortest_ms - 1U)) ? refresh_ms : shortest_ms;
+        }
     }
-}
-
-ObjectReading Kernel::ReadObject(const ObjectAddress& address) noexcept
-{
-    return guard_.Read(address);
-}
-
-AbortCode Kernel::WriteObject(const ObjectAddress& address, const ObjectData& data) noexcept
-{
-    return guard_.Write(address, data);
-}
-
-HeaderReply Kernel::ConfigurationHeader() noexcept
-{
-    return guard_.Header(guard_.Valid());
-}
-
-ItemReply Kernel::ReadItem(const std::uint32_t number) noexcept
-{
-    return guard_.ReadItem(number);
-}
-
-Result Kernel::LoadItem(const std::uint32_t number, const std::uint32_t value) noexcept
-{
-    return guard_.LoadItem(number, value);
-}
-
-Result Kernel::LoadConfiguration(const ImageHeader& header) noexcept
-{
-    return guard_.Load(header);
-}
-
-Result Kernel::RestoreDefaults() noexcept
-{
-    return guard_.RestoreDefaults();
+    run_.gfc_limit_us = shortest_ms * kMicrosecondsPerMillisecond;
 }
 
 Result Kernel::SendReadiness() const noexcept
@@ -107,26 +75,37 @@ Result Kernel::SendReadiness() const noexcept
 
 Result Kernel::Send(const CommunicationIndex index) noexcept
 {
-    const SlotIndex wanted = SlotAt(index);
-    if ((wanted == kNoSlot) && (index.value != 0U))
+    if (index.value == 0U)
     {
-        return Result::kNotExist;
+        return Request(kNoSlot, run_.producers);
     }
+    const SlotIndex slot = SlotAt(index.value);
+    return (slot == kNoSlot) ? Result::kNotExist : Request(slot, run_.producers & OnlySlot(slot).mask);
+}
+
+Result Kernel::Request(const SlotIndex wanted, const SrdoMask to_send) noexcept
+{
+    if ((to_send == 0U) || (!latch_.IsRunning()))
+    {
+        return WhyNotSent(wanted);
+    }
+    run_.requests |= to_send;
+    return Result::kSuccessful;
+}
+
+Result Kernel::WhyNotSent(const SlotIndex wanted) const noexcept
+{
     const Result readiness = SendReadiness();
     if (readiness != Result::kSuccessful)
     {
         return readiness;
     }
-    const SrdoMask meant = (wanted == kNoSlot) ? ~SrdoMask{0U} : OnlySlot(wanted).mask;
-    const SrdoMask to_send = meant & run_.producers;
-    run_.requests |= to_send;
-    Result result = (to_send != 0U) ? Result::kSuccessful : Result::kNotExist;
-    if ((wanted != kNoSlot) && (to_send == 0U))
+    if (wanted == kNoSlot)
     {
-        const bool is_off = guard_.Value(wanted, ConfigField::kDirection) == kDirectionOff;
-        result = is_off ? Result::kInvalid : Result::kRxTxConflict;
+        return Result::kNotExist;
     }
-    return result;
+    const bool is_off = guard_.Value(wanted, ConfigField::kDirection) == kDirectionOff;
+    return is_off ? Result::kInvalid : Result::kRxTxConflict;
 }
 
 CheckReply Kernel::CheckConfiguration() noexcept
@@ -134,11 +113,11 @@ CheckReply Kernel::CheckConfiguration() noexcept
     CheckReply reply{Result::kDeviceFault, CommunicationIndex{0U}};
     if (run_.started)
     {
-        const ConfigurationFinding finding = guard_.CheckAll(CheckDepth::kRecheck);
-        reply.result = ToResult(finding.rule);
-        if (finding.slot != kNoSlot)
+        const ConfigFault rule = guard_.CheckAll(CheckDepth::kRecheck);
+        reply.result = ToResult(rule);
+        if (rule != ConfigFault::kNone)
         {
-            reply.index = IndexOf(finding.slot);
+            reply.index = IndexOf(guard_.Faulty());
         }
     }
     return reply;
@@ -146,19 +125,19 @@ CheckReply Kernel::CheckConfiguration() noexcept
 
 SignReply Kernel::Sign(const CommunicationIndex index) noexcept
 {
-    const SlotIndex slot = SlotAt(index);
+    const SlotIndex slot = SlotAt(index.value);
     if (slot == kNoSlot)
     {
         return SignReply{Result::kNotExist, 0U};
     }
-    const ConfigurationFinding finding = guard_.Check(slot, CheckDepth::kRecheck);
-    return (finding.rule == ConfigFault::kInvalid) ? SignReply{Result::kDeviceFault, 0U}
-                                                   : SignReply{Result::kSuccessful, finding.signature};
+    const CheckResult result = guard_.Check(slot, CheckDepth::kRecheck);
+    return (result.fault == ConfigFault::kInvalid) ? SignReply{Result::kDeviceFault, 0U}
+                                                   : SignReply{Result::kSuccessful, result.signature};
 }
 
 StateReply Kernel::GetState(const CommunicationIndex index) const noexcept
 {
-    const SlotIndex slot = SlotAt(index);
+    const SlotIndex slot = SlotAt(index.value);
     if (slot == kNoSlot)
     {
         return StateReply{Result::kNotExist, SrdoState::kInvalid, SrdoCause::kInvalid, 0U};
@@ -173,25 +152,25 @@ StateReply Kernel::GetState(const CommunicationIndex index) const noexcept
 
 StatusReply Kernel::GetStatus(const CommunicationIndex index) const noexcept
 {
-    const SlotIndex slot = SlotAt(index);
+    const SlotIndex slot = SlotAt(index.value);
     return (slot == kNoSlot) ? StatusReply{Result::kNotExist, StatusByte{0U}}
-                             : StatusReply{Result::kSuccessful, run_.status.Get(slot)};
+                             : StatusReply{Result::kSuccessful, record_.status.Get(slot)};
 }
 
 Result Kernel::SetStatus(const CommunicationIndex index, const StatusByte status) noexcept
 {
-    const SlotIndex slot = SlotAt(index);
+    const SlotIndex slot = SlotAt(index.value);
     if (slot == kNoSlot)
     {
         return Result::kNotExist;
     }
-    run_.status.Set(slot, status);
+    record_.status.Set(slot, status);
     return Result::kSuccessful;
 }
 
 ParametersReply Kernel::GetParameters(const CommunicationIndex index) const noexcept
 {
-    const SlotIndex slot = SlotAt(index);
+    const SlotIndex slot = SlotAt(index.value);
     if (slot == kNoSlot)
     {
         return ParametersReply{Result::kNotExist, 0U, 0U, 0U};
@@ -204,7 +183,7 @@ ParametersReply Kernel::GetParameters(const CommunicationIndex index) const noex
 MappedReply Kernel::GetMapped(const CommunicationIndex index, const MappedEntry entry) const noexcept
 {
     MappedReply reply{Result::kNotExist, VariablePlace{nullptr, 0U}};
-    const SlotIndex slot = SlotAt(index);
+    const SlotIndex slot = SlotAt(index.value);
     // 0 - 1 is the greatest value: there is no entry 0.
     if ((slot != kNoSlot) && ((entry.number - 1U) < guard_.Value(slot, ConfigField::kMapCount)))
     {
@@ -219,33 +198,8 @@ MappedReply Kernel::GetMapped(const CommunicationIndex index, const MappedEntry 
 
 Result Kernel::DefineStaticFields(const CommunicationIndex index, const StaticFields& fields) noexcept
 {
-    const SlotIndex slot = SlotAt(index);
+    const SlotIndex slot = SlotAt(index.value);
     return (slot == kNoSlot) ? Result::kNotExist : guard_.DefineFields(slot, fields);
-}
-
-void Kernel::DemandSafeState() noexcept
-{
-    latch_.Enter(DeviceFault::kApplication, kNoSlot);
-}
-
-void Kernel::OnCrossLinkFault() noexcept
-{
-    latch_.Enter(DeviceFault::kCrossLink, kNoSlot);
-}
-
-DeviceFaultReport Kernel::DeviceState() const noexcept
-{
-    return latch_.Report();
-}
-
-std::uint16_t Kernel::DemotionCount() const noexcept
-{
-    return run_.demotions;
-}
-
-const Verdict& Kernel::LastVerdict() const noexcept
-{
-    return run_.verdict;
 }
 
 } // namespace counterpoint

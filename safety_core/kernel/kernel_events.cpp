@@ -37,26 +37,9 @@ void Kernel::ReportSlot(const SlotIndex slot) noexcept
         if (((signals >> cause) & 1U) != 0U)
         {
             ++run_.errors;
-            run_.status.OnError(slot);
+            record_.status.Set(slot, StatusByte{kStatusFaulty});
             parts_.application.OnSrdoError(IndexOf(slot), static_cast<SrdoCause>(cause));
         }
-    }
-}
-
-void Kernel::ReportEvent(const SlotIndex slot) noexcept
-{
-    run_.status.OnEvent(slot);
-    parts_.application.OnSrdoEvent(IndexOf(slot));
-}
-
-void Kernel::ReportReceived(const SrdoMask received) noexcept
-{
-    run_.received = 0U;
-    SlotSet to_report{received};
-    while (to_report.mask != 0U)
-    {
-        ++run_.received;
-        ReportEvent(TakeLowest(to_report));
     }
 }
 
@@ -83,13 +66,16 @@ void Kernel::Deliver(const FlowEvent event, const std::uint8_t count) noexcept
     }
 }
 
-// What is overdue is looked for with either option; only what follows from it is an option. [SRS-KRN-022]
 void Kernel::ExamineHandshake() noexcept
 {
-    SlotSet overdue{run_.status.TakeOverdue()};
-    if ((run_.handshake == StatusHandshake::kRequired) && (overdue.mask != 0U))
+    if (run_.handshake != StatusHandshake::kRequired)
     {
-        latch_.Enter(DeviceFault::kHandshake, TakeLowest(overdue));
+        return;
+    }
+    const SlotIndex overdue = record_.status.TakeOverdue();
+    if (overdue != kNoSlot)
+    {
+        latch_.Enter(DeviceFault::kHandshake, overdue);
     }
 }
 

@@ -6,11 +6,24 @@
 // Sending: SRDOs by both channels, GFC. [SRS-KRN-012..014]
 namespace counterpoint
 {
+namespace
+{
+
+constexpr std::uint32_t kByteBits = 8U;
+
+// Both members in one word.
+std::uint32_t CodeOf(const Confirmation& confirmation) noexcept
+{
+    return static_cast<std::uint32_t>(confirmation.slot) | (static_cast<std::uint32_t>(confirmation.step) << kByteBits);
+}
+
+} // namespace
+
 void Kernel::Produce() noexcept
 {
     run_.transmitted_told = run_.transmitted;
     run_.transmitted = 0U;
-    SlotSet to_start{run_.verdict.start & latch_.Gate()};
+    SlotSet to_start{record_.verdict.start & latch_.Gate()};
     while (to_start.mask != 0U)
     {
         ProduceSlot(TakeLowest(to_start));
@@ -44,24 +57,25 @@ void Kernel::ProduceSlot(const SlotIndex slot) noexcept
 
 void Kernel::GiveUp(const SlotIndex slot, const SrdoCause cause) noexcept
 {
-    parts_.channel_a.OnTransmitFault(slot, TransmitFault{cause});
-    parts_.channel_b.OnTransmitFault(slot, TransmitFault{cause});
+    const TransmitFault fault{cause};
+    parts_.channel_a.OnTransmitFault(slot, fault);
+    parts_.channel_b.OnTransmitFault(slot, fault);
 }
 
-// A channel that has no frame to send gives one of kind kInvalid; one that should have been there is missed as
-// kNoConfirmation.
+// A channel that has no frame to send gives one of kind kInvalid, which the HAL does not take; one that should have
+// been there is missed as kNoConfirmation.
 void Kernel::HandOver(const SlotIndex slot, const CanFrame& frame) noexcept
 {
-    if (frame.kind != FrameKind::kData)
-    {
-        return;
-    }
-    run_.gfc_open = false;
     const hal::TransmitStatus status = parts_.can.Transmit(frame);
     if (status != hal::TransmitStatus::kAccepted)
     {
+        if (frame.kind != FrameKind::kData)
+        {
+            return;
+        }
         GiveUp(slot, (status == hal::TransmitStatus::kBusOff) ? SrdoCause::kBusOff : SrdoCause::kTransmitQueue);
     }
+    run_.gfc_open = false;
 }
 
 // t      prepare            normal on the bus         inverse on the bus
@@ -77,22 +91,41 @@ void Kernel::OnConfirm(const StampedFrame& frame) noexcept
     const Confirmation a = parts_.channel_a.OnConfirm(frame.frame, frame.stamp.a);
     const Confirmation b = parts_.channel_b.OnConfirm(frame.frame, frame.stamp.b);
     // At the very limit one channel may have given the pair up already: then the other one will, for want of its frame.
-    if ((a.step != b.step) || (a.slot != b.slot) || (a.slot >= config_->srdo_count))
+    const std::uint32_t said = CodeOf(a);
+    const SlotIndex slot = static_cast<SlotIndex>(said);
+    if ((said != CodeOf(b)) || (slot >= config_->srdo_count))
     {
         return;
     }
     if (a.step == ConfirmStep::kPair)
     {
         ++run_.transmitted;
-        ReportEvent(a.slot);
+        ReportEvent(slot);
     }
     else if ((a.step == ConfirmStep::kNormal) && latch_.IsRunning())
     {
-        HandOver(a.slot, parts_.channel_b.InverseFrame(a.slot));
+        HandOver(slot, parts_.channel_b.InverseFrame(slot));
     }
     else
     {
         // The device is safe, or two channels agree on something that is no step: nothing follows.
+    }
+}
+
+void Kernel::ReportEvent(const SlotIndex slot) noexcept
+{
+    record_.status.OnEvent(slot);
+    parts_.application.OnSrdoEvent(IndexOf(slot));
+}
+
+void Kernel::ReportReceived(const SrdoMask received) noexcept
+{
+    run_.received = 0U;
+    SlotSet to_report{received};
+    while (to_report.mask != 0U)
+    {
+        ++run_.received;
+        ReportEvent(TakeLowest(to_report));
     }
 }
 
@@ -120,31 +153,13 @@ Result Kernel::SendGfc() noexcept
         return Result::kTransmitFailed;
     }
     run_.gfc_open = true;
-    run_.gfc_sent = run_.now.a;
-    SetGfcLimit();
+    run_.gfc_sent = run_.now;
     return Result::kSuccessful;
-}
-
-// The shortest refresh time of the producers; 0 without one: then the GFC cannot be followed at all.
-void Kernel::SetGfcLimit() noexcept
-{
-    std::uint32_t shortest_ms = 0U;
-    for (SlotIndex slot = 0U; slot < config_->srdo_count; ++slot)
-    {
-        const std::uint32_t refresh_ms = guard_.Value(slot, ConfigField::kSct);
-        const bool is_producer = guard_.Value(slot, ConfigField::kDirection) == kDirectionProducer;
-        // 0 - 1 is the greatest value: the first producer is always shorter.
-        if (is_producer && ((refresh_ms - 1U) < (shortest_ms - 1U)))
-        {
-            shortest_ms = refresh_ms;
-        }
-    }
-    run_.gfc_limit_us = shortest_ms * kMicrosecondsPerMillisecond;
 }
 
 void Kernel::FollowGfc() noexcept
 {
-    if (run_.gfc_open && ((run_.now.a.us - run_.gfc_sent.us) > run_.gfc_limit_us))
+    if (run_.gfc_open && ((run_.now.us - run_.gfc_sent.us) > run_.gfc_limit_us))
     {
         run_.gfc_open = false;
         parts_.application.OnGfcNotFollowed();

@@ -12,16 +12,19 @@ constexpr std::uint16_t kMostObjects = 1024U;
 constexpr std::uint32_t kShortestCycleUs = 100U;
 constexpr std::uint32_t kLongestCycleUs = 1000000U;
 constexpr std::uint32_t kLongestTimeUs = 0x3FFFFFFFU; // Differences of instants stay valid with room to spare.
-constexpr std::uint8_t kGranularities[] = {1U, 8U, 16U, 32U, 64U}; // MISRA D-001
+constexpr std::uint32_t kGranularities = 1U | 8U | 16U | 32U | 64U;
 
-bool IsGranularity(const std::uint8_t bits) noexcept
+// A guarantee that is missing has its result at the same place of the same order.
+constexpr std::uint32_t kFirstMissing = static_cast<std::uint32_t>(hal::MissingGuarantee::kBusOrder);
+constexpr std::uint32_t kFirstGuarantee = static_cast<std::uint32_t>(StartResult::kBusOrder);
+static_assert(static_cast<std::uint32_t>(hal::MissingGuarantee::kConfirmations) - kFirstMissing ==
+                  static_cast<std::uint32_t>(StartResult::kConfirmations) - kFirstGuarantee,
+              "as many results as guarantees");
+
+bool IsGranularity(const std::uint32_t bits) noexcept
 {
-    bool is_known = false;
-    for (const std::uint8_t known : kGranularities)
-    {
-        is_known = is_known || (bits == known);
-    }
-    return is_known;
+    const bool is_one_bit = (bits & (bits - 1U)) == 0U;
+    return is_one_bit && ((bits & kGranularities) != 0U);
 }
 
 bool IsPort(const CanPortId port) noexcept
@@ -35,9 +38,28 @@ bool IsObject(const MappableObject& object) noexcept
     return ((object.length_bits - 1U) < kMaxPayloadBits) && (object.place != nullptr);
 }
 
-bool Fits(const DeviceConfig& config, const ChannelRoom& room) noexcept
+bool Fits(const DeviceConfig& config, const Channel& channel) noexcept
 {
+    const ChannelRoom room = channel.Room();
     return (config.srdo_count <= room.slots) && (config.map_entries <= room.map_entries);
+}
+
+// Ascending, and one after the other where gaps are refused.
+bool AreNumbers(const DeviceConfig& config) noexcept
+{
+    const std::uint32_t longest_step = (config.gaps == NumberGaps::kSearched) ? kMaxSrdoCount : std::uint8_t{1U};
+    std::uint32_t highest = 0U;
+    for (SlotIndex slot = 0U; slot < config.srdo_count; ++slot)
+    {
+        const std::uint32_t number = config.srdos[slot].number; // MISRA D-002
+        // 0 - 1 is the greatest value: a number that is not above the one before it is too far away as well.
+        if (((number - highest) - 1U) >= longest_step)
+        {
+            return false;
+        }
+        highest = number;
+    }
+    return highest <= kMaxSrdoCount;
 }
 
 std::uint32_t OrderOf(const MappableObject& object) noexcept
@@ -49,23 +71,16 @@ std::uint32_t OrderOf(const MappableObject& object) noexcept
 
 StartResult Kernel::CheckNumbers(const DeviceConfig& config) noexcept
 {
-    if ((config.srdo_count == 0U) || (config.srdo_count > kMaxSrdoCount))
+    // 0 - 1 is the greatest value.
+    if ((config.srdo_count - 1U) >= kMaxSrdoCount)
     {
         return StartResult::kSrdoCount;
     }
-    const bool has_gaps = config.gaps == NumberGaps::kSearched;
-    std::uint32_t highest = 0U;
-    for (SlotIndex slot = 0U; slot < config.srdo_count; ++slot)
+    if (!AreNumbers(config))
     {
-        const std::uint32_t number = config.srdos[slot].number; // MISRA D-002
-        const bool is_next = has_gaps ? (number > highest) : (number == (highest + 1U));
-        if ((!is_next) || (number > kMaxSrdoCount))
-        {
-            return StartResult::kSrdoNumbers;
-        }
-        highest = number;
+        return StartResult::kSrdoNumbers;
     }
-    if ((config.node_id == 0U) || (config.node_id > kHighestNodeId))
+    if ((config.node_id - 1U) >= kHighestNodeId)
     {
         return StartResult::kNodeId;
     }
@@ -117,7 +132,7 @@ StartResult Kernel::CheckTiming(const DeviceConfig& config) noexcept
 
 StartResult Kernel::CheckRoom(const DeviceConfig& config) const noexcept
 {
-    const bool fits = Fits(config, parts_.channel_a.Room()) && Fits(config, parts_.channel_b.Room());
+    const bool fits = Fits(config, parts_.channel_a) && Fits(config, parts_.channel_b);
     const bool are_pairs = (config.map_entries & 1U) == 0U;
     return (fits && are_pairs) ? StartResult::kStarted : StartResult::kStorage;
 }
@@ -146,17 +161,15 @@ StartResult Kernel::CheckPlatform(const DeviceConfig& config) const noexcept
     {
         return StartResult::kStarted;
     }
-    if (missing == hal::MissingGuarantee::kBusOrder)
-    {
-        return StartResult::kBusOrder;
-    }
-    return (missing == hal::MissingGuarantee::kStamps) ? StartResult::kStamps : StartResult::kConfirmations;
+    const std::uint32_t place = static_cast<std::uint32_t>(missing) - kFirstMissing;
+    return static_cast<StartResult>(kFirstGuarantee + place);
 }
 
 void Kernel::Stop() noexcept
 {
     run_ = KernelRun{};
-    latch_ = SafeStateLatch{};
+    record_.status = SrdoStatus{};
+    latch_.Disarm();
     config_ = &kNoDevice;
     guard_.Stop();
     parts_.output.Drive(hal::PermitSet{});

@@ -30,7 +30,7 @@ constexpr std::uint8_t kSignatureBytes = 2U;
 /// A place while it is looked for.
 struct Search
 {
-    ObjectPlace place;
+    ObjectPlace& place;
     std::uint32_t sub;
     std::uint32_t highest; ///< Greatest sub-index that there is.
     bool is_counted;       ///< Sub-index 0 is a constant: the greatest sub-index.
@@ -39,7 +39,7 @@ struct Search
 void Found(Search& search, const ObjectKind kind, const ConfigField field) noexcept
 {
     search.place.kind = kind;
-    search.place.config.field = field;
+    search.place.item.address.field = field;
 }
 
 void FindCommunication(Search& search) noexcept
@@ -55,14 +55,14 @@ void FindCommunication(Search& search) noexcept
 
 void FindMapping(Search& search, const DeviceConfig& config) noexcept
 {
-    const StaticMap& map = config.srdos[search.place.config.slot].map; // MISRA D-002
+    const StaticMap& map = config.srdos[search.place.item.address.slot].map; // MISRA D-002
     const bool is_fixed = map.entries != nullptr;
     search.highest = is_fixed ? map.count : config.map_entries;
     Found(search, is_fixed ? ObjectKind::kFixed : ObjectKind::kConfiguration, ConfigField::kMapCount);
     if (search.sub != 0U)
     {
-        search.place.config.field = ConfigField::kMapEntry;
-        search.place.config.sub = static_cast<std::uint8_t>(search.sub);
+        search.place.item.address.field = ConfigField::kMapEntry;
+        search.place.item.address.sub = static_cast<std::uint8_t>(search.sub);
         search.place.size_bytes = kEntryBytes;
     }
 }
@@ -71,9 +71,9 @@ void FindSignature(Search& search, const DeviceConfig& config) noexcept
 {
     search.highest = config.srdos[config.srdo_count - 1U].number; // MISRA D-002
     search.is_counted = true;
-    search.place.config.slot = SlotOf(config, SrdoNumber{static_cast<std::uint8_t>(search.sub)});
+    search.place.item.address.slot = SlotOf(config, SrdoNumber{search.sub});
     search.place.size_bytes = kSignatureBytes;
-    const bool is_gap = search.place.config.slot == kNoSlot;
+    const bool is_gap = search.place.item.address.slot == kNoSlot;
     Found(search, is_gap ? ObjectKind::kGapSignature : ObjectKind::kConfiguration,
           is_gap ? ConfigField::kInvalid : ConfigField::kSignature);
 }
@@ -81,8 +81,8 @@ void FindSignature(Search& search, const DeviceConfig& config) noexcept
 // No SRDO has the number 0 or one above 64: what lies between the two areas leads to none.
 void FindSrdo(Search& search, const DeviceConfig& config, const std::uint32_t area) noexcept
 {
-    search.place.config.slot = SlotOf(config, SrdoNumber{static_cast<std::uint8_t>(area & kNumberOfArea)});
-    if (search.place.config.slot == kNoSlot)
+    search.place.item.address.slot = SlotOf(config, SrdoNumber{area & kNumberOfArea});
+    if (search.place.item.address.slot == kNoSlot)
     {
         search.highest = kAnySub;
     }
@@ -96,9 +96,9 @@ void FindSrdo(Search& search, const DeviceConfig& config, const std::uint32_t ar
     }
 }
 
-void FindVariable(Search& search, const DeviceConfig& config, const ObjectAddress& address) noexcept
+void FindVariable(Search& search, const DeviceConfig& config, const ObjectKey key) noexcept
 {
-    const MappableObject* const object = FindObject(config, address);
+    const MappableObject* const object = FindObject(config, key);
     search.highest = kAnySub;
     if (object != nullptr)
     {
@@ -109,38 +109,12 @@ void FindVariable(Search& search, const DeviceConfig& config, const ObjectAddres
     }
 }
 
-// Ascending order of the table of objects: index and sub-index as in a mapping entry.
-const MappableObject* Find(const DeviceConfig& config, const std::uint32_t wanted) noexcept
-{
-    std::uint32_t low = 0U;
-    std::uint32_t high = config.object_count;
-    while (low < high)
-    {
-        const std::uint32_t middle = (low + high) / 2U;
-        const MappableObject& object = config.objects[middle]; // MISRA D-002
-        const std::uint32_t order = (static_cast<std::uint32_t>(object.index) << kBitsPerByte) | object.sub;
-        if (order == wanted)
-        {
-            return &object;
-        }
-        if (order < wanted)
-        {
-            low = middle + 1U;
-        }
-        else
-        {
-            high = middle;
-        }
-    }
-    return nullptr;
-}
-
 } // namespace
 
 // Numbers ascend from 1: SRDO n is in slot n - 1 where nothing is missing before it, and below where something is.
 SlotIndex SlotOf(const DeviceConfig& config, const SrdoNumber number) noexcept
 {
-    const std::uint32_t place = static_cast<std::uint32_t>(number.value) - 1U;
+    const std::uint32_t place = number.value - 1U;
     if (config.gaps != NumberGaps::kSearched)
     {
         return (place < config.srdo_count) ? static_cast<SlotIndex>(place) : kNoSlot;
@@ -155,14 +129,29 @@ SlotIndex SlotOf(const DeviceConfig& config, const SrdoNumber number) noexcept
     return kNoSlot;
 }
 
-const MappableObject* FindObject(const DeviceConfig& config, const ObjectAddress& address) noexcept
+const MappableObject* FindObject(const DeviceConfig& config, const ObjectKey key) noexcept
 {
-    return Find(config, (static_cast<std::uint32_t>(address.index) << kBitsPerByte) | address.sub);
-}
-
-const MappableObject* FindMapped(const DeviceConfig& config, const std::uint32_t entry) noexcept
-{
-    return Find(config, entry >> kBitsPerByte);
+    std::uint32_t low = 0U;
+    std::uint32_t high = config.object_count;
+    while (low < high)
+    {
+        const std::uint32_t middle = (low + high) / 2U;
+        const MappableObject& object = config.objects[middle]; // MISRA D-002
+        const std::uint32_t order = KeyOf(ObjectAddress{object.index, object.sub}).value;
+        if (order == key.value)
+        {
+            return &object;
+        }
+        if (order < key.value)
+        {
+            low = middle + 1U;
+        }
+        else
+        {
+            high = middle;
+        }
+    }
+    return nullptr;
 }
 
 // index 0001h to 0007h, sub-index 0, the length of the data type
@@ -184,16 +173,16 @@ std::uint32_t ToValue(const ObjectData& data) noexcept
 
 // 1300h       1301h to 1340h     1381h to 13C0h    13FEh    13FFh
 // GFC         communication      mapping           valid    signatures     what else there is are variables
-ObjectPlace Locate(const DeviceConfig& config, const ObjectAddress& address) noexcept
+ObjectPlace Locate(const DeviceConfig& config, const ObjectKey key) noexcept
 {
-    const std::uint32_t area = static_cast<std::uint32_t>(address.index) - kSafetyBase;
-    Search search{};
-    search.sub = address.sub;
-    search.place.refusal = AbortCode::kObjectUnknown;
-    search.place.size_bytes = 1U;
+    const std::uint32_t area = (key.value >> kBitsPerByte) - kSafetyBase;
+    ObjectPlace found{};
+    found.refusal = AbortCode::kObjectUnknown;
+    found.size_bytes = 1U;
+    Search search{found, key.value & kAnySub, 0U, false};
     if (area > kLastOfArea)
     {
-        FindVariable(search, config, address);
+        FindVariable(search, config, key);
     }
     else if (area == kLastOfArea)
     {
@@ -223,7 +212,7 @@ ObjectPlace Locate(const DeviceConfig& config, const ObjectAddress& address) noe
         search.place.size_bytes = 1U;
         search.place.constant = static_cast<std::uint8_t>(search.highest);
     }
-    return search.place;
+    return found;
 }
 
 } // namespace counterpoint

@@ -29,7 +29,7 @@ enum class AbortCode : std::uint32_t
 /// Number of an SRDO, 1 to 64; 0 is none.
 struct SrdoNumber
 {
-    std::uint8_t value;
+    std::uint32_t value;
 };
 
 struct ObjectAddress
@@ -37,6 +37,17 @@ struct ObjectAddress
     std::uint16_t index;
     std::uint8_t sub;
 };
+
+/// An address as one number, whose order is that of the table of objects: index * 256 + sub-index. A mapping entry is a
+/// key and a length below it.
+struct ObjectKey
+{
+    std::uint32_t value;
+};
+[[nodiscard]] inline ObjectKey KeyOf(const ObjectAddress& address) noexcept
+{
+    return ObjectKey{(static_cast<std::uint32_t>(address.index) << 8U) | address.sub};
+}
 
 /// Bytes of an object in little-endian order.
 struct ObjectData
@@ -56,7 +67,7 @@ enum class ObjectKind : std::uint8_t
 {
     kInvalid = 0U,       ///< No such object or sub-index, see `refusal`.
     kConstant = 2U,      ///< Sub-index 0 with a fixed value.
-    kConfiguration = 3U, ///< A stored value, see `config`.
+    kConfiguration = 3U, ///< A stored value, see `item`.
     kGapSignature = 4U,  ///< 13FFh entry of an SRDO that does not exist.
     kConfigurationValid = 5U,
     kVariable = 6U,
@@ -67,7 +78,7 @@ enum class ObjectKind : std::uint8_t
 struct ObjectPlace
 {
     AbortCode refusal; ///< Only with kInvalid.
-    ConfigAddress config;
+    ConfigItem item;   ///< Its value is for the caller to fill in.
     ObjectKind kind;
     std::uint8_t size_bytes;
     std::uint8_t constant;
@@ -79,13 +90,16 @@ constexpr std::uint32_t kEntryLengthMask = 0xFFU;
 
 /// @brief Finds what an address of the safety part of the dictionary leads to. O(log objects); with gaps O(srdo_count)
 /// more
-[[nodiscard]] ObjectPlace Locate(const DeviceConfig& config, const ObjectAddress& address) noexcept;
+[[nodiscard]] ObjectPlace Locate(const DeviceConfig& config, ObjectKey key) noexcept;
 /// @brief Slot of an existing SRDO number, or kNoSlot. O(1); with gaps O(srdo_count) [SRS-KRN-018]
 [[nodiscard]] SlotIndex SlotOf(const DeviceConfig& config, SrdoNumber number) noexcept;
 /// @brief The mappable object at an address, or null. O(log objects)
-[[nodiscard]] const MappableObject* FindObject(const DeviceConfig& config, const ObjectAddress& address) noexcept;
+[[nodiscard]] const MappableObject* FindObject(const DeviceConfig& config, ObjectKey key) noexcept;
 /// @brief The mappable object that a mapping entry names, or null. O(log objects)
-[[nodiscard]] const MappableObject* FindMapped(const DeviceConfig& config, std::uint32_t entry) noexcept;
+[[nodiscard]] inline const MappableObject* FindMapped(const DeviceConfig& config, const std::uint32_t entry) noexcept
+{
+    return FindObject(config, ObjectKey{entry >> 8U});
+}
 /// @brief Value of an object of up to 4 bytes; 0 for none.
 [[nodiscard]] std::uint32_t ToValue(const ObjectData& data) noexcept;
 /// @brief Whether a mapping entry is one of the dummies. [SRS-CFG-033]

@@ -16,6 +16,13 @@ class SafeStateLatch
   public:
     /// @brief Leaves the safe state; only Kernel::Start calls this.
     void Arm() noexcept;
+    /// @brief The power-on state: safe, no fault recorded.
+    void Disarm() noexcept
+    {
+        word_ = 0U;
+        inverse_ = 0U;
+        report_ = DeviceFaultReport{DeviceFault::kInvalid, kNoSlot, 0U};
+    }
     /// @brief Enters the device safe state; the first fault is kept. A fault of kNone has no effect.
     void Enter(DeviceFault fault, SlotIndex slot) noexcept;
     /// @brief All bits set while running, no bit otherwise.
@@ -30,12 +37,12 @@ class SafeStateLatch
     }
     [[nodiscard]] bool IsRunning() const noexcept
     {
-        return Spoiler() == 0U;
+        return (word_ == kRunning) && (inverse_ == ~kRunning);
     }
     [[nodiscard]] DeviceFaultReport Report() const noexcept;
 
   private:
-    static constexpr std::uint32_t kRunning = 0x5A3C96E1U;
+    static constexpr std::uint32_t kRunning = 0x5A5A5A5AU;
 
     std::uint32_t word_{0U};
     std::uint32_t inverse_{0U};

@@ -20,28 +20,28 @@ constexpr std::uint8_t kStatusTransfer = 0x30U; ///< Bits 5-4: 00 good, 01 fault
 constexpr std::uint8_t kStatusError = 0xC0U;    ///< Bits 7-6: 00 none, 01 told, 10 handled.
 constexpr std::uint8_t kStatusFaulty = 0x50U;   ///< Before OnSrdoError.
 
-/// Status bytes of all SRDOs; they signal and release nothing. Bits 7 to 4 of two SRDOs share a byte, bits 5 and 4
-/// inverted, so that zero-filled memory is the reset value. What is unanswered is also kept as a mask, so that it is
-/// found without a loop.
+/// Status bytes of all SRDOs; they signal and release nothing. A byte is kept with bits 5 and 4 inverted, so that
+/// zero-filled memory is the reset value, and with two marks of the handshake in the bits that read 0.
 class SrdoStatus
 {
   public:
     /// @brief Bits 5-4 become 00, bits 7-6 stay.
-    void OnEvent(SlotIndex slot) noexcept;
-    /// @brief Bits 5-4 and 7-6 become 01.
-    void OnError(SlotIndex slot) noexcept;
-    /// @brief What the application answers.
+    void OnEvent(const SlotIndex slot) noexcept
+    {
+        bytes_[slot] = static_cast<std::uint8_t>(bytes_[slot] | (kStatusTransfer | kUnanswered)); // MISRA D-002
+    }
+    /// @brief What is there to handle (kStatusFaulty before OnSrdoError), or what the application answers.
     void Set(SlotIndex slot, StatusByte status) noexcept;
     [[nodiscard]] StatusByte Get(SlotIndex slot) const noexcept;
-    /// @brief What was unanswered at the last call and is still; O(1), once a cycle. [SRS-KRN-022]
-    [[nodiscard]] SrdoMask TakeOverdue() noexcept;
+    /// @brief Lowest slot that was unanswered at the last call and still is, or kNoSlot; once a cycle. O(slots)
+    /// [SRS-KRN-022]
+    [[nodiscard]] SlotIndex TakeOverdue() noexcept;
 
   private:
-    static constexpr std::uint32_t kPairs = kMaxSrdoCount / 2U;
+    static constexpr std::uint8_t kUnanswered = 0x01U;
+    static constexpr std::uint8_t kOpen = 0x02U; ///< Unanswered since before the last call of TakeOverdue.
 
-    std::uint8_t pairs_[kPairs]{}; // MISRA D-001
-    SrdoMask unanswered_{0U};
-    SrdoMask open_{0U}; ///< Unanswered since before the last call of TakeOverdue.
+    std::uint8_t bytes_[kMaxSrdoCount]{}; // MISRA D-001
 };
 
 } // namespace counterpoint
