@@ -221,6 +221,26 @@ expect:
 }
 INSTANTIATE_TEST_SUITE_P(EachPart, WildPointer, ::testing::Values("0", "8", "16", "24", "32"));
 
+TEST(WildPointer, AtAnyMomentEndsInTheSafeState)
+{
+    Verifies(req::SRS_SIM_055);
+    Verifies(req::SRS_SIM_012);
+    // Given each millisecond of a refresh, that of a cycle in which pairs are sent and frames come among them
+    for (unsigned millisecond = 500U; millisecond < 526U; ++millisecond)
+    {
+        for (const char* const node : kNodes)
+        {
+            const auto run = RunChain("faults:\n  - {fault: bit_flip, part: table_pointer, offset: 8, bit: 3, node: " +
+                                      std::string(node) + ", at: " + std::to_string(millisecond) + R"(.3 ms}
+expect:
+  - {that: value, node: actuator, object: 0x2200:01, is: 0, at: 990 ms}
+)");
+            // Then the self test finds it, or the exception stops the node before
+            EXPECT_EQ(Failures(*run), "") << node << " " << millisecond;
+        }
+    }
+}
+
 TEST(WildPointer, OfARunningSystemIsGoneAfterAPowerCycle)
 {
     Verifies(req::SRS_SIM_055);
