@@ -9,6 +9,9 @@ namespace counterpoint::simulator
 {
 namespace
 {
+/// What half the range of a counter of microseconds holds, and more than any device can use.
+constexpr Nanoseconds kLongestLinkTime = 536 * kNanosecondsPerSecond;
+
 /// What CheckLinkConfig found, for people: what is wrong and what was expected.
 std::pair<const char*, const char*> TextOf(const LinkConfigFault fault)
 {
@@ -37,6 +40,16 @@ void Network::RequireLinks() const
         if (setup.role == CpuRole::kWhole)
         {
             continue;
+        }
+        for (const Nanoseconds time :
+             {setup.link.timeout, setup.link.clock_tolerance, setup.link.clock_interval, setup.link.stamp_tolerance})
+        {
+            if (time > kLongestLinkTime)
+            {
+                throw ScenarioError(setup.source.file, setup.source.place,
+                                    "a time of the link of " + MillisecondsText(time),
+                                    "at most " + MillisecondsText(kLongestLinkTime));
+            }
         }
         const LinkConfigFault fault = CheckLinkConfig(models_[node]->Config(), LinkConfigOf(setup));
         if (fault != LinkConfigFault::kNone)

@@ -104,6 +104,10 @@ void Node::Cycle()
     {
         SendByApplication();
     }
+    if (is_hung_)
+    {
+        return;
+    }
     seen_acknowledge_a_ = Level(Part::kAcknowledgeA, seen_acknowledge_a_);
     seen_acknowledge_b_ = Level(Part::kAcknowledgeB, seen_acknowledge_b_);
     const CycleCall call{Instants(), seen_acknowledge_a_, seen_acknowledge_b_};
@@ -161,6 +165,16 @@ void Node::SendByApplication()
         return;
     }
     cycles_to_send_ = cycles_per_send_ - 1U;
+    Guarded(
+        [this]()
+        {
+            RequireSound();
+            SendEach();
+        });
+}
+
+void Node::SendEach()
+{
     for (SlotIndex slot = 0U; slot < model_.Config().srdo_count; ++slot)
     {
         if (model_.Config().srdos[slot].form == ProducerForm::kApplicationSends)

@@ -154,6 +154,7 @@ class Node final : private host::FrameSink, private ChannelWitness
     /// @brief Makes a call into the kernel that may never return.
     template <typename Call> void Guarded(const Call& call);
     void SendByApplication();
+    void SendEach();
     void LookAtOutput();
     void LookAtWatchdog();
     void SettleNextEvent() noexcept;

@@ -9,7 +9,6 @@ namespace
 {
 /// Each piece begins at a multiple of this and ends before the next one.
 constexpr std::uint32_t kPieceBits = 20U;
-constexpr hal::Address kWithinPiece = (hal::Address{1U} << kPieceBits) - 1U;
 constexpr hal::Address kStack = hal::Address{0x7FU} << 32U;
 constexpr hal::Address kElsewhere = hal::Address{0x7EU} << 32U;
 
@@ -23,13 +22,15 @@ std::uint32_t WordAt(const std::uint8_t* const bytes) noexcept
 
 hal::MemorySpan NodeMemory::Add(void* const bytes, const std::size_t size)
 {
-    pieces_.push_back(static_cast<std::uint8_t*>(bytes));
-    return {hal::Address{pieces_.size() - 1U} << kPieceBits, static_cast<std::uint32_t>(size / hal::kWordBytes)};
+    const hal::Address first = hal::Address{pieces_} << kPieceBits;
+    distances_.at(pieces_) = reinterpret_cast<std::uintptr_t>(bytes) - first;
+    ++pieces_;
+    return {first, static_cast<std::uint32_t>(size / hal::kWordBytes)};
 }
 
 std::uint8_t* NodeMemory::At(const hal::Address place) const noexcept
 {
-    return pieces_[place >> kPieceBits] + (place & kWithinPiece);
+    return reinterpret_cast<std::uint8_t*>(distances_[place >> kPieceBits] + place);
 }
 
 std::uint32_t NodeMemory::Read(const hal::Address place) const noexcept
@@ -49,8 +50,13 @@ void NodeMemory::Write(const hal::Address place, const std::uint32_t value) noex
 
 std::uint32_t NodeMemory::Exchange(const hal::Address place, const std::uint32_t value) noexcept
 {
-    const std::uint32_t before = WordAt(At(place));
-    NodeMemory::Write(place, value);
+    std::uint8_t* const word = At(place);
+    const std::uint32_t before = WordAt(word);
+    std::memcpy(word, &value, sizeof value);
+    if (!stuck_.empty())
+    {
+        HoldWithin(word);
+    }
     return before;
 }
 

@@ -8,6 +8,7 @@
 #include "hal/api/interrupt_lock.hpp"
 #include "hal/api/memory_access.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -58,7 +59,10 @@ class NodeMemory final : public hal::MemoryAccess
     [[nodiscard]] std::uint8_t* At(hal::Address place) const noexcept;
     void HoldWithin(const std::uint8_t* word) noexcept;
 
-    std::vector<std::uint8_t*> pieces_;
+    static constexpr std::size_t kMostPieces = 128U;
+
+    std::array<std::uintptr_t, kMostPieces> distances_{}; ///< From a place to its byte in this process, by piece.
+    std::size_t pieces_{0U};
     std::vector<Held> stuck_;
     std::vector<std::size_t> effects_;
 };

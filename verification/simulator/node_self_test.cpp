@@ -9,7 +9,8 @@ namespace
 {
 using selftest::SignatureSource;
 
-constexpr std::uint8_t kSignatureShare = 4U; ///< Words that are read in the time of one word that is marched through.
+/// Words of a signature that are read in a cycle at most: what the largest slice of a march takes.
+constexpr std::uint16_t kMostSignatureWords = 64U;
 
 selftest::SignatureSetup Whole(const selftest::SpanList& memory)
 {
@@ -50,9 +51,9 @@ void NodeSelfTest::AddConstant(const void* const bytes, const std::size_t size)
     constants_.push_back(memory_.Add(const_cast<void*>(bytes), size)); // Only read.
 }
 
-bool NodeSelfTest::Fits(const std::uint8_t ram_words, const std::uint32_t interval_cycles)
+bool NodeSelfTest::Fits(const std::uint8_t ram_words, const std::uint16_t signature_words,
+                        const std::uint32_t interval_cycles)
 {
-    const auto signature_words = static_cast<std::uint16_t>(ram_words * kSignatureShare);
     setup_.program.slice_words = signature_words;
     setup_.constants.slice_words = signature_words;
     setup_.ram.slice_words = ram_words;
@@ -82,14 +83,17 @@ bool NodeSelfTest::Settle(const std::uint32_t interval_cycles)
     setup_.constants = {ListOf(constants_), 0U, SignatureSource::kTaken, 0U};
     setup_.ram = {ListOf(live_), &workspace_, 0U};
     setup_.interval_cycles = interval_cycles;
-    for (std::uint8_t words = selftest::kMinRamSliceWords; words <= selftest::kMaxRamSliceWords; ++words)
+    std::uint8_t ram_words = selftest::kMinRamSliceWords;
+    while (ram_words < selftest::kMaxRamSliceWords && !Fits(ram_words, kMostSignatureWords, interval_cycles))
     {
-        if (Fits(words, interval_cycles))
-        {
-            return true;
-        }
+        ++ram_words;
     }
-    return false;
+    std::uint16_t signature_words = 1U;
+    while (signature_words < kMostSignatureWords && !Fits(ram_words, signature_words, interval_cycles))
+    {
+        ++signature_words;
+    }
+    return Fits(ram_words, signature_words, interval_cycles);
 }
 
 // A start-up test that fails leaves the self test failing: the kernel will hear it in its first cycle.

@@ -73,7 +73,7 @@ class NodeSelfTest final : public SelfTestPart
 
   private:
     [[nodiscard]] SelfTestOutcome Said() noexcept;
-    [[nodiscard]] bool Fits(std::uint8_t ram_words, std::uint32_t interval_cycles);
+    [[nodiscard]] bool Fits(std::uint8_t ram_words, std::uint16_t signature_words, std::uint32_t interval_cycles);
 
     NodeMemory& memory_;
     NodeImage& image_;

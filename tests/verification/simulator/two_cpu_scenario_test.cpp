@@ -115,6 +115,8 @@ constexpr BadCase kBadLinks[] = {
     {"structure: two_cpu, cpu_b: {counter: {ppm: -1000000}}", "a counter that stands still from the start"},
     {"structure: two_cpu, link: {timeout: 2 ms}", "link time-out, expected 3 cycles of the device or more"},
     {"structure: two_cpu, link: {clock_tolerance: 6 ms}", "clock tolerance or interval of the link, expected"},
+    {"structure: two_cpu, link: {clock_interval: 4295 s}",
+     "a time of the link of 4295000 ms, expected at most 536000 ms"},
     {"structure: two_cpu, link: {stamp_tolerance: 10 ms}", "stamp tolerance of the link, expected less than"},
     {"structure: two_cpu, link: {delay: 9 ms, jitter: 1 ms}", "delay of the link with its jitter, expected less"},
     {"structure: two_cpu, start_at: 1 ms, cpu_b: {phase: 1 ms}", "start_at not after phase"},
