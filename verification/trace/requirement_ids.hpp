@@ -327,6 +327,7 @@ inline constexpr RequirementId SRS_LSS_008{"SRS-LSS-008"};
 inline constexpr RequirementId SRS_LSS_009{"SRS-LSS-009"};
 inline constexpr RequirementId SRS_LSS_010{"SRS-LSS-010"};
 inline constexpr RequirementId SRS_LSS_011{"SRS-LSS-011"};
+inline constexpr RequirementId SRS_LSS_012{"SRS-LSS-012"};
 inline constexpr RequirementId SRS_MON_001{"SRS-MON-001"};
 inline constexpr RequirementId SRS_MON_002{"SRS-MON-002"};
 inline constexpr RequirementId SRS_MON_003{"SRS-MON-003"};
