@@ -363,6 +363,7 @@ inline constexpr RequirementId SRS_NODE_007{"SRS-NODE-007"};
 inline constexpr RequirementId SRS_NODE_008{"SRS-NODE-008"};
 inline constexpr RequirementId SRS_NODE_009{"SRS-NODE-009"};
 inline constexpr RequirementId SRS_NODE_010{"SRS-NODE-010"};
+inline constexpr RequirementId SRS_NODE_011{"SRS-NODE-011"};
 inline constexpr RequirementId SRS_OBD_001{"SRS-OBD-001"};
 inline constexpr RequirementId SRS_OBD_002{"SRS-OBD-002"};
 inline constexpr RequirementId SRS_OBD_003{"SRS-OBD-003"};
