@@ -110,7 +110,7 @@ LiveFrame Next(LiveBus& bus, const std::string& expected)
 {
     const std::uint64_t start_ns = host::LiveNow();
     LiveFrame frame;
-    while (host::LiveNow() - start_ns < 2'000U * kMillisecondNs)
+    while (host::LiveNow() - start_ns < 10'000U * kMillisecondNs)
     {
         if (bus.Receive(frame))
         {
@@ -118,7 +118,7 @@ LiveFrame Next(LiveBus& bus, const std::string& expected)
         }
         WaitFor(bus, 100);
     }
-    throw Failure("expected: " + expected + ", within two seconds");
+    throw Failure("expected: " + expected + ", within ten seconds");
 }
 
 void ServeUntil(LiveBus& bus, const std::function<bool()>& is_done, const std::string& expected)
@@ -134,9 +134,9 @@ void ServeUntil(LiveBus& bus, const std::function<bool()>& is_done, const std::s
         {
             return;
         }
-        Expect(host::LiveNow() - start_ns < 5'000U * kMillisecondNs, expected);
+        Expect(host::LiveNow() - start_ns < 10'000U * kMillisecondNs, expected);
         // As long as the patience here: what happens next has to wake the descriptor by itself.
-        WaitFor(bus, 5'000);
+        WaitFor(bus, 10'000);
     }
 }
 
