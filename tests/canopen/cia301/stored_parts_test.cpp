@@ -1,4 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia301/little_endian.hpp"
 #include "canopen/cia301/sdo_server_port.hpp"
 #include "canopen/cia301/stored_parts.hpp"
 #include "tests/canopen/cia301/cut_memory.hpp"
@@ -85,8 +86,7 @@ class StoredPartsTest : public ServiceRig
         std::uint32_t code = 0xFFFFFFFFU;
         if (!answer.empty())
         {
-            code = (answer[0] == 0x60U) ? 0U : (answer[4] | (answer[5] << 8U) | (answer[6] << 16U));
-            code |= (answer[0] == 0x60U) ? 0U : (static_cast<std::uint32_t>(answer[7]) << 24U);
+            code = (answer[0] == 0x60U) ? 0U : static_cast<std::uint32_t>(FromLittleEndian(&answer[4], 4U));
         }
         return code;
     }
