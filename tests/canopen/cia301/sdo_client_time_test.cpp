@@ -199,6 +199,27 @@ TEST_F(SdoClientTimeTest, EachMarkIsLikeNoOtherOfTheLast254)
     EXPECT_EQ(requests.Next()[1], 0x05U);
 }
 
+TEST_F(SdoClientTimeTest, AServerThatIsReturnedToIsInDoubt)
+{
+    Verifies(req::SRS_SDC_008);
+    EXPECT_TRUE(Upload(0x2105U, SdoMode::kNormal));
+    now_us += 1000U;
+    client.OnCycle(Instant{now_us});
+    requests.frames.clear();
+    EXPECT_TRUE(client.Connect(NodeId{6U}));
+    EXPECT_TRUE(client.Connect(NodeId{5U}));
+    EXPECT_TRUE(Upload(0x2105U, SdoMode::kNormal));
+    EXPECT_EQ(requests.Next()[1], 0x00U); // the mark
+    // also after another server has cleared its own doubt
+    client.OnServerRestart();
+    EXPECT_TRUE(client.Connect(NodeId{6U}));
+    client.OnServerRestart();
+    EXPECT_TRUE(client.Connect(NodeId{5U}));
+    requests.frames.clear();
+    EXPECT_TRUE(Upload(0x2105U, SdoMode::kNormal));
+    EXPECT_EQ(requests.Next()[1], 0x00U);
+}
+
 TEST_F(SdoClientTimeTest, GivingUpTellsTheServer)
 {
     Verifies(req::SRS_SDC_009);

@@ -220,6 +220,25 @@ TEST_F(StoredPartsTest, AnEntryThatIsGoneOrRefusesIsCounted)
     EXPECT_EQ(report.refused, 2U);
 }
 
+TEST_F(StoredPartsTest, AnEntryThatIsNoLongerStoredIsNotLoaded)
+{
+    Verifies(req::SRS_STO_011);
+    EXPECT_EQ(Download(kSaveAllRequest), 0U);
+    table[9].uses = 0U;
+    Restart();
+    EXPECT_EQ(report.refused, 1U);
+    EXPECT_EQ(application[0], 0U);
+}
+
+TEST_F(StoredPartsTest, APartThatIsGoneIsCounted)
+{
+    Verifies(req::SRS_STO_007);
+    EXPECT_EQ(Download(kSaveAllRequest), 0U);
+    ParameterStore empty{StoreParts{memory, parts.data(), 0U, Room{scratch.data(), 64U}}};
+    EXPECT_TRUE(empty.Mount());
+    EXPECT_EQ(empty.Load(kAllGroups).refused, 6U);
+}
+
 class StoredSafetyTest : public Rig
 {
 };
