@@ -92,18 +92,7 @@ class MonitorCommand final : public Command
         {
             cia306::RequireWritable(html_);
         }
-        std::vector<monitor::NodeFile> files;
-        for (const std::string& dcf : dcfs_)
-        {
-            files.push_back(NodeFileOf(dcf));
-        }
-        const auto sct = sct_ms_ == 0 ? std::nullopt : std::optional<Time>(sct_ms_ * monitor::kMillisecond);
-        const monitor::Network network(files, sct);
-        if (network.Watches().empty())
-        {
-            throw InputError(files.front().path, 0U,
-                             {"no SRDO that is on in any of the files", "at least one to watch"});
-        }
+        const monitor::Network network = ReadNetwork();
         std::vector<monitor::Violation> kept;
         monitor::Analysis analysis(network,
                                    [&](const monitor::Violation& violation)
@@ -141,6 +130,23 @@ class MonitorCommand final : public Command
             WatchLiveBus(address_, seconds_, streams, take, [&](const Time now) { analysis.Advance(now); });
         }
         return Conclude({network, analysis, kept, address_.empty() ? file_ : address_}, streams);
+    }
+
+    [[nodiscard]] monitor::Network ReadNetwork() const
+    {
+        std::vector<monitor::NodeFile> files;
+        for (const std::string& dcf : dcfs_)
+        {
+            files.push_back(NodeFileOf(dcf));
+        }
+        const auto sct = sct_ms_ == 0 ? std::nullopt : std::optional<Time>(sct_ms_ * monitor::kMillisecond);
+        monitor::Network network(files, sct);
+        if (network.Watches().empty())
+        {
+            throw InputError(files.front().path, 0U,
+                             {"no SRDO that is on in any of the files", "at least one to watch"});
+        }
+        return network;
     }
 
     [[nodiscard]] ExitStatus Conclude(const monitor::Report& report, const Streams& streams) const
