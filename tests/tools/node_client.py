@@ -23,7 +23,7 @@ from canopen.sdo import SdoAbortedError, SdoCommunicationError  # noqa: E402
 from node_bus import open_bus  # noqa: E402
 
 TEXT = (datatypes.VISIBLE_STRING, datatypes.OCTET_STRING, datatypes.DOMAIN)
-LIVING = {0x1001, 0x1003, 0x1014}  # Values that come from the device, not from the file.
+LIVING = {0x1001, 0x1003, 0x1010, 0x1011, 0x1014}  # Values that come from the device, not from the file.
 DOMAIN_INDEX = 0x400F
 STRING_INDEX = 0x4009
 
@@ -139,7 +139,7 @@ def walk(session):
         right = 0x06010002 if variable.access_type in ("ro", "const") else 0
         # The kernel takes identical values of its parameters, and lets nobody write what an SRDO receives.
         is_kernels = 0x1300 <= variable.index <= 0x13FF or variable.index in (0x2200, 0x2300)
-        if code != right and variable.index != 0x1003 and not is_kernels:
+        if code != right and variable.index not in (0x1003, 0x1010, 0x1011) and not is_kernels:
             session.check(f"{name} ({variable.access_type}) written back", False, f"{code:08X} instead of {right:08X}")
     session.check(f"all {count} variables of the file are there, {refused} refused", refused == 0)
     session.check("all values are those of the file", differing == 0)
@@ -163,6 +163,8 @@ def numbers(session):
     session.check("too short", code == 0x06070013, hex(code))
     code = session.abort_of(sdo.download, 0x4006, 0, b"1234567890")
     session.check("too long", code in (0x06070012, 0x06070010), hex(code))
+    code = session.write(0x1010, 1, 1, 4)
+    session.check("a save without its signature: 08000020", code == 0x08000020, hex(code))
     code = session.write(0x5F00, 1, session.read(0x5F00, 1) + 1, 4)
     session.check("5F00h cannot change while the device runs", code == 0x08000021, hex(code))
 

@@ -199,6 +199,46 @@ TEST_F(NodeProcessTest, AConsumerThatStarvedOpensNothingWithoutResetAndAcknowled
     EXPECT_EQ(actuator->End(), 0);
 }
 
+TEST_F(NodeProcessTest, WhatWasSavedIsThereAfterTheNextStart)
+{
+    Verifies(req::SRS_NODE_011);
+    const std::string everything = "../tests/tools/data/everything.dcf";
+    const std::string file = ::testing::TempDir() + "node_store_" + OwnBus().substr(OwnBus().rfind(':') + 1U);
+    std::remove(file.c_str());
+    // Given a value and an SCT that were changed, and saved
+    auto node = Start(everything, {"--store", file});
+    node->Type("set 0x4005:00 50");
+    node->Type("set 0x1301:02 60");
+    node->Type("set 0x1010:01 0x65766173");
+    EXPECT_FALSE(node->Tells(Event("device_fault", "fault", "late_call"), 500));
+    node->Type("quit");
+    EXPECT_EQ(node->End(), 0);
+    // When another process starts, it has them, and its safety configuration is not valid
+    node = Start(everything, {"--store", file});
+    node->Type("get 0x4005:00");
+    EXPECT_EQ(node->WaitFor("object").event["value"], 50);
+    node->Type("get 0x1301:02");
+    EXPECT_EQ(node->WaitFor("object").event["value"], 60);
+    node->Type("get 0x13FE:00");
+    EXPECT_EQ(node->WaitFor("object").event["value"], 0);
+    // When defaults are asked for, they are back after a reset
+    node->Type("set 0x1011:01 0x64616F6C");
+    EXPECT_FALSE(node->Tells(Event("device_fault", "fault", "late_call"), 500));
+    node->Type("nmt reset-node");
+    EXPECT_FALSE(node->WaitFor("nmt").event.is_null());
+    node->Type("get 0x4005:00");
+    EXPECT_EQ(node->WaitFor("object").event["value"], 9);
+    node->Type("get 0x13FE:00");
+    EXPECT_EQ(node->WaitFor("object").event["value"], 0xA5);
+    node->Type("quit");
+    EXPECT_EQ(node->End(), 0);
+    std::remove(file.c_str());
+    // Without a store there is nothing to save to
+    node = Start(everything);
+    node->Type("set 0x1010:01 0x65766173");
+    EXPECT_FALSE(node->WaitFor("problem").event.is_null());
+}
+
 TEST_F(NodeProcessTest, TheChainRunsByItsScripts)
 {
     Verifies(req::SRS_NODE_003);
