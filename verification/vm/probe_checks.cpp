@@ -230,6 +230,56 @@ void CheckFilters(const Names& buses)
     Expect((got.size() == 2U) && (got[0].data[0] == 1U) && (got[1].data[0] == 2U), "5FFh and extended 42h, only these");
 }
 
+/// A receiver that reads nothing while 4000 frames are sent: what it has is in order, and what it lost is counted.
+void CheckLostFrames(const Names& buses)
+{
+    constexpr std::uint32_t kCount = 4'000U;
+    const auto slow = host::OpenLiveBus(buses[0]);
+    const auto sender = host::OpenLiveBus(buses[0]);
+    LiveFrame frame;
+    for (std::uint32_t n = 0U; n < kCount; ++n)
+    {
+        const LiveFrame sent = Frame(0x10U, {static_cast<std::uint8_t>(n >> 8U), static_cast<std::uint8_t>(n)});
+        Expect(sender->Send(sent) == SendResult::kSent, "frame taken");
+        while (sender->Receive(frame))
+        {
+        }
+    }
+    std::uint32_t got = 0U;
+    std::uint32_t last = 0U;
+    while (slow->Receive(frame))
+    {
+        const std::uint32_t number = (std::uint32_t{frame.data[0]} << 8U) | frame.data[1];
+        Expect((got == 0U) || (number > last), "frames in order");
+        last = number;
+        ++got;
+    }
+    // The kernel tells the count with the next frame.
+    Expect(sender->Send(Frame(0x11U, {})) == SendResult::kSent, "frame taken");
+    Expect(Next(*slow, "the last frame").identifier == 0x11U, "the last frame");
+    std::cout << "note: " << got << " of " << kCount << " frames received, " << slow->Health().lost_frames << " lost\n";
+    Expect(got + slow->Health().lost_frames == kCount, "received and lost are all");
+}
+
+/// What is no CAN interface cannot be opened, and a sentence says so.
+void CheckAbsent(const Names& buses)
+{
+    for (const std::string& name : buses)
+    {
+        std::string text;
+        try
+        {
+            static_cast<void>(host::OpenLiveBus(name));
+        }
+        catch (const host::LiveBusError& problem)
+        {
+            text = problem.what();
+        }
+        Expect(text == "bus '" + name + "': No such device, expected a CAN interface '" + name + "'",
+               "a refusal of " + name + ", not '" + text + "'");
+    }
+}
+
 /// Error frames, put on a virtual interface by another socket, drive state, counters and counts.
 void CheckErrorFrames(const Names& buses)
 {

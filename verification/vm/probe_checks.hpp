@@ -40,6 +40,8 @@ using Names = std::vector<std::string>;
 void CheckExchange(const Names& buses);
 void CheckOwn(const Names& buses);
 void CheckFilters(const Names& buses);
+void CheckLostFrames(const Names& buses);
+void CheckAbsent(const Names& buses);
 void CheckErrorFrames(const Names& buses);
 void CheckTwoInterfaces(const Names& buses);
 void CheckDownAndUp(const Names& buses);

@@ -4,7 +4,7 @@
 A check is one file, NAME.sh (BusyBox's shell) or NAME.py, which passes by exit status 0. Comments at its head:
   # Needs: PATH ...            files, programs, folders from the root of the tree, placed at the same path under /
   # Requirements: SRS-...      what a pass shows; written to build/vm/vm.json
-  # Seconds: N                 its limit (default 60)
+  # Seconds: N                 its limit (default 180)
 The first comment line that is none of these says in words what it checks. /lib.sh has functions for the shell.
 
 Exit status: 0 every check passed, 1 one did not, 2 the machine could not be made or did not boot.
@@ -32,7 +32,7 @@ class Check:
     def __init__(self, path):
         self.path = path
         self.name = path.stem
-        self.needs, self.requirements, self.seconds, self.title = [], [], 60, ""
+        self.needs, self.requirements, self.seconds, self.title = [], [], 180, ""
         for line in path.read_text(encoding="utf-8").splitlines():
             if line.startswith("#!"):
                 continue

@@ -1,7 +1,6 @@
 # python-can's socketcand client reaches vcan0 through counterpoint bus, both ways
 # Needs: build/product/tools/counterpoint
 # Requirements: SRS-LIVE-053
-# Seconds: 120
 import subprocess
 import sys
 import time
