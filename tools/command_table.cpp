@@ -1,9 +1,12 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/command_table.hpp"
 
+#include "tools/bus_command.hpp"
+#include "tools/bus_command.hpp"
 #include "tools/check_command.hpp"
 #include "tools/demo_command.hpp"
 #include "tools/generate_command.hpp"
+#include "tools/monitor_command.hpp"
 #include "tools/node_command.hpp"
 #include "tools/sign_command.hpp"
 #include "tools/simulate_command.hpp"
@@ -16,9 +19,12 @@ std::vector<CommandRow> CommandTable()
         {"demo", "Simulate the emergency-stop chain under faults and show the timing diagrams", &MakeDemoCommand},
         {"simulate", "Simulate a scenario: devices, faults, expectations", &MakeSimulateCommand},
         {"node", "Run the device of a DCF on a live CAN bus", &MakeNodeCommand},
+        {"bus", "Serve a CAN bus to other programs by the socketcand protocol", &MakeBusCommand},
+        {"bus", "Serve a CAN bus to other programs by the socketcand protocol", &MakeBusCommand},
         {"sign", "Compute the safety configuration signatures (13FFh) of a DCF", &MakeSignCommand},
         {"check", "Check the safety configuration of a DCF against every rule", &MakeCheckCommand},
         {"generate", "Generate the C++ object dictionary of a device from its EDS or DCF", &MakeGenerateCommand},
+        {"monitor", "Watch the SRDOs of a recording or a live bus by the DCFs of its devices", &MakeMonitorCommand},
     };
 }
 } // namespace counterpoint::tools

@@ -46,6 +46,10 @@ class NodeCommand final : public Command
                "again. For machines that are not fast enough for the file")
             ->check(CLI::Validator(ProblemOfNumber, ""))
             ->check(CLI::Range(kShortestCycleUs, kLongestCycleUs));
+        app.add_option("--store", store_,
+                       "Where 1010h saves and from where each start loads; without it nothing is saved")
+            ->type_name("FILE")
+            ->check(CLI::Validator(ProblemOfFileName, ""));
         app.add_flag("--json", is_json_, "One JSON object a line");
         app.add_flag("--no-input", has_no_input_, "Read no orders from the standard input");
         app.footer("Orders, typed as lines or in a script:\n" + OrderHelp() +
@@ -76,6 +80,7 @@ class NodeCommand final : public Command
         settings.dcf = dcf_;
         settings.node_id = (node_id_ == 0) ? std::nullopt : std::optional(static_cast<std::uint8_t>(node_id_));
         settings.cycle_us = (cycle_us_ == 0) ? std::nullopt : std::optional(static_cast<std::uint32_t>(cycle_us_));
+        settings.store = store_;
         const NodeScript script = script_.empty() ? NodeScript{} : ReadNodeScript(script_);
         NodePorts ports(address_);
         NodeReport report(streams.out, is_json_ ? ReportForm::kJson : ReportForm::kText, host::LiveNow());
@@ -97,6 +102,7 @@ class NodeCommand final : public Command
     std::string address_;
     std::string dcf_;
     std::string script_;
+    std::string store_;
     int node_id_{0};
     int cycle_us_{0};
     bool is_json_{false};

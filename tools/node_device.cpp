@@ -90,6 +90,10 @@ NodeDevice::NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeRepor
       kernel_({channel_a_->Voice(), channel_b_->Voice(), ports, output_, watchdog_, watch_}),
       facade_(kernel_, objects_.Table()), dictionary_(objects_.Table(), facade_),
       services_({config_.node_id}, {emergency_, ports, dictionary_, objects_.Rooms()}),
+      store_(settings.store.empty()
+                 ? nullptr
+                 : std::make_unique<NodeStore>(settings.store,
+                                               NodeStoreParts{kernel_, objects_.Table(), dictionary_, services_})),
       safety_room_(2U * config_.srdo_count + 2U), service_room_(kServiceFrames),
       device_({kernel_,
                watch_,
@@ -100,7 +104,7 @@ NodeDevice::NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeRepor
                {service_room_.data(), static_cast<std::uint32_t>(service_room_.size())},
                config_.srdo_count})
 {
-    objects_.Connect(services_);
+    objects_.Connect(services_, store_ ? &store_->Hook() : nullptr);
     slot_of_.fill(kNoSlot);
     application_.Tell([this](const std::uint8_t srdo) { paired_ |= SrdoMask{1U} << model_.SlotOf(srdo).value_or(0U); });
 }
@@ -204,6 +208,7 @@ void NodeDevice::Cycle(const InstantPair& now, const std::uint64_t now_ns)
     paired_ = 0U;
     const SrdoMask levels = AcknowledgeLevels(now_ns);
     device_.Cycle({now, levels, levels});
+    Save();
     TellState(now_ns);
 }
 
@@ -211,6 +216,7 @@ void NodeDevice::Serve(const InstantPair& now, const std::uint64_t now_ns)
 {
     SetTime(now_ns);
     device_.Serve(now.a);
+    Save();
     TellState(now_ns);
 }
 
@@ -249,6 +255,19 @@ void NodeDevice::TellLatency(const std::uint64_t now_ns)
         }
     }
     paired_ = 0U;
+}
+
+bool NodeDevice::IsSaving() const noexcept
+{
+    return store_ && store_->IsBusy();
+}
+
+void NodeDevice::Save()
+{
+    if (store_)
+    {
+        store_->OnCycle();
+    }
 }
 
 bool NodeDevice::Acknowledge(const std::uint8_t srdo, const std::uint64_t now_ns)

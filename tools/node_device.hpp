@@ -7,6 +7,7 @@
 #include "tools/node_objects.hpp"
 #include "tools/node_ports.hpp"
 #include "tools/node_report.hpp"
+#include "tools/node_store.hpp"
 
 #include "canopen/device/device.hpp"
 #include "canopen/device/safety_objects.hpp"
@@ -31,6 +32,7 @@ struct NodeSettings
     std::string dcf;
     std::optional<std::uint8_t> node_id;
     std::optional<std::uint32_t> cycle_us; ///< Instead of 5F00h:01.
+    std::string store;                     ///< File of 1010h; empty: nothing is saved.
 };
 
 /// A device of a DCF in real time: shipped kernel, channels and services, the gate and the watchdog of the host, real
@@ -66,6 +68,8 @@ class NodeDevice final : private device::Owner
     /// @brief Whether the kernel was started anew since the last call: cycles and watchdog begin anew.
     [[nodiscard]] bool TakeRestart() noexcept;
 
+    /// @brief A save is under way: Serve soon, it takes many steps.
+    [[nodiscard]] bool IsSaving() const noexcept;
     /// @brief A person presses the acknowledge button of one SRDO; false: there is no such SRDO.
     [[nodiscard]] bool Acknowledge(std::uint8_t srdo, std::uint64_t now_ns);
     /// @brief Outputs closed, no SRDO any more.
@@ -75,6 +79,7 @@ class NodeDevice final : private device::Owner
     [[nodiscard]] device::LoadResult OnResetNode() noexcept override;
     [[nodiscard]] device::LoadResult OnResetCommunication() noexcept override;
 
+    void Save();
     void LoadSafety();
     [[nodiscard]] bool IsSafetyLoaded();
     void PrepareSending();
@@ -102,6 +107,7 @@ class NodeDevice final : private device::Owner
     device::SafetyObjects facade_;
     cia301::Dictionary dictionary_;
     device::Services services_;
+    std::unique_ptr<NodeStore> store_; ///< Null: none.
     std::vector<device::QueuedFrame> safety_room_;
     std::vector<device::QueuedFrame> service_room_;
     device::Device device_;

@@ -40,6 +40,10 @@ device::LoadResult NodeDevice::OnResetNode() noexcept
         const auto index = static_cast<std::uint16_t>(kCommunicationBase + table.number);
         static_cast<void>(kernel_.DefineStaticFields({index}, model_.FieldsOf(table)));
     }
+    if (store_)
+    {
+        store_->Load(cia301::kApplicationGroup | cia301::kManufacturerGroup);
+    }
     PrepareSending();
     has_restarted_ = true;
     return device::LoadResult::kLoaded;
@@ -47,6 +51,7 @@ device::LoadResult NodeDevice::OnResetNode() noexcept
 
 device::LoadResult NodeDevice::OnResetCommunication() noexcept
 {
+    state_ = cia301::NodeState::kInvalid; // Told again, even if it is the same.
     objects_.LoadCommunication();
     for (const std::string& refusal : objects_.Refusals())
     {
@@ -55,6 +60,10 @@ device::LoadResult NodeDevice::OnResetCommunication() noexcept
     if (!IsSafetyLoaded())
     {
         LoadSafety();
+    }
+    if (store_)
+    {
+        store_->Load(cia301::kCommunicationGroup);
     }
     slot_of_.fill(kNoSlot);
     for (const simulator::SrdoModel& srdo : model_.Srdos())

@@ -21,6 +21,7 @@ namespace
 constexpr std::uint64_t kNsPerUs = 1000U;
 constexpr std::uint64_t kNsPerSecond = 1000000000U;
 constexpr std::uint64_t kWatchNs = 50000000U;
+constexpr std::uint64_t kSaveStepNs = 1000000U;
 constexpr int kPriority = 20;
 
 volatile std::sig_atomic_t caught_signal = 0;
@@ -116,6 +117,7 @@ void NodeLoop::Step()
     parts_.device.LookAtOutput(clocks_.NowNs());
     WatchBus();
     FollowScript();
+    Carry(NodeOrder(pending_));
     if (caught_signal != 0)
     {
         reason_ = (caught_signal == SIGINT) ? "SIGINT" : "SIGTERM";
@@ -135,7 +137,8 @@ void NodeLoop::Wait()
 {
     static_cast<void>(clocks_.Now());
     const std::uint64_t now_ns = clocks_.NowNs();
-    const std::uint64_t wait_ns = (next_cycle_ns_ > now_ns) ? next_cycle_ns_ - now_ns : 0U;
+    const std::uint64_t cycle_ns = (next_cycle_ns_ > now_ns) ? next_cycle_ns_ - now_ns : 0U;
+    const std::uint64_t wait_ns = parts_.device.IsSaving() ? std::min(cycle_ns, kSaveStepNs) : cycle_ns;
     const timespec time{static_cast<time_t>(wait_ns / kNsPerSecond), static_cast<long>(wait_ns % kNsPerSecond)};
     std::array<pollfd, 3U> places{{{parts_.ports.Safety().Descriptor(), POLLIN, 0},
                                    {parts_.ports.Services().Descriptor(), POLLIN, 0},

@@ -64,6 +64,7 @@ class NodeLoop
     host::BusState bus_{host::BusState::kActive};
     InstantPair now_{{0U}, {0U}};
     std::uint64_t now_ns_{0U};
+    NodeOrder pending_;  ///< A value that its object has not taken yet: a save.
     std::string typed_;  ///< Begin of a line.
     std::string reason_; ///< Why it ends; empty: it does not.
     bool is_input_open_;

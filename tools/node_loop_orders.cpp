@@ -112,14 +112,15 @@ void NodeLoop::SetObject(const NodeOrder& order)
     {
         return;
     }
-    const cia301::Entry* const entry = parts_.device.Objects().Find(order.object);
-    const bool is_number = entry != nullptr && entry->size_bytes <= kMaxPayloadBytes;
-    cia301::SdoAbort abort = cia301::SdoAbort::kObjectUnknown;
-    if (is_number)
+    cia301::Dictionary& objects = parts_.device.Objects();
+    const cia301::Reading size = objects.SizeOf(order.object);
+    cia301::SdoAbort abort = size.abort;
+    if (abort == cia301::SdoAbort::kNone)
     {
-        abort = parts_.device.Objects().WriteNumber(order.object, order.value, entry->size_bytes);
+        abort = objects.WriteNumber(order.object, order.value, size.size_bytes);
     }
-    if (abort != cia301::SdoAbort::kNone)
+    pending_ = (abort == cia301::SdoAbort::kPending) ? order : NodeOrder{};
+    if (abort != cia301::SdoAbort::kNone && abort != cia301::SdoAbort::kPending)
     {
         const std::string text = "set: " + ObjectText(order.object) + " = " + std::to_string(order.value) +
                                  " refused with " + AbortText(abort) +

@@ -61,6 +61,12 @@ bool IsOfServiceObjects(const std::uint16_t index)
     return std::find(kServiceObjects.begin(), kServiceObjects.end(), index) != kServiceObjects.end();
 }
 
+/// 1010h and 1011h.
+bool IsStore(const std::uint16_t index)
+{
+    return index == 0x1010U || index == 0x1011U;
+}
+
 /// 5F00h to 5F05h: what the kernel was started with.
 bool IsFixedAtStart(const std::uint16_t index)
 {
@@ -84,7 +90,9 @@ std::uint8_t UsesOf(const cia306::Entry& entry)
     const bool is_sent = entry.access != cia306::Access::kWriteOnly && entry.access != cia306::Access::kReadWriteOutput;
     const bool is_received = !entry.IsFixed() && entry.access != cia306::Access::kReadWriteInput;
     const unsigned uses = (is_sent ? cia301::kInTpdo : 0U) | (is_received ? cia301::kInRpdo : 0U);
-    return static_cast<std::uint8_t>(entry.is_pdo_mappable ? uses : 0U);
+    const bool is_kept = !entry.IsFixed() && entry.access != cia306::Access::kWriteOnly && entry.index != 0x1003U &&
+                         !IsStore(entry.index) && !IsFixedAtStart(entry.index);
+    return static_cast<std::uint8_t>((entry.is_pdo_mappable ? uses : 0U) | (is_kept ? cia301::kStored : 0U));
 }
 
 cia301::Access AccessOf(const cia306::Entry& entry)
@@ -134,15 +142,6 @@ std::vector<std::uint8_t> OctetsOf(const std::string& text)
 }
 } // namespace
 
-SdoAbort FixedHook::OnWrite(const ObjectAddress& address, const cia301::Bytes& value) noexcept
-{
-    const auto* const end = table_.entries + table_.count;
-    const auto* const entry = std::find_if(table_.entries, end, [&address](const cia301::Entry& each)
-                                           { return each.index == address.index && each.sub == address.sub; });
-    const bool is_same = entry != end && std::equal(value.data, value.data + value.size_bytes, entry->place);
-    return is_same ? SdoAbort::kNone : SdoAbort::kLocalControl;
-}
-
 NodeObjects::NodeObjects(const cia306::Device& device, const std::uint8_t node_id, const IsKernels& is_kernels)
     : file_(device.file)
 {
@@ -182,11 +181,11 @@ device::ServiceRooms NodeObjects::Rooms() noexcept
             {sdo_buffer_.data(), static_cast<std::uint32_t>(sdo_buffer_.size())}};
 }
 
-void NodeObjects::Connect(device::Services& services) noexcept
+void NodeObjects::Connect(device::Services& services, cia301::NumberHook* const store) noexcept
 {
     for (cia301::Entry& entry : entries_)
     {
-        const bool is_count = entry.sub == 0U && entry.access == cia301::Access::kConstant; // What the file says.
+        const bool is_count = entry.sub == 0U && (entry.access == cia301::Access::kConstant || IsStore(entry.index));
         if (is_count)
         {
             continue;
@@ -196,7 +195,12 @@ void NodeObjects::Connect(device::Services& services) noexcept
             entry.read_hook = &services.objects;
             entry.write_hook = &services.objects;
         }
-        else if (cia301::NumberHook* const hook = NumberHookOf(entry, services))
+        else if (IsStore(entry.index) && store == nullptr)
+        {
+            entry.read_hook = &no_store_;
+            entry.write_hook = &no_store_;
+        }
+        else if (cia301::NumberHook* const hook = IsStore(entry.index) ? store : NumberHookOf(entry, services))
         {
             entry.read_hook = hook;
             entry.write_hook = hook;
@@ -371,7 +375,7 @@ void NodeObjects::Load(const Stored& stored) noexcept
     }
     // The device's own: its errors, and what has one value only.
     const bool is_own = entry.index == 0x1001U || entry.index == 0x1003U || entry.index == 0x1200U ||
-                        entry.access == cia301::Access::kConstant;
+                        IsStore(entry.index) || entry.access == cia301::Access::kConstant;
     if (!stored.is_configured || is_own)
     {
         return;

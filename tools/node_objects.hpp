@@ -5,6 +5,7 @@
 #include "canopen/cia301/dictionary.hpp"
 #include "canopen/cia306/device.hpp"
 #include "canopen/device/services.hpp"
+#include "tools/node_hooks.hpp"
 
 #include <cstdint>
 #include <deque>
@@ -15,19 +16,6 @@
 
 namespace counterpoint::tools
 {
-/// Of a value that cannot change while the device runs: a write of the same value is accepted, any other refused.
-class FixedHook final : public cia301::WriteHook
-{
-  public:
-    explicit FixedHook(const cia301::EntryTable& table) noexcept : table_(table)
-    {
-    }
-    [[nodiscard]] cia301::SdoAbort OnWrite(const ObjectAddress& address, const cia301::Bytes& value) noexcept override;
-
-  private:
-    const cia301::EntryTable& table_;
-};
-
 /// The objects of an EDS or DCF that are not the kernel's, as a table for a dictionary; owns their values. Stays where
 /// it is. [SRS-NODE-001]
 class NodeObjects
@@ -44,8 +32,8 @@ class NodeObjects
     [[nodiscard]] const cia301::EntryTable& Table() const noexcept;
     /// @brief What the services of this device need; owned here.
     [[nodiscard]] device::ServiceRooms Rooms() noexcept;
-    /// @brief The objects of services lead to them from now on.
-    void Connect(device::Services& services) noexcept;
+    /// @brief The objects of services lead to them from now on, 1010h and 1011h to `store`; null: there is none.
+    void Connect(device::Services& services, cia301::NumberHook* store) noexcept;
     /// @brief Values of the file for all objects from 2000h on.
     void LoadApplication() noexcept;
     /// @brief The same for 1000h to 1FFFh; services take theirs by their hooks.
@@ -87,6 +75,7 @@ class NodeObjects
     std::vector<std::string> refusals_;
     cia301::EntryTable table_{nullptr, 0U};
     FixedHook fixed_{table_};
+    NoStoreHook no_store_;
 };
 } // namespace counterpoint::tools
 

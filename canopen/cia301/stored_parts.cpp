@@ -73,10 +73,13 @@ StoredItem StoredEntries::Item(const std::uint32_t number, const Room& room) noe
     return item;
 }
 
-void StoredEntries::BeginLoad(std::uint8_t) noexcept
+void StoredEntries::BeginLoad(const std::uint8_t groups) noexcept
 {
-    tpdos_.BeginConfiguration();
-    rpdos_.BeginConfiguration();
+    if ((groups & kAllGroups) != 0U)
+    {
+        tpdos_.BeginConfiguration();
+        rpdos_.BeginConfiguration();
+    }
 }
 
 bool StoredEntries::LoadItem(const Bytes& item) noexcept

@@ -214,10 +214,13 @@ bool LiveLink::TakeNews()
 {
     std::array<std::uint8_t, kAnswerBytes> bytes{};
     bool has_some = false;
-    // ENOBUFS: there were more than fit, and the next read goes on.
-    while ((::recv(news_.Get(), bytes.data(), bytes.size(), MSG_DONTWAIT) > 0) || (errno == ENOBUFS))
+    bool is_more = true;
+    while (is_more)
     {
-        has_some = true;
+        const ssize_t got = ::recv(news_.Get(), bytes.data(), bytes.size(), MSG_DONTWAIT);
+        // ENOBUFS: there were more than fit, and the next read goes on.
+        is_more = (got > 0) || ((got < 0) && (errno == ENOBUFS));
+        has_some = has_some || is_more;
     }
     return has_some;
 }

@@ -22,6 +22,7 @@ namespace
 constexpr std::uint64_t kMillisecondNs = 1'000'000U;
 /// How soon to ask a full system again: less than the time of ten frames of 1 Mbit/s.
 constexpr std::uint64_t kRetryNs = kMillisecondNs;
+constexpr int kReceiveBytes = 4 * 1024 * 1024; // The system gives what it allows.
 
 bool IsQueueFull(const int failure)
 {
@@ -96,6 +97,7 @@ void LiveSocketCanBus::Configure()
     const int on = 1;
     const can_err_mask_t all_errors = CAN_ERR_MASK;
     const int file = socket_.Get();
+    static_cast<void>(::setsockopt(file, SOL_SOCKET, SO_RCVBUF, &kReceiveBytes, sizeof(kReceiveBytes)));
     // An interface of classical CAN refuses frames of CAN FD when they are sent.
     const bool is_set = (::setsockopt(file, SOL_CAN_RAW, CAN_RAW_RECV_OWN_MSGS, &on, sizeof(on)) == 0) &&
                         (::setsockopt(file, SOL_CAN_RAW, CAN_RAW_FD_FRAMES, &on, sizeof(on)) == 0) &&
@@ -290,7 +292,7 @@ void LiveSocketCanBus::CarryOutPolicy()
     {
         // Again after the same time where it did not help or is not allowed.
         restart_at_ns_ = LiveNow() + std::max<std::uint64_t>(options_.restart_after_ms, 1U) * kMillisecondNs;
-        static_cast<void>(Restart());
+        counts_.refused_restarts += Restart() ? 0U : 1U;
     }
 }
 

@@ -24,6 +24,8 @@ std::map<std::string, Row> Checks()
         {"exchange", {&vm::CheckExchange, 2U}},
         {"own", {&vm::CheckOwn, 1U}},
         {"filters", {&vm::CheckFilters, 1U}},
+        {"lost-frames", {&vm::CheckLostFrames, 1U}},
+        {"absent", {&vm::CheckAbsent, 2U}},
         {"error-frames", {&vm::CheckErrorFrames, 1U}},
         {"two-interfaces", {&vm::CheckTwoInterfaces, 2U}},
         {"down-and-up", {&vm::CheckDownAndUp, 1U}},

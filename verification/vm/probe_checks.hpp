@@ -25,9 +25,9 @@ class Failure : public std::runtime_error
 /// @brief Throws Failure with `expected` unless `holds`.
 void Expect(bool holds, const std::string& expected);
 [[nodiscard]] host::LiveFrame Frame(std::uint32_t identifier, const std::vector<std::uint8_t>& data);
-/// @brief The next frame within two seconds; throws Failure with `expected`.
+/// @brief The next frame within ten seconds; throws Failure with `expected`.
 [[nodiscard]] host::LiveFrame Next(host::LiveBus& bus, const std::string& expected);
-/// @brief Serves the bus until `is_done`, at most five seconds; frames are dropped. Throws Failure with `expected`.
+/// @brief Serves the bus until `is_done`, at most ten seconds; frames are dropped. Throws Failure with `expected`.
 void ServeUntil(host::LiveBus& bus, const std::function<bool()>& is_done, const std::string& expected);
 /// @brief Serves the bus for a time; returns what came.
 [[nodiscard]] std::vector<host::LiveFrame> Serve(host::LiveBus& bus, std::uint32_t milliseconds);
@@ -40,6 +40,8 @@ using Names = std::vector<std::string>;
 void CheckExchange(const Names& buses);
 void CheckOwn(const Names& buses);
 void CheckFilters(const Names& buses);
+void CheckLostFrames(const Names& buses);
+void CheckAbsent(const Names& buses);
 void CheckErrorFrames(const Names& buses);
 void CheckTwoInterfaces(const Names& buses);
 void CheckDownAndUp(const Names& buses);

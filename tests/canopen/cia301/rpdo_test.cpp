@@ -93,6 +93,21 @@ TEST_F(RpdoTest, SynchronousPdosAfterTheWindowAreIgnored)
     EXPECT_EQ(u8[0], 2U);
 }
 
+TEST_F(RpdoTest, TheWindowOfASyncBeforeOperationalDoesNotCount)
+{
+    Verifies(req::SRS_PDO_015);
+    EXPECT_EQ(Write(sync, 0x1007U, 0U, 500U), SdoAbort::kNone);
+    UseRpdo(1U);
+    Sync0();
+    Command(128U);
+    Cycle();
+    now_us += 10000U;
+    Command(1U);
+    Hear({1U, 2U, 3U});
+    Sync0();
+    EXPECT_EQ(u8[0], 1U);
+}
+
 TEST_F(RpdoTest, WrongLengthsAreToldOnce)
 {
     Verifies(req::SRS_PDO_022);

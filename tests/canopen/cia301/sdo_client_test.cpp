@@ -210,6 +210,23 @@ TEST_F(SdoClientTest, BlockDownloadRepeatsWhatWasLost)
     EXPECT_EQ(Result(), 0x05040002U);
 }
 
+TEST_F(SdoClientTest, AnEarlyAcknowledgementDropsASegmentThatStillWaits)
+{
+    Verifies(req::SRS_SDC_003);
+    requests.room = 3;
+    EXPECT_TRUE(
+        Download(0x2103U, Octets{1U, 1U, 1U, 1U, 1U, 1U, 1U, 2U, 2U, 2U, 2U, 2U, 2U, 2U, 3U, 3U}, SdoMode::kBlock));
+    Answer({0xA4U, 0x03U, 0x21U, 0U, 4U});
+    EXPECT_EQ(requests.frames.size(), 3U); // request and two segments; the third waits
+    requests.frames.clear();
+    Answer({0xA2U, 1U, 4U});
+    requests.room = 9;
+    client.OnCycle(Instant{now_us});
+    EXPECT_EQ(requests.Next(), (Octets{0x01U, 2U, 2U, 2U, 2U, 2U, 2U, 2U}));
+    EXPECT_EQ(requests.Next(), (Octets{0x82U, 3U, 3U, 0U, 0U, 0U, 0U, 0U}));
+    EXPECT_TRUE(requests.frames.empty());
+}
+
 TEST_F(SdoClientTest, BlockUploadAcknowledgesWhatCameInOrder)
 {
     Verifies(req::SRS_SDC_004);

@@ -2,6 +2,7 @@
 // Silence, late answers, and frames that are none.
 #include "tests/canopen/cia301/sdo_client_rig.hpp"
 
+#include <algorithm>
 #include <random>
 
 namespace counterpoint::cia301
@@ -199,6 +200,27 @@ TEST_F(SdoClientTimeTest, EachMarkIsLikeNoOtherOfTheLast254)
     EXPECT_EQ(requests.Next()[1], 0x05U);
 }
 
+TEST_F(SdoClientTimeTest, AServerThatIsReturnedToIsInDoubt)
+{
+    Verifies(req::SRS_SDC_008);
+    EXPECT_TRUE(Upload(0x2105U, SdoMode::kNormal));
+    now_us += 1000U;
+    client.OnCycle(Instant{now_us});
+    requests.frames.clear();
+    EXPECT_TRUE(client.Connect(NodeId{6U}));
+    EXPECT_TRUE(client.Connect(NodeId{5U}));
+    EXPECT_TRUE(Upload(0x2105U, SdoMode::kNormal));
+    EXPECT_EQ(requests.Next()[1], 0x00U); // the mark
+    // also after another server has cleared its own doubt
+    client.OnServerRestart();
+    EXPECT_TRUE(client.Connect(NodeId{6U}));
+    client.OnServerRestart();
+    EXPECT_TRUE(client.Connect(NodeId{5U}));
+    requests.frames.clear();
+    EXPECT_TRUE(Upload(0x2105U, SdoMode::kNormal));
+    EXPECT_EQ(requests.Next()[1], 0x00U);
+}
+
 TEST_F(SdoClientTimeTest, GivingUpTellsTheServer)
 {
     Verifies(req::SRS_SDC_009);
@@ -267,6 +289,67 @@ TEST_F(SdoClientTimeTest, SlowServersNeverGiveAnOldValue)
     }
     EXPECT_GT(done, 500);
     EXPECT_GT(late, 500);
+}
+
+// Both ways lose one frame in fifty. A transfer may fail, but what is done is right.
+TEST_F(SdoClientTimeTest, AWireThatLosesFramesNeverGivesWrongData)
+{
+    Verifies(req::SRS_SDC_003);
+    Verifies(req::SRS_SDC_004);
+    Verifies(req::SRS_SDC_006);
+    std::mt19937 random{7U};
+    int done = 0;
+    int repeated = 0;
+    for (int round = 0; round < 400; ++round)
+    {
+        const bool is_upload = (round % 2) == 0;
+        const SdoMode mode = ((round % 4) < 3) ? SdoMode::kBlock : SdoMode::kNormal;
+        Octets value(1U + (random() % 300U));
+        std::generate(value.begin(), value.end(), [&random] { return static_cast<std::uint8_t>(random() & 0xFFU); });
+        if (is_upload)
+        {
+            std::copy(value.begin(), value.end(), domain.begin());
+            domain_length = static_cast<std::uint32_t>(value.size());
+        }
+        ASSERT_TRUE(is_upload ? Upload(0x2103U, mode) : Download(0x2103U, value, mode));
+        for (int step = 0; (step < 4000) && (Result() == 0xFFFFFFFFU); ++step)
+        {
+            now_us += 50U;
+            client.OnCycle(Instant{now_us});
+            port.OnCycle(Now());
+            for (const CanFrame& frame : requests.frames)
+            {
+                repeated += (frame.data[0] == 0xA2U) && (frame.data[1] < 5U) && (round % 4 == 0) ? 1 : 0;
+                if ((random() % 50U) != 0U)
+                {
+                    port.OnFrame(frame, Now());
+                }
+            }
+            requests.frames.clear();
+            for (const CanFrame& frame : answers.frames)
+            {
+                if ((random() % 50U) != 0U)
+                {
+                    client.OnFrame(frame, Instant{now_us});
+                }
+            }
+            answers.frames.clear();
+        }
+        ASSERT_NE(Result(), 0xFFFFFFFFU) << round;
+        if (Result() == 0U)
+        {
+            ++done;
+            const auto* const from = is_upload ? got.data() : domain.data();
+            ASSERT_EQ(is_upload ? client.Outcome().size_bytes : domain_length, value.size()) << round;
+            ASSERT_EQ(Octets(from, from + value.size()), value) << round;
+        }
+        now_us += 2000U; // the server's time-out, too
+        port.OnCycle(Now());
+        answers.frames.clear();
+    }
+    EXPECT_GT(done, 100);
+    EXPECT_LT(done, 400);
+    EXPECT_GT(repeated, 20);
 }
 
 } // namespace

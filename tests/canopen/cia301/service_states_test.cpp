@@ -6,6 +6,7 @@
 #include "canopen/cia301/node_guarding.hpp"
 #include "canopen/cia301/sdo_server_port.hpp"
 #include "canopen/cia301/service_table.hpp"
+#include "canopen/cia301/time_stamp.hpp"
 #include "tests/canopen/cia301/service_rig.hpp"
 
 namespace counterpoint::cia301
@@ -16,7 +17,7 @@ namespace
 constexpr NodeState kColumns[4] = {NodeState::kResetCommunication, NodeState::kPreOperational, NodeState::kOperational,
                                    NodeState::kStopped};
 
-class Bench : public ServiceRig, public SyncListener, public EmergencyListener
+class Bench : public ServiceRig, public SyncListener, public EmergencyListener, public TimeListener
 {
   public:
     void TestBody() override
@@ -27,6 +28,10 @@ class Bench : public ServiceRig, public SyncListener, public EmergencyListener
         is_heard = true;
     }
     void OnEmergency(const ReceivedEmergency&) noexcept override
+    {
+        is_heard = true;
+    }
+    void OnTime(const TimeOfDay&, Instant) noexcept override
     {
         is_heard = true;
     }
@@ -68,6 +73,19 @@ class Bench : public ServiceRig, public SyncListener, public EmergencyListener
         EXPECT_EQ(Write(sync, 0x1005U, 0U, 0x40000080U), SdoAbort::kNone);
         sync.OnCycle({state, Instant{now_us}});
         return !sink.frames.empty();
+    }
+    bool HearsTime(NodeState state)
+    {
+        TimeStamp stamp{sink, *this};
+        EXPECT_EQ(Write(stamp, 0x1012U, 0U, 0x80000100U), SdoAbort::kNone);
+        stamp.OnFrame(FrameOf(0x100U, {0U, 0U, 0U, 0U, 0U, 0U}), {state, Instant{now_us}});
+        return is_heard;
+    }
+    bool SendsTime(NodeState state)
+    {
+        TimeStamp stamp{sink, *this};
+        EXPECT_EQ(Write(stamp, 0x1012U, 0U, 0x40000100U), SdoAbort::kNone);
+        return stamp.Send({0U, 0U}, {state, Instant{now_us}});
     }
     bool SendsEmergency(NodeState state)
     {
@@ -157,6 +175,8 @@ INSTANTIATE_TEST_SUITE_P(
         ServiceRow{"Sdo", Service::kSdo, &Bench::ServesSdo, {false, true, true, false}},
         ServiceRow{"SyncConsumer", Service::kSync, &Bench::HearsSync, {false, true, true, false}},
         ServiceRow{"SyncProducer", Service::kSync, &Bench::ProducesSync, {false, true, true, false}},
+        ServiceRow{"TimeConsumer", Service::kTime, &Bench::HearsTime, {false, true, true, false}},
+        ServiceRow{"TimeProducer", Service::kTime, &Bench::SendsTime, {false, true, true, false}},
         ServiceRow{"EmergencyProducer", Service::kEmergency, &Bench::SendsEmergency, {false, true, true, false}},
         ServiceRow{"EmergencyConsumer", Service::kEmergency, &Bench::HearsEmergency, {false, true, true, false}},
         ServiceRow{"BootUp", Service::kBootUp, &Bench::BootsUp, {true, false, false, false}},

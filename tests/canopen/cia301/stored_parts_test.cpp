@@ -1,4 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia301/little_endian.hpp"
 #include "canopen/cia301/sdo_server_port.hpp"
 #include "canopen/cia301/stored_parts.hpp"
 #include "tests/canopen/cia301/cut_memory.hpp"
@@ -85,8 +86,7 @@ class StoredPartsTest : public ServiceRig
         std::uint32_t code = 0xFFFFFFFFU;
         if (!answer.empty())
         {
-            code = (answer[0] == 0x60U) ? 0U : (answer[4] | (answer[5] << 8U) | (answer[6] << 16U));
-            code |= (answer[0] == 0x60U) ? 0U : (static_cast<std::uint32_t>(answer[7]) << 24U);
+            code = (answer[0] == 0x60U) ? 0U : static_cast<std::uint32_t>(FromLittleEndian(&answer[4], 4U));
         }
         return code;
     }
@@ -218,6 +218,25 @@ TEST_F(StoredPartsTest, AnEntryThatIsGoneOrRefusesIsCounted)
     Restart();
     EXPECT_EQ(report.loaded, 4U);
     EXPECT_EQ(report.refused, 2U);
+}
+
+TEST_F(StoredPartsTest, AnEntryThatIsNoLongerStoredIsNotLoaded)
+{
+    Verifies(req::SRS_STO_011);
+    EXPECT_EQ(Download(kSaveAllRequest), 0U);
+    table[9].uses = 0U;
+    Restart();
+    EXPECT_EQ(report.refused, 1U);
+    EXPECT_EQ(application[0], 0U);
+}
+
+TEST_F(StoredPartsTest, APartThatIsGoneIsCounted)
+{
+    Verifies(req::SRS_STO_007);
+    EXPECT_EQ(Download(kSaveAllRequest), 0U);
+    ParameterStore empty{StoreParts{memory, parts.data(), 0U, Room{scratch.data(), 64U}}};
+    EXPECT_TRUE(empty.Mount());
+    EXPECT_EQ(empty.Load(kAllGroups).refused, 6U);
 }
 
 class StoredSafetyTest : public Rig

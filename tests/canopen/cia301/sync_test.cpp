@@ -104,6 +104,24 @@ TEST_F(SyncTest, TheProducerKeepsItsPeriod)
     EXPECT_EQ(counters.size(), 5U);
 }
 
+TEST_F(SyncTest, ANewPeriodBeginsAtOnce)
+{
+    Verifies(req::SRS_SYNC_003);
+    EXPECT_EQ(Set(0x1006U, 1000U), SdoAbort::kNone);
+    EXPECT_EQ(Set(0x1005U, 0x40000080U), SdoAbort::kNone);
+    heard.OnCycle(Now());
+    now_us += 100U;
+    EXPECT_EQ(Set(0x1006U, 1000U), SdoAbort::kNone); // the same
+    heard.OnCycle(Now());
+    EXPECT_EQ(sink.frames.size(), 1U);
+    EXPECT_EQ(Set(0x1006U, 2000U), SdoAbort::kNone);
+    heard.OnCycle(Now());
+    EXPECT_EQ(sink.frames.size(), 2U);
+    now_us += 1999U;
+    heard.OnCycle(Now());
+    EXPECT_EQ(sink.frames.size(), 2U);
+}
+
 TEST_F(SyncTest, TheCounterBeginsAtOneAndOverflows)
 {
     Verifies(req::SRS_SYNC_004);

@@ -296,5 +296,21 @@ TEST_F(TpdoTest, WhatFoundNoRoomIsTriedAgain)
     EXPECT_EQ(sink.Next(), (Octets{0x77U, 0x22U, 0x33U}));
 }
 
+TEST_F(TpdoTest, WhatWaitsKeepsTheValuesOfItsSync)
+{
+    Verifies(req::SRS_PDO_016);
+    UseTpdo(2U);
+    Sync0();
+    sink.room = 0;
+    Sync0(); // its turn, but there is no room
+    u8[0] = 0x99U;
+    Sync0(); // not its turn
+    sink.room = 9;
+    Cycle();
+    EXPECT_EQ(sink.Next(), (Octets{0x11U, 0x22U, 0x33U}));
+    Sync0();
+    EXPECT_EQ(sink.Next(), (Octets{0x99U, 0x22U, 0x33U}));
+}
+
 } // namespace
 } // namespace counterpoint::cia301

@@ -78,7 +78,7 @@ class PlainClient
         server.sin_port = htons(port);
         server.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
         EXPECT_EQ(::connect(socket_, reinterpret_cast<sockaddr*>(&server), sizeof(server)), 0);
-        const timeval patience{2, 0};
+        const timeval patience{10, 0};
         static_cast<void>(::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof(patience)));
         static_cast<void>(::setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof(patience)));
     }
@@ -249,7 +249,7 @@ TEST(SocketcandClientTest, SaysWhatItCannotReach)
     ASSERT_EQ(::listen(listener, 1), 0);
     const std::uint64_t start_ns = LiveNow();
     EXPECT_EQ(problem(), "bus '" + address + "': the server said nothing for 3 s, expected the socketcand protocol");
-    EXPECT_LT(LiveNow() - start_ns, 4'000'000'000U);
+    EXPECT_LT(LiveNow() - start_ns, 10'000'000'000U);
     static_cast<void>(::close(listener));
 }
 
@@ -339,7 +339,7 @@ TEST(SocketcandClientTest, SeesThatTheConnectionEnds)
     ASSERT_TRUE(Wait(*bus));
     server.Close();
     pollfd wait{bus->Descriptor(), POLLIN, 0};
-    EXPECT_EQ(::poll(&wait, 1U, 2'000), 1);
+    EXPECT_EQ(::poll(&wait, 1U, 10'000), 1);
     LiveFrame none;
     while (bus->Health().state != BusState::kDown)
     {
@@ -382,7 +382,7 @@ TEST(SocketcandServerTest, DisconnectsWhoDoesNotRead)
     client.Say("< open can0 >< rawmode >");
     const std::uint64_t start_ns = LiveNow();
     LiveFrame own;
-    while ((server.Counts().too_slow == 0U) && (LiveNow() - start_ns < 30'000'000'000U))
+    while ((server.Counts().too_slow == 0U) && (LiveNow() - start_ns < 60'000'000'000U))
     {
         static_cast<void>(member->Send(Live(0x100U, {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U})));
         static_cast<void>(member->Receive(own));

@@ -1,0 +1,55 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA301_TIME_STAMP_HPP
+#define CANOPEN_CIA301_TIME_STAMP_HPP
+
+#include "canopen/cia301/frame_sink.hpp"
+#include "canopen/cia301/number_hook.hpp"
+
+namespace counterpoint::cia301
+{
+
+/// A moment as the network tells it.
+struct TimeOfDay
+{
+    std::uint32_t ms;   ///< After midnight, 28 bits.
+    std::uint16_t days; ///< Since 1 January 1984.
+};
+
+class TimeListener
+{
+  public:
+    /// @brief A time came at `now` of this device.
+    virtual void OnTime(const TimeOfDay& time, Instant now) noexcept = 0;
+
+  protected:
+    TimeListener() noexcept = default;
+    ~TimeListener() noexcept = default;
+    TimeListener(const TimeListener&) = default;
+    TimeListener& operator=(const TimeListener&) = default;
+};
+
+/// TIME consumer and producer; the hook of 1012h. Sink and listener are kept by reference. Not reentrant.
+class TimeStamp final : public NumberHook
+{
+  public:
+    TimeStamp(FrameSink& sink, TimeListener& listener) noexcept;
+
+    /// @brief Reset communication: 1012h is 100h, neither consumed nor produced.
+    void Reset() noexcept;
+    /// @brief A frame from the bus. O(1) [SRS-TIM-001]
+    void OnFrame(const CanFrame& frame, const Moment& moment) noexcept;
+    /// @brief Sends a time, if 1012h and the state allow it and the sink takes it: a time does not wait. [SRS-TIM-002]
+    [[nodiscard]] bool Send(const TimeOfDay& time, const Moment& moment) noexcept;
+
+  private:
+    [[nodiscard]] ObjectValue Fetch(const ObjectAddress& address) noexcept override;
+    [[nodiscard]] SdoAbort Store(const ObjectAddress& address, std::uint32_t value) noexcept override;
+
+    FrameSink& sink_;
+    TimeListener& listener_;
+    std::uint32_t cob_id_;
+};
+
+} // namespace counterpoint::cia301
+
+#endif

@@ -1,0 +1,74 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia305/stored_lss.hpp"
+
+namespace counterpoint::cia305
+{
+namespace
+{
+
+constexpr std::uint32_t kItemBytes = 2U;
+
+} // namespace
+
+StoredLss::StoredLss(const LssSettings& settings) noexcept : settings_(settings)
+{
+}
+
+const LssSettings& StoredLss::Settings() const noexcept
+{
+    return settings_;
+}
+
+LssStored StoredLss::Keep(const LssSettings& settings, cia301::ParameterStore& store) noexcept
+{
+    const cia301::StoreRequest request{cia301::StoreAction::kSave, cia301::kLssGroup};
+    settings_ = settings;
+    const cia301::SdoAbort answer = store.Ask(request);
+    LssStored stored = LssStored::kFailed;
+    if ((answer == cia301::SdoAbort::kPending) || (answer == cia301::SdoAbort::kLocalControl))
+    {
+        stored = LssStored::kPending; // Another store that is running comes first.
+    }
+    else if (answer == cia301::SdoAbort::kNone)
+    {
+        stored = LssStored::kDone;
+    }
+    return stored;
+}
+
+std::uint32_t StoredLss::ItemCount() noexcept
+{
+    return 1U;
+}
+
+cia301::StoredItem StoredLss::Item(std::uint32_t, const cia301::Room& room) noexcept
+{
+    cia301::StoredItem item{cia301::SdoAbort::kOutOfMemory, cia301::kLssGroup, kItemBytes};
+    if (room.size_bytes >= kItemBytes)
+    {
+        room.data[0] = settings_.node_id;
+        room.data[1] = settings_.timing.index;
+        item.abort = cia301::SdoAbort::kNone;
+    }
+    return item;
+}
+
+void StoredLss::BeginLoad(std::uint8_t) noexcept
+{
+}
+
+bool StoredLss::LoadItem(const cia301::Bytes& item) noexcept
+{
+    const bool is_item = (item.size_bytes == kItemBytes);
+    if (is_item)
+    {
+        settings_ = LssSettings{item.data[0], BitTiming{item.data[1]}};
+    }
+    return is_item;
+}
+
+void StoredLss::EndLoad(std::uint8_t) noexcept
+{
+}
+
+} // namespace counterpoint::cia305

@@ -1,0 +1,91 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_MONITOR_ANALYSIS_HPP
+#define CANOPEN_MONITOR_ANALYSIS_HPP
+
+#include "canopen/monitor/network.hpp"
+#include "canopen/monitor/srdo_watch.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <vector>
+
+namespace counterpoint::monitor
+{
+/// A violation, and all watches that see it: for what is wrong with the frames alone that is each consumer of the pair.
+struct Violation
+{
+    Breach breach;
+    std::vector<std::size_t> watches;
+};
+
+enum class Service : std::uint8_t
+{
+    kNmt = 0U,
+    kGfc = 1U,
+    kSync = 2U,
+    kEmergency = 3U,
+    kTime = 4U,
+    kSrdo = 5U,
+    kPdo = 6U,
+    kSdo = 7U,
+    kErrorControl = 8U, ///< Boot-up, heartbeat, guarding.
+    kLss = 9U,
+    kOther = 10U,   ///< Of 11 bits, by no file.
+    kForeign = 11U, ///< Extended, CAN FD, error frames.
+};
+constexpr std::size_t kServiceCount = 12U;
+
+[[nodiscard]] const char* ServiceName(Service service) noexcept;
+
+/// Supervises all SRDOs of a network. [SRS-MON-005..010]
+class Analysis final : private BreachSink
+{
+  public:
+    using Listener = std::function<void(const Violation&)>;
+
+    /// @brief `network` is kept by reference. Violations are told in the order of their times.
+    Analysis(const Network& network, Listener listener);
+
+    /// @brief The next frame, not before the one before it.
+    void Take(const LogFrame& frame);
+    /// @brief Nothing came until `now`: what has expired is told.
+    void Advance(Time now);
+
+    [[nodiscard]] const std::deque<SrdoWatch>& Watches() const noexcept;
+    /// @brief Violations of one watch by cause.
+    [[nodiscard]] const std::array<std::size_t, kCauseCount>& CountsOf(std::size_t watch) const;
+    [[nodiscard]] const std::array<std::size_t, kServiceCount>& Frames() const noexcept;
+    [[nodiscard]] std::size_t ViolationCount() const noexcept;
+    [[nodiscard]] std::size_t FrameCount() const noexcept;
+    [[nodiscard]] Time First() const noexcept;
+    [[nodiscard]] Time Last() const noexcept;
+    [[nodiscard]] Service ServiceOf(const LogFrame& frame) const noexcept;
+
+  private:
+    static constexpr std::uint32_t kIdentifiers = 0x800U;
+
+    void OnBreach(std::size_t watch, const Breach& breach) override;
+    void Tell();
+    void FollowNodes(const LogFrame& frame);
+    void SetOperational(std::uint8_t node_id, bool is_operational);
+
+    const Network& network_;
+    Listener listener_;
+    std::deque<SrdoWatch> watches_;
+    std::array<std::vector<std::size_t>, kIdentifiers> watches_of_;
+    std::array<Service, kIdentifiers> services_;
+    std::vector<std::array<std::size_t, kCauseCount>> counts_;
+    std::array<std::size_t, kServiceCount> frames_{};
+    std::vector<Violation> fresh_; ///< Seen since Tell.
+    Time next_deadline_;           ///< Not after the deadline of any watch.
+    Time first_{0};
+    Time last_{0};
+    std::size_t frame_count_{0U};
+    std::size_t violation_count_{0U};
+};
+} // namespace counterpoint::monitor
+
+#endif // CANOPEN_MONITOR_ANALYSIS_HPP

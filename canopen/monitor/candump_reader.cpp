@@ -1,0 +1,230 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/monitor/readers.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace counterpoint::monitor
+{
+namespace
+{
+constexpr std::size_t kMicrosecondDigits = 6U;
+constexpr std::size_t kNanosecondDigits = 9U;
+constexpr std::size_t kMostSecondDigits = 10U;
+constexpr Time kMostSeconds = 9000000000; ///< In nanoseconds a number of 64 bits.
+constexpr std::size_t kStandardDigits = 3U;
+constexpr std::size_t kExtendedDigits = 8U;
+constexpr std::size_t kMostInterfaceBytes = 32U;
+constexpr std::uint32_t kErrorFlag = 0x20000000U;
+constexpr std::uint32_t kExtendedMask = 0x1FFFFFFFU;
+constexpr std::uint32_t kStandardMask = 0x7FFU;
+constexpr const char* kForm = "(SECONDS.MICROSECONDS) INTERFACE IDENTIFIER#DATA as candump -l writes it";
+
+int Digit(const char character) noexcept
+{
+    if (character >= '0' && character <= '9')
+    {
+        return character - '0';
+    }
+    if (character >= 'A' && character <= 'F')
+    {
+        return character - 'A' + 10;
+    }
+    return (character >= 'a' && character <= 'f') ? character - 'a' + 10 : -1;
+}
+
+bool IsDecimal(const char character) noexcept
+{
+    return character >= '0' && character <= '9';
+}
+
+/// Reads decimal digits from `at` on; how many there were.
+std::size_t Decimal(const std::string_view line, std::size_t& at, Time& number) noexcept
+{
+    const std::size_t begin = at;
+    number = 0;
+    while (at < line.size() && IsDecimal(line[at]) && at - begin <= kMostSecondDigits)
+    {
+        number = number * 10 + (line[at] - '0');
+        ++at;
+    }
+    return at - begin;
+}
+
+bool IsFdLength(const std::size_t count) noexcept
+{
+    constexpr std::array<std::size_t, 7U> lengths{12U, 16U, 20U, 24U, 32U, 48U, 64U};
+    return count <= kClassicalBytes || std::find(lengths.begin(), lengths.end(), count) != lengths.end();
+}
+} // namespace
+
+CandumpReader::CandumpReader(std::string file, const std::string_view text, const RecordingOptions& options)
+    : file_(std::move(file)), text_(text), interface_(options.interface)
+{
+}
+
+std::size_t CandumpReader::Place() const noexcept
+{
+    return line_;
+}
+
+void CandumpReader::Refuse(const std::string_view line, const char* const expected) const
+{
+    throw cia306::InputError(file_, line_, {"line " + cia306::Quoted(line), expected});
+}
+
+bool CandumpReader::Next(LogFrame& frame)
+{
+    while (at_ < text_.size())
+    {
+        const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+        std::string_view line = text_.substr(at_, end - at_);
+        at_ = end + 1U;
+        ++line_;
+        if (!line.empty() && line.back() == '\r')
+        {
+            line.remove_suffix(1U);
+        }
+        if (!line.empty() && ReadLine(line, frame))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Whether the frame is of the interface that is looked at.
+bool CandumpReader::ReadLine(const std::string_view line, LogFrame& frame)
+{
+    frame = LogFrame{};
+    std::size_t at = 0U;
+    ReadTime(line, at, frame);
+    const std::size_t name_end = line.find(' ', at);
+    const bool has_name = name_end != std::string_view::npos && name_end != at && name_end - at <= kMostInterfaceBytes;
+    if (!has_name)
+    {
+        Refuse(line, kForm);
+    }
+    const std::string_view name = line.substr(at, name_end - at);
+    std::string_view rest = line.substr(name_end + 1U);
+    const std::size_t space = rest.find(' ');
+    if (space != std::string_view::npos)
+    {
+        const std::string_view direction = rest.substr(space + 1U);
+        if (direction != "R" && direction != "T")
+        {
+            Refuse(line, "nothing behind the data, or the direction R or T");
+        }
+        rest = rest.substr(0U, space);
+    }
+    ReadFrame(line, rest, frame);
+    if (interface_.empty())
+    {
+        interface_ = std::string(name);
+    }
+    if (name != interface_)
+    {
+        return false;
+    }
+    if (frame.time < last_)
+    {
+        Refuse(line, "a time that is not before that of the frame before");
+    }
+    last_ = frame.time;
+    return true;
+}
+
+void CandumpReader::ReadTime(const std::string_view line, std::size_t& at, LogFrame& frame) const
+{
+    Time seconds = 0;
+    Time fraction = 0;
+    at = 1U;
+    const bool has_start = line.front() == '(';
+    const std::size_t second_digits = has_start ? Decimal(line, at, seconds) : 0U;
+    const bool is_in_range = second_digits != 0U && seconds <= kMostSeconds;
+    const bool has_point = is_in_range && at < line.size() && line[at] == '.';
+    ++at;
+    const std::size_t digits = has_point ? Decimal(line, at, fraction) : 0U;
+    const bool has_digits = digits == kMicrosecondDigits || digits == kNanosecondDigits;
+    const bool has_end = has_digits && line.substr(at, 2U) == ") ";
+    if (!has_end)
+    {
+        Refuse(line, kForm);
+    }
+    at += 2U;
+    frame.time = seconds * kSecond + fraction * (digits == kMicrosecondDigits ? kMicrosecond : 1);
+}
+
+void CandumpReader::ReadFrame(const std::string_view line, const std::string_view text, LogFrame& frame) const
+{
+    const std::size_t mark = text.find('#');
+    const bool is_standard = mark == kStandardDigits;
+    if (!is_standard && mark != kExtendedDigits)
+    {
+        Refuse(line, "an identifier of 3 or 8 hexadecimal digits and #");
+    }
+    std::uint32_t identifier = 0U;
+    for (const char character : text.substr(0U, mark))
+    {
+        const int digit = Digit(character);
+        if (digit < 0)
+        {
+            Refuse(line, "an identifier of 3 or 8 hexadecimal digits and #");
+        }
+        identifier = identifier * 16U + static_cast<std::uint32_t>(digit);
+    }
+    frame.is_error = !is_standard && (identifier & kErrorFlag) != 0U;
+    frame.is_extended = !is_standard && !frame.is_error;
+    frame.identifier = identifier & kExtendedMask;
+    const bool is_in_range = is_standard ? identifier <= kStandardMask : identifier <= (kExtendedMask | kErrorFlag);
+    if (!is_in_range)
+    {
+        Refuse(line, "an identifier of 11 bits in 3 digits, or of 29 bits in 8");
+    }
+    ReadData(line, text.substr(mark + 1U), frame);
+}
+
+void CandumpReader::ReadData(const std::string_view line, std::string_view text, LogFrame& frame) const
+{
+    if (!text.empty() && (text.front() == 'R' || text.front() == 'r'))
+    {
+        frame.is_remote = true;
+        const int length = text.size() == 2U ? Digit(text[1U]) : (text.size() == 1U ? 0 : -1);
+        if (length < 0 || length > kClassicalBytes)
+        {
+            Refuse(line, "R and a length from 0 to 8");
+        }
+        frame.length = static_cast<std::uint8_t>(length);
+        return;
+    }
+    if (!text.empty() && text.front() == '#')
+    {
+        frame.is_fd = text.size() >= 2U && Digit(text[1U]) >= 0;
+        text = text.substr(std::min<std::size_t>(2U, text.size()));
+        if (!frame.is_fd)
+        {
+            Refuse(line, "## and a digit of flags before the data of a CAN FD frame");
+        }
+    }
+    // A length code above 8 stands behind 8 bytes as _9 to _F.
+    const bool has_code = text.size() == 18U && text[16U] == '_' && Digit(text[17U]) > kClassicalBytes && !frame.is_fd;
+    text = has_code ? text.substr(0U, 16U) : text;
+    const std::size_t count = text.size() / 2U;
+    const bool is_length = text.size() % 2U == 0U && (frame.is_fd ? IsFdLength(count) : count <= kClassicalBytes);
+    if (!is_length)
+    {
+        Refuse(line, frame.is_fd ? "data of a length that CAN FD has" : "0 to 8 bytes of two hexadecimal digits");
+    }
+    for (std::size_t place = 0U; place < count; ++place)
+    {
+        const int high = Digit(text[2U * place]);
+        const int low = Digit(text[2U * place + 1U]);
+        if (high < 0 || low < 0)
+        {
+            Refuse(line, "bytes of two hexadecimal digits");
+        }
+        frame.data[place] = static_cast<std::uint8_t>(high * 16 + low);
+    }
+    frame.length = static_cast<std::uint8_t>(count);
+}
+} // namespace counterpoint::monitor

@@ -1,0 +1,57 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_MONITOR_DECODER_HPP
+#define CANOPEN_MONITOR_DECODER_HPP
+
+#include "canopen/monitor/analysis.hpp"
+#include "canopen/monitor/network.hpp"
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace counterpoint::monitor
+{
+/// Frames in the words of their DCFs. Keeps what an SDO transfer is about; both arguments are kept by reference.
+/// [SRS-MON-004]
+class Decoder
+{
+  public:
+    Decoder(const Network& network, const Analysis& analysis) noexcept;
+
+    /// @brief One line without its time. Frames are given in their order.
+    [[nodiscard]] std::string Decode(const LogFrame& frame);
+
+  private:
+    /// The object that the transfer with a server is about.
+    struct Transfer
+    {
+        std::uint16_t index{0U};
+        std::uint8_t sub{0U};
+        bool is_block{false};  ///< Segments of a block have a number in place of a command.
+        bool is_upload{false}; ///< Of a block: the server sends the segments.
+        bool has_last{false};  ///< Of a block: its last segment was seen.
+    };
+
+    [[nodiscard]] std::string Emergency(const LogFrame& frame) const;
+    [[nodiscard]] std::string ErrorControl(const LogFrame& frame) const;
+    [[nodiscard]] std::string Pdo(const LogFrame& frame) const;
+    [[nodiscard]] std::string Srdo(const LogFrame& frame) const;
+    [[nodiscard]] std::string Sdo(const LogFrame& frame);
+    [[nodiscard]] std::string SdoBegin(const LogFrame& frame, Transfer& transfer, bool is_request);
+    [[nodiscard]] std::string SdoBlock(const LogFrame& frame, Transfer& transfer, bool is_request) const;
+    [[nodiscard]] std::string ObjectText(std::uint8_t node_id, std::uint16_t index, std::uint8_t sub) const;
+    [[nodiscard]] std::string FieldsText(const NodeModel& node, const std::vector<MappedField>& fields,
+                                         const LogFrame& frame) const;
+
+    const Network& network_;
+    const Analysis& analysis_;
+    std::array<Transfer, 128U> transfers_{};
+};
+
+/// A value as the data type of its entry writes it; hexadecimal where there is none.
+[[nodiscard]] std::string ValueText(const cia306::Entry* entry, std::uint64_t value, std::uint32_t bits);
+/// "0609 0030h (value out of range)"
+[[nodiscard]] std::string AbortText(std::uint32_t code);
+} // namespace counterpoint::monitor
+
+#endif // CANOPEN_MONITOR_DECODER_HPP

@@ -1,0 +1,156 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/monitor/readers.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace counterpoint::monitor
+{
+namespace
+{
+constexpr std::uint32_t kMicrosecondMagic = 0xA1B2C3D4U;
+constexpr std::uint32_t kNanosecondMagic = 0xA1B23C4DU;
+constexpr std::uint32_t kSocketCan = 227U;
+constexpr std::uint32_t kLinkTypeMask = 0x0FFFFFFFU; ///< Above are lengths of check sequences.
+constexpr std::size_t kFileHead = 24U;
+constexpr std::size_t kPacketHead = 16U;
+
+// A packet of SocketCAN: identifier and flags in network order, length, flags of CAN FD, two bytes, data.
+constexpr std::size_t kFrameHead = 8U;
+constexpr std::size_t kClassicalPacket = 16U;
+constexpr std::size_t kFdPacket = 72U;
+constexpr std::uint32_t kExtendedFlag = 0x80000000U;
+constexpr std::uint32_t kRemoteFlag = 0x40000000U;
+constexpr std::uint32_t kErrorFlag = 0x20000000U;
+constexpr std::uint32_t kExtendedMask = 0x1FFFFFFFU;
+constexpr std::uint32_t kStandardMask = 0x7FFU;
+constexpr std::uint8_t kFdFlag = 0x04U;
+
+bool IsBigEndian(const std::string_view bytes) noexcept
+{
+    const std::uint32_t magic = CaptureBytes(bytes, true).Number32(0U);
+    return magic == kMicrosecondMagic || magic == kNanosecondMagic;
+}
+} // namespace
+
+std::uint16_t CaptureBytes::Number16(const std::size_t at) const noexcept
+{
+    const std::uint32_t first = At(at);
+    const std::uint32_t second = At(at + 1U);
+    return static_cast<std::uint16_t>(is_big_endian_ ? (first << 8U) | second : (second << 8U) | first);
+}
+
+std::uint32_t CaptureBytes::Number32(const std::size_t at) const noexcept
+{
+    const std::uint32_t first = Number16(at);
+    const std::uint32_t second = Number16(at + 2U);
+    return is_big_endian_ ? (first << 16U) | second : (second << 16U) | first;
+}
+
+std::optional<cia306::Problem> ReadSocketCan(const std::string_view packet, LogFrame& frame)
+{
+    if (packet.size() < kFrameHead)
+    {
+        return cia306::Problem{"packet of " + std::to_string(packet.size()) + " bytes", "at least 8"};
+    }
+    const std::uint32_t word = CaptureBytes(packet, true).Number32(0U);
+    const auto length = static_cast<std::uint8_t>(packet[4U]);
+    const auto flags = static_cast<std::uint8_t>(packet[5U]);
+    frame.is_error = (word & kErrorFlag) != 0U;
+    frame.is_extended = (word & kExtendedFlag) != 0U && !frame.is_error;
+    frame.is_remote = (word & kRemoteFlag) != 0U && !frame.is_error;
+    frame.is_fd = (flags & kFdFlag) != 0U || length > kClassicalBytes || packet.size() == kFdPacket;
+    frame.identifier = word & kExtendedMask;
+    const bool is_wide = frame.is_extended || frame.is_error;
+    if (!is_wide && frame.identifier > kStandardMask)
+    {
+        return cia306::Problem{"identifier " + cia306::Hex(frame.identifier, 8) + " without the mark of 29 bits",
+                               "at most 0x7FF"};
+    }
+    const std::size_t most = frame.is_fd ? kMostDataBytes : kClassicalBytes;
+    const std::size_t data = frame.is_remote ? 0U : length;
+    const bool fits = length <= most && packet.size() >= kFrameHead + data &&
+                      packet.size() <= (frame.is_fd ? kFdPacket : kClassicalPacket);
+    if (!fits)
+    {
+        return cia306::Problem{"frame of " + std::to_string(length) + " bytes in a packet of " +
+                                   std::to_string(packet.size()) + " bytes",
+                               "8 bytes and the data of the frame, " + std::to_string(most) + " at most"};
+    }
+    frame.length = length;
+    for (std::size_t place = 0U; place < data; ++place)
+    {
+        frame.data[place] = static_cast<std::uint8_t>(packet[kFrameHead + place]);
+    }
+    return std::nullopt;
+}
+
+PcapReader::PcapReader(std::string file, const std::string_view bytes)
+    : file_(std::move(file)), bytes_(bytes, bytes.size() >= 4U && IsBigEndian(bytes)), fraction_(kMicrosecond)
+{
+    if (bytes.size() < kFileHead)
+    {
+        Refuse({"file of " + std::to_string(bytes.size()) + " bytes", "a pcap header of 24"});
+    }
+    fraction_ = bytes_.Number32(0U) == kNanosecondMagic ? 1 : kMicrosecond;
+    const std::uint32_t link_type = bytes_.Number32(20U) & kLinkTypeMask;
+    const std::uint32_t version = bytes_.Number16(4U);
+    if (version != 2U)
+    {
+        Refuse({"pcap version " + std::to_string(version), "2"});
+    }
+    if (link_type != kSocketCan)
+    {
+        Refuse({"link type " + std::to_string(link_type), "227 (CAN_SOCKETCAN)"});
+    }
+    at_ = kFileHead;
+}
+
+std::size_t PcapReader::Place() const noexcept
+{
+    return packet_;
+}
+
+void PcapReader::Refuse(const cia306::Problem& problem) const
+{
+    throw cia306::InputError(file_, packet_, problem);
+}
+
+bool PcapReader::Next(LogFrame& frame)
+{
+    if (at_ == bytes_.Size())
+    {
+        return false;
+    }
+    ++packet_;
+    if (bytes_.Size() - at_ < kPacketHead)
+    {
+        Refuse({"the file ends in the head of packet " + std::to_string(packet_), "16 bytes"});
+    }
+    frame = LogFrame{};
+    const Time fraction = bytes_.Number32(at_ + 4U);
+    frame.time = static_cast<Time>(bytes_.Number32(at_)) * kSecond + fraction * fraction_;
+    const std::size_t captured = bytes_.Number32(at_ + 8U);
+    const std::size_t original = bytes_.Number32(at_ + 12U);
+    at_ += kPacketHead;
+    const bool is_whole = captured == original && captured <= bytes_.Size() - at_ && fraction * fraction_ < kSecond;
+    if (!is_whole)
+    {
+        Refuse({"packet " + std::to_string(packet_) + " has " + std::to_string(captured) + " of " +
+                    std::to_string(original) + " bytes, " + std::to_string(bytes_.Size() - at_) + " are left",
+                "whole packets with a fraction below a second"});
+    }
+    const auto problem = ReadSocketCan(bytes_.Part(at_, captured), frame);
+    if (problem)
+    {
+        Refuse(*problem);
+    }
+    if (frame.time < last_)
+    {
+        Refuse({"packet " + std::to_string(packet_) + " is before the one before it", "times that do not go back"});
+    }
+    last_ = frame.time;
+    at_ += captured;
+    return true;
+}
+} // namespace counterpoint::monitor

@@ -1,0 +1,233 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/monitor/readers.hpp"
+
+#include <utility>
+
+namespace counterpoint::monitor
+{
+namespace
+{
+constexpr std::uint32_t kSectionHead = 0x0A0D0D0AU;
+constexpr std::uint32_t kInterface = 1U;
+constexpr std::uint32_t kObsoletePacket = 2U;
+constexpr std::uint32_t kSimplePacket = 3U;
+constexpr std::uint32_t kEnhancedPacket = 6U;
+constexpr std::uint32_t kByteOrderMagic = 0x1A2B3C4DU;
+constexpr std::uint16_t kSocketCan = 227U;
+constexpr std::size_t kLeastBlock = 12U;
+constexpr std::size_t kBlockHead = 8U;
+constexpr std::size_t kLeastSection = 28U;
+constexpr std::size_t kInterfaceHead = 8U;
+constexpr std::size_t kPacketHead = 20U;
+constexpr std::size_t kMostInterfaces = 1000U;
+constexpr std::uint16_t kOptionName = 2U;
+constexpr std::uint16_t kOptionResolution = 9U;
+constexpr std::uint16_t kOptionOffset = 14U;
+constexpr std::uint8_t kPowerOfTwo = 0x80U;
+
+std::size_t Padded(const std::size_t count) noexcept
+{
+    return (count + 3U) / 4U * 4U;
+}
+} // namespace
+
+PcapngReader::PcapngReader(std::string file, const std::string_view bytes, const RecordingOptions& options)
+    : file_(std::move(file)), bytes_(bytes, false), all_(bytes), wanted_(options.interface)
+{
+}
+
+std::size_t PcapngReader::Place() const noexcept
+{
+    return block_;
+}
+
+void PcapngReader::Refuse(const cia306::Problem& problem) const
+{
+    throw cia306::InputError(file_, block_,
+                             {"block " + std::to_string(block_) + ": " + problem.wrong, problem.expected});
+}
+
+/// Takes the byte order of the section that begins here.
+void PcapngReader::BeginSection()
+{
+    if (bytes_.Size() - at_ < kLeastSection)
+    {
+        Refuse({"the file ends in the head of a section", "28 bytes"});
+    }
+    bytes_ = CaptureBytes(all_, false);
+    if (bytes_.Number32(at_ + kBlockHead) != kByteOrderMagic)
+    {
+        bytes_ = CaptureBytes(all_, true);
+    }
+    if (bytes_.Number32(at_ + kBlockHead) != kByteOrderMagic)
+    {
+        Refuse({"a section without byte order", "1A2B3C4Dh in either order"});
+    }
+    if (bytes_.Number16(at_ + 12U) != 1U)
+    {
+        Refuse({"version " + std::to_string(bytes_.Number16(at_ + 12U)), "1"});
+    }
+    interfaces_.clear();
+    chosen_.reset();
+}
+
+bool PcapngReader::Next(LogFrame& frame)
+{
+    while (at_ != bytes_.Size())
+    {
+        ++block_;
+        if (bytes_.Size() - at_ < kLeastBlock)
+        {
+            Refuse({"the file ends in the head of a block", "12 bytes"});
+        }
+        const std::uint32_t type = bytes_.Number32(at_); // The head of a section is the same in either order.
+        if (type == kSectionHead)
+        {
+            BeginSection();
+        }
+        const std::size_t length = bytes_.Number32(at_ + 4U);
+        const bool is_whole = length >= kLeastBlock && length % 4U == 0U && length <= bytes_.Size() - at_ &&
+                              (type != kSectionHead || length >= kLeastSection);
+        if (!is_whole || bytes_.Number32(at_ + length - 4U) != length)
+        {
+            Refuse({"length of " + std::to_string(length) + " bytes",
+                    "a multiple of 4 from 12 on, within the file, and repeated at the end of the block"});
+        }
+        const std::size_t begin = at_ + kBlockHead;
+        const std::size_t end = at_ + length - 4U;
+        at_ += length;
+        if (type == kInterface)
+        {
+            ReadInterface(begin, end);
+        }
+        else if (type == kSimplePacket || type == kObsoletePacket)
+        {
+            Refuse({"a packet of type " + std::to_string(type), "enhanced packets, which have a time"});
+        }
+        else if (type == kEnhancedPacket && ReadPacket(begin, end, frame))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+void PcapngReader::ReadInterface(const std::size_t begin, const std::size_t end)
+{
+    const bool fits = end - begin >= kInterfaceHead && interfaces_.size() < kMostInterfaces;
+    if (!fits)
+    {
+        Refuse(
+            {"an interface of " + std::to_string(end - begin) + " bytes", "at least 8, and at most 1000 interfaces"});
+    }
+    Interface interface;
+    interface.link_type = bytes_.Number16(begin);
+    ReadOptions(begin + kInterfaceHead, end, interface);
+    interfaces_.push_back(interface);
+}
+
+void PcapngReader::ReadOptions(std::size_t begin, const std::size_t end, Interface& interface) const
+{
+    while (end - begin >= 4U)
+    {
+        const std::uint16_t code = bytes_.Number16(begin);
+        const std::size_t length = bytes_.Number16(begin + 2U);
+        begin += 4U;
+        if (code == 0U)
+        {
+            return;
+        }
+        if (Padded(length) > end - begin)
+        {
+            Refuse({"an option of " + std::to_string(length) + " bytes", "options within their block"});
+        }
+        const std::string_view value = bytes_.Part(begin, length);
+        if (code == kOptionResolution && length == 1U)
+        {
+            const auto resolution = static_cast<std::uint8_t>(value.front());
+            const bool is_binary = (resolution & kPowerOfTwo) != 0U;
+            const std::uint32_t power = resolution & 0x7FU;
+            if (power > (is_binary ? 62U : 18U))
+            {
+                Refuse({"a time resolution of " + std::to_string(resolution), "at most 10^-18 or 2^-62 seconds"});
+            }
+            interface.ticks = 1U;
+            for (std::uint32_t step = 0U; step < power; ++step)
+            {
+                interface.ticks *= is_binary ? 2U : 10U;
+            }
+        }
+        if (code == kOptionOffset && length == 8U)
+        {
+            const std::uint32_t low = bytes_.Number32(begin);
+            const std::uint32_t high = bytes_.Number32(begin + 4U);
+            // Seconds beyond some centuries have no place in the time; nobody records so.
+            interface.offset = (high == 0U && low < 0x80000000U) ? static_cast<Time>(low) * kSecond : 0;
+        }
+        interface.name = code == kOptionName ? std::string(value) : interface.name;
+        begin += Padded(length);
+    }
+}
+
+Time PcapngReader::TimeOf(const std::uint64_t ticks, const Interface& interface) const
+{
+    constexpr std::uint64_t most_seconds = 4000000000U;
+    const std::uint64_t seconds = ticks / interface.ticks;
+    const std::uint64_t rest = ticks % interface.ticks;
+    if (seconds > most_seconds)
+    {
+        Refuse({"a time of " + std::to_string(seconds) + " seconds", "at most 4 000 000 000"});
+    }
+    const long double fraction = static_cast<long double>(rest) / static_cast<long double>(interface.ticks);
+    const bool is_exact = interface.ticks <= 1000000000U;
+    const auto nanoseconds =
+        is_exact ? static_cast<Time>(rest * 1000000000U / interface.ticks) : static_cast<Time>(fraction * 1.0e9L);
+    return interface.offset + static_cast<Time>(seconds) * kSecond + nanoseconds;
+}
+
+/// Whether the packet is a frame of the interface that is looked at.
+bool PcapngReader::ReadPacket(const std::size_t begin, const std::size_t end, LogFrame& frame)
+{
+    if (end - begin < kPacketHead)
+    {
+        Refuse({"a packet of " + std::to_string(end - begin) + " bytes", "at least 20"});
+    }
+    const std::size_t number = bytes_.Number32(begin);
+    const std::size_t captured = bytes_.Number32(begin + 12U);
+    const std::size_t original = bytes_.Number32(begin + 16U);
+    const bool is_whole = number < interfaces_.size() && captured == original && captured <= end - begin - kPacketHead;
+    if (!is_whole)
+    {
+        Refuse({"a packet of interface " + std::to_string(number) + " with " + std::to_string(captured) + " of " +
+                    std::to_string(original) + " bytes",
+                "a whole packet of an interface that was described"});
+    }
+    const Interface& interface = interfaces_[number];
+    if (!chosen_ && (wanted_.empty() || interface.name == wanted_))
+    {
+        chosen_ = number;
+    }
+    if (chosen_ != number)
+    {
+        return false;
+    }
+    if (interface.link_type != kSocketCan)
+    {
+        Refuse({"link type " + std::to_string(interface.link_type), "227 (CAN_SOCKETCAN)"});
+    }
+    const std::uint64_t high = bytes_.Number32(begin + 4U);
+    frame = LogFrame{};
+    frame.time = TimeOf((high << 32U) | bytes_.Number32(begin + 8U), interface);
+    const auto problem = ReadSocketCan(bytes_.Part(begin + kPacketHead, captured), frame);
+    if (problem)
+    {
+        Refuse(*problem);
+    }
+    if (frame.time < last_)
+    {
+        Refuse({"its time is before the one before it", "times that do not go back"});
+    }
+    last_ = frame.time;
+    return true;
+}
+} // namespace counterpoint::monitor

@@ -1,0 +1,123 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_MONITOR_READERS_HPP
+#define CANOPEN_MONITOR_READERS_HPP
+
+#include "canopen/monitor/recording.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace counterpoint::monitor
+{
+/// Lines of `candump -l`: (SECONDS.FRACTION) INTERFACE ID#DATA [DIRECTION]. [SRS-MON-002]
+class CandumpReader final : public FrameSource
+{
+  public:
+    CandumpReader(std::string file, std::string_view text, const RecordingOptions& options);
+    [[nodiscard]] bool Next(LogFrame& frame) override;
+    [[nodiscard]] std::size_t Place() const noexcept override;
+
+  private:
+    [[noreturn]] void Refuse(std::string_view line, const char* expected) const;
+    [[nodiscard]] bool ReadLine(std::string_view line, LogFrame& frame);
+    void ReadTime(std::string_view line, std::size_t& at, LogFrame& frame) const;
+    void ReadFrame(std::string_view line, std::string_view text, LogFrame& frame) const;
+    void ReadData(std::string_view line, std::string_view text, LogFrame& frame) const;
+
+    std::string file_;
+    std::string_view text_;
+    std::string interface_;
+    std::size_t at_{0U};
+    std::size_t line_{0U};
+    Time last_{0};
+};
+
+/// Numbers of a capture file in the byte order of the machine that wrote it.
+class CaptureBytes
+{
+  public:
+    CaptureBytes(const std::string_view bytes, const bool is_big_endian) noexcept
+        : bytes_(bytes), is_big_endian_(is_big_endian)
+    {
+    }
+    [[nodiscard]] std::size_t Size() const noexcept
+    {
+        return bytes_.size();
+    }
+    /// `at` + 2 or + 4 is at most Size(), checked by the caller.
+    [[nodiscard]] std::uint16_t Number16(std::size_t at) const noexcept;
+    [[nodiscard]] std::uint32_t Number32(std::size_t at) const noexcept;
+    [[nodiscard]] std::string_view Part(const std::size_t at, const std::size_t count) const noexcept
+    {
+        return bytes_.substr(at, count);
+    }
+
+  private:
+    [[nodiscard]] std::uint8_t At(const std::size_t at) const noexcept
+    {
+        return static_cast<std::uint8_t>(bytes_[at]);
+    }
+
+    std::string_view bytes_;
+    bool is_big_endian_;
+};
+
+/// What is wrong with a packet of link type CAN_SOCKETCAN; nothing where it became a frame.
+[[nodiscard]] std::optional<cia306::Problem> ReadSocketCan(std::string_view packet, LogFrame& frame);
+
+/// pcap, both byte orders, micro- and nanoseconds. [SRS-MON-003]
+class PcapReader final : public FrameSource
+{
+  public:
+    PcapReader(std::string file, std::string_view bytes);
+    [[nodiscard]] bool Next(LogFrame& frame) override;
+    [[nodiscard]] std::size_t Place() const noexcept override;
+
+  private:
+    [[noreturn]] void Refuse(const cia306::Problem& problem) const;
+
+    std::string file_;
+    CaptureBytes bytes_;
+    Time fraction_; ///< Of a second: one microsecond or nanosecond.
+    std::size_t at_{0U};
+    std::size_t packet_{0U};
+    Time last_{0};
+};
+
+/// pcapng. [SRS-MON-003]
+class PcapngReader final : public FrameSource
+{
+  public:
+    PcapngReader(std::string file, std::string_view bytes, const RecordingOptions& options);
+    [[nodiscard]] bool Next(LogFrame& frame) override;
+    [[nodiscard]] std::size_t Place() const noexcept override;
+
+  private:
+    struct Interface
+    {
+        std::uint16_t link_type{0U};
+        std::uint64_t ticks{1000000U}; ///< A second has so many.
+        Time offset{0};
+        std::string name;
+    };
+
+    [[noreturn]] void Refuse(const cia306::Problem& problem) const;
+    void BeginSection();
+    void ReadInterface(std::size_t begin, std::size_t end);
+    void ReadOptions(std::size_t begin, std::size_t end, Interface& interface) const;
+    [[nodiscard]] bool ReadPacket(std::size_t begin, std::size_t end, LogFrame& frame);
+    [[nodiscard]] Time TimeOf(std::uint64_t ticks, const Interface& interface) const;
+
+    std::string file_;
+    CaptureBytes bytes_;
+    std::string_view all_;
+    std::string wanted_;
+    std::vector<Interface> interfaces_;
+    std::optional<std::size_t> chosen_; ///< Interface whose frames are taken.
+    std::size_t at_{0U};
+    std::size_t block_{0U};
+    Time last_{0};
+};
+} // namespace counterpoint::monitor
+
+#endif // CANOPEN_MONITOR_READERS_HPP

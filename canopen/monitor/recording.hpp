@@ -1,0 +1,73 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_MONITOR_RECORDING_HPP
+#define CANOPEN_MONITOR_RECORDING_HPP
+
+#include "canopen/cia306/input_error.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace counterpoint::monitor
+{
+constexpr std::size_t kMostDataBytes = 64U;
+constexpr std::uint8_t kClassicalBytes = 8U;
+
+/// Nanoseconds from the epoch of the recording.
+using Time = std::int64_t;
+constexpr Time kMicrosecond = 1000;
+constexpr Time kMillisecond = 1000 * kMicrosecond;
+constexpr Time kSecond = 1000 * kMillisecond;
+
+/// One frame as it was recorded. Bytes behind `length` have no meaning; a remote frame has none.
+struct LogFrame
+{
+    Time time{0};
+    std::uint32_t identifier{0U}; ///< 11 or 29 bits.
+    std::uint8_t length{0U};
+    bool is_extended{false};
+    bool is_remote{false};
+    bool is_fd{false};
+    bool is_error{false};
+    std::array<std::uint8_t, kMostDataBytes> data{};
+
+    /// A data frame with an identifier of 11 bits, the only kind that CANopen has beside remote frames.
+    [[nodiscard]] bool IsPlain() const noexcept
+    {
+        return !is_extended && !is_remote && !is_fd && !is_error;
+    }
+};
+
+/// Frames one after the other.
+class FrameSource
+{
+  public:
+    FrameSource() = default;
+    virtual ~FrameSource() = default;
+    FrameSource(const FrameSource&) = delete;
+    FrameSource& operator=(const FrameSource&) = delete;
+
+    /// @brief The next frame; false at the end. Throws InputError with the number of the line or packet.
+    [[nodiscard]] virtual bool Next(LogFrame& frame) = 0;
+    /// @brief Where the last frame stood: line or packet, from 1.
+    [[nodiscard]] virtual std::size_t Place() const noexcept = 0;
+};
+
+/// The content of a regular file of up to 2 GB. Throws InputError.
+[[nodiscard]] std::string ReadRecording(const std::string& path);
+
+/// Which frames are taken: those of the first interface of the recording, or of the one with this name.
+struct RecordingOptions
+{
+    std::string interface;
+};
+
+/// A source over the bytes, which outlive it; the format is told by them. `file` is for messages. [SRS-MON-001..003]
+[[nodiscard]] std::unique_ptr<FrameSource> OpenRecording(const std::string& file, std::string_view bytes,
+                                                         const RecordingOptions& options);
+} // namespace counterpoint::monitor
+
+#endif // CANOPEN_MONITOR_RECORDING_HPP

@@ -1,0 +1,174 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/monitor/report.hpp"
+
+#include "canopen/monitor/texts.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <numeric>
+#include <ostream>
+
+namespace counterpoint::monitor
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+std::string IdentifierName(const std::uint32_t identifier)
+{
+    return cia306::Hex(identifier, 3).substr(2U) + "h";
+}
+
+std::string Watchers(const Network& network, const Violation& violation)
+{
+    std::string names;
+    for (const std::size_t watch : violation.watches)
+    {
+        names += (names.empty() ? "" : "; ") + network.NameOf(network.Watches()[watch]);
+    }
+    return names;
+}
+
+void WriteTimes(const char* const name, const TimeStatistics& times, std::ostream& out)
+{
+    if (times.count == 0U)
+    {
+        out << "  " << name << "  none measured, limit " << MillisecondsText(times.limit) << "\n";
+        return;
+    }
+    out << "  " << name << "  least " << MillisecondsText(times.least) << ", mean " << MillisecondsText(times.Mean())
+        << ", greatest " << MillisecondsText(times.greatest) << ", limit " << MillisecondsText(times.limit)
+        << ", margin " << MillisecondsText(times.limit - times.greatest) << "\n";
+}
+
+std::size_t Total(const std::array<std::size_t, kCauseCount>& counts)
+{
+    return std::accumulate(counts.begin(), counts.end(), std::size_t{0U});
+}
+
+double Milliseconds(const Time time)
+{
+    return static_cast<double>(time) / static_cast<double>(kMillisecond);
+}
+
+Json TimesJson(const TimeStatistics& times)
+{
+    Json answer{{"count", times.count}, {"limit_ms", Milliseconds(times.limit)}};
+    if (times.count != 0U)
+    {
+        answer["min_ms"] = Milliseconds(times.least);
+        answer["mean_ms"] = Milliseconds(times.Mean());
+        answer["max_ms"] = Milliseconds(times.greatest);
+        answer["margin_ms"] = Milliseconds(times.limit - times.greatest);
+    }
+    return answer;
+}
+
+Json EndJson(const Network& network, const std::optional<SrdoEnd>& end)
+{
+    return end ? Json{{"node", network.Nodes()[end->node].name}, {"srdo", end->number}} : Json(nullptr);
+}
+
+Json SrdoJson(const Report& report, const std::size_t number)
+{
+    const WatchModel& model = report.network.Watches()[number];
+    const SrdoWatch& watch = report.analysis.Watches()[number];
+    const auto& counts = report.analysis.CountsOf(number);
+    Json answer{{"producer", EndJson(report.network, model.producer)},
+                {"consumer", EndJson(report.network, model.consumer)},
+                {"normal_id", model.setup.normal_id},
+                {"inverse_id", model.setup.inverse_id},
+                {"detection", model.setup.is_late ? "late" : "early"},
+                {"pairs", watch.PairCount()},
+                {"violations", Total(counts)},
+                {"causes", Json::object()},
+                {"cycle", TimesJson(watch.Cycle())},
+                {"srvt", TimesJson(watch.Srvt())}};
+    for (std::size_t cause = 0U; cause < kCauseCount; ++cause)
+    {
+        if (counts.at(cause) != 0U)
+        {
+            answer["causes"][CauseName(static_cast<Cause>(cause))] = counts.at(cause);
+        }
+    }
+    return answer;
+}
+} // namespace
+
+std::string ViolationText(const Network& network, const Violation& violation)
+{
+    const WatchSetup& setup = network.Watches()[violation.watches.front()].setup;
+    return SecondsText(violation.breach.time) + " " + CauseName(violation.breach.cause) + ": " +
+           Watchers(network, violation) + " (" + IdentifierName(setup.normal_id) + ", " +
+           IdentifierName(setup.inverse_id) + "): " + violation.breach.details;
+}
+
+void WriteSummary(const Report& report, std::ostream& out)
+{
+    out << report.analysis.FrameCount() << " frames";
+    for (std::size_t service = 0U; service < kServiceCount; ++service)
+    {
+        const std::size_t count = report.analysis.Frames().at(service);
+        if (count != 0U)
+        {
+            out << ", " << count << " " << ServiceName(static_cast<Service>(service));
+        }
+    }
+    out << "; " << SecondsText(report.analysis.Last() - report.analysis.First()) << " s; "
+        << report.analysis.ViolationCount() << " violations\n";
+    for (std::size_t number = 0U; number < report.network.Watches().size(); ++number)
+    {
+        const WatchModel& model = report.network.Watches()[number];
+        const SrdoWatch& watch = report.analysis.Watches()[number];
+        const auto& counts = report.analysis.CountsOf(number);
+        out << report.network.NameOf(model) << " (" << IdentifierName(model.setup.normal_id) << ", "
+            << IdentifierName(model.setup.inverse_id) << (model.setup.is_late ? ", late" : "")
+            << "): " << watch.PairCount() << " pairs, " << Total(counts) << " violations";
+        for (std::size_t cause = 0U; cause < kCauseCount; ++cause)
+        {
+            if (counts.at(cause) != 0U)
+            {
+                out << ", " << counts.at(cause) << " " << CauseName(static_cast<Cause>(cause));
+            }
+        }
+        out << "\n";
+        WriteTimes("cycle", watch.Cycle(), out);
+        WriteTimes("SRVT ", watch.Srvt(), out);
+    }
+}
+
+std::string JsonReport(const Report& report)
+{
+    const Analysis& analysis = report.analysis;
+    Json answer{{"source", report.source},
+                {"holds", analysis.ViolationCount() == 0U},
+                {"frames", analysis.FrameCount()},
+                {"first_s", static_cast<double>(analysis.First()) / static_cast<double>(kSecond)},
+                {"last_s", static_cast<double>(analysis.Last()) / static_cast<double>(kSecond)},
+                {"services", Json::object()},
+                {"violation_count", analysis.ViolationCount()},
+                {"violations", Json::array()},
+                {"srdos", Json::array()}};
+    for (std::size_t service = 0U; service < kServiceCount; ++service)
+    {
+        answer["services"][ServiceName(static_cast<Service>(service))] = analysis.Frames().at(service);
+    }
+    for (const Violation& violation : report.violations)
+    {
+        Json watchers = Json::array();
+        for (const std::size_t watch : violation.watches)
+        {
+            watchers.push_back(watch);
+        }
+        answer["violations"].push_back({{"time_s", SecondsText(violation.breach.time)},
+                                        {"cause", CauseName(violation.breach.cause)},
+                                        {"srdos", watchers},
+                                        {"details", violation.breach.details}});
+    }
+    for (std::size_t number = 0U; number < report.network.Watches().size(); ++number)
+    {
+        answer["srdos"].push_back(SrdoJson(report, number));
+    }
+    return answer.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+} // namespace counterpoint::monitor

@@ -1,0 +1,35 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_MONITOR_REPORT_HPP
+#define CANOPEN_MONITOR_REPORT_HPP
+
+#include "canopen/monitor/analysis.hpp"
+#include "canopen/monitor/network.hpp"
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace counterpoint::monitor
+{
+/// Violations that a report keeps; more are counted.
+constexpr std::size_t kMostKept = 100000U;
+
+/// What all reports are made from.
+struct Report
+{
+    const Network& network;
+    const Analysis& analysis;
+    const std::vector<Violation>& violations;
+    std::string source; ///< Name of the file or address of the bus.
+};
+
+/// "12.000345 not inverse: sensor SRDO 1 -> controller SRDO 1 (101h, 102h): DETAILS"
+[[nodiscard]] std::string ViolationText(const Network& network, const Violation& violation);
+/// The summary, a block for each SRDO. [SRS-MON-010]
+void WriteSummary(const Report& report, std::ostream& out);
+[[nodiscard]] std::string JsonReport(const Report& report);
+/// A page that needs no other file. [SRS-MON-011]
+[[nodiscard]] std::string HtmlReport(const Report& report);
+} // namespace counterpoint::monitor
+
+#endif // CANOPEN_MONITOR_REPORT_HPP

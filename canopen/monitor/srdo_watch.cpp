@@ -1,0 +1,245 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/monitor/srdo_watch.hpp"
+
+#include "canopen/monitor/texts.hpp"
+
+#include <algorithm>
+
+namespace counterpoint::monitor
+{
+namespace
+{
+constexpr std::uint32_t kByteBits = 8U;
+
+std::string Bytes(const std::size_t count)
+{
+    return std::to_string(count) + (count == 1U ? " byte" : " bytes");
+}
+} // namespace
+
+const char* CauseName(const Cause cause) noexcept
+{
+    switch (cause)
+    {
+    case Cause::kLength:
+        return "wrong length";
+    case Cause::kInverseFirst:
+        return "inverse first";
+    case Cause::kNormalTwice:
+        return "normal twice";
+    case Cause::kNotInverse:
+        return "not inverse";
+    case Cause::kSrvt:
+        return "SRVT expired";
+    case Cause::kSct:
+        return "SCT expired";
+    case Cause::kRemote:
+        break;
+    }
+    return "remote frame";
+}
+
+void TimeStatistics::Add(const Time time) noexcept
+{
+    least = count == 0U ? time : std::min(least, time);
+    greatest = count == 0U ? time : std::max(greatest, time);
+    ++count;
+    sum += static_cast<long double>(time);
+    const Time width = std::max<Time>(limit / static_cast<Time>(kBinsToLimit), 1);
+    const auto bin = static_cast<std::size_t>(std::max<Time>(time, 0) / width);
+    ++bins.at(std::min(bin, kBins - 1U));
+}
+
+Time TimeStatistics::Mean() const noexcept
+{
+    return count == 0U ? 0 : static_cast<Time>(sum / static_cast<long double>(count));
+}
+
+SrdoWatch::SrdoWatch(const std::size_t number, const WatchSetup& setup, BreachSink& sink)
+    : number_(number), setup_(setup), sink_(sink),
+      length_(static_cast<std::uint8_t>((setup.bits + kByteBits - 1U) / kByteBits))
+{
+    cycle_.limit = setup.sct;
+    srvt_.limit = setup.srvt;
+}
+
+void SrdoWatch::Report(const Time time, const Cause cause, const std::string& details)
+{
+    pending_.reset();
+    held_.reset();
+    sink_.OnBreach(number_, {time, cause, details});
+}
+
+void SrdoWatch::Stop() noexcept
+{
+    pending_.reset();
+    held_.reset();
+    last_normal_.reset();
+    has_remainder_ = false;
+}
+
+// Early: with a pending normal frame SRVT, else SCT. Late: SCT alone; SRVT waits for the inverse frame.
+Time SrdoWatch::Deadline() const noexcept
+{
+    const bool is_srvt = pending_ && !setup_.is_late;
+    if (is_srvt)
+    {
+        return pending_->time + setup_.srvt;
+    }
+    return held_ ? *held_ + setup_.sct : std::numeric_limits<Time>::max();
+}
+
+void SrdoWatch::Advance(const Time now)
+{
+    const Time deadline = Deadline();
+    if (now <= deadline)
+    {
+        return;
+    }
+    const bool is_srvt = pending_ && !setup_.is_late;
+    has_remainder_ = pending_.has_value();
+    const std::string since = is_srvt ? "no inverse frame within " + MillisecondsText(setup_.srvt)
+                                      : "no pair within " + MillisecondsText(setup_.sct);
+    Report(deadline, is_srvt ? Cause::kSrvt : Cause::kSct,
+           since + " after the normal frame at " +
+               SecondsText(is_srvt ? deadline - setup_.srvt : deadline - setup_.sct));
+}
+
+void SrdoWatch::OnFrame(const LogFrame& frame)
+{
+    if (frame.is_remote)
+    {
+        sink_.OnBreach(number_, {frame.time, Cause::kRemote, "a consumer does not count it"});
+        return;
+    }
+    const bool is_inverse = frame.identifier == setup_.inverse_id;
+    const bool may_be_late = is_inverse && setup_.is_late && pending_.has_value();
+    if (may_be_late && IsLateInverse(frame))
+    {
+        return;
+    }
+    Advance(frame.time);
+    if (is_inverse)
+    {
+        TakeInverse(frame);
+    }
+    else
+    {
+        TakeNormal(frame);
+    }
+}
+
+/// Late detection: an inverse frame after SRVT is the fault, unless SCT has expired before the frame. [SRS-TIME-009]
+bool SrdoWatch::IsLateInverse(const LogFrame& frame)
+{
+    const Time limit = pending_->time + setup_.srvt;
+    const bool is_sct_first = held_ && *held_ + setup_.sct < frame.time;
+    if (frame.time <= limit || is_sct_first)
+    {
+        return false;
+    }
+    const Time after = frame.time - pending_->time;
+    srvt_.Add(after);
+    has_remainder_ = false;
+    Report(frame.time, Cause::kSrvt,
+           "inverse frame " + MillisecondsText(after) + " after the normal frame, limit " +
+               MillisecondsText(setup_.srvt));
+    return true;
+}
+
+void SrdoWatch::TakeNormal(const LogFrame& frame)
+{
+    const bool was_pending = pending_.has_value();
+    has_remainder_ = false;
+    if (last_normal_)
+    {
+        cycle_.Add(frame.time - *last_normal_);
+        last_normal_.reset(); // Counted once, whatever becomes of the pair.
+    }
+    if (frame.length != length_)
+    {
+        has_remainder_ = true;
+        Report(frame.time, Cause::kLength, "normal frame of " + Bytes(frame.length) + ", expected " + Bytes(length_));
+        return;
+    }
+    if (was_pending)
+    {
+        has_remainder_ = true;
+        const std::string first = SecondsText(pending_->time);
+        Report(frame.time, Cause::kNormalTwice, "no inverse frame since the normal frame at " + first);
+        return;
+    }
+    pending_ = frame;
+}
+
+/// Number of the first bit that is not inverted, -1 where all are. Bits above the mapped ones are 0 and 1.
+int SrdoWatch::WrongBit(const LogFrame& frame) const noexcept
+{
+    for (std::uint32_t bit = 0U; bit < length_ * kByteBits; ++bit)
+    {
+        const std::uint32_t normal = (pending_->data[bit / kByteBits] >> (bit % kByteBits)) & 1U;
+        const std::uint32_t inverse = (frame.data[bit / kByteBits] >> (bit % kByteBits)) & 1U;
+        const bool is_spare_set = bit >= setup_.bits && normal != 0U;
+        if (normal == inverse || is_spare_set)
+        {
+            return static_cast<int>(bit);
+        }
+    }
+    return -1;
+}
+
+void SrdoWatch::TakeInverse(const LogFrame& frame)
+{
+    const bool is_remainder = has_remainder_ && !pending_;
+    has_remainder_ = false;
+    if (is_remainder)
+    {
+        return;
+    }
+    if (pending_)
+    {
+        srvt_.Add(frame.time - pending_->time);
+    }
+    if (frame.length != length_)
+    {
+        Report(frame.time, Cause::kLength, "inverse frame of " + Bytes(frame.length) + ", expected " + Bytes(length_));
+        return;
+    }
+    if (!pending_)
+    {
+        Report(frame.time, Cause::kInverseFirst, "no normal frame before it");
+        return;
+    }
+    const int wrong = WrongBit(frame);
+    if (wrong >= 0)
+    {
+        Report(frame.time, Cause::kNotInverse,
+               "bit " + std::to_string(wrong) + ": normal " + DataText(*pending_) + ", inverse " + DataText(frame));
+        return;
+    }
+    held_ = pending_->time;
+    last_normal_ = held_;
+    pending_.reset();
+    ++pairs_;
+}
+
+const WatchSetup& SrdoWatch::Setup() const noexcept
+{
+    return setup_;
+}
+
+std::size_t SrdoWatch::PairCount() const noexcept
+{
+    return pairs_;
+}
+
+const TimeStatistics& SrdoWatch::Cycle() const noexcept
+{
+    return cycle_;
+}
+
+const TimeStatistics& SrdoWatch::Srvt() const noexcept
+{
+    return srvt_;
+}
+} // namespace counterpoint::monitor

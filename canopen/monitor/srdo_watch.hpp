@@ -1,0 +1,124 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_MONITOR_SRDO_WATCH_HPP
+#define CANOPEN_MONITOR_SRDO_WATCH_HPP
+
+#include "canopen/monitor/recording.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace counterpoint::monitor
+{
+/// What is wrong with a pair, in the words of semantics 2.
+enum class Cause : std::uint8_t
+{
+    kLength = 0U,
+    kInverseFirst = 1U,
+    kNormalTwice = 2U,
+    kNotInverse = 3U,
+    kSrvt = 4U,
+    kSct = 5U,
+    kRemote = 6U, ///< A remote frame with an identifier of the pair, which nobody may send.
+};
+constexpr std::size_t kCauseCount = 7U;
+
+/// "not inverse", "SCT expired"
+[[nodiscard]] const char* CauseName(Cause cause) noexcept;
+
+/// One violation as a watch sees it.
+struct Breach
+{
+    Time time{0}; ///< Of the frame, or at which the limit expired.
+    Cause cause{Cause::kLength};
+    std::string details;
+};
+
+/// Whoever is told of violations.
+class BreachSink
+{
+  public:
+    virtual void OnBreach(std::size_t watch, const Breach& breach) = 0;
+
+  protected:
+    BreachSink() = default;
+    ~BreachSink() = default;
+    BreachSink(const BreachSink&) = default;
+    BreachSink& operator=(const BreachSink&) = default;
+};
+
+/// Least, mean and greatest of times, and how they are spread: bins of a fortieth of the limit, the last one for all
+/// that is greater.
+struct TimeStatistics
+{
+    static constexpr std::size_t kBinsToLimit = 40U;
+    static constexpr std::size_t kBins = 61U;
+
+    Time limit{0};
+    std::size_t count{0U};
+    Time least{0};
+    Time greatest{0};
+    long double sum{0.0L};
+    std::array<std::size_t, kBins> bins{};
+
+    void Add(Time time) noexcept;
+    [[nodiscard]] Time Mean() const noexcept;
+};
+
+/// Limits of one consumer, or of a producer that nobody consumes.
+struct WatchSetup
+{
+    std::uint32_t normal_id{0U};
+    std::uint32_t inverse_id{0U};
+    std::uint32_t bits{0U}; ///< Of the normal data.
+    Time sct{0};
+    Time srvt{0};
+    bool is_late{false}; ///< 5F05h: late detection.
+};
+
+/// One SRDO as one consumer sees it: SRS-CONS-003 to 012 with the clock of the recording. What is left of a discarded
+/// pair is no violation of its own. [SRS-MON-005..007]
+class SrdoWatch
+{
+  public:
+    SrdoWatch(std::size_t number, const WatchSetup& setup, BreachSink& sink);
+
+    /// @brief A plain or remote frame with one of the identifiers.
+    void OnFrame(const LogFrame& frame);
+    /// @brief Reports a limit that has expired before `now`.
+    void Advance(Time now);
+    /// @brief Producer or consumer left OPERATIONAL: nothing is held or awaited. [SRS-MON-009]
+    void Stop() noexcept;
+    /// @brief The next time at which a limit could have expired; never: the greatest time.
+    [[nodiscard]] Time Deadline() const noexcept;
+
+    [[nodiscard]] const WatchSetup& Setup() const noexcept;
+    [[nodiscard]] std::size_t PairCount() const noexcept;
+    [[nodiscard]] const TimeStatistics& Cycle() const noexcept;
+    [[nodiscard]] const TimeStatistics& Srvt() const noexcept;
+
+  private:
+    void Report(Time time, Cause cause, const std::string& details);
+    void TakeNormal(const LogFrame& frame);
+    void TakeInverse(const LogFrame& frame);
+    [[nodiscard]] bool IsLateInverse(const LogFrame& frame);
+    [[nodiscard]] int WrongBit(const LogFrame& frame) const noexcept;
+
+    std::size_t number_;
+    WatchSetup setup_;
+    BreachSink& sink_;
+    std::uint8_t length_; ///< Bytes of a frame.
+    std::optional<LogFrame> pending_;
+    std::optional<Time> held_;        ///< Normal frame of the last valid pair, while SCT is supervised.
+    std::optional<Time> last_normal_; ///< Likewise, for the cycle, whether or not it is supervised.
+    bool has_remainder_{false};       ///< The inverse frame of a discarded pair may still come.
+    std::size_t pairs_{0U};
+    TimeStatistics cycle_;
+    TimeStatistics srvt_;
+};
+} // namespace counterpoint::monitor
+
+#endif // CANOPEN_MONITOR_SRDO_WATCH_HPP

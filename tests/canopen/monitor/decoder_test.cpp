@@ -1,0 +1,135 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/monitor/decoder.hpp"
+#include "tests/canopen/cia306/device_text.hpp"
+#include "tests/canopen/monitor/recordings.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace counterpoint::monitor
+{
+namespace
+{
+using test::Frame;
+
+std::string Example(const std::string& name)
+{
+    return cia306::test::SourceFolder() + "/examples/emergency_stop/" + name + ".dcf";
+}
+
+class DecoderTest : public ::testing::Test
+{
+  protected:
+    std::string Words(const LogFrame& frame)
+    {
+        return decoder.Decode(frame);
+    }
+    std::string Words(const std::uint32_t identifier, const std::vector<std::uint8_t>& data)
+    {
+        return decoder.Decode(Frame(0, identifier, data));
+    }
+    Network network{{{Example("sensor"), std::nullopt}, {Example("controller"), std::nullopt}}, std::nullopt};
+    Analysis analysis{network, [](const Violation&) {}};
+    Decoder decoder{network, analysis};
+};
+
+TEST_F(DecoderTest, NetworkManagement)
+{
+    Verifies(req::SRS_MON_004);
+    EXPECT_EQ(Words(0x000U, {1U, 0U}), "000h [2] 01 00  NMT start, all nodes");
+    EXPECT_EQ(Words(0x000U, {130U, 1U}), "000h [2] 82 01  NMT reset communication, Sensor");
+    EXPECT_EQ(Words(0x000U, {2U, 77U}), "000h [2] 02 4D  NMT stop, node 77");
+    EXPECT_EQ(Words(0x701U, {0U}), "701h [1] 00  error control Sensor boot-up");
+    EXPECT_EQ(Words(0x702U, {5U}), "702h [1] 05  error control Controller is OPERATIONAL");
+    EXPECT_EQ(Words(0x702U, {0xFFU}), "702h [1] FF  error control Controller is PRE-OPERATIONAL");
+    LogFrame guarding = Frame(0, 0x701U, {});
+    guarding.is_remote = true;
+    EXPECT_EQ(Words(guarding), "701h [0]  error control remote guarding request, Sensor");
+    EXPECT_EQ(Words(0x001U, {}), "001h [0]  GFC global fail-safe command");
+    EXPECT_EQ(Words(0x080U, {}), "080h [0]  SYNC ");
+    EXPECT_EQ(Words(0x7E5U, {4U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}), "7E5h [8] 04 00 00 00 00 00 00 00  LSS ");
+}
+
+TEST_F(DecoderTest, Emergencies)
+{
+    Verifies(req::SRS_MON_004);
+    EXPECT_EQ(Words(0x081U, {0x00U, 0x63U, 0x81U, 0U, 0U, 0U, 0U, 0U}),
+              "081h [8] 00 63 81 00 00 00 00 00  EMCY Sensor error 6300h, register 81h");
+    EXPECT_EQ(Words(0x082U, {0U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}),
+              "082h [8] 00 00 00 00 00 00 00 00  EMCY Controller no error, register 00h");
+}
+
+TEST_F(DecoderTest, ServiceDataObjects)
+{
+    Verifies(req::SRS_MON_004);
+    EXPECT_EQ(Words(0x601U, {0x40U, 0x17U, 0x10U, 0U, 0U, 0U, 0U, 0U}),
+              "601h [8] 40 17 10 00 00 00 00 00  SDO Sensor <- read 1017h:00 Producer heartbeat time [ms]");
+    EXPECT_EQ(Words(0x581U, {0x4BU, 0x17U, 0x10U, 0U, 100U, 0U, 0U, 0U}),
+              "581h [8] 4B 17 10 00 64 00 00 00  SDO Sensor -> value 1017h:00 Producer heartbeat time [ms] = 100");
+    EXPECT_EQ(Words(0x601U, {0x2BU, 0x17U, 0x10U, 0U, 0xE8U, 3U, 0U, 0U}),
+              "601h [8] 2B 17 10 00 E8 03 00 00  SDO Sensor <- write 1017h:00 Producer heartbeat time [ms] = 1000");
+    EXPECT_EQ(
+        Words(0x581U, {0x80U, 0x17U, 0x10U, 0U, 0x30U, 0U, 9U, 6U}),
+        "581h [8] 80 17 10 00 30 00 09 06  SDO Sensor -> abort 0609 0030h (value out of range), 1017h:00 Producer "
+        "heartbeat time [ms]");
+    EXPECT_EQ(Words(0x609U, {0x40U, 0x00U, 0x20U, 1U, 0U, 0U, 0U, 0U}),
+              "609h [8] 40 00 20 01 00 00 00 00  SDO node 9 <- read 2000h:01");
+}
+
+TEST_F(DecoderTest, SegmentsAndBlocks)
+{
+    Verifies(req::SRS_MON_004);
+    EXPECT_NE(Words(0x581U, {0x41U, 0x08U, 0x10U, 0U, 9U, 0U, 0U, 0U}).find("value 1008h:00, 9 bytes"),
+              std::string::npos);
+    EXPECT_NE(Words(0x601U, {0x60U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}).find("segment of 1008h:00"), std::string::npos);
+    // A block write: begin, two segments, the last one, acknowledge, end
+    EXPECT_NE(Words(0x601U, {0xC6U, 0x50U, 0x1FU, 1U, 20U, 0U, 0U, 0U}).find("begin of a block write of 1F50h:01"),
+              std::string::npos);
+    EXPECT_NE(Words(0x581U, {0xA4U, 0x50U, 0x1FU, 1U, 127U, 0U, 0U, 0U}).find("a block write of 1F50h:01"),
+              std::string::npos);
+    EXPECT_NE(Words(0x601U, {0x01U, 1U, 2U, 3U, 4U, 5U, 6U, 7U}).find("segment 1 of a block of 1F50h:01"),
+              std::string::npos);
+    EXPECT_NE(Words(0x601U, {0x40U, 1U, 2U, 3U, 4U, 5U, 6U, 7U}).find("segment 64 of a block"), std::string::npos);
+    EXPECT_NE(Words(0x601U, {0xC1U, 1U, 2U, 3U, 4U, 5U, 6U, 7U}).find("segment 65 of a block"), std::string::npos);
+    EXPECT_NE(Words(0x581U, {0xA2U, 65U, 127U, 0U, 0U, 0U, 0U, 0U}).find("acknowledge in a block write"),
+              std::string::npos);
+    EXPECT_NE(Words(0x601U, {0xC5U, 0x34U, 0x12U, 0U, 0U, 0U, 0U, 0U}).find("end of a block write"), std::string::npos);
+}
+
+TEST_F(DecoderTest, SafetyData)
+{
+    Verifies(req::SRS_MON_004);
+    EXPECT_EQ(Words(0x101U, {1U, 0U}),
+              "101h [2] 01 00  SRDO Sensor SRDO 1 -> Controller SRDO 1 normal: Button 1 = 1, Button 2 = 0");
+    EXPECT_EQ(Words(0x102U, {0xFEU, 0xFFU}), "102h [2] FE FF  SRDO Sensor SRDO 1 -> Controller SRDO 1 inverse");
+    EXPECT_EQ(Words(0x103U, {1U, 0U}).find("103h [2] 01 00  SRDO Controller SRDO 2 -> nobody here normal: "), 0U);
+    EXPECT_EQ(Words(0x17FU, {1U}), "17Fh [1] 01  SRDO normal, of no file");
+    LogFrame foreign = Frame(0, 0x101U, {1U});
+    foreign.is_extended = true;
+    EXPECT_EQ(Words(foreign), "00000101h [1] 01  29 bits ");
+}
+
+TEST_F(DecoderTest, ProcessData)
+{
+    Verifies(req::SRS_MON_004);
+    // Given a device with a TPDO of a signed number and a bit
+    const std::string path = (std::filesystem::temp_directory_path() / "decoder_test.dcf").string();
+    cia306::WriteTextFile(
+        path,
+        "[DeviceComissioning]\nNodeID=5\nNodeName=Drive\n\n[1800]\nSubNumber=1\nObjectType=9\n\n"
+        "[1800sub1]\nDataType=7\nAccessType=rw\nDefaultValue=$NODEID+0x180\n\n[1A00]\nSubNumber=3\nObjectType=9\n\n"
+        "[1A00sub0]\nDataType=5\nAccessType=rw\nDefaultValue=2\n\n[1A00sub1]\nDataType=7\nAccessType=rw\n"
+        "DefaultValue=0x60000010\n\n[1A00sub2]\nDataType=7\nAccessType=rw\nDefaultValue=0x60010001\n\n"
+        "[6000]\nParameterName=Speed\nDataType=3\nAccessType=ro\nPDOMapping=1\n\n[6001]\nParameterName=Moving\n"
+        "DataType=1\nAccessType=ro\nPDOMapping=1\n");
+    const Network drive({{path, std::nullopt}}, std::nullopt);
+    std::filesystem::remove(path);
+    const Analysis of_drive(drive, [](const Violation&) {});
+    Decoder words(drive, of_drive);
+    EXPECT_EQ(words.Decode(Frame(0, 0x185U, {0xFEU, 0xFFU, 1U})),
+              "185h [3] FE FF 01  PDO Drive TPDO 1: Speed = -2, Moving = 1");
+}
+} // namespace
+} // namespace counterpoint::monitor

@@ -1,0 +1,193 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/canopen/monitor/recordings.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace counterpoint::monitor
+{
+namespace
+{
+using test::ByteOrder;
+using test::CandumpLine;
+using test::CaptureWriter;
+using test::Frame;
+using test::FramesOf;
+using test::PcapngBlock;
+using test::PcapngOf;
+using test::PcapOf;
+using test::RefusalOf;
+
+/// One of each kind.
+std::vector<LogFrame> AllKinds()
+{
+    std::vector<LogFrame> frames{Frame(1000000, 0x101U, {0x12U, 0xFEU}), Frame(1000001, 0x080U, {}),
+                                 Frame(1000002, 0x7FFU, {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U})};
+    LogFrame remote = Frame(1000003, 0x701U, {});
+    remote.is_remote = true;
+    remote.length = 1U;
+    LogFrame extended = Frame(1000004, 0x1FFFFFFFU, {9U});
+    extended.is_extended = true;
+    LogFrame error = Frame(1000005, 0x4U, {0U, 4U, 0U, 0U, 0U, 0U, 0U, 0U});
+    error.is_error = true;
+    LogFrame wide = Frame(1000006, 0x123U, std::vector<std::uint8_t>(12U, 0xA5U));
+    wide.is_fd = true;
+    frames.insert(frames.end(), {remote, extended, error, wide});
+    return frames;
+}
+
+void ExpectSame(const std::vector<LogFrame>& read, const std::vector<LogFrame>& written)
+{
+    ASSERT_EQ(read.size(), written.size());
+    for (std::size_t place = 0U; place < read.size(); ++place)
+    {
+        const LogFrame& left = read[place];
+        const LogFrame& right = written[place];
+        EXPECT_EQ(left.time, right.time) << place;
+        EXPECT_EQ(left.identifier, right.identifier) << place;
+        EXPECT_EQ(left.length, right.length) << place;
+        EXPECT_EQ(left.is_extended, right.is_extended) << place;
+        EXPECT_EQ(left.is_remote, right.is_remote) << place;
+        EXPECT_EQ(left.is_fd, right.is_fd) << place;
+        EXPECT_EQ(left.is_error, right.is_error) << place;
+        EXPECT_EQ(left.data, right.data) << place;
+    }
+}
+
+TEST(Readers, EveryKindOfFrameIsReadFromEveryFormat)
+{
+    Verifies(req::SRS_MON_001);
+    Verifies(req::SRS_MON_002);
+    Verifies(req::SRS_MON_003);
+    const std::vector<LogFrame> frames = AllKinds();
+    std::string candump;
+    for (const LogFrame& frame : frames)
+    {
+        candump += CandumpLine(frame);
+    }
+    ExpectSame(FramesOf(candump), frames);
+    for (const ByteOrder order : {ByteOrder::kLittle, ByteOrder::kBig})
+    {
+        ExpectSame(FramesOf(PcapOf(frames, order, false)), frames);
+        ExpectSame(FramesOf(PcapOf(frames, order, true)), frames);
+        ExpectSame(FramesOf(PcapngOf(frames, order, 6U)), frames);
+        ExpectSame(FramesOf(PcapngOf(frames, order, 9U)), frames);
+    }
+}
+
+TEST(Readers, FormsOfCandump)
+{
+    Verifies(req::SRS_MON_002);
+    EXPECT_EQ(FramesOf("(1.000002) vcan0 101#12 R\n")[0].time, kSecond + 2 * kMicrosecond);
+    EXPECT_EQ(FramesOf("(1.000000002) vcan0 101#12 T\r\n")[0].time, kSecond + 2);
+    EXPECT_EQ(FramesOf("(0.000000) can0 7FF#1122334455667788_B\n")[0].length, 8U);
+    EXPECT_EQ(FramesOf("(0.000000) can0 123#R\n\n(0.000000) can0 123#r8")[1].length, 8U);
+    EXPECT_EQ(FramesOf("(0.000000) can0 123##0\n")[0].is_fd, true);
+    EXPECT_EQ(FramesOf("").size(), 0U);
+    // Frames of another interface are left out
+    const std::string two = "(2.000000) a 101#\n(1.000000) b 102#\n(2.000001) a 103#\n";
+    EXPECT_EQ(FramesOf(two).size(), 2U);
+    EXPECT_EQ(FramesOf(two, "b")[0].identifier, 0x102U);
+    EXPECT_EQ(FramesOf(two, "c").size(), 0U);
+}
+
+TEST(Readers, AMalformedLineIsNamed)
+{
+    Verifies(req::SRS_MON_002);
+    const std::string good = "(1.000000) can0 101#12\n";
+    EXPECT_EQ(RefusalOf(good + "(1.000000) can0 101#1\n"),
+              "test.log:2: error: line '(1.000000) can0 101#1', expected 0 to 8 bytes of two hexadecimal digits");
+    EXPECT_EQ(RefusalOf(good + good + "(0.999999) can0 101#12\n"),
+              "test.log:3: error: line '(0.999999) can0 101#12', expected a time that is not before that of the frame "
+              "before");
+    for (const char* line : {"x",
+                             "(",
+                             "()",
+                             "(1)",
+                             "(1.)",
+                             "(1.00000) can0 101#",
+                             "(1.0000000) can0 101#",
+                             "(.000000) can0 101#",
+                             "(99999999999.000000) can0 101#",
+                             "(9999999999.000000) can0 101#",
+                             "1.000000 can0 101#",
+                             "(1.000000)can0 101#",
+                             "(1.000000) can0",
+                             "(1.000000)  101#",
+                             "(1.000000) can0  101#",
+                             "(1.000000) can0 10#",
+                             "(1.000000) can0 0101#",
+                             "(1.000000) can0 80000101#",
+                             "(1.000000) can0 801#",
+                             "(1.000000) can0 10G#",
+                             "(1.000000) can0 101",
+                             "(1.000000) can0 101#G0",
+                             "(1.000000) can0 101#112233445566778899",
+                             "(1.000000) can0 101#R9",
+                             "(1.000000) can0 101#R11",
+                             "(1.000000) can0 101##",
+                             "(1.000000) can0 101##X",
+                             "(1.000000) can0 101##1112233445566778899",
+                             "(1.000000) can0 101#11 X",
+                             "(1.000000) can0 101#11 R ",
+                             "(1.000000) can0 101#1122334455667788_8",
+                             "(-1.000000) can0 101#",
+                             "(1.00000a) can0 101#"})
+    {
+        const std::string refusal = RefusalOf(good + line + "\n" + good);
+        EXPECT_EQ(refusal.rfind("test.log:2: error: line '", 0U), 0U) << line << ": " << refusal;
+        EXPECT_NE(refusal.find("', expected "), std::string::npos) << line;
+    }
+}
+
+TEST(Readers, ACaptureThatIsCutIsNamed)
+{
+    Verifies(req::SRS_MON_003);
+    const std::vector<LogFrame> frames = AllKinds();
+    for (const std::string& whole : {PcapOf(frames, ByteOrder::kLittle, false), PcapngOf(frames, ByteOrder::kBig, 6U)})
+    {
+        std::size_t accepted = 0U;
+        for (std::size_t length = 4U; length < whole.size(); ++length)
+        {
+            const std::string refusal = RefusalOf(whole.substr(0U, length));
+            accepted += refusal.empty() ? 1U : 0U;
+            EXPECT_TRUE(refusal.empty() || refusal.find(", expected ") != std::string::npos) << refusal;
+        }
+        EXPECT_LE(accepted, 10U); // Between two packets nothing is missing.
+    }
+}
+
+TEST(Readers, ACaptureThatContradictsItselfIsNamed)
+{
+    Verifies(req::SRS_MON_003);
+    const std::vector<LogFrame> frames = AllKinds();
+    std::string other_link = PcapOf(frames, ByteOrder::kLittle, false);
+    other_link[20] = 1;
+    EXPECT_EQ(RefusalOf(other_link), "test.log:0: error: link type 1, expected 227 (CAN_SOCKETCAN)");
+    std::string version = PcapOf(frames, ByteOrder::kLittle, false);
+    version[4] = 3;
+    EXPECT_EQ(RefusalOf(version), "test.log:0: error: pcap version 3, expected 2");
+    std::string long_frame = PcapOf({frames[0]}, ByteOrder::kLittle, false);
+    long_frame[44] = 8; // Length of the frame, of which two bytes are there.
+    EXPECT_EQ(RefusalOf(long_frame),
+              "test.log:1: error: frame of 8 bytes in a packet of 10 bytes, expected 8 bytes and the "
+              "data of the frame, 8 at most");
+    EXPECT_EQ(RefusalOf(PcapOf({frames[1], frames[0]}, ByteOrder::kBig, false)),
+              "test.log:2: error: packet 2 is before the one before it, expected times that do not go back");
+    const std::string head = PcapngOf({}, ByteOrder::kLittle, 6U);
+    EXPECT_EQ(RefusalOf(head + PcapngBlock(3U, std::string(20U, 'x'), ByteOrder::kLittle)),
+              "test.log:4: error: block 4: a packet of type 3, expected enhanced packets, which have a time");
+    EXPECT_NE(
+        RefusalOf(head + PcapngBlock(6U, std::string(16U, '\0'), ByteOrder::kLittle)).find("a packet of 16 bytes"),
+        std::string::npos);
+    std::string interface(20U, '\0');
+    interface[0] = 1;
+    EXPECT_NE(RefusalOf(head + PcapngBlock(6U, interface, ByteOrder::kLittle)).find("a packet of interface 1 with"),
+              std::string::npos);
+    EXPECT_NE(RefusalOf("\x0A\x0D\x0D\x0A" + std::string(40U, 'x')).find("a section without byte order"),
+              std::string::npos);
+}
+} // namespace
+} // namespace counterpoint::monitor

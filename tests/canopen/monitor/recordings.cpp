@@ -1,0 +1,171 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/canopen/monitor/recordings.hpp"
+
+#include "canopen/monitor/texts.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace counterpoint::monitor::test
+{
+namespace
+{
+std::string Padding(const std::size_t count)
+{
+    return std::string((4U - count % 4U) % 4U, '\0');
+}
+} // namespace
+
+std::string SocketCanPacket(const LogFrame& frame)
+{
+    CaptureWriter writer(ByteOrder::kBig);
+    writer.Number(frame.identifier | (frame.is_extended ? 0x80000000U : 0U) | (frame.is_remote ? 0x40000000U : 0U) |
+                      (frame.is_error ? 0x20000000U : 0U),
+                  4U);
+    writer.Number(frame.length, 1U);
+    writer.Number(frame.is_fd ? 4U : 0U, 1U);
+    writer.Number(0U, 2U);
+    for (std::uint8_t place = 0U; place < frame.length && !frame.is_remote; ++place)
+    {
+        writer.Number(frame.data.at(place), 1U);
+    }
+    return writer.text;
+}
+
+std::string PcapOf(const std::vector<LogFrame>& frames, const ByteOrder order, const bool has_nanoseconds)
+{
+    CaptureWriter writer(order);
+    writer.Number(has_nanoseconds ? 0xA1B23C4DU : 0xA1B2C3D4U, 4U);
+    writer.Number(2U, 2U);
+    writer.Number(4U, 2U);
+    writer.Number(0U, 4U);
+    writer.Number(0U, 4U);
+    writer.Number(262144U, 4U);
+    writer.Number(227U, 4U);
+    for (const LogFrame& frame : frames)
+    {
+        const std::string packet = SocketCanPacket(frame);
+        writer.Number(static_cast<std::uint64_t>(frame.time / kSecond), 4U);
+        writer.Number(static_cast<std::uint64_t>(frame.time % kSecond / (has_nanoseconds ? 1 : kMicrosecond)), 4U);
+        writer.Number(packet.size(), 4U);
+        writer.Number(packet.size(), 4U);
+        writer.text += packet;
+    }
+    return writer.text;
+}
+
+std::string PcapngBlock(const std::uint32_t type, const std::string& body, const ByteOrder order)
+{
+    CaptureWriter writer(order);
+    const std::size_t length = body.size() + Padding(body.size()).size() + 12U;
+    writer.Number(type, 4U);
+    writer.Number(length, 4U);
+    writer.text += body + Padding(body.size());
+    writer.Number(length, 4U);
+    return writer.text;
+}
+
+std::string PcapngOf(const std::vector<LogFrame>& frames, const ByteOrder order, const std::uint8_t resolution)
+{
+    CaptureWriter section(order);
+    section.Number(0x1A2B3C4DU, 4U);
+    section.Number(1U, 2U);
+    section.Number(0U, 2U);
+    section.Number(0xFFFFFFFFFFFFFFFFU, 8U);
+    CaptureWriter interface(order);
+    interface.Number(227U, 2U);
+    interface.Number(0U, 2U);
+    interface.Number(262144U, 4U);
+    interface.Number(2U, 2U); // if_name
+    interface.Number(4U, 2U);
+    interface.text += "can0";
+    interface.Number(9U, 2U); // if_tsresol
+    interface.Number(1U, 2U);
+    interface.text += std::string(1U, static_cast<char>(resolution)) + std::string(3U, '\0');
+    interface.Number(0U, 4U);
+    std::string text = PcapngBlock(0x0A0D0D0AU, section.text, order) + PcapngBlock(1U, interface.text, order) +
+                       PcapngBlock(0x0BADU, "unknown", order);
+    for (const LogFrame& frame : frames)
+    {
+        const std::string packet = SocketCanPacket(frame);
+        const auto time = static_cast<std::uint64_t>(resolution == 9U ? frame.time : frame.time / kMicrosecond);
+        CaptureWriter head(order);
+        head.Number(0U, 4U);
+        head.Number(time >> 32U, 4U);
+        head.Number(time & 0xFFFFFFFFU, 4U);
+        head.Number(packet.size(), 4U);
+        head.Number(packet.size(), 4U);
+        text += PcapngBlock(6U, head.text + packet, order);
+    }
+    return text;
+}
+
+std::string CandumpLine(const LogFrame& frame)
+{
+    std::string data = frame.is_remote ? "R" + std::to_string(frame.length) : DataText(frame);
+    data.erase(std::remove(data.begin(), data.end(), ' '), data.end());
+    char head[64] = {};
+    static_cast<void>(std::snprintf(head, sizeof(head), "(%010lld.%06lld) can0 ",
+                                    static_cast<long long>(frame.time / kSecond),
+                                    static_cast<long long>(frame.time % kSecond / kMicrosecond)));
+    const std::uint32_t flags = frame.is_error ? 0x20000000U : 0U;
+    const bool is_wide = frame.is_extended || frame.is_error;
+    return head + cia306::Hex(frame.identifier | flags, is_wide ? 8 : 3).substr(2U) + (frame.is_fd ? "##1" : "#") +
+           data + "\n";
+}
+
+std::vector<LogFrame> FramesOf(const std::string& bytes, const std::string& interface)
+{
+    const auto source = OpenRecording("test.log", bytes, {interface});
+    std::vector<LogFrame> frames;
+    LogFrame frame;
+    while (source->Next(frame))
+    {
+        frames.push_back(frame);
+    }
+    return frames;
+}
+
+std::string RefusalOf(const std::string& bytes)
+{
+    try
+    {
+        static_cast<void>(FramesOf(bytes));
+    }
+    catch (const cia306::InputError& error)
+    {
+        return error.what();
+    }
+    return "";
+}
+
+LogFrame Frame(const Time us, const std::uint32_t identifier, const std::vector<std::uint8_t>& data)
+{
+    LogFrame frame;
+    frame.time = us * kMicrosecond;
+    frame.identifier = identifier;
+    frame.length = static_cast<std::uint8_t>(data.size());
+    std::copy(data.begin(), data.end(), frame.data.begin());
+    return frame;
+}
+
+std::vector<std::string> ViolationsOf(const Network& network, const std::vector<LogFrame>& frames, const Time end_us)
+{
+    std::vector<std::string> texts;
+    Analysis analysis(network,
+                      [&texts](const Violation& violation)
+                      {
+                          texts.push_back(std::to_string(violation.breach.time / kMicrosecond) + " " +
+                                          CauseName(violation.breach.cause));
+                      });
+    for (const LogFrame& frame : frames)
+    {
+        analysis.Take(frame);
+    }
+    if (end_us != 0)
+    {
+        analysis.Advance(end_us * kMicrosecond);
+    }
+    return texts;
+}
+} // namespace counterpoint::monitor::test

@@ -1,0 +1,226 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// One pair, frame by frame: controller (SCT 50 ms, SRVT 20 ms) listens to the sensor's 101h and 102h.
+#include "tests/canopen/cia306/device_text.hpp"
+#include "tests/canopen/monitor/recordings.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <unistd.h>
+
+namespace counterpoint::monitor
+{
+namespace
+{
+using test::Frame;
+using test::ViolationsOf;
+using Frames = std::vector<LogFrame>;
+using Texts = std::vector<std::string>;
+
+class Watch : public ::testing::Test
+{
+  protected:
+    Watch()
+    {
+        std::filesystem::remove(LatePath());
+    }
+    [[nodiscard]] static std::string LatePath()
+    {
+        return (std::filesystem::temp_directory_path() / ("watch_late_" + std::to_string(::getpid()) + ".dcf"))
+            .string();
+    }
+    [[nodiscard]] static std::string Example(const std::string& name)
+    {
+        return cia306::test::SourceFolder() + "/examples/emergency_stop/" + name + ".dcf";
+    }
+    /// The controller with 5F05h:01 late.
+    [[nodiscard]] static std::string LateController()
+    {
+        std::string text = cia306::test::ExampleText("controller");
+        const std::size_t section = text.find("[5F05sub1]");
+        const std::size_t value = text.find("ParameterValue=", section);
+        text.replace(value, std::string("ParameterValue=0x00").size(), "ParameterValue=0x3C");
+        cia306::WriteTextFile(LatePath(), text);
+        return LatePath();
+    }
+    [[nodiscard]] static Frames Pair(const Time us, const Time srvt_us = 200)
+    {
+        return {Frame(us, 0x101U, {1U, 2U}), Frame(us + srvt_us, 0x102U, {0xFEU, 0xFDU})};
+    }
+    /// Valid pairs at 0 and 25 ms, the frames, valid pairs from `then_us` on.
+    [[nodiscard]] static Frames Among(const Frames& frames, const Time then_us)
+    {
+        Frames all = Pair(0);
+        for (const Frames& part : {Pair(25000), frames, Pair(then_us), Pair(then_us + 25000)})
+        {
+            all.insert(all.end(), part.begin(), part.end());
+        }
+        return all;
+    }
+
+    Network early{{{Example("sensor"), std::nullopt}, {Example("controller"), std::nullopt}}, std::nullopt};
+    Network late{{{Example("sensor"), std::nullopt}, {LateController(), std::nullopt}}, std::nullopt};
+};
+
+TEST_F(Watch, ValidPairsUpToTheLimitsAreNoViolation)
+{
+    Verifies(req::SRS_MON_005);
+    Verifies(req::SRS_MON_006);
+    EXPECT_EQ(ViolationsOf(early, Among(Pair(75000, 20000), 125000)), Texts{});
+    // With late detection the whole next pair has to come within SCT
+    EXPECT_EQ(ViolationsOf(late, Among(Pair(55000, 20000), 100000)), Texts{});
+    EXPECT_EQ(ViolationsOf(late, Among(Pair(55001, 20000), 100000)), (Texts{"75000 SCT expired"}));
+}
+
+TEST_F(Watch, OneMicrosecondBeyondALimitIsAViolationAtTheLimit)
+{
+    Verifies(req::SRS_MON_006);
+    Verifies(req::SRS_MON_007);
+    EXPECT_EQ(ViolationsOf(early, Among(Pair(75001), 100000)), (Texts{"75000 SCT expired"}));
+    EXPECT_EQ(ViolationsOf(early, Among(Pair(50000, 20001), 100000)), (Texts{"70000 SRVT expired"}));
+    // Late detection finds it by the inverse frame
+    EXPECT_EQ(ViolationsOf(late, Among(Pair(50000, 20001), 100000)), (Texts{"70001 SRVT expired"}));
+}
+
+TEST_F(Watch, EachFrameRuleHasItsCause)
+{
+    Verifies(req::SRS_MON_005);
+    const LogFrame normal = Frame(50000, 0x101U, {1U, 2U});
+    const LogFrame inverse = Frame(50200, 0x102U, {0xFEU, 0xFDU});
+    EXPECT_EQ(ViolationsOf(early, Among({Frame(50000, 0x101U, {1U}), inverse}, 75000)), (Texts{"50000 wrong length"}));
+    EXPECT_EQ(ViolationsOf(early, Among({Frame(50000, 0x101U, {1U, 2U, 3U}), inverse}, 75000)),
+              (Texts{"50000 wrong length"}));
+    EXPECT_EQ(ViolationsOf(early, Among({normal, Frame(50200, 0x102U, {0xFEU})}, 75000)),
+              (Texts{"50200 wrong length"}));
+    EXPECT_EQ(ViolationsOf(early, Among({inverse}, 75000)), (Texts{"50200 inverse first"}));
+    EXPECT_EQ(ViolationsOf(early, Among({normal, Frame(50200, 0x102U, {0xFEU, 0xFCU})}, 75000)),
+              (Texts{"50200 not inverse"}));
+    EXPECT_EQ(ViolationsOf(early, Among({normal, Frame(50100, 0x101U, {1U, 2U}), inverse}, 75000)),
+              (Texts{"50100 normal twice"}));
+    LogFrame remote = normal;
+    remote.is_remote = true;
+    EXPECT_EQ(ViolationsOf(early, Among({remote}, 75000)), (Texts{"50000 remote frame"}));
+}
+
+TEST_F(Watch, OtherFramesAreNoCandidates)
+{
+    Verifies(req::SRS_MON_005);
+    LogFrame extended = Frame(50000, 0x102U, {1U});
+    LogFrame wide = extended;
+    LogFrame error = extended;
+    extended.is_extended = true;
+    wide.is_fd = true;
+    error.is_error = true;
+    EXPECT_EQ(ViolationsOf(early, Among({extended, wide, error}, 75000)), Texts{});
+}
+
+TEST_F(Watch, AMissingInverseFrameIsFoundEarlyOrLate)
+{
+    Verifies(req::SRS_MON_007);
+    const LogFrame normal = Frame(50000, 0x101U, {1U, 2U});
+    EXPECT_EQ(ViolationsOf(early, Among({normal}, 75000)), (Texts{"70000 SRVT expired"}));
+    // Late: the next normal frame comes first, and that pair is lost with it
+    EXPECT_EQ(ViolationsOf(late, Among({normal}, 75000)), (Texts{"75000 normal twice"}));
+    // or SCT of the pair at 25 ms
+    EXPECT_EQ(ViolationsOf(late, Among({normal}, 75001)), (Texts{"75000 SCT expired"}));
+    // An inverse frame after SRVT, but SCT before it
+    EXPECT_EQ(ViolationsOf(late, Among({Frame(60000, 0x101U, {1U, 2U}), Frame(81000, 0x102U, {0xFEU, 0xFDU})}, 100000)),
+              (Texts{"75000 SCT expired"}));
+}
+
+TEST_F(Watch, SilenceIsReportedOnceUntilAValidPairComes)
+{
+    Verifies(req::SRS_MON_006);
+    EXPECT_EQ(ViolationsOf(early, Pair(0), 10000000), (Texts{"50000 SCT expired"}));
+    EXPECT_EQ(ViolationsOf(early, Among({}, 900000)), (Texts{"75000 SCT expired"}));
+    // Before the first valid pair nothing is supervised
+    EXPECT_EQ(ViolationsOf(early, {Frame(0, 0x080U, {})}, 10000000), Texts{});
+    EXPECT_EQ(ViolationsOf(early, {Frame(0, 0x101U, {1U, 2U})}, 10000000), (Texts{"20000 SRVT expired"}));
+}
+
+TEST_F(Watch, AProducerThatIsStoppedIsNoViolation)
+{
+    Verifies(req::SRS_MON_009);
+    for (const LogFrame& stop : {Frame(30000, 0x000U, {2U, 1U}), Frame(30000, 0x000U, {128U, 0U}),
+                                 Frame(30000, 0x701U, {127U}), Frame(30000, 0x701U, {0U}), Frame(30000, 0x702U, {4U})})
+    {
+        EXPECT_EQ(ViolationsOf(early, Among({stop}, 900000)), Texts{}) << stop.identifier;
+    }
+    // Commands and states of others, and a start, stop nothing
+    for (const LogFrame& other :
+         {Frame(30000, 0x000U, {2U, 9U}), Frame(30000, 0x000U, {1U, 0U}), Frame(30000, 0x701U, {5U}),
+          Frame(30000, 0x701U, {0x85U}), Frame(30000, 0x000U, {2U})})
+    {
+        EXPECT_EQ(ViolationsOf(early, Among({other}, 900000)).size(), 1U) << other.identifier;
+    }
+}
+
+TEST_F(Watch, AnSrdoThatNobodyConsumesHasTheLimitsOfItsProducer)
+{
+    Verifies(req::SRS_MON_007);
+    const Network twice{{{Example("sensor"), std::nullopt}}, std::nullopt};
+    EXPECT_EQ(ViolationsOf(twice, Among(Pair(75001), 100000)), (Texts{"75000 SCT expired"}));
+    const Network given{{{Example("sensor"), std::nullopt}}, 60 * kMillisecond};
+    EXPECT_EQ(ViolationsOf(given, Among(Pair(75001), 100000)), Texts{});
+}
+
+TEST_F(Watch, EachConsumerOfAPairHasItsOwnLimits)
+{
+    Verifies(req::SRS_MON_008);
+    // Given the controller a second time, as node 3 with SRVT 10 ms
+    std::string text = cia306::test::ExampleText("controller");
+    const std::size_t section = text.find("[1301sub3]");
+    text.replace(text.find("ParameterValue=20", section), 17U, "ParameterValue=10");
+    const std::string path = (std::filesystem::temp_directory_path() / "watch_second.dcf").string();
+    cia306::WriteTextFile(path, text);
+    const Network network{
+        {{Example("sensor"), std::nullopt}, {Example("controller"), std::nullopt}, {path, std::uint8_t{3U}}},
+        std::nullopt};
+    std::filesystem::remove(path);
+    std::vector<std::size_t> watchers;
+    Texts texts;
+    Analysis analysis(network,
+                      [&](const Violation& violation)
+                      {
+                          watchers.push_back(violation.watches.size());
+                          texts.push_back(CauseName(violation.breach.cause));
+                      });
+    const Frames frames = Among({Frame(50000, 0x101U, {1U, 2U}), Frame(50200, 0x102U, {0xFEU, 0xFCU})}, 75000);
+    for (const LogFrame& frame : frames)
+    {
+        analysis.Take(frame);
+    }
+    // Then what is wrong with a frame is one violation that both see
+    EXPECT_EQ(texts, (Texts{"not inverse"}));
+    EXPECT_EQ(watchers, (std::vector<std::size_t>{2U}));
+    // and 15 ms are too much for the second alone
+    analysis.Take(Frame(120000, 0x101U, {1U, 2U}));
+    analysis.Take(Frame(135000, 0x102U, {0xFEU, 0xFDU}));
+    EXPECT_EQ(texts, (Texts{"not inverse", "SRVT expired"}));
+    EXPECT_EQ(watchers, (std::vector<std::size_t>{2U, 1U}));
+}
+
+TEST_F(Watch, StatisticsAndMargins)
+{
+    Verifies(req::SRS_MON_010);
+    Analysis analysis(early, [](const Violation&) {});
+    for (const Time us : {0, 20000, 50000})
+    {
+        for (const LogFrame& frame : Pair(us, us / 100 + 100))
+        {
+            analysis.Take(frame);
+        }
+    }
+    const SrdoWatch& watch = analysis.Watches().front();
+    EXPECT_EQ(watch.PairCount(), 3U);
+    EXPECT_EQ(watch.Cycle().least, 20 * kMillisecond);
+    EXPECT_EQ(watch.Cycle().Mean(), 25 * kMillisecond);
+    EXPECT_EQ(watch.Cycle().greatest, 30 * kMillisecond);
+    EXPECT_EQ(watch.Cycle().limit - watch.Cycle().greatest, 20 * kMillisecond);
+    EXPECT_EQ(watch.Srvt().least, 100 * kMicrosecond);
+    EXPECT_EQ(watch.Srvt().Mean(), 333333);
+    EXPECT_EQ(watch.Srvt().greatest, 600 * kMicrosecond);
+}
+} // namespace
+} // namespace counterpoint::monitor

@@ -1,0 +1,176 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "hal/host/live_bus.hpp"
+#include "tests/canopen/cia306/device_text.hpp"
+#include "tests/tools/command_run.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <atomic>
+#include <chrono>
+#include <string>
+#include <thread>
+
+namespace counterpoint::tools
+{
+namespace
+{
+using test::Answer;
+using test::RunCommand;
+
+std::string Example(const std::string& name)
+{
+    return cia306::test::SourceFolder() + "/examples/emergency_stop/" + name + ".dcf";
+}
+
+class MonitorCommandTest : public test::CommandTest
+{
+  protected:
+    /// Four pairs of the sensor, the third of which is not inverse.
+    [[nodiscard]] std::string Recording() const
+    {
+        std::string text;
+        for (int pair = 0; pair < 4; ++pair)
+        {
+            const std::string head = "(10.0" + std::to_string(25 * pair + 100).substr(1U);
+            text += head + "000) can0 101#0102\n" + head + "200) can0 102#FEF" + (pair == 2 ? "C" : "D") + "\n";
+        }
+        return File("bus.log", text);
+    }
+    [[nodiscard]] static Answer Monitor(const std::vector<std::string>& arguments)
+    {
+        std::vector<std::string> all{"monitor"};
+        all.insert(all.end(), arguments.begin(), arguments.end());
+        all.insert(all.end(), {"--dcf", Example("sensor"), Example("controller")});
+        return RunCommand(all);
+    }
+};
+
+TEST_F(MonitorCommandTest, TellsViolationsAndASummary)
+{
+    Verifies(req::SRS_MON_005);
+    Verifies(req::SRS_MON_010);
+    Verifies(req::SRS_MON_011);
+    const Answer answer = Monitor({Recording()});
+    EXPECT_EQ(answer.status, 1);
+    EXPECT_EQ(answer.err, "");
+    EXPECT_EQ(
+        answer.out,
+        "10.050200 not inverse: Sensor SRDO 1 -> Controller SRDO 1 (101h, 102h): bit 8: normal 01 02, inverse FE FC\n"
+        "8 frames, 8 SRDO; 0.075200 s; 1 violations\n"
+        "Sensor SRDO 1 -> Controller SRDO 1 (101h, 102h): 3 pairs, 1 violations, 1 not inverse\n"
+        "  cycle  least 25 ms, mean 25 ms, greatest 25 ms, limit 50 ms, margin 25 ms\n"
+        "  SRVT   least 0.2 ms, mean 0.2 ms, greatest 0.2 ms, limit 20 ms, margin 19.8 ms\n"
+        "Controller SRDO 2 -> nobody here (103h, 104h): 0 pairs, 0 violations\n"
+        "  cycle  none measured, limit 50 ms\n"
+        "  SRVT   none measured, limit 20 ms\n");
+}
+
+TEST_F(MonitorCommandTest, FramesInWords)
+{
+    Verifies(req::SRS_MON_004);
+    const std::string file = File("one.log", "(1.000000) can0 701#05\n");
+    const Answer answer = Monitor({file, "--frames"});
+    EXPECT_EQ(answer.status, 0);
+    EXPECT_EQ(
+        answer.out.rfind("1.000000 701h [1] 05  error control Sensor is OPERATIONAL\n1 frames, 1 error control", 0U),
+        0U)
+        << answer.out;
+}
+
+TEST_F(MonitorCommandTest, AnswersAsJson)
+{
+    Verifies(req::SRS_MON_011);
+    const Answer answer = Monitor({Recording(), "--json"});
+    EXPECT_EQ(answer.status, 1);
+    const auto document = nlohmann::json::parse(answer.out);
+    EXPECT_EQ(document["holds"], false);
+    EXPECT_EQ(document["frames"], 8);
+    ASSERT_EQ(document["violations"].size(), 1U);
+    EXPECT_EQ(document["violations"][0]["time_s"], "10.050200");
+    EXPECT_EQ(document["violations"][0]["cause"], "not inverse");
+    EXPECT_EQ(document["srdos"][0]["pairs"], 3);
+    EXPECT_EQ(document["srdos"][0]["causes"]["not inverse"], 1);
+    EXPECT_EQ(document["srdos"][0]["srvt"]["max_ms"], 0.2);
+    EXPECT_EQ(document["srdos"][0]["cycle"]["margin_ms"], 25.0);
+    const auto refusal = nlohmann::json::parse(Monitor({File("bad.log", "x\n"), "--json"}).out);
+    EXPECT_EQ(refusal["error"]["line"], 1);
+}
+
+TEST_F(MonitorCommandTest, WritesAPageThatNeedsNoOtherFile)
+{
+    Verifies(req::SRS_MON_011);
+    EXPECT_EQ(Monitor({Recording(), "--html", Path("page.html")}).status, 1);
+    const std::string page = cia306::ReadTextFile(Path("page.html"));
+    EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0U), 0U);
+    for (const char* reference : {"http", "src=", "href=", "url(", "@import", "<script"})
+    {
+        EXPECT_EQ(page.find(reference), std::string::npos) << reference;
+    }
+    EXPECT_NE(page.find("<svg"), std::string::npos);
+    EXPECT_NE(page.find("limit 50 ms"), std::string::npos);
+    EXPECT_NE(page.find("<td>not inverse</td>"), std::string::npos);
+}
+
+TEST_F(MonitorCommandTest, BadInputIsOneLine)
+{
+    Verifies(req::SRS_MON_001);
+    Verifies(req::SRS_MON_002);
+    const Answer bad = Monitor({File("bad.log", "(1.000000) can0 101#01\n(1.000000) can0 101#0\n")});
+    EXPECT_EQ(bad.status, 2);
+    EXPECT_EQ(bad.err, Path("bad.log") + ":2: error: line '(1.000000) can0 101#0', expected 0 to 8 bytes of two "
+                                         "hexadecimal digits\n");
+    EXPECT_EQ(Monitor({}).status, 2);
+    EXPECT_EQ(Monitor({Path("none.log")}).status, 2);
+    EXPECT_EQ(RunCommand({"monitor", Recording()}).status, 2);
+    EXPECT_EQ(RunCommand({"monitor", Recording(), "--can", "can0", "--dcf", Example("sensor")}).status, 2);
+    EXPECT_EQ(RunCommand({"monitor", Recording(), "--dcf", Example("sensor") + "=128"}).status, 2);
+    EXPECT_EQ(RunCommand({"monitor", Recording(), "--dcf", Example("sensor"), Example("sensor")}).status, 2);
+    const Answer other = RunCommand({"monitor", "--can", "nothing:here", "--dcf", Example("sensor")});
+    EXPECT_EQ(other.status, 2);
+    EXPECT_EQ(std::count(other.err.begin(), other.err.end(), '\n'), 1) << other.err;
+}
+
+TEST_F(MonitorCommandTest, WatchesALiveBus)
+{
+    Verifies(req::SRS_MON_001);
+    // Given a node that sends pairs every 25 ms, and one of them without its inverse frame
+    const std::string address = "udp:239.74.163.2:43" + std::to_string(200 + ::getpid() % 700);
+    std::atomic<bool> is_over{false};
+    std::thread sender(
+        [&address, &is_over]
+        {
+            const auto bus = host::OpenLiveBus(address);
+            for (int pair = 0; !is_over; ++pair)
+            {
+                host::LiveFrame frame;
+                frame.identifier = 0x101U;
+                frame.length_bytes = 2U;
+                frame.data[0] = 1U;
+                frame.data[1] = 2U;
+                static_cast<void>(bus->Send(frame));
+                frame.identifier = 0x102U;
+                frame.data[0] = 0xFEU;
+                frame.data[1] = 0xFDU;
+                if (pair != 20)
+                {
+                    static_cast<void>(bus->Send(frame));
+                }
+                while (bus->Receive(frame))
+                {
+                }
+                std::this_thread::sleep_for(std::chrono::milliseconds(25));
+            }
+        });
+    // When it is watched for a second
+    const Answer answer = Monitor({"--can", address, "--for", "1", "--json"});
+    is_over = true;
+    sender.join();
+    // Then the pairs are counted, and the missing frame is found
+    const auto document = nlohmann::json::parse(answer.out);
+    EXPECT_EQ(answer.status, 1) << answer.out;
+    EXPECT_GE(document["srdos"][0]["pairs"], 20);
+    EXPECT_EQ(document["srdos"][0]["causes"]["SRVT expired"], 1);
+}
+} // namespace
+} // namespace counterpoint::tools

@@ -1,0 +1,171 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/tools/command_run.hpp"
+#include "tools/node_latency.hpp"
+#include "tools/node_order.hpp"
+#include "tools/node_script.hpp"
+#include "verification/simulator/yaml_document.hpp"
+#include "verification/trace/verifies.hpp"
+
+namespace counterpoint::tools
+{
+namespace
+{
+
+TEST(NodeOrderTest, OrdersAreRead)
+{
+    Verifies(req::SRS_NODE_003);
+    const NodeOrder set = ParseOrder("  set 0x2000:0A 0x10 ");
+    EXPECT_EQ(set.kind, OrderKind::kSet);
+    EXPECT_EQ(set.object.index, 0x2000U);
+    EXPECT_EQ(set.object.sub, 10U);
+    EXPECT_EQ(set.value, 16U);
+    EXPECT_EQ(ParseOrder("get 0x1018:01").kind, OrderKind::kGet);
+    EXPECT_EQ(ParseOrder("ack 64").value, 64U);
+    EXPECT_EQ(ParseOrder("gfc").kind, OrderKind::kGfc);
+    EXPECT_EQ(ParseOrder("nmt").kind, OrderKind::kNmt);
+    EXPECT_EQ(ParseOrder("state").kind, OrderKind::kState);
+    EXPECT_EQ(ParseOrder("help").kind, OrderKind::kHelp);
+    EXPECT_EQ(ParseOrder("quit").kind, OrderKind::kQuit);
+    EXPECT_EQ(ParseOrder("").kind, OrderKind::kNothing);
+    EXPECT_EQ(ParseOrder("# a remark").kind, OrderKind::kNothing);
+    const NodeOrder command = ParseOrder("nmt pre-operational 127");
+    EXPECT_EQ(command.kind, OrderKind::kCommand);
+    EXPECT_EQ(command.value, 128U);
+    EXPECT_EQ(command.node, 127U);
+    EXPECT_EQ(ParseOrder("nmt start").node, 0U);
+}
+
+TEST(NodeOrderTest, WhatCannotBeUsedIsToldWithWhatWasExpected)
+{
+    Verifies(req::SRS_NODE_003);
+    for (const char* const line : {"set",
+                                   "set 0x2000:01",
+                                   "set 2000:01 1",
+                                   "set 0x2000 1",
+                                   "set 0x20000:01 1",
+                                   "set 0x2000:100 1",
+                                   "set 0x2000:01 -1",
+                                   "set 0x2000:01 x",
+                                   "set 0x2000:01 1 2",
+                                   "get",
+                                   "get 0x",
+                                   "ack",
+                                   "ack 0",
+                                   "ack 65",
+                                   "nmt go",
+                                   "nmt start 0",
+                                   "nmt start 128",
+                                   "nmt start all",
+                                   "nmt start 1 2",
+                                   "gfc now",
+                                   "go"})
+    {
+        const NodeOrder order = ParseOrder(line);
+        EXPECT_EQ(order.kind, OrderKind::kProblem) << line;
+        EXPECT_NE(order.problem.find(", expected "), std::string::npos) << line;
+    }
+}
+
+TEST(NodeLatencyTest, TellsHowTimesAreSpread)
+{
+    Verifies(req::SRS_NODE_008);
+    NodeLatency latency;
+    EXPECT_NE(latency.Text().find("no pair was released"), std::string::npos);
+    for (std::uint64_t us = 1U; us <= 100U; ++us)
+    {
+        latency.Add(us * 1000U);
+    }
+    latency.Add(5000000000U); // Five seconds, beyond the finest counts.
+    EXPECT_EQ(latency.Count(), 101U);
+    EXPECT_EQ(latency.Percentile(50U), 51U);
+    EXPECT_EQ(latency.Percentile(99U), 100U);
+    EXPECT_EQ(latency.Percentile(100U), 5000000U);
+    EXPECT_EQ(latency.Json()["least_us"], 1);
+    EXPECT_EQ(latency.Json()["below_us"]["4"], 2);
+    EXPECT_NE(latency.Text().find("greatest 5000000"), std::string::npos);
+}
+
+class NodeScriptTest : public test::CommandTest
+{
+  protected:
+    std::string Refusal(const std::string& text)
+    {
+        try
+        {
+            static_cast<void>(ReadNodeScript(File("script.yaml", text)));
+        }
+        catch (const simulator::ScenarioError& error)
+        {
+            return error.what();
+        }
+        return "accepted";
+    }
+};
+
+TEST_F(NodeScriptTest, StepsAndRulesAreRead)
+{
+    Verifies(req::SRS_NODE_003);
+    const NodeScript script =
+        ReadNodeScript(File("script.yaml", "logic: [{set: 0x2000:01, op: not, from: [0x2200:01]}]\n"
+                                           "steps:\n"
+                                           "  - {at: 1.5 s, do: set 0x2000:01 1, every: 20 ms}\n"));
+    ASSERT_EQ(script.rules.size(), 1U);
+    EXPECT_EQ(script.rules[0].operation, simulator::LogicOperation::kNot);
+    ASSERT_EQ(script.steps.size(), 1U);
+    EXPECT_EQ(script.steps[0].at_ns, 1500000000U);
+    EXPECT_EQ(script.steps[0].every_ns, 20000000U);
+    EXPECT_EQ(script.steps[0].order.kind, OrderKind::kSet);
+}
+
+TEST_F(NodeScriptTest, WhatCannotBeUsedIsRefusedWithItsPlace)
+{
+    Verifies(req::SRS_NODE_009);
+    const std::string file = Path("script.yaml");
+    EXPECT_EQ(Refusal("steps: [{at: 1 s, do: go}]").find(file + ":1:"), 0U);
+    EXPECT_NE(Refusal("steps:\n  - {do: quit}").find(":2:"), std::string::npos);
+    EXPECT_NE(Refusal("steps: [{at: 1 s, do: quit, when: now}]").find("unknown key 'when'"), std::string::npos);
+    EXPECT_NE(Refusal("stepps: []").find("unknown key"), std::string::npos);
+    EXPECT_NE(Refusal("- 1").find("expected a map"), std::string::npos);
+    EXPECT_NE(Refusal("steps: [{at: 1, do: quit}]"), "accepted");
+    EXPECT_NE(Refusal("steps: [{at: 1 s, do: quit, every: 0 s}]"), "accepted");
+    EXPECT_NE(Refusal("logic: [{set: 0x2000:01, op: copy, from: [0x2200:01, 0x2200:02]}]"), "accepted");
+    EXPECT_NE(Refusal("logic: [{set: 0x2000:01, op: and, from: []}]"), "accepted");
+}
+
+class NodeCommandTest : public test::CommandTest
+{
+};
+
+TEST_F(NodeCommandTest, BadInputIsOneLineAndStatus2)
+{
+    Verifies(req::SRS_NODE_009);
+    const std::string sensor = std::string(COUNTERPOINT_SOURCE) + "/examples/emergency_stop/sensor.dcf";
+    const std::string minimal = std::string(COUNTERPOINT_SOURCE) + "/tests/canopen/cia306/data/minimal.eds";
+    const std::string bus = "udp:239.74.163.2:43117";
+    const std::vector<std::vector<std::string>> calls{
+        {"--dcf", sensor},
+        {"--can", bus},
+        {"--can", "udp:1.2.3.4:5", "--dcf", sensor},
+        {"--can", "no_such_can7", "--dcf", sensor},
+        {"--can", bus, "--dcf", Path("missing.dcf")},
+        {"--can", bus, "--dcf", minimal},
+        {"--can", bus, "--dcf", sensor, "--node-id", "128"},
+        {"--can", bus, "--dcf", sensor, "--cycle-us", "99"},
+        {"--can", bus, "--dcf", sensor, "--script", Path("missing.yaml")},
+        {"--can", bus, "--dcf", sensor, "--script",
+         File("rule.yaml", "logic: [{set: 0x2200:01, op: copy, from: [0x2000:01]}]")},
+    };
+    for (const std::vector<std::string>& call : calls)
+    {
+        std::vector<std::string> words{"node", "--no-input"};
+        words.insert(words.end(), call.begin(), call.end());
+        const test::Answer answer = test::RunCommand(words);
+        EXPECT_EQ(answer.status, 2) << call.back();
+        EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+        EXPECT_NE(answer.err.find("expected"), std::string::npos) << answer.err;
+        EXPECT_EQ(answer.out, "");
+    }
+}
+
+} // namespace
+} // namespace counterpoint::tools

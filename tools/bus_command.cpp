@@ -1,0 +1,178 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tools/bus_command.hpp"
+
+#include "canopen/cia306/input_error.hpp"
+#include "hal/host/live_address.hpp"
+#include "hal/host/live_socketcand_server.hpp"
+#include "tools/device_options.hpp"
+#include "tools/json_text.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <csignal>
+#include <ostream>
+#include <vector>
+
+namespace counterpoint::tools
+{
+namespace
+{
+constexpr int kLongestSeconds = 1000000;
+constexpr int kServeMs = 100;
+constexpr std::uint64_t kSecondNs = 1'000'000'000U;
+constexpr const char* kListenHere = "127.0.0.1:29536";
+
+volatile std::sig_atomic_t is_asked_to_end = 0;
+
+void AskToEnd(int /*number*/)
+{
+    is_asked_to_end = 1;
+}
+
+struct ListenPlace
+{
+    std::string host;
+    std::uint16_t port;
+};
+
+ListenPlace PlaceOf(const std::string& text)
+{
+    const std::size_t colon = text.rfind(':');
+    const std::string digits = (colon == std::string::npos) ? std::string{} : text.substr(colon + 1U);
+    std::uint16_t port = 0U;
+    const std::from_chars_result result = std::from_chars(digits.data(), digits.data() + digits.size(), port);
+    const bool is_port = !digits.empty() && (result.ec == std::errc{}) && (result.ptr == digits.data() + digits.size());
+    if (!is_port || (colon == 0U))
+    {
+        throw host::LiveBusError("--listen '" + cia306::Printable(text) +
+                                 "', expected HOST:PORT with a port from 0 (a free one) to 65535");
+    }
+    return {text.substr(0U, colon), port};
+}
+
+/// `can0=udp:...`; without a name the interface's own, or can0.
+host::ServedBus ServedOf(const std::string& text)
+{
+    const std::size_t sign = text.find('=');
+    // The = of ?bitrate=N is none behind a name.
+    const bool has_name = (sign != std::string::npos) && (sign < text.find_first_of(":?"));
+    const std::string address = has_name ? text.substr(sign + 1U) : text;
+    const host::LiveAddress parts = host::ParseLiveAddress(address);
+    const std::string own = parts.interface.empty() ? "can0" : parts.interface;
+    return {has_name ? text.substr(0U, sign) : own, address};
+}
+
+class BusCommand final : public Command
+{
+  public:
+    void Describe(CLI::App& app) override
+    {
+        app.add_option("BUS", buses_,
+                       "Bus to serve, as [NAME=]ADDRESS: udp:239.74.163.2:43113 (a bus for the programs of this "
+                       "machine; ?bitrate=125000 gives it a pace), can0 (an interface of Linux), "
+                       "socketcand:HOST:PORT/can0. NAME is what clients open (default: the interface, else can0)")
+            ->required()
+            ->type_name("[NAME=]ADDRESS");
+        app.add_option("--listen", listen_,
+                       "Where clients connect (default: 127.0.0.1:29536, this machine only; port 0: a free one)")
+            ->type_name("HOST:PORT");
+        app.add_option("--seconds", seconds_, "End after that time (default: at SIGINT or SIGTERM)")
+            ->check(CLI::Validator(ProblemOfNumber, ""))
+            ->check(CLI::Range(1, kLongestSeconds));
+        app.add_flag("--json", is_json_,
+                     "Print where it listens, and at the end the counts, as one JSON object a line");
+    }
+
+    [[nodiscard]] ExitStatus Run(const Streams& streams) override
+    {
+        try
+        {
+            Serve(streams);
+            return ExitStatus::kHolds;
+        }
+        catch (const host::LiveBusError& problem)
+        {
+            streams.err << "counterpoint bus: " << problem.what() << "\n";
+        }
+        return ExitStatus::kBadInput;
+    }
+
+  private:
+    void Serve(const Streams& streams) const
+    {
+        std::vector<host::ServedBus> served;
+        for (const std::string& text : buses_)
+        {
+            served.push_back(ServedOf(text));
+            const auto is_same = [&served](const host::ServedBus& bus) { return bus.name == served.back().name; };
+            if (std::count_if(served.begin(), served.end(), is_same) != 1)
+            {
+                throw host::LiveBusError("two buses are named '" + cia306::Printable(served.back().name) +
+                                         "', expected NAME=ADDRESS with names that differ");
+            }
+        }
+        const ListenPlace place = PlaceOf(listen_);
+        host::SocketcandServer server(place.host, place.port, served);
+        is_asked_to_end = 0;
+        static_cast<void>(std::signal(SIGINT, &AskToEnd));
+        static_cast<void>(std::signal(SIGTERM, &AskToEnd));
+        TellStart(place.host, server.Port(), served, streams.out);
+        const std::uint64_t start_ns = host::LiveNow();
+        const std::uint64_t limit_ns = static_cast<std::uint64_t>(seconds_) * kSecondNs;
+        while ((is_asked_to_end == 0) && ((limit_ns == 0U) || (host::LiveNow() - start_ns < limit_ns)))
+        {
+            server.Serve(kServeMs);
+        }
+        TellEnd(server.Counts(), streams.out);
+    }
+
+    void TellStart(const std::string& host, const std::uint16_t port, const std::vector<host::ServedBus>& served,
+                   std::ostream& out) const
+    {
+        nlohmann::ordered_json answer{{"host", host}, {"port", port}, {"buses", nlohmann::ordered_json::object()}};
+        for (const host::ServedBus& bus : served)
+        {
+            answer["buses"][bus.name] = bus.address;
+            if (!is_json_)
+            {
+                out << bus.address << " is socketcand:" << host << ":" << port << "/" << bus.name << "\n";
+            }
+        }
+        if (is_json_)
+        {
+            out << answer.dump() << "\n";
+        }
+        out.flush();
+    }
+
+    void TellEnd(const host::ServerCounts& counts, std::ostream& out) const
+    {
+        if (is_json_)
+        {
+            const nlohmann::ordered_json answer{{"clients", counts.accepted},
+                                                {"to_bus", counts.to_bus},
+                                                {"from_bus", counts.from_bus},
+                                                {"malformed", counts.malformed},
+                                                {"too_slow", counts.too_slow}};
+            out << answer.dump() << "\n";
+            return;
+        }
+        out << counts.accepted << " clients, " << counts.to_bus << " frames to the bus, " << counts.from_bus
+            << " from it, " << counts.malformed << " malformed orders, " << counts.too_slow
+            << " clients too slow and disconnected\n";
+    }
+
+    std::vector<std::string> buses_;
+    std::string listen_{kListenHere};
+    int seconds_{0};
+    bool is_json_{false};
+};
+} // namespace
+
+std::unique_ptr<Command> MakeBusCommand()
+{
+    return std::make_unique<BusCommand>();
+}
+} // namespace counterpoint::tools

@@ -1,0 +1,185 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tools/monitor_command.hpp"
+
+#include "canopen/cia306/text_file.hpp"
+#include "canopen/monitor/decoder.hpp"
+#include "canopen/monitor/report.hpp"
+#include "canopen/monitor/texts.hpp"
+#include "tools/device_options.hpp"
+#include "tools/json_text.hpp"
+#include "tools/monitor_live.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace counterpoint::tools
+{
+namespace
+{
+using cia306::InputError;
+using monitor::Time;
+
+/// "sensor.dcf=5": a file and the node-ID that it has on this bus.
+monitor::NodeFile NodeFileOf(const std::string& text)
+{
+    const std::size_t mark = text.find_last_of('=');
+    const std::string number = mark == std::string::npos ? "" : text.substr(mark + 1U);
+    const bool is_number =
+        !number.empty() && number.size() <= 3U && number.find_first_not_of("0123456789") == std::string::npos;
+    if (!is_number)
+    {
+        return {text, std::nullopt};
+    }
+    const int id = std::stoi(number);
+    if (id < 1 || id > 127)
+    {
+        throw InputError(text.substr(0U, mark), 0U, {"node-ID " + number + " in --dcf", "1 to 127"});
+    }
+    return {text.substr(0U, mark), static_cast<std::uint8_t>(id)};
+}
+
+class MonitorCommand final : public Command
+{
+  public:
+    void Describe(CLI::App& app) override
+    {
+        CLI::Option* const file = app.add_option("FILE", file_, "Recording: candump -l, pcap or pcapng (SocketCAN)");
+        file->type_name("");
+        app.add_option("--can", address_, "Instead of FILE a live bus: can0, socketcand:HOST:PORT/can0, udp:GROUP:PORT")
+            ->type_name("ADDRESS")
+            ->excludes(file);
+        app.add_option("--dcf", dcfs_,
+                       "DCF of a device on the bus, as often as there are devices; FILE=N for node-ID N")
+            ->type_name("FILE")
+            ->required();
+        app.add_option("--interface", interface_, "Take the frames of this interface (default: the first in FILE)")
+            ->type_name("NAME");
+        app.add_option("--sct", sct_ms_, "SCT of SRDOs that no DCF consumes, in ms (default: twice the refresh time)")
+            ->check(CLI::Validator(ProblemOfNumber, ""))
+            ->check(CLI::Range(1, 65535));
+        app.add_option("--for", seconds_, "End the watching of a live bus after so many seconds (default: Ctrl-C)")
+            ->check(CLI::Validator(ProblemOfNumber, ""))
+            ->check(CLI::Range(1, 1000000));
+        app.add_flag("--frames", shows_frames_, "Show each frame in words");
+        app.add_flag("--json", is_json_, "Answer as one JSON document");
+        app.add_option("--html", html_, "Write a page with histograms")
+            ->type_name("PAGE")
+            ->check(CLI::Validator(ProblemOfFileName, ""));
+    }
+
+    [[nodiscard]] ExitStatus Run(const Streams& streams) override
+    {
+        DeviceOptions options;
+        options.file = file_;
+        options.is_json = is_json_;
+        return RunOnDevice(options, streams, [&] { return Watch(streams); });
+    }
+
+  private:
+    [[nodiscard]] ExitStatus Watch(const Streams& streams) const
+    {
+        if (file_.empty() == address_.empty())
+        {
+            streams.err << "counterpoint monitor: no recording and no bus; expected FILE before --dcf, or --can "
+                           "ADDRESS, in a command line "
+                           "as told by 'counterpoint monitor --help'\n";
+            return ExitStatus::kBadInput;
+        }
+        if (!html_.empty())
+        {
+            cia306::RequireWritable(html_);
+        }
+        const monitor::Network network = ReadNetwork();
+        std::vector<monitor::Violation> kept;
+        monitor::Analysis analysis(network,
+                                   [&](const monitor::Violation& violation)
+                                   {
+                                       if (kept.size() < monitor::kMostKept)
+                                       {
+                                           kept.push_back(violation);
+                                       }
+                                       if (!is_json_)
+                                       {
+                                           streams.out << ViolationText(network, violation) << "\n";
+                                       }
+                                   });
+        monitor::Decoder decoder(network, analysis);
+        const auto take = [&](const monitor::LogFrame& frame)
+        {
+            if (shows_frames_ && !is_json_)
+            {
+                streams.out << monitor::SecondsText(frame.time) << " " << decoder.Decode(frame) << "\n";
+            }
+            analysis.Take(frame);
+        };
+        if (address_.empty())
+        {
+            const std::string bytes = monitor::ReadRecording(file_);
+            const auto source = monitor::OpenRecording(file_, bytes, {interface_});
+            monitor::LogFrame frame;
+            while (source->Next(frame))
+            {
+                take(frame);
+            }
+        }
+        else
+        {
+            WatchLiveBus(address_, seconds_, streams, take, [&](const Time now) { analysis.Advance(now); });
+        }
+        return Conclude({network, analysis, kept, address_.empty() ? file_ : address_}, streams);
+    }
+
+    [[nodiscard]] monitor::Network ReadNetwork() const
+    {
+        std::vector<monitor::NodeFile> files;
+        for (const std::string& dcf : dcfs_)
+        {
+            files.push_back(NodeFileOf(dcf));
+        }
+        const auto sct = sct_ms_ == 0 ? std::nullopt : std::optional<Time>(sct_ms_ * monitor::kMillisecond);
+        monitor::Network network(files, sct);
+        if (network.Watches().empty())
+        {
+            throw InputError(files.front().path, 0U,
+                             {"no SRDO that is on in any of the files", "at least one to watch"});
+        }
+        return network;
+    }
+
+    [[nodiscard]] ExitStatus Conclude(const monitor::Report& report, const Streams& streams) const
+    {
+        if (!html_.empty())
+        {
+            cia306::WriteTextFile(html_, monitor::HtmlReport(report));
+        }
+        if (is_json_)
+        {
+            streams.out << monitor::JsonReport(report);
+        }
+        else
+        {
+            monitor::WriteSummary(report, streams.out);
+        }
+        return report.analysis.ViolationCount() == 0U ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
+    }
+
+    std::string file_;
+    std::string address_;
+    std::string interface_;
+    std::string html_;
+    std::vector<std::string> dcfs_;
+    int sct_ms_{0};  ///< 0: not given.
+    int seconds_{0}; ///< 0: until interrupted.
+    bool shows_frames_{false};
+    bool is_json_{false};
+};
+} // namespace
+
+std::unique_ptr<Command> MakeMonitorCommand()
+{
+    return std::make_unique<MonitorCommand>();
+}
+} // namespace counterpoint::tools

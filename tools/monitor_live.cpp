@@ -1,0 +1,93 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tools/monitor_live.hpp"
+
+#include "canopen/cia306/input_error.hpp"
+#include "hal/host/live_bus.hpp"
+
+#include <algorithm>
+#include <csignal>
+#include <ostream>
+#include <poll.h>
+
+namespace counterpoint::tools
+{
+namespace
+{
+using monitor::LogFrame;
+using monitor::Time;
+
+constexpr int kPollMs = 10; ///< An expired limit is told so late at most.
+/// A frame may be stamped before the poll that found none: so old a time has no frame to come.
+constexpr Time kSettled = 20 * monitor::kMillisecond;
+
+volatile std::sig_atomic_t is_interrupted = 0;
+
+void OnInterrupt(int /*signal*/)
+{
+    is_interrupted = 1;
+}
+
+LogFrame FrameOf(const host::LiveFrame& live)
+{
+    LogFrame frame;
+    frame.time = static_cast<Time>(live.time_ns);
+    frame.identifier = live.identifier;
+    frame.length = live.length_bytes;
+    frame.is_extended = live.extended;
+    frame.is_remote = live.remote;
+    frame.is_fd = live.fd;
+    frame.is_error = live.error;
+    std::copy(std::begin(live.data), std::end(live.data), frame.data.begin());
+    return frame;
+}
+} // namespace
+
+void WatchLiveBus(const std::string& address, const int seconds, const Streams& streams,
+                  const std::function<void(const LogFrame&)>& take, const std::function<void(Time)>& advance)
+{
+    std::unique_ptr<host::LiveBus> bus;
+    try
+    {
+        bus = host::OpenLiveBus(address);
+    }
+    catch (const host::LiveBusError& error)
+    {
+        throw cia306::InputError(address, 0U, {error.what(), ""});
+    }
+    is_interrupted = 0;
+    const auto before = std::signal(SIGINT, &OnInterrupt);
+    const Time begin = static_cast<Time>(host::LiveNow());
+    Time last = begin;
+    bool is_over = false;
+    while (!is_over)
+    {
+        pollfd descriptor{bus->Descriptor(), POLLIN, 0};
+        static_cast<void>(::poll(&descriptor, 1U, kPollMs));
+        host::LiveFrame live;
+        while (bus->Receive(live))
+        {
+            LogFrame frame = FrameOf(live);
+            frame.time = std::max(frame.time, last); // Stamps of two threads of the system may change places.
+            last = frame.time;
+            take(frame);
+        }
+        const Time now = static_cast<Time>(host::LiveNow());
+        last = std::max(last, now - kSettled);
+        advance(last);
+        streams.out.flush();
+        const host::BusState state = bus->Health().state;
+        is_over = is_interrupted != 0 || (seconds != 0 && now - begin >= seconds * monitor::kSecond) ||
+                  state == host::BusState::kDown;
+    }
+    const host::BusHealth health = bus->Health();
+    if (health.state == host::BusState::kDown)
+    {
+        streams.err << "counterpoint monitor: " << cia306::Printable(address) << " went down\n";
+    }
+    if (health.lost_frames != 0U)
+    {
+        streams.err << "counterpoint monitor: " << health.lost_frames << " frames were lost on this machine\n";
+    }
+    static_cast<void>(std::signal(SIGINT, before));
+}
+} // namespace counterpoint::tools

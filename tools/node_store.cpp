@@ -1,0 +1,116 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tools/node_store.hpp"
+
+#include <chrono>
+#include <utility>
+
+namespace counterpoint::tools
+{
+namespace
+{
+constexpr std::uint32_t kBankBytes = 256U * 1024U;
+constexpr std::uint32_t kLargestItem = 65535U;
+/// For how long a reset waits for a store that is under way.
+constexpr int kPatienceMs = 2000;
+} // namespace
+
+NodeMemory::NodeMemory(const std::string& path) : file_(path, kBankBytes), worker_([this] { Work(); })
+{
+}
+
+NodeMemory::~NodeMemory()
+{
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        is_finished_ = true;
+    }
+    wake_.notify_one();
+    worker_.join();
+}
+
+std::uint32_t NodeMemory::BankBytes() const noexcept
+{
+    return file_.BankBytes();
+}
+
+hal::MemoryStatus NodeMemory::Status() noexcept
+{
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return is_busy_ ? hal::MemoryStatus::kBusy : file_.Status();
+}
+
+void NodeMemory::Erase(const hal::MemoryBank bank) noexcept
+{
+    Order([this, bank] { file_.Erase(bank); });
+}
+
+void NodeMemory::Program(const hal::MemorySection& section, const std::uint8_t* const from) noexcept
+{
+    Order([this, section, from] { file_.Program(section, from); });
+}
+
+bool NodeMemory::Read(const hal::MemorySection& section, std::uint8_t* const to) noexcept
+{
+    return file_.Read(section, to);
+}
+
+void NodeMemory::Order(std::function<void()> work)
+{
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        work_ = std::move(work);
+        is_busy_ = true;
+    }
+    wake_.notify_one();
+}
+
+void NodeMemory::Work()
+{
+    std::unique_lock<std::mutex> lock(mutex_);
+    while (!is_finished_ || work_)
+    {
+        wake_.wait(lock, [this] { return is_finished_ || static_cast<bool>(work_); });
+        if (const std::function<void()> work = std::exchange(work_, nullptr))
+        {
+            lock.unlock();
+            work();
+            lock.lock();
+            is_busy_ = false;
+        }
+    }
+}
+
+NodeStore::NodeStore(const std::string& path, const NodeStoreParts& parts)
+    : memory_(path), entries_(parts.table, parts.dictionary, parts.services.tpdos, parts.services.rpdos),
+      safety_(parts.kernel), list_{&entries_, &safety_}, scratch_(kLargestItem),
+      store_({memory_, list_.data(), static_cast<std::uint8_t>(list_.size()), {scratch_.data(), kLargestItem}}),
+      objects_(store_)
+{
+    static_cast<void>(store_.Mount());
+}
+
+void NodeStore::Load(const std::uint8_t groups) noexcept
+{
+    for (int waited_ms = 0; store_.IsBusy() && waited_ms < kPatienceMs; ++waited_ms)
+    {
+        store_.OnCycle();
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    static_cast<void>(store_.Load(groups));
+}
+
+void NodeStore::OnCycle() noexcept
+{
+    store_.OnCycle();
+}
+
+bool NodeStore::IsBusy() const noexcept
+{
+    return store_.IsBusy();
+}
+
+cia301::NumberHook& NodeStore::Hook() noexcept
+{
+    return objects_;
+}
+} // namespace counterpoint::tools
