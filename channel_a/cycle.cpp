@@ -108,7 +108,7 @@ void Break(Voice& voice, Record& record, const std::size_t slot) noexcept
     record.ordinal = 0U;
 }
 
-void ExamineConsumer(Voice& voice, Record& record, const std::size_t slot) noexcept
+void ExamineConsumer(Voice& voice, const Record& record, const std::size_t slot) noexcept
 {
     SrdoCause cause = ExpiredLimit(record, voice.now, 0U);
     if ((cause == SrdoCause::kNone) && voice.is_late)
@@ -283,12 +283,12 @@ void ServeAll(Voice& voice) noexcept
 {
     const std::uint32_t count = voice.count;
     const Instant now = voice.now;
-    Record* record = voice.storage.records;
+    const Record* record = voice.storage.records;
     for (std::size_t slot = 0U; slot < count; ++slot)
     {
         if ((record->todo != 0U) || IsExpired(*record, now) || !IsSealed(*record))
         {
-            Serve(voice, *record, slot);
+            Serve(voice, At(voice, slot), slot);
         }
         ++record; // MISRA D-002
     }
