@@ -92,9 +92,8 @@ void NoteEdges(Voice& voice, const SrdoMask levels) noexcept
 }
 
 // A corrupted record: a consumer is faulted, everything else is off.
-void Break(Voice& voice, const std::size_t slot) noexcept
+void Break(Voice& voice, Record& record, const std::size_t slot) noexcept
 {
-    Record& record = At(voice, slot);
     if (Is(record, kConsumer))
     {
         Fail(voice, slot, SrdoCause::kInvalid);
@@ -109,9 +108,9 @@ void Break(Voice& voice, const std::size_t slot) noexcept
     record.ordinal = 0U;
 }
 
-void ExamineConsumer(Voice& voice, const std::size_t slot) noexcept
+void ExamineConsumer(Voice& voice, const Record& record, const std::size_t slot) noexcept
 {
-    SrdoCause cause = ExpiredLimit(At(voice, slot), voice.now, 0U);
+    SrdoCause cause = ExpiredLimit(record, voice.now, 0U);
     if ((cause == SrdoCause::kNone) && voice.is_late)
     {
         cause = SrdoCause::kLateCall;
@@ -131,9 +130,8 @@ void ExamineConsumer(Voice& voice, const std::size_t slot) noexcept
 }
 
 // An edge is good for a release until its window is over, and for nothing afterwards. [SRS-REL-003..007]
-void Acknowledge(Voice& voice, const std::size_t slot) noexcept
+void Acknowledge(Voice& voice, Record& record, const std::size_t slot) noexcept
 {
-    Record& record = At(voice, slot);
     if ((voice.now.us - record.edge_since.us) > voice.config->acknowledge_window_us)
     {
         record.edge = kUnmarked;
@@ -153,10 +151,9 @@ void Acknowledge(Voice& voice, const std::size_t slot) noexcept
 // t      frames of this cycle        now
 //        faults in bus order | SRVT or SCT, late call, overflow, GFC | report: nothing held, or acknowledge and release
 // Returns what else is to be signalled.
-std::uint32_t ServeConsumer(Voice& voice, const std::size_t slot) noexcept
+std::uint32_t ServeConsumer(Voice& voice, Record& record, const std::size_t slot) noexcept
 {
-    Record& record = At(voice, slot);
-    ExamineConsumer(voice, slot);
+    ExamineConsumer(voice, record, slot);
     if ((voice.now.us - record.frame_since.us) > kLongAgoUs)
     {
         record.frame_since.us = voice.now.us - kLongAgoUs; // Still too old, however long it waits.
@@ -168,7 +165,7 @@ std::uint32_t ServeConsumer(Voice& voice, const std::size_t slot) noexcept
     }
     else
     {
-        Acknowledge(voice, slot);
+        Acknowledge(voice, record, slot);
     }
     if ((record.awaiting == kMarked) && ((voice.now.us - voice.entered.us) > SctUs(record)))
     {
@@ -179,9 +176,8 @@ std::uint32_t ServeConsumer(Voice& voice, const std::size_t slot) noexcept
 }
 
 // Due already, or in flight: the refresh that falls due now is skipped. [SRS-PROD-010]
-void Refresh(Voice& voice, const std::size_t slot) noexcept
+void Refresh(Voice& voice, Record& record, const std::size_t slot) noexcept
 {
-    Record& record = At(voice, slot);
     record.since.us += SctUs(record); // Exact addition keeps the phase. [SRS-PROD-002]
     if (Is(record, kFlying) || ((record.refreshed == kMarked)))
     {
@@ -194,9 +190,8 @@ void Refresh(Voice& voice, const std::size_t slot) noexcept
 }
 
 // The limit of a producer is its next refresh.
-void ExamineSending(Voice& voice, const std::size_t slot) noexcept
+void ExamineSending(Voice& voice, Record& record, const std::size_t slot) noexcept
 {
-    Record& record = At(voice, slot);
     const bool is_called = record.form == ProducerForm::kProviderCalled;
     record.limit_us = SctUs(record) + (is_called ? 0U : voice.late_after_us);
     if (!voice.may_send || !IsExpired(record, voice.now))
@@ -205,7 +200,7 @@ void ExamineSending(Voice& voice, const std::size_t slot) noexcept
     }
     if (is_called)
     {
-        Refresh(voice, slot);
+        Refresh(voice, record, slot);
     }
     else if ((voice.wanted & BitOf(slot)) != 0U)
     {
@@ -218,9 +213,8 @@ void ExamineSending(Voice& voice, const std::size_t slot) noexcept
     }
 }
 
-void ServeProducer(Voice& voice, const std::size_t slot) noexcept
+void ServeProducer(Voice& voice, Record& record, const std::size_t slot) noexcept
 {
-    Record& record = At(voice, slot);
     if ((voice.now.us - record.frame_since.us) > SrvtUs(record))
     {
         Abort(record, SrdoCause::kNoConfirmation); // [SRS-PROD-008]
@@ -229,7 +223,7 @@ void ServeProducer(Voice& voice, const std::size_t slot) noexcept
     {
         Put(voice.outcome.due, slot, 0U);
     }
-    ExamineSending(voice, slot);
+    ExamineSending(voice, record, slot);
     if ((record.edge == kMarked) && (record.unreported == 0U))
     {
         SetFirstCause(record, SrdoCause::kNone);
@@ -238,9 +232,8 @@ void ServeProducer(Voice& voice, const std::size_t slot) noexcept
 }
 
 // Each cause once in a window of SCT. [SRS-CONS-021]
-void Signal(Voice& voice, const std::size_t slot, const std::uint32_t extra) noexcept
+void Signal(Voice& voice, Record& record, const std::size_t slot, const std::uint32_t extra) noexcept
 {
-    Record& record = At(voice, slot);
     if ((voice.now.us - record.told_since.us) > SctUs(record))
     {
         record.told = 0U;
@@ -255,28 +248,27 @@ void Signal(Voice& voice, const std::size_t slot, const std::uint32_t extra) noe
     }
 }
 
-void Serve(Voice& voice, const std::size_t slot) noexcept
+void Serve(Voice& voice, Record& record, const std::size_t slot) noexcept
 {
-    Record& record = At(voice, slot);
     record.todo = static_cast<std::uint8_t>(record.todo & ~kLook);
     if (!IsSealed(record))
     {
-        Break(voice, slot);
+        Break(voice, record, slot);
     }
     std::uint32_t extra = 0U;
     if (Is(record, kConsumer))
     {
-        extra = ServeConsumer(voice, slot);
+        extra = ServeConsumer(voice, record, slot);
     }
     else if (Is(record, kProducer))
     {
-        ServeProducer(voice, slot);
+        ServeProducer(voice, record, slot);
     }
     else
     {
         record.edge = kUnmarked; // Only what was reported before it went off is to be told.
     }
-    Signal(voice, slot, extra);
+    Signal(voice, record, slot, extra);
     const std::uint32_t unfinished = record.told | record.edge | record.awaiting;
     const bool is_watched = (record.detection == SrvtDetection::kLate) && Is(record, kPending);
     if ((unfinished != 0U) || is_watched)
@@ -290,12 +282,13 @@ void Serve(Voice& voice, const std::size_t slot) noexcept
 void ServeAll(Voice& voice) noexcept
 {
     const std::uint32_t count = voice.count;
+    const Instant now = voice.now;
     const Record* record = voice.storage.records;
     for (std::size_t slot = 0U; slot < count; ++slot)
     {
-        if ((record->todo != 0U) || IsExpired(*record, voice.now) || !IsSealed(*record))
+        if ((record->todo != 0U) || IsExpired(*record, now) || !IsSealed(*record))
         {
-            Serve(voice, slot);
+            Serve(voice, At(voice, slot), slot);
         }
         ++record; // MISRA D-002
     }

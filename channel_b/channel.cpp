@@ -89,7 +89,7 @@ void Channel::TakeSetup(SlotIndex slot, const SrdoSetup& setup) noexcept
     Row& row = x_storage.rows[slot];
     row = Row{};
     x_storage.fields[slot] = StaticFields{nullptr, nullptr};
-    Ground(row);
+    Ground(row, Stage::kOff);
     row.first_cause = Code(SrdoCause::kNone);
     row.awaited.kind = FrameKind::kData;
     row.policy = OnlyIf(setup.policy, ReleasePolicy::kAutomatic, ReleasePolicy::kInterlock);

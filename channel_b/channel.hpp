@@ -129,6 +129,7 @@ class Channel final : public counterpoint::Channel
     }
     [[nodiscard]] [[gnu::noinline]] Mapping MappingOf(SlotIndex slot) const noexcept;
     [[nodiscard]] [[gnu::noinline]] std::uint32_t Find(std::uint32_t entry) const noexcept;
+    [[nodiscard]] [[gnu::noinline]] static std::uint32_t WordsOf(const Mapping& mapping) noexcept;
     void Resolve(const Mapping& mapping, bool may_be_dummy) const noexcept;
     [[nodiscard]] bool IsTableRight(SlotIndex slot, const Mapping& mapping) const noexcept;
     [[nodiscard]] ConfigFault CheckMapping(SlotIndex slot, const Mapping& mapping) const noexcept;

@@ -106,6 +106,7 @@ void Channel::Store(const ConfigItem& item) noexcept
     {
         Row& row = x_storage.rows[address.slot];
         row.resolved = kUnset;
+        row.words = kNoWords;
         if (IsInFlight(row))
         {
             row.awaited.identifier = OwnIdentifier(row, (row.stage == Stage::kPrepared) ? 1U : 0U);

@@ -94,7 +94,8 @@ void Channel::Reject(SlotIndex slot, SrdoCause cause) noexcept
     row.limit = SctUs(row);
     row.left = row.srvt_left + (row.limit - row.srvt_limit);
     row.srvt_limit = kNothingRuns;
-    row.news = static_cast<std::uint8_t>((row.news | kFresh) & (0xFFU ^ (kPending | kUnheard)));
+    SetNews(row, kFresh);
+    ClearNews(row, kPending | kUnheard);
     row.held = kHeld;
     row.inverse_data = inverse;
     row.ordinal += 1U;

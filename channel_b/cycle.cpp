@@ -46,7 +46,7 @@ void Leave(Row& row) noexcept
     {
         Fault(row, SrdoCause::kNotOperational);
     }
-    Ground(row);
+    Ground(row, Stage::kOff);
     row.standing = Standing::kOff;
     row.ordinal = 0U;
 }
@@ -78,7 +78,7 @@ void Leave(Row& row) noexcept
 void Channel::Enter(SlotIndex slot, Row& row) noexcept
 {
     const std::uint32_t direction = ByteAt(row, kDirectionAt);
-    Ground(row);
+    Ground(row, Stage::kOff);
     row.standing = Standing::kOff;
     row.held = kUnset;
     row.edge = kUnset;
@@ -93,6 +93,7 @@ void Channel::Enter(SlotIndex slot, Row& row) noexcept
     if (direction == kDirectionProducer)
     {
         row.standing = Standing::kProducer;
+        row.stage = Stage::kIdle;
     }
     else if (direction == kDirectionConsumer)
     {

@@ -46,7 +46,7 @@ void Fault(Row& row, SrdoCause cause) noexcept
 
 Confirmation Fail(Row& row, SrdoCause cause) noexcept
 {
-    Ground(row);
+    Ground(row, Stage::kIdle);
     Record(row, cause);
     return Confirmation{kNoSlot, ConfirmStep::kNone};
 }

@@ -20,6 +20,8 @@ constexpr std::uint32_t kNothingRuns = 0xFFFFFFFFU;
 constexpr std::uint8_t kLargestMapping = 2U * kMaxPayloadBits;
 /// Not the place of an object.
 constexpr std::uint16_t kNoPlace = 0xFFFFU;
+/// Row::words of all other mappings: no place of an object.
+constexpr std::uint32_t kNoWords = 0xFFFFFFFFU;
 /// Length in bits of common objects.
 constexpr std::uint32_t kFourBytes = 32U;
 /// Place of a dummy entry.
@@ -107,7 +109,7 @@ static_assert(kLookUpBytes == kSrdoIdentifierCount, "one byte an identifier");
 
 [[nodiscard]] inline bool IsInFlight(const Row& row) noexcept
 {
-    return row.stage != Stage::kIdle;
+    return row.awaited.identifier != 0U;
 }
 
 /// Slot to which the identifier leads; no existing slot if to none.
@@ -138,11 +140,11 @@ inline void ClearNews(Row& row, std::uint32_t bits) noexcept
 }
 
 /// Nothing is held and nothing in flight.
-inline void Ground(Row& row) noexcept
+inline void Ground(Row& row, Stage stage) noexcept
 {
     row.limit = kNothingRuns;
     row.awaited.identifier = 0U;
-    row.stage = Stage::kIdle;
+    row.stage = stage;
 }
 
 inline void ForgetEdge(Row& row) noexcept

@@ -15,6 +15,9 @@ namespace
 /// Lengths of the data types that stand for an object nobody wants; the index is the row.
 constexpr std::uint8_t kDummyBits[kLastDummyIndex + 1U] = {0U, 1U, 8U, 16U, 32U, 8U, 16U, 32U}; // MISRA D-001
 
+/// Of a mapping of two normal and two inverse objects.
+constexpr std::uint8_t kEntriesOfTwo = 4U;
+
 /// The entry that names the object.
 [[nodiscard]] std::uint32_t EntryOf(const MappableObject& object) noexcept
 {
@@ -84,6 +87,16 @@ void Channel::Resolve(const Mapping& mapping, bool may_be_dummy) const noexcept
     }
 }
 
+/// Two objects of four bytes fill a frame: most often found are the shortest to reach.
+std::uint32_t Channel::WordsOf(const Mapping& mapping) noexcept
+{
+    if (IsStatic(mapping) || (mapping.count != kEntriesOfTwo))
+    {
+        return kNoWords;
+    }
+    return std::uint32_t{mapping.table[1U]} | (std::uint32_t{mapping.table[3U]} << 16U);
+}
+
 /// Whether each entry leads to the object that it names, of its length, that fits the direction; the objects of a
 /// static mapping one behind the other from the registered fields on.
 bool Channel::IsTableRight(SlotIndex slot, const Mapping& mapping) const noexcept
@@ -112,6 +125,7 @@ bool Channel::IsTableRight(SlotIndex slot, const Mapping& mapping) const noexcep
             next[index & 1U] = &Column<const std::uint8_t>{object.place}[object.length_bits / 8U]; // MISRA D-002
         }
     }
+    flaws |= x_storage.rows[slot].words ^ WordsOf(mapping);
     return flaws == 0U;
 }
 
@@ -144,6 +158,7 @@ ConfigFault Channel::CheckMapping(SlotIndex slot, const Mapping& mapping) const 
         const bool is_consumer = row.image[kDirectionAt] == kDirectionConsumer;
         Resolve(mapping, is_consumer && (x_config->dummies == DummyMapping::kAllowed));
     }
+    row.words = WordsOf(mapping);
     if ((flaws != 0U) || (!IsTableRight(slot, mapping)))
     {
         return ConfigFault::kMapping;

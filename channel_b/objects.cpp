@@ -54,30 +54,25 @@ std::uint64_t Channel::ExchangeFrom(SlotIndex slot, std::uint32_t from, std::uin
     return Turned(word, 64U - x_storage.rows[slot].length_bits);
 }
 
-/// As long as a stored mapping leads to objects of four bytes there is nothing to call.
+/// For two objects of four bytes, which fill a frame, there is nothing to call.
 void Channel::WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept
 {
-    const Column<const MappableObject> objects{x_config->objects};
-    const std::uint32_t object_count = x_config->object_count;
-    const Column<const std::uint16_t> table{&x_storage.table[FirstEntryOf(x_storage, slot)]};
-    const std::uint32_t last = std::uint32_t{x_storage.rows[slot].image[kMapCountAt]} - 1U;
-    std::uint64_t word = data;
-    if (last >= x_map_entries)
+    const Row& row = x_storage.rows[slot];
+    const std::size_t low = row.words & 0xFFFFU;
+    const std::size_t high = row.words >> 16U;
+    if (((low < high) ? high : low) < x_config->object_count)
     {
-        static_cast<void>(ExchangeFrom(slot, 1U, word, Way::kWritten)); // A static mapping has a count of its own.
-        return;
-    }
-    for (std::uint32_t index = 1U; index <= last; index += 2U)
-    {
-        const std::uint32_t at = table[index];
-        if ((at >= object_count) || (objects[at].length_bits != kFourBytes))
+        const Column<const MappableObject> objects{x_config->objects};
+        const MappableObject& first = objects[low];
+        const MappableObject& second = objects[high];
+        if ((first.length_bits == kFourBytes) && (second.length_bits == kFourBytes))
         {
-            static_cast<void>(ExchangeFrom(slot, index, word, Way::kWritten));
+            UnpackFourBytes(PartOf(data, 0U), first.place);
+            UnpackFourBytes(PartOf(data, 1U), second.place);
             return;
         }
-        UnpackFourBytes(static_cast<std::uint32_t>(word & 0xFFFFFFFFU), objects[at].place);
-        word >>= kFourBytes;
     }
+    static_cast<void>(ExchangeFrom(slot, 1U, data, Way::kWritten));
 }
 
 /// Complement of the safe value.

@@ -17,9 +17,6 @@ constexpr std::uint32_t kJustSpent = 0xFFFFFFFFU;
 constexpr std::uint32_t kLongestPhase = 0x07FFFFFFU;
 
 constexpr Confirmation kNoConfirmation{kNoSlot, ConfirmStep::kNone};
-/// Of a mapping of two normal and two inverse objects.
-constexpr std::uint8_t kEntriesOfTwo = 4U;
-
 constexpr CanFrame kNoFrame{0U, FrameKind::kInvalid, CanPortId::kInvalid, 0U, {}};
 
 } // namespace
@@ -34,7 +31,7 @@ constexpr CanFrame kNoFrame{0U, FrameKind::kInvalid, CanPortId::kInvalid, 0U, {}
     row.left = SrvtUs(row);
     row.limit = row.left;
     ClearNews(row, kRequested | kRefreshDue);
-    if (HasNews(row, kStarted) && (row.form != ProducerForm::kProviderCalled))
+    if (HasNews(row, kSilence))
     {
         row.phase_left = SctUs(row) + x_late_us;
     }
@@ -52,24 +49,20 @@ PreparedPair Channel::PrepareSlowly(SlotIndex slot) const noexcept
 PreparedPair Channel::Prepare(SlotIndex slot) noexcept
 {
     Row& row = x_storage.rows[slot];
-    if ((row.standing != Standing::kProducer) || IsInFlight(row))
+    if (row.stage != Stage::kIdle)
     {
         return PreparedPair{kNoFrame, PrepareStatus::kNotProducer};
     }
-    if (StoredCount(row, x_map_entries) == kEntriesOfTwo)
+    const std::size_t low = row.words & 0xFFFFU;
+    const std::size_t high = row.words >> 16U;
+    if (((low < high) ? high : low) < x_config->object_count)
     {
-        const Column<const std::uint16_t> table{&x_storage.table[FirstEntryOf(x_storage, slot)]};
-        const std::size_t low = table[1U];
-        const std::size_t high = table[3U];
-        if (((low < high) ? high : low) < x_config->object_count)
+        const Column<const MappableObject> objects{x_config->objects};
+        const MappableObject& first = objects[low];
+        const MappableObject& second = objects[high];
+        if ((first.length_bits == kFourBytes) && (second.length_bits == kFourBytes))
         {
-            const Column<const MappableObject> objects{x_config->objects};
-            const MappableObject& first = objects[low];
-            const MappableObject& second = objects[high];
-            if ((first.length_bits == kFourBytes) && (second.length_bits == kFourBytes))
-            {
-                return Launch(row, ~Join(PackFourBytes(first.place), PackFourBytes(second.place)));
-            }
+            return Launch(row, ~Join(PackFourBytes(first.place), PackFourBytes(second.place)));
         }
     }
     return PrepareSlowly(slot);
@@ -117,7 +110,7 @@ Confirmation Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
         if ((row.left - since_call) <= row.limit)
         {
             row.ordinal += 1U;
-            Ground(row);
+            Ground(row, Stage::kIdle);
             return Confirmation{slot, ConfirmStep::kPair};
         }
         objection = SrdoCause::kNoConfirmation;
@@ -157,7 +150,7 @@ void Channel::AdvanceApplication(Row& row) const noexcept
     const std::uint32_t absence_us = SctUs(row) + x_late_us;
     if (!HasNews(row, kStarted))
     {
-        SetNews(row, kStarted);
+        SetNews(row, kStarted | kSilence);
         row.phase_left += absence_us; // Silence counts from the instant, not from this call.
     }
     if (row.phase_left <= absence_us)

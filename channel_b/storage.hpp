@@ -35,7 +35,8 @@ enum class Standing : std::uint8_t
 /// How far the transmission of a producer has come.
 enum class Stage : std::uint8_t
 {
-    kIdle = 0U,         ///< Prepare may follow.
+    kOff = 0U,          ///< Not an active producer.
+    kIdle = 0x2BU,      ///< Prepare may follow.
     kPrepared = 0x4EU,  ///< The normal frame of the other channel has not been seen yet.
     kToSend = 0x71U,    ///< Normal frame seen; the inverse frame has to be handed out.
     kHandedOut = 0x98U, ///< The inverse frame has not been seen yet.
@@ -48,15 +49,16 @@ constexpr std::uint8_t kGood = 0x93U;
 constexpr std::uint8_t kUnset = 0U;
 
 // Bits of Row::news: what OnCycle has to look at. None of them grants anything by itself.
-constexpr std::uint8_t kPending = 0x01U;    ///< Consumer: a normal frame waits for its inverse frame.
-constexpr std::uint8_t kStarted = 0x01U;    ///< Producer: its first transmission is possible.
-constexpr std::uint8_t kFresh = 0x02U;      ///< Consumer: a pair was completed since the last OnCycle.
-constexpr std::uint8_t kRefreshDue = 0x02U; ///< Producer: its refresh has fallen due.
-constexpr std::uint8_t kUnheard = 0x04U;    ///< Consumer: no pair, fault or complaint since OPERATIONAL was entered.
-constexpr std::uint8_t kRequested = 0x04U;  ///< Producer: the application wants to send.
-constexpr std::uint8_t kEdge = 0x08U;       ///< Consumer: Row::edge is to be looked at.
-constexpr std::uint8_t kReported = 0x10U;   ///< Row::causes is to be reported.
-constexpr std::uint8_t kWindowOpen = 0x20U; ///< A window of signals is running.
+constexpr std::uint32_t kPending = 0x01U;    ///< Consumer: a normal frame waits for its inverse frame.
+constexpr std::uint32_t kStarted = 0x01U;    ///< Producer: its first transmission is possible.
+constexpr std::uint32_t kFresh = 0x02U;      ///< Consumer: a pair was completed since the last OnCycle.
+constexpr std::uint32_t kRefreshDue = 0x02U; ///< Producer: its refresh has fallen due.
+constexpr std::uint32_t kUnheard = 0x04U;    ///< Consumer: no pair, fault or complaint since OPERATIONAL was entered.
+constexpr std::uint32_t kRequested = 0x04U;  ///< Producer: the application wants to send.
+constexpr std::uint32_t kEdge = 0x08U;       ///< Consumer: Row::edge is to be looked at.
+constexpr std::uint32_t kReported = 0x10U;   ///< Row::causes is to be reported.
+constexpr std::uint32_t kWindowOpen = 0x20U; ///< A window of signals is running.
+constexpr std::uint32_t kSilence = 0x40U;    ///< Producer: the phase is that of the application's silence.
 
 /// One field of all slots.
 template <typename T> struct Column
@@ -104,7 +106,8 @@ struct Row
     std::uint64_t spare; ///< Of those the bits above the mapped length: 0 in the normal frame.
     std::uint64_t inverse_data; ///< Inverse data of the held pair; behind the length anything.
     std::uint64_t pending_data; ///< Normal data that wait for their inverse.
-    std::uint64_t unused;       ///< Fills the row up to 128 bytes, so that a shift finds it.
+    std::uint32_t unused;       ///< Fills the row up to 128 bytes, so that a shift finds it.
+    std::uint32_t words;        ///< Of a mapping of four entries the places of its two inverse objects, else kNoWords.
 };
 
 /// Owned by the caller: `capacity` rows, and for each `map_entries` entries.

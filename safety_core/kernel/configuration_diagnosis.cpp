@@ -11,20 +11,13 @@ constexpr std::uint32_t kTokenRotation = 8U;
 constexpr std::uint32_t kWordBits = 32U;
 constexpr std::uint32_t kEveryByte = 0x01010101U;
 
-// Return codes of the reference for the rules of a configuration, by their number.
-constexpr Result kRuleResults[] = {
-    // MISRA D-001
+constexpr std::uint32_t kRules = 10U;
+// Return codes of the reference for the rules of a configuration, by their number. MISRA D-001
+constexpr Result kRuleResults[kRules] = {
     Result::kDeviceFault,    Result::kInvalidConfiguration, Result::kInvalidConfiguration, Result::kIdError,
     Result::kIdInUse,        Result::kTimingError,          Result::kMappingError,         Result::kLengthExceeded,
-    Result::kSignatureError, Result::kMappingError,
-};
-constexpr std::uint32_t kRules = 10U;
+    Result::kSignatureError, Result::kMappingError};
 static_assert(static_cast<std::uint32_t>(ConfigFault::kTable) == kRules - 1U, "one result a rule");
-
-CheckResult CheckBy(Channel& channel, const SlotIndex slot, const CheckDepth depth) noexcept
-{
-    return (depth == CheckDepth::kValidate) ? channel.Validate(slot) : channel.Recheck(slot);
-}
 
 } // namespace
 
@@ -35,7 +28,12 @@ Result ToResult(const ConfigFault rule) noexcept
         return Result::kSuccessful;
     }
     const std::uint32_t number = static_cast<std::uint32_t>(rule);
-    return (number < kRules) ? kRuleResults[number] : Result::kDeviceFault; // MISRA D-002
+    return (number < kRules) ? kRuleResults[number] : Result::kInvalidConfiguration; // MISRA D-002
+}
+
+CheckResult ConfigurationGuard::CheckBy(Channel& channel, const SlotIndex slot, const CheckDepth depth) noexcept
+{
+    return (depth == CheckDepth::kValidate) ? channel.Validate(slot) : channel.Recheck(slot);
 }
 
 CheckResult ConfigurationGuard::Check(const SlotIndex slot, const CheckDepth depth) noexcept

@@ -17,13 +17,6 @@ bool IsReadOnly(const ObjectKind kind) noexcept
     return (kind == ObjectKind::kConstant) || (kind == ObjectKind::kVariable) || (kind == ObjectKind::kFixed);
 }
 
-// 0 when the channel gives back what was stored.
-std::uint32_t StoreIn(Channel& channel, const ConfigItem& item) noexcept
-{
-    channel.Store(item);
-    return channel.Load(item.address).value ^ item.value;
-}
-
 } // namespace
 
 ConfigurationGuard::ConfigurationGuard(Channel& a, Channel& b, SafeStateLatch& latch) noexcept
@@ -64,12 +57,15 @@ Result ConfigurationGuard::Changeable() const noexcept
     return (nmt_ == NmtState::kOperational) ? Result::kNmtError : Result::kSuccessful;
 }
 
-// Both channels keep the value; what they give back must be what was stored. [SRS-CFG-047]
+// Both channels keep the value; what they give back then must be what was stored. The stand-in of a channel on another
+// CPU gives back what the channel here keeps: so both keep it first. [SRS-CFG-047]
 void ConfigurationGuard::StoreBoth(const ConfigItem& item) noexcept
 {
-    const std::uint32_t difference_a = StoreIn(a_, item);
-    const std::uint32_t difference_b = StoreIn(b_, item);
-    if ((difference_a | difference_b) != 0U)
+    a_.Store(item);
+    b_.Store(item);
+    const std::uint32_t differences =
+        (a_.Load(item.address).value ^ item.value) | (b_.Load(item.address).value ^ item.value);
+    if (differences != 0U)
     {
         latch_.Enter(DeviceFault::kConfiguration, item.address.slot);
     }

@@ -86,6 +86,7 @@ class ConfigurationGuard
     }
 
   private:
+    // What is used in one source file alone is inline: the compiler then decides whether it needs a call of its own.
     [[nodiscard]] inline AbortCode WritePlace(const ObjectPlace& place) noexcept;
     [[nodiscard]] inline AbortCode WriteConfiguration(const ConfigItem& item) noexcept;
     [[nodiscard]] Result Declare() noexcept;
@@ -97,6 +98,7 @@ class ConfigurationGuard
     [[nodiscard]] inline AbortCode AdmitMapEntry(const ConfigItem& item) const noexcept;
     [[nodiscard]] std::uint32_t MappedBits(SlotIndex slot, std::uint8_t first, std::uint32_t count) const noexcept;
     void StoreBoth(const ConfigItem& item) noexcept;
+    [[nodiscard]] static CheckResult CheckBy(Channel& channel, SlotIndex slot, CheckDepth depth) noexcept;
     [[nodiscard]] Result TakeDigest() noexcept;
     inline void Examine() noexcept;
     [[nodiscard]] inline bool IsSlotSound(SlotIndex slot) noexcept;
@@ -130,7 +132,7 @@ struct Connection
 };
 struct NodeId
 {
-    std::uint8_t value;
+    std::uint32_t value;
 };
 [[nodiscard]] Connection DefaultConnection(NodeId node_id) noexcept;
 

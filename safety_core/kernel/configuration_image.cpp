@@ -21,10 +21,8 @@ constexpr std::uint32_t kFromCommunicationToMapping = 0x8000U - (kCommunicationS
 constexpr std::uint32_t kGfcSupported = 1U;
 
 constexpr std::uint32_t kDefaultConsumerSctMs = 50U;
-// By the number of the field: SCT 25 ms, SRVT 20 ms, transmission type 254, all others 0.
-constexpr std::uint8_t kDefaults[] = {0U, 0U, 25U, 20U, kTransmissionTypeAsynchronous,
-                                      0U, 0U, 0U,  0U,  0U, // MISRA D-001
-                                      0U, 0U};
+// By the number of the field: SCT 25 ms, SRVT 20 ms, transmission type 254, all others 0. MISRA D-001
+constexpr std::uint8_t kDefaults[] = {0U, 0U, 25U, 20U, kTransmissionTypeAsynchronous, 0U, 0U, 0U, 0U, 0U, 0U, 0U};
 
 constexpr std::uint8_t kLastProducerNode = 32U;
 constexpr std::uint8_t kLastDefaultNode = 64U;
@@ -52,11 +50,12 @@ std::uint32_t WidthOf(const ObjectPlace& place) noexcept
 
 Connection DefaultConnection(const NodeId node_id) noexcept
 {
-    if ((node_id.value == 0U) || (node_id.value > kLastDefaultNode))
+    // 0 - 1 is the greatest value.
+    if ((node_id.value - 1U) >= kLastDefaultNode)
     {
         return Connection{0U, 0U, kDirectionOff};
     }
-    const std::uint32_t first = kDefaultCobId1Base + (2U * static_cast<std::uint32_t>(node_id.value));
+    const std::uint32_t first = kDefaultCobId1Base + (2U * node_id.value);
     const std::uint8_t direction = (node_id.value <= kLastProducerNode) ? kDirectionProducer : kDirectionConsumer;
     return Connection{static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(first + 1U), direction};
 }
@@ -173,7 +172,7 @@ Result ConfigurationGuard::Load(const ImageHeader& header) noexcept
 std::uint32_t ConfigurationGuard::DefaultOf(const ConfigAddress& address) const noexcept
 {
     const bool is_first = config_->srdos[address.slot].number == 1U; // MISRA D-002
-    const NodeId node{is_first ? config_->node_id : std::uint8_t{0U}};
+    const NodeId node{is_first ? config_->node_id : 0U};
     const Connection own = DefaultConnection(node);
     if (address.field == ConfigField::kCobId1)
     {

@@ -22,10 +22,9 @@ FlowEvidence Coverage(const CycleOutcome& outcome, const DeviceConfig& config) n
 
 constexpr FlowEvidence kDone{0U, 0U};
 
-// What the test of the comparator alters one by one, besides the guard's view and the number of the cycle.
 constexpr std::uint32_t kCounts = 4U;
-constexpr std::uint8_t CycleOutcome::* kCount[kCounts] = {&CycleOutcome::sct_checked,
-                                                          &CycleOutcome::is_tx, // MISRA D-001
+// What the test of the comparator alters one by one, besides the guard's view and the number of the cycle. MISRA D-001
+constexpr std::uint8_t CycleOutcome::* kCount[kCounts] = {&CycleOutcome::sct_checked, &CycleOutcome::is_tx,
                                                           &CycleOutcome::is_invalid, &CycleOutcome::not_operational};
 
 // One bit of one member; doing it again undoes it.

@@ -143,9 +143,9 @@ struct KernelRun
     std::uint32_t cycle{};
     std::uint32_t test_cycles{};
     std::uint32_t cycles_to_test{};
-    std::uint32_t gfc_limit_us{};
-    Instant gfc_sent{};
-    Instant now{}; ///< By counter A.
+    std::uint32_t shortest_refresh_us{}; ///< Of the producers; 0 without one.
+    Instant gfc_until{};                 ///< When an SRDO must have followed the GFC.
+    Instant now{};                       ///< By counter A.
     SrdoMask committed{};
     SrdoMask producers{}; ///< What Send may ask for; none outside OPERATIONAL and without a valid configuration.
     SrdoMask requests{};  ///< Told to the channels by the next cycle, as the two below.
@@ -270,12 +270,14 @@ class Kernel
     }
 
   private:
+    // What is used in one source file alone is inline: the compiler then decides whether it needs a call of its own.
     [[nodiscard]] static inline StartResult CheckNumbers(const DeviceConfig& config) noexcept;
     [[nodiscard]] static inline StartResult CheckObjects(const DeviceConfig& config) noexcept;
     [[nodiscard]] static inline StartResult CheckTiming(const DeviceConfig& config) noexcept;
     [[nodiscard]] inline StartResult CheckRoom(const DeviceConfig& config) const noexcept;
+    [[nodiscard]] static bool Fits(const DeviceConfig& config, const Channel& channel) noexcept;
     [[nodiscard]] inline StartResult CheckPlatform(const DeviceConfig& config) const noexcept;
-    [[nodiscard]] SlotIndex SlotAt(std::uint32_t index) const noexcept;
+    [[nodiscard]] inline SlotIndex SlotAt(std::uint32_t index) const noexcept;
     [[nodiscard]] CommunicationIndex IndexOf(const SlotIndex slot) const noexcept
     {
         const std::uint32_t number = config_->srdos[slot].number; // MISRA D-002

@@ -10,7 +10,13 @@ namespace counterpoint
 // What lies outside of 1301h to 1340h leads to a number that no SRDO has.
 SlotIndex Kernel::SlotAt(const std::uint32_t index) const noexcept
 {
-    return SlotOf(*config_, SrdoNumber{index - (kFirstCommunication - 1U)});
+    const std::uint32_t place = index - kFirstCommunication;
+    // Most devices have no gaps: nothing to look for.
+    if ((config_->gaps != NumberGaps::kSearched) && (place < config_->srdo_count))
+    {
+        return static_cast<SlotIndex>(place);
+    }
+    return SlotOf(*config_, SrdoNumber{place + 1U});
 }
 
 void Kernel::SetNmtState(const NmtState state) noexcept
@@ -44,8 +50,8 @@ void Kernel::EnterOperational() noexcept
         parts_.application.OnConfigurationInvalid(IndexOf(guard_.Faulty()));
         return;
     }
-    // Directions and times stay as they are until OPERATIONAL is left. The shortest refresh time of the producers is
-    // the limit within which an SRDO must follow a GFC; 0 without one: then it cannot be followed at all.
+    // Directions and times stay as they are until OPERATIONAL is left. An SRDO must follow a GFC within the shortest
+    // refresh time of the producers; without one it cannot be followed at all.
     std::uint32_t shortest_ms = 0U;
     for (SlotIndex slot = 0U; slot < config_->srdo_count; ++slot)
     {
@@ -57,7 +63,7 @@ void Kernel::EnterOperational() noexcept
             shortest_ms = ((refresh_ms - 1U) < (shortest_ms - 1U)) ? refresh_ms : shortest_ms;
         }
     }
-    run_.gfc_limit_us = shortest_ms * kMicrosecondsPerMillisecond;
+    run_.shortest_refresh_us = shortest_ms * kMicrosecondsPerMillisecond;
 }
 
 Result Kernel::SendReadiness() const noexcept

@@ -3,13 +3,14 @@
 
 #include "safety_core/comparator/slot_mask.hpp"
 
-// Sending: SRDOs by both channels, GFC. [SRS-KRN-012..014]
+// Sending: SRDOs by both channels, GFC; and what the application is told of pairs. [SRS-KRN-006, SRS-KRN-012..014]
 namespace counterpoint
 {
 namespace
 {
 
 constexpr std::uint32_t kByteBits = 8U;
+constexpr std::uint32_t kSignBit = 31U;
 
 // Both members in one word.
 std::uint32_t CodeOf(const Confirmation& confirmation) noexcept
@@ -153,13 +154,14 @@ Result Kernel::SendGfc() noexcept
         return Result::kTransmitFailed;
     }
     run_.gfc_open = true;
-    run_.gfc_sent = run_.now;
+    run_.gfc_until.us = run_.now.us + run_.shortest_refresh_us;
     return Result::kSuccessful;
 }
 
 void Kernel::FollowGfc() noexcept
 {
-    if (run_.gfc_open && ((run_.now.us - run_.gfc_sent.us) > run_.gfc_limit_us))
+    // Instants are modular: bit 31 of what is left stands for an instant that has passed.
+    if (run_.gfc_open && (((run_.gfc_until.us - run_.now.us) >> kSignBit) != 0U))
     {
         run_.gfc_open = false;
         parts_.application.OnGfcNotFollowed();

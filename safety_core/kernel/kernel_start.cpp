@@ -38,12 +38,6 @@ bool IsObject(const MappableObject& object) noexcept
     return ((object.length_bits - 1U) < kMaxPayloadBits) && (object.place != nullptr);
 }
 
-bool Fits(const DeviceConfig& config, const Channel& channel) noexcept
-{
-    const ChannelRoom room = channel.Room();
-    return (config.srdo_count <= room.slots) && (config.map_entries <= room.map_entries);
-}
-
 // Ascending, and one after the other where gaps are refused.
 bool AreNumbers(const DeviceConfig& config) noexcept
 {
@@ -128,6 +122,12 @@ StartResult Kernel::CheckTiming(const DeviceConfig& config) noexcept
     const bool is_diagnosed = config.diagnostic_interval_us >= (2U * config.cycle_us * config.srdo_count);
     const bool is_tested = config.test_interval_us >= config.cycle_us;
     return (is_diagnosed && is_tested) ? StartResult::kStarted : StartResult::kTiming;
+}
+
+bool Kernel::Fits(const DeviceConfig& config, const Channel& channel) noexcept
+{
+    const ChannelRoom room = channel.Room();
+    return (config.srdo_count <= room.slots) && (config.map_entries <= room.map_entries);
 }
 
 StartResult Kernel::CheckRoom(const DeviceConfig& config) const noexcept

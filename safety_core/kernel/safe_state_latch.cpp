@@ -13,9 +13,10 @@ constexpr std::uint16_t kMostFaults = 65535U;
 
 void SafeStateLatch::Arm() noexcept
 {
+    Disarm();
     word_ = kRunning;
     inverse_ = ~kRunning;
-    report_ = DeviceFaultReport{DeviceFault::kNone, kNoSlot, 0U};
+    report_.fault = DeviceFault::kNone;
 }
 
 void SafeStateLatch::Enter(const DeviceFault fault, const SlotIndex slot) noexcept

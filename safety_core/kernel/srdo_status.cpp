@@ -21,14 +21,14 @@ bool IsAnswer(const StatusByte status) noexcept
 
 StatusByte SrdoStatus::Get(const SlotIndex slot) const noexcept
 {
-    return StatusByte{static_cast<std::uint8_t>((bytes_[slot] & kReadable) ^ kStatusReset)}; // MISRA D-002
+    return StatusByte{static_cast<std::uint8_t>((bytes_[slot] & kReadable) ^ kStatusReset)};
 }
 
 void SrdoStatus::Set(const SlotIndex slot, const StatusByte status) noexcept
 {
-    const std::uint32_t marks = IsAnswer(status) ? 0U : ((bytes_[slot] & kOpen) | kUnanswered); // MISRA D-002
+    const std::uint32_t marks = IsAnswer(status) ? 0U : ((bytes_[slot] & kOpen) | kUnanswered);
     const std::uint32_t kept = (status.value & kReadable) ^ kStatusReset;
-    bytes_[slot] = static_cast<std::uint8_t>(kept | marks); // MISRA D-002
+    bytes_[slot] = static_cast<std::uint8_t>(kept | marks);
 }
 
 SlotIndex SrdoStatus::TakeOverdue() noexcept
@@ -36,7 +36,7 @@ SlotIndex SrdoStatus::TakeOverdue() noexcept
     SlotIndex overdue = kNoSlot;
     for (SlotIndex slot = kMaxSrdoCount; slot != 0U; --slot)
     {
-        std::uint8_t& byte = bytes_[slot - 1U]; // MISRA D-002
+        std::uint8_t& byte = bytes_[slot - 1U];
         if ((byte & kOpen) != 0U)
         {
             overdue = static_cast<SlotIndex>(slot - 1U);

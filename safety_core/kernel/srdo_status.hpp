@@ -28,7 +28,8 @@ class SrdoStatus
     /// @brief Bits 5-4 become 00, bits 7-6 stay.
     void OnEvent(const SlotIndex slot) noexcept
     {
-        bytes_[slot] = static_cast<std::uint8_t>(bytes_[slot] | (kStatusTransfer | kUnanswered)); // MISRA D-002
+        constexpr std::uint32_t kGood = std::uint32_t{kStatusTransfer} | kUnanswered; // Kept inverted.
+        bytes_[slot] = static_cast<std::uint8_t>(bytes_[slot] | kGood);
     }
     /// @brief What is there to handle (kStatusFaulty before OnSrdoError), or what the application answers.
     void Set(SlotIndex slot, StatusByte status) noexcept;
@@ -38,8 +39,8 @@ class SrdoStatus
     [[nodiscard]] SlotIndex TakeOverdue() noexcept;
 
   private:
-    static constexpr std::uint8_t kUnanswered = 0x01U;
-    static constexpr std::uint8_t kOpen = 0x02U; ///< Unanswered since before the last call of TakeOverdue.
+    static constexpr std::uint32_t kUnanswered = 0x01U;
+    static constexpr std::uint32_t kOpen = 0x02U; ///< Unanswered since before the last call of TakeOverdue.
 
     std::uint8_t bytes_[kMaxSrdoCount]{}; // MISRA D-001
 };

@@ -73,7 +73,7 @@ template <typename Object> MemoryPiece PieceOf(Object& object)
 
 std::vector<MemoryPiece> StateOf(KernelRun& run)
 {
-    return {PieceOf(run.committed), PieceOf(run.requests),       PieceOf(run.now),
+    return {PieceOf(run.committed), PieceOf(run.requests),       PieceOf(run.now),  PieceOf(run.gfc_until),
             PieceOf(run.cycle),     PieceOf(run.cycles_to_test), PieceOf(run.queue)};
 }
 } // namespace

@@ -227,5 +227,24 @@ TEST_F(ReturnCode, NotHandledInApp)
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kHandshake);
 }
 
+TEST(ResultOfARule, EachRuleHasItsOwnAndNoUnknownOneIsASuccess)
+{
+    Verifies(req::SRS_KRN_015);
+    Verifies(req::SRS_KRN_028);
+    EXPECT_EQ(ToResult(ConfigFault::kNone), Result::kSuccessful);
+    EXPECT_EQ(ToResult(ConfigFault::kInvalid), Result::kDeviceFault);
+    EXPECT_EQ(ToResult(ConfigFault::kDirection), Result::kInvalidConfiguration);
+    EXPECT_EQ(ToResult(ConfigFault::kTransmissionType), Result::kInvalidConfiguration);
+    EXPECT_EQ(ToResult(ConfigFault::kIdentifier), Result::kIdError);
+    EXPECT_EQ(ToResult(ConfigFault::kIdentifierInUse), Result::kIdInUse);
+    EXPECT_EQ(ToResult(ConfigFault::kTiming), Result::kTimingError);
+    EXPECT_EQ(ToResult(ConfigFault::kMapping), Result::kMappingError);
+    EXPECT_EQ(ToResult(ConfigFault::kLengthExceeded), Result::kLengthExceeded);
+    EXPECT_EQ(ToResult(ConfigFault::kSignature), Result::kSignatureError);
+    EXPECT_EQ(ToResult(ConfigFault::kTable), Result::kMappingError);
+    EXPECT_EQ(ToResult(static_cast<ConfigFault>(10U)), Result::kInvalidConfiguration);
+    EXPECT_EQ(ToResult(static_cast<ConfigFault>(0xFFU)), Result::kInvalidConfiguration);
+}
+
 } // namespace
 } // namespace counterpoint

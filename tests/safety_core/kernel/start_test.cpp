@@ -63,7 +63,11 @@ TEST_F(Starting, GapsAreRefusedOrSearched)
     EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1303U}).result, Result::kSuccessful);
     EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1304U}).result, Result::kNotExist);
     EXPECT_EQ(Read(0x13FFU, 0U), 3U);
-    // Then a search finds the same
+    // Then an object and a call of its SRDO mean the same one
+    EXPECT_EQ(Write(0x1303U, 2U, 77U, 2U), AbortCode::kNone);
+    EXPECT_EQ(kernel.GetParameters(CommunicationIndex{0x1303U}).refresh_ms, 77U);
+    EXPECT_EQ(Write(0x1304U, 2U, 77U, 2U), AbortCode::kObjectUnknown);
+    // And a search finds the same
     config.gaps = NumberGaps::kSearched;
     EXPECT_EQ(Start(), StartResult::kStarted);
     EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1303U}).result, Result::kSuccessful);
