@@ -20,8 +20,7 @@ std::uint8_t NumberOf(const CommunicationIndex index)
 }
 } // namespace
 
-NodeApplication::NodeApplication(const simulator::DeviceModel& model, NodeReport& report)
-    : model_(model), report_(report)
+NodeApplication::NodeApplication(const simulator::DeviceModel& model, NodeReport& report) : report_(report)
 {
     for (const simulator::VariablePair& source : model.Pairs())
     {

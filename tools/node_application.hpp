@@ -79,7 +79,6 @@ class NodeApplication final : public Application
     void Apply(const Rule& rule);
     void TellValue(const Pair& pair);
 
-    const simulator::DeviceModel& model_;
     NodeReport& report_;
     OnPair on_pair_;
     std::vector<Pair> pairs_;

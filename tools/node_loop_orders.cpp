@@ -12,7 +12,6 @@ namespace
 {
 using simulator::ObjectText;
 
-constexpr double kUsPerMs = 1000.0;
 constexpr std::uint16_t kCommunicationBase = 0x1300U;
 
 std::string AbortText(const cia301::SdoAbort abort)

@@ -21,7 +21,6 @@ using cia301::SdoAbort;
 constexpr std::size_t kTextRoom = 256U;
 constexpr std::size_t kDomainRoom = 8192U;
 constexpr std::uint16_t kOctetString = 0x000AU;
-constexpr std::uint16_t kVisibleString = 0x0009U;
 constexpr std::uint16_t kConsumerTimes = 0x1016U;
 constexpr std::uint16_t kFirstApplication = 0x2000U;
 constexpr std::uint16_t kLastFixed = 0x5F05U;

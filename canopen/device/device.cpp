@@ -15,7 +15,7 @@ constexpr std::uint16_t kOwnController = 0U;
 Device::Device(const DeviceParts& parts) noexcept
     : parts_(parts), command_frames_{}, safety_(parts.safety_room), commands_({command_frames_, kCommandRoom}),
       others_(parts.service_room), kernel_state_(NmtState::kInvalid), bus_(BusCondition::kActive), is_failed_(false),
-      has_lost_others_(false)
+      is_waiting_(false), has_lost_others_(false)
 {
 }
 
@@ -25,9 +25,10 @@ LoadResult Device::PowerOn(const Instant now) noexcept
     if (safety_.HasRoomFor(parts_.srdo_count))
     {
         is_failed_ = false;
+        is_waiting_ = false;
         Settle();
         parts_.services.outbox.Poll(now);
-        const bool is_up = cia301::StateByte(State()) != 0U;
+        const bool is_up = is_waiting_ || (cia301::StateByte(State()) != 0U);
         result = is_up ? LoadResult::kLoaded : LoadResult::kFailed;
     }
     return result;

@@ -30,7 +30,8 @@ class Owner
     /// keeps the device in INITIALISATION.
     [[nodiscard]] virtual LoadResult OnResetNode() noexcept = 0;
     /// @brief Reset communication: load the objects of 1000h to 1FFFh, 1300h to 13FFh among them. The services are as
-    /// at power-on already. kFailed as above.
+    /// at power-on already. kFailed as above. Where LSS gave another node-ID (Services::node), start the kernel with
+    /// it.
     [[nodiscard]] virtual LoadResult OnResetCommunication() noexcept = 0;
 
   protected:
@@ -75,7 +76,8 @@ class Device
   public:
     explicit Device(const DeviceParts& parts) noexcept;
 
-    /// @brief Supply on: INITIALISATION, boot-up, and where 1F80h leads to. Whether the device came up. [SRS-DEV-002]
+    /// @brief Supply on: INITIALISATION, boot-up, and where 1F80h leads to. Whether the device came up, or waits for a
+    /// node-ID. [SRS-DEV-002, SRS-DEV-019]
     [[nodiscard]] LoadResult PowerOn(Instant now) noexcept;
 
     /// @brief A received frame. O(1) [SRS-DEV-005, SRS-DEV-007]
@@ -111,7 +113,8 @@ class Device
     FrameRing others_;
     NmtState kernel_state_;
     BusCondition bus_;
-    bool is_failed_; ///< The owner could not load; only PowerOn tries again.
+    bool is_failed_;  ///< The owner could not load; only PowerOn tries again.
+    bool is_waiting_; ///< For a node-ID.
     std::atomic<bool> has_lost_others_;
 };
 

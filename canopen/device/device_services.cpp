@@ -57,14 +57,17 @@ void Device::Settle() noexcept
 
 void Device::Initialise() noexcept
 {
-    cia301::NmtSlave& slave = parts_.services.slave;
-    while ((!is_failed_) && (cia301::StateByte(slave.State()) == 0U))
+    Services& services = parts_.services;
+    cia301::NmtSlave& slave = services.slave;
+    is_waiting_ = is_waiting_ && !services.lss->MayBoot();
+    while ((!is_failed_) && (!is_waiting_) && (cia301::StateByte(slave.State()) == 0U))
     {
         ApplyState();
-        is_failed_ = Load() != LoadResult::kLoaded;
-        if (!is_failed_)
+        is_waiting_ = (slave.State() == NodeState::kResetCommunication) && !services.TakeNodeId();
+        is_failed_ = (!is_waiting_) && (Load() != LoadResult::kLoaded);
+        if ((!is_failed_) && (!is_waiting_))
         {
-            parts_.services.Send(slave.Advance());
+            services.Send(slave.Advance());
         }
     }
 }

@@ -18,6 +18,8 @@ constexpr std::uint8_t kSdoBlock = 64U;
 constexpr std::uint16_t kGuardTimeIndex = 0x100CU;
 constexpr std::uint16_t kLifeFactorIndex = 0x100DU;
 
+constexpr std::uint8_t kLastNode = 127U;
+constexpr std::uint32_t kLssCommands = 0x7E5U;
 constexpr std::uint32_t kSdoAnswers = 0x580U;
 constexpr std::uint32_t kSdoRequests = 0x600U;
 constexpr std::uint32_t kSdoLast = 0x67FU;
@@ -32,8 +34,18 @@ Services::Services(const cia301::NodeId own_node, const ServiceParts& parts) noe
       guarding(own_node), objects({emergency, consumer, producer, guarding, supervised.count}),
       tpdos({outbox, parts.dictionary, parts.rooms.tpdos}),
       rpdos({errors, parts.dictionary, parts.rooms.rpdos, nullptr}), pdos(tpdos, rpdos), sync({outbox, errors, pdos}),
-      sdo({parts.dictionary, parts.rooms.sdo_buffer, kSdoTimeOutUs, kSdoBlock}), sdo_port(sdo, outbox, own_node)
+      sdo({parts.dictionary, parts.rooms.sdo_buffer, kSdoTimeOutUs, kSdoBlock}), sdo_port(sdo, outbox, own_node),
+      lss(nullptr)
 {
+}
+
+bool Services::TakeNodeId() noexcept
+{
+    if (lss != nullptr)
+    {
+        node = lss->TakeNodeId();
+    }
+    return (node.value >= 1U) && (node.value <= kLastNode);
 }
 
 void Services::BeginConfiguration() noexcept
@@ -44,11 +56,11 @@ void Services::BeginConfiguration() noexcept
     {
         supervised.nodes[place] = cia301::SupervisedNode{};
     }
-    producer.SetPeriod(0U);
+    producer = cia301::HeartbeatProducer{node};
+    guarding = cia301::NodeGuarding{node};
     constexpr std::uint8_t kZero[2] = {0U, 0U};
     static_cast<void>(objects.OnWrite({kGuardTimeIndex, 0U}, {kZero, 2U}));
     static_cast<void>(objects.OnWrite({kLifeFactorIndex, 0U}, {kZero, 1U}));
-    guarding.Reset();
     sync.Reset();
     tpdos.Reset();
     rpdos.Reset();
@@ -71,11 +83,15 @@ bool Services::Wants(const CanFrame& frame) const noexcept
     const std::uint32_t identifier = frame.identifier;
     const bool is_sdo = (identifier > kSdoAnswers) && (identifier <= kSdoLast);
     const bool is_own_sdo = (identifier == (kSdoRequests + node.value)) || (identifier == (kSdoAnswers + node.value));
-    return is_sdo ? is_own_sdo : (identifier <= kErrorControlLast);
+    return is_sdo ? is_own_sdo : ((identifier <= kErrorControlLast) || (identifier == kLssCommands));
 }
 
 void Services::OnFrame(const CanFrame& frame, const cia301::Moment& moment) noexcept
 {
+    if (lss != nullptr)
+    {
+        lss->OnFrame(frame, moment);
+    }
     sdo_port.OnFrame(frame, moment);
     sync.OnFrame(frame, moment);
     tpdos.OnFrame(frame, moment);
@@ -120,7 +136,14 @@ void Services::OnCycle(const cia301::Moment& moment) noexcept
         Send(emergency.Poll(moment.state, moment.now));
     }
     sdo_port.OnCycle(moment);
-    outbox.Poll(moment.now);
+    if (lss != nullptr)
+    {
+        lss->OnCycle(moment);
+    }
+    if ((lss == nullptr) || !lss->IsSilent())
+    {
+        outbox.Poll(moment.now);
+    }
 }
 
 void Services::Send(const cia301::FrameToSend& frame) noexcept

@@ -10,6 +10,7 @@
 #include "canopen/cia301/sdo_server_port.hpp"
 #include "canopen/cia301/service_objects.hpp"
 #include "canopen/cia301/sync.hpp"
+#include "canopen/cia305/lss_slave.hpp"
 
 namespace counterpoint::device
 {
@@ -54,7 +55,10 @@ struct Services
     cia301::Sync sync;       ///< Hook of 1005h, 1006h, 1007h, 1019h.
     cia301::SdoServer sdo;
     cia301::SdoServerPort sdo_port; ///< Hook of 1200h.
+    cia305::LssSlave* lss;          ///< Null: the node-ID is what it was at the construction. Set before PowerOn.
 
+    /// @brief Whether there is a node-ID; that of LSS is asked for. [SRS-DEV-019]
+    [[nodiscard]] bool TakeNodeId() noexcept;
     /// @brief Reset communication: parameters as at power-on; errors that are there stay. Until EndConfiguration
     /// values may come in any order.
     void BeginConfiguration() noexcept;

@@ -40,10 +40,11 @@ struct Element
     std::uint32_t size_bytes{0U};    ///< Length, or room of a string.
     std::vector<std::uint8_t> value; ///< As many bytes as the value has now.
     std::optional<Limits> limits;
-    std::string name;                   ///< PascalCase, its own.
-    std::size_t offset{0U};             ///< In the memory, or in the constants.
-    std::size_t length{0U};             ///< Place of a string's length among the lengths.
-    std::optional<std::size_t> inverse; ///< Of a normal variable: the element of its inverse.
+    std::string name;                         ///< PascalCase, its own.
+    std::size_t offset{0U};                   ///< In the memory, or in the constants.
+    std::size_t length{0U};                   ///< Place of a string's length among the lengths.
+    std::optional<std::uint64_t> node_addend; ///< The value is the node-ID and so much.
+    std::optional<std::size_t> inverse;       ///< Of a normal variable: the element of its inverse.
 
     [[nodiscard]] std::uint32_t Key() const noexcept
     {

@@ -2,6 +2,7 @@
 #include "canopen/generate/element.hpp"
 
 #include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/number.hpp"
 #include "canopen/cia306/signature.hpp"
 
 #include <algorithm>
@@ -149,6 +150,9 @@ void ReadValue(const ElementContext& context, Element& element)
                 {cia306::ObjectName(entry.index, entry.sub) + ": " + result.problem.wrong, result.problem.expected});
         }
         value = result.value->bits;
+        const auto formula = cia306::ParseFormula(entry.Configured().text);
+        const bool has_node_id = formula && formula->has_node_id;
+        element.node_addend = has_node_id ? std::optional(formula->number.magnitude) : std::nullopt;
     }
     element.size_bytes = (entry.type.bits + 7U) / 8U;
     ReadLimits(context, element, value);

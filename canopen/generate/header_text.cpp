@@ -133,7 +133,9 @@ constexpr const char* kTables =
     "[[nodiscard]] counterpoint::generated::ConfigureReply Configure(counterpoint::Kernel& kernel) noexcept;\n"
     "/// Values of power-on: everything; 1000h to 1FFFh. They are there at the start of the program, too.\n"
     "void ResetApplication() noexcept;\n"
-    "void ResetCommunication() noexcept;\n\n";
+    "void ResetCommunication() noexcept;\n"
+    "/// Values with $NODEID for another node-ID than kNodeId, 1 to 127; again after each reset.\n"
+    "void ApplyNodeId(std::uint8_t node_id) noexcept;\n\n";
 } // namespace
 
 std::string HeaderText(const FileText& file)

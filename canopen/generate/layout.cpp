@@ -4,6 +4,7 @@
 #include "canopen/generate/names.hpp"
 
 #include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/number.hpp"
 
 #include <algorithm>
 #include <set>
@@ -35,7 +36,10 @@ Home TableHome(const cia306::Entry& entry)
 {
     const bool is_text = entry.type.kind == DataKind::kText;
     const bool is_domain = is_text && entry.data_type == cia306::kDomainType;
-    const bool is_fixed = entry.access == cia306::Access::kConstant || IsDeviceParameter(entry.index) ||
+    // With the node-ID a constant changes, too.
+    const auto formula = cia306::ParseFormula(entry.Configured().text);
+    const bool is_constant = entry.access == cia306::Access::kConstant && !(formula && formula->has_node_id);
+    const bool is_fixed = is_constant || IsDeviceParameter(entry.index) ||
                           (is_text && (entry.IsFixed() || entry.access == cia306::Access::kUnknown));
     if (is_domain)
     {

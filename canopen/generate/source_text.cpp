@@ -105,6 +105,24 @@ constexpr const char* kSetText = "bool SetText(const counterpoint::cia301::Room&
                                  "        room.data[i] = value.data[i];\n    }\n"
                                  "    length = fits ? value.size_bytes : length;\n    return fits;\n}\n\n";
 
+/// One write for each value that has the node-ID in it.
+std::string NodeIdText(const Layout& layout)
+{
+    std::string text;
+    for (const Element& element : layout.elements)
+    {
+        if (element.node_addend && element.IsInMemory())
+        {
+            text += (text.empty() ? "" : "\n    ") + std::string("counterpoint::WriteVariable(") + PlaceText(element) +
+                    ", counterpoint::VariableValue{" + UnsignedLiteral(*element.node_addend) + " + number});";
+        }
+    }
+    const bool has_none = text.empty();
+    return Function(
+        std::string("void ApplyNodeId(") + (has_none ? "std::uint8_t /*node_id*/" : "const std::uint8_t node_id") + ")",
+        has_none ? "// No value of the file has it." : "const std::uint64_t number = node_id;\n    " + text);
+}
+
 std::string PublicText(const FileText& file)
 {
     const Layout& layout = file.layout;
@@ -117,7 +135,7 @@ std::string PublicText(const FileText& file)
            Function("counterpoint::generated::ConfigureReply Configure(counterpoint::Kernel& kernel)",
                     "return counterpoint::generated::Configure(kernel, kConfiguration);") +
            Function("void ResetApplication()", "Restore(" + all + ");") +
-           Function("void ResetCommunication()", "Restore(" + communication + ");");
+           Function("void ResetCommunication()", "Restore(" + communication + ");") + NodeIdText(layout);
 }
 } // namespace
 

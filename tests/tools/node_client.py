@@ -33,7 +33,7 @@ class Session:
 
     def __init__(self, address, dcf, node_id, patience):
         self.patience = patience
-        self.failures = 0
+        self.failures = []
         self.checks = 0
         self.network = canopen.Network()
         self.network.bus = open_bus(address)
@@ -65,8 +65,9 @@ class Session:
 
     def check(self, what, holds, detail=""):
         self.checks += 1
-        self.failures += 0 if holds else 1
-        print(f"{'ok  ' if holds else 'FAIL'} {what}{'' if holds else ': ' + str(detail)}", flush=True)
+        line = f"{'ok  ' if holds else 'FAIL'} {what}{'' if holds else ': ' + str(detail)}"
+        self.failures += [] if holds else [line]
+        print(line, flush=True)
 
     def abort_of(self, call, *arguments):
         """The abort code of a refused transfer, 0 if it was accepted."""
@@ -398,7 +399,7 @@ def run(options):
             part(session)
     finally:
         session.network.disconnect()
-    print(f"{session.checks} checks, {session.failures} failed")
+    print("\n".join(session.failures + [f"{session.checks} checks, {len(session.failures)} failed"]))
     return 1 if session.failures else 0
 
 

@@ -165,6 +165,7 @@ inline constexpr RequirementId SRS_DEV_015{"SRS-DEV-015"};
 inline constexpr RequirementId SRS_DEV_016{"SRS-DEV-016"};
 inline constexpr RequirementId SRS_DEV_017{"SRS-DEV-017"};
 inline constexpr RequirementId SRS_DEV_018{"SRS-DEV-018"};
+inline constexpr RequirementId SRS_DEV_019{"SRS-DEV-019"};
 inline constexpr RequirementId SRS_EDS_001{"SRS-EDS-001"};
 inline constexpr RequirementId SRS_EDS_002{"SRS-EDS-002"};
 inline constexpr RequirementId SRS_EDS_003{"SRS-EDS-003"};

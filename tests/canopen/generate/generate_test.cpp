@@ -6,6 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <unistd.h>
+
 namespace counterpoint::generate
 {
 namespace
@@ -131,6 +135,27 @@ TEST(GenerateTest, WhatHasNoLengthIsLeftOutWithAWarning)
               "a.eds:3: warning: 0x2000:00: is left out, expected a data type whose length is known");
     EXPECT_EQ(code.warnings[1].text,
               "value '9', expected one between LowLimit and HighLimit; it is generated all the same");
+}
+
+TEST(GenerateTest, TheOutputCompilesWithoutAWarning)
+{
+    Verifies(req::SRS_GEN_004);
+    // Given dictionaries of random devices of each kind
+    const auto folder =
+        std::filesystem::temp_directory_path() / ("generate_test_" + std::to_string(::getpid())); // Its own.
+    for (const std::uint64_t seed : {100U, 101U, 102U, 103U})
+    {
+        const GeneratedCode code = Code(test::RandomDevice(seed));
+        std::filesystem::create_directories(folder / std::to_string(seed));
+        cia306::WriteTextFile((folder / std::to_string(seed) / kHeaderName).string(), code.header);
+        cia306::WriteTextFile((folder / std::to_string(seed) / kSourceName).string(), code.source);
+    }
+    // When all compilers of the requirement that are installed compile them, then none has a word to say
+    const std::string source = cia306::test::SourceFolder();
+    const std::string command =
+        source + "/tests/canopen/generate/compile_test.sh " + source + " " + folder.string() + " 4";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    std::filesystem::remove_all(folder);
 }
 
 TEST(GenerateTest, OnlyWhatTheChannelsDoNotWriteCanBeWritten)

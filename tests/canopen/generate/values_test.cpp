@@ -210,6 +210,31 @@ TEST_P(GeneratedValues, AConfigurationToolMayWriteBackWhatItReads)
     GeneratedNode again(Case());
 }
 
+TEST_P(GeneratedValues, AnotherNodeIdChangesWhatTheFileWritesWithIt)
+{
+    Verifies(req::SRS_GEN_016);
+    const cia306::Device device = cia306::ReadDeviceFile(Case().file);
+    GeneratedNode node(Case());
+    // When the node-ID is 77
+    Case().apply_node_id(77U);
+    // Then each element of the table has the value of the file with it
+    for (const auto& [index, object] : device.objects)
+    {
+        for (const auto& [sub, entry] : object.entries)
+        {
+            const bool has_formula = entry.Configured().text.find("NODEID") != std::string::npos;
+            const bool is_looked_at =
+                index >= 0x1000U && !IsKernels(index) && has_formula && entry.access != cia306::Access::kWriteOnly;
+            if (is_looked_at)
+            {
+                EXPECT_EQ(node.Read(index, sub).bytes, Expected(entry, 77U, false).bytes)
+                    << cia306::ObjectName(index, sub);
+            }
+        }
+    }
+    Case().reset();
+}
+
 std::vector<std::size_t> Places()
 {
     std::vector<std::size_t> places;

@@ -189,5 +189,38 @@ TEST(Readers, ACaptureThatContradictsItselfIsNamed)
     EXPECT_NE(RefusalOf("\x0A\x0D\x0D\x0A" + std::string(40U, 'x')).find("a section without byte order"),
               std::string::npos);
 }
+TEST(Readers, AlteredRecordingsGiveFramesOrOneError)
+{
+    Verifies(req::SRS_MON_014);
+    // Given recordings of each format, with up to four bytes changed by chance, always the same
+    std::string candump;
+    for (const LogFrame& frame : AllKinds())
+    {
+        candump += CandumpLine(frame);
+    }
+    const std::vector<std::string> wholes{candump, PcapOf(AllKinds(), ByteOrder::kBig, true),
+                                          PcapngOf(AllKinds(), ByteOrder::kLittle, 9U)};
+    std::uint64_t state = 1U;
+    const auto below = [&state](const std::size_t count)
+    {
+        state = state * 6364136223846793005U + 1442695040888963407U;
+        return static_cast<std::size_t>((state >> 33U) % count);
+    };
+    std::size_t refused = 0U;
+    for (int round = 0; round < 30000; ++round)
+    {
+        std::string bytes = wholes[below(wholes.size())];
+        for (std::size_t changes = 1U + below(4U); changes != 0U; --changes)
+        {
+            bytes[below(bytes.size())] = static_cast<char>(below(256U));
+        }
+        // When they are read, then there are frames of lengths that exist, or an error in one line
+        const std::string refusal = RefusalOf(bytes);
+        EXPECT_EQ(refusal.find('\n'), std::string::npos) << refusal;
+        refused += refusal.empty() ? 0U : 1U;
+    }
+    EXPECT_GT(refused, 10000U);
+    EXPECT_LT(refused, 29000U);
+}
 } // namespace
 } // namespace counterpoint::monitor

@@ -23,7 +23,7 @@ MAY_SEE = {
     "canopen/cia301": ["safety_core/contract", "safety_core/kernel", "hal/api"],
     "canopen/cia302": ["safety_core/contract", "safety_core/kernel", "hal/api", "canopen/cia301"],
     "canopen/cia305": ["safety_core/contract", "safety_core/kernel", "hal/api", "canopen/cia301"],
-    "canopen/device": ["safety_core/contract", "safety_core/kernel", "hal/api", "canopen/cia301"],
+    "canopen/device": ["safety_core/contract", "safety_core/kernel", "hal/api", "canopen/cia301", "canopen/cia305"],
     "canopen/cia306": ["safety_core/contract", "safety_core/kernel", "hal/api"],
 }
 # What runs on the target has these headers of the standard library and no other: constants, types, std::array.
