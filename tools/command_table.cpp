@@ -2,7 +2,6 @@
 #include "tools/command_table.hpp"
 
 #include "tools/bus_command.hpp"
-#include "tools/bus_command.hpp"
 #include "tools/check_command.hpp"
 #include "tools/demo_command.hpp"
 #include "tools/generate_command.hpp"
@@ -19,7 +18,6 @@ std::vector<CommandRow> CommandTable()
         {"demo", "Simulate the emergency-stop chain under faults and show the timing diagrams", &MakeDemoCommand},
         {"simulate", "Simulate a scenario: devices, faults, expectations", &MakeSimulateCommand},
         {"node", "Run the device of a DCF on a live CAN bus", &MakeNodeCommand},
-        {"bus", "Serve a CAN bus to other programs by the socketcand protocol", &MakeBusCommand},
         {"bus", "Serve a CAN bus to other programs by the socketcand protocol", &MakeBusCommand},
         {"sign", "Compute the safety configuration signatures (13FFh) of a DCF", &MakeSignCommand},
         {"check", "Check the safety configuration of a DCF against every rule", &MakeCheckCommand},

@@ -33,6 +33,17 @@ DeviceConfig ConfigOf(const simulator::DeviceModel& model, const std::vector<Map
     }
     if (cycle_us && *cycle_us != config.cycle_us)
     {
+        for (const simulator::SrdoModel& srdo : model.Srdos())
+        {
+            if (srdo.direction == kDirectionProducer && *cycle_us > srdo.times.sct_ms * kMicrosecondsPerMillisecond)
+            {
+                throw cia306::InputError(model.File(), 0U,
+                                         {"--cycle-us " + std::to_string(*cycle_us) + " for SRDO " +
+                                              std::to_string(srdo.number) + ", which is sent every " +
+                                              std::to_string(srdo.times.sct_ms) + " ms",
+                                          "a cycle that is no longer"});
+            }
+        }
         config.cycle_us = *cycle_us;
         config.cycle_tolerance_us = *cycle_us;
         config.discrepancy_us = std::max(config.discrepancy_us, kCyclesOfDiscrepancy * *cycle_us);
@@ -153,6 +164,7 @@ void NodeDevice::SetTime(const std::uint64_t now_ns)
 {
     time_.Advance(static_cast<host::BusTime>(now_ns - start_ns_));
     application_.SetNow(now_ns);
+    now_ns_ = now_ns;
 }
 
 bool NodeDevice::PowerOn(const InstantPair& now, const std::uint64_t now_ns)

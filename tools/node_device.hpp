@@ -114,6 +114,7 @@ class NodeDevice final : private device::Owner
 
     NodeLatency latency_;
     std::uint64_t start_ns_{0U};
+    std::uint64_t now_ns_{0U};
     std::array<std::uint64_t, kMaxSrdoCount> pressed_until_ns_{};
     std::array<std::uint64_t, kMaxSrdoCount> received_ns_{}; ///< Last inverse frame, by slot.
     std::array<SlotIndex, kSrdoIdentifierCount> slot_of_{};  ///< By identifier of the inverse frame.

@@ -30,7 +30,7 @@ device::LoadResult NodeDevice::OnResetNode() noexcept
     if (result != StartResult::kStarted)
     {
         const auto reason = static_cast<unsigned>(result);
-        report_.Tell(0U, "the kernel refuses this device, reason " + std::to_string(reason) + " of StartResult",
+        report_.Tell(now_ns_, "the kernel refuses this device, reason " + std::to_string(reason) + " of StartResult",
                      "no_start", {{"reason", reason}});
         return device::LoadResult::kFailed;
     }
@@ -55,7 +55,7 @@ device::LoadResult NodeDevice::OnResetCommunication() noexcept
     objects_.LoadCommunication();
     for (const std::string& refusal : objects_.Refusals())
     {
-        report_.Tell(0U, refusal, "refused", {{"text", refusal}});
+        report_.Tell(now_ns_, refusal, "refused", {{"text", refusal}});
     }
     if (!IsSafetyLoaded())
     {
@@ -105,7 +105,7 @@ void NodeDevice::LoadSafety()
                                      ": the kernel refuses " + cia306::Hex(write.value, write.size_bytes * 2) +
                                      " with abort code " + simulator::AbortText(code) +
                                      ", expected what 'counterpoint check' finds right";
-            report_.Tell(0U, text, "refused", {{"text", text}});
+            report_.Tell(now_ns_, text, "refused", {{"text", text}});
         }
     }
 }

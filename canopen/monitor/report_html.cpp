@@ -24,7 +24,8 @@ constexpr const char* kStyle =
     "vertical-align:top}td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}"
     ".bad{color:#a51d24;font-weight:600}.good{color:#1c6b3c;font-weight:600}.charts{display:flex;flex-wrap:wrap;gap:"
     "2rem}"
-    "figure{margin:.5rem 0}figcaption{color:#52616f}rect{fill:#3b6ea5}rect.over{fill:#a51d24}line{stroke:#a51d24;"
+    "figure{margin:.5rem "
+    "0;max-width:31rem}figcaption{color:#52616f}rect{fill:#3b6ea5}rect.over{fill:#a51d24}line{stroke:#a51d24;"
     "stroke-width:2}svg text{font-size:11px;fill:#52616f}.scroll{overflow-x:auto}"
     "@media(prefers-color-scheme:dark){body{background:#12181e;color:#dfe7ee}td,th,h2{border-color:#2c3945}"
     ".bad{color:#ff8087}.good{color:#6fcf97}rect{fill:#6ea3dc}svg text,figcaption{fill:#9fb0bf;color:#9fb0bf}}";

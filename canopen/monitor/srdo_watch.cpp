@@ -46,7 +46,8 @@ void TimeStatistics::Add(const Time time) noexcept
     ++count;
     sum += static_cast<long double>(time);
     const Time width = std::max<Time>(limit / static_cast<Time>(kBinsToLimit), 1);
-    const auto bin = static_cast<std::size_t>(std::max<Time>(time, 0) / width);
+    // The limit itself is kept: a bin holds its upper end.
+    const auto bin = static_cast<std::size_t>(std::max<Time>(time - 1, 0) / width);
     ++bins.at(std::min(bin, kBins - 1U));
 }
 

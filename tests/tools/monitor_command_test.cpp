@@ -6,9 +6,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstdlib>
 #include <string>
+#include <sys/wait.h>
 #include <thread>
 
 namespace counterpoint::tools
@@ -129,6 +132,29 @@ TEST_F(MonitorCommandTest, BadInputIsOneLine)
     const Answer other = RunCommand({"monitor", "--can", "nothing:here", "--dcf", Example("sensor")});
     EXPECT_EQ(other.status, 2);
     EXPECT_EQ(std::count(other.err.begin(), other.err.end(), '\n'), 1) << other.err;
+}
+
+TEST_F(MonitorCommandTest, WhatIsNoFileIsRefused)
+{
+    Verifies(req::SRS_MON_001);
+    for (const std::string& path : {std::string("/dev/zero"), Path(""), Path("none.log")})
+    {
+        const Answer answer = Monitor({path});
+        EXPECT_EQ(answer.status, 2) << path;
+        EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+    }
+}
+
+TEST_F(MonitorCommandTest, WiresharkShowsSrdoAndGfc)
+{
+    Verifies(req::SRS_MON_015);
+    const std::string source = cia306::test::SourceFolder();
+    const int status = std::system((source + "/tests/tools/wireshark_test.sh " + source).c_str());
+    if (WEXITSTATUS(status) == 77)
+    {
+        GTEST_SKIP() << "tshark is not installed";
+    }
+    EXPECT_EQ(status, 0);
 }
 
 TEST_F(MonitorCommandTest, WatchesALiveBus)

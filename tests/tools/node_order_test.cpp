@@ -151,6 +151,7 @@ TEST_F(NodeCommandTest, BadInputIsOneLineAndStatus2)
         {"--can", bus, "--dcf", minimal},
         {"--can", bus, "--dcf", sensor, "--node-id", "128"},
         {"--can", bus, "--dcf", sensor, "--cycle-us", "99"},
+        {"--can", bus, "--dcf", sensor, "--cycle-us", "25001"},
         {"--can", bus, "--dcf", sensor, "--script", Path("missing.yaml")},
         {"--can", bus, "--dcf", sensor, "--script",
          File("rule.yaml", "logic: [{set: 0x2200:01, op: copy, from: [0x2000:01]}]")},

@@ -1,10 +1,12 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "hal/host/live_bus.hpp"
 #include "tests/tools/node_process.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <csignal>
 #include <cstdio>
 #include <memory>
+#include <unistd.h>
 
 // Devices of the shipped DCFs as processes of their own, in real time, on one bus.
 namespace counterpoint::tools::test
@@ -98,6 +100,42 @@ TEST_F(NodeProcessTest, TwoNodesExchangePairs)
     EXPECT_EQ(sensor->WaitFor("nmt").event["state"], "operational");
     sensor->Type("state");
     EXPECT_EQ(sensor->WaitFor("state").event["srdos"][0]["state"], "producer");
+    sensor->Type("quit");
+    EXPECT_EQ(sensor->End(), 0);
+}
+
+TEST_F(NodeProcessTest, AFloodOfOtherFramesDoesNotDisturbPairs)
+{
+    Verifies(req::SRS_DEV_007);
+    Verifies(req::SRS_NODE_002);
+    Exchange();
+    // When somebody sends 5000 frames a second for two seconds: SDO, PDO, heartbeats, SYNC, SRDOs of others, wrong GFCs
+    const std::unique_ptr<host::LiveBus> bus = host::OpenLiveBus(OwnBus());
+    const std::uint64_t until_ns = NowNs() + 2000000000U;
+    std::uint32_t sent = 0U;
+    for (; NowNs() < until_ns; ::usleep(5000))
+    {
+        for (const std::uint32_t identifier : {0x602U, 0x202U, 0x705U, 0x080U, 0x105U, 0x17FU, 0x582U, 0x001U})
+        {
+            for (int count = 0; count < 4; ++count)
+            {
+                host::LiveFrame frame;
+                frame.identifier = identifier;
+                frame.length_bytes = 8U;
+                sent += (bus->Send(frame) == host::SendResult::kSent) ? 1U : 0U;
+            }
+        }
+        host::LiveFrame own;
+        while (bus->Receive(own))
+        {
+        }
+    }
+    // Then the output stayed open, and no error was seen
+    EXPECT_GT(sent, 5000U);
+    EXPECT_FALSE(controller->Tells([](const nlohmann::json& event)
+                                   { return event["event"] == "output" || event["event"] == "srdo_error"; }, 100));
+    controller->Type("state");
+    EXPECT_EQ(controller->WaitFor("state").event["srdos"][0]["state"], "released");
     sensor->Type("quit");
     EXPECT_EQ(sensor->End(), 0);
 }

@@ -218,6 +218,9 @@ TEST_F(Watch, StatisticsAndMargins)
     EXPECT_EQ(watch.Cycle().Mean(), 25 * kMillisecond);
     EXPECT_EQ(watch.Cycle().greatest, 30 * kMillisecond);
     EXPECT_EQ(watch.Cycle().limit - watch.Cycle().greatest, 20 * kMillisecond);
+    // 20 ms are the end of a bin of 1.25 ms, 30 ms another
+    EXPECT_EQ(watch.Cycle().bins.at(15), 1U);
+    EXPECT_EQ(watch.Cycle().bins.at(23), 1U);
     EXPECT_EQ(watch.Srvt().least, 100 * kMicrosecond);
     EXPECT_EQ(watch.Srvt().Mean(), 333333);
     EXPECT_EQ(watch.Srvt().greatest, 600 * kMicrosecond);
