@@ -78,7 +78,8 @@ TEST(Reports, JsonHoldsRecordingMeasurementAndVerdicts)
     // output 1 ms
     EXPECT_GE(measurement["elapsed_ns"], 45000000);
     EXPECT_LE(measurement["elapsed_ns"], 47500000);
-    EXPECT_GT(json["frames"].size(), 150U);
+    // Four a refresh time of 25 ms; the bit flipped by chance may silence the controller from 700 ms on.
+    EXPECT_GT(json["frames"].size(), 100U);
     EXPECT_GT(json["events"].size(), 100U);
 }
 
