@@ -78,7 +78,7 @@ NodeObjects::IsKernels KernelsOf(const DeviceConfig& config)
     return [&config](const std::uint16_t index, const std::uint8_t sub)
     {
         const bool is_safety = index >= cia301::kFirstKernelIndex && index <= cia301::kLastKernelIndex;
-        return is_safety || FindObject(config, {index, sub}) != nullptr;
+        return is_safety || FindObject(config, KeyOf({index, sub})) != nullptr;
     };
 }
 
