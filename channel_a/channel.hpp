@@ -43,6 +43,9 @@ class Channel final : public counterpoint::Channel
     void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept override;
 
   private:
+    /// @brief What a frame leads to that is awaited but wrong or too late.
+    [[nodiscard]] Confirmation GiveUp(const CanFrame& frame, SrdoCause cause) noexcept;
+
     Voice voice_;
 };
 

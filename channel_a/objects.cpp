@@ -61,26 +61,29 @@ struct Words
     std::uint8_t* high;
 };
 
-// The usual mapping goes without a loop; false: the data are of other objects.
+// Four bytes of an object; false: there is no such object, or it is of another length.
+inline bool FindWord(const DeviceConfig& config, const std::size_t place, std::uint8_t*& word) noexcept
+{
+    if ((place >= config.object_count) || (config.objects[place].length_bits != kBitsPerWord)) // MISRA D-002
+    {
+        return false;
+    }
+    word = config.objects[place].place; // MISRA D-002
+    return true;
+}
+
+// The usual mapping of a full frame goes without a loop; false: the data are of other objects.
 inline bool FindWords(const Voice& voice, const std::size_t slot, Words& words) noexcept
 {
-    const DeviceConfig& config = *voice.config;
     const std::uint16_t* const places = voice.storage.places + (slot * voice.storage.row); // MISRA D-002
-    const std::size_t first = places[kFirstEntry];                                         // MISRA D-002
-    const std::size_t second = places[kSecondWord];                                        // MISRA D-002
-    if ((first >= config.object_count) || (second >= config.object_count) ||
-        (At(voice, slot).length_bytes != kMaxPayloadBytes))
-    {
-        return false;
-    }
-    const MappableObject& low = config.objects[first];   // MISRA D-002
-    const MappableObject& high = config.objects[second]; // MISRA D-002
-    if ((low.length_bits != kBitsPerWord) || (high.length_bits != kBitsPerWord))
-    {
-        return false;
-    }
-    words = Words{low.place, high.place};
-    return true;
+    return FindWord(*voice.config, places[kFirstEntry], words.low) &&                      // MISRA D-002
+           FindWord(*voice.config, places[kSecondWord], words.high);                       // MISRA D-002
+}
+
+// Mode and length of a record at once.
+constexpr std::uint32_t Shape(const std::uint32_t mode, const std::uint32_t length_bytes) noexcept
+{
+    return mode | (length_bytes << kBitsPerByte);
 }
 
 template <std::uint32_t kPlace> constexpr std::uint8_t Octet(const std::uint64_t bits) noexcept
@@ -99,7 +102,7 @@ inline PreparedPair Send(Voice& voice, const std::size_t slot, const std::uint8_
 {
     Record& record = At(voice, slot);
     const Instant now = voice.now;
-    SetMode(record, kNormalAwaited);
+    StepMode(record, kProducer, kNormalAwaited);
     Demand(record, kInFlight);
     record.refreshed = kUnmarked;
     record.frame_since = now;
@@ -135,7 +138,7 @@ inline PreparedPair Send(Voice& voice, const std::size_t slot, const std::uint8_
 void WriteObjects(const Voice& voice, const std::size_t slot, const Payload& data) noexcept
 {
     Words words{};
-    if (!FindWords(voice, slot, words))
+    if ((At(voice, slot).length_bytes != kMaxPayloadBytes) || !FindWords(voice, slot, words))
     {
         static_cast<void>(Exchange(voice, slot, Way::kWrite, Joined(data.low, data.high)));
         return;
@@ -147,7 +150,9 @@ void WriteObjects(const Voice& voice, const std::size_t slot, const Payload& dat
 PreparedPair Channel::Prepare(const SlotIndex slot) noexcept
 {
     Words words{};
-    if ((At(voice_, slot).mode != kProducer) || !FindWords(voice_, slot, words))
+    const Record& record = At(voice_, slot);
+    if ((Shape(record.mode, record.length_bytes) != Shape(kProducer, kMaxPayloadBytes)) ||
+        !FindWords(voice_, slot, words))
     {
         return SendOther(voice_, slot);
     }

@@ -17,57 +17,60 @@ namespace
 
 constexpr Confirmation kNotOurs{kNoSlot, ConfirmStep::kNone};
 
-// Whether the frame is this half of the SRDO: 0 the normal, 1 the inverse one.
-inline bool IsHalf(const Record& record, const CanFrame& frame, const std::size_t half) noexcept
+// Whether the frame is the awaited half of the SRDO: 0 the normal, 1 the inverse one.
+inline bool IsAwaited(const Record& record, const CanFrame& frame, const std::uint32_t half) noexcept
 {
-    return (frame.identifier == record.values[kCobIdPlace + half]) && (frame.kind == FrameKind::kData);
+    return (frame.identifier == record.values[kCobIdPlace + half]) && (record.mode == (kNormalAwaited + half));
 }
 
-inline bool IsEcho(const Record& record, const CanFrame& frame, const std::uint64_t wrong) noexcept
+// Whether it says what is expected of this half.
+inline bool IsEcho(const Record& record, const CanFrame& frame, const std::uint32_t half) noexcept
 {
-    return (frame.length_bytes == record.length_bytes) && ((wrong & record.mapped) == 0U);
-}
-
-[[gnu::noinline]] Confirmation GiveUp(Record& record, const SrdoCause cause) noexcept
-{
-    Abort(record, cause);
-    return kNotOurs;
+    const std::uint64_t wrong =
+        BitsOf(frame) ^ Joined(record.held.low, record.held.high) ^ (std::uint64_t{0U} - std::uint64_t{half});
+    return ((wrong & record.mapped) == 0U) && (frame.length_bytes == record.length_bytes);
 }
 
 } // namespace
+
+// Finds the record anew and has its arguments where the caller has them, so that the common way has less to move.
+[[gnu::noinline]] Confirmation Channel::GiveUp(const CanFrame& frame, const SrdoCause cause) noexcept
+{
+    Abort(At(voice_, LookUp(voice_, frame.identifier)), cause);
+    return kNotOurs;
+}
 
 // Each of the two frames is awaited in a mode of its own; an identifier that is none of an SRDO is not that of the slot
 // that it leads to.
 Confirmation Channel::OnConfirm(const CanFrame& frame, const Instant stamp) noexcept
 {
     const std::size_t slot = LookUp(voice_, frame.identifier);
-    if (slot >= voice_.count)
+    if ((slot >= voice_.count) || (frame.kind != FrameKind::kData))
     {
         return kNotOurs;
     }
     Record& record = At(voice_, slot);
-    const std::uint64_t wrong = BitsOf(frame) ^ Joined(record.held.low, record.held.high);
-    if ((record.mode == kNormalAwaited) && IsHalf(record, frame, 0U))
+    if (IsAwaited(record, frame, 0U))
     {
-        if (!IsEcho(record, frame, wrong))
+        if (!IsEcho(record, frame, 0U))
         {
-            return GiveUp(record, SrdoCause::kWrongEcho);
+            return GiveUp(frame, SrdoCause::kWrongEcho);
         }
-        SetMode(record, kInverseAwaited);
+        StepMode(record, kNormalAwaited, kInverseAwaited);
         record.frame_since = stamp;
         return Confirmation{static_cast<SlotIndex>(slot), ConfirmStep::kNormal};
     }
-    if ((record.mode == kInverseAwaited) && IsHalf(record, frame, 1U))
+    if (IsAwaited(record, frame, 1U))
     {
-        if (!IsEcho(record, frame, ~wrong))
+        if (!IsEcho(record, frame, 1U))
         {
-            return GiveUp(record, SrdoCause::kWrongEcho);
+            return GiveUp(frame, SrdoCause::kWrongEcho);
         }
         if ((stamp.us - record.frame_since.us) > SrvtUs(record))
         {
-            return GiveUp(record, SrdoCause::kNoConfirmation);
+            return GiveUp(frame, SrdoCause::kNoConfirmation);
         }
-        SetMode(record, kProducer);
+        StepMode(record, kInverseAwaited, kProducer);
         record.todo = static_cast<std::uint8_t>(record.todo & ~kInFlight);
         ++record.ordinal;
         return Confirmation{static_cast<SlotIndex>(slot), ConfirmStep::kPair};

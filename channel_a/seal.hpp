@@ -15,7 +15,7 @@ namespace counterpoint::channel_a
 /// @brief The sealed bytes in one word.
 [[nodiscard]] inline std::uint32_t SealedBytes(const Record& record) noexcept
 {
-    return WordOf(record.mode, static_cast<std::uint8_t>(record.first_cause), record.direction, record.length_bytes);
+    return WordOf(record.mode, record.length_bytes, static_cast<std::uint8_t>(record.first_cause), record.direction);
 }
 
 [[nodiscard]] inline bool IsSealed(const Record& record) noexcept
@@ -34,6 +34,13 @@ inline void FlipMode(Record& record, const std::uint32_t bits) noexcept
 {
     record.seal[kModeSeal] = static_cast<std::uint8_t>(record.seal[kModeSeal] ^ bits);
     record.mode = static_cast<std::uint8_t>(record.mode ^ bits);
+}
+
+/// @brief From a mode that the record was just found in.
+inline void StepMode(Record& record, const std::uint32_t from, const std::uint32_t mode) noexcept
+{
+    record.seal[kModeSeal] = static_cast<std::uint8_t>(record.seal[kModeSeal] ^ from ^ mode);
+    record.mode = static_cast<std::uint8_t>(mode);
 }
 
 inline void SetFirstCause(Record& record, const SrdoCause cause) noexcept

@@ -35,9 +35,9 @@ constexpr std::uint32_t kInFlight = 0x02U; ///< In every cycle until the pair is
 
 /// Places in Record::seal.
 constexpr std::size_t kModeSeal = 0U;
-constexpr std::size_t kCauseSeal = 1U;
-constexpr std::size_t kDirectionSeal = 2U;
-constexpr std::size_t kLengthSeal = 3U;
+constexpr std::size_t kLengthSeal = 1U;
+constexpr std::size_t kCauseSeal = 2U;
+constexpr std::size_t kDirectionSeal = 3U;
 constexpr std::size_t kSealCount = 4U;
 
 /// Places of the fields in Record::values, but for the direction, which is a part of the sealed bytes, and the mapping,
@@ -66,7 +66,7 @@ constexpr std::uint8_t kMarked = 0xA6U;
 constexpr std::uint8_t kUnmarked = 0U;
 
 /// Everything of one SRDO. Invariants between two calls:
-/// - `seal` is the complement of mode, first_cause, direction and length_bytes. Every change of one of them changes the
+/// - `seal` is the complement of mode, length_bytes, first_cause and direction. Every change of one of them changes the
 ///   seal by the same bits; a flipped bit therefore never gets lost, the record stays unsealed until Restart.
 /// - `since` is the stamp of the pending normal frame (limit SRVT), else that of the held pair's normal frame (limit
 ///   SCT); with late detection always the latter (no limit without a held pair). Of a producer that is called it is the
@@ -78,9 +78,9 @@ constexpr std::uint8_t kUnmarked = 0U;
 struct alignas(16) Record
 {
     std::uint8_t mode;
+    std::uint8_t length_bytes; ///< Beside the mode: the two are compared at once.
     SrdoCause first_cause;
     std::uint8_t direction;
-    std::uint8_t length_bytes;
     std::uint8_t seal[kSealCount]; // MISRA D-001
     Instant since;
     std::uint32_t limit_us;
