@@ -59,6 +59,8 @@ void Channel::Restart(const DeviceConfig& config) noexcept
 {
     const Column<const SrdoSetup> setups{config.srdos};
     x_config = &config;
+    x_objects = Column<const MappableObject>{config.objects};
+    x_object_count = config.object_count;
     x_count = (config.srdo_count < x_storage.capacity) ? config.srdo_count : x_storage.capacity;
     x_map_entries = (config.map_entries < x_storage.map_entries) ? config.map_entries : x_storage.map_entries;
     x_port[0U] = config.inverse_port;

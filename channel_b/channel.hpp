@@ -112,6 +112,7 @@ class Channel final : public counterpoint::Channel
     // producer.cpp
     [[nodiscard]] [[gnu::noinline]] PreparedPair PrepareSlowly(SlotIndex slot) const noexcept;
     [[nodiscard]] [[gnu::always_inline]] PreparedPair Launch(Row& row, std::uint64_t data) const noexcept;
+    [[nodiscard]] [[gnu::noinline]] Confirmation Doubt(const CanFrame& frame) const noexcept;
     void ServeProducer(Row& row, Half& half) const noexcept;
     void AdvanceProvider(Row& row) const noexcept;
     void AdvanceApplication(Row& row) const noexcept;
@@ -145,6 +146,9 @@ class Channel final : public counterpoint::Channel
 
     Storage x_storage;
     const DeviceConfig* x_config{nullptr};
+    Column<const MappableObject> x_objects{nullptr}; ///< Of the configuration.
+    std::size_t x_object_count{0U};
+    std::uint32_t x_count{0U};       ///< Slots.
     HalfMask x_levels[kHalves]{};    ///< Acknowledge inputs of the last OnCycle. MISRA D-001
     HalfMask x_released[kHalves]{};  ///< Released by the last OnCycle, and no fault since. MISRA D-001
     HalfMask x_committed[kHalves]{}; ///< The objects hold a released pair. MISRA D-001
@@ -156,8 +160,7 @@ class Channel final : public counterpoint::Channel
     std::uint32_t x_active_us{0U};   ///< Since entering OPERATIONAL.
     std::uint32_t x_late_us{0U};     ///< Longest time since the last OnCycle that is not late.
     std::uint32_t x_cycle{0U};
-    CanPortId x_port[2U]{}; ///< Of the inverse frames, of the normal frames. MISRA D-001
-    std::uint8_t x_count{0U};
+    CanPortId x_port[2U]{};         ///< Of the inverse frames, of the normal frames. MISRA D-001
     std::uint8_t x_map_entries{0U}; ///< Of each dynamic mapping.
 };
 

@@ -148,7 +148,7 @@ bool Channel::IsIdentifierInUse(SlotIndex slot) const noexcept
 {
     const std::uint32_t normal = WordAt(x_storage.rows[slot], kCobId1At);
     bool is_in_use = false;
-    for (SlotIndex other = 0U; other < x_count; ++other)
+    for (std::uint32_t other = 0U; other < x_count; ++other)
     {
         // Ours are `normal` and the next one, so that a modular distance of 0 or 1 is one of them.
         const Row& row = x_storage.rows[other];

@@ -154,7 +154,7 @@ void Channel::Serve(SlotIndex slot, Row& row, Half& half) noexcept
 /// was; the others are busy.
 void Channel::Spend(SlotIndex first, Half& half) const noexcept
 {
-    const std::uint32_t above = std::uint32_t{x_count} - first;
+    const std::uint32_t above = x_count - first;
     const std::uint32_t count = (above < kSlotsInHalf) ? above : kSlotsInHalf; // At least one.
     const HalfMask beyond = HalfMask{2U} << (count - 1U);
     const std::uint32_t elapsed_us = x_elapsed_us;

@@ -115,8 +115,14 @@ static_assert(kLookUpBytes == kSrdoIdentifierCount, "one byte an identifier");
 /// Slot to which the identifier leads; no existing slot if to none.
 [[nodiscard]] inline SlotIndex LookUp(const Storage& storage, const CanFrame& frame) noexcept
 {
-    const std::uint32_t offset = frame.identifier - kFirstSrdoIdentifier;
+    const std::size_t offset = std::size_t{frame.identifier} - kFirstSrdoIdentifier;
     return (offset < kSrdoIdentifierCount) ? storage.slot_of[offset] : kNoSlot;
+}
+
+/// Whether it is not the frame in flight, whatever its data. [SRS-PROD-007]
+[[nodiscard]] inline bool IsOther(const Row& row, const CanFrame& frame) noexcept
+{
+    return (frame.identifier != row.awaited.identifier) || (frame.kind != FrameKind::kData);
 }
 
 [[nodiscard]] inline bool HasNews(const Row& row, std::uint32_t bits) noexcept

@@ -54,13 +54,12 @@ Channel::Mapping Channel::MappingOf(SlotIndex slot) const noexcept
 /// The first object that is not before the one that the entry names.
 std::uint32_t Channel::Find(std::uint32_t entry) const noexcept
 {
-    const Column<const MappableObject> objects{x_config->objects};
     std::uint32_t low = 0U;
-    std::uint32_t high = x_config->object_count;
+    std::uint32_t high = static_cast<std::uint32_t>(x_object_count);
     while (low < high) // Halves at each turn: at most 11 for 1024 objects.
     {
         const std::uint32_t middle = (low + high) / 2U;
-        if ((EntryOf(objects[middle]) >> 8U) < (entry >> 8U))
+        if ((EntryOf(x_objects[middle]) >> 8U) < (entry >> 8U))
         {
             low = middle + 1U;
         }
@@ -101,8 +100,6 @@ std::uint32_t Channel::WordsOf(const Mapping& mapping) noexcept
 /// static mapping one behind the other from the registered fields on.
 bool Channel::IsTableRight(SlotIndex slot, const Mapping& mapping) const noexcept
 {
-    const Column<const MappableObject> objects{x_config->objects};
-    const std::uint32_t object_count = x_config->object_count;
     const bool is_sent = x_storage.rows[slot].image[kDirectionAt] == kDirectionProducer;
     const std::uint32_t access = static_cast<std::uint32_t>(is_sent ? MapAccess::kProducer : MapAccess::kConsumer);
     const std::uint8_t* next[2U] = {x_storage.fields[slot].normal, x_storage.fields[slot].inverse}; // MISRA D-001
@@ -112,12 +109,12 @@ bool Channel::IsTableRight(SlotIndex slot, const Mapping& mapping) const noexcep
         const std::uint32_t entry = mapping.entries[index];
         const bool is_static = IsStatic(mapping);
         const std::uint32_t place = is_static ? Find(entry) : mapping.table[index];
-        if (place >= object_count)
+        if (place >= x_object_count)
         {
             flaws |= static_cast<std::uint32_t>(!IsDummy(entry)) | (place ^ kDummyPlace);
             continue;
         }
-        const MappableObject& object = objects[place];
+        const MappableObject& object = x_objects[place];
         flaws |= (EntryOf(object) ^ entry) | (static_cast<std::uint32_t>(object.access) ^ access);
         if (is_static)
         {

@@ -41,15 +41,14 @@ namespace
 /// place, leaves its bits out.
 std::uint64_t Channel::ExchangeFrom(SlotIndex slot, std::uint32_t from, std::uint64_t data, Way way) const noexcept
 {
-    const Column<const MappableObject> objects{x_config->objects};
     const Mapping mapping = MappingOf(slot);
     std::uint64_t word = data;
     for (std::uint32_t index = from; index < mapping.count; index += 2U)
     {
         const std::uint32_t entry = mapping.entries[index];
         const std::uint32_t at = IsStatic(mapping) ? Find(entry) : mapping.table[index];
-        const bool is_object = at < x_config->object_count;
-        word = is_object ? ExchangeBits(objects[at], word, way == Way::kRead) : Turned(word, entry);
+        const bool is_object = at < x_object_count;
+        word = is_object ? ExchangeBits(x_objects[at], word, way == Way::kRead) : Turned(word, entry);
     }
     return Turned(word, 64U - x_storage.rows[slot].length_bits);
 }
@@ -60,11 +59,10 @@ void Channel::WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept
     const Row& row = x_storage.rows[slot];
     const std::size_t low = row.words & 0xFFFFU;
     const std::size_t high = row.words >> 16U;
-    if (((low < high) ? high : low) < x_config->object_count)
+    if (((low < high) ? high : low) < x_object_count)
     {
-        const Column<const MappableObject> objects{x_config->objects};
-        const MappableObject& first = objects[low];
-        const MappableObject& second = objects[high];
+        const MappableObject& first = x_objects[low];
+        const MappableObject& second = x_objects[high];
         if ((first.length_bits == kFourBytes) && (second.length_bits == kFourBytes))
         {
             UnpackFourBytes(PartOf(data, 0U), first.place);

@@ -16,8 +16,13 @@ constexpr std::uint32_t kJustSpent = 0xFFFFFFFFU;
 /// No phase and no refresh lasts longer: 2^27 us are 134 s. What is above is below zero.
 constexpr std::uint32_t kLongestPhase = 0x07FFFFFFU;
 
-constexpr Confirmation kNoConfirmation{kNoSlot, ConfirmStep::kNone};
 constexpr CanFrame kNoFrame{0U, FrameKind::kInvalid, CanPortId::kInvalid, 0U, {}};
+
+/// A function of its own, so that the compiler keeps the answer in one register.
+[[nodiscard]] inline Confirmation Told(std::size_t slot, ConfirmStep step) noexcept
+{
+    return Confirmation{static_cast<SlotIndex>(slot), step};
+}
 
 } // namespace
 
@@ -30,11 +35,11 @@ constexpr CanFrame kNoFrame{0U, FrameKind::kInvalid, CanPortId::kInvalid, 0U, {}
     row.stage = Stage::kPrepared;
     row.left = SrvtUs(row);
     row.limit = row.left;
-    ClearNews(row, kRequested | kRefreshDue);
     if (HasNews(row, kSilence))
     {
         row.phase_left = SctUs(row) + x_late_us;
     }
+    ClearNews(row, kRequested | kRefreshDue);
     return PreparedPair{row.awaited, PrepareStatus::kReady};
 }
 
@@ -55,11 +60,10 @@ PreparedPair Channel::Prepare(SlotIndex slot) noexcept
     }
     const std::size_t low = row.words & 0xFFFFU;
     const std::size_t high = row.words >> 16U;
-    if (((low < high) ? high : low) < x_config->object_count)
+    if (((low < high) ? high : low) < x_object_count)
     {
-        const Column<const MappableObject> objects{x_config->objects};
-        const MappableObject& first = objects[low];
-        const MappableObject& second = objects[high];
+        const MappableObject& first = x_objects[low];
+        const MappableObject& second = x_objects[high];
         if ((first.length_bits == kFourBytes) && (second.length_bits == kFourBytes))
         {
             return Launch(row, ~Join(PackFourBytes(first.place), PackFourBytes(second.place)));
@@ -79,43 +83,55 @@ CanFrame Channel::InverseFrame(SlotIndex slot) noexcept
     return row.awaited;
 }
 
-/// One way for both frames of a pair; behind the length anything may be. [SRS-PROD-007, SRS-PROD-008]
-Confirmation Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
+/// Another frame, or a wrong echo.
+Confirmation Channel::Doubt(const CanFrame& frame) const noexcept
 {
     const SlotIndex slot = LookUp(x_storage, frame);
+    if ((slot >= x_count) || IsOther(x_storage.rows[slot], frame))
+    {
+        return Confirmation{kNoSlot, ConfirmStep::kNone};
+    }
+    return Fail(x_storage.rows[slot], SrdoCause::kWrongEcho);
+}
+
+/// One way for both frames of a pair; behind the length anything may be. What is not as awaited takes the way of
+/// faults. [SRS-PROD-007, SRS-PROD-008]
+Confirmation Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
+{
+    const std::size_t offset = std::size_t{frame.identifier} - kFirstSrdoIdentifier;
+    if (offset >= kSrdoIdentifierCount)
+    {
+        return Doubt(frame);
+    }
+    const std::size_t slot = x_storage.slot_of[offset];
     if (slot >= x_count)
     {
-        return kNoConfirmation;
+        return Doubt(frame);
     }
     Row& row = x_storage.rows[slot];
-    if ((frame.identifier != row.awaited.identifier) || (frame.kind != FrameKind::kData))
-    {
-        return kNoConfirmation;
-    }
     const std::uint64_t data = PackBytes(&row.awaited.data[0]);
     const std::uint64_t different = (PackBytes(&frame.data[0]) ^ data) & row.mask;
-    SrdoCause objection = SrdoCause::kWrongEcho;
-    if ((different == 0U) && (frame.length_bytes == row.awaited.length_bytes))
+    if (IsOther(row, frame) || (different != 0U) || (frame.length_bytes != row.awaited.length_bytes))
     {
-        const std::uint32_t since_call = stamp.us - x_last_us;
-        if (row.stage == Stage::kPrepared)
-        {
-            UnpackBytes(~data & row.mask, &row.awaited.data[0]);
-            row.awaited.identifier = OwnIdentifier(row, 0U);
-            row.awaited.port = x_port[0U];
-            row.stage = Stage::kToSend;
-            row.left = row.limit + since_call; // SRVT anew.
-            return Confirmation{slot, ConfirmStep::kNormal};
-        }
-        if ((row.left - since_call) <= row.limit)
-        {
-            row.ordinal += 1U;
-            Ground(row, Stage::kIdle);
-            return Confirmation{slot, ConfirmStep::kPair};
-        }
-        objection = SrdoCause::kNoConfirmation;
+        return Doubt(frame);
     }
-    return Fail(row, objection);
+    const std::uint32_t since_call = stamp.us - x_last_us;
+    if (row.stage == Stage::kPrepared)
+    {
+        UnpackBytes(data ^ row.mask, &row.awaited.data[0]); // Behind the length both frames are 0.
+        row.awaited.identifier = OwnIdentifier(row, 0U);
+        row.awaited.port = x_port[0U];
+        row.stage = Stage::kToSend;
+        row.left = row.limit + since_call; // SRVT anew.
+        return Told(slot, ConfirmStep::kNormal);
+    }
+    if ((row.left - since_call) > row.limit)
+    {
+        return Fail(row, SrdoCause::kNoConfirmation);
+    }
+    row.ordinal += 1U;
+    Ground(row, Stage::kIdle);
+    return Told(slot, ConfirmStep::kPair);
 }
 
 void Channel::OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept
