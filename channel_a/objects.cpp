@@ -121,18 +121,6 @@ inline PreparedPair Send(Voice& voice, const std::size_t slot, const std::uint8_
                         PrepareStatus::kReady};
 }
 
-[[gnu::noinline]] PreparedPair SendOther(Voice& voice, const std::size_t slot) noexcept
-{
-    if (At(voice, slot).mode != kProducer)
-    {
-        PreparedPair none{};
-        none.status = PrepareStatus::kNotProducer;
-        return none;
-    }
-    Hold(At(voice, slot), Exchange(voice, slot, Way::kRead, 0U));
-    return Send(voice, slot, At(voice, slot).length_bytes);
-}
-
 } // namespace
 
 void WriteObjects(const Voice& voice, const std::size_t slot, const Payload& data) noexcept
@@ -147,6 +135,18 @@ void WriteObjects(const Voice& voice, const std::size_t slot, const Payload& dat
     PutWord(words.high, data.high);
 }
 
+[[gnu::noinline]] PreparedPair Channel::PrepareOther(const SlotIndex slot) noexcept
+{
+    if (At(voice_, slot).mode != kProducer)
+    {
+        PreparedPair none{};
+        none.status = PrepareStatus::kNotProducer;
+        return none;
+    }
+    Hold(At(voice_, slot), Exchange(voice_, slot, Way::kRead, 0U));
+    return Send(voice_, slot, At(voice_, slot).length_bytes);
+}
+
 PreparedPair Channel::Prepare(const SlotIndex slot) noexcept
 {
     Words words{};
@@ -154,7 +154,7 @@ PreparedPair Channel::Prepare(const SlotIndex slot) noexcept
     if ((Shape(record.mode, record.length_bytes) != Shape(kProducer, kMaxPayloadBytes)) ||
         !FindWords(voice_, slot, words))
     {
-        return SendOther(voice_, slot);
+        return PrepareOther(slot);
     }
     Hold(At(voice_, slot), Joined(WordAt(words.low), WordAt(words.high)));
     return Send(voice_, slot, kMaxPayloadBytes);

@@ -33,7 +33,7 @@ inline bool IsEcho(const Record& record, const CanFrame& frame, const std::uint3
 
 } // namespace
 
-// Finds the record anew and has its arguments where the caller has them, so that the common way has less to move.
+// Finds the record anew.
 [[gnu::noinline]] Confirmation Channel::GiveUp(const CanFrame& frame, const SrdoCause cause) noexcept
 {
     Abort(At(voice_, LookUp(voice_, frame.identifier)), cause);
