@@ -19,14 +19,16 @@ import sys
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "verification/target"))
+sys.path[:0] = [str(ROOT / "verification/target"), str(ROOT / "verification/bench")]
+import callgrind_dumps  # noqa: E402
 import emulator  # noqa: E402
 import objects  # noqa: E402
 import target_build  # noqa: E402
 
 RESULTS = ROOT / "build/bench"
 SCENARIO = ROOT / "verification/bench/long_run.yaml"
-LABEL = re.compile(r"item=(\w+) srdos=(\d+) repetitions=(\d+)")
+# What the bench does itself, its driver, output and application among it, is not of the product.
+IS_BENCH = re.compile("counterpoint::bench::")
 TARGET_LINE = re.compile(r"item=(\w+) srdos=(\d+) repetitions=(\d+) instructions=(\d+)")
 RAM_LINE = re.compile(r"ram=(\w+) bytes=(\d+)")
 # How often Begin and End of the meter are called in one repetition of an item; what they count of themselves is taken off.
@@ -52,17 +54,15 @@ def run(*command, **options):
 
 
 def sums_on_host(program):
-    """(item, srdos) -> (repetitions, instructions) from callgrind's dumps."""
+    """(item, srdos) -> (repetitions, instructions) of the product's functions, from callgrind's dumps."""
     for old in RESULTS.glob("callgrind.out*"):
         old.unlink()
     run("valgrind", "--tool=callgrind", "--collect-atstart=no", f"--callgrind-out-file={RESULTS}/callgrind.out", program)
     sums = {}
     for path in RESULTS.glob("callgrind.out.*"):
-        text = path.read_text(encoding="utf-8")
-        label = LABEL.search(text)
-        total = re.search(r"^(?:totals|summary): (\d+)", text, re.MULTILINE)
-        if label and total:
-            sums[(label.group(1), int(label.group(2)))] = (int(label.group(3)), int(total.group(1)))
+        label, repetitions, costs_by_function = callgrind_dumps.own_costs(path)
+        if label:
+            sums[label] = (repetitions, sum(cost for name, cost in costs_by_function.items() if not IS_BENCH.match(name)))
     return sums
 
 

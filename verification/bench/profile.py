@@ -9,36 +9,11 @@ Exit status: 0, or 2 if there is no such dump.
 import argparse
 import collections
 import pathlib
-import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-LABEL = re.compile(r"item=(\w+) srdos=(\d+) repetitions=(\d+)")
-FUNCTION = re.compile(r"^(c?fn)=\((\d+)\)(?: (.*))?$")
-COST = re.compile(r"^[+\-*\d]\S* (\d+)$")
-
-
-def own_costs(path):
-    """Label, and instructions of each function itself in one repetition. A line after calls= is cost of the callee."""
-    names, costs = {}, collections.Counter()
-    label, current, of_callee = None, None, False
-    for line in path.read_text(encoding="utf-8").splitlines():
-        label = label or LABEL.search(line)
-        function, cost = FUNCTION.match(line), COST.match(line)
-        if function:
-            if function.group(3):
-                names[function.group(2)] = function.group(3)
-            if function.group(1) == "fn":
-                current = function.group(2)
-        elif line.startswith("calls="):
-            of_callee = True
-        elif cost and of_callee:
-            of_callee = False
-        elif cost:
-            costs[current] += int(cost.group(1))
-    if label is None:
-        return None, {}
-    return (label.group(1), label.group(2)), {names[key]: value / int(label.group(3)) for key, value in costs.items()}
+sys.path.insert(0, str(ROOT / "verification/bench"))
+import callgrind_dumps  # noqa: E402
 
 
 def main():
@@ -46,10 +21,13 @@ def main():
     parser.add_argument("item")
     parser.add_argument("minus", nargs="?")
     parser.add_argument("times", nargs="?", type=int, default=1)
-    parser.add_argument("--srdos", default="64")
+    parser.add_argument("--srdos", type=int, default=64)
     parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "build/bench")
     arguments = parser.parse_args()
-    dumps = dict(own_costs(path) for path in arguments.folder.glob("callgrind.out.*"))
+    dumps = {}
+    for path in arguments.folder.glob("callgrind.out.*"):
+        label, repetitions, costs = callgrind_dumps.own_costs(path)
+        dumps[label] = {name: cost / repetitions for name, cost in costs.items()} if label else {}
     wanted = [arguments.item] + ([arguments.minus] if arguments.minus else [])
     for item in wanted:
         if (item, arguments.srdos) not in dumps:

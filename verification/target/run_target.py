@@ -32,10 +32,12 @@ ELF_FLAGS = {"be8": 0x5800400, "be32": 0x5000400}
 # What a fault must print, by the argument that asks the self test for it; None: the time limit ends the run.
 FAULTS = {"undefined": "FAILURE: undefined instruction at 0x", "data": "FAILURE: data abort at 0x",
           "pure": "FAILURE: pure virtual call", "hang": None}
-STACK_ENTRIES = ["counterpoint::Kernel::" + name for name in (
-    "Start(", "OnFrame(", "OnConfirm(", "OnOverflow(", "Cycle(", "SetNmtState(", "ReadObject(", "WriteObject(", "Send(",
-    "SendGfc(", "CheckConfiguration(", "Sign(", "GetState(", "DemandSafeState(", "DeviceState(", "DemotionCount(",
-    "LastVerdict(")]
+# The rest of the facade is inline and forwards: its depth is that of what it forwards to.
+STACK_ENTRIES = ["counterpoint::" + name for name in (
+    "Kernel::Start(", "Kernel::OnFrame(", "Kernel::OnConfirm(", "Kernel::Cycle(", "Kernel::SetNmtState(", "Kernel::Send(",
+    "Kernel::SendGfc(", "Kernel::CheckConfiguration(", "Kernel::Sign(", "Kernel::GetState(", "Kernel::GetStatus(",
+    "Kernel::SetStatus(", "Kernel::GetParameters(", "Kernel::GetMapped(", "Kernel::DefineStaticFields(",
+    "ConfigurationGuard::Read(", "ConfigurationGuard::Write(", "SafeStateLatch::Enter(", "SafeStateLatch::Report(")]
 
 
 class Report:

@@ -7,17 +7,31 @@ port=$((20000 + ($$ % 10000) * 4))
 log=$(mktemp) || exit 2
 trap 'rm -f "$log"' EXIT
 
-"$program" --role b --port "$port" --seconds 4.5 > "$log" &
-b=$!
-"$program" --role a --port "$port" --seconds 7 --expect-loss
-a_status=$?
-wait "$b"
-b_status=$?
-cat "$log"
-if [ "$a_status" -ne 0 ] || [ "$b_status" -ne 0 ]; then
-    echo "two_processes_test: exit status of A is $a_status and of B $b_status, expected 0 and 0"
-    exit 1
-fi
+# One run of both; its output is in the log.
+run_pair()
+{
+    "$program" --role b --port "$port" --seconds 4.5 > "$log" &
+    b=$!
+    "$program" --role a --port "$port" --seconds 7 --expect-loss
+    a_status=$?
+    wait "$b"
+    b_status=$?
+    cat "$log"
+    [ "$a_status" -eq 0 ] && [ "$b_status" -eq 0 ]
+}
+
+# Real time on a machine that is not a real-time system: a process that is not scheduled for 100 ms finds itself late, and
+# is right. Such a run is repeated, twice at most.
+attempt=1
+until run_pair; do
+    if [ "$attempt" -eq 3 ]; then
+        echo "two_processes_test: exit status of A is $a_status and of B $b_status, expected 0 and 0, in $attempt attempts"
+        exit 1
+    fi
+    echo "two_processes_test: attempt $attempt: exit status of A is $a_status and of B $b_status; once more"
+    attempt=$((attempt + 1))
+    port=$((port + 4))
+done
 
 # A port that is taken is bad input: one line, status 2.
 "$program" --role a --port "$port" --seconds 3 > /dev/null &
