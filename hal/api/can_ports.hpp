@@ -40,7 +40,16 @@ class CanPorts
 {
   public:
     /// @brief Takes a frame for transmission on frame.port. O(1) [SRS-HAL-001]
-    [[nodiscard]] TransmitStatus Transmit(const CanFrame& frame) noexcept;
+    [[nodiscard]] TransmitStatus Transmit(const CanFrame& frame) noexcept
+    {
+        const bool sendable = IsSendable(frame);
+        const bool port_known = IsPort(frame.port);
+        if (sendable && port_known)
+        {
+            return DoTransmit(frame);
+        }
+        return TransmitStatus::kRefused;
+    }
     [[nodiscard]] virtual CanGuarantees Guarantees() const noexcept = 0;
 
     CanPorts(const CanPorts&) = delete;
@@ -53,6 +62,19 @@ class CanPorts
     ~CanPorts() noexcept = default;
 
   private:
+    /// A data frame of 11 bits of identifier and at most 8 bytes.
+    [[nodiscard]] static bool IsSendable(const CanFrame& frame) noexcept
+    {
+        return (frame.kind == FrameKind::kData) && (frame.identifier <= kGreatestIdentifier) &&
+               (frame.length_bytes <= kMaxPayloadBytes);
+    }
+    [[nodiscard]] static bool IsPort(const CanPortId port) noexcept
+    {
+        return (port == CanPortId::kFirst) || (port == CanPortId::kSecond);
+    }
+
+    static constexpr std::uint32_t kGreatestIdentifier = 0x7FFU;
+
     [[nodiscard]] virtual TransmitStatus DoTransmit(const CanFrame& frame) noexcept = 0;
 };
 
