@@ -57,7 +57,7 @@ struct KeySpec
     const char* example;
     const char* meaning;
 };
-inline constexpr const char* kNeeded = "needed";
+inline constexpr char kNeeded[] = "needed"; // One array for the whole program: it is told by its place.
 
 /// A map of the format. Fault kinds and expectations have a section each, with the keys of `parents` before their own.
 struct SectionSpec

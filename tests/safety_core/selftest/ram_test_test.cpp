@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -52,6 +53,7 @@ class RamTestTest : public ::testing::Test
         }
         return true;
     }
+    void TestLiveStack();
 
     std::vector<hal::MemorySpan> spans{{0x1000U, 16U}};
     host::ArrayMemory cells{0x1000U, 16U};
@@ -158,10 +160,8 @@ TEST_F(RamTestTest, WindowsNearTheStackPositionAreLeftOutAndCounted)
     EXPECT_FALSE(is_left_out(0x07FCU));
 }
 
-TEST_F(RamTestTest, LiveStackOfThisThreadIsTestedWithoutHarm)
+void RamTestTest::TestLiveStack()
 {
-    Verifies(req::SRS_STS_010);
-    Verifies(req::SRS_STS_013);
     // Given the stack that is running, from 16 KiB below to 4 KiB above
     const auto live_memory = std::make_unique<host::HostMemory>();
     host::HostMemory& live = *live_memory;
@@ -186,6 +186,26 @@ TEST_F(RamTestTest, LiveStackOfThisThreadIsTestedWithoutHarm)
     EXPECT_EQ(local[0] + (10U * local[1]) + (100U * local[2]) + (1000U * local[3]), 4321U);
     EXPECT_GE(test.LeftOut(), 256U);
     EXPECT_LE(test.LeftOut(), 270U);
+}
+
+/// Calls `then` far below the stack's end, so that what is looked at above it is stack as well.
+void CallDeep(const std::uint32_t levels, const std::function<void()>& then)
+{
+    if (levels == 0U)
+    {
+        then();
+        return;
+    }
+    volatile std::uint32_t left = levels - 1U;
+    CallDeep(left, then);
+    left = 0U;
+}
+
+TEST_F(RamTestTest, LiveStackOfThisThreadIsTestedWithoutHarm)
+{
+    Verifies(req::SRS_STS_010);
+    Verifies(req::SRS_STS_013);
+    CallDeep(256U, [this] { TestLiveStack(); });
 }
 
 TEST_F(RamTestTest, WhatCannotBeUsedHasNoSlices)
