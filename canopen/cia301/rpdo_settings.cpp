@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Objects of the RPDOs: 1400h.. and 1600h..
 #include "canopen/cia301/cob_id.hpp"
+#include "canopen/cia301/pdo_settings.hpp"
 #include "canopen/cia301/rpdo.hpp"
 
 namespace counterpoint::cia301
@@ -9,23 +10,11 @@ namespace
 {
 
 constexpr std::uint8_t kHighestSub = 5U;
-constexpr std::uint8_t kCobIdSub = 1U;
-constexpr std::uint8_t kTypeSub = 2U;
-constexpr std::uint8_t kInhibitSub = 3U;
-constexpr std::uint8_t kEventSub = 5U;
-constexpr std::uint32_t kLastSynchronous = 240U;
 constexpr std::uint32_t kFirstEventDriven = 254U;
-constexpr std::uint32_t kFixedBits = 0x3FFFFFFFU; ///< Bits that do not change while the PDO is valid.
 
 bool IsValid(const Rpdo& pdo) noexcept
 {
     return (pdo.settings.cob_id & kCobOff) == 0U;
-}
-
-bool IsUsable(const std::uint32_t cob_id) noexcept
-{
-    const bool is_off = (cob_id & kCobOff) != 0U;
-    return ((cob_id & kCobExtended) == 0U) && (is_off || IsConfigurable(cob_id & kCobIdentifier));
 }
 
 bool IsType(const std::uint32_t type) noexcept
@@ -78,28 +67,8 @@ ObjectValue Rpdos::FetchSetting(const std::uint16_t number, const std::uint8_t s
     ObjectValue value{SdoAbort::kObjectUnknown, 0U, 1U};
     if (pdo != nullptr)
     {
-        const RpdoSettings& settings = pdo->settings;
-        switch (sub)
-        {
-        case 0U:
-            value = ObjectValue{SdoAbort::kNone, kHighestSub, 1U};
-            break;
-        case kCobIdSub:
-            value = ObjectValue{SdoAbort::kNone, settings.cob_id, 4U};
-            break;
-        case kTypeSub:
-            value = ObjectValue{SdoAbort::kNone, settings.type, 1U};
-            break;
-        case kInhibitSub:
-            value = ObjectValue{SdoAbort::kNone, settings.inhibit_100us, 2U};
-            break;
-        case kEventSub:
-            value = ObjectValue{SdoAbort::kNone, settings.event_ms, 2U};
-            break;
-        default:
-            value.abort = SdoAbort::kSubUnknown;
-            break;
-        }
+        const RpdoSettings& own = pdo->settings;
+        value = FetchShared({own.cob_id, own.type, own.inhibit_100us, own.event_ms}, sub, kHighestSub);
     }
     return value;
 }
@@ -157,7 +126,7 @@ SdoAbort Rpdos::Change(Rpdo& pdo, const std::uint8_t sub, const std::uint32_t va
 bool Rpdos::WriteCobId(Rpdo& pdo, const std::uint32_t value) noexcept
 {
     const bool stays_valid = IsValid(pdo) && ((value & kCobOff) == 0U);
-    const bool is_changed = ((pdo.settings.cob_id ^ value) & kFixedBits) != 0U;
+    const bool is_changed = ((pdo.settings.cob_id ^ value) & kFixedCobBits) != 0U;
     const bool is_taken = is_configuring_ || (IsUsable(value) && !(stays_valid && is_changed));
     if (is_taken)
     {
