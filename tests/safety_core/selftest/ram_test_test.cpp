@@ -201,10 +201,17 @@ void CallDeep(const std::uint32_t levels, const std::function<void()>& then)
     left = 0U;
 }
 
+/// Uses the stack far beyond what the test looks at, so that the system has given it memory there.
+void UseStackBelow()
+{
+    CallDeep(4096U, [] {});
+}
+
 TEST_F(RamTestTest, LiveStackOfThisThreadIsTestedWithoutHarm)
 {
     Verifies(req::SRS_STS_010);
     Verifies(req::SRS_STS_013);
+    UseStackBelow();
     CallDeep(256U, [this] { TestLiveStack(); });
 }
 
