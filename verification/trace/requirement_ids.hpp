@@ -22,6 +22,8 @@ inline constexpr RequirementId SRS_BEN_008{"SRS-BEN-008"};
 inline constexpr RequirementId SRS_BEN_009{"SRS-BEN-009"};
 inline constexpr RequirementId SRS_BEN_010{"SRS-BEN-010"};
 inline constexpr RequirementId SRS_BEN_011{"SRS-BEN-011"};
+inline constexpr RequirementId SRS_BEN_012{"SRS-BEN-012"};
+inline constexpr RequirementId SRS_BEN_013{"SRS-BEN-013"};
 inline constexpr RequirementId SRS_BUS_001{"SRS-BUS-001"};
 inline constexpr RequirementId SRS_BUS_002{"SRS-BUS-002"};
 inline constexpr RequirementId SRS_BUS_003{"SRS-BUS-003"};
