@@ -87,7 +87,7 @@ void Device::OnBus(const BusCondition condition) noexcept
     if (is_off && !was_off)
     {
         parts_.services.outbox.Clear();
-        parts_.services.sdo_port.Reset(parts_.services.node);
+        parts_.services.sdo_port.ResetCommunication(parts_.services.node);
         errors.Raise(CommunicationError::kBusOff, kOwnController);
     }
     if (was_off && !is_off)

@@ -117,7 +117,8 @@ void Device::ApplyState() noexcept
         }
         parts_.kernel.SetNmtState(state);
         const cia301::NumberReading valid = parts_.dictionary.ReadNumber({kConfigurationValidIndex, 0U});
-        if (is_operational && (valid.value != kConfigurationValidValue))
+        const bool is_there = valid.abort == cia301::SdoAbort::kNone; // A plain device has none. [SRS-DEV-021]
+        if (is_operational && is_there && (valid.value != kConfigurationValidValue))
         {
             parts_.watch.OnNotConfigured();
         }
