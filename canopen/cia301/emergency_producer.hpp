@@ -46,6 +46,11 @@ class EmergencyProducer
     void Raise(const EmergencyError& error) noexcept;
     /// @brief The error of this code and source is gone; nothing happens if it is not active. O(room) [SRS-EMCY-001]
     void Clear(std::uint16_t code, std::uint16_t source = 0U) noexcept;
+    /// @brief Whether any error is active. O(1)
+    [[nodiscard]] bool HasErrors() const noexcept
+    {
+        return active_count_ > 0U;
+    }
     /// @brief The next message, if state, 1014h and 1015h allow one. [SRS-EMCY-003..005]
     [[nodiscard]] FrameToSend Poll(NodeState state, Instant now) noexcept;
 

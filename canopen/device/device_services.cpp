@@ -30,19 +30,17 @@ void Device::Serve(const Instant now) noexcept
     {
         services.errors.Clear(CommunicationError::kOverrun, kServiceQueue);
     }
-    TakenFrame command = commands_.Take();
-    while (command.is_present)
+    for (const QueuedFrame* item = commands_.Oldest(); item != nullptr; item = commands_.Oldest())
     {
         // Each takes effect completely before the next one is looked at.
-        services.slave.OnFrame(command.item.frame.frame);
+        services.slave.OnFrame(item->frame.frame);
         Settle();
-        command = commands_.Take();
+        commands_.Drop();
     }
-    TakenFrame other = others_.Take();
-    while (other.is_present)
+    for (const QueuedFrame* item = others_.Oldest(); item != nullptr; item = others_.Oldest())
     {
-        services.OnFrame(other.item.frame.frame, {State(), now});
-        other = others_.Take();
+        services.OnFrame(item->frame.frame, {State(), now});
+        others_.Drop();
     }
     services.OnCycle({State(), now});
     Settle();
