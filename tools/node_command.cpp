@@ -29,6 +29,10 @@ class NodeCommand final : public Command
                        "machine, such as udp:239.74.163.2:43113")
             ->required()
             ->type_name("ADDRESS");
+        app.add_option("--can2", second_address_,
+                       "The bus of a second controller, which sends and receives the inverse frames of SRDOs; the "
+                       "same bus is allowed")
+            ->type_name("ADDRESS");
         app.add_option("--dcf", dcf_, "EDS or DCF of the device: all its objects, its safety configuration, its times")
             ->required()
             ->type_name("FILE")
@@ -50,6 +54,11 @@ class NodeCommand final : public Command
                        "Where 1010h saves and from where each start loads; without it nothing is saved")
             ->type_name("FILE")
             ->check(CLI::Validator(ProblemOfFileName, ""));
+        app.add_flag("--lss", has_lss_,
+                     "LSS gives the node-ID, also where the file does not say LSS_Supported=1; without a node-ID of "
+                     "file, command line or store there is nothing but LSS");
+        app.add_flag("--no-self-tests", has_no_self_tests_,
+                     "Leave out the cyclic tests of program, memory, stack, parts and permits");
         app.add_flag("--json", is_json_, "One JSON object a line");
         app.add_flag("--no-input", has_no_input_, "Read no orders from the standard input");
         app.footer("Orders, typed as lines or in a script:\n" + OrderHelp() +
@@ -81,10 +90,25 @@ class NodeCommand final : public Command
         settings.node_id = (node_id_ == 0) ? std::nullopt : std::optional(static_cast<std::uint8_t>(node_id_));
         settings.cycle_us = (cycle_us_ == 0) ? std::nullopt : std::optional(static_cast<std::uint32_t>(cycle_us_));
         settings.store = store_;
+        settings.has_lss = has_lss_;
+        settings.has_self_tests = !has_no_self_tests_;
         const NodeScript script = script_.empty() ? NodeScript{} : ReadNodeScript(script_);
-        NodePorts ports(address_);
+        NodePorts ports(address_, second_address_);
         NodeReport report(streams.out, is_json_ ? ReportForm::kJson : ReportForm::kText, host::LiveNow());
-        NodeDevice device(settings, ports, report);
+        const auto make = [&settings, &ports, &report, &script](const std::optional<std::uint8_t> lss_node_id)
+        {
+            settings.lss_node_id = lss_node_id;
+            auto device = std::make_unique<NodeDevice>(settings, ports, report);
+            AddRules(script, *device);
+            return device;
+        };
+        NodeLoop loop({make, ports, report, script, has_no_input_ ? -1 : STDIN_FILENO});
+        const ExitStatus status = loop.Run();
+        return report.Finish() ? status : ExitStatus::kBadInput;
+    }
+
+    static void AddRules(const NodeScript& script, NodeDevice& device)
+    {
         for (const simulator::LogicRule& rule : script.rules)
         {
             if (!device.App().AddRule(rule))
@@ -94,12 +118,10 @@ class NodeCommand final : public Command
                     "'set' with a normal object that it sends, 'from' with normal objects of its SRDOs");
             }
         }
-        NodeLoop loop({device, ports, report, script, has_no_input_ ? -1 : STDIN_FILENO});
-        const ExitStatus status = loop.Run();
-        return report.Finish() ? status : ExitStatus::kBadInput;
     }
 
     std::string address_;
+    std::string second_address_;
     std::string dcf_;
     std::string script_;
     std::string store_;
@@ -107,6 +129,8 @@ class NodeCommand final : public Command
     int cycle_us_{0};
     bool is_json_{false};
     bool has_no_input_{false};
+    bool has_lss_{false};
+    bool has_no_self_tests_{false};
 };
 } // namespace
 

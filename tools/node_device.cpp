@@ -14,9 +14,13 @@ namespace
 {
 constexpr std::size_t kServiceFrames = 256U;
 constexpr std::uint32_t kCyclesOfDiscrepancy = 5U;
+constexpr std::uint64_t kLongestIntervalUs = 0x3FFFFFFFU;
 constexpr std::uint64_t kPressNs = 200000000U;
 constexpr std::uint64_t kNsPerUs = 1000U;
 constexpr std::uint64_t kPressCycles = 4U;
+/// Of a device that waits for its node-ID: nobody sees it.
+constexpr std::uint8_t kPlaceholder = 127U;
+constexpr std::uint16_t kHistory = 0x1003U;
 
 /// Another cycle time is another device than that of the file: no digest is expected, and what has to last some cycles
 /// does.
@@ -26,11 +30,6 @@ DeviceConfig ConfigOf(const simulator::DeviceModel& model, const std::vector<Map
     DeviceConfig config = model.Config();
     config.objects = objects.data();
     config.object_count = static_cast<std::uint16_t>(objects.size());
-    if (config.normal_port != config.inverse_port)
-    {
-        throw cia306::InputError(model.File(), 0U,
-                                 {"a device with two controllers, 0x5F00:10 = 2", "a device with one: 1"});
-    }
     if (cycle_us && *cycle_us != config.cycle_us)
     {
         for (const simulator::SrdoModel& srdo : model.Srdos())
@@ -44,10 +43,14 @@ DeviceConfig ConfigOf(const simulator::DeviceModel& model, const std::vector<Map
                                           "a cycle that is no longer"});
             }
         }
+        // As many cycles as before: the self tests do as much in each.
+        const std::uint64_t cycles = config.diagnostic_interval_us / config.cycle_us;
+        const std::uint64_t same_us = std::min<std::uint64_t>(cycles * *cycle_us, kLongestIntervalUs);
         config.cycle_us = *cycle_us;
         config.cycle_tolerance_us = *cycle_us;
         config.discrepancy_us = std::max(config.discrepancy_us, kCyclesOfDiscrepancy * *cycle_us);
-        config.diagnostic_interval_us = std::max(config.diagnostic_interval_us, 2U * *cycle_us * config.srdo_count);
+        config.diagnostic_interval_us = std::max(
+            {config.diagnostic_interval_us, static_cast<std::uint32_t>(same_us), 2U * *cycle_us * config.srdo_count});
         config.test_interval_us = std::max(config.test_interval_us, *cycle_us);
         config.digest = 0U;
     }
@@ -73,6 +76,22 @@ std::vector<MappableObject> SafetyObjectsOf(const simulator::DeviceModel& model,
     return kept;
 }
 
+/// With a second controller the inverse frames are its own.
+const simulator::DeviceModel& UseControllers(simulator::DeviceModel& model, NodePorts& ports)
+{
+    const bool has_second = ports.Inverse() != nullptr;
+    if (has_second)
+    {
+        model.UseTwoControllers();
+    }
+    else if (model.ControllerCount() != 1U)
+    {
+        throw cia306::InputError(model.File(), 0U,
+                                 {"a device with two controllers, 0x5F00:10 = 2", "--can2 for the second one"});
+    }
+    return model;
+}
+
 NodeObjects::IsKernels KernelsOf(const DeviceConfig& config)
 {
     return [&config](const std::uint16_t index, const std::uint8_t sub)
@@ -87,20 +106,42 @@ hal::WatchdogWindow WindowOf(const DeviceConfig& config)
     return {config.cycle_us / 2U, config.cycle_us + config.cycle_tolerance_us};
 }
 
+/// What LSS gave comes first; a device that waits for it has a placeholder.
+std::optional<std::uint8_t> NodeIdOf(const NodeSettings& settings, const cia306::Device& file, const bool has_lss)
+{
+    const std::optional<std::uint8_t> wanted = settings.lss_node_id ? settings.lss_node_id : settings.node_id;
+    const bool is_waiting = has_lss && !wanted && !file.node_id;
+    return is_waiting ? std::optional(kPlaceholder) : wanted;
+}
+
+std::uint8_t HistoryOf(const cia306::Device& file)
+{
+    const cia306::Object* const object = file.Find(kHistory);
+    return (object == nullptr || object->entries.empty()) ? std::uint8_t{0U} : object->entries.rbegin()->first;
+}
+
 } // namespace
 
 NodeDevice::NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeReport& report)
-    : report_(report), ports_(ports), model_(settings.dcf, settings.node_id),
-      safety_objects_(SafetyObjectsOf(model_, cia306::ReadDeviceFile(settings.dcf))),
+    : report_(report), ports_(ports), file_(cia306::ReadDeviceFile(settings.dcf)),
+      has_lss_(settings.has_lss || file_.is_lss_supported),
+      model_(settings.dcf, NodeIdOf(settings, file_, has_lss_), simulator::SafetyNeed::kOptional),
+      safety_objects_(SafetyObjectsOf(UseControllers(model_, ports), file_)),
       config_(ConfigOf(model_, safety_objects_, settings.cycle_us)), time_(host::BitRate::k500k), watchdog_(time_),
       output_(time_, watchdog_, {config_.cycle_us + config_.cycle_tolerance_us}),
       channel_a_(MakeChannel(simulator::Letter::kA, simulator::RoomOf(config_))),
       channel_b_(MakeChannel(simulator::Letter::kB, simulator::RoomOf(config_))), application_(model_, report),
-      objects_(cia306::ReadDeviceFile(settings.dcf), config_.node_id, KernelsOf(config_)),
-      emergency_({config_.node_id}), watch_(emergency_, application_),
-      kernel_({channel_a_->Voice(), channel_b_->Voice(), ports, output_, watchdog_, watch_}),
-      facade_(kernel_, objects_.Table()), dictionary_(objects_.Table(), facade_),
+      objects_(file_, config_.node_id, KernelsOf(config_)), history_(HistoryOf(file_)),
+      emergency_({config_.node_id}, {history_.data(), static_cast<std::uint8_t>(history_.size())}),
+      watch_(emergency_, application_),
+      self_test_(settings.has_self_tests ? std::make_unique<NodeSelfTest>(output_) : nullptr),
+      kernel_({channel_a_->Voice(), channel_b_->Voice(), ports, output_, watchdog_, watch_,
+               self_test_ ? &self_test_->Part() : nullptr}),
+      facade_(kernel_, objects_.Table()),
+      dictionary_(objects_.Table(), model_.Srdos().empty() ? static_cast<cia301::ForeignObjects&>(no_safety_)
+                                                           : static_cast<cia301::ForeignObjects&>(facade_)),
       services_({config_.node_id}, {emergency_, ports, dictionary_, objects_.Rooms()}),
+      further_(file_, dictionary_, services_, report, objects_.Rooms().sdo_buffer.size_bytes),
       store_(settings.store.empty()
                  ? nullptr
                  : std::make_unique<NodeStore>(settings.store,
@@ -115,7 +156,9 @@ NodeDevice::NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeRepor
                {service_room_.data(), static_cast<std::uint32_t>(service_room_.size())},
                config_.srdo_count})
 {
-    objects_.Connect(services_, store_ ? &store_->Hook() : nullptr);
+    objects_.Connect(services_, further_, store_ ? &store_->Hook() : nullptr);
+    FurnishSelfTest();
+    FurnishLss(settings);
     slot_of_.fill(kNoSlot);
     application_.Tell([this](const std::uint8_t srdo) { paired_ |= SrdoMask{1U} << model_.SlotOf(srdo).value_or(0U); });
 }
@@ -128,6 +171,27 @@ const DeviceConfig& NodeDevice::Config() const noexcept
 const simulator::DeviceModel& NodeDevice::Model() const noexcept
 {
     return model_;
+}
+
+const NodeSelfTest* NodeDevice::SelfTests() const noexcept
+{
+    return self_test_.get();
+}
+
+NodeFurther& NodeDevice::Further() noexcept
+{
+    return further_;
+}
+
+std::uint8_t NodeDevice::NodeId() const noexcept
+{
+    const bool has_node_id = !lss_ || lss_->Slave().ActiveNodeId() != cia305::kNoNodeId;
+    return has_node_id ? services_.node.value : std::uint8_t{0U};
+}
+
+std::optional<std::uint8_t> NodeDevice::NewNodeId() const noexcept
+{
+    return (new_node_id_ == 0U) ? std::nullopt : std::optional(new_node_id_);
 }
 
 NodeApplication& NodeDevice::App() noexcept
@@ -164,6 +228,7 @@ void NodeDevice::SetTime(const std::uint64_t now_ns)
 {
     time_.Advance(static_cast<host::BusTime>(now_ns - start_ns_));
     application_.SetNow(now_ns);
+    further_.SetNow(now_ns);
     now_ns_ = now_ns;
 }
 
@@ -187,9 +252,9 @@ bool NodeDevice::TakeRestart() noexcept
     return has_restarted;
 }
 
-void NodeDevice::OnFrame(const host::LiveFrame& frame, const InstantPair& stamp)
+void NodeDevice::OnFrame(const host::LiveFrame& frame, const CanPortId port, const InstantPair& stamp)
 {
-    const StampedFrame stamped{host::ToCanFrame(frame, CanPortId::kFirst), stamp};
+    const StampedFrame stamped{host::ToCanFrame(frame, port), stamp};
     if (frame.own)
     {
         device_.OnConfirm(stamped);
@@ -221,6 +286,8 @@ void NodeDevice::Cycle(const InstantPair& now, const std::uint64_t now_ns)
     const SrdoMask levels = AcknowledgeLevels(now_ns);
     device_.Cycle({now, levels, levels});
     Save();
+    further_.Look();
+    TellSelfTest(now_ns);
     TellState(now_ns);
 }
 
@@ -229,6 +296,7 @@ void NodeDevice::Serve(const InstantPair& now, const std::uint64_t now_ns)
     SetTime(now_ns);
     device_.Serve(now.a);
     Save();
+    further_.Look();
     TellState(now_ns);
 }
 
@@ -312,6 +380,17 @@ void NodeDevice::TellState(const std::uint64_t now_ns)
         const std::string name = simulator::Name(cia301::KernelState(state));
         report_.Tell(now_ns, "NMT " + name, "nmt", {{"state", name}});
     }
+}
+
+// A cycle that ended before any part was called told nobody.
+void NodeDevice::TellSelfTest(const std::uint64_t now_ns)
+{
+    const std::string failure = self_test_ ? self_test_->Failure() : "";
+    if (!failure.empty() && !has_told_test_)
+    {
+        report_.Tell(now_ns, "self test failed: " + failure, "self_test", {{"failed", failure}});
+    }
+    has_told_test_ = !failure.empty();
 }
 
 void NodeDevice::Stop(const std::uint64_t now_ns)

@@ -3,10 +3,13 @@
 #define TOOLS_NODE_DEVICE_HPP
 
 #include "tools/node_application.hpp"
+#include "tools/node_further.hpp"
 #include "tools/node_latency.hpp"
+#include "tools/node_lss.hpp"
 #include "tools/node_objects.hpp"
 #include "tools/node_ports.hpp"
 #include "tools/node_report.hpp"
+#include "tools/node_self_test.hpp"
 #include "tools/node_store.hpp"
 
 #include "canopen/device/device.hpp"
@@ -33,6 +36,9 @@ struct NodeSettings
     std::optional<std::uint8_t> node_id;
     std::optional<std::uint32_t> cycle_us; ///< Instead of 5F00h:01.
     std::string store;                     ///< File of 1010h; empty: nothing is saved.
+    bool has_lss{false};                   ///< Also where the file does not say so.
+    bool has_self_tests{true};
+    std::optional<std::uint8_t> lss_node_id{}; ///< LSS gave it in this run: before all others.
 };
 
 /// A device of a DCF in real time: shipped kernel, channels and services, the gate and the watchdog of the host, real
@@ -45,6 +51,11 @@ class NodeDevice final : private device::Owner
 
     [[nodiscard]] const DeviceConfig& Config() const noexcept;
     [[nodiscard]] const simulator::DeviceModel& Model() const noexcept;
+    /// @brief Null: the device has none.
+    [[nodiscard]] const NodeSelfTest* SelfTests() const noexcept;
+    [[nodiscard]] NodeFurther& Further() noexcept;
+    /// @brief Of the device now; 0: LSS has given none.
+    [[nodiscard]] std::uint8_t NodeId() const noexcept;
     [[nodiscard]] NodeApplication& App() noexcept;
     [[nodiscard]] device::Device& Services() noexcept;
     [[nodiscard]] cia301::Dictionary& Objects() noexcept;
@@ -55,7 +66,7 @@ class NodeDevice final : private device::Owner
     /// @brief Supply on. False: the kernel refuses the device, told in the report.
     [[nodiscard]] bool PowerOn(const InstantPair& now, std::uint64_t now_ns);
     /// @brief A frame of the bus, with its stamp.
-    void OnFrame(const host::LiveFrame& frame, const InstantPair& stamp);
+    void OnFrame(const host::LiveFrame& frame, CanPortId port, const InstantPair& stamp);
     void OnLoss() noexcept;
     /// @brief How the controllers feel.
     void OnBus(device::BusCondition condition) noexcept;
@@ -67,6 +78,9 @@ class NodeDevice final : private device::Owner
     void LookAtOutput(std::uint64_t now_ns);
     /// @brief Whether the kernel was started anew since the last call: cycles and watchdog begin anew.
     [[nodiscard]] bool TakeRestart() noexcept;
+    /// @brief LSS gave another node-ID, and communication was reset: this device has ended, one with that node-ID has
+    /// to be made. [SRS-NODE-015]
+    [[nodiscard]] std::optional<std::uint8_t> NewNodeId() const noexcept;
 
     /// @brief A save is under way: Serve soon, it takes many steps.
     [[nodiscard]] bool IsSaving() const noexcept;
@@ -79,7 +93,10 @@ class NodeDevice final : private device::Owner
     [[nodiscard]] device::LoadResult OnResetNode() noexcept override;
     [[nodiscard]] device::LoadResult OnResetCommunication() noexcept override;
 
+    void FurnishSelfTest();
+    void FurnishLss(const NodeSettings& settings);
     void Save();
+    void TellSelfTest(std::uint64_t now_ns);
     void LoadSafety();
     [[nodiscard]] bool IsSafetyLoaded();
     void PrepareSending();
@@ -91,6 +108,8 @@ class NodeDevice final : private device::Owner
 
     NodeReport& report_;
     NodePorts& ports_;
+    cia306::Device file_;
+    bool has_lss_;
     simulator::DeviceModel model_;
     std::vector<MappableObject> safety_objects_; ///< Those of the model that are not for PDOs alone.
     DeviceConfig config_;
@@ -101,13 +120,18 @@ class NodeDevice final : private device::Owner
     std::unique_ptr<simulator::ChannelHost> channel_b_;
     NodeApplication application_;
     NodeObjects objects_;
+    std::vector<std::uint32_t> history_; ///< 1003h.
     cia301::EmergencyProducer emergency_;
     device::KernelWatch watch_;
+    std::unique_ptr<NodeSelfTest> self_test_; ///< Null: none.
     Kernel kernel_;
     device::SafetyObjects facade_;
+    NoSafetyObjects no_safety_{}; ///< Instead of it, for a plain device.
     cia301::Dictionary dictionary_;
     device::Services services_;
+    NodeFurther further_;
     std::unique_ptr<NodeStore> store_; ///< Null: none.
+    std::unique_ptr<NodeLss> lss_;     ///< Null: none.
     std::vector<device::QueuedFrame> safety_room_;
     std::vector<device::QueuedFrame> service_room_;
     device::Device device_;
@@ -124,6 +148,8 @@ class NodeDevice final : private device::Owner
     std::uint32_t cycles_per_send_{0U};
     std::uint32_t cycles_to_send_{0U};
     bool has_restarted_{false};
+    bool has_told_test_{false};
+    std::uint8_t new_node_id_{0U};
 };
 } // namespace counterpoint::tools
 

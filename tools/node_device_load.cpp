@@ -12,6 +12,7 @@ namespace counterpoint::tools
 namespace
 {
 constexpr std::uint16_t kCommunicationBase = 0x1300U;
+constexpr std::uint16_t kIdentity = 0x1018U;
 
 ObjectData DataOf(const simulator::ConfigurationWrite& write)
 {
@@ -26,6 +27,11 @@ device::LoadResult NodeDevice::OnResetNode() noexcept
 {
     model_.ResetVariables();
     objects_.LoadApplication();
+    if (self_test_)
+    {
+        self_test_->Start();
+        TellSelfTest(now_ns_);
+    }
     const StartResult result = kernel_.Start(config_, FlowCallback::kOff);
     if (result != StartResult::kStarted)
     {
@@ -52,6 +58,11 @@ device::LoadResult NodeDevice::OnResetNode() noexcept
 device::LoadResult NodeDevice::OnResetCommunication() noexcept
 {
     state_ = cia301::NodeState::kInvalid; // Told again, even if it is the same.
+    if (services_.node.value != config_.node_id)
+    {
+        new_node_id_ = services_.node.value;
+        return device::LoadResult::kFailed; // Silent until another device has been made.
+    }
     objects_.LoadCommunication();
     for (const std::string& refusal : objects_.Refusals())
     {
@@ -75,6 +86,56 @@ device::LoadResult NodeDevice::OnResetCommunication() noexcept
         }
     }
     return device::LoadResult::kLoaded;
+}
+
+void NodeDevice::FurnishSelfTest()
+{
+    if (!self_test_)
+    {
+        return;
+    }
+    self_test_->AddChannel(*channel_a_);
+    self_test_->AddChannel(*channel_b_);
+    self_test_->AddKernel(kernel_);
+    self_test_->AddPart(static_cast<hal::CanPorts*>(&ports_));
+    self_test_->AddPart(static_cast<hal::SafetyOutput*>(&output_));
+    self_test_->AddPart(static_cast<hal::Watchdog*>(&watchdog_));
+    self_test_->AddPart(static_cast<Application*>(&watch_));
+    self_test_->AddConstants(config_, model_);
+    const std::uint32_t cycles = config_.diagnostic_interval_us / config_.cycle_us;
+    if (!self_test_->Settle(cycles))
+    {
+        throw cia306::InputError(
+            model_.File(), 0U,
+            {"the self tests do not fit into the diagnostic interval of " + std::to_string(cycles) + " cycles",
+             "a longer one (0x5F00:04), or --no-self-tests"});
+    }
+}
+
+/// Node-ID: what LSS gave in this run, what it saved, then the command line and the file.
+void NodeDevice::FurnishLss(const NodeSettings& settings)
+{
+    if (!has_lss_)
+    {
+        return;
+    }
+    const auto part = [this](const std::uint8_t sub)
+    {
+        const cia306::Entry* const entry = file_.Find(kIdentity, sub);
+        const cia306::ValueResult result =
+            (entry == nullptr) ? cia306::ValueResult{} : cia306::ConfiguredValue(*entry, config_.node_id);
+        return result.value ? static_cast<std::uint32_t>(result.value->bits) : 0U;
+    };
+    const std::optional<std::uint8_t> wanted = settings.node_id ? settings.node_id : file_.node_id;
+    cia305::LssSettings known{wanted.value_or(cia305::kNoNodeId), {0U}};
+    if (store_)
+    {
+        known = store_->LoadLss(known);
+    }
+    known.node_id = settings.lss_node_id.value_or(known.node_id);
+    const cia305::Identity identity{part(1U), part(2U), part(3U), part(4U)};
+    lss_ = std::make_unique<NodeLss>(services_.outbox, identity, known, store_.get());
+    services_.lss = &lss_->Slave();
 }
 
 /// Writing the same values again would withdraw 13FEh for a moment.

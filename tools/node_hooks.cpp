@@ -16,6 +16,19 @@ SdoAbort FixedHook::OnWrite(const ObjectAddress& address, const cia301::Bytes& v
     return is_same ? SdoAbort::kNone : SdoAbort::kLocalControl;
 }
 
+ObjectReading NoSafetyObjects::Read(const ObjectAddress& address) noexcept
+{
+    static_cast<void>(address);
+    return {AbortCode::kObjectUnknown, {}};
+}
+
+AbortCode NoSafetyObjects::Write(const ObjectAddress& address, const ObjectData& data) noexcept
+{
+    static_cast<void>(address);
+    static_cast<void>(data);
+    return AbortCode::kObjectUnknown;
+}
+
 cia301::Reading NoStoreHook::OnRead(const ObjectAddress& address, const cia301::Room& room) noexcept
 {
     static_cast<void>(address);

@@ -3,6 +3,7 @@
 #define TOOLS_NODE_HOOKS_HPP
 
 #include "canopen/cia301/entry.hpp"
+#include "canopen/cia301/foreign_objects.hpp"
 
 namespace counterpoint::tools
 {
@@ -17,6 +18,14 @@ class FixedHook final : public cia301::WriteHook
 
   private:
     const cia301::EntryTable& table_;
+};
+
+/// A plain device has no objects but its own. [SRS-NODE-016]
+class NoSafetyObjects final : public cia301::ForeignObjects
+{
+  public:
+    [[nodiscard]] ObjectReading Read(const ObjectAddress& address) noexcept override;
+    [[nodiscard]] AbortCode Write(const ObjectAddress& address, const ObjectData& data) noexcept override;
 };
 
 /// 1010h and 1011h of a device without a store: sub-indices tell that nothing is saved, commands are refused.

@@ -63,8 +63,8 @@ void CatchSignals()
 } // namespace
 
 NodeLoop::NodeLoop(const NodeLoopParts& parts)
-    : parts_(parts), clocks_(parts.device.Config().cycle_tolerance_us), script_(parts.script),
-      cycle_ns_(parts.device.Config().cycle_us * kNsPerUs), is_input_open_(parts.input >= 0)
+    : parts_(parts), device_(parts.make(std::nullopt)), clocks_(device_->Config().cycle_tolerance_us),
+      script_(parts.script), cycle_ns_(device_->Config().cycle_us * kNsPerUs), is_input_open_(parts.input >= 0)
 {
 }
 
@@ -83,7 +83,7 @@ ExitStatus NodeLoop::Run()
         Tell(std::string("warning: no real-time priority (") + std::strerror(errno) + "): cycles may come too late",
              "warning", {{"text", "no real-time priority"}});
     }
-    if (!parts_.device.PowerOn(now_, now_ns_))
+    if (!device_->PowerOn(now_, now_ns_))
     {
         return ExitStatus::kDoesNotHold;
     }
@@ -107,14 +107,18 @@ void NodeLoop::Step()
     }
     else
     {
-        parts_.device.Serve(now_, now_ns_);
+        device_->Serve(now_, now_ns_);
     }
-    if (parts_.device.TakeRestart())
+    if (const std::optional<std::uint8_t> node_id = device_->NewNodeId())
+    {
+        Replace(*node_id);
+    }
+    if (device_->TakeRestart())
     {
         next_cycle_ns_ = clocks_.NowNs() + cycle_ns_;
     }
     static_cast<void>(clocks_.Now());
-    parts_.device.LookAtOutput(clocks_.NowNs());
+    device_->LookAtOutput(clocks_.NowNs());
     WatchBus();
     FollowScript();
     Carry(NodeOrder(pending_));
@@ -129,7 +133,7 @@ void NodeLoop::RunCycle()
 {
     const std::uint64_t late_ns = now_ns_ - next_cycle_ns_;
     latest_cycle_ns_ = std::max(latest_cycle_ns_, late_ns);
-    parts_.device.Cycle(clocks_.Seal(), now_ns_);
+    device_->Cycle(clocks_.Seal(), now_ns_);
     next_cycle_ns_ += (late_ns > cycle_ns_ / 4U) ? late_ns + cycle_ns_ : cycle_ns_;
 }
 
@@ -138,11 +142,13 @@ void NodeLoop::Wait()
     static_cast<void>(clocks_.Now());
     const std::uint64_t now_ns = clocks_.NowNs();
     const std::uint64_t cycle_ns = (next_cycle_ns_ > now_ns) ? next_cycle_ns_ - now_ns : 0U;
-    const std::uint64_t wait_ns = parts_.device.IsSaving() ? std::min(cycle_ns, kSaveStepNs) : cycle_ns;
+    const std::uint64_t wait_ns = device_->IsSaving() ? std::min(cycle_ns, kSaveStepNs) : cycle_ns;
     const timespec time{static_cast<time_t>(wait_ns / kNsPerSecond), static_cast<long>(wait_ns % kNsPerSecond)};
-    std::array<pollfd, 3U> places{{{parts_.ports.Safety().Descriptor(), POLLIN, 0},
+    host::LiveBus* const inverse = parts_.ports.Inverse();
+    std::array<pollfd, 4U> places{{{parts_.ports.Safety().Descriptor(), POLLIN, 0},
                                    {parts_.ports.Services().Descriptor(), POLLIN, 0},
-                                   {is_input_open_ ? parts_.input : -1, POLLIN, 0}}};
+                                   {is_input_open_ ? parts_.input : -1, POLLIN, 0},
+                                   {inverse == nullptr ? -1 : inverse->Descriptor(), POLLIN, 0}}};
     sigset_t none{};
     sigemptyset(&none);
     const int ready = ::ppoll(places.data(), places.size(), &time, &none);
@@ -154,34 +160,59 @@ void NodeLoop::Wait()
 
 void NodeLoop::Receive()
 {
-    while (!held_.empty() && held_.front().time_ns <= now_ns_)
+    Hold(parts_.ports.Safety(), CanPortId::kFirst);
+    if (host::LiveBus* const inverse = parts_.ports.Inverse())
     {
-        parts_.device.OnFrame(held_.front(), clocks_.Stamp(held_.front().time_ns));
+        // One bus, two controllers: their frames are in order by their stamps.
+        Hold(*inverse, CanPortId::kSecond);
+        std::stable_sort(held_.begin(), held_.end(), [](const HeldFrame& one, const HeldFrame& other)
+                         { return one.frame.time_ns < other.frame.time_ns; });
+    }
+    while (!held_.empty() && held_.front().frame.time_ns <= now_ns_)
+    {
+        const HeldFrame& oldest = held_.front();
+        device_->OnFrame(oldest.frame, oldest.port, clocks_.Stamp(oldest.frame.time_ns));
         held_.pop_front();
     }
-    Take(parts_.ports.Safety(), true);
-    Take(parts_.ports.Services(), false);
+    ReceiveServices();
 }
 
-void NodeLoop::Take(host::LiveBus& bus, const bool is_safety)
+void NodeLoop::Hold(host::LiveBus& bus, const CanPortId port)
 {
     host::LiveFrame frame;
     while (bus.Receive(frame))
     {
-        const bool is_meant = !frame.error && device::IsSafetyIdentifier(frame.identifier) == is_safety;
-        if (!is_meant)
+        if (!frame.error && device::IsSafetyIdentifier(frame.identifier))
         {
-            continue;
+            held_.push_back({frame, port});
         }
-        if (is_safety && (frame.time_ns > now_ns_ || !held_.empty()))
+    }
+}
+
+void NodeLoop::ReceiveServices()
+{
+    host::LiveFrame frame;
+    while (parts_.ports.Services().Receive(frame))
+    {
+        if (!frame.error && !device::IsSafetyIdentifier(frame.identifier))
         {
-            held_.push_back(frame);
+            device_->OnFrame(frame, CanPortId::kFirst, now_); // Services need no stamps.
         }
-        else
-        {
-            const InstantPair stamp = is_safety ? clocks_.Stamp(frame.time_ns) : now_; // Services need no stamps.
-            parts_.device.OnFrame(frame, stamp);
-        }
+    }
+}
+
+/// The device with another node-ID in the place of this one.
+void NodeLoop::Replace(const std::uint8_t node_id)
+{
+    Tell("LSS gave node-ID " + std::to_string(node_id) + ": the device starts anew", "lss", {{"node_id", node_id}});
+    device_.reset(); // Its store is closed before another one opens the file.
+    device_ = parts_.make(node_id);
+    held_.clear();
+    TellStart();
+    static_cast<void>(clocks_.Now());
+    if (!device_->PowerOn(clocks_.Seal(), clocks_.NowNs()))
+    {
+        reason_ = "a kernel that refuses the device";
     }
 }
 
@@ -192,23 +223,22 @@ void NodeLoop::WatchBus()
         return;
     }
     watched_ns_ = now_ns_;
-    const std::uint32_t lost =
-        parts_.ports.Safety().Health().lost_frames + parts_.ports.Services().Health().lost_frames;
+    const std::uint32_t lost = parts_.ports.LostFrames();
     if (lost != lost_)
     {
         Tell(std::to_string(lost - lost_) + " frames lost between bus and node", "lost_frames",
              {{"count", lost - lost_}});
         lost_ = lost;
-        parts_.device.OnLoss();
+        device_->OnLoss();
     }
-    const host::BusState state = parts_.ports.Services().Health().state;
+    const host::BusState state = parts_.ports.State();
     const auto word =
         std::find_if(kBusWords.begin(), kBusWords.end(), [state](const BusWord& each) { return each.state == state; });
     if (state != bus_ && word != kBusWords.end())
     {
         bus_ = state;
         Tell(std::string("bus ") + word->name, "bus", {{"state", word->name}});
-        parts_.device.OnBus(word->condition);
+        device_->OnBus(word->condition);
     }
 }
 
@@ -246,14 +276,14 @@ void NodeLoop::Tell(const std::string& text, const std::string& event, const nlo
 
 ExitStatus NodeLoop::End()
 {
-    const bool is_safe = parts_.device.Core().DeviceState().fault != DeviceFault::kNone;
+    const bool is_safe = device_->Core().DeviceState().fault != DeviceFault::kNone;
     static_cast<void>(clocks_.Now());
     now_ns_ = clocks_.NowNs();
-    parts_.device.Stop(now_ns_);
-    parts_.report.Print(parts_.device.Latency().Text());
+    device_->Stop(now_ns_);
+    parts_.report.Print(device_->Latency().Text());
     if (parts_.report.Form() == ReportForm::kJson)
     {
-        Tell("", "latency", parts_.device.Latency().Json());
+        Tell("", "latency", device_->Latency().Json());
     }
     const std::uint64_t latest_us = latest_cycle_ns_ / kNsPerUs;
     Tell("greatest delay of a cycle " + std::to_string(latest_us) + " us; frames stamped behind another: " +

@@ -9,6 +9,9 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 
 namespace counterpoint::tools
@@ -16,7 +19,8 @@ namespace counterpoint::tools
 /// All that a loop runs; all outlive it.
 struct NodeLoopParts
 {
-    NodeDevice& device;
+    /// A device with the node-ID that LSS gave, if it gave one. May throw as NodeDevice does.
+    std::function<std::unique_ptr<NodeDevice>(std::optional<std::uint8_t> lss_node_id)> make;
     NodePorts& ports;
     NodeReport& report;
     const NodeScript& script;
@@ -35,9 +39,13 @@ class NodeLoop
 
   private:
     void TellStart();
+    [[nodiscard]] std::string BusNames() const;
+    void TellProblem(const std::string& problem);
     void Wait();
     void Receive();
-    void Take(host::LiveBus& bus, bool is_safety);
+    void Hold(host::LiveBus& bus, CanPortId port);
+    void ReceiveServices();
+    void Replace(std::uint8_t node_id);
     void Step();
     void RunCycle();
     void WatchBus();
@@ -51,10 +59,18 @@ class NodeLoop
     void Tell(const std::string& text, const std::string& event, const nlohmann::ordered_json& details);
     [[nodiscard]] ExitStatus End();
 
+    /// A safety frame and the controller that it came by.
+    struct HeldFrame
+    {
+        host::LiveFrame frame;
+        CanPortId port;
+    };
+
     NodeLoopParts parts_;
+    std::unique_ptr<NodeDevice> device_;
     NodeClocks clocks_;
-    NodeScript script_;                ///< Steps that are left.
-    std::deque<host::LiveFrame> held_; ///< Safety frames that came after the instant that is being worked on.
+    NodeScript script_;          ///< Steps that are left.
+    std::deque<HeldFrame> held_; ///< Safety frames, in order; those after the instant that is worked on wait.
     std::uint64_t start_ns_{0U};
     std::uint64_t next_cycle_ns_{0U};
     std::uint64_t cycle_ns_;

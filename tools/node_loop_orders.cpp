@@ -27,17 +27,25 @@ std::string Milliseconds(const std::uint32_t us)
 
 void NodeLoop::TellStart()
 {
-    const DeviceConfig& config = parts_.device.Config();
-    const simulator::DeviceModel& model = parts_.device.Model();
-    Tell("node " + std::to_string(config.node_id) + " of " + cia306::Printable(model.File()) + " on " +
-             parts_.ports.Services().Name() + ", cycle " + Milliseconds(config.cycle_us) + ", late above " +
-             Milliseconds(config.cycle_us + config.cycle_tolerance_us),
+    const DeviceConfig& config = device_->Config();
+    const simulator::DeviceModel& model = device_->Model();
+    const bool has_node_id = device_->NodeId() != 0U;
+    Tell((has_node_id ? "node " + std::to_string(config.node_id) : std::string("node without a node-ID")) + " of " +
+             cia306::Printable(model.File()) + " on " + BusNames() + ", cycle " + Milliseconds(config.cycle_us) +
+             ", late above " + Milliseconds(config.cycle_us + config.cycle_tolerance_us),
          "start",
-         {{"node_id", config.node_id},
+         {{"node_id", device_->NodeId()},
           {"dcf", model.File()},
-          {"can", parts_.ports.Services().Name()},
+          {"can", BusNames()},
           {"cycle_us", config.cycle_us},
           {"cycle_tolerance_us", config.cycle_tolerance_us}});
+    const NodeSelfTest* const tests = device_->SelfTests();
+    const std::string covered = (tests == nullptr) ? "none" : tests->Text();
+    Tell("self tests: " + covered, "self_tests", {{"covered", covered}});
+    if (model.Srdos().empty())
+    {
+        Tell("no safety objects: a plain CANopen device", "plain", nlohmann::ordered_json::object());
+    }
     for (const simulator::SrdoModel& srdo : model.Srdos())
     {
         const bool is_consumer = srdo.direction == kDirectionConsumer;
@@ -54,6 +62,20 @@ void NodeLoop::TellStart()
     }
 }
 
+std::string NodeLoop::BusNames() const
+{
+    host::LiveBus* const inverse = parts_.ports.Inverse();
+    return parts_.ports.Services().Name() + (inverse == nullptr ? "" : " and " + inverse->Name());
+}
+
+void NodeLoop::TellProblem(const std::string& problem)
+{
+    if (!problem.empty())
+    {
+        Tell(problem, "problem", {{"text", problem}});
+    }
+}
+
 void NodeLoop::Carry(const NodeOrder& order)
 {
     switch (order.kind)
@@ -65,14 +87,14 @@ void NodeLoop::Carry(const NodeOrder& order)
         TellObject(order.object);
         break;
     case OrderKind::kAcknowledge:
-        if (!parts_.device.Acknowledge(static_cast<std::uint8_t>(order.value), now_ns_))
+        if (!device_->Acknowledge(static_cast<std::uint8_t>(order.value), now_ns_))
         {
             Tell("ack: no SRDO " + std::to_string(order.value) + ", expected one of this device", "problem",
                  {{"text", "no such SRDO"}});
         }
         break;
     case OrderKind::kGfc:
-        if (parts_.device.Core().SendGfc() != Result::kSuccessful)
+        if (device_->Core().SendGfc() != Result::kSuccessful)
         {
             Tell("gfc: refused, expected OPERATIONAL, a valid configuration and 1300h = 1", "problem",
                  {{"text", "gfc refused"}});
@@ -80,7 +102,7 @@ void NodeLoop::Carry(const NodeOrder& order)
         break;
     case OrderKind::kNmt:
     {
-        const std::string name = simulator::Name(cia301::KernelState(parts_.device.Services().State()));
+        const std::string name = simulator::Name(cia301::KernelState(device_->Services().State()));
         Tell("NMT " + name, "nmt", {{"state", name}});
         break;
     }
@@ -90,6 +112,13 @@ void NodeLoop::Carry(const NodeOrder& order)
     case OrderKind::kState:
         TellState();
         break;
+    case OrderKind::kTime:
+        TellProblem(device_->Further().SendTime(device_->Services().State(), now_.a));
+        break;
+    case OrderKind::kRead:
+    case OrderKind::kWrite:
+        TellProblem(device_->Further().StartTransfer(order, now_.a));
+        break;
     case OrderKind::kHelp:
         parts_.report.Print(OrderHelp());
         break;
@@ -97,7 +126,7 @@ void NodeLoop::Carry(const NodeOrder& order)
         reason_ = "quit";
         break;
     case OrderKind::kProblem:
-        Tell(order.problem, "problem", {{"text", order.problem}});
+        TellProblem(order.problem);
         break;
     case OrderKind::kNothing:
         break;
@@ -107,11 +136,11 @@ void NodeLoop::Carry(const NodeOrder& order)
 /// An input of the application, else an object of the device itself.
 void NodeLoop::SetObject(const NodeOrder& order)
 {
-    if (parts_.device.App().SetInput(order.object, order.value))
+    if (device_->App().SetInput(order.object, order.value))
     {
         return;
     }
-    cia301::Dictionary& objects = parts_.device.Objects();
+    cia301::Dictionary& objects = device_->Objects();
     const cia301::Reading size = objects.SizeOf(order.object);
     cia301::SdoAbort abort = size.abort;
     if (abort == cia301::SdoAbort::kNone)
@@ -130,7 +159,7 @@ void NodeLoop::SetObject(const NodeOrder& order)
 
 void NodeLoop::TellObject(const ObjectAddress& object)
 {
-    const cia301::NumberReading reading = parts_.device.Objects().ReadNumber(object);
+    const cia301::NumberReading reading = device_->Objects().ReadNumber(object);
     if (reading.abort == cia301::SdoAbort::kNone)
     {
         Tell(ObjectText(object) + " = " + std::to_string(reading.value), "object",
@@ -145,14 +174,14 @@ void NodeLoop::TellObject(const ObjectAddress& object)
 /// To this node as if it had come from the bus, to another as a master would.
 void NodeLoop::SendCommand(const NodeOrder& order)
 {
-    const std::uint8_t own = parts_.device.Config().node_id;
+    const std::uint8_t own = device_->NodeId();
     host::LiveFrame frame;
     frame.length_bytes = 2U;
     frame.data[0U] = static_cast<std::uint8_t>(order.value);
     frame.data[1U] = (order.node == 0U) ? own : order.node;
     if (frame.data[1U] == own)
     {
-        parts_.device.OnFrame(frame, now_);
+        device_->OnFrame(frame, CanPortId::kFirst, now_);
     }
     else if (parts_.ports.Services().Send(frame) != host::SendResult::kSent)
     {
@@ -162,18 +191,18 @@ void NodeLoop::SendCommand(const NodeOrder& order)
 
 void NodeLoop::TellState()
 {
-    const DeviceFaultReport fault = parts_.device.Core().DeviceState();
-    const SrdoMask open = parts_.device.Open();
-    std::string text = std::string("NMT ") + simulator::Name(cia301::KernelState(parts_.device.Services().State())) +
+    const DeviceFaultReport fault = device_->Core().DeviceState();
+    const SrdoMask open = device_->Open();
+    std::string text = std::string("NMT ") + simulator::Name(cia301::KernelState(device_->Services().State())) +
                        ", device " + (fault.fault == DeviceFault::kNone ? "running" : simulator::Name(fault.fault));
-    nlohmann::ordered_json details{{"nmt", simulator::Name(cia301::KernelState(parts_.device.Services().State()))},
+    nlohmann::ordered_json details{{"nmt", simulator::Name(cia301::KernelState(device_->Services().State()))},
                                    {"device_fault", simulator::Name(fault.fault)},
                                    {"srdos", nlohmann::ordered_json::array()}};
-    for (SlotIndex slot = 0U; slot < parts_.device.Config().srdo_count; ++slot)
+    for (SlotIndex slot = 0U; slot < device_->Model().Srdos().size(); ++slot)
     {
-        const std::uint8_t number = parts_.device.Model().NumberOf(slot);
+        const std::uint8_t number = device_->Model().NumberOf(slot);
         const auto index = static_cast<std::uint16_t>(kCommunicationBase + number);
-        const StateReply state = parts_.device.Core().GetState({index});
+        const StateReply state = device_->Core().GetState({index});
         const bool is_open = ((open >> slot) & 1U) != 0U;
         const std::string name = simulator::NameOf(simulator::kStateWords, state.state);
         const std::string cause = simulator::Name(state.first_cause);
@@ -182,7 +211,7 @@ void NodeLoop::TellState()
         details["srdos"].push_back(
             {{"srdo", number}, {"state", name}, {"cause", cause}, {"errors", state.error_count}, {"open", is_open}});
     }
-    details["values"] = parts_.device.App().Values();
-    Tell(text + "; " + parts_.device.App().Values(), "state", details);
+    details["values"] = device_->App().Values();
+    Tell(text + "; " + device_->App().Values(), "state", details);
 }
 } // namespace counterpoint::tools

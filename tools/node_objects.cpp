@@ -1,20 +1,20 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/node_objects.hpp"
 
+#include "tools/node_entry.hpp"
+
 #include "canopen/cia301/entry_value.hpp"
 #include "canopen/cia301/little_endian.hpp"
-#include "canopen/cia306/device_parameters.hpp"
 #include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/safety_configuration.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace counterpoint::tools
 {
 namespace
 {
-using cia301::DataType;
 using cia301::SdoAbort;
 
 /// What a string or domain that can be written has room for, at least.
@@ -23,7 +23,6 @@ constexpr std::size_t kDomainRoom = 8192U;
 constexpr std::uint16_t kOctetString = 0x000AU;
 constexpr std::uint16_t kConsumerTimes = 0x1016U;
 constexpr std::uint16_t kFirstApplication = 0x2000U;
-constexpr std::uint16_t kLastFixed = 0x5F05U;
 
 constexpr std::uint16_t kHighestPdo = 512U;
 constexpr std::uint16_t kFirstRpdo = 0x1400U;
@@ -32,10 +31,16 @@ constexpr std::uint16_t kFirstTpdo = 0x1800U;
 constexpr std::uint16_t kFirstTpdoMap = 0x1A00U;
 constexpr std::uint16_t kLastTpdoMap = 0x1BFFU;
 constexpr std::uint8_t kPdoEntries = 64U;
+/// 254: source address mode of a multiplexed PDO; 255: destination address mode.
+constexpr std::uint64_t kSourceMode = 254U;
 
 /// The hook of an object whose value a service keeps; null: none does.
-cia301::NumberHook* NumberHookOf(const cia301::Entry& entry, device::Services& services)
+cia301::NumberHook* HookOf(const cia301::Entry& entry, device::Services& services, NodeFurther& further)
 {
+    if (cia301::NumberHook* const hook = further.HookOf(entry.index))
+    {
+        return hook;
+    }
     switch (entry.index)
     {
     case 0x1005U:
@@ -58,86 +63,6 @@ bool IsOfServiceObjects(const std::uint16_t index)
     constexpr std::array<std::uint16_t, 8U> kServiceObjects{0x1001U, 0x1003U, 0x100CU, 0x100DU,
                                                             0x1014U, 0x1015U, 0x1016U, 0x1017U};
     return std::find(kServiceObjects.begin(), kServiceObjects.end(), index) != kServiceObjects.end();
-}
-
-/// 1010h and 1011h.
-bool IsStore(const std::uint16_t index)
-{
-    return index == 0x1010U || index == 0x1011U;
-}
-
-/// 5F00h to 5F05h: what the kernel was started with.
-bool IsFixedAtStart(const std::uint16_t index)
-{
-    return index >= cia306::kDeviceParametersIndex && index <= kLastFixed;
-}
-
-/// The types of both rooms have the numbers of CiA 301. BIT1 to BIT8 are small numbers.
-DataType TypeOf(const cia306::Entry& entry)
-{
-    const bool is_known = entry.data_type != 0U && entry.data_type <= static_cast<std::uint16_t>(DataType::kUnsigned64);
-    if (is_known && entry.type.kind != cia306::DataKind::kUnknown)
-    {
-        return static_cast<DataType>(entry.data_type);
-    }
-    return (entry.type.kind == cia306::DataKind::kUnsigned) ? DataType::kUnsigned8 : DataType::kOctetString;
-}
-
-/// Process data go where they may be read, and come where they may be written.
-std::uint8_t UsesOf(const cia306::Entry& entry)
-{
-    const bool is_sent = entry.access != cia306::Access::kWriteOnly && entry.access != cia306::Access::kReadWriteOutput;
-    const bool is_received = !entry.IsFixed() && entry.access != cia306::Access::kReadWriteInput;
-    const unsigned uses = (is_sent ? cia301::kInTpdo : 0U) | (is_received ? cia301::kInRpdo : 0U);
-    const bool is_kept = !entry.IsFixed() && entry.access != cia306::Access::kWriteOnly && entry.index != 0x1003U &&
-                         !IsStore(entry.index) && !IsFixedAtStart(entry.index);
-    return static_cast<std::uint8_t>((entry.is_pdo_mappable ? uses : 0U) | (is_kept ? cia301::kStored : 0U));
-}
-
-cia301::Access AccessOf(const cia306::Entry& entry)
-{
-    switch (entry.access)
-    {
-    case cia306::Access::kConstant:
-        return cia301::Access::kConstant;
-    case cia306::Access::kReadOnly:
-        return cia301::Access::kReadOnly;
-    case cia306::Access::kWriteOnly:
-        return cia301::Access::kWriteOnly;
-    case cia306::Access::kReadWrite:
-    case cia306::Access::kReadWriteInput:
-    case cia306::Access::kReadWriteOutput:
-        return cia301::Access::kReadWrite;
-    case cia306::Access::kUnknown:
-        break;
-    }
-    return cia301::Access::kInvalid;
-}
-
-/// Octets as "0A 1B" or "0A1B"; every other text stands for its own bytes.
-std::vector<std::uint8_t> OctetsOf(const std::string& text)
-{
-    std::string digits;
-    for (const char letter : text)
-    {
-        if (std::isspace(static_cast<unsigned char>(letter)) == 0)
-        {
-            digits += letter;
-        }
-    }
-    const bool is_hexadecimal =
-        !digits.empty() && digits.size() % 2U == 0U &&
-        std::all_of(digits.begin(), digits.end(), [](const unsigned char c) { return std::isxdigit(c) != 0; });
-    std::vector<std::uint8_t> octets;
-    if (!is_hexadecimal)
-    {
-        octets.assign(text.begin(), text.end());
-    }
-    for (std::size_t place = 0U; is_hexadecimal && place < digits.size(); place += 2U)
-    {
-        octets.push_back(static_cast<std::uint8_t>(std::stoul(digits.substr(place, 2U), nullptr, 16)));
-    }
-    return octets;
 }
 } // namespace
 
@@ -180,7 +105,7 @@ device::ServiceRooms NodeObjects::Rooms() noexcept
             {sdo_buffer_.data(), static_cast<std::uint32_t>(sdo_buffer_.size())}};
 }
 
-void NodeObjects::Connect(device::Services& services, cia301::NumberHook* const store) noexcept
+void NodeObjects::Connect(device::Services& services, NodeFurther& further, cia301::NumberHook* const store) noexcept
 {
     for (cia301::Entry& entry : entries_)
     {
@@ -199,7 +124,7 @@ void NodeObjects::Connect(device::Services& services, cia301::NumberHook* const 
             entry.read_hook = &no_store_;
             entry.write_hook = &no_store_;
         }
-        else if (cia301::NumberHook* const hook = IsStore(entry.index) ? store : NumberHookOf(entry, services))
+        else if (cia301::NumberHook* const hook = IsStore(entry.index) ? store : HookOf(entry, services, further))
         {
             entry.read_hook = hook;
             entry.write_hook = hook;
@@ -252,6 +177,18 @@ void NodeObjects::AppendPdos(const cia306::Device& device)
 cia301::PdoMap NodeObjects::MapOf(const cia306::Device& device, const std::uint16_t index)
 {
     const cia306::Object* const object = device.Find(index);
+    const cia306::Entry* const count = device.Find(index, 0U);
+    if (count != nullptr && count->Configured().IsSet())
+    {
+        const cia306::ValueResult value = cia306::ConfiguredValue(*count, std::nullopt);
+        if (value.value && value.value->bits >= kSourceMode)
+        {
+            throw cia306::InputError(file_, count->ValueLine(),
+                                     {cia306::ObjectName(index, 0U) + " = " + std::to_string(value.value->bits) +
+                                          ", a multiplexed PDO, which is not built",
+                                      "a count of mapped objects, 0 to 64"});
+        }
+    }
     const bool has_subs = object != nullptr && !object->entries.empty();
     const std::uint8_t room = has_subs ? std::min(object->entries.rbegin()->first, kPdoEntries) : std::uint8_t{0U};
     fields_.emplace_back(room);

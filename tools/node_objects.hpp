@@ -5,6 +5,7 @@
 #include "canopen/cia301/dictionary.hpp"
 #include "canopen/cia306/device.hpp"
 #include "canopen/device/services.hpp"
+#include "tools/node_further.hpp"
 #include "tools/node_hooks.hpp"
 
 #include <cstdint>
@@ -33,7 +34,7 @@ class NodeObjects
     /// @brief What the services of this device need; owned here.
     [[nodiscard]] device::ServiceRooms Rooms() noexcept;
     /// @brief The objects of services lead to them from now on, 1010h and 1011h to `store`; null: there is none.
-    void Connect(device::Services& services, cia301::NumberHook* store) noexcept;
+    void Connect(device::Services& services, NodeFurther& further, cia301::NumberHook* store) noexcept;
     /// @brief Values of the file for all objects from 2000h on.
     void LoadApplication() noexcept;
     /// @brief The same for 1000h to 1FFFh; services take theirs by their hooks.

@@ -32,9 +32,10 @@ struct PlainWord
     const char* text;
     OrderKind kind;
 };
-constexpr std::array<PlainWord, 5U> kPlainWords{{{"gfc", OrderKind::kGfc},
+constexpr std::array<PlainWord, 6U> kPlainWords{{{"gfc", OrderKind::kGfc},
                                                  {"nmt", OrderKind::kNmt},
                                                  {"state", OrderKind::kState},
+                                                 {"time", OrderKind::kTime},
                                                  {"help", OrderKind::kHelp},
                                                  {"quit", OrderKind::kQuit}}};
 
@@ -113,6 +114,36 @@ NodeOrder ParseCommand(const std::vector<std::string>& words)
     }
     return {OrderKind::kCommand, {0U, 0U}, word->command, node, {}};
 }
+/// read NODE OBJECT, write NODE OBJECT VALUE BYTES.
+NodeOrder ParseTransfer(const std::vector<std::string>& words)
+{
+    constexpr std::uint64_t kLongestNumber = 8U;
+    const bool is_read = words.front() == "read";
+    const bool is_whole = words.size() == (is_read ? 3U : 5U);
+    const auto node = is_whole ? cia306::ParseUnsigned(words[1U], kHighestNode) : std::nullopt;
+    const std::optional<ObjectAddress> object = is_whole ? ParseObject(words[2U]) : std::nullopt;
+    NodeOrder order{is_read ? OrderKind::kRead : OrderKind::kWrite, {0U, 0U}, 0U, 0U, {}};
+    bool is_usable = node && *node != 0U && object;
+    if (is_usable && !is_read)
+    {
+        const auto size = cia306::ParseUnsigned(words[4U], kLongestNumber);
+        const bool is_size = size && *size != 0U;
+        const auto greatest = ~std::uint64_t{0U} >> (is_size ? 8U * (kLongestNumber - *size) : 0U);
+        const auto value = is_size ? cia306::ParseUnsigned(words[3U], greatest) : std::nullopt;
+        is_usable = value.has_value();
+        order.value = value.value_or(0U);
+        order.size_bytes = static_cast<std::uint8_t>(size.value_or(0U));
+    }
+    if (!is_usable)
+    {
+        return Problem(cia306::Quoted(words.front()) + " with something else than node, object" +
+                           (is_read ? "" : ", number and its bytes"),
+                       is_read ? "read 5 0x1018:01" : "write 5 0x2000:01 1 2");
+    }
+    order.node = static_cast<std::uint8_t>(*node);
+    order.object = *object;
+    return order;
+}
 } // namespace
 
 NodeOrder ParseOrder(const std::string& line)
@@ -149,7 +180,12 @@ NodeOrder ParseOrder(const std::string& line)
     {
         return ParseCommand(words);
     }
-    return Problem(cia306::Quoted(line) + " is no order", "set, get, ack, gfc, nmt, state, help or quit");
+    if (words.front() == "read" || words.front() == "write")
+    {
+        return ParseTransfer(words);
+    }
+    return Problem(cia306::Quoted(line) + " is no order",
+                   "set, get, ack, gfc, nmt, state, read, write, time, help or quit");
 }
 
 std::string OrderHelp()
@@ -161,6 +197,9 @@ std::string OrderHelp()
            "  nmt                  state of the node\n"
            "  nmt start [NODE]     also stop, pre-operational, reset-node, reset-communication\n"
            "  state                SRDOs, outputs, values\n"
+           "  read 5 0x1018:01     an object of node 5, by the SDO client of 0x1280 to 0x12FF that has this node\n"
+           "  write 5 0x2000:01 1 2  the same: value and its bytes\n"
+           "  time                 send the time of this machine\n"
            "  quit                 close the outputs and end\n";
 }
 } // namespace counterpoint::tools

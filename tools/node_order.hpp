@@ -22,6 +22,9 @@ enum class OrderKind : std::uint8_t
     kHelp = 8U,
     kQuit = 9U,
     kProblem = 10U, ///< `problem` tells.
+    kTime = 11U,    ///< Sends the time of the system.
+    kRead = 12U,    ///< node, object
+    kWrite = 13U,   ///< node, object, value, size_bytes
 };
 
 /// What a person or a script wants of a live node.
@@ -32,10 +35,11 @@ struct NodeOrder
     std::uint64_t value{0U};
     std::uint8_t node{0U};
     std::string problem; ///< What is wrong and what was expected.
+    std::uint8_t size_bytes{0U};
 };
 
-/// @brief One line: set 0x2000:01 1, get 0x1018:01, ack 1, gfc, nmt, nmt start [NODE], state, help, quit.
-/// [SRS-NODE-003]
+/// @brief One line: set 0x2000:01 1, get 0x1018:01, ack 1, gfc, nmt, nmt start [NODE], state, read 5 0x1018:01,
+/// write 5 0x2000:01 1 2, time, help, quit. [SRS-NODE-003, SRS-NODE-012]
 [[nodiscard]] NodeOrder ParseOrder(const std::string& line);
 /// @brief All orders, a line each.
 [[nodiscard]] std::string OrderHelp();

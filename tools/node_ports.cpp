@@ -3,6 +3,9 @@
 
 #include "canopen/device/safety_queue.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace counterpoint::tools
 {
 namespace
@@ -16,19 +19,37 @@ host::LiveOptions OptionsOfServices()
     return {host::RestartPolicy::kTimed, kRestartAfterMs, {}};
 }
 
-/// 001h, 100h to 17Fh, 180h: whole powers of two; the device leaves out 100h.
-host::LiveOptions OptionsOfSafety()
+/// 001h, 100h to 17Fh, 180h: whole powers of two; the device leaves out 100h. With two controllers the first one has
+/// the odd ones of the pairs, the second one the even ones.
+host::LiveOptions OptionsOfSafety(const bool is_alone)
 {
     host::LiveOptions options = OptionsOfServices();
-    options.filters = {{kGfcIdentifier, kOneIdentifier, false},
-                       {kFirstSrdoIdentifier - 1U, kBlockOf128, false},
+    options.filters = {{kGfcIdentifier, kOneIdentifier, false}};
+    if (is_alone)
+    {
+        options.filters.push_back({kFirstSrdoIdentifier - 1U, kBlockOf128, false});
+        options.filters.push_back({kLastSrdoIdentifier, kOneIdentifier, false});
+    }
+    else
+    {
+        options.filters.push_back({kFirstSrdoIdentifier, kBlockOf128 | 1U, false});
+    }
+    return options;
+}
+
+host::LiveOptions OptionsOfInverse()
+{
+    host::LiveOptions options = OptionsOfServices();
+    options.filters = {{kFirstSrdoIdentifier + 1U, kBlockOf128 | 1U, false},
                        {kLastSrdoIdentifier, kOneIdentifier, false}};
     return options;
 }
 } // namespace
 
-NodePorts::NodePorts(const std::string& address)
-    : safety_(host::OpenLiveBus(address, OptionsOfSafety())), services_(host::OpenLiveBus(address, OptionsOfServices()))
+NodePorts::NodePorts(const std::string& first, const std::string& second)
+    : safety_(host::OpenLiveBus(first, OptionsOfSafety(second.empty()))),
+      services_(host::OpenLiveBus(first, OptionsOfServices())),
+      inverse_(second.empty() ? nullptr : host::OpenLiveBus(second, OptionsOfInverse()))
 {
 }
 
@@ -37,14 +58,34 @@ hal::CanGuarantees NodePorts::Guarantees() const noexcept
     return {hal::Guarantee::kGiven, hal::Guarantee::kGiven, hal::Guarantee::kGiven};
 }
 
+std::uint32_t NodePorts::LostFrames() const
+{
+    return safety_->Health().lost_frames + services_->Health().lost_frames +
+           (inverse_ ? inverse_->Health().lost_frames : 0U);
+}
+
+host::BusState NodePorts::State() const
+{
+    constexpr std::array<host::BusState, 5U> kWorstFirst{host::BusState::kDown, host::BusState::kBusOff,
+                                                         host::BusState::kPassive, host::BusState::kWarning,
+                                                         host::BusState::kActive};
+    const host::BusState one = services_->Health().state;
+    const host::BusState other = inverse_ ? inverse_->Health().state : one;
+    const auto worse = std::find_if(kWorstFirst.begin(), kWorstFirst.end(),
+                                    [one, other](const host::BusState each) { return each == one || each == other; });
+    return (worse == kWorstFirst.end()) ? host::BusState::kInvalid : *worse;
+}
+
 hal::TransmitStatus NodePorts::DoTransmit(const CanFrame& frame) noexcept
 {
     const bool is_safety = device::IsSafetyIdentifier(frame.identifier);
-    if (frame.port != CanPortId::kFirst || (is_safety && has_ended_))
+    host::LiveBus* const first = is_safety ? safety_.get() : services_.get();
+    host::LiveBus* const bus = (frame.port == CanPortId::kFirst) ? first : inverse_.get();
+    if (bus == nullptr || (is_safety && has_ended_))
     {
         return hal::TransmitStatus::kRefused;
     }
-    switch ((is_safety ? *safety_ : *services_).Send(host::FromCanFrame(frame)))
+    switch (bus->Send(host::FromCanFrame(frame)))
     {
     case host::SendResult::kSent:
         return hal::TransmitStatus::kAccepted;

@@ -10,25 +10,35 @@
 
 namespace counterpoint::tools
 {
-/// The controller of a live node: two connections to one bus, so that in the system too SRDO and GFC have queues that
-/// no other frame takes, both ways. [SRS-DEV-007]
+/// The controllers of a live node: two connections to one bus, so that in the system too SRDO and GFC have queues that
+/// no other frame takes, both ways; with a second controller a third one, which has the inverse frames of SRDOs (even
+/// identifiers) for itself. [SRS-DEV-007, SRS-NODE-014]
 class NodePorts final : public hal::CanPorts
 {
   public:
-    /// Throws host::LiveBusError.
-    explicit NodePorts(const std::string& address);
+    /// `second` empty: one controller. Throws host::LiveBusError.
+    NodePorts(const std::string& first, const std::string& second);
 
     [[nodiscard]] hal::CanGuarantees Guarantees() const noexcept override;
-    /// @brief Frames with safety identifiers.
+    /// @brief Frames with safety identifiers; without those of the second controller.
     [[nodiscard]] host::LiveBus& Safety() noexcept
     {
         return *safety_;
     }
-    /// @brief All frames.
+    /// @brief All frames of the first controller.
     [[nodiscard]] host::LiveBus& Services() noexcept
     {
         return *services_;
     }
+    /// @brief The second controller; null: there is none.
+    [[nodiscard]] host::LiveBus* Inverse() noexcept
+    {
+        return inverse_.get();
+    }
+    /// @brief Frames that the system lost, of all.
+    [[nodiscard]] std::uint32_t LostFrames() const;
+    /// @brief The worse one of both controllers.
+    [[nodiscard]] host::BusState State() const;
     /// @brief From now on SRDOs are refused: the end of the process.
     void EndProduction() noexcept
     {
@@ -40,6 +50,7 @@ class NodePorts final : public hal::CanPorts
 
     std::unique_ptr<host::LiveBus> safety_;
     std::unique_ptr<host::LiveBus> services_;
+    std::unique_ptr<host::LiveBus> inverse_;
     bool has_ended_{false};
 };
 } // namespace counterpoint::tools

@@ -82,7 +82,7 @@ void NodeMemory::Work()
 
 NodeStore::NodeStore(const std::string& path, const NodeStoreParts& parts)
     : memory_(path), entries_(parts.table, parts.dictionary, parts.services.tpdos, parts.services.rpdos),
-      safety_(parts.kernel), list_{&entries_, &safety_}, scratch_(kLargestItem),
+      safety_(parts.kernel), lss_({0U, {0U}}), list_{&entries_, &safety_, &lss_}, scratch_(kLargestItem),
       store_({memory_, list_.data(), static_cast<std::uint8_t>(list_.size()), {scratch_.data(), kLargestItem}}),
       objects_(store_)
 {
@@ -97,6 +97,18 @@ void NodeStore::Load(const std::uint8_t groups) noexcept
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     static_cast<void>(store_.Load(groups));
+}
+
+cia305::LssSettings NodeStore::LoadLss(const cia305::LssSettings& otherwise) noexcept
+{
+    Load(cia301::kLssGroup);
+    const bool is_kept = lss_.Settings().node_id != 0U; // No setting that LSS could have.
+    return is_kept ? lss_.Settings() : otherwise;
+}
+
+cia305::LssStored NodeStore::Keep(const cia305::LssSettings& settings) noexcept
+{
+    return lss_.Keep(settings, store_);
 }
 
 void NodeStore::OnCycle() noexcept

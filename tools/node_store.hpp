@@ -3,6 +3,7 @@
 #define TOOLS_NODE_STORE_HPP
 
 #include "canopen/cia301/stored_parts.hpp"
+#include "canopen/cia305/stored_lss.hpp"
 #include "canopen/device/services.hpp"
 #include "hal/host/file_parameter_memory.hpp"
 
@@ -53,7 +54,7 @@ struct NodeStoreParts
     device::Services& services;
 };
 
-/// 1010h and 1011h of a live node, in a file. [SRS-NODE-011]
+/// 1010h and 1011h of a live node, and the settings of its LSS, in a file. [SRS-NODE-011, SRS-NODE-015]
 class NodeStore
 {
   public:
@@ -64,6 +65,10 @@ class NodeStore
     void Load(std::uint8_t groups) noexcept;
     void OnCycle() noexcept;
     [[nodiscard]] bool IsBusy() const noexcept;
+    /// @brief What LSS saved, or else `otherwise`.
+    [[nodiscard]] cia305::LssSettings LoadLss(const cia305::LssSettings& otherwise) noexcept;
+    /// @brief Saves settings of LSS; as LssDevice::Store.
+    [[nodiscard]] cia305::LssStored Keep(const cia305::LssSettings& settings) noexcept;
     /// @brief Of 1010h and 1011h.
     [[nodiscard]] cia301::NumberHook& Hook() noexcept;
 
@@ -71,7 +76,8 @@ class NodeStore
     NodeMemory memory_;
     cia301::StoredEntries entries_;
     cia301::StoredSafety safety_;
-    std::array<cia301::StoredPart*, 2U> list_;
+    cia305::StoredLss lss_;
+    std::array<cia301::StoredPart*, 3U> list_;
     std::vector<std::uint8_t> scratch_;
     cia301::ParameterStore store_;
     cia301::StoreObjects objects_;

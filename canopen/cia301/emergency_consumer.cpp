@@ -18,10 +18,20 @@ constexpr std::uint8_t kMessageBytes = 8U;
 EmergencyConsumer::EmergencyConsumer(const EmergencySources& sources, EmergencyListener& listener) noexcept
     : sources_(sources), listener_(listener)
 {
-    Reset();
+    ResetCommunication(NodeId{0U});
 }
 
-void EmergencyConsumer::Reset() noexcept
+bool EmergencyConsumer::Wants(const std::uint32_t identifier) const noexcept
+{
+    bool is_wanted = false;
+    for (std::uint8_t i = 0U; i < sources_.count; ++i)
+    {
+        is_wanted = is_wanted || (sources_.cob_ids[i] == identifier);
+    }
+    return is_wanted;
+}
+
+void EmergencyConsumer::ResetCommunication(NodeId) noexcept
 {
     for (std::uint8_t i = 0U; i < sources_.count; ++i)
     {
@@ -46,6 +56,10 @@ void EmergencyConsumer::OnFrame(const CanFrame& frame, const Moment& moment) noe
             listener_.OnEmergency(emergency);
         }
     }
+}
+
+void EmergencyConsumer::OnCycle(const Moment&) noexcept
+{
 }
 
 ObjectValue EmergencyConsumer::Fetch(const ObjectAddress& address) noexcept

@@ -2,7 +2,7 @@
 #ifndef CANOPEN_CIA301_EMERGENCY_CONSUMER_HPP
 #define CANOPEN_CIA301_EMERGENCY_CONSUMER_HPP
 
-#include "canopen/cia301/frame_sink.hpp"
+#include "canopen/cia301/bus_service.hpp"
 #include "canopen/cia301/number_hook.hpp"
 
 namespace counterpoint::cia301
@@ -37,15 +37,17 @@ struct EmergencySources
 };
 
 /// Receives emergency messages; the hook of 1028h. Not reentrant.
-class EmergencyConsumer final : public NumberHook
+class EmergencyConsumer final : public NumberHook, public BusService
 {
   public:
     EmergencyConsumer(const EmergencySources& sources, EmergencyListener& listener) noexcept;
 
+    [[nodiscard]] bool Wants(std::uint32_t identifier) const noexcept override;
     /// @brief Reset communication: nobody is listened to.
-    void Reset() noexcept;
+    void ResetCommunication(NodeId node) noexcept override;
     /// @brief A frame from the bus. O(count) [SRS-EMCY-006]
-    void OnFrame(const CanFrame& frame, const Moment& moment) noexcept;
+    void OnFrame(const CanFrame& frame, const Moment& moment) noexcept override;
+    void OnCycle(const Moment& moment) noexcept override;
 
   private:
     [[nodiscard]] ObjectValue Fetch(const ObjectAddress& address) noexcept override;

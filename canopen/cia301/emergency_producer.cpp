@@ -15,10 +15,11 @@ constexpr std::uint32_t kUsPerStep = 100U;
 
 } // namespace
 
-EmergencyProducer::EmergencyProducer(const NodeId node) noexcept
-    : active_{}, waiting_{}, history_{}, cob_id_(0x80U + node.value), inhibit_100us_(0U), active_count_(0U),
+EmergencyProducer::EmergencyProducer(const NodeId node, const ErrorHistory& history) noexcept
+    : active_{}, waiting_{}, history_(history), cob_id_(0x80U + node.value), inhibit_100us_(0U), active_count_(0U),
       waiting_count_(0U), history_count_(0U), dropped_(0U), is_inhibited_(false), sent_{0U}
 {
+    history_.count = (history_.count > kLongestHistory) ? kLongestHistory : history_.count;
 }
 
 void EmergencyProducer::ResetCommunication(const NodeId node) noexcept
@@ -98,7 +99,7 @@ std::uint8_t EmergencyProducer::Register() const noexcept
 HistoryReading EmergencyProducer::History(const std::uint8_t sub) const noexcept
 {
     HistoryReading reading{SdoAbort::kNone, history_count_};
-    if (sub > kEmergencyRoom)
+    if (sub > history_.count)
     {
         reading.abort = SdoAbort::kSubUnknown;
     }
@@ -108,7 +109,7 @@ HistoryReading EmergencyProducer::History(const std::uint8_t sub) const noexcept
     }
     else if (sub > 0U)
     {
-        reading.value = history_[sub - 1U];
+        reading.value = history_.errors[sub - 1U];
     }
     return reading;
 }
@@ -186,14 +187,17 @@ void EmergencyProducer::Queue(const std::uint16_t code, const EmergencyError& er
 
 void EmergencyProducer::Remember(const EmergencyError& error) noexcept
 {
-    for (std::uint32_t i = kEmergencyRoom - 1U; i > 0U; --i)
+    if (history_.count > 0U)
     {
-        history_[i] = history_[i - 1U];
+        const bool is_full = history_count_ == history_.count;
+        history_count_ = is_full ? history_count_ : static_cast<std::uint8_t>(history_count_ + 1U);
+        for (std::uint32_t i = history_count_ - 1U; i > 0U; --i)
+        {
+            history_.errors[i] = history_.errors[i - 1U];
+        }
+        const std::uint32_t details = error.details[0] | (static_cast<std::uint32_t>(error.details[1]) << 8U);
+        history_.errors[0] = error.code | (details << 16U);
     }
-    const std::uint32_t details = error.details[0] | (static_cast<std::uint32_t>(error.details[1]) << 8U);
-    history_[0] = error.code | (details << 16U);
-    history_count_ =
-        (history_count_ < kEmergencyRoom) ? static_cast<std::uint8_t>(history_count_ + 1U) : kEmergencyRoom;
 }
 
 } // namespace counterpoint::cia301

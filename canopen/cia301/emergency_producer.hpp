@@ -8,7 +8,15 @@
 namespace counterpoint::cia301
 {
 
-constexpr std::uint8_t kEmergencyRoom = 8U; ///< Errors active at once, messages waiting, entries of 1003h.
+constexpr std::uint8_t kEmergencyRoom = 8U;    ///< Errors active at once, messages waiting.
+constexpr std::uint8_t kLongestHistory = 254U; ///< Entries of 1003h: as many as an object has sub-indices.
+
+/// Room for 1003h, kept by reference; what is beyond kLongestHistory is not used.
+struct ErrorHistory
+{
+    std::uint32_t* errors;
+    std::uint8_t count; ///< 0: the device keeps none.
+};
 
 /// An error of the device.
 struct EmergencyError
@@ -30,7 +38,7 @@ struct HistoryReading
 class EmergencyProducer
 {
   public:
-    explicit EmergencyProducer(NodeId node) noexcept;
+    EmergencyProducer(NodeId node, const ErrorHistory& history) noexcept;
 
     /// @brief Reset communication: 1014h and 1015h as at power-on; errors stay. [SRS-EMCY-008]
     void ResetCommunication(NodeId node) noexcept;
@@ -38,6 +46,11 @@ class EmergencyProducer
     void Raise(const EmergencyError& error) noexcept;
     /// @brief The error of this code and source is gone; nothing happens if it is not active. O(room) [SRS-EMCY-001]
     void Clear(std::uint16_t code, std::uint16_t source = 0U) noexcept;
+    /// @brief Whether any error is active. O(1)
+    [[nodiscard]] bool HasErrors() const noexcept
+    {
+        return active_count_ > 0U;
+    }
     /// @brief The next message, if state, 1014h and 1015h allow one. [SRS-EMCY-003..005]
     [[nodiscard]] FrameToSend Poll(NodeState state, Instant now) noexcept;
 
@@ -67,7 +80,7 @@ class EmergencyProducer
 
     EmergencyError active_[kEmergencyRoom]; ///< The first `active_count_`.
     Message waiting_[kEmergencyRoom];       ///< The first `waiting_count_`, the oldest at 0.
-    std::uint32_t history_[kEmergencyRoom]; ///< The first `history_count_`, the newest at 0.
+    ErrorHistory history_;                  ///< The first `history_count_`, the newest at 0.
     std::uint32_t cob_id_;
     std::uint16_t inhibit_100us_;
     std::uint8_t active_count_;

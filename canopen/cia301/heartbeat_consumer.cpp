@@ -10,6 +10,7 @@ constexpr std::uint32_t kUsPerMs = 1000U;
 constexpr std::uint32_t kErrorControl = 0x700U;
 constexpr std::uint32_t kReserved = 0xFF000000U;
 constexpr std::uint32_t kLastNode = 127U;
+constexpr std::uint32_t kLongestUs = 0x20000000U; ///< Without a look at the entries: far from a wrap of the time.
 
 std::uint32_t NodeOf(const std::uint32_t config) noexcept
 {
@@ -34,7 +35,7 @@ bool IsState(const std::uint8_t byte) noexcept
 } // namespace
 
 HeartbeatConsumer::HeartbeatConsumer(const SupervisedNodes& room, HeartbeatListener& listener) noexcept
-    : room_(room), listener_(listener)
+    : room_(room), listener_(listener), looked_{0U}, silent_us_(0U)
 {
 }
 
@@ -102,6 +103,8 @@ void HeartbeatConsumer::Take(SupervisedNode& node, const std::uint8_t state, con
     node.is_running = (state != 0U);
     node.state = state;
     node.last = now;
+    const std::uint32_t until_lost_us = (now.us - looked_.us) + TimeUsOf(node.config);
+    silent_us_ = (until_lost_us < silent_us_) ? until_lost_us : silent_us_;
     if (event != HeartbeatEvent::kInvalid)
     {
         listener_.OnHeartbeat(NodeId{static_cast<std::uint8_t>(NodeOf(node.config))}, event, state);
@@ -110,14 +113,34 @@ void HeartbeatConsumer::Take(SupervisedNode& node, const std::uint8_t state, con
 
 void HeartbeatConsumer::Poll(const Instant now) noexcept
 {
+    if ((now.us - looked_.us) > silent_us_)
+    {
+        Look(now);
+    }
+}
+
+void HeartbeatConsumer::Look(const Instant now) noexcept
+{
+    looked_ = now;
+    silent_us_ = kLongestUs;
     for (std::uint8_t i = 0U; i < room_.count; ++i)
     {
         SupervisedNode& node = room_.nodes[i];
-        if (node.is_running && ((now.us - node.last.us) > TimeUsOf(node.config)))
+        const std::uint32_t since_us = now.us - node.last.us;
+        const std::uint32_t time_us = TimeUsOf(node.config);
+        if (node.is_running && (since_us > time_us))
         {
             node.is_running = false;
             listener_.OnHeartbeat(NodeId{static_cast<std::uint8_t>(NodeOf(node.config))}, HeartbeatEvent::kLost,
                                   node.state);
+        }
+        else if (node.is_running && ((time_us - since_us) < silent_us_))
+        {
+            silent_us_ = time_us - since_us;
+        }
+        else
+        {
+            // Another one is lost earlier, or nobody is supervised here.
         }
     }
 }

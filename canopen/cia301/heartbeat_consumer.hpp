@@ -59,14 +59,17 @@ class HeartbeatConsumer
     [[nodiscard]] std::uint32_t Value(std::uint8_t sub) const noexcept;
     /// @brief A frame from the bus. O(count) [SRS-HB-004..006]
     void OnFrame(const CanFrame& frame, Instant now) noexcept;
-    /// @brief Tells the listener who was lost. O(count) [SRS-HB-004]
+    /// @brief Tells the listener who was lost. O(1), O(count) when somebody may be [SRS-HB-004]
     void Poll(Instant now) noexcept;
 
   private:
     void Take(SupervisedNode& node, std::uint8_t state, Instant now) noexcept;
+    void Look(Instant now) noexcept;
 
     SupervisedNodes room_;
     HeartbeatListener& listener_;
+    Instant looked_;          ///< When all entries were looked at.
+    std::uint32_t silent_us_; ///< So long after `looked_` nobody can be lost; a heartbeat only puts it off.
 };
 
 } // namespace counterpoint::cia301

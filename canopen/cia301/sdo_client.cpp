@@ -19,14 +19,19 @@ constexpr std::uint8_t kBlockUploadRequest = 0xA4U;   ///< With CRC.
 constexpr std::uint8_t kBlockDownloadRequest = 0xC6U; ///< With CRC and length.
 constexpr std::uint32_t kFrameBytes = 8U;
 
+SdoConnection DefaultOf(const NodeId server) noexcept
+{
+    return SdoConnection{kRequests + server.value, kAnswers + server.value, server};
+}
+
 } // namespace
 
 SdoClient::SdoClient(const SdoClientParts& parts) noexcept
-    : parts_(parts), phase_(Phase::kIdle), state_(SdoClientState::kIdle), mode_(SdoMode::kInvalid),
-      outcome_{SdoAbort::kNone, false, 0U}, target_{0U, 0U}, stale_{0U, 0U}, source_{nullptr, 0U}, room_{nullptr, 0U},
-      now_{0U}, last_{0U}, length_(0U), position_(0U), crc_bytes_(0U), crc_(0U), toggle_(0U), sequence_(0U),
-      block_size_(0U), mark_(0U), is_upload_(false), has_crc_(false), has_last_(false), is_repeated_(false),
-      is_doubtful_(false), has_given_up_(false), is_sending_(false), waiting_{}
+    : parts_(parts), connection_(DefaultOf(parts.server)), phase_(Phase::kIdle), state_(SdoClientState::kIdle),
+      mode_(SdoMode::kInvalid), outcome_{SdoAbort::kNone, false, 0U}, target_{0U, 0U}, stale_{0U, 0U},
+      source_{nullptr, 0U}, room_{nullptr, 0U}, now_{0U}, last_{0U}, length_(0U), position_(0U), crc_bytes_(0U),
+      crc_(0U), toggle_(0U), sequence_(0U), block_size_(0U), mark_(0U), is_upload_(false), has_crc_(false),
+      has_last_(false), is_repeated_(false), is_doubtful_(false), has_given_up_(false), is_sending_(false), waiting_{}
 {
     const bool is_size = (parts_.block_size >= 1U) && (parts_.block_size <= kMaxBlockSize);
     parts_.block_size = is_size ? parts_.block_size : kMaxBlockSize;
@@ -136,7 +141,7 @@ void SdoClient::SendMark() noexcept
 void SdoClient::OnFrame(const CanFrame& frame, const Instant now) noexcept
 {
     const bool is_answer = (frame.kind == FrameKind::kData) && (frame.length_bytes == kFrameBytes) &&
-                           (frame.identifier == (kAnswers + parts_.server.value));
+                           (frame.identifier == connection_.answer);
     if (is_answer && (state_ == SdoClientState::kBusy))
     {
         SdoFrame answer{};
@@ -195,10 +200,17 @@ void SdoClient::OnServerRestart() noexcept
 
 bool SdoClient::Connect(const NodeId server) noexcept
 {
+    return Connect(DefaultOf(server));
+}
+
+bool SdoClient::Connect(const SdoConnection& connection) noexcept
+{
     const bool is_free = (state_ != SdoClientState::kBusy);
-    if (is_free && (server.value != parts_.server.value))
+    const bool is_other = (connection.request != connection_.request) || (connection.answer != connection_.answer) ||
+                          (connection.server.value != connection_.server.value);
+    if (is_free && is_other)
     {
-        parts_.server = server;
+        connection_ = connection;
         is_sending_ = false;
         is_doubtful_ = has_given_up_;
     }
@@ -217,7 +229,7 @@ const SdoOutcome& SdoClient::Outcome() const noexcept
 
 NodeId SdoClient::Server() const noexcept
 {
-    return parts_.server;
+    return connection_.server;
 }
 
 void SdoClient::Request(const std::uint8_t command, const ObjectAddress& target, const std::uint32_t value) noexcept
@@ -243,7 +255,7 @@ bool SdoClient::Flush() noexcept
 {
     if (is_sending_)
     {
-        CanFrame frame{kRequests + parts_.server.value, FrameKind::kData, CanPortId::kFirst, 8U, {}};
+        CanFrame frame{connection_.request, FrameKind::kData, CanPortId::kFirst, 8U, {}};
         for (std::uint32_t i = 0U; i < kFrameBytes; ++i)
         {
             frame.data[i] = waiting_.bytes[i];

@@ -31,6 +31,14 @@ struct SdoOutcome
     std::uint32_t size_bytes; ///< Bytes transferred.
 };
 
+/// Where a server is reached. The default one of a node: 600h and 580h + node-ID.
+struct SdoConnection
+{
+    std::uint32_t request; ///< Identifier from client to server.
+    std::uint32_t answer;  ///< Identifier from server to client.
+    NodeId server;
+};
+
 /// The client's side of one connection. `time_out_us` is the silence that ends a transfer, 2 to 2^30.
 struct SdoClientParts
 {
@@ -67,6 +75,8 @@ class SdoClient
     void OnServerRestart() noexcept;
     /// @brief Another server from now on; only while no transfer runs. Without a change of server nothing happens.
     [[nodiscard]] bool Connect(NodeId server) noexcept;
+    /// @brief The same with identifiers of its own. [SRS-SDC-011]
+    [[nodiscard]] bool Connect(const SdoConnection& connection) noexcept;
 
     [[nodiscard]] SdoClientState State() const noexcept;
     [[nodiscard]] const SdoOutcome& Outcome() const noexcept;
@@ -122,6 +132,7 @@ class SdoClient
     [[nodiscard]] SdoAbort CheckEnd(std::uint32_t size_bytes) const noexcept;
 
     SdoClientParts parts_;
+    SdoConnection connection_;
     Phase phase_;
     SdoClientState state_;
     SdoMode mode_;

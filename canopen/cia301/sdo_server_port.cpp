@@ -8,29 +8,41 @@ namespace counterpoint::cia301
 namespace
 {
 
-constexpr std::uint16_t kObject = 0x1200U;
+constexpr std::uint16_t kFirstObject = 0x1200U;
 constexpr std::uint32_t kRequests = 0x600U;
 constexpr std::uint32_t kAnswers = 0x580U;
-constexpr std::uint8_t kHighestSub = 2U;
+constexpr std::uint8_t kHighestDefaultSub = 2U;
 constexpr std::uint32_t kFrameBytes = 8U;
 
 } // namespace
 
 SdoServerPort::SdoServerPort(SdoServer& server, FrameSink& sink, const NodeId node) noexcept
-    : server_(server), sink_(sink), node_(node), waiting_{SdoPresence::kNothing, {}}
+    : server_(server), sink_(sink), number_{0U}, parameters_{kRequests + node.value, kAnswers + node.value, 0U},
+      waiting_{SdoPresence::kNothing, {}}
 {
 }
 
-void SdoServerPort::Reset(const NodeId node) noexcept
+SdoServerPort::SdoServerPort(SdoServer& server, FrameSink& sink, const SdoServerNumber number) noexcept
+    : server_(server), sink_(sink), number_(number), parameters_{}, waiting_{SdoPresence::kNothing, {}}
+{
+}
+
+bool SdoServerPort::Wants(const std::uint32_t identifier) const noexcept
+{
+    return IsOn(parameters_) && (identifier == parameters_.request);
+}
+
+void SdoServerPort::ResetCommunication(const NodeId node) noexcept
 {
     static_cast<void>(server_.Close(SdoAbort::kDeviceState));
     waiting_.presence = SdoPresence::kNothing;
-    node_ = node;
+    const bool is_default = number_.value == 0U;
+    parameters_ = is_default ? SdoParameters{kRequests + node.value, kAnswers + node.value, 0U} : SdoParameters{};
 }
 
 void SdoServerPort::OnFrame(const CanFrame& frame, const Moment& moment) noexcept
 {
-    const bool is_request = (frame.kind == FrameKind::kData) && (frame.identifier == (kRequests + node_.value));
+    const bool is_request = (frame.kind == FrameKind::kData) && Wants(frame.identifier);
     if (is_request && IsAllowed(Service::kSdo, moment.state))
     {
         SdoFrame request{};
@@ -81,7 +93,7 @@ bool SdoServerPort::Flush() noexcept
 {
     if (waiting_.presence == SdoPresence::kFrame)
     {
-        CanFrame frame{kAnswers + node_.value, FrameKind::kData, CanPortId::kFirst, 8U, {}};
+        CanFrame frame{parameters_.answer, FrameKind::kData, CanPortId::kFirst, 8U, {}};
         for (std::uint32_t i = 0U; i < kFrameBytes; ++i)
         {
             frame.data[i] = waiting_.frame.bytes[i];
@@ -93,26 +105,38 @@ bool SdoServerPort::Flush() noexcept
 
 ObjectValue SdoServerPort::Fetch(const ObjectAddress& address) noexcept
 {
-    ObjectValue value{SdoAbort::kNone, kHighestSub, 1U};
-    if (address.index != kObject)
+    const bool is_default = number_.value == 0U;
+    ObjectValue value{SdoAbort::kObjectUnknown, 0U, 1U};
+    if (address.index == (kFirstObject + number_.value))
     {
-        value.abort = SdoAbort::kObjectUnknown;
-    }
-    else if (address.sub > kHighestSub)
-    {
-        value.abort = SdoAbort::kSubUnknown;
-    }
-    else if (address.sub > 0U)
-    {
-        value = ObjectValue{SdoAbort::kNone, ((address.sub == 1U) ? kRequests : kAnswers) + node_.value, 4U};
+        value = FetchSdo(parameters_, address.sub);
+        value.abort = (is_default && (address.sub > kHighestDefaultSub)) ? SdoAbort::kSubUnknown : value.abort;
+        value.value = (is_default && (address.sub == 0U)) ? kHighestDefaultSub : value.value;
     }
     return value;
 }
 
-SdoAbort SdoServerPort::Store(const ObjectAddress& address, std::uint32_t) noexcept
+// A transfer that is under way may be the one that carries the value: only a server that rests changes.
+SdoAbort SdoServerPort::Store(const ObjectAddress& address, const std::uint32_t value) noexcept
 {
-    const SdoAbort abort = Fetch(address).abort;
-    return (abort == SdoAbort::kNone) ? SdoAbort::kReadOnly : abort;
+    SdoAbort abort = Fetch(address).abort;
+    if ((abort == SdoAbort::kNone) && (number_.value == 0U))
+    {
+        abort = SdoAbort::kReadOnly;
+    }
+    else if ((abort == SdoAbort::kNone) && server_.IsBusy())
+    {
+        abort = SdoAbort::kDeviceState;
+    }
+    else if (abort == SdoAbort::kNone)
+    {
+        abort = StoreSdo(parameters_, SdoSide::kServer, address.sub, value);
+    }
+    else
+    {
+        // Not of this server.
+    }
+    return abort;
 }
 
 } // namespace counterpoint::cia301

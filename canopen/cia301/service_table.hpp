@@ -25,8 +25,46 @@ enum class Service : std::uint8_t
     kLss = 11U,
 };
 
+namespace service_table
+{
+/// A set of states has bit n for NodeState n.
+constexpr std::uint32_t StateBit(const NodeState state) noexcept
+{
+    return std::uint32_t{1U} << static_cast<std::uint32_t>(state);
+}
+constexpr std::uint32_t kStarting = StateBit(NodeState::kInitialising) | StateBit(NodeState::kResetApplication) |
+                                    StateBit(NodeState::kResetCommunication);
+constexpr std::uint32_t kRunning = StateBit(NodeState::kOperational);
+constexpr std::uint32_t kReady = StateBit(NodeState::kPreOperational) | kRunning;
+constexpr std::uint32_t kAlive = kReady | StateBit(NodeState::kStopped);
+
+/// The states of each service, by its number.
+constexpr std::uint32_t kServiceStates[] = {
+    0U,        // none
+    kRunning,  // PDO
+    kRunning,  // SRDO
+    kRunning,  // GFC
+    kReady,    // SDO
+    kReady,    // SYNC
+    kReady,    // TIME
+    kReady,    // EMCY
+    kStarting, // boot-up
+    kAlive,    // heartbeat and guarding
+    kAlive,    // NMT
+    kAlive,    // LSS
+};
+constexpr std::uint32_t kServiceCount = sizeof(kServiceStates) / sizeof(kServiceStates[0]);
+constexpr std::uint32_t kStateBits = 32U;
+} // namespace service_table
+
 /// @brief Whether a service is allowed in a state. O(1) [SRS-NMT-006]
-[[nodiscard]] bool IsAllowed(Service service, NodeState state) noexcept;
+[[nodiscard]] constexpr bool IsAllowed(const Service service, const NodeState state) noexcept
+{
+    const auto row = static_cast<std::uint32_t>(service);
+    const auto place = static_cast<std::uint32_t>(state);
+    return (row < service_table::kServiceCount) && (place < service_table::kStateBits) &&
+           (((service_table::kServiceStates[row] >> place) & 1U) != 0U);
+}
 
 } // namespace counterpoint::cia301
 

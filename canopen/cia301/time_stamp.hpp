@@ -2,7 +2,7 @@
 #ifndef CANOPEN_CIA301_TIME_STAMP_HPP
 #define CANOPEN_CIA301_TIME_STAMP_HPP
 
-#include "canopen/cia301/frame_sink.hpp"
+#include "canopen/cia301/bus_service.hpp"
 #include "canopen/cia301/number_hook.hpp"
 
 namespace counterpoint::cia301
@@ -28,16 +28,21 @@ class TimeListener
     TimeListener& operator=(const TimeListener&) = default;
 };
 
-/// TIME consumer and producer; the hook of 1012h. Sink and listener are kept by reference. Not reentrant.
-class TimeStamp final : public NumberHook
+/// TIME consumer and producer with 1012h and 1013h, whose hook it is. 1013h counts microseconds of the device and may
+/// be set; with PDOs that map it devices share one count. Sink and listener are kept by reference. Not reentrant.
+/// [SRS-TIM-004]
+class TimeStamp final : public NumberHook, public BusService
 {
   public:
     TimeStamp(FrameSink& sink, TimeListener& listener) noexcept;
 
-    /// @brief Reset communication: 1012h is 100h, neither consumed nor produced.
-    void Reset() noexcept;
+    [[nodiscard]] bool Wants(std::uint32_t identifier) const noexcept override;
+    /// @brief Reset communication: 1012h is 100h, neither consumed nor produced; 1013h is the time of the device.
+    void ResetCommunication(NodeId node) noexcept override;
     /// @brief A frame from the bus. O(1) [SRS-TIM-001]
-    void OnFrame(const CanFrame& frame, const Moment& moment) noexcept;
+    void OnFrame(const CanFrame& frame, const Moment& moment) noexcept override;
+    /// @brief What 1013h is until the next call. O(1)
+    void OnCycle(const Moment& moment) noexcept override;
     /// @brief Sends a time, if 1012h and the state allow it and the sink takes it: a time does not wait. [SRS-TIM-002]
     [[nodiscard]] bool Send(const TimeOfDay& time, const Moment& moment) noexcept;
 
@@ -48,6 +53,8 @@ class TimeStamp final : public NumberHook
     FrameSink& sink_;
     TimeListener& listener_;
     std::uint32_t cob_id_;
+    std::uint32_t now_us_;
+    std::uint32_t ahead_us_; ///< 1013h less the time of the device, modular.
 };
 
 } // namespace counterpoint::cia301

@@ -131,19 +131,36 @@ void Tpdos::OnCycle(const Moment& moment) noexcept
     for (std::uint16_t i = 0U; is_operational_ && (i < parts_.table.count); ++i)
     {
         Tpdo& pdo = parts_.table.pdos[i];
-        const bool has_window = IsSynchronous(pdo) && (pdo.run.window_us > 0U);
-        if (has_window && ((moment.now.us - pdo.run.due_at.us) > pdo.run.window_us))
+        if (pdo.run.is_due)
         {
-            pdo.run.is_due = false;
+            SendDue(pdo, moment);
         }
-        if (IsSendable(pdo) && pdo.run.is_due)
-        {
-            Transmit(pdo, moment.now);
-        }
-        else if (IsSendable(pdo) && IsEventDriven(pdo))
+        else if (IsEventDriven(pdo) && IsSendable(pdo))
         {
             RunEvents(pdo, moment);
         }
+        else
+        {
+            // Waits for SYNC or RTR.
+        }
+    }
+}
+
+/// What found no room, unless its window is over.
+void Tpdos::SendDue(Tpdo& pdo, const Moment& moment) noexcept
+{
+    const bool has_window = IsSynchronous(pdo) && (pdo.run.window_us > 0U);
+    if (has_window && ((moment.now.us - pdo.run.due_at.us) > pdo.run.window_us))
+    {
+        pdo.run.is_due = false;
+    }
+    else if (IsSendable(pdo))
+    {
+        Transmit(pdo, moment.now);
+    }
+    else
+    {
+        // Switched off in between.
     }
 }
 

@@ -105,6 +105,7 @@ class Tpdos
     [[nodiscard]] bool WriteCobId(Tpdo& pdo, std::uint32_t value) noexcept;
     void FollowState(const Moment& moment) noexcept;
     void Start(Tpdo& pdo) noexcept;
+    void SendDue(Tpdo& pdo, const Moment& moment) noexcept;
     void RunEvents(Tpdo& pdo, const Moment& moment) noexcept;
     [[nodiscard]] bool IsSyncDue(Tpdo& pdo, const SyncEvent& event, const PdoData& now) const noexcept;
     void Transmit(Tpdo& pdo, Instant now) noexcept;

@@ -98,6 +98,7 @@ struct Device
     std::map<std::uint16_t, Object> objects;
     std::optional<std::uint8_t> node_id; ///< Of the commissioning section, 1 to 127.
     std::optional<bool> is_safety_supported;
+    bool is_lss_supported{false}; ///< LSS_Supported.
     std::size_t device_info_line{0U};
     std::optional<std::uint8_t> granularity_bits; ///< Of DeviceInfo, where it is one of a Counterpoint device.
     std::set<std::uint16_t> dummies;              ///< Data types that DummyUsage allows to be mapped.

@@ -83,6 +83,8 @@ void DeviceReader::ReadDeviceInfo()
     }
     device_.device_info_line = section->line;
     device_.is_safety_supported = SectionReader(device_.file, *section).FlagAt("CANopenSafetySupported");
+    const IniKey* const lss = section->Find("LSS_Supported");
+    device_.is_lss_supported = lss != nullptr && ParseUnsigned(lss->value, 1U).value_or(0U) == 1U;
     ReadGranularity(*section);
 }
 

@@ -36,16 +36,15 @@ LoadResult Device::PowerOn(const Instant now) noexcept
 
 void Device::OnFrame(const StampedFrame& frame) noexcept
 {
-    const QueuedFrame item{frame, Origin::kReceived};
     if (IsSafetyIdentifier(frame.frame.identifier))
     {
-        safety_.Offer(item);
+        safety_.Offer(frame, Origin::kReceived);
     }
     else
     {
         const bool is_command = frame.frame.identifier == 0U;
         const bool is_wanted = is_command || parts_.services.Wants(frame.frame);
-        if (is_wanted && !(is_command ? commands_ : others_).Put(item))
+        if (is_wanted && !(is_command ? commands_ : others_).Put(frame, Origin::kReceived))
         {
             has_lost_others_.store(true);
         }
@@ -56,7 +55,7 @@ void Device::OnConfirm(const StampedFrame& frame) noexcept
 {
     if (IsSafetyIdentifier(frame.frame.identifier))
     {
-        safety_.Offer(QueuedFrame{frame, Origin::kConfirmed});
+        safety_.Offer(frame, Origin::kConfirmed);
     }
     else
     {
@@ -87,7 +86,7 @@ void Device::OnBus(const BusCondition condition) noexcept
     if (is_off && !was_off)
     {
         parts_.services.outbox.Clear();
-        parts_.services.sdo_port.Reset(parts_.services.node);
+        parts_.services.sdo_port.ResetCommunication(parts_.services.node);
         errors.Raise(CommunicationError::kBusOff, kOwnController);
     }
     if (was_off && !is_off)
@@ -110,18 +109,17 @@ void Device::HandOver() noexcept
     {
         parts_.kernel.OnOverflow();
     }
-    TakenFrame taken = safety_.Take();
-    while (taken.is_present)
+    for (const QueuedFrame* item = safety_.Oldest(); item != nullptr; item = safety_.Oldest())
     {
-        if (taken.item.origin == Origin::kConfirmed)
+        if (item->origin == Origin::kConfirmed)
         {
-            parts_.kernel.OnConfirm(taken.item.frame);
+            parts_.kernel.OnConfirm(item->frame);
         }
         else
         {
-            parts_.kernel.OnFrame(taken.item.frame);
+            parts_.kernel.OnFrame(item->frame);
         }
-        taken = safety_.Take();
+        safety_.Drop();
     }
 }
 

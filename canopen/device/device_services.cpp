@@ -30,19 +30,17 @@ void Device::Serve(const Instant now) noexcept
     {
         services.errors.Clear(CommunicationError::kOverrun, kServiceQueue);
     }
-    TakenFrame command = commands_.Take();
-    while (command.is_present)
+    for (const QueuedFrame* item = commands_.Oldest(); item != nullptr; item = commands_.Oldest())
     {
         // Each takes effect completely before the next one is looked at.
-        services.slave.OnFrame(command.item.frame.frame);
+        services.slave.OnFrame(item->frame.frame);
         Settle();
-        command = commands_.Take();
+        commands_.Drop();
     }
-    TakenFrame other = others_.Take();
-    while (other.is_present)
+    for (const QueuedFrame* item = others_.Oldest(); item != nullptr; item = others_.Oldest())
     {
-        services.OnFrame(other.item.frame.frame, {State(), now});
-        other = others_.Take();
+        services.OnFrame(item->frame.frame, {State(), now});
+        others_.Drop();
     }
     services.OnCycle({State(), now});
     Settle();
@@ -117,7 +115,8 @@ void Device::ApplyState() noexcept
         }
         parts_.kernel.SetNmtState(state);
         const cia301::NumberReading valid = parts_.dictionary.ReadNumber({kConfigurationValidIndex, 0U});
-        if (is_operational && (valid.value != kConfigurationValidValue))
+        const bool is_there = valid.abort == cia301::SdoAbort::kNone; // A plain device has none. [SRS-DEV-021]
+        if (is_operational && is_there && (valid.value != kConfigurationValidValue))
         {
             parts_.watch.OnNotConfigured();
         }

@@ -8,7 +8,7 @@ FrameRing::FrameRing(const FrameRoom& room) noexcept : room_(room), written_(0U)
 {
 }
 
-bool FrameRing::Put(const QueuedFrame& item) noexcept
+bool FrameRing::Put(const StampedFrame& frame, const Origin origin) noexcept
 {
     const std::uint32_t written = written_.load(std::memory_order_relaxed);
     const std::uint32_t read = read_.load(std::memory_order_acquire);
@@ -17,23 +17,23 @@ bool FrameRing::Put(const QueuedFrame& item) noexcept
     const bool has_room = distance < room_.count;
     if (has_room)
     {
-        At(written) = item;
+        QueuedFrame& place = At(written);
+        place.frame = frame;
+        place.origin = origin;
         written_.store(After(written), std::memory_order_release);
     }
     return has_room;
 }
 
-TakenFrame FrameRing::Take() noexcept
+const QueuedFrame* FrameRing::Oldest() const noexcept
 {
     const std::uint32_t read = read_.load(std::memory_order_relaxed);
-    TakenFrame taken{};
-    taken.is_present = read != written_.load(std::memory_order_acquire);
-    if (taken.is_present)
-    {
-        taken.item = At(read);
-        read_.store(After(read), std::memory_order_release);
-    }
-    return taken;
+    return (read == written_.load(std::memory_order_acquire)) ? nullptr : &At(read);
+}
+
+void FrameRing::Drop() noexcept
+{
+    read_.store(After(read_.load(std::memory_order_relaxed)), std::memory_order_release);
 }
 
 std::uint32_t FrameRing::Room() const noexcept

@@ -30,13 +30,6 @@ struct FrameRoom
     std::uint32_t count; ///< Below 2^31.
 };
 
-/// The oldest frame of a queue, or none.
-struct TakenFrame
-{
-    bool is_present;
-    QueuedFrame item;
-};
-
 /// First in, first out, for one writer and one reader that may interrupt each other.
 ///
 /// Invariant: both positions count up to twice the room and then from 0; their distance is the number of frames.
@@ -46,9 +39,11 @@ class FrameRing
     explicit FrameRing(const FrameRoom& room) noexcept;
 
     /// @brief Whether there was room. For the writer. O(1)
-    [[nodiscard]] bool Put(const QueuedFrame& item) noexcept;
-    /// @brief For the reader. O(1)
-    [[nodiscard]] TakenFrame Take() noexcept;
+    [[nodiscard]] bool Put(const StampedFrame& frame, Origin origin) noexcept;
+    /// @brief The oldest frame where it lies, or null; it stays there until Drop. For the reader. O(1)
+    [[nodiscard]] const QueuedFrame* Oldest() const noexcept;
+    /// @brief The oldest frame is done with. Only after Oldest had one. O(1)
+    void Drop() noexcept;
     [[nodiscard]] std::uint32_t Room() const noexcept;
 
   private:

@@ -132,9 +132,12 @@ RefreshAnswer KernelWatch::OnRefresh(const CommunicationIndex index) noexcept
 // A pair was released, or confirmed: what was wrong with this SRDO is over.
 void KernelWatch::OnSrdoEvent(const CommunicationIndex index) noexcept
 {
-    for (const std::uint16_t code : kSrdoCodes)
+    if (emergency_.HasErrors())
     {
-        emergency_.Clear(code, index.value);
+        for (const std::uint16_t code : kSrdoCodes)
+        {
+            emergency_.Clear(code, index.value);
+        }
     }
     application_.OnSrdoEvent(index);
 }

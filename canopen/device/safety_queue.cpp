@@ -43,23 +43,23 @@ void SafetyQueue::AdmitNone() noexcept
     }
 }
 
-void SafetyQueue::Offer(const QueuedFrame& item) noexcept
+void SafetyQueue::Offer(const StampedFrame& frame, const Origin origin) noexcept
 {
-    if (IsGfc(item.frame.frame))
+    if (IsGfc(frame.frame))
     {
         // Own GFCs need no confirmation; a second one says nothing new.
-        const bool is_new = (item.origin == Origin::kReceived) && !has_gfc_.load();
+        const bool is_new = (origin == Origin::kReceived) && !has_gfc_.load();
         if (is_new)
         {
             has_gfc_.store(true);
-            if (!ring_.Put(item))
+            if (!ring_.Put(frame, origin))
             {
                 has_gfc_.store(false);
                 MarkLoss();
             }
         }
     }
-    else if (IsAdmitted(item) && !ring_.Put(item))
+    else if (IsAdmitted(frame.frame) && !ring_.Put(frame, origin))
     {
         MarkLoss();
     }
@@ -80,19 +80,24 @@ bool SafetyQueue::TakeLoss() noexcept
     return has_lost;
 }
 
-TakenFrame SafetyQueue::Take() noexcept
+// From now on another GFC is a new one, while this one is worked on, too.
+const QueuedFrame* SafetyQueue::Oldest() noexcept
 {
-    const TakenFrame taken = ring_.Take();
-    if (taken.is_present && IsGfc(taken.item.frame.frame))
+    const QueuedFrame* const oldest = ring_.Oldest();
+    if ((oldest != nullptr) && IsGfc(oldest->frame.frame))
     {
         has_gfc_.store(false);
     }
-    return taken;
+    return oldest;
 }
 
-bool SafetyQueue::IsAdmitted(const QueuedFrame& item) const noexcept
+void SafetyQueue::Drop() noexcept
 {
-    const CanFrame& frame = item.frame.frame;
+    ring_.Drop();
+}
+
+bool SafetyQueue::IsAdmitted(const CanFrame& frame) const noexcept
+{
     const std::uint32_t number = frame.identifier - kFirstSrdoIdentifier;
     bool is_admitted = false;
     if ((frame.kind == FrameKind::kData) && (number < kSrdoIdentifierCount))

@@ -30,19 +30,20 @@ class SafetyQueue
     void AdmitNone() noexcept;
 
     /// @brief A frame with a safety identifier; what is not admitted is dropped. For the writer. O(1)
-    void Offer(const QueuedFrame& item) noexcept;
+    void Offer(const StampedFrame& frame, Origin origin) noexcept;
     /// @brief Frames were lost elsewhere.
     void MarkLoss() noexcept;
-    /// @brief Whether a frame was lost since the last call. Ask before Take.
+    /// @brief Whether a frame was lost since the last call. Ask before Oldest.
     [[nodiscard]] bool TakeLoss() noexcept;
-    /// @brief The oldest frame. For the reader. O(1)
-    [[nodiscard]] TakenFrame Take() noexcept;
+    /// @brief The oldest frame where it lies, or null; Drop when it is done with. For the reader. O(1)
+    [[nodiscard]] const QueuedFrame* Oldest() noexcept;
+    void Drop() noexcept;
 
   private:
     static constexpr std::uint32_t kWordBits = 32U;
     static constexpr std::uint32_t kWords = kSrdoIdentifierCount / kWordBits;
 
-    [[nodiscard]] bool IsAdmitted(const QueuedFrame& item) const noexcept;
+    [[nodiscard]] bool IsAdmitted(const CanFrame& frame) const noexcept;
 
     FrameRing ring_;
     std::atomic<std::uint32_t> admitted_[kWords]; ///< Bit n: identifier 101h + n.

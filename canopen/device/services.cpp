@@ -35,7 +35,7 @@ Services::Services(const cia301::NodeId own_node, const ServiceParts& parts) noe
       tpdos({outbox, parts.dictionary, parts.rooms.tpdos}),
       rpdos({errors, parts.dictionary, parts.rooms.rpdos, nullptr}), pdos(tpdos, rpdos), sync({outbox, errors, pdos}),
       sdo({parts.dictionary, parts.rooms.sdo_buffer, kSdoTimeOutUs, kSdoBlock}), sdo_port(sdo, outbox, own_node),
-      lss(nullptr)
+      lss(nullptr), further{nullptr, 0U}
 {
 }
 
@@ -64,7 +64,11 @@ void Services::BeginConfiguration() noexcept
     sync.Reset();
     tpdos.Reset();
     rpdos.Reset();
-    sdo_port.Reset(node);
+    sdo_port.ResetCommunication(node);
+    for (std::uint8_t place = 0U; place < further.count; ++place)
+    {
+        further.list[place]->ResetCommunication(node);
+    }
     tpdos.BeginConfiguration();
     rpdos.BeginConfiguration();
 }
@@ -82,7 +86,11 @@ bool Services::Wants(const CanFrame& frame) const noexcept
 {
     const std::uint32_t identifier = frame.identifier;
     const bool is_sdo = (identifier > kSdoAnswers) && (identifier <= kSdoLast);
-    const bool is_own_sdo = (identifier == (kSdoRequests + node.value)) || (identifier == (kSdoAnswers + node.value));
+    bool is_own_sdo = (identifier == (kSdoRequests + node.value)) || (identifier == (kSdoAnswers + node.value));
+    for (std::uint8_t place = 0U; is_sdo && (place < further.count); ++place)
+    {
+        is_own_sdo = is_own_sdo || further.list[place]->Wants(identifier);
+    }
     return is_sdo ? is_own_sdo : ((identifier <= kErrorControlLast) || (identifier == kLssCommands));
 }
 
@@ -96,6 +104,10 @@ void Services::OnFrame(const CanFrame& frame, const cia301::Moment& moment) noex
     sync.OnFrame(frame, moment);
     tpdos.OnFrame(frame, moment);
     rpdos.OnFrame(frame, moment);
+    for (std::uint8_t place = 0U; place < further.count; ++place)
+    {
+        further.list[place]->OnFrame(frame, moment);
+    }
     if (cia301::IsAllowed(Service::kErrorControl, moment.state))
     {
         consumer.OnFrame(frame, moment.now);
@@ -136,6 +148,10 @@ void Services::OnCycle(const cia301::Moment& moment) noexcept
         Send(emergency.Poll(moment.state, moment.now));
     }
     sdo_port.OnCycle(moment);
+    for (std::uint8_t place = 0U; place < further.count; ++place)
+    {
+        further.list[place]->OnCycle(moment);
+    }
     if (lss != nullptr)
     {
         lss->OnCycle(moment);

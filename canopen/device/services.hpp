@@ -4,6 +4,7 @@
 
 #include "canopen/device/outbox.hpp"
 
+#include "canopen/cia301/bus_service.hpp"
 #include "canopen/cia301/communication_errors.hpp"
 #include "canopen/cia301/heartbeat_consumer.hpp"
 #include "canopen/cia301/pdo_objects.hpp"
@@ -22,6 +23,13 @@ struct ServiceRooms
     cia301::TpdoTable tpdos;
     cia301::RpdoTable rpdos;
     cia301::Room sdo_buffer; ///< As long as the longest object.
+};
+
+/// Services that not every device has, in the order in which they are called; the list is kept by reference.
+struct FurtherServices
+{
+    cia301::BusService* const* list;
+    std::uint8_t count;
 };
 
 /// All kept by reference. `emergency` is there before the kernel, which has errors to tell.
@@ -56,6 +64,7 @@ struct Services
     cia301::SdoServer sdo;
     cia301::SdoServerPort sdo_port; ///< Hook of 1200h.
     cia305::LssSlave* lss;          ///< Null: the node-ID is what it was at the construction. Set before PowerOn.
+    FurtherServices further;        ///< None at first; they send by `outbox`. Set before PowerOn. [SRS-DEV-020]
 
     /// @brief Whether there is a node-ID; that of LSS is asked for. [SRS-DEV-019]
     [[nodiscard]] bool TakeNodeId() noexcept;

@@ -62,17 +62,23 @@ std::uint8_t BytesOf(const MappableObject& object)
 }
 } // namespace
 
-DeviceModel::DeviceModel(const std::string& file, const std::optional<std::uint8_t> node_id) : file_(file)
+DeviceModel::DeviceModel(const std::string& file, const std::optional<std::uint8_t> node_id)
+    : DeviceModel(file, node_id, SafetyNeed::kRequired)
+{
+}
+
+DeviceModel::DeviceModel(const std::string& file, const std::optional<std::uint8_t> node_id, const SafetyNeed need)
+    : file_(file)
 {
     const cia306::Device device = cia306::ReadDeviceFile(file);
-    DeviceSource source(device, file, node_id);
+    DeviceSource source(device, file, node_id, need);
     srdos_ = source.Srdos();
     setups_ = source.Setups();
     writes_ = source.Writes();
     const std::vector<SourceVariable> variables = source.Variables();
-    for (const SrdoSetup& setup : setups_)
+    for (const SrdoModel& srdo : srdos_)
     {
-        numbers_.push_back(setup.number);
+        numbers_.push_back(srdo.number);
     }
     LayOut(variables, source.StaticMappings());
     pairs_ = source.Pairs();

@@ -58,6 +58,14 @@ struct VariablePair
     bool is_consumer{false};
 };
 
+/// Whether a device must have an SRDO.
+enum class SafetyNeed : std::uint8_t
+{
+    kInvalid = 0U,
+    kRequired = 1U,
+    kOptional = 2U, ///< Without any object of 1300h to 13FFh the kernel gets one SRDO that is off. [SRS-NODE-016]
+};
+
 struct SourceVariable;
 struct StaticMapping;
 
@@ -68,12 +76,14 @@ class DeviceModel
   public:
     /// @brief Reads the DCF. Throws cia306::InputError for a file that cannot be simulated.
     DeviceModel(const std::string& file, std::optional<std::uint8_t> node_id);
+    DeviceModel(const std::string& file, std::optional<std::uint8_t> node_id, SafetyNeed need);
 
     DeviceModel(const DeviceModel&) = delete;
     DeviceModel& operator=(const DeviceModel&) = delete;
 
     [[nodiscard]] const std::string& File() const noexcept;
     [[nodiscard]] const DeviceConfig& Config() const noexcept;
+    /// @brief Those of the DCF; none: a plain device.
     [[nodiscard]] const std::vector<SrdoModel>& Srdos() const noexcept;
     [[nodiscard]] const std::vector<VariablePair>& Pairs() const noexcept;
     [[nodiscard]] const std::vector<MappableObject>& Objects() const noexcept;

@@ -23,6 +23,16 @@ ObjectAddress AddressOf(const cia306::MappingEntry& entry)
     return {entry.Index(), entry.Sub()};
 }
 
+bool HasSafety(const cia306::Device& device)
+{
+    constexpr std::uint16_t kFirst = 0x1300U;
+    constexpr std::uint16_t kLast = 0x13FFU;
+    const auto listed = device.missing.lower_bound(kFirst);
+    const auto found = device.objects.lower_bound(kFirst);
+    return (found != device.objects.end() && found->first <= kLast) ||
+           (listed != device.missing.end() && listed->first <= kLast);
+}
+
 bool IsBefore(const SourceVariable& left, const SourceVariable& right)
 {
     const std::uint32_t first = (std::uint32_t{left.object.index} << 8U) | left.object.sub;
@@ -32,7 +42,7 @@ bool IsBefore(const SourceVariable& left, const SourceVariable& right)
 } // namespace
 
 DeviceSource::DeviceSource(const cia306::Device& device, const std::string& file,
-                           const std::optional<std::uint8_t> node_id)
+                           const std::optional<std::uint8_t> node_id, const SafetyNeed need)
     : device_(device), file_(file), node_id_(node_id ? node_id : device.node_id)
 {
     if (!node_id_)
@@ -53,7 +63,8 @@ DeviceSource::DeviceSource(const cia306::Device& device, const std::string& file
                               "at most " + std::to_string(kMaxMapEntries)});
         }
     }
-    if (safety_.srdos.empty())
+    is_plain_ = need == SafetyNeed::kOptional && !HasSafety(device_);
+    if (safety_.srdos.empty() && !is_plain_)
     {
         throw InputError(file_, 0U, {"no SRDO", "objects 0x1301 to 0x1340 with at least one SRDO"});
     }
@@ -89,6 +100,15 @@ std::vector<SrdoModel> DeviceSource::Srdos() const
 std::vector<SrdoSetup> DeviceSource::Setups() const
 {
     std::vector<SrdoSetup> setups;
+    if (is_plain_)
+    {
+        SrdoSetup off{};
+        off.number = 1U;
+        off.policy = ReleasePolicy::kInterlock;
+        off.form = ProducerForm::kProviderCalled;
+        off.detection = SrvtDetection::kEarly;
+        setups.push_back(off);
+    }
     for (const cia306::SrdoConfiguration& srdo : safety_.srdos)
     {
         const cia306::SrdoParameters& parameters = parameters_.Srdo(srdo.number);
@@ -167,6 +187,10 @@ std::vector<SourceVariable> DeviceSource::Variables() const
     for (const auto& [index, object] : device_.objects)
     {
         static_cast<void>(index);
+        if (is_plain_)
+        {
+            continue; // None that an SRDO could map.
+        }
         for (const auto& [sub, entry] : object.entries)
         {
             static_cast<void>(sub);
@@ -278,6 +302,10 @@ void DeviceSource::AppendParameters(const cia306::SrdoConfiguration& srdo,
 std::vector<ConfigurationWrite> DeviceSource::Writes() const
 {
     std::vector<ConfigurationWrite> writes;
+    if (is_plain_)
+    {
+        return writes;
+    }
     for (const cia306::SrdoConfiguration& srdo : safety_.srdos)
     {
         writes.push_back({{srdo.CommunicationIndex(), 1U}, 0U, 1U, srdo.direction.line});

@@ -35,7 +35,8 @@ struct StaticMapping
 class DeviceSource
 {
   public:
-    DeviceSource(const cia306::Device& device, const std::string& file, std::optional<std::uint8_t> node_id);
+    DeviceSource(const cia306::Device& device, const std::string& file, std::optional<std::uint8_t> node_id,
+                 SafetyNeed need);
 
     [[nodiscard]] std::vector<SrdoModel> Srdos() const;
     [[nodiscard]] std::vector<SrdoSetup> Setups() const;
@@ -58,6 +59,7 @@ class DeviceSource
     const cia306::Device& device_;
     std::string file_;
     std::optional<std::uint8_t> node_id_;
+    bool is_plain_{false}; ///< No object of the safety part.
     cia306::SafetyConfiguration safety_;
     cia306::DeviceParameters parameters_;
 };

@@ -164,7 +164,7 @@ TEST_F(CommunicationErrorsTest, EmergenciesOfChosenNodesAreHeard)
     Command(2U);
     consumer.OnFrame(FrameOf(0x82U, {0x30U, 0x81U, 0x11U, 1U, 2U, 3U, 4U, 5U}), Now());
     EXPECT_EQ(heard.size(), 1U);
-    consumer.Reset();
+    consumer.ResetCommunication(NodeId{5U});
     EXPECT_EQ(Read(consumer, 0x1028U, 2U), 0x480000000U);
 }
 

@@ -23,7 +23,8 @@ class EmergencyTest : public ::testing::Test
 
     std::uint32_t now_us{0xFFFFFF00U};
     std::uint32_t identifier{0U};
-    EmergencyProducer producer{NodeId{5U}};
+    std::uint32_t history[8]{};
+    EmergencyProducer producer{NodeId{5U}, ErrorHistory{history, 8U}};
     EmergencyError temperature{0x4210U, 0x08U, {1U, 2U, 3U, 4U, 5U}};
     EmergencyError voltage{0x3110U, 0x04U, {6U}};
 };
@@ -74,6 +75,31 @@ TEST_F(EmergencyTest, TheHistoryHasTheNewestFirst)
     EXPECT_EQ(producer.History(0U).value, 8U);
     EXPECT_EQ(producer.History(1U).value, 10U);
     EXPECT_EQ(producer.History(8U).value, 3U);
+}
+
+TEST_F(EmergencyTest, TheHistoryIsAsLongAsItsRoom)
+{
+    Verifies(req::SRS_EMCY_009);
+    std::uint32_t room[255] = {};
+    for (const std::uint8_t count : {std::uint8_t{0U}, std::uint8_t{1U}, std::uint8_t{3U}, std::uint8_t{254U}})
+    {
+        EmergencyProducer other{NodeId{5U}, ErrorHistory{room, count}};
+        for (std::uint16_t code = 1U; code <= 300U; ++code)
+        {
+            other.Raise(EmergencyError{code, 0U, {}});
+            other.Clear(code);
+        }
+        EXPECT_EQ(other.History(0U).value, count);
+        EXPECT_EQ(other.History(static_cast<std::uint8_t>(count + 1U)).abort, SdoAbort::kSubUnknown);
+        EXPECT_TRUE(count == 0U || other.History(1U).value == 300U);
+        EXPECT_TRUE(count == 0U || other.History(count).value == 301U - count);
+        EXPECT_EQ(other.WriteHistory(0U), SdoAbort::kNone);
+        EXPECT_EQ(other.History(0U).value, 0U);
+    }
+    // Sub-index 255 is none of a list
+    EmergencyProducer longest{NodeId{5U}, ErrorHistory{room, 255U}};
+    EXPECT_EQ(longest.History(254U).abort, SdoAbort::kNoData);
+    EXPECT_EQ(longest.History(255U).abort, SdoAbort::kSubUnknown);
 }
 
 TEST_F(EmergencyTest, TheCobIdIsChecked)

@@ -39,7 +39,7 @@ TEST_F(SdoServerPortTest, TheServersObjectShowsItsIdentifiers)
     EXPECT_EQ(abort, SdoAbort::kObjectUnknown);
     const std::uint8_t value[4] = {};
     EXPECT_EQ(port.OnWrite({0x1200U, 1U}, {value, 4U}), SdoAbort::kReadOnly);
-    port.Reset(NodeId{6U});
+    port.ResetCommunication(NodeId{6U});
     EXPECT_EQ(Value(0x1200U, 1U), 0x606U);
     Ask({0x40U, 0x05U, 0x21U});
     EXPECT_TRUE(answers.frames.empty()); // 605h is another's now

@@ -32,7 +32,8 @@ class ServiceObjectsTest : public ::testing::Test, public HeartbeatListener
 
     SdoAbort abort{SdoAbort::kNone};
     std::array<SupervisedNode, 2> room{};
-    EmergencyProducer emergency{NodeId{5U}};
+    std::array<std::uint32_t, 8> history{};
+    EmergencyProducer emergency{NodeId{5U}, ErrorHistory{history.data(), 8U}};
     HeartbeatConsumer consumer{SupervisedNodes{room.data(), 2U}, *this};
     HeartbeatProducer producer{NodeId{5U}};
     NodeGuarding guarding{NodeId{5U}};

@@ -164,7 +164,8 @@ class ServiceRig : public ::testing::Test, public RpdoListener
     Dictionary dictionary{EntryTable{entries.data(), 10U}, foreign};
     KeepingSink sink{};
     NmtSlave slave{NodeId{5U}, StartUp{false, 0U}};
-    EmergencyProducer emergency{NodeId{5U}};
+    std::array<std::uint32_t, 8> history{};
+    EmergencyProducer emergency{NodeId{5U}, ErrorHistory{history.data(), 8U}};
     CommunicationErrors errors{emergency, slave};
     std::array<PdoField, 64> tpdo_fields{};
     std::array<PdoField, 4> rpdo_fields{};

@@ -65,7 +65,7 @@ TEST_F(TimeStampTest, TheObjectIsChecked)
     EXPECT_EQ(Read(stamp, 0x1012U, 0U), 0x400000100U);
     static_cast<void>(Read(stamp, 0x1012U, 1U));
     EXPECT_EQ(abort, SdoAbort::kSubUnknown);
-    EXPECT_EQ(Write(stamp, 0x1013U, 0U, 0x100U), SdoAbort::kObjectUnknown);
+    EXPECT_EQ(Write(stamp, 0x1014U, 0U, 0x100U), SdoAbort::kObjectUnknown);
     EXPECT_EQ(Set(0xA0000100U), SdoAbort::kValueRange);
     EXPECT_EQ(Set(0x80000101U), SdoAbort::kValueRange);
     EXPECT_EQ(Set(0x800000FFU), SdoAbort::kNone);
@@ -74,8 +74,27 @@ TEST_F(TimeStampTest, TheObjectIsChecked)
     EXPECT_EQ(Set(0xC00000FFU), SdoAbort::kNone);
     EXPECT_EQ(Set(0x00000100U), SdoAbort::kNone);
     EXPECT_EQ(Set(0x40000100U), SdoAbort::kNone);
-    stamp.Reset();
+    stamp.ResetCommunication(NodeId{5U});
     EXPECT_EQ(Read(stamp, 0x1012U, 0U), 0x400000100U);
+}
+
+TEST_F(TimeStampTest, TheHighResolutionTimeCountsMicrosecondsAndIsSet)
+{
+    Verifies(req::SRS_TIM_004);
+    // Given a device whose time is just before its greatest value
+    stamp.OnCycle({NodeState::kPreOperational, Instant{0xFFFFFFF0U}});
+    EXPECT_EQ(Read(stamp, 0x1013U, 0U), 0x4FFFFFFF0U);
+    stamp.OnCycle({NodeState::kPreOperational, Instant{0x10U}});
+    EXPECT_EQ(Read(stamp, 0x1013U, 0U), 0x400000010U);
+    // When it is set, it goes on from there
+    EXPECT_EQ(Write(stamp, 0x1013U, 0U, 1000U), SdoAbort::kNone);
+    stamp.OnCycle({NodeState::kPreOperational, Instant{0x11U}});
+    EXPECT_EQ(Read(stamp, 0x1013U, 0U), 0x4000003E9U);
+    static_cast<void>(Read(stamp, 0x1013U, 1U));
+    EXPECT_EQ(abort, SdoAbort::kSubUnknown);
+    // and reset communication undoes that
+    stamp.ResetCommunication(NodeId{5U});
+    EXPECT_EQ(Read(stamp, 0x1013U, 0U), 0x400000011U);
 }
 
 } // namespace

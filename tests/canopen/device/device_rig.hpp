@@ -59,7 +59,8 @@ class DeviceRig : public Rig, public Owner
     std::array<QueuedFrame, 8> safety_frames{};
     std::array<QueuedFrame, 16> service_frames{};
 
-    cia301::EmergencyProducer emergency{cia301::NodeId{2U}};
+    std::array<std::uint32_t, 8> history{};
+    cia301::EmergencyProducer emergency{cia301::NodeId{2U}, cia301::ErrorHistory{history.data(), 8U}};
     KernelWatch watch{emergency, application};
     Kernel core{KernelParts{a, b, ports, output, watchdog, watch}};
     SafetyObjects facade;

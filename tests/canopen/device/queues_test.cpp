@@ -21,12 +21,34 @@ QueuedFrame ItemOf(const std::uint32_t identifier, const std::uint8_t byte = 0U,
     return item;
 }
 
+/// The oldest frame, which leaves the queue; of no origin if there is none.
+template <typename Queue> QueuedFrame Take(Queue& queue)
+{
+    QueuedFrame taken{};
+    if (const QueuedFrame* const oldest = queue.Oldest(); oldest != nullptr)
+    {
+        taken = *oldest;
+        queue.Drop();
+    }
+    return taken;
+}
+
+template <typename Queue> bool IsEmpty(Queue& queue)
+{
+    return queue.Oldest() == nullptr;
+}
+
+void Offer(SafetyQueue& queue, const QueuedFrame& item)
+{
+    queue.Offer(item.frame, item.origin);
+}
+
 TEST(FrameRingTest, KeepsOrderOverManyRounds)
 {
     Verifies(req::SRS_DEV_007);
     std::array<QueuedFrame, 3> room{};
     FrameRing ring{FrameRoom{room.data(), 3U}};
-    EXPECT_FALSE(ring.Take().is_present);
+    EXPECT_TRUE(IsEmpty(ring));
     std::uint8_t put = 0U;
     std::uint8_t taken = 0U;
     for (int round = 0; round < 100; ++round)
@@ -34,22 +56,22 @@ TEST(FrameRingTest, KeepsOrderOverManyRounds)
         // Given a ring that is filled up, one is too many
         for (int count = 0; count < 3; ++count)
         {
-            ASSERT_TRUE(ring.Put(ItemOf(1U, put)));
+            ASSERT_TRUE(ring.Put(ItemOf(1U, put).frame, Origin::kReceived));
             ++put;
         }
-        ASSERT_FALSE(ring.Put(ItemOf(1U, 99U)));
+        ASSERT_FALSE(ring.Put(ItemOf(1U, 99U).frame, Origin::kReceived));
         // When one, two or three are taken, they come in order
         for (int count = 0; count <= (round % 3); ++count)
         {
-            ASSERT_EQ(ring.Take().item.frame.frame.data[0], taken);
+            ASSERT_EQ(Take(ring).frame.frame.data[0], taken);
             ++taken;
         }
         for (int count = round % 3; count < 2; ++count)
         {
-            ASSERT_EQ(ring.Take().item.frame.frame.data[0], taken);
+            ASSERT_EQ(Take(ring).frame.frame.data[0], taken);
             ++taken;
         }
-        ASSERT_FALSE(ring.Take().is_present);
+        ASSERT_TRUE(IsEmpty(ring));
     }
 }
 
@@ -75,19 +97,19 @@ TEST_F(SafetyQueueTest, NothingButAdmittedDataFramesEnters)
     queue.Admit(0x181U); // No SRDO has it.
     for (const std::uint32_t identifier : {0x102U, 0x17FU, 0x100U, 0x181U})
     {
-        queue.Offer(ItemOf(identifier));
+        Offer(queue, ItemOf(identifier));
     }
     QueuedFrame remote = ItemOf(0x101U);
     remote.frame.frame.kind = FrameKind::kRemote;
-    queue.Offer(remote);
-    EXPECT_FALSE(queue.Take().is_present);
-    queue.Offer(ItemOf(0x101U));
-    queue.Offer(ItemOf(0x180U));
-    EXPECT_EQ(queue.Take().item.frame.frame.identifier, 0x101U);
-    EXPECT_EQ(queue.Take().item.frame.frame.identifier, 0x180U);
+    Offer(queue, remote);
+    EXPECT_TRUE(IsEmpty(queue));
+    Offer(queue, ItemOf(0x101U));
+    Offer(queue, ItemOf(0x180U));
+    EXPECT_EQ(Take(queue).frame.frame.identifier, 0x101U);
+    EXPECT_EQ(Take(queue).frame.frame.identifier, 0x180U);
     queue.AdmitNone();
-    queue.Offer(ItemOf(0x101U));
-    EXPECT_FALSE(queue.Take().is_present);
+    Offer(queue, ItemOf(0x101U));
+    EXPECT_TRUE(IsEmpty(queue));
     EXPECT_FALSE(queue.TakeLoss());
 }
 
@@ -97,17 +119,17 @@ TEST_F(SafetyQueueTest, OneGfcAtATime)
     // When a node sends GFC without end, and an own one is confirmed
     for (int count = 0; count < 100; ++count)
     {
-        queue.Offer(ItemOf(0x001U));
+        Offer(queue, ItemOf(0x001U));
     }
-    queue.Offer(ItemOf(0x001U, 0U, Origin::kConfirmed));
+    Offer(queue, ItemOf(0x001U, 0U, Origin::kConfirmed));
     QueuedFrame wrong = ItemOf(0x001U);
     wrong.frame.frame.length_bytes = 1U;
-    queue.Offer(wrong); // No GFC at all.
+    Offer(queue, wrong); // No GFC at all.
     // Then one waits, and the next one may come after it was taken
-    EXPECT_TRUE(queue.Take().is_present);
-    EXPECT_FALSE(queue.Take().is_present);
-    queue.Offer(ItemOf(0x001U));
-    EXPECT_TRUE(queue.Take().is_present);
+    EXPECT_EQ(Take(queue).origin, Origin::kReceived);
+    EXPECT_TRUE(IsEmpty(queue));
+    Offer(queue, ItemOf(0x001U));
+    EXPECT_EQ(Take(queue).origin, Origin::kReceived);
     EXPECT_FALSE(queue.TakeLoss());
 }
 
@@ -117,17 +139,17 @@ TEST_F(SafetyQueueTest, ALossIsToldOnce)
     queue.Admit(0x101U);
     for (int count = 0; count < 4; ++count)
     {
-        queue.Offer(ItemOf(0x101U));
+        Offer(queue, ItemOf(0x101U));
     }
     EXPECT_FALSE(queue.TakeLoss());
-    queue.Offer(ItemOf(0x101U));
+    Offer(queue, ItemOf(0x101U));
     EXPECT_TRUE(queue.TakeLoss());
     EXPECT_FALSE(queue.TakeLoss());
     // A GFC that finds no room is lost, too, and the next one is let in
-    queue.Offer(ItemOf(0x001U));
+    Offer(queue, ItemOf(0x001U));
     EXPECT_TRUE(queue.TakeLoss());
-    EXPECT_TRUE(queue.Take().is_present);
-    queue.Offer(ItemOf(0x001U));
+    EXPECT_EQ(Take(queue).origin, Origin::kReceived);
+    Offer(queue, ItemOf(0x001U));
     EXPECT_FALSE(queue.TakeLoss());
     queue.MarkLoss();
     EXPECT_TRUE(queue.TakeLoss());

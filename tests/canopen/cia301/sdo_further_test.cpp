@@ -1,0 +1,180 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// A further SDO server (1201h) and an SDO client of the dictionary (1281h) with a wire between them.
+#include "canopen/cia301/sdo_client_port.hpp"
+#include "tests/canopen/cia301/sdo_client_rig.hpp"
+
+namespace counterpoint::cia301
+{
+namespace
+{
+
+/// The server listens on 680h and answers on 6A0h.
+class SdoFurtherTest : public SdoClientRig
+{
+  public:
+    static SdoAbort Write(NumberHook& hook, std::uint16_t index, std::uint8_t sub, std::uint32_t value)
+    {
+        const Octets bytes{static_cast<std::uint8_t>(value), static_cast<std::uint8_t>(value >> 8U),
+                           static_cast<std::uint8_t>(value >> 16U), static_cast<std::uint8_t>(value >> 24U)};
+        return hook.OnWrite({index, sub}, {bytes.data(), 4U});
+    }
+    /// Size in bits 32.., as read; the abort code apart.
+    std::uint64_t Read(NumberHook& hook, std::uint16_t index, std::uint8_t sub)
+    {
+        std::uint8_t bytes[4] = {};
+        const Reading reading = hook.OnRead({index, sub}, {bytes, 4U});
+        abort = reading.abort;
+        std::uint64_t value = reading.size_bytes;
+        for (int place = 3; place >= 0; --place)
+        {
+            value = (value << 8U) | bytes[place];
+        }
+        return value;
+    }
+    void Connect()
+    {
+        EXPECT_EQ(Write(more, 0x1201U, 1U, 0x680U), SdoAbort::kNone);
+        EXPECT_EQ(Write(more, 0x1201U, 2U, 0x6A0U), SdoAbort::kNone);
+        EXPECT_EQ(Write(asks, 0x1281U, 1U, 0x680U), SdoAbort::kNone);
+        EXPECT_EQ(Write(asks, 0x1281U, 2U, 0x6A0U), SdoAbort::kNone);
+        EXPECT_EQ(Write(asks, 0x1281U, 3U, 5U), SdoAbort::kNone);
+    }
+    void CarryFurther(NodeState state = NodeState::kPreOperational)
+    {
+        const Moment moment{state, Instant{now_us}};
+        for (int i = 0; i < 100; ++i)
+        {
+            asks.OnCycle(moment);
+            more.OnCycle(moment);
+            for (const CanFrame& frame : requests.frames)
+            {
+                more.OnFrame(frame, moment);
+            }
+            requests.frames.clear();
+            for (const CanFrame& frame : answers.frames)
+            {
+                asks.OnFrame(frame, moment);
+            }
+            answers.frames.clear();
+        }
+    }
+    bool Ask(std::uint16_t index)
+    {
+        return asks.Client().StartUpload({index, 0U}, Room{got.data(), 64U}, SdoMode::kNormal, Instant{now_us});
+    }
+    [[nodiscard]] SdoAbort Outcome()
+    {
+        return asks.Client().Outcome().abort;
+    }
+
+    SdoAbort abort{SdoAbort::kNone};
+    SdoServerPort more{server, answers, SdoServerNumber{1U}};
+    SdoClientPort asks{SdoClientPortParts{requests, 1U, 1000U, 5U}};
+};
+
+TEST_F(SdoFurtherTest, TheServerIsOffUntilBothIdentifiersAreValid)
+{
+    Verifies(req::SRS_SDO_018);
+    EXPECT_EQ(Read(more, 0x1201U, 0U), 0x100000003U);
+    EXPECT_EQ(Read(more, 0x1201U, 1U), 0x480000000U);
+    EXPECT_EQ(Read(more, 0x1201U, 2U), 0x480000000U);
+    EXPECT_EQ(Read(more, 0x1201U, 3U), 0x100000000U);
+    EXPECT_EQ(Write(more, 0x1201U, 1U, 0x680U), SdoAbort::kNone);
+    EXPECT_FALSE(more.Wants(0x680U));
+    EXPECT_EQ(Write(more, 0x1201U, 2U, 0x6A0U), SdoAbort::kNone);
+    EXPECT_TRUE(more.Wants(0x680U));
+    CanFrame frame{0x680U, FrameKind::kData, CanPortId::kFirst, 8U, {0x40U, 0x05U, 0x21U}};
+    more.OnFrame(frame, {NodeState::kStopped, Instant{now_us}});
+    EXPECT_TRUE(answers.frames.empty());
+    more.OnFrame(frame, Now());
+    EXPECT_EQ(answers.frames.at(0U).identifier, 0x6A0U);
+    // Reset communication: off again
+    more.ResetCommunication(NodeId{5U});
+    EXPECT_FALSE(more.Wants(0x680U));
+    EXPECT_FALSE(more.Wants(0x605U));
+}
+
+TEST_F(SdoFurtherTest, TheServersObjectIsChecked)
+{
+    Verifies(req::SRS_SDO_018);
+    for (const std::uint32_t wrong : {0x605U, 0x585U, 0x101U, 0x701U, 0x000U, 0x40000680U, 0x20000680U, 0x800U})
+    {
+        EXPECT_EQ(Write(more, 0x1201U, 1U, wrong), SdoAbort::kValueRange) << wrong;
+        EXPECT_EQ(Write(more, 0x1201U, 2U, wrong), SdoAbort::kValueRange) << wrong;
+    }
+    EXPECT_EQ(Write(more, 0x1201U, 3U, 128U), SdoAbort::kValueRange);
+    EXPECT_EQ(Write(more, 0x1201U, 3U, 127U), SdoAbort::kNone);
+    EXPECT_EQ(Write(more, 0x1201U, 0U, 3U), SdoAbort::kReadOnly);
+    EXPECT_EQ(Write(more, 0x1201U, 4U, 3U), SdoAbort::kSubUnknown);
+    EXPECT_EQ(Write(more, 0x1202U, 1U, 0x680U), SdoAbort::kObjectUnknown);
+    // A valid identifier changes only by way of off
+    EXPECT_EQ(Write(more, 0x1201U, 1U, 0x680U), SdoAbort::kNone);
+    EXPECT_EQ(Write(more, 0x1201U, 1U, 0x681U), SdoAbort::kValueRange);
+    EXPECT_EQ(Write(more, 0x1201U, 1U, 0x680U), SdoAbort::kNone);
+    EXPECT_EQ(Write(more, 0x1201U, 1U, 0x80000680U), SdoAbort::kNone);
+    EXPECT_EQ(Write(more, 0x1201U, 1U, 0x681U), SdoAbort::kNone);
+    // Nothing changes while a transfer runs
+    EXPECT_EQ(Write(more, 0x1201U, 2U, 0x6A0U), SdoAbort::kNone);
+    domain_length = 20U;
+    more.OnFrame(CanFrame{0x681U, FrameKind::kData, CanPortId::kFirst, 8U, {0x40U, 0x03U, 0x21U}}, Now());
+    EXPECT_EQ(Write(more, 0x1201U, 2U, 0x800006A0U), SdoAbort::kDeviceState);
+}
+
+TEST_F(SdoFurtherTest, AClientReadsFromTheServerOfItsObject)
+{
+    Verifies(req::SRS_SDC_011);
+    Verifies(req::SRS_SDO_018);
+    EXPECT_EQ(Read(asks, 0x1281U, 1U), 0x480000000U);
+    EXPECT_FALSE(asks.IsConnected());
+    Connect();
+    EXPECT_TRUE(asks.IsConnected());
+    EXPECT_EQ(asks.Server().value, 5U);
+    EXPECT_TRUE(asks.Wants(0x6A0U));
+    EXPECT_FALSE(asks.Wants(0x585U));
+    EXPECT_TRUE(Ask(0x2105U));
+    EXPECT_EQ(Write(asks, 0x1281U, 1U, 0x80000680U), SdoAbort::kDeviceState); // busy
+    CarryFurther();
+    EXPECT_EQ(asks.Client().State(), SdoClientState::kDone);
+    // A client may use a default server; other identifiers of other services it may not
+    EXPECT_EQ(Write(asks, 0x1281U, 1U, 0x80000680U), SdoAbort::kNone);
+    EXPECT_FALSE(asks.IsConnected());
+    EXPECT_EQ(Write(asks, 0x1281U, 1U, 0x607U), SdoAbort::kNone);
+    EXPECT_EQ(Write(asks, 0x1281U, 2U, 0x806A0U), SdoAbort::kValueRange);
+    EXPECT_EQ(Write(asks, 0x1281U, 2U, 0x800006A0U), SdoAbort::kNone);
+    EXPECT_EQ(Write(asks, 0x1281U, 2U, 0x607U), SdoAbort::kValueRange);
+    EXPECT_EQ(Write(asks, 0x1281U, 2U, 0x587U), SdoAbort::kNone);
+    EXPECT_TRUE(Ask(0x2105U));
+    EXPECT_EQ(requests.frames.back().identifier, 0x607U);
+    EXPECT_EQ(Write(asks, 0x1280U, 1U, 0x607U), SdoAbort::kObjectUnknown);
+}
+
+TEST_F(SdoFurtherTest, AClientGivesUpWithItsStateItsServerAndItsReset)
+{
+    Verifies(req::SRS_SDC_012);
+    Connect();
+    // Leaving for STOPPED
+    EXPECT_TRUE(Ask(0x2105U));
+    asks.OnCycle({NodeState::kStopped, Instant{now_us}});
+    EXPECT_EQ(asks.Client().State(), SdoClientState::kAborted);
+    EXPECT_EQ(Outcome(), SdoAbort::kDeviceState);
+    CarryFurther();
+    // The server boots while it is asked
+    EXPECT_TRUE(Ask(0x2105U));
+    asks.OnFrame(CanFrame{0x706U, FrameKind::kData, CanPortId::kFirst, 1U, {0U}}, Now());
+    asks.OnFrame(CanFrame{0x705U, FrameKind::kData, CanPortId::kFirst, 1U, {5U}}, Now());
+    EXPECT_EQ(asks.Client().State(), SdoClientState::kBusy);
+    asks.OnFrame(CanFrame{0x705U, FrameKind::kData, CanPortId::kFirst, 1U, {0U}}, Now());
+    EXPECT_EQ(Outcome(), SdoAbort::kNoConnection);
+    // Reset communication: nothing is sent, and nobody is connected
+    requests.frames.clear();
+    EXPECT_TRUE(Ask(0x2105U));
+    requests.frames.clear();
+    asks.ResetCommunication(NodeId{9U});
+    EXPECT_EQ(asks.Client().State(), SdoClientState::kAborted);
+    asks.OnCycle(Now());
+    EXPECT_TRUE(requests.frames.empty());
+    EXPECT_FALSE(asks.IsConnected());
+}
+
+} // namespace
+} // namespace counterpoint::cia301
