@@ -8,9 +8,6 @@ namespace counterpoint::cia302
 namespace
 {
 
-using cia301::SdoAbort;
-using cia301::SdoClientState;
-
 constexpr std::uint16_t kGfc = 0x1300U;
 constexpr std::uint16_t kFirstSettings = 0x1301U;
 constexpr std::uint16_t kLastSettings = 0x1340U;
@@ -33,6 +30,13 @@ bool IsMapping(const ObjectAddress& address) noexcept
 bool IsSignature(const ObjectAddress& address) noexcept
 {
     return (address.index == kSignatures) && (address.sub > 0U);
+}
+
+/// An SRDO that is off may have none; 0 is refused where it is written, and read back where it is.
+bool IsNoIdentifier(const ExpectedObject& object) noexcept
+{
+    constexpr std::uint8_t kFirstIdentifierSub = 5U;
+    return IsSettings(object.address) && (object.address.sub >= kFirstIdentifierSub) && (object.value == 0U);
 }
 
 std::uint8_t SizeOfSetting(const std::uint8_t sub) noexcept
@@ -67,62 +71,41 @@ std::uint8_t SizeOf(const ObjectAddress& address) noexcept
     return size;
 }
 
-bool SafetyCheck::Begin(const SafetyExpectation& expectation, const SafetyTask task, cia301::SdoClient& client,
-                        const Instant now) noexcept
+void SafetyCheck::Begin(const SafetyExpectation& expectation, const SafetyTask task, const NodeId node) noexcept
 {
     const bool is_task = (task == SafetyTask::kVerify) || (task == SafetyTask::kWrite);
-    const bool is_free = !IsBusy() && (client.State() != SdoClientState::kBusy) && is_task;
-    if (is_free)
+    expectation_ = &expectation;
+    node_ = node;
+    task_ = task;
+    phase_ = 0U;
+    position_ = 0U;
+    has_begun_ = false;
+    object_ = ObjectAddress{0U, 0U};
+    finding_ = GateFinding{{0U, 0U}, SdoAbort::kNone, 0U, 0U};
+    state_ = CheckState::kBusy;
+    if (is_task && IsUsable(expectation))
     {
-        expectation_ = &expectation;
-        client_ = &client;
-        task_ = task;
-        phase_ = 0U;
-        position_ = 0U;
-        attempt_ = 0U;
-        has_begun_ = false;
-        result_ = SafetyResult{SafetyVerdict::kOpen, {0U, 0U}, 0U, 0U, SdoAbort::kNone, 0U};
-        if (IsUsable(expectation))
-        {
-            Seek();
-            Access(now);
-        }
-        else
-        {
-            End(SafetyVerdict::kUnusable);
-        }
-    }
-    return is_free;
-}
-
-void SafetyCheck::OnCycle(const Instant now) noexcept
-{
-    if (IsBusy() && !has_begun_)
-    {
-        Access(now);
-    }
-    else if (IsBusy() && (client_->State() == SdoClientState::kDone))
-    {
-        Judge(now);
-    }
-    else if (IsBusy() && (client_->State() != SdoClientState::kBusy))
-    {
-        JudgeFailure(now);
+        Seek();
     }
     else
     {
-        // Waits for the slave, or nothing is under way.
+        finding_.abort = SdoAbort::kLocalControl;
+        End(CheckState::kFailed);
     }
 }
 
-void SafetyCheck::Withdraw() noexcept
+void SafetyCheck::OnCycle(SdoPool& sdo, const Instant now) noexcept
 {
-    if (IsBusy() && has_begun_)
+    const TransferState transfer = has_begun_ ? sdo.State(node_) : TransferState::kIdle;
+    if ((state_ == CheckState::kBusy) && ((transfer == TransferState::kDone) || (transfer == TransferState::kFailed)))
     {
-        client_->Cancel(SdoAbort::kGeneral);
+        Judge(sdo.Outcome(node_));
     }
-    client_ = nullptr;
-    result_ = SafetyResult{SafetyVerdict::kOpen, {0U, 0U}, 0U, 0U, SdoAbort::kNone, 0U};
+    const bool is_waiting = has_begun_ && (sdo.State(node_) == TransferState::kBusy);
+    if ((state_ == CheckState::kBusy) && !is_waiting)
+    {
+        Access(sdo, now);
+    }
 }
 
 /// The order is that of figure 9 of CiA 304: parameters, signatures, everything read back, only then valid.
@@ -168,7 +151,7 @@ bool SafetyCheck::TakesPart(const Phase phase, const ExpectedObject& object) noe
         takes_part = is_direction && (object.value != 0U);
         break;
     case Phase::kSettings:
-        takes_part = IsSettings(address) && !is_direction;
+        takes_part = IsSettings(address) && !is_direction && !IsNoIdentifier(object);
         break;
     case Phase::kMapClear:
         takes_part = IsMapping(address) && (address.sub == 0U);
@@ -208,14 +191,14 @@ void SafetyCheck::Seek() noexcept
         if (IsValidFlag(phase))
         {
             is_found = (position_ == 0U);
-            result_.object = kValidFlag;
+            object_ = kValidFlag;
             target_ = (phase == Phase::kClearValid) ? 0U : std::uint32_t{kConfigurationValidValue};
         }
         else if (position_ < expectation_->count)
         {
             const ExpectedObject& object = expectation_->objects[position_];
             is_found = TakesPart(phase, object);
-            result_.object = object.address;
+            object_ = object.address;
             target_ = ValueIn(phase, object);
             position_ = static_cast<std::uint16_t>(is_found ? position_ : (position_ + 1U));
         }
@@ -234,81 +217,64 @@ void SafetyCheck::Seek() noexcept
 void SafetyCheck::Next() noexcept
 {
     ++position_;
-    attempt_ = 0U;
     has_begun_ = false;
     Seek();
     if (PhaseNow() == Phase::kEnd)
     {
-        End(SafetyVerdict::kAlike);
+        End(CheckState::kAlike);
     }
 }
 
-void SafetyCheck::Access(const Instant now) noexcept
+std::uint8_t SafetyCheck::SizeNow() const noexcept
+{
+    return IsValidFlag(PhaseNow()) ? std::uint8_t{1U} : SizeOf(object_);
+}
+
+void SafetyCheck::Access(SdoPool& sdo, const Instant now) noexcept
 {
     if (Reads())
     {
-        has_begun_ =
-            client_->StartUpload(result_.object, cia301::Room{buffer_, sizeof(buffer_)}, cia301::SdoMode::kNormal, now);
+        has_begun_ = sdo.Upload(node_, object_, Room{buffer_, sizeof(buffer_)}, SdoMode::kNormal, now);
     }
     else
     {
-        const std::uint8_t size =
-            (result_.object.index == kValidFlag.index) ? std::uint8_t{1U} : SizeOf(result_.object);
-        cia301::ToLittleEndian(target_, buffer_, size);
-        has_begun_ =
-            client_->StartDownload(result_.object, cia301::Bytes{buffer_, size}, cia301::SdoMode::kNormal, now);
+        cia301::ToLittleEndian(target_, buffer_, SizeNow());
+        has_begun_ = sdo.Download(node_, object_, Bytes{buffer_, SizeNow()}, SdoMode::kNormal, now);
     }
 }
 
-void SafetyCheck::Judge(const Instant now) noexcept
+void SafetyCheck::Judge(const cia301::SdoOutcome& outcome) noexcept
 {
-    const std::uint8_t size = (result_.object.index == kValidFlag.index) ? std::uint8_t{1U} : SizeOf(result_.object);
-    const std::uint32_t length = client_->Outcome().size_bytes;
-    bool is_alike = true;
-    if (Reads())
+    finding_.object = object_;
+    finding_.abort = outcome.abort;
+    finding_.expected = target_;
+    if (outcome.abort != SdoAbort::kNone)
     {
-        result_.read = static_cast<std::uint32_t>(
-            cia301::FromLittleEndian(buffer_, (length > sizeof(buffer_)) ? sizeof(buffer_) : length));
-        is_alike = (length == size) && (result_.read == target_);
+        End(CheckState::kFailed);
     }
-    if (is_alike)
+    else if (!Reads())
     {
         Next();
-        if (IsBusy())
+    }
+    else
+    {
+        const std::uint32_t length = (outcome.size_bytes > sizeof(buffer_)) ? sizeof(buffer_) : outcome.size_bytes;
+        finding_.read = cia301::FromLittleEndian(buffer_, length);
+        if ((outcome.size_bytes == SizeNow()) && (finding_.read == finding_.expected))
         {
-            Access(now);
+            Next();
+        }
+        else
+        {
+            End(CheckState::kDiffers);
         }
     }
-    else
-    {
-        result_.expected = target_;
-        result_.size_bytes = length;
-        End(SafetyVerdict::kDiffers);
-    }
 }
 
-/// Silence is asked again: one lost frame says nothing about the slave. [SRS-SFS-004]
-void SafetyCheck::JudgeFailure(const Instant now) noexcept
+void SafetyCheck::End(const CheckState state) noexcept
 {
-    const cia301::SdoOutcome outcome = client_->Outcome();
-    const bool is_silence = (outcome.abort == SdoAbort::kTimeOut) && !outcome.by_server;
-    ++attempt_;
-    if (is_silence && (attempt_ < kAttempts))
-    {
-        Access(now);
-    }
-    else
-    {
-        result_.expected = target_;
-        result_.abort = outcome.abort;
-        End(is_silence ? SafetyVerdict::kSilent : SafetyVerdict::kAborted);
-    }
-}
-
-void SafetyCheck::End(const SafetyVerdict verdict) noexcept
-{
-    result_.verdict = verdict;
-    client_ = nullptr;
+    state_ = state;
+    has_begun_ = false;
 }
 
 } // namespace counterpoint::cia302

@@ -2,7 +2,8 @@
 #ifndef CANOPEN_CIA302_SAFETY_CHECK_HPP
 #define CANOPEN_CIA302_SAFETY_CHECK_HPP
 
-#include "canopen/cia301/sdo_client.hpp"
+#include "canopen/cia302/sdo_pool.hpp"
+#include "canopen/cia302/start_gate.hpp"
 
 #include <cstdint>
 
@@ -38,50 +39,38 @@ enum class SafetyTask : std::uint8_t
     kWrite = 2U,  ///< Writes by the full procedure, which compares before it declares anything valid.
 };
 
-enum class SafetyVerdict : std::uint8_t
+enum class CheckState : std::uint8_t
 {
-    kInvalid = 0U,
-    kOpen = 1U,     ///< Not compared since the slave last started, or under way.
-    kDiffers = 2U,  ///< `object` has another value or length.
-    kAborted = 3U,  ///< The transfer of `object` was aborted.
-    kSilent = 4U,   ///< No answer about `object`, three times.
-    kUnusable = 5U, ///< The expectation itself is none.
+    kClosed = 0U,
+    kBusy = 1U,
+    kDiffers = 2U, ///< Finding: this object has another value, or a value of another length.
+    kFailed = 3U,  ///< Finding: this object could not be read or written. Object 0000h: the expectation is none.
     kAlike = 0x69U,
 };
 
-/// What a check found; the first difference ends it. [SRS-SFS-003]
-struct SafetyResult
-{
-    SafetyVerdict verdict;
-    ObjectAddress object;     ///< Of a difference; of a check under way, where it is.
-    std::uint32_t expected;   ///< kDiffers.
-    std::uint32_t read;       ///< kDiffers.
-    cia301::SdoAbort abort;   ///< kAborted.
-    std::uint32_t size_bytes; ///< kDiffers: of the value that was read.
-};
-
-/// Compares or writes the safety configuration of one slave, one SDO after the other. Begin, then OnCycle until IsBusy
-/// is false; the client is fed by its owner and used by nobody else meanwhile. Not reentrant.
+/// Compares or writes the safety configuration of one slave, one SDO after the other: Begin, then OnCycle while it is
+/// busy; nobody else uses the slave's connection meanwhile. The first difference ends it. Not reentrant.
 class SafetyCheck
 {
   public:
     SafetyCheck() noexcept = default;
 
-    /// @brief Both are kept by reference until the end. False: busy, or the client is.
-    [[nodiscard]] bool Begin(const SafetyExpectation& expectation, SafetyTask task, cia301::SdoClient& client,
-                             Instant now) noexcept;
-    /// @brief Takes what the client has and starts the next transfer.
-    void OnCycle(Instant now) noexcept;
-    /// @brief Ends it without a verdict, together with a running transfer; a verdict from before is gone too.
-    void Withdraw() noexcept;
-
-    [[nodiscard]] bool IsBusy() const noexcept
+    /// @brief Anew from the beginning. `expectation` is kept by reference. [SRS-SFS-001, SRS-SFS-005]
+    void Begin(const SafetyExpectation& expectation, SafetyTask task, NodeId node) noexcept;
+    /// @brief Takes what the slave answered and asks for the next object.
+    void OnCycle(SdoPool& sdo, Instant now) noexcept;
+    /// @brief kBusy, kDiffers, kFailed or kAlike; kClosed before the first Begin. [SRS-SFS-003]
+    [[nodiscard]] CheckState State() const noexcept
     {
-        return client_ != nullptr;
+        return state_;
     }
-    [[nodiscard]] const SafetyResult& Result() const noexcept
+    [[nodiscard]] const GateFinding& Finding() const noexcept
     {
-        return result_;
+        return finding_;
+    }
+    [[nodiscard]] bool HasTransfer() const noexcept
+    {
+        return has_begun_ && (state_ == CheckState::kBusy);
     }
 
   private:
@@ -102,7 +91,6 @@ class SafetyCheck
         kSetValid,
     };
     static constexpr std::uint8_t kLongestTask = 12U;
-    static constexpr std::uint8_t kAttempts = 3U;
 
     [[nodiscard]] static bool IsValidFlag(Phase phase) noexcept;
     [[nodiscard]] static bool TakesPart(Phase phase, const ExpectedObject& object) noexcept;
@@ -111,18 +99,19 @@ class SafetyCheck
     [[nodiscard]] bool Reads() const noexcept;
     void Seek() noexcept;
     void Next() noexcept;
-    void Access(Instant now) noexcept;
-    void Judge(Instant now) noexcept;
-    void JudgeFailure(Instant now) noexcept;
-    void End(SafetyVerdict verdict) noexcept;
+    [[nodiscard]] std::uint8_t SizeNow() const noexcept;
+    void Access(SdoPool& sdo, Instant now) noexcept;
+    void Judge(const cia301::SdoOutcome& outcome) noexcept;
+    void End(CheckState state) noexcept;
 
     const SafetyExpectation* expectation_{nullptr};
-    cia301::SdoClient* client_{nullptr}; ///< Null: nothing is under way.
-    SafetyResult result_{SafetyVerdict::kOpen, {0U, 0U}, 0U, 0U, cia301::SdoAbort::kNone, 0U};
+    GateFinding finding_{{0U, 0U}, SdoAbort::kNone, 0U, 0U};
+    NodeId node_{0U};
+    CheckState state_{CheckState::kClosed};
     SafetyTask task_{SafetyTask::kInvalid};
     std::uint8_t phase_{0U};     ///< Of the task.
     std::uint16_t position_{0U}; ///< In the expectation.
-    std::uint8_t attempt_{0U};
+    ObjectAddress object_{0U, 0U};
     std::uint32_t target_{0U}; ///< Value that is written or expected.
     bool has_begun_{false};    ///< The transfer of this object.
     std::uint8_t buffer_[4]{};
