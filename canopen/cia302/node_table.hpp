@@ -29,7 +29,7 @@ enum class NodeEvent : std::uint8_t
     kChanged = 3U,       ///< Another state than the last one told.
     kHeartbeatLost = 4U, ///< Silence above the consumer time; supervision waits for the next sign.
     kGuardMissed = 5U,   ///< One remote frame was not answered.
-    kGuardLost = 6U,     ///< As many in a row as the retry factor; supervision waits for the next answer.
+    kGuardLost = 6U,     ///< As many in a row as the retry factor; the next answer starts supervision anew.
     kToggleError = 7U,   ///< An answer with the toggle bit of the one before; it does not count as an answer.
     kNeverSeen = 8U,     ///< Nothing was heard within the time of Expect.
     kUnexpected = 9U,    ///< First sign of a node that is not in the network list.
@@ -55,26 +55,37 @@ enum class Watch : std::uint8_t
     kGuarding = 2U,
 };
 
+/// Toggle bit that the next guarding answer is to have.
+enum class Toggle : std::uint8_t
+{
+    kAny = 0U, ///< Nothing is known of the slave's bit.
+    kClear = 1U,
+    kSet = 2U,
+};
+
 /// What is known of one node. Zero-filled at first.
 struct NodeRecord
 {
     SlaveState state;
-    SlaveState asked;      ///< State that the last NMT command asked for; kUnknown after a reset.
+    SlaveState asked;   ///< State that the last NMT command asked for; kUnknown after a reset.
+    bool was_seen;      ///< Ever.
+    std::uint8_t signs; ///< Counts heartbeats, guarding answers and boot-up messages, modulo 256.
+    std::uint8_t beats; ///< Counts heartbeats and guarding answers, modulo 256.
+    Instant last_sign;  ///< Only with `was_seen`.
+
     Watch watch;           ///< What supervises it.
-    bool is_running;       ///< Supervision counts: the next silence is a loss.
-    bool was_seen;         ///< Ever.
-    std::uint8_t signs;    ///< Counts heartbeats, guarding answers and boot-ups, modulo 256.
-    Instant last_sign;     ///< Of the last of these; only with `was_seen`.
-    Instant since;         ///< Supervision: last sign, or since when it is waited for.
+    bool is_running;       ///< Supervision counts: silence becomes a loss.
+    bool has_begun;        ///< kStarted was told.
+    Instant since;         ///< Last sign, or remote frame, or since when a sign is waited for.
     std::uint32_t time_us; ///< Consumer time, or guard time.
-    Arming arming;
+    Arming arming;         ///< Of heartbeat supervision.
     std::uint8_t retry_factor;
-    std::uint8_t missed;     ///< Unanswered remote frames in a row.
-    std::uint8_t toggle;     ///< Expected next: 0 or 80h; 1: any.
-    bool is_asked;           ///< A remote frame is out and not answered.
-    bool is_toggle_wrong;    ///< Told already.
-    bool is_expected;        ///< Expect runs.
-    std::uint32_t expect_us; ///< Time of Expect.
+    std::uint8_t missed; ///< Unanswered remote frames in a row.
+    Toggle toggle;
+    bool is_asked;        ///< A remote frame is out and not answered.
+    bool is_toggle_wrong; ///< Told already.
+    bool is_expected;     ///< Expect runs.
+    std::uint32_t expect_us;
     Instant expected_from;
 };
 
@@ -122,11 +133,16 @@ class NodeTable final : public NmtListener
 
   private:
     void Hear(NodeId node, std::uint8_t byte, Instant now) noexcept;
-    void OnBootUp(NodeId node, NodeRecord& record, Instant now) noexcept;
-    [[nodiscard]] bool TakeToggle(NodeId node, NodeRecord& record, std::uint8_t byte, Instant now) noexcept;
+    void HearBootUp(NodeId node, NodeRecord& record, Instant now) noexcept;
+    void HearState(NodeId node, NodeRecord& record, std::uint8_t byte, Instant now) noexcept;
+    [[nodiscard]] bool TakeToggle(NodeId node, NodeRecord& record, bool is_set, Instant now) noexcept;
     void Guard(NodeId node, NodeRecord& record, Instant now) noexcept;
-    void CheckSilence(NodeId node, NodeRecord& record, Instant now) noexcept;
-    void Forget(NodeRecord& record, const NmtRequest& request, Instant now) noexcept;
+    void Miss(NodeId node, NodeRecord& record, Instant now) noexcept;
+    void CheckHeartbeat(NodeId node, NodeRecord& record, Instant now) noexcept;
+    void CheckExpected(NodeId node, NodeRecord& record, Instant now) noexcept;
+    void Command(NodeRecord& record, NmtCommand command, Instant now) noexcept;
+    [[nodiscard]] bool SendRemote(NodeId node) noexcept;
+    [[nodiscard]] NodeRecord* Find(NodeId node) noexcept;
 
     NodeTableParts parts_;
 };

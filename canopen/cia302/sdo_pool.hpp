@@ -117,8 +117,8 @@ class SdoPool
   private:
     [[nodiscard]] SdoLane* Find(NodeId node) const noexcept;
     [[nodiscard]] SdoLane* Claim(NodeId node) noexcept;
-    [[nodiscard]] bool Begin(SdoLane& lane, Instant now) noexcept;
-    void Settle(SdoLane& lane, Instant now) noexcept;
+    static void Begin(SdoLane& lane, Instant now) noexcept;
+    static void Settle(SdoLane& lane, Instant now) noexcept;
 
     SdoLaneRoom room_;
     SdoTimes times_;
