@@ -38,8 +38,9 @@ SdoLane* SdoPool::Claim(const NodeId node) noexcept
     for (std::uint8_t i = 0U; (lane == nullptr) && (i < room_.count); ++i)
     {
         SdoLane& other = room_.lanes[i];
-        const bool is_free = (other.state != TransferState::kBusy) && other.client.Connect(node);
-        lane = is_free ? &other : nullptr;
+        const bool is_settled = (other.state != TransferState::kBusy) && (other.idle_cycles >= kSettled);
+        lane = (is_settled && other.client.Connect(node)) ? &other : nullptr;
+        other.state = (lane != nullptr) ? TransferState::kIdle : other.state;
     }
     return ((lane != nullptr) && (lane->state != TransferState::kBusy)) ? lane : nullptr;
 }
@@ -80,6 +81,7 @@ bool SdoPool::Download(const NodeId node, const ObjectAddress& object, const Byt
 void SdoPool::Begin(SdoLane& lane, const Instant now) noexcept
 {
     --lane.tries_left;
+    lane.idle_cycles = 0U;
     const bool has_begun = lane.is_upload ? lane.client.StartUpload(lane.object, lane.room, lane.mode, now)
                                           : lane.client.StartDownload(lane.object, lane.value, lane.mode, now);
     lane.state = has_begun ? TransferState::kBusy : TransferState::kFailed;
@@ -132,8 +134,10 @@ void SdoPool::OnCycle(const Instant now) noexcept
 {
     for (std::uint8_t i = 0U; i < room_.count; ++i)
     {
-        room_.lanes[i].client.OnCycle(now);
-        Settle(room_.lanes[i], now);
+        SdoLane& lane = room_.lanes[i];
+        lane.client.OnCycle(now);
+        Settle(lane, now);
+        lane.idle_cycles = (lane.idle_cycles < kSettled) ? static_cast<std::uint8_t>(lane.idle_cycles + 1U) : kSettled;
     }
 }
 
@@ -143,6 +147,7 @@ void SdoPool::Settle(SdoLane& lane, const Instant now) noexcept
     if (lane.state == TransferState::kBusy)
     {
         const cia301::SdoClientState state = lane.client.State();
+        lane.idle_cycles = 0U;
         const SdoOutcome& outcome = lane.client.Outcome();
         const bool is_silence = (outcome.abort == SdoAbort::kTimeOut) && !outcome.by_server;
         if (state == cia301::SdoClientState::kDone)

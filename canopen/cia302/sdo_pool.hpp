@@ -35,6 +35,7 @@ struct SdoLane
     SdoMode mode;
     bool is_upload;
     std::uint8_t tries_left;
+    std::uint8_t idle_cycles; ///< Since the end; its user takes the outcome in the next cycle at the latest.
 };
 
 /// Times of all clients. CiA 302 names none: 100 ms and 3 tries are usual, slow devices need 2000 ms.
@@ -43,6 +44,9 @@ struct SdoTimes
     std::uint32_t time_out_us; ///< Silence that ends a try, 2 to 2^30.
     std::uint8_t tries;        ///< 1 to 255; only silence is tried again, an abort never.
 };
+
+/// Cycles after which a lane may change hands.
+constexpr std::uint8_t kSettled = 2U;
 
 /// Lanes as they stand somewhere; see SdoLanes.
 struct SdoLaneRoom
