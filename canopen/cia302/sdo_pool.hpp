@@ -84,7 +84,8 @@ template <std::uint8_t Count> class SdoLanes
                        Bytes{nullptr, 0U},
                        SdoMode::kInvalid,
                        false,
-                       0U};
+                       0U,
+                       kSettled};
     }
 
     SdoLane lanes_[Count];
