@@ -106,8 +106,13 @@ class StartUp
     /// @brief A command of the application, of 1F82h or typed: a start of a safety slave waits for its verification, a
     /// start of all is one start for each slave where a safety slave is assigned.
     [[nodiscard]] virtual NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept = 0;
-    /// @brief Start-up of one slave anew (1F25h, or the application). False: not in the network.
+    /// @brief Start-up of one slave anew. False: not in the network.
     [[nodiscard]] virtual bool Boot(NodeId node, Instant now) noexcept = 0;
+    /// @brief Configuration of one slave alone (1F25h); a profile that has no such thing boots it. False: not now.
+    [[nodiscard]] virtual bool Configure(const NodeId node, const Instant now) noexcept
+    {
+        return Boot(node, now);
+    }
 
     [[nodiscard]] virtual NodeStatus Status(NodeId node) const noexcept = 0;
     /// @brief CiA 302-2: MasterStep of start_up_cia302.hpp. PLC Designer: 0, 1, 2, 3, 5. EL6751: see there.
