@@ -16,7 +16,8 @@ namespace counterpoint::cia302
 class El6751Rig : public ProfileRig
 {
   public:
-    El6751Rig() : ProfileRig(kEl6751SdoTimes)
+    explicit El6751Rig(const El6751Times& network_times = El6751Times{})
+        : ProfileRig(kEl6751SdoTimes), times(network_times)
     {
         profile = &el;
     }
@@ -43,6 +44,12 @@ class El6751Rig : public ProfileRig
     {
         BootRig::AddEntry(lists[node], index, sub, value);
         setups.at(node).concise_dcf = Bytes{lists[node].data(), static_cast<std::uint32_t>(lists[node].size())};
+    }
+    /// A safety slave; what the gate says is up to FakeGate.
+    BusSlave& AddSafety(const std::uint8_t node)
+    {
+        setups.at(node).safety = expectation;
+        return AddBox(node);
     }
     NmtAnswer Control(const std::uint8_t node, const std::uint16_t ads_state, const std::uint16_t device_state)
     {
@@ -72,7 +79,7 @@ class El6751Rig : public ProfileRig
     std::map<std::uint8_t, Octets> lists{};
     std::array<El6751Node, kNodeRoom> el_nodes{};
     std::array<El6751PdoRecord, 64> records{};
-    El6751Times times{};
+    El6751Times times;
     El6751StartUp el{El6751Parts{Parts(), el_nodes.data(), El6751PdoRoom{records.data(), 64U}, times}};
 };
 
