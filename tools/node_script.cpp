@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/node_script.hpp"
 
+#include "tools/yaml_map.hpp"
+
 #include "verification/simulator/fields.hpp"
 #include "verification/simulator/names.hpp"
 #include "verification/simulator/yaml_document.hpp"
@@ -17,63 +19,9 @@ namespace
 using simulator::ScenarioValue;
 using simulator::YamlNode;
 
-/// The keys of one map: known ones once at the most, no others.
-class Map
-{
-  public:
-    Map(const std::string& file, const YamlNode& node, const std::initializer_list<const char*> known)
-        : file_(file), value_(file, node)
-    {
-        std::string names;
-        for (const char* const name : known)
-        {
-            names += (names.empty() ? "" : ", ") + std::string(name);
-        }
-        if (node.kind != simulator::YamlKind::kMap)
-        {
-            value_.Refuse(simulator::WhatIs(node), "a map with " + names);
-        }
-        for (std::size_t place = 0U; place + 1U < node.items.size(); place += 2U)
-        {
-            const YamlNode& key = node.items[place];
-            const bool is_known =
-                std::any_of(known.begin(), known.end(), [&key](const char* const name) { return key.scalar == name; });
-            if (!is_known)
-            {
-                ScenarioValue(file_, key).Refuse("unknown key " + simulator::Shown(key.scalar), names);
-            }
-        }
-    }
-    [[nodiscard]] std::optional<ScenarioValue> Find(const std::string& name) const
-    {
-        const std::vector<YamlNode>& items = value_.Node().items;
-        for (std::size_t place = 0U; place + 1U < items.size(); place += 2U)
-        {
-            if (items[place].scalar == name)
-            {
-                return ScenarioValue(file_, items[place + 1U]);
-            }
-        }
-        return std::nullopt;
-    }
-    [[nodiscard]] ScenarioValue Require(const std::string& name) const
-    {
-        const std::optional<ScenarioValue> found = Find(name);
-        if (!found)
-        {
-            value_.Refuse("no key '" + name + "'", "it here");
-        }
-        return *found;
-    }
-
-  private:
-    const std::string& file_;
-    ScenarioValue value_;
-};
-
 simulator::LogicRule ReadRule(const std::string& file, const ScenarioValue& value)
 {
-    const Map map(file, value.Node(), {"set", "op", "from"});
+    const YamlMap map(file, value.Node(), {"set", "op", "from"});
     simulator::LogicRule rule;
     rule.source = value.Where();
     rule.target = map.Require("set").Object();
@@ -95,7 +43,7 @@ simulator::LogicRule ReadRule(const std::string& file, const ScenarioValue& valu
 
 ScriptStep ReadStep(const std::string& file, const ScenarioValue& value)
 {
-    const Map map(file, value.Node(), {"at", "do", "every"});
+    const YamlMap map(file, value.Node(), {"at", "do", "every"});
     ScriptStep step;
     step.at_ns = static_cast<std::uint64_t>(map.Require("at").Duration());
     const ScenarioValue order = map.Require("do");
@@ -118,7 +66,7 @@ NodeScript ReadNodeScript(const std::string& file)
     NodeScript script;
     script.file = file;
     const YamlNode document = simulator::ParseYaml(file, simulator::ReadScenarioText(file));
-    const Map map(script.file, document, {"title", "logic", "steps"});
+    const YamlMap map(script.file, document, {"title", "logic", "steps"});
     if (const std::optional<ScenarioValue> logic = map.Find("logic"))
     {
         for (const ScenarioValue& rule : logic->Items("a list of rules"))

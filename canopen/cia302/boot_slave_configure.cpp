@@ -1,0 +1,198 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// The slave is configured, supervised, verified and started: letters J and K.
+#include "canopen/cia302/boot_slave.hpp"
+
+namespace counterpoint::cia302
+{
+namespace
+{
+
+constexpr std::uint64_t kUsPerMs = 1000U;
+constexpr ObjectAddress kDate{0x1020U, 1U};
+constexpr ObjectAddress kTime{0x1020U, 2U};
+constexpr std::uint16_t kRestoreIndex = 0x1011U;
+constexpr std::uint16_t kConciseIndex = 0x1F22U;
+constexpr std::uint8_t kLoad[4] = {0x6CU, 0x6FU, 0x61U, 0x64U}; ///< "load"
+constexpr std::uint8_t kCommunicationSub = 2U;
+
+} // namespace
+
+/// Parts 0 and 1: date and time. A slave that does not tell them is configured.
+void BootSlave::CompareDate(const Job& job) noexcept
+{
+    const std::uint32_t date = job.setup.configuration_date;
+    const std::uint32_t time = job.setup.configuration_time;
+    const bool is_date = (job.record.part == 0U);
+    if ((date == 0U) || (time == 0U))
+    {
+        Enter(job, StartUpStep::kRestore);
+    }
+    else
+    {
+        const Got got = Fetch(job, is_date ? kDate : kTime);
+        const bool is_same = (got == Got::kDone) && (job.record.status.read == (is_date ? date : time));
+        if (is_same && is_date)
+        {
+            ++job.record.part;
+        }
+        else if (is_same)
+        {
+            Enter(job, StartUpStep::kErrorControl);
+        }
+        else if (got != Got::kNothingYet)
+        {
+            job.record.status.abort = SdoAbort::kNone;
+            Enter(job, StartUpStep::kRestore);
+        }
+    }
+}
+
+/// Part 0: "load"; part 1: the reset that makes it come true; part 2: the boot-up message.
+void BootSlave::Restore(const Job& job) noexcept
+{
+    const std::uint8_t sub = job.setup.restore_sub;
+    if (!job.setup.Has(kRestoreDefaults) || (sub == 0U))
+    {
+        Enter(job, StartUpStep::kConfigure);
+    }
+    else if (job.record.part == 0U)
+    {
+        const Got got = Put(job, ObjectAddress{kRestoreIndex, sub}, Bytes{kLoad, 4U}, SdoMode::kNormal);
+        if (got == Got::kRefused)
+        {
+            Fail(job, 'J');
+        }
+        job.record.part = (got == Got::kDone) ? std::uint8_t{1U} : job.record.part;
+    }
+    else if (job.record.part == 1U)
+    {
+        const NmtCommand command =
+            (sub == kCommunicationSub) ? NmtCommand::kResetCommunication : NmtCommand::kResetNode;
+        if (parts_.nmt.Request(command, job.node, job.time.now) == NmtAnswer::kTaken)
+        {
+            job.record.part = 2U;
+            Wait(job, BootWait::kBootUp);
+        }
+    }
+    else if (IsOver(job, kResetUs))
+    {
+        job.record.status.abort = SdoAbort::kTimeOut;
+        Fail(job, 'J');
+    }
+}
+
+/// Entry by entry. The position is moved when an entry was taken.
+void BootSlave::WriteConfiguration(const Job& job) noexcept
+{
+    const ConciseReading entry = ReadConcise(job.setup.concise_dcf, job.record.position);
+    if (entry.state == ConciseState::kMalformed)
+    {
+        job.record.status.object = ObjectAddress{kConciseIndex, job.node.value};
+        job.record.status.abort = SdoAbort::kLengthMismatch;
+        Fail(job, 'J');
+    }
+    else if (entry.state == ConciseState::kEnd)
+    {
+        Enter(job, job.record.is_extra ? StartUpStep::kStart : StartUpStep::kErrorControl);
+    }
+    else
+    {
+        const Got got = Put(job, entry.object, entry.value, SdoMode::kNormal);
+        if (got == Got::kRefused)
+        {
+            Fail(job, 'J');
+        }
+        else if (got == Got::kDone)
+        {
+            job.record.position = entry.next;
+        }
+    }
+}
+
+/// With heartbeat the slave must show one; the boot-up message is none.
+void BootSlave::BeginSupervision(const Job& job) noexcept
+{
+    const std::uint64_t limit_us = kUsPerMs * job.setup.heartbeat.consumer_ms;
+    if (job.record.wait != BootWait::kSign)
+    {
+        parts_.table.WatchAsSetUp(job.node, job.time.now);
+        Wait(job, BootWait::kSign);
+    }
+    if ((limit_us == 0U) || (parts_.table.Record(job.node).beats != job.record.beats))
+    {
+        Enter(job, StartUpStep::kSafety);
+    }
+    else if (IsOver(job, limit_us))
+    {
+        Fail(job, 'K');
+    }
+}
+
+void BootSlave::VerifySafety(const Job& job) noexcept
+{
+    const GateState state = parts_.gate.State(job.node);
+    if ((state == GateState::kOpen) || !parts_.setup.IsSafetySlave(job.node))
+    {
+        Enter(job, StartUpStep::kStart);
+    }
+    else if (job.record.wait != BootWait::kGate)
+    {
+        Wait(job, BootWait::kGate);
+        parts_.gate.Verify(job.node, job.time.now);
+    }
+    else if ((state == GateState::kDiffers) || (state == GateState::kFailed))
+    {
+        RefuseSafety(job);
+    }
+    else if (state == GateState::kClosed)
+    {
+        job.record.wait = BootWait::kNothing; // Somebody closed it meanwhile: from the beginning.
+    }
+}
+
+/// A slave that runs with a configuration that is not the expected one is stopped.
+void BootSlave::RefuseSafety(const Job& job) noexcept
+{
+    const GateFinding finding = parts_.gate.Finding(job.node);
+    const bool is_running = parts_.table.Record(job.node).state == SlaveState::kOperational;
+    const bool is_done =
+        !is_running || (parts_.nmt.Request(NmtCommand::kStop, job.node, job.time.now) == NmtAnswer::kTaken);
+    if (is_done)
+    {
+        job.record.status.object = finding.object;
+        job.record.status.abort = finding.abort;
+        job.record.status.expected = finding.expected;
+        job.record.status.read = finding.read;
+        job.record.status.is_started = false;
+        job.record.was_operational = false;
+        job.record.wait = BootWait::kNothing;
+        Fail(job, 'J');
+    }
+}
+
+/// Started, or left as it is: with L it runs, and 1F80h may leave it to others.
+void BootSlave::StartNode(const Job& job) noexcept
+{
+    const bool is_alone = !parts_.setup.Has(kStartAllAtOnce) || listener_.IsMasterOperational();
+    const bool is_booting = !job.record.is_extra && job.setup.Has(kBootSlave);
+    const bool is_due = is_booting && !parts_.setup.Has(kApplicationStartsSlaves) && is_alone;
+    if ((!is_due && !job.record.is_start_wanted) || job.record.was_operational)
+    {
+        Finish(job);
+    }
+    else
+    {
+        const NmtAnswer answer = parts_.nmt.Request(NmtCommand::kStart, job.node, job.time.now);
+        if (answer == NmtAnswer::kTaken)
+        {
+            job.record.status.is_started = true;
+            Finish(job);
+        }
+        else if (answer == NmtAnswer::kNotVerified)
+        {
+            Enter(job, StartUpStep::kSafety);
+        }
+    }
+}
+
+} // namespace counterpoint::cia302

@@ -1,0 +1,137 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA302_MANAGER_HPP
+#define CANOPEN_CIA302_MANAGER_HPP
+
+#include "canopen/cia301/heartbeat_producer.hpp"
+#include "canopen/cia302/flying_master.hpp"
+#include "canopen/cia302/node_watch.hpp"
+#include "canopen/cia302/safety_gate.hpp"
+#include "canopen/cia302/start_up.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::cia302
+{
+
+/// Is told everything that happens in the network, in order. It may read the manager, and command it later.
+class ManagerListener
+{
+  public:
+    virtual void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept = 0;
+    /// @brief Letter, code or step of a slave changed.
+    virtual void OnNodeStatus(NodeId node, Instant now) noexcept = 0;
+    virtual void OnMasterState(std::int16_t state, Instant now) noexcept = 0;
+    virtual void OnNmtSent(const NmtRequest& request, Instant now) noexcept = 0;
+    virtual void OnGate(NodeId node, GateState state, Instant now) noexcept = 0;
+    virtual void OnEmergency(NodeId node, const EmergencyRecord& emergency, Instant now) noexcept = 0;
+    virtual void OnDuplicate(NodeId node, Instant now) noexcept = 0;
+    virtual void OnFlyingMaster(FlyingEvent event, const MasterClaim& claim, Instant now) noexcept = 0;
+
+  protected:
+    ManagerListener() noexcept = default;
+    ~ManagerListener() noexcept = default;
+    ManagerListener(const ManagerListener&) = default;
+    ManagerListener& operator=(const ManagerListener&) = default;
+};
+
+/// Room that the manager's parts work in, kept by reference. Arrays by node-ID have kNodeRoom elements.
+struct ManagerRoom
+{
+    NodeRecord* records;
+    WatchedNode* watched;
+    GateState* gates; ///< As told last.
+    NmtQueueRoom commands;
+    SafetySlots safety;
+    SdoLaneRoom lanes;
+    SdoTimes times;
+};
+
+struct ManagerParts
+{
+    const NetworkSetup& setup;
+    cia301::FrameSink& sink; ///< All that the manager sends.
+    ManagerListener& listener;
+    ManagerRoom room;
+    std::uint16_t heartbeat_ms; ///< 1017h of the manager itself; 0: none.
+};
+
+/// The network manager: table of nodes, NMT master, SDO connections and safety gate, in which a start-up profile works,
+/// and a flying master if there is one. Order of use: construct; construct the profile with ProfileParts and, if
+/// wanted, the flying master with this as listener; Use; Begin; then each frame by OnFrame and OnCycle each ms or so.
+/// Without a flying master it commands the network from Begin on, with one while the negotiation made it the master.
+/// No clock, no heap, no waiting; O(127) a cycle, O(127) a frame. Not reentrant. [SRS-MGR-001..003]
+class Manager final : public NmtListener,
+                      public NodeListener,
+                      public StartUpListener,
+                      public NodeWatchListener,
+                      public FlyingMasterListener
+{
+  public:
+    explicit Manager(const ManagerParts& parts) noexcept;
+
+    /// @brief What the profile is constructed with.
+    [[nodiscard]] StartUpParts ProfileParts() noexcept;
+    void Use(StartUp& profile) noexcept;
+    void Use(FlyingMaster& flying) noexcept;
+
+    /// @brief The device is there: boot-up message, then the start-up, or the negotiation first.
+    void Begin(Instant now) noexcept;
+    /// @brief Commands nothing any more and takes part in no negotiation.
+    void End() noexcept;
+    /// @brief A frame from the bus; frames of this device itself must not come back.
+    void OnFrame(const CanFrame& frame, Instant now) noexcept;
+    void OnCycle(Instant now) noexcept;
+
+    /// @brief A command of the application, by the profile: see StartUp::Command.
+    [[nodiscard]] NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept;
+    [[nodiscard]] bool Boot(NodeId node, Instant now) noexcept;
+    /// @brief Writes the safety configuration of a slave by the full procedure and verifies it. [SRS-SFS-005]
+    [[nodiscard]] bool WriteSafety(NodeId node, Instant now) noexcept;
+
+    [[nodiscard]] bool IsActive() const noexcept;
+    [[nodiscard]] cia301::NodeState OwnState() const noexcept;
+    [[nodiscard]] NodeStatus Status(NodeId node) const noexcept;
+    [[nodiscard]] std::int16_t MasterState() const noexcept;
+    [[nodiscard]] const NodeTable& Table() const noexcept;
+    [[nodiscard]] const NodeWatch& Watched() const noexcept;
+    [[nodiscard]] const SafetyGate& Gate() const noexcept;
+    [[nodiscard]] const NmtMaster& Nmt() const noexcept;
+    [[nodiscard]] const FlyingMaster* Flying() const noexcept;
+
+    void OnNmtSent(const NmtRequest& request, Instant now) noexcept override;
+    void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept override;
+    void OnNodeStatus(NodeId node, Instant now) noexcept override;
+    void OnMasterState(std::int16_t state, Instant now) noexcept override;
+    void OnEmergency(NodeId node, const EmergencyRecord& emergency, Instant now) noexcept override;
+    void OnDuplicate(NodeId node, Instant now) noexcept override;
+    void OnFlyingMaster(FlyingEvent event, const MasterClaim& claim, Instant now) noexcept override;
+    void OnInitialising(Instant now) noexcept override;
+
+  private:
+    [[nodiscard]] bool IsInitialising() const noexcept;
+    void Obey(NmtCommand command) noexcept;
+    void OnCommandFrame(const CanFrame& frame) noexcept;
+    void Lead(bool is_leader, Instant now) noexcept;
+    void SendOwn(Instant now) noexcept;
+    void TellGates(Instant now) noexcept;
+    void CloseGate(NodeId node) noexcept;
+
+    ManagerParts parts_;
+    SdoPool sdo_;
+    NodeTable table_;
+    SafetyGate gate_;
+    NmtMaster nmt_;
+    NodeWatch watch_;
+    cia301::HeartbeatProducer producer_;
+    StartUp* profile_;
+    FlyingMaster* flying_; ///< Null: none.
+    cia301::NodeState state_;
+    bool is_running_;
+    bool is_leading_;   ///< The profile was begun.
+    bool owes_boot_up_; ///< The boot-up message has not left.
+    bool is_to_start_;  ///< The negotiation is to be started in the next cycle.
+};
+
+} // namespace counterpoint::cia302
+
+#endif

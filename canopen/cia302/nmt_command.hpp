@@ -1,0 +1,47 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA302_NMT_COMMAND_HPP
+#define CANOPEN_CIA302_NMT_COMMAND_HPP
+
+#include "canopen/cia301/nmt_slave.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::cia302
+{
+
+using cia301::NodeId;
+
+/// NMT commands by their bytes on the bus.
+enum class NmtCommand : std::uint8_t
+{
+    kInvalid = 0U,
+    kStart = 1U,
+    kStop = 2U,
+    kPreOperational = 128U,
+    kResetNode = 129U,
+    kResetCommunication = 130U,
+};
+
+/// A command for one node, or for all with node 0.
+struct NmtRequest
+{
+    NmtCommand command;
+    NodeId node;
+};
+
+/// Is told of each command when it leaves; for the own node no frame leaves and the listener alone acts.
+class NmtListener
+{
+  public:
+    virtual void OnNmtSent(const NmtRequest& request, Instant now) noexcept = 0;
+
+  protected:
+    NmtListener() noexcept = default;
+    ~NmtListener() noexcept = default;
+    NmtListener(const NmtListener&) = default;
+    NmtListener& operator=(const NmtListener&) = default;
+};
+
+} // namespace counterpoint::cia302
+
+#endif

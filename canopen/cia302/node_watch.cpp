@@ -1,0 +1,101 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia302/node_watch.hpp"
+
+namespace counterpoint::cia302
+{
+namespace
+{
+
+constexpr std::uint32_t kEmergencies = 0x80U;
+constexpr std::uint32_t kErrorControl = 0x700U;
+constexpr std::uint32_t kNodeMask = 0x7FU;
+constexpr std::uint8_t kEmergencyBytes = 8U;
+constexpr std::uint32_t kUsPerMs = 1000U;
+
+} // namespace
+
+NodeWatch::NodeWatch(const NetworkSetup& setup, WatchedNode* const nodes, NodeWatchListener& listener) noexcept
+    : setup_(setup), nodes_(nodes), listener_(listener)
+{
+}
+
+void NodeWatch::OnFrame(const CanFrame& frame, const Instant now) noexcept
+{
+    const NodeId node{static_cast<std::uint8_t>(frame.identifier & kNodeMask)};
+    const std::uint32_t function = frame.identifier & ~kNodeMask;
+    const bool is_data = (frame.kind == FrameKind::kData) && (node.value != 0U);
+    if (is_data && (function == kEmergencies) && (frame.length_bytes == kEmergencyBytes))
+    {
+        OnEmergency(node, frame, now);
+    }
+    else if (is_data && (function == kErrorControl) && (frame.length_bytes == 1U))
+    {
+        OnSign(node, now);
+    }
+    else
+    {
+        // Of no concern here.
+    }
+}
+
+void NodeWatch::OnEmergency(const NodeId node, const CanFrame& frame, const Instant now) noexcept
+{
+    EmergencyRecord& record = nodes_[node.value].emergency;
+    record.code = static_cast<std::uint16_t>(frame.data[0] | (std::uint32_t{frame.data[1]} << 8U));
+    record.error_register = frame.data[2];
+    for (std::uint32_t byte = 0U; byte < sizeof(record.details); ++byte)
+    {
+        record.details[byte] = frame.data[byte + 3U];
+    }
+    ++record.count;
+    if (!record.has_told || ((now.us - record.told.us) >= kEmergencyGapUs))
+    {
+        record.has_told = true;
+        record.told = now;
+        listener_.OnEmergency(node, record, now);
+        record.untold = 0U;
+    }
+    else
+    {
+        ++record.untold;
+    }
+}
+
+void NodeWatch::OnSign(const NodeId node, const Instant now) noexcept
+{
+    WatchedNode& watched = nodes_[node.value];
+    const std::uint32_t window_us = std::uint32_t{setup_.Slave(node).heartbeat.producer_ms} * kUsPerMs * kWindowPeriods;
+    const bool is_new = (watched.signs == 0U) || ((now.us - watched.window.us) > window_us);
+    watched.window = is_new ? now : watched.window;
+    watched.signs = is_new ? std::uint8_t{1U} : static_cast<std::uint8_t>(watched.signs + 1U);
+    const bool is_too_often = (window_us > 0U) && (watched.signs >= kWindowSigns);
+    if (is_too_often || (node.value == setup_.own.value))
+    {
+        watched.signs = 0U;
+        Suspect(node, now);
+    }
+}
+
+void NodeWatch::Suspect(const NodeId node, const Instant now) noexcept
+{
+    WatchedNode& watched = nodes_[node.value];
+    if (!watched.is_duplicate)
+    {
+        watched.is_duplicate = true;
+        listener_.OnDuplicate(node, now);
+    }
+}
+
+void NodeWatch::Forget(const NodeId node) noexcept
+{
+    WatchedNode& watched = nodes_[node.value];
+    watched.signs = 0U;
+    watched.is_duplicate = false;
+}
+
+const WatchedNode& NodeWatch::Of(const NodeId node) const noexcept
+{
+    return nodes_[node.value];
+}
+
+} // namespace counterpoint::cia302

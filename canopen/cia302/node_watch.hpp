@@ -1,0 +1,84 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA302_NODE_WATCH_HPP
+#define CANOPEN_CIA302_NODE_WATCH_HPP
+
+#include "canopen/cia302/network_setup.hpp"
+#include "safety_core/contract/can_frame.hpp"
+#include "safety_core/contract/time.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::cia302
+{
+
+/// The last emergency message of a node.
+struct EmergencyRecord
+{
+    std::uint16_t code;
+    std::uint8_t error_register;
+    std::uint8_t details[5];
+    std::uint32_t count;  ///< Since the begin.
+    std::uint32_t untold; ///< Of these, not told since the last one that was.
+    Instant told;         ///< When the last one was told; only with `has_told`.
+    bool has_told;
+};
+
+/// What is watched of one node. Zero-filled at first.
+struct WatchedNode
+{
+    EmergencyRecord emergency;
+    Instant window;     ///< Begin of the window in which signs of life are counted.
+    std::uint8_t signs; ///< In it.
+    bool is_duplicate;  ///< Suspected since the last Forget.
+};
+
+/// Is told what concerns the whole network, beside start-up and supervision.
+class NodeWatchListener
+{
+  public:
+    /// @brief An emergency message; of a storm one each kEmergencyGapUs, whose `untold` counts those left out.
+    virtual void OnEmergency(NodeId node, const EmergencyRecord& emergency, Instant now) noexcept = 0;
+    /// @brief More signs of life than one device sends, or one of the manager's own node-ID. Once until Forget.
+    virtual void OnDuplicate(NodeId node, Instant now) noexcept = 0;
+
+  protected:
+    NodeWatchListener() noexcept = default;
+    ~NodeWatchListener() noexcept = default;
+    NodeWatchListener(const NodeWatchListener&) = default;
+    NodeWatchListener& operator=(const NodeWatchListener&) = default;
+};
+
+constexpr std::uint32_t kEmergencyGapUs = 100'000U;
+
+/// Emergency messages, and node-IDs that two devices have. Two devices with one node-ID answer SDOs with each other's
+/// values; they show themselves by heartbeats that come too often: kWindowSigns in kWindowPeriods producer times, where
+/// one device sends one more than there are periods. Not reentrant. [SRS-MGR-010, SRS-MGR-011]
+class NodeWatch
+{
+  public:
+    static constexpr std::uint8_t kWindowPeriods = 4U;
+    static constexpr std::uint8_t kWindowSigns = 7U;
+
+    /// @brief `nodes` has kNodeRoom elements; all kept by reference.
+    NodeWatch(const NetworkSetup& setup, WatchedNode* nodes, NodeWatchListener& listener) noexcept;
+
+    /// @brief A frame from the bus, never one of this device itself. O(1)
+    void OnFrame(const CanFrame& frame, Instant now) noexcept;
+    /// @brief The node was reset: what was suspected may be over.
+    void Forget(NodeId node) noexcept;
+    /// @brief `node` is 1 to 127, checked by the caller.
+    [[nodiscard]] const WatchedNode& Of(NodeId node) const noexcept;
+
+  private:
+    void OnEmergency(NodeId node, const CanFrame& frame, Instant now) noexcept;
+    void OnSign(NodeId node, Instant now) noexcept;
+    void Suspect(NodeId node, Instant now) noexcept;
+
+    const NetworkSetup& setup_;
+    WatchedNode* nodes_;
+    NodeWatchListener& listener_;
+};
+
+} // namespace counterpoint::cia302
+
+#endif

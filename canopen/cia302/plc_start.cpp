@@ -1,0 +1,231 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// From state 4 to 5, one by one or all at once, and commands of the application.
+#include "canopen/cia302/plc_start_up.hpp"
+
+namespace counterpoint::cia302
+{
+namespace
+{
+
+constexpr std::uint8_t kStoppedByte = 4U; ///< As 1F82h reads it.
+
+} // namespace
+
+/// [SRS-PLC-013, SRS-PLC-015]
+void PlcStartUp::DriveStart(const NodeId node, const Instant now) noexcept
+{
+    const PlcNode& slave = Of(node);
+    const bool waits_for_all = parts_.common.setup.Has(kStartAllAtOnce) && !has_started_all_;
+    if (slave.is_wanted && (slave.is_by_hand || !waits_for_all))
+    {
+        StartOne(node, now);
+    }
+}
+
+/// A safety slave is verified first; a STOPPED one has no SDO and is made PRE-OPERATIONAL before. [SRS-PLC-020]
+void PlcStartUp::StartOne(const NodeId node, const Instant now) noexcept
+{
+    PlcNode& slave = Of(node);
+    const bool is_safety = parts_.common.setup.IsSafetySlave(node);
+    const bool is_stopped = (parts_.common.table.RequestValue(node) == kStoppedByte) && !slave.is_woken;
+    const bool is_waking = slave.is_woken && (parts_.common.table.Record(node).asked != SlaveState::kPreOperational);
+    const GateState gate = parts_.common.gate.State(node);
+    if (is_safety && !slave.is_verified && is_stopped)
+    {
+        slave.is_woken = (parts_.common.nmt.Request(NmtCommand::kPreOperational, node, now) == NmtAnswer::kTaken);
+    }
+    else if (is_safety && !slave.is_verified)
+    {
+        slave.is_verified = !is_waking;
+        if (!is_waking)
+        {
+            Tell(node, kPlcConfigured, StartUpStep::kSafety, now);
+            parts_.common.gate.Verify(node, now);
+        }
+    }
+    else if (gate == GateState::kOpen)
+    {
+        if (parts_.common.nmt.Request(NmtCommand::kStart, node, now) == NmtAnswer::kTaken)
+        {
+            slave.is_wanted = false;
+            slave.status.is_started = true;
+            Tell(node, kPlcStarted, StartUpStep::kRunning, now);
+        }
+    }
+    else if ((gate == GateState::kDiffers) || (gate == GateState::kFailed))
+    {
+        slave.is_wanted = false;
+        Refuse(node, now);
+    }
+    else
+    {
+        slave.is_verified = (gate == GateState::kBusy); // Closed meanwhile: once more.
+    }
+}
+
+void PlcStartUp::Refuse(const NodeId node, const Instant now) noexcept
+{
+    PlcNode& slave = Of(node);
+    const GateFinding finding = parts_.common.gate.Finding(node);
+    slave.status.object = finding.object;
+    slave.status.abort = finding.abort;
+    slave.status.expected = finding.expected;
+    slave.status.read = finding.read;
+    slave.status.is_started = false;
+    slave.signs = parts_.common.table.Record(node).signs;
+    slave.was_checked = false;
+    slave.is_stop_due = (parts_.common.nmt.Request(NmtCommand::kStop, node, now) != NmtAnswer::kTaken);
+    Tell(node, slave.status.code, StartUpStep::kSafety, now);
+    parts_.common.listener.OnNodeStatus(node, now);
+}
+
+/// A safety slave that runs without having been started is verified. [SRS-PLC-020]
+void PlcStartUp::DriveCheck(const NodeId node, const Instant now) noexcept
+{
+    PlcNode& slave = Of(node);
+    const NodeRecord& record = parts_.common.table.Record(node);
+    const GateState gate = parts_.common.gate.State(node);
+    const bool is_left = (slave.status.code > kPlcSdos) && !slave.status.is_started && !slave.is_wanted;
+    const bool is_found = parts_.common.setup.IsSafetySlave(node) && is_left && (record.signs != slave.signs) &&
+                          (record.state == SlaveState::kOperational);
+    if (slave.is_checking)
+    {
+        slave.is_checking = (gate == GateState::kBusy);
+        slave.was_checked = (gate == GateState::kOpen);
+        if ((gate == GateState::kDiffers) || (gate == GateState::kFailed))
+        {
+            Refuse(node, now);
+        }
+    }
+    else if (is_found && !slave.was_checked)
+    {
+        slave.is_checking = true;
+        parts_.common.gate.Verify(node, now);
+    }
+    else
+    {
+        slave.was_checked = slave.was_checked && is_found;
+    }
+}
+
+/// Once, when nobody is waited for any more. Slaves that must not start forbid the start of all. [SRS-PLC-014]
+void PlcStartUp::StartAll(const Instant now) noexcept
+{
+    const bool is_asked = parts_.common.setup.Has(kStartAllAtOnce) && !has_started_all_ &&
+                          !parts_.common.setup.Has(kApplicationStartsSlaves);
+    bool is_ready = is_asked;
+    bool is_one_by_one = parts_.common.setup.HasSafetySlave();
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        const PlcNode& slave = Of(NodeId{id});
+        const std::int16_t state = slave.status.code;
+        const bool is_waiting = (state == kPlcConfigured) && slave.is_wanted;
+        is_ready = is_ready && (!slave.is_listed || (state > kPlcSdos));
+        is_one_by_one = is_one_by_one || (slave.is_listed && !is_waiting && (state != kPlcAbsent));
+    }
+    if (is_ready && is_one_by_one)
+    {
+        has_started_all_ = true;
+    }
+    else if (is_ready && (parts_.common.nmt.Request(NmtCommand::kStart, kAllNodes, now) == NmtAnswer::kTaken))
+    {
+        has_started_all_ = true;
+        for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+        {
+            PlcNode& slave = Of(NodeId{id});
+            if (slave.is_wanted)
+            {
+                slave.is_wanted = false;
+                slave.status.is_started = true;
+                Tell(NodeId{id}, kPlcStarted, StartUpStep::kRunning, now);
+            }
+        }
+    }
+    else
+    {
+        // Somebody is waited for.
+    }
+}
+
+NmtAnswer PlcStartUp::Command(const NmtCommand command, const NodeId node, const Instant now) noexcept
+{
+    NmtAnswer answer = is_active_ ? NmtAnswer::kTaken : NmtAnswer::kNotActive;
+    const bool is_all = (node.value == kAllNodes.value);
+    bool is_any = is_all;
+    for (std::uint8_t id = 1U; (id <= kLastNode) && is_active_; ++id)
+    {
+        if (Of(NodeId{id}).is_listed && (is_all || (id == node.value)))
+        {
+            const NmtAnswer one = CommandOne(command, NodeId{id}, now);
+            answer = (answer == NmtAnswer::kTaken) ? one : answer;
+            is_any = true;
+        }
+    }
+    return (is_any || !is_active_) ? answer : NmtAnswer::kWrong;
+}
+
+NmtAnswer PlcStartUp::CommandOne(const NmtCommand command, const NodeId node, const Instant now) noexcept
+{
+    PlcNode& slave = Of(node);
+    const std::int16_t state = slave.status.code;
+    const bool is_start = (command == NmtCommand::kStart);
+    NmtAnswer answer = NmtAnswer::kTaken;
+    if (is_start && ((state == kPlcConfigured) || (state == kPlcLost)))
+    {
+        slave.is_wanted = true;
+        slave.is_by_hand = true;
+        slave.is_held = false;
+        slave.is_verified = false;
+        slave.is_woken = false;
+        slave.is_checking = false;
+        parts_.common.table.WatchAsSetUp(node, now);
+        Tell(node, kPlcConfigured, StartUpStep::kStart, now);
+    }
+    else if (is_start)
+    {
+        answer = (state == kPlcStarted) ? NmtAnswer::kTaken : NmtAnswer::kWrong;
+    }
+    else
+    {
+        answer = parts_.common.nmt.Request(command, node, now);
+        if (answer == NmtAnswer::kTaken)
+        {
+            Obey(command, node, now);
+        }
+    }
+    return answer;
+}
+
+/// What a command that was handed over makes of the slave's state.
+void PlcStartUp::Obey(const NmtCommand command, const NodeId node, const Instant now) noexcept
+{
+    PlcNode& slave = Of(node);
+    const std::int16_t state = slave.status.code;
+    if ((command == NmtCommand::kResetNode) || (command == NmtCommand::kResetCommunication))
+    {
+        BeginReset(node, now);
+        Tell(node, kPlcBootUp, StartUpStep::kWaitBootUp, now);
+    }
+    else
+    {
+        parts_.common.gate.Close(node);
+        slave.is_held = true;
+        slave.is_wanted = false;
+        slave.is_checking = false;
+        slave.status.is_started = false;
+        slave.signs = parts_.common.table.Record(node).signs;
+        Tell(node, (state == kPlcStarted) ? kPlcConfigured : state, StartUpStep::kManual, now);
+    }
+}
+
+bool PlcStartUp::Boot(const NodeId node, const Instant now) noexcept
+{
+    const bool is_one = is_active_ && Of(node).is_listed && (master_ >= kPlcConfigures);
+    if (is_one)
+    {
+        BeginReset(node, now);
+    }
+    return is_one;
+}
+
+} // namespace counterpoint::cia302

@@ -1,0 +1,56 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA302_SAFETY_GATE_HPP
+#define CANOPEN_CIA302_SAFETY_GATE_HPP
+
+#include "canopen/cia302/safety_check.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::cia302
+{
+
+/// One safety slave. Zero-filled at first.
+struct SafetySlot
+{
+    NodeId node;
+    std::uint32_t permit; ///< Derived from the node-ID while the gate is open; everything else grants nothing.
+    SafetyCheck check;
+};
+
+/// Room for as many slaves as have an expectation, kept by reference.
+struct SafetySlots
+{
+    SafetySlot* slots;
+    std::uint8_t count;
+};
+
+/// Lets a safety slave be started only after all its safety objects were read and found as expected, since it last
+/// booted up, was reset or was lost. A slave for which there is no slot is never let through. Slaves are verified
+/// independently of each other. Not reentrant. [SRS-SFS-001..008]
+class SafetyGate final : public StartGate
+{
+  public:
+    SafetyGate(const NetworkSetup& setup, const SafetySlots& room, SdoPool& sdo) noexcept;
+
+    void Verify(NodeId node, Instant now) noexcept override;
+    /// @brief Writes the whole safety configuration, then as Verify. The slave has to be PRE-OPERATIONAL: it refuses
+    /// otherwise. False: no safety slave, or no slot. [SRS-SFS-005]
+    [[nodiscard]] bool Write(NodeId node, Instant now) noexcept;
+    void OnCycle(Instant now) noexcept override;
+    void Close(NodeId node) noexcept override;
+    [[nodiscard]] GateState State(NodeId node) const noexcept override;
+    [[nodiscard]] GateFinding Finding(NodeId node) const noexcept override;
+
+  private:
+    [[nodiscard]] SafetySlot* Find(NodeId node) const noexcept;
+    [[nodiscard]] bool Begin(NodeId node, SafetyTask task) noexcept;
+    void Cancel(const SafetySlot& slot) noexcept;
+
+    const NetworkSetup& setup_;
+    SafetySlots room_;
+    SdoPool& sdo_;
+};
+
+} // namespace counterpoint::cia302
+
+#endif

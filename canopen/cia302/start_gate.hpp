@@ -1,0 +1,62 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA302_START_GATE_HPP
+#define CANOPEN_CIA302_START_GATE_HPP
+
+#include "canopen/cia301/abort_code.hpp"
+#include "canopen/cia302/network_setup.hpp"
+
+#include "safety_core/kernel/object_access.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::cia302
+{
+
+enum class GateState : std::uint8_t
+{
+    kClosed = 0U,  ///< Not verified since the last boot-up of the slave.
+    kBusy = 1U,    ///< Reads (or writes) its safety objects.
+    kDiffers = 2U, ///< See Finding: this object has another value than expected.
+    kFailed = 3U,  ///< See Finding: this object could not be read or written.
+    kOpen = 0x5AU, ///< Verified: the slave may be started.
+};
+
+/// The first object that kept the gate closed.
+struct GateFinding
+{
+    ObjectAddress object;
+    cia301::SdoAbort abort; ///< kNone: the values differ.
+    std::uint64_t expected;
+    std::uint64_t read;
+};
+
+/// Stands before every start of a safety slave, whatever profile starts it: Verify, then wait until State is not kBusy.
+/// While it is kBusy the slave's SDO connection belongs to the gate. Nodes that are no safety slaves may always start.
+class StartGate
+{
+  public:
+    /// @brief Verification begins anew; for a node that is no safety slave nothing happens.
+    virtual void Verify(NodeId node, Instant now) noexcept = 0;
+    /// @brief Drives verification; once a cycle, by the owner of all parts.
+    virtual void OnCycle(Instant now) noexcept = 0;
+    /// @brief The slave booted up, was reset or was lost: what was verified holds no more.
+    virtual void Close(NodeId node) noexcept = 0;
+    /// @brief kOpen for a node that is no safety slave.
+    [[nodiscard]] virtual GateState State(NodeId node) const noexcept = 0;
+    [[nodiscard]] virtual GateFinding Finding(NodeId node) const noexcept = 0;
+
+    [[nodiscard]] bool MayStart(const NodeId node) const noexcept
+    {
+        return State(node) == GateState::kOpen;
+    }
+
+  protected:
+    StartGate() noexcept = default;
+    ~StartGate() noexcept = default;
+    StartGate(const StartGate&) = default;
+    StartGate& operator=(const StartGate&) = default;
+};
+
+} // namespace counterpoint::cia302
+
+#endif

@@ -1,0 +1,232 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// Commands of the application and error handling of the CiA 302-2 start-up.
+#include "canopen/cia302/start_up_cia302.hpp"
+
+namespace counterpoint::cia302
+{
+namespace
+{
+
+bool IsReset(const NmtCommand command) noexcept
+{
+    return (command == NmtCommand::kResetNode) || (command == NmtCommand::kResetCommunication);
+}
+
+} // namespace
+
+void Cia302StartUp::OnNodeEvent(const NodeId node, const NodeEvent event, const Instant now) noexcept
+{
+    const BootTime time = Tick(now);
+    const bool is_listed = parts_.setup.IsListed(node);
+    const bool is_active = (step_ != MasterStep::kIdle) && (step_ != MasterStep::kStopped);
+    const bool is_boot_up = (event == NodeEvent::kBootUp);
+    const bool is_lost = (event == NodeEvent::kHeartbeatLost) || (event == NodeEvent::kGuardLost);
+    const bool is_state = (event == NodeEvent::kStarted) || (event == NodeEvent::kChanged);
+    if (is_active && !is_listed && (is_boot_up || (event == NodeEvent::kUnexpected)))
+    {
+        OnForeign(node, now);
+    }
+    else if (is_active && is_listed && is_boot_up)
+    {
+        boot_.OnBootUp(node, time);
+    }
+    else if (is_active && is_listed && is_lost)
+    {
+        OnLost(node, time);
+    }
+    else if (is_active && is_listed && is_state)
+    {
+        OnState(node, time);
+    }
+}
+
+void Cia302StartUp::OnForeign(const NodeId node, const Instant now) noexcept
+{
+    NodeStatus& status = boot_.Record(node).status;
+    const bool is_news = (status.letter != 'A') && (node.value != parts_.setup.own.value);
+    if (is_news)
+    {
+        status = NodeStatus{};
+        status.letter = 'A';
+        parts_.listener.OnNodeStatus(node, now);
+    }
+}
+
+/// A safety slave that runs and was not verified, however it came to run.
+void Cia302StartUp::OnState(const NodeId node, const BootTime& time) noexcept
+{
+    const bool is_running = (parts_.table.Record(node).state == SlaveState::kOperational);
+    const bool is_unknown = !parts_.gate.MayStart(node) && !boot_.Record(node).status.is_busy;
+    if (is_running && is_unknown)
+    {
+        boot_.Verify(node, time);
+    }
+}
+
+void Cia302StartUp::OnLost(const NodeId node, const BootTime& time) noexcept
+{
+    const BootRecord& record = boot_.Record(node);
+    const bool is_mandatory = parts_.setup.Slave(node).Has(kMandatory);
+    const bool is_booted = record.is_booted && (!record.status.is_busy || record.is_extra);
+    if (is_booted && is_mandatory && parts_.setup.Has(kStopAllOnError))
+    {
+        reaction_ = Reaction::kStopAll;
+    }
+    else if (is_booted && is_mandatory && parts_.setup.Has(kResetAllOnError))
+    {
+        reaction_ = (reaction_ == Reaction::kStopAll) ? reaction_ : Reaction::kResetAll;
+    }
+    else if (is_booted)
+    {
+        boot_.Reset(node, time);
+    }
+    React(time);
+}
+
+/// What error handling owes, as soon as the queue has room.
+void Cia302StartUp::React(const BootTime& time) noexcept
+{
+    if (reaction_ == Reaction::kStopAll)
+    {
+        if (parts_.nmt.Request(NmtCommand::kStop, kAllNodes, time.now) == NmtAnswer::kTaken)
+        {
+            reaction_ = Reaction::kNone;
+            is_start_due_ = false;
+            for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+            {
+                boot_.End(NodeId{id});
+                boot_.Record(NodeId{id}).status.is_started = false;
+            }
+            SetStep(MasterStep::kStopped, time.now);
+        }
+    }
+    else if (reaction_ == Reaction::kResetAll)
+    {
+        Restart(NmtCommand::kResetNode, time.now);
+    }
+}
+
+NmtAnswer Cia302StartUp::Command(const NmtCommand command, const NodeId node, const Instant now) noexcept
+{
+    const BootTime time = Tick(now);
+    NmtAnswer answer = NmtAnswer::kInvalid;
+    if (node.value == kAllNodes.value)
+    {
+        answer = CommandAll(command, time);
+    }
+    else if (node.value == parts_.setup.own.value)
+    {
+        answer = CommandOwn(command, time);
+    }
+    else
+    {
+        answer = CommandNode(command, node, time);
+    }
+    return answer;
+}
+
+NmtAnswer Cia302StartUp::CommandAll(const NmtCommand command, const BootTime& time) noexcept
+{
+    const bool is_start = (command == NmtCommand::kStart);
+    NmtAnswer answer = NmtAnswer::kTaken;
+    if (is_start && parts_.setup.HasSafetySlave())
+    {
+        for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+        {
+            const bool is_meant = parts_.setup.IsListed(NodeId{id}) && (answer == NmtAnswer::kTaken);
+            answer = is_meant ? CommandNode(command, NodeId{id}, time) : answer;
+        }
+        answer = (answer == NmtAnswer::kTaken) ? CommandOwn(command, time) : answer;
+    }
+    else
+    {
+        answer = parts_.nmt.Request(command, kAllNodes, time.now);
+        for (std::uint8_t id = 1U; (answer == NmtAnswer::kTaken) && (id <= kLastNode); ++id)
+        {
+            boot_.Record(NodeId{id}).status.is_started = is_start;
+        }
+        if ((answer == NmtAnswer::kTaken) && IsReset(command))
+        {
+            End();
+            BootAll(time);
+        }
+        else if ((answer == NmtAnswer::kTaken) && (is_start || IsMasterOperational()))
+        {
+            SetStep(is_start ? MasterStep::kOperational : MasterStep::kReady, time.now);
+        }
+    }
+    return answer;
+}
+
+/// Without a node-ID of its own the master has no NMT state to change, and node 0 would be everybody.
+NmtAnswer Cia302StartUp::CommandOwn(const NmtCommand command, const BootTime& time) noexcept
+{
+    const bool has_own = (parts_.setup.own.value != kAllNodes.value);
+    const NmtAnswer answer = has_own ? parts_.nmt.Request(command, parts_.setup.own, time.now) : NmtAnswer::kTaken;
+    const bool is_start = (command == NmtCommand::kStart);
+    const bool was_operational = IsMasterOperational();
+    if ((answer == NmtAnswer::kTaken) && is_start)
+    {
+        SetStep(MasterStep::kOperational, time.now);
+        const bool is_due = parts_.setup.Has(kStartAllAtOnce) && !parts_.setup.Has(kApplicationStartsSlaves);
+        if (is_due && !was_operational)
+        {
+            StartSlaves(time);
+        }
+    }
+    else if ((answer == NmtAnswer::kTaken) && was_operational)
+    {
+        SetStep(MasterStep::kReady, time.now);
+    }
+    return answer;
+}
+
+NmtAnswer Cia302StartUp::CommandNode(const NmtCommand command, const NodeId node, const BootTime& time) noexcept
+{
+    NmtAnswer answer = parts_.nmt.Request(command, node, time.now);
+    const bool is_listed = parts_.setup.IsListed(node);
+    if (answer == NmtAnswer::kNotVerified)
+    {
+        boot_.Start(node, time); // Verifies, then starts.
+        answer = NmtAnswer::kTaken;
+    }
+    else if ((answer == NmtAnswer::kTaken) && is_listed && IsReset(command) && (step_ != MasterStep::kIdle))
+    {
+        boot_.Await(node, time);
+    }
+    else if ((answer == NmtAnswer::kTaken) && is_listed)
+    {
+        boot_.Record(node).status.is_started = (command == NmtCommand::kStart);
+    }
+    return answer;
+}
+
+bool Cia302StartUp::Boot(const NodeId node, const Instant now) noexcept
+{
+    const BootTime time = Tick(now);
+    const bool is_node = (node.value >= 1U) && (node.value <= kLastNode);
+    const bool is_listed = parts_.setup.IsListed(node) && (step_ != MasterStep::kIdle);
+    if (is_listed)
+    {
+        boot_.Ask(node, time);
+    }
+    else if (is_node && !parts_.setup.IsListed(node))
+    {
+        OnForeign(node, now);
+    }
+    return is_listed;
+}
+
+bool Cia302StartUp::Configure(const NodeId node, const Instant now) noexcept
+{
+    const BootTime time = Tick(now);
+    const bool is_free =
+        parts_.setup.IsListed(node) && (step_ != MasterStep::kIdle) && !boot_.Record(node).status.is_busy;
+    if (is_free)
+    {
+        boot_.Configure(node, time);
+    }
+    return is_free;
+}
+
+} // namespace counterpoint::cia302

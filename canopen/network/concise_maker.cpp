@@ -1,0 +1,216 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/network/concise_maker.hpp"
+
+#include "canopen/cia306/input_error.hpp"
+
+#include <set>
+#include <string>
+
+namespace counterpoint::network
+{
+namespace
+{
+using cia306::Device;
+using cia306::Entry;
+using cia306::Object;
+
+constexpr std::uint16_t kFirstObject = 0x1000U;
+constexpr std::uint16_t kConfigurationDate = 0x1020U;
+constexpr std::uint16_t kMappingOffset = 0x0200U;
+constexpr std::uint32_t kBitsOfByte = 8U;
+constexpr std::uint32_t kOff = 0x80000000U;
+
+struct IndexRange
+{
+    std::uint16_t first;
+    std::uint16_t last;
+};
+
+/// What is no configuration: commands (store, restore, programs, network management), the safety configuration with a
+/// procedure of its own.
+constexpr IndexRange kLeftOut[] = {
+    {0x1010U, 0x1011U}, {0x1300U, 0x13FFU}, {0x1F50U, 0x1F5FU}, {0x1F80U, 0x1F91U}, {0x5F00U, 0x5F05U}};
+
+bool IsLeftOut(const Device& device, const std::uint16_t index)
+{
+    constexpr std::uint16_t kDeviceParameters = 0x5F00U;
+    bool is_left_out = index < kFirstObject;
+    for (const IndexRange& range : kLeftOut)
+    {
+        const bool applies = range.first != kDeviceParameters || device.Find(kDeviceParameters) == nullptr ||
+                             device.is_safety_supported.value_or(false);
+        is_left_out = is_left_out || (applies && index >= range.first && index <= range.last);
+    }
+    return is_left_out;
+}
+
+/// 1400h to 15FFh and 1800h to 19FFh.
+bool IsPdo(const std::uint16_t index)
+{
+    constexpr std::uint16_t kBlock = 0xFE00U;
+    return (index & kBlock) == 0x1400U || (index & kBlock) == 0x1800U;
+}
+
+bool IsPdoMapping(const std::uint16_t index)
+{
+    return index >= kMappingOffset && IsPdo(static_cast<std::uint16_t>(index - kMappingOffset));
+}
+
+bool IsToBeWritten(const Device& device, const Entry& entry)
+{
+    return entry.parameter_value.IsSet() && !entry.IsFixed() && !IsLeftOut(device, entry.index);
+}
+
+std::vector<std::uint8_t> LittleEndian(const std::uint64_t value, const std::uint32_t size)
+{
+    std::vector<std::uint8_t> bytes;
+    for (std::uint32_t byte = 0U; byte < size; ++byte)
+    {
+        bytes.push_back(static_cast<std::uint8_t>((value >> (kBitsOfByte * byte)) & 0xFFU));
+    }
+    return bytes;
+}
+
+bool HasConfigured(const Device& device, const std::uint16_t index)
+{
+    const Object* const object = device.Find(index);
+    bool has_one = false;
+    if (object != nullptr)
+    {
+        for (const auto& [sub, entry] : object->entries)
+        {
+            has_one = has_one || IsToBeWritten(device, entry);
+        }
+    }
+    return has_one;
+}
+
+std::uint64_t NumberIn(const std::vector<std::uint8_t>& bytes)
+{
+    std::uint64_t value = 0U;
+    for (std::size_t place = bytes.size(); place > 0U; --place)
+    {
+        value = (value << kBitsOfByte) | bytes[place - 1U];
+    }
+    return value;
+}
+
+class Maker
+{
+  public:
+    Maker(const Device& device, const std::uint8_t node_id) : device_(device), node_id_(node_id)
+    {
+    }
+
+    std::vector<ConciseEntry> Make()
+    {
+        for (const auto& [index, object] : device_.objects)
+        {
+            if (IsPdo(index))
+            {
+                AddPdo(index);
+            }
+        }
+        for (const auto& [index, object] : device_.objects)
+        {
+            const auto communication = static_cast<std::uint16_t>(index - kMappingOffset);
+            const bool is_done = IsPdo(index) || (IsPdoMapping(index) && device_.Find(communication) != nullptr);
+            if (!is_done && index != kConfigurationDate)
+            {
+                AddObject(index, 0U);
+            }
+        }
+        AddObject(kConfigurationDate, 0U); // Who reads the right date there may rely on all the rest.
+        return entries_;
+    }
+
+  private:
+    void Add(const Entry& entry)
+    {
+        entries_.push_back({entry.index, entry.sub, BytesOf(device_, entry, node_id_)});
+    }
+    void AddObject(const std::uint16_t index, const std::uint8_t from)
+    {
+        if (const Object* const object = device_.Find(index))
+        {
+            for (const auto& [sub, entry] : object->entries)
+            {
+                if (sub >= from && IsToBeWritten(device_, entry))
+                {
+                    Add(entry);
+                }
+            }
+        }
+    }
+    void AddPdo(const std::uint16_t index)
+    {
+        const auto mapping = static_cast<std::uint16_t>(index + kMappingOffset);
+        const Entry* const identifier = device_.Find(index, 1U);
+        if (!HasConfigured(device_, index) && !HasConfigured(device_, mapping))
+        {
+            return;
+        }
+        const bool can_switch = identifier != nullptr && !identifier->IsFixed() && identifier->Configured().IsSet();
+        const std::vector<std::uint8_t> on =
+            can_switch ? BytesOf(device_, *identifier, node_id_) : std::vector<std::uint8_t>{};
+        if (can_switch)
+        {
+            entries_.push_back({index, 1U, LittleEndian(NumberIn(on) | kOff, sizeof(std::uint32_t))});
+        }
+        AddObject(index, 2U);
+        AddMapping(mapping);
+        if (can_switch)
+        {
+            entries_.push_back({index, 1U, on});
+        }
+    }
+    void AddMapping(const std::uint16_t mapping)
+    {
+        const Entry* const count = device_.Find(mapping, 0U);
+        if (HasConfigured(device_, mapping) && count != nullptr && !count->IsFixed())
+        {
+            entries_.push_back({mapping, 0U, LittleEndian(0U, 1U)});
+            AddObject(mapping, 1U);
+            Add(*count);
+        }
+    }
+
+    const Device& device_;
+    std::uint8_t node_id_;
+    std::vector<ConciseEntry> entries_;
+};
+} // namespace
+
+std::vector<std::uint8_t> BytesOf(const Device& device, const Entry& entry, const std::uint8_t node_id)
+{
+    const cia306::ValueResult result = cia306::ConfiguredValue(entry, node_id);
+    if (!result.value)
+    {
+        throw cia306::InputError(
+            device.file, entry.ValueLine(),
+            {cia306::ObjectName(entry.index, entry.sub) + ": " + result.problem.wrong, result.problem.expected});
+    }
+    const std::string& text = result.value->text;
+    const std::uint32_t size = (entry.type.bits + kBitsOfByte - 1U) / kBitsOfByte;
+    return (size > 0U) ? LittleEndian(result.value->bits, size) : std::vector<std::uint8_t>(text.begin(), text.end());
+}
+
+std::vector<ConciseEntry> MakeConcise(const Device& device, const std::uint8_t node_id)
+{
+    return Maker(device, node_id).Make();
+}
+
+std::vector<std::uint8_t> ConciseBytes(const std::vector<ConciseEntry>& entries)
+{
+    std::vector<std::uint8_t> bytes = LittleEndian(entries.size(), sizeof(std::uint32_t));
+    for (const ConciseEntry& entry : entries)
+    {
+        for (const auto& part : {LittleEndian(entry.index, 2U), LittleEndian(entry.sub, 1U),
+                                 LittleEndian(entry.value.size(), sizeof(std::uint32_t)), entry.value})
+        {
+            bytes.insert(bytes.end(), part.begin(), part.end());
+        }
+    }
+    return entries.empty() ? std::vector<std::uint8_t>{} : bytes;
+}
+} // namespace counterpoint::network

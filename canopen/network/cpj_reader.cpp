@@ -1,0 +1,213 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/network/cpj_reader.hpp"
+
+#include "canopen/cia306/ini_document.hpp"
+#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/number.hpp"
+#include "canopen/cia306/text_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <map>
+
+namespace counterpoint::network
+{
+namespace
+{
+using cia306::IniDocument;
+using cia306::IniKey;
+using cia306::IniSection;
+using cia306::InputError;
+using cia306::Lower;
+using cia306::Quoted;
+
+/// The keys of one node.
+struct CpjNode
+{
+    const IniKey* present{nullptr};
+    const IniKey* name{nullptr};
+    const IniKey* dcf{nullptr};
+    std::size_t line{0U};
+};
+
+[[noreturn]] void Refuse(const IniDocument& document, const std::size_t line, const std::string& wrong,
+                         const std::string& expected)
+{
+    throw InputError(document.File(), line, {wrong, expected});
+}
+
+std::uint64_t NumberOf(const IniDocument& document, const IniKey& key, const std::uint64_t max)
+{
+    const auto number = cia306::ParseUnsigned(key.value, max);
+    if (!number)
+    {
+        Refuse(document, key.line, key.name + "=" + Quoted(key.value), "a number from 0 to " + std::to_string(max));
+    }
+    return *number;
+}
+
+const IniSection& TopologyOf(const IniDocument& document)
+{
+    const IniSection* const topology = document.Find("Topology");
+    if (topology == nullptr)
+    {
+        Refuse(document, 0U, "no section [Topology]", "a CPJ file of CiA 306-3");
+    }
+    for (const IniSection& section : document.Sections())
+    {
+        const std::string name = Lower(section.name);
+        if (name != "topology" && name.rfind("topology", 0U) == 0U)
+        {
+            Refuse(document, section.line, "a second network [" + section.name + "]", "one network a file");
+        }
+    }
+    return *topology;
+}
+
+/// Puts a key NodeNPresent, NodeNName or NodeNDCFName where it belongs; other keys of a node are not needed here.
+void TakeNodeKey(const IniDocument& document, const IniKey& key, std::map<std::uint64_t, CpjNode>& nodes)
+{
+    constexpr std::size_t kPrefix = 4U;
+    const std::string name = Lower(key.name);
+    std::size_t end = kPrefix;
+    while (end < name.size() && std::isdigit(static_cast<unsigned char>(name[end])) != 0)
+    {
+        ++end;
+    }
+    if (name.rfind("node", 0U) != 0U || end == kPrefix)
+    {
+        return;
+    }
+    const std::string digits = name.substr(kPrefix, end - kPrefix);
+    const bool is_id =
+        digits.size() <= 3U && std::stoul(digits) >= 1U && std::stoul(digits) <= cia302::kLastNode && digits[0] != '0';
+    if (!is_id)
+    {
+        Refuse(document, key.line, "key " + Quoted(key.name), "a node-ID from 1 to 127 after Node");
+    }
+    CpjNode& node = nodes[std::stoul(digits)];
+    const std::string what = name.substr(end);
+    node.line = (node.line == 0U) ? key.line : node.line;
+    node.present = (what == "present") ? &key : node.present;
+    node.name = (what == "name") ? &key : node.name;
+    node.dcf = (what == "dcfname") ? &key : node.dcf;
+}
+
+bool IsPresent(const IniDocument& document, const CpjNode& node)
+{
+    return node.present != nullptr && NumberOf(document, *node.present, 1U) == 1U;
+}
+
+/// Whether the DCF says that its device is the manager.
+bool IsManager(const std::string& dcf)
+{
+    const IniDocument document = IniDocument::Parse(dcf, cia306::ReadTextFile(dcf));
+    for (const char* const name : {"DeviceComissioning", "DeviceCommissioning"})
+    {
+        const IniSection* const section = document.Find(name);
+        const IniKey* const key = (section == nullptr) ? nullptr : section->Find("CANopenManager");
+        if (key != nullptr && !key->value.empty())
+        {
+            return NumberOf(document, *key, 1U) == 1U;
+        }
+    }
+    return false;
+}
+
+SlavePlan PlanOf(const IniDocument& document, const std::uint64_t id, const CpjNode& node)
+{
+    SlavePlan plan;
+    plan.node = static_cast<std::uint8_t>(id);
+    plan.name = (node.name == nullptr || node.name->value.empty()) ? "node " + std::to_string(id) : node.name->value;
+    if (node.dcf == nullptr || node.dcf->value.empty())
+    {
+        Refuse(document, node.present->line, "node " + std::to_string(id) + " is present and has no DCF",
+               "Node" + std::to_string(id) + "DCFName=FILE");
+    }
+    plan.line = node.dcf->line;
+    plan.dcf = BesideFile(document.File(), node.dcf->value);
+    if (!std::filesystem::exists(plan.dcf))
+    {
+        Refuse(document, node.dcf->line, "there is no file " + Quoted(plan.dcf),
+               "the DCF of node " + std::to_string(id));
+    }
+    return plan;
+}
+
+void RequireCount(const IniDocument& document, const IniSection& topology, const std::size_t present)
+{
+    const IniKey* const count = topology.Find("Nodes");
+    if (count == nullptr)
+    {
+        Refuse(document, topology.line, "no key Nodes in [Topology]", "Nodes=" + std::to_string(present));
+    }
+    if (NumberOf(document, *count, cia302::kLastNode) != present)
+    {
+        Refuse(document, count->line,
+               "Nodes=" + count->value + ", and " + std::to_string(present) + " nodes are present", "equal numbers");
+    }
+}
+
+void TakeManager(NetworkPlan& plan, const SlavePlan& node)
+{
+    if (!plan.manager.dcf.empty())
+    {
+        throw InputError(plan.file, node.line,
+                         {"a second manager, node " + std::to_string(node.node) + " besides node " +
+                              std::to_string(*plan.manager.node),
+                          "CANopenManager=1 in one DCF"});
+    }
+    plan.manager.node = node.node;
+    plan.manager.line = node.line;
+    plan.manager.dcf = node.dcf;
+}
+} // namespace
+
+std::string BesideFile(const std::string& network_file, const std::string& name)
+{
+    std::string path = name;
+    std::replace(path.begin(), path.end(), '\\', '/');
+    const std::filesystem::path file(path);
+    return file.is_absolute() ? path : (std::filesystem::path(network_file).parent_path() / file).string();
+}
+
+NetworkPlan ReadCpj(const std::string& path, const std::uint8_t manager)
+{
+    const IniDocument document = IniDocument::Parse(path, cia306::ReadTextFile(path));
+    const IniSection& topology = TopologyOf(document);
+    std::map<std::uint64_t, CpjNode> nodes;
+    for (const IniKey& key : topology.keys)
+    {
+        TakeNodeKey(document, key, nodes);
+    }
+    NetworkPlan plan;
+    plan.file = path;
+    const IniKey* const name = topology.Find("NetName");
+    plan.name = (name == nullptr) ? "" : name->value;
+    std::size_t present = 0U;
+    for (const auto& [id, node] : nodes)
+    {
+        if (IsPresent(document, node))
+        {
+            ++present;
+            const SlavePlan slave = PlanOf(document, id, node);
+            const bool is_manager = (manager != 0U) ? (manager == slave.node) : IsManager(slave.dcf);
+            is_manager ? TakeManager(plan, slave) : plan.slaves.push_back(slave);
+        }
+    }
+    RequireCount(document, topology, present);
+    plan.manager.line = (plan.manager.line == 0U) ? topology.line : plan.manager.line;
+    if (!plan.manager.node && manager != 0U)
+    {
+        plan.manager.node = manager;
+    }
+    if (!plan.manager.node)
+    {
+        Refuse(document, topology.line, "no node is the manager",
+               "CANopenManager=1 in [DeviceComissioning] of one DCF, or the option --node-id");
+    }
+    return plan;
+}
+} // namespace counterpoint::network

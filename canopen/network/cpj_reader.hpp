@@ -1,0 +1,19 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_NETWORK_CPJ_READER_HPP
+#define CANOPEN_NETWORK_CPJ_READER_HPP
+
+#include "canopen/network/network_plan.hpp"
+
+#include <string>
+
+namespace counterpoint::network
+{
+/// @brief Reads a CPJ file (CiA 306-3). The node whose DCF says CANopenManager=1 is the manager, `manager` (0: none
+/// given) where no DCF does. Throws cia306::InputError. [SRS-NET-001]
+[[nodiscard]] NetworkPlan ReadCpj(const std::string& path, std::uint8_t manager);
+
+/// @brief A file named in a network file, seen from where we are. Backslashes count as slashes.
+[[nodiscard]] std::string BesideFile(const std::string& network_file, const std::string& name);
+} // namespace counterpoint::network
+
+#endif // CANOPEN_NETWORK_CPJ_READER_HPP

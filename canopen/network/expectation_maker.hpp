@@ -1,0 +1,19 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_NETWORK_EXPECTATION_MAKER_HPP
+#define CANOPEN_NETWORK_EXPECTATION_MAKER_HPP
+
+#include "canopen/cia302/safety_check.hpp"
+#include "canopen/cia306/device.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace counterpoint::network
+{
+/// @brief The safety configuration that a DCF gives its device, for the gate; empty: the DCF has no SRDO that is on.
+/// Throws cia306::InputError for the first rule that the configuration breaks: what is expected has to be right.
+/// [SRS-NET-003, SRS-NET-004]
+[[nodiscard]] std::vector<cia302::ExpectedObject> MakeExpectation(const cia306::Device& device, std::uint8_t node_id);
+} // namespace counterpoint::network
+
+#endif // CANOPEN_NETWORK_EXPECTATION_MAKER_HPP

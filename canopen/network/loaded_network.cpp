@@ -1,0 +1,224 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/network/loaded_network.hpp"
+
+#include "canopen/cia306/device_reader.hpp"
+#include "canopen/cia306/input_error.hpp"
+#include "canopen/network/expectation_maker.hpp"
+#include "canopen/network/manager_objects.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace counterpoint::network
+{
+namespace
+{
+using cia302::SlaveSetup;
+using cia306::Device;
+using cia306::Entry;
+using cia306::InputError;
+
+constexpr std::uint32_t kUsualAssignment = cia302::kInNetwork | cia302::kBootSlave | cia302::kMandatory;
+constexpr std::uint32_t kConsumerFactor = 2U; ///< Consumer time of a producer time, where nobody says more.
+constexpr std::uint32_t kLongestMs = 65535U;
+
+/// The number that a DCF configures, 0 where it has none.
+std::uint32_t Configured(const LoadedSlave& slave, const std::uint16_t index, const std::uint8_t sub)
+{
+    const Entry* const entry = slave.device.Find(index, sub);
+    std::uint32_t value = 0U;
+    if (entry != nullptr && entry->Configured().IsSet())
+    {
+        for (const std::uint8_t byte : BytesOf(slave.device, *entry, slave.plan.node))
+        {
+            value = (value >> 8U) | (std::uint32_t{byte} << 24U);
+        }
+        const std::uint32_t bytes = (entry->type.bits + 7U) / 8U;
+        value = (bytes < 4U) ? (value >> (8U * (4U - bytes))) : value;
+    }
+    return value;
+}
+
+std::uint32_t WithBit(const std::uint32_t bits, const std::uint32_t bit, const std::optional<bool>& is_set)
+{
+    return is_set ? ((bits & ~bit) | (*is_set ? bit : 0U)) : bits;
+}
+
+std::uint32_t AssignmentOf(const SlavePlan& plan)
+{
+    constexpr std::uint32_t kFactorShift = 8U;
+    constexpr std::uint32_t kTimeShift = 16U;
+    const std::uint32_t given = plan.assignment.value_or(0U);
+    std::uint32_t bits = (given == 0U) ? kUsualAssignment : (given | cia302::kInNetwork);
+    bits = WithBit(bits, cia302::kMandatory, plan.is_mandatory);
+    bits = WithBit(bits, cia302::kKeepAlive, plan.is_kept_alive);
+    bits = WithBit(bits, cia302::kBootSlave, plan.is_booted);
+    bits = plan.retry_factor ? ((bits & 0xFFFF00FFU) | (std::uint32_t{*plan.retry_factor} << kFactorShift)) : bits;
+    return plan.guard_ms ? ((bits & 0x0000FFFFU) | (std::uint32_t{*plan.guard_ms} << kTimeShift)) : bits;
+}
+} // namespace
+
+LoadedNetwork::LoadedNetwork(const NetworkPlan& plan) : plan_(plan)
+{
+    RequireManager();
+    if (!plan_.manager.dcf.empty())
+    {
+        TakeManagerObjects(cia306::ReadDeviceFile(plan_.manager.dcf), plan_);
+    }
+    RequireNodes();
+    for (const SlavePlan& slave : plan_.slaves)
+    {
+        Load(slave);
+    }
+    for (const std::unique_ptr<LoadedSlave>& slave : loaded_)
+    {
+        Fill(*slave, slaves_.at(slave->plan.node));
+    }
+    FillManager();
+}
+
+const LoadedSlave* LoadedNetwork::Find(const std::uint8_t node) const noexcept
+{
+    const LoadedSlave* found = nullptr;
+    for (const std::unique_ptr<LoadedSlave>& slave : loaded_)
+    {
+        found = (slave->plan.node == node) ? slave.get() : found;
+    }
+    return found;
+}
+
+void LoadedNetwork::RequireManager() const
+{
+    const std::uint32_t node = plan_.manager.node.value_or(0U);
+    if (node == 0U || node > cia302::kLastNode)
+    {
+        throw InputError(plan_.file, plan_.manager.line, {"no node-ID of the manager", "one from 1 to 127"});
+    }
+}
+
+void LoadedNetwork::RequireNodes() const
+{
+    std::set<std::uint8_t> seen;
+    for (const SlavePlan& slave : plan_.slaves)
+    {
+        if (slave.node == *plan_.manager.node)
+        {
+            throw InputError(
+                plan_.file, slave.line,
+                {"node " + std::to_string(slave.node) + " is the manager and a slave", "different node-IDs"});
+        }
+        if (!seen.insert(slave.node).second)
+        {
+            throw InputError(plan_.file, slave.line,
+                             {"node " + std::to_string(slave.node) + " a second time", "each node once"});
+        }
+    }
+    if (seen.empty())
+    {
+        throw InputError(plan_.file, plan_.manager.line, {"a network without slaves", "at least one"});
+    }
+}
+
+void LoadedNetwork::Load(const SlavePlan& plan)
+{
+    auto slave = std::make_unique<LoadedSlave>();
+    slave->plan = plan;
+    if (!plan.dcf.empty())
+    {
+        slave->device = cia306::ReadDeviceFile(plan.dcf);
+        if (slave->device.node_id.value_or(plan.node) != plan.node)
+        {
+            throw InputError(plan_.file, plan.line,
+                             {cia306::Quoted(plan.dcf) + " is for node-ID " + std::to_string(*slave->device.node_id),
+                              "the DCF of node " + std::to_string(plan.node)});
+        }
+        if (plan.is_configured)
+        {
+            slave->entries = MakeConcise(slave->device, plan.node);
+        }
+        slave->objects = MakeExpectation(slave->device, plan.node);
+    }
+    slave->safety = {slave->objects.data(), static_cast<std::uint16_t>(slave->objects.size())};
+    loaded_.push_back(std::move(slave));
+}
+
+void LoadedNetwork::Fill(LoadedSlave& slave, SlaveSetup& setup) const
+{
+    setup.assignment = AssignmentOf(slave.plan);
+    setup.restore_sub = slave.plan.restore_sub.value_or(0U);
+    FillIdentity(slave, setup);
+    FillHeartbeat(slave, setup);
+    setup.safety = slave.objects.empty() ? nullptr : &slave.safety;
+}
+
+void LoadedNetwork::FillIdentity(const LoadedSlave& slave, SlaveSetup& setup) const
+{
+    constexpr std::uint16_t kDeviceType = 0x1000U;
+    constexpr std::uint16_t kIdentity = 0x1018U;
+    constexpr std::uint16_t kDate = 0x1020U;
+    const SlavePlan& plan = slave.plan;
+    setup.device_type = plan.device_type.value_or(Configured(slave, kDeviceType, 0U));
+    setup.vendor_id = plan.vendor_id.value_or(Configured(slave, kIdentity, 1U));
+    setup.product_code = plan.product_code.value_or(Configured(slave, kIdentity, 2U));
+    setup.revision_number = plan.revision.value_or(Configured(slave, kIdentity, 3U));
+    setup.serial_number = plan.serial.value_or(Configured(slave, kIdentity, 4U));
+    setup.configuration_date = plan.date.value_or(Configured(slave, kDate, 1U));
+    setup.configuration_time = plan.time.value_or(Configured(slave, kDate, 2U));
+}
+
+/// The producer time goes into the concise DCF, where the network file asks for another one than the DCF.
+void LoadedNetwork::FillHeartbeat(LoadedSlave& slave, SlaveSetup& setup) const
+{
+    constexpr std::uint16_t kProducer = 0x1017U;
+    std::vector<ConciseEntry> entries = slave.entries;
+    std::uint32_t producer_ms = Configured(slave, kProducer, 0U);
+    if (slave.plan.heartbeat_ms)
+    {
+        producer_ms = *slave.plan.heartbeat_ms;
+        const std::vector<std::uint8_t> value{static_cast<std::uint8_t>(producer_ms & 0xFFU),
+                                              static_cast<std::uint8_t>(producer_ms >> 8U)};
+        bool is_there = false;
+        for (ConciseEntry& entry : entries)
+        {
+            is_there = is_there || entry.index == kProducer;
+            entry.value = (entry.index == kProducer) ? value : entry.value;
+        }
+        if (!is_there)
+        {
+            entries.insert(entries.begin(), {kProducer, 0U, value});
+        }
+    }
+    const std::uint32_t usual_ms = std::min(producer_ms * kConsumerFactor, kLongestMs);
+    setup.heartbeat.producer_ms = static_cast<std::uint16_t>(producer_ms);
+    setup.heartbeat.consumer_ms = slave.plan.consumer_ms.value_or(static_cast<std::uint16_t>(usual_ms));
+    setup.heartbeat.arming = slave.plan.arming.value_or(cia302::Arming::kFirstHeartbeat);
+    slave.concise = ConciseBytes(entries);
+    const std::vector<std::uint8_t>& concise = slave.concise;
+    setup.concise_dcf = concise.empty() ? cia302::Bytes{nullptr, 0U}
+                                        : cia302::Bytes{concise.data(), static_cast<std::uint32_t>(concise.size())};
+}
+
+void LoadedNetwork::FillManager()
+{
+    const ManagerPlan& manager = plan_.manager;
+    setup_.own = cia302::NodeId{*manager.node};
+    setup_.start_up = manager.start_up.value_or(cia302::kIsMaster) | cia302::kIsMaster |
+                      (manager.flying ? cia302::kFlyingMaster : 0U);
+    setup_.boot_time_ms = manager.boot_time_ms.value_or(0U);
+    setup_.inhibit_100us = manager.inhibit_100us.value_or(0U);
+    setup_.sync_period_us = manager.sync_us.value_or(0U);
+    setup_.slaves = slaves_.data();
+    if ((setup_.start_up & ~cia302::kKnownStartUpBits) != 0U)
+    {
+        throw InputError(
+            plan_.file, manager.line,
+            {"start-up value (1F80h) " + cia306::Hex(setup_.start_up, 8) + " with unknown bits", "bits 0 to 6"});
+    }
+    if (setup_.Has(cia302::kStartAllAtOnce) && setup_.HasSafetySlave())
+    {
+        warnings_.push_back(cia306::Printable(plan_.file) +
+                            ": one start for all is asked for (1F80h bit 1), and there is a safety slave: each slave "
+                            "is started by itself after its verification");
+    }
+}
+} // namespace counterpoint::network

@@ -1,0 +1,81 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_NETWORK_LOADED_NETWORK_HPP
+#define CANOPEN_NETWORK_LOADED_NETWORK_HPP
+
+#include "canopen/cia302/safety_check.hpp"
+#include "canopen/cia306/device.hpp"
+#include "canopen/network/concise_maker.hpp"
+#include "canopen/network/network_plan.hpp"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace counterpoint::network
+{
+/// One slave with everything that its SlaveSetup points to.
+struct LoadedSlave
+{
+    SlavePlan plan;
+    cia306::Device device;
+    std::vector<ConciseEntry> entries;
+    std::vector<std::uint8_t> concise;
+    std::vector<cia302::ExpectedObject> objects;
+    cia302::SafetyExpectation safety{nullptr, 0U};
+};
+
+/// A network as the manager needs it, made from its file and the DCFs of its devices. Stays where it is: its parts
+/// refer to each other.
+class LoadedNetwork
+{
+  public:
+    /// @brief Reads every DCF that the plan names. Throws cia306::InputError. [SRS-NET-003..005]
+    explicit LoadedNetwork(const NetworkPlan& plan);
+    LoadedNetwork(const LoadedNetwork&) = delete;
+    LoadedNetwork& operator=(const LoadedNetwork&) = delete;
+
+    [[nodiscard]] const NetworkPlan& Plan() const noexcept
+    {
+        return plan_;
+    }
+    [[nodiscard]] const cia302::NetworkSetup& Setup() const noexcept
+    {
+        return setup_;
+    }
+    /// @brief What a profile may add to a slave before the manager is made; `node` is 1 to 127.
+    [[nodiscard]] cia302::SlaveSetup& SetupOf(std::uint8_t node)
+    {
+        return slaves_.at(node);
+    }
+    [[nodiscard]] const std::vector<std::unique_ptr<LoadedSlave>>& Slaves() const noexcept
+    {
+        return loaded_;
+    }
+    /// @brief Null: no slave of the network.
+    [[nodiscard]] const LoadedSlave* Find(std::uint8_t node) const noexcept;
+    /// @brief What a person should know before the network starts, a line each.
+    [[nodiscard]] const std::vector<std::string>& Warnings() const noexcept
+    {
+        return warnings_;
+    }
+
+  private:
+    void RequireManager() const;
+    void RequireNodes() const;
+    void Load(const SlavePlan& plan);
+    void Fill(LoadedSlave& slave, cia302::SlaveSetup& setup) const;
+    void FillIdentity(const LoadedSlave& slave, cia302::SlaveSetup& setup) const;
+    void FillHeartbeat(LoadedSlave& slave, cia302::SlaveSetup& setup) const;
+    void FillManager();
+
+    NetworkPlan plan_;
+    std::array<cia302::SlaveSetup, cia302::kNodeRoom> slaves_{};
+    std::vector<std::unique_ptr<LoadedSlave>> loaded_;
+    cia302::NetworkSetup setup_{};
+    std::vector<std::string> warnings_;
+};
+} // namespace counterpoint::network
+
+#endif // CANOPEN_NETWORK_LOADED_NETWORK_HPP

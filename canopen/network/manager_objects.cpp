@@ -1,0 +1,127 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/network/manager_objects.hpp"
+
+#include "canopen/cia306/input_error.hpp"
+
+namespace counterpoint::network
+{
+namespace
+{
+using cia306::Device;
+using cia306::Entry;
+
+constexpr std::uint32_t kNodeShift = 16U;
+constexpr std::uint32_t kLowHalf = 0xFFFFU;
+
+/// Object of the manager with a sub-index a node, and the part of the plan it is for.
+struct PerNode
+{
+    std::uint16_t index;
+    std::optional<std::uint32_t> SlavePlan::* part;
+};
+constexpr PerNode kPerNode[] = {{0x1F81U, &SlavePlan::assignment}, {0x1F84U, &SlavePlan::device_type},
+                                {0x1F85U, &SlavePlan::vendor_id},  {0x1F86U, &SlavePlan::product_code},
+                                {0x1F87U, &SlavePlan::revision},   {0x1F88U, &SlavePlan::serial},
+                                {0x1F26U, &SlavePlan::date},       {0x1F27U, &SlavePlan::time}};
+
+struct PerFlying
+{
+    std::uint8_t sub;
+    std::optional<std::uint16_t> FlyingPlan::* part;
+};
+constexpr PerFlying kPerFlying[] = {{1U, &FlyingPlan::timeout_ms},   {2U, &FlyingPlan::delay_ms},
+                                    {3U, &FlyingPlan::priority},     {4U, &FlyingPlan::level_slot_ms},
+                                    {5U, &FlyingPlan::node_slot_ms}, {6U, &FlyingPlan::detect_ms}};
+
+class Taker
+{
+  public:
+    Taker(const Device& device, NetworkPlan& plan) : device_(device), plan_(plan)
+    {
+    }
+
+    void Take()
+    {
+        Set(plan_.manager.start_up, 0x1F80U, 0U);
+        Set(plan_.manager.boot_time_ms, 0x1F89U, 0U);
+        Set(plan_.manager.inhibit_100us, 0x102AU, 0U);
+        Set(plan_.manager.sync_us, 0x1006U, 0U);
+        Set(plan_.manager.heartbeat_ms, 0x1017U, 0U);
+        constexpr std::uint16_t kFlying = 0x1F90U;
+        if (device_.Find(kFlying) != nullptr)
+        {
+            plan_.manager.flying = plan_.manager.flying.value_or(FlyingPlan{});
+            for (const PerFlying& row : kPerFlying)
+            {
+                Set(*plan_.manager.flying.*row.part, kFlying, row.sub);
+            }
+        }
+        for (SlavePlan& slave : plan_.slaves)
+        {
+            for (const PerNode& row : kPerNode)
+            {
+                Set(slave.*row.part, row.index, slave.node);
+            }
+            Set(slave.restore_sub, 0x1F8AU, slave.node);
+        }
+        TakeConsumers();
+    }
+
+  private:
+    template <typename Number>
+    void Set(std::optional<Number>& part, const std::uint16_t index, const std::uint8_t sub) const
+    {
+        const std::optional<std::uint64_t> value = NumberAt(index, sub);
+        if (!part && value)
+        {
+            part = static_cast<Number>(*value);
+        }
+    }
+    [[nodiscard]] std::optional<std::uint64_t> NumberAt(const std::uint16_t index, const std::uint8_t sub) const
+    {
+        const Entry* const entry = device_.Find(index, sub);
+        if (entry == nullptr || !entry->Configured().IsSet())
+        {
+            return std::nullopt;
+        }
+        const cia306::ValueResult result = cia306::ConfiguredValue(*entry, plan_.manager.node);
+        if (!result.value)
+        {
+            throw cia306::InputError(
+                device_.file, entry->ValueLine(),
+                {cia306::ObjectName(index, sub) + ": " + result.problem.wrong, result.problem.expected});
+        }
+        return result.value->bits;
+    }
+    /// 1016h: node-ID and time stand in the value, whatever the sub-index.
+    void TakeConsumers()
+    {
+        constexpr std::uint16_t kConsumers = 0x1016U;
+        const cia306::Object* const object = device_.Find(kConsumers);
+        if (object == nullptr)
+        {
+            return;
+        }
+        for (const auto& [sub, entry] : object->entries)
+        {
+            const std::uint64_t value = (sub == 0U) ? 0U : NumberAt(kConsumers, sub).value_or(0U);
+            for (SlavePlan& slave : plan_.slaves)
+            {
+                const bool is_its = (value >> kNodeShift) == slave.node;
+                slave.consumer_ms = (is_its && !slave.consumer_ms)
+                                        ? std::optional(static_cast<std::uint16_t>(value & kLowHalf))
+                                        : slave.consumer_ms;
+            }
+        }
+    }
+
+    const Device& device_;
+    NetworkPlan& plan_;
+};
+} // namespace
+
+void TakeManagerObjects(const Device& device, NetworkPlan& plan)
+{
+    Taker(device, plan).Take();
+}
+} // namespace counterpoint::network

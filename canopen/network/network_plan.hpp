@@ -1,0 +1,90 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_NETWORK_NETWORK_PLAN_HPP
+#define CANOPEN_NETWORK_NETWORK_PLAN_HPP
+
+#include "canopen/cia302/network_setup.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace counterpoint::network
+{
+/// How the manager starts its network.
+enum class StartProfile : std::uint8_t
+{
+    kCia302 = 1U,
+    kEl6751 = 2U,
+    kPlcDesigner = 3U,
+};
+
+/// 1F90h, and which of the known behaviours the flying master has.
+struct FlyingPlan
+{
+    std::optional<std::uint16_t> timeout_ms;    ///< Sub-index 1.
+    std::optional<std::uint16_t> delay_ms;      ///< 2
+    std::optional<std::uint16_t> priority;      ///< 3
+    std::optional<std::uint16_t> level_slot_ms; ///< 4
+    std::optional<std::uint16_t> node_slot_ms;  ///< 5
+    std::optional<std::uint16_t> detect_ms;     ///< 6
+    bool is_so1114{false};
+};
+
+/// What a network file says about one slave; what it leaves out follows from the DCF.
+struct SlavePlan
+{
+    std::uint8_t node{0U};
+    std::size_t line{0U}; ///< Of the network file.
+    std::string name;
+    std::string dcf; ///< Path, usable from here.
+    std::optional<std::uint32_t> assignment;
+    std::optional<bool> is_mandatory;
+    std::optional<bool> is_kept_alive;
+    std::optional<bool> is_booted;
+    std::optional<std::uint8_t> restore_sub;
+    std::optional<std::uint16_t> heartbeat_ms; ///< 1017h of the slave.
+    std::optional<std::uint16_t> consumer_ms;  ///< 1016h of the manager.
+    std::optional<cia302::Arming> arming;
+    std::optional<std::uint16_t> guard_ms;
+    std::optional<std::uint8_t> retry_factor;
+    std::optional<std::uint32_t> device_type;
+    std::optional<std::uint32_t> vendor_id;
+    std::optional<std::uint32_t> product_code;
+    std::optional<std::uint32_t> revision;
+    std::optional<std::uint32_t> serial;
+    std::optional<std::uint32_t> date;
+    std::optional<std::uint32_t> time;
+    bool is_configured{true};  ///< Gets the concise DCF that its DCF makes.
+    bool writes_safety{false}; ///< The manager writes the safety configuration where it differs.
+};
+
+/// What a network file says about the manager.
+struct ManagerPlan
+{
+    std::optional<std::uint8_t> node;
+    std::size_t line{0U};
+    std::string dcf; ///< Empty: none.
+    StartProfile profile{StartProfile::kCia302};
+    std::optional<std::uint32_t> start_up; ///< 1F80h.
+    std::optional<std::uint32_t> boot_time_ms;
+    std::optional<std::uint16_t> inhibit_100us;
+    std::optional<std::uint32_t> sync_us;
+    std::optional<std::uint16_t> heartbeat_ms; ///< Of the manager itself.
+    std::optional<std::uint32_t> sdo_time_out_ms;
+    std::optional<std::uint8_t> sdo_tries;
+    std::optional<FlyingPlan> flying;
+};
+
+/// One network, as its file has it.
+struct NetworkPlan
+{
+    std::string file;
+    std::string name;
+    ManagerPlan manager;
+    std::vector<SlavePlan> slaves; ///< In the order of the file; each node once.
+};
+} // namespace counterpoint::network
+
+#endif // CANOPEN_NETWORK_NETWORK_PLAN_HPP

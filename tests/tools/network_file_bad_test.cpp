@@ -1,0 +1,168 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// Malformed network files: one precise line each, file:line, what is wrong, what was expected.
+#include "canopen/cia306/input_error.hpp"
+#include "canopen/network/loaded_network.hpp"
+#include "tests/canopen/cia306/device_text.hpp"
+#include "tests/tools/command_run.hpp"
+#include "tools/network_file.hpp"
+#include "verification/simulator/yaml_document.hpp"
+#include "verification/trace/verifies.hpp"
+
+namespace counterpoint::tools
+{
+namespace
+{
+using cia306::test::Changed;
+using cia306::test::ExampleText;
+
+struct BadFile
+{
+    const char* text;
+    const char* message; ///< Behind the name of the file.
+};
+
+constexpr BadFile kBadCpj[] = {
+    {"", ":0: error: no section [Topology], expected a CPJ file of CiA 306-3"},
+    {"[Net]\nNodes=1\n", ":0: error: no section [Topology], expected a CPJ file of CiA 306-3"},
+    {"[Topology]\nNodes=1\nNode1Present=1\nNode1DCFName=sensor.dcf\n[Topology2]\nNodes=1\n",
+     ":5: error: a second network [Topology2], expected one network a file"},
+    {"[Topology]\nNode1Present=1\nNode1DCFName=sensor.dcf\n",
+     ":1: error: no key Nodes in [Topology], expected Nodes=1"},
+    {"[Topology]\nNodes=2\nNode1Present=1\nNode1DCFName=sensor.dcf\n",
+     ":2: error: Nodes=2, and 1 nodes are present, expected equal numbers"},
+    {"[Topology]\nNodes=one\nNode1Present=1\nNode1DCFName=sensor.dcf\n",
+     ":2: error: Nodes='one', expected a number from 0 to 127"},
+    {"[Topology]\nNodes=1\nNode128Present=1\n",
+     ":3: error: key 'Node128Present', expected a node-ID from 1 to 127 after Node"},
+    {"[Topology]\nNodes=1\nNode0Present=1\n",
+     ":3: error: key 'Node0Present', expected a node-ID from 1 to 127 after Node"},
+    {"[Topology]\nNodes=1\nNode99999999999999999999Present=1\n",
+     ":3: error: key 'Node99999999999999999999Present', expected a node-ID from 1 to 127 after Node"},
+    {"[Topology]\nNodes=1\nNode1Present=2\nNode1DCFName=sensor.dcf\n",
+     ":3: error: Node1Present='2', expected a number from 0 to 1"},
+    {"[Topology]\nNodes=1\nNode1Present=1\n",
+     ":3: error: node 1 is present and has no DCF, expected Node1DCFName=FILE"},
+    {"[Topology]\nNodes=1\nNode1Present=1\nNode1DCFName=sensor.dcf\n",
+     ":1: error: no node is the manager, expected CANopenManager=1 in [DeviceComissioning] of one DCF, or the option "
+     "--node-id"},
+    {"[Topology]\nNodes=1\nNode2Present=1\nNode2DCFName=manager.dcf\n",
+     ":4: error: a network without slaves, expected at least one"},
+    {"[Topology]\nNodes=2\nNode2Present=1\nNode2DCFName=manager.dcf\nNode3Present=1\nNode3DCFName=manager.dcf\n",
+     ":6: error: a second manager, node 3 besides node 2, expected CANopenManager=1 in one DCF"},
+    {"[Topology\nNodes=1\n", ":1: error: "},
+};
+
+constexpr BadFile kBadYaml[] = {
+    {"", ":1:1: "},
+    {"manager: {node: 127}\n", ":1:1: no key 'slaves', expected it here"},
+    {"slaves: [{node: 1}]\n", ":1:1: no key 'manager', expected it here"},
+    {"manager: {}\nslaves: [{node: 1}]\n", ": error: no node-ID of the manager, expected one from 1 to 127"},
+    {"manager: {node: 0}\nslaves: [{node: 1}]\n", ":1:17: "},
+    {"manager: {node: 128}\nslaves: [{node: 1}]\n", ":1:17: "},
+    {"manager: {node: 127}\nslaves: []\n", ":1: error: a network without slaves, expected at least one"},
+    {"manager: {node: 127}\nslaves: {node: 1}\n", ":2:9: "},
+    {"manager: {node: 127}\nslaves: [{name: x}]\n", ":2:10: no key 'node', expected it here"},
+    {"manager: {node: 127}\nslaves: [{node: 127}]\n",
+     ":2: error: node 127 is the manager and a slave, expected different node-IDs"},
+    {"manager: {node: 127}\nslaves: [{node: 1},\n {node: 1}]\n",
+     ":3: error: node 1 a second time, expected each node once"},
+    {"manager: {node: 127}\nslaves: [{node: 1, speed: 3}]\n", ":2:20: unknown key 'speed', expected node, name, dcf"},
+    {"manager: {node: 127}\nslaves: [{node: 1, dcf: nobody.dcf}]\n", ":2:25: there is no file "},
+    {"manager: {node: 127}\nslaves: [{node: 1, dcf: actuator.dcf}]\n",
+     " is for node-ID 33, expected the DCF of node 1"},
+    {"manager: {node: 127}\nslaves: [{node: 1, mandatory: yes}]\n", ":2:31: 'yes', expected one of true, false"},
+    {"manager: {node: 127}\nslaves: [{node: 1, heartbeat: 100}]\n", ":2:31: "},
+    {"manager: {node: 127}\nslaves: [{node: 1, heartbeat: 70 s}]\n",
+     ":2:31: a time that its object cannot hold, expected whole milliseconds, at most 65535"},
+    {"manager: {node: 127}\nslaves: [{node: 1, consumer: 100 us}]\n",
+     ":2:30: a time that its object cannot hold, expected whole milliseconds, at most 65535"},
+    {"manager: {node: 127}\nslaves: [{node: 1, arming: never}]\n",
+     ":2:28: 'never', expected one of first_heartbeat, boot_up, immediately"},
+    {"manager: {node: 127, start_up: 0x80}\nslaves: [{node: 1}]\n", ":1:32: "},
+    {"manager: {node: 127, profile: codesys}\nslaves: [{node: 1}]\n",
+     ":1:31: 'codesys', expected one of cia302, el6751, plc_designer"},
+    {"manager: {node: 127, flying: {priority: 3}}\nslaves: [{node: 1}]\n", ":1:41: "},
+    {"manager: {node: 127, sdo_tries: 0}\nslaves: [{node: 1}]\n", ":1:33: "},
+    {"manager: {node: 127\n", ":"},
+};
+
+class BadNetworkTest : public test::CommandTest
+{
+  protected:
+    BadNetworkTest()
+    {
+        static_cast<void>(File("sensor.dcf", ExampleText("sensor")));
+        static_cast<void>(File("actuator.dcf", ExampleText("actuator")));
+        static_cast<void>(
+            File("manager.dcf", Changed(ExampleText("controller"), {{"CANopenManager=0", "CANopenManager=1"}})));
+    }
+    /// The one line that a person reads.
+    static std::string Refusal(const std::string& path)
+    {
+        try
+        {
+            const network::LoadedNetwork net(ReadNetworkFile(path, 0U));
+        }
+        catch (const cia306::InputError& error)
+        {
+            return error.what();
+        }
+        catch (const simulator::ScenarioError& error)
+        {
+            return error.what();
+        }
+        return "accepted";
+    }
+    void ExpectRefused(const std::string& name, const BadFile& bad)
+    {
+        const std::string path = File(name, bad.text);
+        const std::string line = Refusal(path);
+        EXPECT_EQ(line.rfind(path + ":", 0U), 0U) << bad.text << "\n" << line;
+        EXPECT_NE(line.find(bad.message), std::string::npos) << bad.text << "\n" << line;
+        EXPECT_NE(line.find(", expected "), std::string::npos) << bad.text << "\n" << line;
+        EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+    }
+};
+
+TEST_F(BadNetworkTest, EachMalformedCpjHasItsLine)
+{
+    Verifies(req::SRS_NET_001);
+    Verifies(req::SRS_NET_004);
+    for (const BadFile& bad : kBadCpj)
+    {
+        ExpectRefused("net.cpj", bad);
+    }
+}
+
+TEST_F(BadNetworkTest, EachMalformedYamlHasItsLine)
+{
+    Verifies(req::SRS_NET_002);
+    Verifies(req::SRS_NET_004);
+    for (const BadFile& bad : kBadYaml)
+    {
+        ExpectRefused("net.yaml", bad);
+    }
+}
+
+TEST_F(BadNetworkTest, AFileThatIsNotThereOrADcfThatIsNone)
+{
+    Verifies(req::SRS_NET_004);
+    EXPECT_EQ(Refusal(Path("nobody.cpj")).rfind(Path("nobody.cpj") + ":0: error: ", 0U), 0U);
+    EXPECT_EQ(Refusal(Path("nobody.yaml")).rfind(Path("nobody.yaml") + ":", 0U), 0U);
+    static_cast<void>(File("bad.dcf", "[FileInfo\n"));
+    const std::string file = File("net.yaml", "manager: {node: 127}\nslaves: [{node: 1, dcf: bad.dcf}]\n");
+    EXPECT_EQ(Refusal(file).rfind(Path("bad.dcf") + ":1: error: ", 0U), 0U) << Refusal(file);
+}
+
+TEST_F(BadNetworkTest, ASafetyConfigurationThatBreaksARuleIsNoExpectation)
+{
+    Verifies(req::SRS_NET_004);
+    // Given a DCF whose signature is not that of its parameters
+    static_cast<void>(
+        File("bad.dcf", Changed(ExampleText("sensor"), {{"ParameterValue=0xB631", "ParameterValue=0xB632"}})));
+    const std::string file = File("net.yaml", "manager: {node: 127}\nslaves: [{node: 1, dcf: bad.dcf}]\n");
+    EXPECT_EQ(Refusal(file), Path("bad.dcf") + ":309: error: 0x13FE:00: 0xA5 marks a configuration with errors as "
+                                               "valid, expected 0x00 until all of them are repaired");
+}
+} // namespace
+} // namespace counterpoint::tools

@@ -1,0 +1,184 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// Network files: what a manager learns from them and from the DCFs they name.
+#include "canopen/network/loaded_network.hpp"
+#include "tests/canopen/cia306/device_text.hpp"
+#include "tests/tools/command_run.hpp"
+#include "tools/network_file.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <algorithm>
+
+namespace counterpoint::tools
+{
+namespace
+{
+using cia306::test::Changed;
+using cia306::test::ExampleText;
+using network::LoadedNetwork;
+using network::NetworkPlan;
+
+/// The three devices of the emergency-stop chain, the controller as manager.
+class NetworkFileTest : public test::CommandTest
+{
+  protected:
+    NetworkFileTest()
+    {
+        static_cast<void>(File("sensor.dcf", ExampleText("sensor")));
+        static_cast<void>(File("actuator.dcf", ExampleText("actuator")));
+        static_cast<void>(
+            File("manager.dcf", Changed(ExampleText("controller"), {{"CANopenManager=0", "CANopenManager=1"}})));
+    }
+    [[nodiscard]] std::string Cpj() const
+    {
+        return File("net.cpj", "[Topology]\nNetName=Chain\nNodes=0x03\n"
+                               "Node1Present=0x01\nNode1Name=Stop button\nNode1DCFName=sensor.dcf\n"
+                               "Node2Present=0x01\nNode2Name=Controller\nNode2DCFName=.\\manager.dcf\n"
+                               "Node33Present=0x01\nNode33Name=Relay\nNode33DCFName=actuator.dcf\n"
+                               "Node40Present=0x00\nNode40Name=Not there\n");
+    }
+};
+
+TEST_F(NetworkFileTest, ACpjNamesManagerAndSlaves)
+{
+    Verifies(req::SRS_NET_001);
+    const NetworkPlan plan = ReadNetworkFile(Cpj(), 0U);
+    EXPECT_EQ(plan.name, "Chain");
+    EXPECT_EQ(plan.manager.node, std::uint8_t{2U});
+    ASSERT_EQ(plan.slaves.size(), 2U);
+    EXPECT_EQ(plan.slaves[0].node, 1U);
+    EXPECT_EQ(plan.slaves[0].name, "Stop button");
+    EXPECT_EQ(plan.slaves[1].node, 33U);
+    EXPECT_EQ(plan.slaves[1].name, "Relay");
+    // When the command says who manages, the file's manager is a slave like the others
+    const NetworkPlan other = ReadNetworkFile(Cpj(), 100U);
+    EXPECT_EQ(other.manager.node, std::uint8_t{100U});
+    EXPECT_EQ(other.slaves.size(), 3U);
+}
+
+TEST_F(NetworkFileTest, WhatTheManagerExpectsFollowsFromTheDcf)
+{
+    Verifies(req::SRS_NET_003);
+    const LoadedNetwork net(ReadNetworkFile(Cpj(), 0U));
+    const cia302::SlaveSetup& relay = net.Setup().slaves[33];
+    // In the network, booted, mandatory
+    EXPECT_EQ(relay.assignment, 0x0DU);
+    EXPECT_EQ(relay.product_code, 3U);
+    EXPECT_EQ(relay.revision_number, 0x00010000U);
+    EXPECT_EQ(relay.serial_number, 33U);
+    EXPECT_EQ(relay.heartbeat.producer_ms, 100U);
+    EXPECT_EQ(relay.heartbeat.consumer_ms, 200U);
+    EXPECT_EQ(net.Setup().own.value, 2U);
+    EXPECT_EQ(net.Setup().start_up, 1U);
+    EXPECT_EQ(net.Find(2U), nullptr);
+    // The concise DCF: one entry, 1017h = 100; nothing of the safety configuration
+    ASSERT_EQ(relay.concise_dcf.size_bytes, 13U);
+    const std::vector<std::uint8_t> bytes(relay.concise_dcf.data, relay.concise_dcf.data + 13U);
+    EXPECT_EQ(bytes, (std::vector<std::uint8_t>{1U, 0U, 0U, 0U, 0x17U, 0x10U, 0U, 2U, 0U, 0U, 0U, 100U, 0U}));
+}
+
+TEST_F(NetworkFileTest, TheSafetyExpectationIsTheSignedConfiguration)
+{
+    Verifies(req::SRS_NET_003);
+    const LoadedNetwork net(ReadNetworkFile(Cpj(), 0U));
+    const cia302::SafetyExpectation* const safety = net.Setup().slaves[33].safety;
+    ASSERT_NE(safety, nullptr);
+    EXPECT_TRUE(cia302::IsUsable(*safety));
+    EXPECT_TRUE(net.Setup().HasSafetySlave());
+    const auto value = [safety](const std::uint16_t index, const std::uint8_t sub)
+    {
+        const auto* const end = safety->objects + safety->count;
+        const auto* const found = std::find_if(safety->objects, end, [=](const cia302::ExpectedObject& object)
+                                               { return object.address.index == index && object.address.sub == sub; });
+        return (found == end) ? 0xFFFFFFFFU : found->value;
+    };
+    EXPECT_EQ(value(0x1301U, 1U), 2U);
+    EXPECT_EQ(value(0x13FFU, 1U), 0x9FCBU);
+    EXPECT_EQ(value(0x13FFU, 0U), 1U);
+    EXPECT_EQ(value(0x1381U, 0U) % 2U, 0U);
+}
+
+TEST_F(NetworkFileTest, YamlSaysMore)
+{
+    Verifies(req::SRS_NET_002);
+    const std::string file = File("net.yaml", R"(name: Chain
+manager: {node: 127, start_up: 0x41, boot_time: 5 s, inhibit: 2 ms, sync: 10 ms, sdo_timeout: 300 ms, sdo_tries: 2,
+          flying: {priority: 1, level_slot: 2 s, preset: so1114}}
+slaves:
+  - {node: 1, name: Stop button, dcf: sensor.dcf, mandatory: false, serial: 7, heartbeat: 50 ms, consumer: 120 ms}
+  - {node: 33, dcf: actuator.dcf, keep_alive: true, arming: immediately, write_safety: true, restore: 1}
+  - {node: 34, assignment: 0x5, guard_time: 100 ms, retry_factor: 3, device_type: 0x191}
+)");
+    const NetworkPlan plan = ReadNetworkFile(file, 0U);
+    EXPECT_EQ(plan.manager.sdo_time_out_ms, std::uint32_t{300U});
+    EXPECT_EQ(plan.manager.flying->level_slot_ms, std::uint16_t{2000U});
+    EXPECT_TRUE(plan.manager.flying->is_so1114);
+    const LoadedNetwork net(plan);
+    EXPECT_EQ(net.Setup().start_up, 0x61U);
+    EXPECT_EQ(net.Setup().boot_time_ms, 5000U);
+    EXPECT_EQ(net.Setup().inhibit_100us, 20U);
+    EXPECT_EQ(net.Setup().sync_period_us, 10000U);
+    EXPECT_EQ(net.Setup().slaves[1].assignment, 0x05U);
+    EXPECT_EQ(net.Setup().slaves[1].serial_number, 7U);
+    EXPECT_EQ(net.Setup().slaves[1].heartbeat.consumer_ms, 120U);
+    EXPECT_EQ(net.Setup().slaves[1].heartbeat.producer_ms, 50U);
+    EXPECT_EQ(net.Setup().slaves[33].assignment, 0x1DU);
+    EXPECT_EQ(net.Setup().slaves[33].restore_sub, 1U);
+    EXPECT_EQ(net.Setup().slaves[33].heartbeat.arming, cia302::Arming::kImmediately);
+    EXPECT_TRUE(net.Find(33U)->plan.writes_safety);
+    EXPECT_EQ(net.Setup().slaves[34].assignment, 0x00640305U);
+    EXPECT_EQ(net.Setup().slaves[34].device_type, 0x191U);
+    EXPECT_EQ(net.Setup().slaves[34].safety, nullptr);
+}
+
+TEST_F(NetworkFileTest, TheManagersOwnObjectsGoBeforeDerivedOnes)
+{
+    Verifies(req::SRS_NET_003);
+    std::string dcf = ExampleText("controller");
+    dcf = Changed(dcf, {{"CANopenManager=0", "CANopenManager=1"},
+                        {"[ManufacturerObjects]\nSupportedObjects=", "[ManufacturerObjects]\nSupportedObjects="}});
+    const auto variable = [](const std::string& section, const std::string& type, const std::string& value)
+    {
+        return "\n[" + section + "]\nParameterName=x\nObjectType=0x7\nDataType=" + type +
+               "\nAccessType=rw\nParameterValue=" + value + "\nPDOMapping=0\n";
+    };
+    const auto array = [](const std::string& section, const std::string& count)
+    { return "\n[" + section + "]\nParameterName=x\nObjectType=0x8\nSubNumber=" + count + "\n"; };
+    std::size_t place = dcf.find("[OptionalObjects]\nSupportedObjects=");
+    ASSERT_NE(place, std::string::npos);
+    place = dcf.find('=', place) + 1U;
+    const std::size_t end = dcf.find('\n', place);
+    const int count = std::stoi(dcf.substr(place, end - place));
+    std::string more;
+    const char* const added[] = {"0x1F80", "0x1F81", "0x1F88", "0x1F89"};
+    for (int i = 0; i < 4; ++i)
+    {
+        more += "\n" + std::to_string(count + i + 1) + "=" + added[i];
+    }
+    std::size_t list_end = dcf.find("\n\n", place);
+    dcf.insert(list_end, more);
+    dcf.replace(place, end - place, std::to_string(count + 4));
+    dcf += variable("1F80", "0x0007", "0x11") + variable("1F89", "0x0007", "7000") + array("1F81", "2") +
+           variable("1F81sub0", "0x0005", "33") + variable("1F81sub21", "0x0007", "0x05") + array("1F88", "2") +
+           variable("1F88sub0", "0x0005", "33") + variable("1F88sub21", "0x0007", "4711");
+    static_cast<void>(File("manager.dcf", dcf));
+    const LoadedNetwork net(ReadNetworkFile(Cpj(), 0U));
+    EXPECT_EQ(net.Setup().start_up, 0x11U);
+    EXPECT_EQ(net.Setup().boot_time_ms, 7000U);
+    EXPECT_EQ(net.Setup().slaves[33].assignment, 0x05U);
+    EXPECT_EQ(net.Setup().slaves[33].serial_number, 4711U);
+    EXPECT_EQ(net.Setup().slaves[1].assignment, 0x0DU);
+}
+
+TEST_F(NetworkFileTest, OneStartForAllWithASafetySlaveIsWarnedOf)
+{
+    Verifies(req::SRS_NET_005);
+    const std::string file = File("net.yaml", "manager: {node: 127, start_up: 3}\n"
+                                              "slaves: [{node: 33, dcf: actuator.dcf}]\n");
+    const LoadedNetwork net(ReadNetworkFile(file, 0U));
+    ASSERT_EQ(net.Warnings().size(), 1U);
+    EXPECT_EQ(net.Warnings()[0],
+              file + ": one start for all is asked for (1F80h bit 1), and there is a safety slave: each slave is "
+                     "started by itself after its verification");
+}
+} // namespace
+} // namespace counterpoint::tools

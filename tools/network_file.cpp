@@ -1,0 +1,219 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tools/network_file.hpp"
+
+#include "tools/yaml_map.hpp"
+
+#include "canopen/cia306/ini_document.hpp"
+#include "canopen/network/cpj_reader.hpp"
+
+#include <filesystem>
+#include <limits>
+
+namespace counterpoint::tools
+{
+namespace
+{
+using network::FlyingPlan;
+using network::ManagerPlan;
+using network::NetworkPlan;
+using network::SlavePlan;
+using simulator::ScenarioValue;
+using simulator::Word;
+
+constexpr Word<network::StartProfile> kProfileWords[] = {{"cia302", network::StartProfile::kCia302},
+                                                         {"el6751", network::StartProfile::kEl6751},
+                                                         {"plc_designer", network::StartProfile::kPlcDesigner}};
+constexpr Word<cia302::Arming> kArmingWords[] = {{"first_heartbeat", cia302::Arming::kFirstHeartbeat},
+                                                 {"boot_up", cia302::Arming::kBootUp},
+                                                 {"immediately", cia302::Arming::kImmediately}};
+constexpr Word<bool> kTruthWords[] = {{"true", true}, {"false", false}};
+constexpr Word<bool> kPresetWords[] = {{"default", false}, {"so1114", true}};
+
+/// A number of the map, if it is there, within the range of its type.
+template <typename Number>
+void TakeNumber(const YamlMap& map, const char* key, std::optional<Number>& part, const std::uint64_t lowest,
+                const std::uint64_t highest = std::numeric_limits<Number>::max())
+{
+    if (const auto value = map.Find(key))
+    {
+        part = static_cast<Number>(value->Number({lowest, highest}));
+    }
+}
+
+/// A time in whole units of `unit` nanoseconds.
+template <typename Number>
+void TakeTime(const YamlMap& map, const char* key, std::optional<Number>& part, const simulator::Nanoseconds unit,
+              const char* unit_name)
+{
+    if (const auto value = map.Find(key))
+    {
+        const simulator::Nanoseconds time = value->Duration();
+        constexpr auto kMost = std::numeric_limits<Number>::max();
+        if (time % unit != 0 || static_cast<std::uint64_t>(time / unit) > kMost)
+        {
+            value->Refuse("a time that its object cannot hold",
+                          "whole " + std::string(unit_name) + ", at most " + std::to_string(kMost));
+        }
+        part = static_cast<Number>(time / unit);
+    }
+}
+
+template <typename Number> void TakeMs(const YamlMap& map, const char* key, std::optional<Number>& part)
+{
+    TakeTime(map, key, part, simulator::kNanosecondsPerMillisecond, "milliseconds");
+}
+
+template <typename Meaning, std::size_t kCount>
+void TakeWord(const YamlMap& map, const char* key, Meaning& part, const Word<Meaning> (&words)[kCount])
+{
+    if (const auto value = map.Find(key))
+    {
+        part = value->Choice(words);
+    }
+}
+
+void TakeTruth(const YamlMap& map, const char* key, std::optional<bool>& part)
+{
+    if (const auto value = map.Find(key))
+    {
+        part = value->Choice(kTruthWords);
+    }
+}
+
+std::string TextOf(const YamlMap& map, const char* key, const std::string& expected)
+{
+    const auto value = map.Find(key);
+    return value ? value->Text(expected) : std::string{};
+}
+
+std::string FileIn(const std::string& file, const YamlMap& map)
+{
+    const auto value = map.Find("dcf");
+    std::string path;
+    if (value)
+    {
+        path = network::BesideFile(file, value->Text("a file name"));
+        if (!std::filesystem::exists(path))
+        {
+            value->Refuse("there is no file " + simulator::Shown(path), "a DCF");
+        }
+    }
+    return path;
+}
+
+FlyingPlan ReadFlying(const std::string& file, const ScenarioValue& value)
+{
+    constexpr std::uint64_t kLowestLevel = 2U;
+    const YamlMap map(file, value.Node(),
+                      {"priority", "timeout", "delay", "level_slot", "node_slot", "detect", "preset"});
+    FlyingPlan plan;
+    TakeNumber(map, "priority", plan.priority, 0U, kLowestLevel);
+    TakeMs(map, "timeout", plan.timeout_ms);
+    TakeMs(map, "delay", plan.delay_ms);
+    TakeMs(map, "level_slot", plan.level_slot_ms);
+    TakeMs(map, "node_slot", plan.node_slot_ms);
+    TakeMs(map, "detect", plan.detect_ms);
+    TakeWord(map, "preset", plan.is_so1114, kPresetWords);
+    return plan;
+}
+
+ManagerPlan ReadManager(const std::string& file, const ScenarioValue& value)
+{
+    const YamlMap map(file, value.Node(),
+                      {"node", "dcf", "profile", "start_up", "boot_time", "inhibit", "sync", "heartbeat", "sdo_timeout",
+                       "sdo_tries", "flying"});
+    constexpr std::uint64_t kStartUpBits = 0x7FU;
+    constexpr simulator::Nanoseconds kHundredUs = 100 * simulator::kNanosecondsPerMicrosecond;
+    ManagerPlan plan;
+    plan.line = static_cast<std::size_t>(value.Where().place.line);
+    TakeNumber(map, "node", plan.node, 1U, cia302::kLastNode);
+    plan.dcf = FileIn(file, map);
+    TakeWord(map, "profile", plan.profile, kProfileWords);
+    TakeNumber(map, "start_up", plan.start_up, 0U, kStartUpBits);
+    TakeMs(map, "boot_time", plan.boot_time_ms);
+    TakeTime(map, "inhibit", plan.inhibit_100us, kHundredUs, "tenths of a millisecond");
+    TakeTime(map, "sync", plan.sync_us, simulator::kNanosecondsPerMicrosecond, "microseconds");
+    TakeMs(map, "heartbeat", plan.heartbeat_ms);
+    TakeMs(map, "sdo_timeout", plan.sdo_time_out_ms);
+    TakeNumber(map, "sdo_tries", plan.sdo_tries, 1U);
+    if (const auto flying = map.Find("flying"))
+    {
+        plan.flying = ReadFlying(file, *flying);
+    }
+    return plan;
+}
+
+void ReadExpectations(const YamlMap& map, SlavePlan& plan)
+{
+    TakeNumber(map, "device_type", plan.device_type, 0U);
+    TakeNumber(map, "vendor_id", plan.vendor_id, 0U);
+    TakeNumber(map, "product_code", plan.product_code, 0U);
+    TakeNumber(map, "revision", plan.revision, 0U);
+    TakeNumber(map, "serial", plan.serial, 0U);
+    TakeNumber(map, "date", plan.date, 0U);
+    TakeNumber(map, "time", plan.time, 0U);
+}
+
+void ReadAssignment(const YamlMap& map, SlavePlan& plan)
+{
+    TakeNumber(map, "assignment", plan.assignment, 0U);
+    TakeTruth(map, "mandatory", plan.is_mandatory);
+    TakeTruth(map, "keep_alive", plan.is_kept_alive);
+    TakeTruth(map, "boot", plan.is_booted);
+    TakeNumber(map, "restore", plan.restore_sub, 0U, cia302::kLastNode);
+    TakeMs(map, "heartbeat", plan.heartbeat_ms);
+    TakeMs(map, "consumer", plan.consumer_ms);
+    if (const auto arming = map.Find("arming"))
+    {
+        plan.arming = arming->Choice(kArmingWords);
+    }
+    TakeMs(map, "guard_time", plan.guard_ms);
+    TakeNumber(map, "retry_factor", plan.retry_factor, 0U);
+}
+
+SlavePlan ReadSlave(const std::string& file, const ScenarioValue& value)
+{
+    const YamlMap map(file, value.Node(),
+                      {"node",         "name",        "dcf",       "assignment",   "mandatory", "keep_alive",
+                       "boot",         "restore",     "heartbeat", "consumer",     "arming",    "guard_time",
+                       "retry_factor", "device_type", "vendor_id", "product_code", "revision",  "serial",
+                       "date",         "time",        "configure", "write_safety"});
+    SlavePlan plan;
+    plan.line = static_cast<std::size_t>(value.Where().place.line);
+    plan.node = static_cast<std::uint8_t>(map.Require("node").Number({1U, cia302::kLastNode}));
+    plan.name = TextOf(map, "name", "a name");
+    plan.name = plan.name.empty() ? "node " + std::to_string(plan.node) : plan.name;
+    plan.dcf = FileIn(file, map);
+    ReadAssignment(map, plan);
+    ReadExpectations(map, plan);
+    TakeWord(map, "configure", plan.is_configured, kTruthWords);
+    TakeWord(map, "write_safety", plan.writes_safety, kTruthWords);
+    return plan;
+}
+
+NetworkPlan ReadYaml(const std::string& path, const std::uint8_t manager)
+{
+    const simulator::YamlNode document = simulator::ParseYaml(path, simulator::ReadScenarioText(path));
+    const YamlMap map(path, document, {"name", "manager", "slaves"});
+    NetworkPlan plan;
+    plan.file = path;
+    plan.name = TextOf(map, "name", "a name");
+    plan.manager = ReadManager(path, map.Require("manager"));
+    if (manager != 0U)
+    {
+        plan.manager.node = manager;
+    }
+    for (const ScenarioValue& slave : map.Require("slaves").Items("a list of slaves"))
+    {
+        plan.slaves.push_back(ReadSlave(path, slave));
+    }
+    return plan;
+}
+} // namespace
+
+NetworkPlan ReadNetworkFile(const std::string& path, const std::uint8_t manager)
+{
+    const std::string extension = cia306::Lower(std::filesystem::path(path).extension().string());
+    return (extension == ".cpj") ? network::ReadCpj(path, manager) : ReadYaml(path, manager);
+}
+} // namespace counterpoint::tools

@@ -1,0 +1,57 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tools/yaml_map.hpp"
+
+#include <algorithm>
+
+namespace counterpoint::tools
+{
+using simulator::ScenarioValue;
+using simulator::YamlNode;
+
+YamlMap::YamlMap(const std::string& file, const YamlNode& node, const std::initializer_list<const char*> known)
+    : file_(file), value_(file, node)
+{
+    std::string names;
+    for (const char* const name : known)
+    {
+        names += (names.empty() ? "" : ", ") + std::string(name);
+    }
+    if (node.kind != simulator::YamlKind::kMap)
+    {
+        value_.Refuse(simulator::WhatIs(node), "a map with " + names);
+    }
+    for (std::size_t place = 0U; place + 1U < node.items.size(); place += 2U)
+    {
+        const YamlNode& key = node.items[place];
+        const bool is_known =
+            std::any_of(known.begin(), known.end(), [&key](const char* const name) { return key.scalar == name; });
+        if (!is_known)
+        {
+            ScenarioValue(file_, key).Refuse("unknown key " + simulator::Shown(key.scalar), names);
+        }
+    }
+}
+
+std::optional<ScenarioValue> YamlMap::Find(const std::string& name) const
+{
+    const std::vector<YamlNode>& items = value_.Node().items;
+    for (std::size_t place = 0U; place + 1U < items.size(); place += 2U)
+    {
+        if (items[place].scalar == name)
+        {
+            return ScenarioValue(file_, items[place + 1U]);
+        }
+    }
+    return std::nullopt;
+}
+
+ScenarioValue YamlMap::Require(const std::string& name) const
+{
+    const std::optional<ScenarioValue> found = Find(name);
+    if (!found)
+    {
+        value_.Refuse("no key '" + name + "'", "it here");
+    }
+    return *found;
+}
+} // namespace counterpoint::tools
