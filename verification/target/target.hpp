@@ -17,6 +17,10 @@ void WriteHex(std::uint32_t value) noexcept;
 /// @brief What the emulator was given as the program's argument, or an empty text.
 [[nodiscard]] const char* Argument() noexcept;
 
+/// @brief Reads a whole file of the host into `to`, which ends with a zero then. False if it cannot be read or is
+/// longer.
+[[nodiscard]] bool ReadText(const char* path, char* to, std::uint32_t room) noexcept;
+
 /// @brief Ends the emulation; its exit status is 0 for 0, else 1.
 [[noreturn]] void Exit(std::uint32_t status) noexcept;
 
