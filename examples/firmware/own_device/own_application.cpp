@@ -43,10 +43,10 @@ constexpr Setting kSettings[]{
     {{0x1304U, 5U}, 4U, 0x113U},
     {{0x1304U, 6U}, 4U, 0x114U},
     {{0x1304U, 1U}, 1U, kDirectionConsumer},
-    {{0x13FFU, 1U}, 2U, 0U},
-    {{0x13FFU, 2U}, 2U, 0U},
-    {{0x13FFU, 3U}, 2U, 0U},
-    {{0x13FFU, 4U}, 2U, 0U},
+    {{0x13FFU, 1U}, 2U, 0xE570U},
+    {{0x13FFU, 2U}, 2U, 0x0E21U},
+    {{0x13FFU, 3U}, 2U, 0xE070U},
+    {{0x13FFU, 4U}, 2U, 0x0B21U},
     {{0x13FEU, 0U}, 1U, kConfigurationValidValue},
 };
 
@@ -77,7 +77,7 @@ const DeviceConfig& OwnApplication::Describe() noexcept
     config_.objects = objects_;
     config_.object_count = kObjects;
     config_.node_id = 17U;
-    config_.digest = 0U;
+    config_.digest = 0x95777803U;
     return config_;
 }
 

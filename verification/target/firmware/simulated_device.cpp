@@ -102,7 +102,7 @@ void SimulatedDevice::ConfirmBefore(const std::uint32_t until_us) noexcept
 
 void SimulatedDevice::PassTime(Scenario& scenario, const std::uint32_t until_us) noexcept
 {
-    bus_free_us_ = (can_.Waiting().kind == FrameKind::kData) ? bus_free_us_ : now_us_;
+    bus_free_us_ = (bus_free_us_ < now_us_) ? now_us_ : bus_free_us_;
     while ((event_.at_us <= until_us) && !has_ended_)
     {
         ConfirmBefore(event_.at_us);
