@@ -206,8 +206,15 @@ FirmwareVectors:
     finish \name
     .endm
 
-    @ Causes: hal::ExceptionCause.
+    @ Causes: hal::ExceptionCause. After an instruction of Thumb state the link register is 2 behind, not 4.
+    .macro place_of_thumb
+    mrs r3, spsr
+    tst r3, #0x20
+    addne r2, r2, #2
+    .endm
+
     exception UndefinedInstruction, 3, 4
+    place_of_thumb
     mov r1, #0
     enter_exception UndefinedInstruction
     exception PrefetchAbort, 1, 4
@@ -243,6 +250,7 @@ FirmwareVectors:
     finish SupervisorCall
 
     exception ForeignCall, 5, 4
+    place_of_thumb
     mov r1, #0
     enter_exception ForeignCall
 
