@@ -10,6 +10,7 @@ namespace
 using Word = std::uint32_t;
 
 constexpr Word kSysOpen = 0x01U;
+constexpr Word kSysClose = 0x02U;
 constexpr Word kSysWrite = 0x05U;
 constexpr Word kSysRead = 0x06U;
 constexpr Word kSysGetCommandLine = 0x15U;
@@ -18,6 +19,7 @@ constexpr Word kReasonApplicationExit = 0x20026U;
 constexpr Word kReasonRunTimeError = 0x20023U;
 constexpr Word kOpenForReading = 1U; // Binary.
 constexpr Word kOpenForWriting = 4U;
+constexpr Word kOpenForWritingBytes = 5U;
 constexpr Word kNoHandle = 0xFFFFFFFFU;
 constexpr Word kStackPaint = 0xA5A5A5A5U;
 } // namespace
@@ -154,6 +156,19 @@ bool ReadText(const char* const path, char* const to, const std::uint32_t room) 
     const bool fits = (left != 0U) && (left < room);
     to[fits ? (room - 1U) - left : 0U] = '\0';
     return fits;
+}
+
+bool WriteFile(const char* const path, const Bytes* const parts, const std::uint32_t count) noexcept
+{
+    const Word handle = Request(kSysOpen, AddressOf(path), kOpenForWritingBytes, LengthOf(path));
+    bool is_written = handle != kNoHandle;
+    for (std::uint32_t part = 0U; is_written && (part < count); ++part)
+    {
+        // The host says how many bytes it did not write.
+        is_written = (parts[part].count == 0U) ||
+                     (Request(kSysWrite, handle, AddressOf(parts[part].first), parts[part].count) == 0U);
+    }
+    return is_written && (Request(kSysClose, handle, 0U, 0U) == 0U);
 }
 
 void Exit(std::uint32_t status) noexcept

@@ -21,6 +21,16 @@ void WriteHex(std::uint32_t value) noexcept;
 /// longer.
 [[nodiscard]] bool ReadText(const char* path, char* to, std::uint32_t room) noexcept;
 
+/// Neighbouring bytes in memory.
+struct Bytes
+{
+    const void* first;
+    std::uint32_t count;
+};
+
+/// @brief Writes the parts one behind the other to a file of the host. False if it cannot be written.
+[[nodiscard]] bool WriteFile(const char* path, const Bytes* parts, std::uint32_t count) noexcept;
+
 /// @brief Ends the emulation; its exit status is 0 for 0, else 1.
 [[noreturn]] void Exit(std::uint32_t status) noexcept;
 
