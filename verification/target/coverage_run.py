@@ -18,9 +18,7 @@ BY_ADDRESS = "safety_core/selftest/"
 
 
 def build():
-    target_build.run("cmake", "-G", "Ninja", "-S", ROOT, "-B", TARGET, "--toolchain", ROOT / "cmake/toolchain-armeb-coverage.cmake",
-                     "-DCOUNTERPOINT_HOST=OFF")
-    target_build.run("cmake", "--build", TARGET, "--parallel", target_build.JOBS, "--target", "coverage_suite")
+    target_build.build_preset("tms570-coverage", ["coverage_suite"], TARGET)
     target_build.build_preset("coverage", ["coverage_suite"])
 
 

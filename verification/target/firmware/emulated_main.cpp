@@ -4,15 +4,15 @@
 // clocks, watchdog and pins are simulated. The program's argument is the scenario's file. An exception stops the device
 // and starts the image once more, which then tells what the record says.
 #include "examples/firmware/common/device.hpp"
+#include "hal/tms570/mpu.hpp"
 #include "hal/tms570/start/exceptions.hpp"
-#include "verification/target/firmware/emulated_protection.hpp"
+#include "hal/tms570/start/memory_map.hpp"
 #include "verification/target/firmware/meter.hpp"
 #include "verification/target/firmware/simulated_device.hpp"
 #include "verification/target/target.hpp"
 
 extern "C"
 {
-    extern std::uint32_t stack_non_safety_top[];
     [[noreturn]] void Reset() noexcept;
 }
 
@@ -103,8 +103,12 @@ extern "C" void FirmwareMain() noexcept
         target::Exit(1U);
     }
     target::StartCycles();
-    static target::EmulatedProtection protection{};
-    protection.Start();
+    static tms570::Mpu protection{};
+    if (protection.Start(tms570::FixedRegions()) != tms570::Outcome::kDone)
+    {
+        target::Write("FAILURE: the memory protection did not start\n");
+        target::Exit(1U);
+    }
     static target::SimulatedDevice device{protection};
     const bool good = device.Run(text, RunUnprivilegedOnce);
     const target::Cost cost = device.GreatestCost();
