@@ -15,6 +15,7 @@ namespace
 using namespace mpu;
 
 constexpr std::uint32_t kWordBits = 32U;
+constexpr std::uint32_t kFixedRegions = 3U; ///< Of Start; those of Protect follow.
 
 [[nodiscard]] bool IsRegion(const ProtectedSpan& span) noexcept
 {
@@ -104,14 +105,11 @@ hal::ProtectStatus Mpu::Protect(const hal::MemoryRegion& region) noexcept
 
 void Mpu::Enter(const hal::MemoryOwner owner) noexcept
 {
-    for (std::uint32_t number = 0U; number < count_; ++number)
+    for (std::uint32_t number = kFixedRegions; number < count_; ++number)
     {
         Region& region = regions_[number];
-        if (region.owner != hal::MemoryOwner::kInvalid)
-        {
-            region.access = AccessOf(region.owner, owner);
-            WriteRegionAccess(number, region.access);
-        }
+        region.access = AccessOf(region.owner, owner);
+        WriteRegionAccess(number, region.access);
     }
     Synchronise();
 }
