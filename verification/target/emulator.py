@@ -13,14 +13,16 @@ class Run:
     output: str
 
 
-def run_image(binary, argument="run", seconds=60, count_instructions=True):
-    """Runs one .bin. With `count_instructions` one cycle of the cycle counter is one instruction, exactly."""
+def run_image(binary, argument="run", seconds=60, count_instructions=True, folder=None):
+    """Runs one .bin. With `count_instructions` one cycle of the cycle counter is one instruction, exactly. Files that the
+    image asks for are looked for in `folder`."""
     command = COMMAND + ["-device", f"loader,file={binary},addr=0,force-raw=on", "-semihosting-config",
                          f"enable=on,target=native,arg={argument}"]
     if count_instructions:
         command += ["-icount", "shift=0"]
     try:
-        done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, timeout=seconds, check=False)
+        done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, timeout=seconds, check=False,
+                              cwd=folder)
     except subprocess.TimeoutExpired as expired:
         return Run(None, (expired.stdout or b"").decode("utf-8", "replace"))
     return Run(done.returncode, (done.stdout + done.stderr).decode("utf-8", "replace"))

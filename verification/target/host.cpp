@@ -10,6 +10,18 @@ extern "C" std::uint32_t TargetMain() noexcept;
 
 namespace counterpoint::target
 {
+/// Of this program alone: a target is told by its emulator.
+void SetArgument(const char* argument) noexcept;
+} // namespace counterpoint::target
+
+namespace counterpoint::target
+{
+namespace
+{
+
+const char* the_argument = "";
+
+} // namespace
 
 void Write(const char* text) noexcept
 {
@@ -26,9 +38,34 @@ void WriteHex(std::uint32_t value) noexcept
     static_cast<void>(std::printf("%08x", static_cast<unsigned int>(value)));
 }
 
+const char* Argument() noexcept
+{
+    return the_argument;
+}
+
+void SetArgument(const char* const argument) noexcept
+{
+    the_argument = argument;
+}
+
+bool ReadText(const char* const path, char* const to, const std::uint32_t room) noexcept
+{
+    std::FILE* const file = std::fopen(path, "rb");
+    if (file == nullptr)
+    {
+        return false;
+    }
+    const std::size_t length = std::fread(to, 1U, room, file);
+    static_cast<void>(std::fclose(file));
+    const bool fits = length < room;
+    to[fits ? length : 0U] = '\0';
+    return fits;
+}
+
 } // namespace counterpoint::target
 
-int main()
+int main(const int count, char** const words)
 {
+    counterpoint::target::SetArgument((count > 1) ? words[1] : "");
     return static_cast<int>(TargetMain());
 }

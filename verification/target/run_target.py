@@ -16,7 +16,9 @@ import re
 import subprocess
 import sys
 
+import coverage_run
 import emulator
+import firmware_run
 import objects
 import stack
 import target_build
@@ -164,15 +166,19 @@ def main():
     arguments = parser.parse_args()
     if not arguments.no_build:
         print("Building build/target (big-endian, two compilers) and the same programs in build/product ...", flush=True)
-        target_build.build_target(TARGET, "-O2", ["selftest", "bench", "conformance", "conformance_be32", *target_build.CERTIFIED_TARGETS])
-        target_build.build_preset("product", ["conformance_host"])
+        target_build.build_target(TARGET, "-O2", ["selftest", "bench", "conformance", "conformance_be32", *firmware_run.DEVICES, "trap",
+                                               *target_build.CERTIFIED_TARGETS])
+        target_build.build_preset("product", ["conformance_host", *(f"firmware_{device}_host" for device in firmware_run.DEVICES)])
+        coverage_run.build()
     report = Report()
     check_selftest(report)
     digest, count = check_objects(report)
     outcomes = check_same_outcomes(report)
+    costs = firmware_run.check(report, IMAGES / "firmware", PRODUCT / "verification/target/firmware")
+    coverage = coverage_run.check(report)
     rows = check_stack(report)
     items = count_instructions(report)
-    result = {"digest": digest, "objects": count, "outcomes": outcomes, "instructions": items,
+    result = {"digest": digest, "objects": count, "outcomes": outcomes, "instructions": items, "firmware_cycles": costs, "coverage": coverage,
               "stack": [{"entry": name, "bytes": size, "path": path} for name, size, path in rows],
               "checks": report.rows, "requirements": report.requirements(), "passed": report.passed()}
     (TARGET / "target.json").write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")

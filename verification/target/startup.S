@@ -53,10 +53,10 @@ Reset:
     cps #.Lmode_supervisor
     mov sp, r4
     cps #.Lmode_system
-    ldr sp, =target_stack_top
+    ldr sp, =stack_main_top
 
-    ldr r0, =target_stack_bottom       @ the painted stack shows how deep a run went
-    ldr r1, =target_stack_top
+    ldr r0, =stack_main_bottom       @ the painted stack shows how deep a run went
+    ldr r1, =stack_main_top
     ldr r2, =0xA5A5A5A5
 1:  cmp r0, r1
     strlo r2, [r0], #4
@@ -112,27 +112,5 @@ Reset:
     exception FastInterrupt, 7, 4
     .ltorg
 
-@ TargetWord TargetCall(operation, block): the semihosting trap of ARM state.
-    .global TargetTrap
-    .type TargetTrap, %function
-TargetTrap:
-    svc 0x123456
-    bx lr
-
-@ The performance monitor's cycle counter. The emulator counts with `-icount shift=0`: one executed instruction, one cycle.
-    .global TargetStartCycles
-    .type TargetStartCycles, %function
-TargetStartCycles:
-    mov r0, #5                         @ enable, reset the cycle counter
-    mcr p15, 0, r0, c9, c12, 0
-    mov r0, #0x80000000
-    mcr p15, 0, r0, c9, c12, 1
-    bx lr
-
-    .global TargetReadCycles
-    .type TargetReadCycles, %function
-TargetReadCycles:
-    mrc p15, 0, r0, c9, c13, 0
-    bx lr
     .section .note.GNU-stack, "", %progbits
     .end

@@ -10,12 +10,17 @@ namespace
 using Word = std::uint32_t;
 
 constexpr Word kSysOpen = 0x01U;
+constexpr Word kSysClose = 0x02U;
 constexpr Word kSysWrite = 0x05U;
+constexpr Word kSysRead = 0x06U;
 constexpr Word kSysGetCommandLine = 0x15U;
 constexpr Word kSysExit = 0x18U;
 constexpr Word kReasonApplicationExit = 0x20026U;
 constexpr Word kReasonRunTimeError = 0x20023U;
+constexpr Word kOpenForReading = 1U; // Binary.
 constexpr Word kOpenForWriting = 4U;
+constexpr Word kOpenForWritingBytes = 5U;
+constexpr Word kNoHandle = 0xFFFFFFFFU;
 constexpr Word kStackPaint = 0xA5A5A5A5U;
 } // namespace
 
@@ -26,8 +31,8 @@ extern "C"
     Word TargetReadCycles() noexcept;
     [[noreturn]] void TargetExit(Word status) noexcept;
     [[noreturn]] void TargetException(Word number, Word address) noexcept;
-    extern Word target_stack_bottom[];
-    extern Word target_stack_top[];
+    extern Word stack_main_bottom[];
+    extern Word stack_main_top[];
 }
 
 namespace
@@ -139,6 +144,33 @@ const char* Argument() noexcept
     return text;
 }
 
+bool ReadText(const char* const path, char* const to, const std::uint32_t room) noexcept
+{
+    const Word handle = Request(kSysOpen, AddressOf(path), kOpenForReading, LengthOf(path));
+    if (handle == kNoHandle)
+    {
+        return false;
+    }
+    // The host says how many bytes it did not write.
+    const Word left = Request(kSysRead, handle, AddressOf(to), room - 1U);
+    const bool fits = (left != 0U) && (left < room);
+    to[fits ? (room - 1U) - left : 0U] = '\0';
+    return fits;
+}
+
+bool WriteFile(const char* const path, const Bytes* const parts, const std::uint32_t count) noexcept
+{
+    const Word handle = Request(kSysOpen, AddressOf(path), kOpenForWritingBytes, LengthOf(path));
+    bool is_written = handle != kNoHandle;
+    for (std::uint32_t part = 0U; is_written && (part < count); ++part)
+    {
+        // The host says how many bytes it did not write.
+        is_written = (parts[part].count == 0U) ||
+                     (Request(kSysWrite, handle, AddressOf(parts[part].first), parts[part].count) == 0U);
+    }
+    return is_written && (Request(kSysClose, handle, 0U, 0U) == 0U);
+}
+
 void Exit(std::uint32_t status) noexcept
 {
     TargetExit(status);
@@ -156,12 +188,12 @@ std::uint32_t ReadCycles() noexcept
 
 std::uint32_t StackUsed() noexcept
 {
-    const volatile Word* place = target_stack_bottom;
-    while ((place != target_stack_top) && (*place == kStackPaint))
+    const volatile Word* place = stack_main_bottom;
+    while ((place != stack_main_top) && (*place == kStackPaint))
     {
         ++place;
     }
-    return AddressOf(target_stack_top) - AddressOf(place);
+    return AddressOf(stack_main_top) - AddressOf(place);
 }
 
 void RepaintStack() noexcept
@@ -169,7 +201,7 @@ void RepaintStack() noexcept
     // A margin for this function's own frame and for what the caller keeps below its stack pointer: nothing.
     constexpr Word kMarginBytes = 64U;
     volatile Word here = 0U;
-    volatile Word* place = target_stack_bottom;
+    volatile Word* place = stack_main_bottom;
     while (AddressOf(place) < (AddressOf(&here) - kMarginBytes))
     {
         *place = kStackPaint;

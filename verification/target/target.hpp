@@ -17,6 +17,20 @@ void WriteHex(std::uint32_t value) noexcept;
 /// @brief What the emulator was given as the program's argument, or an empty text.
 [[nodiscard]] const char* Argument() noexcept;
 
+/// @brief Reads a whole file of the host into `to`, which ends with a zero then. False if it cannot be read or is
+/// longer.
+[[nodiscard]] bool ReadText(const char* path, char* to, std::uint32_t room) noexcept;
+
+/// Neighbouring bytes in memory.
+struct Bytes
+{
+    const void* first;
+    std::uint32_t count;
+};
+
+/// @brief Writes the parts one behind the other to a file of the host. False if it cannot be written.
+[[nodiscard]] bool WriteFile(const char* path, const Bytes* parts, std::uint32_t count) noexcept;
+
 /// @brief Ends the emulation; its exit status is 0 for 0, else 1.
 [[noreturn]] void Exit(std::uint32_t status) noexcept;
 

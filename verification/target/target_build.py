@@ -27,8 +27,9 @@ def build_target(folder, optimise, targets):
     return folder
 
 
-def build_preset(preset, targets):
-    """Objects and programs of the host."""
+def build_preset(preset, targets, folder=None):
+    """Objects and programs of a preset, in the folder that it names (build/<preset> unless told)."""
+    folder = folder or ROOT / "build" / preset
     run("cmake", "--preset", preset)
-    run("cmake", "--build", ROOT / "build" / preset, "--parallel", JOBS, "--target", *targets)
-    return ROOT / "build" / preset
+    run("cmake", "--build", folder, "--parallel", JOBS, "--target", *targets)
+    return folder

@@ -1,0 +1,65 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef EXAMPLES_FIRMWARE_COMMON_SAFE_DEVICE_HPP
+#define EXAMPLES_FIRMWARE_COMMON_SAFE_DEVICE_HPP
+
+#include "channel_a/channel.hpp"
+#include "channel_b/channel.hpp"
+#include "examples/firmware/common/cell.hpp"
+#include "examples/firmware/common/device.hpp"
+#include "examples/firmware/common/guarded_channel.hpp"
+#include "examples/firmware/common/memory_protection.hpp"
+
+namespace counterpoint::firmware
+{
+
+/// Memory of channel A: storage and state.
+template <std::uint8_t kSrdos> struct MemoryA
+{
+    channel_a::StorageFor<kSrdos> storage{};
+    channel_a::Channel channel{storage.Handle()};
+};
+
+template <std::uint8_t kSrdos> struct MemoryB
+{
+    channel_b::StorageFor<kSrdos> storage{};
+    channel_b::Channel channel{storage.Handle()};
+};
+
+/// The kernel and what it calls the channels through.
+struct CoreMemory
+{
+    CoreMemory(const Hardware& hardware, Channel& channel_a, Channel& channel_b, Application& application) noexcept
+        : a{channel_a, hardware.protection, hal::MemoryOwner::kChannelA},
+          b{channel_b, hardware.protection, hal::MemoryOwner::kChannelB},
+          kernel{KernelParts{a, b, hardware.can, hardware.output, hardware.watchdog, application}}
+    {
+    }
+
+    GuardedChannel a;
+    GuardedChannel b;
+    Kernel kernel;
+};
+
+/// The three regions of a device. Each cell stands in its own section.
+template <std::uint8_t kSrdos> struct Regions
+{
+    Cell<MemoryA<kSrdos>>& a;
+    Cell<MemoryB<kSrdos>>& b;
+    Cell<CoreMemory>& core;
+};
+
+/// @brief Builds a device in its regions and protects them; the application is built already. Null where the memory
+/// protection refused.
+template <std::uint8_t kSrdos>
+[[nodiscard]] Kernel* BuildDevice(const Hardware& hardware, const Regions<kSrdos>& regions,
+                                  Application& application) noexcept
+{
+    MemoryA<kSrdos>& a = regions.a.Make();
+    MemoryB<kSrdos>& b = regions.b.Make();
+    CoreMemory& core = regions.core.Make(hardware, a.channel, b.channel, application);
+    return ProtectRegions(hardware.protection) ? &core.kernel : nullptr;
+}
+
+} // namespace counterpoint::firmware
+
+#endif

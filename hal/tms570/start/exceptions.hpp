@@ -1,0 +1,38 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef HAL_TMS570_START_EXCEPTIONS_HPP
+#define HAL_TMS570_START_EXCEPTIONS_HPP
+
+#include "hal/api/exception_record.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::tms570
+{
+
+/// @brief The record that start-up does not clear: of an exception before the last reset, or of none. `address_low` is
+/// what was accessed (0: not an access), `address_high` the instruction. [SRS-FW-005]
+[[nodiscard]] hal::ExceptionMemory LastException() noexcept;
+
+} // namespace counterpoint::tms570
+
+extern "C"
+{
+    /// What start_up.S calls after an exception: closes, records, stands still.
+    [[noreturn]] void FirmwareException(std::uint32_t cause, std::uint32_t accessed, std::uint32_t place) noexcept;
+
+    /// What start_up.S and exceptions.cpp need of the board. They use no memory but registers and the stack: what else
+    /// an exception left whole nobody knows.
+    void HardwareCutOff() noexcept;            ///< Closes every output until the next reset.
+    [[noreturn]] void HardwareStop() noexcept; ///< Stands still in the safe state; nERROR is active.
+
+    /// What the program is and what the board interrupts it for.
+    void FirmwareMain() noexcept;
+    void FirmwareInterrupt() noexcept;
+    void FirmwareFastInterrupt() noexcept;
+
+    /// @brief Calls `code` in user mode with a stack that ends below `stack_top`. The memory protection decides what it
+    /// may write. [SRS-FW-007]
+    void RunUnprivileged(void (*code)() noexcept, std::uint32_t* stack_top) noexcept;
+}
+
+#endif

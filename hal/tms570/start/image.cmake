@@ -1,0 +1,65 @@
+# counterpoint_firmware(<name> SILICON <board rooms> EMULATED <board rooms> DEPENDS <device rooms> [REGIONS ...])
+#
+# Links one program twice from the same objects of core, channels and application:
+#   <name>_be32.elf  for silicon: instructions big-endian (BE32), flash at 0, RAM at 0x08000000, with the board's drivers
+#   <name>.elf       for the emulator: instructions little-endian (BE8), with what SILICON is replaced by; and <name>.bin,
+#                    since the emulator loads no big-endian ELF
+# No library of a compiler is linked. [SRS-FW-001, SRS-FW-003]
+set(COUNTERPOINT_FIRMWARE_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/tms570.ld)
+
+# Flash and RAM in bytes, and the powers of two that cover them for the MPU. All have flash at 0 and RAM at 0x08000000.
+# hal/tms570/variant.hpp has the same lengths; the image test compares. [SRS-FW-017]
+set(COUNTERPOINT_MEMORY_LS20x 0x00200000 0x00028000 0x00200000 0x00040000)
+set(COUNTERPOINT_MEMORY_LS12x 0x00140000 0x00030000 0x00200000 0x00040000)
+set(COUNTERPOINT_MEMORY_LS31x 0x00300000 0x00040000 0x00400000 0x00040000)
+set(COUNTERPOINT_MEMORY_LC43x 0x00400000 0x00080000 0x00400000 0x00080000)
+set(COUNTERPOINT_VARIANT LS31x CACHE STRING "Controller: LS20x, LS12x, LS31x or LC43x")
+set(memory ${COUNTERPOINT_MEMORY_${COUNTERPOINT_VARIANT}})
+if(NOT memory)
+  message(FATAL_ERROR "COUNTERPOINT_VARIANT is '${COUNTERPOINT_VARIANT}', expected LS20x, LS12x, LS31x or LC43x")
+endif()
+list(GET memory 0 flash_length)
+list(GET memory 1 ram_length)
+list(GET memory 2 flash_region)
+list(GET memory 3 ram_region)
+set(COUNTERPOINT_FIRMWARE_SILICON flash_length=${flash_length} ram_origin=0x08000000 ram_length=${ram_length}
+    region_flash_length=${flash_region} region_ram=0x08000000 region_ram_length=${ram_region})
+set(COUNTERPOINT_FIRMWARE_EMULATED flash_length=0x00400000 ram_origin=0x00800000 ram_length=0x00080000
+    region_flash_length=0x00400000 region_ram=0x00800000 region_ram_length=0x00080000)
+# Regions of the MPU and stacks; an image with more SRDOs gives greater ones by REGIONS.
+set(COUNTERPOINT_FIRMWARE_REGIONS region_channel_length=0x800 region_core_length=0x400 region_non_safety_length=0x400
+    stack_main_length=0xC00 stack_exception_length=0x100 stack_interrupt_length=0x200 stack_non_safety_length=0x200)
+
+function(counterpoint_firmware name)
+  cmake_parse_arguments(IMAGE "" "" "SILICON;EMULATED;DEPENDS;REGIONS" ${ARGN})
+  foreach(order be8 be32)
+    if(order STREQUAL be8)
+      set(image ${name})
+      set(flags -Wl,--be8)
+      set(memory ${COUNTERPOINT_FIRMWARE_EMULATED})
+      set(board ${IMAGE_EMULATED})
+    else()
+      set(image ${name}_be32)
+      set(flags -mbe32)
+      set(memory ${COUNTERPOINT_FIRMWARE_SILICON})
+      set(board ${IMAGE_SILICON})
+    endif()
+    if(NOT board)
+      continue()
+    endif()
+    list(TRANSFORM memory PREPEND "--defsym=")
+    set(regions ${COUNTERPOINT_FIRMWARE_REGIONS} ${IMAGE_REGIONS})
+    list(TRANSFORM regions PREPEND "--defsym=")
+    list(JOIN memory "," memory)
+    list(JOIN regions "," regions)
+    add_executable(${image} $<TARGET_OBJECTS:hal_tms570_vectors> $<TARGET_OBJECTS:hal_tms570_silicon>)
+    set_target_properties(${image} PROPERTIES SUFFIX .elf LINK_DEPENDS ${COUNTERPOINT_FIRMWARE_SCRIPT} LINKER_LANGUAGE CXX)
+    target_link_libraries(${image} PRIVATE ${board} ${IMAGE_DEPENDS} hal_tms570_start hal_tms570_runtime)
+    target_link_options(${image} PRIVATE -nostdlib -nostartfiles ${flags}
+        -Wl,--gc-sections,--fatal-warnings,--no-warn-execstack,-Map=$<TARGET_FILE:${image}>.map
+        -Wl,-u,FirmwareVectors,-u,FirmwareMain,-u,HardwareInitialiseRam,-u,HardwareCutOff,-u,FirmwareInterrupt,${memory},${regions},-T,${COUNTERPOINT_FIRMWARE_SCRIPT})
+  endforeach()
+  add_custom_command(TARGET ${name} POST_BUILD
+      COMMAND ${CMAKE_OBJCOPY} -O binary $<TARGET_FILE:${name}> $<TARGET_FILE_DIR:${name}>/${name}.bin
+      BYPRODUCTS ${CMAKE_CURRENT_BINARY_DIR}/${name}.bin VERBATIM)
+endfunction()

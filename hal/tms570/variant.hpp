@@ -1,0 +1,127 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef HAL_TMS570_VARIANT_HPP
+#define HAL_TMS570_VARIANT_HPP
+
+#include "hal/tms570/registers.hpp"
+
+#include <cstdint>
+
+/// What differs between the controllers of the family, as constants: a driver is handed the table of its controller and
+/// has no other way to know. Sources: CPU facts 4.1 to 4.4 (register headers of the vendor's safety library and code
+/// generator, data sheets SPNS141, SPNS192, SPNS162, SPNS195). [SRS-TMS-002]
+namespace counterpoint::tms570
+{
+
+enum class Presence : std::uint8_t
+{
+    kInvalid = 0U, ///< Read as absent.
+    kAbsent = 1U,
+    kPresent = 0x69U,
+};
+
+/// Bits of MSINENA and of the memory groups of the PBIST that a device with two CAN controllers uses.
+struct MemorySelection
+{
+    std::uint32_t initialise;  ///< MSINENA: memories whose parity is turned on later (VIM, DCAN 1 and 2).
+    std::uint32_t test_rom;    ///< PBIST memory group of the ROMs of PBIST and STC.
+    std::uint32_t test_memory; ///< PBIST memory groups of the same memories as `initialise`.
+};
+
+/// PLL 1 multiplies the oscillator; RTICLK and VCLK are its output divided.
+struct ClockTree
+{
+    std::uint32_t pll_control_1;
+    std::uint32_t pll_control_2;
+    std::uint8_t oscillator_mhz;
+    std::uint8_t processor_mhz; ///< GCLK, and HCLK.
+    std::uint8_t rti_mhz;       ///< RTICLK; VCLK is the same.
+};
+
+struct Variant
+{
+    RegisterBase dcan[2]; // MISRA D-001
+    std::uint8_t can_objects;
+    std::uint8_t mpu_regions;
+    Presence clock_comparator; ///< DCC1.
+    Presence tcram_test;       ///< RAM on the B-TCM with the ECC test of the TCRAM module (else: level 2 RAM).
+    Presence flash_diagnosis;  ///< Flash wrapper with diagnostic mode 7.
+    Presence windowed_watchdog;
+    std::uint32_t flash_bytes;
+    std::uint32_t ram_bytes;
+    ClockTree clocks;
+    MemorySelection memories;
+    std::uint32_t esm_group_1_low;  ///< Channels 0 to 31 of group 1 that exist.
+    std::uint32_t esm_group_1_high; ///< Channels 32 to 63.
+};
+
+inline constexpr std::uint32_t kRamOrigin = 0x08000000U;
+inline constexpr RegisterBase kDcan1{0xFFF7DC00U};
+inline constexpr RegisterBase kDcan2{0xFFF7DE00U};
+
+inline constexpr Variant kLs20x{
+    {kDcan1, kDcan2},
+    64U,
+    12U,
+    Presence::kAbsent,
+    Presence::kPresent,
+    Presence::kPresent,
+    Presence::kAbsent,
+    0x00200000U,
+    0x00028000U,
+    ClockTree{0x20048B00U, 0x00007400U, 16U, 140U, 70U},
+    MemorySelection{0x00000064U, 0x00000001U, 0x00000014U},
+    0x9DDFBFEEU,
+    0x00000000U,
+};
+
+inline constexpr Variant kLs12x{
+    {kDcan1, kDcan2},
+    64U,
+    12U,
+    Presence::kPresent,
+    Presence::kPresent,
+    Presence::kPresent,
+    Presence::kPresent,
+    0x00140000U,
+    0x00030000U,
+    ClockTree{0x20049F00U, 0x00007600U, 16U, 160U, 80U},
+    MemorySelection{0x00000064U, 0x00000003U, 0x00000014U},
+    0xDDEFAFEEU,
+    0x40000FF8U,
+};
+
+inline constexpr Variant kLs31x{
+    {kDcan1, kDcan2},
+    64U,
+    12U,
+    Presence::kPresent,
+    Presence::kPresent,
+    Presence::kPresent,
+    Presence::kPresent,
+    0x00300000U,
+    0x00040000U,
+    ClockTree{0x20049F00U, 0x00007600U, 16U, 160U, 80U},
+    MemorySelection{0x00000064U, 0x00000003U, 0x00000014U},
+    0xDDEFFFEEU,
+    0x40000FF8U,
+};
+
+inline constexpr Variant kLc43x{
+    {kDcan1, kDcan2},
+    64U,
+    16U,
+    Presence::kPresent,
+    Presence::kAbsent,
+    Presence::kAbsent,
+    Presence::kPresent,
+    0x00400000U,
+    0x00080000U,
+    ClockTree{0x20049500U, 0x00007400U, 16U, 150U, 75U},
+    MemorySelection{0x00000064U, 0x00000003U, 0x00000014U},
+    0xDDEFFFEEU,
+    0x40080FF8U,
+};
+
+} // namespace counterpoint::tms570
+
+#endif
