@@ -5,6 +5,7 @@
 #include "tools/check_command.hpp"
 #include "tools/demo_command.hpp"
 #include "tools/generate_command.hpp"
+#include "tools/manager_command.hpp"
 #include "tools/monitor_command.hpp"
 #include "tools/node_command.hpp"
 #include "tools/sign_command.hpp"
@@ -18,6 +19,8 @@ std::vector<CommandRow> CommandTable()
         {"demo", "Simulate the emergency-stop chain under faults and show the timing diagrams", &MakeDemoCommand},
         {"simulate", "Simulate a scenario: devices, faults, expectations", &MakeSimulateCommand},
         {"node", "Run the device of a DCF on a live CAN bus", &MakeNodeCommand},
+        {"manager", "Manage a CANopen network on a live CAN bus: start, check, supervise its slaves",
+         &MakeManagerCommand},
         {"bus", "Serve a CAN bus to other programs by the socketcand protocol", &MakeBusCommand},
         {"sign", "Compute the safety configuration signatures (13FFh) of a DCF", &MakeSignCommand},
         {"check", "Check the safety configuration of a DCF against every rule", &MakeCheckCommand},

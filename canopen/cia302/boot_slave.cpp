@@ -40,6 +40,7 @@ void BootSlave::Clear(const Job& job) noexcept
     End(job.node);
     parts_.table.Unwatch(job.node);
     parts_.gate.Close(job.node);
+    parts_.nmt.DropStarts(job.node);
     job.record = BootRecord{};
     job.record.began_us = job.time.clock_us;
     job.record.status.is_busy = true;

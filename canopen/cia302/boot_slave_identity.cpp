@@ -34,7 +34,8 @@ StartUpStep StepAfter(const std::uint8_t sub) noexcept
 
 } // namespace
 
-/// Part 0 sends the reset, part 1 waits for the boot-up message.
+/// Part 0 sends the reset, part 1 waits for the boot-up message, which has the lowest priority on the bus: behind the
+/// SDOs of all other slaves.
 void BootSlave::AwaitReset(const Job& job) noexcept
 {
     if (job.record.part == 0U)
@@ -46,7 +47,7 @@ void BootSlave::AwaitReset(const Job& job) noexcept
             Wait(job, BootWait::kBootUp);
         }
     }
-    else if (IsOver(job, kResetUs))
+    else if (IsOver(job, kResetUs) && (!parts_.sdo.IsBusy() || IsOver(job, kCrowdedUs)))
     {
         const bool is_called_for = job.setup.Has(kMandatory) || job.setup.Has(kKeepAlive);
         const StartUpStep first = job.setup.Has(kBootSlave) ? StartUpStep::kDeviceType : StartUpStep::kErrorControl;

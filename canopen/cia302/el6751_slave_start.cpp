@@ -246,6 +246,7 @@ void El6751StartUp::RefuseSafety(const NodeId node, const El6751Phase after, con
     slave.status.expected = finding.expected;
     slave.status.read = finding.read;
     slave.status.is_started = false;
+    slave.is_checking = false;
     slave.cause = differs ? kNodeMismatch : kNodeSyntax;
     slave.held_code = slave.cause;
     Tell(node, slave.cause, StartUpStep::kSafety, now);

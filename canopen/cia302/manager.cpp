@@ -122,9 +122,9 @@ void Manager::OnCycle(const Instant now) noexcept
         table_.OnCycle(now);
         sdo_.OnCycle(now);
         gate_.OnCycle(now);
+        TellGates(now);
         profile_->OnCycle(now);
         nmt_.OnCycle(now);
-        TellGates(now);
     }
 }
 

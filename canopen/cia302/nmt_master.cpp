@@ -92,6 +92,16 @@ NmtAnswer NmtMaster::RequestEach(const NmtCommand command, const NodeId except, 
     return worst;
 }
 
+void NmtMaster::DropStarts(const NodeId node) noexcept
+{
+    for (std::uint16_t i = 0U; i < waiting_; ++i)
+    {
+        NmtRequest& request = parts_.room.requests[(std::uint32_t{first_} + i) % parts_.room.count];
+        const bool is_it = (request.command == NmtCommand::kStart) && (request.node.value == node.value);
+        request.command = is_it ? NmtCommand::kInvalid : request.command; // Falls out when its turn comes.
+    }
+}
+
 /// In order: what waits for the inhibit time or for room in the sink keeps all behind it waiting.
 void NmtMaster::OnCycle(const Instant now) noexcept
 {
@@ -120,7 +130,8 @@ void NmtMaster::OnCycle(const Instant now) noexcept
 /// Whether it left. What is for the own node alone does not go to the bus.
 bool NmtMaster::Emit(const NmtRequest& request, const Instant now) noexcept
 {
-    bool has_left = (request.node.value == parts_.setup.own.value);
+    const bool is_broadcast = (request.node.value == kAllNodes.value); // A master without node-ID has this one too.
+    bool has_left = !is_broadcast && (request.node.value == parts_.setup.own.value);
     const std::uint32_t inhibit_us = kUsPerInhibitUnit * parts_.setup.inhibit_100us;
     has_sent_ = has_sent_ && ((now.us - last_.us) < inhibit_us);
     if (!has_left && !has_sent_)

@@ -55,12 +55,14 @@ class NmtMaster
     [[nodiscard]] NmtAnswer Request(NmtCommand command, NodeId node, Instant now) noexcept;
     /// @brief The command singly to each node of the network list but `except` (0: nobody) and the own node.
     [[nodiscard]] NmtAnswer RequestEach(NmtCommand command, NodeId except, Instant now) noexcept;
+    /// @brief The node begins anew: starts of it that wait are dropped. O(queue)
+    void DropStarts(NodeId node) noexcept;
     /// @brief Sends what is due. Call once a cycle.
     void OnCycle(Instant now) noexcept;
 
     /// @brief Commands that wait.
     [[nodiscard]] std::uint16_t Waiting() const noexcept;
-    /// @brief Starts that were taken and then dropped because the gate closed before they left.
+    /// @brief Starts that were taken and did not leave: the gate closed meanwhile, or the node began anew.
     [[nodiscard]] std::uint32_t Dropped() const noexcept;
 
   private:

@@ -52,12 +52,12 @@ constexpr std::uint32_t kEmergencyGapUs = 100'000U;
 
 /// Emergency messages, and node-IDs that two devices have. Two devices with one node-ID answer SDOs with each other's
 /// values; they show themselves by heartbeats that come too often: kWindowSigns in kWindowPeriods producer times, where
-/// one device sends one more than there are periods. Not reentrant. [SRS-MGR-010, SRS-MGR-011]
+/// one device sends eleven, and up to four more around its boot-up. Not reentrant. [SRS-MGR-010, SRS-MGR-011]
 class NodeWatch
 {
   public:
-    static constexpr std::uint8_t kWindowPeriods = 4U;
-    static constexpr std::uint8_t kWindowSigns = 7U;
+    static constexpr std::uint8_t kWindowPeriods = 10U;
+    static constexpr std::uint8_t kWindowSigns = 18U;
 
     /// @brief `nodes` has kNodeRoom elements; all kept by reference.
     NodeWatch(const NetworkSetup& setup, WatchedNode* nodes, NodeWatchListener& listener) noexcept;

@@ -10,7 +10,8 @@ constexpr std::uint32_t kAnswers = 0x580U;
 
 } // namespace
 
-SdoPool::SdoPool(const SdoLaneRoom& room, const SdoTimes& times) noexcept : room_(room), times_(times)
+SdoPool::SdoPool(const SdoLaneRoom& room, const SdoTimes& times) noexcept
+    : room_(room), times_(times), last_{0U}, quiet_us_(times.time_out_us)
 {
     times_.tries = (times_.tries > 0U) ? times_.tries : std::uint8_t{1U};
 }
@@ -99,6 +100,11 @@ SdoOutcome SdoPool::Outcome(const NodeId node) const noexcept
     return (lane != nullptr) ? lane->client.Outcome() : SdoOutcome{SdoAbort::kNoConnection, false, 0U};
 }
 
+bool SdoPool::IsBusy() const noexcept
+{
+    return quiet_us_ < times_.time_out_us;
+}
+
 void SdoPool::Cancel(const NodeId node, const SdoAbort reason) noexcept
 {
     SdoLane* const lane = Find(node);
@@ -132,11 +138,16 @@ void SdoPool::OnFrame(const CanFrame& frame, const Instant now) noexcept
 
 void SdoPool::OnCycle(const Instant now) noexcept
 {
+    const std::uint32_t passed_us = now.us - last_.us;
+    const bool is_long = passed_us >= (times_.time_out_us - quiet_us_);
+    quiet_us_ = is_long ? times_.time_out_us : (quiet_us_ + passed_us);
+    last_ = now;
     for (std::uint8_t i = 0U; i < room_.count; ++i)
     {
         SdoLane& lane = room_.lanes[i];
         lane.client.OnCycle(now);
         Settle(lane, now);
+        quiet_us_ = (lane.state == TransferState::kBusy) ? 0U : quiet_us_;
         lane.idle_cycles = (lane.idle_cycles < kSettled) ? static_cast<std::uint8_t>(lane.idle_cycles + 1U) : kSettled;
     }
 }

@@ -109,6 +109,8 @@ class SdoPool
     [[nodiscard]] TransferState State(NodeId node) const noexcept;
     /// @brief With kDone and kFailed. abort is kTimeOut with !by_server if nobody answered.
     [[nodiscard]] SdoOutcome Outcome(NodeId node) const noexcept;
+    /// @brief Whether any transfer ran at the last OnCycle, or less than a time-out before it.
+    [[nodiscard]] bool IsBusy() const noexcept;
     /// @brief Gives a running transfer up; it is kFailed with this reason.
     void Cancel(NodeId node, SdoAbort reason) noexcept;
     /// @brief The boot-up message of a node: its running transfer is kFailed with kNoConnection.
@@ -127,6 +129,8 @@ class SdoPool
 
     SdoLaneRoom room_;
     SdoTimes times_;
+    Instant last_;           ///< OnCycle.
+    std::uint32_t quiet_us_; ///< Since a transfer ran, up to the time-out.
 };
 
 } // namespace counterpoint::cia302

@@ -94,6 +94,10 @@ class BootRig : public ::testing::Test,
     /// Powers what is there and begins the start-up.
     void Begin();
     void Run(std::uint32_t ms);
+    /// Carries frames until nobody sends any more.
+    void Deliver();
+    /// A frame that only the manager hears.
+    void ToManager(const CanFrame& frame);
     [[nodiscard]] Instant Now() const;
     [[nodiscard]] NodeStatus Of(std::uint8_t node) const;
     [[nodiscard]] std::string Letter(std::uint8_t node) const;
@@ -126,10 +130,6 @@ class BootRig : public ::testing::Test,
     SdoLanes<127> lanes{*this, SdoTimes{100'000U, 3U}};
     SdoPool sdo{lanes.All(), SdoTimes{100'000U, 3U}};
     Cia302StartUp start_up{StartUpParts{setup, table, nmt, sdo, gate, *this, *this}, boots.data()};
-
-  private:
-    void Deliver();
-    void ToManager(const CanFrame& frame);
 };
 
 } // namespace counterpoint::cia302

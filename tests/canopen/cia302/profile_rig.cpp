@@ -101,7 +101,6 @@ void ProfileRig::Deliver()
         {
             continue;
         }
-        all.push_back(Sent{us, frame});
         is_manager_ = !is_manager;
         if (is_manager)
         {

@@ -81,7 +81,6 @@ class ProfileRig : public ::testing::Test,
     std::uint32_t step_us{1000U};
     std::vector<CanFrame> wire{};
     std::vector<Sent> sent{}; ///< By the manager.
-    std::vector<Sent> all{};
     std::map<std::uint8_t, Log> told{}; ///< NodeStatus code by code: "8", "23".
     Log masters{};
     std::map<std::uint8_t, std::unique_ptr<BusSlave>> slaves{};

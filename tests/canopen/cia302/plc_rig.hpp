@@ -1,0 +1,69 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef TESTS_CANOPEN_CIA302_PLC_RIG_HPP
+#define TESTS_CANOPEN_CIA302_PLC_RIG_HPP
+
+#include "canopen/cia302/plc_start_up.hpp"
+#include "tests/canopen/cia302/profile_rig.hpp"
+
+#include <array>
+#include <map>
+
+namespace counterpoint::cia302
+{
+
+/// ProfileRig with the PLC Designer profile. SDO time-out 0.5 s.
+class PlcRig : public ProfileRig
+{
+  public:
+    PlcRig() : ProfileRig(kPlcSdoTimes)
+    {
+        profile = &plc;
+    }
+
+    BusSlave& AddPlc(const std::uint8_t node)
+    {
+        setups.at(node).plc = &plc_slaves[node];
+        return Add(node);
+    }
+    BusSlave& AddSafety(const std::uint8_t node)
+    {
+        setups.at(node).safety = expectation;
+        return AddPlc(node);
+    }
+    void User(const std::uint8_t node, const std::uint16_t index, const std::uint8_t sub, const Octets& value)
+    {
+        BootRig::AddEntry(lists[node], index, sub, value);
+        setups.at(node).concise_dcf = Bytes{lists[node].data(), static_cast<std::uint32_t>(lists[node].size())};
+    }
+    NmtAnswer Command(const NmtCommand what, const std::uint8_t node)
+    {
+        return Do([&] { return plc.Command(what, NodeId{node}, Now()); });
+    }
+    /// NMT frames without their times.
+    [[nodiscard]] Log Commands() const
+    {
+        Log list{};
+        for (const std::string& line : Nmt())
+        {
+            list.push_back(line.substr(line.find(':') + 1U));
+        }
+        return list;
+    }
+    /// Every answer and change of a slave, as "state object abort".
+    void OnNodeStatus(const NodeId node, const Instant now) noexcept override
+    {
+        ProfileRig::OnNodeStatus(node, now);
+        const NodeStatus status = plc.Status(node);
+        answers[node.value].push_back(status);
+    }
+
+    std::map<std::uint8_t, PlcSlave> plc_slaves{};
+    std::map<std::uint8_t, Octets> lists{};
+    std::map<std::uint8_t, std::vector<NodeStatus>> answers{};
+    std::array<PlcNode, kNodeRoom> plc_nodes{};
+    PlcStartUp plc{PlcParts{Parts(), plc_nodes.data()}};
+};
+
+} // namespace counterpoint::cia302
+
+#endif

@@ -1,0 +1,161 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tools/manager_command.hpp"
+
+#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/text_file.hpp"
+#include "hal/host/live_bus.hpp"
+#include "tools/device_options.hpp"
+#include "tools/manager_check.hpp"
+#include "tools/manager_loop.hpp"
+#include "tools/manager_status.hpp"
+#include "tools/network_file.hpp"
+
+#include "verification/simulator/yaml_document.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <ostream>
+#include <unistd.h>
+
+namespace counterpoint::tools
+{
+namespace
+{
+constexpr int kHighestNodeId = 127;
+constexpr int kLongestSeconds = 1000000;
+constexpr std::uint64_t kNsPerSecond = 1000000000U;
+
+class ManagerCommand final : public Command
+{
+  public:
+    void Describe(CLI::App& app) override
+    {
+        app.add_option("--can", address_,
+                       "The bus: can0 or socketcan:can0, socketcand:HOST:PORT/can0, udp:GROUP:PORT for devices on this "
+                       "machine, such as udp:239.74.163.2:43113")
+            ->type_name("ADDRESS");
+        app.add_option("--network", network_,
+                       "The network: a CPJ file (CiA 306-3) or YAML; docs/manager.md tells the format")
+            ->type_name("FILE")
+            ->check(CLI::Validator(ProblemOfFileName, ""));
+        app.add_option("--check", check_,
+                       "Instead: compare the network files of all flying masters of one network with the first one")
+            ->type_name("FILE...")
+            ->expected(2, kHighestNodeId);
+        app.add_option("--node-id", node_id_, "Node-ID of the manager (default: the one in the file)")
+            ->check(CLI::Validator(ProblemOfNumber, ""))
+            ->check(CLI::Range(1, kHighestNodeId));
+        app.add_option("--for", seconds_, "End after so many seconds (default: quit, SIGINT or SIGTERM)")
+            ->type_name("SECONDS")
+            ->check(CLI::Validator(ProblemOfNumber, ""))
+            ->check(CLI::Range(1, kLongestSeconds));
+        app.add_option("--log", log_, "Event log, one JSON object a line")->type_name("FILE");
+        app.add_option("--html", html_, "Page with the boot-up sequence diagram, written at the end")
+            ->type_name("FILE");
+        app.add_option("--socket", socket_, "Unix socket on which programs send orders, a line each")
+            ->type_name("PATH");
+        app.add_flag("--json", is_json_, "Events and answers as one JSON object a line");
+        app.add_flag("--no-input", has_no_input_, "Read no orders from the standard input");
+        app.footer("Orders, typed as lines or by the socket:\n" + ManagerOrderHelp() +
+                   "On a terminal the table of all slaves is shown and redrawn; elsewhere a line is printed for each\n"
+                   "event, and the table at the end. Exit status 0: every mandatory slave was started at the end.");
+    }
+
+    [[nodiscard]] ExitStatus Run(const Streams& streams) override
+    {
+        try
+        {
+            return check_.empty() ? RunManager(streams) : Check(streams);
+        }
+        catch (const host::LiveBusError& error)
+        {
+            streams.err << "counterpoint manager: --can: " << error.what() << "\n";
+        }
+        catch (const simulator::ScenarioError& error)
+        {
+            streams.err << error.what() << "\n";
+        }
+        return ExitStatus::kBadInput;
+    }
+
+  private:
+    [[nodiscard]] std::uint8_t NodeId() const
+    {
+        return static_cast<std::uint8_t>(node_id_);
+    }
+
+    [[nodiscard]] ExitStatus Check(const Streams& streams) const
+    {
+        const network::LoadedNetwork first(ReadNetworkFile(check_.front(), NodeId()));
+        std::size_t count = 0U;
+        for (std::size_t place = 1U; place < check_.size(); ++place)
+        {
+            const network::LoadedNetwork other(ReadNetworkFile(check_[place], 0U));
+            for (const std::string& line : DifferencesOf(first, other))
+            {
+                streams.out << line << "\n";
+                ++count;
+            }
+        }
+        return (count == 0U) ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
+    }
+
+    [[nodiscard]] ExitStatus RunManager(const Streams& streams) const
+    {
+        if (address_.empty() || network_.empty())
+        {
+            streams.err << "counterpoint manager: --" << (address_.empty() ? "can" : "network")
+                        << " is missing, expected --can ADDRESS --network FILE, or --check FILE...\n";
+            return ExitStatus::kBadInput;
+        }
+        const network::LoadedNetwork net(ReadNetworkFile(network_, NodeId()));
+        for (const std::string& warning : net.Warnings())
+        {
+            streams.err << warning << "\n";
+        }
+        if (!html_.empty())
+        {
+            cia306::RequireWritable(html_);
+        }
+        const std::unique_ptr<host::LiveBus> bus = host::OpenLiveBus(address_);
+        const std::unique_ptr<ManagerSocket> socket =
+            socket_.empty() ? nullptr : std::make_unique<ManagerSocket>(socket_);
+        NodeReport report(streams.out, ReportForm::kText, host::LiveNow());
+        ManagerLoopSettings settings;
+        settings.log = log_;
+        settings.for_ns = static_cast<std::uint64_t>(seconds_) * kNsPerSecond;
+        settings.input = has_no_input_ ? -1 : STDIN_FILENO;
+        settings.is_json = is_json_;
+        settings.is_screen = !is_json_ && ::isatty(STDOUT_FILENO) != 0;
+        ManagerLoop loop(net, *bus, report, socket.get(), settings);
+        const bool has_started = loop.Run();
+        const Instant now = InstantAt(loop.NowUs());
+        const ManagerHost& host = loop.Station().Host();
+        report.Print(is_json_ ? StatusJson(host, now).dump() + "\n" : StatusTable(host, now));
+        if (!html_.empty())
+        {
+            cia306::WriteTextFile(html_, DiagramPage(host, loop.Station().Diagram(), now));
+        }
+        const bool is_written = report.Finish();
+        const ExitStatus status = has_started ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
+        return is_written ? status : ExitStatus::kBadInput;
+    }
+
+    std::string address_;
+    std::string network_;
+    std::vector<std::string> check_;
+    std::string log_;
+    std::string html_;
+    std::string socket_;
+    int node_id_{0};
+    int seconds_{0};
+    bool is_json_{false};
+    bool has_no_input_{false};
+};
+} // namespace
+
+std::unique_ptr<Command> MakeManagerCommand()
+{
+    return std::make_unique<ManagerCommand>();
+}
+} // namespace counterpoint::tools

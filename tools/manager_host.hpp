@@ -1,0 +1,75 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef TOOLS_MANAGER_HOST_HPP
+#define TOOLS_MANAGER_HOST_HPP
+
+#include "canopen/cia302/el6751_start_up.hpp"
+#include "canopen/cia302/manager.hpp"
+#include "canopen/cia302/plc_start_up.hpp"
+#include "canopen/cia302/start_up_cia302.hpp"
+#include "canopen/network/loaded_network.hpp"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace counterpoint::tools
+{
+/// A network manager with all its room, as a network file wants it. Time and frames come in with calls. Stays where it
+/// is: its parts refer to each other. [SRS-MGR-001]
+class ManagerHost
+{
+  public:
+    /// @brief All outlive it.
+    ManagerHost(const network::LoadedNetwork& net, cia301::FrameSink& sink, cia302::ManagerListener& listener);
+    ManagerHost(const ManagerHost&) = delete;
+    ManagerHost& operator=(const ManagerHost&) = delete;
+
+    [[nodiscard]] cia302::Manager& Core() noexcept
+    {
+        return manager_;
+    }
+    [[nodiscard]] const cia302::Manager& Core() const noexcept
+    {
+        return manager_;
+    }
+    [[nodiscard]] const network::LoadedNetwork& Net() const noexcept
+    {
+        return net_;
+    }
+    /// @brief Whether the start-up came to where its slaves run: every mandatory slave was started.
+    [[nodiscard]] bool HasStarted() const noexcept;
+    /// @brief Of the EL6751 profile only.
+    void OnController(cia302::ControllerState state, Instant now) noexcept;
+
+  private:
+    [[nodiscard]] cia302::ManagerRoom Room() noexcept;
+    void MakeProfile();
+    void MakeFlying(cia301::FrameSink& sink);
+
+    const network::LoadedNetwork& net_;
+    std::array<cia302::NodeRecord, cia302::kNodeRoom> records_{};
+    std::array<cia302::WatchedNode, cia302::kNodeRoom> watched_{};
+    std::array<cia302::GateState, cia302::kNodeRoom> gates_{};
+    std::array<cia302::NmtRequest, 256U> commands_{};
+    std::array<cia302::SafetySlot, cia302::kLastNode> safety_{};
+    cia302::SdoTimes times_;
+    cia302::SdoLanes<cia302::kLastNode> lanes_;
+    cia302::Manager manager_;
+    std::array<cia302::BootRecord, cia302::kNodeRoom> boots_{};
+    std::array<cia302::El6751Node, cia302::kNodeRoom> el6751_nodes_{};
+    std::vector<cia302::El6751PdoRecord> el6751_pdos_;
+    std::array<cia302::PlcNode, cia302::kNodeRoom> plc_nodes_{};
+    std::unique_ptr<cia302::Cia302StartUp> cia302_;
+    std::unique_ptr<cia302::El6751StartUp> el6751_;
+    std::unique_ptr<cia302::PlcStartUp> plc_;
+    cia302::FlyingMasterTimes flying_times_{};
+    cia302::FlyingMasterOptions flying_options_{};
+    std::unique_ptr<cia302::FlyingMaster> flying_;
+};
+
+/// @brief 1F90h of a flying master, with the defaults where the plan has nothing.
+[[nodiscard]] cia302::FlyingMasterTimes FlyingTimesOf(const network::NetworkPlan& plan);
+} // namespace counterpoint::tools
+
+#endif // TOOLS_MANAGER_HOST_HPP

@@ -1,0 +1,248 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tools/manager_loop.hpp"
+
+#include "canopen/cia306/text_file.hpp"
+#include "tools/manager_status.hpp"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <ctime>
+#include <poll.h>
+#include <unistd.h>
+#include <utility>
+
+namespace counterpoint::tools
+{
+namespace
+{
+constexpr std::uint64_t kNsPerUs = 1000U;
+constexpr std::uint64_t kCycleNs = 1000000U;
+constexpr std::uint64_t kLookNs = 250000000U;
+constexpr std::size_t kRecentLines = 12U;
+
+volatile std::sig_atomic_t caught_signal = 0;
+
+void Catch(const int number)
+{
+    caught_signal = number;
+}
+
+const char* WordOf(const host::BusState state)
+{
+    switch (state)
+    {
+    case host::BusState::kActive:
+        return "active";
+    case host::BusState::kWarning:
+        return "warning";
+    case host::BusState::kPassive:
+        return "passive";
+    case host::BusState::kBusOff:
+        return "bus_off";
+    case host::BusState::kDown:
+    case host::BusState::kInvalid:
+    default:
+        return "down";
+    }
+}
+} // namespace
+
+ManagerLoop::ManagerLoop(const network::LoadedNetwork& net, host::LiveBus& bus, NodeReport& report,
+                         ManagerSocket* const socket, ManagerLoopSettings settings)
+    : bus_(bus), report_(report), socket_(socket), settings_(std::move(settings)), start_ns_(host::LiveNow()),
+      station_(
+          net, [this](const CanFrame& frame) { return SendFrame(frame); },
+          [this](const ManagerEvent& event) { OnEvent(event); })
+{
+    if (!settings_.log.empty())
+    {
+        cia306::RequireWritable(settings_.log);
+        log_.open(settings_.log, std::ios::trunc);
+    }
+}
+
+std::uint64_t ManagerLoop::NowUs() const
+{
+    return (host::LiveNow() - start_ns_) / kNsPerUs;
+}
+
+bool ManagerLoop::SendFrame(const CanFrame& frame)
+{
+    return bus_.Send(host::FromCanFrame(frame)) == host::SendResult::kSent;
+}
+
+void ManagerLoop::OnEvent(const ManagerEvent& event)
+{
+    if (log_.is_open())
+    {
+        log_ << JsonLine(event) << "\n";
+    }
+    if (settings_.is_json)
+    {
+        report_.Print(JsonLine(event) + "\n");
+    }
+    else if (!event.text.empty())
+    {
+        recent_.push_back(TextLine(event));
+        while (recent_.size() > kRecentLines)
+        {
+            recent_.pop_front();
+        }
+        if (!settings_.is_screen)
+        {
+            report_.Print(TextLine(event) + "\n");
+        }
+    }
+}
+
+bool ManagerLoop::Run()
+{
+    caught_signal = 0;
+    const auto before_int = std::signal(SIGINT, &Catch);
+    const auto before_term = std::signal(SIGTERM, &Catch);
+    start_ns_ = host::LiveNow();
+    next_cycle_ns_ = start_ns_ + kCycleNs;
+    station_.Begin(0U);
+    while (reason_.empty())
+    {
+        Wait();
+        Receive();
+        const std::uint64_t now_ns = host::LiveNow();
+        if (now_ns >= next_cycle_ns_)
+        {
+            station_.OnCycle(NowUs());
+            next_cycle_ns_ = now_ns + kCycleNs;
+        }
+        if (socket_ != nullptr)
+        {
+            socket_->Serve([this](const std::string& line) { return Answer(line); });
+        }
+        if (now_ns >= next_look_ns_)
+        {
+            next_look_ns_ = now_ns + kLookNs;
+            WatchBus();
+            Draw();
+            log_.flush();
+        }
+        const bool is_time_over = settings_.for_ns != 0U && now_ns - start_ns_ >= settings_.for_ns;
+        reason_ = is_time_over ? "--for" : reason_;
+        reason_ = (caught_signal != 0) ? "signal" : reason_;
+    }
+    const bool has_started = station_.Host().HasStarted();
+    station_.Tell("stopped", "stopped by " + reason_, {{"reason", reason_}, {"started", has_started}}, NowUs());
+    Draw();
+    static_cast<void>(std::signal(SIGINT, before_int));
+    static_cast<void>(std::signal(SIGTERM, before_term));
+    return has_started;
+}
+
+void ManagerLoop::Wait()
+{
+    std::vector<pollfd> places{{bus_.Descriptor(), POLLIN, 0}, {settings_.input, POLLIN, 0}};
+    if (socket_ != nullptr)
+    {
+        socket_->AddTo(places);
+    }
+    const std::uint64_t now_ns = host::LiveNow();
+    const std::uint64_t wait_ns = (next_cycle_ns_ > now_ns) ? next_cycle_ns_ - now_ns : 0U;
+    const timespec time{0, static_cast<long>(wait_ns)};
+    const int ready = ::ppoll(places.data(), places.size(), &time, nullptr);
+    if (ready > 0 && places[1].revents != 0)
+    {
+        ReadTyped();
+    }
+}
+
+void ManagerLoop::Receive()
+{
+    host::LiveFrame frame;
+    while (bus_.Receive(frame))
+    {
+        if (!frame.own && !frame.error && !frame.fd)
+        {
+            station_.OnFrame(host::ToCanFrame(frame, CanPortId::kFirst), NowUs());
+        }
+    }
+}
+
+void ManagerLoop::WatchBus()
+{
+    const host::BusHealth health = bus_.Health();
+    if (health.state != bus_state_)
+    {
+        bus_state_ = health.state;
+        station_.Tell("bus", std::string("bus ") + WordOf(bus_state_), {{"state", WordOf(bus_state_)}}, NowUs());
+        const bool is_off = bus_state_ == host::BusState::kBusOff || bus_state_ == host::BusState::kDown;
+        station_.Host().OnController(is_off ? cia302::ControllerState::kBusOff : cia302::ControllerState::kRunning,
+                                     InstantAt(NowUs()));
+    }
+    if (health.lost_frames != lost_)
+    {
+        const std::uint32_t count = health.lost_frames - lost_;
+        station_.Tell("lost_frames", std::to_string(count) + " frames lost between bus and manager", {{"count", count}},
+                      NowUs());
+        lost_ = health.lost_frames;
+    }
+}
+
+void ManagerLoop::ReadTyped()
+{
+    std::array<char, 4096U> bytes{};
+    const ssize_t count = ::read(settings_.input, bytes.data(), bytes.size());
+    settings_.input = (count > 0) ? settings_.input : -1;
+    typed_.append(bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    for (std::size_t end = typed_.find('\n'); end != std::string::npos; end = typed_.find('\n'))
+    {
+        report_.Print(Answer(typed_.substr(0U, end)));
+        typed_.erase(0U, end + 1U);
+    }
+}
+
+void ManagerLoop::Draw()
+{
+    if (settings_.is_screen)
+    {
+        std::string screen = "\x1b[H\x1b[2J" + StatusTable(station_.Host(), InstantAt(NowUs())) + "\n";
+        for (const std::string& line : recent_)
+        {
+            screen += line + "\n";
+        }
+        report_.Print(screen + "\norder (help): " + typed_);
+    }
+}
+
+std::string ManagerLoop::Answer(const std::string& line)
+{
+    const ManagerOrder order = ParseManagerOrder(line);
+    const Instant now = InstantAt(NowUs());
+    std::string answer;
+    if (order.kind == ManagerOrderKind::kStatus)
+    {
+        answer = settings_.is_json ? StatusJson(station_.Host(), now).dump() + "\n" : StatusTable(station_.Host(), now);
+    }
+    else if (order.kind == ManagerOrderKind::kHelp)
+    {
+        answer = ManagerOrderHelp();
+    }
+    else if (order.kind == ManagerOrderKind::kQuit)
+    {
+        reason_ = "quit";
+        answer = "taken\n";
+    }
+    else if (order.kind == ManagerOrderKind::kProblem)
+    {
+        answer = order.problem + "\n";
+    }
+    else if (order.kind != ManagerOrderKind::kNothing)
+    {
+        const std::string result = station_.Carry(order, NowUs());
+        station_.Tell("order", "order " + line + ": " + result, {{"order", line}, {"answer", result}}, NowUs());
+        answer = result + "\n";
+    }
+    return (settings_.is_json && !answer.empty() && answer[0] != '{')
+               ? nlohmann::ordered_json{{"event", "answer"}, {"text", answer.substr(0U, answer.size() - 1U)}}.dump() +
+                     "\n"
+               : answer;
+}
+} // namespace counterpoint::tools

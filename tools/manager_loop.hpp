@@ -1,0 +1,72 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef TOOLS_MANAGER_LOOP_HPP
+#define TOOLS_MANAGER_LOOP_HPP
+
+#include "hal/host/live_bus.hpp"
+#include "tools/manager_socket.hpp"
+#include "tools/manager_station.hpp"
+#include "tools/node_report.hpp"
+
+#include <cstdint>
+#include <deque>
+#include <fstream>
+#include <memory>
+#include <string>
+
+namespace counterpoint::tools
+{
+struct ManagerLoopSettings
+{
+    std::string log;          ///< Event log; empty: none.
+    std::uint64_t for_ns{0U}; ///< 0: until it is told to stop.
+    int input{-1};            ///< Descriptor of typed orders; -1: none.
+    bool is_json{false};
+    bool is_screen{false}; ///< The table is redrawn on a terminal.
+};
+
+/// The executive of a live manager: frames, cycles of a millisecond and orders, until it is told to stop.
+/// [SRS-MGR-004..007]
+class ManagerLoop
+{
+  public:
+    /// @brief All outlive it; `socket` may be null. Throws cia306::InputError.
+    ManagerLoop(const network::LoadedNetwork& net, host::LiveBus& bus, NodeReport& report, ManagerSocket* socket,
+                ManagerLoopSettings settings);
+
+    /// @brief Until quit, SIGTERM, SIGINT or the end of the time; whether every mandatory slave was started then.
+    [[nodiscard]] bool Run();
+    [[nodiscard]] const ManagerStation& Station() const noexcept
+    {
+        return station_;
+    }
+    /// @brief The manager's time.
+    [[nodiscard]] std::uint64_t NowUs() const;
+
+  private:
+    [[nodiscard]] bool SendFrame(const CanFrame& frame);
+    void OnEvent(const ManagerEvent& event);
+    void Wait();
+    void Receive();
+    void WatchBus();
+    void ReadTyped();
+    void Draw();
+    [[nodiscard]] std::string Answer(const std::string& line);
+
+    host::LiveBus& bus_;
+    NodeReport& report_;
+    ManagerSocket* socket_;
+    ManagerLoopSettings settings_;
+    std::ofstream log_;
+    std::uint64_t start_ns_{0U};
+    std::uint64_t next_cycle_ns_{0U};
+    std::uint64_t next_look_ns_{0U};
+    host::BusState bus_state_{host::BusState::kActive};
+    std::uint32_t lost_{0U};
+    std::deque<std::string> recent_; ///< Lines under the table.
+    std::string typed_;
+    std::string reason_; ///< Why it ends; empty: it does not.
+    ManagerStation station_;
+};
+} // namespace counterpoint::tools
+
+#endif // TOOLS_MANAGER_LOOP_HPP

@@ -1,0 +1,139 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tools/manager_order.hpp"
+
+#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/number.hpp"
+#include "tools/manager_words.hpp"
+
+#include <sstream>
+#include <vector>
+
+namespace counterpoint::tools
+{
+namespace
+{
+struct OrderWord
+{
+    const char* text;
+    ManagerOrderKind kind;
+    bool has_node;
+};
+constexpr OrderWord kOrderWords[] = {{"status", ManagerOrderKind::kStatus, false},
+                                     {"boot", ManagerOrderKind::kBoot, true},
+                                     {"write-safety", ManagerOrderKind::kWriteSafety, true},
+                                     {"help", ManagerOrderKind::kHelp, false},
+                                     {"quit", ManagerOrderKind::kQuit, false}};
+
+ManagerOrder Problem(const std::string& wrong, const std::string& expected)
+{
+    ManagerOrder order;
+    order.kind = ManagerOrderKind::kProblem;
+    order.problem = wrong + ", expected " + expected;
+    return order;
+}
+
+/// 1 to 127, or with `all` 0.
+std::optional<std::uint8_t> NodeOf(const std::string& text, const bool may_be_all)
+{
+    if (may_be_all && text == "all")
+    {
+        return std::uint8_t{0U};
+    }
+    const auto number = cia306::ParseUnsigned(text, cia302::kLastNode);
+    return (number && *number > 0U) ? std::optional(static_cast<std::uint8_t>(*number)) : std::nullopt;
+}
+
+ManagerOrder WithNode(ManagerOrder order, const std::vector<std::string>& words, const bool may_be_all)
+{
+    const std::string expected = may_be_all ? "a node-ID from 1 to 127, or all" : "a node-ID from 1 to 127";
+    if (words.size() != 2U)
+    {
+        return Problem(words[0] + (words.size() < 2U ? ": no node" : ": too many words"), expected);
+    }
+    const auto node = NodeOf(words[1], may_be_all);
+    if (!node)
+    {
+        return Problem(words[0] + ": " + cia306::Quoted(words[1]), expected);
+    }
+    order.node = *node;
+    return order;
+}
+} // namespace
+
+ManagerOrder ParseManagerOrder(const std::string& line)
+{
+    std::istringstream stream(line);
+    std::vector<std::string> words;
+    for (std::string word; stream >> word && word[0] != '#';)
+    {
+        words.push_back(word);
+    }
+    ManagerOrder order;
+    if (words.empty())
+    {
+        return order;
+    }
+    order.command = CommandOf(words[0]);
+    if (order.command != cia302::NmtCommand::kInvalid)
+    {
+        order.kind = ManagerOrderKind::kCommand;
+        return WithNode(order, words, true);
+    }
+    for (const OrderWord& row : kOrderWords)
+    {
+        if (words[0] == row.text)
+        {
+            order.kind = row.kind;
+            return row.has_node          ? WithNode(order, words, false)
+                   : (words.size() > 1U) ? Problem(words[0] + ": too many words", "it alone")
+                                         : order;
+        }
+    }
+    return Problem("order " + cia306::Quoted(words[0]),
+                   "status, start, stop, preop, reset, reset-comm, boot, write-safety, help or quit");
+}
+
+std::string ManagerOrderHelp()
+{
+    return "  status              the table of all slaves\n"
+           "  start NODE|all      NMT start; a safety slave is verified first, all are started singly where there is "
+           "one\n"
+           "  stop NODE|all       NMT stop\n"
+           "  preop NODE|all      NMT enter PRE-OPERATIONAL\n"
+           "  reset NODE|all      NMT reset node\n"
+           "  reset-comm NODE|all NMT reset communication\n"
+           "  boot NODE           start-up of this slave anew\n"
+           "  write-safety NODE   write the safety configuration of its DCF, read it back, declare it valid\n"
+           "  help                this\n"
+           "  quit                end\n";
+}
+
+std::string CarryOut(const ManagerOrder& order, ManagerHost& host, const Instant now)
+{
+    const cia302::NodeId node{order.node};
+    const bool is_listed = host.Net().Setup().IsListed(node);
+    const std::string not_ours = "node " + std::to_string(order.node) +
+                                 " is not in the network file, or the manager "
+                                 "is not the active master, expected a slave";
+    std::string answer = "taken";
+    if (order.kind == ManagerOrderKind::kCommand)
+    {
+        const bool is_known = order.node == 0U || is_listed || order.node == host.Net().Setup().own.value;
+        answer = is_known ? Word(host.Core().Command(order.command, node, now)) : not_ours;
+    }
+    else if (order.kind == ManagerOrderKind::kBoot)
+    {
+        answer = host.Core().Boot(node, now) ? answer : not_ours;
+    }
+    else if (order.kind == ManagerOrderKind::kWriteSafety)
+    {
+        const bool is_safety = host.Net().Setup().IsSafetySlave(node);
+        const bool is_taken = is_safety && host.Core().WriteSafety(node, now);
+        answer = is_taken ? answer
+                 : is_safety
+                     ? "the start-up of the slave runs, or the manager is not the active master, expected it later"
+                     : "node " + std::to_string(order.node) + " is no safety slave, expected one";
+    }
+    return answer;
+}
+} // namespace counterpoint::tools

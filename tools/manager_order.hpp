@@ -1,0 +1,41 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef TOOLS_MANAGER_ORDER_HPP
+#define TOOLS_MANAGER_ORDER_HPP
+
+#include "tools/manager_host.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace counterpoint::tools
+{
+enum class ManagerOrderKind : std::uint8_t
+{
+    kNothing = 0U, ///< An empty line or a comment.
+    kStatus = 1U,
+    kCommand = 2U,     ///< command, node (0: all)
+    kBoot = 3U,        ///< node
+    kWriteSafety = 4U, ///< node
+    kHelp = 5U,
+    kQuit = 6U,
+    kProblem = 7U, ///< `problem` tells.
+};
+
+/// What a person or a program wants of a running manager.
+struct ManagerOrder
+{
+    ManagerOrderKind kind{ManagerOrderKind::kNothing};
+    cia302::NmtCommand command{cia302::NmtCommand::kInvalid};
+    std::uint8_t node{0U};
+    std::string problem; ///< What is wrong and what was expected.
+};
+
+/// @brief One line: status, start NODE|all, boot NODE, ... [SRS-MGR-006]
+[[nodiscard]] ManagerOrder ParseManagerOrder(const std::string& line);
+/// @brief All orders, a line each.
+[[nodiscard]] std::string ManagerOrderHelp();
+/// @brief Carries out a command, a boot or a writing; what it came to, "taken" or the reason why not. [SRS-MGR-006]
+[[nodiscard]] std::string CarryOut(const ManagerOrder& order, ManagerHost& host, Instant now);
+} // namespace counterpoint::tools
+
+#endif // TOOLS_MANAGER_ORDER_HPP

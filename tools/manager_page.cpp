@@ -1,0 +1,192 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// The page with the boot-up sequence diagram.
+#include "tools/manager_diagram.hpp"
+#include "tools/manager_status.hpp"
+
+#include "canopen/cia306/input_error.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <sstream>
+
+namespace counterpoint::tools
+{
+namespace
+{
+constexpr int kTimeWidth = 110;
+constexpr int kLaneWidth = 170;
+constexpr int kRowHeight = 22;
+constexpr int kHeadHeight = 46;
+
+constexpr const char* kStyle =
+    ":root{color-scheme:light dark;--ink:#1c2430;--soft:#667085;--line:#c9d0da;--good:#1a7f4b;--bad:#c0362c;"
+    "--paper:#fff;--head:#f3f5f8}@media(prefers-color-scheme:dark){:root{--ink:#e6e9ef;--soft:#98a2b3;--line:#3a4252;"
+    "--good:#4cc38a;--bad:#ff7b72;--paper:#14181f;--head:#1d232d}}body{font:14px/1.45 system-ui,sans-serif;"
+    "color:var(--ink);background:var(--paper);margin:24px}h1{font-size:20px}table{border-collapse:collapse;"
+    "margin:12px 0 24px}td,th{padding:4px 12px 4px 0;text-align:left;border-bottom:1px solid var(--line)}"
+    "th{color:var(--soft);font-weight:500}.good{color:var(--good)}.bad{color:var(--bad)}svg text{font-size:12px;"
+    "fill:var(--ink)}svg .soft{fill:var(--soft)}svg .badtext{fill:var(--bad)}svg .lane{stroke:var(--line)}"
+    "svg .arrow{stroke:var(--ink);fill:none}svg .badarrow{stroke:var(--bad);fill:none}svg .head{fill:var(--head)}"
+    "figure{overflow-x:auto;margin:0}figcaption{color:var(--soft);margin-bottom:8px}";
+
+std::string Escaped(const std::string& text)
+{
+    std::string out;
+    for (const char character : text)
+    {
+        switch (character)
+        {
+        case '<':
+            out += "&lt;";
+            break;
+        case '>':
+            out += "&gt;";
+            break;
+        case '&':
+            out += "&amp;";
+            break;
+        case '"':
+            out += "&quot;";
+            break;
+        default:
+            out += character;
+            break;
+        }
+    }
+    return out;
+}
+
+std::string Seconds(const std::uint64_t us)
+{
+    constexpr std::size_t kRoom = 32U;
+    char text[kRoom];
+    std::snprintf(text, sizeof(text), "%.4f s", static_cast<double>(us) / 1e6);
+    return text;
+}
+
+std::string ResultTable(const ManagerHost& host, const Instant now)
+{
+    std::ostringstream out;
+    out << "<table><tr><th>node</th><th>name</th><th>state</th><th>result</th><th>step</th><th>safety</th>"
+           "<th>finding</th></tr>";
+    for (const StatusRow& row : StatusRows(host, now))
+    {
+        out << "<tr><td>" << int{row.node} << "</td><td>" << Escaped(row.name) << "</td><td class=\""
+            << (row.is_good ? "good" : "bad") << "\">" << row.state << "</td><td>" << row.result << "</td><td>"
+            << row.step << "</td><td>" << row.safety << "</td><td>" << Escaped(row.finding) << "</td></tr>";
+    }
+    out << "</table>";
+    return out.str();
+}
+
+/// Lanes from left to right: manager, then each node that appears.
+class Picture
+{
+  public:
+    Picture(const ManagerHost& host, const ManagerDiagram& diagram) : rows_(diagram.Rows())
+    {
+        std::map<std::uint8_t, std::string> names;
+        for (const auto& slave : host.Net().Slaves())
+        {
+            names[slave->plan.node] = slave->plan.name;
+        }
+        for (const DiagramRow& row : rows_)
+        {
+            if (row.node != 0U && row.node != host.Net().Setup().own.value)
+            {
+                names.emplace(row.node, "unknown");
+            }
+        }
+        heads_.push_back("manager, node " + std::to_string(host.Net().Setup().own.value));
+        for (const auto& [node, name] : names)
+        {
+            lanes_[node] = static_cast<int>(heads_.size());
+            heads_.push_back(std::to_string(node) + " " + name);
+        }
+    }
+
+    std::string Draw()
+    {
+        const int width = X(static_cast<int>(heads_.size())) + kLaneWidth;
+        const int height = kHeadHeight + (static_cast<int>(rows_.size()) + 1) * kRowHeight;
+        out_ << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width << "\" height=\"" << height
+             << "\" role=\"img\" aria-label=\"boot-up sequence\"><defs><marker id=\"tip\" markerWidth=\"8\" "
+                "markerHeight=\"8\" refX=\"7\" refY=\"4\" orient=\"auto\"><path d=\"M0,0L8,4L0,8\" class=\"arrow\"/>"
+                "</marker></defs>";
+        for (std::size_t lane = 0U; lane < heads_.size(); ++lane)
+        {
+            const int x = X(static_cast<int>(lane));
+            out_ << "<line class=\"lane\" x1=\"" << x << "\" y1=\"" << kHeadHeight - 12 << "\" x2=\"" << x << "\" y2=\""
+                 << height << "\"/><text x=\"" << x << "\" y=\"20\" text-anchor=\"middle\">"
+                 << Escaped(heads_[lane].substr(0U, 24U)) << "</text>";
+        }
+        int y = kHeadHeight;
+        for (const DiagramRow& row : rows_)
+        {
+            y += kRowHeight;
+            DrawRow(row, y);
+        }
+        out_ << "</svg>";
+        return out_.str();
+    }
+
+  private:
+    static int X(const int lane)
+    {
+        return kTimeWidth + kLaneWidth / 2 + lane * kLaneWidth;
+    }
+    int LaneOf(const std::uint8_t node) const
+    {
+        const auto found = lanes_.find(node);
+        return (found == lanes_.end()) ? 0 : found->second;
+    }
+    void DrawRow(const DiagramRow& row, const int y)
+    {
+        const int last = static_cast<int>(heads_.size()) - 1;
+        const int lane = (row.node == 0U && !row.is_mark) ? last : LaneOf(row.node);
+        const std::string time = Seconds(row.at_us);
+        out_ << "<text class=\"soft\" x=\"4\" y=\"" << y << "\">" << time << "</text>";
+        const char* const text = row.is_bad ? "badtext" : "";
+        if (row.is_mark || lane == 0)
+        {
+            out_ << "<circle cx=\"" << X(lane) << "\" cy=\"" << y - 4 << "\" r=\"4\" class=\""
+                 << (row.is_bad ? "badarrow" : "arrow") << "\"/><text class=\"" << text << "\" x=\"" << X(lane) + 9
+                 << "\" y=\"" << y << "\">" << Escaped(row.label) << "</text>";
+            return;
+        }
+        const int from = row.is_from_manager ? X(0) : X(lane);
+        const int to = row.is_from_manager ? X(lane) : X(0);
+        const bool is_answered = row.until_us > row.at_us;
+        const std::string took = is_answered ? " (" + std::to_string(row.until_us - row.at_us) + " us)" : "";
+        const bool is_silent = row.is_from_manager && row.until_us == 0U;
+        out_ << "<line class=\"" << (row.is_bad || is_silent ? "badarrow" : "arrow")
+             << "\" marker-end=\"url(#tip)\" x1=\"" << from << "\" y1=\"" << y + 3 << "\" x2=\"" << to << "\" y2=\""
+             << y + 3 << "\"/><text class=\"" << (is_silent ? "badtext" : text) << "\" x=\"" << X(0) + 8 << "\" y=\""
+             << y << "\">" << Escaped(row.label + (is_silent ? ": no answer" : "") + took) << "</text>";
+    }
+
+    const std::vector<DiagramRow>& rows_;
+    std::vector<std::string> heads_;
+    std::map<std::uint8_t, int> lanes_;
+    std::ostringstream out_;
+};
+} // namespace
+
+std::string DiagramPage(const ManagerHost& host, const ManagerDiagram& diagram, const Instant now)
+{
+    const std::string name = Escaped(host.Net().Plan().name.empty() ? host.Net().Plan().file : host.Net().Plan().name);
+    std::ostringstream page;
+    page << "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>Boot-up of " << name
+         << "</title><style>" << kStyle << "</style></head><body><h1>Boot-up of " << name << "</h1><p>"
+         << Escaped(ManagerLine(host)) << "</p>" << ResultTable(host, now)
+         << "<figure><figcaption>Time goes down, one row for each message; SDO transfers are one row with the time to "
+            "their answer.";
+    if (diagram.LeftOut() > 0U)
+    {
+        page << " " << diagram.LeftOut() << " later rows are left out.";
+    }
+    page << "</figcaption>" << Picture(host, diagram).Draw() << "</figure></body></html>\n";
+    return page.str();
+}
+} // namespace counterpoint::tools

@@ -1,0 +1,49 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef TOOLS_MANAGER_SOCKET_HPP
+#define TOOLS_MANAGER_SOCKET_HPP
+
+#include "hal/host/live_poll.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <poll.h>
+
+namespace counterpoint::tools
+{
+/// A Unix socket on which programs send orders, a line each, and read the answers. Nothing blocks: who does not read
+/// its answers is cut off. [SRS-MGR-006]
+class ManagerSocket
+{
+  public:
+    /// @brief Replaces a socket file that nobody serves any more. Throws cia306::InputError.
+    explicit ManagerSocket(std::string path);
+    ~ManagerSocket();
+    ManagerSocket(const ManagerSocket&) = delete;
+    ManagerSocket& operator=(const ManagerSocket&) = delete;
+
+    /// @brief Descriptors to wait for.
+    void AddTo(std::vector<pollfd>& places) const;
+    /// @brief Takes new clients and all whole lines; `answer` tells what goes back for a line.
+    void Serve(const std::function<std::string(const std::string&)>& answer);
+
+  private:
+    struct Client
+    {
+        host::LiveFile file;
+        std::string typed;
+        bool is_over{false};
+    };
+
+    void Accept();
+    static void Read(Client& client);
+    static void Reply(Client& client, const std::string& text);
+
+    std::string path_;
+    host::LiveFile listener_;
+    std::vector<Client> clients_;
+};
+} // namespace counterpoint::tools
+
+#endif // TOOLS_MANAGER_SOCKET_HPP

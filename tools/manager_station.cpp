@@ -1,0 +1,126 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tools/manager_station.hpp"
+
+#include <utility>
+
+namespace counterpoint::tools
+{
+ManagerStation::ManagerStation(const network::LoadedNetwork& net, SendFrame send, TellEvent tell)
+    : send_(std::move(send)), tell_(std::move(tell)), host_(net, *this, journal_)
+{
+    journal_.Watch(host_);
+}
+
+void ManagerStation::Enter(const std::uint64_t now_us)
+{
+    now_us_ = now_us;
+    journal_.SetNow(now_us);
+}
+
+void ManagerStation::Leave()
+{
+    for (const ManagerEvent& event : journal_.Take())
+    {
+        FollowWriting(event);
+        diagram_.OnEvent(event);
+        tell_(event);
+    }
+}
+
+bool ManagerStation::Send(const CanFrame& frame) noexcept
+{
+    const bool is_taken = send_(frame);
+    if (is_taken)
+    {
+        diagram_.OnFrame(frame, true, now_us_);
+    }
+    return is_taken;
+}
+
+void ManagerStation::Begin(const std::uint64_t now_us)
+{
+    Enter(now_us);
+    host_.Core().Begin(InstantAt(now_us));
+    Leave();
+}
+
+void ManagerStation::OnFrame(const CanFrame& frame, const std::uint64_t now_us)
+{
+    Enter(now_us);
+    diagram_.OnFrame(frame, false, now_us);
+    host_.Core().OnFrame(frame, InstantAt(now_us));
+    Leave();
+}
+
+void ManagerStation::OnCycle(const std::uint64_t now_us)
+{
+    Enter(now_us);
+    host_.Core().OnCycle(InstantAt(now_us));
+    DriveWriting();
+    Leave();
+}
+
+std::string ManagerStation::Carry(const ManagerOrder& order, const std::uint64_t now_us)
+{
+    Enter(now_us);
+    const std::string answer = CarryOut(order, host_, InstantAt(now_us));
+    Leave();
+    return answer;
+}
+
+void ManagerStation::Tell(const std::string& kind, const std::string& text, const nlohmann::ordered_json& details,
+                          const std::uint64_t now_us)
+{
+    Enter(now_us);
+    journal_.Tell(0U, kind, text, details);
+    Leave();
+}
+
+void ManagerStation::FollowWriting(const ManagerEvent& event)
+{
+    const network::LoadedSlave* const slave = host_.Net().Find(event.node);
+    if (slave == nullptr || !slave->plan.writes_safety)
+    {
+        return;
+    }
+    Writing& writing = writing_.at(event.node);
+    const std::string state = (event.kind == "gate") ? event.word : "";
+    const bool is_refused = state == "differs" || state == "failed";
+    if (event.kind == "boot_up")
+    {
+        writing = Writing::kNone;
+    }
+    else if (writing == Writing::kNone && is_refused)
+    {
+        writing = Writing::kWanted;
+    }
+    else if (writing == Writing::kRuns && is_refused)
+    {
+        writing = Writing::kTried;
+    }
+    else if (writing == Writing::kRuns && state == "open")
+    {
+        writing = Writing::kTried;
+        static_cast<void>(
+            host_.Core().Command(cia302::NmtCommand::kStart, cia302::NodeId{event.node}, InstantAt(now_us_)));
+    }
+    else
+    {
+        // Nothing that concerns the writing.
+    }
+}
+
+/// As soon as the start-up of the slave has come to its end.
+void ManagerStation::DriveWriting()
+{
+    for (std::uint8_t node = 1U; node <= cia302::kLastNode; ++node)
+    {
+        Writing& writing = writing_.at(node);
+        if (writing == Writing::kWanted && host_.Core().WriteSafety(cia302::NodeId{node}, InstantAt(now_us_)))
+        {
+            writing = Writing::kRuns;
+            journal_.Tell(node, "write_safety", "writes the safety configuration", {});
+        }
+    }
+}
+} // namespace counterpoint::tools

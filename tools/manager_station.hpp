@@ -1,0 +1,81 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef TOOLS_MANAGER_STATION_HPP
+#define TOOLS_MANAGER_STATION_HPP
+
+#include "tools/manager_diagram.hpp"
+#include "tools/manager_host.hpp"
+#include "tools/manager_journal.hpp"
+#include "tools/manager_order.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace counterpoint::tools
+{
+/// A manager with everything that watches it, on whatever bus: its owner carries frames, time and orders in, frames and
+/// events come out. Times are microseconds since the start. [SRS-MGR-001, SRS-MGR-012]
+class ManagerStation final : private cia301::FrameSink
+{
+  public:
+    using SendFrame = std::function<bool(const CanFrame&)>;
+    using TellEvent = std::function<void(const ManagerEvent&)>;
+
+    /// @brief `net` outlives it; `send` answers whether the bus took the frame.
+    ManagerStation(const network::LoadedNetwork& net, SendFrame send, TellEvent tell);
+
+    void Begin(std::uint64_t now_us);
+    void OnFrame(const CanFrame& frame, std::uint64_t now_us);
+    void OnCycle(std::uint64_t now_us);
+    /// @brief What it came to; empty for orders that the owner carries out itself.
+    [[nodiscard]] std::string Carry(const ManagerOrder& order, std::uint64_t now_us);
+    /// @brief Something that the bus or a person did.
+    void Tell(const std::string& kind, const std::string& text, const nlohmann::ordered_json& details,
+              std::uint64_t now_us);
+
+    [[nodiscard]] ManagerHost& Host() noexcept
+    {
+        return host_;
+    }
+    [[nodiscard]] const ManagerHost& Host() const noexcept
+    {
+        return host_;
+    }
+    [[nodiscard]] const ManagerDiagram& Diagram() const noexcept
+    {
+        return diagram_;
+    }
+
+  private:
+    /// Where the writing of a safety configuration is, that its network file asks for.
+    enum class Writing : std::uint8_t
+    {
+        kNone = 0U,
+        kWanted = 1U,
+        kRuns = 2U,
+        kTried = 3U, ///< Once for each boot-up of the slave.
+    };
+
+    [[nodiscard]] bool Send(const CanFrame& frame) noexcept override;
+    void Enter(std::uint64_t now_us);
+    void Leave();
+    void FollowWriting(const ManagerEvent& event);
+    void DriveWriting();
+
+    SendFrame send_;
+    TellEvent tell_;
+    std::uint64_t now_us_{0U};
+    ManagerJournal journal_;
+    ManagerDiagram diagram_;
+    ManagerHost host_;
+    std::array<Writing, cia302::kNodeRoom> writing_{};
+};
+
+/// @brief The manager's counter.
+[[nodiscard]] inline Instant InstantAt(const std::uint64_t us) noexcept
+{
+    return Instant{static_cast<std::uint32_t>(us & 0xFFFFFFFFU)};
+}
+} // namespace counterpoint::tools
+
+#endif // TOOLS_MANAGER_STATION_HPP

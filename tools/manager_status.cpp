@@ -1,0 +1,154 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tools/manager_status.hpp"
+
+#include "canopen/cia306/input_error.hpp"
+#include "tools/manager_words.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace counterpoint::tools
+{
+namespace
+{
+using cia302::NodeId;
+
+constexpr std::uint32_t kUsPerMs = 1000U;
+constexpr std::size_t kNameWidth = 20U;
+
+std::string ResultOf(const network::StartProfile profile, const cia302::NodeStatus& status)
+{
+    const std::string letter = (status.letter == 0) ? "" : std::string(1U, status.letter);
+    return (profile == network::StartProfile::kCia302) ? letter : std::to_string(status.code);
+}
+
+/// Nothing is wrong with a slave that runs as the profile wants it to.
+bool IsGood(const network::StartProfile profile, const cia302::NodeStatus& status, const cia302::SlaveState state)
+{
+    constexpr int kPlcStarted = 5;
+    const bool runs = state == cia302::SlaveState::kOperational || status.is_started;
+    bool is_good = status.letter == 0 || status.letter == 'L';
+    is_good = (profile == network::StartProfile::kEl6751) ? status.code == 0 : is_good;
+    is_good = (profile == network::StartProfile::kPlcDesigner) ? status.code == kPlcStarted : is_good;
+    return is_good && runs;
+}
+
+std::string Age(const cia302::NodeRecord& record, const Instant now)
+{
+    return record.was_seen ? std::to_string((now.us - record.last_sign.us) / kUsPerMs) + " ms" : "-";
+}
+
+std::string EmergencyText(const cia302::EmergencyRecord& emergency)
+{
+    return (emergency.count == 0U) ? "" : cia306::Hex(emergency.code, 4) + " (" + std::to_string(emergency.count) + ")";
+}
+
+StatusRow RowOf(const ManagerHost& host, const network::LoadedSlave& slave, const Instant now)
+{
+    const NodeId node{slave.plan.node};
+    const cia302::Manager& manager = host.Core();
+    const cia302::NodeRecord& record = manager.Table().Record(node);
+    const cia302::NodeStatus status = manager.Status(node);
+    const network::StartProfile profile = host.Net().Plan().manager.profile;
+    const bool is_safety = host.Net().Setup().IsSafetySlave(node);
+    StatusRow row;
+    row.node = node.value;
+    row.name = slave.plan.name;
+    row.state = Word(record.state);
+    row.result = ResultOf(profile, status);
+    row.step = Word(status.step);
+    row.heartbeat = Age(record, now);
+    row.emergency = EmergencyText(manager.Watched().Of(node).emergency);
+    row.safety = is_safety ? Word(manager.Gate().State(node)) : "";
+    const bool is_refused = is_safety && (manager.Gate().State(node) == cia302::GateState::kDiffers ||
+                                          manager.Gate().State(node) == cia302::GateState::kFailed);
+    row.finding = is_refused ? FindingText(manager.Gate().Finding(node)) : FindingText(profile, status);
+    row.finding = manager.Watched().Of(node).is_duplicate ? "two devices with this node-ID?" : row.finding;
+    row.is_good = IsGood(profile, status, record.state);
+    return row;
+}
+
+std::string Column(const std::string& text, const std::size_t width)
+{
+    const std::string shown = cia306::Printable(text.substr(0U, width));
+    return shown + std::string(width - std::min(width, shown.size()) + 2U, ' ');
+}
+
+std::string Line(const std::array<std::string, 9U>& cells)
+{
+    constexpr std::array<std::size_t, 9U> kWidths{4U, kNameWidth, 15U, 6U, 18U, 10U, 12U, 8U, 0U};
+    std::string line;
+    for (std::size_t cell = 0U; cell < cells.size(); ++cell)
+    {
+        line += (kWidths.at(cell) == 0U) ? cells.at(cell) : Column(cells.at(cell), kWidths.at(cell));
+    }
+    line.erase(line.find_last_not_of(' ') + 1U);
+    return line + "\n";
+}
+} // namespace
+
+std::vector<StatusRow> StatusRows(const ManagerHost& host, const Instant now)
+{
+    std::vector<StatusRow> rows;
+    for (const auto& slave : host.Net().Slaves())
+    {
+        rows.push_back(RowOf(host, *slave, now));
+    }
+    std::sort(rows.begin(), rows.end(),
+              [](const StatusRow& left, const StatusRow& right) { return left.node < right.node; });
+    return rows;
+}
+
+std::string ManagerLine(const ManagerHost& host)
+{
+    const cia302::Manager& manager = host.Core();
+    const network::StartProfile profile = host.Net().Plan().manager.profile;
+    std::string role = manager.IsActive() ? "active master" : "not the active master";
+    if (manager.Flying() != nullptr && manager.Flying()->Master().node.value != 0U && !manager.IsActive())
+    {
+        role += " (that is node " + std::to_string(manager.Flying()->Master().node.value) + ")";
+    }
+    return "manager, node " + std::to_string(host.Net().Setup().own.value) + ": " + Word(manager.OwnState()) + ", " +
+           role + ", profile " + Word(profile) + ", " + MasterText(profile, manager.MasterState());
+}
+
+std::string StatusTable(const ManagerHost& host, const Instant now)
+{
+    std::string table = ManagerLine(host) + "\n";
+    table += Line({"node", "name", "state", "result", "step", "heartbeat", "emergency", "safety", "finding"});
+    for (const StatusRow& row : StatusRows(host, now))
+    {
+        table += Line({std::to_string(row.node), row.name, row.state, row.result, row.step, row.heartbeat,
+                       row.emergency, row.safety, row.finding});
+    }
+    return table;
+}
+
+nlohmann::ordered_json StatusJson(const ManagerHost& host, const Instant now)
+{
+    nlohmann::ordered_json slaves = nlohmann::ordered_json::array();
+    for (const StatusRow& row : StatusRows(host, now))
+    {
+        const cia302::NodeStatus status = host.Core().Status(NodeId{row.node});
+        slaves.push_back({{"node", row.node},
+                          {"name", row.name},
+                          {"state", row.state},
+                          {"letter", (status.letter == 0) ? "" : std::string(1U, status.letter)},
+                          {"code", status.code},
+                          {"step", row.step},
+                          {"heartbeat", row.heartbeat},
+                          {"emergency", row.emergency},
+                          {"safety", row.safety},
+                          {"finding", row.finding},
+                          {"good", row.is_good}});
+    }
+    const cia302::Manager& manager = host.Core();
+    return {{"event", "status"},
+            {"manager", host.Net().Setup().own.value},
+            {"state", Word(manager.OwnState())},
+            {"active", manager.IsActive()},
+            {"profile", Word(host.Net().Plan().manager.profile)},
+            {"master_state", manager.MasterState()},
+            {"slaves", slaves}};
+}
+} // namespace counterpoint::tools

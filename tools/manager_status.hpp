@@ -1,0 +1,39 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef TOOLS_MANAGER_STATUS_HPP
+#define TOOLS_MANAGER_STATUS_HPP
+
+#include "tools/manager_host.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace counterpoint::tools
+{
+/// What a person in front of the network needs of one slave.
+struct StatusRow
+{
+    std::uint8_t node{0U};
+    std::string name;
+    std::string state;
+    std::string result; ///< Letter or code, empty for none.
+    std::string step;
+    std::string heartbeat; ///< Age of the last sign of life, "-": never.
+    std::string emergency; ///< Last code, empty for none.
+    std::string safety;    ///< State of the gate, empty for no safety slave.
+    std::string finding;
+    bool is_good{false};
+};
+
+/// @brief All slaves in the order of their node-IDs. [SRS-MGR-005]
+[[nodiscard]] std::vector<StatusRow> StatusRows(const ManagerHost& host, Instant now);
+/// @brief Manager and slaves as a table of text, with a line end.
+[[nodiscard]] std::string StatusTable(const ManagerHost& host, Instant now);
+[[nodiscard]] nlohmann::ordered_json StatusJson(const ManagerHost& host, Instant now);
+/// @brief "operational, active master: operational, cia302"
+[[nodiscard]] std::string ManagerLine(const ManagerHost& host);
+} // namespace counterpoint::tools
+
+#endif // TOOLS_MANAGER_STATUS_HPP
