@@ -13,11 +13,13 @@ class Run:
     output: str
 
 
-def run_image(binary, argument="run", seconds=60, count_instructions=True, folder=None):
+def run_image(binary, argument="run", seconds=60, count_instructions=True, folder=None, files=None):
     """Runs one .bin. With `count_instructions` one cycle of the cycle counter is one instruction, exactly. Files that the
-    image asks for are looked for in `folder`."""
+    image asks for are looked for in `folder`; `files` (path -> address) are loaded besides."""
     command = COMMAND + ["-device", f"loader,file={binary},addr=0,force-raw=on", "-semihosting-config",
                          f"enable=on,target=native,arg={argument}"]
+    for path, address in (files or {}).items():
+        command += ["-device", f"loader,file={path},addr={address:#x},force-raw=on"]
     if count_instructions:
         command += ["-icount", "shift=0"]
     try:

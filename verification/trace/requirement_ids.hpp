@@ -349,6 +349,7 @@ inline constexpr RequirementId SRS_GEN_013{"SRS-GEN-013"};
 inline constexpr RequirementId SRS_GEN_014{"SRS-GEN-014"};
 inline constexpr RequirementId SRS_GEN_015{"SRS-GEN-015"};
 inline constexpr RequirementId SRS_GEN_016{"SRS-GEN-016"};
+inline constexpr RequirementId SRS_GEN_017{"SRS-GEN-017"};
 inline constexpr RequirementId SRS_GRD_001{"SRS-GRD-001"};
 inline constexpr RequirementId SRS_GRD_002{"SRS-GRD-002"};
 inline constexpr RequirementId SRS_HAL_001{"SRS-HAL-001"};

@@ -126,6 +126,27 @@ TEST_F(ConsumerTest, SupervisionBeginsWithTheFirstHeartbeatAndTellsALossOnce)
     ExpectLast(5U, {7U, HeartbeatEvent::kLost, 5U});
 }
 
+TEST_F(ConsumerTest, AShortTimeThatBeginsLateIsNotMissed)
+{
+    Verifies(req::SRS_HB_004);
+    EXPECT_EQ(consumer.Write(1U, 0x000703E8U), SdoAbort::kNone); // 1 s
+    EXPECT_EQ(consumer.Write(2U, 0x0008000AU), SdoAbort::kNone); // 10 ms
+    consumer.OnFrame(Beat(7U, 5U), Instant{0U});
+    consumer.Poll(Instant{1000U});
+    // When a second node speaks while the first one is awaited for long, and again, and then falls silent
+    consumer.OnFrame(Beat(8U, 5U), Instant{300000U});
+    consumer.OnFrame(Beat(8U, 5U), Instant{305000U});
+    consumer.Poll(Instant{315000U});
+    EXPECT_EQ(told.size(), 2U);
+    // Then it is lost a microsecond after its own time, and the first one after its own
+    consumer.Poll(Instant{315001U});
+    ExpectLast(3U, {8U, HeartbeatEvent::kLost, 5U});
+    consumer.Poll(Instant{1000000U});
+    EXPECT_EQ(told.size(), 3U);
+    consumer.Poll(Instant{1000001U});
+    ExpectLast(4U, {7U, HeartbeatEvent::kLost, 5U});
+}
+
 TEST_F(ConsumerTest, EachNodeHasItsOwnEvents)
 {
     Verifies(req::SRS_HB_005);

@@ -28,7 +28,7 @@ class GeneratedNode
     explicit GeneratedNode(const GeneratedCase& generated)
         : generated_(generated), buffer_(generated.longest_bytes), facade_(kernel_),
           dictionary_(*generated.table, facade_),
-          server_({dictionary_, {buffer_.data(), generated.longest_bytes}, 100000U, 127U})
+          server_({dictionary_, {buffer_.data(), generated.longest_bytes}, 2000000U, 127U})
     {
         output_.now_us = &now_us_;
         watchdog_.now_us = &now_us_;
@@ -79,6 +79,11 @@ class GeneratedNode
     [[nodiscard]] cia301::Dictionary& Objects()
     {
         return dictionary_;
+    }
+    /// For a bus: SdoServerPort stands before it.
+    [[nodiscard]] cia301::SdoServer& Server()
+    {
+        return server_;
     }
 
   private:

@@ -39,7 +39,7 @@ bool IsKernels(const std::uint16_t index)
     return index >= 0x1300U && index <= 0x13FFU;
 }
 
-/// Octet strings stand in a file as pairs of hexadecimal digits, or as they are.
+/// Octet strings stand in a file as pairs of hexadecimal digits, or as they are; the Unicode strings here are ASCII.
 std::vector<std::uint8_t> TextBytes(const cia306::Entry& entry)
 {
     const std::string& text = entry.Configured().text;
@@ -50,6 +50,10 @@ std::vector<std::uint8_t> TextBytes(const cia306::Entry& entry)
     {
         bytes.push_back(is_hex ? static_cast<std::uint8_t>(std::stoul(text.substr(place, 2U), nullptr, 16))
                                : static_cast<std::uint8_t>(text[place]));
+        if (entry.data_type == 0x000BU)
+        {
+            bytes.push_back(0U);
+        }
     }
     return bytes;
 }
