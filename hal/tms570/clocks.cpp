@@ -36,11 +36,14 @@ constexpr std::uint32_t kWordBytes = 4U;
 
 } // namespace
 
-ResetReason TakeResetReason() noexcept
+ResetReason ReadResetReason() noexcept
 {
-    const std::uint32_t bits = Read(At(kBase, kResetStatus)) & kResetAll;
-    Write(At(kBase, kResetStatus), bits);
-    return ResetReason{bits};
+    return ResetReason{Read(At(kBase, kResetStatus)) & kResetAll};
+}
+
+void ClearResetReason(const ResetReason reason) noexcept
+{
+    Write(At(kBase, kResetStatus), reason.bits & kResetAll);
 }
 
 Outcome StartClocks(const ClockTree& clocks) noexcept

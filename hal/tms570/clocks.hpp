@@ -16,8 +16,10 @@ struct ResetReason
     std::uint32_t bits; ///< system_module::kReset...
 };
 
-/// @brief Reads and clears the flags of the reset. [SRS-TMS-051]
-[[nodiscard]] ResetReason TakeResetReason() noexcept;
+/// @brief Flags of the resets since they were cleared. The test of the logic ends in a reset, too: whoever clears the
+/// others before it is over does not know any more why the controller started. [SRS-TMS-051]
+[[nodiscard]] ResetReason ReadResetReason() noexcept;
+void ClearResetReason(ResetReason reason) noexcept;
 
 /// @brief Oscillator, PLL, dividers, sources, peripherals; every wait bounded, everything read back. [SRS-TMS-050]
 [[nodiscard]] Outcome StartClocks(const ClockTree& clocks) noexcept;

@@ -39,6 +39,7 @@ void Run(const std::uint32_t intervals, const std::uint32_t self_check) noexcept
 LogicTest ContinueLogicTest(const ResetReason reason) noexcept
 {
     const bool is_after_test = (reason.bits & kResetProcessor) != 0U;
+    ClearResetReason(ResetReason{kResetProcessor});
     if (!is_after_test)
     {
         Run(kCheckIntervals, kStcFault);

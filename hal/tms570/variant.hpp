@@ -54,11 +54,11 @@ struct Variant
 };
 
 inline constexpr std::uint32_t kRamOrigin = 0x08000000U;
-inline constexpr RegisterBase kDcan1{0xFFF7DC00U};
-inline constexpr RegisterBase kDcan2{0xFFF7DE00U};
+inline constexpr RegisterBase kDcan1Base{0xFFF7DC00U};
+inline constexpr RegisterBase kDcan2Base{0xFFF7DE00U};
 
 inline constexpr Variant kLs20x{
-    {kDcan1, kDcan2},
+    {kDcan1Base, kDcan2Base},
     64U,
     12U,
     Presence::kAbsent,
@@ -72,7 +72,7 @@ inline constexpr Variant kLs20x{
 };
 
 inline constexpr Variant kLs12x{
-    {kDcan1, kDcan2},
+    {kDcan1Base, kDcan2Base},
     64U,
     12U,
     Presence::kPresent,
@@ -86,7 +86,7 @@ inline constexpr Variant kLs12x{
 };
 
 inline constexpr Variant kLs31x{
-    {kDcan1, kDcan2},
+    {kDcan1Base, kDcan2Base},
     64U,
     12U,
     Presence::kPresent,
@@ -100,7 +100,7 @@ inline constexpr Variant kLs31x{
 };
 
 inline constexpr Variant kLc43x{
-    {kDcan1, kDcan2},
+    {kDcan1Base, kDcan2Base},
     64U,
     16U,
     Presence::kPresent,
