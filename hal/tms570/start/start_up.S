@@ -122,9 +122,15 @@ FirmwareVectors:
     mcr p15, 0, r0, c1, c0, 1
     isb
 
+    movw r3, #:lower16:exception_record    @ the record of an exception waits in registers, the RAM becomes zero
+    movt r3, #:upper16:exception_record
+    ldm r3, {r4-r8}
     bl HardwareInitialiseRam           @ r0 to r3 only, no stack; r0: 0 if the hardware did not end in time
     cmp r0, #0
     beq Stopped
+    movw r3, #:lower16:exception_record
+    movt r3, #:upper16:exception_record
+    stm r3, {r4-r8}
 
     mrc p15, 0, r0, c1, c0, 1
     orr r0, r0, #.Lactlr_ram
