@@ -20,6 +20,12 @@ PLACED = re.compile(r"^ (\.[\w.$-]+)?\s+0x([0-9a-f]+)\s+0x([0-9a-f]+) (\S+)$")
 RAM_ORIGIN = 0x08000000
 
 
+# Entry points of an image, the linker's symbols around the stack that each runs on, and what start_up.S pushed before.
+ENTRIES = [("FirmwareMain", "stack_main_bottom", "stack_main_top", 0), ("FirmwareInterrupt", "stack_exception_top", "stack_interrupt_top", 96),
+           ("FirmwareFastInterrupt", "stack_interrupt_top", "stack_fast_top", 96), ("FirmwareException", "stack_exception_length", None, 0),
+           ("counterpoint::firmware::RunNonSafety", "stack_non_safety_length", None, 0)]
+
+
 class BadInput(Exception):
     """It could not be measured; the text says why."""
 
@@ -60,21 +66,40 @@ def stack_of_channels(build):
     return greatest, entries
 
 
+def stack_of_entries(image, symbols, build):
+    """Entry point -> bytes that it needs at most, bytes that there are; more than there are cannot be used."""
+    calls = ROOT / "verification/target/firmware/virtual_calls.txt"
+    result = {}
+    for entry, bottom, top, pushed in ENTRIES:
+        rows, problems = stack.compute(image, build, calls, [entry])
+        if problems:
+            raise BadInput(f"stack of {entry}: {problems[0]}")
+        room = symbols[top] - symbols[bottom] if top else symbols[bottom]
+        depth = rows[0][1] + pushed
+        if depth > room:
+            raise BadInput(f"stack of {entry}: {depth} bytes, expected at most the {room} that the linker script gives it")
+        result[entry] = (depth, room)
+    return result
+
+
 def measure(build):
     """What limits.json judges, and what is shown."""
     image = build / IMAGES / f"{IMAGE}.elf"
     symbols = image_check.Elf(image).symbols
+    entry_points = stack_of_entries(image, symbols, build)
     status, output, cost = firmware_run.run_scenario(build / IMAGES / "own_device.bin", WORST)
     if status != 0 or cost is None:
         raise BadInput(f"{WORST.name} on the emulator: exit status {status}\n{output[-400:]}")
     stacks, entries = stack_of_channels(build)
     measured = {"fw_flash": symbols["memory_flash_end"], "fw_ram": symbols["memory_ram_end"] - RAM_ORIGIN, "fw_cycle": cost[0],
                 "fw_stack_a": stacks["a"], "fw_stack_b": stacks["b"]}
-    return measured, {"rooms": bytes_by_room(image), "stack": entries}
+    return measured, {"rooms": bytes_by_room(image), "stack": entries, "entry_points": entry_points}
 
 
 def show(shown):
     print("image with 4 SRDOs, flash and RAM by room: " + ", ".join(
         f"{room} {row['flash']} + {row['ram']} B" for room, row in sorted(shown["rooms"].items(), key=lambda item: -item[1]["flash"])))
+    print("stack of the image's entry points, needed of given: " + ", ".join(
+        f"{name.split('::')[-1]} {needed} of {given} B" for name, (needed, given) in shown["entry_points"].items()))
     deepest = sorted(shown["stack"].items(), key=lambda item: -item[1])[:6]
     print("stack of the channels' entries: " + ", ".join(f"{name.replace('counterpoint::', '')} {size} B" for name, size in deepest))

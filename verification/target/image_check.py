@@ -182,7 +182,8 @@ def check_origin(elf, other):
     foreign = sorted(name for name in ours if name.startswith("/") or "lib/gcc" in name)
     yield len(ours) > 20 and not foreign, "no object of a foreign library", ", ".join(foreign[:3]) or f"{len(ours)} objects"
     if other:
-        rooms = re.compile(r"(channel_a|channel_b|safety_core|hal/api|examples|hal/tms570/(?!silicon|start)).*\.a\(")
+        # The emulated board plays what the hardware of the port is: neither counts here.
+        rooms = re.compile(r"(channel_a|channel_b|safety_core|examples)/.*\.a\(")
         theirs = members_of(other)
         mine, its = {name for name in ours if re.match(rooms, name)}, {name for name in theirs if re.match(rooms, name)}
         lost = sorted(its - mine)
