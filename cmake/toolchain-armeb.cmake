@@ -22,6 +22,10 @@ set(CMAKE_CXX_FLAGS_INIT "${cpu} -mthumb ${COUNTERPOINT_TARGET_OPTIMISE} -gdwarf
 string(APPEND CMAKE_CXX_FLAGS_INIT " -ffile-prefix-map=${CMAKE_BINARY_DIR}=build -ffile-prefix-map=${source_folder}=.")
 set(CMAKE_ASM_FLAGS_INIT "${cpu}")
 
+# Drivers and what defines their registers need each other: the archives are searched until nothing is found any more.
+set(CMAKE_CXX_LINK_EXECUTABLE
+    "<CMAKE_CXX_COMPILER> <FLAGS> <CMAKE_CXX_LINK_FLAGS> <LINK_FLAGS> <OBJECTS> -o <TARGET> -Wl,--start-group <LINK_LIBRARIES> -Wl,--end-group")
+
 # Clang takes GCC's flags for this processor as they are and needs these on top; GCC's ABI has short enumerations.
 set(newlib /usr/include/newlib)
 set(gcc_headers ${newlib}/c++/12.2.1)

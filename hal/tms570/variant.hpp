@@ -27,7 +27,8 @@ struct MemorySelection
     std::uint32_t test_memory; ///< PBIST memory groups of the same memories as `initialise`.
 };
 
-/// PLL 1 multiplies the oscillator; RTICLK and VCLK are its output divided.
+/// PLL 1 multiplies the oscillator: 16 MHz / NR * NF / 2, with NR in bits 21:16 and 256 * NF in bits 15:0 of its first
+/// register, each less its unit. RTICLK and VCLK are half of the processor's clock.
 struct ClockTree
 {
     std::uint32_t pll_control_1;
@@ -50,16 +51,14 @@ struct Variant
     std::uint32_t ram_bytes;
     ClockTree clocks;
     MemorySelection memories;
-    std::uint32_t esm_group_1_low;  ///< Channels 0 to 31 of group 1 that exist.
-    std::uint32_t esm_group_1_high; ///< Channels 32 to 63.
 };
 
 inline constexpr std::uint32_t kRamOrigin = 0x08000000U;
-inline constexpr RegisterBase kDcan1{0xFFF7DC00U};
-inline constexpr RegisterBase kDcan2{0xFFF7DE00U};
+inline constexpr RegisterBase kDcan1Base{0xFFF7DC00U};
+inline constexpr RegisterBase kDcan2Base{0xFFF7DE00U};
 
 inline constexpr Variant kLs20x{
-    {kDcan1, kDcan2},
+    {kDcan1Base, kDcan2Base},
     64U,
     12U,
     Presence::kAbsent,
@@ -68,14 +67,12 @@ inline constexpr Variant kLs20x{
     Presence::kAbsent,
     0x00200000U,
     0x00028000U,
-    ClockTree{0x20048B00U, 0x00007400U, 16U, 140U, 70U},
-    MemorySelection{0x00000064U, 0x00000001U, 0x00000014U},
-    0x9DDFBFEEU,
-    0x00000000U,
+    ClockTree{0x20056800U, 0x3FC0723DU, 16U, 140U, 70U},
+    MemorySelection{0x00000064U, 0x00000001U, 0x0000020CU},
 };
 
 inline constexpr Variant kLs12x{
-    {kDcan1, kDcan2},
+    {kDcan1Base, kDcan2Base},
     64U,
     12U,
     Presence::kPresent,
@@ -84,14 +81,12 @@ inline constexpr Variant kLs12x{
     Presence::kPresent,
     0x00140000U,
     0x00030000U,
-    ClockTree{0x20049F00U, 0x00007600U, 16U, 160U, 80U},
-    MemorySelection{0x00000064U, 0x00000003U, 0x00000014U},
-    0xDDEFAFEEU,
-    0x40000FF8U,
+    ClockTree{0x20057700U, 0x3FC0723DU, 16U, 160U, 80U},
+    MemorySelection{0x00000064U, 0x00000003U, 0x0000020CU},
 };
 
 inline constexpr Variant kLs31x{
-    {kDcan1, kDcan2},
+    {kDcan1Base, kDcan2Base},
     64U,
     12U,
     Presence::kPresent,
@@ -100,14 +95,12 @@ inline constexpr Variant kLs31x{
     Presence::kPresent,
     0x00300000U,
     0x00040000U,
-    ClockTree{0x20049F00U, 0x00007600U, 16U, 160U, 80U},
-    MemorySelection{0x00000064U, 0x00000003U, 0x00000014U},
-    0xDDEFFFEEU,
-    0x40000FF8U,
+    ClockTree{0x20057700U, 0x3FC0723DU, 16U, 160U, 80U},
+    MemorySelection{0x00000064U, 0x00000003U, 0x0000020CU},
 };
 
 inline constexpr Variant kLc43x{
-    {kDcan1, kDcan2},
+    {kDcan1Base, kDcan2Base},
     64U,
     16U,
     Presence::kPresent,
@@ -116,10 +109,8 @@ inline constexpr Variant kLc43x{
     Presence::kPresent,
     0x00400000U,
     0x00080000U,
-    ClockTree{0x20049500U, 0x00007400U, 16U, 150U, 75U},
-    MemorySelection{0x00000064U, 0x00000003U, 0x00000014U},
-    0xDDEFFFEEU,
-    0x40080FF8U,
+    ClockTree{0x20079500U, 0x3FC0723DU, 16U, 150U, 75U},
+    MemorySelection{0x00000064U, 0x00000003U, 0x0000020CU},
 };
 
 } // namespace counterpoint::tms570

@@ -55,7 +55,7 @@ def check_scenarios(report, images, hosts):
             print(f"      {path.stem}: {line}")
         holds = status == 0 and host.returncode == 0 and output == host.stdout and output.count("\n") > 1 and cost is not None
         report.add(holds, f"scenario {path.stem} on the target and on the host",
-                   f"{output.count(chr(10))} lines, {'equal' if output == host.stdout else 'DIFFERENT'}", "SRS-FW-008", "SRS-FW-009")
+                   f"{output.count(chr(10))} lines, {'equal' if output == host.stdout else 'DIFFERENT'}", "SRS-FW-008", "SRS-FW-009", *(["SRS-FW-018"] if device == "own_device" else []))
         costs[path.stem] = cost
     report.add(len(paths) >= 9, "scenarios of the firmware examples", f"{len(paths)}", "SRS-FW-009")
     return costs

@@ -5,7 +5,8 @@
 
 Builds images (build/target) and the same programs for the host (build/product). Checks, one line each: the way of both
 compilers into one image, faults that end a run, the conformance cases and the differential sequences (number, failures,
-hash: as on the host), symbols, both byte orders, stack. Result: build/target/target.json.
+hash: as on the host), the firmware examples in scenarios and with misdeeds, the images for silicon, coverage of the target's
+objects, symbols, both byte orders, stack. Result: build/target/target.json.
   --no-build  use what was built before
 Exit status: 0 everything holds, 1 something does not, 2 it could not be run.
 """
@@ -16,9 +17,11 @@ import re
 import subprocess
 import sys
 
+import byte_order
 import coverage_run
 import emulator
 import firmware_run
+import image_check
 import objects
 import stack
 import target_build
@@ -136,6 +139,22 @@ def check_objects(report):
     return digest, count
 
 
+def check_images(report):
+    """Every image for silicon against what the controller needs; the emulator's image must be refused there."""
+    folder = IMAGES / "firmware"
+    for device in firmware_run.DEVICES:
+        rows = image_check.check(folder / f"{device}_be32.elf", folder / f"{device}.elf")
+        wrong = [f"{text}: {found}" for holds, text, found in rows if not holds]
+        report.add(len(rows) >= 18 and not wrong, f"image of {device} for silicon", "; ".join(wrong) or f"{len(rows)} of {len(rows)} checks hold",
+                   "SRS-FW-001", "SRS-FW-002", "SRS-FW-003", "SRS-FW-004", "SRS-FW-016")
+    rows = image_check.check(folder / "actuator.elf")
+    refused = [text for holds, text, _ in rows if not holds]
+    report.add(all(any(word in text for text in refused) for word in ("ELF flags", "eight vectors", "flash or RAM")),
+               "the emulator's image is refused as one for silicon", f"{len(refused)} checks", "SRS-FW-016")
+    different = image_check.variant_differences(ROOT)
+    report.add(not different, "memory of the variants as in hal/tms570/variant.hpp", ", ".join(different) or "4 variants", "SRS-FW-017")
+
+
 def check_stack(report):
     """Depth of every entry of the kernel, and that the computation refuses recursion."""
     rows, problems = stack.compute(IMAGES / "bench/bench.elf", TARGET, HERE / "virtual_calls.txt", STACK_ENTRIES)
@@ -166,8 +185,9 @@ def main():
     arguments = parser.parse_args()
     if not arguments.no_build:
         print("Building build/target (big-endian, two compilers) and the same programs in build/product ...", flush=True)
-        target_build.build_target(TARGET, "-O2", ["selftest", "bench", "conformance", "conformance_be32", *firmware_run.DEVICES, "trap",
-                                               *target_build.CERTIFIED_TARGETS])
+        target_build.build_preset("tms570", ["selftest", "bench", "conformance", "conformance_be32", *firmware_run.DEVICES, "trap",
+                                               *(f"{device}_be32" for device in firmware_run.DEVICES),
+                                               *target_build.CERTIFIED_TARGETS], TARGET)
         target_build.build_preset("product", ["conformance_host", *(f"firmware_{device}_host" for device in firmware_run.DEVICES)])
         coverage_run.build()
     report = Report()
@@ -175,6 +195,8 @@ def main():
     digest, count = check_objects(report)
     outcomes = check_same_outcomes(report)
     costs = firmware_run.check(report, IMAGES / "firmware", PRODUCT / "verification/target/firmware")
+    check_images(report)
+    byte_order.check(report, TARGET, PRODUCT)
     coverage = coverage_run.check(report)
     rows = check_stack(report)
     items = count_instructions(report)
@@ -190,6 +212,6 @@ def main():
 if __name__ == "__main__":
     try:
         sys.exit(main())
-    except (objects.BadInput, stack.BadInput, target_build.BadInput, OSError, subprocess.SubprocessError) as problem:
+    except (byte_order.BadInput, image_check.BadInput, objects.BadInput, stack.BadInput, target_build.BadInput, OSError, subprocess.SubprocessError) as problem:
         print(f"run_target.py: {problem}", file=sys.stderr)
         sys.exit(2)

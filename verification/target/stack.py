@@ -56,13 +56,20 @@ def read_frames(folder):
 
 
 class Table:
-    """Which function may call virtually which interface. A line: function prefix -> Class::*, Class::Method, ..."""
+    """Which function may call virtually which interface, and the frames of functions that no compiler wrote. Lines:
+    function prefix -> Interface::Method, namespace::Class::Method, ...     function = bytes
+    `-> -` stands for what runs on a stack of its own."""
 
     def __init__(self, path):
         self.rows = []
+        self.frames = {}
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
             text = line.split("#")[0].strip()
             if not text:
+                continue
+            assembly = re.fullmatch(r"(\w+) = (\d+)", text)
+            if assembly:
+                self.frames[assembly.group(1)] = int(assembly.group(2))
                 continue
             caller, arrow, callees = text.partition("->")
             if not arrow or not callees.strip():
@@ -115,7 +122,8 @@ class Image:
             if len(fields) == 8 and fields[3] == "OBJECT" and fields[7].startswith("_ZTV"):
                 ranges.append((int(fields[1], 16), int(fields[2])))
         words = {}
-        for section in (".rodata", ".data"):
+        names = re.findall(r"\] (\.(?:rodata|data|text)\S*) ", "\n".join(lines_of("arm-none-eabi-readelf", "-SW", str(path))))
+        for section in names:
             for line in lines_of("arm-none-eabi-objdump", "-s", "-j", section, str(path)) if ranges else []:
                 match = re.match(r"^ ([0-9a-f]+) ((?:[0-9a-f]{8} ?){1,4})", line)
                 if match:
@@ -152,12 +160,13 @@ class Image:
                         self.calls[current].add(callee)
 
     def implementers(self, pattern):
-        """Functions in virtual tables whose method is that of the pattern Interface::Method."""
+        """Functions in virtual tables whose method is that of the pattern Interface::Method; with a namespace in front it
+        is that class alone."""
         method = pattern.rsplit("::", 1)[1]
         found = set()
         for address in self.table_entries:
-            own = self.name(address).split("(")[0].rsplit("::", 1)[1]
-            if own == method:
+            name = self.name(address).split("(")[0]
+            if name.endswith("::" + pattern) if pattern.count("::") > 1 else name.rsplit("::", 1)[1] == method:
                 found.add(address)
         return found
 
@@ -178,6 +187,8 @@ class Depths:
                 if kind != "static":
                     self.problems.append(f"{self.image.name(address)}: its frame is not of fixed size ({kind})")
                 return size
+            if symbol in self.table.frames:
+                return self.table.frames[symbol]
         # GCC names a clone in its graph as the linker does; what is left has no compiler: the start-up code.
         self.problems.append(f"{self.image.name(address)}: no compiler gave a figure")
         return 0
@@ -191,7 +202,7 @@ class Depths:
             if patterns is None:
                 self.problems.append(f"{name}: call through a register that the table does not allow: {sites[0]}")
                 patterns = []
-            for pattern in patterns:
+            for pattern in (pattern for pattern in patterns if pattern != "-"):
                 result |= self.image.implementers(pattern)
         return result
 

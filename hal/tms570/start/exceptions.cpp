@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "hal/tms570/start/exceptions.hpp"
 
+#include "hal/tms570/probe.hpp"
+
 namespace
 {
 
@@ -21,12 +23,18 @@ hal::ExceptionMemory LastException() noexcept
 
 } // namespace counterpoint::tms570
 
+extern "C" [[noreturn]] void ProbeReturn() noexcept; // hal/tms570/silicon/probe.S
+
 extern "C" void FirmwareException(const std::uint32_t cause, const std::uint32_t accessed,
                                   const std::uint32_t place) noexcept
 {
+    const auto why = static_cast<counterpoint::hal::ExceptionCause>(cause);
+    if (counterpoint::tms570::IsProvoked(counterpoint::tms570::AbortFacts{why, accessed, place}))
+    {
+        ProbeReturn();
+    }
     HardwareCutOff();
     counterpoint::hal::ExceptionMemory memory = counterpoint::tms570::LastException();
-    memory.Record(static_cast<counterpoint::hal::ExceptionCause>(cause),
-                  (std::uint64_t{place} << kWordBits) | accessed);
+    memory.Record(why, (std::uint64_t{place} << kWordBits) | accessed);
     HardwareStop();
 }

@@ -17,7 +17,8 @@ namespace counterpoint::tms570
 
 extern "C"
 {
-    /// What start_up.S calls after an exception: closes, records, stands still.
+    /// What start_up.S calls after an exception: closes, records, stands still. An abort that a test of ECC provoked
+    /// goes back into that test.
     [[noreturn]] void FirmwareException(std::uint32_t cause, std::uint32_t accessed, std::uint32_t place) noexcept;
 
     /// What start_up.S and exceptions.cpp need of the board. They use no memory but registers and the stack: what else

@@ -52,7 +52,7 @@ function(counterpoint_firmware name)
     list(TRANSFORM regions PREPEND "--defsym=")
     list(JOIN memory "," memory)
     list(JOIN regions "," regions)
-    add_executable(${image} $<TARGET_OBJECTS:hal_tms570_vectors> $<TARGET_OBJECTS:hal_tms570_silicon>)
+    add_executable(${image} $<TARGET_OBJECTS:hal_tms570_vectors>)
     set_target_properties(${image} PROPERTIES SUFFIX .elf LINK_DEPENDS ${COUNTERPOINT_FIRMWARE_SCRIPT} LINKER_LANGUAGE CXX)
     target_link_libraries(${image} PRIVATE ${board} ${IMAGE_DEPENDS} hal_tms570_start hal_tms570_runtime)
     target_link_options(${image} PRIVATE -nostdlib -nostartfiles ${flags}

@@ -122,9 +122,15 @@ FirmwareVectors:
     mcr p15, 0, r0, c1, c0, 1
     isb
 
+    movw r3, #:lower16:exception_record    @ the record of an exception waits in registers, the RAM becomes zero
+    movt r3, #:upper16:exception_record
+    ldm r3, {r4-r8}
     bl HardwareInitialiseRam           @ r0 to r3 only, no stack; r0: 0 if the hardware did not end in time
     cmp r0, #0
     beq Stopped
+    movw r3, #:lower16:exception_record
+    movt r3, #:upper16:exception_record
+    stm r3, {r4-r8}
 
     mrc p15, 0, r0, c1, c0, 1
     orr r0, r0, #.Lactlr_ram
@@ -246,6 +252,9 @@ FirmwareVectors:
     orr r0, r0, #.Lmode_system         @ user and system mode differ in the low four bits
     msr cpsr_cxsf, r0
     mov sp, r2
+    pop {r2, r3}
+    vmsr fpscr, r2
+    vpop {d8-d15}
     pop {r3-r11, pc}
     finish SupervisorCall
 
@@ -258,6 +267,9 @@ FirmwareVectors:
 @ system mode share the stack pointer: ours waits in unprivileged_stack, which user mode cannot write.
     begin RunUnprivileged
     push {r3-r11, lr}
+    vpush {d8-d15}                     @ nothing that a caller relies on is left to that code
+    vmrs r2, fpscr
+    push {r2, r3}
     ldr r2, =unprivileged_stack
     str sp, [r2]
     mov sp, r1
@@ -273,28 +285,28 @@ FirmwareVectors:
     b UnprivilegedReturn
     finish UnprivilegedReturn
 
-@ Interrupts are not nested: each has a stack of its own and runs to its end.
-    begin Interrupt
+@ Interrupts are not nested: each has a stack of its own and runs to its end. Compilers move 64 bits by registers of the
+@ floating-point unit, in what is interrupted and in what interrupts.
+    .macro interrupt name, function
+    begin \name
     setend be
     sub lr, lr, #4
     push {r0-r3, r12, lr}
-    ldr r0, =FirmwareInterrupt
+    vpush {d0-d7}
+    vmrs r0, fpscr
+    push {r0, r1}
+    ldr r0, =\function
     blx r0
+    pop {r0, r1}
+    vmsr fpscr, r0
+    vpop {d0-d7}
     pop {r0-r3, r12, lr}
     movs pc, lr
-    finish Interrupt
+    finish \name
+    .endm
 
-    begin FastInterrupt
-    setend be
-    sub lr, lr, #4
-    push {r0-r3, lr}
-    push {r12}
-    ldr r0, =FirmwareFastInterrupt
-    blx r0
-    pop {r12}
-    pop {r0-r3, lr}
-    movs pc, lr
-    finish FastInterrupt
+    interrupt Interrupt, FirmwareInterrupt
+    interrupt FastInterrupt, FirmwareFastInterrupt
     .ltorg
 
     .section .bss.unprivileged_stack, "aw", %nobits

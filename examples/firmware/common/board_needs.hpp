@@ -1,0 +1,33 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef EXAMPLES_FIRMWARE_COMMON_BOARD_NEEDS_HPP
+#define EXAMPLES_FIRMWARE_COMMON_BOARD_NEEDS_HPP
+
+#include "hal/tms570/can_ports.hpp"
+#include "hal/tms570/gio_registers.hpp"
+#include "hal/tms570/variant.hpp"
+#include "safety_core/contract/srdo.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::firmware
+{
+
+/// What a device needs of a TMS570: one message object for each identifier, and which slots open which pin of port A.
+struct BoardNeeds
+{
+    const tms570::CanObject* objects;
+    std::uint8_t object_count;
+    std::uint8_t node_id;
+    std::uint8_t output_pins;               ///< Pins of port B that are outputs in series; the others are inputs.
+    SrdoMask gate_pins[tms570::gio::kPins]; ///< By pin of port A; 0: no safety output.
+};
+
+/// @brief Each device has it in board_needs.cpp.
+[[nodiscard]] BoardNeeds DescribeNeeds() noexcept;
+
+/// @brief The controller that the image is for: chosen by COUNTERPOINT_VARIANT when it is built.
+[[nodiscard]] const tms570::Variant& TheVariant() noexcept;
+
+} // namespace counterpoint::firmware
+
+#endif

@@ -1,0 +1,138 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "examples/firmware/common/executive.hpp"
+
+#include "examples/firmware/common/device.hpp"
+#include "hal/tms570/gio_registers.hpp"
+#include "hal/tms570/processor.hpp"
+#include "hal/tms570/start/exceptions.hpp"
+#include "hal/tms570/start/memory_map.hpp"
+
+namespace counterpoint::firmware
+{
+namespace
+{
+
+using namespace tms570;
+
+constexpr std::uint32_t kCycleUs = 1000U;
+/// A look takes some cycles of the processor; a cycle of 1 ms has 160 000 of the fastest one.
+constexpr std::uint32_t kMostLooks = 160000U;
+/// More than the queue of the port has room for.
+constexpr std::uint32_t kMostFrames = 128U;
+
+constexpr std::uint32_t kNmtIdentifier = 0U;
+constexpr std::uint8_t kNmtBytes = 2U;
+constexpr std::uint8_t kNmtStart = 1U;
+constexpr std::uint8_t kNmtStop = 2U;
+constexpr std::uint8_t kNmtPreOperational = 128U;
+constexpr std::uint8_t kNmtAllNodes = 0U;
+
+} // namespace
+
+Executive::Executive(Board& board, Kernel& kernel, const BoardNeeds& needs) noexcept
+    : board_{board}, kernel_{kernel}, needs_{needs}
+{
+}
+
+void Executive::Start() noexcept
+{
+    Write(At(gio::kPortB, gio::kClear), needs_.output_pins);
+    Write(At(gio::kPortB, gio::kDirection), needs_.output_pins);
+    cycle_ = board_.Clocks().Now().a;
+}
+
+void Executive::WaitForCycle() noexcept
+{
+    cycle_.us += kCycleUs;
+    std::uint32_t looks = 0U;
+    while ((looks < kMostLooks) && ((board_.Clocks().Now().a.us - cycle_.us) >= (1U << 31U)))
+    {
+        ++looks;
+    }
+    if (looks == kMostLooks)
+    {
+        kernel_.DemandSafeState();
+    }
+}
+
+// Stamp and queue belong together: whatever comes after the look that found the queue empty has a later stamp.
+InstantPair Executive::TakeFrames() noexcept
+{
+    InstantPair now{};
+    tms570::QueuedFrame queued{};
+    std::uint32_t taken = 0U;
+    do
+    {
+        const std::uint32_t before = LockInterrupts();
+        queued = board_.NextFrame();
+        now = board_.Clocks().Now();
+        UnlockInterrupts(before);
+        Deliver(queued);
+        ++taken;
+    } while ((queued.kind != QueuedKind::kNothing) && (taken < kMostFrames));
+    return now;
+}
+
+void Executive::Deliver(const QueuedFrame& queued) noexcept
+{
+    switch (queued.kind)
+    {
+    case QueuedKind::kReceived:
+        FollowNmt(queued.frame.frame);
+        kernel_.OnFrame(queued.frame);
+        break;
+    case QueuedKind::kConfirmed:
+        kernel_.OnConfirm(queued.frame);
+        break;
+    case QueuedKind::kNothing:
+        break;
+    case QueuedKind::kLoss:
+    case QueuedKind::kInvalid:
+        kernel_.OnOverflow();
+        break;
+    }
+}
+
+void Executive::FollowNmt(const CanFrame& frame) noexcept
+{
+    const bool is_command = (frame.identifier == kNmtIdentifier) && (frame.length_bytes == kNmtBytes);
+    const bool is_for_us = (frame.data[1] == kNmtAllNodes) || (frame.data[1] == needs_.node_id);
+    if (!is_command || !is_for_us)
+    {
+        return;
+    }
+    if (frame.data[0] == kNmtStart)
+    {
+        kernel_.SetNmtState(NmtState::kOperational);
+    }
+    else if (frame.data[0] == kNmtStop)
+    {
+        kernel_.SetNmtState(NmtState::kStopped);
+    }
+    else if (frame.data[0] == kNmtPreOperational)
+    {
+        kernel_.SetNmtState(NmtState::kPreOperational);
+    }
+    else
+    {
+        // Resets of the node are not followed: a device of this kind is restarted by its power.
+    }
+}
+
+void Executive::Cycle() noexcept
+{
+    WaitForCycle();
+    if (board_.BeginCycle() != BoardFault::kNone)
+    {
+        kernel_.DemandSafeState();
+    }
+    const InstantPair now = TakeFrames();
+    const SrdoMask acknowledge = ReadInputs(Pins{Read(At(gio::kPortB, gio::kInput)) & ~needs_.output_pins});
+    kernel_.Cycle(CycleCall{now, acknowledge, acknowledge});
+    const std::uint32_t outputs = SetOutputs(board_.Output().Open()).bits & needs_.output_pins;
+    Write(At(gio::kPortB, gio::kSet), outputs);
+    Write(At(gio::kPortB, gio::kClear), needs_.output_pins & ~outputs);
+    RunUnprivileged(RunNonSafety, stack_non_safety_top);
+}
+
+} // namespace counterpoint::firmware

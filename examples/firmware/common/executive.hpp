@@ -1,0 +1,39 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef EXAMPLES_FIRMWARE_COMMON_EXECUTIVE_HPP
+#define EXAMPLES_FIRMWARE_COMMON_EXECUTIVE_HPP
+
+#include "examples/firmware/common/board_needs.hpp"
+#include "hal/tms570/board.hpp"
+#include "safety_core/kernel/kernel.hpp"
+
+namespace counterpoint::firmware
+{
+
+/// Calls a device every millisecond on its board: frames in bus order, inputs, the kernel's cycle, outputs, code
+/// without safety requirements.
+class Executive
+{
+  public:
+    Executive(tms570::Board& board, Kernel& kernel, const BoardNeeds& needs) noexcept;
+
+    /// @brief Once, before the first cycle: pins of port B, first moment.
+    void Start() noexcept;
+    /// @brief Waits for the next cycle and does it. A wait that does not end, and every fault of the board, is the
+    /// safe state of the device.
+    void Cycle() noexcept;
+
+  private:
+    void WaitForCycle() noexcept;
+    [[nodiscard]] InstantPair TakeFrames() noexcept;
+    void Deliver(const tms570::QueuedFrame& queued) noexcept;
+    void FollowNmt(const CanFrame& frame) noexcept;
+
+    tms570::Board& board_;
+    Kernel& kernel_;
+    const BoardNeeds& needs_;
+    Instant cycle_{0U};
+};
+
+} // namespace counterpoint::firmware
+
+#endif

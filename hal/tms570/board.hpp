@@ -1,0 +1,113 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef HAL_TMS570_BOARD_HPP
+#define HAL_TMS570_BOARD_HPP
+
+#include "hal/tms570/built_in_tests.hpp"
+#include "hal/tms570/can_ports.hpp"
+#include "hal/tms570/ecc.hpp"
+#include "hal/tms570/esm.hpp"
+#include "hal/tms570/interrupts.hpp"
+#include "hal/tms570/mpu.hpp"
+#include "hal/tms570/rti.hpp"
+#include "hal/tms570/safety_pins.hpp"
+#include "hal/tms570/start_report.hpp"
+#include "hal/tms570/variant.hpp"
+#include "hal/tms570/watchdog.hpp"
+
+#include <atomic>
+#include <cstdint>
+
+namespace counterpoint::tms570
+{
+
+struct BoardSetup
+{
+    const Variant& variant;
+    CanPortsSetup can; ///< Base and room of the controllers are those of the variant.
+    SafetyPinsSetup pins;
+    MpuSetup protection;
+    hal::WatchdogWindow watchdog;
+    std::uint32_t latest_open_us; ///< The window of the watchdog is open by then: a cycle less its tolerance.
+    EccTestPlace ecc_place;
+};
+
+/// All drivers of a controller and the order in which they start. Use: Start with interrupts locked; unlock; then, for
+/// ever: BeginCycle, frames by NextFrame to the kernel, the kernel's cycle. [SRS-TMS-060..062]
+class Board
+{
+  public:
+    Board() noexcept;
+
+    /// @brief Every step in order, until one fails. With answer kResetComes the processor is about to be reset by its
+    /// own test: call nothing more. Unless kStarted: pins low, nERROR low, off the bus.
+    [[nodiscard]] StartReport Start(const BoardSetup& setup) noexcept;
+    /// @brief Starts the watchdog, after which it cannot be stopped any more: last, when the kernel is ready for its
+    /// first cycle. kFailed as if a step had failed.
+    [[nodiscard]] Outcome StartWatchdog() noexcept;
+
+    /// @brief Looks at the drivers; the first fault stays, cuts off and is told: then demand the safe state of the
+    /// kernel.
+    [[nodiscard]] BoardFault BeginCycle() noexcept;
+    [[nodiscard]] QueuedFrame NextFrame() noexcept
+    {
+        return can_.Next();
+    }
+    /// @brief The two interrupt vectors.
+    void OnInterrupt() noexcept;
+    void OnFastInterrupt() noexcept;
+
+    [[nodiscard]] CanPorts& Can() noexcept
+    {
+        return can_;
+    }
+    [[nodiscard]] SafetyPins& Output() noexcept
+    {
+        return pins_;
+    }
+    [[nodiscard]] WindowedWatchdog& Watchdog() noexcept
+    {
+        return watchdog_;
+    }
+    [[nodiscard]] Rti& Clocks() noexcept
+    {
+        return rti_;
+    }
+    [[nodiscard]] Mpu& Protection() noexcept
+    {
+        return mpu_;
+    }
+    [[nodiscard]] const Esm& Errors() const noexcept
+    {
+        return esm_;
+    }
+    [[nodiscard]] BoardFault Fault() const noexcept
+    {
+        return fault_.load(std::memory_order_relaxed);
+    }
+
+  private:
+    [[nodiscard]] StepResult Do(StartStep step, const BoardSetup& setup) noexcept;
+    [[nodiscard]] StepResult DoLogicTest() noexcept;
+    [[nodiscard]] StepResult PlanTheWatchdog(const BoardSetup& setup) noexcept;
+    [[nodiscard]] StepResult StartCan(const BoardSetup& setup) noexcept;
+    void ExamineInTurn() noexcept;
+    void Note(Outcome outcome, BoardFault fault) noexcept;
+    void EnterSafeState(BoardFault fault) noexcept;
+
+    Rti rti_{};
+    CanPorts can_;
+    SafetyPins pins_;
+    WindowedWatchdog watchdog_{};
+    Mpu mpu_{};
+    Esm esm_{};
+    WatchdogPlan watchdog_plan_{};
+    LogicTest logic_test_{LogicTest::kInvalid};
+    Presence has_comparator_{Presence::kInvalid};
+    bool is_watched_{false};
+    std::uint32_t turn_{0U};
+    std::atomic<BoardFault> fault_{BoardFault::kInvalid};
+};
+
+} // namespace counterpoint::tms570
+
+#endif

@@ -1,0 +1,66 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef HAL_TMS570_INTERRUPTS_HPP
+#define HAL_TMS570_INTERRUPTS_HPP
+
+#include "hal/tms570/registers.hpp"
+
+#include <cstdint>
+
+/// Vectored interrupt manager (VIM). Source: CPU facts 4.2; reference manual, chapter "Vectored Interrupt Manager".
+namespace counterpoint::tms570
+{
+
+namespace vim
+{
+
+inline constexpr RegisterBase kParityBase{0xFFFFFDECU};
+inline constexpr std::uint32_t kParityFlag = 0x00U;
+inline constexpr std::uint32_t kParityControl = 0x04U;
+inline constexpr std::uint32_t kFallback = 0x0CU;
+inline constexpr std::uint32_t kParityOn = 0xAU;
+inline constexpr std::uint32_t kParityTest = 1U << 8U; ///< Parity bits can be written.
+
+inline constexpr RegisterBase kBase{0xFFFFFE00U};
+inline constexpr std::uint32_t kIrqIndex = 0x00U;
+inline constexpr std::uint32_t kFiqIndex = 0x04U;
+inline constexpr std::uint32_t kIsFast = 0x10U; ///< Four registers of 32 channels, as the next ones.
+inline constexpr std::uint32_t kEnableSet = 0x30U;
+inline constexpr std::uint32_t kEnableClear = 0x40U;
+
+inline constexpr RegisterBase kTable{0xFFF82000U};
+inline constexpr RegisterBase kTableParity{0xFFF82400U};
+inline constexpr std::uint32_t kTableWords = 128U;
+inline constexpr std::uint32_t kIndexMask = 0xFFU;
+
+} // namespace vim
+
+/// Requests that the drivers of this port use. Numbers are channels of the VIM.
+enum class InterruptRequest : std::uint8_t
+{
+    kEsmHigh = 0U, ///< Always fast, always on.
+    kDcan1 = 16U,
+    kEsmLow = 20U,
+    kDcan2 = 35U,
+    kNone = 0xFEU,    ///< Nothing asks.
+    kUnknown = 0xFFU, ///< Something that no driver asked for.
+};
+
+/// Interrupt requests by number: the processor's two vectors lead to the program, which asks here what it was. The
+/// table of vectors is filled with one value and its parity watched all the same. [SRS-TMS-041, SRS-TMS-042]
+class Interrupts
+{
+  public:
+    /// @brief Forces a parity error and sees it reported by VIM and ESM; the table is then as it was.
+    [[nodiscard]] static Outcome TestParity() noexcept;
+    /// @brief Table filled, parity on, all requests off but those of this port; read back.
+    [[nodiscard]] static Outcome Start() noexcept;
+    /// @brief What raised the interrupt (IRQ) or the fast one (FIQ).
+    [[nodiscard]] static InterruptRequest Next() noexcept;
+    [[nodiscard]] static InterruptRequest NextFast() noexcept;
+    /// @brief Once a cycle: parity on and no parity error, requests as set up.
+    [[nodiscard]] static Outcome Examine() noexcept;
+};
+
+} // namespace counterpoint::tms570
+
+#endif
