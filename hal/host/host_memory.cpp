@@ -1,9 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "hal/host/host_memory.hpp"
 
-#if __has_include(<valgrind/memcheck.h>)
 #include <valgrind/memcheck.h>
-#endif
 
 namespace counterpoint::host
 {
@@ -14,11 +12,9 @@ namespace
 // A test of live memory walks over free stack, gaps between objects and bytes that nobody ever wrote: a sanitizer or
 // memcheck would take each for an error, so that both are told.
 
-void TellMemcheck([[maybe_unused]] const volatile std::uint32_t* const cell)
+void TellMemcheck(const volatile std::uint32_t* const cell)
 {
-#ifdef VALGRIND_MAKE_MEM_DEFINED
     static_cast<void>(VALGRIND_MAKE_MEM_DEFINED(cell, sizeof(*cell)));
-#endif
 }
 
 [[nodiscard]] __attribute__((no_sanitize("address"))) std::uint32_t ReadCell(const hal::Address place)
