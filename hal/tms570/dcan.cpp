@@ -54,7 +54,10 @@ constexpr DcanEvent kStatusEvent{DcanEventKind::kStatus, CanFrame{}};
 
 void Dcan::Stop(const CanFault why) noexcept
 {
-    Write(Place(kControl), kControlInit | kControlParityOn);
+    if (setup_.base.address != 0U) // else it was never started, and is off the bus since the reset
+    {
+        Write(Place(kControl), kControlInit | kControlParityOn);
+    }
     if ((Fault() == CanFault::kNone) || (Fault() == CanFault::kInvalid))
     {
         fault_.store(why, std::memory_order_relaxed);
