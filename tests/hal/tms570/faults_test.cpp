@@ -235,8 +235,8 @@ constexpr Fault kOwnTests[] = {
     Fault::kDcanLostMessage,    // CanPortsTest.LostMessageIsToldBeforeItsFrame
     Fault::kDcanTwoPending,     // CanPortsTest.TwoPendingFramesAreALoss
     Fault::kDcanBusOff,         // CanPortsTest.BusOffWithdrawsRefusesAndComesBackASetNumberOfTimes
-    Fault::kCounterAStops,      // KernelOnModels.StoppedCounterIsADeviceFault
-    Fault::kCounterBFast,       // KernelOnModels.FastCounterIsADeviceFault
+    Fault::kCounterAStops,      // DeviceOnModels.StoppedCounterIsADeviceFault
+    Fault::kCounterBFast,       // DeviceOnModels.FastCounterIsADeviceFault
     Fault::kWatchdogNotEnabled, // WatchdogTest.LostWriteRefusesTheStart
     Fault::kWatchdogPeriodLost,
 };

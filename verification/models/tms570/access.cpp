@@ -33,12 +33,14 @@ std::uint32_t Read(const Register place) noexcept
 {
     const std::uint32_t value = Machine::Current().Read(place.address);
     Abort(kOtherInstruction);
+    Machine::Current().OfferInterrupts();
     return value;
 }
 
 void Write(const Register place, const std::uint32_t value) noexcept
 {
     Machine::Current().Write(place.address, value);
+    Machine::Current().OfferInterrupts();
 }
 
 std::uint32_t Probe(const Register place) noexcept

@@ -21,6 +21,11 @@ std::uint32_t GioModel::PinsA()
     return Pins(kPortOffsetA);
 }
 
+std::uint32_t GioModel::PinsB()
+{
+    return Pins(kPortOffsetB) | (inputs_b & ~Kept(kPortOffsetB + kDirection));
+}
+
 std::uint32_t GioModel::Pins(const std::uint32_t port)
 {
     std::uint32_t pins = Kept(port + kDirection) & Kept(port + kOutput);
@@ -36,7 +41,7 @@ std::uint32_t GioModel::Read(const std::uint32_t offset)
     {
         if (offset == port + kInput)
         {
-            return Pins(port);
+            return (port == kPortOffsetB) ? PinsB() : Pins(port);
         }
         if ((offset == port + kDirection) && Has(Fault::kPinNotOutput))
         {

@@ -15,6 +15,9 @@ class GioModel final : public Peripheral
 
     /// @brief What a meter at the pins of port A shows. A pin without a driver is low.
     [[nodiscard]] std::uint32_t PinsA();
+    [[nodiscard]] std::uint32_t PinsB();
+    /// @brief What others drive onto pins of port B that are inputs.
+    std::uint32_t inputs_b{0U};
 
     [[nodiscard]] std::uint32_t Read(std::uint32_t offset) override;
     void Write(std::uint32_t offset, std::uint32_t value) override;

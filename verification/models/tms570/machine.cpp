@@ -11,6 +11,7 @@
 #include "hal/tms570/system_registers.hpp"
 
 #include <stdexcept>
+#include <utility>
 
 namespace counterpoint::tms570::model
 {
@@ -118,8 +119,29 @@ void Machine::Write(const std::uint32_t address, const std::uint32_t value)
     }
 }
 
+std::uint64_t Machine::NowUs() const
+{
+    return now_ns_ / kNsPerUs;
+}
+
+void Machine::SetSurroundings(std::function<void()> surroundings)
+{
+    surroundings_ = std::move(surroundings);
+}
+
+void Machine::OfferInterrupts()
+{
+    if (surroundings_ && !interrupts_locked && !is_interrupted_)
+    {
+        is_interrupted_ = true;
+        surroundings_();
+        is_interrupted_ = false;
+    }
+}
+
 void Machine::Pass(const std::uint64_t ns)
 {
+    now_ns_ += ns;
     esm.Advance(ns);
     rti.Advance(ns);
     ccm.Advance(ns);

@@ -16,6 +16,7 @@
 #include "verification/models/tms570/vim_model.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace counterpoint::tms570::model
@@ -53,6 +54,11 @@ class Machine
     [[nodiscard]] bool TakeProcessorReset();
     /// @brief True if the last access ended in an abort; then that is over.
     [[nodiscard]] AbortLine TakeAbort();
+    [[nodiscard]] std::uint64_t NowUs() const;
+    /// @brief After each access while interrupts are not locked: where a test lets the bus and its interrupts happen.
+    /// Not called from within itself.
+    void SetSurroundings(std::function<void()> surroundings);
+    void OfferInterrupts();
     /// @brief Aborts that no test had provoked.
     std::uint32_t real_aborts{0U};
     bool interrupts_locked{false};
@@ -96,6 +102,9 @@ class Machine
     std::vector<Range> ranges_{};
     std::vector<std::uint32_t> strays_{};
     bool processor_reset_{false};
+    std::uint64_t now_ns_{0U};
+    std::function<void()> surroundings_{};
+    bool is_interrupted_{false};
 };
 
 } // namespace counterpoint::tms570::model
