@@ -154,6 +154,10 @@ def check_images(report):
                "the emulator's image is refused as one for silicon", f"{len(refused)} checks", "SRS-FW-016")
     different = image_check.variant_differences(ROOT)
     report.add(not different, "memory of the variants as in hal/tms570/variant.hpp", ", ".join(different) or "4 variants", "SRS-FW-017")
+    for variant in image_check.VARIANTS:
+        rows = image_check.check(folder / f"own_device_{variant}_be32.elf")
+        wrong = [f"{text}: {found}" for holds, text, found in rows if not holds]
+        report.add(len(rows) >= 17 and not wrong, f"image of own_device for {variant}", "; ".join(wrong) or f"{len(rows)} of {len(rows)} checks hold", "SRS-FW-017")
 
 
 def check_stack(report):
@@ -190,6 +194,7 @@ def main():
         print("Building build/target (big-endian, two compilers) and the same programs in build/product ...", flush=True)
         target_build.build_preset("tms570", ["selftest", "bench", "conformance", "conformance_be32", *firmware_run.DEVICES, "trap",
                                                *(f"{device}_be32" for device in firmware_run.DEVICES),
+                                               *(f"own_device_{variant}_be32" for variant in image_check.VARIANTS),
                                                *target_build.CERTIFIED_TARGETS], TARGET)
         target_build.build_preset("product", ["conformance_host", *(f"firmware_{device}_host" for device in firmware_run.DEVICES)])
         coverage_run.build(covered)
