@@ -33,7 +33,7 @@ STEPS = [("big-endian data", r"setend be"), ("exceptions big-endian", r"mcr 15, 
          ("record of an exception back", r"stm r3, \{r4, r5, r6, r7, r8\}"), ("RAM correction", r"mcr 15, 0, r0, cr1, cr0, \{1\}"), ("stack of mode 23", r"cps #23$"), ("stack of mode 27", r"cps #27$"),
          ("stack of mode 19", r"cps #19$"), ("stack of mode 18", r"cps #18$"), ("stack of mode 17", r"cps #17$"), ("system mode", r"cps #31$"),
          ("zeroed data", r"strcc r2, \[r0\], #4"), ("painted stack", r"strcc r2, \[r0\], #4"), ("initialised data", r"strcc r3, \[r1\], #4"),
-         ("constructors", r"blx r0"), ("the program", r"blx r0"), ("end", r"b [0-9a-f]+ <Stopped>")]
+         ("constructors", r"blx r0"), ("asynchronous aborts", r"cpsie a"), ("the program", r"blx r0"), ("end", r"b [0-9a-f]+ <Stopped>")]
 START_FUNCTIONS = ("Reset", "InitialiseRegisters", "InitialiseMemory", "InitialiseProgram")
 MEMORY_ACCESS = re.compile(r"^(ldr|str|ldm|stm|push|pop|ldrd|strd)")
 
