@@ -35,7 +35,7 @@ Board::Board() noexcept : can_(rti_), pins_(rti_)
 StartReport Board::Start(const BoardSetup& setup) noexcept
 {
     StartReport report{};
-    fault_.store(BoardFault::kInvalid, std::memory_order_relaxed);
+    fault_.Store(BoardFault::kInvalid);
     is_watched_ = false;
     turn_ = 0U;
     has_comparator_ = setup.variant.clock_comparator;
@@ -54,7 +54,7 @@ StartReport Board::Start(const BoardSetup& setup) noexcept
     report.logic_test = static_cast<std::uint8_t>(logic_test_);
     if (report.answer == StartAnswer::kStarted)
     {
-        fault_.store(BoardFault::kNone, std::memory_order_relaxed);
+        fault_.Store(BoardFault::kNone);
     }
     else
     {
@@ -247,7 +247,7 @@ void Board::EnterSafeState(const BoardFault fault) noexcept
     const bool is_first = (before == BoardFault::kNone) || (before == BoardFault::kInvalid);
     if (is_first)
     {
-        fault_.store(fault, std::memory_order_relaxed);
+        fault_.Store(fault);
     }
 }
 

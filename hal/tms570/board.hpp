@@ -10,11 +10,11 @@
 #include "hal/tms570/mpu.hpp"
 #include "hal/tms570/rti.hpp"
 #include "hal/tms570/safety_pins.hpp"
+#include "hal/tms570/shared.hpp"
 #include "hal/tms570/start_report.hpp"
 #include "hal/tms570/variant.hpp"
 #include "hal/tms570/watchdog.hpp"
 
-#include <atomic>
 #include <cstdint>
 
 namespace counterpoint::tms570
@@ -82,7 +82,7 @@ class Board
     }
     [[nodiscard]] BoardFault Fault() const noexcept
     {
-        return fault_.load(std::memory_order_relaxed);
+        return fault_.Load();
     }
 
   private:
@@ -105,7 +105,7 @@ class Board
     Presence has_comparator_{Presence::kInvalid};
     bool is_watched_{false};
     std::uint32_t turn_{0U};
-    std::atomic<BoardFault> fault_{BoardFault::kInvalid};
+    Shared<BoardFault> fault_{BoardFault::kInvalid};
 };
 
 } // namespace counterpoint::tms570

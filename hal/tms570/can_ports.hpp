@@ -7,7 +7,6 @@
 #include "hal/tms570/dcan.hpp"
 #include "hal/tms570/frame_queue.hpp"
 
-#include <atomic>
 #include <cstdint>
 
 namespace counterpoint::tms570

@@ -54,10 +54,13 @@ constexpr DcanEvent kStatusEvent{DcanEventKind::kStatus, CanFrame{}};
 
 void Dcan::Stop(const CanFault why) noexcept
 {
-    Write(Place(kControl), kControlInit | kControlParityOn);
+    if (setup_.base.address != 0U) // else it was never started, and is off the bus since the reset
+    {
+        Write(Place(kControl), kControlInit | kControlParityOn);
+    }
     if ((Fault() == CanFault::kNone) || (Fault() == CanFault::kInvalid))
     {
-        fault_.store(why, std::memory_order_relaxed);
+        fault_.Store(why);
     }
 }
 
@@ -90,13 +93,13 @@ hal::TransmitStatus Dcan::Send(const CanFrame& frame) noexcept
         return hal::TransmitStatus::kRefused;
     }
     const std::uint32_t index = number - 1U;
-    if (in_flight_[index].load(std::memory_order_acquire) == kFlying)
+    if (in_flight_[index].Load() == kFlying)
     {
         return hal::TransmitStatus::kQueueFull;
     }
     const Sent sent{WordOf(frame, 0U), WordOf(frame, kBytesEachWord), frame.length_bytes};
     sent_[index] = sent;
-    in_flight_[index].store(kFlying, std::memory_order_release);
+    in_flight_[index].Store(kFlying);
     Write(Place(kInterface1 + kDataA), sent.data_a);
     Write(Place(kInterface1 + kDataB), sent.data_b);
     constexpr std::uint32_t kFixed = kMessageUseMask | kMessageEndOfBlock | kMessageTransmitInterrupt;
@@ -159,10 +162,10 @@ std::uint32_t Dcan::ExamineStatus() noexcept
     {
         Stop(CanFault::kParity);
     }
-    if (((status & kStatusBusOff) != 0U) && (bus_off_.load(std::memory_order_relaxed) == kOnBus))
+    if (((status & kStatusBusOff) != 0U) && (bus_off_.Load() == kOnBus))
     {
         paused_ = 0U;
-        bus_off_.store(kBusOff, std::memory_order_relaxed);
+        bus_off_.Store(kBusOff);
     }
     return status;
 }
@@ -225,7 +228,7 @@ DcanEvent Dcan::Confirmed(const std::uint32_t number, const Content& content) no
 {
     const std::uint32_t index = number - 1U;
     const bool is_sent = (content.control & kMessageTransmit) == 0U;
-    if ((in_flight_[index].load(std::memory_order_acquire) != kFlying) || !is_sent)
+    if ((in_flight_[index].Load() != kFlying) || !is_sent)
     {
         return kStatusEvent;
     }
@@ -243,7 +246,7 @@ DcanEvent Dcan::Confirmed(const std::uint32_t number, const Content& content) no
     event.frame.length_bytes = LengthOf(content.control);
     SetBytes(event.frame, 0U, content.data_a);
     SetBytes(event.frame, kBytesEachWord, content.data_b);
-    in_flight_[index].store(0U, std::memory_order_release);
+    in_flight_[index].Store(0U);
     return event;
 }
 

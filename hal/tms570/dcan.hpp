@@ -5,9 +5,9 @@
 #include "hal/api/can_ports.hpp"
 #include "hal/tms570/dcan_registers.hpp"
 #include "hal/tms570/registers.hpp"
+#include "hal/tms570/shared.hpp"
 #include "safety_core/contract/can_frame.hpp"
 
-#include <atomic>
 #include <cstdint>
 
 namespace counterpoint::tms570
@@ -97,11 +97,11 @@ class Dcan
 
     [[nodiscard]] CanFault Fault() const noexcept
     {
-        return fault_.load(std::memory_order_relaxed);
+        return fault_.Load();
     }
     [[nodiscard]] bool IsBusOff() const noexcept
     {
-        return bus_off_.load(std::memory_order_relaxed) != kOnBus;
+        return bus_off_.Load() != kOnBus;
     }
     /// @brief Times it went back to the bus since Start.
     [[nodiscard]] std::uint8_t Returns() const noexcept
@@ -150,10 +150,10 @@ class Dcan
     static constexpr std::uint8_t kReturning = 2U;
 
     DcanSetup setup_{};
-    Sent sent_[dcan::kMostObjects]{};                           // MISRA D-001
-    std::atomic<std::uint8_t> in_flight_[dcan::kMostObjects]{}; // MISRA D-001
-    std::atomic<CanFault> fault_{CanFault::kInvalid};
-    std::atomic<std::uint8_t> bus_off_{kBusOff};
+    Sent sent_[dcan::kMostObjects]{};                      // MISRA D-001
+    Shared<std::uint8_t> in_flight_[dcan::kMostObjects]{}; // MISRA D-001
+    Shared<CanFault> fault_{CanFault::kInvalid};
+    Shared<std::uint8_t> bus_off_{kBusOff};
     std::uint8_t paused_{0U};
     std::uint8_t returns_{0U};
 };

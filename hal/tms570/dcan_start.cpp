@@ -60,14 +60,14 @@ bool Dcan::IsUsable(const DcanSetup& setup) const noexcept
 
 CanFault Dcan::Start(const DcanSetup& setup) noexcept
 {
-    fault_.store(CanFault::kInvalid, std::memory_order_relaxed);
-    bus_off_.store(kBusOff, std::memory_order_relaxed);
+    fault_.Store(CanFault::kInvalid);
+    bus_off_.Store(kBusOff);
     setup_ = setup;
     paused_ = 0U;
     returns_ = 0U;
     if (!IsUsable(setup))
     {
-        fault_.store(CanFault::kSetup, std::memory_order_relaxed);
+        fault_.Store(CanFault::kSetup);
         return CanFault::kSetup;
     }
     Write(Place(kControl), kControlInit);
@@ -89,7 +89,7 @@ CanFault Dcan::Start(const DcanSetup& setup) noexcept
     Outcome objects = ClearObjects();
     for (std::uint32_t number = 1U; number <= setup.object_count; ++number)
     {
-        in_flight_[number - 1U].store(0U, std::memory_order_relaxed);
+        in_flight_[number - 1U].Store(0U);
         const CanObject& object = setup.objects[number - 1U]; // MISRA D-002
         objects = Both(objects, WriteObject(number, object));
         objects = Both(objects, CheckObject(number, object));
@@ -105,8 +105,8 @@ CanFault Dcan::Start(const DcanSetup& setup) noexcept
         Stop(CanFault::kRegisters);
         return Fault();
     }
-    fault_.store(CanFault::kNone, std::memory_order_relaxed);
-    bus_off_.store(kOnBus, std::memory_order_relaxed);
+    fault_.Store(CanFault::kNone);
+    bus_off_.Store(kOnBus);
     return CanFault::kNone;
 }
 
@@ -171,7 +171,7 @@ void Dcan::OnCycle() noexcept
 
 void Dcan::FollowBusOff(const bool is_off) noexcept
 {
-    const std::uint8_t state = bus_off_.load(std::memory_order_relaxed);
+    const std::uint8_t state = bus_off_.Load();
     const bool is_followed = (state != kOnBus) && (Fault() == CanFault::kNone);
     if (!is_followed)
     {
@@ -182,7 +182,7 @@ void Dcan::FollowBusOff(const bool is_off) noexcept
         // The hardware counts 128 times 11 recessive bits before it takes part again.
         if (!is_off)
         {
-            bus_off_.store(kOnBus, std::memory_order_relaxed);
+            bus_off_.Store(kOnBus);
         }
         return;
     }
@@ -199,7 +199,7 @@ void Dcan::FollowBusOff(const bool is_off) noexcept
     {
         ++returns_;
         paused_ = 0U;
-        bus_off_.store(kReturning, std::memory_order_relaxed);
+        bus_off_.Store(kReturning);
         Write(Place(kControl), kRunControl);
     }
 }
@@ -215,7 +215,7 @@ void Dcan::Withdraw() noexcept
         {
             Write(Place(kInterface1 + kMessageControl), ControlOf(object));
             outcome = Both(outcome, Command(kInterface1, kCommandWrite | kCommandControl | number));
-            in_flight_[number - 1U].store(0U, std::memory_order_relaxed);
+            in_flight_[number - 1U].Store(0U);
         }
     }
     if (outcome != Outcome::kDone)

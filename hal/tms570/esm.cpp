@@ -82,7 +82,7 @@ Outcome Esm::TestErrorPin() noexcept
 
 Outcome Esm::Start() noexcept
 {
-    corrected_.store(0U, std::memory_order_relaxed);
+    corrected_.Store(0U);
     Write(At(kBase, kPinClear1), kRecordedLow);
     Write(At(kBase, kPinClear4), kRecordedHigh);
     Write(At(kBase, kLevelClear1), kRecordedLow);
@@ -118,9 +118,9 @@ Outcome Esm::Serve() noexcept
         // Only these are cleared: what leads to the safe state stays to be read by whoever looks for the reason.
         Write(At(kBase, kStatus1), recorded_low);
         Write(At(kBase, kStatus4), recorded_high);
-        const std::uint16_t count = corrected_.load(std::memory_order_relaxed);
+        const std::uint16_t count = corrected_.Load();
         const std::uint32_t more = (count < 0xFFFFU) ? (std::uint32_t{count} + 1U) : count;
-        corrected_.store(static_cast<std::uint16_t>(more), std::memory_order_relaxed);
+        corrected_.Store(static_cast<std::uint16_t>(more));
         if (more > kMostCorrected)
         {
             Keep(1U, recorded_low, 0U);
@@ -146,11 +146,11 @@ Outcome Esm::Judge(const EsmStatus& status) noexcept
 
 void Esm::Keep(const std::uint8_t group, const std::uint32_t errors, const std::uint8_t first_channel) noexcept
 {
-    const bool is_first = (errors != 0U) && (group_.load(std::memory_order_relaxed) == 0U);
+    const bool is_first = (errors != 0U) && (group_.Load() == 0U);
     if (is_first)
     {
-        channel_.store(static_cast<std::uint8_t>(first_channel + LowestBit(errors)), std::memory_order_relaxed);
-        group_.store(group, std::memory_order_relaxed);
+        channel_.Store(static_cast<std::uint8_t>(first_channel + LowestBit(errors)));
+        group_.Store(group);
     }
 }
 

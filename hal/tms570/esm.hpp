@@ -5,8 +5,8 @@
 #include "hal/tms570/esm_channels.hpp"
 #include "hal/tms570/esm_registers.hpp"
 #include "hal/tms570/registers.hpp"
+#include "hal/tms570/shared.hpp"
 
-#include <atomic>
 #include <cstdint>
 
 namespace counterpoint::tms570
@@ -57,12 +57,12 @@ class Esm
     /// @brief The first error with reaction safe state since power-on of this object.
     [[nodiscard]] EsmError First() const noexcept
     {
-        return EsmError{group_.load(std::memory_order_relaxed), channel_.load(std::memory_order_relaxed)};
+        return EsmError{group_.Load(), channel_.Load()};
     }
     /// @brief Errors that the hardware corrected, since Start; stays at its greatest value.
     [[nodiscard]] std::uint16_t Corrected() const noexcept
     {
-        return corrected_.load(std::memory_order_relaxed);
+        return corrected_.Load();
     }
 
     /// More corrected errors than this become the safe state: an alpha particle comes once, a defect stays.
@@ -72,9 +72,9 @@ class Esm
     [[nodiscard]] Outcome Judge(const EsmStatus& status) noexcept;
     void Keep(std::uint8_t group, std::uint32_t errors, std::uint8_t first_channel) noexcept;
 
-    std::atomic<std::uint8_t> group_{0U};
-    std::atomic<std::uint8_t> channel_{0U};
-    std::atomic<std::uint16_t> corrected_{0U};
+    Shared<std::uint8_t> group_{0U};
+    Shared<std::uint8_t> channel_{0U};
+    Shared<std::uint16_t> corrected_{0U};
 };
 
 } // namespace counterpoint::tms570

@@ -14,44 +14,44 @@ constexpr QueuedFrame kLossQueued{QueuedKind::kLoss, StampedFrame{}};
 
 void FrameQueue::Clear() noexcept
 {
-    put_.store(0U, std::memory_order_relaxed);
-    taken_.store(0U, std::memory_order_relaxed);
-    losses_.store(0U, std::memory_order_relaxed);
+    put_.Store(0U);
+    taken_.Store(0U);
+    losses_.Store(0U);
     told_ = 0U;
 }
 
 void FrameQueue::Put(const QueuedFrame& frame) noexcept
 {
-    const std::uint32_t put = put_.load(std::memory_order_relaxed);
-    if ((put - taken_.load(std::memory_order_acquire)) >= kPlaces)
+    const std::uint32_t put = put_.Load();
+    if ((put - taken_.Load()) >= kPlaces)
     {
         PutLoss();
         return;
     }
     frames_[put % kPlaces] = frame;
-    put_.store(put + 1U, std::memory_order_release);
+    put_.Store(put + 1U);
 }
 
 void FrameQueue::PutLoss() noexcept
 {
-    losses_.store(losses_.load(std::memory_order_relaxed) + 1U, std::memory_order_release);
+    losses_.Store(losses_.Load() + 1U);
 }
 
 QueuedFrame FrameQueue::Take() noexcept
 {
-    const std::uint32_t losses = losses_.load(std::memory_order_acquire);
+    const std::uint32_t losses = losses_.Load();
     if (losses != told_)
     {
         told_ = losses;
         return kLossQueued;
     }
-    const std::uint32_t taken = taken_.load(std::memory_order_relaxed);
-    if (taken == put_.load(std::memory_order_acquire))
+    const std::uint32_t taken = taken_.Load();
+    if (taken == put_.Load())
     {
         return kNothingQueued;
     }
     const QueuedFrame frame = frames_[taken % kPlaces];
-    taken_.store(taken + 1U, std::memory_order_release);
+    taken_.Store(taken + 1U);
     return frame;
 }
 

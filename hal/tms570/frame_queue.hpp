@@ -2,9 +2,9 @@
 #ifndef HAL_TMS570_FRAME_QUEUE_HPP
 #define HAL_TMS570_FRAME_QUEUE_HPP
 
+#include "hal/tms570/shared.hpp"
 #include "safety_core/contract/can_frame.hpp"
 
-#include <atomic>
 #include <cstdint>
 
 namespace counterpoint::tms570
@@ -42,10 +42,10 @@ class FrameQueue
     static_assert((kPlaces & (kPlaces - 1U)) == 0U, "the counters wrap");
 
     QueuedFrame frames_[kPlaces]{}; // MISRA D-001
-    std::atomic<std::uint32_t> put_{0U};
-    std::atomic<std::uint32_t> taken_{0U};
-    std::atomic<std::uint32_t> losses_{0U}; ///< Written by the side that puts.
-    std::uint32_t told_{0U};                ///< Written by the side that takes.
+    Shared<std::uint32_t> put_{0U};
+    Shared<std::uint32_t> taken_{0U};
+    Shared<std::uint32_t> losses_{0U}; ///< Written by the side that puts.
+    std::uint32_t told_{0U};           ///< Written by the side that takes.
 };
 
 } // namespace counterpoint::tms570

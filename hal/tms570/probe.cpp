@@ -2,8 +2,7 @@
 #include "hal/tms570/probe.hpp"
 
 #include "hal/tms570/esm.hpp"
-
-#include <atomic>
+#include "hal/tms570/shared.hpp"
 
 namespace counterpoint::tms570
 {
@@ -12,8 +11,8 @@ namespace
 {
 
 // A handler gets nothing from whoever armed it but what stands at a fixed place.
-std::atomic<ProbeKind> armed_kind{ProbeKind::kInvalid}; // MISRA D-007
-std::atomic<std::uint32_t> armed_place{0U};             // MISRA D-007
+Shared<ProbeKind> armed_kind{ProbeKind::kInvalid}; // MISRA D-007
+Shared<std::uint32_t> armed_place{0U};             // MISRA D-007
 
 /// The hardware tells the double word.
 constexpr std::uint32_t kUnitMask = ~7U;
@@ -39,15 +38,15 @@ constexpr std::uint32_t kUnitMask = ~7U;
 
 void ArmProbe(const ProbeKind kind, const Register place) noexcept
 {
-    armed_place.store(place.address, std::memory_order_relaxed);
-    armed_kind.store(kind, std::memory_order_relaxed);
+    armed_place.Store(place.address);
+    armed_kind.Store(kind);
 }
 
 bool IsProvoked(const AbortFacts& facts) noexcept
 {
-    const ProbeKind kind = armed_kind.load(std::memory_order_relaxed);
-    armed_kind.store(ProbeKind::kInvalid, std::memory_order_relaxed);
-    const bool same_place = (facts.accessed & kUnitMask) == (armed_place.load(std::memory_order_relaxed) & kUnitMask);
+    const ProbeKind kind = armed_kind.Load();
+    armed_kind.Store(ProbeKind::kInvalid);
+    const bool same_place = (facts.accessed & kUnitMask) == (armed_place.Load() & kUnitMask);
     const bool is_probe = facts.instruction == ProbeInstruction();
     const bool is_access = facts.cause == hal::ExceptionCause::kDataAccess;
     return same_place && is_probe && is_access && IsReported(kind);

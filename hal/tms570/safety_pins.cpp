@@ -24,7 +24,7 @@ SafetyPins::SafetyPins(hal::Clocks& clocks) noexcept : clocks_(clocks)
 Outcome SafetyPins::Start(const SafetyPinsSetup& setup) noexcept
 {
     setup_ = setup;
-    live_.store(0U, std::memory_order_relaxed);
+    live_.Store(0U);
     gate_.Close();
     driven_ = 0U;
     used_ = 0U;
@@ -46,7 +46,7 @@ Outcome SafetyPins::Start(const SafetyPinsSetup& setup) noexcept
     outcome = Both(outcome, WaitFor(At(setup.port, kInput), Bits{used_, 0U}, kPinLooks));
     if (outcome == Outcome::kDone)
     {
-        live_.store(kLive, std::memory_order_relaxed);
+        live_.Store(kLive);
     }
     return outcome;
 }
@@ -70,7 +70,7 @@ hal::ProbeAnswer SafetyPins::Probe(const hal::PermitSet& permits, const std::uin
 
 void SafetyPins::CutOff() noexcept
 {
-    live_.store(0U, std::memory_order_relaxed);
+    live_.Store(0U);
     // Both ports, whatever the setup says by now; inputs again, so that no later write of an output is seen.
     constexpr RegisterBase kPorts[]{kPortA, kPortB}; // MISRA D-001
     for (const RegisterBase& port : kPorts)
@@ -82,7 +82,7 @@ void SafetyPins::CutOff() noexcept
 
 Outcome SafetyPins::Examine() noexcept
 {
-    if (live_.load(std::memory_order_relaxed) != kLive)
+    if (live_.Load() != kLive)
     {
         return Outcome::kFailed;
     }
@@ -99,7 +99,7 @@ Outcome SafetyPins::Examine() noexcept
 
 SrdoMask SafetyPins::Open() noexcept
 {
-    const bool is_live = live_.load(std::memory_order_relaxed) == kLive;
+    const bool is_live = live_.Load() == kLive;
     return is_live ? gate_.Open(clocks_.Now().a, setup_.limit) : 0U;
 }
 
@@ -112,12 +112,12 @@ void SafetyPins::SetPins(const SrdoMask open) noexcept
         const bool is_open = (slots != 0U) && ((open & slots) == slots);
         high |= is_open ? (1U << pin) : 0U;
     }
-    const bool is_live = live_.load(std::memory_order_relaxed) == kLive;
+    const bool is_live = live_.Load() == kLive;
     driven_ = is_live ? high : 0U;
     Write(At(setup_.port, kClear), used_ & ~driven_);
     Write(At(setup_.port, kSet), driven_);
     // An interrupt may have cut off in between.
-    if (live_.load(std::memory_order_relaxed) != kLive)
+    if (live_.Load() != kLive)
     {
         Write(At(setup_.port, kClear), used_);
     }

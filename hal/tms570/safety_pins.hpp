@@ -8,8 +8,8 @@
 #include "hal/api/safety_output.hpp"
 #include "hal/tms570/gio_registers.hpp"
 #include "hal/tms570/registers.hpp"
+#include "hal/tms570/shared.hpp"
 
-#include <atomic>
 #include <cstdint>
 
 namespace counterpoint::tms570
@@ -59,7 +59,7 @@ class SafetyPins final : public hal::SafetyOutput, public hal::OutputCutoff
     hal::OutputGate gate_{};
     std::uint32_t used_{0U};   ///< Pins that are safety outputs.
     std::uint32_t driven_{0U}; ///< Pins that were driven high.
-    std::atomic<std::uint32_t> live_{0U};
+    Shared<std::uint32_t> live_{0U};
 };
 
 } // namespace counterpoint::tms570

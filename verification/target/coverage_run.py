@@ -10,25 +10,29 @@ import target_build
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TARGET = ROOT / "build/target-coverage"
 HOST = ROOT / "build/coverage"
-PROGRAM = "verification/target/coverage/coverage_suite"
+# Cases and sequences with the bench's devices; the tests of core and link, which run where `--tests` asks for them.
+SUITE = "verification/target/coverage/coverage_suite"
+TESTS = "verification/target/gtest/coverage_tests"
 ROOMS = ("safety_core", "channel_a", "channel_b")
 KINDS = ("functions", "lines", "branches", "mcdc")
 # How often these go round follows from addresses and from the size of a pointer: what is reached is compared, not how often.
 BY_ADDRESS = "safety_core/selftest/"
 
 
-def build():
-    target_build.build_preset("tms570-coverage", ["coverage_suite"], TARGET)
-    target_build.build_preset("coverage", ["coverage_suite"])
+def build(programs):
+    names = [pathlib.Path(program).name for program in programs]
+    target_build.build_preset("tms570-coverage", names, TARGET)
+    target_build.build_preset("coverage", names)
 
 
-def export(program, raw, folder):
+def export(programs, profiles, folder):
     """What llvm-cov tells of each file of the safety rooms, by its place in the tree."""
-    merged = raw.with_suffix(".profdata")
-    target_build.run("llvm-profdata-19", "merge", "-sparse", raw, "-o", merged)
+    merged = profiles[0].with_suffix(".profdata")
+    target_build.run("llvm-profdata-19", "merge", "-sparse", *profiles, "-o", merged)
+    objects = [str(programs[0])] + [word for program in programs[1:] for word in ("-object", str(program))]
     sources = [path for room in ROOMS for path in [ROOT / room, *sorted((folder / "include").glob(f"*/{room}")),
                                                    *sorted((folder / "include").glob(f"*/{room}/*"))] if path.is_dir()]
-    done = subprocess.run(["llvm-cov-19", "export", str(program), f"-instr-profile={merged}", "-sources", *map(str, sources)],
+    done = subprocess.run(["llvm-cov-19", "export", *objects, f"-instr-profile={merged}", "-sources", *map(str, sources)],
                           capture_output=True, text=True, check=True)
     files = {}
     for entry in json.loads(done.stdout)["data"][0]["files"]:
@@ -72,21 +76,31 @@ def changed(files):
     return copy
 
 
-def check(report):
-    """Runs both and compares; the totals of the target."""
-    raw = {"target": TARGET / "target.profraw", "host": TARGET / "host.profraw"}
-    for path in raw.values():
+def run_both(report, program):
+    """Runs one program on both; its two profiles, or None."""
+    name = pathlib.Path(program).name
+    raw = [TARGET / f"{name}-{side}.profraw" for side in ("target", "host")]
+    for path in raw:
         path.unlink(missing_ok=True)
-    run = emulator.run_image(TARGET / f"{PROGRAM}.bin", str(raw["target"].relative_to(ROOT)), 300, count_instructions=False, folder=ROOT)
-    host = subprocess.run([HOST / PROGRAM], env=dict(os.environ, LLVM_PROFILE_FILE=str(raw["host"])), capture_output=True, text=True,
+    run = emulator.run_image(TARGET / f"{program}.bin", str(raw[0].relative_to(ROOT)), 300, count_instructions=False, folder=ROOT)
+    host = subprocess.run([HOST / program], env=dict(os.environ, LLVM_PROFILE_FILE=str(raw[1])), capture_output=True, text=True,
                           timeout=300, check=False)
-    both_ran = run.status == 0 and host.returncode == 0 and run.output == host.stdout and all(path.is_file() for path in raw.values())
+    both_ran = run.status == 0 and host.returncode == 0 and run.output == host.stdout and all(path.is_file() for path in raw)
     last = (run.output.strip().splitlines() or ["no output"])[-1]
-    report.add(both_ran, "instrumented suite on the target and on the host", last if both_ran else f"target {run.status}, host {host.returncode}: {last}",
+    for line in [line for line in (run.output + host.stdout).splitlines() if line.startswith(("failed:", "FAILURE"))][:5]:
+        print(f"      {line}")
+    report.add(both_ran, f"{name} instrumented, on the target and on the host", last if both_ran else f"target {run.status}, host {host.returncode}: {last}",
                "SRS-FW-010")
-    if not both_ran:
+    return raw if both_ran else None
+
+
+def check(report, programs):
+    """Runs the programs on both and compares; the totals of the target."""
+    profiles = [run_both(report, program) for program in programs]
+    if None in profiles:
         return {}
-    ours, theirs = export(TARGET / f"{PROGRAM}.elf", raw["target"], TARGET), export(HOST / PROGRAM, raw["host"], HOST)
+    ours = export([TARGET / f"{program}.elf" for program in programs], [pair[0] for pair in profiles], TARGET)
+    theirs = export([HOST / program for program in programs], [pair[1] for pair in profiles], HOST)
     found = differences(ours, theirs)
     sums = totals(ours)
     text = ", ".join(f"{kind} {covered} of {count}" for kind, (covered, count) in sums.items())

@@ -18,6 +18,7 @@ EM_ARM, ET_EXEC, PT_LOAD = 40, 2, 1
 SHF_ALLOC, SHT_NOBITS = 2, 8
 VECTORS = ("Reset", "UndefinedInstruction", "SupervisorCall", "PrefetchAbort", "DataAbort", "Reserved", "Interrupt", "FastInterrupt")
 RAM_ORIGIN = 0x08000000
+VARIANTS = ("LS20x", "LS12x", "LS31x", "LC43x")
 ROOM_CODE = {"channel_a": ("counterpoint::channel_a::",), "channel_b": ("counterpoint::channel_b::",),
              "core": ("counterpoint::Kernel::", "counterpoint::Comparator::", "counterpoint::ConfigurationGuard::", "counterpoint::hal::OutputGate::")}
 REGIONS = {"region_channel_a": "region_channel_length", "region_channel_b": "region_channel_length", "region_core": "region_core_length",
@@ -32,7 +33,7 @@ STEPS = [("big-endian data", r"setend be"), ("exceptions big-endian", r"mcr 15, 
          ("record of an exception back", r"stm r3, \{r4, r5, r6, r7, r8\}"), ("RAM correction", r"mcr 15, 0, r0, cr1, cr0, \{1\}"), ("stack of mode 23", r"cps #23$"), ("stack of mode 27", r"cps #27$"),
          ("stack of mode 19", r"cps #19$"), ("stack of mode 18", r"cps #18$"), ("stack of mode 17", r"cps #17$"), ("system mode", r"cps #31$"),
          ("zeroed data", r"strcc r2, \[r0\], #4"), ("painted stack", r"strcc r2, \[r0\], #4"), ("initialised data", r"strcc r3, \[r1\], #4"),
-         ("constructors", r"blx r0"), ("the program", r"blx r0"), ("end", r"b [0-9a-f]+ <Stopped>")]
+         ("constructors", r"blx r0"), ("asynchronous aborts", r"cpsie a"), ("the program", r"blx r0"), ("end", r"b [0-9a-f]+ <Stopped>")]
 START_FUNCTIONS = ("Reset", "InitialiseRegisters", "InitialiseMemory", "InitialiseProgram")
 MEMORY_ACCESS = re.compile(r"^(ldr|str|ldm|stm|push|pop|ldrd|strd)")
 
@@ -195,7 +196,7 @@ def variant_differences(root):
     cmake = (root / "hal/tms570/start/image.cmake").read_text(encoding="utf-8")
     header = (root / "hal/tms570/variant.hpp").read_text(encoding="utf-8")
     different = []
-    for name in ("LS20x", "LS12x", "LS31x", "LC43x"):
+    for name in VARIANTS:
         lengths = re.search(rf"COUNTERPOINT_MEMORY_{name} 0x(\w+) 0x(\w+) ", cmake)
         table = re.search(rf"Variant k{name.capitalize()}\{{(.*?)\n\}};", header, re.DOTALL)
         if not lengths or not table or not all(f"0x{value}U" in table.group(1) for value in lengths.groups()):

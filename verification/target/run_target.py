@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Runs the certified code big-endian on an emulated Cortex-R5F and compares with the host. `./dev firmware`.
 
-    run_target.py [--no-build]
+    run_target.py [--tests] [--no-build]
 
 Builds images (build/target) and the same programs for the host (build/product). Checks, one line each: the way of both
 compilers into one image, faults that end a run, the conformance cases and the differential sequences (number, failures,
 hash: as on the host), the firmware examples in scenarios and with misdeeds, the images for silicon, coverage of the target's
 objects, symbols, both byte orders, stack. Result: build/target/target.json.
+  --tests     coverage with the tests of core and link, too: 300 tests on the target (a minute more)
   --no-build  use what was built before
 Exit status: 0 everything holds, 1 something does not, 2 it could not be run.
 """
@@ -153,6 +154,10 @@ def check_images(report):
                "the emulator's image is refused as one for silicon", f"{len(refused)} checks", "SRS-FW-016")
     different = image_check.variant_differences(ROOT)
     report.add(not different, "memory of the variants as in hal/tms570/variant.hpp", ", ".join(different) or "4 variants", "SRS-FW-017")
+    for variant in image_check.VARIANTS:
+        rows = image_check.check(folder / f"own_device_{variant}_be32.elf")
+        wrong = [f"{text}: {found}" for holds, text, found in rows if not holds]
+        report.add(len(rows) >= 17 and not wrong, f"image of own_device for {variant}", "; ".join(wrong) or f"{len(rows)} of {len(rows)} checks hold", "SRS-FW-017")
 
 
 def check_stack(report):
@@ -182,14 +187,17 @@ def count_instructions(report):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--no-build", action="store_true")
+    parser.add_argument("--tests", action="store_true")
     arguments = parser.parse_args()
+    covered = [coverage_run.SUITE] + ([coverage_run.TESTS] if arguments.tests else [])
     if not arguments.no_build:
         print("Building build/target (big-endian, two compilers) and the same programs in build/product ...", flush=True)
         target_build.build_preset("tms570", ["selftest", "bench", "conformance", "conformance_be32", *firmware_run.DEVICES, "trap",
                                                *(f"{device}_be32" for device in firmware_run.DEVICES),
+                                               *(f"own_device_{variant}_be32" for variant in image_check.VARIANTS),
                                                *target_build.CERTIFIED_TARGETS], TARGET)
         target_build.build_preset("product", ["conformance_host", *(f"firmware_{device}_host" for device in firmware_run.DEVICES)])
-        coverage_run.build()
+        coverage_run.build(covered)
     report = Report()
     check_selftest(report)
     digest, count = check_objects(report)
@@ -197,7 +205,7 @@ def main():
     costs = firmware_run.check(report, IMAGES / "firmware", PRODUCT / "verification/target/firmware")
     check_images(report)
     byte_order.check(report, TARGET, PRODUCT)
-    coverage = coverage_run.check(report)
+    coverage = coverage_run.check(report, covered)
     rows = check_stack(report)
     items = count_instructions(report)
     result = {"digest": digest, "objects": count, "outcomes": outcomes, "instructions": items, "firmware_cycles": costs, "coverage": coverage,

@@ -18,7 +18,8 @@ struct BoardNeeds
     const tms570::CanObject* objects;
     std::uint8_t object_count;
     std::uint8_t node_id;
-    std::uint8_t output_pins;               ///< Pins of port B that are outputs in series; the others are inputs.
+    std::uint8_t
+        output_pins; ///< Pins of port B that are outputs in series, the lowest for bit 0; the others are inputs.
     SrdoMask gate_pins[tms570::gio::kPins]; ///< By pin of port A; 0: no safety output.
 };
 

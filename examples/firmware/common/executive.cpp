@@ -129,7 +129,9 @@ void Executive::Cycle() noexcept
     const InstantPair now = TakeFrames();
     const SrdoMask acknowledge = ReadInputs(Pins{Read(At(gio::kPortB, gio::kInput)) & ~needs_.output_pins});
     kernel_.Cycle(CycleCall{now, acknowledge, acknowledge});
-    const std::uint32_t outputs = SetOutputs(board_.Output().Open()).bits & needs_.output_pins;
+    // Bit 0 of the device's outputs is the lowest of its output pins.
+    const std::uint32_t pins = needs_.output_pins;
+    const std::uint32_t outputs = (SetOutputs(board_.Output().Open()).bits * (pins & (~pins + 1U))) & pins;
     Write(At(gio::kPortB, gio::kSet), outputs);
     Write(At(gio::kPortB, gio::kClear), needs_.output_pins & ~outputs);
     RunUnprivileged(RunNonSafety, stack_non_safety_top);

@@ -1,103 +1,108 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// Registers of a Cortex-R4F or R5F. The instructions have no other name in C++ than an assembler statement, and they
-// stand here alone. [MISRA D-005]
+// Registers of a Cortex-R4F or R5F. The instructions have no name in C++ and stand in processor.S.
 #include "hal/tms570/processor.hpp"
+
+extern "C"
+{
+    std::uint32_t ProcessorReadSystemControl() noexcept;
+    std::uint32_t ProcessorReadAuxiliaryControl() noexcept;
+    std::uint32_t ProcessorReadMpuType() noexcept;
+    std::uint32_t ProcessorReadRegionNumber() noexcept;
+    std::uint32_t ProcessorReadRegionBase() noexcept;
+    std::uint32_t ProcessorReadRegionSize() noexcept;
+    std::uint32_t ProcessorReadRegionAccess() noexcept;
+    void ProcessorWriteSystemControl(std::uint32_t value) noexcept;
+    void ProcessorWriteAuxiliaryControl(std::uint32_t value) noexcept;
+    void ProcessorWriteRegionNumber(std::uint32_t value) noexcept;
+    void ProcessorWriteRegionBase(std::uint32_t value) noexcept;
+    void ProcessorWriteRegionSize(std::uint32_t value) noexcept;
+    void ProcessorWriteRegionAccess(std::uint32_t value) noexcept;
+    void ProcessorSelectAccess(std::uint32_t region, std::uint32_t access) noexcept;
+    void ProcessorSynchronise() noexcept;
+    void ProcessorSleep() noexcept;
+    std::uint32_t ProcessorLock() noexcept;
+    void ProcessorUnlock(std::uint32_t before) noexcept;
+}
 
 namespace counterpoint::tms570
 {
 
 std::uint32_t ReadProcessor(const ProcessorRegister which) noexcept
 {
-    std::uint32_t value = 0U;
     switch (which)
     {
     case ProcessorRegister::kSystemControl:
-        asm volatile("mrc p15, 0, %0, c1, c0, 0" : "=r"(value)); // MISRA D-005
-        break;
+        return ProcessorReadSystemControl();
     case ProcessorRegister::kAuxiliaryControl:
-        asm volatile("mrc p15, 0, %0, c1, c0, 1" : "=r"(value)); // MISRA D-005
-        break;
+        return ProcessorReadAuxiliaryControl();
     case ProcessorRegister::kMpuType:
-        asm volatile("mrc p15, 0, %0, c0, c0, 4" : "=r"(value)); // MISRA D-005
-        break;
+        return ProcessorReadMpuType();
     case ProcessorRegister::kRegionNumber:
-        asm volatile("mrc p15, 0, %0, c6, c2, 0" : "=r"(value)); // MISRA D-005
-        break;
+        return ProcessorReadRegionNumber();
     case ProcessorRegister::kRegionBase:
-        asm volatile("mrc p15, 0, %0, c6, c1, 0" : "=r"(value)); // MISRA D-005
-        break;
+        return ProcessorReadRegionBase();
     case ProcessorRegister::kRegionSize:
-        asm volatile("mrc p15, 0, %0, c6, c1, 2" : "=r"(value)); // MISRA D-005
-        break;
+        return ProcessorReadRegionSize();
     case ProcessorRegister::kRegionAccess:
-        asm volatile("mrc p15, 0, %0, c6, c1, 4" : "=r"(value)); // MISRA D-005
-        break;
+        return ProcessorReadRegionAccess();
     case ProcessorRegister::kInvalid:
         break;
     }
-    return value;
+    return 0U;
 }
 
 void WriteProcessor(const ProcessorRegister which, const std::uint32_t value) noexcept
 {
-    Synchronise();
     switch (which)
     {
     case ProcessorRegister::kSystemControl:
-        asm volatile("mcr p15, 0, %0, c1, c0, 0" : : "r"(value) : "memory"); // MISRA D-005
+        ProcessorWriteSystemControl(value);
         break;
     case ProcessorRegister::kAuxiliaryControl:
-        asm volatile("mcr p15, 0, %0, c1, c0, 1" : : "r"(value) : "memory"); // MISRA D-005
+        ProcessorWriteAuxiliaryControl(value);
         break;
     case ProcessorRegister::kRegionNumber:
-        asm volatile("mcr p15, 0, %0, c6, c2, 0" : : "r"(value) : "memory"); // MISRA D-005
+        ProcessorWriteRegionNumber(value);
         break;
     case ProcessorRegister::kRegionBase:
-        asm volatile("mcr p15, 0, %0, c6, c1, 0" : : "r"(value) : "memory"); // MISRA D-005
+        ProcessorWriteRegionBase(value);
         break;
     case ProcessorRegister::kRegionSize:
-        asm volatile("mcr p15, 0, %0, c6, c1, 2" : : "r"(value) : "memory"); // MISRA D-005
+        ProcessorWriteRegionSize(value);
         break;
     case ProcessorRegister::kRegionAccess:
-        asm volatile("mcr p15, 0, %0, c6, c1, 4" : : "r"(value) : "memory"); // MISRA D-005
+        ProcessorWriteRegionAccess(value);
         break;
-    case ProcessorRegister::kMpuType:
+    case ProcessorRegister::kMpuType: // Read-only.
     case ProcessorRegister::kInvalid:
         break;
     }
-    Synchronise();
 }
 
 void WriteRegionAccess(const std::uint32_t region, const std::uint32_t access) noexcept
 {
-    asm volatile("mcr p15, 0, %0, c6, c2, 0\n\t" // MISRA D-005
-                 "mcr p15, 0, %1, c6, c1, 4"
-                 :
-                 : "r"(region), "r"(access)
-                 : "memory");
+    ProcessorSelectAccess(region, access);
 }
 
 void Synchronise() noexcept
 {
-    asm volatile("dsb\n\tisb" : : : "memory"); // MISRA D-005
+    ProcessorSynchronise();
 }
 
 void WaitForInterrupt() noexcept
 {
-    asm volatile("dsb\n\twfi" : : : "memory"); // MISRA D-005
+    ProcessorSleep();
 }
 
 std::uint32_t LockInterrupts() noexcept
 {
-    std::uint32_t before = 0U;
-    asm volatile("mrs %0, cpsr\n\tcpsid if" : "=r"(before) : : "memory"); // MISRA D-005
-    return before;
+    return ProcessorLock();
 }
 
 void UnlockInterrupts(const std::uint32_t before) noexcept
 {
-    asm volatile("msr cpsr_c, %0" : : "r"(before) : "memory"); // MISRA D-005
+    ProcessorUnlock(before);
 }
 
 } // namespace counterpoint::tms570

@@ -1,4 +1,4 @@
-# counterpoint_firmware(<name> SILICON <board rooms> EMULATED <board rooms> DEPENDS <device rooms> [REGIONS ...])
+# counterpoint_firmware(<name> SILICON <board rooms> EMULATED <board rooms> DEPENDS <device rooms> [REGIONS ...] [VARIANT <controller>])
 #
 # Links one program twice from the same objects of core, channels and application:
 #   <name>_be32.elf  for silicon: instructions big-endian (BE32), flash at 0, RAM at 0x08000000, with the board's drivers
@@ -13,17 +13,19 @@ set(COUNTERPOINT_MEMORY_LS20x 0x00200000 0x00028000 0x00200000 0x00040000)
 set(COUNTERPOINT_MEMORY_LS12x 0x00140000 0x00030000 0x00200000 0x00040000)
 set(COUNTERPOINT_MEMORY_LS31x 0x00300000 0x00040000 0x00400000 0x00040000)
 set(COUNTERPOINT_MEMORY_LC43x 0x00400000 0x00080000 0x00400000 0x00080000)
+set(COUNTERPOINT_VARIANTS LS20x LS12x LS31x LC43x)
 set(COUNTERPOINT_VARIANT LS31x CACHE STRING "Controller: LS20x, LS12x, LS31x or LC43x")
-set(memory ${COUNTERPOINT_MEMORY_${COUNTERPOINT_VARIANT}})
-if(NOT memory)
+if(NOT COUNTERPOINT_VARIANT IN_LIST COUNTERPOINT_VARIANTS)
   message(FATAL_ERROR "COUNTERPOINT_VARIANT is '${COUNTERPOINT_VARIANT}', expected LS20x, LS12x, LS31x or LC43x")
 endif()
-list(GET memory 0 flash_length)
-list(GET memory 1 ram_length)
-list(GET memory 2 flash_region)
-list(GET memory 3 ram_region)
-set(COUNTERPOINT_FIRMWARE_SILICON flash_length=${flash_length} ram_origin=0x08000000 ram_length=${ram_length}
-    region_flash_length=${flash_region} region_ram=0x08000000 region_ram_length=${ram_region})
+foreach(variant IN LISTS COUNTERPOINT_VARIANTS)
+  list(GET COUNTERPOINT_MEMORY_${variant} 0 flash_length)
+  list(GET COUNTERPOINT_MEMORY_${variant} 1 ram_length)
+  list(GET COUNTERPOINT_MEMORY_${variant} 2 flash_region)
+  list(GET COUNTERPOINT_MEMORY_${variant} 3 ram_region)
+  set(COUNTERPOINT_FIRMWARE_${variant} flash_length=${flash_length} ram_origin=0x08000000 ram_length=${ram_length}
+      region_flash_length=${flash_region} region_ram=0x08000000 region_ram_length=${ram_region})
+endforeach()
 set(COUNTERPOINT_FIRMWARE_EMULATED flash_length=0x00400000 ram_origin=0x00800000 ram_length=0x00080000
     region_flash_length=0x00400000 region_ram=0x00800000 region_ram_length=0x00080000)
 # Regions of the MPU and stacks; an image with more SRDOs gives greater ones by REGIONS.
@@ -31,7 +33,10 @@ set(COUNTERPOINT_FIRMWARE_REGIONS region_channel_length=0x800 region_core_length
     stack_main_length=0xC00 stack_exception_length=0x100 stack_interrupt_length=0x200 stack_non_safety_length=0x200)
 
 function(counterpoint_firmware name)
-  cmake_parse_arguments(IMAGE "" "" "SILICON;EMULATED;DEPENDS;REGIONS" ${ARGN})
+  cmake_parse_arguments(IMAGE "" "VARIANT" "SILICON;EMULATED;DEPENDS;REGIONS" ${ARGN})
+  if(NOT IMAGE_VARIANT)
+    set(IMAGE_VARIANT ${COUNTERPOINT_VARIANT})
+  endif()
   foreach(order be8 be32)
     if(order STREQUAL be8)
       set(image ${name})
@@ -41,8 +46,11 @@ function(counterpoint_firmware name)
     else()
       set(image ${name}_be32)
       set(flags -mbe32)
-      set(memory ${COUNTERPOINT_FIRMWARE_SILICON})
+      set(memory ${COUNTERPOINT_FIRMWARE_${IMAGE_VARIANT}})
       set(board ${IMAGE_SILICON})
+      if(board)
+        list(APPEND board firmware_variant_${IMAGE_VARIANT})
+      endif()
     endif()
     if(NOT board)
       continue()
@@ -59,6 +67,9 @@ function(counterpoint_firmware name)
         -Wl,--gc-sections,--fatal-warnings,--no-warn-execstack,-Map=$<TARGET_FILE:${image}>.map
         -Wl,-u,FirmwareVectors,-u,FirmwareMain,-u,HardwareInitialiseRam,-u,HardwareCutOff,-u,FirmwareInterrupt,${memory},${regions},-T,${COUNTERPOINT_FIRMWARE_SCRIPT})
   endforeach()
+  if(NOT TARGET ${name})
+    return()
+  endif()
   add_custom_command(TARGET ${name} POST_BUILD
       COMMAND ${CMAKE_OBJCOPY} -O binary $<TARGET_FILE:${name}> $<TARGET_FILE_DIR:${name}>/${name}.bin
       BYPRODUCTS ${CMAKE_CURRENT_BINARY_DIR}/${name}.bin VERBATIM)

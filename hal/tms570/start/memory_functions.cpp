@@ -11,15 +11,15 @@ extern "C"
     {
         auto* target = static_cast<std::uint8_t*>(to);
         const auto* source = static_cast<const std::uint8_t*>(from);
-        const bool words =
-            (((reinterpret_cast<std::uintptr_t>(to) | reinterpret_cast<std::uintptr_t>(from)) & 3U) == 0U);
+        const bool words = (((reinterpret_cast<std::uintptr_t>(to) | reinterpret_cast<std::uintptr_t>(from)) & 3U) ==
+                            0U); // MISRA D-008
         std::size_t i = 0U;
         if (words)
         {
             for (; (i + 16U) <= count; i += 16U)
             {
-                const auto* read = reinterpret_cast<const std::uint32_t*>(source + i);
-                auto* write = reinterpret_cast<std::uint32_t*>(target + i);
+                const auto* read = reinterpret_cast<const std::uint32_t*>(source + i); // MISRA D-008
+                auto* write = reinterpret_cast<std::uint32_t*>(target + i);            // MISRA D-008
                 write[0] = read[0];
                 write[1] = read[1];
                 write[2] = read[2];
@@ -27,7 +27,8 @@ extern "C"
             }
             for (; (i + 4U) <= count; i += 4U)
             {
-                *reinterpret_cast<std::uint32_t*>(target + i) = *reinterpret_cast<const std::uint32_t*>(source + i);
+                *reinterpret_cast<std::uint32_t*>(target + i) =
+                    *reinterpret_cast<const std::uint32_t*>(source + i); // MISRA D-008
             }
         }
         for (; i < count; ++i)
@@ -41,7 +42,7 @@ extern "C"
     {
         auto* target = static_cast<std::uint8_t*>(to);
         const auto* source = static_cast<const std::uint8_t*>(from);
-        if (reinterpret_cast<std::uintptr_t>(to) <= reinterpret_cast<std::uintptr_t>(from))
+        if (reinterpret_cast<std::uintptr_t>(to) <= reinterpret_cast<std::uintptr_t>(from)) // MISRA D-008
         {
             return memcpy(to, from, count);
         }
@@ -58,11 +59,11 @@ extern "C"
         const std::uint32_t byte = static_cast<std::uint8_t>(value);
         const std::uint32_t word = byte * 0x01010101U;
         std::size_t i = 0U;
-        if ((reinterpret_cast<std::uintptr_t>(to) & 3U) == 0U)
+        if ((reinterpret_cast<std::uintptr_t>(to) & 3U) == 0U) // MISRA D-008
         {
             for (; (i + 16U) <= count; i += 16U)
             {
-                auto* words = reinterpret_cast<std::uint32_t*>(target + i);
+                auto* words = reinterpret_cast<std::uint32_t*>(target + i); // MISRA D-008
                 words[0] = word;
                 words[1] = word;
                 words[2] = word;
@@ -70,7 +71,7 @@ extern "C"
             }
             for (; (i + 4U) <= count; i += 4U)
             {
-                *reinterpret_cast<std::uint32_t*>(target + i) = word;
+                *reinterpret_cast<std::uint32_t*>(target + i) = word; // MISRA D-008
             }
         }
         for (; i < count; ++i)

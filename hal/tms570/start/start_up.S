@@ -186,7 +186,8 @@ FirmwareVectors:
     ldr r0, [r4], #4
     blx r0
     b 4b
-5:  ldr r0, =FirmwareMain
+5:  cpsie a                            @ a write that nobody answers is an exception, too
+    ldr r0, =FirmwareMain
     blx r0
     b Stopped
     finish InitialiseProgram

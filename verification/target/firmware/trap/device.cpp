@@ -51,8 +51,12 @@ std::uint8_t* Victim() noexcept
 {
     // In the order of run_target.py.
     static std::uint8_t* const kVictims[]{
-        region_channel_a, region_channel_b,  region_core,
-        region_non_safety, stack_main_bottom, flash_core_start,
+        region_channel_a,
+        region_channel_b,
+        region_core,
+        region_non_safety,
+        stack_main_bottom,
+        flash_core_start,
         reinterpret_cast<std::uint8_t*>(std::uintptr_t{0xFFFFFF5CU}), // A register of the system module.
     };
     constexpr std::uint32_t kCount = sizeof(kVictims) / sizeof(kVictims[0]);

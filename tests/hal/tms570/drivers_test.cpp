@@ -1,0 +1,249 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "hal/tms570/cut_off.hpp"
+#include "hal/tms570/probe.hpp"
+#include "tests/hal/tms570/rig.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <gtest/gtest.h>
+
+namespace counterpoint::tms570
+{
+namespace
+{
+
+[[nodiscard]] hal::WatchdogAnswer RightAnswer(const hal::WatchdogQuestion& question)
+{
+    return hal::WatchdogAnswer{(0x5EC0'DE27U + question.value) * 0x0100'0193U};
+}
+
+// 1500 us at 80 MHz: 14 steps of 8192 cycles are 1433 us; the half of it is 716 us.
+TEST(WatchdogTest, PlanLiesWithinTheWindowThatWasAskedFor)
+{
+    Verifies(req::SRS_TMS_022);
+    // Given a cycle of 1 ms, when the window is planned
+    const WatchdogPlan plan = PlanWatchdog(hal::WatchdogWindow{500U, 1500U}, RtiClock{80U}, 900U);
+    // Then it is the hardware's nearest inside of what was asked for
+    EXPECT_EQ(plan.outcome, Outcome::kDone);
+    EXPECT_EQ(plan.preload, 13U);
+    EXPECT_EQ(plan.window, 0x50U);
+    EXPECT_EQ(plan.real.opens_us, 716U);
+    EXPECT_EQ(plan.real.ends_us, 1433U);
+    // and what the hardware cannot have is refused
+    EXPECT_EQ(PlanWatchdog(hal::WatchdogWindow{800U, 1000U}, RtiClock{80U}, 805U).outcome, Outcome::kFailed);
+    EXPECT_EQ(PlanWatchdog(hal::WatchdogWindow{10U, 90U}, RtiClock{80U}, 50U).outcome, Outcome::kFailed);
+    EXPECT_EQ(PlanWatchdog(hal::WatchdogWindow{0U, 300001U}, RtiClock{80U}, 900U).outcome, Outcome::kFailed);
+    EXPECT_EQ(PlanWatchdog(hal::WatchdogWindow{0U, 1500U}, RtiClock{0U}, 900U).outcome, Outcome::kFailed);
+}
+
+class WatchdogRuns : public ::testing::Test
+{
+  protected:
+    void SetUp() override
+    {
+        ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+        ASSERT_EQ(rig.board.StartWatchdog(), Outcome::kDone);
+    }
+
+    Rig rig;
+};
+
+TEST_F(WatchdogRuns, RightAnswersInTheWindowKeepItQuiet)
+{
+    Verifies(req::SRS_TMS_023);
+    // Given answers every millisecond, when each is right
+    for (int cycle = 0; cycle < 20; ++cycle)
+    {
+        rig.machine.Advance(1000U);
+        rig.board.Watchdog().Answer(RightAnswer(rig.board.Watchdog().Question()));
+    }
+    // Then it never bites, and the questions differ
+    EXPECT_FALSE(rig.machine.rti.HasBitten());
+    const std::uint32_t before = rig.board.Watchdog().Question().value;
+    rig.machine.Advance(1000U);
+    rig.board.Watchdog().Answer(RightAnswer(rig.board.Watchdog().Question()));
+    EXPECT_NE(rig.board.Watchdog().Question().value, before);
+}
+
+TEST_F(WatchdogRuns, EarlyAndLateAnswersReset)
+{
+    Verifies(req::SRS_TMS_022);
+    // Given an answer after 700 us, which is before the window opens at 716 us
+    rig.machine.Advance(700U);
+    rig.board.Watchdog().Answer(RightAnswer(rig.board.Watchdog().Question()));
+    EXPECT_TRUE(rig.machine.rti.HasBitten());
+}
+
+TEST_F(WatchdogRuns, SilenceResets)
+{
+    Verifies(req::SRS_TMS_022);
+    // Given no answer, when the period of 1433 us is not over, then it waits
+    rig.machine.Advance(1420U);
+    EXPECT_FALSE(rig.machine.rti.HasBitten());
+    // and then it bites
+    rig.machine.Advance(20U);
+    EXPECT_TRUE(rig.machine.rti.HasBitten());
+}
+
+class WrongAnswer : public WatchdogRuns, public ::testing::WithParamInterface<std::uint32_t>
+{
+};
+
+TEST_P(WrongAnswer, ResetsForEveryBit)
+{
+    Verifies(req::SRS_TMS_023);
+    // Given a right answer in which these bits are wrong
+    rig.machine.Advance(1000U);
+    hal::WatchdogAnswer answer = RightAnswer(rig.board.Watchdog().Question());
+    answer.value ^= GetParam();
+    // When it is given in the window, then a key is wrong and the controller is reset
+    rig.board.Watchdog().Answer(answer);
+    EXPECT_TRUE(rig.machine.rti.HasBitten());
+}
+
+INSTANTIATE_TEST_SUITE_P(Bits, WrongAnswer,
+                         ::testing::Values(1U, 0x8000U, 0x00010000U, 0x80000000U, 0x00010001U, 0xFFFFFFFFU));
+
+TEST(WatchdogTest, LostWriteRefusesTheStart)
+{
+    Verifies(req::SRS_TMS_022);
+    for (const model::Fault fault : {model::Fault::kWatchdogNotEnabled, model::Fault::kWatchdogPeriodLost})
+    {
+        // Given a watchdog that does not keep what is written
+        Rig rig;
+        ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+        rig.machine.faults.Set(fault);
+        // When it is started, then that fails and the device is safe before its first cycle
+        EXPECT_EQ(rig.board.StartWatchdog(), Outcome::kFailed);
+        EXPECT_EQ(rig.board.BeginCycle(), BoardFault::kWatchdog);
+        EXPECT_TRUE(rig.IsSafe());
+    }
+}
+
+TEST(SafetyPinsTest, ThreeRightPermitsOpenAndEachWrongOneCloses)
+{
+    Verifies(req::SRS_TMS_024);
+    // Given a started board whose pin is low
+    Rig rig;
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    EXPECT_EQ(rig.machine.gio.PinsA(), 0U);
+    for (int wrong = 0; wrong < 4; ++wrong)
+    {
+        // When three right permits come, then it is high
+        SafetyPins& output = rig.board.Output();
+        output.Drive(Rig::RightPermits(output.Challenge(), 1U));
+        EXPECT_EQ(rig.machine.gio.PinsA(), 1U);
+        // and when one is wrong, or the challenge is an old one, it is low
+        hal::PermitSet permits = Rig::RightPermits(output.Challenge(), 1U);
+        permits.a.response ^= (wrong == 0) ? 1U : 0U;
+        permits.b.response ^= (wrong == 1) ? 1U : 0U;
+        permits.kernel.response ^= (wrong == 2) ? 1U : 0U;
+        static_cast<void>((wrong == 3) ? output.Challenge() : 0U);
+        output.Drive(permits);
+        EXPECT_EQ(rig.machine.gio.PinsA(), 0U);
+    }
+}
+
+TEST(SafetyPinsTest, SilenceClosesAfterTheLimit)
+{
+    Verifies(req::SRS_TMS_024);
+    // Given an open output
+    Rig rig;
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    SafetyPins& output = rig.board.Output();
+    output.Drive(Rig::RightPermits(output.Challenge(), 1U));
+    // When nothing is driven for 1200 us and the pins are looked at, then it is open still
+    rig.machine.Advance(1190U);
+    EXPECT_EQ(output.Examine(), Outcome::kDone);
+    EXPECT_EQ(rig.machine.gio.PinsA(), 1U);
+    // and closed after that
+    rig.machine.Advance(20U);
+    EXPECT_EQ(output.Examine(), Outcome::kDone);
+    EXPECT_EQ(rig.machine.gio.PinsA(), 0U);
+}
+
+TEST(SafetyPinsTest, CutOffLastsUntilTheNextStart)
+{
+    Verifies(req::SRS_TMS_025);
+    // Given an output that was cut off
+    Rig rig;
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    SafetyPins& output = rig.board.Output();
+    output.CutOff();
+    // When right permits come, then it stays low and is no output any more
+    output.Drive(Rig::RightPermits(output.Challenge(), 1U));
+    EXPECT_EQ(rig.machine.gio.PinsA(), 0U);
+    EXPECT_EQ(output.Open(), 0U);
+    EXPECT_EQ(output.Examine(), Outcome::kFailed);
+    // and when it is started again, it works
+    EXPECT_EQ(output.Start(rig.setup.pins), Outcome::kDone);
+    output.Drive(Rig::RightPermits(output.Challenge(), 1U));
+    EXPECT_EQ(rig.machine.gio.PinsA(), 1U);
+}
+
+TEST(ProbeTest, OnlyTheArmedAccessIsProvoked)
+{
+    Verifies(req::SRS_TMS_046);
+    // Given a machine that reports an uncorrectable error of the even bank
+    model::Machine machine{kLs12x};
+    machine.esm.Raise(3U, 3U);
+    constexpr Register kPlace{0x08000100U};
+    const AbortFacts right{hal::ExceptionCause::kDataAccess, 0x08000104U, ProbeInstruction()};
+    const AbortFacts elsewhere{hal::ExceptionCause::kDataAccess, 0x08000108U, ProbeInstruction()};
+    const AbortFacts other_code{hal::ExceptionCause::kDataAccess, 0x08000104U, ProbeInstruction() + 4U};
+    const AbortFacts other_cause{hal::ExceptionCause::kInstruction, 0x08000104U, ProbeInstruction()};
+    // When nothing is armed, then no abort is provoked
+    EXPECT_FALSE(IsProvoked(right));
+    // and when it is, then exactly this one, once
+    ArmProbe(ProbeKind::kEvenRam, kPlace);
+    EXPECT_TRUE(IsProvoked(right));
+    EXPECT_FALSE(IsProvoked(right));
+    for (const AbortFacts& wrong : {elsewhere, other_code, other_cause})
+    {
+        ArmProbe(ProbeKind::kEvenRam, kPlace);
+        EXPECT_FALSE(IsProvoked(wrong));
+        // A wrong one uses it up as well.
+        EXPECT_FALSE(IsProvoked(right));
+    }
+    // and not while another module reports
+    ArmProbe(ProbeKind::kOddRam, kPlace);
+    EXPECT_FALSE(IsProvoked(right));
+    ArmProbe(ProbeKind::kFlash, kPlace);
+    EXPECT_FALSE(IsProvoked(right));
+}
+
+TEST(CutOffTest, ClosesEverythingWithoutAnyObject)
+{
+    Verifies(req::SRS_TMS_052);
+    // Given a device in operation
+    Rig rig{kLs12x, BusLayout::kTwoBuses};
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    ASSERT_EQ(rig.Cycle(), BoardFault::kNone);
+    ASSERT_EQ(rig.machine.gio.PinsA(), 1U);
+    // When an exception comes
+    CutOffEverything();
+    // Then pins and nERROR are low and both controllers off the bus
+    EXPECT_TRUE(rig.IsSafe());
+    EXPECT_FALSE(rig.machine.dcan2.IsOnBus());
+    EXPECT_EQ(Read(At(gio::kPortA, gio::kDirection)), 0U);
+}
+
+TEST(RtiTest, CountersAreMicrosecondsOfTheirOwn)
+{
+    Verifies(req::SRS_TMS_020);
+    for (const Variant* variant : {&kLs20x, &kLs12x, &kLs31x, &kLc43x})
+    {
+        // Given a started board of each variant
+        Rig rig{*variant};
+        ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+        // When a millisecond passes
+        const InstantPair before = rig.board.Clocks().Now();
+        rig.machine.Advance(1000U);
+        const InstantPair after = rig.board.Clocks().Now();
+        // Then both say so
+        EXPECT_NEAR(after.a.us - before.a.us, 1000.0, 1.0);
+        EXPECT_NEAR(after.b.us - before.b.us, 1000.0, 1.0);
+    }
+}
+
+} // namespace
+} // namespace counterpoint::tms570

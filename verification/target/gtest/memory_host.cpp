@@ -1,0 +1,16 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/target/gtest/memory.hpp"
+
+namespace counterpoint::target
+{
+
+std::size_t MarkMemory() noexcept
+{
+    return 0U;
+}
+
+void ReleaseMemory(const std::size_t /*mark*/) noexcept
+{
+}
+
+} // namespace counterpoint::target
