@@ -356,6 +356,7 @@ inline constexpr RequirementId SRS_MON_013{"SRS-MON-013"};
 inline constexpr RequirementId SRS_MON_014{"SRS-MON-014"};
 inline constexpr RequirementId SRS_MON_015{"SRS-MON-015"};
 inline constexpr RequirementId SRS_MON_016{"SRS-MON-016"};
+inline constexpr RequirementId SRS_MON_017{"SRS-MON-017"};
 inline constexpr RequirementId SRS_NMT_001{"SRS-NMT-001"};
 inline constexpr RequirementId SRS_NMT_002{"SRS-NMT-002"};
 inline constexpr RequirementId SRS_NMT_003{"SRS-NMT-003"};
