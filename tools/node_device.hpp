@@ -3,6 +3,7 @@
 #define TOOLS_NODE_DEVICE_HPP
 
 #include "tools/node_application.hpp"
+#include "tools/node_build.hpp"
 #include "tools/node_further.hpp"
 #include "tools/node_latency.hpp"
 #include "tools/node_lss.hpp"
@@ -29,18 +30,6 @@
 
 namespace counterpoint::tools
 {
-/// What a live node is built from.
-struct NodeSettings
-{
-    std::string dcf;
-    std::optional<std::uint8_t> node_id;
-    std::optional<std::uint32_t> cycle_us; ///< Instead of 5F00h:01.
-    std::string store;                     ///< File of 1010h; empty: nothing is saved.
-    bool has_lss{false};                   ///< Also where the file does not say so.
-    bool has_self_tests{true};
-    std::optional<std::uint8_t> lss_node_id{}; ///< LSS gave it in this run: before all others.
-};
-
 /// A device of a DCF in real time: shipped kernel, channels and services, the gate and the watchdog of the host, real
 /// frames. Time comes in with every call. [SRS-NODE-001, SRS-NODE-006]
 class NodeDevice final : private device::Owner

@@ -29,6 +29,7 @@ device::LoadResult NodeDevice::OnResetNode() noexcept
     objects_.LoadApplication();
     if (self_test_)
     {
+        has_told_test_ = false;
         self_test_->Start();
         TellSelfTest(now_ns_);
     }

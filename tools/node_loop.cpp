@@ -83,7 +83,7 @@ ExitStatus NodeLoop::Run()
         Tell(std::string("warning: no real-time priority (") + std::strerror(errno) + "): cycles may come too late",
              "warning", {{"text", "no real-time priority"}});
     }
-    if (!device_->PowerOn(now_, now_ns_))
+    if (!device_->PowerOn(now_, now_ns_) && !device_->NewNodeId())
     {
         return ExitStatus::kDoesNotHold;
     }

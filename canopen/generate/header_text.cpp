@@ -125,8 +125,10 @@ std::string Opening(const FileText& file)
 constexpr const char* kTables =
     "/// For cia301::Dictionary: all but what the kernel serves.\n"
     "extern const counterpoint::cia301::EntryTable kEntryTable;\n"
-    "/// For Kernel::Start.\n"
-    "extern const counterpoint::DeviceConfig kDevice;\n\n"
+    "/// For Kernel::Start, with kNodeId.\n"
+    "extern const counterpoint::DeviceConfig kDevice;\n"
+    "/// For Kernel::Start: kDevice, or that with the node-ID of ApplyNodeId.\n"
+    "[[nodiscard]] const counterpoint::DeviceConfig& Device() noexcept;\n\n"
     "/// Hooks of services and application.\n"
     "[[nodiscard]] counterpoint::generated::StoredObjects& Objects() noexcept;\n"
     "/// Writes the safety configuration to a started kernel; the first refusal ends it.\n"
@@ -134,7 +136,8 @@ constexpr const char* kTables =
     "/// Values of power-on: everything; 1000h to 1FFFh. They are there at the start of the program, too.\n"
     "void ResetApplication() noexcept;\n"
     "void ResetCommunication() noexcept;\n"
-    "/// Values with $NODEID for another node-ID than kNodeId, 1 to 127; again after each reset.\n"
+    "/// Another node-ID than kNodeId, 1 to 127: for Device and Configure, which follow, and for values with\n"
+    "/// $NODEID, again after each reset. Not while a kernel runs by Device.\n"
     "void ApplyNodeId(std::uint8_t node_id) noexcept;\n\n";
 } // namespace
 

@@ -3,11 +3,14 @@
 
 #include "canopen/cia306/input_error.hpp"
 
+#include <algorithm>
+
 namespace counterpoint::generate
 {
 namespace
 {
 constexpr std::uint32_t kMicrosecondsPerMillisecond = 1000U;
+constexpr std::size_t kSignaturesALine = 8U;
 
 const StaticFieldPlace* FieldOf(const Layout& layout, const std::uint8_t number)
 {
@@ -82,28 +85,74 @@ std::string SetupsText(const Layout& layout)
     return text.empty() ? "" : "constexpr counterpoint::SrdoSetup kSetups[]{\n" + text + "};\n\n";
 }
 
-std::string SettingsText(const Layout& layout)
+std::string SignatureTable(const std::string& name, const std::vector<std::uint16_t>& signatures)
 {
+    std::string text = "/// For the node-IDs from 1 on.\nconstexpr std::uint16_t " + name + "[]{\n";
+    for (std::size_t place = 0U; place < signatures.size(); ++place)
+    {
+        const bool is_first = place % kSignaturesALine == 0U;
+        text += std::string(is_first ? "    " : "") + HexLiteral(signatures[place], 4) +
+                ((place + 1U) % kSignaturesALine == 0U || place + 1U == signatures.size() ? ",\n" : ", ");
+    }
+    return text + "};\n\n";
+}
+
+/// Settings that depend on the node-ID, or nothing.
+std::string NodeSettingsText(const std::vector<SafetySetting>& settings)
+{
+    std::string tables;
     std::string text;
-    std::size_t count = 0U;
-    for (const SafetySetting& setting : layout.safety.Settings())
+    for (std::size_t place = 0U; place < settings.size(); ++place)
+    {
+        const SafetySetting& setting = settings[place];
+        const std::string name = "kSignatures" + std::to_string(setting.sub);
+        const bool has_table = !setting.signatures.empty();
+        tables += has_table ? SignatureTable(name, setting.signatures) : "";
+        if (has_table || setting.node_addend)
+        {
+            text += "    {" + UnsignedLiteral(place) + ", " + HexLiteral(setting.node_addend.value_or(0U), 8) + ", " +
+                    (has_table ? name : "nullptr") + "},\n";
+        }
+    }
+    return text.empty()
+               ? ""
+               : tables + "constexpr counterpoint::generated::NodeSetting kNodeSettings[]{\n" + text + "};\n\n";
+}
+
+std::string SettingsText(const FileText& file)
+{
+    const Layout& layout = file.layout;
+    const std::vector<SafetySetting> settings = layout.safety.Settings();
+    std::string text;
+    for (const SafetySetting& setting : settings)
     {
         text += "    {{" + HexLiteral(setting.index, 4) + ", " + HexLiteral(setting.sub, 2) + "}, " +
                 UnsignedLiteral(setting.size_bytes) + ", " + HexLiteral(setting.value, 2 * setting.size_bytes) + "},\n";
-        ++count;
     }
-    const bool has_fields = !layout.fields.empty();
-    const std::string settings =
-        count == 0U ? "" : "constexpr counterpoint::generated::Setting kSettings[]{\n" + text + "};\n\n";
-    return settings + "constexpr counterpoint::generated::Configuration kConfiguration{" +
-           (count == 0U ? "nullptr" : "kSettings") + ", " + (has_fields ? "kFields" : "nullptr") + ", " +
-           UnsignedLiteral(count) + ", " + UnsignedLiteral(layout.fields.size()) + "};\n\n";
+    const std::string node_settings = NodeSettingsText(settings);
+    const auto node_count = std::count_if(settings.begin(), settings.end(), [](const SafetySetting& setting)
+                                          { return setting.node_addend || !setting.signatures.empty(); });
+    const std::string all =
+        settings.empty() ? "" : "constexpr counterpoint::generated::Setting kSettings[]{\n" + text + "};\n\n";
+    return all + node_settings + "constexpr counterpoint::generated::Configuration kConfiguration{" +
+           (settings.empty() ? "nullptr" : "kSettings") + ", " + (layout.fields.empty() ? "nullptr" : "kFields") +
+           ", " + (node_count == 0 ? "nullptr" : "kNodeSettings") + ", " + UnsignedLiteral(settings.size()) + ", " +
+           UnsignedLiteral(static_cast<std::uint64_t>(node_count)) + ", " + UnsignedLiteral(layout.fields.size()) +
+           ", kNodeId};\n\n";
 }
 
 std::string Member(const std::string& value, const char* const name)
 {
     return "    " + value + ", // " + name + "\n";
 }
+
+/// Where ApplyNodeId keeps the description for another node-ID.
+constexpr const char* kOtherDevice =
+    "namespace\n{\n\ncounterpoint::DeviceConfig other_device{};\n"
+    "const counterpoint::DeviceConfig* device_now{&kDevice};\n\n"
+    "void DescribeNode(const std::uint8_t node_id) noexcept\n{\n"
+    "    other_device = kDevice;\n    other_device.node_id = node_id;\n    other_device.digest = 0U;\n"
+    "    device_now = (node_id == kNodeId) ? &kDevice : &other_device;\n}\n\n} // namespace\n\n";
 
 std::string Port(const std::uint8_t number)
 {
@@ -114,7 +163,7 @@ std::string Port(const std::uint8_t number)
 std::string KernelText(const FileText& file)
 {
     const Layout& layout = file.layout;
-    return ObjectsText(layout) + MapsText(layout) + SetupsText(layout) + SettingsText(layout);
+    return ObjectsText(layout) + MapsText(layout) + SetupsText(layout) + SettingsText(file);
 }
 
 std::string DeviceText(const FileText& file)
@@ -144,6 +193,6 @@ std::string DeviceText(const FileText& file)
            Member(UnsignedLiteral(parameters.clock_tolerance_us), "clock_tolerance_us") +
            Member(UnsignedLiteral(parameters.clock_tolerance_interval_us), "clock_interval_us") +
            Member(UnsignedLiteral(parameters.output_us), "output_time_us") +
-           Member(HexLiteral(layout.safety.Digest(), 8), "digest") + "};\n\n";
+           Member(HexLiteral(layout.safety.Digest(), 8), "digest") + "};\n\n" + kOtherDevice;
 }
 } // namespace counterpoint::generate

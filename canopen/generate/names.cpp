@@ -31,10 +31,11 @@ constexpr std::array<std::string_view, 99U> kTaken{
     "requires",    "std",      "linux",     "unix",      "i386",         "main",          "arm",
     "counterpoint"};
 
-/// What the generated header has besides the elements.
-constexpr std::array<std::string_view, 10U> kOwnNames{"NodeId",     "SrdoCount",    "MapEntries", "LongestObjectBytes",
-                                                      "EntryTable", "Entries",      "EntryCount", "Device",
-                                                      "Objects",    "Configuration"};
+/// What the generated files have besides the elements.
+constexpr std::array<std::string_view, 20U> kOwnNames{
+    "ConstantBytes", "Limits",         "PowerOn",      "Variables", "Setups",    "Settings",     "Fields",
+    "AnyLength",     "ConstantValues", "NodeSettings", "NodeId",    "SrdoCount", "MapEntries",   "LongestObjectBytes",
+    "EntryTable",    "Entries",        "EntryCount",   "Device",    "Objects",   "Configuration"};
 
 bool IsLetter(const char character)
 {
@@ -51,10 +52,15 @@ bool IsTaken(const std::string_view word)
     return std::find(kTaken.begin(), kTaken.end(), word) != kTaken.end();
 }
 
+bool IsNumbered(const std::string& name, const std::string& word)
+{
+    return name.rfind(word, 0U) == 0U && name.size() > word.size() && IsDigit(name[word.size()]);
+}
+
 bool IsOwnName(const std::string& name)
 {
-    const bool is_srdo = name.rfind("Srdo", 0U) == 0U && name.size() > 4U && IsDigit(name[4U]);
-    return is_srdo || std::find(kOwnNames.begin(), kOwnNames.end(), name) != kOwnNames.end();
+    const bool is_numbered = IsNumbered(name, "Srdo") || IsNumbered(name, "Map") || IsNumbered(name, "Signatures");
+    return is_numbered || std::find(kOwnNames.begin(), kOwnNames.end(), name) != kOwnNames.end();
 }
 
 std::string AddressText(const cia306::Entry& entry)

@@ -2,8 +2,10 @@
 #include "canopen/generate/safety_part.hpp"
 
 #include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/signature.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace counterpoint::generate
 {
@@ -11,6 +13,14 @@ namespace
 {
 using cia306::MappingEntry;
 using cia306::SrdoConfiguration;
+
+constexpr std::uint8_t kLastNode = 127U;
+
+struct ObjectPlace
+{
+    std::uint16_t index{0U};
+    std::uint8_t sub{0U};
+};
 
 std::uint32_t Number(const cia306::Field& field)
 {
@@ -27,29 +37,42 @@ std::optional<std::size_t> Find(const std::vector<Element>& elements, const std:
     return is_there ? std::optional(static_cast<std::size_t>(found - elements.begin())) : std::nullopt;
 }
 
+void Append(std::vector<SafetySetting>& settings, const ObjectPlace& object, const std::uint8_t size,
+            const std::uint32_t value)
+{
+    settings.push_back({object.index, object.sub, size, value, std::nullopt, {}});
+}
+
+/// That of 13FFh. There is one for each SRDO.
+SafetySetting& SignatureSetting(std::vector<SafetySetting>& settings, const std::uint8_t number)
+{
+    return *std::find_if(settings.begin(), settings.end(), [number](const SafetySetting& setting)
+                         { return setting.index == cia306::kSignatureIndex && setting.sub == number; });
+}
+
 void AppendMapping(const SrdoConfiguration& srdo, std::vector<SafetySetting>& settings)
 {
-    settings.push_back({srdo.MappingIndex(), 0U, 1U, 0U});
+    Append(settings, {srdo.MappingIndex(), 0U}, 1U, 0U);
     for (const MappingEntry& entry : srdo.mapping)
     {
-        settings.push_back({srdo.MappingIndex(), entry.sub, 4U, entry.raw});
+        Append(settings, {srdo.MappingIndex(), entry.sub}, 4U, entry.raw);
     }
-    settings.push_back({srdo.MappingIndex(), 0U, 1U, Number(srdo.entry_count)});
+    Append(settings, {srdo.MappingIndex(), 0U}, 1U, Number(srdo.entry_count));
 }
 
 void AppendParameters(const SrdoConfiguration& srdo, std::vector<SafetySetting>& settings)
 {
     const std::uint16_t index = srdo.CommunicationIndex();
-    settings.push_back({index, 2U, 2U, Number(srdo.sct_ms)});
-    settings.push_back({index, 3U, 1U, Number(srdo.srvt_ms)});
-    settings.push_back({index, 4U, 1U, Number(srdo.transmission_type)});
-    settings.push_back({index, 5U, 4U, Number(srdo.cob_id_1)});
-    settings.push_back({index, 6U, 4U, Number(srdo.cob_id_2)});
+    Append(settings, {index, 2U}, 2U, Number(srdo.sct_ms));
+    Append(settings, {index, 3U}, 1U, Number(srdo.srvt_ms));
+    Append(settings, {index, 4U}, 1U, Number(srdo.transmission_type));
+    Append(settings, {index, 5U}, 4U, Number(srdo.cob_id_1));
+    Append(settings, {index, 6U}, 4U, Number(srdo.cob_id_2));
     if (!srdo.is_static)
     {
         AppendMapping(srdo, settings);
     }
-    settings.push_back({cia306::kSignatureIndex, srdo.number, 2U, Number(srdo.signature)});
+    Append(settings, {cia306::kSignatureIndex, srdo.number}, 2U, Number(srdo.signature));
 }
 } // namespace
 
@@ -187,28 +210,66 @@ std::vector<StaticPart> SafetyPart::StaticParts(const std::vector<Element>& elem
 
 std::vector<SafetySetting> SafetyPart::Settings() const
 {
+    std::vector<SafetySetting> settings = SettingsFor(safety_);
+    FollowNodeId(settings);
+    return settings;
+}
+
+std::vector<SafetySetting> SafetyPart::SettingsFor(const cia306::SafetyConfiguration& safety) const
+{
     std::vector<SafetySetting> settings;
-    for (const SrdoConfiguration& srdo : safety_.srdos)
+    for (const SrdoConfiguration& srdo : safety.srdos)
     {
-        settings.push_back({srdo.CommunicationIndex(), 1U, 1U, 0U}); // Off, so that the rest can be written.
+        Append(settings, {srdo.CommunicationIndex(), 1U}, 1U, 0U); // Off, so that the rest can be written.
     }
-    for (const SrdoConfiguration& srdo : safety_.srdos)
+    for (const SrdoConfiguration& srdo : safety.srdos)
     {
         AppendParameters(srdo, settings);
     }
-    for (const SrdoConfiguration& srdo : safety_.srdos)
+    for (const SrdoConfiguration& srdo : safety.srdos)
     {
-        settings.push_back({srdo.CommunicationIndex(), 1U, 1U, Number(srdo.direction)});
+        Append(settings, {srdo.CommunicationIndex(), 1U}, 1U, Number(srdo.direction));
     }
-    const bool has_gfc = safety_.gfc.value && parameters_.gfc_use == cia306::kGfcPresent;
+    const bool has_gfc = safety.gfc.value && parameters_.gfc_use == cia306::kGfcPresent;
     if (has_gfc)
     {
-        settings.push_back({cia306::kGfcIndex, 0U, 1U, Number(safety_.gfc)});
+        Append(settings, {cia306::kGfcIndex, 0U}, 1U, Number(safety.gfc));
     }
     if (!settings.empty())
     {
-        settings.push_back({cia306::kConfigurationValidIndex, 0U, 1U, Number(safety_.configuration_valid)});
+        Append(settings, {cia306::kConfigurationValidIndex, 0U}, 1U, Number(safety.configuration_valid));
     }
     return settings;
+}
+
+/// Formulas are the node-ID and a number: two node-IDs tell which values have one.
+void SafetyPart::FollowNodeId(std::vector<SafetySetting>& settings) const
+{
+    const std::vector<SafetySetting> of_one = SettingsFor(cia306::ExtractSafety(device_, 1U));
+    const std::vector<SafetySetting> of_two = SettingsFor(cia306::ExtractSafety(device_, 2U));
+    const bool is_alike = of_one.size() == settings.size() && of_two.size() == settings.size();
+    std::set<std::uint8_t> numbers; // SRDOs of which something depends on the node-ID.
+    for (std::size_t place = 0U; is_alike && place < settings.size(); ++place)
+    {
+        if (of_one[place].value != of_two[place].value)
+        {
+            settings[place].node_addend = of_one[place].value - 1U;
+            numbers.insert(
+                static_cast<std::uint8_t>((settings[place].index - cia306::kFirstCommunicationIndex) % 0x80U + 1U));
+        }
+    }
+    for (std::uint8_t node = 1U; !numbers.empty() && node <= kLastNode; ++node)
+    {
+        const cia306::SafetyConfiguration other = cia306::ExtractSafety(device_, node);
+        for (std::size_t place = 0U; place < safety_.srdos.size() && place < other.srdos.size(); ++place)
+        {
+            const SrdoConfiguration& srdo = safety_.srdos[place];
+            const bool is_right = srdo.signature.Is(cia306::SignatureOf(srdo));
+            if (numbers.count(srdo.number) != 0U && is_right)
+            {
+                SignatureSetting(settings, srdo.number).signatures.push_back(cia306::SignatureOf(other.srdos[place]));
+            }
+        }
+    }
 }
 } // namespace counterpoint::generate

@@ -21,6 +21,8 @@ struct SafetySetting
     std::uint8_t sub{0U};
     std::uint8_t size_bytes{0U};
     std::uint32_t value{0U};
+    std::optional<std::uint32_t> node_addend; ///< The value is the node-ID and so much.
+    std::vector<std::uint16_t> signatures;    ///< For each node-ID from 1 on, where they differ.
 };
 
 /// A mapping that is a part of the program: its variables by their places in the list of elements.
@@ -48,10 +50,12 @@ class SafetyPart
     /// @brief Joins the variables of each pair. [SRS-GEN-013]
     void JoinPairs(std::vector<Element>& elements) const;
     [[nodiscard]] std::vector<StaticPart> StaticParts(const std::vector<Element>& elements) const;
-    /// @brief In the order in which the kernel takes them, without those of static mappings. [SRS-GEN-011]
+    /// @brief In the order in which the kernel takes them, without those of static mappings. [SRS-GEN-011, SRS-GEN-016]
     [[nodiscard]] std::vector<SafetySetting> Settings() const;
 
   private:
+    [[nodiscard]] std::vector<SafetySetting> SettingsFor(const cia306::SafetyConfiguration& safety) const;
+    void FollowNodeId(std::vector<SafetySetting>& settings) const;
     [[nodiscard]] bool IsMapped(const cia306::Entry& entry, bool by_consumer) const;
 
     const cia306::Device& device_;

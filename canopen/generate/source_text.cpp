@@ -117,10 +117,9 @@ std::string NodeIdText(const Layout& layout)
                     ", counterpoint::VariableValue{" + UnsignedLiteral(*element.node_addend) + " + number});";
         }
     }
-    const bool has_none = text.empty();
-    return Function(
-        std::string("void ApplyNodeId(") + (has_none ? "std::uint8_t /*node_id*/" : "const std::uint8_t node_id") + ")",
-        has_none ? "// No value of the file has it." : "const std::uint64_t number = node_id;\n    " + text);
+    const std::string describe = "DescribeNode(node_id);";
+    return Function("void ApplyNodeId(const std::uint8_t node_id)",
+                    text.empty() ? describe : describe + "\n    const std::uint64_t number = node_id;\n    " + text);
 }
 
 std::string PublicText(const FileText& file)
@@ -133,7 +132,8 @@ std::string PublicText(const FileText& file)
            "static_assert(counterpoint::cia301::IsUsable(kEntryTable), \"ordered, nothing of the kernel\");\n\n" +
            Function("counterpoint::generated::StoredObjects& Objects()", "return objects;") +
            Function("counterpoint::generated::ConfigureReply Configure(counterpoint::Kernel& kernel)",
-                    "return counterpoint::generated::Configure(kernel, kConfiguration);") +
+                    "return counterpoint::generated::Configure(kernel, kConfiguration, device_now->node_id);") +
+           Function("const counterpoint::DeviceConfig& Device()", "return *device_now;") +
            Function("void ResetApplication()", "Restore(" + all + ");") +
            Function("void ResetCommunication()", "Restore(" + communication + ");") + NodeIdText(layout);
 }

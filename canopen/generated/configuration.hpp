@@ -24,13 +24,24 @@ struct FieldSetting
     StaticFields fields;
 };
 
+/// A setting that depends on the node-ID: `addend` and the node-ID, or the signature for it.
+struct NodeSetting
+{
+    std::uint16_t setting; ///< Its place among the settings.
+    std::uint32_t addend;
+    const std::uint16_t* signatures; ///< For the node-IDs 1 to 127, or null.
+};
+
 /// What a device file says about 1300h to 13FFh, in an order in which the kernel takes it.
 struct Configuration
 {
-    const Setting* settings;
+    const Setting* settings; ///< For the node-ID of the file.
     const FieldSetting* fields;
+    const NodeSetting* node_settings; ///< By ascending place.
     std::uint16_t setting_count;
+    std::uint16_t node_setting_count;
     std::uint8_t field_count;
+    std::uint8_t node_id; ///< Of the file.
 };
 
 /// The first refusal; kNone if there was none.
@@ -40,9 +51,10 @@ struct ConfigureReply
     ObjectAddress object;
 };
 
-/// @brief Registers the fields, then writes the settings. For a started kernel outside OPERATIONAL. O(settings)
-/// [SRS-GEN-011]
-[[nodiscard]] ConfigureReply Configure(Kernel& kernel, const Configuration& configuration) noexcept;
+/// @brief Registers the fields, then writes the settings for a node-ID of 1 to 127. For a started kernel outside
+/// OPERATIONAL. O(settings) [SRS-GEN-011, SRS-GEN-016]
+[[nodiscard]] ConfigureReply Configure(Kernel& kernel, const Configuration& configuration,
+                                       std::uint8_t node_id) noexcept;
 
 } // namespace counterpoint::generated
 

@@ -73,7 +73,7 @@ const char* ServiceName(const Service service) noexcept
 }
 
 Analysis::Analysis(const Network& network, Listener listener)
-    : network_(network), listener_(std::move(listener)), counts_(network.Watches().size()),
+    : network_(network), listener_(std::move(listener)), gfc_(network), counts_(network.Watches().size()),
       next_deadline_(std::numeric_limits<Time>::max())
 {
     for (std::uint32_t identifier = 0U; identifier < kIdentifiers; ++identifier)
@@ -120,6 +120,11 @@ void Analysis::Take(const LogFrame& frame)
     {
         FollowNodes(frame);
     }
+    if (frame.IsPlain())
+    {
+        gfc_.OnFrame(frame);
+        next_deadline_ = std::min(next_deadline_, gfc_.Deadline());
+    }
     if (service == Service::kSrdo)
     {
         for (const std::size_t number : watches_of_.at(frame.identifier))
@@ -144,6 +149,11 @@ void Analysis::Advance(const Time now)
         watch.Advance(now);
         next_deadline_ = std::min(next_deadline_, watch.Deadline());
     }
+    if (const auto breach = gfc_.Advance(now); breach)
+    {
+        fresh_.push_back({*breach, {}});
+    }
+    next_deadline_ = std::min(next_deadline_, gfc_.Deadline());
     Tell();
 }
 
@@ -153,8 +163,8 @@ void Analysis::OnBreach(const std::size_t watch, const Breach& breach)
     const std::uint32_t normal_id = watches_[watch].Setup().normal_id;
     for (Violation& violation : fresh_)
     {
-        const bool is_same = violation.breach.time == breach.time && violation.breach.cause == breach.cause &&
-                             violation.breach.details == breach.details &&
+        const bool is_same = !violation.watches.empty() && violation.breach.time == breach.time &&
+                             violation.breach.cause == breach.cause && violation.breach.details == breach.details &&
                              watches_[violation.watches.front()].Setup().normal_id == normal_id;
         if (is_same)
         {

@@ -2,6 +2,7 @@
 #ifndef CANOPEN_MONITOR_ANALYSIS_HPP
 #define CANOPEN_MONITOR_ANALYSIS_HPP
 
+#include "canopen/monitor/gfc_watch.hpp"
 #include "canopen/monitor/network.hpp"
 #include "canopen/monitor/srdo_watch.hpp"
 
@@ -15,6 +16,7 @@
 namespace counterpoint::monitor
 {
 /// A violation, and all watches that see it: for what is wrong with the frames alone that is each consumer of the pair.
+/// None for a GFC.
 struct Violation
 {
     Breach breach;
@@ -40,7 +42,7 @@ constexpr std::size_t kServiceCount = 12U;
 
 [[nodiscard]] const char* ServiceName(Service service) noexcept;
 
-/// Supervises all SRDOs of a network. [SRS-MON-005..010]
+/// Supervises all SRDOs of a network, and GFC. [SRS-MON-005..010, SRS-MON-016]
 class Analysis final : private BreachSink
 {
   public:
@@ -75,6 +77,7 @@ class Analysis final : private BreachSink
     const Network& network_;
     Listener listener_;
     std::deque<SrdoWatch> watches_;
+    GfcWatch gfc_;
     std::array<std::vector<std::size_t>, kIdentifiers> watches_of_;
     std::array<Service, kIdentifiers> services_;
     std::vector<std::array<std::size_t, kCauseCount>> counts_;

@@ -10,7 +10,6 @@ namespace
 {
 constexpr std::uint32_t kMicrosecondMagic = 0xA1B2C3D4U;
 constexpr std::uint32_t kNanosecondMagic = 0xA1B23C4DU;
-constexpr std::uint32_t kSocketCan = 227U;
 constexpr std::uint32_t kLinkTypeMask = 0x0FFFFFFFU; ///< Above are lengths of check sequences.
 constexpr std::size_t kFileHead = 24U;
 constexpr std::size_t kPacketHead = 16U;
@@ -99,10 +98,11 @@ PcapReader::PcapReader(std::string file, const std::string_view bytes)
     {
         Refuse({"pcap version " + std::to_string(version), "2"});
     }
-    if (link_type != kSocketCan)
+    if (!IsReadable(link_type))
     {
-        Refuse({"link type " + std::to_string(link_type), "227 (CAN_SOCKETCAN)"});
+        Refuse({"link type " + std::to_string(link_type), ReadableLinkTypes()});
     }
+    link_type_ = link_type;
     at_ = kFileHead;
 }
 
@@ -118,10 +118,17 @@ void PcapReader::Refuse(const cia306::Problem& problem) const
 
 bool PcapReader::Next(LogFrame& frame)
 {
-    if (at_ == bytes_.Size())
+    bool is_frame = false;
+    while (!is_frame && at_ != bytes_.Size())
     {
-        return false;
+        is_frame = ReadPacket(frame);
     }
+    return is_frame;
+}
+
+/// Whether it was a frame.
+bool PcapReader::ReadPacket(LogFrame& frame)
+{
     ++packet_;
     if (bytes_.Size() - at_ < kPacketHead)
     {
@@ -140,17 +147,21 @@ bool PcapReader::Next(LogFrame& frame)
                     std::to_string(original) + " bytes, " + std::to_string(bytes_.Size() - at_) + " are left",
                 "whole packets with a fraction below a second"});
     }
-    const auto problem = ReadSocketCan(bytes_.Part(at_, captured), frame);
-    if (problem)
+    const PacketResult result = ReadPacketOf(link_type_, bytes_.Part(at_, captured), bytes_.IsBigEndian(), frame);
+    if (result.problem)
     {
-        Refuse(*problem);
+        Refuse(*result.problem);
+    }
+    at_ += captured;
+    if (!result.is_frame)
+    {
+        return false;
     }
     if (frame.time < last_)
     {
         Refuse({"packet " + std::to_string(packet_) + " is before the one before it", "times that do not go back"});
     }
     last_ = frame.time;
-    at_ += captured;
     return true;
 }
 } // namespace counterpoint::monitor

@@ -13,7 +13,6 @@ constexpr std::uint32_t kObsoletePacket = 2U;
 constexpr std::uint32_t kSimplePacket = 3U;
 constexpr std::uint32_t kEnhancedPacket = 6U;
 constexpr std::uint32_t kByteOrderMagic = 0x1A2B3C4DU;
-constexpr std::uint16_t kSocketCan = 227U;
 constexpr std::size_t kLeastBlock = 12U;
 constexpr std::size_t kBlockHead = 8U;
 constexpr std::size_t kLeastSection = 28U;
@@ -211,17 +210,22 @@ bool PcapngReader::ReadPacket(const std::size_t begin, const std::size_t end, Lo
     {
         return false;
     }
-    if (interface.link_type != kSocketCan)
+    if (!IsReadable(interface.link_type))
     {
-        Refuse({"link type " + std::to_string(interface.link_type), "227 (CAN_SOCKETCAN)"});
+        Refuse({"link type " + std::to_string(interface.link_type), ReadableLinkTypes()});
     }
     const std::uint64_t high = bytes_.Number32(begin + 4U);
     frame = LogFrame{};
     frame.time = TimeOf((high << 32U) | bytes_.Number32(begin + 8U), interface);
-    const auto problem = ReadSocketCan(bytes_.Part(begin + kPacketHead, captured), frame);
-    if (problem)
+    const PacketResult result =
+        ReadPacketOf(interface.link_type, bytes_.Part(begin + kPacketHead, captured), bytes_.IsBigEndian(), frame);
+    if (result.problem)
     {
-        Refuse(*problem);
+        Refuse(*result.problem);
+    }
+    if (!result.is_frame)
+    {
+        return false;
     }
     if (frame.time < last_)
     {

@@ -44,6 +44,10 @@ class CaptureBytes
     {
         return bytes_.size();
     }
+    [[nodiscard]] bool IsBigEndian() const noexcept
+    {
+        return is_big_endian_;
+    }
     /// `at` + 2 or + 4 is at most Size(), checked by the caller.
     [[nodiscard]] std::uint16_t Number16(std::size_t at) const noexcept;
     [[nodiscard]] std::uint32_t Number32(std::size_t at) const noexcept;
@@ -65,6 +69,27 @@ class CaptureBytes
 /// What is wrong with a packet of link type CAN_SOCKETCAN; nothing where it became a frame.
 [[nodiscard]] std::optional<cia306::Problem> ReadSocketCan(std::string_view packet, LogFrame& frame);
 
+constexpr std::uint32_t kLinkSocketCan = 227U;
+constexpr std::uint32_t kLinkCooked = 113U;  ///< LINUX_SLL: a capture of the interface "any".
+constexpr std::uint32_t kLinkCooked2 = 276U; ///< LINUX_SLL2.
+
+/// @brief Whether packets of this link type can be read.
+[[nodiscard]] bool IsReadable(std::uint32_t link_type) noexcept;
+/// @brief "227 (CAN_SOCKETCAN), 113 or 276 (Linux cooked)"
+[[nodiscard]] const char* ReadableLinkTypes() noexcept;
+
+/// What became of a packet.
+struct PacketResult
+{
+    bool is_frame{false}; ///< False without a problem: a cooked packet of something else than CAN.
+    std::optional<cia306::Problem> problem;
+};
+
+/// A packet of a readable link type. Cooked packets have the identifier in the byte order of the machine that recorded,
+/// which is that of the file. [SRS-MON-003]
+[[nodiscard]] PacketResult ReadPacketOf(std::uint32_t link_type, std::string_view packet, bool is_big_endian,
+                                        LogFrame& frame);
+
 /// pcap, both byte orders, micro- and nanoseconds. [SRS-MON-003]
 class PcapReader final : public FrameSource
 {
@@ -75,10 +100,12 @@ class PcapReader final : public FrameSource
 
   private:
     [[noreturn]] void Refuse(const cia306::Problem& problem) const;
+    [[nodiscard]] bool ReadPacket(LogFrame& frame);
 
     std::string file_;
     CaptureBytes bytes_;
     Time fraction_; ///< Of a second: one microsecond or nanosecond.
+    std::uint32_t link_type_{0U};
     std::size_t at_{0U};
     std::size_t packet_{0U};
     Time last_{0};

@@ -97,6 +97,11 @@ Json SrdoJson(const Report& report, const std::size_t number)
 
 std::string ViolationText(const Network& network, const Violation& violation)
 {
+    if (violation.watches.empty())
+    {
+        return SecondsText(violation.breach.time) + " " + CauseName(violation.breach.cause) + ": " +
+               violation.breach.details;
+    }
     const WatchSetup& setup = network.Watches()[violation.watches.front()].setup;
     return SecondsText(violation.breach.time) + " " + CauseName(violation.breach.cause) + ": " +
            Watchers(network, violation) + " (" + IdentifierName(setup.normal_id) + ", " +

@@ -34,9 +34,11 @@ const char* CauseName(const Cause cause) noexcept
     case Cause::kSct:
         return "SCT expired";
     case Cause::kRemote:
+        return "remote frame";
+    case Cause::kGfc:
         break;
     }
-    return "remote frame";
+    return "GFC not followed";
 }
 
 void TimeStatistics::Add(const Time time) noexcept

@@ -23,8 +23,9 @@ enum class Cause : std::uint8_t
     kSrvt = 4U,
     kSct = 5U,
     kRemote = 6U, ///< A remote frame with an identifier of the pair, which nobody may send.
+    kGfc = 7U,    ///< Of no pair: no SRDO follows a GFC.
 };
-constexpr std::size_t kCauseCount = 7U;
+constexpr std::size_t kCauseCount = 8U;
 
 /// "not inverse", "SCT expired"
 [[nodiscard]] const char* CauseName(Cause cause) noexcept;

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <ctime>
+#include <gtest/gtest.h>
 #include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -27,6 +28,33 @@ std::uint64_t NowNs()
 std::string OwnBus()
 {
     return "udp:239.74.163.2:" + std::to_string(20000 + ::getpid() % 20000);
+}
+
+std::string OtherBus()
+{
+    return "udp:239.74.163.2:" + std::to_string(40000 + ::getpid() % 20000);
+}
+
+std::unique_ptr<NodeProcess> StartNode(const std::string& dcf, const std::vector<std::string>& more)
+{
+    std::vector<std::string> arguments{"--dcf", std::string(COUNTERPOINT_SOURCE) + "/examples/" + dcf, "--cycle-us",
+                                       std::to_string(kCycleUs)};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    auto node = std::make_unique<NodeProcess>(arguments);
+    EXPECT_EQ(node->WaitFor("nmt").event["state"], "pre_operational");
+    return node;
+}
+
+double LimitMsOf(const NodeProcess& consumer)
+{
+    for (const NodeLine& line : consumer.Lines())
+    {
+        if (line.event["event"] == "srdo" && line.event["consumer"] == true)
+        {
+            return line.event["limit_us"].get<double>() / 1000.0;
+        }
+    }
+    return 0.0;
 }
 
 NodeProcess::Wanted Event(const std::string& name, const std::string& key, const nlohmann::json& value)

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <sys/types.h>
 #include <vector>
@@ -33,6 +34,10 @@ class NodeProcess
 
     void Type(const std::string& order);
     void Signal(int number);
+    [[nodiscard]] pid_t Process() const
+    {
+        return process_;
+    }
     /// @brief The next line that is wanted, within five seconds; without one its event is null.
     NodeLine WaitFor(const Wanted& wanted);
     NodeLine WaitFor(const std::string& event);
@@ -57,8 +62,15 @@ class NodeProcess
     std::size_t seen_{0U};
 };
 
-/// @brief A bus that no other test uses.
+/// @brief A bus that no other test uses, and one beside it.
 [[nodiscard]] std::string OwnBus();
+[[nodiscard]] std::string OtherBus();
+/// @brief A node of this file of examples/ (or a path from there) with a slow cycle; its state is PRE-OPERATIONAL.
+[[nodiscard]] std::unique_ptr<NodeProcess> StartNode(const std::string& dcf, const std::vector<std::string>& more);
+/// @brief The limit of its first consumer, as it told at its start.
+[[nodiscard]] double LimitMsOf(const NodeProcess& consumer);
+/// Cycle time of those nodes: slow enough for a machine that has other things to do.
+constexpr int kCycleUs = 10000;
 [[nodiscard]] std::uint64_t NowNs();
 /// @brief {"event": name, key: value}
 [[nodiscard]] NodeProcess::Wanted Event(const std::string& name, const std::string& key, const nlohmann::json& value);

@@ -15,8 +15,6 @@ namespace
 {
 const std::string kExamples = std::string(COUNTERPOINT_SOURCE) + "/examples/";
 
-/// Cycle time of all nodes: slow enough for a machine that has other things to do.
-constexpr int kCycleUs = 10000;
 /// From a line that a node writes to the test that reads it.
 constexpr double kReadingMs = 100.0;
 
@@ -25,23 +23,7 @@ class NodeProcessTest : public ::testing::Test
   protected:
     static std::unique_ptr<NodeProcess> Start(const std::string& dcf, const std::vector<std::string>& more = {})
     {
-        std::vector<std::string> arguments{"--dcf", kExamples + dcf, "--cycle-us", std::to_string(kCycleUs)};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        auto node = std::make_unique<NodeProcess>(arguments);
-        EXPECT_EQ(node->WaitFor("nmt").event["state"], "pre_operational");
-        return node;
-    }
-    /// SRDO of the consumer's DCF, as it told at its start.
-    static double LimitMs(const NodeProcess& consumer)
-    {
-        for (const NodeLine& line : consumer.Lines())
-        {
-            if (line.event["event"] == "srdo" && line.event["consumer"] == true)
-            {
-                return line.event["limit_us"].get<double>() / 1000.0;
-            }
-        }
-        return 0.0;
+        return StartNode(dcf, more);
     }
     /// Buttons let go, both nodes started, the controller's input released.
     void Exchange()
@@ -68,8 +50,8 @@ class NodeProcessTest : public ::testing::Test
             delay_ms = (line.event["event"] == "delays") ? line.event["cycle_us"].get<double>() / 1000.0 : delay_ms;
         }
         std::printf("%s: output closed %.1f ms later; limit %.1f ms, delay of the scheduler %.1f ms\n", what, took_ms,
-                    LimitMs(*controller), delay_ms);
-        EXPECT_LE(took_ms, LimitMs(*controller) + delay_ms + kReadingMs);
+                    LimitMsOf(*controller), delay_ms);
+        EXPECT_LE(took_ms, LimitMsOf(*controller) + delay_ms + kReadingMs);
     }
 
     std::unique_ptr<NodeProcess> sensor;

@@ -483,6 +483,8 @@ inline constexpr RequirementId SRS_MON_012{"SRS-MON-012"};
 inline constexpr RequirementId SRS_MON_013{"SRS-MON-013"};
 inline constexpr RequirementId SRS_MON_014{"SRS-MON-014"};
 inline constexpr RequirementId SRS_MON_015{"SRS-MON-015"};
+inline constexpr RequirementId SRS_MON_016{"SRS-MON-016"};
+inline constexpr RequirementId SRS_MON_017{"SRS-MON-017"};
 inline constexpr RequirementId SRS_NET_001{"SRS-NET-001"};
 inline constexpr RequirementId SRS_NET_002{"SRS-NET-002"};
 inline constexpr RequirementId SRS_NET_003{"SRS-NET-003"};

@@ -38,7 +38,7 @@ class GeneratedNode
 
     [[nodiscard]] StartResult Start()
     {
-        const StartResult result = kernel_.Start(*generated_.device, FlowCallback::kOff);
+        const StartResult result = kernel_.Start(generated_.device_now(), FlowCallback::kOff);
         kernel_.SetNmtState(NmtState::kPreOperational);
         return result;
     }

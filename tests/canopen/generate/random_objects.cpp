@@ -10,7 +10,11 @@ namespace counterpoint::generate::test
 {
 namespace
 {
-constexpr std::array<const char*, 16U> kNames{"Speed",
+constexpr std::array<const char*, 20U> kNames{"Limits",
+                                              "Map 1",
+                                              "Signatures1",
+                                              "Power on",
+                                              "Speed",
                                               "Speed",
                                               "speed",
                                               "",

@@ -4,6 +4,7 @@
 #include "canopen/cia306/device_parameters.hpp"
 #include "canopen/cia306/device_reader.hpp"
 #include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/signature.hpp"
 #include "tests/canopen/generate/generated_node.hpp"
 
 #include <gtest/gtest.h>
@@ -236,7 +237,40 @@ TEST_P(GeneratedValues, AnotherNodeIdChangesWhatTheFileWritesWithIt)
             }
         }
     }
+    Case().apply_node_id(Case().node_id);
     Case().reset();
+}
+
+/// Seen over the bus: 1301h to 1340h:05, :06 and 13FFh.
+TEST_P(GeneratedValues, AnotherNodeIdReachesKernelAndSignatures)
+{
+    Verifies(req::SRS_GEN_016);
+    const cia306::Device device = cia306::ReadDeviceFile(Case().file);
+    const auto other_id = static_cast<std::uint8_t>(Case().node_id + 2U); // A COB-ID 1 stays odd.
+    if (!HasSrdos(device) || Case().node_id == 0U || other_id > 127U)
+    {
+        return;
+    }
+    // When the program is told another node-ID, and its kernel is started and configured
+    Case().apply_node_id(other_id);
+    GeneratedNode node(Case());
+    EXPECT_EQ(Case().device_now().node_id, other_id);
+    EXPECT_EQ(Case().device_now().digest, 0U);
+    EXPECT_EQ(node.Start(), StartResult::kStarted);
+    const generated::ConfigureReply reply = node.Configure();
+    EXPECT_EQ(reply.abort, AbortCode::kNone) << cia306::ObjectName(reply.object.index, reply.object.sub);
+    // Then identifiers and signatures are what the file says, and is signed with, for that node-ID
+    for (const cia306::SrdoConfiguration& srdo : cia306::ExtractSafety(device, other_id).srdos)
+    {
+        const std::uint16_t index = srdo.CommunicationIndex();
+        EXPECT_EQ(node.Read(index, 5U).bytes, NumberBytes(srdo.cob_id_1.value.value_or(0U), 32U));
+        EXPECT_EQ(node.Read(index, 6U).bytes, NumberBytes(srdo.cob_id_2.value.value_or(0U), 32U));
+        EXPECT_EQ(node.Read(0x13FFU, srdo.number).bytes, NumberBytes(cia306::SignatureOf(srdo), 16U));
+    }
+    EXPECT_EQ(node.Read(0x13FEU, 0U).bytes, NumberBytes(0xA5U, 8U));
+    // And with the file's node-ID again, everything is as it was
+    Case().apply_node_id(Case().node_id);
+    EXPECT_EQ(&Case().device_now(), Case().device);
 }
 
 std::vector<std::size_t> Places()

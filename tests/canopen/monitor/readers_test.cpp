@@ -13,6 +13,7 @@ namespace
 using test::ByteOrder;
 using test::CandumpLine;
 using test::CaptureWriter;
+using test::CookedPcapOf;
 using test::Frame;
 using test::FramesOf;
 using test::PcapngBlock;
@@ -75,6 +76,31 @@ TEST(Readers, EveryKindOfFrameIsReadFromEveryFormat)
         ExpectSame(FramesOf(PcapngOf(frames, order, 6U)), frames);
         ExpectSame(FramesOf(PcapngOf(frames, order, 9U)), frames);
     }
+}
+
+TEST(Readers, CookedCapturesAreRead)
+{
+    Verifies(req::SRS_MON_003);
+    const std::vector<LogFrame> frames = AllKinds();
+    // Identifiers as the machine has them; a packet of IP stands among them
+    for (const ByteOrder order : {ByteOrder::kLittle, ByteOrder::kBig})
+    {
+        ExpectSame(FramesOf(CookedPcapOf(frames, order, false)), frames);
+        ExpectSame(FramesOf(CookedPcapOf(frames, order, true)), frames);
+    }
+    // What is cut is named
+    for (const bool is_second : {false, true})
+    {
+        const std::string whole = CookedPcapOf(frames, ByteOrder::kLittle, is_second);
+        for (std::size_t length = 4U; length < whole.size(); ++length)
+        {
+            const std::string refusal = RefusalOf(whole.substr(0U, length));
+            EXPECT_TRUE(refusal.empty() || refusal.find(", expected ") != std::string::npos) << refusal;
+        }
+    }
+    std::string short_head = CookedPcapOf({}, ByteOrder::kLittle, true).substr(0U, 24U);
+    short_head += std::string(8U, '\0') + std::string("\x0C\0\0\0\x0C\0\0\0", 8U) + std::string(12U, '\0');
+    EXPECT_EQ(RefusalOf(short_head), "test.log:1: error: cooked packet of 12 bytes, expected at least 20");
 }
 
 TEST(Readers, FormsOfCandump)
@@ -165,7 +191,8 @@ TEST(Readers, ACaptureThatContradictsItselfIsNamed)
     const std::vector<LogFrame> frames = AllKinds();
     std::string other_link = PcapOf(frames, ByteOrder::kLittle, false);
     other_link[20] = 1;
-    EXPECT_EQ(RefusalOf(other_link), "test.log:0: error: link type 1, expected 227 (CAN_SOCKETCAN)");
+    EXPECT_EQ(RefusalOf(other_link),
+              "test.log:0: error: link type 1, expected 227 (CAN_SOCKETCAN), 113 or 276 (Linux cooked)");
     std::string version = PcapOf(frames, ByteOrder::kLittle, false);
     version[4] = 3;
     EXPECT_EQ(RefusalOf(version), "test.log:0: error: pcap version 3, expected 2");

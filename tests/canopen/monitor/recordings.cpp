@@ -54,6 +54,42 @@ std::string PcapOf(const std::vector<LogFrame>& frames, const ByteOrder order, c
     return writer.text;
 }
 
+std::string CookedPcapOf(const std::vector<LogFrame>& frames, const ByteOrder order, const bool is_second)
+{
+    CaptureWriter writer(order);
+    for (const auto& [value, bytes] : std::vector<std::pair<std::uint32_t, std::uint32_t>>{
+             {0xA1B2C3D4U, 4U}, {2U, 2U}, {4U, 2U}, {0U, 4U}, {0U, 4U}, {262144U, 4U}, {is_second ? 276U : 113U, 4U}})
+    {
+        writer.Number(value, bytes);
+    }
+    const auto append = [&](const Time time, const std::uint16_t protocol, const std::string& packet)
+    {
+        CaptureWriter head(ByteOrder::kBig);
+        head.Number(is_second ? protocol : 0U, 2U);
+        head.text += std::string(is_second ? 18U : 12U, '\0');
+        if (!is_second)
+        {
+            head.Number(protocol, 2U);
+        }
+        writer.Number(static_cast<std::uint64_t>(time / kSecond), 4U);
+        writer.Number(static_cast<std::uint64_t>(time % kSecond / kMicrosecond), 4U);
+        writer.Number(head.text.size() + packet.size(), 4U);
+        writer.Number(head.text.size() + packet.size(), 4U);
+        writer.text += head.text + packet;
+    };
+    append(0, 0x0800U, "IP");
+    for (const LogFrame& frame : frames)
+    {
+        std::string packet = SocketCanPacket(frame);
+        if (order == ByteOrder::kLittle)
+        {
+            std::reverse(packet.begin(), packet.begin() + 4);
+        }
+        append(frame.time, frame.is_fd ? 0x000DU : 0x000CU, packet);
+    }
+    return writer.text;
+}
+
 std::string PcapngBlock(const std::uint32_t type, const std::string& body, const ByteOrder order)
 {
     CaptureWriter writer(order);

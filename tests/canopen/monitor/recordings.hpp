@@ -45,6 +45,8 @@ class CaptureWriter
 [[nodiscard]] std::string PcapOf(const std::vector<LogFrame>& frames, ByteOrder order, bool has_nanoseconds);
 /// `resolution` is the option if_tsresol.
 [[nodiscard]] std::string PcapngOf(const std::vector<LogFrame>& frames, ByteOrder order, std::uint8_t resolution);
+/// The same with link type LINUX_SLL (or SLL2); a packet of another protocol stands first.
+[[nodiscard]] std::string CookedPcapOf(const std::vector<LogFrame>& frames, ByteOrder order, bool is_second);
 /// A block of pcapng with its lengths.
 [[nodiscard]] std::string PcapngBlock(std::uint32_t type, const std::string& body, ByteOrder order);
 /// One line of candump -l.

@@ -103,6 +103,33 @@ TEST_F(Watch, EachFrameRuleHasItsCause)
     EXPECT_EQ(ViolationsOf(early, Among({remote}, 75000)), (Texts{"50000 remote frame"}));
 }
 
+TEST_F(Watch, AnSrdoFollowsEachGfc)
+{
+    Verifies(req::SRS_MON_016);
+    // Sensor and controller may send it; their refresh time is 25 ms. The sensor's next normal frame counts
+    const LogFrame gfc = Frame(40000, 0x001U, {});
+    EXPECT_EQ(ViolationsOf(early, Among({gfc}, 65000)), Texts{});
+    EXPECT_EQ(ViolationsOf(early, Among({gfc}, 65001)), (Texts{"65000 GFC not followed"}));
+    EXPECT_EQ(
+        ViolationsOf(early, Among({gfc, Frame(60000, 0x103U, {0U, 0U}), Frame(60200, 0x104U, {0xFFU, 0xFFU})}, 70000)),
+        Texts{});
+    // A second GFC changes nothing, one with data is none, an inverse frame follows nothing, and the end is an expiry,
+    // too
+    EXPECT_EQ(ViolationsOf(early, Among({gfc, Frame(60000, 0x001U, {})}, 70000)), (Texts{"65000 GFC not followed"}));
+    EXPECT_EQ(ViolationsOf(early, Among({Frame(40000, 0x001U, {1U})}, 70000)), Texts{});
+    EXPECT_EQ(ViolationsOf(early, Among({gfc, Frame(50000, 0x104U, {0xFFU, 0xFFU})}, 70000)),
+              (Texts{"50000 inverse first", "65000 GFC not followed"}));
+    EXPECT_EQ(ViolationsOf(early, {gfc}, 66000), (Texts{"65000 GFC not followed"}));
+    LogFrame extended = gfc;
+    extended.is_extended = true;
+    EXPECT_EQ(ViolationsOf(early, {extended}, 66000), Texts{});
+    // Violations stay in the order of their times
+    EXPECT_EQ(ViolationsOf(early, Among({gfc}, 120000)), (Texts{"65000 GFC not followed", "75000 SCT expired"}));
+    // A device that only listens sends none, so that nothing is awaited
+    const Network listener({{Example("actuator"), std::nullopt}}, std::nullopt);
+    EXPECT_EQ(ViolationsOf(listener, {gfc}, 200000), Texts{});
+}
+
 TEST_F(Watch, OtherFramesAreNoCandidates)
 {
     Verifies(req::SRS_MON_005);
