@@ -118,6 +118,7 @@ void BootSlave::Start(const NodeId node, const BootTime& time) noexcept
     job.record.is_start_wanted = true;
     if (!job.record.status.is_busy)
     {
+        parts_.gate.Close(node); // What was verified at the boot may be long ago.
         job.record.status.is_busy = true;
         job.record.is_extra = true;
         Enter(job, StartUpStep::kSafety);

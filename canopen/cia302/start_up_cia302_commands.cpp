@@ -183,12 +183,13 @@ NmtAnswer Cia302StartUp::CommandOwn(const NmtCommand command, const BootTime& ti
 
 NmtAnswer Cia302StartUp::CommandNode(const NmtCommand command, const NodeId node, const BootTime& time) noexcept
 {
-    NmtAnswer answer = parts_.nmt.Request(command, node, time.now);
+    const bool is_guarded =
+        (command == NmtCommand::kStart) && parts_.setup.IsSafetySlave(node) && parts_.nmt.IsActive();
+    const NmtAnswer answer = is_guarded ? NmtAnswer::kTaken : parts_.nmt.Request(command, node, time.now);
     const bool is_listed = parts_.setup.IsListed(node);
-    if (answer == NmtAnswer::kNotVerified)
+    if (is_guarded)
     {
-        boot_.Start(node, time); // Verifies, then starts.
-        answer = NmtAnswer::kTaken;
+        boot_.Start(node, time); // Verifies, whatever was verified before, and then starts.
     }
     else if ((answer == NmtAnswer::kTaken) && is_listed && IsReset(command) && (step_ != MasterStep::kIdle))
     {

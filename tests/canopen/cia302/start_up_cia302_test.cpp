@@ -106,12 +106,12 @@ TEST_F(StartUpCia302Test, StartOfAllBecomesSingleStartsIfThereIsASafetySlave)
     Run(20U);
     EXPECT_EQ(Commands(), (Lines{"0:82 00"}));
     EXPECT_EQ(Of(6U).step, StartUpStep::kSafety);
-    Run(30U);
+    Run(60U);
     const Lines commands = Commands();
     ASSERT_EQ(commands.size(), 3U);
     EXPECT_EQ(commands[1].substr(commands[1].size() - 5U), "01 05");
     EXPECT_EQ(commands[2].substr(commands[2].size() - 5U), "01 06");
-    EXPECT_EQ(gate.verifications, 1);
+    EXPECT_EQ(gate.verifications, 2); // At its boot, and once more directly before the start.
 }
 
 TEST_F(StartUpCia302Test, ApplicationStartsTheMaster)
@@ -227,6 +227,14 @@ TEST_F(StartUpCia302Test, SafetySlaveWithAnotherConfigurationIsNotStarted)
     EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
     Run(20U);
     EXPECT_EQ(StateOf(5U), NodeState::kOperational);
+    // A start of a slave that runs verifies it too, and stops it if it has changed
+    gate.verdict = GateState::kDiffers;
+    Run(10U);
+    table.WatchHeartbeat(NodeId{5U}, 100U, Arming::kFirstHeartbeat, Now());
+    ToManager(cia301::ErrorControlFrame(NodeId{5U}, 5U));
+    EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
+    Run(20U);
+    EXPECT_EQ(StateOf(5U), NodeState::kStopped);
 }
 
 TEST_F(StartUpCia302Test, UnfitMandatorySafetySlaveStopsAllWithBit6)
