@@ -3,6 +3,8 @@
 
 #include "canopen/device/safety_queue.hpp"
 
+#include <utility>
+
 namespace counterpoint::tools
 {
 namespace
@@ -29,6 +31,11 @@ host::LiveOptions OptionsOfSafety()
 
 NodePorts::NodePorts(const std::string& address)
     : safety_(host::OpenLiveBus(address, OptionsOfSafety())), services_(host::OpenLiveBus(address, OptionsOfServices()))
+{
+}
+
+NodePorts::NodePorts(std::unique_ptr<host::LiveBus> safety, std::unique_ptr<host::LiveBus> services) noexcept
+    : safety_(std::move(safety)), services_(std::move(services))
 {
 }
 

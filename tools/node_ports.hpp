@@ -17,6 +17,8 @@ class NodePorts final : public hal::CanPorts
   public:
     /// Throws host::LiveBusError.
     explicit NodePorts(const std::string& address);
+    /// @brief Two connections that were opened already: a simulated bus.
+    NodePorts(std::unique_ptr<host::LiveBus> safety, std::unique_ptr<host::LiveBus> services) noexcept;
 
     [[nodiscard]] hal::CanGuarantees Guarantees() const noexcept override;
     /// @brief Frames with safety identifiers.
