@@ -81,7 +81,7 @@ class Bus
         CanFrame frame;
         std::size_t node;
     };
-    static constexpr std::size_t kQueue = 8U;
+    static constexpr std::size_t kQueue = 16U;
 
     void Choose();
     [[nodiscard]] std::uint16_t FirstDifference() const;

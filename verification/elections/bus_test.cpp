@@ -123,7 +123,7 @@ Lines OnFull(const std::vector<Sending>& sendings, const Time end)
     for (std::size_t i = 0U; i < kNodes; ++i)
     {
         nodes[i].writer = &writer;
-        nodes[i].index = bus.Attach(nodes[i], host::NodeSetup{CanPortId::kFirst, 8U});
+        nodes[i].index = bus.Attach(nodes[i], host::NodeSetup{CanPortId::kFirst, 16U});
     }
     for (const Sending& sending : sendings)
     {

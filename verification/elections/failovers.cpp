@@ -30,20 +30,20 @@ void RunOne(World& world, const std::vector<MasterPlan>& masters, const Time kil
     const std::size_t failing = world.Active();
     world.Forget();
     world.Kill(failing);
-    const Time heartbeat = world.LastHeartbeat();
+    const Time sign = world.LastSign();
     std::vector<MasterPlan> left = masters;
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(failing));
     const Bound bound = BoundOf(left, plan.bit_us);
     const Time computed = bound.Failover(2500 * kMs);
-    const Trial trial{left, Loss{}, heartbeat, computed + bound.slack, bound.greatest_cycle, 0};
+    const Trial trial{left, Loss{}, sign, computed + bound.slack, bound.greatest_cycle, 0};
     static_cast<void>(Judge(world, trial, tally));
-    const Time late = world.LastMaster() - (heartbeat + computed);
+    const Time late = world.LastMaster() - (sign + computed);
     const bool is_in_time = (late >= 0) && (late <= plan.cycle);
     ++tally.late_us[(late / kHistogramStep) * kHistogramStep];
     tally.failures += is_in_time ? 0U : 1U;
     if (!is_in_time && tally.first_failure.empty())
     {
-        tally.first_failure = "failover " + std::to_string(late) + " us after the computed instant, instance " +
+        tally.first_failure = "failover " + std::to_string(late) + " us after the computed instant, failed at " +
                               std::to_string(kill) + " us";
     }
 }

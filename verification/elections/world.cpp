@@ -11,6 +11,7 @@ namespace
 {
 
 constexpr std::uint32_t kErrorControl = 0x700U;
+constexpr std::uint32_t kClaim = 0x71U;
 constexpr std::uint32_t kForce = 0x76U;
 constexpr std::uint8_t kOperational = 5U;
 /// 128 times 11 recessive bits.
@@ -46,7 +47,7 @@ void World::Begin(const std::vector<MasterPlan>& masters, const Loss& loss)
     frames_ = 0U;
     loss_ = loss;
     two_since_ = kNever;
-    last_heartbeat_ = 0;
+    last_sign_ = 0;
     last_master_ = 0;
     seen_ = Seen{};
     for (std::size_t i = 0U; i < count_; ++i)
@@ -214,7 +215,8 @@ void World::OnComplete(const CanFrame& frame, const std::vector<std::size_t>& se
     ++frames_;
     seen_.resets += (frame.identifier == 0U) ? 1U : 0U;
     seen_.forces += (frame.identifier == kForce) ? 1U : 0U;
-    last_heartbeat_ = (frame.identifier > kErrorControl) ? now_ : last_heartbeat_;
+    const bool is_sign = (frame.identifier > kErrorControl) || (frame.identifier == kClaim);
+    last_sign_ = is_sign ? now_ : last_sign_;
     const bool is_of_interest = (frame.identifier <= kForce) || (frame.identifier > kErrorControl);
     if (!is_of_interest)
     {

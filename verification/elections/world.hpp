@@ -110,10 +110,10 @@ class World final : private BusUser
     [[nodiscard]] std::size_t Active() const;
     /// @brief One active master, and all others that are on are standbys that know it.
     [[nodiscard]] bool IsAgreed() const;
-    /// @brief When the last heartbeat of a master was complete on the bus.
-    [[nodiscard]] Time LastHeartbeat() const
+    /// @brief When the last heartbeat or 071h of a master was complete on the bus: signs of life for its standbys.
+    [[nodiscard]] Time LastSign() const
     {
-        return last_heartbeat_;
+        return last_sign_;
     }
     /// @brief When somebody became active master last.
     [[nodiscard]] Time LastMaster() const
@@ -176,7 +176,7 @@ class World final : private BusUser
     Time two_since_{kNever};
     simulator::Random random_;
     Time traffic_at_{kNever};
-    Time last_heartbeat_{0};
+    Time last_sign_{0};
     Time last_master_{0};
     std::uint32_t frames_{0U};
     bool is_counting_due_{false};
