@@ -34,7 +34,7 @@ void Cia302StartUp::OnNodeEvent(const NodeId node, const NodeEvent event, const 
     {
         OnLost(node, time);
     }
-    else if (is_active && is_listed && is_state)
+    else if ((step_ != MasterStep::kIdle) && is_listed && is_state)
     {
         OnState(node, time);
     }
@@ -145,12 +145,13 @@ NmtAnswer Cia302StartUp::CommandAll(const NmtCommand command, const BootTime& ti
         {
             boot_.Record(NodeId{id}).status.is_started = is_start;
         }
-        if ((answer == NmtAnswer::kTaken) && IsReset(command))
+        const bool is_begun = (answer == NmtAnswer::kTaken) && (step_ != MasterStep::kIdle);
+        if (is_begun && IsReset(command))
         {
             End();
             BootAll(time);
         }
-        else if ((answer == NmtAnswer::kTaken) && (is_start || IsMasterOperational()))
+        else if (is_begun && (is_start || IsMasterOperational()))
         {
             SetStep(is_start ? MasterStep::kOperational : MasterStep::kReady, time.now);
         }
@@ -165,7 +166,7 @@ NmtAnswer Cia302StartUp::CommandOwn(const NmtCommand command, const BootTime& ti
     const NmtAnswer answer = has_own ? parts_.nmt.Request(command, parts_.setup.own, time.now) : NmtAnswer::kTaken;
     const bool is_start = (command == NmtCommand::kStart);
     const bool was_operational = IsMasterOperational();
-    if ((answer == NmtAnswer::kTaken) && is_start)
+    if ((answer == NmtAnswer::kTaken) && is_start && (step_ != MasterStep::kIdle))
     {
         SetStep(MasterStep::kOperational, time.now);
         const bool is_due = parts_.setup.Has(kStartAllAtOnce) && !parts_.setup.Has(kApplicationStartsSlaves);

@@ -281,6 +281,41 @@ TEST_F(StartUpCia302Test, MandatorySlaveWithoutBootUpMessageIsAskedAfterASecond)
     EXPECT_EQ(Of(6U).step, StartUpStep::kWaitBootUp);
 }
 
+TEST_F(StartUpCia302Test, SlavesThatNeverShowThemselvesAreTold)
+{
+    Verifies(req::SRS_NMM_025);
+    setup.boot_time_ms = 2000U;
+    Add(5U, kBoot);
+    Add(6U, kBoot);
+    Begin();
+    slaves[6]->Unplug();
+    Run(2000U);
+    EXPECT_EQ(std::count(events.begin(), events.end(), "2001:6 8"), 0);
+    Run(2U);
+    EXPECT_EQ(std::count(events.begin(), events.end(), "2001:6 8"), 1);
+    EXPECT_EQ(table.RequestValue(NodeId{6U}), 1U);
+    EXPECT_EQ(table.RequestValue(NodeId{5U}), 5U);
+    // and booted when they come after all
+    slaves[6]->Power(Now());
+    Run(20U);
+    EXPECT_EQ(StateOf(6U), NodeState::kOperational);
+}
+
+TEST_F(StartUpCia302Test, CommandsBeforeTheStartUpHasBegunAreCommandsOnly)
+{
+    Verifies(req::SRS_BOOT_023);
+    Add(5U, kMust);
+    PowerAll();
+    Run(10U);
+    EXPECT_EQ(Command(NmtCommand::kResetCommunication, 0U), NmtAnswer::kTaken);
+    EXPECT_EQ(Step(), MasterStep::kIdle);
+    Run(10U);
+    EXPECT_EQ(Count(0x605U), 0);
+    EXPECT_EQ(Command(NmtCommand::kStart, 0U), NmtAnswer::kTaken);
+    EXPECT_EQ(Step(), MasterStep::kIdle);
+    EXPECT_EQ(StateOf(5U), NodeState::kOperational);
+}
+
 TEST_F(StartUpCia302Test, EndGivesEverythingUp)
 {
     Verifies(req::SRS_BOOT_022);
