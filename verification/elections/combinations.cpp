@@ -20,13 +20,14 @@ void RunOne(World& world, const std::vector<MasterPlan>& masters, const Losses l
     const Bound bound = BoundOf(masters, WorldPlan{}.bit_us);
     const Time quiet = 2 * bound.greatest_cycle;
     world.Begin(masters, Loss{});
-    const Trial whole{masters, Loss{}, last, bound.FromPowerOn(), quiet, bound.TwoMasters()};
+    const Trial whole{masters, Loss{}, last, bound.FromPowerOn(), quiet, bound.TwoMasters(), 0};
     const std::uint32_t frames = Judge(world, whole, tally);
     const auto lose = [&](const Loss& loss)
     {
         world.Begin(masters, loss);
         const Time limit = bound.FromPowerOn() + bound.Negotiation();
-        static_cast<void>(Judge(world, Trial{masters, loss, last, limit, quiet, bound.TwoMasters()}, tally));
+        static_cast<void>(
+            Judge(world, Trial{masters, loss, last, limit, quiet, bound.TwoMasters(), bound.Negotiation()}, tally));
     };
     ForEachLoss(losses, 0U, frames, masters.size(), lose);
 }

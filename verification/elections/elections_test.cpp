@@ -68,7 +68,7 @@ TEST_P(Elections, ALimitThatIsNotKeptIsAFailure)
     world.Begin(masters, Loss{});
     Tally tally{};
     // When it is judged
-    static_cast<void>(Judge(world, Trial{masters, Loss{}, 0, kMs, kMs, kMs}, tally));
+    static_cast<void>(Judge(world, Trial{masters, Loss{}, 0, kMs, kMs, kMs, 0}, tally));
     // Then it has failed, and the failure names the masters
     EXPECT_EQ(tally.failures, 1U);
     EXPECT_NE(tally.first_failure.find("1/1/0 2/1/0"), std::string::npos);

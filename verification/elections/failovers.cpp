@@ -35,7 +35,7 @@ void RunOne(World& world, const std::vector<MasterPlan>& masters, const Time kil
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(failing));
     const Bound bound = BoundOf(left, plan.bit_us);
     const Time computed = bound.Failover(2500 * kMs);
-    const Trial trial{left, Loss{}, sign, computed + bound.slack, bound.greatest_cycle, 0};
+    const Trial trial{left, Loss{}, sign, computed + bound.slack, bound.greatest_cycle, 0, 0};
     static_cast<void>(Judge(world, trial, tally));
     const Time late = world.LastMaster() - (sign + computed);
     const bool is_in_time = (late >= 0) && (late <= plan.cycle);

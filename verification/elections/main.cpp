@@ -25,6 +25,7 @@ struct Options
     std::uint32_t greatest{127U};
     bool whole{false};
     bool seeded_only{false};
+    std::string preset{"both"};
 };
 
 std::uint64_t Print(const std::string& name, const Tally& tally)
@@ -105,6 +106,10 @@ int Run(const Options& options)
     for (const Preset preset : {Preset::kDefault, Preset::kSo1114})
     {
         const std::string name = (preset == Preset::kDefault) ? "default" : "so1114";
+        if ((options.preset != name) && (options.preset != "both"))
+        {
+            continue;
+        }
         failures += options.seeded_only ? 0U : RunExhaustive(preset, name, options.whole);
         failures += RunSeeded(preset, name, options);
     }
@@ -123,6 +128,8 @@ int main(int argc, char** argv)
     app.add_option("--seed", options.seed, "Seed");
     app.add_option("--first", options.first, "Number of the first seeded run, to repeat one");
     app.add_option("--masters", options.greatest, "Greatest number of masters")->check(CLI::Range(2U, 127U));
+    app.add_option("--preset", options.preset, "default, so1114 or both")
+        ->check(CLI::IsMember({"default", "so1114", "both"}));
     app.add_flag("--whole", options.whole, "3 and 4 masters with the loss of each frame for each receiver too");
     app.add_flag("--seeded-only", options.seeded_only, "No exhaustive series");
     try

@@ -90,9 +90,9 @@ class SeededRun
         }
         world_.SetLoss(loss);
         const bool has_loss = loss.frame != Loss::kNoFrame;
-        const Time whole = limit + (has_loss ? bound_.Negotiation() : 0);
-        static_cast<void>(
-            Judge(world_, Trial{masters_, loss, from, whole, bound_.greatest_cycle, bound_.TwoMasters()}, tally));
+        const Time repair = has_loss ? bound_.Negotiation() : 0;
+        const Trial trial{masters_, loss, from, limit + repair, bound_.greatest_cycle, bound_.TwoMasters(), repair};
+        static_cast<void>(Judge(world_, trial, tally));
         world_.Forget();
     }
 

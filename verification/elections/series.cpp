@@ -54,10 +54,11 @@ void Tally::Add(const Tally& other)
 
 std::uint32_t Judge(World& world, const Trial& trial, Tally& tally)
 {
+    world.Run(trial.from + trial.limit - trial.repair);
+    world.SetLoss(Loss{}); // A frame lost later would be the beginning of something else.
     world.Run(trial.from + trial.limit);
     const bool is_at_rest = world.IsAgreed();
     const std::uint32_t frames = world.Frames();
-    world.SetLoss(Loss{}); // A frame lost later would be the beginning of something else.
     world.Run(trial.from + trial.limit + trial.quiet);
     const Seen& seen = world.Found();
     const Time rest = std::max<Time>(seen.last_change - trial.from, 0);

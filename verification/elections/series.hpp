@@ -43,6 +43,7 @@ struct Trial
     Time limit;     ///< Rest at latest so long after it.
     Time quiet;     ///< Nothing may change for so long behind the limit.
     Time limit_two; ///< For two masters on one bus.
+    Time repair;    ///< Part of the limit: what a lost frame may cost. A frame is lost before it begins.
 };
 
 /// @brief Runs `world`, in which all has happened, up to the limit and through the quiet time, and adds what was seen;

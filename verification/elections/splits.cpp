@@ -35,14 +35,15 @@ void RunOne(World& world, const std::vector<MasterPlan>& masters, const std::siz
     const Time quiet = 2 * bound.greatest_cycle;
     Apart(world, masters, split, join);
     const std::uint32_t before = world.Frames();
-    const Trial whole{masters, Loss{}, join, bound.FromJoin(), quiet, bound.TwoMasters()};
+    const Trial whole{masters, Loss{}, join, bound.FromJoin(), quiet, bound.TwoMasters(), 0};
     const std::uint32_t after = Judge(world, whole, tally);
     const auto lose = [&](const Loss& loss)
     {
         Apart(world, masters, split, join);
         world.SetLoss(loss);
         const Time limit = bound.FromJoin() + bound.Negotiation();
-        static_cast<void>(Judge(world, Trial{masters, loss, join, limit, quiet, bound.TwoMasters()}, tally));
+        static_cast<void>(
+            Judge(world, Trial{masters, loss, join, limit, quiet, bound.TwoMasters(), bound.Negotiation()}, tally));
     };
     ForEachLoss(losses, before, after, masters.size(), lose);
 }
