@@ -100,7 +100,7 @@ void ManagerDiagram::OnRequest(const CanFrame& frame, const std::uint8_t node, c
     {
         const std::string label = (command == kUpload) ? "read " + object : "write " + object + " = " + ValueOf(frame);
         pending_.at(node) = {true, rows_.size()};
-        Add({at_us, 0U, node, true, false, false, label});
+        Add({at_us, 0U, node, true, false, false, label, true});
     }
     else if (frame.data[0] == kAbort)
     {

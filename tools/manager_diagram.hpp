@@ -23,6 +23,7 @@ struct DiagramRow
     bool is_mark{false}; ///< No arrow: a result at the lane of the node.
     bool is_bad{false};
     std::string label;
+    bool is_request{false}; ///< An SDO; without `until_us` nobody answered.
 };
 
 /// Collects what the boot-up sequence diagram shows. [SRS-MGR-008]

@@ -71,7 +71,7 @@ void ManagerHost::MakeProfile()
             cia302::El6751Parts{parts,
                                 el6751_nodes_.data(),
                                 {el6751_pdos_.data(), static_cast<std::uint16_t>(el6751_pdos_.size())},
-                                cia302::El6751Times{}});
+                                net_.Plan().manager.el6751});
         manager_.Use(*el6751_);
         break;
     case StartProfile::kPlcDesigner:

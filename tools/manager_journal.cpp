@@ -167,6 +167,7 @@ void ManagerJournal::OnFlyingMaster(const cia302::FlyingEvent event, const cia30
          {{"number", static_cast<unsigned>(event)},
           {"word", Word(event)},
           {"priority", claim.level},
-          {"master", claim.node.value}});
+          {"master", claim.node.value}},
+         std::to_string(static_cast<unsigned>(event)));
 }
 } // namespace counterpoint::tools

@@ -15,7 +15,7 @@ namespace counterpoint::tools
 namespace
 {
 constexpr int kTimeWidth = 110;
-constexpr int kLaneWidth = 170;
+constexpr int kLaneWidth = 220;
 constexpr int kRowHeight = 22;
 constexpr int kHeadHeight = 46;
 
@@ -26,7 +26,8 @@ constexpr const char* kStyle =
     "color:var(--ink);background:var(--paper);margin:24px}h1{font-size:20px}table{border-collapse:collapse;"
     "margin:12px 0 24px}td,th{padding:4px 12px 4px 0;text-align:left;border-bottom:1px solid var(--line)}"
     "th{color:var(--soft);font-weight:500}.good{color:var(--good)}.bad{color:var(--bad)}svg text{font-size:12px;"
-    "fill:var(--ink)}svg .soft{fill:var(--soft)}svg .badtext{fill:var(--bad)}svg .lane{stroke:var(--line)}"
+    "fill:var(--ink);paint-order:stroke;stroke:var(--paper);stroke-width:4px}svg .soft{fill:var(--soft)}svg "
+    ".badtext{fill:var(--bad)}svg .lane{stroke:var(--line)}"
     "svg .arrow{stroke:var(--ink);fill:none}svg .badarrow{stroke:var(--bad);fill:none}svg .head{fill:var(--head)}"
     "figure{overflow-x:auto;margin:0}figcaption{color:var(--soft);margin-bottom:8px}";
 
@@ -159,7 +160,7 @@ class Picture
         const int to = row.is_from_manager ? X(lane) : X(0);
         const bool is_answered = row.until_us > row.at_us;
         const std::string took = is_answered ? " (" + std::to_string(row.until_us - row.at_us) + " us)" : "";
-        const bool is_silent = row.is_from_manager && row.until_us == 0U;
+        const bool is_silent = row.is_request && row.until_us == 0U;
         out_ << "<line class=\"" << (row.is_bad || is_silent ? "badarrow" : "arrow")
              << "\" marker-end=\"url(#tip)\" x1=\"" << from << "\" y1=\"" << y + 3 << "\" x2=\"" << to << "\" y2=\""
              << y + 3 << "\"/><text class=\"" << (is_silent ? "badtext" : text) << "\" x=\"" << X(0) + 8 << "\" y=\""

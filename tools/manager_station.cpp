@@ -101,8 +101,7 @@ void ManagerStation::FollowWriting(const ManagerEvent& event)
     else if (writing == Writing::kRuns && state == "open")
     {
         writing = Writing::kTried;
-        static_cast<void>(
-            host_.Core().Command(cia302::NmtCommand::kStart, cia302::NodeId{event.node}, InstantAt(now_us_)));
+        static_cast<void>(host_.Core().Boot(cia302::NodeId{event.node}, InstantAt(now_us_)));
     }
     else
     {

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/network_file.hpp"
 
+#include "tools/network_profiles.hpp"
 #include "tools/yaml_map.hpp"
 
 #include "canopen/cia306/ini_document.hpp"
@@ -121,7 +122,7 @@ ManagerPlan ReadManager(const std::string& file, const ScenarioValue& value)
 {
     const YamlMap map(file, value.Node(),
                       {"node", "dcf", "profile", "start_up", "boot_time", "inhibit", "sync", "heartbeat", "sdo_timeout",
-                       "sdo_tries", "flying"});
+                       "sdo_tries", "flying", "el6751"});
     constexpr std::uint64_t kStartUpBits = 0x7FU;
     constexpr simulator::Nanoseconds kHundredUs = 100 * simulator::kNanosecondsPerMicrosecond;
     ManagerPlan plan;
@@ -136,6 +137,10 @@ ManagerPlan ReadManager(const std::string& file, const ScenarioValue& value)
     TakeMs(map, "heartbeat", plan.heartbeat_ms);
     TakeMs(map, "sdo_timeout", plan.sdo_time_out_ms);
     TakeNumber(map, "sdo_tries", plan.sdo_tries, 1U);
+    if (const auto times = map.Find("el6751"))
+    {
+        plan.el6751 = ReadEl6751Times(file, *times);
+    }
     if (const auto flying = map.Find("flying"))
     {
         plan.flying = ReadFlying(file, *flying);
@@ -177,7 +182,7 @@ SlavePlan ReadSlave(const std::string& file, const ScenarioValue& value)
                       {"node",         "name",        "dcf",       "assignment",   "mandatory", "keep_alive",
                        "boot",         "restore",     "heartbeat", "consumer",     "arming",    "guard_time",
                        "retry_factor", "device_type", "vendor_id", "product_code", "revision",  "serial",
-                       "date",         "time",        "configure", "write_safety"});
+                       "date",         "time",        "configure", "write_safety", "el6751",    "plc_designer"});
     SlavePlan plan;
     plan.line = static_cast<std::size_t>(value.Where().place.line);
     plan.node = static_cast<std::uint8_t>(map.Require("node").Number({1U, cia302::kLastNode}));
@@ -186,6 +191,14 @@ SlavePlan ReadSlave(const std::string& file, const ScenarioValue& value)
     plan.dcf = FileIn(file, map);
     ReadAssignment(map, plan);
     ReadExpectations(map, plan);
+    if (const auto options = map.Find("el6751"))
+    {
+        plan.el6751 = ReadEl6751Slave(file, *options);
+    }
+    if (const auto options = map.Find("plc_designer"))
+    {
+        plan.plc = ReadPlcSlave(file, *options);
+    }
     TakeWord(map, "configure", plan.is_configured, kTruthWords);
     TakeWord(map, "write_safety", plan.writes_safety, kTruthWords);
     return plan;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace counterpoint::tools
 {
@@ -50,6 +51,11 @@ NodePorts::NodePorts(const std::string& first, const std::string& second)
     : safety_(host::OpenLiveBus(first, OptionsOfSafety(second.empty()))),
       services_(host::OpenLiveBus(first, OptionsOfServices())),
       inverse_(second.empty() ? nullptr : host::OpenLiveBus(second, OptionsOfInverse()))
+{
+}
+
+NodePorts::NodePorts(std::unique_ptr<host::LiveBus> safety, std::unique_ptr<host::LiveBus> services) noexcept
+    : safety_(std::move(safety)), services_(std::move(services))
 {
 }
 

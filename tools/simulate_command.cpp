@@ -2,7 +2,9 @@
 #include "tools/simulate_command.hpp"
 
 #include "canopen/cia306/text_file.hpp"
+#include "tools/network_scenario.hpp"
 #include "tools/progress_bar.hpp"
+#include "tools/simulate_network.hpp"
 #include "verification/simulator/reports.hpp"
 #include "verification/simulator/run.hpp"
 #include "verification/simulator/scenario_reader.hpp"
@@ -73,6 +75,10 @@ class SimulateCommand final : public Command
         }
         try
         {
+            if (IsOfNetwork())
+            {
+                return Network(streams);
+            }
             return sweeps_.empty() ? Simulate(streams) : Sweep(streams);
         }
         catch (const simulator::ScenarioError& error)
@@ -83,6 +89,33 @@ class SimulateCommand final : public Command
     }
 
   private:
+    /// What cannot be read is no network here: the reader of scenarios says what is wrong with it.
+    [[nodiscard]] bool IsOfNetwork() const
+    {
+        try
+        {
+            return IsNetworkScenario(scenario_);
+        }
+        catch (const simulator::ScenarioError&)
+        {
+            return false;
+        }
+    }
+
+    /// A scenario with managers. [SRS-MGR-012]
+    [[nodiscard]] ExitStatus Network(const Streams& streams) const
+    {
+        for (const char* const option : {"--candump", "--seed", "--until", "--frames", "--sweep"})
+        {
+            if (app_->count(option) > 0U)
+            {
+                throw simulator::ScenarioError(scenario_, {}, std::string(option) + " for a scenario with managers",
+                                               "--html, --json or --quiet");
+            }
+        }
+        return SimulateNetwork(scenario_, {html_, json_, quiet_}, streams);
+    }
+
     /// `simulate --explain`, alone or with a name. [SRS-SIM-047]
     [[nodiscard]] ExitStatus Explain(const Streams& streams) const
     {

@@ -118,6 +118,7 @@ void BootSlave::Start(const NodeId node, const BootTime& time) noexcept
     job.record.is_start_wanted = true;
     if (!job.record.status.is_busy)
     {
+        parts_.gate.Close(node); // What was verified at the boot may be long ago.
         job.record.status.is_busy = true;
         job.record.is_extra = true;
         Enter(job, StartUpStep::kSafety);
@@ -159,6 +160,7 @@ void BootSlave::Enter(const Job& job, const StartUpStep step) noexcept
     job.record.part = 0U;
     job.record.checks = 0U;
     job.record.position = ConcisePosition{};
+    job.record.offset = 0U;
     parts_.listener.OnNodeStatus(job.node, job.time.now);
 }
 
@@ -216,13 +218,13 @@ void BootSlave::OnCycle(const NodeId node, const BootTime& time) noexcept
     {
         const StartUpStep step = job.record.status.step;
         const std::uint8_t part = job.record.part;
-        const ConcisePosition position = job.record.position;
+        const std::uint32_t entry = job.record.position.entry + job.record.offset;
         if (job.record.status.is_busy)
         {
             Run(job);
         }
         is_going = job.record.status.is_busy && ((step != job.record.status.step) || (part != job.record.part) ||
-                                                 (position.entry != job.record.position.entry));
+                                                 (entry != (job.record.position.entry + job.record.offset)));
     }
 }
 

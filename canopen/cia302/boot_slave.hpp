@@ -4,6 +4,7 @@
 
 #include "canopen/cia302/concise_dcf.hpp"
 #include "canopen/cia302/start_up.hpp"
+#include "canopen/cia302/text_dcf.hpp"
 
 #include <cstdint>
 
@@ -40,10 +41,12 @@ enum class BootWait : std::uint8_t
 struct BootRecord
 {
     NodeStatus status;
-    std::uint64_t began_us; ///< Boot: 1F89h counts from here.
-    std::uint64_t since_us; ///< Wait.
-    ConcisePosition position;
-    std::uint8_t value[4]; ///< Of a transfer.
+    std::uint64_t began_us;   ///< Boot: 1F89h counts from here.
+    std::uint64_t since_us;   ///< Wait.
+    ConcisePosition position; ///< In 1F22h.
+    std::uint32_t offset;     ///< In 1F20h.
+    std::uint32_t next;       ///< In 1F20h, behind the object that is written.
+    std::uint8_t value[8];    ///< Of a transfer.
     BootWait wait;
     std::uint8_t part;  ///< Of the step.
     std::uint8_t beats; ///< Of the table when the wait began.
@@ -144,6 +147,9 @@ class BootSlave
     void CompareDate(const Job& job) noexcept;
     void Restore(const Job& job) noexcept;
     void WriteConfiguration(const Job& job) noexcept;
+    void WriteText(const Job& job) noexcept;
+    void WriteConcise(const Job& job) noexcept;
+    void RefuseDomain(const Job& job, std::uint16_t index) noexcept;
     void BeginSupervision(const Job& job) noexcept;
     void VerifySafety(const Job& job) noexcept;
     void RefuseSafety(const Job& job) noexcept;

@@ -2,6 +2,8 @@
 // The slave is configured, supervised, verified and started: letters J and K.
 #include "canopen/cia302/boot_slave.hpp"
 
+#include "canopen/cia301/little_endian.hpp"
+
 namespace counterpoint::cia302
 {
 namespace
@@ -11,6 +13,7 @@ constexpr std::uint64_t kUsPerMs = 1000U;
 constexpr ObjectAddress kDate{0x1020U, 1U};
 constexpr ObjectAddress kTime{0x1020U, 2U};
 constexpr std::uint16_t kRestoreIndex = 0x1011U;
+constexpr std::uint16_t kTextIndex = 0x1F20U;
 constexpr std::uint16_t kConciseIndex = 0x1F22U;
 constexpr std::uint8_t kLoad[4] = {0x6CU, 0x6FU, 0x61U, 0x64U}; ///< "load"
 constexpr std::uint8_t kCommunicationSub = 2U;
@@ -81,15 +84,60 @@ void BootSlave::Restore(const Job& job) noexcept
     }
 }
 
-/// Entry by entry. The position is moved when an entry was taken.
+/// Part 0: 1F20h, part 1: 1F22h.
 void BootSlave::WriteConfiguration(const Job& job) noexcept
+{
+    if (job.record.part == 0U)
+    {
+        WriteText(job);
+    }
+    else
+    {
+        WriteConcise(job);
+    }
+}
+
+/// Object by object. The text is read once for each: what runs needs to know only where it goes on.
+void BootSlave::WriteText(const Job& job) noexcept
+{
+    if (job.record.wait == BootWait::kTransfer)
+    {
+        const Got got = Take(job);
+        if (got == Got::kRefused)
+        {
+            Fail(job, 'J');
+        }
+        job.record.offset = (got == Got::kDone) ? job.record.next : job.record.offset;
+    }
+    else
+    {
+        const TextReading entry = ReadTextDcf(job.setup.dcf, job.record.offset, job.node);
+        if (entry.state == TextState::kMalformed)
+        {
+            RefuseDomain(job, kTextIndex);
+        }
+        else if (entry.state == TextState::kEnd)
+        {
+            job.record.part = 1U;
+        }
+        else
+        {
+            cia301::ToLittleEndian(entry.number, job.record.value, sizeof(job.record.value));
+            const Bytes number{job.record.value, entry.size_bytes};
+            const Bytes value = (entry.text == nullptr) ? number : Bytes{entry.text, entry.size_bytes};
+            job.record.next = entry.next;
+            static_cast<void>(Put(job, entry.object, value, SdoMode::kNormal));
+        }
+    }
+}
+
+/// Entry by entry. The position is moved when an entry was taken.
+void BootSlave::WriteConcise(const Job& job) noexcept
 {
     const ConciseReading entry = ReadConcise(job.setup.concise_dcf, job.record.position);
     if (entry.state == ConciseState::kMalformed)
     {
-        job.record.status.object = ObjectAddress{kConciseIndex, job.node.value};
-        job.record.status.abort = SdoAbort::kLengthMismatch;
-        Fail(job, 'J');
+        RefuseDomain(job, kConciseIndex);
     }
     else if (entry.state == ConciseState::kEnd)
     {
@@ -102,11 +150,16 @@ void BootSlave::WriteConfiguration(const Job& job) noexcept
         {
             Fail(job, 'J');
         }
-        else if (got == Got::kDone)
-        {
-            job.record.position = entry.next;
-        }
+        job.record.position = (got == Got::kDone) ? entry.next : job.record.position;
     }
+}
+
+/// The domain of the master, not the slave, is wrong: its own object is named.
+void BootSlave::RefuseDomain(const Job& job, const std::uint16_t index) noexcept
+{
+    job.record.status.object = ObjectAddress{index, job.node.value};
+    job.record.status.abort = SdoAbort::kNoDictionary;
+    Fail(job, 'J');
 }
 
 /// With heartbeat the slave must show one; the boot-up message is none.

@@ -177,9 +177,13 @@ void El6751StartUp::Supervise(const NodeId node, const Instant now) noexcept
     {
         table.WatchGuarding(node, setup.guard_time_ms, setup.life_time_factor, now);
     }
-    else
+    else if (Of(node).place.is_heartbeat_answered)
     {
         table.WatchHeartbeat(node, time_ms, Arming::kImmediately, now);
+    }
+    else
+    {
+        // Started by hand after a start-up that did not come so far: it was told to send nothing.
     }
 }
 

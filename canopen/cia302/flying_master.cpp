@@ -299,6 +299,7 @@ void FlyingMaster::Initialise(const Instant now) noexcept
 
 void FlyingMaster::Follow(const MasterClaim& claim, const Instant now) noexcept
 {
+    is_first_pass_ = false;
     Enter(FlyingState::kSlave, now, 0U);
     master_ = claim;
     WatchMaster(now);
@@ -315,7 +316,6 @@ void FlyingMaster::WatchMaster(const Instant now) noexcept
 void FlyingMaster::Lose(const Instant now) noexcept
 {
     restarts_ = 0U;
-    is_first_pass_ = false;
     switch (parts_.options.on_loss)
     {
     case LossReaction::kRestart:

@@ -253,7 +253,10 @@ void FlyingMaster::OnForce(const Instant now) noexcept
 
 void FlyingMaster::OnNegotiation(const Instant now) noexcept
 {
-    const bool is_before = (state_ == FlyingState::kDelay) || (state_ == FlyingState::kDetect);
+    // Where an active master sends 072h each cycle, only whoever races already knows that it is a race.
+    const bool is_race = parts_.options.cyclic != CyclicMessage::kNegotiation;
+    const bool is_waiting = (state_ == FlyingState::kDelay) || (state_ == FlyingState::kDetect);
+    const bool is_before = is_waiting && is_race;
     // All who began nearly at once are of one race: to follow each of their frames would only put the end off.
     const std::uint32_t half_slot_us = (times_.device_slot * kUsPerMs) / 2U;
     const bool is_late = (state_ == FlyingState::kRace) && ((now.us - race_begin_.us) >= half_slot_us);

@@ -9,6 +9,7 @@ namespace
 
 constexpr std::uint32_t kAnswers = 0x580U;
 constexpr std::uint32_t kErrorControl = 0x700U;
+constexpr std::uint32_t kLongestExpectMs = 1'000'000U; ///< See NodeTable::Expect.
 constexpr std::uint8_t kBehindLast = kLastNode + 1U;
 
 } // namespace
@@ -107,9 +108,12 @@ void Cia302StartUp::SendResets(const BootTime& time) noexcept
     }
 }
 
-/// All resets have left. What has booted up meanwhile is on its way already.
+/// All resets have left. What has booted up meanwhile is on its way already. 1F89h is also the time after which a
+/// slave, mandatory or not, is told as never seen.
 void Cia302StartUp::BootAll(const BootTime& time) noexcept
 {
+    const std::uint32_t asked_ms = parts_.setup.boot_time_ms;
+    const std::uint32_t limit_ms = (asked_ms < kLongestExpectMs) ? asked_ms : kLongestExpectMs;
     SetStep(MasterStep::kBooting, time.now);
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
     {
@@ -123,6 +127,10 @@ void Cia302StartUp::BootAll(const BootTime& time) noexcept
         else if (is_new)
         {
             boot_.Await(node, time);
+        }
+        if (is_new && (limit_ms > 0U))
+        {
+            parts_.table.Expect(node, limit_ms, time.now);
         }
     }
     has_news_ = true;

@@ -34,7 +34,7 @@ void Cia302StartUp::OnNodeEvent(const NodeId node, const NodeEvent event, const 
     {
         OnLost(node, time);
     }
-    else if (is_active && is_listed && is_state)
+    else if ((step_ != MasterStep::kIdle) && is_listed && is_state)
     {
         OnState(node, time);
     }
@@ -145,12 +145,13 @@ NmtAnswer Cia302StartUp::CommandAll(const NmtCommand command, const BootTime& ti
         {
             boot_.Record(NodeId{id}).status.is_started = is_start;
         }
-        if ((answer == NmtAnswer::kTaken) && IsReset(command))
+        const bool is_begun = (answer == NmtAnswer::kTaken) && (step_ != MasterStep::kIdle);
+        if (is_begun && IsReset(command))
         {
             End();
             BootAll(time);
         }
-        else if ((answer == NmtAnswer::kTaken) && (is_start || IsMasterOperational()))
+        else if (is_begun && (is_start || IsMasterOperational()))
         {
             SetStep(is_start ? MasterStep::kOperational : MasterStep::kReady, time.now);
         }
@@ -165,7 +166,7 @@ NmtAnswer Cia302StartUp::CommandOwn(const NmtCommand command, const BootTime& ti
     const NmtAnswer answer = has_own ? parts_.nmt.Request(command, parts_.setup.own, time.now) : NmtAnswer::kTaken;
     const bool is_start = (command == NmtCommand::kStart);
     const bool was_operational = IsMasterOperational();
-    if ((answer == NmtAnswer::kTaken) && is_start)
+    if ((answer == NmtAnswer::kTaken) && is_start && (step_ != MasterStep::kIdle))
     {
         SetStep(MasterStep::kOperational, time.now);
         const bool is_due = parts_.setup.Has(kStartAllAtOnce) && !parts_.setup.Has(kApplicationStartsSlaves);
@@ -183,12 +184,13 @@ NmtAnswer Cia302StartUp::CommandOwn(const NmtCommand command, const BootTime& ti
 
 NmtAnswer Cia302StartUp::CommandNode(const NmtCommand command, const NodeId node, const BootTime& time) noexcept
 {
-    NmtAnswer answer = parts_.nmt.Request(command, node, time.now);
+    const bool is_guarded =
+        (command == NmtCommand::kStart) && parts_.setup.IsSafetySlave(node) && parts_.nmt.IsActive();
+    const NmtAnswer answer = is_guarded ? NmtAnswer::kTaken : parts_.nmt.Request(command, node, time.now);
     const bool is_listed = parts_.setup.IsListed(node);
-    if (answer == NmtAnswer::kNotVerified)
+    if (is_guarded)
     {
-        boot_.Start(node, time); // Verifies, then starts.
-        answer = NmtAnswer::kTaken;
+        boot_.Start(node, time); // Verifies, whatever was verified before, and then starts.
     }
     else if ((answer == NmtAnswer::kTaken) && is_listed && IsReset(command) && (step_ != MasterStep::kIdle))
     {

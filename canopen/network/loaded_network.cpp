@@ -149,6 +149,7 @@ void LoadedNetwork::Fill(LoadedSlave& slave, SlaveSetup& setup) const
     FillIdentity(slave, setup);
     FillHeartbeat(slave, setup);
     setup.safety = slave.objects.empty() ? nullptr : &slave.safety;
+    FillProfile(plan_.manager.profile, slave.plan, slave.device, slave.profile, setup);
 }
 
 void LoadedNetwork::FillIdentity(const LoadedSlave& slave, SlaveSetup& setup) const

@@ -6,6 +6,7 @@
 #include "canopen/cia306/device.hpp"
 #include "canopen/network/concise_maker.hpp"
 #include "canopen/network/network_plan.hpp"
+#include "canopen/network/profile_maker.hpp"
 
 #include <array>
 #include <cstdint>
@@ -24,6 +25,7 @@ struct LoadedSlave
     std::vector<std::uint8_t> concise;
     std::vector<cia302::ExpectedObject> objects;
     cia302::SafetyExpectation safety{nullptr, 0U};
+    ProfileSlave profile;
 };
 
 /// A network as the manager needs it, made from its file and the DCFs of its devices. Stays where it is: its parts

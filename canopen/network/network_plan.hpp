@@ -2,7 +2,9 @@
 #ifndef CANOPEN_NETWORK_NETWORK_PLAN_HPP
 #define CANOPEN_NETWORK_NETWORK_PLAN_HPP
 
+#include "canopen/cia302/el6751_setup.hpp"
 #include "canopen/cia302/network_setup.hpp"
+#include "canopen/cia302/plc_setup.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -56,6 +58,8 @@ struct SlavePlan
     std::optional<std::uint32_t> serial;
     std::optional<std::uint32_t> date;
     std::optional<std::uint32_t> time;
+    std::optional<cia302::El6751Slave> el6751; ///< Options alone: PDOs and times follow from the rest.
+    std::optional<cia302::PlcSlave> plc;
     bool is_configured{true};  ///< Gets the concise DCF that its DCF makes.
     bool writes_safety{false}; ///< The manager writes the safety configuration where it differs.
 };
@@ -74,6 +78,7 @@ struct ManagerPlan
     std::optional<std::uint16_t> heartbeat_ms; ///< Of the manager itself.
     std::optional<std::uint32_t> sdo_time_out_ms;
     std::optional<std::uint8_t> sdo_tries;
+    cia302::El6751Times el6751{};
     std::optional<FlyingPlan> flying;
 };
 

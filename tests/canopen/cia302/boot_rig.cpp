@@ -114,11 +114,13 @@ void BootRig::Deliver()
         log.push_back(Sent{ms - begun_ms, frame});
         const bool is_data = (frame.kind == FrameKind::kData);
         const bool is_of_slave = is_data && (frame.identifier > 0x580U) && ((frame.identifier & 0x780U) != 0x600U);
-        if (is_of_slave && (drop_next > 0))
+        const bool is_lost = is_of_slave && is_begun && (lost_answer == 0);
+        lost_answer -= (is_of_slave && is_begun && (lost_answer >= 0)) ? 1 : 0;
+        if (is_lost)
         {
-            --drop_next;
+            continue;
         }
-        else if (is_of_slave)
+        if (is_of_slave)
         {
             ToManager(frame);
         }

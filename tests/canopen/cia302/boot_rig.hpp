@@ -117,7 +117,7 @@ class BootRig : public ::testing::Test,
     std::map<std::uint8_t, std::unique_ptr<FakeSlave>> slaves{};
     bool is_begun{false};
     std::uint32_t begun_ms{0U};
-    int drop_next{0}; ///< Frames of slaves that get lost.
+    int lost_answer{-1}; ///< As many frames of slaves come through, then one is lost. -1: none.
 
     std::array<SlaveSetup, kNodeRoom> setups{};
     NetworkSetup setup{NodeId{127U}, kIsMaster, 0U, 0U, 0U, setups.data()};

@@ -191,6 +191,23 @@ TEST_F(El6751ByHandTest, ASlaveHeldByHandThatRestartsIsConfiguredAndNotStarted)
     EXPECT_EQ(Code(5U), 12);
 }
 
+TEST_F(El6751ByHandTest, ASlaveWhoseStartUpEndedCanBeStartedAndIsNotSupervised)
+{
+    Verifies(req::SRS_ELM_039);
+    Verifies(req::SRS_ELM_046);
+    AddBox(5U);
+    boxes[5].guard_time_ms = 100U;
+    boxes[5].life_time_factor = 3U;
+    slaves[5]->Set(0x1000U, 0U, 0x192U);
+    Begin();
+    Run(50U);
+    ASSERT_EQ(Code(5U), 5);
+    EXPECT_EQ(Control(5U, 5U, 1U), NmtAnswer::kTaken);
+    Run(5000U);
+    EXPECT_EQ(Commands(), (Log{"82 00", "01 05", "01 00"}));
+    EXPECT_EQ(Code(5U), 0);
+}
+
 TEST_F(El6751ByHandTest, NmtCommandsOfTheApplication)
 {
     Verifies(req::SRS_ELM_046);

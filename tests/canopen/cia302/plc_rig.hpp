@@ -15,7 +15,7 @@ namespace counterpoint::cia302
 class PlcRig : public ProfileRig
 {
   public:
-    PlcRig() : ProfileRig(kPlcSdoTimes)
+    explicit PlcRig(const SdoTimes& times = kPlcSdoTimes) : ProfileRig(times)
     {
         profile = &plc;
     }

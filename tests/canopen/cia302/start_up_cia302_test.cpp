@@ -106,12 +106,12 @@ TEST_F(StartUpCia302Test, StartOfAllBecomesSingleStartsIfThereIsASafetySlave)
     Run(20U);
     EXPECT_EQ(Commands(), (Lines{"0:82 00"}));
     EXPECT_EQ(Of(6U).step, StartUpStep::kSafety);
-    Run(30U);
+    Run(60U);
     const Lines commands = Commands();
     ASSERT_EQ(commands.size(), 3U);
     EXPECT_EQ(commands[1].substr(commands[1].size() - 5U), "01 05");
     EXPECT_EQ(commands[2].substr(commands[2].size() - 5U), "01 06");
-    EXPECT_EQ(gate.verifications, 1);
+    EXPECT_EQ(gate.verifications, 2); // At its boot, and once more directly before the start.
 }
 
 TEST_F(StartUpCia302Test, ApplicationStartsTheMaster)
@@ -198,98 +198,6 @@ TEST_F(StartUpCia302Test, ConfigurationDateSparesTheConfiguration)
     }
 }
 
-TEST_F(StartUpCia302Test, SafetySlaveWithAnotherConfigurationIsNotStarted)
-{
-    Verifies(req::SRS_BOOT_013);
-    Add(5U, kMust);
-    Protect(5U);
-    gate.verdict = GateState::kDiffers;
-    gate.finding = GateFinding{{0x1301U, 2U}, SdoAbort::kNone, 25U, 26U};
-    Begin();
-    Run(20U);
-    EXPECT_EQ(Letter(5U), "J");
-    EXPECT_EQ(Of(5U).step, StartUpStep::kSafety);
-    EXPECT_EQ(Of(5U).object.index, 0x1301U);
-    EXPECT_EQ(Of(5U).expected, 25U);
-    EXPECT_EQ(Of(5U).read, 26U);
-    EXPECT_EQ(StateOf(5U), NodeState::kPreOperational);
-    EXPECT_EQ(Step(), MasterStep::kHalted);
-    // Not by command either: it is verified again, and refused again
-    EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
-    Run(20U);
-    EXPECT_EQ(Command(NmtCommand::kStart, 0U), NmtAnswer::kTaken);
-    Run(20U);
-    EXPECT_EQ(StateOf(5U), NodeState::kPreOperational);
-    EXPECT_EQ(gate.verifications, 3);
-    EXPECT_EQ(Commands(), (Lines{"0:82 00"}));
-    // When it is put right
-    gate.verdict = GateState::kOpen;
-    EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
-    Run(20U);
-    EXPECT_EQ(StateOf(5U), NodeState::kOperational);
-}
-
-TEST_F(StartUpCia302Test, UnfitMandatorySafetySlaveStopsAllWithBit6)
-{
-    Verifies(req::SRS_BOOT_013);
-    Verifies(req::SRS_BOOT_017);
-    setup.start_up = kIsMaster | kStopAllOnError;
-    Add(5U, kMust);
-    Protect(5U);
-    gate.verdict = GateState::kFailed;
-    Begin();
-    Run(20U);
-    EXPECT_EQ(Letter(5U), "J");
-    EXPECT_EQ(Step(), MasterStep::kStopped);
-    EXPECT_EQ(Commands().back().substr(1U), ":02 00");
-}
-
-TEST_F(StartUpCia302Test, SafetySlaveFoundOperationalIsVerifiedAndStopped)
-{
-    Verifies(req::SRS_BOOT_013);
-    // Given a safety slave that starts by itself, kept alive or not booted at all
-    Add(5U, kInNetwork).is_self_starting = true;
-    slaves[5]->heartbeat_ms = 20U;
-    setups[5].heartbeat = HeartbeatSetup{100U, 20U, Arming::kFirstHeartbeat};
-    Protect(5U);
-    Begin();
-    Run(50U);
-    EXPECT_EQ(gate.verifications, 1);
-    EXPECT_EQ(StateOf(5U), NodeState::kOperational);
-    EXPECT_EQ(Commands(), (Lines{"0:82 00"}));
-    // When somebody else stops and starts it, verification stands; after a restart it does not
-    gate.verdict = GateState::kDiffers;
-    slaves[5]->Power(Now());
-    Run(100U);
-    EXPECT_EQ(StateOf(5U), NodeState::kStopped);
-    EXPECT_EQ(Letter(5U), "J");
-    // When somebody else starts it again, it is stopped again
-    const CanFrame start{0U, FrameKind::kData, CanPortId::kFirst, 2U, {1U, 5U}};
-    slaves[5]->OnFrame(start, Now());
-    Run(100U);
-    EXPECT_EQ(StateOf(5U), NodeState::kStopped);
-    EXPECT_EQ(gate.verifications, 3);
-}
-
-TEST_F(StartUpCia302Test, KeptAliveSafetySlaveIsVerifiedToo)
-{
-    Verifies(req::SRS_BOOT_013);
-    Add(5U, kMust | kKeepAlive);
-    Protect(5U);
-    PowerAll();
-    Run(10U);
-    const CanFrame start{0U, FrameKind::kData, CanPortId::kFirst, 2U, {1U, 5U}};
-    slaves[5]->OnFrame(start, Now());
-    gate.verdict = GateState::kDiffers;
-    is_begun = true;
-    start_up.Begin(Now());
-    Run(100U);
-    EXPECT_EQ(slaves[5]->resets, 1);
-    EXPECT_EQ(Letter(5U), "J");
-    EXPECT_EQ(StateOf(5U), NodeState::kStopped);
-    EXPECT_EQ(Step(), MasterStep::kHalted);
-}
-
 TEST_F(StartUpCia302Test, LateAnswerToTheDeviceTypeIsNotTaken)
 {
     Verifies(req::SRS_NMM_032);
@@ -371,6 +279,41 @@ TEST_F(StartUpCia302Test, MandatorySlaveWithoutBootUpMessageIsAskedAfterASecond)
     Run(5000U);
     EXPECT_EQ(StateOf(6U), NodeState::kPreOperational); // An optional one is waited for.
     EXPECT_EQ(Of(6U).step, StartUpStep::kWaitBootUp);
+}
+
+TEST_F(StartUpCia302Test, SlavesThatNeverShowThemselvesAreTold)
+{
+    Verifies(req::SRS_NMM_025);
+    setup.boot_time_ms = 2000U;
+    Add(5U, kBoot);
+    Add(6U, kBoot);
+    Begin();
+    slaves[6]->Unplug();
+    Run(2000U);
+    EXPECT_EQ(std::count(events.begin(), events.end(), "2001:6 8"), 0);
+    Run(2U);
+    EXPECT_EQ(std::count(events.begin(), events.end(), "2001:6 8"), 1);
+    EXPECT_EQ(table.RequestValue(NodeId{6U}), 1U);
+    EXPECT_EQ(table.RequestValue(NodeId{5U}), 5U);
+    // and booted when they come after all
+    slaves[6]->Power(Now());
+    Run(20U);
+    EXPECT_EQ(StateOf(6U), NodeState::kOperational);
+}
+
+TEST_F(StartUpCia302Test, CommandsBeforeTheStartUpHasBegunAreCommandsOnly)
+{
+    Verifies(req::SRS_BOOT_023);
+    Add(5U, kMust);
+    PowerAll();
+    Run(10U);
+    EXPECT_EQ(Command(NmtCommand::kResetCommunication, 0U), NmtAnswer::kTaken);
+    EXPECT_EQ(Step(), MasterStep::kIdle);
+    Run(10U);
+    EXPECT_EQ(Count(0x605U), 0);
+    EXPECT_EQ(Command(NmtCommand::kStart, 0U), NmtAnswer::kTaken);
+    EXPECT_EQ(Step(), MasterStep::kIdle);
+    EXPECT_EQ(StateOf(5U), NodeState::kOperational);
 }
 
 TEST_F(StartUpCia302Test, EndGivesEverythingUp)

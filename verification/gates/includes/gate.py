@@ -29,8 +29,6 @@ MAY_SEE = {
 # What runs on the target has these headers of the standard library and no other: constants, types, std::array.
 FREESTANDING = ["safety_core", "channel_a", "channel_b", "hal/api", "hal/absent", "hal/tms570"]
 STANDARD_HEADERS = {"array", "cstddef", "cstdint", "limits", "type_traits", "utility"}
-# What an interrupt hands over to the program below it.
-MORE_HEADERS = {"hal/tms570": {"atomic"}}
 
 
 def room_of(name):
@@ -48,9 +46,8 @@ def check_include(root, name, number, directive):
     if form.group("system"):
         header = form.group("system")
         if any(name.startswith(folder + "/") for folder in FREESTANDING):
-            known = STANDARD_HEADERS | MORE_HEADERS.get(room_of(name), set())
-            if header not in known:
-                return f"{where}: <{header}> in code that runs on the target, expected one of {', '.join(sorted(known))}"
+            if header not in STANDARD_HEADERS:
+                return f"{where}: <{header}> in code that runs on the target, expected one of {', '.join(sorted(STANDARD_HEADERS))}"
         if re.match(r"(safety_core|channel_[ab]|hal|canopen|tools|verification|tests)/", header):
             return f"{where}: <{header}>, expected quotes for a header of this tree"
         return None

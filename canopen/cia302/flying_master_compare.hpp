@@ -1,0 +1,66 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA302_FLYING_MASTER_COMPARE_HPP
+#define CANOPEN_CIA302_FLYING_MASTER_COMPARE_HPP
+
+#include "canopen/cia302/flying_master_times.hpp"
+#include "canopen/cia302/network_setup.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::cia302
+{
+
+/// One flying master of a network and what it knows of the others, kept by reference.
+struct FlyingMasterView
+{
+    const NetworkSetup* setup;
+    const FlyingMasterTimes* times; ///< Its 1F90h.
+};
+
+enum class FlyingFindingKind : std::uint8_t
+{
+    kInvalid = 0U,
+    kValue = 1U,    ///< Two masters have different values of an object.
+    kContent = 2U,  ///< Different bytes: DCF, concise DCF, program. Values: place of the first one, or the lengths.
+    kSafety = 3U,   ///< Different safety expectation of a slave: object and values of the first difference.
+    kPriority = 4U, ///< 1F90h:03 of `first` above 2.
+    kSlots = 5U,    ///< 1F90h:04 of `first` is not above 127 x 1F90h:05, or the latter is 0: their values.
+    kSameNode = 6U, ///< Two masters with one node-ID, or one that is not 1 to 127.
+    kProfile = 7U,  ///< One of them has start-up data of a profile for this slave, the other one has none.
+};
+
+/// `slave` is 0 for objects of the master itself. Object 1016h, 1017h with `sub` = `slave` stand for the heartbeat
+/// times of that slave.
+struct FlyingFinding
+{
+    FlyingFindingKind kind;
+    NodeId first;
+    NodeId second;
+    NodeId slave;
+    std::uint16_t index;
+    std::uint8_t sub;
+    std::uint32_t first_value;
+    std::uint32_t second_value;
+};
+
+class FlyingFindingListener
+{
+  public:
+    virtual void OnFinding(const FlyingFinding& finding) noexcept = 0;
+
+  protected:
+    FlyingFindingListener() noexcept = default;
+    ~FlyingFindingListener() noexcept = default;
+    FlyingFindingListener(const FlyingFindingListener&) = default;
+    FlyingFindingListener& operator=(const FlyingFindingListener&) = default;
+};
+
+/// @brief Compares each master with the first one: each of them has to run the same network in the same way if the
+/// others fail. Nodes that are masters themselves are left out, as each knows the others only. Returns how many
+/// findings were told. O(count x 127) and the bytes of all contents. [SRS-FLY-022]
+[[nodiscard]] std::uint32_t CompareFlyingMasters(const FlyingMasterView* masters, std::uint8_t count,
+                                                 FlyingFindingListener& listener) noexcept;
+
+} // namespace counterpoint::cia302
+
+#endif

@@ -1,0 +1,183 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/network/profile_maker.hpp"
+
+#include "canopen/cia302/concise_dcf.hpp"
+#include "canopen/network/concise_maker.hpp"
+
+#include "canopen/cia306/input_error.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace counterpoint::network
+{
+namespace
+{
+using cia302::El6751Pdo;
+using cia302::El6751Slave;
+using cia302::SlaveSetup;
+using cia306::Device;
+using cia306::Entry;
+
+constexpr std::uint16_t kFirstRxPdo = 0x1400U;
+constexpr std::uint16_t kFirstTxPdo = 0x1800U;
+constexpr std::uint16_t kPdoNumbers = 0x200U; ///< Also from communication to mapping parameters.
+constexpr std::uint32_t kOff = 0x80000000U;
+constexpr std::uint32_t kBitsOfByte = 8U;
+constexpr std::uint32_t kLengthMask = 0xFFU; ///< Of a mapping entry.
+constexpr std::uint32_t kMostPdos = 255U;    ///< Both directions together.
+constexpr std::uint8_t kEventDriven = 255U;
+
+/// The configured number of an entry, or `usual` where there is none.
+std::uint32_t NumberOf(const Device& device, const std::uint8_t node_id, const std::uint16_t index,
+                       const std::uint8_t sub, const std::uint32_t usual)
+{
+    const Entry* const entry = device.Find(index, sub);
+    std::uint32_t value = usual;
+    if (entry != nullptr && entry->Configured().IsSet())
+    {
+        const std::vector<std::uint8_t> bytes = BytesOf(device, *entry, node_id);
+        value = 0U;
+        for (std::size_t place = bytes.size(); place > 0U; --place)
+        {
+            value = (value << kBitsOfByte) | bytes[place - 1U];
+        }
+    }
+    return value;
+}
+
+std::uint32_t MappedBits(const Device& device, const std::uint8_t node_id, const std::uint16_t mapping)
+{
+    const std::uint32_t count = NumberOf(device, node_id, mapping, 0U, 0U);
+    std::uint32_t bits = 0U;
+    for (std::uint32_t sub = 1U; sub <= std::min(count, 64U); ++sub)
+    {
+        bits += NumberOf(device, node_id, mapping, static_cast<std::uint8_t>(sub), 0U) & kLengthMask;
+    }
+    return bits;
+}
+
+/// Guard time and life time factor: as the file says, else as the heartbeat has them.
+void FillGuard(const SlavePlan& plan, const SlaveSetup& setup, El6751Slave& slave)
+{
+    const std::uint32_t producer_ms = setup.heartbeat.producer_ms;
+    const std::uint32_t consumer_ms = std::max<std::uint32_t>(setup.heartbeat.consumer_ms, producer_ms);
+    if (plan.guard_ms)
+    {
+        slave.guard_time_ms = *plan.guard_ms;
+        slave.life_time_factor = plan.retry_factor.value_or(0U);
+    }
+    else if (producer_ms > 0U)
+    {
+        const std::uint32_t factor = (consumer_ms + producer_ms - 1U) / producer_ms;
+        slave.guard_time_ms = static_cast<std::uint16_t>(producer_ms);
+        slave.life_time_factor = static_cast<std::uint8_t>(std::min(factor, 255U));
+    }
+}
+
+/// Communication parameters of the PDO at this place of the dictionary that the rows write.
+bool IsRowOfPdo(const std::vector<El6751Pdo>& pdos, const std::uint16_t first, const cia302::ConciseReading& entry)
+{
+    constexpr std::uint8_t kEvent = 5U;
+    constexpr std::uint8_t kReserved = 4U;
+    const bool is_parameter = entry.object.sub >= 1U && entry.object.sub <= kEvent && entry.object.sub != kReserved;
+    bool is_row = false;
+    for (const El6751Pdo& pdo : pdos)
+    {
+        is_row = is_row || (is_parameter && entry.object.index == first + pdo.number - 1U);
+    }
+    return is_row;
+}
+
+bool IsRowOfSlave(const El6751Slave& slave, const std::uint16_t index)
+{
+    const bool is_guarding = index == 0x1016U || index == 0x1017U || index == 0x100CU || index == 0x100DU;
+    return (is_guarding && slave.IsWatched()) || (index == 0x1006U && slave.is_sync_period_written);
+}
+
+/// What the rows write is left out, but for PDOs whose mapping changes: it can change only while they are off.
+std::vector<std::uint8_t> FurtherObjects(const ProfileSlave& slave, const cia302::Bytes& concise)
+{
+    std::set<std::uint16_t> remapped;
+    std::vector<ConciseEntry> kept;
+    cia302::ConciseReading entry = cia302::ReadConcise(concise, {0U, 0U});
+    for (; entry.state == cia302::ConciseState::kEntry; entry = cia302::ReadConcise(concise, entry.next))
+    {
+        remapped.insert(static_cast<std::uint16_t>(entry.object.index - kPdoNumbers));
+    }
+    const bool is_coupler = slave.el6751.kind == cia302::El6751Kind::kBusCoupler;
+    entry = cia302::ReadConcise(concise, {0U, 0U});
+    for (; entry.state == cia302::ConciseState::kEntry; entry = cia302::ReadConcise(concise, entry.next))
+    {
+        const bool is_pdo_row =
+            !is_coupler && remapped.count(entry.object.index) == 0U &&
+            (IsRowOfPdo(slave.rx_pdos, kFirstRxPdo, entry) || IsRowOfPdo(slave.tx_pdos, kFirstTxPdo, entry));
+        if (!is_pdo_row && !IsRowOfSlave(slave.el6751, entry.object.index))
+        {
+            kept.push_back({entry.object.index, entry.object.sub,
+                            std::vector<std::uint8_t>(entry.value.data, entry.value.data + entry.value.size_bytes)});
+        }
+    }
+    return ConciseBytes(kept);
+}
+
+void FillEl6751(const SlavePlan& plan, const Device& device, ProfileSlave& slave, SlaveSetup& setup)
+{
+    slave.el6751 = plan.el6751.value_or(El6751Slave{});
+    slave.rx_pdos = MakePdos(device, plan.node, kFirstRxPdo);
+    slave.tx_pdos = MakePdos(device, plan.node, kFirstTxPdo);
+    if (slave.rx_pdos.size() + slave.tx_pdos.size() > kMostPdos)
+    {
+        throw cia306::InputError(device.file, device.device_info_line,
+                                 {std::to_string(slave.rx_pdos.size() + slave.tx_pdos.size()) + " PDOs that are on",
+                                  "at most " + std::to_string(kMostPdos) + " with the EL6751 start-up"});
+    }
+    FillGuard(plan, setup, slave.el6751);
+    slave.el6751.rx_pdos = slave.rx_pdos.data();
+    slave.el6751.rx_count = static_cast<std::uint8_t>(slave.rx_pdos.size());
+    slave.el6751.tx_pdos = slave.tx_pdos.data();
+    slave.el6751.tx_count = static_cast<std::uint8_t>(slave.tx_pdos.size());
+    slave.concise = FurtherObjects(slave, setup.concise_dcf);
+    setup.concise_dcf = cia302::Bytes{slave.concise.data(), static_cast<std::uint32_t>(slave.concise.size())};
+    setup.el6751 = &slave.el6751;
+}
+} // namespace
+
+std::vector<El6751Pdo> MakePdos(const Device& device, const std::uint8_t node_id, const std::uint16_t first)
+{
+    std::vector<El6751Pdo> pdos;
+    for (auto found = device.objects.lower_bound(first);
+         found != device.objects.end() && found->first < first + kPdoNumbers; ++found)
+    {
+        const std::uint16_t index = found->first;
+        const std::uint32_t cob_id = NumberOf(device, node_id, index, 1U, kOff);
+        const std::uint32_t bits = MappedBits(device, node_id, static_cast<std::uint16_t>(index + kPdoNumbers));
+        if ((cob_id & kOff) == 0U && bits > 0U)
+        {
+            El6751Pdo pdo{};
+            pdo.number = static_cast<std::uint16_t>(index - first + 1U);
+            pdo.cob_id = cob_id;
+            pdo.type = static_cast<std::uint8_t>(NumberOf(device, node_id, index, 2U, kEventDriven));
+            pdo.inhibit_100us = static_cast<std::uint16_t>(NumberOf(device, node_id, index, 3U, 0U));
+            pdo.event_ms = static_cast<std::uint16_t>(NumberOf(device, node_id, index, 5U, 0U));
+            pdo.length_bytes = static_cast<std::uint8_t>(std::min((bits + kBitsOfByte - 1U) / kBitsOfByte, 8U));
+            pdos.push_back(pdo);
+        }
+    }
+    return pdos;
+}
+
+void FillProfile(const StartProfile profile, const SlavePlan& plan, const Device& device, ProfileSlave& slave,
+                 SlaveSetup& setup)
+{
+    if (profile == StartProfile::kEl6751)
+    {
+        FillEl6751(plan, device, slave, setup);
+    }
+    else if (profile == StartProfile::kPlcDesigner)
+    {
+        slave.plc = plan.plc.value_or(cia302::PlcSlave{!plan.is_mandatory.value_or(true), false});
+        setup.plc = &slave.plc;
+    }
+}
+} // namespace counterpoint::network

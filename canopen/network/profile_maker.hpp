@@ -1,0 +1,36 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_NETWORK_PROFILE_MAKER_HPP
+#define CANOPEN_NETWORK_PROFILE_MAKER_HPP
+
+#include "canopen/cia302/el6751_setup.hpp"
+#include "canopen/cia302/plc_setup.hpp"
+#include "canopen/cia306/device.hpp"
+#include "canopen/network/network_plan.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace counterpoint::network
+{
+/// What a start-up profile needs of one slave beside its SlaveSetup. Stays where it is: the setup points to it.
+struct ProfileSlave
+{
+    cia302::El6751Slave el6751{};
+    std::vector<cia302::El6751Pdo> rx_pdos;
+    std::vector<cia302::El6751Pdo> tx_pdos;
+    std::vector<std::uint8_t> concise; ///< Further start-up SDOs of the EL6751 profile.
+    cia302::PlcSlave plc{};
+};
+
+/// @brief PDOs that a DCF switches on and maps, ascending; `first` is 1400h or 1800h. Throws cia306::InputError.
+/// [SRS-ELM-051]
+[[nodiscard]] std::vector<cia302::El6751Pdo> MakePdos(const cia306::Device& device, std::uint8_t node_id,
+                                                      std::uint16_t first);
+
+/// @brief Completes a setup for the profile; those of the others stay as they are. Throws cia306::InputError.
+/// [SRS-ELM-051, SRS-PLC-021]
+void FillProfile(StartProfile profile, const SlavePlan& plan, const cia306::Device& device, ProfileSlave& slave,
+                 cia302::SlaveSetup& setup);
+} // namespace counterpoint::network
+
+#endif // CANOPEN_NETWORK_PROFILE_MAKER_HPP

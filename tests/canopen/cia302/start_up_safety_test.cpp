@@ -1,0 +1,143 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// Safety slaves in the CiA 302-2 start-up: none runs that was not verified.
+#include "tests/canopen/cia302/boot_rig.hpp"
+
+namespace counterpoint::cia302
+{
+namespace
+{
+
+using Lines = std::vector<std::string>;
+using cia301::NodeState;
+
+constexpr std::uint32_t kMust = kInNetwork | kBootSlave | kMandatory;
+
+class StartUpSafetyTest : public BootRig
+{
+  public:
+    [[nodiscard]] NodeState StateOf(std::uint8_t node) const
+    {
+        return slaves.at(node)->State();
+    }
+    void Protect(std::uint8_t node)
+    {
+        setups.at(node).safety =
+            reinterpret_cast<const SafetyExpectation*>(&gate); // Only looked at whether it is there.
+    }
+    NmtAnswer Command(NmtCommand command, std::uint8_t node)
+    {
+        const NmtAnswer answer = start_up.Command(command, NodeId{node}, Now());
+        Deliver();
+        return answer;
+    }
+};
+
+TEST_F(StartUpSafetyTest, SafetySlaveWithAnotherConfigurationIsNotStarted)
+{
+    Verifies(req::SRS_BOOT_013);
+    Add(5U, kMust);
+    Protect(5U);
+    gate.verdict = GateState::kDiffers;
+    gate.finding = GateFinding{{0x1301U, 2U}, SdoAbort::kNone, 25U, 26U};
+    Begin();
+    Run(20U);
+    EXPECT_EQ(Letter(5U), "J");
+    EXPECT_EQ(Of(5U).step, StartUpStep::kSafety);
+    EXPECT_EQ(Of(5U).object.index, 0x1301U);
+    EXPECT_EQ(Of(5U).expected, 25U);
+    EXPECT_EQ(Of(5U).read, 26U);
+    EXPECT_EQ(StateOf(5U), NodeState::kPreOperational);
+    EXPECT_EQ(Step(), MasterStep::kHalted);
+    // Not by command either: it is verified again, and refused again
+    EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
+    Run(20U);
+    EXPECT_EQ(Command(NmtCommand::kStart, 0U), NmtAnswer::kTaken);
+    Run(20U);
+    EXPECT_EQ(StateOf(5U), NodeState::kPreOperational);
+    EXPECT_EQ(gate.verifications, 3);
+    EXPECT_EQ(Commands(), (Lines{"0:82 00"}));
+    // When it is put right
+    gate.verdict = GateState::kOpen;
+    EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
+    Run(20U);
+    EXPECT_EQ(StateOf(5U), NodeState::kOperational);
+    // A start of a slave that runs verifies it too, and stops it if it has changed
+    gate.verdict = GateState::kDiffers;
+    Run(10U);
+    table.WatchHeartbeat(NodeId{5U}, 100U, Arming::kFirstHeartbeat, Now());
+    ToManager(cia301::ErrorControlFrame(NodeId{5U}, 5U));
+    EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
+    Run(20U);
+    EXPECT_EQ(StateOf(5U), NodeState::kStopped);
+}
+
+TEST_F(StartUpSafetyTest, UnfitMandatorySafetySlaveStopsAllWithBit6)
+{
+    Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_BOOT_017);
+    setup.start_up = kIsMaster | kStopAllOnError;
+    Add(5U, kMust);
+    Protect(5U);
+    gate.verdict = GateState::kFailed;
+    Begin();
+    Run(20U);
+    EXPECT_EQ(Letter(5U), "J");
+    EXPECT_EQ(Step(), MasterStep::kStopped);
+    EXPECT_EQ(Commands().back().substr(1U), ":02 00");
+    // Somebody else starts it: it is verified, and stopped, then too
+    const CanFrame start{0U, FrameKind::kData, CanPortId::kFirst, 2U, {1U, 5U}};
+    slaves[5]->OnFrame(start, Now());
+    ToManager(cia301::ErrorControlFrame(NodeId{5U}, 5U));
+    Run(5U);
+    EXPECT_EQ(StateOf(5U), NodeState::kStopped);
+    EXPECT_EQ(gate.verifications, 2);
+}
+
+TEST_F(StartUpSafetyTest, SafetySlaveFoundOperationalIsVerifiedAndStopped)
+{
+    Verifies(req::SRS_BOOT_013);
+    // Given a safety slave that starts by itself, kept alive or not booted at all
+    Add(5U, kInNetwork).is_self_starting = true;
+    slaves[5]->heartbeat_ms = 20U;
+    setups[5].heartbeat = HeartbeatSetup{100U, 20U, Arming::kFirstHeartbeat};
+    Protect(5U);
+    Begin();
+    Run(50U);
+    EXPECT_EQ(gate.verifications, 1);
+    EXPECT_EQ(StateOf(5U), NodeState::kOperational);
+    EXPECT_EQ(Commands(), (Lines{"0:82 00"}));
+    // When somebody else stops and starts it, verification stands; after a restart it does not
+    gate.verdict = GateState::kDiffers;
+    slaves[5]->Power(Now());
+    Run(100U);
+    EXPECT_EQ(StateOf(5U), NodeState::kStopped);
+    EXPECT_EQ(Letter(5U), "J");
+    // When somebody else starts it again, it is stopped again
+    const CanFrame start{0U, FrameKind::kData, CanPortId::kFirst, 2U, {1U, 5U}};
+    slaves[5]->OnFrame(start, Now());
+    Run(100U);
+    EXPECT_EQ(StateOf(5U), NodeState::kStopped);
+    EXPECT_EQ(gate.verifications, 3);
+}
+
+TEST_F(StartUpSafetyTest, KeptAliveSafetySlaveIsVerifiedToo)
+{
+    Verifies(req::SRS_BOOT_013);
+    Add(5U, kMust | kKeepAlive);
+    Protect(5U);
+    PowerAll();
+    Run(10U);
+    const CanFrame start{0U, FrameKind::kData, CanPortId::kFirst, 2U, {1U, 5U}};
+    slaves[5]->OnFrame(start, Now());
+    gate.verdict = GateState::kDiffers;
+    is_begun = true;
+    start_up.Begin(Now());
+    Run(100U);
+    EXPECT_EQ(slaves[5]->resets, 1);
+    EXPECT_EQ(Letter(5U), "J");
+    EXPECT_EQ(StateOf(5U), NodeState::kStopped);
+    EXPECT_EQ(Step(), MasterStep::kHalted);
+}
+
+} // namespace
+} // namespace counterpoint::cia302

@@ -1,0 +1,253 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// The command manager, and networks in simulated time.
+#include "tests/canopen/cia306/device_text.hpp"
+#include "tests/tools/command_run.hpp"
+#include "tools/manager_order.hpp"
+#include "tools/manager_socket.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <sstream>
+#include <sys/socket.h>
+#include <sys/un.h>
+
+namespace counterpoint::tools
+{
+namespace
+{
+using test::Answer;
+using test::RunCommand;
+
+class ManagerCommandTest : public test::CommandTest
+{
+  protected:
+    static std::string Network(const std::string& name)
+    {
+        return cia306::test::SourceFolder() + "/examples/networks/" + name;
+    }
+    /// The scenario holds; otherwise what it told.
+    static void ExpectHolds(const std::string& name)
+    {
+        const Answer answer = RunCommand({"simulate", "--quiet", Network(name)});
+        EXPECT_EQ(answer.status, 0) << name << "\n" << answer.out << answer.err;
+    }
+};
+
+TEST_F(ManagerCommandTest, ANetworkBootsInSimulatedTime)
+{
+    Verifies(req::SRS_MGR_001);
+    Verifies(req::SRS_MGR_012);
+    ExpectHolds("boot.yaml");
+}
+
+TEST_F(ManagerCommandTest, PulledResetAndReplacedSlaves)
+{
+    Verifies(req::SRS_MGR_003);
+    Verifies(req::SRS_MGR_012);
+    Verifies(req::SRS_SFS_002);
+    ExpectHolds("pulled.yaml");
+    ExpectHolds("reset.yaml");
+    ExpectHolds("replaced.yaml");
+}
+
+TEST_F(ManagerCommandTest, ASafetySlaveWithAnotherConfiguration)
+{
+    Verifies(req::SRS_SFS_003);
+    Verifies(req::SRS_SFS_005);
+    ExpectHolds("changed.yaml");
+    ExpectHolds("written.yaml");
+}
+
+TEST_F(ManagerCommandTest, StormsDuplicatesAndBabbling)
+{
+    Verifies(req::SRS_MGR_003);
+    Verifies(req::SRS_MGR_010);
+    Verifies(req::SRS_MGR_011);
+    ExpectHolds("emcy_storm.yaml");
+    ExpectHolds("duplicate.yaml");
+    ExpectHolds("babbling.yaml");
+}
+
+TEST_F(ManagerCommandTest, AFlyingMasterDiesAndTheOtherOneTakesOver)
+{
+    Verifies(req::SRS_MGR_002);
+    ExpectHolds("flying.yaml");
+}
+
+TEST_F(ManagerCommandTest, TheSameScenarioGivesTheSameEvents)
+{
+    Verifies(req::SRS_MGR_012);
+    const Answer first = RunCommand({"simulate", Network("babbling.yaml")});
+    const Answer second = RunCommand({"simulate", Network("babbling.yaml")});
+    EXPECT_EQ(first.out, second.out);
+    EXPECT_NE(first.out.find("5 of 5 expectations hold"), std::string::npos);
+}
+
+TEST_F(ManagerCommandTest, AnExpectationThatDoesNotHoldEndsWith1)
+{
+    Verifies(req::SRS_MGR_012);
+    const std::string file = File("s.yaml", "title: x\nduration: 1 s\nmanagers: [{network: " + Network("chain.yaml") +
+                                                "}]\nexpect:\n  - {that: state, node: 33, is: operational}\n");
+    const Answer answer = RunCommand({"simulate", "--quiet", file});
+    EXPECT_EQ(answer.status, 1);
+    EXPECT_EQ(answer.out,
+              "VIOLATED  " + file + ":5: 1.000 s: state of node 33 for the manager is unknown, expected operational\n");
+}
+
+TEST_F(ManagerCommandTest, MalformedNetworkScenariosAreRefused)
+{
+    Verifies(req::SRS_MGR_012);
+    const std::string head = "title: x\nduration: 1 s\nmanagers: [{network: " + Network("chain.yaml") + "}]\n";
+    const std::pair<std::string, std::string> bad[] = {
+        {head + "events: [{at: 1 s, do: explode, node: 1}]\n", ":4:24: 'explode', expected one of pull, insert"},
+        {head + "events: [{at: 1 s, do: pull}]\n", ":4:10: no key 'node', expected it here"},
+        {head + "events: [{at: 1 s, do: order, order: fly}]\n", ":4:38: order 'fly', expected status, start"},
+        {head + "expect: [{that: state, node: 1, is: x, at: 2 s}]\n", "a time after the end of the scenario"},
+        {head + "expect: [{that: active, manager: 9, is: x}]\n", ":4:10: no manager with node-ID 9"},
+        {head + "speed: 3\n", ":4:1: unknown key 'speed'"},
+        {head + "bitrate: 5\n", "5, expected 10000, 20000"},
+        {"title: x\nduration: 1 s\nmanagers: [{network: nobody.yaml}]\n", ":3:22: there is no file "}};
+    for (const auto& [text, message] : bad)
+    {
+        const Answer answer = RunCommand({"simulate", File("s.yaml", text)});
+        EXPECT_EQ(answer.status, 2) << text;
+        EXPECT_NE(answer.err.find(message), std::string::npos) << text << "\n" << answer.err;
+    }
+}
+
+TEST_F(ManagerCommandTest, EventsAreJsonAndThePageShowsTheSequence)
+{
+    Verifies(req::SRS_MGR_007);
+    Verifies(req::SRS_MGR_008);
+    Verifies(req::SRS_SFS_008);
+    const Answer answer = RunCommand(
+        {"simulate", "--quiet", "--json", Path("out.json"), "--html", Path("out.html"), Network("boot.yaml")});
+    ASSERT_EQ(answer.status, 0);
+    const auto document = nlohmann::json::parse(cia306::ReadTextFile(Path("out.json")));
+    const auto& events = document["managers"][0]["events"];
+    const auto is_start = [](const nlohmann::json& event)
+    { return event["event"] == "nmt" && event["command"] == "start" && event["node"] == 33; };
+    EXPECT_EQ(std::count_if(events.begin(), events.end(), is_start), 1);
+    EXPECT_EQ(events[0]["t_us"], 0);
+    // And the safety slaves were verified at the same time: all three were begun before the first one was done
+    int busy = 0;
+    bool is_open = false;
+    for (const auto& event : events)
+    {
+        is_open = is_open || (event["event"] == "gate" && event["state"] == "open");
+        busy += (!is_open && event["event"] == "gate" && event["state"] == "busy") ? 1 : 0;
+    }
+    EXPECT_EQ(busy, 3);
+    const std::string page = cia306::ReadTextFile(Path("out.html"));
+    EXPECT_NE(page.find("<svg"), std::string::npos);
+    EXPECT_NE(page.find("33 Relay"), std::string::npos);
+    EXPECT_NE(page.find("read 0x1018:04: 0x21"), std::string::npos);
+    EXPECT_NE(page.find("safety configuration verified"), std::string::npos);
+    EXPECT_EQ(page.find("src="), std::string::npos);
+}
+
+TEST_F(ManagerCommandTest, WithoutItsSlavesTheManagerEndsWith1)
+{
+    Verifies(req::SRS_MGR_004);
+    Verifies(req::SRS_MGR_005);
+    const Answer answer = RunCommand({"manager", "--can", "udp:239.74.163.91:43191", "--network", Network("chain.yaml"),
+                                      "--for", "1", "--no-input", "--log", Path("log.jsonl")});
+    EXPECT_EQ(answer.status, 1) << answer.err;
+    EXPECT_NE(answer.out.find("node  name                  state"), std::string::npos) << answer.out;
+    EXPECT_NE(answer.out.find("33    Relay"), std::string::npos);
+    std::istringstream log(cia306::ReadTextFile(Path("log.jsonl")));
+    std::string line;
+    std::size_t count = 0U;
+    while (std::getline(log, line))
+    {
+        EXPECT_TRUE(nlohmann::json::parse(line).contains("t_us")) << line;
+        ++count;
+    }
+    EXPECT_GE(count, 3U);
+}
+
+TEST_F(ManagerCommandTest, WhatCannotBeUsedEndsWith2)
+{
+    Verifies(req::SRS_MGR_004);
+    Verifies(req::SRS_NET_004);
+    const Answer no_bus = RunCommand({"manager", "--network", Network("chain.yaml")});
+    EXPECT_EQ(no_bus.status, 2);
+    EXPECT_EQ(no_bus.err, "counterpoint manager: --can is missing, expected --can ADDRESS --network FILE, or --check "
+                          "FILE...\n");
+    const Answer bad_bus = RunCommand({"manager", "--can", "udp:nowhere", "--network", Network("chain.yaml")});
+    EXPECT_EQ(bad_bus.status, 2);
+    const std::string file = File("net.yaml", "manager: {node: 127}\nslaves: [{node: 300}]\n");
+    const Answer bad_file = RunCommand({"manager", "--can", "udp:239.74.163.91:43191", "--network", file});
+    EXPECT_EQ(bad_file.status, 2);
+    EXPECT_EQ(bad_file.err.rfind(file + ":2:17: ", 0U), 0U) << bad_file.err;
+}
+
+TEST_F(ManagerCommandTest, EqualMastersPassOthersAreNamed)
+{
+    Verifies(req::SRS_MGR_009);
+    const Answer equal = RunCommand({"manager", "--check", Network("master_2.yaml"), Network("master_5.yaml")});
+    EXPECT_EQ(equal.status, 0) << equal.out;
+    EXPECT_EQ(equal.out, "");
+    // Given a second master with another time-out, another slave and another expectation
+    const std::string other =
+        File("other.yaml", "manager: {node: 5, heartbeat: 200 ms, flying: {priority: 2, timeout: 150 ms}}\n"
+                           "slaves:\n"
+                           "  - {node: 2, boot: false, mandatory: false, consumer: 500 ms}\n"
+                           "  - {node: 95, dcf: " +
+                               Network("slave.dcf") + ", serial: 7}\n  - {node: 96}\n");
+    const Answer differs = RunCommand({"manager", "--check", Network("master_2.yaml"), other});
+    EXPECT_EQ(differs.status, 1);
+    const std::string first = Network("master_2.yaml");
+    EXPECT_EQ(differs.out, other + ": 0x1F90:01 is 0x96, expected 0x64 as in " + first + "\n" + other +
+                               ": 0x1F88:5F is 0x7, expected 0x21 as in " + first + "\n" + first +
+                               ": no node 96, expected it as in " + other + "\n");
+}
+
+TEST_F(ManagerCommandTest, OrdersAreReadStrictly)
+{
+    Verifies(req::SRS_MGR_006);
+    EXPECT_EQ(ParseManagerOrder("start 33").command, cia302::NmtCommand::kStart);
+    EXPECT_EQ(ParseManagerOrder("start 33").node, 33U);
+    EXPECT_EQ(ParseManagerOrder("reset-comm all").node, 0U);
+    EXPECT_EQ(ParseManagerOrder("boot 5").kind, ManagerOrderKind::kBoot);
+    EXPECT_EQ(ParseManagerOrder("write-safety 5 # now").kind, ManagerOrderKind::kWriteSafety);
+    EXPECT_EQ(ParseManagerOrder("  ").kind, ManagerOrderKind::kNothing);
+    EXPECT_EQ(ParseManagerOrder("boot all").problem, "boot: 'all', expected a node-ID from 1 to 127");
+    EXPECT_EQ(ParseManagerOrder("stop").problem, "stop: no node, expected a node-ID from 1 to 127, or all");
+    EXPECT_EQ(ParseManagerOrder("stop 128").problem, "stop: '128', expected a node-ID from 1 to 127, or all");
+    EXPECT_EQ(ParseManagerOrder("fly").problem, "order 'fly', expected status, start, stop, preop, reset, reset-comm, "
+                                                "boot, write-safety, help or quit");
+}
+
+TEST_F(ManagerCommandTest, ProgramsSendOrdersByASocket)
+{
+    Verifies(req::SRS_MGR_006);
+    ManagerSocket socket(Path("m.sock"));
+    // A second manager does not take it away
+    EXPECT_THROW(ManagerSocket second(Path("m.sock")), std::runtime_error);
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    const std::string path = Path("m.sock");
+    std::copy(path.begin(), path.end(), address.sun_path);
+    const host::LiveFile client(::socket(AF_UNIX, SOCK_STREAM, 0));
+    ASSERT_EQ(::connect(client.Get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)), 0);
+    ASSERT_EQ(::send(client.Get(), "status\nboot ", 12U, 0), 12);
+    std::vector<std::string> lines;
+    const auto answer = [&lines](const std::string& line)
+    {
+        lines.push_back(line);
+        return "answer to " + line + "\n";
+    };
+    socket.Serve(answer); // The test before opened one connection and closed it.
+    socket.Serve(answer);
+    ASSERT_EQ(::send(client.Get(), "5\n", 2U, 0), 2);
+    socket.Serve(answer);
+    EXPECT_EQ(lines, (std::vector<std::string>{"status", "boot 5"}));
+    char text[64] = {};
+    EXPECT_EQ(::recv(client.Get(), text, sizeof(text), 0), 34);
+    EXPECT_EQ(std::string(text), "answer to status\nanswer to boot 5\n");
+}
+} // namespace
+} // namespace counterpoint::tools

@@ -1,0 +1,21 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef TOOLS_NETWORK_PROFILES_HPP
+#define TOOLS_NETWORK_PROFILES_HPP
+
+#include "canopen/cia302/el6751_setup.hpp"
+#include "canopen/cia302/plc_setup.hpp"
+#include "verification/simulator/fields.hpp"
+
+#include <string>
+
+namespace counterpoint::tools
+{
+/// @brief Options of a slave under "el6751" of a network file. Throws simulator::ScenarioError. [SRS-ELM-051]
+[[nodiscard]] cia302::El6751Slave ReadEl6751Slave(const std::string& file, const simulator::ScenarioValue& value);
+/// @brief Options of the manager under "el6751". Throws simulator::ScenarioError. [SRS-ELM-051]
+[[nodiscard]] cia302::El6751Times ReadEl6751Times(const std::string& file, const simulator::ScenarioValue& value);
+/// @brief Options of a slave under "plc_designer". Throws simulator::ScenarioError. [SRS-PLC-021]
+[[nodiscard]] cia302::PlcSlave ReadPlcSlave(const std::string& file, const simulator::ScenarioValue& value);
+} // namespace counterpoint::tools
+
+#endif // TOOLS_NETWORK_PROFILES_HPP

@@ -1,0 +1,111 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef TOOLS_NETWORK_SCENARIO_HPP
+#define TOOLS_NETWORK_SCENARIO_HPP
+
+#include "safety_core/kernel/object_access.hpp"
+#include "verification/simulator/yaml_document.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace counterpoint::tools
+{
+/// A manager of the scenario: a network file, and who manages.
+struct ScenarioManager
+{
+    std::string network;
+    std::uint8_t node{0U}; ///< 0: as the file says.
+    std::uint64_t at_ns{0U};
+};
+
+/// A device of the scenario: everything of a DCF in simulated time.
+struct ScenarioDevice
+{
+    std::uint8_t node{0U};
+    std::string dcf;
+    std::optional<std::uint32_t> serial; ///< 1018h:04 instead of the DCF's.
+    std::uint64_t at_ns{0U};
+};
+
+enum class NetworkActionKind : std::uint8_t
+{
+    kPull = 1U,
+    kInsert,
+    kReset, ///< Its supply blinks: nobody commanded it.
+    kReplace,
+    kDuplicate,
+    kEmcyStorm,
+    kBabble,
+    kOrder,
+    kKillManager,
+    kStore,
+    kAcknowledge,
+};
+
+/// Something that happens to the network.
+struct NetworkAction
+{
+    NetworkActionKind kind{NetworkActionKind::kPull};
+    std::uint64_t at_ns{0U};
+    std::uint64_t until_ns{0U};
+    std::uint64_t every_ns{0U};
+    std::uint8_t node{0U};
+    std::uint32_t serial{0U};
+    std::uint32_t identifier{0U};
+    std::uint16_t code{0U};
+    std::string order;
+    ObjectAddress object{0U, 0U};
+    std::uint32_t value{0U};
+    std::uint8_t srdo{0U};
+};
+
+enum class NetworkExpectationKind : std::uint8_t
+{
+    kState = 1U, ///< As the manager knows it.
+    kDevice,     ///< As it is.
+    kLetter,
+    kCode,
+    kGate,
+    kFinding,
+    kOutput,
+    kEvent,
+    kNoEvent,
+    kActive,
+    kFlying,
+};
+
+struct NetworkExpectation
+{
+    NetworkExpectationKind kind{NetworkExpectationKind::kState};
+    simulator::Place place;
+    std::uint64_t at_ns{0U};   ///< When it is looked at; of events the end of the window.
+    std::uint64_t from_ns{0U}; ///< Of events.
+    std::uint8_t node{0U};
+    std::uint8_t manager{0U}; ///< 0: the first one.
+    std::uint8_t srdo{0U};
+    std::string is; ///< The word that is expected.
+};
+
+/// A network in simulated time. [SRS-MGR-012]
+struct NetworkScenario
+{
+    std::string file;
+    std::string title;
+    std::string description;
+    std::uint32_t bitrate{500000U};
+    std::uint64_t duration_ns{0U};
+    std::vector<ScenarioManager> managers;
+    std::vector<ScenarioDevice> devices;
+    std::vector<NetworkAction> actions;
+    std::vector<NetworkExpectation> expectations;
+};
+
+/// @brief Whether a scenario is one of a network: its top level has the key managers. Throws simulator::ScenarioError.
+[[nodiscard]] bool IsNetworkScenario(const std::string& path);
+/// @brief Throws simulator::ScenarioError.
+[[nodiscard]] NetworkScenario ReadNetworkScenario(const std::string& path);
+} // namespace counterpoint::tools
+
+#endif // TOOLS_NETWORK_SCENARIO_HPP

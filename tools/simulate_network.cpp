@@ -1,0 +1,99 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tools/simulate_network.hpp"
+
+#include "canopen/cia306/text_file.hpp"
+#include "tools/manager_status.hpp"
+#include "tools/network_simulation.hpp"
+
+#include <ostream>
+
+namespace counterpoint::tools
+{
+namespace
+{
+/// With several managers each line tells whose it is.
+std::string LineOf(const NetworkScenario& scenario, const SimulatedManager& manager, const ManagerEvent& event)
+{
+    const std::string whose = (scenario.managers.size() > 1U) ? "[" + std::to_string(manager.node) + "] " : "";
+    return whose + TextLine(event);
+}
+
+nlohmann::ordered_json JsonOf(const NetworkScenario& scenario, const NetworkSimulation& simulation)
+{
+    nlohmann::ordered_json verdicts = nlohmann::ordered_json::array();
+    for (const NetworkVerdict& verdict : simulation.Verdicts())
+    {
+        verdicts.push_back({{"holds", verdict.holds}, {"text", verdict.text}});
+    }
+    nlohmann::ordered_json managers = nlohmann::ordered_json::array();
+    for (const auto& manager : simulation.Managers())
+    {
+        nlohmann::ordered_json events = nlohmann::ordered_json::array();
+        for (const ManagerEvent& event : manager->events)
+        {
+            events.push_back(nlohmann::ordered_json::parse(JsonLine(event)));
+        }
+        managers.push_back({{"node", manager->node}, {"events", events}});
+    }
+    return {{"title", scenario.title}, {"managers", managers}, {"verdicts", verdicts}};
+}
+
+std::string PageOf(const NetworkScenario& scenario, const NetworkSimulation& simulation)
+{
+    constexpr std::uint64_t kNsPerUs = 1000U;
+    const SimulatedManager& first = *simulation.Managers().front();
+    return (first.station == nullptr) ? std::string{}
+                                      : DiagramPage(first.station->Host(), first.station->Diagram(),
+                                                    InstantAt(scenario.duration_ns / kNsPerUs));
+}
+} // namespace
+
+ExitStatus SimulateNetwork(const std::string& path, const NetworkOptions& options, const Streams& streams)
+{
+    const NetworkScenario scenario = ReadNetworkScenario(path);
+    for (const std::string& file : {options.html, options.json})
+    {
+        if (!file.empty())
+        {
+            cia306::RequireWritable(file);
+        }
+    }
+    if (!options.is_quiet)
+    {
+        streams.out << scenario.title << "\n\n";
+    }
+    NetworkSimulation simulation(scenario,
+                                 [&](const SimulatedManager& manager, const ManagerEvent& event)
+                                 {
+                                     if (!options.is_quiet && !event.text.empty())
+                                     {
+                                         streams.out << LineOf(scenario, manager, event) << "\n";
+                                     }
+                                 });
+    simulation.Run();
+    std::size_t held = 0U;
+    for (const NetworkVerdict& verdict : simulation.Verdicts())
+    {
+        held += verdict.holds ? 1U : 0U;
+        if (!verdict.holds || !options.is_quiet)
+        {
+            streams.out << (held == 1U && !options.is_quiet && verdict.holds ? "\n" : "")
+                        << (verdict.holds ? "holds     " : "VIOLATED  ") << verdict.text << "\n";
+        }
+    }
+    if (!options.is_quiet)
+    {
+        streams.out << held << " of " << simulation.Verdicts().size() << " expectations hold, "
+                    << simulation.FrameCount() << " frames\n";
+    }
+    if (!options.json.empty())
+    {
+        cia306::WriteTextFile(options.json, JsonOf(scenario, simulation).dump(1) + "\n");
+    }
+    if (!options.html.empty())
+    {
+        cia306::WriteTextFile(options.html, PageOf(scenario, simulation));
+    }
+    return (held == simulation.Verdicts().size()) ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
+}
+} // namespace counterpoint::tools

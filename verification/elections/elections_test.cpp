@@ -1,0 +1,80 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+//
+// The small series; `counterpoint_elections` runs the large ones.
+#include "verification/elections/series.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <gtest/gtest.h>
+
+namespace counterpoint::elections
+{
+namespace
+{
+
+class Elections : public ::testing::TestWithParam<Preset>
+{
+};
+
+void ExpectGood(const Tally& tally, const std::uint64_t least_runs)
+{
+    EXPECT_EQ(tally.failures, 0U) << tally.first_failure;
+    EXPECT_GE(tally.runs, least_runs);
+}
+
+TEST_P(Elections, TwoMastersOfAllPrioritiesAndOffsets)
+{
+    Verifies(req::SRS_FLY_023);
+    // 9 priorities x 11 offsets, and each frame of each lost.
+    const Tally tally = Combinations(GetParam(), 2U, OffsetsOfTheText(), Losses::kForEachToo);
+    ExpectGood(tally, 900U);
+    EXPECT_GT(tally.with_loss, 800U);
+}
+
+TEST_P(Elections, ThreeMastersOfAllPrioritiesAndOffsets)
+{
+    Verifies(req::SRS_FLY_023);
+    // 27 priorities x 121 offsets, undisturbed.
+    ExpectGood(Combinations(GetParam(), 3U, OffsetsOfTheText(), Losses::kNone), 3267U);
+}
+
+TEST_P(Elections, SplitAndJoinedBusOfTwoAndThree)
+{
+    Verifies(req::SRS_FLY_024);
+    ExpectGood(Splits(GetParam(), 2U, Losses::kForAll), 288U);
+    ExpectGood(Splits(GetParam(), 3U, Losses::kNone), 2592U);
+}
+
+TEST_P(Elections, FailoverInTheComputedCycle)
+{
+    Verifies(req::SRS_FLY_026);
+    const Tally tally = Failovers(GetParam());
+    ExpectGood(tally, 3000U);
+    EXPECT_GE(tally.late_us.begin()->first, 0);
+    EXPECT_LE(tally.late_us.rbegin()->first, 1000);
+}
+
+TEST_P(Elections, SeededOfUpTo127)
+{
+    Verifies(req::SRS_FLY_025);
+    ExpectGood(Seeded(GetParam(), 1U, 0U, 100U, 127U), 150U);
+}
+
+TEST_P(Elections, ALimitThatIsNotKeptIsAFailure)
+{
+    Verifies(req::SRS_FLY_023);
+    // Given two masters and a limit of 1 ms, which no election keeps
+    World world(PlanOf(GetParam()));
+    const std::vector<MasterPlan> masters = MastersOf({1U, 1U}, {0, 0});
+    world.Begin(masters, Loss{});
+    Tally tally{};
+    // When it is judged
+    static_cast<void>(Judge(world, Trial{masters, Loss{}, 0, kMs, kMs, kMs, 0}, tally));
+    // Then it has failed, and the failure names the masters
+    EXPECT_EQ(tally.failures, 1U);
+    EXPECT_NE(tally.first_failure.find("1/1/0 2/1/0"), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(Presets, Elections, ::testing::Values(Preset::kDefault, Preset::kSo1114));
+
+} // namespace
+} // namespace counterpoint::elections
