@@ -61,7 +61,7 @@ void SimulatedDevice::Take(const std::uint64_t now_ns)
             const bool is_safety = device::IsSafetyIdentifier(frame.identifier);
             if (is_safety == (port == safety_) && frame.time_ns >= start_ns_)
             {
-                device_.OnFrame(frame, Now(frame.time_ns));
+                device_.OnFrame(frame, CanPortId::kFirst, Now(frame.time_ns));
             }
         }
     }
