@@ -58,6 +58,15 @@ TEST_F(ManagerCommandTest, ASafetySlaveWithAnotherConfiguration)
     Verifies(req::SRS_SFS_005);
     ExpectHolds("changed.yaml");
     ExpectHolds("written.yaml");
+    ExpectHolds("stopped.yaml");
+}
+
+TEST_F(ManagerCommandTest, NoProfileStartsASafetySlaveThatDiffers)
+{
+    Verifies(req::SRS_SFS_002);
+    Verifies(req::SRS_MGR_012);
+    ExpectHolds("boot_el6751.yaml");
+    ExpectHolds("boot_plc_designer.yaml");
 }
 
 TEST_F(ManagerCommandTest, StormsDuplicatesAndBabbling)
