@@ -3,6 +3,7 @@
 #include "canopen/cia302/concise_dcf.hpp"
 #include "canopen/network/loaded_network.hpp"
 #include "tests/tools/command_run.hpp"
+#include "tools/manager_station.hpp"
 #include "tools/network_file.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -214,6 +215,45 @@ TEST_F(NetworkProfileTest, WrongOptionsAreRefusedWithTheirLine)
     EXPECT_NE(problem("  el6751: {sync_multiplier: 0}\n", "").find("net.yaml:5"), std::string::npos);
     EXPECT_NE(problem("", "    plc_designer: {optional: maybe}\n").find("true, false"), std::string::npos);
     EXPECT_NE(problem("", "    plc_designer: yes\n").find("a map with optional, reset_node"), std::string::npos);
+}
+
+TEST_F(NetworkProfileTest, ManualNetworkManagementIsAnOrder)
+{
+    Verifies(req::SRS_ELM_046);
+    Verifies(req::SRS_ELM_047);
+    // Given a slave that nothing is to be asked of: it is started at once
+    const std::string file =
+        File("net.yaml", "name: n\nmanager:\n  node: 127\n  profile: el6751\nslaves:\n  - node: 5\n"
+                         "    el6751: {check_device_type: false}\n");
+    const LoadedNetwork net(ReadNetworkFile(file, 0U));
+    std::vector<std::string> commands;
+    ManagerStation station(
+        net,
+        [&commands](const CanFrame& frame)
+        {
+            if (frame.identifier == 0U)
+            {
+                commands.push_back(std::to_string(frame.data[0]) + " " + std::to_string(frame.data[1]));
+            }
+            return true;
+        },
+        [](const ManagerEvent&) {});
+    station.Begin(0U);
+    for (std::uint64_t us = 1000U; us <= 5000U; us += 1000U)
+    {
+        station.OnCycle(us);
+    }
+    EXPECT_EQ(commands, (std::vector<std::string>{"130 0", "1 5", "1 0"}));
+    // When it is made PRE-OPERATIONAL, started, and what the table does not have is asked for
+    EXPECT_EQ(station.Carry(ParseManagerOrder("control 5 5 0"), 6000U), "taken");
+    EXPECT_NE(station.Carry(ParseManagerOrder("control 5 5 3"), 7000U), "taken");
+    EXPECT_EQ(station.Carry(ParseManagerOrder("control 5 5 1"), 8000U), "taken");
+    EXPECT_NE(station.Carry(ParseManagerOrder("control 6 5 1"), 9000U), "taken");
+    EXPECT_EQ(commands, (std::vector<std::string>{"130 0", "1 5", "1 0", "128 5", "1 5"}));
+    for (const char* const wrong : {"control", "control 5 5", "control 0 5 1", "control 5 x 1", "control 5 5 65536"})
+    {
+        EXPECT_EQ(ParseManagerOrder(wrong).kind, ManagerOrderKind::kProblem) << wrong;
+    }
 }
 
 } // namespace
