@@ -227,7 +227,7 @@ TEST_F(ManagerCommandTest, OrdersAreReadStrictly)
     EXPECT_EQ(ParseManagerOrder("stop").problem, "stop: no node, expected a node-ID from 1 to 127, or all");
     EXPECT_EQ(ParseManagerOrder("stop 128").problem, "stop: '128', expected a node-ID from 1 to 127, or all");
     EXPECT_EQ(ParseManagerOrder("fly").problem, "order 'fly', expected status, start, stop, preop, reset, reset-comm, "
-                                                "boot, write-safety, help or quit");
+                                                "boot, write-safety, control, help or quit");
 }
 
 TEST_F(ManagerCommandTest, ProgramsSendOrdersByASocket)
