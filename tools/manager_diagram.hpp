@@ -57,7 +57,6 @@ class ManagerDiagram
 
     std::vector<DiagramRow> rows_;
     std::array<Pending, cia302::kNodeRoom> pending_{};
-    std::array<std::uint8_t, cia302::kNodeRoom> last_sign_{};
     std::size_t left_out_{0U};
 };
 

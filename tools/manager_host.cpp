@@ -125,4 +125,18 @@ void ManagerHost::OnController(const cia302::ControllerState state, const Instan
         el6751_->OnController(state, now);
     }
 }
+
+void ManagerHost::OnSent(const CanFrame& frame) noexcept
+{
+    if (el6751_ != nullptr)
+    {
+        el6751_->OnSent(frame);
+    }
+}
+
+cia302::NmtAnswer ManagerHost::Control(const cia302::NodeId node, const std::uint16_t ads_state,
+                                       const std::uint16_t device_state, const Instant now) noexcept
+{
+    return (el6751_ != nullptr) ? el6751_->Control(node, ads_state, device_state, now) : cia302::NmtAnswer::kWrong;
+}
 } // namespace counterpoint::tools

@@ -159,7 +159,11 @@ void ManagerLoop::Receive()
     host::LiveFrame frame;
     while (bus_.Receive(frame))
     {
-        if (!frame.own && !frame.error && !frame.fd)
+        if (frame.own && !frame.error && !frame.fd)
+        {
+            station_.Host().OnSent(host::ToCanFrame(frame, CanPortId::kFirst));
+        }
+        else if (!frame.error && !frame.fd)
         {
             station_.OnFrame(host::ToCanFrame(frame, CanPortId::kFirst), NowUs());
         }
@@ -173,9 +177,10 @@ void ManagerLoop::WatchBus()
     {
         bus_state_ = health.state;
         station_.Tell("bus", std::string("bus ") + WordOf(bus_state_), {{"state", WordOf(bus_state_)}}, NowUs());
-        const bool is_off = bus_state_ == host::BusState::kBusOff || bus_state_ == host::BusState::kDown;
-        station_.Host().OnController(is_off ? cia302::ControllerState::kBusOff : cia302::ControllerState::kRunning,
-                                     InstantAt(NowUs()));
+        cia302::ControllerState state = cia302::ControllerState::kRunning;
+        state = (bus_state_ == host::BusState::kBusOff) ? cia302::ControllerState::kBusOff : state;
+        state = (bus_state_ == host::BusState::kDown) ? cia302::ControllerState::kAbsent : state;
+        station_.Host().OnController(state, InstantAt(NowUs()));
     }
     if (health.lost_frames != lost_)
     {

@@ -58,6 +58,31 @@ ManagerOrder WithNode(ManagerOrder order, const std::vector<std::string>& words,
     order.node = *node;
     return order;
 }
+
+/// control NODE ADS DEVICE
+ManagerOrder ControlOf(const std::vector<std::string>& words)
+{
+    constexpr std::uint64_t kHighest = 0xFFFFU;
+    const std::string expected = "a node-ID from 1 to 127, ADS state and device state from 0 to 65535";
+    if (words.size() != 4U)
+    {
+        return Problem(words[0] + ": " + std::to_string(words.size() - 1U) + " numbers", expected);
+    }
+    const auto node = NodeOf(words[1], false);
+    const auto ads_state = cia306::ParseUnsigned(words[2], kHighest);
+    const auto device_state = cia306::ParseUnsigned(words[3], kHighest);
+    if (!node || !ads_state || !device_state)
+    {
+        const std::string& wrong = !node ? words[1] : !ads_state ? words[2] : words[3];
+        return Problem(words[0] + ": " + cia306::Quoted(wrong), expected);
+    }
+    ManagerOrder order;
+    order.kind = ManagerOrderKind::kControl;
+    order.node = *node;
+    order.ads_state = static_cast<std::uint16_t>(*ads_state);
+    order.device_state = static_cast<std::uint16_t>(*device_state);
+    return order;
+}
 } // namespace
 
 ManagerOrder ParseManagerOrder(const std::string& line)
@@ -79,6 +104,10 @@ ManagerOrder ParseManagerOrder(const std::string& line)
         order.kind = ManagerOrderKind::kCommand;
         return WithNode(order, words, true);
     }
+    if (words[0] == "control")
+    {
+        return ControlOf(words);
+    }
     for (const OrderWord& row : kOrderWords)
     {
         if (words[0] == row.text)
@@ -90,7 +119,7 @@ ManagerOrder ParseManagerOrder(const std::string& line)
         }
     }
     return Problem("order " + cia306::Quoted(words[0]),
-                   "status, start, stop, preop, reset, reset-comm, boot, write-safety, help or quit");
+                   "status, start, stop, preop, reset, reset-comm, boot, write-safety, control, help or quit");
 }
 
 std::string ManagerOrderHelp()
@@ -104,6 +133,7 @@ std::string ManagerOrderHelp()
            "  reset-comm NODE|all NMT reset communication\n"
            "  boot NODE           start-up of this slave anew\n"
            "  write-safety NODE   write the safety configuration of its DCF, read it back, declare it valid\n"
+           "  control NODE A D    write control of the EL6751 profile: ADS state A, device state D\n"
            "  help                this\n"
            "  quit                end\n";
 }
@@ -120,6 +150,10 @@ std::string CarryOut(const ManagerOrder& order, ManagerHost& host, const Instant
     {
         const bool is_known = order.node == 0U || is_listed || order.node == host.Net().Setup().own.value;
         answer = is_known ? Word(host.Core().Command(order.command, node, now)) : not_ours;
+    }
+    else if (order.kind == ManagerOrderKind::kControl)
+    {
+        answer = is_listed ? Word(host.Control(node, order.ads_state, order.device_state, now)) : not_ours;
     }
     else if (order.kind == ManagerOrderKind::kBoot)
     {

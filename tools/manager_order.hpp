@@ -19,6 +19,7 @@ enum class ManagerOrderKind : std::uint8_t
     kHelp = 5U,
     kQuit = 6U,
     kProblem = 7U, ///< `problem` tells.
+    kControl = 8U, ///< node, ADS state and device state
 };
 
 /// What a person or a program wants of a running manager.
@@ -27,6 +28,8 @@ struct ManagerOrder
     ManagerOrderKind kind{ManagerOrderKind::kNothing};
     cia302::NmtCommand command{cia302::NmtCommand::kInvalid};
     std::uint8_t node{0U};
+    std::uint16_t ads_state{0U}; ///< Of kControl, as `device_state`.
+    std::uint16_t device_state{0U};
     std::string problem; ///< What is wrong and what was expected.
 };
 

@@ -244,11 +244,14 @@ std::string FindingText(const cia302::GateFinding& finding)
 
 std::string FindingText(const StartProfile profile, const cia302::NodeStatus& status)
 {
+    constexpr int kNotFound = 2;
+    constexpr int kSyntax = 4;
     constexpr int kMismatch = 5;
     constexpr int kWrongType = 98;
     const bool is_aborted = status.abort != cia301::SdoAbort::kNone;
     bool is_wrong = status.letter != 0 && status.letter != 'L' && (is_aborted || status.expected != status.read);
-    is_wrong = (profile == StartProfile::kEl6751) ? is_aborted || status.code == kMismatch : is_wrong;
+    const bool is_refused = status.code == kNotFound || status.code == kSyntax || status.code == kMismatch;
+    is_wrong = (profile == StartProfile::kEl6751) ? is_refused : is_wrong;
     is_wrong = (profile == StartProfile::kPlcDesigner) ? is_aborted || status.code == kWrongType : is_wrong;
     return is_wrong ? ValueText(status.object, status.abort, status.expected, status.read) : "";
 }

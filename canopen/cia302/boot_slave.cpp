@@ -119,6 +119,12 @@ void BootSlave::Start(const NodeId node, const BootTime& time) noexcept
     if (!job.record.status.is_busy)
     {
         parts_.gate.Close(node); // What was verified at the boot may be long ago.
+        const bool is_deaf = (parts_.table.Record(node).state == SlaveState::kStopped);
+        if (is_deaf && parts_.setup.IsSafetySlave(node))
+        {
+            // STOPPED, it has no SDO to be read by.
+            static_cast<void>(parts_.nmt.Request(NmtCommand::kPreOperational, node, time.now));
+        }
         job.record.status.is_busy = true;
         job.record.is_extra = true;
         Enter(job, StartUpStep::kSafety);

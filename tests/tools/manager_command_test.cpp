@@ -58,6 +58,15 @@ TEST_F(ManagerCommandTest, ASafetySlaveWithAnotherConfiguration)
     Verifies(req::SRS_SFS_005);
     ExpectHolds("changed.yaml");
     ExpectHolds("written.yaml");
+    ExpectHolds("stopped.yaml");
+}
+
+TEST_F(ManagerCommandTest, NoProfileStartsASafetySlaveThatDiffers)
+{
+    Verifies(req::SRS_SFS_002);
+    Verifies(req::SRS_MGR_012);
+    ExpectHolds("boot_el6751.yaml");
+    ExpectHolds("boot_plc_designer.yaml");
 }
 
 TEST_F(ManagerCommandTest, StormsDuplicatesAndBabbling)
@@ -218,7 +227,7 @@ TEST_F(ManagerCommandTest, OrdersAreReadStrictly)
     EXPECT_EQ(ParseManagerOrder("stop").problem, "stop: no node, expected a node-ID from 1 to 127, or all");
     EXPECT_EQ(ParseManagerOrder("stop 128").problem, "stop: '128', expected a node-ID from 1 to 127, or all");
     EXPECT_EQ(ParseManagerOrder("fly").problem, "order 'fly', expected status, start, stop, preop, reset, reset-comm, "
-                                                "boot, write-safety, help or quit");
+                                                "boot, write-safety, control, help or quit");
 }
 
 TEST_F(ManagerCommandTest, ProgramsSendOrdersByASocket)

@@ -74,6 +74,39 @@ TEST_P(Elections, ALimitThatIsNotKeptIsAFailure)
     EXPECT_NE(tally.first_failure.find("1/1/0 2/1/0"), std::string::npos);
 }
 
+/// Master 1 of level 2 waits 3010 ms, master 2 of level 1 with another 1F90h:04 waits 6020 ms: the worse one is first.
+std::vector<MasterPlan> Misconfigured()
+{
+    std::vector<MasterPlan> masters = MastersOf({2U, 1U}, {0, 0});
+    masters[1].times.priority_slot = 6000U;
+    return masters;
+}
+
+TEST(ElectionsOfUnequalTimes, EndByDefault)
+{
+    Verifies(req::SRS_FLY_010);
+    World world(PlanOf(Preset::kDefault));
+    world.Begin(Misconfigured(), Loss{});
+    // When time enough for many elections is over
+    world.Run(60 * kSecond);
+    // Then the better one has forced three times, told it once more and follows
+    EXPECT_TRUE(world.IsAgreed());
+    EXPECT_EQ(world.Active(), 0U);
+    EXPECT_EQ(world.Found().configuration_errors, 4U);
+    EXPECT_LT(world.Found().last_change, 20 * kSecond);
+}
+
+TEST(ElectionsOfUnequalTimes, NeverEndAsInTheText)
+{
+    Verifies(req::SRS_FLY_010);
+    World world(PlanOf(Preset::kSo1114));
+    world.Begin(Misconfigured(), Loss{});
+    world.Run(60 * kSecond);
+    // One each 3.6 s after the first pass.
+    EXPECT_GE(world.Found().configuration_errors, 15U);
+    EXPECT_GT(world.Found().last_change, 55 * kSecond);
+}
+
 INSTANTIATE_TEST_SUITE_P(Presets, Elections, ::testing::Values(Preset::kDefault, Preset::kSo1114));
 
 } // namespace

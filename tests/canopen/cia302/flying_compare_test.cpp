@@ -1,7 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // Three masters of one network, alike but for one thing.
+#include "canopen/cia302/el6751_setup.hpp"
 #include "canopen/cia302/flying_master_compare.hpp"
+#include "canopen/cia302/plc_setup.hpp"
 #include "canopen/cia302/safety_check.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -163,6 +165,45 @@ TEST_F(FlyingCompare, ContentsAndSafetyExpectation)
     EXPECT_EQ(finding.second_value, 1U);
     finding = After([](NetworkSetup&, SlaveSetup& slave, FlyingMasterTimes&) { slave.safety = nullptr; });
     EXPECT_EQ(finding.second_value, 0U);
+}
+
+TEST_F(FlyingCompare, OtherObjectsOfASafetyExpectationAndProfiles)
+{
+    Verifies(req::SRS_FLY_022);
+    const ExpectedObject other_index[2] = {{{0x1302U, 2U}, 25U, false}, kObjects[1]};
+    const ExpectedObject other_sub[2] = {{{0x1301U, 3U}, 25U, false}, kObjects[1]};
+    const ExpectedObject fixed[2] = {{{0x1301U, 2U}, 25U, true}, kObjects[1]};
+    for (const ExpectedObject* const objects : {other_index, other_sub, fixed})
+    {
+        const SafetyExpectation safety{objects, 2U};
+        const FlyingFinding finding =
+            After([&safety](NetworkSetup&, SlaveSetup& slave, FlyingMasterTimes&) { slave.safety = &safety; });
+        EXPECT_EQ(finding.kind, FlyingFindingKind::kSafety);
+        EXPECT_EQ(finding.index, 0x1301U);
+        EXPECT_EQ(finding.sub, 2U);
+    }
+    const El6751Slave el6751{};
+    FlyingFinding finding =
+        After([&el6751](NetworkSetup&, SlaveSetup& slave, FlyingMasterTimes&) { slave.el6751 = &el6751; });
+    EXPECT_EQ(finding.kind, FlyingFindingKind::kProfile);
+    EXPECT_EQ(finding.slave.value, 95U);
+    EXPECT_EQ(finding.second_value, 1U);
+    const PlcSlave plc{};
+    finding = After([&plc](NetworkSetup&, SlaveSetup& slave, FlyingMasterTimes&) { slave.plc = &plc; });
+    EXPECT_EQ(finding.second_value, 2U);
+}
+
+TEST_F(FlyingCompare, NodeIdsThatAreNone)
+{
+    Verifies(req::SRS_FLY_022);
+    for (const std::uint8_t node : {std::uint8_t{0U}, std::uint8_t{128U}})
+    {
+        const FlyingMasterView alone{&setups[0], &times[0]};
+        setups[0].own = NodeId{node};
+        findings.clear();
+        EXPECT_EQ(CompareFlyingMasters(&alone, 1U, *this), 1U);
+        EXPECT_EQ(findings[0].kind, FlyingFindingKind::kSameNode);
+    }
 }
 
 TEST_F(FlyingCompare, EachMasterByItself)

@@ -155,9 +155,11 @@ TEST_F(PlcBootTest, AnSdoWithoutAnswerIsRepeatedWithoutEnd)
     EXPECT_EQ(plc.MasterState(), 3);
     Run(60000U);
     EXPECT_EQ(plc.MasterState(), 3);
+    EXPECT_TRUE(Of(5U).is_busy);
     slaves[5]->Behave(0x2000U, 0U, Manner::kGood);
     Run(510U);
     EXPECT_EQ(plc.MasterState(), 5);
+    EXPECT_FALSE(Of(5U).is_busy);
     EXPECT_EQ(slaves[5]->log[slaves[5]->log.size() - 2U], "w 2001:00 02");
 }
 
@@ -273,6 +275,10 @@ TEST_F(PlcBootTest, AMissingMandatorySlaveKeepsTheMasterInState3WhileOthersRun)
     Run(100000U);
     EXPECT_EQ(plc.MasterState(), 3);
     EXPECT_EQ(Code(5U), 5);
+    EXPECT_EQ(Code(9U), 3);
+    // The application may begin it anew before that
+    EXPECT_TRUE(Do([this] { return plc.Boot(NodeId{9U}, Now()); }));
+    Run(3000U);
     EXPECT_EQ(Code(9U), 3);
     slaves[9]->is_on = true;
     Run(1600U);

@@ -173,6 +173,7 @@ TEST_F(PlcStartTest, LossIsState99AndTheApplicationRestarts)
     slaves[5]->heartbeat_us = 0U;
     Run(350U);
     EXPECT_EQ(Code(5U), 99);
+    EXPECT_FALSE(Of(5U).is_started);
     Run(5000U);
     EXPECT_EQ(Code(5U), 99);
     EXPECT_EQ(plc.MasterState(), 5);

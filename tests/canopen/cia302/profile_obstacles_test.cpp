@@ -104,6 +104,7 @@ TEST_F(El6751ObstaclesTest, AGateThatClosesBeforeTheStartLeavesIsAskedAgain)
     nmt.SetActive(false);
     Run(20U);
     EXPECT_EQ(Of(5U).step, StartUpStep::kStart);
+    EXPECT_EQ(Code(5U), 8);
     gate.Close(NodeId{5U});
     nmt.SetActive(true);
     Run(3U);

@@ -80,7 +80,7 @@ class ProfileRig : public ::testing::Test,
     std::uint32_t us{0U};
     std::uint32_t step_us{1000U};
     std::vector<CanFrame> wire{};
-    std::vector<Sent> sent{}; ///< By the manager.
+    std::vector<Sent> sent{};           ///< By the manager.
     std::map<std::uint8_t, Log> told{}; ///< NodeStatus code by code: "8", "23".
     Log masters{};
     std::map<std::uint8_t, std::unique_ptr<BusSlave>> slaves{};

@@ -1,0 +1,260 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// What the EL6751 and PLC Designer profiles learn from network files and DCFs.
+#include "canopen/cia302/concise_dcf.hpp"
+#include "canopen/network/loaded_network.hpp"
+#include "tests/tools/command_run.hpp"
+#include "tools/manager_station.hpp"
+#include "tools/network_file.hpp"
+#include "verification/trace/verifies.hpp"
+
+namespace counterpoint::tools
+{
+namespace
+{
+using network::LoadedNetwork;
+
+/// A slave with two PDOs of each direction, of which one each is on, and a heartbeat.
+constexpr const char* kDcf = R"([FileInfo]
+FileName=io.dcf
+[DeviceInfo]
+VendorName=Example
+[DeviceComissioning]
+NodeID=5
+[MandatoryObjects]
+SupportedObjects=1
+1=0x1000
+[OptionalObjects]
+SupportedObjects=10
+1=0x1006
+2=0x1017
+3=0x1400
+4=0x1401
+5=0x1600
+6=0x1601
+7=0x1800
+8=0x1801
+9=0x1A00
+10=0x1A01
+[ManufacturerObjects]
+SupportedObjects=1
+1=0x2000
+[1000]
+ParameterName=Device type
+DataType=0x0007
+AccessType=ro
+DefaultValue=0x00000191
+[1006]
+ParameterName=Period
+DataType=0x0007
+AccessType=rw
+ParameterValue=9999
+[1017]
+ParameterName=Producer heartbeat time
+DataType=0x0006
+AccessType=rw
+ParameterValue=100
+[2000]
+ParameterName=Filter
+DataType=0x0005
+AccessType=rw
+ParameterValue=7
+)";
+
+std::string Pdo(const std::string& index, const std::string& mapping, const std::string& cob_id,
+                const std::string& event, const std::string& value_key)
+{
+    const auto number =
+        [](const std::string& section, const std::string& type, const std::string& key, const std::string& value)
+    {
+        return "[" + section + "]\nParameterName=x\nObjectType=0x7\nDataType=" + type + "\nAccessType=rw\n" + key +
+               "=" + value + "\n";
+    };
+    return "[" + index + "]\nParameterName=PDO\nObjectType=0x9\nSubNumber=4\n" +
+           number(index + "sub0", "0x0005", "DefaultValue", "5") +
+           number(index + "sub1", "0x0007", "ParameterValue", cob_id) +
+           number(index + "sub2", "0x0005", "ParameterValue", "1") +
+           number(index + "sub5", "0x0006", "ParameterValue", event) + "[" + mapping +
+           "]\nParameterName=Mapping\nObjectType=0x9\nSubNumber=3\n" +
+           number(mapping + "sub0", "0x0005", value_key, "2") +
+           number(mapping + "sub1", "0x0007", value_key, "0x60000108") +
+           number(mapping + "sub2", "0x0007", value_key, "0x64010110");
+}
+
+class NetworkProfileTest : public test::CommandTest
+{
+  protected:
+    NetworkProfileTest()
+    {
+        Device("DefaultValue");
+    }
+    void Device(const std::string& mapping_key) const
+    {
+        static_cast<void>(File("io.dcf", kDcf + Pdo("1400", "1600", "$NODEID+0x200", "0", mapping_key) +
+                                             Pdo("1401", "1601", "$NODEID+0x80000300", "0", mapping_key) +
+                                             Pdo("1800", "1A00", "$NODEID+0x180", "20", mapping_key) +
+                                             Pdo("1801", "1A01", "$NODEID+0x80000280", "0", mapping_key)));
+    }
+    [[nodiscard]] std::string Net(const std::string& manager, const std::string& slave) const
+    {
+        return File("net.yaml", "name: profiles\nmanager:\n  node: 127\n  sync: 10 ms\n" + manager +
+                                    "slaves:\n  - node: 5\n    dcf: io.dcf\n" + slave);
+    }
+    /// Objects of a concise DCF in their order.
+    static std::vector<std::uint32_t> Keys(const cia302::Bytes& concise)
+    {
+        std::vector<std::uint32_t> keys{};
+        cia302::ConciseReading entry = cia302::ReadConcise(concise, {0U, 0U});
+        for (; entry.state == cia302::ConciseState::kEntry; entry = cia302::ReadConcise(concise, entry.next))
+        {
+            keys.push_back((std::uint32_t{entry.object.index} << 8U) | entry.object.sub);
+        }
+        return keys;
+    }
+};
+
+TEST_F(NetworkProfileTest, El6751TakesPdosThatAreOnAndTheTimesOfTheHeartbeat)
+{
+    Verifies(req::SRS_ELM_051);
+    const LoadedNetwork net(ReadNetworkFile(Net("  profile: el6751\n", "    consumer: 250 ms\n"), 0U));
+    const cia302::SlaveSetup& setup = net.Setup().slaves[5];
+    ASSERT_NE(setup.el6751, nullptr);
+    const cia302::El6751Slave& slave = *setup.el6751;
+    ASSERT_EQ(slave.rx_count, 1U);
+    EXPECT_EQ(slave.rx_pdos[0].number, 1U);
+    EXPECT_EQ(slave.rx_pdos[0].cob_id, 0x205U);
+    EXPECT_EQ(slave.rx_pdos[0].type, 1U);
+    EXPECT_EQ(slave.rx_pdos[0].length_bytes, 3U);
+    ASSERT_EQ(slave.tx_count, 1U);
+    EXPECT_EQ(slave.tx_pdos[0].cob_id, 0x185U);
+    EXPECT_EQ(slave.tx_pdos[0].event_ms, 20U);
+    // 250 ms are three times of 100 ms, rounded up
+    EXPECT_EQ(slave.guard_time_ms, 100U);
+    EXPECT_EQ(slave.life_time_factor, 3U);
+    // What the rows write is left out; PDOs that are off are switched off as ever
+    EXPECT_EQ(Keys(setup.concise_dcf),
+              (std::vector<std::uint32_t>{0x140101U, 0x140102U, 0x140105U, 0x140101U, 0x180101U, 0x180102U, 0x180105U,
+                                          0x180101U, 0x200000U}));
+    EXPECT_TRUE(cia302::NeedsSync(net.Setup()));
+}
+
+TEST_F(NetworkProfileTest, APdoWhoseMappingChangesKeepsItsWholeSequence)
+{
+    Verifies(req::SRS_ELM_051);
+    Device("ParameterValue");
+    const LoadedNetwork net(ReadNetworkFile(Net("  profile: el6751\n", ""), 0U));
+    const std::vector<std::uint32_t> keys = Keys(net.Setup().slaves[5].concise_dcf);
+    const std::vector<std::uint32_t> first(keys.begin(), keys.begin() + 8);
+    EXPECT_EQ(first, (std::vector<std::uint32_t>{0x140001U, 0x140002U, 0x140005U, 0x160000U, 0x160001U, 0x160002U,
+                                                 0x160000U, 0x140001U}));
+}
+
+TEST_F(NetworkProfileTest, El6751OptionsOfManagerAndSlave)
+{
+    Verifies(req::SRS_ELM_051);
+    const LoadedNetwork net(ReadNetworkFile(
+        Net("  profile: el6751\n  el6751: {window: last_rx_pdo, sync_multiplier: 4, input_shift: 300 us}\n",
+            "    guard_time: 50 ms\n    retry_factor: 4\n    el6751:\n      kind: bk51x0\n      start: false\n"
+            "      check_device_type: false\n      write_sync_period: false\n      write_cob_ids: false\n"
+            "      write_types: false\n      restart_without_pdos: true\n      literal_consumer: true\n"
+            "      reaction: none\n      restart: by_hand\n      network_reaction: stop_all\n"
+            "      coupler_pdos: 0x102\n      coupler_inhibit: 1.5 ms\n      coupler_event: 30 ms\n"),
+        0U));
+    const cia302::El6751Slave& slave = *net.Setup().slaves[5].el6751;
+    EXPECT_EQ(slave.kind, cia302::El6751Kind::kBusCoupler);
+    EXPECT_FALSE(slave.is_started || slave.is_device_type_checked || slave.is_sync_period_written ||
+                 slave.is_cob_id_written || slave.is_type_written);
+    EXPECT_TRUE(slave.is_restarted_without_pdos && slave.is_consumer_literal);
+    EXPECT_EQ(slave.node_reaction, cia302::El6751NodeReaction::kNone);
+    EXPECT_EQ(slave.restart, cia302::El6751Restart::kByHand);
+    EXPECT_EQ(slave.network_reaction, cia302::El6751NetworkReaction::kStopAll);
+    EXPECT_EQ(slave.coupler_pdos, 0x102U);
+    EXPECT_EQ(slave.coupler_inhibit_100us, 15U);
+    EXPECT_EQ(slave.coupler_event_ms, 30U);
+    EXPECT_EQ(slave.guard_time_ms, 50U);
+    EXPECT_EQ(slave.life_time_factor, 4U);
+    EXPECT_EQ(net.Plan().manager.el6751.window, cia302::El6751Window::kLastRxPdo);
+    EXPECT_EQ(net.Plan().manager.el6751.sync_multiplier, 4U);
+    EXPECT_EQ(net.Plan().manager.el6751.input_shift_us, 300U);
+}
+
+TEST_F(NetworkProfileTest, PlcDesignerTakesOptionalAndResetNode)
+{
+    Verifies(req::SRS_PLC_021);
+    const LoadedNetwork plain(ReadNetworkFile(Net("  profile: plc_designer\n", ""), 0U));
+    EXPECT_FALSE(plain.Setup().slaves[5].plc->is_optional);
+    EXPECT_FALSE(plain.Setup().slaves[5].plc->is_reset);
+    const LoadedNetwork spare(ReadNetworkFile(Net("  profile: plc_designer\n", "    mandatory: false\n"), 0U));
+    EXPECT_TRUE(spare.Setup().slaves[5].plc->is_optional);
+    const LoadedNetwork said(ReadNetworkFile(
+        Net("  profile: plc_designer\n", "    plc_designer: {optional: true, reset_node: true}\n"), 0U));
+    EXPECT_TRUE(said.Setup().slaves[5].plc->is_optional);
+    EXPECT_TRUE(said.Setup().slaves[5].plc->is_reset);
+    EXPECT_EQ(said.Setup().slaves[5].el6751, nullptr);
+}
+
+TEST_F(NetworkProfileTest, WrongOptionsAreRefusedWithTheirLine)
+{
+    Verifies(req::SRS_ELM_051);
+    Verifies(req::SRS_PLC_021);
+    const auto problem = [this](const std::string& manager, const std::string& slave)
+    {
+        std::string text;
+        try
+        {
+            static_cast<void>(ReadNetworkFile(Net(manager, slave), 0U));
+        }
+        catch (const std::exception& error)
+        {
+            text = error.what();
+        }
+        return text;
+    };
+    EXPECT_NE(problem("", "    el6751: {kind: bk5120}\n").find("net.yaml:8"), std::string::npos);
+    EXPECT_NE(problem("", "    el6751: {kinds: general}\n").find("unknown key"), std::string::npos);
+    EXPECT_NE(problem("", "    el6751: {coupler_event: 1.5 ms}\n").find("whole milliseconds"), std::string::npos);
+    EXPECT_NE(problem("  el6751: {sync_multiplier: 0}\n", "").find("net.yaml:5"), std::string::npos);
+    EXPECT_NE(problem("", "    plc_designer: {optional: maybe}\n").find("true, false"), std::string::npos);
+    EXPECT_NE(problem("", "    plc_designer: yes\n").find("a map with optional, reset_node"), std::string::npos);
+}
+
+TEST_F(NetworkProfileTest, ManualNetworkManagementIsAnOrder)
+{
+    Verifies(req::SRS_ELM_046);
+    Verifies(req::SRS_ELM_047);
+    // Given a slave that nothing is to be asked of: it is started at once
+    const std::string file =
+        File("net.yaml", "name: n\nmanager:\n  node: 127\n  profile: el6751\nslaves:\n  - node: 5\n"
+                         "    el6751: {check_device_type: false}\n");
+    const LoadedNetwork net(ReadNetworkFile(file, 0U));
+    std::vector<std::string> commands;
+    ManagerStation station(
+        net,
+        [&commands](const CanFrame& frame)
+        {
+            if (frame.identifier == 0U)
+            {
+                commands.push_back(std::to_string(frame.data[0]) + " " + std::to_string(frame.data[1]));
+            }
+            return true;
+        },
+        [](const ManagerEvent&) {});
+    station.Begin(0U);
+    for (std::uint64_t us = 1000U; us <= 5000U; us += 1000U)
+    {
+        station.OnCycle(us);
+    }
+    EXPECT_EQ(commands, (std::vector<std::string>{"130 0", "1 5", "1 0"}));
+    // When it is made PRE-OPERATIONAL, started, and what the table does not have is asked for
+    EXPECT_EQ(station.Carry(ParseManagerOrder("control 5 5 0"), 6000U), "taken");
+    EXPECT_NE(station.Carry(ParseManagerOrder("control 5 5 3"), 7000U), "taken");
+    EXPECT_EQ(station.Carry(ParseManagerOrder("control 5 5 1"), 8000U), "taken");
+    EXPECT_NE(station.Carry(ParseManagerOrder("control 6 5 1"), 9000U), "taken");
+    EXPECT_EQ(commands, (std::vector<std::string>{"130 0", "1 5", "1 0", "128 5", "1 5"}));
+    for (const char* const wrong : {"control", "control 5 5", "control 0 5 1", "control 5 x 1", "control 5 5 65536"})
+    {
+        EXPECT_EQ(ParseManagerOrder(wrong).kind, ManagerOrderKind::kProblem) << wrong;
+    }
+}
+
+} // namespace
+} // namespace counterpoint::tools
