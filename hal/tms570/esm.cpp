@@ -16,6 +16,7 @@ constexpr std::uint32_t kRecordedLow = RecordedChannels(0U);
 constexpr std::uint32_t kRecordedHigh = RecordedChannels(32U);
 constexpr std::uint32_t kWordBits = 32U;
 constexpr std::uint8_t kHighHalf = 32U;
+constexpr std::uint16_t kMostCount = 0xFFFFU;
 /// The low time is 16384 cycles of VCLK; a look takes 4 of them at least.
 constexpr Looks kPinLooks{20000U};
 
@@ -119,7 +120,7 @@ Outcome Esm::Serve() noexcept
         Write(At(kBase, kStatus1), recorded_low);
         Write(At(kBase, kStatus4), recorded_high);
         const std::uint16_t count = corrected_.Load();
-        const std::uint32_t more = (count < 0xFFFFU) ? (std::uint32_t{count} + 1U) : count;
+        const std::uint32_t more = std::uint32_t{count} + ((count == kMostCount) ? 0U : 1U);
         corrected_.Store(static_cast<std::uint16_t>(more));
         if (more > kMostCorrected)
         {
