@@ -15,6 +15,8 @@
 extern "C"
 {
     [[noreturn]] void Reset() noexcept;
+    std::uint32_t RaiseInterrupt() noexcept;
+    std::uint32_t RaiseFastInterrupt() noexcept;
 }
 
 namespace
@@ -28,6 +30,7 @@ constexpr std::uint32_t kNothingThere = 0x70000000U;
 // What stands for pins that hardware holds closed until it is powered again.
 [[gnu::section(".noinit.cut_off")]] volatile std::uint32_t cut_off;
 char text[kScenarioRoom]{};
+std::uint32_t interrupts = 0U;
 
 void RunUnprivilegedOnce() noexcept
 {
@@ -101,10 +104,17 @@ extern "C" void HardwareStop() noexcept
 
 extern "C" void FirmwareInterrupt() noexcept
 {
+    ++interrupts;
+    // All that a function may use without asking.
+    asm volatile("mov r1, #0\n\tmov r2, #0\n\tmov r3, #0\n\tmov r12, #0\n\tvmov d0, r1, r1\n\tvmov d7, r1, r1"
+                 :
+                 :
+                 : "r1", "r2", "r3", "r12", "d0", "d7");
 }
 
 extern "C" void FirmwareFastInterrupt() noexcept
 {
+    FirmwareInterrupt();
 }
 
 extern "C" void FirmwareMain() noexcept
@@ -117,6 +127,11 @@ extern "C" void FirmwareMain() noexcept
     cut_off = 0U;
     // The way back from a provoked abort is that of silicon: without it there is an endless loop or a record here.
     static_cast<void>(tms570::Probe(tms570::Register{kNothingThere}));
+    if ((RaiseInterrupt() != 1U) || (RaiseFastInterrupt() != 1U) || (interrupts != 2U))
+    {
+        target::Write("FAILURE: an interrupt changed the program that it interrupted\n");
+        target::Exit(1U);
+    }
     if (!target::ReadText(target::Argument(), text, kScenarioRoom))
     {
         target::Write("FAILURE: the scenario cannot be read\n");
