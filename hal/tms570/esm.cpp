@@ -116,7 +116,6 @@ Outcome Esm::Serve() noexcept
     const bool is_corrected = (recorded_low != 0U) || (recorded_high != 0U);
     if (is_corrected)
     {
-        // Only these are cleared: what leads to the safe state stays to be read by whoever looks for the reason.
         Write(At(kBase, kStatus1), recorded_low);
         Write(At(kBase, kStatus4), recorded_high);
         const std::uint16_t count = corrected_.Load();
@@ -137,6 +136,10 @@ Outcome Esm::Judge(const EsmStatus& status) noexcept
     Keep(2U, status.group_2, 0U);
     Keep(1U, status.group_1_low & ~kRecordedLow, 0U);
     Keep(1U, status.group_1_high & ~kRecordedHigh, kHighHalf);
+    // Or their interrupt would come for ever. First has the reason, and over a reset the shadow of group 2.
+    Write(At(kBase, kStatus1), status.group_1_low & ~kRecordedLow);
+    Write(At(kBase, kStatus4), status.group_1_high & ~kRecordedHigh);
+    Write(At(kBase, kStatus2), status.group_2);
     if (First().group == 0U)
     {
         return Outcome::kDone;
