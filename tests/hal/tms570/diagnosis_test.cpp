@@ -85,6 +85,20 @@ TEST(DiagnosisTest, OneInterruptServesABoundedNumberOfRequests)
     EXPECT_EQ(frames, 32);
 }
 
+TEST(DiagnosisTest, RequestThatNobodyAskedForDoesNotComeForEver)
+{
+    Verifies(req::SRS_TMS_042);
+    // Given a board and a request of a channel that no driver enabled
+    Rig rig;
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    rig.machine.faults.Set(model::Fault::kVimUnknownRequest);
+    EXPECT_TRUE(rig.machine.vim.Line());
+    // When it is taken, then the device is safe and the line is down, so that the program runs
+    rig.board.OnInterrupt();
+    EXPECT_EQ(rig.board.Fault(), BoardFault::kInterrupts);
+    EXPECT_FALSE(rig.machine.vim.Line());
+}
+
 TEST(DiagnosisTest, ClockComparatorCountsBothClocksForTheSameTime)
 {
     Verifies(req::SRS_TMS_043);
