@@ -217,6 +217,7 @@ void Board::OnInterrupt() noexcept
         case InterruptRequest::kEsmHigh:
         case InterruptRequest::kUnknown:
             EnterSafeState(BoardFault::kInterrupts);
+            Interrupts::MaskAll();
             return;
         }
     }

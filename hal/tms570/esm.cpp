@@ -16,6 +16,7 @@ constexpr std::uint32_t kRecordedLow = RecordedChannels(0U);
 constexpr std::uint32_t kRecordedHigh = RecordedChannels(32U);
 constexpr std::uint32_t kWordBits = 32U;
 constexpr std::uint8_t kHighHalf = 32U;
+constexpr std::uint16_t kMostCount = 0xFFFFU;
 /// The low time is 16384 cycles of VCLK; a look takes 4 of them at least.
 constexpr Looks kPinLooks{20000U};
 
@@ -115,11 +116,10 @@ Outcome Esm::Serve() noexcept
     const bool is_corrected = (recorded_low != 0U) || (recorded_high != 0U);
     if (is_corrected)
     {
-        // Only these are cleared: what leads to the safe state stays to be read by whoever looks for the reason.
         Write(At(kBase, kStatus1), recorded_low);
         Write(At(kBase, kStatus4), recorded_high);
         const std::uint16_t count = corrected_.Load();
-        const std::uint32_t more = (count < 0xFFFFU) ? (std::uint32_t{count} + 1U) : count;
+        const std::uint32_t more = std::uint32_t{count} + ((count == kMostCount) ? 0U : 1U);
         corrected_.Store(static_cast<std::uint16_t>(more));
         if (more > kMostCorrected)
         {
@@ -136,6 +136,10 @@ Outcome Esm::Judge(const EsmStatus& status) noexcept
     Keep(2U, status.group_2, 0U);
     Keep(1U, status.group_1_low & ~kRecordedLow, 0U);
     Keep(1U, status.group_1_high & ~kRecordedHigh, kHighHalf);
+    // Or their interrupt would come for ever. First has the reason, and over a reset the shadow of group 2.
+    Write(At(kBase, kStatus1), status.group_1_low & ~kRecordedLow);
+    Write(At(kBase, kStatus4), status.group_1_high & ~kRecordedHigh);
+    Write(At(kBase, kStatus2), status.group_2);
     if (First().group == 0U)
     {
         return Outcome::kDone;

@@ -107,6 +107,14 @@ InterruptRequest Interrupts::NextFast() noexcept
     return RequestOf(Read(At(kBase, kFiqIndex)));
 }
 
+void Interrupts::MaskAll() noexcept
+{
+    for (std::uint32_t group = 0U; group < kGroups; ++group)
+    {
+        Write(At(kBase, kEnableClear + (group * kWordBytes)), kWholeWord);
+    }
+}
+
 Outcome Interrupts::Examine() noexcept
 {
     bool is_same = true;

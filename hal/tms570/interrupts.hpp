@@ -57,6 +57,8 @@ class Interrupts
     /// @brief What raised the interrupt (IRQ) or the fast one (FIQ).
     [[nodiscard]] static InterruptRequest Next() noexcept;
     [[nodiscard]] static InterruptRequest NextFast() noexcept;
+    /// @brief All requests off but the fast ones, which nothing turns off: after one that nobody asked for.
+    static void MaskAll() noexcept;
     /// @brief Once a cycle: parity on and no parity error, requests as set up.
     [[nodiscard]] static Outcome Examine() noexcept;
 };

@@ -17,11 +17,14 @@ template <class Value> class Shared
 
     [[nodiscard]] Value Load() const noexcept
     {
-        return __atomic_load_n(&value_, __ATOMIC_ACQUIRE); // MISRA D-005
+        Value value{};
+        __atomic_load(&value_, &value, __ATOMIC_ACQUIRE); // MISRA D-005
+        return value;
     }
     void Store(const Value value) noexcept
     {
-        __atomic_store_n(&value_, value, __ATOMIC_RELEASE); // MISRA D-005
+        Value stored{value};
+        __atomic_store(&value_, &stored, __ATOMIC_RELEASE); // MISRA D-005
     }
 
   private:

@@ -14,6 +14,7 @@ COST_LINE = re.compile(r"^cost greatest=(\d+) cycles=(\d+) stack=(\d+)\n", re.MU
 RECORD = re.compile(r"exception cause=(\d+) accessed=([0-9a-f]{8}) place=([0-9a-f]{8}) count=1 outputs=closed")
 # Who does it to whom, by the numbers of trap/device.cpp, and in whose code it then is: a channel by its own commit.
 VICTIMS = ["region_channel_a", "region_channel_b", "region_core", "region_non_safety", "stack_main_bottom", "flash_core_start", None]
+MOST_INSTRUCTIONS = 8000
 DATA_ACCESS, INSTRUCTION, PROGRAM = 1, 3, 5
 MISDEEDS = [("channel A", 1, "flash_channel_a", (1, 2, 5)), ("channel B", 2, "flash_channel_b", (0, 2, 5)), ("the core", 3, None, (0, 1, 5)),
             ("non-safety code", 4, None, (0, 1, 2, 4, 5, 6))]
@@ -109,6 +110,9 @@ def check_traps(report, images):
 
 def check(report, images, hosts):
     costs = check_scenarios(report, images, hosts)
+    worst = (costs.get("own_device_worst") or (0,))[0]
+    report.add(0 < worst <= MOST_INSTRUCTIONS, "dearest cycle of a device with 4 SRDOs, protection included", f"{worst} instructions, at most {MOST_INSTRUCTIONS}",
+               "SRS-FW-013")
     check_refused_scenario(report, images)
     check_traps(report, images)
     return costs

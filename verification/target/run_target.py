@@ -220,6 +220,6 @@ def main():
 if __name__ == "__main__":
     try:
         sys.exit(main())
-    except (byte_order.BadInput, image_check.BadInput, objects.BadInput, stack.BadInput, target_build.BadInput, OSError, subprocess.SubprocessError) as problem:
+    except (image_check.BadInput, objects.BadInput, stack.BadInput, target_build.BadInput, OSError, subprocess.SubprocessError) as problem:
         print(f"run_target.py: {problem}", file=sys.stderr)
         sys.exit(2)

@@ -23,7 +23,7 @@ ProbeReadInstruction:
     dsb                                @ an abort has come by now
 .Lback:
     pop {r1, r4-r11, lr}
-    msr cpsr_c, r1
+    msr cpsr_cx, r1                    @ asynchronous aborts as before, too
     bx lr
     .size ProbeRead, . - ProbeRead
 

@@ -60,6 +60,8 @@ TEST_P(EsmChannels, EveryChannelOfGroup1ReactsAsTheTableSays)
     EXPECT_EQ(rig.board.Errors().Corrected(), is_recorded ? 1U : 0U);
     EXPECT_EQ(rig.board.Errors().First().group, is_recorded ? 0U : 1U);
     EXPECT_EQ(rig.board.Errors().First().channel, is_recorded ? 0U : GetParam());
+    // and the interrupt does not come for ever
+    EXPECT_FALSE(rig.machine.vim.FastLine());
     // and nERROR stays low, however long that is
     rig.machine.Advance(2000U);
     EXPECT_EQ(rig.machine.esm.IsPinHigh(), is_recorded);

@@ -230,7 +230,8 @@ TEST_P(RunFaults, AreToldInTimeAndCutOff)
 INSTANTIATE_TEST_SUITE_P(All, RunFaults, ::testing::ValuesIn(kRunFaults),
                          [](const auto& row) { return NameOf(row.param.fault); });
 
-/// Faults whose reaction is not a board's: tests of their own, by these names.
+/// Faults whose reaction is not a board's: tests of their own, by these names; DeviceOnModels is in
+/// tests/integration/tms570.
 constexpr Fault kOwnTests[] = {
     Fault::kDcanLostMessage,    // CanPortsTest.LostMessageIsToldBeforeItsFrame
     Fault::kDcanTwoPending,     // CanPortsTest.TwoPendingFramesAreALoss

@@ -65,10 +65,9 @@ class Rig
     /// @brief What the processor does when a line is up; at most as often as anything could need.
     void TakeInterrupts()
     {
-        for (int i = 0; (i < 10) && machine.vim.FastLine() && !fast_taken_; ++i)
+        for (int i = 0; (i < 10) && machine.vim.FastLine(); ++i)
         {
             board.OnFastInterrupt();
-            fast_taken_ = true;
         }
         for (int i = 0; (i < 10) && machine.vim.Line(); ++i)
         {
@@ -120,9 +119,6 @@ class Rig
     Board board{};
     SrdoMask opened{1U}; ///< What the kernel of this device would open.
     std::vector<QueuedFrame> frames{};
-
-  private:
-    bool fast_taken_{false};
 };
 
 } // namespace counterpoint::tms570

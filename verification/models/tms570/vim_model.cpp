@@ -57,7 +57,7 @@ bool VimModel::IsEnabled(const std::uint32_t channel)
 
 std::uint32_t VimModel::Index()
 {
-    if (Has(Fault::kVimUnknownRequest))
+    if (Has(Fault::kVimUnknownRequest) && !unknown_masked_)
     {
         return kUnknownChannel + 1U;
     }
@@ -110,6 +110,7 @@ void VimModel::Write(const std::uint32_t offset, const std::uint32_t value)
     }
     if (is_clear)
     {
+        unknown_masked_ = Has(Fault::kVimUnknownRequest);
         const std::uint32_t set = offset - (kEnableClear - kEnableSet);
         const std::uint32_t always = (set == kMain + kEnableSet) ? 3U : 0U;
         Kept(set) = (Kept(set) & ~value) | always;

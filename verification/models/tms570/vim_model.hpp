@@ -33,6 +33,7 @@ class VimModel final : public Peripheral
     EsmModel& esm_;
     DcanModel& first_;
     DcanModel& second_;
+    bool unknown_masked_{false};
 };
 
 /// The table of vectors and, behind it, its parity bits.

@@ -5,6 +5,7 @@
 // and starts the image once more, which then tells what the record says.
 #include "examples/firmware/common/device.hpp"
 #include "hal/tms570/mpu.hpp"
+#include "hal/tms570/probe.hpp"
 #include "hal/tms570/start/exceptions.hpp"
 #include "hal/tms570/start/memory_map.hpp"
 #include "verification/target/firmware/meter.hpp"
@@ -14,6 +15,8 @@
 extern "C"
 {
     [[noreturn]] void Reset() noexcept;
+    std::uint32_t RaiseInterrupt() noexcept;
+    std::uint32_t RaiseFastInterrupt() noexcept;
 }
 
 namespace
@@ -22,10 +25,12 @@ namespace
 constexpr std::uint32_t kScenarioRoom = 16384U;
 constexpr std::uint32_t kStoppedByException = 3U;
 constexpr std::uint32_t kCutOff = 0x0C0FF0FFU;
+constexpr std::uint32_t kNothingThere = 0x70000000U;
 
 // What stands for pins that hardware holds closed until it is powered again.
 [[gnu::section(".noinit.cut_off")]] volatile std::uint32_t cut_off;
 char text[kScenarioRoom]{};
+std::uint32_t interrupts = 0U;
 
 void RunUnprivilegedOnce() noexcept
 {
@@ -57,6 +62,22 @@ bool TellRecord() noexcept
 
 } // namespace
 
+namespace counterpoint::tms570
+{
+
+// In place of hal/tms570/probe.cpp, which asks modules that the emulator does not have.
+void ArmProbe(ProbeKind /*kind*/, Register /*place*/) noexcept
+{
+}
+
+bool IsProvoked(const AbortFacts& facts) noexcept
+{
+    return (facts.accessed == kNothingThere) && (facts.instruction == ProbeInstruction()) &&
+           (facts.cause == hal::ExceptionCause::kDataAccess);
+}
+
+} // namespace counterpoint::tms570
+
 namespace counterpoint::target
 {
 
@@ -83,10 +104,17 @@ extern "C" void HardwareStop() noexcept
 
 extern "C" void FirmwareInterrupt() noexcept
 {
+    ++interrupts;
+    // All that a function may use without asking.
+    asm volatile("mov r1, #0\n\tmov r2, #0\n\tmov r3, #0\n\tmov r12, #0\n\tvmov d0, r1, r1\n\tvmov d7, r1, r1"
+                 :
+                 :
+                 : "r1", "r2", "r3", "r12", "d0", "d7");
 }
 
 extern "C" void FirmwareFastInterrupt() noexcept
 {
+    FirmwareInterrupt();
 }
 
 extern "C" void FirmwareMain() noexcept
@@ -97,6 +125,13 @@ extern "C" void FirmwareMain() noexcept
         target::Exit(kStoppedByException);
     }
     cut_off = 0U;
+    // The way back from a provoked abort is that of silicon: without it there is an endless loop or a record here.
+    static_cast<void>(tms570::Probe(tms570::Register{kNothingThere}));
+    if ((RaiseInterrupt() != 1U) || (RaiseFastInterrupt() != 1U) || (interrupts != 2U))
+    {
+        target::Write("FAILURE: an interrupt changed the program that it interrupted\n");
+        target::Exit(1U);
+    }
     if (!target::ReadText(target::Argument(), text, kScenarioRoom))
     {
         target::Write("FAILURE: the scenario cannot be read\n");

@@ -1,0 +1,238 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+//
+// What the tests of the hardware leave behind, and limits of the drivers that no fault shows.
+#include "hal/tms570/clock_comparator.hpp"
+#include "hal/tms570/lockstep.hpp"
+#include "hal/tms570/system_registers.hpp"
+#include "tests/hal/tms570/rig.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace counterpoint::tms570
+{
+namespace
+{
+
+[[nodiscard]] bool IsEsmClean()
+{
+    const EsmStatus status = ReadEsm();
+    return (status.group_1_low | status.group_1_high | status.group_2 | status.group_3) == 0U;
+}
+
+[[nodiscard]] std::string TextOf(const std::string& path)
+{
+    std::ifstream file{path};
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+TEST(DiagnosisTest, LockstepTestForcesEveryErrorAndEndsInLockstep)
+{
+    Verifies(req::SRS_TMS_040);
+    // Given a sound comparator
+    model::Machine machine{kLs12x};
+    // When it is tested, then it passes, in lockstep mode, without an error left, and nERROR goes high again
+    EXPECT_EQ(Lockstep::Test(), Outcome::kDone);
+    EXPECT_EQ(machine.Read(0xFFFFF604U), 0U);
+    EXPECT_TRUE(IsEsmClean());
+    EXPECT_FALSE(machine.esm.IsPinHigh());
+    machine.Advance(300U);
+    EXPECT_TRUE(machine.esm.IsPinHigh());
+}
+
+TEST(DiagnosisTest, TableOfVectorsIsAsItWasAfterItsTest)
+{
+    Verifies(req::SRS_TMS_041);
+    // Given a sound table, when its parity is tested, then it passes with parity on and nothing left
+    model::Machine machine{kLs12x};
+    EXPECT_EQ(Interrupts::TestParity(), Outcome::kDone);
+    EXPECT_EQ(machine.Read(0xFFFFFDF0U), 0xAU);
+    EXPECT_EQ(machine.Read(0xFFFFFDECU), 0U);
+    EXPECT_EQ(machine.Read(0xFFF82400U), 0U);
+    EXPECT_TRUE(IsEsmClean());
+    // and the set-up fills all of it
+    EXPECT_EQ(Interrupts::Start(), Outcome::kDone);
+    EXPECT_EQ(machine.Read(0xFFF82000U), 0xFFFFFFFCU);
+    EXPECT_EQ(machine.Read(0xFFF821FCU), 0xFFFFFFFCU);
+    // with DCAN 1, DCAN 2 and the ESM enabled: channels 16, 20, 35, and 0 and 1 that are always
+    EXPECT_EQ(machine.Read(0xFFFFFE30U), 0x00110003U);
+    EXPECT_EQ(machine.Read(0xFFFFFE34U), 0x00000008U);
+}
+
+TEST(DiagnosisTest, OneInterruptServesABoundedNumberOfRequests)
+{
+    Verifies(req::SRS_TMS_042);
+    // Given a board and a bus on which frames never end: each read of a frame brings the next
+    Rig rig;
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    rig.machine.dcan1.Receive(Frame(kNormal, 1U));
+    rig.machine.SetSurroundings([&rig] { rig.machine.dcan1.Receive(Frame(kNormal, 1U)); });
+    // When the interrupt is taken, then it comes back
+    rig.board.OnInterrupt();
+    rig.machine.SetSurroundings({});
+    int frames = 0;
+    for (QueuedFrame frame = rig.board.NextFrame(); frame.kind != QueuedKind::kNothing; frame = rig.board.NextFrame())
+    {
+        frames += (frame.kind == QueuedKind::kReceived) ? 1 : 0;
+    }
+    EXPECT_EQ(frames, 32);
+}
+
+TEST(DiagnosisTest, RequestThatNobodyAskedForDoesNotComeForEver)
+{
+    Verifies(req::SRS_TMS_042);
+    // Given a board and a request of a channel that no driver enabled
+    Rig rig;
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    rig.machine.faults.Set(model::Fault::kVimUnknownRequest);
+    EXPECT_TRUE(rig.machine.vim.Line());
+    // When it is taken, then the device is safe and the line is down, so that the program runs
+    rig.board.OnInterrupt();
+    EXPECT_EQ(rig.board.Fault(), BoardFault::kInterrupts);
+    EXPECT_FALSE(rig.machine.vim.Line());
+}
+
+TEST(DiagnosisTest, ClockComparatorCountsBothClocksForTheSameTime)
+{
+    Verifies(req::SRS_TMS_043);
+    // Given 160 MHz of a 16 MHz oscillator
+    model::Machine machine{kLs12x};
+    // When the comparator is started, then 39 600 cycles of the oscillator, 1 percent to either side, are ten times as
+    // many of the processor
+    EXPECT_EQ(ClockComparator::Start(kLs12x.clocks), Outcome::kDone);
+    EXPECT_EQ(machine.Read(0xFFFFEC08U), 39'204U);
+    EXPECT_EQ(machine.Read(0xFFFFEC0CU), 792U);
+    EXPECT_EQ(machine.Read(0xFFFFEC10U), 396'000U);
+    EXPECT_EQ(machine.Read(0xFFFFEC00U), 0x55AAU);
+    // and it goes on without an error
+    machine.Advance(10'000U);
+    EXPECT_EQ(ClockComparator::Examine(), Outcome::kDone);
+    EXPECT_EQ(ClockComparator::Start(ClockTree{0U, 0U, 0U, 160U, 80U}), Outcome::kFailed);
+}
+
+TEST(DiagnosisTest, RamIsAsItWasAfterTheTestOfItsEcc)
+{
+    Verifies(req::SRS_TMS_044);
+    // Given sound RAM
+    model::Machine machine{kLs12x};
+    // When its ECC is tested, then it passes, the provoked aborts were the only ones, and nothing is left
+    EXPECT_EQ(TestRamEcc(EccTestPlace{0x08000100U}), Outcome::kDone);
+    EXPECT_EQ(machine.real_aborts, 0U);
+    EXPECT_TRUE(IsEsmClean());
+    for (const std::uint32_t bank : {0xFFFFF800U, 0xFFFFF900U})
+    {
+        EXPECT_EQ(machine.Read(bank), 0x0005000AU);
+        EXPECT_EQ(machine.Read(bank + 0x10U), 0U);
+    }
+    EXPECT_EQ(machine.Read(0x08400100U), machine.Read(0x08400200U));
+    EXPECT_TRUE(machine.processor.ChecksRam());
+    // and a place that does not hold a word of both banks is refused
+    EXPECT_EQ(TestRamEcc(EccTestPlace{0x08000108U}), Outcome::kFailed);
+}
+
+TEST(DiagnosisTest, FlashDiagnosisIsOffAfterTheTest)
+{
+    Verifies(req::SRS_TMS_045);
+    // Given a sound flash, when its ECC is tested, then it passes, and the diagnosis is off
+    model::Machine machine{kLs12x};
+    EXPECT_EQ(TestFlashEcc(), Outcome::kDone);
+    EXPECT_EQ(machine.real_aborts, 0U);
+    EXPECT_EQ(machine.Read(0xFFF8706CU), 0x000A0007U);
+    EXPECT_EQ(machine.Read(0xFFF8701CU), 0U);
+    EXPECT_TRUE(IsEsmClean());
+}
+
+TEST(DiagnosisTest, MemoryTestEndsSwitchedOff)
+{
+    Verifies(req::SRS_TMS_048);
+    Verifies(req::SRS_TMS_049);
+    // Given sound memories, when they are tested and initialised
+    model::Machine machine{kLs12x};
+    EXPECT_EQ(TestMemories(kLs12x.memories), Outcome::kDone);
+    // Then the last run was over VIM, DCAN 1 and 2, and the controller is off
+    EXPECT_EQ(machine.Read(0xFFFFE5C8U), 0x20CU);
+    EXPECT_EQ(machine.Read(0xFFFFE580U), 0U);
+    EXPECT_EQ(machine.Read(0xFFFFFF58U), 0x105U);
+    EXPECT_EQ(InitialiseMemories(kLs12x.memories), Outcome::kDone);
+    EXPECT_EQ(machine.Read(0xFFFFFF60U), 0x64U);
+    EXPECT_EQ(machine.Read(0xFFFFFF5CU), 0x5U);
+}
+
+TEST(DiagnosisTest, ClocksAreThoseOfTheVariant)
+{
+    Verifies(req::SRS_TMS_050);
+    // Given a controller of 16 MHz, when its clocks are started
+    model::Machine machine{kLs12x};
+    EXPECT_EQ(StartClocks(kLs12x.clocks), Outcome::kDone);
+    // Then the PLL makes 16 / 6 * 120 / 2 MHz, drives the processor, half of it the peripherals and the RTI
+    EXPECT_EQ(machine.Read(0xFFFFFF70U), 0x20057700U);
+    EXPECT_EQ(machine.Read(0xFFFFFF48U), 1U);
+    EXPECT_EQ(machine.Read(0xFFFFFF50U), 0x01090109U);
+    EXPECT_EQ(machine.Read(0xFFFFFFD0U), 0x01010100U);
+    EXPECT_EQ(ExamineClocks(), Outcome::kDone);
+}
+
+TEST(DiagnosisTest, ColdErrorIsKeptWithItsChannel)
+{
+    Verifies(req::SRS_TMS_031);
+    // Given an error of group 2 that only the shadow kept over the reset
+    Rig rig;
+    rig.machine.esm.Raise(2U, 24U);
+    rig.machine.Write(0xFFFFF51CU, 1U << 24U);
+    // When the board starts, then it is refused and tells the channel
+    EXPECT_EQ(rig.Start().last, StartStep::kColdErrors);
+    EXPECT_EQ(rig.board.Errors().First().group, 2U);
+    EXPECT_EQ(rig.board.Errors().First().channel, 24U);
+}
+
+TEST(DiagnosisTest, ObjectWithAParityErrorHandsNothingOn)
+{
+    Verifies(req::SRS_TMS_017);
+    // Given a board and a frame in an object whose parity does not fit
+    Rig rig;
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    rig.machine.faults.Set(model::Fault::kDcanParityError);
+    rig.machine.dcan1.Receive(Frame(kNormal, 1U));
+    // When the interrupt of the controller is taken
+    rig.board.OnInterrupt();
+    // Then there is no frame, and the controller is off the bus and refuses
+    EXPECT_EQ(rig.board.NextFrame().kind, QueuedKind::kNothing);
+    EXPECT_EQ(rig.board.Can().Controller(CanPortId::kFirst).Fault(), CanFault::kParity);
+    EXPECT_FALSE(rig.machine.dcan1.IsOnBus());
+    EXPECT_EQ(rig.board.Can().Transmit(Frame(kSentNormal, 1U)), hal::TransmitStatus::kRefused);
+    EXPECT_EQ(rig.board.Can().Guarantees().bus_order, hal::Guarantee::kAbsent);
+}
+
+TEST(DiagnosisTest, TestedSourcesAreThoseOfTheImage)
+{
+    Verifies(req::SRS_TMS_001);
+    // Given the drivers, the list that both builds compile, and what this build has compiled
+    const std::string list = TextOf(TMS570_DRIVERS "/CMakeLists.txt");
+    const std::string compiled = TextOf(TMS570_COMPILE_COMMANDS);
+    // Then the list has no condition, so that it is the same for the target
+    EXPECT_EQ(list.find("if("), std::string::npos);
+    for (const auto& entry : std::filesystem::directory_iterator{TMS570_DRIVERS})
+    {
+        if (entry.path().extension() != ".cpp")
+        {
+            continue;
+        }
+        // and each driver is on it, and was compiled once, from the place where it is
+        const std::string name = entry.path().filename().string();
+        EXPECT_NE(list.find(name), std::string::npos) << name;
+        const std::string line = "\"file\": \"" + entry.path().string() + "\"";
+        const std::size_t first = compiled.find(line);
+        EXPECT_NE(first, std::string::npos) << name;
+        EXPECT_EQ(compiled.find(line, first + 1U), std::string::npos) << name;
+    }
+}
+
+} // namespace
+} // namespace counterpoint::tms570
