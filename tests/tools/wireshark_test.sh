@@ -88,7 +88,7 @@ show -o srdo.sct:50 -r "$folder/planted.log" -Y "srdo or gfc" -T fields -E separ
 expect "Information column" "$folder/expected"
 
 # Each violation is an expert information; limits of single pairs, and none.
-echo "6 8 9 11 14 16 18 22" >"$folder/expected"
+echo "6 8 9 11 14 16 18 22 31" >"$folder/expected"
 show -o srdo.pairs:"101:50/20" -r "$folder/planted.log" -Y "srdo.expert" -T fields -e frame.number | tr '\n' ' ' | sed 's/ $/\n/' >"$folder/found"
 expect "Expert information" "$folder/expected"
 echo "8 9 11 14 16 22 31" >"$folder/expected"
