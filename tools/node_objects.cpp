@@ -7,6 +7,7 @@
 #include "canopen/cia301/little_endian.hpp"
 #include "canopen/cia306/input_error.hpp"
 #include "canopen/cia306/safety_configuration.hpp"
+#include "canopen/cia306/utf16.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,6 +22,7 @@ using cia301::SdoAbort;
 constexpr std::size_t kTextRoom = 256U;
 constexpr std::size_t kDomainRoom = 8192U;
 constexpr std::uint16_t kOctetString = 0x000AU;
+constexpr std::uint16_t kUnicodeString = 0x000BU;
 constexpr std::uint16_t kConsumerTimes = 0x1016U;
 constexpr std::uint16_t kFirstApplication = 0x2000U;
 
@@ -219,6 +221,10 @@ void NodeObjects::SetValue(const cia306::Entry& source, const std::uint8_t node_
         else if (source.data_type == kOctetString)
         {
             stored.value = OctetsOf(text);
+        }
+        else if (source.data_type == kUnicodeString)
+        {
+            stored.value = cia306::Utf16Of(text);
         }
         else
         {
