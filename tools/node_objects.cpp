@@ -3,6 +3,7 @@
 
 #include "tools/node_entry.hpp"
 
+#include "canopen/cia301/cob_id.hpp"
 #include "canopen/cia301/entry_value.hpp"
 #include "canopen/cia301/little_endian.hpp"
 #include "canopen/cia306/input_error.hpp"
@@ -335,5 +336,30 @@ void NodeObjects::Load(const Stored& stored) noexcept
 const std::vector<std::string>& NodeObjects::Refusals() const noexcept
 {
     return refusals_;
+}
+
+std::vector<std::string> NodeObjects::PdosTurnedOff(cia301::Dictionary& dictionary) const
+{
+    std::vector<std::string> lines;
+    for (const Stored& stored : stored_)
+    {
+        const cia301::Entry& entry = entries_[stored.entry];
+        const bool is_rpdo = entry.index >= kFirstRpdo && entry.index < kFirstRpdoMap;
+        const bool is_tpdo = entry.index >= kFirstTpdo && entry.index < kFirstTpdoMap;
+        if (!(is_rpdo || is_tpdo) || entry.sub != 1U || !stored.is_configured)
+        {
+            continue;
+        }
+        const auto size = static_cast<std::uint32_t>(stored.value.size());
+        const std::uint64_t wanted = cia301::FromLittleEndian(stored.value.data(), size);
+        const std::uint64_t now = dictionary.ReadNumber({entry.index, entry.sub}).value;
+        if ((wanted & cia301::kCobOff) == 0U && (now & cia301::kCobOff) != 0U)
+        {
+            lines.push_back(file_ + ":" + std::to_string(stored.line) +
+                            ": warning: " + cia306::ObjectName(entry.index, entry.sub) +
+                            ": the device has turned this PDO off, expected a mapping and settings that hold");
+        }
+    }
+    return lines;
 }
 } // namespace counterpoint::tools
