@@ -284,6 +284,12 @@ void NodeDevice::TellState(const std::uint64_t now_ns)
     const cia301::NodeState state = device_.State();
     if (state != state_)
     {
+        const bool is_configured = state_ == cia301::NodeState::kInvalid && cia301::StateByte(state) != 0U;
+        const bool is_of_file = is_configured && !store_; // What was saved may have turned one off.
+        for (const std::string& line : is_of_file ? objects_.PdosTurnedOff(dictionary_) : std::vector<std::string>{})
+        {
+            report_.Tell(now_ns, line, "refused", {{"text", line}});
+        }
         state_ = state;
         const std::string name = simulator::Name(cia301::KernelState(state));
         report_.Tell(now_ns, "NMT " + name, "nmt", {{"state", name}});

@@ -160,33 +160,43 @@ void NodeLoop::Wait()
 
 void NodeLoop::Receive()
 {
-    Hold(parts_.ports.Safety(), CanPortId::kFirst);
+    Hold(parts_.ports.Safety(), first_held_);
     if (host::LiveBus* const inverse = parts_.ports.Inverse())
     {
-        // One bus, two controllers: their frames are in order by their stamps.
-        Hold(*inverse, CanPortId::kSecond);
-        std::stable_sort(held_.begin(), held_.end(), [](const HeldFrame& one, const HeldFrame& other)
-                         { return one.frame.time_ns < other.frame.time_ns; });
+        Hold(*inverse, second_held_);
     }
-    while (!held_.empty() && held_.front().frame.time_ns <= now_ns_)
+    while (TakeOldest())
     {
-        const HeldFrame& oldest = held_.front();
-        device_->OnFrame(oldest.frame, oldest.port, clocks_.Stamp(oldest.frame.time_ns));
-        held_.pop_front();
     }
     ReceiveServices();
 }
 
-void NodeLoop::Hold(host::LiveBus& bus, const CanPortId port)
+void NodeLoop::Hold(host::LiveBus& bus, HeldFrames& held)
 {
     host::LiveFrame frame;
     while (bus.Receive(frame))
     {
         if (!frame.error && device::IsSafetyIdentifier(frame.identifier))
         {
-            held_.push_back({frame, port});
+            held.push_back(frame);
         }
     }
+}
+
+/// Each controller's frames are in order; between the two their stamps decide. False: none is due.
+bool NodeLoop::TakeOldest()
+{
+    const bool is_second =
+        !second_held_.empty() && (first_held_.empty() || second_held_.front().time_ns < first_held_.front().time_ns);
+    HeldFrames& held = is_second ? second_held_ : first_held_;
+    const bool is_due = !held.empty() && held.front().time_ns <= now_ns_;
+    if (is_due)
+    {
+        device_->OnFrame(held.front(), is_second ? CanPortId::kSecond : CanPortId::kFirst,
+                         clocks_.Stamp(held.front().time_ns));
+        held.pop_front();
+    }
+    return is_due;
 }
 
 void NodeLoop::ReceiveServices()
@@ -207,7 +217,8 @@ void NodeLoop::Replace(const std::uint8_t node_id)
     Tell("LSS gave node-ID " + std::to_string(node_id) + ": the device starts anew", "lss", {{"node_id", node_id}});
     device_.reset(); // Its store is closed before another one opens the file.
     device_ = parts_.make(node_id);
-    held_.clear();
+    first_held_.clear();
+    second_held_.clear();
     TellStart();
     static_cast<void>(clocks_.Now());
     if (!device_->PowerOn(clocks_.Seal(), clocks_.NowNs()))

@@ -38,12 +38,15 @@ class NodeLoop
     [[nodiscard]] ExitStatus Run();
 
   private:
+    using HeldFrames = std::deque<host::LiveFrame>;
+
     void TellStart();
     [[nodiscard]] std::string BusNames() const;
     void TellProblem(const std::string& problem);
     void Wait();
     void Receive();
-    void Hold(host::LiveBus& bus, CanPortId port);
+    void Hold(host::LiveBus& bus, HeldFrames& held);
+    [[nodiscard]] bool TakeOldest();
     void ReceiveServices();
     void Replace(std::uint8_t node_id);
     void Step();
@@ -59,18 +62,12 @@ class NodeLoop
     void Tell(const std::string& text, const std::string& event, const nlohmann::ordered_json& details);
     [[nodiscard]] ExitStatus End();
 
-    /// A safety frame and the controller that it came by.
-    struct HeldFrame
-    {
-        host::LiveFrame frame;
-        CanPortId port;
-    };
-
     NodeLoopParts parts_;
     std::unique_ptr<NodeDevice> device_;
     NodeClocks clocks_;
-    NodeScript script_;          ///< Steps that are left.
-    std::deque<HeldFrame> held_; ///< Safety frames, in order; those after the instant that is worked on wait.
+    NodeScript script_;     ///< Steps that are left.
+    HeldFrames first_held_; ///< Safety frames by controller; those after the instant that is worked on wait.
+    HeldFrames second_held_;
     std::uint64_t start_ns_{0U};
     std::uint64_t next_cycle_ns_{0U};
     std::uint64_t cycle_ns_;

@@ -3,10 +3,12 @@
 
 #include "tools/node_entry.hpp"
 
+#include "canopen/cia301/cob_id.hpp"
 #include "canopen/cia301/entry_value.hpp"
 #include "canopen/cia301/little_endian.hpp"
 #include "canopen/cia306/input_error.hpp"
 #include "canopen/cia306/safety_configuration.hpp"
+#include "canopen/cia306/utf16.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,6 +23,7 @@ using cia301::SdoAbort;
 constexpr std::size_t kTextRoom = 256U;
 constexpr std::size_t kDomainRoom = 8192U;
 constexpr std::uint16_t kOctetString = 0x000AU;
+constexpr std::uint16_t kUnicodeString = 0x000BU;
 constexpr std::uint16_t kConsumerTimes = 0x1016U;
 constexpr std::uint16_t kFirstApplication = 0x2000U;
 
@@ -220,6 +223,10 @@ void NodeObjects::SetValue(const cia306::Entry& source, const std::uint8_t node_
         {
             stored.value = OctetsOf(text);
         }
+        else if (source.data_type == kUnicodeString)
+        {
+            stored.value = cia306::Utf16Of(text);
+        }
         else
         {
             stored.value.assign(text.begin(), text.end());
@@ -329,5 +336,30 @@ void NodeObjects::Load(const Stored& stored) noexcept
 const std::vector<std::string>& NodeObjects::Refusals() const noexcept
 {
     return refusals_;
+}
+
+std::vector<std::string> NodeObjects::PdosTurnedOff(cia301::Dictionary& dictionary) const
+{
+    std::vector<std::string> lines;
+    for (const Stored& stored : stored_)
+    {
+        const cia301::Entry& entry = entries_[stored.entry];
+        const bool is_rpdo = entry.index >= kFirstRpdo && entry.index < kFirstRpdoMap;
+        const bool is_tpdo = entry.index >= kFirstTpdo && entry.index < kFirstTpdoMap;
+        if (!(is_rpdo || is_tpdo) || entry.sub != 1U || !stored.is_configured)
+        {
+            continue;
+        }
+        const auto size = static_cast<std::uint32_t>(stored.value.size());
+        const std::uint64_t wanted = cia301::FromLittleEndian(stored.value.data(), size);
+        const std::uint64_t now = dictionary.ReadNumber({entry.index, entry.sub}).value;
+        if ((wanted & cia301::kCobOff) == 0U && (now & cia301::kCobOff) != 0U)
+        {
+            lines.push_back(file_ + ":" + std::to_string(stored.line) +
+                            ": warning: " + cia306::ObjectName(entry.index, entry.sub) +
+                            ": the device has turned this PDO off, expected a mapping and settings that hold");
+        }
+    }
+    return lines;
 }
 } // namespace counterpoint::tools

@@ -42,6 +42,10 @@ class NodeObjects
     /// @brief Values of the file that a service refuses, as lines; since the last LoadCommunication.
     [[nodiscard]] const std::vector<std::string>& Refusals() const noexcept;
 
+    /// @brief PDOs of the file that are on, which the device has turned off because their mapping does not hold, as
+    /// lines. After the configuration. [SRS-NODE-017]
+    [[nodiscard]] std::vector<std::string> PdosTurnedOff(cia301::Dictionary& dictionary) const;
+
   private:
     /// A value and where it goes.
     struct Stored

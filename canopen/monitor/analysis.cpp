@@ -111,7 +111,6 @@ Service Analysis::ServiceOf(const LogFrame& frame) const noexcept
 
 void Analysis::Take(const LogFrame& frame)
 {
-    first_ = frame_count_ == 0U ? frame.time : first_;
     ++frame_count_;
     Advance(frame.time);
     const Service service = ServiceOf(frame);
@@ -138,6 +137,8 @@ void Analysis::Take(const LogFrame& frame)
 
 void Analysis::Advance(const Time now)
 {
+    first_ = has_begun_ ? first_ : now;
+    has_begun_ = true;
     last_ = now;
     if (now <= next_deadline_)
     {

@@ -84,6 +84,7 @@ class Analysis final : private BreachSink
     std::array<std::size_t, kServiceCount> frames_{};
     std::vector<Violation> fresh_; ///< Seen since Tell.
     Time next_deadline_;           ///< Not after the deadline of any watch.
+    bool has_begun_{false};
     Time first_{0};
     Time last_{0};
     std::size_t frame_count_{0U};

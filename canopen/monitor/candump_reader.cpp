@@ -18,7 +18,8 @@ constexpr std::size_t kMostInterfaceBytes = 32U;
 constexpr std::uint32_t kErrorFlag = 0x20000000U;
 constexpr std::uint32_t kExtendedMask = 0x1FFFFFFFU;
 constexpr std::uint32_t kStandardMask = 0x7FFU;
-constexpr const char* kForm = "(SECONDS.MICROSECONDS) INTERFACE IDENTIFIER#DATA as candump -l writes it";
+constexpr const char* kForm =
+    "(SECONDS.MICROSECONDS) INTERFACE IDENTIFIER#DATA as candump -l writes it, or a line of candump -ta";
 
 int Digit(const char character) noexcept
 {
@@ -99,25 +100,8 @@ bool CandumpReader::ReadLine(const std::string_view line, LogFrame& frame)
     frame = LogFrame{};
     std::size_t at = 0U;
     ReadTime(line, at, frame);
-    const std::size_t name_end = line.find(' ', at);
-    const bool has_name = name_end != std::string_view::npos && name_end != at && name_end - at <= kMostInterfaceBytes;
-    if (!has_name)
-    {
-        Refuse(line, kForm);
-    }
-    const std::string_view name = line.substr(at, name_end - at);
-    std::string_view rest = line.substr(name_end + 1U);
-    const std::size_t space = rest.find(' ');
-    if (space != std::string_view::npos)
-    {
-        const std::string_view direction = rest.substr(space + 1U);
-        if (direction != "R" && direction != "T")
-        {
-            Refuse(line, "nothing behind the data, or the direction R or T");
-        }
-        rest = rest.substr(0U, space);
-    }
-    ReadFrame(line, rest, frame);
+    const bool is_printed = at < line.size() && line[at] == ' ';
+    const std::string_view name = is_printed ? ReadPrinted(line, at, frame) : ReadLogged(line, at, frame);
     if (interface_.empty())
     {
         interface_ = std::string(name);
@@ -134,12 +118,36 @@ bool CandumpReader::ReadLine(const std::string_view line, LogFrame& frame)
     return true;
 }
 
+/// A line of candump -l behind its time; the name of the interface.
+std::string_view CandumpReader::ReadLogged(const std::string_view line, const std::size_t at, LogFrame& frame) const
+{
+    const std::size_t name_end = line.find(' ', at);
+    const bool has_name = name_end != std::string_view::npos && name_end != at && name_end - at <= kMostInterfaceBytes;
+    if (!has_name)
+    {
+        Refuse(line, kForm);
+    }
+    std::string_view rest = line.substr(name_end + 1U);
+    const std::size_t space = rest.find(' ');
+    if (space != std::string_view::npos)
+    {
+        const std::string_view direction = rest.substr(space + 1U);
+        if (direction != "R" && direction != "T")
+        {
+            Refuse(line, "nothing behind the data, or the direction R or T");
+        }
+        rest = rest.substr(0U, space);
+    }
+    ReadFrame(line, rest, frame);
+    return line.substr(at, name_end - at);
+}
+
 void CandumpReader::ReadTime(const std::string_view line, std::size_t& at, LogFrame& frame) const
 {
     Time seconds = 0;
     Time fraction = 0;
-    at = 1U;
-    const bool has_start = line.front() == '(';
+    at = line.front() == ' ' ? 2U : 1U; // What candump prints begins with a space.
+    const bool has_start = at <= line.size() && line[at - 1U] == '(';
     const std::size_t second_digits = has_start ? Decimal(line, at, seconds) : 0U;
     const bool is_in_range = second_digits != 0U && seconds <= kMostSeconds;
     const bool has_point = is_in_range && at < line.size() && line[at] == '.';
@@ -158,20 +166,28 @@ void CandumpReader::ReadTime(const std::string_view line, std::size_t& at, LogFr
 void CandumpReader::ReadFrame(const std::string_view line, const std::string_view text, LogFrame& frame) const
 {
     const std::size_t mark = text.find('#');
-    const bool is_standard = mark == kStandardDigits;
-    if (!is_standard && mark != kExtendedDigits)
+    if (mark == std::string_view::npos)
     {
         Refuse(line, "an identifier of 3 or 8 hexadecimal digits and #");
     }
+    ReadIdentifier(line, text.substr(0U, mark), frame);
+    ReadData(line, text.substr(mark + 1U), frame);
+}
+
+void CandumpReader::ReadIdentifier(const std::string_view line, const std::string_view text, LogFrame& frame) const
+{
+    const bool is_standard = text.size() == kStandardDigits;
     std::uint32_t identifier = 0U;
-    for (const char character : text.substr(0U, mark))
+    bool is_number = is_standard || text.size() == kExtendedDigits;
+    for (std::size_t place = 0U; is_number && place < text.size(); ++place)
     {
-        const int digit = Digit(character);
-        if (digit < 0)
-        {
-            Refuse(line, "an identifier of 3 or 8 hexadecimal digits and #");
-        }
-        identifier = identifier * 16U + static_cast<std::uint32_t>(digit);
+        const int digit = Digit(text[place]);
+        is_number = digit >= 0;
+        identifier = identifier * 16U + static_cast<std::uint32_t>(is_number ? digit : 0);
+    }
+    if (!is_number)
+    {
+        Refuse(line, "an identifier of 3 or 8 hexadecimal digits");
     }
     frame.is_error = !is_standard && (identifier & kErrorFlag) != 0U;
     frame.is_extended = !is_standard && !frame.is_error;
@@ -181,7 +197,6 @@ void CandumpReader::ReadFrame(const std::string_view line, const std::string_vie
     {
         Refuse(line, "an identifier of 11 bits in 3 digits, or of 29 bits in 8");
     }
-    ReadData(line, text.substr(mark + 1U), frame);
 }
 
 void CandumpReader::ReadData(const std::string_view line, std::string_view text, LogFrame& frame) const

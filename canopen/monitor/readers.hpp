@@ -9,7 +9,8 @@
 
 namespace counterpoint::monitor
 {
-/// Lines of `candump -l`: (SECONDS.FRACTION) INTERFACE ID#DATA [DIRECTION]. [SRS-MON-002]
+/// Lines of `candump -l`: (SECONDS.FRACTION) INTERFACE ID#DATA [DIRECTION], and what `candump -ta` or `-tz` prints:
+/// (SECONDS.FRACTION)  INTERFACE  ID   [LENGTH]  BYTES. [SRS-MON-002]
 class CandumpReader final : public FrameSource
 {
   public:
@@ -21,6 +22,9 @@ class CandumpReader final : public FrameSource
     [[noreturn]] void Refuse(std::string_view line, const char* expected) const;
     [[nodiscard]] bool ReadLine(std::string_view line, LogFrame& frame);
     void ReadTime(std::string_view line, std::size_t& at, LogFrame& frame) const;
+    [[nodiscard]] std::string_view ReadLogged(std::string_view line, std::size_t at, LogFrame& frame) const;
+    [[nodiscard]] std::string_view ReadPrinted(std::string_view line, std::size_t at, LogFrame& frame) const;
+    void ReadIdentifier(std::string_view line, std::string_view text, LogFrame& frame) const;
     void ReadFrame(std::string_view line, std::string_view text, LogFrame& frame) const;
     void ReadData(std::string_view line, std::string_view text, LogFrame& frame) const;
 

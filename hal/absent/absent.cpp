@@ -66,4 +66,27 @@ void AbsentMemoryProtection::Enter(const MemoryOwner owner) noexcept
     static_cast<void>(owner);
 }
 
+std::uint32_t AbsentParameterMemory::BankBytes() const noexcept
+{
+    return 0U;
+}
+
+MemoryStatus AbsentParameterMemory::Status() noexcept
+{
+    return MemoryStatus::kFailed;
+}
+
+void AbsentParameterMemory::Erase(const MemoryBank /*bank*/) noexcept
+{
+}
+
+void AbsentParameterMemory::Program(const MemorySection& /*section*/, const std::uint8_t* const /*from*/) noexcept
+{
+}
+
+bool AbsentParameterMemory::Read(const MemorySection& /*section*/, std::uint8_t* const /*to*/) noexcept
+{
+    return false;
+}
+
 } // namespace counterpoint::hal

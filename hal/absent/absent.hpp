@@ -4,6 +4,7 @@
 
 #include "hal/api/can_ports.hpp"
 #include "hal/api/memory_protection.hpp"
+#include "hal/api/parameter_memory.hpp"
 #include "hal/api/safety_output.hpp"
 #include "hal/api/watchdog.hpp"
 
@@ -56,6 +57,18 @@ class AbsentMemoryProtection final : public MemoryProtection
   public:
     [[nodiscard]] ProtectStatus Protect(const MemoryRegion& region) noexcept override;
     void Enter(MemoryOwner owner) noexcept override;
+};
+
+/// No parameter memory: no bytes, every operation has failed, nothing can be read. 1010h answers with an error, and
+/// nothing is ever loaded. [SRS-HAL-016]
+class AbsentParameterMemory final : public ParameterMemory
+{
+  public:
+    [[nodiscard]] std::uint32_t BankBytes() const noexcept override;
+    [[nodiscard]] MemoryStatus Status() noexcept override;
+    void Erase(MemoryBank bank) noexcept override;
+    void Program(const MemorySection& section, const std::uint8_t* from) noexcept override;
+    [[nodiscard]] bool Read(const MemorySection& section, std::uint8_t* to) noexcept override;
 };
 
 } // namespace counterpoint::hal

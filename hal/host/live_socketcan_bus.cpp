@@ -345,7 +345,8 @@ bool LiveSocketCanBus::Receive(LiveFrame& frame)
             ++counts_.malformed;
             continue;
         }
-        frame.time_ns = arrival.time_ns;
+        const bool has_stamp = arrival.hardware_ns != 0U;
+        frame.time_ns = has_stamp ? clock_.Map(arrival.hardware_ns, arrival.time_ns) : arrival.time_ns;
         frame.own = (arrival.flags & MSG_CONFIRM) != 0;
         if (frame.error)
         {

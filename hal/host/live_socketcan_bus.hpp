@@ -4,6 +4,7 @@
 
 #include "hal/host/live_address.hpp"
 #include "hal/host/live_bus.hpp"
+#include "hal/host/live_hardware_clock.hpp"
 #include "hal/host/live_link.hpp"
 #include "hal/host/live_poll.hpp"
 #include "hal/host/live_send_queue.hpp"
@@ -60,6 +61,7 @@ class LiveSocketCanBus final : public LiveBus
     LiveFile socket_;
     LiveLink link_{};
     LivePoll poll_{};
+    HardwareClock clock_{};
     LiveSendQueue queue_{};
     int index_{0};
     BusState state_{BusState::kDown};

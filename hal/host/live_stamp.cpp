@@ -3,9 +3,11 @@
 
 #include "hal/host/live_bus.hpp"
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <ctime>
+#include <linux/net_tstamp.h>
 
 namespace counterpoint::host
 {
@@ -27,7 +29,19 @@ std::uint64_t WallNow()
     return NanosecondsOf(now);
 }
 
-void ReadControl(msghdr& message, LiveArrival& arrival)
+} // namespace
+
+void RequestStamps(const int socket)
+{
+    // Without them a frame has the time of its reading: later, but no less monotonic.
+    const int on = 1;
+    static_cast<void>(::setsockopt(socket, SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof(on)));
+    const int hardware = SOF_TIMESTAMPING_RX_HARDWARE | SOF_TIMESTAMPING_RAW_HARDWARE;
+    static_cast<void>(::setsockopt(socket, SOL_SOCKET, SO_TIMESTAMPING, &hardware, sizeof(hardware)));
+    static_cast<void>(::setsockopt(socket, SOL_SOCKET, SO_RXQ_OVFL, &on, sizeof(on)));
+}
+
+void ReadStamps(msghdr& message, LiveArrival& arrival)
 {
     for (cmsghdr* item = CMSG_FIRSTHDR(&message); item != nullptr; item = CMSG_NXTHDR(&message, item))
     {
@@ -41,21 +55,17 @@ void ReadControl(msghdr& message, LiveArrival& arrival)
             std::memcpy(&stamp, CMSG_DATA(item), sizeof(stamp));
             arrival.time_ns = MonotonicStamp(NanosecondsOf(stamp), WallNow(), arrival.time_ns);
         }
+        else if (item->cmsg_type == SO_TIMESTAMPING)
+        {
+            std::array<timespec, 3U> stamps{}; // System, one that nobody fills in any more, hardware.
+            std::memcpy(stamps.data(), CMSG_DATA(item), sizeof(stamps));
+            arrival.hardware_ns = NanosecondsOf(stamps[2U]);
+        }
         else if (item->cmsg_type == SO_RXQ_OVFL)
         {
             std::memcpy(&arrival.dropped, CMSG_DATA(item), sizeof(arrival.dropped));
         }
     }
-}
-
-} // namespace
-
-void RequestStamps(const int socket)
-{
-    // Without them a frame has the time of its reading: later, but no less monotonic.
-    const int on = 1;
-    static_cast<void>(::setsockopt(socket, SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof(on)));
-    static_cast<void>(::setsockopt(socket, SOL_SOCKET, SO_RXQ_OVFL, &on, sizeof(on)));
 }
 
 LiveArrival ReadStamped(const int socket, void* const bytes, const std::size_t room)
@@ -76,7 +86,7 @@ LiveArrival ReadStamped(const int socket, void* const bytes, const std::size_t r
     }
     arrival.flags = message.msg_flags;
     arrival.time_ns = LiveNow();
-    ReadControl(message, arrival);
+    ReadStamps(message, arrival);
     return arrival;
 }
 

@@ -12,17 +12,21 @@ namespace counterpoint::host
 /// What the system told besides the bytes of a datagram.
 struct LiveArrival
 {
-    std::ptrdiff_t count{-1};  ///< Bytes; below 0: nothing came, `failure` says why.
-    int failure{0};            ///< errno.
-    int flags{0};              ///< MSG_CONFIRM, MSG_TRUNC and the like.
-    std::uint64_t time_ns{0U}; ///< CLOCK_MONOTONIC.
-    std::uint32_t dropped{0U}; ///< Datagrams dropped by the system since the socket was opened; 0: not told.
+    std::ptrdiff_t count{-1};      ///< Bytes; below 0: nothing came, `failure` says why.
+    int failure{0};                ///< errno.
+    int flags{0};                  ///< MSG_CONFIRM, MSG_TRUNC and the like.
+    std::uint64_t time_ns{0U};     ///< CLOCK_MONOTONIC.
+    std::uint64_t hardware_ns{0U}; ///< Of the controller, in its own time; 0: its driver gives none.
+    std::uint32_t dropped{0U};     ///< Datagrams dropped by the system since the socket was opened; 0: not told.
 };
 
-/// @brief Asks the system for stamps (nanoseconds) and counts of dropped datagrams with each datagram.
+/// @brief Asks the system for stamps (nanoseconds, of the hardware too) and counts of dropped datagrams with each
+/// datagram.
 void RequestStamps(int socket);
 /// @brief Reads one datagram without blocking.
 [[nodiscard]] LiveArrival ReadStamped(int socket, void* bytes, std::size_t room);
+/// @brief Takes what the system says of a datagram that was read at `arrival.time_ns`. [SRS-LIVE-002, SRS-LIVE-057]
+void ReadStamps(msghdr& message, LiveArrival& arrival);
 /// @brief A stamp of the wall clock as one of the monotonic clock: what counts is its age, `wall_now_ns - stamp_ns`. An
 /// age below 0 or above ten seconds is one of a clock that was set meanwhile, and gives `monotonic_now_ns`.
 /// [SRS-LIVE-002]

@@ -201,6 +201,20 @@ TEST_F(NodeServicesTest, WithoutANodeIdThereIsOnlyLssAndThenANode)
     std::remove(store.c_str());
 }
 
+TEST_F(NodeServicesTest, APdoThatDoesNotHoldIsTold)
+{
+    Verifies(req::SRS_NODE_017);
+    const std::string file =
+        File("pdo.dcf", Replaced(TextOf(kPlain), "DefaultValue=0x20000008", "DefaultValue=0x20010008"));
+    NodeProcess node({"--dcf", file, "--cycle-us", std::to_string(kCycleUs)});
+    const auto is_told = [](const nlohmann::json& event)
+    {
+        return event["event"] == "refused" && event["text"].get<std::string>().find(
+                                                  "0x1800:01: the device has turned this PDO off") != std::string::npos;
+    };
+    EXPECT_TRUE(node.Tells(is_told, 5000));
+}
+
 TEST_F(NodeServicesTest, InverseFramesHaveAControllerOfTheirOwn)
 {
     Verifies(req::SRS_NODE_014);

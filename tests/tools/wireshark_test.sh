@@ -52,6 +52,10 @@ cat >"$folder/planted.log" <<'TEXT'
 (0000000001.300900) can0 17F#01
 (0000000001.301000) can0 180#FE
 (0000000001.301100) can0 181#FE
+(0000000001.301200) can0 001#R
+(0000000001.301300) can0 001##0
+(0000000001.400000) can0 103#01
+(0000000001.399000) can0 104#FE
 TEXT
 cat >"$folder/expected" <<'TEXT'
 1 SRDO 101h normal
@@ -77,15 +81,17 @@ cat >"$folder/expected" <<'TEXT'
 22 SRDO 101h normal [remote frame: nobody counts it]
 25 SRDO 17Fh normal
 26 SRDO 180h inverse of frame 25, 0.100 ms
+30 SRDO 103h normal
+31 SRDO 104h inverse of frame 30, -1.000 ms [its time is before that of the normal frame]
 TEXT
 show -o srdo.sct:50 -r "$folder/planted.log" -Y "srdo or gfc" -T fields -E separator=/s -e frame.number -e _ws.col.Info >"$folder/found"
 expect "Information column" "$folder/expected"
 
 # Each violation is an expert information; limits of single pairs, and none.
-echo "6 8 9 11 14 16 18 22" >"$folder/expected"
+echo "6 8 9 11 14 16 18 22 31" >"$folder/expected"
 show -o srdo.pairs:"101:50/20" -r "$folder/planted.log" -Y "srdo.expert" -T fields -e frame.number | tr '\n' ' ' | sed 's/ $/\n/' >"$folder/found"
 expect "Expert information" "$folder/expected"
-echo "8 9 11 14 16 22" >"$folder/expected"
+echo "8 9 11 14 16 22 31" >"$folder/expected"
 show -o srdo.srvt:0 -r "$folder/planted.log" -Y "srdo.expert" -T fields -e frame.number | tr '\n' ' ' | sed 's/ $/\n/' >"$folder/found"
 expect "No limits" "$folder/expected"
 

@@ -119,7 +119,9 @@ local function take_inverse(state, result, frame, srvt)
             note(result, "not inverse")
         end
     end
-    if srvt > 0 and time > srvt * 1000 then
+    if time < 0 then
+        note(result, "its time is before that of the normal frame")
+    elseif srvt > 0 and time > srvt * 1000 then
         note(result, string.format("SRVT: %.3f ms after the normal frame, limit %d ms", time / 1000, srvt))
     end
     result.valid = #result.violations == 0
@@ -204,9 +206,10 @@ function srdo.dissector(buffer, pinfo, root)
     return buffer:len()
 end
 
--- Only without data it is the command.
+-- Only a plain frame without data is the command.
 function gfc.dissector(buffer, pinfo, root)
-    if buffer:len() > 0 then
+    local remote = can_remote()
+    if buffer:len() > 0 or can_fd() ~= nil or (remote ~= nil and remote.value) then
         return 0
     end
     root:add(gfc, buffer())

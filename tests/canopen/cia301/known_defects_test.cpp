@@ -57,6 +57,42 @@ TEST_F(KnownDefects, TheCommandIsReadBeforeTheLengthIsKnown)
     EXPECT_EQ(slave.State(), NodeState::kOperational);
 }
 
+TEST_F(KnownDefects, GfcAndTheFlyingMasterAreTakenForNmtCommands)
+{
+    Verifies(req::SRS_NMT_004);
+    // 001h to 07Fh, GFC (001h), 071h to 076h and 07Fh among them, with what would be a stop
+    for (std::uint32_t identifier = 0x001U; identifier <= 0x07FU; ++identifier)
+    {
+        slave.OnFrame(FrameOf(identifier, {2U, 5U}));
+        slave.OnFrame(FrameOf(identifier, {2U, 0U}));
+    }
+    EXPECT_EQ(slave.State(), NodeState::kOperational);
+}
+
+TEST_F(KnownDefects, OneEmergencyStandsForAllMonitoredNodes)
+{
+    Verifies(req::SRS_ERR_003);
+    errors.OnHeartbeat(NodeId{7U}, HeartbeatEvent::kLost, 5U);
+    errors.OnHeartbeat(NodeId{8U}, HeartbeatEvent::kLost, 5U);
+    EXPECT_EQ(emergency.History(0U).value, 2U);
+    // One that comes back does not take the other's error away
+    errors.OnHeartbeat(NodeId{7U}, HeartbeatEvent::kStarted, 5U);
+    EXPECT_EQ(emergency.Register(), 0x11U);
+    errors.OnHeartbeat(NodeId{8U}, HeartbeatEvent::kStarted, 5U);
+    EXPECT_EQ(emergency.Register(), 0x00U);
+}
+
+TEST_F(KnownDefects, AStartUpObjectThatIsNotThereStartsTheNode)
+{
+    Verifies(req::SRS_NMT_005);
+    NmtSlave without{NodeId{5U}, StartUp{false, 0U}};
+    for (int step = 0; step < 3; ++step)
+    {
+        static_cast<void>(without.Advance());
+    }
+    EXPECT_EQ(without.State(), NodeState::kPreOperational);
+}
+
 TEST_F(KnownDefects, ABootUpIsLostIfAHeartbeatFollowsInTheSameCycle)
 {
     Verifies(req::SRS_HB_005);

@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia301/parameter_store.hpp"
+#include "hal/absent/absent.hpp"
 #include "tests/canopen/cia301/cut_memory.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -352,6 +353,26 @@ TEST_F(ParameterStoreTest, UnknownItemsAreCounted)
     EXPECT_EQ(report.loaded, 6U);
     EXPECT_EQ(report.refused, 1U);
     EXPECT_EQ(part.loads, 2);
+}
+
+TEST(ParameterStoreWithoutMemory, SavesAndLoadsNothing)
+{
+    Verifies(req::SRS_HAL_016);
+    hal::AbsentParameterMemory memory{};
+    ListPart part{};
+    std::array<StoredPart*, 1> parts{&part};
+    std::array<std::uint8_t, 64> scratch{};
+    ParameterStore store{StoreParts{memory, parts.data(), 1U, Room{scratch.data(), 64U}}};
+    EXPECT_FALSE(store.Mount());
+    SdoAbort answer = store.Ask(kSaveAll);
+    for (int i = 0; (i < 500) && (answer == SdoAbort::kPending); ++i)
+    {
+        store.OnCycle();
+        answer = store.Ask(kSaveAll);
+    }
+    EXPECT_EQ(answer, SdoAbort::kHardware);
+    EXPECT_FALSE(store.Load(kAllGroups).is_present);
+    EXPECT_EQ(part.loads, 0);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "canopen/cia301/emergency_consumer.hpp"
 #include "canopen/cia301/heartbeat_producer.hpp"
 #include "canopen/cia301/node_guarding.hpp"
+#include "canopen/cia301/sdo_client_port.hpp"
 #include "canopen/cia301/sdo_server_port.hpp"
 #include "canopen/cia301/service_table.hpp"
 #include "canopen/cia301/time_stamp.hpp"
@@ -60,6 +61,25 @@ class Bench : public ServiceRig, public SyncListener, public EmergencyListener, 
         SdoServerPort port{server, sink, NodeId{5U}};
         port.OnFrame(FrameOf(0x605U, {0x40U, 0x00U, 0x21U, 0U, 0U, 0U, 0U, 0U}), {state, Instant{now_us}});
         return !sink.frames.empty();
+    }
+    bool ServesFurtherSdo(NodeState state)
+    {
+        dictionary.SetNmtState(NmtState::kPreOperational);
+        SdoServer server{SdoServerParts{dictionary, Room{buffer.data(), 16U}, 5000U, 127U}};
+        SdoServerPort port{server, sink, SdoServerNumber{1U}};
+        EXPECT_EQ(Write(port, 0x1201U, 1U, 0x680U), SdoAbort::kNone);
+        EXPECT_EQ(Write(port, 0x1201U, 2U, 0x6A0U), SdoAbort::kNone);
+        port.OnFrame(FrameOf(0x680U, {0x40U, 0x00U, 0x21U, 0U, 0U, 0U, 0U, 0U}), {state, Instant{now_us}});
+        return !sink.frames.empty();
+    }
+    bool AsksBySdo(NodeState state)
+    {
+        SdoClientPort port{SdoClientPortParts{sink, 0U, 5000U, 127U}};
+        EXPECT_EQ(Write(port, 0x1280U, 1U, 0x607U), SdoAbort::kNone);
+        EXPECT_EQ(Write(port, 0x1280U, 2U, 0x587U), SdoAbort::kNone);
+        EXPECT_TRUE(port.Client().StartUpload({0x1000U, 0U}, {buffer.data(), 16U}, SdoMode::kNormal, Instant{now_us}));
+        port.OnFrame(FrameOf(0x587U, {0x4FU, 0x00U, 0x10U, 0U, 1U, 0U, 0U, 0U}), {state, Instant{now_us}});
+        return port.Client().State() == SdoClientState::kDone;
     }
     bool HearsSync(NodeState state)
     {
@@ -173,6 +193,8 @@ INSTANTIATE_TEST_SUITE_P(
         ServiceRow{"RemotePdo", Service::kPdo, &Bench::AnswersPdo, {false, false, true, false}},
         ServiceRow{"ReceivePdo", Service::kPdo, &Bench::TakesPdo, {false, false, true, false}},
         ServiceRow{"Sdo", Service::kSdo, &Bench::ServesSdo, {false, true, true, false}},
+        ServiceRow{"FurtherSdo", Service::kSdo, &Bench::ServesFurtherSdo, {false, true, true, false}},
+        ServiceRow{"SdoClient", Service::kSdo, &Bench::AsksBySdo, {false, true, true, false}},
         ServiceRow{"SyncConsumer", Service::kSync, &Bench::HearsSync, {false, true, true, false}},
         ServiceRow{"SyncProducer", Service::kSync, &Bench::ProducesSync, {false, true, true, false}},
         ServiceRow{"TimeConsumer", Service::kTime, &Bench::HearsTime, {false, true, true, false}},

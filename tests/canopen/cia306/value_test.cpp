@@ -1,4 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia306/utf16.hpp"
 #include "canopen/cia306/value.hpp"
 
 #include "canopen/cia306/data_type.hpp"
@@ -200,6 +201,22 @@ TEST(Value, AProblemNamesTheRange)
               "a number from -9223372036854775808 to 9223372036854775807 (INTEGER64)");
     EXPECT_EQ(ProblemOf("x", kReal32)->expected, "a decimal fraction, or its IEEE 754 pattern after 0x (REAL32)");
     EXPECT_FALSE(ProblemOf("$NODEID+0x80", kUnsigned32));
+}
+
+TEST(Value, UnicodeStringsAreUtf16)
+{
+    Verifies(req::SRS_GEN_005);
+    using Octets = std::vector<std::uint8_t>;
+    EXPECT_EQ(Utf16Of(""), Octets{});
+    EXPECT_EQ(Utf16Of("Az"), (Octets{0x41U, 0U, 0x7AU, 0U}));
+    // A letter of two bytes, the euro sign of three, a character beyond the first plane of four
+    EXPECT_EQ(Utf16Of("\xC3\xA4"), (Octets{0xE4U, 0U}));
+    EXPECT_EQ(Utf16Of("\xE2\x82\xAC"), (Octets{0xACU, 0x20U}));
+    EXPECT_EQ(Utf16Of("\xF0\x9F\x98\x80"), (Octets{0x3DU, 0xD8U, 0x00U, 0xDEU}));
+    // Bytes that are no UTF-8 are Latin-1
+    EXPECT_EQ(Utf16Of("\xE4!"), (Octets{0xE4U, 0U, 0x21U, 0U}));
+    EXPECT_EQ(Utf16Of("\xE2\x82"), (Octets{0xE2U, 0U, 0x82U, 0U}));
+    EXPECT_EQ(Utf16Of("\xFF\xC0"), (Octets{0xFFU, 0U, 0xC0U, 0U}));
 }
 
 TEST(Value, EveryDataTypeHasItsLength)

@@ -43,6 +43,44 @@ TEST_F(DeviceServicesTest, ServicesWorkInTheStatesOfTheTable)
     EXPECT_EQ(Emergencies(), (Codes{0x6200U}));
 }
 
+// Rows SRDO and GFC of the table: in OPERATIONAL only, received and sent.
+TEST_F(DeviceServicesTest, SrdoAndGfcWorkInOperationalOnly)
+{
+    Verifies(req::SRS_DEV_010);
+    Verifies(req::SRS_NMT_006);
+    Start();
+    struct Row
+    {
+        std::uint8_t command; ///< 0: the device stays in PRE-OPERATIONAL.
+        SrdoState consumer;
+        bool is_working;
+    };
+    for (const Row& row :
+         {Row{0U, SrdoState::kOff, false}, Row{1U, SrdoState::kReleased, true}, Row{2U, SrdoState::kOff, false},
+          Row{1U, SrdoState::kReleased, true}, Row{128U, SrdoState::kOff, false}, Row{130U, SrdoState::kOff, false}})
+    {
+        if (row.command != 0U)
+        {
+            Command(row.command);
+        }
+        Cycles(5U);
+        Forget();
+        Pair();
+        Cycle(1U);
+        Pair();
+        Cycle(0U);
+        Pair();
+        Cycle(1U); // An acknowledge, where one is needed.
+        EXPECT_EQ(core.GetState({0x1301U}).state, row.consumer) << unsigned{row.command};
+        const int before = application.gfcs;
+        Frame(0x001U, {});
+        Cycles(60U);
+        EXPECT_EQ(application.gfcs - before, row.is_working ? 1 : 0) << unsigned{row.command};
+        EXPECT_EQ(Sent(0x103U).empty(), !row.is_working) << unsigned{row.command};
+        EXPECT_EQ(core.SendGfc() == Result::kSuccessful, row.is_working) << unsigned{row.command};
+    }
+}
+
 TEST_F(DeviceServicesTest, AnOpenTransferIsAbortedByStop)
 {
     Verifies(req::SRS_DEV_011);

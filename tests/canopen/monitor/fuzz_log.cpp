@@ -34,8 +34,13 @@ const monitor::Network& Chain()
 void Run(const std::string_view bytes)
 {
     std::size_t violations = 0U;
-    monitor::Analysis analysis(Chain(), [&violations](const monitor::Violation& violation)
-                               { violations += violation.watches.empty() ? 0U : 1U; });
+    // A violation is of a pair, or of a GFC.
+    monitor::Analysis analysis(Chain(),
+                               [&violations](const monitor::Violation& violation)
+                               {
+                                   const bool is_gfc = violation.breach.cause == monitor::Cause::kGfc;
+                                   violations += violation.watches.empty() == is_gfc ? 1U : 0U;
+                               });
     monitor::Decoder decoder(Chain(), analysis);
     const auto source = monitor::OpenRecording("fuzz.log", bytes, {});
     monitor::LogFrame frame;

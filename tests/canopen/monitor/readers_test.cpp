@@ -119,6 +119,33 @@ TEST(Readers, FormsOfCandump)
     EXPECT_EQ(FramesOf(two, "c").size(), 0U);
 }
 
+TEST(Readers, WhatCandumpPrintsWithTimesIsRead)
+{
+    Verifies(req::SRS_MON_002);
+    const std::vector<LogFrame> frames = AllKinds();
+    const std::string printed = " (0000000001.000000)  can0  101   [2]  12 FE\n"
+                                " (0000000001.000001)  can0  080   [0] \n"
+                                " (0000000001.000002)  can0  RX - -  7FF   [8]  01 02 03 04 05 06 07 08   '........'\n"
+                                " (0000000001.000003)  can0  TX - -  701   [1]  remote request\n"
+                                " (0000000001.000004)  can0  1FFFFFFF   [1]  09\n"
+                                " (0000000001.000005)  can0  20000004   [8]  00 04 00 00 00 00 00 00   ERRORFRAME\n"
+                                " (0000000001.000006)  can0  123  [12]  A5 A5 A5 A5 A5 A5 A5 A5 A5 A5 A5 A5\n";
+    ExpectSame(FramesOf(printed), frames);
+    for (const char* line :
+         {"  can0  101   [2]  01 02", " (1.000000)  can0  101   [3]  01 02", " (1.000000)  can0  101   [1]  01 02",
+          " (1.000000)  can0  101   [9]  01 02", " (1.000000)  can0  101  [13]  01 02",
+          " (1.000000)  can0  101   [x]  01", " (1.000000)  can0  101", " (1.000000)  can0", " (1.000000) ",
+          " (1.000000)  ", " ", " (1.000000)  can0  10   [0]", " (1.000000)  can0  101   [1]  1G",
+          " (1.000000)  can0  101   [1]  1", " (1.000000)  can0  101   [1]  01 remote request",
+          " (2023-07-19 10:07:14.123456)  can0  101   [1]  01"})
+    {
+        const std::string refusal = RefusalOf(std::string(line) + "\n");
+        EXPECT_EQ(refusal.rfind("test.log:1: error: line '", 0U), 0U) << line << ": " << refusal;
+    }
+    // Times between frames (-td) go back
+    EXPECT_NE(RefusalOf(" (000.025000)  can0  101   [1]  01\n (000.000200)  can0  102   [1]  FE\n"), "");
+}
+
 TEST(Readers, AMalformedLineIsNamed)
 {
     Verifies(req::SRS_MON_002);

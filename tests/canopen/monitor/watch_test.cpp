@@ -130,6 +130,16 @@ TEST_F(Watch, AnSrdoFollowsEachGfc)
     EXPECT_EQ(ViolationsOf(listener, {gfc}, 200000), Texts{});
 }
 
+TEST_F(Watch, ASilentBusLastsAsLongAsItIsWatched)
+{
+    Verifies(req::SRS_MON_010);
+    Analysis analysis(early, [](const Violation&) {});
+    analysis.Advance(40000 * kSecond);
+    analysis.Advance(40002 * kSecond);
+    EXPECT_EQ(analysis.Last() - analysis.First(), 2 * kSecond);
+    EXPECT_EQ(analysis.FrameCount(), 0U);
+}
+
 TEST_F(Watch, OtherFramesAreNoCandidates)
 {
     Verifies(req::SRS_MON_005);

@@ -73,5 +73,23 @@ TEST(Absent, MemoryProtectionSaysThatItIsAbsent)
     EXPECT_EQ(protection.Protect(MemoryRegion{memory, 32U, MemoryOwner::kChannelB}), ProtectStatus::kAbsent);
 }
 
+TEST(Absent, ParameterMemoryFailsAndReadsNothing)
+{
+    Verifies(req::SRS_HAL_016);
+    // Given no parameter memory
+    AbsentParameterMemory memory;
+    EXPECT_EQ(memory.BankBytes(), 0U);
+    // When something is erased, programmed and read
+    const std::uint8_t from[kProgramUnitBytes] = {1U, 2U, 3U};
+    std::uint8_t to[kProgramUnitBytes] = {9U};
+    memory.Erase(MemoryBank::kFirst);
+    EXPECT_EQ(memory.Status(), MemoryStatus::kFailed);
+    memory.Program({MemoryBank::kFirst, 0U, kProgramUnitBytes}, from);
+    // Then it has failed, and nothing was read
+    EXPECT_EQ(memory.Status(), MemoryStatus::kFailed);
+    EXPECT_FALSE(memory.Read({MemoryBank::kFirst, 0U, 3U}, to));
+    EXPECT_EQ(to[0], 9U);
+}
+
 } // namespace
 } // namespace counterpoint::hal

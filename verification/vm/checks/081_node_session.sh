@@ -1,5 +1,5 @@
 # A client of other origin walks the whole dictionary of a live device on vcan0: transfers, NMT, partners, PDO, safety
-# Needs: build/product/tools/counterpoint tests/tools/data/everything.dcf tests/tools/node_client.py tests/tools/node_bus.py
+# Needs: build/product/tools/counterpoint tests/tools/data/everything.dcf tests/tools/node_client.py tests/tools/node_client_safety.py tests/tools/node_bus.py
 # Requirements: SRS-NODE-010
 # Seconds: 240
 . /lib.sh

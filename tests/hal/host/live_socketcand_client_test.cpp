@@ -1,0 +1,140 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// The client of the socketcand protocol, with servers that the test makes.
+#include "hal/host/live_socketcand_server.hpp"
+#include "tests/hal/host/live_rig.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <arpa/inet.h>
+#include <atomic>
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <thread>
+#include <unistd.h>
+
+namespace counterpoint::host
+{
+namespace
+{
+
+// Given no server, a host that is none, and a server that says nothing of the protocol, then one sentence says so.
+TEST(SocketcandClientTest, SaysWhatItCannotReach)
+{
+    Verifies(req::SRS_LIVE_051);
+    const int listener = ::socket(AF_INET, SOCK_STREAM, 0);
+    sockaddr_in own{};
+    own.sin_family = AF_INET;
+    own.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t bytes = sizeof(own);
+    ASSERT_EQ(::bind(listener, reinterpret_cast<sockaddr*>(&own), sizeof(own)), 0);
+    ASSERT_EQ(::getsockname(listener, reinterpret_cast<sockaddr*>(&own), &bytes), 0);
+    const std::string port = std::to_string(ntohs(own.sin_port));
+    const std::string address = "socketcand:127.0.0.1:" + port + "/can0";
+    const auto problem = [&address] { return ProblemOf([&address] { static_cast<void>(OpenLiveBus(address)); }); };
+    EXPECT_EQ(problem(),
+              "bus '" + address + "': Connection refused, expected a socketcand server at 127.0.0.1 port " + port);
+    ASSERT_EQ(::listen(listener, 1), 0);
+    const std::uint64_t start_ns = LiveNow();
+    EXPECT_EQ(problem(), "bus '" + address + "': the server said nothing for 3 s, expected the socketcand protocol");
+    EXPECT_LT(LiveNow() - start_ns, 10'000'000'000U);
+    static_cast<void>(::close(listener));
+}
+
+/// A server by others, of which the test says what it says. It knows no ownmode.
+class ForeignServer
+{
+  public:
+    ForeignServer() : listener_{::socket(AF_INET, SOCK_STREAM, 0)}
+    {
+        sockaddr_in own{};
+        own.sin_family = AF_INET;
+        own.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        socklen_t bytes = sizeof(own);
+        EXPECT_EQ(::bind(listener_, reinterpret_cast<sockaddr*>(&own), sizeof(own)), 0);
+        EXPECT_EQ(::getsockname(listener_, reinterpret_cast<sockaddr*>(&own), &bytes), 0);
+        EXPECT_EQ(::listen(listener_, 1), 0);
+        address_ = "socketcand:127.0.0.1:" + std::to_string(ntohs(own.sin_port)) + "/can0";
+        // What a client waits for can be said before it asks.
+        thread_ = std::thread{[this]
+                              {
+                                  connection_ = ::accept(listener_, nullptr, nullptr);
+                                  Say("< hi >< ok >< ok >< frame 001 1.0 AA >< error unknown command >");
+                              }};
+    }
+    ~ForeignServer()
+    {
+        Close();
+        static_cast<void>(::close(listener_));
+    }
+    ForeignServer(const ForeignServer&) = delete;
+    ForeignServer& operator=(const ForeignServer&) = delete;
+    [[nodiscard]] std::unique_ptr<LiveBus> Open()
+    {
+        std::unique_ptr<LiveBus> bus = OpenLiveBus(address_);
+        thread_.join();
+        return bus;
+    }
+    void Say(const std::string& text) const
+    {
+        static_cast<void>(::send(connection_, text.data(), text.size(), MSG_NOSIGNAL));
+    }
+    void Close()
+    {
+        if (connection_ >= 0)
+        {
+            static_cast<void>(::close(connection_));
+            connection_ = -1;
+        }
+    }
+
+  private:
+    int listener_;
+    int connection_{-1};
+    std::string address_;
+    std::thread thread_;
+};
+
+// Given a server without ownmode, then a frame that came during the greeting is not lost, a sent frame is own when the
+// echo behind it is answered and not before, and what is malformed is counted.
+TEST(SocketcandClientTest, ConfirmsByEchoWhereTheServerTellsNoOwnFrames)
+{
+    Verifies(req::SRS_LIVE_052);
+    ForeignServer server;
+    const auto bus = server.Open();
+    EXPECT_EQ(Wait(*bus)->identifier, 1U);
+    ASSERT_EQ(bus->Send(Live(0x123U, {7U})), SendResult::kSent);
+    ASSERT_EQ(bus->Send(Live(0x124U, {})), SendResult::kSent);
+    server.Say("< frame 002 1.0 >< nonsense >< echo >< error 040 1.0 >");
+    EXPECT_EQ(Wait(*bus)->identifier, 2U);
+    const std::optional<LiveFrame> own = Wait(*bus);
+    ASSERT_TRUE(own);
+    EXPECT_TRUE(own->own);
+    EXPECT_EQ(own->identifier, 0x123U);
+    EXPECT_EQ(own->data[0], 7U);
+    EXPECT_TRUE(Wait(*bus)->error);
+    EXPECT_EQ(bus->Health().state, BusState::kBusOff);
+    EXPECT_EQ(bus->Health().bus_offs, 1U);
+    EXPECT_EQ(bus->Health().malformed, 1U);
+}
+
+// Given a connection that ends, then Receive has nothing, Send answers kDown, and Descriptor is quiet afterwards.
+TEST(SocketcandClientTest, SeesThatTheConnectionEnds)
+{
+    Verifies(req::SRS_LIVE_055);
+    ForeignServer server;
+    const auto bus = server.Open();
+    ASSERT_TRUE(Wait(*bus));
+    server.Close();
+    pollfd wait{bus->Descriptor(), POLLIN, 0};
+    EXPECT_EQ(::poll(&wait, 1U, 10'000), 1);
+    LiveFrame none;
+    while (bus->Health().state != BusState::kDown)
+    {
+        ASSERT_FALSE(bus->Receive(none));
+    }
+    EXPECT_EQ(bus->Send(Live(1U, {})), SendResult::kDown);
+    EXPECT_EQ(::poll(&wait, 1U, 0), 0);
+}
+
+} // namespace
+} // namespace counterpoint::host
