@@ -2,7 +2,7 @@
 # First process of the virtual machine: loads the modules, runs the checks one after the other, reports to the second
 # serial line, switches off.
 /bin/busybox --install -s /bin
-export PATH=/tools:/python/bin:/bin PYTHONHOME=/python PYTHONDONTWRITEBYTECODE=1 HOME=/tmp
+export PATH=/tools:/python/bin:/bin PYTHONHOME=/python PYTHONPATH=/python/packages PYTHONDONTWRITEBYTECODE=1 HOME=/tmp
 mount -t proc none /proc
 mount -t sysfs none /sys
 mount -t devtmpfs none /dev

@@ -16,7 +16,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 BUILD = ROOT / "build/vm"
 # Loaded at boot, with what they need.
-MODULES = ["vcan", "vxcan", "can-raw", "can-gw", "kvaser_pci", "usb_8dev", "vhci-hcd", "slcan"]
+MODULES = ["vcan", "vxcan", "can-raw", "can-bcm", "can-gw", "kvaser_pci", "usb_8dev", "vhci-hcd", "slcan"]
 # Packages that a check may import, with what they import.
 PYTHON_PACKAGES = ["canopen", "can", "packaging", "typing_extensions.py", "wrapt"]
 TOOLS = ["ip"]
@@ -99,7 +99,7 @@ def modules(folder, release, names):
 
 
 def place_python(root, python):
-    """The interpreter, its library and the packages, under /python."""
+    """The interpreter, its library and the packages, under /python; guest_init.sh says where the packages are."""
     asked = "import os, sys, sysconfig; print(os.path.realpath(sys._base_executable)); print(sysconfig.get_paths()['stdlib']);" \
             "print(sysconfig.get_paths()['purelib']); print('%d.%d' % sys.version_info[:2])"
     program, library, packages, version = output_of([python, "-c", asked]).split()
@@ -110,17 +110,19 @@ def place_python(root, python):
     for extension in target.glob("lib-dynload/*.so"):
         for needed in libraries(extension):
             place(needed, root / str(needed).lstrip("/"))
+    # A folder of their own: where an interpreter looks by itself differs from Debian's to others.
+    own = root / "python/packages"
+    own.mkdir(parents=True)
     for name in PYTHON_PACKAGES:
         source = pathlib.Path(packages) / name
         if not source.exists():
             raise CannotMake(f"{source} is not there, expected the packages of requirements.txt in .venv")
         if source.is_dir():
-            shutil.copytree(source, target / "site-packages" / name, ignore=LEFT_OUT, dirs_exist_ok=True)
+            shutil.copytree(source, own / name, ignore=LEFT_OUT)
         else:
-            (target / "site-packages").mkdir(exist_ok=True)
-            shutil.copy2(source, target / "site-packages" / name)
+            shutil.copy2(source, own / name)
     # Compiled here, because the emulated machine takes seconds for it.
-    output_of([program, "-m", "compileall", "-q", "-s", str(root), "-p", "/", str(target)])
+    output_of([program, "-m", "compileall", "-q", "-s", str(root), "-p", "/", str(target), str(own)])
 
 
 def archive(folder, path):
