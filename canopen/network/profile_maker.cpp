@@ -57,9 +57,11 @@ std::uint32_t MappedBits(const Device& device, const std::uint8_t node_id, const
     return bits;
 }
 
-/// Guard time and life time factor: as the file says, else as the heartbeat has them.
-void FillGuard(const SlavePlan& plan, const SlaveSetup& setup, El6751Slave& slave)
+/// Guard time and life time factor: as the file says, else as the heartbeat has them. A device that is known to have no
+/// 1016h would abort that row: it is supervised by its heartbeat all the same, as the setup says.
+void FillGuard(const SlavePlan& plan, const Device& device, const SlaveSetup& setup, El6751Slave& slave)
 {
+    const bool has_consumer = device.objects.empty() || device.Find(0x1016U, 1U) != nullptr;
     const std::uint32_t producer_ms = setup.heartbeat.producer_ms;
     const std::uint32_t consumer_ms = std::max<std::uint32_t>(setup.heartbeat.consumer_ms, producer_ms);
     if (plan.guard_ms)
@@ -67,7 +69,7 @@ void FillGuard(const SlavePlan& plan, const SlaveSetup& setup, El6751Slave& slav
         slave.guard_time_ms = *plan.guard_ms;
         slave.life_time_factor = plan.retry_factor.value_or(0U);
     }
-    else if (producer_ms > 0U)
+    else if (producer_ms > 0U && has_consumer)
     {
         const std::uint32_t factor = (consumer_ms + producer_ms - 1U) / producer_ms;
         slave.guard_time_ms = static_cast<std::uint16_t>(producer_ms);
@@ -132,7 +134,7 @@ void FillEl6751(const SlavePlan& plan, const Device& device, ProfileSlave& slave
                                  {std::to_string(slave.rx_pdos.size() + slave.tx_pdos.size()) + " PDOs that are on",
                                   "at most " + std::to_string(kMostPdos) + " with the EL6751 start-up"});
     }
-    FillGuard(plan, setup, slave.el6751);
+    FillGuard(plan, device, setup, slave.el6751);
     slave.el6751.rx_pdos = slave.rx_pdos.data();
     slave.el6751.rx_count = static_cast<std::uint8_t>(slave.rx_pdos.size());
     slave.el6751.tx_pdos = slave.tx_pdos.data();

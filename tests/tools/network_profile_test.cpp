@@ -24,7 +24,8 @@ NodeID=5
 SupportedObjects=1
 1=0x1000
 [OptionalObjects]
-SupportedObjects=10
+SupportedObjects=11
+11=0x1016
 1=0x1006
 2=0x1017
 3=0x1400
@@ -48,6 +49,20 @@ ParameterName=Period
 DataType=0x0007
 AccessType=rw
 ParameterValue=9999
+[1016]
+ParameterName=Consumer heartbeat time
+ObjectType=0x8
+SubNumber=2
+[1016sub0]
+ParameterName=Entries
+DataType=0x0005
+AccessType=const
+DefaultValue=1
+[1016sub1]
+ParameterName=Entry
+DataType=0x0007
+AccessType=rw
+DefaultValue=0
 [1017]
 ParameterName=Producer heartbeat time
 DataType=0x0006
@@ -135,6 +150,22 @@ TEST_F(NetworkProfileTest, El6751TakesPdosThatAreOnAndTheTimesOfTheHeartbeat)
               (std::vector<std::uint32_t>{0x140101U, 0x140102U, 0x140105U, 0x140101U, 0x180101U, 0x180102U, 0x180105U,
                                           0x180101U, 0x200000U}));
     EXPECT_TRUE(cia302::NeedsSync(net.Setup()));
+}
+
+TEST_F(NetworkProfileTest, WithoutA1016hTheHeartbeatIsAFurtherObjectAndSupervisedAllTheSame)
+{
+    Verifies(req::SRS_ELM_051);
+    const std::string text = kDcf;
+    const std::size_t begin = text.find("[1016]");
+    std::string without = text.substr(0U, begin) + text.substr(text.find("[1017]"));
+    without.replace(without.find("SupportedObjects=11\n11=0x1016"), 29U, "SupportedObjects=2");
+    without.erase(without.find("3=0x1400"), without.find("[ManufacturerObjects]") - without.find("3=0x1400"));
+    static_cast<void>(File("io.dcf", without));
+    const LoadedNetwork net(ReadNetworkFile(Net("  profile: el6751\n", "    consumer: 250 ms\n"), 0U));
+    const cia302::SlaveSetup& setup = net.Setup().slaves[5];
+    EXPECT_EQ(setup.el6751->guard_time_ms, 0U);
+    EXPECT_EQ(setup.heartbeat.consumer_ms, 250U);
+    EXPECT_EQ(Keys(setup.concise_dcf), (std::vector<std::uint32_t>{0x101700U, 0x200000U}));
 }
 
 TEST_F(NetworkProfileTest, APdoWhoseMappingChangesKeepsItsWholeSequence)

@@ -56,7 +56,13 @@ TEST_P(Elections, FailoverInTheComputedCycle)
 TEST_P(Elections, SeededOfUpTo127)
 {
     Verifies(req::SRS_FLY_025);
-    ExpectGood(Seeded(GetParam(), 1U, 0U, 100U, 127U), 150U);
+    ExpectGood(Seeded(GetParam(), 1U, 0U, 100U, Crowd::kUpTo, 127U), 150U);
+}
+
+TEST_P(Elections, SeededOf127)
+{
+    Verifies(req::SRS_FLY_025);
+    ExpectGood(Seeded(GetParam(), 2U, 0U, 50U, Crowd::kExactly, 127U), 75U);
 }
 
 TEST_P(Elections, ALimitThatIsNotKeptIsAFailure)

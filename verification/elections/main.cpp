@@ -23,6 +23,7 @@ struct Options
     std::uint32_t seed{1U};
     std::uint32_t first{0U};
     std::uint32_t greatest{127U};
+    bool up_to{false};
     bool whole{false};
     bool seeded_only{false};
     std::string preset{"both"};
@@ -64,18 +65,20 @@ void PrintHistogram(const Tally& tally)
 
 std::uint64_t RunSeeded(const Preset preset, const std::string& name, const Options& options)
 {
+    const Crowd crowd = options.up_to ? Crowd::kUpTo : Crowd::kExactly;
     constexpr std::uint32_t kChunk = 1000U;
     Tally tally{};
     for (std::uint32_t done = 0U; done < options.runs; done += kChunk)
     {
         const std::uint32_t count = std::min(kChunk, options.runs - done);
-        tally.Add(Seeded(preset, options.seed, options.first + done, count, options.greatest));
+        tally.Add(Seeded(preset, options.seed, options.first + done, count, crowd, options.greatest));
         if (isatty(STDERR_FILENO) != 0)
         {
             std::fprintf(stderr, "\r%u of %u seeded runs", done + count, options.runs);
         }
     }
-    return Print(name + ", seed " + std::to_string(options.seed) + ", up to " + std::to_string(options.greatest),
+    return Print(name + ", seed " + std::to_string(options.seed) + (options.up_to ? ", up to " : ", ") +
+                     std::to_string(options.greatest) + " masters",
                  tally);
 }
 
@@ -127,7 +130,8 @@ int main(int argc, char** argv)
     app.add_option("--runs", options.runs, "Seeded runs of each preset")->check(CLI::Range(1U, 100'000'000U));
     app.add_option("--seed", options.seed, "Seed");
     app.add_option("--first", options.first, "Number of the first seeded run, to repeat one");
-    app.add_option("--masters", options.greatest, "Greatest number of masters")->check(CLI::Range(2U, 127U));
+    app.add_option("--masters", options.greatest, "Number of masters in a seeded run")->check(CLI::Range(2U, 127U));
+    app.add_flag("--up-to", options.up_to, "Seeded runs with 2 up to so many masters");
     app.add_option("--preset", options.preset, "default, so1114 or both")
         ->check(CLI::IsMember({"default", "so1114", "both"}));
     app.add_flag("--whole", options.whole, "3 and 4 masters with the loss of each frame for each receiver too");

@@ -17,9 +17,10 @@ using simulator::Random;
 class SeededRun
 {
   public:
-    SeededRun(const Preset preset, const std::uint32_t seed, const std::uint32_t number, const std::size_t greatest)
+    SeededRun(const Preset preset, const std::uint32_t seed, const std::uint32_t number, const Crowd crowd,
+              const std::size_t greatest)
         : random_((static_cast<std::uint64_t>(seed) << 32U) | number), plan_(DrawPlan(preset)), world_(plan_),
-          masters_(DrawMasters(greatest)), bound_(BoundOf(masters_, plan_.bit_us))
+          masters_(DrawMasters(crowd, greatest)), bound_(BoundOf(masters_, plan_.bit_us))
     {
     }
 
@@ -55,11 +56,11 @@ class SeededRun
         return plan;
     }
 
-    std::vector<MasterPlan> DrawMasters(const std::size_t greatest)
+    std::vector<MasterPlan> DrawMasters(const Crowd crowd, const std::size_t greatest)
     {
         std::vector<std::uint8_t> nodes(cia302::kLastNode);
         std::iota(nodes.begin(), nodes.end(), std::uint8_t{1U});
-        const bool is_full = random_.Below(4U) == 0U;
+        const bool is_full = (crowd == Crowd::kExactly) || (random_.Below(4U) == 0U);
         const std::size_t count = is_full ? greatest : (2U + random_.Below(static_cast<std::uint32_t>(greatest - 1U)));
         constexpr std::uint32_t kWindows[4] = {1U, 1000U, 20'000U, 6'000'000U};
         const std::uint32_t window = kWindows[random_.Below(4U)];
@@ -138,7 +139,7 @@ class SeededRun
 } // namespace
 
 Tally Seeded(const Preset preset, const std::uint32_t seed, const std::uint32_t first, const std::uint32_t count,
-             const std::size_t greatest)
+             const Crowd crowd, const std::size_t greatest)
 {
     const auto run_part = [&](const std::size_t part, const std::size_t parts)
     {
@@ -147,7 +148,7 @@ Tally Seeded(const Preset preset, const std::uint32_t seed, const std::uint32_t 
         {
             const std::uint32_t number = first + static_cast<std::uint32_t>(i);
             Tally run{};
-            SeededRun(preset, seed, number, greatest).Run(run);
+            SeededRun(preset, seed, number, crowd, greatest).Run(run);
             if (run.failures > 0U)
             {
                 run.first_failure = "run " + std::to_string(number) + ": " + run.first_failure;

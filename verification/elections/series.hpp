@@ -82,8 +82,15 @@ enum class Losses : std::uint8_t
 [[nodiscard]] Tally Splits(Preset preset, std::size_t count, Losses losses);
 /// @brief The active one of 2 to 4 masters fails at each ms of its heartbeat's period. [SRS-FLY-026]
 [[nodiscard]] Tally Failovers(Preset preset);
-/// @brief Runs `first` to `first` + `count` - 1 of a seed, up to `greatest` masters. [SRS-FLY-025]
-[[nodiscard]] Tally Seeded(Preset preset, std::uint32_t seed, std::uint32_t first, std::uint32_t count,
+/// How many masters a seeded run has.
+enum class Crowd : std::uint8_t
+{
+    kExactly = 0U, ///< As many as told.
+    kUpTo = 1U,    ///< 2 up to as many as told.
+};
+
+/// @brief Runs `first` to `first` + `count` - 1 of a seed, with `greatest` masters or up to as many. [SRS-FLY-025]
+[[nodiscard]] Tally Seeded(Preset preset, std::uint32_t seed, std::uint32_t first, std::uint32_t count, Crowd crowd,
                            std::size_t greatest);
 
 } // namespace counterpoint::elections

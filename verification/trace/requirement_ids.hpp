@@ -469,6 +469,8 @@ inline constexpr RequirementId SRS_MGR_009{"SRS-MGR-009"};
 inline constexpr RequirementId SRS_MGR_010{"SRS-MGR-010"};
 inline constexpr RequirementId SRS_MGR_011{"SRS-MGR-011"};
 inline constexpr RequirementId SRS_MGR_012{"SRS-MGR-012"};
+inline constexpr RequirementId SRS_MGR_013{"SRS-MGR-013"};
+inline constexpr RequirementId SRS_MGR_014{"SRS-MGR-014"};
 inline constexpr RequirementId SRS_MON_001{"SRS-MON-001"};
 inline constexpr RequirementId SRS_MON_002{"SRS-MON-002"};
 inline constexpr RequirementId SRS_MON_003{"SRS-MON-003"};

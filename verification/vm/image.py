@@ -16,7 +16,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 BUILD = ROOT / "build/vm"
 # Loaded at boot, with what they need.
-MODULES = ["vcan", "vxcan", "can-raw", "can-gw", "kvaser_pci", "usb_8dev", "vhci-hcd", "slcan"]
+MODULES = ["vcan", "vxcan", "can-raw", "can-bcm", "can-gw", "kvaser_pci", "usb_8dev", "vhci-hcd", "slcan"]
 # Packages that a check may import, with what they import.
 PYTHON_PACKAGES = ["canopen", "can", "packaging", "typing_extensions.py", "wrapt"]
 TOOLS = ["ip"]
