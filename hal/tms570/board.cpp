@@ -127,6 +127,7 @@ StepResult Board::DoLogicTest() noexcept
 StepResult Board::PlanTheWatchdog(const BoardSetup& setup) noexcept
 {
     watchdog_plan_ = PlanWatchdog(setup.watchdog, RtiClock{setup.variant.clocks.rti_mhz}, setup.latest_open_us);
+    watchdog_plan_.has_window = setup.variant.windowed_watchdog;
     return ResultOf(watchdog_plan_.outcome);
 }
 

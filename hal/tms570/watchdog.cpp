@@ -30,7 +30,7 @@ constexpr std::uint32_t kMostPeriodUs = 300000U;
 WatchdogPlan PlanWatchdog(const hal::WatchdogWindow& wanted, const RtiClock clock,
                           const std::uint32_t latest_open_us) noexcept
 {
-    WatchdogPlan plan{Outcome::kFailed, 0U, 0U, hal::WatchdogWindow{0U, 0U}};
+    WatchdogPlan plan{Outcome::kFailed, 0U, 0U, hal::WatchdogWindow{0U, 0U}, Presence::kPresent};
     const bool is_sensible = (wanted.opens_us < wanted.ends_us) && (wanted.ends_us <= kMostPeriodUs) &&
                              (wanted.opens_us <= latest_open_us) && (clock.mhz != 0U);
     if (!is_sensible)
@@ -68,8 +68,11 @@ Outcome WindowedWatchdog::Start(const WatchdogPlan& plan) noexcept
     sequence_ = 1U;
     Write(At(kBase, kWatchdogStatus), kStatusBits);
     Outcome outcome = WriteChecked(At(kBase, kWatchdogPreload), plan.preload, kWholeWord);
-    outcome = Both(outcome, WriteChecked(At(kBase, kWatchdogReaction), kReactionReset, kWholeWord));
-    outcome = Both(outcome, WriteChecked(At(kBase, kWatchdogWindow), plan.window, kWholeWord));
+    if (plan.has_window == Presence::kPresent)
+    {
+        outcome = Both(outcome, WriteChecked(At(kBase, kWatchdogReaction), kReactionReset, kWholeWord));
+        outcome = Both(outcome, WriteChecked(At(kBase, kWatchdogWindow), plan.window, kWholeWord));
+    }
     return Both(outcome, WriteChecked(At(kBase, kWatchdogControl), kWatchdogOn, kWholeWord));
 }
 
@@ -92,8 +95,9 @@ Outcome WindowedWatchdog::Examine() const noexcept
 {
     const bool is_on = Read(At(kBase, kWatchdogControl)) == kWatchdogOn;
     const bool same_period = Read(At(kBase, kWatchdogPreload)) == plan_.preload;
-    const bool same_window = Read(At(kBase, kWatchdogWindow)) == plan_.window;
-    const bool same_reaction = Read(At(kBase, kWatchdogReaction)) == kReactionReset;
+    const bool has_window = plan_.has_window == Presence::kPresent;
+    const bool same_window = !has_window || (Read(At(kBase, kWatchdogWindow)) == plan_.window);
+    const bool same_reaction = !has_window || (Read(At(kBase, kWatchdogReaction)) == kReactionReset);
     return (is_on && same_period && same_window && same_reaction) ? Outcome::kDone : Outcome::kFailed;
 }
 

@@ -6,6 +6,7 @@
 #include "hal/api/watchdog_timer.hpp"
 #include "hal/tms570/registers.hpp"
 #include "hal/tms570/rti.hpp"
+#include "hal/tms570/variant.hpp"
 
 #include <cstdint>
 
@@ -19,6 +20,8 @@ struct WatchdogPlan
     std::uint32_t preload;
     std::uint32_t window;
     hal::WatchdogWindow real;
+    Presence
+        has_window; ///< Of the variant; without, the hardware finds late and wrong answers only, and always resets.
 };
 
 /// @brief Longest period that ends within `wanted`, with the smallest open window that still opens before

@@ -119,6 +119,24 @@ TEST(WatchdogTest, LostWriteRefusesTheStart)
     }
 }
 
+TEST(WatchdogTest, VariantWithoutAWindowFindsLateAndWrongAnswers)
+{
+    Verifies(req::SRS_TMS_022);
+    // Given the variant whose watchdog has no window
+    Rig rig{kLs20x};
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    ASSERT_EQ(rig.board.StartWatchdog(), Outcome::kDone);
+    EXPECT_EQ(rig.machine.Read(0xFFFFFCA8U), 0U);
+    // When an answer is early, then nothing happens, and the driver finds all as it was set up
+    rig.machine.Advance(100U);
+    rig.board.Watchdog().Answer(RightAnswer(rig.board.Watchdog().Question()));
+    EXPECT_FALSE(rig.machine.rti.HasBitten());
+    EXPECT_EQ(rig.board.Watchdog().Examine(), Outcome::kDone);
+    // and when none comes, then it resets
+    rig.machine.Advance(1600U);
+    EXPECT_TRUE(rig.machine.rti.HasBitten());
+}
+
 TEST(SafetyPinsTest, ThreeRightPermitsOpenAndEachWrongOneCloses)
 {
     Verifies(req::SRS_TMS_024);

@@ -64,7 +64,7 @@ std::uint64_t RtiModel::PeriodCycles()
 
 void RtiModel::Bite()
 {
-    if (Kept(kWatchdogReaction) == kReactionReset)
+    if (Kept(kWatchdogReaction) != kReactionInterrupt)
     {
         has_bitten_ = true;
     }
@@ -92,7 +92,8 @@ void RtiModel::TakeKey(const std::uint32_t key)
         return;
     }
     std::uint32_t size = 0U;
-    while ((size < kWindowSizes) && ((kWindowFull << (kWindowStepBits * size)) != Kept(kWatchdogWindow)))
+    const bool has_window = Kept(kWatchdogWindow) != 0U;
+    while (has_window && (size < kWindowSizes) && ((kWindowFull << (kWindowStepBits * size)) != Kept(kWatchdogWindow)))
     {
         ++size;
     }
