@@ -122,6 +122,7 @@ TEST_F(NodeAttackTest, AStarvedControllerLeavesItsPeerSafe)
     Verifies(req::SRS_NODE_006);
     Verifies(req::SRS_NODE_007);
     const std::unique_ptr<host::LiveBus> bus = host::OpenLiveBus(OwnBus());
+    ::usleep(200000); // Some frames are heard, however soon it starves.
     // When the controller gets only what everybody else leaves of a processor that is always busy
     cpu_set_t one{};
     CPU_SET(0, &one);
