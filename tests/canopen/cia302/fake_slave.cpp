@@ -112,7 +112,7 @@ void FakeSlave::Restart(const Instant now)
     {
         values_[key] = value;
     }
-    port_.Reset(NodeId{node});
+    port_.ResetCommunication(NodeId{node});
     guarding_.Reset();
     heartbeat_.SetPeriod(0U);
     reset_at_ = now;
