@@ -1,10 +1,10 @@
-# counterpoint_test(<target> SOURCES ... DEPENDS <rooms> [LIBRARIES ...] [LABELS ...] [TIMEOUT seconds])
+# counterpoint_test(<target> SOURCES ... DEPENDS <rooms> [LIBRARIES ...] [LABELS ...] [TIMEOUT seconds] [LAUNCHER script])
 #
 # One GoogleTest program is one ctest entry; `./dev test` and the trace gate count the cases from its XML.
 find_package(GTest REQUIRED GLOBAL)
 
 function(counterpoint_test target)
-  cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;DEPENDS;LIBRARIES;LABELS" ${ARGN})
+  cmake_parse_arguments(TEST "" "TIMEOUT;LAUNCHER" "SOURCES;DEPENDS;LIBRARIES;LABELS" ${ARGN})
   add_executable(${target} ${TEST_SOURCES})
   target_link_libraries(${target} PRIVATE ${TEST_DEPENDS} ${TEST_LIBRARIES} verification_trace GTest::gtest_main)
   target_compile_features(${target} PRIVATE cxx_std_17)
@@ -14,7 +14,7 @@ function(counterpoint_test target)
     target_compile_options(${target} PRIVATE -Wno-implicit-int-conversion -Wno-unused-const-variable
                            -Wno-deprecated-declarations)
   endif()
-  add_test(NAME ${target} COMMAND ${target})
+  add_test(NAME ${target} COMMAND ${TEST_LAUNCHER} $<TARGET_FILE:${target}>)
   if(NOT TEST_TIMEOUT)
     set(TEST_TIMEOUT 300)
   endif()
