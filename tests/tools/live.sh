@@ -4,13 +4,11 @@
 # 30 ms late while a run failed, the run is repeated, twice at the most. A failure on a machine in time is a failure.
 set -u
 late_file=$(mktemp)
-trap 'rm -f "$late_file"' EXIT
 
 # Writes the greatest delay in ms, until it is killed.
 probe()
 {
     local greatest=0 before=${EPOCHREALTIME/[.,]/} now delay
-    trap - EXIT
     while sleep 0.01; do
         now=${EPOCHREALTIME/[.,]/}
         delay=$(((now - before) / 1000 - 10))
@@ -32,6 +30,7 @@ for attempt in 1 2 3; do
     wait "$prober" 2>/dev/null
     late=$(cat "$late_file")
     if [ "$status" -eq 0 ] || [ "$late" -le 30 ] || [ "$attempt" -eq 3 ]; then
+        rm -f "$late_file"
         exit "$status"
     fi
     echo "live.sh: the machine was $late ms late; run $attempt failed and is repeated"
