@@ -85,6 +85,24 @@ TEST_F(ManagerCommandTest, AFlyingMasterDiesAndTheOtherOneTakesOver)
     ExpectHolds("flying.yaml");
 }
 
+TEST_F(ManagerCommandTest, TheDemoOfTheReference)
+{
+    Verifies(req::SRS_MGR_002);
+    Verifies(req::SRS_MGR_012);
+    ExpectHolds("demo.yaml");
+    ExpectHolds("demo_later.yaml");
+    ExpectHolds("demo_fails.yaml");
+    // With swapped priorities and a failing master: without and with supervision of it in node 2
+    ExpectHolds("demo_swapped.yaml");
+    ExpectHolds("demo_watching.yaml");
+    const Answer printed =
+        RunCommand({"manager", "--check", Network("demo_master_2.yaml"), Network("demo_master_5.yaml")});
+    EXPECT_EQ(printed.status, 0) << printed.out;
+    const Answer swapped =
+        RunCommand({"manager", "--check", Network("demo_watching_2.yaml"), Network("demo_swapped_5.yaml")});
+    EXPECT_EQ(swapped.status, 0) << swapped.out;
+}
+
 TEST_F(ManagerCommandTest, TheSameScenarioGivesTheSameEvents)
 {
     Verifies(req::SRS_MGR_012);
