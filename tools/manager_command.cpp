@@ -9,6 +9,7 @@
 #include "tools/manager_loop.hpp"
 #include "tools/manager_status.hpp"
 #include "tools/network_file.hpp"
+#include "tools/output_files.hpp"
 
 #include "verification/simulator/yaml_document.hpp"
 
@@ -100,6 +101,20 @@ class ManagerCommand final : public Command
         return (count == 0U) ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
     }
 
+    /// Before the bus is touched.
+    void RequireFiles(const network::LoadedNetwork& net) const
+    {
+        OutputFiles files;
+        files.Read(network_);
+        files.Read(net.Plan().manager.dcf);
+        for (const auto& slave : net.Slaves())
+        {
+            files.Read(slave->plan.dcf);
+        }
+        files.Write("--log", log_);
+        files.Write("--html", html_);
+    }
+
     [[nodiscard]] ExitStatus RunManager(const Streams& streams) const
     {
         if (address_.empty() || network_.empty())
@@ -113,10 +128,7 @@ class ManagerCommand final : public Command
         {
             streams.err << warning << "\n";
         }
-        if (!html_.empty())
-        {
-            cia306::RequireWritable(html_);
-        }
+        RequireFiles(net);
         const std::unique_ptr<host::LiveBus> bus = host::OpenLiveBus(address_);
         const std::unique_ptr<ManagerSocket> socket =
             socket_.empty() ? nullptr : std::make_unique<ManagerSocket>(socket_);

@@ -1,7 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/manager_loop.hpp"
 
-#include "canopen/cia306/text_file.hpp"
 #include "tools/manager_status.hpp"
 
 #include <array>
@@ -57,7 +56,6 @@ ManagerLoop::ManagerLoop(const network::LoadedNetwork& net, host::LiveBus& bus, 
 {
     if (!settings_.log.empty())
     {
-        cia306::RequireWritable(settings_.log);
         log_.open(settings_.log, std::ios::trunc);
     }
 }

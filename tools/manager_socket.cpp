@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
 #include <utility>
@@ -48,6 +49,13 @@ int Listen(const sockaddr_un& address)
     return is_bound ? file : -1;
 }
 
+/// What a manager left behind that did not end by itself; never another kind of file.
+bool IsSocket(const std::string& path)
+{
+    struct stat status = {};
+    return ::lstat(path.c_str(), &status) == 0 && S_ISSOCK(status.st_mode);
+}
+
 /// Whether somebody answers there.
 bool IsServed(const sockaddr_un& address)
 {
@@ -60,15 +68,17 @@ ManagerSocket::ManagerSocket(std::string path) : path_(std::move(path)), listene
 {
     const sockaddr_un address = AddressOf(path_);
     int file = Listen(address);
-    if (file < 0 && errno == EADDRINUSE && !IsServed(address))
+    int reason = errno;
+    if (file < 0 && reason == EADDRINUSE && IsSocket(path_) && !IsServed(address))
     {
         ::unlink(path_.c_str());
         file = Listen(address);
+        reason = errno;
     }
     if (file < 0)
     {
         throw cia306::InputError(path_, 0U,
-                                 {std::string("no socket can be made here (") + std::strerror(errno) + ")",
+                                 {std::string("no socket can be made here (") + std::strerror(reason) + ")",
                                   "a path in a folder that can be written, that nobody serves"});
     }
     listener_ = host::LiveFile(file);

@@ -6,7 +6,6 @@
 #include "tools/manager_order.hpp"
 #include "tools/yaml_map.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <limits>
 
@@ -67,13 +66,14 @@ ScenarioManager ReadManager(const std::string& file, const ScenarioValue& value)
 {
     const YamlMap map(file, value.Node(), {"network", "node", "at"});
     return {FileIn(file, map, "network"), static_cast<std::uint8_t>(NumberIn(map, "node", 1U, kHighestNode, 0U)),
-            TimeIn(map, "at", 0U)};
+            TimeIn(map, "at", 0U), value.Where().place};
 }
 
 ScenarioDevice ReadDevice(const std::string& file, const ScenarioValue& value)
 {
     const YamlMap map(file, value.Node(), {"node", "dcf", "serial", "at"});
     ScenarioDevice device;
+    device.place = value.Where().place;
     device.node = static_cast<std::uint8_t>(map.Require("node").Number({1U, kHighestNode}));
     device.dcf = FileIn(file, map, "dcf");
     device.at_ns = TimeIn(map, "at", 0U);
@@ -91,7 +91,8 @@ void ReadMore(const YamlMap& map, NetworkAction& action)
     constexpr std::uint64_t kMillisecondNs = 1000000U;
     constexpr std::uint64_t kUsualCode = 0x1000U;
     action.until_ns = TimeIn(map, "until", action.at_ns);
-    action.every_ns = std::max<std::uint64_t>(TimeIn(map, "every", kMillisecondNs), 1U);
+    const auto every = map.Find("every");
+    action.every_ns = every ? static_cast<std::uint64_t>(every->Lasting()) : kMillisecondNs;
     action.serial = static_cast<std::uint32_t>(NumberIn(map, "serial", 0U, kHighestNumber, 0U));
     action.identifier = static_cast<std::uint32_t>(NumberIn(map, "identifier", 0U, kHighestIdentifier, 0U));
     action.code = static_cast<std::uint16_t>(NumberIn(map, "code", 0U, 0xFFFFU, kUsualCode));
@@ -119,6 +120,7 @@ NetworkAction ReadAction(const std::string& file, const ScenarioValue& value)
         file, value.Node(),
         {"at", "do", "node", "until", "every", "serial", "identifier", "code", "order", "object", "value", "srdo"});
     NetworkAction action;
+    action.place = value.Where().place;
     action.kind = map.Require("do").Choice(kActionWords);
     action.at_ns = static_cast<std::uint64_t>(map.Require("at").Duration());
     const bool needs_node = action.kind != Action::kBabble && action.kind != Action::kOrder;
@@ -209,6 +211,7 @@ NetworkScenario ReadNetworkScenario(const std::string& path)
     {
         scenario.expectations.push_back(ReadExpectation(path, expectation, scenario.duration_ns));
     }
+    RequireSense(scenario);
     return scenario;
 }
 } // namespace counterpoint::tools

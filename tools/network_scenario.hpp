@@ -18,6 +18,7 @@ struct ScenarioManager
     std::string network;
     std::uint8_t node{0U}; ///< 0: as the file says.
     std::uint64_t at_ns{0U};
+    simulator::Place place{};
 };
 
 /// A device of the scenario: everything of a DCF in simulated time.
@@ -27,6 +28,7 @@ struct ScenarioDevice
     std::string dcf;
     std::optional<std::uint32_t> serial; ///< 1018h:04 instead of the DCF's.
     std::uint64_t at_ns{0U};
+    simulator::Place place{};
 };
 
 enum class NetworkActionKind : std::uint8_t
@@ -48,6 +50,7 @@ enum class NetworkActionKind : std::uint8_t
 struct NetworkAction
 {
     NetworkActionKind kind{NetworkActionKind::kPull};
+    simulator::Place place{};
     std::uint64_t at_ns{0U};
     std::uint64_t until_ns{0U};
     std::uint64_t every_ns{0U};
@@ -104,8 +107,10 @@ struct NetworkScenario
 
 /// @brief Whether a scenario is one of a network: its top level has the key managers. Throws simulator::ScenarioError.
 [[nodiscard]] bool IsNetworkScenario(const std::string& path);
-/// @brief Throws simulator::ScenarioError.
+/// @brief Refuses also what would do nothing, or hold whatever happens. Throws simulator::ScenarioError.
 [[nodiscard]] NetworkScenario ReadNetworkScenario(const std::string& path);
+/// @brief The second half of it: what does not fit together. Throws simulator::ScenarioError.
+void RequireSense(const NetworkScenario& scenario);
 } // namespace counterpoint::tools
 
 #endif // TOOLS_NETWORK_SCENARIO_HPP

@@ -55,6 +55,15 @@ NetworkSimulation::NetworkSimulation(const NetworkScenario& scenario, TellEvent 
         manager->setup = setup;
         manager->net = std::make_unique<network::LoadedNetwork>(ReadNetworkFile(setup.network, setup.node));
         manager->node = manager->net->Setup().own.value;
+        for (const auto& other : managers_)
+        {
+            if (other->node == manager->node)
+            {
+                throw simulator::ScenarioError(scenario_.file, setup.place,
+                                               "manager " + std::to_string(manager->node) + " a second time",
+                                               "each manager with a node-ID of its own");
+            }
+        }
         managers_.push_back(std::move(manager));
     }
     for (const NetworkExpectation& expectation : expectations_)
@@ -67,7 +76,7 @@ NetworkSimulation::NetworkSimulation(const NetworkScenario& scenario, TellEvent 
             action.kind == NetworkActionKind::kOrder || action.kind == NetworkActionKind::kKillManager;
         if (is_for_manager)
         {
-            static_cast<void>(ManagerOf(action.node, {}));
+            static_cast<void>(ManagerOf(action.node, action.place));
         }
     }
 }

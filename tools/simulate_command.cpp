@@ -3,6 +3,7 @@
 
 #include "canopen/cia306/text_file.hpp"
 #include "tools/network_scenario.hpp"
+#include "tools/output_files.hpp"
 #include "tools/progress_bar.hpp"
 #include "tools/simulate_network.hpp"
 #include "verification/simulator/reports.hpp"
@@ -13,27 +14,16 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
-#include <filesystem>
 #include <optional>
 #include <ostream>
 #include <string>
-#include <system_error>
+#include <utility>
 #include <vector>
 
 namespace counterpoint::tools
 {
 namespace
 {
-/// The same for every spelling of one path; what cannot be followed is refused where it is opened.
-std::filesystem::path OneNameOf(const std::string& file)
-{
-    std::error_code error;
-    const std::filesystem::path absolute = std::filesystem::absolute(file);
-    const std::filesystem::path name = std::filesystem::weakly_canonical(absolute, error);
-    return error ? absolute : name;
-}
-
 /// What --explain alone stands for: an empty KEY is a slip, as of a variable that a shell does not know.
 constexpr const char* kEverything = "all";
 
@@ -218,38 +208,23 @@ class SimulateCommand final : public Command
         return run.Holds() ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
     }
 
-    /// No output may replace another or what the scenario is read from, and each can be written. All before the run:
-    /// what takes long shall not end without its files, and no output stays alone.
+    /// All before the run.
     void RequireFiles() const
     {
-        std::vector<std::filesystem::path> taken{OneNameOf(scenario_)};
+        OutputFiles files;
+        files.Read(scenario_);
         for (const std::string& file : simulator::FilesOf(simulator::LoadScenario(scenario_)))
         {
-            taken.push_back(OneNameOf(file));
+            files.Read(file);
         }
-        const auto take = [this, &taken](const char* const option, const std::string& file)
+        for (const auto& [option, file] : {std::pair("--html", html_), {"--json", json_}, {"--candump", candump_}})
         {
-            if (file.empty())
+            if (file.empty() && app_->count(option) > 0U)
             {
-                if (app_->count(option) > 0U)
-                {
-                    throw simulator::ScenarioError(option, {}, "empty file name", "the name of a file");
-                }
-                return;
+                throw simulator::ScenarioError(option, {}, "empty file name", "the name of a file");
             }
-            const std::filesystem::path path = OneNameOf(file);
-            if (std::find(taken.begin(), taken.end(), path) != taken.end())
-            {
-                throw simulator::ScenarioError(option, {},
-                                               simulator::Shown(file) + ", which is named already or read by the run",
-                                               "a file of its own for each output");
-            }
-            taken.push_back(path);
-            cia306::RequireWritable(file);
-        };
-        take("--html", html_);
-        take("--json", json_);
-        take("--candump", candump_);
+            files.Write(option, file);
+        }
     }
 
     void WriteFiles(const simulator::Run& run) const

@@ -3,7 +3,9 @@
 
 #include "canopen/cia306/text_file.hpp"
 #include "tools/manager_status.hpp"
+#include "tools/network_file.hpp"
 #include "tools/network_simulation.hpp"
+#include "tools/output_files.hpp"
 
 #include <ostream>
 
@@ -46,18 +48,35 @@ std::string PageOf(const NetworkScenario& scenario, const NetworkSimulation& sim
                                       : DiagramPage(first.station->Host(), first.station->Diagram(),
                                                     InstantAt(scenario.duration_ns / kNsPerUs));
 }
+
+/// Before the run: nothing that it reads is written, the network files and their DCFs included.
+void RequireFiles(const NetworkScenario& scenario, const NetworkOptions& options)
+{
+    OutputFiles files;
+    files.Read(scenario.file);
+    for (const ScenarioManager& manager : scenario.managers)
+    {
+        const network::NetworkPlan plan = ReadNetworkFile(manager.network, manager.node);
+        files.Read(manager.network);
+        files.Read(plan.manager.dcf);
+        for (const network::SlavePlan& slave : plan.slaves)
+        {
+            files.Read(slave.dcf);
+        }
+    }
+    for (const ScenarioDevice& device : scenario.devices)
+    {
+        files.Read(device.dcf);
+    }
+    files.Write("--html", options.html);
+    files.Write("--json", options.json);
+}
 } // namespace
 
 ExitStatus SimulateNetwork(const std::string& path, const NetworkOptions& options, const Streams& streams)
 {
     const NetworkScenario scenario = ReadNetworkScenario(path);
-    for (const std::string& file : {options.html, options.json})
-    {
-        if (!file.empty())
-        {
-            cia306::RequireWritable(file);
-        }
-    }
+    RequireFiles(scenario, options);
     if (!options.is_quiet)
     {
         streams.out << scenario.title << "\n\n";

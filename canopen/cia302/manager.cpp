@@ -83,11 +83,29 @@ void Manager::Lead(const bool is_leader, const Instant now) noexcept
         is_leading_ = false;
         profile_->End();
         nmt_.SetActive(false);
+        UnwatchAll();
     }
     else
     {
         // As before.
     }
+}
+
+/// Nobody but the active master guards, and what was watched in another role counts no more.
+void Manager::UnwatchAll() noexcept
+{
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        table_.Unwatch(NodeId{id});
+    }
+}
+
+/// The application of the flying master: presets that leave supervision to it have no other. Without a consumer time
+/// for that node nobody watches, and this device stays slave. [SRS-MGR-002]
+void Manager::WatchMaster(const NodeId master, const Instant now) noexcept
+{
+    const HeartbeatSetup& heartbeat = parts_.setup.Slave(master).heartbeat;
+    table_.WatchHeartbeat(master, heartbeat.consumer_ms, heartbeat.arming, now);
 }
 
 void Manager::OnFrame(const CanFrame& frame, const Instant now) noexcept
@@ -304,6 +322,10 @@ void Manager::OnFlyingMaster(const FlyingEvent event, const MasterClaim& claim, 
     if (is_settled)
     {
         Lead(event == FlyingEvent::kMasterMode, now);
+        if (event == FlyingEvent::kSlaveMode)
+        {
+            WatchMaster(claim.node, now);
+        }
     }
     else if (!flying_->IsActiveMaster())
     {
@@ -318,6 +340,7 @@ void Manager::OnFlyingMaster(const FlyingEvent event, const MasterClaim& claim, 
 void Manager::OnInitialising(const Instant now) noexcept
 {
     Lead(false, now);
+    UnwatchAll();
     state_ = NodeState::kPreOperational;
     owes_boot_up_ = true;
     is_to_start_ = true;

@@ -112,6 +112,8 @@ class Manager final : public NmtListener,
     void Obey(NmtCommand command) noexcept;
     void OnCommandFrame(const CanFrame& frame) noexcept;
     void Lead(bool is_leader, Instant now) noexcept;
+    void UnwatchAll() noexcept;
+    void WatchMaster(NodeId master, Instant now) noexcept;
     void SendOwn(Instant now) noexcept;
     void TellGates(Instant now) noexcept;
     void CloseGate(NodeId node) noexcept;

@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // The command manager, and networks in simulated time.
+#include "canopen/cia306/input_error.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
 #include "tools/manager_order.hpp"
@@ -85,6 +86,24 @@ TEST_F(ManagerCommandTest, AFlyingMasterDiesAndTheOtherOneTakesOver)
     ExpectHolds("flying.yaml");
 }
 
+TEST_F(ManagerCommandTest, TheDemoOfTheReference)
+{
+    Verifies(req::SRS_MGR_002);
+    Verifies(req::SRS_MGR_012);
+    ExpectHolds("demo.yaml");
+    ExpectHolds("demo_later.yaml");
+    ExpectHolds("demo_fails.yaml");
+    // With swapped priorities and a failing master: without and with supervision of it in node 2
+    ExpectHolds("demo_swapped.yaml");
+    ExpectHolds("demo_watching.yaml");
+    const Answer printed =
+        RunCommand({"manager", "--check", Network("demo_master_2.yaml"), Network("demo_master_5.yaml")});
+    EXPECT_EQ(printed.status, 0) << printed.out;
+    const Answer swapped =
+        RunCommand({"manager", "--check", Network("demo_watching_2.yaml"), Network("demo_swapped_5.yaml")});
+    EXPECT_EQ(swapped.status, 0) << swapped.out;
+}
+
 TEST_F(ManagerCommandTest, TheSameScenarioGivesTheSameEvents)
 {
     Verifies(req::SRS_MGR_012);
@@ -117,7 +136,24 @@ TEST_F(ManagerCommandTest, MalformedNetworkScenariosAreRefused)
         {head + "expect: [{that: active, manager: 9, is: x}]\n", ":4:10: no manager with node-ID 9"},
         {head + "speed: 3\n", ":4:1: unknown key 'speed'"},
         {head + "bitrate: 5\n", "5, expected 10000, 20000"},
-        {"title: x\nduration: 1 s\nmanagers: [{network: nobody.yaml}]\n", ":3:22: there is no file "}};
+        {"title: x\nduration: 1 s\nmanagers: [{network: nobody.yaml}]\n", ":3:22: there is no file "},
+        // What would never end, do nothing, or hold whatever happens
+        {head + "title: y\n", ":4:1: key 'title' twice, expected each key once"},
+        {head + "events: [{at: 0 s, do: babble, every: 0 s, until: 1 s}]\n", ":4:39: '0 s', expected a time above 0"},
+        {head + "events: [{at: 500 ms, do: emcy_storm, node: 1, until: 1 ms}]\n", ":4:10: an end before the beginning"},
+        {head + "events: [{at: 1 s, do: order, order: status}]\n", ":4:10: a time at the end of the scenario or later"},
+        {head + "events: [{at: 0 s, do: pull, node: 9}]\n", ":4:10: no device with node-ID 9"},
+        {head + "events: [{at: 0 s, do: kill_manager, node: 9}]\n", ":4:10: no manager with node-ID 9"},
+        {head + "expect: [{that: no_event, is: heartbeat_lots}]\n", ":4:10: event 'heartbeat_lots', expected one of"},
+        {head + "expect: [{that: no_event, is: gate, from: 9 ms, until: 8 ms}]\n", ":4:10: a window that ends before"},
+        {head + "expect: [{that: output, node: 9, is: closed}]\n", ":4:10: no device with node-ID 9"},
+        {"title: x\nduration: 1 s\nmanagers: []\n", ": an empty list of managers, expected at least one"},
+        {"title: x\nduration: 1 s\nmanagers: [{network: " + Network("chain.yaml") +
+             "},\n  {network: " + Network("chain.yaml") + "}]\n",
+         ":4:3: manager 127 a second time"},
+        {head + "devices: [{node: 33, dcf: " + Network("slave.dcf") + "},\n  {node: 33, dcf: " + Network("slave.dcf") +
+             "}]\n",
+         ":5:3: device 33 a second time"}};
     for (const auto& [text, message] : bad)
     {
         const Answer answer = RunCommand({"simulate", File("s.yaml", text)});
@@ -193,6 +229,43 @@ TEST_F(ManagerCommandTest, WhatCannotBeUsedEndsWith2)
     EXPECT_EQ(bad_file.err.rfind(file + ":2:17: ", 0U), 0U) << bad_file.err;
 }
 
+TEST_F(ManagerCommandTest, NoOutputReplacesWhatIsReadOrAnotherOne)
+{
+    Verifies(req::SRS_MGR_004);
+    // Given a network file, its DCF and a scenario of them
+    const std::string dcf_text = cia306::ReadTextFile(Network("slave.dcf"));
+    const std::string dcf = File("k.dcf", dcf_text);
+    const std::string net_text = "manager: {node: 127}\nslaves: [{node: 95, dcf: k.dcf}]\n";
+    const std::string net = File("k.yaml", net_text);
+    const std::string text = "title: x\nduration: 1 ms\nmanagers: [{network: k.yaml}]\n";
+    const std::string scenario = File("s.yaml", text);
+    const std::vector<std::string> manager{
+        "manager", "--can", "udp:239.74.163.91:43191", "--network", net, "--for", "1", "--no-input", "--html",
+        Path("x"), "--log"};
+    const std::vector<std::string> simulate{"simulate", scenario, "--json", Path("x"), "--html"};
+    for (const auto& [command, output] : {std::pair(manager, net),
+                                          {manager, dcf},
+                                          {manager, Path("x")},
+                                          {simulate, net},
+                                          {simulate, dcf},
+                                          {simulate, scenario},
+                                          {simulate, Path("x")}})
+    {
+        std::vector<std::string> words = command;
+        words.push_back(output);
+        // When an output is to replace one of them, then nothing runs
+        const Answer answer = RunCommand(words);
+        EXPECT_EQ(answer.status, 2) << output;
+        EXPECT_NE(answer.err.find(", which is named already or read by the run, expected a file of its own"),
+                  std::string::npos)
+            << answer.err;
+        EXPECT_EQ(answer.out, "");
+    }
+    EXPECT_EQ(cia306::ReadTextFile(net), net_text);
+    EXPECT_EQ(cia306::ReadTextFile(dcf), dcf_text);
+    EXPECT_EQ(cia306::ReadTextFile(scenario), text);
+}
+
 TEST_F(ManagerCommandTest, EqualMastersPassOthersAreNamed)
 {
     Verifies(req::SRS_MGR_009);
@@ -228,6 +301,25 @@ TEST_F(ManagerCommandTest, OrdersAreReadStrictly)
     EXPECT_EQ(ParseManagerOrder("stop 128").problem, "stop: '128', expected a node-ID from 1 to 127, or all");
     EXPECT_EQ(ParseManagerOrder("fly").problem, "order 'fly', expected status, start, stop, preop, reset, reset-comm, "
                                                 "boot, write-safety, control, help or quit");
+}
+
+TEST_F(ManagerCommandTest, ASocketTakesThePlaceOfALeftSocketOnly)
+{
+    Verifies(req::SRS_MGR_006);
+    // Given a file of a person
+    const std::string file = File("file", "mine");
+    EXPECT_THROW(ManagerSocket socket(file), cia306::InputError);
+    EXPECT_EQ(cia306::ReadTextFile(file), "mine");
+    // And a socket that nobody serves any more
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    const std::string path = Path("left.sock");
+    std::copy(path.begin(), path.end(), address.sun_path);
+    {
+        const host::LiveFile left(::socket(AF_UNIX, SOCK_STREAM, 0));
+        ASSERT_EQ(::bind(left.Get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)), 0);
+    }
+    EXPECT_NO_THROW(ManagerSocket socket(path));
 }
 
 TEST_F(ManagerCommandTest, ProgramsSendOrdersByASocket)

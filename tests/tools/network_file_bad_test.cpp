@@ -83,6 +83,7 @@ constexpr BadFile kBadYaml[] = {
      ":1:31: 'codesys', expected one of cia302, el6751, plc_designer"},
     {"manager: {node: 127, flying: {priority: 3}}\nslaves: [{node: 1}]\n", ":1:41: "},
     {"manager: {node: 127, sdo_tries: 0}\nslaves: [{node: 1}]\n", ":1:33: "},
+    {"manager: {node: 127, node: 126}\nslaves: [{node: 1}]\n", ":1:22: key 'node' twice, expected each key once"},
     {"manager: {node: 127\n", ":"},
 };
 

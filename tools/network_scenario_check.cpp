@@ -1,0 +1,126 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// What does not fit together in a network scenario: it would do nothing, or hold whatever happens.
+#include "tools/network_scenario.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace counterpoint::tools
+{
+namespace
+{
+using Action = NetworkActionKind;
+using Expected = NetworkExpectationKind;
+using simulator::Place;
+using simulator::ScenarioError;
+
+/// What a manager tells, as in its log.
+constexpr const char* kEventWords[] = {
+    "boot_up",      "supervision_started", "state",      "heartbeat_lost", "guard_lost", "guard_missed",
+    "toggle_error", "never_seen",          "unexpected", "status",         "master",     "nmt",
+    "gate",         "emergency",           "duplicate",  "flying_master",  "order",      "write_safety"};
+
+class Check
+{
+  public:
+    explicit Check(const NetworkScenario& scenario) : scenario_(scenario)
+    {
+    }
+
+    void Comers() const
+    {
+        for (const ScenarioManager& manager : scenario_.managers)
+        {
+            Begins(manager.at_ns, manager.place);
+        }
+        for (auto device = scenario_.devices.begin(); device != scenario_.devices.end(); ++device)
+        {
+            Begins(device->at_ns, device->place);
+            const auto is_same = [&device](const ScenarioDevice& other) { return other.node == device->node; };
+            if (std::any_of(scenario_.devices.begin(), device, is_same))
+            {
+                Refuse(device->place, "device " + std::to_string(device->node) + " a second time",
+                       "each node-ID once; the event 'duplicate' brings another one");
+            }
+        }
+    }
+    void Of(const NetworkAction& action) const
+    {
+        const bool is_storm = action.kind == Action::kEmcyStorm || action.kind == Action::kBabble;
+        const bool is_of_manager = action.kind == Action::kOrder || action.kind == Action::kKillManager;
+        Begins(action.at_ns, action.place);
+        if (is_storm && action.until_ns < action.at_ns)
+        {
+            Refuse(action.place, "an end before the beginning", "a time after 'at' behind 'until'");
+        }
+        if (!is_storm && !is_of_manager)
+        {
+            RequireDevice(action.node, action.place);
+        }
+    }
+    void Of(const NetworkExpectation& expectation) const
+    {
+        const bool is_event = expectation.kind == Expected::kEvent || expectation.kind == Expected::kNoEvent;
+        if (expectation.kind == Expected::kDevice || expectation.kind == Expected::kOutput)
+        {
+            RequireDevice(expectation.node, expectation.place);
+        }
+        if (is_event && expectation.from_ns > expectation.at_ns)
+        {
+            Refuse(expectation.place, "a window that ends before it begins", "'from' before 'until'");
+        }
+        if (is_event &&
+            std::find(std::begin(kEventWords), std::end(kEventWords), expectation.is) == std::end(kEventWords))
+        {
+            std::string known;
+            for (const char* const word : kEventWords)
+            {
+                known += (known.empty() ? "" : ", ") + std::string(word);
+            }
+            Refuse(expectation.place, "event " + simulator::Shown(expectation.is), "one of " + known);
+        }
+    }
+
+  private:
+    [[noreturn]] void Refuse(const Place& place, const std::string& wrong, const std::string& expected) const
+    {
+        throw ScenarioError(scenario_.file, place, wrong, expected);
+    }
+    void Begins(const std::uint64_t at_ns, const Place& place) const
+    {
+        if (at_ns >= scenario_.duration_ns)
+        {
+            Refuse(place, "a time at the end of the scenario or later", "one within its duration");
+        }
+    }
+    void RequireDevice(const std::uint8_t node, const Place& place) const
+    {
+        const auto is_it = [node](const ScenarioDevice& device) { return device.node == node; };
+        if (std::none_of(scenario_.devices.begin(), scenario_.devices.end(), is_it))
+        {
+            Refuse(place, "no device with node-ID " + std::to_string(node), "one of the scenario's devices");
+        }
+    }
+
+    const NetworkScenario& scenario_;
+};
+} // namespace
+
+void RequireSense(const NetworkScenario& scenario)
+{
+    const Check check(scenario);
+    if (scenario.managers.empty())
+    {
+        throw ScenarioError(scenario.file, {}, "an empty list of managers", "at least one");
+    }
+    check.Comers();
+    for (const NetworkAction& action : scenario.actions)
+    {
+        check.Of(action);
+    }
+    for (const NetworkExpectation& expectation : scenario.expectations)
+    {
+        check.Of(expectation);
+    }
+}
+} // namespace counterpoint::tools
