@@ -29,6 +29,13 @@ YamlMap::YamlMap(const std::string& file, const YamlNode& node, const std::initi
         {
             ScenarioValue(file_, key).Refuse("unknown key " + simulator::Shown(key.scalar), names);
         }
+        for (std::size_t before = 0U; before < place; before += 2U)
+        {
+            if (node.items[before].scalar == key.scalar)
+            {
+                ScenarioValue(file_, key).Refuse("key " + simulator::Shown(key.scalar) + " twice", "each key once");
+            }
+        }
     }
 }
 
