@@ -21,6 +21,7 @@ namespace
 {
 constexpr int kLongestSeconds = 1000000;
 constexpr int kServeMs = 100;
+constexpr std::size_t kLongestName = 15U;
 constexpr std::uint64_t kSecondNs = 1'000'000'000U;
 constexpr const char* kListenHere = "127.0.0.1:29536";
 
@@ -52,6 +53,14 @@ ListenPlace PlaceOf(const std::string& text)
     return {text.substr(0U, colon), port};
 }
 
+/// What a client can write in an order, and in an address as it is.
+bool IsName(const std::string& name)
+{
+    const auto is_plain = [](const char letter)
+    { return letter > ' ' && letter <= '~' && std::string("<>/:").find(letter) == std::string::npos; };
+    return !name.empty() && name.size() <= kLongestName && std::all_of(name.begin(), name.end(), is_plain);
+}
+
 /// `can0=udp:...`; without a name the interface's own, or can0.
 host::ServedBus ServedOf(const std::string& text)
 {
@@ -59,6 +68,11 @@ host::ServedBus ServedOf(const std::string& text)
     // The = of ?bitrate=N is none behind a name.
     const bool has_name = (sign != std::string::npos) && (sign < text.find_first_of(":?"));
     const std::string address = has_name ? text.substr(sign + 1U) : text;
+    if (has_name && !IsName(text.substr(0U, sign)))
+    {
+        throw host::LiveBusError("name '" + cia306::Printable(text.substr(0U, sign)) +
+                                 "', expected 1 to 15 characters without space, <, >, / and :, such as can0");
+    }
     const host::LiveAddress parts = host::ParseLiveAddress(address);
     const std::string own = parts.interface.empty() ? "can0" : parts.interface;
     return {has_name ? text.substr(0U, sign) : own, address};

@@ -35,6 +35,11 @@ std::string ProblemOfFileName(const std::string& text)
     return text.empty() ? "an empty name, expected the name of a file" : std::string();
 }
 
+std::string ProblemOfAddress(const std::string& text)
+{
+    return text.empty() ? "an empty address, expected a bus such as can0" : std::string();
+}
+
 std::optional<std::uint8_t> DeviceOptions::NodeId(const cia306::Device& device) const
 {
     return node_id == 0 ? device.node_id : std::optional(static_cast<std::uint8_t>(node_id));

@@ -31,6 +31,9 @@ struct DeviceOptions
 /// Likewise of the name of a file: an empty one would count as not given. [SRS-CLI-020]
 [[nodiscard]] std::string ProblemOfFileName(const std::string& text);
 
+/// Likewise of the address of a bus. [SRS-CLI-020]
+[[nodiscard]] std::string ProblemOfAddress(const std::string& text);
+
 /// Runs `body`; with --json a refusal is told as a JSON document too. [SRS-CLI-008]
 [[nodiscard]] ExitStatus RunOnDevice(const DeviceOptions& options, const Streams& streams,
                                      const std::function<ExitStatus()>& body);

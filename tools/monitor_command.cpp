@@ -60,7 +60,8 @@ class MonitorCommand final : public Command
         app.add_option("--sct", sct_ms_, "SCT of SRDOs that no DCF consumes, in ms (default: twice the refresh time)")
             ->check(CLI::Validator(ProblemOfNumber, ""))
             ->check(CLI::Range(1, 65535));
-        app.add_option("--for", seconds_, "End the watching of a live bus after so many seconds (default: Ctrl-C)")
+        app.add_option("--for", seconds_,
+                       "End the watching of a live bus after so many seconds (default: Ctrl-C, SIGTERM)")
             ->check(CLI::Validator(ProblemOfNumber, ""))
             ->check(CLI::Range(1, 1000000));
         app.add_flag("--frames", shows_frames_, "Show each frame in words");

@@ -55,7 +55,8 @@ void WatchLiveBus(const std::string& address, const int seconds, const Streams& 
         throw cia306::InputError(address, 0U, {error.what(), ""});
     }
     is_interrupted = 0;
-    const auto before = std::signal(SIGINT, &OnInterrupt);
+    const auto before_int = std::signal(SIGINT, &OnInterrupt);
+    const auto before_term = std::signal(SIGTERM, &OnInterrupt);
     const Time begin = static_cast<Time>(host::LiveNow());
     Time last = begin;
     bool is_over = false;
@@ -88,6 +89,7 @@ void WatchLiveBus(const std::string& address, const int seconds, const Streams& 
     {
         streams.err << "counterpoint monitor: " << health.lost_frames << " frames were lost on this machine\n";
     }
-    static_cast<void>(std::signal(SIGINT, before));
+    static_cast<void>(std::signal(SIGINT, before_int));
+    static_cast<void>(std::signal(SIGTERM, before_term));
 }
 } // namespace counterpoint::tools

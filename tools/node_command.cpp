@@ -32,7 +32,8 @@ class NodeCommand final : public Command
         app.add_option("--can2", second_address_,
                        "The bus of a second controller, which sends and receives the inverse frames of SRDOs; the "
                        "same bus is allowed")
-            ->type_name("ADDRESS");
+            ->type_name("ADDRESS")
+            ->check(CLI::Validator(ProblemOfAddress, ""));
         app.add_option("--dcf", dcf_, "EDS or DCF of the device: all its objects, its safety configuration, its times")
             ->required()
             ->type_name("FILE")

@@ -86,6 +86,7 @@ class NodeDevice final : private device::Owner
     void FurnishLss(const NodeSettings& settings);
     void Save();
     void TellSelfTest(std::uint64_t now_ns);
+    void TellStore(const std::string& warning);
     void LoadSafety();
     [[nodiscard]] bool IsSafetyLoaded();
     void PrepareSending();
@@ -120,6 +121,7 @@ class NodeDevice final : private device::Owner
     device::Services services_;
     NodeFurther further_;
     std::unique_ptr<NodeStore> store_; ///< Null: none.
+    std::string store_warning_;        ///< The last one that was told.
     std::unique_ptr<NodeLss> lss_;     ///< Null: none.
     std::vector<device::QueuedFrame> safety_room_;
     std::vector<device::QueuedFrame> service_room_;

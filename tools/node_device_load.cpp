@@ -49,7 +49,7 @@ device::LoadResult NodeDevice::OnResetNode() noexcept
     }
     if (store_)
     {
-        store_->Load(cia301::kApplicationGroup | cia301::kManufacturerGroup);
+        TellStore(store_->Load(cia301::kApplicationGroup | cia301::kManufacturerGroup));
     }
     PrepareSending();
     has_restarted_ = true;
@@ -75,7 +75,7 @@ device::LoadResult NodeDevice::OnResetCommunication() noexcept
     }
     if (store_)
     {
-        store_->Load(cia301::kCommunicationGroup);
+        TellStore(store_->Load(cia301::kCommunicationGroup));
     }
     slot_of_.fill(kNoSlot);
     for (const simulator::SrdoModel& srdo : model_.Srdos())
@@ -87,6 +87,16 @@ device::LoadResult NodeDevice::OnResetCommunication() noexcept
         }
     }
     return device::LoadResult::kLoaded;
+}
+
+/// What is wrong with the file is told once, not at each reset.
+void NodeDevice::TellStore(const std::string& warning)
+{
+    if (!warning.empty() && warning != store_warning_)
+    {
+        report_.Tell(now_ns_, warning, "store", {{"text", warning}});
+        store_warning_ = warning;
+    }
 }
 
 void NodeDevice::FurnishSelfTest()

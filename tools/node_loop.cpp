@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/node_loop.hpp"
 
+#include "canopen/cia306/input_error.hpp"
 #include "canopen/device/safety_queue.hpp"
 #include "safety_core/kernel/limits.hpp"
 
@@ -23,6 +24,7 @@ constexpr std::uint64_t kNsPerSecond = 1000000000U;
 constexpr std::uint64_t kWatchNs = 50000000U;
 constexpr std::uint64_t kSaveStepNs = 1000000U;
 constexpr int kPriority = 20;
+constexpr std::size_t kLongestOrder = 1024U;
 
 volatile std::sig_atomic_t caught_signal = 0;
 
@@ -277,6 +279,16 @@ void NodeLoop::ReadOrders()
     {
         Carry(ParseOrder(typed_.substr(0U, end)));
         typed_.erase(0U, end + 1U);
+    }
+    const bool is_too_long = typed_.size() > kLongestOrder;
+    if (is_too_long || (!is_input_open_ && !typed_.empty()))
+    {
+        TellProblem("an order " +
+                    (is_too_long ? "of more than " + std::to_string(kLongestOrder) + " characters"
+                                 : cia306::Quoted(typed_) + " without an end of its line") +
+                    ", expected whole lines; no more are read");
+        typed_.clear();
+        is_input_open_ = false;
     }
 }
 

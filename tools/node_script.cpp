@@ -53,6 +53,10 @@ ScriptStep ReadStep(const std::string& file, const ScenarioValue& value)
         order.Refuse(step.order.problem.substr(0U, step.order.problem.find(", expected ")),
                      step.order.problem.substr(step.order.problem.find(", expected ") + 11U));
     }
+    if (step.order.kind == OrderKind::kNothing)
+    {
+        order.Refuse("no order", "an order such as set 0x2000:01 1");
+    }
     if (const std::optional<ScenarioValue> every = map.Find("every"))
     {
         step.every_ns = static_cast<std::uint64_t>(every->Lasting());
@@ -67,6 +71,10 @@ NodeScript ReadNodeScript(const std::string& file)
     script.file = file;
     const YamlNode document = simulator::ParseYaml(file, simulator::ReadScenarioText(file));
     const YamlMap map(script.file, document, {"title", "logic", "steps"});
+    if (const std::optional<ScenarioValue> title = map.Find("title"))
+    {
+        static_cast<void>(title->Text("a title"));
+    }
     if (const std::optional<ScenarioValue> logic = map.Find("logic"))
     {
         for (const ScenarioValue& rule : logic->Items("a list of rules"))

@@ -31,6 +31,8 @@ class NodeMemory final : public hal::ParameterMemory
     void Erase(hal::MemoryBank bank) noexcept override;
     void Program(const hal::MemorySection& section, const std::uint8_t* from) noexcept override;
     [[nodiscard]] bool Read(const hal::MemorySection& section, std::uint8_t* to) noexcept override;
+    /// @brief Whether nothing was ever saved. O(size of both banks)
+    [[nodiscard]] bool IsBlank() noexcept;
 
   private:
     void Order(std::function<void()> work);
@@ -61,8 +63,9 @@ class NodeStore
     /// Throws std::runtime_error.
     NodeStore(const std::string& path, const NodeStoreParts& parts);
 
-    /// @brief At a reset, after the values of the DCF: what was saved of these groups.
-    void Load(std::uint8_t groups) noexcept;
+    /// @brief At a reset, after the values of the DCF: what was saved of these groups. Answers what is wrong with it,
+    /// nothing if it was used or nothing was ever saved.
+    std::string Load(std::uint8_t groups) noexcept;
     void OnCycle() noexcept;
     [[nodiscard]] bool IsBusy() const noexcept;
     /// @brief What LSS saved, or else `otherwise`.
@@ -73,6 +76,7 @@ class NodeStore
     [[nodiscard]] cia301::NumberHook& Hook() noexcept;
 
   private:
+    std::string path_;
     NodeMemory memory_;
     cia301::StoredEntries entries_;
     cia301::StoredSafety safety_;
@@ -81,6 +85,7 @@ class NodeStore
     std::vector<std::uint8_t> scratch_;
     cia301::ParameterStore store_;
     cia301::StoreObjects objects_;
+    bool is_damaged_{false}; ///< At the start: neither blank nor with a whole set.
 };
 } // namespace counterpoint::tools
 

@@ -15,6 +15,8 @@ namespace counterpoint::host
 namespace
 {
 
+constexpr char kDelete = '\x7F';
+
 [[noreturn]] void Refuse(const std::string& address, const std::string& reason)
 {
     throw LiveBusError("bus '" + address + "': " + reason);
@@ -107,6 +109,14 @@ void ReadUdp(const std::string& text, LiveAddress& parts)
 
 LiveAddress ParseLiveAddress(const std::string& address)
 {
+    // Messages show the address as it is: one line, whatever it holds.
+    const auto control = std::find_if(address.begin(), address.end(), [](const char letter)
+                                      { return ((letter >= 0) && (letter < ' ')) || (letter == kDelete); });
+    if (control != address.end())
+    {
+        throw LiveBusError("control character in column " + std::to_string(control - address.begin() + 1) +
+                           " of a bus, expected printable text such as can0");
+    }
     LiveAddress parts;
     parts.text = address;
     const std::size_t colon = address.find(':');

@@ -96,6 +96,12 @@ TEST(BusCommandTest, RefusesWhatItCannotServe)
               "udp:239.74.163.2:43113\n");
     EXPECT_EQ(error_of({"bus", "can0=" + kGroup, "can0=" + kGroup}),
               "counterpoint bus: two buses are named 'can0', expected NAME=ADDRESS with names that differ\n");
+    for (const std::string name : {"", "a b", "a>", "a_name_that_is_too_long"})
+    {
+        EXPECT_EQ(error_of({"bus", name + "=" + kGroup, "--listen", "127.0.0.1:0", "--seconds", "1"}),
+                  "counterpoint bus: name '" + name +
+                      "', expected 1 to 15 characters without space, <, >, / and :, such as can0\n");
+    }
     for (const std::string place : {"127.0.0.1", "127.0.0.1:65536", ":1", "127.0.0.1:", "127.0.0.1:1x"})
     {
         EXPECT_EQ(error_of({"bus", kGroup, "--listen", place}),

@@ -9,10 +9,12 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <string>
 #include <sys/wait.h>
 #include <thread>
+#include <unistd.h>
 
 namespace counterpoint::tools
 {
@@ -197,6 +199,35 @@ TEST_F(MonitorCommandTest, WatchesALiveBus)
     EXPECT_EQ(answer.status, 1) << answer.out;
     EXPECT_GE(document["srdos"][0]["pairs"], 20);
     EXPECT_EQ(document["srdos"][0]["causes"]["SRVT expired"], 1);
+}
+
+// Given a bus without frames, then SIGTERM ends the watching as Ctrl-C does: with a summary.
+TEST_F(MonitorCommandTest, ASummaryFollowsASignal)
+{
+    Verifies(req::SRS_MON_001);
+    for (const int number : {SIGINT, SIGTERM})
+    {
+        // Before the command catches it, it does nothing.
+        static_cast<void>(std::signal(number, [](int) {}));
+        std::atomic<bool> is_over{false};
+        std::thread asking(
+            [number, &is_over]
+            {
+                while (!is_over)
+                {
+                    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+                    static_cast<void>(::kill(::getpid(), number));
+                }
+            });
+        const std::string port = std::to_string(200 + ::getpid() % 700);
+        const Answer answer = Monitor({"--can", "udp:239.74.163.3:43" + port, "--for", "20", "--json"});
+        is_over = true;
+        asking.join();
+        static_cast<void>(std::signal(number, SIG_DFL));
+        EXPECT_EQ(answer.status, 0) << answer.err;
+        const auto document = nlohmann::json::parse(answer.out);
+        EXPECT_LT(document["last_s"].get<double>() - document["first_s"].get<double>(), 10.0);
+    }
 }
 } // namespace
 } // namespace counterpoint::tools

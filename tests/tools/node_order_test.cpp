@@ -130,6 +130,11 @@ TEST_F(NodeScriptTest, WhatCannotBeUsedIsRefusedWithItsPlace)
     EXPECT_NE(Refusal("steps: [{at: 1 s, do: quit, every: 0 s}]"), "accepted");
     EXPECT_NE(Refusal("logic: [{set: 0x2000:01, op: copy, from: [0x2200:01, 0x2200:02]}]"), "accepted");
     EXPECT_NE(Refusal("logic: [{set: 0x2000:01, op: and, from: []}]"), "accepted");
+    EXPECT_EQ(Refusal("steps: [{at: 1 s, at: 2 s, do: quit}]"), file + ":1:19: key 'at' twice, expected each key once");
+    EXPECT_EQ(Refusal("steps: []\nsteps: []"), file + ":2:1: key 'steps' twice, expected each key once");
+    EXPECT_EQ(Refusal("title: [1]"), file + ":1:8: a list, expected a title");
+    EXPECT_EQ(Refusal("steps: [{at: 1 s, do: ''}]"),
+              file + ":1:23: no order, expected an order such as set 0x2000:01 1");
 }
 
 class NodeCommandTest : public test::CommandTest
@@ -149,6 +154,8 @@ TEST_F(NodeCommandTest, BadInputIsOneLineAndStatus2)
         {"--can", "no_such_can7", "--dcf", sensor},
         {"--can", bus, "--dcf", Path("missing.dcf")},
         {"--can", bus, "--dcf", minimal},
+        {"--can", bus, "--can2", "", "--dcf", sensor},
+        {"--can", "udp:\n\x1B[31m", "--dcf", sensor},
         {"--can", bus, "--dcf", sensor, "--node-id", "128"},
         {"--can", bus, "--dcf", sensor, "--cycle-us", "99"},
         {"--can", bus, "--dcf", sensor, "--cycle-us", "25001"},

@@ -4,6 +4,8 @@
 #include "tests/tools/node_process.hpp"
 #include "verification/trace/verifies.hpp"
 
+#include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <memory>
@@ -237,6 +239,57 @@ TEST_F(NodeServicesTest, InverseFramesHaveAControllerOfTheirOwn)
         controller->Type("quit");
         EXPECT_EQ(controller->End(), 0);
     }
+}
+
+// Given a store without a whole set, or with the values of another device, then the node says so and runs; a new one
+// and its own are used without a word.
+TEST_F(NodeServicesTest, AStoreThatCannotBeUsedIsTold)
+{
+    Verifies(req::SRS_NODE_011);
+    constexpr std::size_t kStoreBytes = 524288U;
+    const std::string everything = "../tests/tools/data/everything.dcf";
+    const std::string own = Path("own.store");
+    for (int start = 0; start < 2; ++start)
+    {
+        auto node = StartNode(everything, {"--store", own});
+        node->Type("set 0x1010:01 0x65766173");
+        EXPECT_FALSE(node->Tells(Event("device_fault", "fault", "late_call"), 500));
+        node->Type("quit");
+        EXPECT_EQ(node->End(), 0);
+        const auto& lines = node->Lines();
+        EXPECT_TRUE(std::none_of(lines.begin(), lines.end(),
+                                 [](const NodeLine& line) { return line.event["event"] == "store"; }));
+    }
+    const std::string wrong = File("wrong.store", std::string(kStoreBytes, '\x5A'));
+    for (const std::string& dcf : {everything, std::string("emergency_stop/sensor.dcf")})
+    {
+        const std::string& store = (dcf == everything) ? wrong : own;
+        auto node = StartNode(dcf, {"--store", store});
+        node->Type("quit");
+        EXPECT_EQ(node->End(), 0);
+        const auto& lines = node->Lines();
+        const auto told = std::find_if(lines.begin(), lines.end(),
+                                       [](const NodeLine& line) { return line.event["event"] == "store"; });
+        ASSERT_NE(told, lines.end()) << store;
+        const std::string text = told->event["text"];
+        EXPECT_EQ(text.find(store + ":0: warning: "), 0U) << text;
+        EXPECT_NE(text.find(dcf == everything ? "no whole set of values, expected what 1010h has saved"
+                                              : "saved values are refused, expected those of this device"),
+                  std::string::npos)
+            << text;
+    }
+}
+
+// Given an order whose line never ends, then it is not carried out, and the node runs on.
+TEST_F(NodeServicesTest, AnOrderWithoutAnEndIsTold)
+{
+    Verifies(req::SRS_NODE_009);
+    auto node = StartNode("emergency_stop/sensor.dcf", {});
+    node->Type(std::string(5000U, 'x'));
+    EXPECT_EQ(node->WaitFor("problem").event["text"],
+              "an order of more than 1024 characters, expected whole lines; no more are read");
+    node->Signal(SIGTERM);
+    EXPECT_EQ(node->End(), 0);
 }
 
 TEST_F(NodeServicesTest, AFileWithTwoControllersNeedsBoth)

@@ -38,6 +38,9 @@ TEST(LiveAddressTest, SaysWhatIsWrong)
     { return ProblemOf([&text] { static_cast<void>(ParseLiveAddress(text)); }); };
     const std::string name = ", expected a name of 1 to 15 characters such as can0";
     EXPECT_EQ(problem(""), "bus '': interface ''" + name);
+    EXPECT_EQ(problem("can0\n\x1B[31m"),
+              "control character in column 5 of a bus, expected printable text such as can0");
+    EXPECT_EQ(problem("can\x7F"), "control character in column 4 of a bus, expected printable text such as can0");
     EXPECT_EQ(problem("a/b"), "bus 'a/b': interface 'a/b'" + name);
     EXPECT_EQ(problem("socketcan:sixteen_letters_"),
               "bus 'socketcan:sixteen_letters_': interface 'sixteen_letters_'" + name);
