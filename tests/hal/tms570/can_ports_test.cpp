@@ -213,6 +213,30 @@ TEST_F(CanPortsTest, BusOffWithdrawsRefusesAndComesBackASetNumberOfTimes)
     EXPECT_EQ(rig.board.Can().Transmit(Frame(kSentNormal, 1U)), hal::TransmitStatus::kBusOff);
 }
 
+TEST_F(CanPortsTest, BusOffAgainOnTheWayBackBeginsThePauseAnew)
+{
+    Verifies(req::SRS_TMS_018);
+    // Given a controller whose pause of 3 cycles is over, so that it counts recessive bits
+    rig.machine.dcan1.GoBusOff();
+    for (int cycle = 0; cycle < 4; ++cycle)
+    {
+        EXPECT_EQ(rig.Cycle(), BoardFault::kNone);
+    }
+    EXPECT_EQ(rig.board.Can().Controller(CanPortId::kFirst).Returns(), 1U);
+    // When it is in bus-off again before it was seen on the bus
+    rig.machine.dcan1.GoBusOff();
+    for (int cycle = 0; cycle < 5; ++cycle)
+    {
+        EXPECT_EQ(rig.Cycle(), BoardFault::kNone);
+    }
+    // Then it goes the way back a second time, and frames are taken
+    EXPECT_EQ(rig.board.Can().Controller(CanPortId::kFirst).Returns(), 2U);
+    rig.machine.dcan1.Recover();
+    EXPECT_EQ(rig.Cycle(), BoardFault::kNone);
+    EXPECT_TRUE(rig.machine.dcan1.IsOnBus());
+    EXPECT_EQ(rig.board.Can().Transmit(Frame(kSentNormal, 0x12U)), hal::TransmitStatus::kAccepted);
+}
+
 TEST_F(CanPortsTest, SetupThatCannotWorkIsRefused)
 {
     Verifies(req::SRS_TMS_011);
