@@ -73,12 +73,12 @@ Outcome Esm::ExamineCold() noexcept
 
 Outcome Esm::TestErrorPin() noexcept
 {
-    Write(At(kBase, kLowTimePreload), kLeastLowTime);
+    const Outcome low_time = WriteChecked(At(kBase, kLowTimePreload), kLeastLowTime, kWholeWord);
     ForceErrorPin();
     const Outcome low = WaitFor(At(kBase, kPinStatus), Bits{kPinIsHigh, 0U}, kPinLooks);
     ReleaseErrorPin();
     const Outcome high = WaitFor(At(kBase, kPinStatus), Bits{kPinIsHigh, kPinIsHigh}, kPinLooks);
-    return Both(low, high);
+    return Both(low_time, Both(low, high));
 }
 
 Outcome Esm::Start() noexcept
