@@ -299,6 +299,20 @@ TEST_F(TwoControllers, SecondControllerSendsAndConfirms)
     EXPECT_EQ(confirmed.frame.frame.port, CanPortId::kSecond);
 }
 
+TEST_F(TwoControllers, SafeStateTakesBothOffTheirBuses)
+{
+    Verifies(req::SRS_TMS_062);
+    // Given a device on two buses, when an uncorrectable error of its RAM is reported
+    rig.machine.esm.Raise(2U, 6U);
+    EXPECT_EQ(rig.Cycle(), BoardFault::kEsm);
+    // Then it is on neither of them any more, and neither takes a frame
+    EXPECT_FALSE(rig.machine.dcan1.IsOnBus());
+    EXPECT_FALSE(rig.machine.dcan2.IsOnBus());
+    CanFrame frame = Frame(0x132U, 1U);
+    frame.port = CanPortId::kSecond;
+    EXPECT_EQ(rig.board.Can().Transmit(frame), hal::TransmitStatus::kRefused);
+}
+
 TEST_F(TwoControllersOneBus, TwoFramesAtOnceAreALossOnOneBus)
 {
     Verifies(req::SRS_TMS_012);
