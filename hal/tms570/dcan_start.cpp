@@ -180,9 +180,15 @@ void Dcan::FollowBusOff(const bool is_off) noexcept
     if (state == kReturning)
     {
         // The hardware counts 128 times 11 recessive bits before it takes part again.
+        const bool is_stopped = (Read(Place(kControl)) & kControlInit) != 0U;
         if (!is_off)
         {
             bus_off_.Store(kOnBus);
+        }
+        // Bus-off again before anybody saw it on the bus: it would wait for ever.
+        if (is_off && is_stopped)
+        {
+            bus_off_.Store(kBusOff);
         }
         return;
     }

@@ -73,12 +73,12 @@ Outcome Esm::ExamineCold() noexcept
 
 Outcome Esm::TestErrorPin() noexcept
 {
-    Write(At(kBase, kLowTimePreload), kLeastLowTime);
+    const Outcome low_time = WriteChecked(At(kBase, kLowTimePreload), kLeastLowTime, kWholeWord);
     ForceErrorPin();
     const Outcome low = WaitFor(At(kBase, kPinStatus), Bits{kPinIsHigh, 0U}, kPinLooks);
     ReleaseErrorPin();
     const Outcome high = WaitFor(At(kBase, kPinStatus), Bits{kPinIsHigh, kPinIsHigh}, kPinLooks);
-    return Both(low, high);
+    return Both(low_time, Both(low, high));
 }
 
 Outcome Esm::Start() noexcept
@@ -150,11 +150,11 @@ Outcome Esm::Judge(const EsmStatus& status) noexcept
 
 void Esm::Keep(const std::uint8_t group, const std::uint32_t errors, const std::uint8_t first_channel) noexcept
 {
-    const bool is_first = (errors != 0U) && (group_.Load() == 0U);
+    const bool is_first = (errors != 0U) && (first_.Load() == 0U);
     if (is_first)
     {
-        channel_.Store(static_cast<std::uint8_t>(first_channel + LowestBit(errors)));
-        group_.Store(group);
+        const std::uint32_t channel = std::uint32_t{first_channel} + LowestBit(errors);
+        first_.Store((std::uint32_t{group} << kGroupShift) | channel);
     }
 }
 

@@ -57,7 +57,9 @@ class Esm
     /// @brief The first error with reaction safe state since power-on of this object.
     [[nodiscard]] EsmError First() const noexcept
     {
-        return EsmError{group_.Load(), channel_.Load()};
+        const std::uint32_t first = first_.Load();
+        return EsmError{static_cast<std::uint8_t>(first >> kGroupShift),
+                        static_cast<std::uint8_t>(first & kChannelMask)};
     }
     /// @brief Errors that the hardware corrected, since Start; stays at its greatest value.
     [[nodiscard]] std::uint16_t Corrected() const noexcept
@@ -72,8 +74,11 @@ class Esm
     [[nodiscard]] Outcome Judge(const EsmStatus& status) noexcept;
     void Keep(std::uint8_t group, std::uint32_t errors, std::uint8_t first_channel) noexcept;
 
-    Shared<std::uint8_t> group_{0U};
-    Shared<std::uint8_t> channel_{0U};
+    static constexpr std::uint32_t kGroupShift = 8U;
+    static constexpr std::uint32_t kChannelMask = 0xFFU;
+
+    /// Group and channel in one: a fast interrupt in between must not mix two errors.
+    Shared<std::uint32_t> first_{0U};
     Shared<std::uint16_t> corrected_{0U};
 };
 

@@ -83,7 +83,7 @@ Outcome Interrupts::TestParity() noexcept
 Outcome Interrupts::Start() noexcept
 {
     Outcome outcome = WriteChecked(At(kParityBase, kParityControl), kParityOn, kWholeWord);
-    Write(At(kParityBase, kFallback), kNoHandler);
+    outcome = Both(outcome, WriteChecked(At(kParityBase, kFallback), kNoHandler, kWholeWord));
     for (std::uint32_t word = 0U; word < kTableWords; ++word)
     {
         outcome = Both(outcome, WriteChecked(At(kTable, word * kWordBytes), kNoHandler, kWholeWord));

@@ -3,6 +3,7 @@
 // LBIST (reference manual, chapter "CPU Self-Test Controller (STC)"; CPU facts 4.4).
 #include "hal/tms570/built_in_tests.hpp"
 
+#include "hal/tms570/esm.hpp"
 #include "hal/tms570/processor.hpp"
 #include "hal/tms570/system_registers.hpp"
 
@@ -30,6 +31,9 @@ void Run(const std::uint32_t intervals, const std::uint32_t self_check) noexcept
     Write(At(kStc, kStcTimeout), kLongestTime);
     // The value never comes: only the time of the looks counts.
     static_cast<void>(WaitFor(At(kStc, kStcTimeout), Bits{kWholeWord, 0U}, kSettleLooks));
+    // A test that never begins leaves the processor asleep for ever. The pins are inputs since the reset; with nERROR
+    // low the monitor outside knows as well. The steps that force errors let it go.
+    ForceErrorPin();
     Write(At(kStc, kStcControl1), kKeyOn);
     WaitForInterrupt();
 }

@@ -49,7 +49,11 @@ Outcome Mpu::Start(const MpuSetup& setup) noexcept
     examined_ = 0U;
     WriteProcessor(ProcessorRegister::kSystemControl, ReadProcessor(ProcessorRegister::kSystemControl) & ~kControlOn);
     const std::uint32_t regions = (ReadProcessor(ProcessorRegister::kMpuType) >> kTypeRegionsShift) & kTypeRegionsMask;
-    room_ = (regions < kMostRegions) ? regions : kMostRegions;
+    room_ = regions;
+    if (room_ > kMostRegions)
+    {
+        room_ = kMostRegions;
+    }
     for (std::uint32_t number = 0U; number < room_; ++number)
     {
         WriteProcessor(ProcessorRegister::kRegionNumber, number);

@@ -9,7 +9,7 @@ namespace
 constexpr std::uint32_t kWordBits = 32U;
 
 /// Neither cleared nor set by start-up; its seal says whether it is a record at all.
-[[gnu::section(".noinit.exception")]] counterpoint::hal::ExceptionStorage storage;
+[[gnu::section(".noinit.exception")]] counterpoint::hal::ExceptionStorage storage; // MISRA D-007
 
 } // namespace
 

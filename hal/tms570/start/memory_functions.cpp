@@ -7,6 +7,25 @@
 
 extern "C"
 {
+    void* memcpy(void* to, const void* from, std::size_t count) noexcept;
+    void* memmove(void* to, const void* from, std::size_t count) noexcept;
+    void* memset(void* to, int value, std::size_t count) noexcept;
+    int memcmp(const void* left, const void* right, std::size_t count) noexcept;
+
+    // The names are those of the ABI.
+    void __aeabi_memcpy(void* to, const void* from, std::size_t count) noexcept;   // MISRA D-008
+    void __aeabi_memcpy4(void* to, const void* from, std::size_t count) noexcept;  // MISRA D-008
+    void __aeabi_memcpy8(void* to, const void* from, std::size_t count) noexcept;  // MISRA D-008
+    void __aeabi_memmove(void* to, const void* from, std::size_t count) noexcept;  // MISRA D-008
+    void __aeabi_memmove4(void* to, const void* from, std::size_t count) noexcept; // MISRA D-008
+    void __aeabi_memmove8(void* to, const void* from, std::size_t count) noexcept; // MISRA D-008
+    void __aeabi_memset(void* to, std::size_t count, int value) noexcept;          // MISRA D-008
+    void __aeabi_memset4(void* to, std::size_t count, int value) noexcept;         // MISRA D-008
+    void __aeabi_memset8(void* to, std::size_t count, int value) noexcept;         // MISRA D-008
+    void __aeabi_memclr(void* to, std::size_t count) noexcept;                     // MISRA D-008
+    void __aeabi_memclr4(void* to, std::size_t count) noexcept;                    // MISRA D-008
+    void __aeabi_memclr8(void* to, std::size_t count) noexcept;                    // MISRA D-008
+
     void* memcpy(void* to, const void* from, std::size_t count) noexcept
     {
         auto* target = static_cast<std::uint8_t*>(to);
@@ -20,10 +39,10 @@ extern "C"
             {
                 const auto* read = reinterpret_cast<const std::uint32_t*>(source + i); // MISRA D-008
                 auto* write = reinterpret_cast<std::uint32_t*>(target + i);            // MISRA D-008
-                write[0] = read[0];
-                write[1] = read[1];
-                write[2] = read[2];
-                write[3] = read[3];
+                write[0] = read[0];                                                    // MISRA D-008
+                write[1] = read[1];                                                    // MISRA D-008
+                write[2] = read[2];                                                    // MISRA D-008
+                write[3] = read[3];                                                    // MISRA D-008
             }
             for (; (i + 4U) <= count; i += 4U)
             {
@@ -33,7 +52,7 @@ extern "C"
         }
         for (; i < count; ++i)
         {
-            target[i] = source[i];
+            target[i] = source[i]; // MISRA D-008
         }
         return to;
     }
@@ -48,7 +67,7 @@ extern "C"
         }
         for (std::size_t i = count; i > 0U; --i)
         {
-            target[i - 1U] = source[i - 1U];
+            target[i - 1U] = source[i - 1U]; // MISRA D-008
         }
         return to;
     }
@@ -64,10 +83,10 @@ extern "C"
             for (; (i + 16U) <= count; i += 16U)
             {
                 auto* words = reinterpret_cast<std::uint32_t*>(target + i); // MISRA D-008
-                words[0] = word;
-                words[1] = word;
-                words[2] = word;
-                words[3] = word;
+                words[0] = word;                                            // MISRA D-008
+                words[1] = word;                                            // MISRA D-008
+                words[2] = word;                                            // MISRA D-008
+                words[3] = word;                                            // MISRA D-008
             }
             for (; (i + 4U) <= count; i += 4U)
             {
@@ -76,7 +95,7 @@ extern "C"
         }
         for (; i < count; ++i)
         {
-            target[i] = static_cast<std::uint8_t>(byte);
+            target[i] = static_cast<std::uint8_t>(byte); // MISRA D-008
         }
         return to;
     }
@@ -87,9 +106,9 @@ extern "C"
         const auto* b = static_cast<const std::uint8_t*>(right);
         for (std::size_t i = 0U; i < count; ++i)
         {
-            if (a[i] != b[i])
+            if (a[i] != b[i]) // MISRA D-008
             {
-                return (a[i] < b[i]) ? -1 : 1;
+                return (a[i] < b[i]) ? -1 : 1; // MISRA D-008
             }
         }
         return 0;
@@ -97,50 +116,50 @@ extern "C"
 
     void __aeabi_memcpy(void* to, const void* from, std::size_t count) noexcept
     {
-        memcpy(to, from, count);
+        static_cast<void>(memcpy(to, from, count));
     }
     void __aeabi_memcpy4(void* to, const void* from, std::size_t count) noexcept
     {
-        memcpy(to, from, count);
+        static_cast<void>(memcpy(to, from, count));
     }
     void __aeabi_memcpy8(void* to, const void* from, std::size_t count) noexcept
     {
-        memcpy(to, from, count);
+        static_cast<void>(memcpy(to, from, count));
     }
     void __aeabi_memmove(void* to, const void* from, std::size_t count) noexcept
     {
-        memmove(to, from, count);
+        static_cast<void>(memmove(to, from, count));
     }
     void __aeabi_memmove4(void* to, const void* from, std::size_t count) noexcept
     {
-        memmove(to, from, count);
+        static_cast<void>(memmove(to, from, count));
     }
     void __aeabi_memmove8(void* to, const void* from, std::size_t count) noexcept
     {
-        memmove(to, from, count);
+        static_cast<void>(memmove(to, from, count));
     }
     void __aeabi_memset(void* to, std::size_t count, int value) noexcept
     {
-        memset(to, value, count);
+        static_cast<void>(memset(to, value, count));
     }
     void __aeabi_memset4(void* to, std::size_t count, int value) noexcept
     {
-        memset(to, value, count);
+        static_cast<void>(memset(to, value, count));
     }
     void __aeabi_memset8(void* to, std::size_t count, int value) noexcept
     {
-        memset(to, value, count);
+        static_cast<void>(memset(to, value, count));
     }
     void __aeabi_memclr(void* to, std::size_t count) noexcept
     {
-        memset(to, 0, count);
+        static_cast<void>(memset(to, 0, count));
     }
     void __aeabi_memclr4(void* to, std::size_t count) noexcept
     {
-        memset(to, 0, count);
+        static_cast<void>(memset(to, 0, count));
     }
     void __aeabi_memclr8(void* to, std::size_t count) noexcept
     {
-        memset(to, 0, count);
+        static_cast<void>(memset(to, 0, count));
     }
 }

@@ -30,17 +30,18 @@ namespace
 
 MpuSetup FixedRegions() noexcept
 {
-    return MpuSetup{{0U, NumberOf(region_flash_length)},
-                    {NumberOf(region_ram), NumberOf(region_ram_length)},
-                    {NumberOf(region_non_safety), NumberOf(region_non_safety_length)}};
+    return MpuSetup{{0U, NumberOf(&region_flash_length[0])},
+                    {NumberOf(&region_ram[0]), NumberOf(&region_ram_length[0])},
+                    {NumberOf(&region_non_safety[0]), NumberOf(&region_non_safety_length[0])}};
 }
 
 bool ProtectParties(hal::MemoryProtection& protection) noexcept
 {
     const hal::MemoryRegion regions[]{
-        {region_channel_a, NumberOf(region_channel_length), hal::MemoryOwner::kChannelA},
-        {region_channel_b, NumberOf(region_channel_length), hal::MemoryOwner::kChannelB},
-        {region_core, NumberOf(region_core_length), hal::MemoryOwner::kKernel},
+        // MISRA D-001
+        {&region_channel_a[0], NumberOf(&region_channel_length[0]), hal::MemoryOwner::kChannelA},
+        {&region_channel_b[0], NumberOf(&region_channel_length[0]), hal::MemoryOwner::kChannelB},
+        {&region_core[0], NumberOf(&region_core_length[0]), hal::MemoryOwner::kKernel},
     };
     bool are_protected = true;
     for (const hal::MemoryRegion& region : regions)

@@ -13,6 +13,7 @@
     .equ .Lkey_on, 0xA
     .equ .Lkey_off, 0x5
     .equ .Lram, 1
+    .equ .Lerror_key, 0xFFFFF538       @ ESMEKR; its key to force is the same
     .equ .Ldone, 1 << 8
     .equ .Lmost_looks, 0x10000         @ the hardware takes one cycle for a word of 64 bits: 64 Ki of them at the most
 
@@ -33,6 +34,10 @@ HardwareInitialiseRam:
     bne 1b
 2:  mov r3, #.Lkey_off
     str r3, [r1, #.Lminitgcr]
+    cmp r0, #0                         @ the caller stands still then: nERROR low, or nobody outside would know
+    ldreq r1, =.Lerror_key
+    moveq r2, #.Lkey_on
+    streq r2, [r1]
     bx lr                              @ r0: 0 if every look was in vain
     .size HardwareInitialiseRam, . - HardwareInitialiseRam
     .ltorg

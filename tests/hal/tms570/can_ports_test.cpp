@@ -213,6 +213,30 @@ TEST_F(CanPortsTest, BusOffWithdrawsRefusesAndComesBackASetNumberOfTimes)
     EXPECT_EQ(rig.board.Can().Transmit(Frame(kSentNormal, 1U)), hal::TransmitStatus::kBusOff);
 }
 
+TEST_F(CanPortsTest, BusOffAgainOnTheWayBackBeginsThePauseAnew)
+{
+    Verifies(req::SRS_TMS_018);
+    // Given a controller whose pause of 3 cycles is over, so that it counts recessive bits
+    rig.machine.dcan1.GoBusOff();
+    for (int cycle = 0; cycle < 4; ++cycle)
+    {
+        EXPECT_EQ(rig.Cycle(), BoardFault::kNone);
+    }
+    EXPECT_EQ(rig.board.Can().Controller(CanPortId::kFirst).Returns(), 1U);
+    // When it is in bus-off again before it was seen on the bus
+    rig.machine.dcan1.GoBusOff();
+    for (int cycle = 0; cycle < 5; ++cycle)
+    {
+        EXPECT_EQ(rig.Cycle(), BoardFault::kNone);
+    }
+    // Then it goes the way back a second time, and frames are taken
+    EXPECT_EQ(rig.board.Can().Controller(CanPortId::kFirst).Returns(), 2U);
+    rig.machine.dcan1.Recover();
+    EXPECT_EQ(rig.Cycle(), BoardFault::kNone);
+    EXPECT_TRUE(rig.machine.dcan1.IsOnBus());
+    EXPECT_EQ(rig.board.Can().Transmit(Frame(kSentNormal, 0x12U)), hal::TransmitStatus::kAccepted);
+}
+
 TEST_F(CanPortsTest, SetupThatCannotWorkIsRefused)
 {
     Verifies(req::SRS_TMS_011);
@@ -273,6 +297,20 @@ TEST_F(TwoControllers, SecondControllerSendsAndConfirms)
     const QueuedFrame confirmed = rig.board.NextFrame();
     EXPECT_EQ(confirmed.kind, QueuedKind::kConfirmed);
     EXPECT_EQ(confirmed.frame.frame.port, CanPortId::kSecond);
+}
+
+TEST_F(TwoControllers, SafeStateTakesBothOffTheirBuses)
+{
+    Verifies(req::SRS_TMS_062);
+    // Given a device on two buses, when an uncorrectable error of its RAM is reported
+    rig.machine.esm.Raise(2U, 6U);
+    EXPECT_EQ(rig.Cycle(), BoardFault::kEsm);
+    // Then it is on neither of them any more, and neither takes a frame
+    EXPECT_FALSE(rig.machine.dcan1.IsOnBus());
+    EXPECT_FALSE(rig.machine.dcan2.IsOnBus());
+    CanFrame frame = Frame(0x132U, 1U);
+    frame.port = CanPortId::kSecond;
+    EXPECT_EQ(rig.board.Can().Transmit(frame), hal::TransmitStatus::kRefused);
 }
 
 TEST_F(TwoControllersOneBus, TwoFramesAtOnceAreALossOnOneBus)

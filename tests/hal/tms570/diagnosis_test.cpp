@@ -33,6 +33,56 @@ namespace
     return text.str();
 }
 
+/// A wait whose bit never comes. One look takes 50 ns of the model; what is done before and after takes 10 us at most.
+struct EndlessWait
+{
+    model::Fault fault;
+    Outcome (*wait)();
+    std::uint64_t looks;
+};
+
+class EndlessWaits : public ::testing::TestWithParam<EndlessWait>
+{
+};
+
+TEST_P(EndlessWaits, EndAfterTheLooksThatTheTableOfFaultsTells)
+{
+    Verifies(req::SRS_TMS_003);
+    // Given a peripheral that never says that it is ready
+    model::Machine machine{kLs12x};
+    machine.faults.Set(GetParam().fault);
+    // When its driver waits, then that fails after the looks that docs/tms570_faults.md tells, and after no more
+    EXPECT_EQ(GetParam().wait(), Outcome::kFailed);
+    EXPECT_GE(machine.NowUs(), GetParam().looks / 20U);
+    EXPECT_LE(machine.NowUs(), (GetParam().looks / 20U) + 10U);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, EndlessWaits,
+    ::testing::Values(
+        EndlessWait{model::Fault::kCcmSelfTestEndless, [] { return Lockstep::Test(); }, 20'000U},
+        EndlessWait{model::Fault::kPllNeverLocks, [] { return StartClocks(kLs12x.clocks); }, 70'000U},
+        EndlessWait{model::Fault::kDccEndless, [] { return ClockComparator::Start(kLs12x.clocks); }, 200'000U},
+        EndlessWait{model::Fault::kMemoryInitEndless, [] { return InitialiseMemories(kLs12x.memories); }, 70'000U},
+        EndlessWait{model::Fault::kPbistEndless, [] { return TestMemories(kLs12x.memories); }, 1'000'000U}));
+
+TEST(DiagnosisTest, BusyInterfaceOfACanControllerIsLookedAt64Times)
+{
+    Verifies(req::SRS_TMS_003);
+    // Given a controller whose interface to the objects stays busy
+    Rig rig;
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    rig.machine.faults.Set(model::Fault::kDcanBusyForEver);
+    // When a frame is sent, then it is refused after 64 looks of 50 ns and the few writes around them
+    const std::uint64_t before = rig.machine.NowUs();
+    EXPECT_EQ(rig.board.Can().Transmit(Frame(kSentNormal, 1U)), hal::TransmitStatus::kRefused);
+    EXPECT_GE(rig.machine.NowUs() - before, 3U);
+    EXPECT_LE(rig.machine.NowUs() - before, 4U);
+    // and every later one at once
+    EXPECT_EQ(rig.board.Can().Transmit(Frame(kSentInverse, 1U)), hal::TransmitStatus::kRefused);
+    EXPECT_FALSE(rig.machine.dcan1.IsOnBus());
+}
+
 TEST(DiagnosisTest, LockstepTestForcesEveryErrorAndEndsInLockstep)
 {
     Verifies(req::SRS_TMS_040);

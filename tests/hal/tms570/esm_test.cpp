@@ -69,6 +69,27 @@ TEST_P(EsmChannels, EveryChannelOfGroup1ReactsAsTheTableSays)
 
 INSTANTIATE_TEST_SUITE_P(All, EsmChannels, ::testing::Range(0U, 64U));
 
+TEST(EsmTest, SixteenCorrectedErrorsAreRecordedAndOneMoreIsTheSafeState)
+{
+    Verifies(req::SRS_TMS_032);
+    // Given a board with an open output, when RAM is corrected once a cycle, then sixteen times nothing else happens
+    Rig rig;
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    for (std::uint16_t count = 1U; count <= 16U; ++count)
+    {
+        rig.machine.esm.Raise(1U, 26U);
+        EXPECT_EQ(rig.Cycle(), BoardFault::kNone);
+        EXPECT_EQ(rig.board.Errors().Corrected(), count);
+    }
+    EXPECT_EQ(rig.machine.gio.PinsA(), 1U);
+    // and the next time the device is safe, with group and channel kept
+    rig.machine.esm.Raise(1U, 26U);
+    EXPECT_EQ(rig.Cycle(), BoardFault::kEsm);
+    EXPECT_TRUE(rig.IsSafe());
+    EXPECT_EQ(rig.board.Errors().First().group, 1U);
+    EXPECT_EQ(rig.board.Errors().First().channel, 26U);
+}
+
 TEST(EsmTest, FirstErrorStays)
 {
     Verifies(req::SRS_TMS_032);

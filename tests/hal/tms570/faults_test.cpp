@@ -63,6 +63,7 @@ constexpr StartFault kStartFaults[] = {
     {Fault::kVimParityUnseen, StartStep::kTableParity},
     {Fault::kEsmPinStuckHigh, StartStep::kErrorPin},
     {Fault::kEsmPinStuckLow, StartStep::kErrorPin},
+    {Fault::kEsmLowTimeLost, StartStep::kErrorPin},
     {Fault::kDccEndless, StartStep::kClockComparator},
     {Fault::kDccWrongClock, StartStep::kClockComparator},
     {Fault::kCounterAStoppedAtStart, StartStep::kCounters},
@@ -71,6 +72,7 @@ constexpr StartFault kStartFaults[] = {
     {Fault::kMpuWithoutRegions, StartStep::kProtection},
     {Fault::kMpuRegionLost, StartStep::kProtection},
     {Fault::kVimTableStuck, StartStep::kInterrupts},
+    {Fault::kVimFallbackLost, StartStep::kInterrupts},
     {Fault::kVimEnableLost, StartStep::kInterrupts},
     {Fault::kEsmWriteLost, StartStep::kEsm},
     {Fault::kDcanInitStuck, StartStep::kCan},
@@ -110,14 +112,24 @@ TEST_P(StartFaults, RefusesTheStartAtItsStepAndStaysSafe)
     EXPECT_EQ(report.answer, StartAnswer::kRefused);
     EXPECT_EQ(report.last, GetParam().step);
     EXPECT_EQ(report.steps[static_cast<std::uint8_t>(GetParam().step)], StepResult::kFailed);
-    EXPECT_EQ(rig.machine.gio.PinsA() & ~1U, 0U);
+    EXPECT_EQ(rig.machine.gio.PinsA(), (GetParam().fault == Fault::kPinStuckHighAtStart) ? 1U : 0U);
     EXPECT_FALSE(rig.machine.esm.IsPinHigh());
     EXPECT_FALSE(rig.machine.dcan1.IsOnBus());
     EXPECT_EQ(rig.board.Can().Guarantees().bus_order, hal::Guarantee::kAbsent);
+    // and when the fault is gone, right permits open nothing and no frame is taken all the same
+    rig.machine.faults.Clear(GetParam().fault);
+    rig.board.Output().Drive(Rig::RightPermits(rig.board.Output().Challenge(), 1U));
+    EXPECT_EQ(rig.machine.gio.PinsA(), 0U);
+    EXPECT_EQ(rig.board.Can().Transmit(Frame(kSentNormal, 1U)), hal::TransmitStatus::kRefused);
+    EXPECT_EQ(rig.Cycle(), BoardFault::kStart);
+    EXPECT_TRUE(rig.IsSafe());
 }
 
 INSTANTIATE_TEST_SUITE_P(All, StartFaults, ::testing::ValuesIn(kStartFaults),
                          [](const auto& row) { return NameOf(row.param.fault); });
+
+/// Told and cut off by the interrupt alone, before any cycle.
+constexpr int kInInterrupt = 0;
 
 /// In operation the board tells a fault within so many cycles.
 struct RunFault
@@ -129,7 +141,7 @@ struct RunFault
 
 constexpr RunFault kRunFaults[] = {
     {Fault::kDcanBusyForEver, BoardFault::kCan, 1},
-    {Fault::kDcanParityError, BoardFault::kEsm, 1},
+    {Fault::kDcanParityError, BoardFault::kEsm, kInInterrupt},
     {Fault::kDcanWrongReadBack, BoardFault::kCan, 1},
     {Fault::kDcanControlChanged, BoardFault::kCan, 1},
     {Fault::kDcanForeignObject, BoardFault::kCan, 1},
@@ -139,13 +151,13 @@ constexpr RunFault kRunFaults[] = {
     {Fault::kPinStuckLow, BoardFault::kPins, 1},
     {Fault::kPinNotOutput, BoardFault::kPins, 1},
     {Fault::kMpuTurnedOff, BoardFault::kProtection, 8},
-    {Fault::kEsmReservedChannel, BoardFault::kEsm, 1},
-    {Fault::kEsmUncorrectable, BoardFault::kEsm, 1},
+    {Fault::kEsmReservedChannel, BoardFault::kEsm, kInInterrupt},
+    {Fault::kEsmUncorrectable, BoardFault::kEsm, kInInterrupt},
     {Fault::kEsmCorrectedAgain, BoardFault::kEsm, 17},
-    {Fault::kCcmCompareError, BoardFault::kEsm, 1},
+    {Fault::kCcmCompareError, BoardFault::kEsm, kInInterrupt},
     {Fault::kCcmNotLockstep, BoardFault::kLockstep, 8},
-    {Fault::kVimParityError, BoardFault::kEsm, 1},
-    {Fault::kVimUnknownRequest, BoardFault::kInterrupts, 1},
+    {Fault::kVimParityError, BoardFault::kEsm, kInInterrupt},
+    {Fault::kVimUnknownRequest, BoardFault::kInterrupts, kInInterrupt},
     {Fault::kDccClockDrifts, BoardFault::kEsm, 4},
     {Fault::kDccTurnedOff, BoardFault::kClockComparator, 8},
     {Fault::kPllSlips, BoardFault::kClocks, 8},
@@ -210,6 +222,15 @@ TEST_P(RunFaults, AreToldInTimeAndCutOff)
     rig.machine.faults.Set(GetParam().fault);
     BoardFault fault = BoardFault::kNone;
     int cycles = 0;
+    if (GetParam().most_cycles == kInInterrupt)
+    {
+        Provoke(rig, GetParam().fault);
+        rig.TakeInterrupts();
+        fault = rig.board.Fault();
+        EXPECT_EQ(rig.machine.gio.PinsA(), 0U);
+        EXPECT_FALSE(rig.machine.esm.IsPinHigh());
+        EXPECT_EQ(rig.Cycle(), GetParam().told);
+    }
     while ((fault == BoardFault::kNone) && (cycles < 20))
     {
         Provoke(rig, GetParam().fault);

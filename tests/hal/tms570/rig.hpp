@@ -65,13 +65,16 @@ class Rig
     /// @brief What the processor does when a line is up; at most as often as anything could need.
     void TakeInterrupts()
     {
-        for (int i = 0; (i < 10) && machine.vim.FastLine(); ++i)
+        for (int i = 0; (i < 20) && (machine.vim.FastLine() || machine.vim.Line()); ++i)
         {
-            board.OnFastInterrupt();
-        }
-        for (int i = 0; (i < 10) && machine.vim.Line(); ++i)
-        {
-            board.OnInterrupt();
+            if (machine.vim.FastLine())
+            {
+                board.OnFastInterrupt();
+            }
+            else
+            {
+                board.OnInterrupt();
+            }
         }
     }
 

@@ -67,6 +67,17 @@ TEST(Start, LogicTestResetsTheProcessorTwice)
     EXPECT_FALSE(rig.machine.TakeProcessorReset());
 }
 
+TEST(Start, ErrorPinIsLowWhileTheProcessorSleepsForItsTest)
+{
+    Verifies(req::SRS_TMS_047);
+    // Given a controller after power-on, with nERROR high
+    model::Machine machine{kLs12x};
+    EXPECT_TRUE(machine.esm.IsPinHigh());
+    // When the logic test begins, whether its reset ever comes or not, then nERROR is low
+    EXPECT_EQ(ContinueLogicTest(ResetReason{0x8000U}), LogicTest::kResetComes);
+    EXPECT_FALSE(machine.esm.IsPinHigh());
+}
+
 TEST(Start, ReportHoldsTheReasonOfTheResetBeforeTheLogicTest)
 {
     Verifies(req::SRS_TMS_051);

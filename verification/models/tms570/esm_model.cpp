@@ -121,7 +121,8 @@ void EsmModel::Write(const std::uint32_t offset, const std::uint32_t value)
         }
         released_ = value == kKeyRelease;
     }
-    Kept(offset) = value;
+    const bool is_lost = (offset == kLowTimePreload) && Has(Fault::kEsmLowTimeLost);
+    Kept(offset) = is_lost ? 0U : value;
 }
 
 void EsmModel::Advance(const std::uint64_t ns)

@@ -121,7 +121,8 @@ void VimModel::Write(const std::uint32_t offset, const std::uint32_t value)
         Kept(offset) &= ~value;
         return;
     }
-    Kept(offset) = value;
+    const bool is_lost = (offset == kFallback) && Has(Fault::kVimFallbackLost);
+    Kept(offset) = is_lost ? 0U : value;
 }
 
 VimTableModel::VimTableModel(const FaultSet& faults, VimModel& vim) : Peripheral(faults), vim_(vim)
