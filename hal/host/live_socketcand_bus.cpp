@@ -50,7 +50,8 @@ LiveFile Connect(const LiveAddress& address, const std::uint64_t until_ns)
     const int problem = ::getaddrinfo(address.host.c_str(), std::to_string(address.port).c_str(), &wanted, &found);
     if (problem != 0)
     {
-        throw LiveBusError("bus '" + address.text + "': host '" + address.host + "': " + ::gai_strerror(problem));
+        throw LiveBusError("bus '" + address.text + "': host '" + address.host + "': " + ::gai_strerror(problem) +
+                           ", expected the name or address of a host");
     }
     int failure = EHOSTUNREACH;
     LiveFile result{-1};
