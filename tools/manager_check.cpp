@@ -114,6 +114,10 @@ class Comparison
         Compare(name(0x1F26U), one.configuration_date, other.configuration_date);
         Compare(name(0x1F27U), one.configuration_time, other.configuration_time);
         Compare(heartbeat, one.heartbeat.consumer_ms, other.heartbeat.consumer_ms);
+        Compare("heartbeat (0x1017) of node " + std::to_string(node), one.heartbeat.producer_ms,
+                other.heartbeat.producer_ms);
+        Compare("arming of node " + std::to_string(node), static_cast<std::uint64_t>(one.heartbeat.arming),
+                static_cast<std::uint64_t>(other.heartbeat.arming));
     }
     void CompareConcise(const std::uint8_t node, const LoadedSlave& one, const LoadedSlave& other)
     {

@@ -149,7 +149,38 @@ void LoadedNetwork::Fill(LoadedSlave& slave, SlaveSetup& setup) const
     FillIdentity(slave, setup);
     FillHeartbeat(slave, setup);
     setup.safety = slave.objects.empty() ? nullptr : &slave.safety;
+    RequireSense(slave, setup);
     FillProfile(plan_.manager.profile, slave.plan, slave.device, slave.profile, setup);
+}
+
+/// What somebody wrote and would not get: supervision that cannot work, and a configuration that is not there.
+void LoadedNetwork::RequireSense(const LoadedSlave& slave, const SlaveSetup& setup) const
+{
+    const SlavePlan& plan = slave.plan;
+    const auto ms = [](const std::uint32_t time) { return std::to_string(time) + " ms"; };
+    const bool has_half = (setup.GuardTimeMs() == 0U) != (setup.RetryFactor() == 0U);
+    const bool asks_half = plan.guard_ms.value_or(0U) > 0U || plan.retry_factor.value_or(0U) > 0U;
+    const std::uint16_t consumer_ms = plan.consumer_ms.value_or(0U);
+    if (has_half && asks_half)
+    {
+        throw InputError(
+            plan_.file, plan.line,
+            {"guard time " + ms(setup.GuardTimeMs()) + " with retry factor " + std::to_string(setup.RetryFactor()),
+             "both above 0, or none"});
+    }
+    if (consumer_ms > 0U && consumer_ms <= setup.heartbeat.producer_ms)
+    {
+        throw InputError(
+            plan_.file, plan.line,
+            {"consumer time " + ms(consumer_ms) + " of a heartbeat each " + ms(setup.heartbeat.producer_ms),
+             "a longer one"});
+    }
+    if (plan.writes_safety && slave.objects.empty())
+    {
+        throw InputError(plan_.file, plan.line,
+                         {"write_safety of node " + std::to_string(plan.node) + ", which has no safety configuration",
+                          "a DCF with an SRDO that has a direction"});
+    }
 }
 
 void LoadedNetwork::FillIdentity(const LoadedSlave& slave, SlaveSetup& setup) const

@@ -70,6 +70,7 @@ class LoadedNetwork
     void Fill(LoadedSlave& slave, cia302::SlaveSetup& setup) const;
     void FillIdentity(const LoadedSlave& slave, cia302::SlaveSetup& setup) const;
     void FillHeartbeat(LoadedSlave& slave, cia302::SlaveSetup& setup) const;
+    void RequireSense(const LoadedSlave& slave, const cia302::SlaveSetup& setup) const;
     void FillManager();
 
     NetworkPlan plan_;

@@ -287,6 +287,27 @@ TEST_F(ManagerCommandTest, EqualMastersPassOthersAreNamed)
                                ": no node 96, expected it as in " + other + "\n");
 }
 
+TEST_F(ManagerCommandTest, MastersThatSuperviseInAnotherWayAreNamed)
+{
+    Verifies(req::SRS_MGR_009);
+    // Given the same slave with the same consumer time, another heartbeat and another arming
+    const auto network = [](const std::string& node, const std::string& other, const std::string& slave)
+    {
+        return "manager: {node: " + node + ", flying: {priority: 1}}\nslaves:\n  - {node: " + other +
+               ", boot: false}\n  - {node: 96, configure: false, consumer: 500 ms, " + slave + "}\n";
+    };
+    const std::string two = File("two.yaml", network("2", "5", "heartbeat: 100 ms"));
+    const std::string five = File("five.yaml", network("5", "2", "heartbeat: 200 ms, arming: boot_up"));
+    const Answer differs = RunCommand({"manager", "--check", two, five});
+    EXPECT_EQ(differs.status, 1);
+    EXPECT_NE(differs.out.find(five + ": heartbeat (0x1017) of node 96 is 0xC8, expected 0x64 as in " + two + "\n"),
+              std::string::npos)
+        << differs.out;
+    EXPECT_NE(differs.out.find(five + ": arming of node 96 is 0x2, expected 0x1 as in " + two + "\n"),
+              std::string::npos)
+        << differs.out;
+}
+
 TEST_F(ManagerCommandTest, OrdersAreReadStrictly)
 {
     Verifies(req::SRS_MGR_006);
