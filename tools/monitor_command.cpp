@@ -11,8 +11,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <ostream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace counterpoint::tools
@@ -99,10 +101,7 @@ class MonitorCommand final : public Command
                            "as told by 'counterpoint monitor --help'\n";
             return ExitStatus::kBadInput;
         }
-        if (!html_.empty())
-        {
-            cia306::RequireWritable(html_);
-        }
+        RequirePage();
         const monitor::Network network = ReadNetwork();
         std::vector<monitor::Violation> kept;
         monitor::Analysis analysis(network,
@@ -149,6 +148,29 @@ class MonitorCommand final : public Command
             WatchLiveBus(address_, seconds_, streams, take, [&](const Time now) { analysis.Advance(now); });
         }
         return Conclude({network, analysis, kept, address_.empty() ? file_ : address_}, streams);
+    }
+
+    /// A page that could not be written is told before the work, and none takes the place of what is read.
+    void RequirePage() const
+    {
+        if (html_.empty())
+        {
+            return;
+        }
+        std::vector<std::string> inputs{file_};
+        for (const std::string& dcf : dcfs_)
+        {
+            inputs.push_back(NodeFileOf(dcf).path);
+        }
+        for (const std::string& input : inputs)
+        {
+            std::error_code error; // Of a file that is not there, which is another than the page.
+            if (std::filesystem::equivalent(input, html_, error))
+            {
+                throw InputError(html_, 0U, {"--html is a file that is read", "another one"});
+            }
+        }
+        cia306::RequireWritable(html_);
     }
 
     [[nodiscard]] monitor::Network ReadNetwork() const

@@ -141,6 +141,10 @@ TEST_F(MonitorCommandTest, BadInputIsOneLine)
     EXPECT_EQ(Monitor({Recording(), "--interface", ""}).status, 2);
     EXPECT_EQ(Monitor({Recording(), "--for", "1"}).status, 2);
     EXPECT_EQ(Monitor({"--can", "udp:239.74.163.3:43199", "--interface", "can0", "--for", "1"}).status, 2);
+    const Answer own = Monitor({Recording(), "--html", Path("bus.log")});
+    EXPECT_EQ(own.status, 2);
+    EXPECT_EQ(own.err, Path("bus.log") + ":0: error: --html is a file that is read, expected another one\n");
+    EXPECT_EQ(Monitor({Path("bus.log")}).status, 1);
     const Answer other = RunCommand({"monitor", "--can", "nothing:here", "--dcf", Example("sensor")});
     EXPECT_EQ(other.status, 2);
     EXPECT_EQ(std::count(other.err.begin(), other.err.end(), '\n'), 1) << other.err;
