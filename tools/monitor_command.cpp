@@ -11,8 +11,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <ostream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace counterpoint::tools
@@ -41,6 +43,11 @@ monitor::NodeFile NodeFileOf(const std::string& text)
     return {text.substr(0U, mark), static_cast<std::uint8_t>(id)};
 }
 
+std::string ProblemOfInterface(const std::string& text)
+{
+    return text.empty() ? "an empty name, expected an interface of the recording" : std::string();
+}
+
 class MonitorCommand final : public Command
 {
   public:
@@ -48,20 +55,25 @@ class MonitorCommand final : public Command
     {
         CLI::Option* const file = app.add_option("FILE", file_, "Recording: candump -l, pcap or pcapng (SocketCAN)");
         file->type_name("");
-        app.add_option("--can", address_, "Instead of FILE a live bus: can0, socketcand:HOST:PORT/can0, udp:GROUP:PORT")
-            ->type_name("ADDRESS")
-            ->excludes(file);
+        CLI::Option* const can =
+            app.add_option("--can", address_,
+                           "Instead of FILE a live bus: can0, socketcand:HOST:PORT/can0, udp:GROUP:PORT")
+                ->type_name("ADDRESS")
+                ->excludes(file);
         app.add_option("--dcf", dcfs_,
                        "DCF of a device on the bus, as often as there are devices; FILE=N for node-ID N")
             ->type_name("FILE")
             ->required();
         app.add_option("--interface", interface_, "Take the frames of this interface (default: the first in FILE)")
-            ->type_name("NAME");
+            ->type_name("NAME")
+            ->needs(file)
+            ->check(CLI::Validator(ProblemOfInterface, ""));
         app.add_option("--sct", sct_ms_, "SCT of SRDOs that no DCF consumes, in ms (default: twice the refresh time)")
             ->check(CLI::Validator(ProblemOfNumber, ""))
             ->check(CLI::Range(1, 65535));
         app.add_option("--for", seconds_,
                        "End the watching of a live bus after so many seconds (default: Ctrl-C, SIGTERM)")
+            ->needs(can)
             ->check(CLI::Validator(ProblemOfNumber, ""))
             ->check(CLI::Range(1, 1000000));
         app.add_flag("--frames", shows_frames_, "Show each frame in words");
@@ -89,10 +101,7 @@ class MonitorCommand final : public Command
                            "as told by 'counterpoint monitor --help'\n";
             return ExitStatus::kBadInput;
         }
-        if (!html_.empty())
-        {
-            cia306::RequireWritable(html_);
-        }
+        RequirePage();
         const monitor::Network network = ReadNetwork();
         std::vector<monitor::Violation> kept;
         monitor::Analysis analysis(network,
@@ -121,9 +130,17 @@ class MonitorCommand final : public Command
             const std::string bytes = monitor::ReadRecording(file_);
             const auto source = monitor::OpenRecording(file_, bytes, {interface_});
             monitor::LogFrame frame;
+            bool is_any = false;
             while (source->Next(frame))
             {
                 take(frame);
+                is_any = true;
+            }
+            if (!is_any && !interface_.empty())
+            {
+                throw InputError(
+                    file_, 0U,
+                    {"no frame of interface " + cia306::Quoted(interface_), "--interface with one of the recording"});
             }
         }
         else
@@ -131,6 +148,29 @@ class MonitorCommand final : public Command
             WatchLiveBus(address_, seconds_, streams, take, [&](const Time now) { analysis.Advance(now); });
         }
         return Conclude({network, analysis, kept, address_.empty() ? file_ : address_}, streams);
+    }
+
+    /// A page that could not be written is told before the work, and none takes the place of what is read.
+    void RequirePage() const
+    {
+        if (html_.empty())
+        {
+            return;
+        }
+        std::vector<std::string> inputs{file_};
+        for (const std::string& dcf : dcfs_)
+        {
+            inputs.push_back(NodeFileOf(dcf).path);
+        }
+        for (const std::string& input : inputs)
+        {
+            std::error_code error; // Of a file that is not there, which is another than the page.
+            if (std::filesystem::equivalent(input, html_, error))
+            {
+                throw InputError(html_, 0U, {"--html is a file that is read", "another one"});
+            }
+        }
+        cia306::RequireWritable(html_);
     }
 
     [[nodiscard]] monitor::Network ReadNetwork() const

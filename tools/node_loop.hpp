@@ -34,7 +34,7 @@ class NodeLoop
   public:
     explicit NodeLoop(const NodeLoopParts& parts);
 
-    /// @brief Until quit, SIGTERM, SIGINT or the end of the script. 1: the device ended in its safe state.
+    /// @brief Until quit, typed or in the script, SIGTERM or SIGINT. 1: the device ended in its safe state.
     [[nodiscard]] ExitStatus Run();
 
   private:

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -40,7 +41,13 @@ FileParameterMemory::FileParameterMemory(const std::string& path, const std::uin
         {
             ::close(file_);
         }
-        Refuse(path, "cannot be opened for reading and writing: " + why);
+        Refuse(path, "cannot be opened for reading and writing: " + why + ", expected a file for parameters");
+    }
+    // Two writers would break each other's sets. Where a file system knows no locks, nothing is known of another one.
+    if ((::flock(file_, LOCK_EX | LOCK_NB) != 0) && (errno == EWOULDBLOCK))
+    {
+        ::close(file_);
+        Refuse(path, "is in use by another device, expected a file of its own");
     }
     const std::int64_t expected = 2 * static_cast<std::int64_t>(bank_bytes);
     if (status.st_size == 0)
@@ -59,7 +66,7 @@ FileParameterMemory::FileParameterMemory(const std::string& path, const std::uin
         ::close(file_);
         Refuse(path, is_other ? ("has " + std::to_string(status.st_size) + " bytes, expected two banks of " +
                                  std::to_string(bank_bytes))
-                              : "cannot be written");
+                              : "cannot be written, expected a regular file with room");
     }
 }
 

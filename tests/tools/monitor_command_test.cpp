@@ -131,6 +131,20 @@ TEST_F(MonitorCommandTest, BadInputIsOneLine)
     EXPECT_EQ(RunCommand({"monitor", Recording(), "--can", "can0", "--dcf", Example("sensor")}).status, 2);
     EXPECT_EQ(RunCommand({"monitor", Recording(), "--dcf", Example("sensor") + "=128"}).status, 2);
     EXPECT_EQ(RunCommand({"monitor", Recording(), "--dcf", Example("sensor"), Example("sensor")}).status, 2);
+    // What would be ignored is refused: a name that no frame has, an option that belongs to the other source
+    const Answer nothing = Monitor({Recording(), "--interface", "can9"});
+    EXPECT_EQ(nothing.status, 2);
+    EXPECT_EQ(nothing.err, Path("bus.log") +
+                               ":0: error: no frame of interface 'can9', expected --interface with one of "
+                               "the recording\n");
+    EXPECT_EQ(Monitor({Recording(), "--interface", "can0"}).status, 1);
+    EXPECT_EQ(Monitor({Recording(), "--interface", ""}).status, 2);
+    EXPECT_EQ(Monitor({Recording(), "--for", "1"}).status, 2);
+    EXPECT_EQ(Monitor({"--can", "udp:239.74.163.3:43199", "--interface", "can0", "--for", "1"}).status, 2);
+    const Answer own = Monitor({Recording(), "--html", Path("bus.log")});
+    EXPECT_EQ(own.status, 2);
+    EXPECT_EQ(own.err, Path("bus.log") + ":0: error: --html is a file that is read, expected another one\n");
+    EXPECT_EQ(Monitor({Path("bus.log")}).status, 1);
     const Answer other = RunCommand({"monitor", "--can", "nothing:here", "--dcf", Example("sensor")});
     EXPECT_EQ(other.status, 2);
     EXPECT_EQ(std::count(other.err.begin(), other.err.end(), '\n'), 1) << other.err;

@@ -99,7 +99,19 @@ TEST_F(FileMemoryTest, AFileThatIsNoneIsRefusedWithOneLine)
     std::ofstream(path) << "0123456789";
     EXPECT_EQ(Refusal(path, 64U), path + ": has 10 bytes, expected two banks of 64");
     EXPECT_EQ(Refusal(path, 60U), path + ": a bank of 60 bytes, expected a multiple of 8 above 0");
-    EXPECT_EQ(Refusal("/", 64U), "/: cannot be opened for reading and writing: Is a directory");
+    EXPECT_EQ(Refusal("/", 64U),
+              "/: cannot be opened for reading and writing: Is a directory, expected a file for parameters");
+    EXPECT_EQ(Refusal("/dev/zero", 64U), "/dev/zero: cannot be written, expected a regular file with room");
+}
+
+TEST_F(FileMemoryTest, AFileOfAnotherDeviceIsRefused)
+{
+    Verifies(req::SRS_STO_013);
+    {
+        const FileParameterMemory memory{path, 64U};
+        EXPECT_EQ(Refusal(path, 64U), path + ": is in use by another device, expected a file of its own");
+    }
+    EXPECT_EQ(Refusal(path, 64U), "");
 }
 
 } // namespace
