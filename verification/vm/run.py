@@ -65,7 +65,7 @@ def chosen(patterns):
 
 def command(kernel, disk):
     """One emulated PC: two Kvaser cards (SJA1000) on one CAN bus, console to a file, report to us."""
-    return [image.tool("qemu-system-x86_64"), "-M", "pc", "-cpu", "max", "-accel", "tcg", "-m", "768", "-nodefaults", "-no-user-config",
+    return [image.tool("qemu-system-x86_64"), "-M", "pc", "-cpu", "max", "-accel", "tcg", "-m", "1536", "-nodefaults", "-no-user-config",
             "-display", "none", "-no-reboot", "-kernel", str(kernel), "-initrd", str(disk),
             "-append", "console=ttyS0 loglevel=4 panic=-1 mitigations=off tsc=reliable random.trust_cpu=on",
             "-object", "can-bus,id=canbus0", "-device", "kvaser_pci,canbus=canbus0", "-device", "kvaser_pci,canbus=canbus0",
