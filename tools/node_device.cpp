@@ -149,11 +149,12 @@ bool NodeDevice::PowerOn(const InstantPair& now, const std::uint64_t now_ns)
     return is_up;
 }
 
-bool NodeDevice::TakeRestart() noexcept
+bool NodeDevice::TakeRestart(const std::uint64_t now_ns)
 {
     const bool has_restarted = has_restarted_;
     if (has_restarted)
     {
+        SetTime(now_ns);
         watchdog_.Start(WindowOf(config_));
         has_restarted_ = false;
     }

@@ -65,8 +65,9 @@ class NodeDevice final : private device::Owner
     void Serve(const InstantPair& now, std::uint64_t now_ns);
     /// @brief Outputs as they are at this instant: some close by themselves.
     void LookAtOutput(std::uint64_t now_ns);
-    /// @brief Whether the kernel was started anew since the last call: cycles and watchdog begin anew.
-    [[nodiscard]] bool TakeRestart() noexcept;
+    /// @brief Whether the kernel was started anew since the last call: cycles and watchdog begin anew, at the time that
+    /// it is after all that a start takes.
+    [[nodiscard]] bool TakeRestart(std::uint64_t now_ns);
     /// @brief LSS gave another node-ID, and communication was reset: this device has ended, one with that node-ID has
     /// to be made. [SRS-NODE-015]
     [[nodiscard]] std::optional<std::uint8_t> NewNodeId() const noexcept;

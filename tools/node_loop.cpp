@@ -115,11 +115,11 @@ void NodeLoop::Step()
     {
         Replace(*node_id);
     }
-    if (device_->TakeRestart())
+    static_cast<void>(clocks_.Now());
+    if (device_->TakeRestart(clocks_.NowNs()))
     {
         next_cycle_ns_ = clocks_.NowNs() + cycle_ns_;
     }
-    static_cast<void>(clocks_.Now());
     device_->LookAtOutput(clocks_.NowNs());
     WatchBus();
     FollowScript();

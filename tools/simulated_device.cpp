@@ -35,7 +35,7 @@ SimulatedDevice::SimulatedDevice(const ScenarioDevice& setup, SimulatedBus& bus,
       start_ns_(now_ns), cycle_ns_(device_.Config().cycle_us * kNsPerUs), next_cycle_ns_(now_ns + cycle_ns_)
 {
     static_cast<void>(device_.PowerOn(Now(now_ns), now_ns));
-    static_cast<void>(device_.TakeRestart());
+    static_cast<void>(device_.TakeRestart(now_ns));
     SetSerial();
 }
 
@@ -80,7 +80,7 @@ void SimulatedDevice::Run(const std::uint64_t now_ns)
     {
         device_.Serve(Now(now_ns), now_ns);
     }
-    if (device_.TakeRestart())
+    if (device_.TakeRestart(now_ns))
     {
         next_cycle_ns_ = now_ns + cycle_ns_;
         SetSerial();

@@ -7,7 +7,6 @@
 #include <ctime>
 #include <gtest/gtest.h>
 #include <poll.h>
-#include <sched.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -89,9 +88,6 @@ NodeProcess::NodeProcess(const std::vector<std::string>& arguments)
         {
             ::close(file);
         }
-        // Other programs of a busy machine are no fault of the node; where this is not allowed the node runs as it can.
-        const sched_param least{::sched_get_priority_min(SCHED_FIFO)};
-        static_cast<void>(::sched_setscheduler(0, SCHED_FIFO, &least));
         ::execv(pointers.front(), pointers.data());
         ::_exit(127);
     }
