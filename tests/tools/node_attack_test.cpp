@@ -201,6 +201,7 @@ TEST_F(NodeAttackTest, AChangedProgramIsFoundWhileItRuns)
     // A new start finds it again: the program is still changed
     controller->Type("nmt reset-node");
     EXPECT_TRUE(controller->Tells(failed, 5000));
+    EXPECT_TRUE(controller->Tells(Event("device_fault", "fault", "self_test"), 1000));
     controller->Type("quit");
     EXPECT_EQ(controller->End(), 1);
 }
