@@ -108,6 +108,57 @@ TEST_F(Sending, GfcWithoutAnSrdoWithinTheShortestRefreshTimeIsAnErrorOnce)
     EXPECT_EQ(application.gfcs_not_followed, 1);
 }
 
+// t [ms]   6 GFC      7 normal frame refused: bus-off      31 (limit)   32
+TEST_F(Sending, FrameThatIsRefusedFollowsNoGfc)
+{
+    Verifies(req::SRS_KRN_013);
+    setups[1].form = ProducerForm::kApplicationSends;
+    Operate();
+    ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
+    ports.answer = hal::TransmitStatus::kBusOff;
+    ASSERT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kSuccessful);
+    Cycles(25U);
+    EXPECT_EQ(CausesOf(0x1303U), std::vector<SrdoCause>{SrdoCause::kBusOff});
+    EXPECT_EQ(application.gfcs_not_followed, 0);
+    Cycle();
+    EXPECT_EQ(application.gfcs_not_followed, 1);
+}
+
+// t [ms]   7 normal frame   7 GFC   7.1 confirmed, inverse frame      32 (limit)   33
+TEST_F(Sending, SecondHalfOfAnOlderPairFollowsNoGfc)
+{
+    Verifies(req::SRS_KRN_013);
+    setups[1].form = ProducerForm::kApplicationSends;
+    Operate();
+    ASSERT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kSuccessful);
+    Cycle();
+    ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
+    ASSERT_EQ(ports.sent.size(), 2U);
+    now_us += 100U;
+    kernel.OnConfirm(StampedFrame{ports.sent[0], InstantPair{{now_us}, {now_us}}});
+    ASSERT_EQ(ports.sent.size(), 3U);
+    EXPECT_EQ(ports.sent[2].identifier, 0x104U);
+    Cycles(25U);
+    EXPECT_EQ(application.gfcs_not_followed, 0);
+    Cycle();
+    EXPECT_EQ(application.gfcs_not_followed, 1);
+}
+
+// t [ms]   6 GFC      26 GFC again      31 (limit of the first)   32
+TEST_F(Sending, GfcThatIsSentAgainDoesNotPutTheSrdoOff)
+{
+    Verifies(req::SRS_KRN_013);
+    setups[1].form = ProducerForm::kApplicationSends;
+    Operate();
+    ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
+    Cycles(20U);
+    ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
+    Cycles(5U);
+    EXPECT_EQ(application.gfcs_not_followed, 0);
+    Cycle();
+    EXPECT_EQ(application.gfcs_not_followed, 1);
+}
+
 TEST_F(Sending, ShortestRefreshTimeOfSeveralProducersCounts)
 {
     Verifies(req::SRS_KRN_013);
