@@ -1,15 +1,12 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/tools/echo_bus.hpp"
 #include "tools/node_loop.hpp"
 #include "verification/trace/verifies.hpp"
 
-#include <chrono>
 #include <csignal>
-#include <deque>
 #include <memory>
 #include <sstream>
 #include <string>
-#include <thread>
-#include <utility>
 
 // A start that takes longer than the window of the watchdog: the actuator of the examples, whose output opens with the
 // second pair after an acknowledge, if the watchdog is alive.
@@ -20,79 +17,6 @@ namespace
 constexpr std::uint64_t kNsPerUs = 1000U;
 constexpr std::uint64_t kNsPerMs = 1000000U;
 const std::string kActuator = std::string(COUNTERPOINT_SOURCE) + "/examples/emergency_stop/actuator.dcf";
-
-host::LiveFrame FrameOf(const std::uint32_t identifier, const std::initializer_list<std::uint8_t> bytes,
-                        const std::uint64_t time_ns)
-{
-    host::LiveFrame frame;
-    frame.identifier = identifier;
-    for (const std::uint8_t byte : bytes)
-    {
-        frame.data[frame.length_bytes] = byte;
-        ++frame.length_bytes;
-    }
-    frame.time_ns = time_ns;
-    return frame;
-}
-
-/// A bus on which nobody else is. A boot-up message takes `boot_up_ms` to be sent; what was sent comes back at once.
-/// Each look at it brings a pair for the actuator if it is the connection of the safety frames.
-class SlowBus final : public host::LiveBus
-{
-  public:
-    SlowBus(const bool has_pairs, const std::uint32_t boot_up_ms) : has_pairs_(has_pairs), boot_up_ms_(boot_up_ms)
-    {
-    }
-    host::SendResult Send(const host::LiveFrame& frame) override
-    {
-        const bool is_boot_up = (frame.identifier & 0x780U) == 0x700U && frame.data[0] == 0U;
-        if (is_boot_up)
-        {
-            std::this_thread::sleep_for(std::chrono::milliseconds(boot_up_ms_));
-        }
-        own_.push_back(frame);
-        own_.back().own = true;
-        return host::SendResult::kSent;
-    }
-    bool Receive(host::LiveFrame& frame) override
-    {
-        if (!own_.empty())
-        {
-            frame = own_.front();
-            own_.pop_front();
-            return true;
-        }
-        const std::uint32_t place = place_;
-        place_ = (place + 1U) % 3U; // Normal, inverse, none.
-        frame = (place == 0U) ? FrameOf(0x103U, {1U, 2U}, host::LiveNow())
-                              : FrameOf(0x104U, {0xFEU, 0xFDU}, host::LiveNow());
-        return has_pairs_ && place < 2U;
-    }
-    int Descriptor() const override
-    {
-        return -1;
-    }
-    host::BusHealth Health() const override
-    {
-        host::BusHealth health;
-        health.state = host::BusState::kActive;
-        return health;
-    }
-    std::string Name() const override
-    {
-        return "slow";
-    }
-    bool Restart() override
-    {
-        return false;
-    }
-
-  private:
-    bool has_pairs_;
-    std::uint32_t boot_up_ms_;
-    std::uint32_t place_{0U};
-    std::deque<host::LiveFrame> own_{};
-};
 
 NodeSettings SettingsOf(const std::uint32_t cycle_us)
 {
@@ -143,7 +67,7 @@ class NodeRestartTest : public ::testing::Test
 
     std::ostringstream out{};
     NodeReport report{out, ReportForm::kText, 0U};
-    NodePorts ports{std::make_unique<SlowBus>(false, 0U), std::make_unique<SlowBus>(false, 0U)};
+    NodePorts ports{std::make_unique<EchoBus>(false, 0U), std::make_unique<EchoBus>(false, 0U)};
     NodeDevice device{SettingsOf(10000U), ports, report};
     std::uint64_t now_ns{1000U * kNsPerMs};
 };
@@ -215,7 +139,7 @@ TEST(NodeLoopTest, AStartThatTakesLongIsNoLateAnswerToTheWatchdog)
     const SignalsAsBefore signals;
     std::ostringstream out;
     NodeReport report{out, ReportForm::kText, host::LiveNow()};
-    NodePorts ports{std::make_unique<SlowBus>(true, 150U), std::make_unique<SlowBus>(false, 150U)};
+    NodePorts ports{std::make_unique<EchoBus>(true, 150U), std::make_unique<EchoBus>(false, 150U)};
     NodeScript script;
     script.steps = {Step(300U, 100U, "nmt start"), Step(400U, 250U, "ack 1"), Step(1500U, 0U, "nmt reset-node"),
                     Step(3000U, 0U, "quit")};

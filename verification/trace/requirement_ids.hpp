@@ -542,6 +542,7 @@ inline constexpr RequirementId SRS_NODE_015{"SRS-NODE-015"};
 inline constexpr RequirementId SRS_NODE_016{"SRS-NODE-016"};
 inline constexpr RequirementId SRS_NODE_017{"SRS-NODE-017"};
 inline constexpr RequirementId SRS_NODE_018{"SRS-NODE-018"};
+inline constexpr RequirementId SRS_NODE_019{"SRS-NODE-019"};
 inline constexpr RequirementId SRS_OBD_001{"SRS-OBD-001"};
 inline constexpr RequirementId SRS_OBD_002{"SRS-OBD-002"};
 inline constexpr RequirementId SRS_OBD_003{"SRS-OBD-003"};
