@@ -193,6 +193,36 @@ TEST_F(Sending, ShortestRefreshTimeOfSeveralProducersCounts)
     EXPECT_EQ(application.gfcs_not_followed, 1);
 }
 
+// What an application may do from within its callbacks.
+TEST_F(Sending, CallbacksMaySendAndDemandTheSafeState)
+{
+    Verifies(req::SRS_KRN_006);
+    Verifies(req::SRS_KRN_011);
+    setups[1].form = ProducerForm::kApplicationSends;
+    Operate();
+    application.on_event = [this](CommunicationIndex)
+    { EXPECT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kSuccessful); };
+    application.on_error = [this](CommunicationIndex) { EXPECT_EQ(kernel.SendGfc(), Result::kSuccessful); };
+    // Given an SRDO sent for each that was received: by the next cycle
+    ReceivePair();
+    Cycle();
+    EXPECT_TRUE(ports.sent.empty());
+    Cycle();
+    ASSERT_EQ(ports.sent.size(), 1U);
+    EXPECT_EQ(ports.sent[0].identifier, 0x103U);
+    // a GFC for an error: at once
+    Receive(0x102U, {0xEDU, 0xCBU}, 100U);
+    Cycle();
+    ASSERT_EQ(ports.sent.size(), 2U);
+    EXPECT_EQ(ports.sent[1].identifier, 0x001U);
+    // and the safe state for a pair: its output does not open
+    application.on_event = [this](CommunicationIndex) { kernel.DemandSafeState(); };
+    ReceivePair();
+    Cycle();
+    EXPECT_EQ(Open(), 0U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kApplication);
+}
+
 // Option GFC: on in GfcIsSentOnlyIfSupportedAndOperational and GfcMakesConsumersSafeAndIsTold, off here.
 TEST_F(Sending, GfcThatIsRemovedIsNoObjectAndIsNeitherSentNorTaken)
 {
