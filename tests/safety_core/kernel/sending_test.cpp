@@ -11,6 +11,24 @@ namespace
 /// Node-ID 2: the first transmission comes 1 ms after entering OPERATIONAL.
 class Sending : public Rig
 {
+  public:
+    /// SRDO 1 or 4 as producer of 50 ms, signed; 13FEh is left to the test.
+    void MakeProducer(const std::uint16_t number, const std::uint32_t cob_id)
+    {
+        const std::uint16_t communication = static_cast<std::uint16_t>(0x1300U + number);
+        const std::uint16_t mapping = static_cast<std::uint16_t>(0x1380U + number);
+        ASSERT_EQ(Write(communication, 1U, 0U, 1U), AbortCode::kNone);
+        ASSERT_EQ(Write(communication, 2U, 50U, 2U), AbortCode::kNone);
+        ASSERT_EQ(Write(communication, 5U, cob_id, 4U), AbortCode::kNone);
+        ASSERT_EQ(Write(communication, 6U, cob_id + 1U, 4U), AbortCode::kNone);
+        ASSERT_EQ(Write(mapping, 0U, 0U, 1U), AbortCode::kNone);
+        ASSERT_EQ(Write(mapping, 1U, 0x20000110U, 4U), AbortCode::kNone);
+        ASSERT_EQ(Write(mapping, 2U, 0x21000110U, 4U), AbortCode::kNone);
+        ASSERT_EQ(Write(mapping, 0U, 2U, 1U), AbortCode::kNone);
+        ASSERT_EQ(Write(communication, 1U, 1U, 1U), AbortCode::kNone);
+        const SignReply reply = kernel.Sign(CommunicationIndex{communication});
+        ASSERT_EQ(Write(0x13FFU, static_cast<std::uint8_t>(number), reply.signature, 2U), AbortCode::kNone);
+    }
 };
 
 TEST_F(Sending, SendReturnsTheReferencesCodes)
@@ -44,6 +62,28 @@ TEST_F(Sending, SendToAllWithoutAProducerDoesNotExist)
     ASSERT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
     kernel.SetNmtState(NmtState::kOperational);
     EXPECT_EQ(kernel.Send(CommunicationIndex{0U}), Result::kNotExist);
+}
+
+TEST_F(Sending, SendToAllSendsEveryProducerOnce)
+{
+    Verifies(req::SRS_KRN_011);
+    Verifies(req::SRS_PROD_003);
+    setups[1].form = ProducerForm::kApplicationSends;
+    Configure();
+    MakeProducer(1U, 0x101U);
+    MakeProducer(4U, 0x107U);
+    ASSERT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
+    kernel.SetNmtState(NmtState::kOperational);
+    Cycles(2U);
+    ASSERT_TRUE(ports.sent.empty());
+    ASSERT_EQ(kernel.Send(CommunicationIndex{0U}), Result::kSuccessful);
+    Cycle();
+    ASSERT_EQ(ports.sent.size(), 3U);
+    EXPECT_EQ(ports.sent[0].identifier, 0x101U);
+    EXPECT_EQ(ports.sent[1].identifier, 0x103U);
+    EXPECT_EQ(ports.sent[2].identifier, 0x107U);
+    Cycles(3U);
+    EXPECT_EQ(ports.sent.size(), 3U);
 }
 
 TEST_F(Sending, ApplicationSendsWhenItWants)
@@ -164,25 +204,9 @@ TEST_F(Sending, ShortestRefreshTimeOfSeveralProducersCounts)
     Verifies(req::SRS_KRN_013);
     setups[1].form = ProducerForm::kApplicationSends;
     Configure();
-    const auto make_producer = [this](std::uint16_t number, std::uint32_t cob_id)
-    {
-        const std::uint16_t communication = static_cast<std::uint16_t>(0x1300U + number);
-        const std::uint16_t mapping = static_cast<std::uint16_t>(0x1380U + number);
-        ASSERT_EQ(Write(communication, 1U, 0U, 1U), AbortCode::kNone);
-        ASSERT_EQ(Write(communication, 2U, 50U, 2U), AbortCode::kNone);
-        ASSERT_EQ(Write(communication, 5U, cob_id, 4U), AbortCode::kNone);
-        ASSERT_EQ(Write(communication, 6U, cob_id + 1U, 4U), AbortCode::kNone);
-        ASSERT_EQ(Write(mapping, 0U, 0U, 1U), AbortCode::kNone);
-        ASSERT_EQ(Write(mapping, 1U, 0x20000110U, 4U), AbortCode::kNone);
-        ASSERT_EQ(Write(mapping, 2U, 0x21000110U, 4U), AbortCode::kNone);
-        ASSERT_EQ(Write(mapping, 0U, 2U, 1U), AbortCode::kNone);
-        ASSERT_EQ(Write(communication, 1U, 1U, 1U), AbortCode::kNone);
-        const SignReply reply = kernel.Sign(CommunicationIndex{communication});
-        ASSERT_EQ(Write(0x13FFU, static_cast<std::uint8_t>(number), reply.signature, 2U), AbortCode::kNone);
-    };
     // Given producers of 50, 25 and 50 ms
-    make_producer(1U, 0x101U);
-    make_producer(4U, 0x107U);
+    MakeProducer(1U, 0x101U);
+    MakeProducer(4U, 0x107U);
     ASSERT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
     kernel.SetNmtState(NmtState::kOperational);
     Cycle();
