@@ -36,7 +36,7 @@ RUN_LINE = re.compile(r"^run=(\S+) (.*)$", re.MULTILINE)
 CYCLE_LINE = re.compile(r"item=(\w+) srdos=(\d+) repetitions=(\d+) instructions=(\d+)")
 ELF_FLAGS = {"be8": 0x5800400, "be32": 0x5000400}
 # What a fault must print, by the argument that asks the self test for it; None: the time limit ends the run.
-FAULTS = {"undefined": "FAILURE: undefined instruction at 0x", "data": "FAILURE: data abort at 0x",
+FAULTS = {"undefined": "FAILURE: undefined instruction at 0x", "data": "accessed 0x70000000\nFAILURE: data or prefetch abort at 0x",
           "pure": "FAILURE: pure virtual call", "hang": None}
 # The rest of the facade is inline and forwards: its depth is that of what it forwards to.
 STACK_ENTRIES = ["counterpoint::" + name for name in (
