@@ -7,7 +7,8 @@ Builds images (build/target) and the same programs for the host (build/product).
 compilers into one image, faults that end a run, the conformance cases and the differential sequences (number, failures,
 hash: as on the host), the firmware examples in scenarios and with misdeeds, the images for silicon, coverage of the target's
 objects, symbols, both byte orders, stack. Result: build/target/target.json.
-  --tests     coverage with the tests of core and link, too: 300 tests on the target (a minute more)
+  --tests     coverage with the tests of core, link and self tests and with corrupted storage, too: 360 tests on the target; then
+              no condition of a decision may be left that the target does not show (some minutes more)
   --no-build  use what was built before
 Exit status: 0 everything holds, 1 something does not, 2 it could not be run.
 """
@@ -195,7 +196,7 @@ def main():
     parser.add_argument("--no-build", action="store_true")
     parser.add_argument("--tests", action="store_true")
     arguments = parser.parse_args()
-    covered = [coverage_run.SUITE] + ([coverage_run.TESTS] if arguments.tests else [])
+    covered = [coverage_run.SUITE] + ([coverage_run.TESTS, coverage_run.FLIPS] if arguments.tests else [])
     if not arguments.no_build:
         print("Building build/target (big-endian, two compilers) and the same programs in build/product ...", flush=True)
         target_build.build_preset("tms570", ["selftest", "bench", "conformance", "conformance_be32", *firmware_run.DEVICES, "trap",
