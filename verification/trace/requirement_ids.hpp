@@ -335,6 +335,8 @@ inline constexpr RequirementId SRS_FW_015{"SRS-FW-015"};
 inline constexpr RequirementId SRS_FW_016{"SRS-FW-016"};
 inline constexpr RequirementId SRS_FW_017{"SRS-FW-017"};
 inline constexpr RequirementId SRS_FW_018{"SRS-FW-018"};
+inline constexpr RequirementId SRS_FW_019{"SRS-FW-019"};
+inline constexpr RequirementId SRS_FW_020{"SRS-FW-020"};
 inline constexpr RequirementId SRS_GEN_001{"SRS-GEN-001"};
 inline constexpr RequirementId SRS_GEN_002{"SRS-GEN-002"};
 inline constexpr RequirementId SRS_GEN_003{"SRS-GEN-003"};
