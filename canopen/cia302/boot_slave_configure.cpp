@@ -223,13 +223,15 @@ void BootSlave::RefuseSafety(const Job& job) noexcept
     }
 }
 
-/// Started, or left as it is: with L it runs, and 1F80h may leave it to others.
+/// Started, or left as it is: with L it runs unless somebody stopped it and asks for a start, and 1F80h may leave it to
+/// others.
 void BootSlave::StartNode(const Job& job) noexcept
 {
     const bool is_alone = !parts_.setup.Has(kStartAllAtOnce) || listener_.IsMasterOperational();
     const bool is_booting = !job.record.is_extra && job.setup.Has(kBootSlave);
-    const bool is_due = is_booting && !parts_.setup.Has(kApplicationStartsSlaves) && is_alone;
-    if ((!is_due && !job.record.is_start_wanted) || job.record.was_operational)
+    const bool is_left = parts_.setup.Has(kApplicationStartsSlaves) || job.record.was_operational;
+    const bool is_due = is_booting && !is_left && is_alone;
+    if (!is_due && !job.record.is_start_wanted)
     {
         Finish(job);
     }
@@ -239,6 +241,7 @@ void BootSlave::StartNode(const Job& job) noexcept
         if (answer == NmtAnswer::kTaken)
         {
             job.record.status.is_started = true;
+            job.record.was_operational = false;
             Finish(job);
         }
         else if (answer == NmtAnswer::kNotVerified)

@@ -124,6 +124,11 @@ void Manager::OnFrame(const CanFrame& frame, const Instant now) noexcept
     }
 }
 
+void Manager::OnSent(const CanFrame& frame) noexcept
+{
+    watch_.OnSent(frame);
+}
+
 void Manager::OnCycle(const Instant now) noexcept
 {
     if (is_running_)
@@ -251,6 +256,7 @@ void Manager::OnNmtSent(const NmtRequest& request, const Instant now) noexcept
             if (is_all || (id == request.node.value))
             {
                 CloseGate(NodeId{id});
+                gate_.Trust(NodeId{id});
                 watch_.Forget(NodeId{id});
             }
         }
@@ -311,7 +317,7 @@ void Manager::OnEmergency(const NodeId node, const EmergencyRecord& emergency, c
 /// What a device says that may be two is worth nothing. [SRS-MGR-010]
 void Manager::OnDuplicate(const NodeId node, const Instant now) noexcept
 {
-    CloseGate(node);
+    gate_.Doubt(node);
     parts_.listener.OnDuplicate(node, now);
 }
 

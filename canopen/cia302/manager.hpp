@@ -80,6 +80,9 @@ class Manager final : public NmtListener,
     void End() noexcept;
     /// @brief A frame from the bus; frames of this device itself must not come back.
     void OnFrame(const CanFrame& frame, Instant now) noexcept;
+    /// @brief A frame of this device was on the bus: what it asked is known, and second answers are seen. O(1), a reset
+    /// of all O(127)
+    void OnSent(const CanFrame& frame) noexcept;
     void OnCycle(Instant now) noexcept;
 
     /// @brief A command of the application, by the profile: see StartUp::Command.

@@ -127,6 +127,17 @@ TEST_F(El6751PdosTest, WhatComesBehindTheWindowDoesNotCountForTheNextCycle)
     EXPECT_EQ(SyncCycle(some, 1U, false), 40);
 }
 
+TEST_F(El6751PdosTest, OneThatAlwaysComesTooLateStaysMissingUntilItComesInTime)
+{
+    Verifies(req::SRS_ELM_033);
+    Tx(1U, 0U);
+    El6751Pdos& some = Make(El6751Times{});
+    EXPECT_EQ(SyncCycle(some, 0U, true), 0);
+    EXPECT_EQ(SyncCycle(some, 1U, false), 40);
+    EXPECT_EQ(Receive(some, 19500U), 40);
+    EXPECT_EQ(SyncCycle(some, 2U, true), 0);
+}
+
 TEST_F(El6751PdosTest, WithASyncMultiplierTheShiftCountsInTheLastPart)
 {
     Verifies(req::SRS_ELM_033);
