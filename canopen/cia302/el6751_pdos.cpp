@@ -199,7 +199,7 @@ void El6751Pdos::OnSent(const CanFrame& frame) noexcept
                 --awaited_;
             }
         }
-        if (awaited_ == 0U)
+        if ((awaited_ == 0U) && (parts_.times.window == El6751Window::kLastRxPdo))
         {
             EndWindow();
         }

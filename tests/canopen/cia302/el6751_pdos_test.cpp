@@ -100,10 +100,14 @@ TEST_F(El6751PdosTest, TheWindowIsTheInputShiftTimeTheEndIncluded)
     Verifies(req::SRS_ELM_033);
     Verifies(req::SRS_ELM_034);
     Tx(1U, 0U);
+    Rx(1U, 0U, 0U);
     El6751Pdos& some = Make(El6751Times{});
+    some.Feed(kNode);
     EXPECT_EQ(Cycle(some, 0U), 0);
     EXPECT_EQ(Receive(some, 500U), 0);
     EXPECT_EQ(Cycle(some, 10000U), 0);
+    some.OnSent(Frame(0x205U, 2U)); // The last RxPDO ends the other window alone.
+    EXPECT_EQ(some.Fault(kNode), 0);
     EXPECT_EQ(Receive(some, 10500U), 0);
     EXPECT_EQ(Cycle(some, 20000U), 0);
     EXPECT_EQ(Cycle(some, 20500U), 0);
