@@ -58,6 +58,14 @@ TEST_F(RoughNetworkTest, TwoDevicesOfOneNodeIdWithHeartbeatAndWithout)
     ExpectHoldsInEachProfile("duplicate_silent");
 }
 
+TEST_F(RoughNetworkTest, AManagerThatComesWhileItsSlavesRun)
+{
+    Verifies(req::SRS_BOOT_006);
+    Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_BOOT_014);
+    ExpectHolds("kept_alive");
+}
+
 TEST_F(RoughNetworkTest, PdosThatStayAwayUnderTheEl6751Profile)
 {
     Verifies(req::SRS_ELM_033);
