@@ -58,6 +58,21 @@ TEST_F(RoughNetworkTest, TwoDevicesOfOneNodeIdWithHeartbeatAndWithout)
     ExpectHoldsInEachProfile("duplicate_silent");
 }
 
+TEST_F(RoughNetworkTest, EachLetterAndTheNodeStates)
+{
+    Verifies(req::SRS_BOOT_003);
+    Verifies(req::SRS_BOOT_004);
+    Verifies(req::SRS_BOOT_005);
+    Verifies(req::SRS_BOOT_006);
+    Verifies(req::SRS_BOOT_007);
+    Verifies(req::SRS_BOOT_009);
+    Verifies(req::SRS_BOOT_011);
+    Verifies(req::SRS_ELM_046);
+    Verifies(req::SRS_ELM_050);
+    ExpectHolds("letters");
+    ExpectHolds("codes_el6751");
+}
+
 TEST_F(RoughNetworkTest, AManagerThatComesWhileItsSlavesRun)
 {
     Verifies(req::SRS_BOOT_006);
