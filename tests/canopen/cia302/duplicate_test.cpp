@@ -218,6 +218,27 @@ TEST_F(SecondAnswerTest, TwoBootUpMessagesAfterEachOfThreeResets)
     EXPECT_EQ(duplicates, (std::vector<std::uint8_t>{5U}));
 }
 
+TEST_F(SecondAnswerTest, AResetOfWhomeverEndsTheSuspicion)
+{
+    Verifies(req::SRS_MGR_010);
+    Verifies(req::SRS_SFS_002);
+    MakeSafe(6U);
+    Begin(Profile::kCia302);
+    Run(100U);
+    EXPECT_EQ(manager->Gate().State(NodeId{6U}), GateState::kOpen);
+    for (std::uint16_t index = 0x2000U; index < 0x2003U; ++index)
+    {
+        Put(Sdo(0x606U, 0x40U, index, 0U)); // The device aborts it,
+        Put(Sdo(0x586U, 0x43U, index, 0U)); // and another one has it.
+    }
+    EXPECT_EQ(duplicates, (std::vector<std::uint8_t>{6U}));
+    EXPECT_EQ(manager->Gate().State(NodeId{6U}), GateState::kFailed);
+    Put(CanFrame{0U, FrameKind::kData, CanPortId::kFirst, 2U, {0x82U, 6U, 0U, 0U, 0U, 0U, 0U, 0U}});
+    Run(200U);
+    EXPECT_EQ(manager->Gate().State(NodeId{6U}), GateState::kOpen);
+    EXPECT_EQ(Running(6U), 1);
+}
+
 TEST_F(SecondAnswerTest, AnAnswerWithTheManagersOwnNodeId)
 {
     Verifies(req::SRS_MGR_010);
