@@ -145,7 +145,7 @@ void NodeWatch::Suspect(const NodeId node, const Instant now) noexcept
 void NodeWatch::Forget(const NodeId node) noexcept
 {
     WatchedNode& watched = nodes_[node.value];
-    watched.asked = AskedNode{};
+    watched.asked = watched.is_duplicate ? AskedNode{} : watched.asked; // Else the count goes on.
     watched.signs = 0U;
     watched.is_duplicate = false;
 }

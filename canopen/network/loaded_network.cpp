@@ -145,7 +145,8 @@ void LoadedNetwork::Load(const SlavePlan& plan)
     }
     if (plan.software && !plan.software->program.empty())
     {
-        slave->program = cia306::ReadTextFile(plan.software->program);
+        const std::string program = cia306::ReadTextFile(plan.software->program);
+        slave->program.assign(program.begin(), program.end());
     }
     slave->safety = {slave->objects.data(), static_cast<std::uint16_t>(slave->objects.size())};
     loaded_.push_back(std::move(slave));

@@ -23,7 +23,7 @@ struct LoadedSlave
     cia306::Device device;
     std::vector<ConciseEntry> entries;
     std::vector<std::uint8_t> concise;
-    std::string program; ///< Octets of the software.
+    std::vector<std::uint8_t> program; ///< Octets of the software.
     std::vector<cia302::ExpectedObject> objects;
     cia302::SafetyExpectation safety{nullptr, 0U};
     ProfileSlave profile;

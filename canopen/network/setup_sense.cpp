@@ -55,13 +55,10 @@ void LoadedNetwork::FillSoftware(const LoadedSlave& slave, cia302::SlaveSetup& s
     if (slave.plan.software)
     {
         const SoftwarePlan& software = *slave.plan.software;
-        const auto* const program = reinterpret_cast<const std::uint8_t*>(slave.program.data());
         setup.software.identification = software.identification.value_or(0U);
         setup.software.date = software.date.value_or(0U);
         setup.software.time = software.time.value_or(0U);
-        setup.software.program = slave.program.empty()
-                                     ? cia302::Bytes{nullptr, 0U}
-                                     : cia302::Bytes{program, static_cast<std::uint32_t>(slave.program.size())};
+        setup.software.program = {slave.program.data(), static_cast<std::uint32_t>(slave.program.size())};
     }
 }
 
