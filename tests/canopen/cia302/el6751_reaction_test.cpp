@@ -260,6 +260,22 @@ TEST_F(El6751ReactionTest, WithoutAReactionTheNodeStateComesAndGoesWithItsCause)
     EXPECT_EQ(el.Cause(NodeId{5U}), 1);
 }
 
+TEST_F(El6751ReactionTest, WithoutAReactionASlaveThatLeftOperationalIsStartedByHand)
+{
+    Verifies(req::SRS_ELM_043);
+    Verifies(req::SRS_ELM_046);
+    Ready();
+    boxes[5].node_reaction = El6751NodeReaction::kNone;
+    slaves[5]->Turn(127U);
+    Run(150U);
+    EXPECT_EQ(Code(5U), 12);
+    EXPECT_EQ(Control(5U, 5U, 1U), NmtAnswer::kTaken);
+    Run(150U);
+    EXPECT_EQ(Commands(), (Log{"01 05"}));
+    EXPECT_EQ(slaves[5]->state, 5U);
+    EXPECT_EQ(Code(5U), 0);
+}
+
 TEST_F(El6751ReactionTest, RestartByHandDeactivatesTheSlaveAndKeepsTheCause)
 {
     Verifies(req::SRS_ELM_043);
