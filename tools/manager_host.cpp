@@ -71,7 +71,7 @@ void ManagerHost::MakeProfile()
             cia302::El6751Parts{parts,
                                 el6751_nodes_.data(),
                                 {el6751_pdos_.data(), static_cast<std::uint16_t>(el6751_pdos_.size())},
-                                net_.Plan().manager.el6751});
+                                net_.Plan().manager.el6751.value_or(cia302::El6751Times{})});
         manager_.Use(*el6751_);
         break;
     case StartProfile::kPlcDesigner:
@@ -128,6 +128,7 @@ void ManagerHost::OnController(const cia302::ControllerState state, const Instan
 
 void ManagerHost::OnSent(const CanFrame& frame) noexcept
 {
+    manager_.OnSent(frame);
     if (el6751_ != nullptr)
     {
         el6751_->OnSent(frame);

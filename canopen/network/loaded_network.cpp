@@ -3,6 +3,7 @@
 
 #include "canopen/cia306/device_reader.hpp"
 #include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/text_file.hpp"
 #include "canopen/network/expectation_maker.hpp"
 #include "canopen/network/manager_objects.hpp"
 
@@ -53,6 +54,10 @@ std::uint32_t AssignmentOf(const SlavePlan& plan)
     bits = WithBit(bits, cia302::kMandatory, plan.is_mandatory);
     bits = WithBit(bits, cia302::kKeepAlive, plan.is_kept_alive);
     bits = WithBit(bits, cia302::kBootSlave, plan.is_booted);
+    bits = WithBit(bits, cia302::kRestoreDefaults, plan.is_restored);
+    bits = plan.software
+               ? WithBit(bits | cia302::kVerifySoftware, cia302::kMayUpdateSoftware, plan.software->may_update)
+               : bits;
     bits = plan.retry_factor ? ((bits & 0xFFFF00FFU) | (std::uint32_t{*plan.retry_factor} << kFactorShift)) : bits;
     return plan.guard_ms ? ((bits & 0x0000FFFFU) | (std::uint32_t{*plan.guard_ms} << kTimeShift)) : bits;
 }
@@ -138,6 +143,11 @@ void LoadedNetwork::Load(const SlavePlan& plan)
         }
         slave->objects = MakeExpectation(slave->device, plan.node);
     }
+    if (plan.software && !plan.software->program.empty())
+    {
+        const std::string program = cia306::ReadTextFile(plan.software->program);
+        slave->program.assign(program.begin(), program.end());
+    }
     slave->safety = {slave->objects.data(), static_cast<std::uint16_t>(slave->objects.size())};
     loaded_.push_back(std::move(slave));
 }
@@ -148,6 +158,7 @@ void LoadedNetwork::Fill(LoadedSlave& slave, SlaveSetup& setup) const
     setup.restore_sub = slave.plan.restore_sub.value_or(0U);
     FillIdentity(slave, setup);
     FillHeartbeat(slave, setup);
+    FillSoftware(slave, setup);
     setup.safety = slave.objects.empty() ? nullptr : &slave.safety;
     RequireSense(slave, setup);
     FillProfile(plan_.manager.profile, slave.plan, slave.device, slave.profile, setup);
@@ -175,6 +186,7 @@ void LoadedNetwork::RequireSense(const LoadedSlave& slave, const SlaveSetup& set
             {"consumer time " + ms(consumer_ms) + " of a heartbeat each " + ms(setup.heartbeat.producer_ms),
              "a longer one"});
     }
+    RequireSoftware(plan);
     if (plan.writes_safety && slave.objects.empty())
     {
         throw InputError(plan_.file, plan.line,
@@ -240,6 +252,8 @@ void LoadedNetwork::FillManager()
     setup_.inhibit_100us = manager.inhibit_100us.value_or(0U);
     setup_.sync_period_us = manager.sync_us.value_or(0U);
     setup_.slaves = slaves_.data();
+    RequireSync();
+    WarnOfUnused();
     if ((setup_.start_up & ~cia302::kKnownStartUpBits) != 0U)
     {
         throw InputError(

@@ -23,6 +23,7 @@ struct LoadedSlave
     cia306::Device device;
     std::vector<ConciseEntry> entries;
     std::vector<std::uint8_t> concise;
+    std::vector<std::uint8_t> program; ///< Octets of the software.
     std::vector<cia302::ExpectedObject> objects;
     cia302::SafetyExpectation safety{nullptr, 0U};
     ProfileSlave profile;
@@ -70,7 +71,11 @@ class LoadedNetwork
     void Fill(LoadedSlave& slave, cia302::SlaveSetup& setup) const;
     void FillIdentity(const LoadedSlave& slave, cia302::SlaveSetup& setup) const;
     void FillHeartbeat(LoadedSlave& slave, cia302::SlaveSetup& setup) const;
+    static void FillSoftware(const LoadedSlave& slave, cia302::SlaveSetup& setup);
     void RequireSense(const LoadedSlave& slave, const cia302::SlaveSetup& setup) const;
+    void RequireSoftware(const SlavePlan& plan) const;
+    void RequireSync() const;
+    void WarnOfUnused();
     void FillManager();
 
     NetworkPlan plan_;

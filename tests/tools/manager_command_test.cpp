@@ -43,16 +43,6 @@ TEST_F(ManagerCommandTest, ANetworkBootsInSimulatedTime)
     ExpectHolds("boot.yaml");
 }
 
-TEST_F(ManagerCommandTest, PulledResetAndReplacedSlaves)
-{
-    Verifies(req::SRS_MGR_003);
-    Verifies(req::SRS_MGR_012);
-    Verifies(req::SRS_SFS_002);
-    ExpectHolds("pulled.yaml");
-    ExpectHolds("reset.yaml");
-    ExpectHolds("replaced.yaml");
-}
-
 TEST_F(ManagerCommandTest, ASafetySlaveWithAnotherConfiguration)
 {
     Verifies(req::SRS_SFS_003);
@@ -68,16 +58,6 @@ TEST_F(ManagerCommandTest, NoProfileStartsASafetySlaveThatDiffers)
     Verifies(req::SRS_MGR_012);
     ExpectHolds("boot_el6751.yaml");
     ExpectHolds("boot_plc_designer.yaml");
-}
-
-TEST_F(ManagerCommandTest, StormsDuplicatesAndBabbling)
-{
-    Verifies(req::SRS_MGR_003);
-    Verifies(req::SRS_MGR_010);
-    Verifies(req::SRS_MGR_011);
-    ExpectHolds("emcy_storm.yaml");
-    ExpectHolds("duplicate.yaml");
-    ExpectHolds("babbling.yaml");
 }
 
 TEST_F(ManagerCommandTest, AFlyingMasterDiesAndTheOtherOneTakesOver)
@@ -110,7 +90,7 @@ TEST_F(ManagerCommandTest, TheSameScenarioGivesTheSameEvents)
     const Answer first = RunCommand({"simulate", Network("babbling.yaml")});
     const Answer second = RunCommand({"simulate", Network("babbling.yaml")});
     EXPECT_EQ(first.out, second.out);
-    EXPECT_NE(first.out.find("5 of 5 expectations hold"), std::string::npos);
+    EXPECT_NE(first.out.find("9 of 9 expectations hold"), std::string::npos);
 }
 
 TEST_F(ManagerCommandTest, AnExpectationThatDoesNotHoldEndsWith1)
@@ -141,6 +121,11 @@ TEST_F(ManagerCommandTest, MalformedNetworkScenariosAreRefused)
         {head + "title: y\n", ":4:1: key 'title' twice, expected each key once"},
         {head + "events: [{at: 0 s, do: babble, every: 0 s, until: 1 s}]\n", ":4:39: '0 s', expected a time above 0"},
         {head + "events: [{at: 500 ms, do: emcy_storm, node: 1, until: 1 ms}]\n", ":4:10: an end before the beginning"},
+        {head + "events: [{at: 0 s, do: send}]\n", ":4:10: no key 'identifier', expected it here"},
+        {head + "events: [{at: 0 s, do: send, identifier: 0, data: 1}]\n", ":4:51: '1', expected up to 8 bytes of two"},
+        {head + "events: [{at: 0 s, do: send, identifier: 0, data: 0g}]\n", ":4:51: '0g', expected up to 8 bytes"},
+        {head + "events: [{at: 0 s, do: bus_off}]\n", ":4:10: no key 'until', expected it here"},
+        {head + "events: [{at: 0 s, do: no_controller, until: 1 s, node: 9}]\n", ":4:10: no manager with node-ID 9"},
         {head + "events: [{at: 1 s, do: order, order: status}]\n", ":4:10: a time at the end of the scenario or later"},
         {head + "events: [{at: 0 s, do: pull, node: 9}]\n", ":4:10: no device with node-ID 9"},
         {head + "events: [{at: 0 s, do: kill_manager, node: 9}]\n", ":4:10: no manager with node-ID 9"},
