@@ -5,6 +5,7 @@
 #include "tools/yaml_map.hpp"
 
 #include "canopen/cia306/ini_document.hpp"
+#include "canopen/cia306/input_error.hpp"
 #include "canopen/network/cpj_reader.hpp"
 
 #include <filesystem>
@@ -28,6 +29,7 @@ constexpr Word<cia302::Arming> kArmingWords[] = {{"first_heartbeat", cia302::Arm
                                                  {"boot_up", cia302::Arming::kBootUp},
                                                  {"immediately", cia302::Arming::kImmediately}};
 constexpr Word<bool> kTruthWords[] = {{"true", true}, {"false", false}};
+constexpr Word<bool> kStartWords[] = {{"at_once", false}, {"by_order", true}};
 constexpr Word<bool> kPresetWords[] = {{"default", false}, {"so1114", true}};
 
 /// A number of the map, if it is there, within the range of its type.
@@ -106,7 +108,7 @@ FlyingPlan ReadFlying(const std::string& file, const ScenarioValue& value)
 {
     constexpr std::uint64_t kLowestLevel = 2U;
     const YamlMap map(file, value.Node(),
-                      {"priority", "timeout", "delay", "level_slot", "node_slot", "detect", "preset"});
+                      {"priority", "timeout", "delay", "level_slot", "node_slot", "detect", "preset", "start"});
     FlyingPlan plan;
     TakeNumber(map, "priority", plan.priority, 0U, kLowestLevel);
     TakeMs(map, "timeout", plan.timeout_ms);
@@ -115,6 +117,7 @@ FlyingPlan ReadFlying(const std::string& file, const ScenarioValue& value)
     TakeMs(map, "node_slot", plan.node_slot_ms);
     TakeMs(map, "detect", plan.detect_ms);
     TakeWord(map, "preset", plan.is_so1114, kPresetWords);
+    TakeWord(map, "start", plan.is_by_order, kStartWords);
     return plan;
 }
 
@@ -178,11 +181,11 @@ void ReadAssignment(const YamlMap& map, SlavePlan& plan)
 
 SlavePlan ReadSlave(const std::string& file, const ScenarioValue& value)
 {
-    const YamlMap map(file, value.Node(),
-                      {"node",         "name",        "dcf",       "assignment",   "mandatory", "keep_alive",
-                       "boot",         "restore",     "heartbeat", "consumer",     "arming",    "guard_time",
-                       "retry_factor", "device_type", "vendor_id", "product_code", "revision",  "serial",
-                       "date",         "time",        "configure", "write_safety", "el6751",    "plc_designer"});
+    const YamlMap map(file, value.Node(), {"node",         "name",         "dcf",          "assignment",   "mandatory",
+                                           "keep_alive",   "boot",         "restore",      "heartbeat",    "consumer",
+                                           "arming",       "guard_time",   "retry_factor", "device_type",  "vendor_id",
+                                           "product_code", "revision",     "serial",       "date",         "time",
+                                           "configure",    "write_safety", "el6751",       "plc_designer", "outputs"});
     SlavePlan plan;
     plan.line = static_cast<std::size_t>(value.Where().place.line);
     plan.node = static_cast<std::uint8_t>(map.Require("node").Number({1U, cia302::kLastNode}));
@@ -198,6 +201,10 @@ SlavePlan ReadSlave(const std::string& file, const ScenarioValue& value)
     if (const auto options = map.Find("plc_designer"))
     {
         plan.plc = ReadPlcSlave(file, *options);
+    }
+    if (const auto outputs = map.Find("outputs"))
+    {
+        plan.outputs = ReadOutputs(file, *outputs);
     }
     TakeWord(map, "configure", plan.is_configured, kTruthWords);
     TakeWord(map, "write_safety", plan.writes_safety, kTruthWords);
@@ -222,10 +229,24 @@ NetworkPlan ReadYaml(const std::string& path, const std::uint8_t manager)
     }
     return plan;
 }
+
+/// Before it is read as something: neither reader knows what the file was to be.
+void RequireNetworkFile(const std::string& path)
+{
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    if (!std::filesystem::is_regular_file(status))
+    {
+        const bool is_there = std::filesystem::exists(status);
+        throw cia306::InputError(
+            path, 0U, {is_there ? "this is no regular file" : "there is no such file", "a network file, CPJ or YAML"});
+    }
+}
 } // namespace
 
 NetworkPlan ReadNetworkFile(const std::string& path, const std::uint8_t manager)
 {
+    RequireNetworkFile(path);
     const std::string extension = cia306::Lower(std::filesystem::path(path).extension().string());
     return (extension == ".cpj") ? network::ReadCpj(path, manager) : ReadYaml(path, manager);
 }

@@ -22,7 +22,7 @@ Manager::Manager(const ManagerParts& parts) noexcept
       nmt_(NmtMasterParts{parts_.setup, parts.room.commands, parts_.sink, table_, *this, gate_}),
       watch_(parts_.setup, parts.room.watched, *this), producer_(parts_.setup.own), profile_(nullptr), flying_(nullptr),
       state_(NodeState::kInitialising), is_running_(false), is_leading_(false), owes_boot_up_(false),
-      is_to_start_(false)
+      is_to_start_(false), is_held_(false)
 {
     producer_.SetPeriod(parts.heartbeat_ms);
 }
@@ -42,6 +42,14 @@ void Manager::Use(FlyingMaster& flying) noexcept
     flying_ = &flying;
 }
 
+bool Manager::Negotiate() noexcept
+{
+    const bool is_waiting = is_running_ && is_held_ && (flying_ != nullptr);
+    is_held_ = is_held_ && !is_waiting;
+    is_to_start_ = is_to_start_ || is_waiting;
+    return is_waiting;
+}
+
 void Manager::Begin(const Instant now) noexcept
 {
     is_running_ = (profile_ != nullptr);
@@ -49,7 +57,7 @@ void Manager::Begin(const Instant now) noexcept
     {
         state_ = NodeState::kPreOperational;
         owes_boot_up_ = true;
-        is_to_start_ = (flying_ != nullptr);
+        is_to_start_ = (flying_ != nullptr) && !is_held_;
         SendOwn(now);
         if (flying_ == nullptr)
         {
@@ -343,12 +351,7 @@ void Manager::OnInitialising(const Instant now) noexcept
     UnwatchAll();
     state_ = NodeState::kPreOperational;
     owes_boot_up_ = true;
-    is_to_start_ = true;
-}
-
-bool Manager::IsActive() const noexcept
-{
-    return is_leading_;
+    is_to_start_ = !is_held_;
 }
 
 NodeState Manager::OwnState() const noexcept

@@ -74,6 +74,11 @@ class Manager final : public NmtListener,
     void Use(StartUp& profile) noexcept;
     void Use(FlyingMaster& flying) noexcept;
 
+    /// @brief Before Begin: the first negotiation waits for Negotiate; 1F90h may be set until then. [SRS-MGR-018]
+    void HoldNegotiation() noexcept
+    {
+        is_held_ = true;
+    }
     /// @brief The device is there: boot-up message, then the start-up, or the negotiation first.
     void Begin(Instant now) noexcept;
     /// @brief Commands nothing any more and takes part in no negotiation.
@@ -82,13 +87,28 @@ class Manager final : public NmtListener,
     void OnFrame(const CanFrame& frame, Instant now) noexcept;
     void OnCycle(Instant now) noexcept;
 
+    /// @brief The application lets the first negotiation begin. False: nothing waits for it. [SRS-MGR-018]
+    [[nodiscard]] bool Negotiate() noexcept;
+    /// @brief 1017h of this device from now on; 0: no heartbeat.
+    void SetHeartbeat(const std::uint16_t period_ms) noexcept
+    {
+        producer_.SetPeriod(period_ms);
+    }
+    [[nodiscard]] std::uint16_t HeartbeatMs() const noexcept
+    {
+        return producer_.PeriodMs();
+    }
+
     /// @brief A command of the application, by the profile: see StartUp::Command.
     [[nodiscard]] NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept;
     [[nodiscard]] bool Boot(NodeId node, Instant now) noexcept;
     /// @brief Writes the safety configuration of a slave by the full procedure and verifies it. [SRS-SFS-005]
     [[nodiscard]] bool WriteSafety(NodeId node, Instant now) noexcept;
 
-    [[nodiscard]] bool IsActive() const noexcept;
+    [[nodiscard]] bool IsActive() const noexcept
+    {
+        return is_leading_;
+    }
     [[nodiscard]] cia301::NodeState OwnState() const noexcept;
     [[nodiscard]] NodeStatus Status(NodeId node) const noexcept;
     [[nodiscard]] std::int16_t MasterState() const noexcept;
@@ -132,6 +152,7 @@ class Manager final : public NmtListener,
     bool is_leading_;   ///< The profile was begun.
     bool owes_boot_up_; ///< The boot-up message has not left.
     bool is_to_start_;  ///< The negotiation is to be started in the next cycle.
+    bool is_held_;      ///< The application starts the first negotiation.
 };
 
 } // namespace counterpoint::cia302

@@ -1,8 +1,10 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/network/loaded_network.hpp"
 
+#include "canopen/cia302/concise_dcf.hpp"
 #include "canopen/cia306/device_reader.hpp"
 #include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/text_file.hpp"
 #include "canopen/network/expectation_maker.hpp"
 #include "canopen/network/manager_objects.hpp"
 
@@ -63,7 +65,9 @@ LoadedNetwork::LoadedNetwork(const NetworkPlan& plan) : plan_(plan)
     RequireManager();
     if (!plan_.manager.dcf.empty())
     {
-        TakeManagerObjects(cia306::ReadDeviceFile(plan_.manager.dcf), plan_);
+        device_ = cia306::ReadDeviceFile(plan_.manager.dcf);
+        RequireOwnDcf();
+        TakeManagerObjects(device_, plan_);
     }
     RequireNodes();
     for (const SlavePlan& slave : plan_.slaves)
@@ -85,6 +89,47 @@ const LoadedSlave* LoadedNetwork::Find(const std::uint8_t node) const noexcept
         found = (slave->plan.node == node) ? slave.get() : found;
     }
     return found;
+}
+
+LoadedSlave* LoadedNetwork::Find(const std::uint8_t node) noexcept
+{
+    LoadedSlave* found = nullptr;
+    for (const std::unique_ptr<LoadedSlave>& slave : loaded_)
+    {
+        found = (slave->plan.node == node) ? slave.get() : found;
+    }
+    return found;
+}
+
+bool LoadedNetwork::ReplaceConcise(const std::uint8_t node, const cia302::Bytes& bytes)
+{
+    LoadedSlave* const slave = Find(node);
+    cia302::ConciseReading entry = cia302::ReadConcise(bytes, {0U, 0U});
+    bool is_plain = cia302::IsConcise(bytes);
+    for (; entry.state == cia302::ConciseState::kEntry; entry = cia302::ReadConcise(bytes, entry.next))
+    {
+        const bool is_safety =
+            entry.object.index >= cia301::kFirstKernelIndex && entry.object.index <= cia301::kLastKernelIndex;
+        is_plain = is_plain && !is_safety;
+    }
+    const bool is_taken = slave != nullptr && is_plain;
+    if (is_taken)
+    {
+        slave->downloaded.assign(bytes.data, bytes.data + bytes.size_bytes);
+        slaves_.at(node).concise_dcf = {slave->downloaded.data(), bytes.size_bytes};
+    }
+    return is_taken;
+}
+
+void LoadedNetwork::RequireOwnDcf() const
+{
+    const std::uint8_t node = *plan_.manager.node;
+    if (device_.node_id.value_or(node) != node)
+    {
+        throw InputError(plan_.file, plan_.manager.line,
+                         {cia306::Quoted(plan_.manager.dcf) + " is for node-ID " + std::to_string(*device_.node_id),
+                          "the DCF of the manager, node " + std::to_string(node)});
+    }
 }
 
 void LoadedNetwork::RequireManager() const
@@ -126,6 +171,7 @@ void LoadedNetwork::Load(const SlavePlan& plan)
     if (!plan.dcf.empty())
     {
         slave->device = cia306::ReadDeviceFile(plan.dcf);
+        slave->dcf_text = cia306::ReadTextFile(plan.dcf);
         if (slave->device.node_id.value_or(plan.node) != plan.node)
         {
             throw InputError(plan_.file, plan.line,
@@ -150,7 +196,7 @@ void LoadedNetwork::Fill(LoadedSlave& slave, SlaveSetup& setup) const
     FillHeartbeat(slave, setup);
     setup.safety = slave.objects.empty() ? nullptr : &slave.safety;
     RequireSense(slave, setup);
-    FillProfile(plan_.manager.profile, slave.plan, slave.device, slave.profile, setup);
+    FillProfile(plan_.file, plan_.manager.profile, slave.plan, slave.device, slave.profile, setup);
 }
 
 /// What somebody wrote and would not get: supervision that cannot work, and a configuration that is not there.

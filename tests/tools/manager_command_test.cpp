@@ -127,6 +127,7 @@ TEST_F(ManagerCommandTest, AnExpectationThatDoesNotHoldEndsWith1)
 TEST_F(ManagerCommandTest, MalformedNetworkScenariosAreRefused)
 {
     Verifies(req::SRS_MGR_012);
+    constexpr const char* kPlain = "manager: {node: 127}\nslaves: [{node: 5}]\n";
     const std::string head = "title: x\nduration: 1 s\nmanagers: [{network: " + Network("chain.yaml") + "}]\n";
     const std::pair<std::string, std::string> bad[] = {
         {head + "events: [{at: 1 s, do: explode, node: 1}]\n", ":4:24: 'explode', expected one of pull, insert"},
@@ -147,6 +148,11 @@ TEST_F(ManagerCommandTest, MalformedNetworkScenariosAreRefused)
         {head + "expect: [{that: no_event, is: heartbeat_lots}]\n", ":4:10: event 'heartbeat_lots', expected one of"},
         {head + "expect: [{that: no_event, is: gate, from: 9 ms, until: 8 ms}]\n", ":4:10: a window that ends before"},
         {head + "expect: [{that: output, node: 9, is: closed}]\n", ":4:10: no device with node-ID 9"},
+        {head + "expect: [{that: state, node: 9, is: x}]\n", ":4:10: node 9, which is no slave of manager 127"},
+        {head + "expect: [{that: no_event, node: 9, is: gate}]\n", ":4:10: node 9, which is no slave of manager"},
+        {"title: x\nduration: 1 s\nmanagers: [{network: " + File("plain.yaml", kPlain) +
+             "}]\nexpect: [{that: gate, node: 5, is: closed}]\n",
+         ":4:10: the gate of node 5, which has no safety configuration"},
         {"title: x\nduration: 1 s\nmanagers: []\n", ": an empty list of managers, expected at least one"},
         {"title: x\nduration: 1 s\nmanagers: [{network: " + Network("chain.yaml") +
              "},\n  {network: " + Network("chain.yaml") + "}]\n",
@@ -320,8 +326,9 @@ TEST_F(ManagerCommandTest, OrdersAreReadStrictly)
     EXPECT_EQ(ParseManagerOrder("boot all").problem, "boot: 'all', expected a node-ID from 1 to 127");
     EXPECT_EQ(ParseManagerOrder("stop").problem, "stop: no node, expected a node-ID from 1 to 127, or all");
     EXPECT_EQ(ParseManagerOrder("stop 128").problem, "stop: '128', expected a node-ID from 1 to 127, or all");
-    EXPECT_EQ(ParseManagerOrder("fly").problem, "order 'fly', expected status, start, stop, preop, reset, reset-comm, "
-                                                "boot, write-safety, control, help or quit");
+    EXPECT_EQ(ParseManagerOrder("fly").problem,
+              "order 'fly', expected status, start, stop, preop, reset, reset-comm, "
+              "boot, write-safety, control, output, get, set, negotiate, help or quit");
 }
 
 TEST_F(ManagerCommandTest, ASocketTakesThePlaceOfALeftSocketOnly)
