@@ -48,6 +48,16 @@ bool HasAllSub(const std::uint16_t index)
     return index == 0x1F25U || index == 0x1F82U || index == 0x1F83U;
 }
 
+/// What a person may do about a refusal.
+std::string RemedyOf(const SdoAbort abort)
+{
+    std::string remedy = "what the object takes";
+    remedy = (abort == SdoAbort::kReadOnly) ? "an object that may change, and not of a safety slave" : remedy;
+    remedy = (abort == SdoAbort::kDeviceState) ? "it in another state: docs/manager.md has the rules" : remedy;
+    remedy = (abort == SdoAbort::kPending) ? "it later: too many commands wait" : remedy;
+    return (abort == SdoAbort::kValueRange) ? "another value, or another node" : remedy;
+}
+
 std::uint32_t SizeOf(const DataType type)
 {
     std::uint32_t size_bytes = 4U;
@@ -292,8 +302,8 @@ std::string ManagerDictionary::Set(const ObjectAddress& object, const std::uint6
                " bytes";
     }
     const SdoAbort abort = dictionary_.WriteNumber(object, value, entry->size_bytes);
-    return (abort == SdoAbort::kNone) ? "taken"
-                                      : name + " = " + std::to_string(value) + ": " + AbortText(abort) +
-                                            ", expected what docs/manager.md says";
+    return (abort == SdoAbort::kNone)
+               ? "taken"
+               : name + " = " + std::to_string(value) + ": " + AbortText(abort) + ", expected " + RemedyOf(abort);
 }
 } // namespace counterpoint::tools

@@ -106,6 +106,7 @@ void ManagerLoop::OnEvent(const ManagerEvent& event)
 bool ManagerLoop::Run()
 {
     caught_signal = 0;
+    static_cast<void>(std::signal(SIGPIPE, SIG_IGN)); // For good: who reads the output may go, the network stays.
     const auto before_int = std::signal(SIGINT, &Catch);
     const auto before_term = std::signal(SIGTERM, &Catch);
     start_ns_ = host::LiveNow();

@@ -100,6 +100,10 @@ std::string FileIn(const std::string& file, const YamlMap& map)
         {
             value->Refuse("there is no file " + simulator::Shown(path), "a DCF");
         }
+        if (std::filesystem::is_directory(path))
+        {
+            value->Refuse(simulator::Shown(path) + " is a folder", "a DCF");
+        }
     }
     return path;
 }
@@ -127,6 +131,7 @@ ManagerPlan ReadManager(const std::string& file, const ScenarioValue& value)
                       {"node", "dcf", "profile", "start_up", "boot_time", "inhibit", "sync", "heartbeat", "sdo_timeout",
                        "sdo_tries", "flying", "el6751"});
     constexpr std::uint64_t kStartUpBits = 0x7FU;
+    constexpr std::uint32_t kLongestSdoMs = 1000000U;
     constexpr simulator::Nanoseconds kHundredUs = 100 * simulator::kNanosecondsPerMicrosecond;
     ManagerPlan plan;
     plan.line = static_cast<std::size_t>(value.Where().place.line);
@@ -139,6 +144,10 @@ ManagerPlan ReadManager(const std::string& file, const ScenarioValue& value)
     TakeTime(map, "sync", plan.sync_us, simulator::kNanosecondsPerMicrosecond, "microseconds");
     TakeMs(map, "heartbeat", plan.heartbeat_ms);
     TakeMs(map, "sdo_timeout", plan.sdo_time_out_ms);
+    if (plan.sdo_time_out_ms.value_or(1U) == 0U || plan.sdo_time_out_ms.value_or(1U) > kLongestSdoMs)
+    {
+        map.Require("sdo_timeout").Refuse(std::to_string(*plan.sdo_time_out_ms) + " ms", "1 ms to 1000 s");
+    }
     TakeNumber(map, "sdo_tries", plan.sdo_tries, 1U);
     if (const auto times = map.Find("el6751"))
     {
@@ -165,6 +174,10 @@ void ReadExpectations(const YamlMap& map, SlavePlan& plan)
 void ReadAssignment(const YamlMap& map, SlavePlan& plan)
 {
     TakeNumber(map, "assignment", plan.assignment, 0U);
+    if (plan.assignment && (*plan.assignment & cia302::kInNetwork) == 0U)
+    {
+        map.Require("assignment").Refuse(cia306::Hex(*plan.assignment, 1), "bit 0: a slave of the network");
+    }
     TakeTruth(map, "mandatory", plan.is_mandatory);
     TakeTruth(map, "keep_alive", plan.is_kept_alive);
     TakeTruth(map, "boot", plan.is_booted);

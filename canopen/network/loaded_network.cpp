@@ -22,6 +22,7 @@ using cia306::InputError;
 
 constexpr std::uint32_t kUsualAssignment = cia302::kInNetwork | cia302::kBootSlave | cia302::kMandatory;
 constexpr std::uint32_t kConsumerFactor = 2U; ///< Consumer time of a producer time, where nobody says more.
+constexpr std::uint32_t kLeastSyncUs = 1000U; ///< A manager works each ms.
 constexpr std::uint32_t kLongestMs = 65535U;
 
 /// The number that a DCF configures, 0 where it has none.
@@ -292,11 +293,47 @@ void LoadedNetwork::FillManager()
             plan_.file, manager.line,
             {"start-up value (1F80h) " + cia306::Hex(setup_.start_up, 8) + " with unknown bits", "bits 0 to 6"});
     }
+    if (setup_.Has(cia302::kFlyingMaster) && !manager.flying)
+    {
+        throw InputError(plan_.file, manager.line,
+                         {"start-up value (1F80h) " + cia306::Hex(setup_.start_up, 8) + " of a flying master",
+                          "the key flying, or bit 5 not set"});
+    }
+    if (setup_.sync_period_us != 0U && setup_.sync_period_us < kLeastSyncUs)
+    {
+        throw InputError(plan_.file, manager.line,
+                         {"SYNC period (1006h) of " + std::to_string(setup_.sync_period_us) + " us",
+                          "none, or at least " + std::to_string(kLeastSyncUs) + " us"});
+    }
+    Warn();
+}
+
+/// What is understood and has no effect, or another one than somebody may think.
+void LoadedNetwork::Warn()
+{
+    const auto warn = [this](const std::string& text)
+    { warnings_.push_back(cia306::Printable(plan_.file) + ": " + text); };
+    const StartProfile profile = plan_.manager.profile;
+    if (setup_.sync_period_us != 0U && profile != StartProfile::kEl6751)
+    {
+        warn("a SYNC period (1006h): only the profile el6751 sends SYNC");
+    }
+    for (const SlavePlan& slave : plan_.slaves)
+    {
+        const std::string node = " of node " + std::to_string(slave.node) + " have no effect: ";
+        if (slave.el6751 && profile != StartProfile::kEl6751)
+        {
+            warn("options el6751" + node + "the profile is another one");
+        }
+        if (slave.plc && profile != StartProfile::kPlcDesigner)
+        {
+            warn("options plc_designer" + node + "the profile is another one");
+        }
+    }
     if (setup_.Has(cia302::kStartAllAtOnce) && setup_.HasSafetySlave())
     {
-        warnings_.push_back(cia306::Printable(plan_.file) +
-                            ": one start for all is asked for (1F80h bit 1), and there is a safety slave: each slave "
-                            "is started by itself after its verification");
+        warn("one start for all is asked for (1F80h bit 1), and there is a safety slave: each slave "
+             "is started by itself after its verification");
     }
 }
 } // namespace counterpoint::network

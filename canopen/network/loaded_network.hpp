@@ -87,6 +87,7 @@ class LoadedNetwork
     void FillHeartbeat(LoadedSlave& slave, cia302::SlaveSetup& setup) const;
     void RequireSense(const LoadedSlave& slave, const cia302::SlaveSetup& setup) const;
     void FillManager();
+    void Warn();
 
     NetworkPlan plan_;
     cia306::Device device_;
