@@ -156,7 +156,8 @@ void ManagerDiagram::GiveUp(const std::uint8_t node)
 void ManagerDiagram::OnEvent(const ManagerEvent& event)
 {
     const bool is_own_words = event.kind == "nmt";
-    const bool is_shown = !event.text.empty() && event.kind != "boot_up" && event.kind != "emergency";
+    const bool is_shown =
+        !event.text.empty() && event.kind != "boot_up" && event.kind != "emergency" && event.kind != "pdo";
     if (is_shown)
     {
         const bool is_bad = (event.kind == "status" && event.text != "started" && event.text.rfind("L:", 0U) != 0U &&

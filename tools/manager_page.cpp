@@ -16,7 +16,7 @@ namespace
 {
 constexpr int kTimeWidth = 110;
 constexpr int kFewLanes = 7;
-constexpr int kWideLane = 220;   ///< Of few lanes.
+constexpr int kWideLane = 280;   ///< Of few lanes.
 constexpr int kNarrowLane = 120; ///< Of many.
 constexpr int kLetterWidth = 7;
 constexpr int kRowHeight = 22;
@@ -209,7 +209,7 @@ class Picture
         // By the lane of the node, where its messages stand below each other; what does not fit there begins at the
         // manager.
         const int room = X(lane) - X(0) - 24;
-        const bool is_long = row.node == 0U || static_cast<int>(label.size()) * kLetterWidth > room;
+        const bool is_long = row.node == 0U || lane == 1 || static_cast<int>(label.size()) * kLetterWidth > room;
         const std::string at =
             is_long ? std::to_string(X(0) + 12) : std::to_string(X(lane) - 12) + "\" text-anchor=\"end";
         out_ << "<line class=\"" << (row.is_bad || is_silent ? "badarrow" : "arrow") << "\" marker-end=\"url(#tip)\""
