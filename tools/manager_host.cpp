@@ -97,7 +97,7 @@ void ManagerHost::MakeFlying(cia301::FrameSink& sink)
                                       std::to_string(flying_times_.device_slot) + " ms",
                                   "a level slot above 127 node slots, which are above 0"});
     }
-    flying_options_ = plan.flying->is_so1114 ? cia302::So1114FlyingMaster() : cia302::DefaultFlyingMaster();
+    flying_options_ = plan.flying->options;
     flying_options_.own_producer_ms = plan.heartbeat_ms.value_or(flying_options_.own_producer_ms);
     flying_ = std::make_unique<cia302::FlyingMaster>(
         cia302::FlyingMasterParts{net_.Setup(), flying_times_, flying_options_, sink, manager_});

@@ -359,7 +359,8 @@ MasterClaim FlyingMaster::Own() const noexcept
 
 std::uint32_t FlyingMaster::WatchUs() const noexcept
 {
-    const bool is_twice = parts_.options.watch == MasterWatch::kTwiceProducer;
+    const bool is_twice =
+        (parts_.options.watch == MasterWatch::kTwiceProducer) && (parts_.options.own_producer_ms > 0U);
     const std::uint32_t other_ms = is_twice ? (2U * parts_.options.own_producer_ms) : parts_.options.watch_ms;
     const std::uint16_t own_ms = parts_.setup.Slave(master_.node).heartbeat.consumer_ms;
     return ((own_ms > 0U) ? own_ms : other_ms) * kUsPerMs;

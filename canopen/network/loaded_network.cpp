@@ -65,6 +65,10 @@ LoadedNetwork::LoadedNetwork(const NetworkPlan& plan) : plan_(plan)
     {
         TakeManagerObjects(cia306::ReadDeviceFile(plan_.manager.dcf), plan_);
     }
+    if (!plan_.manager.flying && (plan_.manager.start_up.value_or(0U) & cia302::kFlyingMaster) != 0U)
+    {
+        plan_.manager.flying = FlyingPlan{}; // Where no DCF said more.
+    }
     RequireNodes();
     for (const SlavePlan& slave : plan_.slaves)
     {
@@ -251,6 +255,12 @@ void LoadedNetwork::FillManager()
         warnings_.push_back(cia306::Printable(plan_.file) +
                             ": one start for all is asked for (1F80h bit 1), and there is a safety slave: each slave "
                             "is started by itself after its verification");
+    }
+    if (manager.flying && manager.heartbeat_ms.value_or(0U) == 0U)
+    {
+        warnings_.push_back(cia306::Printable(plan_.file) +
+                            ": a flying master without heartbeat, which its standbys lose again and again: expected a "
+                            "heartbeat above 0 ms");
     }
 }
 } // namespace counterpoint::network
