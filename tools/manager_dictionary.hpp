@@ -17,7 +17,7 @@
 namespace counterpoint::tools
 {
 /// The manager as a device on the bus: its object dictionary, and the SDO server at its node-ID. Stays where it is.
-/// [SRS-MGR-015]
+/// [SRS-MGR-020]
 class ManagerDictionary
 {
   public:

@@ -107,14 +107,20 @@ void ManagerHost::MakeFlying(cia301::FrameSink& sink)
     {
         throw cia306::InputError(net_.Plan().file, plan.line, {SlotsOf(flying_times_), kSlots});
     }
-    flying_options_ = plan.flying->is_so1114 ? cia302::So1114FlyingMaster() : cia302::DefaultFlyingMaster();
+    flying_options_ = plan.flying->options;
     flying_options_.own_producer_ms = plan.heartbeat_ms.value_or(flying_options_.own_producer_ms);
     flying_ = std::make_unique<cia302::FlyingMaster>(
         cia302::FlyingMasterParts{net_.Setup(), flying_times_, flying_options_, sink, manager_});
-    manager_.Use(*flying_);
-    if (plan.flying->is_by_order)
+    is_held_ = plan.flying->is_by_order;
+    manager_.Use(*flying_, is_held_ ? cia302::NegotiationBy::kApplication : cia302::NegotiationBy::kManager);
+}
+
+void ManagerHost::OnCycle(const Instant now)
+{
+    const bool is_by_order = net_.Plan().manager.flying.value_or(network::FlyingPlan{}).is_by_order;
+    if (is_by_order && !is_held_ && flying_->State() == cia302::FlyingState::kInitialising)
     {
-        manager_.HoldNegotiation();
+        static_cast<void>(manager_.StartNegotiation(now));
     }
 }
 
@@ -130,7 +136,9 @@ std::string ManagerHost::Negotiate()
     {
         return SlotsOf(flying_times_) + ", expected " + kSlots;
     }
-    return manager_.Negotiate() ? "taken" : "no negotiation waits for an order, expected flying: {start: by_order}";
+    const bool is_taken = is_held_;
+    is_held_ = false;
+    return is_taken ? "taken" : "no negotiation waits for an order, expected flying: {start: by_order}";
 }
 
 bool ManagerHost::HasStarted() const noexcept

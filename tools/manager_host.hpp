@@ -49,8 +49,10 @@ class ManagerHost
     }
     /// @brief 1017h of the manager.
     void SetHeartbeat(std::uint16_t period_ms) noexcept;
-    /// @brief Lets the first negotiation begin; "taken" or the reason why not. [SRS-MGR-018]
+    /// @brief Lets the first negotiation begin; "taken" or the reason why not. [SRS-MGR-023]
     [[nodiscard]] std::string Negotiate();
+    /// @brief Lets later negotiations begin by themselves. Before the manager's cycle.
+    void OnCycle(Instant now);
     /// @brief Whether the start-up came to where its slaves run: every mandatory slave was started.
     [[nodiscard]] bool HasStarted() const noexcept;
     /// @brief Of the EL6751 profile only.
@@ -86,6 +88,7 @@ class ManagerHost
     cia302::StartUp* profile_{nullptr}; ///< One of the three.
     cia302::FlyingMasterTimes flying_times_{};
     cia302::FlyingMasterOptions flying_options_{};
+    bool is_held_{false}; ///< The first negotiation waits for its order.
     std::unique_ptr<cia302::FlyingMaster> flying_;
 };
 

@@ -58,6 +58,7 @@ void ManagerStation::OnFrame(const CanFrame& frame, const std::uint64_t now_us)
 void ManagerStation::OnCycle(const std::uint64_t now_us)
 {
     Enter(now_us);
+    host_.OnCycle(InstantAt(now_us));
     host_.Core().OnCycle(InstantAt(now_us));
     dictionary_.OnCycle(InstantAt(now_us));
     DriveWriting();

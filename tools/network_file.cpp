@@ -1,21 +1,20 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/network_file.hpp"
 
+#include "tools/network_file_flying.hpp"
 #include "tools/network_profiles.hpp"
-#include "tools/yaml_map.hpp"
+#include "tools/yaml_take.hpp"
 
 #include "canopen/cia306/ini_document.hpp"
 #include "canopen/cia306/input_error.hpp"
 #include "canopen/network/cpj_reader.hpp"
 
 #include <filesystem>
-#include <limits>
 
 namespace counterpoint::tools
 {
 namespace
 {
-using network::FlyingPlan;
 using network::ManagerPlan;
 using network::NetworkPlan;
 using network::SlavePlan;
@@ -29,51 +28,6 @@ constexpr Word<cia302::Arming> kArmingWords[] = {{"first_heartbeat", cia302::Arm
                                                  {"boot_up", cia302::Arming::kBootUp},
                                                  {"immediately", cia302::Arming::kImmediately}};
 constexpr Word<bool> kTruthWords[] = {{"true", true}, {"false", false}};
-constexpr Word<bool> kStartWords[] = {{"at_once", false}, {"by_order", true}};
-constexpr Word<bool> kPresetWords[] = {{"default", false}, {"so1114", true}};
-
-/// A number of the map, if it is there, within the range of its type.
-template <typename Number>
-void TakeNumber(const YamlMap& map, const char* key, std::optional<Number>& part, const std::uint64_t lowest,
-                const std::uint64_t highest = std::numeric_limits<Number>::max())
-{
-    if (const auto value = map.Find(key))
-    {
-        part = static_cast<Number>(value->Number({lowest, highest}));
-    }
-}
-
-/// A time in whole units of `unit` nanoseconds.
-template <typename Number>
-void TakeTime(const YamlMap& map, const char* key, std::optional<Number>& part, const simulator::Nanoseconds unit,
-              const char* unit_name)
-{
-    if (const auto value = map.Find(key))
-    {
-        const simulator::Nanoseconds time = value->Duration();
-        constexpr auto kMost = std::numeric_limits<Number>::max();
-        if (time % unit != 0 || static_cast<std::uint64_t>(time / unit) > kMost)
-        {
-            value->Refuse("a time that its object cannot hold",
-                          "whole " + std::string(unit_name) + ", at most " + std::to_string(kMost));
-        }
-        part = static_cast<Number>(time / unit);
-    }
-}
-
-template <typename Number> void TakeMs(const YamlMap& map, const char* key, std::optional<Number>& part)
-{
-    TakeTime(map, key, part, simulator::kNanosecondsPerMillisecond, "milliseconds");
-}
-
-template <typename Meaning, std::size_t kCount>
-void TakeWord(const YamlMap& map, const char* key, Meaning& part, const Word<Meaning> (&words)[kCount])
-{
-    if (const auto value = map.Find(key))
-    {
-        part = value->Choice(words);
-    }
-}
 
 void TakeTruth(const YamlMap& map, const char* key, std::optional<bool>& part)
 {
@@ -106,23 +60,6 @@ std::string FileIn(const std::string& file, const YamlMap& map)
         }
     }
     return path;
-}
-
-FlyingPlan ReadFlying(const std::string& file, const ScenarioValue& value)
-{
-    constexpr std::uint64_t kLowestLevel = 2U;
-    const YamlMap map(file, value.Node(),
-                      {"priority", "timeout", "delay", "level_slot", "node_slot", "detect", "preset", "start"});
-    FlyingPlan plan;
-    TakeNumber(map, "priority", plan.priority, 0U, kLowestLevel);
-    TakeMs(map, "timeout", plan.timeout_ms);
-    TakeMs(map, "delay", plan.delay_ms);
-    TakeMs(map, "level_slot", plan.level_slot_ms);
-    TakeMs(map, "node_slot", plan.node_slot_ms);
-    TakeMs(map, "detect", plan.detect_ms);
-    TakeWord(map, "preset", plan.is_so1114, kPresetWords);
-    TakeWord(map, "start", plan.is_by_order, kStartWords);
-    return plan;
 }
 
 ManagerPlan ReadManager(const std::string& file, const ScenarioValue& value)

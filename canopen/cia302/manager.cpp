@@ -21,8 +21,8 @@ Manager::Manager(const ManagerParts& parts) noexcept
       gate_(parts_.setup, parts.room.safety, sdo_),
       nmt_(NmtMasterParts{parts_.setup, parts.room.commands, parts_.sink, table_, *this, gate_}),
       watch_(parts_.setup, parts.room.watched, *this), producer_(parts_.setup.own), profile_(nullptr), flying_(nullptr),
-      state_(NodeState::kInitialising), is_running_(false), is_leading_(false), owes_boot_up_(false),
-      is_to_start_(false), is_held_(false)
+      negotiation_(NegotiationBy::kManager), state_(NodeState::kInitialising), is_running_(false), is_leading_(false),
+      owes_boot_up_(false), is_to_start_(false)
 {
     producer_.SetPeriod(parts.heartbeat_ms);
 }
@@ -37,17 +37,10 @@ void Manager::Use(StartUp& profile) noexcept
     profile_ = &profile;
 }
 
-void Manager::Use(FlyingMaster& flying) noexcept
+void Manager::Use(FlyingMaster& flying, const NegotiationBy by) noexcept
 {
     flying_ = &flying;
-}
-
-bool Manager::Negotiate() noexcept
-{
-    const bool is_waiting = is_running_ && is_held_ && (flying_ != nullptr);
-    is_held_ = is_held_ && !is_waiting;
-    is_to_start_ = is_to_start_ || is_waiting;
-    return is_waiting;
+    negotiation_ = by;
 }
 
 void Manager::Begin(const Instant now) noexcept
@@ -57,13 +50,22 @@ void Manager::Begin(const Instant now) noexcept
     {
         state_ = NodeState::kPreOperational;
         owes_boot_up_ = true;
-        is_to_start_ = (flying_ != nullptr) && !is_held_;
+        is_to_start_ = (flying_ != nullptr) && (negotiation_ == NegotiationBy::kManager);
         SendOwn(now);
         if (flying_ == nullptr)
         {
             Lead(true, now);
         }
+        else
+        {
+            parts_.listener.OnInitialising(now);
+        }
     }
+}
+
+FlyingStart Manager::StartNegotiation(const Instant now) noexcept
+{
+    return (flying_ != nullptr) ? flying_->Start(now) : FlyingStart::kInvalid;
 }
 
 void Manager::End() noexcept
@@ -99,6 +101,15 @@ void Manager::Lead(const bool is_leader, const Instant now) noexcept
     }
 }
 
+/// A negotiation may begin without an event: whoever negotiates commands nobody. [SRS-MGR-002]
+void Manager::FollowRole(const Instant now) noexcept
+{
+    if (is_leading_ && !flying_->IsActiveMaster())
+    {
+        Lead(false, now);
+    }
+}
+
 /// Nobody but the active master guards, and what was watched in another role counts no more.
 void Manager::UnwatchAll() noexcept
 {
@@ -123,6 +134,7 @@ void Manager::OnFrame(const CanFrame& frame, const Instant now) noexcept
         if (flying_ != nullptr)
         {
             flying_->OnFrame(frame, now);
+            FollowRole(now);
         }
         OnCommandFrame(frame);
         watch_.OnFrame(frame, now);
@@ -143,6 +155,7 @@ void Manager::OnCycle(const Instant now) noexcept
         if (flying_ != nullptr)
         {
             flying_->OnCycle(now);
+            FollowRole(now);
         }
         SendOwn(now);
         table_.OnCycle(now);
@@ -215,7 +228,9 @@ void Manager::SendOwn(const Instant now) noexcept
     }
     else
     {
-        // Nobody is to take this device for one that is there.
+        // Nobody is to take this device for one that is there. Whoever leaves INITIALISATION says so. [SRS-FLY-028]
+        state_ = NodeState::kPreOperational;
+        owes_boot_up_ = true;
     }
 }
 
@@ -351,7 +366,8 @@ void Manager::OnInitialising(const Instant now) noexcept
     UnwatchAll();
     state_ = NodeState::kPreOperational;
     owes_boot_up_ = true;
-    is_to_start_ = !is_held_;
+    is_to_start_ = (negotiation_ == NegotiationBy::kManager);
+    parts_.listener.OnInitialising(now);
 }
 
 NodeState Manager::OwnState() const noexcept

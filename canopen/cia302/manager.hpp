@@ -26,12 +26,26 @@ class ManagerListener
     virtual void OnEmergency(NodeId node, const EmergencyRecord& emergency, Instant now) noexcept = 0;
     virtual void OnDuplicate(NodeId node, Instant now) noexcept = 0;
     virtual void OnFlyingMaster(FlyingEvent event, const MasterClaim& claim, Instant now) noexcept = 0;
+    /// @brief The negotiation is to begin, at Begin and after each reset communication: local objects (1F90h) may be
+    /// written now. Who calls StartNegotiation: see Manager::Use. [SRS-FLY-027]
+    virtual void OnInitialising(Instant now) noexcept;
 
   protected:
     ManagerListener() noexcept = default;
     ~ManagerListener() noexcept = default;
     ManagerListener(const ManagerListener&) = default;
     ManagerListener& operator=(const ManagerListener&) = default;
+};
+
+inline void ManagerListener::OnInitialising(const Instant /*now*/) noexcept
+{
+}
+
+/// Who lets the negotiation begin whenever the device is initialising.
+enum class NegotiationBy : std::uint8_t
+{
+    kManager = 0U,     ///< In the next cycle.
+    kApplication = 1U, ///< By StartNegotiation; the device stays in INITIALISATION until then.
 };
 
 /// Room that the manager's parts work in, kept by reference. Arrays by node-ID have kNodeRoom elements.
@@ -72,13 +86,8 @@ class Manager final : public NmtListener,
     /// @brief What the profile is constructed with.
     [[nodiscard]] StartUpParts ProfileParts() noexcept;
     void Use(StartUp& profile) noexcept;
-    void Use(FlyingMaster& flying) noexcept;
+    void Use(FlyingMaster& flying, NegotiationBy by = NegotiationBy::kManager) noexcept;
 
-    /// @brief Before Begin: the first negotiation waits for Negotiate; 1F90h may be set until then. [SRS-MGR-018]
-    void HoldNegotiation() noexcept
-    {
-        is_held_ = true;
-    }
     /// @brief The device is there: boot-up message, then the start-up, or the negotiation first.
     void Begin(Instant now) noexcept;
     /// @brief Commands nothing any more and takes part in no negotiation.
@@ -86,9 +95,9 @@ class Manager final : public NmtListener,
     /// @brief A frame from the bus; frames of this device itself must not come back.
     void OnFrame(const CanFrame& frame, Instant now) noexcept;
     void OnCycle(Instant now) noexcept;
+    /// @brief The application lets the negotiation begin. kInvalid: there is no flying master. [SRS-FLY-027]
+    [[nodiscard]] FlyingStart StartNegotiation(Instant now) noexcept;
 
-    /// @brief The application lets the first negotiation begin. False: nothing waits for it. [SRS-MGR-018]
-    [[nodiscard]] bool Negotiate() noexcept;
     /// @brief 1017h of this device from now on; 0: no heartbeat.
     void SetHeartbeat(const std::uint16_t period_ms) noexcept
     {
@@ -132,6 +141,7 @@ class Manager final : public NmtListener,
     void Obey(NmtCommand command) noexcept;
     void OnCommandFrame(const CanFrame& frame) noexcept;
     void Lead(bool is_leader, Instant now) noexcept;
+    void FollowRole(Instant now) noexcept;
     void UnwatchAll() noexcept;
     void WatchMaster(NodeId master, Instant now) noexcept;
     void SendOwn(Instant now) noexcept;
@@ -147,12 +157,12 @@ class Manager final : public NmtListener,
     cia301::HeartbeatProducer producer_;
     StartUp* profile_;
     FlyingMaster* flying_; ///< Null: none.
+    NegotiationBy negotiation_;
     cia301::NodeState state_;
     bool is_running_;
     bool is_leading_;   ///< The profile was begun.
     bool owes_boot_up_; ///< The boot-up message has not left.
     bool is_to_start_;  ///< The negotiation is to be started in the next cycle.
-    bool is_held_;      ///< The application starts the first negotiation.
 };
 
 } // namespace counterpoint::cia302

@@ -70,6 +70,10 @@ LoadedNetwork::LoadedNetwork(const NetworkPlan& plan) : plan_(plan)
         RequireOwnDcf();
         TakeManagerObjects(device_, plan_);
     }
+    if (!plan_.manager.flying && (plan_.manager.start_up.value_or(0U) & cia302::kFlyingMaster) != 0U)
+    {
+        plan_.manager.flying = FlyingPlan{}; // Where no DCF said more.
+    }
     RequireNodes();
     for (const SlavePlan& slave : plan_.slaves)
     {
@@ -293,12 +297,6 @@ void LoadedNetwork::FillManager()
             plan_.file, manager.line,
             {"start-up value (1F80h) " + cia306::Hex(setup_.start_up, 8) + " with unknown bits", "bits 0 to 6"});
     }
-    if (setup_.Has(cia302::kFlyingMaster) && !manager.flying)
-    {
-        throw InputError(plan_.file, manager.line,
-                         {"start-up value (1F80h) " + cia306::Hex(setup_.start_up, 8) + " of a flying master",
-                          "the key flying, or bit 5 not set"});
-    }
     if (setup_.sync_period_us != 0U && setup_.sync_period_us < kLeastSyncUs)
     {
         throw InputError(plan_.file, manager.line,
@@ -334,6 +332,12 @@ void LoadedNetwork::Warn()
     {
         warn("one start for all is asked for (1F80h bit 1), and there is a safety slave: each slave "
              "is started by itself after its verification");
+    }
+    if (manager.flying && manager.heartbeat_ms.value_or(0U) == 0U)
+    {
+        warnings_.push_back(cia306::Printable(plan_.file) +
+                            ": a flying master without heartbeat, which its standbys lose again and again: expected a "
+                            "heartbeat above 0 ms");
     }
 }
 } // namespace counterpoint::network

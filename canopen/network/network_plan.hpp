@@ -3,6 +3,8 @@
 #define CANOPEN_NETWORK_NETWORK_PLAN_HPP
 
 #include "canopen/cia302/el6751_setup.hpp"
+#include "canopen/cia302/flying_master_options.hpp"
+#include "canopen/cia302/flying_master_times.hpp"
 #include "canopen/cia302/network_setup.hpp"
 #include "canopen/cia302/plc_setup.hpp"
 
@@ -31,7 +33,7 @@ struct FlyingPlan
     std::optional<std::uint16_t> level_slot_ms; ///< 4
     std::optional<std::uint16_t> node_slot_ms;  ///< 5
     std::optional<std::uint16_t> detect_ms;     ///< 6
-    bool is_so1114{false};
+    cia302::FlyingMasterOptions options{cia302::DefaultFlyingMaster()};
     bool is_by_order{false}; ///< The first negotiation waits for the application.
 };
 

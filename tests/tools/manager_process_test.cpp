@@ -51,7 +51,7 @@ std::string PdoNetwork(const std::string& more, const std::string& profile = "el
 
 TEST_F(ManagerProcessTest, OutputsGoOutAndInputsAreTold)
 {
-    Verifies(req::SRS_MGR_017);
+    Verifies(req::SRS_MGR_022);
     static_cast<void>(File("pdo.dcf", PdoDcf()));
     Make(PdoNetwork(",\n     outputs: [{pdo: 1, data: 01 FE}]"));
     // Given a started slave, then 1 s later its RxPDO has what the file says
@@ -80,7 +80,7 @@ TEST_F(ManagerProcessTest, OutputsGoOutAndInputsAreTold)
 
 TEST_F(ManagerProcessTest, InputsAreToldAndShown)
 {
-    Verifies(req::SRS_MGR_017);
+    Verifies(req::SRS_MGR_022);
     static_cast<void>(File("pdo.dcf", PdoDcf()));
     Make(PdoNetwork(""));
     Run(10U);
@@ -114,7 +114,7 @@ TEST_F(ManagerProcessTest, InputsAreToldAndShown)
 
 TEST_F(ManagerProcessTest, OutputsThatNobodySendsAreRefused)
 {
-    Verifies(req::SRS_MGR_017);
+    Verifies(req::SRS_MGR_022);
     static_cast<void>(File("pdo.dcf", PdoDcf()));
     const auto problem = [this](const std::string& text)
     {

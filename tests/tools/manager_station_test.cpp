@@ -27,7 +27,7 @@ constexpr const char* kNetwork = "manager: {node: 127, heartbeat: 100 ms, inhibi
 
 TEST_F(ManagerStationTest, AClientReadsTheNetwork)
 {
-    Verifies(req::SRS_MGR_015);
+    Verifies(req::SRS_MGR_020);
     Make(kNetwork);
     Run(2U);
     EXPECT_EQ(Read(0x1000U, 0U), 0U);
@@ -63,7 +63,7 @@ TEST_F(ManagerStationTest, AClientReadsTheNetwork)
 
 TEST_F(ManagerStationTest, ARequestCommandsTheNetwork)
 {
-    Verifies(req::SRS_MGR_015);
+    Verifies(req::SRS_MGR_020);
     Make(kNetwork);
     Run(2U);
     EXPECT_EQ(Write(0x1F82U, 5U, 4U, 1U), 0U);
@@ -88,7 +88,7 @@ TEST_F(ManagerStationTest, ARequestCommandsTheNetwork)
 
 TEST_F(ManagerStationTest, WritesObeyRules)
 {
-    Verifies(req::SRS_MGR_016);
+    Verifies(req::SRS_MGR_021);
     Make(kNetwork);
     EndStartUp();
     // What the manager knows of a slave that is not being started
@@ -128,7 +128,7 @@ TEST_F(ManagerStationTest, WritesObeyRules)
 
 TEST_F(ManagerStationTest, AConciseDcfIsTakenWholeOrNotAtAll)
 {
-    Verifies(req::SRS_MGR_016);
+    Verifies(req::SRS_MGR_021);
     Make(kNetwork);
     EndStartUp();
     // Given no entries, in one frame; then a damaged count
@@ -146,7 +146,7 @@ TEST_F(ManagerStationTest, AConciseDcfIsTakenWholeOrNotAtAll)
 
 TEST_F(ManagerStationTest, ThereIsNoServerInStopped)
 {
-    Verifies(req::SRS_MGR_015);
+    Verifies(req::SRS_MGR_020);
     Make(kNetwork);
     Run(2U);
     EXPECT_EQ(Write(0x1F82U, kOwn, 4U, 1U), 0U);
@@ -157,7 +157,7 @@ TEST_F(ManagerStationTest, ThereIsNoServerInStopped)
 
 TEST_F(ManagerStationTest, IdentityAndNetworkOfItsOwnDcf)
 {
-    Verifies(req::SRS_MGR_015);
+    Verifies(req::SRS_MGR_020);
     Verifies(req::SRS_NET_004);
     static_cast<void>(File("controller.dcf", ExampleText("controller")));
     Make("manager: {node: 2, dcf: controller.dcf}\nslaves: [{node: 5}]\n");
@@ -180,7 +180,7 @@ TEST_F(ManagerStationTest, IdentityAndNetworkOfItsOwnDcf)
 
 TEST_F(ManagerStationTest, TheNegotiationWaitsForItsOrder)
 {
-    Verifies(req::SRS_MGR_018);
+    Verifies(req::SRS_MGR_023);
     Make("manager: {node: 127, heartbeat: 100 ms, flying: {priority: 2, start: by_order}}\nslaves: [{node: 5}]\n");
     // Given a flying master that says nothing, and no SDO server
     Run(2000U);
@@ -206,7 +206,7 @@ TEST_F(ManagerStationTest, TheNegotiationWaitsForItsOrder)
 
 TEST_F(ManagerStationTest, WithoutAFlyingMasterThereIsNothingToNegotiate)
 {
-    Verifies(req::SRS_MGR_018);
+    Verifies(req::SRS_MGR_023);
     Make(kNetwork);
     EXPECT_EQ(Order("negotiate"), "no negotiation waits for an order, expected flying: {start: by_order}");
     EXPECT_EQ(ParseManagerOrder("get 1F80").problem,

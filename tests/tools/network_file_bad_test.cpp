@@ -86,8 +86,6 @@ constexpr BadFile kBadYaml[] = {
     {"manager: {node: 127, sdo_timeout: 4000 s}\nslaves: [{node: 1}]\n", ":1:35: 4000000 ms, expected 1 ms to 1000 s"},
     {"manager: {node: 127, sync: 999 us}\nslaves: [{node: 1}]\n",
      ":1: error: SYNC period (1006h) of 999 us, expected none, or at least 1000 us"},
-    {"manager: {node: 127, start_up: 0x21}\nslaves: [{node: 1}]\n",
-     ":1: error: start-up value (1F80h) 0x00000021 of a flying master, expected the key flying, or bit 5 not set"},
     {"manager: {node: 127}\nslaves: [{node: 1, assignment: 0}]\n",
      ":2:32: 0x0, expected bit 0: a slave of the network"},
     {"manager: {node: 127}\nslaves: [{node: 1, dcf: .}]\n", " is a folder, expected a DCF"},
