@@ -110,6 +110,7 @@ class ManagerCommand final : public Command
         for (const auto& slave : net.Slaves())
         {
             files.Read(slave->plan.dcf);
+            files.Read(slave->plan.software ? slave->plan.software->program : "");
         }
         files.Write("--log", log_);
         files.Write("--html", html_);

@@ -80,7 +80,7 @@ std::size_t LongestDomain(const network::LoadedNetwork& net)
     std::size_t longest = kConciseRoom;
     for (const auto& slave : net.Slaves())
     {
-        longest = std::max({longest, slave->dcf_text.size(), slave->concise.size()});
+        longest = std::max({longest, slave->dcf_text.size(), slave->concise.size(), slave->program.size()});
     }
     return longest;
 }

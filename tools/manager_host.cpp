@@ -78,7 +78,7 @@ void ManagerHost::MakeProfile()
             cia302::El6751Parts{parts,
                                 el6751_nodes_.data(),
                                 {el6751_pdos_.data(), static_cast<std::uint16_t>(el6751_pdos_.size())},
-                                net_.Plan().manager.el6751});
+                                net_.Plan().manager.el6751.value_or(cia302::El6751Times{})});
         Use(*el6751_);
         break;
     case StartProfile::kPlcDesigner:
@@ -165,6 +165,7 @@ void ManagerHost::OnController(const cia302::ControllerState state, const Instan
 
 void ManagerHost::OnSent(const CanFrame& frame) noexcept
 {
+    manager_.OnSent(frame);
     if (el6751_ != nullptr)
     {
         el6751_->OnSent(frame);

@@ -57,7 +57,7 @@ class ManagerHost
     [[nodiscard]] bool HasStarted() const noexcept;
     /// @brief Of the EL6751 profile only.
     void OnController(cia302::ControllerState state, Instant now) noexcept;
-    /// @brief Of the EL6751 profile only: a frame of this manager was on the bus.
+    /// @brief A frame of this manager was on the bus.
     void OnSent(const CanFrame& frame) noexcept;
     /// @brief Of the EL6751 profile, kWrong with another one: manual network management. [SRS-ELM-046]
     [[nodiscard]] cia302::NmtAnswer Control(cia302::NodeId node, std::uint16_t ads_state, std::uint16_t device_state,

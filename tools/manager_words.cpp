@@ -157,6 +157,10 @@ std::string ValueText(const ObjectAddress& object, const cia301::SdoAbort abort,
                       const std::uint64_t read)
 {
     const std::string name = cia306::ObjectName(object.index, object.sub);
+    if (object.index == 0U && abort == cia301::SdoAbort::kGeneral)
+    {
+        return "two devices seem to have this node-ID, expected one and a reset";
+    }
     if (abort != cia301::SdoAbort::kNone)
     {
         return name + ": " + AbortText(abort);

@@ -18,6 +18,7 @@ namespace
 using network::ManagerPlan;
 using network::NetworkPlan;
 using network::SlavePlan;
+using network::SoftwarePlan;
 using simulator::ScenarioValue;
 using simulator::Word;
 
@@ -43,20 +44,20 @@ std::string TextOf(const YamlMap& map, const char* key, const std::string& expec
     return value ? value->Text(expected) : std::string{};
 }
 
-std::string FileIn(const std::string& file, const YamlMap& map)
+std::string FileIn(const std::string& file, const YamlMap& map, const char* key, const std::string& kind)
 {
-    const auto value = map.Find("dcf");
+    const auto value = map.Find(key);
     std::string path;
     if (value)
     {
         path = network::BesideFile(file, value->Text("a file name"));
         if (!std::filesystem::exists(path))
         {
-            value->Refuse("there is no file " + simulator::Shown(path), "a DCF");
+            value->Refuse("there is no file " + simulator::Shown(path), kind);
         }
         if (std::filesystem::is_directory(path))
         {
-            value->Refuse(simulator::Shown(path) + " is a folder", "a DCF");
+            value->Refuse(simulator::Shown(path) + " is a folder", kind);
         }
     }
     return path;
@@ -73,7 +74,7 @@ ManagerPlan ReadManager(const std::string& file, const ScenarioValue& value)
     ManagerPlan plan;
     plan.line = static_cast<std::size_t>(value.Where().place.line);
     TakeNumber(map, "node", plan.node, 1U, cia302::kLastNode);
-    plan.dcf = FileIn(file, map);
+    plan.dcf = FileIn(file, map, "dcf", "a DCF");
     TakeWord(map, "profile", plan.profile, kProfileWords);
     TakeNumber(map, "start_up", plan.start_up, 0U, kStartUpBits);
     TakeMs(map, "boot_time", plan.boot_time_ms);
@@ -119,6 +120,7 @@ void ReadAssignment(const YamlMap& map, SlavePlan& plan)
     TakeTruth(map, "keep_alive", plan.is_kept_alive);
     TakeTruth(map, "boot", plan.is_booted);
     TakeNumber(map, "restore", plan.restore_sub, 0U, cia302::kLastNode);
+    plan.is_restored = plan.restore_sub ? std::optional(*plan.restore_sub > 0U) : std::nullopt;
     TakeMs(map, "heartbeat", plan.heartbeat_ms);
     TakeMs(map, "consumer", plan.consumer_ms);
     if (const auto arming = map.Find("arming"))
@@ -129,21 +131,38 @@ void ReadAssignment(const YamlMap& map, SlavePlan& plan)
     TakeNumber(map, "retry_factor", plan.retry_factor, 0U);
 }
 
+SoftwarePlan ReadSoftware(const std::string& file, const ScenarioValue& value)
+{
+    const YamlMap map(file, value.Node(), {"identification", "date", "time", "program", "update"});
+    SoftwarePlan plan;
+    TakeNumber(map, "identification", plan.identification, 0U);
+    TakeNumber(map, "date", plan.date, 0U);
+    TakeNumber(map, "time", plan.time, 0U);
+    plan.program = FileIn(file, map, "program", "a program");
+    TakeWord(map, "update", plan.may_update, kTruthWords);
+    return plan;
+}
+
 SlavePlan ReadSlave(const std::string& file, const ScenarioValue& value)
 {
-    const YamlMap map(file, value.Node(), {"node",         "name",         "dcf",          "assignment",   "mandatory",
-                                           "keep_alive",   "boot",         "restore",      "heartbeat",    "consumer",
-                                           "arming",       "guard_time",   "retry_factor", "device_type",  "vendor_id",
-                                           "product_code", "revision",     "serial",       "date",         "time",
-                                           "configure",    "write_safety", "el6751",       "plc_designer", "outputs"});
+    const YamlMap map(file, value.Node(),
+                      {"node",         "name",        "dcf",       "assignment",   "mandatory", "keep_alive",
+                       "boot",         "restore",     "heartbeat", "consumer",     "arming",    "guard_time",
+                       "retry_factor", "device_type", "vendor_id", "product_code", "revision",  "serial",
+                       "date",         "time",        "configure", "write_safety", "el6751",    "plc_designer",
+                       "outputs",      "software"});
     SlavePlan plan;
     plan.line = static_cast<std::size_t>(value.Where().place.line);
     plan.node = static_cast<std::uint8_t>(map.Require("node").Number({1U, cia302::kLastNode}));
     plan.name = TextOf(map, "name", "a name");
     plan.name = plan.name.empty() ? "node " + std::to_string(plan.node) : plan.name;
-    plan.dcf = FileIn(file, map);
+    plan.dcf = FileIn(file, map, "dcf", "a DCF");
     ReadAssignment(map, plan);
     ReadExpectations(map, plan);
+    if (const auto software = map.Find("software"))
+    {
+        plan.software = ReadSoftware(file, *software);
+    }
     if (const auto options = map.Find("el6751"))
     {
         plan.el6751 = ReadEl6751Slave(file, *options);

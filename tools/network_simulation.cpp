@@ -186,9 +186,14 @@ void NetworkSimulation::RunManager(SimulatedManager& manager, const std::uint64_
     host::LiveFrame frame;
     while (manager.port->Receive(frame))
     {
-        if (!frame.own)
+        const CanFrame passed = host::ToCanFrame(frame, CanPortId::kFirst);
+        if (frame.own)
         {
-            manager.station->OnFrame(host::ToCanFrame(frame, CanPortId::kFirst), now_ns / kNsPerUs);
+            manager.station->Host().OnSent(passed);
+        }
+        else
+        {
+            manager.station->OnFrame(passed, now_ns / kNsPerUs);
         }
     }
     if (now_ns >= manager.next_cycle_ns)

@@ -62,6 +62,7 @@ void RequireFiles(const NetworkScenario& scenario, const NetworkOptions& options
         for (const network::SlavePlan& slave : plan.slaves)
         {
             files.Read(slave.dcf);
+            files.Read(slave.software ? slave.software->program : "");
         }
     }
     for (const ScenarioDevice& device : scenario.devices)
@@ -89,6 +90,13 @@ ExitStatus SimulateNetwork(const std::string& path, const NetworkOptions& option
                                          streams.out << LineOf(scenario, manager, event) << "\n";
                                      }
                                  });
+    for (const auto& manager : simulation.Managers())
+    {
+        for (const std::string& warning : manager->net->Warnings())
+        {
+            streams.err << warning << "\n";
+        }
+    }
     simulation.Run();
     std::size_t held = 0U;
     for (const NetworkVerdict& verdict : simulation.Verdicts())

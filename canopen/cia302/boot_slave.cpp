@@ -204,10 +204,12 @@ void BootSlave::Fail(const Job& job, const char letter) noexcept
 void BootSlave::Finish(const Job& job) noexcept
 {
     const bool is_boot = !job.record.is_extra;
+    const char before = job.record.status.letter;
     job.record.is_booted = job.record.is_booted || is_boot;
-    const bool is_repaired = is_boot || (job.record.status.letter == 'J'); // An extra does not heal what it did not do.
-    const char letter = is_repaired ? '\0' : job.record.status.letter;
-    job.record.status.letter = job.record.was_operational ? 'L' : letter;
+    // An extra does not heal what it did not do: a slave of another vendor that runs is still one.
+    const bool is_repaired = is_boot || (before == 'J') || (before == 'L') || (before == '\0');
+    const char good = job.record.was_operational ? 'L' : '\0';
+    job.record.status.letter = is_repaired ? good : before;
     End(job.node);
     Enter(job, StartUpStep::kDone);
     if (is_boot)

@@ -203,11 +203,13 @@ void BootSlave::VerifySafety(const Job& job) noexcept
     }
 }
 
-/// A slave that runs with a configuration that is not the expected one is stopped.
+/// A slave that runs with a configuration that is not the expected one is stopped, and so are two devices of one
+/// node-ID: what is known of their state may be said of the other one.
 void BootSlave::RefuseSafety(const Job& job) noexcept
 {
     const GateFinding finding = parts_.gate.Finding(job.node);
-    const bool is_running = parts_.table.Record(job.node).state == SlaveState::kOperational;
+    const bool is_doubted = (finding.object.index == 0U);
+    const bool is_running = is_doubted || (parts_.table.Record(job.node).state == SlaveState::kOperational);
     const bool is_done =
         !is_running || (parts_.nmt.Request(NmtCommand::kStop, job.node, job.time.now) == NmtAnswer::kTaken);
     if (is_done)
@@ -223,13 +225,15 @@ void BootSlave::RefuseSafety(const Job& job) noexcept
     }
 }
 
-/// Started, or left as it is: with L it runs, and 1F80h may leave it to others.
+/// Started, or left as it is: with L it runs unless somebody stopped it and asks for a start, and 1F80h may leave it to
+/// others.
 void BootSlave::StartNode(const Job& job) noexcept
 {
     const bool is_alone = !parts_.setup.Has(kStartAllAtOnce) || listener_.IsMasterOperational();
     const bool is_booting = !job.record.is_extra && job.setup.Has(kBootSlave);
-    const bool is_due = is_booting && !parts_.setup.Has(kApplicationStartsSlaves) && is_alone;
-    if ((!is_due && !job.record.is_start_wanted) || job.record.was_operational)
+    const bool is_left = parts_.setup.Has(kApplicationStartsSlaves) || job.record.was_operational;
+    const bool is_due = is_booting && !is_left && is_alone;
+    if (!is_due && !job.record.is_start_wanted)
     {
         Finish(job);
     }
@@ -239,6 +243,7 @@ void BootSlave::StartNode(const Job& job) noexcept
         if (answer == NmtAnswer::kTaken)
         {
             job.record.status.is_started = true;
+            job.record.was_operational = false;
             Finish(job);
         }
         else if (answer == NmtAnswer::kNotVerified)

@@ -174,11 +174,13 @@ void El6751Pdos::Take(const NodeId node, const std::uint8_t position, const CanF
     }
     else
     {
+        // One that always comes too late is always missing in its cycle.
+        const bool is_late = IsCyclic(pdo) && !is_window_open_ && (record.fault != kTooShort);
         record.has_passed = true;
         record.is_in_cycle = is_window_open_;
         record.age = 0U;
         record.last = now;
-        record.fault = 0;
+        record.fault = is_late ? record.fault : std::int16_t{0};
     }
 }
 
@@ -197,7 +199,7 @@ void El6751Pdos::OnSent(const CanFrame& frame) noexcept
                 --awaited_;
             }
         }
-        if (awaited_ == 0U)
+        if ((awaited_ == 0U) && (parts_.times.window == El6751Window::kLastRxPdo))
         {
             EndWindow();
         }

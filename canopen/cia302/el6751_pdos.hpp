@@ -21,7 +21,7 @@ struct El6751PdoRecord
     std::uint8_t age;  ///< SYNC cycles since it was received, expected or sent.
     std::uint8_t missed;
     std::uint8_t sent[8];
-    std::int16_t fault; ///< TxPDO: NodeState 20, 22 or 40 until it is received again; 0: none.
+    std::int16_t fault; ///< TxPDO: NodeState 20, 22 or 40 until it is received again, in time; 0: none.
     Instant last;       ///< Received, or sent.
 };
 

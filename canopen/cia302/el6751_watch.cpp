@@ -97,7 +97,11 @@ void El6751StartUp::React(const NodeId node, const std::int16_t code, const Inst
     slave.cause = code;
     slave.is_checking = false;
     parts_.common.gate.Close(node);
-    Tell(node, is_by_hand ? kNodeDeactivated : code, slave.status.step, now);
+    Tell(node, code, slave.status.step, now);
+    if (is_by_hand)
+    {
+        Tell(node, kNodeDeactivated, slave.status.step, now);
+    }
     if (SetupOf(node).network_reaction == El6751NetworkReaction::kStopAll)
     {
         StopOthers(node, now);

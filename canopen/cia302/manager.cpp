@@ -144,6 +144,11 @@ void Manager::OnFrame(const CanFrame& frame, const Instant now) noexcept
     }
 }
 
+void Manager::OnSent(const CanFrame& frame) noexcept
+{
+    watch_.OnSent(frame);
+}
+
 void Manager::OnCycle(const Instant now) noexcept
 {
     if (is_running_)
@@ -176,6 +181,10 @@ void Manager::OnCommandFrame(const CanFrame& frame) noexcept
         (frame.kind == FrameKind::kData) && (frame.identifier == 0U) && (frame.length_bytes == kCommandBytes);
     const bool is_for_us =
         is_command && ((frame.data[1] == kAllNodes.value) || (frame.data[1] == parts_.setup.own.value));
+    if (is_command && IsReset(static_cast<NmtCommand>(frame.data[0])))
+    {
+        OnReset(NodeId{frame.data[1]});
+    }
     if (is_for_us && (flying_ != nullptr) && !is_leading_)
     {
         Obey(static_cast<NmtCommand>(frame.data[0]));
@@ -263,20 +272,27 @@ void Manager::TellGates(const Instant now) noexcept
     }
 }
 
-/// A reset that leaves ends what was verified, at once and not when the slave comes back. [SRS-SFS-002]
+/// A reset ends what was verified, at once and not when the slave comes back, and what was suspected: whoever sent it.
+/// [SRS-SFS-002]
+void Manager::OnReset(const NodeId node) noexcept
+{
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        if ((node.value == kAllNodes.value) || (node.value == id))
+        {
+            CloseGate(NodeId{id});
+            gate_.Trust(NodeId{id});
+            watch_.Forget(NodeId{id});
+        }
+    }
+}
+
 void Manager::OnNmtSent(const NmtRequest& request, const Instant now) noexcept
 {
     const bool is_all = (request.node.value == kAllNodes.value);
     if (IsReset(request.command))
     {
-        for (std::uint8_t id = 1U; id <= kLastNode; ++id)
-        {
-            if (is_all || (id == request.node.value))
-            {
-                CloseGate(NodeId{id});
-                watch_.Forget(NodeId{id});
-            }
-        }
+        OnReset(request.node);
     }
     if (is_all || (request.node.value == parts_.setup.own.value))
     {
@@ -334,7 +350,7 @@ void Manager::OnEmergency(const NodeId node, const EmergencyRecord& emergency, c
 /// What a device says that may be two is worth nothing. [SRS-MGR-010]
 void Manager::OnDuplicate(const NodeId node, const Instant now) noexcept
 {
-    CloseGate(node);
+    gate_.Doubt(node);
     parts_.listener.OnDuplicate(node, now);
 }
 
@@ -383,31 +399,6 @@ NodeStatus Manager::Status(const NodeId node) const noexcept
 std::int16_t Manager::MasterState() const noexcept
 {
     return (profile_ != nullptr) ? profile_->MasterState() : std::int16_t{0};
-}
-
-const NodeTable& Manager::Table() const noexcept
-{
-    return table_;
-}
-
-const NodeWatch& Manager::Watched() const noexcept
-{
-    return watch_;
-}
-
-const SafetyGate& Manager::Gate() const noexcept
-{
-    return gate_;
-}
-
-const NmtMaster& Manager::Nmt() const noexcept
-{
-    return nmt_;
-}
-
-const FlyingMaster* Manager::Flying() const noexcept
-{
-    return flying_;
 }
 
 } // namespace counterpoint::cia302

@@ -94,6 +94,9 @@ class Manager final : public NmtListener,
     void End() noexcept;
     /// @brief A frame from the bus; frames of this device itself must not come back.
     void OnFrame(const CanFrame& frame, Instant now) noexcept;
+    /// @brief A frame of this device was on the bus: what it asked is known, and second answers are seen. O(1), a reset
+    /// of all O(127)
+    void OnSent(const CanFrame& frame) noexcept;
     void OnCycle(Instant now) noexcept;
     /// @brief The application lets the negotiation begin. kInvalid: there is no flying master. [SRS-FLY-027]
     [[nodiscard]] FlyingStart StartNegotiation(Instant now) noexcept;
@@ -121,11 +124,26 @@ class Manager final : public NmtListener,
     [[nodiscard]] cia301::NodeState OwnState() const noexcept;
     [[nodiscard]] NodeStatus Status(NodeId node) const noexcept;
     [[nodiscard]] std::int16_t MasterState() const noexcept;
-    [[nodiscard]] const NodeTable& Table() const noexcept;
-    [[nodiscard]] const NodeWatch& Watched() const noexcept;
-    [[nodiscard]] const SafetyGate& Gate() const noexcept;
-    [[nodiscard]] const NmtMaster& Nmt() const noexcept;
-    [[nodiscard]] const FlyingMaster* Flying() const noexcept;
+    [[nodiscard]] const NodeTable& Table() const noexcept
+    {
+        return table_;
+    }
+    [[nodiscard]] const NodeWatch& Watched() const noexcept
+    {
+        return watch_;
+    }
+    [[nodiscard]] const SafetyGate& Gate() const noexcept
+    {
+        return gate_;
+    }
+    [[nodiscard]] const NmtMaster& Nmt() const noexcept
+    {
+        return nmt_;
+    }
+    [[nodiscard]] const FlyingMaster* Flying() const noexcept
+    {
+        return flying_;
+    }
 
     void OnNmtSent(const NmtRequest& request, Instant now) noexcept override;
     void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept override;
@@ -140,6 +158,7 @@ class Manager final : public NmtListener,
     [[nodiscard]] bool IsInitialising() const noexcept;
     void Obey(NmtCommand command) noexcept;
     void OnCommandFrame(const CanFrame& frame) noexcept;
+    void OnReset(NodeId node) noexcept;
     void Lead(bool is_leader, Instant now) noexcept;
     void FollowRole(Instant now) noexcept;
     void UnwatchAll() noexcept;

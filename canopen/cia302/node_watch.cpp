@@ -1,12 +1,16 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia302/node_watch.hpp"
 
+#include "canopen/cia302/nmt_command.hpp"
+
 namespace counterpoint::cia302
 {
 namespace
 {
 
 constexpr std::uint32_t kEmergencies = 0x80U;
+constexpr std::uint32_t kAnswers = 0x580U;
+constexpr std::uint32_t kRequests = 0x600U;
 constexpr std::uint32_t kErrorControl = 0x700U;
 constexpr std::uint32_t kNodeMask = 0x7FU;
 constexpr std::uint8_t kEmergencyBytes = 8U;
@@ -24,17 +28,69 @@ void NodeWatch::OnFrame(const CanFrame& frame, const Instant now) noexcept
     const NodeId node{static_cast<std::uint8_t>(frame.identifier & kNodeMask)};
     const std::uint32_t function = frame.identifier & ~kNodeMask;
     const bool is_data = (frame.kind == FrameKind::kData) && (node.value != 0U);
+    OnSent(frame); // Others ask too.
     if (is_data && (function == kEmergencies) && (frame.length_bytes == kEmergencyBytes))
     {
         OnEmergency(node, frame, now);
     }
     else if (is_data && (function == kErrorControl) && (frame.length_bytes == 1U))
     {
+        OnAnswer(node, frame, now);
         OnSign(node, now);
+    }
+    else if (is_data && (function == kAnswers))
+    {
+        OnAnswer(node, frame, now);
     }
     else
     {
         // Of no concern here.
+    }
+}
+
+/// Questions alone: what is asked by whom makes no difference.
+void NodeWatch::OnSent(const CanFrame& frame) noexcept
+{
+    const std::uint32_t node = frame.identifier & kNodeMask;
+    const std::uint32_t function = frame.identifier & ~kNodeMask;
+    const bool is_remote = (frame.kind == FrameKind::kRemote);
+    const bool is_question = (function == kErrorControl) ? is_remote : ((function == kRequests) && !is_remote);
+    if (is_question && (node != 0U))
+    {
+        AnswerWatch::OnQuestion(nodes_[node].asked, frame);
+    }
+    else if (frame.identifier == 0U)
+    {
+        OnReset(frame);
+    }
+    else
+    {
+        // Nothing that a node answers.
+    }
+}
+
+void NodeWatch::OnReset(const CanFrame& frame) noexcept
+{
+    constexpr std::uint8_t kCommandBytes = 2U;
+    const auto command = static_cast<NmtCommand>(frame.data[0]);
+    const bool is_reset = (frame.kind == FrameKind::kData) && (frame.length_bytes == kCommandBytes) &&
+                          ((command == NmtCommand::kResetNode) || (command == NmtCommand::kResetCommunication));
+    for (std::uint8_t id = 1U; is_reset && (id <= kLastNode); ++id)
+    {
+        if ((frame.data[1] == kAllNodes.value) || (frame.data[1] == id))
+        {
+            AnswerWatch::OnReset(nodes_[id].asked);
+        }
+    }
+}
+
+/// Only this device itself answers with its own node-ID.
+void NodeWatch::OnAnswer(const NodeId node, const CanFrame& frame, const Instant now) noexcept
+{
+    const bool is_too_many = AnswerWatch::OnAnswer(nodes_[node.value].asked, frame);
+    if (is_too_many || (node.value == setup_.own.value))
+    {
+        Suspect(node, now);
     }
 }
 
@@ -69,7 +125,7 @@ void NodeWatch::OnSign(const NodeId node, const Instant now) noexcept
     watched.window = is_new ? now : watched.window;
     watched.signs = is_new ? std::uint8_t{1U} : static_cast<std::uint8_t>(watched.signs + 1U);
     const bool is_too_often = (window_us > 0U) && (watched.signs >= kWindowSigns);
-    if (is_too_often || (node.value == setup_.own.value))
+    if (is_too_often)
     {
         watched.signs = 0U;
         Suspect(node, now);
@@ -89,6 +145,7 @@ void NodeWatch::Suspect(const NodeId node, const Instant now) noexcept
 void NodeWatch::Forget(const NodeId node) noexcept
 {
     WatchedNode& watched = nodes_[node.value];
+    watched.asked = watched.is_duplicate ? AskedNode{} : watched.asked; // Else the count goes on.
     watched.signs = 0U;
     watched.is_duplicate = false;
 }

@@ -2,6 +2,7 @@
 #ifndef CANOPEN_CIA302_NODE_WATCH_HPP
 #define CANOPEN_CIA302_NODE_WATCH_HPP
 
+#include "canopen/cia302/answer_watch.hpp"
 #include "canopen/cia302/network_setup.hpp"
 #include "safety_core/contract/can_frame.hpp"
 #include "safety_core/contract/time.hpp"
@@ -27,6 +28,7 @@ struct EmergencyRecord
 struct WatchedNode
 {
     EmergencyRecord emergency;
+    AskedNode asked;
     Instant window;     ///< Begin of the window in which signs of life are counted.
     std::uint8_t signs; ///< In it.
     bool is_duplicate;  ///< Suspected since the last Forget.
@@ -38,7 +40,8 @@ class NodeWatchListener
   public:
     /// @brief An emergency message; of a storm one each kEmergencyGapUs, whose `untold` counts those left out.
     virtual void OnEmergency(NodeId node, const EmergencyRecord& emergency, Instant now) noexcept = 0;
-    /// @brief More signs of life than one device sends, or one of the manager's own node-ID. Once until Forget.
+    /// @brief More signs of life or answers than one device sends, or one of the manager's own node-ID. Once until
+    /// Forget.
     virtual void OnDuplicate(NodeId node, Instant now) noexcept = 0;
 
   protected:
@@ -52,7 +55,8 @@ constexpr std::uint32_t kEmergencyGapUs = 100'000U;
 
 /// Emergency messages, and node-IDs that two devices have. Two devices with one node-ID answer SDOs with each other's
 /// values; they show themselves by heartbeats that come too often: kWindowSigns in kWindowPeriods producer times, where
-/// one device sends eleven, and up to four more around its boot-up. Not reentrant. [SRS-MGR-010, SRS-MGR-011]
+/// one device sends eleven, and up to four more around its boot-up; and by second answers, see AnswerWatch. Not
+/// reentrant. [SRS-MGR-010, SRS-MGR-011, SRS-MGR-015]
 class NodeWatch
 {
   public:
@@ -62,8 +66,10 @@ class NodeWatch
     /// @brief `nodes` has kNodeRoom elements; all kept by reference.
     NodeWatch(const NetworkSetup& setup, WatchedNode* nodes, NodeWatchListener& listener) noexcept;
 
-    /// @brief A frame from the bus, never one of this device itself. O(1)
+    /// @brief A frame from the bus, never one of this device itself. O(1), a reset of all O(127)
     void OnFrame(const CanFrame& frame, Instant now) noexcept;
+    /// @brief A frame of this device was on the bus. Without these calls second answers are not seen. As OnFrame
+    void OnSent(const CanFrame& frame) noexcept;
     /// @brief The node was reset: what was suspected may be over.
     void Forget(NodeId node) noexcept;
     /// @brief `node` is 1 to 127, checked by the caller.
@@ -72,6 +78,8 @@ class NodeWatch
   private:
     void OnEmergency(NodeId node, const CanFrame& frame, Instant now) noexcept;
     void OnSign(NodeId node, Instant now) noexcept;
+    void OnReset(const CanFrame& frame) noexcept;
+    void OnAnswer(NodeId node, const CanFrame& frame, Instant now) noexcept;
     void Suspect(NodeId node, Instant now) noexcept;
 
     const NetworkSetup& setup_;

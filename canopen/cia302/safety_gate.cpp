@@ -24,7 +24,7 @@ SafetyGate::SafetyGate(const NetworkSetup& setup, const SafetySlots& room, SdoPo
     {
         if (setup_.IsSafetySlave(NodeId{node}) && (used < room_.count))
         {
-            room_.slots[used] = SafetySlot{NodeId{node}, 0U, SafetyCheck{}};
+            room_.slots[used] = SafetySlot{NodeId{node}, 0U, SafetyCheck{}, false};
             ++used;
         }
     }
@@ -45,13 +45,33 @@ bool SafetyGate::Write(const NodeId node, const Instant /*now*/) noexcept
 bool SafetyGate::Begin(const NodeId node, const SafetyTask task) noexcept
 {
     SafetySlot* const slot = setup_.IsSafetySlave(node) ? Find(node) : nullptr;
-    if (slot != nullptr)
+    const bool is_believed = (slot != nullptr) && !slot->is_doubted;
+    if (is_believed)
     {
         Cancel(*slot);
         slot->permit = 0U;
         slot->check.Begin(*setup_.Slave(node).safety, task, node);
     }
-    return slot != nullptr;
+    return is_believed;
+}
+
+void SafetyGate::Doubt(const NodeId node) noexcept
+{
+    SafetySlot* const slot = Find(node);
+    Close(node);
+    if (slot != nullptr)
+    {
+        slot->is_doubted = true;
+    }
+}
+
+void SafetyGate::Trust(const NodeId node) noexcept
+{
+    SafetySlot* const slot = Find(node);
+    if (slot != nullptr)
+    {
+        slot->is_doubted = false;
+    }
 }
 
 void SafetyGate::OnCycle(const Instant now) noexcept
@@ -88,8 +108,9 @@ GateState SafetyGate::State(const NodeId node) const noexcept
         const bool may_start = (check == CheckState::kAlike) && (slot->permit == PermitOf(node));
         state = (check == CheckState::kBusy) ? GateState::kBusy : GateState::kClosed;
         state = (check == CheckState::kDiffers) ? GateState::kDiffers : state;
-        state = ((check == CheckState::kFailed) || (slot == nullptr)) ? GateState::kFailed : state;
+        state = (check == CheckState::kFailed) ? GateState::kFailed : state;
         state = may_start ? GateState::kOpen : state;
+        state = ((slot == nullptr) || slot->is_doubted) ? GateState::kFailed : state;
     }
     return state;
 }
@@ -99,8 +120,14 @@ GateFinding SafetyGate::Finding(const NodeId node) const noexcept
     const SafetySlot* const slot = Find(node);
     const GateFinding none{{0U, 0U}, SdoAbort::kNone, 0U, 0U};
     const GateFinding no_slot{{0U, 0U}, SdoAbort::kOutOfMemory, 0U, 0U};
+    const GateFinding in_doubt{{0U, 0U}, SdoAbort::kGeneral, 0U, 0U};
     const bool is_out_of_room = (slot == nullptr) && setup_.IsSafetySlave(node);
-    return (slot != nullptr) ? slot->check.Finding() : (is_out_of_room ? no_slot : none);
+    GateFinding finding = is_out_of_room ? no_slot : none;
+    if (slot != nullptr)
+    {
+        finding = slot->is_doubted ? in_doubt : slot->check.Finding();
+    }
+    return finding;
 }
 
 SafetySlot* SafetyGate::Find(const NodeId node) const noexcept

@@ -15,6 +15,7 @@ struct SafetySlot
     NodeId node;
     std::uint32_t permit; ///< Derived from the node-ID while the gate is open; everything else grants nothing.
     SafetyCheck check;
+    bool is_doubted; ///< Nothing that it says is believed.
 };
 
 /// Room for as many slaves as have an expectation, kept by reference.
@@ -25,8 +26,9 @@ struct SafetySlots
 };
 
 /// Lets a safety slave be started only after all its safety objects were read and found as expected, since it last
-/// booted up, was reset or was lost. A slave for which there is no slot is never let through. Slaves are verified
-/// independently of each other. Not reentrant. [SRS-SFS-001..008]
+/// booted up, was reset or was lost. A slave for which there is no slot is never let through, nor is one in doubt:
+/// State is kFailed, Finding names object 0000h and kGeneral. Slaves are verified independently of each other. Not
+/// reentrant. [SRS-SFS-001..008]
 class SafetyGate final : public StartGate
 {
   public:
@@ -34,8 +36,11 @@ class SafetyGate final : public StartGate
 
     void Verify(NodeId node, Instant now) noexcept override;
     /// @brief Writes the whole safety configuration, then as Verify. The slave has to be PRE-OPERATIONAL: it refuses
-    /// otherwise. False: no safety slave, or no slot. [SRS-SFS-005]
+    /// otherwise. False: no safety slave, in doubt, or no slot. [SRS-SFS-005]
     [[nodiscard]] bool Write(NodeId node, Instant now) noexcept;
+    /// @brief Two devices may be behind this node-ID: closed, and not to be opened until Trust. [SRS-SFS-002]
+    void Doubt(NodeId node) noexcept;
+    void Trust(NodeId node) noexcept;
     void OnCycle(Instant now) noexcept override;
     void Close(NodeId node) noexcept override;
     [[nodiscard]] GateState State(NodeId node) const noexcept override;

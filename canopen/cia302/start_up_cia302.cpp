@@ -145,7 +145,8 @@ bool Cia302StartUp::IsEach(const std::uint32_t bits, const bool is_booted) const
         const NodeId node{id};
         const BootRecord& record = boot_.Record(node);
         const bool is_meant = parts_.setup.IsListed(node) && parts_.setup.Slave(node).Has(bits);
-        const bool is_good = is_booted ? record.is_booted : (record.is_booted || record.status.is_busy);
+        const bool is_booting = record.status.is_busy && !record.is_extra;
+        const bool is_good = record.is_booted || (!is_booted && is_booting);
         is_each = is_each && (!is_meant || is_good);
     }
     return is_each;
@@ -154,6 +155,10 @@ bool Cia302StartUp::IsEach(const std::uint32_t bits, const bool is_booted) const
 /// The master follows its mandatory slaves. Called at the end of a call, not inside a boot.
 void Cia302StartUp::GoOn(const BootTime& time) noexcept
 {
+    if (has_news_)
+    {
+        VerifyRunning(time);
+    }
     const bool is_waiting = has_news_ && ((step_ == MasterStep::kBooting) || (step_ == MasterStep::kHalted));
     has_news_ = false;
     if (is_waiting && !IsEach(kMandatory, false))
@@ -171,6 +176,23 @@ void Cia302StartUp::GoOn(const BootTime& time) noexcept
     else if (is_waiting)
     {
         SetStep(MasterStep::kBooting, time.now);
+    }
+}
+
+/// A slave that is kept alive may fail its boot while it runs: nobody else looks at it any more. [SRS-BOOT-013]
+void Cia302StartUp::VerifyRunning(const BootTime& time) noexcept
+{
+    for (std::uint8_t id = 1U; (id <= kLastNode) && (step_ != MasterStep::kIdle); ++id)
+    {
+        const NodeId node{id};
+        const BootRecord& record = boot_.Record(node);
+        const bool has_failed = (record.status.letter != '\0') && !record.is_booted && !record.status.is_busy;
+        const bool is_running = parts_.table.Record(node).state == SlaveState::kOperational;
+        const bool is_closed = parts_.setup.IsSafetySlave(node) && (parts_.gate.State(node) == GateState::kClosed);
+        if (has_failed && is_running && is_closed)
+        {
+            boot_.Verify(node, time);
+        }
     }
 }
 
@@ -192,7 +214,7 @@ void Cia302StartUp::StartSlaves(const BootTime& time) noexcept
         {
             record.status.is_started = true;
         }
-        else if (is_meant && !is_together)
+        else if (is_meant && !is_together && !record.was_operational)
         {
             boot_.Start(node, time);
         }

@@ -56,6 +56,10 @@ std::uint32_t AssignmentOf(const SlavePlan& plan)
     bits = WithBit(bits, cia302::kMandatory, plan.is_mandatory);
     bits = WithBit(bits, cia302::kKeepAlive, plan.is_kept_alive);
     bits = WithBit(bits, cia302::kBootSlave, plan.is_booted);
+    bits = WithBit(bits, cia302::kRestoreDefaults, plan.is_restored);
+    bits = plan.software
+               ? WithBit(bits | cia302::kVerifySoftware, cia302::kMayUpdateSoftware, plan.software->may_update)
+               : bits;
     bits = plan.retry_factor ? ((bits & 0xFFFF00FFU) | (std::uint32_t{*plan.retry_factor} << kFactorShift)) : bits;
     return plan.guard_ms ? ((bits & 0x0000FFFFU) | (std::uint32_t{*plan.guard_ms} << kTimeShift)) : bits;
 }
@@ -189,6 +193,11 @@ void LoadedNetwork::Load(const SlavePlan& plan)
         }
         slave->objects = MakeExpectation(slave->device, plan.node);
     }
+    if (plan.software && !plan.software->program.empty())
+    {
+        const std::string program = cia306::ReadTextFile(plan.software->program);
+        slave->program.assign(program.begin(), program.end());
+    }
     slave->safety = {slave->objects.data(), static_cast<std::uint16_t>(slave->objects.size())};
     loaded_.push_back(std::move(slave));
 }
@@ -199,6 +208,7 @@ void LoadedNetwork::Fill(LoadedSlave& slave, SlaveSetup& setup) const
     setup.restore_sub = slave.plan.restore_sub.value_or(0U);
     FillIdentity(slave, setup);
     FillHeartbeat(slave, setup);
+    FillSoftware(slave, setup);
     setup.safety = slave.objects.empty() ? nullptr : &slave.safety;
     RequireSense(slave, setup);
     FillProfile(plan_.file, plan_.manager.profile, slave.plan, slave.device, slave.profile, setup);
@@ -226,6 +236,7 @@ void LoadedNetwork::RequireSense(const LoadedSlave& slave, const SlaveSetup& set
             {"consumer time " + ms(consumer_ms) + " of a heartbeat each " + ms(setup.heartbeat.producer_ms),
              "a longer one"});
     }
+    RequireSoftware(plan);
     if (plan.writes_safety && slave.objects.empty())
     {
         throw InputError(plan_.file, plan.line,
@@ -291,6 +302,8 @@ void LoadedNetwork::FillManager()
     setup_.inhibit_100us = manager.inhibit_100us.value_or(0U);
     setup_.sync_period_us = manager.sync_us.value_or(0U);
     setup_.slaves = slaves_.data();
+    RequireSync();
+    WarnOfUnused();
     if ((setup_.start_up & ~cia302::kKnownStartUpBits) != 0U)
     {
         throw InputError(
@@ -303,35 +316,11 @@ void LoadedNetwork::FillManager()
                          {"SYNC period (1006h) of " + std::to_string(setup_.sync_period_us) + " us",
                           "none, or at least " + std::to_string(kLeastSyncUs) + " us"});
     }
-    Warn();
-}
-
-/// What is understood and has no effect, or another one than somebody may think.
-void LoadedNetwork::Warn()
-{
-    const auto warn = [this](const std::string& text)
-    { warnings_.push_back(cia306::Printable(plan_.file) + ": " + text); };
-    const StartProfile profile = plan_.manager.profile;
-    if (setup_.sync_period_us != 0U && profile != StartProfile::kEl6751)
-    {
-        warn("a SYNC period (1006h): only the profile el6751 sends SYNC");
-    }
-    for (const SlavePlan& slave : plan_.slaves)
-    {
-        const std::string node = " of node " + std::to_string(slave.node) + " have no effect: ";
-        if (slave.el6751 && profile != StartProfile::kEl6751)
-        {
-            warn("options el6751" + node + "the profile is another one");
-        }
-        if (slave.plc && profile != StartProfile::kPlcDesigner)
-        {
-            warn("options plc_designer" + node + "the profile is another one");
-        }
-    }
     if (setup_.Has(cia302::kStartAllAtOnce) && setup_.HasSafetySlave())
     {
-        warn("one start for all is asked for (1F80h bit 1), and there is a safety slave: each slave "
-             "is started by itself after its verification");
+        warnings_.push_back(cia306::Printable(plan_.file) +
+                            ": one start for all is asked for (1F80h bit 1), and there is a safety slave: each slave "
+                            "is started by itself after its verification");
     }
     if (manager.flying && manager.heartbeat_ms.value_or(0U) == 0U)
     {

@@ -25,6 +25,7 @@ struct LoadedSlave
     std::vector<std::uint8_t> concise;
     std::vector<std::uint8_t> downloaded; ///< The concise DCF instead of the one that its DCF makes.
     std::string dcf_text;                 ///< As 1F20h shows it.
+    std::vector<std::uint8_t> program;    ///< Octets of the software.
     std::vector<cia302::ExpectedObject> objects;
     cia302::SafetyExpectation safety{nullptr, 0U};
     ProfileSlave profile;
@@ -85,9 +86,12 @@ class LoadedNetwork
     void Fill(LoadedSlave& slave, cia302::SlaveSetup& setup) const;
     void FillIdentity(const LoadedSlave& slave, cia302::SlaveSetup& setup) const;
     void FillHeartbeat(LoadedSlave& slave, cia302::SlaveSetup& setup) const;
+    static void FillSoftware(const LoadedSlave& slave, cia302::SlaveSetup& setup);
     void RequireSense(const LoadedSlave& slave, const cia302::SlaveSetup& setup) const;
+    void RequireSoftware(const SlavePlan& plan) const;
+    void RequireSync() const;
+    void WarnOfUnused();
     void FillManager();
-    void Warn();
 
     NetworkPlan plan_;
     cia306::Device device_;

@@ -45,6 +45,16 @@ struct OutputPlan
     std::vector<std::uint8_t> bytes;
 };
 
+/// Software of a slave that is to be verified (1F81h bit 5), and what an update downloads.
+struct SoftwarePlan
+{
+    std::optional<std::uint32_t> identification; ///< 1F55h.
+    std::optional<std::uint32_t> date;           ///< 1F53h.
+    std::optional<std::uint32_t> time;           ///< 1F54h.
+    std::string program;                         ///< Path of 1F58h, usable from here; empty: none.
+    bool may_update{false};                      ///< 1F81h bit 6.
+};
+
 /// What a network file says about one slave; what it leaves out follows from the DCF.
 struct SlavePlan
 {
@@ -56,7 +66,9 @@ struct SlavePlan
     std::optional<bool> is_mandatory;
     std::optional<bool> is_kept_alive;
     std::optional<bool> is_booted;
+    std::optional<bool> is_restored; ///< 1F81h bit 7.
     std::optional<std::uint8_t> restore_sub;
+    std::optional<SoftwarePlan> software;
     std::optional<std::uint16_t> heartbeat_ms; ///< 1017h of the slave.
     std::optional<std::uint16_t> consumer_ms;  ///< 1016h of the manager.
     std::optional<cia302::Arming> arming;
@@ -90,7 +102,7 @@ struct ManagerPlan
     std::optional<std::uint16_t> heartbeat_ms; ///< Of the manager itself.
     std::optional<std::uint32_t> sdo_time_out_ms;
     std::optional<std::uint8_t> sdo_tries;
-    cia302::El6751Times el6751{};
+    std::optional<cia302::El6751Times> el6751;
     std::optional<FlyingPlan> flying;
 };
 

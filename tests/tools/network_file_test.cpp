@@ -121,13 +121,64 @@ slaves:
     EXPECT_EQ(net.Setup().slaves[1].serial_number, 7U);
     EXPECT_EQ(net.Setup().slaves[1].heartbeat.consumer_ms, 120U);
     EXPECT_EQ(net.Setup().slaves[1].heartbeat.producer_ms, 50U);
-    EXPECT_EQ(net.Setup().slaves[33].assignment, 0x1DU);
+    // 'restore' sets bit 7 as well: 1F8Ah alone restores nothing
+    EXPECT_EQ(net.Setup().slaves[33].assignment, 0x9DU);
     EXPECT_EQ(net.Setup().slaves[33].restore_sub, 1U);
     EXPECT_EQ(net.Setup().slaves[33].heartbeat.arming, cia302::Arming::kImmediately);
     EXPECT_TRUE(net.Find(33U)->plan.writes_safety);
     EXPECT_EQ(net.Setup().slaves[34].assignment, 0x00640305U);
     EXPECT_EQ(net.Setup().slaves[34].device_type, 0x191U);
     EXPECT_EQ(net.Setup().slaves[34].safety, nullptr);
+}
+
+TEST_F(NetworkFileTest, SoftwareThatIsVerifiedAndUpdated)
+{
+    Verifies(req::SRS_NET_002);
+    static_cast<void>(File("program.bin", "abc"));
+    const std::string file = File("net.yaml", R"(manager: {node: 127}
+slaves:
+  - {node: 1, software: {identification: 0x55, date: 2, time: 3}}
+  - {node: 2, software: {identification: 0x56, update: true, program: program.bin}}
+)");
+    const LoadedNetwork net(ReadNetworkFile(file, 0U));
+    const cia302::SlaveSetup& verified = net.Setup().slaves[1];
+    EXPECT_EQ(verified.assignment, 0x2DU);
+    EXPECT_EQ(verified.software.identification, 0x55U);
+    EXPECT_EQ(verified.software.date, 2U);
+    EXPECT_EQ(verified.software.time, 3U);
+    EXPECT_EQ(verified.software.program.size_bytes, 0U);
+    const cia302::SlaveSetup& updated = net.Setup().slaves[2];
+    EXPECT_EQ(updated.assignment, 0x6DU);
+    ASSERT_EQ(updated.software.program.size_bytes, 3U);
+    EXPECT_EQ(updated.software.program.data[2], 'c');
+}
+
+TEST_F(NetworkFileTest, WhatTheProfileDoesNotLookAtIsTold)
+{
+    Verifies(req::SRS_NET_006);
+    const auto warnings = [this](const std::string& profile)
+    {
+        const LoadedNetwork net(ReadNetworkFile(File("net.yaml", "manager: {node: 127, profile: " + profile +
+                                                                     R"(, sync: 10 ms, boot_time: 1 s, start_up: 0x41,
+  el6751: {sync_multiplier: 2}}
+slaves:
+  - {node: 1, serial: 7, keep_alive: true, restore: 1, el6751: {start: false}, plc_designer: {optional: true}}
+)"),
+                                                0U));
+        std::vector<std::string> told;
+        for (const std::string& warning : net.Warnings())
+        {
+            const std::size_t line = warning.find(".yaml:") + 6U;
+            told.push_back(warning.substr(line, warning.find(" has no effect with the profile " + profile) - line));
+        }
+        return told;
+    };
+    EXPECT_EQ(warnings("cia302"), (std::vector<std::string>{"1: sync", "1: el6751", "4: el6751", "4: plc_designer"}));
+    EXPECT_EQ(warnings("el6751"), (std::vector<std::string>{"1: boot_time", "1: a bit of start_up", "4: plc_designer",
+                                                            "4: keep_alive", "4: restore"}));
+    EXPECT_EQ(warnings("plc_designer"),
+              (std::vector<std::string>{"1: sync", "1: el6751", "1: boot_time", "1: a bit of start_up", "4: el6751",
+                                        "4: keep_alive", "4: restore", "4: serial"}));
 }
 
 TEST_F(NetworkFileTest, TheManagersOwnObjectsGoBeforeDerivedOnes)

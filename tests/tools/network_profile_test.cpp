@@ -179,6 +179,24 @@ TEST_F(NetworkProfileTest, APdoWhoseMappingChangesKeepsItsWholeSequence)
                                                  0x160000U, 0x140001U}));
 }
 
+TEST_F(NetworkProfileTest, ASynchronousPdoWithoutASyncPeriodIsRefused)
+{
+    Verifies(req::SRS_NET_006);
+    const std::string file =
+        File("net.yaml", "manager: {node: 127, profile: el6751}\nslaves:\n  - {node: 4}\n  - {node: 5, dcf: io.dcf}\n");
+    try
+    {
+        const LoadedNetwork net(ReadNetworkFile(file, 0U));
+        ADD_FAILURE() << "accepted";
+    }
+    catch (const std::exception& error)
+    {
+        EXPECT_EQ(std::string(error.what()),
+                  file + ":4: error: PDO 1 of node 5 is synchronous (type 1) and there is no SYNC, expected a period "
+                         "under manager, sync");
+    }
+}
+
 TEST_F(NetworkProfileTest, El6751OptionsOfManagerAndSlave)
 {
     Verifies(req::SRS_ELM_051);
@@ -203,9 +221,9 @@ TEST_F(NetworkProfileTest, El6751OptionsOfManagerAndSlave)
     EXPECT_EQ(slave.coupler_event_ms, 30U);
     EXPECT_EQ(slave.guard_time_ms, 50U);
     EXPECT_EQ(slave.life_time_factor, 4U);
-    EXPECT_EQ(net.Plan().manager.el6751.window, cia302::El6751Window::kLastRxPdo);
-    EXPECT_EQ(net.Plan().manager.el6751.sync_multiplier, 4U);
-    EXPECT_EQ(net.Plan().manager.el6751.input_shift_us, 300U);
+    EXPECT_EQ(net.Plan().manager.el6751->window, cia302::El6751Window::kLastRxPdo);
+    EXPECT_EQ(net.Plan().manager.el6751->sync_multiplier, 4U);
+    EXPECT_EQ(net.Plan().manager.el6751->input_shift_us, 300U);
 }
 
 TEST_F(NetworkProfileTest, PlcDesignerTakesOptionalAndResetNode)

@@ -100,10 +100,14 @@ TEST_F(El6751PdosTest, TheWindowIsTheInputShiftTimeTheEndIncluded)
     Verifies(req::SRS_ELM_033);
     Verifies(req::SRS_ELM_034);
     Tx(1U, 0U);
+    Rx(1U, 0U, 0U);
     El6751Pdos& some = Make(El6751Times{});
+    some.Feed(kNode);
     EXPECT_EQ(Cycle(some, 0U), 0);
     EXPECT_EQ(Receive(some, 500U), 0);
     EXPECT_EQ(Cycle(some, 10000U), 0);
+    some.OnSent(Frame(0x205U, 2U)); // The last RxPDO ends the other window alone.
+    EXPECT_EQ(some.Fault(kNode), 0);
     EXPECT_EQ(Receive(some, 10500U), 0);
     EXPECT_EQ(Cycle(some, 20000U), 0);
     EXPECT_EQ(Cycle(some, 20500U), 0);
@@ -125,6 +129,17 @@ TEST_F(El6751PdosTest, WhatComesBehindTheWindowDoesNotCountForTheNextCycle)
     EXPECT_EQ(SyncCycle(some, 0U, true), 0);
     EXPECT_EQ(Receive(some, 9500U), 0);
     EXPECT_EQ(SyncCycle(some, 1U, false), 40);
+}
+
+TEST_F(El6751PdosTest, OneThatAlwaysComesTooLateStaysMissingUntilItComesInTime)
+{
+    Verifies(req::SRS_ELM_033);
+    Tx(1U, 0U);
+    El6751Pdos& some = Make(El6751Times{});
+    EXPECT_EQ(SyncCycle(some, 0U, true), 0);
+    EXPECT_EQ(SyncCycle(some, 1U, false), 40);
+    EXPECT_EQ(Receive(some, 19500U), 40);
+    EXPECT_EQ(SyncCycle(some, 2U, true), 0);
 }
 
 TEST_F(El6751PdosTest, WithASyncMultiplierTheShiftCountsInTheLastPart)

@@ -139,5 +139,64 @@ TEST_F(StartUpSafetyTest, KeptAliveSafetySlaveIsVerifiedToo)
     EXPECT_EQ(Step(), MasterStep::kHalted);
 }
 
+/// Given a safety slave that is kept alive and was started by somebody before the master came.
+class KeptAliveSafetyTest : public StartUpSafetyTest
+{
+  public:
+    void Meet()
+    {
+        setups[5].heartbeat = HeartbeatSetup{100U, 20U, Arming::kFirstHeartbeat};
+        slaves[5]->heartbeat_ms = 20U;
+        Protect(5U);
+        PowerAll();
+        Run(10U);
+        const CanFrame start{0U, FrameKind::kData, CanPortId::kFirst, 2U, {1U, 5U}};
+        slaves[5]->OnFrame(start, Now());
+        is_begun = true;
+        start_up.Begin(Now());
+        Run(200U);
+    }
+};
+
+TEST_F(KeptAliveSafetyTest, OfAnotherVendorIsVerifiedThoughItsBootFailed)
+{
+    Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_BOOT_016);
+    Add(5U, kMust | kKeepAlive).Put32(0x1018U, 1U, 0x99U);
+    Meet();
+    // With the configuration that is expected it is left running, and is of another vendor all the same
+    EXPECT_EQ(gate.verifications, 1);
+    EXPECT_EQ(Letter(5U), "D");
+    EXPECT_EQ(StateOf(5U), NodeState::kOperational);
+    EXPECT_EQ(Step(), MasterStep::kHalted);
+}
+
+TEST_F(KeptAliveSafetyTest, OfAnotherVendorWithAnotherConfigurationIsStopped)
+{
+    Verifies(req::SRS_BOOT_013);
+    gate.verdict = GateState::kDiffers;
+    Add(5U, kMust | kKeepAlive).Put32(0x1018U, 1U, 0x99U);
+    Meet();
+    EXPECT_EQ(Letter(5U), "J");
+    EXPECT_EQ(StateOf(5U), NodeState::kStopped);
+    EXPECT_EQ(Step(), MasterStep::kHalted);
+}
+
+TEST_F(KeptAliveSafetyTest, ThatWasFoundRunningIsStartedAgainAfterAStop)
+{
+    Verifies(req::SRS_BOOT_014);
+    Verifies(req::SRS_BOOT_023);
+    Add(5U, kMust | kKeepAlive);
+    Meet();
+    EXPECT_EQ(Letter(5U), "L");
+    EXPECT_EQ(Command(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
+    Run(50U);
+    EXPECT_EQ(StateOf(5U), NodeState::kStopped);
+    EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
+    Run(50U);
+    EXPECT_EQ(StateOf(5U), NodeState::kOperational);
+    EXPECT_EQ(Letter(5U), "-");
+}
+
 } // namespace
 } // namespace counterpoint::cia302

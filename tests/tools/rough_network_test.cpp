@@ -1,0 +1,95 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// The shipped networks in simulated time whose slaves and bus do not behave, under each start-up profile.
+#include "tests/canopen/cia306/device_text.hpp"
+#include "tests/tools/command_run.hpp"
+#include "verification/trace/verifies.hpp"
+
+namespace counterpoint::tools
+{
+namespace
+{
+class RoughNetworkTest : public test::CommandTest
+{
+  protected:
+    /// The scenario holds; otherwise what it told.
+    static void ExpectHolds(const std::string& name)
+    {
+        const std::string path = cia306::test::SourceFolder() + "/examples/networks/" + name + ".yaml";
+        const test::Answer answer = test::RunCommand({"simulate", "--quiet", path});
+        EXPECT_EQ(answer.status, 0) << name << "\n" << answer.out << answer.err;
+        EXPECT_EQ(answer.err, "") << name;
+    }
+    static void ExpectHoldsInEachProfile(const std::string& name)
+    {
+        for (const char* const profile : {"", "_el6751", "_plc_designer"})
+        {
+            ExpectHolds(name + profile);
+        }
+    }
+};
+
+TEST_F(RoughNetworkTest, PulledResetAndReplacedSlaves)
+{
+    Verifies(req::SRS_MGR_003);
+    Verifies(req::SRS_MGR_012);
+    Verifies(req::SRS_MGR_016);
+    Verifies(req::SRS_SFS_002);
+    ExpectHoldsInEachProfile("pulled");
+    ExpectHoldsInEachProfile("reset");
+    ExpectHoldsInEachProfile("replaced");
+}
+
+TEST_F(RoughNetworkTest, StormsAndBabbling)
+{
+    Verifies(req::SRS_MGR_003);
+    Verifies(req::SRS_MGR_011);
+    Verifies(req::SRS_MGR_016);
+    ExpectHoldsInEachProfile("emcy_storm");
+    ExpectHoldsInEachProfile("babbling");
+}
+
+TEST_F(RoughNetworkTest, TwoDevicesOfOneNodeIdWithHeartbeatAndWithout)
+{
+    Verifies(req::SRS_MGR_010);
+    Verifies(req::SRS_MGR_015);
+    Verifies(req::SRS_MGR_016);
+    Verifies(req::SRS_SFS_002);
+    ExpectHoldsInEachProfile("duplicate");
+    ExpectHoldsInEachProfile("duplicate_silent");
+}
+
+TEST_F(RoughNetworkTest, EachLetterAndTheNodeStates)
+{
+    Verifies(req::SRS_BOOT_003);
+    Verifies(req::SRS_BOOT_004);
+    Verifies(req::SRS_BOOT_005);
+    Verifies(req::SRS_BOOT_006);
+    Verifies(req::SRS_BOOT_007);
+    Verifies(req::SRS_BOOT_009);
+    Verifies(req::SRS_BOOT_011);
+    Verifies(req::SRS_ELM_046);
+    Verifies(req::SRS_ELM_050);
+    ExpectHolds("letters");
+    ExpectHolds("codes_el6751");
+}
+
+TEST_F(RoughNetworkTest, AManagerThatComesWhileItsSlavesRun)
+{
+    Verifies(req::SRS_BOOT_006);
+    Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_BOOT_014);
+    ExpectHolds("kept_alive");
+}
+
+TEST_F(RoughNetworkTest, PdosThatStayAwayUnderTheEl6751Profile)
+{
+    Verifies(req::SRS_ELM_033);
+    Verifies(req::SRS_ELM_034);
+    Verifies(req::SRS_ELM_037);
+    Verifies(req::SRS_ELM_042);
+    ExpectHolds("pdos_el6751");
+    ExpectHolds("pdos_restart_el6751");
+    ExpectHolds("window_el6751");
+}
+} // namespace
+} // namespace counterpoint::tools
