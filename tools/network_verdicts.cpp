@@ -79,7 +79,6 @@ std::string EventIn(const SimulatedManager& manager, const NetworkExpectation& e
 void NetworkSimulation::RequireKnown(const NetworkExpectation& expectation)
 {
     const SimulatedManager& manager = ManagerOf(expectation.manager, expectation.place);
-    const bool is_event = expectation.kind == Expected::kEvent || expectation.kind == Expected::kNoEvent;
     const bool is_device = expectation.kind == Expected::kDevice || expectation.kind == Expected::kOutput;
     const network::LoadedSlave* const slave = manager.net->Find(expectation.node);
     const auto is_it = [&expectation](const ScenarioDevice& device) { return device.node == expectation.node; };
@@ -87,15 +86,15 @@ void NetworkSimulation::RequireKnown(const NetworkExpectation& expectation)
     { return other->node == expectation.node; };
     const bool is_on_bus =
         std::any_of(managers_.begin(), managers_.end(), is_other) || std::any_of(setups_.begin(), setups_.end(), is_it);
-    const bool is_known = slave != nullptr || (is_event && is_on_bus);
+    const bool is_known = slave != nullptr || is_on_bus;
     if (expectation.node != 0U && !is_device && !is_known)
     {
         throw simulator::ScenarioError(scenario_.file, expectation.place,
                                        "node " + std::to_string(expectation.node) + ", which is no slave of manager " +
-                                           std::to_string(manager.node),
-                                       "one of its network file");
+                                           std::to_string(manager.node) + " and not there",
+                                       "one of its network file, or of the scenario's devices");
     }
-    if (expectation.kind == Expected::kGate && slave->safety.count == 0U)
+    if (expectation.kind == Expected::kGate && (slave == nullptr || slave->safety.count == 0U))
     {
         throw simulator::ScenarioError(scenario_.file, expectation.place,
                                        "the gate of node " + std::to_string(expectation.node) +

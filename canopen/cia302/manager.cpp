@@ -144,11 +144,6 @@ void Manager::OnFrame(const CanFrame& frame, const Instant now) noexcept
     }
 }
 
-void Manager::OnSent(const CanFrame& frame) noexcept
-{
-    watch_.OnSent(frame);
-}
-
 void Manager::OnCycle(const Instant now) noexcept
 {
     if (is_running_)

@@ -96,7 +96,10 @@ class Manager final : public NmtListener,
     void OnFrame(const CanFrame& frame, Instant now) noexcept;
     /// @brief A frame of this device was on the bus: what it asked is known, and second answers are seen. O(1), a reset
     /// of all O(127)
-    void OnSent(const CanFrame& frame) noexcept;
+    void OnSent(const CanFrame& frame) noexcept
+    {
+        watch_.OnSent(frame);
+    }
     void OnCycle(Instant now) noexcept;
     /// @brief The application lets the negotiation begin. kInvalid: there is no flying master. [SRS-FLY-027]
     [[nodiscard]] FlyingStart StartNegotiation(Instant now) noexcept;
