@@ -124,13 +124,13 @@ class ManagerCommand final : public Command
                         << " is missing, expected --can ADDRESS --network FILE, or --check FILE...\n";
             return ExitStatus::kBadInput;
         }
-        const network::LoadedNetwork net(ReadNetworkFile(network_, NodeId()));
+        network::LoadedNetwork net(ReadNetworkFile(network_, NodeId()));
         for (const std::string& warning : net.Warnings())
         {
             streams.err << warning << "\n";
         }
         RequireFiles(net);
-        const std::unique_ptr<host::LiveBus> bus = host::OpenLiveBus(address_);
+        std::unique_ptr<host::LiveBus> bus = host::OpenLiveBus(address_);
         const std::unique_ptr<ManagerSocket> socket =
             socket_.empty() ? nullptr : std::make_unique<ManagerSocket>(socket_);
         NodeReport report(streams.out, ReportForm::kText, host::LiveNow());
@@ -140,16 +140,21 @@ class ManagerCommand final : public Command
         settings.input = has_no_input_ ? -1 : STDIN_FILENO;
         settings.is_json = is_json_;
         settings.is_screen = !is_json_ && ::isatty(STDOUT_FILENO) != 0;
-        ManagerLoop loop(net, *bus, report, socket.get(), settings);
+        ManagerLoop loop(net, std::move(bus), report, socket.get(), settings);
         const bool has_started = loop.Run();
-        const Instant now = InstantAt(loop.NowUs());
-        const ManagerHost& host = loop.Station().Host();
-        report.Print(is_json_ ? StatusJson(host, now).dump() + "\n" : StatusTable(host, now));
+        const std::uint64_t now_us = loop.NowUs();
+        const ManagerStation& station = loop.Station();
+        report.Print(is_json_ ? OneLine(StatusJson(station, now_us)) : StatusTable(station, now_us));
         if (!html_.empty())
         {
-            cia306::WriteTextFile(html_, DiagramPage(host, loop.Station().Diagram(), now));
+            cia306::WriteTextFile(html_, DiagramPage(station.Host(), station.Diagram(), InstantAt(now_us)));
         }
         const bool is_written = report.Finish();
+        if (!loop.IsLogWhole())
+        {
+            throw cia306::InputError(log_, 0U,
+                                     {"the event log could not be written to its end", "a file system with room"});
+        }
         const ExitStatus status = has_started ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
         return is_written ? status : ExitStatus::kBadInput;
     }

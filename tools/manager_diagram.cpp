@@ -77,6 +77,7 @@ void ManagerDiagram::OnFrame(const CanFrame& frame, const bool is_sent, const st
         // Heartbeats are told by their changes: events.
         if (frame.data[0] == 0U)
         {
+            GiveUp(node);
             Add({at_us, at_us, node, false, false, false, "boot-up"});
         }
     }
@@ -140,10 +141,23 @@ void ManagerDiagram::OnAnswer(const CanFrame& frame, const std::uint8_t node, co
     pending.is_open = false;
 }
 
+/// A request that a device got before it began anew is answered by nobody, and nobody is to blame.
+void ManagerDiagram::GiveUp(const std::uint8_t node)
+{
+    Pending& pending = pending_.at(node);
+    if (pending.is_open && pending.row < rows_.size())
+    {
+        rows_[pending.row].is_request = false;
+        rows_[pending.row].label += ": given up at boot-up";
+    }
+    pending.is_open = false;
+}
+
 void ManagerDiagram::OnEvent(const ManagerEvent& event)
 {
     const bool is_own_words = event.kind == "nmt";
-    const bool is_shown = !event.text.empty() && event.kind != "boot_up" && event.kind != "emergency";
+    const bool is_shown =
+        !event.text.empty() && event.kind != "boot_up" && event.kind != "emergency" && event.kind != "pdo";
     if (is_shown)
     {
         const bool is_bad = (event.kind == "status" && event.text != "started" && event.text.rfind("L:", 0U) != 0U &&

@@ -53,6 +53,7 @@ class ManagerDiagram
 
     void Add(const DiagramRow& row);
     void OnRequest(const CanFrame& frame, std::uint8_t node, std::uint64_t at_us);
+    void GiveUp(std::uint8_t node);
     void OnAnswer(const CanFrame& frame, std::uint8_t node, std::uint64_t at_us);
 
     std::vector<DiagramRow> rows_;

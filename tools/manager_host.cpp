@@ -22,6 +22,13 @@ cia302::SdoTimes TimesOf(const network::ManagerPlan& plan)
     times.tries = plan.sdo_tries.value_or(times.tries);
     return times;
 }
+constexpr const char* kSlots = "a level slot above 127 node slots, which are above 0";
+
+std::string SlotsOf(const cia302::FlyingMasterTimes& times)
+{
+    return "level slot " + std::to_string(times.priority_slot) + " ms with node slot " +
+           std::to_string(times.device_slot) + " ms";
+}
 } // namespace
 
 cia302::FlyingMasterTimes FlyingTimesOf(const network::NetworkPlan& plan)
@@ -72,18 +79,24 @@ void ManagerHost::MakeProfile()
                                 el6751_nodes_.data(),
                                 {el6751_pdos_.data(), static_cast<std::uint16_t>(el6751_pdos_.size())},
                                 net_.Plan().manager.el6751.value_or(cia302::El6751Times{})});
-        manager_.Use(*el6751_);
+        Use(*el6751_);
         break;
     case StartProfile::kPlcDesigner:
         plc_ = std::make_unique<cia302::PlcStartUp>(cia302::PlcParts{parts, plc_nodes_.data()});
-        manager_.Use(*plc_);
+        Use(*plc_);
         break;
     case StartProfile::kCia302:
     default:
         cia302_ = std::make_unique<cia302::Cia302StartUp>(parts, boots_.data());
-        manager_.Use(*cia302_);
+        Use(*cia302_);
         break;
     }
+}
+
+void ManagerHost::Use(cia302::StartUp& profile) noexcept
+{
+    profile_ = &profile;
+    manager_.Use(profile);
 }
 
 void ManagerHost::MakeFlying(cia301::FrameSink& sink)
@@ -92,16 +105,40 @@ void ManagerHost::MakeFlying(cia301::FrameSink& sink)
     flying_times_ = FlyingTimesOf(net_.Plan());
     if (!cia302::IsUsable(flying_times_))
     {
-        throw cia306::InputError(net_.Plan().file, plan.line,
-                                 {"level slot " + std::to_string(flying_times_.priority_slot) + " ms with node slot " +
-                                      std::to_string(flying_times_.device_slot) + " ms",
-                                  "a level slot above 127 node slots, which are above 0"});
+        throw cia306::InputError(net_.Plan().file, plan.line, {SlotsOf(flying_times_), kSlots});
     }
-    flying_options_ = plan.flying->is_so1114 ? cia302::So1114FlyingMaster() : cia302::DefaultFlyingMaster();
+    flying_options_ = plan.flying->options;
     flying_options_.own_producer_ms = plan.heartbeat_ms.value_or(flying_options_.own_producer_ms);
     flying_ = std::make_unique<cia302::FlyingMaster>(
         cia302::FlyingMasterParts{net_.Setup(), flying_times_, flying_options_, sink, manager_});
-    manager_.Use(*flying_);
+    is_held_ = plan.flying->is_by_order;
+    manager_.Use(*flying_, is_held_ ? cia302::NegotiationBy::kApplication : cia302::NegotiationBy::kManager);
+}
+
+void ManagerHost::OnCycle(const Instant now)
+{
+    const bool is_by_order = net_.Plan().manager.flying.value_or(network::FlyingPlan{}).is_by_order;
+    if (is_by_order && !is_held_ && flying_->State() == cia302::FlyingState::kInitialising)
+    {
+        static_cast<void>(manager_.StartNegotiation(now));
+    }
+}
+
+void ManagerHost::SetHeartbeat(const std::uint16_t period_ms) noexcept
+{
+    manager_.SetHeartbeat(period_ms);
+    flying_options_.own_producer_ms = period_ms;
+}
+
+std::string ManagerHost::Negotiate()
+{
+    if (flying_ != nullptr && !cia302::IsUsable(flying_times_))
+    {
+        return SlotsOf(flying_times_) + ", expected " + kSlots;
+    }
+    const bool is_taken = is_held_;
+    is_held_ = false;
+    return is_taken ? "taken" : "no negotiation waits for an order, expected flying: {start: by_order}";
 }
 
 bool ManagerHost::HasStarted() const noexcept

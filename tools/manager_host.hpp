@@ -11,6 +11,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace counterpoint::tools
@@ -37,6 +38,21 @@ class ManagerHost
     {
         return net_;
     }
+    [[nodiscard]] cia302::StartUp& Profile() noexcept
+    {
+        return *profile_;
+    }
+    /// @brief 1F90h of a flying master; counts from the next start of the negotiation on.
+    [[nodiscard]] cia302::FlyingMasterTimes& FlyingTimes() noexcept
+    {
+        return flying_times_;
+    }
+    /// @brief 1017h of the manager.
+    void SetHeartbeat(std::uint16_t period_ms) noexcept;
+    /// @brief Lets the first negotiation begin; "taken" or the reason why not. [SRS-MGR-023]
+    [[nodiscard]] std::string Negotiate();
+    /// @brief Lets later negotiations begin by themselves. Before the manager's cycle.
+    void OnCycle(Instant now);
     /// @brief Whether the start-up came to where its slaves run: every mandatory slave was started.
     [[nodiscard]] bool HasStarted() const noexcept;
     /// @brief Of the EL6751 profile only.
@@ -50,6 +66,7 @@ class ManagerHost
   private:
     [[nodiscard]] cia302::ManagerRoom Room() noexcept;
     void MakeProfile();
+    void Use(cia302::StartUp& profile) noexcept;
     void MakeFlying(cia301::FrameSink& sink);
 
     const network::LoadedNetwork& net_;
@@ -68,8 +85,10 @@ class ManagerHost
     std::unique_ptr<cia302::Cia302StartUp> cia302_;
     std::unique_ptr<cia302::El6751StartUp> el6751_;
     std::unique_ptr<cia302::PlcStartUp> plc_;
+    cia302::StartUp* profile_{nullptr}; ///< One of the three.
     cia302::FlyingMasterTimes flying_times_{};
     cia302::FlyingMasterOptions flying_options_{};
+    bool is_held_{false}; ///< The first negotiation waits for its order.
     std::unique_ptr<cia302::FlyingMaster> flying_;
 };
 

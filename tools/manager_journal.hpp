@@ -25,6 +25,8 @@ struct ManagerEvent
     std::string word; ///< Of `details`, what this program itself goes by: state of a gate, letter of a status.
 };
 
+/// @brief One line of JSON with a line end; what is no UTF-8 is replaced.
+[[nodiscard]] std::string OneLine(const nlohmann::ordered_json& value);
 /// @brief One line of the event log. [SRS-MGR-007]
 [[nodiscard]] std::string JsonLine(const ManagerEvent& event);
 /// @brief One line for a person: time, node, text.

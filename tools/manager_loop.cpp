@@ -1,13 +1,16 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/manager_loop.hpp"
 
+#include "canopen/cia306/input_error.hpp"
 #include "tools/manager_status.hpp"
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <ctime>
 #include <poll.h>
+#include <thread>
 #include <unistd.h>
 #include <utility>
 
@@ -18,7 +21,9 @@ namespace
 constexpr std::uint64_t kNsPerUs = 1000U;
 constexpr std::uint64_t kCycleNs = 1000000U;
 constexpr std::uint64_t kLookNs = 250000000U;
+constexpr std::size_t kFramesOfTurn = 256U;
 constexpr std::size_t kRecentLines = 12U;
+constexpr std::size_t kLongestLine = 1024U;
 
 volatile std::sig_atomic_t caught_signal = 0;
 
@@ -47,16 +52,20 @@ const char* WordOf(const host::BusState state)
 }
 } // namespace
 
-ManagerLoop::ManagerLoop(const network::LoadedNetwork& net, host::LiveBus& bus, NodeReport& report,
+ManagerLoop::ManagerLoop(network::LoadedNetwork& net, std::unique_ptr<host::LiveBus> bus, NodeReport& report,
                          ManagerSocket* const socket, ManagerLoopSettings settings)
-    : bus_(bus), report_(report), socket_(socket), settings_(std::move(settings)), start_ns_(host::LiveNow()),
-      station_(
-          net, [this](const CanFrame& frame) { return SendFrame(frame); },
-          [this](const ManagerEvent& event) { OnEvent(event); })
+    : bus_(std::move(bus)), address_(bus_->Name()), report_(report), socket_(socket), settings_(std::move(settings)),
+      start_ns_(host::LiveNow()), station_(
+                                      net, [this](const CanFrame& frame) { return SendFrame(frame); },
+                                      [this](const ManagerEvent& event) { OnEvent(event); })
 {
     if (!settings_.log.empty())
     {
         log_.open(settings_.log, std::ios::trunc);
+        if (!log_)
+        {
+            throw cia306::InputError(settings_.log, 0U, {"it cannot be opened", "a path in a writable folder"});
+        }
     }
 }
 
@@ -67,7 +76,7 @@ std::uint64_t ManagerLoop::NowUs() const
 
 bool ManagerLoop::SendFrame(const CanFrame& frame)
 {
-    return bus_.Send(host::FromCanFrame(frame)) == host::SendResult::kSent;
+    return bus_->Send(host::FromCanFrame(frame)) == host::SendResult::kSent;
 }
 
 void ManagerLoop::OnEvent(const ManagerEvent& event)
@@ -97,6 +106,7 @@ void ManagerLoop::OnEvent(const ManagerEvent& event)
 bool ManagerLoop::Run()
 {
     caught_signal = 0;
+    static_cast<void>(std::signal(SIGPIPE, SIG_IGN)); // For good: who reads the output may go, the network stays.
     const auto before_int = std::signal(SIGINT, &Catch);
     const auto before_term = std::signal(SIGTERM, &Catch);
     start_ns_ = host::LiveNow();
@@ -121,7 +131,7 @@ bool ManagerLoop::Run()
             next_look_ns_ = now_ns + kLookNs;
             WatchBus();
             Draw();
-            log_.flush();
+            FlushLog();
         }
         const bool is_time_over = settings_.for_ns != 0U && now_ns - start_ns_ >= settings_.for_ns;
         reason_ = is_time_over ? "--for" : reason_;
@@ -130,6 +140,7 @@ bool ManagerLoop::Run()
     const bool has_started = station_.Host().HasStarted();
     station_.Tell("stopped", "stopped by " + reason_, {{"reason", reason_}, {"started", has_started}}, NowUs());
     Draw();
+    FlushLog();
     static_cast<void>(std::signal(SIGINT, before_int));
     static_cast<void>(std::signal(SIGTERM, before_term));
     return has_started;
@@ -137,7 +148,7 @@ bool ManagerLoop::Run()
 
 void ManagerLoop::Wait()
 {
-    std::vector<pollfd> places{{bus_.Descriptor(), POLLIN, 0}, {settings_.input, POLLIN, 0}};
+    std::vector<pollfd> places{{bus_->Descriptor(), POLLIN, 0}, {settings_.input, POLLIN, 0}};
     if (socket_ != nullptr)
     {
         socket_->AddTo(places);
@@ -154,8 +165,9 @@ void ManagerLoop::Wait()
 
 void ManagerLoop::Receive()
 {
+    // Of a bus that never falls silent some at a time: cycles and orders come in between.
     host::LiveFrame frame;
-    while (bus_.Receive(frame))
+    for (std::size_t count = 0U; count < kFramesOfTurn && bus_->Receive(frame); ++count)
     {
         if (frame.own && !frame.error && !frame.fd)
         {
@@ -170,7 +182,7 @@ void ManagerLoop::Receive()
 
 void ManagerLoop::WatchBus()
 {
-    const host::BusHealth health = bus_.Health();
+    const host::BusHealth health = bus_->Health();
     if (health.state != bus_state_)
     {
         bus_state_ = health.state;
@@ -180,12 +192,50 @@ void ManagerLoop::WatchBus()
         state = (bus_state_ == host::BusState::kDown) ? cia302::ControllerState::kAbsent : state;
         station_.Host().OnController(state, InstantAt(NowUs()));
     }
-    if (health.lost_frames != lost_)
+    if (bus_state_ == host::BusState::kDown)
+    {
+        Reconnect();
+    }
+    if (health.lost_frames > lost_)
     {
         const std::uint32_t count = health.lost_frames - lost_;
         station_.Tell("lost_frames", std::to_string(count) + " frames lost between bus and manager", {{"count", count}},
                       NowUs());
         lost_ = health.lost_frames;
+    }
+}
+
+/// An interface of the kernel comes back by itself, a connection does not. It is made by a thread of its own: a server
+/// that does not answer holds up nobody.
+void ManagerLoop::Reconnect()
+{
+    const bool is_connection = address_.rfind("socketcand:", 0U) == 0U;
+    const bool is_over = next_bus_.valid() && next_bus_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    std::unique_ptr<host::LiveBus> bus = is_over ? next_bus_.get() : nullptr;
+    if (bus != nullptr)
+    {
+        bus_ = std::move(bus);
+        lost_ = 0U;
+    }
+    else if (is_connection && !next_bus_.valid())
+    {
+        next_bus_ = std::async(std::launch::async,
+                               [address = address_]() -> std::unique_ptr<host::LiveBus>
+                               {
+                                   try
+                                   {
+                                       return host::OpenLiveBus(address);
+                                   }
+                                   catch (const host::LiveBusError&)
+                                   {
+                                       std::this_thread::sleep_for(std::chrono::seconds(1));
+                                       return nullptr; // To be tried again.
+                                   }
+                               });
+    }
+    else
+    {
+        // Nothing is lost that could be made again, or it is under way.
     }
 }
 
@@ -195,10 +245,29 @@ void ManagerLoop::ReadTyped()
     const ssize_t count = ::read(settings_.input, bytes.data(), bytes.size());
     settings_.input = (count > 0) ? settings_.input : -1;
     typed_.append(bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    typed_ += (settings_.input < 0 && !typed_.empty()) ? "\n" : ""; // The end of the input ends its last line.
     for (std::size_t end = typed_.find('\n'); end != std::string::npos; end = typed_.find('\n'))
     {
-        report_.Print(Answer(typed_.substr(0U, end)));
+        report_.Print(is_too_long_ ? "" : Answer(typed_.substr(0U, end)));
         typed_.erase(0U, end + 1U);
+        is_too_long_ = false;
+    }
+    if (typed_.size() > kLongestLine)
+    {
+        report_.Print(is_too_long_ ? "" : "a line without end, expected one of at most 1024 bytes\n");
+        typed_.clear();
+        is_too_long_ = true;
+    }
+}
+
+/// The network is worth more than its log: it is managed on, and the end says what is missing.
+void ManagerLoop::FlushLog()
+{
+    log_.flush();
+    if (!log_ && is_log_whole_)
+    {
+        is_log_whole_ = false;
+        station_.Tell("log_ended", "the event log cannot be written any more", {}, NowUs());
     }
 }
 
@@ -206,7 +275,7 @@ void ManagerLoop::Draw()
 {
     if (settings_.is_screen)
     {
-        std::string screen = "\x1b[H\x1b[2J" + StatusTable(station_.Host(), InstantAt(NowUs())) + "\n";
+        std::string screen = "\x1b[H\x1b[2J" + StatusTable(station_, NowUs()) + "\n";
         for (const std::string& line : recent_)
         {
             screen += line + "\n";
@@ -218,11 +287,10 @@ void ManagerLoop::Draw()
 std::string ManagerLoop::Answer(const std::string& line)
 {
     const ManagerOrder order = ParseManagerOrder(line);
-    const Instant now = InstantAt(NowUs());
     std::string answer;
     if (order.kind == ManagerOrderKind::kStatus)
     {
-        answer = settings_.is_json ? StatusJson(station_.Host(), now).dump() + "\n" : StatusTable(station_.Host(), now);
+        answer = settings_.is_json ? OneLine(StatusJson(station_, NowUs())) : StatusTable(station_, NowUs());
     }
     else if (order.kind == ManagerOrderKind::kHelp)
     {
@@ -244,8 +312,7 @@ std::string ManagerLoop::Answer(const std::string& line)
         answer = result + "\n";
     }
     return (settings_.is_json && !answer.empty() && answer[0] != '{')
-               ? nlohmann::ordered_json{{"event", "answer"}, {"text", answer.substr(0U, answer.size() - 1U)}}.dump() +
-                     "\n"
+               ? OneLine({{"event", "answer"}, {"text", answer.substr(0U, answer.size() - 1U)}})
                : answer;
 }
 } // namespace counterpoint::tools

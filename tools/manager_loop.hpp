@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <deque>
 #include <fstream>
+#include <future>
 #include <memory>
 #include <string>
 
@@ -29,12 +30,17 @@ struct ManagerLoopSettings
 class ManagerLoop
 {
   public:
-    /// @brief All outlive it; `socket` may be null. Throws cia306::InputError.
-    ManagerLoop(const network::LoadedNetwork& net, host::LiveBus& bus, NodeReport& report, ManagerSocket* socket,
-                ManagerLoopSettings settings);
+    /// @brief All but the bus outlive it; `socket` may be null. Throws cia306::InputError.
+    ManagerLoop(network::LoadedNetwork& net, std::unique_ptr<host::LiveBus> bus, NodeReport& report,
+                ManagerSocket* socket, ManagerLoopSettings settings);
 
     /// @brief Until quit, SIGTERM, SIGINT or the end of the time; whether every mandatory slave was started then.
     [[nodiscard]] bool Run();
+    /// @brief Every event is in the log, or there is none.
+    [[nodiscard]] bool IsLogWhole() const noexcept
+    {
+        return is_log_whole_;
+    }
     [[nodiscard]] const ManagerStation& Station() const noexcept
     {
         return station_;
@@ -48,11 +54,15 @@ class ManagerLoop
     void Wait();
     void Receive();
     void WatchBus();
+    void Reconnect();
     void ReadTyped();
+    void FlushLog();
     void Draw();
     [[nodiscard]] std::string Answer(const std::string& line);
 
-    host::LiveBus& bus_;
+    std::unique_ptr<host::LiveBus> bus_;
+    std::string address_;
+    std::future<std::unique_ptr<host::LiveBus>> next_bus_; ///< A lost connection is being made again.
     NodeReport& report_;
     ManagerSocket* socket_;
     ManagerLoopSettings settings_;
@@ -64,6 +74,8 @@ class ManagerLoop
     std::uint32_t lost_{0U};
     std::deque<std::string> recent_; ///< Lines under the table.
     std::string typed_;
+    bool is_too_long_{false}; ///< What is typed until the next line end is the rest of a line that was refused.
+    bool is_log_whole_{true};
     std::string reason_; ///< Why it ends; empty: it does not.
     ManagerStation station_;
 };

@@ -3,8 +3,12 @@
 
 #include "canopen/cia306/input_error.hpp"
 #include "canopen/cia306/number.hpp"
+#include "tools/manager_process.hpp"
 #include "tools/manager_words.hpp"
+#include "tools/node_order.hpp"
 
+#include <limits>
+#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -21,6 +25,7 @@ struct OrderWord
 constexpr OrderWord kOrderWords[] = {{"status", ManagerOrderKind::kStatus, false},
                                      {"boot", ManagerOrderKind::kBoot, true},
                                      {"write-safety", ManagerOrderKind::kWriteSafety, true},
+                                     {"negotiate", ManagerOrderKind::kNegotiate, false},
                                      {"help", ManagerOrderKind::kHelp, false},
                                      {"quit", ManagerOrderKind::kQuit, false}};
 
@@ -83,6 +88,49 @@ ManagerOrder ControlOf(const std::vector<std::string>& words)
     order.device_state = static_cast<std::uint16_t>(*device_state);
     return order;
 }
+/// get OBJECT, set OBJECT VALUE
+ManagerOrder ObjectOf(const std::vector<std::string>& words)
+{
+    const bool is_set = words[0] == "set";
+    const std::size_t count = is_set ? 3U : 2U;
+    const auto object = (words.size() == count) ? ParseObject(words[1]) : std::nullopt;
+    const auto value = (object && is_set) ? cia306::ParseUnsigned(words[2], std::numeric_limits<std::uint32_t>::max())
+                                          : std::optional<std::uint64_t>(0U);
+    if (!object || !value)
+    {
+        return Problem("'" + words[0] + "' with something else than an object" + (is_set ? " and a number" : ""),
+                       is_set ? "set 0x1F90:03 1" : "get 0x1F80:00");
+    }
+    ManagerOrder order;
+    order.kind = is_set ? ManagerOrderKind::kSet : ManagerOrderKind::kGet;
+    order.object = *object;
+    order.value = *value;
+    return order;
+}
+
+/// output NODE PDO BYTES
+ManagerOrder OutputOf(const std::vector<std::string>& words)
+{
+    constexpr std::uint64_t kHighestPdo = 512U;
+    const auto node = (words.size() >= 4U) ? NodeOf(words[1], false) : std::nullopt;
+    const std::uint64_t pdo = node ? cia306::ParseUnsigned(words[2], kHighestPdo).value_or(0U) : 0U;
+    std::string text;
+    for (std::size_t place = 3U; place < words.size(); ++place)
+    {
+        text += words[place] + " ";
+    }
+    const auto bytes = (pdo > 0U) ? BytesFrom(text.substr(0U, text.size() - 1U)) : std::nullopt;
+    if (!bytes)
+    {
+        return Problem("'output' with something else than a node-ID, an RxPDO and 1 to 8 bytes", "output 10 1 01 FF");
+    }
+    ManagerOrder order;
+    order.kind = ManagerOrderKind::kOutput;
+    order.node = *node;
+    order.pdo = static_cast<std::uint16_t>(pdo);
+    order.bytes = *bytes;
+    return order;
+}
 } // namespace
 
 ManagerOrder ParseManagerOrder(const std::string& line)
@@ -108,6 +156,14 @@ ManagerOrder ParseManagerOrder(const std::string& line)
     {
         return ControlOf(words);
     }
+    if (words[0] == "get" || words[0] == "set")
+    {
+        return ObjectOf(words);
+    }
+    if (words[0] == "output")
+    {
+        return OutputOf(words);
+    }
     for (const OrderWord& row : kOrderWords)
     {
         if (words[0] == row.text)
@@ -119,7 +175,8 @@ ManagerOrder ParseManagerOrder(const std::string& line)
         }
     }
     return Problem("order " + cia306::Quoted(words[0]),
-                   "status, start, stop, preop, reset, reset-comm, boot, write-safety, control, help or quit");
+                   "status, start, stop, preop, reset, reset-comm, boot, write-safety, control, output, "
+                   "get, set, negotiate, help or quit");
 }
 
 std::string ManagerOrderHelp()
@@ -134,6 +191,11 @@ std::string ManagerOrderHelp()
            "  boot NODE           start-up of this slave anew\n"
            "  write-safety NODE   write the safety configuration of its DCF, read it back, declare it valid\n"
            "  control NODE A D    write control of the EL6751 profile: ADS state A, device state D\n"
+           "  output NODE PDO BYTES what an RxPDO of the EL6751 profile carries, as hexadecimal digits: output 10 1 01 "
+           "FF\n"
+           "  get OBJECT          an object of the manager itself: get 0x1F80:00\n"
+           "  set OBJECT NUMBER   writes one: set 0x1F90:03 1\n"
+           "  negotiate           the flying master begins its negotiation (start: by_order)\n"
            "  help                this\n"
            "  quit                end\n";
 }
@@ -158,6 +220,10 @@ std::string CarryOut(const ManagerOrder& order, ManagerHost& host, const Instant
     else if (order.kind == ManagerOrderKind::kBoot)
     {
         answer = host.Core().Boot(node, now) ? answer : not_ours;
+    }
+    else if (order.kind == ManagerOrderKind::kNegotiate)
+    {
+        answer = host.Negotiate();
     }
     else if (order.kind == ManagerOrderKind::kWriteSafety)
     {

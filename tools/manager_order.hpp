@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace counterpoint::tools
 {
@@ -20,6 +21,10 @@ enum class ManagerOrderKind : std::uint8_t
     kQuit = 6U,
     kProblem = 7U, ///< `problem` tells.
     kControl = 8U, ///< node, ADS state and device state
+    kGet = 9U,     ///< object
+    kSet = 10U,    ///< object, value
+    kOutput = 11U, ///< node, pdo, bytes
+    kNegotiate = 12U,
 };
 
 /// What a person or a program wants of a running manager.
@@ -30,6 +35,10 @@ struct ManagerOrder
     std::uint8_t node{0U};
     std::uint16_t ads_state{0U}; ///< Of kControl, as `device_state`.
     std::uint16_t device_state{0U};
+    ObjectAddress object{0U, 0U};
+    std::uint64_t value{0U};
+    std::uint16_t pdo{0U};
+    std::vector<std::uint8_t> bytes;
     std::string problem; ///< What is wrong and what was expected.
 };
 
@@ -37,7 +46,8 @@ struct ManagerOrder
 [[nodiscard]] ManagerOrder ParseManagerOrder(const std::string& line);
 /// @brief All orders, a line each.
 [[nodiscard]] std::string ManagerOrderHelp();
-/// @brief Carries out a command, a boot or a writing; what it came to, "taken" or the reason why not. [SRS-MGR-006]
+/// @brief Carries out a command, a boot, a writing or a negotiation; what it came to, "taken" or the reason why not.
+/// [SRS-MGR-006]
 [[nodiscard]] std::string CarryOut(const ManagerOrder& order, ManagerHost& host, Instant now);
 } // namespace counterpoint::tools
 

@@ -15,9 +15,13 @@ namespace counterpoint::tools
 namespace
 {
 constexpr int kTimeWidth = 110;
-constexpr int kLaneWidth = 220;
+constexpr int kFewLanes = 7;
+constexpr int kWideLane = 280;   ///< Of few lanes.
+constexpr int kNarrowLane = 120; ///< Of many.
+constexpr int kLetterWidth = 7;
 constexpr int kRowHeight = 22;
 constexpr int kHeadHeight = 46;
+constexpr int kRowsOfPage = 40; ///< Then the heads again: nobody has to go back to see whose lane it is.
 
 constexpr const char* kStyle =
     ":root{color-scheme:light dark;--ink:#1c2430;--soft:#667085;--line:#c9d0da;--good:#1a7f4b;--bad:#c0362c;"
@@ -56,6 +60,21 @@ std::string Escaped(const std::string& text)
         }
     }
     return out;
+}
+
+/// At most so many bytes, no character cut in two.
+std::string Cut(std::string text, const std::size_t length)
+{
+    if (text.size() > length)
+    {
+        std::size_t end = length;
+        while (end > 0U && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
+        {
+            --end;
+        }
+        text.resize(end);
+    }
+    return text;
 }
 
 std::string Seconds(const std::uint64_t us)
@@ -99,43 +118,68 @@ class Picture
                 names.emplace(row.node, "unknown");
             }
         }
-        heads_.push_back("manager, node " + std::to_string(host.Net().Setup().own.value));
+        heads_.push_back({"manager", "node " + std::to_string(host.Net().Setup().own.value)});
         for (const auto& [node, name] : names)
         {
             lanes_[node] = static_cast<int>(heads_.size());
-            heads_.push_back(std::to_string(node) + " " + name);
+            heads_.push_back({std::to_string(node), name});
         }
+        lane_width_ = (heads_.size() > static_cast<std::size_t>(kFewLanes)) ? kNarrowLane : kWideLane;
     }
 
     std::string Draw()
     {
-        const int width = X(static_cast<int>(heads_.size())) + kLaneWidth;
-        const int height = kHeadHeight + (static_cast<int>(rows_.size()) + 1) * kRowHeight;
+        // Marks stand at the right of their lane, also of the last one.
+        const int width = X(static_cast<int>(heads_.size()) - 1) + kWideLane + kNarrowLane;
+        const int count = static_cast<int>(rows_.size());
+        const int height = kHeadHeight * (1 + count / kRowsOfPage) + (count + 1) * kRowHeight;
         out_ << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width << "\" height=\"" << height
              << "\" role=\"img\" aria-label=\"boot-up sequence\"><defs><marker id=\"tip\" markerWidth=\"8\" "
-                "markerHeight=\"8\" refX=\"7\" refY=\"4\" orient=\"auto\"><path d=\"M0,0L8,4L0,8\" class=\"arrow\"/>"
+                "markerHeight=\"8\" refX=\"7\" refY=\"4\" orient=\"auto-start-reverse\"><path d=\"M0,0L8,4L0,8\" "
+                "class=\"arrow\"/>"
                 "</marker></defs>";
         for (std::size_t lane = 0U; lane < heads_.size(); ++lane)
         {
             const int x = X(static_cast<int>(lane));
             out_ << "<line class=\"lane\" x1=\"" << x << "\" y1=\"" << kHeadHeight - 12 << "\" x2=\"" << x << "\" y2=\""
-                 << height << "\"/><text x=\"" << x << "\" y=\"20\" text-anchor=\"middle\">"
-                 << Escaped(heads_[lane].substr(0U, 24U)) << "</text>";
+                 << height << "\"/>";
         }
-        int y = kHeadHeight;
-        for (const DiagramRow& row : rows_)
+        int y = 0;
+        for (std::size_t place = 0U; place < rows_.size(); ++place)
         {
+            if (place % kRowsOfPage == 0U)
+            {
+                DrawHeads(y);
+                y += kHeadHeight;
+            }
             y += kRowHeight;
-            DrawRow(row, y);
+            DrawRow(rows_[place], y);
         }
         out_ << "</svg>";
         return out_.str();
     }
 
   private:
-    static int X(const int lane)
+    struct Head
     {
-        return kTimeWidth + kLaneWidth / 2 + lane * kLaneWidth;
+        std::string node;
+        std::string name;
+    };
+
+    int X(const int lane) const
+    {
+        return kTimeWidth + kNarrowLane / 2 + lane * lane_width_;
+    }
+    void DrawHeads(const int y)
+    {
+        for (std::size_t lane = 0U; lane < heads_.size(); ++lane)
+        {
+            const std::string at =
+                "<text x=\"" + std::to_string(X(static_cast<int>(lane))) + "\" text-anchor=\"middle\" y=\"";
+            const std::string name = Cut(heads_[lane].name, static_cast<std::size_t>(lane_width_ / kLetterWidth));
+            out_ << at << y + 16 << "\">" << heads_[lane].node << "</text>" << at << y + 31 << "\" class=\"soft\">"
+                 << Escaped(name) << "</text>";
+        }
     }
     int LaneOf(const std::uint8_t node) const
     {
@@ -161,14 +205,22 @@ class Picture
         const bool is_answered = row.until_us > row.at_us;
         const std::string took = is_answered ? " (" + std::to_string(row.until_us - row.at_us) + " us)" : "";
         const bool is_silent = row.is_request && row.until_us == 0U;
-        out_ << "<line class=\"" << (row.is_bad || is_silent ? "badarrow" : "arrow")
-             << "\" marker-end=\"url(#tip)\" x1=\"" << from << "\" y1=\"" << y + 3 << "\" x2=\"" << to << "\" y2=\""
-             << y + 3 << "\"/><text class=\"" << (is_silent ? "badtext" : text) << "\" x=\"" << X(0) + 8 << "\" y=\""
-             << y << "\">" << Escaped(row.label + (is_silent ? ": no answer" : "") + took) << "</text>";
+        const std::string label = Escaped(row.label + (is_silent ? ": no answer" : "") + took);
+        // By the lane of the node, where its messages stand below each other; what does not fit there begins at the
+        // manager.
+        const int room = X(lane) - X(0) - 24;
+        const bool is_long = row.node == 0U || lane == 1 || static_cast<int>(label.size()) * kLetterWidth > room;
+        const std::string at =
+            is_long ? std::to_string(X(0) + 12) : std::to_string(X(lane) - 12) + "\" text-anchor=\"end";
+        out_ << "<line class=\"" << (row.is_bad || is_silent ? "badarrow" : "arrow") << "\" marker-end=\"url(#tip)\""
+             << (is_answered ? " marker-start=\"url(#tip)\"" : "") << " x1=\"" << from << "\" y1=\"" << y + 3
+             << "\" x2=\"" << to << "\" y2=\"" << y + 3 << "\"/><text class=\"" << (is_silent ? "badtext" : text)
+             << "\" x=\"" << at << "\" y=\"" << y << "\">" << label << "</text>";
     }
 
     const std::vector<DiagramRow>& rows_;
-    std::vector<std::string> heads_;
+    std::vector<Head> heads_;
+    int lane_width_{kWideLane};
     std::map<std::uint8_t, int> lanes_;
     std::ostringstream out_;
 };
@@ -181,8 +233,8 @@ std::string DiagramPage(const ManagerHost& host, const ManagerDiagram& diagram, 
     page << "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>Boot-up of " << name
          << "</title><style>" << kStyle << "</style></head><body><h1>Boot-up of " << name << "</h1><p>"
          << Escaped(ManagerLine(host)) << "</p>" << ResultTable(host, now)
-         << "<figure><figcaption>Time goes down, one row for each message; SDO transfers are one row with the time to "
-            "their answer.";
+         << "<figure><figcaption>Time goes down, one row for each message; SDO transfers are one row, an arrow to and "
+            "fro with the time to the answer.";
     if (diagram.LeftOut() > 0U)
     {
         page << " " << diagram.LeftOut() << " later rows are left out.";

@@ -19,6 +19,7 @@ namespace
 {
 constexpr std::size_t kMostClients = 8U;
 constexpr std::size_t kLongestLine = 1024U;
+constexpr std::size_t kLinesOfTurn = 4U; ///< Of a client: the network comes in between.
 
 sockaddr_un AddressOf(const std::string& path)
 {
@@ -94,23 +95,33 @@ void ManagerSocket::AddTo(std::vector<pollfd>& places) const
     places.push_back({listener_.Get(), POLLIN, 0});
     for (const Client& client : clients_)
     {
-        places.push_back({client.file.Get(), POLLIN, 0});
+        // What waits is taken with the next cycle, before more is read.
+        const bool has_line = client.typed.find('\n') != std::string::npos;
+        places.push_back({client.file.Get(), static_cast<short>(has_line ? 0 : POLLIN), 0});
     }
 }
 
 void ManagerSocket::Serve(const std::function<std::string(const std::string&)>& answer)
 {
+    ++turn_;
     Accept();
     for (Client& client : clients_)
     {
-        Read(client);
-        for (std::size_t end = client.typed.find('\n'); end != std::string::npos; end = client.typed.find('\n'))
+        std::size_t end = client.typed.find('\n');
+        if (end == std::string::npos)
+        {
+            Read(client);
+            end = client.typed.find('\n');
+        }
+        for (std::size_t lines = 0U; end != std::string::npos && lines < kLinesOfTurn; ++lines)
         {
             const std::string line = client.typed.substr(0U, end);
             client.typed.erase(0U, end + 1U);
             Reply(client, answer(line));
+            end = client.typed.find('\n');
         }
-        client.is_over = client.is_over || client.typed.size() > kLongestLine;
+        const bool is_endless = end == std::string::npos && client.typed.size() > kLongestLine;
+        client.is_over = client.is_over || is_endless;
     }
     clients_.erase(
         std::remove_if(clients_.begin(), clients_.end(), [](const Client& client) { return client.is_over; }),
@@ -120,18 +131,16 @@ void ManagerSocket::Serve(const std::function<std::string(const std::string&)>& 
 void ManagerSocket::Accept()
 {
     const int file = ::accept4(listener_.Get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
-    if (file >= 0 && clients_.size() < kMostClients)
+    if (file < 0)
     {
-        clients_.push_back({host::LiveFile(file), {}, false});
+        return; // Nobody calls.
     }
-    else if (file >= 0)
+    if (clients_.size() >= kMostClients)
     {
-        ::close(file);
+        clients_.erase(std::min_element(clients_.begin(), clients_.end(), [](const Client& left, const Client& right)
+                                        { return left.heard < right.heard; }));
     }
-    else
-    {
-        // Nobody calls.
-    }
+    clients_.push_back({host::LiveFile(file), {}, false, turn_});
 }
 
 void ManagerSocket::Read(Client& client)
@@ -140,6 +149,7 @@ void ManagerSocket::Read(Client& client)
     const ssize_t count = ::recv(client.file.Get(), bytes.data(), bytes.size(), 0);
     const bool is_nothing = count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR);
     client.is_over = count == 0 || (count < 0 && !is_nothing);
+    client.heard = (count > 0) ? turn_ : client.heard;
     client.typed.append(bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
 }
 

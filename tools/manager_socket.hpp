@@ -4,6 +4,7 @@
 
 #include "hal/host/live_poll.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -13,7 +14,7 @@
 namespace counterpoint::tools
 {
 /// A Unix socket on which programs send orders, a line each, and read the answers. Nothing blocks: who does not read
-/// its answers is cut off. [SRS-MGR-006]
+/// its answers is cut off, and who was silent longest makes room for another one. [SRS-MGR-006]
 class ManagerSocket
 {
   public:
@@ -25,7 +26,7 @@ class ManagerSocket
 
     /// @brief Descriptors to wait for.
     void AddTo(std::vector<pollfd>& places) const;
-    /// @brief Takes new clients and all whole lines; `answer` tells what goes back for a line.
+    /// @brief Takes new clients, and of each client a few whole lines; `answer` tells what goes back for a line.
     void Serve(const std::function<std::string(const std::string&)>& answer);
 
   private:
@@ -34,15 +35,17 @@ class ManagerSocket
         host::LiveFile file;
         std::string typed;
         bool is_over{false};
+        std::uint64_t heard{0U}; ///< Turn in which it said something.
     };
 
     void Accept();
-    static void Read(Client& client);
+    void Read(Client& client);
     static void Reply(Client& client, const std::string& text);
 
     std::string path_;
     host::LiveFile listener_;
     std::vector<Client> clients_;
+    std::uint64_t turn_{0U};
 };
 } // namespace counterpoint::tools
 

@@ -5,8 +5,9 @@
 
 namespace counterpoint::tools
 {
-ManagerStation::ManagerStation(const network::LoadedNetwork& net, SendFrame send, TellEvent tell)
-    : send_(std::move(send)), tell_(std::move(tell)), host_(net, *this, journal_)
+ManagerStation::ManagerStation(network::LoadedNetwork& net, SendFrame send, TellEvent tell)
+    : send_(std::move(send)), tell_(std::move(tell)), host_(net, *this, journal_), dictionary_(host_, net, *this),
+      process_(net)
 {
     journal_.Watch(host_);
 }
@@ -49,21 +50,43 @@ void ManagerStation::OnFrame(const CanFrame& frame, const std::uint64_t now_us)
     Enter(now_us);
     diagram_.OnFrame(frame, false, now_us);
     host_.Core().OnFrame(frame, InstantAt(now_us));
+    dictionary_.OnFrame(frame, InstantAt(now_us));
+    process_.OnFrame(frame, now_us);
     Leave();
 }
 
 void ManagerStation::OnCycle(const std::uint64_t now_us)
 {
     Enter(now_us);
+    host_.OnCycle(InstantAt(now_us));
     host_.Core().OnCycle(InstantAt(now_us));
+    dictionary_.OnCycle(InstantAt(now_us));
     DriveWriting();
+    TellInputs();
     Leave();
 }
 
 std::string ManagerStation::Carry(const ManagerOrder& order, const std::uint64_t now_us)
 {
     Enter(now_us);
-    const std::string answer = CarryOut(order, host_, InstantAt(now_us));
+    const Instant now = InstantAt(now_us);
+    std::string answer;
+    if (order.kind == ManagerOrderKind::kGet)
+    {
+        answer = dictionary_.Get(order.object, now);
+    }
+    else if (order.kind == ManagerOrderKind::kSet)
+    {
+        answer = dictionary_.Set(order.object, order.value, now);
+    }
+    else if (order.kind == ManagerOrderKind::kOutput)
+    {
+        answer = process_.Set(order.node, order.pdo, order.bytes);
+    }
+    else
+    {
+        answer = CarryOut(order, host_, now);
+    }
     Leave();
     return answer;
 }
@@ -74,6 +97,16 @@ void ManagerStation::Tell(const std::string& kind, const std::string& text, cons
     Enter(now_us);
     journal_.Tell(0U, kind, text, details);
     Leave();
+}
+
+/// A TxPDO brought another value.
+void ManagerStation::TellInputs()
+{
+    for (const ProcessValue* const value : process_.TakeNews(now_us_))
+    {
+        const std::string text = NameOf(*value) + ": " + BytesText(value->bytes);
+        journal_.Tell(value->node, "pdo", text, {{"pdo", NameOf(*value)}, {"data", BytesText(value->bytes)}});
+    }
 }
 
 void ManagerStation::FollowWriting(const ManagerEvent& event)

@@ -3,9 +3,11 @@
 #define TOOLS_MANAGER_STATION_HPP
 
 #include "tools/manager_diagram.hpp"
+#include "tools/manager_dictionary.hpp"
 #include "tools/manager_host.hpp"
 #include "tools/manager_journal.hpp"
 #include "tools/manager_order.hpp"
+#include "tools/manager_process.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -22,7 +24,7 @@ class ManagerStation final : private cia301::FrameSink
     using TellEvent = std::function<void(const ManagerEvent&)>;
 
     /// @brief `net` outlives it; `send` answers whether the bus took the frame.
-    ManagerStation(const network::LoadedNetwork& net, SendFrame send, TellEvent tell);
+    ManagerStation(network::LoadedNetwork& net, SendFrame send, TellEvent tell);
 
     void Begin(std::uint64_t now_us);
     void OnFrame(const CanFrame& frame, std::uint64_t now_us);
@@ -40,6 +42,10 @@ class ManagerStation final : private cia301::FrameSink
     [[nodiscard]] const ManagerHost& Host() const noexcept
     {
         return host_;
+    }
+    [[nodiscard]] const ManagerProcess& Process() const noexcept
+    {
+        return process_;
     }
     [[nodiscard]] const ManagerDiagram& Diagram() const noexcept
     {
@@ -59,6 +65,7 @@ class ManagerStation final : private cia301::FrameSink
     [[nodiscard]] bool Send(const CanFrame& frame) noexcept override;
     void Enter(std::uint64_t now_us);
     void Leave();
+    void TellInputs();
     void FollowWriting(const ManagerEvent& event);
     void DriveWriting();
 
@@ -68,6 +75,8 @@ class ManagerStation final : private cia301::FrameSink
     ManagerJournal journal_;
     ManagerDiagram diagram_;
     ManagerHost host_;
+    ManagerDictionary dictionary_;
+    ManagerProcess process_;
     std::array<Writing, cia302::kNodeRoom> writing_{};
 };
 

@@ -112,8 +112,30 @@ std::string ManagerLine(const ManagerHost& host)
            role + ", profile " + Word(profile) + ", " + MasterText(profile, manager.MasterState());
 }
 
-std::string StatusTable(const ManagerHost& host, const Instant now)
+/// Who looks at a value wants to know how old it is.
+std::string AgeOf(const ProcessValue& value, const std::uint64_t now_us)
 {
+    return value.is_output ? "" : std::to_string((now_us - value.at_us) / kUsPerMs) + " ms";
+}
+
+std::string ProcessTable(const ManagerProcess& process, const std::uint64_t now_us)
+{
+    std::string table;
+    for (const ProcessValue& value : process.Values())
+    {
+        const std::string shown = value.was_seen ? BytesText(value.bytes) : "-";
+        table += Column(std::to_string(value.node), 4U) + Column(NameOf(value), 10U) + Column(shown, 24U) +
+                 (value.was_seen ? AgeOf(value, now_us) : "");
+        table.erase(table.find_last_not_of(' ') + 1U);
+        table += "\n";
+    }
+    return table.empty() ? "" : "\nnode  PDO         value                     age\n" + table;
+}
+
+std::string StatusTable(const ManagerStation& station, const std::uint64_t now_us)
+{
+    const ManagerHost& host = station.Host();
+    const Instant now = InstantAt(now_us);
     std::string table = ManagerLine(host) + "\n";
     table += Line({"node", "name", "state", "result", "step", "heartbeat", "emergency", "safety", "finding"});
     for (const StatusRow& row : StatusRows(host, now))
@@ -121,11 +143,26 @@ std::string StatusTable(const ManagerHost& host, const Instant now)
         table += Line({std::to_string(row.node), row.name, row.state, row.result, row.step, row.heartbeat,
                        row.emergency, row.safety, row.finding});
     }
-    return table;
+    return table + ProcessTable(station.Process(), now_us);
 }
 
-nlohmann::ordered_json StatusJson(const ManagerHost& host, const Instant now)
+nlohmann::ordered_json PdosJson(const ManagerProcess& process, const std::uint64_t now_us)
 {
+    nlohmann::ordered_json pdos = nlohmann::ordered_json::array();
+    for (const ProcessValue& value : process.Values())
+    {
+        pdos.push_back({{"node", value.node},
+                        {"pdo", NameOf(value)},
+                        {"data", value.was_seen ? BytesText(value.bytes) : ""},
+                        {"age", value.was_seen ? AgeOf(value, now_us) : "-"}});
+    }
+    return pdos;
+}
+
+nlohmann::ordered_json StatusJson(const ManagerStation& station, const std::uint64_t now_us)
+{
+    const ManagerHost& host = station.Host();
+    const Instant now = InstantAt(now_us);
     nlohmann::ordered_json slaves = nlohmann::ordered_json::array();
     for (const StatusRow& row : StatusRows(host, now))
     {
@@ -143,12 +180,13 @@ nlohmann::ordered_json StatusJson(const ManagerHost& host, const Instant now)
                           {"good", row.is_good}});
     }
     const cia302::Manager& manager = host.Core();
-    return {{"event", "status"},
+    return {{"event", "table"},
             {"manager", host.Net().Setup().own.value},
             {"state", Word(manager.OwnState())},
             {"active", manager.IsActive()},
             {"profile", Word(host.Net().Plan().manager.profile)},
             {"master_state", manager.MasterState()},
-            {"slaves", slaves}};
+            {"slaves", slaves},
+            {"pdos", PdosJson(station.Process(), now_us)}};
 }
 } // namespace counterpoint::tools

@@ -3,6 +3,8 @@
 #define TOOLS_MANAGER_STATUS_HPP
 
 #include "tools/manager_host.hpp"
+#include "tools/manager_process.hpp"
+#include "tools/manager_station.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -29,9 +31,9 @@ struct StatusRow
 
 /// @brief All slaves in the order of their node-IDs. [SRS-MGR-005]
 [[nodiscard]] std::vector<StatusRow> StatusRows(const ManagerHost& host, Instant now);
-/// @brief Manager and slaves as a table of text, with a line end.
-[[nodiscard]] std::string StatusTable(const ManagerHost& host, Instant now);
-[[nodiscard]] nlohmann::ordered_json StatusJson(const ManagerHost& host, Instant now);
+/// @brief Manager, slaves and process data as a table of text, with a line end.
+[[nodiscard]] std::string StatusTable(const ManagerStation& station, std::uint64_t now_us);
+[[nodiscard]] nlohmann::ordered_json StatusJson(const ManagerStation& station, std::uint64_t now_us);
 /// @brief "operational, active master: operational, cia302"
 [[nodiscard]] std::string ManagerLine(const ManagerHost& host);
 } // namespace counterpoint::tools

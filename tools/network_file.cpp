@@ -1,20 +1,20 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/network_file.hpp"
 
+#include "tools/network_file_flying.hpp"
 #include "tools/network_profiles.hpp"
-#include "tools/yaml_map.hpp"
+#include "tools/yaml_take.hpp"
 
 #include "canopen/cia306/ini_document.hpp"
+#include "canopen/cia306/input_error.hpp"
 #include "canopen/network/cpj_reader.hpp"
 
 #include <filesystem>
-#include <limits>
 
 namespace counterpoint::tools
 {
 namespace
 {
-using network::FlyingPlan;
 using network::ManagerPlan;
 using network::NetworkPlan;
 using network::SlavePlan;
@@ -29,50 +29,6 @@ constexpr Word<cia302::Arming> kArmingWords[] = {{"first_heartbeat", cia302::Arm
                                                  {"boot_up", cia302::Arming::kBootUp},
                                                  {"immediately", cia302::Arming::kImmediately}};
 constexpr Word<bool> kTruthWords[] = {{"true", true}, {"false", false}};
-constexpr Word<bool> kPresetWords[] = {{"default", false}, {"so1114", true}};
-
-/// A number of the map, if it is there, within the range of its type.
-template <typename Number>
-void TakeNumber(const YamlMap& map, const char* key, std::optional<Number>& part, const std::uint64_t lowest,
-                const std::uint64_t highest = std::numeric_limits<Number>::max())
-{
-    if (const auto value = map.Find(key))
-    {
-        part = static_cast<Number>(value->Number({lowest, highest}));
-    }
-}
-
-/// A time in whole units of `unit` nanoseconds.
-template <typename Number>
-void TakeTime(const YamlMap& map, const char* key, std::optional<Number>& part, const simulator::Nanoseconds unit,
-              const char* unit_name)
-{
-    if (const auto value = map.Find(key))
-    {
-        const simulator::Nanoseconds time = value->Duration();
-        constexpr auto kMost = std::numeric_limits<Number>::max();
-        if (time % unit != 0 || static_cast<std::uint64_t>(time / unit) > kMost)
-        {
-            value->Refuse("a time that its object cannot hold",
-                          "whole " + std::string(unit_name) + ", at most " + std::to_string(kMost));
-        }
-        part = static_cast<Number>(time / unit);
-    }
-}
-
-template <typename Number> void TakeMs(const YamlMap& map, const char* key, std::optional<Number>& part)
-{
-    TakeTime(map, key, part, simulator::kNanosecondsPerMillisecond, "milliseconds");
-}
-
-template <typename Meaning, std::size_t kCount>
-void TakeWord(const YamlMap& map, const char* key, Meaning& part, const Word<Meaning> (&words)[kCount])
-{
-    if (const auto value = map.Find(key))
-    {
-        part = value->Choice(words);
-    }
-}
 
 void TakeTruth(const YamlMap& map, const char* key, std::optional<bool>& part)
 {
@@ -99,24 +55,12 @@ std::string FileIn(const std::string& file, const YamlMap& map, const char* key,
         {
             value->Refuse("there is no file " + simulator::Shown(path), kind);
         }
+        if (std::filesystem::is_directory(path))
+        {
+            value->Refuse(simulator::Shown(path) + " is a folder", kind);
+        }
     }
     return path;
-}
-
-FlyingPlan ReadFlying(const std::string& file, const ScenarioValue& value)
-{
-    constexpr std::uint64_t kLowestLevel = 2U;
-    const YamlMap map(file, value.Node(),
-                      {"priority", "timeout", "delay", "level_slot", "node_slot", "detect", "preset"});
-    FlyingPlan plan;
-    TakeNumber(map, "priority", plan.priority, 0U, kLowestLevel);
-    TakeMs(map, "timeout", plan.timeout_ms);
-    TakeMs(map, "delay", plan.delay_ms);
-    TakeMs(map, "level_slot", plan.level_slot_ms);
-    TakeMs(map, "node_slot", plan.node_slot_ms);
-    TakeMs(map, "detect", plan.detect_ms);
-    TakeWord(map, "preset", plan.is_so1114, kPresetWords);
-    return plan;
 }
 
 ManagerPlan ReadManager(const std::string& file, const ScenarioValue& value)
@@ -125,6 +69,7 @@ ManagerPlan ReadManager(const std::string& file, const ScenarioValue& value)
                       {"node", "dcf", "profile", "start_up", "boot_time", "inhibit", "sync", "heartbeat", "sdo_timeout",
                        "sdo_tries", "flying", "el6751"});
     constexpr std::uint64_t kStartUpBits = 0x7FU;
+    constexpr std::uint32_t kLongestSdoMs = 1000000U;
     constexpr simulator::Nanoseconds kHundredUs = 100 * simulator::kNanosecondsPerMicrosecond;
     ManagerPlan plan;
     plan.line = static_cast<std::size_t>(value.Where().place.line);
@@ -137,6 +82,10 @@ ManagerPlan ReadManager(const std::string& file, const ScenarioValue& value)
     TakeTime(map, "sync", plan.sync_us, simulator::kNanosecondsPerMicrosecond, "microseconds");
     TakeMs(map, "heartbeat", plan.heartbeat_ms);
     TakeMs(map, "sdo_timeout", plan.sdo_time_out_ms);
+    if (plan.sdo_time_out_ms.value_or(1U) == 0U || plan.sdo_time_out_ms.value_or(1U) > kLongestSdoMs)
+    {
+        map.Require("sdo_timeout").Refuse(std::to_string(*plan.sdo_time_out_ms) + " ms", "1 ms to 1000 s");
+    }
     TakeNumber(map, "sdo_tries", plan.sdo_tries, 1U);
     if (const auto times = map.Find("el6751"))
     {
@@ -163,6 +112,10 @@ void ReadExpectations(const YamlMap& map, SlavePlan& plan)
 void ReadAssignment(const YamlMap& map, SlavePlan& plan)
 {
     TakeNumber(map, "assignment", plan.assignment, 0U);
+    if (plan.assignment && (*plan.assignment & cia302::kInNetwork) == 0U)
+    {
+        map.Require("assignment").Refuse(cia306::Hex(*plan.assignment, 1), "bit 0: a slave of the network");
+    }
     TakeTruth(map, "mandatory", plan.is_mandatory);
     TakeTruth(map, "keep_alive", plan.is_kept_alive);
     TakeTruth(map, "boot", plan.is_booted);
@@ -192,11 +145,12 @@ SoftwarePlan ReadSoftware(const std::string& file, const ScenarioValue& value)
 
 SlavePlan ReadSlave(const std::string& file, const ScenarioValue& value)
 {
-    const YamlMap map(file, value.Node(), {"node",         "name",         "dcf",          "assignment",   "mandatory",
-                                           "keep_alive",   "boot",         "restore",      "heartbeat",    "consumer",
-                                           "arming",       "guard_time",   "retry_factor", "device_type",  "vendor_id",
-                                           "product_code", "revision",     "serial",       "date",         "time",
-                                           "configure",    "write_safety", "el6751",       "plc_designer", "software"});
+    const YamlMap map(file, value.Node(),
+                      {"node",         "name",        "dcf",       "assignment",   "mandatory", "keep_alive",
+                       "boot",         "restore",     "heartbeat", "consumer",     "arming",    "guard_time",
+                       "retry_factor", "device_type", "vendor_id", "product_code", "revision",  "serial",
+                       "date",         "time",        "configure", "write_safety", "el6751",    "plc_designer",
+                       "outputs",      "software"});
     SlavePlan plan;
     plan.line = static_cast<std::size_t>(value.Where().place.line);
     plan.node = static_cast<std::uint8_t>(map.Require("node").Number({1U, cia302::kLastNode}));
@@ -216,6 +170,10 @@ SlavePlan ReadSlave(const std::string& file, const ScenarioValue& value)
     if (const auto options = map.Find("plc_designer"))
     {
         plan.plc = ReadPlcSlave(file, *options);
+    }
+    if (const auto outputs = map.Find("outputs"))
+    {
+        plan.outputs = ReadOutputs(file, *outputs);
     }
     TakeWord(map, "configure", plan.is_configured, kTruthWords);
     TakeWord(map, "write_safety", plan.writes_safety, kTruthWords);
@@ -240,10 +198,24 @@ NetworkPlan ReadYaml(const std::string& path, const std::uint8_t manager)
     }
     return plan;
 }
+
+/// Before it is read as something: neither reader knows what the file was to be.
+void RequireNetworkFile(const std::string& path)
+{
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    if (!std::filesystem::is_regular_file(status))
+    {
+        const bool is_there = std::filesystem::exists(status);
+        throw cia306::InputError(
+            path, 0U, {is_there ? "this is no regular file" : "there is no such file", "a network file, CPJ or YAML"});
+    }
+}
 } // namespace
 
 NetworkPlan ReadNetworkFile(const std::string& path, const std::uint8_t manager)
 {
+    RequireNetworkFile(path);
     const std::string extension = cia306::Lower(std::filesystem::path(path).extension().string());
     return (extension == ".cpj") ? network::ReadCpj(path, manager) : ReadYaml(path, manager);
 }

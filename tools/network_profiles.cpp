@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/network_profiles.hpp"
 
+#include "tools/manager_process.hpp"
 #include "tools/yaml_map.hpp"
 
 #include <limits>
@@ -92,6 +93,29 @@ cia302::El6751Times ReadEl6751Times(const std::string& file, const ScenarioValue
     TakeNumber<std::uint8_t>(map, "sync_multiplier", times.sync_multiplier, 1U);
     TakeTime(map, "input_shift", times.input_shift_us, simulator::kNanosecondsPerMicrosecond, "microseconds");
     return times;
+}
+
+std::vector<network::OutputPlan> ReadOutputs(const std::string& file, const ScenarioValue& value)
+{
+    constexpr std::uint64_t kHighestPdo = 512U;
+    const std::string expected = "1 to 8 bytes as hexadecimal digits, such as 01 FF";
+    std::vector<network::OutputPlan> outputs;
+    for (const ScenarioValue& item : value.Items("a list of RxPDOs, such as [{pdo: 1, data: 01 FF}]"))
+    {
+        const YamlMap map(file, item.Node(), {"pdo", "data"});
+        network::OutputPlan output;
+        output.line = static_cast<std::size_t>(item.Where().place.line);
+        output.number = static_cast<std::uint16_t>(map.Require("pdo").Number({1U, kHighestPdo}));
+        const ScenarioValue data = map.Require("data");
+        const auto bytes = BytesFrom(data.Text(expected));
+        if (!bytes)
+        {
+            data.Refuse(simulator::Shown(data.Text(expected)), expected);
+        }
+        output.bytes = *bytes;
+        outputs.push_back(output);
+    }
+    return outputs;
 }
 
 cia302::PlcSlave ReadPlcSlave(const std::string& file, const ScenarioValue& value)

@@ -4,9 +4,11 @@
 
 #include "canopen/cia302/el6751_setup.hpp"
 #include "canopen/cia302/plc_setup.hpp"
+#include "canopen/network/network_plan.hpp"
 #include "verification/simulator/fields.hpp"
 
 #include <string>
+#include <vector>
 
 namespace counterpoint::tools
 {
@@ -14,6 +16,9 @@ namespace counterpoint::tools
 [[nodiscard]] cia302::El6751Slave ReadEl6751Slave(const std::string& file, const simulator::ScenarioValue& value);
 /// @brief Options of the manager under "el6751". Throws simulator::ScenarioError. [SRS-ELM-051]
 [[nodiscard]] cia302::El6751Times ReadEl6751Times(const std::string& file, const simulator::ScenarioValue& value);
+/// @brief What RxPDOs carry, a list under "outputs" of a slave. Throws simulator::ScenarioError. [SRS-MGR-022]
+[[nodiscard]] std::vector<network::OutputPlan> ReadOutputs(const std::string& file,
+                                                           const simulator::ScenarioValue& value);
 /// @brief Options of a slave under "plc_designer". Throws simulator::ScenarioError. [SRS-PLC-021]
 [[nodiscard]] cia302::PlcSlave ReadPlcSlave(const std::string& file, const simulator::ScenarioValue& value);
 } // namespace counterpoint::tools

@@ -16,9 +16,9 @@ using simulator::ScenarioError;
 
 /// What a manager tells, as in its log.
 constexpr const char* kEventWords[] = {
-    "boot_up",      "supervision_started", "state",      "heartbeat_lost", "guard_lost", "guard_missed",
-    "toggle_error", "never_seen",          "unexpected", "status",         "master",     "nmt",
-    "gate",         "emergency",           "duplicate",  "flying_master",  "order",      "write_safety"};
+    "boot_up",    "supervision_started", "state",  "heartbeat_lost", "guard_lost", "guard_missed", "toggle_error",
+    "never_seen", "unexpected",          "status", "master",         "nmt",        "gate",         "emergency",
+    "duplicate",  "flying_master",       "order",  "write_safety",   "pdo"};
 
 class Check
 {

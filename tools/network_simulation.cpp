@@ -71,7 +71,7 @@ NetworkSimulation::NetworkSimulation(const NetworkScenario& scenario, TellEvent 
     }
     for (const NetworkExpectation& expectation : expectations_)
     {
-        static_cast<void>(ManagerOf(expectation.manager, expectation.place));
+        RequireKnown(expectation);
     }
     for (const NetworkAction& action : actions_)
     {

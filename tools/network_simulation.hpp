@@ -75,6 +75,7 @@ class NetworkSimulation
     void RunStorms(std::uint64_t now_ns);
     void RunManager(SimulatedManager& manager, std::uint64_t now_ns);
     void Judge(std::uint64_t now_ns);
+    void RequireKnown(const NetworkExpectation& expectation);
     [[nodiscard]] NetworkVerdict VerdictOf(const NetworkExpectation& expectation);
     [[nodiscard]] std::string Found(const NetworkExpectation& expectation, const SimulatedManager& manager);
     [[nodiscard]] std::string FoundAtDevice(const NetworkExpectation& expectation);

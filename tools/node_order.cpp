@@ -47,23 +47,6 @@ NodeOrder Problem(const std::string& wrong, const std::string& expected)
     return order;
 }
 
-/// 0x2000:01, both parts hexadecimal.
-std::optional<ObjectAddress> ParseObject(const std::string& text)
-{
-    const std::size_t colon = text.find(':');
-    if (text.rfind("0x", 0U) != 0U || colon == std::string::npos)
-    {
-        return std::nullopt;
-    }
-    const auto index = cia306::ParseUnsigned(text.substr(0U, colon), std::numeric_limits<std::uint16_t>::max());
-    const auto sub = cia306::ParseUnsigned("0x" + text.substr(colon + 1U), std::numeric_limits<std::uint8_t>::max());
-    if (!index || !sub)
-    {
-        return std::nullopt;
-    }
-    return ObjectAddress{static_cast<std::uint16_t>(*index), static_cast<std::uint8_t>(*sub)};
-}
-
 NodeOrder ParseSet(const std::vector<std::string>& words)
 {
     const std::optional<ObjectAddress> object = (words.size() == 3U) ? ParseObject(words[1U]) : std::nullopt;
@@ -145,6 +128,22 @@ NodeOrder ParseTransfer(const std::vector<std::string>& words)
     return order;
 }
 } // namespace
+
+std::optional<ObjectAddress> ParseObject(const std::string& text)
+{
+    const std::size_t colon = text.find(':');
+    if (text.rfind("0x", 0U) != 0U || colon == std::string::npos)
+    {
+        return std::nullopt;
+    }
+    const auto index = cia306::ParseUnsigned(text.substr(0U, colon), std::numeric_limits<std::uint16_t>::max());
+    const auto sub = cia306::ParseUnsigned("0x" + text.substr(colon + 1U), std::numeric_limits<std::uint8_t>::max());
+    if (!index || !sub)
+    {
+        return std::nullopt;
+    }
+    return ObjectAddress{static_cast<std::uint16_t>(*index), static_cast<std::uint8_t>(*sub)};
+}
 
 NodeOrder ParseOrder(const std::string& line)
 {

@@ -5,6 +5,7 @@
 #include "safety_core/kernel/object_access.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace counterpoint::tools
@@ -38,6 +39,8 @@ struct NodeOrder
     std::uint8_t size_bytes{0U};
 };
 
+/// @brief 0x2000:01, both parts hexadecimal; nothing for anything else.
+[[nodiscard]] std::optional<ObjectAddress> ParseObject(const std::string& text);
 /// @brief One line: set 0x2000:01 1, get 0x1018:01, ack 1, gfc, nmt, nmt start [NODE], state, read 5 0x1018:01,
 /// write 5 0x2000:01 1 2, time, help, quit. [SRS-NODE-003, SRS-NODE-012]
 [[nodiscard]] NodeOrder ParseOrder(const std::string& line);

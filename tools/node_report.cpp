@@ -11,6 +11,7 @@ namespace
 {
 constexpr double kNsPerSecond = 1e9;
 constexpr double kNsPerUs = 1e3;
+constexpr std::size_t kMostWaiting = 65536U;
 } // namespace
 
 NodeReport::NodeReport(std::ostream& out, const ReportForm form, const std::uint64_t start_ns)
@@ -65,7 +66,11 @@ void NodeReport::Put(std::string line)
 {
     {
         const std::lock_guard<std::mutex> lock(mutex_);
-        waiting_.push_back(std::move(line));
+        // Of an output that nobody reads the newest lines are left out, not the memory of the machine taken.
+        if (waiting_.size() < kMostWaiting)
+        {
+            waiting_.push_back(std::move(line));
+        }
     }
     wake_.notify_one();
 }

@@ -176,10 +176,12 @@ void El6751StartUp::Drive(const NodeId node, const Instant now) noexcept
     }
 }
 
-/// Once, when all run that were started singly. [SRS-ELM-027]
+/// Once, when all run that were started singly. While a safety slave is assigned nothing goes to node 0: this device
+/// alone is OPERATIONAL then. [SRS-ELM-027, SRS-MGR-020]
 void El6751StartUp::StartAll(const Instant now) noexcept
 {
-    bool is_time = !has_started_all_ && !parts_.common.setup.HasSafetySlave();
+    const NodeId whom = parts_.common.setup.HasSafetySlave() ? parts_.common.setup.own : kAllNodes;
+    bool is_time = !has_started_all_;
     std::uint8_t slaves = 0U;
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
     {
@@ -192,7 +194,7 @@ void El6751StartUp::StartAll(const Instant now) noexcept
     }
     if (is_time && (slaves > 0U))
     {
-        has_started_all_ = (parts_.common.nmt.Request(NmtCommand::kStart, kAllNodes, now) == NmtAnswer::kTaken);
+        has_started_all_ = (parts_.common.nmt.Request(NmtCommand::kStart, whom, now) == NmtAnswer::kTaken);
     }
 }
 

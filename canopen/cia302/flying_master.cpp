@@ -17,11 +17,6 @@ bool IsDue(const FlyingDeadline& deadline, const Instant now) noexcept
     return deadline.is_set && ((now.us - deadline.at.us) < kHalfRange);
 }
 
-bool IsEarlier(const FlyingDeadline& left, const FlyingDeadline& right) noexcept
-{
-    return left.is_set && (!right.is_set || ((right.at.us - left.at.us) < kHalfRange));
-}
-
 CanFrame ResetAllFrame() noexcept
 {
     constexpr std::uint8_t kResetCommunication = 130U;
@@ -115,7 +110,7 @@ void FlyingMaster::OnCycle(const Instant now) noexcept
     }
     else
     {
-        // Nothing is due.
+        RunQuestion(now);
     }
 }
 
@@ -148,6 +143,16 @@ void FlyingMaster::RunNegotiation(const Instant now) noexcept
     case FlyingState::kHalted:
     case FlyingState::kMaster:
         break; // No deadline of a negotiation.
+    }
+}
+
+/// 073h while a race goes on, see Join.
+void FlyingMaster::RunQuestion(const Instant now) noexcept
+{
+    if ((state_ == FlyingState::kRace) && IsDue(second_, now) && Send(FlyingService::kDetection))
+    {
+        second_ = kNone;
+        has_asked_ = true;
     }
 }
 
@@ -320,6 +325,10 @@ void FlyingMaster::Lose(const Instant now) noexcept
     {
     case LossReaction::kRestart:
         Delay(now);
+        if (times_.delay == 0U)
+        {
+            RunNegotiation(now);
+        }
         break;
     case LossReaction::kResetAll:
         Enter(FlyingState::kResetting, now, 0U);
@@ -350,7 +359,8 @@ MasterClaim FlyingMaster::Own() const noexcept
 
 std::uint32_t FlyingMaster::WatchUs() const noexcept
 {
-    const bool is_twice = parts_.options.watch == MasterWatch::kTwiceProducer;
+    const bool is_twice =
+        (parts_.options.watch == MasterWatch::kTwiceProducer) && (parts_.options.own_producer_ms > 0U);
     const std::uint32_t other_ms = is_twice ? (2U * parts_.options.own_producer_ms) : parts_.options.watch_ms;
     const std::uint16_t own_ms = parts_.setup.Slave(master_.node).heartbeat.consumer_ms;
     return ((own_ms > 0U) ? own_ms : other_ms) * kUsPerMs;

@@ -73,6 +73,14 @@ struct FlyingDeadline
     Instant at;
 };
 
+/// @brief Whether `left` is set and comes before `right`, or the latter is not set.
+[[nodiscard]] constexpr bool IsEarlier(const FlyingDeadline& left, const FlyingDeadline& right) noexcept
+{
+    constexpr std::uint32_t kHalfRange = 0x80000000U;
+    const std::uint32_t lead_us = right.at.us - left.at.us;
+    return left.is_set && (!right.is_set || ((lead_us > 0U) && (lead_us < kHalfRange)));
+}
+
 struct FlyingMasterParts
 {
     const NetworkSetup& setup;      ///< Own node-ID, heartbeat consumer times.
@@ -139,9 +147,12 @@ class FlyingMaster
     void OnClaim(const MasterClaim& claim, Instant now) noexcept;
     void OnClaimAsMaster(const MasterClaim& claim, Instant now) noexcept;
     void OnClaimAsSlave(const MasterClaim& claim, Instant now) noexcept;
+    void Answer(std::uint32_t delay_us, Instant now) noexcept;
     void OnForce(Instant now) noexcept;
     void OnNegotiation(Instant now) noexcept;
+    void Join(Instant now) noexcept;
     void RunNegotiation(Instant now) noexcept;
+    void RunQuestion(Instant now) noexcept;
     void RunMaster(Instant now) noexcept;
     void RunSlave(Instant now) noexcept;
     void EndDetection(Instant now) noexcept;
@@ -171,11 +182,11 @@ class FlyingMaster
     MasterClaim master_;
     FlyingState state_;
     FlyingDeadline main_;   ///< End of the step; cyclic message of a master; heartbeat that a slave waits for.
-    FlyingDeadline second_; ///< Answer that a master owes; 073h of a slave, or the answer to it.
+    FlyingDeadline second_; ///< Answer that a master owes; 073h of a slave, or the answer to it; 073h in a race.
     Instant race_begin_;    ///< Only in kRace.
     std::uint8_t restarts_;
     bool is_first_pass_; ///< Nobody reset the network since power-on.
-    bool has_asked_;     ///< A slave's 073h is out.
+    bool has_asked_;     ///< 073h of a slave or in a race is out.
     bool tells_force_;   ///< With the 076h that is to leave.
     bool owes_capable_;  ///< 074h is to leave.
     bool has_found_capable_;

@@ -19,8 +19,10 @@ bool IsService(const CanFrame& frame) noexcept
     return is_in_range && (frame.length_bytes == (is_claim ? 2U : 0U));
 }
 
-/// Two masters that answer the same 073h in the same instant would collide until both are bus-off. 16 places, 3 ms
-/// apart with the default of 1F90h:01, keep them apart, and the last one is well within the time of the asker.
+/// Two masters that answer the same 073h or boot-up message in the same instant would collide until both are bus-off.
+/// 16 places, 3 ms apart with the default of 1F90h:01, keep them apart, and the last one is well within the time of the
+/// asker. 072h is answered at once: it comes from the other one of two masters more often than from a third device, and
+/// a later answer would meet the one to the 073h that standbys ask then.
 std::uint32_t AnswerDelayUs(const FlyingMasterTimes& times, const NodeId node) noexcept
 {
     constexpr std::uint32_t kPlaces = 16U;
@@ -98,9 +100,9 @@ void FlyingMaster::OnService(const FlyingService service, const Instant now) noe
         OnNegotiation(now);
         break;
     case FlyingService::kDetection:
-        if ((state_ == FlyingState::kMaster) && !second_.is_set)
+        if (state_ == FlyingState::kMaster)
         {
-            second_ = FlyingDeadline{true, Instant{now.us + AnswerDelayUs(times_, parts_.setup.own)}};
+            Answer(AnswerDelayUs(times_, parts_.setup.own), now);
         }
         break;
     case FlyingService::kMasterCapable:
@@ -125,8 +127,7 @@ void FlyingMaster::OnErrorControl(const CanFrame& frame, const Instant now) noex
     }
     else if ((state_ == FlyingState::kMaster) && is_boot_up && parts_.options.answers_boot_up)
     {
-        second_ = FlyingDeadline{true, now};
-        RunMaster(now);
+        Answer(AnswerDelayUs(times_, parts_.setup.own), now);
     }
     else
     {
@@ -157,7 +158,7 @@ void FlyingMaster::OnClaim(const MasterClaim& claim, const Instant now) noexcept
     }
     else if (is_negotiating)
     {
-        const bool has_asked = state_ == FlyingState::kDetect;
+        const bool has_asked = (state_ == FlyingState::kDetect) || has_asked_;
         Force(claim, has_asked ? FlyingEvent::kForceNegotiation : FlyingEvent::kConfigurationError, now);
     }
     else
@@ -190,9 +191,16 @@ void FlyingMaster::OnClaimAsMaster(const MasterClaim& claim, const Instant now) 
     }
     else
     {
-        second_ = FlyingDeadline{true, now};
-        RunMaster(now);
+        Answer(0U, now);
     }
+}
+
+/// One answer is enough for all who wait for one, at the earliest of their times.
+void FlyingMaster::Answer(const std::uint32_t delay_us, const Instant now) noexcept
+{
+    const FlyingDeadline answer{true, Instant{now.us + delay_us}};
+    second_ = IsEarlier(answer, second_) ? answer : second_;
+    RunMaster(now);
 }
 
 /// A standby that watches its master changes to a better one only: two masters settle who stays. Whoever does not watch
@@ -262,12 +270,11 @@ void FlyingMaster::OnNegotiation(const Instant now) noexcept
     const bool is_late = (state_ == FlyingState::kRace) && ((now.us - race_begin_.us) >= half_slot_us);
     if (state_ == FlyingState::kMaster)
     {
-        second_ = FlyingDeadline{true, now};
-        RunMaster(now);
+        Answer(0U, now);
     }
     else if ((is_before || is_late) && !parts_.options.keeps_slot)
     {
-        Race(now);
+        Join(now);
     }
     else if ((state_ == FlyingState::kSlave) && (parts_.options.standby == StandbyReaction::kRaces))
     {
@@ -281,6 +288,16 @@ void FlyingMaster::OnNegotiation(const Instant now) noexcept
     {
         // Already in this race.
     }
+}
+
+/// The 072h of another may be the cyclic one of an active master, whose claim was lost or not yet asked for. Waiting
+/// alone would never end where its cycle is shorter than the own slot: this device asks while it waits.
+void FlyingMaster::Join(const Instant now) noexcept
+{
+    const bool has_asked = (state_ == FlyingState::kDetect);
+    Race(now);
+    second_ = FlyingDeadline{!has_asked, now};
+    RunQuestion(now);
 }
 
 /// What a standby does about 072h and 076h, 072h with kRaces excepted.

@@ -21,8 +21,8 @@ Manager::Manager(const ManagerParts& parts) noexcept
       gate_(parts_.setup, parts.room.safety, sdo_),
       nmt_(NmtMasterParts{parts_.setup, parts.room.commands, parts_.sink, table_, *this, gate_}),
       watch_(parts_.setup, parts.room.watched, *this), producer_(parts_.setup.own), profile_(nullptr), flying_(nullptr),
-      state_(NodeState::kInitialising), is_running_(false), is_leading_(false), owes_boot_up_(false),
-      is_to_start_(false)
+      negotiation_(NegotiationBy::kManager), state_(NodeState::kInitialising), is_running_(false), is_leading_(false),
+      owes_boot_up_(false), is_to_start_(false)
 {
     producer_.SetPeriod(parts.heartbeat_ms);
 }
@@ -37,9 +37,10 @@ void Manager::Use(StartUp& profile) noexcept
     profile_ = &profile;
 }
 
-void Manager::Use(FlyingMaster& flying) noexcept
+void Manager::Use(FlyingMaster& flying, const NegotiationBy by) noexcept
 {
     flying_ = &flying;
+    negotiation_ = by;
 }
 
 void Manager::Begin(const Instant now) noexcept
@@ -49,13 +50,22 @@ void Manager::Begin(const Instant now) noexcept
     {
         state_ = NodeState::kPreOperational;
         owes_boot_up_ = true;
-        is_to_start_ = (flying_ != nullptr);
+        is_to_start_ = (flying_ != nullptr) && (negotiation_ == NegotiationBy::kManager);
         SendOwn(now);
         if (flying_ == nullptr)
         {
             Lead(true, now);
         }
+        else
+        {
+            parts_.listener.OnInitialising(now);
+        }
     }
+}
+
+FlyingStart Manager::StartNegotiation(const Instant now) noexcept
+{
+    return (flying_ != nullptr) ? flying_->Start(now) : FlyingStart::kInvalid;
 }
 
 void Manager::End() noexcept
@@ -91,6 +101,15 @@ void Manager::Lead(const bool is_leader, const Instant now) noexcept
     }
 }
 
+/// A negotiation may begin without an event: whoever negotiates commands nobody. [SRS-MGR-002]
+void Manager::FollowRole(const Instant now) noexcept
+{
+    if (is_leading_ && !flying_->IsActiveMaster())
+    {
+        Lead(false, now);
+    }
+}
+
 /// Nobody but the active master guards, and what was watched in another role counts no more.
 void Manager::UnwatchAll() noexcept
 {
@@ -115,6 +134,7 @@ void Manager::OnFrame(const CanFrame& frame, const Instant now) noexcept
         if (flying_ != nullptr)
         {
             flying_->OnFrame(frame, now);
+            FollowRole(now);
         }
         OnCommandFrame(frame);
         watch_.OnFrame(frame, now);
@@ -122,11 +142,6 @@ void Manager::OnFrame(const CanFrame& frame, const Instant now) noexcept
         sdo_.OnFrame(frame, now);
         profile_->OnFrame(frame, now);
     }
-}
-
-void Manager::OnSent(const CanFrame& frame) noexcept
-{
-    watch_.OnSent(frame);
 }
 
 void Manager::OnCycle(const Instant now) noexcept
@@ -140,6 +155,7 @@ void Manager::OnCycle(const Instant now) noexcept
         if (flying_ != nullptr)
         {
             flying_->OnCycle(now);
+            FollowRole(now);
         }
         SendOwn(now);
         table_.OnCycle(now);
@@ -216,7 +232,9 @@ void Manager::SendOwn(const Instant now) noexcept
     }
     else
     {
-        // Nobody is to take this device for one that is there.
+        // Nobody is to take this device for one that is there. Whoever leaves INITIALISATION says so. [SRS-FLY-028]
+        state_ = NodeState::kPreOperational;
+        owes_boot_up_ = true;
     }
 }
 
@@ -359,7 +377,8 @@ void Manager::OnInitialising(const Instant now) noexcept
     UnwatchAll();
     state_ = NodeState::kPreOperational;
     owes_boot_up_ = true;
-    is_to_start_ = true;
+    is_to_start_ = (negotiation_ == NegotiationBy::kManager);
+    parts_.listener.OnInitialising(now);
 }
 
 NodeState Manager::OwnState() const noexcept

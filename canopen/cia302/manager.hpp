@@ -26,12 +26,26 @@ class ManagerListener
     virtual void OnEmergency(NodeId node, const EmergencyRecord& emergency, Instant now) noexcept = 0;
     virtual void OnDuplicate(NodeId node, Instant now) noexcept = 0;
     virtual void OnFlyingMaster(FlyingEvent event, const MasterClaim& claim, Instant now) noexcept = 0;
+    /// @brief The negotiation is to begin, at Begin and after each reset communication: local objects (1F90h) may be
+    /// written now. Who calls StartNegotiation: see Manager::Use. [SRS-FLY-027]
+    virtual void OnInitialising(Instant now) noexcept;
 
   protected:
     ManagerListener() noexcept = default;
     ~ManagerListener() noexcept = default;
     ManagerListener(const ManagerListener&) = default;
     ManagerListener& operator=(const ManagerListener&) = default;
+};
+
+inline void ManagerListener::OnInitialising(const Instant /*now*/) noexcept
+{
+}
+
+/// Who lets the negotiation begin whenever the device is initialising.
+enum class NegotiationBy : std::uint8_t
+{
+    kManager = 0U,     ///< In the next cycle.
+    kApplication = 1U, ///< By StartNegotiation; the device stays in INITIALISATION until then.
 };
 
 /// Room that the manager's parts work in, kept by reference. Arrays by node-ID have kNodeRoom elements.
@@ -72,7 +86,7 @@ class Manager final : public NmtListener,
     /// @brief What the profile is constructed with.
     [[nodiscard]] StartUpParts ProfileParts() noexcept;
     void Use(StartUp& profile) noexcept;
-    void Use(FlyingMaster& flying) noexcept;
+    void Use(FlyingMaster& flying, NegotiationBy by = NegotiationBy::kManager) noexcept;
 
     /// @brief The device is there: boot-up message, then the start-up, or the negotiation first.
     void Begin(Instant now) noexcept;
@@ -82,8 +96,23 @@ class Manager final : public NmtListener,
     void OnFrame(const CanFrame& frame, Instant now) noexcept;
     /// @brief A frame of this device was on the bus: what it asked is known, and second answers are seen. O(1), a reset
     /// of all O(127)
-    void OnSent(const CanFrame& frame) noexcept;
+    void OnSent(const CanFrame& frame) noexcept
+    {
+        watch_.OnSent(frame);
+    }
     void OnCycle(Instant now) noexcept;
+    /// @brief The application lets the negotiation begin. kInvalid: there is no flying master. [SRS-FLY-027]
+    [[nodiscard]] FlyingStart StartNegotiation(Instant now) noexcept;
+
+    /// @brief 1017h of this device from now on; 0: no heartbeat.
+    void SetHeartbeat(const std::uint16_t period_ms) noexcept
+    {
+        producer_.SetPeriod(period_ms);
+    }
+    [[nodiscard]] std::uint16_t HeartbeatMs() const noexcept
+    {
+        return producer_.PeriodMs();
+    }
 
     /// @brief A command of the application, by the profile: see StartUp::Command.
     [[nodiscard]] NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept;
@@ -134,6 +163,7 @@ class Manager final : public NmtListener,
     void OnCommandFrame(const CanFrame& frame) noexcept;
     void OnReset(NodeId node) noexcept;
     void Lead(bool is_leader, Instant now) noexcept;
+    void FollowRole(Instant now) noexcept;
     void UnwatchAll() noexcept;
     void WatchMaster(NodeId master, Instant now) noexcept;
     void SendOwn(Instant now) noexcept;
@@ -149,6 +179,7 @@ class Manager final : public NmtListener,
     cia301::HeartbeatProducer producer_;
     StartUp* profile_;
     FlyingMaster* flying_; ///< Null: none.
+    NegotiationBy negotiation_;
     cia301::NodeState state_;
     bool is_running_;
     bool is_leading_;   ///< The profile was begun.

@@ -125,7 +125,10 @@ void PlcStartUp::DriveMaster(const Instant now) noexcept
     }
     else if ((master_ == kPlcConfigures) && is_done)
     {
-        master_ = kPlcRuns;
+        // This device too is OPERATIONAL then; that goes to nobody. [SRS-MGR-020]
+        const NodeId own = parts_.common.setup.own;
+        const NmtAnswer answer = parts_.common.nmt.Request(NmtCommand::kStart, own, now);
+        master_ = (answer == NmtAnswer::kTaken) ? kPlcRuns : master_;
     }
     else
     {

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/network/loaded_network.hpp"
 
+#include "canopen/cia302/concise_dcf.hpp"
 #include "canopen/cia306/device_reader.hpp"
 #include "canopen/cia306/input_error.hpp"
 #include "canopen/cia306/text_file.hpp"
@@ -21,6 +22,7 @@ using cia306::InputError;
 
 constexpr std::uint32_t kUsualAssignment = cia302::kInNetwork | cia302::kBootSlave | cia302::kMandatory;
 constexpr std::uint32_t kConsumerFactor = 2U; ///< Consumer time of a producer time, where nobody says more.
+constexpr std::uint32_t kLeastSyncUs = 1000U; ///< A manager works each ms.
 constexpr std::uint32_t kLongestMs = 65535U;
 
 /// The number that a DCF configures, 0 where it has none.
@@ -68,7 +70,13 @@ LoadedNetwork::LoadedNetwork(const NetworkPlan& plan) : plan_(plan)
     RequireManager();
     if (!plan_.manager.dcf.empty())
     {
-        TakeManagerObjects(cia306::ReadDeviceFile(plan_.manager.dcf), plan_);
+        device_ = cia306::ReadDeviceFile(plan_.manager.dcf);
+        RequireOwnDcf();
+        TakeManagerObjects(device_, plan_);
+    }
+    if (!plan_.manager.flying && (plan_.manager.start_up.value_or(0U) & cia302::kFlyingMaster) != 0U)
+    {
+        plan_.manager.flying = FlyingPlan{}; // Where no DCF said more.
     }
     RequireNodes();
     for (const SlavePlan& slave : plan_.slaves)
@@ -90,6 +98,47 @@ const LoadedSlave* LoadedNetwork::Find(const std::uint8_t node) const noexcept
         found = (slave->plan.node == node) ? slave.get() : found;
     }
     return found;
+}
+
+LoadedSlave* LoadedNetwork::Find(const std::uint8_t node) noexcept
+{
+    LoadedSlave* found = nullptr;
+    for (const std::unique_ptr<LoadedSlave>& slave : loaded_)
+    {
+        found = (slave->plan.node == node) ? slave.get() : found;
+    }
+    return found;
+}
+
+bool LoadedNetwork::ReplaceConcise(const std::uint8_t node, const cia302::Bytes& bytes)
+{
+    LoadedSlave* const slave = Find(node);
+    cia302::ConciseReading entry = cia302::ReadConcise(bytes, {0U, 0U});
+    bool is_plain = cia302::IsConcise(bytes);
+    for (; entry.state == cia302::ConciseState::kEntry; entry = cia302::ReadConcise(bytes, entry.next))
+    {
+        const bool is_safety =
+            entry.object.index >= cia301::kFirstKernelIndex && entry.object.index <= cia301::kLastKernelIndex;
+        is_plain = is_plain && !is_safety;
+    }
+    const bool is_taken = slave != nullptr && is_plain;
+    if (is_taken)
+    {
+        slave->downloaded.assign(bytes.data, bytes.data + bytes.size_bytes);
+        slaves_.at(node).concise_dcf = {slave->downloaded.data(), bytes.size_bytes};
+    }
+    return is_taken;
+}
+
+void LoadedNetwork::RequireOwnDcf() const
+{
+    const std::uint8_t node = *plan_.manager.node;
+    if (device_.node_id.value_or(node) != node)
+    {
+        throw InputError(plan_.file, plan_.manager.line,
+                         {cia306::Quoted(plan_.manager.dcf) + " is for node-ID " + std::to_string(*device_.node_id),
+                          "the DCF of the manager, node " + std::to_string(node)});
+    }
 }
 
 void LoadedNetwork::RequireManager() const
@@ -131,6 +180,7 @@ void LoadedNetwork::Load(const SlavePlan& plan)
     if (!plan.dcf.empty())
     {
         slave->device = cia306::ReadDeviceFile(plan.dcf);
+        slave->dcf_text = cia306::ReadTextFile(plan.dcf);
         if (slave->device.node_id.value_or(plan.node) != plan.node)
         {
             throw InputError(plan_.file, plan.line,
@@ -161,7 +211,7 @@ void LoadedNetwork::Fill(LoadedSlave& slave, SlaveSetup& setup) const
     FillSoftware(slave, setup);
     setup.safety = slave.objects.empty() ? nullptr : &slave.safety;
     RequireSense(slave, setup);
-    FillProfile(plan_.manager.profile, slave.plan, slave.device, slave.profile, setup);
+    FillProfile(plan_.file, plan_.manager.profile, slave.plan, slave.device, slave.profile, setup);
 }
 
 /// What somebody wrote and would not get: supervision that cannot work, and a configuration that is not there.
@@ -260,11 +310,23 @@ void LoadedNetwork::FillManager()
             plan_.file, manager.line,
             {"start-up value (1F80h) " + cia306::Hex(setup_.start_up, 8) + " with unknown bits", "bits 0 to 6"});
     }
+    if (setup_.sync_period_us != 0U && setup_.sync_period_us < kLeastSyncUs)
+    {
+        throw InputError(plan_.file, manager.line,
+                         {"SYNC period (1006h) of " + std::to_string(setup_.sync_period_us) + " us",
+                          "none, or at least " + std::to_string(kLeastSyncUs) + " us"});
+    }
     if (setup_.Has(cia302::kStartAllAtOnce) && setup_.HasSafetySlave())
     {
         warnings_.push_back(cia306::Printable(plan_.file) +
                             ": one start for all is asked for (1F80h bit 1), and there is a safety slave: each slave "
                             "is started by itself after its verification");
+    }
+    if (manager.flying && manager.heartbeat_ms.value_or(0U) == 0U)
+    {
+        warnings_.push_back(cia306::Printable(plan_.file) +
+                            ": a flying master without heartbeat, which its standbys lose again and again: expected a "
+                            "heartbeat above 0 ms");
     }
 }
 } // namespace counterpoint::network

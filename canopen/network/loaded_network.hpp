@@ -23,7 +23,9 @@ struct LoadedSlave
     cia306::Device device;
     std::vector<ConciseEntry> entries;
     std::vector<std::uint8_t> concise;
-    std::vector<std::uint8_t> program; ///< Octets of the software.
+    std::vector<std::uint8_t> downloaded; ///< The concise DCF instead of the one that its DCF makes.
+    std::string dcf_text;                 ///< As 1F20h shows it.
+    std::vector<std::uint8_t> program;    ///< Octets of the software.
     std::vector<cia302::ExpectedObject> objects;
     cia302::SafetyExpectation safety{nullptr, 0U};
     ProfileSlave profile;
@@ -47,17 +49,29 @@ class LoadedNetwork
     {
         return setup_;
     }
-    /// @brief What a profile may add to a slave before the manager is made; `node` is 1 to 127.
-    [[nodiscard]] cia302::SlaveSetup& SetupOf(std::uint8_t node)
+    /// @brief The same to write to, and its slaves by node-ID.
+    [[nodiscard]] cia302::NetworkSetup& SetupRoom() noexcept
     {
-        return slaves_.at(node);
+        return setup_;
     }
+    [[nodiscard]] cia302::SlaveSetup* SlaveRoom() noexcept
+    {
+        return slaves_.data();
+    }
+    /// @brief The manager's own DCF; without objects if there is none.
+    [[nodiscard]] const cia306::Device& Device() const noexcept
+    {
+        return device_;
+    }
+    /// @brief Another concise DCF for a slave; not while it is being written to it. False: no slave, or damaged.
+    [[nodiscard]] bool ReplaceConcise(std::uint8_t node, const cia302::Bytes& bytes);
     [[nodiscard]] const std::vector<std::unique_ptr<LoadedSlave>>& Slaves() const noexcept
     {
         return loaded_;
     }
     /// @brief Null: no slave of the network.
     [[nodiscard]] const LoadedSlave* Find(std::uint8_t node) const noexcept;
+    [[nodiscard]] LoadedSlave* Find(std::uint8_t node) noexcept;
     /// @brief What a person should know before the network starts, a line each.
     [[nodiscard]] const std::vector<std::string>& Warnings() const noexcept
     {
@@ -66,6 +80,7 @@ class LoadedNetwork
 
   private:
     void RequireManager() const;
+    void RequireOwnDcf() const;
     void RequireNodes() const;
     void Load(const SlavePlan& plan);
     void Fill(LoadedSlave& slave, cia302::SlaveSetup& setup) const;
@@ -79,6 +94,7 @@ class LoadedNetwork
     void FillManager();
 
     NetworkPlan plan_;
+    cia306::Device device_;
     std::array<cia302::SlaveSetup, cia302::kNodeRoom> slaves_{};
     std::vector<std::unique_ptr<LoadedSlave>> loaded_;
     cia302::NetworkSetup setup_{};

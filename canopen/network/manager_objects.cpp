@@ -3,6 +3,8 @@
 
 #include "canopen/cia306/input_error.hpp"
 
+#include <limits>
+
 namespace counterpoint::network
 {
 namespace
@@ -28,10 +30,14 @@ struct PerFlying
 {
     std::uint8_t sub;
     std::optional<std::uint16_t> FlyingPlan::* part;
+    std::uint64_t greatest;
 };
-constexpr PerFlying kPerFlying[] = {{1U, &FlyingPlan::timeout_ms},   {2U, &FlyingPlan::delay_ms},
-                                    {3U, &FlyingPlan::priority},     {4U, &FlyingPlan::level_slot_ms},
-                                    {5U, &FlyingPlan::node_slot_ms}, {6U, &FlyingPlan::detect_ms}};
+constexpr PerFlying kPerFlying[] = {{1U, &FlyingPlan::timeout_ms, kLowHalf},
+                                    {2U, &FlyingPlan::delay_ms, kLowHalf},
+                                    {3U, &FlyingPlan::priority, cia302::kLowestPriority},
+                                    {4U, &FlyingPlan::level_slot_ms, kLowHalf},
+                                    {5U, &FlyingPlan::node_slot_ms, kLowHalf},
+                                    {6U, &FlyingPlan::detect_ms, kLowHalf}};
 
 class Taker
 {
@@ -47,15 +53,7 @@ class Taker
         Set(plan_.manager.inhibit_100us, 0x102AU, 0U);
         Set(plan_.manager.sync_us, 0x1006U, 0U);
         Set(plan_.manager.heartbeat_ms, 0x1017U, 0U);
-        constexpr std::uint16_t kFlying = 0x1F90U;
-        if (device_.Find(kFlying) != nullptr)
-        {
-            plan_.manager.flying = plan_.manager.flying.value_or(FlyingPlan{});
-            for (const PerFlying& row : kPerFlying)
-            {
-                Set(*plan_.manager.flying.*row.part, kFlying, row.sub);
-            }
-        }
+        TakeFlying();
         for (SlavePlan& slave : plan_.slaves)
         {
             for (const PerNode& row : kPerNode)
@@ -68,10 +66,33 @@ class Taker
     }
 
   private:
+    /// 1F80h, or the network file, decides whether it is one: an object dictionary may have 1F90h unused.
+    void TakeFlying()
+    {
+        const bool is_asked = (plan_.manager.start_up.value_or(0U) & cia302::kFlyingMaster) != 0U;
+        if (is_asked && !plan_.manager.flying)
+        {
+            plan_.manager.flying = FlyingPlan{};
+        }
+        for (const PerFlying& row : kPerFlying)
+        {
+            if (plan_.manager.flying)
+            {
+                Set(*plan_.manager.flying.*row.part, cia302::kFlyingMasterIndex, row.sub, row.greatest);
+            }
+        }
+    }
     template <typename Number>
-    void Set(std::optional<Number>& part, const std::uint16_t index, const std::uint8_t sub) const
+    void Set(std::optional<Number>& part, const std::uint16_t index, const std::uint8_t sub,
+             const std::uint64_t greatest = std::numeric_limits<Number>::max()) const
     {
         const std::optional<std::uint64_t> value = NumberAt(index, sub);
+        if (!part && value && *value > greatest)
+        {
+            throw cia306::InputError(device_.file, device_.Find(index, sub)->ValueLine(),
+                                     {cia306::ObjectName(index, sub) + ": " + cia306::Hex(*value, 1),
+                                      "at most " + cia306::Hex(greatest, 1)});
+        }
         if (!part && value)
         {
             part = static_cast<Number>(*value);

@@ -3,6 +3,8 @@
 #define CANOPEN_NETWORK_NETWORK_PLAN_HPP
 
 #include "canopen/cia302/el6751_setup.hpp"
+#include "canopen/cia302/flying_master_options.hpp"
+#include "canopen/cia302/flying_master_times.hpp"
 #include "canopen/cia302/network_setup.hpp"
 #include "canopen/cia302/plc_setup.hpp"
 
@@ -31,7 +33,16 @@ struct FlyingPlan
     std::optional<std::uint16_t> level_slot_ms; ///< 4
     std::optional<std::uint16_t> node_slot_ms;  ///< 5
     std::optional<std::uint16_t> detect_ms;     ///< 6
-    bool is_so1114{false};
+    cia302::FlyingMasterOptions options{cia302::DefaultFlyingMaster()};
+    bool is_by_order{false}; ///< The first negotiation waits for the application.
+};
+
+/// What an RxPDO carries until somebody says something else.
+struct OutputPlan
+{
+    std::size_t line{0U}; ///< Of the network file.
+    std::uint16_t number{0U};
+    std::vector<std::uint8_t> bytes;
 };
 
 /// Software of a slave that is to be verified (1F81h bit 5), and what an update downloads.
@@ -72,8 +83,9 @@ struct SlavePlan
     std::optional<std::uint32_t> time;
     std::optional<cia302::El6751Slave> el6751; ///< Options alone: PDOs and times follow from the rest.
     std::optional<cia302::PlcSlave> plc;
-    bool is_configured{true};  ///< Gets the concise DCF that its DCF makes.
-    bool writes_safety{false}; ///< The manager writes the safety configuration where it differs.
+    std::vector<OutputPlan> outputs; ///< Of the EL6751 profile.
+    bool is_configured{true};        ///< Gets the concise DCF that its DCF makes.
+    bool writes_safety{false};       ///< The manager writes the safety configuration where it differs.
 };
 
 /// What a network file says about the manager.

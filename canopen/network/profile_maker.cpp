@@ -132,7 +132,41 @@ std::vector<std::uint8_t> FurtherObjects(const ProfileSlave& slave, const cia302
     return ConciseBytes(kept);
 }
 
-void FillEl6751(const SlavePlan& plan, const Device& device, ProfileSlave& slave, SlaveSetup& setup)
+/// Zeros, or what the network file says. [SRS-MGR-022]
+void FillOutputs(const std::string& file, const SlavePlan& plan, ProfileSlave& slave)
+{
+    slave.outputs.assign(slave.rx_pdos.size(), {});
+    std::set<std::uint16_t> seen;
+    for (const OutputPlan& output : plan.outputs)
+    {
+        const std::string name = "RxPDO " + std::to_string(output.number) + " of node " + std::to_string(plan.node);
+        const auto found = std::find_if(slave.rx_pdos.begin(), slave.rx_pdos.end(),
+                                        [&output](const El6751Pdo& pdo) { return pdo.number == output.number; });
+        if (found == slave.rx_pdos.end())
+        {
+            throw cia306::InputError(file, output.line, {"no " + name, "one that its DCF switches on and maps"});
+        }
+        if (!seen.insert(output.number).second)
+        {
+            throw cia306::InputError(file, output.line, {name + " a second time", "each RxPDO once"});
+        }
+        if (output.bytes.size() != found->length_bytes)
+        {
+            throw cia306::InputError(file, output.line,
+                                     {name + " with " + std::to_string(output.bytes.size()) + " bytes",
+                                      std::to_string(found->length_bytes) + " as its mapping has"});
+        }
+        auto& bytes = slave.outputs.at(static_cast<std::size_t>(found - slave.rx_pdos.begin()));
+        std::copy(output.bytes.begin(), output.bytes.end(), bytes.begin());
+    }
+    for (std::size_t place = 0U; place < slave.rx_pdos.size(); ++place)
+    {
+        slave.rx_pdos[place].data_bytes = slave.outputs[place].data();
+    }
+}
+
+void FillEl6751(const std::string& file, const SlavePlan& plan, const Device& device, ProfileSlave& slave,
+                SlaveSetup& setup)
 {
     slave.el6751 = plan.el6751.value_or(El6751Slave{});
     slave.rx_pdos = MakePdos(device, plan.node, kFirstRxPdo);
@@ -143,6 +177,7 @@ void FillEl6751(const SlavePlan& plan, const Device& device, ProfileSlave& slave
                                  {std::to_string(slave.rx_pdos.size() + slave.tx_pdos.size()) + " PDOs that are on",
                                   "at most " + std::to_string(kMostPdos) + " with the EL6751 start-up"});
     }
+    FillOutputs(file, plan, slave);
     FillGuard(plan, device, setup, slave.el6751);
     slave.el6751.rx_pdos = slave.rx_pdos.data();
     slave.el6751.rx_count = static_cast<std::uint8_t>(slave.rx_pdos.size());
@@ -178,12 +213,18 @@ std::vector<El6751Pdo> MakePdos(const Device& device, const std::uint8_t node_id
     return pdos;
 }
 
-void FillProfile(const StartProfile profile, const SlavePlan& plan, const Device& device, ProfileSlave& slave,
-                 SlaveSetup& setup)
+void FillProfile(const std::string& file, const StartProfile profile, const SlavePlan& plan, const Device& device,
+                 ProfileSlave& slave, SlaveSetup& setup)
 {
+    if (profile != StartProfile::kEl6751 && !plan.outputs.empty())
+    {
+        throw cia306::InputError(file, plan.outputs.front().line,
+                                 {"outputs of node " + std::to_string(plan.node) + " with another profile",
+                                  "the profile el6751, which sends RxPDOs"});
+    }
     if (profile == StartProfile::kEl6751)
     {
-        FillEl6751(plan, device, slave, setup);
+        FillEl6751(file, plan, device, slave, setup);
     }
     else if (profile == StartProfile::kPlcDesigner)
     {

@@ -7,7 +7,9 @@
 #include "canopen/cia306/device.hpp"
 #include "canopen/network/network_plan.hpp"
 
+#include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace counterpoint::network
@@ -18,7 +20,8 @@ struct ProfileSlave
     cia302::El6751Slave el6751{};
     std::vector<cia302::El6751Pdo> rx_pdos;
     std::vector<cia302::El6751Pdo> tx_pdos;
-    std::vector<std::uint8_t> concise; ///< Further start-up SDOs of the EL6751 profile.
+    std::vector<std::array<std::uint8_t, 8U>> outputs; ///< What each of `rx_pdos` carries.
+    std::vector<std::uint8_t> concise;                 ///< Further start-up SDOs of the EL6751 profile.
     cia302::PlcSlave plc{};
 };
 
@@ -27,10 +30,11 @@ struct ProfileSlave
 [[nodiscard]] std::vector<cia302::El6751Pdo> MakePdos(const cia306::Device& device, std::uint8_t node_id,
                                                       std::uint16_t first);
 
-/// @brief Completes a setup for the profile; those of the others stay as they are. Throws cia306::InputError.
+/// @brief Completes a setup for the profile; those of the others stay as they are. `file` is the network file that
+/// the plan is from. Throws cia306::InputError.
 /// [SRS-ELM-051, SRS-PLC-021]
-void FillProfile(StartProfile profile, const SlavePlan& plan, const cia306::Device& device, ProfileSlave& slave,
-                 cia302::SlaveSetup& setup);
+void FillProfile(const std::string& file, StartProfile profile, const SlavePlan& plan, const cia306::Device& device,
+                 ProfileSlave& slave, cia302::SlaveSetup& setup);
 } // namespace counterpoint::network
 
 #endif // CANOPEN_NETWORK_PROFILE_MAKER_HPP

@@ -111,7 +111,7 @@ slaves:
     const NetworkPlan plan = ReadNetworkFile(file, 0U);
     EXPECT_EQ(plan.manager.sdo_time_out_ms, std::uint32_t{300U});
     EXPECT_EQ(plan.manager.flying->level_slot_ms, std::uint16_t{2000U});
-    EXPECT_TRUE(plan.manager.flying->is_so1114);
+    EXPECT_EQ(plan.manager.flying->options.cyclic, cia302::CyclicMessage::kNegotiation);
     const LoadedNetwork net(plan);
     EXPECT_EQ(net.Setup().start_up, 0x61U);
     EXPECT_EQ(net.Setup().boot_time_ms, 5000U);

@@ -282,7 +282,7 @@ TEST_F(NetworkProfileTest, ManualNetworkManagementIsAnOrder)
     const std::string file =
         File("net.yaml", "name: n\nmanager:\n  node: 127\n  profile: el6751\nslaves:\n  - node: 5\n"
                          "    el6751: {check_device_type: false}\n");
-    const LoadedNetwork net(ReadNetworkFile(file, 0U));
+    LoadedNetwork net(ReadNetworkFile(file, 0U));
     std::vector<std::string> commands;
     ManagerStation station(
         net,

@@ -1,10 +1,14 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // The small series; `counterpoint_elections` runs the large ones.
+#include "verification/elections/failover_record.hpp"
 #include "verification/elections/series.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
 
 namespace counterpoint::elections
 {
@@ -51,6 +55,58 @@ TEST_P(Elections, FailoverInTheComputedCycle)
     ExpectGood(tally, 3000U);
     EXPECT_GE(tally.late_us.begin()->first, 0);
     EXPECT_LE(tally.late_us.rbegin()->first, 1000);
+}
+
+TEST_P(Elections, FailoverInTheComputedCycleWhateverTheTimes)
+{
+    Verifies(req::SRS_FLY_026);
+    const Tally tally = FailoversDrawn(GetParam(), 100U);
+    ExpectGood(tally, 100U);
+    EXPECT_GT(tally.failovers.size(), 50U);
+    EXPECT_GE(tally.late_us.begin()->first, 0);
+    EXPECT_LE(tally.late_us.rbegin()->first, 1000);
+}
+
+TEST_P(Elections, WhoeverMissesTheClaimFindsTheMasterThoughItsCycleIsShorterThanTheSlot)
+{
+    Verifies(req::SRS_FLY_008);
+    Verifies(req::SRS_FLY_023);
+    // Given master 1 with 2 s between its cyclic messages and master 2, which waits for 3020 ms
+    std::vector<MasterPlan> masters = MastersOf({0U, 2U}, {0, 0});
+    masters[0].times.detection_cycle = 2000U;
+    for (std::uint32_t frame = 0U; frame < 12U; ++frame)
+    {
+        // When any one frame is lost
+        World world(PlanOf(GetParam()));
+        world.Begin(masters, Loss{frame, Loss::kEverybody});
+        world.Run(20 * kSecond);
+        // Then master 2 knows its master
+        EXPECT_TRUE(world.IsAgreed()) << frame;
+        EXPECT_EQ(world.Active(), 0U) << frame;
+    }
+}
+
+TEST(Failovers, ALateOneIsRecordedAsAFailure)
+{
+    Verifies(req::SRS_FLY_026);
+    const std::string path = ::testing::TempDir() + "counterpoint_failovers/late.json";
+    Tally punctual{};
+    punctual.runs = 1U;
+    punctual.late_us[900] = 1U;
+    punctual.failovers[3'120'000].Add(999);
+    Tally late = punctual;
+    late.failures = 1U;
+    const auto holds = [&path](const std::vector<FailoverSeries>& all)
+    {
+        EXPECT_TRUE(WriteFailovers(path, all));
+        std::ifstream file(path);
+        return nlohmann::json::parse(file).at("requirements").at("SRS-FLY-026").get<bool>();
+    };
+    EXPECT_TRUE(holds({{"punctual", punctual}}));
+    EXPECT_FALSE(holds({{"punctual", punctual}, {"late", late}}));
+    EXPECT_FALSE(holds({{"none", Tally{}}}));
+    EXPECT_FALSE(holds({}));
+    EXPECT_FALSE(WriteFailovers("/dev/null/none.json", {}));
 }
 
 TEST_P(Elections, SeededOfUpTo127)

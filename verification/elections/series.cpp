@@ -49,6 +49,10 @@ void Tally::Add(const Tally& other)
     {
         late_us[late] += count;
     }
+    for (const auto& [computed, lateness] : other.failovers)
+    {
+        failovers[computed].Add(lateness);
+    }
     first_failure = first_failure.empty() ? other.first_failure : first_failure;
 }
 

@@ -14,6 +14,17 @@
 namespace counterpoint::elections
 {
 
+/// How much later than computed failovers were.
+struct Lateness
+{
+    std::uint64_t runs{0U};
+    Time least{0};
+    Time greatest{0};
+
+    void Add(Time late);
+    void Add(const Lateness& other);
+};
+
 /// What a series of runs showed.
 struct Tally
 {
@@ -29,6 +40,7 @@ struct Tally
     Time least_left{kNever};   ///< Least time between rest and its bound.
     Time longest_two{0};       ///< Two active masters on one bus.
     std::map<Time, std::uint64_t> late_us{}; ///< Failover: time above the computed one, rounded down to 100 us.
+    std::map<Time, Lateness> failovers{};    ///< By the computed time.
     std::string first_failure{};
 
     void Add(const Tally& other);
@@ -82,6 +94,9 @@ enum class Losses : std::uint8_t
 [[nodiscard]] Tally Splits(Preset preset, std::size_t count, Losses losses);
 /// @brief The active one of 2 to 4 masters fails at each ms of its heartbeat's period. [SRS-FLY-026]
 [[nodiscard]] Tally Failovers(Preset preset);
+/// @brief The active one of 2 to 127 masters fails, `count` times, each with other values of 1F90h, other heartbeats,
+/// bit rates and traffic. [SRS-FLY-026]
+[[nodiscard]] Tally FailoversDrawn(Preset preset, std::size_t count);
 /// How many masters a seeded run has.
 enum class Crowd : std::uint8_t
 {

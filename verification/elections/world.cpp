@@ -242,7 +242,10 @@ void World::Hear(Node& node, const CanFrame& frame)
     if (is_of_interest && plan_.polls)
     {
         node.heard.push_back(frame);
-        Schedule(node, now_ + 1);
+        if (next_[node.index] > now_) // Else the cycle of this very instant takes it along.
+        {
+            Schedule(node, now_ + 1);
+        }
     }
     else if (is_of_interest)
     {

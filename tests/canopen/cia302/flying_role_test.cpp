@@ -94,6 +94,18 @@ TEST(FlyingStandby, MasterThatDiesBeforeItsFirstHeartbeatIsReplaced)
     EXPECT_EQ(rig.Log(), (Lines{"2500 073", "2600 072", "4150 071 01 05", "4150 master 1/5"}));
 }
 
+TEST(FlyingStandby, WithoutADelayTheQuestionLeavesInTheCycleOfTheLoss)
+{
+    Verifies(req::SRS_FLY_026);
+    FlyingRig rig(5U, 1U, DefaultFlyingMaster());
+    rig.times.delay = 0U;
+    rig.Start();
+    rig.Hear(0x71U, {0U, 9U});
+    rig.RunTo(3150U);
+    // 1500 + 0 + 100 + 1 x 1500 + 5 x 10
+    EXPECT_EQ(rig.Log(), (Lines{"0 slave of 0/9", "1500 073", "1600 072", "3150 071 01 05", "3150 master 1/5"}));
+}
+
 TEST(FlyingStandby, HeartbeatOfTheMasterAloneKeepsItSlave)
 {
     Verifies(req::SRS_FLY_012);
@@ -159,13 +171,13 @@ TEST(FlyingStandby, AResetMakesItAskAgain)
 TEST(FlyingNegotiation, AllWaitingBeginsWithTheRaceOfAnother)
 {
     Verifies(req::SRS_FLY_008);
-    // Given one in step 1 that hears 072h: it joins at once
+    // Given one in step 1 that hears 072h: it joins at once, and asks whether a master sent it
     FlyingRig early(5U, 0U, DefaultFlyingMaster());
     early.Start();
     early.RunTo(200U);
     early.Hear(0x72U);
     early.RunTo(250U);
-    EXPECT_EQ(early.Log(), (Lines{"250 071 00 05", "250 master 0/5"}));
+    EXPECT_EQ(early.Log(), (Lines{"200 073", "250 071 00 05", "250 master 0/5"}));
     // Given one that waits since 4 ms (of half a slot of 5 ms): of the same race
     FlyingRig same(5U, 0U, DefaultFlyingMaster());
     same.Start();
@@ -184,6 +196,46 @@ TEST(FlyingNegotiation, AllWaitingBeginsWithTheRaceOfAnother)
     EXPECT_FALSE(late.master.IsActiveMaster());
     late.RunTo(1255U);
     EXPECT_TRUE(late.master.IsActiveMaster());
+}
+
+TEST(FlyingNegotiation, WhoeverMissedTheClaimAsksAtTheNextRace)
+{
+    Verifies(req::SRS_FLY_008);
+    for (const FlyingMasterOptions& options : {DefaultFlyingMaster(), So1114FlyingMaster()})
+    {
+        // Given a cyclic 072h that comes more often than the own slot lasts
+        FlyingRig rig(5U, 1U, options);
+        rig.Start();
+        rig.RunTo(1200U);
+        static_cast<void>(rig.Log());
+        for (const std::uint32_t at : {1600U, 1700U, 2200U})
+        {
+            rig.RunTo(at);
+            rig.Hear(0x72U);
+        }
+        rig.RunTo(2300U);
+        EXPECT_EQ(rig.Log(), (Lines{"1600 073", "1700 073", "2200 073"}));
+        // When the master answers
+        rig.Hear(0x71U, {0U, 9U});
+        EXPECT_EQ(rig.Log(), Lines{"2300 slave of 0/9"});
+    }
+}
+
+TEST(FlyingNegotiation, AWorseMasterThatAnswersInARaceIsForcedAndNoConfigurationError)
+{
+    Verifies(req::SRS_FLY_008);
+    Verifies(req::SRS_FLY_006);
+    FlyingRig rig(5U, 1U, DefaultFlyingMaster());
+    rig.Start();
+    rig.RunTo(1600U);
+    static_cast<void>(rig.Log());
+    // Given a full queue when it wants to ask
+    rig.refuses = 2U;
+    rig.Hear(0x72U);
+    rig.RunTo(1602U);
+    EXPECT_EQ(rig.Log(), Lines{"1602 073"});
+    rig.Hear(0x71U, {2U, 9U});
+    EXPECT_EQ(rig.Log(), (Lines{"1602 076", "1602 force"}));
 }
 
 TEST(FlyingNegotiation, InStepOneAWorseMasterIsLeftInPeaceAndABetterOneFollowed)

@@ -1,0 +1,266 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+//
+// A manager with a flying master and a profile that does nothing: what it does with the role that was negotiated.
+#include "canopen/cia302/manager.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace counterpoint::cia302
+{
+namespace
+{
+
+using Lines = std::vector<std::string>;
+
+/// Tells when it is to lead the network.
+class IdleProfile final : public StartUp
+{
+  public:
+    explicit IdleProfile(std::vector<std::string>& log) : log_(log)
+    {
+    }
+    void Begin(const Instant /*now*/) noexcept override
+    {
+        log_.emplace_back("leads");
+    }
+    void End() noexcept override
+    {
+        log_.emplace_back("leads no more");
+    }
+    void OnFrame(const CanFrame& /*frame*/, const Instant /*now*/) noexcept override
+    {
+    }
+    void OnCycle(const Instant /*now*/) noexcept override
+    {
+    }
+    void OnNodeEvent(const NodeId /*node*/, const NodeEvent /*event*/, const Instant /*now*/) noexcept override
+    {
+    }
+    [[nodiscard]] NmtAnswer Command(const NmtCommand /*command*/, const NodeId /*node*/,
+                                    const Instant /*now*/) noexcept override
+    {
+        return NmtAnswer::kTaken;
+    }
+    [[nodiscard]] bool Boot(const NodeId /*node*/, const Instant /*now*/) noexcept override
+    {
+        return true;
+    }
+    [[nodiscard]] NodeStatus Status(const NodeId /*node*/) const noexcept override
+    {
+        return NodeStatus{};
+    }
+    [[nodiscard]] std::int16_t MasterState() const noexcept override
+    {
+        return 0;
+    }
+
+  private:
+    std::vector<std::string>& log_;
+};
+
+/// Node 5 of level 1, own heartbeat each 1000 ms, cycle 1 ms; nobody watches the master by 1016h but the flying master.
+/// What leaves and what happens is written down; heartbeats without their time.
+class ManagerFlying : public ::testing::Test, public cia301::FrameSink, public ManagerListener
+{
+  protected:
+    void Use(const NegotiationBy by)
+    {
+        times.priority = 1U;
+        manager.Use(profile);
+        manager.Use(flying, by);
+    }
+    void RunTo(const std::uint32_t ms)
+    {
+        while (now_ms < ms)
+        {
+            ++now_ms;
+            manager.OnCycle(Now());
+        }
+    }
+    void Hear(const std::uint32_t identifier, const std::vector<std::uint8_t>& data = {})
+    {
+        CanFrame frame{identifier, FrameKind::kData, CanPortId::kFirst, static_cast<std::uint8_t>(data.size()), {}};
+        std::copy(data.begin(), data.end(), frame.data);
+        manager.OnFrame(frame, Now());
+    }
+    /// Since the last call.
+    Lines Log()
+    {
+        Lines log{};
+        log.swap(log_);
+        return log;
+    }
+    [[nodiscard]] Instant Now() const
+    {
+        return Instant{now_ms * 1000U};
+    }
+
+    bool Send(const CanFrame& frame) noexcept override
+    {
+        const bool is_taken = refuses == 0U;
+        refuses -= is_taken ? 0U : 1U;
+        std::array<char, 32> text{};
+        std::snprintf(text.data(), text.size(), "%u %03X", static_cast<unsigned>(now_ms),
+                      static_cast<unsigned>(frame.identifier));
+        std::string line = text.data();
+        for (std::uint8_t i = 0U; i < frame.length_bytes; ++i)
+        {
+            std::snprintf(text.data(), text.size(), " %02X", static_cast<unsigned>(frame.data[i]));
+            line += text.data();
+        }
+        if (is_taken)
+        {
+            log_.push_back(line);
+        }
+        return is_taken;
+    }
+    void OnNodeEvent(const NodeId /*node*/, const NodeEvent /*event*/, const Instant /*now*/) noexcept override
+    {
+    }
+    void OnNodeStatus(const NodeId /*node*/, const Instant /*now*/) noexcept override
+    {
+    }
+    void OnMasterState(const std::int16_t /*state*/, const Instant /*now*/) noexcept override
+    {
+    }
+    void OnNmtSent(const NmtRequest& /*request*/, const Instant /*now*/) noexcept override
+    {
+    }
+    void OnGate(const NodeId /*node*/, const GateState /*state*/, const Instant /*now*/) noexcept override
+    {
+    }
+    void OnEmergency(const NodeId /*node*/, const EmergencyRecord& /*emergency*/,
+                     const Instant /*now*/) noexcept override
+    {
+    }
+    void OnDuplicate(const NodeId /*node*/, const Instant /*now*/) noexcept override
+    {
+    }
+    void OnFlyingMaster(const FlyingEvent event, const MasterClaim& claim, const Instant /*now*/) noexcept override
+    {
+        log_.push_back("event " + std::to_string(static_cast<int>(event)) + " " + std::to_string(claim.level) + "/" +
+                       std::to_string(claim.node.value));
+    }
+    void OnInitialising(const Instant /*now*/) noexcept override
+    {
+        log_.push_back(std::to_string(now_ms) + " initialising");
+    }
+
+    std::vector<std::string> log_{};
+    std::uint32_t now_ms{0U};
+    std::uint32_t refuses{0U};
+    std::array<SlaveSetup, kNodeRoom> slaves{};
+    NetworkSetup setup{NodeId{5U}, 0x21U, 0U, 0U, 0U, slaves.data()};
+    FlyingMasterTimes times{DefaultTimes(NodeId{5U})};
+    FlyingMasterOptions options{DefaultFlyingMaster()};
+    std::array<NodeRecord, kNodeRoom> records{};
+    std::array<WatchedNode, kNodeRoom> watched{};
+    std::array<GateState, kNodeRoom> gates{};
+    std::array<NmtRequest, 8U> commands{};
+    std::array<SafetySlot, 1U> safety{};
+    SdoLanes<2U> lanes{*this, SdoTimes{500'000U, 3U}};
+    IdleProfile profile{log_};
+    Manager manager{ManagerParts{setup, *this, *this,
+                                 ManagerRoom{records.data(),
+                                             watched.data(),
+                                             gates.data(),
+                                             {commands.data(), 8U},
+                                             {safety.data(), 1U},
+                                             lanes.All(),
+                                             SdoTimes{500'000U, 3U}},
+                                 1000U}};
+    FlyingMaster flying{FlyingMasterParts{setup, times, options, *this, manager}};
+};
+
+TEST_F(ManagerFlying, NegotiationOnTheApplicationsCallWithWhatItWrote)
+{
+    Verifies(req::SRS_FLY_027);
+    Verifies(req::SRS_FLY_002);
+    Use(NegotiationBy::kApplication);
+    manager.Begin(Now());
+    RunTo(10'000U);
+    EXPECT_EQ(Log(), Lines{"0 initialising"});
+    EXPECT_EQ(manager.OwnState(), cia301::NodeState::kInitialising);
+    // When it wrote a slot relation that cannot work, and one that can
+    FlyingMasterObject object(times);
+    EXPECT_EQ(object.Write(4U, 1270U), cia301::SdoAbort::kNone);
+    EXPECT_EQ(manager.StartNegotiation(Now()), FlyingStart::kSlots);
+    EXPECT_EQ(object.Write(4U, 2000U), cia301::SdoAbort::kNone);
+    EXPECT_EQ(object.Write(2U, 300U), cia301::SdoAbort::kNone);
+    EXPECT_EQ(manager.StartNegotiation(Now()), FlyingStart::kStarted);
+    EXPECT_EQ(manager.StartNegotiation(Now()), FlyingStart::kNotInitialising);
+    RunTo(20'000U);
+    // Then the power-on reset ends in INITIALISATION again, and nothing happens before the next call
+    EXPECT_EQ(Log(), (Lines{"10300 073", "10400 000 82 00", "event 3 0/0", "10400 initialising"}));
+    EXPECT_EQ(manager.StartNegotiation(Now()), FlyingStart::kStarted);
+    RunTo(22'450U);
+    // 20000 + 300 + 100 + 1 x 2000 + 5 x 10
+    EXPECT_EQ(Log(), (Lines{"20300 073", "20400 072", "22450 071 01 05", "event 4 1/5", "leads", "22450 705 00"}));
+}
+
+TEST_F(ManagerFlying, WithoutAFlyingMasterThereIsNoNegotiation)
+{
+    Verifies(req::SRS_FLY_027);
+    manager.Use(profile);
+    EXPECT_EQ(manager.StartNegotiation(Now()), FlyingStart::kInvalid);
+}
+
+// t [ms]  501  540 (slave of 0/9)  2040 lost     2540  2640  4190 = 2640 + 1500 + 50
+//         073  boot-up             INITIALISING  073   072   071, boot-up
+TEST_F(ManagerFlying, WhoNegotiatesAfterALossIsInitialisingAndBootsUpAgain)
+{
+    Verifies(req::SRS_FLY_028);
+    Use(NegotiationBy::kManager);
+    manager.Begin(Now());
+    RunTo(540U);
+    Hear(0x71U, {0U, 9U});
+    RunTo(541U);
+    EXPECT_EQ(Log(), (Lines{"0 initialising", "501 073", "event 1 0/9", "541 705 00"}));
+    Hear(0U, {1U, 0U});
+    EXPECT_EQ(manager.OwnState(), cia301::NodeState::kOperational);
+    // Given a heartbeat of its own, then a master that was silent for 1500 ms since its claim
+    RunTo(2039U);
+    EXPECT_EQ(Log(), (Lines{"542 705 05", "1542 705 05"}));
+    RunTo(2041U);
+    EXPECT_EQ(manager.OwnState(), cia301::NodeState::kInitialising);
+    static_cast<void>(Log());
+    RunTo(4190U);
+    // Then no heartbeat leaves until it has a role, and the boot-up message comes first
+    EXPECT_EQ(Log(), (Lines{"2540 073", "2640 072", "4190 071 01 05", "event 4 1/5", "leads", "4190 705 00"}));
+    EXPECT_EQ(manager.OwnState(), cia301::NodeState::kPreOperational);
+}
+
+TEST_F(ManagerFlying, ARaceOrRestartAtAForceEndsTheLeadAtOnce)
+{
+    Verifies(req::SRS_MGR_002);
+    for (const ForceReaction reaction : {ForceReaction::kRace, ForceReaction::kRestart, ForceReaction::kResetAll})
+    {
+        SCOPED_TRACE(static_cast<int>(reaction));
+        options.on_force = reaction;
+        Use(NegotiationBy::kManager);
+        if (!manager.IsActive())
+        {
+            manager.Begin(Now());
+            RunTo(now_ms + 3000U);
+        }
+        ASSERT_TRUE(manager.IsActive());
+        // When 076h is heard and no frame can leave
+        refuses = 1U;
+        Hear(0x76U);
+        // Then it commands nobody any more
+        EXPECT_FALSE(manager.IsActive());
+        EXPECT_EQ(manager.Command(NmtCommand::kStart, NodeId{9U}, Now()), NmtAnswer::kNotActive);
+        refuses = 0U;
+        RunTo(now_ms + 3000U);
+        EXPECT_TRUE(manager.IsActive());
+    }
+}
+
+} // namespace
+} // namespace counterpoint::cia302

@@ -1,0 +1,139 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// The socket of the manager: who sends what, and who keeps nobody waiting.
+#include "canopen/cia306/input_error.hpp"
+#include "tests/tools/command_run.hpp"
+#include "tools/manager_socket.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <algorithm>
+#include <sys/socket.h>
+#include <sys/un.h>
+
+namespace counterpoint::tools
+{
+namespace
+{
+class ManagerSocketTest : public test::CommandTest
+{
+  protected:
+    static host::LiveFile Connect(const std::string& path)
+    {
+        sockaddr_un address{};
+        address.sun_family = AF_UNIX;
+        std::copy(path.begin(), path.end(), address.sun_path);
+        host::LiveFile client(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0));
+        EXPECT_EQ(::connect(client.Get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)), 0);
+        return client;
+    }
+    /// What came; "cut" when the other side has ended the connection, "" when nothing came.
+    static std::string Receive(const host::LiveFile& client)
+    {
+        char text[256] = {};
+        const ssize_t count = ::recv(client.Get(), text, sizeof(text), 0);
+        return (count == 0) ? "cut" : std::string(text, static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    }
+    static void Say(const host::LiveFile& client, const std::string& text)
+    {
+        EXPECT_EQ(::send(client.Get(), text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
+    }
+    static std::string Echo(const std::string& line)
+    {
+        return line + "!";
+    }
+};
+
+TEST_F(ManagerSocketTest, ASocketTakesThePlaceOfALeftSocketOnly)
+{
+    Verifies(req::SRS_MGR_006);
+    // Given a file of a person
+    const std::string file = File("file", "mine");
+    EXPECT_THROW(ManagerSocket socket(file), cia306::InputError);
+    EXPECT_EQ(cia306::ReadTextFile(file), "mine");
+    // And a socket that nobody serves any more
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    const std::string path = Path("left.sock");
+    std::copy(path.begin(), path.end(), address.sun_path);
+    {
+        const host::LiveFile left(::socket(AF_UNIX, SOCK_STREAM, 0));
+        ASSERT_EQ(::bind(left.Get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)), 0);
+    }
+    EXPECT_NO_THROW(ManagerSocket socket(path));
+}
+
+TEST_F(ManagerSocketTest, ProgramsSendOrdersByASocket)
+{
+    Verifies(req::SRS_MGR_006);
+    ManagerSocket socket(Path("m.sock"));
+    // A second manager does not take it away
+    EXPECT_THROW(ManagerSocket second(Path("m.sock")), std::runtime_error);
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    const std::string path = Path("m.sock");
+    std::copy(path.begin(), path.end(), address.sun_path);
+    const host::LiveFile client(::socket(AF_UNIX, SOCK_STREAM, 0));
+    ASSERT_EQ(::connect(client.Get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)), 0);
+    ASSERT_EQ(::send(client.Get(), "status\nboot ", 12U, 0), 12);
+    std::vector<std::string> lines;
+    const auto answer = [&lines](const std::string& line)
+    {
+        lines.push_back(line);
+        return "answer to " + line + "\n";
+    };
+    socket.Serve(answer); // The test before opened one connection and closed it.
+    socket.Serve(answer);
+    ASSERT_EQ(::send(client.Get(), "5\n", 2U, 0), 2);
+    socket.Serve(answer);
+    EXPECT_EQ(lines, (std::vector<std::string>{"status", "boot 5"}));
+    char text[64] = {};
+    EXPECT_EQ(::recv(client.Get(), text, sizeof(text), 0), 34);
+    EXPECT_EQ(std::string(text), "answer to status\nanswer to boot 5\n");
+}
+
+TEST_F(ManagerSocketTest, AFewLinesOfEachClientATurn)
+{
+    Verifies(req::SRS_MGR_006);
+    ManagerSocket socket(Path("m.sock"));
+    const host::LiveFile many = Connect(Path("m.sock"));
+    socket.Serve(Echo);
+    const host::LiveFile one = Connect(Path("m.sock"));
+    // Given a client with ten lines at once and one with a single line
+    Say(many, "0\n1\n2\n3\n4\n5\n6\n7\n8\n9\n");
+    Say(one, "x\n");
+    socket.Serve(Echo);
+    EXPECT_EQ(Receive(many), "0!1!2!3!");
+    EXPECT_EQ(Receive(one), "x!");
+    socket.Serve(Echo);
+    socket.Serve(Echo);
+    EXPECT_EQ(Receive(many), "4!5!6!7!8!9!");
+}
+
+TEST_F(ManagerSocketTest, WhoIsSilentMakesRoomAndWhoNeverEndsALineIsCut)
+{
+    Verifies(req::SRS_MGR_006);
+    ManagerSocket socket(Path("m.sock"));
+    std::vector<host::LiveFile> clients;
+    for (int client = 0; client < 8; ++client)
+    {
+        clients.push_back(Connect(Path("m.sock")));
+        socket.Serve(Echo);
+    }
+    Say(clients[0], "0\n");
+    socket.Serve(Echo);
+    EXPECT_EQ(Receive(clients[0]), "0!");
+    // When a ninth comes, then the second one, who was silent longest, goes
+    const host::LiveFile ninth = Connect(Path("m.sock"));
+    socket.Serve(Echo);
+    Say(ninth, "9\n");
+    socket.Serve(Echo);
+    EXPECT_EQ(Receive(ninth), "9!");
+    EXPECT_EQ(Receive(clients[1]), "cut");
+    EXPECT_EQ(Receive(clients[0]), "");
+    // When a line has no end, then it ends the connection
+    Say(clients[2], std::string(2000U, 'x'));
+    socket.Serve(Echo);
+    socket.Serve(Echo);
+    EXPECT_EQ(Receive(clients[2]), "cut");
+}
+} // namespace
+} // namespace counterpoint::tools

@@ -1,0 +1,165 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// Flying masters in network files: who is one, with which times and which behaviour.
+#include "canopen/cia306/input_error.hpp"
+#include "canopen/network/loaded_network.hpp"
+#include "tests/canopen/cia306/device_text.hpp"
+#include "tests/tools/command_run.hpp"
+#include "tools/network_file.hpp"
+#include "verification/simulator/yaml_document.hpp"
+#include "verification/trace/verifies.hpp"
+
+namespace counterpoint::tools
+{
+namespace
+{
+using cia302::CyclicMessage;
+using cia302::EqualLevel;
+using cia302::ForceReaction;
+using cia302::LossReaction;
+using cia302::MasterWatch;
+using cia302::StandbyReaction;
+using cia306::test::ExampleText;
+using network::LoadedNetwork;
+
+class NetworkFlyingTest : public test::CommandTest
+{
+  protected:
+    /// The controller of the example with 1F80h and, of 1F90h, sub-index 1 and 3.
+    void WriteManager(const std::string& start_up, const std::string& level) const
+    {
+        std::string dcf = ExampleText("controller");
+        const std::size_t place = dcf.find("[OptionalObjects]\nSupportedObjects=");
+        const std::size_t begin = dcf.find("SupportedObjects=", place) + 17U;
+        const std::size_t end = dcf.find('\n', begin);
+        const int count = std::stoi(dcf.substr(begin, end - begin));
+        dcf.insert(dcf.find("\n\n", begin),
+                   "\n" + std::to_string(count + 1) + "=0x1F80\n" + std::to_string(count + 2) + "=0x1F90");
+        dcf.replace(begin, end - begin, std::to_string(count + 2));
+        const auto variable = [](const std::string& section, const std::string& type, const std::string& value)
+        {
+            return "\n[" + section + "]\nParameterName=x\nObjectType=0x7\nDataType=" + type +
+                   "\nAccessType=rw\nParameterValue=" + value + "\nPDOMapping=0\n";
+        };
+        dcf += variable("1F80", "0x0007", start_up) + "\n[1F90]\nParameterName=x\nObjectType=0x8\nSubNumber=3\n" +
+               variable("1F90sub0", "0x0005", "6") + variable("1F90sub1", "0x0006", "150") +
+               variable("1F90sub3", "0x0006", level);
+        static_cast<void>(File("manager.dcf", dcf));
+    }
+    [[nodiscard]] std::string Net(const std::string& manager) const
+    {
+        return File("net.yaml", "manager: {node: 2, heartbeat: 200 ms, " + manager + "}\nslaves: [{node: 9}]\n");
+    }
+    [[nodiscard]] cia302::FlyingMasterOptions Options(const std::string& flying) const
+    {
+        return ReadNetworkFile(Net("flying: {" + flying + "}"), 0U).manager.flying->options;
+    }
+};
+
+TEST_F(NetworkFlyingTest, EachVariantByItself)
+{
+    Verifies(req::SRS_FLY_029);
+    EXPECT_EQ(Options("cyclic: negotiation").cyclic, CyclicMessage::kNegotiation);
+    EXPECT_EQ(Options("preset: so1114, cyclic: force").cyclic, CyclicMessage::kForce);
+    EXPECT_EQ(Options("on_force: reset_all").on_force, ForceReaction::kResetAll);
+    EXPECT_EQ(Options("on_force: race").on_force, ForceReaction::kRace);
+    EXPECT_EQ(Options("on_force: restart").on_force, ForceReaction::kRestart);
+    EXPECT_EQ(Options("equal_level: lower_node_forces").equal_level, EqualLevel::kLowerNodeForces);
+    EXPECT_EQ(Options("on_loss: reset_all").on_loss, LossReaction::kResetAll);
+    EXPECT_EQ(Options("on_loss: race").on_loss, LossReaction::kRace);
+    EXPECT_EQ(Options("watch: twice_producer").watch, MasterWatch::kTwiceProducer);
+    EXPECT_EQ(Options("watch: application").watch, MasterWatch::kApplication);
+    EXPECT_EQ(Options("preset: so1114, watch: installed").watch, MasterWatch::kInstalled);
+    EXPECT_EQ(Options("watch_time: 700 ms").watch_ms, 700U);
+    EXPECT_EQ(Options("standby: asks").standby, StandbyReaction::kAsks);
+    EXPECT_EQ(Options("standby: races").standby, StandbyReaction::kRaces);
+    EXPECT_EQ(Options("preset: so1114, standby: ignores").standby, StandbyReaction::kIgnores);
+    EXPECT_TRUE(Options("negotiates: pre_operational").negotiates_pre_operational);
+    EXPECT_TRUE(Options("race_heard: keeps_slot").keeps_slot);
+    EXPECT_TRUE(Options("claim_heard: ignores").ignores_claims);
+    EXPECT_TRUE(Options("answers_boot_up: true").answers_boot_up);
+    EXPECT_EQ(Options("restarts: 0").max_restarts, 0U);
+    EXPECT_EQ(Options("preset: so1114, restarts: 7").max_restarts, 7U);
+    // Given none, everything is as in the preset
+    EXPECT_EQ(Options("priority: 1").max_restarts, 3U);
+    EXPECT_EQ(Options("preset: so1114").standby, StandbyReaction::kAsks);
+}
+
+TEST_F(NetworkFlyingTest, UnknownWordsAndTimesAreRefusedAtTheirPlace)
+{
+    Verifies(req::SRS_FLY_029);
+    Verifies(req::SRS_NET_004);
+    const auto refusal = [this](const std::string& flying)
+    {
+        try
+        {
+            static_cast<void>(Options(flying));
+        }
+        catch (const simulator::ScenarioError& error)
+        {
+            const std::string text = error.what();
+            return text.substr(text.find("net.yaml") + 8U);
+        }
+        return std::string("accepted");
+    };
+    EXPECT_EQ(refusal("cyclic: 0x76"), ":1:56: '0x76', expected one of force, negotiation");
+    EXPECT_EQ(refusal("standby: sleeps"), ":1:57: 'sleeps', expected one of ignores, asks, races");
+    EXPECT_EQ(refusal("watch_time: 0 ms"), ":1:60: a master that is lost at once, expected a time above 0");
+    EXPECT_EQ(refusal("restarts: 256").substr(0U, 8U), ":1:58: '");
+    EXPECT_EQ(refusal("on_lost: race").substr(0U, 7U), ":1:48: ");
+}
+
+TEST_F(NetworkFlyingTest, StartUpValueDecidesNotTheDictionary)
+{
+    Verifies(req::SRS_FLY_030);
+    // Given 1F90h in the DCF, once with and once without bit 5 of 1F80h
+    WriteManager("0x21", "1");
+    const LoadedNetwork flies(ReadNetworkFile(Net("dcf: manager.dcf"), 0U));
+    ASSERT_TRUE(flies.Plan().manager.flying);
+    EXPECT_EQ(flies.Plan().manager.flying->timeout_ms, std::uint16_t{150U});
+    EXPECT_EQ(flies.Plan().manager.flying->priority, std::uint16_t{1U});
+    EXPECT_EQ(flies.Setup().start_up, 0x21U);
+    WriteManager("0x01", "1");
+    const LoadedNetwork rests(ReadNetworkFile(Net("dcf: manager.dcf"), 0U));
+    EXPECT_FALSE(rests.Plan().manager.flying);
+    EXPECT_EQ(rests.Setup().start_up, 0x01U);
+    // When the network file asks for it, the values of the DCF count where it says nothing
+    const LoadedNetwork asked(ReadNetworkFile(Net("dcf: manager.dcf, flying: {priority: 0}"), 0U));
+    ASSERT_TRUE(asked.Plan().manager.flying);
+    EXPECT_EQ(asked.Plan().manager.flying->timeout_ms, std::uint16_t{150U});
+    EXPECT_EQ(asked.Plan().manager.flying->priority, std::uint16_t{0U});
+    EXPECT_EQ(asked.Setup().start_up, 0x21U);
+    // Given the bit in the network file alone
+    const LoadedNetwork bit(ReadNetworkFile(Net("start_up: 0x21"), 0U));
+    EXPECT_TRUE(bit.Plan().manager.flying);
+    EXPECT_TRUE(bit.Warnings().empty());
+}
+
+TEST_F(NetworkFlyingTest, ReservedPriorityInTheDcfIsRefusedWithItsLine)
+{
+    Verifies(req::SRS_FLY_030);
+    Verifies(req::SRS_NET_004);
+    WriteManager("0x21", "3");
+    try
+    {
+        const LoadedNetwork net(ReadNetworkFile(Net("dcf: manager.dcf"), 0U));
+        FAIL() << "accepted";
+    }
+    catch (const cia306::InputError& error)
+    {
+        const std::string text = error.what();
+        EXPECT_NE(text.find("manager.dcf:"), std::string::npos) << text;
+        EXPECT_NE(text.find("0x1F90:03: 0x3, expected at most 0x2"), std::string::npos) << text;
+    }
+}
+
+TEST_F(NetworkFlyingTest, AFlyingMasterWithoutHeartbeatIsWarnedOf)
+{
+    Verifies(req::SRS_FLY_029);
+    const std::string file = File("net.yaml", "manager: {node: 2, flying: {priority: 1}}\nslaves: [{node: 9}]\n");
+    const LoadedNetwork net(ReadNetworkFile(file, 0U));
+    ASSERT_EQ(net.Warnings().size(), 1U);
+    EXPECT_EQ(net.Warnings()[0], file + ": a flying master without heartbeat, which its standbys lose again and again: "
+                                        "expected a heartbeat above 0 ms");
+}
+} // namespace
+} // namespace counterpoint::tools
