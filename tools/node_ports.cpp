@@ -17,7 +17,7 @@ constexpr std::uint32_t kBlockOf128 = 0x780U;
 
 host::LiveOptions OptionsOfServices()
 {
-    return {host::RestartPolicy::kTimed, kRestartAfterMs, {}};
+    return {host::RestartPolicy::kTimed, kRestartAfterMs, host::kReconnectAfterMs, {}};
 }
 
 /// 001h, 100h to 17Fh, 180h: whole powers of two; the device leaves out 100h. With two controllers the first one has
