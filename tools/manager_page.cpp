@@ -3,6 +3,7 @@
 #include "tools/manager_diagram.hpp"
 #include "tools/manager_status.hpp"
 
+#include "canopen/cia306/html_text.hpp"
 #include "canopen/cia306/input_error.hpp"
 
 #include <algorithm>
@@ -31,33 +32,6 @@ constexpr const char* kStyle =
     "svg .arrow{stroke:var(--ink);fill:none}svg .badarrow{stroke:var(--bad);fill:none}svg .head{fill:var(--head)}"
     "figure{overflow-x:auto;margin:0}figcaption{color:var(--soft);margin-bottom:8px}";
 
-std::string Escaped(const std::string& text)
-{
-    std::string out;
-    for (const char character : text)
-    {
-        switch (character)
-        {
-        case '<':
-            out += "&lt;";
-            break;
-        case '>':
-            out += "&gt;";
-            break;
-        case '&':
-            out += "&amp;";
-            break;
-        case '"':
-            out += "&quot;";
-            break;
-        default:
-            out += character;
-            break;
-        }
-    }
-    return out;
-}
-
 std::string Seconds(const std::uint64_t us)
 {
     constexpr std::size_t kRoom = 32U;
@@ -73,9 +47,9 @@ std::string ResultTable(const ManagerHost& host, const Instant now)
            "<th>finding</th></tr>";
     for (const StatusRow& row : StatusRows(host, now))
     {
-        out << "<tr><td>" << int{row.node} << "</td><td>" << Escaped(row.name) << "</td><td class=\""
+        out << "<tr><td>" << int{row.node} << "</td><td>" << cia306::HtmlText(row.name) << "</td><td class=\""
             << (row.is_good ? "good" : "bad") << "\">" << row.state << "</td><td>" << row.result << "</td><td>"
-            << row.step << "</td><td>" << row.safety << "</td><td>" << Escaped(row.finding) << "</td></tr>";
+            << row.step << "</td><td>" << row.safety << "</td><td>" << cia306::HtmlText(row.finding) << "</td></tr>";
     }
     out << "</table>";
     return out.str();
@@ -120,7 +94,7 @@ class Picture
             const int x = X(static_cast<int>(lane));
             out_ << "<line class=\"lane\" x1=\"" << x << "\" y1=\"" << kHeadHeight - 12 << "\" x2=\"" << x << "\" y2=\""
                  << height << "\"/><text x=\"" << x << "\" y=\"20\" text-anchor=\"middle\">"
-                 << Escaped(heads_[lane].substr(0U, 24U)) << "</text>";
+                 << cia306::HtmlText(heads_[lane].substr(0U, 24U)) << "</text>";
         }
         int y = kHeadHeight;
         for (const DiagramRow& row : rows_)
@@ -153,7 +127,7 @@ class Picture
         {
             out_ << "<circle cx=\"" << X(lane) << "\" cy=\"" << y - 4 << "\" r=\"4\" class=\""
                  << (row.is_bad ? "badarrow" : "arrow") << "\"/><text class=\"" << text << "\" x=\"" << X(lane) + 9
-                 << "\" y=\"" << y << "\">" << Escaped(row.label) << "</text>";
+                 << "\" y=\"" << y << "\">" << cia306::HtmlText(row.label) << "</text>";
             return;
         }
         const int from = row.is_from_manager ? X(0) : X(lane);
@@ -164,7 +138,7 @@ class Picture
         out_ << "<line class=\"" << (row.is_bad || is_silent ? "badarrow" : "arrow")
              << "\" marker-end=\"url(#tip)\" x1=\"" << from << "\" y1=\"" << y + 3 << "\" x2=\"" << to << "\" y2=\""
              << y + 3 << "\"/><text class=\"" << (is_silent ? "badtext" : text) << "\" x=\"" << X(0) + 8 << "\" y=\""
-             << y << "\">" << Escaped(row.label + (is_silent ? ": no answer" : "") + took) << "</text>";
+             << y << "\">" << cia306::HtmlText(row.label + (is_silent ? ": no answer" : "") + took) << "</text>";
     }
 
     const std::vector<DiagramRow>& rows_;
@@ -176,11 +150,12 @@ class Picture
 
 std::string DiagramPage(const ManagerHost& host, const ManagerDiagram& diagram, const Instant now)
 {
-    const std::string name = Escaped(host.Net().Plan().name.empty() ? host.Net().Plan().file : host.Net().Plan().name);
+    const std::string name =
+        cia306::HtmlText(host.Net().Plan().name.empty() ? host.Net().Plan().file : host.Net().Plan().name);
     std::ostringstream page;
     page << "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>Boot-up of " << name
          << "</title><style>" << kStyle << "</style></head><body><h1>Boot-up of " << name << "</h1><p>"
-         << Escaped(ManagerLine(host)) << "</p>" << ResultTable(host, now)
+         << cia306::HtmlText(ManagerLine(host)) << "</p>" << ResultTable(host, now)
          << "<figure><figcaption>Time goes down, one row for each message; SDO transfers are one row with the time to "
             "their answer.";
     if (diagram.LeftOut() > 0U)
