@@ -27,8 +27,8 @@ SocketcandMessage MessageOf(const SocketcandWord word)
 } // namespace
 
 LiveSocketcandBus::LiveSocketcandBus(const LiveAddress& address, const LiveOptions& options)
-    : address_{address}, options_{options}, peer_{address}, link_{peer_.Connect(LiveNow() + kPatienceNs)},
-      greeting_{address.interface}
+    : address_{address}, options_{options}, give_up_at_ns_{LiveNow() + kPatienceNs}, peer_{address},
+      link_{peer_.Connect(give_up_at_ns_)}, greeting_{address.interface}
 {
     Greet();
     poll_.Add(link_.Descriptor());
@@ -42,7 +42,6 @@ void LiveSocketcandBus::Refuse(const std::string& what) const
 
 void LiveSocketcandBus::Greet()
 {
-    const std::uint64_t until_ns = LiveNow() + kPatienceNs;
     greeting_.GoOn(link_);
     while (!greeting_.IsOver())
     {
@@ -55,7 +54,7 @@ void LiveSocketcandBus::Greet()
             Refuse("the server ended the connection, expected its answer");
         }
         pollfd wait{link_.Descriptor(), POLLIN, 0};
-        if (::poll(&wait, 1U, MillisecondsUntil(until_ns)) <= 0)
+        if (::poll(&wait, 1U, MillisecondsUntil(give_up_at_ns_)) <= 0)
         {
             Refuse("the server said nothing for 3 s, expected the socketcand protocol");
         }
@@ -172,7 +171,7 @@ void LiveSocketcandBus::SendWaiting()
     {
         return; // What wakes then is the policy.
     }
-    if (queue_.IsEmpty() && (link_.WaitingBytes() == 0U))
+    if (queue_.IsEmpty() && (link_.WaitingBytes() == 0U) && greeting_.Early().empty())
     {
         poll_.WakeNever();
     }

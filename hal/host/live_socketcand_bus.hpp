@@ -47,6 +47,7 @@ class LiveSocketcandBus final : public LiveBus
 
     LiveAddress address_;
     LiveOptions options_;
+    std::uint64_t give_up_at_ns_; ///< On the connection that is being opened.
     SocketcandPeer peer_;
     SocketcandLink link_;
     SocketcandGreeting greeting_;
@@ -55,7 +56,6 @@ class LiveSocketcandBus final : public LiveBus
     std::deque<LiveFrame> unconfirmed_{}; ///< Sent to a server that does not tell own frames.
     bool is_lost_{false};                 ///< Until the greeting of the next connection is over.
     std::uint64_t retry_at_ns_{0U};       ///< Of the next connection.
-    std::uint64_t give_up_at_ns_{0U};     ///< On the one that is being opened.
     BusState state_{BusState::kActive};
     BusHealth counts_{};
 };
