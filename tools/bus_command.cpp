@@ -40,17 +40,18 @@ struct ListenPlace
 
 ListenPlace PlaceOf(const std::string& text)
 {
-    const std::size_t colon = text.rfind(':');
-    const std::string digits = (colon == std::string::npos) ? std::string{} : text.substr(colon + 1U);
+    const host::HostAndPort place = host::SplitHostAndPort(text);
+    const std::string& digits = place.port;
     std::uint16_t port = 0U;
     const std::from_chars_result result = std::from_chars(digits.data(), digits.data() + digits.size(), port);
     const bool is_port = !digits.empty() && (result.ec == std::errc{}) && (result.ptr == digits.data() + digits.size());
-    if (!is_port || (colon == 0U))
+    if (!is_port || place.host.empty())
     {
         throw host::LiveBusError("--listen '" + cia306::Printable(text) +
-                                 "', expected HOST:PORT with a port from 0 (a free one) to 65535");
+                                 "', expected HOST:PORT with a port from 0 (a free one) to 65535, and an IPv6 address "
+                                 "in brackets");
     }
-    return {text.substr(0U, colon), port};
+    return {place.host, port};
 }
 
 /// What a client can write in an order, and in an address as it is.
@@ -151,7 +152,8 @@ class BusCommand final : public Command
             answer["buses"][bus.name] = bus.address;
             if (!is_json_)
             {
-                out << bus.address << " is socketcand:" << host << ":" << port << "/" << bus.name << "\n";
+                out << bus.address << " is socketcand:" << host::HostBeforePort(host) << ":" << port << "/" << bus.name
+                    << "\n";
             }
         }
         if (is_json_)

@@ -39,6 +39,20 @@ void RequireFolder(const std::string& folder)
     }
 }
 
+/// Nothing but an older output is replaced: not FILE itself, and nobody's own source. [SRS-GEN-018]
+void RequireOwnOrNone(const std::string& path)
+{
+    std::error_code error;
+    const bool is_there = std::filesystem::exists(path, error) && std::filesystem::is_regular_file(path, error);
+    const std::string text = is_there ? cia306::ReadTextFile(path) : "";
+    if (!text.empty() && !generate::IsGenerated(text))
+    {
+        throw cia306::InputError(
+            path, 0U,
+            {"it is there and was not made by 'counterpoint generate'", "another --output, or that you remove it"});
+    }
+}
+
 class GenerateCommand final : public Command
 {
   public:
@@ -101,6 +115,8 @@ class GenerateCommand final : public Command
         {
             RequireFolder(folder_);
         }
+        RequireOwnOrNone(PathOf(generate::kHeaderName));
+        RequireOwnOrNone(PathOf(generate::kSourceName));
         cia306::RequireWritable(PathOf(generate::kHeaderName));
         cia306::RequireWritable(PathOf(generate::kSourceName));
         cia306::WriteTextFile(PathOf(generate::kHeaderName), code.header);

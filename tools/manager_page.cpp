@@ -3,6 +3,7 @@
 #include "tools/manager_diagram.hpp"
 #include "tools/manager_status.hpp"
 
+#include "canopen/cia306/html_text.hpp"
 #include "canopen/cia306/input_error.hpp"
 
 #include <algorithm>
@@ -35,33 +36,6 @@ constexpr const char* kStyle =
     "svg .arrow{stroke:var(--ink);fill:none}svg .badarrow{stroke:var(--bad);fill:none}svg .head{fill:var(--head)}"
     "figure{overflow-x:auto;margin:0}figcaption{color:var(--soft);margin-bottom:8px}";
 
-std::string Escaped(const std::string& text)
-{
-    std::string out;
-    for (const char character : text)
-    {
-        switch (character)
-        {
-        case '<':
-            out += "&lt;";
-            break;
-        case '>':
-            out += "&gt;";
-            break;
-        case '&':
-            out += "&amp;";
-            break;
-        case '"':
-            out += "&quot;";
-            break;
-        default:
-            out += character;
-            break;
-        }
-    }
-    return out;
-}
-
 /// At most so many bytes, no character cut in two.
 std::string Cut(std::string text, const std::size_t length)
 {
@@ -92,9 +66,9 @@ std::string ResultTable(const ManagerHost& host, const Instant now)
            "<th>finding</th></tr>";
     for (const StatusRow& row : StatusRows(host, now))
     {
-        out << "<tr><td>" << int{row.node} << "</td><td>" << Escaped(row.name) << "</td><td class=\""
+        out << "<tr><td>" << int{row.node} << "</td><td>" << cia306::HtmlText(row.name) << "</td><td class=\""
             << (row.is_good ? "good" : "bad") << "\">" << row.state << "</td><td>" << row.result << "</td><td>"
-            << row.step << "</td><td>" << row.safety << "</td><td>" << Escaped(row.finding) << "</td></tr>";
+            << row.step << "</td><td>" << row.safety << "</td><td>" << cia306::HtmlText(row.finding) << "</td></tr>";
     }
     out << "</table>";
     return out.str();
@@ -178,7 +152,7 @@ class Picture
                 "<text x=\"" + std::to_string(X(static_cast<int>(lane))) + "\" text-anchor=\"middle\" y=\"";
             const std::string name = Cut(heads_[lane].name, static_cast<std::size_t>(lane_width_ / kLetterWidth));
             out_ << at << y + 16 << "\">" << heads_[lane].node << "</text>" << at << y + 31 << "\" class=\"soft\">"
-                 << Escaped(name) << "</text>";
+                 << cia306::HtmlText(name) << "</text>";
         }
     }
     int LaneOf(const std::uint8_t node) const
@@ -197,7 +171,7 @@ class Picture
         {
             out_ << "<circle cx=\"" << X(lane) << "\" cy=\"" << y - 4 << "\" r=\"4\" class=\""
                  << (row.is_bad ? "badarrow" : "arrow") << "\"/><text class=\"" << text << "\" x=\"" << X(lane) + 9
-                 << "\" y=\"" << y << "\">" << Escaped(row.label) << "</text>";
+                 << "\" y=\"" << y << "\">" << cia306::HtmlText(row.label) << "</text>";
             return;
         }
         const int from = row.is_from_manager ? X(0) : X(lane);
@@ -205,7 +179,7 @@ class Picture
         const bool is_answered = row.until_us > row.at_us;
         const std::string took = is_answered ? " (" + std::to_string(row.until_us - row.at_us) + " us)" : "";
         const bool is_silent = row.is_request && row.until_us == 0U;
-        const std::string label = Escaped(row.label + (is_silent ? ": no answer" : "") + took);
+        const std::string label = cia306::HtmlText(row.label + (is_silent ? ": no answer" : "") + took);
         // By the lane of the node, where its messages stand below each other; what does not fit there begins at the
         // manager.
         const int room = X(lane) - X(0) - 24;
@@ -228,11 +202,12 @@ class Picture
 
 std::string DiagramPage(const ManagerHost& host, const ManagerDiagram& diagram, const Instant now)
 {
-    const std::string name = Escaped(host.Net().Plan().name.empty() ? host.Net().Plan().file : host.Net().Plan().name);
+    const std::string name =
+        cia306::HtmlText(host.Net().Plan().name.empty() ? host.Net().Plan().file : host.Net().Plan().name);
     std::ostringstream page;
     page << "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>Boot-up of " << name
          << "</title><style>" << kStyle << "</style></head><body><h1>Boot-up of " << name << "</h1><p>"
-         << Escaped(ManagerLine(host)) << "</p>" << ResultTable(host, now)
+         << cia306::HtmlText(ManagerLine(host)) << "</p>" << ResultTable(host, now)
          << "<figure><figcaption>Time goes down, one row for each message; SDO transfers are one row, an arrow to and "
             "fro with the time to the answer.";
     if (diagram.LeftOut() > 0U)

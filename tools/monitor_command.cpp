@@ -136,16 +136,19 @@ class MonitorCommand final : public Command
                 take(frame);
                 is_any = true;
             }
-            if (!is_any && !interface_.empty())
+            if (!is_any)
             {
-                throw InputError(
-                    file_, 0U,
-                    {"no frame of interface " + cia306::Quoted(interface_), "--interface with one of the recording"});
+                throw InputError(file_, 0U,
+                                 interface_.empty()
+                                     ? cia306::Problem{"no CAN frame in it", "a recording with at least one"}
+                                     : cia306::Problem{"no frame of interface " + cia306::Quoted(interface_),
+                                                       "--interface with one of the recording"});
             }
         }
         else
         {
-            WatchLiveBus(address_, seconds_, streams, take, [&](const Time now) { analysis.Advance(now); });
+            WatchLiveBus(address_, seconds_, streams,
+                         {take, [&](const Time now) { analysis.Advance(now); }, [&] { analysis.Interrupt(); }});
         }
         return Conclude({network, analysis, kept, address_.empty() ? file_ : address_}, streams);
     }

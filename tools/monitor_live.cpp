@@ -40,25 +40,41 @@ LogFrame FrameOf(const host::LiveFrame& live)
     std::copy(std::begin(live.data), std::end(live.data), frame.data.begin());
     return frame;
 }
-} // namespace
-
-void WatchLiveBus(const std::string& address, const int seconds, const Streams& streams,
-                  const std::function<void(const LogFrame&)>& take, const std::function<void(Time)>& advance)
+/// Told once each time.
+bool TellState(const std::string& address, const bool was_down, const host::BusState state, const Streams& streams)
 {
-    std::unique_ptr<host::LiveBus> bus;
+    const bool is_down = state == host::BusState::kDown;
+    if (is_down != was_down)
+    {
+        streams.err << "counterpoint monitor: " << cia306::Printable(address)
+                    << (is_down ? " went down; nothing is judged until it is back" : " is back") << "\n";
+        streams.err.flush();
+    }
+    return is_down;
+}
+
+std::unique_ptr<host::LiveBus> Open(const std::string& address)
+{
     try
     {
-        bus = host::OpenLiveBus(address);
+        return host::OpenLiveBus(address);
     }
     catch (const host::LiveBusError& error)
     {
         throw cia306::InputError(address, 0U, {error.what(), ""});
     }
+}
+} // namespace
+
+void WatchLiveBus(const std::string& address, const int seconds, const Streams& streams, const LiveWatcher& watcher)
+{
+    const std::unique_ptr<host::LiveBus> bus = Open(address);
     is_interrupted = 0;
     const auto before_int = std::signal(SIGINT, &OnInterrupt);
     const auto before_term = std::signal(SIGTERM, &OnInterrupt);
     const Time begin = static_cast<Time>(host::LiveNow());
     Time last = begin;
+    bool is_down = false;
     bool is_over = false;
     while (!is_over)
     {
@@ -70,24 +86,25 @@ void WatchLiveBus(const std::string& address, const int seconds, const Streams& 
             LogFrame frame = FrameOf(live);
             frame.time = std::max(frame.time, last); // Stamps of two threads of the system may change places.
             last = frame.time;
-            take(frame);
+            watcher.take(frame);
         }
         const Time now = static_cast<Time>(host::LiveNow());
-        last = std::max(last, now - kSettled);
-        advance(last);
+        is_down = TellState(address, is_down, bus->Health().state, streams);
+        if (is_down)
+        {
+            watcher.interrupt();
+        }
+        else
+        {
+            last = std::max(last, now - kSettled);
+            watcher.advance(last);
+        }
         streams.out.flush();
-        const host::BusState state = bus->Health().state;
-        is_over = is_interrupted != 0 || (seconds != 0 && now - begin >= seconds * monitor::kSecond) ||
-                  state == host::BusState::kDown;
+        is_over = is_interrupted != 0 || (seconds != 0 && now - begin >= seconds * monitor::kSecond);
     }
-    const host::BusHealth health = bus->Health();
-    if (health.state == host::BusState::kDown)
+    if (const std::uint32_t lost = bus->Health().lost_frames; lost != 0U)
     {
-        streams.err << "counterpoint monitor: " << cia306::Printable(address) << " went down\n";
-    }
-    if (health.lost_frames != 0U)
-    {
-        streams.err << "counterpoint monitor: " << health.lost_frames << " frames were lost on this machine\n";
+        streams.err << "counterpoint monitor: " << lost << " frames were lost on this machine\n";
     }
     static_cast<void>(std::signal(SIGINT, before_int));
     static_cast<void>(std::signal(SIGTERM, before_term));

@@ -10,11 +10,18 @@
 
 namespace counterpoint::tools
 {
-/// Hands over every frame of the bus, and the time where none comes, until Ctrl-C or `seconds` have passed (0: no end).
-/// Throws InputError for an address that cannot be opened. [SRS-MON-001]
-void WatchLiveBus(const std::string& address, int seconds, const Streams& streams,
-                  const std::function<void(const monitor::LogFrame&)>& take,
-                  const std::function<void(monitor::Time)>& advance);
+/// Whoever watches a live bus.
+struct LiveWatcher
+{
+    std::function<void(const monitor::LogFrame&)> take;
+    std::function<void(monitor::Time)> advance; ///< No frame came until then.
+    std::function<void()> interrupt;            ///< The bus is down: what is on it is not seen.
+};
+
+/// Hands over every frame of the bus, and the time where none comes, until Ctrl-C or `seconds` have passed (0: no end),
+/// also when the bus goes down and comes back. Throws InputError for an address that cannot be opened. [SRS-MON-001,
+/// SRS-MON-018]
+void WatchLiveBus(const std::string& address, int seconds, const Streams& streams, const LiveWatcher& watcher);
 } // namespace counterpoint::tools
 
 #endif // TOOLS_MONITOR_LIVE_HPP

@@ -5,19 +5,18 @@
 #include "tools/node_report.hpp"
 
 #include "safety_core/kernel/application.hpp"
-#include "safety_core/kernel/variable.hpp"
 #include "verification/simulator/device_model.hpp"
+#include "verification/simulator/pair_logic.hpp"
 #include "verification/simulator/scenario.hpp"
 
 #include <cstdint>
 #include <functional>
-#include <vector>
+#include <string>
 
 namespace counterpoint::tools
 {
-/// The application of a live node. Inputs go into the producers' normal objects, and by another path into the inverse
-/// ones; what consumers release counts while its two objects are inverse and the output of its SRDO is open; rules join
-/// the two. [SRS-NODE-003, SRS-NODE-004]
+/// The application of a live node: what it does with its pairs is that of a simulated one, what the kernel tells it is
+/// a line. [SRS-NODE-003, SRS-NODE-004]
 class NodeApplication final : public Application
 {
   public:
@@ -27,8 +26,7 @@ class NodeApplication final : public Application
     NodeApplication(const simulator::DeviceModel& model, NodeReport& report);
 
     void Tell(OnPair on_pair);
-    /// @brief Pairs as the SRDOs are configured now, whoever did it: new ones come behind those that are known, and
-    /// those that no SRDO has any more rest. On entering OPERATIONAL. [SRS-NODE-019]
+    /// @brief Pairs as the SRDOs are configured now, whoever did it. On entering OPERATIONAL. [SRS-NODE-019]
     void Follow(Kernel& kernel, const simulator::DeviceModel& model);
     /// @brief Whether the rule's objects are pairs of this device: the target of a producer.
     [[nodiscard]] bool AddRule(const simulator::LogicRule& rule);
@@ -57,49 +55,12 @@ class NodeApplication final : public Application
     void OnFlow(const FlowCount& count) noexcept override;
 
   private:
-    /// One pair of objects. Both paths keep a value of their own.
-    struct Pair
-    {
-        VariablePlace normal_place{nullptr, 0U};
-        VariablePlace inverse_place{nullptr, 0U};
-        ObjectAddress address{0U, 0U};
-        std::uint64_t mask{0U};
-        std::uint64_t normal{0U};
-        std::uint64_t inverse{0U};
-        std::uint64_t safe{0U};
-        SlotIndex slot{0U};
-        std::uint8_t srdo{0U};
-        bool is_consumer{false};
-        bool is_mapped{true}; ///< By an SRDO that is on, or by the file while nothing was followed yet.
-    };
-    /// Two entries of a mapping.
-    struct MappedPair
-    {
-        VariablePlace normal{nullptr, 0U};
-        VariablePlace inverse{nullptr, 0U};
-        ObjectAddress address{0U, 0U};
-    };
-    struct Rule
-    {
-        std::size_t target{0U};
-        simulator::LogicOperation operation{simulator::LogicOperation::kCopy};
-        std::vector<std::size_t> inputs;
-    };
-
-    [[nodiscard]] std::size_t Find(const ObjectAddress& normal) const;
-    void FollowSrdo(Kernel& kernel, const DeviceConfig& config, SlotIndex slot, std::uint8_t number);
-    [[nodiscard]] Pair& Take(const MappedPair& mapped);
-    static void SetSafe(Pair& pair, const Payload& safe, std::uint32_t first_bit);
-    void TakePair(Pair& pair, SrdoMask open);
-    void Apply(const Rule& rule);
-    void TellValue(const Pair& pair);
+    void TellValue(const simulator::PairValue& pair);
 
     NodeReport& report_;
     OnPair on_pair_;
-    std::vector<Pair> pairs_;
-    std::vector<Rule> rules_;
+    simulator::PairLogic logic_;
     std::uint64_t now_ns_{0U};
-    bool has_changed_{false};
 };
 } // namespace counterpoint::tools
 

@@ -17,7 +17,7 @@ constexpr std::uint32_t kBlockOf128 = 0x780U;
 
 host::LiveOptions OptionsOfServices()
 {
-    return {host::RestartPolicy::kTimed, kRestartAfterMs, {}};
+    return {host::RestartPolicy::kTimed, kRestartAfterMs, host::kReconnectAfterMs, {}};
 }
 
 /// 001h, 100h to 17Fh, 180h: whole powers of two; the device leaves out 100h. With two controllers the first one has
@@ -75,11 +75,13 @@ host::BusState NodePorts::State() const
     constexpr std::array<host::BusState, 5U> kWorstFirst{host::BusState::kDown, host::BusState::kBusOff,
                                                          host::BusState::kPassive, host::BusState::kWarning,
                                                          host::BusState::kActive};
-    const host::BusState one = services_->Health().state;
-    const host::BusState other = inverse_ ? inverse_->Health().state : one;
-    const auto worse = std::find_if(kWorstFirst.begin(), kWorstFirst.end(),
-                                    [one, other](const host::BusState each) { return each == one || each == other; });
-    return (worse == kWorstFirst.end()) ? host::BusState::kInvalid : *worse;
+    const host::BusState services = services_->Health().state;
+    const std::array<host::BusState, 3U> states{services, safety_->Health().state,
+                                                inverse_ ? inverse_->Health().state : services};
+    const auto is_there = [&states](const host::BusState each)
+    { return std::find(states.begin(), states.end(), each) != states.end(); };
+    const auto worst = std::find_if(kWorstFirst.begin(), kWorstFirst.end(), is_there);
+    return (worst == kWorstFirst.end()) ? host::BusState::kInvalid : *worst;
 }
 
 hal::TransmitStatus NodePorts::DoTransmit(const CanFrame& frame) noexcept

@@ -39,7 +39,7 @@ class NodePorts final : public hal::CanPorts
     }
     /// @brief Frames that the system lost, of all.
     [[nodiscard]] std::uint32_t LostFrames() const;
-    /// @brief The worse one of both controllers.
+    /// @brief The worst one of all connections and controllers.
     [[nodiscard]] host::BusState State() const;
     /// @brief From now on SRDOs are refused: the end of the process.
     void EndProduction() noexcept

@@ -6,10 +6,7 @@
 
 namespace counterpoint::cia306
 {
-namespace
-{
-/// The bytes of one character of UTF-8, or nothing: not such text. A character of the file's byte then.
-std::size_t LengthOfCharacter(const std::string& text, const std::size_t at)
+std::size_t LengthOfUtf8(const std::string_view text, const std::size_t at) noexcept
 {
     const auto first = static_cast<std::uint8_t>(text[at]);
     const std::size_t length =
@@ -21,7 +18,6 @@ std::size_t LengthOfCharacter(const std::string& text, const std::size_t at)
     }
     return is_whole ? length : 0U;
 }
-} // namespace
 
 std::vector<std::uint8_t> Utf16Of(const std::string& text)
 {
@@ -33,7 +29,7 @@ std::vector<std::uint8_t> Utf16Of(const std::string& text)
     };
     for (std::size_t at = 0U; at < text.size();)
     {
-        const std::size_t length = LengthOfCharacter(text, at);
+        const std::size_t length = LengthOfUtf8(text, at);
         std::uint32_t character = static_cast<std::uint8_t>(text[at]);
         character &= length > 1U ? 0xFFU >> (length + 1U) : 0xFFU;
         for (std::size_t place = 1U; place < length; ++place)

@@ -12,16 +12,23 @@ namespace counterpoint::generate
 {
 namespace
 {
+constexpr std::string_view kOrigin = " Made by `counterpoint generate` from ";
+
 std::string OriginOf(const std::string& path, const std::string_view text)
 {
     boost::crc_32_type crc;
     crc.process_bytes(text.data(), text.size());
     const std::size_t folder = path.find_last_of('/');
     const std::string name = folder == std::string::npos ? path : path.substr(folder + 1U);
-    return " Made by `counterpoint generate` from " + CommentText(name) + " (CRC-32 " + cia306::Hex(crc.checksum(), 8) +
+    return std::string(kOrigin) + CommentText(name) + " (CRC-32 " + cia306::Hex(crc.checksum(), 8) +
            "). Change the file, not this.";
 }
 } // namespace
+
+bool IsGenerated(const std::string_view text) noexcept
+{
+    return text.substr(0U, 2U) == "//" && text.substr(2U, kOrigin.size()) == kOrigin;
+}
 
 GeneratedCode Generate(const cia306::Device& device, const std::string_view text, const GenerateOptions& options)
 {

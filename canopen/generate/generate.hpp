@@ -39,6 +39,9 @@ struct GeneratedCode
 [[nodiscard]] GeneratedCode Generate(const cia306::Device& device, std::string_view text,
                                      const GenerateOptions& options);
 
+/// Whether this is a text that Generate made, whatever its version. [SRS-GEN-018]
+[[nodiscard]] bool IsGenerated(std::string_view text) noexcept;
+
 /// What is wrong with the name of a namespace (`a::b` is one), nothing where it can be used. [SRS-GEN-003]
 [[nodiscard]] std::string ProblemOfNamespace(const std::string& name);
 

@@ -140,6 +140,10 @@ void Analysis::Advance(const Time now)
     first_ = has_begun_ ? first_ : now;
     has_begun_ = true;
     last_ = now;
+    if (is_blind_)
+    {
+        Open(now);
+    }
     if (now <= next_deadline_)
     {
         return;
@@ -156,6 +160,25 @@ void Analysis::Advance(const Time now)
     }
     next_deadline_ = std::min(next_deadline_, gfc_.Deadline());
     Tell();
+}
+
+void Analysis::Open(const Time now)
+{
+    is_blind_ = false;
+    for (SrdoWatch& watch : watches_)
+    {
+        watch.Begin(now);
+    }
+}
+
+void Analysis::Interrupt() noexcept
+{
+    is_blind_ = true;
+    gfc_.Stop();
+    for (SrdoWatch& watch : watches_)
+    {
+        watch.Stop();
+    }
 }
 
 void Analysis::OnBreach(const std::size_t watch, const Breach& breach)

@@ -55,6 +55,9 @@ class Analysis final : private BreachSink
     void Take(const LogFrame& frame);
     /// @brief Nothing came until `now`: what has expired is told.
     void Advance(Time now);
+    /// @brief Frames from here to the next call of one of the others are not seen: nothing is held or awaited.
+    /// [SRS-MON-018]
+    void Interrupt() noexcept;
 
     [[nodiscard]] const std::deque<SrdoWatch>& Watches() const noexcept;
     /// @brief Violations of one watch by cause.
@@ -71,6 +74,7 @@ class Analysis final : private BreachSink
 
     void OnBreach(std::size_t watch, const Breach& breach) override;
     void Tell();
+    void Open(Time now);
     void FollowNodes(const LogFrame& frame);
     void SetOperational(std::uint8_t node_id, bool is_operational);
 
@@ -85,6 +89,7 @@ class Analysis final : private BreachSink
     std::vector<Violation> fresh_; ///< Seen since Tell.
     Time next_deadline_;           ///< Not after the deadline of any watch.
     bool has_begun_{false};
+    bool is_blind_{true}; ///< What was before the next call was not seen.
     Time first_{0};
     Time last_{0};
     std::size_t frame_count_{0U};

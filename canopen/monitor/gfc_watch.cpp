@@ -54,6 +54,11 @@ void GfcWatch::OnFrame(const LogFrame& frame) noexcept
     }
 }
 
+void GfcWatch::Stop() noexcept
+{
+    open_.reset();
+}
+
 std::optional<Breach> GfcWatch::Advance(const Time now)
 {
     if (now <= Deadline())

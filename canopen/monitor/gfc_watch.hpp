@@ -20,6 +20,8 @@ class GfcWatch
 
     /// @brief A plain frame.
     void OnFrame(const LogFrame& frame) noexcept;
+    /// @brief Frames were not seen: nothing is awaited.
+    void Stop() noexcept;
     /// @brief What has expired before `now`, once.
     [[nodiscard]] std::optional<Breach> Advance(Time now);
     /// @brief The time until which an SRDO is awaited; never: the greatest time.

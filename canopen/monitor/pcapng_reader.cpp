@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/monitor/readers.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace counterpoint::monitor
@@ -184,6 +185,12 @@ Time PcapngReader::TimeOf(const std::uint64_t ticks, const Interface& interface)
     return interface.offset + static_cast<Time>(seconds) * kSecond + nanoseconds;
 }
 
+bool PcapngReader::HasReadable() const
+{
+    return std::any_of(interfaces_.begin(), interfaces_.end(),
+                       [](const Interface& interface) { return IsReadable(interface.link_type); });
+}
+
 /// Whether the packet is a frame of the interface that is looked at.
 bool PcapngReader::ReadPacket(const std::size_t begin, const std::size_t end, LogFrame& frame)
 {
@@ -202,7 +209,10 @@ bool PcapngReader::ReadPacket(const std::size_t begin, const std::size_t end, Lo
                 "a whole packet of an interface that was described"});
     }
     const Interface& interface = interfaces_[number];
-    if (!chosen_ && (wanted_.empty() || interface.name == wanted_))
+    // Of a capture that also has interfaces of other networks it is the first one of CAN.
+    const bool is_wanted =
+        wanted_.empty() ? (IsReadable(interface.link_type) || !HasReadable()) : interface.name == wanted_;
+    if (!chosen_ && is_wanted)
     {
         chosen_ = number;
     }

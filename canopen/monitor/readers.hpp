@@ -138,6 +138,7 @@ class PcapngReader final : public FrameSource
     void ReadOptions(std::size_t begin, std::size_t end, Interface& interface) const;
     [[nodiscard]] bool ReadPacket(std::size_t begin, std::size_t end, LogFrame& frame);
     [[nodiscard]] Time TimeOf(std::uint64_t ticks, const Interface& interface) const;
+    [[nodiscard]] bool HasReadable() const;
 
     std::string file_;
     CaptureBytes bytes_;

@@ -3,11 +3,13 @@
 
 #include "canopen/monitor/readers.hpp"
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <utility>
 
 namespace counterpoint::monitor
 {
@@ -44,6 +46,18 @@ class Descriptor
 {
     throw cia306::InputError(path, 0U, {wrong, expected});
 }
+void RefuseCompressed(const std::string& file, const std::string_view magic)
+{
+    constexpr std::array<std::pair<std::string_view, const char*>, 3U> kinds{
+        {{"\x1F\x8B", "gzip"}, {"\xFD\x37zX", "xz"}, {"\x28\xB5\x2F\xFD", "zstd"}}};
+    for (const auto& [begin, name] : kinds)
+    {
+        if (magic.substr(0U, begin.size()) == begin)
+        {
+            Refuse(file, std::string("it is compressed (") + name + ")", "the recording itself, unpacked");
+        }
+    }
+}
 } // namespace
 
 std::string ReadRecording(const std::string& path)
@@ -58,6 +72,10 @@ std::string ReadRecording(const std::string& path)
     if (!S_ISREG(status.st_mode) || static_cast<std::uint64_t>(status.st_size) > kMostBytes)
     {
         Refuse(path, "it is no regular file of up to 2 GB", "a recording of candump -l, pcap or pcapng");
+    }
+    if (status.st_size == 0)
+    {
+        Refuse(path, "it is empty", "a recording of candump -l, pcap or pcapng");
     }
     std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
     std::size_t count = 0U;
@@ -78,6 +96,7 @@ std::unique_ptr<FrameSource> OpenRecording(const std::string& file, const std::s
                                            const RecordingOptions& options)
 {
     const std::string_view magic = bytes.substr(0U, 4U);
+    RefuseCompressed(file, magic);
     if (magic == "\x0A\x0D\x0D\x0A")
     {
         return std::make_unique<PcapngReader>(file, bytes, options);

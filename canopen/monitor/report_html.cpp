@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/monitor/report.hpp"
 
+#include "canopen/cia306/html_text.hpp"
 #include "canopen/monitor/texts.hpp"
 
 #include <algorithm>
@@ -29,34 +30,6 @@ constexpr const char* kStyle =
     "stroke-width:2}svg text{font-size:11px;fill:#52616f}.scroll{overflow-x:auto}"
     "@media(prefers-color-scheme:dark){body{background:#12181e;color:#dfe7ee}td,th,h2{border-color:#2c3945}"
     ".bad{color:#ff8087}.good{color:#6fcf97}rect{fill:#6ea3dc}svg text,figcaption{fill:#9fb0bf;color:#9fb0bf}}";
-
-std::string Escaped(const std::string& text)
-{
-    std::string escaped;
-    for (const char character : text)
-    {
-        switch (character)
-        {
-        case '&':
-            escaped += "&amp;";
-            break;
-        case '<':
-            escaped += "&lt;";
-            break;
-        case '>':
-            escaped += "&gt;";
-            break;
-        case '"':
-            escaped += "&quot;";
-            break;
-        default:
-            // Names of files may hold bytes that are no UTF-8.
-            escaped += static_cast<unsigned char>(character) < 0x80U ? std::string(1U, character) : "?";
-            break;
-        }
-    }
-    return escaped;
-}
 
 std::string Bar(const std::size_t bin, const std::size_t count, const std::size_t most)
 {
@@ -115,7 +88,7 @@ std::string SrdoSection(const Report& report, const std::size_t number)
 {
     const WatchModel& model = report.network.Watches()[number];
     const SrdoWatch& watch = report.analysis.Watches()[number];
-    return "<h2>" + Escaped(report.network.NameOf(model)) + "</h2><p>" +
+    return "<h2>" + cia306::HtmlText(report.network.NameOf(model)) + "</h2><p>" +
            cia306::Hex(model.setup.normal_id, 3).substr(2U) + "h, " +
            cia306::Hex(model.setup.inverse_id, 3).substr(2U) + "h; " + (model.setup.is_late ? "late" : "early") +
            " detection; " + std::to_string(watch.PairCount()) + " pairs; " + Causes(report.analysis.CountsOf(number)) +
@@ -139,8 +112,8 @@ std::string ViolationTable(const Report& report)
             names += (names.empty() ? "" : "; ") + report.network.NameOf(report.network.Watches()[watch]);
         }
         rows += "<tr><td class=\"n\">" + SecondsText(violation.breach.time) + "</td><td>" +
-                CauseName(violation.breach.cause) + "</td><td>" + Escaped(names) + "</td><td>" +
-                Escaped(violation.breach.details) + "</td></tr>";
+                CauseName(violation.breach.cause) + "</td><td>" + cia306::HtmlText(names) + "</td><td>" +
+                cia306::HtmlText(violation.breach.details) + "</td></tr>";
     }
     const bool is_cut = report.analysis.ViolationCount() > kMostRows;
     return "<h2>Violations</h2>" + std::string(is_cut ? "<p>The first 2000.</p>" : "") +
@@ -160,8 +133,8 @@ std::string HtmlReport(const Report& report)
     }
     return std::string("<!DOCTYPE html><html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
                        "content=\"width=device-width,initial-scale=1\"><title>SRDOs of ") +
-           Escaped(report.source) + "</title><style>" + kStyle + "</style></head><body><h1>SRDOs of " +
-           Escaped(report.source) + "</h1><p>" + std::to_string(analysis.FrameCount()) + " frames in " +
+           cia306::HtmlText(report.source) + "</title><style>" + kStyle + "</style></head><body><h1>SRDOs of " +
+           cia306::HtmlText(report.source) + "</h1><p>" + std::to_string(analysis.FrameCount()) + " frames in " +
            SecondsText(analysis.Last() - analysis.First()) + " s: " +
            (count == 0U ? "<span class=\"good\">no violation</span>"
                         : "<span class=\"bad\">" + std::to_string(count) + " violations</span>") +

@@ -73,12 +73,17 @@ void SrdoWatch::Report(const Time time, const Cause cause, const std::string& de
     sink_.OnBreach(number_, {time, cause, details});
 }
 
+void SrdoWatch::Begin(const Time now) noexcept
+{
+    blind_until_ = now + setup_.srvt;
+}
+
 void SrdoWatch::Stop() noexcept
 {
+    has_remainder_ = has_remainder_ || pending_.has_value();
     pending_.reset();
     held_.reset();
     last_normal_.reset();
-    has_remainder_ = false;
 }
 
 // Early: with a pending normal frame SRVT, else SCT. Late: SCT alone; SRVT waits for the inverse frame.
@@ -154,6 +159,7 @@ void SrdoWatch::TakeNormal(const LogFrame& frame)
 {
     const bool was_pending = pending_.has_value();
     has_remainder_ = false;
+    blind_until_.reset();
     if (last_normal_)
     {
         cycle_.Add(frame.time - *last_normal_);
@@ -193,8 +199,10 @@ int SrdoWatch::WrongBit(const LogFrame& frame) const noexcept
 
 void SrdoWatch::TakeInverse(const LogFrame& frame)
 {
-    const bool is_remainder = has_remainder_ && !pending_;
+    const bool is_unseen = blind_until_ && frame.time <= *blind_until_;
+    const bool is_remainder = (has_remainder_ || is_unseen) && !pending_;
     has_remainder_ = false;
+    blind_until_.reset();
     if (is_remainder)
     {
         return;

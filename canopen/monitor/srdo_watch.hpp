@@ -87,11 +87,14 @@ class SrdoWatch
   public:
     SrdoWatch(std::size_t number, const WatchSetup& setup, BreachSink& sink);
 
+    /// @brief Nothing of before `now` was seen: until SRVT has passed an inverse frame may be the rest of a pair.
+    void Begin(Time now) noexcept;
     /// @brief A plain or remote frame with one of the identifiers.
     void OnFrame(const LogFrame& frame);
     /// @brief Reports a limit that has expired before `now`.
     void Advance(Time now);
-    /// @brief Producer or consumer left OPERATIONAL: nothing is held or awaited. [SRS-MON-009]
+    /// @brief Producer or consumer left OPERATIONAL: nothing is held or awaited; the inverse frame of a pair that has
+    /// begun may be under way. [SRS-MON-009]
     void Stop() noexcept;
     /// @brief The next time at which a limit could have expired; never: the greatest time.
     [[nodiscard]] Time Deadline() const noexcept;
@@ -116,6 +119,7 @@ class SrdoWatch
     std::optional<Time> held_;        ///< Normal frame of the last valid pair, while SCT is supervised.
     std::optional<Time> last_normal_; ///< Likewise, for the cycle, whether or not it is supervised.
     bool has_remainder_{false};       ///< The inverse frame of a discarded pair may still come.
+    std::optional<Time> blind_until_; ///< Likewise, because the normal frame was not seen.
     std::size_t pairs_{0U};
     TimeStatistics cycle_;
     TimeStatistics srvt_;

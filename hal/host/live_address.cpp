@@ -43,17 +43,16 @@ bool IsInterfaceName(const std::string& name)
 
 void ReadHostAndPort(const std::string& text, LiveAddress& parts)
 {
-    const std::size_t colon = text.rfind(':');
-    const bool has_both = (colon != std::string::npos) && (colon != 0U);
-    if (!has_both)
+    const HostAndPort place = SplitHostAndPort(text);
+    if (place.host.empty())
     {
-        Refuse(parts.text, "no port in '" + text + "', expected HOST:PORT");
+        Refuse(parts.text, "no host and port in '" + text + "', expected HOST:PORT, an IPv6 address in brackets");
     }
-    parts.host = text.substr(0U, colon);
-    parts.port = static_cast<std::uint16_t>(NumberOf(text.substr(colon + 1U), 65'535U));
+    parts.host = place.host;
+    parts.port = static_cast<std::uint16_t>(NumberOf(place.port, 65'535U));
     if (parts.port == 0U)
     {
-        Refuse(parts.text, "port '" + text.substr(colon + 1U) + "', expected a number from 1 to 65535");
+        Refuse(parts.text, "port '" + place.port + "', expected a number from 1 to 65535");
     }
 }
 
@@ -106,6 +105,26 @@ void ReadUdp(const std::string& text, LiveAddress& parts)
 }
 
 } // namespace
+
+HostAndPort SplitHostAndPort(const std::string& text)
+{
+    const std::size_t colon = text.rfind(':');
+    if (colon == std::string::npos)
+    {
+        return {};
+    }
+    const std::string before = text.substr(0U, colon);
+    const bool is_bracketed = (before.size() > 2U) && (before.front() == '[') && (before.back() == ']');
+    const std::string host = is_bracketed ? before.substr(1U, before.size() - 2U) : before;
+    // Without brackets nobody knows where an address with colons ends.
+    const bool is_plain = host.find_first_of(is_bracketed ? "[]" : "[]:") == std::string::npos;
+    return is_plain ? HostAndPort{host, text.substr(colon + 1U)} : HostAndPort{};
+}
+
+std::string HostBeforePort(const std::string& host)
+{
+    return (host.find(':') == std::string::npos) ? host : "[" + host + "]";
+}
 
 LiveAddress ParseLiveAddress(const std::string& address)
 {

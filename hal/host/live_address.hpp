@@ -27,6 +27,16 @@ struct LiveAddress
     std::uint32_t bits_per_second{0U}; ///< 0: no pace.
 };
 
+/// HOST:PORT before its port is a number.
+struct HostAndPort
+{
+    std::string host; ///< Without the brackets that an address with colons has here; empty: the text is none.
+    std::string port;
+};
+[[nodiscard]] HostAndPort SplitHostAndPort(const std::string& text);
+/// @brief As it stands before a port: with colons in brackets.
+[[nodiscard]] std::string HostBeforePort(const std::string& host);
+
 /// @brief Throws LiveBusError with the address and what was expected. [SRS-LIVE-001]
 [[nodiscard]] LiveAddress ParseLiveAddress(const std::string& address);
 

@@ -111,4 +111,11 @@ std::uint64_t LiveNow()
     return (static_cast<std::uint64_t>(now.tv_sec) * kSecondNs) + static_cast<std::uint64_t>(now.tv_nsec);
 }
 
+int MillisecondsUntil(const std::uint64_t time_ns)
+{
+    constexpr std::uint64_t kMillisecondNs = 1'000'000U;
+    const std::uint64_t now_ns = LiveNow();
+    return (now_ns < time_ns) ? static_cast<int>((time_ns - now_ns) / kMillisecondNs) + 1 : 0;
+}
+
 } // namespace counterpoint::host

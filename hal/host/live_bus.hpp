@@ -18,6 +18,7 @@ constexpr std::size_t kLiveDataBytes = 64U;
 constexpr std::uint8_t kClassicalDataBytes = 8U;
 /// Frames that a bus keeps for the system when its queue is full.
 constexpr std::size_t kLiveQueueFrames = 64U;
+constexpr std::uint32_t kReconnectAfterMs = 500U;
 
 /// One frame of a bus in real time. Bytes behind `length_bytes` have no meaning; a remote frame has no data.
 struct LiveFrame
@@ -66,6 +67,7 @@ struct BusHealth
     std::uint32_t malformed{0U};        ///< Received, but no frame.
     std::uint32_t dropped_frames{0U};   ///< Accepted by Send, thrown away at bus-off or interface down.
     std::uint32_t waiting{0U};          ///< Accepted by Send, not yet taken by the system.
+    std::uint32_t reconnects{0U};       ///< Lost connections that were opened again.
     std::uint32_t refused_restarts{0U}; ///< By policy, but the system refused: no rights, or it does it by itself.
 };
 
@@ -88,6 +90,8 @@ struct LiveOptions
 {
     RestartPolicy restart{RestartPolicy::kManual};
     std::uint32_t restart_after_ms{0U};
+    /// A lost connection is opened again after so long, and so long after each attempt that fails; 0: it stays lost.
+    std::uint32_t reconnect_after_ms{kReconnectAfterMs};
     /// Empty: every frame. Own frames pass by the same rule; error frames always pass.
     std::vector<IdentifierFilter> filters;
 };
@@ -137,6 +141,8 @@ class LiveBus
 [[nodiscard]] LiveFrame FromCanFrame(const CanFrame& frame);
 /// @brief CLOCK_MONOTONIC, the clock of LiveFrame::time_ns.
 [[nodiscard]] std::uint64_t LiveNow();
+/// @brief From now on, rounded up; for poll.
+[[nodiscard]] int MillisecondsUntil(std::uint64_t time_ns);
 
 } // namespace counterpoint::host
 

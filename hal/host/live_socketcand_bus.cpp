@@ -3,11 +3,7 @@
 
 #include "hal/host/live_error.hpp"
 
-#include <cerrno>
-#include <cstring>
-#include <netdb.h>
 #include <poll.h>
-#include <sys/socket.h>
 
 namespace counterpoint::host
 {
@@ -21,61 +17,6 @@ constexpr std::uint64_t kRetryNs = kMillisecondNs;
 /// What may wait as text before frames wait as frames.
 constexpr std::size_t kTextBytes = 4096U;
 
-int RestOf(const std::uint64_t until_ns)
-{
-    const std::uint64_t now_ns = LiveNow();
-    return (now_ns < until_ns) ? static_cast<int>((until_ns - now_ns) / kMillisecondNs) + 1 : 0;
-}
-
-/// 0, or the errno of a connection that was begun.
-int OutcomeOf(const int socket, const std::uint64_t until_ns)
-{
-    pollfd wait{socket, POLLOUT, 0};
-    if (::poll(&wait, 1U, RestOf(until_ns)) <= 0)
-    {
-        return ETIMEDOUT;
-    }
-    int failure = 0;
-    socklen_t bytes = sizeof(failure);
-    static_cast<void>(::getsockopt(socket, SOL_SOCKET, SO_ERROR, &failure, &bytes));
-    return failure;
-}
-
-LiveFile Connect(const LiveAddress& address, const std::uint64_t until_ns)
-{
-    addrinfo wanted{};
-    wanted.ai_family = AF_UNSPEC;
-    wanted.ai_socktype = SOCK_STREAM;
-    addrinfo* found = nullptr;
-    const int problem = ::getaddrinfo(address.host.c_str(), std::to_string(address.port).c_str(), &wanted, &found);
-    if (problem != 0)
-    {
-        throw LiveBusError("bus '" + address.text + "': host '" + address.host + "': " + ::gai_strerror(problem) +
-                           ", expected the name or address of a machine");
-    }
-    int failure = EHOSTUNREACH;
-    LiveFile result{-1};
-    for (const addrinfo* each = found; (each != nullptr) && (result.Get() < 0); each = each->ai_next)
-    {
-        LiveFile socket{::socket(each->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)};
-        const bool is_done = ::connect(socket.Get(), each->ai_addr, each->ai_addrlen) == 0;
-        failure = is_done ? 0 : errno;
-        failure = (failure == EINPROGRESS) ? OutcomeOf(socket.Get(), until_ns) : failure;
-        if (failure == 0)
-        {
-            result = std::move(socket);
-        }
-    }
-    ::freeaddrinfo(found);
-    if (result.Get() < 0)
-    {
-        throw LiveBusError("bus '" + address.text + "': " + std::strerror(failure) +
-                           ", expected a socketcand server at " + address.host + " port " +
-                           std::to_string(address.port));
-    }
-    return result;
-}
-
 SocketcandMessage MessageOf(const SocketcandWord word)
 {
     SocketcandMessage message;
@@ -86,14 +27,12 @@ SocketcandMessage MessageOf(const SocketcandWord word)
 } // namespace
 
 LiveSocketcandBus::LiveSocketcandBus(const LiveAddress& address, const LiveOptions& options)
-    : address_{address}, options_{options}, link_{Connect(address, LiveNow() + kPatienceNs)}
+    : address_{address}, options_{options}, give_up_at_ns_{LiveNow() + kPatienceNs}, peer_{address},
+      link_{peer_.Connect(give_up_at_ns_)}, greeting_{address.interface}
 {
     Greet();
     poll_.Add(link_.Descriptor());
-    if (!early_.empty())
-    {
-        poll_.WakeAt(LiveNow());
-    }
+    Begin();
 }
 
 void LiveSocketcandBus::Refuse(const std::string& what) const
@@ -101,63 +40,90 @@ void LiveSocketcandBus::Refuse(const std::string& what) const
     throw LiveBusError("bus '" + address_.text + "': " + what);
 }
 
-SocketcandMessage LiveSocketcandBus::Await(const std::uint64_t until_ns)
+void LiveSocketcandBus::Greet()
 {
-    while (true)
+    greeting_.GoOn(link_);
+    while (!greeting_.IsOver())
     {
-        if (const std::optional<SocketcandMessage> message = link_.Next())
+        if (!greeting_.Problem().empty())
         {
-            return *message;
+            Refuse(greeting_.Problem());
         }
         if (link_.IsLost())
         {
             Refuse("the server ended the connection, expected its answer");
         }
         pollfd wait{link_.Descriptor(), POLLIN, 0};
-        if (::poll(&wait, 1U, RestOf(until_ns)) <= 0)
+        if (::poll(&wait, 1U, MillisecondsUntil(give_up_at_ns_)) <= 0)
         {
             Refuse("the server said nothing for 3 s, expected the socketcand protocol");
         }
         link_.Read();
+        greeting_.GoOn(link_);
     }
 }
 
-void LiveSocketcandBus::Demand(const SocketcandMessage& order, const SocketcandWord answer,
-                               const std::uint64_t until_ns)
+void LiveSocketcandBus::Begin()
 {
-    if (order.word != SocketcandWord::kInvalid)
+    is_lost_ = false;
+    state_ = BusState::kActive;
+    if (greeting_.Early().empty())
     {
-        link_.Say(order);
+        poll_.WakeNever();
     }
-    const SocketcandMessage message = Await(until_ns);
-    if (message.word == SocketcandWord::kErrorText)
+    else
     {
-        Refuse("the server says: " + message.text);
-    }
-    if (message.word != answer)
-    {
-        Refuse("the server's answer is another than expected of socketcand" +
-               (message.problem.empty() ? std::string{} : (": " + message.problem)));
+        poll_.WakeAt(LiveNow());
     }
 }
 
-void LiveSocketcandBus::Greet()
+/// Goes on with opening a lost connection again, by the policy; nothing of it waits. [SRS-LIVE-058]
+void LiveSocketcandBus::Reconnect()
 {
-    const std::uint64_t until_ns = LiveNow() + kPatienceNs;
-    Demand(MessageOf(SocketcandWord::kInvalid), SocketcandWord::kHi, until_ns);
-    SocketcandMessage open = MessageOf(SocketcandWord::kOpen);
-    open.text = address_.interface;
-    Demand(open, SocketcandWord::kOk, until_ns);
-    Demand(MessageOf(SocketcandWord::kRawMode), SocketcandWord::kOk, until_ns);
-    // From here on frames may come between.
-    link_.Say(SocketcandWord::kOwnMode);
-    SocketcandMessage message = Await(until_ns);
-    while ((message.word != SocketcandWord::kOk) && (message.word != SocketcandWord::kErrorText))
+    const std::uint64_t now_ns = LiveNow();
+    const bool is_due = (options_.reconnect_after_ms != 0U) && (!link_.IsLost() || (now_ns >= retry_at_ns_));
+    if (!is_due)
     {
-        early_.push_back(message);
-        message = Await(until_ns);
+        return;
     }
-    has_own_ = message.word == SocketcandWord::kOk;
+    if (link_.IsLost())
+    {
+        link_ = SocketcandLink{peer_.BeginConnect()};
+        greeting_ = SocketcandGreeting{address_.interface};
+        give_up_at_ns_ = now_ns + kPatienceNs;
+        poll_.WakeAt(give_up_at_ns_);
+        if (!link_.IsLost())
+        {
+            poll_.Add(link_.Descriptor());
+        }
+    }
+    link_.Read();
+    greeting_.GoOn(link_);
+    const bool has_failed = link_.IsLost() || !greeting_.Problem().empty() || (now_ns >= give_up_at_ns_);
+    if (has_failed)
+    {
+        link_.Close();
+        peer_.TryOther();
+        PlanReconnect();
+    }
+    else if (greeting_.IsOver())
+    {
+        ++counts_.reconnects;
+        Begin();
+    }
+}
+
+void LiveSocketcandBus::PlanReconnect()
+{
+    retry_at_ns_ = LiveNow() + (options_.reconnect_after_ms * kMillisecondNs);
+    if (options_.reconnect_after_ms == 0U)
+    {
+        poll_.WakeNever();
+    }
+    else
+    {
+        poll_.WakeAt(retry_at_ns_);
+    }
 }
 
 SendResult LiveSocketcandBus::Send(const LiveFrame& frame)
@@ -185,7 +151,7 @@ void LiveSocketcandBus::Hand(const LiveFrame& frame)
     SocketcandMessage message = MessageOf(frame.remote ? SocketcandWord::kSendRemote : SocketcandWord::kSend);
     message.frame = frame;
     link_.Say(message);
-    if (!has_own_)
+    if (!greeting_.HasOwn())
     {
         unconfirmed_.push_back(frame);
         link_.Say(SocketcandWord::kEcho);
@@ -201,7 +167,11 @@ void LiveSocketcandBus::SendWaiting()
         queue_.DropFirst();
     }
     NoteLoss();
-    if (queue_.IsEmpty() && (link_.WaitingBytes() == 0U))
+    if (is_lost_)
+    {
+        return; // What wakes then is the policy.
+    }
+    if (queue_.IsEmpty() && (link_.WaitingBytes() == 0U) && greeting_.Early().empty())
     {
         poll_.WakeNever();
     }
@@ -218,23 +188,30 @@ void LiveSocketcandBus::NoteLoss()
         is_lost_ = true;
         state_ = BusState::kDown;
         counts_.dropped_frames += queue_.Clear();
+        unconfirmed_.clear();
+        PlanReconnect();
     }
 }
 
 bool LiveSocketcandBus::Receive(LiveFrame& frame)
 {
-    if (!is_lost_)
+    if (is_lost_)
+    {
+        Reconnect();
+    }
+    else
     {
         SendWaiting();
     }
+    std::deque<SocketcandMessage>& early = greeting_.Early();
     bool has_read = false;
-    while (true)
+    while (!is_lost_)
     {
         std::optional<SocketcandMessage> message;
-        if (!early_.empty())
+        if (!early.empty())
         {
-            message = early_.front();
-            early_.pop_front();
+            message = early.front();
+            early.pop_front();
         }
         else
         {
@@ -255,6 +232,7 @@ bool LiveSocketcandBus::Receive(LiveFrame& frame)
             has_read = true;
         }
     }
+    return false;
 }
 
 /// Whether the message gives a frame.

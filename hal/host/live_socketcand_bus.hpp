@@ -6,7 +6,9 @@
 #include "hal/host/live_bus.hpp"
 #include "hal/host/live_poll.hpp"
 #include "hal/host/live_send_queue.hpp"
+#include "hal/host/live_socketcand_greeting.hpp"
 #include "hal/host/live_socketcand_link.hpp"
+#include "hal/host/live_socketcand_peer.hpp"
 
 #include <cstdint>
 #include <deque>
@@ -17,7 +19,8 @@ namespace counterpoint::host
 
 /// A bus that a socketcand server offers: ours, or one by others. Frames have the time of their reading, because the
 /// server's clock is not ours. With a server by others, own means that the server took the frame, not that it was on
-/// the bus. A lost connection stays lost. [SRS-LIVE-051] [SRS-LIVE-052] [SRS-LIVE-055]
+/// the bus. A lost connection is opened again by the policy of the options. [SRS-LIVE-051] [SRS-LIVE-052]
+/// [SRS-LIVE-055] [SRS-LIVE-058]
 class LiveSocketcandBus final : public LiveBus
 {
   public:
@@ -31,10 +34,11 @@ class LiveSocketcandBus final : public LiveBus
     [[nodiscard]] bool Restart() override;
 
   private:
-    [[nodiscard]] SocketcandMessage Await(std::uint64_t until_ns);
-    void Demand(const SocketcandMessage& order, SocketcandWord answer, std::uint64_t until_ns);
     [[noreturn]] void Refuse(const std::string& what) const;
     void Greet();
+    void Begin();
+    void Reconnect();
+    void PlanReconnect();
     void Hand(const LiveFrame& frame);
     void SendWaiting();
     void NoteLoss();
@@ -43,13 +47,15 @@ class LiveSocketcandBus final : public LiveBus
 
     LiveAddress address_;
     LiveOptions options_;
+    std::uint64_t give_up_at_ns_; ///< On the connection that is being opened.
+    SocketcandPeer peer_;
     SocketcandLink link_;
+    SocketcandGreeting greeting_;
     LivePoll poll_{};
     LiveSendQueue queue_{};
-    std::deque<SocketcandMessage> early_{}; ///< Came while the greeting was under way.
-    std::deque<LiveFrame> unconfirmed_{};   ///< Sent to a server that does not tell own frames.
-    bool has_own_{false};
-    bool is_lost_{false};
+    std::deque<LiveFrame> unconfirmed_{}; ///< Sent to a server that does not tell own frames.
+    bool is_lost_{false};                 ///< Until the greeting of the next connection is over.
+    std::uint64_t retry_at_ns_{0U};       ///< Of the next connection.
     BusState state_{BusState::kActive};
     BusHealth counts_{};
 };

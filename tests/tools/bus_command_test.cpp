@@ -102,11 +102,13 @@ TEST(BusCommandTest, RefusesWhatItCannotServe)
                   "counterpoint bus: name '" + name +
                       "', expected 1 to 15 characters without space, <, >, / and :, such as can0\n");
     }
-    for (const std::string place : {"127.0.0.1", "127.0.0.1:65536", ":1", "127.0.0.1:", "127.0.0.1:1x"})
+    for (const std::string place :
+         {"127.0.0.1", "127.0.0.1:65536", "::1:0", "[]:0", ":1", "127.0.0.1:", "127.0.0.1:1x"})
     {
         EXPECT_EQ(error_of({"bus", kGroup, "--listen", place}),
                   "counterpoint bus: --listen '" + place +
-                      "', expected HOST:PORT with a port from 0 (a free one) to 65535\n");
+                      "', expected HOST:PORT with a port from 0 (a free one) to 65535, and an IPv6 address in "
+                      "brackets\n");
     }
     EXPECT_NE(error_of({"bus"}).find("BUS"), std::string::npos);
 }

@@ -93,6 +93,28 @@ TEST_F(GenerateCommandTest, BadInputIsOneLineAndNoFile)
     EXPECT_EQ(RunCommand({"generate", Path("none.dcf")}).status, 2);
 }
 
+// Given files of the names of the output that somebody else made, the input among them, then none is touched; an older
+// output and an empty file are replaced.
+TEST_F(GenerateCommandTest, ReplacesNothingButItsOwn)
+{
+    Verifies(req::SRS_GEN_018);
+    const std::string device = cia306::ReadTextFile(Example());
+    const std::string input = File("object_dictionary.hpp", device);
+    const Answer own = RunCommand({"generate", input, "--output", Path("")});
+    EXPECT_EQ(own.status, 2);
+    EXPECT_EQ(own.err, input + ":0: error: it is there and was not made by 'counterpoint generate', expected another "
+                               "--output, or that you remove it\n");
+    EXPECT_EQ(cia306::ReadTextFile(input), device);
+    static_cast<void>(File("object_dictionary.hpp", ""));
+    const std::string source = File("object_dictionary.cpp", "int main() {}\n");
+    EXPECT_EQ(RunCommand({"generate", Example(), "--output", Path(""), "--force"}).status, 2);
+    EXPECT_EQ(cia306::ReadTextFile(input), "");
+    EXPECT_EQ(cia306::ReadTextFile(source), "int main() {}\n");
+    static_cast<void>(File("object_dictionary.cpp", ""));
+    EXPECT_EQ(RunCommand({"generate", Example(), "--output", Path("")}).status, 0);
+    EXPECT_EQ(RunCommand({"generate", Example(), "--output", Path("")}).status, 0);
+}
+
 TEST_F(GenerateCommandTest, AnswersAsJson)
 {
     Verifies(req::SRS_GEN_015);

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "hal/host/live_bus.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
+#include "tests/hal/host/live_server_rig.hpp"
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -159,6 +160,52 @@ TEST_F(MonitorCommandTest, WhatIsNoFileIsRefused)
         EXPECT_EQ(answer.status, 2) << path;
         EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
     }
+}
+
+// Given a recording with nothing in it, or packed, then nobody is told that no violation was found.
+TEST_F(MonitorCommandTest, ARecordingWithoutFramesIsRefused)
+{
+    Verifies(req::SRS_MON_001);
+    const auto error_of = [this](const std::string& bytes)
+    {
+        const Answer answer = Monitor({File("some.log", bytes)});
+        EXPECT_EQ(answer.status, 2);
+        return answer.err.substr(Path("some.log").size());
+    };
+    EXPECT_EQ(error_of(""), ":0: error: it is empty, expected a recording of candump -l, pcap or pcapng\n");
+    EXPECT_EQ(error_of("\n\r\n"), ":0: error: no CAN frame in it, expected a recording with at least one\n");
+    EXPECT_EQ(error_of("\x1F\x8B\x08"),
+              ":0: error: it is compressed (gzip), expected the recording itself, unpacked\n");
+}
+
+// Given a server of the bus that ends and comes back, then the monitor tells both and goes on.
+TEST_F(MonitorCommandTest, GoesOnWhenALiveBusIsBack)
+{
+    Verifies(req::SRS_MON_018);
+    const std::string group = "udp:239.74.163.5:43" + std::to_string(200 + ::getpid() % 700);
+    auto server = std::make_unique<host::RunningServer>(group);
+    const std::string address = server->Address("can0");
+    std::thread restart(
+        [&server, &group]
+        {
+            const std::uint16_t port = server->Port();
+            std::this_thread::sleep_for(std::chrono::milliseconds(700));
+            server.reset();
+            std::this_thread::sleep_for(std::chrono::milliseconds(300));
+            server = std::make_unique<host::RunningServer>(group, port);
+            std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+            const auto bus = host::OpenLiveBus(group);
+            host::LiveFrame frame;
+            frame.identifier = 0x705U;
+            static_cast<void>(bus->Send(frame));
+        });
+    const Answer answer = Monitor({"--can", address, "--for", "4", "--json"});
+    restart.join();
+    EXPECT_EQ(answer.status, 0) << answer.out;
+    EXPECT_EQ(answer.err, "counterpoint monitor: " + address +
+                              " went down; nothing is judged until it is back\ncounterpoint monitor: " + address +
+                              " is back\n");
+    EXPECT_EQ(nlohmann::json::parse(answer.out)["frames"], 1);
 }
 
 TEST_F(MonitorCommandTest, WiresharkShowsSrdoAndGfc)

@@ -35,12 +35,13 @@ std::string OtherBus()
     return "udp:239.74.163.2:" + std::to_string(40000 + ::getpid() % 20000);
 }
 
-std::unique_ptr<NodeProcess> StartNode(const std::string& dcf, const std::vector<std::string>& more)
+std::unique_ptr<NodeProcess> StartNode(const std::string& dcf, const std::vector<std::string>& more,
+                                       const std::string& bus)
 {
     std::vector<std::string> arguments{"--dcf", std::string(COUNTERPOINT_SOURCE) + "/examples/" + dcf, "--cycle-us",
                                        std::to_string(kCycleUs)};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    auto node = std::make_unique<NodeProcess>(arguments);
+    auto node = std::make_unique<NodeProcess>(arguments, bus);
     EXPECT_EQ(node->WaitFor("nmt").event["state"], "pre_operational");
     return node;
 }
@@ -63,9 +64,9 @@ NodeProcess::Wanted Event(const std::string& name, const std::string& key, const
     { return event["event"] == name && event.contains(key) && event[key] == value; };
 }
 
-NodeProcess::NodeProcess(const std::vector<std::string>& arguments)
+NodeProcess::NodeProcess(const std::vector<std::string>& arguments, const std::string& bus)
 {
-    std::vector<std::string> words{COUNTERPOINT_PROGRAM, "node", "--can", OwnBus(), "--json"};
+    std::vector<std::string> words{COUNTERPOINT_PROGRAM, "node", "--can", bus, "--json"};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
     for (std::string& word : words)

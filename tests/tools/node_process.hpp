@@ -13,6 +13,10 @@
 
 namespace counterpoint::tools::test
 {
+/// @brief A bus that no other test uses, and one beside it.
+[[nodiscard]] std::string OwnBus();
+[[nodiscard]] std::string OtherBus();
+
 /// One line that a node told, and when it was read.
 struct NodeLine
 {
@@ -27,7 +31,7 @@ class NodeProcess
     using Wanted = std::function<bool(const nlohmann::json&)>;
 
     /// `arguments` behind --can, --cycle-us and --json.
-    explicit NodeProcess(const std::vector<std::string>& arguments);
+    explicit NodeProcess(const std::vector<std::string>& arguments, const std::string& bus = OwnBus());
     ~NodeProcess();
     NodeProcess(const NodeProcess&) = delete;
     NodeProcess& operator=(const NodeProcess&) = delete;
@@ -62,11 +66,9 @@ class NodeProcess
     std::size_t seen_{0U};
 };
 
-/// @brief A bus that no other test uses, and one beside it.
-[[nodiscard]] std::string OwnBus();
-[[nodiscard]] std::string OtherBus();
 /// @brief A node of this file of examples/ (or a path from there) with a slow cycle; its state is PRE-OPERATIONAL.
-[[nodiscard]] std::unique_ptr<NodeProcess> StartNode(const std::string& dcf, const std::vector<std::string>& more);
+[[nodiscard]] std::unique_ptr<NodeProcess> StartNode(const std::string& dcf, const std::vector<std::string>& more,
+                                                     const std::string& bus = OwnBus());
 /// @brief The limit of its first consumer, as it told at its start.
 [[nodiscard]] double LimitMsOf(const NodeProcess& consumer);
 /// Cycle time of those nodes: slow enough for a machine that has other things to do.

@@ -69,6 +69,10 @@ end
 
 -- Times are compared in whole microseconds: a limit itself is kept.
 local function microseconds(time)
+    -- As text a time of today would have lost all but four of its decimals.
+    if type(time) ~= "number" then
+        time = time.secs + time.nsecs / 1000000000
+    end
     return math.floor(time * 1000000 + 0.5)
 end
 
@@ -181,7 +185,7 @@ function srdo.dissector(buffer, pinfo, root)
     local is_remote = flag ~= nil and flag.value
     if not pinfo.visited then
         analyse(number, half, {
-            number = pinfo.number, time = microseconds(tonumber(tostring(pinfo.abs_ts))), data = buffer:raw(),
+            number = pinfo.number, time = microseconds(pinfo.abs_ts), data = buffer:raw(),
             is_remote = is_remote })
     end
     local result = results[pinfo.number] or { violations = {} }

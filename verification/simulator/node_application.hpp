@@ -4,27 +4,17 @@
 
 #include "verification/simulator/device_model.hpp"
 #include "verification/simulator/journal.hpp"
+#include "verification/simulator/pair_logic.hpp"
 
 #include "safety_core/kernel/application.hpp"
 #include "safety_core/kernel/kernel.hpp"
-#include "safety_core/kernel/variable.hpp"
 
 #include <cstdint>
-#include <vector>
 
 namespace counterpoint::simulator
 {
-/// What of its pairs an application has: on a CPU of two its own half.
-enum class Half : std::uint8_t
-{
-    kBoth = 0U,
-    kNormal = 1U,
-    kInverse = 2U,
-};
-
-/// The application of a simulated node. Producers: the normal objects hold the input, the inverse objects are computed
-/// from the input by another path. Consumers: a pair counts only while its two objects are inverse and the output of
-/// its SRDO is open. Logic rules join the two. [SRS-SIM-006, SRS-SIM-007]
+/// The application of a simulated node: what it does with its pairs is PairLogic, what the kernel tells it is noted.
+/// [SRS-SIM-006, SRS-SIM-007]
 class NodeApplication final : public Application
 {
   public:
@@ -66,46 +56,16 @@ class NodeApplication final : public Application
     void OnFlow(const FlowCount& count) noexcept override;
 
   private:
-    /// One pair of objects: the two paths hold their values apart.
-    struct PairState
-    {
-        VariablePlace normal_place{nullptr, 0U};
-        VariablePlace inverse_place{nullptr, 0U};
-        ObjectAddress address{0U, 0U};
-        std::uint64_t mask{0U};
-        std::uint64_t normal{0U};
-        std::uint64_t inverse{0U};
-        std::uint64_t safe{0U};
-        std::uint64_t disturbance{0U};
-        SrdoMask slot{0U};
-        std::uint32_t first_bit{0U};
-        std::uint8_t srdo{0U};
-        bool is_consumer{false};
-    };
-    struct Rule
-    {
-        std::size_t target{0U};
-        LogicOperation operation{LogicOperation::kCopy};
-        std::vector<std::size_t> inputs;
-    };
-
-    [[nodiscard]] std::size_t IndexOf(const ObjectAddress& normal) const;
-    void SetSafeValues();
-    void TakePair(PairState& pair, SrdoMask open, Nanoseconds now);
-    void Apply(const Rule& rule);
-    void Write(PairState& pair, Nanoseconds now);
+    [[nodiscard]] const PairValue& PairAt(const ObjectAddress& object) const;
     [[nodiscard]] Event At(EventKind kind, CommunicationIndex index, std::uint64_t value) const;
 
     NodeIndex node_;
-    Half half_;
     const DeviceConfig& config_;
     Journal& journal_;
-    std::vector<PairState> pairs_;
-    std::vector<Rule> rules_;
+    PairLogic logic_;
     const Kernel* kernel_{nullptr};
     Nanoseconds now_{0};
     Nanoseconds disturbed_at_{kNever};
-    bool has_changed_{false};
     bool knows_fault_{false};
 };
 } // namespace counterpoint::simulator

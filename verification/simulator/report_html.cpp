@@ -1,4 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia306/html_text.hpp"
 #include "verification/simulator/names.hpp"
 #include "verification/simulator/page_parts.hpp"
 #include "verification/simulator/report_json.hpp"
@@ -77,7 +78,7 @@ std::string Row(const Run& run, const std::size_t place)
     const auto cell = [](const char* style, const std::string& text)
     { return std::string("<td class=\"") + style + "\">" + text + "</td>"; };
     std::string row = "<tr data-run=\"" + std::to_string(place) + "\" tabindex=\"0\">";
-    row += cell("wide", HtmlEscaped(run.Setting().title));
+    row += cell("wide", cia306::HtmlText(run.Setting().title));
     if (measurement == nullptr)
     {
         row += cell("", "") + cell("", "") + cell("num", "") + cell("num", "") + cell("", "");
@@ -114,39 +115,12 @@ std::string Lead(const std::vector<const Run*>& runs)
     if (runs.size() == 1U)
     {
         const std::filesystem::path file(runs.front()->Setting().file);
-        return HtmlEscaped(file.filename().string()) + ", seed " + std::to_string(runs.front()->Setting().seed);
+        return cia306::HtmlText(file.filename().string()) + ", seed " + std::to_string(runs.front()->Setting().seed);
     }
     return std::to_string(held) + " of " + std::to_string(runs.size()) +
            " runs as expected. Choose a row; limits are computed from each device's configuration before the run.";
 }
 } // namespace
-
-std::string HtmlEscaped(const std::string& text)
-{
-    std::string escaped;
-    for (const char character : text)
-    {
-        switch (character)
-        {
-        case '&':
-            escaped += "&amp;";
-            break;
-        case '<':
-            escaped += "&lt;";
-            break;
-        case '>':
-            escaped += "&gt;";
-            break;
-        case '"':
-            escaped += "&quot;";
-            break;
-        default:
-            escaped += character;
-            break;
-        }
-    }
-    return escaped;
-}
 
 std::string HtmlReport(const std::string& title, const std::vector<const Run*>& runs)
 {
@@ -155,7 +129,7 @@ std::string HtmlReport(const std::string& title, const std::vector<const Run*>& 
     {
         data["runs"].push_back(RunToJson(*run));
     }
-    return Filled(kPageHtml, {{"title", HtmlEscaped(title)},
+    return Filled(kPageHtml, {{"title", cia306::HtmlText(title)},
                               {"lead", Lead(runs)},
                               {"style", kPageCss},
                               {"script", kPageJs},

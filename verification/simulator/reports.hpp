@@ -27,8 +27,6 @@ void WriteVerdicts(const Run& run, std::ostream& out);
 /// @brief A page with the timing diagrams of all runs; needs no network. [SRS-SIM-043, SRS-DEMO-003]
 [[nodiscard]] std::string HtmlReport(const std::string& title, const std::vector<const Run*>& runs);
 
-/// @brief Text as it may stand in a page.
-[[nodiscard]] std::string HtmlEscaped(const std::string& text);
 /// @brief An event as words: what is shown of it beside time and place.
 [[nodiscard]] std::string EventText(const Run& run, const Event& event);
 /// @brief "0x103  01 01"

@@ -1,4 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia306/html_text.hpp"
 #include "verification/simulator/names.hpp"
 #include "verification/simulator/page_parts.hpp"
 #include "verification/simulator/reports.hpp"
@@ -103,7 +104,7 @@ class Plot
                         result_.axes[axis].Text(places[axis - 1U]);
             }
             text += " <span style=\"color:" + std::string(kColours[number % std::size(kColours)]) + "\">&#9679; " +
-                    HtmlEscaped(name.empty() ? "time to the safe output" : name) + "</span>";
+                    cia306::HtmlText(name.empty() ? "time to the safe output" : name) + "</span>";
             ++number;
         }
         return text + "</p>\n";
@@ -127,7 +128,7 @@ class Plot
                                    const std::string& text) const
     {
         return "<text x=\"" + Number(x, 1) + "\" y=\"" + Number(y, 1) + "\" text-anchor=\"" + anchor + "\">" +
-               HtmlEscaped(text) + "</text>\n";
+               cia306::HtmlText(text) + "</text>\n";
     }
 
     [[nodiscard]] std::string Rule(const double x1, const double y1, const double x2, const double y2) const
@@ -189,7 +190,7 @@ class Plot
                                  MillisecondsText(measurement.limit) + ", " + Name(measurement.detection.party) + " " +
                                  measurement.detection.cause;
         return "<circle cx=\"" + x + "\" cy=\"" + Number(y, 1) + "\" r=\"" + (row.holds ? "3" : "5") + "\" fill=\"" +
-               (row.holds ? colour : "var(--faulted)") + "\"><title>" + HtmlEscaped(text) + "</title></circle>\n";
+               (row.holds ? colour : "var(--faulted)") + "\"><title>" + cia306::HtmlText(text) + "</title></circle>\n";
     }
 
     const SweepResult& result_;
@@ -204,7 +205,7 @@ std::string Table(const SweepResult& result)
     std::string html = "<table>\n<thead><tr>";
     for (const SweepAxis& axis : result.axes)
     {
-        html += "<th class=\"num\">" + HtmlEscaped(axis.path) + "</th>";
+        html += "<th class=\"num\">" + cia306::HtmlText(axis.path) + "</th>";
     }
     html += "<th>Detected by</th><th>Cause</th><th class=\"num\">Detection</th><th class=\"num\">Safe after</th>"
             "<th class=\"num\">Limit</th><th>Verdict</th></tr></thead>\n<tbody>\n";
@@ -220,11 +221,11 @@ std::string Table(const SweepResult& result)
         const Measurement none{};
         const Measurement& measurement = row.measurement ? *row.measurement : none;
         html += "<td>" + std::string(row.measurement ? Name(measurement.detection.party) : "") + "</td><td>" +
-                HtmlEscaped(measurement.detection.cause) + "</td>" + time(row.DetectionTime(), "") +
+                cia306::HtmlText(measurement.detection.cause) + "</td>" + time(row.DetectionTime(), "") +
                 time(measurement.elapsed, row.measurement ? "never" : "") +
                 time(row.measurement ? measurement.limit : -1, "");
         html += std::string("<td><span class=\"pill ") + (row.holds ? "good\">holds" : "bad\">FAILED") + "</span> " +
-                HtmlEscaped(row.failure) + "</td></tr>\n";
+                cia306::HtmlText(row.failure) + "</td></tr>\n";
     }
     return html + "</tbody>\n</table>\n";
 }
@@ -235,12 +236,12 @@ std::string SweepHtml(const SweepResult& result)
     const auto held =
         std::count_if(result.rows.begin(), result.rows.end(), [](const SweepRow& row) { return row.holds; });
     const Plot plot(result);
-    const std::string title = HtmlEscaped(result.title.empty() ? "Counterpoint sweep" : result.title);
+    const std::string title = cia306::HtmlText(result.title.empty() ? "Counterpoint sweep" : result.title);
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
            title + "</title>\n<style>\n" + kPageCss +
            "tbody tr { cursor: auto; }\n</style>\n</head>\n<body>\n<header>\n<h1>" + title +
-           "</h1>\n<p class=\"lead\">" + HtmlEscaped(result.scenario) + ": " + std::to_string(held) + " of " +
+           "</h1>\n<p class=\"lead\">" + cia306::HtmlText(result.scenario) + ": " + std::to_string(held) + " of " +
            std::to_string(result.rows.size()) +
            " runs hold. The limit is computed from the device's configuration.</p>\n</header>\n" +
            "<main>\n<section>\n" + plot.Draw() + plot.Legend() + "</section>\n" + Table(result) +

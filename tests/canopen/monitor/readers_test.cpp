@@ -243,6 +243,40 @@ TEST(Readers, ACaptureThatContradictsItselfIsNamed)
     EXPECT_NE(RefusalOf("\x0A\x0D\x0D\x0A" + std::string(40U, 'x')).find("a section without byte order"),
               std::string::npos);
 }
+// Given a capture of an Ethernet interface and one of CAN, the packet of Ethernet first, then the frames of CAN are
+// read.
+TEST(Readers, ACaptureOfOtherNetworksBesidesGivesItsCanFrames)
+{
+    Verifies(req::SRS_MON_003);
+    const std::vector<LogFrame> frames = AllKinds();
+    for (const ByteOrder order : {ByteOrder::kLittle, ByteOrder::kBig})
+    {
+        const std::string head = PcapngOf({}, order, 9U);
+        test::CaptureWriter ethernet(order);
+        ethernet.Number(1U, 2U);
+        ethernet.Number(0U, 6U);
+        test::CaptureWriter packet(order);
+        packet.Number(1U, 4U);
+        packet.Number(0U, 8U);
+        packet.Number(60U, 4U);
+        packet.Number(60U, 4U);
+        const std::string other =
+            PcapngBlock(1U, ethernet.text, order) + PcapngBlock(6U, packet.text + std::string(60U, 'x'), order);
+        ExpectSame(FramesOf(head + other + PcapngOf(frames, order, 9U).substr(head.size())), frames);
+    }
+}
+
+TEST(Readers, WhatIsCompressedIsNamed)
+{
+    Verifies(req::SRS_MON_001);
+    EXPECT_EQ(RefusalOf("\x1F\x8B\x08"),
+              "test.log:0: error: it is compressed (gzip), expected the recording itself, unpacked");
+    EXPECT_EQ(RefusalOf("\xFD\x37zXZ"),
+              "test.log:0: error: it is compressed (xz), expected the recording itself, unpacked");
+    EXPECT_EQ(RefusalOf("\x28\xB5\x2F\xFD"),
+              "test.log:0: error: it is compressed (zstd), expected the recording itself, unpacked");
+}
+
 TEST(Readers, AlteredRecordingsGiveFramesOrOneError)
 {
     Verifies(req::SRS_MON_014);

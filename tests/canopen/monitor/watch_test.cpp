@@ -193,6 +193,60 @@ TEST_F(Watch, AProducerThatIsStoppedIsNoViolation)
     }
 }
 
+// Given a recording that begins within a pair, then its inverse frame is no violation; one that comes later than SRVT,
+// or after a normal frame that was seen, is.
+TEST_F(Watch, ARecordingMayBeginWithinAPair)
+{
+    Verifies(req::SRS_MON_005);
+    const LogFrame rest = Frame(15000, 0x102U, {0xFEU, 0xFDU});
+    EXPECT_EQ(ViolationsOf(early, {rest}), Texts{});
+    EXPECT_EQ(ViolationsOf(early, {Frame(0, 0x705U, {5U}), rest}), Texts{});
+    EXPECT_EQ(ViolationsOf(early, {Frame(0, 0x705U, {5U}), Frame(20001, 0x102U, {0xFEU, 0xFDU})}),
+              (Texts{"20001 inverse first"}));
+    EXPECT_EQ(ViolationsOf(early, {rest, Frame(16000, 0x102U, {0xFEU, 0xFDU})}), (Texts{"16000 inverse first"}));
+    Frames seen = Pair(0);
+    seen.push_back(rest);
+    EXPECT_EQ(ViolationsOf(early, seen), (Texts{"15000 inverse first"}));
+}
+
+// Given a stop between the frames of a pair, then the inverse frame that was under way is no violation.
+TEST_F(Watch, AProducerMayBeStoppedWithinAPair)
+{
+    Verifies(req::SRS_MON_009);
+    Frames frames = Pair(50000);
+    frames.insert(frames.begin() + 1, Frame(50100, 0x000U, {2U, 1U}));
+    EXPECT_EQ(ViolationsOf(early, Among(frames, 900000)), Texts{});
+    frames.push_back(Frame(51000, 0x102U, {0xFEU, 0xFDU}));
+    EXPECT_EQ(ViolationsOf(early, Among(frames, 900000)), (Texts{"51000 inverse first"}));
+}
+
+// Given a bus that was not seen for a time, then nothing of that time is judged, a pair that was cut by either end of
+// it neither, and supervision begins with the next valid pair.
+TEST_F(Watch, WhatWasNotSeenIsNotJudged)
+{
+    Verifies(req::SRS_MON_018);
+    Texts texts;
+    Analysis analysis(early, [&texts](const Violation& violation)
+                      { texts.push_back(std::to_string(violation.breach.time / kMicrosecond)); });
+    for (const LogFrame& frame : Among({}, 50000))
+    {
+        analysis.Take(frame);
+    }
+    analysis.Take(Frame(100000, 0x101U, {1U, 2U}));
+    analysis.Take(Frame(100100, 0x001U, {}));
+    analysis.Interrupt();
+    analysis.Take(Frame(900000, 0x102U, {0xFEU, 0xFDU}));
+    analysis.Advance(990000 * kMicrosecond);
+    EXPECT_EQ(texts, Texts{});
+    for (const LogFrame& frame : Pair(1000000))
+    {
+        analysis.Take(frame);
+    }
+    analysis.Advance(1100000 * kMicrosecond);
+    EXPECT_EQ(texts, (Texts{"1050000"}));
+    EXPECT_EQ(analysis.Watches().front().PairCount(), 5U);
+}
+
 TEST_F(Watch, AnSrdoThatNobodyConsumesHasTheLimitsOfItsProducer)
 {
     Verifies(req::SRS_MON_007);

@@ -47,7 +47,10 @@ TEST(LiveAddressTest, SaysWhatIsWrong)
     EXPECT_EQ(problem("tcp:x"), "bus 'tcp:x': kind 'tcp', expected can0, socketcan:can0, socketcand:HOST:PORT/can0 or "
                                 "udp:239.74.163.2:43113");
     EXPECT_EQ(problem("socketcand:h:1"), "bus 'socketcand:h:1': no bus, expected socketcand:HOST:PORT/BUS");
-    EXPECT_EQ(problem("socketcand:h/c"), "bus 'socketcand:h/c': no port in 'h', expected HOST:PORT");
+    EXPECT_EQ(problem("socketcand:h/c"),
+              "bus 'socketcand:h/c': no host and port in 'h', expected HOST:PORT, an IPv6 address in brackets");
+    EXPECT_EQ(problem("socketcand:::1:5/c"),
+              "bus 'socketcand:::1:5/c': no host and port in '::1:5', expected HOST:PORT, an IPv6 address in brackets");
     EXPECT_EQ(problem("socketcand:h:0/c"), "bus 'socketcand:h:0/c': port '0', expected a number from 1 to 65535");
     EXPECT_EQ(problem("socketcand:h:65536/c"),
               "bus 'socketcand:h:65536/c': port '65536', expected a number from 1 to 65535");

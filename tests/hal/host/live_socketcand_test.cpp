@@ -1,15 +1,13 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Server and client of the socketcand protocol, over loopback and a UDP bus.
-#include "hal/host/live_socketcand_server.hpp"
 #include "tests/hal/host/live_rig.hpp"
+#include "tests/hal/host/live_server_rig.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <arpa/inet.h>
-#include <atomic>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
-#include <thread>
 #include <unistd.h>
 
 namespace counterpoint::host
@@ -21,51 +19,6 @@ std::string Group(const std::string& option)
 {
     return "udp:239.74.163.10:" + std::to_string(20'000 + (::getpid() % 40'000)) + option;
 }
-
-/// A server that runs in a thread of its own until it is destroyed.
-class RunningServer
-{
-  public:
-    explicit RunningServer(const std::string& bus) : server_{"127.0.0.1", 0U, {{"can0", bus}}}
-    {
-    }
-    ~RunningServer()
-    {
-        is_ending_ = true;
-        thread_.join();
-    }
-    [[nodiscard]] std::uint16_t Port() const
-    {
-        return port_;
-    }
-    [[nodiscard]] std::string Address(const std::string& name) const
-    {
-        return "socketcand:127.0.0.1:" + std::to_string(port_) + "/" + name;
-    }
-    /// Only after the thread has ended, or for what does not change.
-    [[nodiscard]] ServerCounts Counts() const
-    {
-        return {clients_, 0U, 0U, 0U, 0U, too_slow_};
-    }
-
-  private:
-    void Run()
-    {
-        while (!is_ending_)
-        {
-            server_.Serve(10);
-            clients_ = server_.Counts().clients;
-            too_slow_ = server_.Counts().too_slow;
-        }
-    }
-
-    SocketcandServer server_;
-    std::uint16_t port_{server_.Port()};
-    std::atomic<bool> is_ending_{false};
-    std::atomic<std::uint32_t> clients_{0U};
-    std::atomic<std::uint64_t> too_slow_{0U};
-    std::thread thread_{[this] { Run(); }};
-};
 
 /// A connection that says and hears plain text.
 class PlainClient
