@@ -196,7 +196,7 @@ def main():
     parser.add_argument("--no-build", action="store_true")
     parser.add_argument("--tests", action="store_true")
     arguments = parser.parse_args()
-    covered = [coverage_run.SUITE] + ([coverage_run.TESTS, coverage_run.FLIPS] if arguments.tests else [])
+    covered = [coverage_run.SUITE] + ([coverage_run.TESTS, *coverage_run.BY_LAYOUT] if arguments.tests else [])
     if not arguments.no_build:
         print("Building build/target (big-endian, two compilers) and the same programs in build/product ...", flush=True)
         target_build.build_preset("tms570", ["selftest", "bench", "conformance", "conformance_be32", *firmware_run.DEVICES, "trap",
