@@ -87,7 +87,7 @@ StepResult Board::Do(const StartStep step, const BoardSetup& setup) noexcept
     case StartStep::kMemoryInit:
         return ResultOf(InitialiseMemories(variant.memories));
     case StartStep::kRamEcc:
-        return IsThere(variant.tcram_test) ? ResultOf(TestRamEcc(setup.ecc_place)) : StepResult::kAbsent;
+        return TestRam(setup);
     case StartStep::kFlashEcc:
         return IsThere(variant.flash_diagnosis) ? ResultOf(TestFlashEcc()) : StepResult::kAbsent;
     case StartStep::kTableParity:
@@ -112,6 +112,15 @@ StepResult Board::Do(const StartStep step, const BoardSetup& setup) noexcept
         return StartCan(setup);
     }
     return StepResult::kFailed;
+}
+
+StepResult Board::TestRam(const BoardSetup& setup) noexcept
+{
+    if (IsThere(setup.variant.tcram_test))
+    {
+        return ResultOf(TestRamEcc(setup.ecc_place));
+    }
+    return IsThere(setup.variant.level_2_ram) ? ResultOf(TestLevel2Ram()) : StepResult::kAbsent;
 }
 
 StepResult Board::DoLogicTest() noexcept

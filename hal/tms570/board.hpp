@@ -87,6 +87,7 @@ class Board
 
   private:
     [[nodiscard]] StepResult Do(StartStep step, const BoardSetup& setup) noexcept;
+    [[nodiscard]] static StepResult TestRam(const BoardSetup& setup) noexcept;
     [[nodiscard]] StepResult DoLogicTest() noexcept;
     [[nodiscard]] StepResult PlanTheWatchdog(const BoardSetup& setup) noexcept;
     [[nodiscard]] StepResult StartCan(const BoardSetup& setup) noexcept;

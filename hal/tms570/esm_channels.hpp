@@ -106,7 +106,7 @@ inline constexpr EsmChannelEntry kEsmGroup2[] = {
     {"flash uncorrectable (address)", EsmReaction::kSafeState}, // 4
     {kEsmReserved, EsmReaction::kSafeState},                    // 5
     {"RAM even bank uncorrectable", EsmReaction::kSafeState},   // 6
-    {kEsmReserved, EsmReaction::kSafeState},                    // 7
+    {"level 2 RAM (LC43x)", EsmReaction::kSafeState},           // 7
     {"RAM odd bank uncorrectable", EsmReaction::kSafeState},    // 8
     {kEsmReserved, EsmReaction::kSafeState},                    // 9
     {"RAM even bank address parity", EsmReaction::kSafeState},  // 10
@@ -193,6 +193,7 @@ inline constexpr std::uint32_t kEsmClockComparator = 1U << 30U;
 inline constexpr std::uint32_t kEsmLockstepSelfTest = 1U << 31U;
 inline constexpr std::uint32_t kEsm2Lockstep = 1U << 2U;
 inline constexpr std::uint32_t kEsm2EvenRam = 1U << 6U;
+inline constexpr std::uint32_t kEsm2Level2Ram = 1U << 7U;
 inline constexpr std::uint32_t kEsm2OddRam = 1U << 8U;
 inline constexpr std::uint32_t kEsm3EvenRam = 1U << 3U;
 inline constexpr std::uint32_t kEsm3OddRam = 1U << 5U;

@@ -44,7 +44,8 @@ struct Variant
     std::uint8_t can_objects;
     std::uint8_t mpu_regions;
     Presence clock_comparator; ///< DCC1.
-    Presence tcram_test;       ///< RAM on the B-TCM with the ECC test of the TCRAM module (else: level 2 RAM).
+    Presence tcram_test;       ///< RAM on the B-TCM with the ECC test of the TCRAM module.
+    Presence level_2_ram;      ///< RAM behind the L2RAMW module with its diagnosis.
     Presence flash_diagnosis;  ///< Flash wrapper with diagnostic mode 7.
     Presence windowed_watchdog;
     std::uint32_t flash_bytes;
@@ -63,6 +64,7 @@ inline constexpr Variant kLs20x{
     12U,
     Presence::kAbsent,
     Presence::kPresent,
+    Presence::kAbsent,
     Presence::kPresent,
     Presence::kAbsent,
     0x00200000U,
@@ -77,6 +79,7 @@ inline constexpr Variant kLs12x{
     12U,
     Presence::kPresent,
     Presence::kPresent,
+    Presence::kAbsent,
     Presence::kPresent,
     Presence::kPresent,
     0x00140000U,
@@ -91,6 +94,7 @@ inline constexpr Variant kLs31x{
     12U,
     Presence::kPresent,
     Presence::kPresent,
+    Presence::kAbsent,
     Presence::kPresent,
     Presence::kPresent,
     0x00300000U,
@@ -99,18 +103,20 @@ inline constexpr Variant kLs31x{
     MemorySelection{0x00000064U, 0x00000003U, 0x0000020CU},
 };
 
+/// Memories: SPNS195C, tables 6-33 (groups of the PBIST: DCAN1 6, DCAN2 7, VIM 14, ROMs 1 to 3) and 6-34 (MSINENA).
 inline constexpr Variant kLc43x{
     {kDcan1Base, kDcan2Base},
     64U,
     16U,
     Presence::kPresent,
     Presence::kAbsent,
+    Presence::kPresent,
     Presence::kAbsent,
     Presence::kPresent,
     0x00400000U,
     0x00080000U,
     ClockTree{0x20079500U, 0x3FC0723DU, 16U, 150U, 75U},
-    MemorySelection{0x00000064U, 0x00000003U, 0x0000020CU},
+    MemorySelection{0x00000064U, 0x00000007U, 0x00002060U},
 };
 
 } // namespace counterpoint::tms570

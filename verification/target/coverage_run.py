@@ -14,9 +14,10 @@ HOST = ROOT / "build/coverage"
 # corrupted storage of the channels.
 SUITE = "verification/target/coverage/coverage_suite"
 TESTS = "verification/target/gtest/coverage_tests"
+SELF_TESTS = "verification/target/gtest/coverage_self_tests"
 FLIPS = "verification/target/coverage/coverage_flips"
-# How often something is reached follows from how storage lies in memory: whether it is reached is compared.
-BY_LAYOUT = (FLIPS,)
+# How often something is reached follows from addresses and from how storage lies in memory: whether it is reached is compared.
+BY_LAYOUT = (SELF_TESTS, FLIPS)
 ROOMS = ("safety_core", "channel_a", "channel_b")
 # A busy machine emulates slowly.
 SECONDS = 1500
@@ -137,7 +138,7 @@ def check(report, programs):
     ours, theirs = compare(report, [programs[number] for number in exact], [profiles[number] for number in exact], "equal to the host's in every count", False)
     check_fixtures(report, ours, theirs)
     if len(exact) < len(programs):
-        ours, _ = compare(report, programs, profiles, "with corrupted storage, reaches what it reaches on the host", True)
+        ours, _ = compare(report, programs, profiles, "with self tests and corrupted storage, reaches what it reaches on the host", True)
         left = unreached(ours)
         for line in left:
             print(f"      not shown on the target: {line}")

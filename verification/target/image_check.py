@@ -200,6 +200,9 @@ def check_reset(code):
     call = next((number for number, text in enumerate(sequence) if "<HardwareInitialiseRam>" in text), len(sequence))
     early = [text for text in sequence[:call] if MEMORY_ACCESS.match(text) and text != "ldm r3, {r4, r5, r6, r7, r8}"]
     yield call < len(sequence) and not early, "no access to memory before the RAM is initialised but to the record of an exception", ", ".join(early) or f"{call} instructions"
+    main = code.get("FirmwareMain", [])
+    told = [number for number, text in enumerate(main) if "LastException" in text]
+    yield bool(told), "the program reads the record of an exception back", f"instruction {told[0]} of {len(main)}" if told else "no call of LastException"
     for name, save in (("Interrupt", "vpush {d0-d7}"), ("FastInterrupt", "vpush {d0-d7}"), ("RunUnprivileged", "vpush {d8-d15}")):
         body = code.get(name, [])
         saved = save in body and any(text.startswith("vmrs") for text in body) and any(text.startswith("push {r") for text in body)

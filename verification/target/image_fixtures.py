@@ -118,6 +118,7 @@ def reset_fixtures(elf):
     early = memory[:call] + memory[correction - 1:correction + 4] + memory[call:correction - 1] + memory[correction + 4:]
     yield "RAM correction before the RAM is initialised", dict(code, InitialiseMemory=early), check, row
     yield "a push before the RAM is initialised", dict(code, InitialiseMemory=["push {r4, lr}"] + memory), check, "no access to memory"
+    yield "nobody reads the record of an exception", dict(code, FirmwareMain=[text for text in code["FirmwareMain"] if "LastException" not in text]), check, "record of an exception back"
     for name in ("Interrupt", "FastInterrupt"):
         yield f"{name} without the registers of the floating-point unit", dict(code, **{name: [text for text in code[name] if not text.startswith("vpush")]}), check, f"{name} keeps"
 

@@ -84,6 +84,21 @@ def check_selftest(report):
             report.add(run.status not in (0, None) and expected in run.output, f"fault '{argument}' ends the run", last, "SRS-TGT-009")
 
 
+def vectors_of(image):
+    """Objects that bring vectors and entries of exceptions into an image, from the linker's map."""
+    text = image.with_name(image.name + ".map").read_text(encoding="utf-8")
+    return set(re.findall(r"^ \.(?:vectors)\s+0x[0-9a-f]+\s+0x[0-9a-f]+ (\S+)$", text, re.MULTILINE))
+
+
+def check_vectors(report):
+    """What runs on the emulator starts, and takes exceptions, by the object that is in the images for silicon."""
+    silicon = vectors_of(IMAGES / "firmware/own_device_be32.elf")
+    images = ["selftest/selftest", "conformance/conformance", "bench/bench", "firmware/trap/trap", *(f"firmware/{device}" for device in firmware_run.DEVICES)]
+    others = [name for name in images if vectors_of(IMAGES / f"{name}.elf") != silicon]
+    report.add(len(silicon) == 1 and not others, "vectors, start-up and entries of exceptions of every image", ", ".join(others) or
+               f"{pathlib.Path(next(iter(silicon), 'none')).name} in {len(images) + 1} images", "SRS-TGT-009", "SRS-FW-005")
+
+
 def is_same(ours, theirs):
     """Whether one run gave the same on target and host, with cases and without a failure."""
     return ours is not None and ours == theirs and " failures=0 " in ours and not ours.startswith("cases=0 ")
@@ -196,7 +211,7 @@ def main():
     parser.add_argument("--no-build", action="store_true")
     parser.add_argument("--tests", action="store_true")
     arguments = parser.parse_args()
-    covered = [coverage_run.SUITE] + ([coverage_run.TESTS, coverage_run.FLIPS] if arguments.tests else [])
+    covered = [coverage_run.SUITE] + ([coverage_run.TESTS, *coverage_run.BY_LAYOUT] if arguments.tests else [])
     if not arguments.no_build:
         print("Building build/target (big-endian, two compilers) and the same programs in build/product ...", flush=True)
         target_build.build_preset("tms570", ["selftest", "bench", "conformance", "conformance_be32", *firmware_run.DEVICES, "trap",
@@ -207,6 +222,7 @@ def main():
         coverage_run.build(covered)
     report = Report()
     check_selftest(report)
+    check_vectors(report)
     digest, count = check_objects(report)
     outcomes = check_same_outcomes(report)
     costs = firmware_run.check(report, IMAGES / "firmware", PRODUCT / "verification/target/firmware")

@@ -23,6 +23,30 @@ struct BoardNeeds
     SrdoMask gate_pins[tms570::gio::kPins]; ///< By pin of port A; 0: no safety output.
 };
 
+/// Identifiers that every device receives: NMT and the global fail-safe command. Two objects for each SRDO follow.
+inline constexpr tms570::CanObject kNmtObject{0x000U, tms570::ObjectUse::kReceive};
+inline constexpr tms570::CanObject kGfcObject{0x001U, tms570::ObjectUse::kReceive};
+
+/// Pins of a device: outputs on port B in series with the gates on port A.
+struct BoardPins
+{
+    std::uint8_t outputs;
+    SrdoMask gates[tms570::gio::kPins];
+};
+
+/// @brief The needs of a device with these objects.
+template <std::uint8_t kObjects>
+[[nodiscard]] BoardNeeds NeedsOf(const tms570::CanObject (&objects)[kObjects], const std::uint8_t node_id,
+                                 const BoardPins& pins) noexcept
+{
+    BoardNeeds needs{objects, kObjects, node_id, pins.outputs, {}};
+    for (std::uint32_t pin = 0U; pin < tms570::gio::kPins; ++pin)
+    {
+        needs.gate_pins[pin] = pins.gates[pin];
+    }
+    return needs;
+}
+
 /// @brief Each device has it in board_needs.cpp.
 [[nodiscard]] BoardNeeds DescribeNeeds() noexcept;
 

@@ -24,8 +24,10 @@ constexpr std::uint8_t kQuanta = 5U; ///< 500 kbit/s: 10 quanta a bit, 2 of VCLK
 constexpr std::uint32_t kInterruptsOn = 0x1FU;
 
 Board board{};
-/// For a debugger, and for whatever of CANopen the device reports it by.
+/// For a debugger, and for whatever of CANopen the device reports them by: every step of the start, and the exception
+/// that ended the run before, if one did.
 StartReport start_report{};
+hal::ExceptionRecord last_exception{};
 /// Memory whose ECC the start test breaks and repairs.
 alignas(kEccTestBytes) std::uint8_t ecc_place[kEccTestBytes];
 
@@ -57,6 +59,14 @@ alignas(kEccTestBytes) std::uint8_t ecc_place[kEccTestBytes];
                       EccTestPlace{ecc}};
 }
 
+/// When the start is done, whose logic test resets the processor twice: what was taken before would be lost.
+void TakeRecord() noexcept
+{
+    hal::ExceptionMemory memory = LastException();
+    last_exception = memory.Read();
+    memory.Clear();
+}
+
 } // namespace
 
 extern "C" void FirmwareInterrupt() noexcept
@@ -77,6 +87,7 @@ extern "C" void FirmwareMain() noexcept
     {
         HardwareStop();
     }
+    TakeRecord();
     UnlockInterrupts(kInterruptsOn);
     Kernel* const kernel =
         firmware::StartDevice(firmware::Hardware{board.Can(), board.Output(), board.Watchdog(), board.Protection()});

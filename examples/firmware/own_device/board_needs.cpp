@@ -9,11 +9,16 @@ namespace
 using tms570::CanObject;
 using tms570::ObjectUse;
 
-// NMT, global fail-safe command, then two objects for each SRDO.
 constexpr CanObject kObjects[]{
-    {0x000U, ObjectUse::kReceive},  {0x001U, ObjectUse::kReceive},  {0x121U, ObjectUse::kTransmit},
-    {0x122U, ObjectUse::kTransmit}, {0x123U, ObjectUse::kTransmit}, {0x124U, ObjectUse::kTransmit},
-    {0x111U, ObjectUse::kReceive},  {0x112U, ObjectUse::kReceive},  {0x113U, ObjectUse::kReceive},
+    kNmtObject,
+    kGfcObject,
+    {0x121U, ObjectUse::kTransmit},
+    {0x122U, ObjectUse::kTransmit},
+    {0x123U, ObjectUse::kTransmit},
+    {0x124U, ObjectUse::kTransmit},
+    {0x111U, ObjectUse::kReceive},
+    {0x112U, ObjectUse::kReceive},
+    {0x113U, ObjectUse::kReceive},
     {0x114U, ObjectUse::kReceive},
 };
 
@@ -21,8 +26,7 @@ constexpr CanObject kObjects[]{
 
 BoardNeeds DescribeNeeds() noexcept
 {
-    constexpr auto kCount = static_cast<std::uint8_t>(sizeof(kObjects) / sizeof(kObjects[0]));
-    return BoardNeeds{kObjects, kCount, 17U, 0xC0U, {0x4U, 0x8U}};
+    return NeedsOf(kObjects, 17U, BoardPins{0xC0U, {0x4U, 0x8U}});
 }
 
 } // namespace counterpoint::firmware

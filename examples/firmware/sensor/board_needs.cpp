@@ -9,10 +9,9 @@ namespace
 using tms570::CanObject;
 using tms570::ObjectUse;
 
-// NMT, global fail-safe command, then two objects for each SRDO.
 constexpr CanObject kObjects[]{
-    {0x000U, ObjectUse::kReceive},
-    {0x001U, ObjectUse::kReceive},
+    kNmtObject,
+    kGfcObject,
     {0x101U, ObjectUse::kTransmit},
     {0x102U, ObjectUse::kTransmit},
 };
@@ -21,8 +20,7 @@ constexpr CanObject kObjects[]{
 
 BoardNeeds DescribeNeeds() noexcept
 {
-    constexpr auto kCount = static_cast<std::uint8_t>(sizeof(kObjects) / sizeof(kObjects[0]));
-    return BoardNeeds{kObjects, kCount, 1U, 0U, {}};
+    return NeedsOf(kObjects, 1U, BoardPins{0U, {}});
 }
 
 } // namespace counterpoint::firmware

@@ -47,7 +47,7 @@ TEST_P(EveryVariant, StartsInOrderWithAReportOfEveryStep)
 
 INSTANTIATE_TEST_SUITE_P(Family, EveryVariant,
                          ::testing::Values(VariantCase{"ls20x", &kLs20x, 1U}, VariantCase{"ls12x", &kLs12x, 0U},
-                                           VariantCase{"ls31x", &kLs31x, 0U}, VariantCase{"lc43x", &kLc43x, 2U}),
+                                           VariantCase{"ls31x", &kLs31x, 0U}, VariantCase{"lc43x", &kLc43x, 1U}),
                          [](const auto& row) { return std::string{row.param.name}; });
 
 TEST(Start, LogicTestResetsTheProcessorTwice)
@@ -113,6 +113,42 @@ TEST(Start, RefusedBoardGivesNothing)
     EXPECT_EQ(rig.board.Can().Guarantees().stamps, hal::Guarantee::kAbsent);
     EXPECT_EQ(rig.board.StartWatchdog(), Outcome::kFailed);
     EXPECT_EQ(rig.board.BeginCycle(), BoardFault::kStart);
+}
+
+class Level2RamFault : public ::testing::TestWithParam<model::Fault>
+{
+};
+
+TEST_P(Level2RamFault, RefusesTheStartOfAnLc43x)
+{
+    Verifies(req::SRS_TMS_044);
+    // Given a controller with level 2 RAM whose correction does not see one bit, or two, or sees what is not there
+    Rig rig{kLc43x};
+    rig.machine.faults.Set(GetParam());
+    // When the board starts
+    const StartReport report = rig.Start();
+    // Then it is refused at the test of the RAM's ECC
+    EXPECT_EQ(report.answer, StartAnswer::kRefused);
+    EXPECT_EQ(report.last, StartStep::kRamEcc);
+    EXPECT_TRUE(rig.IsSafe());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Level2RamFault,
+                         ::testing::Values(model::Fault::kRamOneBitUnseen, model::Fault::kRamOneBitWrong,
+                                           model::Fault::kRamTwoBitsUnseen));
+
+TEST(Level2Ram, IsQuietAfterItsTest)
+{
+    Verifies(req::SRS_TMS_044);
+    // Given a controller with level 2 RAM
+    Rig rig{kLc43x};
+    // When it has started
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    // Then the test mode is off, no error is left, and nERROR is high
+    EXPECT_EQ(Read(At(level_2_ram::kBase, level_2_ram::kTest)), level_2_ram::kTestOff);
+    EXPECT_EQ(Read(At(level_2_ram::kBase, level_2_ram::kErrorStatus)), 0U);
+    EXPECT_EQ(ReadEsm().group_2, 0U);
+    EXPECT_TRUE(rig.machine.esm.IsPinHigh());
 }
 
 } // namespace

@@ -67,6 +67,10 @@ Machine::Machine(const Variant& variant)
         Map(tcram::kOddBank.address, kFrame, odd_);
         Map(kRamOrigin + tcram::kEccOffset, variant.ram_bytes, ram_ecc_);
     }
+    if (variant.level_2_ram == Presence::kPresent)
+    {
+        Map(level_2_ram::kBase.address, kFrame, level_2_ram_);
+    }
     Map(kRamOrigin, variant.ram_bytes, ram_);
 }
 

@@ -93,6 +93,7 @@ class Machine
     AbortLine abort_{};
     Peripheral plain_{faults};
     Peripheral system2_{faults};
+    Level2RamModel level_2_ram_{faults, esm};
     TcramModel even_{faults};
     TcramModel odd_{faults};
     FlashModel flash_{faults};

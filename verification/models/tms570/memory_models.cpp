@@ -100,6 +100,45 @@ void RamEccModel::Write(const std::uint32_t offset, const std::uint32_t value)
     ram_.WriteEcc(offset, value);
 }
 
+Level2RamModel::Level2RamModel(const FaultSet& faults, EsmModel& esm) : Peripheral(faults), esm_(esm)
+{
+    Kept(level_2_ram::kTest) = level_2_ram::kTestOff;
+}
+
+void Level2RamModel::Judge()
+{
+    // 12h is the ECC of Ah, the only data that anybody shows it.
+    const bool is_known = (Kept(level_2_ram::kDataHigh) == 0U) && (Kept(level_2_ram::kDataLow) == 0xAU);
+    const std::uint32_t bits = is_known ? (Kept(level_2_ram::kEccVector) ^ 0x12U) : 0U;
+    const bool is_one_seen = (bits == kOneBit) && !Has(Fault::kRamOneBitUnseen);
+    const bool are_two_seen = (bits == kTwoBits) && !Has(Fault::kRamTwoBitsUnseen);
+    const std::uint32_t raised = (is_one_seen ? level_2_ram::kOneBitErrors : 0U) |
+                                 (are_two_seen ? level_2_ram::kTwoBitErrors : 0U) |
+                                 (((bits == 0U) && Has(Fault::kRamOneBitWrong)) ? level_2_ram::kOneBitErrors : 0U);
+    Kept(level_2_ram::kErrorStatus) |= raised;
+    if (raised != 0U)
+    {
+        esm_.Raise(2U, 7U);
+    }
+}
+
+void Level2RamModel::Write(const std::uint32_t offset, const std::uint32_t value)
+{
+    using namespace level_2_ram;
+    if (offset == kErrorStatus)
+    {
+        Kept(offset) &= ~value;
+        return;
+    }
+    const bool was_on = Kept(kTest) == (kEquality | kTestOn);
+    const bool is_start = (offset == kTest) && (value == (kEquality | kTestOn | kTrigger));
+    Kept(offset) = (offset == kTest) ? (value & ~kTrigger) : value;
+    if (is_start && was_on && ((Kept(kErrorStatus) & kAllDiagnosis) == 0U))
+    {
+        Judge();
+    }
+}
+
 std::uint32_t FlashModel::SpoiledBits()
 {
     const bool is_on = Kept(flash::kDiagnosisControl) == (flash::kDiagnosisOn | flash::kDiagnosisTrigger);

@@ -69,6 +69,20 @@ class RamEccModel final : public Peripheral
     RamModel& ram_;
 };
 
+/// Level 2 RAM module: judges the pair of data and ECC that it is shown.
+class Level2RamModel final : public Peripheral
+{
+  public:
+    Level2RamModel(const FaultSet& faults, EsmModel& esm);
+
+    void Write(std::uint32_t offset, std::uint32_t value) override;
+
+  private:
+    void Judge();
+
+    EsmModel& esm_;
+};
+
 /// Flash wrapper with its diagnostic mode.
 class FlashModel final : public Peripheral
 {
