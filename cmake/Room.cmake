@@ -7,6 +7,8 @@
 set(COUNTERPOINT_WARNINGS -Wall -Wextra -Wpedantic -Werror -Wconversion -Wsign-conversion -Wshadow -Wcast-qual
     -Wold-style-cast -Woverloaded-virtual -Wnon-virtual-dtor -Wundef -Wswitch-enum -Wdouble-promotion
     -Wformat=2 -Wnull-dereference)
+# Tests are not measured; a preset may have them compiled in less time than the rooms that they test.
+set(COUNTERPOINT_TEST_OPTIONS "" CACHE STRING "Options of test programs alone, after those of everything")
 # What a kernel object may not contain: exceptions, RTTI, guards of static locals, calls of a hosted library.
 set(COUNTERPOINT_KERNEL_FLAGS -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-stack-protector
     -fno-asynchronous-unwind-tables -fno-common -ffunction-sections -fdata-sections)

@@ -8,7 +8,7 @@ function(counterpoint_test target)
   add_executable(${target} ${TEST_SOURCES})
   target_link_libraries(${target} PRIVATE ${TEST_DEPENDS} ${TEST_LIBRARIES} verification_trace GTest::gtest_main)
   target_compile_features(${target} PRIVATE cxx_std_17)
-  target_compile_options(${target} PRIVATE ${COUNTERPOINT_WARNINGS})
+  target_compile_options(${target} PRIVATE ${COUNTERPOINT_WARNINGS} ${COUNTERPOINT_TEST_OPTIONS})
   if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     # In tests these are noise: constants that fit, constants kept for the reader, calls inside the library (see Room.cmake).
     target_compile_options(${target} PRIVATE -Wno-implicit-int-conversion -Wno-unused-const-variable

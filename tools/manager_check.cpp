@@ -97,6 +97,7 @@ class Comparison
         {
             CompareSetups(node, first_.Setup().slaves[node], second_.Setup().slaves[node]);
             CompareConcise(node, *one, *other);
+            CompareProgram(node, *one, *other);
             CompareSafety(node, *one, *other);
         }
     }
@@ -111,6 +112,9 @@ class Comparison
         Compare(name(0x1F87U), one.revision_number, other.revision_number);
         Compare(name(0x1F88U), one.serial_number, other.serial_number);
         Compare(name(0x1F8AU), one.restore_sub, other.restore_sub);
+        Compare(name(0x1F55U), one.software.identification, other.software.identification);
+        Compare(name(0x1F53U), one.software.date, other.software.date);
+        Compare(name(0x1F54U), one.software.time, other.software.time);
         Compare(name(0x1F26U), one.configuration_date, other.configuration_date);
         Compare(name(0x1F27U), one.configuration_time, other.configuration_time);
         Compare(heartbeat, one.heartbeat.consumer_ms, other.heartbeat.consumer_ms);
@@ -125,6 +129,14 @@ class Comparison
         {
             Tell(cia306::ObjectName(0x1F22U, node), std::to_string(one.concise.size()) + " bytes",
                  std::to_string(other.concise.size()) + " bytes with other contents");
+        }
+    }
+    void CompareProgram(const std::uint8_t node, const LoadedSlave& one, const LoadedSlave& other)
+    {
+        if (one.program != other.program)
+        {
+            Tell(cia306::ObjectName(0x1F58U, node), std::to_string(one.program.size()) + " bytes",
+                 std::to_string(other.program.size()) + " bytes with other contents");
         }
     }
     void CompareSafety(const std::uint8_t node, const LoadedSlave& one, const LoadedSlave& other)

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/network_scenario.hpp"
 
+#include "canopen/cia306/number.hpp"
 #include "canopen/network/cpj_reader.hpp"
 #include "hal/host/bit_rate.hpp"
 #include "tools/manager_order.hpp"
@@ -8,6 +9,7 @@
 
 #include <filesystem>
 #include <limits>
+#include <sstream>
 
 namespace counterpoint::tools
 {
@@ -31,7 +33,10 @@ constexpr Word<Action> kActionWords[] = {{"pull", Action::kPull},
                                          {"order", Action::kOrder},
                                          {"kill_manager", Action::kKillManager},
                                          {"store", Action::kStore},
-                                         {"acknowledge", Action::kAcknowledge}};
+                                         {"acknowledge", Action::kAcknowledge},
+                                         {"send", Action::kSend},
+                                         {"bus_off", Action::kBusOff},
+                                         {"no_controller", Action::kNoController}};
 constexpr Word<Expected> kExpectedWords[] = {
     {"state", Expected::kState},   {"device", Expected::kDevice}, {"letter", Expected::kLetter},
     {"code", Expected::kCode},     {"gate", Expected::kGate},     {"finding", Expected::kFinding},
@@ -84,6 +89,27 @@ ScenarioDevice ReadDevice(const std::string& file, const ScenarioValue& value)
     return device;
 }
 
+/// "01 21": up to 8 bytes in hexadecimal.
+std::vector<std::uint8_t> DataIn(const YamlMap& map)
+{
+    constexpr std::size_t kMost = 8U;
+    std::vector<std::uint8_t> data;
+    if (const auto value = map.Find("data"))
+    {
+        std::istringstream words(value->Text("bytes such as 01 21"));
+        for (std::string word; words >> word;)
+        {
+            const auto byte = (word.size() == 2U) ? cia306::ParseUnsigned("0x" + word, 0xFFU) : std::nullopt;
+            if (!byte || data.size() == kMost)
+            {
+                value->Refuse(simulator::Shown(word), "up to 8 bytes of two hexadecimal digits");
+            }
+            data.push_back(static_cast<std::uint8_t>(*byte));
+        }
+    }
+    return data;
+}
+
 /// What only some actions have.
 void ReadMore(const YamlMap& map, NetworkAction& action)
 {
@@ -98,6 +124,7 @@ void ReadMore(const YamlMap& map, NetworkAction& action)
     action.code = static_cast<std::uint16_t>(NumberIn(map, "code", 0U, 0xFFFFU, kUsualCode));
     action.value = static_cast<std::uint32_t>(NumberIn(map, "value", 0U, kHighestNumber, 0U));
     action.srdo = static_cast<std::uint8_t>(NumberIn(map, "srdo", 1U, 64U, 1U));
+    action.data = DataIn(map);
     if (const auto object = map.Find("object"))
     {
         action.object = object->Object();
@@ -116,19 +143,22 @@ void ReadMore(const YamlMap& map, NetworkAction& action)
 
 NetworkAction ReadAction(const std::string& file, const ScenarioValue& value)
 {
-    const YamlMap map(
-        file, value.Node(),
-        {"at", "do", "node", "until", "every", "serial", "identifier", "code", "order", "object", "value", "srdo"});
+    const YamlMap map(file, value.Node(),
+                      {"at", "do", "node", "until", "every", "serial", "identifier", "code", "order", "object", "value",
+                       "srdo", "data"});
     NetworkAction action;
     action.place = value.Where().place;
     action.kind = map.Require("do").Choice(kActionWords);
     action.at_ns = static_cast<std::uint64_t>(map.Require("at").Duration());
-    const bool needs_node = action.kind != Action::kBabble && action.kind != Action::kOrder;
+    const bool is_bus = action.kind == Action::kBusOff || action.kind == Action::kNoController;
+    const bool is_frame = action.kind == Action::kBabble || action.kind == Action::kSend;
+    const bool needs_node = !is_frame && !is_bus && action.kind != Action::kOrder;
     action.node = needs_node ? static_cast<std::uint8_t>(map.Require("node").Number({1U, kHighestNode}))
                              : static_cast<std::uint8_t>(NumberIn(map, "node", 1U, kHighestNode, 0U));
-    const bool needs_until = action.kind == Action::kBabble || action.kind == Action::kEmcyStorm;
+    const bool needs_until = is_bus || action.kind == Action::kBabble || action.kind == Action::kEmcyStorm;
     static_cast<void>(needs_until ? map.Require("until") : map.Require("at"));
     static_cast<void>((action.kind == Action::kOrder) ? map.Require("order") : map.Require("at"));
+    static_cast<void>((action.kind == Action::kSend) ? map.Require("identifier") : map.Require("at"));
     static_cast<void>((action.kind == Action::kStore) ? map.Require("object") : map.Require("at"));
     ReadMore(map, action);
     return action;
@@ -157,6 +187,22 @@ NetworkExpectation ReadExpectation(const std::string& file, const ScenarioValue&
     return expectation;
 }
 
+/// A controller that comes back is an action of its own.
+void AddReturns(std::vector<NetworkAction>& actions)
+{
+    std::vector<NetworkAction> returns;
+    for (const NetworkAction& action : actions)
+    {
+        if (action.kind == Action::kBusOff || action.kind == Action::kNoController)
+        {
+            returns.push_back(action);
+            returns.back().kind = Action::kBusBack;
+            returns.back().at_ns = action.until_ns;
+        }
+    }
+    actions.insert(actions.end(), returns.begin(), returns.end());
+}
+
 std::uint32_t BitRateIn(const YamlMap& map)
 {
     constexpr std::uint32_t kUsual = 500000U;
@@ -169,6 +215,17 @@ std::uint32_t BitRateIn(const YamlMap& map)
     return static_cast<std::uint32_t>(rate);
 }
 } // namespace
+
+bool IsOfManager(const NetworkActionKind kind) noexcept
+{
+    return kind == Action::kOrder || kind == Action::kKillManager || kind == Action::kBusOff ||
+           kind == Action::kNoController || kind == Action::kBusBack;
+}
+
+bool IsStorm(const NetworkActionKind kind) noexcept
+{
+    return kind == Action::kEmcyStorm || kind == Action::kBabble || kind == Action::kSend;
+}
 
 bool IsNetworkScenario(const std::string& path)
 {
@@ -212,6 +269,7 @@ NetworkScenario ReadNetworkScenario(const std::string& path)
         scenario.expectations.push_back(ReadExpectation(path, expectation, scenario.duration_ns));
     }
     RequireSense(scenario);
+    AddReturns(scenario.actions);
     return scenario;
 }
 } // namespace counterpoint::tools

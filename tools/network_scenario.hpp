@@ -44,6 +44,10 @@ enum class NetworkActionKind : std::uint8_t
     kKillManager,
     kStore,
     kAcknowledge,
+    kSend,         ///< A frame of somebody else.
+    kBusOff,       ///< The manager's controller.
+    kNoController, ///< Of the manager.
+    kBusBack,      ///< Its end, made from both.
 };
 
 /// Something that happens to the network.
@@ -62,7 +66,13 @@ struct NetworkAction
     ObjectAddress object{0U, 0U};
     std::uint32_t value{0U};
     std::uint8_t srdo{0U};
+    std::vector<std::uint8_t> data; ///< Of a frame that is sent.
 };
+
+/// @brief Whether the action is one of a manager, by its node-ID or 0 for the first one.
+[[nodiscard]] bool IsOfManager(NetworkActionKind kind) noexcept;
+/// @brief Whether the action puts frames on the bus by itself.
+[[nodiscard]] bool IsStorm(NetworkActionKind kind) noexcept;
 
 enum class NetworkExpectationKind : std::uint8_t
 {

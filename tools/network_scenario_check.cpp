@@ -46,10 +46,11 @@ class Check
     }
     void Of(const NetworkAction& action) const
     {
-        const bool is_storm = action.kind == Action::kEmcyStorm || action.kind == Action::kBabble;
-        const bool is_of_manager = action.kind == Action::kOrder || action.kind == Action::kKillManager;
+        const bool is_bus = action.kind == Action::kBusOff || action.kind == Action::kNoController;
+        const bool is_storm = IsStorm(action.kind);
+        const bool is_of_manager = IsOfManager(action.kind);
         Begins(action.at_ns, action.place);
-        if (is_storm && action.until_ns < action.at_ns)
+        if ((is_storm || is_bus) && action.until_ns < action.at_ns)
         {
             Refuse(action.place, "an end before the beginning", "a time after 'at' behind 'until'");
         }

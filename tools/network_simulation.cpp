@@ -35,11 +35,14 @@ host::LiveFrame EmergencyFrame(const NetworkAction& action)
     return frame;
 }
 
-host::LiveFrame BabbledFrame(const NetworkAction& action)
+/// Eight zeros, or what is to be sent.
+host::LiveFrame FrameOf(const NetworkAction& action)
 {
     host::LiveFrame frame;
+    const bool is_babble = action.kind == NetworkActionKind::kBabble;
     frame.identifier = action.identifier;
-    frame.length_bytes = host::kClassicalDataBytes;
+    frame.length_bytes = is_babble ? host::kClassicalDataBytes : static_cast<std::uint8_t>(action.data.size());
+    std::copy(action.data.begin(), action.data.end(), std::begin(frame.data));
     return frame;
 }
 } // namespace
@@ -72,9 +75,7 @@ NetworkSimulation::NetworkSimulation(const NetworkScenario& scenario, TellEvent 
     }
     for (const NetworkAction& action : actions_)
     {
-        const bool is_for_manager =
-            action.kind == NetworkActionKind::kOrder || action.kind == NetworkActionKind::kKillManager;
-        if (is_for_manager)
+        if (IsOfManager(action.kind))
         {
             static_cast<void>(ManagerOf(action.node, action.place));
         }
@@ -168,7 +169,7 @@ void NetworkSimulation::StartDue(const std::uint64_t now_ns)
                 *manager.net,
                 [&manager](const CanFrame& frame)
                 {
-                    return manager.port != nullptr &&
+                    return manager.port != nullptr && !manager.is_off_bus &&
                            manager.port->Send(host::FromCanFrame(frame)) == host::SendResult::kSent;
                 },
                 [this, &manager](const ManagerEvent& event)
@@ -187,6 +188,10 @@ void NetworkSimulation::RunManager(SimulatedManager& manager, const std::uint64_
     while (manager.port->Receive(frame))
     {
         const CanFrame passed = host::ToCanFrame(frame, CanPortId::kFirst);
+        if (manager.is_off_bus)
+        {
+            continue; // It hears nothing either.
+        }
         if (frame.own)
         {
             manager.station->Host().OnSent(passed);
@@ -221,8 +226,14 @@ void NetworkSimulation::Act(const NetworkAction& action, const std::uint64_t now
     case NetworkActionKind::kKillManager:
         ManagerOf(action.node, {}).port.reset();
         break;
+    case NetworkActionKind::kBusOff:
+    case NetworkActionKind::kNoController:
+    case NetworkActionKind::kBusBack:
+        ActOnController(action, now_ns);
+        break;
     case NetworkActionKind::kEmcyStorm:
     case NetworkActionKind::kBabble:
+    case NetworkActionKind::kSend:
         storms_.push_back({action, std::make_unique<SimulatedPort>(bus_), now_ns});
         break;
     case NetworkActionKind::kPull:
@@ -235,6 +246,23 @@ void NetworkSimulation::Act(const NetworkAction& action, const std::uint64_t now
     default:
         ActOnDevice(action, now_ns);
         break;
+    }
+}
+
+void NetworkSimulation::ActOnController(const NetworkAction& action, const std::uint64_t now_ns)
+{
+    SimulatedManager& manager = ManagerOf(action.node, {});
+    cia302::ControllerState state = cia302::ControllerState::kRunning;
+    state = (action.kind == NetworkActionKind::kBusOff) ? cia302::ControllerState::kBusOff : state;
+    state = (action.kind == NetworkActionKind::kNoController) ? cia302::ControllerState::kAbsent : state;
+    manager.is_off_bus = state != cia302::ControllerState::kRunning;
+    if (manager.port != nullptr)
+    {
+        const std::string word = !manager.is_off_bus                           ? "active"
+                                 : (state == cia302::ControllerState::kBusOff) ? "bus_off"
+                                                                               : "down";
+        manager.station->Tell("bus", "bus " + word, {{"state", word}}, now_ns / kNsPerUs);
+        manager.station->Host().OnController(state, InstantAt(now_ns / kNsPerUs));
     }
 }
 
@@ -295,8 +323,7 @@ void NetworkSimulation::RunStorms(const std::uint64_t now_ns)
         if (storm.next_ns <= now_ns)
         {
             const bool is_emergency = storm.action.kind == NetworkActionKind::kEmcyStorm;
-            static_cast<void>(
-                storm.port->Send(is_emergency ? EmergencyFrame(storm.action) : BabbledFrame(storm.action)));
+            static_cast<void>(storm.port->Send(is_emergency ? EmergencyFrame(storm.action) : FrameOf(storm.action)));
             const std::uint64_t next_ns = now_ns + storm.action.every_ns;
             storm.next_ns = (next_ns > storm.action.until_ns) ? kNever : next_ns;
         }

@@ -23,6 +23,7 @@ struct SimulatedManager
     std::unique_ptr<ManagerStation> station;
     std::vector<ManagerEvent> events;
     std::uint64_t next_cycle_ns{0U};
+    bool is_off_bus{false}; ///< Its controller neither sends nor receives.
 };
 
 struct NetworkVerdict
@@ -67,6 +68,7 @@ class NetworkSimulation
     void Step(std::uint64_t now_ns);
     void StartDue(std::uint64_t now_ns);
     void Act(const NetworkAction& action, std::uint64_t now_ns);
+    void ActOnController(const NetworkAction& action, std::uint64_t now_ns);
     void ActOnDevice(const NetworkAction& action, std::uint64_t now_ns);
     void Insert(std::uint8_t node, std::uint64_t now_ns);
     void Pull(std::uint8_t node);

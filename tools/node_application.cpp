@@ -13,6 +13,7 @@ namespace
 using simulator::LogicOperation;
 
 constexpr std::uint16_t kCommunicationBase = 0x1300U;
+constexpr std::uint16_t kMappingBase = 0x1380U;
 
 std::uint8_t NumberOf(const CommunicationIndex index)
 {
@@ -36,16 +37,90 @@ NodeApplication::NodeApplication(const simulator::DeviceModel& model, NodeReport
         pair.is_consumer = source.is_consumer;
         pair.normal = ReadVariable(pair.normal_place).bits;
         pair.inverse = ReadVariable(pair.inverse_place).bits;
-        if (pair.is_consumer && source.first_bit < kMaxPayloadBits)
+        if (pair.is_consumer)
         {
-            const Payload& safe = model.Config().srdos[pair.slot].safe_value;
-            const std::uint64_t image = (std::uint64_t{safe.high} << 32U) | safe.low;
-            pair.safe = (image >> source.first_bit) & pair.mask;
-            pair.normal = pair.safe;
-            pair.inverse = ~pair.safe & pair.mask;
+            SetSafe(pair, model.Config().srdos[pair.slot].safe_value, source.first_bit);
         }
         pairs_.push_back(pair);
     }
+}
+
+void NodeApplication::SetSafe(Pair& pair, const Payload& safe, const std::uint32_t first_bit)
+{
+    const std::uint64_t image = (std::uint64_t{safe.high} << 32U) | safe.low;
+    pair.safe = (first_bit < kMaxPayloadBits) ? (image >> first_bit) & pair.mask : 0U;
+    pair.normal = pair.safe;
+    pair.inverse = ~pair.safe & pair.mask;
+}
+
+void NodeApplication::Follow(Kernel& kernel, const simulator::DeviceModel& model)
+{
+    for (Pair& pair : pairs_)
+    {
+        pair.is_mapped = false;
+    }
+    for (SlotIndex slot = 0U; slot < model.Srdos().size(); ++slot) // A plain device has none.
+    {
+        FollowSrdo(kernel, model.Config(), slot, model.NumberOf(slot));
+    }
+}
+
+void NodeApplication::FollowSrdo(Kernel& kernel, const DeviceConfig& config, const SlotIndex slot,
+                                 const std::uint8_t number)
+{
+    const CommunicationIndex index{static_cast<std::uint16_t>(kCommunicationBase + number)};
+    const auto mapping = static_cast<std::uint16_t>(kMappingBase + number);
+    const ParametersReply parameters = kernel.GetParameters(index);
+    const bool is_on = parameters.result == Result::kSuccessful && parameters.direction != kDirectionOff;
+    std::uint32_t first_bit = 0U;
+    for (std::uint8_t entry = 1U; is_on && entry < parameters.map_count; entry = static_cast<std::uint8_t>(entry + 2U))
+    {
+        const VariablePlace normal = kernel.GetMapped(index, {entry}).variable;
+        const VariablePlace inverse = kernel.GetMapped(index, {static_cast<std::uint8_t>(entry + 1U)}).variable;
+        if (normal.place != nullptr && inverse.place != nullptr) // Else a dummy.
+        {
+            const std::uint32_t named = ToValue(kernel.ReadObject({mapping, entry}).data);
+            Pair& pair =
+                Take({normal,
+                      inverse,
+                      {static_cast<std::uint16_t>(named >> 16U), static_cast<std::uint8_t>((named >> 8U) & 0xFFU)}});
+            const bool is_consumer = parameters.direction == kDirectionConsumer;
+            const bool is_new_role = is_consumer != pair.is_consumer || number != pair.srdo;
+            pair.is_consumer = is_consumer;
+            pair.srdo = number;
+            pair.slot = slot;
+            pair.is_mapped = true;
+            if (is_consumer && is_new_role)
+            {
+                SetSafe(pair, config.srdos[slot].safe_value, first_bit);
+            }
+        }
+        first_bit += normal.length_bits;
+    }
+}
+
+/// The pair of these two objects: one that is known and that no other SRDO has taken, or a new one.
+NodeApplication::Pair& NodeApplication::Take(const MappedPair& mapped)
+{
+    const auto known = std::find_if(pairs_.begin(), pairs_.end(),
+                                    [&mapped](const Pair& pair)
+                                    {
+                                        return !pair.is_mapped && pair.normal_place.place == mapped.normal.place &&
+                                               pair.inverse_place.place == mapped.inverse.place;
+                                    });
+    if (known != pairs_.end())
+    {
+        return *known;
+    }
+    Pair pair;
+    pair.normal_place = mapped.normal;
+    pair.inverse_place = mapped.inverse;
+    pair.address = mapped.address;
+    pair.mask = ~std::uint64_t{0U} >> (64U - mapped.normal.length_bits);
+    pair.normal = ReadVariable(pair.normal_place).bits;
+    pair.inverse = ReadVariable(pair.inverse_place).bits;
+    pairs_.push_back(pair);
+    return pairs_.back();
 }
 
 void NodeApplication::Tell(OnPair on_pair)
@@ -55,8 +130,11 @@ void NodeApplication::Tell(OnPair on_pair)
 
 std::size_t NodeApplication::Find(const ObjectAddress& normal) const
 {
-    const auto found = std::find_if(pairs_.begin(), pairs_.end(), [&normal](const Pair& pair)
-                                    { return pair.address.index == normal.index && pair.address.sub == normal.sub; });
+    const auto is_it = [&normal](const Pair& pair)
+    { return pair.address.index == normal.index && pair.address.sub == normal.sub; };
+    const auto mapped = std::find_if(pairs_.begin(), pairs_.end(),
+                                     [&is_it](const Pair& pair) { return pair.is_mapped && is_it(pair); });
+    const auto found = (mapped != pairs_.end()) ? mapped : std::find_if(pairs_.begin(), pairs_.end(), is_it);
     return static_cast<std::size_t>(found - pairs_.begin());
 }
 
@@ -81,7 +159,8 @@ bool NodeApplication::AddRule(const simulator::LogicRule& rule)
 bool NodeApplication::SetInput(const ObjectAddress& object, const std::uint64_t value)
 {
     const std::size_t place = Find(object);
-    if (place >= pairs_.size() || pairs_[place].is_consumer || value > pairs_[place].mask)
+    const bool is_input = place < pairs_.size() && pairs_[place].is_mapped && !pairs_[place].is_consumer;
+    if (!is_input || value > pairs_[place].mask)
     {
         return false;
     }
@@ -96,7 +175,7 @@ void NodeApplication::Run(const SrdoMask open)
 {
     for (Pair& pair : pairs_)
     {
-        if (pair.is_consumer)
+        if (pair.is_consumer && pair.is_mapped)
         {
             TakePair(pair, open);
         }
@@ -107,7 +186,7 @@ void NodeApplication::Run(const SrdoMask open)
     }
     for (const Pair& pair : pairs_)
     {
-        if (!pair.is_consumer)
+        if (!pair.is_consumer && pair.is_mapped)
         {
             WriteVariable(pair.normal_place, {pair.normal});
             WriteVariable(pair.inverse_place, {pair.inverse});
@@ -133,6 +212,10 @@ void NodeApplication::TakePair(Pair& pair, const SrdoMask open)
 void NodeApplication::Apply(const Rule& rule)
 {
     Pair& target = pairs_[rule.target];
+    if (target.is_consumer)
+    {
+        return; // Configured otherwise than when the rule was made.
+    }
     std::uint64_t normal = pairs_[rule.inputs.front()].normal;
     std::uint64_t inverse = pairs_[rule.inputs.front()].inverse;
     for (std::size_t place = 1U; place < rule.inputs.size(); ++place)
@@ -162,6 +245,10 @@ std::string NodeApplication::Values() const
     std::string values;
     for (const Pair& pair : pairs_)
     {
+        if (!pair.is_mapped)
+        {
+            continue;
+        }
         values += (values.empty() ? "" : " ") + simulator::ObjectText(pair.address) + "=" + std::to_string(pair.normal);
     }
     return values;

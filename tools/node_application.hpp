@@ -27,9 +27,13 @@ class NodeApplication final : public Application
     NodeApplication(const simulator::DeviceModel& model, NodeReport& report);
 
     void Tell(OnPair on_pair);
+    /// @brief Pairs as the SRDOs are configured now, whoever did it: new ones come behind those that are known, and
+    /// those that no SRDO has any more rest. On entering OPERATIONAL. [SRS-NODE-019]
+    void Follow(Kernel& kernel, const simulator::DeviceModel& model);
     /// @brief Whether the rule's objects are pairs of this device: the target of a producer.
     [[nodiscard]] bool AddRule(const simulator::LogicRule& rule);
-    /// @brief Whether there is such an input: the normal object of a producer.
+    /// @brief Whether there is such an input: the normal object of a producer, whose configuration is followed or that
+    /// of the file.
     [[nodiscard]] bool SetInput(const ObjectAddress& object, std::uint64_t value);
     /// @brief Time of what the kernel tells next.
     void SetNow(std::uint64_t now_ns) noexcept
@@ -66,6 +70,14 @@ class NodeApplication final : public Application
         SlotIndex slot{0U};
         std::uint8_t srdo{0U};
         bool is_consumer{false};
+        bool is_mapped{true}; ///< By an SRDO that is on, or by the file while nothing was followed yet.
+    };
+    /// Two entries of a mapping.
+    struct MappedPair
+    {
+        VariablePlace normal{nullptr, 0U};
+        VariablePlace inverse{nullptr, 0U};
+        ObjectAddress address{0U, 0U};
     };
     struct Rule
     {
@@ -75,6 +87,9 @@ class NodeApplication final : public Application
     };
 
     [[nodiscard]] std::size_t Find(const ObjectAddress& normal) const;
+    void FollowSrdo(Kernel& kernel, const DeviceConfig& config, SlotIndex slot, std::uint8_t number);
+    [[nodiscard]] Pair& Take(const MappedPair& mapped);
+    static void SetSafe(Pair& pair, const Payload& safe, std::uint32_t first_bit);
     void TakePair(Pair& pair, SrdoMask open);
     void Apply(const Rule& rule);
     void TellValue(const Pair& pair);

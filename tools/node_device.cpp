@@ -34,7 +34,9 @@ NodeDevice::NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeRepor
       channel_a_(MakeChannel(simulator::Letter::kA, simulator::RoomOf(config_))),
       channel_b_(MakeChannel(simulator::Letter::kB, simulator::RoomOf(config_))), application_(model_, report),
       objects_(file_, config_.node_id, KernelsOf(config_)), history_(HistoryOf(file_)),
-      emergency_({config_.node_id}, {history_.data(), static_cast<std::uint8_t>(history_.size())}),
+      errors_(device::EmergencyPlaces(config_.srdo_count, objects_.Rooms())), messages_(errors_.size()),
+      emergency_({config_.node_id}, {history_.data(), static_cast<std::uint8_t>(history_.size())},
+                 {errors_.data(), messages_.data(), static_cast<std::uint16_t>(errors_.size())}),
       watch_(emergency_, application_),
       self_test_(settings.has_self_tests ? std::make_unique<NodeSelfTest>(output_) : nullptr),
       kernel_({channel_a_->Voice(), channel_b_->Voice(), ports, output_, watchdog_, watch_,
@@ -292,6 +294,10 @@ void NodeDevice::TellState(const std::uint64_t now_ns)
             report_.Tell(now_ns, line, "refused", {{"text", line}});
         }
         state_ = state;
+        if (state == cia301::NodeState::kOperational)
+        {
+            FollowConfiguration();
+        }
         const std::string name = simulator::Name(cia301::KernelState(state));
         report_.Tell(now_ns, "NMT " + name, "nmt", {{"state", name}});
     }

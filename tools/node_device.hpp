@@ -90,7 +90,9 @@ class NodeDevice final : private device::Owner
     void TellStore(const std::string& warning);
     void LoadSafety();
     [[nodiscard]] bool IsSafetyLoaded();
+    void FollowConfiguration();
     void PrepareSending();
+    void FindInverseFrames();
     void SendByApplication();
     [[nodiscard]] SrdoMask AcknowledgeLevels(std::uint64_t now_ns) const noexcept;
     void SetTime(std::uint64_t now_ns);
@@ -111,7 +113,9 @@ class NodeDevice final : private device::Owner
     std::unique_ptr<simulator::ChannelHost> channel_b_;
     NodeApplication application_;
     NodeObjects objects_;
-    std::vector<std::uint32_t> history_; ///< 1003h.
+    std::vector<std::uint32_t> history_;             ///< 1003h.
+    std::vector<cia301::EmergencyError> errors_;     ///< Room for all that may be wrong at once,
+    std::vector<cia301::EmergencyMessage> messages_; ///< and for telling it.
     cia301::EmergencyProducer emergency_;
     device::KernelWatch watch_;
     std::unique_ptr<NodeSelfTest> self_test_; ///< Null: none.

@@ -13,6 +13,7 @@ namespace
 {
 constexpr std::uint16_t kCommunicationBase = 0x1300U;
 constexpr std::uint16_t kIdentity = 0x1018U;
+constexpr std::uint8_t kCobIdSub2 = 6U;
 
 ObjectData DataOf(const simulator::ConfigurationWrite& write)
 {
@@ -51,7 +52,6 @@ device::LoadResult NodeDevice::OnResetNode() noexcept
     {
         TellStore(store_->Load(cia301::kApplicationGroup | cia301::kManufacturerGroup));
     }
-    PrepareSending();
     has_restarted_ = true;
     return device::LoadResult::kLoaded;
 }
@@ -76,15 +76,6 @@ device::LoadResult NodeDevice::OnResetCommunication() noexcept
     if (store_)
     {
         TellStore(store_->Load(cia301::kCommunicationGroup));
-    }
-    slot_of_.fill(kNoSlot);
-    for (const simulator::SrdoModel& srdo : model_.Srdos())
-    {
-        const std::uint32_t number = srdo.cob_id_2 - kFirstSrdoIdentifier;
-        if (srdo.direction == kDirectionConsumer && number < kSrdoIdentifierCount)
-        {
-            slot_of_.at(number) = model_.SlotOf(srdo.number).value_or(kNoSlot);
-        }
     }
     return device::LoadResult::kLoaded;
 }
@@ -182,20 +173,46 @@ void NodeDevice::LoadSafety()
     }
 }
 
+/// Directions, times, identifiers and mappings stay as they are until OPERATIONAL is left; the file, a store or a
+/// commissioner may have given them. [SRS-NODE-019]
+void NodeDevice::FollowConfiguration()
+{
+    PrepareSending();
+    FindInverseFrames();
+    application_.Follow(kernel_, model_);
+}
+
 // The shortest refresh time of the producers that the application sends by itself.
 void NodeDevice::PrepareSending()
 {
     cycles_per_send_ = 0U;
     cycles_to_send_ = 0U;
-    for (const simulator::SrdoModel& srdo : model_.Srdos())
+    for (SlotIndex slot = 0U; slot < model_.Srdos().size(); ++slot)
     {
-        const SlotIndex slot = model_.SlotOf(srdo.number).value_or(0U);
+        const auto index = static_cast<std::uint16_t>(kCommunicationBase + model_.NumberOf(slot));
+        const ParametersReply parameters = kernel_.GetParameters({index});
         const bool sends =
-            srdo.direction == kDirectionProducer && config_.srdos[slot].form == ProducerForm::kApplicationSends;
-        const std::uint32_t cycles = (srdo.times.sct_ms * kMicrosecondsPerMillisecond) / config_.cycle_us;
+            parameters.direction == kDirectionProducer && config_.srdos[slot].form == ProducerForm::kApplicationSends;
+        const std::uint32_t cycles = (parameters.refresh_ms * kMicrosecondsPerMillisecond) / config_.cycle_us;
         if (sends && (cycles_per_send_ == 0U || cycles < cycles_per_send_))
         {
             cycles_per_send_ = std::max(cycles, std::uint32_t{1U});
+        }
+    }
+}
+
+// Whose pair an inverse frame completes.
+void NodeDevice::FindInverseFrames()
+{
+    slot_of_.fill(kNoSlot);
+    for (SlotIndex slot = 0U; slot < model_.Srdos().size(); ++slot)
+    {
+        const auto index = static_cast<std::uint16_t>(kCommunicationBase + model_.NumberOf(slot));
+        const std::uint32_t identifier = ToValue(kernel_.ReadObject({index, kCobIdSub2}).data);
+        const std::uint32_t number = identifier - kFirstSrdoIdentifier;
+        if (kernel_.GetParameters({index}).direction == kDirectionConsumer && number < kSrdoIdentifierCount)
+        {
+            slot_of_.at(number) = slot;
         }
     }
 }

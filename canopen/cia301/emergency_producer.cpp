@@ -16,10 +16,19 @@ constexpr std::uint32_t kUsPerStep = 100U;
 } // namespace
 
 EmergencyProducer::EmergencyProducer(const NodeId node, const ErrorHistory& history) noexcept
-    : active_{}, waiting_{}, history_(history), cob_id_(0x80U + node.value), inhibit_100us_(0U), active_count_(0U),
-      waiting_count_(0U), history_count_(0U), dropped_(0U), is_inhibited_(false), sent_{0U}
+    : EmergencyProducer(node, history, EmergencyRoom{own_active_, own_waiting_, kEmergencyRoom})
+{
+}
+
+EmergencyProducer::EmergencyProducer(const NodeId node, const ErrorHistory& history, const EmergencyRoom& room) noexcept
+    : own_active_{}, own_waiting_{}, room_(room), history_(history), cob_id_(0x80U + node.value), inhibit_100us_(0U),
+      active_count_(0U), waiting_count_(0U), history_count_(0U), dropped_(0U), is_inhibited_(false), sent_{0U}
 {
     history_.count = (history_.count > kLongestHistory) ? kLongestHistory : history_.count;
+    if (room_.count == 0U)
+    {
+        room_ = EmergencyRoom{own_active_, own_waiting_, kEmergencyRoom};
+    }
 }
 
 void EmergencyProducer::ResetCommunication(const NodeId node) noexcept
@@ -34,9 +43,9 @@ void EmergencyProducer::Raise(const EmergencyError& error) noexcept
 {
     if (Find(error.code, error.source) == active_count_)
     {
-        if (active_count_ < kEmergencyRoom)
+        if (active_count_ < RoomFor(error.urgency))
         {
-            active_[active_count_] = error;
+            room_.active[active_count_] = error;
             ++active_count_;
             Remember(error);
             Queue(error.code, error);
@@ -50,13 +59,13 @@ void EmergencyProducer::Raise(const EmergencyError& error) noexcept
 
 void EmergencyProducer::Clear(const std::uint16_t code, const std::uint16_t source) noexcept
 {
-    const std::uint8_t at = Find(code, source);
+    const std::uint16_t at = Find(code, source);
     if (at < active_count_)
     {
         --active_count_;
-        for (std::uint8_t i = at; i < active_count_; ++i)
+        for (std::uint16_t i = at; i < active_count_; ++i)
         {
-            active_[i] = active_[i + 1U];
+            room_.active[i] = room_.active[i + 1U];
         }
         Queue(0U, EmergencyError{});
     }
@@ -73,12 +82,12 @@ FrameToSend EmergencyProducer::Poll(const NodeState state, const Instant now) no
         message = FrameToSend{true, CanFrame{cob_id_ & kIdentifierBits, FrameKind::kData, CanPortId::kFirst, 8U, {}}};
         for (std::uint32_t i = 0U; i < 8U; ++i)
         {
-            message.frame.data[i] = waiting_[0].bytes[i];
+            message.frame.data[i] = room_.waiting[0].bytes[i];
         }
         --waiting_count_;
-        for (std::uint8_t i = 0U; i < waiting_count_; ++i)
+        for (std::uint16_t i = 0U; i < waiting_count_; ++i)
         {
-            waiting_[i] = waiting_[i + 1U];
+            room_.waiting[i] = room_.waiting[i + 1U];
         }
         is_inhibited_ = true;
         sent_ = now;
@@ -89,9 +98,9 @@ FrameToSend EmergencyProducer::Poll(const NodeState state, const Instant now) no
 std::uint8_t EmergencyProducer::Register() const noexcept
 {
     std::uint8_t bits = 0U;
-    for (std::uint8_t i = 0U; i < active_count_; ++i)
+    for (std::uint16_t i = 0U; i < active_count_; ++i)
     {
-        bits |= static_cast<std::uint8_t>(active_[i].register_bits | kGeneric);
+        bits |= static_cast<std::uint8_t>(room_.active[i].register_bits | kGeneric);
     }
     return bits;
 }
@@ -154,11 +163,17 @@ std::uint8_t EmergencyProducer::Dropped() const noexcept
     return dropped_;
 }
 
-/// Place of an active error, or `active_count_`.
-std::uint8_t EmergencyProducer::Find(const std::uint16_t code, const std::uint16_t source) const noexcept
+/// Places that such an error may take, and its message.
+std::uint16_t EmergencyProducer::RoomFor(const EmergencyUrgency urgency) const noexcept
 {
-    std::uint8_t at = 0U;
-    while ((at < active_count_) && ((active_[at].code != code) || (active_[at].source != source)))
+    return (urgency == EmergencyUrgency::kUrgent) ? room_.count : static_cast<std::uint16_t>(room_.count - 1U);
+}
+
+/// Place of an active error, or `active_count_`.
+std::uint16_t EmergencyProducer::Find(const std::uint16_t code, const std::uint16_t source) const noexcept
+{
+    std::uint16_t at = 0U;
+    while ((at < active_count_) && ((room_.active[at].code != code) || (room_.active[at].source != source)))
     {
         ++at;
     }
@@ -167,9 +182,9 @@ std::uint8_t EmergencyProducer::Find(const std::uint16_t code, const std::uint16
 
 void EmergencyProducer::Queue(const std::uint16_t code, const EmergencyError& error) noexcept
 {
-    if (waiting_count_ < kEmergencyRoom)
+    if (waiting_count_ < RoomFor(error.urgency))
     {
-        Message& message = waiting_[waiting_count_];
+        EmergencyMessage& message = room_.waiting[waiting_count_];
         message.bytes[0] = static_cast<std::uint8_t>(code & 0xFFU);
         message.bytes[1] = static_cast<std::uint8_t>(code >> 8U);
         message.bytes[2] = Register();

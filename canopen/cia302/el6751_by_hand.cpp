@@ -154,10 +154,13 @@ NmtAnswer El6751StartUp::HoldByHand(const NmtCommand command, const NodeId node,
     return answer;
 }
 
-/// While SDOs are under way, the start follows them. A slave that restarted unnoticed needs them first.
+/// While SDOs are under way, the start follows them. A slave that restarted unnoticed needs them first. One that left
+/// OPERATIONAL without a reaction is started again.
 NmtAnswer El6751StartUp::StartByHand(const NodeId node, const Instant now) noexcept
 {
     El6751Node& slave = Of(node);
+    const std::uint8_t operational = static_cast<std::uint8_t>(SlaveState::kOperational);
+    const bool runs = (parts_.common.table.RequestValue(node) == operational);
     NmtAnswer answer = NmtAnswer::kTaken;
     if (slave.has_restarted && (slave.phase == El6751Phase::kDeactivated))
     {
@@ -168,7 +171,7 @@ NmtAnswer El6751StartUp::StartByHand(const NodeId node, const Instant now) noexc
     {
         slave.is_start_wanted = true;
     }
-    else if (slave.phase != El6751Phase::kRunning)
+    else if ((slave.phase != El6751Phase::kRunning) || !runs)
     {
         BeginStart(node, now);
     }

@@ -49,9 +49,9 @@ bool HasChanged(const El6751Pdo& pdo, const El6751PdoRecord& record) noexcept
 }
 
 /// One SYNC cycle is over for a TxPDO of types 1 to 240 that was received before. [SRS-ELM-034..036]
-void JudgeCycle(const El6751Pdo& pdo, El6751PdoRecord& record) noexcept
+void JudgeCycle(const El6751Pdo& pdo, const std::uint16_t event_ms, El6751PdoRecord& record) noexcept
 {
-    const bool is_strict = (pdo.type == 1U) && (pdo.event_ms == 0U);
+    const bool is_strict = (pdo.type == 1U) && (event_ms == 0U);
     const std::uint8_t tolerated = is_strict ? std::uint8_t{0U} : std::uint8_t{1U};
     if (record.is_in_cycle)
     {
@@ -294,7 +294,7 @@ void El6751Pdos::EndWindow() noexcept
             El6751PdoRecord& record = Record(NodeId{id}, i);
             if (record.has_passed && IsCyclic(pdo))
             {
-                JudgeCycle(pdo, record);
+                JudgeCycle(pdo, El6751EventOf(slave, pdo), record);
             }
         }
     }
@@ -311,7 +311,7 @@ void El6751Pdos::CheckTimes(const NodeId node, const Instant now) noexcept
         const El6751Pdo& pdo = El6751PdoOf(slave, i);
         El6751PdoRecord& record = Record(node, i);
         const std::uint32_t silence_us = now.us - record.last.us;
-        const std::uint32_t event_us = kUsPerMs * pdo.event_ms;
+        const std::uint32_t event_us = kUsPerMs * El6751EventOf(slave, pdo);
         const bool is_timed = record.has_passed && (event_us != 0U);
         if ((i >= slave.rx_count) && is_timed && (pdo.type >= kFirstEventType) && (silence_us > (2U * event_us)))
         {
@@ -319,7 +319,8 @@ void El6751Pdos::CheckTimes(const NodeId node, const Instant now) noexcept
         }
         else if ((i < slave.rx_count) && IsUsed(pdo) && (pdo.type > kLastCyclicType) && record.has_passed)
         {
-            record.is_inhibited = record.is_inhibited && (silence_us < (kUsPerInhibitUnit * pdo.inhibit_100us));
+            record.is_inhibited =
+                record.is_inhibited && (silence_us < (kUsPerInhibitUnit * El6751InhibitOf(slave, pdo)));
             const bool is_late = is_timed && (silence_us >= event_us);
             record.is_due = record.is_due || (!record.is_inhibited && (is_late || HasChanged(pdo, record)));
         }

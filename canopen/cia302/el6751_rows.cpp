@@ -30,16 +30,6 @@ bool IsCoupler(const El6751Context& context) noexcept
     return SlaveOf(context).kind == El6751Kind::kBusCoupler;
 }
 
-std::uint16_t InhibitOf(const El6751Slave& slave, const El6751Pdo& pdo) noexcept
-{
-    return (slave.kind == El6751Kind::kBusCoupler) ? slave.coupler_inhibit_100us : pdo.inhibit_100us;
-}
-
-std::uint16_t EventOf(const El6751Slave& slave, const El6751Pdo& pdo) noexcept
-{
-    return (slave.kind == El6751Kind::kBusCoupler) ? slave.coupler_event_ms : pdo.event_ms;
-}
-
 /// Value that the row compares or writes, where it is none of a PDO.
 std::uint32_t ValueOf(const El6751Context& context, const El6751Row row) noexcept
 {
@@ -180,8 +170,8 @@ bool IsActive(const El6751Context& context, const El6751Place& place) noexcept
         const bool has_type = !is_coupler || (pdo.number <= kLastCouplerType);
         const bool is_cob_id = (place.row == El6751Row::kCobId) && slave.is_cob_id_written && !is_coupler;
         const bool is_type = (place.row == El6751Row::kType) && slave.is_type_written && has_type;
-        const bool is_inhibit = (place.row == El6751Row::kInhibit) && (InhibitOf(slave, pdo) > 0U);
-        const bool is_event = (place.row == El6751Row::kEvent) && (EventOf(slave, pdo) > 0U);
+        const bool is_inhibit = (place.row == El6751Row::kInhibit) && (El6751InhibitOf(slave, pdo) > 0U);
+        const bool is_event = (place.row == El6751Row::kEvent) && (El6751EventOf(slave, pdo) > 0U);
         is_active = is_cob_id || is_type || is_inhibit || is_event;
     }
     else
@@ -242,13 +232,13 @@ El6751Access PdoAccess(const El6751Slave& slave, const El6751Place& place) noexc
     {
         access.object.sub = 3U;
         access.size_bytes = 2U;
-        access.value = InhibitOf(slave, pdo);
+        access.value = El6751InhibitOf(slave, pdo);
     }
     else if ((place.row == El6751Row::kEvent) || (place.row == El6751Row::kEventReadBack))
     {
         access.object.sub = 5U;
         access.size_bytes = 2U;
-        access.value = EventOf(slave, pdo);
+        access.value = El6751EventOf(slave, pdo);
     }
     else
     {

@@ -45,8 +45,8 @@ struct El6751Pdo
     std::uint32_t cob_id{0U}; ///< As written to the slave; bits 0 to 10 are the identifier.
     std::uint8_t type{255U};
     std::uint8_t length_bytes{8U};
-    std::uint16_t inhibit_100us{0U};         ///< Of a bus coupler not used, see El6751Slave.
-    std::uint16_t event_ms{0U};              ///< To the slave likewise; its supervision is by this one.
+    std::uint16_t inhibit_100us{0U};         ///< Of a bus coupler not used, see El6751InhibitOf.
+    std::uint16_t event_ms{0U};              ///< Likewise.
     const std::uint8_t* data_bytes{nullptr}; ///< RxPDO: `length_bytes` of the application; null: zeros.
 };
 
@@ -109,6 +109,16 @@ constexpr SdoTimes kEl6751SdoTimes{2000000U, 1U};
     constexpr std::uint8_t kLastCyclic = 240U;
     constexpr std::uint8_t kSynchronousRemote = 252U;
     return (type <= kLastCyclic) || (type == kSynchronousRemote);
+}
+/// @brief Inhibit time of a PDO: its own, or the one that a bus coupler has for all. [SRS-ELM-015]
+[[nodiscard]] constexpr std::uint16_t El6751InhibitOf(const El6751Slave& slave, const El6751Pdo& pdo) noexcept
+{
+    return (slave.kind == El6751Kind::kBusCoupler) ? slave.coupler_inhibit_100us : pdo.inhibit_100us;
+}
+/// @brief Event time of a PDO, likewise: written to the slave, and what its supervision goes by. [SRS-ELM-017]
+[[nodiscard]] constexpr std::uint16_t El6751EventOf(const El6751Slave& slave, const El6751Pdo& pdo) noexcept
+{
+    return (slave.kind == El6751Kind::kBusCoupler) ? slave.coupler_event_ms : pdo.event_ms;
 }
 /// @brief The slave's part of the setup; that of a general slave without PDOs if it has none.
 [[nodiscard]] const El6751Slave& El6751SlaveOf(const NetworkSetup& setup, NodeId node) noexcept;

@@ -8,6 +8,7 @@ namespace
 {
 
 constexpr std::uint8_t kStoppedByte = 4U; ///< As 1F82h reads it.
+constexpr std::uint8_t kPreOperationalByte = 127U;
 
 } // namespace
 
@@ -108,6 +109,20 @@ void PlcStartUp::DriveCheck(const NodeId node, const Instant now) noexcept
     }
 }
 
+/// A safety slave that has left OPERATIONAL can be changed: it is read when it says that it runs again. [SRS-PLC-020]
+void PlcStartUp::OnLeft(const NodeId node) noexcept
+{
+    PlcNode& slave = Of(node);
+    const NodeRecord& record = parts_.common.table.Record(node);
+    if (parts_.common.setup.IsSafetySlave(node) && (record.state != SlaveState::kOperational))
+    {
+        parts_.common.gate.Close(node);
+        slave.status.is_started = false;
+        slave.was_checked = false;
+        slave.signs = record.signs;
+    }
+}
+
 /// Once, when nobody is waited for any more. Slaves that must not start forbid the start of all. [SRS-PLC-014]
 void PlcStartUp::StartAll(const Instant now) noexcept
 {
@@ -169,8 +184,10 @@ NmtAnswer PlcStartUp::CommandOne(const NmtCommand command, const NodeId node, co
     PlcNode& slave = Of(node);
     const std::int16_t state = slave.status.code;
     const bool is_start = (command == NmtCommand::kStart);
+    const std::uint8_t heard = parts_.common.table.RequestValue(node);
+    const bool has_left = (state == kPlcStarted) && ((heard == kStoppedByte) || (heard == kPreOperationalByte));
     NmtAnswer answer = NmtAnswer::kTaken;
-    if (is_start && ((state == kPlcConfigured) || (state == kPlcLost)))
+    if (is_start && ((state == kPlcConfigured) || (state == kPlcLost) || has_left))
     {
         slave.is_wanted = true;
         slave.is_by_hand = true;

@@ -241,6 +241,10 @@ void PlcStartUp::OnNodeEvent(const NodeId node, const NodeEvent event, const Ins
         Of(node).status.is_started = false;
         Tell(node, kPlcLost, StartUpStep::kErrorControl, now);
     }
+    else if (is_listed && (event == NodeEvent::kChanged) && (state == kPlcStarted))
+    {
+        OnLeft(node);
+    }
     else
     {
         // Nothing that a state waits for.

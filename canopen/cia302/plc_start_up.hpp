@@ -95,6 +95,7 @@ class PlcStartUp final : public StartUp
     void BeginReset(NodeId node, Instant now) noexcept;
     void Settle(NodeId node, Instant now) noexcept;
 
+    void OnLeft(NodeId node) noexcept;
     void DriveSdos(NodeId node, Instant now) noexcept;
     void Ask(NodeId node, Instant now) noexcept;
     void OnAnswer(NodeId node, Instant now) noexcept;

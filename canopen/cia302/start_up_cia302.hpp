@@ -65,7 +65,7 @@ class Cia302StartUp final : public StartUp, private BootListener
     void React(const BootTime& time) noexcept;
     void OnLost(NodeId node, const BootTime& time) noexcept;
     void OnForeign(NodeId node, Instant now) noexcept;
-    void OnState(NodeId node, const BootTime& time) noexcept;
+    void OnState(NodeId node, NodeEvent event, const BootTime& time) noexcept;
     [[nodiscard]] NmtAnswer CommandAll(NmtCommand command, const BootTime& time) noexcept;
     [[nodiscard]] NmtAnswer CommandOwn(NmtCommand command, const BootTime& time) noexcept;
     [[nodiscard]] NmtAnswer CommandNode(NmtCommand command, NodeId node, const BootTime& time) noexcept;

@@ -36,7 +36,7 @@ void Cia302StartUp::OnNodeEvent(const NodeId node, const NodeEvent event, const 
     }
     else if ((step_ != MasterStep::kIdle) && is_listed && is_state)
     {
-        OnState(node, time);
+        OnState(node, event, time);
     }
 }
 
@@ -52,14 +52,23 @@ void Cia302StartUp::OnForeign(const NodeId node, const Instant now) noexcept
     }
 }
 
-/// A safety slave that runs and was not verified, however it came to run.
-void Cia302StartUp::OnState(const NodeId node, const BootTime& time) noexcept
+/// A safety slave that runs and was not verified, however it came to run. One that has left OPERATIONAL can be changed:
+/// what was verified holds no more.
+void Cia302StartUp::OnState(const NodeId node, const NodeEvent event, const BootTime& time) noexcept
 {
     const bool is_running = (parts_.table.Record(node).state == SlaveState::kOperational);
-    const bool is_unknown = !parts_.gate.MayStart(node) && !boot_.Record(node).status.is_busy;
-    if (is_running && is_unknown)
+    const bool is_free = !boot_.Record(node).status.is_busy;
+    if (is_running && is_free && !parts_.gate.MayStart(node))
     {
         boot_.Verify(node, time);
+    }
+    else if (!is_running && is_free && (event == NodeEvent::kChanged) && parts_.gate.MayStart(node))
+    {
+        parts_.gate.Close(node);
+    }
+    else
+    {
+        // As it is to be, or under way.
     }
 }
 

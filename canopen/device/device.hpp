@@ -100,7 +100,6 @@ class Device
     static constexpr std::uint32_t kCommandRoom = 8U;
 
     void HandOver() noexcept;
-    void Obey(const CanFrame& command) noexcept;
     void Settle() noexcept;
     void Initialise() noexcept;
     [[nodiscard]] LoadResult Load() noexcept;

@@ -15,7 +15,7 @@ constexpr std::uint16_t kCommunication = 0x8100U;
 constexpr std::uint16_t kLostFrames = 0x8110U;
 constexpr std::uint16_t kLength = 0x8210U;
 constexpr std::uint16_t kSrdo = 0x8250U;
-constexpr std::uint16_t kSrdoCodes[] = {kApplication, kCommunication, kLostFrames, kLength, kSrdo};
+constexpr std::uint16_t kSrdoCodes[kEmergenciesOfSrdo] = {kApplication, kCommunication, kLostFrames, kLength, kSrdo};
 
 constexpr std::uint8_t kCommunicationBit = 0x10U; ///< Of 1001h.
 constexpr std::uint8_t kManufacturerBit = 0x80U;
@@ -174,7 +174,8 @@ void KernelWatch::OnDeviceFault(const DeviceFaultReport& report) noexcept
 {
     device_code_ = CodeOf(report.fault);
     const auto detail = static_cast<std::uint8_t>(report.fault);
-    emergency_.Raise({device_code_, BitsOf(device_code_), {0U, detail, 0U, 0U, 0U}, kDevice});
+    emergency_.Raise(
+        {device_code_, BitsOf(device_code_), {0U, detail, 0U, 0U, 0U}, kDevice, cia301::EmergencyUrgency::kUrgent});
     application_.OnDeviceFault(report);
 }
 

@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/device/services.hpp"
 
+#include "canopen/device/kernel_watch.hpp"
+
 #include "canopen/cia301/service_table.hpp"
 
 namespace counterpoint::device
@@ -11,6 +13,11 @@ namespace
 using cia301::CommunicationError;
 using cia301::GuardEvent;
 using cia301::Service;
+
+constexpr std::uint32_t kEmergenciesOfRpdo = 3U; ///< Too short, too long, too late.
+/// Safe state, 6300h, overrun twice, passive, life guarding, bus-off, an identifier in use twice, SYNC; the rest is for
+/// errors of the application.
+constexpr std::uint32_t kEmergenciesOfDevice = 32U;
 
 constexpr cia301::StartUp kNoStartUp{false, 0U};
 constexpr std::uint32_t kSdoTimeOutUs = 1000000U;
@@ -27,6 +34,13 @@ constexpr std::uint32_t kErrorControl = 0x700U;
 constexpr std::uint32_t kErrorControlLast = 0x77FU;
 
 } // namespace
+
+std::uint16_t EmergencyPlaces(const std::uint8_t srdo_count, const ServiceRooms& rooms) noexcept
+{
+    const std::uint32_t of_srdos = static_cast<std::uint32_t>(srdo_count) * kEmergenciesOfSrdo;
+    const std::uint32_t of_rpdos = rooms.rpdos.count * kEmergenciesOfRpdo;
+    return static_cast<std::uint16_t>(of_srdos + of_rpdos + rooms.supervised.count + kEmergenciesOfDevice);
+}
 
 Services::Services(const cia301::NodeId own_node, const ServiceParts& parts) noexcept
     : node(own_node), supervised(parts.rooms.supervised), outbox(parts.can), slave(own_node, kNoStartUp),

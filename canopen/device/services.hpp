@@ -25,6 +25,10 @@ struct ServiceRooms
     cia301::Room sdo_buffer; ///< As long as the longest object.
 };
 
+/// @brief Places that a device with so many SRDOs and these rooms needs for its emergencies, so that none is ever lost.
+/// [SRS-EMCY-010]
+[[nodiscard]] std::uint16_t EmergencyPlaces(std::uint8_t srdo_count, const ServiceRooms& rooms) noexcept;
+
 /// Services that not every device has, in the order in which they are called; the list is kept by reference.
 struct FurtherServices
 {

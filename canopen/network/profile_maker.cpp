@@ -91,13 +91,21 @@ bool IsRowOfPdo(const std::vector<El6751Pdo>& pdos, const std::uint16_t first, c
     return is_row;
 }
 
+/// Communication parameters of any PDO.
+bool IsPdoParameter(const std::uint16_t index)
+{
+    return (index >= kFirstRxPdo && index < kFirstRxPdo + kPdoNumbers) ||
+           (index >= kFirstTxPdo && index < kFirstTxPdo + kPdoNumbers);
+}
+
 bool IsRowOfSlave(const El6751Slave& slave, const std::uint16_t index)
 {
     const bool is_guarding = index == 0x1016U || index == 0x1017U || index == 0x100CU || index == 0x100DU;
     return (is_guarding && slave.IsWatched()) || (index == 0x1006U && slave.is_sync_period_written);
 }
 
-/// What the rows write is left out, but for PDOs whose mapping changes: it can change only while they are off.
+/// What the rows write is left out, but for PDOs whose mapping changes: it can change only while they are off. A bus
+/// coupler makes its PDOs by 5500h.
 std::vector<std::uint8_t> FurtherObjects(const ProfileSlave& slave, const cia302::Bytes& concise)
 {
     std::set<std::uint16_t> remapped;
@@ -111,9 +119,10 @@ std::vector<std::uint8_t> FurtherObjects(const ProfileSlave& slave, const cia302
     entry = cia302::ReadConcise(concise, {0U, 0U});
     for (; entry.state == cia302::ConciseState::kEntry; entry = cia302::ReadConcise(concise, entry.next))
     {
+        const bool is_made = is_coupler && IsPdoParameter(entry.object.index);
         const bool is_pdo_row =
-            !is_coupler && remapped.count(entry.object.index) == 0U &&
-            (IsRowOfPdo(slave.rx_pdos, kFirstRxPdo, entry) || IsRowOfPdo(slave.tx_pdos, kFirstTxPdo, entry));
+            remapped.count(entry.object.index) == 0U &&
+            (is_made || IsRowOfPdo(slave.rx_pdos, kFirstRxPdo, entry) || IsRowOfPdo(slave.tx_pdos, kFirstTxPdo, entry));
         if (!is_pdo_row && !IsRowOfSlave(slave.el6751, entry.object.index))
         {
             kept.push_back({entry.object.index, entry.object.sub,

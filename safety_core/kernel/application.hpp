@@ -46,7 +46,8 @@ struct FlowCount
 };
 
 /// What the device's application implements. Called from within Kernel::Cycle and Kernel::OnConfirm; must return soon
-/// (its time counts towards the cycle) and must not call the kernel back, except Read and View functions. [SRS-KRN-006]
+/// (its time counts towards the cycle) and call nothing of the kernel but its Get functions, SetStatus, Send (for the
+/// next cycle), SendGfc and DemandSafeState. [SRS-KRN-006]
 class Application
 {
   public:

@@ -206,7 +206,8 @@ Result ConfigurationGuard::DefineFields(const SlotIndex slot, const StaticFields
     {
         return readiness;
     }
-    if (config_->srdos[slot].map.entries == nullptr) // MISRA D-002
+    const StaticMap& map = config_->srdos[slot].map; // MISRA D-002
+    if (map.entries == nullptr)
     {
         return Result::kMappingError;
     }
@@ -216,7 +217,32 @@ Result ConfigurationGuard::DefineFields(const SlotIndex slot, const StaticFields
     const Result result = ToResult(Check(slot, CheckDepth::kValidate).fault);
     // What else is not right yet, such as its signature, is found when the configuration is declared valid.
     const bool is_mapping = (result == Result::kMappingError) || (result == Result::kLengthExceeded);
-    return (is_mapping || (result == Result::kDeviceFault)) ? result : Result::kSuccessful;
+    return (is_mapping || (result == Result::kDeviceFault)) ? result : CheckFields(map, fields);
+}
+
+// The channels look at the mapping of an SRDO only once it has a direction; its fields are defined before.
+Result ConfigurationGuard::CheckFields(const StaticMap& map, const StaticFields& fields) const noexcept
+{
+    std::uint32_t bytes[2] = {0U, 0U}; // MISRA D-001
+    bool is_too_long = false;
+    for (std::uint32_t position = 0U; position < map.count; ++position)
+    {
+        const std::uint32_t side = position & 1U;
+        const std::uint32_t entry = map.entries[position]; // MISRA D-002
+        const std::uint8_t* const field = (side == 0U) ? fields.normal : fields.inverse;
+        const MappableObject* const object = FindMapped(*config_, entry);
+        if ((object == nullptr) || (object->place != (field + bytes[side]))) // MISRA D-002
+        {
+            return Result::kMappingError;
+        }
+        if (((entry & kEntryLengthMask) != object->length_bits) || ((object->length_bits % kBitsPerByte) != 0U))
+        {
+            return Result::kMappingError;
+        }
+        bytes[side] += object->length_bits / kBitsPerByte;             // MISRA D-002
+        is_too_long = is_too_long || (bytes[side] > kMaxPayloadBytes); // MISRA D-002
+    }
+    return is_too_long ? Result::kLengthExceeded : Result::kSuccessful;
 }
 
 } // namespace counterpoint

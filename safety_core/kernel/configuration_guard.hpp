@@ -98,6 +98,7 @@ class ConfigurationGuard
     [[nodiscard]] inline AbortCode AdmitMapEntry(const ConfigItem& item) const noexcept;
     [[nodiscard]] std::uint32_t MappedBits(SlotIndex slot, std::uint8_t first, std::uint32_t count) const noexcept;
     void StoreBoth(const ConfigItem& item) noexcept;
+    [[nodiscard]] inline Result CheckFields(const StaticMap& map, const StaticFields& fields) const noexcept;
     [[nodiscard]] static CheckResult CheckBy(Channel& channel, SlotIndex slot, CheckDepth depth) noexcept;
     [[nodiscard]] Result TakeDigest() noexcept;
     inline void Examine() noexcept;

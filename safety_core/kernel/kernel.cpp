@@ -76,7 +76,8 @@ void Kernel::OnFrame(const StampedFrame& frame) noexcept
     parts_.channel_b.OnFrame(frame.frame, frame.stamp.b);
     const bool is_gfc = (frame.frame.identifier == kGfcIdentifier) && (frame.frame.kind == FrameKind::kData) &&
                         (frame.frame.length_bytes == 0U);
-    if (is_gfc)
+    const bool is_active = (guard_.Nmt() == NmtState::kOperational) && guard_.IsValid();
+    if (is_gfc && is_active && (guard_.Value(0U, ConfigField::kGfcParameter) == 1U))
     {
         run_.gfc_seen = true;
     }

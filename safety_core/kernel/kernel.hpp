@@ -202,7 +202,8 @@ class Kernel
     [[nodiscard]] Result Send(CommunicationIndex index) noexcept;
     /// @brief Sends the global fail-safe command; an SRDO of this device must follow. [SRS-KRN-013]
     [[nodiscard]] Result SendGfc() noexcept;
-    /// @brief Rechecks all SRDOs in both channels. [SRS-KRN-015]
+    /// @brief Checks all SRDOs in both channels: by all rules outside OPERATIONAL, by signature and resolved mapping in
+    /// it. [SRS-KRN-015]
     [[nodiscard]] CheckReply CheckConfiguration() noexcept;
     /// @brief Signature of one SRDO as both channels compute it. [SRS-KRN-015]
     [[nodiscard]] SignReply Sign(CommunicationIndex index) noexcept;
@@ -294,7 +295,7 @@ class Kernel
     void Produce() noexcept;
     inline void ProduceSlot(SlotIndex slot) noexcept;
     void GiveUp(SlotIndex slot, SrdoCause cause) noexcept;
-    inline void HandOver(SlotIndex slot, const CanFrame& frame) noexcept;
+    [[nodiscard]] inline hal::TransmitStatus HandOver(SlotIndex slot, const CanFrame& frame) noexcept;
     inline void FollowGfc() noexcept;
     inline void EnterOperational() noexcept;
     void ReportErrors(SrdoMask signalled) noexcept;

@@ -119,7 +119,9 @@ CheckReply Kernel::CheckConfiguration() noexcept
     CheckReply reply{Result::kDeviceFault, CommunicationIndex{0U}};
     if (run_.started)
     {
-        const ConfigFault rule = guard_.CheckAll(CheckDepth::kRecheck);
+        // To resolve a mapping anew is not for OPERATIONAL; elsewhere the first rule that is broken is what is told.
+        const bool is_in_use = guard_.Nmt() == NmtState::kOperational;
+        const ConfigFault rule = guard_.CheckAll(is_in_use ? CheckDepth::kRecheck : CheckDepth::kValidate);
         reply.result = ToResult(rule);
         if (rule != ConfigFault::kNone)
         {

@@ -21,8 +21,7 @@ void Kernel::ReportErrors(const SrdoMask signalled) noexcept
     {
         ReportSlot(TakeLowest(to_report));
     }
-    const bool is_active = (guard_.Nmt() == NmtState::kOperational) && guard_.IsValid();
-    if (run_.gfc_seen && is_active && (guard_.Value(0U, ConfigField::kGfcParameter) == 1U))
+    if (run_.gfc_seen)
     {
         parts_.application.OnGfc();
     }

@@ -44,7 +44,11 @@ void Kernel::ProduceSlot(const SlotIndex slot) noexcept
     const PreparedVerdict verdict = Comparator::ComparePrepared(pair_a, pair_b);
     if (verdict == PreparedVerdict::kEqual)
     {
-        HandOver(slot, pair_a.normal);
+        // Only a pair that begins now follows a GFC, not the second half of one that was there before.
+        if (HandOver(slot, pair_a.normal) == hal::TransmitStatus::kAccepted)
+        {
+            run_.gfc_open = false;
+        }
     }
     else if (verdict == PreparedVerdict::kNotInverse)
     {
@@ -65,18 +69,14 @@ void Kernel::GiveUp(const SlotIndex slot, const SrdoCause cause) noexcept
 
 // A channel that has no frame to send gives one of kind kInvalid, which the HAL does not take; one that should have
 // been there is missed as kNoConfirmation.
-void Kernel::HandOver(const SlotIndex slot, const CanFrame& frame) noexcept
+hal::TransmitStatus Kernel::HandOver(const SlotIndex slot, const CanFrame& frame) noexcept
 {
     const hal::TransmitStatus status = parts_.can.Transmit(frame);
-    if (status != hal::TransmitStatus::kAccepted)
+    if ((status != hal::TransmitStatus::kAccepted) && (frame.kind == FrameKind::kData))
     {
-        if (frame.kind != FrameKind::kData)
-        {
-            return;
-        }
         GiveUp(slot, (status == hal::TransmitStatus::kBusOff) ? SrdoCause::kBusOff : SrdoCause::kTransmitQueue);
     }
-    run_.gfc_open = false;
+    return status;
 }
 
 // t      prepare            normal on the bus         inverse on the bus
@@ -105,7 +105,7 @@ void Kernel::OnConfirm(const StampedFrame& frame) noexcept
     }
     else if ((a.step == ConfirmStep::kNormal) && latch_.IsRunning())
     {
-        HandOver(slot, parts_.channel_b.InverseFrame(slot));
+        (void)HandOver(slot, parts_.channel_b.InverseFrame(slot));
     }
     else
     {
@@ -153,8 +153,11 @@ Result Kernel::SendGfc() noexcept
     {
         return Result::kTransmitFailed;
     }
-    run_.gfc_open = true;
-    run_.gfc_until.us = run_.now.us + run_.shortest_refresh_us;
+    if (!run_.gfc_open)
+    {
+        run_.gfc_open = true;
+        run_.gfc_until.us = run_.now.us + run_.shortest_refresh_us;
+    }
     return Result::kSuccessful;
 }
 

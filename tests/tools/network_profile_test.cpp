@@ -226,6 +226,14 @@ TEST_F(NetworkProfileTest, El6751OptionsOfManagerAndSlave)
     EXPECT_EQ(net.Plan().manager.el6751->input_shift_us, 300U);
 }
 
+TEST_F(NetworkProfileTest, ABusCouplersPdosAreMadeBy5500hAlone)
+{
+    Verifies(req::SRS_ELM_051);
+    const LoadedNetwork net(ReadNetworkFile(Net("  profile: el6751\n", "    el6751: {kind: bk51x0}\n"), 0U));
+    const std::vector<std::uint32_t> keys = Keys(net.Setup().slaves[5].concise_dcf);
+    EXPECT_EQ(keys, (std::vector<std::uint32_t>{0x200000U}));
+}
+
 TEST_F(NetworkProfileTest, PlcDesignerTakesOptionalAndResetNode)
 {
     Verifies(req::SRS_PLC_021);

@@ -73,6 +73,22 @@ TEST_F(RoughNetworkTest, EachLetterAndTheNodeStates)
     ExpectHolds("codes_el6751");
 }
 
+TEST_F(RoughNetworkTest, SomebodyElseStartsSafetySlaves)
+{
+    Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_ELM_049);
+    Verifies(req::SRS_PLC_020);
+    ExpectHoldsInEachProfile("foreign_start");
+}
+
+TEST_F(RoughNetworkTest, AManagerWithoutBus)
+{
+    Verifies(req::SRS_ELM_044);
+    Verifies(req::SRS_ELM_045);
+    ExpectHolds("bus_off_el6751");
+}
+
 TEST_F(RoughNetworkTest, AManagerThatComesWhileItsSlavesRun)
 {
     Verifies(req::SRS_BOOT_006);
@@ -87,6 +103,7 @@ TEST_F(RoughNetworkTest, PdosThatStayAwayUnderTheEl6751Profile)
     Verifies(req::SRS_ELM_034);
     Verifies(req::SRS_ELM_037);
     Verifies(req::SRS_ELM_042);
+    Verifies(req::SRS_ELM_038);
     ExpectHolds("pdos_el6751");
     ExpectHolds("pdos_restart_el6751");
     ExpectHolds("window_el6751");

@@ -5,6 +5,7 @@ Collects (builds, tests, coverage, objects, registered commands) into build/evid
 on the tree, and writes pages from what was collected. The pages hold nothing that was not in the data.
 """
 import argparse
+import concurrent.futures
 import importlib.util
 import json
 import os
@@ -38,15 +39,18 @@ class Progress:
     def __init__(self):
         self.steps = []
 
-    def run(self, title, log, command, environment=None, may_fail=False):
+    def run(self, title, log, command, environment=None, may_fail=False, beside=False):
+        """One step. With `beside` others run meanwhile, and it is told in one line once it has ended."""
         LOGS.mkdir(parents=True, exist_ok=True)
-        print(f"{title} ...", end=" ", flush=True)
+        if not beside:
+            print(f"{title} ...", end=" ", flush=True)
         started = time.monotonic()
         with open(LOGS / f"{log}.log", "w", encoding="utf-8") as output:
             status = subprocess.run([str(word) for word in command], cwd=ROOT, stdin=subprocess.DEVNULL, stdout=output,
                                     stderr=subprocess.STDOUT, env=dict(os.environ, **(environment or {})), check=False).returncode
         seconds = round(time.monotonic() - started)
-        print(f"{'done' if status == 0 else f'exit status {status}'}, {seconds} s", flush=True)
+        outcome = f"{'done' if status == 0 else f'exit status {status}'}, {seconds} s"
+        print(f"{title} ... {outcome}" if beside else outcome, flush=True)
         self.steps.append({"title": title, "status": status, "log": f"build/log/{log}.log"})
         if status != 0 and not may_fail:
             lines = (LOGS / f"{log}.log").read_text(errors="replace").splitlines()[-30:]
@@ -109,14 +113,22 @@ def collect_gcov(progress, jobs):
                   "--html", EVIDENCE / "coverage_gcov"], may_fail=True)
 
 
-def collect_commands(progress):
-    """What the registry of other evidence wants to be run; each command once."""
+def collect_commands(progress, jobs):
+    """What the registry of other evidence wants to be run; each command once, those that keep one core busy beside others."""
     import yaml
     registry = yaml.safe_load((ROOT / "verification/trace/other_evidence.yaml").read_text()) or {}
-    results = {}
-    for name, command in (registry.get("commands") or {}).items():
-        status = progress.run(f"Running {command}", f"evidence-{name}", ["bash", "-c", command], may_fail=True)
-        results[name] = {"command": command, "status": status}
+    commands = registry.get("commands") or {}
+    single = registry.get("one_core") or []
+    if not set(single) <= set(commands):
+        raise StepFailed(f"verification/trace/other_evidence.yaml: one_core names {sorted(set(single) - set(commands))}, expected names of commands")
+
+    def run(name, beside):
+        return progress.run(f"Running {commands[name]}", f"evidence-{name}", ["bash", "-c", commands[name]], may_fail=True, beside=beside)
+
+    statuses = {name: run(name, False) for name in commands if name not in single}
+    with concurrent.futures.ThreadPoolExecutor(max_workers=jobs) as pool:
+        statuses.update(zip(single, pool.map(lambda name: run(name, True), single)))
+    results = {name: {"command": command, "status": statuses[name]} for name, command in commands.items()}
     (DATA / "commands.json").write_text(json.dumps(results, indent=1))
 
 
@@ -166,7 +178,7 @@ def main():
             collect_coverage(progress, options.jobs)
             collect_gcov(progress, options.jobs)
             collect_objects(progress)
-            collect_commands(progress)
+            collect_commands(progress, options.jobs)
             collect_identity()
         status = progress.run("Running every gate on its fixtures and on the tree", "gates",
                               [sys.executable, "verification/gates/run.py", "--tree", DATA, "--results", DATA / "gates_final.json"],

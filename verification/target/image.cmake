@@ -4,7 +4,7 @@
 #
 # Links one program twice from the same objects: <name>.elf with little-endian instructions (BE8) for the emulator, plus
 # <name>.bin, since the emulator loads no big-endian ELF; and <name>_be32.elf with the order of a TMS570. No library of the
-# compiler is linked.
+# compiler is linked. Vectors, start-up and exceptions are the object of the firmware (hal/tms570/start/start_up.S).
 set(COUNTERPOINT_EMULATOR_MEMORY --defsym=target_rom_length=0x00800000 --defsym=target_ram_origin=0x00800000
     --defsym=target_ram_length=0x00800000 --defsym=target_stack_length=0x00010000)
 # TMS570LS3137: 3 MB flash at 0, 256 KB RAM.
@@ -37,12 +37,12 @@ function(counterpoint_image name)
       set(memory ${COUNTERPOINT_SILICON_MEMORY})
     endif()
     list(JOIN memory "," memory)
-    add_executable(${image} $<TARGET_OBJECTS:${name}_objects>)
+    add_executable(${image} $<TARGET_OBJECTS:hal_tms570_vectors> $<TARGET_OBJECTS:${name}_objects>)
     set_target_properties(${image} PROPERTIES SUFFIX .elf LINK_DEPENDS ${COUNTERPOINT_LINKER_SCRIPT})
     target_link_libraries(${image} PRIVATE ${IMAGE_DEPENDS} target_platform)
     target_link_options(${image} PRIVATE -nostdlib -nostartfiles ${flags}
         -Wl,${collect},--fatal-warnings,--no-warn-execstack,-Map=$<TARGET_FILE:${image}>.map
-        -Wl,-u,TargetVectors,${memory},-T,${COUNTERPOINT_LINKER_SCRIPT})
+        -Wl,-u,FirmwareVectors,${memory},-T,${COUNTERPOINT_LINKER_SCRIPT})
   endforeach()
   add_custom_command(TARGET ${name} POST_BUILD
       COMMAND ${CMAKE_OBJCOPY} -O binary $<TARGET_FILE:${name}> $<TARGET_FILE_DIR:${name}>/${name}.bin

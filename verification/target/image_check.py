@@ -13,27 +13,57 @@ import struct
 import subprocess
 import sys
 
+import ram_start
+
 BE32_FLAGS = 0x05000400  # EABI 5, hard float; BE8 would be 0x00800000 more.
 EM_ARM, ET_EXEC, PT_LOAD = 40, 2, 1
 SHF_ALLOC, SHT_NOBITS = 2, 8
 VECTORS = ("Reset", "UndefinedInstruction", "SupervisorCall", "PrefetchAbort", "DataAbort", "Reserved", "Interrupt", "FastInterrupt")
 RAM_ORIGIN = 0x08000000
+ECC_BYTES = 8
 VARIANTS = ("LS20x", "LS12x", "LS31x", "LC43x")
 ROOM_CODE = {"channel_a": ("counterpoint::channel_a::",), "channel_b": ("counterpoint::channel_b::",),
              "core": ("counterpoint::Kernel::", "counterpoint::Comparator::", "counterpoint::ConfigurationGuard::", "counterpoint::hal::OutputGate::")}
 REGIONS = {"region_channel_a": "region_channel_length", "region_channel_b": "region_channel_length", "region_core": "region_core_length",
            "region_non_safety": "region_non_safety_length"}
-MODES = (17, 18, 19, 23, 27, 31)
+# Registers that a mode has of its own, as the disassembler names them; the mode after reset (19) has the common ones as well.
+COMMON = ("r0", "r1", "r2", "r3", "r4", "r5", "r6", "r7", "r8", "r9", "sl", "fp", "ip")
+BANKED = {17: ("r8", "r9", "sl", "fp", "ip", "sp", "lr"), 18: ("sp", "lr"), 19: ("sp", "lr"), 23: ("sp", "lr"), 27: ("sp", "lr"), 31: ("sp", "lr")}
+SYSTEM_CONTROL, COPROCESSORS, AUXILIARY, MONITOR = "cr1, cr0, {0}", "cr1, cr0, {2}", "cr1, cr0, {1}", "cr9, cr12, {0}"
+
+
+def changed(what, register, field, bits):
+    """Steps of a system register that is read, gets more bits, and is written."""
+    place = re.escape(field)
+    return [(f"{what}, read", rf"mrc 15, 0, {register}, {place}$"), (f"{what}, bits {bits:#x}", rf"orr {register}, {register}, #{bits}$"),
+            (f"{what}, written", rf"mcr 15, 0, {register}, {place}$")]
+
+
+def registers_of_modes():
+    steps = [(f"register {name} set", rf"mov {name}, #0$") for name in COMMON]
+    for mode, names in BANKED.items():
+        steps.append((f"registers of mode {mode}", rf"cps #{mode}$"))
+        if mode != 31:  # System mode has no saved status.
+            steps.append((f"saved status of mode {mode}", r"msr SPSR_fsxc, r1$"))
+        steps += [(f"{name} of mode {mode}", rf"mov {name}, #0$") for name in names]
+    return steps
+
+
+def stack_of(mode, register="mov sp, r4$"):
+    return [(f"stack of mode {mode}", rf"cps #{mode}$"), (f"stack pointer of mode {mode}", register)]
+
+
 # Steps of the reset sequence, each by the first instruction that shows it; in this order.
-STEPS = [("big-endian data", r"setend be"), ("exceptions big-endian", r"mcr 15, 0, r0, cr1, cr0, \{0\}"),
-         *[(f"registers of mode {mode}", rf"cps #{mode}$") for mode in MODES],
-         ("floating point on", r"vmsr fpexc"), *[(f"floating point register {number}", rf"vmov d{number},") for number in range(16)],
-         ("export of events", r"mcr 15, 0, r0, cr9, cr12, \{0\}"), ("flash correction", r"mcr 15, 0, r0, cr1, cr0, \{1\}"),
-         ("record of an exception kept", r"ldm r3, \{r4, r5, r6, r7, r8\}"), ("RAM by hardware", r"bl [0-9a-f]+ <HardwareInitialiseRam>"), ("no end in time", r"beq [0-9a-f]+ <Stopped>"),
-         ("record of an exception back", r"stm r3, \{r4, r5, r6, r7, r8\}"), ("RAM correction", r"mcr 15, 0, r0, cr1, cr0, \{1\}"), ("stack of mode 23", r"cps #23$"), ("stack of mode 27", r"cps #27$"),
-         ("stack of mode 19", r"cps #19$"), ("stack of mode 18", r"cps #18$"), ("stack of mode 17", r"cps #17$"), ("system mode", r"cps #31$"),
-         ("zeroed data", r"strcc r2, \[r0\], #4"), ("painted stack", r"strcc r2, \[r0\], #4"), ("initialised data", r"strcc r3, \[r1\], #4"),
-         ("constructors", r"blx r0"), ("asynchronous aborts", r"cpsie a"), ("the program", r"blx r0"), ("end", r"b [0-9a-f]+ <Stopped>")]
+STEPS = [("big-endian data", r"setend be$"), *changed("exceptions big-endian", "r0", SYSTEM_CONTROL, 0x02000000), *registers_of_modes(),
+         *changed("floating point allowed", "r1", COPROCESSORS, 0x00F00000), ("floating point enabled", r"mov r1, #1073741824$"), ("floating point on", r"vmsr fpexc, r1$"),
+         ("floating point status", r"vmsr fpscr, r0$"), *[(f"floating point register {number}", rf"vmov d{number}, r0, r0$") for number in range(16)],
+         *changed("export of events", "r0", MONITOR, 0x10), *changed("flash correction", "r0", AUXILIARY, 0x02000000),
+         ("record of an exception kept", r"ldm r3, \{r4, r5, r6, r7, r8\}$"), ("RAM by hardware", r"bl [0-9a-f]+ <HardwareInitialiseRam>$"),
+         ("its result looked at", r"cmp r0, #0$"), ("no end in time", r"beq [0-9a-f]+ <Stopped>$"), ("record of an exception back", r"stm r3, \{r4, r5, r6, r7, r8\}$"),
+         *changed("RAM correction", "r0", AUXILIARY, 0x0C000000), *stack_of(23), *stack_of(27), *stack_of(19), *stack_of(18), *stack_of(17),
+         *stack_of(31, r"ldr sp, "), ("zeroed data", r"strcc r2, \[r0\], #4$"), ("painted stack", r"strcc r2, \[r0\], #4$"),
+         ("initialised data", r"strcc r3, \[r1\], #4$"), ("constructors", r"blx r0$"), ("asynchronous aborts", r"cpsie a$"), ("the program", r"blx r0$"),
+         ("end", r"b [0-9a-f]+ <Stopped>$")]
 START_FUNCTIONS = ("Reset", "InitialiseRegisters", "InitialiseMemory", "InitialiseProgram")
 MEMORY_ACCESS = re.compile(r"^(ldr|str|ldm|stm|push|pop|ldrd|strd)")
 
@@ -70,6 +100,11 @@ class Elf:
                 self.symbols[match.group(4)] = int(match.group(1), 16)
                 if match.group(3) in "tTwW" and match.group(2):
                     self.functions.append((match.group(4), int(match.group(1), 16) & ~1, int(match.group(2), 16)))
+
+    def word_at(self, address):
+        """A word of what is loaded into flash."""
+        _, offset, start, _, size, *_ = next(header for header in self.program_headers if header[0] == PT_LOAD and header[2] <= address < header[2] + header[4])
+        return struct.unpack_from(">I", self.bytes, offset + address - start)[0]
 
     def code(self):
         """Function -> its instructions with operands, blanks as one; in the order of addresses."""
@@ -117,6 +152,9 @@ def check_placement(elf):
     loads = [header for header in elf.program_headers if header[0] == PT_LOAD and header[4]]
     wrong += [f"load address {header[3]:#x}" for header in loads if header[3] + header[4] > flash]
     yield len(spans) >= 12 and not wrong, "every section in flash or RAM, what is loaded in flash", ", ".join(wrong) or f"{len(spans)} sections"
+    # The flash has one ECC for 8 bytes: two pieces that share them cannot be programmed apart.
+    split = [f"{header[3]:#x}" for header in loads if header[3] % ECC_BYTES]
+    yield bool(loads) and not split, "what is programmed begins at a word of the flash's ECC", ", ".join(split) or f"{len(loads)} pieces"
     for room, prefixes in ROOM_CODE.items():
         start, end = elf.symbols[f"flash_{room}_start"], elf.symbols[f"flash_{room}_end"]
         own = [function for function in elf.functions if function[0].startswith(prefixes)]
@@ -144,8 +182,8 @@ def check_regions(elf):
     yield kept, "the exception record is not cleared by start-up", f"{record:#x}"
 
 
-def check_reset(elf):
-    code = elf.code()
+def check_reset(code):
+    """Of Elf.code()."""
     missing = [name for name in (*START_FUNCTIONS, "HardwareInitialiseRam") if name not in code]
     if missing:
         yield False, "reset sequence", f"no function {', '.join(missing)}"
@@ -162,11 +200,6 @@ def check_reset(elf):
     call = next((number for number, text in enumerate(sequence) if "<HardwareInitialiseRam>" in text), len(sequence))
     early = [text for text in sequence[:call] if MEMORY_ACCESS.match(text) and text != "ldm r3, {r4, r5, r6, r7, r8}"]
     yield call < len(sequence) and not early, "no access to memory before the RAM is initialised but to the record of an exception", ", ".join(early) or f"{call} instructions"
-    ram = code["HardwareInitialiseRam"]
-    back = [text.split()[0] for text in ram if text.startswith("b") and not text.startswith("bx")]
-    bounded = back == ["bne", "bne"] and ram[ram.index(next(text for text in ram if text.startswith("subs"))) + 1].startswith("bne") \
-        and "str r0, [r1, #92]" in ram and not any(re.search(r"\bsp\b|push|pop", text) for text in ram)
-    yield bounded, "the wait for the RAM is bounded and uses no stack", f"{len(ram)} instructions"
     for name, save in (("Interrupt", "vpush {d0-d7}"), ("FastInterrupt", "vpush {d0-d7}"), ("RunUnprivileged", "vpush {d8-d15}")):
         body = code.get(name, [])
         saved = save in body and any(text.startswith("vmrs") for text in body) and any(text.startswith("push {r") for text in body)
@@ -178,14 +211,13 @@ def members_of(path):
     return set(re.findall(r"^ \S+\s+0x[0-9a-f]+\s+0x[0-9a-f]+ (\S+)$", path.with_name(path.name + ".map").read_text(), re.MULTILINE))
 
 
-def check_origin(elf, other):
-    ours = members_of(elf.path)
+def check_origin(ours, theirs):
+    """Of members_of() two images; the second may be missing."""
     foreign = sorted(name for name in ours if name.startswith("/") or "lib/gcc" in name)
     yield len(ours) > 20 and not foreign, "no object of a foreign library", ", ".join(foreign[:3]) or f"{len(ours)} objects"
-    if other:
+    if theirs:
         # The emulated board plays what the hardware of the port is: neither counts here.
         rooms = re.compile(r"(channel_a|channel_b|safety_core|examples)/.*\.a\(")
-        theirs = members_of(other)
         mine, its = {name for name in ours if re.match(rooms, name)}, {name for name in theirs if re.match(rooms, name)}
         lost = sorted(its - mine)
         yield len(mine & its) > 20 and not lost, "linked from the objects that ran on the emulator", ", ".join(lost[:3]) or f"{len(mine & its)} objects"
@@ -207,12 +239,13 @@ def variant_differences(root):
 def check(path, other=None):
     """Rows (holds, check, found)."""
     elf = Elf(path)
-    needed = ["flash_length", "ram_length", "memory_zero_start", "stack_main_bottom", *REGIONS, *REGIONS.values()]
+    needed = ["pbist_ram_groups", "flash_length", "ram_length", "memory_zero_start", "stack_main_bottom", *REGIONS, *REGIONS.values()]
     missing = [name for name in needed if name not in elf.symbols]
     if missing:
         raise BadInput(f"{path}: no symbol {missing[0]}, expected an image linked by hal/tms570/start/tms570.ld")
     rows = []
-    for part in (check_header(elf), check_vectors(elf), check_placement(elf), check_regions(elf), check_reset(elf), check_origin(elf, other)):
+    for part in (check_header(elf), check_vectors(elf), check_placement(elf), check_regions(elf), check_reset(elf.code()),
+                 ram_start.check(elf, elf.symbols["pbist_ram_groups"]), check_origin(members_of(path), members_of(other) if other else None)):
         rows += part
     return rows
 

@@ -30,7 +30,6 @@ extern "C"
     void TargetStartCycles() noexcept;
     Word TargetReadCycles() noexcept;
     [[noreturn]] void TargetExit(Word status) noexcept;
-    [[noreturn]] void TargetException(Word number, Word address) noexcept;
     extern Word stack_main_bottom[];
     extern Word stack_main_top[];
 }
@@ -82,18 +81,6 @@ extern "C" void TargetExit(Word status) noexcept
     for (;;)
     {
     }
-}
-
-extern "C" void TargetException(Word number, Word address) noexcept
-{
-    static const char* const kNames[] = {"reset",      "undefined instruction", "supervisor call", "prefetch abort",
-                                         "data abort", "reserved vector",       "interrupt",       "fast interrupt"};
-    counterpoint::target::Write("FAILURE: ");
-    counterpoint::target::Write((number < 8U) ? kNames[number] : "unknown exception");
-    counterpoint::target::Write(" at 0x");
-    counterpoint::target::WriteHex(address);
-    counterpoint::target::Write("\n");
-    TargetExit(1U);
 }
 
 /// Only a destroyed object leads here.

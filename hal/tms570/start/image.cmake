@@ -8,11 +8,13 @@
 set(COUNTERPOINT_FIRMWARE_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/tms570.ld)
 
 # Flash and RAM in bytes, and the powers of two that cover them for the MPU. All have flash at 0 and RAM at 0x08000000.
-# hal/tms570/variant.hpp has the same lengths; the image test compares. [SRS-FW-017]
-set(COUNTERPOINT_MEMORY_LS20x 0x00200000 0x00028000 0x00200000 0x00040000)
-set(COUNTERPOINT_MEMORY_LS12x 0x00140000 0x00030000 0x00200000 0x00040000)
-set(COUNTERPOINT_MEMORY_LS31x 0x00300000 0x00040000 0x00400000 0x00040000)
-set(COUNTERPOINT_MEMORY_LC43x 0x00400000 0x00080000 0x00400000 0x00080000)
+# hal/tms570/variant.hpp has the same lengths; the image test compares. The last one: groups of the RAM in the memory test
+# hardware. LS12x and LS31x: groups 6, 21, 22 (and 28), as the start-up that the vendor's code generator writes for each has
+# them; LC43x: groups 29 and 30, SPNS195C table 6-33; LS20x: not known here, 0 leaves the test out. [SRS-FW-017, SRS-FW-019]
+set(COUNTERPOINT_MEMORY_LS20x 0x00200000 0x00028000 0x00200000 0x00040000 0)
+set(COUNTERPOINT_MEMORY_LS12x 0x00140000 0x00030000 0x00200000 0x00040000 0x00300020)
+set(COUNTERPOINT_MEMORY_LS31x 0x00300000 0x00040000 0x00400000 0x00040000 0x08300020)
+set(COUNTERPOINT_MEMORY_LC43x 0x00400000 0x00080000 0x00400000 0x00080000 0x30000000)
 set(COUNTERPOINT_VARIANTS LS20x LS12x LS31x LC43x)
 set(COUNTERPOINT_VARIANT LS31x CACHE STRING "Controller: LS20x, LS12x, LS31x or LC43x")
 if(NOT COUNTERPOINT_VARIANT IN_LIST COUNTERPOINT_VARIANTS)
@@ -23,8 +25,9 @@ foreach(variant IN LISTS COUNTERPOINT_VARIANTS)
   list(GET COUNTERPOINT_MEMORY_${variant} 1 ram_length)
   list(GET COUNTERPOINT_MEMORY_${variant} 2 flash_region)
   list(GET COUNTERPOINT_MEMORY_${variant} 3 ram_region)
+  list(GET COUNTERPOINT_MEMORY_${variant} 4 ram_groups)
   set(COUNTERPOINT_FIRMWARE_${variant} flash_length=${flash_length} ram_origin=0x08000000 ram_length=${ram_length}
-      region_flash_length=${flash_region} region_ram=0x08000000 region_ram_length=${ram_region})
+      region_flash_length=${flash_region} region_ram=0x08000000 region_ram_length=${ram_region} pbist_ram_groups=${ram_groups})
 endforeach()
 set(COUNTERPOINT_FIRMWARE_EMULATED flash_length=0x00400000 ram_origin=0x00800000 ram_length=0x00080000
     region_flash_length=0x00400000 region_ram=0x00800000 region_ram_length=0x00080000)

@@ -172,6 +172,58 @@ TEST_F(EmergencyTest, MoreErrorsThanRoomAreCounted)
     EXPECT_TRUE(Poll().empty());
 }
 
+TEST_F(EmergencyTest, TheOwnersRoomHoldsAsManyErrorsAndOneThatIsUrgent)
+{
+    Verifies(req::SRS_EMCY_010);
+    EmergencyError active[41]{};
+    EmergencyMessage waiting[41]{};
+    EmergencyProducer large{NodeId{5U}, ErrorHistory{history, 8U}, EmergencyRoom{active, waiting, 41U}};
+    const auto next = [&large]
+    {
+        const FrameToSend sent = large.Poll(NodeState::kOperational, Instant{0U});
+        return sent.is_present ? (sent.frame.data[0] | (unsigned{sent.frame.data[1]} << 8U)) : 0xFFFFU;
+    };
+    for (std::uint16_t source = 1U; source <= 40U; ++source)
+    {
+        large.Raise(EmergencyError{0x8130U, 0x10U, {}, source});
+    }
+    EXPECT_EQ(large.Dropped(), 0U);
+    // The 41st finds no room, an urgent one does
+    large.Raise(EmergencyError{0x8130U, 0x10U, {}, 41U});
+    EXPECT_EQ(large.Dropped(), 1U);
+    large.Raise(EmergencyError{0x6100U, 0x80U, {}, 0U, EmergencyUrgency::kUrgent});
+    EXPECT_EQ(large.Dropped(), 1U);
+    EXPECT_EQ(large.Register(), 0x91U);
+    for (int count = 0; count < 40; ++count)
+    {
+        EXPECT_EQ(next(), 0x8130U);
+    }
+    EXPECT_EQ(next(), 0x6100U);
+    EXPECT_EQ(next(), 0xFFFFU);
+    // With room again the lost one is told when it is raised again; the urgent one's place is used up till then
+    large.Clear(0x8130U, 1U);
+    large.Clear(0x8130U, 2U);
+    EXPECT_EQ(next(), 0U);
+    EXPECT_EQ(next(), 0U);
+    large.Raise(EmergencyError{0x8130U, 0x10U, {}, 41U});
+    EXPECT_EQ(next(), 0x8130U);
+    EXPECT_EQ(large.Dropped(), 1U);
+}
+
+TEST_F(EmergencyTest, WithoutRoomTheProducerHasItsOwn)
+{
+    Verifies(req::SRS_EMCY_010);
+    EmergencyProducer small{NodeId{5U}, ErrorHistory{history, 8U}, EmergencyRoom{nullptr, nullptr, 0U}};
+    for (std::uint16_t source = 1U; source <= 9U; ++source)
+    {
+        small.Raise(EmergencyError{0x8130U, 0x10U, {}, source});
+    }
+    EXPECT_EQ(small.Dropped(), 1U);
+    small.Raise(EmergencyError{0x6100U, 0x80U, {}, 0U, EmergencyUrgency::kUrgent});
+    EXPECT_EQ(small.Dropped(), 1U);
+    EXPECT_EQ(small.Register(), 0x91U);
+}
+
 TEST_F(EmergencyTest, MessagesWaitUntilStoppedIsLeft)
 {
     Verifies(req::SRS_EMCY_005);

@@ -221,6 +221,24 @@ TEST_F(El6751ReactionTest, AnAsynchronousPdoThatIsMissingIsNodeState22)
     EXPECT_EQ(told[5], (Log{"8", "23", "0", "22", "8", "23", "0"}));
 }
 
+TEST_F(El6751ReactionTest, TheOneEventTimeOfABusCouplerSupervisesItsPdos)
+{
+    Verifies(req::SRS_ELM_017);
+    Verifies(req::SRS_ELM_037);
+    AddBox(5U);
+    slaves[5]->Set(0x5500U, 0U, 0U);
+    boxes[5].kind = El6751Kind::kBusCoupler;
+    boxes[5].coupler_event_ms = 50U;
+    Tx(5U, MakePdo(1U, 0x185U, 255U, 4U, 0U, 0U));
+    slaves[5]->pdos.push_back(SentPdo{0x185U, 4U, 0U, 5000U, 50000U, 0, 0U, 0U});
+    Begin();
+    Run(500U);
+    EXPECT_EQ(told[5], (Log{"8", "23", "0"}));
+    slaves[5]->pdos[0].skip = 2;
+    Run(250U);
+    EXPECT_EQ(told[5], (Log{"8", "23", "0", "22", "8", "23", "0"}));
+}
+
 TEST_F(El6751ReactionTest, WithoutAReactionTheNodeStateComesAndGoesWithItsCause)
 {
     Verifies(req::SRS_ELM_043);
@@ -242,6 +260,22 @@ TEST_F(El6751ReactionTest, WithoutAReactionTheNodeStateComesAndGoesWithItsCause)
     EXPECT_EQ(el.Cause(NodeId{5U}), 1);
 }
 
+TEST_F(El6751ReactionTest, WithoutAReactionASlaveThatLeftOperationalIsStartedByHand)
+{
+    Verifies(req::SRS_ELM_043);
+    Verifies(req::SRS_ELM_046);
+    Ready();
+    boxes[5].node_reaction = El6751NodeReaction::kNone;
+    slaves[5]->Turn(127U);
+    Run(150U);
+    EXPECT_EQ(Code(5U), 12);
+    EXPECT_EQ(Control(5U, 5U, 1U), NmtAnswer::kTaken);
+    Run(150U);
+    EXPECT_EQ(Commands(), (Log{"01 05"}));
+    EXPECT_EQ(slaves[5]->state, 5U);
+    EXPECT_EQ(Code(5U), 0);
+}
+
 TEST_F(El6751ReactionTest, RestartByHandDeactivatesTheSlaveAndKeepsTheCause)
 {
     Verifies(req::SRS_ELM_043);
@@ -249,8 +283,9 @@ TEST_F(El6751ReactionTest, RestartByHandDeactivatesTheSlaveAndKeepsTheCause)
     Ready();
     boxes[5].restart = El6751Restart::kByHand;
     slaves[5]->Turn(127U);
+    told[5].clear();
     Run(150U);
-    EXPECT_EQ(Code(5U), 1);
+    EXPECT_EQ(told[5], (Log{"12", "1"}));
     EXPECT_EQ(el.Cause(NodeId{5U}), 12);
     EXPECT_EQ(Commands(), (Log{"02 05"}));
     // Not even its boot-up message brings it back

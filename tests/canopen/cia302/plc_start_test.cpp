@@ -352,5 +352,37 @@ TEST_F(PlcStartTest, ASafetySlaveFoundOperationalIsVerifiedAndStoppedIfItDiffers
     EXPECT_EQ(Commands(), (Log{"81 05", "02 05"}));
 }
 
+TEST_F(PlcStartTest, OneThatLeftState5IsVerifiedWhenItRunsAgainAndTheApplicationMayStartIt)
+{
+    Verifies(req::SRS_PLC_020);
+    Verifies(req::SRS_PLC_013);
+    AddSafety(5U);
+    Begin600();
+    slaves[5]->Beat();
+    Run(20U);
+    EXPECT_EQ(Code(5U), 5);
+    EXPECT_EQ(gate.verifications, 1);
+    // When somebody else makes it PRE-OPERATIONAL, the application starts it again
+    slaves[5]->Turn(127U);
+    slaves[5]->Beat();
+    Run(20U);
+    EXPECT_EQ(gate.State(NodeId{5U}), GateState::kClosed);
+    EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
+    Run(20U);
+    EXPECT_EQ(gate.verifications, 2);
+    EXPECT_EQ(slaves[5]->state, 5U);
+    // When it is changed meanwhile and somebody else starts it, it is stopped
+    slaves[5]->Beat();
+    slaves[5]->Turn(127U);
+    slaves[5]->Beat();
+    Run(20U);
+    gate.verdict = GateState::kDiffers;
+    slaves[5]->Turn(5U);
+    slaves[5]->Beat();
+    Run(20U);
+    EXPECT_EQ(gate.verifications, 3);
+    EXPECT_EQ(slaves[5]->state, 4U);
+}
+
 } // namespace
 } // namespace counterpoint::cia302

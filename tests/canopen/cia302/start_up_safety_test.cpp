@@ -139,6 +139,30 @@ TEST_F(StartUpSafetyTest, KeptAliveSafetySlaveIsVerifiedToo)
     EXPECT_EQ(Step(), MasterStep::kHalted);
 }
 
+TEST_F(StartUpSafetyTest, ThatLeftOperationalIsVerifiedWhenSomebodyElseStartsIt)
+{
+    Verifies(req::SRS_BOOT_013);
+    Add(5U, kMust);
+    slaves[5]->heartbeat_ms = 20U;
+    setups[5].heartbeat = HeartbeatSetup{100U, 20U, Arming::kFirstHeartbeat};
+    Protect(5U);
+    Begin();
+    Run(100U);
+    EXPECT_EQ(StateOf(5U), NodeState::kOperational);
+    EXPECT_EQ(gate.verifications, 1);
+    // When somebody makes it PRE-OPERATIONAL, changes it and starts it
+    const CanFrame leave{0U, FrameKind::kData, CanPortId::kFirst, 2U, {128U, 5U}};
+    const CanFrame start{0U, FrameKind::kData, CanPortId::kFirst, 2U, {1U, 5U}};
+    slaves[5]->OnFrame(leave, Now());
+    Run(50U);
+    gate.verdict = GateState::kDiffers;
+    slaves[5]->OnFrame(start, Now());
+    Run(100U);
+    EXPECT_EQ(gate.verifications, 2);
+    EXPECT_EQ(StateOf(5U), NodeState::kStopped);
+    EXPECT_EQ(Letter(5U), "J");
+}
+
 /// Given a safety slave that is kept alive and was started by somebody before the master came.
 class KeptAliveSafetyTest : public StartUpSafetyTest
 {

@@ -135,6 +135,33 @@ TEST_F(DeviceServicesTest, EachLostNodeIsAnErrorOfItsOwn)
     EXPECT_EQ(Upload(0x1001U, 0U) & 0xFFU, 0U);
 }
 
+// Eight errors take all places but the last one, and their messages wait.
+TEST_F(DeviceServicesTest, NothingHidesTheDeviceSafeState)
+{
+    Verifies(req::SRS_EMCY_010);
+    Verifies(req::SRS_DEV_015);
+    Run();
+    Forget();
+    for (std::uint16_t number = 1U; number <= 9U; ++number)
+    {
+        services.errors.Raise(cia301::CommunicationError::kPdoShort, number);
+    }
+    core.DemandSafeState();
+    Cycles(12U);
+    EXPECT_EQ(Emergencies(), (Codes{0x8210U, 0x8210U, 0x8210U, 0x8210U, 0x8210U, 0x8210U, 0x8210U, 0x8210U, 0x6200U}));
+    EXPECT_EQ(Upload(0x1001U, 0U) & 0xFFU, 0x91U);
+}
+
+TEST_F(DeviceServicesTest, PlacesForEmergenciesFollowFromWhatADeviceHas)
+{
+    Verifies(req::SRS_EMCY_010);
+    ServiceRooms rooms{{nullptr, 127U}, {nullptr, 0U}, {nullptr, 512U}, {nullptr, 0U}};
+    EXPECT_EQ(EmergencyPlaces(64U, rooms), 320U + 1536U + 127U + 32U);
+    rooms.supervised.count = 2U;
+    rooms.rpdos.count = 0U;
+    EXPECT_EQ(EmergencyPlaces(3U, rooms), 15U + 2U + 32U);
+}
+
 TEST_F(DeviceServicesTest, TheReactionToALostNodeIs1029s)
 {
     Verifies(req::SRS_DEV_012);

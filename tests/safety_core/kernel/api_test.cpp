@@ -148,6 +148,68 @@ TEST_F(Facade, StaticFieldsAreCheckedByBothChannels)
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
 }
 
+// The reference defines the fields before it writes the direction: SRDO 4 is off.
+TEST_F(Facade, StaticFieldsAreComparedWithTheObjectsWhateverTheDirectionIs)
+{
+    Verifies(req::SRS_KRN_024);
+    static constexpr std::uint32_t kEntries[] = {0x22000110U, 0x23000110U};
+    static constexpr std::uint32_t kUnknown[] = {0x22000110U, 0x23000210U};
+    static constexpr std::uint32_t kShorter[] = {0x22000108U, 0x23000108U};
+    const CommunicationIndex index{0x1304U};
+    const auto gives = [this, index](std::uint8_t* normal, std::uint8_t* inverse)
+    { return kernel.DefineStaticFields(index, StaticFields{normal, inverse}); };
+    setups[2].map = StaticMap{kEntries, 2U};
+    Configure();
+    ASSERT_EQ(Read(0x1304U, 1U), 0U);
+    EXPECT_EQ(gives(rx_normal.data(), rx_inverse.data()), Result::kSuccessful);
+    EXPECT_EQ(gives(tx_normal.data(), rx_inverse.data()), Result::kMappingError);
+    EXPECT_EQ(gives(rx_normal.data(), tx_inverse.data()), Result::kMappingError);
+    EXPECT_EQ(gives(rx_inverse.data(), rx_normal.data()), Result::kMappingError);
+    EXPECT_EQ(gives(rx_normal.data() + 1U, rx_inverse.data()), Result::kMappingError);
+    EXPECT_EQ(gives(nullptr, nullptr), Result::kMappingError);
+    for (const std::uint32_t* const entries : {kUnknown, kShorter})
+    {
+        setups[2].map = StaticMap{entries, 2U};
+        Configure();
+        EXPECT_EQ(gives(rx_normal.data(), rx_inverse.data()), Result::kMappingError);
+    }
+    setups[2].map = StaticMap{kEntries, 2U};
+    objects[2].length_bits = 12U;
+    ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
+    EXPECT_EQ(gives(rx_normal.data(), rx_inverse.data()), Result::kMappingError);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+}
+
+// Objects of 16 bits one behind the other: four fill a frame, five do not go into one.
+TEST_F(Facade, StaticFieldsAreAsLongAsAFrameAtTheMost)
+{
+    Verifies(req::SRS_KRN_024);
+    std::array<std::uint8_t, 10> normal{};
+    std::array<std::uint8_t, 10> inverse{};
+    std::array<MappableObject, 10> own{};
+    std::array<std::uint32_t, 10> entries{};
+    for (std::uint8_t number = 0U; number < 5U; ++number)
+    {
+        own[number] =
+            MappableObject{0x3000U, number, 16U, MapAccess::kConsumer, normal.data() + (2U * std::size_t{number})};
+        own[5U + number] =
+            MappableObject{0x3001U, number, 16U, MapAccess::kConsumer, inverse.data() + (2U * std::size_t{number})};
+        entries[2U * std::size_t{number}] = 0x30000010U + (std::uint32_t{number} << 8U);
+        entries[(2U * std::size_t{number}) + 1U] = 0x30010010U + (std::uint32_t{number} << 8U);
+    }
+    config.objects = own.data();
+    config.object_count = 10U;
+    const auto gives = [this, &normal, &inverse, &entries](std::uint8_t count)
+    {
+        setups[0].map = StaticMap{entries.data(), count};
+        EXPECT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
+        return kernel.DefineStaticFields(CommunicationIndex{0x1301U}, StaticFields{normal.data(), inverse.data()});
+    };
+    EXPECT_EQ(gives(8U), Result::kSuccessful);
+    EXPECT_EQ(gives(10U), Result::kLengthExceeded);
+    EXPECT_EQ(gives(9U), Result::kLengthExceeded);
+}
+
 // Every state that an NMT event leads to; reset node and reset communication lead to kInitialising.
 TEST_F(Facade, EveryNmtEventOutOfOperationalIsSafe)
 {

@@ -195,6 +195,60 @@ TEST_F(Configuring, EachRuleHasItsReturnCode)
     gives(ConfigFault::kTransmissionType, Result::kInvalidConfiguration);
 }
 
+// What the reference's call tells, by configurations that break the rules, not by altered channels.
+TEST_F(Configuring, CheckNamesTheFirstBrokenRuleAndItsSrdo)
+{
+    Verifies(req::SRS_KRN_015);
+    Verifies(req::SRS_KRN_028);
+    Configure();
+    const auto gives = [this](Result result, std::uint16_t index)
+    {
+        const CheckReply reply = kernel.CheckConfiguration();
+        EXPECT_EQ(reply.result, result);
+        EXPECT_EQ(reply.index.value, index);
+    };
+    gives(Result::kSuccessful, 0U);
+    // SRVT 50 ms is not below SCT 50 ms
+    ASSERT_EQ(Write(0x1301U, 3U, 50U, 1U), AbortCode::kNone);
+    gives(Result::kTimingError, 0x1301U);
+    ASSERT_EQ(Write(0x1301U, 3U, 20U, 1U), AbortCode::kNone);
+    gives(Result::kSuccessful, 0U);
+    // Objects of a consumer in a producer
+    ASSERT_EQ(Write(0x1301U, 1U, 1U, 1U), AbortCode::kNone);
+    gives(Result::kMappingError, 0x1301U);
+    ASSERT_EQ(Write(0x1301U, 1U, 2U, 1U), AbortCode::kNone);
+    // Signatures, of an SRDO that is off too
+    ASSERT_EQ(Write(0x13FFU, 4U, 0x1234U, 2U), AbortCode::kNone);
+    gives(Result::kSignatureError, 0x1304U);
+    ASSERT_EQ(Write(0x13FFU, 3U, 0x1234U, 2U), AbortCode::kNone);
+    gives(Result::kSignatureError, 0x1303U);
+    // COB-IDs that no write admits: loaded. Items of SRDO 3 begin at 24.
+    ASSERT_EQ(kernel.LoadItem(24U + 5U, 0x201U), Result::kSuccessful);
+    ASSERT_EQ(kernel.LoadItem(24U + 6U, 0x202U), Result::kSuccessful);
+    gives(Result::kIdError, 0x1303U);
+    ASSERT_EQ(kernel.LoadItem(24U + 5U, 0x101U), Result::kSuccessful);
+    ASSERT_EQ(kernel.LoadItem(24U + 6U, 0x102U), Result::kSuccessful);
+    gives(Result::kIdInUse, 0x1301U);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+}
+
+// In OPERATIONAL nothing is resolved anew: the signature covers what the rules would find.
+TEST_F(Configuring, CheckInOperationalIsThatOfSignatureAndResolvedMapping)
+{
+    Verifies(req::SRS_KRN_015);
+    Operate();
+    ReceivePair();
+    Cycle();
+    ASSERT_EQ(NormalOut(), 0x3412U);
+    EXPECT_EQ(kernel.CheckConfiguration().result, Result::kSuccessful);
+    EXPECT_EQ(NormalOut(), 0x3412U);
+    const ConfigItem changed{ConfigAddress{0U, ConfigField::kSrvt, 0U}, 50U};
+    real_a.Store(changed);
+    real_b.Store(changed);
+    EXPECT_EQ(kernel.CheckConfiguration().result, Result::kSignatureError);
+}
+
 // Diagnostic interval 30 ms, three SRDOs: six steps, one every 5 cycles, the digest of slot n in step 2n + 1.
 TEST_F(Configuring, DigestsThatDifferAreFoundAtTheirSlot)
 {

@@ -198,6 +198,25 @@ TEST_F(Cycling, GfcOutsideOperationalOrWithoutConfigurationIsNotTold)
     EXPECT_EQ(application.gfcs, 0);
 }
 
+TEST_F(Cycling, GfcCountsByTheStateInWhichItCame)
+{
+    Verifies(req::SRS_KRN_006);
+    // Given one that came before OPERATIONAL was entered
+    Configure();
+    Cycle();
+    Receive(0x001U, {}, 100U);
+    kernel.SetNmtState(NmtState::kOperational);
+    Cycle();
+    EXPECT_EQ(application.gfcs, 0);
+    // and one that came before OPERATIONAL was left
+    Receive(0x001U, {}, 100U);
+    kernel.SetNmtState(NmtState::kPreOperational);
+    Cycle();
+    EXPECT_EQ(application.gfcs, 1);
+    Cycle();
+    EXPECT_EQ(application.gfcs, 1);
+}
+
 TEST_F(Cycling, LeavingOperationalIsSafeWithItsOwnCause)
 {
     Verifies(req::SRS_CONS_019);

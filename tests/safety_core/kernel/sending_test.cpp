@@ -11,6 +11,24 @@ namespace
 /// Node-ID 2: the first transmission comes 1 ms after entering OPERATIONAL.
 class Sending : public Rig
 {
+  public:
+    /// SRDO 1 or 4 as producer of 50 ms, signed; 13FEh is left to the test.
+    void MakeProducer(const std::uint16_t number, const std::uint32_t cob_id)
+    {
+        const std::uint16_t communication = static_cast<std::uint16_t>(0x1300U + number);
+        const std::uint16_t mapping = static_cast<std::uint16_t>(0x1380U + number);
+        ASSERT_EQ(Write(communication, 1U, 0U, 1U), AbortCode::kNone);
+        ASSERT_EQ(Write(communication, 2U, 50U, 2U), AbortCode::kNone);
+        ASSERT_EQ(Write(communication, 5U, cob_id, 4U), AbortCode::kNone);
+        ASSERT_EQ(Write(communication, 6U, cob_id + 1U, 4U), AbortCode::kNone);
+        ASSERT_EQ(Write(mapping, 0U, 0U, 1U), AbortCode::kNone);
+        ASSERT_EQ(Write(mapping, 1U, 0x20000110U, 4U), AbortCode::kNone);
+        ASSERT_EQ(Write(mapping, 2U, 0x21000110U, 4U), AbortCode::kNone);
+        ASSERT_EQ(Write(mapping, 0U, 2U, 1U), AbortCode::kNone);
+        ASSERT_EQ(Write(communication, 1U, 1U, 1U), AbortCode::kNone);
+        const SignReply reply = kernel.Sign(CommunicationIndex{communication});
+        ASSERT_EQ(Write(0x13FFU, static_cast<std::uint8_t>(number), reply.signature, 2U), AbortCode::kNone);
+    }
 };
 
 TEST_F(Sending, SendReturnsTheReferencesCodes)
@@ -44,6 +62,28 @@ TEST_F(Sending, SendToAllWithoutAProducerDoesNotExist)
     ASSERT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
     kernel.SetNmtState(NmtState::kOperational);
     EXPECT_EQ(kernel.Send(CommunicationIndex{0U}), Result::kNotExist);
+}
+
+TEST_F(Sending, SendToAllSendsEveryProducerOnce)
+{
+    Verifies(req::SRS_KRN_011);
+    Verifies(req::SRS_PROD_003);
+    setups[1].form = ProducerForm::kApplicationSends;
+    Configure();
+    MakeProducer(1U, 0x101U);
+    MakeProducer(4U, 0x107U);
+    ASSERT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
+    kernel.SetNmtState(NmtState::kOperational);
+    Cycles(2U);
+    ASSERT_TRUE(ports.sent.empty());
+    ASSERT_EQ(kernel.Send(CommunicationIndex{0U}), Result::kSuccessful);
+    Cycle();
+    ASSERT_EQ(ports.sent.size(), 3U);
+    EXPECT_EQ(ports.sent[0].identifier, 0x101U);
+    EXPECT_EQ(ports.sent[1].identifier, 0x103U);
+    EXPECT_EQ(ports.sent[2].identifier, 0x107U);
+    Cycles(3U);
+    EXPECT_EQ(ports.sent.size(), 3U);
 }
 
 TEST_F(Sending, ApplicationSendsWhenItWants)
@@ -108,30 +148,65 @@ TEST_F(Sending, GfcWithoutAnSrdoWithinTheShortestRefreshTimeIsAnErrorOnce)
     EXPECT_EQ(application.gfcs_not_followed, 1);
 }
 
+// t [ms]   6 GFC      7 normal frame refused: bus-off      31 (limit)   32
+TEST_F(Sending, FrameThatIsRefusedFollowsNoGfc)
+{
+    Verifies(req::SRS_KRN_013);
+    setups[1].form = ProducerForm::kApplicationSends;
+    Operate();
+    ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
+    ports.answer = hal::TransmitStatus::kBusOff;
+    ASSERT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kSuccessful);
+    Cycles(25U);
+    EXPECT_EQ(CausesOf(0x1303U), std::vector<SrdoCause>{SrdoCause::kBusOff});
+    EXPECT_EQ(application.gfcs_not_followed, 0);
+    Cycle();
+    EXPECT_EQ(application.gfcs_not_followed, 1);
+}
+
+// t [ms]   7 normal frame   7 GFC   7.1 confirmed, inverse frame      32 (limit)   33
+TEST_F(Sending, SecondHalfOfAnOlderPairFollowsNoGfc)
+{
+    Verifies(req::SRS_KRN_013);
+    setups[1].form = ProducerForm::kApplicationSends;
+    Operate();
+    ASSERT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kSuccessful);
+    Cycle();
+    ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
+    ASSERT_EQ(ports.sent.size(), 2U);
+    now_us += 100U;
+    kernel.OnConfirm(StampedFrame{ports.sent[0], InstantPair{{now_us}, {now_us}}});
+    ASSERT_EQ(ports.sent.size(), 3U);
+    EXPECT_EQ(ports.sent[2].identifier, 0x104U);
+    Cycles(25U);
+    EXPECT_EQ(application.gfcs_not_followed, 0);
+    Cycle();
+    EXPECT_EQ(application.gfcs_not_followed, 1);
+}
+
+// t [ms]   6 GFC      26 GFC again      31 (limit of the first)   32
+TEST_F(Sending, GfcThatIsSentAgainDoesNotPutTheSrdoOff)
+{
+    Verifies(req::SRS_KRN_013);
+    setups[1].form = ProducerForm::kApplicationSends;
+    Operate();
+    ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
+    Cycles(20U);
+    ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
+    Cycles(5U);
+    EXPECT_EQ(application.gfcs_not_followed, 0);
+    Cycle();
+    EXPECT_EQ(application.gfcs_not_followed, 1);
+}
+
 TEST_F(Sending, ShortestRefreshTimeOfSeveralProducersCounts)
 {
     Verifies(req::SRS_KRN_013);
     setups[1].form = ProducerForm::kApplicationSends;
     Configure();
-    const auto make_producer = [this](std::uint16_t number, std::uint32_t cob_id)
-    {
-        const std::uint16_t communication = static_cast<std::uint16_t>(0x1300U + number);
-        const std::uint16_t mapping = static_cast<std::uint16_t>(0x1380U + number);
-        ASSERT_EQ(Write(communication, 1U, 0U, 1U), AbortCode::kNone);
-        ASSERT_EQ(Write(communication, 2U, 50U, 2U), AbortCode::kNone);
-        ASSERT_EQ(Write(communication, 5U, cob_id, 4U), AbortCode::kNone);
-        ASSERT_EQ(Write(communication, 6U, cob_id + 1U, 4U), AbortCode::kNone);
-        ASSERT_EQ(Write(mapping, 0U, 0U, 1U), AbortCode::kNone);
-        ASSERT_EQ(Write(mapping, 1U, 0x20000110U, 4U), AbortCode::kNone);
-        ASSERT_EQ(Write(mapping, 2U, 0x21000110U, 4U), AbortCode::kNone);
-        ASSERT_EQ(Write(mapping, 0U, 2U, 1U), AbortCode::kNone);
-        ASSERT_EQ(Write(communication, 1U, 1U, 1U), AbortCode::kNone);
-        const SignReply reply = kernel.Sign(CommunicationIndex{communication});
-        ASSERT_EQ(Write(0x13FFU, static_cast<std::uint8_t>(number), reply.signature, 2U), AbortCode::kNone);
-    };
     // Given producers of 50, 25 and 50 ms
-    make_producer(1U, 0x101U);
-    make_producer(4U, 0x107U);
+    MakeProducer(1U, 0x101U);
+    MakeProducer(4U, 0x107U);
     ASSERT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
     kernel.SetNmtState(NmtState::kOperational);
     Cycle();
@@ -140,6 +215,36 @@ TEST_F(Sending, ShortestRefreshTimeOfSeveralProducersCounts)
     EXPECT_EQ(application.gfcs_not_followed, 0);
     Cycle();
     EXPECT_EQ(application.gfcs_not_followed, 1);
+}
+
+// What an application may do from within its callbacks.
+TEST_F(Sending, CallbacksMaySendAndDemandTheSafeState)
+{
+    Verifies(req::SRS_KRN_006);
+    Verifies(req::SRS_KRN_011);
+    setups[1].form = ProducerForm::kApplicationSends;
+    Operate();
+    application.on_event = [this](CommunicationIndex)
+    { EXPECT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kSuccessful); };
+    application.on_error = [this](CommunicationIndex) { EXPECT_EQ(kernel.SendGfc(), Result::kSuccessful); };
+    // Given an SRDO sent for each that was received: by the next cycle
+    ReceivePair();
+    Cycle();
+    EXPECT_TRUE(ports.sent.empty());
+    Cycle();
+    ASSERT_EQ(ports.sent.size(), 1U);
+    EXPECT_EQ(ports.sent[0].identifier, 0x103U);
+    // a GFC for an error: at once
+    Receive(0x102U, {0xEDU, 0xCBU}, 100U);
+    Cycle();
+    ASSERT_EQ(ports.sent.size(), 2U);
+    EXPECT_EQ(ports.sent[1].identifier, 0x001U);
+    // and the safe state for a pair: its output does not open
+    application.on_event = [this](CommunicationIndex) { kernel.DemandSafeState(); };
+    ReceivePair();
+    Cycle();
+    EXPECT_EQ(Open(), 0U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kApplication);
 }
 
 // Option GFC: on in GfcIsSentOnlyIfSupportedAndOperational and GfcMakesConsumersSafeAndIsTold, off here.

@@ -174,6 +174,46 @@ TEST_F(WideChannels, GranularityDecidesAboutObjectsOfBits)
     EXPECT_EQ(CausesOf(0x1301U), std::vector<SrdoCause>{SrdoCause::kNotInverse});
 }
 
+// Table 4 of SO-1059: UNSIGNED16, two UNSIGNED8 and a REAL32 fill the frame.
+//   byte   0  1    2        3        4  5  6  7
+//          2000:03 2001:01  2001:02  2002:06
+TEST_F(WideChannels, MappingOfTheReferencesTable)
+{
+    Verifies(req::SRS_CFG_036);
+    Verifies(req::SRS_CFG_010);
+    std::array<std::uint8_t, 8> normal{};
+    std::array<std::uint8_t, 8> inverse{};
+    std::array<MappableObject, 8> own{};
+    const auto object = [](std::uint16_t index, std::uint8_t sub, std::uint8_t bits, std::uint8_t* place)
+    { return MappableObject{index, sub, bits, MapAccess::kConsumer, place}; };
+    own = {object(0x2000U, 3U, 16U, &normal[0]),  object(0x2001U, 1U, 8U, &normal[2]),
+           object(0x2001U, 2U, 8U, &normal[3]),   object(0x2002U, 6U, 32U, &normal[4]),
+           object(0x2100U, 3U, 16U, &inverse[0]), object(0x2101U, 1U, 8U, &inverse[2]),
+           object(0x2101U, 2U, 8U, &inverse[3]),  object(0x2102U, 6U, 32U, &inverse[4])};
+    config.objects = own.data();
+    config.object_count = 8U;
+    setups[0].safe_value = Payload{0U, 0U};
+    ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
+    constexpr std::array<std::uint32_t, 8> kTable{0x20000310U, 0x21000310U, 0x20010108U, 0x21010108U,
+                                                  0x20010208U, 0x21010208U, 0x20020620U, 0x21020620U};
+    for (std::uint8_t number = 0U; number < 8U; ++number)
+    {
+        ASSERT_EQ(Write(0x1381U, static_cast<std::uint8_t>(number + 1U), kTable[number], 4U), AbortCode::kNone);
+    }
+    ASSERT_EQ(Write(0x1381U, 0U, 8U, 1U), AbortCode::kNone);
+    OperateConsumer();
+    EXPECT_EQ(Read(0x13FFU, 1U), 0x9335U); // Direction 2, 50 ms, 20 ms, 101h, 102h.
+    Receive(0x101U, {0x34U, 0x12U, 0x56U, 0x78U, 0x00U, 0x00U, 0xC0U, 0x3FU}, 100U);
+    Receive(0x102U, {0xCBU, 0xEDU, 0xA9U, 0x87U, 0xFFU, 0xFFU, 0x3FU, 0xC0U}, 100U);
+    Cycle();
+    EXPECT_EQ(Open(), 1U);
+    EXPECT_EQ(normal, (std::array<std::uint8_t, 8>{0x34U, 0x12U, 0x56U, 0x78U, 0x00U, 0x00U, 0xC0U, 0x3FU})); // 1.5
+    EXPECT_EQ(inverse, (std::array<std::uint8_t, 8>{0xCBU, 0xEDU, 0xA9U, 0x87U, 0xFFU, 0xFFU, 0x3FU, 0xC0U}));
+    EXPECT_EQ(kernel.GetParameters(CommunicationIndex{0x1301U}).map_count, 8U);
+    EXPECT_EQ(kernel.GetMapped(CommunicationIndex{0x1301U}, MappedEntry{7U}).variable.place, &normal[4]);
+    EXPECT_EQ(kernel.GetMapped(CommunicationIndex{0x1301U}, MappedEntry{7U}).variable.length_bits, 32U);
+}
+
 TEST_F(WideChannels, DigestOfTheDescriptionIsThatOfBothChannels)
 {
     Verifies(req::SRS_CFG_050);

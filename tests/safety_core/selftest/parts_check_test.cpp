@@ -25,10 +25,11 @@ TEST(PartsCheck, EachFlippedBitOfATablePointerIsFound)
     check.Restart(PartsSetup{places.data(), 2U}, memory);
     EXPECT_TRUE(check.IsUsable());
     EXPECT_EQ(check.Check(memory), SliceResult::kPassed);
-    for (std::uint32_t bit = 0U; bit < 128U; ++bit)
+    constexpr std::uint32_t kPointerBits = 8U * sizeof(void*);
+    for (std::uint32_t bit = 0U; bit < (2U * kPointerBits); ++bit)
     {
         // When one bit of one pointer flips, then the check fails
-        const hal::Address place = places[bit / 64U] + (4U * ((bit / 32U) % 2U));
+        const hal::Address place = places[bit / kPointerBits] + (4U * ((bit % kPointerBits) / 32U));
         const std::uint32_t word = memory.Read(place);
         memory.Write(place, word ^ (std::uint32_t{1U} << (bit % 32U)));
         EXPECT_EQ(check.Check(memory), SliceResult::kFailed) << "bit " << bit;
@@ -36,7 +37,7 @@ TEST(PartsCheck, EachFlippedBitOfATablePointerIsFound)
     }
     // Then, when all is back, it passes
     EXPECT_EQ(check.Check(memory), SliceResult::kPassed);
-    EXPECT_EQ(check.Done(), 130U);
+    EXPECT_EQ(check.Done(), (2U * kPointerBits) + 2U);
 }
 
 TEST(PartsCheck, WhatCannotBeUsedFails)

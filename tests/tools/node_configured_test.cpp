@@ -1,0 +1,255 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/tools/echo_bus.hpp"
+#include "tools/node_device.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <fstream>
+#include <memory>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Devices that their file leaves unconfigured, configured over SDO as SO-1059 1.2 tells, and then started.
+namespace counterpoint::tools::test
+{
+namespace
+{
+constexpr std::uint64_t kNsPerUs = 1000U;
+constexpr std::uint64_t kNsPerMs = 1000000U;
+
+/// An example of the emergency stop without the ParameterValues of these sections.
+std::string FileWithout(const std::string& example, const std::set<std::string>& sections)
+{
+    std::ifstream file(std::string(COUNTERPOINT_SOURCE) + "/examples/emergency_stop/" + example + ".dcf");
+    std::string section;
+    std::ostringstream text;
+    for (std::string line; std::getline(file, line);)
+    {
+        section = (line.rfind('[', 0U) == 0U) ? line.substr(1U, line.find(']') - 1U) : section;
+        const bool is_value = line.rfind("ParameterValue=", 0U) == 0U;
+        text << ((is_value && sections.count(section) != 0U) ? "" : line + "\n");
+    }
+    const std::string name = ::testing::TempDir() + example + "_unconfigured.dcf";
+    std::ofstream(name) << text.str();
+    return name;
+}
+
+const std::set<std::string> kAllOfSrdo1{"1301sub1", "1301sub2", "1301sub3", "1301sub5", "1301sub6", "1381sub0",
+                                        "1381sub1", "1381sub2", "1381sub3", "1381sub4", "13FE",     "13FFsub1"};
+
+/// A device of a file, in a time that the test makes: cycle 5 ms.
+class Bench
+{
+  public:
+    explicit Bench(const std::string& file)
+    {
+        NodeSettings settings;
+        settings.dcf = file;
+        settings.cycle_us = 5000U;
+        settings.has_self_tests = false;
+        auto safety = std::make_unique<EchoBus>(false, 0U);
+        auto services = std::make_unique<EchoBus>(false, 0U);
+        safety_ = safety.get();
+        services_ = services.get();
+        ports_ = std::make_unique<NodePorts>(std::move(safety), std::move(services));
+        device_ = std::make_unique<NodeDevice>(settings, *ports_, report_);
+        EXPECT_TRUE(device_->PowerOn(Now(), now_ns_));
+        static_cast<void>(device_->TakeRestart(now_ns_));
+    }
+    /// The abort code of an expedited download; 0: none.
+    std::uint32_t Download(const std::uint16_t index, const std::uint8_t sub, const std::uint32_t value,
+                           const std::uint8_t size)
+    {
+        const auto byte = [](const std::uint32_t number, const unsigned place)
+        { return static_cast<std::uint8_t>((number >> (8U * place)) & 0xFFU); };
+        const auto command = static_cast<std::uint8_t>(0x23U | ((4U - size) << 2U));
+        Receive(0x600U + device_->NodeId(), {command, byte(index, 0U), byte(index, 1U), sub, byte(value, 0U),
+                                             byte(value, 1U), byte(value, 2U), byte(value, 3U)});
+        Cycle();
+        std::uint32_t code = 0xFFFFFFFFU; // No answer.
+        for (const host::LiveFrame& frame : services_->Sent())
+        {
+            if (frame.identifier == 0x580U + device_->NodeId())
+            {
+                code = frame.data[4] | (std::uint32_t{frame.data[5]} << 8U) | (std::uint32_t{frame.data[6]} << 16U) |
+                       (std::uint32_t{frame.data[7]} << 24U);
+            }
+        }
+        return code;
+    }
+    /// All of SRDO 1 in the order of the procedure, direction behind its identifiers.
+    void Configure(const std::uint8_t direction, const std::uint16_t sct_ms, const std::uint32_t cob_id_1,
+                   const std::vector<std::uint32_t>& entries, const std::uint16_t signature)
+    {
+        EXPECT_EQ(Download(0x1301U, 2U, sct_ms, 2U), 0U);
+        EXPECT_EQ(Download(0x1301U, 3U, 20U, 1U), 0U);
+        EXPECT_EQ(Download(0x1301U, 5U, cob_id_1, 4U), 0U);
+        EXPECT_EQ(Download(0x1301U, 6U, cob_id_1 + 1U, 4U), 0U);
+        for (std::size_t number = 0U; number < entries.size(); ++number)
+        {
+            EXPECT_EQ(Download(0x1381U, static_cast<std::uint8_t>(number + 1U), entries[number], 4U), 0U);
+        }
+        EXPECT_EQ(Download(0x1381U, 0U, static_cast<std::uint32_t>(entries.size()), 1U), 0U);
+        EXPECT_EQ(Download(0x1301U, 1U, direction, 1U), 0U);
+        EXPECT_EQ(Download(0x13FFU, 1U, signature, 2U), 0U);
+        EXPECT_EQ(Download(0x13FEU, 0U, 0xA5U, 1U), 0U);
+    }
+    void Start()
+    {
+        Receive(0x000U, {1U, device_->NodeId()});
+        Cycle();
+        EXPECT_EQ(device_->Services().State(), cia301::NodeState::kOperational);
+    }
+    void Receive(const std::uint32_t identifier, const std::initializer_list<std::uint8_t> bytes)
+    {
+        now_ns_ += kNsPerMs / 4U;
+        device_->OnFrame(FrameOf(identifier, bytes, now_ns_), CanPortId::kFirst, Now());
+    }
+    /// What was sent comes back, then the cycle 5 ms after the one before.
+    void Cycle()
+    {
+        for (EchoBus* const bus : {safety_, services_})
+        {
+            host::LiveFrame own;
+            while (bus->Receive(own))
+            {
+                device_->OnFrame(own, CanPortId::kFirst, Now());
+            }
+        }
+        now_ns_ += 5U * kNsPerMs - (now_ns_ % (5U * kNsPerMs));
+        device_->Cycle(Now(), now_ns_);
+        device_->LookAtOutput(now_ns_);
+    }
+    NodeDevice& Device()
+    {
+        return *device_;
+    }
+    /// Data of the frames that were sent with this identifier.
+    std::vector<unsigned> SentWith(const std::uint32_t identifier) const
+    {
+        std::vector<unsigned> data;
+        for (const host::LiveFrame& frame : safety_->Sent())
+        {
+            if (frame.identifier == identifier)
+            {
+                data.push_back(frame.data[0] | (unsigned{frame.data[1]} << 8U));
+            }
+        }
+        return data;
+    }
+    std::uint64_t NowNs() const
+    {
+        return now_ns_;
+    }
+    std::string Told()
+    {
+        static_cast<void>(report_.Finish());
+        return out_.str();
+    }
+
+  private:
+    InstantPair Now() const
+    {
+        const Instant now{static_cast<std::uint32_t>(now_ns_ / kNsPerUs)};
+        return {now, now};
+    }
+
+    std::ostringstream out_{};
+    NodeReport report_{out_, ReportForm::kText, 0U};
+    std::uint64_t now_ns_{1000U * kNsPerMs};
+    EchoBus* safety_{nullptr};
+    EchoBus* services_{nullptr};
+    std::unique_ptr<NodePorts> ports_{};
+    std::unique_ptr<NodeDevice> device_{};
+};
+
+TEST(NodeConfiguredTest, AProducerThatWasConfiguredOverSdoSendsItsInputs)
+{
+    Verifies(req::SRS_NODE_019);
+    Verifies(req::SRS_DEV_017);
+    // Once called by the kernel as the file says, once sent by the application
+    std::set<std::string> with_form = kAllOfSrdo1;
+    with_form.insert("5F03sub1");
+    for (const std::set<std::string>& sections : {kAllOfSrdo1, with_form})
+    {
+        Bench bench(FileWithout("sensor", sections));
+        NodeDevice& device = bench.Device();
+        EXPECT_FALSE(device.App().SetInput({0x2000U, 1U}, 1U));
+        bench.Configure(1U, 25U, 0x101U, {0x20000108U, 0x21000108U, 0x20000208U, 0x21000208U}, 0xB631U);
+        bench.Start();
+        ASSERT_TRUE(device.App().SetInput({0x2000U, 1U}, 0x12U));
+        ASSERT_TRUE(device.App().SetInput({0x2000U, 2U}, 0x34U));
+        for (int cycle = 0; cycle < 41; ++cycle) // 205 ms
+        {
+            bench.Cycle();
+        }
+        // Then a pair is sent every 25 ms, and nothing is wrong at the end
+        const std::vector<unsigned> normal = bench.SentWith(0x101U);
+        EXPECT_GE(normal.size(), 8U);
+        EXPECT_LE(normal.size(), 10U);
+        ASSERT_FALSE(normal.empty());
+        EXPECT_EQ(normal.back(), 0x3412U);
+        ASSERT_FALSE(bench.SentWith(0x102U).empty());
+        EXPECT_EQ(bench.SentWith(0x102U).back(), 0xCBEDU);
+        EXPECT_EQ(device.Core().DeviceState().fault, DeviceFault::kNone) << bench.Told();
+    }
+}
+
+TEST(NodeConfiguredTest, AConsumerThatWasConfiguredOverSdoShowsItsOutputs)
+{
+    Verifies(req::SRS_NODE_019);
+    Verifies(req::SRS_DEV_017);
+    // Once with nothing of SRDO 1 in the file, once with a mapping whose direction is open
+    for (const std::set<std::string>& sections : {kAllOfSrdo1, std::set<std::string>{"1301sub1", "13FE", "13FFsub1"}})
+    {
+        Bench bench(FileWithout("actuator", sections));
+        NodeDevice& device = bench.Device();
+        if (sections.size() == kAllOfSrdo1.size())
+        {
+            bench.Configure(2U, 50U, 0x103U, {0x22000108U, 0x23000108U, 0x22000208U, 0x23000208U}, 0x9FCBU);
+        }
+        else
+        {
+            EXPECT_EQ(bench.Download(0x1301U, 1U, 2U, 1U), 0U);
+            EXPECT_EQ(bench.Download(0x13FFU, 1U, 0x9FCBU, 2U), 0U);
+            EXPECT_EQ(bench.Download(0x13FEU, 0U, 0xA5U, 1U), 0U);
+        }
+        bench.Start();
+        for (int cycle = 0; cycle < 6; ++cycle)
+        {
+            bench.Receive(0x103U, {1U, 2U});
+            bench.Receive(0x104U, {0xFEU, 0xFDU});
+            bench.Cycle();
+            EXPECT_TRUE(cycle != 2 || device.Acknowledge(1U, bench.NowNs()));
+        }
+        EXPECT_EQ(device.Open(), 1U);
+        EXPECT_EQ(device.App().Values(), "0x2200:01=1 0x2200:02=2");
+        EXPECT_FALSE(device.App().SetInput({0x2200U, 1U}, 1U));
+        const std::string told = bench.Told();
+        EXPECT_NE(told.find("value 0x2200:02 = 2"), std::string::npos) << told;
+    }
+}
+
+TEST(NodeConfiguredTest, AnSrdoThatWasSwitchedOffOverSdoHasNoInputs)
+{
+    Verifies(req::SRS_NODE_019);
+    Bench bench(FileWithout("sensor", {}));
+    NodeDevice& device = bench.Device();
+    EXPECT_TRUE(device.App().SetInput({0x2000U, 1U}, 1U));
+    EXPECT_EQ(bench.Download(0x1301U, 1U, 0U, 1U), 0U);
+    const SignReply reply = device.Core().Sign({0x1301U});
+    EXPECT_EQ(bench.Download(0x13FFU, 1U, reply.signature, 2U), 0U);
+    EXPECT_EQ(bench.Download(0x13FEU, 0U, 0xA5U, 1U), 0U);
+    bench.Start();
+    for (int cycle = 0; cycle < 20; ++cycle)
+    {
+        bench.Cycle();
+    }
+    EXPECT_TRUE(bench.SentWith(0x101U).empty());
+    EXPECT_FALSE(device.App().SetInput({0x2000U, 1U}, 0U));
+    EXPECT_EQ(device.App().Values(), "");
+}
+} // namespace
+} // namespace counterpoint::tools::test

@@ -1,0 +1,160 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/tools/echo_bus.hpp"
+#include "tools/node_loop.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <csignal>
+#include <memory>
+#include <sstream>
+#include <string>
+
+// A start that takes longer than the window of the watchdog: the actuator of the examples, whose output opens with the
+// second pair after an acknowledge, if the watchdog is alive.
+namespace counterpoint::tools::test
+{
+namespace
+{
+constexpr std::uint64_t kNsPerUs = 1000U;
+constexpr std::uint64_t kNsPerMs = 1000000U;
+const std::string kActuator = std::string(COUNTERPOINT_SOURCE) + "/examples/emergency_stop/actuator.dcf";
+
+NodeSettings SettingsOf(const std::uint32_t cycle_us)
+{
+    NodeSettings settings;
+    settings.dcf = kActuator;
+    settings.cycle_us = cycle_us;
+    settings.has_self_tests = false;
+    return settings;
+}
+
+/// The device alone, in a time that the test makes. Cycle 10 ms, late above 20 ms.
+class NodeRestartTest : public ::testing::Test
+{
+  protected:
+    InstantPair Now() const
+    {
+        const Instant now{static_cast<std::uint32_t>(now_ns / kNsPerUs)};
+        return {now, now};
+    }
+    void Receive(const std::uint32_t identifier, const std::initializer_list<std::uint8_t> bytes)
+    {
+        now_ns += kNsPerMs;
+        device.OnFrame(FrameOf(identifier, bytes, now_ns), CanPortId::kFirst, Now());
+    }
+    /// A pair, and the cycle 10 ms after the one before.
+    void Cycle()
+    {
+        Receive(0x103U, {1U, 2U});
+        Receive(0x104U, {0xFEU, 0xFDU});
+        now_ns += 8U * kNsPerMs;
+        device.Cycle(Now(), now_ns);
+        static_cast<void>(device.TakeRestart(now_ns));
+        device.LookAtOutput(now_ns);
+    }
+    /// From PRE-OPERATIONAL to what an acknowledge opens.
+    SrdoMask OpenAfterStart()
+    {
+        Receive(0x000U, {1U, device.NodeId()});
+        now_ns += 9U * kNsPerMs;
+        device.Cycle(Now(), now_ns);
+        device.LookAtOutput(now_ns);
+        Cycle();
+        Cycle();
+        EXPECT_TRUE(device.Acknowledge(1U, now_ns));
+        Cycle();
+        return device.Open();
+    }
+
+    std::ostringstream out{};
+    NodeReport report{out, ReportForm::kText, 0U};
+    NodePorts ports{std::make_unique<EchoBus>(false, 0U), std::make_unique<EchoBus>(false, 0U)};
+    NodeDevice device{SettingsOf(10000U), ports, report};
+    std::uint64_t now_ns{1000U * kNsPerMs};
+};
+
+// t [ms]   1000 power-on      1300 all done, window from here      1310 cycle
+TEST_F(NodeRestartTest, TheWatchdogCountsFromTheEndOfTheFirstStart)
+{
+    Verifies(req::SRS_NODE_018);
+    ASSERT_TRUE(device.PowerOn(Now(), now_ns));
+    now_ns += 300U * kNsPerMs;
+    ASSERT_TRUE(device.TakeRestart(now_ns));
+    EXPECT_FALSE(device.TakeRestart(now_ns));
+    EXPECT_EQ(OpenAfterStart(), 1U);
+    EXPECT_EQ(device.Core().DeviceState().fault, DeviceFault::kNone);
+}
+
+// t [ms]   0 cycle: reset node      0.3 s all done, window from here      cycles
+TEST_F(NodeRestartTest, TheWatchdogCountsFromTheEndOfAStartByResetNode)
+{
+    Verifies(req::SRS_NODE_018);
+    ASSERT_TRUE(device.PowerOn(Now(), now_ns));
+    ASSERT_TRUE(device.TakeRestart(now_ns));
+    ASSERT_EQ(OpenAfterStart(), 1U);
+    // When the node is reset, and the start takes 300 ms
+    Receive(0x000U, {129U, device.NodeId()});
+    device.Serve(Now(), now_ns);
+    EXPECT_EQ(device.Services().State(), cia301::NodeState::kPreOperational);
+    device.LookAtOutput(now_ns);
+    EXPECT_EQ(device.Open(), 0U);
+    now_ns += 300U * kNsPerMs;
+    ASSERT_TRUE(device.TakeRestart(now_ns));
+    // Then the output can open again
+    EXPECT_EQ(OpenAfterStart(), 1U);
+    EXPECT_EQ(device.Core().DeviceState().fault, DeviceFault::kNone);
+}
+
+/// Signals as they were before a loop ran.
+class SignalsAsBefore
+{
+  public:
+    SignalsAsBefore()
+    {
+        static_cast<void>(::sigprocmask(SIG_BLOCK, nullptr, &mask_));
+    }
+    SignalsAsBefore(const SignalsAsBefore&) = delete;
+    SignalsAsBefore& operator=(const SignalsAsBefore&) = delete;
+    ~SignalsAsBefore()
+    {
+        for (const int number : {SIGTERM, SIGINT, SIGPIPE, SIGTTIN})
+        {
+            std::signal(number, SIG_DFL);
+        }
+        static_cast<void>(::sigprocmask(SIG_SETMASK, &mask_, nullptr));
+    }
+
+  private:
+    sigset_t mask_{};
+};
+
+ScriptStep Step(const std::uint64_t at_ms, const std::uint64_t every_ms, const std::string& order)
+{
+    return {at_ms * kNsPerMs, every_ms * kNsPerMs, ParseOrder(order)};
+}
+
+// Real time. Cycle 20 ms, late above 40 ms; each boot-up message takes 150 ms, and with it each start.
+TEST(NodeLoopTest, AStartThatTakesLongIsNoLateAnswerToTheWatchdog)
+{
+    Verifies(req::SRS_NODE_018);
+    const SignalsAsBefore signals;
+    std::ostringstream out;
+    NodeReport report{out, ReportForm::kText, host::LiveNow()};
+    NodePorts ports{std::make_unique<EchoBus>(true, 150U), std::make_unique<EchoBus>(false, 150U)};
+    NodeScript script;
+    script.steps = {Step(300U, 100U, "nmt start"), Step(400U, 250U, "ack 1"), Step(1500U, 0U, "nmt reset-node"),
+                    Step(3000U, 0U, "quit")};
+    const auto make = [&ports, &report](const std::optional<std::uint8_t> /*lss_node_id*/)
+    { return std::make_unique<NodeDevice>(SettingsOf(20000U), ports, report); };
+    NodeLoop loop{{make, ports, report, script, -1}};
+    EXPECT_EQ(loop.Run(), ExitStatus::kHolds);
+    ASSERT_TRUE(report.Finish());
+    // Then the output opened after the power-on, closed with the reset, and opened again
+    const std::string told = out.str();
+    const std::size_t first = told.find("output of SRDO 1 open");
+    ASSERT_NE(first, std::string::npos) << told;
+    const std::size_t closed = told.find("output of SRDO 1 closed", first);
+    ASSERT_NE(closed, std::string::npos) << told;
+    EXPECT_NE(told.find("output of SRDO 1 open", closed), std::string::npos) << told;
+}
+} // namespace
+} // namespace counterpoint::tools::test
