@@ -33,7 +33,8 @@ void ManagerRig::OnMasterState(std::int16_t, Instant) noexcept
 
 void ManagerRig::OnNmtSent(const NmtRequest& request, Instant) noexcept
 {
-    if (request.command == NmtCommand::kStart)
+    // What the manager says to itself goes to nobody.
+    if (request.command == NmtCommand::kStart && request.node.value != setup.own.value)
     {
         starts.push_back(std::to_string(request.node.value));
     }
