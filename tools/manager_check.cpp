@@ -1,182 +1,240 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// The findings of CompareFlyingMasters in words, and what network files say beyond the setup of a manager.
 #include "tools/manager_check.hpp"
 
+#include "canopen/cia302/flying_master_compare.hpp"
 #include "canopen/cia306/input_error.hpp"
 #include "tools/manager_host.hpp"
 
-#include <map>
+#include <array>
+#include <utility>
 
 namespace counterpoint::tools
 {
 namespace
 {
-using cia302::SlaveSetup;
+using cia302::FlyingFinding;
+using cia302::FlyingFindingKind;
 using network::LoadedNetwork;
 using network::LoadedSlave;
 
-class Comparison
+/// El6751Part as network files call it.
+constexpr std::uint16_t kProgram = 0x1F58U;
+constexpr std::array<const char*, cia302::kEl6751Parts> kParts{"profile data",
+                                                               "kind",
+                                                               "check_device_type",
+                                                               "write_sync_period",
+                                                               "write_cob_ids",
+                                                               "write_types",
+                                                               "start",
+                                                               "restart_without_pdos",
+                                                               "literal_consumer",
+                                                               "reaction",
+                                                               "restart",
+                                                               "network_reaction",
+                                                               "life time factor",
+                                                               "guard time",
+                                                               "coupler_pdos",
+                                                               "coupler_inhibit",
+                                                               "coupler_event",
+                                                               "number of RxPDOs",
+                                                               "number of TxPDOs"};
+
+constexpr std::array<std::pair<FlyingFindingKind, const char*>, 3> kNames{
+    {{FlyingFindingKind::kArming, "arming"},
+     {FlyingFindingKind::kPlcOptional, "optional"},
+     {FlyingFindingKind::kPlcReset, "reset_node"}}};
+
+std::string Number(const std::uint64_t value)
+{
+    return cia306::Hex(value, 1);
+}
+
+class Differences final : public cia302::FlyingFindingListener
 {
   public:
-    Comparison(const LoadedNetwork& first, const LoadedNetwork& second) : first_(first), second_(second)
+    explicit Differences(const std::vector<const LoadedNetwork*>& masters) : masters_(masters)
     {
     }
 
-    std::vector<std::string> Make()
+    void OnFinding(const FlyingFinding& finding) noexcept override
     {
-        const cia302::NetworkSetup& one = first_.Setup();
-        const cia302::NetworkSetup& other = second_.Setup();
-        Compare("0x1F80:00", one.start_up, other.start_up);
-        Compare("0x1F89:00", one.boot_time_ms, other.boot_time_ms);
-        Compare("0x102A:00", one.inhibit_100us, other.inhibit_100us);
-        Compare("0x1006:00", one.sync_period_us, other.sync_period_us);
-        Compare("profile", static_cast<std::uint64_t>(first_.Plan().manager.profile),
-                static_cast<std::uint64_t>(second_.Plan().manager.profile));
-        CompareFlying();
-        for (std::uint8_t node = 1U; node <= cia302::kLastNode; ++node)
+        first_ = masters_[finding.first];
+        second_ = masters_[finding.second];
+        if (finding.first == finding.second)
         {
-            const bool is_master = node == one.own.value || node == other.own.value;
-            is_master ? CompareMaster(node) : CompareSlave(node);
+            TellOfOne(finding);
         }
+        else
+        {
+            TellOfTwo(finding);
+        }
+    }
+    /// What is in the network file only.
+    void ComparePlans(const LoadedNetwork& first, const LoadedNetwork& second)
+    {
+        first_ = &first;
+        second_ = &second;
+        const network::ManagerPlan& one = first.Plan().manager;
+        const network::ManagerPlan& other = second.Plan().manager;
+        Compare("profile", static_cast<std::uint64_t>(one.profile), static_cast<std::uint64_t>(other.profile));
+        Compare("el6751 window", static_cast<std::uint64_t>(one.el6751.window),
+                static_cast<std::uint64_t>(other.el6751.window));
+        Compare("el6751 sync_multiplier", one.el6751.sync_multiplier, other.el6751.sync_multiplier);
+        Compare("el6751 input_shift", one.el6751.input_shift_us, other.el6751.input_shift_us);
+        Compare("sdo_timeout", one.sdo_time_out_ms.value_or(0U), other.sdo_time_out_ms.value_or(0U));
+        Compare("sdo_tries", one.sdo_tries.value_or(0U), other.sdo_tries.value_or(0U));
+        for (const auto& slave : first.Slaves())
+        {
+            const LoadedSlave* const same = second.Find(slave->plan.node);
+            if (same != nullptr)
+            {
+                Compare("write_safety of node " + std::to_string(slave->plan.node), slave->plan.writes_safety ? 1U : 0U,
+                        same->plan.writes_safety ? 1U : 0U);
+            }
+        }
+    }
+    [[nodiscard]] const std::vector<std::string>& Lines() const noexcept
+    {
         return lines_;
     }
 
   private:
+    [[nodiscard]] static std::string FileOf(const LoadedNetwork& net)
+    {
+        return cia306::Printable(net.Plan().file);
+    }
     void Tell(const std::string& object, const std::string& one, const std::string& other)
     {
-        lines_.push_back(cia306::Printable(second_.Plan().file) + ": " + object + " is " + other + ", expected " + one +
-                         " as in " + cia306::Printable(first_.Plan().file));
+        lines_.push_back(FileOf(*second_) + ": " + object + " is " + other + ", expected " + one + " as in " +
+                         FileOf(*first_));
     }
     void Compare(const std::string& object, const std::uint64_t one, const std::uint64_t other)
     {
         if (one != other)
         {
-            Tell(object, cia306::Hex(one, 1), cia306::Hex(other, 1));
-        }
-    }
-    void CompareFlying()
-    {
-        if (first_.Plan().manager.flying.has_value() != second_.Plan().manager.flying.has_value())
-        {
-            return; // 1F80h bit 5 tells it.
-        }
-        const cia302::FlyingMasterTimes one = FlyingTimesOf(first_.Plan());
-        const cia302::FlyingMasterTimes other = FlyingTimesOf(second_.Plan());
-        Compare("0x1F90:01", one.timeout, other.timeout);
-        Compare("0x1F90:02", one.delay, other.delay);
-        Compare("0x1F90:04", one.priority_slot, other.priority_slot);
-        Compare("0x1F90:05", one.device_slot, other.device_slot);
-    }
-    /// A master is no slave of itself; the other one has to know it.
-    void CompareMaster(const std::uint8_t node)
-    {
-        const bool is_first = node == first_.Setup().own.value;
-        const LoadedNetwork& knows = is_first ? second_ : first_;
-        const bool are_both = first_.Setup().own.value == second_.Setup().own.value;
-        if (are_both)
-        {
-            Tell("node-ID of the manager", "another one", std::to_string(node));
-        }
-        else if (knows.Find(node) == nullptr)
-        {
-            lines_.push_back(cia306::Printable(knows.Plan().file) + ": no node " + std::to_string(node) +
-                             ", expected the other master in the network list");
-        }
-    }
-    void CompareSlave(const std::uint8_t node)
-    {
-        const LoadedSlave* const one = first_.Find(node);
-        const LoadedSlave* const other = second_.Find(node);
-        if ((one == nullptr) != (other == nullptr))
-        {
-            const LoadedNetwork& lacks = (one == nullptr) ? first_ : second_;
-            const LoadedNetwork& has = (one == nullptr) ? second_ : first_;
-            lines_.push_back(cia306::Printable(lacks.Plan().file) + ": no node " + std::to_string(node) +
-                             ", expected it as in " + cia306::Printable(has.Plan().file));
-        }
-        else if (one != nullptr)
-        {
-            CompareSetups(node, first_.Setup().slaves[node], second_.Setup().slaves[node]);
-            CompareConcise(node, *one, *other);
-            CompareProgram(node, *one, *other);
-            CompareSafety(node, *one, *other);
-        }
-    }
-    void CompareSetups(const std::uint8_t node, const SlaveSetup& one, const SlaveSetup& other)
-    {
-        const auto name = [node](const std::uint16_t index) { return cia306::ObjectName(index, node); };
-        const std::string heartbeat = "heartbeat consumer (0x1016) of node " + std::to_string(node);
-        Compare(name(0x1F81U), one.assignment, other.assignment);
-        Compare(name(0x1F84U), one.device_type, other.device_type);
-        Compare(name(0x1F85U), one.vendor_id, other.vendor_id);
-        Compare(name(0x1F86U), one.product_code, other.product_code);
-        Compare(name(0x1F87U), one.revision_number, other.revision_number);
-        Compare(name(0x1F88U), one.serial_number, other.serial_number);
-        Compare(name(0x1F8AU), one.restore_sub, other.restore_sub);
-        Compare(name(0x1F55U), one.software.identification, other.software.identification);
-        Compare(name(0x1F53U), one.software.date, other.software.date);
-        Compare(name(0x1F54U), one.software.time, other.software.time);
-        Compare(name(0x1F26U), one.configuration_date, other.configuration_date);
-        Compare(name(0x1F27U), one.configuration_time, other.configuration_time);
-        Compare(heartbeat, one.heartbeat.consumer_ms, other.heartbeat.consumer_ms);
-        Compare("heartbeat (0x1017) of node " + std::to_string(node), one.heartbeat.producer_ms,
-                other.heartbeat.producer_ms);
-        Compare("arming of node " + std::to_string(node), static_cast<std::uint64_t>(one.heartbeat.arming),
-                static_cast<std::uint64_t>(other.heartbeat.arming));
-    }
-    void CompareConcise(const std::uint8_t node, const LoadedSlave& one, const LoadedSlave& other)
-    {
-        if (one.concise != other.concise)
-        {
-            Tell(cia306::ObjectName(0x1F22U, node), std::to_string(one.concise.size()) + " bytes",
-                 std::to_string(other.concise.size()) + " bytes with other contents");
-        }
-    }
-    void CompareProgram(const std::uint8_t node, const LoadedSlave& one, const LoadedSlave& other)
-    {
-        if (one.program != other.program)
-        {
-            Tell(cia306::ObjectName(0x1F58U, node), std::to_string(one.program.size()) + " bytes",
-                 std::to_string(other.program.size()) + " bytes with other contents");
-        }
-    }
-    void CompareSafety(const std::uint8_t node, const LoadedSlave& one, const LoadedSlave& other)
-    {
-        std::map<std::uint32_t, std::uint32_t> values;
-        for (const cia302::ExpectedObject& object : one.objects)
-        {
-            values[KeyOf(object.address).value] = object.value;
-        }
-        const std::string where = " of node " + std::to_string(node) + " (safety)";
-        for (const cia302::ExpectedObject& object : other.objects)
-        {
-            const std::string name = cia306::ObjectName(object.address.index, object.address.sub) + where;
-            const auto found = values.find(KeyOf(object.address).value);
-            if (found == values.end())
-            {
-                Tell(name, "absent", cia306::Hex(object.value, 1));
-            }
-            else
-            {
-                Compare(name, found->second, object.value);
-                values.erase(found);
-            }
-        }
-        for (const auto& [key, value] : values)
-        {
-            Tell(cia306::ObjectName(static_cast<std::uint16_t>(key >> 8U), static_cast<std::uint8_t>(key & 0xFFU)) +
-                     where,
-                 cia306::Hex(value, 1), "absent");
+            Tell(object, Number(one), Number(other));
         }
     }
 
-    const LoadedNetwork& first_;
-    const LoadedNetwork& second_;
+    void TellOfOne(const FlyingFinding& finding)
+    {
+        const std::string file = FileOf(*second_) + ": ";
+        const std::string object = cia306::ObjectName(finding.index, finding.sub);
+        if (finding.kind == FlyingFindingKind::kNotFlying)
+        {
+            lines_.push_back(file + object + " is " + Number(finding.first_value) +
+                             ", expected bit 5: a flying master");
+        }
+        else if (finding.kind == FlyingFindingKind::kSlots)
+        {
+            lines_.push_back(file + object + " is " + Number(finding.first_value) + " with 0x1F90:05 " +
+                             Number(finding.second_value) +
+                             ", expected more than 127 times the latter, which is above 0");
+        }
+        else if (finding.kind == FlyingFindingKind::kSameNode)
+        {
+            lines_.push_back(file + "node-ID of the manager is " + std::to_string(finding.first_value) +
+                             ", expected another one than in the files before");
+        }
+        else
+        {
+            lines_.push_back(file + object + " is " + Number(finding.first_value) + ", expected at most " +
+                             Number(cia302::kLowestPriority));
+        }
+    }
+    void TellOfTwo(const FlyingFinding& finding)
+    {
+        const std::string node = std::to_string(finding.slave.value);
+        const bool is_in_first = finding.kind != FlyingFindingKind::kOnlySecond;
+        const bool is_in_second = finding.kind != FlyingFindingKind::kOnlyFirst;
+        if (finding.kind == FlyingFindingKind::kMissing)
+        {
+            TellMissing(finding, node);
+        }
+        else if (finding.kind == FlyingFindingKind::kUnknown)
+        {
+            lines_.push_back(FileOf(*first_) + ": no node " + node + ", expected the other master in the network list");
+        }
+        else if (finding.kind == FlyingFindingKind::kContent)
+        {
+            TellContent(finding);
+        }
+        else
+        {
+            Tell(NameOf(finding), is_in_first ? Number(finding.first_value) : "absent",
+                 is_in_second ? Number(finding.second_value) : "absent");
+        }
+    }
+    void TellMissing(const FlyingFinding& finding, const std::string& node)
+    {
+        const bool is_first = finding.first_value == 0U;
+        lines_.push_back(FileOf(is_first ? *first_ : *second_) + ": no node " + node + ", expected it as in " +
+                         FileOf(is_first ? *second_ : *first_));
+    }
+    void TellContent(const FlyingFinding& finding)
+    {
+        const LoadedSlave* const one = first_->Find(finding.slave.value);
+        const LoadedSlave* const other = second_->Find(finding.slave.value);
+        const auto size = [&finding](const LoadedSlave* const slave)
+        {
+            const std::size_t concise = (slave == nullptr) ? 0U : slave->concise.size();
+            const std::size_t program = (slave == nullptr) ? 0U : slave->program.size();
+            return std::to_string((finding.index == kProgram) ? program : concise) + " bytes";
+        };
+        Tell(cia306::ObjectName(finding.index, finding.sub), size(one), size(other) + " with other contents");
+    }
+    [[nodiscard]] static std::string NameOf(const FlyingFinding& finding)
+    {
+        const std::string of_node = " of node " + std::to_string(finding.slave.value);
+        const std::string object = cia306::ObjectName(finding.index, finding.sub);
+        std::string name = object;
+        for (const auto& [kind, words] : kNames)
+        {
+            name = (kind == finding.kind) ? (words + of_node) : name;
+        }
+        const bool is_safety =
+            finding.kind == FlyingFindingKind::kOnlyFirst || finding.kind == FlyingFindingKind::kOnlySecond;
+        name = (is_safety || finding.kind == FlyingFindingKind::kSafety) ? (object + of_node + " (safety)") : name;
+        name = (finding.kind == FlyingFindingKind::kPdo) ? (object + of_node) : name;
+        name = (finding.kind == FlyingFindingKind::kProfile) ? (kParts.at(finding.sub) + of_node) : name;
+        return (finding.kind == FlyingFindingKind::kValue) ? NameOfValue(finding, object) : name;
+    }
+    /// Values of the master, of which two stand for what is told of the slave by name.
+    [[nodiscard]] static std::string NameOfValue(const FlyingFinding& finding, const std::string& object)
+    {
+        const std::string of_node = " of node " + std::to_string(finding.slave.value);
+        const bool is_consumer = finding.index == 0x1016U;
+        const bool is_producer = finding.index == 0x1017U;
+        const std::string heartbeat = is_consumer ? "heartbeat consumer (0x1016)" : "heartbeat (0x1017)";
+        return (is_consumer || is_producer) ? (heartbeat + of_node) : object;
+    }
+
+    const std::vector<const LoadedNetwork*>& masters_;
+    const LoadedNetwork* first_{nullptr};
+    const LoadedNetwork* second_{nullptr};
     std::vector<std::string> lines_;
 };
 } // namespace
 
-std::vector<std::string> DifferencesOf(const LoadedNetwork& first, const LoadedNetwork& second)
+std::vector<std::string> DifferencesOf(const std::vector<const LoadedNetwork*>& masters)
 {
-    return Comparison(first, second).Make();
+    std::vector<cia302::FlyingMasterTimes> times;
+    for (const LoadedNetwork* const master : masters)
+    {
+        times.push_back(FlyingTimesOf(master->Plan()));
+    }
+    std::vector<cia302::FlyingMasterView> views;
+    for (std::size_t i = 0U; i < masters.size(); ++i)
+    {
+        views.push_back({&masters[i]->Setup(), &times[i]});
+    }
+    Differences differences(masters);
+    static_cast<void>(cia302::CompareFlyingMasters(views.data(), static_cast<std::uint8_t>(views.size()), differences));
+    for (std::size_t i = 1U; i < masters.size(); ++i)
+    {
+        differences.ComparePlans(*masters.front(), *masters[i]);
+    }
+    return differences.Lines();
 }
 } // namespace counterpoint::tools

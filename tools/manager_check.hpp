@@ -9,11 +9,10 @@
 
 namespace counterpoint::tools
 {
-/// @brief What differs between the network configurations of two masters of one network, a line each; nothing: they
-/// are equal where they have to be. 1F90h:03 and :06 may differ, and each master has the others as slaves.
-/// [SRS-MGR-009]
-[[nodiscard]] std::vector<std::string> DifferencesOf(const network::LoadedNetwork& first,
-                                                     const network::LoadedNetwork& second);
+/// @brief What differs between the network configurations of all masters of one network, and what each of them lacks
+/// as a flying master, a line each; nothing: they are equal where they have to be. What is compared, and what may
+/// differ: cia302::CompareFlyingMasters, and beside it what network files alone say. [SRS-MGR-009]
+[[nodiscard]] std::vector<std::string> DifferencesOf(const std::vector<const network::LoadedNetwork*>& masters);
 } // namespace counterpoint::tools
 
 #endif // TOOLS_MANAGER_CHECK_HPP

@@ -87,18 +87,20 @@ class ManagerCommand final : public Command
 
     [[nodiscard]] ExitStatus Check(const Streams& streams) const
     {
-        const network::LoadedNetwork first(ReadNetworkFile(check_.front(), NodeId()));
-        std::size_t count = 0U;
-        for (std::size_t place = 1U; place < check_.size(); ++place)
+        std::vector<std::unique_ptr<network::LoadedNetwork>> networks;
+        std::vector<const network::LoadedNetwork*> masters;
+        for (const std::string& file : check_)
         {
-            const network::LoadedNetwork other(ReadNetworkFile(check_[place], 0U));
-            for (const std::string& line : DifferencesOf(first, other))
-            {
-                streams.out << line << "\n";
-                ++count;
-            }
+            const std::uint8_t node = networks.empty() ? NodeId() : std::uint8_t{0U};
+            networks.push_back(std::make_unique<network::LoadedNetwork>(ReadNetworkFile(file, node)));
+            masters.push_back(networks.back().get());
         }
-        return (count == 0U) ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
+        const std::vector<std::string> lines = DifferencesOf(masters);
+        for (const std::string& line : lines)
+        {
+            streams.out << line << "\n";
+        }
+        return lines.empty() ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
     }
 
     /// Before the bus is touched.

@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia302/flying_master_compare.hpp"
+#include "canopen/cia302/flying_master_comparison.hpp"
 
 #include "canopen/cia302/safety_check.hpp"
 
@@ -8,59 +8,28 @@ namespace counterpoint::cia302
 namespace
 {
 
-/// One object of both, by its number.
-struct Pair
+constexpr std::uint32_t kNoKey = 0xFFFFFFFFU; ///< Behind every object.
+
+constexpr std::uint32_t OrderOf(const ObjectAddress& address) noexcept
 {
-    std::uint16_t index;
-    std::uint8_t sub;
-    std::uint32_t first;
-    std::uint32_t second;
-};
+    return (static_cast<std::uint32_t>(address.index) << 8U) | address.sub;
+}
 
-/// Two masters that are compared, and where findings go.
-class Comparison
-{
-  public:
-    Comparison(const FlyingMasterView* const masters, const std::uint8_t count,
-               FlyingFindingListener& listener) noexcept
-        : masters_(masters), count_(count), listener_(listener), first_(masters[0]), second_(masters[0]), found_(0U)
-    {
-    }
-
-    void CheckAlone(const FlyingMasterView& master) noexcept;
-    void CheckNodes() noexcept;
-    void CompareWithFirst(const FlyingMasterView& other) noexcept;
-    [[nodiscard]] std::uint32_t Found() const noexcept
-    {
-        return found_;
-    }
-
-  private:
-    void Tell(FlyingFindingKind kind, NodeId slave, const Pair& pair) noexcept;
-    void CompareValue(NodeId slave, const Pair& pair) noexcept;
-    void CompareBytes(NodeId slave, std::uint16_t index, const Bytes& first, const Bytes& second) noexcept;
-    void CompareTimes() noexcept;
-    void CompareNetwork() noexcept;
-    void CompareIdentity(NodeId slave) noexcept;
-    void CompareSupervision(NodeId slave) noexcept;
-    void CompareContents(NodeId slave) noexcept;
-    void CompareProfiles(NodeId slave) noexcept;
-    void CompareSafety(NodeId slave) noexcept;
-    [[nodiscard]] bool IsMaster(NodeId node) const noexcept;
-
-    const FlyingMasterView* masters_;
-    std::uint8_t count_;
-    FlyingFindingListener& listener_;
-    FlyingMasterView first_;
-    FlyingMasterView second_;
-    std::uint32_t found_;
-};
+} // namespace
 
 void Comparison::Tell(const FlyingFindingKind kind, const NodeId slave, const Pair& pair) noexcept
 {
     ++found_;
-    listener_.OnFinding(FlyingFinding{kind, first_.setup->own, second_.setup->own, slave, pair.index, pair.sub,
-                                      pair.first, pair.second});
+    listener_.OnFinding(
+        FlyingFinding{kind, first_place_, second_place_, slave, pair.index, pair.sub, pair.first, pair.second});
+}
+
+void Comparison::Pick(const std::uint8_t first, const std::uint8_t second) noexcept
+{
+    first_place_ = first;
+    second_place_ = second;
+    first_ = masters_[first];
+    second_ = masters_[second];
 }
 
 void Comparison::CompareValue(const NodeId slave, const Pair& pair) noexcept
@@ -105,11 +74,15 @@ bool Comparison::IsMaster(const NodeId node) const noexcept
     return is_master;
 }
 
-void Comparison::CheckAlone(const FlyingMasterView& master) noexcept
+void Comparison::CheckAlone(const std::uint8_t place) noexcept
 {
-    const FlyingMasterTimes& times = *master.times;
-    first_ = master;
-    second_ = master;
+    Pick(place, place);
+    const FlyingMasterTimes& times = *first_.times;
+    if (!first_.setup->Has(kFlyingMaster))
+    {
+        Tell(FlyingFindingKind::kNotFlying, kAllNodes,
+             Pair{0x1F80U, 0U, first_.setup->start_up, first_.setup->start_up});
+    }
     if (times.priority > kLowestPriority)
     {
         Tell(FlyingFindingKind::kPriority, kAllNodes, Pair{kFlyingMasterIndex, 3U, times.priority, times.priority});
@@ -121,41 +94,62 @@ void Comparison::CheckAlone(const FlyingMasterView& master) noexcept
     }
 }
 
+/// Each has a node-ID of its own, and lists all others.
 void Comparison::CheckNodes() noexcept
 {
     for (std::uint8_t i = 0U; i < count_; ++i)
     {
-        const std::uint8_t node = masters_[i].setup->own.value;
-        bool is_bad = (node == 0U) || (node > kLastNode);
-        for (std::uint8_t other = 0U; other < i; ++other)
+        const NodeId node = masters_[i].setup->own;
+        bool is_bad = (node.value == 0U) || (node.value > kLastNode);
+        for (std::uint8_t other = 0U; other < count_; ++other)
         {
-            is_bad = is_bad || (masters_[other].setup->own.value == node);
+            const bool is_same = (other != i) && (masters_[other].setup->own.value == node.value);
+            is_bad = is_bad || (is_same && (other < i));
+            if ((other != i) && !is_same && !is_bad && !masters_[other].setup->IsListed(node))
+            {
+                Pick(other, i);
+                Tell(FlyingFindingKind::kUnknown, node, Pair{0x1F81U, node.value, 0U, 0U});
+            }
         }
         if (is_bad)
         {
-            first_ = masters_[i];
-            second_ = masters_[i];
-            Tell(FlyingFindingKind::kSameNode, kAllNodes, Pair{0U, 0U, node, node});
+            Pick(i, i);
+            Tell(FlyingFindingKind::kSameNode, kAllNodes, Pair{0U, 0U, node.value, node.value});
         }
     }
 }
 
-void Comparison::CompareWithFirst(const FlyingMasterView& other) noexcept
+void Comparison::CompareWithFirst(const std::uint8_t place) noexcept
 {
-    first_ = masters_[0];
-    second_ = other;
+    Pick(0U, place);
     CompareTimes();
     CompareNetwork();
     for (std::uint8_t node = 1U; node <= kLastNode; ++node)
     {
         const NodeId slave{node};
-        if (!IsMaster(slave))
+        const bool has_first = first_.setup->Slave(slave).IsListed();
+        const bool has_second = second_.setup->Slave(slave).IsListed();
+        if (IsMaster(slave))
+        {
+            // See CheckNodes.
+        }
+        else if (has_first != has_second)
+        {
+            Tell(FlyingFindingKind::kMissing, slave,
+                 Pair{0x1F81U, node, has_first ? std::uint32_t{1U} : std::uint32_t{0U},
+                      has_second ? std::uint32_t{1U} : std::uint32_t{0U}});
+        }
+        else if (has_first)
         {
             CompareIdentity(slave);
             CompareSupervision(slave);
             CompareContents(slave);
             CompareProfiles(slave);
             CompareSafety(slave);
+        }
+        else
+        {
+            // In neither list: what is said of it has no effect.
         }
     }
 }
@@ -203,11 +197,13 @@ void Comparison::CompareSupervision(const NodeId slave) noexcept
 {
     const HeartbeatSetup& first = first_.setup->Slave(slave).heartbeat;
     const HeartbeatSetup& second = second_.setup->Slave(slave).heartbeat;
-    constexpr std::uint32_t kArmingShift = 24U; // Above the time, where 1016h has reserved bits.
-    const std::uint32_t first_arming = static_cast<std::uint32_t>(first.arming) << kArmingShift;
-    const std::uint32_t second_arming = static_cast<std::uint32_t>(second.arming) << kArmingShift;
-    CompareValue(slave,
-                 Pair{0x1016U, slave.value, first.consumer_ms | first_arming, second.consumer_ms | second_arming});
+    const Pair arming{0x1016U, slave.value, static_cast<std::uint32_t>(first.arming),
+                      static_cast<std::uint32_t>(second.arming)};
+    CompareValue(slave, Pair{0x1016U, slave.value, first.consumer_ms, second.consumer_ms});
+    if (arming.first != arming.second)
+    {
+        Tell(FlyingFindingKind::kArming, slave, arming);
+    }
     CompareValue(slave, Pair{0x1017U, slave.value, first.producer_ms, second.producer_ms});
 }
 
@@ -220,44 +216,43 @@ void Comparison::CompareContents(const NodeId slave) noexcept
     CompareBytes(slave, 0x1F58U, first.software.program, second.software.program);
 }
 
-void Comparison::CompareProfiles(const NodeId slave) noexcept
-{
-    const SlaveSetup& first = first_.setup->Slave(slave);
-    const SlaveSetup& second = second_.setup->Slave(slave);
-    const std::uint32_t first_has = ((first.el6751 != nullptr) ? 1U : 0U) | ((first.plc != nullptr) ? 2U : 0U);
-    const std::uint32_t second_has = ((second.el6751 != nullptr) ? 1U : 0U) | ((second.plc != nullptr) ? 2U : 0U);
-    if (first_has != second_has)
-    {
-        Tell(FlyingFindingKind::kProfile, slave, Pair{0U, 0U, first_has, second_has});
-    }
-}
-
+/// Both are ascending: each step passes the lower one, or both.
 void Comparison::CompareSafety(const NodeId slave) noexcept
 {
-    const SafetyExpectation* const first = first_.setup->Slave(slave).safety;
-    const SafetyExpectation* const second = second_.setup->Slave(slave).safety;
-    const std::uint16_t first_count = (first != nullptr) ? first->count : std::uint16_t{0U};
-    const std::uint16_t second_count = (second != nullptr) ? second->count : std::uint16_t{0U};
-    if (first_count != second_count)
+    const SafetyExpectation none{nullptr, 0U};
+    const SafetyExpectation* const of_first = first_.setup->Slave(slave).safety;
+    const SafetyExpectation* const of_second = second_.setup->Slave(slave).safety;
+    const SafetyExpectation& first = (of_first != nullptr) ? *of_first : none;
+    const SafetyExpectation& second = (of_second != nullptr) ? *of_second : none;
+    std::uint16_t i = 0U;
+    std::uint16_t j = 0U;
+    while ((i < first.count) || (j < second.count))
     {
-        Tell(FlyingFindingKind::kSafety, slave, Pair{0U, 0U, first_count, second_count});
-        return;
-    }
-    bool is_same = true;
-    for (std::uint16_t i = 0U; is_same && (i < first_count); ++i)
-    {
-        const ExpectedObject& one = first->objects[i];
-        const ExpectedObject& other = second->objects[i];
-        const bool is_object = (one.address.index == other.address.index) && (one.address.sub == other.address.sub);
-        is_same = is_object && (one.value == other.value) && (one.is_fixed == other.is_fixed);
-        if (!is_same)
+        const std::uint32_t first_key = (i < first.count) ? OrderOf(first.objects[i].address) : kNoKey;
+        const std::uint32_t second_key = (j < second.count) ? OrderOf(second.objects[j].address) : kNoKey;
+        const bool has_first = first_key <= second_key;
+        const bool has_second = second_key <= first_key;
+        const ExpectedObject& object = has_first ? first.objects[i] : second.objects[j];
+        const Pair pair{object.address.index, object.address.sub, has_first ? first.objects[i].value : 0U,
+                        has_second ? second.objects[j].value : 0U};
+        const bool is_fixed_alike =
+            !has_first || !has_second || (first.objects[i].is_fixed == second.objects[j].is_fixed);
+        if (!has_first || !has_second)
         {
-            Tell(FlyingFindingKind::kSafety, slave, Pair{one.address.index, one.address.sub, one.value, other.value});
+            Tell(has_first ? FlyingFindingKind::kOnlyFirst : FlyingFindingKind::kOnlySecond, slave, pair);
         }
+        else if ((pair.first != pair.second) || !is_fixed_alike)
+        {
+            Tell(FlyingFindingKind::kSafety, slave, pair);
+        }
+        else
+        {
+            // Alike.
+        }
+        i = static_cast<std::uint16_t>(i + (has_first ? 1U : 0U));
+        j = static_cast<std::uint16_t>(j + (has_second ? 1U : 0U));
     }
 }
-
-} // namespace
 
 std::uint32_t CompareFlyingMasters(const FlyingMasterView* const masters, const std::uint8_t count,
                                    FlyingFindingListener& listener) noexcept
@@ -270,11 +265,11 @@ std::uint32_t CompareFlyingMasters(const FlyingMasterView* const masters, const 
     comparison.CheckNodes();
     for (std::uint8_t i = 0U; i < count; ++i)
     {
-        comparison.CheckAlone(masters[i]);
+        comparison.CheckAlone(i);
     }
     for (std::uint8_t i = 1U; i < count; ++i)
     {
-        comparison.CompareWithFirst(masters[i]);
+        comparison.CompareWithFirst(i);
     }
     return comparison.Found();
 }

@@ -63,11 +63,6 @@ void Manager::Begin(const Instant now) noexcept
     }
 }
 
-FlyingStart Manager::StartNegotiation(const Instant now) noexcept
-{
-    return (flying_ != nullptr) ? flying_->Start(now) : FlyingStart::kInvalid;
-}
-
 void Manager::End() noexcept
 {
     if (is_running_)
@@ -101,15 +96,6 @@ void Manager::Lead(const bool is_leader, const Instant now) noexcept
     }
 }
 
-/// A negotiation may begin without an event: whoever negotiates commands nobody. [SRS-MGR-002]
-void Manager::FollowRole(const Instant now) noexcept
-{
-    if (is_leading_ && !flying_->IsActiveMaster())
-    {
-        Lead(false, now);
-    }
-}
-
 /// Nobody but the active master guards, and what was watched in another role counts no more.
 void Manager::UnwatchAll() noexcept
 {
@@ -117,14 +103,6 @@ void Manager::UnwatchAll() noexcept
     {
         table_.Unwatch(NodeId{id});
     }
-}
-
-/// The application of the flying master: presets that leave supervision to it have no other. Without a consumer time
-/// for that node nobody watches, and this device stays slave. [SRS-MGR-002]
-void Manager::WatchMaster(const NodeId master, const Instant now) noexcept
-{
-    const HeartbeatSetup& heartbeat = parts_.setup.Slave(master).heartbeat;
-    table_.WatchHeartbeat(master, heartbeat.consumer_ms, heartbeat.arming, now);
 }
 
 void Manager::OnFrame(const CanFrame& frame, const Instant now) noexcept
@@ -150,7 +128,7 @@ void Manager::OnCycle(const Instant now) noexcept
     {
         if (is_to_start_)
         {
-            is_to_start_ = (flying_->Start(now) == FlyingStart::kNotInitialising);
+            TryNegotiation(now);
         }
         if (flying_ != nullptr)
         {
@@ -347,38 +325,6 @@ void Manager::OnDuplicate(const NodeId node, const Instant now) noexcept
 {
     gate_.Doubt(node);
     parts_.listener.OnDuplicate(node, now);
-}
-
-void Manager::OnFlyingMaster(const FlyingEvent event, const MasterClaim& claim, const Instant now) noexcept
-{
-    parts_.listener.OnFlyingMaster(event, claim, now);
-    const bool is_settled = (event == FlyingEvent::kMasterMode) || (event == FlyingEvent::kSlaveMode);
-    if (is_settled)
-    {
-        Lead(event == FlyingEvent::kMasterMode, now);
-        if (event == FlyingEvent::kSlaveMode)
-        {
-            WatchMaster(claim.node, now);
-        }
-    }
-    else if (!flying_->IsActiveMaster())
-    {
-        Lead(false, now);
-    }
-    else
-    {
-        // Told something, and still the master.
-    }
-}
-
-void Manager::OnInitialising(const Instant now) noexcept
-{
-    Lead(false, now);
-    UnwatchAll();
-    state_ = NodeState::kPreOperational;
-    owes_boot_up_ = true;
-    is_to_start_ = (negotiation_ == NegotiationBy::kManager);
-    parts_.listener.OnInitialising(now);
 }
 
 NodeState Manager::OwnState() const noexcept

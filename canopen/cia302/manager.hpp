@@ -29,6 +29,8 @@ class ManagerListener
     /// @brief The negotiation is to begin, at Begin and after each reset communication: local objects (1F90h) may be
     /// written now. Who calls StartNegotiation: see Manager::Use. [SRS-FLY-027]
     virtual void OnInitialising(Instant now) noexcept;
+    /// @brief 1F90h or the own node-ID cannot be negotiated with. Told once; the manager begins when they can be.
+    virtual void OnNegotiationRefused(FlyingStart reason, Instant now) noexcept;
 
   protected:
     ManagerListener() noexcept = default;
@@ -38,6 +40,10 @@ class ManagerListener
 };
 
 inline void ManagerListener::OnInitialising(const Instant /*now*/) noexcept
+{
+}
+
+inline void ManagerListener::OnNegotiationRefused(const FlyingStart /*reason*/, const Instant /*now*/) noexcept
 {
 }
 
@@ -164,6 +170,7 @@ class Manager final : public NmtListener,
     void OnReset(NodeId node) noexcept;
     void Lead(bool is_leader, Instant now) noexcept;
     void FollowRole(Instant now) noexcept;
+    void TryNegotiation(Instant now) noexcept;
     void UnwatchAll() noexcept;
     void WatchMaster(NodeId master, Instant now) noexcept;
     void SendOwn(Instant now) noexcept;
@@ -185,6 +192,7 @@ class Manager final : public NmtListener,
     bool is_leading_;   ///< The profile was begun.
     bool owes_boot_up_; ///< The boot-up message has not left.
     bool is_to_start_;  ///< The negotiation is to be started in the next cycle.
+    bool is_refused_;   ///< That was told.
 };
 
 } // namespace counterpoint::cia302

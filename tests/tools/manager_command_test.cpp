@@ -258,48 +258,6 @@ TEST_F(ManagerCommandTest, NoOutputReplacesWhatIsReadOrAnotherOne)
     EXPECT_EQ(cia306::ReadTextFile(scenario), text);
 }
 
-TEST_F(ManagerCommandTest, EqualMastersPassOthersAreNamed)
-{
-    Verifies(req::SRS_MGR_009);
-    const Answer equal = RunCommand({"manager", "--check", Network("master_2.yaml"), Network("master_5.yaml")});
-    EXPECT_EQ(equal.status, 0) << equal.out;
-    EXPECT_EQ(equal.out, "");
-    // Given a second master with another time-out, another slave and another expectation
-    const std::string other =
-        File("other.yaml", "manager: {node: 5, heartbeat: 200 ms, flying: {priority: 2, timeout: 150 ms}}\n"
-                           "slaves:\n"
-                           "  - {node: 2, boot: false, mandatory: false, consumer: 500 ms}\n"
-                           "  - {node: 95, dcf: " +
-                               Network("slave.dcf") + ", serial: 7}\n  - {node: 96}\n");
-    const Answer differs = RunCommand({"manager", "--check", Network("master_2.yaml"), other});
-    EXPECT_EQ(differs.status, 1);
-    const std::string first = Network("master_2.yaml");
-    EXPECT_EQ(differs.out, other + ": 0x1F90:01 is 0x96, expected 0x64 as in " + first + "\n" + other +
-                               ": 0x1F88:5F is 0x7, expected 0x21 as in " + first + "\n" + first +
-                               ": no node 96, expected it as in " + other + "\n");
-}
-
-TEST_F(ManagerCommandTest, MastersThatSuperviseInAnotherWayAreNamed)
-{
-    Verifies(req::SRS_MGR_009);
-    // Given the same slave with the same consumer time, another heartbeat and another arming
-    const auto network = [](const std::string& node, const std::string& other, const std::string& slave)
-    {
-        return "manager: {node: " + node + ", flying: {priority: 1}}\nslaves:\n  - {node: " + other +
-               ", boot: false}\n  - {node: 96, configure: false, consumer: 500 ms, " + slave + "}\n";
-    };
-    const std::string two = File("two.yaml", network("2", "5", "heartbeat: 100 ms"));
-    const std::string five = File("five.yaml", network("5", "2", "heartbeat: 200 ms, arming: boot_up"));
-    const Answer differs = RunCommand({"manager", "--check", two, five});
-    EXPECT_EQ(differs.status, 1);
-    EXPECT_NE(differs.out.find(five + ": heartbeat (0x1017) of node 96 is 0xC8, expected 0x64 as in " + two + "\n"),
-              std::string::npos)
-        << differs.out;
-    EXPECT_NE(differs.out.find(five + ": arming of node 96 is 0x2, expected 0x1 as in " + two + "\n"),
-              std::string::npos)
-        << differs.out;
-}
-
 TEST_F(ManagerCommandTest, OrdersAreReadStrictly)
 {
     Verifies(req::SRS_MGR_006);

@@ -123,7 +123,6 @@ TEST_F(FlyingCompare, EachValueOfMasterAndSlave)
         {0x1F53U, 95U, 0U, 1U, [](N&, S& s, T&) { s.software.date = 1U; }},
         {0x1F54U, 95U, 0U, 1U, [](N&, S& s, T&) { s.software.time = 1U; }},
         {0x1016U, 95U, 0U, 300U, [](N&, S& s, T&) { s.heartbeat.consumer_ms = 300U; }},
-        {0x1016U, 95U, 0U, 0x0300'0000U, [](N&, S& s, T&) { s.heartbeat.arming = Arming::kImmediately; }},
         {0x1017U, 95U, 0U, 100U, [](N&, S& s, T&) { s.heartbeat.producer_ms = 100U; }},
     };
     for (const Case& one : cases)
@@ -134,8 +133,8 @@ TEST_F(FlyingCompare, EachValueOfMasterAndSlave)
         EXPECT_EQ(finding.sub, one.sub) << std::hex << one.index;
         EXPECT_EQ(finding.first_value, one.first) << std::hex << one.index;
         EXPECT_EQ(finding.second_value, one.second) << std::hex << one.index;
-        EXPECT_EQ(finding.first.value, 2U);
-        EXPECT_EQ(finding.second.value, 9U);
+        EXPECT_EQ(finding.first, 0U);
+        EXPECT_EQ(finding.second, 2U);
         EXPECT_EQ(finding.slave.value, (one.sub == 95U) ? 95U : 0U);
     }
 }
@@ -161,36 +160,171 @@ TEST_F(FlyingCompare, ContentsAndSafetyExpectation)
     EXPECT_EQ(finding.sub, 1U);
     EXPECT_EQ(finding.second_value, 0x1235U);
     finding = After([](NetworkSetup&, SlaveSetup& slave, FlyingMasterTimes&) { slave.safety = &kShortSafety; });
-    EXPECT_EQ(finding.kind, FlyingFindingKind::kSafety);
-    EXPECT_EQ(finding.second_value, 1U);
-    finding = After([](NetworkSetup&, SlaveSetup& slave, FlyingMasterTimes&) { slave.safety = nullptr; });
-    EXPECT_EQ(finding.second_value, 0U);
+    EXPECT_EQ(finding.kind, FlyingFindingKind::kOnlyFirst);
+    EXPECT_EQ(finding.index, 0x13FFU);
+    EXPECT_EQ(finding.first_value, 0x1234U);
+    finding = After([](NetworkSetup&, SlaveSetup& slave, FlyingMasterTimes&)
+                    { slave.heartbeat.arming = Arming::kImmediately; });
+    EXPECT_EQ(finding.kind, FlyingFindingKind::kArming);
+    EXPECT_EQ(finding.second_value, 3U);
 }
 
-TEST_F(FlyingCompare, OtherObjectsOfASafetyExpectationAndProfiles)
+TEST_F(FlyingCompare, EachObjectOfASafetyExpectation)
 {
     Verifies(req::SRS_FLY_022);
-    const ExpectedObject other_index[2] = {{{0x1302U, 2U}, 25U, false}, kObjects[1]};
-    const ExpectedObject other_sub[2] = {{{0x1301U, 3U}, 25U, false}, kObjects[1]};
     const ExpectedObject fixed[2] = {{{0x1301U, 2U}, 25U, true}, kObjects[1]};
-    for (const ExpectedObject* const objects : {other_index, other_sub, fixed})
-    {
-        const SafetyExpectation safety{objects, 2U};
-        const FlyingFinding finding =
-            After([&safety](NetworkSetup&, SlaveSetup& slave, FlyingMasterTimes&) { slave.safety = &safety; });
-        EXPECT_EQ(finding.kind, FlyingFindingKind::kSafety);
-        EXPECT_EQ(finding.index, 0x1301U);
-        EXPECT_EQ(finding.sub, 2U);
-    }
+    const SafetyExpectation is_fixed{fixed, 2U};
+    EXPECT_EQ(After([&](NetworkSetup&, SlaveSetup& slave, FlyingMasterTimes&) { slave.safety = &is_fixed; }).kind,
+              FlyingFindingKind::kSafety);
+    // Given another object in the place of the first one, and a further one
+    const ExpectedObject others[3] = {{{0x1302U, 2U}, 26U, false}, kObjects[1], {{0x13FFU, 2U}, 7U, false}};
+    const SafetyExpectation other{others, 3U};
+    slaves[2][95].safety = &other;
+    findings.clear();
+    EXPECT_EQ(CompareFlyingMasters(views.data(), 3U, *this), 3U);
+    EXPECT_EQ(findings[0].kind, FlyingFindingKind::kOnlyFirst);
+    EXPECT_EQ(findings[0].index, 0x1301U);
+    EXPECT_EQ(findings[0].first_value, 25U);
+    EXPECT_EQ(findings[1].kind, FlyingFindingKind::kOnlySecond);
+    EXPECT_EQ(findings[1].index, 0x1302U);
+    EXPECT_EQ(findings[1].second_value, 26U);
+    EXPECT_EQ(findings[2].sub, 2U);
+    EXPECT_EQ(findings[2].second_value, 7U);
+    // Given none
+    slaves[2][95].safety = nullptr;
+    findings.clear();
+    EXPECT_EQ(CompareFlyingMasters(views.data(), 3U, *this), 2U);
+    EXPECT_EQ(findings[1].kind, FlyingFindingKind::kOnlyFirst);
+}
+
+TEST_F(FlyingCompare, DataOfAProfileOnOneSideOnly)
+{
+    Verifies(req::SRS_FLY_022);
     const El6751Slave el6751{};
     FlyingFinding finding =
         After([&el6751](NetworkSetup&, SlaveSetup& slave, FlyingMasterTimes&) { slave.el6751 = &el6751; });
     EXPECT_EQ(finding.kind, FlyingFindingKind::kProfile);
+    EXPECT_EQ(finding.sub, 0U);
     EXPECT_EQ(finding.slave.value, 95U);
     EXPECT_EQ(finding.second_value, 1U);
     const PlcSlave plc{};
     finding = After([&plc](NetworkSetup&, SlaveSetup& slave, FlyingMasterTimes&) { slave.plc = &plc; });
     EXPECT_EQ(finding.second_value, 2U);
+}
+
+TEST_F(FlyingCompare, EachPartOfTheEl6751Data)
+{
+    Verifies(req::SRS_FLY_022);
+    using Slave = El6751Slave;
+    const std::vector<std::function<void(Slave&)>> changes{
+        [](Slave& s) { s.kind = El6751Kind::kBusCoupler; },
+        [](Slave& s) { s.is_device_type_checked = false; },
+        [](Slave& s) { s.is_sync_period_written = false; },
+        [](Slave& s) { s.is_cob_id_written = false; },
+        [](Slave& s) { s.is_type_written = false; },
+        [](Slave& s) { s.is_started = false; },
+        [](Slave& s) { s.is_restarted_without_pdos = true; },
+        [](Slave& s) { s.is_consumer_literal = true; },
+        [](Slave& s) { s.node_reaction = El6751NodeReaction::kNone; },
+        [](Slave& s) { s.restart = El6751Restart::kByHand; },
+        [](Slave& s) { s.network_reaction = El6751NetworkReaction::kStopAll; },
+        [](Slave& s) { s.life_time_factor = 3U; },
+        [](Slave& s) { s.guard_time_ms = 100U; },
+        [](Slave& s) { s.coupler_pdos = 7U; },
+        [](Slave& s) { s.coupler_inhibit_100us = 8U; },
+        [](Slave& s) { s.coupler_event_ms = 9U; },
+        [](Slave& s) { s.rx_count = 1U; },
+        [](Slave& s) { s.tx_count = 1U; },
+    };
+    ASSERT_EQ(changes.size() + 1U, kEl6751Parts);
+    const Slave usual{};
+    for (std::size_t i = 0U; i < 3U; ++i)
+    {
+        slaves[i][95].el6751 = &usual;
+    }
+    for (std::size_t part = 0U; part < changes.size(); ++part)
+    {
+        Slave other{};
+        changes[part](other);
+        const FlyingFinding finding =
+            After([&other](NetworkSetup&, SlaveSetup& slave, FlyingMasterTimes&) { slave.el6751 = &other; });
+        EXPECT_EQ(finding.kind, FlyingFindingKind::kProfile) << part;
+        EXPECT_EQ(finding.sub, part + 1U);
+    }
+}
+
+TEST_F(FlyingCompare, EachPartOfAPdoAndOfThePlcData)
+{
+    Verifies(req::SRS_FLY_022);
+    const El6751Pdo pdo{3U, 0x203U, 255U, 8U, 10U, 100U, nullptr};
+    const El6751Pdo others[6] = {
+        {4U, 0x203U, 255U, 8U, 10U, 100U, nullptr}, {3U, 0x204U, 255U, 8U, 10U, 100U, nullptr},
+        {3U, 0x203U, 1U, 8U, 10U, 100U, nullptr},   {3U, 0x203U, 255U, 8U, 11U, 100U, nullptr},
+        {3U, 0x203U, 255U, 8U, 10U, 101U, nullptr}, {3U, 0x203U, 255U, 7U, 10U, 100U, nullptr}};
+    const std::uint8_t subs[6] = {0U, 1U, 2U, 3U, 5U, 0U};
+    El6751Slave usual{};
+    usual.rx_pdos = &pdo;
+    usual.rx_count = 1U;
+    usual.tx_pdos = &pdo;
+    usual.tx_count = 1U;
+    PlcSlave plc{};
+    for (std::size_t i = 0U; i < 3U; ++i)
+    {
+        slaves[i][95].el6751 = &usual;
+        slaves[i][95].plc = &plc;
+    }
+    for (std::size_t part = 0U; part < 6U; ++part)
+    {
+        El6751Slave other = usual;
+        other.rx_pdos = &others[part];
+        const auto change = [&other](NetworkSetup&, SlaveSetup& slave, FlyingMasterTimes&) { slave.el6751 = &other; };
+        const FlyingFinding rx = After(change);
+        EXPECT_EQ(rx.kind, FlyingFindingKind::kPdo);
+        EXPECT_EQ(rx.index, (part == 5U) ? 0x1602U : 0x1402U);
+        EXPECT_EQ(rx.sub, subs[part]);
+        other.rx_pdos = &pdo;
+        other.tx_pdos = &others[part];
+        EXPECT_EQ(After(change).index, (part == 5U) ? 0x1A02U : 0x1802U);
+    }
+    PlcSlave optional{};
+    optional.is_optional = true;
+    EXPECT_EQ(After([&](NetworkSetup&, SlaveSetup& slave, FlyingMasterTimes&) { slave.plc = &optional; }).kind,
+              FlyingFindingKind::kPlcOptional);
+    PlcSlave reset{};
+    reset.is_reset = true;
+    EXPECT_EQ(After([&](NetworkSetup&, SlaveSetup& slave, FlyingMasterTimes&) { slave.plc = &reset; }).kind,
+              FlyingFindingKind::kPlcReset);
+}
+
+TEST_F(FlyingCompare, SlavesAndMastersThatOneOfThemDoesNotKnow)
+{
+    Verifies(req::SRS_FLY_022);
+    FlyingFinding finding =
+        After([](NetworkSetup&, SlaveSetup& slave, FlyingMasterTimes&) { slave.assignment = kBootSlave; });
+    EXPECT_EQ(finding.kind, FlyingFindingKind::kMissing);
+    EXPECT_EQ(finding.slave.value, 95U);
+    EXPECT_EQ(finding.first_value, 1U);
+    EXPECT_EQ(finding.second_value, 0U);
+    // Given a second master that does not list the third one
+    slaves[1][9].assignment = 0U;
+    findings.clear();
+    EXPECT_EQ(CompareFlyingMasters(views.data(), 3U, *this), 1U);
+    EXPECT_EQ(findings[0].kind, FlyingFindingKind::kUnknown);
+    EXPECT_EQ(findings[0].first, 1U);
+    EXPECT_EQ(findings[0].second, 2U);
+    EXPECT_EQ(findings[0].slave.value, 9U);
+}
+
+TEST_F(FlyingCompare, AMasterThatIsNoFlyingMaster)
+{
+    Verifies(req::SRS_FLY_022);
+    for (NetworkSetup& setup : setups)
+    {
+        setup.start_up = 1U;
+    }
+    EXPECT_EQ(CompareFlyingMasters(views.data(), 3U, *this), 3U);
+    EXPECT_EQ(findings[1].kind, FlyingFindingKind::kNotFlying);
+    EXPECT_EQ(findings[1].first, 1U);
 }
 
 TEST_F(FlyingCompare, NodeIdsThatAreNone)
@@ -211,7 +345,7 @@ TEST_F(FlyingCompare, EachMasterByItself)
     Verifies(req::SRS_FLY_022);
     FlyingFinding finding = After([](NetworkSetup&, SlaveSetup&, FlyingMasterTimes& third) { third.priority = 3U; });
     EXPECT_EQ(finding.kind, FlyingFindingKind::kPriority);
-    EXPECT_EQ(finding.first.value, 9U);
+    EXPECT_EQ(finding.first, 2U);
     // A slot relation that holds for none: one finding a master
     for (FlyingMasterTimes& one : times)
     {
@@ -220,7 +354,7 @@ TEST_F(FlyingCompare, EachMasterByItself)
     findings.clear();
     EXPECT_EQ(CompareFlyingMasters(views.data(), 3U, *this), 3U);
     EXPECT_EQ(findings[1].kind, FlyingFindingKind::kSlots);
-    EXPECT_EQ(findings[1].first.value, 5U);
+    EXPECT_EQ(findings[1].first, 1U);
     EXPECT_EQ(findings[1].first_value, 1270U);
     EXPECT_EQ(findings[1].second_value, 10U);
 }

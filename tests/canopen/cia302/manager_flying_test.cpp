@@ -147,6 +147,10 @@ class ManagerFlying : public ::testing::Test, public cia301::FrameSink, public M
         log_.push_back("event " + std::to_string(static_cast<int>(event)) + " " + std::to_string(claim.level) + "/" +
                        std::to_string(claim.node.value));
     }
+    void OnNegotiationRefused(const FlyingStart reason, const Instant /*now*/) noexcept override
+    {
+        log_.push_back(std::to_string(now_ms) + " refused " + std::to_string(static_cast<int>(reason)));
+    }
     void OnInitialising(const Instant /*now*/) noexcept override
     {
         log_.push_back(std::to_string(now_ms) + " initialising");
@@ -202,6 +206,19 @@ TEST_F(ManagerFlying, NegotiationOnTheApplicationsCallWithWhatItWrote)
     RunTo(22'450U);
     // 20000 + 300 + 100 + 1 x 2000 + 5 x 10
     EXPECT_EQ(Log(), (Lines{"20300 073", "20400 072", "22450 071 01 05", "event 4 1/5", "leads", "22450 705 00"}));
+}
+
+TEST_F(ManagerFlying, ValuesThatCannotWorkAreToldOnceAndMayBeCorrected)
+{
+    Verifies(req::SRS_FLY_027);
+    Use(NegotiationBy::kManager);
+    times.priority_slot = 1270U;
+    manager.Begin(Now());
+    RunTo(2000U);
+    EXPECT_EQ(Log(), (Lines{"0 initialising", "1 refused 4"}));
+    times.priority_slot = 1271U;
+    RunTo(2501U);
+    EXPECT_EQ(Log(), Lines{"2501 073"});
 }
 
 TEST_F(ManagerFlying, WithoutAFlyingMasterThereIsNoNegotiation)

@@ -1,0 +1,114 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// manager --check: all masters of one network know the same network.
+#include "tests/tools/command_run.hpp"
+#include "verification/trace/verifies.hpp"
+
+namespace counterpoint::tools
+{
+namespace
+{
+using test::Answer;
+using test::RunCommand;
+
+class ManagerCheckTest : public test::CommandTest
+{
+  protected:
+    static std::string Network(const std::string& name)
+    {
+        return std::string(COUNTERPOINT_SOURCE_FOLDER) + "/examples/networks/" + name;
+    }
+};
+
+TEST_F(ManagerCheckTest, EqualMastersPassOthersAreNamed)
+{
+    Verifies(req::SRS_MGR_009);
+    const Answer equal = RunCommand({"manager", "--check", Network("master_2.yaml"), Network("master_5.yaml")});
+    EXPECT_EQ(equal.status, 0) << equal.out;
+    EXPECT_EQ(equal.out, "");
+    // Given a second master with another time-out, another slave and another expectation
+    const std::string other =
+        File("other.yaml", "manager: {node: 5, heartbeat: 200 ms, flying: {priority: 2, timeout: 150 ms}}\n"
+                           "slaves:\n"
+                           "  - {node: 2, boot: false, mandatory: false, consumer: 500 ms}\n"
+                           "  - {node: 95, dcf: " +
+                               Network("slave.dcf") + ", serial: 7}\n  - {node: 96}\n");
+    const Answer differs = RunCommand({"manager", "--check", Network("master_2.yaml"), other});
+    EXPECT_EQ(differs.status, 1);
+    const std::string first = Network("master_2.yaml");
+    EXPECT_EQ(differs.out, other + ": 0x1F90:01 is 0x96, expected 0x64 as in " + first + "\n" + other +
+                               ": 0x1F88:5F is 0x7, expected 0x21 as in " + first + "\n" + first +
+                               ": no node 96, expected it as in " + other + "\n");
+}
+
+TEST_F(ManagerCheckTest, MastersThatSuperviseInAnotherWayAreNamed)
+{
+    Verifies(req::SRS_MGR_009);
+    // Given the same slave with the same consumer time, another heartbeat and another arming
+    const auto network = [](const std::string& node, const std::string& other, const std::string& slave)
+    {
+        return "manager: {node: " + node + ", flying: {priority: 1}}\nslaves:\n  - {node: " + other +
+               ", boot: false}\n  - {node: 96, configure: false, consumer: 500 ms, " + slave + "}\n";
+    };
+    const std::string two = File("two.yaml", network("2", "5", "heartbeat: 100 ms"));
+    const std::string five = File("five.yaml", network("5", "2", "heartbeat: 200 ms, arming: boot_up"));
+    const Answer differs = RunCommand({"manager", "--check", two, five});
+    EXPECT_EQ(differs.status, 1);
+    EXPECT_NE(differs.out.find(five + ": heartbeat (0x1017) of node 96 is 0xC8, expected 0x64 as in " + two + "\n"),
+              std::string::npos)
+        << differs.out;
+    EXPECT_NE(differs.out.find(five + ": arming of node 96 is 0x2, expected 0x1 as in " + two + "\n"),
+              std::string::npos)
+        << differs.out;
+}
+
+TEST_F(ManagerCheckTest, AllMastersOfANetworkAreCompared)
+{
+    Verifies(req::SRS_MGR_009);
+    const auto network = [this](const std::string& name, const std::string& manager, const std::string& slaves)
+    { return File(name, "manager: {heartbeat: 200 ms, " + manager + "}\nslaves: [" + slaves + "]\n"); };
+    const std::string two = network("two.yaml", "node: 2, flying: {priority: 0}", "{node: 5}, {node: 9}, {node: 96}");
+    const std::string five = network("five.yaml", "node: 5, flying: {priority: 1}", "{node: 2}, {node: 96}");
+    // Given a second and a third master with one node-ID, and a first one that lists a node in its place
+    const std::string twin = network("twin.yaml", "node: 5, flying: {priority: 2}", "{node: 2}, {node: 9}, {node: 96}");
+    const Answer same = RunCommand({"manager", "--check", two, five, twin});
+    EXPECT_EQ(same.status, 1);
+    EXPECT_EQ(same.out, twin + ": node-ID of the manager is 5, expected another one than in the files before\n" + five +
+                            ": no node 9, expected it as in " + two + "\n");
+    // Given a third master that the second one does not know, that is no flying master, and whose slots overlap
+    const std::string nine = network("nine.yaml", "node: 9, sdo_tries: 2", "{node: 2}, {node: 5}, {node: 96}");
+    const std::string slots =
+        network("slots.yaml", "node: 9, flying: {level_slot: 1270 ms}", "{node: 2}, {node: 5}, {node: 96}");
+    const Answer unknown = RunCommand({"manager", "--check", two, five, nine});
+    EXPECT_EQ(unknown.status, 1);
+    EXPECT_EQ(unknown.out, five + ": no node 9, expected the other master in the network list\n" + nine +
+                               ": 0x1F80:00 is 0x1, expected bit 5: a flying master\n" + nine +
+                               ": 0x1F80:00 is 0x1, expected 0x21 as in " + two + "\n" + nine +
+                               ": sdo_tries is 0x2, expected 0x0 as in " + two + "\n");
+    const Answer overlap = RunCommand({"manager", "--check", two, slots});
+    EXPECT_EQ(overlap.out, slots +
+                               ": 0x1F90:04 is 0x4F6 with 0x1F90:05 0xA, expected more than 127 times the latter, "
+                               "which is above 0\n" +
+                               slots + ": 0x1F90:04 is 0x4F6, expected 0x5DC as in " + two + "\n");
+}
+
+TEST_F(ManagerCheckTest, WhatProfilesAndSafetyAskForIsCompared)
+{
+    Verifies(req::SRS_MGR_009);
+    const auto network = [this](const std::string& name, const std::string& node, const std::string& other,
+                                const std::string& slave, const std::string& times)
+    {
+        return File(name, "manager: {node: " + node + ", heartbeat: 200 ms, profile: el6751, flying: {}, el6751: {" +
+                              times + "}}\nslaves: [{node: " + other + "}, {node: 95, dcf: " + Network("slave.dcf") +
+                              slave + "}]\n");
+    };
+    const std::string two = network("two.yaml", "2", "5", ", write_safety: true", "input_shift: 500 us");
+    const std::string five = network("five.yaml", "5", "2", ", el6751: {restart: by_hand}", "input_shift: 600 us");
+    const Answer differs = RunCommand({"manager", "--check", two, five});
+    EXPECT_EQ(differs.status, 1) << differs.err;
+    EXPECT_EQ(differs.out, five + ": restart of node 95 is 0x1, expected 0x0 as in " + two + "\n" + five +
+                               ": el6751 input_shift is 0x258, expected 0x1F4 as in " + two + "\n" + five +
+                               ": write_safety of node 95 is 0x0, expected 0x1 as in " + two + "\n");
+}
+
+} // namespace
+} // namespace counterpoint::tools
