@@ -357,6 +357,7 @@ TEST_F(PlcStartTest, OneThatLeftState5IsVerifiedWhenItRunsAgainAndTheApplication
     Verifies(req::SRS_PLC_020);
     Verifies(req::SRS_PLC_013);
     AddSafety(5U);
+    setups[5].heartbeat = HeartbeatSetup{1000U, 500U, Arming::kFirstHeartbeat};
     Begin600();
     slaves[5]->Beat();
     Run(20U);
