@@ -78,10 +78,11 @@ class Differences final : public cia302::FlyingFindingListener
         const network::ManagerPlan& one = first.Plan().manager;
         const network::ManagerPlan& other = second.Plan().manager;
         Compare("profile", static_cast<std::uint64_t>(one.profile), static_cast<std::uint64_t>(other.profile));
-        Compare("el6751 window", static_cast<std::uint64_t>(one.el6751.window),
-                static_cast<std::uint64_t>(other.el6751.window));
-        Compare("el6751 sync_multiplier", one.el6751.sync_multiplier, other.el6751.sync_multiplier);
-        Compare("el6751 input_shift", one.el6751.input_shift_us, other.el6751.input_shift_us);
+        const cia302::El6751Times times = one.el6751.value_or(cia302::El6751Times{});
+        const cia302::El6751Times others = other.el6751.value_or(cia302::El6751Times{});
+        Compare("el6751 window", static_cast<std::uint64_t>(times.window), static_cast<std::uint64_t>(others.window));
+        Compare("el6751 sync_multiplier", times.sync_multiplier, others.sync_multiplier);
+        Compare("el6751 input_shift", times.input_shift_us, others.input_shift_us);
         Compare("sdo_timeout", one.sdo_time_out_ms.value_or(0U), other.sdo_time_out_ms.value_or(0U));
         Compare("sdo_tries", one.sdo_tries.value_or(0U), other.sdo_tries.value_or(0U));
         for (const auto& slave : first.Slaves())
