@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/node_device.hpp"
 
+#include "tools/node_srdo_line.hpp"
+
 #include "canopen/cia301/little_endian.hpp"
 #include "canopen/cia306/input_error.hpp"
 
@@ -180,6 +182,15 @@ void NodeDevice::FollowConfiguration()
     PrepareSending();
     FindInverseFrames();
     application_.Follow(kernel_, model_);
+    for (const simulator::SrdoModel& of_file : model_.Srdos())
+    {
+        // What is as in the file was told at the start.
+        const simulator::SrdoModel srdo = ConfiguredSrdo(kernel_, of_file);
+        if (!IsSameSrdo(srdo, of_file))
+        {
+            TellSrdo(report_, now_ns_, config_, srdo);
+        }
+    }
 }
 
 // The shortest refresh time of the producers that the application sends by itself.

@@ -1,8 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/node_loop.hpp"
 
+#include "tools/node_srdo_line.hpp"
+
 #include "canopen/cia306/input_error.hpp"
-#include "safety_core/kernel/limits.hpp"
 #include "verification/simulator/names.hpp"
 
 // What a live node is asked, and its answers. [SRS-NODE-003, SRS-NODE-004]
@@ -48,16 +49,9 @@ void NodeLoop::TellStart()
     }
     for (const simulator::SrdoModel& srdo : model.Srdos())
     {
-        const bool is_consumer = srdo.direction == kDirectionConsumer;
-        if (is_consumer || srdo.direction == kDirectionProducer)
+        if (srdo.direction == kDirectionConsumer || srdo.direction == kDirectionProducer)
         {
-            const std::uint32_t limit_us = is_consumer ? ComputeLimit(config, srdo.times, FaultClass::kBus).us : 0U;
-            const std::string text = "SRDO " + std::to_string(srdo.number) +
-                                     (is_consumer ? " consumer " : " producer ") +
-                                     simulator::IdentifierText(srdo.cob_id_1) +
-                                     (is_consumer ? ", safe within " + Milliseconds(limit_us) + " of the last good pair"
-                                                  : ", every " + std::to_string(srdo.times.sct_ms) + " ms");
-            Tell(text, "srdo", {{"srdo", srdo.number}, {"consumer", is_consumer}, {"limit_us", limit_us}});
+            TellSrdo(parts_.report, now_ns_, config, srdo);
         }
     }
 }

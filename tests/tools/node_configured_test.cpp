@@ -193,7 +193,9 @@ TEST(NodeConfiguredTest, AProducerThatWasConfiguredOverSdoSendsItsInputs)
         EXPECT_EQ(normal.back(), 0x3412U);
         ASSERT_FALSE(bench.SentWith(0x102U).empty());
         EXPECT_EQ(bench.SentWith(0x102U).back(), 0xCBEDU);
-        EXPECT_EQ(device.Core().DeviceState().fault, DeviceFault::kNone) << bench.Told();
+        EXPECT_EQ(device.Core().DeviceState().fault, DeviceFault::kNone);
+        const std::string told = bench.Told();
+        EXPECT_NE(told.find("SRDO 1 producer 0x101, every 25 ms"), std::string::npos) << told;
     }
 }
 
@@ -229,6 +231,8 @@ TEST(NodeConfiguredTest, AConsumerThatWasConfiguredOverSdoShowsItsOutputs)
         EXPECT_FALSE(device.App().SetInput({0x2200U, 1U}, 1U));
         const std::string told = bench.Told();
         EXPECT_NE(told.find("value 0x2200:02 = 2"), std::string::npos) << told;
+        EXPECT_NE(told.find("SRDO 1 consumer 0x103, safe within 56 ms of the last good pair"), std::string::npos)
+            << told;
     }
 }
 
@@ -250,6 +254,8 @@ TEST(NodeConfiguredTest, AnSrdoThatWasSwitchedOffOverSdoHasNoInputs)
     EXPECT_TRUE(bench.SentWith(0x101U).empty());
     EXPECT_FALSE(device.App().SetInput({0x2000U, 1U}, 0U));
     EXPECT_EQ(device.App().Values(), "");
+    const std::string told = bench.Told();
+    EXPECT_NE(told.find("SRDO 1 off"), std::string::npos) << told;
 }
 } // namespace
 } // namespace counterpoint::tools::test
