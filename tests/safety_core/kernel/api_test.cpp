@@ -155,6 +155,7 @@ TEST_F(Facade, StaticFieldsAreComparedWithTheObjectsWhateverTheDirectionIs)
     static constexpr std::uint32_t kEntries[] = {0x22000110U, 0x23000110U};
     static constexpr std::uint32_t kUnknown[] = {0x22000110U, 0x23000210U};
     static constexpr std::uint32_t kShorter[] = {0x22000108U, 0x23000108U};
+    static constexpr std::uint32_t kNoBytes[] = {0x2200010CU, 0x2300010CU};
     const CommunicationIndex index{0x1304U};
     const auto gives = [this, index](std::uint8_t* normal, std::uint8_t* inverse)
     { return kernel.DefineStaticFields(index, StaticFields{normal, inverse}); };
@@ -175,6 +176,9 @@ TEST_F(Facade, StaticFieldsAreComparedWithTheObjectsWhateverTheDirectionIs)
     }
     setups[2].map = StaticMap{kEntries, 2U};
     objects[2].length_bits = 12U;
+    ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
+    EXPECT_EQ(gives(rx_normal.data(), rx_inverse.data()), Result::kMappingError);
+    setups[2].map = StaticMap{kNoBytes, 2U};
     ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
     EXPECT_EQ(gives(rx_normal.data(), rx_inverse.data()), Result::kMappingError);
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
