@@ -66,7 +66,7 @@ void Manager::OnInitialising(const Instant now) noexcept
 {
     Lead(false, now);
     UnwatchAll();
-    state_ = NodeState::kPreOperational;
+    state_ = cia301::NodeState::kPreOperational;
     owes_boot_up_ = true;
     is_to_start_ = (negotiation_ == NegotiationBy::kManager);
     parts_.listener.OnInitialising(now);
