@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <sched.h>
 #include <string>
 #include <thread>
 
@@ -44,6 +45,10 @@ class RunningServer
   private:
     void Run()
     {
+        // It carries frames of devices in real time: not behind whatever else the machine does, where that is allowed.
+        sched_param priority{};
+        priority.sched_priority = 1;
+        static_cast<void>(::sched_setscheduler(0, SCHED_FIFO, &priority));
         while (!is_ending_)
         {
             server_.Serve(10);
