@@ -22,7 +22,7 @@ enum class CommunicationError : std::uint8_t
     kPdoShort = 7U,     ///< 8210h; source is the number of the RPDO, as below.
     kPdoLong = 8U,      ///< 8220h.
     kSyncLength = 9U,   ///< 8240h.
-    kRpdoTimeOut = 10U, ///< 8250h, 1029h.
+    kRpdoTimeOut = 10U, ///< 8250h.
 };
 
 constexpr std::uint8_t kErrorClasses = 6U; ///< Sub-indices of 1029h: 1 communication, 2 to 6 of the device's profile.

@@ -200,6 +200,10 @@ std::string Decoder::FieldsText(const NodeModel& node, const std::vector<MappedF
     std::uint32_t bit = 0U;
     for (const MappedField& field : fields)
     {
+        if (bit + field.bits > frame.length * 8U)
+        {
+            return text + (text.empty() ? "" : ", ") + "frame too short for the rest";
+        }
         const cia306::Entry* const entry = node.device.Find(field.index, field.sub);
         const cia306::Object* const object = node.device.Find(field.index);
         const bool has_name = entry != nullptr && !entry->name.empty();

@@ -81,6 +81,7 @@ void SrdoWatch::Begin(const Time now) noexcept
 void SrdoWatch::Stop() noexcept
 {
     has_remainder_ = has_remainder_ || pending_.has_value();
+    early_.reset();
     pending_.reset();
     held_.reset();
     last_normal_.reset();
@@ -155,8 +156,21 @@ bool SrdoWatch::IsLateInverse(const LogFrame& frame)
     return true;
 }
 
+/// Frames that changed places are one violation, told with the first one: the other one is what is left of the pair.
+bool SrdoWatch::IsExchanged(const LogFrame& normal) noexcept
+{
+    const bool is_rest = early_ && normal.time <= early_->time + setup_.srvt && normal.length == early_->length &&
+                         WrongBit(normal, *early_) < 0;
+    early_.reset();
+    return is_rest;
+}
+
 void SrdoWatch::TakeNormal(const LogFrame& frame)
 {
+    if (IsExchanged(frame))
+    {
+        return;
+    }
     const bool was_pending = pending_.has_value();
     has_remainder_ = false;
     blind_until_.reset();
@@ -182,14 +196,14 @@ void SrdoWatch::TakeNormal(const LogFrame& frame)
 }
 
 /// Number of the first bit that is not inverted, -1 where all are. Bits above the mapped ones are 0 and 1.
-int SrdoWatch::WrongBit(const LogFrame& frame) const noexcept
+int SrdoWatch::WrongBit(const LogFrame& normal, const LogFrame& inverse) const noexcept
 {
     for (std::uint32_t bit = 0U; bit < length_ * kByteBits; ++bit)
     {
-        const std::uint32_t normal = (pending_->data[bit / kByteBits] >> (bit % kByteBits)) & 1U;
-        const std::uint32_t inverse = (frame.data[bit / kByteBits] >> (bit % kByteBits)) & 1U;
-        const bool is_spare_set = bit >= setup_.bits && normal != 0U;
-        if (normal == inverse || is_spare_set)
+        const std::uint32_t plain = (normal.data[bit / kByteBits] >> (bit % kByteBits)) & 1U;
+        const std::uint32_t turned = (inverse.data[bit / kByteBits] >> (bit % kByteBits)) & 1U;
+        const bool is_spare_set = bit >= setup_.bits && plain != 0U;
+        if (plain == turned || is_spare_set)
         {
             return static_cast<int>(bit);
         }
@@ -202,6 +216,7 @@ void SrdoWatch::TakeInverse(const LogFrame& frame)
     const bool is_unseen = blind_until_ && frame.time <= *blind_until_;
     const bool is_remainder = (has_remainder_ || is_unseen) && !pending_;
     has_remainder_ = false;
+    early_.reset();
     blind_until_.reset();
     if (is_remainder)
     {
@@ -218,10 +233,11 @@ void SrdoWatch::TakeInverse(const LogFrame& frame)
     }
     if (!pending_)
     {
+        early_ = frame;
         Report(frame.time, Cause::kInverseFirst, "no normal frame before it");
         return;
     }
-    const int wrong = WrongBit(frame);
+    const int wrong = WrongBit(*pending_, frame);
     if (wrong >= 0)
     {
         Report(frame.time, Cause::kNotInverse,

@@ -109,7 +109,8 @@ class SrdoWatch
     void TakeNormal(const LogFrame& frame);
     void TakeInverse(const LogFrame& frame);
     [[nodiscard]] bool IsLateInverse(const LogFrame& frame);
-    [[nodiscard]] int WrongBit(const LogFrame& frame) const noexcept;
+    [[nodiscard]] int WrongBit(const LogFrame& normal, const LogFrame& inverse) const noexcept;
+    [[nodiscard]] bool IsExchanged(const LogFrame& normal) noexcept;
 
     std::size_t number_;
     WatchSetup setup_;
@@ -119,6 +120,7 @@ class SrdoWatch
     std::optional<Time> held_;        ///< Normal frame of the last valid pair, while SCT is supervised.
     std::optional<Time> last_normal_; ///< Likewise, for the cycle, whether or not it is supervised.
     bool has_remainder_{false};       ///< The inverse frame of a discarded pair may still come.
+    std::optional<LogFrame> early_;   ///< Inverse frame told as first, whose normal frame may still come.
     std::optional<Time> blind_until_; ///< Likewise, because the normal frame was not seen.
     std::size_t pairs_{0U};
     TimeStatistics cycle_;

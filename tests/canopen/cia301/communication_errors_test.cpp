@@ -30,11 +30,11 @@ TEST_F(CommunicationErrorsTest, CodeAndBehaviourOfEachError)
     Verifies(req::SRS_ERR_001);
     Verifies(req::SRS_ERR_002);
     constexpr CodeCase kCases[] = {
-        {CommunicationError::kOverrun, 0x8110U, false},   {CommunicationError::kPassive, 0x8120U, false},
-        {CommunicationError::kLifeGuard, 0x8130U, true},  {CommunicationError::kHeartbeat, 0x8130U, true},
-        {CommunicationError::kCollision, 0x8150U, false}, {CommunicationError::kPdoShort, 0x8210U, false},
-        {CommunicationError::kPdoLong, 0x8220U, false},   {CommunicationError::kSyncLength, 0x8240U, false},
-        {CommunicationError::kRpdoTimeOut, 0x8250U, true}};
+        {CommunicationError::kOverrun, 0x8110U, false},    {CommunicationError::kPassive, 0x8120U, false},
+        {CommunicationError::kLifeGuard, 0x8130U, true},   {CommunicationError::kHeartbeat, 0x8130U, true},
+        {CommunicationError::kCollision, 0x8150U, false},  {CommunicationError::kPdoShort, 0x8210U, false},
+        {CommunicationError::kPdoLong, 0x8220U, false},    {CommunicationError::kSyncLength, 0x8240U, false},
+        {CommunicationError::kRpdoTimeOut, 0x8250U, false}};
     for (const CodeCase& one : kCases)
     {
         Command(1U);
