@@ -39,6 +39,7 @@ StartReport Board::Start(const BoardSetup& setup) noexcept
     is_watched_ = false;
     turn_ = 0U;
     has_comparator_ = setup.variant.clock_comparator;
+    table_check_ = setup.variant.table_check;
     report.answer = StartAnswer::kStarted;
     report.reason = ReadResetReason();
     for (std::uint8_t number = 0U; (number < kStartSteps) && (report.answer == StartAnswer::kStarted); ++number)
@@ -91,7 +92,7 @@ StepResult Board::Do(const StartStep step, const BoardSetup& setup) noexcept
     case StartStep::kFlashEcc:
         return IsThere(variant.flash_diagnosis) ? ResultOf(TestFlashEcc()) : StepResult::kAbsent;
     case StartStep::kTableParity:
-        return ResultOf(Interrupts::TestParity());
+        return ResultOf(Interrupts::TestTable(table_check_));
     case StartStep::kErrorPin:
         return ResultOf(esm_.TestErrorPin());
     case StartStep::kClockComparator:
@@ -103,7 +104,7 @@ StepResult Board::Do(const StartStep step, const BoardSetup& setup) noexcept
     case StartStep::kProtection:
         return ResultOf(mpu_.Start(setup.protection));
     case StartStep::kInterrupts:
-        return ResultOf(Interrupts::Start());
+        return ResultOf(Interrupts::Start(table_check_));
     case StartStep::kEsm:
         return ResultOf(esm_.Start());
     case StartStep::kWatchdogPlan:
@@ -186,7 +187,7 @@ void Board::ExamineInTurn() noexcept
         Note(Lockstep::Examine(), BoardFault::kLockstep);
         break;
     case 1U:
-        Note(Interrupts::Examine(), BoardFault::kInterrupts);
+        Note(Interrupts::Examine(table_check_), BoardFault::kInterrupts);
         break;
     case 2U:
         Note(ExamineClocks(), BoardFault::kClocks);

@@ -46,7 +46,7 @@ inline constexpr EsmChannelEntry kEsmGroup1[] = {
     {"FlexRay parity", EsmReaction::kSafeState},                     // 12
     {"DMA or trace imprecise write", EsmReaction::kSafeState},       // 13
     {"FlexRay transfer parity", EsmReaction::kSafeState},            // 14
-    {"VIM parity", EsmReaction::kSafeState},                         // 15
+    {"VIM parity or ECC", EsmReaction::kSafeState},                  // 15
     {"FlexRay transfer memory protection", EsmReaction::kSafeState}, // 16
     {"SPI 1 parity", EsmReaction::kSafeState},                       // 17
     {"SPI 3 parity", EsmReaction::kSafeState},                       // 18
@@ -186,7 +186,9 @@ static_assert(sizeof kEsmGroup3 / sizeof kEsmGroup3[0] == kEsmGroup3Channels, "o
 
 /// Channels that drivers ask for by name.
 inline constexpr std::uint32_t kEsmFlashCorrected = 1U << 6U;
-inline constexpr std::uint32_t kEsmVimParity = 1U << 15U;
+inline constexpr std::uint32_t kEsmVimTable = 1U << 15U;
+/// Of channels 64 to 95, which no driver sets up: 83.
+inline constexpr std::uint32_t kEsmVimOneBit = 1U << 19U;
 inline constexpr std::uint32_t kEsmEvenRamCorrected = 1U << 26U;
 inline constexpr std::uint32_t kEsmOddRamCorrected = 1U << 28U;
 inline constexpr std::uint32_t kEsmClockComparator = 1U << 30U;

@@ -19,6 +19,14 @@ enum class Presence : std::uint8_t
     kPresent = 0x69U,
 };
 
+/// How the VIM protects its table of vectors.
+enum class TableCheck : std::uint8_t
+{
+    kInvalid = 0U, ///< The test of the table fails.
+    kParity = 1U,  ///< One bit a word.
+    kEcc = 0x69U,  ///< Seven bits a word: one wrong bit and two are told apart.
+};
+
 /// Bits of MSINENA and of the memory groups of the PBIST that a device with two CAN controllers uses.
 struct MemorySelection
 {
@@ -48,6 +56,7 @@ struct Variant
     Presence level_2_ram;      ///< RAM behind the L2RAMW module with its diagnosis.
     Presence flash_diagnosis;  ///< Flash wrapper with diagnostic mode 7.
     Presence windowed_watchdog;
+    TableCheck table_check;
     std::uint32_t flash_bytes;
     std::uint32_t ram_bytes;
     ClockTree clocks;
@@ -67,6 +76,7 @@ inline constexpr Variant kLs20x{
     Presence::kAbsent,
     Presence::kPresent,
     Presence::kAbsent,
+    TableCheck::kParity,
     0x00200000U,
     0x00028000U,
     ClockTree{0x20056800U, 0x3FC0723DU, 16U, 140U, 70U},
@@ -82,6 +92,7 @@ inline constexpr Variant kLs12x{
     Presence::kAbsent,
     Presence::kPresent,
     Presence::kPresent,
+    TableCheck::kParity,
     0x00140000U,
     0x00030000U,
     ClockTree{0x20057700U, 0x3FC0723DU, 16U, 160U, 80U},
@@ -97,6 +108,7 @@ inline constexpr Variant kLs31x{
     Presence::kAbsent,
     Presence::kPresent,
     Presence::kPresent,
+    TableCheck::kParity,
     0x00300000U,
     0x00040000U,
     ClockTree{0x20057700U, 0x3FC0723DU, 16U, 160U, 80U},
@@ -104,6 +116,7 @@ inline constexpr Variant kLs31x{
 };
 
 /// Memories: SPNS195C, tables 6-33 (groups of the PBIST: DCAN1 6, DCAN2 7, VIM 14, ROMs 1 to 3) and 6-34 (MSINENA).
+/// Table of the VIM: SPNU563A, 19.5.
 inline constexpr Variant kLc43x{
     {kDcan1Base, kDcan2Base},
     64U,
@@ -113,6 +126,7 @@ inline constexpr Variant kLc43x{
     Presence::kPresent,
     Presence::kAbsent,
     Presence::kPresent,
+    TableCheck::kEcc,
     0x00400000U,
     0x00080000U,
     ClockTree{0x20079500U, 0x3FC0723DU, 16U, 150U, 75U},

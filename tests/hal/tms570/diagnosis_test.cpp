@@ -102,13 +102,13 @@ TEST(DiagnosisTest, TableOfVectorsIsAsItWasAfterItsTest)
     Verifies(req::SRS_TMS_041);
     // Given a sound table, when its parity is tested, then it passes with parity on and nothing left
     model::Machine machine{kLs12x};
-    EXPECT_EQ(Interrupts::TestParity(), Outcome::kDone);
+    EXPECT_EQ(Interrupts::TestTable(TableCheck::kParity), Outcome::kDone);
     EXPECT_EQ(machine.Read(0xFFFFFDF0U), 0xAU);
     EXPECT_EQ(machine.Read(0xFFFFFDECU), 0U);
     EXPECT_EQ(machine.Read(0xFFF82400U), 0U);
     EXPECT_TRUE(IsEsmClean());
     // and the set-up fills all of it
-    EXPECT_EQ(Interrupts::Start(), Outcome::kDone);
+    EXPECT_EQ(Interrupts::Start(TableCheck::kParity), Outcome::kDone);
     EXPECT_EQ(machine.Read(0xFFF82000U), 0xFFFFFFFCU);
     EXPECT_EQ(machine.Read(0xFFF821FCU), 0xFFFFFFFCU);
     // with DCAN 1, DCAN 2 and the ESM enabled: channels 16, 20, 35, and 0 and 1 that are always

@@ -33,26 +33,27 @@ constexpr std::uint32_t kMirrorBytes = 0x100U;
 } // namespace
 
 Machine::Machine(const Variant& variant)
-    : dcan1(faults, esm, kDcan1Parity), dcan2(faults, esm, kDcan2Parity), vim(faults, esm, dcan1, dcan2),
-      vim_table(faults, vim), rti(faults, esm, variant.clocks.rti_mhz), ccm(faults, esm),
-      dcc(faults, esm, variant.clocks), stc(faults, system), pbist(faults, system),
-      processor(faults, variant.mpu_regions), ram_(faults, RamBanks{even_, odd_, esm, processor, abort_}),
-      ram_ecc_(faults, ram_), mirror_(faults, flash_, esm, abort_)
+    : dcan1(faults, esm, kDcan1Parity), dcan2(faults, esm, kDcan2Parity),
+      vim(faults, VimPlace{esm, dcan1, dcan2}, variant.table_check), vim_table(faults, vim),
+      rti(faults, esm, variant.clocks.rti_mhz), ccm(faults, esm), dcc(faults, esm, variant.clocks), stc(faults, system),
+      pbist(faults, system), processor(faults, variant.mpu_regions),
+      ram_(faults, RamBanks{even_, odd_, esm, processor, abort_}), ram_ecc_(faults, ram_),
+      mirror_(faults, flash_, esm, abort_)
 {
     if (the_machine != nullptr)
     {
         throw std::logic_error("there is a machine already");
     }
     the_machine = this;
-    constexpr std::uint32_t kVimBytes = (vim::kBase.address - vim::kParityBase.address) + kFrame;
+    constexpr std::uint32_t kVimBytes = (vim::kBase.address - vim::kCheckBase.address) + kFrame;
     Map(kDcan1Base.address, kDcanBytes, dcan1);
     Map(kDcan2Base.address, kDcanBytes, dcan2);
     Map(rti::kBase.address, kFrame, rti);
     Map(gio::kBase.address, kFrame, gio);
     Map(esm::kBase.address, kFrame, esm);
     Map(ccm::kBase.address, kFrame, ccm);
-    Map(vim::kParityBase.address, kVimBytes, vim);
-    Map(vim::kTable.address, 2U * (vim::kTableParity.address - vim::kTable.address), vim_table);
+    Map(vim::kCheckBase.address, kVimBytes, vim);
+    Map(vim::kTable.address, 2U * (vim::kTableCheckBits.address - vim::kTable.address), vim_table);
     Map(dcc::kBase.address, kFrame, dcc);
     Map(system_module::kBase.address, kFrame, system);
     Map(system_module::kSystem2.address, kFrame, system2_);
