@@ -40,6 +40,7 @@ StartReport Board::Start(const BoardSetup& setup) noexcept
     turn_ = 0U;
     has_comparator_ = setup.variant.clock_comparator;
     table_check_ = setup.variant.table_check;
+    comparators_ = setup.variant.comparators;
     report.answer = StartAnswer::kStarted;
     report.reason = ReadResetReason();
     for (std::uint8_t number = 0U; (number < kStartSteps) && (report.answer == StartAnswer::kStarted); ++number)
@@ -82,7 +83,7 @@ StepResult Board::Do(const StartStep step, const BoardSetup& setup) noexcept
     case StartStep::kLogicTest:
         return DoLogicTest();
     case StartStep::kLockstep:
-        return ResultOf(Lockstep::Test());
+        return ResultOf(Lockstep::Test(comparators_));
     case StartStep::kMemoryTest:
         return ResultOf(TestMemories(variant.memories));
     case StartStep::kMemoryInit:
@@ -184,7 +185,7 @@ void Board::ExamineInTurn() noexcept
     switch (turn_)
     {
     case 0U:
-        Note(Lockstep::Examine(), BoardFault::kLockstep);
+        Note(Lockstep::Examine(comparators_), BoardFault::kLockstep);
         break;
     case 1U:
         Note(Interrupts::Examine(table_check_), BoardFault::kInterrupts);

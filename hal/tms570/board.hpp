@@ -105,6 +105,7 @@ class Board
     LogicTest logic_test_{LogicTest::kInvalid};
     Presence has_comparator_{Presence::kInvalid};
     TableCheck table_check_{TableCheck::kInvalid};
+    std::uint8_t comparators_{0U};
     bool is_watched_{false};
     std::uint32_t turn_{0U};
     Shared<BoardFault> fault_{BoardFault::kInvalid};

@@ -151,7 +151,7 @@ Outcome Interrupts::TestTable(const TableCheck check) noexcept
 {
     const CheckSetup& setup = SetupOf(check);
     Write(At(kCheckBase, kCheckControl), setup.control);
-    for (std::uint32_t word = 0U; word < setup.filled; ++word)
+    for (std::uint32_t word = 0U; (word < kTableWords) && (word < setup.filled); ++word)
     {
         Write(At(kTable, word * kWordBytes), kNoHandler);
     }

@@ -57,6 +57,7 @@ struct Variant
     Presence flash_diagnosis;  ///< Flash wrapper with diagnostic mode 7.
     Presence windowed_watchdog;
     TableCheck table_check;
+    std::uint8_t comparators; ///< Of the CCM, from the first: processors, VIMs, idle processor's bus, power domains.
     std::uint32_t flash_bytes;
     std::uint32_t ram_bytes;
     ClockTree clocks;
@@ -77,6 +78,7 @@ inline constexpr Variant kLs20x{
     Presence::kPresent,
     Presence::kAbsent,
     TableCheck::kParity,
+    1U,
     0x00200000U,
     0x00028000U,
     ClockTree{0x20056800U, 0x3FC0723DU, 16U, 140U, 70U},
@@ -93,6 +95,7 @@ inline constexpr Variant kLs12x{
     Presence::kPresent,
     Presence::kPresent,
     TableCheck::kParity,
+    1U,
     0x00140000U,
     0x00030000U,
     ClockTree{0x20057700U, 0x3FC0723DU, 16U, 160U, 80U},
@@ -109,6 +112,7 @@ inline constexpr Variant kLs31x{
     Presence::kPresent,
     Presence::kPresent,
     TableCheck::kParity,
+    1U,
     0x00300000U,
     0x00040000U,
     ClockTree{0x20057700U, 0x3FC0723DU, 16U, 160U, 80U},
@@ -116,7 +120,7 @@ inline constexpr Variant kLs31x{
 };
 
 /// Memories: SPNS195C, tables 6-33 (groups of the PBIST: DCAN1 6, DCAN2 7, VIM 14, ROMs 1 to 3) and 6-34 (MSINENA).
-/// Table of the VIM: SPNU563A, 19.5.
+/// Table of the VIM: SPNU563A, 19.5; comparators: 13.2.
 inline constexpr Variant kLc43x{
     {kDcan1Base, kDcan2Base},
     64U,
@@ -127,6 +131,7 @@ inline constexpr Variant kLc43x{
     Presence::kAbsent,
     Presence::kPresent,
     TableCheck::kEcc,
+    4U,
     0x00400000U,
     0x00080000U,
     ClockTree{0x20079500U, 0x3FC0723DU, 16U, 150U, 75U},

@@ -60,7 +60,7 @@ TEST_P(EndlessWaits, EndAfterTheLooksThatTheTableOfFaultsTells)
 INSTANTIATE_TEST_SUITE_P(
     All, EndlessWaits,
     ::testing::Values(
-        EndlessWait{model::Fault::kCcmSelfTestEndless, [] { return Lockstep::Test(); }, 20'000U},
+        EndlessWait{model::Fault::kCcmSelfTestEndless, [] { return Lockstep::Test(1U); }, 20'000U},
         EndlessWait{model::Fault::kPllNeverLocks, [] { return StartClocks(kLs12x.clocks); }, 70'000U},
         EndlessWait{model::Fault::kDccEndless, [] { return ClockComparator::Start(kLs12x.clocks); }, 200'000U},
         EndlessWait{model::Fault::kMemoryInitEndless, [] { return InitialiseMemories(kLs12x.memories); }, 70'000U},
@@ -89,7 +89,7 @@ TEST(DiagnosisTest, LockstepTestForcesEveryErrorAndEndsInLockstep)
     // Given a sound comparator
     model::Machine machine{kLs12x};
     // When it is tested, then it passes, in lockstep mode, without an error left, and nERROR goes high again
-    EXPECT_EQ(Lockstep::Test(), Outcome::kDone);
+    EXPECT_EQ(Lockstep::Test(1U), Outcome::kDone);
     EXPECT_EQ(machine.Read(0xFFFFF604U), 0U);
     EXPECT_TRUE(IsEsmClean());
     EXPECT_FALSE(machine.esm.IsPinHigh());

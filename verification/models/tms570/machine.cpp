@@ -35,8 +35,8 @@ constexpr std::uint32_t kMirrorBytes = 0x100U;
 Machine::Machine(const Variant& variant)
     : dcan1(faults, esm, kDcan1Parity), dcan2(faults, esm, kDcan2Parity),
       vim(faults, VimPlace{esm, dcan1, dcan2}, variant.table_check), vim_table(faults, vim),
-      rti(faults, esm, variant.clocks.rti_mhz), ccm(faults, esm), dcc(faults, esm, variant.clocks), stc(faults, system),
-      pbist(faults, system), processor(faults, variant.mpu_regions),
+      rti(faults, esm, variant.clocks.rti_mhz), ccm(faults, esm, variant.comparators), dcc(faults, esm, variant.clocks),
+      stc(faults, system), pbist(faults, system), processor(faults, variant.mpu_regions),
       ram_(faults, RamBanks{even_, odd_, esm, processor, abort_}), ram_ecc_(faults, ram_),
       mirror_(faults, flash_, esm, abort_)
 {
