@@ -41,6 +41,7 @@ StartReport Board::Start(const BoardSetup& setup) noexcept
     has_comparator_ = setup.variant.clock_comparator;
     table_check_ = setup.variant.table_check;
     comparators_ = setup.variant.comparators;
+    rti_source_ = setup.variant.system.rti_source;
     report.answer = StartAnswer::kStarted;
     report.reason = ReadResetReason();
     for (std::uint8_t number = 0U; (number < kStartSteps) && (report.answer == StartAnswer::kStarted); ++number)
@@ -79,7 +80,7 @@ StepResult Board::Do(const StartStep step, const BoardSetup& setup) noexcept
     case StartStep::kColdErrors:
         return ResultOf(esm_.ExamineCold());
     case StartStep::kClocks:
-        return ResultOf(StartClocks(variant.clocks));
+        return ResultOf(StartClocks(variant.clocks, variant.system));
     case StartStep::kLogicTest:
         return DoLogicTest();
     case StartStep::kLockstep:
@@ -191,7 +192,7 @@ void Board::ExamineInTurn() noexcept
         Note(Interrupts::Examine(table_check_), BoardFault::kInterrupts);
         break;
     case 2U:
-        Note(ExamineClocks(), BoardFault::kClocks);
+        Note(ExamineClocks(rti_source_), BoardFault::kClocks);
         break;
     case 3U:
         Note(IsThere(has_comparator_) ? ClockComparator::Examine() : Outcome::kDone, BoardFault::kClockComparator);

@@ -46,6 +46,15 @@ struct ClockTree
     std::uint8_t rti_mhz;       ///< RTICLK; VCLK is the same.
 };
 
+/// Registers of clocks and power that are checked to the last bit and do not have the same bits everywhere.
+struct SystemSetup
+{
+    std::uint32_t flash_read;  ///< FRDCNTL: 3 wait states; pipeline, or prefetch of both ports.
+    std::uint32_t sources_off; ///< CSDIS: external clocks and the second PLL.
+    std::uint32_t rti_source;  ///< RCLKSRC: VCLK.
+    RegisterBase power[3];     ///< Controllers of the peripherals' power; address 0: none. // MISRA D-001
+};
+
 struct Variant
 {
     RegisterBase dcan[2]; // MISRA D-001
@@ -61,12 +70,15 @@ struct Variant
     std::uint32_t flash_bytes;
     std::uint32_t ram_bytes;
     ClockTree clocks;
+    SystemSetup system;
     MemorySelection memories;
 };
 
 inline constexpr std::uint32_t kRamOrigin = 0x08000000U;
 inline constexpr RegisterBase kDcan1Base{0xFFF7DC00U};
 inline constexpr RegisterBase kDcan2Base{0xFFF7DE00U};
+
+inline constexpr SystemSetup kCortexR4System{0x311U, 0xC8U, 0x01090109U, {{0xFFFFE000U}, {0U}, {0U}}};
 
 inline constexpr Variant kLs20x{
     {kDcan1Base, kDcan2Base},
@@ -82,6 +94,7 @@ inline constexpr Variant kLs20x{
     0x00200000U,
     0x00028000U,
     ClockTree{0x20056800U, 0x3FC0723DU, 16U, 140U, 70U},
+    kCortexR4System,
     MemorySelection{0x00000064U, 0x00000001U, 0x0000020CU},
 };
 
@@ -99,6 +112,7 @@ inline constexpr Variant kLs12x{
     0x00140000U,
     0x00030000U,
     ClockTree{0x20057700U, 0x3FC0723DU, 16U, 160U, 80U},
+    kCortexR4System,
     MemorySelection{0x00000064U, 0x00000003U, 0x0000020CU},
 };
 
@@ -116,11 +130,13 @@ inline constexpr Variant kLs31x{
     0x00300000U,
     0x00040000U,
     ClockTree{0x20057700U, 0x3FC0723DU, 16U, 160U, 80U},
+    kCortexR4System,
     MemorySelection{0x00000064U, 0x00000003U, 0x0000020CU},
 };
 
 /// Memories: SPNS195C, tables 6-33 (groups of the PBIST: DCAN1 6, DCAN2 7, VIM 14, ROMs 1 to 3) and 6-34 (MSINENA).
-/// Table of the VIM: SPNU563A, 19.5; comparators: 13.2.
+/// Table of the VIM: SPNU563A, 19.5; comparators: 13.2; clocks: 2.5.1.10 (bit 2 of CSDIS reads 1), 2.5.1.18, 7.10.1;
+/// power: as the vendor's code generator has it.
 inline constexpr Variant kLc43x{
     {kDcan1Base, kDcan2Base},
     64U,
@@ -135,6 +151,7 @@ inline constexpr Variant kLc43x{
     0x00400000U,
     0x00080000U,
     ClockTree{0x20079500U, 0x3FC0723DU, 16U, 150U, 75U},
+    SystemSetup{0x303U, 0xCCU, 0x109U, {{0xFFFF1000U}, {0xFCFF1000U}, {0xFFF78000U}}},
     MemorySelection{0x00000064U, 0x00000007U, 0x00002060U},
 };
 

@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(
     All, EndlessWaits,
     ::testing::Values(
         EndlessWait{model::Fault::kCcmSelfTestEndless, [] { return Lockstep::Test(1U); }, 20'000U},
-        EndlessWait{model::Fault::kPllNeverLocks, [] { return StartClocks(kLs12x.clocks); }, 70'000U},
+        EndlessWait{model::Fault::kPllNeverLocks, [] { return StartClocks(kLs12x.clocks, kLs12x.system); }, 70'000U},
         EndlessWait{model::Fault::kDccEndless, [] { return ClockComparator::Start(kLs12x.clocks); }, 200'000U},
         EndlessWait{model::Fault::kMemoryInitEndless, [] { return InitialiseMemories(kLs12x.memories); }, 70'000U},
         EndlessWait{model::Fault::kPbistEndless, [] { return TestMemories(kLs12x.memories); }, 1'000'000U}));
@@ -220,13 +220,13 @@ TEST(DiagnosisTest, ClocksAreThoseOfTheVariant)
     Verifies(req::SRS_TMS_050);
     // Given a controller of 16 MHz, when its clocks are started
     model::Machine machine{kLs12x};
-    EXPECT_EQ(StartClocks(kLs12x.clocks), Outcome::kDone);
+    EXPECT_EQ(StartClocks(kLs12x.clocks, kLs12x.system), Outcome::kDone);
     // Then the PLL makes 16 / 6 * 120 / 2 MHz, drives the processor, half of it the peripherals and the RTI
     EXPECT_EQ(machine.Read(0xFFFFFF70U), 0x20057700U);
     EXPECT_EQ(machine.Read(0xFFFFFF48U), 1U);
     EXPECT_EQ(machine.Read(0xFFFFFF50U), 0x01090109U);
     EXPECT_EQ(machine.Read(0xFFFFFFD0U), 0x01010100U);
-    EXPECT_EQ(ExamineClocks(), Outcome::kDone);
+    EXPECT_EQ(ExamineClocks(kLs12x.system.rti_source), Outcome::kDone);
 }
 
 TEST(DiagnosisTest, ColdErrorIsKeptWithItsChannel)
