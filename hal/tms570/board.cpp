@@ -39,6 +39,9 @@ StartReport Board::Start(const BoardSetup& setup) noexcept
     is_watched_ = false;
     turn_ = 0U;
     has_comparator_ = setup.variant.clock_comparator;
+    table_check_ = setup.variant.table_check;
+    comparators_ = setup.variant.comparators;
+    rti_source_ = setup.variant.system.rti_source;
     report.answer = StartAnswer::kStarted;
     report.reason = ReadResetReason();
     for (std::uint8_t number = 0U; (number < kStartSteps) && (report.answer == StartAnswer::kStarted); ++number)
@@ -77,11 +80,11 @@ StepResult Board::Do(const StartStep step, const BoardSetup& setup) noexcept
     case StartStep::kColdErrors:
         return ResultOf(esm_.ExamineCold());
     case StartStep::kClocks:
-        return ResultOf(StartClocks(variant.clocks));
+        return ResultOf(StartClocks(variant.clocks, variant.system));
     case StartStep::kLogicTest:
         return DoLogicTest();
     case StartStep::kLockstep:
-        return ResultOf(Lockstep::Test());
+        return ResultOf(Lockstep::Test(comparators_));
     case StartStep::kMemoryTest:
         return ResultOf(TestMemories(variant.memories));
     case StartStep::kMemoryInit:
@@ -91,7 +94,7 @@ StepResult Board::Do(const StartStep step, const BoardSetup& setup) noexcept
     case StartStep::kFlashEcc:
         return IsThere(variant.flash_diagnosis) ? ResultOf(TestFlashEcc()) : StepResult::kAbsent;
     case StartStep::kTableParity:
-        return ResultOf(Interrupts::TestParity());
+        return ResultOf(Interrupts::TestTable(table_check_));
     case StartStep::kErrorPin:
         return ResultOf(esm_.TestErrorPin());
     case StartStep::kClockComparator:
@@ -103,7 +106,7 @@ StepResult Board::Do(const StartStep step, const BoardSetup& setup) noexcept
     case StartStep::kProtection:
         return ResultOf(mpu_.Start(setup.protection));
     case StartStep::kInterrupts:
-        return ResultOf(Interrupts::Start());
+        return ResultOf(Interrupts::Start(table_check_));
     case StartStep::kEsm:
         return ResultOf(esm_.Start());
     case StartStep::kWatchdogPlan:
@@ -183,13 +186,13 @@ void Board::ExamineInTurn() noexcept
     switch (turn_)
     {
     case 0U:
-        Note(Lockstep::Examine(), BoardFault::kLockstep);
+        Note(Lockstep::Examine(comparators_), BoardFault::kLockstep);
         break;
     case 1U:
-        Note(Interrupts::Examine(), BoardFault::kInterrupts);
+        Note(Interrupts::Examine(table_check_), BoardFault::kInterrupts);
         break;
     case 2U:
-        Note(ExamineClocks(), BoardFault::kClocks);
+        Note(ExamineClocks(rti_source_), BoardFault::kClocks);
         break;
     case 3U:
         Note(IsThere(has_comparator_) ? ClockComparator::Examine() : Outcome::kDone, BoardFault::kClockComparator);

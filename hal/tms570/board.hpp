@@ -104,6 +104,9 @@ class Board
     WatchdogPlan watchdog_plan_{};
     LogicTest logic_test_{LogicTest::kInvalid};
     Presence has_comparator_{Presence::kInvalid};
+    TableCheck table_check_{TableCheck::kInvalid};
+    std::uint8_t comparators_{0U};
+    std::uint32_t rti_source_{0U};
     bool is_watched_{false};
     std::uint32_t turn_{0U};
     Shared<BoardFault> fault_{BoardFault::kInvalid};

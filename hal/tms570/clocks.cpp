@@ -21,7 +21,7 @@ constexpr Looks kInitLooks{70000U};
 constexpr std::uint32_t kPowerRegisters = 4U;
 constexpr std::uint32_t kWordBytes = 4U;
 
-[[nodiscard]] Outcome LockPll(const ClockTree& clocks) noexcept
+[[nodiscard]] Outcome LockPll(const ClockTree& clocks, const std::uint32_t sources_off) noexcept
 {
     constexpr std::uint32_t kBothPlls = kPllBit | kOtherPllBit;
     Write(At(kBase, kSourcesOffSet), kBothPlls);
@@ -29,9 +29,21 @@ constexpr std::uint32_t kWordBytes = 4U;
     Write(At(kBase, kGlobalStatus), kGlobalErrors);
     outcome = Both(outcome, WriteChecked(At(kBase, kPll1), clocks.pll_control_1 | kPllDivider, kWholeWord));
     outcome = Both(outcome, WriteChecked(At(kBase, kPll2), clocks.pll_control_2, kWholeWord));
-    outcome = Both(outcome, WriteChecked(At(kBase, kSourcesOff), kUnusedSources, kWholeWord));
+    outcome = Both(outcome, WriteChecked(At(kBase, kSourcesOff), sources_off, kWholeWord));
     outcome = Both(outcome, WaitFor(At(kBase, kSourcesValid), Bits{kUsedSources, kUsedSources}, kLockLooks));
     return Both(outcome, WriteChecked(At(kBase, kPll1), clocks.pll_control_1, kWholeWord));
+}
+
+void PowerUp(const RegisterBase controller) noexcept
+{
+    if (controller.address == 0U)
+    {
+        return;
+    }
+    for (std::uint32_t number = 0U; number < kPowerRegisters; ++number)
+    {
+        Write(At(controller, kPowerUp + (number * kWordBytes)), kWholeWord);
+    }
 }
 
 } // namespace
@@ -46,10 +58,10 @@ void ClearResetReason(const ResetReason reason) noexcept
     Write(At(kBase, kResetStatus), reason.bits & kResetAll);
 }
 
-Outcome StartClocks(const ClockTree& clocks) noexcept
+Outcome StartClocks(const ClockTree& clocks, const SystemSetup& system) noexcept
 {
-    Outcome outcome = WriteChecked(At(kFlash, kReadControl), kWaitStates, kWholeWord);
-    outcome = Both(outcome, LockPll(clocks));
+    Outcome outcome = WriteChecked(At(kFlash, kReadControl), system.flash_read, kWholeWord);
+    outcome = Both(outcome, LockPll(clocks, system.sources_off));
     if (outcome != Outcome::kDone)
     {
         return Outcome::kFailed;
@@ -57,19 +69,19 @@ Outcome StartClocks(const ClockTree& clocks) noexcept
     const std::uint32_t dividers = (Read(At(kBase, kClockControl)) & ~(kVclkMask | kPeripheralsOn)) | kHalfVclk;
     outcome = Both(outcome, WriteChecked(At(kBase, kClockControl), dividers, kVclkMask));
     outcome = Both(outcome, WriteChecked(At(kBase, kMainSource), kPllIsMain, kWholeWord));
-    outcome = Both(outcome, WriteChecked(At(kBase, kRtiSource), kRtiFromVclk, kWholeWord));
-    for (std::uint32_t number = 0U; number < kPowerRegisters; ++number)
+    outcome = Both(outcome, WriteChecked(At(kBase, kRtiSource), system.rti_source, kWholeWord));
+    for (const RegisterBase controller : system.power)
     {
-        Write(At(kPeripherals, kPowerUp + (number * kWordBytes)), kWholeWord);
+        PowerUp(controller);
     }
     outcome = Both(outcome, WriteChecked(At(kBase, kClockControl), dividers | kPeripheralsOn, kPeripheralsOn));
-    return Both(outcome, ExamineClocks());
+    return Both(outcome, ExamineClocks(system.rti_source));
 }
 
-Outcome ExamineClocks() noexcept
+Outcome ExamineClocks(const std::uint32_t rti_source) noexcept
 {
     const bool same_main = Read(At(kBase, kMainSource)) == kPllIsMain;
-    const bool same_rti = Read(At(kBase, kRtiSource)) == kRtiFromVclk;
+    const bool same_rti = Read(At(kBase, kRtiSource)) == rti_source;
     const bool is_valid = (Read(At(kBase, kSourcesValid)) & kUsedSources) == kUsedSources;
     const bool is_clean = (Read(At(kBase, kGlobalStatus)) & kGlobalErrors) == 0U;
     return (same_main && same_rti && is_valid && is_clean) ? Outcome::kDone : Outcome::kFailed;

@@ -22,10 +22,10 @@ struct ResetReason
 void ClearResetReason(ResetReason reason) noexcept;
 
 /// @brief Oscillator, PLL, dividers, sources, peripherals; every wait bounded, everything read back. [SRS-TMS-050]
-[[nodiscard]] Outcome StartClocks(const ClockTree& clocks) noexcept;
+[[nodiscard]] Outcome StartClocks(const ClockTree& clocks, const SystemSetup& system) noexcept;
 
 /// @brief Once a cycle: sources as set up, no slip of the PLL, no failure of the oscillator.
-[[nodiscard]] Outcome ExamineClocks() noexcept;
+[[nodiscard]] Outcome ExamineClocks(std::uint32_t rti_source) noexcept;
 
 /// @brief Memories of the peripherals are written by hardware, with a right parity. [SRS-TMS-049]
 [[nodiscard]] Outcome InitialiseMemories(const MemorySelection& memories) noexcept;

@@ -46,7 +46,7 @@ inline constexpr EsmChannelEntry kEsmGroup1[] = {
     {"FlexRay parity", EsmReaction::kSafeState},                     // 12
     {"DMA or trace imprecise write", EsmReaction::kSafeState},       // 13
     {"FlexRay transfer parity", EsmReaction::kSafeState},            // 14
-    {"VIM parity", EsmReaction::kSafeState},                         // 15
+    {"VIM parity or ECC", EsmReaction::kSafeState},                  // 15
     {"FlexRay transfer memory protection", EsmReaction::kSafeState}, // 16
     {"SPI 1 parity", EsmReaction::kSafeState},                       // 17
     {"SPI 3 parity", EsmReaction::kSafeState},                       // 18
@@ -99,38 +99,38 @@ inline constexpr EsmChannelEntry kEsmGroup1[] = {
 
 inline constexpr EsmChannelEntry kEsmGroup2[] = {
     // MISRA D-001
-    {kEsmReserved, EsmReaction::kSafeState},                    // 0
-    {kEsmReserved, EsmReaction::kSafeState},                    // 1
-    {"lockstep compare", EsmReaction::kSafeState},              // 2
-    {kEsmReserved, EsmReaction::kSafeState},                    // 3
-    {"flash uncorrectable (address)", EsmReaction::kSafeState}, // 4
-    {kEsmReserved, EsmReaction::kSafeState},                    // 5
-    {"RAM even bank uncorrectable", EsmReaction::kSafeState},   // 6
-    {"level 2 RAM (LC43x)", EsmReaction::kSafeState},           // 7
-    {"RAM odd bank uncorrectable", EsmReaction::kSafeState},    // 8
-    {kEsmReserved, EsmReaction::kSafeState},                    // 9
-    {"RAM even bank address parity", EsmReaction::kSafeState},  // 10
-    {kEsmReserved, EsmReaction::kSafeState},                    // 11
-    {"RAM odd bank address parity", EsmReaction::kSafeState},   // 12
-    {kEsmReserved, EsmReaction::kSafeState},                    // 13
-    {kEsmReserved, EsmReaction::kSafeState},                    // 14
-    {kEsmReserved, EsmReaction::kSafeState},                    // 15
-    {"flash ECC live-lock", EsmReaction::kSafeState},           // 16
-    {kEsmReserved, EsmReaction::kSafeState},                    // 17
-    {kEsmReserved, EsmReaction::kSafeState},                    // 18
-    {kEsmReserved, EsmReaction::kSafeState},                    // 19
-    {kEsmReserved, EsmReaction::kSafeState},                    // 20
-    {kEsmReserved, EsmReaction::kSafeState},                    // 21
-    {kEsmReserved, EsmReaction::kSafeState},                    // 22
-    {kEsmReserved, EsmReaction::kSafeState},                    // 23
-    {"windowed watchdog", EsmReaction::kSafeState},             // 24
-    {kEsmReserved, EsmReaction::kSafeState},                    // 25
-    {kEsmReserved, EsmReaction::kSafeState},                    // 26
-    {kEsmReserved, EsmReaction::kSafeState},                    // 27
-    {kEsmReserved, EsmReaction::kSafeState},                    // 28
-    {kEsmReserved, EsmReaction::kSafeState},                    // 29
-    {kEsmReserved, EsmReaction::kSafeState},                    // 30
-    {kEsmReserved, EsmReaction::kSafeState},                    // 31
+    {kEsmReserved, EsmReaction::kSafeState},                                   // 0
+    {kEsmReserved, EsmReaction::kSafeState},                                   // 1
+    {"lockstep compare", EsmReaction::kSafeState},                             // 2
+    {"processor bus (LC43x)", EsmReaction::kSafeState},                        // 3
+    {"flash uncorrectable (address)", EsmReaction::kSafeState},                // 4
+    {kEsmReserved, EsmReaction::kSafeState},                                   // 5
+    {"RAM even bank uncorrectable", EsmReaction::kSafeState},                  // 6
+    {"level 2 RAM (LC43x)", EsmReaction::kSafeState},                          // 7
+    {"RAM odd bank uncorrectable", EsmReaction::kSafeState},                   // 8
+    {kEsmReserved, EsmReaction::kSafeState},                                   // 9
+    {"RAM even bank address parity", EsmReaction::kSafeState},                 // 10
+    {kEsmReserved, EsmReaction::kSafeState},                                   // 11
+    {"RAM odd bank address parity", EsmReaction::kSafeState},                  // 12
+    {kEsmReserved, EsmReaction::kSafeState},                                   // 13
+    {kEsmReserved, EsmReaction::kSafeState},                                   // 14
+    {kEsmReserved, EsmReaction::kSafeState},                                   // 15
+    {"flash ECC live-lock", EsmReaction::kSafeState},                          // 16
+    {"level 2 flash parity (LC43x)", EsmReaction::kSafeState},                 // 17
+    {kEsmReserved, EsmReaction::kSafeState},                                   // 18
+    {"level 2 flash settings uncorrectable (LC43x)", EsmReaction::kSafeState}, // 19
+    {kEsmReserved, EsmReaction::kSafeState},                                   // 20
+    {"processor ECC (LC43x)", EsmReaction::kSafeState},                        // 21
+    {kEsmReserved, EsmReaction::kSafeState},                                   // 22
+    {kEsmReserved, EsmReaction::kSafeState},                                   // 23
+    {"windowed watchdog", EsmReaction::kSafeState},                            // 24
+    {"VIM lockstep compare (LC43x)", EsmReaction::kSafeState},                 // 25
+    {"bus of the idle processor (LC43x)", EsmReaction::kSafeState},            // 26
+    {kEsmReserved, EsmReaction::kSafeState},                                   // 27
+    {"power domain that is off (LC43x)", EsmReaction::kSafeState},             // 28
+    {kEsmReserved, EsmReaction::kSafeState},                                   // 29
+    {kEsmReserved, EsmReaction::kSafeState},                                   // 30
+    {kEsmReserved, EsmReaction::kSafeState},                                   // 31
 };
 
 inline constexpr EsmChannelEntry kEsmGroup3[] = {
@@ -186,7 +186,9 @@ static_assert(sizeof kEsmGroup3 / sizeof kEsmGroup3[0] == kEsmGroup3Channels, "o
 
 /// Channels that drivers ask for by name.
 inline constexpr std::uint32_t kEsmFlashCorrected = 1U << 6U;
-inline constexpr std::uint32_t kEsmVimParity = 1U << 15U;
+inline constexpr std::uint32_t kEsmVimTable = 1U << 15U;
+/// Of channels 64 to 95, which no driver sets up: 83.
+inline constexpr std::uint32_t kEsmVimOneBit = 1U << 19U;
 inline constexpr std::uint32_t kEsmEvenRamCorrected = 1U << 26U;
 inline constexpr std::uint32_t kEsmOddRamCorrected = 1U << 28U;
 inline constexpr std::uint32_t kEsmClockComparator = 1U << 30U;
@@ -195,6 +197,9 @@ inline constexpr std::uint32_t kEsm2Lockstep = 1U << 2U;
 inline constexpr std::uint32_t kEsm2EvenRam = 1U << 6U;
 inline constexpr std::uint32_t kEsm2Level2Ram = 1U << 7U;
 inline constexpr std::uint32_t kEsm2OddRam = 1U << 8U;
+inline constexpr std::uint32_t kEsm2VimLockstep = 1U << 25U;
+inline constexpr std::uint32_t kEsm2IdleBus = 1U << 26U;
+inline constexpr std::uint32_t kEsm2PowerDomain = 1U << 28U;
 inline constexpr std::uint32_t kEsm3EvenRam = 1U << 3U;
 inline constexpr std::uint32_t kEsm3OddRam = 1U << 5U;
 inline constexpr std::uint32_t kEsm3Flash = 1U << 7U;

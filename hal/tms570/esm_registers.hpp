@@ -33,6 +33,7 @@ inline constexpr std::uint32_t kInterruptClear4 = 0x4CU;
 inline constexpr std::uint32_t kLevelSet4 = 0x50U;
 inline constexpr std::uint32_t kLevelClear4 = 0x54U;
 inline constexpr std::uint32_t kStatus4 = 0x58U; ///< Channels 32 to 63 of group 1.
+inline constexpr std::uint32_t kStatus7 = 0x98U; ///< Channels 64 to 95 of group 1; LC43x alone has them.
 
 inline constexpr std::uint32_t kKeyNormal = 0x0U;
 inline constexpr std::uint32_t kKeyRelease = 0x5U; ///< nERROR goes high when its low time is over.

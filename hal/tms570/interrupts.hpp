@@ -3,22 +3,31 @@
 #define HAL_TMS570_INTERRUPTS_HPP
 
 #include "hal/tms570/registers.hpp"
+#include "hal/tms570/variant.hpp"
 
 #include <cstdint>
 
-/// Vectored interrupt manager (VIM). Source: CPU facts 4.2; reference manual, chapter "Vectored Interrupt Manager".
+/// Vectored interrupt manager (VIM). Source: CPU facts 4.2; reference manual, chapter "Vectored Interrupt Manager"; for
+/// ECC that of the LC43x (SPNU563A, 19.5 and 19.9.1 to 19.9.5).
 namespace counterpoint::tms570
 {
 
 namespace vim
 {
 
-inline constexpr RegisterBase kParityBase{0xFFFFFDECU};
-inline constexpr std::uint32_t kParityFlag = 0x00U;
-inline constexpr std::uint32_t kParityControl = 0x04U;
-inline constexpr std::uint32_t kFallback = 0x0CU;
+inline constexpr RegisterBase kCheckBase{0xFFFFFDECU};
+inline constexpr std::uint32_t kCheckStatus = 0x00U;
+inline constexpr std::uint32_t kCheckControl = 0x04U;
+inline constexpr std::uint32_t kErrorAddress = 0x08U;
+inline constexpr std::uint32_t kFallback = 0x0CU;     ///< The vector while the table is bypassed after an error.
+inline constexpr std::uint32_t kErrorFlag = 1U << 0U; ///< Parity; with ECC: two wrong bits, or one not corrected.
 inline constexpr std::uint32_t kParityOn = 0xAU;
 inline constexpr std::uint32_t kParityTest = 1U << 8U; ///< Parity bits can be written.
+inline constexpr std::uint32_t kOneBitFlag = 1U << 8U; ///< ECC: one wrong bit.
+/// ECC, keys of four bits from the highest: one wrong bit is reported to the ESM (Ah), not corrected (5h), check bits
+/// cannot be written (Ah) or can (5h), ECC on (Ah).
+inline constexpr std::uint32_t kEccOn = 0x0A050A0AU;
+inline constexpr std::uint32_t kEccTest = 0x0A05050AU;
 
 inline constexpr RegisterBase kBase{0xFFFFFE00U};
 inline constexpr std::uint32_t kIrqIndex = 0x00U;
@@ -28,7 +37,7 @@ inline constexpr std::uint32_t kEnableSet = 0x30U;
 inline constexpr std::uint32_t kEnableClear = 0x40U;
 
 inline constexpr RegisterBase kTable{0xFFF82000U};
-inline constexpr RegisterBase kTableParity{0xFFF82400U};
+inline constexpr RegisterBase kTableCheckBits{0xFFF82400U}; ///< A word for each word of the table.
 inline constexpr std::uint32_t kTableWords = 128U;
 inline constexpr std::uint32_t kIndexMask = 0xFFU;
 
@@ -46,21 +55,22 @@ enum class InterruptRequest : std::uint8_t
 };
 
 /// Interrupt requests by number: the processor's two vectors lead to the program, which asks here what it was. The
-/// table of vectors is filled with one value and its parity watched all the same. [SRS-TMS-041, SRS-TMS-042]
+/// table of vectors is filled with one value and its check bits watched all the same. [SRS-TMS-041, SRS-TMS-042]
 class Interrupts
 {
   public:
-    /// @brief Forces a parity error and sees it reported by VIM and ESM; the table is then as it was.
-    [[nodiscard]] static Outcome TestParity() noexcept;
-    /// @brief Table filled, parity on, all requests off but those of this port; read back.
-    [[nodiscard]] static Outcome Start() noexcept;
+    /// @brief Forces the errors that the check can tell and sees each reported by VIM and ESM; the table is then as it
+    /// was.
+    [[nodiscard]] static Outcome TestTable(TableCheck check) noexcept;
+    /// @brief Table filled, its check on, all requests off but those of this port; read back.
+    [[nodiscard]] static Outcome Start(TableCheck check) noexcept;
     /// @brief What raised the interrupt (IRQ) or the fast one (FIQ).
     [[nodiscard]] static InterruptRequest Next() noexcept;
     [[nodiscard]] static InterruptRequest NextFast() noexcept;
     /// @brief All requests off but the fast ones, which nothing turns off: after one that nobody asked for.
     static void MaskAll() noexcept;
-    /// @brief Once a cycle: parity on and no parity error, requests as set up.
-    [[nodiscard]] static Outcome Examine() noexcept;
+    /// @brief Once a cycle: the check of the table on and no error, requests as set up.
+    [[nodiscard]] static Outcome Examine(TableCheck check) noexcept;
 };
 
 } // namespace counterpoint::tms570

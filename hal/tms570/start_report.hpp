@@ -21,7 +21,7 @@ enum class StartStep : std::uint8_t
     kMemoryInit = 5U, ///< MINIT
     kRamEcc = 6U,
     kFlashEcc = 7U,
-    kTableParity = 8U, ///< VIM
+    kTableParity = 8U, ///< VIM: parity of its table, or ECC.
     kErrorPin = 9U,
     kClockComparator = 10U,
     kCounters = 11U,
@@ -69,7 +69,7 @@ enum class BoardFault : std::uint8_t
     kPins = 3U,
     kEsm = 4U,
     kLockstep = 5U,
-    kInterrupts = 6U, ///< Set-up or parity of the VIM, or a request that nobody asked for.
+    kInterrupts = 6U, ///< Set-up or check bits of the VIM, or a request that nobody asked for.
     kClocks = 7U,
     kClockComparator = 8U,
     kCounters = 9U,

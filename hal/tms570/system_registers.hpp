@@ -37,12 +37,9 @@ inline constexpr std::uint32_t kInitDone = 1U << 8U;
 inline constexpr std::uint32_t kOscillatorBit = 1U << 0U;
 inline constexpr std::uint32_t kPllBit = 1U << 1U;
 inline constexpr std::uint32_t kOtherPllBit = 1U << 6U;
-/// External clocks and the second PLL stay off.
-inline constexpr std::uint32_t kUnusedSources = 0xC8U;
 inline constexpr std::uint32_t kUsedSources = 0x33U;
 inline constexpr std::uint32_t kGlobalErrors = 0x301U; ///< Oscillator failed, PLL slipped.
 inline constexpr std::uint32_t kPllIsMain = 0x00000001U;
-inline constexpr std::uint32_t kRtiFromVclk = 0x01090109U;
 inline constexpr std::uint32_t kPeripheralsOn = 1U << 8U;
 inline constexpr std::uint32_t kHalfVclk = 0x01010000U;
 inline constexpr std::uint32_t kVclkMask = 0x0F0F0000U;
@@ -51,10 +48,8 @@ inline constexpr std::uint32_t kPllDivider = 0x1F000000U;
 
 inline constexpr RegisterBase kFlash{0xFFF87000U};
 inline constexpr std::uint32_t kReadControl = 0x00U;
-inline constexpr std::uint32_t kWaitStates = 0x311U; ///< 3 for data, 1 for addresses, pipeline on.
 
-inline constexpr RegisterBase kPeripherals{0xFFFFE000U};
-inline constexpr std::uint32_t kPowerUp = 0xA0U; ///< Four registers.
+inline constexpr std::uint32_t kPowerUp = 0xA0U; ///< Four registers of a controller of power.
 
 inline constexpr std::uint32_t kResetPowerOn = 0x8000U;
 inline constexpr std::uint32_t kResetOscillator = 0x4000U;

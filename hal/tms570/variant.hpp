@@ -19,6 +19,14 @@ enum class Presence : std::uint8_t
     kPresent = 0x69U,
 };
 
+/// How the VIM protects its table of vectors.
+enum class TableCheck : std::uint8_t
+{
+    kInvalid = 0U, ///< The test of the table fails.
+    kParity = 1U,  ///< One bit a word.
+    kEcc = 0x69U,  ///< Seven bits a word: one wrong bit and two are told apart.
+};
+
 /// Bits of MSINENA and of the memory groups of the PBIST that a device with two CAN controllers uses.
 struct MemorySelection
 {
@@ -38,6 +46,15 @@ struct ClockTree
     std::uint8_t rti_mhz;       ///< RTICLK; VCLK is the same.
 };
 
+/// Registers of clocks and power that are checked to the last bit and do not have the same bits everywhere.
+struct SystemSetup
+{
+    std::uint32_t flash_read;  ///< FRDCNTL: 3 wait states; pipeline, or prefetch of both ports.
+    std::uint32_t sources_off; ///< CSDIS: external clocks and the second PLL.
+    std::uint32_t rti_source;  ///< RCLKSRC: VCLK.
+    RegisterBase power[3];     ///< Controllers of the peripherals' power; address 0: none. // MISRA D-001
+};
+
 struct Variant
 {
     RegisterBase dcan[2]; // MISRA D-001
@@ -48,15 +65,20 @@ struct Variant
     Presence level_2_ram;      ///< RAM behind the L2RAMW module with its diagnosis.
     Presence flash_diagnosis;  ///< Flash wrapper with diagnostic mode 7.
     Presence windowed_watchdog;
+    TableCheck table_check;
+    std::uint8_t comparators; ///< Of the CCM, from the first: processors, VIMs, idle processor's bus, power domains.
     std::uint32_t flash_bytes;
     std::uint32_t ram_bytes;
     ClockTree clocks;
+    SystemSetup system;
     MemorySelection memories;
 };
 
 inline constexpr std::uint32_t kRamOrigin = 0x08000000U;
 inline constexpr RegisterBase kDcan1Base{0xFFF7DC00U};
 inline constexpr RegisterBase kDcan2Base{0xFFF7DE00U};
+
+inline constexpr SystemSetup kCortexR4System{0x311U, 0xC8U, 0x01090109U, {{0xFFFFE000U}, {0U}, {0U}}};
 
 inline constexpr Variant kLs20x{
     {kDcan1Base, kDcan2Base},
@@ -67,9 +89,12 @@ inline constexpr Variant kLs20x{
     Presence::kAbsent,
     Presence::kPresent,
     Presence::kAbsent,
+    TableCheck::kParity,
+    1U,
     0x00200000U,
     0x00028000U,
     ClockTree{0x20056800U, 0x3FC0723DU, 16U, 140U, 70U},
+    kCortexR4System,
     MemorySelection{0x00000064U, 0x00000001U, 0x0000020CU},
 };
 
@@ -82,9 +107,12 @@ inline constexpr Variant kLs12x{
     Presence::kAbsent,
     Presence::kPresent,
     Presence::kPresent,
+    TableCheck::kParity,
+    1U,
     0x00140000U,
     0x00030000U,
     ClockTree{0x20057700U, 0x3FC0723DU, 16U, 160U, 80U},
+    kCortexR4System,
     MemorySelection{0x00000064U, 0x00000003U, 0x0000020CU},
 };
 
@@ -97,13 +125,18 @@ inline constexpr Variant kLs31x{
     Presence::kAbsent,
     Presence::kPresent,
     Presence::kPresent,
+    TableCheck::kParity,
+    1U,
     0x00300000U,
     0x00040000U,
     ClockTree{0x20057700U, 0x3FC0723DU, 16U, 160U, 80U},
+    kCortexR4System,
     MemorySelection{0x00000064U, 0x00000003U, 0x0000020CU},
 };
 
 /// Memories: SPNS195C, tables 6-33 (groups of the PBIST: DCAN1 6, DCAN2 7, VIM 14, ROMs 1 to 3) and 6-34 (MSINENA).
+/// Table of the VIM: SPNU563A, 19.5; comparators: 13.2; clocks: 2.5.1.10 (bit 2 of CSDIS reads 1), 2.5.1.18, 7.10.1;
+/// power: as the vendor's code generator has it.
 inline constexpr Variant kLc43x{
     {kDcan1Base, kDcan2Base},
     64U,
@@ -113,9 +146,12 @@ inline constexpr Variant kLc43x{
     Presence::kPresent,
     Presence::kAbsent,
     Presence::kPresent,
+    TableCheck::kEcc,
+    4U,
     0x00400000U,
     0x00080000U,
     ClockTree{0x20079500U, 0x3FC0723DU, 16U, 150U, 75U},
+    SystemSetup{0x303U, 0xCCU, 0x109U, {{0xFFFF1000U}, {0xFCFF1000U}, {0xFFF78000U}}},
     MemorySelection{0x00000064U, 0x00000007U, 0x00002060U},
 };
 

@@ -60,8 +60,8 @@ TEST_P(EndlessWaits, EndAfterTheLooksThatTheTableOfFaultsTells)
 INSTANTIATE_TEST_SUITE_P(
     All, EndlessWaits,
     ::testing::Values(
-        EndlessWait{model::Fault::kCcmSelfTestEndless, [] { return Lockstep::Test(); }, 20'000U},
-        EndlessWait{model::Fault::kPllNeverLocks, [] { return StartClocks(kLs12x.clocks); }, 70'000U},
+        EndlessWait{model::Fault::kCcmSelfTestEndless, [] { return Lockstep::Test(1U); }, 20'000U},
+        EndlessWait{model::Fault::kPllNeverLocks, [] { return StartClocks(kLs12x.clocks, kLs12x.system); }, 70'000U},
         EndlessWait{model::Fault::kDccEndless, [] { return ClockComparator::Start(kLs12x.clocks); }, 200'000U},
         EndlessWait{model::Fault::kMemoryInitEndless, [] { return InitialiseMemories(kLs12x.memories); }, 70'000U},
         EndlessWait{model::Fault::kPbistEndless, [] { return TestMemories(kLs12x.memories); }, 1'000'000U}));
@@ -89,7 +89,7 @@ TEST(DiagnosisTest, LockstepTestForcesEveryErrorAndEndsInLockstep)
     // Given a sound comparator
     model::Machine machine{kLs12x};
     // When it is tested, then it passes, in lockstep mode, without an error left, and nERROR goes high again
-    EXPECT_EQ(Lockstep::Test(), Outcome::kDone);
+    EXPECT_EQ(Lockstep::Test(1U), Outcome::kDone);
     EXPECT_EQ(machine.Read(0xFFFFF604U), 0U);
     EXPECT_TRUE(IsEsmClean());
     EXPECT_FALSE(machine.esm.IsPinHigh());
@@ -102,13 +102,13 @@ TEST(DiagnosisTest, TableOfVectorsIsAsItWasAfterItsTest)
     Verifies(req::SRS_TMS_041);
     // Given a sound table, when its parity is tested, then it passes with parity on and nothing left
     model::Machine machine{kLs12x};
-    EXPECT_EQ(Interrupts::TestParity(), Outcome::kDone);
+    EXPECT_EQ(Interrupts::TestTable(TableCheck::kParity), Outcome::kDone);
     EXPECT_EQ(machine.Read(0xFFFFFDF0U), 0xAU);
     EXPECT_EQ(machine.Read(0xFFFFFDECU), 0U);
     EXPECT_EQ(machine.Read(0xFFF82400U), 0U);
     EXPECT_TRUE(IsEsmClean());
     // and the set-up fills all of it
-    EXPECT_EQ(Interrupts::Start(), Outcome::kDone);
+    EXPECT_EQ(Interrupts::Start(TableCheck::kParity), Outcome::kDone);
     EXPECT_EQ(machine.Read(0xFFF82000U), 0xFFFFFFFCU);
     EXPECT_EQ(machine.Read(0xFFF821FCU), 0xFFFFFFFCU);
     // with DCAN 1, DCAN 2 and the ESM enabled: channels 16, 20, 35, and 0 and 1 that are always
@@ -220,13 +220,13 @@ TEST(DiagnosisTest, ClocksAreThoseOfTheVariant)
     Verifies(req::SRS_TMS_050);
     // Given a controller of 16 MHz, when its clocks are started
     model::Machine machine{kLs12x};
-    EXPECT_EQ(StartClocks(kLs12x.clocks), Outcome::kDone);
+    EXPECT_EQ(StartClocks(kLs12x.clocks, kLs12x.system), Outcome::kDone);
     // Then the PLL makes 16 / 6 * 120 / 2 MHz, drives the processor, half of it the peripherals and the RTI
     EXPECT_EQ(machine.Read(0xFFFFFF70U), 0x20057700U);
     EXPECT_EQ(machine.Read(0xFFFFFF48U), 1U);
     EXPECT_EQ(machine.Read(0xFFFFFF50U), 0x01090109U);
     EXPECT_EQ(machine.Read(0xFFFFFFD0U), 0x01010100U);
-    EXPECT_EQ(ExamineClocks(), Outcome::kDone);
+    EXPECT_EQ(ExamineClocks(kLs12x.system.rti_source), Outcome::kDone);
 }
 
 TEST(DiagnosisTest, ColdErrorIsKeptWithItsChannel)

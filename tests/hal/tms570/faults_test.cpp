@@ -158,6 +158,7 @@ constexpr RunFault kRunFaults[] = {
     {Fault::kCcmNotLockstep, BoardFault::kLockstep, 8},
     {Fault::kVimParityError, BoardFault::kEsm, kInInterrupt},
     {Fault::kVimUnknownRequest, BoardFault::kInterrupts, kInInterrupt},
+    {Fault::kVimCheckOff, BoardFault::kInterrupts, 8},
     {Fault::kDccClockDrifts, BoardFault::kEsm, 4},
     {Fault::kDccTurnedOff, BoardFault::kClockComparator, 8},
     {Fault::kPllSlips, BoardFault::kClocks, 8},
@@ -188,7 +189,7 @@ constexpr Event kEvents[] = {
     {Fault::kEsmUncorrectable, [](Rig& rig) { rig.machine.esm.Raise(2U, 6U); }},
     {Fault::kEsmCorrectedAgain, [](Rig& rig) { rig.machine.esm.Raise(1U, 26U); }},
     {Fault::kCcmCompareError, [](Rig& rig) { rig.machine.ccm.Differ(); }},
-    {Fault::kVimParityError, [](Rig& rig) { rig.machine.vim.ReportParity(); }},
+    {Fault::kVimParityError, [](Rig& rig) { rig.machine.vim.Report(1U, 0xFFF82000U); }},
 };
 
 void Provoke(Rig& rig, const Fault fault)
@@ -261,6 +262,8 @@ constexpr Fault kOwnTests[] = {
     Fault::kCounterBFast,       // DeviceOnModels.FastCounterIsADeviceFault
     Fault::kWatchdogNotEnabled, // WatchdogTest.LostWriteRefusesTheStart
     Fault::kWatchdogPeriodLost,
+    Fault::kVimOneBitUnseen, // VimEcc, in vim_ecc_test.cpp
+    Fault::kVimTwoBitsUnseen,   Fault::kVimTwoBitsTakenForOne, Fault::kVimOneBitError, Fault::kVimTwoBitError,
 };
 
 TEST(FaultTable, HasARowAndATestForEveryFault)

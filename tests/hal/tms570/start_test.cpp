@@ -137,6 +137,27 @@ INSTANTIATE_TEST_SUITE_P(All, Level2RamFault,
                          ::testing::Values(model::Fault::kRamOneBitUnseen, model::Fault::kRamOneBitWrong,
                                            model::Fault::kRamTwoBitsUnseen));
 
+TEST(Lc43x, RegistersOfClocksAndPowerAreItsOwn)
+{
+    Verifies(req::SRS_TMS_002);
+    Verifies(req::SRS_TMS_050);
+    // Given an LC43x, whose registers keep fewer bits than those of a Cortex-R4F's controllers and one bit of which is
+    // always set
+    model::Machine machine{kLc43x};
+    // When the clocks are started with its constants, then flash, sources and RTI read as they were written
+    EXPECT_EQ(StartClocks(kLc43x.clocks, kLc43x.system), Outcome::kDone);
+    EXPECT_EQ(machine.Read(0xFFF87000U), 0x303U);
+    EXPECT_EQ(machine.Read(0xFFFFFF30U), 0xCCU);
+    EXPECT_EQ(machine.Read(0xFFFFFF50U), 0x109U);
+    // and all peripherals have power, by three controllers
+    EXPECT_EQ(machine.Read(0xFFFF10A0U), 0xFFFFFFFFU);
+    EXPECT_EQ(machine.Read(0xFCFF10ACU), 0xFFFFFFFFU);
+    EXPECT_EQ(machine.Read(0xFFF780A0U), 0xFFFFFFFFU);
+    EXPECT_TRUE(machine.Strays().empty());
+    // With those of an LS31x the start would end here
+    EXPECT_EQ(StartClocks(kLc43x.clocks, kLs31x.system), Outcome::kFailed);
+}
+
 TEST(Level2Ram, IsQuietAfterItsTest)
 {
     Verifies(req::SRS_TMS_044);

@@ -75,9 +75,11 @@ void DccModel::Advance(const std::uint64_t ns)
 
 using namespace system_module;
 
-SystemModel::SystemModel(const FaultSet& faults) : Peripheral(faults)
+constexpr std::uint32_t kSourcesOffAfterReset = 0xCAU;
+
+SystemModel::SystemModel(const FaultSet& faults, const SystemBits& bits) : Peripheral(faults), bits_(bits)
 {
-    Kept(kSourcesOff) = kUnusedSources | kPllBit;
+    Kept(kSourcesOff) = kSourcesOffAfterReset | bits_.sources_always_off;
     Kept(kResetStatus) = kResetPowerOn;
 }
 
@@ -116,7 +118,10 @@ void SystemModel::Write(const std::uint32_t offset, const std::uint32_t value)
         break;
     case kSourcesOff:
         lock_left_ns_ = kLockNs;
-        Kept(offset) = value;
+        Kept(offset) = value | bits_.sources_always_off;
+        break;
+    case kRtiSource:
+        Kept(offset) = value & bits_.rti_source_kept;
         break;
     case kResetStatus:
     case kGlobalStatus:

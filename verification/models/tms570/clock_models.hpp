@@ -27,11 +27,21 @@ class DccModel final : public Peripheral
     std::uint64_t left_ns_{0U};
 };
 
+/// Bits of the system module that are no memory cells.
+struct SystemBits
+{
+    std::uint32_t sources_always_off;
+    std::uint32_t rti_source_kept;
+};
+inline constexpr SystemBits kCortexR4Bits{0U, 0xFFFFFFFFU};
+/// SPNU563A, 2.5.1.10 and 2.5.1.18.
+inline constexpr SystemBits kLc43xBits{0x4U, 0x30FU};
+
 /// System module: clock sources, initialisation of memories, reset flags; and whether a memory test is over.
 class SystemModel final : public Peripheral
 {
   public:
-    explicit SystemModel(const FaultSet& faults);
+    SystemModel(const FaultSet& faults, const SystemBits& bits);
 
     void SetReset(std::uint32_t bits);
     void EndMemoryTest();
@@ -41,6 +51,7 @@ class SystemModel final : public Peripheral
     void Advance(std::uint64_t ns) override;
 
   private:
+    SystemBits bits_;
     std::uint64_t lock_left_ns_{0U};
     std::uint64_t init_left_ns_{0U};
 };

@@ -22,11 +22,13 @@ struct SetAndClear
 constexpr SetAndClear kPairs[] = {
     {kPinSet1, kPinClear1}, {kInterruptSet1, kInterruptClear1}, {kLevelSet1, kLevelClear1},
     {kPinSet4, kPinClear4}, {kInterruptSet4, kInterruptClear4}, {kLevelSet4, kLevelClear4}};
+constexpr std::uint32_t kHighHalf = 32U;
+constexpr std::uint32_t kHighest = 64U;
 
 [[nodiscard]] bool IsStatus(const std::uint32_t offset)
 {
     return (offset == kStatus1) || (offset == kStatus2) || (offset == kStatus3) || (offset == kStatus4) ||
-           (offset == kShadowStatus2);
+           (offset == kStatus7) || (offset == kShadowStatus2);
 }
 
 } // namespace
@@ -40,8 +42,14 @@ void EsmModel::PullLow()
 
 void EsmModel::Raise(const std::uint32_t group, const std::uint32_t channel)
 {
-    const bool is_high_half = (group == 1U) && (channel >= 32U);
     const std::uint32_t bit = 1U << (channel % 32U);
+    if ((group == 1U) && (channel >= kHighest))
+    {
+        // No driver gives these an interrupt or an influence on the pin.
+        Kept(kStatus7) |= bit;
+        return;
+    }
+    const bool is_high_half = (group == 1U) && (channel >= kHighHalf);
     const std::uint32_t status1 = is_high_half ? kStatus4 : kStatus1;
     const std::uint32_t offset = (group == 1U) ? status1 : ((group == 2U) ? kStatus2 : kStatus3);
     Kept(offset) |= bit;

@@ -10,6 +10,7 @@
 #include "hal/tms570/rti_registers.hpp"
 #include "hal/tms570/system_registers.hpp"
 
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -29,34 +30,46 @@ constexpr std::uint32_t kDcan2Parity = 23U;
 constexpr std::uint32_t kFrame = 0x100U;
 constexpr std::uint32_t kDcanBytes = 0x200U;
 constexpr std::uint32_t kMirrorBytes = 0x100U;
+/// SPNU563A, 7.10.1: wait states and prefetch.
+constexpr std::uint32_t kLc43xReadControl = 0xF03U;
+/// The vendor's register headers: one controller of power, or three on an LC43x.
+constexpr std::uint32_t kPower = 0xFFFFE000U;
+constexpr std::uint32_t kLc43xPower[] = {0xFFFF1000U, 0xFCFF1000U, 0xFFF78000U};
+
+[[nodiscard]] bool IsLc43x(const Variant& variant)
+{
+    return variant.level_2_ram == Presence::kPresent;
+}
 
 } // namespace
 
 Machine::Machine(const Variant& variant)
-    : dcan1(faults, esm, kDcan1Parity), dcan2(faults, esm, kDcan2Parity), vim(faults, esm, dcan1, dcan2),
-      vim_table(faults, vim), rti(faults, esm, variant.clocks.rti_mhz), ccm(faults, esm),
-      dcc(faults, esm, variant.clocks), stc(faults, system), pbist(faults, system),
-      processor(faults, variant.mpu_regions), ram_(faults, RamBanks{even_, odd_, esm, processor, abort_}),
-      ram_ecc_(faults, ram_), mirror_(faults, flash_, esm, abort_)
+    : dcan1(faults, esm, kDcan1Parity), dcan2(faults, esm, kDcan2Parity),
+      vim(faults, VimPlace{esm, dcan1, dcan2}, variant.table_check), vim_table(faults, vim),
+      rti(faults, esm, variant.clocks.rti_mhz), ccm(faults, esm, variant.comparators), dcc(faults, esm, variant.clocks),
+      system(faults, IsLc43x(variant) ? kLc43xBits : kCortexR4Bits), stc(faults, system), pbist(faults, system),
+      processor(faults, variant.mpu_regions), flash_(faults, IsLc43x(variant) ? kLc43xReadControl : kWholeWord),
+      ram_(faults, RamBanks{even_, odd_, esm, processor, abort_}), ram_ecc_(faults, ram_),
+      mirror_(faults, flash_, esm, abort_)
 {
     if (the_machine != nullptr)
     {
         throw std::logic_error("there is a machine already");
     }
     the_machine = this;
-    constexpr std::uint32_t kVimBytes = (vim::kBase.address - vim::kParityBase.address) + kFrame;
+    constexpr std::uint32_t kVimBytes = (vim::kBase.address - vim::kCheckBase.address) + kFrame;
     Map(kDcan1Base.address, kDcanBytes, dcan1);
     Map(kDcan2Base.address, kDcanBytes, dcan2);
     Map(rti::kBase.address, kFrame, rti);
     Map(gio::kBase.address, kFrame, gio);
     Map(esm::kBase.address, kFrame, esm);
     Map(ccm::kBase.address, kFrame, ccm);
-    Map(vim::kParityBase.address, kVimBytes, vim);
-    Map(vim::kTable.address, 2U * (vim::kTableParity.address - vim::kTable.address), vim_table);
+    Map(vim::kCheckBase.address, kVimBytes, vim);
+    Map(vim::kTable.address, 2U * (vim::kTableCheckBits.address - vim::kTable.address), vim_table);
     Map(dcc::kBase.address, kFrame, dcc);
     Map(system_module::kBase.address, kFrame, system);
     Map(system_module::kSystem2.address, kFrame, system2_);
-    Map(system_module::kPeripherals.address, kFrame, plain_);
+    MapPower(variant);
     Map(system_module::kStc.address, kFrame, stc);
     Map(system_module::kPbist.address, 2U * kFrame, pbist);
     Map(flash::kBase.address, kFrame, flash_);
@@ -72,6 +85,19 @@ Machine::Machine(const Variant& variant)
         Map(level_2_ram::kBase.address, kFrame, level_2_ram_);
     }
     Map(kRamOrigin, variant.ram_bytes, ram_);
+}
+
+void Machine::MapPower(const Variant& variant)
+{
+    if (!IsLc43x(variant))
+    {
+        Map(kPower, kFrame, power_[0]);
+        return;
+    }
+    for (std::size_t number = 0U; number < std::size(kLc43xPower); ++number)
+    {
+        Map(kLc43xPower[number], kFrame, power_[number]);
+    }
 }
 
 Machine::~Machine()

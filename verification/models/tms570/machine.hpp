@@ -73,7 +73,7 @@ class Machine
     GioModel gio{faults};
     CcmModel ccm;
     DccModel dcc;
-    SystemModel system{faults};
+    SystemModel system;
     StcModel stc;
     PbistModel pbist;
     ProcessorModel processor;
@@ -86,17 +86,18 @@ class Machine
         Peripheral* peripheral;
     };
 
+    void MapPower(const Variant& variant);
     void Map(std::uint32_t first, std::uint32_t bytes, Peripheral& peripheral);
     [[nodiscard]] const Range* Find(std::uint32_t address);
     void Pass(std::uint64_t ns);
 
     AbortLine abort_{};
-    Peripheral plain_{faults};
+    Peripheral power_[3]{Peripheral(faults), Peripheral(faults), Peripheral(faults)};
     Peripheral system2_{faults};
     Level2RamModel level_2_ram_{faults, esm};
     TcramModel even_{faults};
     TcramModel odd_{faults};
-    FlashModel flash_{faults};
+    FlashModel flash_;
     RamModel ram_;
     RamEccModel ram_ecc_;
     FlashMirrorModel mirror_;

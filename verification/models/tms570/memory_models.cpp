@@ -2,6 +2,7 @@
 #include "verification/models/tms570/memory_models.hpp"
 
 #include "hal/tms570/ecc.hpp"
+#include "hal/tms570/system_registers.hpp"
 #include "hal/tms570/variant.hpp"
 
 namespace counterpoint::tms570::model
@@ -139,6 +140,11 @@ void Level2RamModel::Write(const std::uint32_t offset, const std::uint32_t value
     }
 }
 
+FlashModel::FlashModel(const FaultSet& faults, const std::uint32_t read_control)
+    : Peripheral(faults), read_control_(read_control)
+{
+}
+
 std::uint32_t FlashModel::SpoiledBits()
 {
     const bool is_on = Kept(flash::kDiagnosisControl) == (flash::kDiagnosisOn | flash::kDiagnosisTrigger);
@@ -152,6 +158,11 @@ void FlashModel::Report(const std::uint32_t bit)
 
 void FlashModel::Write(const std::uint32_t offset, const std::uint32_t value)
 {
+    if (offset == system_module::kReadControl)
+    {
+        Kept(offset) = value & read_control_;
+        return;
+    }
     Kept(offset) = (offset == flash::kErrorStatus) ? (Kept(offset) & ~value) : value;
 }
 

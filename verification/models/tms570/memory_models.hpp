@@ -87,13 +87,17 @@ class Level2RamModel final : public Peripheral
 class FlashModel final : public Peripheral
 {
   public:
-    using Peripheral::Peripheral;
+    /// @param read_control Bits of the control register that are there.
+    FlashModel(const FaultSet& faults, std::uint32_t read_control);
 
     /// @brief Bits that the diagnosis spoils in the next read of the mirror.
     [[nodiscard]] std::uint32_t SpoiledBits();
     void Report(std::uint32_t bit);
 
     void Write(std::uint32_t offset, std::uint32_t value) override;
+
+  private:
+    std::uint32_t read_control_;
 };
 
 /// The mirror that the diagnosis reads.

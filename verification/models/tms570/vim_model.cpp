@@ -11,43 +11,132 @@ namespace
 
 using namespace vim;
 
-constexpr std::uint32_t kMain = kBase.address - kParityBase.address;
-constexpr std::uint32_t kParityStart = kTableParity.address - kTable.address;
-constexpr std::uint32_t kParityChannel = 15U;
+constexpr std::uint32_t kMain = kBase.address - kCheckBase.address;
+constexpr std::uint32_t kCheckBitsStart = kTableCheckBits.address - kTable.address;
+constexpr std::uint32_t kVector = kMain + 0x70U; ///< IRQVECREG; the next one is for fast requests.
+constexpr std::uint32_t kFastVector = kMain + 0x74U;
+constexpr std::uint32_t kErrorChannel = 15U;
+constexpr std::uint32_t kOneBitChannel = 83U;
 constexpr std::uint32_t kUnknownChannel = 90U;
 
-/// The model keeps one bit a word: whether its parity was spoiled.
-[[nodiscard]] bool IsParity(const std::uint32_t offset)
+constexpr std::uint32_t kKeyAt = 0xFU;
+constexpr std::uint32_t kKeyA = 0xAU;
+constexpr std::uint32_t kKey5 = 0x5U;
+constexpr std::uint32_t kTestShift = 8U;
+constexpr std::uint32_t kCorrectShift = 16U;
+constexpr std::uint32_t kReportShift = 24U;
+constexpr std::uint32_t kEccAfterReset = 0x050A0A05U;
+
+/// The model keeps the check bits that were spoiled, not those that fit.
+[[nodiscard]] bool AreCheckBits(const std::uint32_t offset)
 {
-    return offset >= kParityStart;
+    return offset >= kCheckBitsStart;
+}
+
+[[nodiscard]] std::uint32_t CountOf(std::uint32_t bits)
+{
+    std::uint32_t count = 0U;
+    for (; bits != 0U; bits &= bits - 1U)
+    {
+        ++count;
+    }
+    return count;
 }
 
 } // namespace
 
-VimModel::VimModel(const FaultSet& faults, EsmModel& esm, DcanModel& first, DcanModel& second)
-    : Peripheral(faults), esm_(esm), first_(first), second_(second)
+VimModel::VimModel(const FaultSet& faults, const VimPlace& place, const TableCheck check)
+    : Peripheral(faults), esm_(place.esm), first_(place.first), second_(place.second),
+      has_ecc_(check == TableCheck::kEcc)
 {
     Kept(kMain + kEnableSet) = 3U;
     Kept(kMain + kIsFast) = 3U;
+    Kept(kCheckControl) = has_ecc_ ? kEccAfterReset : kKey5;
+}
+
+void VimModel::Report(const std::uint32_t wrong_bits, const std::uint32_t address)
+{
+    if (!IsOn() || (wrong_bits == 0U))
+    {
+        return;
+    }
+    if (!has_ecc_)
+    {
+        ReportParity();
+        return;
+    }
+    if ((wrong_bits == 1U) || Has(Fault::kVimTwoBitsTakenForOne))
+    {
+        ReportOneBit();
+        return;
+    }
+    ReportTwoBits(address);
 }
 
 void VimModel::ReportParity()
 {
-    if (IsParityOn() && !Has(Fault::kVimParityUnseen))
+    if (!Has(Fault::kVimParityUnseen))
     {
-        Kept(kParityFlag) |= 1U;
-        esm_.Raise(1U, kParityChannel);
+        Kept(kCheckStatus) |= kErrorFlag;
+        esm_.Raise(1U, kErrorChannel);
     }
 }
 
-bool VimModel::IsParityTest()
+/// Not corrected, it bypasses the table as two wrong bits do. That it raises channel 15 of the ESM too is said nowhere,
+/// so that it does not here.
+void VimModel::ReportOneBit()
 {
-    return (Kept(kParityControl) & kParityTest) != 0U;
+    if (Has(Fault::kVimOneBitUnseen))
+    {
+        return;
+    }
+    const bool is_corrected = HasKey(kCorrectShift, kKeyA);
+    Kept(kCheckStatus) |= kOneBitFlag | (is_corrected ? 0U : kErrorFlag);
+    if (HasKey(kReportShift, kKeyA))
+    {
+        esm_.Raise(1U, kOneBitChannel);
+    }
 }
 
-bool VimModel::IsParityOn()
+void VimModel::ReportTwoBits(const std::uint32_t address)
 {
-    return (Kept(kParityControl) & 0xFU) == kParityOn;
+    if (Has(Fault::kVimTwoBitsUnseen))
+    {
+        return;
+    }
+    const bool is_first = (Kept(kCheckStatus) & kErrorFlag) == 0U;
+    Kept(kErrorAddress) = is_first ? address : Kept(kErrorAddress);
+    Kept(kCheckStatus) |= kErrorFlag;
+    esm_.Raise(1U, kErrorChannel);
+}
+
+bool VimModel::HasKey(const std::uint32_t shift, const std::uint32_t key)
+{
+    return ((Kept(kCheckControl) >> shift) & kKeyAt) == key;
+}
+
+bool VimModel::IsTest()
+{
+    return has_ecc_ ? HasKey(kTestShift, kKey5) : ((Kept(kCheckControl) & kParityTest) != 0U);
+}
+
+bool VimModel::IsOn()
+{
+    return has_ecc_ ? !HasKey(0U, kKey5) : HasKey(0U, kParityOn);
+}
+
+/// Two of the keys take nothing but Ah and 5h.
+void VimModel::WriteEccControl(const std::uint32_t value)
+{
+    std::uint32_t taken = value & 0x0F0F0F0FU;
+    for (const std::uint32_t shift : {kCorrectShift, kReportShift})
+    {
+        const std::uint32_t key = (value >> shift) & kKeyAt;
+        const std::uint32_t field = kKeyAt << shift;
+        const bool is_valid = (key == kKeyA) || (key == kKey5);
+        taken = is_valid ? taken : ((taken & ~field) | (Kept(kCheckControl) & field));
+    }
+    Kept(kCheckControl) = taken;
 }
 
 bool VimModel::IsEnabled(const std::uint32_t channel)
@@ -96,6 +185,15 @@ std::uint32_t VimModel::Read(const std::uint32_t offset)
     {
         return FastLine() ? 1U : 0U;
     }
+    const bool is_vector = (offset == kVector) || (offset == kFastVector);
+    if (is_vector && ((Kept(kCheckStatus) & kErrorFlag) != 0U))
+    {
+        return Kept(kFallback);
+    }
+    if ((offset == kCheckControl) && Has(Fault::kVimCheckOff))
+    {
+        return (Kept(offset) & ~kKeyAt) | kKey5;
+    }
     return Kept(offset);
 }
 
@@ -116,9 +214,14 @@ void VimModel::Write(const std::uint32_t offset, const std::uint32_t value)
         Kept(set) = (Kept(set) & ~value) | always;
         return;
     }
-    if (offset == kParityFlag)
+    if (offset == kCheckStatus)
     {
         Kept(offset) &= ~value;
+        return;
+    }
+    if (has_ecc_ && (offset == kCheckControl))
+    {
+        WriteEccControl(value);
         return;
     }
     const bool is_lost = (offset == kFallback) && Has(Fault::kVimFallbackLost);
@@ -131,9 +234,9 @@ VimTableModel::VimTableModel(const FaultSet& faults, VimModel& vim) : Peripheral
 
 std::uint32_t VimTableModel::Read(const std::uint32_t offset)
 {
-    if (!IsParity(offset) && (Kept(kParityStart + offset) != 0U))
+    if (!AreCheckBits(offset))
     {
-        vim_.ReportParity();
+        vim_.Report(CountOf(Kept(kCheckBitsStart + offset)), kTable.address + offset);
     }
     const bool is_stuck = Has(Fault::kVimTableStuck) && (offset == 20U);
     return Kept(offset) & (is_stuck ? ~0x100U : kWholeWord);
@@ -141,7 +244,7 @@ std::uint32_t VimTableModel::Read(const std::uint32_t offset)
 
 void VimTableModel::Write(const std::uint32_t offset, const std::uint32_t value)
 {
-    if (!IsParity(offset) || vim_.IsParityTest())
+    if (!AreCheckBits(offset) || vim_.IsTest())
     {
         Kept(offset) = value;
     }
