@@ -68,7 +68,8 @@ std::uint8_t NodeTable::RequestValue(const NodeId node) const noexcept
 
 bool NodeTable::RunsSurely(const NodeId node) const noexcept
 {
-    return Record(node).runs >= kRunsSurely;
+    const NodeRecord& record = Record(node); // A node that is missing is not OPERATIONAL, whatever it said last.
+    return (record.state == SlaveState::kOperational) && (record.runs >= kRunsSurely);
 }
 
 void NodeTable::WatchHeartbeat(const NodeId node, const std::uint16_t time_ms, const Arming arming,
