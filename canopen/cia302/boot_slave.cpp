@@ -135,6 +135,7 @@ void BootSlave::Start(const NodeId node, const BootTime& time) noexcept
 void BootSlave::Verify(const NodeId node, const BootTime& time) noexcept
 {
     const Job job = JobOf(node, time);
+    parts_.gate.Close(node); // What was verified before it ran may be long ago.
     job.record.was_operational = true;
     job.record.status.is_busy = true;
     job.record.is_extra = true;

@@ -156,6 +156,8 @@ class El6751StartUp final : public StartUp
     void DriveStop(NodeId node, Instant now) noexcept;
     void Hold(NodeId node, std::int16_t code, Instant now) noexcept;
     void DriveIdle(NodeId node, Instant now) noexcept;
+    void VerifyAgain(NodeId node, Instant now) noexcept;
+    void DriveCheck(NodeId node, bool is_suspect, Instant now) noexcept;
 
     [[nodiscard]] NmtAnswer CommandOne(NmtCommand command, NodeId node, Instant now) noexcept;
     [[nodiscard]] NmtAnswer HoldByHand(NmtCommand command, NodeId node, Instant now) noexcept;

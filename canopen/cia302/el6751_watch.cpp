@@ -61,7 +61,24 @@ void El6751StartUp::Watch(const NodeId node, const Instant now) noexcept
         const std::int16_t good = has_all ? kNodeRuns : kNodeWaitsForPdos;
         slave.cause = (fault != 0) ? fault : slave.cause;
         Tell(node, (fault != 0) ? fault : good, has_all ? StartUpStep::kRunning : StartUpStep::kWaitPdos, now);
+        VerifyAgain(node, now);
     }
+}
+
+/// One that was started, and whose gate did not stay open, runs on verified or not at all. [SRS-ELM-049]
+void El6751StartUp::VerifyAgain(const NodeId node, const Instant now) noexcept
+{
+    const El6751Node& slave = Of(node);
+    const NodeRecord& record = parts_.common.table.Record(node);
+    const bool has_left = slave.was_operational && (record.runs == 0U) && (record.state != SlaveState::kOperational);
+    if (IsSafety(node) && has_left && parts_.common.gate.MayStart(node))
+    {
+        parts_.common.gate.Close(node);
+    }
+    const GateState gate = parts_.common.gate.State(node);
+    const bool is_refused = (gate == GateState::kDiffers) || (gate == GateState::kFailed);
+    const bool is_back = (gate == GateState::kClosed) && parts_.common.table.RunsSurely(node);
+    DriveCheck(node, IsSafety(node) && (is_refused || is_back), now);
 }
 
 /// NodeState of what is wrong now; 0: nothing. [SRS-ELM-034..041]
@@ -179,23 +196,34 @@ void El6751StartUp::DriveIdle(const NodeId node, const Instant now) noexcept
         slave.control_fault = has_sign ? std::int16_t{0} : slave.control_fault;
         Tell(node, (slave.control_fault != 0) ? slave.control_fault : slave.held_code, slave.status.step, now);
     }
+    slave.was_checked = slave.was_checked && is_found;
+    const bool is_left = (gate == GateState::kClosed) && parts_.common.table.RunsSurely(node);
+    DriveCheck(node, is_found && (!slave.was_checked || is_left), now);
+}
+
+/// The gate reads a slave that runs.
+void El6751StartUp::DriveCheck(const NodeId node, const bool is_suspect, const Instant now) noexcept
+{
+    El6751Node& slave = Of(node);
+    const GateState gate = parts_.common.gate.State(node);
     if (slave.is_checking)
     {
+        const bool is_started = (slave.phase == El6751Phase::kRunning);
         slave.is_checking = (gate == GateState::kBusy);
         slave.was_checked = (gate == GateState::kOpen);
         if ((gate == GateState::kDiffers) || (gate == GateState::kFailed))
         {
-            RefuseSafety(node, slave.phase, now);
+            RefuseSafety(node, is_started ? El6751Phase::kFailed : slave.phase, now);
         }
     }
-    else if (is_found && !slave.was_checked)
+    else if (is_suspect)
     {
         slave.is_checking = true;
         parts_.common.gate.Verify(node, now);
     }
     else
     {
-        slave.was_checked = slave.was_checked && is_found;
+        // As it is to be.
     }
 }
 

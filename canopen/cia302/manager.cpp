@@ -13,6 +13,12 @@ bool IsReset(const NmtCommand command) noexcept
     return (command == NmtCommand::kResetNode) || (command == NmtCommand::kResetCommunication);
 }
 
+/// Takes a node out of OPERATIONAL without a reset.
+bool IsLeave(const NmtCommand command) noexcept
+{
+    return (command == NmtCommand::kStop) || (command == NmtCommand::kPreOperational);
+}
+
 } // namespace
 
 Manager::Manager(const ManagerParts& parts) noexcept
@@ -158,6 +164,10 @@ void Manager::OnCommandFrame(const CanFrame& frame) noexcept
     {
         OnReset(NodeId{frame.data[1]});
     }
+    if (is_command && IsLeave(static_cast<NmtCommand>(frame.data[0])))
+    {
+        OnLeave(NodeId{frame.data[1]});
+    }
     if (is_for_us && (flying_ != nullptr) && !is_leading_)
     {
         Obey(static_cast<NmtCommand>(frame.data[0]));
@@ -260,12 +270,31 @@ void Manager::OnReset(const NodeId node) noexcept
     }
 }
 
+/// Out of OPERATIONAL it can be changed, and be back there before it says so. What was found before stays to be told.
+/// [SRS-SFS-002]
+void Manager::OnLeave(const NodeId node) noexcept
+{
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        const GateState gate = gate_.State(NodeId{id});
+        const bool is_hit = (node.value == kAllNodes.value) || (node.value == id);
+        if (is_hit && ((gate == GateState::kOpen) || (gate == GateState::kBusy)))
+        {
+            CloseGate(NodeId{id});
+        }
+    }
+}
+
 void Manager::OnNmtSent(const NmtRequest& request, const Instant now) noexcept
 {
     const bool is_all = (request.node.value == kAllNodes.value);
     if (IsReset(request.command))
     {
         OnReset(request.node);
+    }
+    if (IsLeave(request.command))
+    {
+        OnLeave(request.node);
     }
     if (is_all || (request.node.value == parts_.setup.own.value))
     {

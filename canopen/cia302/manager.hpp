@@ -168,6 +168,7 @@ class Manager final : public NmtListener,
     void Obey(NmtCommand command) noexcept;
     void OnCommandFrame(const CanFrame& frame) noexcept;
     void OnReset(NodeId node) noexcept;
+    void OnLeave(NodeId node) noexcept;
     void Lead(bool is_leader, Instant now) noexcept;
     void FollowRole(Instant now) noexcept;
     void TryNegotiation(Instant now) noexcept;

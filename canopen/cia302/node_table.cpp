@@ -66,6 +66,12 @@ std::uint8_t NodeTable::RequestValue(const NodeId node) const noexcept
     return static_cast<std::uint8_t>(is_heard ? record.state : unwatched);
 }
 
+bool NodeTable::RunsSurely(const NodeId node) const noexcept
+{
+    const NodeRecord& record = Record(node); // A node that is missing is not OPERATIONAL, whatever it said last.
+    return (record.state == SlaveState::kOperational) && (record.runs >= kRunsSurely);
+}
+
 void NodeTable::WatchHeartbeat(const NodeId node, const std::uint16_t time_ms, const Arming arming,
                                const Instant now) noexcept
 {
@@ -158,6 +164,24 @@ void NodeTable::OnFrame(const CanFrame& frame, const Instant now) noexcept
     {
         Hear(node, frame.data[0], now);
     }
+    else if ((frame.kind == FrameKind::kData) && (frame.identifier == 0U) && (frame.length_bytes == 2U))
+    {
+        HearCommand(static_cast<NmtCommand>(frame.data[0]), NodeId{frame.data[1]});
+    }
+    else
+    {
+        // Not of error control.
+    }
+}
+
+/// Of somebody else: the nodes may be OPERATIONAL no more, whatever their next sign says.
+void NodeTable::HearCommand(const NmtCommand command, const NodeId node) noexcept
+{
+    for (std::uint8_t id = 1U; (id <= kLastNode) && (command != NmtCommand::kStart); ++id)
+    {
+        const bool is_hit = (node.value == kAllNodes.value) || (node.value == id);
+        parts_.records[id].runs = is_hit ? std::uint8_t{0U} : parts_.records[id].runs;
+    }
 }
 
 void NodeTable::Hear(const NodeId node, const std::uint8_t byte, const Instant now) noexcept
@@ -191,6 +215,7 @@ void NodeTable::HearBootUp(const NodeId node, NodeRecord& record, const Instant 
 {
     record.state = SlaveState::kPreOperational;
     record.asked = SlaveState::kUnknown;
+    record.runs = 0U;
     record.toggle = Toggle::kClear;
     record.is_toggle_wrong = false;
     record.is_asked = false;
@@ -209,6 +234,8 @@ void NodeTable::HearState(const NodeId node, NodeRecord& record, const std::uint
     const auto state = static_cast<SlaveState>(byte & kLastNode);
     const bool has_changed = (state != record.state);
     record.state = state;
+    const std::uint8_t more = (record.runs < kRunsSurely) ? static_cast<std::uint8_t>(record.runs + 1U) : kRunsSurely;
+    record.runs = (state == SlaveState::kOperational) ? more : std::uint8_t{0U};
     if (is_right)
     {
         const bool is_first = (record.watch != Watch::kNone) && !record.has_begun;
@@ -336,6 +363,7 @@ void NodeTable::OnNmtSent(const NmtRequest& request, const Instant now) noexcept
 void NodeTable::Command(NodeRecord& record, const NmtCommand command, const Instant now) noexcept
 {
     record.asked = AskedBy(command);
+    record.runs = (command == NmtCommand::kStart) ? record.runs : std::uint8_t{0U};
     if ((command == NmtCommand::kResetNode) || (command == NmtCommand::kResetCommunication))
     {
         record.state = SlaveState::kUnknown;

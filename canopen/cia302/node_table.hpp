@@ -63,6 +63,9 @@ enum class Toggle : std::uint8_t
     kSet = 2U,
 };
 
+/// One sign may have been under way when a command made the node leave OPERATIONAL; two in a row were not.
+constexpr std::uint8_t kRunsSurely = 2U;
+
 /// What is known of one node. Zero-filled at first.
 struct NodeRecord
 {
@@ -71,6 +74,7 @@ struct NodeRecord
     bool was_seen;      ///< Ever.
     std::uint8_t signs; ///< Counts heartbeats, guarding answers and boot-up messages, modulo 256.
     std::uint8_t beats; ///< Counts heartbeats and guarding answers, modulo 256.
+    std::uint8_t runs;  ///< OPERATIONAL signs in a row since the last NMT command but a start, up to kRunsSurely.
     Instant last_sign;  ///< Only with `was_seen`.
 
     Watch watch;           ///< What supervises it.
@@ -130,6 +134,8 @@ class NodeTable final : public NmtListener
     [[nodiscard]] const NodeRecord& Record(NodeId node) const noexcept;
     /// @brief What 1F82h reads: the state heard, or the one last asked for where nothing supervises the node.
     [[nodiscard]] std::uint8_t RequestValue(NodeId node) const noexcept;
+    /// @brief It says OPERATIONAL, and no sign of that was under way when it was commanded otherwise, by whomever.
+    [[nodiscard]] bool RunsSurely(NodeId node) const noexcept;
 
   private:
     void Hear(NodeId node, std::uint8_t byte, Instant now) noexcept;
@@ -141,6 +147,7 @@ class NodeTable final : public NmtListener
     void CheckHeartbeat(NodeId node, NodeRecord& record, Instant now) noexcept;
     void CheckExpected(NodeId node, NodeRecord& record, Instant now) noexcept;
     void Command(NodeRecord& record, NmtCommand command, Instant now) noexcept;
+    void HearCommand(NmtCommand command, NodeId node) noexcept;
     [[nodiscard]] bool SendRemote(NodeId node) noexcept;
     [[nodiscard]] NodeRecord* Find(NodeId node) noexcept;
 

@@ -36,7 +36,7 @@ void NodeWatch::OnFrame(const CanFrame& frame, const Instant now) noexcept
     else if (is_data && (function == kErrorControl) && (frame.length_bytes == 1U))
     {
         OnAnswer(node, frame, now);
-        OnSign(node, now);
+        OnSign(node, frame.data[0], now);
     }
     else if (is_data && (function == kAnswers))
     {
@@ -117,13 +117,16 @@ void NodeWatch::OnEmergency(const NodeId node, const CanFrame& frame, const Inst
     }
 }
 
-void NodeWatch::OnSign(const NodeId node, const Instant now) noexcept
+/// A restart has its own boot-up message and first heartbeat: the count begins anew behind them.
+void NodeWatch::OnSign(const NodeId node, const std::uint8_t byte, const Instant now) noexcept
 {
+    constexpr std::uint8_t kBootUp = 0U;
     WatchedNode& watched = nodes_[node.value];
     const std::uint32_t window_us = std::uint32_t{setup_.Slave(node).heartbeat.producer_ms} * kUsPerMs * kWindowPeriods;
     const bool is_new = (watched.signs == 0U) || ((now.us - watched.window.us) > window_us);
     watched.window = is_new ? now : watched.window;
     watched.signs = is_new ? std::uint8_t{1U} : static_cast<std::uint8_t>(watched.signs + 1U);
+    watched.signs = (byte == kBootUp) ? std::uint8_t{0U} : watched.signs;
     const bool is_too_often = (window_us > 0U) && (watched.signs >= kWindowSigns);
     if (is_too_often)
     {

@@ -55,7 +55,7 @@ constexpr std::uint32_t kEmergencyGapUs = 100'000U;
 
 /// Emergency messages, and node-IDs that two devices have. Two devices with one node-ID answer SDOs with each other's
 /// values; they show themselves by heartbeats that come too often: kWindowSigns in kWindowPeriods producer times, where
-/// one device sends eleven, and up to four more around its boot-up; and by second answers, see AnswerWatch. Not
+/// one device sends eleven, counted anew from each boot-up message; and by second answers, see AnswerWatch. Not
 /// reentrant. [SRS-MGR-010, SRS-MGR-011, SRS-MGR-015]
 class NodeWatch
 {
@@ -77,7 +77,7 @@ class NodeWatch
 
   private:
     void OnEmergency(NodeId node, const CanFrame& frame, Instant now) noexcept;
-    void OnSign(NodeId node, Instant now) noexcept;
+    void OnSign(NodeId node, std::uint8_t byte, Instant now) noexcept;
     void OnReset(const CanFrame& frame) noexcept;
     void OnAnswer(NodeId node, const CanFrame& frame, Instant now) noexcept;
     void Suspect(NodeId node, Instant now) noexcept;

@@ -80,25 +80,29 @@ void PlcStartUp::Refuse(const NodeId node, const Instant now) noexcept
     parts_.common.listener.OnNodeStatus(node, now);
 }
 
-/// A safety slave that runs without having been started is verified. [SRS-PLC-020]
+/// A safety slave that runs without having been started is verified, and one that was, but whose gate did not stay
+/// open. [SRS-PLC-020]
 void PlcStartUp::DriveCheck(const NodeId node, const Instant now) noexcept
 {
     PlcNode& slave = Of(node);
     const NodeRecord& record = parts_.common.table.Record(node);
     const GateState gate = parts_.common.gate.State(node);
-    const bool is_left = (slave.status.code > kPlcSdos) && !slave.status.is_started && !slave.is_wanted;
-    const bool is_found = parts_.common.setup.IsSafetySlave(node) && is_left && (record.signs != slave.signs) &&
+    const bool is_left = (slave.status.code > kPlcSdos) && !slave.is_wanted && parts_.common.setup.IsSafetySlave(node);
+    const bool is_found = is_left && !slave.status.is_started && (record.signs != slave.signs) &&
                           (record.state == SlaveState::kOperational);
+    const bool is_refused = (gate == GateState::kDiffers) || (gate == GateState::kFailed);
+    const bool is_back = (gate == GateState::kClosed) && parts_.common.table.RunsSurely(node);
+    const bool is_again = is_left && (is_back || (is_refused && slave.status.is_started));
     if (slave.is_checking)
     {
         slave.is_checking = (gate == GateState::kBusy);
         slave.was_checked = (gate == GateState::kOpen);
-        if ((gate == GateState::kDiffers) || (gate == GateState::kFailed))
+        if (is_refused)
         {
             Refuse(node, now);
         }
     }
-    else if (is_found && !slave.was_checked)
+    else if (is_again || (is_found && !slave.was_checked))
     {
         slave.is_checking = true;
         parts_.common.gate.Verify(node, now);
@@ -114,9 +118,14 @@ void PlcStartUp::OnLeft(const NodeId node) noexcept
 {
     PlcNode& slave = Of(node);
     const NodeRecord& record = parts_.common.table.Record(node);
+    const GateState gate = parts_.common.gate.State(node);
+    const bool is_refused = (gate == GateState::kDiffers) || (gate == GateState::kFailed); // Stays to be told.
     if (parts_.common.setup.IsSafetySlave(node) && (record.state != SlaveState::kOperational))
     {
-        parts_.common.gate.Close(node);
+        if (!is_refused)
+        {
+            parts_.common.gate.Close(node);
+        }
         slave.status.is_started = false;
         slave.was_checked = false;
         slave.signs = record.signs;

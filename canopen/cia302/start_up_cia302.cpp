@@ -255,6 +255,24 @@ void Cia302StartUp::OnFrame(const CanFrame& frame, const Instant now) noexcept
         boot_.OnCycle(node, time);
         GoOn(time);
     }
+    if ((service == kErrorControl) && parts_.setup.IsSafetySlave(node))
+    {
+        VerifyAgain(node, time);
+    }
+}
+
+/// It runs, but its gate was closed since it was started: it may have left OPERATIONAL and come back between two signs.
+/// [SRS-BOOT-013]
+void Cia302StartUp::VerifyAgain(const NodeId node, const BootTime& time) noexcept
+{
+    const GateState gate = parts_.gate.State(node);
+    const bool is_closed = (gate != GateState::kOpen) && (gate != GateState::kBusy);
+    const bool is_past_resets = (step_ != MasterStep::kIdle) && (step_ != MasterStep::kReset);
+    const bool is_quiet = !boot_.Record(node).status.is_busy && (parts_.nmt.Waiting() == 0U); // No stop on its way.
+    if (is_closed && is_past_resets && is_quiet && parts_.table.RunsSurely(node))
+    {
+        boot_.Verify(node, time);
+    }
 }
 
 void Cia302StartUp::OnCycle(const Instant now) noexcept

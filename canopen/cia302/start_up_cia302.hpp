@@ -62,6 +62,7 @@ class Cia302StartUp final : public StartUp, private BootListener
     void GoOn(const BootTime& time) noexcept;
     void StartSlaves(const BootTime& time) noexcept;
     void VerifyRunning(const BootTime& time) noexcept;
+    void VerifyAgain(NodeId node, const BootTime& time) noexcept;
     void React(const BootTime& time) noexcept;
     void OnLost(NodeId node, const BootTime& time) noexcept;
     void OnForeign(NodeId node, Instant now) noexcept;

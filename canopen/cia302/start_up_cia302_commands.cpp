@@ -52,13 +52,14 @@ void Cia302StartUp::OnForeign(const NodeId node, const Instant now) noexcept
     }
 }
 
-/// A safety slave that runs and was not verified, however it came to run. One that has left OPERATIONAL can be changed:
-/// what was verified holds no more.
+/// A safety slave that runs and was not verified, or not started by this master: it was verified before it ran, and
+/// changed since. One that has left OPERATIONAL can be changed: what was verified holds no more.
 void Cia302StartUp::OnState(const NodeId node, const NodeEvent event, const BootTime& time) noexcept
 {
     const bool is_running = (parts_.table.Record(node).state == SlaveState::kOperational);
     const bool is_free = !boot_.Record(node).status.is_busy;
-    if (is_running && is_free && !parts_.gate.MayStart(node))
+    const bool is_foreign = parts_.setup.IsSafetySlave(node) && !boot_.Record(node).status.is_started;
+    if (is_running && is_free && (is_foreign || !parts_.gate.MayStart(node)))
     {
         boot_.Verify(node, time);
     }

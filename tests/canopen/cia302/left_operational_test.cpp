@@ -1,0 +1,195 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// Safety slaves that left OPERATIONAL, were changed and came back, without having said so by any heartbeat.
+#include "tests/canopen/cia302/manager_rig.hpp"
+
+namespace counterpoint::cia302
+{
+namespace
+{
+
+constexpr Profile kProfiles[] = {Profile::kCia302, Profile::kEl6751, Profile::kPlcDesigner};
+
+CanFrame Nmt(const NmtCommand command, const std::uint8_t node)
+{
+    const auto byte = static_cast<std::uint8_t>(command);
+    return CanFrame{0U, FrameKind::kData, CanPortId::kFirst, 2U, {byte, node, 0U, 0U, 0U, 0U, 0U, 0U}};
+}
+
+/// Given a safety slave 5 with heartbeats each 100 ms.
+class LeftOperationalTest : public ManagerRig, public ::testing::WithParamInterface<Profile>
+{
+  public:
+    LeftOperationalTest()
+    {
+        Add(5U).heartbeat_ms = 100U;
+        MakeSafe(5U);
+    }
+    void OnGate(NodeId, const GateState state, Instant) noexcept override
+    {
+        readings += (state == GateState::kBusy) ? 1 : 0;
+    }
+    void OnNmtSent(const NmtRequest& request, const Instant now) noexcept override
+    {
+        ManagerRig::OnNmtSent(request, now);
+        stops += (request.command == NmtCommand::kStop) ? 1 : 0;
+    }
+    void StartAndForget(const Profile profile)
+    {
+        Begin(profile);
+        Run(6050U);
+        EXPECT_EQ(Running(5U), 1);
+        readings = 0;
+        stops = 0;
+    }
+    void Change()
+    {
+        devices[0]->Put8(0x13FEU, 0U, 0U);
+    }
+    [[nodiscard]] GateState Gate() const
+    {
+        return manager->Gate().State(NodeId{5U});
+    }
+    void ExpectStopped()
+    {
+        EXPECT_EQ(Running(5U), 0);
+        EXPECT_EQ(devices[0]->State(), cia301::NodeState::kStopped);
+        EXPECT_EQ(Gate(), GateState::kDiffers);
+        EXPECT_FALSE(manager->Status(NodeId{5U}).is_started);
+    }
+
+    int readings{0}; ///< As the gate told.
+    int stops{0};
+};
+
+TEST_P(LeftOperationalTest, BySomebodyElseAndCameBackChangedIsStopped)
+{
+    Verifies(req::SRS_SFS_002);
+    Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_ELM_049);
+    Verifies(req::SRS_PLC_020);
+    StartAndForget(GetParam());
+    Put(Nmt(NmtCommand::kPreOperational, 5U));
+    Run(1U);
+    Change();
+    Put(Nmt(NmtCommand::kStart, 5U));
+    EXPECT_EQ(Gate(), GateState::kClosed);
+    Run(1000U);
+    ExpectStopped();
+}
+
+TEST_P(LeftOperationalTest, BySomebodyElseAndCameBackAsItWasRunsOnVerifiedOnce)
+{
+    Verifies(req::SRS_SFS_002);
+    Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_ELM_049);
+    Verifies(req::SRS_PLC_020);
+    StartAndForget(GetParam());
+    Put(Nmt(NmtCommand::kStop, 0U));
+    Run(1U);
+    Put(Nmt(NmtCommand::kStart, 0U));
+    Run(2000U);
+    EXPECT_EQ(Running(5U), 1);
+    EXPECT_EQ(Gate(), GateState::kOpen);
+    EXPECT_EQ(readings, 1);
+    EXPECT_EQ(stops, 0);
+}
+
+TEST_P(LeftOperationalTest, ByOrderAndWasStartedChangedBySomebodyElseIsStopped)
+{
+    Verifies(req::SRS_SFS_002);
+    Verifies(req::SRS_BOOT_013);
+    StartAndForget(GetParam());
+    EXPECT_EQ(Order(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+    Change();
+    Put(Nmt(NmtCommand::kStart, 5U));
+    Run(1000U);
+    ExpectStopped();
+}
+
+TEST_P(LeftOperationalTest, ADeviceThatRestartsOftenIsNotTakenForTwo)
+{
+    Verifies(req::SRS_MGR_010);
+    setups[5].heartbeat.producer_ms = 100U;
+    StartAndForget(GetParam());
+    for (int i = 0; i < 10; ++i)
+    {
+        devices[0]->Power(Now());
+        Run(60U);
+    }
+    Run(6000U);
+    EXPECT_EQ(duplicates, (std::vector<std::uint8_t>{}));
+    EXPECT_EQ(Running(5U), 1);
+    EXPECT_EQ(Gate(), GateState::kOpen);
+}
+
+TEST_P(LeftOperationalTest, ThatMayBeTwoWhileItRunsIsStopped)
+{
+    Verifies(req::SRS_MGR_010);
+    Verifies(req::SRS_SFS_002);
+    setups[5].heartbeat.producer_ms = 100U;
+    StartAndForget(GetParam());
+    // When somebody else's heartbeats say OPERATIONAL too, until it is suspected
+    for (int i = 0; (i < 20) && !IsSuspected(5U); ++i)
+    {
+        Put(CanFrame{0x705U, FrameKind::kData, CanPortId::kFirst, 1U, {5U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}});
+        Run(100U);
+    }
+    EXPECT_TRUE(IsSuspected(5U));
+    Run(1000U);
+    EXPECT_EQ(devices[0]->State(), cia301::NodeState::kStopped);
+    EXPECT_EQ(Gate(), GateState::kFailed);
+    EXPECT_EQ(manager->Status(NodeId{5U}).object.index, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, LeftOperationalTest, ::testing::ValuesIn(kProfiles));
+
+class LeftInCia302Test : public LeftOperationalTest
+{
+};
+
+TEST_P(LeftInCia302Test, ASignThatWasUnderWayDoesNotMakeItBeRead)
+{
+    Verifies(req::SRS_BOOT_013);
+    // When it is stopped by order, and a heartbeat of before comes in
+    StartAndForget(GetParam());
+    EXPECT_EQ(Order(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
+    Put(CanFrame{0x705U, FrameKind::kData, CanPortId::kFirst, 1U, {5U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}});
+    Run(500U);
+    EXPECT_EQ(readings, 0);
+    EXPECT_EQ(stops, 1);
+    EXPECT_EQ(Gate(), GateState::kClosed);
+    EXPECT_EQ(manager->Status(NodeId{5U}).letter, '\0');
+}
+
+TEST_P(LeftInCia302Test, VerifiedButNotStartedAndThenStartedChangedBySomebodyElseIsStopped)
+{
+    Verifies(req::SRS_BOOT_013);
+    setup.start_up |= kApplicationStartsSlaves;
+    Begin(GetParam());
+    Run(1000U);
+    EXPECT_EQ(Gate(), GateState::kOpen);
+    Change();
+    Put(Nmt(NmtCommand::kStart, 5U));
+    Run(1000U);
+    ExpectStopped();
+}
+
+TEST_P(LeftInCia302Test, VerifiedButNotStartedAndThenStartedAsItWasRunsOnVerifiedAgain)
+{
+    Verifies(req::SRS_BOOT_013);
+    setup.start_up |= kApplicationStartsSlaves;
+    Begin(GetParam());
+    Run(1000U);
+    EXPECT_EQ(readings, 1);
+    Put(Nmt(NmtCommand::kStart, 5U));
+    Run(1000U);
+    EXPECT_EQ(Running(5U), 1);
+    EXPECT_EQ(readings, 2);
+    EXPECT_EQ(stops, 0);
+    EXPECT_EQ(manager->Status(NodeId{5U}).letter, 'L');
+}
+
+INSTANTIATE_TEST_SUITE_P(Cia302, LeftInCia302Test, ::testing::Values(Profile::kCia302));
+
+} // namespace
+} // namespace counterpoint::cia302
