@@ -204,6 +204,16 @@ TEST_F(ManagerStationTest, TheNegotiationWaitsForItsOrder)
     EXPECT_EQ(Read(0x1F90U, 3U), 1U);
 }
 
+TEST_F(ManagerStationTest, ASlaveThatIsOperationalIsNotWritten)
+{
+    Verifies(req::SRS_SFS_005);
+    Make(kNetwork);
+    Run(2U);
+    Hear(0x721U, {0x05U});
+    EXPECT_NE(Order("write-safety 33"), "taken");
+    EXPECT_EQ(Order("write-safety 5"), "node 5 is no safety slave, expected one");
+}
+
 TEST_F(ManagerStationTest, ACommandToAllMakesNoAbsentSlaveAStartedOne)
 {
     Verifies(req::SRS_MGR_004);
