@@ -143,13 +143,16 @@ std::string ManagerHost::Negotiate()
 
 bool ManagerHost::HasStarted() const noexcept
 {
+    constexpr auto kOperational = static_cast<std::uint8_t>(cia302::SlaveState::kOperational);
     bool has_started = true;
     for (const auto& slave : net_.Slaves())
     {
         const cia302::NodeId node{slave->plan.node};
         const bool is_needed = net_.Setup().Slave(node).Has(cia302::kInNetwork | cia302::kMandatory);
-        const bool runs =
-            manager_.Status(node).is_started || manager_.Table().Record(node).state == cia302::SlaveState::kOperational;
+        // What it said last, where it is listened to; else what it was told.
+        const bool is_running = manager_.Table().RequestValue(node) == kOperational;
+        const bool was_heard = manager_.Table().Record(node).state == cia302::SlaveState::kOperational;
+        const bool runs = is_running && (was_heard || manager_.Status(node).is_started);
         has_started = has_started && (runs || !is_needed);
     }
     return has_started;

@@ -155,14 +155,18 @@ NmtAnswer El6751StartUp::HoldByHand(const NmtCommand command, const NodeId node,
 }
 
 /// While SDOs are under way, the start follows them. A slave that restarted unnoticed needs them first. One that left
-/// OPERATIONAL without a reaction is started again.
+/// OPERATIONAL without a reaction is started again. Of one that was held before it answered anything nobody knows
+/// whether it is there: its SDOs come first, too.
 NmtAnswer El6751StartUp::StartByHand(const NodeId node, const Instant now) noexcept
 {
     El6751Node& slave = Of(node);
     const std::uint8_t operational = static_cast<std::uint8_t>(SlaveState::kOperational);
     const bool runs = (parts_.common.table.RequestValue(node) == operational);
+    const bool is_deaf = (parts_.common.table.Record(node).asked == SlaveState::kStopped);
+    const bool is_unknown = !slave.has_answered && (slave.place.row != El6751Row::kEnd);
+    const bool is_held = (slave.phase == El6751Phase::kHeld);
     NmtAnswer answer = NmtAnswer::kTaken;
-    if (slave.has_restarted && (slave.phase == El6751Phase::kDeactivated))
+    if ((slave.has_restarted && (slave.phase == El6751Phase::kDeactivated)) || (is_held && is_unknown && is_deaf))
     {
         answer = Reset(NmtCommand::kResetCommunication, node, now);
         slave.is_start_wanted = (answer == NmtAnswer::kTaken);
@@ -170,6 +174,11 @@ NmtAnswer El6751StartUp::StartByHand(const NodeId node, const Instant now) noexc
     else if (Status(node).is_busy)
     {
         slave.is_start_wanted = true;
+    }
+    else if (is_held && is_unknown)
+    {
+        slave.is_start_wanted = true;
+        BeginRows(node, kNodeStarts, now);
     }
     else if ((slave.phase != El6751Phase::kRunning) || !runs)
     {

@@ -238,8 +238,15 @@ bool Manager::Boot(const NodeId node, const Instant now) noexcept
 
 bool Manager::WriteSafety(const NodeId node, const Instant now) noexcept
 {
-    const bool is_free = is_leading_ && (gate_.State(node) != GateState::kBusy) && !profile_->Status(node).is_busy;
-    return is_free && gate_.Write(node, now);
+    const bool is_running = table_.RequestValue(node) == static_cast<std::uint8_t>(SlaveState::kOperational);
+    const bool is_free = is_leading_ && !is_running && (nmt_.Waiting() == 0U) &&
+                         (gate_.State(node) != GateState::kBusy) && !profile_->Status(node).is_busy;
+    if (is_free && (table_.Record(node).asked == SlaveState::kStopped))
+    {
+        // STOPPED, it has no SDO to be written by. Where the command has to wait, the next call goes on.
+        static_cast<void>(nmt_.Request(NmtCommand::kPreOperational, node, now));
+    }
+    return is_free && (nmt_.Waiting() == 0U) && gate_.Write(node, now);
 }
 
 void Manager::TellGates(const Instant now) noexcept

@@ -123,7 +123,8 @@ class Manager final : public NmtListener,
     /// @brief A command of the application, by the profile: see StartUp::Command.
     [[nodiscard]] NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept;
     [[nodiscard]] bool Boot(NodeId node, Instant now) noexcept;
-    /// @brief Writes the safety configuration of a slave by the full procedure and verifies it. [SRS-SFS-005]
+    /// @brief Writes the safety configuration of a slave by the full procedure and verifies it; one that was stopped is
+    /// made PRE-OPERATIONAL before. False: not now, it is OPERATIONAL or commands wait. [SRS-SFS-005]
     [[nodiscard]] bool WriteSafety(NodeId node, Instant now) noexcept;
 
     [[nodiscard]] bool IsActive() const noexcept

@@ -153,7 +153,9 @@ NmtAnswer Cia302StartUp::CommandAll(const NmtCommand command, const BootTime& ti
         answer = parts_.nmt.Request(command, kAllNodes, time.now);
         for (std::uint8_t id = 1U; (answer == NmtAnswer::kTaken) && (id <= kLastNode); ++id)
         {
-            boot_.Record(NodeId{id}).status.is_started = is_start;
+            // Who was never there heard nothing of it.
+            BootRecord& record = boot_.Record(NodeId{id});
+            record.status.is_started = is_start && record.is_booted;
         }
         const bool is_begun = (answer == NmtAnswer::kTaken) && (step_ != MasterStep::kIdle);
         if (is_begun && IsReset(command))

@@ -49,6 +49,35 @@ TEST_F(ManagerCommandTest, ASafetySlaveWithAnotherConfiguration)
     ExpectHolds("stopped.yaml");
 }
 
+TEST_F(ManagerCommandTest, EveryProfileWritesASafetyConfigurationButNotToAnotherDevice)
+{
+    Verifies(req::SRS_SFS_005);
+    const std::string dcf = cia306::test::SourceFolder() + "/examples/emergency_stop/actuator.dcf";
+    for (const char* const profile : {"cia302", "el6751", "plc_designer"})
+    {
+        for (const bool is_other : {false, true})
+        {
+            // Given a safety slave with another configuration, as the expected device and as another one
+            const std::string network =
+                File("writing.yaml", "manager: {node: 127, heartbeat: 100 ms, profile: " + std::string(profile) +
+                                         "}\nslaves: [{node: 33, dcf: " + dcf + ", write_safety: true" +
+                                         (is_other ? ", serial: 5, device_type: 7" : "") + "}]\n");
+            const std::string head = "title: x\nduration: 9 s\nmanagers: [{network: " + network +
+                                     "}]\ndevices: [{node: 33, dcf: " + dcf +
+                                     "}]\nevents:\n  - {at: 2 s, do: order, order: preop 33}\n"
+                                     "  - {at: 2100 ms, do: store, node: 33, object: \"0x1301:02\", value: 77}\n"
+                                     "  - {at: 3 s, do: send, identifier: 0, data: \"01 21\"}\nexpect:\n";
+            // When it is found OPERATIONAL, then it is written or not
+            const std::string writes = "  - {that: event, is: write_safety, node: 33}\n"
+                                       "  - {that: gate, node: 33, is: open}\n";
+            const std::string does_not = "  - {that: no_event, is: write_safety, node: 33}\n";
+            const Answer answer =
+                RunCommand({"simulate", "--quiet", File("s.yaml", head + (is_other ? does_not : writes))});
+            EXPECT_EQ(answer.status, 0) << profile << is_other << "\n" << answer.out << answer.err;
+        }
+    }
+}
+
 TEST_F(ManagerCommandTest, NoProfileStartsASafetySlaveThatDiffers)
 {
     Verifies(req::SRS_SFS_002);

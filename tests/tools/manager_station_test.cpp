@@ -204,6 +204,37 @@ TEST_F(ManagerStationTest, TheNegotiationWaitsForItsOrder)
     EXPECT_EQ(Read(0x1F90U, 3U), 1U);
 }
 
+TEST_F(ManagerStationTest, ASlaveThatIsOperationalIsNotWritten)
+{
+    Verifies(req::SRS_SFS_005);
+    Make(kNetwork);
+    Run(2U);
+    Hear(0x721U, {0x05U});
+    EXPECT_NE(Order("write-safety 33"), "taken");
+    EXPECT_EQ(Order("write-safety 5"), "node 5 is no safety slave, expected one");
+}
+
+TEST_F(ManagerStationTest, ACommandToAllMakesNoAbsentSlaveAStartedOne)
+{
+    Verifies(req::SRS_MGR_004);
+    for (const char* const profile : {"cia302", "el6751", "plc_designer"})
+    {
+        // Given a mandatory slave that is not there
+        Make("manager: {node: 127, boot_time: 1 s, profile: " + std::string(profile) + "}\nslaves: [{node: 16}]\n");
+        Run(5000U);
+        EXPECT_FALSE(station->Host().HasStarted()) << profile;
+        // When everybody is commanded
+        for (const char* const order : {"preop all", "start all", "stop all", "start all", "start 16"})
+        {
+            static_cast<void>(Order(order));
+            Run(20U);
+        }
+        // Then it has not been started
+        EXPECT_FALSE(station->Host().HasStarted()) << profile;
+        EXPECT_EQ(events.back().text.find("all started"), std::string::npos) << profile;
+    }
+}
+
 TEST_F(ManagerStationTest, WithoutAFlyingMasterThereIsNothingToNegotiate)
 {
     Verifies(req::SRS_MGR_023);

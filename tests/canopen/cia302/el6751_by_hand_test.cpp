@@ -208,6 +208,46 @@ TEST_F(El6751ByHandTest, ASlaveWhoseStartUpEndedCanBeStartedAndIsNotSupervised)
     EXPECT_EQ(Code(5U), 0);
 }
 
+TEST_F(El6751ByHandTest, ASlaveThatAnsweredNothingIsAskedBeforeItIsStarted)
+{
+    Verifies(req::SRS_ELM_046);
+    // Given a slave that is held before it answered
+    AddBox(5U);
+    slaves[5]->Behave(0x1000U, 0U, Manner::kSilent);
+    Begin();
+    Run(10U);
+    EXPECT_EQ(Do([&] { return el.Command(NmtCommand::kPreOperational, NodeId{5U}, Now()); }), NmtAnswer::kTaken);
+    Run(10U);
+    // When it is started
+    EXPECT_EQ(Do([&] { return el.Command(NmtCommand::kStart, NodeId{5U}, Now()); }), NmtAnswer::kTaken);
+    Run(5000U);
+    // Then not before it answers
+    EXPECT_EQ(Code(5U), 2);
+    EXPECT_FALSE(el.Status(NodeId{5U}).is_started);
+    slaves[5]->Behave(0x1000U, 0U, Manner::kGood);
+    Run(5000U);
+    EXPECT_EQ(Code(5U), 0);
+    EXPECT_TRUE(el.Status(NodeId{5U}).is_started);
+}
+
+TEST_F(El6751ByHandTest, AStoppedSlaveThatAnsweredNothingIsResetBeforeItIsStarted)
+{
+    Verifies(req::SRS_ELM_046);
+    // Given a slave that is stopped before it answered
+    AddBox(5U);
+    slaves[5]->Behave(0x1000U, 0U, Manner::kSilent);
+    Begin();
+    Run(10U);
+    EXPECT_EQ(Do([&] { return el.Command(NmtCommand::kStop, NodeId{5U}, Now()); }), NmtAnswer::kTaken);
+    Run(10U);
+    // When it is started, then a reset comes first
+    EXPECT_EQ(Do([&] { return el.Command(NmtCommand::kStart, NodeId{5U}, Now()); }), NmtAnswer::kTaken);
+    Run(5000U);
+    EXPECT_EQ(Commands(), (Log{"82 00", "02 05", "82 05"}));
+    EXPECT_EQ(Code(5U), 2);
+    EXPECT_FALSE(el.Status(NodeId{5U}).is_started);
+}
+
 TEST_F(El6751ByHandTest, NmtCommandsOfTheApplication)
 {
     Verifies(req::SRS_ELM_046);

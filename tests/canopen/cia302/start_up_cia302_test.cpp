@@ -151,6 +151,19 @@ TEST_F(StartUpCia302Test, ApplicationStartsTheSlaves)
     EXPECT_EQ(Step(), MasterStep::kOperational);
 }
 
+TEST_F(StartUpCia302Test, StartOfAllStartsNobodyWhoWasNeverThere)
+{
+    Verifies(req::SRS_MGR_004);
+    Add(5U, kMust);
+    setups[6].assignment = kMust;
+    Begin();
+    Run(20U);
+    EXPECT_EQ(Command(NmtCommand::kStart, 0U), NmtAnswer::kTaken);
+    Run(20U);
+    EXPECT_TRUE(Of(5U).is_started);
+    EXPECT_FALSE(Of(6U).is_started);
+}
+
 TEST_F(StartUpCia302Test, SlaveThatIsNotToBeBootedIsOnlySupervised)
 {
     Verifies(req::SRS_BOOT_012);
