@@ -20,7 +20,7 @@ struct ErrorKind
 
 /// By number.
 constexpr ErrorKind kKinds[kErrors] = {
-    {0U, false},      {0x8110U, false}, {0x8120U, false}, {0x8130U, true},  {0x8130U, true}, {0U, true},
+    {0U, false},      {0x8110U, false}, {0x8120U, false}, {0x8130U, true},  {0x8130U, true},  {0U, true},
     {0x8150U, false}, {0x8210U, false}, {0x8220U, false}, {0x8240U, false}, {0x8250U, false},
 };
 constexpr std::uint16_t kRecovered = 0x8140U;
