@@ -168,6 +168,14 @@ void BootSlave::Enter(const Job& job, const StartUpStep step) noexcept
     job.record.checks = 0U;
     job.record.position = ConcisePosition{};
     job.record.offset = 0U;
+    const bool is_new_look = (step != StartUpStep::kDone) && (job.record.status.letter == '\0');
+    if (is_new_look) // What an earlier step read belongs to that step.
+    {
+        job.record.status.object = ObjectAddress{0U, 0U};
+        job.record.status.abort = SdoAbort::kNone;
+        job.record.status.expected = 0U;
+        job.record.status.read = 0U;
+    }
     parts_.listener.OnNodeStatus(job.node, job.time.now);
 }
 
