@@ -776,6 +776,8 @@ inline constexpr RequirementId SRS_TGT_006{"SRS-TGT-006"};
 inline constexpr RequirementId SRS_TGT_007{"SRS-TGT-007"};
 inline constexpr RequirementId SRS_TGT_008{"SRS-TGT-008"};
 inline constexpr RequirementId SRS_TGT_009{"SRS-TGT-009"};
+inline constexpr RequirementId SRS_TGT_010{"SRS-TGT-010"};
+inline constexpr RequirementId SRS_TGT_011{"SRS-TGT-011"};
 inline constexpr RequirementId SRS_TIM_001{"SRS-TIM-001"};
 inline constexpr RequirementId SRS_TIM_002{"SRS-TIM-002"};
 inline constexpr RequirementId SRS_TIM_003{"SRS-TIM-003"};
