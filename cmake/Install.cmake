@@ -3,8 +3,10 @@
 include(CMakePackageConfigHelpers)
 
 set(COUNTERPOINT_INSTALLED_ROOMS safety_core_contract safety_core_comparator hal_api safety_core_kernel safety_core_selftest
-    safety_core_crosslink channel_a channel_b hal_absent canopen_cia301 canopen_generated)
-set(COUNTERPOINT_INSTALLED_FOLDERS safety_core hal/api hal/absent channel_a channel_b canopen/cia301 canopen/generated)
+    safety_core_crosslink channel_a channel_b hal_absent canopen_cia301 canopen_cia302
+    canopen_cia305 canopen_device canopen_generated)
+set(COUNTERPOINT_INSTALLED_FOLDERS safety_core hal/api hal/absent channel_a channel_b canopen/cia301 canopen/cia302 canopen/cia305
+    canopen/device canopen/generated)
 if(COUNTERPOINT_HOST)
   list(APPEND COUNTERPOINT_INSTALLED_ROOMS hal_host)
   list(APPEND COUNTERPOINT_INSTALLED_FOLDERS hal/host)

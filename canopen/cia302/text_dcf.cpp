@@ -103,18 +103,37 @@ std::uint32_t DigitOf(const std::uint8_t letter, const std::uint32_t base) noexc
     return (digit < base) ? digit : kNoDigit;
 }
 
+/// A base with the greatest number that it writes. The division is the compiler's: a target without a library has none
+/// of 64 bits.
+struct Base
+{
+    std::uint32_t base;
+    std::uint64_t limit;      ///< What may stand before the last digit,
+    std::uint32_t last_digit; ///< and that digit behind the limit itself.
+};
+
+constexpr Base BaseOf(const std::uint32_t base) noexcept
+{
+    return Base{base, kMost / base, static_cast<std::uint32_t>(kMost % base)};
+}
+
+constexpr Base kOctal = BaseOf(8U);
+constexpr Base kDecimal = BaseOf(10U);
+constexpr Base kHexadecimal = BaseOf(16U);
+
 /// As many digits as there are.
-Number Digits(const Bytes& text, const std::uint32_t base) noexcept
+Number Digits(const Bytes& text, const Base& base) noexcept
 {
     Number number{true, 0U, 0U};
     std::uint32_t digit = 0U;
     while (number.is_right && (digit != kNoDigit) && (number.used_bytes < text.size_bytes))
     {
-        digit = DigitOf(text.data[number.used_bytes], base);
+        digit = DigitOf(text.data[number.used_bytes], base.base);
         if (digit != kNoDigit)
         {
-            number.is_right = (number.value <= ((kMost - digit) / base));
-            number.value = (number.value * base) + digit;
+            const bool is_at_limit = number.value == base.limit;
+            number.is_right = (number.value < base.limit) || (is_at_limit && (digit <= base.last_digit));
+            number.value = (number.value * base.base) + digit;
             ++number.used_bytes;
         }
     }
@@ -128,7 +147,7 @@ Number Constant(const Bytes& text) noexcept
     const bool is_hex = Begins(text, "0x", 2U);
     const bool is_octal = !is_hex && (text.size_bytes > 1U) && (text.data[0] == '0');
     const std::uint32_t prefix = is_hex ? 2U : 0U;
-    Number number = Digits(From(text, prefix), is_hex ? 16U : (is_octal ? 8U : 10U));
+    Number number = Digits(From(text, prefix), is_hex ? kHexadecimal : (is_octal ? kOctal : kDecimal));
     number.used_bytes += prefix;
     number.is_right = number.is_right && (number.used_bytes == text.size_bytes);
     return number;
@@ -175,11 +194,11 @@ Section SectionOf(const Bytes& name) noexcept
     constexpr std::uint32_t kLastIndex = 0xFFFFU;
     constexpr std::uint32_t kLastSub = 0xFFU;
     Section section{};
-    const Number index = Digits(name, 16U);
+    const Number index = Digits(name, kHexadecimal);
     const Bytes rest = From(name, index.used_bytes);
     const bool has_sub = Begins(rest, "sub", 3U);
     const Bytes digits = has_sub ? From(rest, 3U) : rest;
-    const Number sub = Digits(digits, 16U);
+    const Number sub = Digits(digits, kHexadecimal);
     const bool is_sub = has_sub && sub.is_right && (sub.used_bytes == digits.size_bytes) && (sub.value <= kLastSub);
     section.is_object = index.is_right && (index.value <= kLastIndex) && (is_sub || (rest.size_bytes == 0U));
     section.object =

@@ -13,6 +13,12 @@ CERTIFIED = [("safety_core/comparator", "safety_core/comparator/libsafety_core_c
              ("hal/api", "hal/api/libhal_api.a"),
              ("channel_a", "channel_a/libchannel_a.a"),
              ("channel_b", "channel_b/libchannel_b.a")]
+# The services of a device and the network manager.
+SERVICES = [("canopen/cia301", "canopen/cia301/libcanopen_cia301.a"),
+            ("canopen/cia302", "canopen/cia302/libcanopen_cia302.a"),
+            ("canopen/cia305", "canopen/cia305/libcanopen_cia305.a"),
+            ("canopen/device", "canopen/device/libcanopen_device.a"),
+            ("canopen/generated", "canopen/generated/libcanopen_generated.a")]
 
 # What a compiler may call in freestanding code, with the names of the ARM run-time ABI; target/memory.cpp has them.
 MEMORY_FUNCTIONS = re.compile(r"(mem(cpy|move|set|cmp)|__aeabi_mem(cpy|move|set|clr)[48]?)")
@@ -24,8 +30,8 @@ class BadInput(Exception):
     """Input that cannot be used; the text names it."""
 
 
-def archives(build):
-    for room, path in CERTIFIED:
+def archives(build, rooms=None):
+    for room, path in rooms or CERTIFIED:
         archive = pathlib.Path(build) / path
         if not archive.is_file():
             raise BadInput(f"{archive}: not there, expected after the build")
@@ -64,10 +70,10 @@ def sizes(build, prefix):
     return result
 
 
-def foreign_symbols(build, prefix):
-    """Undefined symbols that no object of core or channels defines, with the rooms that want them."""
+def foreign_symbols(build, prefix, rooms=None):
+    """Undefined symbols that no object of the rooms (core and channels) defines, with the rooms that want them."""
     wanted, defined = {}, set()
-    for room, archive in archives(build):
+    for room, archive in archives(build, rooms):
         text = subprocess.run([f"{prefix}nm", str(archive)], check=True, capture_output=True, text=True).stdout
         for line in text.splitlines():
             fields = line.split()

@@ -5,8 +5,8 @@
 
 Builds images (build/target) and the same programs for the host (build/product). Checks, one line each: the way of both
 compilers into one image, faults that end a run, the conformance cases and the differential sequences (number, failures,
-hash: as on the host), the firmware examples in scenarios and with misdeeds, the images for silicon, coverage of the target's
-objects, symbols, both byte orders, stack. Result: build/target/target.json.
+hash: as on the host), the network manager with a whole safety device as its slave, the firmware examples in scenarios and with
+misdeeds, the images for silicon, coverage of the target's objects, symbols, both byte orders, stack. Result: build/target/target.json.
   --tests     coverage with the tests of core, link and self tests and with corrupted storage, too: 360 tests on the target; then
               no condition of a decision may be left that the target does not show (some minutes more)
   --no-build  use what was built before
@@ -26,6 +26,7 @@ import emulator
 import firmware_run
 import image_check
 import image_fixtures
+import manager_run
 import objects
 import stack
 import target_build
@@ -93,7 +94,7 @@ def vectors_of(image):
 def check_vectors(report):
     """What runs on the emulator starts, and takes exceptions, by the object that is in the images for silicon."""
     silicon = vectors_of(IMAGES / "firmware/own_device_be32.elf")
-    images = ["selftest/selftest", "conformance/conformance", "bench/bench", "firmware/trap/trap", *(f"firmware/{device}" for device in firmware_run.DEVICES)]
+    images = ["selftest/selftest", "conformance/conformance", "bench/bench", "manager/manager", "firmware/trap/trap", *(f"firmware/{device}" for device in firmware_run.DEVICES)]
     others = [name for name in images if vectors_of(IMAGES / f"{name}.elf") != silicon]
     report.add(len(silicon) == 1 and not others, "vectors, start-up and entries of exceptions of every image", ", ".join(others) or
                f"{pathlib.Path(next(iter(silicon), 'none')).name} in {len(images) + 1} images", "SRS-TGT-009", "SRS-FW-005")
@@ -148,6 +149,12 @@ def check_objects(report):
     foreign = objects.foreign_symbols(TARGET, "arm-none-eabi-")
     report.add(not foreign, "symbols that come from elsewhere", ", ".join(f"{name} ({rooms[0]})" for name, rooms in
                                                                         foreign.items()) or "none", "SRS-TGT-004")
+    everything = objects.CERTIFIED + objects.SERVICES
+    foreign = objects.foreign_symbols(TARGET, "arm-none-eabi-", everything)
+    report.add(not foreign, "symbols that the services of CiA 301, 302, 305 want from elsewhere", ", ".join(
+        f"{name} ({rooms[0]})" for name, rooms in foreign.items()) or f"none in {len(objects.SERVICES)} rooms", "SRS-TGT-011")
+    only_services = objects.foreign_symbols(TARGET, "arm-none-eabi-", objects.SERVICES)
+    report.add(bool(only_services), "a room that is left out is missed", f"{len(only_services)} symbols", "SRS-TGT-011")
     for order, flags in ELF_FLAGS.items():
         image = IMAGES / f"conformance/conformance{'_be32' if order == 'be32' else ''}.elf"
         header = subprocess.run(["arm-none-eabi-readelf", "-h", image], capture_output=True, text=True, check=True).stdout
@@ -215,16 +222,18 @@ def main():
     if not arguments.no_build:
         print("Building build/target (big-endian, two compilers) and the same programs in build/product ...", flush=True)
         target_build.build_preset("tms570", ["selftest", "bench", "conformance", "conformance_be32", *firmware_run.DEVICES, "trap",
+                                               "manager", "manager_be32", *target_build.SERVICE_TARGETS,
                                                *(f"{device}_be32" for device in firmware_run.DEVICES),
                                                *(f"own_device_{variant}_be32" for variant in image_check.VARIANTS),
                                                *target_build.CERTIFIED_TARGETS], TARGET)
-        target_build.build_preset("product", ["conformance_host", *(f"firmware_{device}_host" for device in firmware_run.DEVICES)])
+        target_build.build_preset("product", ["conformance_host", "manager_host", *(f"firmware_{device}_host" for device in firmware_run.DEVICES)])
         coverage_run.build(covered)
     report = Report()
     check_selftest(report)
     check_vectors(report)
     digest, count = check_objects(report)
     outcomes = check_same_outcomes(report)
+    manager_run.check(report, IMAGES / "manager", PRODUCT / "verification/target/manager")
     costs = firmware_run.check(report, IMAGES / "firmware", PRODUCT / "verification/target/firmware")
     check_images(report)
     byte_order.check(report, TARGET, PRODUCT)

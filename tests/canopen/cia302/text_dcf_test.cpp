@@ -47,6 +47,8 @@ TEST(TextDcfTest, NumbersOfAllKinds)
                           {"0x0001", "1", 1U, 1U},
                           {"0x0016", "0xABCDEF", 0xABCDEFU, 3U},
                           {"0x001B", "0xFFFFFFFFFFFFFFFF", 0xFFFFFFFFFFFFFFFFU, 8U},
+                          {"0x001B", "18446744073709551615", 0xFFFFFFFFFFFFFFFFU, 8U},
+                          {"0x001B", "01777777777777777777777", 0xFFFFFFFFFFFFFFFFU, 8U},
                           {"0x0015", "-9223372036854775808", 0x8000000000000000U, 8U},
                           {"0x0008", "0x3F800000", 0x3F800000U, 4U}};
     for (const Case& one : cases)
@@ -76,6 +78,9 @@ TEST(TextDcfTest, ValuesThatCannotBeUnderstood)
                           {"0x001C", "0", 0U, 0U},
                           {"", "0", 0U, 0U},
                           {"0x001B", "0x10000000000000000", 0U, 0U},
+                          {"0x001B", "18446744073709551616", 0U, 0U},
+                          {"0x001B", "18446744073709551620", 0U, 0U},
+                          {"0x001B", "02000000000000000000000", 0U, 0U},
                           {"0x0005", "-", 0U, 0U}};
     for (const Case& one : cases)
     {

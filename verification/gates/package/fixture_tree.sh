@@ -14,6 +14,7 @@ project(Consumer LANGUAGES CXX)
 find_package(Counterpoint REQUIRED)
 add_executable(consumer main.cpp)
 target_link_libraries(consumer PRIVATE Counterpoint::channel_a)
+add_executable(manager_consumer main.cpp)
 TEXT
 echo 'int main() { return 0; }' >"$made/tree/tests/integration/package/main.cpp"
 cat >"$example/CMakeLists.txt" <<'TEXT'

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""A project outside the tree finds the installed package, links kernel, channels and contract, runs, and needs no library
-of the host tools. The user's guide is such a project too: its files are taken out of the guide, built, run, and its output
+"""A project outside the tree finds the installed package, links kernel, channels and contract, and the network manager, runs,
+and needs no library of the host tools. The user's guide is such a project too: its files are taken out of the guide, built, run, and its output
 is compared. Uses DATA/package, the installation of the product build.
 
 In the guide the line `<!-- file: PATH -->` before a code block says that the block is this file, `<!-- part: PATH -->` that
@@ -19,6 +19,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from common import CannotLook, run_gate  # noqa: E402
 
 CONSUMER = "tests/integration/package"
+PROGRAMS = ("consumer", "manager_consumer")
 GUIDE = "docs/user_guide.md"
 SYSTEM = re.compile(r"lib(c|m|gcc_s|stdc\+\+)\.so|ld-linux")
 BLOCK = re.compile(r"^<!-- (file|part|output): (.+?) -->\n```\w*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -124,10 +125,10 @@ def gate(root, data):
         raise CannotLook("package/ (installed product)")
     findings = []
     with tempfile.TemporaryDirectory(prefix="consumer_") as folder:
-        program = pathlib.Path(folder) / "consumer"
-        if (build(findings, CONSUMER, root / CONSUMER, folder, package)
-                and step(findings, CONSUMER, "running", [program])):
-            check_libraries(findings, CONSUMER, program)
+        if build(findings, CONSUMER, root / CONSUMER, folder, package):
+            for program in (pathlib.Path(folder) / name for name in PROGRAMS):
+                if step(findings, CONSUMER, f"running {program.name}", [program]):
+                    check_libraries(findings, CONSUMER, program)
     blocks = check_guide(findings, root, package)
     return findings, f"configure, build, run, needed libraries; {blocks} blocks of {GUIDE}"
 
