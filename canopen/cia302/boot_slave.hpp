@@ -18,6 +18,7 @@ constexpr std::uint32_t kCrowdedUs = 10'000'000U;  ///< The same at most, while 
 constexpr std::uint32_t kGuardAnswerUs = 100'000U; ///< From a remote frame to its answer.
 constexpr std::uint32_t kFlashCheckUs = 100'000U;  ///< Between two readings of 1F57h.
 constexpr std::uint16_t kMaxFlashChecks = 600U;    ///< A minute; then the update has failed.
+constexpr std::uint8_t kMaxUpdates = 3U;           ///< That the slave's own restarts broke off.
 
 /// Time of a call: modular, and as a count that does not wrap.
 struct BootTime
@@ -51,6 +52,7 @@ struct BootRecord
     std::uint8_t part;  ///< Of the step.
     std::uint8_t beats; ///< Of the table when the wait began.
     std::uint16_t checks;
+    std::uint8_t updates; ///< Begun since the last boot that ended well.
     bool is_fresh;        ///< Its boot-up message came in this boot: it is not asked for its state.
     bool is_updated;      ///< Software was downloaded in this boot.
     bool was_operational; ///< L.
@@ -129,6 +131,7 @@ class BootSlave
     void Run(const Job& job) noexcept;
     void RunLater(const Job& job, StartUpStep step) noexcept;
     [[nodiscard]] static bool IsOver(const Job& job, std::uint64_t limit_us) noexcept;
+    [[nodiscard]] bool IsSilent(const Job& job) noexcept;
 
     [[nodiscard]] Got Fetch(const Job& job, const ObjectAddress& object) noexcept;
     [[nodiscard]] Got Put(const Job& job, const ObjectAddress& object, const Bytes& value, SdoMode mode) noexcept;

@@ -34,8 +34,18 @@ StartUpStep StepAfter(const std::uint8_t sub) noexcept
 
 } // namespace
 
-/// Part 0 sends the reset, part 1 waits for the boot-up message, which has the lowest priority on the bus: behind the
-/// SDOs of all other slaves.
+/// No boot-up message in its time, which begins when the reset has left. The message has the lowest priority on the
+/// bus: behind the SDOs of all other slaves.
+bool BootSlave::IsSilent(const Job& job) noexcept
+{
+    if (parts_.nmt.Waiting() != 0U)
+    {
+        job.record.since_us = job.time.clock_us;
+    }
+    return IsOver(job, kResetUs) && (!parts_.sdo.IsBusy() || IsOver(job, kCrowdedUs));
+}
+
+/// Part 0 sends the reset, part 1 waits for the boot-up message.
 void BootSlave::AwaitReset(const Job& job) noexcept
 {
     if (job.record.part == 0U)
@@ -47,12 +57,16 @@ void BootSlave::AwaitReset(const Job& job) noexcept
             Wait(job, BootWait::kBootUp);
         }
     }
-    else if (IsOver(job, kResetUs) && (!parts_.sdo.IsBusy() || IsOver(job, kCrowdedUs)))
+    else if (IsSilent(job))
     {
         const bool is_called_for = job.setup.Has(kMandatory) || job.setup.Has(kKeepAlive);
         const StartUpStep first = job.setup.Has(kBootSlave) ? StartUpStep::kDeviceType : StartUpStep::kErrorControl;
         Enter(job, is_called_for ? first : StartUpStep::kWaitBootUp);
-        job.record.wait = is_called_for ? BootWait::kNothing : BootWait::kBootUp;
+        if (!is_called_for)
+        {
+            job.record.wait = BootWait::kBootUp;
+            parts_.table.SetMissing(job.node);
+        }
     }
 }
 
@@ -80,7 +94,10 @@ void BootSlave::ReadDeviceType(const Job& job) noexcept
         const bool is_expected = (job.setup.device_type == 0U) || (job.record.status.read == job.setup.device_type);
         if (got == Got::kRefused)
         {
-            parts_.table.SetMissing(job.node);
+            if (!parts_.sdo.Outcome(job.node).by_server) // Who refuses is there.
+            {
+                parts_.table.SetMissing(job.node);
+            }
             Wait(job, BootWait::kTime);
         }
         else if ((got == Got::kDone) && !is_expected)
@@ -125,7 +142,7 @@ void BootSlave::CheckState(const Job& job) noexcept
     }
     else if (job.record.wait == BootWait::kBootUp)
     {
-        if (IsOver(job, kResetUs))
+        if (IsSilent(job))
         {
             job.record.is_fresh = true; // It is not reset a second time.
             Enter(job, StartUpStep::kDeviceType);

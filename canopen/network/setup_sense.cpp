@@ -10,6 +10,8 @@ namespace
 {
 using cia306::InputError;
 
+constexpr std::uint32_t kReservedAssignment = 0x02U;
+
 /// A key that only some profiles look at.
 struct ProfileKey
 {
@@ -98,6 +100,19 @@ void LoadedNetwork::RequireSync() const
     }
 }
 
+/// One supervision a slave, and that by heartbeat goes first.
+void LoadedNetwork::WarnOfGuarding(const SlavePlan& slave, const bool is_el6751)
+{
+    const std::uint16_t consumer_ms = slaves_.at(slave.node).heartbeat.consumer_ms;
+    if (slave.guard_ms.value_or(0U) > 0U && consumer_ms > 0U && !is_el6751)
+    {
+        warnings_.push_back(cia306::Printable(plan_.file) + ":" + std::to_string(slave.line) +
+                            ": guard_time has no effect: node " + std::to_string(slave.node) +
+                            " is supervised by heartbeat within " + std::to_string(consumer_ms) +
+                            " ms; with consumer: 0 ms it is guarded");
+    }
+}
+
 void LoadedNetwork::WarnOfUnused()
 {
     const StartProfile profile = plan_.manager.profile;
@@ -129,6 +144,9 @@ void LoadedNetwork::WarnOfUnused()
         warn(slave.line, {"product_code", slave.product_code.value_or(0U) != 0U, !is_plc});
         warn(slave.line, {"revision", slave.revision.value_or(0U) != 0U, !is_plc});
         warn(slave.line, {"serial", slave.serial.value_or(0U) != 0U, !is_plc});
+        warn(slave.line, {"bit 1 of assignment, which is reserved,",
+                          (slave.assignment.value_or(0U) & kReservedAssignment) != 0U, false});
+        WarnOfGuarding(slave, is_el6751);
     }
 }
 } // namespace counterpoint::network

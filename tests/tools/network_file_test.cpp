@@ -181,6 +181,24 @@ slaves:
                                         "4: keep_alive", "4: restore", "4: serial"}));
 }
 
+TEST_F(NetworkFileTest, AGuardTimeBesideAHeartbeatAndAReservedBitAreToldToo)
+{
+    Verifies(req::SRS_NET_006);
+    const std::string guarded = "guard_time: 100 ms, retry_factor: 3";
+    const std::string file =
+        File("net.yaml", "manager: {node: 127}\nslaves:\n"
+                         "  - {node: 1, consumer: 300 ms, " +
+                             guarded + "}\n  - {node: 2, " + guarded + "}\n  - {node: 3, assignment: 0x07}\n");
+    const LoadedNetwork net(ReadNetworkFile(file, 0U));
+    ASSERT_EQ(net.Warnings().size(), 2U);
+    EXPECT_NE(
+        net.Warnings()[0].find("net.yaml:3: guard_time has no effect: node 1 is supervised by heartbeat within 300 "
+                               "ms; with consumer: 0 ms it is guarded"),
+        std::string::npos);
+    EXPECT_NE(net.Warnings()[1].find("net.yaml:5: bit 1 of assignment, which is reserved, has no effect"),
+              std::string::npos);
+}
+
 TEST_F(NetworkFileTest, TheManagersOwnObjectsGoBeforeDerivedOnes)
 {
     Verifies(req::SRS_NET_003);
@@ -218,6 +236,26 @@ TEST_F(NetworkFileTest, TheManagersOwnObjectsGoBeforeDerivedOnes)
     EXPECT_EQ(net.Setup().slaves[33].assignment, 0x05U);
     EXPECT_EQ(net.Setup().slaves[33].serial_number, 4711U);
     EXPECT_EQ(net.Setup().slaves[1].assignment, 0x0DU);
+    // A manager is an NMT master, and its bits are known ones
+    for (const std::string& value : {std::string("0x10"), std::string("0x0"), std::string("0x81")})
+    {
+        static_cast<void>(
+            File("manager.dcf", Changed(dcf, {{"ParameterValue=0x11\n", "ParameterValue=" + value + "\n"}})));
+        std::string refusal;
+        try
+        {
+            const LoadedNetwork wrong(ReadNetworkFile(Cpj(), 0U));
+        }
+        catch (const cia306::InputError& error)
+        {
+            refusal = error.what();
+        }
+        EXPECT_NE(refusal.find("/manager.dcf:"), std::string::npos) << refusal;
+        EXPECT_NE(refusal.find(": error: 0x1F80:00: " + value +
+                               ", expected bit 0 (NMT master), and of the others bits 1 to 6 alone"),
+                  std::string::npos)
+            << refusal;
+    }
 }
 
 TEST_F(NetworkFileTest, OneStartForAllWithASafetySlaveIsWarnedOf)
