@@ -14,7 +14,8 @@ namespace counterpoint::cia302
 /// Times that CiA 302-2 leaves to the master.
 constexpr std::uint32_t kAskAgainUs = 1'000'000U;  ///< Between two readings of 1000h.
 constexpr std::uint32_t kResetUs = 1'000'000U;     ///< From a reset to the boot-up message.
-constexpr std::uint32_t kCrowdedUs = 10'000'000U;  ///< The same at most, while SDOs of other slaves keep the bus busy.
+constexpr std::uint32_t kCrowdedUs = 10'000'000U;  ///< The same at most, while SDOs of other slaves keep the bus busy,
+constexpr std::uint32_t kCrowdedTimeOuts = 20U;    ///< or as many SDO time-outs, which are long where the bus is slow.
 constexpr std::uint32_t kGuardAnswerUs = 100'000U; ///< From a remote frame to its answer.
 constexpr std::uint32_t kFlashCheckUs = 100'000U;  ///< Between two readings of 1F57h.
 constexpr std::uint16_t kMaxFlashChecks = 600U;    ///< A minute; then the update has failed.

@@ -42,7 +42,9 @@ bool BootSlave::IsSilent(const Job& job) noexcept
     {
         job.record.since_us = job.time.clock_us;
     }
-    return IsOver(job, kResetUs) && (!parts_.sdo.IsBusy() || IsOver(job, kCrowdedUs));
+    const std::uint64_t slow_us = std::uint64_t{kCrowdedTimeOuts} * parts_.sdo.TimeOutUs();
+    const std::uint64_t crowded_us = (slow_us > kCrowdedUs) ? slow_us : kCrowdedUs;
+    return IsOver(job, kResetUs) && (!parts_.sdo.IsBusy() || IsOver(job, crowded_us));
 }
 
 /// Part 0 sends the reset, part 1 waits for the boot-up message.

@@ -4,6 +4,7 @@
 #include "canopen/cia306/input_error.hpp"
 
 #include <limits>
+#include <set>
 
 namespace counterpoint::network
 {
@@ -14,6 +15,7 @@ using cia306::Entry;
 
 constexpr std::uint16_t kStartUp = 0x1F80U;
 constexpr std::uint32_t kNodeShift = 16U;
+constexpr std::uint32_t kReservedShift = 24U;
 constexpr std::uint32_t kLowHalf = 0xFFFFU;
 
 /// Object of the manager with a sub-index a node, and the part of the plan it is for.
@@ -138,12 +140,22 @@ class Taker
         {
             return;
         }
+        std::set<std::uint64_t> seen;
         for (const auto& [sub, entry] : object->entries)
         {
             const std::uint64_t value = (sub == 0U) ? 0U : NumberAt(kConsumers, sub).value_or(0U);
+            const std::uint64_t node = value >> kNodeShift;
+            const bool is_on = (value & kLowHalf) != 0U && node != 0U && node <= cia302::kLastNode;
+            if ((value >> kReservedShift) != 0U || (is_on && !seen.insert(node).second))
+            {
+                throw cia306::InputError(
+                    device_.file, entry.ValueLine(),
+                    {cia306::ObjectName(kConsumers, sub) + ": " + cia306::Hex(value, 8),
+                     "each node-ID in one entry, in bits 16 to 23, and a time in ms in bits 0 to 15"});
+            }
             for (SlavePlan& slave : plan_.slaves)
             {
-                const bool is_its = (value >> kNodeShift) == slave.node;
+                const bool is_its = node == slave.node;
                 slave.consumer_ms = (is_its && !slave.consumer_ms)
                                         ? std::optional(static_cast<std::uint16_t>(value & kLowHalf))
                                         : slave.consumer_ms;

@@ -236,26 +236,44 @@ TEST_F(NetworkFileTest, TheManagersOwnObjectsGoBeforeDerivedOnes)
     EXPECT_EQ(net.Setup().slaves[33].assignment, 0x05U);
     EXPECT_EQ(net.Setup().slaves[33].serial_number, 4711U);
     EXPECT_EQ(net.Setup().slaves[1].assignment, 0x0DU);
-    // A manager is an NMT master, and its bits are known ones
-    for (const std::string& value : {std::string("0x10"), std::string("0x0"), std::string("0x81")})
+    const auto refusal = [this](const std::string& text)
     {
-        static_cast<void>(
-            File("manager.dcf", Changed(dcf, {{"ParameterValue=0x11\n", "ParameterValue=" + value + "\n"}})));
-        std::string refusal;
+        static_cast<void>(File("manager.dcf", text));
         try
         {
             const LoadedNetwork wrong(ReadNetworkFile(Cpj(), 0U));
         }
         catch (const cia306::InputError& error)
         {
-            refusal = error.what();
+            return std::string(error.what());
         }
-        EXPECT_NE(refusal.find("/manager.dcf:"), std::string::npos) << refusal;
-        EXPECT_NE(refusal.find(": error: 0x1F80:00: " + value +
-                               ", expected bit 0 (NMT master), and of the others bits 1 to 6 alone"),
+        return std::string();
+    };
+    // A manager is an NMT master, and its bits are known ones
+    for (const std::string& value : {std::string("0x10"), std::string("0x0"), std::string("0x81")})
+    {
+        const std::string line = refusal(Changed(dcf, {{"ParameterValue=0x11\n", "ParameterValue=" + value + "\n"}}));
+        EXPECT_NE(line.find("/manager.dcf:892: error: 0x1F80:00: " + value +
+                            ", expected bit 0 (NMT master), and of the others bits 1 to 6 alone"),
                   std::string::npos)
-            << refusal;
+            << line;
     }
+    // It waits for the heartbeat of a node for one time alone
+    const std::string consumers = Changed(dcf, {{"=0x1F88", "=0x1016"},
+                                                {"[1F88]", "[1016]"},
+                                                {"[1F88sub0]", "[1016sub0]"},
+                                                {"[1F88sub21]", "[1016sub21]"},
+                                                {"ParameterValue=4711", "ParameterValue=0x002100C8"}});
+    EXPECT_EQ(refusal(consumers), "");
+    EXPECT_NE(refusal(Changed(consumers, {{"=0x002100C8", "=0x012100C8"}}))
+                  .find(": error: 0x1016:21: 0x012100C8, expected each node-ID in one entry"),
+              std::string::npos);
+    const std::string twice = Changed(consumers, {{"[1016]\nParameterName=x\nObjectType=0x8\nSubNumber=2",
+                                                   "[1016]\nParameterName=x\nObjectType=0x8\nSubNumber=3"}}) +
+                              variable("1016sub22", "0x0007", "0x00210032");
+    EXPECT_NE(refusal(twice).find(": error: 0x1016:22: 0x00210032, expected each node-ID in one entry"),
+              std::string::npos)
+        << refusal(twice);
 }
 
 TEST_F(NetworkFileTest, OneStartForAllWithASafetySlaveIsWarnedOf)
