@@ -90,7 +90,7 @@ void BootSlave::OnBootUp(const NodeId node, const BootTime& time) noexcept
     job.record.status.is_started = false;
     if (heartbeat.arming == Arming::kBootUp)
     {
-        parts_.table.WatchHeartbeat(node, heartbeat.consumer_ms, Arming::kImmediately, time.now);
+        parts_.table.WatchHeartbeat(node, heartbeat.consumer_ms, Arming::kBootUp, time.now);
     }
     if (!is_awaited || is_first)
     {

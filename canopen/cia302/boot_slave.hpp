@@ -140,6 +140,7 @@ class BootSlave
     [[nodiscard]] Got Take(const Job& job) noexcept;
 
     void AwaitReset(const Job& job) noexcept;
+    void WakeUp(const Job& job) noexcept;
     void ReadDeviceType(const Job& job) noexcept;
     void Compare(const Job& job, std::uint8_t sub, std::uint32_t expected, char letter) noexcept;
     void CheckState(const Job& job) noexcept;

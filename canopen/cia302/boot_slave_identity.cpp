@@ -72,6 +72,21 @@ void BootSlave::AwaitReset(const Job& job) noexcept
     }
 }
 
+/// STOPPED, it has no SDO to be asked by, and may send nothing that tells so. One command for each try: a lane for it
+/// may have to be waited for.
+void BootSlave::WakeUp(const Job& job) noexcept
+{
+    const NodeRecord& heard = parts_.table.Record(job.node);
+    const bool is_deaf = (heard.state == SlaveState::kStopped) ||
+                         ((heard.state != SlaveState::kOperational) && (heard.asked == SlaveState::kStopped));
+    const auto this_try = static_cast<std::uint16_t>(job.record.part + 1U);
+    if (is_deaf && (job.record.wait == BootWait::kNothing) && (job.record.checks != this_try))
+    {
+        job.record.checks = this_try;
+        static_cast<void>(parts_.nmt.Request(NmtCommand::kPreOperational, job.node, job.time.now));
+    }
+}
+
 /// Asked for until there is an answer; of a mandatory slave only as long as 1F89h allows.
 void BootSlave::ReadDeviceType(const Job& job) noexcept
 {
@@ -92,6 +107,7 @@ void BootSlave::ReadDeviceType(const Job& job) noexcept
     }
     else
     {
+        WakeUp(job);
         const Got got = Fetch(job, kDeviceTypeObject);
         const bool is_expected = (job.setup.device_type == 0U) || (job.record.status.read == job.setup.device_type);
         if (got == Got::kRefused)

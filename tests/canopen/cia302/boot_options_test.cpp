@@ -233,6 +233,27 @@ TEST_F(BootOptionsTest, WhoIsMandatoryNoMoreHaltsNothing)
     EXPECT_EQ(slaves[5]->State(), NodeState::kPreOperational);
 }
 
+// Given slaves that were stopped, one of which is heard, when their start-up is asked for, then they run again.
+TEST_F(BootOptionsTest, WhoIsStoppedIsMadePreOperationalToBeBooted)
+{
+    Verifies(req::SRS_BOOT_004);
+    Add(5U, kMust).heartbeat_ms = 50U;
+    setups[5].heartbeat = HeartbeatSetup{150U, 50U, Arming::kFirstHeartbeat};
+    Add(6U, kMust);
+    Begin();
+    Run(200U);
+    for (const std::uint8_t node : {std::uint8_t{5U}, std::uint8_t{6U}})
+    {
+        EXPECT_EQ(start_up.Command(NmtCommand::kStop, NodeId{node}, Now()), NmtAnswer::kTaken);
+        Run(100U);
+        EXPECT_EQ(slaves[node]->State(), NodeState::kStopped);
+        EXPECT_TRUE(start_up.Boot(NodeId{node}, Now()));
+        Run(200U);
+        EXPECT_EQ(slaves[node]->State(), NodeState::kOperational);
+        EXPECT_EQ(Letter(node), "-");
+    }
+}
+
 // Given a slave that refuses 1000h, then it is asked again, and is not missing.
 TEST_F(BootOptionsTest, WhoRefusesIsThere)
 {
