@@ -159,6 +159,11 @@ TEST_F(NetworkObjectsTest, ReadingOfTheRequestObject)
     EXPECT_EQ(Read(0x1F82U, 0x80U), 0x06010001U);
     table.SetMissing(NodeId{6U});
     EXPECT_EQ(Read(0x1F82U, 6U), 0x1'0000'0001U);
+    // A command to all makes nobody OPERATIONAL who is not there
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 5U), SdoAbort::kNone);
+    EXPECT_EQ(Read(0x1F82U, 6U), 0x1'0000'0001U);
+    EXPECT_EQ(Read(0x1F82U, 7U), 0x1'0000'0005U);
+    EXPECT_EQ(Read(0x1F82U, 9U), 0x1'0000'0000U);
 }
 
 TEST_F(NetworkObjectsTest, RequestForGuarding)
