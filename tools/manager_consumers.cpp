@@ -28,6 +28,16 @@ bool IsOn(const std::uint32_t value)
 }
 } // namespace
 
+bool IsStartingUp(const ManagerHost& host, const NodeId node) noexcept
+{
+    using cia302::StartUpStep;
+    const cia302::NodeStatus status = host.Core().Status(node);
+    const bool is_cia302 = host.Net().Plan().manager.profile == network::StartProfile::kCia302;
+    const bool is_waiting = status.step == StartUpStep::kReset || status.step == StartUpStep::kWaitBootUp ||
+                            (is_cia302 && status.step == StartUpStep::kDeviceType);
+    return status.is_busy && !is_waiting;
+}
+
 ManagerConsumers::ManagerConsumers(ManagerHost& host, network::LoadedNetwork& net) : host_(host), net_(net)
 {
     std::size_t count = 0U;
@@ -94,7 +104,7 @@ SdoAbort ManagerConsumers::MayChange(const std::uint32_t value) const noexcept
     {
         return SdoAbort::kReadOnly;
     }
-    const bool is_busy = IsOn(value) && net_.Setup().IsListed(node) && host_.Core().Status(node).is_busy;
+    const bool is_busy = IsOn(value) && net_.Setup().IsListed(node) && IsStartingUp(host_, node);
     return is_busy ? SdoAbort::kDeviceState : SdoAbort::kNone;
 }
 

@@ -154,7 +154,7 @@ SdoAbort ManagerRules::MayChange(const NodeId node) const noexcept
     {
         return SdoAbort::kReadOnly;
     }
-    return (!is_listed || host_.Core().Status(node).is_busy) ? SdoAbort::kDeviceState : SdoAbort::kNone;
+    return (!is_listed || IsStartingUp(host_, node)) ? SdoAbort::kDeviceState : SdoAbort::kNone;
 }
 
 /// Other guarding times count at once for a slave that is guarded, or was started and is watched by nobody.

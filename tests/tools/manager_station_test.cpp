@@ -22,7 +22,7 @@ class ManagerStationTest : public test::ManagerRig
 constexpr const char* kNetwork = "manager: {node: 127, heartbeat: 100 ms, inhibit: 1 ms, boot_time: 2 s}\n"
                                  "slaves:\n"
                                  "  - {node: 5, boot: false, mandatory: false, vendor_id: 0xABC, consumer: 300 ms}\n"
-                                 "  - {node: 6, mandatory: false}\n"
+                                 "  - {node: 6, mandatory: false, vendor_id: 0x2A}\n"
                                  "  - {node: 33, dcf: actuator.dcf}\n";
 
 TEST_F(ManagerStationTest, AClientReadsTheNetwork)
@@ -109,7 +109,12 @@ TEST_F(ManagerStationTest, WritesObeyRules)
     EXPECT_EQ(Write(0x1F81U, 5U, 0x00640303U, 4U), 0x06090030U);
     EXPECT_EQ(Write(0x1F81U, 5U, 0U, 4U), 0x08000022U);
     EXPECT_EQ(Write(0x1F81U, 9U, 1U, 4U), 0x08000022U); // Nobody joins,
-    EXPECT_EQ(Write(0x1F88U, 6U, 7U, 4U), 0x08000022U); // or is changed while it is started.
+    EXPECT_EQ(Write(0x1F88U, 6U, 6U, 4U), 0U);          // or is changed while it is started, but who is awaited is.
+    Hear(0x706U, {0x00U});
+    EXPECT_EQ(Write(0x1F88U, 6U, 7U, 4U), 0U);
+    Hear(0x586U, {0x43U, 0x00U, 0x10U, 0x00U, 0U, 0U, 0U, 0U});
+    EXPECT_EQ(Write(0x1F88U, 6U, 8U, 4U), 0x08000022U);
+    EXPECT_EQ(Write(0x1F22U, 6U, 0U, 4U), 0x08000022U);
     // A safety slave stays what it is
     for (const std::uint16_t index :
          std::initializer_list<std::uint16_t>{0x1F26U, 0x1F27U, 0x1F81U, 0x1F84U, 0x1F85U, 0x1F86U, 0x1F87U, 0x1F88U})
@@ -139,6 +144,8 @@ TEST_F(ManagerStationTest, HeartbeatConsumersAreWrittenAsInAnyDevice)
 {
     Verifies(req::SRS_MGR_021);
     Make(kNetwork);
+    Run(2U);
+    Hear(0x705U, {0x00U});
     EXPECT_EQ(Write(0x1016U, 1U, (5U << 16U) | 500U, 4U), 0x08000022U); // While it is started.
     EndStartUp();
     const auto count = [this](const std::string& kind, const std::uint8_t node)
