@@ -100,16 +100,27 @@ void LoadedNetwork::RequireSync() const
     }
 }
 
-/// One supervision a slave, and that by heartbeat goes first.
+/// One supervision a slave, and that by heartbeat goes first; who sends heartbeats answers no remote frames.
 void LoadedNetwork::WarnOfGuarding(const SlavePlan& slave, const bool is_el6751)
 {
-    const std::uint16_t consumer_ms = slaves_.at(slave.node).heartbeat.consumer_ms;
-    if (slave.guard_ms.value_or(0U) > 0U && consumer_ms > 0U && !is_el6751)
+    const cia302::HeartbeatSetup& heartbeat = slaves_.at(slave.node).heartbeat;
+    const std::string place = cia306::Printable(plan_.file) + ":" + std::to_string(slave.line) + ": ";
+    const std::string node = "node " + std::to_string(slave.node);
+    const bool is_asked = slave.guard_ms.value_or(0U) > 0U && !is_el6751;
+    if (is_asked && heartbeat.consumer_ms > 0U)
     {
-        warnings_.push_back(cia306::Printable(plan_.file) + ":" + std::to_string(slave.line) +
-                            ": guard_time has no effect: node " + std::to_string(slave.node) +
-                            " is supervised by heartbeat within " + std::to_string(consumer_ms) +
-                            " ms; with consumer: 0 ms it is guarded");
+        warnings_.push_back(place + "guard_time has no effect: " + node + " is supervised by heartbeat within " +
+                            std::to_string(heartbeat.consumer_ms) +
+                            " ms, expected heartbeat: 0 ms and no consumer time for one that is guarded");
+    }
+    else if (is_asked && heartbeat.producer_ms > 0U)
+    {
+        warnings_.push_back(place + node + " sends a heartbeat each " + std::to_string(heartbeat.producer_ms) +
+                            " ms and will not answer when it is guarded, expected heartbeat: 0 ms");
+    }
+    else
+    {
+        // Guarded, or not asked for.
     }
 }
 

@@ -185,18 +185,21 @@ TEST_F(NetworkFileTest, AGuardTimeBesideAHeartbeatAndAReservedBitAreToldToo)
 {
     Verifies(req::SRS_NET_006);
     const std::string guarded = "guard_time: 100 ms, retry_factor: 3";
-    const std::string file =
-        File("net.yaml", "manager: {node: 127}\nslaves:\n"
-                         "  - {node: 1, consumer: 300 ms, " +
-                             guarded + "}\n  - {node: 2, " + guarded + "}\n  - {node: 3, assignment: 0x07}\n");
+    const std::string file = File("net.yaml", "manager: {node: 127}\nslaves:\n"
+                                              "  - {node: 1, consumer: 300 ms, " +
+                                                  guarded + "}\n  - {node: 2, " + guarded +
+                                                  "}\n  - {node: 3, assignment: 0x07}\n"
+                                                  "  - {node: 4, heartbeat: 50 ms, consumer: 0 ms, " +
+                                                  guarded + "}\n");
     const LoadedNetwork net(ReadNetworkFile(file, 0U));
-    ASSERT_EQ(net.Warnings().size(), 2U);
-    EXPECT_NE(
-        net.Warnings()[0].find("net.yaml:3: guard_time has no effect: node 1 is supervised by heartbeat within 300 "
-                               "ms; with consumer: 0 ms it is guarded"),
-        std::string::npos);
-    EXPECT_NE(net.Warnings()[1].find("net.yaml:5: bit 1 of assignment, which is reserved, has no effect"),
-              std::string::npos);
+    ASSERT_EQ(net.Warnings().size(), 3U);
+    const auto says = [&net](const std::size_t number, const std::string& text)
+    { return net.Warnings()[number].find("net.yaml:" + text) != std::string::npos; };
+    EXPECT_TRUE(says(0U, "3: guard_time has no effect: node 1 is supervised by heartbeat within 300 ms, expected "
+                         "heartbeat: 0 ms and no consumer time for one that is guarded"));
+    EXPECT_TRUE(says(1U, "5: bit 1 of assignment, which is reserved, has no effect"));
+    EXPECT_TRUE(says(2U, "6: node 4 sends a heartbeat each 50 ms and will not answer when it is guarded, expected "
+                         "heartbeat: 0 ms"));
 }
 
 TEST_F(NetworkFileTest, TheManagersOwnObjectsGoBeforeDerivedOnes)
