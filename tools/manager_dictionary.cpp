@@ -22,7 +22,6 @@ constexpr std::uint32_t kConciseRoom = 65536U; ///< Of a concise DCF that a clie
 constexpr std::uint32_t kSdoTimeOutUs = 1000000U;
 constexpr std::uint8_t kSdoBlock = 127U;
 constexpr std::uint8_t kAllSub = 0x80U;
-constexpr std::uint32_t kNodeShift = 16U;
 
 /// An array by node-ID.
 struct Array
@@ -189,21 +188,14 @@ void ManagerDictionary::AddIdentity()
     }
 }
 
-/// 1016h: who is supervised by heartbeat, in the order of the node-IDs.
 void ManagerDictionary::AddConsumers()
 {
     constexpr std::uint16_t kConsumers = 0x1016U;
-    std::uint8_t count = 0U;
-    for (std::uint8_t node = 1U; node <= cia302::kLastNode; ++node)
+    AddValue(kConsumers, 0U, DataType::kUnsigned8, cia302::kLastNode);
+    for (std::uint8_t sub = 1U; sub <= cia302::kLastNode; ++sub)
     {
-        const std::uint32_t consumer_ms = net_.Setup().Slave(cia302::NodeId{node}).heartbeat.consumer_ms;
-        if (net_.Setup().IsListed(cia302::NodeId{node}) && consumer_ms != 0U)
-        {
-            ++count;
-            AddValue(kConsumers, count, DataType::kUnsigned32, (std::uint32_t{node} << kNodeShift) | consumer_ms);
-        }
+        AddHook(kConsumers, sub, DataType::kUnsigned32, Access::kReadWrite);
     }
-    AddValue(kConsumers, 0U, DataType::kUnsigned8, count);
 }
 
 void ManagerDictionary::AddNetwork()

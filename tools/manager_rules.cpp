@@ -12,6 +12,7 @@ namespace
 using cia301::SdoAbort;
 using cia302::NodeId;
 
+constexpr std::uint16_t kConsumers = 0x1016U;
 constexpr std::uint16_t kProducer = 0x1017U;
 constexpr std::uint16_t kInhibit = 0x102AU;
 constexpr std::uint16_t kDcf = 0x1F20U;
@@ -24,6 +25,7 @@ constexpr std::uint16_t kAssignment = 0x1F81U;
 constexpr std::uint16_t kNmt = 0x1F82U;
 constexpr std::uint16_t kGuarding = 0x1F83U;
 constexpr std::uint16_t kBootTime = 0x1F89U;
+constexpr std::uint32_t kReservedAssignment = 0x02U;
 constexpr std::uint32_t kFixedBits = cia302::kIsMaster | cia302::kFlyingMaster;
 
 bool IsDomain(const std::uint16_t index)
@@ -47,12 +49,13 @@ cia301::Reading Number(const std::uint32_t value, const std::uint32_t size_bytes
 ManagerRules::ManagerRules(ManagerHost& host, network::LoadedNetwork& net)
     : host_(host), net_(net),
       objects_({net.Setup(), &net.SetupRoom(), net.SlaveRoom(), host.Core().ProfileParts().table, host.Profile()}),
-      domains_(net.Setup()), flying_(host.FlyingTimes())
+      domains_(net.Setup()), flying_(host.FlyingTimes()), consumers_(host, net)
 {
 }
 
 void ManagerRules::SetNow(const Instant now) noexcept
 {
+    now_ = now;
     objects_.OnCycle(now);
 }
 
@@ -65,6 +68,14 @@ cia301::Reading ManagerRules::OnRead(const ObjectAddress& address, const cia301:
     if (address.index == kProducer)
     {
         return Number(host_.Core().HeartbeatMs(), 2U, room);
+    }
+    if (address.index == kConsumers)
+    {
+        return Number(consumers_.Value(address.sub), 4U, room);
+    }
+    if (address.index == kNmt && address.sub == net_.Setup().own.value)
+    {
+        return Number(cia301::StateByte(host_.Core().OwnState()), 1U, room); // Nobody hears itself.
     }
     if (address.index == kFormat && address.sub != 0U)
     {
@@ -104,6 +115,7 @@ SdoAbort ManagerRules::MayWrite(const ObjectAddress& address, const std::uint32_
     const cia302::FlyingMaster* const flying = host_.Core().Flying();
     switch (address.index)
     {
+    case kConsumers: // See there.
     case kProducer:
     case kInhibit:
     case kBootTime:
@@ -121,10 +133,11 @@ SdoAbort ManagerRules::MayWrite(const ObjectAddress& address, const std::uint32_
     {
         cia302::SlaveSetup asked{};
         asked.assignment = value;
-        const bool is_half = (asked.GuardTimeMs() == 0U) != (asked.RetryFactor() == 0U);
+        const bool is_malformed =
+            (asked.GuardTimeMs() == 0U) != (asked.RetryFactor() == 0U) || asked.Has(kReservedAssignment);
         const SdoAbort abort = MayChange(NodeId{address.sub});
         const SdoAbort leaves = unless(!asked.IsListed(), SdoAbort::kDeviceState);
-        const SdoAbort wrong = (leaves == SdoAbort::kNone) ? unless(is_half, SdoAbort::kValueRange) : leaves;
+        const SdoAbort wrong = (leaves == SdoAbort::kNone) ? unless(is_malformed, SdoAbort::kValueRange) : leaves;
         return (abort == SdoAbort::kNone) ? wrong : abort;
     }
     default:
@@ -141,7 +154,25 @@ SdoAbort ManagerRules::MayChange(const NodeId node) const noexcept
     {
         return SdoAbort::kReadOnly;
     }
-    return (!is_listed || host_.Core().Status(node).is_busy) ? SdoAbort::kDeviceState : SdoAbort::kNone;
+    return (!is_listed || IsStartingUp(host_, node)) ? SdoAbort::kDeviceState : SdoAbort::kNone;
+}
+
+/// Other guarding times count at once for a slave that is guarded, or was started and is watched by nobody.
+SdoAbort ManagerRules::StoreAssignment(const ObjectAddress& address, const cia301::Bytes& value) noexcept
+{
+    constexpr std::uint32_t kFirstGuardingBit = 8U;
+    const NodeId node{address.sub};
+    cia302::NodeTable& table = host_.Core().ProfileParts().table;
+    const std::uint32_t before = net_.Setup().Slave(node).assignment;
+    const SdoAbort abort = objects_.OnWrite(address, value);
+    const std::uint32_t changed = before ^ net_.Setup().Slave(node).assignment;
+    const cia302::Watch watch = table.Record(node).watch;
+    const bool is_unwatched = watch == cia302::Watch::kNone && host_.Core().Status(node).is_started;
+    if ((changed >> kFirstGuardingBit) != 0U && (watch == cia302::Watch::kGuarding || is_unwatched))
+    {
+        table.WatchAsSetUp(node, now_);
+    }
+    return abort;
 }
 
 SdoAbort ManagerRules::Store(const ObjectAddress& address, const cia301::Bytes& value) noexcept
@@ -151,6 +182,13 @@ SdoAbort ManagerRules::Store(const ObjectAddress& address, const cia301::Bytes& 
     {
     case kProducer:
         host_.SetHeartbeat(static_cast<std::uint16_t>(cia301::FromLittleEndian(value.data, value.size_bytes)));
+        break;
+    case kConsumers:
+        abort = consumers_.Write(
+            address.sub, static_cast<std::uint32_t>(cia301::FromLittleEndian(value.data, value.size_bytes)), now_);
+        break;
+    case kAssignment:
+        abort = StoreAssignment(address, value);
         break;
     case kConcise:
         abort = net_.ReplaceConcise(address.sub, value) ? SdoAbort::kNone : SdoAbort::kValueRange;

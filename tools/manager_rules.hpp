@@ -3,12 +3,13 @@
 #define TOOLS_MANAGER_RULES_HPP
 
 #include "canopen/cia302/network_objects.hpp"
+#include "tools/manager_consumers.hpp"
 #include "tools/manager_host.hpp"
 
 namespace counterpoint::tools
 {
-/// The objects by which a manager is seen and commanded, and what a write may do while it runs. Hook of 1017h, 102Ah,
-/// 1F20h to 1F27h, 1F53h to 1F58h and 1F80h to 1F90h. [SRS-MGR-021]
+/// The objects by which a manager is seen and commanded, and what a write may do while it runs. Hook of 1016h, 1017h,
+/// 102Ah, 1F20h to 1F27h, 1F53h to 1F58h and 1F80h to 1F90h. [SRS-MGR-021]
 class ManagerRules final : public cia301::ReadHook, public cia301::WriteHook
 {
   public:
@@ -25,6 +26,7 @@ class ManagerRules final : public cia301::ReadHook, public cia301::WriteHook
     [[nodiscard]] cia301::Reading ReadDomain(const ObjectAddress& address, const cia301::Room& room) noexcept;
     [[nodiscard]] cia301::SdoAbort MayWrite(const ObjectAddress& address, std::uint32_t value) const noexcept;
     [[nodiscard]] cia301::SdoAbort MayChange(cia302::NodeId node) const noexcept;
+    [[nodiscard]] cia301::SdoAbort StoreAssignment(const ObjectAddress& address, const cia301::Bytes& value) noexcept;
     [[nodiscard]] cia301::SdoAbort Store(const ObjectAddress& address, const cia301::Bytes& value) noexcept;
 
     ManagerHost& host_;
@@ -32,6 +34,8 @@ class ManagerRules final : public cia301::ReadHook, public cia301::WriteHook
     cia302::NetworkObjects objects_;
     cia302::NetworkDomains domains_;
     cia302::FlyingMasterObject flying_;
+    ManagerConsumers consumers_;
+    Instant now_{0U};
 };
 } // namespace counterpoint::tools
 

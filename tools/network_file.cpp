@@ -77,6 +77,10 @@ ManagerPlan ReadManager(const std::string& file, const ScenarioValue& value)
     plan.dcf = FileIn(file, map, "dcf", "a DCF");
     TakeWord(map, "profile", plan.profile, kProfileWords);
     TakeNumber(map, "start_up", plan.start_up, 0U, kStartUpBits);
+    if (plan.start_up && (*plan.start_up & cia302::kIsMaster) == 0U)
+    {
+        map.Require("start_up").Refuse(cia306::Hex(*plan.start_up, 1), "bit 0: a manager is an NMT master");
+    }
     TakeMs(map, "boot_time", plan.boot_time_ms);
     TakeTime(map, "inhibit", plan.inhibit_100us, kHundredUs, "tenths of a millisecond");
     TakeTime(map, "sync", plan.sync_us, simulator::kNanosecondsPerMicrosecond, "microseconds");

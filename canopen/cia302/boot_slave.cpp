@@ -38,7 +38,9 @@ BootSlave::Job BootSlave::JobOf(const NodeId node, const BootTime& time) noexcep
 void BootSlave::Clear(const Job& job) noexcept
 {
     End(job.node);
-    parts_.table.Unwatch(job.node);
+    const bool is_at_once = (job.setup.heartbeat.arming == Arming::kImmediately);
+    const std::uint16_t watched_ms = is_at_once ? job.setup.heartbeat.consumer_ms : std::uint16_t{0U};
+    parts_.table.WatchHeartbeat(job.node, watched_ms, Arming::kImmediately, job.time.now); // Others are not watched.
     parts_.gate.Close(job.node);
     parts_.nmt.DropStarts(job.node);
     job.record = BootRecord{};
@@ -76,13 +78,20 @@ void BootSlave::OnBootUp(const NodeId node, const BootTime& time) noexcept
     const Job job = JobOf(node, time);
     const bool is_awaited = job.record.status.is_busy && (job.record.wait == BootWait::kBootUp);
     const StartUpStep step = job.record.status.step;
+    const std::uint8_t updates = job.record.updates;
     const bool is_first = (step == StartUpStep::kReset) || (step == StartUpStep::kWaitBootUp);
+    const HeartbeatSetup& heartbeat = job.setup.heartbeat;
     if (!is_awaited)
     {
         Clear(job);
     }
+    job.record.updates = updates; // Or a slave that restarts within each update would be cleared without end.
     job.record.is_fresh = true;
     job.record.status.is_started = false;
+    if (heartbeat.arming == Arming::kBootUp)
+    {
+        parts_.table.WatchHeartbeat(node, heartbeat.consumer_ms, Arming::kBootUp, time.now);
+    }
     if (!is_awaited || is_first)
     {
         Enter(job, job.setup.Has(kBootSlave) ? StartUpStep::kDeviceType : StartUpStep::kErrorControl);
@@ -93,6 +102,9 @@ void BootSlave::OnBootUp(const NodeId node, const BootTime& time) noexcept
     }
     else if (step == StartUpStep::kRestore)
     {
+        // Who runs and is reset by its new configuration (1F25h) is supervised, verified and started again.
+        job.record.is_extra = job.record.is_extra && !job.record.is_booted;
+        job.record.was_operational = false;
         Enter(job, StartUpStep::kConfigure);
     }
     else
@@ -215,6 +227,7 @@ void BootSlave::Finish(const Job& job) noexcept
     const bool is_boot = !job.record.is_extra;
     const char before = job.record.status.letter;
     job.record.is_booted = job.record.is_booted || is_boot;
+    job.record.updates = is_boot ? std::uint8_t{0U} : job.record.updates;
     // An extra does not heal what it did not do: a slave of another vendor that runs is still one.
     const bool is_repaired = is_boot || (before == 'J') || (before == 'L') || (before == '\0');
     const char good = job.record.was_operational ? 'L' : '\0';

@@ -14,10 +14,12 @@ namespace counterpoint::cia302
 /// Times that CiA 302-2 leaves to the master.
 constexpr std::uint32_t kAskAgainUs = 1'000'000U;  ///< Between two readings of 1000h.
 constexpr std::uint32_t kResetUs = 1'000'000U;     ///< From a reset to the boot-up message.
-constexpr std::uint32_t kCrowdedUs = 10'000'000U;  ///< The same at most, while SDOs of other slaves keep the bus busy.
+constexpr std::uint32_t kCrowdedUs = 10'000'000U;  ///< The same at most, while SDOs of other slaves keep the bus busy,
+constexpr std::uint32_t kCrowdedTimeOuts = 20U;    ///< or as many SDO time-outs, which are long where the bus is slow.
 constexpr std::uint32_t kGuardAnswerUs = 100'000U; ///< From a remote frame to its answer.
 constexpr std::uint32_t kFlashCheckUs = 100'000U;  ///< Between two readings of 1F57h.
 constexpr std::uint16_t kMaxFlashChecks = 600U;    ///< A minute; then the update has failed.
+constexpr std::uint8_t kMaxUpdates = 3U;           ///< That the slave's own restarts broke off.
 
 /// Time of a call: modular, and as a count that does not wrap.
 struct BootTime
@@ -51,6 +53,7 @@ struct BootRecord
     std::uint8_t part;  ///< Of the step.
     std::uint8_t beats; ///< Of the table when the wait began.
     std::uint16_t checks;
+    std::uint8_t updates; ///< Begun since the last boot that ended well.
     bool is_fresh;        ///< Its boot-up message came in this boot: it is not asked for its state.
     bool is_updated;      ///< Software was downloaded in this boot.
     bool was_operational; ///< L.
@@ -129,6 +132,7 @@ class BootSlave
     void Run(const Job& job) noexcept;
     void RunLater(const Job& job, StartUpStep step) noexcept;
     [[nodiscard]] static bool IsOver(const Job& job, std::uint64_t limit_us) noexcept;
+    [[nodiscard]] bool IsSilent(const Job& job) noexcept;
 
     [[nodiscard]] Got Fetch(const Job& job, const ObjectAddress& object) noexcept;
     [[nodiscard]] Got Put(const Job& job, const ObjectAddress& object, const Bytes& value, SdoMode mode) noexcept;
@@ -136,6 +140,7 @@ class BootSlave
     [[nodiscard]] Got Take(const Job& job) noexcept;
 
     void AwaitReset(const Job& job) noexcept;
+    void WakeUp(const Job& job) noexcept;
     void ReadDeviceType(const Job& job) noexcept;
     void Compare(const Job& job, std::uint8_t sub, std::uint32_t expected, char letter) noexcept;
     void CheckState(const Job& job) noexcept;

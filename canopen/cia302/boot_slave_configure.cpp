@@ -77,7 +77,7 @@ void BootSlave::Restore(const Job& job) noexcept
             Wait(job, BootWait::kBootUp);
         }
     }
-    else if (IsOver(job, kResetUs))
+    else if (IsSilent(job))
     {
         job.record.status.abort = SdoAbort::kTimeOut;
         Fail(job, 'J');
@@ -115,6 +115,10 @@ void BootSlave::WriteText(const Job& job) noexcept
         if (entry.state == TextState::kMalformed)
         {
             RefuseDomain(job, kTextIndex);
+        }
+        else if ((entry.state == TextState::kEnd) && !IsConcise(job.setup.concise_dcf))
+        {
+            RefuseDomain(job, kConciseIndex); // Before any of it is written.
         }
         else if (entry.state == TextState::kEnd)
         {

@@ -34,8 +34,20 @@ StartUpStep StepAfter(const std::uint8_t sub) noexcept
 
 } // namespace
 
-/// Part 0 sends the reset, part 1 waits for the boot-up message, which has the lowest priority on the bus: behind the
-/// SDOs of all other slaves.
+/// No boot-up message in its time, which begins when the reset has left. The message has the lowest priority on the
+/// bus: behind the SDOs of all other slaves.
+bool BootSlave::IsSilent(const Job& job) noexcept
+{
+    if (parts_.nmt.Waiting() != 0U)
+    {
+        job.record.since_us = job.time.clock_us;
+    }
+    const std::uint64_t slow_us = std::uint64_t{kCrowdedTimeOuts} * parts_.sdo.TimeOutUs();
+    const std::uint64_t crowded_us = (slow_us > kCrowdedUs) ? slow_us : kCrowdedUs;
+    return IsOver(job, kResetUs) && (!parts_.sdo.IsBusy() || IsOver(job, crowded_us));
+}
+
+/// Part 0 sends the reset, part 1 waits for the boot-up message.
 void BootSlave::AwaitReset(const Job& job) noexcept
 {
     if (job.record.part == 0U)
@@ -47,12 +59,31 @@ void BootSlave::AwaitReset(const Job& job) noexcept
             Wait(job, BootWait::kBootUp);
         }
     }
-    else if (IsOver(job, kResetUs) && (!parts_.sdo.IsBusy() || IsOver(job, kCrowdedUs)))
+    else if (IsSilent(job))
     {
         const bool is_called_for = job.setup.Has(kMandatory) || job.setup.Has(kKeepAlive);
         const StartUpStep first = job.setup.Has(kBootSlave) ? StartUpStep::kDeviceType : StartUpStep::kErrorControl;
         Enter(job, is_called_for ? first : StartUpStep::kWaitBootUp);
-        job.record.wait = is_called_for ? BootWait::kNothing : BootWait::kBootUp;
+        if (!is_called_for)
+        {
+            job.record.wait = BootWait::kBootUp;
+            parts_.table.SetMissing(job.node);
+        }
+    }
+}
+
+/// STOPPED, it has no SDO to be asked by, and may send nothing that tells so. One command for each try: a lane for it
+/// may have to be waited for.
+void BootSlave::WakeUp(const Job& job) noexcept
+{
+    const NodeRecord& heard = parts_.table.Record(job.node);
+    const bool is_deaf = (heard.state == SlaveState::kStopped) ||
+                         ((heard.state != SlaveState::kOperational) && (heard.asked == SlaveState::kStopped));
+    const auto this_try = static_cast<std::uint16_t>(job.record.part + 1U);
+    if (is_deaf && (job.record.wait == BootWait::kNothing) && (job.record.checks != this_try))
+    {
+        job.record.checks = this_try;
+        static_cast<void>(parts_.nmt.Request(NmtCommand::kPreOperational, job.node, job.time.now));
     }
 }
 
@@ -76,11 +107,15 @@ void BootSlave::ReadDeviceType(const Job& job) noexcept
     }
     else
     {
+        WakeUp(job);
         const Got got = Fetch(job, kDeviceTypeObject);
         const bool is_expected = (job.setup.device_type == 0U) || (job.record.status.read == job.setup.device_type);
         if (got == Got::kRefused)
         {
-            parts_.table.SetMissing(job.node);
+            if (!parts_.sdo.Outcome(job.node).by_server) // Who refuses is there.
+            {
+                parts_.table.SetMissing(job.node);
+            }
             Wait(job, BootWait::kTime);
         }
         else if ((got == Got::kDone) && !is_expected)
@@ -125,7 +160,7 @@ void BootSlave::CheckState(const Job& job) noexcept
     }
     else if (job.record.wait == BootWait::kBootUp)
     {
-        if (IsOver(job, kResetUs))
+        if (IsSilent(job))
         {
             job.record.is_fresh = true; // It is not reset a second time.
             Enter(job, StartUpStep::kDeviceType);

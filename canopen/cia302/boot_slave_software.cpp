@@ -81,9 +81,9 @@ void BootSlave::JudgeSoftware(const Job& job, const std::uint32_t expected) noex
     else
     {
         job.record.status.expected = expected;
-        if (job.record.is_updated)
+        if (job.record.is_updated || (job.record.updates >= kMaxUpdates))
         {
-            Fail(job, 'I'); // Once is enough: the download did not change it.
+            Fail(job, 'I'); // The download did not change it, or never came to its end.
         }
         else if (!is_allowed)
         {
@@ -95,6 +95,7 @@ void BootSlave::JudgeSoftware(const Job& job, const std::uint32_t expected) noex
         }
         else
         {
+            ++job.record.updates;
             Enter(job, StartUpStep::kSoftwareUpdate);
         }
     }

@@ -142,6 +142,7 @@ void Manager::OnCycle(const Instant now) noexcept
             FollowRole(now);
         }
         SendOwn(now);
+        watch_.OnCycle(now);
         table_.OnCycle(now);
         sdo_.OnCycle(now);
         gate_.OnCycle(now);

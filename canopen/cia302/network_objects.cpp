@@ -132,8 +132,11 @@ ObjectValue NetworkObjects::FetchService(const ObjectAddress& address) const noe
         const NodeId node{address.sub};
         const bool is_guarded = (parts_.table.Record(node).watch == Watch::kGuarding);
         const std::uint32_t guarding = is_guarded ? 1U : 0U;
+        const bool is_anybody = parts_.setup.IsListed(node) || (node.value == parts_.setup.own.value) ||
+                                parts_.table.Record(node).was_seen; // Else a command to all makes nobody OPERATIONAL.
+        const std::uint32_t state = is_anybody ? parts_.table.RequestValue(node) : std::uint8_t{0U};
         value.abort = SdoAbort::kNone;
-        value.value = (address.index == kNmt) ? std::uint32_t{parts_.table.RequestValue(node)} : guarding;
+        value.value = (address.index == kNmt) ? state : guarding;
     }
     return value;
 }

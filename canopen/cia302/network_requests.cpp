@@ -114,7 +114,7 @@ SdoAbort NetworkObjects::RequestGuarding(const std::uint8_t sub, const std::uint
     {
         for (std::uint8_t id = 1U; id <= kLastNode; ++id)
         {
-            static_cast<void>(GuardNode(NodeId{id}, value == 1U)); // Nodes without times are left as they are.
+            static_cast<void>(GuardNode(NodeId{id}, value == 1U)); // Those that cannot be are left as they are.
         }
     }
     else
@@ -134,7 +134,9 @@ SdoAbort NetworkObjects::GuardNode(const NodeId node, const bool is_on) noexcept
     else
     {
         const SlaveSetup& slave = parts_.setup.Slave(node);
-        const bool has_times = (slave.GuardTimeMs() > 0U) && (slave.RetryFactor() > 0U);
+        // Who is supervised by heartbeat answers no remote frame.
+        const bool has_times =
+            (slave.GuardTimeMs() > 0U) && (slave.RetryFactor() > 0U) && (slave.heartbeat.consumer_ms == 0U);
         const Watch watch = parts_.table.Record(node).watch;
         abort = (has_times || !is_on) ? SdoAbort::kNone : SdoAbort::kDeviceState;
         if (has_times && is_on)

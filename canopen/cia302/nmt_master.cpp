@@ -106,6 +106,8 @@ void NmtMaster::DropStarts(const NodeId node) noexcept
 void NmtMaster::OnCycle(const Instant now) noexcept
 {
     bool is_going = true;
+    const std::uint32_t inhibit_us = kUsPerInhibitUnit * parts_.setup.inhibit_100us;
+    has_sent_ = has_sent_ && ((now.us - last_.us) < inhibit_us); // In each cycle: the counter comes round.
     is_sending_ = true;
     while (is_going && (waiting_ > 0U))
     {
@@ -132,9 +134,8 @@ bool NmtMaster::Emit(const NmtRequest& request, const Instant now) noexcept
 {
     const bool is_broadcast = (request.node.value == kAllNodes.value); // A master without node-ID has this one too.
     bool has_left = !is_broadcast && (request.node.value == parts_.setup.own.value);
-    const std::uint32_t inhibit_us = kUsPerInhibitUnit * parts_.setup.inhibit_100us;
-    has_sent_ = has_sent_ && ((now.us - last_.us) < inhibit_us);
-    if (!has_left && !has_sent_)
+    const bool is_inhibited = has_sent_ && (parts_.setup.inhibit_100us > 0U);
+    if (!has_left && !is_inhibited)
     {
         const CanFrame frame{0U,
                              FrameKind::kData,

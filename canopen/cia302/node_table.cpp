@@ -81,7 +81,8 @@ void NodeTable::WatchHeartbeat(const NodeId node, const std::uint16_t time_ms, c
         record->watch = (time_ms > 0U) ? Watch::kHeartbeat : Watch::kNone;
         record->time_us = kUsPerMs * time_ms;
         record->arming = arming;
-        record->is_running = (time_ms > 0U) && (arming == Arming::kImmediately);
+        const bool is_armed = (arming == Arming::kImmediately) || ((arming == Arming::kBootUp) && record->has_booted);
+        record->is_running = (time_ms > 0U) && is_armed;
         record->has_begun = false;
         record->since = now;
     }
@@ -214,6 +215,7 @@ void NodeTable::Hear(const NodeId node, const std::uint8_t byte, const Instant n
 void NodeTable::HearBootUp(const NodeId node, NodeRecord& record, const Instant now) noexcept
 {
     record.state = SlaveState::kPreOperational;
+    record.has_booted = true;
     record.asked = SlaveState::kUnknown;
     record.runs = 0U;
     record.toggle = Toggle::kClear;
@@ -367,6 +369,7 @@ void NodeTable::Command(NodeRecord& record, const NmtCommand command, const Inst
     if ((command == NmtCommand::kResetNode) || (command == NmtCommand::kResetCommunication))
     {
         record.state = SlaveState::kUnknown;
+        record.has_booted = false;
         record.toggle = Toggle::kClear;
         record.is_asked = false;
         record.has_begun = false;

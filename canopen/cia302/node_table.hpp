@@ -72,6 +72,7 @@ struct NodeRecord
     SlaveState state;
     SlaveState asked;   ///< State that the last NMT command asked for; kUnknown after a reset.
     bool was_seen;      ///< Ever.
+    bool has_booted;    ///< Its boot-up message came since the last reset of it.
     std::uint8_t signs; ///< Counts heartbeats, guarding answers and boot-up messages, modulo 256.
     std::uint8_t beats; ///< Counts heartbeats and guarding answers, modulo 256.
     std::uint8_t runs;  ///< OPERATIONAL signs in a row since the last NMT command but a start, up to kRunsSurely.

@@ -106,14 +106,43 @@ void NodeWatch::OnEmergency(const NodeId node, const CanFrame& frame, const Inst
     ++record.count;
     if (!record.has_told || ((now.us - record.told.us) >= kEmergencyGapUs))
     {
-        record.has_told = true;
-        record.told = now;
-        listener_.OnEmergency(node, record, now);
-        record.untold = 0U;
+        Tell(node, now);
     }
     else
     {
         ++record.untold;
+    }
+}
+
+void NodeWatch::Tell(const NodeId node, const Instant now) noexcept
+{
+    EmergencyRecord& record = nodes_[node.value].emergency;
+    record.has_told = true;
+    record.told = now;
+    listener_.OnEmergency(node, record, now);
+    record.untold = 0U;
+}
+
+/// The error reset behind an error is not to be the one that is left out.
+void NodeWatch::OnCycle(const Instant now) noexcept
+{
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        EmergencyRecord& record = nodes_[id].emergency;
+        const bool is_over = record.has_told && ((now.us - record.told.us) >= kEmergencyGapUs);
+        if (is_over && (record.untold > 0U))
+        {
+            --record.untold; // The last one is told itself.
+            Tell(NodeId{id}, now);
+        }
+        else if (is_over)
+        {
+            record.has_told = false; // Before the counter comes round.
+        }
+        else
+        {
+            // Nothing to tell, or not yet.
+        }
     }
 }
 

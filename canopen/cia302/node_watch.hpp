@@ -38,7 +38,8 @@ struct WatchedNode
 class NodeWatchListener
 {
   public:
-    /// @brief An emergency message; of a storm one each kEmergencyGapUs, whose `untold` counts those left out.
+    /// @brief An emergency message; of a storm one each kEmergencyGapUs, the last one always. `untold` counts those
+    /// left out before it.
     virtual void OnEmergency(NodeId node, const EmergencyRecord& emergency, Instant now) noexcept = 0;
     /// @brief More signs of life or answers than one device sends, or one of the manager's own node-ID. Once until
     /// Forget.
@@ -68,6 +69,8 @@ class NodeWatch
 
     /// @brief A frame from the bus, never one of this device itself. O(1), a reset of all O(127)
     void OnFrame(const CanFrame& frame, Instant now) noexcept;
+    /// @brief Tells the last emergency message of a storm that has ended. Once a cycle. O(127)
+    void OnCycle(Instant now) noexcept;
     /// @brief A frame of this device was on the bus. Without these calls second answers are not seen. As OnFrame
     void OnSent(const CanFrame& frame) noexcept;
     /// @brief The node was reset: what was suspected may be over.
@@ -77,6 +80,7 @@ class NodeWatch
 
   private:
     void OnEmergency(NodeId node, const CanFrame& frame, Instant now) noexcept;
+    void Tell(NodeId node, Instant now) noexcept;
     void OnSign(NodeId node, std::uint8_t byte, Instant now) noexcept;
     void OnReset(const CanFrame& frame) noexcept;
     void OnAnswer(NodeId node, const CanFrame& frame, Instant now) noexcept;

@@ -111,6 +111,8 @@ class SdoPool
     [[nodiscard]] SdoOutcome Outcome(NodeId node) const noexcept;
     /// @brief Whether any transfer ran at the last OnCycle, or less than a time-out before it.
     [[nodiscard]] bool IsBusy() const noexcept;
+    /// @brief Silence that ends a try.
+    [[nodiscard]] std::uint32_t TimeOutUs() const noexcept;
     /// @brief Gives a running transfer up; it is kFailed with this reason.
     void Cancel(NodeId node, SdoAbort reason) noexcept;
     /// @brief The boot-up message of a node: its running transfer is kFailed with kNoConnection.

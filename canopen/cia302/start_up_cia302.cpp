@@ -294,6 +294,7 @@ void Cia302StartUp::OnCycle(const Instant now) noexcept
             boot_.OnCycle(NodeId{id}, time);
         }
     }
+    has_news_ = has_news_ || (step_ == MasterStep::kHalted); // What halts it may be mandatory no more.
     GoOn(time);
 }
 

@@ -296,20 +296,13 @@ void LoadedNetwork::FillManager()
 {
     const ManagerPlan& manager = plan_.manager;
     setup_.own = cia302::NodeId{*manager.node};
-    setup_.start_up = manager.start_up.value_or(cia302::kIsMaster) | cia302::kIsMaster |
-                      (manager.flying ? cia302::kFlyingMaster : 0U);
+    setup_.start_up = manager.start_up.value_or(cia302::kIsMaster) | (manager.flying ? cia302::kFlyingMaster : 0U);
     setup_.boot_time_ms = manager.boot_time_ms.value_or(0U);
     setup_.inhibit_100us = manager.inhibit_100us.value_or(0U);
     setup_.sync_period_us = manager.sync_us.value_or(0U);
     setup_.slaves = slaves_.data();
     RequireSync();
     WarnOfUnused();
-    if ((setup_.start_up & ~cia302::kKnownStartUpBits) != 0U)
-    {
-        throw InputError(
-            plan_.file, manager.line,
-            {"start-up value (1F80h) " + cia306::Hex(setup_.start_up, 8) + " with unknown bits", "bits 0 to 6"});
-    }
     if (setup_.sync_period_us != 0U && setup_.sync_period_us < kLeastSyncUs)
     {
         throw InputError(plan_.file, manager.line,

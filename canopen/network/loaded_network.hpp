@@ -91,6 +91,7 @@ class LoadedNetwork
     void RequireSoftware(const SlavePlan& plan) const;
     void RequireSync() const;
     void WarnOfUnused();
+    void WarnOfGuarding(const SlavePlan& slave, bool is_el6751);
     void FillManager();
 
     NetworkPlan plan_;

@@ -4,6 +4,7 @@
 #include "canopen/cia306/input_error.hpp"
 
 #include <limits>
+#include <set>
 
 namespace counterpoint::network
 {
@@ -12,7 +13,9 @@ namespace
 using cia306::Device;
 using cia306::Entry;
 
+constexpr std::uint16_t kStartUp = 0x1F80U;
 constexpr std::uint32_t kNodeShift = 16U;
+constexpr std::uint32_t kReservedShift = 24U;
 constexpr std::uint32_t kLowHalf = 0xFFFFU;
 
 /// Object of the manager with a sub-index a node, and the part of the plan it is for.
@@ -48,7 +51,7 @@ class Taker
 
     void Take()
     {
-        Set(plan_.manager.start_up, 0x1F80U, 0U);
+        TakeStartUp();
         Set(plan_.manager.boot_time_ms, 0x1F89U, 0U);
         Set(plan_.manager.inhibit_100us, 0x102AU, 0U);
         Set(plan_.manager.sync_us, 0x1006U, 0U);
@@ -66,6 +69,20 @@ class Taker
     }
 
   private:
+    /// A manager cannot be no NMT master, and not all that the bits above 6 may once mean.
+    void TakeStartUp()
+    {
+        const bool is_given = plan_.manager.start_up.has_value();
+        Set(plan_.manager.start_up, kStartUp, 0U);
+        const std::uint32_t bits = plan_.manager.start_up.value_or(cia302::kIsMaster);
+        const bool is_wrong = (bits & cia302::kIsMaster) == 0U || (bits & ~cia302::kKnownStartUpBits) != 0U;
+        if (!is_given && is_wrong)
+        {
+            throw cia306::InputError(device_.file, device_.Find(kStartUp, 0U)->ValueLine(),
+                                     {cia306::ObjectName(kStartUp, 0U) + ": " + cia306::Hex(bits, 1),
+                                      "bit 0 (NMT master), and of the others bits 1 to 6 alone"});
+        }
+    }
     /// 1F80h, or the network file, decides whether it is one: an object dictionary may have 1F90h unused.
     void TakeFlying()
     {
@@ -123,12 +140,22 @@ class Taker
         {
             return;
         }
+        std::set<std::uint64_t> seen;
         for (const auto& [sub, entry] : object->entries)
         {
             const std::uint64_t value = (sub == 0U) ? 0U : NumberAt(kConsumers, sub).value_or(0U);
+            const std::uint64_t node = value >> kNodeShift;
+            const bool is_on = (value & kLowHalf) != 0U && node != 0U && node <= cia302::kLastNode;
+            if ((value >> kReservedShift) != 0U || (is_on && !seen.insert(node).second))
+            {
+                throw cia306::InputError(
+                    device_.file, entry.ValueLine(),
+                    {cia306::ObjectName(kConsumers, sub) + ": " + cia306::Hex(value, 8),
+                     "each node-ID in one entry, in bits 16 to 23, and a time in ms in bits 0 to 15"});
+            }
             for (SlavePlan& slave : plan_.slaves)
             {
-                const bool is_its = (value >> kNodeShift) == slave.node;
+                const bool is_its = node == slave.node;
                 slave.consumer_ms = (is_its && !slave.consumer_ms)
                                         ? std::optional(static_cast<std::uint16_t>(value & kLowHalf))
                                         : slave.consumer_ms;

@@ -10,6 +10,8 @@ namespace
 {
 using cia306::InputError;
 
+constexpr std::uint32_t kReservedAssignment = 0x02U;
+
 /// A key that only some profiles look at.
 struct ProfileKey
 {
@@ -98,6 +100,30 @@ void LoadedNetwork::RequireSync() const
     }
 }
 
+/// One supervision a slave, and that by heartbeat goes first; who sends heartbeats answers no remote frames.
+void LoadedNetwork::WarnOfGuarding(const SlavePlan& slave, const bool is_el6751)
+{
+    const cia302::HeartbeatSetup& heartbeat = slaves_.at(slave.node).heartbeat;
+    const std::string place = cia306::Printable(plan_.file) + ":" + std::to_string(slave.line) + ": ";
+    const std::string node = "node " + std::to_string(slave.node);
+    const bool is_asked = slave.guard_ms.value_or(0U) > 0U && !is_el6751;
+    if (is_asked && heartbeat.consumer_ms > 0U)
+    {
+        warnings_.push_back(place + "guard_time has no effect: " + node + " is supervised by heartbeat within " +
+                            std::to_string(heartbeat.consumer_ms) +
+                            " ms, expected heartbeat: 0 ms and no consumer time for one that is guarded");
+    }
+    else if (is_asked && heartbeat.producer_ms > 0U)
+    {
+        warnings_.push_back(place + node + " sends a heartbeat each " + std::to_string(heartbeat.producer_ms) +
+                            " ms and will not answer when it is guarded, expected heartbeat: 0 ms");
+    }
+    else
+    {
+        // Guarded, or not asked for.
+    }
+}
+
 void LoadedNetwork::WarnOfUnused()
 {
     const StartProfile profile = plan_.manager.profile;
@@ -129,6 +155,9 @@ void LoadedNetwork::WarnOfUnused()
         warn(slave.line, {"product_code", slave.product_code.value_or(0U) != 0U, !is_plc});
         warn(slave.line, {"revision", slave.revision.value_or(0U) != 0U, !is_plc});
         warn(slave.line, {"serial", slave.serial.value_or(0U) != 0U, !is_plc});
+        warn(slave.line, {"bit 1 of assignment, which is reserved,",
+                          (slave.assignment.value_or(0U) & kReservedAssignment) != 0U, false});
+        WarnOfGuarding(slave, is_el6751);
     }
 }
 } // namespace counterpoint::network

@@ -22,7 +22,7 @@ class ManagerStationTest : public test::ManagerRig
 constexpr const char* kNetwork = "manager: {node: 127, heartbeat: 100 ms, inhibit: 1 ms, boot_time: 2 s}\n"
                                  "slaves:\n"
                                  "  - {node: 5, boot: false, mandatory: false, vendor_id: 0xABC, consumer: 300 ms}\n"
-                                 "  - {node: 6, mandatory: false}\n"
+                                 "  - {node: 6, mandatory: false, vendor_id: 0x2A}\n"
                                  "  - {node: 33, dcf: actuator.dcf}\n";
 
 TEST_F(ManagerStationTest, AClientReadsTheNetwork)
@@ -44,7 +44,10 @@ TEST_F(ManagerStationTest, AClientReadsTheNetwork)
     EXPECT_EQ(Read(0x1F85U, 5U), 0xABCU);
     EXPECT_EQ(Read(0x1F88U, 33U), 0x21U);
     EXPECT_EQ(Read(0x1F82U, 0U), 0x80U);
-    EXPECT_EQ(Read(0x1F82U, 33U), 0U); // Unknown.
+    EXPECT_EQ(Read(0x1F82U, 33U), 0U);    // Unknown.
+    EXPECT_EQ(Read(0x1F82U, 127U), 127U); // Its own state.
+    EXPECT_EQ(Read(0x1016U, 0U), 127U);
+    EXPECT_EQ(Read(0x1016U, 127U), 0U);
     EXPECT_EQ(Read(0x1F83U, 5U), 0U);
     EXPECT_EQ(Read(0x1F21U, 33U), 0U);
     EXPECT_EQ(Read(0x1F90U, 3U), 0x06020000U); // No flying master.
@@ -95,12 +98,23 @@ TEST_F(ManagerStationTest, WritesObeyRules)
     EXPECT_EQ(Write(0x1F88U, 5U, 7U, 4U), 0U);
     EXPECT_EQ(Read(0x1F88U, 5U), 7U);
     EXPECT_EQ(Write(0x1F81U, 5U, 0x00640301U, 4U), 0U);
-    EXPECT_EQ(Write(0x1F83U, 5U, 1U, 1U), 0U); // It has times now.
+    EXPECT_EQ(Write(0x1F83U, 5U, 1U, 1U), 0x08000022U); // It has times now, and a heartbeat.
+    EXPECT_EQ(Write(0x1016U, 1U, 0U, 4U), 0U);
+    EXPECT_EQ(Read(0x1F83U, 5U), 1U); // Without it guarding begins.
+    EXPECT_EQ(Write(0x1F83U, 5U, 0U, 1U), 0U);
+    EXPECT_EQ(Read(0x1F83U, 5U), 0U);
+    EXPECT_EQ(Write(0x1F83U, 5U, 1U, 1U), 0U);
     EXPECT_EQ(Read(0x1F83U, 5U), 1U);
     EXPECT_EQ(Write(0x1F81U, 5U, 0x00000301U, 4U), 0x06090030U);
+    EXPECT_EQ(Write(0x1F81U, 5U, 0x00640303U, 4U), 0x06090030U);
     EXPECT_EQ(Write(0x1F81U, 5U, 0U, 4U), 0x08000022U);
     EXPECT_EQ(Write(0x1F81U, 9U, 1U, 4U), 0x08000022U); // Nobody joins,
-    EXPECT_EQ(Write(0x1F88U, 6U, 7U, 4U), 0x08000022U); // or is changed while it is started.
+    EXPECT_EQ(Write(0x1F88U, 6U, 6U, 4U), 0U);          // or is changed while it is started, but who is awaited is.
+    Hear(0x706U, {0x00U});
+    EXPECT_EQ(Write(0x1F88U, 6U, 7U, 4U), 0U);
+    Hear(0x586U, {0x43U, 0x00U, 0x10U, 0x00U, 0U, 0U, 0U, 0U});
+    EXPECT_EQ(Write(0x1F88U, 6U, 8U, 4U), 0x08000022U);
+    EXPECT_EQ(Write(0x1F22U, 6U, 0U, 4U), 0x08000022U);
     // A safety slave stays what it is
     for (const std::uint16_t index :
          std::initializer_list<std::uint16_t>{0x1F26U, 0x1F27U, 0x1F81U, 0x1F84U, 0x1F85U, 0x1F86U, 0x1F87U, 0x1F88U})
@@ -124,6 +138,79 @@ TEST_F(ManagerStationTest, WritesObeyRules)
     sent.clear();
     Run(50U);
     EXPECT_EQ(Count(0x77FU), 5U);
+}
+
+TEST_F(ManagerStationTest, HeartbeatConsumersAreWrittenAsInAnyDevice)
+{
+    Verifies(req::SRS_MGR_021);
+    Make(kNetwork);
+    Run(2U);
+    Hear(0x705U, {0x00U});
+    EXPECT_EQ(Write(0x1016U, 1U, (5U << 16U) | 500U, 4U), 0x08000022U); // While it is started.
+    EndStartUp();
+    const auto count = [this](const std::string& kind, const std::uint8_t node)
+    {
+        return std::count_if(events.begin(), events.end(),
+                             [&](const ManagerEvent& event) { return event.kind == kind && event.node == node; });
+    };
+    // Rules of CiA 301, and of this manager
+    EXPECT_EQ(Read(0x1016U, 2U), (33U << 16U) | 200U);
+    EXPECT_EQ(Write(0x1016U, 3U, (5U << 16U) | 100U, 4U), 0x06040043U);
+    EXPECT_EQ(Write(0x1016U, 3U, (127U << 16U) | 100U, 4U), 0x06090030U);
+    EXPECT_EQ(Write(0x1016U, 3U, 0x01050064U, 4U), 0x06090030U);
+    EXPECT_EQ(Write(0x1016U, 2U, 0U, 4U), 0x06010002U); // A safety slave,
+    EXPECT_EQ(Write(0x1016U, 2U, (9U << 16U) | 100U, 4U), 0x06010002U);
+    EXPECT_EQ(Write(0x1016U, 2U, (33U << 16U) | 200U, 4U), 0U);  // but the value that it has.
+    EXPECT_EQ(Write(0x1016U, 3U, (200U << 16U) | 100U, 4U), 0U); // Nobody.
+    EXPECT_EQ(Write(0x1016U, 4U, (5U << 16U), 4U), 0U);          // Off.
+    EXPECT_EQ(Write(0x1016U, 0U, 3U, 1U), 0x06010002U);
+    EXPECT_EQ(Read(0x1016U, 3U), (200U << 16U) | 100U);
+    // A longer time counts at once
+    EXPECT_EQ(Write(0x1016U, 1U, (5U << 16U) | 1000U, 4U), 0U);
+    Hear(0x705U, {0x7FU});
+    Run(990U);
+    EXPECT_EQ(count("heartbeat_lost", 5U), 0);
+    Run(20U);
+    EXPECT_EQ(count("heartbeat_lost", 5U), 1);
+    // Somebody who is no slave
+    EXPECT_EQ(Write(0x1016U, 3U, (9U << 16U) | 50U, 4U), 0U);
+    Hear(0x709U, {0x05U});
+    Run(60U);
+    EXPECT_EQ(count("heartbeat_lost", 9U), 1);
+    // And nobody any more
+    EXPECT_EQ(Write(0x1016U, 3U, 0U, 4U), 0U);
+    Hear(0x709U, {0x05U});
+    Run(60U);
+    EXPECT_EQ(count("heartbeat_lost", 9U), 1);
+    // The place of an entry does not matter
+    EXPECT_EQ(Write(0x1016U, 127U, (9U << 16U) | 50U, 4U), 0U);
+    EXPECT_EQ(Read(0x1016U, 127U), (9U << 16U) | 50U);
+}
+
+TEST_F(ManagerStationTest, TheLastEmergencyOfAStormIsTold)
+{
+    Verifies(req::SRS_MGR_011);
+    Make(kNetwork);
+    // Given an error, another one and both gone again within some milliseconds
+    Hear(0x085U, {0x30U, 0x81U, 0x11U, 0U, 0U, 0U, 0U, 0U});
+    Run(2U);
+    Hear(0x085U, {0x10U, 0x82U, 0x11U, 0U, 0U, 0U, 0U, 0U});
+    Run(2U);
+    Hear(0x085U, {0x00U, 0x00U, 0x00U, 0U, 0U, 0U, 0U, 0U});
+    Run(200U);
+    Hear(0x085U, {0x10U, 0x82U, 0x11U, 0U, 0U, 0U, 0U, 0U});
+    Run(200U);
+    Lines told;
+    for (const ManagerEvent& event : events)
+    {
+        if (event.kind == "emergency")
+        {
+            told.push_back(std::to_string(event.at_us) + " " + event.text);
+        }
+    }
+    EXPECT_EQ(told, (Lines{"0 emergency 0x8130, register 0x11",
+                           "100000 emergency 0x0000, register 0x00, and 1 before it in a storm",
+                           "204000 emergency 0x8210, register 0x11"}));
 }
 
 TEST_F(ManagerStationTest, AConciseDcfIsTakenWholeOrNotAtAll)

@@ -181,6 +181,27 @@ slaves:
                                         "4: keep_alive", "4: restore", "4: serial"}));
 }
 
+TEST_F(NetworkFileTest, AGuardTimeBesideAHeartbeatAndAReservedBitAreToldToo)
+{
+    Verifies(req::SRS_NET_006);
+    const std::string guarded = "guard_time: 100 ms, retry_factor: 3";
+    const std::string file = File("net.yaml", "manager: {node: 127}\nslaves:\n"
+                                              "  - {node: 1, consumer: 300 ms, " +
+                                                  guarded + "}\n  - {node: 2, " + guarded +
+                                                  "}\n  - {node: 3, assignment: 0x07}\n"
+                                                  "  - {node: 4, heartbeat: 50 ms, consumer: 0 ms, " +
+                                                  guarded + "}\n");
+    const LoadedNetwork net(ReadNetworkFile(file, 0U));
+    ASSERT_EQ(net.Warnings().size(), 3U);
+    const auto says = [&net](const std::size_t number, const std::string& text)
+    { return net.Warnings()[number].find("net.yaml:" + text) != std::string::npos; };
+    EXPECT_TRUE(says(0U, "3: guard_time has no effect: node 1 is supervised by heartbeat within 300 ms, expected "
+                         "heartbeat: 0 ms and no consumer time for one that is guarded"));
+    EXPECT_TRUE(says(1U, "5: bit 1 of assignment, which is reserved, has no effect"));
+    EXPECT_TRUE(says(2U, "6: node 4 sends a heartbeat each 50 ms and will not answer when it is guarded, expected "
+                         "heartbeat: 0 ms"));
+}
+
 TEST_F(NetworkFileTest, TheManagersOwnObjectsGoBeforeDerivedOnes)
 {
     Verifies(req::SRS_NET_003);
@@ -218,6 +239,44 @@ TEST_F(NetworkFileTest, TheManagersOwnObjectsGoBeforeDerivedOnes)
     EXPECT_EQ(net.Setup().slaves[33].assignment, 0x05U);
     EXPECT_EQ(net.Setup().slaves[33].serial_number, 4711U);
     EXPECT_EQ(net.Setup().slaves[1].assignment, 0x0DU);
+    const auto refusal = [this](const std::string& text)
+    {
+        static_cast<void>(File("manager.dcf", text));
+        try
+        {
+            const LoadedNetwork wrong(ReadNetworkFile(Cpj(), 0U));
+        }
+        catch (const cia306::InputError& error)
+        {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    // A manager is an NMT master, and its bits are known ones
+    for (const std::string& value : {std::string("0x10"), std::string("0x0"), std::string("0x81")})
+    {
+        const std::string line = refusal(Changed(dcf, {{"ParameterValue=0x11\n", "ParameterValue=" + value + "\n"}}));
+        EXPECT_NE(line.find("/manager.dcf:892: error: 0x1F80:00: " + value +
+                            ", expected bit 0 (NMT master), and of the others bits 1 to 6 alone"),
+                  std::string::npos)
+            << line;
+    }
+    // It waits for the heartbeat of a node for one time alone
+    const std::string consumers = Changed(dcf, {{"=0x1F88", "=0x1016"},
+                                                {"[1F88]", "[1016]"},
+                                                {"[1F88sub0]", "[1016sub0]"},
+                                                {"[1F88sub21]", "[1016sub21]"},
+                                                {"ParameterValue=4711", "ParameterValue=0x002100C8"}});
+    EXPECT_EQ(refusal(consumers), "");
+    EXPECT_NE(refusal(Changed(consumers, {{"=0x002100C8", "=0x012100C8"}}))
+                  .find(": error: 0x1016:21: 0x012100C8, expected each node-ID in one entry"),
+              std::string::npos);
+    const std::string twice = Changed(consumers, {{"[1016]\nParameterName=x\nObjectType=0x8\nSubNumber=2",
+                                                   "[1016]\nParameterName=x\nObjectType=0x8\nSubNumber=3"}}) +
+                              variable("1016sub22", "0x0007", "0x00210032");
+    EXPECT_NE(refusal(twice).find(": error: 0x1016:22: 0x00210032, expected each node-ID in one entry"),
+              std::string::npos)
+        << refusal(twice);
 }
 
 TEST_F(NetworkFileTest, OneStartForAllWithASafetySlaveIsWarnedOf)

@@ -159,6 +159,11 @@ TEST_F(NetworkObjectsTest, ReadingOfTheRequestObject)
     EXPECT_EQ(Read(0x1F82U, 0x80U), 0x06010001U);
     table.SetMissing(NodeId{6U});
     EXPECT_EQ(Read(0x1F82U, 6U), 0x1'0000'0001U);
+    // A command to all makes nobody OPERATIONAL who is not there
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 5U), SdoAbort::kNone);
+    EXPECT_EQ(Read(0x1F82U, 6U), 0x1'0000'0001U);
+    EXPECT_EQ(Read(0x1F82U, 7U), 0x1'0000'0005U);
+    EXPECT_EQ(Read(0x1F82U, 9U), 0x1'0000'0000U);
 }
 
 TEST_F(NetworkObjectsTest, RequestForGuarding)
@@ -178,6 +183,13 @@ TEST_F(NetworkObjectsTest, RequestForGuarding)
     EXPECT_EQ(Read(0x1F83U, 0x80U), 0x06010001U);
     Run(5U);
     EXPECT_GE(Count(0x705U), 1);
+    // Who is supervised by heartbeat answers no remote frame, and stays supervised
+    setups[5].heartbeat = HeartbeatSetup{100U, 50U, Arming::kFirstHeartbeat};
+    table.WatchAsSetUp(NodeId{5U}, Now());
+    EXPECT_EQ(Write(0x1F83U, 5U, 1U), SdoAbort::kDeviceState);
+    EXPECT_EQ(Write(0x1F83U, 0x80U, 1U), SdoAbort::kNone);
+    EXPECT_EQ(Write(0x1F83U, 5U, 0U), SdoAbort::kNone);
+    EXPECT_EQ(nodes[5].watch, Watch::kHeartbeat);
 }
 
 TEST_F(NetworkObjectsTest, RequestForConfiguration)

@@ -168,6 +168,14 @@ TEST_F(NodeTableTest, ArmingAtTheBootUpMessage)
     EXPECT_EQ(Told(), (Events{NodeEvent::kBootUp}));
     At(401U);
     EXPECT_EQ(Told(), (Events{NodeEvent::kHeartbeatLost}));
+    // Supervision that is asked for behind that message begins at once, but not behind a reset
+    table.WatchHeartbeat(NodeId{5U}, 100U, Arming::kBootUp, Now());
+    At(502U);
+    EXPECT_EQ(Told(), (Events{NodeEvent::kHeartbeatLost}));
+    Sent(NmtCommand::kResetNode, 5U);
+    table.WatchHeartbeat(NodeId{5U}, 100U, Arming::kBootUp, Now());
+    At(900U);
+    EXPECT_EQ(Told(), (Events{}));
 }
 
 TEST_F(NodeTableTest, ArmingAtOnce)

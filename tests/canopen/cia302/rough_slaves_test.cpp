@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-// Slaves that are pulled, put back, fall silent and restart at random: whatever happened, in the end all run, and no
-// safety slave ever gets a start that was not earned.
+// Slaves that are pulled, put back, fall silent and restart at random, and orders in between: whatever happened, in the
+// end all run, and no safety slave ever gets a start that was not earned.
 #include "tests/canopen/cia302/boot_rig.hpp"
 
 #include <random>
@@ -13,6 +13,9 @@ namespace
 using cia301::NodeState;
 
 constexpr std::uint32_t kBoot = kInNetwork | kBootSlave;
+constexpr Arming kArmings[3] = {Arming::kFirstHeartbeat, Arming::kBootUp, Arming::kImmediately};
+constexpr NmtCommand kCommands[5] = {NmtCommand::kStart, NmtCommand::kStop, NmtCommand::kPreOperational,
+                                     NmtCommand::kResetNode, NmtCommand::kResetCommunication};
 
 /// Slaves 1 to 8: mandatory or not, kept alive or not, with heartbeat, guarding or neither; 3 and 6 are safety slaves.
 class RoughSlavesTest : public BootRig, public ::testing::WithParamInterface<std::uint32_t>
@@ -29,7 +32,10 @@ class RoughSlavesTest : public BootRig, public ::testing::WithParamInterface<std
             const bool has_heartbeat = Chance(2U);
             slave.heartbeat_ms = has_heartbeat ? 50U : 0U;
             setups[node].heartbeat.consumer_ms = has_heartbeat ? 150U : 0U;
-            setups[node].heartbeat.arming = Chance(2U) ? Arming::kFirstHeartbeat : Arming::kBootUp;
+            setups[node].heartbeat.arming = kArmings[Below(3U)];
+            slave.Put32(0x1011U, 1U, 0U);
+            setups[node].restore_sub = 1U;
+            setups[node].assignment |= Chance(3U) ? kRestoreDefaults : 0U;
             setups[node].assignment |= (!has_heartbeat && Chance(2U)) ? ((3U << 8U) | (100U << 16U)) : 0U;
         }
         setups[3].safety = reinterpret_cast<const SafetyExpectation*>(&gate); // Only looked at whether it is there.
@@ -47,7 +53,7 @@ class RoughSlavesTest : public BootRig, public ::testing::WithParamInterface<std
     void Disturb()
     {
         FakeSlave& slave = *slaves.at(static_cast<std::uint8_t>(1U + Below(8U)));
-        switch (Below(6U))
+        switch (Below(7U))
         {
         case 0U:
             slave.Unplug();
@@ -64,8 +70,33 @@ class RoughSlavesTest : public BootRig, public ::testing::WithParamInterface<std
         case 4U:
             gate.verdict = Chance(2U) ? GateState::kOpen : GateState::kDiffers;
             break;
+        case 5U:
+            Order(NodeId{slave.node});
+            break;
         default:
             lost_answer = static_cast<int>(Below(5U));
+            break;
+        }
+    }
+    /// What the application may ask for, or write.
+    void Order(NodeId node)
+    {
+        switch (Below(5U))
+        {
+        case 0U:
+            static_cast<void>(start_up.Configure(node, Now()));
+            break;
+        case 1U:
+            static_cast<void>(start_up.Boot(node, Now()));
+            break;
+        case 2U:
+            setup.inhibit_100us = static_cast<std::uint16_t>(Below(200U));
+            break;
+        case 3U:
+            setups.at(node.value).assignment ^= kMandatory;
+            break;
+        default:
+            static_cast<void>(start_up.Command(kCommands[Below(5U)], node, Now()));
             break;
         }
     }
@@ -96,6 +127,7 @@ TEST_P(RoughSlavesTest, AllRunInTheEnd)
     // When all are well again, and were switched off and on
     gate.verdict = GateState::kOpen;
     lost_answer = -1;
+    setup.inhibit_100us = 0U;
     for (auto& [node, slave] : slaves)
     {
         slave->is_sdo_mute = false;
