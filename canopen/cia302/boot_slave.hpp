@@ -56,6 +56,8 @@ struct BootRecord
     bool was_operational; ///< L.
     bool is_booted;       ///< The last boot ended without letter, or with L.
     bool is_start_wanted; ///< By application or master, whatever 1F80h says.
+    char identity;        ///< Letter with which the boot found another device; 0: the expected one.
+    bool is_start_owed;   ///< The NMT master gave up its start.
     bool is_extra;        ///< Configuration or verification alone: its end says nothing of the boot.
 };
 
@@ -137,6 +139,7 @@ class BootSlave
 
     void AwaitReset(const Job& job) noexcept;
     void ReadDeviceType(const Job& job) noexcept;
+    void StopUnread(const Job& job) noexcept;
     void Compare(const Job& job, std::uint8_t sub, std::uint32_t expected, char letter) noexcept;
     void CheckState(const Job& job) noexcept;
     void TakeState(const Job& job) noexcept;

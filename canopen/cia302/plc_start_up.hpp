@@ -78,6 +78,7 @@ class PlcStartUp final : public StartUp
     void OnFrame(const CanFrame& frame, Instant now) noexcept override;
     void OnCycle(Instant now) noexcept override;
     void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept override;
+    void OnStartDropped(NodeId node, Instant now) noexcept override;
     /// @brief A start puts a slave in state 4 or 99 to 4, starts it and its supervision; stop and PRE-OPERATIONAL take
     /// it to 4 and hold it there; resets lead to state 1.
     [[nodiscard]] NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept override;
@@ -101,6 +102,7 @@ class PlcStartUp final : public StartUp
     void OnAnswer(NodeId node, Instant now) noexcept;
     void OnSilence(NodeId node, Instant now) noexcept;
     void EndSdos(NodeId node, Instant now) noexcept;
+    void StopUnread(NodeId node, Instant now) noexcept;
 
     void DriveStart(NodeId node, Instant now) noexcept;
     void StartOne(NodeId node, Instant now) noexcept;
