@@ -140,6 +140,13 @@ class NodeTable final : public NmtListener
     [[nodiscard]] std::uint8_t RequestValue(NodeId node) const noexcept;
     /// @brief It says OPERATIONAL, and no sign of that was under way when it was commanded otherwise, by whomever.
     [[nodiscard]] bool RunsSurely(NodeId node) const noexcept;
+    /// @brief It says OPERATIONAL, and the last command did not tell it otherwise, or it says so surely.
+    [[nodiscard]] bool IsFoundRunning(const NodeId node) const noexcept
+    {
+        const NodeRecord& record = Record(node);
+        const bool is_told = (record.asked == SlaveState::kStopped) || (record.asked == SlaveState::kPreOperational);
+        return RunsSurely(node) || ((record.state == SlaveState::kOperational) && !is_told);
+    }
 
   private:
     void Hear(NodeId node, std::uint8_t byte, Instant now) noexcept;

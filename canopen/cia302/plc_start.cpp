@@ -142,7 +142,7 @@ void PlcStartUp::DriveCheck(const NodeId node, const Instant now) noexcept
     const GateState gate = parts_.common.gate.State(node);
     const bool is_left = (slave.status.code > kPlcSdos) && !slave.is_wanted && parts_.common.setup.IsSafetySlave(node);
     const bool is_found = is_left && !slave.status.is_started && (record.signs != slave.signs) &&
-                          (record.state == SlaveState::kOperational);
+                          parts_.common.table.IsFoundRunning(node);
     const bool is_refused = (gate == GateState::kDiffers) || (gate == GateState::kFailed);
     const bool is_back = (gate == GateState::kClosed) && parts_.common.table.RunsSurely(node);
     const bool is_again = is_left && (is_back || (is_refused && slave.status.is_started));

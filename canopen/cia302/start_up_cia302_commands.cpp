@@ -59,7 +59,8 @@ void Cia302StartUp::OnState(const NodeId node, const NodeEvent event, const Boot
     const bool is_running = (parts_.table.Record(node).state == SlaveState::kOperational);
     const bool is_free = !boot_.Record(node).status.is_busy;
     const bool is_foreign = parts_.setup.IsSafetySlave(node) && !boot_.Record(node).status.is_started;
-    if (is_running && is_free && (is_foreign || !parts_.gate.MayStart(node)))
+    const bool is_found = parts_.table.IsFoundRunning(node); // Else at its next sign: VerifyAgain.
+    if (is_found && is_free && (is_foreign || !parts_.gate.MayStart(node)))
     {
         boot_.Verify(node, time);
     }

@@ -90,6 +90,25 @@ TEST_P(SafetyPathsTest, RunsWithoutAnsweringAnySdoIsStopped)
     EXPECT_GT(stops, 0);
 }
 
+TEST_P(SafetyPathsTest, ASignThatWasUnderWayWhenItWasStoppedKeepsWhatWasFound)
+{
+    Verifies(req::SRS_SFS_003);
+    devices[0]->heartbeat_ms = 100U;
+    BeginChanged();
+    Put(Nmt(NmtCommand::kPreOperational, 5U));
+    Put(Nmt(NmtCommand::kStart, 5U));
+    for (int i = 0; (i < 500) && (devices[0]->State() != cia301::NodeState::kStopped); ++i)
+    {
+        Run(1U);
+    }
+    // When a heartbeat of before comes behind the stop
+    Put(CanFrame{0x705U, FrameKind::kData, CanPortId::kFirst, 1U, {5U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}});
+    Run(3000U);
+    EXPECT_EQ(Gate(), GateState::kDiffers);
+    EXPECT_EQ(manager->Gate().Finding(NodeId{5U}).object.index, 0x1301U);
+    EXPECT_EQ(devices[0]->State(), cia301::NodeState::kStopped);
+}
+
 TEST_P(SafetyPathsTest, CommandedWhileItsStartWaitsIsReadAgainAndStarted)
 {
     Verifies(req::SRS_SFS_002);
