@@ -61,6 +61,16 @@ void BootSlave::Ask(const NodeId node, const BootTime& time) noexcept
     OnCycle(node, time);
 }
 
+void BootSlave::Resume(const NodeId node, const BootTime& time) noexcept
+{
+    const Job job = JobOf(node, time);
+    Clear(job);
+    job.record.is_fresh = true;
+    job.record.is_resumed = true;
+    Enter(job, job.setup.Has(kBootSlave) ? StartUpStep::kDeviceType : StartUpStep::kErrorControl);
+    OnCycle(node, time);
+}
+
 void BootSlave::Await(const NodeId node, const BootTime& time) noexcept
 {
     const Job job = JobOf(node, time);

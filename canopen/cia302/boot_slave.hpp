@@ -52,6 +52,7 @@ struct BootRecord
     std::uint8_t beats; ///< Of the table when the wait began.
     std::uint16_t checks;
     bool is_fresh;        ///< Its boot-up message came in this boot: it is not asked for its state.
+    bool is_resumed;      ///< Nothing is restored in this boot.
     bool is_updated;      ///< Software was downloaded in this boot.
     bool was_operational; ///< L.
     bool is_booted;       ///< The last boot ended without letter, or with L.
@@ -85,6 +86,8 @@ class BootSlave
 
     /// @brief Boots now, without waiting for a boot-up message. [SRS-BOOT-004..014]
     void Ask(NodeId node, const BootTime& time) noexcept;
+    /// @brief As Ask, and what was written stays: no reset by the state check, nothing is restored. [SRS-SFS-005]
+    void Resume(NodeId node, const BootTime& time) noexcept;
     /// @brief Boots when the boot-up message comes; mandatory slaves and those kept alive also without one, after
     /// kResetUs. [SRS-BOOT-002]
     void Await(NodeId node, const BootTime& time) noexcept;

@@ -55,7 +55,7 @@ void BootSlave::CompareDate(const Job& job) noexcept
 void BootSlave::Restore(const Job& job) noexcept
 {
     const std::uint8_t sub = job.setup.restore_sub;
-    if (!job.setup.Has(kRestoreDefaults) || (sub == 0U))
+    if (!job.setup.Has(kRestoreDefaults) || (sub == 0U) || job.record.is_resumed)
     {
         Enter(job, StartUpStep::kConfigure);
     }

@@ -139,6 +139,16 @@ bool El6751StartUp::Boot(const NodeId node, const Instant now) noexcept
     return is_one;
 }
 
+bool El6751StartUp::Resume(const NodeId node, const Instant now) noexcept
+{
+    const bool is_one = is_active_ && (Of(node).phase != El6751Phase::kOutside);
+    if (is_one)
+    {
+        BeginRows(node, kNodeStarts, now);
+    }
+    return is_one;
+}
+
 /// A start-up that runs is given up.
 NmtAnswer El6751StartUp::HoldByHand(const NmtCommand command, const NodeId node, const Instant now) noexcept
 {

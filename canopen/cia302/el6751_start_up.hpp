@@ -108,6 +108,7 @@ class El6751StartUp final : public StartUp
     /// @brief Stop and PRE-OPERATIONAL hold the slave by hand; a start while a start-up runs follows it.
     [[nodiscard]] NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept override;
     [[nodiscard]] bool Boot(NodeId node, Instant now) noexcept override;
+    [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept override;
     [[nodiscard]] NodeStatus Status(NodeId node) const noexcept override;
     [[nodiscard]] std::int16_t MasterState() const noexcept override;
 

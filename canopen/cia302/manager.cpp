@@ -178,6 +178,11 @@ bool Manager::Boot(const NodeId node, const Instant now) noexcept
     return is_leading_ && profile_->Boot(node, now);
 }
 
+bool Manager::Resume(const NodeId node, const Instant now) noexcept
+{
+    return is_leading_ && profile_->Resume(node, now);
+}
+
 bool Manager::WriteSafety(const NodeId node, const Instant now) noexcept
 {
     const NodeStatus status = Status(node);

@@ -123,6 +123,8 @@ class Manager final : public NmtListener,
     /// @brief A command of the application, by the profile: see StartUp::Command.
     [[nodiscard]] NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept;
     [[nodiscard]] bool Boot(NodeId node, Instant now) noexcept;
+    /// @brief Start-up of one slave without a reset: see StartUp::Resume.
+    [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept;
     /// @brief Writes the safety configuration of a slave by the full procedure and verifies it; one that was stopped is
     /// made PRE-OPERATIONAL before. False: not now, it is OPERATIONAL, another device or commands wait. [SRS-SFS-005]
     [[nodiscard]] bool WriteSafety(NodeId node, Instant now) noexcept;

@@ -298,6 +298,16 @@ void PlcStartUp::Obey(const NmtCommand command, const NodeId node, const Instant
     }
 }
 
+bool PlcStartUp::Resume(const NodeId node, const Instant now) noexcept
+{
+    const bool is_one = is_active_ && Of(node).is_listed && (master_ >= kPlcConfigures);
+    if (is_one)
+    {
+        Settle(node, now);
+    }
+    return is_one;
+}
+
 bool PlcStartUp::Boot(const NodeId node, const Instant now) noexcept
 {
     const bool is_one = is_active_ && Of(node).is_listed && (master_ >= kPlcConfigures);

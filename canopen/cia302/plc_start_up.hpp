@@ -84,6 +84,7 @@ class PlcStartUp final : public StartUp
     [[nodiscard]] NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept override;
     /// @brief The slave begins anew in state -1, also one in 97. [SRS-PLC-019]
     [[nodiscard]] bool Boot(NodeId node, Instant now) noexcept override;
+    [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept override;
     [[nodiscard]] NodeStatus Status(NodeId node) const noexcept override;
     [[nodiscard]] std::int16_t MasterState() const noexcept override;
 

@@ -112,6 +112,12 @@ class StartUp
     [[nodiscard]] virtual NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept = 0;
     /// @brief Start-up of one slave anew. False: not in the network.
     [[nodiscard]] virtual bool Boot(NodeId node, Instant now) noexcept = 0;
+    /// @brief As Boot without any reset and without restoring: what was written to the slave since stays. False: not in
+    /// the network.
+    [[nodiscard]] virtual bool Resume(const NodeId node, const Instant now) noexcept
+    {
+        return Boot(node, now);
+    }
     /// @brief Configuration of one slave alone (1F25h); a profile that has no such thing boots it. False: not now.
     [[nodiscard]] virtual bool Configure(const NodeId node, const Instant now) noexcept
     {

@@ -256,6 +256,17 @@ bool Cia302StartUp::Boot(const NodeId node, const Instant now) noexcept
     return is_listed;
 }
 
+bool Cia302StartUp::Resume(const NodeId node, const Instant now) noexcept
+{
+    const BootTime time = Tick(now);
+    const bool is_listed = parts_.setup.IsListed(node) && (step_ != MasterStep::kIdle);
+    if (is_listed)
+    {
+        boot_.Resume(node, time);
+    }
+    return is_listed;
+}
+
 bool Cia302StartUp::Configure(const NodeId node, const Instant now) noexcept
 {
     const BootTime time = Tick(now);

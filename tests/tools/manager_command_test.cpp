@@ -78,6 +78,40 @@ TEST_F(ManagerCommandTest, EveryProfileWritesASafetyConfigurationButNotToAnother
     }
 }
 
+TEST_F(ManagerCommandTest, WhatWasWrittenIsNotLostByTheStartUpBehindIt)
+{
+    Verifies(req::SRS_SFS_005);
+    const std::string dcf = cia306::test::SourceFolder() + "/examples/emergency_stop/actuator.dcf";
+    // Given a device that forgets at each reset what was written, and comes with another safeguard cycle time
+    const std::string other =
+        File("other.dcf", cia306::test::Changed(cia306::test::ExampleText("actuator"),
+                                                {{"ParameterValue=50\n", "ParameterValue=51\n"},
+                                                 {"ParameterValue=0x9FCB", "ParameterValue=0xC68D"}}));
+    struct Case
+    {
+        const char* profile;
+        const char* more;
+    };
+    for (const Case& row :
+         {Case{"cia302", ""}, Case{"cia302", ", keep_alive: true"}, Case{"el6751", ""}, Case{"plc_designer", ""}})
+    {
+        const std::string network =
+            File("forgets.yaml", "manager: {node: 127, profile: " + std::string(row.profile) +
+                                     "}\nslaves: [{node: 33, dcf: " + dcf + ", write_safety: true" + row.more + "}]\n");
+        const std::string scenario = "title: x\nduration: 5 s\nmanagers: [{network: " + network +
+                                     "}]\ndevices: [{node: 33, dcf: " + other +
+                                     "}]\nexpect:\n"
+                                     "  - {that: event, is: write_safety, node: 33}\n"
+                                     "  - {that: gate, node: 33, is: open}\n"
+                                     "  - {that: device, node: 33, is: operational}\n";
+        const Answer answer = RunCommand({"simulate", File("s.yaml", scenario)});
+        EXPECT_EQ(answer.status, 0) << row.profile << row.more << "\n" << answer.out << answer.err;
+        const std::size_t first = answer.out.find("writes the safety configuration");
+        EXPECT_NE(first, std::string::npos);
+        EXPECT_EQ(answer.out.find("writes the safety configuration", first + 1U), std::string::npos) << answer.out;
+    }
+}
+
 TEST_F(ManagerCommandTest, NoOrderStartsOrWritesAnotherDevice)
 {
     Verifies(req::SRS_SFS_009);
