@@ -188,7 +188,9 @@ void Cia302StartUp::VerifyRunning(const BootTime& time) noexcept
         const NodeId node{id};
         const BootRecord& record = boot_.Record(node);
         const bool has_failed = (record.status.letter != '\0') && !record.is_booted && !record.status.is_busy;
-        const bool is_running = parts_.table.Record(node).state == SlaveState::kOperational;
+        const SlaveState state = parts_.table.Record(node).state;
+        const bool is_untold = (state == SlaveState::kUnknown) && parts_.setup.Slave(node).Has(kKeepAlive);
+        const bool is_running = (state == SlaveState::kOperational) || is_untold;
         const bool is_closed = parts_.setup.IsSafetySlave(node) && (parts_.gate.State(node) == GateState::kClosed);
         if (has_failed && is_running && is_closed)
         {

@@ -255,6 +255,33 @@ TEST_P(SafetyPathsInCia302Test, ReadWhileResetsLeaveIsBootedAllTheSame)
     EXPECT_EQ(Gate(), GateState::kOpen);
 }
 
+TEST_P(SafetyPathsInCia302Test, KeptAliveAndTellingNoStateIsReadAndStopped)
+{
+    Verifies(req::SRS_BOOT_013);
+    // Given one that is kept alive, runs with another configuration, and has no heartbeat though it should
+    devices[0]->has_boot_up = false;
+    devices[0]->is_self_starting = true;
+    setups[5].assignment |= kKeepAlive;
+    setups[5].heartbeat.consumer_ms = 200U;
+    Change();
+    Begin(GetParam());
+    Run(1000U);
+    EXPECT_EQ(devices[0]->State(), cia301::NodeState::kStopped);
+    EXPECT_EQ(Gate(), GateState::kDiffers);
+    EXPECT_EQ(manager->Status(NodeId{5U}).letter, 'J');
+}
+
+TEST_P(SafetyPathsInCia302Test, StartsItselfAndTellsNoStateIsStopped)
+{
+    Verifies(req::SRS_BOOT_013);
+    devices[0]->is_self_starting = true;
+    Change();
+    Begin(GetParam());
+    Run(1000U);
+    EXPECT_EQ(devices[0]->State(), cia301::NodeState::kStopped);
+    EXPECT_EQ(Gate(), GateState::kDiffers);
+}
+
 INSTANTIATE_TEST_SUITE_P(Cia302, SafetyPathsInCia302Test, ::testing::Values(Profile::kCia302));
 
 } // namespace
