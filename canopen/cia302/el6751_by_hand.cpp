@@ -139,10 +139,11 @@ bool El6751StartUp::Boot(const NodeId node, const Instant now) noexcept
     return is_one;
 }
 
+/// A slave that is held by hand waits for a hand.
 bool El6751StartUp::Resume(const NodeId node, const Instant now) noexcept
 {
     const bool is_one = is_active_ && (Of(node).phase != El6751Phase::kOutside);
-    if (is_one)
+    if (is_one && !Of(node).is_held_by_hand)
     {
         BeginRows(node, kNodeStarts, now);
     }

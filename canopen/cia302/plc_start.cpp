@@ -298,10 +298,11 @@ void PlcStartUp::Obey(const NmtCommand command, const NodeId node, const Instant
     }
 }
 
+/// A slave that is held by a command waits for one.
 bool PlcStartUp::Resume(const NodeId node, const Instant now) noexcept
 {
     const bool is_one = is_active_ && Of(node).is_listed && (master_ >= kPlcConfigures);
-    if (is_one)
+    if (is_one && !Of(node).is_held)
     {
         Settle(node, now);
     }

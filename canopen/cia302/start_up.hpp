@@ -112,8 +112,8 @@ class StartUp
     [[nodiscard]] virtual NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept = 0;
     /// @brief Start-up of one slave anew. False: not in the network.
     [[nodiscard]] virtual bool Boot(NodeId node, Instant now) noexcept = 0;
-    /// @brief As Boot without any reset and without restoring: what was written to the slave since stays. False: not in
-    /// the network.
+    /// @brief As Boot without any reset and without restoring: what was written to the slave since stays. One that is
+    /// held by a command stays held. False: not in the network.
     [[nodiscard]] virtual bool Resume(const NodeId node, const Instant now) noexcept
     {
         return Boot(node, now);
