@@ -238,8 +238,10 @@ std::string MasterText(const StartProfile profile, const int state)
 std::string AbortText(const cia301::SdoAbort abort)
 {
     const auto code = static_cast<std::uint32_t>(abort);
-    const bool is_silence = abort == cia301::SdoAbort::kTimeOut;
-    return cia306::Hex(code, 8) + (is_silence ? " (no answer)" : "");
+    std::string meaning;
+    meaning = (abort == cia301::SdoAbort::kTimeOut) ? " (no answer)" : meaning;
+    meaning = (abort == cia301::SdoAbort::kLengthMismatch) ? " (another length)" : meaning;
+    return cia306::Hex(code, 8) + meaning;
 }
 
 std::string FindingText(const cia302::GateFinding& finding)
