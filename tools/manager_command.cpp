@@ -16,6 +16,7 @@
 #include <CLI/CLI.hpp>
 
 #include <ostream>
+#include <set>
 #include <unistd.h>
 
 namespace counterpoint::tools
@@ -94,6 +95,14 @@ class ManagerCommand final : public Command
             const std::uint8_t node = networks.empty() ? NodeId() : std::uint8_t{0U};
             networks.push_back(std::make_unique<network::LoadedNetwork>(ReadNetworkFile(file, node)));
             masters.push_back(networks.back().get());
+        }
+        std::set<std::string> told; // All know the same slaves.
+        for (const network::LoadedNetwork* const master : masters)
+        {
+            for (const std::string& warning : master->Warnings())
+            {
+                streams.err << (told.insert(warning).second ? warning + "\n" : "");
+            }
         }
         const std::vector<std::string> lines = DifferencesOf(masters);
         for (const std::string& line : lines)

@@ -200,6 +200,34 @@ std::string ManagerOrderHelp()
            "  quit                end\n";
 }
 
+namespace
+{
+std::string WriteSafety(ManagerHost& host, const cia302::NodeId node, const Instant now)
+{
+    constexpr auto kOperational = static_cast<std::uint8_t>(cia302::SlaveState::kOperational);
+    const bool is_safety = host.Net().Setup().IsSafetySlave(node);
+    const std::string name = "node " + std::to_string(node.value);
+    std::string answer = "taken";
+    if (!is_safety)
+    {
+        answer = name + " is no safety slave, expected one";
+    }
+    else if (host.Core().Status(node).is_other)
+    {
+        answer = name + " is not known to be the expected device, expected that one, and boot NODE";
+    }
+    else if (host.Core().Table().RequestValue(node) == kOperational)
+    {
+        answer = name + " is OPERATIONAL, expected it stopped or PRE-OPERATIONAL";
+    }
+    else if (!host.Core().WriteSafety(node, now))
+    {
+        answer = "the start-up of the slave runs, or the manager is not the active master, expected it later";
+    }
+    return answer;
+}
+} // namespace
+
 std::string CarryOut(const ManagerOrder& order, ManagerHost& host, const Instant now)
 {
     const cia302::NodeId node{order.node};
@@ -207,7 +235,6 @@ std::string CarryOut(const ManagerOrder& order, ManagerHost& host, const Instant
     const std::string not_ours = "node " + std::to_string(order.node) +
                                  " is not in the network file, or the manager "
                                  "is not the active master, expected a slave";
-    constexpr auto kOperational = static_cast<std::uint8_t>(cia302::SlaveState::kOperational);
     std::string answer = "taken";
     if (order.kind == ManagerOrderKind::kCommand)
     {
@@ -228,15 +255,7 @@ std::string CarryOut(const ManagerOrder& order, ManagerHost& host, const Instant
     }
     else if (order.kind == ManagerOrderKind::kWriteSafety)
     {
-        const bool is_safety = host.Net().Setup().IsSafetySlave(node);
-        const bool is_running = host.Core().Table().RequestValue(node) == kOperational;
-        const bool is_taken = is_safety && host.Core().WriteSafety(node, now);
-        answer = is_taken ? answer
-                 : (is_safety && is_running)
-                     ? "node " + std::to_string(order.node) + " is OPERATIONAL, expected it stopped or PRE-OPERATIONAL"
-                 : is_safety
-                     ? "the start-up of the slave runs, or the manager is not the active master, expected it later"
-                     : "node " + std::to_string(order.node) + " is no safety slave, expected one";
+        answer = WriteSafety(host, node, now);
     }
     return answer;
 }

@@ -22,7 +22,6 @@ void ManagerStation::Leave()
 {
     for (const ManagerEvent& event : journal_.Take())
     {
-        FollowIdentity(event);
         FollowWriting(event);
         diagram_.OnEvent(event);
         tell_(event);
@@ -110,35 +109,6 @@ void ManagerStation::TellInputs()
     }
 }
 
-/// What later letters and codes say nothing of stays as it was found.
-void ManagerStation::FollowIdentity(const ManagerEvent& event)
-{
-    if (event.kind == "status")
-    {
-        bool& is_other = is_other_.at(event.node);
-        const std::string letter = event.details.at("letter").get<std::string>();
-        const int code = event.details.at("code").get<int>();
-        const std::string step = event.details.at("step").get<std::string>();
-        const bool is_identity = step == "device type" || step == "vendor-ID" || step == "product code" ||
-                                 step == "revision" || step == "serial number";
-        const network::StartProfile profile = host_.Net().Plan().manager.profile;
-        if (profile == network::StartProfile::kCia302)
-        {
-            const bool is_letter = letter.size() == 1U && std::string("CDMNO").find(letter) != std::string::npos;
-            is_other = is_letter || (is_other && letter == "J");
-        }
-        else if (profile == network::StartProfile::kEl6751)
-        {
-            const bool has_failed = code == cia302::kNodeMismatch || code == cia302::kNodeSyntax;
-            is_other = is_identity ? has_failed : is_other;
-        }
-        else
-        {
-            is_other = code == cia302::kPlcWrongType;
-        }
-    }
-}
-
 void ManagerStation::FollowWriting(const ManagerEvent& event)
 {
     const network::LoadedSlave* const slave = host_.Net().Find(event.node);
@@ -164,7 +134,7 @@ void ManagerStation::FollowWriting(const ManagerEvent& event)
     else if (writing == Writing::kRuns && state == "open")
     {
         writing = Writing::kTried;
-        static_cast<void>(host_.Core().Boot(cia302::NodeId{event.node}, InstantAt(now_us_)));
+        static_cast<void>(host_.Core().Resume(cia302::NodeId{event.node}, InstantAt(now_us_)));
     }
     else
     {
@@ -178,8 +148,7 @@ void ManagerStation::DriveWriting()
     for (std::uint8_t node = 1U; node <= cia302::kLastNode; ++node)
     {
         Writing& writing = writing_.at(node);
-        const bool is_wanted = writing == Writing::kWanted && !is_other_.at(node);
-        if (is_wanted && host_.Core().WriteSafety(cia302::NodeId{node}, InstantAt(now_us_)))
+        if (writing == Writing::kWanted && host_.Core().WriteSafety(cia302::NodeId{node}, InstantAt(now_us_)))
         {
             writing = Writing::kRuns;
             journal_.Tell(node, "write_safety", "writes the safety configuration", {});

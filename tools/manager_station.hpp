@@ -66,7 +66,6 @@ class ManagerStation final : private cia301::FrameSink
     void Enter(std::uint64_t now_us);
     void Leave();
     void TellInputs();
-    void FollowIdentity(const ManagerEvent& event);
     void FollowWriting(const ManagerEvent& event);
     void DriveWriting();
 
@@ -79,7 +78,6 @@ class ManagerStation final : private cia301::FrameSink
     ManagerDictionary dictionary_;
     ManagerProcess process_;
     std::array<Writing, cia302::kNodeRoom> writing_{};
-    std::array<bool, cia302::kNodeRoom> is_other_{}; ///< Its last start-up found another device than the expected one.
 };
 
 /// @brief The manager's counter.

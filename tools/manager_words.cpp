@@ -93,6 +93,8 @@ constexpr Row<NmtAnswer> kAnswers[] = {
     {NmtAnswer::kNotActive, "this manager is not the active master, expected the command at that one"},
     {NmtAnswer::kNoBroadcast, "a start of all while a safety slave is assigned, expected a start of each slave"},
     {NmtAnswer::kNotVerified, "the safety configuration of the slave is not verified, expected boot NODE first"},
+    {NmtAnswer::kOtherDevice,
+     "the start-up did not find the expected device at this node-ID, expected that one, and boot NODE"},
     {NmtAnswer::kWrong, "no such command or node in this state, expected another"}};
 constexpr Row<GateState> kGates[] = {{GateState::kClosed, "closed"},
                                      {GateState::kBusy, "busy"},
@@ -236,8 +238,10 @@ std::string MasterText(const StartProfile profile, const int state)
 std::string AbortText(const cia301::SdoAbort abort)
 {
     const auto code = static_cast<std::uint32_t>(abort);
-    const bool is_silence = abort == cia301::SdoAbort::kTimeOut;
-    return cia306::Hex(code, 8) + (is_silence ? " (no answer)" : "");
+    std::string meaning;
+    meaning = (abort == cia301::SdoAbort::kTimeOut) ? " (no answer)" : meaning;
+    meaning = (abort == cia301::SdoAbort::kLengthMismatch) ? " (another length)" : meaning;
+    return cia306::Hex(code, 8) + meaning;
 }
 
 std::string FindingText(const cia302::GateFinding& finding)

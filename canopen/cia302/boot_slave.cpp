@@ -12,6 +12,13 @@ namespace
 /// More steps than there are: a call ends also if two steps handed a boot to each other.
 constexpr std::uint8_t kMaxStepsPerCall = 32U;
 
+/// It is another device than the expected one, or never said which it is.
+bool IsOfIdentity(const char letter) noexcept
+{
+    return (letter == 'B') || (letter == 'C') || (letter == 'D') || (letter == 'M') || (letter == 'N') ||
+           (letter == 'O');
+}
+
 } // namespace
 
 BootSlave::BootSlave(const StartUpParts& parts, BootRecord* const records, BootListener& listener) noexcept
@@ -52,6 +59,16 @@ void BootSlave::Ask(const NodeId node, const BootTime& time) noexcept
 {
     const Job job = JobOf(node, time);
     Clear(job);
+    Enter(job, job.setup.Has(kBootSlave) ? StartUpStep::kDeviceType : StartUpStep::kErrorControl);
+    OnCycle(node, time);
+}
+
+void BootSlave::Resume(const NodeId node, const BootTime& time) noexcept
+{
+    const Job job = JobOf(node, time);
+    Clear(job);
+    job.record.is_fresh = true;
+    job.record.is_resumed = true;
     Enter(job, job.setup.Has(kBootSlave) ? StartUpStep::kDeviceType : StartUpStep::kErrorControl);
     OnCycle(node, time);
 }
@@ -124,37 +141,6 @@ void BootSlave::Configure(const NodeId node, const BootTime& time) noexcept
     OnCycle(node, time);
 }
 
-void BootSlave::Start(const NodeId node, const BootTime& time) noexcept
-{
-    const Job job = JobOf(node, time);
-    job.record.is_start_wanted = true;
-    if (!job.record.status.is_busy)
-    {
-        parts_.gate.Close(node); // What was verified at the boot may be long ago.
-        const bool is_deaf = (parts_.table.Record(node).state == SlaveState::kStopped);
-        if (is_deaf && parts_.setup.IsSafetySlave(node))
-        {
-            // STOPPED, it has no SDO to be read by.
-            static_cast<void>(parts_.nmt.Request(NmtCommand::kPreOperational, node, time.now));
-        }
-        job.record.status.is_busy = true;
-        job.record.is_extra = true;
-        Enter(job, StartUpStep::kSafety);
-        OnCycle(node, time);
-    }
-}
-
-void BootSlave::Verify(const NodeId node, const BootTime& time) noexcept
-{
-    const Job job = JobOf(node, time);
-    parts_.gate.Close(node); // What was verified before it ran may be long ago.
-    job.record.was_operational = true;
-    job.record.status.is_busy = true;
-    job.record.is_extra = true;
-    Enter(job, StartUpStep::kSafety);
-    OnCycle(node, time);
-}
-
 void BootSlave::End(const NodeId node) noexcept
 {
     BootRecord& record = Record(node);
@@ -170,6 +156,7 @@ void BootSlave::End(const NodeId node) noexcept
     record.status.is_busy = false;
     record.is_extra = false;
     record.is_start_wanted = false;
+    record.is_start_owed = false;
 }
 
 void BootSlave::Enter(const Job& job, const StartUpStep step) noexcept
@@ -209,6 +196,8 @@ void BootSlave::Fail(const Job& job, const char letter) noexcept
     const bool is_extra = job.record.is_extra;
     const bool was_booted = job.record.is_booted && is_extra && (job.record.status.step != StartUpStep::kSafety);
     job.record.status.letter = letter;
+    job.record.identity = IsOfIdentity(letter) ? letter : job.record.identity;
+    job.record.status.is_other = (job.record.identity != '\0');
     job.record.is_booted = was_booted;
     End(job.node);
     if (!was_booted)
@@ -232,6 +221,11 @@ void BootSlave::Finish(const Job& job) noexcept
     const bool is_repaired = is_boot || (before == 'J') || (before == 'L') || (before == '\0');
     const char good = job.record.was_operational ? 'L' : '\0';
     job.record.status.letter = is_repaired ? good : before;
+    if ((before == 'J') && (job.record.identity != '\0'))
+    {
+        job.record.status.letter = job.record.identity;
+        job.record.status.object = ObjectAddress{0U, 0U}; // That was J's.
+    }
     End(job.node);
     Enter(job, StartUpStep::kDone);
     if (is_boot)

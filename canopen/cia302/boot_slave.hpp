@@ -55,10 +55,13 @@ struct BootRecord
     std::uint16_t checks;
     std::uint8_t updates; ///< Begun since the last boot that ended well.
     bool is_fresh;        ///< Its boot-up message came in this boot: it is not asked for its state.
+    bool is_resumed;      ///< Nothing is restored in this boot.
     bool is_updated;      ///< Software was downloaded in this boot.
     bool was_operational; ///< L.
     bool is_booted;       ///< The last boot ended without letter, or with L.
     bool is_start_wanted; ///< By application or master, whatever 1F80h says.
+    char identity;        ///< Letter with which the boot found another device; 0: the expected one.
+    bool is_start_owed;   ///< The NMT master gave up its start.
     bool is_extra;        ///< Configuration or verification alone: its end says nothing of the boot.
 };
 
@@ -86,6 +89,8 @@ class BootSlave
 
     /// @brief Boots now, without waiting for a boot-up message. [SRS-BOOT-004..014]
     void Ask(NodeId node, const BootTime& time) noexcept;
+    /// @brief As Ask, and what was written stays: no reset by the state check, nothing is restored. [SRS-SFS-005]
+    void Resume(NodeId node, const BootTime& time) noexcept;
     /// @brief Boots when the boot-up message comes; mandatory slaves and those kept alive also without one, after
     /// kResetUs. [SRS-BOOT-002]
     void Await(NodeId node, const BootTime& time) noexcept;
@@ -142,6 +147,7 @@ class BootSlave
     void AwaitReset(const Job& job) noexcept;
     void WakeUp(const Job& job) noexcept;
     void ReadDeviceType(const Job& job) noexcept;
+    void StopUnread(const Job& job) noexcept;
     void Compare(const Job& job, std::uint8_t sub, std::uint32_t expected, char letter) noexcept;
     void CheckState(const Job& job) noexcept;
     void TakeState(const Job& job) noexcept;

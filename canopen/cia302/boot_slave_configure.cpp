@@ -17,6 +17,7 @@ constexpr std::uint16_t kTextIndex = 0x1F20U;
 constexpr std::uint16_t kConciseIndex = 0x1F22U;
 constexpr std::uint8_t kLoad[4] = {0x6CU, 0x6FU, 0x61U, 0x64U}; ///< "load"
 constexpr std::uint8_t kCommunicationSub = 2U;
+constexpr std::uint8_t kStoppedByte = 4U; ///< As 1F82h reads it.
 
 } // namespace
 
@@ -54,7 +55,7 @@ void BootSlave::CompareDate(const Job& job) noexcept
 void BootSlave::Restore(const Job& job) noexcept
 {
     const std::uint8_t sub = job.setup.restore_sub;
-    if (!job.setup.Has(kRestoreDefaults) || (sub == 0U))
+    if (!job.setup.Has(kRestoreDefaults) || (sub == 0U) || job.record.is_resumed)
     {
         Enter(job, StartUpStep::kConfigure);
     }
@@ -185,6 +186,38 @@ void BootSlave::BeginSupervision(const Job& job) noexcept
     }
 }
 
+void BootSlave::Start(const NodeId node, const BootTime& time) noexcept
+{
+    const Job job = JobOf(node, time);
+    job.record.is_start_wanted = true;
+    if (!job.record.status.is_busy)
+    {
+        parts_.gate.Close(node); // What was verified at the boot may be long ago.
+        const SlaveState state = parts_.table.Record(node).state;
+        const bool is_deaf = (state == SlaveState::kStopped) || (parts_.table.RequestValue(node) == kStoppedByte);
+        if (is_deaf && parts_.setup.IsSafetySlave(node))
+        {
+            // STOPPED, it has no SDO to be read by.
+            static_cast<void>(parts_.nmt.Request(NmtCommand::kPreOperational, node, time.now));
+        }
+        job.record.status.is_busy = true;
+        job.record.is_extra = true;
+        Enter(job, StartUpStep::kSafety);
+        OnCycle(node, time);
+    }
+}
+
+void BootSlave::Verify(const NodeId node, const BootTime& time) noexcept
+{
+    const Job job = JobOf(node, time);
+    parts_.gate.Close(node); // What was verified before it ran may be long ago.
+    job.record.was_operational = true;
+    job.record.status.is_busy = true;
+    job.record.is_extra = true;
+    Enter(job, StartUpStep::kSafety);
+    OnCycle(node, time);
+}
+
 void BootSlave::VerifySafety(const Job& job) noexcept
 {
     const GateState state = parts_.gate.State(job.node);
@@ -208,12 +241,13 @@ void BootSlave::VerifySafety(const Job& job) noexcept
 }
 
 /// A slave that runs with a configuration that is not the expected one is stopped, and so are two devices of one
-/// node-ID: what is known of their state may be said of the other one.
+/// node-ID: what is known of their state may be said of the other one. So is one that never told its state.
 void BootSlave::RefuseSafety(const Job& job) noexcept
 {
     const GateFinding finding = parts_.gate.Finding(job.node);
     const bool is_doubted = (finding.object.index == 0U);
-    const bool is_running = is_doubted || (parts_.table.Record(job.node).state == SlaveState::kOperational);
+    const NodeRecord& heard = parts_.table.Record(job.node);
+    const bool is_running = is_doubted || (heard.state == SlaveState::kOperational) || (heard.beats == 0U);
     const bool is_done =
         !is_running || (parts_.nmt.Request(NmtCommand::kStop, job.node, job.time.now) == NmtAnswer::kTaken);
     if (is_done)

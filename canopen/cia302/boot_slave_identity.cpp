@@ -112,6 +112,7 @@ void BootSlave::ReadDeviceType(const Job& job) noexcept
         const bool is_expected = (job.setup.device_type == 0U) || (job.record.status.read == job.setup.device_type);
         if (got == Got::kRefused)
         {
+            StopUnread(job);
             if (!parts_.sdo.Outcome(job.node).by_server) // Who refuses is there.
             {
                 parts_.table.SetMissing(job.node);
@@ -127,6 +128,17 @@ void BootSlave::ReadDeviceType(const Job& job) noexcept
         {
             Enter(job, StartUpStep::kVendorId);
         }
+    }
+}
+
+/// A safety slave that runs and cannot be read is stopped, and asked on in PRE-OPERATIONAL. [SRS-SFS-006]
+void BootSlave::StopUnread(const Job& job) noexcept
+{
+    const bool is_stopped = (parts_.table.Record(job.node).asked == SlaveState::kStopped);
+    if (parts_.setup.IsSafetySlave(job.node) && (is_stopped || parts_.table.RunsSurely(job.node)))
+    {
+        const NmtCommand command = is_stopped ? NmtCommand::kPreOperational : NmtCommand::kStop;
+        static_cast<void>(parts_.nmt.Request(command, job.node, job.time.now)); // A full queue: at the next silence.
     }
 }
 

@@ -139,6 +139,17 @@ bool El6751StartUp::Boot(const NodeId node, const Instant now) noexcept
     return is_one;
 }
 
+/// A slave that is held by hand waits for a hand.
+bool El6751StartUp::Resume(const NodeId node, const Instant now) noexcept
+{
+    const bool is_one = is_active_ && (Of(node).phase != El6751Phase::kOutside);
+    if (is_one && !Of(node).is_held_by_hand)
+    {
+        BeginRows(node, kNodeStarts, now);
+    }
+    return is_one;
+}
+
 /// A start-up that runs is given up.
 NmtAnswer El6751StartUp::HoldByHand(const NmtCommand command, const NodeId node, const Instant now) noexcept
 {
@@ -163,10 +174,15 @@ NmtAnswer El6751StartUp::StartByHand(const NodeId node, const Instant now) noexc
     const std::uint8_t operational = static_cast<std::uint8_t>(SlaveState::kOperational);
     const bool runs = (parts_.common.table.RequestValue(node) == operational);
     const bool is_deaf = (parts_.common.table.Record(node).asked == SlaveState::kStopped);
-    const bool is_unknown = !slave.has_answered && (slave.place.row != El6751Row::kEnd);
+    const bool is_asked_for = IsSafety(node) ? (slave.place.row > El6751Row::kSerialNumber) : slave.has_answered;
+    const bool is_unknown = !is_asked_for && (slave.place.row != El6751Row::kEnd);
     const bool is_held = (slave.phase == El6751Phase::kHeld);
     NmtAnswer answer = NmtAnswer::kTaken;
-    if ((slave.has_restarted && (slave.phase == El6751Phase::kDeactivated)) || (is_held && is_unknown && is_deaf))
+    if (IsSafety(node) && slave.status.is_other)
+    {
+        answer = NmtAnswer::kOtherDevice;
+    }
+    else if ((slave.has_restarted && (slave.phase == El6751Phase::kDeactivated)) || (is_held && is_unknown && is_deaf))
     {
         answer = Reset(NmtCommand::kResetCommunication, node, now);
         slave.is_start_wanted = (answer == NmtAnswer::kTaken);

@@ -43,6 +43,7 @@ void El6751StartUp::BeginRows(const NodeId node, const std::int16_t code, const 
     slave.status.expected = 0U;
     slave.status.read = 0U;
     slave.status.is_started = false;
+    slave.status.is_other = false;
     Tell(node, code, AccessOf(Context(node), slave.place).step, now);
 }
 
@@ -120,6 +121,7 @@ void El6751StartUp::EndTransfer(const NodeId node, const Instant now) noexcept
             Tell(node, kNodeStarts, access.step, now);
             break;
         case El6751Verdict::kNotFound:
+            StopUnread(node, now);
             Tell(node, kNodeNotFound, access.step, now);
             break;
         case El6751Verdict::kMismatch:
@@ -136,10 +138,22 @@ void El6751StartUp::EndTransfer(const NodeId node, const Instant now) noexcept
     }
 }
 
+/// A safety slave that runs and cannot be read is stopped, and asked on in PRE-OPERATIONAL. [SRS-SFS-006]
+void El6751StartUp::StopUnread(const NodeId node, const Instant now) noexcept
+{
+    const bool is_stopped = (parts_.common.table.Record(node).asked == SlaveState::kStopped);
+    if (IsSafety(node) && (is_stopped || parts_.common.table.RunsSurely(node)))
+    {
+        const NmtCommand command = is_stopped ? NmtCommand::kPreOperational : NmtCommand::kStop;
+        static_cast<void>(parts_.common.nmt.Request(command, node, now)); // A full queue: at the next silence.
+    }
+}
+
 void El6751StartUp::Fail(const NodeId node, const std::int16_t code, const Instant now) noexcept
 {
     El6751Node& slave = Of(node);
     slave.phase = El6751Phase::kFailed;
+    slave.status.is_other = slave.status.is_other || (slave.place.row <= El6751Row::kSerialNumber);
     slave.cause = code;
     slave.signs = parts_.common.table.Record(node).signs;
     Tell(node, code, AccessOf(Context(node), slave.place).step, now);
@@ -214,8 +228,8 @@ void El6751StartUp::DriveVerify(const NodeId node, const Instant now) noexcept
     }
     else if (!slave.is_checking)
     {
-        const bool has_left =
-            !slave.is_requested || (parts_.common.table.Record(node).asked == SlaveState::kPreOperational);
+        const bool has_left = !slave.is_requested || (parts_.common.nmt.Waiting() == 0U) ||
+                              (parts_.common.table.Record(node).asked == SlaveState::kPreOperational);
         slave.is_checking = has_left;
         if (has_left)
         {
@@ -255,6 +269,19 @@ void El6751StartUp::RefuseSafety(const NodeId node, const El6751Phase after, con
     slave.held_code = slave.cause;
     Tell(node, slave.cause, StartUpStep::kSafety, now);
     Stop(node, after, now);
+}
+
+/// Somebody commanded the slave while its start waited: it is read once more. [SRS-ELM-048]
+void El6751StartUp::OnStartDropped(const NodeId node, const Instant now) noexcept
+{
+    El6751Node& slave = Of(node);
+    if ((slave.phase == El6751Phase::kStarting) && slave.is_requested)
+    {
+        slave.phase = El6751Phase::kVerify;
+        slave.is_requested = false;
+        slave.is_checking = false;
+        Tell(node, kNodeStarts, StartUpStep::kSafety, now);
+    }
 }
 
 void El6751StartUp::DriveStart(const NodeId node, const Instant now) noexcept

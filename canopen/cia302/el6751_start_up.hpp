@@ -104,9 +104,11 @@ class El6751StartUp final : public StartUp
     void OnFrame(const CanFrame& frame, Instant now) noexcept override;
     void OnCycle(Instant now) noexcept override;
     void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept override;
+    void OnStartDropped(NodeId node, Instant now) noexcept override;
     /// @brief Stop and PRE-OPERATIONAL hold the slave by hand; a start while a start-up runs follows it.
     [[nodiscard]] NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept override;
     [[nodiscard]] bool Boot(NodeId node, Instant now) noexcept override;
+    [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept override;
     [[nodiscard]] NodeStatus Status(NodeId node) const noexcept override;
     [[nodiscard]] std::int16_t MasterState() const noexcept override;
 
@@ -144,6 +146,7 @@ class El6751StartUp final : public StartUp
     void Supervise(NodeId node, Instant now) noexcept;
     void BeginStart(NodeId node, Instant now) noexcept;
     void DriveVerify(NodeId node, Instant now) noexcept;
+    void StopUnread(NodeId node, Instant now) noexcept;
     void RefuseSafety(NodeId node, El6751Phase after, Instant now) noexcept;
     void DriveStart(NodeId node, Instant now) noexcept;
 

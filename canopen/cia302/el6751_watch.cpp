@@ -189,7 +189,7 @@ void El6751StartUp::DriveIdle(const NodeId node, const Instant now) noexcept
     El6751Node& slave = Of(node);
     const NodeRecord& record = parts_.common.table.Record(node);
     const bool has_sign = (record.signs != slave.signs);
-    const bool is_found = IsSafety(node) && has_sign && (record.state == SlaveState::kOperational);
+    const bool is_found = IsSafety(node) && has_sign && parts_.common.table.IsFoundRunning(node);
     const GateState gate = parts_.common.gate.State(node);
     if (slave.phase == El6751Phase::kHeld)
     {

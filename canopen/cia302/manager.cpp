@@ -8,17 +8,6 @@ namespace
 
 using cia301::NodeState;
 
-bool IsReset(const NmtCommand command) noexcept
-{
-    return (command == NmtCommand::kResetNode) || (command == NmtCommand::kResetCommunication);
-}
-
-/// Takes a node out of OPERATIONAL without a reset.
-bool IsLeave(const NmtCommand command) noexcept
-{
-    return (command == NmtCommand::kStop) || (command == NmtCommand::kPreOperational);
-}
-
 } // namespace
 
 Manager::Manager(const ManagerParts& parts) noexcept
@@ -120,7 +109,7 @@ void Manager::OnFrame(const CanFrame& frame, const Instant now) noexcept
             flying_->OnFrame(frame, now);
             FollowRole(now);
         }
-        OnCommandFrame(frame);
+        OnCommandFrame(frame, now);
         watch_.OnFrame(frame, now);
         table_.OnFrame(frame, now);
         sdo_.OnFrame(frame, now);
@@ -149,53 +138,6 @@ void Manager::OnCycle(const Instant now) noexcept
         TellGates(now);
         profile_->OnCycle(now);
         nmt_.OnCycle(now);
-    }
-}
-
-/// Commands of the active master to this device while it is not the master itself. A master is not commanded by
-/// others: they show themselves by 071h.
-void Manager::OnCommandFrame(const CanFrame& frame) noexcept
-{
-    constexpr std::uint8_t kCommandBytes = 2U;
-    const bool is_command =
-        (frame.kind == FrameKind::kData) && (frame.identifier == 0U) && (frame.length_bytes == kCommandBytes);
-    const bool is_for_us =
-        is_command && ((frame.data[1] == kAllNodes.value) || (frame.data[1] == parts_.setup.own.value));
-    if (is_command && IsReset(static_cast<NmtCommand>(frame.data[0])))
-    {
-        OnReset(NodeId{frame.data[1]});
-    }
-    if (is_command && IsLeave(static_cast<NmtCommand>(frame.data[0])))
-    {
-        OnLeave(NodeId{frame.data[1]});
-    }
-    if (is_for_us && (flying_ != nullptr) && !is_leading_)
-    {
-        Obey(static_cast<NmtCommand>(frame.data[0]));
-    }
-}
-
-void Manager::Obey(const NmtCommand command) noexcept
-{
-    switch (command)
-    {
-    case NmtCommand::kStart:
-        state_ = NodeState::kOperational;
-        break;
-    case NmtCommand::kStop:
-        state_ = NodeState::kStopped;
-        break;
-    case NmtCommand::kPreOperational:
-        state_ = NodeState::kPreOperational;
-        break;
-    case NmtCommand::kResetNode:
-    case NmtCommand::kResetCommunication:
-        state_ = NodeState::kPreOperational;
-        owes_boot_up_ = true;
-        break;
-    case NmtCommand::kInvalid:
-    default:
-        break;
     }
 }
 
@@ -237,11 +179,17 @@ bool Manager::Boot(const NodeId node, const Instant now) noexcept
     return is_leading_ && profile_->Boot(node, now);
 }
 
+bool Manager::Resume(const NodeId node, const Instant now) noexcept
+{
+    return is_leading_ && profile_->Resume(node, now);
+}
+
 bool Manager::WriteSafety(const NodeId node, const Instant now) noexcept
 {
+    const NodeStatus status = Status(node);
     const bool is_running = table_.RequestValue(node) == static_cast<std::uint8_t>(SlaveState::kOperational);
-    const bool is_free = is_leading_ && !is_running && (nmt_.Waiting() == 0U) &&
-                         (gate_.State(node) != GateState::kBusy) && !profile_->Status(node).is_busy;
+    const bool is_free = is_leading_ && !is_running && !status.is_other && !status.is_busy && (nmt_.Waiting() == 0U) &&
+                         (gate_.State(node) != GateState::kBusy);
     if (is_free && (table_.Record(node).asked == SlaveState::kStopped))
     {
         // STOPPED, it has no SDO to be written by. Where the command has to wait, the next call goes on.
@@ -263,54 +211,6 @@ void Manager::TellGates(const Instant now) noexcept
     }
 }
 
-/// A reset ends what was verified, at once and not when the slave comes back, and what was suspected: whoever sent it.
-/// [SRS-SFS-002]
-void Manager::OnReset(const NodeId node) noexcept
-{
-    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
-    {
-        if ((node.value == kAllNodes.value) || (node.value == id))
-        {
-            CloseGate(NodeId{id});
-            gate_.Trust(NodeId{id});
-            watch_.Forget(NodeId{id});
-        }
-    }
-}
-
-/// Out of OPERATIONAL it can be changed, and be back there before it says so. What was found before stays to be told.
-/// [SRS-SFS-002]
-void Manager::OnLeave(const NodeId node) noexcept
-{
-    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
-    {
-        const GateState gate = gate_.State(NodeId{id});
-        const bool is_hit = (node.value == kAllNodes.value) || (node.value == id);
-        if (is_hit && ((gate == GateState::kOpen) || (gate == GateState::kBusy)))
-        {
-            CloseGate(NodeId{id});
-        }
-    }
-}
-
-void Manager::OnNmtSent(const NmtRequest& request, const Instant now) noexcept
-{
-    const bool is_all = (request.node.value == kAllNodes.value);
-    if (IsReset(request.command))
-    {
-        OnReset(request.node);
-    }
-    if (IsLeave(request.command))
-    {
-        OnLeave(request.node);
-    }
-    if (is_all || (request.node.value == parts_.setup.own.value))
-    {
-        Obey(request.command);
-    }
-    parts_.listener.OnNmtSent(request, now);
-}
-
 void Manager::CloseGate(const NodeId node) noexcept
 {
     if (parts_.setup.IsSafetySlave(node))
@@ -327,7 +227,7 @@ void Manager::OnNodeEvent(const NodeId node, const NodeEvent event, const Instan
     {
         sdo_.OnBootUp(node);
     }
-    if (is_boot_up || is_lost)
+    if (is_boot_up || is_lost || (event == NodeEvent::kToggleError))
     {
         CloseGate(node);
     }

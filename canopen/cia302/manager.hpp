@@ -123,8 +123,10 @@ class Manager final : public NmtListener,
     /// @brief A command of the application, by the profile: see StartUp::Command.
     [[nodiscard]] NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept;
     [[nodiscard]] bool Boot(NodeId node, Instant now) noexcept;
+    /// @brief Start-up of one slave without a reset: see StartUp::Resume.
+    [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept;
     /// @brief Writes the safety configuration of a slave by the full procedure and verifies it; one that was stopped is
-    /// made PRE-OPERATIONAL before. False: not now, it is OPERATIONAL or commands wait. [SRS-SFS-005]
+    /// made PRE-OPERATIONAL before. False: not now, it is OPERATIONAL, another device or commands wait. [SRS-SFS-005]
     [[nodiscard]] bool WriteSafety(NodeId node, Instant now) noexcept;
 
     [[nodiscard]] bool IsActive() const noexcept
@@ -156,6 +158,7 @@ class Manager final : public NmtListener,
     }
 
     void OnNmtSent(const NmtRequest& request, Instant now) noexcept override;
+    void OnStartDropped(NodeId node, Instant now) noexcept override;
     void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept override;
     void OnNodeStatus(NodeId node, Instant now) noexcept override;
     void OnMasterState(std::int16_t state, Instant now) noexcept override;
@@ -167,9 +170,10 @@ class Manager final : public NmtListener,
   private:
     [[nodiscard]] bool IsInitialising() const noexcept;
     void Obey(NmtCommand command) noexcept;
-    void OnCommandFrame(const CanFrame& frame) noexcept;
+    void OnCommandFrame(const CanFrame& frame, Instant now) noexcept;
     void OnReset(NodeId node) noexcept;
     void OnLeave(NodeId node) noexcept;
+    void OnForeignStart(NodeId node, Instant now) noexcept;
     void Lead(bool is_leader, Instant now) noexcept;
     void FollowRole(Instant now) noexcept;
     void TryNegotiation(Instant now) noexcept;

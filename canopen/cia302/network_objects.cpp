@@ -58,7 +58,7 @@ bool IsNode(const std::uint8_t sub) noexcept
 } // namespace
 
 NetworkObjects::NetworkObjects(const NetworkObjectParts& parts) noexcept
-    : parts_(parts), now_{0U}, requester_{0U}, next_(1U)
+    : parts_(parts), now_{0U}, requester_{0U}, next_(1U), is_other_met_(false)
 {
 }
 

@@ -49,6 +49,7 @@ class NetworkObjects final : public cia301::NumberHook
     Instant now_;
     NodeId requester_;
     std::uint8_t next_; ///< Node at which a command to each goes on: the queue was full.
+    bool is_other_met_; ///< In this pass of RequestEach.
 };
 
 /// Hook of the entries 1F20h, 1F22h and 1F58h: domains by node-ID, only read.

@@ -82,7 +82,8 @@ SdoAbort NetworkObjects::RequestNmt(const std::uint8_t sub, const std::uint32_t 
     return abort;
 }
 
-/// A full queue is waited for: the write is asked again, and goes on where it stopped.
+/// A full queue is waited for: the write is asked again, and goes on where it stopped. Another device than the expected
+/// one keeps nobody else from being started, and is told at the end.
 SdoAbort NetworkObjects::RequestEach(const NmtCommand command) noexcept
 {
     SdoAbort abort = SdoAbort::kNone;
@@ -91,11 +92,18 @@ SdoAbort NetworkObjects::RequestEach(const NmtCommand command) noexcept
         const NodeId node{next_};
         if (parts_.setup.IsListed(node) && (next_ != requester_.value))
         {
-            abort = AbortOf(parts_.start_up.Command(command, node, now_));
+            const NmtAnswer answer = parts_.start_up.Command(command, node, now_);
+            is_other_met_ = is_other_met_ || (answer == NmtAnswer::kOtherDevice);
+            abort = (answer == NmtAnswer::kOtherDevice) ? SdoAbort::kNone : AbortOf(answer);
         }
         next_ = (abort == SdoAbort::kNone) ? static_cast<std::uint8_t>(next_ + 1U) : next_;
     }
-    next_ = (abort == SdoAbort::kPending) ? next_ : std::uint8_t{1U};
+    if (abort != SdoAbort::kPending)
+    {
+        abort = ((abort == SdoAbort::kNone) && is_other_met_) ? SdoAbort::kDeviceState : abort;
+        next_ = 1U;
+        is_other_met_ = false;
+    }
     return abort;
 }
 

@@ -22,6 +22,13 @@ enum class NmtCommand : std::uint8_t
     kResetCommunication = 130U,
 };
 
+[[nodiscard]] constexpr bool IsNmtCommand(const NmtCommand command) noexcept
+{
+    return (command == NmtCommand::kStart) || (command == NmtCommand::kStop) ||
+           (command == NmtCommand::kPreOperational) || (command == NmtCommand::kResetNode) ||
+           (command == NmtCommand::kResetCommunication);
+}
+
 /// A command for one node, or for all with node 0.
 struct NmtRequest
 {
@@ -34,6 +41,8 @@ class NmtListener
 {
   public:
     virtual void OnNmtSent(const NmtRequest& request, Instant now) noexcept = 0;
+    /// @brief A start was taken and did not leave: its slave has no permission any more.
+    virtual void OnStartDropped(NodeId node, Instant now) noexcept;
 
   protected:
     NmtListener() noexcept = default;
@@ -41,6 +50,10 @@ class NmtListener
     NmtListener(const NmtListener&) = default;
     NmtListener& operator=(const NmtListener&) = default;
 };
+
+inline void NmtListener::OnStartDropped(const NodeId /*node*/, const Instant /*now*/) noexcept
+{
+}
 
 } // namespace counterpoint::cia302
 

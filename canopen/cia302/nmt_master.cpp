@@ -8,13 +8,6 @@ namespace
 
 constexpr std::uint32_t kUsPerInhibitUnit = 100U;
 
-bool IsCommand(const NmtCommand command) noexcept
-{
-    return (command == NmtCommand::kStart) || (command == NmtCommand::kStop) ||
-           (command == NmtCommand::kPreOperational) || (command == NmtCommand::kResetNode) ||
-           (command == NmtCommand::kResetCommunication);
-}
-
 } // namespace
 
 NmtMaster::NmtMaster(const NmtMasterParts& parts) noexcept
@@ -38,7 +31,7 @@ NmtAnswer NmtMaster::Check(const NmtRequest& request) const noexcept
 {
     const bool is_start = (request.command == NmtCommand::kStart);
     NmtAnswer answer = NmtAnswer::kTaken;
-    if (!IsCommand(request.command) || (request.node.value > kLastNode))
+    if (!IsNmtCommand(request.command) || (request.node.value > kLastNode))
     {
         answer = NmtAnswer::kWrong;
     }
@@ -123,6 +116,14 @@ void NmtMaster::OnCycle(const Instant now) noexcept
             {
                 parts_.table.OnNmtSent(request, now);
                 parts_.listener.OnNmtSent(request, now);
+            }
+            else if (request.command == NmtCommand::kStart)
+            {
+                parts_.listener.OnStartDropped(request.node, now);
+            }
+            else
+            {
+                // Of no concern any more.
             }
         }
     }

@@ -178,10 +178,28 @@ void NodeTable::OnFrame(const CanFrame& frame, const Instant now) noexcept
 /// Of somebody else: the nodes may be OPERATIONAL no more, whatever their next sign says.
 void NodeTable::HearCommand(const NmtCommand command, const NodeId node) noexcept
 {
-    for (std::uint8_t id = 1U; (id <= kLastNode) && (command != NmtCommand::kStart); ++id)
+    for (std::uint8_t id = 1U; (id <= kLastNode) && IsNmtCommand(command); ++id)
     {
+        NodeRecord& record = parts_.records[id];
         const bool is_hit = (node.value == kAllNodes.value) || (node.value == id);
-        parts_.records[id].runs = is_hit ? std::uint8_t{0U} : parts_.records[id].runs;
+        const bool is_start = (command == NmtCommand::kStart);
+        record.runs = (is_hit && !is_start) ? std::uint8_t{0U} : record.runs;
+        record.asked = is_hit ? AskedBy(command) : record.asked;
+        record.state = (is_hit && record.is_presumed) ? record.asked : record.state;
+    }
+}
+
+/// The command was the last one for it: no sign of before is on its way.
+void NodeTable::Presume(const NodeId node, const Instant now) noexcept
+{
+    NodeRecord* const record = Find(node);
+    if ((record != nullptr) && (record->state != SlaveState::kMissing))
+    {
+        record->state = SlaveState::kOperational;
+        record->is_presumed = true;
+        record->runs = kRunsSurely;
+        ++record->signs;
+        parts_.listener.OnNodeEvent(node, NodeEvent::kChanged, now);
     }
 }
 
@@ -194,6 +212,7 @@ void NodeTable::Hear(const NodeId node, const std::uint8_t byte, const Instant n
     {
         const bool is_new = !record.was_seen && !parts_.setup.IsListed(node);
         record.was_seen = true;
+        record.is_presumed = false;
         record.is_expected = false;
         record.last_sign = now;
         ++record.signs;
@@ -365,6 +384,7 @@ void NodeTable::OnNmtSent(const NmtRequest& request, const Instant now) noexcept
 void NodeTable::Command(NodeRecord& record, const NmtCommand command, const Instant now) noexcept
 {
     record.asked = AskedBy(command);
+    record.state = record.is_presumed ? record.asked : record.state;
     record.runs = (command == NmtCommand::kStart) ? record.runs : std::uint8_t{0U};
     if ((command == NmtCommand::kResetNode) || (command == NmtCommand::kResetCommunication))
     {

@@ -70,9 +70,10 @@ constexpr std::uint8_t kRunsSurely = 2U;
 struct NodeRecord
 {
     SlaveState state;
-    SlaveState asked;   ///< State that the last NMT command asked for; kUnknown after a reset.
+    SlaveState asked;   ///< State that the last NMT command, of whomever, asked for; kUnknown after a reset.
     bool was_seen;      ///< Ever.
     bool has_booted;    ///< Its boot-up message came since the last reset of it.
+    bool is_presumed;   ///< Nothing was heard since Presume: `state` is what was commanded.
     std::uint8_t signs; ///< Counts heartbeats, guarding answers and boot-up messages, modulo 256.
     std::uint8_t beats; ///< Counts heartbeats and guarding answers, modulo 256.
     std::uint8_t runs;  ///< OPERATIONAL signs in a row since the last NMT command but a start, up to kRunsSurely.
@@ -123,6 +124,9 @@ class NodeTable final : public NmtListener
     [[nodiscard]] bool AskState(NodeId node) noexcept;
     /// @brief The node counts as missing, which other services found out.
     void SetMissing(NodeId node) noexcept;
+    /// @brief Somebody started it: it counts as OPERATIONAL until it says otherwise, and kChanged is told. One that is
+    /// missing stays missing.
+    void Presume(NodeId node, Instant now) noexcept;
 
     /// @brief A frame from the bus. O(1)
     void OnFrame(const CanFrame& frame, Instant now) noexcept;
@@ -137,6 +141,13 @@ class NodeTable final : public NmtListener
     [[nodiscard]] std::uint8_t RequestValue(NodeId node) const noexcept;
     /// @brief It says OPERATIONAL, and no sign of that was under way when it was commanded otherwise, by whomever.
     [[nodiscard]] bool RunsSurely(NodeId node) const noexcept;
+    /// @brief It says OPERATIONAL, and the last command did not tell it otherwise, or it says so surely.
+    [[nodiscard]] bool IsFoundRunning(const NodeId node) const noexcept
+    {
+        const NodeRecord& record = Record(node);
+        const bool is_told = (record.asked == SlaveState::kStopped) || (record.asked == SlaveState::kPreOperational);
+        return RunsSurely(node) || ((record.state == SlaveState::kOperational) && !is_told);
+    }
 
   private:
     void Hear(NodeId node, std::uint8_t byte, Instant now) noexcept;

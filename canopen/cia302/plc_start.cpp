@@ -7,10 +7,46 @@ namespace counterpoint::cia302
 namespace
 {
 
+constexpr ObjectAddress kDeviceType{0x1000U, 0U};
 constexpr std::uint8_t kStoppedByte = 4U; ///< As 1F82h reads it.
 constexpr std::uint8_t kPreOperationalByte = 127U;
 
 } // namespace
+
+/// State 4, or 98. [SRS-PLC-012, SRS-PLC-016]
+void PlcStartUp::EndSdos(const NodeId node, const Instant now) noexcept
+{
+    PlcNode& slave = Of(node);
+    const bool is_automatic = !parts_.common.setup.Has(kApplicationStartsSlaves);
+    slave.has_sdos = true;
+    slave.is_wanted = is_automatic && !slave.is_held && !slave.is_type_wrong;
+    slave.is_verified = false;
+    slave.is_by_hand = false;
+    slave.is_woken = false;
+    slave.signs = parts_.common.table.Record(node).signs;
+    slave.status.is_other = slave.is_type_wrong;
+    if (slave.is_type_wrong)
+    {
+        slave.status.object = kDeviceType;
+        Tell(node, kPlcWrongType, StartUpStep::kDeviceType, now);
+    }
+    else
+    {
+        parts_.common.table.WatchAsSetUp(node, now);
+        Tell(node, kPlcConfigured, StartUpStep::kManual, now);
+    }
+}
+
+/// A safety slave that runs and cannot be read is stopped, and asked on in PRE-OPERATIONAL. [SRS-SFS-006]
+void PlcStartUp::StopUnread(const NodeId node, const Instant now) noexcept
+{
+    const bool is_stopped = (parts_.common.table.Record(node).asked == SlaveState::kStopped);
+    if (parts_.common.setup.IsSafetySlave(node) && (is_stopped || parts_.common.table.RunsSurely(node)))
+    {
+        const NmtCommand command = is_stopped ? NmtCommand::kPreOperational : NmtCommand::kStop;
+        static_cast<void>(parts_.common.nmt.Request(command, node, now)); // A full queue: at the next silence.
+    }
+}
 
 /// [SRS-PLC-013, SRS-PLC-015]
 void PlcStartUp::DriveStart(const NodeId node, const Instant now) noexcept
@@ -29,7 +65,8 @@ void PlcStartUp::StartOne(const NodeId node, const Instant now) noexcept
     PlcNode& slave = Of(node);
     const bool is_safety = parts_.common.setup.IsSafetySlave(node);
     const bool is_stopped = (parts_.common.table.RequestValue(node) == kStoppedByte) && !slave.is_woken;
-    const bool is_waking = slave.is_woken && (parts_.common.table.Record(node).asked != SlaveState::kPreOperational);
+    const bool is_waking = slave.is_woken && (parts_.common.nmt.Waiting() > 0U) &&
+                           (parts_.common.table.Record(node).asked != SlaveState::kPreOperational);
     const GateState gate = parts_.common.gate.State(node);
     if (is_safety && !slave.is_verified && is_stopped)
     {
@@ -64,6 +101,22 @@ void PlcStartUp::StartOne(const NodeId node, const Instant now) noexcept
     }
 }
 
+/// Somebody commanded the slave while its start waited: it is read once more. [SRS-PLC-020]
+void PlcStartUp::OnStartDropped(const NodeId node, const Instant now) noexcept
+{
+    PlcNode& slave = Of(node);
+    if ((slave.status.code == kPlcStarted) && slave.status.is_started)
+    {
+        slave.is_wanted = true;
+        slave.is_by_hand = true; // Nobody else is waited for again.
+        slave.is_verified = false;
+        slave.is_woken = false;
+        slave.is_checking = false;
+        slave.status.is_started = false;
+        Tell(node, kPlcConfigured, StartUpStep::kStart, now);
+    }
+}
+
 void PlcStartUp::Refuse(const NodeId node, const Instant now) noexcept
 {
     PlcNode& slave = Of(node);
@@ -89,7 +142,7 @@ void PlcStartUp::DriveCheck(const NodeId node, const Instant now) noexcept
     const GateState gate = parts_.common.gate.State(node);
     const bool is_left = (slave.status.code > kPlcSdos) && !slave.is_wanted && parts_.common.setup.IsSafetySlave(node);
     const bool is_found = is_left && !slave.status.is_started && (record.signs != slave.signs) &&
-                          (record.state == SlaveState::kOperational);
+                          parts_.common.table.IsFoundRunning(node);
     const bool is_refused = (gate == GateState::kDiffers) || (gate == GateState::kFailed);
     const bool is_back = (gate == GateState::kClosed) && parts_.common.table.RunsSurely(node);
     const bool is_again = is_left && (is_back || (is_refused && slave.status.is_started));
@@ -209,7 +262,8 @@ NmtAnswer PlcStartUp::CommandOne(const NmtCommand command, const NodeId node, co
     }
     else if (is_start)
     {
-        answer = (state == kPlcStarted) ? NmtAnswer::kTaken : NmtAnswer::kWrong;
+        answer = slave.status.is_other ? NmtAnswer::kOtherDevice : NmtAnswer::kWrong;
+        answer = (state == kPlcStarted) ? NmtAnswer::kTaken : answer;
     }
     else
     {
@@ -242,6 +296,17 @@ void PlcStartUp::Obey(const NmtCommand command, const NodeId node, const Instant
         slave.signs = parts_.common.table.Record(node).signs;
         Tell(node, (state == kPlcStarted) ? kPlcConfigured : state, StartUpStep::kManual, now);
     }
+}
+
+/// A slave that is held by a command waits for one.
+bool PlcStartUp::Resume(const NodeId node, const Instant now) noexcept
+{
+    const bool is_one = is_active_ && Of(node).is_listed && (master_ >= kPlcConfigures);
+    if (is_one && !Of(node).is_held)
+    {
+        Settle(node, now);
+    }
+    return is_one;
 }
 
 bool PlcStartUp::Boot(const NodeId node, const Instant now) noexcept

@@ -370,30 +370,8 @@ void PlcStartUp::OnSilence(const NodeId node, const Instant now) noexcept
     }
     else
     {
+        StopUnread(node, now);
         Ask(node, now);
-    }
-}
-
-/// State 4, or 98. [SRS-PLC-012, SRS-PLC-016]
-void PlcStartUp::EndSdos(const NodeId node, const Instant now) noexcept
-{
-    PlcNode& slave = Of(node);
-    const bool is_automatic = !parts_.common.setup.Has(kApplicationStartsSlaves);
-    slave.has_sdos = true;
-    slave.is_wanted = is_automatic && !slave.is_held && !slave.is_type_wrong;
-    slave.is_verified = false;
-    slave.is_by_hand = false;
-    slave.is_woken = false;
-    slave.signs = parts_.common.table.Record(node).signs;
-    if (slave.is_type_wrong)
-    {
-        slave.status.object = kDeviceType;
-        Tell(node, kPlcWrongType, StartUpStep::kDeviceType, now);
-    }
-    else
-    {
-        parts_.common.table.WatchAsSetUp(node, now);
-        Tell(node, kPlcConfigured, StartUpStep::kManual, now);
     }
 }
 

@@ -78,11 +78,13 @@ class PlcStartUp final : public StartUp
     void OnFrame(const CanFrame& frame, Instant now) noexcept override;
     void OnCycle(Instant now) noexcept override;
     void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept override;
+    void OnStartDropped(NodeId node, Instant now) noexcept override;
     /// @brief A start puts a slave in state 4 or 99 to 4, starts it and its supervision; stop and PRE-OPERATIONAL take
     /// it to 4 and hold it there; resets lead to state 1.
     [[nodiscard]] NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept override;
     /// @brief The slave begins anew in state -1, also one in 97. [SRS-PLC-019]
     [[nodiscard]] bool Boot(NodeId node, Instant now) noexcept override;
+    [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept override;
     [[nodiscard]] NodeStatus Status(NodeId node) const noexcept override;
     [[nodiscard]] std::int16_t MasterState() const noexcept override;
 
@@ -101,6 +103,7 @@ class PlcStartUp final : public StartUp
     void OnAnswer(NodeId node, Instant now) noexcept;
     void OnSilence(NodeId node, Instant now) noexcept;
     void EndSdos(NodeId node, Instant now) noexcept;
+    void StopUnread(NodeId node, Instant now) noexcept;
 
     void DriveStart(NodeId node, Instant now) noexcept;
     void StartOne(NodeId node, Instant now) noexcept;

@@ -266,6 +266,8 @@ void SafetyCheck::Judge(const cia301::SdoOutcome& outcome) noexcept
         }
         else
         {
+            // The same number in another length: the numbers alone would not say what is wrong.
+            finding_.abort = (finding_.read == finding_.expected) ? SdoAbort::kLengthMismatch : SdoAbort::kNone;
             End(CheckState::kDiffers);
         }
     }

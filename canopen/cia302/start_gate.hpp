@@ -25,7 +25,7 @@ enum class GateState : std::uint8_t
 struct GateFinding
 {
     ObjectAddress object;
-    cia301::SdoAbort abort; ///< kNone: the values differ.
+    cia301::SdoAbort abort; ///< kNone: the values differ; kLengthMismatch with kDiffers: their lengths do.
     std::uint64_t expected;
     std::uint64_t read;
 };

@@ -58,6 +58,7 @@ struct NodeStatus
     std::uint64_t read;
     bool is_busy;    ///< Start-up runs.
     bool is_started; ///< NMT start was sent since the last boot-up.
+    bool is_other;   ///< The last start-up found another device than the expected one, or could not ask which it is.
 };
 
 /// Is told what changes.
@@ -103,11 +104,20 @@ class StartUp
     virtual void OnFrame(const CanFrame& frame, Instant now) noexcept = 0;
     virtual void OnCycle(Instant now) noexcept = 0;
     virtual void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept = 0;
-    /// @brief A command of the application, of 1F82h or typed: a start of a safety slave waits for its verification, a
-    /// start of all is one start for each slave where a safety slave is assigned.
+    /// @brief The NMT master gave up a start that it had taken: the slave is verified anew and then started.
+    virtual void OnStartDropped(NodeId node, Instant now) noexcept;
+    /// @brief A command of the application, of 1F82h or typed: a start of a safety slave waits for its verification and
+    /// is refused if the slave is another device (kOtherDevice), a start of all is one start for each slave where a
+    /// safety slave is assigned.
     [[nodiscard]] virtual NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept = 0;
     /// @brief Start-up of one slave anew. False: not in the network.
     [[nodiscard]] virtual bool Boot(NodeId node, Instant now) noexcept = 0;
+    /// @brief As Boot without any reset and without restoring: what was written to the slave since stays. One that is
+    /// held by a command stays held. False: not in the network.
+    [[nodiscard]] virtual bool Resume(const NodeId node, const Instant now) noexcept
+    {
+        return Boot(node, now);
+    }
     /// @brief Configuration of one slave alone (1F25h); a profile that has no such thing boots it. False: not now.
     [[nodiscard]] virtual bool Configure(const NodeId node, const Instant now) noexcept
     {
@@ -124,6 +134,10 @@ class StartUp
     StartUp(const StartUp&) = default;
     StartUp& operator=(const StartUp&) = default;
 };
+
+inline void StartUp::OnStartDropped(const NodeId /*node*/, const Instant /*now*/) noexcept
+{
+}
 
 } // namespace counterpoint::cia302
 

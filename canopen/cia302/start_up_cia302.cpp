@@ -119,7 +119,8 @@ void Cia302StartUp::BootAll(const BootTime& time) noexcept
     {
         const NodeId node{id};
         const BootRecord& record = boot_.Record(node);
-        const bool is_new = parts_.setup.IsListed(node) && !record.status.is_busy && !record.is_booted;
+        const bool is_booting = record.status.is_busy && !record.is_extra; // An extra alone boots nobody.
+        const bool is_new = parts_.setup.IsListed(node) && !is_booting && !record.is_booted;
         if (is_new && parts_.setup.Slave(node).Has(kKeepAlive))
         {
             boot_.Ask(node, time);
@@ -187,7 +188,9 @@ void Cia302StartUp::VerifyRunning(const BootTime& time) noexcept
         const NodeId node{id};
         const BootRecord& record = boot_.Record(node);
         const bool has_failed = (record.status.letter != '\0') && !record.is_booted && !record.status.is_busy;
-        const bool is_running = parts_.table.Record(node).state == SlaveState::kOperational;
+        const SlaveState state = parts_.table.Record(node).state;
+        const bool is_untold = (state == SlaveState::kUnknown) && parts_.setup.Slave(node).Has(kKeepAlive);
+        const bool is_running = (state == SlaveState::kOperational) || is_untold;
         const bool is_closed = parts_.setup.IsSafetySlave(node) && (parts_.gate.State(node) == GateState::kClosed);
         if (has_failed && is_running && is_closed)
         {
@@ -289,6 +292,11 @@ void Cia302StartUp::OnCycle(const Instant now) noexcept
     }
     for (std::uint8_t id = 1U; (step_ != MasterStep::kIdle) && (id <= kLastNode); ++id)
     {
+        const BootRecord& record = boot_.Record(NodeId{id});
+        if (record.is_start_owed && !record.status.is_busy)
+        {
+            boot_.Start(NodeId{id}, time);
+        }
         if (parts_.setup.IsListed(NodeId{id}))
         {
             boot_.OnCycle(NodeId{id}, time);

@@ -33,8 +33,10 @@ class Cia302StartUp final : public StartUp, private BootListener
     void OnFrame(const CanFrame& frame, Instant now) noexcept override;
     void OnCycle(Instant now) noexcept override;
     void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept override;
+    void OnStartDropped(NodeId node, Instant now) noexcept override;
     [[nodiscard]] NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept override;
     [[nodiscard]] bool Boot(NodeId node, Instant now) noexcept override;
+    [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept override;
     /// @brief Writes the configuration alone. False: not listed, its boot runs, or no start-up runs. [SRS-NMM-009]
     [[nodiscard]] bool Configure(NodeId node, Instant now) noexcept override;
 
@@ -68,6 +70,7 @@ class Cia302StartUp final : public StartUp, private BootListener
     void OnForeign(NodeId node, Instant now) noexcept;
     void OnState(NodeId node, NodeEvent event, const BootTime& time) noexcept;
     [[nodiscard]] NmtAnswer CommandAll(NmtCommand command, const BootTime& time) noexcept;
+    [[nodiscard]] NmtAnswer StartEach(const BootTime& time) noexcept;
     [[nodiscard]] NmtAnswer CommandOwn(NmtCommand command, const BootTime& time) noexcept;
     [[nodiscard]] NmtAnswer CommandNode(NmtCommand command, NodeId node, const BootTime& time) noexcept;
     [[nodiscard]] bool HasKeptAlive() const noexcept;

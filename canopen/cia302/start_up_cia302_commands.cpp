@@ -59,7 +59,8 @@ void Cia302StartUp::OnState(const NodeId node, const NodeEvent event, const Boot
     const bool is_running = (parts_.table.Record(node).state == SlaveState::kOperational);
     const bool is_free = !boot_.Record(node).status.is_busy;
     const bool is_foreign = parts_.setup.IsSafetySlave(node) && !boot_.Record(node).status.is_started;
-    if (is_running && is_free && (is_foreign || !parts_.gate.MayStart(node)))
+    const bool is_found = parts_.table.IsFoundRunning(node); // Else at its next sign: VerifyAgain.
+    if (is_found && is_free && (is_foreign || !parts_.gate.MayStart(node)))
     {
         boot_.Verify(node, time);
     }
@@ -116,6 +117,15 @@ void Cia302StartUp::React(const BootTime& time) noexcept
     }
 }
 
+/// It is verified anew and started in the next cycle, unless it boots anew. [SRS-BOOT-014]
+void Cia302StartUp::OnStartDropped(const NodeId node, const Instant now) noexcept
+{
+    static_cast<void>(now);
+    BootRecord& record = boot_.Record(node);
+    record.is_start_owed = record.status.is_started && parts_.setup.IsListed(node);
+    record.status.is_started = false;
+}
+
 NmtAnswer Cia302StartUp::Command(const NmtCommand command, const NodeId node, const Instant now) noexcept
 {
     const BootTime time = Tick(now);
@@ -141,12 +151,7 @@ NmtAnswer Cia302StartUp::CommandAll(const NmtCommand command, const BootTime& ti
     NmtAnswer answer = NmtAnswer::kTaken;
     if (is_start && parts_.setup.HasSafetySlave())
     {
-        for (std::uint8_t id = 1U; id <= kLastNode; ++id)
-        {
-            const bool is_meant = parts_.setup.IsListed(NodeId{id}) && (answer == NmtAnswer::kTaken);
-            answer = is_meant ? CommandNode(command, NodeId{id}, time) : answer;
-        }
-        answer = (answer == NmtAnswer::kTaken) ? CommandOwn(command, time) : answer;
+        answer = StartEach(time);
     }
     else
     {
@@ -156,6 +161,7 @@ NmtAnswer Cia302StartUp::CommandAll(const NmtCommand command, const BootTime& ti
             // Who was never there heard nothing of it.
             BootRecord& record = boot_.Record(NodeId{id});
             record.status.is_started = is_start && record.is_booted;
+            record.is_start_owed = false;
         }
         const bool is_begun = (answer == NmtAnswer::kTaken) && (step_ != MasterStep::kIdle);
         if (is_begun && IsReset(command))
@@ -169,6 +175,22 @@ NmtAnswer Cia302StartUp::CommandAll(const NmtCommand command, const BootTime& ti
         }
     }
     return answer;
+}
+
+/// Another device than the expected one keeps nobody else from being started.
+NmtAnswer Cia302StartUp::StartEach(const BootTime& time) noexcept
+{
+    NmtAnswer answer = NmtAnswer::kTaken;
+    NmtAnswer refusal = NmtAnswer::kTaken;
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        const bool is_meant = parts_.setup.IsListed(NodeId{id}) && (answer == NmtAnswer::kTaken);
+        const NmtAnswer one = is_meant ? CommandNode(NmtCommand::kStart, NodeId{id}, time) : NmtAnswer::kTaken;
+        refusal = (one == NmtAnswer::kOtherDevice) ? one : refusal;
+        answer = ((one == NmtAnswer::kTaken) || (one == NmtAnswer::kOtherDevice)) ? answer : one;
+    }
+    answer = (answer == NmtAnswer::kTaken) ? CommandOwn(NmtCommand::kStart, time) : answer;
+    return (answer == NmtAnswer::kTaken) ? refusal : answer;
 }
 
 /// Without a node-ID of its own the master has no NMT state to change, and node 0 would be everybody.
@@ -198,9 +220,11 @@ NmtAnswer Cia302StartUp::CommandNode(const NmtCommand command, const NodeId node
 {
     const bool is_guarded =
         (command == NmtCommand::kStart) && parts_.setup.IsSafetySlave(node) && parts_.nmt.IsActive();
-    const NmtAnswer answer = is_guarded ? NmtAnswer::kTaken : parts_.nmt.Request(command, node, time.now);
+    const bool is_other = is_guarded && boot_.Record(node).status.is_other;
+    const NmtAnswer guarded = is_other ? NmtAnswer::kOtherDevice : NmtAnswer::kTaken;
+    const NmtAnswer answer = is_guarded ? guarded : parts_.nmt.Request(command, node, time.now);
     const bool is_listed = parts_.setup.IsListed(node);
-    if (is_guarded)
+    if (is_guarded && !is_other)
     {
         boot_.Start(node, time); // Verifies, whatever was verified before, and then starts.
     }
@@ -211,6 +235,7 @@ NmtAnswer Cia302StartUp::CommandNode(const NmtCommand command, const NodeId node
     else if ((answer == NmtAnswer::kTaken) && is_listed)
     {
         boot_.Record(node).status.is_started = (command == NmtCommand::kStart);
+        boot_.Record(node).is_start_owed = false;
     }
     return answer;
 }
@@ -227,6 +252,17 @@ bool Cia302StartUp::Boot(const NodeId node, const Instant now) noexcept
     else if (is_node && !parts_.setup.IsListed(node))
     {
         OnForeign(node, now);
+    }
+    return is_listed;
+}
+
+bool Cia302StartUp::Resume(const NodeId node, const Instant now) noexcept
+{
+    const BootTime time = Tick(now);
+    const bool is_listed = parts_.setup.IsListed(node) && (step_ != MasterStep::kIdle);
+    if (is_listed)
+    {
+        boot_.Resume(node, time);
     }
     return is_listed;
 }

@@ -86,6 +86,7 @@ LoadedNetwork::LoadedNetwork(const NetworkPlan& plan) : plan_(plan)
     for (const std::unique_ptr<LoadedSlave>& slave : loaded_)
     {
         Fill(*slave, slaves_.at(slave->plan.node));
+        WarnOfSafety(*slave);
     }
     FillManager();
 }

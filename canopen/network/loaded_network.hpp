@@ -92,6 +92,7 @@ class LoadedNetwork
     void RequireSync() const;
     void WarnOfUnused();
     void WarnOfGuarding(const SlavePlan& slave, bool is_el6751);
+    void WarnOfSafety(const LoadedSlave& slave);
     void FillManager();
 
     NetworkPlan plan_;

@@ -124,6 +124,45 @@ void LoadedNetwork::WarnOfGuarding(const SlavePlan& slave, const bool is_el6751)
     }
 }
 
+/// What the gate expects and the device does not have by itself, or has and the gate does not read.
+void LoadedNetwork::WarnOfSafety(const LoadedSlave& slave)
+{
+    constexpr std::uint16_t kValidFlag = 0x13FEU;
+    constexpr std::uint16_t kSignatures = 0x13FFU;
+    std::uint32_t count = 0U;
+    std::uint32_t highest = 0U;
+    for (const cia302::ExpectedObject& object : slave.objects)
+    {
+        const bool is_signature = object.address.index == kSignatures;
+        count = (is_signature && object.address.sub == 0U) ? object.value : count;
+        highest = is_signature ? object.address.sub : highest; // Ascending.
+    }
+    const std::string node = "node " + std::to_string(slave.plan.node);
+    const auto warn = [&](const std::uint16_t index, const std::string& text)
+    {
+        const cia306::Entry* const entry = slave.device.Find(index, 0U);
+        const std::string line = (entry == nullptr) ? "" : ":" + std::to_string(entry->ValueLine());
+        warnings_.push_back(cia306::Printable(slave.device.file) + line + ": " + cia306::ObjectName(index, 0U) + ": " +
+                            text);
+    };
+    const cia306::Entry* const flag = slave.device.Find(kValidFlag, 0U);
+    const cia306::ValueResult valid =
+        (flag == nullptr) ? cia306::ValueResult{} : cia306::ConfiguredValue(*flag, slave.plan.node);
+    const std::uint64_t value = valid.value ? valid.value->bits : 0U;
+    if (!slave.objects.empty() && value != kConfigurationValidValue && !slave.plan.writes_safety)
+    {
+        warn(kValidFlag, cia306::Hex(value, 2) + " keeps " + node +
+                             " from being started until somebody declares its configuration valid, expected 0xA5, or "
+                             "write_safety: true in the network file");
+    }
+    if (count > highest)
+    {
+        warn(kSignatures, "room for " + std::to_string(count) + " signatures, and the highest SRDO of the file is " +
+                              std::to_string(highest) + ": what " + node +
+                              " has in the others is not read, expected them in the file");
+    }
+}
+
 void LoadedNetwork::WarnOfUnused()
 {
     const StartProfile profile = plan_.manager.profile;

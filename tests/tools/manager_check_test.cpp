@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // manager --check: all masters of one network know the same network.
+#include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -108,6 +109,58 @@ TEST_F(ManagerCheckTest, WhatProfilesAndSafetyAskForIsCompared)
     EXPECT_EQ(differs.out, five + ": restart of node 95 is 0x1, expected 0x0 as in " + two + "\n" + five +
                                ": el6751 input_shift is 0x258, expected 0x1F4 as in " + two + "\n" + five +
                                ": write_safety of node 95 is 0x0, expected 0x1 as in " + two + "\n");
+}
+
+TEST_F(ManagerCheckTest, AnExpectationThatASafetySlaveCannotMeetIsTold)
+{
+    Verifies(req::SRS_NET_004);
+    Verifies(req::SRS_NET_006);
+    const auto check = [this](const std::string& more, const std::vector<cia306::test::Change>& changes)
+    {
+        static_cast<void>(File("relay.dcf", Changed(cia306::test::ExampleText("actuator"), changes)));
+        std::vector<std::string> words{"manager", "--check"};
+        for (const char* const node : {"2", "5"})
+        {
+            const std::string other = (std::string(node) == "2") ? "5" : "2";
+            words.push_back(File("net_" + other + ".yaml", "manager: {node: " + std::string(node) +
+                                                               ", heartbeat: 200 ms, flying: {priority: 1}}\nslaves: "
+                                                               "[{node: " +
+                                                               other + "}, {node: 33, dcf: relay.dcf" + more + "}]\n"));
+        }
+        return RunCommand(words);
+    };
+    const std::string dcf = Path("relay.dcf");
+    const std::vector<cia306::test::Change> invalid{{"ParameterValue=0xA5", "ParameterValue=0x00"}};
+    const std::vector<cia306::test::Change> roomy{
+        {"Highest sub-index supported\nObjectType=0x7\nDataType=0x0005\nAccessType=const\nDefaultValue=1\n"
+         "PDOMapping=0\n\n[13FFsub1]",
+         "Highest sub-index supported\nObjectType=0x7\nDataType=0x0005\nAccessType=const\nDefaultValue=3\n"
+         "PDOMapping=0\n\n[13FFsub1]"}};
+    // Each is told once, though both masters know the slave
+    EXPECT_EQ(check("", {}).err, "");
+    EXPECT_EQ(check("", invalid).err,
+              dcf + ":309: 0x13FE:00: 0x00 keeps node 33 from being started until somebody declares its configuration "
+                    "valid, expected 0xA5, or write_safety: true in the network file\n");
+    EXPECT_EQ(check("", invalid).status, 0);
+    EXPECT_EQ(check(", write_safety: true", invalid).err, "");
+    EXPECT_EQ(check("", roomy).err,
+              dcf +
+                  ":322: 0x13FF:00: room for 3 signatures, and the highest SRDO of the file is 1: what node 33 has in "
+                  "the others is not read, expected them in the file\n");
+    // What is no configuration at all is refused
+    const Answer unsigned_one = check("", {{"ParameterValue=0x9FCB", "ParameterValue=0x9FCC"}});
+    EXPECT_EQ(unsigned_one.status, 2);
+    EXPECT_EQ(unsigned_one.err.rfind(dcf + ":309: error: 0x13FE:00: 0xA5 marks a configuration with errors", 0U), 0U)
+        << unsigned_one.err;
+    const Answer flagless =
+        check("", {{"7=0x13FE\n8=0x13FF", "7=0x13FF"},
+                   {"[OptionalObjects]\nSupportedObjects=8", "[OptionalObjects]\nSupportedObjects=7"},
+                   {"[13FE]\nParameterName=Configuration valid\nObjectType=0x7\nDataType=0x0005\n"
+                    "AccessType=rw\nDefaultValue=0x00\nParameterValue=0xA5\nPDOMapping=0\n",
+                    ""}});
+    EXPECT_EQ(flagless.status, 2);
+    EXPECT_NE(flagless.err.find(": error: 0x13FE:00: the configuration valid flag is missing"), std::string::npos)
+        << flagless.err;
 }
 
 } // namespace

@@ -78,6 +78,91 @@ TEST_F(ManagerCommandTest, EveryProfileWritesASafetyConfigurationButNotToAnother
     }
 }
 
+TEST_F(ManagerCommandTest, WhatWasWrittenIsNotLostByTheStartUpBehindIt)
+{
+    Verifies(req::SRS_SFS_005);
+    const std::string dcf = cia306::test::SourceFolder() + "/examples/emergency_stop/actuator.dcf";
+    // Given a device that forgets at each reset what was written, and comes with another safeguard cycle time
+    const std::string other =
+        File("other.dcf", cia306::test::Changed(cia306::test::ExampleText("actuator"),
+                                                {{"ParameterValue=50\n", "ParameterValue=51\n"},
+                                                 {"ParameterValue=0x9FCB", "ParameterValue=0xC68D"}}));
+    struct Case
+    {
+        const char* profile;
+        const char* more;
+    };
+    for (const Case& row :
+         {Case{"cia302", ""}, Case{"cia302", ", keep_alive: true"}, Case{"el6751", ""}, Case{"plc_designer", ""}})
+    {
+        const std::string network =
+            File("forgets.yaml", "manager: {node: 127, profile: " + std::string(row.profile) +
+                                     "}\nslaves: [{node: 33, dcf: " + dcf + ", write_safety: true" + row.more + "}]\n");
+        const std::string scenario = "title: x\nduration: 5 s\nmanagers: [{network: " + network +
+                                     "}]\ndevices: [{node: 33, dcf: " + other +
+                                     "}]\nexpect:\n"
+                                     "  - {that: event, is: write_safety, node: 33}\n"
+                                     "  - {that: gate, node: 33, is: open}\n"
+                                     "  - {that: device, node: 33, is: operational}\n";
+        const Answer answer = RunCommand({"simulate", File("s.yaml", scenario)});
+        EXPECT_EQ(answer.status, 0) << row.profile << row.more << "\n" << answer.out << answer.err;
+        const std::size_t first = answer.out.find("writes the safety configuration");
+        EXPECT_NE(first, std::string::npos);
+        EXPECT_EQ(answer.out.find("writes the safety configuration", first + 1U), std::string::npos) << answer.out;
+    }
+}
+
+TEST_F(ManagerCommandTest, NoOrderStartsOrWritesAnotherDevice)
+{
+    Verifies(req::SRS_SFS_009);
+    Verifies(req::SRS_MGR_006);
+    const std::string dcf = cia306::test::SourceFolder() + "/examples/emergency_stop/actuator.dcf";
+    for (const char* const profile : {"cia302", "el6751", "plc_designer"})
+    {
+        const std::string network =
+            File("other.yaml", "manager: {node: 127, profile: " + std::string(profile) +
+                                   "}\nslaves: [{node: 33, dcf: " + dcf + ", serial: 5, device_type: 7}]\n");
+        const std::string scenario = "title: x\nduration: 6 s\nmanagers: [{network: " + network +
+                                     "}]\ndevices: [{node: 33, dcf: " + dcf +
+                                     "}]\nevents:\n  - {at: 4 s, do: order, order: start 33}\n"
+                                     "  - {at: 5 s, do: order, order: write-safety 33}\nexpect:\n"
+                                     "  - {that: device, node: 33, is: pre-operational}\n"
+                                     "  - {that: gate, node: 33, is: closed}\n";
+        const Answer answer = RunCommand({"simulate", File("s.yaml", scenario)});
+        EXPECT_EQ(answer.status, 0) << profile << "\n" << answer.out << answer.err;
+        EXPECT_NE(answer.out.find("order start 33: the start-up did not find the expected device at this node-ID, "
+                                  "expected that one, and boot NODE"),
+                  std::string::npos)
+            << answer.out;
+        EXPECT_NE(answer.out.find("order write-safety 33: node 33 is not known to be the expected device, expected "
+                                  "that one, and boot NODE"),
+                  std::string::npos)
+            << answer.out;
+    }
+}
+
+TEST_F(ManagerCommandTest, EveryProfileRepairsAChangedGlobalFailSafeObject)
+{
+    Verifies(req::SRS_SFS_005);
+    const std::string dcf = cia306::test::SourceFolder() + "/examples/emergency_stop/actuator.dcf";
+    for (const char* const profile : {"cia302", "el6751", "plc_designer"})
+    {
+        const std::string network =
+            File("gfc.yaml", "manager: {node: 127, profile: " + std::string(profile) +
+                                 "}\nslaves: [{node: 33, dcf: " + dcf + ", write_safety: true}]\n");
+        const std::string scenario = "title: x\nduration: 9 s\nmanagers: [{network: " + network +
+                                     "}]\ndevices: [{node: 33, dcf: " + dcf +
+                                     "}]\nevents:\n  - {at: 3 s, do: order, order: preop 33}\n"
+                                     "  - {at: 3100 ms, do: store, node: 33, object: \"0x1300:00\", value: 0}\n"
+                                     "  - {at: 3200 ms, do: order, order: start 33}\nexpect:\n"
+                                     "  - {that: event, is: write_safety, node: 33}\n"
+                                     "  - {that: gate, node: 33, is: open}\n"
+                                     "  - {that: device, node: 33, is: operational}\n";
+        const Answer answer = RunCommand({"simulate", "--quiet", File("s.yaml", scenario)});
+        EXPECT_EQ(answer.status, 0) << profile << "\n" << answer.out << answer.err;
+    }
+}
+
 TEST_F(ManagerCommandTest, NoProfileStartsASafetySlaveThatDiffers)
 {
     Verifies(req::SRS_SFS_002);

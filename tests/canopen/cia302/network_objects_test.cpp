@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia302/network_objects.hpp"
+#include "canopen/cia302/safety_check.hpp"
 #include "tests/canopen/cia302/boot_rig.hpp"
 
 #include <algorithm>
@@ -88,6 +89,27 @@ TEST_F(NetworkObjectsTest, RequestForOneNode)
     EXPECT_EQ(Write(0x1F82U, 0U, 5U), SdoAbort::kReadOnly);
     nmt.SetActive(false);
     EXPECT_EQ(Write(0x1F82U, 5U, 5U), SdoAbort::kDeviceState);
+}
+
+TEST_F(NetworkObjectsTest, AnotherDeviceIsNotStartedAndKeepsNobodyElseFromIt)
+{
+    Verifies(req::SRS_SFS_009);
+    Verifies(req::SRS_NMM_006);
+    // Given a safety slave 5 that is another device
+    const SafetyExpectation nothing{nullptr, 0U};
+    setups[5].safety = &nothing;
+    boots[5].status.is_other = true;
+    EXPECT_EQ(Write(0x1F82U, 5U, 5U), SdoAbort::kDeviceState);
+    EXPECT_EQ(Told(), (Lines{}));
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 5U), SdoAbort::kDeviceState);
+    EXPECT_EQ(Told(), (Lines{"01 06", "01 07"}));
+    log.clear();
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 0x85U), SdoAbort::kDeviceState);
+    EXPECT_EQ(Told(), (Lines{"01 06", "01 07"}));
+    // What is no start is for all
+    log.clear();
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 0x84U), SdoAbort::kNone);
+    EXPECT_EQ(Told(), (Lines{"02 05", "02 06", "02 07"}));
 }
 
 TEST_F(NetworkObjectsTest, RequestForAll)

@@ -144,7 +144,7 @@ TEST_F(PlcStartTest, AnotherDeviceTypeIsState98AfterAllSdos)
     EXPECT_EQ(Of(5U).expected, 0x191U);
     EXPECT_EQ(Of(5U).read, 0x192U);
     EXPECT_EQ(plc.MasterState(), 5);
-    EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kWrong);
+    EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kOtherDevice);
 }
 
 TEST_F(PlcStartTest, OnlyTheLow16BitsOfTheDeviceTypeCountAndOnlyIfExpected)

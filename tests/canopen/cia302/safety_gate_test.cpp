@@ -124,6 +124,7 @@ TEST_F(SafetyGateTest, AValueOfAnotherLengthDiffers)
     EXPECT_EQ(Verified(), GateState::kDiffers);
     EXPECT_EQ(gate.Finding(kSlave).object.sub, 2U);
     EXPECT_EQ(gate.Finding(kSlave).read, 50U);
+    EXPECT_EQ(gate.Finding(kSlave).abort, SdoAbort::kLengthMismatch);
 }
 
 TEST_F(SafetyGateTest, AnAbortIsADifference)

@@ -46,16 +46,16 @@ TEST_F(StartUpSafetyTest, SafetySlaveWithAnotherConfigurationIsNotStarted)
     EXPECT_EQ(Of(5U).object.index, 0x1301U);
     EXPECT_EQ(Of(5U).expected, 25U);
     EXPECT_EQ(Of(5U).read, 26U);
-    EXPECT_EQ(StateOf(5U), NodeState::kPreOperational);
+    EXPECT_EQ(StateOf(5U), NodeState::kStopped); // It tells no state: it might run.
     EXPECT_EQ(Step(), MasterStep::kHalted);
     // Not by command either: it is verified again, and refused again
     EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
     Run(20U);
     EXPECT_EQ(Command(NmtCommand::kStart, 0U), NmtAnswer::kTaken);
     Run(20U);
-    EXPECT_EQ(StateOf(5U), NodeState::kPreOperational);
+    EXPECT_EQ(StateOf(5U), NodeState::kStopped);
     EXPECT_EQ(gate.verifications, 3);
-    EXPECT_EQ(Commands(), (Lines{"0:82 00"}));
+    EXPECT_EQ(Commands(), (Lines{"0:82 00", "1:02 05", "20:80 05", "21:02 05", "40:80 05", "41:02 05"}));
     // When it is put right
     gate.verdict = GateState::kOpen;
     EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
@@ -84,9 +84,12 @@ TEST_F(StartUpSafetyTest, UnfitMandatorySafetySlaveStopsAllWithBit6)
     EXPECT_EQ(Letter(5U), "J");
     EXPECT_EQ(Step(), MasterStep::kStopped);
     EXPECT_EQ(Commands().back().substr(1U), ":02 00");
-    // Somebody else starts it: it is verified, and stopped, then too
+    // Somebody else starts it: one sign may be of before the stop, with the second it is verified, and stopped, too
     const CanFrame start{0U, FrameKind::kData, CanPortId::kFirst, 2U, {1U, 5U}};
     slaves[5]->OnFrame(start, Now());
+    ToManager(cia301::ErrorControlFrame(NodeId{5U}, 5U));
+    Run(5U);
+    EXPECT_EQ(gate.verifications, 1);
     ToManager(cia301::ErrorControlFrame(NodeId{5U}, 5U));
     Run(5U);
     EXPECT_EQ(StateOf(5U), NodeState::kStopped);
