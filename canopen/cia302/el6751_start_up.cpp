@@ -265,6 +265,7 @@ void El6751StartUp::OnFault(const NodeId node, const std::int16_t code, const In
         slave.control_fault = code;
         slave.cause = code;
         slave.signs = parts_.common.table.Record(node).signs;
+        slave.beats = parts_.common.table.Record(node).beats;
     }
     else
     {

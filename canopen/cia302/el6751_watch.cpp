@@ -87,7 +87,7 @@ std::int16_t El6751StartUp::FaultOf(const NodeId node) noexcept
     El6751Node& slave = Of(node);
     const NodeRecord& record = parts_.common.table.Record(node);
     const bool has_sign = (record.signs != slave.signs); // Since the start, the settling or the fault.
-    slave.control_fault = has_sign ? std::int16_t{0} : slave.control_fault;
+    slave.control_fault = (record.beats != slave.beats) ? std::int16_t{0} : slave.control_fault;
     slave.was_operational = slave.was_operational || (has_sign && (record.state == SlaveState::kOperational));
     const bool is_judged = slave.was_operational || (slave.is_settled && has_sign);
     std::int16_t fault = slave.control_fault;
@@ -193,7 +193,7 @@ void El6751StartUp::DriveIdle(const NodeId node, const Instant now) noexcept
     const GateState gate = parts_.common.gate.State(node);
     if (slave.phase == El6751Phase::kHeld)
     {
-        slave.control_fault = has_sign ? std::int16_t{0} : slave.control_fault;
+        slave.control_fault = (record.beats != slave.beats) ? std::int16_t{0} : slave.control_fault;
         Tell(node, (slave.control_fault != 0) ? slave.control_fault : slave.held_code, slave.status.step, now);
     }
     slave.was_checked = slave.was_checked && is_found;

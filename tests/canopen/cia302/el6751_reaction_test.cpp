@@ -116,6 +116,27 @@ TEST_F(El6751GuardedTest, TheSameToggleBitTwiceIsNodeState14)
     EXPECT_EQ(told[5], (Log{"14", "8", "0"}));
 }
 
+TEST_F(El6751GuardedTest, WithoutAReactionNodeState14StaysUntilTheAnswersToggle)
+{
+    Verifies(req::SRS_ELM_040);
+    Verifies(req::SRS_ELM_043);
+    Ready();
+    boxes[5].node_reaction = El6751NodeReaction::kNone;
+    // Given answers that do not toggle: the first one is an error, with the third one the slave is lost
+    slaves[5]->is_toggle_stuck = true;
+    const std::uint32_t took_ms = RunUntil([this] { return Code(5U) != 0; }, 1000U);
+    EXPECT_LE(took_ms, 201U);
+    Run(200U);
+    EXPECT_EQ(told[5], (Log{"14"}));
+    Run(600U);
+    EXPECT_EQ(told[5], (Log{"14", "1"}));
+    // When they toggle again
+    slaves[5]->is_toggle_stuck = false;
+    Run(250U);
+    EXPECT_EQ(told[5], (Log{"14", "1", "0"}));
+    EXPECT_TRUE(Commands().empty());
+}
+
 TEST_F(El6751ReactionTest, ASlaveThatTurnsPreOperationalByItselfIsNodeState12)
 {
     Verifies(req::SRS_ELM_041);
