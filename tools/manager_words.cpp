@@ -93,7 +93,8 @@ constexpr Row<NmtAnswer> kAnswers[] = {
     {NmtAnswer::kNotActive, "this manager is not the active master, expected the command at that one"},
     {NmtAnswer::kNoBroadcast, "a start of all while a safety slave is assigned, expected a start of each slave"},
     {NmtAnswer::kNotVerified, "the safety configuration of the slave is not verified, expected boot NODE first"},
-    {NmtAnswer::kWrong, "no such command or node in this state, expected another"}};
+    {NmtAnswer::kWrong, "no such command or node in this state, expected another"},
+    {NmtAnswer::kPartly, "taken, but not by all slaves, expected each in a state that allows it"}};
 constexpr Row<GateState> kGates[] = {{GateState::kClosed, "closed"},
                                      {GateState::kBusy, "busy"},
                                      {GateState::kDiffers, "differs"},

@@ -42,7 +42,7 @@ NmtCommand CommandOf(const std::uint32_t value) noexcept
 SdoAbort AbortOf(const NmtAnswer answer) noexcept
 {
     SdoAbort abort = SdoAbort::kDeviceState;
-    if (answer == NmtAnswer::kTaken)
+    if ((answer == NmtAnswer::kTaken) || (answer == NmtAnswer::kPartly))
     {
         abort = SdoAbort::kNone;
     }
@@ -82,7 +82,8 @@ SdoAbort NetworkObjects::RequestNmt(const std::uint8_t sub, const std::uint32_t 
     return abort;
 }
 
-/// A full queue is waited for: the write is asked again, and goes on where it stopped.
+/// A full queue is waited for: the write is asked again, and goes on where it stopped. One node whose state does not
+/// allow the command keeps no other one from it.
 SdoAbort NetworkObjects::RequestEach(const NmtCommand command) noexcept
 {
     SdoAbort abort = SdoAbort::kNone;
@@ -91,7 +92,8 @@ SdoAbort NetworkObjects::RequestEach(const NmtCommand command) noexcept
         const NodeId node{next_};
         if (parts_.setup.IsListed(node) && (next_ != requester_.value))
         {
-            abort = AbortOf(parts_.start_up.Command(command, node, now_));
+            const NmtAnswer answer = parts_.start_up.Command(command, node, now_);
+            abort = (answer == NmtAnswer::kWrong) ? SdoAbort::kNone : AbortOf(answer);
         }
         next_ = (abort == SdoAbort::kNone) ? static_cast<std::uint8_t>(next_ + 1U) : next_;
     }

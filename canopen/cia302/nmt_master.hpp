@@ -21,6 +21,7 @@ enum class NmtAnswer : std::uint8_t
     kNoBroadcast = 3U, ///< A start of all nodes while a safety slave is assigned.
     kNotVerified = 4U, ///< A start of a safety slave whose configuration was not verified since its boot-up.
     kWrong = 5U,       ///< No such command or node.
+    kPartly = 6U,      ///< A command for all: some nodes are in a state that does not allow it, the others obey.
 };
 
 /// Room for commands that wait, kept by reference. 256 hold one command for each node and the answer to it.

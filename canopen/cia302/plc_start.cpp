@@ -176,6 +176,12 @@ NmtAnswer PlcStartUp::Command(const NmtCommand command, const NodeId node, const
     NmtAnswer answer = is_active_ ? NmtAnswer::kTaken : NmtAnswer::kNotActive;
     const bool is_all = (node.value == kAllNodes.value);
     bool is_any = is_all;
+    bool has_taken = false;
+    if (is_active_ && (node.value == parts_.common.setup.own.value))
+    {
+        answer = parts_.common.nmt.Request(command, node, now);
+        is_any = true;
+    }
     for (std::uint8_t id = 1U; (id <= kLastNode) && is_active_; ++id)
     {
         if (Of(NodeId{id}).is_listed && (is_all || (id == node.value)))
@@ -183,8 +189,10 @@ NmtAnswer PlcStartUp::Command(const NmtCommand command, const NodeId node, const
             const NmtAnswer one = CommandOne(command, NodeId{id}, now);
             answer = (answer == NmtAnswer::kTaken) ? one : answer;
             is_any = true;
+            has_taken = has_taken || (one == NmtAnswer::kTaken);
         }
     }
+    answer = (has_taken && (answer == NmtAnswer::kWrong)) ? NmtAnswer::kPartly : answer;
     return (is_any || !is_active_) ? answer : NmtAnswer::kWrong;
 }
 

@@ -249,6 +249,36 @@ TEST_F(NetworkProfileTest, PlcDesignerTakesOptionalAndResetNode)
     EXPECT_EQ(said.Setup().slaves[5].el6751, nullptr);
 }
 
+TEST_F(NetworkProfileTest, AStartOfAllThatSomeSlavesCannotTakeNamesThem)
+{
+    Verifies(req::SRS_PLC_015);
+    // Given slave 5 that waits for its start, 6 of another type and 7, optional and absent
+    const std::string io = std::string(COUNTERPOINT_SOURCE_FOLDER) + "/examples/networks/io.dcf";
+    static_cast<void>(File("net.yaml", "manager: {node: 127, profile: plc_designer, start_up: 0x9}\nslaves:\n"
+                                       "  - {node: 5, device_type: 0x30191}\n  - {node: 6, device_type: 0x30192}\n"
+                                       "  - {node: 7, mandatory: false}\n"));
+    const std::string scenario =
+        File("scenario.yaml", "title: Start of all\nduration: 5 s\nmanagers: [{network: net.yaml}]\ndevices:\n"
+                              "  - {node: 5, dcf: " +
+                                  io + "}\n  - {node: 6, dcf: " + io +
+                                  "}\nevents:\n  - {at: 100 ms, do: order, order: start all}\n"
+                                  "  - {at: 4 s, do: order, order: start all}\n"
+                                  "  - {at: 4500 ms, do: order, order: start 6}\n"
+                                  "expect:\n  - {that: device, node: 5, is: operational}\n");
+    const test::Answer answer = test::RunCommand({"simulate", scenario});
+    EXPECT_EQ(answer.status, 0) << answer.out << answer.err;
+    for (const char* const text :
+         {"order start all: not taken by node 5 (2: settles), node 6 (2: settles), node 7 (1: waits for boot-up), "
+          "expected each in state 4, 5 or 99\n",
+          "order start all: taken, but not by node 6 (98: device type differs), node 7 (97: optional, absent), "
+          "expected "
+          "each in state 4, 5 or 99\n",
+          "order start 6: not taken by node 6 (98: device type differs), expected each in state 4, 5 or 99\n"})
+    {
+        EXPECT_NE(answer.out.find(text), std::string::npos) << answer.out;
+    }
+}
+
 TEST_F(NetworkProfileTest, WrongOptionsAreRefusedWithTheirLine)
 {
     Verifies(req::SRS_ELM_051);
