@@ -304,6 +304,7 @@ void LoadedNetwork::FillManager()
     setup_.slaves = slaves_.data();
     RequireSync();
     WarnOfUnused();
+    WarnOfHeartbeat();
     if ((setup_.start_up & ~cia302::kKnownStartUpBits) != 0U)
     {
         throw InputError(

@@ -91,6 +91,7 @@ class LoadedNetwork
     void RequireSoftware(const SlavePlan& plan) const;
     void RequireSync() const;
     void WarnOfUnused();
+    void WarnOfHeartbeat();
     void FillManager();
 
     NetworkPlan plan_;

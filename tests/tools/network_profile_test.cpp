@@ -152,6 +152,51 @@ TEST_F(NetworkProfileTest, El6751TakesPdosThatAreOnAndTheTimesOfTheHeartbeat)
     EXPECT_TRUE(cia302::NeedsSync(net.Setup()));
 }
 
+TEST_F(NetworkProfileTest, ASlaveThatHardlyWaitsForTheManagersHeartbeatIsTold)
+{
+    Verifies(req::SRS_NET_006);
+    const auto warnings = [this](const std::string& manager, const std::string& slave)
+    {
+        const LoadedNetwork net(ReadNetworkFile(Net(manager, slave), 0U));
+        std::string text;
+        for (const std::string& warning : net.Warnings())
+        {
+            text += warning.substr(warning.find(".yaml:") + 6U) + "\n";
+        }
+        return text;
+    };
+    // 100 ms x 2 as of the DCF; 1.5 times the period is enough
+    EXPECT_EQ(warnings("  profile: el6751\n  heartbeat: 200 ms\n", ""),
+              "8: node 5 watches the manager for 200 ms, whose heartbeat comes every 200 ms, expected at least 300 ms, "
+              "or a shorter heartbeat under manager\n");
+    EXPECT_EQ(warnings("  profile: el6751\n  heartbeat: 134 ms\n", ""),
+              "8: node 5 watches the manager for 200 ms, whose heartbeat comes every 134 ms, expected at least 201 ms, "
+              "or a shorter heartbeat under manager\n");
+    EXPECT_EQ(warnings("  profile: el6751\n  heartbeat: 133 ms\n", ""), "");
+    EXPECT_EQ(warnings("  profile: el6751\n", ""),
+              "7: node 5 watches the manager for 200 ms, and the manager sends no heartbeat, expected one under "
+              "manager\n");
+    // Under another profile what 1016h of the DCF says of this manager, not of another node
+    const auto device = [this](const std::string& consumer)
+    {
+        std::string text = kDcf;
+        const std::string usual = "ParameterName=Entry\nDataType=0x0007\nAccessType=rw\nDefaultValue=0\n";
+        text.replace(text.find(usual), usual.size(), usual + "ParameterValue=" + consumer + "\n");
+        const std::size_t pdos = text.find("3=0x1400");
+        text.erase(pdos, text.find("[ManufacturerObjects]") - pdos);
+        text.replace(text.find("SupportedObjects=11\n"), 20U, "SupportedObjects=3\n");
+        text.replace(text.find("11=0x1016"), 9U, "3=0x1016");
+        static_cast<void>(File("io.dcf", text));
+    };
+    device("0x7F0064");
+    EXPECT_EQ(warnings("  heartbeat: 90 ms\n", ""),
+              "3: sync has no effect with the profile cia302\n"
+              "7: node 5 watches the manager for 100 ms, whose heartbeat comes every 90 ms, expected at least 135 ms, "
+              "or a shorter heartbeat under manager\n");
+    device("0x7E0064");
+    EXPECT_EQ(warnings("  heartbeat: 90 ms\n", ""), "3: sync has no effect with the profile cia302\n");
+}
+
 TEST_F(NetworkProfileTest, WithoutA1016hTheHeartbeatIsAFurtherObjectAndSupervisedAllTheSame)
 {
     Verifies(req::SRS_ELM_051);
