@@ -303,6 +303,14 @@ void LoadedNetwork::FillManager()
     setup_.sync_period_us = manager.sync_us.value_or(0U);
     setup_.slaves = slaves_.data();
     RequireSync();
+    if (manager.profile == StartProfile::kEl6751 && !cia302::NeedsSync(setup_))
+    {
+        for (const std::unique_ptr<LoadedSlave>& slave : loaded_)
+        {
+            const cia302::Bytes all{slave->concise.data(), static_cast<std::uint32_t>(slave->concise.size())};
+            KeepSyncPeriod(slave->device, slave->plan.node, all, slave->profile, slaves_.at(slave->plan.node));
+        }
+    }
     WarnOfUnused();
     WarnOfHeartbeat();
     if ((setup_.start_up & ~cia302::kKnownStartUpBits) != 0U)
