@@ -212,7 +212,15 @@ NmtAnswer PlcStartUp::CommandOne(const NmtCommand command, const NodeId node, co
         slave.is_verified = false;
         slave.is_woken = false;
         slave.is_checking = false;
-        parts_.common.table.WatchAsSetUp(node, now);
+        const std::uint16_t time_ms = parts_.common.setup.Slave(node).heartbeat.consumer_ms;
+        if ((state == kPlcLost) && (time_ms > 0U))
+        {
+            parts_.common.table.WatchHeartbeat(node, time_ms, Arming::kImmediately, now); // It was there once.
+        }
+        else
+        {
+            parts_.common.table.WatchAsSetUp(node, now);
+        }
         Tell(node, kPlcConfigured, StartUpStep::kStart, now);
     }
     else if (is_start)

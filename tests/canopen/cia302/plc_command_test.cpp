@@ -73,6 +73,25 @@ TEST_F(PlcCommandTest, AStartOfAllSaysWhetherSomebodyWasLeftOut)
     EXPECT_EQ(Command(NmtCommand::kStart, 126U), NmtAnswer::kWrong);
 }
 
+TEST_F(PlcCommandTest, AStartOfALostSlaveThatIsNotThereIsLostAgain)
+{
+    Verifies(req::SRS_PLC_017);
+    // Given a slave whose supervision begins with its first heartbeat
+    AddPlc(5U);
+    setups[5].heartbeat = HeartbeatSetup{300U, 100U, Arming::kFirstHeartbeat};
+    User(5U, 0x1017U, 0U, {100U, 0U});
+    Begin();
+    Run(800U);
+    slaves[5]->is_on = false;
+    Run(400U);
+    ASSERT_EQ(Code(5U), 99);
+    EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
+    Run(290U);
+    EXPECT_EQ(Code(5U), 5);
+    Run(20U);
+    EXPECT_EQ(Code(5U), 99);
+}
+
 TEST_F(PlcCommandTest, ARequestForAllButTheMasterLeavesOutWhoCannotTakeIt)
 {
     Verifies(req::SRS_NMM_006);
