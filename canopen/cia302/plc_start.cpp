@@ -260,6 +260,11 @@ void PlcStartUp::Obey(const NmtCommand command, const NodeId node, const Instant
     }
 }
 
+std::int16_t PlcStartUp::MasterState() const noexcept
+{
+    return master_;
+}
+
 bool PlcStartUp::Boot(const NodeId node, const Instant now) noexcept
 {
     const bool is_one = is_active_ && Of(node).is_listed && (master_ >= kPlcConfigures);
