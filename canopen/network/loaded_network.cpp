@@ -303,12 +303,12 @@ void LoadedNetwork::FillManager()
     setup_.sync_period_us = manager.sync_us.value_or(0U);
     setup_.slaves = slaves_.data();
     RequireSync();
-    if (manager.profile == StartProfile::kEl6751 && !cia302::NeedsSync(setup_))
+    for (const std::unique_ptr<LoadedSlave>& slave : loaded_)
     {
-        for (const std::unique_ptr<LoadedSlave>& slave : loaded_)
+        const std::uint8_t node = slave->plan.node;
+        if (manager.profile == StartProfile::kEl6751)
         {
-            const cia302::Bytes all{slave->concise.data(), static_cast<std::uint32_t>(slave->concise.size())};
-            KeepSyncPeriod(slave->device, slave->plan.node, all, slave->profile, slaves_.at(slave->plan.node));
+            LeaveOutRows(slave->device, node, setup_, slave->profile, slaves_.at(node));
         }
     }
     WarnOfUnused();

@@ -16,6 +16,7 @@ namespace
 {
 using cia302::El6751Pdo;
 using cia302::El6751Slave;
+using cia302::NetworkSetup;
 using cia302::SlaveSetup;
 using cia306::Device;
 using cia306::Entry;
@@ -119,10 +120,16 @@ bool IsPdoParameter(const std::uint16_t index)
            (index >= kFirstTxPdo && index < kFirstTxPdo + kPdoNumbers);
 }
 
-bool IsRowOfSlave(const El6751Slave& slave, const std::uint16_t index, const bool is_sync_sent)
+/// Of 1016h the row writes the first consumer, which is the manager; the manager a second time would be refused.
+bool IsRowOfSlave(const El6751Slave& slave, const cia302::ConciseReading& entry, const NetworkSetup& network)
 {
-    const bool is_guarding = index == 0x1016U || index == 0x1017U || index == 0x100CU || index == 0x100DU;
-    return (is_guarding && slave.IsWatched()) || (index == 0x1006U && slave.is_sync_period_written && is_sync_sent);
+    const std::uint16_t index = entry.object.index;
+    const bool has_node = entry.value.size_bytes == sizeof(std::uint32_t);
+    const bool is_manager =
+        index == 0x1016U && (entry.object.sub <= 1U || (has_node && entry.value.data[2] == network.own.value));
+    const bool is_guarding = is_manager || index == 0x1017U || index == 0x100CU || index == 0x100DU;
+    const bool is_sync = index == 0x1006U && slave.is_sync_period_written;
+    return (is_guarding && slave.IsWatched()) || (is_sync && cia302::NeedsSync(network));
 }
 
 /// PDOs whose whole sequence is kept: those whose mapping changes, and those with a time that is switched off.
@@ -145,7 +152,7 @@ std::set<std::uint16_t> WholePdos(const Device& device, const std::uint8_t node_
 
 /// What the rows write is left out, but for the PDOs of WholePdos. A bus coupler makes its PDOs by 5500h.
 std::vector<std::uint8_t> FurtherObjects(const ProfileSlave& slave, const cia302::Bytes& concise,
-                                         const std::set<std::uint16_t>& whole, const bool is_sync_sent)
+                                         const std::set<std::uint16_t>& whole, const NetworkSetup& network)
 {
     std::vector<ConciseEntry> kept;
     cia302::ConciseReading entry{};
@@ -157,22 +164,13 @@ std::vector<std::uint8_t> FurtherObjects(const ProfileSlave& slave, const cia302
         const bool is_pdo_row =
             whole.count(entry.object.index) == 0U &&
             (is_made || IsRowOfPdo(slave.rx_pdos, kFirstRxPdo, entry) || IsRowOfPdo(slave.tx_pdos, kFirstTxPdo, entry));
-        if (!is_pdo_row && !IsRowOfSlave(slave.el6751, entry.object.index, is_sync_sent))
+        if (!is_pdo_row && !IsRowOfSlave(slave.el6751, entry, network))
         {
             kept.push_back({entry.object.index, entry.object.sub,
                             std::vector<std::uint8_t>(entry.value.data, entry.value.data + entry.value.size_bytes)});
         }
     }
     return ConciseBytes(kept);
-}
-
-/// In place of the whole concise DCF of the setup.
-void FillFurther(const Device& device, const std::uint8_t node_id, const bool is_sync_sent, ProfileSlave& slave,
-                 SlaveSetup& setup)
-{
-    const std::set<std::uint16_t> whole = WholePdos(device, node_id, setup.concise_dcf);
-    slave.concise = FurtherObjects(slave, setup.concise_dcf, whole, is_sync_sent);
-    setup.concise_dcf = cia302::Bytes{slave.concise.data(), static_cast<std::uint32_t>(slave.concise.size())};
 }
 
 /// Zeros, or what the network file says. [SRS-MGR-022]
@@ -226,7 +224,6 @@ void FillEl6751(const std::string& file, const SlavePlan& plan, const Device& de
     slave.el6751.rx_count = static_cast<std::uint8_t>(slave.rx_pdos.size());
     slave.el6751.tx_pdos = slave.tx_pdos.data();
     slave.el6751.tx_count = static_cast<std::uint8_t>(slave.tx_pdos.size());
-    FillFurther(device, plan.node, true, slave, setup);
     setup.el6751 = &slave.el6751;
 }
 } // namespace
@@ -262,11 +259,12 @@ std::vector<El6751Pdo> MakePdos(const Device& device, const std::uint8_t node_id
     return pdos;
 }
 
-void KeepSyncPeriod(const Device& device, const std::uint8_t node_id, const cia302::Bytes& concise, ProfileSlave& slave,
-                    SlaveSetup& setup)
+void LeaveOutRows(const Device& device, const std::uint8_t node_id, const NetworkSetup& network, ProfileSlave& slave,
+                  SlaveSetup& setup)
 {
-    setup.concise_dcf = concise;
-    FillFurther(device, node_id, false, slave, setup);
+    const std::set<std::uint16_t> whole = WholePdos(device, node_id, setup.concise_dcf);
+    slave.concise = FurtherObjects(slave, setup.concise_dcf, whole, network);
+    setup.concise_dcf = cia302::Bytes{slave.concise.data(), static_cast<std::uint32_t>(slave.concise.size())};
 }
 
 void FillProfile(const std::string& file, const StartProfile profile, const SlavePlan& plan, const Device& device,

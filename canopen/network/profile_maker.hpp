@@ -30,16 +30,15 @@ struct ProfileSlave
 [[nodiscard]] std::vector<cia302::El6751Pdo> MakePdos(const cia306::Device& device, std::uint8_t node_id,
                                                       std::uint16_t first);
 
-/// @brief No SYNC is sent, so no row of the EL6751 profile writes 1006h: one in `concise`, the whole list of the slave,
-/// is a further SDO. [SRS-ELM-051]
-void KeepSyncPeriod(const cia306::Device& device, std::uint8_t node_id, const cia302::Bytes& concise,
-                    ProfileSlave& slave, cia302::SlaveSetup& setup);
-
 /// @brief Completes a setup for the profile; those of the others stay as they are. `file` is the network file that
 /// the plan is from. Throws cia306::InputError.
 /// [SRS-ELM-051, SRS-PLC-021]
 void FillProfile(const std::string& file, StartProfile profile, const SlavePlan& plan, const cia306::Device& device,
                  ProfileSlave& slave, cia302::SlaveSetup& setup);
+/// @brief EL6751: of the concise DCF, what no row writes. After FillProfile, when the whole network is known: that says
+/// whether SYNC is sent. [SRS-ELM-051]
+void LeaveOutRows(const cia306::Device& device, std::uint8_t node_id, const cia302::NetworkSetup& network,
+                  ProfileSlave& slave, cia302::SlaveSetup& setup);
 } // namespace counterpoint::network
 
 #endif // CANOPEN_NETWORK_PROFILE_MAKER_HPP

@@ -39,6 +39,34 @@ TEST_F(NetworkProfileTest, WhatNoRowWritesStaysAFurtherObject)
     EXPECT_EQ(device("20\nDefaultValue=10"), rest);
 }
 
+TEST_F(NetworkProfileTest, OtherConsumersOfTheSlaveAreKept)
+{
+    Verifies(req::SRS_ELM_051);
+    // Given consumers 1 to 3 of a device: node 9, node 10 and the manager
+    std::string text = kDcf;
+    const std::size_t pdos = text.find("3=0x1400");
+    text.erase(pdos, text.find("[ManufacturerObjects]") - pdos);
+    text.replace(text.find("SupportedObjects=11\n"), 20U, "SupportedObjects=3\n");
+    text.replace(text.find("11=0x1016"), 9U, "3=0x1016");
+    text.replace(text.find("SubNumber=2"), 11U, "SubNumber=4");
+    const std::size_t entry = text.find("[1016sub1]");
+    const std::size_t end = text.find("[1017]");
+    text.erase(entry, end - entry);
+    for (const char* const sub :
+         {"3]\nParameterValue=0x7F0190", "2]\nParameterValue=0x0A0190", "1]\nParameterValue=0x090190"})
+    {
+        text.insert(entry, "[1016sub" + std::string(sub) + "\nParameterName=x\nDataType=0x0007\nAccessType=rw\n");
+    }
+    static_cast<void>(File("io.dcf", text));
+    const LoadedNetwork net(ReadNetworkFile(Net("  profile: el6751\n  heartbeat: 100 ms\n", ""), 0U));
+    EXPECT_EQ(Keys(net.Setup().slaves[5].concise_dcf), (std::vector<std::uint32_t>{0x100600U, 0x101602U, 0x200000U}));
+    ASSERT_EQ(net.Warnings().size(), 1U);
+    EXPECT_NE(net.Warnings()[0].find(":8: node 5 watches node 9 by 1016h:01, where the profile writes the manager, "
+                                     "expected it at another sub-index"),
+              std::string::npos)
+        << net.Warnings()[0];
+}
+
 TEST_F(NetworkProfileTest, TheGuardTimeIsThePeriodOfTheHeartbeat)
 {
     Verifies(req::SRS_ELM_051);
