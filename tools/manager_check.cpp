@@ -5,7 +5,9 @@
 #include "canopen/cia302/flying_master_compare.hpp"
 #include "canopen/cia306/input_error.hpp"
 #include "tools/manager_host.hpp"
+#include "tools/manager_process.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -92,6 +94,7 @@ class Differences final : public cia302::FlyingFindingListener
             {
                 Compare("write_safety of node " + std::to_string(slave->plan.node), slave->plan.writes_safety ? 1U : 0U,
                         same->plan.writes_safety ? 1U : 0U);
+                CompareOutputs(*slave, *same);
             }
         }
     }
@@ -118,6 +121,27 @@ class Differences final : public cia302::FlyingFindingListener
         }
     }
 
+    /// What RxPDOs of the EL6751 profile carry at first. Which PDOs there are was compared before.
+    void CompareOutputs(const LoadedSlave& one, const LoadedSlave& other)
+    {
+        const std::size_t count = std::min(one.profile.rx_pdos.size(), other.profile.rx_pdos.size());
+        for (std::size_t place = 0U; place < count; ++place)
+        {
+            const auto text = [place](const LoadedSlave& slave)
+            {
+                const auto& bytes = slave.profile.outputs.at(place);
+                return BytesText({bytes.begin(), bytes.begin() + slave.profile.rx_pdos[place].length_bytes});
+            };
+            const std::string ours = text(one);
+            const std::string theirs = text(other);
+            if (ours != theirs)
+            {
+                Tell("output of RxPDO " + std::to_string(one.profile.rx_pdos[place].number) + " of node " +
+                         std::to_string(one.plan.node),
+                     ours, theirs);
+            }
+        }
+    }
     void TellOfOne(const FlyingFinding& finding)
     {
         const std::string file = FileOf(*second_) + ": ";
@@ -177,13 +201,14 @@ class Differences final : public cia302::FlyingFindingListener
     {
         const LoadedSlave* const one = first_->Find(finding.slave.value);
         const LoadedSlave* const other = second_->Find(finding.slave.value);
-        const auto size = [&finding](const LoadedSlave* const slave)
+        const auto size = [&finding](const LoadedNetwork* const net, const LoadedSlave* const slave)
         {
-            const std::size_t concise = (slave == nullptr) ? 0U : slave->concise.size();
+            const std::size_t concise = net->Setup().Slave(finding.slave).concise_dcf.size_bytes;
             const std::size_t program = (slave == nullptr) ? 0U : slave->program.size();
             return std::to_string((finding.index == kProgram) ? program : concise) + " bytes";
         };
-        Tell(cia306::ObjectName(finding.index, finding.sub), size(one), size(other) + " with other contents");
+        Tell(cia306::ObjectName(finding.index, finding.sub), size(first_, one),
+             size(second_, other) + " with other contents");
     }
     [[nodiscard]] static std::string NameOf(const FlyingFinding& finding)
     {

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/manager_order.hpp"
 
+#include "canopen/cia302/plc_start_up.hpp"
 #include "canopen/cia306/input_error.hpp"
 #include "canopen/cia306/number.hpp"
 #include "tools/manager_process.hpp"
@@ -131,6 +132,32 @@ ManagerOrder OutputOf(const std::vector<std::string>& words)
     order.bytes = *bytes;
     return order;
 }
+
+/// What became of a command, and who did not take a start: the PLC Designer profile starts slaves that are configured.
+std::string AnswerTo(const ManagerOrder& order, ManagerHost& host, const Instant now)
+{
+    using cia302::NmtAnswer;
+    const NmtAnswer answer = host.Core().Command(order.command, cia302::NodeId{order.node}, now);
+    const network::StartProfile profile = host.Net().Plan().manager.profile;
+    const bool is_partly = answer == NmtAnswer::kPartly;
+    const bool is_refused = answer == NmtAnswer::kWrong && order.command == cia302::NmtCommand::kStart;
+    std::string refused;
+    for (const auto& slave : host.Net().Slaves())
+    {
+        const std::uint8_t node = slave->plan.node;
+        const int code = host.Core().Status(cia302::NodeId{node}).code;
+        const bool is_meant = order.node == 0U || order.node == node;
+        if (is_meant && code != cia302::kPlcConfigured && code != cia302::kPlcStarted)
+        {
+            refused += (refused.empty() ? "node " : ", node ") + std::to_string(node) + " (" + std::to_string(code) +
+                       ": " + CodeText(profile, code) + ")";
+        }
+    }
+    const bool is_told = profile == network::StartProfile::kPlcDesigner && (is_partly || is_refused);
+    return is_told ? std::string(is_partly ? "taken, but not by " : "not taken by ") + refused +
+                         ", expected each in state 4, 5 or 99"
+                   : Word(answer);
+}
 } // namespace
 
 ManagerOrder ParseManagerOrder(const std::string& line)
@@ -239,7 +266,7 @@ std::string CarryOut(const ManagerOrder& order, ManagerHost& host, const Instant
     if (order.kind == ManagerOrderKind::kCommand)
     {
         const bool is_known = order.node == 0U || is_listed || order.node == host.Net().Setup().own.value;
-        answer = is_known ? Word(host.Core().Command(order.command, node, now)) : not_ours;
+        answer = is_known ? AnswerTo(order, host, now) : not_ours;
     }
     else if (order.kind == ManagerOrderKind::kControl)
     {

@@ -95,7 +95,8 @@ constexpr Row<NmtAnswer> kAnswers[] = {
     {NmtAnswer::kNotVerified, "the safety configuration of the slave is not verified, expected boot NODE first"},
     {NmtAnswer::kOtherDevice,
      "the start-up did not find the expected device at this node-ID, expected that one, and boot NODE"},
-    {NmtAnswer::kWrong, "no such command or node in this state, expected another"}};
+    {NmtAnswer::kWrong, "no such command or node in this state, expected another"},
+    {NmtAnswer::kPartly, "taken, but not by all slaves, expected each in a state that allows it"}};
 constexpr Row<GateState> kGates[] = {{GateState::kClosed, "closed"},
                                      {GateState::kBusy, "busy"},
                                      {GateState::kDiffers, "differs"},

@@ -96,6 +96,10 @@ NmtAnswer El6751StartUp::Command(const NmtCommand command, const NodeId node, co
     {
         answer = CommandOne(command, node, now);
     }
+    else if (is_active_ && (node.value == parts_.common.setup.own.value))
+    {
+        answer = parts_.common.nmt.Request(command, node, now);
+    }
     else
     {
         // Not in the network.

@@ -183,7 +183,13 @@ void El6751StartUp::Supervise(const NodeId node, const Instant now) noexcept
     constexpr std::uint32_t kLongestTime = 0xFFFFU;
     const std::uint32_t life_ms = std::uint32_t{setup.guard_time_ms} * setup.life_time_factor;
     const auto time_ms = static_cast<std::uint16_t>((life_ms > kLongestTime) ? kLongestTime : life_ms);
-    if (!setup.IsWatched())
+    const std::uint16_t listed_ms = parts_.common.setup.Slave(node).heartbeat.consumer_ms;
+    const bool was_lost = (table.Record(node).state == SlaveState::kMissing);
+    if (!setup.IsWatched() && was_lost && (listed_ms > 0U))
+    {
+        table.WatchHeartbeat(node, listed_ms, Arming::kImmediately, now); // It was there once.
+    }
+    else if (!setup.IsWatched())
     {
         table.WatchAsSetUp(node, now);
     }

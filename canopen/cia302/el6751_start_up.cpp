@@ -265,6 +265,11 @@ void El6751StartUp::OnFault(const NodeId node, const std::int16_t code, const In
         slave.control_fault = code;
         slave.cause = code;
         slave.signs = parts_.common.table.Record(node).signs;
+        slave.beats = parts_.common.table.Record(node).beats;
+        if (!slave.is_held_by_hand)
+        {
+            StopOthers(node, now);
+        }
     }
     else
     {

@@ -64,9 +64,10 @@ struct El6751Node
     El6751Place place;
     NodeStatus status;
     std::int16_t cause;         ///< NodeState of the last error.
-    std::int16_t control_fault; ///< 1, 14 or 12 until the next sign of life; 0: none.
+    std::int16_t control_fault; ///< 1, 14 or 12 until the next right sign of life; 0: none.
     std::int16_t held_code;     ///< Of kHeld.
     std::uint8_t signs;         ///< Of the node table, when the phase, the fault or the wait began.
+    std::uint8_t beats;         ///< Likewise, when the control fault began: an answer that does not toggle ends none.
     bool has_answered;          ///< Any SDO of this start-up.
     bool is_transferring;
     bool is_requested;    ///< NMT start was handed over.

@@ -24,7 +24,8 @@ void El6751StartUp::Run(const NodeId node, const Instant now) noexcept
     slave.control_fault = 0;
     slave.was_started = true;
     slave.status.is_started = true;
-    if (parts_.common.table.Record(node).watch == cia302::Watch::kNone)
+    const NodeRecord& record = parts_.common.table.Record(node);
+    if ((record.watch == cia302::Watch::kNone) || (record.state == SlaveState::kMissing))
     {
         Supervise(node, now);
     }
@@ -60,6 +61,10 @@ void El6751StartUp::Watch(const NodeId node, const Instant now) noexcept
         const bool has_all = pdos_.HasAll(node);
         const std::int16_t good = has_all ? kNodeRuns : kNodeWaitsForPdos;
         slave.cause = (fault != 0) ? fault : slave.cause;
+        if ((fault != 0) && (slave.status.code != fault))
+        {
+            StopOthers(node, now);
+        }
         Tell(node, (fault != 0) ? fault : good, has_all ? StartUpStep::kRunning : StartUpStep::kWaitPdos, now);
         VerifyAgain(node, now);
     }
@@ -87,7 +92,7 @@ std::int16_t El6751StartUp::FaultOf(const NodeId node) noexcept
     El6751Node& slave = Of(node);
     const NodeRecord& record = parts_.common.table.Record(node);
     const bool has_sign = (record.signs != slave.signs); // Since the start, the settling or the fault.
-    slave.control_fault = has_sign ? std::int16_t{0} : slave.control_fault;
+    slave.control_fault = (record.beats != slave.beats) ? std::int16_t{0} : slave.control_fault;
     slave.was_operational = slave.was_operational || (has_sign && (record.state == SlaveState::kOperational));
     const bool is_judged = slave.was_operational || (slave.is_settled && has_sign);
     std::int16_t fault = slave.control_fault;
@@ -119,20 +124,19 @@ void El6751StartUp::React(const NodeId node, const std::int16_t code, const Inst
     {
         Tell(node, kNodeDeactivated, slave.status.step, now);
     }
-    if (SetupOf(node).network_reaction == El6751NetworkReaction::kStopAll)
-    {
-        StopOthers(node, now);
-    }
+    StopOthers(node, now);
     Stop(node, is_by_hand ? El6751Phase::kDeactivated : El6751Phase::kResetting, now);
 }
 
+/// The reaction of the network, which does not depend on that of the node.
 void El6751StartUp::StopOthers(const NodeId node, const Instant now) noexcept
 {
+    const bool is_asked = (SetupOf(node).network_reaction == El6751NetworkReaction::kStopAll);
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
     {
         El6751Node& other = Of(NodeId{id});
         const bool is_started = (other.phase == El6751Phase::kRunning) || (other.phase == El6751Phase::kStarting);
-        if (is_started && (id != node.value))
+        if (is_asked && is_started && (id != node.value))
         {
             other.cause = kNodeDeactivated;
             Tell(NodeId{id}, kNodeDeactivated, other.status.step, now);
@@ -193,7 +197,7 @@ void El6751StartUp::DriveIdle(const NodeId node, const Instant now) noexcept
     const GateState gate = parts_.common.gate.State(node);
     if (slave.phase == El6751Phase::kHeld)
     {
-        slave.control_fault = has_sign ? std::int16_t{0} : slave.control_fault;
+        slave.control_fault = (record.beats != slave.beats) ? std::int16_t{0} : slave.control_fault;
         Tell(node, (slave.control_fault != 0) ? slave.control_fault : slave.held_code, slave.status.step, now);
     }
     slave.was_checked = slave.was_checked && is_found;

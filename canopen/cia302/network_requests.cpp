@@ -42,7 +42,7 @@ NmtCommand CommandOf(const std::uint32_t value) noexcept
 SdoAbort AbortOf(const NmtAnswer answer) noexcept
 {
     SdoAbort abort = SdoAbort::kDeviceState;
-    if (answer == NmtAnswer::kTaken)
+    if ((answer == NmtAnswer::kTaken) || (answer == NmtAnswer::kPartly))
     {
         abort = SdoAbort::kNone;
     }
@@ -82,8 +82,8 @@ SdoAbort NetworkObjects::RequestNmt(const std::uint8_t sub, const std::uint32_t 
     return abort;
 }
 
-/// A full queue is waited for: the write is asked again, and goes on where it stopped. Another device than the expected
-/// one keeps nobody else from being started, and is told at the end.
+/// A full queue is waited for: the write is asked again, and goes on where it stopped. One node whose state does not
+/// allow the command keeps no other one from it, nor does another device than the expected one, which is told at the end.
 SdoAbort NetworkObjects::RequestEach(const NmtCommand command) noexcept
 {
     SdoAbort abort = SdoAbort::kNone;
@@ -93,8 +93,9 @@ SdoAbort NetworkObjects::RequestEach(const NmtCommand command) noexcept
         if (parts_.setup.IsListed(node) && (next_ != requester_.value))
         {
             const NmtAnswer answer = parts_.start_up.Command(command, node, now_);
-            is_other_met_ = is_other_met_ || (answer == NmtAnswer::kOtherDevice);
-            abort = (answer == NmtAnswer::kOtherDevice) ? SdoAbort::kNone : AbortOf(answer);
+            const bool is_other = (answer == NmtAnswer::kOtherDevice);
+            is_other_met_ = is_other_met_ || is_other;
+            abort = (is_other || (answer == NmtAnswer::kWrong)) ? SdoAbort::kNone : AbortOf(answer);
         }
         next_ = (abort == SdoAbort::kNone) ? static_cast<std::uint8_t>(next_ + 1U) : next_;
     }

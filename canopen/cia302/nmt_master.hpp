@@ -22,6 +22,7 @@ enum class NmtAnswer : std::uint8_t
     kNotVerified = 4U, ///< A start of a safety slave whose configuration was not verified since its boot-up.
     kWrong = 5U,       ///< No such command or node.
     kOtherDevice = 6U, ///< A start of a slave whose start-up did not find the expected device.
+    kPartly = 7U,      ///< A command for all: some nodes are in a state that does not allow it, the others obey.
 };
 
 /// Room for commands that wait, kept by reference. 256 hold one command for each node and the answer to it.

@@ -229,6 +229,12 @@ NmtAnswer PlcStartUp::Command(const NmtCommand command, const NodeId node, const
     NmtAnswer answer = is_active_ ? NmtAnswer::kTaken : NmtAnswer::kNotActive;
     const bool is_all = (node.value == kAllNodes.value);
     bool is_any = is_all;
+    bool has_taken = false;
+    if (is_active_ && (node.value == parts_.common.setup.own.value))
+    {
+        answer = parts_.common.nmt.Request(command, node, now);
+        is_any = true;
+    }
     for (std::uint8_t id = 1U; (id <= kLastNode) && is_active_; ++id)
     {
         if (Of(NodeId{id}).is_listed && (is_all || (id == node.value)))
@@ -236,8 +242,10 @@ NmtAnswer PlcStartUp::Command(const NmtCommand command, const NodeId node, const
             const NmtAnswer one = CommandOne(command, NodeId{id}, now);
             answer = (answer == NmtAnswer::kTaken) ? one : answer;
             is_any = true;
+            has_taken = has_taken || (one == NmtAnswer::kTaken);
         }
     }
+    answer = (has_taken && (answer == NmtAnswer::kWrong)) ? NmtAnswer::kPartly : answer;
     return (is_any || !is_active_) ? answer : NmtAnswer::kWrong;
 }
 
@@ -257,7 +265,15 @@ NmtAnswer PlcStartUp::CommandOne(const NmtCommand command, const NodeId node, co
         slave.is_verified = false;
         slave.is_woken = false;
         slave.is_checking = false;
-        parts_.common.table.WatchAsSetUp(node, now);
+        const std::uint16_t time_ms = parts_.common.setup.Slave(node).heartbeat.consumer_ms;
+        if ((state == kPlcLost) && (time_ms > 0U))
+        {
+            parts_.common.table.WatchHeartbeat(node, time_ms, Arming::kImmediately, now); // It was there once.
+        }
+        else
+        {
+            parts_.common.table.WatchAsSetUp(node, now);
+        }
         Tell(node, kPlcConfigured, StartUpStep::kStart, now);
     }
     else if (is_start)
@@ -307,6 +323,11 @@ bool PlcStartUp::Resume(const NodeId node, const Instant now) noexcept
         Settle(node, now);
     }
     return is_one;
+}
+
+std::int16_t PlcStartUp::MasterState() const noexcept
+{
+    return master_;
 }
 
 bool PlcStartUp::Boot(const NodeId node, const Instant now) noexcept

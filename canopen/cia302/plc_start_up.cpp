@@ -71,11 +71,6 @@ NodeStatus PlcStartUp::Status(const NodeId node) const noexcept
     return status;
 }
 
-std::int16_t PlcStartUp::MasterState() const noexcept
-{
-    return master_;
-}
-
 void PlcStartUp::Tell(const NodeId node, const std::int16_t state, const StartUpStep step, const Instant now) noexcept
 {
     PlcNode& slave = Of(node);
@@ -179,6 +174,7 @@ void PlcStartUp::Settle(const NodeId node, const Instant now) noexcept
     slave.is_wanted = false;
     slave.is_checking = false;
     slave.status.is_started = false;
+    slave.status.abort = SdoAbort::kNone;
     Tell(node, kPlcSettles, StartUpStep::kSettling, now);
     slave.since = now;
 }

@@ -303,7 +303,16 @@ void LoadedNetwork::FillManager()
     setup_.sync_period_us = manager.sync_us.value_or(0U);
     setup_.slaves = slaves_.data();
     RequireSync();
+    for (const std::unique_ptr<LoadedSlave>& slave : loaded_)
+    {
+        const std::uint8_t node = slave->plan.node;
+        if (manager.profile == StartProfile::kEl6751)
+        {
+            LeaveOutRows(slave->device, node, setup_, slave->profile, slaves_.at(node));
+        }
+    }
     WarnOfUnused();
+    WarnOfHeartbeat();
     if (setup_.sync_period_us != 0U && setup_.sync_period_us < kLeastSyncUs)
     {
         throw InputError(plan_.file, manager.line,

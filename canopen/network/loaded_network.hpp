@@ -93,6 +93,7 @@ class LoadedNetwork
     void WarnOfUnused();
     void WarnOfGuarding(const SlavePlan& slave, bool is_el6751);
     void WarnOfSafety(const LoadedSlave& slave);
+    void WarnOfHeartbeat();
     void FillManager();
 
     NetworkPlan plan_;

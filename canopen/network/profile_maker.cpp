@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/network/profile_maker.hpp"
 
+#include "canopen/cia301/cob_id.hpp"
 #include "canopen/cia302/concise_dcf.hpp"
 #include "canopen/network/concise_maker.hpp"
 
@@ -15,6 +16,7 @@ namespace
 {
 using cia302::El6751Pdo;
 using cia302::El6751Slave;
+using cia302::NetworkSetup;
 using cia302::SlaveSetup;
 using cia306::Device;
 using cia306::Entry;
@@ -58,16 +60,17 @@ std::uint32_t MappedBits(const Device& device, const std::uint8_t node_id, const
 }
 
 /// Guard time and life time factor: as the file says, else as the heartbeat has them. A device that is known to have no
-/// 1016h would abort that row: it is supervised by its heartbeat all the same, as the setup says.
-void FillGuard(const SlavePlan& plan, const Device& device, const SlaveSetup& setup, El6751Slave& slave)
+/// 1016h would abort that row: it is supervised by its heartbeat all the same, as the setup says. What the rows write
+/// is the slave's heartbeat.
+void FillGuard(const SlavePlan& plan, const Device& device, SlaveSetup& setup, El6751Slave& slave)
 {
     const bool has_consumer = device.objects.empty() || device.Find(0x1016U, 1U) != nullptr;
     const std::uint32_t producer_ms = setup.heartbeat.producer_ms;
     const std::uint32_t consumer_ms = std::max<std::uint32_t>(setup.heartbeat.consumer_ms, producer_ms);
-    if (plan.guard_ms)
+    if (plan.guard_ms || setup.GuardTimeMs() > 0U)
     {
-        slave.guard_time_ms = *plan.guard_ms;
-        slave.life_time_factor = plan.retry_factor.value_or(0U);
+        slave.guard_time_ms = setup.GuardTimeMs();
+        slave.life_time_factor = setup.RetryFactor();
     }
     else if (producer_ms > 0U && has_consumer)
     {
@@ -75,6 +78,25 @@ void FillGuard(const SlavePlan& plan, const Device& device, const SlaveSetup& se
         slave.guard_time_ms = static_cast<std::uint16_t>(producer_ms);
         slave.life_time_factor = static_cast<std::uint8_t>(std::min(factor, 255U));
     }
+    setup.heartbeat.producer_ms = slave.IsWatched() ? slave.guard_time_ms : setup.heartbeat.producer_ms;
+}
+
+/// A time that the DCF switches off though the device has one by itself: no row does it, and it can change only while
+/// the PDO is off.
+bool IsSwitchedOff(const Device& device, const std::uint8_t node_id, const std::uint16_t index, const std::uint8_t sub)
+{
+    const Entry* const entry = device.Find(index, sub);
+    bool is_off =
+        entry != nullptr && !entry->IsFixed() && entry->parameter_value.IsSet() && entry->default_value.IsSet();
+    if (is_off)
+    {
+        Entry usual = *entry;
+        usual.parameter_value = {};
+        const std::vector<std::uint8_t> bytes = BytesOf(device, usual, node_id);
+        const bool has_one = std::any_of(bytes.begin(), bytes.end(), [](const std::uint8_t byte) { return byte > 0U; });
+        is_off = has_one && NumberOf(device, node_id, index, sub, 0U) == 0U;
+    }
+    return is_off;
 }
 
 /// Communication parameters of the PDO at this place of the dictionary that the rows write.
@@ -98,32 +120,51 @@ bool IsPdoParameter(const std::uint16_t index)
            (index >= kFirstTxPdo && index < kFirstTxPdo + kPdoNumbers);
 }
 
-bool IsRowOfSlave(const El6751Slave& slave, const std::uint16_t index)
+/// Of 1016h the row writes the first consumer, which is the manager; the manager a second time would be refused.
+bool IsRowOfSlave(const El6751Slave& slave, const cia302::ConciseReading& entry, const NetworkSetup& network)
 {
-    const bool is_guarding = index == 0x1016U || index == 0x1017U || index == 0x100CU || index == 0x100DU;
-    return (is_guarding && slave.IsWatched()) || (index == 0x1006U && slave.is_sync_period_written);
+    const std::uint16_t index = entry.object.index;
+    const bool has_node = entry.value.size_bytes == sizeof(std::uint32_t);
+    const bool is_manager =
+        index == 0x1016U && (entry.object.sub <= 1U || (has_node && entry.value.data[2] == network.own.value));
+    const bool is_guarding = is_manager || index == 0x1017U || index == 0x100CU || index == 0x100DU;
+    const bool is_sync = index == 0x1006U && slave.is_sync_period_written;
+    return (is_guarding && slave.IsWatched()) || (is_sync && cia302::NeedsSync(network));
 }
 
-/// What the rows write is left out, but for PDOs whose mapping changes: it can change only while they are off. A bus
-/// coupler makes its PDOs by 5500h.
-std::vector<std::uint8_t> FurtherObjects(const ProfileSlave& slave, const cia302::Bytes& concise)
+/// PDOs whose whole sequence is kept: those whose mapping changes, and those with a time that is switched off.
+std::set<std::uint16_t> WholePdos(const Device& device, const std::uint8_t node_id, const cia302::Bytes& concise)
 {
-    std::set<std::uint16_t> remapped;
-    std::vector<ConciseEntry> kept;
+    constexpr std::uint8_t kInhibit = 3U;
+    constexpr std::uint8_t kEvent = 5U;
+    std::set<std::uint16_t> whole;
     cia302::ConciseReading entry = cia302::ReadConcise(concise, {0U, 0U});
     for (; entry.state == cia302::ConciseState::kEntry; entry = cia302::ReadConcise(concise, entry.next))
     {
-        remapped.insert(static_cast<std::uint16_t>(entry.object.index - kPdoNumbers));
+        const std::uint16_t index = entry.object.index;
+        whole.insert(static_cast<std::uint16_t>(index - kPdoNumbers));
+        const bool is_off = IsPdoParameter(index) && (IsSwitchedOff(device, node_id, index, kInhibit) ||
+                                                      IsSwitchedOff(device, node_id, index, kEvent));
+        whole.insert(is_off ? index : std::uint16_t{0U});
     }
+    return whole;
+}
+
+/// What the rows write is left out, but for the PDOs of WholePdos. A bus coupler makes its PDOs by 5500h.
+std::vector<std::uint8_t> FurtherObjects(const ProfileSlave& slave, const cia302::Bytes& concise,
+                                         const std::set<std::uint16_t>& whole, const NetworkSetup& network)
+{
+    std::vector<ConciseEntry> kept;
+    cia302::ConciseReading entry{};
     const bool is_coupler = slave.el6751.kind == cia302::El6751Kind::kBusCoupler;
     entry = cia302::ReadConcise(concise, {0U, 0U});
     for (; entry.state == cia302::ConciseState::kEntry; entry = cia302::ReadConcise(concise, entry.next))
     {
         const bool is_made = is_coupler && IsPdoParameter(entry.object.index);
         const bool is_pdo_row =
-            remapped.count(entry.object.index) == 0U &&
+            whole.count(entry.object.index) == 0U &&
             (is_made || IsRowOfPdo(slave.rx_pdos, kFirstRxPdo, entry) || IsRowOfPdo(slave.tx_pdos, kFirstTxPdo, entry));
-        if (!is_pdo_row && !IsRowOfSlave(slave.el6751, entry.object.index))
+        if (!is_pdo_row && !IsRowOfSlave(slave.el6751, entry, network))
         {
             kept.push_back({entry.object.index, entry.object.sub,
                             std::vector<std::uint8_t>(entry.value.data, entry.value.data + entry.value.size_bytes)});
@@ -183,8 +224,6 @@ void FillEl6751(const std::string& file, const SlavePlan& plan, const Device& de
     slave.el6751.rx_count = static_cast<std::uint8_t>(slave.rx_pdos.size());
     slave.el6751.tx_pdos = slave.tx_pdos.data();
     slave.el6751.tx_count = static_cast<std::uint8_t>(slave.tx_pdos.size());
-    slave.concise = FurtherObjects(slave, setup.concise_dcf);
-    setup.concise_dcf = cia302::Bytes{slave.concise.data(), static_cast<std::uint32_t>(slave.concise.size())};
     setup.el6751 = &slave.el6751;
 }
 } // namespace
@@ -198,6 +237,13 @@ std::vector<El6751Pdo> MakePdos(const Device& device, const std::uint8_t node_id
         const std::uint16_t index = found->first;
         const std::uint32_t cob_id = NumberOf(device, node_id, index, 1U, kOff);
         const std::uint32_t bits = MappedBits(device, node_id, static_cast<std::uint16_t>(index + kPdoNumbers));
+        if ((cob_id & (kOff | cia301::kCobExtended)) == cia301::kCobExtended)
+        {
+            throw cia306::InputError(device.file, device.Find(index, 1U)->ValueLine(),
+                                     {cia306::ObjectName(index, 1U) + " is " + cia306::Hex(cob_id, 8) +
+                                          ", a PDO with an identifier of 29 bits",
+                                      "one of 11 bits (bit 29 is 0)"});
+        }
         if ((cob_id & kOff) == 0U && bits > 0U)
         {
             El6751Pdo pdo{};
@@ -211,6 +257,14 @@ std::vector<El6751Pdo> MakePdos(const Device& device, const std::uint8_t node_id
         }
     }
     return pdos;
+}
+
+void LeaveOutRows(const Device& device, const std::uint8_t node_id, const NetworkSetup& network, ProfileSlave& slave,
+                  SlaveSetup& setup)
+{
+    const std::set<std::uint16_t> whole = WholePdos(device, node_id, setup.concise_dcf);
+    slave.concise = FurtherObjects(slave, setup.concise_dcf, whole, network);
+    setup.concise_dcf = cia302::Bytes{slave.concise.data(), static_cast<std::uint32_t>(slave.concise.size())};
 }
 
 void FillProfile(const std::string& file, const StartProfile profile, const SlavePlan& plan, const Device& device,

@@ -35,6 +35,10 @@ struct ProfileSlave
 /// [SRS-ELM-051, SRS-PLC-021]
 void FillProfile(const std::string& file, StartProfile profile, const SlavePlan& plan, const cia306::Device& device,
                  ProfileSlave& slave, cia302::SlaveSetup& setup);
+/// @brief EL6751: of the concise DCF, what no row writes. After FillProfile, when the whole network is known: that says
+/// whether SYNC is sent. [SRS-ELM-051]
+void LeaveOutRows(const cia306::Device& device, std::uint8_t node_id, const cia302::NetworkSetup& network,
+                  ProfileSlave& slave, cia302::SlaveSetup& setup);
 } // namespace counterpoint::network
 
 #endif // CANOPEN_NETWORK_PROFILE_MAKER_HPP

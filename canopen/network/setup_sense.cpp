@@ -1,8 +1,11 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // What somebody wrote into a network file and would not get: refused where the network could not work, else told.
+#include "canopen/cia302/concise_dcf.hpp"
 #include "canopen/network/loaded_network.hpp"
 
 #include "canopen/cia306/input_error.hpp"
+
+#include <algorithm>
 
 namespace counterpoint::network
 {
@@ -50,7 +53,86 @@ const cia302::El6751Pdo* FirstSynchronous(const ProfileSlave& slave)
     }
     return found;
 }
+
+/// Who is watched, in bits 16 to 23, and how long, if this is an entry of 1016h; else 0.
+std::uint32_t ConsumerIn(const cia302::ConciseReading& entry)
+{
+    const bool is_one = entry.object.index == 0x1016U && entry.value.size_bytes == 4U;
+    const std::uint8_t* const bytes = entry.value.data;
+    return is_one ? (std::uint32_t{bytes[2]} << 16U) | (std::uint32_t{bytes[1]} << 8U) | bytes[0] : 0U;
+}
+
+/// Whom 1016h:01 of the DCF watches; 0: nobody.
+std::uint32_t FirstWatched(const LoadedSlave& slave)
+{
+    const cia302::Bytes all{slave.concise.data(), static_cast<std::uint32_t>(slave.concise.size())};
+    std::uint32_t node = 0U;
+    cia302::ConciseReading entry = cia302::ReadConcise(all, {0U, 0U});
+    for (; entry.state == cia302::ConciseState::kEntry; entry = cia302::ReadConcise(all, entry.next))
+    {
+        node = (entry.object.sub == 1U && ConsumerIn(entry) != 0U) ? (ConsumerIn(entry) >> 16U) : node;
+    }
+    return node;
+}
+
+/// How long the slave is told to wait for the manager's heartbeat: by the rows of the EL6751 profile, unless its DCF
+/// says that it is guarded instead, else by its 1016h. 0: it does not watch the manager.
+std::uint32_t WatchesManagerMs(const LoadedSlave& slave, const cia302::SlaveSetup& setup, const std::uint32_t own)
+{
+    constexpr std::uint32_t kLongestMs = 0xFFFFU;
+    constexpr std::uint32_t kNodeShift = 16U;
+    const bool has_producer = slave.device.objects.empty() || slave.device.Find(0x1017U, 0U) != nullptr;
+    std::uint32_t time_ms = 0U;
+    if (setup.el6751 != nullptr && setup.el6751->IsWatched())
+    {
+        const std::uint32_t life_ms = std::uint32_t{setup.el6751->guard_time_ms} * setup.el6751->life_time_factor;
+        time_ms = has_producer ? std::min(life_ms, kLongestMs) : 0U;
+    }
+    else
+    {
+        cia302::ConciseReading entry = cia302::ReadConcise(setup.concise_dcf, {0U, 0U});
+        for (; entry.state == cia302::ConciseState::kEntry; entry = cia302::ReadConcise(setup.concise_dcf, entry.next))
+        {
+            const std::uint32_t value = ConsumerIn(entry);
+            time_ms = ((value >> kNodeShift) == own) ? (value & kLongestMs) : time_ms;
+        }
+    }
+    return time_ms;
+}
 } // namespace
+
+/// A slave that waits hardly longer than the period loses the manager on a loaded bus. [SRS-NET-006]
+void LoadedNetwork::WarnOfHeartbeat()
+{
+    const std::uint32_t period_ms = plan_.manager.heartbeat_ms.value_or(0U);
+    const std::uint32_t least_ms = period_ms + (period_ms + 1U) / 2U;
+    for (const std::unique_ptr<LoadedSlave>& slave : loaded_)
+    {
+        const std::uint8_t node = slave->plan.node;
+        const std::uint32_t time_ms = WatchesManagerMs(*slave, slaves_.at(node), setup_.own.value);
+        const bool has_rows = slave->profile.el6751.IsWatched();
+        const std::uint32_t first = has_rows ? FirstWatched(*slave) : 0U;
+        const std::string name =
+            cia306::Printable(plan_.file) + ":" + std::to_string(slave->plan.line) + ": node " + std::to_string(node);
+        const std::string place = name + " watches the manager for " + std::to_string(time_ms) + " ms";
+        if (first != 0U && first != setup_.own.value)
+        {
+            warnings_.push_back(name + " watches node " + std::to_string(first) +
+                                " by 1016h:01, where the profile writes the manager, expected it at another "
+                                "sub-index");
+        }
+        if (time_ms > 0U && period_ms == 0U)
+        {
+            warnings_.push_back(place + ", and the manager sends no heartbeat, expected one under manager");
+        }
+        else if (time_ms > 0U && time_ms < least_ms)
+        {
+            warnings_.push_back(place + ", whose heartbeat comes every " + std::to_string(period_ms) +
+                                " ms, expected at least " + std::to_string(least_ms) +
+                                " ms, or a shorter heartbeat under manager");
+        }
+    }
+}
 
 void LoadedNetwork::FillSoftware(const LoadedSlave& slave, cia302::SlaveSetup& setup)
 {

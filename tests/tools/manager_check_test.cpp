@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // manager --check: all masters of one network know the same network.
+#include "canopen/cia306/text_file.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/verifies.hpp"
@@ -161,6 +162,36 @@ TEST_F(ManagerCheckTest, AnExpectationThatASafetySlaveCannotMeetIsTold)
     EXPECT_EQ(flagless.status, 2);
     EXPECT_NE(flagless.err.find(": error: 0x13FE:00: the configuration valid flag is missing"), std::string::npos)
         << flagless.err;
+}
+
+TEST_F(ManagerCheckTest, WhatTheEl6751ProfileSendsIsCompared)
+{
+    Verifies(req::SRS_MGR_009);
+    const auto network =
+        [this](const std::string& name, const std::string& node, const std::string& profile, const std::string& slave)
+    {
+        const std::string other = (node == "2") ? "5" : "2";
+        return File(name, "manager: {node: " + node + ", heartbeat: 100 ms, flying: {}, " + profile +
+                              "}\nslaves: [{node: " + other + "}, {node: 6, dcf: io.dcf" + slave + "}]\n");
+    };
+    std::string text = cia306::ReadTextFile(Network("io.dcf"));
+    text.replace(text.find("NodeID=5"), 8U, "NodeID=6");
+    static_cast<void>(File("io.dcf", text));
+    const std::string el6751 = "profile: el6751, sync: 10 ms";
+    const std::string two = network("two.yaml", "2", el6751, "");
+    const std::string same = network("same.yaml", "5", el6751, ", outputs: [{pdo: 1, data: 00}]");
+    const std::string five = network("five.yaml", "5", el6751, ", outputs: [{pdo: 1, data: A1}]");
+    const std::string plc = network("plc.yaml", "5", "profile: plc_designer", "");
+    EXPECT_EQ(RunCommand({"manager", "--check", two, same}).status, 0);
+    const Answer differs = RunCommand({"manager", "--check", two, five});
+    EXPECT_EQ(differs.status, 1) << differs.err;
+    EXPECT_EQ(differs.out, five + ": output of RxPDO 1 of node 6 is A1, expected 00 as in " + two + "\n");
+    // The rows of the profile write what is a list for the other one
+    const Answer other = RunCommand({"manager", "--check", two, plc});
+    EXPECT_NE(
+        other.out.find(plc + ": 0x1F22:06 is 112 bytes with other contents, expected 0 bytes as in " + two + "\n"),
+        std::string::npos)
+        << other.out;
 }
 
 } // namespace

@@ -73,6 +73,14 @@ TEST_F(RoughNetworkTest, EachLetterAndTheNodeStates)
     ExpectHolds("codes_el6751");
 }
 
+TEST_F(RoughNetworkTest, GuardingAnswersThatDoNotToggle)
+{
+    Verifies(req::SRS_ELM_022);
+    Verifies(req::SRS_ELM_040);
+    Verifies(req::SRS_ELM_043);
+    ExpectHolds("guarded_el6751");
+}
+
 TEST_F(RoughNetworkTest, SomebodyElseStartsSafetySlaves)
 {
     Verifies(req::SRS_SFS_006);

@@ -269,6 +269,8 @@ TEST_F(El6751ByHandTest, NmtCommandsOfTheApplication)
     EXPECT_TRUE(Do([this] { return el.Boot(NodeId{5U}, Now()); }));
     Run(20U);
     EXPECT_EQ(Commands(), (Log{"02 05", "80 05", "01 05", "81 05", "01 05", "82 05", "01 05"}));
+    EXPECT_EQ(command(NmtCommand::kPreOperational, 127U), NmtAnswer::kTaken); // This device itself: nothing is sent.
+    EXPECT_EQ(Commands().size(), 7U);
     EXPECT_EQ(command(NmtCommand::kStart, 9U), NmtAnswer::kWrong);
     EXPECT_EQ(command(NmtCommand::kInvalid, 5U), NmtAnswer::kWrong);
     EXPECT_FALSE(el.Boot(NodeId{9U}, Now()));

@@ -116,6 +116,27 @@ TEST_F(El6751GuardedTest, TheSameToggleBitTwiceIsNodeState14)
     EXPECT_EQ(told[5], (Log{"14", "8", "0"}));
 }
 
+TEST_F(El6751GuardedTest, WithoutAReactionNodeState14StaysUntilTheAnswersToggle)
+{
+    Verifies(req::SRS_ELM_040);
+    Verifies(req::SRS_ELM_043);
+    Ready();
+    boxes[5].node_reaction = El6751NodeReaction::kNone;
+    // Given answers that do not toggle: the first one is an error, with the third one the slave is lost
+    slaves[5]->is_toggle_stuck = true;
+    const std::uint32_t took_ms = RunUntil([this] { return Code(5U) != 0; }, 1000U);
+    EXPECT_LE(took_ms, 201U);
+    Run(200U);
+    EXPECT_EQ(told[5], (Log{"14"}));
+    Run(600U);
+    EXPECT_EQ(told[5], (Log{"14", "1"}));
+    // When they toggle again
+    slaves[5]->is_toggle_stuck = false;
+    Run(250U);
+    EXPECT_EQ(told[5], (Log{"14", "1", "0"}));
+    EXPECT_TRUE(Commands().empty());
+}
+
 TEST_F(El6751ReactionTest, ASlaveThatTurnsPreOperationalByItselfIsNodeState12)
 {
     Verifies(req::SRS_ELM_041);
@@ -260,6 +281,31 @@ TEST_F(El6751ReactionTest, WithoutAReactionTheNodeStateComesAndGoesWithItsCause)
     EXPECT_EQ(el.Cause(NodeId{5U}), 1);
 }
 
+TEST_F(El6751ReactionTest, AStartByHandOfALostSlaveThatIsNotThereIsLostAgain)
+{
+    Verifies(req::SRS_ELM_039);
+    // Given two slaves without reaction, one of them with the heartbeat that the network's list says
+    AddBox(7U);
+    setups[7].heartbeat = HeartbeatSetup{300U, 100U, Arming::kFirstHeartbeat};
+    User(7U, 0x1017U, 0U, {100U, 0U});
+    Ready();
+    for (const std::uint8_t node : {std::uint8_t{5U}, std::uint8_t{7U}})
+    {
+        boxes[node].node_reaction = El6751NodeReaction::kNone;
+        slaves[node]->is_on = false;
+    }
+    Run(400U);
+    // When they are started all the same
+    for (const std::uint8_t node : {std::uint8_t{5U}, std::uint8_t{7U}})
+    {
+        ASSERT_EQ(Code(node), 1);
+        EXPECT_EQ(Do([&] { return el.Command(NmtCommand::kStart, NodeId{node}, Now()); }), NmtAnswer::kTaken);
+    }
+    Run(400U);
+    EXPECT_EQ(Code(5U), 1);
+    EXPECT_EQ(Code(7U), 1);
+}
+
 TEST_F(El6751ReactionTest, WithoutAReactionASlaveThatLeftOperationalIsStartedByHand)
 {
     Verifies(req::SRS_ELM_043);
@@ -314,28 +360,6 @@ TEST_F(El6751ReactionTest, ARestartOfARunningSlaveIsAnErrorIfOnlyAHandMayRestart
     EXPECT_EQ(Control(5U, 5U, 1U), NmtAnswer::kTaken);
     Run(50U);
     EXPECT_EQ(Code(5U), 0);
-}
-
-TEST_F(El6751ReactionTest, TheNetworkReactionStopsAllOtherStartedSlaves)
-{
-    Verifies(req::SRS_ELM_043);
-    AddBox(7U);
-    boxes[7].is_started = false;
-    Ready();
-    boxes[5].network_reaction = El6751NetworkReaction::kStopAll;
-    slaves[5]->Turn(4U);
-    Run(150U);
-    EXPECT_EQ(Commands()[0], "02 06");
-    EXPECT_EQ(Commands()[1], "02 05");
-    EXPECT_EQ(Commands()[2], "82 05");
-    EXPECT_EQ(Code(5U), 0);
-    EXPECT_EQ(Code(6U), 1);
-    EXPECT_EQ(slaves[6]->state, 4U);
-    EXPECT_EQ(Code(7U), 12);
-    EXPECT_EQ(slaves[7]->state, 127U);
-    EXPECT_EQ(Control(6U, 5U, 1U), NmtAnswer::kTaken);
-    Run(50U);
-    EXPECT_EQ(Code(6U), 0);
 }
 
 } // namespace

@@ -52,6 +52,29 @@ TEST_F(El6751RowsTest, RowSyncPeriodIsNotWrittenWithoutSyncAndCanBeSwitchedOff)
     EXPECT_EQ(Sdos(6U)[4], "w 1006:00 10 27 00 00");
 }
 
+TEST_F(El6751RowsTest, OnlyAnAbortOfTheSlaveLeadsToTheReadBackOrToGuarding)
+{
+    Verifies(req::SRS_ELM_012);
+    Verifies(req::SRS_ELM_022);
+    Verifies(req::SRS_ELM_025);
+    const El6751Access write{{0x1800U, 1U}, StartUpStep::kPdo, false, false, 4U, 0x185U, Bytes{nullptr, 0U}};
+    // Given an answer that this device aborts because it is none (0504 0001h), and the same abort of the slave
+    El6751Answer answer{};
+    answer.outcome.abort = SdoAbort::kCommand;
+    for (const El6751Row row :
+         {El6751Row::kCobId, El6751Row::kType, El6751Row::kInhibit, El6751Row::kEvent, El6751Row::kProducerHeartbeat})
+    {
+        answer.outcome.by_server = false;
+        EXPECT_EQ(JudgeAnswer(write, row, answer), El6751Verdict::kSyntax);
+        answer.outcome.by_server = true;
+        EXPECT_EQ(JudgeAnswer(write, row, answer), El6751Verdict::kNext);
+    }
+    // A slave that aborts with the code of a time-out has answered
+    answer.outcome.abort = SdoAbort::kTimeOut;
+    EXPECT_EQ(JudgeAnswer(write, El6751Row::kCobId, answer), El6751Verdict::kNext);
+    EXPECT_EQ(JudgeAnswer(write, El6751Row::kConsumerHeartbeat, answer), El6751Verdict::kSyntax);
+}
+
 TEST_F(El6751RowsTest, RowSyncPeriodAbortedEndsTheStartUp)
 {
     Verifies(req::SRS_ELM_010);

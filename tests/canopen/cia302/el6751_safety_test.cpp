@@ -56,6 +56,7 @@ TEST_F(El6751SafetyTest, StartsAfterVerificationAndOnlySingly)
     Run(30U);
     EXPECT_EQ(Commands(), (Log{"82 00", "01 05"}));
     EXPECT_EQ(Code(5U), 0);
+    EXPECT_EQ(nodes[127].asked, SlaveState::kOperational); // This device itself is started, too.
 }
 
 TEST_F(El6751SafetyTest, ADifferenceStopsItAndNamesTheObject)

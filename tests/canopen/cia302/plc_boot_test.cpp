@@ -111,7 +111,12 @@ TEST_F(PlcBootTest, DeviceTypeIsAskedForEveryHalfSecondUntilAnyAnswer)
     EXPECT_EQ(slaves[5]->log, (Log{"nmt 81", "r 1000:00", "r 1000:00", "r 1000:00", "r 1000:00", "r 1000:00"}));
     EXPECT_EQ(Code(5U), 3);
     EXPECT_EQ(Of(5U).abort, SdoAbort::kTimeOut);
+    // With a boot-up message its silence is over
     slaves[5]->Behave(0x1000U, 0U, Manner::kGood);
+    slaves[5]->Power(Now().us);
+    Run(5U);
+    EXPECT_EQ(Code(5U), 2);
+    EXPECT_EQ(Of(5U).abort, SdoAbort::kNone);
     Run(510U);
     EXPECT_EQ(Code(5U), 5);
 }

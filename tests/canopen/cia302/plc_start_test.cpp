@@ -249,34 +249,6 @@ TEST_F(PlcStartTest, AnAbsentOptionalSlaveIsConfiguredOnlyIfTheApplicationAsks)
     EXPECT_FALSE(plc.Boot(NodeId{6U}, Now()));
 }
 
-TEST_F(PlcStartTest, CommandsHoldASlaveInState4)
-{
-    Verifies(req::SRS_PLC_015);
-    AddPlc(5U);
-    Begin600();
-    EXPECT_EQ(Command(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
-    EXPECT_EQ(Code(5U), 4);
-    Run(1000U);
-    EXPECT_EQ(Code(5U), 4);
-    slaves[5]->Power(Now().us);
-    Run(600U);
-    EXPECT_EQ(Code(5U), 4);
-    EXPECT_EQ(Commands(), (Log{"81 05", "01 05", "80 05"}));
-    EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
-    Run(5U);
-    EXPECT_EQ(Code(5U), 5);
-    EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kTaken); // nothing to do
-    EXPECT_EQ(Command(NmtCommand::kResetCommunication, 0U), NmtAnswer::kTaken);
-    EXPECT_EQ(Code(5U), 1);
-    Run(600U);
-    EXPECT_EQ(Code(5U), 5);
-    EXPECT_EQ(Commands(), (Log{"81 05", "01 05", "80 05", "01 05", "82 05", "01 05"}));
-    EXPECT_EQ(Command(NmtCommand::kStart, 6U), NmtAnswer::kWrong);
-    plc.End();
-    EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kNotActive);
-    EXPECT_EQ(plc.MasterState(), 0);
-}
-
 TEST_F(PlcStartTest, ASafetySlaveIsVerifiedBeforeItsStart)
 {
     Verifies(req::SRS_PLC_020);

@@ -1,0 +1,82 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// What an error of one slave means for the others.
+#include "tests/canopen/cia302/el6751_rig.hpp"
+
+namespace counterpoint::cia302
+{
+namespace
+{
+
+/// Slave 5 with heartbeat 100 ms x 3, slave 6 without anything, slave 7 not started automatically.
+class El6751NetworkTest : public El6751Rig
+{
+  public:
+    void Ready()
+    {
+        AddBox(5U);
+        AddBox(6U);
+        AddBox(7U);
+        boxes[5].guard_time_ms = 100U;
+        boxes[5].life_time_factor = 3U;
+        boxes[5].network_reaction = El6751NetworkReaction::kStopAll;
+        boxes[7].is_started = false;
+        Begin();
+        Run(500U);
+        ASSERT_EQ(slaves[5]->state, 5U);
+        told.clear();
+        sent.clear();
+    }
+    [[nodiscard]] Log Commands() const
+    {
+        Log list{};
+        for (const std::string& line : Nmt())
+        {
+            list.push_back(line.substr(line.find(':') + 1U));
+        }
+        return list;
+    }
+};
+
+TEST_F(El6751NetworkTest, TheNetworkReactionStopsAllOtherStartedSlaves)
+{
+    Verifies(req::SRS_ELM_043);
+    Ready();
+    slaves[5]->Turn(4U);
+    Run(150U);
+    EXPECT_EQ(Commands()[0], "02 06");
+    EXPECT_EQ(Commands()[1], "02 05");
+    EXPECT_EQ(Commands()[2], "82 05");
+    EXPECT_EQ(Code(5U), 0);
+    EXPECT_EQ(Code(6U), 1);
+    EXPECT_EQ(slaves[6]->state, 4U);
+    EXPECT_EQ(Code(7U), 12);
+    EXPECT_EQ(slaves[7]->state, 127U);
+    EXPECT_EQ(Control(6U, 5U, 1U), NmtAnswer::kTaken);
+    Run(50U);
+    EXPECT_EQ(Code(6U), 0);
+}
+
+TEST_F(El6751NetworkTest, TheNetworkReactionDoesNotNeedOneOfTheNode)
+{
+    Verifies(req::SRS_ELM_043);
+    Ready();
+    boxes[5].node_reaction = El6751NodeReaction::kNone;
+    // When it turns PRE-OPERATIONAL, the others are stopped once, and it is not
+    slaves[5]->Turn(127U);
+    Run(150U);
+    EXPECT_EQ(Code(5U), 12);
+    EXPECT_EQ(Code(6U), 1);
+    EXPECT_EQ(Commands(), (Log{"02 06"}));
+    EXPECT_EQ(Control(6U, 5U, 1U), NmtAnswer::kTaken);
+    Run(300U);
+    EXPECT_EQ(Code(6U), 0);
+    EXPECT_EQ(Commands(), (Log{"02 06", "82 06", "01 06"}));
+    // and when it is lost again
+    slaves[5]->is_on = false;
+    Run(400U);
+    EXPECT_EQ(Code(5U), 1);
+    EXPECT_EQ(Commands(), (Log{"02 06", "82 06", "01 06", "02 06"}));
+}
+
+} // namespace
+} // namespace counterpoint::cia302
