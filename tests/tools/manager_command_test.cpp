@@ -89,7 +89,9 @@ TEST_F(ManagerCommandTest, NoProfileStartsASafetySlaveThatDiffers)
 TEST_F(ManagerCommandTest, AFlyingMasterDiesAndTheOtherOneTakesOver)
 {
     Verifies(req::SRS_MGR_002);
+    Verifies(req::SRS_FLY_019);
     ExpectHolds("flying.yaml");
+    ExpectHolds("flying_bus_off.yaml");
 }
 
 TEST_F(ManagerCommandTest, TheDemoOfTheReference)
