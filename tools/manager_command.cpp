@@ -95,6 +95,10 @@ class ManagerCommand final : public Command
             networks.push_back(std::make_unique<network::LoadedNetwork>(ReadNetworkFile(file, node)));
             masters.push_back(networks.back().get());
         }
+        for (const std::string& warning : WarningsOf(masters))
+        {
+            streams.err << warning << "\n";
+        }
         const std::vector<std::string> lines = DifferencesOf(masters);
         for (const std::string& line : lines)
         {

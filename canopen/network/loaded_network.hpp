@@ -91,6 +91,8 @@ class LoadedNetwork
     void RequireSoftware(const SlavePlan& plan) const;
     void RequireSync() const;
     void WarnOfUnused();
+    void WarnOfFlying();
+    [[nodiscard]] bool HasUnwatchedNode() const;
     void FillManager();
 
     NetworkPlan plan_;
