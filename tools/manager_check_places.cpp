@@ -52,8 +52,8 @@ constexpr std::array<ObjectKey, 15> kOfSlave{{{0x1F81U, kAnySub, "assignment"},
                                               {0x1016U, kAnySub, "consumer"},
                                               {0x1017U, kAnySub, "heartbeat"}}};
 
-constexpr std::array<const char*, 8> kOfFlying{"timeout",   "delay",      "priority", "level_slot",
-                                               "node_slot", "watch_time", "standby",  "cyclic"};
+constexpr std::array<const char*, 9> kOfFlying{"timeout",    "delay",   "priority", "level_slot", "node_slot",
+                                               "watch_time", "standby", "cyclic",   "claim_heard"};
 
 /// 0: nobody watches.
 std::uint32_t WatchMsOf(const LoadedNetwork& net, const cia302::NodeId other)
@@ -84,8 +84,14 @@ void TellTogether(const LoadedNetwork& one, const LoadedNetwork& other, std::vec
     }
     const network::FlyingPlan flying = one.Plan().manager.flying.value_or(network::FlyingPlan{});
     const network::FlyingPlan others = other.Plan().manager.flying.value_or(network::FlyingPlan{});
-    if (flying.options.standby == cia302::StandbyReaction::kRaces &&
-        others.options.cyclic == cia302::CyclicMessage::kNegotiation)
+    const bool is_race_cyclic = others.options.cyclic == cia302::CyclicMessage::kNegotiation;
+    if (flying.options.ignores_claims && is_race_cyclic && flying.options.cyclic == others.options.cyclic)
+    {
+        lines.push_back(PlaceOf(one, {0U, "claim_heard"}) +
+                        ": claim_heard is ignores, expected compares beside cyclic " + "negotiation of " +
+                        PlaceOf(other, {0U, "cyclic"}) + ": two such masters never end");
+    }
+    if (flying.options.standby == cia302::StandbyReaction::kRaces && is_race_cyclic)
     {
         lines.push_back(PlaceOf(one, {0U, "standby"}) + ": standby is races, expected ignores or asks beside cyclic " +
                         "negotiation of " + PlaceOf(other, {0U, "cyclic"}) + ": such masters elect without end");

@@ -194,10 +194,17 @@ void LoadedNetwork::WarnOfFlying()
                  "computed, expected at least " +
                  ms(LeastNodeSlotMs()));
     }
-    if (options.cyclic == cia302::CyclicMessage::kNegotiation && options.standby == cia302::StandbyReaction::kRaces)
+    const bool is_race_cyclic = options.cyclic == cia302::CyclicMessage::kNegotiation;
+    if (is_race_cyclic && options.standby == cia302::StandbyReaction::kRaces)
     {
         warn(LineOf(flying.lines, "standby", of_flying),
              "standby races with cyclic negotiation: masters like this one elect without end, expected another word "
+             "for one of them");
+    }
+    if (is_race_cyclic && options.ignores_claims)
+    {
+        warn(LineOf(flying.lines, "claim_heard", of_flying),
+             "claim_heard ignores with cyclic negotiation: two masters like this one never end, expected another word "
              "for one of them");
     }
 }

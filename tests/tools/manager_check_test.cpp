@@ -222,6 +222,12 @@ TEST_F(ManagerCheckTest, WhatDoesNotWorkTogetherIsNamed)
                             two + ":2\n" + by_time +
                             ":6: standby is races, expected ignores or asks beside cyclic negotiation of " + two +
                             ":5: such masters elect without end\n");
+    const std::string deaf =
+        network("deaf.yaml", "  node: 5\n  flying:\n    cyclic: negotiation\n    claim_heard: ignores\n",
+                "node: 2, boot: false, mandatory: false, consumer: 900 ms");
+    const Answer never = RunCommand({"manager", "--check", two, deaf});
+    EXPECT_EQ(never.out, deaf + ":6: claim_heard is ignores, expected compares beside cyclic negotiation of " + two +
+                             ":5: two such masters never end\n");
     // Then what may be meant is a warning
     const Answer none = RunCommand({"manager", "--check", two, by_none});
     EXPECT_EQ(none.status, 0) << none.out;

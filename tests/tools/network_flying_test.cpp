@@ -196,6 +196,11 @@ TEST_F(NetworkFlyingTest, TimesThatDoNotGoTogetherAreWarnedOfAtTheirLine)
               ":6: standby races with cyclic negotiation: masters like this one elect without end, expected another "
               "word for one of them|");
     EXPECT_EQ(warnings("    standby: races\n", slave), "");
+    // Given masters that hear of each other by 071h alone, and ignore it
+    EXPECT_EQ(warnings("    cyclic: negotiation\n    claim_heard: ignores\n", slave),
+              ":6: claim_heard ignores with cyclic negotiation: two masters like this one never end, expected another "
+              "word for one of them|");
+    EXPECT_EQ(warnings("    claim_heard: ignores\n", slave), "");
 }
 
 TEST_F(NetworkFlyingTest, TheUsualWatchTimeIsWarnedOfWhereItCounts)
