@@ -28,7 +28,7 @@ Manager::Manager(const ManagerParts& parts) noexcept
       nmt_(NmtMasterParts{parts_.setup, parts.room.commands, parts_.sink, table_, *this, gate_}),
       watch_(parts_.setup, parts.room.watched, *this), producer_(parts_.setup.own), profile_(nullptr), flying_(nullptr),
       negotiation_(NegotiationBy::kManager), state_(NodeState::kInitialising), is_running_(false), is_leading_(false),
-      owes_boot_up_(false), is_to_start_(false), is_refused_(false), is_off_bus_(false)
+      owes_boot_up_(false), is_to_start_(false), is_refused_(false), is_off_bus_(false), is_to_reset_(false)
 {
     producer_.SetPeriod(parts.heartbeat_ms);
 }
@@ -132,6 +132,7 @@ void Manager::OnCycle(const Instant now) noexcept
 {
     if (is_running_)
     {
+        ResetRole(now);
         if (is_to_start_ && !is_off_bus_)
         {
             TryNegotiation(now);
@@ -307,6 +308,9 @@ void Manager::OnNmtSent(const NmtRequest& request, const Instant now) noexcept
     {
         Obey(request.command);
     }
+    // Not here: the queue of commands is being worked through.
+    is_to_reset_ =
+        is_to_reset_ || (!is_all && IsReset(request.command) && (request.node.value == parts_.setup.own.value));
     parts_.listener.OnNmtSent(request, now);
 }
 

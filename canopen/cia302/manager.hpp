@@ -176,6 +176,7 @@ class Manager final : public NmtListener,
     void Lead(bool is_leader, Instant now) noexcept;
     void FollowRole(Instant now) noexcept;
     void TryNegotiation(Instant now) noexcept;
+    void ResetRole(Instant now) noexcept;
     void UnwatchAll() noexcept;
     void WatchMaster(NodeId master, Instant now) noexcept;
     void SendOwn(Instant now) noexcept;
@@ -199,6 +200,7 @@ class Manager final : public NmtListener,
     bool is_to_start_;  ///< The negotiation is to be started in the next cycle.
     bool is_refused_;   ///< That was told.
     bool is_off_bus_;   ///< No negotiation begins.
+    bool is_to_reset_;  ///< This device was commanded to reset itself.
 };
 
 } // namespace counterpoint::cia302

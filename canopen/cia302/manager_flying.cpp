@@ -21,6 +21,17 @@ void Manager::OnBus(const bool is_there, const Instant now) noexcept
     }
 }
 
+/// The active master that is commanded to reset itself, and not all, is as any other device after it. [SRS-FLY-019]
+void Manager::ResetRole(const Instant now) noexcept
+{
+    const bool is_due = is_to_reset_ && (flying_ != nullptr);
+    is_to_reset_ = false;
+    if (is_due)
+    {
+        flying_->Reset(now);
+    }
+}
+
 /// Values that cannot work may be corrected while the device is initialising.
 void Manager::TryNegotiation(const Instant now) noexcept
 {

@@ -312,5 +312,29 @@ TEST_F(ManagerFlying, OffTheBusAManagerWithoutAFlyingMasterLeadsOn)
     EXPECT_TRUE(manager.IsActive());
 }
 
+TEST_F(ManagerFlying, ResettingItselfEndsTheRoleAndResettingAllDoesNot)
+{
+    Verifies(req::SRS_FLY_019);
+    Use(NegotiationBy::kManager);
+    manager.Begin(Now());
+    RunTo(3000U);
+    ASSERT_TRUE(manager.IsActive());
+    NmtMaster& nmt = manager.ProfileParts().nmt;
+    static_cast<void>(Log());
+    // When it resets all nodes, or another one
+    EXPECT_EQ(nmt.Request(NmtCommand::kResetCommunication, kAllNodes, Now()), NmtAnswer::kTaken);
+    EXPECT_EQ(nmt.Request(NmtCommand::kResetNode, NodeId{9U}, Now()), NmtAnswer::kTaken);
+    RunTo(3010U);
+    // Then it stays the master
+    EXPECT_TRUE(manager.IsActive());
+    static_cast<void>(Log());
+    // When it resets itself
+    EXPECT_EQ(nmt.Request(NmtCommand::kResetNode, NodeId{5U}, Now()), NmtAnswer::kTaken);
+    RunTo(5161U);
+    // Then it asks as anybody else: 3011 + 500, + 100, + 1 x 1500 + 5 x 10
+    EXPECT_EQ(Log(), (Lines{"leads no more", "3011 initialising", "3511 073", "3611 072", "5161 071 01 05",
+                            "event 4 1/5", "leads", "5161 705 00"}));
+}
+
 } // namespace
 } // namespace counterpoint::cia302
