@@ -4,11 +4,13 @@
 
 #include "canopen/cia302/flying_master_compare.hpp"
 #include "canopen/cia306/input_error.hpp"
+#include "tools/manager_check_places.hpp"
 #include "tools/manager_host.hpp"
 #include "tools/manager_process.hpp"
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <utility>
 
 namespace counterpoint::tools
@@ -52,6 +54,28 @@ std::string Number(const std::uint64_t value)
     return cia306::Hex(value, 1);
 }
 
+constexpr std::uint32_t kLastPdo = 512U;
+using Outputs = std::map<std::uint32_t, std::vector<std::uint8_t>>;
+
+Outputs OutputsOf(const network::SlavePlan& plan)
+{
+    Outputs outputs;
+    for (const network::OutputPlan& output : plan.outputs)
+    {
+        outputs[output.number] = output.bytes;
+    }
+    return outputs;
+}
+
+/// What is not said is sent as zeros.
+std::string OutputText(const Outputs& outputs, const std::uint32_t number)
+{
+    const auto found = outputs.find(number);
+    const std::vector<std::uint8_t> bytes = (found == outputs.end()) ? std::vector<std::uint8_t>{} : found->second;
+    const bool is_zero = std::all_of(bytes.begin(), bytes.end(), [](const std::uint8_t byte) { return byte == 0U; });
+    return is_zero ? "zeros" : BytesText(bytes);
+}
+
 class Differences final : public cia302::FlyingFindingListener
 {
   public:
@@ -79,21 +103,24 @@ class Differences final : public cia302::FlyingFindingListener
         second_ = &second;
         const network::ManagerPlan& one = first.Plan().manager;
         const network::ManagerPlan& other = second.Plan().manager;
-        Compare("profile", static_cast<std::uint64_t>(one.profile), static_cast<std::uint64_t>(other.profile));
+        Compare({0U, "profile"}, "profile", static_cast<std::uint64_t>(one.profile),
+                static_cast<std::uint64_t>(other.profile));
         const cia302::El6751Times times = one.el6751.value_or(cia302::El6751Times{});
         const cia302::El6751Times others = other.el6751.value_or(cia302::El6751Times{});
-        Compare("el6751 window", static_cast<std::uint64_t>(times.window), static_cast<std::uint64_t>(others.window));
-        Compare("el6751 sync_multiplier", times.sync_multiplier, others.sync_multiplier);
-        Compare("el6751 input_shift", times.input_shift_us, others.input_shift_us);
-        Compare("sdo_timeout", one.sdo_time_out_ms.value_or(0U), other.sdo_time_out_ms.value_or(0U));
-        Compare("sdo_tries", one.sdo_tries.value_or(0U), other.sdo_tries.value_or(0U));
+        Compare({0U, "el6751"}, "el6751 window", static_cast<std::uint64_t>(times.window),
+                static_cast<std::uint64_t>(others.window));
+        Compare({0U, "el6751"}, "el6751 sync_multiplier", times.sync_multiplier, others.sync_multiplier);
+        Compare({0U, "el6751"}, "el6751 input_shift", times.input_shift_us, others.input_shift_us);
+        Compare({0U, "sdo_timeout"}, "sdo_timeout", one.sdo_time_out_ms.value_or(0U),
+                other.sdo_time_out_ms.value_or(0U));
+        Compare({0U, "sdo_tries"}, "sdo_tries", one.sdo_tries.value_or(0U), other.sdo_tries.value_or(0U));
         for (const auto& slave : first.Slaves())
         {
             const LoadedSlave* const same = second.Find(slave->plan.node);
             if (same != nullptr)
             {
-                Compare("write_safety of node " + std::to_string(slave->plan.node), slave->plan.writes_safety ? 1U : 0U,
-                        same->plan.writes_safety ? 1U : 0U);
+                Compare({slave->plan.node, "write_safety"}, "write_safety of node " + std::to_string(slave->plan.node),
+                        slave->plan.writes_safety ? 1U : 0U, same->plan.writes_safety ? 1U : 0U);
                 CompareOutputs(*slave, *same);
             }
         }
@@ -104,47 +131,40 @@ class Differences final : public cia302::FlyingFindingListener
     }
 
   private:
-    [[nodiscard]] static std::string FileOf(const LoadedNetwork& net)
+    /// `key` tells where in the files it stands.
+    void Tell(const CheckedKey& key, const std::string& object, const std::string& one, const std::string& other)
     {
-        return cia306::Printable(net.Plan().file);
+        lines_.push_back(PlaceOf(*second_, key) + ": " + object + " is " + other + ", expected " + one + " as in " +
+                         PlaceOf(*first_, key));
     }
-    void Tell(const std::string& object, const std::string& one, const std::string& other)
-    {
-        lines_.push_back(FileOf(*second_) + ": " + object + " is " + other + ", expected " + one + " as in " +
-                         FileOf(*first_));
-    }
-    void Compare(const std::string& object, const std::uint64_t one, const std::uint64_t other)
+    void Compare(const CheckedKey& key, const std::string& object, const std::uint64_t one, const std::uint64_t other)
     {
         if (one != other)
         {
-            Tell(object, Number(one), Number(other));
+            Tell(key, object, Number(one), Number(other));
         }
     }
-
-    /// What RxPDOs of the EL6751 profile carry at first. Which PDOs there are was compared before.
     void CompareOutputs(const LoadedSlave& one, const LoadedSlave& other)
     {
-        const std::size_t count = std::min(one.profile.rx_pdos.size(), other.profile.rx_pdos.size());
-        for (std::size_t place = 0U; place < count; ++place)
+        const auto firsts = OutputsOf(one.plan);
+        const auto seconds = OutputsOf(other.plan);
+        for (std::uint32_t number = 1U; number <= kLastPdo; ++number)
         {
-            const auto text = [place](const LoadedSlave& slave)
+            const std::string first = OutputText(firsts, number);
+            const std::string second = OutputText(seconds, number);
+            if (first != second)
             {
-                const auto& bytes = slave.profile.outputs.at(place);
-                return BytesText({bytes.begin(), bytes.begin() + slave.profile.rx_pdos[place].length_bytes});
-            };
-            const std::string ours = text(one);
-            const std::string theirs = text(other);
-            if (ours != theirs)
-            {
-                Tell("output of RxPDO " + std::to_string(one.profile.rx_pdos[place].number) + " of node " +
-                         std::to_string(one.plan.node),
-                     ours, theirs);
+                Tell({one.plan.node, "outputs"},
+                     "output of RxPDO " + std::to_string(number) + " of node " + std::to_string(one.plan.node), first,
+                     second);
             }
         }
     }
+
     void TellOfOne(const FlyingFinding& finding)
     {
-        const std::string file = FileOf(*second_) + ": ";
+        const bool is_node = finding.kind == FlyingFindingKind::kSameNode;
+        const std::string file = PlaceOf(*second_, is_node ? CheckedKey{0U, "node"} : KeyOf(finding)) + ": ";
         const std::string object = cia306::ObjectName(finding.index, finding.sub);
         if (finding.kind == FlyingFindingKind::kNotFlying)
         {
@@ -179,7 +199,8 @@ class Differences final : public cia302::FlyingFindingListener
         }
         else if (finding.kind == FlyingFindingKind::kUnknown)
         {
-            lines_.push_back(FileOf(*first_) + ": no node " + node + ", expected the other master in the network list");
+            lines_.push_back(PlaceOf(*first_, {0U, ""}) + ": no node " + node +
+                             ", expected the other master in the network list");
         }
         else if (finding.kind == FlyingFindingKind::kContent)
         {
@@ -187,28 +208,28 @@ class Differences final : public cia302::FlyingFindingListener
         }
         else
         {
-            Tell(NameOf(finding), is_in_first ? Number(finding.first_value) : "absent",
+            Tell(KeyOf(finding), NameOf(finding), is_in_first ? Number(finding.first_value) : "absent",
                  is_in_second ? Number(finding.second_value) : "absent");
         }
     }
     void TellMissing(const FlyingFinding& finding, const std::string& node)
     {
         const bool is_first = finding.first_value == 0U;
-        lines_.push_back(FileOf(is_first ? *first_ : *second_) + ": no node " + node + ", expected it as in " +
-                         FileOf(is_first ? *second_ : *first_));
+        lines_.push_back(PlaceOf(is_first ? *first_ : *second_, {0U, ""}) + ": no node " + node +
+                         ", expected it as in " + PlaceOf(is_first ? *second_ : *first_, {finding.slave.value, ""}));
     }
     void TellContent(const FlyingFinding& finding)
     {
         const LoadedSlave* const one = first_->Find(finding.slave.value);
         const LoadedSlave* const other = second_->Find(finding.slave.value);
-        const auto size = [&finding](const LoadedNetwork* const net, const LoadedSlave* const slave)
+        const auto size = [&finding](const LoadedSlave* const slave)
         {
-            const std::size_t concise = net->Setup().Slave(finding.slave).concise_dcf.size_bytes;
+            const std::size_t concise = (slave == nullptr) ? 0U : slave->concise.size();
             const std::size_t program = (slave == nullptr) ? 0U : slave->program.size();
             return std::to_string((finding.index == kProgram) ? program : concise) + " bytes";
         };
-        Tell(cia306::ObjectName(finding.index, finding.sub), size(first_, one),
-             size(second_, other) + " with other contents");
+        Tell(KeyOf(finding), cia306::ObjectName(finding.index, finding.sub), size(one),
+             size(other) + " with other contents");
     }
     [[nodiscard]] static std::string NameOf(const FlyingFinding& finding)
     {
@@ -261,6 +282,9 @@ std::vector<std::string> DifferencesOf(const std::vector<const LoadedNetwork*>& 
     {
         differences.ComparePlans(*masters.front(), *masters[i]);
     }
-    return differences.Lines();
+    std::vector<std::string> lines = differences.Lines();
+    const std::vector<std::string> together = ProblemsTogether(masters);
+    lines.insert(lines.end(), together.begin(), together.end());
+    return lines;
 }
 } // namespace counterpoint::tools

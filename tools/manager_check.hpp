@@ -13,6 +13,9 @@ namespace counterpoint::tools
 /// as a flying master, a line each; nothing: they are equal where they have to be. What is compared, and what may
 /// differ: cia302::CompareFlyingMasters, and beside it what network files alone say. [SRS-MGR-009]
 [[nodiscard]] std::vector<std::string> DifferencesOf(const std::vector<const network::LoadedNetwork*>& masters);
+/// @brief What a person should know of these masters beside it: the warnings of each file, another master that is
+/// mandatory, and one that nobody watches.
+[[nodiscard]] std::vector<std::string> WarningsOf(const std::vector<const network::LoadedNetwork*>& masters);
 } // namespace counterpoint::tools
 
 #endif // TOOLS_MANAGER_CHECK_HPP

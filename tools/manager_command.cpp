@@ -96,13 +96,9 @@ class ManagerCommand final : public Command
             networks.push_back(std::make_unique<network::LoadedNetwork>(ReadNetworkFile(file, node)));
             masters.push_back(networks.back().get());
         }
-        std::set<std::string> told; // All know the same slaves.
-        for (const network::LoadedNetwork* const master : masters)
+        for (const std::string& warning : WarningsOf(masters))
         {
-            for (const std::string& warning : master->Warnings())
-            {
-                streams.err << (told.insert(warning).second ? warning + "\n" : "");
-            }
+            streams.err << warning << "\n";
         }
         const std::vector<std::string> lines = DifferencesOf(masters);
         for (const std::string& line : lines)

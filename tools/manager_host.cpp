@@ -160,6 +160,7 @@ bool ManagerHost::HasStarted() const noexcept
 
 void ManagerHost::OnController(const cia302::ControllerState state, const Instant now) noexcept
 {
+    manager_.OnBus(state == cia302::ControllerState::kRunning, now);
     if (el6751_ != nullptr)
     {
         el6751_->OnController(state, now);

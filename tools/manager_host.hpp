@@ -55,7 +55,7 @@ class ManagerHost
     void OnCycle(Instant now);
     /// @brief Whether the start-up came to where its slaves run: every mandatory slave was started.
     [[nodiscard]] bool HasStarted() const noexcept;
-    /// @brief Of the EL6751 profile only.
+    /// @brief What the flying master and the EL6751 profile are to know of the controller.
     void OnController(cia302::ControllerState state, Instant now) noexcept;
     /// @brief A frame of this manager was on the bus.
     void OnSent(const CanFrame& frame) noexcept;

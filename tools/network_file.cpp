@@ -73,6 +73,7 @@ ManagerPlan ReadManager(const std::string& file, const ScenarioValue& value)
     constexpr simulator::Nanoseconds kHundredUs = 100 * simulator::kNanosecondsPerMicrosecond;
     ManagerPlan plan;
     plan.line = static_cast<std::size_t>(value.Where().place.line);
+    plan.lines = map.Lines();
     TakeNumber(map, "node", plan.node, 1U, cia302::kLastNode);
     plan.dcf = FileIn(file, map, "dcf", "a DCF");
     TakeWord(map, "profile", plan.profile, kProfileWords);
@@ -157,6 +158,7 @@ SlavePlan ReadSlave(const std::string& file, const ScenarioValue& value)
                        "outputs",      "software"});
     SlavePlan plan;
     plan.line = static_cast<std::size_t>(value.Where().place.line);
+    plan.lines = map.Lines();
     plan.node = static_cast<std::uint8_t>(map.Require("node").Number({1U, cia302::kLastNode}));
     plan.name = TextOf(map, "name", "a name");
     plan.name = plan.name.empty() ? "node " + std::to_string(plan.node) : plan.name;

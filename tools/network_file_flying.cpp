@@ -69,6 +69,7 @@ network::FlyingPlan ReadFlying(const std::string& file, const simulator::Scenari
                                            "on_loss",    "watch",       "watch_time",      "standby",    "negotiates",
                                            "race_heard", "claim_heard", "answers_boot_up", "restarts",   "start"});
     network::FlyingPlan plan;
+    plan.lines = map.Lines();
     TakeNumber(map, "priority", plan.priority, 0U, cia302::kLowestPriority);
     TakeMs(map, "timeout", plan.timeout_ms);
     TakeMs(map, "delay", plan.delay_ms);

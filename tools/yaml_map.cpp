@@ -52,6 +52,17 @@ std::optional<ScenarioValue> YamlMap::Find(const std::string& name) const
     return std::nullopt;
 }
 
+std::map<std::string, std::size_t> YamlMap::Lines() const
+{
+    std::map<std::string, std::size_t> lines;
+    const std::vector<YamlNode>& items = value_.Node().items;
+    for (std::size_t place = 0U; place + 1U < items.size(); place += 2U)
+    {
+        lines[items[place].scalar] = static_cast<std::size_t>(ScenarioValue(file_, items[place]).Where().place.line);
+    }
+    return lines;
+}
+
 ScenarioValue YamlMap::Require(const std::string& name) const
 {
     const std::optional<ScenarioValue> found = Find(name);

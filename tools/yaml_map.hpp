@@ -5,7 +5,9 @@
 #include "verification/simulator/fields.hpp"
 #include "verification/simulator/yaml_document.hpp"
 
+#include <cstddef>
 #include <initializer_list>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +23,8 @@ class YamlMap
 
     [[nodiscard]] std::optional<simulator::ScenarioValue> Find(const std::string& name) const;
     [[nodiscard]] simulator::ScenarioValue Require(const std::string& name) const;
+    /// @brief The line of each key that is there.
+    [[nodiscard]] std::map<std::string, std::size_t> Lines() const;
     [[nodiscard]] const simulator::ScenarioValue& Value() const noexcept
     {
         return value_;

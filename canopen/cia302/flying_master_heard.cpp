@@ -300,7 +300,7 @@ void FlyingMaster::Join(const Instant now) noexcept
     RunQuestion(now);
 }
 
-/// What a standby does about 072h and 076h, 072h with kRaces excepted.
+/// What a standby does about 072h and 076h, but for 072h with kRaces: it ignores them, or asks unless it has asked.
 void FlyingMaster::Ask(const Instant now) noexcept
 {
     const StandbyReaction reaction = parts_.options.standby;
@@ -308,15 +308,6 @@ void FlyingMaster::Ask(const Instant now) noexcept
     {
         second_ = FlyingDeadline{true, now};
         RunSlave(now);
-    }
-    else if (reaction == StandbyReaction::kRaces)
-    {
-        Enter(FlyingState::kDetect, now, 0U);
-        RunNegotiation(now);
-    }
-    else
-    {
-        // Ignored, or asked already.
     }
 }
 

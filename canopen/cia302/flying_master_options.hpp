@@ -50,7 +50,7 @@ enum class StandbyReaction : std::uint8_t
 {
     kIgnores = 0U,
     kAsks = 1U,  ///< 073h: stays slave if it is answered, else races.
-    kRaces = 2U, ///< Known of other makes; a cyclic 072h makes it claim to be master.
+    kRaces = 2U, ///< At 072h; ignores 076h. Known of other makes: a cyclic 072h begins a race each time.
 };
 
 /// How this device differs from others that follow the same text; all zero but the numbers: the default preset.

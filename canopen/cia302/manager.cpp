@@ -17,7 +17,7 @@ Manager::Manager(const ManagerParts& parts) noexcept
       nmt_(NmtMasterParts{parts_.setup, parts.room.commands, parts_.sink, table_, *this, gate_}),
       watch_(parts_.setup, parts.room.watched, *this), producer_(parts_.setup.own), profile_(nullptr), flying_(nullptr),
       negotiation_(NegotiationBy::kManager), state_(NodeState::kInitialising), is_running_(false), is_leading_(false),
-      owes_boot_up_(false), is_to_start_(false)
+      owes_boot_up_(false), is_to_start_(false), is_refused_(false), is_off_bus_(false), is_to_reset_(false)
 {
     producer_.SetPeriod(parts.heartbeat_ms);
 }
@@ -121,7 +121,8 @@ void Manager::OnCycle(const Instant now) noexcept
 {
     if (is_running_)
     {
-        if (is_to_start_)
+        ResetRole(now);
+        if (is_to_start_ && !is_off_bus_)
         {
             TryNegotiation(now);
         }

@@ -107,6 +107,9 @@ class Manager final : public NmtListener,
         watch_.OnSent(frame);
     }
     void OnCycle(Instant now) noexcept;
+    /// @brief The controller went bus-off or is gone, or is back. Another one may be master meanwhile: the role of a
+    /// flying master ends, and it negotiates when the bus is there. Without one nothing happens. [SRS-FLY-019]
+    void OnBus(bool is_there, Instant now) noexcept;
     /// @brief The application lets the negotiation begin. kInvalid: there is no flying master. [SRS-FLY-027]
     [[nodiscard]] FlyingStart StartNegotiation(Instant now) noexcept;
 
@@ -177,6 +180,7 @@ class Manager final : public NmtListener,
     void Lead(bool is_leader, Instant now) noexcept;
     void FollowRole(Instant now) noexcept;
     void TryNegotiation(Instant now) noexcept;
+    void ResetRole(Instant now) noexcept;
     void UnwatchAll() noexcept;
     void WatchMaster(NodeId master, Instant now) noexcept;
     void SendOwn(Instant now) noexcept;
@@ -199,6 +203,8 @@ class Manager final : public NmtListener,
     bool owes_boot_up_; ///< The boot-up message has not left.
     bool is_to_start_;  ///< The negotiation is to be started in the next cycle.
     bool is_refused_;   ///< That was told.
+    bool is_off_bus_;   ///< No negotiation begins.
+    bool is_to_reset_;  ///< This device was commanded to reset itself.
 };
 
 } // namespace counterpoint::cia302

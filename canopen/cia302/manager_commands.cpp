@@ -147,6 +147,9 @@ void Manager::OnNmtSent(const NmtRequest& request, const Instant now) noexcept
     {
         Obey(request.command);
     }
+    // Not here: the queue of commands is being worked through.
+    is_to_reset_ =
+        is_to_reset_ || (!is_all && IsReset(request.command) && (request.node.value == parts_.setup.own.value));
     parts_.listener.OnNmtSent(request, now);
 }
 

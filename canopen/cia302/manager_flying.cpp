@@ -7,7 +7,29 @@ namespace counterpoint::cia302
 
 FlyingStart Manager::StartNegotiation(const Instant now) noexcept
 {
-    return (flying_ != nullptr) ? flying_->Start(now) : FlyingStart::kInvalid;
+    const FlyingStart refusal = (flying_ != nullptr) ? FlyingStart::kNoBus : FlyingStart::kInvalid;
+    return ((flying_ != nullptr) && !is_off_bus_) ? flying_->Start(now) : refusal;
+}
+
+void Manager::OnBus(const bool is_there, const Instant now) noexcept
+{
+    const bool has_gone = !is_there && !is_off_bus_;
+    is_off_bus_ = !is_there;
+    if (has_gone && is_running_ && (flying_ != nullptr))
+    {
+        flying_->Reset(now);
+    }
+}
+
+/// The active master that is commanded to reset itself, and not all, is as any other device after it. [SRS-FLY-019]
+void Manager::ResetRole(const Instant now) noexcept
+{
+    const bool is_due = is_to_reset_ && (flying_ != nullptr);
+    is_to_reset_ = false;
+    if (is_due)
+    {
+        flying_->Reset(now);
+    }
 }
 
 /// Values that cannot work may be corrected while the device is initialising.

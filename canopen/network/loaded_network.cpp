@@ -325,11 +325,6 @@ void LoadedNetwork::FillManager()
                             ": one start for all is asked for (1F80h bit 1), and there is a safety slave: each slave "
                             "is started by itself after its verification");
     }
-    if (manager.flying && manager.heartbeat_ms.value_or(0U) == 0U)
-    {
-        warnings_.push_back(cia306::Printable(plan_.file) +
-                            ": a flying master without heartbeat, which its standbys lose again and again: expected a "
-                            "heartbeat above 0 ms");
-    }
+    WarnOfFlying();
 }
 } // namespace counterpoint::network

@@ -94,6 +94,8 @@ class LoadedNetwork
     void WarnOfGuarding(const SlavePlan& slave, bool is_el6751);
     void WarnOfSafety(const LoadedSlave& slave);
     void WarnOfHeartbeat();
+    void WarnOfFlying();
+    [[nodiscard]] bool HasUnwatchedNode() const;
     void FillManager();
 
     NetworkPlan plan_;

@@ -10,12 +10,23 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace counterpoint::network
 {
+/// Where the network file has a key. A CPJ has none.
+using KeyLines = std::map<std::string, std::size_t>;
+
+/// @brief The line of `key`, or `otherwise`.
+[[nodiscard]] inline std::size_t LineOf(const KeyLines& lines, const std::string& key, const std::size_t otherwise)
+{
+    const auto found = lines.find(key);
+    return (found == lines.end()) ? otherwise : found->second;
+}
+
 /// How the manager starts its network.
 enum class StartProfile : std::uint8_t
 {
@@ -35,6 +46,7 @@ struct FlyingPlan
     std::optional<std::uint16_t> detect_ms;     ///< 6
     cia302::FlyingMasterOptions options{cia302::DefaultFlyingMaster()};
     bool is_by_order{false}; ///< The first negotiation waits for the application.
+    KeyLines lines;
 };
 
 /// What an RxPDO carries until somebody says something else.
@@ -60,6 +72,7 @@ struct SlavePlan
 {
     std::uint8_t node{0U};
     std::size_t line{0U}; ///< Of the network file.
+    KeyLines lines;
     std::string name;
     std::string dcf; ///< Path, usable from here.
     std::optional<std::uint32_t> assignment;
@@ -93,6 +106,7 @@ struct ManagerPlan
 {
     std::optional<std::uint8_t> node;
     std::size_t line{0U};
+    KeyLines lines;
     std::string dcf; ///< Empty: none.
     StartProfile profile{StartProfile::kCia302};
     std::optional<std::uint32_t> start_up; ///< 1F80h.

@@ -281,4 +281,5 @@ void LoadedNetwork::WarnOfUnused()
         WarnOfGuarding(slave, is_el6751);
     }
 }
+
 } // namespace counterpoint::network

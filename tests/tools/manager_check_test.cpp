@@ -37,9 +37,10 @@ TEST_F(ManagerCheckTest, EqualMastersPassOthersAreNamed)
     const Answer differs = RunCommand({"manager", "--check", Network("master_2.yaml"), other});
     EXPECT_EQ(differs.status, 1);
     const std::string first = Network("master_2.yaml");
-    EXPECT_EQ(differs.out, other + ": 0x1F90:01 is 0x96, expected 0x64 as in " + first + "\n" + other +
-                               ": 0x1F88:5F is 0x7, expected 0x21 as in " + first + "\n" + first +
-                               ": no node 96, expected it as in " + other + "\n");
+    // Then the key that decides is named in both files; where a value comes from the DCF, the key of that
+    EXPECT_EQ(differs.out, other + ":1: 0x1F90:01 is 0x96, expected 0x64 as in " + first + ":2\n" + other +
+                               ":4: 0x1F88:5F is 0x7, expected 0x21 as in " + first + ":5\n" + first +
+                               ":2: no node 96, expected it as in " + other + ":5\n");
 }
 
 TEST_F(ManagerCheckTest, MastersThatSuperviseInAnotherWayAreNamed)
@@ -55,10 +56,10 @@ TEST_F(ManagerCheckTest, MastersThatSuperviseInAnotherWayAreNamed)
     const std::string five = File("five.yaml", network("5", "2", "heartbeat: 200 ms, arming: boot_up"));
     const Answer differs = RunCommand({"manager", "--check", two, five});
     EXPECT_EQ(differs.status, 1);
-    EXPECT_NE(differs.out.find(five + ": heartbeat (0x1017) of node 96 is 0xC8, expected 0x64 as in " + two + "\n"),
+    EXPECT_NE(differs.out.find(five + ":4: heartbeat (0x1017) of node 96 is 0xC8, expected 0x64 as in " + two + ":4\n"),
               std::string::npos)
         << differs.out;
-    EXPECT_NE(differs.out.find(five + ": arming of node 96 is 0x2, expected 0x1 as in " + two + "\n"),
+    EXPECT_NE(differs.out.find(five + ":4: arming of node 96 is 0x2, expected 0x1 as in " + two + ":4\n"),
               std::string::npos)
         << differs.out;
 }
@@ -74,23 +75,23 @@ TEST_F(ManagerCheckTest, AllMastersOfANetworkAreCompared)
     const std::string twin = network("twin.yaml", "node: 5, flying: {priority: 2}", "{node: 2}, {node: 9}, {node: 96}");
     const Answer same = RunCommand({"manager", "--check", two, five, twin});
     EXPECT_EQ(same.status, 1);
-    EXPECT_EQ(same.out, twin + ": node-ID of the manager is 5, expected another one than in the files before\n" + five +
-                            ": no node 9, expected it as in " + two + "\n");
+    EXPECT_EQ(same.out, twin + ":1: node-ID of the manager is 5, expected another one than in the files before\n" +
+                            five + ":1: no node 9, expected it as in " + two + ":2\n");
     // Given a third master that the second one does not know, that is no flying master, and whose slots overlap
     const std::string nine = network("nine.yaml", "node: 9, sdo_tries: 2", "{node: 2}, {node: 5}, {node: 96}");
     const std::string slots =
         network("slots.yaml", "node: 9, flying: {level_slot: 1270 ms}", "{node: 2}, {node: 5}, {node: 96}");
     const Answer unknown = RunCommand({"manager", "--check", two, five, nine});
     EXPECT_EQ(unknown.status, 1);
-    EXPECT_EQ(unknown.out, five + ": no node 9, expected the other master in the network list\n" + nine +
-                               ": 0x1F80:00 is 0x1, expected bit 5: a flying master\n" + nine +
-                               ": 0x1F80:00 is 0x1, expected 0x21 as in " + two + "\n" + nine +
-                               ": sdo_tries is 0x2, expected 0x0 as in " + two + "\n");
+    EXPECT_EQ(unknown.out, five + ":1: no node 9, expected the other master in the network list\n" + nine +
+                               ":1: 0x1F80:00 is 0x1, expected bit 5: a flying master\n" + nine +
+                               ":1: 0x1F80:00 is 0x1, expected 0x21 as in " + two + ":1\n" + nine +
+                               ":1: sdo_tries is 0x2, expected 0x0 as in " + two + ":1\n");
     const Answer overlap = RunCommand({"manager", "--check", two, slots});
     EXPECT_EQ(overlap.out, slots +
-                               ": 0x1F90:04 is 0x4F6 with 0x1F90:05 0xA, expected more than 127 times the latter, "
+                               ":1: 0x1F90:04 is 0x4F6 with 0x1F90:05 0xA, expected more than 127 times the latter, "
                                "which is above 0\n" +
-                               slots + ": 0x1F90:04 is 0x4F6, expected 0x5DC as in " + two + "\n");
+                               slots + ":1: 0x1F90:04 is 0x4F6, expected 0x5DC as in " + two + ":1\n");
 }
 
 TEST_F(ManagerCheckTest, WhatProfilesAndSafetyAskForIsCompared)
@@ -107,9 +108,135 @@ TEST_F(ManagerCheckTest, WhatProfilesAndSafetyAskForIsCompared)
     const std::string five = network("five.yaml", "5", "2", ", el6751: {restart: by_hand}", "input_shift: 600 us");
     const Answer differs = RunCommand({"manager", "--check", two, five});
     EXPECT_EQ(differs.status, 1) << differs.err;
-    EXPECT_EQ(differs.out, five + ": restart of node 95 is 0x1, expected 0x0 as in " + two + "\n" + five +
-                               ": el6751 input_shift is 0x258, expected 0x1F4 as in " + two + "\n" + five +
-                               ": write_safety of node 95 is 0x0, expected 0x1 as in " + two + "\n");
+    EXPECT_EQ(differs.out, five + ":2: restart of node 95 is 0x1, expected 0x0 as in " + two + ":2\n" + five +
+                               ":1: el6751 input_shift is 0x258, expected 0x1F4 as in " + two + ":1\n" + five +
+                               ":2: write_safety of node 95 is 0x0, expected 0x1 as in " + two + ":2\n");
+}
+
+/// Everything that two files can say differently, one key a line.
+TEST_F(ManagerCheckTest, EachKeyIsComparedAndNamedAtItsLine)
+{
+    Verifies(req::SRS_MGR_009);
+    const std::string manager = "manager:\n  node: 2\n  heartbeat: 200 ms\n";
+    const std::string flying = "  flying:\n    priority: 0\n";
+    const std::string slaves = "slaves:\n  - {node: 5, boot: false, mandatory: false, consumer: 500 ms}\n"
+                               "  - node: 96\n";
+    const std::string first = File("first.yaml", manager + flying + slaves);
+    const std::string other = "manager:\n  node: 5\n  heartbeat: 200 ms\n";
+    const std::string others = "slaves:\n  - {node: 2, boot: false, mandatory: false, consumer: 500 ms}\n"
+                               "  - node: 96\n";
+    struct Case
+    {
+        const char* of_manager;
+        const char* of_flying;
+        const char* of_slave;
+        const char* told; ///< FILE:LINE of the second file, without it; then as in the first one's line.
+        const char* line;
+    };
+    const Case cases[] = {
+        {"  start_up: 0x22\n", "", "", ":4: 0x1F80:00 is 0x23, expected 0x21", ":2"},
+        {"  boot_time: 3 s\n", "", "", ":4: 0x1F89:00 is 0xBB8, expected 0x0", ":2"},
+        {"  inhibit: 2 ms\n", "", "", ":4: 0x102A:00 is 0x14, expected 0x0", ":2"},
+        {"  sync: 10 ms\n", "", "", ":4: 0x1006:00 is 0x2710, expected 0x0", ":2"},
+        {"  sdo_timeout: 90 ms\n", "", "", ":4: sdo_timeout is 0x5A, expected 0x0", ":2"},
+        {"", "    timeout: 90 ms\n", "", ":6: 0x1F90:01 is 0x5A, expected 0x64", ":4"},
+        {"", "    delay: 90 ms\n", "", ":6: 0x1F90:02 is 0x5A, expected 0x1F4", ":4"},
+        {"", "    level_slot: 2 s\n", "", ":6: 0x1F90:04 is 0x7D0, expected 0x5DC", ":4"},
+        {"", "    node_slot: 9 ms\n", "", ":6: 0x1F90:05 is 0x9, expected 0xA", ":4"},
+        {"", "", "    assignment: 0x07\n", ":9: 0x1F81:60 is 0x7, expected 0xD", ":8"},
+        {"", "", "    device_type: 9\n", ":9: 0x1F84:60 is 0x9, expected 0x0", ":8"},
+        {"", "", "    vendor_id: 9\n", ":9: 0x1F85:60 is 0x9, expected 0x0", ":8"},
+        {"", "", "    product_code: 9\n", ":9: 0x1F86:60 is 0x9, expected 0x0", ":8"},
+        {"", "", "    revision: 9\n", ":9: 0x1F87:60 is 0x9, expected 0x0", ":8"},
+        {"", "", "    serial: 9\n", ":9: 0x1F88:60 is 0x9, expected 0x0", ":8"},
+        {"", "", "    date: 9\n", ":9: 0x1F26:60 is 0x9, expected 0x0", ":8"},
+        {"", "", "    time: 9\n", ":9: 0x1F27:60 is 0x9, expected 0x0", ":8"},
+        {"", "", "    consumer: 9 ms\n", ":9: heartbeat consumer (0x1016) of node 96 is 0x9, expected 0x0", ":8"},
+        {"", "", "    arming: boot_up\n", ":9: arming of node 96 is 0x2, expected 0x1", ":8"},
+    };
+    for (const Case& one : cases)
+    {
+        const std::string second = File("second.yaml", other + one.of_manager + "  flying:\n    priority: 2\n" +
+                                                           one.of_flying + others + one.of_slave);
+        const Answer differs = RunCommand({"manager", "--check", first, second});
+        EXPECT_EQ(differs.status, 1) << one.told;
+        EXPECT_EQ(differs.out, second + one.told + " as in " + first + one.line + "\n");
+    }
+    // Given other times that each master may have for itself, nothing is told
+    const std::string own = File("own.yaml", other +
+                                                 "  flying: {priority: 1, detect: 9 s, restarts: 1, watch_time: "
+                                                 "900 ms, preset: so1114}\n" +
+                                                 others);
+    const Answer equal = RunCommand({"manager", "--check", first, own});
+    EXPECT_EQ(equal.status, 0) << equal.out;
+}
+
+TEST_F(ManagerCheckTest, OutputsAndProfilesAreCompared)
+{
+    Verifies(req::SRS_MGR_009);
+    const auto network = [this](const std::string& name, const std::string& manager, const std::string& other,
+                                const std::string& outputs)
+    {
+        return File(name, "manager: {heartbeat: 200 ms, sync: 10 ms, flying: {}, " + manager +
+                              "}\nslaves:\n  - {node: " + other + "}\n  - node: 5\n    dcf: " + Network("io.dcf") +
+                              "\n" + outputs);
+    };
+    const std::string two =
+        network("two.yaml", "node: 2, profile: el6751", "3", "    outputs: [{pdo: 1, data: \"00\"}]\n");
+    // Given outputs of zeros that are said in one file only, and others
+    const Answer equal =
+        RunCommand({"manager", "--check", two, network("none.yaml", "node: 3, profile: el6751", "2", "")});
+    EXPECT_EQ(equal.status, 0) << equal.out << equal.err;
+    const std::string three =
+        network("three.yaml", "node: 3, profile: el6751", "2", "    outputs: [{pdo: 1, data: \"02\"}]\n");
+    const Answer differs = RunCommand({"manager", "--check", two, three});
+    EXPECT_EQ(differs.status, 1) << differs.err;
+    EXPECT_EQ(differs.out, three + ":6: output of RxPDO 1 of node 5 is 02, expected zeros as in " + two + ":6\n");
+    // Given another profile
+    const std::string plc = network("plc.yaml", "node: 3, profile: plc_designer", "2", "");
+    const Answer other = RunCommand({"manager", "--check", two, plc});
+    EXPECT_NE(other.out.find(plc + ":1: profile is 0x3, expected 0x2 as in " + two + ":1\n"), std::string::npos)
+        << other.out;
+}
+
+TEST_F(ManagerCheckTest, WhatDoesNotWorkTogetherIsNamed)
+{
+    Verifies(req::SRS_MGR_009);
+    const auto network = [this](const std::string& name, const std::string& text, const std::string& slave)
+    { return File(name, "manager:\n  heartbeat: 800 ms\n" + text + "slaves:\n  - {" + slave + "}\n  - node: 96\n"); };
+    // Given a master that is watched by 600 ms, by 700 ms, or by nobody, though its heartbeat comes each 800 ms
+    const std::string two = network("two.yaml", "  node: 2\n  flying:\n    cyclic: negotiation\n",
+                                    "node: 5, boot: false, mandatory: false");
+    const std::string by_entry = network("five.yaml", "  node: 5\n  flying: {}\n", "node: 2, consumer: 600 ms");
+    const std::string by_time =
+        network("time.yaml", "  node: 5\n  flying:\n    watch_time: 700 ms\n    standby: races\n", "node: 2");
+    const std::string by_none = network("none.yaml", "  node: 5\n  flying: {preset: so1114}\n", "node: 2");
+    const Answer entry = RunCommand({"manager", "--check", two, by_entry});
+    EXPECT_EQ(entry.status, 1);
+    EXPECT_EQ(entry.out, by_entry +
+                             ":6: master 2 is watched by 600 ms, expected more than the 800 ms of its heartbeat "
+                             "in " +
+                             two + ":2\n");
+    const Answer time = RunCommand({"manager", "--check", two, by_time});
+    EXPECT_EQ(time.out, by_time +
+                            ":5: master 2 is watched by 700 ms, expected more than the 800 ms of its heartbeat "
+                            "in " +
+                            two + ":2\n" + by_time +
+                            ":6: standby is races, expected ignores or asks beside cyclic negotiation of " + two +
+                            ":5: such masters elect without end\n");
+    const std::string deaf =
+        network("deaf.yaml", "  node: 5\n  flying:\n    cyclic: negotiation\n    claim_heard: ignores\n",
+                "node: 2, boot: false, mandatory: false, consumer: 900 ms");
+    const Answer never = RunCommand({"manager", "--check", two, deaf});
+    EXPECT_EQ(never.out, deaf + ":6: claim_heard is ignores, expected compares beside cyclic negotiation of " + two +
+                             ":5: two such masters never end\n");
+    // Then what may be meant is a warning
+    const Answer none = RunCommand({"manager", "--check", two, by_none});
+    EXPECT_EQ(none.status, 0) << none.out;
+    EXPECT_EQ(none.err, by_none +
+                            ":6: master 2 is a mandatory slave: when it fails, the start-up of this one does not "
+                            "end before it is back\n" +
+                            by_none + ":6: nobody watches master 2: when it fails, this one stays slave\n");
 }
 
 TEST_F(ManagerCheckTest, AnExpectationThatASafetySlaveCannotMeetIsTold)

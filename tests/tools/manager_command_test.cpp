@@ -174,7 +174,27 @@ TEST_F(ManagerCommandTest, NoProfileStartsASafetySlaveThatDiffers)
 TEST_F(ManagerCommandTest, AFlyingMasterDiesAndTheOtherOneTakesOver)
 {
     Verifies(req::SRS_MGR_002);
+    Verifies(req::SRS_FLY_019);
     ExpectHolds("flying.yaml");
+    ExpectHolds("flying_bus_off.yaml");
+    // In the middle of the slave's boot-up, under the other profiles
+    ExpectHolds("flying_el6751.yaml");
+    ExpectHolds("flying_plc_designer.yaml");
+    for (const std::string profile : {"el6751", "plc_designer"})
+    {
+        const Answer equal = RunCommand(
+            {"manager", "--check", Network("master_2_" + profile + ".yaml"), Network("master_5_" + profile + ".yaml")});
+        EXPECT_EQ(equal.status, 0) << equal.out;
+        EXPECT_EQ(equal.err, "");
+    }
+}
+
+TEST_F(ManagerCommandTest, ForeignFramesOfTheNegotiation)
+{
+    Verifies(req::SRS_FLY_001);
+    Verifies(req::SRS_FLY_012);
+    Verifies(req::SRS_FLY_021);
+    ExpectHolds("flying_babble.yaml");
 }
 
 TEST_F(ManagerCommandTest, TheDemoOfTheReference)

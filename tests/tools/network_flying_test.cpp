@@ -158,8 +158,62 @@ TEST_F(NetworkFlyingTest, AFlyingMasterWithoutHeartbeatIsWarnedOf)
     const std::string file = File("net.yaml", "manager: {node: 2, flying: {priority: 1}}\nslaves: [{node: 9}]\n");
     const LoadedNetwork net(ReadNetworkFile(file, 0U));
     ASSERT_EQ(net.Warnings().size(), 1U);
-    EXPECT_EQ(net.Warnings()[0], file + ": a flying master without heartbeat, which its standbys lose again and again: "
-                                        "expected a heartbeat above 0 ms");
+    EXPECT_EQ(net.Warnings()[0], file +
+                                     ":1: a flying master without heartbeat, which its standbys lose again and again: "
+                                     "expected a heartbeat above 0 ms");
+}
+
+TEST_F(NetworkFlyingTest, TimesThatDoNotGoTogetherAreWarnedOfAtTheirLine)
+{
+    Verifies(req::SRS_FLY_029);
+    const auto warnings = [this](const std::string& flying, const std::string& slave)
+    {
+        const std::string file = File("net.yaml", "manager:\n  node: 2\n  heartbeat: 500 ms\n  flying:\n" + flying +
+                                                      "slaves: [" + slave + "]\n");
+        const LoadedNetwork net(ReadNetworkFile(file, 0U));
+        std::string all;
+        for (const std::string& warning : net.Warnings())
+        {
+            all += warning.substr(file.size()) + "|";
+        }
+        return all;
+    };
+    const std::string slave = "{node: 9}";
+    // Given a time for missing the master that is its heartbeat's, and one above it
+    const std::string lost = " for masters with a heartbeat each 500 ms as this one: their standbys lose them again "
+                             "and again, expected a longer one|";
+    EXPECT_EQ(warnings("    watch_time: 500 ms\n", slave), ":5: watch_time 500 ms" + lost);
+    EXPECT_EQ(warnings("    watch_time: 501 ms\n", slave), "");
+    EXPECT_EQ(warnings("    watch_time: 500 ms\n    watch: application\n", slave), "");
+    EXPECT_EQ(warnings("    watch_time: 500 ms\n    watch: twice_producer\n", slave), "");
+    // Given a node slot in which a cycle of 1 ms and the frames of 125 kbit/s do not fit
+    EXPECT_EQ(warnings("    priority: 1\n    node_slot: 7 ms\n", slave),
+              ":6: node_slot 7 ms: with a cycle of 1 ms and 125 kbit/s a failover may take longer than computed, "
+              "expected at least 8 ms|");
+    EXPECT_EQ(warnings("    node_slot: 8 ms\n", slave), "");
+    // Given standbys that race whenever the master sends its cyclic message
+    EXPECT_EQ(warnings("    cyclic: negotiation\n    standby: races\n", slave),
+              ":6: standby races with cyclic negotiation: masters like this one elect without end, expected another "
+              "word for one of them|");
+    EXPECT_EQ(warnings("    standby: races\n", slave), "");
+    // Given masters that hear of each other by 071h alone, and ignore it
+    EXPECT_EQ(warnings("    cyclic: negotiation\n    claim_heard: ignores\n", slave),
+              ":6: claim_heard ignores with cyclic negotiation: two masters like this one never end, expected another "
+              "word for one of them|");
+    EXPECT_EQ(warnings("    claim_heard: ignores\n", slave), "");
+}
+
+TEST_F(NetworkFlyingTest, TheUsualWatchTimeIsWarnedOfWhereItCounts)
+{
+    Verifies(req::SRS_FLY_029);
+    const auto count = [this](const std::string& slave)
+    {
+        const std::string file =
+            File("net.yaml", "manager: {node: 2, heartbeat: 2 s, flying: {}}\nslaves: [{node: 9" + slave + "}]\n");
+        return LoadedNetwork(ReadNetworkFile(file, 0U)).Warnings().size();
+    };
+    EXPECT_EQ(count(""), 1U);
+    EXPECT_EQ(count(", consumer: 3 s"), 0U);
 }
 } // namespace
 } // namespace counterpoint::tools

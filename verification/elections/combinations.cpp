@@ -55,7 +55,8 @@ std::vector<Time> OffsetsInSlots()
     return offsets;
 }
 
-Tally Combinations(const Preset preset, const std::size_t count, const std::vector<Time>& offsets, const Losses losses)
+Tally Combinations(const Preset preset, const std::size_t count, const std::vector<Time>& offsets, const Losses losses,
+                   const Adapt& adapt)
 {
     const Time base = -*std::min_element(offsets.begin(), offsets.end());
     const std::size_t all = PowerOf(kLevels, count) * PowerOf(offsets.size(), count - 1U);
@@ -71,7 +72,12 @@ Tally Combinations(const Preset preset, const std::size_t count, const std::vect
             {
                 power_on[i] += offsets[Digit(of_offsets, offsets.size(), i - 1U)];
             }
-            RunOne(world, MastersOf(LevelsOf(number, count), power_on), losses, tally);
+            std::vector<MasterPlan> masters = MastersOf(LevelsOf(number, count), power_on);
+            if (adapt)
+            {
+                adapt(masters, number);
+            }
+            RunOne(world, masters, losses, tally);
         }
         return tally;
     };

@@ -121,6 +121,61 @@ TEST_P(Elections, SeededOf127)
     ExpectGood(Seeded(GetParam(), 2U, 0U, 50U, Crowd::kExactly, 127U), 75U);
 }
 
+TEST_P(Elections, ClocksThatDriftApartAndTurnOver)
+{
+    Verifies(req::SRS_FLY_023);
+    Verifies(req::SRS_FLY_025);
+    ExpectGood(Combinations(GetParam(), 2U, OffsetsOfTheText(), Losses::kForEachToo, GiveClocks), 900U);
+    ExpectGood(Seeded(GetParam(), 3U, 0U, 50U, Crowd::kUpTo, 127U, GiveClocks), 75U);
+}
+
+TEST(ElectionsClocks, EachDeviceGoesByItsOwn)
+{
+    Verifies(req::SRS_FLY_026);
+    // Given one master whose clock is 1 % fast, and one 1 % slow, both turning over after 1 s
+    for (const Time ppm : {Time{0}, Time{10'000}, Time{-10'000}})
+    {
+        World world(PlanOf(Preset::kDefault));
+        std::vector<MasterPlan> masters = MastersOf({2U}, {0});
+        masters[0].clock_ppm = ppm;
+        masters[0].clock_begin = 0xFFFF'FFFFU - 999'999U;
+        world.Begin(masters, Loss{});
+        world.Run(10 * kSecond);
+        // Then 2 x (500 + 100) + 2 x 1500 + 10 ms of its own time have passed when it is master
+        const Time computed = (Time{4'210'000} * kSecond) / (kSecond + ppm);
+        EXPECT_TRUE(world.IsAgreed());
+        EXPECT_GE(world.LastMaster(), computed);
+        EXPECT_LE(world.LastMaster(), computed + (6 * kMs));
+    }
+}
+
+TEST_P(Elections, OtherBehavioursAloneAndBesideEachOther)
+{
+    Verifies(req::SRS_FLY_016);
+    Verifies(req::SRS_FLY_023);
+    // 40 or 43 sets of masters x 9 priorities x 11 offsets and 32 instants of joining
+    ExpectGood(Variants(GetParam(), Losses::kNone), 15'000U);
+}
+
+TEST_P(Elections, AMasterThatIsNotTheBestIsAFailure)
+{
+    Verifies(req::SRS_FLY_023);
+    // Given a better master that cannot win, because its slot was changed to be the longer one, and gave up
+    WorldPlan plan = PlanOf(GetParam());
+    plan.options.max_restarts = 1U;
+    World world(plan);
+    std::vector<MasterPlan> masters = MastersOf({2U, 1U}, {0, 0});
+    masters[1].times.priority_slot = 6000U;
+    world.Begin(masters, Loss{});
+    world.Run(60 * kSecond);
+    EXPECT_TRUE(world.IsAgreed());
+    EXPECT_FALSE(world.IsBest());
+    Tally tally{};
+    static_cast<void>(Judge(world, Trial{masters, Loss{}, 60 * kSecond, kSecond, kMs, kMs, 0}, tally));
+    EXPECT_EQ(tally.failures, 1U);
+    EXPECT_NE(tally.first_failure.find("not the best level"), std::string::npos) << tally.first_failure;
+}
+
 TEST_P(Elections, ALimitThatIsNotKeptIsAFailure)
 {
     Verifies(req::SRS_FLY_023);

@@ -32,6 +32,7 @@ struct Options
 };
 
 constexpr std::size_t kDrawnFailovers = 1000U; ///< Of each preset.
+constexpr std::uint32_t kOwnClocksEach = 10U;  ///< One of so many seeded runs is done with own clocks too.
 
 std::uint64_t Print(const std::string& name, const Tally& tally)
 {
@@ -67,22 +68,23 @@ void PrintHistogram(const Tally& tally)
     }
 }
 
-std::uint64_t RunSeeded(const Preset preset, const std::string& name, const Options& options)
+std::uint64_t RunSeeded(const Preset preset, const std::string& name, const Options& options, const Adapt& adapt)
 {
     const Crowd crowd = options.up_to ? Crowd::kUpTo : Crowd::kExactly;
     constexpr std::uint32_t kChunk = 1000U;
     Tally tally{};
-    for (std::uint32_t done = 0U; done < options.runs; done += kChunk)
+    const std::uint32_t runs = adapt ? std::max(1U, options.runs / kOwnClocksEach) : options.runs;
+    for (std::uint32_t done = 0U; done < runs; done += kChunk)
     {
-        const std::uint32_t count = std::min(kChunk, options.runs - done);
-        tally.Add(Seeded(preset, options.seed, options.first + done, count, crowd, options.greatest));
+        const std::uint32_t count = std::min(kChunk, runs - done);
+        tally.Add(Seeded(preset, options.seed, options.first + done, count, crowd, options.greatest, adapt));
         if (isatty(STDERR_FILENO) != 0)
         {
-            std::fprintf(stderr, "\r%u of %u seeded runs", done + count, options.runs);
+            std::fprintf(stderr, "\r%u of %u seeded runs", done + count, runs);
         }
     }
     return Print(name + ", seed " + std::to_string(options.seed) + (options.up_to ? ", up to " : ", ") +
-                     std::to_string(options.greatest) + " masters",
+                     std::to_string(options.greatest) + " masters" + (adapt ? ", own clocks" : ""),
                  tally);
 }
 
@@ -112,6 +114,12 @@ std::uint64_t RunExhaustive(const Preset preset, const std::string& name, const 
         failures += Print(name + ", " + masters + ", split and joined", Splits(preset, count, joined));
     }
     failures += Print(name + ", 2 masters, 10 ms steps", Combinations(preset, 2U, OffsetsInSlots(), Losses::kForAll));
+    for (std::size_t count = 2U; count <= 3U; ++count)
+    {
+        failures += Print(name + ", " + std::to_string(count) + " masters, own clocks",
+                          Combinations(preset, count, OffsetsOfTheText(), Losses::kForEachToo, GiveClocks));
+    }
+    failures += Print(name + ", variants", Variants(preset, Losses::kForAll));
     for (const FailoverSeries& series : FailoverSeriesOf(preset, name))
     {
         failures += Print(series.name, series.tally);
@@ -155,7 +163,8 @@ int Run(const Options& options)
             continue;
         }
         failures += options.seeded_only ? 0U : RunExhaustive(preset, name, options.whole);
-        failures += RunSeeded(preset, name, options);
+        failures += RunSeeded(preset, name, options, {});
+        failures += RunSeeded(preset, name, options, GiveClocks);
     }
     std::printf("elections: %s\n", (failures == 0U) ? "every run ended in exactly one master" : "FAILED");
     return (failures == 0U) ? 0 : 1;

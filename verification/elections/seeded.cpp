@@ -18,10 +18,14 @@ class SeededRun
 {
   public:
     SeededRun(const Preset preset, const std::uint32_t seed, const std::uint32_t number, const Crowd crowd,
-              const std::size_t greatest)
+              const std::size_t greatest, const Adapt& adapt)
         : random_((static_cast<std::uint64_t>(seed) << 32U) | number), plan_(DrawPlan(preset)), world_(plan_),
           masters_(DrawMasters(crowd, greatest)), bound_(BoundOf(masters_, plan_.bit_us))
     {
+        if (adapt)
+        {
+            adapt(masters_, (static_cast<std::uint64_t>(number) << 32U) | seed);
+        }
     }
 
     void Run(Tally& tally)
@@ -139,7 +143,7 @@ class SeededRun
 } // namespace
 
 Tally Seeded(const Preset preset, const std::uint32_t seed, const std::uint32_t first, const std::uint32_t count,
-             const Crowd crowd, const std::size_t greatest)
+             const Crowd crowd, const std::size_t greatest, const Adapt& adapt)
 {
     const auto run_part = [&](const std::size_t part, const std::size_t parts)
     {
@@ -148,7 +152,7 @@ Tally Seeded(const Preset preset, const std::uint32_t seed, const std::uint32_t 
         {
             const std::uint32_t number = first + static_cast<std::uint32_t>(i);
             Tally run{};
-            SeededRun(preset, seed, number, crowd, greatest).Run(run);
+            SeededRun(preset, seed, number, crowd, greatest, adapt).Run(run);
             if (run.failures > 0U)
             {
                 run.first_failure = "run " + std::to_string(number) + ": " + run.first_failure;

@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/elections/series.hpp"
 
+#include "verification/simulator/random.hpp"
+
 #include <algorithm>
 
 namespace counterpoint::elections
@@ -24,9 +26,10 @@ std::string Describe(const World& world, const Trial& trial)
     }
     const Seen& seen = world.Found();
     text += "; active " + std::to_string(world.ActiveCount()) + (world.IsAgreed() ? ", agreed" : ", not agreed") +
-            "; rest after " + std::to_string((seen.last_change - trial.from) / kMs) + " ms, limit " +
-            std::to_string(trial.limit / kMs) + " ms; two masters for " + std::to_string(seen.longest_two / kMs) +
-            " ms, limit " + std::to_string(trial.limit_two / kMs) + " ms";
+            (world.IsBest() ? "" : ", not the best level") + "; rest after " +
+            std::to_string((seen.last_change - trial.from) / kMs) + " ms, limit " + std::to_string(trial.limit / kMs) +
+            " ms; two masters for " + std::to_string(seen.longest_two / kMs) + " ms, limit " +
+            std::to_string(trial.limit_two / kMs) + " ms";
     return text;
 }
 
@@ -66,8 +69,8 @@ std::uint32_t Judge(World& world, const Trial& trial, Tally& tally)
     world.Run(trial.from + trial.limit + trial.quiet);
     const Seen& seen = world.Found();
     const Time rest = std::max<Time>(seen.last_change - trial.from, 0);
-    const bool is_good =
-        is_at_rest && world.IsAgreed() && (rest <= trial.limit) && (seen.longest_two <= trial.limit_two);
+    const bool is_good = is_at_rest && world.IsAgreed() && world.IsBest() && (rest <= trial.limit) &&
+                         (seen.longest_two <= trial.limit_two);
     const bool has_loss = trial.loss.frame != Loss::kNoFrame;
     Tally run{};
     run.runs = 1U;
@@ -83,6 +86,18 @@ std::uint32_t Judge(World& world, const Trial& trial, Tally& tally)
     run.first_failure = is_good ? std::string{} : Describe(world, trial);
     tally.Add(run);
     return frames;
+}
+
+void GiveClocks(std::vector<MasterPlan>& masters, const std::uint64_t seed)
+{
+    constexpr std::uint32_t kGreatestPpm = 200U;
+    constexpr std::uint32_t kTurnsOver = 20U * 1'000'000U;
+    simulator::Random random(seed);
+    for (MasterPlan& plan : masters)
+    {
+        plan.clock_ppm = static_cast<Time>(random.Below((2U * kGreatestPpm) + 1U)) - kGreatestPpm;
+        plan.clock_begin = 0U - random.Below(kTurnsOver);
+    }
 }
 
 WorldPlan PlanOf(const Preset preset)

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -82,16 +83,27 @@ enum class Losses : std::uint8_t
     kForEachToo = 2U, ///< And each receiver by itself.
 };
 
+/// @brief Each clock is up to 200 ppm slow or fast, and its 32-bit counter turns over within the first 20 s.
+void GiveClocks(std::vector<MasterPlan>& masters, std::uint64_t seed);
+
+/// What makes the masters of run `number` of a series other ones.
+using Adapt = std::function<void(std::vector<MasterPlan>& masters, std::uint64_t number)>;
+
 /// @brief All priorities x all offsets of `offsets` of each but the first master x loss of each frame until rest.
 /// [SRS-FLY-023]
-[[nodiscard]] Tally Combinations(Preset preset, std::size_t count, const std::vector<Time>& offsets, Losses losses);
+[[nodiscard]] Tally Combinations(Preset preset, std::size_t count, const std::vector<Time>& offsets, Losses losses,
+                                 const Adapt& adapt = {});
 /// @brief 0, one tick, one slot, 1F90h:01, :02, :04 in both directions.
 [[nodiscard]] std::vector<Time> OffsetsOfTheText();
 /// @brief -8 s to 8 s in 10 ms steps.
 [[nodiscard]] std::vector<Time> OffsetsInSlots();
 /// @brief All priorities x all ways to split `count` masters in two x instants of joining x loss of each frame
 /// afterwards until rest. [SRS-FLY-024]
-[[nodiscard]] Tally Splits(Preset preset, std::size_t count, Losses losses);
+[[nodiscard]] Tally Splits(Preset preset, std::size_t count, Losses losses, const Adapt& adapt = {});
+/// @brief Each variant of FlyingMasterOptions by itself over the preset, but those that are known not to work: in all
+/// of 2 and of 3 masters, in the first and third, in the second alone; and both presets beside each other. Offsets of
+/// the text and splits; with kNone 2 masters only, else frames of 2 masters are lost. [SRS-FLY-016]
+[[nodiscard]] Tally Variants(Preset preset, Losses losses);
 /// @brief The active one of 2 to 4 masters fails at each ms of its heartbeat's period. [SRS-FLY-026]
 [[nodiscard]] Tally Failovers(Preset preset);
 /// @brief The active one of 2 to 127 masters fails, `count` times, each with other values of 1F90h, other heartbeats,
@@ -106,7 +118,7 @@ enum class Crowd : std::uint8_t
 
 /// @brief Runs `first` to `first` + `count` - 1 of a seed, with `greatest` masters or up to as many. [SRS-FLY-025]
 [[nodiscard]] Tally Seeded(Preset preset, std::uint32_t seed, std::uint32_t first, std::uint32_t count, Crowd crowd,
-                           std::size_t greatest);
+                           std::size_t greatest, const Adapt& adapt = {});
 
 } // namespace counterpoint::elections
 

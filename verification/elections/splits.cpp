@@ -50,7 +50,7 @@ void RunOne(World& world, const std::vector<MasterPlan>& masters, const std::siz
 
 } // namespace
 
-Tally Splits(const Preset preset, const std::size_t count, const Losses losses)
+Tally Splits(const Preset preset, const std::size_t count, const Losses losses, const Adapt& adapt)
 {
     const std::size_t ways = PowerOf(2U, count - 1U) - 1U;
     const std::size_t all = PowerOf(kLevels, count) * ways * kJoins;
@@ -62,7 +62,11 @@ Tally Splits(const Preset preset, const std::size_t count, const Losses losses)
         {
             const std::size_t of_join = number / PowerOf(kLevels, count);
             const Time join = (2 * kSettled) + (static_cast<Time>(of_join % kJoins) * kJoinStep);
-            const std::vector<MasterPlan> masters = MastersOf(LevelsOf(number, count), std::vector<Time>(count, 0));
+            std::vector<MasterPlan> masters = MastersOf(LevelsOf(number, count), std::vector<Time>(count, 0));
+            if (adapt)
+            {
+                adapt(masters, number);
+            }
             RunOne(world, masters, 1U + (of_join / kJoins), join, losses, tally);
         }
         return tally;

@@ -25,11 +25,6 @@ World::World(const WorldPlan& plan)
 {
 }
 
-Instant World::Stamp(const Time at)
-{
-    return Instant{static_cast<std::uint32_t>(at)};
-}
-
 void World::Begin(const std::vector<MasterPlan>& masters, const Loss& loss)
 {
     count_ = masters.size();
@@ -56,6 +51,7 @@ void World::Begin(const std::vector<MasterPlan>& masters, const Loss& loss)
         node.world = this;
         node.index = i;
         node.plan = masters[i];
+        node.plan.options = masters[i].options.value_or(plan_.options);
         node.setup = cia302::NetworkSetup{masters[i].node, 0x21U, 0U, 0U, 0U, slaves_.data()};
         node.power_on = masters[i].power_on;
         node.part = 0U;
@@ -73,14 +69,14 @@ void World::PowerOn(Node& node)
     node.power_on = kNever;
     node.recovers_at = kNever;
     node.heartbeat_at = kNever;
-    node.master.emplace(cia302::FlyingMasterParts{node.setup, node.plan.times, plan_.options, node, node});
+    node.master.emplace(cia302::FlyingMasterParts{node.setup, node.plan.times, *node.plan.options, node, node});
     parts_[node.part].Attach(node.index, true, now_);
     Start(node);
 }
 
 void World::Start(Node& node)
 {
-    static_cast<void>(node.master->Start(Stamp(now_)));
+    static_cast<void>(node.master->Start(Stamp(node, now_)));
 }
 
 void World::Kill(const std::size_t master)
@@ -196,13 +192,13 @@ void World::Cycle(Node& node)
     {
         for (const CanFrame& frame : node.heard)
         {
-            node.master->OnFrame(frame, Stamp(now_));
+            node.master->OnFrame(frame, Stamp(node, now_));
         }
         node.heard.clear();
-        node.master->OnCycle(Stamp(now_));
+        node.master->OnCycle(Stamp(node, now_));
         if (node.master->IsActiveMaster() && (node.heartbeat_at <= now_))
         {
-            node.heartbeat_at = now_ + plan_.heartbeat;
+            node.heartbeat_at = WorldOf(node, LocalOf(node, now_) + plan_.heartbeat);
             static_cast<void>(node.Send(cia301::ErrorControlFrame(node.plan.node, kOperational)));
         }
     }
@@ -249,7 +245,7 @@ void World::Hear(Node& node, const CanFrame& frame)
     }
     else if (is_of_interest)
     {
-        node.master->OnFrame(frame, Stamp(now_));
+        node.master->OnFrame(frame, Stamp(node, now_));
         Note(node, now_);
     }
     else
@@ -265,7 +261,7 @@ void World::OnBusOff(const std::size_t node)
     gone.recovers_at = now_ + (kRecoveryBits * plan_.bit_us);
     parts_[gone.part].Attach(node, false, now_);
     gone.heard.clear();
-    gone.master->Reset(Stamp(now_));
+    gone.master->Reset(Stamp(gone, now_));
     Note(gone, now_);
 }
 
@@ -309,9 +305,10 @@ void World::CountActive()
 
 Time World::TickFrom(const Node& node, const Time at) const
 {
-    const Time since = at - node.plan.phase;
+    const Time since = LocalOf(node, at) - node.plan.phase;
     const Time ticks = (since <= 0) ? 0 : ((since + plan_.cycle - 1) / plan_.cycle);
-    return node.plan.phase + (ticks * plan_.cycle);
+    const Time tick = WorldOf(node, node.plan.phase + (ticks * plan_.cycle));
+    return (tick < at) ? WorldOf(node, node.plan.phase + ((ticks + 1) * plan_.cycle)) : tick;
 }
 
 Time World::NextOf(const Node& node, const Time earliest) const
@@ -326,8 +323,9 @@ Time World::NextOf(const Node& node, const Time earliest) const
     }
     const cia302::FlyingDeadline deadline = node.master->Next();
     // Modular instants: the difference to now is exact. A step that is due already waits for the next cycle.
-    const auto left = static_cast<std::int32_t>(deadline.at.us - Stamp(now_).us);
-    const Time step = deadline.is_set ? TickFrom(node, std::max(now_ + left, earliest)) : kNever;
+    const auto left = static_cast<std::int32_t>(deadline.at.us - Stamp(node, now_).us);
+    const Time step =
+        deadline.is_set ? TickFrom(node, std::max(WorldOf(node, LocalOf(node, now_) + left), earliest)) : kNever;
     const bool beats = node.was_active && (node.heartbeat_at != kNever);
     const Time beat = beats ? TickFrom(node, std::max(node.heartbeat_at, earliest)) : kNever;
     const Time poll = node.heard.empty() ? kNever : TickFrom(node, earliest);

@@ -20,8 +20,11 @@ struct MasterPlan
 {
     cia302::NodeId node;
     cia302::FlyingMasterTimes times;
-    Time power_on; ///< Its application calls Start at once.
-    Time phase;    ///< Of its cycle, below WorldPlan::cycle.
+    Time power_on;                                        ///< Its application calls Start at once.
+    Time phase;                                           ///< Of its cycle, below WorldPlan::cycle.
+    Time clock_ppm{0};                                    ///< How much faster its clock goes than that of the world.
+    std::uint32_t clock_begin{0U};                        ///< Its counter at the beginning of the world.
+    std::optional<cia302::FlyingMasterOptions> options{}; ///< Its own; else those of the WorldPlan.
 };
 
 /// Which complete frame is lost, counted from 0, and for whom.
@@ -110,6 +113,8 @@ class World final : private BusUser
     [[nodiscard]] std::size_t Active() const;
     /// @brief One active master, and all others that are on are standbys that know it.
     [[nodiscard]] bool IsAgreed() const;
+    /// @brief No device that is on has a lower level than the active master.
+    [[nodiscard]] bool IsBest() const;
     /// @brief When the last heartbeat or 071h of a master was complete on the bus: signs of life for its standbys.
     [[nodiscard]] Time LastSign() const
     {
@@ -159,7 +164,11 @@ class World final : private BusUser
     void Schedule(const Node& node, Time earliest);
     [[nodiscard]] Time NextOf(const Node& node, Time earliest) const;
     [[nodiscard]] Time TickFrom(const Node& node, Time at) const;
-    [[nodiscard]] static Instant Stamp(Time at);
+    /// @brief By the node's own clock.
+    [[nodiscard]] static Time LocalOf(const Node& node, Time at);
+    /// @brief First instant of the world at which the node's clock shows `local`.
+    [[nodiscard]] static Time WorldOf(const Node& node, Time local);
+    [[nodiscard]] static Instant Stamp(const Node& node, Time at);
 
     WorldPlan plan_;
     Bus parts_[2];

@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-// What the world of an election knows of its masters' roles.
+// What the world of an election knows of its masters' roles and clocks.
 #include "verification/elections/world.hpp"
 
 namespace counterpoint::elections
@@ -35,6 +35,38 @@ bool World::IsAgreed() const
         is_agreed = !node.is_on || (node.known == nodes_[active].plan.node.value);
     }
     return is_agreed;
+}
+
+bool World::IsBest() const
+{
+    const std::size_t active = Active();
+    bool is_best = active < count_;
+    for (std::size_t i = 0U; is_best && (i < count_); ++i)
+    {
+        const Node& node = nodes_[i];
+        is_best = !node.is_on || (node.plan.times.priority >= nodes_[active].plan.times.priority);
+    }
+    return is_best;
+}
+
+Time World::LocalOf(const Node& node, const Time at)
+{
+    return at + ((at * node.plan.clock_ppm) / kSecond);
+}
+
+Time World::WorldOf(const Node& node, const Time local)
+{
+    Time at = (node.plan.clock_ppm == 0) ? local : ((local * kSecond) / (kSecond + node.plan.clock_ppm));
+    while (LocalOf(node, at) < local)
+    {
+        ++at;
+    }
+    return at;
+}
+
+Instant World::Stamp(const Node& node, const Time at)
+{
+    return Instant{node.plan.clock_begin + static_cast<std::uint32_t>(LocalOf(node, at))};
 }
 
 } // namespace counterpoint::elections

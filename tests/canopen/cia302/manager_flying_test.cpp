@@ -279,5 +279,62 @@ TEST_F(ManagerFlying, ARaceOrRestartAtAForceEndsTheLeadAtOnce)
     }
 }
 
+TEST_F(ManagerFlying, OffTheBusNoRoleIsKeptAndNoneNegotiatedBeforeItIsBack)
+{
+    Verifies(req::SRS_FLY_019);
+    Use(NegotiationBy::kManager);
+    manager.Begin(Now());
+    RunTo(3000U);
+    ASSERT_TRUE(manager.IsActive());
+    static_cast<void>(Log());
+    // When the controller of the active master goes bus-off, told twice
+    manager.OnBus(false, Now());
+    manager.OnBus(false, Now());
+    // Then it commands nobody at once, and nothing is tried before the bus is back
+    EXPECT_FALSE(manager.IsActive());
+    EXPECT_EQ(manager.Command(NmtCommand::kStart, NodeId{9U}, Now()), NmtAnswer::kNotActive);
+    RunTo(8000U);
+    EXPECT_EQ(Log(), (Lines{"leads no more", "3000 initialising"}));
+    EXPECT_EQ(manager.StartNegotiation(Now()), FlyingStart::kNoBus);
+    manager.OnBus(true, Now());
+    RunTo(10'151U);
+    // Then it asks, and resets nobody: 8001 + 500, + 100, + 1 x 1500 + 5 x 10
+    EXPECT_EQ(Log(), (Lines{"8501 073", "8601 072", "10151 071 01 05", "event 4 1/5", "leads", "10151 705 00"}));
+}
+
+TEST_F(ManagerFlying, OffTheBusAManagerWithoutAFlyingMasterLeadsOn)
+{
+    Verifies(req::SRS_FLY_019);
+    manager.Use(profile);
+    manager.Begin(Now());
+    manager.OnBus(false, Now());
+    RunTo(10U);
+    EXPECT_TRUE(manager.IsActive());
+}
+
+TEST_F(ManagerFlying, ResettingItselfEndsTheRoleAndResettingAllDoesNot)
+{
+    Verifies(req::SRS_FLY_019);
+    Use(NegotiationBy::kManager);
+    manager.Begin(Now());
+    RunTo(3000U);
+    ASSERT_TRUE(manager.IsActive());
+    NmtMaster& nmt = manager.ProfileParts().nmt;
+    static_cast<void>(Log());
+    // When it resets all nodes, or another one
+    EXPECT_EQ(nmt.Request(NmtCommand::kResetCommunication, kAllNodes, Now()), NmtAnswer::kTaken);
+    EXPECT_EQ(nmt.Request(NmtCommand::kResetNode, NodeId{9U}, Now()), NmtAnswer::kTaken);
+    RunTo(3010U);
+    // Then it stays the master
+    EXPECT_TRUE(manager.IsActive());
+    static_cast<void>(Log());
+    // When it resets itself
+    EXPECT_EQ(nmt.Request(NmtCommand::kResetNode, NodeId{5U}, Now()), NmtAnswer::kTaken);
+    RunTo(5161U);
+    // Then it asks as anybody else: 3011 + 500, + 100, + 1 x 1500 + 5 x 10
+    EXPECT_EQ(Log(), (Lines{"leads no more", "3011 initialising", "3511 073", "3611 072", "5161 071 01 05",
+                            "event 4 1/5", "leads", "5161 705 00"}));
+}
+
 } // namespace
 } // namespace counterpoint::cia302
