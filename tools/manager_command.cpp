@@ -94,6 +94,10 @@ class ManagerCommand final : public Command
             const std::uint8_t node = networks.empty() ? NodeId() : std::uint8_t{0U};
             networks.push_back(std::make_unique<network::LoadedNetwork>(ReadNetworkFile(file, node)));
             masters.push_back(networks.back().get());
+            for (const std::string& warning : networks.back()->Warnings())
+            {
+                streams.err << warning << "\n";
+            }
         }
         const std::vector<std::string> lines = DifferencesOf(masters);
         for (const std::string& line : lines)

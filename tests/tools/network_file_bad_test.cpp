@@ -22,8 +22,8 @@ struct BadFile
 };
 
 constexpr BadFile kBadCpj[] = {
-    {"", ":0: error: no section [Topology], expected a CPJ file of CiA 306-3"},
-    {"[Net]\nNodes=1\n", ":0: error: no section [Topology], expected a CPJ file of CiA 306-3"},
+    {"", ":1: error: no section [Topology], expected a CPJ file of CiA 306-3"},
+    {"[Net]\nNodes=1\n", ":2: error: no section [Topology], expected a CPJ file of CiA 306-3"},
     {"[Topology]\nNodes=1\nNode1Present=1\nNode1DCFName=sensor.dcf\n[Topology2]\nNodes=1\n",
      ":5: error: a second network [Topology2], expected one network a file"},
     {"[Topology]\nNode1Present=1\nNode1DCFName=sensor.dcf\n",
@@ -175,8 +175,8 @@ TEST_F(BadNetworkTest, EachMalformedYamlHasItsLine)
 TEST_F(BadNetworkTest, AFileThatIsNotThereOrADcfThatIsNone)
 {
     Verifies(req::SRS_NET_004);
-    EXPECT_EQ(Refusal(Path("nobody.cpj")).rfind(Path("nobody.cpj") + ":0: error: ", 0U), 0U);
-    EXPECT_EQ(Refusal(Path("nobody.yaml")).rfind(Path("nobody.yaml") + ":", 0U), 0U);
+    EXPECT_EQ(Refusal(Path("nobody.cpj")).rfind(Path("nobody.cpj") + ":1: error: there is no file ", 0U), 0U);
+    EXPECT_EQ(Refusal(Path("nobody.yaml")).rfind(Path("nobody.yaml") + ":1: error: there is no file ", 0U), 0U);
     static_cast<void>(File("bad.dcf", "[FileInfo\n"));
     const std::string file = File("net.yaml", "manager: {node: 127}\nslaves: [{node: 1, dcf: bad.dcf}]\n");
     EXPECT_EQ(Refusal(file).rfind(Path("bad.dcf") + ":1: error: ", 0U), 0U) << Refusal(file);
