@@ -17,6 +17,7 @@
 
 #include <ostream>
 #include <unistd.h>
+#include <utility>
 
 namespace counterpoint::tools
 {
@@ -57,6 +58,7 @@ class ManagerCommand final : public Command
             ->type_name("PATH");
         app.add_flag("--json", is_json_, "Events and answers as one JSON object a line");
         app.add_flag("--no-input", has_no_input_, "Read no orders from the standard input");
+        app_ = &app;
         app.footer("Orders, typed as lines or by the socket:\n" + ManagerOrderHelp() +
                    "On a terminal the table of all slaves is shown and redrawn; elsewhere a line is printed for each\n"
                    "event, and the table at the end. Exit status 0: every mandatory slave was started at the end.");
@@ -118,6 +120,13 @@ class ManagerCommand final : public Command
             files.Read(slave->plan.dcf);
             files.Read(slave->plan.software ? slave->plan.software->program : "");
         }
+        for (const auto& [option, file] : {std::pair("--log", log_), {"--html", html_}, {"--socket", socket_}})
+        {
+            if (file.empty() && app_->count(option) > 0U)
+            {
+                throw simulator::ScenarioError(option, {}, "empty file name", "the name of a file");
+            }
+        }
         files.Write("--log", log_);
         files.Write("--html", html_);
     }
@@ -165,6 +174,7 @@ class ManagerCommand final : public Command
         return is_written ? status : ExitStatus::kBadInput;
     }
 
+    const CLI::App* app_{nullptr};
     std::string address_;
     std::string network_;
     std::vector<std::string> check_;

@@ -32,6 +32,34 @@ void Catch(const int number)
     caught_signal = number;
 }
 
+/// As long as it lives SIGINT, SIGTERM and, where nohup does not ignore it, SIGHUP of a terminal that is gone only ask.
+class CaughtSignals
+{
+  public:
+    CaughtSignals()
+        : int_(std::signal(SIGINT, &Catch)), term_(std::signal(SIGTERM, &Catch)), hup_(std::signal(SIGHUP, SIG_IGN))
+    {
+        if (hup_ != SIG_IGN)
+        {
+            static_cast<void>(std::signal(SIGHUP, &Catch));
+        }
+    }
+    ~CaughtSignals()
+    {
+        static_cast<void>(std::signal(SIGINT, int_));
+        static_cast<void>(std::signal(SIGTERM, term_));
+        static_cast<void>(std::signal(SIGHUP, hup_));
+    }
+    CaughtSignals(const CaughtSignals&) = delete;
+    CaughtSignals& operator=(const CaughtSignals&) = delete;
+
+  private:
+    using Handler = void (*)(int);
+    Handler int_;
+    Handler term_;
+    Handler hup_;
+};
+
 const char* WordOf(const host::BusState state)
 {
     switch (state)
@@ -74,6 +102,14 @@ std::uint64_t ManagerLoop::NowUs() const
     return (host::LiveNow() - start_ns_) / kNsPerUs;
 }
 
+/// The manager's time never goes back, and never ahead of frames that wait to be read: after a pause of this process
+/// they are as far apart as they were on the bus. [SRS-MGR-004]
+std::uint64_t ManagerLoop::StationUs()
+{
+    station_us_ = is_behind_ ? station_us_ : std::max(station_us_, NowUs());
+    return station_us_;
+}
+
 bool ManagerLoop::SendFrame(const CanFrame& frame)
 {
     return bus_->Send(host::FromCanFrame(frame)) == host::SendResult::kSent;
@@ -107,8 +143,7 @@ bool ManagerLoop::Run()
 {
     caught_signal = 0;
     static_cast<void>(std::signal(SIGPIPE, SIG_IGN)); // For good: who reads the output may go, the network stays.
-    const auto before_int = std::signal(SIGINT, &Catch);
-    const auto before_term = std::signal(SIGTERM, &Catch);
+    const CaughtSignals signals;
     start_ns_ = host::LiveNow();
     next_cycle_ns_ = start_ns_ + kCycleNs;
     station_.Begin(0U);
@@ -116,10 +151,14 @@ bool ManagerLoop::Run()
     {
         Wait();
         Receive();
+        if (has_typed_)
+        {
+            ReadTyped();
+        }
         const std::uint64_t now_ns = host::LiveNow();
         if (now_ns >= next_cycle_ns_)
         {
-            station_.OnCycle(NowUs());
+            station_.OnCycle(StationUs());
             next_cycle_ns_ = now_ns + kCycleNs;
         }
         if (socket_ != nullptr)
@@ -138,11 +177,10 @@ bool ManagerLoop::Run()
         reason_ = (caught_signal != 0) ? "signal" : reason_;
     }
     const bool has_started = station_.Host().HasStarted();
-    station_.Tell("stopped", "stopped by " + reason_, {{"reason", reason_}, {"started", has_started}}, NowUs());
+    station_.Tell("stopped", "stopped by " + reason_, {{"reason", reason_}, {"started", has_started}}, StationUs());
     Draw();
     FlushLog();
-    static_cast<void>(std::signal(SIGINT, before_int));
-    static_cast<void>(std::signal(SIGTERM, before_term));
+    report_.Print(settings_.is_screen ? "\n" : "");
     return has_started;
 }
 
@@ -157,27 +195,28 @@ void ManagerLoop::Wait()
     const std::uint64_t wait_ns = (next_cycle_ns_ > now_ns) ? next_cycle_ns_ - now_ns : 0U;
     const timespec time{0, static_cast<long>(wait_ns)};
     const int ready = ::ppoll(places.data(), places.size(), &time, nullptr);
-    if (ready > 0 && places[1].revents != 0)
-    {
-        ReadTyped();
-    }
+    has_typed_ = ready > 0 && places[1].revents != 0;
 }
 
 void ManagerLoop::Receive()
 {
     // Of a bus that never falls silent some at a time: cycles and orders come in between.
     host::LiveFrame frame;
-    for (std::size_t count = 0U; count < kFramesOfTurn && bus_->Receive(frame); ++count)
+    std::size_t count = 0U;
+    for (; count < kFramesOfTurn && bus_->Receive(frame); ++count)
     {
+        const std::uint64_t stamp_us = (frame.time_ns > start_ns_) ? (frame.time_ns - start_ns_) / kNsPerUs : 0U;
+        station_us_ = std::max(station_us_, std::min(stamp_us, NowUs()));
         if (frame.own && !frame.error && !frame.fd)
         {
             station_.Host().OnSent(host::ToCanFrame(frame, CanPortId::kFirst));
         }
         else if (!frame.error && !frame.fd)
         {
-            station_.OnFrame(host::ToCanFrame(frame, CanPortId::kFirst), NowUs());
+            station_.OnFrame(host::ToCanFrame(frame, CanPortId::kFirst), station_us_);
         }
     }
+    is_behind_ = count == kFramesOfTurn;
 }
 
 void ManagerLoop::WatchBus()
@@ -186,11 +225,11 @@ void ManagerLoop::WatchBus()
     if (health.state != bus_state_)
     {
         bus_state_ = health.state;
-        station_.Tell("bus", std::string("bus ") + WordOf(bus_state_), {{"state", WordOf(bus_state_)}}, NowUs());
+        station_.Tell("bus", std::string("bus ") + WordOf(bus_state_), {{"state", WordOf(bus_state_)}}, StationUs());
         cia302::ControllerState state = cia302::ControllerState::kRunning;
         state = (bus_state_ == host::BusState::kBusOff) ? cia302::ControllerState::kBusOff : state;
         state = (bus_state_ == host::BusState::kDown) ? cia302::ControllerState::kAbsent : state;
-        station_.Host().OnController(state, InstantAt(NowUs()));
+        station_.Host().OnController(state, InstantAt(StationUs()));
     }
     if (bus_state_ == host::BusState::kDown)
     {
@@ -200,7 +239,7 @@ void ManagerLoop::WatchBus()
     {
         const std::uint32_t count = health.lost_frames - lost_;
         station_.Tell("lost_frames", std::to_string(count) + " frames lost between bus and manager", {{"count", count}},
-                      NowUs());
+                      StationUs());
         lost_ = health.lost_frames;
     }
 }
@@ -248,15 +287,40 @@ void ManagerLoop::ReadTyped()
     typed_ += (settings_.input < 0 && !typed_.empty()) ? "\n" : ""; // The end of the input ends its last line.
     for (std::size_t end = typed_.find('\n'); end != std::string::npos; end = typed_.find('\n'))
     {
-        report_.Print(is_too_long_ ? "" : Answer(typed_.substr(0U, end)));
+        const std::string line = typed_.substr(0U, end);
         typed_.erase(0U, end + 1U);
+        if (!is_too_long_)
+        {
+            Reply(line);
+        }
         is_too_long_ = false;
     }
     if (typed_.size() > kLongestLine)
     {
-        report_.Print(is_too_long_ ? "" : "a line without end, expected one of at most 1024 bytes\n");
+        Show(is_too_long_ ? "" : "a line without end, expected one of at most 1024 bytes\n");
         typed_.clear();
         is_too_long_ = true;
+    }
+}
+
+void ManagerLoop::Reply(const std::string& line)
+{
+    const bool is_table = settings_.is_screen && ParseManagerOrder(line).kind == ManagerOrderKind::kStatus;
+    const std::string answer = Answer(line);
+    Show(is_table ? "" : answer); // The table is there.
+}
+
+/// On a terminal an answer stays until the next one: the screen is drawn anew too often to read it otherwise.
+void ManagerLoop::Show(const std::string& answer)
+{
+    answer_ = answer;
+    if (settings_.is_screen)
+    {
+        Draw();
+    }
+    else
+    {
+        report_.Print(answer);
     }
 }
 
@@ -267,7 +331,7 @@ void ManagerLoop::FlushLog()
     if (!log_ && is_log_whole_)
     {
         is_log_whole_ = false;
-        station_.Tell("log_ended", "the event log cannot be written any more", {}, NowUs());
+        station_.Tell("log_ended", "the event log cannot be written any more", {}, StationUs());
     }
 }
 
@@ -275,11 +339,12 @@ void ManagerLoop::Draw()
 {
     if (settings_.is_screen)
     {
-        std::string screen = "\x1b[H\x1b[2J" + StatusTable(station_, NowUs()) + "\n";
+        std::string screen = "\x1b[H\x1b[2J" + StatusTable(station_, StationUs()) + "\n";
         for (const std::string& line : recent_)
         {
             screen += line + "\n";
         }
+        screen += answer_.empty() ? "" : "\n" + answer_;
         report_.Print(screen + "\norder (help): " + typed_);
     }
 }
@@ -290,7 +355,7 @@ std::string ManagerLoop::Answer(const std::string& line)
     std::string answer;
     if (order.kind == ManagerOrderKind::kStatus)
     {
-        answer = settings_.is_json ? OneLine(StatusJson(station_, NowUs())) : StatusTable(station_, NowUs());
+        answer = settings_.is_json ? OneLine(StatusJson(station_, StationUs())) : StatusTable(station_, StationUs());
     }
     else if (order.kind == ManagerOrderKind::kHelp)
     {
@@ -307,8 +372,8 @@ std::string ManagerLoop::Answer(const std::string& line)
     }
     else if (order.kind != ManagerOrderKind::kNothing)
     {
-        const std::string result = station_.Carry(order, NowUs());
-        station_.Tell("order", "order " + line + ": " + result, {{"order", line}, {"answer", result}}, NowUs());
+        const std::string result = station_.Carry(order, StationUs());
+        station_.Tell("order", "order " + line + ": " + result, {{"order", line}, {"answer", result}}, StationUs());
         answer = result + "\n";
     }
     return (settings_.is_json && !answer.empty() && answer[0] != '{')

@@ -45,7 +45,6 @@ class ManagerLoop
     {
         return station_;
     }
-    /// @brief The manager's time.
     [[nodiscard]] std::uint64_t NowUs() const;
 
   private:
@@ -53,9 +52,12 @@ class ManagerLoop
     void OnEvent(const ManagerEvent& event);
     void Wait();
     void Receive();
+    [[nodiscard]] std::uint64_t StationUs();
     void WatchBus();
     void Reconnect();
     void ReadTyped();
+    void Reply(const std::string& line);
+    void Show(const std::string& answer);
     void FlushLog();
     void Draw();
     [[nodiscard]] std::string Answer(const std::string& line);
@@ -70,10 +72,14 @@ class ManagerLoop
     std::uint64_t start_ns_{0U};
     std::uint64_t next_cycle_ns_{0U};
     std::uint64_t next_look_ns_{0U};
+    std::uint64_t station_us_{0U}; ///< How far the manager's time has come.
+    bool is_behind_{false};        ///< More frames wait: time is that of the last one.
+    bool has_typed_{false};
     host::BusState bus_state_{host::BusState::kActive};
     std::uint32_t lost_{0U};
     std::deque<std::string> recent_; ///< Lines under the table.
     std::string typed_;
+    std::string answer_;      ///< To what was typed last, on a terminal.
     bool is_too_long_{false}; ///< What is typed until the next line end is the rest of a line that was refused.
     bool is_log_whole_{true};
     std::string reason_; ///< Why it ends; empty: it does not.

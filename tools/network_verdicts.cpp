@@ -115,6 +115,7 @@ std::string NetworkSimulation::Found(const NetworkExpectation& expectation, cons
     const bool is_refused =
         core.Gate().State(node) == cia302::GateState::kDiffers || core.Gate().State(node) == cia302::GateState::kFailed;
     const ObjectAddress object = is_refused ? gate.object : status.object;
+    const bool has_finding = is_refused || !FindingText(manager.net->Plan().manager.profile, status).empty();
     switch (expectation.kind)
     {
     case Expected::kState:
@@ -126,7 +127,7 @@ std::string NetworkSimulation::Found(const NetworkExpectation& expectation, cons
     case Expected::kGate:
         return Word(core.Gate().State(node));
     case Expected::kFinding:
-        return (object.index == 0U) ? "none" : cia306::ObjectName(object.index, object.sub);
+        return has_finding ? cia306::ObjectName(object.index, object.sub) : "none";
     case Expected::kEvent:
     case Expected::kNoEvent:
         return EventIn(manager, expectation);

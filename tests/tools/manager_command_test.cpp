@@ -201,6 +201,24 @@ TEST_F(ManagerCommandTest, WhatCannotBeUsedEndsWith2)
     EXPECT_EQ(bad_file.err.rfind(file + ":2:17: ", 0U), 0U) << bad_file.err;
 }
 
+TEST_F(ManagerCommandTest, AnOutputWithoutANameIsRefused)
+{
+    Verifies(req::SRS_MGR_004);
+    for (const char* const option : {"--log", "--html", "--socket"})
+    {
+        const Answer answer = RunCommand({"manager", "--can", "udp:239.74.163.91:43191", "--network",
+                                          Network("chain.yaml"), "--for", "1", "--no-input", option, ""});
+        EXPECT_EQ(answer.status, 2) << option;
+        EXPECT_EQ(answer.err, std::string(option) + ": empty file name, expected the name of a file\n");
+    }
+    for (const char* const option : {"--html", "--json"})
+    {
+        const Answer answer = RunCommand({"simulate", "--quiet", Network("boot.yaml"), option, ""});
+        EXPECT_EQ(answer.status, 2) << option;
+        EXPECT_EQ(answer.err, std::string(option) + ": empty file name, expected the name of a file\n");
+    }
+}
+
 TEST_F(ManagerCommandTest, NoOutputReplacesWhatIsReadOrAnotherOne)
 {
     Verifies(req::SRS_MGR_004);
