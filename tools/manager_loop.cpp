@@ -2,12 +2,12 @@
 #include "tools/manager_loop.hpp"
 
 #include "canopen/cia306/input_error.hpp"
+#include "tools/manager_signals.hpp"
 #include "tools/manager_status.hpp"
 
 #include <array>
 #include <cerrno>
 #include <chrono>
-#include <csignal>
 #include <ctime>
 #include <poll.h>
 #include <thread>
@@ -21,44 +21,11 @@ namespace
 constexpr std::uint64_t kNsPerUs = 1000U;
 constexpr std::uint64_t kCycleNs = 1000000U;
 constexpr std::uint64_t kLookNs = 250000000U;
+constexpr std::uint64_t kNsPerMs = 1000000U;
 constexpr std::size_t kFramesOfTurn = 256U;
+constexpr std::size_t kFramesOfPause = 1000000U; ///< More than any system keeps.
 constexpr std::size_t kRecentLines = 12U;
 constexpr std::size_t kLongestLine = 1024U;
-
-volatile std::sig_atomic_t caught_signal = 0;
-
-void Catch(const int number)
-{
-    caught_signal = number;
-}
-
-/// As long as it lives SIGINT, SIGTERM and, where nohup does not ignore it, SIGHUP of a terminal that is gone only ask.
-class CaughtSignals
-{
-  public:
-    CaughtSignals()
-        : int_(std::signal(SIGINT, &Catch)), term_(std::signal(SIGTERM, &Catch)), hup_(std::signal(SIGHUP, SIG_IGN))
-    {
-        if (hup_ != SIG_IGN)
-        {
-            static_cast<void>(std::signal(SIGHUP, &Catch));
-        }
-    }
-    ~CaughtSignals()
-    {
-        static_cast<void>(std::signal(SIGINT, int_));
-        static_cast<void>(std::signal(SIGTERM, term_));
-        static_cast<void>(std::signal(SIGHUP, hup_));
-    }
-    CaughtSignals(const CaughtSignals&) = delete;
-    CaughtSignals& operator=(const CaughtSignals&) = delete;
-
-  private:
-    using Handler = void (*)(int);
-    Handler int_;
-    Handler term_;
-    Handler hup_;
-};
 
 const char* WordOf(const host::BusState state)
 {
@@ -141,10 +108,9 @@ void ManagerLoop::OnEvent(const ManagerEvent& event)
 
 bool ManagerLoop::Run()
 {
-    caught_signal = 0;
-    static_cast<void>(std::signal(SIGPIPE, SIG_IGN)); // For good: who reads the output may go, the network stays.
     const CaughtSignals signals;
     start_ns_ = host::LiveNow();
+    last_turn_ns_ = start_ns_;
     next_cycle_ns_ = start_ns_ + kCycleNs;
     station_.Begin(0U);
     while (reason_.empty())
@@ -174,7 +140,7 @@ bool ManagerLoop::Run()
         }
         const bool is_time_over = settings_.for_ns != 0U && now_ns - start_ns_ >= settings_.for_ns;
         reason_ = is_time_over ? "--for" : reason_;
-        reason_ = (caught_signal != 0) ? "signal" : reason_;
+        reason_ = CaughtSignals::IsCaught() ? "signal" : reason_;
     }
     const bool has_started = station_.Host().HasStarted();
     station_.Tell("stopped", "stopped by " + reason_, {{"reason", reason_}, {"started", has_started}}, StationUs());
@@ -203,20 +169,43 @@ void ManagerLoop::Receive()
     // Of a bus that never falls silent some at a time: cycles and orders come in between.
     host::LiveFrame frame;
     std::size_t count = 0U;
-    for (; count < kFramesOfTurn && bus_->Receive(frame); ++count)
+    std::size_t left_aside = 0U;
+    while (count < kFramesOfTurn && left_aside < kFramesOfPause && bus_->Receive(frame))
     {
-        const std::uint64_t stamp_us = (frame.time_ns > start_ns_) ? (frame.time_ns - start_ns_) / kNsPerUs : 0U;
-        station_us_ = std::max(station_us_, std::min(stamp_us, NowUs()));
-        if (frame.own && !frame.error && !frame.fd)
+        const bool is_old = host::LiveNow() - last_turn_ns_ > settings_.longest_pause_ns;
+        left_aside += is_old ? 1U : 0U;
+        count += is_old ? 0U : 1U;
+        if (!is_old && !frame.error && !frame.fd)
         {
-            station_.Host().OnSent(host::ToCanFrame(frame, CanPortId::kFirst));
-        }
-        else if (!frame.error && !frame.fd)
-        {
-            station_.OnFrame(host::ToCanFrame(frame, CanPortId::kFirst), station_us_);
+            TakeFrame(frame);
         }
     }
     is_behind_ = count == kFramesOfTurn;
+    const std::uint64_t now_ns = host::LiveNow();
+    const std::uint64_t pause_ms = (now_ns - last_turn_ns_) / kNsPerMs;
+    last_turn_ns_ = now_ns;
+    if (left_aside > 0U)
+    {
+        // Nobody knows any more when they were on the bus; as of now they would look like two devices.
+        station_.Tell("lost_frames",
+                      std::to_string(left_aside) + " frames left aside after a pause of " + std::to_string(pause_ms) +
+                          " ms",
+                      {{"count", left_aside}}, StationUs());
+    }
+}
+
+void ManagerLoop::TakeFrame(const host::LiveFrame& frame)
+{
+    const std::uint64_t stamp_us = (frame.time_ns > start_ns_) ? (frame.time_ns - start_ns_) / kNsPerUs : 0U;
+    station_us_ = std::max(station_us_, std::min(stamp_us, NowUs()));
+    if (frame.own)
+    {
+        station_.Host().OnSent(host::ToCanFrame(frame, CanPortId::kFirst));
+    }
+    else
+    {
+        station_.OnFrame(host::ToCanFrame(frame, CanPortId::kFirst), station_us_);
+    }
 }
 
 void ManagerLoop::WatchBus()

@@ -16,6 +16,9 @@
 
 namespace counterpoint::tools
 {
+/// The system's times of reception are told for frames of the last ten seconds.
+constexpr std::uint64_t kLongestPauseNs = 9000000000U;
+
 struct ManagerLoopSettings
 {
     std::string log;          ///< Event log; empty: none.
@@ -23,6 +26,7 @@ struct ManagerLoopSettings
     int input{-1};            ///< Descriptor of typed orders; -1: none.
     bool is_json{false};
     bool is_screen{false}; ///< The table is redrawn on a terminal.
+    std::uint64_t longest_pause_ns{kLongestPauseNs};
 };
 
 /// The executive of a live manager: frames, cycles of a millisecond and orders, until it is told to stop.
@@ -52,6 +56,7 @@ class ManagerLoop
     void OnEvent(const ManagerEvent& event);
     void Wait();
     void Receive();
+    void TakeFrame(const host::LiveFrame& frame);
     [[nodiscard]] std::uint64_t StationUs();
     void WatchBus();
     void Reconnect();
@@ -72,6 +77,7 @@ class ManagerLoop
     std::uint64_t start_ns_{0U};
     std::uint64_t next_cycle_ns_{0U};
     std::uint64_t next_look_ns_{0U};
+    std::uint64_t last_turn_ns_{0U};
     std::uint64_t station_us_{0U}; ///< How far the manager's time has come.
     bool is_behind_{false};        ///< More frames wait: time is that of the last one.
     bool has_typed_{false};

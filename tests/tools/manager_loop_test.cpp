@@ -84,7 +84,7 @@ class ManagerLoopTest : public test::CommandTest
 {
   protected:
     /// How often a second device was suspected, from a run on heartbeats that came `apart_ns` from each other.
-    int Duplicates(const std::uint64_t apart_ns)
+    int Duplicates(const std::uint64_t apart_ns, const std::uint64_t longest_pause_ns = kLongestPauseNs)
     {
         network::LoadedNetwork net(ReadNetworkFile(
             File("net.yaml", "manager: {node: 127}\nslaves: [{node: 5, heartbeat: 5 ms, consumer: 1 s}]\n"), 0U));
@@ -92,6 +92,7 @@ class ManagerLoopTest : public test::CommandTest
         NodeReport report(out, ReportForm::kText, host::LiveNow());
         ManagerLoopSettings settings;
         settings.log = Path("log.jsonl");
+        settings.longest_pause_ns = longest_pause_ns;
         settings.for_ns = kPauseNs + 200U * kMs;
         ManagerLoop loop(net, std::make_unique<WaitingBus>(apart_ns), report, nullptr, settings);
         EXPECT_FALSE(loop.Run());
@@ -114,6 +115,8 @@ TEST_F(ManagerLoopTest, WhatWaitedDuringAPauseIsNoSecondDevice)
     EXPECT_EQ(Duplicates(kPeriodNs), 0);
     // And given as many that came within 300 us, then two
     EXPECT_EQ(Duplicates(1000U), 1);
+    // But after a pause that is too long to know, what waited is left aside
+    EXPECT_EQ(Duplicates(1000U, 1000U * kMs), 0);
 }
 } // namespace
 } // namespace counterpoint::tools
