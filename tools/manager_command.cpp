@@ -47,7 +47,7 @@ class ManagerCommand final : public Command
         app.add_option("--node-id", node_id_, "Node-ID of the manager (default: the one in the file)")
             ->check(CLI::Validator(ProblemOfNumber, ""))
             ->check(CLI::Range(1, kHighestNodeId));
-        app.add_option("--for", seconds_, "End after so many seconds (default: quit, SIGINT or SIGTERM)")
+        app.add_option("--for", seconds_, "End after so many seconds (default: quit, SIGINT, SIGTERM or SIGHUP)")
             ->type_name("SECONDS")
             ->check(CLI::Validator(ProblemOfNumber, ""))
             ->check(CLI::Range(1, kLongestSeconds));
@@ -89,6 +89,15 @@ class ManagerCommand final : public Command
 
     [[nodiscard]] ExitStatus Check(const Streams& streams) const
     {
+        for (const char* const option :
+             {"--can", "--network", "--for", "--log", "--html", "--socket", "--json", "--no-input"})
+        {
+            if (app_->count(option) > 0U)
+            {
+                throw simulator::ScenarioError(option, {}, "with --check, which runs nothing",
+                                               "--check FILE FILE... alone, or with --node-id");
+            }
+        }
         std::vector<std::unique_ptr<network::LoadedNetwork>> networks;
         std::vector<const network::LoadedNetwork*> masters;
         for (const std::string& file : check_)

@@ -56,6 +56,7 @@ class ManagerLoop
     void OnEvent(const ManagerEvent& event);
     void Wait();
     void Receive();
+    [[nodiscard]] bool IsHeap(std::size_t count);
     void TakeFrame(const host::LiveFrame& frame);
     [[nodiscard]] std::uint64_t StationUs();
     void WatchBus();
@@ -78,6 +79,8 @@ class ManagerLoop
     std::uint64_t next_cycle_ns_{0U};
     std::uint64_t next_look_ns_{0U};
     std::uint64_t last_turn_ns_{0U};
+    std::uint64_t last_frame_ns_{0U};
+    bool is_heap_{false};
     std::uint64_t station_us_{0U}; ///< How far the manager's time has come.
     bool is_behind_{false};        ///< More frames wait: time is that of the last one.
     bool has_typed_{false};

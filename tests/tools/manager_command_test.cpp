@@ -219,6 +219,34 @@ TEST_F(ManagerCommandTest, AnOutputWithoutANameIsRefused)
     }
 }
 
+TEST_F(ManagerCommandTest, ACheckRunsNothingAndTakesNoOptionOfARun)
+{
+    Verifies(req::SRS_MGR_004);
+    const std::vector<std::string> check{"manager", "--check", Network("master_2.yaml"), Network("master_5.yaml")};
+    for (const std::vector<std::string>& more :
+         std::vector<std::vector<std::string>>{{"--can", "udp:239.74.163.91:43191"},
+                                               {"--network", Network("chain.yaml")},
+                                               {"--log", Path("x")},
+                                               {"--json"}})
+    {
+        std::vector<std::string> words = check;
+        words.insert(words.end(), more.begin(), more.end());
+        const Answer answer = RunCommand(words);
+        EXPECT_EQ(answer.status, 2) << more[0];
+        EXPECT_EQ(answer.err, more[0] +
+                                  ": with --check, which runs nothing, expected --check FILE FILE... alone, or with "
+                                  "--node-id\n");
+    }
+}
+
+TEST_F(ManagerCommandTest, TheHelpTellsTheOrders)
+{
+    Verifies(req::SRS_MGR_006);
+    const Answer answer = RunCommand({"manager", "--help"});
+    EXPECT_NE(answer.out.find("\n  write-safety NODE "), std::string::npos) << answer.out;
+    EXPECT_NE(answer.out.find("Exit status: 0"), std::string::npos) << answer.out;
+}
+
 TEST_F(ManagerCommandTest, NoOutputReplacesWhatIsReadOrAnotherOne)
 {
     Verifies(req::SRS_MGR_004);

@@ -27,7 +27,8 @@ constexpr std::uint64_t kPauseNs = kFrames * kPeriodNs;
 class WaitingBus final : public host::LiveBus
 {
   public:
-    explicit WaitingBus(const std::uint64_t apart_ns) : begin_ns_(host::LiveNow() + 20U * kMs)
+    WaitingBus(const std::uint64_t apart_ns, std::string name)
+        : name_(std::move(name)), begin_ns_(host::LiveNow() + 20U * kMs)
     {
         for (std::size_t place = 0U; place < kFrames; ++place)
         {
@@ -68,7 +69,7 @@ class WaitingBus final : public host::LiveBus
     }
     [[nodiscard]] std::string Name() const override
     {
-        return "waiting";
+        return name_;
     }
     [[nodiscard]] bool Restart() override
     {
@@ -76,6 +77,7 @@ class WaitingBus final : public host::LiveBus
     }
 
   private:
+    std::string name_;
     std::uint64_t begin_ns_;
     std::deque<host::LiveFrame> frames_;
 };
@@ -84,7 +86,8 @@ class ManagerLoopTest : public test::CommandTest
 {
   protected:
     /// How often a second device was suspected, from a run on heartbeats that came `apart_ns` from each other.
-    int Duplicates(const std::uint64_t apart_ns, const std::uint64_t longest_pause_ns = kLongestPauseNs)
+    int Duplicates(const std::uint64_t apart_ns, const std::uint64_t longest_pause_ns = kLongestPauseNs,
+                   const std::string& name = "udp:239.74.163.91:43191")
     {
         network::LoadedNetwork net(ReadNetworkFile(
             File("net.yaml", "manager: {node: 127}\nslaves: [{node: 5, heartbeat: 5 ms, consumer: 1 s}]\n"), 0U));
@@ -94,7 +97,7 @@ class ManagerLoopTest : public test::CommandTest
         settings.log = Path("log.jsonl");
         settings.longest_pause_ns = longest_pause_ns;
         settings.for_ns = kPauseNs + 200U * kMs;
-        ManagerLoop loop(net, std::make_unique<WaitingBus>(apart_ns), report, nullptr, settings);
+        ManagerLoop loop(net, std::make_unique<WaitingBus>(apart_ns, name), report, nullptr, settings);
         EXPECT_FALSE(loop.Run());
         std::istringstream log(cia306::ReadTextFile(Path("log.jsonl")));
         int count = 0;
@@ -117,6 +120,8 @@ TEST_F(ManagerLoopTest, WhatWaitedDuringAPauseIsNoSecondDevice)
     EXPECT_EQ(Duplicates(1000U), 1);
     // But after a pause that is too long to know, what waited is left aside
     EXPECT_EQ(Duplicates(1000U, 1000U * kMs), 0);
+    // Nor is there a second device when a connection without times gives all of it at once
+    EXPECT_EQ(Duplicates(0U, kLongestPauseNs, "socketcand:localhost:1/can0"), 0);
 }
 } // namespace
 } // namespace counterpoint::tools
