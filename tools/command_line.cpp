@@ -76,8 +76,10 @@ ExitStatus RunCommandLine(const std::vector<std::string>& arguments, const Strea
     {
         CLI::App* const subcommand = app.add_subcommand(row.name, row.description);
         commands.emplace_back(subcommand, row.make());
+        subcommand->footer(std::string()); // Not that of the program.
         commands.back().second->Describe(*subcommand);
-        subcommand->footer(kExitStatus);
+        const std::string more = subcommand->get_footer();
+        subcommand->footer(more + (more.empty() ? "" : "\n") + kExitStatus);
     }
     try
     {

@@ -18,6 +18,7 @@
 #include <ostream>
 #include <set>
 #include <unistd.h>
+#include <utility>
 
 namespace counterpoint::tools
 {
@@ -47,7 +48,7 @@ class ManagerCommand final : public Command
         app.add_option("--node-id", node_id_, "Node-ID of the manager (default: the one in the file)")
             ->check(CLI::Validator(ProblemOfNumber, ""))
             ->check(CLI::Range(1, kHighestNodeId));
-        app.add_option("--for", seconds_, "End after so many seconds (default: quit, SIGINT or SIGTERM)")
+        app.add_option("--for", seconds_, "End after so many seconds (default: quit, SIGINT, SIGTERM or SIGHUP)")
             ->type_name("SECONDS")
             ->check(CLI::Validator(ProblemOfNumber, ""))
             ->check(CLI::Range(1, kLongestSeconds));
@@ -58,6 +59,7 @@ class ManagerCommand final : public Command
             ->type_name("PATH");
         app.add_flag("--json", is_json_, "Events and answers as one JSON object a line");
         app.add_flag("--no-input", has_no_input_, "Read no orders from the standard input");
+        app_ = &app;
         app.footer("Orders, typed as lines or by the socket:\n" + ManagerOrderHelp() +
                    "On a terminal the table of all slaves is shown and redrawn; elsewhere a line is printed for each\n"
                    "event, and the table at the end. Exit status 0: every mandatory slave was started at the end.");
@@ -88,6 +90,15 @@ class ManagerCommand final : public Command
 
     [[nodiscard]] ExitStatus Check(const Streams& streams) const
     {
+        for (const char* const option :
+             {"--can", "--network", "--for", "--log", "--html", "--socket", "--json", "--no-input"})
+        {
+            if (app_->count(option) > 0U)
+            {
+                throw simulator::ScenarioError(option, {}, "with --check, which runs nothing",
+                                               "--check FILE FILE... alone, or with --node-id");
+            }
+        }
         std::vector<std::unique_ptr<network::LoadedNetwork>> networks;
         std::vector<const network::LoadedNetwork*> masters;
         for (const std::string& file : check_)
@@ -95,6 +106,10 @@ class ManagerCommand final : public Command
             const std::uint8_t node = networks.empty() ? NodeId() : std::uint8_t{0U};
             networks.push_back(std::make_unique<network::LoadedNetwork>(ReadNetworkFile(file, node)));
             masters.push_back(networks.back().get());
+            for (const std::string& warning : networks.back()->Warnings())
+            {
+                streams.err << warning << "\n";
+            }
         }
         for (const std::string& warning : WarningsOf(masters))
         {
@@ -118,6 +133,13 @@ class ManagerCommand final : public Command
         {
             files.Read(slave->plan.dcf);
             files.Read(slave->plan.software ? slave->plan.software->program : "");
+        }
+        for (const auto& [option, file] : {std::pair("--log", log_), {"--html", html_}, {"--socket", socket_}})
+        {
+            if (file.empty() && app_->count(option) > 0U)
+            {
+                throw simulator::ScenarioError(option, {}, "empty file name", "the name of a file");
+            }
         }
         files.Write("--log", log_);
         files.Write("--html", html_);
@@ -166,6 +188,7 @@ class ManagerCommand final : public Command
         return is_written ? status : ExitStatus::kBadInput;
     }
 
+    const CLI::App* app_{nullptr};
     std::string address_;
     std::string network_;
     std::vector<std::string> check_;

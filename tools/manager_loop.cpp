@@ -2,12 +2,12 @@
 #include "tools/manager_loop.hpp"
 
 #include "canopen/cia306/input_error.hpp"
+#include "tools/manager_signals.hpp"
 #include "tools/manager_status.hpp"
 
 #include <array>
 #include <cerrno>
 #include <chrono>
-#include <csignal>
 #include <ctime>
 #include <poll.h>
 #include <thread>
@@ -21,16 +21,12 @@ namespace
 constexpr std::uint64_t kNsPerUs = 1000U;
 constexpr std::uint64_t kCycleNs = 1000000U;
 constexpr std::uint64_t kLookNs = 250000000U;
+constexpr std::uint64_t kSilenceNs = 500000000U;
+constexpr std::size_t kFramesOfHeap = 20U; ///< No bus carries more in a millisecond.
 constexpr std::size_t kFramesOfTurn = 256U;
+constexpr std::size_t kFramesOfPause = 1000000U; ///< More than any system keeps.
 constexpr std::size_t kRecentLines = 12U;
 constexpr std::size_t kLongestLine = 1024U;
-
-volatile std::sig_atomic_t caught_signal = 0;
-
-void Catch(const int number)
-{
-    caught_signal = number;
-}
 
 const char* WordOf(const host::BusState state)
 {
@@ -74,6 +70,14 @@ std::uint64_t ManagerLoop::NowUs() const
     return (host::LiveNow() - start_ns_) / kNsPerUs;
 }
 
+/// The manager's time never goes back, and never ahead of frames that wait to be read: after a pause of this process
+/// they are as far apart as they were on the bus. [SRS-MGR-004]
+std::uint64_t ManagerLoop::StationUs()
+{
+    station_us_ = is_behind_ ? station_us_ : std::max(station_us_, NowUs());
+    return station_us_;
+}
+
 bool ManagerLoop::SendFrame(const CanFrame& frame)
 {
     return bus_->Send(host::FromCanFrame(frame)) == host::SendResult::kSent;
@@ -105,21 +109,24 @@ void ManagerLoop::OnEvent(const ManagerEvent& event)
 
 bool ManagerLoop::Run()
 {
-    caught_signal = 0;
-    static_cast<void>(std::signal(SIGPIPE, SIG_IGN)); // For good: who reads the output may go, the network stays.
-    const auto before_int = std::signal(SIGINT, &Catch);
-    const auto before_term = std::signal(SIGTERM, &Catch);
+    const CaughtSignals signals;
     start_ns_ = host::LiveNow();
+    last_turn_ns_ = start_ns_;
+    last_frame_ns_ = start_ns_;
     next_cycle_ns_ = start_ns_ + kCycleNs;
     station_.Begin(0U);
     while (reason_.empty())
     {
         Wait();
         Receive();
+        if (has_typed_)
+        {
+            ReadTyped();
+        }
         const std::uint64_t now_ns = host::LiveNow();
         if (now_ns >= next_cycle_ns_)
         {
-            station_.OnCycle(NowUs());
+            station_.OnCycle(StationUs());
             next_cycle_ns_ = now_ns + kCycleNs;
         }
         if (socket_ != nullptr)
@@ -135,14 +142,13 @@ bool ManagerLoop::Run()
         }
         const bool is_time_over = settings_.for_ns != 0U && now_ns - start_ns_ >= settings_.for_ns;
         reason_ = is_time_over ? "--for" : reason_;
-        reason_ = (caught_signal != 0) ? "signal" : reason_;
+        reason_ = CaughtSignals::IsCaught() ? "signal" : reason_;
     }
     const bool has_started = station_.Host().HasStarted();
-    station_.Tell("stopped", "stopped by " + reason_, {{"reason", reason_}, {"started", has_started}}, NowUs());
+    station_.Tell("stopped", "stopped by " + reason_, {{"reason", reason_}, {"started", has_started}}, StationUs());
     Draw();
     FlushLog();
-    static_cast<void>(std::signal(SIGINT, before_int));
-    static_cast<void>(std::signal(SIGTERM, before_term));
+    report_.Print(settings_.is_screen ? "\n" : "");
     return has_started;
 }
 
@@ -157,26 +163,69 @@ void ManagerLoop::Wait()
     const std::uint64_t wait_ns = (next_cycle_ns_ > now_ns) ? next_cycle_ns_ - now_ns : 0U;
     const timespec time{0, static_cast<long>(wait_ns)};
     const int ready = ::ppoll(places.data(), places.size(), &time, nullptr);
-    if (ready > 0 && places[1].revents != 0)
-    {
-        ReadTyped();
-    }
+    has_typed_ = ready > 0 && places[1].revents != 0;
 }
 
 void ManagerLoop::Receive()
 {
     // Of a bus that never falls silent some at a time: cycles and orders come in between.
     host::LiveFrame frame;
-    for (std::size_t count = 0U; count < kFramesOfTurn && bus_->Receive(frame); ++count)
+    std::vector<host::LiveFrame> frames;
+    std::size_t left_aside = 0U;
+    while (frames.size() < kFramesOfTurn && left_aside < kFramesOfPause && bus_->Receive(frame))
     {
-        if (frame.own && !frame.error && !frame.fd)
+        const bool is_old = host::LiveNow() - last_turn_ns_ > settings_.longest_pause_ns;
+        left_aside += is_old ? 1U : 0U;
+        if (!is_old)
         {
-            station_.Host().OnSent(host::ToCanFrame(frame, CanPortId::kFirst));
+            frames.push_back(frame);
         }
-        else if (!frame.error && !frame.fd)
-        {
-            station_.OnFrame(host::ToCanFrame(frame, CanPortId::kFirst), NowUs());
-        }
+    }
+    last_turn_ns_ = host::LiveNow();
+    if (IsHeap(frames.size()))
+    {
+        left_aside += frames.size();
+        frames.clear();
+    }
+    for (const host::LiveFrame& taken : frames)
+    {
+        TakeFrame(taken);
+    }
+    is_behind_ = frames.size() == kFramesOfTurn;
+    if (left_aside > 0U)
+    {
+        station_.Tell("lost_frames",
+                      std::to_string(left_aside) + " frames left aside: when they were on the bus cannot be known",
+                      {{"count", left_aside}}, StationUs());
+    }
+}
+
+/// A connection tells no times of reception. What comes in a heap after a silence has waited somewhere: as of now it
+/// would look like two devices.
+bool ManagerLoop::IsHeap(const std::size_t count)
+{
+    const bool is_connection = address_.rfind("socketcand:", 0U) == 0U;
+    const std::uint64_t now_ns = host::LiveNow();
+    is_heap_ = is_connection && count > kFramesOfHeap && (is_heap_ || now_ns - last_frame_ns_ > kSilenceNs);
+    last_frame_ns_ = (count > 0U) ? now_ns : last_frame_ns_;
+    return is_heap_;
+}
+
+void ManagerLoop::TakeFrame(const host::LiveFrame& frame)
+{
+    if (frame.error || frame.fd)
+    {
+        return;
+    }
+    const std::uint64_t stamp_us = (frame.time_ns > start_ns_) ? (frame.time_ns - start_ns_) / kNsPerUs : 0U;
+    station_us_ = std::max(station_us_, std::min(stamp_us, NowUs()));
+    if (frame.own)
+    {
+        station_.Host().OnSent(host::ToCanFrame(frame, CanPortId::kFirst));
+    }
+    else
+    {
+        station_.OnFrame(host::ToCanFrame(frame, CanPortId::kFirst), station_us_);
     }
 }
 
@@ -186,11 +235,11 @@ void ManagerLoop::WatchBus()
     if (health.state != bus_state_)
     {
         bus_state_ = health.state;
-        station_.Tell("bus", std::string("bus ") + WordOf(bus_state_), {{"state", WordOf(bus_state_)}}, NowUs());
+        station_.Tell("bus", std::string("bus ") + WordOf(bus_state_), {{"state", WordOf(bus_state_)}}, StationUs());
         cia302::ControllerState state = cia302::ControllerState::kRunning;
         state = (bus_state_ == host::BusState::kBusOff) ? cia302::ControllerState::kBusOff : state;
         state = (bus_state_ == host::BusState::kDown) ? cia302::ControllerState::kAbsent : state;
-        station_.Host().OnController(state, InstantAt(NowUs()));
+        station_.Host().OnController(state, InstantAt(StationUs()));
     }
     if (bus_state_ == host::BusState::kDown)
     {
@@ -200,7 +249,7 @@ void ManagerLoop::WatchBus()
     {
         const std::uint32_t count = health.lost_frames - lost_;
         station_.Tell("lost_frames", std::to_string(count) + " frames lost between bus and manager", {{"count", count}},
-                      NowUs());
+                      StationUs());
         lost_ = health.lost_frames;
     }
 }
@@ -248,15 +297,40 @@ void ManagerLoop::ReadTyped()
     typed_ += (settings_.input < 0 && !typed_.empty()) ? "\n" : ""; // The end of the input ends its last line.
     for (std::size_t end = typed_.find('\n'); end != std::string::npos; end = typed_.find('\n'))
     {
-        report_.Print(is_too_long_ ? "" : Answer(typed_.substr(0U, end)));
+        const std::string line = typed_.substr(0U, end);
         typed_.erase(0U, end + 1U);
+        if (!is_too_long_)
+        {
+            Reply(line);
+        }
         is_too_long_ = false;
     }
     if (typed_.size() > kLongestLine)
     {
-        report_.Print(is_too_long_ ? "" : "a line without end, expected one of at most 1024 bytes\n");
+        Show(is_too_long_ ? "" : "a line without end, expected one of at most 1024 bytes\n");
         typed_.clear();
         is_too_long_ = true;
+    }
+}
+
+void ManagerLoop::Reply(const std::string& line)
+{
+    const bool is_table = settings_.is_screen && ParseManagerOrder(line).kind == ManagerOrderKind::kStatus;
+    const std::string answer = Answer(line);
+    Show(is_table ? "" : answer); // The table is there.
+}
+
+/// On a terminal an answer stays until the next one: the screen is drawn anew too often to read it otherwise.
+void ManagerLoop::Show(const std::string& answer)
+{
+    answer_ = answer;
+    if (settings_.is_screen)
+    {
+        Draw();
+    }
+    else
+    {
+        report_.Print(answer);
     }
 }
 
@@ -267,7 +341,7 @@ void ManagerLoop::FlushLog()
     if (!log_ && is_log_whole_)
     {
         is_log_whole_ = false;
-        station_.Tell("log_ended", "the event log cannot be written any more", {}, NowUs());
+        station_.Tell("log_ended", "the event log cannot be written any more", {}, StationUs());
     }
 }
 
@@ -275,11 +349,12 @@ void ManagerLoop::Draw()
 {
     if (settings_.is_screen)
     {
-        std::string screen = "\x1b[H\x1b[2J" + StatusTable(station_, NowUs()) + "\n";
+        std::string screen = "\x1b[H\x1b[2J" + StatusTable(station_, StationUs()) + "\n";
         for (const std::string& line : recent_)
         {
             screen += line + "\n";
         }
+        screen += answer_.empty() ? "" : "\n" + answer_;
         report_.Print(screen + "\norder (help): " + typed_);
     }
 }
@@ -290,7 +365,7 @@ std::string ManagerLoop::Answer(const std::string& line)
     std::string answer;
     if (order.kind == ManagerOrderKind::kStatus)
     {
-        answer = settings_.is_json ? OneLine(StatusJson(station_, NowUs())) : StatusTable(station_, NowUs());
+        answer = settings_.is_json ? OneLine(StatusJson(station_, StationUs())) : StatusTable(station_, StationUs());
     }
     else if (order.kind == ManagerOrderKind::kHelp)
     {
@@ -307,8 +382,8 @@ std::string ManagerLoop::Answer(const std::string& line)
     }
     else if (order.kind != ManagerOrderKind::kNothing)
     {
-        const std::string result = station_.Carry(order, NowUs());
-        station_.Tell("order", "order " + line + ": " + result, {{"order", line}, {"answer", result}}, NowUs());
+        const std::string result = station_.Carry(order, StationUs());
+        station_.Tell("order", "order " + line + ": " + result, {{"order", line}, {"answer", result}}, StationUs());
         answer = result + "\n";
     }
     return (settings_.is_json && !answer.empty() && answer[0] != '{')

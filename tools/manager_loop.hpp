@@ -16,6 +16,9 @@
 
 namespace counterpoint::tools
 {
+/// The system's times of reception are told for frames of the last ten seconds.
+constexpr std::uint64_t kLongestPauseNs = 9000000000U;
+
 struct ManagerLoopSettings
 {
     std::string log;          ///< Event log; empty: none.
@@ -23,6 +26,7 @@ struct ManagerLoopSettings
     int input{-1};            ///< Descriptor of typed orders; -1: none.
     bool is_json{false};
     bool is_screen{false}; ///< The table is redrawn on a terminal.
+    std::uint64_t longest_pause_ns{kLongestPauseNs};
 };
 
 /// The executive of a live manager: frames, cycles of a millisecond and orders, until it is told to stop.
@@ -45,7 +49,6 @@ class ManagerLoop
     {
         return station_;
     }
-    /// @brief The manager's time.
     [[nodiscard]] std::uint64_t NowUs() const;
 
   private:
@@ -53,9 +56,14 @@ class ManagerLoop
     void OnEvent(const ManagerEvent& event);
     void Wait();
     void Receive();
+    [[nodiscard]] bool IsHeap(std::size_t count);
+    void TakeFrame(const host::LiveFrame& frame);
+    [[nodiscard]] std::uint64_t StationUs();
     void WatchBus();
     void Reconnect();
     void ReadTyped();
+    void Reply(const std::string& line);
+    void Show(const std::string& answer);
     void FlushLog();
     void Draw();
     [[nodiscard]] std::string Answer(const std::string& line);
@@ -70,10 +78,17 @@ class ManagerLoop
     std::uint64_t start_ns_{0U};
     std::uint64_t next_cycle_ns_{0U};
     std::uint64_t next_look_ns_{0U};
+    std::uint64_t last_turn_ns_{0U};
+    std::uint64_t last_frame_ns_{0U};
+    bool is_heap_{false};
+    std::uint64_t station_us_{0U}; ///< How far the manager's time has come.
+    bool is_behind_{false};        ///< More frames wait: time is that of the last one.
+    bool has_typed_{false};
     host::BusState bus_state_{host::BusState::kActive};
     std::uint32_t lost_{0U};
     std::deque<std::string> recent_; ///< Lines under the table.
     std::string typed_;
+    std::string answer_;      ///< To what was typed last, on a terminal.
     bool is_too_long_{false}; ///< What is typed until the next line end is the rest of a line that was refused.
     bool is_log_whole_{true};
     std::string reason_; ///< Why it ends; empty: it does not.

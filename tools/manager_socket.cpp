@@ -149,6 +149,7 @@ void ManagerSocket::Read(Client& client)
     const ssize_t count = ::recv(client.file.Get(), bytes.data(), bytes.size(), 0);
     const bool is_nothing = count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR);
     client.is_over = count == 0 || (count < 0 && !is_nothing);
+    client.typed += (count == 0 && !client.typed.empty()) ? "\n" : ""; // Its end ends its last line.
     client.heard = (count > 0) ? turn_ : client.heard;
     client.typed.append(bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
 }

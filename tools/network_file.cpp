@@ -51,13 +51,10 @@ std::string FileIn(const std::string& file, const YamlMap& map, const char* key,
     if (value)
     {
         path = network::BesideFile(file, value->Text("a file name"));
-        if (!std::filesystem::exists(path))
+        const std::string problem = network::ProblemOfFile(path);
+        if (!problem.empty())
         {
-            value->Refuse("there is no file " + simulator::Shown(path), kind);
-        }
-        if (std::filesystem::is_directory(path))
-        {
-            value->Refuse(simulator::Shown(path) + " is a folder", kind);
+            value->Refuse(problem, kind);
         }
     }
     return path;
@@ -205,16 +202,22 @@ NetworkPlan ReadYaml(const std::string& path, const std::uint8_t manager)
     return plan;
 }
 
-/// Before it is read as something: neither reader knows what the file was to be.
+/// Before it is read as something: neither reader knows what the file was to be. Line 1, for all of it.
 void RequireNetworkFile(const std::string& path)
 {
-    std::error_code error;
-    const std::filesystem::file_status status = std::filesystem::status(path, error);
-    if (!std::filesystem::is_regular_file(status))
+    constexpr std::uintmax_t kMostBytes = simulator::kMaxScenarioBytes;
+    const std::string problem = network::ProblemOfFile(path);
+    if (!problem.empty())
     {
-        const bool is_there = std::filesystem::exists(status);
+        throw cia306::InputError(path, 1U, {problem, "a network file, CPJ or YAML"});
+    }
+    std::error_code error;
+    const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+    if (bytes > kMostBytes)
+    {
         throw cia306::InputError(
-            path, 0U, {is_there ? "this is no regular file" : "there is no such file", "a network file, CPJ or YAML"});
+            path, 1U,
+            {"a network file of " + std::to_string(bytes) + " bytes", "at most " + std::to_string(kMostBytes)});
     }
 }
 } // namespace

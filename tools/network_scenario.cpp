@@ -1,185 +1,243 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/network_scenario.hpp"
 
+#include "canopen/cia306/input_error.hpp"
 #include "canopen/cia306/number.hpp"
 #include "canopen/network/cpj_reader.hpp"
 #include "hal/host/bit_rate.hpp"
 #include "tools/manager_order.hpp"
-#include "tools/yaml_map.hpp"
+#include "verification/simulator/fields.hpp"
+#include "verification/simulator/names.hpp"
 
-#include <filesystem>
-#include <limits>
+#include <optional>
 #include <sstream>
 
 namespace counterpoint::tools
 {
 namespace
 {
+using simulator::Fields;
 using simulator::ScenarioValue;
-using simulator::Word;
 using Action = NetworkActionKind;
 using Expected = NetworkExpectationKind;
 
-constexpr std::uint64_t kHighestNode = 127U;
-constexpr std::uint64_t kHighestNumber = std::numeric_limits<std::uint32_t>::max();
-
-constexpr Word<Action> kActionWords[] = {{"pull", Action::kPull},
-                                         {"insert", Action::kInsert},
-                                         {"reset", Action::kReset},
-                                         {"replace", Action::kReplace},
-                                         {"duplicate", Action::kDuplicate},
-                                         {"emcy_storm", Action::kEmcyStorm},
-                                         {"babble", Action::kBabble},
-                                         {"order", Action::kOrder},
-                                         {"kill_manager", Action::kKillManager},
-                                         {"store", Action::kStore},
-                                         {"acknowledge", Action::kAcknowledge},
-                                         {"send", Action::kSend},
-                                         {"bus_off", Action::kBusOff},
-                                         {"no_controller", Action::kNoController}};
-constexpr Word<Expected> kExpectedWords[] = {
-    {"state", Expected::kState},   {"device", Expected::kDevice}, {"letter", Expected::kLetter},
-    {"code", Expected::kCode},     {"gate", Expected::kGate},     {"finding", Expected::kFinding},
-    {"output", Expected::kOutput}, {"event", Expected::kEvent},   {"no_event", Expected::kNoEvent},
-    {"active", Expected::kActive}, {"flying", Expected::kFlying}};
-
-std::uint64_t TimeIn(const YamlMap& map, const char* key, const std::uint64_t otherwise)
+std::uint64_t TimeOf(const std::optional<ScenarioValue>& value, const std::uint64_t otherwise)
 {
-    const auto value = map.Find(key);
     return value ? static_cast<std::uint64_t>(value->Duration()) : otherwise;
 }
 
-std::uint64_t NumberIn(const YamlMap& map, const char* key, const std::uint64_t lowest, const std::uint64_t highest,
-                       const std::uint64_t otherwise)
+/// The schema has checked its range.
+template <typename Number> Number NumberOf(const std::optional<ScenarioValue>& value, const Number otherwise)
 {
-    const auto value = map.Find(key);
-    return value ? value->Number({lowest, highest}) : otherwise;
+    return value ? static_cast<Number>(value->Checked()) : otherwise;
 }
 
-std::string FileIn(const std::string& file, const YamlMap& map, const char* key)
+std::string FileOf(const ScenarioValue& value, const std::string& expected)
 {
-    const ScenarioValue value = map.Require(key);
-    const std::string path = network::BesideFile(file, value.Text("a file name"));
-    if (!std::filesystem::exists(path))
+    const std::string path = network::BesideFile(value.FileName(), value.Text("a file name"));
+    const std::string problem = network::ProblemOfFile(path);
+    if (!problem.empty())
     {
-        value.Refuse("there is no file " + simulator::Shown(path), "one of the scenario");
+        value.Refuse(problem, expected);
     }
     return path;
 }
 
-ScenarioManager ReadManager(const std::string& file, const ScenarioValue& value)
+ScenarioManager ReadManager(const ScenarioValue& value)
 {
-    const YamlMap map(file, value.Node(), {"network", "node", "at"});
-    return {FileIn(file, map, "network"), static_cast<std::uint8_t>(NumberIn(map, "node", 1U, kHighestNode, 0U)),
-            TimeIn(map, "at", 0U), value.Where().place};
+    Fields fields(value, "network.managers");
+    ScenarioManager manager;
+    manager.place = value.Where().place;
+    manager.network = FileOf(fields.Require("network"), "a network file");
+    manager.node = NumberOf<std::uint8_t>(fields.Find("node"), 0U);
+    manager.at_ns = TimeOf(fields.Require("at"), 0U);
+    fields.Close();
+    return manager;
 }
 
-ScenarioDevice ReadDevice(const std::string& file, const ScenarioValue& value)
+ScenarioDevice ReadDevice(const ScenarioValue& value)
 {
-    const YamlMap map(file, value.Node(), {"node", "dcf", "serial", "at"});
+    Fields fields(value, "network.devices");
     ScenarioDevice device;
     device.place = value.Where().place;
-    device.node = static_cast<std::uint8_t>(map.Require("node").Number({1U, kHighestNode}));
-    device.dcf = FileIn(file, map, "dcf");
-    device.at_ns = TimeIn(map, "at", 0U);
-    if (const auto serial = map.Find("serial"))
+    device.node = NumberOf<std::uint8_t>(fields.Require("node"), 0U);
+    device.dcf = FileOf(fields.Require("dcf"), "a DCF");
+    device.at_ns = TimeOf(fields.Require("at"), 0U);
+    if (const auto serial = fields.Find("serial"))
     {
-        device.serial = static_cast<std::uint32_t>(serial->Number({0U, kHighestNumber}));
+        device.serial = serial->Checked();
     }
+    fields.Close();
     return device;
 }
 
 /// "01 21": up to 8 bytes in hexadecimal.
-std::vector<std::uint8_t> DataIn(const YamlMap& map)
+std::vector<std::uint8_t> DataOf(const std::optional<ScenarioValue>& value)
 {
     constexpr std::size_t kMost = 8U;
     std::vector<std::uint8_t> data;
-    if (const auto value = map.Find("data"))
+    std::istringstream words(value ? value->Text("bytes such as 01 21") : std::string{});
+    for (std::string word; words >> word;)
     {
-        std::istringstream words(value->Text("bytes such as 01 21"));
-        for (std::string word; words >> word;)
+        const auto byte = (word.size() == 2U) ? cia306::ParseUnsigned("0x" + word, 0xFFU) : std::nullopt;
+        if (!byte || data.size() == kMost)
         {
-            const auto byte = (word.size() == 2U) ? cia306::ParseUnsigned("0x" + word, 0xFFU) : std::nullopt;
-            if (!byte || data.size() == kMost)
-            {
-                value->Refuse(simulator::Shown(word), "up to 8 bytes of two hexadecimal digits");
-            }
-            data.push_back(static_cast<std::uint8_t>(*byte));
+            value->Refuse(simulator::Shown(word), "up to 8 bytes of two hexadecimal digits");
         }
+        data.push_back(static_cast<std::uint8_t>(*byte));
     }
     return data;
 }
 
-/// What only some actions have.
-void ReadMore(const YamlMap& map, NetworkAction& action)
+/// One that acts: what only asks has nobody here to read the answer.
+std::string OrderOf(const ScenarioValue& value)
 {
-    constexpr std::uint64_t kHighestIdentifier = 0x7FFU;
-    constexpr std::uint64_t kMillisecondNs = 1000000U;
-    constexpr std::uint64_t kUsualCode = 0x1000U;
-    action.until_ns = TimeIn(map, "until", action.at_ns);
-    const auto every = map.Find("every");
-    action.every_ns = every ? static_cast<std::uint64_t>(every->Lasting()) : kMillisecondNs;
-    action.serial = static_cast<std::uint32_t>(NumberIn(map, "serial", 0U, kHighestNumber, 0U));
-    action.identifier = static_cast<std::uint32_t>(NumberIn(map, "identifier", 0U, kHighestIdentifier, 0U));
-    action.code = static_cast<std::uint16_t>(NumberIn(map, "code", 0U, 0xFFFFU, kUsualCode));
-    action.value = static_cast<std::uint32_t>(NumberIn(map, "value", 0U, kHighestNumber, 0U));
-    action.srdo = static_cast<std::uint8_t>(NumberIn(map, "srdo", 1U, 64U, 1U));
-    action.data = DataIn(map);
-    if (const auto object = map.Find("object"))
+    const std::string text = value.Text("an order such as start 33");
+    const ManagerOrder parsed = ParseManagerOrder(text);
+    if (parsed.kind == ManagerOrderKind::kProblem)
     {
-        action.object = object->Object();
+        const std::string expected = ", expected ";
+        const std::size_t comma = parsed.problem.find(expected);
+        value.Refuse(parsed.problem.substr(0U, comma), parsed.problem.substr(comma + expected.size()));
     }
-    if (const auto order = map.Find("order"))
+    const bool is_idle = parsed.kind == ManagerOrderKind::kNothing || parsed.kind == ManagerOrderKind::kStatus ||
+                         parsed.kind == ManagerOrderKind::kHelp || parsed.kind == ManagerOrderKind::kQuit;
+    if (is_idle)
     {
-        action.order = order->Text("an order such as start 33");
-        const ManagerOrder parsed = ParseManagerOrder(action.order);
-        if (parsed.kind == ManagerOrderKind::kProblem)
-        {
-            const std::size_t comma = parsed.problem.find(", expected ");
-            order->Refuse(parsed.problem.substr(0U, comma), parsed.problem.substr(comma + 11U));
-        }
+        value.Refuse("order " + simulator::Shown(text) + ", which does nothing here", "an order such as start 33");
+    }
+    return text;
+}
+
+/// What only storms and frames of somebody else have.
+void ReadFrames(Fields& fields, NetworkAction& action)
+{
+    const auto every = fields.Find("every");
+    const auto until = fields.Find("until");
+    if (action.kind == Action::kSend && every.has_value() != until.has_value())
+    {
+        (every ? every : until)->Refuse("one of 'every' and 'until'", "both, or neither for a single frame");
+    }
+    action.every_ns = TimeOf(every, 1U);
+    action.until_ns = TimeOf(until, action.at_ns);
+    if (action.kind == Action::kEmcyStorm)
+    {
+        action.node = NumberOf<std::uint8_t>(fields.Require("node"), 0U);
+        action.code = NumberOf<std::uint16_t>(fields.Require("code"), 0U);
+    }
+    else
+    {
+        action.identifier = NumberOf<std::uint32_t>(fields.Require("identifier"), 0U);
+    }
+    action.data = (action.kind == Action::kSend) ? DataOf(fields.Find("data")) : action.data;
+}
+
+void ReadContent(Fields& fields, NetworkAction& action)
+{
+    if (IsStorm(action.kind))
+    {
+        ReadFrames(fields, action);
+        return;
+    }
+    action.node = NumberOf<std::uint8_t>(fields.Find("node"), 0U);
+    if (action.kind == Action::kBusOff || action.kind == Action::kNoController)
+    {
+        action.until_ns = TimeOf(fields.Require("until"), action.at_ns);
+    }
+    if (action.kind == Action::kReplace)
+    {
+        action.serial = fields.Require("serial").Checked();
+    }
+    if (action.kind == Action::kStore)
+    {
+        action.object = fields.Require("object").Object();
+        action.value = fields.Require("value").Checked();
+    }
+    if (action.kind == Action::kAcknowledge)
+    {
+        action.srdo = NumberOf<std::uint8_t>(fields.Require("srdo"), 0U);
+    }
+    if (action.kind == Action::kOrder)
+    {
+        action.order = OrderOf(fields.Require("order"));
     }
 }
 
-NetworkAction ReadAction(const std::string& file, const ScenarioValue& value)
+NetworkAction ReadAction(const ScenarioValue& value)
 {
-    const YamlMap map(file, value.Node(),
-                      {"at", "do", "node", "until", "every", "serial", "identifier", "code", "order", "object", "value",
-                       "srdo", "data"});
+    Fields fields(value, "network.events");
     NetworkAction action;
     action.place = value.Where().place;
-    action.kind = map.Require("do").Choice(kActionWords);
-    action.at_ns = static_cast<std::uint64_t>(map.Require("at").Duration());
-    const bool is_bus = action.kind == Action::kBusOff || action.kind == Action::kNoController;
-    const bool is_frame = action.kind == Action::kBabble || action.kind == Action::kSend;
-    const bool needs_node = !is_frame && !is_bus && action.kind != Action::kOrder;
-    action.node = needs_node ? static_cast<std::uint8_t>(map.Require("node").Number({1U, kHighestNode}))
-                             : static_cast<std::uint8_t>(NumberIn(map, "node", 1U, kHighestNode, 0U));
-    const bool needs_until = is_bus || action.kind == Action::kBabble || action.kind == Action::kEmcyStorm;
-    static_cast<void>(needs_until ? map.Require("until") : map.Require("at"));
-    static_cast<void>((action.kind == Action::kOrder) ? map.Require("order") : map.Require("at"));
-    static_cast<void>((action.kind == Action::kSend) ? map.Require("identifier") : map.Require("at"));
-    static_cast<void>((action.kind == Action::kStore) ? map.Require("object") : map.Require("at"));
-    ReadMore(map, action);
+    action.kind = fields.Require("do").Choice(simulator::kNetworkActionWords);
+    action.at_ns = TimeOf(fields.Require("at"), 0U);
+    const std::string section =
+        std::string(simulator::kNetworkPrefix) + NameOf(simulator::kNetworkActionWords, action.kind);
+    fields.Extend(section.c_str());
+    ReadContent(fields, action);
+    fields.Close();
     return action;
 }
 
-NetworkExpectation ReadExpectation(const std::string& file, const ScenarioValue& value, const std::uint64_t end_ns)
+/// "0x1018:4" and "0x1018:04" are one object.
+std::string ObjectIn(const ScenarioValue& value)
 {
-    const YamlMap map(file, value.Node(), {"that", "node", "manager", "srdo", "is", "at", "from", "until"});
+    const std::string text = value.Text("an object such as 0x1018:04, or none");
+    if (text == "none")
+    {
+        return text;
+    }
+    const ObjectAddress object = value.Object();
+    return cia306::ObjectName(object.index, object.sub);
+}
+
+/// Numbers of events of the election with one space between them.
+std::string FlyingEventsIn(const ScenarioValue& value)
+{
+    constexpr std::uint64_t kLastEvent = 5U;
+    const std::string expected = "none, or numbers from 1 to 5 such as 3 4";
+    std::istringstream words(value.Text(expected));
+    std::string events;
+    for (std::string word; words >> word;)
+    {
+        const auto number = cia306::ParseUnsigned(word, kLastEvent);
+        const bool is_none = word == "none" && events.empty() && words.peek() == std::istringstream::traits_type::eof();
+        if (!is_none && (!number || *number == 0U))
+        {
+            value.Refuse(simulator::Shown(word), expected);
+        }
+        events += (events.empty() ? "" : " ") + (is_none ? word : std::to_string(*number));
+    }
+    if (events.empty())
+    {
+        value.Refuse("no word", expected);
+    }
+    return events;
+}
+
+std::string FoundIn(const ScenarioValue& value, const Expected kind)
+{
+    std::string text = value.Text("a word");
+    text = (kind == Expected::kFinding) ? ObjectIn(value) : text;
+    return (kind == Expected::kFlying) ? FlyingEventsIn(value) : text;
+}
+
+NetworkExpectation ReadExpectation(const ScenarioValue& value, const std::uint64_t end_ns)
+{
+    Fields fields(value, "network.expect");
     NetworkExpectation expectation;
     expectation.place = value.Where().place;
-    expectation.kind = map.Require("that").Choice(kExpectedWords);
+    expectation.kind = fields.Require("that").Choice(simulator::kNetworkExpectationWords);
+    const std::string section =
+        std::string(simulator::kNetworkPrefix) + NameOf(simulator::kNetworkExpectationWords, expectation.kind);
+    fields.Extend(section.c_str());
     const bool is_event = expectation.kind == Expected::kEvent || expectation.kind == Expected::kNoEvent;
-    const bool is_of_manager = expectation.kind == Expected::kActive || expectation.kind == Expected::kFlying;
-    expectation.node = (is_event || is_of_manager)
-                           ? static_cast<std::uint8_t>(NumberIn(map, "node", 1U, kHighestNode, 0U))
-                           : static_cast<std::uint8_t>(map.Require("node").Number({1U, kHighestNode}));
-    expectation.manager = static_cast<std::uint8_t>(NumberIn(map, "manager", 1U, kHighestNode, 0U));
-    expectation.srdo = static_cast<std::uint8_t>(NumberIn(map, "srdo", 1U, 64U, 1U));
-    expectation.is = map.Require("is").Text("a word");
-    expectation.from_ns = TimeIn(map, "from", 0U);
-    expectation.at_ns = is_event ? TimeIn(map, "until", end_ns) : TimeIn(map, "at", end_ns);
+    expectation.node = NumberOf<std::uint8_t>(fields.Find("node"), 0U);
+    expectation.manager = NumberOf<std::uint8_t>(fields.Find("manager"), 0U);
+    expectation.srdo = NumberOf<std::uint8_t>(fields.Find("srdo"), 0U);
+    expectation.is = FoundIn(fields.Require("is"), expectation.kind);
+    expectation.from_ns = is_event ? TimeOf(fields.Require("from"), 0U) : 0U;
+    expectation.at_ns = TimeOf(fields.Find(is_event ? "until" : "at"), end_ns);
+    fields.Close();
     if (expectation.at_ns > end_ns)
     {
         value.Refuse("a time after the end of the scenario", "one within its duration");
@@ -203,16 +261,20 @@ void AddReturns(std::vector<NetworkAction>& actions)
     actions.insert(actions.end(), returns.begin(), returns.end());
 }
 
-std::uint32_t BitRateIn(const YamlMap& map)
+std::uint32_t BitRateOf(const ScenarioValue& value)
 {
-    constexpr std::uint32_t kUsual = 500000U;
-    const auto value = map.Find("bitrate");
-    const std::uint64_t rate = value ? value->Number({0U, kHighestNumber}) : kUsual;
-    if (!host::BitRateFrom(static_cast<std::uint32_t>(rate)))
+    const std::uint32_t rate = value.Checked();
+    if (!host::BitRateFrom(rate))
     {
-        value->Refuse(std::to_string(rate), "10000, 20000, 50000, 100000, 125000, 250000, 500000, 800000 or 1000000");
+        value.Refuse(std::to_string(rate), "10000, 20000, 50000, 100000, 125000, 250000, 500000, 800000 or 1000000");
     }
-    return static_cast<std::uint32_t>(rate);
+    return rate;
+}
+
+std::vector<ScenarioValue> ListOf(Fields& fields, const char* const key)
+{
+    const auto value = fields.Find(key);
+    return value ? value->Items("a list") : std::vector<ScenarioValue>{};
 }
 } // namespace
 
@@ -241,33 +303,36 @@ bool IsNetworkScenario(const std::string& path)
 NetworkScenario ReadNetworkScenario(const std::string& path)
 {
     const simulator::YamlNode document = simulator::ParseYaml(path, simulator::ReadScenarioText(path));
-    const YamlMap map(path, document,
-                      {"title", "description", "bitrate", "duration", "managers", "devices", "events", "expect"});
+    Fields fields(ScenarioValue(path, document), "network");
     NetworkScenario scenario;
     scenario.file = path;
-    scenario.title = map.Require("title").Text("a text");
-    const auto description = map.Find("description");
+    scenario.title = fields.Require("title").Text("a text");
+    const auto description = fields.Find("description");
     scenario.description = description ? description->Paragraph("a text") : "";
-    scenario.bitrate = BitRateIn(map);
-    scenario.duration_ns = static_cast<std::uint64_t>(map.Require("duration").Lasting());
-    for (const ScenarioValue& manager : map.Require("managers").Items("a list of managers"))
+    scenario.bitrate = BitRateOf(fields.Require("bitrate"));
+    scenario.duration_ns = static_cast<std::uint64_t>(fields.Require("duration").Lasting());
+    const ScenarioValue managers = fields.Require("managers");
+    for (const ScenarioValue& manager : managers.Items("a list of managers"))
     {
-        scenario.managers.push_back(ReadManager(path, manager));
+        scenario.managers.push_back(ReadManager(manager));
     }
-    const auto list = [&map](const char* key)
-    { return map.Find(key) ? map.Find(key)->Items("a list") : std::vector<ScenarioValue>{}; };
-    for (const ScenarioValue& device : list("devices"))
+    if (scenario.managers.empty())
     {
-        scenario.devices.push_back(ReadDevice(path, device));
+        managers.Refuse("an empty list of managers", "at least one");
     }
-    for (const ScenarioValue& action : list("events"))
+    for (const ScenarioValue& device : ListOf(fields, "devices"))
     {
-        scenario.actions.push_back(ReadAction(path, action));
+        scenario.devices.push_back(ReadDevice(device));
     }
-    for (const ScenarioValue& expectation : list("expect"))
+    for (const ScenarioValue& action : ListOf(fields, "events"))
     {
-        scenario.expectations.push_back(ReadExpectation(path, expectation, scenario.duration_ns));
+        scenario.actions.push_back(ReadAction(action));
     }
+    for (const ScenarioValue& expectation : ListOf(fields, "expect"))
+    {
+        scenario.expectations.push_back(ReadExpectation(expectation, scenario.duration_ns));
+    }
+    fields.Close();
     RequireSense(scenario);
     AddReturns(scenario.actions);
     return scenario;

@@ -3,6 +3,7 @@
 #define TOOLS_NETWORK_SCENARIO_HPP
 
 #include "safety_core/kernel/object_access.hpp"
+#include "verification/simulator/network_names.hpp"
 #include "verification/simulator/yaml_document.hpp"
 
 #include <cstdint>
@@ -31,24 +32,8 @@ struct ScenarioDevice
     simulator::Place place{};
 };
 
-enum class NetworkActionKind : std::uint8_t
-{
-    kPull = 1U,
-    kInsert,
-    kReset, ///< Its supply blinks: nobody commanded it.
-    kReplace,
-    kDuplicate,
-    kEmcyStorm,
-    kBabble,
-    kOrder,
-    kKillManager,
-    kStore,
-    kAcknowledge,
-    kSend,         ///< A frame of somebody else.
-    kBusOff,       ///< The manager's controller.
-    kNoController, ///< Of the manager.
-    kBusBack,      ///< Its end, made from both.
-};
+using simulator::NetworkActionKind;
+using simulator::NetworkExpectationKind;
 
 /// Something that happens to the network.
 struct NetworkAction
@@ -73,21 +58,6 @@ struct NetworkAction
 [[nodiscard]] bool IsOfManager(NetworkActionKind kind) noexcept;
 /// @brief Whether the action puts frames on the bus by itself.
 [[nodiscard]] bool IsStorm(NetworkActionKind kind) noexcept;
-
-enum class NetworkExpectationKind : std::uint8_t
-{
-    kState = 1U, ///< As the manager knows it.
-    kDevice,     ///< As it is.
-    kLetter,
-    kCode,
-    kGate,
-    kFinding,
-    kOutput,
-    kEvent,
-    kNoEvent,
-    kActive,
-    kFlying,
-};
 
 struct NetworkExpectation
 {
@@ -121,6 +91,8 @@ struct NetworkScenario
 [[nodiscard]] NetworkScenario ReadNetworkScenario(const std::string& path);
 /// @brief The second half of it: what does not fit together. Throws simulator::ScenarioError.
 void RequireSense(const NetworkScenario& scenario);
+/// @brief A part of that: what is asked of a device and its DCF does not have. Throws also cia306::InputError.
+void RequireObjects(const NetworkScenario& scenario, const ScenarioDevice& device);
 } // namespace counterpoint::tools
 
 #endif // TOOLS_NETWORK_SCENARIO_HPP

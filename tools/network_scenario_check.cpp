@@ -2,8 +2,9 @@
 // What does not fit together in a network scenario: it would do nothing, or hold whatever happens.
 #include "tools/network_scenario.hpp"
 
+#include "verification/simulator/names.hpp"
+
 #include <algorithm>
-#include <iterator>
 
 namespace counterpoint::tools
 {
@@ -13,12 +14,6 @@ using Action = NetworkActionKind;
 using Expected = NetworkExpectationKind;
 using simulator::Place;
 using simulator::ScenarioError;
-
-/// What a manager tells, as in its log.
-constexpr const char* kEventWords[] = {
-    "boot_up",    "supervision_started", "state",  "heartbeat_lost", "guard_lost", "guard_missed", "toggle_error",
-    "never_seen", "unexpected",          "status", "master",         "nmt",        "gate",         "emergency",
-    "duplicate",  "flying_master",       "order",  "write_safety",   "pdo"};
 
 class Check
 {
@@ -70,19 +65,46 @@ class Check
         {
             Refuse(expectation.place, "a window that ends before it begins", "'from' before 'until'");
         }
-        if (is_event &&
-            std::find(std::begin(kEventWords), std::end(kEventWords), expectation.is) == std::end(kEventWords))
+    }
+
+    /// Whether the device is there, through the events in their order.
+    void LifeOf(const ScenarioDevice& device) const
+    {
+        const std::string name = "device " + std::to_string(device.node);
+        bool is_there = true;
+        for (const NetworkAction* const action : ActionsOf(device.node))
         {
-            std::string known;
-            for (const char* const word : kEventWords)
+            const std::string word = NameOf(simulator::kNetworkActionWords, action->kind);
+            const bool needs_absence = action->kind == Action::kInsert;
+            if (action->at_ns < device.at_ns)
             {
-                known += (known.empty() ? "" : ", ") + std::string(word);
+                Refuse(action->place, word + " of " + name + " before it comes", "a time from its 'at' on");
             }
-            Refuse(expectation.place, "event " + simulator::Shown(expectation.is), "one of " + known);
+            if (action->kind != Action::kReplace && is_there == needs_absence)
+            {
+                Refuse(action->place, word + " of " + name + (is_there ? ", which is there" : ", which is not there"),
+                       is_there ? "a pull before it" : "an insert before it");
+            }
+            is_there = action->kind != Action::kPull;
         }
     }
 
   private:
+    /// In the order in which they happen.
+    [[nodiscard]] std::vector<const NetworkAction*> ActionsOf(const std::uint8_t node) const
+    {
+        std::vector<const NetworkAction*> actions;
+        for (const NetworkAction& action : scenario_.actions)
+        {
+            if (action.node == node && !IsStorm(action.kind) && !IsOfManager(action.kind))
+            {
+                actions.push_back(&action);
+            }
+        }
+        std::stable_sort(actions.begin(), actions.end(), [](const NetworkAction* left, const NetworkAction* right)
+                         { return left->at_ns < right->at_ns; });
+        return actions;
+    }
     [[noreturn]] void Refuse(const Place& place, const std::string& wrong, const std::string& expected) const
     {
         throw ScenarioError(scenario_.file, place, wrong, expected);
@@ -110,10 +132,6 @@ class Check
 void RequireSense(const NetworkScenario& scenario)
 {
     const Check check(scenario);
-    if (scenario.managers.empty())
-    {
-        throw ScenarioError(scenario.file, {}, "an empty list of managers", "at least one");
-    }
     check.Comers();
     for (const NetworkAction& action : scenario.actions)
     {
@@ -122,6 +140,11 @@ void RequireSense(const NetworkScenario& scenario)
     for (const NetworkExpectation& expectation : scenario.expectations)
     {
         check.Of(expectation);
+    }
+    for (const ScenarioDevice& device : scenario.devices)
+    {
+        check.LifeOf(device);
+        RequireObjects(scenario, device);
     }
 }
 } // namespace counterpoint::tools

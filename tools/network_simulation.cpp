@@ -73,13 +73,7 @@ NetworkSimulation::NetworkSimulation(const NetworkScenario& scenario, TellEvent 
     {
         RequireKnown(expectation);
     }
-    for (const NetworkAction& action : actions_)
-    {
-        if (IsOfManager(action.kind))
-        {
-            static_cast<void>(ManagerOf(action.node, action.place));
-        }
-    }
+    RequireManagers();
 }
 
 std::uint64_t NetworkSimulation::NextNs() const

@@ -76,6 +76,9 @@ class NetworkSimulation
     void RunManager(SimulatedManager& manager, std::uint64_t now_ns);
     void Judge(std::uint64_t now_ns);
     void RequireKnown(const NetworkExpectation& expectation);
+    void RequireOfProfile(const NetworkExpectation& expectation, const SimulatedManager& manager) const;
+    void RequireOfSafety(const NetworkExpectation& expectation, const SimulatedManager& manager) const;
+    void RequireManagers();
     [[nodiscard]] NetworkVerdict VerdictOf(const NetworkExpectation& expectation);
     [[nodiscard]] std::string Found(const NetworkExpectation& expectation, const SimulatedManager& manager);
     [[nodiscard]] std::string FoundAtDevice(const NetworkExpectation& expectation);

@@ -75,34 +75,6 @@ std::string EventIn(const SimulatedManager& manager, const NetworkExpectation& e
 }
 } // namespace
 
-/// What the manager cannot know would hold, or not, whatever happens.
-void NetworkSimulation::RequireKnown(const NetworkExpectation& expectation)
-{
-    const SimulatedManager& manager = ManagerOf(expectation.manager, expectation.place);
-    const bool is_device = expectation.kind == Expected::kDevice || expectation.kind == Expected::kOutput;
-    const network::LoadedSlave* const slave = manager.net->Find(expectation.node);
-    const auto is_it = [&expectation](const ScenarioDevice& device) { return device.node == expectation.node; };
-    const auto is_other = [&expectation](const std::unique_ptr<SimulatedManager>& other)
-    { return other->node == expectation.node; };
-    const bool is_on_bus =
-        std::any_of(managers_.begin(), managers_.end(), is_other) || std::any_of(setups_.begin(), setups_.end(), is_it);
-    const bool is_known = slave != nullptr || is_on_bus;
-    if (expectation.node != 0U && !is_device && !is_known)
-    {
-        throw simulator::ScenarioError(scenario_.file, expectation.place,
-                                       "node " + std::to_string(expectation.node) + ", which is no slave of manager " +
-                                           std::to_string(manager.node) + " and not there",
-                                       "one of its network file, or of the scenario's devices");
-    }
-    if (expectation.kind == Expected::kGate && (slave == nullptr || slave->safety.count == 0U))
-    {
-        throw simulator::ScenarioError(scenario_.file, expectation.place,
-                                       "the gate of node " + std::to_string(expectation.node) +
-                                           ", which has no safety configuration",
-                                       "a safety slave");
-    }
-}
-
 void NetworkSimulation::Judge(const std::uint64_t now_ns)
 {
     for (; next_expectation_ < expectations_.size() && expectations_[next_expectation_].at_ns <= now_ns;
@@ -143,6 +115,7 @@ std::string NetworkSimulation::Found(const NetworkExpectation& expectation, cons
     const bool is_refused =
         core.Gate().State(node) == cia302::GateState::kDiffers || core.Gate().State(node) == cia302::GateState::kFailed;
     const ObjectAddress object = is_refused ? gate.object : status.object;
+    const bool has_finding = is_refused || !FindingText(manager.net->Plan().manager.profile, status).empty();
     switch (expectation.kind)
     {
     case Expected::kState:
@@ -154,7 +127,7 @@ std::string NetworkSimulation::Found(const NetworkExpectation& expectation, cons
     case Expected::kGate:
         return Word(core.Gate().State(node));
     case Expected::kFinding:
-        return cia306::ObjectName(object.index, object.sub);
+        return has_finding ? cia306::ObjectName(object.index, object.sub) : "none";
     case Expected::kEvent:
     case Expected::kNoEvent:
         return EventIn(manager, expectation);

@@ -103,6 +103,7 @@ class SimulateCommand final : public Command
                                                "--html, --json or --quiet");
             }
         }
+        RequireNames();
         return SimulateNetwork(scenario_, {html_, json_, quiet_}, streams);
     }
 
@@ -217,13 +218,21 @@ class SimulateCommand final : public Command
         {
             files.Read(file);
         }
+        RequireNames();
+        for (const auto& [option, file] : {std::pair("--html", html_), {"--json", json_}, {"--candump", candump_}})
+        {
+            files.Write(option, file);
+        }
+    }
+
+    void RequireNames() const
+    {
         for (const auto& [option, file] : {std::pair("--html", html_), {"--json", json_}, {"--candump", candump_}})
         {
             if (file.empty() && app_->count(option) > 0U)
             {
                 throw simulator::ScenarioError(option, {}, "empty file name", "the name of a file");
             }
-            files.Write(option, file);
         }
     }
 

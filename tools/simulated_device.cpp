@@ -83,8 +83,8 @@ void SimulatedDevice::Run(const std::uint64_t now_ns)
     if (device_.TakeRestart(now_ns))
     {
         next_cycle_ns_ = now_ns + cycle_ns_;
-        SetSerial();
     }
+    SetSerial(); // A reset, of communication too, brought back that of the DCF.
     device_.LookAtOutput(now_ns);
 }
 

@@ -10,7 +10,9 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <initializer_list>
 #include <map>
+#include <unistd.h>
 
 namespace counterpoint::network
 {
@@ -53,7 +55,9 @@ const IniSection& TopologyOf(const IniDocument& document)
     const IniSection* const topology = document.Find("Topology");
     if (topology == nullptr)
     {
-        Refuse(document, 0U, "no section [Topology]", "a CPJ file of CiA 306-3");
+        // Behind its last line: there it is still missing.
+        Refuse(document, std::max<std::size_t>(document.LineCount(), 1U), "no section [Topology]",
+               "a CPJ file of CiA 306-3");
     }
     for (const IniSection& section : document.Sections())
     {
@@ -66,8 +70,19 @@ const IniSection& TopologyOf(const IniDocument& document)
     return *topology;
 }
 
-/// Puts a key NodeNPresent, NodeNName or NodeNDCFName where it belongs; other keys of a node are not needed here.
-void TakeNodeKey(const IniDocument& document, const IniKey& key, std::map<std::uint64_t, CpjNode>& nodes)
+/// What was left aside: a slip of the pen would otherwise leave out a node.
+void Warn(const IniDocument& document, const std::size_t line, const std::string& text, NetworkPlan& plan)
+{
+    plan.warnings.push_back(cia306::Printable(document.File()) + ":" + std::to_string(line) + ": " + text);
+}
+
+bool IsOneOf(const std::string& word, const std::initializer_list<const char*> words)
+{
+    return std::any_of(words.begin(), words.end(), [&word](const char* const other) { return word == other; });
+}
+
+/// Puts a key NodeNPresent, NodeNName or NodeNDCFName where it belongs. Whether the format knows the key.
+bool TakeNodeKey(const IniDocument& document, const IniKey& key, std::map<std::uint64_t, CpjNode>& nodes)
 {
     constexpr std::size_t kPrefix = 4U;
     const std::string name = Lower(key.name);
@@ -78,7 +93,7 @@ void TakeNodeKey(const IniDocument& document, const IniKey& key, std::map<std::u
     }
     if (name.rfind("node", 0U) != 0U || end == kPrefix)
     {
-        return;
+        return IsOneOf(name, {"netname", "netrefd", "nodes", "edsbasename"});
     }
     const std::string digits = name.substr(kPrefix, end - kPrefix);
     const bool is_id =
@@ -93,6 +108,36 @@ void TakeNodeKey(const IniDocument& document, const IniKey& key, std::map<std::u
     node.present = (what == "present") ? &key : node.present;
     node.name = (what == "name") ? &key : node.name;
     node.dcf = (what == "dcfname") ? &key : node.dcf;
+    return IsOneOf(what, {"present", "name", "dcfname", "refd"});
+}
+
+void WarnOfUnknown(const IniDocument& document, NetworkPlan& plan)
+{
+    for (const cia306::Finding& finding : document.Warnings())
+    {
+        Warn(document, finding.line, finding.text, plan);
+    }
+    for (const IniSection& section : document.Sections())
+    {
+        if (Lower(section.name) != "topology")
+        {
+            Warn(document, section.line, "section [" + section.name + "] is ignored, expected [Topology] alone", plan);
+        }
+    }
+}
+
+void WarnOfAbsent(const IniDocument& document, const std::map<std::uint64_t, CpjNode>& nodes, NetworkPlan& plan)
+{
+    for (const auto& [id, node] : nodes)
+    {
+        if (node.present == nullptr)
+        {
+            const std::string key = "Node" + std::to_string(id) + "Present";
+            Warn(document, node.line,
+                 "node " + std::to_string(id) + " without " + key + " is taken as absent, expected " + key + "=1 or 0",
+                 plan);
+        }
+    }
 }
 
 bool IsPresent(const IniDocument& document, const CpjNode& node)
@@ -128,10 +173,10 @@ SlavePlan PlanOf(const IniDocument& document, const std::uint64_t id, const CpjN
     }
     plan.line = node.dcf->line;
     plan.dcf = BesideFile(document.File(), node.dcf->value);
-    if (!std::filesystem::exists(plan.dcf))
+    const std::string problem = ProblemOfFile(plan.dcf);
+    if (!problem.empty())
     {
-        Refuse(document, node.dcf->line, "there is no file " + Quoted(plan.dcf),
-               "the DCF of node " + std::to_string(id));
+        Refuse(document, node.dcf->line, problem, "the DCF of node " + std::to_string(id));
     }
     return plan;
 }
@@ -173,17 +218,50 @@ std::string BesideFile(const std::string& network_file, const std::string& name)
     return file.is_absolute() ? path : (std::filesystem::path(network_file).parent_path() / file).string();
 }
 
+std::string ProblemOfFile(const std::string& path)
+{
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    if (!std::filesystem::exists(status))
+    {
+        return "there is no file " + Quoted(path);
+    }
+    if (std::filesystem::is_directory(status))
+    {
+        return Quoted(path) + " is a folder";
+    }
+    if (!std::filesystem::is_regular_file(status))
+    {
+        return Quoted(path) + " is no regular file";
+    }
+    const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+    if (bytes > cia306::kMaxFileBytes)
+    {
+        return Quoted(path) + " has " + std::to_string(bytes) + " bytes, and " + std::to_string(cia306::kMaxFileBytes) +
+               " are the most";
+    }
+    return (::access(path.c_str(), R_OK) == 0) ? "" : Quoted(path) + " cannot be read";
+}
+
 NetworkPlan ReadCpj(const std::string& path, const std::uint8_t manager)
 {
     const IniDocument document = IniDocument::Parse(path, cia306::ReadTextFile(path));
     const IniSection& topology = TopologyOf(document);
     std::map<std::uint64_t, CpjNode> nodes;
-    for (const IniKey& key : topology.keys)
-    {
-        TakeNodeKey(document, key, nodes);
-    }
     NetworkPlan plan;
     plan.file = path;
+    WarnOfUnknown(document, plan);
+    for (const IniKey& key : topology.keys)
+    {
+        if (!TakeNodeKey(document, key, nodes))
+        {
+            Warn(document, key.line,
+                 "key " + Quoted(key.name) +
+                     " is ignored, expected NetName, Nodes, NodeNPresent, NodeNName or NodeNDCFName",
+                 plan);
+        }
+    }
+    WarnOfAbsent(document, nodes, plan);
     const IniKey* const name = topology.Find("NetName");
     plan.name = (name == nullptr) ? "" : name->value;
     std::size_t present = 0U;

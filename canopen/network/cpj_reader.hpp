@@ -14,6 +14,9 @@ namespace counterpoint::network
 
 /// @brief A file named in a network file, seen from where we are. Backslashes count as slashes.
 [[nodiscard]] std::string BesideFile(const std::string& network_file, const std::string& name);
+
+/// @brief Why nothing can be read from a file that a network file names: "'x.dcf' is a folder". Empty: it can.
+[[nodiscard]] std::string ProblemOfFile(const std::string& path);
 } // namespace counterpoint::network
 
 #endif // CANOPEN_NETWORK_CPJ_READER_HPP

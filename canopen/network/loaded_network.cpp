@@ -65,7 +65,7 @@ std::uint32_t AssignmentOf(const SlavePlan& plan)
 }
 } // namespace
 
-LoadedNetwork::LoadedNetwork(const NetworkPlan& plan) : plan_(plan)
+LoadedNetwork::LoadedNetwork(const NetworkPlan& plan) : plan_(plan), warnings_(plan.warnings)
 {
     RequireManager();
     if (!plan_.manager.dcf.empty())

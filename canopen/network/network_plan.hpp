@@ -126,7 +126,8 @@ struct NetworkPlan
     std::string file;
     std::string name;
     ManagerPlan manager;
-    std::vector<SlavePlan> slaves; ///< In the order of the file; each node once.
+    std::vector<SlavePlan> slaves;     ///< In the order of the file; each node once.
+    std::vector<std::string> warnings; ///< FILE:LINE: what its reader left aside.
 };
 } // namespace counterpoint::network
 

@@ -214,7 +214,7 @@ void FillEl6751(const std::string& file, const SlavePlan& plan, const Device& de
     slave.tx_pdos = MakePdos(device, plan.node, kFirstTxPdo);
     if (slave.rx_pdos.size() + slave.tx_pdos.size() > kMostPdos)
     {
-        throw cia306::InputError(device.file, device.device_info_line,
+        throw cia306::InputError(device.file, std::max<std::size_t>(device.device_info_line, 1U),
                                  {std::to_string(slave.rx_pdos.size() + slave.tx_pdos.size()) + " PDOs that are on",
                                   "at most " + std::to_string(kMostPdos) + " with the EL6751 start-up"});
     }

@@ -235,55 +235,6 @@ TEST_F(ManagerCommandTest, AnExpectationThatDoesNotHoldEndsWith1)
               "VIOLATED  " + file + ":5: 1.000 s: state of node 33 for the manager is unknown, expected operational\n");
 }
 
-TEST_F(ManagerCommandTest, MalformedNetworkScenariosAreRefused)
-{
-    Verifies(req::SRS_MGR_012);
-    constexpr const char* kPlain = "manager: {node: 127}\nslaves: [{node: 5}]\n";
-    const std::string head = "title: x\nduration: 1 s\nmanagers: [{network: " + Network("chain.yaml") + "}]\n";
-    const std::pair<std::string, std::string> bad[] = {
-        {head + "events: [{at: 1 s, do: explode, node: 1}]\n", ":4:24: 'explode', expected one of pull, insert"},
-        {head + "events: [{at: 1 s, do: pull}]\n", ":4:10: no key 'node', expected it here"},
-        {head + "events: [{at: 1 s, do: order, order: fly}]\n", ":4:38: order 'fly', expected status, start"},
-        {head + "expect: [{that: state, node: 1, is: x, at: 2 s}]\n", "a time after the end of the scenario"},
-        {head + "expect: [{that: active, manager: 9, is: x}]\n", ":4:10: no manager with node-ID 9"},
-        {head + "speed: 3\n", ":4:1: unknown key 'speed'"},
-        {head + "bitrate: 5\n", "5, expected 10000, 20000"},
-        {"title: x\nduration: 1 s\nmanagers: [{network: nobody.yaml}]\n", ":3:22: there is no file "},
-        // What would never end, do nothing, or hold whatever happens
-        {head + "title: y\n", ":4:1: key 'title' twice, expected each key once"},
-        {head + "events: [{at: 0 s, do: babble, every: 0 s, until: 1 s}]\n", ":4:39: '0 s', expected a time above 0"},
-        {head + "events: [{at: 500 ms, do: emcy_storm, node: 1, until: 1 ms}]\n", ":4:10: an end before the beginning"},
-        {head + "events: [{at: 0 s, do: send}]\n", ":4:10: no key 'identifier', expected it here"},
-        {head + "events: [{at: 0 s, do: send, identifier: 0, data: 1}]\n", ":4:51: '1', expected up to 8 bytes of two"},
-        {head + "events: [{at: 0 s, do: send, identifier: 0, data: 0g}]\n", ":4:51: '0g', expected up to 8 bytes"},
-        {head + "events: [{at: 0 s, do: bus_off}]\n", ":4:10: no key 'until', expected it here"},
-        {head + "events: [{at: 0 s, do: no_controller, until: 1 s, node: 9}]\n", ":4:10: no manager with node-ID 9"},
-        {head + "events: [{at: 1 s, do: order, order: status}]\n", ":4:10: a time at the end of the scenario or later"},
-        {head + "events: [{at: 0 s, do: pull, node: 9}]\n", ":4:10: no device with node-ID 9"},
-        {head + "events: [{at: 0 s, do: kill_manager, node: 9}]\n", ":4:10: no manager with node-ID 9"},
-        {head + "expect: [{that: no_event, is: heartbeat_lots}]\n", ":4:10: event 'heartbeat_lots', expected one of"},
-        {head + "expect: [{that: no_event, is: gate, from: 9 ms, until: 8 ms}]\n", ":4:10: a window that ends before"},
-        {head + "expect: [{that: output, node: 9, is: closed}]\n", ":4:10: no device with node-ID 9"},
-        {head + "expect: [{that: state, node: 9, is: x}]\n", ":4:10: node 9, which is no slave of manager 127"},
-        {head + "expect: [{that: no_event, node: 9, is: gate}]\n", ":4:10: node 9, which is no slave of manager"},
-        {"title: x\nduration: 1 s\nmanagers: [{network: " + File("plain.yaml", kPlain) +
-             "}]\nexpect: [{that: gate, node: 5, is: closed}]\n",
-         ":4:10: the gate of node 5, which has no safety configuration"},
-        {"title: x\nduration: 1 s\nmanagers: []\n", ": an empty list of managers, expected at least one"},
-        {"title: x\nduration: 1 s\nmanagers: [{network: " + Network("chain.yaml") +
-             "},\n  {network: " + Network("chain.yaml") + "}]\n",
-         ":4:3: manager 127 a second time"},
-        {head + "devices: [{node: 33, dcf: " + Network("slave.dcf") + "},\n  {node: 33, dcf: " + Network("slave.dcf") +
-             "}]\n",
-         ":5:3: device 33 a second time"}};
-    for (const auto& [text, message] : bad)
-    {
-        const Answer answer = RunCommand({"simulate", File("s.yaml", text)});
-        EXPECT_EQ(answer.status, 2) << text;
-        EXPECT_NE(answer.err.find(message), std::string::npos) << text << "\n" << answer.err;
-    }
-}
-
 TEST_F(ManagerCommandTest, EventsAreJsonAndThePageShowsTheSequence)
 {
     Verifies(req::SRS_MGR_007);
@@ -353,6 +304,52 @@ TEST_F(ManagerCommandTest, WhatCannotBeUsedEndsWith2)
     const Answer bad_file = RunCommand({"manager", "--can", "udp:239.74.163.91:43191", "--network", file});
     EXPECT_EQ(bad_file.status, 2);
     EXPECT_EQ(bad_file.err.rfind(file + ":2:17: ", 0U), 0U) << bad_file.err;
+}
+
+TEST_F(ManagerCommandTest, AnOutputWithoutANameIsRefused)
+{
+    Verifies(req::SRS_MGR_004);
+    for (const char* const option : {"--log", "--html", "--socket"})
+    {
+        const Answer answer = RunCommand({"manager", "--can", "udp:239.74.163.91:43191", "--network",
+                                          Network("chain.yaml"), "--for", "1", "--no-input", option, ""});
+        EXPECT_EQ(answer.status, 2) << option;
+        EXPECT_EQ(answer.err, std::string(option) + ": empty file name, expected the name of a file\n");
+    }
+    for (const char* const option : {"--html", "--json"})
+    {
+        const Answer answer = RunCommand({"simulate", "--quiet", Network("boot.yaml"), option, ""});
+        EXPECT_EQ(answer.status, 2) << option;
+        EXPECT_EQ(answer.err, std::string(option) + ": empty file name, expected the name of a file\n");
+    }
+}
+
+TEST_F(ManagerCommandTest, ACheckRunsNothingAndTakesNoOptionOfARun)
+{
+    Verifies(req::SRS_MGR_004);
+    const std::vector<std::string> check{"manager", "--check", Network("master_2.yaml"), Network("master_5.yaml")};
+    for (const std::vector<std::string>& more :
+         std::vector<std::vector<std::string>>{{"--can", "udp:239.74.163.91:43191"},
+                                               {"--network", Network("chain.yaml")},
+                                               {"--log", Path("x")},
+                                               {"--json"}})
+    {
+        std::vector<std::string> words = check;
+        words.insert(words.end(), more.begin(), more.end());
+        const Answer answer = RunCommand(words);
+        EXPECT_EQ(answer.status, 2) << more[0];
+        EXPECT_EQ(answer.err, more[0] +
+                                  ": with --check, which runs nothing, expected --check FILE FILE... alone, or with "
+                                  "--node-id\n");
+    }
+}
+
+TEST_F(ManagerCommandTest, TheHelpTellsTheOrders)
+{
+    Verifies(req::SRS_MGR_006);
+    const Answer answer = RunCommand({"manager", "--help"});
+    EXPECT_NE(answer.out.find("\n  write-safety NODE "), std::string::npos) << answer.out;
+    EXPECT_NE(answer.out.find("Exit status: 0"), std::string::npos) << answer.out;
 }
 
 TEST_F(ManagerCommandTest, NoOutputReplacesWhatIsReadOrAnotherOne)

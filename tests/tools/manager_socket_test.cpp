@@ -135,5 +135,22 @@ TEST_F(ManagerSocketTest, WhoIsSilentMakesRoomAndWhoNeverEndsALineIsCut)
     socket.Serve(Echo);
     EXPECT_EQ(Receive(clients[2]), "cut");
 }
+
+TEST_F(ManagerSocketTest, TheEndOfWhatIsSentEndsItsLastLine)
+{
+    Verifies(req::SRS_MGR_006);
+    ManagerSocket socket(Path("m.sock"));
+    const host::LiveFile client = Connect(Path("m.sock"));
+    // Given a client that sends a line and half of one, and then says that nothing more comes
+    Say(client, "one\ntwo");
+    ASSERT_EQ(::shutdown(client.Get(), SHUT_WR), 0);
+    for (int turn = 0; turn < 4; ++turn)
+    {
+        socket.Serve(Echo);
+    }
+    // Then both are answered
+    EXPECT_EQ(Receive(client), "one!two!");
+    EXPECT_EQ(Receive(client), "cut");
+}
 } // namespace
 } // namespace counterpoint::tools

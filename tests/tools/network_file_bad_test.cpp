@@ -22,8 +22,8 @@ struct BadFile
 };
 
 constexpr BadFile kBadCpj[] = {
-    {"", ":0: error: no section [Topology], expected a CPJ file of CiA 306-3"},
-    {"[Net]\nNodes=1\n", ":0: error: no section [Topology], expected a CPJ file of CiA 306-3"},
+    {"", ":1: error: no section [Topology], expected a CPJ file of CiA 306-3"},
+    {"[Net]\nNodes=1\n", ":2: error: no section [Topology], expected a CPJ file of CiA 306-3"},
     {"[Topology]\nNodes=1\nNode1Present=1\nNode1DCFName=sensor.dcf\n[Topology2]\nNodes=1\n",
      ":5: error: a second network [Topology2], expected one network a file"},
     {"[Topology]\nNode1Present=1\nNode1DCFName=sensor.dcf\n",
@@ -166,6 +166,25 @@ TEST_F(BadNetworkTest, EachMalformedCpjHasItsLine)
     }
 }
 
+TEST_F(BadNetworkTest, WhatACpjSaysBesideItsFormatIsTold)
+{
+    Verifies(req::SRS_NET_001);
+    // Given a slip in a key, a node without its Present, a comment of another format and another section
+    const std::string path = File(
+        "net.cpj", "[Topology]\nNetNamme=x\nNodes=2\nNode1Present=1\nNode1DCFName=sensor.dcf\nNode1Refd=K1\n"
+                   "Node2Present=1\nNode2DCFName=manager.dcf\n# three\nNode3Name=y\nNode3Presnt=1\n[Other]\na=1\n");
+    // When it is read, then each is told with its line, and nothing else
+    const network::LoadedNetwork net(ReadNetworkFile(path, 0U));
+    const std::vector<std::string> expected{
+        path + ":9: a comment with '#' is no part of CiA 306, expected ';'; it is ignored",
+        path + ":12: section [Other] is ignored, expected [Topology] alone",
+        path + ":2: key 'NetNamme' is ignored, expected NetName, Nodes, NodeNPresent, NodeNName or NodeNDCFName",
+        path + ":11: key 'Node3Presnt' is ignored, expected NetName, Nodes, NodeNPresent, NodeNName or NodeNDCFName",
+        path + ":10: node 3 without Node3Present is taken as absent, expected Node3Present=1 or 0"};
+    EXPECT_EQ(net.Warnings(), expected);
+    EXPECT_EQ(net.Slaves().size(), 1U);
+}
+
 TEST_F(BadNetworkTest, EachMalformedYamlHasItsLine)
 {
     Verifies(req::SRS_NET_002);
@@ -179,8 +198,16 @@ TEST_F(BadNetworkTest, EachMalformedYamlHasItsLine)
 TEST_F(BadNetworkTest, AFileThatIsNotThereOrADcfThatIsNone)
 {
     Verifies(req::SRS_NET_004);
-    EXPECT_EQ(Refusal(Path("nobody.cpj")).rfind(Path("nobody.cpj") + ":0: error: ", 0U), 0U);
-    EXPECT_EQ(Refusal(Path("nobody.yaml")).rfind(Path("nobody.yaml") + ":", 0U), 0U);
+    EXPECT_EQ(Refusal(Path("nobody.cpj")).rfind(Path("nobody.cpj") + ":1: error: there is no file ", 0U), 0U);
+    EXPECT_EQ(Refusal(Path("nobody.yaml")).rfind(Path("nobody.yaml") + ":1: error: there is no file ", 0U), 0U);
+    EXPECT_EQ(Refusal("/dev/zero"),
+              "/dev/zero:1: error: '/dev/zero' is no regular file, expected a network file, CPJ or "
+              "YAML");
+    const std::string large = File("large.yaml", std::string(1048577U, '#'));
+    EXPECT_EQ(Refusal(large), large + ":1: error: a network file of 1048577 bytes, expected at most 1048576");
+    // Where a DCF cannot be opened, the line that names it is told
+    const std::string device = File("d.cpj", "[Topology]\nNodes=1\nNode1Present=1\nNode1DCFName=/dev/zero\n");
+    EXPECT_EQ(Refusal(device), device + ":4: error: '/dev/zero' is no regular file, expected the DCF of node 1");
     static_cast<void>(File("bad.dcf", "[FileInfo\n"));
     const std::string file = File("net.yaml", "manager: {node: 127}\nslaves: [{node: 1, dcf: bad.dcf}]\n");
     EXPECT_EQ(Refusal(file).rfind(Path("bad.dcf") + ":1: error: ", 0U), 0U) << Refusal(file);

@@ -229,7 +229,8 @@ void Fields::Close() const
         if (std::find(known_.begin(), known_.end(), key.scalar) == known_.end())
         {
             throw ScenarioError(value_.FileName(), key.place,
-                                "key " + Shown(key.scalar) + " without an effect in this " + title.substr(2U),
+                                "key " + Shown(key.scalar) + " without an effect in this " +
+                                    title.substr(title.find(' ') + 1U),
                                 "only keys that fit its others");
         }
     }

@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/simulator/schema.hpp"
 
+#include "verification/simulator/network_names.hpp"
+
 #include <algorithm>
 #include <cstring>
 #include <iterator>
@@ -12,8 +14,8 @@ namespace
 std::vector<SectionSpec> Joined()
 {
     std::vector<SectionSpec> all;
-    for (std::vector<SectionSpec> part :
-         {WorldSections(), FrameFaultSections(), NodeFaultSections(), LinkFaultSections(), ExpectationSections()})
+    for (std::vector<SectionSpec> part : {WorldSections(), FrameFaultSections(), NodeFaultSections(),
+                                          LinkFaultSections(), ExpectationSections(), NetworkSections()})
     {
         std::move(part.begin(), part.end(), std::back_inserter(all));
     }
@@ -163,7 +165,7 @@ std::string ExplainText(const std::string& name)
     std::string text;
     for (const SectionSpec& section : Schema())
     {
-        if (name.empty() || name == section.name)
+        if (name.empty() || name == section.name || kNetworkPrefix + name == section.name)
         {
             text += ExplainedSection(section, !name.empty());
             continue;

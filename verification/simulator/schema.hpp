@@ -89,7 +89,8 @@ template <const auto& kTable> [[nodiscard]] std::string WordsOf()
 
 /// What a value looks like, in words: "number from 1 to 64".
 [[nodiscard]] std::string TypeText(const KeySpec& key);
-/// @brief The description for a terminal: of everything, or of each section and key of that name. Empty: no such name.
+/// @brief The description for a terminal: of everything, or of each section and key of that name, also without the
+/// network. before it. Empty: no such name.
 [[nodiscard]] std::string ExplainText(const std::string& name);
 /// @brief The reference part of docs/scenario.md.
 [[nodiscard]] std::string ExplainMarkdown();
@@ -100,6 +101,7 @@ template <const auto& kTable> [[nodiscard]] std::string WordsOf()
 [[nodiscard]] std::vector<SectionSpec> NodeFaultSections();
 [[nodiscard]] std::vector<SectionSpec> LinkFaultSections();
 [[nodiscard]] std::vector<SectionSpec> ExpectationSections();
+[[nodiscard]] std::vector<SectionSpec> NetworkSections();
 } // namespace counterpoint::simulator
 
 #endif // VERIFICATION_SIMULATOR_SCHEMA_HPP

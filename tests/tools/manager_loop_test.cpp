@@ -1,0 +1,127 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// The executive of a live manager on a bus of this test.
+#include "tests/tools/command_run.hpp"
+#include "tools/manager_loop.hpp"
+#include "tools/network_file.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <deque>
+#include <memory>
+#include <sstream>
+#include <thread>
+#include <utility>
+
+namespace counterpoint::tools
+{
+namespace
+{
+constexpr std::uint64_t kMs = 1000000U;
+constexpr std::size_t kFrames = 300U; ///< More than the loop takes in a turn.
+constexpr std::uint64_t kPeriodNs = 5U * kMs;
+constexpr std::uint64_t kPauseNs = kFrames * kPeriodNs;
+
+/// Heartbeats of node 5 that nobody could read for a while: all at once, with the times at which they came.
+class WaitingBus final : public host::LiveBus
+{
+  public:
+    WaitingBus(const std::uint64_t apart_ns, std::string name)
+        : name_(std::move(name)), begin_ns_(host::LiveNow() + 20U * kMs)
+    {
+        for (std::size_t place = 0U; place < kFrames; ++place)
+        {
+            host::LiveFrame frame;
+            frame.identifier = 0x705U;
+            frame.length_bytes = 1U;
+            frame.data[0] = 0x7FU;
+            frame.time_ns = begin_ns_ + kPauseNs - apart_ns * (kFrames - place);
+            frames_.push_back(frame);
+        }
+    }
+    [[nodiscard]] host::SendResult Send(const host::LiveFrame& /*frame*/) override
+    {
+        return host::SendResult::kSent;
+    }
+    [[nodiscard]] bool Receive(host::LiveFrame& frame) override
+    {
+        const std::uint64_t now_ns = host::LiveNow();
+        const std::uint64_t end_ns = begin_ns_ + kPauseNs;
+        std::this_thread::sleep_for(std::chrono::nanoseconds((now_ns < end_ns) ? end_ns - now_ns : 0U)); // The pause.
+        const bool is_one = !frames_.empty();
+        if (is_one)
+        {
+            frame = frames_.front();
+            frames_.pop_front();
+        }
+        return is_one;
+    }
+    [[nodiscard]] int Descriptor() const override
+    {
+        return -1;
+    }
+    [[nodiscard]] host::BusHealth Health() const override
+    {
+        host::BusHealth health;
+        health.state = host::BusState::kActive;
+        return health;
+    }
+    [[nodiscard]] std::string Name() const override
+    {
+        return name_;
+    }
+    [[nodiscard]] bool Restart() override
+    {
+        return false;
+    }
+
+  private:
+    std::string name_;
+    std::uint64_t begin_ns_;
+    std::deque<host::LiveFrame> frames_;
+};
+
+class ManagerLoopTest : public test::CommandTest
+{
+  protected:
+    /// How often a second device was suspected, from a run on heartbeats that came `apart_ns` from each other.
+    int Duplicates(const std::uint64_t apart_ns, const std::uint64_t longest_pause_ns = kLongestPauseNs,
+                   const std::string& name = "udp:239.74.163.91:43191")
+    {
+        network::LoadedNetwork net(ReadNetworkFile(
+            File("net.yaml", "manager: {node: 127}\nslaves: [{node: 5, heartbeat: 5 ms, consumer: 1 s}]\n"), 0U));
+        std::ostringstream out;
+        NodeReport report(out, ReportForm::kText, host::LiveNow());
+        ManagerLoopSettings settings;
+        settings.log = Path("log.jsonl");
+        settings.longest_pause_ns = longest_pause_ns;
+        settings.for_ns = kPauseNs + 200U * kMs;
+        ManagerLoop loop(net, std::make_unique<WaitingBus>(apart_ns, name), report, nullptr, settings);
+        EXPECT_FALSE(loop.Run());
+        std::istringstream log(cia306::ReadTextFile(Path("log.jsonl")));
+        int count = 0;
+        for (std::string line; std::getline(log, line);)
+        {
+            const auto event = nlohmann::json::parse(line);
+            count += (event["event"] == "duplicate") ? 1 : 0;
+        }
+        return count;
+    }
+};
+
+TEST_F(ManagerLoopTest, WhatWaitedDuringAPauseIsNoSecondDevice)
+{
+    Verifies(req::SRS_MGR_004);
+    Verifies(req::SRS_MGR_010);
+    // Given 300 heartbeats that came each 5 ms while the process was paused, then one device is seen
+    EXPECT_EQ(Duplicates(kPeriodNs), 0);
+    // And given as many that came within 300 us, then two
+    EXPECT_EQ(Duplicates(1000U), 1);
+    // But after a pause that is too long to know, what waited is left aside
+    EXPECT_EQ(Duplicates(1000U, 1000U * kMs), 0);
+    // Nor is there a second device when a connection without times gives all of it at once
+    EXPECT_EQ(Duplicates(0U, kLongestPauseNs, "socketcand:localhost:1/can0"), 0);
+}
+} // namespace
+} // namespace counterpoint::tools

@@ -1,0 +1,153 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// What a network scenario asks of its managers, against their network files: it would do nothing, or hold whatever
+// happens.
+#include "canopen/cia306/number.hpp"
+#include "tools/manager_words.hpp"
+#include "tools/network_simulation.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace counterpoint::tools
+{
+namespace
+{
+using Action = NetworkActionKind;
+using Expected = NetworkExpectationKind;
+
+/// Events that are of no node.
+bool IsOfNetwork(const std::string& event)
+{
+    return event == "master" || event == "flying_master" || event == "order" || event == "bus";
+}
+
+/// -1 to 127, written as it will be found.
+bool IsCodeOf(const network::StartProfile profile, const std::string& text)
+{
+    constexpr std::uint64_t kHighest = 127U;
+    const bool is_negative = !text.empty() && text[0] == '-';
+    const auto number = cia306::ParseUnsigned(text.substr(is_negative ? 1U : 0U), kHighest);
+    const int code = static_cast<int>(number.value_or(0U)) * (is_negative ? -1 : 1);
+    return number && std::to_string(code) == text && !CodeText(profile, code).empty();
+}
+} // namespace
+
+/// What the manager cannot know would hold, or not, whatever happens.
+void NetworkSimulation::RequireKnown(const NetworkExpectation& expectation)
+{
+    const bool is_device = expectation.kind == Expected::kDevice || expectation.kind == Expected::kOutput;
+    if (is_device)
+    {
+        return; // Asked of the device, not of a manager.
+    }
+    const SimulatedManager& manager = ManagerOf(expectation.manager, expectation.place);
+    const auto is_it = [&expectation](const ScenarioDevice& device) { return device.node == expectation.node; };
+    const auto is_other = [&expectation](const std::unique_ptr<SimulatedManager>& other)
+    { return other->node == expectation.node; };
+    const bool is_on_bus =
+        std::any_of(managers_.begin(), managers_.end(), is_other) || std::any_of(setups_.begin(), setups_.end(), is_it);
+    if (expectation.node != 0U && manager.net->Find(expectation.node) == nullptr && !is_on_bus)
+    {
+        throw simulator::ScenarioError(scenario_.file, expectation.place,
+                                       "node " + std::to_string(expectation.node) + ", which is no slave of manager " +
+                                           std::to_string(manager.node) + " and not there",
+                                       "one of its network file, or of the scenario's devices");
+    }
+    if (expectation.at_ns <= manager.setup.at_ns)
+    {
+        throw simulator::ScenarioError(scenario_.file, expectation.place,
+                                       "a time before manager " + std::to_string(manager.node) + " comes",
+                                       "a later one");
+    }
+    RequireOfProfile(expectation, manager);
+    RequireOfSafety(expectation, manager);
+}
+
+void NetworkSimulation::RequireOfProfile(const NetworkExpectation& expectation, const SimulatedManager& manager) const
+{
+    const network::StartProfile profile = manager.net->Plan().manager.profile;
+    const bool is_cia302 = profile == network::StartProfile::kCia302;
+    const bool is_event = expectation.kind == Expected::kEvent || expectation.kind == Expected::kNoEvent;
+    const std::string whose = "manager " + std::to_string(manager.node) + " with the profile " + Word(profile);
+    std::string wrong;
+    std::string expected;
+    if ((expectation.kind == Expected::kLetter && !is_cia302) || (expectation.kind == Expected::kCode && is_cia302))
+    {
+        wrong = std::string(is_cia302 ? "a code" : "a letter") + " of " + whose;
+        expected = is_cia302 ? "'letter'" : "'code'";
+    }
+    else if (expectation.kind == Expected::kCode && !IsCodeOf(profile, expectation.is))
+    {
+        wrong = "code " + simulator::Shown(expectation.is) + " of " + whose;
+        expected = "a decimal code that this profile knows";
+    }
+    else if (is_event && expectation.is == "pdo" && profile != network::StartProfile::kEl6751)
+    {
+        wrong = "event 'pdo' of " + whose;
+        expected = "the profile el6751";
+    }
+    else if (is_event && expectation.node != 0U && IsOfNetwork(expectation.is))
+    {
+        wrong = "event " + simulator::Shown(expectation.is) + " of a node";
+        expected = "it without 'node'";
+    }
+    else if (expectation.kind == Expected::kFlying && !manager.net->Plan().manager.flying)
+    {
+        wrong = "events of the election at manager " + std::to_string(manager.node) + ", which is no flying master";
+        expected = "a manager with 'flying'";
+    }
+    else
+    {
+        return;
+    }
+    throw simulator::ScenarioError(scenario_.file, expectation.place, wrong, expected);
+}
+
+void NetworkSimulation::RequireOfSafety(const NetworkExpectation& expectation, const SimulatedManager& manager) const
+{
+    const bool is_event = expectation.kind == Expected::kEvent || expectation.kind == Expected::kNoEvent;
+    const bool is_of_safety = expectation.kind == Expected::kGate ||
+                              (is_event && (expectation.is == "gate" || expectation.is == "write_safety"));
+    const cia302::NetworkSetup& setup = manager.net->Setup();
+    const bool has_safety =
+        (expectation.node == 0U) ? setup.HasSafetySlave() : setup.IsSafetySlave(cia302::NodeId{expectation.node});
+    if (is_of_safety && !has_safety)
+    {
+        const std::string node =
+            (expectation.node == 0U) ? "of a network" : "of node " + std::to_string(expectation.node);
+        throw simulator::ScenarioError(scenario_.file, expectation.place,
+                                       "the gate " + node + ", which has no safety configuration", "a safety slave");
+    }
+}
+
+/// Whether each manager is there and on the bus, through the events in their order.
+void NetworkSimulation::RequireManagers()
+{
+    std::map<std::uint8_t, bool> is_killed;
+    std::map<std::uint8_t, std::uint64_t> off_until_ns;
+    for (const NetworkAction& action : actions_)
+    {
+        if (!IsOfManager(action.kind) || action.kind == Action::kBusBack)
+        {
+            continue;
+        }
+        const SimulatedManager& manager = ManagerOf(action.node, action.place);
+        const std::string name = "manager " + std::to_string(manager.node);
+        const bool is_bus = action.kind == Action::kBusOff || action.kind == Action::kNoController;
+        if (action.at_ns < manager.setup.at_ns || is_killed[manager.node])
+        {
+            throw simulator::ScenarioError(scenario_.file, action.place,
+                                           "an event of " + name +
+                                               (is_killed[manager.node] ? " after it was killed" : " before it comes"),
+                                           "a time at which it is there");
+        }
+        if (is_bus && action.at_ns < off_until_ns[manager.node])
+        {
+            throw simulator::ScenarioError(scenario_.file, action.place, name + " is off the bus already",
+                                           "a time after the 'until' before it");
+        }
+        is_killed[manager.node] = action.kind == Action::kKillManager;
+        off_until_ns[manager.node] = is_bus ? action.until_ns : off_until_ns[manager.node];
+    }
+}
+} // namespace counterpoint::tools
