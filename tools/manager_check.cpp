@@ -222,14 +222,14 @@ class Differences final : public cia302::FlyingFindingListener
     {
         const LoadedSlave* const one = first_->Find(finding.slave.value);
         const LoadedSlave* const other = second_->Find(finding.slave.value);
-        const auto size = [&finding](const LoadedSlave* const slave)
+        const auto size = [&finding](const LoadedNetwork* const net, const LoadedSlave* const slave)
         {
-            const std::size_t concise = (slave == nullptr) ? 0U : slave->concise.size();
+            const std::size_t concise = net->Setup().Slave(finding.slave).concise_dcf.size_bytes;
             const std::size_t program = (slave == nullptr) ? 0U : slave->program.size();
             return std::to_string((finding.index == kProgram) ? program : concise) + " bytes";
         };
-        Tell(KeyOf(finding), cia306::ObjectName(finding.index, finding.sub), size(one),
-             size(other) + " with other contents");
+        Tell(KeyOf(finding), cia306::ObjectName(finding.index, finding.sub), size(first_, one),
+             size(second_, other) + " with other contents");
     }
     [[nodiscard]] static std::string NameOf(const FlyingFinding& finding)
     {

@@ -172,7 +172,12 @@ std::vector<std::string> WarningsOf(const std::vector<const LoadedNetwork*>& mas
     std::vector<std::string> lines;
     for (const LoadedNetwork* const one : masters)
     {
-        lines.insert(lines.end(), one->Warnings().begin(), one->Warnings().end());
+        for (const std::string& warning : one->Warnings())
+        {
+            const bool is_told =
+                std::find(lines.begin(), lines.end(), warning) != lines.end(); // All know the same slaves.
+            lines.insert(lines.end(), is_told ? 0U : 1U, warning);
+        }
         for (const LoadedNetwork* const other : masters)
         {
             const cia302::NodeId node = other->Setup().own;

@@ -16,7 +16,6 @@
 #include <CLI/CLI.hpp>
 
 #include <ostream>
-#include <set>
 #include <unistd.h>
 #include <utility>
 
@@ -106,10 +105,6 @@ class ManagerCommand final : public Command
             const std::uint8_t node = networks.empty() ? NodeId() : std::uint8_t{0U};
             networks.push_back(std::make_unique<network::LoadedNetwork>(ReadNetworkFile(file, node)));
             masters.push_back(networks.back().get());
-            for (const std::string& warning : networks.back()->Warnings())
-            {
-                streams.err << warning << "\n";
-            }
         }
         for (const std::string& warning : WarningsOf(masters))
         {

@@ -83,7 +83,8 @@ SdoAbort NetworkObjects::RequestNmt(const std::uint8_t sub, const std::uint32_t 
 }
 
 /// A full queue is waited for: the write is asked again, and goes on where it stopped. One node whose state does not
-/// allow the command keeps no other one from it, nor does another device than the expected one, which is told at the end.
+/// allow the command keeps no other one from it, nor does another device than the expected one, which is told at the
+/// end.
 SdoAbort NetworkObjects::RequestEach(const NmtCommand command) noexcept
 {
     SdoAbort abort = SdoAbort::kNone;

@@ -278,7 +278,8 @@ NmtAnswer PlcStartUp::CommandOne(const NmtCommand command, const NodeId node, co
     }
     else if (is_start)
     {
-        answer = slave.status.is_other ? NmtAnswer::kOtherDevice : NmtAnswer::kWrong;
+        const bool is_other = slave.status.is_other && parts_.common.setup.IsSafetySlave(node);
+        answer = is_other ? NmtAnswer::kOtherDevice : NmtAnswer::kWrong;
         answer = (state == kPlcStarted) ? NmtAnswer::kTaken : answer;
     }
     else

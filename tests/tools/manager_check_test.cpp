@@ -134,7 +134,7 @@ TEST_F(ManagerCheckTest, EachKeyIsComparedAndNamedAtItsLine)
         const char* line;
     };
     const Case cases[] = {
-        {"  start_up: 0x22\n", "", "", ":4: 0x1F80:00 is 0x23, expected 0x21", ":2"},
+        {"  start_up: 0x23\n", "", "", ":4: 0x1F80:00 is 0x23, expected 0x21", ":2"},
         {"  boot_time: 3 s\n", "", "", ":4: 0x1F89:00 is 0xBB8, expected 0x0", ":2"},
         {"  inhibit: 2 ms\n", "", "", ":4: 0x102A:00 is 0x14, expected 0x0", ":2"},
         {"  sync: 10 ms\n", "", "", ":4: 0x1006:00 is 0x2710, expected 0x0", ":2"},
@@ -253,7 +253,10 @@ TEST_F(ManagerCheckTest, AnExpectationThatASafetySlaveCannotMeetIsTold)
             words.push_back(File("net_" + other + ".yaml", "manager: {node: " + std::string(node) +
                                                                ", heartbeat: 200 ms, flying: {priority: 1}}\nslaves: "
                                                                "[{node: " +
-                                                               other + "}, {node: 33, dcf: relay.dcf" + more + "}]\n"));
+                                                               other +
+                                                               ", boot: false, mandatory: false, consumer: 500 ms}, "
+                                                               "{node: 33, dcf: relay.dcf" +
+                                                               more + "}]\n"));
         }
         return RunCommand(words);
     };
@@ -312,11 +315,11 @@ TEST_F(ManagerCheckTest, WhatTheEl6751ProfileSendsIsCompared)
     EXPECT_EQ(RunCommand({"manager", "--check", two, same}).status, 0);
     const Answer differs = RunCommand({"manager", "--check", two, five});
     EXPECT_EQ(differs.status, 1) << differs.err;
-    EXPECT_EQ(differs.out, five + ": output of RxPDO 1 of node 6 is A1, expected 00 as in " + two + "\n");
+    EXPECT_EQ(differs.out, five + ":2: output of RxPDO 1 of node 6 is A1, expected zeros as in " + two + ":2\n");
     // The rows of the profile write what is a list for the other one
     const Answer other = RunCommand({"manager", "--check", two, plc});
     EXPECT_NE(
-        other.out.find(plc + ": 0x1F22:06 is 112 bytes with other contents, expected 0 bytes as in " + two + "\n"),
+        other.out.find(plc + ":2: 0x1F22:06 is 112 bytes with other contents, expected 0 bytes as in " + two + ":2\n"),
         std::string::npos)
         << other.out;
 }

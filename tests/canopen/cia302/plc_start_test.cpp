@@ -144,7 +144,7 @@ TEST_F(PlcStartTest, AnotherDeviceTypeIsState98AfterAllSdos)
     EXPECT_EQ(Of(5U).expected, 0x191U);
     EXPECT_EQ(Of(5U).read, 0x192U);
     EXPECT_EQ(plc.MasterState(), 5);
-    EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kOtherDevice);
+    EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kWrong);
 }
 
 TEST_F(PlcStartTest, OnlyTheLow16BitsOfTheDeviceTypeCountAndOnlyIfExpected)
