@@ -149,6 +149,13 @@ TEST(ElectionsClocks, EachDeviceGoesByItsOwn)
     }
 }
 
+TEST_P(Elections, TheFirstAndTheLastNodeIds)
+{
+    Verifies(req::SRS_FLY_023);
+    ExpectGood(Combinations(GetParam(), 2U, OffsetsOfTheText(), Losses::kForEachToo, GiveFarNodes), 900U);
+    ExpectGood(Combinations(GetParam(), 4U, {0, 10 * kMs}, Losses::kNone, GiveFarNodes), 648U);
+}
+
 TEST_P(Elections, OtherBehavioursAloneAndBesideEachOther)
 {
     Verifies(req::SRS_FLY_016);

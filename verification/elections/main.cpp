@@ -104,10 +104,8 @@ std::uint64_t RunExhaustive(const Preset preset, const std::string& name, const 
     std::uint64_t failures = 0U;
     for (std::size_t count = 2U; count <= 4U; ++count)
     {
-        const Losses for_four = (preset == Preset::kDefault) ? Losses::kForAll : Losses::kNone;
-        const Losses losses = ((count < 4U) || whole) ? Losses::kForEachToo : for_four;
-        const Losses for_three = (count == 3U) ? Losses::kForAll : Losses::kNone;
-        const Losses joined = ((count < 3U) || whole) ? Losses::kForEachToo : for_three;
+        const Losses losses = ((count < 4U) || whole) ? Losses::kForEachToo : Losses::kForAll;
+        const Losses joined = ((count < 3U) || whole) ? Losses::kForEachToo : Losses::kForAll;
         const std::string masters = std::to_string(count) + " masters";
         failures +=
             Print(name + ", " + masters + ", all offsets", Combinations(preset, count, OffsetsOfTheText(), losses));
@@ -116,8 +114,11 @@ std::uint64_t RunExhaustive(const Preset preset, const std::string& name, const 
     failures += Print(name + ", 2 masters, 10 ms steps", Combinations(preset, 2U, OffsetsInSlots(), Losses::kForAll));
     for (std::size_t count = 2U; count <= 3U; ++count)
     {
-        failures += Print(name + ", " + std::to_string(count) + " masters, own clocks",
+        const std::string masters = std::to_string(count) + " masters";
+        failures += Print(name + ", " + masters + ", own clocks",
                           Combinations(preset, count, OffsetsOfTheText(), Losses::kForEachToo, GiveClocks));
+        failures += Print(name + ", " + masters + ", node 127, 1, 126",
+                          Combinations(preset, count, OffsetsOfTheText(), Losses::kForEachToo, GiveFarNodes));
     }
     failures += Print(name + ", variants", Variants(preset, Losses::kForAll));
     for (const FailoverSeries& series : FailoverSeriesOf(preset, name))

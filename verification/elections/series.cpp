@@ -4,6 +4,7 @@
 #include "verification/simulator/random.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace counterpoint::elections
 {
@@ -97,6 +98,17 @@ void GiveClocks(std::vector<MasterPlan>& masters, const std::uint64_t seed)
     {
         plan.clock_ppm = static_cast<Time>(random.Below((2U * kGreatestPpm) + 1U)) - kGreatestPpm;
         plan.clock_begin = 0U - random.Below(kTurnsOver);
+    }
+}
+
+void GiveFarNodes(std::vector<MasterPlan>& masters, const std::uint64_t number)
+{
+    static_cast<void>(number);
+    constexpr std::array<std::uint8_t, 4> kNodes{127U, 1U, 126U, 2U};
+    for (std::size_t i = 0U; i < masters.size(); ++i)
+    {
+        masters[i].node = cia302::NodeId{kNodes.at(i)};
+        masters[i].times.detection_cycle = cia302::DefaultTimes(masters[i].node).detection_cycle;
     }
 }
 

@@ -86,6 +86,10 @@ enum class Losses : std::uint8_t
 /// @brief Each clock is up to 200 ppm slow or fast, and its 32-bit counter turns over within the first 20 s.
 void GiveClocks(std::vector<MasterPlan>& masters, std::uint64_t seed);
 
+/// @brief Node-ID 127, 1, 126 and 2 instead, with their own 1F90h:06: the longest and the shortest slots, and
+/// neighbours.
+void GiveFarNodes(std::vector<MasterPlan>& masters, std::uint64_t number);
+
 /// What makes the masters of run `number` of a series other ones.
 using Adapt = std::function<void(std::vector<MasterPlan>& masters, std::uint64_t number)>;
 
