@@ -21,8 +21,6 @@ namespace
 constexpr std::uint64_t kNsPerUs = 1000U;
 constexpr std::uint64_t kCycleNs = 1000000U;
 constexpr std::uint64_t kLookNs = 250000000U;
-constexpr std::uint64_t kSilenceNs = 500000000U;
-constexpr std::size_t kFramesOfHeap = 20U; ///< No bus carries more in a millisecond.
 constexpr std::size_t kFramesOfTurn = 256U;
 constexpr std::size_t kFramesOfPause = 1000000U; ///< More than any system keeps.
 constexpr std::size_t kRecentLines = 12U;
@@ -112,7 +110,7 @@ bool ManagerLoop::Run()
     const CaughtSignals signals;
     start_ns_ = host::LiveNow();
     last_turn_ns_ = start_ns_;
-    last_frame_ns_ = start_ns_;
+    heap_ = FrameHeap(start_ns_);
     next_cycle_ns_ = start_ns_ + kCycleNs;
     station_.Begin(0U);
     while (reason_.empty())
@@ -171,44 +169,35 @@ void ManagerLoop::Receive()
     // Of a bus that never falls silent some at a time: cycles and orders come in between.
     host::LiveFrame frame;
     std::vector<host::LiveFrame> frames;
-    std::size_t left_aside = 0U;
-    while (frames.size() < kFramesOfTurn && left_aside < kFramesOfPause && bus_->Receive(frame))
+    std::size_t old = 0U;
+    while (frames.size() < kFramesOfTurn && old < kFramesOfPause && bus_->Receive(frame))
     {
         const bool is_old = host::LiveNow() - last_turn_ns_ > settings_.longest_pause_ns;
-        left_aside += is_old ? 1U : 0U;
-        if (!is_old)
+        old += is_old ? 1U : 0U;
+        if (!is_old || IsBootUp(frame))
         {
             frames.push_back(frame);
         }
     }
     last_turn_ns_ = host::LiveNow();
-    if (IsHeap(frames.size()))
+    is_behind_ = frames.size() == kFramesOfTurn;
+    const bool is_connection = address_.rfind("socketcand:", 0U) == 0U; // It tells no times of reception.
+    if (is_connection && heap_.Has(frames.size(), last_turn_ns_))
     {
-        left_aside += frames.size();
-        frames.clear();
+        old += frames.size();
+        frames.erase(
+            std::remove_if(frames.begin(), frames.end(), [](const host::LiveFrame& each) { return !IsBootUp(each); }),
+            frames.end());
     }
     for (const host::LiveFrame& taken : frames)
     {
         TakeFrame(taken);
     }
-    is_behind_ = frames.size() == kFramesOfTurn;
-    if (left_aside > 0U)
+    if (old > 0U)
     {
-        station_.Tell("lost_frames",
-                      std::to_string(left_aside) + " frames left aside: when they were on the bus cannot be known",
-                      {{"count", left_aside}}, StationUs());
+        const std::string text = "frames left aside but for boot-up messages: when they came cannot be known";
+        station_.Tell("lost_frames", std::to_string(old) + " " + text, {{"count", old}}, StationUs());
     }
-}
-
-/// A connection tells no times of reception. What comes in a heap after a silence has waited somewhere: as of now it
-/// would look like two devices.
-bool ManagerLoop::IsHeap(const std::size_t count)
-{
-    const bool is_connection = address_.rfind("socketcand:", 0U) == 0U;
-    const std::uint64_t now_ns = host::LiveNow();
-    is_heap_ = is_connection && count > kFramesOfHeap && (is_heap_ || now_ns - last_frame_ns_ > kSilenceNs);
-    last_frame_ns_ = (count > 0U) ? now_ns : last_frame_ns_;
-    return is_heap_;
 }
 
 void ManagerLoop::TakeFrame(const host::LiveFrame& frame)

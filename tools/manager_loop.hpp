@@ -3,6 +3,7 @@
 #define TOOLS_MANAGER_LOOP_HPP
 
 #include "hal/host/live_bus.hpp"
+#include "tools/frame_heap.hpp"
 #include "tools/manager_socket.hpp"
 #include "tools/manager_station.hpp"
 #include "tools/node_report.hpp"
@@ -56,7 +57,6 @@ class ManagerLoop
     void OnEvent(const ManagerEvent& event);
     void Wait();
     void Receive();
-    [[nodiscard]] bool IsHeap(std::size_t count);
     void TakeFrame(const host::LiveFrame& frame);
     [[nodiscard]] std::uint64_t StationUs();
     void WatchBus();
@@ -79,8 +79,7 @@ class ManagerLoop
     std::uint64_t next_cycle_ns_{0U};
     std::uint64_t next_look_ns_{0U};
     std::uint64_t last_turn_ns_{0U};
-    std::uint64_t last_frame_ns_{0U};
-    bool is_heap_{false};
+    FrameHeap heap_{0U};
     std::uint64_t station_us_{0U}; ///< How far the manager's time has come.
     bool is_behind_{false};        ///< More frames wait: time is that of the last one.
     bool has_typed_{false};

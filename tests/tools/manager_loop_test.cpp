@@ -123,5 +123,30 @@ TEST_F(ManagerLoopTest, WhatWaitedDuringAPauseIsNoSecondDevice)
     // Nor is there a second device when a connection without times gives all of it at once
     EXPECT_EQ(Duplicates(0U, kLongestPauseNs, "socketcand:localhost:1/can0"), 0);
 }
+
+TEST_F(ManagerLoopTest, AHeapIsMoreThanABusCarriesAfterASilence)
+{
+    Verifies(req::SRS_MGR_004);
+    // Given a full bus of 1 Mbit/s, 21 frames a millisecond, after a silence of 600 ms
+    FrameHeap full(0U);
+    for (std::uint64_t ms = 600U; ms < 3000U; ++ms)
+    {
+        EXPECT_FALSE(full.Has(21U, ms * kMs)) << ms;
+    }
+    // And a connection that gives 73 frames in each of 13 ms, some in each turn, and then what is on the bus
+    FrameHeap heap(0U);
+    std::size_t passed = 0U;
+    for (std::uint64_t turn = 0U; turn < 130U; ++turn)
+    {
+        passed += heap.Has(7U + turn % 2U, 600U * kMs + turn * 100000U) ? 0U : 7U + turn % 2U;
+    }
+    EXPECT_LT(passed, 80U);
+    for (std::uint64_t ms = 700U; ms < 1000U; ++ms)
+    {
+        EXPECT_FALSE(heap.Has(1U, ms * kMs)) << ms;
+    }
+    // Then a heap without a silence before it is none
+    EXPECT_FALSE(FrameHeap(0U).Has(300U, 400U * kMs));
+}
 } // namespace
 } // namespace counterpoint::tools
