@@ -170,7 +170,7 @@ NmtAnswer El6751StartUp::StartByHand(const NodeId node, const Instant now) noexc
     const bool is_unknown = !slave.has_answered && (slave.place.row != El6751Row::kEnd);
     const bool is_held = (slave.phase == El6751Phase::kHeld);
     NmtAnswer answer = NmtAnswer::kTaken;
-    if ((slave.has_restarted && (slave.phase == El6751Phase::kDeactivated)) || (is_held && is_unknown && is_deaf))
+    if ((slave.has_restarted && !Status(node).is_busy) || (is_held && is_unknown && is_deaf))
     {
         answer = Reset(NmtCommand::kResetCommunication, node, now);
         slave.is_start_wanted = (answer == NmtAnswer::kTaken);
