@@ -186,7 +186,7 @@ NmtAnswer El6751StartUp::StartByHand(const NodeId node, const Instant now) noexc
     {
         answer = NmtAnswer::kOtherDevice;
     }
-    else if ((slave.has_restarted && (slave.phase == El6751Phase::kDeactivated)) || (is_held && is_unknown && is_deaf))
+    else if ((slave.has_restarted && !Status(node).is_busy) || (is_held && is_unknown && is_deaf))
     {
         answer = Reset(NmtCommand::kResetCommunication, node, now);
         slave.is_start_wanted = (answer == NmtAnswer::kTaken);

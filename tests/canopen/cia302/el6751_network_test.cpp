@@ -56,6 +56,29 @@ TEST_F(El6751NetworkTest, TheNetworkReactionStopsAllOtherStartedSlaves)
     EXPECT_EQ(Code(6U), 0);
 }
 
+TEST_F(El6751NetworkTest, ADeactivatedSlaveThatRestartedIsConfiguredBeforeItsStartOnEveryWay)
+{
+    Verifies(req::SRS_ELM_046);
+    // Given a slave that only a hand restarts, deactivated, and restarted by itself meanwhile
+    Ready();
+    boxes[5].network_reaction = El6751NetworkReaction::kNone;
+    boxes[5].restart = El6751Restart::kByHand;
+    slaves[5]->Turn(127U);
+    Run(150U);
+    ASSERT_EQ(Code(5U), 1);
+    slaves[5]->Power(Now().us);
+    Run(50U);
+    // When it is made PRE-OPERATIONAL first and then started
+    EXPECT_EQ(Control(5U, 5U, 2U), NmtAnswer::kTaken);
+    Run(50U);
+    EXPECT_EQ(Code(5U), 12);
+    slaves[5]->log.clear();
+    EXPECT_EQ(Control(5U, 5U, 1U), NmtAnswer::kTaken);
+    Run(50U);
+    EXPECT_EQ(Code(5U), 0);
+    EXPECT_EQ(Sdos(5U), (Log{"r 1000:00", "w 1017:00 64 00", "w 1016:01 2C 01 7F 00"}));
+}
+
 TEST_F(El6751NetworkTest, TheNetworkReactionDoesNotNeedOneOfTheNode)
 {
     Verifies(req::SRS_ELM_043);
