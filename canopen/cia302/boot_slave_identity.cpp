@@ -112,7 +112,8 @@ void BootSlave::ReadDeviceType(const Job& job) noexcept
         const bool is_expected = (job.setup.device_type == 0U) || (job.record.status.read == job.setup.device_type);
         if (got == Got::kRefused)
         {
-            if (!parts_.sdo.Outcome(job.node).by_server) // Who refuses is there.
+            const SdoOutcome outcome = parts_.sdo.Outcome(job.node);
+            if ((outcome.abort == SdoAbort::kTimeOut) && !outcome.by_server) // Who refuses, or errs, is there.
             {
                 parts_.table.SetMissing(job.node);
             }
