@@ -2,6 +2,7 @@
 #include "tools/manager_rules.hpp"
 
 #include "canopen/cia301/little_endian.hpp"
+#include "canopen/network/start_up_bits.hpp"
 
 #include <algorithm>
 
@@ -125,7 +126,11 @@ SdoAbort ManagerRules::MayWrite(const ObjectAddress& address, const std::uint32_
     case kGuarding:
         return unless(!host_.Core().IsActive(), SdoAbort::kDeviceState);
     case kStartUp:
-        return unless(((value ^ net_.Setup().start_up) & kFixedBits) != 0U, SdoAbort::kDeviceState);
+    {
+        const std::uint32_t changed = value ^ net_.Setup().start_up;
+        const bool has_no_effect = (changed & ~network::StartUpBits(net_.Plan().manager.profile)) != 0U;
+        return ((changed & kFixedBits) != 0U) ? SdoAbort::kDeviceState : unless(has_no_effect, SdoAbort::kValueRange);
+    }
     case cia302::kFlyingMasterIndex:
         return unless(flying == nullptr || flying->State() != cia302::FlyingState::kInitialising,
                       SdoAbort::kDeviceState);

@@ -113,7 +113,8 @@ void BootSlave::ReadDeviceType(const Job& job) noexcept
         if (got == Got::kRefused)
         {
             StopUnread(job);
-            if (!parts_.sdo.Outcome(job.node).by_server) // Who refuses is there.
+            const SdoOutcome outcome = parts_.sdo.Outcome(job.node);
+            if ((outcome.abort == SdoAbort::kTimeOut) && !outcome.by_server) // Who refuses, or errs, is there.
             {
                 parts_.table.SetMissing(job.node);
             }

@@ -270,8 +270,9 @@ bool Cia302StartUp::Resume(const NodeId node, const Instant now) noexcept
 bool Cia302StartUp::Configure(const NodeId node, const Instant now) noexcept
 {
     const BootTime time = Tick(now);
-    const bool is_free =
-        parts_.setup.IsListed(node) && (step_ != MasterStep::kIdle) && !boot_.Record(node).status.is_busy;
+    constexpr auto kStopped = static_cast<std::uint8_t>(SlaveState::kStopped); // It has no SDO to be written by.
+    const bool is_free = parts_.setup.IsListed(node) && (step_ != MasterStep::kIdle) &&
+                         !boot_.Record(node).status.is_busy && (parts_.table.RequestValue(node) != kStopped);
     if (is_free)
     {
         boot_.Configure(node, time);

@@ -4,6 +4,7 @@
 #include "canopen/network/loaded_network.hpp"
 
 #include "canopen/cia306/input_error.hpp"
+#include "canopen/network/start_up_bits.hpp"
 
 #include <algorithm>
 
@@ -28,17 +29,6 @@ const char* NameOf(const StartProfile profile)
     const char* name = "cia302";
     name = (profile == StartProfile::kEl6751) ? "el6751" : name;
     return (profile == StartProfile::kPlcDesigner) ? "plc_designer" : name;
-}
-
-/// Bits of 1F80h that the start-up follows; being the master and the negotiation are not of the start-up.
-std::uint32_t StartUpBits(const StartProfile profile)
-{
-    constexpr std::uint32_t kOfAll = cia302::kIsMaster | cia302::kFlyingMaster;
-    std::uint32_t bits = cia302::kKnownStartUpBits;
-    bits = (profile == StartProfile::kEl6751) ? kOfAll : bits;
-    return (profile == StartProfile::kPlcDesigner)
-               ? (kOfAll | cia302::kStartAllAtOnce | cia302::kApplicationStartsSlaves)
-               : bits;
 }
 
 const cia302::El6751Pdo* FirstSynchronous(const ProfileSlave& slave)

@@ -140,6 +140,22 @@ TEST_F(ManagerStationTest, WritesObeyRules)
     EXPECT_EQ(Count(0x77FU), 5U);
 }
 
+TEST_F(ManagerStationTest, BitsThatTheProfileDoesNotLookAtStay)
+{
+    Verifies(req::SRS_MGR_021);
+    const std::string slave = "}\nslaves: [{node: 5}]\n";
+    Make("manager: {node: 127, profile: plc_designer" + slave);
+    EXPECT_EQ(Write(0x1F80U, 0U, 0x0BU, 4U), 0U); // One start of all, and none by itself.
+    EXPECT_EQ(Write(0x1F80U, 0U, 0x4BU, 4U), 0x06090030U);
+    EXPECT_EQ(Write(0x1F80U, 0U, 0x2BU, 4U), 0x08000022U);
+    EXPECT_EQ(Read(0x1F80U, 0U), 0x0BU);
+    Make("manager: {node: 127, profile: el6751" + slave);
+    EXPECT_EQ(Write(0x1F80U, 0U, 0x03U, 4U), 0x06090030U);
+    EXPECT_EQ(Write(0x1F80U, 0U, 0x01U, 4U), 0U);
+    Make("manager: {node: 127" + slave);
+    EXPECT_EQ(Write(0x1F80U, 0U, 0x5FU, 4U), 0U);
+}
+
 TEST_F(ManagerStationTest, HeartbeatConsumersAreWrittenAsInAnyDevice)
 {
     Verifies(req::SRS_MGR_021);

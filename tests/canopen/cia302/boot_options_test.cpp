@@ -247,6 +247,7 @@ TEST_F(BootOptionsTest, WhoIsStoppedIsMadePreOperationalToBeBooted)
         EXPECT_EQ(start_up.Command(NmtCommand::kStop, NodeId{node}, Now()), NmtAnswer::kTaken);
         Run(100U);
         EXPECT_EQ(slaves[node]->State(), NodeState::kStopped);
+        EXPECT_FALSE(start_up.Configure(NodeId{node}, Now())); // Nobody would answer.
         EXPECT_TRUE(start_up.Boot(NodeId{node}, Now()));
         Run(200U);
         EXPECT_EQ(slaves[node]->State(), NodeState::kOperational);
