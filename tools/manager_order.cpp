@@ -202,6 +202,28 @@ std::string ManagerOrderHelp()
 
 namespace
 {
+/// Who is left out of a start of all.
+std::string NotStarted(const ManagerHost& host)
+{
+    std::string nodes;
+    for (const auto& slave : host.Net().Slaves())
+    {
+        const cia302::NodeId node{slave->plan.node};
+        const bool is_plc = host.Net().Plan().manager.profile == network::StartProfile::kPlcDesigner;
+        const bool is_bound = is_plc || host.Net().Setup().IsSafetySlave(node); // The others are started all the same.
+        const bool is_other = is_bound && host.Core().Status(node).is_other;
+        nodes += is_other ? (nodes.empty() ? "" : ", ") + std::to_string(slave->plan.node) : "";
+    }
+    return "taken but for node " + nodes + ": not known to be the expected device, expected that one, and boot NODE";
+}
+
+std::string Commanded(ManagerHost& host, const ManagerOrder& order, const Instant now)
+{
+    const cia302::NmtAnswer answer = host.Core().Command(order.command, cia302::NodeId{order.node}, now);
+    const bool is_part = order.node == 0U && answer == cia302::NmtAnswer::kOtherDevice;
+    return is_part ? NotStarted(host) : Word(answer);
+}
+
 std::string WriteSafety(ManagerHost& host, const cia302::NodeId node, const Instant now)
 {
     constexpr auto kOperational = static_cast<std::uint8_t>(cia302::SlaveState::kOperational);
@@ -239,7 +261,7 @@ std::string CarryOut(const ManagerOrder& order, ManagerHost& host, const Instant
     if (order.kind == ManagerOrderKind::kCommand)
     {
         const bool is_known = order.node == 0U || is_listed || order.node == host.Net().Setup().own.value;
-        answer = is_known ? Word(host.Core().Command(order.command, node, now)) : not_ours;
+        answer = is_known ? Commanded(host, order, now) : not_ours;
     }
     else if (order.kind == ManagerOrderKind::kControl)
     {

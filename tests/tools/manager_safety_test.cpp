@@ -119,7 +119,8 @@ TEST_F(ManagerSafetyTest, NoOrderStartsOrWritesAnotherDevice)
         const std::string scenario = "title: x\nduration: 6 s\nmanagers: [{network: " + network +
                                      "}]\ndevices: [{node: 33, dcf: " + dcf +
                                      "}]\nevents:\n  - {at: 4 s, do: order, order: start 33}\n"
-                                     "  - {at: 5 s, do: order, order: write-safety 33}\nexpect:\n"
+                                     "  - {at: 5 s, do: order, order: write-safety 33}\n"
+                                     "  - {at: 5500 ms, do: order, order: start all}\nexpect:\n"
                                      "  - {that: device, node: 33, is: pre-operational}\n"
                                      "  - {that: gate, node: 33, is: closed}\n";
         const Answer answer = RunCommand({"simulate", File("s.yaml", scenario)});
@@ -130,6 +131,9 @@ TEST_F(ManagerSafetyTest, NoOrderStartsOrWritesAnotherDevice)
             << answer.out;
         EXPECT_NE(answer.out.find("order write-safety 33: node 33 is not known to be the expected device, expected "
                                   "that one, and boot NODE"),
+                  std::string::npos)
+            << answer.out;
+        EXPECT_NE(answer.out.find("order start all: taken but for node 33: not known to be the expected device"),
                   std::string::npos)
             << answer.out;
     }
