@@ -133,6 +133,20 @@ ManagerOrder OutputOf(const std::vector<std::string>& words)
     return order;
 }
 
+/// Who is left out of a start of all because it is another device.
+std::string NotStarted(const ManagerHost& host)
+{
+    std::string nodes;
+    for (const auto& slave : host.Net().Slaves())
+    {
+        const cia302::NodeId node{slave->plan.node};
+        // Slaves without safety configuration are started all the same.
+        const bool is_other = host.Net().Setup().IsSafetySlave(node) && host.Core().Status(node).is_other;
+        nodes += is_other ? (nodes.empty() ? "" : ", ") + std::to_string(slave->plan.node) : "";
+    }
+    return "taken but for node " + nodes + ": not known to be the expected device, expected that one, and boot NODE";
+}
+
 /// What became of a command, and who did not take a start: the PLC Designer profile starts slaves that are configured.
 std::string AnswerTo(const ManagerOrder& order, ManagerHost& host, const Instant now)
 {
@@ -154,9 +168,11 @@ std::string AnswerTo(const ManagerOrder& order, ManagerHost& host, const Instant
         }
     }
     const bool is_told = profile == network::StartProfile::kPlcDesigner && (is_partly || is_refused);
+    const bool is_other_left_out = order.node == 0U && answer == NmtAnswer::kOtherDevice;
+    const std::string word = is_other_left_out ? NotStarted(host) : Word(answer);
     return is_told ? std::string(is_partly ? "taken, but not by " : "not taken by ") + refused +
                          ", expected each in state 4, 5 or 99"
-                   : Word(answer);
+                   : word;
 }
 } // namespace
 

@@ -131,6 +131,12 @@ void ManagerStation::FollowWriting(const ManagerEvent& event)
     {
         writing = Writing::kTried;
     }
+    else if (writing == Writing::kRuns && state == "closed")
+    {
+        // Somebody commanded it meanwhile. Who stopped it does not want it to be started behind the writing.
+        const cia302::NodeRecord& record = host_.Core().Table().Record(cia302::NodeId{event.node});
+        writing = (record.asked == cia302::SlaveState::kStopped) ? Writing::kTried : Writing::kWanted;
+    }
     else if (writing == Writing::kRuns && state == "open")
     {
         writing = Writing::kTried;
