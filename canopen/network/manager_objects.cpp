@@ -14,6 +14,7 @@ using cia306::Device;
 using cia306::Entry;
 
 constexpr std::uint16_t kStartUp = 0x1F80U;
+constexpr std::uint16_t kAssignment = 0x1F81U;
 constexpr std::uint32_t kNodeShift = 16U;
 constexpr std::uint32_t kReservedShift = 24U;
 constexpr std::uint32_t kLowHalf = 0xFFFFU;
@@ -24,10 +25,10 @@ struct PerNode
     std::uint16_t index;
     std::optional<std::uint32_t> SlavePlan::* part;
 };
-constexpr PerNode kPerNode[] = {{0x1F81U, &SlavePlan::assignment}, {0x1F84U, &SlavePlan::device_type},
-                                {0x1F85U, &SlavePlan::vendor_id},  {0x1F86U, &SlavePlan::product_code},
-                                {0x1F87U, &SlavePlan::revision},   {0x1F88U, &SlavePlan::serial},
-                                {0x1F26U, &SlavePlan::date},       {0x1F27U, &SlavePlan::time}};
+constexpr PerNode kPerNode[] = {{kAssignment, &SlavePlan::assignment}, {0x1F84U, &SlavePlan::device_type},
+                                {0x1F85U, &SlavePlan::vendor_id},      {0x1F86U, &SlavePlan::product_code},
+                                {0x1F87U, &SlavePlan::revision},       {0x1F88U, &SlavePlan::serial},
+                                {0x1F26U, &SlavePlan::date},           {0x1F27U, &SlavePlan::time}};
 
 struct PerFlying
 {
@@ -59,16 +60,30 @@ class Taker
         TakeFlying();
         for (SlavePlan& slave : plan_.slaves)
         {
+            const bool is_assigned = slave.assignment.has_value();
             for (const PerNode& row : kPerNode)
             {
                 Set(slave.*row.part, row.index, slave.node);
             }
+            RequireListed(slave, is_assigned);
             Set(slave.restore_sub, 0x1F8AU, slave.node);
         }
         TakeConsumers();
     }
 
   private:
+    /// Bits without bit 0 are of a slave that is in no network; 0 says nothing.
+    void RequireListed(const SlavePlan& slave, const bool is_of_file) const
+    {
+        const std::uint32_t bits = slave.assignment.value_or(0U);
+        if (!is_of_file && bits != 0U && (bits & cia302::kInNetwork) == 0U)
+        {
+            throw cia306::InputError(
+                device_.file, device_.Find(kAssignment, slave.node)->ValueLine(),
+                {cia306::ObjectName(kAssignment, slave.node) + ": " + cia306::Hex(bits, 1),
+                 "bit 0 (in the network), as node " + std::to_string(slave.node) + " is, or 0 for the usual bits"});
+        }
+    }
     /// A manager cannot be no NMT master, and not all that the bits above 6 may once mean.
     void TakeStartUp()
     {

@@ -261,6 +261,12 @@ TEST_F(NetworkFileTest, TheManagersOwnObjectsGoBeforeDerivedOnes)
                   std::string::npos)
             << line;
     }
+    // Who is in its network is in its list
+    EXPECT_NE(
+        refusal(Changed(dcf, {{"ParameterValue=0x05\n", "ParameterValue=0x04\n"}}))
+            .find(": error: 0x1F81:21: 0x4, expected bit 0 (in the network), as node 33 is, or 0 for the usual bits"),
+        std::string::npos);
+    EXPECT_EQ(refusal(Changed(dcf, {{"ParameterValue=0x05\n", "ParameterValue=0\n"}})), "");
     // It waits for the heartbeat of a node for one time alone
     const std::string consumers = Changed(dcf, {{"=0x1F88", "=0x1016"},
                                                 {"[1F88]", "[1016]"},
