@@ -61,6 +61,7 @@ struct BootRecord
     bool is_booted;       ///< The last boot ended without letter, or with L.
     bool is_start_wanted; ///< By application or master, whatever 1F80h says.
     char identity;        ///< Letter with which the boot found another device; 0: the expected one.
+    bool is_unread;       ///< Stopped because it ran and did not answer.
     bool is_start_owed;   ///< The NMT master gave up its start.
     bool is_extra;        ///< Configuration or verification alone: its end says nothing of the boot.
 };

@@ -135,11 +135,13 @@ void BootSlave::ReadDeviceType(const Job& job) noexcept
 /// A safety slave that runs and cannot be read is stopped, and asked on in PRE-OPERATIONAL. [SRS-SFS-006]
 void BootSlave::StopUnread(const Job& job) noexcept
 {
-    const bool is_stopped = (parts_.table.Record(job.node).asked == SlaveState::kStopped);
-    if (parts_.setup.IsSafetySlave(job.node) && (is_stopped || parts_.table.RunsSurely(job.node)))
+    const bool is_ours = job.record.is_unread && (parts_.table.Record(job.node).asked == SlaveState::kStopped);
+    const bool is_running = parts_.setup.IsSafetySlave(job.node) && parts_.table.RunsSurely(job.node);
+    if (is_ours || is_running) // A full queue: at the next silence.
     {
-        const NmtCommand command = is_stopped ? NmtCommand::kPreOperational : NmtCommand::kStop;
-        static_cast<void>(parts_.nmt.Request(command, job.node, job.time.now)); // A full queue: at the next silence.
+        const NmtCommand command = is_running ? NmtCommand::kStop : NmtCommand::kPreOperational;
+        const NmtAnswer answer = parts_.nmt.Request(command, job.node, job.time.now);
+        job.record.is_unread = (answer == NmtAnswer::kTaken) ? is_running : job.record.is_unread;
     }
 }
 

@@ -44,6 +44,7 @@ void El6751StartUp::BeginRows(const NodeId node, const std::int16_t code, const 
     slave.status.read = 0U;
     slave.status.is_started = false;
     slave.status.is_other = false;
+    slave.is_unread = false;
     Tell(node, code, AccessOf(Context(node), slave.place).step, now);
 }
 
@@ -141,11 +142,14 @@ void El6751StartUp::EndTransfer(const NodeId node, const Instant now) noexcept
 /// A safety slave that runs and cannot be read is stopped, and asked on in PRE-OPERATIONAL. [SRS-SFS-006]
 void El6751StartUp::StopUnread(const NodeId node, const Instant now) noexcept
 {
-    const bool is_stopped = (parts_.common.table.Record(node).asked == SlaveState::kStopped);
-    if (IsSafety(node) && (is_stopped || parts_.common.table.RunsSurely(node)))
+    El6751Node& slave = Of(node);
+    const bool is_ours = slave.is_unread && (parts_.common.table.Record(node).asked == SlaveState::kStopped);
+    const bool is_running = IsSafety(node) && parts_.common.table.RunsSurely(node);
+    if (is_ours || is_running) // A full queue: at the next silence.
     {
-        const NmtCommand command = is_stopped ? NmtCommand::kPreOperational : NmtCommand::kStop;
-        static_cast<void>(parts_.common.nmt.Request(command, node, now)); // A full queue: at the next silence.
+        const NmtCommand command = is_running ? NmtCommand::kStop : NmtCommand::kPreOperational;
+        const NmtAnswer answer = parts_.common.nmt.Request(command, node, now);
+        slave.is_unread = (answer == NmtAnswer::kTaken) ? is_running : slave.is_unread;
     }
 }
 

@@ -79,6 +79,7 @@ struct El6751Node
     bool is_wait_over;    ///< 10 s since the start.
     bool is_checking;     ///< Found OPERATIONAL: the gate reads.
     bool was_checked;     ///< Found OPERATIONAL and read.
+    bool is_unread;       ///< Stopped because it ran and did not answer.
     bool has_restarted;   ///< While it was deactivated.
     Instant started;
     std::uint8_t buffer[8];

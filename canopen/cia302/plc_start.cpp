@@ -40,11 +40,14 @@ void PlcStartUp::EndSdos(const NodeId node, const Instant now) noexcept
 /// A safety slave that runs and cannot be read is stopped, and asked on in PRE-OPERATIONAL. [SRS-SFS-006]
 void PlcStartUp::StopUnread(const NodeId node, const Instant now) noexcept
 {
-    const bool is_stopped = (parts_.common.table.Record(node).asked == SlaveState::kStopped);
-    if (parts_.common.setup.IsSafetySlave(node) && (is_stopped || parts_.common.table.RunsSurely(node)))
+    PlcNode& slave = Of(node);
+    const bool is_ours = slave.is_unread && (parts_.common.table.Record(node).asked == SlaveState::kStopped);
+    const bool is_running = parts_.common.setup.IsSafetySlave(node) && parts_.common.table.RunsSurely(node);
+    if (is_ours || is_running) // A full queue: at the next silence.
     {
-        const NmtCommand command = is_stopped ? NmtCommand::kPreOperational : NmtCommand::kStop;
-        static_cast<void>(parts_.common.nmt.Request(command, node, now)); // A full queue: at the next silence.
+        const NmtCommand command = is_running ? NmtCommand::kStop : NmtCommand::kPreOperational;
+        const NmtAnswer answer = parts_.common.nmt.Request(command, node, now);
+        slave.is_unread = (answer == NmtAnswer::kTaken) ? is_running : slave.is_unread;
     }
 }
 

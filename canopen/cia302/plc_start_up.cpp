@@ -173,6 +173,7 @@ void PlcStartUp::Settle(const NodeId node, const Instant now) noexcept
     slave.is_type_wrong = false;
     slave.is_wanted = false;
     slave.is_checking = false;
+    slave.is_unread = false;
     slave.status.is_started = false;
     slave.status.abort = SdoAbort::kNone;
     Tell(node, kPlcSettles, StartUpStep::kSettling, now);

@@ -52,6 +52,7 @@ struct PlcNode
     bool is_verified; ///< The gate was asked for this start.
     bool is_checking; ///< Found OPERATIONAL: the gate reads.
     bool was_checked; ///< Found OPERATIONAL and read.
+    bool is_unread;   ///< Stopped because it ran and did not answer.
     bool is_stop_due; ///< The gate refused.
     bool has_sdos;    ///< All were answered since Begin.
     std::uint8_t signs;

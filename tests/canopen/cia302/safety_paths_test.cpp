@@ -87,7 +87,24 @@ TEST_P(SafetyPathsTest, RunsWithoutAnsweringAnySdoIsStopped)
     Begin(GetParam());
     Run(10000U);
     EXPECT_EQ(Running(5U), 0);
-    EXPECT_GT(stops, 0);
+    EXPECT_EQ(stops, 1);
+    EXPECT_EQ(devices[0]->State(), cia301::NodeState::kPreOperational); // It is asked on,
+    devices[0]->is_sdo_mute = false;
+    Run(6000U);
+    EXPECT_EQ(Running(5U), 1); // and started when it answers.
+    EXPECT_EQ(Gate(), GateState::kOpen);
+}
+
+TEST_P(SafetyPathsTest, StoppedByOrderBeforeItAnsweredIsNotWoken)
+{
+    Verifies(req::SRS_SFS_006);
+    devices[0]->heartbeat_ms = 100U;
+    devices[0]->is_sdo_mute = true;
+    Begin(GetParam());
+    Run(4000U);
+    EXPECT_EQ(Order(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
+    Run(6000U);
+    EXPECT_EQ(devices[0]->State(), cia301::NodeState::kStopped);
 }
 
 TEST_P(SafetyPathsTest, ASignThatWasUnderWayWhenItWasStoppedKeepsWhatWasFound)
