@@ -23,7 +23,9 @@ TEST_F(PlcCommandTest, CommandsHoldASlaveInState4)
     Verifies(req::SRS_PLC_015);
     AddPlc(5U);
     Begin600();
+    EXPECT_TRUE(Of(5U).is_started);
     EXPECT_EQ(Command(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+    EXPECT_FALSE(Of(5U).is_started);
     EXPECT_EQ(Code(5U), 4);
     Run(1000U);
     EXPECT_EQ(Code(5U), 4);

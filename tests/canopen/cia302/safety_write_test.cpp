@@ -41,7 +41,15 @@ TEST_F(SafetyWriteTest, WritesReadsBackAndDeclaresValid)
 {
     Verifies(req::SRS_SFS_005);
     Disarrange();
+    std::vector<std::uint8_t> flags{};
+    on_request = [&flags](CanFrame& frame)
+    {
+        const bool is_flag = (frame.data[0] != 0x40U) && (frame.data[1] == 0xFEU) && (frame.data[2] == 0x13U);
+        flags.insert(flags.end(), is_flag ? 1U : 0U, frame.data[4]);
+        return true;
+    };
     EXPECT_EQ(Written(), GateState::kOpen);
+    EXPECT_EQ(flags, (std::vector<std::uint8_t>{0U, 0xA5U}));
     // Then the device has it all
     EXPECT_EQ(Has(0x13FEU, 0U), 0xA5U);
     EXPECT_EQ(Has(0x1301U, 1U), 2U);
