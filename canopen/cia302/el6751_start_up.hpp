@@ -80,6 +80,7 @@ struct El6751Node
     bool is_checking;     ///< Found OPERATIONAL: the gate reads.
     bool was_checked;     ///< Found OPERATIONAL and read.
     bool has_restarted;   ///< While it was deactivated.
+    bool is_cut;          ///< Held by hand in the middle of its SDOs.
     Instant started;
     std::uint8_t buffer[8];
 };
