@@ -73,17 +73,22 @@ void BootSlave::AwaitReset(const Job& job) noexcept
 }
 
 /// STOPPED, it has no SDO to be asked by, and may send nothing that tells so. One command for each try: a lane for it
-/// may have to be waited for.
+/// may have to be waited for. Who was stopped in the middle of this boot stays so.
 void BootSlave::WakeUp(const Job& job) noexcept
 {
     const NodeRecord& heard = parts_.table.Record(job.node);
     const bool is_deaf = (heard.state == SlaveState::kStopped) ||
                          ((heard.state != SlaveState::kOperational) && (heard.asked == SlaveState::kStopped));
     const auto this_try = static_cast<std::uint16_t>(job.record.part + 1U);
-    if (is_deaf && (job.record.wait == BootWait::kNothing) && (job.record.checks != this_try))
+    const bool is_first = (job.record.checks == 0U);
+    const bool is_held = !is_first && (heard.asked == SlaveState::kStopped);
+    if ((job.record.wait == BootWait::kNothing) && (job.record.checks != this_try))
     {
         job.record.checks = this_try;
-        static_cast<void>(parts_.nmt.Request(NmtCommand::kPreOperational, job.node, job.time.now));
+        if (is_deaf && !is_held)
+        {
+            static_cast<void>(parts_.nmt.Request(NmtCommand::kPreOperational, job.node, job.time.now));
+        }
     }
 }
 

@@ -162,6 +162,7 @@ NmtAnswer El6751StartUp::HoldByHand(const NmtCommand command, const NodeId node,
     {
         parts_.common.gate.Close(node);
         parts_.common.sdo.Cancel(node, SdoAbort::kGeneral);
+        Of(node).is_cut = Of(node).is_cut || (Of(node).phase == El6751Phase::kRows);
         Of(node).is_held_by_hand = true;
         Of(node).is_start_wanted = false;
         Hold(node, (command == NmtCommand::kStop) ? kNodeDeactivated : kNodePreOperational, now);
@@ -170,16 +171,15 @@ NmtAnswer El6751StartUp::HoldByHand(const NmtCommand command, const NodeId node,
 }
 
 /// While SDOs are under way, the start follows them. A slave that restarted unnoticed needs them first. One that left
-/// OPERATIONAL without a reaction is started again. Of one that was held before it answered anything nobody knows
-/// whether it is there: its SDOs come first, too.
+/// OPERATIONAL without a reaction is started again. One that was held in the middle of its SDOs gets all of them first.
 NmtAnswer El6751StartUp::StartByHand(const NodeId node, const Instant now) noexcept
 {
     El6751Node& slave = Of(node);
     const std::uint8_t operational = static_cast<std::uint8_t>(SlaveState::kOperational);
     const bool runs = (parts_.common.table.RequestValue(node) == operational);
     const bool is_deaf = (parts_.common.table.Record(node).asked == SlaveState::kStopped);
-    const bool is_asked_for = IsSafety(node) ? (slave.place.row > El6751Row::kSerialNumber) : slave.has_answered;
-    const bool is_unknown = !is_asked_for && (slave.place.row != El6751Row::kEnd);
+    const bool is_unasked = IsSafety(node) && (slave.place.row <= El6751Row::kSerialNumber); // Who it is.
+    const bool is_unknown = slave.is_cut || is_unasked;
     const bool is_held = (slave.phase == El6751Phase::kHeld);
     NmtAnswer answer = NmtAnswer::kTaken;
     if (IsSafety(node) && slave.status.is_other)

@@ -38,6 +38,7 @@ void El6751StartUp::BeginRows(const NodeId node, const std::int16_t code, const 
     slave.is_checking = false;
     slave.was_checked = false;
     slave.has_restarted = false;
+    slave.is_cut = false;
     slave.status.object = ObjectAddress{0U, 0U};
     slave.status.abort = SdoAbort::kNone;
     slave.status.expected = 0U;

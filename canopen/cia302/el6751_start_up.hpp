@@ -81,6 +81,7 @@ struct El6751Node
     bool was_checked;     ///< Found OPERATIONAL and read.
     bool is_unread;       ///< Stopped because it ran and did not answer.
     bool has_restarted;   ///< While it was deactivated.
+    bool is_cut;          ///< Held by hand in the middle of its SDOs.
     Instant started;
     std::uint8_t buffer[8];
 };

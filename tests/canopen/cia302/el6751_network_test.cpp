@@ -79,6 +79,32 @@ TEST_F(El6751NetworkTest, ADeactivatedSlaveThatRestartedIsConfiguredBeforeItsSta
     EXPECT_EQ(Sdos(5U), (Log{"r 1000:00", "w 1017:00 64 00", "w 1016:01 2C 01 7F 00"}));
 }
 
+TEST_F(El6751NetworkTest, ASlaveThatWasHeldInTheMiddleOfItsSdosGetsThemAllBeforeItsStart)
+{
+    Verifies(req::SRS_ELM_047);
+    AddBox(5U);
+    boxes[5].guard_time_ms = 100U;
+    boxes[5].life_time_factor = 3U;
+    for (const NmtCommand hold : {NmtCommand::kStop, NmtCommand::kPreOperational})
+    {
+        Begin();
+        RunUntil([this] { return Sdos(5U).size() >= 2U; }, 50U);
+        ASSERT_EQ(Code(5U), 8);
+        EXPECT_EQ(Do([&] { return el.Command(hold, NodeId{5U}, Now()); }), NmtAnswer::kTaken);
+        Run(50U);
+        slaves[5]->log.clear();
+        sent.clear();
+        EXPECT_EQ(Do([&] { return el.Command(NmtCommand::kStart, NodeId{5U}, Now()); }), NmtAnswer::kTaken);
+        Run(50U);
+        EXPECT_EQ(Code(5U), 0);
+        EXPECT_EQ(Sdos(5U), (Log{"r 1000:00", "w 1017:00 64 00", "w 1016:01 2C 01 7F 00"}));
+        // STOPPED, it has no SDO
+        EXPECT_EQ(Commands().front(), (hold == NmtCommand::kStop) ? "82 05" : "01 05");
+        slaves[5]->log.clear();
+        sent.clear();
+    }
+}
+
 TEST_F(El6751NetworkTest, TheNetworkReactionDoesNotNeedOneOfTheNode)
 {
     Verifies(req::SRS_ELM_043);
