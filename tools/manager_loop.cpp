@@ -197,6 +197,7 @@ void ManagerLoop::Receive()
     {
         const std::string text = "frames left aside but for boot-up messages: when they came cannot be known";
         station_.Tell("lost_frames", std::to_string(old) + " " + text, {{"count", old}}, StationUs());
+        station_.Host().Core().OnLost(InstantAt(StationUs()));
     }
 }
 
@@ -239,6 +240,7 @@ void ManagerLoop::WatchBus()
         const std::uint32_t count = health.lost_frames - lost_;
         station_.Tell("lost_frames", std::to_string(count) + " frames lost between bus and manager", {{"count", count}},
                       StationUs());
+        station_.Host().Core().OnLost(InstantAt(StationUs()));
         lost_ = health.lost_frames;
     }
 }

@@ -108,8 +108,11 @@ class Manager final : public NmtListener,
     }
     void OnCycle(Instant now) noexcept;
     /// @brief The controller went bus-off or is gone, or is back. Another one may be master meanwhile: the role of a
-    /// flying master ends, and it negotiates when the bus is there. Without one nothing happens. [SRS-FLY-019]
+    /// flying master ends, and it negotiates when the bus is there; without one, safety slaves are then read as OnLost
+    /// says. [SRS-FLY-019]
     void OnBus(bool is_there, Instant now) noexcept;
+    /// @brief Frames of the bus were lost, or it was away: safety slaves that run are read again. O(127) [SRS-SFS-002]
+    void OnLost(Instant now) noexcept;
     /// @brief The application lets the negotiation begin. kInvalid: there is no flying master. [SRS-FLY-027]
     [[nodiscard]] FlyingStart StartNegotiation(Instant now) noexcept;
 

@@ -115,10 +115,29 @@ void Manager::OnForeignStart(const NodeId node, const Instant now) noexcept
         const bool is_started = profile_->Status(slave).is_started;
         const bool is_hit = (node.value == kAllNodes.value) || (node.value == id);
         const bool was_there = (state != SlaveState::kUnknown) || is_started || (gate == GateState::kDiffers);
-        const bool is_ours = is_started && (gate == GateState::kOpen);
+        const bool has_left = (table_.Record(slave).asked == SlaveState::kOperational); // The start of this device.
+        const bool is_ours = is_started && has_left && (gate == GateState::kOpen);
         if (is_hit && parts_.setup.IsSafetySlave(slave) && was_there && !is_ours)
         {
             table_.Presume(slave, now);
+        }
+    }
+}
+
+/// Whatever was on the bus meanwhile: who runs is read again. A reading that runs ends with 13FEh. [SRS-SFS-002]
+void Manager::OnLost(const Instant now) noexcept
+{
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        const NodeId slave{id};
+        if (is_leading_ && parts_.setup.IsSafetySlave(slave) && (gate_.State(slave) == GateState::kOpen))
+        {
+            const bool is_started = profile_->Status(slave).is_started;
+            CloseGate(slave);
+            if (is_started || (table_.Record(slave).state == SlaveState::kOperational))
+            {
+                table_.Presume(slave, now);
+            }
         }
     }
 }
@@ -128,6 +147,10 @@ void Manager::OnStartDropped(const NodeId node, const Instant now) noexcept
 {
     if (is_leading_)
     {
+        if (gate_.State(node) == GateState::kOpen)
+        {
+            CloseGate(node);
+        }
         profile_->OnStartDropped(node, now);
     }
 }

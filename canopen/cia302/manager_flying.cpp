@@ -14,7 +14,12 @@ FlyingStart Manager::StartNegotiation(const Instant now) noexcept
 void Manager::OnBus(const bool is_there, const Instant now) noexcept
 {
     const bool has_gone = !is_there && !is_off_bus_;
+    const bool is_back = is_there && is_off_bus_;
     is_off_bus_ = !is_there;
+    if (is_back)
+    {
+        OnLost(now);
+    }
     if (has_gone && is_running_ && (flying_ != nullptr))
     {
         flying_->Reset(now);

@@ -3,6 +3,7 @@
 #define CANOPEN_CIA302_NMT_COMMAND_HPP
 
 #include "canopen/cia301/nmt_slave.hpp"
+#include "safety_core/contract/time.hpp"
 
 #include <cstdint>
 
@@ -34,6 +35,7 @@ struct NmtRequest
 {
     NmtCommand command;
     NodeId node;
+    Instant since{0U}; ///< When it was asked for.
 };
 
 /// Is told of each command when it leaves; for the own node no frame leaves and the listener alone acts.

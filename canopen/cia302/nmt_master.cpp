@@ -7,6 +7,7 @@ namespace
 {
 
 constexpr std::uint32_t kUsPerInhibitUnit = 100U;
+constexpr std::uint32_t kFreshUs = 10000U; ///< What was verified before a start is not older when the start leaves.
 
 } // namespace
 
@@ -52,7 +53,7 @@ NmtAnswer NmtMaster::Check(const NmtRequest& request) const noexcept
 
 NmtAnswer NmtMaster::Request(const NmtCommand command, const NodeId node, const Instant now) noexcept
 {
-    const NmtRequest request{command, node};
+    const NmtRequest request{command, node, now};
     NmtAnswer answer = Check(request);
     if ((answer == NmtAnswer::kTaken) && (waiting_ >= parts_.room.count))
     {
@@ -95,6 +96,13 @@ void NmtMaster::DropStarts(const NodeId node) noexcept
     }
 }
 
+/// A start of a safety slave that waited too long: the slave may have been changed meanwhile. [SRS-SFS-002]
+bool NmtMaster::IsStale(const NmtRequest& request, const Instant now) const noexcept
+{
+    const bool is_start = (request.command == NmtCommand::kStart) && parts_.setup.IsSafetySlave(request.node);
+    return is_start && ((now.us - request.since.us) > kFreshUs);
+}
+
 /// In order: what waits for the inhibit time or for room in the sink keeps all behind it waiting.
 void NmtMaster::OnCycle(const Instant now) noexcept
 {
@@ -105,7 +113,7 @@ void NmtMaster::OnCycle(const Instant now) noexcept
     while (is_going && (waiting_ > 0U))
     {
         const NmtRequest request = parts_.room.requests[first_];
-        const bool is_right = (Check(request) == NmtAnswer::kTaken);
+        const bool is_right = (Check(request) == NmtAnswer::kTaken) && !IsStale(request, now);
         is_going = !is_right || Emit(request, now);
         if (is_going)
         {

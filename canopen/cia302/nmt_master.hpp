@@ -69,6 +69,7 @@ class NmtMaster
 
   private:
     [[nodiscard]] NmtAnswer Check(const NmtRequest& request) const noexcept;
+    [[nodiscard]] bool IsStale(const NmtRequest& request, Instant now) const noexcept;
     [[nodiscard]] bool Emit(const NmtRequest& request, Instant now) noexcept;
 
     NmtMasterParts parts_;

@@ -45,6 +45,13 @@ void BootRig::OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept
     start_up.OnNodeEvent(node, event, now);
 }
 
+/// As the manager does it.
+void BootRig::OnStartDropped(const NodeId node, const Instant now) noexcept
+{
+    gate.Close(node);
+    start_up.OnStartDropped(node, now);
+}
+
 void BootRig::OnNmtSent(const NmtRequest& request, Instant) noexcept
 {
     if ((request.node.value == 0U) || (request.node.value == setup.own.value))

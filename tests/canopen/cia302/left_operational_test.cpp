@@ -61,6 +61,79 @@ class LeftOperationalTest : public ManagerRig, public ::testing::WithParamInterf
     int stops{0};
 };
 
+TEST_P(LeftOperationalTest, ChangedWhileItsStartWaitsForTheInhibitTimeIsNotStarted)
+{
+    Verifies(req::SRS_SFS_002);
+    // Given 2 s between two commands, and a start that waits behind another command
+    setup.inhibit_100us = 20000U;
+    Begin(GetParam());
+    for (int i = 0; (i < 5000) && (Gate() != GateState::kOpen); ++i)
+    {
+        Run(1U);
+    }
+    ASSERT_EQ(Gate(), GateState::kOpen);
+    Run(50U);
+    ASSERT_TRUE(starts.empty());
+    // When it is changed before its turn
+    Change();
+    Run(9000U);
+    EXPECT_TRUE(starts.empty());
+    EXPECT_EQ(Gate(), GateState::kDiffers);
+    EXPECT_EQ(Running(5U), 0);
+}
+
+TEST_P(LeftOperationalTest, UnchangedWhileItsStartWaitsIsReadAgainAndStarted)
+{
+    Verifies(req::SRS_SFS_002);
+    setup.inhibit_100us = 20000U;
+    StartAndForget(GetParam());
+    EXPECT_EQ(starts.size(), 1U);
+}
+
+TEST_P(LeftOperationalTest, ChangedWhileTheBusWasAwayIsStopped)
+{
+    Verifies(req::SRS_SFS_002);
+    StartAndForget(GetParam());
+    manager->OnBus(false, Now());
+    Change();
+    Run(60U);
+    manager->OnBus(true, Now());
+    Run(200U);
+    ExpectStopped();
+}
+
+TEST_P(LeftOperationalTest, WhileFramesWereLostIsReadAgain)
+{
+    Verifies(req::SRS_SFS_002);
+    StartAndForget(GetParam());
+    // Given that it is as expected, nothing happens to it
+    manager->OnLost(Now());
+    Run(200U);
+    EXPECT_EQ(readings, 1);
+    EXPECT_EQ(stops, 0);
+    EXPECT_EQ(Running(5U), 1);
+    Change();
+    manager->OnLost(Now());
+    Run(200U);
+    ExpectStopped();
+}
+
+TEST_P(LeftOperationalTest, StartedBySomebodyElseBeforeItsOwnStartLeftIsRead)
+{
+    Verifies(req::SRS_SFS_006);
+    setup.inhibit_100us = 20000U;
+    Begin(GetParam());
+    for (int i = 0; (i < 5000) && (Gate() != GateState::kOpen); ++i)
+    {
+        Run(1U);
+    }
+    Change();
+    Put(Nmt(NmtCommand::kStart, 5U));
+    Run(9000U);
+    EXPECT_TRUE(starts.empty());
+    ExpectStopped();
+}
+
 TEST_P(LeftOperationalTest, BySomebodyElseAndCameBackChangedIsStopped)
 {
     Verifies(req::SRS_SFS_002);
