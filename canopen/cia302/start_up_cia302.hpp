@@ -67,6 +67,8 @@ class Cia302StartUp final : public StartUp, private BootListener
     void VerifyRunning(const BootTime& time) noexcept;
     void VerifyAgain(NodeId node, const BootTime& time) noexcept;
     void React(const BootTime& time) noexcept;
+    void EndBoots(const BootTime& time) noexcept;
+    void OnBootUp(NodeId node, const BootTime& time) noexcept;
     void OnLost(NodeId node, const BootTime& time) noexcept;
     void OnForeign(NodeId node, Instant now) noexcept;
     void OnState(NodeId node, NodeEvent event, const BootTime& time) noexcept;
