@@ -304,8 +304,10 @@ bool Cia302StartUp::Configure(const NodeId node, const Instant now) noexcept
 {
     const BootTime time = Tick(now);
     constexpr auto kStopped = static_cast<std::uint8_t>(SlaveState::kStopped); // It has no SDO to be written by.
-    const bool is_free = parts_.setup.IsListed(node) && (step_ != MasterStep::kIdle) &&
-                         !boot_.Record(node).status.is_busy && (parts_.table.RequestValue(node) != kStopped);
+    const NodeStatus& status = boot_.Record(node).status;
+    const bool is_other = parts_.setup.IsSafetySlave(node) && status.is_other;
+    const bool is_free = parts_.setup.IsListed(node) && (step_ != MasterStep::kIdle) && !is_other && !status.is_busy &&
+                         (parts_.table.RequestValue(node) != kStopped);
     if (is_free)
     {
         boot_.Configure(node, time);
