@@ -62,6 +62,7 @@ struct BootRecord
     bool is_start_wanted; ///< By application or master, whatever 1F80h says.
     char identity;        ///< Letter with which the boot found another device; 0: the expected one.
     bool is_unread;       ///< Stopped because it ran and did not answer.
+    bool is_doubted;      ///< It may be another device: no boot has asked it since.
     bool is_start_owed;   ///< The NMT master gave up its start.
     bool is_extra;        ///< Configuration or verification alone: its end says nothing of the boot.
 };
@@ -105,6 +106,8 @@ class BootSlave
     void Start(NodeId node, const BootTime& time) noexcept;
     /// @brief Verifies a safety slave that was found OPERATIONAL. [SRS-BOOT-013]
     void Verify(NodeId node, const BootTime& time) noexcept;
+    /// @brief Gives up whatever runs, and takes the slave for another device until a boot has asked it. [SRS-BOOT-017]
+    void Doubt(NodeId node, const BootTime& time) noexcept;
     /// @brief Gives up whatever runs.
     void End(NodeId node) noexcept;
     /// @brief Goes on as far as it can. Once a cycle, and after each frame of the node.

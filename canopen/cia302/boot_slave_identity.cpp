@@ -34,6 +34,20 @@ StartUpStep StepAfter(const std::uint8_t sub) noexcept
 
 } // namespace
 
+/// What an earlier boot found holds no more: neither a start nor a writing may lean on it.
+void BootSlave::Doubt(const NodeId node, const BootTime& time) noexcept
+{
+    BootRecord& record = Record(node);
+    parts_.nmt.DropStarts(node);
+    End(node);
+    parts_.gate.Close(node);
+    record.is_doubted = true;
+    record.is_booted = false;
+    record.status.is_started = false;
+    record.status.is_other = true;
+    parts_.listener.OnNodeStatus(node, time.now);
+}
+
 /// No boot-up message in its time, which begins when the reset has left. The message has the lowest priority on the
 /// bus: behind the SDOs of all other slaves.
 bool BootSlave::IsSilent(const Job& job) noexcept

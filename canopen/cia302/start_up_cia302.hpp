@@ -37,8 +37,8 @@ class Cia302StartUp final : public StartUp, private BootListener
     [[nodiscard]] NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept override;
     [[nodiscard]] bool Boot(NodeId node, Instant now) noexcept override;
     [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept override;
-    /// @brief Writes the configuration alone. False: not listed, its boot runs, it is STOPPED, or no start-up runs.
-    /// [SRS-NMM-009]
+    /// @brief Writes the configuration alone. False: not listed, its boot runs, it is STOPPED, a safety slave that is
+    /// another device than the expected one, or no start-up runs. [SRS-NMM-009]
     [[nodiscard]] bool Configure(NodeId node, Instant now) noexcept override;
 
     [[nodiscard]] NodeStatus Status(NodeId node) const noexcept override;
@@ -67,6 +67,8 @@ class Cia302StartUp final : public StartUp, private BootListener
     void VerifyRunning(const BootTime& time) noexcept;
     void VerifyAgain(NodeId node, const BootTime& time) noexcept;
     void React(const BootTime& time) noexcept;
+    void EndBoots(const BootTime& time) noexcept;
+    void OnBootUp(NodeId node, const BootTime& time) noexcept;
     void OnLost(NodeId node, const BootTime& time) noexcept;
     void OnForeign(NodeId node, Instant now) noexcept;
     void OnState(NodeId node, NodeEvent event, const BootTime& time) noexcept;

@@ -26,9 +26,9 @@ void Cia302StartUp::OnNodeEvent(const NodeId node, const NodeEvent event, const 
     {
         OnForeign(node, now);
     }
-    else if (is_active && is_listed && is_boot_up)
+    else if (is_listed && is_boot_up)
     {
-        boot_.OnBootUp(node, time);
+        OnBootUp(node, time);
     }
     else if (is_active && is_listed && is_lost)
     {
@@ -37,6 +37,26 @@ void Cia302StartUp::OnNodeEvent(const NodeId node, const NodeEvent event, const 
     else if ((step_ != MasterStep::kIdle) && is_listed && is_state)
     {
         OnState(node, event, time);
+    }
+}
+
+/// After a stop of all by error handling nobody is booted but by order. Who boots up then may be another device.
+void Cia302StartUp::OnBootUp(const NodeId node, const BootTime& time) noexcept
+{
+    const BootRecord& record = boot_.Record(node);
+    const bool is_stopped = (step_ == MasterStep::kStopped);
+    const bool is_ordered = record.status.is_busy && (!record.is_extra || (record.wait == BootWait::kBootUp));
+    if ((step_ != MasterStep::kIdle) && (!is_stopped || is_ordered))
+    {
+        boot_.OnBootUp(node, time);
+    }
+    else if (is_stopped && parts_.setup.IsSafetySlave(node))
+    {
+        boot_.Doubt(node, time);
+    }
+    else
+    {
+        // Nothing was found of it, or it has no gate.
     }
 }
 
@@ -103,17 +123,30 @@ void Cia302StartUp::React(const BootTime& time) noexcept
         {
             reaction_ = Reaction::kNone;
             is_start_due_ = false;
-            for (std::uint8_t id = 1U; id <= kLastNode; ++id)
-            {
-                boot_.End(NodeId{id});
-                boot_.Record(NodeId{id}).status.is_started = false;
-            }
+            EndBoots(time);
             SetStep(MasterStep::kStopped, time.now);
         }
     }
     else if (reaction_ == Reaction::kResetAll)
     {
         Restart(NmtCommand::kResetNode, time.now);
+    }
+}
+
+/// A safety slave in the middle of its boot was perhaps not asked yet who it is.
+void Cia302StartUp::EndBoots(const BootTime& time) noexcept
+{
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        const NodeId node{id};
+        BootRecord& record = boot_.Record(node);
+        const bool is_booting = record.status.is_busy && !record.is_extra;
+        boot_.End(node);
+        record.status.is_started = false;
+        if (is_booting && parts_.setup.IsSafetySlave(node))
+        {
+            boot_.Doubt(node, time);
+        }
     }
 }
 
@@ -271,8 +304,10 @@ bool Cia302StartUp::Configure(const NodeId node, const Instant now) noexcept
 {
     const BootTime time = Tick(now);
     constexpr auto kStopped = static_cast<std::uint8_t>(SlaveState::kStopped); // It has no SDO to be written by.
-    const bool is_free = parts_.setup.IsListed(node) && (step_ != MasterStep::kIdle) &&
-                         !boot_.Record(node).status.is_busy && (parts_.table.RequestValue(node) != kStopped);
+    const NodeStatus& status = boot_.Record(node).status;
+    const bool is_other = parts_.setup.IsSafetySlave(node) && status.is_other;
+    const bool is_free = parts_.setup.IsListed(node) && (step_ != MasterStep::kIdle) && !is_other && !status.is_busy &&
+                         (parts_.table.RequestValue(node) != kStopped);
     if (is_free)
     {
         boot_.Configure(node, time);

@@ -246,6 +246,27 @@ TEST_F(NetworkObjectsTest, RequestForConfiguration)
     EXPECT_EQ(Write(0x1F25U, 5U, kConf), SdoAbort::kDeviceState);
 }
 
+TEST_F(NetworkObjectsTest, AnotherDeviceIsNotConfigured)
+{
+    Verifies(req::SRS_NMM_009);
+    Verifies(req::SRS_SFS_009);
+    // Given a safety slave 5 that is another device, whose defaults were to be restored
+    const SafetyExpectation nothing{nullptr, 0U};
+    setups[5].safety = &nothing;
+    setups[5].assignment |= kRestoreDefaults;
+    setups[5].restore_sub = 1U;
+    boots[5].status.is_other = true;
+    boots[5].status.letter = 'O';
+    EXPECT_EQ(Write(0x1F25U, 5U, kConf), SdoAbort::kDeviceState);
+    EXPECT_EQ(Write(0x1F25U, 0x80U, kConf), SdoAbort::kDeviceState);
+    Run(5U);
+    EXPECT_EQ(Count(0x605U), 0);
+    EXPECT_EQ(Letter(5U), "O");
+    // Without safety it is configured
+    setups[5].safety = nullptr;
+    EXPECT_EQ(Write(0x1F25U, 5U, kConf), SdoAbort::kNone);
+}
+
 TEST_F(NetworkObjectsTest, SetupIsReadAndWritten)
 {
     Verifies(req::SRS_NMM_010);

@@ -299,7 +299,90 @@ TEST_P(SafetyPathsInCia302Test, StartsItselfAndTellsNoStateIsStopped)
     EXPECT_EQ(Gate(), GateState::kDiffers);
 }
 
+/// Given a slave 6 whose loss stops all, and 5 that runs.
+class StoppedByErrorTest : public SafetyPathsTest
+{
+  public:
+    StoppedByErrorTest()
+    {
+        setup.start_up = kIsMaster | kStartAllAtOnce | kStopAllOnError;
+        Add(6U).heartbeat_ms = 20U;
+        setups[6].heartbeat = HeartbeatSetup{100U, 20U, Arming::kFirstHeartbeat};
+    }
+    void BeginAndLose()
+    {
+        Begin(GetParam());
+        Run(3000U);
+        EXPECT_EQ(Running(5U), 1);
+        devices[1]->Unplug();
+    }
+    void Replace(const bool is_mute)
+    {
+        devices[0]->Put32(0x1018U, 4U, 0x4321U);
+        devices[0]->is_sdo_mute = is_mute;
+        devices[0]->Power(Now());
+    }
+};
+
+TEST_P(StoppedByErrorTest, ReplacedMeanwhileIsNeitherStartedNorWritten)
+{
+    Verifies(req::SRS_BOOT_017);
+    Verifies(req::SRS_SFS_009);
+    BeginAndLose();
+    Run(300U);
+    EXPECT_EQ(manager->MasterState(), 6);
+    EXPECT_FALSE(manager->Status(NodeId{5U}).is_other);
+    // When another device with the very configuration that is expected takes its place
+    Replace(false);
+    Run(1000U);
+    EXPECT_TRUE(manager->Status(NodeId{5U}).is_other);
+    EXPECT_EQ(Order(NmtCommand::kStart, 5U), NmtAnswer::kOtherDevice);
+    EXPECT_FALSE(manager->WriteSafety(NodeId{5U}, Now()));
+    // When somebody else starts it, it is read and still another one, also when it was found changed
+    Put(Nmt(NmtCommand::kStart, 5U));
+    Run(1000U);
+    EXPECT_EQ(Gate(), GateState::kOpen);
+    Put(Nmt(NmtCommand::kPreOperational, 5U));
+    Change();
+    Put(Nmt(NmtCommand::kStart, 5U));
+    Run(1000U);
+    EXPECT_EQ(Gate(), GateState::kDiffers);
+    EXPECT_FALSE(manager->WriteSafety(NodeId{5U}, Now()));
+    EXPECT_EQ(Order(NmtCommand::kStart, 5U), NmtAnswer::kOtherDevice);
+    EXPECT_EQ(Order(NmtCommand::kStart, 0U), NmtAnswer::kOtherDevice);
+    Run(3000U);
+    EXPECT_EQ(Running(5U), 0);
+    EXPECT_EQ(devices[0]->writes, (std::vector<std::uint32_t>{}));
+}
+
+TEST_P(StoppedByErrorTest, InTheMiddleOfItsBootIsBootedByOrderAlone)
+{
+    Verifies(req::SRS_BOOT_017);
+    Verifies(req::SRS_SFS_009);
+    setup.start_up = kIsMaster | kStopAllOnError;
+    setups[5].assignment &= ~kMandatory;
+    BeginAndLose();
+    Replace(true);
+    Run(300U);
+    EXPECT_EQ(manager->MasterState(), 6);
+    devices[0]->is_sdo_mute = false;
+    EXPECT_EQ(Order(NmtCommand::kStart, 5U), NmtAnswer::kOtherDevice);
+    Run(1000U);
+    EXPECT_EQ(Running(5U), 0);
+    // When it is reset, its boot-up message begins its boot
+    EXPECT_EQ(Order(NmtCommand::kResetNode, 5U), NmtAnswer::kTaken);
+    Run(500U);
+    EXPECT_EQ(manager->Status(NodeId{5U}).letter, 'O');
+    // When the expected one is back
+    devices[0]->PutIdentity();
+    EXPECT_EQ(Order(NmtCommand::kResetNode, 5U), NmtAnswer::kTaken);
+    Run(500U);
+    EXPECT_FALSE(manager->Status(NodeId{5U}).is_other);
+    EXPECT_EQ(Running(5U), 1);
+}
+
 INSTANTIATE_TEST_SUITE_P(Cia302, SafetyPathsInCia302Test, ::testing::Values(Profile::kCia302));
+INSTANTIATE_TEST_SUITE_P(Cia302, StoppedByErrorTest, ::testing::Values(Profile::kCia302));
 
 } // namespace
 } // namespace counterpoint::cia302
