@@ -68,6 +68,7 @@ NodeStatus PlcStartUp::Status(const NodeId node) const noexcept
 {
     NodeStatus status = Of(node).status;
     status.is_busy = Of(node).is_listed && ((status.code <= kPlcSdos) || Of(node).is_wanted);
+    status.is_other = status.is_other || (status.code == kPlcAbsent); // Nobody knows who came later. [SRS-SFS-009]
     return status;
 }
 

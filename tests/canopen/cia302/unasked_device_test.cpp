@@ -1,0 +1,79 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// Safety slaves of which nobody knows whether they are the expected device, or that run while nobody can ask them.
+#include "tests/canopen/cia302/manager_rig.hpp"
+
+namespace counterpoint::cia302
+{
+namespace
+{
+
+CanFrame Nmt(const NmtCommand command, const std::uint8_t node)
+{
+    const auto byte = static_cast<std::uint8_t>(command);
+    return CanFrame{0U, FrameKind::kData, CanPortId::kFirst, 2U, {byte, node, 0U, 0U, 0U, 0U, 0U, 0U}};
+}
+
+/// Given a safety slave 5 with a heartbeat.
+class UnaskedDeviceTest : public ManagerRig
+{
+  public:
+    UnaskedDeviceTest()
+    {
+        Add(5U).heartbeat_ms = 100U;
+        MakeSafe(5U);
+        setups[5].plc = &plc;
+        setups[5].el6751 = &el6751;
+    }
+    void Change()
+    {
+        devices[0]->Put(0x1301U, 2U, {26U, 0U});
+    }
+    [[nodiscard]] GateState Gate() const
+    {
+        return manager->Gate().State(NodeId{5U});
+    }
+    [[nodiscard]] int Code() const
+    {
+        return manager->Status(NodeId{5U}).code;
+    }
+    [[nodiscard]] bool Write()
+    {
+        return manager->WriteSafety(NodeId{5U}, Now());
+    }
+
+    PlcSlave plc{};
+    El6751Slave el6751{};
+};
+
+TEST_F(UnaskedDeviceTest, OfAPlcSlaveThatWasAbsentIsNotWritten)
+{
+    Verifies(req::SRS_SFS_009);
+    // Given an optional one that came too late to be asked, and is another device
+    plc.is_optional = true;
+    devices[0]->Put32(0x1000U, 0U, 0x192U);
+    devices[0]->is_sdo_mute = true;
+    Begin(Profile::kPlcDesigner);
+    Run(2000U);
+    EXPECT_EQ(Code(), 97);
+    devices[0]->is_sdo_mute = false;
+    Change();
+    EXPECT_TRUE(manager->Status(NodeId{5U}).is_other);
+    EXPECT_FALSE(Write());
+    // When somebody else starts it, it is read, stopped, and still not written
+    Put(Nmt(NmtCommand::kStart, 5U));
+    Run(1000U);
+    EXPECT_EQ(Gate(), GateState::kDiffers);
+    EXPECT_FALSE(Write());
+    Run(1000U);
+    EXPECT_EQ(devices[0]->writes, (std::vector<std::uint32_t>{}));
+    // When it is the expected device and is asked
+    devices[0]->PutIdentity();
+    EXPECT_EQ(Order(NmtCommand::kResetNode, 5U), NmtAnswer::kTaken);
+    Run(2000U);
+    EXPECT_EQ(Code(), 4);
+    EXPECT_FALSE(manager->Status(NodeId{5U}).is_other);
+    EXPECT_TRUE(Write());
+}
+
+} // namespace
+} // namespace counterpoint::cia302
