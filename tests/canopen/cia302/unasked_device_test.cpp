@@ -75,5 +75,53 @@ TEST_F(UnaskedDeviceTest, OfAPlcSlaveThatWasAbsentIsNotWritten)
     EXPECT_TRUE(Write());
 }
 
+TEST_F(UnaskedDeviceTest, ThatReplacedADeactivatedEl6751SlaveIsNotWritten)
+{
+    Verifies(req::SRS_SFS_009);
+    // Given one that is deactivated, and in its place another device
+    el6751.restart = El6751Restart::kByHand;
+    setups[5].heartbeat.consumer_ms = 300U;
+    Begin(Profile::kEl6751);
+    Run(1000U);
+    EXPECT_EQ(Running(5U), 1);
+    devices[0]->Unplug();
+    Run(1000U);
+    EXPECT_EQ(Code(), 1);
+    EXPECT_FALSE(manager->Status(NodeId{5U}).is_other); // So far it is the one that is gone.
+    devices[0]->Put32(0x1018U, 4U, 0x4321U);
+    Change();
+    devices[0]->Power(Now());
+    Run(500U);
+    EXPECT_TRUE(manager->Status(NodeId{5U}).is_other);
+    EXPECT_FALSE(Write());
+    Run(1000U);
+    EXPECT_EQ(devices[0]->writes, (std::vector<std::uint32_t>{}));
+    // A hand starts it by asking it all, and it is refused
+    EXPECT_EQ(Order(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
+    Run(1000U);
+    EXPECT_EQ(Code(), 5);
+    EXPECT_EQ(Running(5U), 0);
+    EXPECT_FALSE(Write());
+}
+
+TEST_F(UnaskedDeviceTest, OfAnEl6751SlaveThatWasHeldBeforeItsIdentityIsNotWritten)
+{
+    Verifies(req::SRS_SFS_009);
+    // Given another device that is held while its start-up waits for its first answer
+    devices[0]->Put32(0x1018U, 4U, 0x4321U);
+    devices[0]->is_sdo_mute = true;
+    Begin(Profile::kEl6751);
+    Run(1000U);
+    EXPECT_EQ(Order(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+    devices[0]->is_sdo_mute = false;
+    Run(100U);
+    EXPECT_TRUE(manager->Status(NodeId{5U}).is_other);
+    EXPECT_FALSE(Write());
+    EXPECT_EQ(Order(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
+    Run(1000U);
+    EXPECT_EQ(Code(), 5);
+    EXPECT_EQ(Running(5U), 0);
+}
+
 } // namespace
 } // namespace counterpoint::cia302
