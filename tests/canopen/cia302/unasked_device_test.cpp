@@ -13,6 +13,11 @@ CanFrame Nmt(const NmtCommand command, const std::uint8_t node)
     return CanFrame{0U, FrameKind::kData, CanPortId::kFirst, 2U, {byte, node, 0U, 0U, 0U, 0U, 0U, 0U}};
 }
 
+CanFrame BootUp()
+{
+    return CanFrame{0x705U, FrameKind::kData, CanPortId::kFirst, 1U, {}};
+}
+
 /// Given a safety slave 5 with a heartbeat.
 class UnaskedDeviceTest : public ManagerRig
 {
@@ -24,9 +29,32 @@ class UnaskedDeviceTest : public ManagerRig
         setups[5].plc = &plc;
         setups[5].el6751 = &el6751;
     }
+    void OnNmtSent(const NmtRequest& request, const Instant now) noexcept override
+    {
+        ManagerRig::OnNmtSent(request, now);
+        stops += (request.command == NmtCommand::kStop) ? 1 : 0;
+    }
     void Change()
     {
         devices[0]->Put(0x1301U, 2U, {26U, 0U});
+    }
+    /// Boot-up messages of somebody with the node-ID of the slave, and from the second one a start of somebody else.
+    void Disturb(const std::uint32_t every_ms, const std::uint32_t count)
+    {
+        for (std::uint32_t i = 0U; i < count; ++i)
+        {
+            Put(BootUp());
+            if (i == 0U)
+            {
+                Run(every_ms / 2U);
+                Put(Nmt(NmtCommand::kStart, 5U));
+                Run(every_ms / 2U);
+            }
+            else
+            {
+                Run(every_ms);
+            }
+        }
     }
     [[nodiscard]] GateState Gate() const
     {
@@ -41,6 +69,7 @@ class UnaskedDeviceTest : public ManagerRig
         return manager->WriteSafety(NodeId{5U}, Now());
     }
 
+    int stops{0};
     PlcSlave plc{};
     El6751Slave el6751{};
 };
@@ -122,6 +151,65 @@ TEST_F(UnaskedDeviceTest, OfAnEl6751SlaveThatWasHeldBeforeItsIdentityIsNotWritte
     EXPECT_EQ(Code(), 5);
     EXPECT_EQ(Running(5U), 0);
 }
+
+class UnaskedPlcTest : public UnaskedDeviceTest, public ::testing::WithParamInterface<std::uint32_t>
+{
+};
+
+TEST_P(UnaskedPlcTest, RunsWhileBootUpMessagesKeepItFromBeingReadIsStopped)
+{
+    Verifies(req::SRS_SFS_006);
+    // Given one that is held and was changed
+    Begin(Profile::kPlcDesigner);
+    Run(2000U);
+    EXPECT_EQ(Order(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+    Change();
+    Run(10U);
+    Disturb(GetParam(), 2000U / GetParam());
+    EXPECT_EQ(devices[0]->State(), cia301::NodeState::kStopped);
+    // When they end, it is woken and configured, and read before the start that it waits for
+    Run(3000U);
+    EXPECT_EQ(Code(), 4);
+    EXPECT_EQ(devices[0]->State(), cia301::NodeState::kPreOperational);
+    EXPECT_EQ(Order(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
+    Run(1000U);
+    EXPECT_EQ(Running(5U), 0);
+    EXPECT_EQ(Gate(), GateState::kDiffers);
+}
+
+TEST_P(UnaskedPlcTest, WithoutHeartbeatAndOptionalIsStoppedLikewise)
+{
+    Verifies(req::SRS_SFS_006);
+    // Given one that tells no state and is as it is expected
+    plc.is_optional = true;
+    devices[0]->heartbeat_ms = 0U;
+    Begin(Profile::kPlcDesigner);
+    Run(2000U);
+    EXPECT_EQ(Running(5U), 1);
+    Disturb(GetParam(), 2000U / GetParam());
+    EXPECT_EQ(devices[0]->State(), cia301::NodeState::kStopped);
+    Run(3000U);
+    EXPECT_EQ(Code(), 5);
+    EXPECT_EQ(Running(5U), 1);
+    EXPECT_EQ(Gate(), GateState::kOpen);
+}
+
+TEST_F(UnaskedDeviceTest, ThatStartsItselfAndBootsOnceIsReadAsItRuns)
+{
+    Verifies(req::SRS_SFS_006);
+    devices[0]->is_self_starting = true;
+    Begin(Profile::kPlcDesigner);
+    Run(2000U);
+    EXPECT_EQ(Code(), 5);
+    EXPECT_EQ(stops, 0);
+    devices[0]->Power(Now());
+    Run(2000U);
+    EXPECT_EQ(Code(), 5);
+    EXPECT_EQ(stops, 0);
+    EXPECT_EQ(Gate(), GateState::kOpen);
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, UnaskedPlcTest, ::testing::Values(16U, 100U, 450U));
 
 } // namespace
 } // namespace counterpoint::cia302
