@@ -265,20 +265,29 @@ void El6751StartUp::DriveVerify(const NodeId node, const Instant now) noexcept
     }
 }
 
+/// The silence of a slave that was told to stop, and that is read once more because it seemed to run, says nothing:
+/// what was found before stays.
 void El6751StartUp::RefuseSafety(const NodeId node, const El6751Phase after, const Instant now) noexcept
 {
     El6751Node& slave = Of(node);
     const bool differs = parts_.common.gate.State(node) == GateState::kDiffers;
     const GateFinding finding = parts_.common.gate.Finding(node);
-    slave.status.object = finding.object;
-    slave.status.abort = finding.abort;
-    slave.status.expected = finding.expected;
-    slave.status.read = finding.read;
+    const bool is_silence = !differs && (finding.abort == SdoAbort::kTimeOut) &&
+                            (parts_.common.table.Record(node).asked == SlaveState::kStopped);
+    const bool has_finding = (slave.status.step == StartUpStep::kSafety) &&
+                             ((slave.status.code == kNodeMismatch) || (slave.status.code == kNodeSyntax));
+    if (!is_silence || !has_finding)
+    {
+        slave.status.object = finding.object;
+        slave.status.abort = finding.abort;
+        slave.status.expected = finding.expected;
+        slave.status.read = finding.read;
+        slave.cause = differs ? kNodeMismatch : kNodeSyntax;
+        slave.held_code = slave.cause;
+        Tell(node, slave.cause, StartUpStep::kSafety, now);
+    }
     slave.status.is_started = false;
     slave.is_checking = false;
-    slave.cause = differs ? kNodeMismatch : kNodeSyntax;
-    slave.held_code = slave.cause;
-    Tell(node, slave.cause, StartUpStep::kSafety, now);
     Stop(node, after, now);
 }
 
