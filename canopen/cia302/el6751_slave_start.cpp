@@ -265,20 +265,30 @@ void El6751StartUp::DriveVerify(const NodeId node, const Instant now) noexcept
     }
 }
 
+/// A slave that was stopped, and is read once more because somebody's start came so near that it may run, is silent:
+/// what was found before stays, unless it said itself that it runs.
 void El6751StartUp::RefuseSafety(const NodeId node, const El6751Phase after, const Instant now) noexcept
 {
     El6751Node& slave = Of(node);
     const bool differs = parts_.common.gate.State(node) == GateState::kDiffers;
     const GateFinding finding = parts_.common.gate.Finding(node);
-    slave.status.object = finding.object;
-    slave.status.abort = finding.abort;
-    slave.status.expected = finding.expected;
-    slave.status.read = finding.read;
+    const NodeRecord& record = parts_.common.table.Record(node);
+    const bool says_so = (record.state == SlaveState::kOperational) && !record.is_presumed;
+    const bool is_silence = !differs && (finding.abort == SdoAbort::kTimeOut) && !says_so;
+    const bool has_finding = (slave.status.step == StartUpStep::kSafety) &&
+                             ((slave.status.code == kNodeMismatch) || (slave.status.code == kNodeSyntax));
+    if (!is_silence || !has_finding)
+    {
+        slave.status.object = finding.object;
+        slave.status.abort = finding.abort;
+        slave.status.expected = finding.expected;
+        slave.status.read = finding.read;
+        slave.cause = differs ? kNodeMismatch : kNodeSyntax;
+        slave.held_code = slave.cause;
+        Tell(node, slave.cause, StartUpStep::kSafety, now);
+    }
     slave.status.is_started = false;
     slave.is_checking = false;
-    slave.cause = differs ? kNodeMismatch : kNodeSyntax;
-    slave.held_code = slave.cause;
-    Tell(node, slave.cause, StartUpStep::kSafety, now);
     Stop(node, after, now);
 }
 

@@ -294,6 +294,9 @@ NodeStatus El6751StartUp::Status(const NodeId node) const noexcept
     status.is_busy = (slave.phase == El6751Phase::kResetting) || (slave.phase == El6751Phase::kRows) ||
                      (slave.phase == El6751Phase::kVerify) || (slave.phase == El6751Phase::kStarting) ||
                      (slave.phase == El6751Phase::kStopping);
+    // Who booted while it was deactivated, or was held before it said who it is, is asked by its next start-up.
+    const bool is_unasked = slave.has_restarted || (slave.place.row <= El6751Row::kSerialNumber);
+    status.is_other = status.is_other || (IsSafety(node) && !status.is_busy && is_unasked); // [SRS-SFS-009]
     return status;
 }
 

@@ -9,6 +9,7 @@ namespace
 
 constexpr ObjectAddress kDeviceType{0x1000U, 0U};
 constexpr std::uint8_t kStoppedByte = 4U; ///< As 1F82h reads it.
+constexpr std::uint8_t kOperationalByte = 5U;
 constexpr std::uint8_t kPreOperationalByte = 127U;
 
 } // namespace
@@ -23,6 +24,8 @@ void PlcStartUp::EndSdos(const NodeId node, const Instant now) noexcept
     slave.is_verified = false;
     slave.is_by_hand = false;
     slave.is_woken = false;
+    slave.is_unread = false;
+    slave.ran_unread = false;
     slave.signs = parts_.common.table.Record(node).signs;
     slave.status.is_other = slave.is_type_wrong;
     if (slave.is_type_wrong)
@@ -41,14 +44,21 @@ void PlcStartUp::EndSdos(const NodeId node, const Instant now) noexcept
 void PlcStartUp::StopUnread(const NodeId node, const Instant now) noexcept
 {
     PlcNode& slave = Of(node);
-    const bool is_ours = slave.is_unread && (parts_.common.table.Record(node).asked == SlaveState::kStopped);
     const bool is_running = parts_.common.setup.IsSafetySlave(node) && parts_.common.table.RunsSurely(node);
-    if (is_ours || is_running) // A full queue: at the next silence.
+    if (slave.is_unread || is_running) // A full queue: at the next silence.
     {
         const NmtCommand command = is_running ? NmtCommand::kStop : NmtCommand::kPreOperational;
         const NmtAnswer answer = parts_.common.nmt.Request(command, node, now);
         slave.is_unread = (answer == NmtAnswer::kTaken) ? is_running : slave.is_unread;
     }
+}
+
+/// A safety slave that says OPERATIONAL, or whose start was heard, and has no permission of the gate. [SRS-SFS-006]
+bool PlcStartUp::RunsUnread(const NodeId node) const noexcept
+{
+    const bool is_one = parts_.common.setup.IsSafetySlave(node) && (Of(node).status.code >= kPlcSettles);
+    const bool is_running = parts_.common.table.RequestValue(node) == kOperationalByte;
+    return is_one && is_running && (parts_.common.gate.State(node) != GateState::kOpen);
 }
 
 /// [SRS-PLC-013, SRS-PLC-015]
@@ -310,6 +320,7 @@ void PlcStartUp::Obey(const NmtCommand command, const NodeId node, const Instant
     {
         parts_.common.gate.Close(node);
         slave.is_held = true;
+        slave.is_unread = false; // Not woken: this command counts.
         slave.is_wanted = false;
         slave.is_checking = false;
         slave.status.is_started = false;

@@ -68,6 +68,7 @@ NodeStatus PlcStartUp::Status(const NodeId node) const noexcept
 {
     NodeStatus status = Of(node).status;
     status.is_busy = Of(node).is_listed && ((status.code <= kPlcSdos) || Of(node).is_wanted);
+    status.is_other = status.is_other || (status.code == kPlcAbsent); // Nobody knows who came later. [SRS-SFS-009]
     return status;
 }
 
@@ -173,7 +174,6 @@ void PlcStartUp::Settle(const NodeId node, const Instant now) noexcept
     slave.is_type_wrong = false;
     slave.is_wanted = false;
     slave.is_checking = false;
-    slave.is_unread = false;
     slave.status.is_started = false;
     slave.status.abort = SdoAbort::kNone;
     Tell(node, kPlcSettles, StartUpStep::kSettling, now);
@@ -188,6 +188,7 @@ void PlcStartUp::Drive(const NodeId node, const Instant now) noexcept
     {
         slave.is_stop_due = (parts_.common.nmt.Request(NmtCommand::kStop, node, now) != NmtAnswer::kTaken);
     }
+    slave.ran_unread = slave.ran_unread || RunsUnread(node);
     switch (slave.status.code)
     {
     case kPlcReset:
@@ -229,6 +230,11 @@ void PlcStartUp::OnNodeEvent(const NodeId node, const NodeEvent event, const Ins
     const bool is_watched = (state == kPlcConfigured) || (state == kPlcStarted);
     if (is_listed && (event == NodeEvent::kBootUp) && (state != kPlcReset) && (state != kPlcAbsent))
     {
+        // One that ran while it waited to be read, and now has to wait again, could so run unread for ever.
+        const bool is_cut = Of(node).ran_unread && ((state == kPlcSettles) || (state == kPlcSdos));
+        Of(node).is_stop_due = Of(node).is_stop_due || is_cut;
+        Of(node).is_unread = Of(node).is_unread || is_cut;
+        Of(node).ran_unread = Of(node).ran_unread && !is_cut;
         Settle(node, now);
     }
     else if (is_listed && is_lost && is_watched)
@@ -360,7 +366,7 @@ void PlcStartUp::OnSilence(const NodeId node, const Instant now) noexcept
     PlcNode& slave = Of(node);
     slave.is_transferring = false;
     slave.status.abort = SdoAbort::kTimeOut;
-    if ((slave.row == PlcRow::kDeviceType) && SetupOf(node).is_optional)
+    if ((slave.row == PlcRow::kDeviceType) && SetupOf(node).is_optional && !slave.is_unread)
     {
         slave.signs = parts_.common.table.Record(node).signs;
         Tell(node, kPlcAbsent, StartUpStep::kDeviceType, now);

@@ -53,7 +53,8 @@ struct PlcNode
     bool is_checking; ///< Found OPERATIONAL: the gate reads.
     bool was_checked; ///< Found OPERATIONAL and read.
     bool is_unread;   ///< Stopped because it ran and did not answer.
-    bool is_stop_due; ///< The gate refused.
+    bool ran_unread;  ///< Was OPERATIONAL since its SDOs were answered last, and not read.
+    bool is_stop_due; ///< The gate refused, or it cannot be read.
     bool has_sdos;    ///< All were answered since Begin.
     std::uint8_t signs;
     std::uint8_t buffer[4];
@@ -105,6 +106,7 @@ class PlcStartUp final : public StartUp
     void OnSilence(NodeId node, Instant now) noexcept;
     void EndSdos(NodeId node, Instant now) noexcept;
     void StopUnread(NodeId node, Instant now) noexcept;
+    [[nodiscard]] bool RunsUnread(NodeId node) const noexcept;
 
     void DriveStart(NodeId node, Instant now) noexcept;
     void StartOne(NodeId node, Instant now) noexcept;

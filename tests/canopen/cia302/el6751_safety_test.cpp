@@ -202,5 +202,34 @@ TEST_F(El6751SafetyTest, FoundOperationalAfterARefusalIsStoppedAgain)
     EXPECT_EQ(Commands(), (Log{"82 00", "02 05", "02 05"}));
 }
 
+TEST_F(El6751SafetyTest, TheSilenceOfAStoppedSlaveKeepsWhatWasFound)
+{
+    Verifies(req::SRS_ELM_049);
+    AddSafety(5U);
+    gate.verdict = GateState::kDiffers;
+    Begin();
+    ExpectRefused(0x13FEU);
+    // When somebody's start is heard behind the stop, though it was before it on the bus
+    const GateFinding silence{{0x13FFU, 1U}, SdoAbort::kTimeOut, 0U, 0U};
+    gate.verdict = GateState::kFailed;
+    gate.finding = silence;
+    Put(0U, {1U, 5U});
+    table.Presume(NodeId{5U}, Now());
+    ExpectRefused(0x13FEU);
+    EXPECT_EQ(Of(5U).abort, SdoAbort::kNone);
+    EXPECT_EQ(el.Cause(NodeId{5U}), 5);
+    EXPECT_EQ(gate.verifications, 2);
+    EXPECT_EQ(Commands(), (Log{"82 00", "02 05", "02 05"}));
+    // When it says itself that it runs, it should have answered
+    slaves[5]->Turn(5U);
+    slaves[5]->Beat();
+    slaves[5]->Beat();
+    Run(100U);
+    EXPECT_EQ(Code(5U), 4);
+    EXPECT_EQ(Of(5U).object.index, 0x13FFU);
+    EXPECT_EQ(Of(5U).abort, SdoAbort::kTimeOut);
+    EXPECT_EQ(Commands(), (Log{"82 00", "02 05", "02 05", "02 05"}));
+}
+
 } // namespace
 } // namespace counterpoint::cia302
