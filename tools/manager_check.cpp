@@ -7,6 +7,7 @@
 #include "tools/manager_check_places.hpp"
 #include "tools/manager_host.hpp"
 #include "tools/manager_process.hpp"
+#include "tools/manager_words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -87,11 +88,13 @@ class Differences final : public cia302::FlyingFindingListener
     {
         first_ = masters_[finding.first];
         second_ = masters_[finding.second];
+        const bool is_profile = finding.kind == FlyingFindingKind::kProfile &&
+                                finding.sub == static_cast<std::uint8_t>(cia302::El6751Part::kProfiles);
         if (finding.first == finding.second)
         {
             TellOfOne(finding);
         }
-        else
+        else if (!is_profile) // Which data there are follows from the profile, which is compared by its name.
         {
             TellOfTwo(finding);
         }
@@ -103,8 +106,10 @@ class Differences final : public cia302::FlyingFindingListener
         second_ = &second;
         const network::ManagerPlan& one = first.Plan().manager;
         const network::ManagerPlan& other = second.Plan().manager;
-        Compare({0U, "profile"}, "profile", static_cast<std::uint64_t>(one.profile),
-                static_cast<std::uint64_t>(other.profile));
+        if (one.profile != other.profile)
+        {
+            Tell({0U, "profile"}, "profile", Word(one.profile), Word(other.profile));
+        }
         const cia302::El6751Times times = one.el6751.value_or(cia302::El6751Times{});
         const cia302::El6751Times others = other.el6751.value_or(cia302::El6751Times{});
         Compare({0U, "el6751"}, "el6751 window", static_cast<std::uint64_t>(times.window),

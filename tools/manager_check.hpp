@@ -14,7 +14,7 @@ namespace counterpoint::tools
 /// differ: cia302::CompareFlyingMasters, and beside it what network files alone say. [SRS-MGR-009]
 [[nodiscard]] std::vector<std::string> DifferencesOf(const std::vector<const network::LoadedNetwork*>& masters);
 /// @brief What a person should know of these masters beside it: the warnings of each file, another master that is
-/// mandatory, and one that nobody watches.
+/// mandatory, and one that nobody watches. [SRS-MGR-009]
 [[nodiscard]] std::vector<std::string> WarningsOf(const std::vector<const network::LoadedNetwork*>& masters);
 } // namespace counterpoint::tools
 

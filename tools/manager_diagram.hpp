@@ -32,6 +32,7 @@ class ManagerDiagram
   public:
     /// @brief A frame that the manager sent or received.
     void OnFrame(const CanFrame& frame, bool is_sent, std::uint64_t at_us);
+    /// @brief Something that the manager told: commands, results and losses are marks.
     void OnEvent(const ManagerEvent& event);
     [[nodiscard]] const std::vector<DiagramRow>& Rows() const noexcept
     {

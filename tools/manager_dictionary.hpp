@@ -26,7 +26,9 @@ class ManagerDictionary
     ManagerDictionary(const ManagerDictionary&) = delete;
     ManagerDictionary& operator=(const ManagerDictionary&) = delete;
 
+    /// @brief A frame from the bus; answers in PRE-OPERATIONAL and OPERATIONAL only.
     void OnFrame(const CanFrame& frame, Instant now);
+    /// @brief Once a cycle: writes that wait for the command queue, and times of transfers.
     void OnCycle(Instant now);
     /// @brief The value of an object whatever the state is, or why there is none.
     [[nodiscard]] std::string Get(const ObjectAddress& object, Instant now);

@@ -50,6 +50,7 @@ class ManagerLoop
     {
         return station_;
     }
+    /// @brief Time of the host since the manager was made.
     [[nodiscard]] std::uint64_t NowUs() const;
 
   private:

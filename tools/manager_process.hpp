@@ -34,6 +34,7 @@ class ManagerProcess
 
     /// @brief Bytes of an RxPDO from now on: "taken", or what is wrong and what was expected.
     [[nodiscard]] std::string Set(std::uint8_t node, std::uint16_t number, const std::vector<std::uint8_t>& bytes);
+    /// @brief A frame from the bus: what a TxPDO brings, unless it is too short.
     void OnFrame(const CanFrame& frame, std::uint64_t now_us);
     /// @brief Inputs that changed and are to be told now, each at most once in 100 ms.
     [[nodiscard]] std::vector<const ProcessValue*> TakeNews(std::uint64_t now_us);

@@ -26,8 +26,11 @@ class ManagerStation final : private cia301::FrameSink
     /// @brief `net` outlives it; `send` answers whether the bus took the frame.
     ManagerStation(network::LoadedNetwork& net, SendFrame send, TellEvent tell);
 
+    /// @brief The manager is switched on.
     void Begin(std::uint64_t now_us);
+    /// @brief A frame from the bus, in bus order; never one of this manager.
     void OnFrame(const CanFrame& frame, std::uint64_t now_us);
+    /// @brief Each ms; tells what happened since the last call.
     void OnCycle(std::uint64_t now_us);
     /// @brief What it came to; empty for orders that the owner carries out itself.
     [[nodiscard]] std::string Carry(const ManagerOrder& order, std::uint64_t now_us);

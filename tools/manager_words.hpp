@@ -11,6 +11,7 @@
 /// What a person and a program read of the network manager's numbers.
 namespace counterpoint::tools
 {
+/// @brief The word of the log, the table and scenarios; a value that has none gets a word as well, never an empty text.
 [[nodiscard]] std::string Word(cia302::SlaveState state);
 [[nodiscard]] std::string Word(cia302::NodeEvent event);
 [[nodiscard]] std::string Word(cia302::StartUpStep step);
@@ -30,6 +31,7 @@ namespace counterpoint::tools
 [[nodiscard]] std::string FindingText(const cia302::GateFinding& finding);
 /// @brief The same of a status that tells an error in its profile.
 [[nodiscard]] std::string FindingText(network::StartProfile profile, const cia302::NodeStatus& status);
+/// @brief "0x06020000", and what it means where the bus alone does not tell.
 [[nodiscard]] std::string AbortText(cia301::SdoAbort abort);
 /// @brief The command of a word, kInvalid for none.
 [[nodiscard]] cia302::NmtCommand CommandOf(const std::string& word);

@@ -49,6 +49,10 @@ class Check
         {
             Refuse(action.place, "an end before the beginning", "a time after 'at' behind 'until'");
         }
+        if (is_bus && action.until_ns > scenario_.duration_ns)
+        {
+            Refuse(action.place, "an end after that of the scenario", "a time within its duration behind 'until'");
+        }
         if (!is_storm && !is_of_manager)
         {
             RequireDevice(action.node, action.place);

@@ -78,6 +78,8 @@ class NetworkSimulation
     void RequireKnown(const NetworkExpectation& expectation);
     void RequireOfProfile(const NetworkExpectation& expectation, const SimulatedManager& manager) const;
     void RequireOfSafety(const NetworkExpectation& expectation, const SimulatedManager& manager) const;
+    void RequireOfGuarding(const NetworkExpectation& expectation, const SimulatedManager& manager) const;
+    [[nodiscard]] bool MayChange(const SimulatedManager& manager) const;
     void RequireManagers();
     [[nodiscard]] NetworkVerdict VerdictOf(const NetworkExpectation& expectation);
     [[nodiscard]] std::string Found(const NetworkExpectation& expectation, const SimulatedManager& manager);

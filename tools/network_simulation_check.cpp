@@ -2,6 +2,7 @@
 // What a network scenario asks of its managers, against their network files: it would do nothing, or hold whatever
 // happens.
 #include "canopen/cia306/number.hpp"
+#include "tools/manager_order.hpp"
 #include "tools/manager_words.hpp"
 #include "tools/network_simulation.hpp"
 
@@ -61,6 +62,7 @@ void NetworkSimulation::RequireKnown(const NetworkExpectation& expectation)
     }
     RequireOfProfile(expectation, manager);
     RequireOfSafety(expectation, manager);
+    RequireOfGuarding(expectation, manager);
 }
 
 void NetworkSimulation::RequireOfProfile(const NetworkExpectation& expectation, const SimulatedManager& manager) const
@@ -96,6 +98,12 @@ void NetworkSimulation::RequireOfProfile(const NetworkExpectation& expectation, 
         wrong = "events of the election at manager " + std::to_string(manager.node) + ", which is no flying master";
         expected = "a manager with 'flying'";
     }
+    else if (expectation.kind == Expected::kActive && !manager.net->Plan().manager.flying)
+    {
+        wrong = "the active master at manager " + std::to_string(manager.node) +
+                ", which is no flying master and commands the network while it is there";
+        expected = "a manager with 'flying'";
+    }
     else
     {
         return;
@@ -117,6 +125,46 @@ void NetworkSimulation::RequireOfSafety(const NetworkExpectation& expectation, c
             (expectation.node == 0U) ? "of a network" : "of node " + std::to_string(expectation.node);
         throw simulator::ScenarioError(scenario_.file, expectation.place,
                                        "the gate " + node + ", which has no safety configuration", "a safety slave");
+    }
+}
+
+/// Whether somebody writes into the manager while it runs: other guard and consumer times than those of its file.
+bool NetworkSimulation::MayChange(const SimulatedManager& manager) const
+{
+    constexpr std::uint32_t kSdoRequests = 0x600U;
+    const auto is_change = [&manager](const NetworkAction& action)
+    {
+        const bool is_order =
+            action.kind == Action::kOrder && ParseManagerOrder(action.order).kind == ManagerOrderKind::kSet;
+        return is_order || (action.kind == Action::kSend && action.identifier == kSdoRequests + manager.node);
+    };
+    return std::any_of(actions_.begin(), actions_.end(), is_change);
+}
+
+/// Events of guarding are those of a slave that is guarded: who has a consumer time is watched by heartbeat.
+void NetworkSimulation::RequireOfGuarding(const NetworkExpectation& expectation, const SimulatedManager& manager) const
+{
+    const bool is_event = expectation.kind == Expected::kEvent || expectation.kind == Expected::kNoEvent;
+    const bool is_of_guarding = is_event && (expectation.is == "guard_lost" || expectation.is == "guard_missed" ||
+                                             expectation.is == "toggle_error");
+    bool is_guarded = false;
+    for (const auto& slave : manager.net->Slaves())
+    {
+        const cia302::SlaveSetup& setup = manager.net->Setup().Slave(cia302::NodeId{slave->plan.node});
+        const bool is_listed =
+            setup.heartbeat.consumer_ms == 0U && setup.GuardTimeMs() > 0U && setup.RetryFactor() > 0U;
+        const bool by_rows = setup.el6751 != nullptr && setup.el6751->IsWatched(); // Guarded without 1017h.
+        const bool is_meant = expectation.node == 0U || slave->plan.node == expectation.node;
+        is_guarded = is_guarded || (is_meant && (is_listed || by_rows));
+    }
+    if (is_of_guarding && !is_guarded && !MayChange(manager))
+    {
+        const std::string name = "manager " + std::to_string(manager.node);
+        const std::string whom = (expectation.node == 0U) ? "any node, and " + name + " guards none"
+                                                          : "node " + std::to_string(expectation.node) + ", which " +
+                                                                name + " does not guard";
+        throw simulator::ScenarioError(scenario_.file, expectation.place, expectation.is + " of " + whom,
+                                       "a slave with guard_time and without consumer time, or heartbeat_lost");
     }
 }
 

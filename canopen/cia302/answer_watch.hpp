@@ -39,7 +39,7 @@ class AnswerWatch
 
     /// @brief A frame to the node that was on the bus: SDO request, or remote frame of guarding. O(1)
     static void OnQuestion(AskedNode& node, const CanFrame& frame) noexcept;
-    /// @brief A reset of the node was on the bus.
+    /// @brief A reset of the node was on the bus, whoever sent it. O(1)
     static void OnReset(AskedNode& node) noexcept;
     /// @brief A frame of the node: SDO answer, or error control message. Whether it is the one too many. O(1)
     [[nodiscard]] static bool OnAnswer(AskedNode& node, const CanFrame& frame) noexcept;

@@ -197,7 +197,7 @@ void BootSlave::Fail(const Job& job, const char letter) noexcept
     const bool was_booted = job.record.is_booted && is_extra && (job.record.status.step != StartUpStep::kSafety);
     job.record.status.letter = letter;
     job.record.identity = IsOfIdentity(letter) ? letter : job.record.identity;
-    job.record.status.is_other = (job.record.identity != '\0') || job.record.is_doubted;
+    job.record.status.is_other = job.record.status.is_other || IsOfIdentity(letter);
     job.record.is_booted = was_booted;
     End(job.node);
     if (!was_booted)

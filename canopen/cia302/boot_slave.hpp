@@ -62,7 +62,6 @@ struct BootRecord
     bool is_start_wanted; ///< By application or master, whatever 1F80h says.
     char identity;        ///< Letter with which the boot found another device; 0: the expected one.
     bool is_unread;       ///< Stopped because it ran and did not answer.
-    bool is_doubted;      ///< It may be another device: no boot has asked it since.
     bool is_start_owed;   ///< The NMT master gave up its start.
     bool is_extra;        ///< Configuration or verification alone: its end says nothing of the boot.
 };
@@ -71,7 +70,9 @@ struct BootRecord
 class BootListener
 {
   public:
+    /// @brief The boot ended without letter, or with L.
     virtual void OnBooted(NodeId node, const BootTime& time) noexcept = 0;
+    /// @brief It ended with another letter; the record tells.
     virtual void OnBootFailed(NodeId node, const BootTime& time) noexcept = 0;
     [[nodiscard]] virtual bool IsMasterOperational() const noexcept = 0;
 
@@ -113,6 +114,7 @@ class BootSlave
     /// @brief Goes on as far as it can. Once a cycle, and after each frame of the node.
     void OnCycle(NodeId node, const BootTime& time) noexcept;
 
+    /// @brief `node` is 1 to 127, checked by the caller.
     [[nodiscard]] BootRecord& Record(NodeId node) noexcept;
     [[nodiscard]] const BootRecord& Record(NodeId node) const noexcept;
 

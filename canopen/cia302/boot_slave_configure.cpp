@@ -241,13 +241,15 @@ void BootSlave::VerifySafety(const Job& job) noexcept
 }
 
 /// A slave that runs with a configuration that is not the expected one is stopped, and so are two devices of one
-/// node-ID: what is known of their state may be said of the other one. So is one that never told its state.
+/// node-ID: what is known of their state may be said of the other one. So is one that never told its state, and one
+/// that was found running: what it said since may be of before.
 void BootSlave::RefuseSafety(const Job& job) noexcept
 {
     const GateFinding finding = parts_.gate.Finding(job.node);
     const bool is_doubted = (finding.object.index == 0U);
     const NodeRecord& heard = parts_.table.Record(job.node);
-    const bool is_running = is_doubted || (heard.state == SlaveState::kOperational) || (heard.beats == 0U);
+    const bool is_running =
+        is_doubted || job.record.was_operational || (heard.state == SlaveState::kOperational) || (heard.beats == 0U);
     const bool is_done =
         !is_running || (parts_.nmt.Request(NmtCommand::kStop, job.node, job.time.now) == NmtAnswer::kTaken);
     if (is_done)

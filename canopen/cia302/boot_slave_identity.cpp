@@ -41,7 +41,6 @@ void BootSlave::Doubt(const NodeId node, const BootTime& time) noexcept
     parts_.nmt.DropStarts(node);
     End(node);
     parts_.gate.Close(node);
-    record.is_doubted = true;
     record.is_booted = false;
     record.status.is_started = false;
     record.status.is_other = true;

@@ -32,7 +32,7 @@ struct ConciseReading
 };
 
 /// @brief One entry of a concise DCF (1F22h): U32 count; each U16 index, U8 sub-index, U32 size, data. Null: no
-/// entries.
+/// entries. `at` is zero-filled, or `next` of the entry before. O(1)
 [[nodiscard]] ConciseReading ReadConcise(const cia301::Bytes& dcf, const ConcisePosition& at) noexcept;
 /// @brief Whether all entries can be read and nothing stands behind them. O(entries)
 [[nodiscard]] bool IsConcise(const cia301::Bytes& dcf) noexcept;

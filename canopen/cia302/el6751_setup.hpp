@@ -75,6 +75,7 @@ struct El6751Slave
     std::uint8_t rx_count{0U};
     std::uint8_t tx_count{0U};
 
+    /// @brief Whether its rows ask for heartbeat or guarding.
     [[nodiscard]] constexpr bool IsWatched() const noexcept
     {
         return (guard_time_ms != 0U) && (life_time_factor != 0U);
@@ -126,7 +127,7 @@ constexpr SdoTimes kEl6751SdoTimes{2000000U, 1U};
 [[nodiscard]] const El6751Pdo& El6751PdoOf(const El6751Slave& slave, std::uint8_t position) noexcept;
 /// @brief Whether SYNC is sent: a period, and a synchronous PDO of any listed slave. O(PDOs) [SRS-ELM-032]
 [[nodiscard]] bool NeedsSync(const NetworkSetup& setup) noexcept;
-/// @brief PDOs of all listed slaves: the records that El6751Room has to have. O(127)
+/// @brief PDOs of all listed slaves: the records that El6751PdoRoom has to have. O(127)
 [[nodiscard]] std::uint16_t El6751PdoCount(const NetworkSetup& setup) noexcept;
 
 } // namespace counterpoint::cia302

@@ -140,13 +140,16 @@ void El6751StartUp::EndTransfer(const NodeId node, const Instant now) noexcept
     }
 }
 
-/// A safety slave that runs and cannot be read is stopped, and asked on in PRE-OPERATIONAL. [SRS-SFS-006]
+/// A safety slave that runs and cannot be read is stopped, and asked on in PRE-OPERATIONAL; so is one that says that it
+/// is STOPPED: a command may have come in behind its boot-up message. [SRS-SFS-006, SRS-ELM-003]
 void El6751StartUp::StopUnread(const NodeId node, const Instant now) noexcept
 {
     El6751Node& slave = Of(node);
-    const bool is_ours = slave.is_unread && (parts_.common.table.Record(node).asked == SlaveState::kStopped);
+    const NodeRecord& heard = parts_.common.table.Record(node);
+    const bool is_ours = slave.is_unread && (heard.asked == SlaveState::kStopped);
+    const bool is_deaf = (heard.state == SlaveState::kStopped);
     const bool is_running = IsSafety(node) && parts_.common.table.RunsSurely(node);
-    if (is_ours || is_running) // A full queue: at the next silence.
+    if (is_ours || is_deaf || is_running) // A full queue: at the next silence.
     {
         const NmtCommand command = is_running ? NmtCommand::kStop : NmtCommand::kPreOperational;
         const NmtAnswer answer = parts_.common.nmt.Request(command, node, now);

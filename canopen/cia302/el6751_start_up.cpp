@@ -237,6 +237,7 @@ void El6751StartUp::OnRestartOfSlave(const NodeId node, const Instant now) noexc
     if (has_run && (SetupOf(node).restart == El6751Restart::kByHand))
     {
         OnFault(node, kNodePreOperational, now);
+        slave.has_restarted = true; // It may be another device: the hand's start asks it first.
     }
     else if (!is_left)
     {

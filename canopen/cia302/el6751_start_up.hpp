@@ -110,7 +110,9 @@ class El6751StartUp final : public StartUp
     void OnStartDropped(NodeId node, Instant now) noexcept override;
     /// @brief Stop and PRE-OPERATIONAL hold the slave by hand; a start while a start-up runs follows it.
     [[nodiscard]] NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept override;
+    /// @brief Reset communication of the slave, then its start-up, also of one that is held by hand.
     [[nodiscard]] bool Boot(NodeId node, Instant now) noexcept override;
+    /// @brief Its SDOs without the reset; one that is held by hand waits on.
     [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept override;
     [[nodiscard]] NodeStatus Status(NodeId node) const noexcept override;
     [[nodiscard]] std::int16_t MasterState() const noexcept override;

@@ -80,6 +80,7 @@ struct FlyingFinding
 class FlyingFindingListener
 {
   public:
+    /// @brief Called within CompareFlyingMasters only.
     virtual void OnFinding(const FlyingFinding& finding) noexcept = 0;
 
   protected:

@@ -110,10 +110,28 @@ void Manager::OnFrame(const CanFrame& frame, const Instant now) noexcept
             FollowRole(now);
         }
         OnCommandFrame(frame, now);
+        CountHeartbeats(frame);
         watch_.OnFrame(frame, now);
         table_.OnFrame(frame, now);
         sdo_.OnFrame(frame, now);
         profile_->OnFrame(frame, now);
+    }
+}
+
+/// A slave that was not started up since it booted sends heartbeats by a time of its own. [SRS-MGR-010]
+void Manager::CountHeartbeats(const CanFrame& frame) noexcept
+{
+    constexpr std::uint32_t kErrorControl = 0x700U;
+    const NodeId node{static_cast<std::uint8_t>(frame.identifier & kLastNode)};
+    const bool is_sign = ((frame.identifier & ~std::uint32_t{kLastNode}) == kErrorControl) && (node.value != 0U);
+    if (is_sign && parts_.setup.IsListed(node))
+    {
+        const NodeStatus status = Status(node);
+        const bool is_set_up = status.is_started || (table_.Record(node).watch != Watch::kNone);
+        if (!is_set_up || status.is_other)
+        {
+            watch_.CountAnew(node);
+        }
     }
 }
 

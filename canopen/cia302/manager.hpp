@@ -17,14 +17,21 @@ namespace counterpoint::cia302
 class ManagerListener
 {
   public:
+    /// @brief Boot-up message, supervision or state of any node.
     virtual void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept = 0;
     /// @brief Letter, code or step of a slave changed.
     virtual void OnNodeStatus(NodeId node, Instant now) noexcept = 0;
+    /// @brief MasterState changed.
     virtual void OnMasterState(std::int16_t state, Instant now) noexcept = 0;
+    /// @brief A command left, or one for this device itself, for which no frame leaves.
     virtual void OnNmtSent(const NmtRequest& request, Instant now) noexcept = 0;
+    /// @brief The gate of a safety slave changed, seen once a cycle.
     virtual void OnGate(NodeId node, GateState state, Instant now) noexcept = 0;
+    /// @brief See NodeWatchListener.
     virtual void OnEmergency(NodeId node, const EmergencyRecord& emergency, Instant now) noexcept = 0;
+    /// @brief Two devices seem to have this node-ID. Once until its reset.
     virtual void OnDuplicate(NodeId node, Instant now) noexcept = 0;
+    /// @brief See FlyingMasterListener.
     virtual void OnFlyingMaster(FlyingEvent event, const MasterClaim& claim, Instant now) noexcept = 0;
     /// @brief The negotiation is to begin, at Begin and after each reset communication: local objects (1F90h) may be
     /// written now. Who calls StartNegotiation: see Manager::Use. [SRS-FLY-027]
@@ -87,11 +94,14 @@ class Manager final : public NmtListener,
                       public FlyingMasterListener
 {
   public:
+    /// @brief Nothing happens before Begin.
     explicit Manager(const ManagerParts& parts) noexcept;
 
     /// @brief What the profile is constructed with.
     [[nodiscard]] StartUpParts ProfileParts() noexcept;
+    /// @brief The profile, kept by reference. Before Begin, which does nothing without one.
     void Use(StartUp& profile) noexcept;
+    /// @brief The flying master, kept by reference, and who lets it begin. Before Begin. [SRS-MGR-002, SRS-FLY-027]
     void Use(FlyingMaster& flying, NegotiationBy by = NegotiationBy::kManager) noexcept;
 
     /// @brief The device is there: boot-up message, then the start-up, or the negotiation first.
@@ -106,12 +116,14 @@ class Manager final : public NmtListener,
     {
         watch_.OnSent(frame);
     }
+    /// @brief Drives every part, once a ms or so: times are exact to the distance of two calls. O(127) [SRS-MGR-003]
     void OnCycle(Instant now) noexcept;
     /// @brief The controller went bus-off or is gone, or is back. Another one may be master meanwhile: the role of a
     /// flying master ends, and it negotiates when the bus is there; without one, safety slaves are then read as OnLost
     /// says. [SRS-FLY-019]
     void OnBus(bool is_there, Instant now) noexcept;
-    /// @brief Frames of the bus were lost, or it was away: safety slaves that run are read again. O(127) [SRS-SFS-002]
+    /// @brief Frames of the bus were lost, or it was away: safety slaves that run are read again, and a started slave
+    /// that says PRE-OPERATIONAL next has booted. O(127) [SRS-SFS-002, SRS-NMM-020]
     void OnLost(Instant now) noexcept;
     /// @brief The application lets the negotiation begin. kInvalid: there is no flying master. [SRS-FLY-027]
     [[nodiscard]] FlyingStart StartNegotiation(Instant now) noexcept;
@@ -121,6 +133,7 @@ class Manager final : public NmtListener,
     {
         producer_.SetPeriod(period_ms);
     }
+    /// @brief 1017h of this device as it is now; 0: no heartbeat.
     [[nodiscard]] std::uint16_t HeartbeatMs() const noexcept
     {
         return producer_.PeriodMs();
@@ -128,19 +141,24 @@ class Manager final : public NmtListener,
 
     /// @brief A command of the application, by the profile: see StartUp::Command.
     [[nodiscard]] NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept;
+    /// @brief Start-up of one slave anew: see StartUp::Boot. False also while it does not command the network.
     [[nodiscard]] bool Boot(NodeId node, Instant now) noexcept;
-    /// @brief Start-up of one slave without a reset: see StartUp::Resume.
+    /// @brief Start-up of one slave without a reset: see StartUp::Resume. False as Boot.
     [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept;
     /// @brief Writes the safety configuration of a slave by the full procedure and verifies it; one that was stopped is
     /// made PRE-OPERATIONAL before. False: not now, it is OPERATIONAL, another device or commands wait. [SRS-SFS-005]
     [[nodiscard]] bool WriteSafety(NodeId node, Instant now) noexcept;
 
+    /// @brief Whether it commands the network now. [SRS-MGR-002]
     [[nodiscard]] bool IsActive() const noexcept
     {
         return is_leading_;
     }
+    /// @brief NMT state of this device itself.
     [[nodiscard]] cia301::NodeState OwnState() const noexcept;
+    /// @brief Of the profile; all zero before Use.
     [[nodiscard]] NodeStatus Status(NodeId node) const noexcept;
+    /// @brief Of the profile, see StartUp::MasterState; 0 before Use.
     [[nodiscard]] std::int16_t MasterState() const noexcept;
     [[nodiscard]] const NodeTable& Table() const noexcept
     {
@@ -158,6 +176,7 @@ class Manager final : public NmtListener,
     {
         return nmt_;
     }
+    /// @brief Null: there is none.
     [[nodiscard]] const FlyingMaster* Flying() const noexcept
     {
         return flying_;
@@ -177,6 +196,7 @@ class Manager final : public NmtListener,
     [[nodiscard]] bool IsInitialising() const noexcept;
     void Obey(NmtCommand command) noexcept;
     void OnCommandFrame(const CanFrame& frame, Instant now) noexcept;
+    void CountHeartbeats(const CanFrame& frame) noexcept;
     void OnReset(NodeId node) noexcept;
     void OnLeave(NodeId node) noexcept;
     void OnForeignStart(NodeId node, Instant now) noexcept;

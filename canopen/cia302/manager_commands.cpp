@@ -124,17 +124,25 @@ void Manager::OnForeignStart(const NodeId node, const Instant now) noexcept
     }
 }
 
-/// Whatever was on the bus meanwhile: who runs is read again. A reading that runs ends with 13FEh. [SRS-SFS-002]
+/// Whatever was on the bus meanwhile: who runs is read again, what is being read from the beginning, and who does not
+/// run any more has booted. [SRS-SFS-002, SRS-NMM-020]
 void Manager::OnLost(const Instant now) noexcept
 {
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
     {
         const NodeId slave{id};
+        gate_.Renew(slave);
+        if (is_leading_)
+        {
+            table_.Miss(slave);
+        }
         if (is_leading_ && parts_.setup.IsSafetySlave(slave) && (gate_.State(slave) == GateState::kOpen))
         {
-            const bool is_started = profile_->Status(slave).is_started;
+            const NodeRecord& record = table_.Record(slave);
+            const bool has_left = (record.asked == SlaveState::kOperational); // The start. Else it is given up.
+            const bool is_started = profile_->Status(slave).is_started && has_left;
             CloseGate(slave);
-            if (is_started || (table_.Record(slave).state == SlaveState::kOperational))
+            if (is_started || (record.state == SlaveState::kOperational))
             {
                 table_.Presume(slave, now);
             }

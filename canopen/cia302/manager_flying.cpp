@@ -19,6 +19,10 @@ void Manager::OnBus(const bool is_there, const Instant now) noexcept
     if (is_back)
     {
         OnLost(now);
+        if (is_leading_)
+        {
+            profile_->OnBusBack(now);
+        }
     }
     if (has_gone && is_running_ && (flying_ != nullptr))
     {

@@ -15,7 +15,7 @@ using cia301::NodeId;
 
 struct El6751Slave;       ///< el6751_setup.hpp
 struct PlcSlave;          ///< plc_setup.hpp
-struct SafetyExpectation; ///< safety_gate.hpp
+struct SafetyExpectation; ///< safety_check.hpp
 
 constexpr std::uint8_t kLastNode = 127U;
 constexpr std::uint8_t kNodeRoom = 128U; ///< Arrays by node-ID; element 0 is not used.
@@ -86,6 +86,7 @@ struct SlaveSetup
     const El6751Slave* el6751;       ///< Needed by the EL6751 profile only.
     const PlcSlave* plc;             ///< Needed by the PLC Designer profile only.
 
+    /// @brief Whether all these bits of 1F81h are set.
     [[nodiscard]] constexpr bool Has(const std::uint32_t bits) const noexcept
     {
         return (assignment & bits) == bits;
@@ -94,10 +95,12 @@ struct SlaveSetup
     {
         return Has(kInNetwork);
     }
+    /// @brief Unanswered remote frames in a row that are a loss; 0: no guarding.
     [[nodiscard]] constexpr std::uint8_t RetryFactor() const noexcept
     {
         return static_cast<std::uint8_t>((assignment >> 8U) & 0xFFU);
     }
+    /// @brief Between two remote frames; 0: no guarding.
     [[nodiscard]] constexpr std::uint16_t GuardTimeMs() const noexcept
     {
         return static_cast<std::uint16_t>(assignment >> 16U);
@@ -115,6 +118,7 @@ struct NetworkSetup
     std::uint32_t sync_period_us; ///< 1006h of the master; 0: no SYNC.
     const SlaveSetup* slaves;
 
+    /// @brief Whether all these bits of 1F80h are set.
     [[nodiscard]] constexpr bool Has(const std::uint32_t bits) const noexcept
     {
         return (start_up & bits) == bits;
@@ -129,6 +133,7 @@ struct NetworkSetup
     {
         return (node.value >= 1U) && (node.value <= kLastNode) && (node.value != own.value) && Slave(node).IsListed();
     }
+    /// @brief Listed, with a safety configuration that it has to have. Any node-ID.
     [[nodiscard]] constexpr bool IsSafetySlave(const NodeId node) const noexcept
     {
         return IsListed(node) && (Slave(node).safety != nullptr);

@@ -23,6 +23,7 @@ enum class NmtCommand : std::uint8_t
     kResetCommunication = 130U,
 };
 
+/// @brief Whether this is one of the five; a byte from the bus may be anything.
 [[nodiscard]] constexpr bool IsNmtCommand(const NmtCommand command) noexcept
 {
     return (command == NmtCommand::kStart) || (command == NmtCommand::kStop) ||
@@ -42,6 +43,7 @@ struct NmtRequest
 class NmtListener
 {
   public:
+    /// @brief The sink took the frame, or the command is for the own node.
     virtual void OnNmtSent(const NmtRequest& request, Instant now) noexcept = 0;
     /// @brief A start was taken and did not leave: its slave has no permission any more.
     virtual void OnStartDropped(NodeId node, Instant now) noexcept;

@@ -203,6 +203,15 @@ void NodeTable::Presume(const NodeId node, const Instant now) noexcept
     }
 }
 
+void NodeTable::Miss(const NodeId node) noexcept
+{
+    NodeRecord* const record = Find(node);
+    if (record != nullptr)
+    {
+        record->has_gap = true;
+    }
+}
+
 void NodeTable::Hear(const NodeId node, const std::uint8_t byte, const Instant now) noexcept
 {
     NodeRecord& record = parts_.records[node.value];
@@ -211,7 +220,10 @@ void NodeTable::Hear(const NodeId node, const std::uint8_t byte, const Instant n
     if (is_boot_up || IsState(state))
     {
         const bool is_new = !record.was_seen && !parts_.setup.IsListed(node);
+        const bool was_reset = record.has_gap && (record.asked == SlaveState::kOperational) &&
+                               (state == static_cast<std::uint8_t>(SlaveState::kPreOperational));
         record.was_seen = true;
+        record.has_gap = false;
         record.is_presumed = false;
         record.is_expected = false;
         record.last_sign = now;
@@ -222,7 +234,11 @@ void NodeTable::Hear(const NodeId node, const std::uint8_t byte, const Instant n
         }
         if (is_boot_up)
         {
-            HearBootUp(node, record, now);
+            HearBootUp(node, record, Toggle::kClear, now);
+        }
+        else if (was_reset)
+        {
+            HearBootUp(node, record, Toggle::kAny, now);
         }
         else
         {
@@ -231,13 +247,14 @@ void NodeTable::Hear(const NodeId node, const std::uint8_t byte, const Instant n
     }
 }
 
-void NodeTable::HearBootUp(const NodeId node, NodeRecord& record, const Instant now) noexcept
+/// `next` is the toggle bit of the first answer.
+void NodeTable::HearBootUp(const NodeId node, NodeRecord& record, const Toggle next, const Instant now) noexcept
 {
     record.state = SlaveState::kPreOperational;
     record.has_booted = true;
     record.asked = SlaveState::kUnknown;
     record.runs = 0U;
-    record.toggle = Toggle::kClear;
+    record.toggle = next;
     record.is_toggle_wrong = false;
     record.is_asked = false;
     record.missed = 0U;

@@ -39,6 +39,7 @@ enum class NodeEvent : std::uint8_t
 class NodeListener
 {
   public:
+    /// @brief In the order in which it happens, from OnFrame, OnCycle and Presume.
     virtual void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept = 0;
 
   protected:
@@ -74,6 +75,7 @@ struct NodeRecord
     bool was_seen;      ///< Ever.
     bool has_booted;    ///< Its boot-up message came since the last reset of it.
     bool is_presumed;   ///< Nothing was heard since Presume: `state` is what was commanded.
+    bool has_gap;       ///< Frames were lost since its last sign: Miss.
     std::uint8_t signs; ///< Counts heartbeats, guarding answers and boot-up messages, modulo 256.
     std::uint8_t beats; ///< Counts heartbeats and guarding answers, modulo 256.
     std::uint8_t runs;  ///< OPERATIONAL signs in a row since the last NMT command but a start, up to kRunsSurely.
@@ -115,6 +117,7 @@ class NodeTable final : public NmtListener
     void WatchHeartbeat(NodeId node, std::uint16_t time_ms, Arming arming, Instant now) noexcept;
     /// @brief Supervision by remote frames: one each `time_ms`, the first at once. Time or factor 0: none.
     void WatchGuarding(NodeId node, std::uint16_t time_ms, std::uint8_t retry_factor, Instant now) noexcept;
+    /// @brief No supervision from now on; what was heard stays.
     void Unwatch(NodeId node) noexcept;
     /// @brief Supervision as its setup tells: heartbeat if there is a consumer time, else guarding, else none.
     void WatchAsSetUp(NodeId node, Instant now) noexcept;
@@ -127,6 +130,10 @@ class NodeTable final : public NmtListener
     /// @brief Somebody started it: it counts as OPERATIONAL until it says otherwise, and kChanged is told. One that is
     /// missing stays missing.
     void Presume(NodeId node, Instant now) noexcept;
+
+    /// @brief Frames were lost, perhaps those of this node: if its last command was a start, and its next sign says
+    /// PRE-OPERATIONAL, kBootUp is told. [SRS-NMM-020]
+    void Miss(NodeId node) noexcept;
 
     /// @brief A frame from the bus. O(1)
     void OnFrame(const CanFrame& frame, Instant now) noexcept;
@@ -151,7 +158,7 @@ class NodeTable final : public NmtListener
 
   private:
     void Hear(NodeId node, std::uint8_t byte, Instant now) noexcept;
-    void HearBootUp(NodeId node, NodeRecord& record, Instant now) noexcept;
+    void HearBootUp(NodeId node, NodeRecord& record, Toggle next, Instant now) noexcept;
     void HearState(NodeId node, NodeRecord& record, std::uint8_t byte, Instant now) noexcept;
     [[nodiscard]] bool TakeToggle(NodeId node, NodeRecord& record, bool is_set, Instant now) noexcept;
     void Guard(NodeId node, NodeRecord& record, Instant now) noexcept;

@@ -174,6 +174,11 @@ void NodeWatch::Suspect(const NodeId node, const Instant now) noexcept
     }
 }
 
+void NodeWatch::CountAnew(const NodeId node) noexcept
+{
+    nodes_[node.value].signs = 0U;
+}
+
 void NodeWatch::Forget(const NodeId node) noexcept
 {
     WatchedNode& watched = nodes_[node.value];

@@ -40,12 +40,14 @@ void PlcStartUp::EndSdos(const NodeId node, const Instant now) noexcept
     }
 }
 
-/// A safety slave that runs and cannot be read is stopped, and asked on in PRE-OPERATIONAL. [SRS-SFS-006]
+/// A safety slave that runs and cannot be read is stopped, and asked on in PRE-OPERATIONAL; so is one that says that it
+/// is STOPPED, unless it is held by a command. [SRS-SFS-006, SRS-PLC-005]
 void PlcStartUp::StopUnread(const NodeId node, const Instant now) noexcept
 {
     PlcNode& slave = Of(node);
+    const bool is_deaf = (parts_.common.table.Record(node).state == SlaveState::kStopped) && !slave.is_held;
     const bool is_running = parts_.common.setup.IsSafetySlave(node) && parts_.common.table.RunsSurely(node);
-    if (slave.is_unread || is_running) // A full queue: at the next silence.
+    if (slave.is_unread || is_deaf || is_running) // A full queue: at the next silence.
     {
         const NmtCommand command = is_running ? NmtCommand::kStop : NmtCommand::kPreOperational;
         const NmtAnswer answer = parts_.common.nmt.Request(command, node, now);

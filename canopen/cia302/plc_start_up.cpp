@@ -303,6 +303,10 @@ void PlcStartUp::Ask(const NodeId node, const Instant now) noexcept
     {
         slave.status.object = kDeviceType;
         slave.is_transferring = sdo.Upload(node, kDeviceType, Room{slave.buffer, kBufferBytes}, SdoMode::kNormal, now);
+        if (slave.is_transferring)
+        {
+            sdo.TryOnce(node); // Half a second is this profile's own, and an optional slave is asked once.
+        }
     }
     else if (slave.row == PlcRow::kRestore)
     {

@@ -64,10 +64,17 @@ class SafetyCheck
     {
         return state_;
     }
+    /// @brief Verification or writing: the last one that was begun.
+    [[nodiscard]] SafetyTask Task() const noexcept
+    {
+        return task_;
+    }
+    /// @brief Has meaning with kDiffers and kFailed only.
     [[nodiscard]] const GateFinding& Finding() const noexcept
     {
         return finding_;
     }
+    /// @brief Whether an SDO of this check is under way: whoever gives the check up has to cancel it.
     [[nodiscard]] bool HasTransfer() const noexcept
     {
         return has_begun_ && (state_ == CheckState::kBusy);

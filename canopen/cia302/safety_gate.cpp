@@ -74,6 +74,15 @@ void SafetyGate::Trust(const NodeId node) noexcept
     }
 }
 
+void SafetyGate::Renew(const NodeId node) noexcept
+{
+    const SafetySlot* const slot = Find(node);
+    if ((slot != nullptr) && (slot->check.State() == CheckState::kBusy))
+    {
+        static_cast<void>(Begin(node, slot->check.Task()));
+    }
+}
+
 void SafetyGate::OnCycle(const Instant now) noexcept
 {
     for (std::uint8_t i = 0U; i < room_.count; ++i)

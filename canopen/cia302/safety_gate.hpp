@@ -34,13 +34,18 @@ class SafetyGate final : public StartGate
   public:
     SafetyGate(const NetworkSetup& setup, const SafetySlots& room, SdoPool& sdo) noexcept;
 
+    /// @brief Reads and compares from the beginning; kBusy until that ends. In doubt, or without a slot,
+    /// nothing happens. [SRS-SFS-001]
     void Verify(NodeId node, Instant now) noexcept override;
     /// @brief Writes the whole safety configuration, then as Verify. The slave has to be PRE-OPERATIONAL: it refuses
     /// otherwise. False: no safety slave, in doubt, or no slot. [SRS-SFS-005]
     [[nodiscard]] bool Write(NodeId node, Instant now) noexcept;
     /// @brief Two devices may be behind this node-ID: closed, and not to be opened until Trust. [SRS-SFS-002]
     void Doubt(NodeId node) noexcept;
+    /// @brief The node was reset: it may be verified again.
     void Trust(NodeId node) noexcept;
+    /// @brief What runs begins again: it may have been another device that answered until now. [SRS-SFS-002]
+    void Renew(NodeId node) noexcept;
     void OnCycle(Instant now) noexcept override;
     void Close(NodeId node) noexcept override;
     [[nodiscard]] GateState State(NodeId node) const noexcept override;

@@ -78,6 +78,15 @@ bool SdoPool::Download(const NodeId node, const ObjectAddress& object, const Byt
     return lane != nullptr;
 }
 
+void SdoPool::TryOnce(const NodeId node) noexcept
+{
+    SdoLane* const lane = Find(node);
+    if (lane != nullptr)
+    {
+        lane->tries_left = 0U;
+    }
+}
+
 /// One try. The client is free: nothing that runs is taken from it.
 void SdoPool::Begin(SdoLane& lane, const Instant now) noexcept
 {

@@ -63,6 +63,7 @@ template <std::uint8_t Count> class SdoLanes
         : SdoLanes(sink, times, std::make_integer_sequence<std::uint8_t, Count>{})
     {
     }
+    /// @brief The lanes for SdoPool; valid as long as this stands.
     [[nodiscard]] SdoLaneRoom All() noexcept
     {
         return SdoLaneRoom{lanes_, Count};
@@ -105,6 +106,8 @@ class SdoPool
     /// @brief Writes an object from `value`, kept until the end. False: this node is busy, or all lanes are.
     [[nodiscard]] bool Download(NodeId node, const ObjectAddress& object, const Bytes& value, SdoMode mode,
                                 Instant now) noexcept;
+    /// @brief The running transfer of this node is not tried again: its first silence is its end.
+    void TryOnce(NodeId node) noexcept;
     /// @brief Of the node's last transfer; kIdle if its lane has gone to another node.
     [[nodiscard]] TransferState State(NodeId node) const noexcept;
     /// @brief With kDone and kFailed. abort is kTimeOut with !by_server if nobody answered.
@@ -118,9 +121,9 @@ class SdoPool
     /// @brief The boot-up message of a node: its running transfer is kFailed with kNoConnection.
     void OnBootUp(NodeId node) noexcept;
 
-    /// @brief A frame from the bus.
+    /// @brief A frame from the bus. O(lanes)
     void OnFrame(const CanFrame& frame, Instant now) noexcept;
-    /// @brief Sends, watches times, tries again. Once a cycle.
+    /// @brief Sends, watches times, tries again. Once a cycle. O(lanes)
     void OnCycle(Instant now) noexcept;
 
   private:

@@ -43,8 +43,10 @@ class StartGate
     virtual void Close(NodeId node) noexcept = 0;
     /// @brief kOpen for a node that is no safety slave.
     [[nodiscard]] virtual GateState State(NodeId node) const noexcept = 0;
+    /// @brief Has meaning with kDiffers and kFailed only.
     [[nodiscard]] virtual GateFinding Finding(NodeId node) const noexcept = 0;
 
+    /// @brief Whether a start of the node may leave now.
     [[nodiscard]] bool MayStart(const NodeId node) const noexcept
     {
         return State(node) == GateState::kOpen;

@@ -101,19 +101,24 @@ class StartUp
     virtual void Begin(Instant now) noexcept = 0;
     /// @brief Everything stops where it is, nothing is sent any more: this device is not the active master.
     virtual void End() noexcept = 0;
+    /// @brief A frame from the bus, behind table and SDO pool.
     virtual void OnFrame(const CanFrame& frame, Instant now) noexcept = 0;
+    /// @brief Does what is due for every slave. O(127)
     virtual void OnCycle(Instant now) noexcept = 0;
+    /// @brief What the node table told of a node, listed or not.
     virtual void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept = 0;
     /// @brief The NMT master gave up a start that it had taken: the slave is verified anew and then started.
     virtual void OnStartDropped(NodeId node, Instant now) noexcept;
+    /// @brief The bus is back: a start-up that it was away from is worth nothing. Nothing, unless a profile says more.
+    virtual void OnBusBack(Instant now) noexcept;
     /// @brief A command of the application, of 1F82h or typed: a start of a safety slave waits for its verification and
     /// is refused if the slave is another device (kOtherDevice), a start of all is one start for each slave where a
     /// safety slave is assigned.
     [[nodiscard]] virtual NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept = 0;
-    /// @brief Start-up of one slave anew. False: not in the network.
+    /// @brief Start-up of one slave anew. False: not in the network, or not begun.
     [[nodiscard]] virtual bool Boot(NodeId node, Instant now) noexcept = 0;
     /// @brief As Boot without any reset and without restoring: what was written to the slave since stays. One that is
-    /// held by a command stays held. False: not in the network.
+    /// held by a command stays held. False: as Boot.
     [[nodiscard]] virtual bool Resume(const NodeId node, const Instant now) noexcept
     {
         return Boot(node, now);
@@ -124,6 +129,7 @@ class StartUp
         return Boot(node, now);
     }
 
+    /// @brief `node` is 1 to 127, checked by the caller.
     [[nodiscard]] virtual NodeStatus Status(NodeId node) const noexcept = 0;
     /// @brief CiA 302-2: MasterStep of start_up_cia302.hpp. PLC Designer: 0, 1, 2, 3, 5. EL6751: see there.
     [[nodiscard]] virtual std::int16_t MasterState() const noexcept = 0;
@@ -134,6 +140,10 @@ class StartUp
     StartUp(const StartUp&) = default;
     StartUp& operator=(const StartUp&) = default;
 };
+
+inline void StartUp::OnBusBack(const Instant /*now*/) noexcept
+{
+}
 
 inline void StartUp::OnStartDropped(const NodeId /*node*/, const Instant /*now*/) noexcept
 {

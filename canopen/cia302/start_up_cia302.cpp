@@ -224,21 +224,18 @@ void Cia302StartUp::StartSlaves(const BootTime& time) noexcept
     }
 }
 
-void Cia302StartUp::OnBooted(const NodeId node, const BootTime& time) noexcept
+void Cia302StartUp::OnBooted(const NodeId /*node*/, const BootTime& /*time*/) noexcept
 {
-    static_cast<void>(node);
-    static_cast<void>(time);
     has_news_ = true;
 }
 
-void Cia302StartUp::OnBootFailed(const NodeId node, const BootTime& time) noexcept
+void Cia302StartUp::OnBootFailed(const NodeId node, const BootTime& /*time*/) noexcept
 {
     const bool is_unsafe = (boot_.Record(node).status.step == StartUpStep::kSafety);
     if (is_unsafe && parts_.setup.Slave(node).Has(kMandatory) && parts_.setup.Has(kStopAllOnError))
     {
         reaction_ = Reaction::kStopAll;
     }
-    static_cast<void>(time);
     has_news_ = true;
 }
 

@@ -34,6 +34,8 @@ class Cia302StartUp final : public StartUp, private BootListener
     void OnCycle(Instant now) noexcept override;
     void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept override;
     void OnStartDropped(NodeId node, Instant now) noexcept override;
+    /// @brief Boots that ran are begun anew, those that failed, and those whose start has not left. [SRS-BOOT-018]
+    void OnBusBack(Instant now) noexcept override;
     [[nodiscard]] NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept override;
     [[nodiscard]] bool Boot(NodeId node, Instant now) noexcept override;
     [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept override;

@@ -151,12 +151,37 @@ void Cia302StartUp::EndBoots(const BootTime& time) noexcept
 }
 
 /// It is verified anew and started in the next cycle, unless it boots anew. [SRS-BOOT-014]
-void Cia302StartUp::OnStartDropped(const NodeId node, const Instant now) noexcept
+void Cia302StartUp::OnStartDropped(const NodeId node, const Instant /*now*/) noexcept
 {
-    static_cast<void>(now);
     BootRecord& record = boot_.Record(node);
-    record.is_start_owed = record.status.is_started && parts_.setup.IsListed(node);
+    // Two starts of one slave may be given up in one cycle.
+    record.is_start_owed = (record.is_start_owed || record.status.is_started) && parts_.setup.IsListed(node);
     record.status.is_started = false;
+}
+
+/// Whom the master asked before may have been replaced since, and it was itself that did not hear the others.
+void Cia302StartUp::OnBusBack(const Instant now) noexcept
+{
+    const BootTime time = Tick(now);
+    const bool is_booting = (step_ != MasterStep::kIdle) && (step_ != MasterStep::kStopped);
+    for (std::uint8_t id = 1U; is_booting && (id <= kLastNode); ++id)
+    {
+        const NodeId node{id};
+        const BootRecord& record = boot_.Record(node);
+        const NodeStatus& status = record.status;
+        const SlaveState asked = parts_.table.Record(node).asked;
+        const bool is_to_start = !record.is_extra || record.is_start_wanted;
+        const bool is_cut = status.is_busy && is_to_start && (record.wait != BootWait::kBootUp);
+        const bool is_waiting = record.is_start_owed || (status.is_started && (asked != SlaveState::kOperational));
+        const bool has_failed = (status.letter != '\0') && !record.is_booted && (asked != SlaveState::kStopped);
+        const bool is_ended = !status.is_busy && (is_waiting || has_failed);
+        if (parts_.setup.IsListed(node) && (is_cut || is_ended))
+        {
+            const bool is_start_wanted = record.is_start_wanted;
+            boot_.Ask(node, time);
+            boot_.Record(node).is_start_wanted = is_start_wanted;
+        }
+    }
 }
 
 NmtAnswer Cia302StartUp::Command(const NmtCommand command, const NodeId node, const Instant now) noexcept

@@ -319,12 +319,6 @@ void LoadedNetwork::FillManager()
                          {"SYNC period (1006h) of " + std::to_string(setup_.sync_period_us) + " us",
                           "none, or at least " + std::to_string(kLeastSyncUs) + " us"});
     }
-    if (setup_.Has(cia302::kStartAllAtOnce) && setup_.HasSafetySlave())
-    {
-        warnings_.push_back(cia306::Printable(plan_.file) +
-                            ": one start for all is asked for (1F80h bit 1), and there is a safety slave: each slave "
-                            "is started by itself after its verification");
-    }
     WarnOfFlying();
 }
 } // namespace counterpoint::network

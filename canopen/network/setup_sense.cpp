@@ -89,6 +89,41 @@ std::uint32_t WatchesManagerMs(const LoadedSlave& slave, const cia302::SlaveSetu
     }
     return time_ms;
 }
+
+/// Each bit of 1F80h that the profile does not follow, and the one that a safety slave takes from it.
+/// [SRS-NET-005] [SRS-NET-006]
+std::vector<std::string> WarningsOfStartUp(const ManagerPlan& manager, const cia302::NetworkSetup& setup)
+{
+    constexpr std::uint32_t kBits = 32U;
+    const std::uint32_t followed = StartUpBits(manager.profile);
+    std::vector<std::string> warnings;
+    for (std::uint32_t bit = 0U; bit < kBits; ++bit)
+    {
+        if ((((setup.start_up & ~followed) >> bit) & 1U) != 0U)
+        {
+            warnings.push_back("bit " + std::to_string(bit) + " of start_up has no effect with the profile " +
+                               NameOf(manager.profile));
+        }
+    }
+    if ((setup.start_up & followed & cia302::kStartAllAtOnce) != 0U && setup.HasSafetySlave())
+    {
+        warnings.push_back("one start for all is asked for (1F80h bit 1), and there is a safety slave: each slave is "
+                           "started by itself after its verification");
+    }
+    return warnings;
+}
+
+/// Told to send no heartbeat, by the network file or its DCF, and awaited all the same. Who is not booted is told
+/// nothing. [SRS-NET-006]
+bool IsAwaitedInVain(const LoadedSlave& slave, const cia302::SlaveSetup& setup, const StartProfile profile)
+{
+    constexpr std::uint16_t kProducer = 0x1017U;
+    const auto is_producer = [](const ConciseEntry& entry) { return entry.index == kProducer; };
+    const bool is_told =
+        slave.plan.heartbeat_ms.has_value() || std::any_of(slave.entries.begin(), slave.entries.end(), is_producer);
+    const bool is_booted = profile != StartProfile::kCia302 || setup.Has(cia302::kBootSlave);
+    return is_told && is_booted && setup.heartbeat.producer_ms == 0U && setup.heartbeat.consumer_ms > 0U;
+}
 } // namespace
 
 /// A slave that waits hardly longer than the period loses the manager on a loaded bus. [SRS-NET-006]
@@ -104,6 +139,17 @@ void LoadedNetwork::WarnOfHeartbeat()
         const std::uint32_t first = has_rows ? FirstWatched(*slave) : 0U;
         const std::string name =
             cia306::Printable(plan_.file) + ":" + std::to_string(slave->plan.line) + ": node " + std::to_string(node);
+        if (IsAwaitedInVain(*slave, slaves_.at(node), plan_.manager.profile))
+        {
+            const cia302::HeartbeatSetup& heartbeat = slaves_.at(node).heartbeat;
+            const bool is_cia302 = plan_.manager.profile == StartProfile::kCia302;
+            const bool is_patient = heartbeat.arming == cia302::Arming::kFirstHeartbeat;
+            const std::string otherwise = is_patient ? "it is not supervised" : "it is taken for lost";
+            warnings_.push_back(name + " is told to send no heartbeat and awaited within " +
+                                std::to_string(heartbeat.consumer_ms) +
+                                " ms: " + (is_cia302 ? "its start-up ends with letter K" : otherwise) +
+                                ", expected a heartbeat, or consumer: 0 ms");
+        }
         const std::string place = name + " watches the manager for " + std::to_string(time_ms) + " ms";
         if (first != 0U && first != setup_.own.value)
         {
@@ -253,7 +299,10 @@ void LoadedNetwork::WarnOfUnused()
     warn(manager.line, {"sync", setup_.sync_period_us != 0U, is_el6751});
     warn(manager.line, {"el6751", manager.el6751.has_value(), is_el6751});
     warn(manager.line, {"boot_time", setup_.boot_time_ms != 0U, is_cia302});
-    warn(manager.line, {"a bit of start_up", (setup_.start_up & ~StartUpBits(profile)) != 0U, is_cia302});
+    for (const std::string& warning : WarningsOfStartUp(manager, setup_))
+    {
+        warnings_.push_back(cia306::Printable(plan_.file) + ":" + std::to_string(manager.line) + ": " + warning);
+    }
     for (const SlavePlan& slave : plan_.slaves)
     {
         warn(slave.line, {"el6751", slave.el6751.has_value(), is_el6751});

@@ -3,6 +3,7 @@
 
 #include "hal/host/live_bus.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -29,6 +30,17 @@ std::uint64_t WallNow()
     return NanosecondsOf(now);
 }
 
+ClockReading ReadClocks()
+{
+    ClockReadings readings{};
+    for (ClockReading& reading : readings)
+    {
+        reading = ClockReading{LiveNow(), WallNow(), 0U};
+        reading.after_ns = LiveNow();
+    }
+    return Quickest(readings);
+}
+
 } // namespace
 
 void RequestStamps(const int socket)
@@ -53,7 +65,9 @@ void ReadStamps(msghdr& message, LiveArrival& arrival)
         {
             timespec stamp{};
             std::memcpy(&stamp, CMSG_DATA(item), sizeof(stamp));
-            arrival.time_ns = MonotonicStamp(NanosecondsOf(stamp), WallNow(), arrival.time_ns);
+            const ClockReading now = ReadClocks();
+            const std::uint64_t middle_ns = now.before_ns + ((now.after_ns - now.before_ns) / 2U);
+            arrival.time_ns = MonotonicStamp(NanosecondsOf(stamp), now.wall_ns, middle_ns);
         }
         else if (item->cmsg_type == SO_TIMESTAMPING)
         {
@@ -88,6 +102,12 @@ LiveArrival ReadStamped(const int socket, void* const bytes, const std::size_t r
     arrival.time_ns = LiveNow();
     ReadStamps(message, arrival);
     return arrival;
+}
+
+ClockReading Quickest(const ClockReadings& readings)
+{
+    return *std::min_element(readings.begin(), readings.end(), [](const ClockReading& one, const ClockReading& other)
+                             { return (one.after_ns - one.before_ns) < (other.after_ns - other.before_ns); });
 }
 
 std::uint64_t MonotonicStamp(const std::uint64_t stamp_ns, const std::uint64_t wall_now_ns,

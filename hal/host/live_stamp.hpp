@@ -2,6 +2,7 @@
 #ifndef HAL_HOST_LIVE_STAMP_HPP
 #define HAL_HOST_LIVE_STAMP_HPP
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <sys/socket.h>
@@ -32,6 +33,19 @@ void ReadStamps(msghdr& message, LiveArrival& arrival);
 /// [SRS-LIVE-002]
 [[nodiscard]] std::uint64_t MonotonicStamp(std::uint64_t stamp_ns, std::uint64_t wall_now_ns,
                                            std::uint64_t monotonic_now_ns);
+
+/// The wall clock, read between two readings of the monotonic clock.
+struct ClockReading
+{
+    std::uint64_t before_ns;
+    std::uint64_t wall_ns;
+    std::uint64_t after_ns;
+};
+using ClockReadings = std::array<ClockReading, 3U>;
+
+/// @brief The one that took least time. Whoever reads two clocks may be interrupted between them, and stamps would be
+/// wrong by as much. [SRS-LIVE-002]
+[[nodiscard]] ClockReading Quickest(const ClockReadings& readings);
 
 } // namespace counterpoint::host
 

@@ -90,7 +90,9 @@ class ManagerLoopTest : public test::CommandTest
                    const std::string& name = "udp:239.74.163.91:43191")
     {
         network::LoadedNetwork net(ReadNetworkFile(
-            File("net.yaml", "manager: {node: 127}\nslaves: [{node: 5, heartbeat: 5 ms, consumer: 1 s}]\n"), 0U));
+            File("net.yaml",
+                 "manager: {node: 127}\nslaves: [{node: 5, heartbeat: 5 ms, consumer: 9 s, arming: immediately}]\n"),
+            0U));
         std::ostringstream out;
         NodeReport report(out, ReportForm::kText, host::LiveNow());
         ManagerLoopSettings settings;

@@ -4,7 +4,7 @@
     manager_slave.py --can ADDRESS --dcf FILE --program COUNTERPOINT [--patience N]
 
 The slave is a LocalNode of python-canopen with the objects of the DCF. Booted by a CPJ file, then refused because of another
-vendor-ID, then lost and found again. One line a check; exit status 0 only when all hold.
+vendor-ID, then lost and found again. --patience N gives a slow machine N times the time. One line a check; exit status 0 only when all hold.
 """
 import argparse
 import json

@@ -174,10 +174,10 @@ slaves:
         return told;
     };
     EXPECT_EQ(warnings("cia302"), (std::vector<std::string>{"1: sync", "1: el6751", "4: el6751", "4: plc_designer"}));
-    EXPECT_EQ(warnings("el6751"), (std::vector<std::string>{"1: boot_time", "1: a bit of start_up", "4: plc_designer",
+    EXPECT_EQ(warnings("el6751"), (std::vector<std::string>{"1: boot_time", "1: bit 6 of start_up", "4: plc_designer",
                                                             "4: keep_alive", "4: restore"}));
     EXPECT_EQ(warnings("plc_designer"),
-              (std::vector<std::string>{"1: sync", "1: el6751", "1: boot_time", "1: a bit of start_up", "4: el6751",
+              (std::vector<std::string>{"1: sync", "1: el6751", "1: boot_time", "1: bit 6 of start_up", "4: el6751",
                                         "4: keep_alive", "4: restore", "4: serial"}));
 }
 
@@ -288,13 +288,52 @@ TEST_F(NetworkFileTest, TheManagersOwnObjectsGoBeforeDerivedOnes)
 TEST_F(NetworkFileTest, OneStartForAllWithASafetySlaveIsWarnedOf)
 {
     Verifies(req::SRS_NET_005);
-    const std::string file = File("net.yaml", "manager: {node: 127, start_up: 3}\n"
-                                              "slaves: [{node: 33, dcf: actuator.dcf}]\n");
-    const LoadedNetwork net(ReadNetworkFile(file, 0U));
-    ASSERT_EQ(net.Warnings().size(), 1U);
-    EXPECT_EQ(net.Warnings()[0],
-              file + ": one start for all is asked for (1F80h bit 1), and there is a safety slave: each slave is "
-                     "started by itself after its verification");
+    Verifies(req::SRS_NET_006);
+    const auto warnings = [this](const std::string& profile)
+    {
+        const LoadedNetwork net(
+            ReadNetworkFile(File("net.yaml", "name: Chain\n"
+                                             "manager: {node: 127, start_up: 7, profile: " +
+                                                 profile + "}\nslaves: [{node: 33, dcf: actuator.dcf}]\n"),
+                            0U));
+        return net.Warnings();
+    };
+    const std::string place = Path("net.yaml") + ":2: ";
+    const std::string singly = place + "one start for all is asked for (1F80h bit 1), and there is a safety slave: "
+                                       "each slave is started by itself after its verification";
+    EXPECT_EQ(warnings("cia302"), std::vector<std::string>{singly});
+    EXPECT_EQ(
+        warnings("plc_designer"),
+        (std::vector<std::string>{place + "bit 2 of start_up has no effect with the profile plc_designer", singly}));
+    // A profile that never starts all at once says no more than that
+    EXPECT_EQ(warnings("el6751"),
+              (std::vector<std::string>{place + "bit 1 of start_up has no effect with the profile el6751",
+                                        place + "bit 2 of start_up has no effect with the profile el6751"}));
+}
+
+TEST_F(NetworkFileTest, AConsumerTimeOfASlaveThatIsToldToSendNoHeartbeatIsWarnedOf)
+{
+    Verifies(req::SRS_NET_006);
+    const auto warnings = [this](const std::string& profile, const std::string& slave)
+    {
+        const LoadedNetwork net(ReadNetworkFile(
+            File("net.yaml", "manager: {node: 127, profile: " + profile + "}\nslaves:\n  - {node: 5" + slave + "}\n"),
+            0U));
+        return net.Warnings();
+    };
+    const std::string told = Path("net.yaml") + ":3: node 5 is told to send no heartbeat and awaited within 300 ms: ";
+    const std::string expected = ", expected a heartbeat, or consumer: 0 ms";
+    const std::string silent = ", heartbeat: 0 ms, consumer: 300 ms";
+    EXPECT_EQ(warnings("cia302", silent),
+              std::vector<std::string>{told + "its start-up ends with letter K" + expected});
+    EXPECT_EQ(warnings("plc_designer", silent), std::vector<std::string>{told + "it is not supervised" + expected});
+    EXPECT_EQ(warnings("el6751", silent + ", arming: boot_up"),
+              std::vector<std::string>{told + "it is taken for lost" + expected});
+    // Who is not booted is told nothing, nor is one whose heartbeat is its own matter
+    EXPECT_TRUE(warnings("cia302", silent + ", boot: false").empty());
+    EXPECT_TRUE(warnings("cia302", ", consumer: 300 ms").empty());
+    EXPECT_TRUE(warnings("cia302", ", heartbeat: 0 ms, consumer: 0 ms").empty());
+    EXPECT_TRUE(warnings("cia302", ", heartbeat: 100 ms, consumer: 300 ms").empty());
 }
 } // namespace
 } // namespace counterpoint::tools

@@ -73,6 +73,9 @@ constexpr BadPart kIdle[] = {
      ":4:50: an event of manager 127 after it was killed, expected a time at which it is there"},
     {"events: [{at: 0 s, do: bus_off, until: 1 s}, {at: 500 ms, do: no_controller, until: 1 s}]",
      ":4:46: manager 127 is off the bus already, expected a time after the 'until' before it"},
+    {"events: [{at: 1 s, do: bus_off, until: 2001 ms}]",
+     ":4:10: an end after that of the scenario, expected a time within its duration behind 'until'"},
+    {"events: [{at: 1 s, do: no_controller, until: 3 s}]", ":4:10: an end after that of the scenario"},
     {"events: [{at: 0 s, do: order, order: status}]", ":4:38: order 'status', which does nothing here"},
     {"events: [{at: 0 s, do: order, order: '# start 33'}]", ":4:38: order '# start 33', which does nothing here"},
     // What the device does not have
@@ -100,6 +103,13 @@ constexpr BadPart kIdle[] = {
     {"expect: [{that: flying, is: 3 6}]", ":4:29: '6', expected none, or numbers from 1 to 5 such as 3 4"},
     {"expect: [{that: flying, is: 3 none}]", ":4:29: 'none', expected none, or numbers from 1 to 5"},
     {"expect: [{that: gate, node: 5, is: closed}]", ":4:10: the gate of node 5, which has no safety configuration"},
+    {"expect: [{that: active, is: true}]", ":4:10: the active master at manager 127, which is no flying master and "
+                                           "commands the network while it is there, expected a "
+                                           "manager with 'flying'"},
+    {"expect: [{that: event, is: guard_lost, node: 33}]",
+     ":4:10: guard_lost of node 33, which manager 127 does not guard, expected a slave with guard_time and without "
+     "consumer time, or heartbeat_lost"},
+    {"expect: [{that: no_event, is: toggle_error}]", ":4:10: toggle_error of any node, and manager 127 guards none"},
     {"expect: [{that: no_event, is: gate, node: 5}]", ":4:10: the gate of node 5, which has no safety configuration"},
 };
 
@@ -187,6 +197,28 @@ TEST_F(BadScenarioTest, AnObjectIsTheSameHoweverItIsWritten)
                                                          "  - {that: finding, node: 33, is: '0x1018:4'}\n  - {that: "
                                                          "finding, node: 33, is: none, at: 1 ms}\n")});
     EXPECT_EQ(answer.status, 0) << answer.out << answer.err;
+}
+
+TEST_F(BadScenarioTest, GuardingIsExpectedWhereItCanBe)
+{
+    Verifies(req::SRS_MGR_012);
+    const std::string base = "title: x\nduration: 100 ms\nmanagers: [{network: guard.yaml}]\n";
+    const auto answer = [this, &base](const std::string& slave, const std::string& part)
+    {
+        static_cast<void>(File("guard.yaml", "manager: {node: 127}\nslaves: [{node: 5" + slave + "}]\n"));
+        return RunCommand({"simulate", "--quiet", File("s.yaml", base + part)});
+    };
+    const std::string none = "expect: [{that: no_event, is: guard_lost, node: 5}]\n";
+    const std::string guarded = ", guard_time: 100 ms, retry_factor: 3";
+    EXPECT_EQ(answer(guarded, none).status, 0) << answer(guarded, none).err;
+    // Heartbeat goes first
+    EXPECT_EQ(answer(guarded + ", consumer: 300 ms", none).status, 2);
+    // Unless somebody changes that: an order, or an SDO of somebody else
+    EXPECT_EQ(answer("", "events: [{at: 50 ms, do: order, order: set 0x1F81:05 0x0064030D}]\n" + none).status, 0);
+    EXPECT_EQ(answer("", "events: [{at: 50 ms, do: send, identifier: 0x67F, data: 40 00 10 00}]\n" + none).status, 0);
+    EXPECT_EQ(answer("", "events: [{at: 50 ms, do: order, order: reset 5}]\n" + none).status, 2);
+    // A controller that is back at the very end
+    EXPECT_EQ(answer(guarded, "events: [{at: 50 ms, do: bus_off, until: 100 ms}]\n" + none).status, 0);
 }
 } // namespace
 } // namespace counterpoint::tools

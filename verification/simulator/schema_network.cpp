@@ -25,6 +25,8 @@ const KeySpec kSrdo{"srdo",  T::kNumber, kSrdos, nullptr,
                     nullptr, "1",        "1",    "number of an SRDO that the device consumes"};
 const KeySpec kEvery{"every", T::kLasting, kNone, nullptr, nullptr, "1 ms", "2 ms", "time between two frames"};
 const KeySpec kUntil{"until", T::kDuration, kNone, nullptr, nullptr, kNeeded, "5 s", "when it is over"};
+const KeySpec kBack{"until", T::kDuration, kNone, nullptr,
+                    nullptr, kNeeded,      "5 s", "when it is back, within the scenario"};
 const KeySpec kAt{"at",    T::kDuration, kNone, nullptr,
                   nullptr, nullptr,      "4 s", "when it is looked at; default: the end"};
 
@@ -145,8 +147,8 @@ const std::vector<SectionSpec> kNetworkSections{
     Event("network.kill_manager",
           {{"node", T::kNumber, kNodes, nullptr, nullptr, kNeeded, "127", "node-ID of a manager"}},
           "It loses its supply for good."),
-    Event("network.bus_off", {kOneManager, kUntil}, "The controller of a manager is bus-off."),
-    Event("network.no_controller", {kOneManager, kUntil}, "The controller of a manager does not start."),
+    Event("network.bus_off", {kOneManager, kBack}, "The controller of a manager is bus-off."),
+    Event("network.no_controller", {kOneManager, kBack}, "The controller of a manager does not start."),
     {"network.expect",
      "an expectation",
      {},
@@ -184,11 +186,13 @@ const std::vector<KeySpec> kEventKeys{
 std::vector<SectionSpec> NetworkSections()
 {
     std::vector<SectionSpec> all = kNetworkSections;
-    all.push_back(Expected("network.event", kEventKeys, "The manager told such an event in this window."));
-    all.push_back(Expected("network.no_event", kEventKeys, "The manager told no such event in this window."));
+    all.push_back(Expected("network.event", kEventKeys,
+                           "The manager told such an event in this window; of guarding only for who is guarded."));
+    all.push_back(Expected("network.no_event", kEventKeys,
+                           "The manager told no such event in this window; of guarding only for who is guarded."));
     all.push_back(Expected("network.active",
                            {Is(&WordsOf<kYesWords>, "true", "whether it is the active master"), kAt, kManager},
-                           "Who commands the network."));
+                           "Whether a flying master commands the network; another manager does while it is there."));
     all.push_back(Expected("network.flying", {IsText("3 4", "numbers of its events so far, or none"), kAt, kManager},
                            "What the election told a flying master: 1 slave, 2 forces the negotiation, 3 begins it, 4 "
                            "master, 5 configuration error."));

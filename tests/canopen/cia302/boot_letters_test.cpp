@@ -10,9 +10,6 @@ namespace
 
 using Lines = std::vector<std::string>;
 
-constexpr std::uint32_t kBoot = kInNetwork | kBootSlave;
-constexpr std::uint32_t kMust = kInNetwork | kBootSlave | kMandatory;
-
 class BootLettersTest : public BootRig
 {
 };

@@ -11,9 +11,6 @@ namespace
 
 using cia301::NodeState;
 
-constexpr std::uint32_t kBoot = kInNetwork | kBootSlave;
-constexpr std::uint32_t kMust = kInNetwork | kBootSlave | kMandatory;
-
 class BootOptionsTest : public BootRig
 {
   public:

@@ -16,6 +16,10 @@
 namespace counterpoint::cia302
 {
 
+/// 1F81h of an optional and of a mandatory slave.
+inline constexpr std::uint32_t kBoot = kInNetwork | kBootSlave;
+inline constexpr std::uint32_t kMust = kInNetwork | kBootSlave | kMandatory;
+
 /// Expects nothing of a safety slave: the test says how verification ends, and after how many cycles.
 class FakeGate final : public StartGate
 {

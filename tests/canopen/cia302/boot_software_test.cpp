@@ -7,8 +7,6 @@ namespace counterpoint::cia302
 namespace
 {
 
-constexpr std::uint32_t kBoot = kInNetwork | kBootSlave;
-
 class BootSoftwareTest : public BootRig
 {
 };

@@ -7,8 +7,6 @@ namespace counterpoint::cia302
 namespace
 {
 
-constexpr Profile kProfiles[] = {Profile::kCia302, Profile::kEl6751, Profile::kPlcDesigner};
-
 CanFrame Sdo(const std::uint32_t identifier, const std::uint8_t command, const std::uint16_t index,
              const std::uint8_t sub)
 {

@@ -46,15 +46,6 @@ class El6751ByHandTest : public El6751Rig
         sent.clear();
         slaves[5]->log.clear();
     }
-    [[nodiscard]] Log Commands() const
-    {
-        Log list{};
-        for (const std::string& line : Nmt())
-        {
-            list.push_back(line.substr(line.find(':') + 1U));
-        }
-        return list;
-    }
     void Check(const TableCase& one, const bool is_watched)
     {
         Prepare(one.from, is_watched);

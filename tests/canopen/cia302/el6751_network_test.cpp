@@ -26,15 +26,6 @@ class El6751NetworkTest : public El6751Rig
         told.clear();
         sent.clear();
     }
-    [[nodiscard]] Log Commands() const
-    {
-        Log list{};
-        for (const std::string& line : Nmt())
-        {
-            list.push_back(line.substr(line.find(':') + 1U));
-        }
-        return list;
-    }
 };
 
 TEST_F(El6751NetworkTest, TheNetworkReactionStopsAllOtherStartedSlaves)

@@ -27,16 +27,6 @@ class El6751ReactionTest : public El6751Rig
     virtual void Prepare()
     {
     }
-    /// NMT frames without their times.
-    [[nodiscard]] Log Commands() const
-    {
-        Log list{};
-        for (const std::string& line : Nmt())
-        {
-            list.push_back(line.substr(line.find(':') + 1U));
-        }
-        return list;
-    }
 };
 
 TEST_F(El6751ReactionTest, ByDefaultALostSlaveIsStoppedAndRestartedWithResetCommunication)

@@ -10,15 +10,6 @@ namespace
 class El6751SafetyTest : public El6751Rig
 {
   public:
-    [[nodiscard]] Log Commands() const
-    {
-        Log list{};
-        for (const std::string& line : Nmt())
-        {
-            list.push_back(line.substr(line.find(':') + 1U));
-        }
-        return list;
-    }
     /// Runs, verified once.
     void Ready()
     {
@@ -229,6 +220,26 @@ TEST_F(El6751SafetyTest, TheSilenceOfAStoppedSlaveKeepsWhatWasFound)
     EXPECT_EQ(Of(5U).object.index, 0x13FFU);
     EXPECT_EQ(Of(5U).abort, SdoAbort::kTimeOut);
     EXPECT_EQ(Commands(), (Log{"82 00", "02 05", "02 05", "02 05"}));
+}
+
+TEST_F(El6751SafetyTest, StoppedBehindItsBootUpMessageItIsWokenToBeAsked)
+{
+    Verifies(req::SRS_ELM_003);
+    AddSafety(5U);
+    gate.verdict = GateState::kDiffers;
+    Begin();
+    ExpectRefused(0x13FEU);
+    // When it had restarted by itself, and takes the stop behind its boot-up message
+    gate.verdict = GateState::kOpen;
+    slaves[5]->heartbeat_us = 100000U;
+    Put(0x705U, {0U});
+    Run(1900U);
+    EXPECT_EQ(Code(5U), 8);
+    EXPECT_EQ(Commands(), (Log{"82 00", "02 05"}));
+    // Then silence is not the end
+    Run(2200U);
+    EXPECT_EQ(told[5], (Log{"8", "5", "8", "2", "8", "0"}));
+    EXPECT_EQ(Commands(), (Log{"82 00", "02 05", "80 05", "01 05"}));
 }
 
 } // namespace

@@ -12,8 +12,6 @@ namespace
 using Lines = std::vector<std::string>;
 using cia301::NodeState;
 
-constexpr std::uint32_t kBoot = kInNetwork | kBootSlave;
-constexpr std::uint32_t kMust = kInNetwork | kBootSlave | kMandatory;
 constexpr std::uint32_t kGuarded = (3U << 8U) | (100U << 16U);
 
 /// Slaves 5 (mandatory) and 6 (optional) with a heartbeat of 50 ms, watched with 150 ms.

@@ -7,14 +7,6 @@ namespace counterpoint::cia302
 namespace
 {
 
-constexpr Profile kProfiles[] = {Profile::kCia302, Profile::kEl6751, Profile::kPlcDesigner};
-
-CanFrame Nmt(const NmtCommand command, const std::uint8_t node)
-{
-    const auto byte = static_cast<std::uint8_t>(command);
-    return CanFrame{0U, FrameKind::kData, CanPortId::kFirst, 2U, {byte, node, 0U, 0U, 0U, 0U, 0U, 0U}};
-}
-
 /// Given a safety slave 5 with heartbeats each 100 ms.
 class LeftOperationalTest : public ManagerRig, public ::testing::WithParamInterface<Profile>
 {
@@ -214,11 +206,131 @@ TEST_P(LeftOperationalTest, ThatMayBeTwoWhileItRunsIsStopped)
     EXPECT_EQ(manager->Status(NodeId{5U}).object.index, 0U);
 }
 
+TEST_P(LeftOperationalTest, FramesLostWhileItIsReadMakeTheReadingBeginAnew)
+{
+    Verifies(req::SRS_SFS_002);
+    StartAndForget(GetParam());
+    manager->OnLost(Now());
+    Run(1U);
+    std::uint32_t reading_ms = 0U;
+    for (; Gate() == GateState::kBusy; ++reading_ms)
+    {
+        Run(1U);
+    }
+    EXPECT_EQ(Gate(), GateState::kOpen);
+    // When it is changed, and declared valid again, behind what was read of it already
+    manager->OnLost(Now());
+    Run(reading_ms);
+    EXPECT_EQ(Gate(), GateState::kBusy);
+    devices[0]->Put(0x1301U, 2U, {26U, 0U});
+    manager->OnLost(Now());
+    Run(200U);
+    ExpectStopped();
+}
+
+TEST_P(LeftOperationalTest, HeartbeatsOfADeviceThatWasNotStartedUpAreNotThoseOfTwo)
+{
+    Verifies(req::SRS_MGR_010);
+    // Given another device than the expected one, so that nobody sets its heartbeat, which comes each 100 ms
+    setups[5].heartbeat.producer_ms = 400U;
+    devices[0]->Put32(0x1018U, 4U, 0x4321U);
+    devices[0]->Put32(0x1000U, 0U, (GetParam() == Profile::kPlcDesigner) ? 0x192U : 0x191U);
+    Begin(GetParam());
+    Run(9000U);
+    EXPECT_EQ(duplicates, (std::vector<std::uint8_t>{}));
+    // When the expected one takes its place it is started without a reset
+    devices[0]->PutIdentity();
+    devices[0]->heartbeat_ms = 400U;
+    devices[0]->Power(Now());
+    Run(6000U);
+    EXPECT_EQ(Running(5U), 1);
+}
+
 INSTANTIATE_TEST_SUITE_P(Each, LeftOperationalTest, ::testing::ValuesIn(kProfiles));
 
 class LeftInCia302Test : public LeftOperationalTest
 {
 };
+
+TEST_P(LeftInCia302Test, WhoseLastSignIsOlderThanTheStartOfSomebodyElseIsStopped)
+{
+    Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_BOOT_013);
+    // Given one that is stopped and changed, and says nothing by itself
+    devices[0]->heartbeat_ms = 0U;
+    StartAndForget(GetParam());
+    EXPECT_EQ(Order(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
+    Change();
+    // When a guarding answer of before comes in behind the start
+    Put(Nmt(NmtCommand::kStart, 5U));
+    Put(CanFrame{0x705U, FrameKind::kData, CanPortId::kFirst, 1U, {4U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}});
+    Run(1000U);
+    ExpectStopped();
+}
+
+TEST_P(LeftInCia302Test, ReplacedWhileTheBusWasAwayFromItsBootIsAskedWhoItIs)
+{
+    Verifies(req::SRS_BOOT_018);
+    Begin(GetParam());
+    for (int i = 0; (i < 1000) && (Gate() != GateState::kBusy); ++i)
+    {
+        Run(1U);
+    }
+    EXPECT_EQ(manager->Status(NodeId{5U}).step, StartUpStep::kSafety);
+    manager->OnBus(false, Now());
+    devices[0]->Put32(0x1018U, 4U, 0x4321U);
+    manager->OnBus(true, Now());
+    Run(1000U);
+    EXPECT_EQ(manager->Status(NodeId{5U}).letter, 'O');
+    EXPECT_EQ(starts, (std::vector<std::string>{}));
+}
+
+TEST_P(LeftInCia302Test, ReplacedWhileTheBusWasAwayFromItsStartByOrderIsAskedWhoItIs)
+{
+    Verifies(req::SRS_BOOT_018);
+    setup.start_up |= kApplicationStartsSlaves;
+    Begin(GetParam());
+    Run(1000U);
+    EXPECT_EQ(starts, (std::vector<std::string>{}));
+    EXPECT_EQ(Order(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
+    Run(2U);
+    EXPECT_EQ(Gate(), GateState::kBusy);
+    manager->OnBus(false, Now());
+    devices[0]->Put32(0x1018U, 4U, 0x4321U);
+    manager->OnBus(true, Now());
+    Run(1000U);
+    EXPECT_EQ(manager->Status(NodeId{5U}).letter, 'O');
+    EXPECT_EQ(starts, (std::vector<std::string>{}));
+    // When it is the expected one, the order still counts
+    devices[0]->PutIdentity();
+    EXPECT_TRUE(manager->Boot(NodeId{5U}, Now()));
+    Run(1000U);
+    EXPECT_EQ(Order(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
+    Run(2U);
+    manager->OnBus(false, Now());
+    manager->OnBus(true, Now());
+    Run(1000U);
+    EXPECT_EQ(Running(5U), 1);
+}
+
+TEST_P(LeftInCia302Test, BootThatEndedInSilenceWhileTheBusWasAwayIsBegunAnew)
+{
+    Verifies(req::SRS_BOOT_018);
+    Begin(GetParam());
+    for (int i = 0; (i < 1000) && (Gate() != GateState::kBusy); ++i)
+    {
+        Run(1U);
+    }
+    manager->OnBus(false, Now());
+    devices[0]->is_sdo_mute = true;
+    Run(3000U);
+    EXPECT_EQ(manager->Status(NodeId{5U}).letter, 'J');
+    devices[0]->is_sdo_mute = false;
+    manager->OnBus(true, Now());
+    Run(1000U);
+    EXPECT_EQ(manager->Status(NodeId{5U}).letter, '\0');
+    EXPECT_EQ(Running(5U), 1);
+}
 
 TEST_P(LeftInCia302Test, ASignThatWasUnderWayDoesNotMakeItBeRead)
 {

@@ -25,6 +25,15 @@ enum class Profile : std::uint8_t
     kPlcDesigner = 3U,
 };
 
+inline constexpr Profile kProfiles[] = {Profile::kCia302, Profile::kEl6751, Profile::kPlcDesigner};
+
+/// The frame of an NMT command, whoever sends it.
+[[nodiscard]] inline CanFrame Nmt(const NmtCommand command, const std::uint8_t node)
+{
+    const auto byte = static_cast<std::uint8_t>(command);
+    return CanFrame{0U, FrameKind::kData, CanPortId::kFirst, 2U, {byte, node, 0U, 0U, 0U, 0U, 0U, 0U}};
+}
+
 /// A bus, the whole manager (node 127) with any of its profiles and the real safety gate, and slaves of real services.
 /// One cycle is 1 ms; frames of a cycle reach all others in it, own ones come back to the manager as sent.
 class ManagerRig : public ::testing::Test, public cia301::FrameSink, public ManagerListener

@@ -14,7 +14,6 @@ using Lines = std::vector<std::string>;
 using cia301::NodeState;
 using cia301::Reading;
 
-constexpr std::uint32_t kBoot = kInNetwork | kBootSlave;
 constexpr std::uint32_t kGuarded = (3U << 8U) | (100U << 16U);
 constexpr std::uint32_t kConf = 0x666E6F63U;
 

@@ -178,6 +178,15 @@ TEST_F(NodeTableTest, ArmingAtTheBootUpMessage)
     EXPECT_EQ(Told(), (Events{}));
 }
 
+TEST_F(NodeTableTest, ArmingAtTheFirstHeartbeatAndTheBootUpMessageIsNone)
+{
+    Verifies(req::SRS_NMM_022);
+    table.WatchHeartbeat(NodeId{5U}, 100U, Arming::kFirstHeartbeat, Now());
+    Hear(0U);
+    At(1000U);
+    EXPECT_EQ(Told(), (Events{NodeEvent::kBootUp}));
+}
+
 TEST_F(NodeTableTest, ArmingAtOnce)
 {
     Verifies(req::SRS_NMM_022);
@@ -249,6 +258,19 @@ TEST_F(NodeTableTest, GuardingCountsUpToTheRetryFactor)
     Hear(0xFFU);
     EXPECT_EQ(Told(), (Events{NodeEvent::kStarted}));
     EXPECT_EQ(State(), SlaveState::kPreOperational);
+}
+
+TEST_F(NodeTableTest, ABootUpMessageForgetsMissedAnswers)
+{
+    Verifies(req::SRS_NMM_023);
+    table.WatchGuarding(NodeId{5U}, 100U, 3U, Now());
+    At(250U);
+    Hear(0U);
+    At(600U);
+    EXPECT_EQ(Told(), (Events{NodeEvent::kGuardMissed, NodeEvent::kGuardMissed, NodeEvent::kBootUp,
+                              NodeEvent::kGuardMissed, NodeEvent::kGuardMissed}));
+    At(650U);
+    EXPECT_EQ(Told(), (Events{NodeEvent::kGuardLost}));
 }
 
 TEST_F(NodeTableTest, RemoteFrameWaitsForRoomAndZeroTimesAreOff)

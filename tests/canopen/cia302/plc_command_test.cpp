@@ -10,12 +10,6 @@ namespace
 
 class PlcCommandTest : public PlcRig
 {
-  public:
-    void Begin600()
-    {
-        Begin();
-        Run(600U);
-    }
 };
 
 TEST_F(PlcCommandTest, CommandsHoldASlaveInState4)

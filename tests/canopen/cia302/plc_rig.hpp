@@ -35,19 +35,14 @@ class PlcRig : public ProfileRig
         BootRig::AddEntry(lists[node], index, sub, value);
         setups.at(node).concise_dcf = Bytes{lists[node].data(), static_cast<std::uint32_t>(lists[node].size())};
     }
+    void Begin600()
+    {
+        Begin();
+        Run(600U);
+    }
     NmtAnswer Command(const NmtCommand what, const std::uint8_t node)
     {
         return Do([&] { return plc.Command(what, NodeId{node}, Now()); });
-    }
-    /// NMT frames without their times.
-    [[nodiscard]] Log Commands() const
-    {
-        Log list{};
-        for (const std::string& line : Nmt())
-        {
-            list.push_back(line.substr(line.find(':') + 1U));
-        }
-        return list;
     }
     /// Every answer and change of a slave, as "state object abort".
     void OnNodeStatus(const NodeId node, const Instant now) noexcept override

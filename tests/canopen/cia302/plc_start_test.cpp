@@ -10,11 +10,6 @@ namespace
 class PlcStartTest : public PlcRig
 {
   public:
-    void Begin600()
-    {
-        Begin();
-        Run(600U);
-    }
     void ExpectRefused()
     {
         Run(100U);

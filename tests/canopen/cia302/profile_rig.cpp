@@ -200,6 +200,16 @@ Log ProfileRig::Nmt() const
     return list;
 }
 
+Log ProfileRig::Commands() const
+{
+    Log list{};
+    for (const std::string& line : Nmt())
+    {
+        list.push_back(line.substr(line.find(':') + 1U));
+    }
+    return list;
+}
+
 std::vector<std::uint32_t> ProfileRig::Times(const std::uint32_t identifier) const
 {
     std::vector<std::uint32_t> times{};

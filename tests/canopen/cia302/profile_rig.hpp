@@ -65,6 +65,8 @@ class ProfileRig : public ::testing::Test,
     [[nodiscard]] NodeStatus Of(std::uint8_t node) const;
     /// NMT frames as "time in ms:command node", e.g. "0:82 00".
     [[nodiscard]] Log Nmt() const;
+    /// The same without their times.
+    [[nodiscard]] Log Commands() const;
     /// Times in us of frames with this identifier that the manager sent.
     [[nodiscard]] std::vector<std::uint32_t> Times(std::uint32_t identifier) const;
     /// Puts a frame on the bus.

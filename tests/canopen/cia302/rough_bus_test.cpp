@@ -11,8 +11,6 @@ namespace
 
 using cia301::NodeState;
 
-constexpr std::uint32_t kMust = kInNetwork | kBootSlave | kMandatory;
-
 class RoughBusTest : public BootRig
 {
   public:

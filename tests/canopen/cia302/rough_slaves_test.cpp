@@ -12,7 +12,6 @@ namespace
 
 using cia301::NodeState;
 
-constexpr std::uint32_t kBoot = kInNetwork | kBootSlave;
 constexpr Arming kArmings[3] = {Arming::kFirstHeartbeat, Arming::kBootUp, Arming::kImmediately};
 constexpr NmtCommand kCommands[5] = {NmtCommand::kStart, NmtCommand::kStop, NmtCommand::kPreOperational,
                                      NmtCommand::kResetNode, NmtCommand::kResetCommunication};

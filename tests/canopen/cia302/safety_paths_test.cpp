@@ -7,14 +7,6 @@ namespace counterpoint::cia302
 namespace
 {
 
-constexpr Profile kProfiles[] = {Profile::kCia302, Profile::kEl6751, Profile::kPlcDesigner};
-
-CanFrame Nmt(const NmtCommand command, const std::uint8_t node)
-{
-    const auto byte = static_cast<std::uint8_t>(command);
-    return CanFrame{0U, FrameKind::kData, CanPortId::kFirst, 2U, {byte, node, 0U, 0U, 0U, 0U, 0U, 0U}};
-}
-
 /// Given a safety slave 5 without heartbeat or guarding, unless a test says so.
 class SafetyPathsTest : public ManagerRig, public ::testing::WithParamInterface<Profile>
 {

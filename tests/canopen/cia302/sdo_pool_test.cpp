@@ -69,6 +69,25 @@ TEST_F(SdoPoolTest, SlavesAreServedAtTheSameTime)
     EXPECT_EQ(pool.State(NodeId{3U}), TransferState::kIdle);
 }
 
+TEST_F(SdoPoolTest, ATransferIsTriedOnceIfItsUserSaysSo)
+{
+    Verifies(req::SRS_NMM_031);
+    EXPECT_TRUE(Upload(1U, kType));
+    pool.TryOnce(NodeId{1U});
+    pool.TryOnce(NodeId{9U}); // Has no lane.
+    After(99U);
+    EXPECT_EQ(pool.State(NodeId{1U}), TransferState::kBusy);
+    After(1U);
+    EXPECT_EQ(pool.State(NodeId{1U}), TransferState::kFailed);
+    EXPECT_EQ(pool.Outcome(NodeId{1U}).abort, SdoAbort::kTimeOut);
+    // The next one has all its tries again
+    EXPECT_TRUE(Upload(1U, kType));
+    After(299U);
+    EXPECT_EQ(pool.State(NodeId{1U}), TransferState::kBusy);
+    After(1U);
+    EXPECT_EQ(pool.State(NodeId{1U}), TransferState::kFailed);
+}
+
 TEST_F(SdoPoolTest, ALaneChangesHandsWhenItsOutcomeCouldBeTaken)
 {
     Verifies(req::SRS_NMM_030);

@@ -12,9 +12,6 @@ namespace
 using Lines = std::vector<std::string>;
 using cia301::NodeState;
 
-constexpr std::uint32_t kBoot = kInNetwork | kBootSlave;
-constexpr std::uint32_t kMust = kInNetwork | kBootSlave | kMandatory;
-
 class StartUpCia302Test : public BootRig
 {
   public:

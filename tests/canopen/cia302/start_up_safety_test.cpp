@@ -10,8 +10,6 @@ namespace
 using Lines = std::vector<std::string>;
 using cia301::NodeState;
 
-constexpr std::uint32_t kMust = kInNetwork | kBootSlave | kMandatory;
-
 class StartUpSafetyTest : public BootRig
 {
   public:

@@ -9,8 +9,6 @@ namespace counterpoint::cia302
 namespace
 {
 
-constexpr std::uint32_t kBoot = kInNetwork | kBootSlave;
-
 Bytes BytesOf(const std::string& text)
 {
     return Bytes{reinterpret_cast<const std::uint8_t*>(text.data()), static_cast<std::uint32_t>(text.size())};

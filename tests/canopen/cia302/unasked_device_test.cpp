@@ -7,12 +7,6 @@ namespace counterpoint::cia302
 namespace
 {
 
-CanFrame Nmt(const NmtCommand command, const std::uint8_t node)
-{
-    const auto byte = static_cast<std::uint8_t>(command);
-    return CanFrame{0U, FrameKind::kData, CanPortId::kFirst, 2U, {byte, node, 0U, 0U, 0U, 0U, 0U, 0U}};
-}
-
 CanFrame BootUp()
 {
     return CanFrame{0x705U, FrameKind::kData, CanPortId::kFirst, 1U, {}};
@@ -132,6 +126,42 @@ TEST_F(UnaskedDeviceTest, ThatReplacedADeactivatedEl6751SlaveIsNotWritten)
     EXPECT_EQ(Running(5U), 0);
     EXPECT_FALSE(Write());
 }
+
+/// Another device with the very configuration that is expected takes the place of one that runs, and boots.
+class ReplacedByHandTest : public UnaskedDeviceTest, public ::testing::WithParamInterface<El6751NodeReaction>
+{
+};
+
+TEST_P(ReplacedByHandTest, IsNeitherStartedNorWrittenBeforeItWasAsked)
+{
+    Verifies(req::SRS_SFS_009);
+    Verifies(req::SRS_ELM_002);
+    el6751.restart = El6751Restart::kByHand;
+    el6751.node_reaction = GetParam();
+    Begin(Profile::kEl6751);
+    Run(1000U);
+    EXPECT_EQ(Running(5U), 1);
+    starts.clear();
+    devices[0]->Put32(0x1018U, 4U, 0x4321U);
+    devices[0]->Power(Now());
+    Run(500U);
+    EXPECT_TRUE(manager->Status(NodeId{5U}).is_other);
+    EXPECT_FALSE(Write());
+    EXPECT_EQ(Order(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
+    Run(1000U);
+    EXPECT_EQ(Code(), 5);
+    EXPECT_EQ(starts, (std::vector<std::string>{}));
+    EXPECT_EQ(devices[0]->writes, (std::vector<std::uint32_t>{}));
+    // When the expected one is there, a hand starts it
+    devices[0]->PutIdentity();
+    devices[0]->Power(Now());
+    Run(500U);
+    EXPECT_EQ(Running(5U), 1);
+    EXPECT_FALSE(manager->Status(NodeId{5U}).is_other);
+}
+
+INSTANTIATE_TEST_SUITE_P(El6751, ReplacedByHandTest,
+                         ::testing::Values(El6751NodeReaction::kStop, El6751NodeReaction::kNone));
 
 TEST_F(UnaskedDeviceTest, OfAnEl6751SlaveThatWasHeldBeforeItsIdentityIsNotWritten)
 {

@@ -77,6 +77,20 @@ TEST(LiveStampTest, TakesTheAgeOfAStamp)
     EXPECT_EQ(MonotonicStamp(kWall - 2'000U, kWall, 1'000U), 1'000U);
 }
 
+// Given a reader that was interrupted 3 ms between two clocks, and between two others, then the reading without
+// interruption counts.
+TEST(LiveStampTest, AnInterruptedReaderLooksAgain)
+{
+    Verifies(req::SRS_LIVE_002);
+    const ClockReading quick{20'000U, 900U, 20'090U};
+    const ClockReading slow{10'000U, 800U, 3'010'000U};
+    const ClockReading slower{30'000U, 700U, 7'030'000U};
+    EXPECT_EQ(Quickest({quick, slow, slower}).wall_ns, 900U);
+    EXPECT_EQ(Quickest({slow, quick, slower}).wall_ns, 900U);
+    EXPECT_EQ(Quickest({slower, slow, quick}).wall_ns, 900U);
+    EXPECT_EQ(Quickest({slower, slow, slow}).wall_ns, 800U);
+}
+
 // Given every kind of frame of the kernel, then it is the same after a way through the live form.
 TEST(LiveFrameTest, ConvertsToTheKernelsFrameAndBack)
 {

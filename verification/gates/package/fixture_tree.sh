@@ -1,22 +1,29 @@
 #!/usr/bin/env bash
-# fixture_tree.sh MADE TARGET LIBRARIES [OUTPUT [FILE]]: a package with one target, a consumer that links it, and a guide of
-# one program that prints "output off". OUTPUT is what the guide says instead, FILE the text of its source file.
+# fixture_tree.sh MADE TARGET LIBRARIES [OUTPUT [FILE]]: a package with one target and the manager's, a consumer of each, and
+# a guide of one program that prints "output off". OUTPUT is what the guide says instead, FILE the text of its source file.
 set -euo pipefail
 made=$1
 config=$made/data/package/lib/cmake/Counterpoint
 example=$made/tree/examples/first_device
-mkdir -p "$config" "$made/tree/tests/integration/package" "$made/tree/docs" "$example"
+manager=$made/data/package/include/canopen/cia302
+mkdir -p "$config" "$manager" "$made/tree/tests/integration/package" "$made/tree/docs" "$example"
 printf 'add_library(Counterpoint::%s INTERFACE IMPORTED)\nset_target_properties(Counterpoint::%s PROPERTIES INTERFACE_LINK_LIBRARIES "%s")\n' \
     "$2" "$2" "$3" >"$config/CounterpointConfig.cmake"
+printf 'add_library(Counterpoint::canopen_cia302 INTERFACE IMPORTED)\ntarget_include_directories(Counterpoint::canopen_cia302 INTERFACE %s)\n' \
+    "$made/data/package/include" >>"$config/CounterpointConfig.cmake"
+echo 'inline bool IsOperational() { return true; }' >"$manager/manager.hpp"
 cat >"$made/tree/tests/integration/package/CMakeLists.txt" <<'TEXT'
 cmake_minimum_required(VERSION 3.25)
 project(Consumer LANGUAGES CXX)
 find_package(Counterpoint REQUIRED)
 add_executable(consumer main.cpp)
 target_link_libraries(consumer PRIVATE Counterpoint::channel_a)
-add_executable(manager_consumer main.cpp)
+add_executable(manager_consumer manager.cpp)
+target_link_libraries(manager_consumer PRIVATE Counterpoint::canopen_cia302)
 TEXT
 echo 'int main() { return 0; }' >"$made/tree/tests/integration/package/main.cpp"
+printf '#include "canopen/cia302/manager.hpp"\nint main() { return IsOperational() ? 0 : 1; }\n' \
+    >"$made/tree/tests/integration/package/manager.cpp"
 cat >"$example/CMakeLists.txt" <<'TEXT'
 cmake_minimum_required(VERSION 3.25)
 project(FirstDevice LANGUAGES CXX)
