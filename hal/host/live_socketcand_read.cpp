@@ -20,7 +20,7 @@ using socketcand::WordName;
 namespace
 {
 
-constexpr std::uint64_t kGreatestSeconds = 0xFFFF'FFFF'FFFFU;
+constexpr std::uint64_t kGreatestSeconds = (~std::uint64_t{0U} / kMicrosecondsPerSecond) - 1U;
 constexpr std::size_t kGreatestNameBytes = 16U;
 
 using Values = std::vector<std::string_view>;
@@ -196,6 +196,10 @@ void ReadError(const Values& values, SocketcandMessage& message)
     {
         message.text += (n == 1U) ? "" : " ";
         message.text += values[n];
+    }
+    if (message.text.size() > kSocketcandErrorTextBytes)
+    {
+        Refuse(values[0], "text", message.text, "at most " + std::to_string(kSocketcandErrorTextBytes) + " characters");
     }
 }
 

@@ -102,7 +102,7 @@ void SocketcandClient::SayError(const std::string& text)
 {
     SocketcandMessage message;
     message.word = SocketcandWord::kErrorText;
-    message.text = text;
+    message.text = text.substr(0U, kSocketcandErrorTextBytes);
     link_.Say(message);
 }
 

@@ -15,6 +15,8 @@ namespace counterpoint::host
 
 /// Longest element, with its brackets.
 constexpr std::size_t kSocketcandElementBytes = 256U;
+/// Longest text of an element `< error TEXT >`.
+constexpr std::size_t kSocketcandErrorTextBytes = kSocketcandElementBytes - std::string_view("< error  >").size();
 
 enum class SocketcandWord : std::uint8_t
 {
@@ -42,7 +44,7 @@ struct SocketcandMessage
     SocketcandWord word{SocketcandWord::kInvalid};
     LiveFrame frame{};
     std::uint64_t stamp_us{0U};
-    std::string text{};    ///< Bus of kOpen, words of kErrorText.
+    std::string text{};    ///< Bus of kOpen; words of kErrorText, at most kSocketcandErrorTextBytes.
     std::string problem{}; ///< Not empty: the element is malformed, and why; `word` is kInvalid then.
 };
 

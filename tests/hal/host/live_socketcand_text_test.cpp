@@ -86,6 +86,9 @@ TEST(SocketcandText, SaysWhatIsWrong)
         {"< frame 123 .5 11 >", "frame: time '.5', expected SECONDS.MICROSECONDS"},
         {"< frame 123 99999999999999999999.0 11 >",
          "frame: time '99999999999999999999.0', expected SECONDS.MICROSECONDS"},
+        {"< frame 123 18446744073709.0 11 >", "frame: time '18446744073709.0', expected SECONDS.MICROSECONDS"},
+        {"<error " + std::string(247U, 'x') + ">",
+         "error: text '" + std::string(32U, 'x') + "', expected at most 246 characters"},
         {"< frame 123 1.0 112 >", "frame: data '112', expected 0 to 8 bytes of 2 hexadecimal digits"},
         {"< frame 123 1.0 112233445566778899 >",
          "frame: data '112233445566778899', expected 0 to 8 bytes of 2 hexadecimal digits"},
@@ -104,6 +107,10 @@ TEST(SocketcandText, SaysWhatIsWrong)
 TEST(SocketcandText, WritesWhatItReads)
 {
     Verifies(req::SRS_LIVE_050);
+    const std::string longest = "< error " + std::string(246U, 'x') + " >";
+    EXPECT_EQ(WriteSocketcand(ReadSocketcand("<error " + std::string(246U, 'x') + ">")), longest);
+    EXPECT_EQ(WriteSocketcand(ReadSocketcand("< frame 123 18446744073708.999999 11 >")),
+              "< frame 123 18446744073708.999999 11 >");
     for (const std::string text :
          {"< hi >", "< ok >", "< echo >", "< open can0 >", "< rawmode >", "< bcmmode >", "< ownmode >",
           "< send 123 0  >", "< send 00000123 3 01 0A FF >", "< sendrtr 7FF 8 >", "< frame 123 23.424242  >",
