@@ -19,6 +19,14 @@ constexpr std::uint8_t kLoad[4] = {0x6CU, 0x6FU, 0x61U, 0x64U}; ///< "load"
 constexpr std::uint8_t kCommunicationSub = 2U;
 constexpr std::uint8_t kStoppedByte = 4U; ///< As 1F82h reads it.
 
+/// Letter of an identity that differs, as where the start-up itself finds it.
+char LetterOf(const ObjectAddress& object) noexcept
+{
+    constexpr std::uint8_t kSubs = 5U;
+    constexpr char kLetters[kSubs] = {'C', 'D', 'M', 'N', 'O'}; // 1000h is sub-index 0, 1018h has the others.
+    return (object.sub < kSubs) ? kLetters[object.sub] : 'J';
+}
+
 } // namespace
 
 /// Parts 0 and 1: date and time. A slave that does not tell them is configured.
@@ -261,7 +269,7 @@ void BootSlave::RefuseSafety(const Job& job) noexcept
         job.record.status.is_started = false;
         job.record.was_operational = false;
         job.record.wait = BootWait::kNothing;
-        Fail(job, 'J');
+        Fail(job, parts_.gate.IsOther(job.node) ? LetterOf(finding.object) : 'J');
     }
 }
 

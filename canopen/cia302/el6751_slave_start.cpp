@@ -290,6 +290,7 @@ void El6751StartUp::RefuseSafety(const NodeId node, const El6751Phase after, con
         slave.held_code = slave.cause;
         Tell(node, slave.cause, StartUpStep::kSafety, now);
     }
+    slave.status.is_other = slave.status.is_other || parts_.common.gate.IsOther(node);
     slave.status.is_started = false;
     slave.is_checking = false;
     Stop(node, after, now);

@@ -116,6 +116,10 @@ class El6751StartUp final : public StartUp
     [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept override;
     [[nodiscard]] NodeStatus Status(NodeId node) const noexcept override;
     [[nodiscard]] std::int16_t MasterState() const noexcept override;
+    [[nodiscard]] IdentityRule Identity() const noexcept override
+    {
+        return IdentityRule::kEl6751;
+    }
 
     /// @brief A frame of this device was on the bus; only El6751Window::kLastRxPdo needs it.
     void OnSent(const CanFrame& frame) noexcept;

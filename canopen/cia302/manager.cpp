@@ -30,6 +30,7 @@ StartUpParts Manager::ProfileParts() noexcept
 void Manager::Use(StartUp& profile) noexcept
 {
     profile_ = &profile;
+    gate_.Use(profile.Identity());
 }
 
 void Manager::Use(FlyingMaster& flying, const NegotiationBy by) noexcept

@@ -140,11 +140,14 @@ void PlcStartUp::Refuse(const NodeId node, const Instant now) noexcept
     slave.status.abort = finding.abort;
     slave.status.expected = finding.expected;
     slave.status.read = finding.read;
+    const bool is_other = parts_.common.gate.IsOther(node);
+    slave.status.is_other = slave.status.is_other || is_other;
     slave.status.is_started = false;
     slave.signs = parts_.common.table.Record(node).signs;
     slave.was_checked = false;
     slave.is_stop_due = (parts_.common.nmt.Request(NmtCommand::kStop, node, now) != NmtAnswer::kTaken);
-    Tell(node, slave.status.code, StartUpStep::kSafety, now);
+    const std::int16_t code = is_other ? kPlcWrongType : slave.status.code;
+    Tell(node, code, is_other ? StartUpStep::kDeviceType : StartUpStep::kSafety, now);
     parts_.common.listener.OnNodeStatus(node, now);
 }
 

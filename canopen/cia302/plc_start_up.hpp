@@ -89,6 +89,10 @@ class PlcStartUp final : public StartUp
     [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept override;
     [[nodiscard]] NodeStatus Status(NodeId node) const noexcept override;
     [[nodiscard]] std::int16_t MasterState() const noexcept override;
+    [[nodiscard]] IdentityRule Identity() const noexcept override
+    {
+        return IdentityRule::kPlcDesigner;
+    }
 
   private:
     [[nodiscard]] PlcNode& Of(NodeId node) const noexcept;

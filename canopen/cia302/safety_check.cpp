@@ -71,19 +71,20 @@ std::uint8_t SizeOf(const ObjectAddress& address) noexcept
     return size;
 }
 
-void SafetyCheck::Begin(const SafetyExpectation& expectation, const SafetyTask task, const NodeId node) noexcept
+void SafetyCheck::Begin(const SafetyOrder& order, const NodeId node) noexcept
 {
-    const bool is_task = (task == SafetyTask::kVerify) || (task == SafetyTask::kWrite);
-    expectation_ = &expectation;
+    const bool is_task = (order.task == SafetyTask::kVerify) || (order.task == SafetyTask::kWrite);
+    slave_ = &order.slave;
     node_ = node;
-    task_ = task;
+    task_ = order.task;
+    rule_ = order.rule;
     phase_ = 0U;
     position_ = 0U;
     has_begun_ = false;
     object_ = ObjectAddress{0U, 0U};
     finding_ = GateFinding{{0U, 0U}, SdoAbort::kNone, 0U, 0U};
     state_ = CheckState::kBusy;
-    if (is_task && IsUsable(expectation))
+    if (is_task && IsUsable(*order.slave.safety))
     {
         Seek();
     }
@@ -108,13 +109,16 @@ void SafetyCheck::OnCycle(SdoPool& sdo, const Instant now) noexcept
     }
 }
 
-/// The order is that of figure 9 of CiA 304: parameters, signatures, everything read back, only then valid.
+/// First who it is. Then the order is that of figure 9 of CiA 304: parameters, signatures, everything read back, only
+/// then valid.
 SafetyCheck::Phase SafetyCheck::PhaseNow() const noexcept
 {
-    constexpr Phase kVerifyPhases[kLongestTask] = {Phase::kReadValid, Phase::kCompare, Phase::kReadValid};
-    constexpr Phase kWritePhases[kLongestTask] = {
-        Phase::kClearValid, Phase::kSwitchOff, Phase::kSettings, Phase::kMapClear, Phase::kMapEntries, Phase::kMapCount,
-        Phase::kSwitchOn,   Phase::kSign,      Phase::kCompare,  Phase::kSetValid, Phase::kReadValid};
+    constexpr Phase kVerifyPhases[kLongestTask] = {Phase::kIdentity, Phase::kReadValid, Phase::kCompare,
+                                                   Phase::kReadValid};
+    constexpr Phase kWritePhases[kLongestTask] = {Phase::kIdentity,   Phase::kClearValid, Phase::kSwitchOff,
+                                                  Phase::kSettings,   Phase::kMapClear,   Phase::kMapEntries,
+                                                  Phase::kMapCount,   Phase::kSwitchOn,   Phase::kSign,
+                                                  Phase::kCompare,    Phase::kSetValid,   Phase::kReadValid};
     Phase phase = Phase::kEnd;
     if (phase_ < kLongestTask)
     {
@@ -131,7 +135,7 @@ bool SafetyCheck::IsValidFlag(const Phase phase) noexcept
 bool SafetyCheck::Reads() const noexcept
 {
     const Phase phase = PhaseNow();
-    return (phase == Phase::kReadValid) || (phase == Phase::kCompare);
+    return (phase == Phase::kIdentity) || (phase == Phase::kReadValid) || (phase == Phase::kCompare);
 }
 
 bool SafetyCheck::TakesPart(const Phase phase, const ExpectedObject& object) noexcept
@@ -166,6 +170,7 @@ bool SafetyCheck::TakesPart(const Phase phase, const ExpectedObject& object) noe
         takes_part = IsSignature(address) || (address.index == kGfc);
         break;
     case Phase::kEnd:
+    case Phase::kIdentity:
     case Phase::kReadValid:
     case Phase::kClearValid:
     case Phase::kSetValid:
@@ -181,6 +186,32 @@ std::uint32_t SafetyCheck::ValueIn(const Phase phase, const ExpectedObject& obje
     return is_zero ? 0U : object.value;
 }
 
+std::uint16_t SafetyCheck::CountIn(const Phase phase) const noexcept
+{
+    return (phase == Phase::kIdentity) ? std::uint16_t{kIdentityRows} : slave_->safety->count;
+}
+
+/// Whether something is to be accessed at this place, and what.
+bool SafetyCheck::Take(const Phase phase) noexcept
+{
+    bool is_meant = false;
+    if (phase == Phase::kIdentity)
+    {
+        const IdentityRow row = IdentityRowOf(*slave_, rule_, static_cast<std::uint8_t>(position_));
+        is_meant = (row.mask != 0U);
+        object_ = row.object;
+        target_ = row.expected;
+    }
+    else
+    {
+        const ExpectedObject& object = slave_->safety->objects[position_];
+        is_meant = TakesPart(phase, object);
+        object_ = object.address;
+        target_ = ValueIn(phase, object);
+    }
+    return is_meant;
+}
+
 /// From the present place, itself included, to the next access; or to the end.
 void SafetyCheck::Seek() noexcept
 {
@@ -194,19 +225,16 @@ void SafetyCheck::Seek() noexcept
             object_ = kValidFlag;
             target_ = (phase == Phase::kClearValid) ? 0U : std::uint32_t{kConfigurationValidValue};
         }
-        else if (position_ < expectation_->count)
+        else if (position_ < CountIn(phase))
         {
-            const ExpectedObject& object = expectation_->objects[position_];
-            is_found = TakesPart(phase, object);
-            object_ = object.address;
-            target_ = ValueIn(phase, object);
+            is_found = Take(phase);
             position_ = static_cast<std::uint16_t>(is_found ? position_ : (position_ + 1U));
         }
         else
         {
             // This pass is over.
         }
-        if (!is_found && (IsValidFlag(phase) || (position_ >= expectation_->count)))
+        if (!is_found && (IsValidFlag(phase) || (position_ >= CountIn(phase))))
         {
             ++phase_;
             position_ = 0U;
@@ -228,6 +256,15 @@ void SafetyCheck::Next() noexcept
 std::uint8_t SafetyCheck::SizeNow() const noexcept
 {
     return IsValidFlag(PhaseNow()) ? std::uint8_t{1U} : SizeOf(object_);
+}
+
+/// Of who the device is only the number counts, as at the start-up; of a safety object the length as well.
+bool SafetyCheck::IsAsExpected(const std::uint32_t size_bytes) const noexcept
+{
+    const bool is_identity = (PhaseNow() == Phase::kIdentity);
+    const std::uint64_t mask = is_identity ? IdentityRowOf(*slave_, rule_, static_cast<std::uint8_t>(position_)).mask : ~std::uint64_t{0U};
+    const bool is_of_size = is_identity || (size_bytes == SizeNow());
+    return is_of_size && ((finding_.read & mask) == (finding_.expected & mask));
 }
 
 void SafetyCheck::Access(SdoPool& sdo, const Instant now) noexcept
@@ -260,7 +297,7 @@ void SafetyCheck::Judge(const cia301::SdoOutcome& outcome) noexcept
     {
         const std::uint32_t length = (outcome.size_bytes > sizeof(buffer_)) ? sizeof(buffer_) : outcome.size_bytes;
         finding_.read = cia301::FromLittleEndian(buffer_, length);
-        if ((outcome.size_bytes == SizeNow()) && (finding_.read == finding_.expected))
+        if (IsAsExpected(outcome.size_bytes))
         {
             Next();
         }

@@ -2,6 +2,7 @@
 #ifndef CANOPEN_CIA302_SAFETY_CHECK_HPP
 #define CANOPEN_CIA302_SAFETY_CHECK_HPP
 
+#include "canopen/cia302/network_setup.hpp"
 #include "canopen/cia302/sdo_pool.hpp"
 #include "canopen/cia302/start_gate.hpp"
 
@@ -32,11 +33,24 @@ struct SafetyExpectation
 /// @brief Bytes of an object of a safety configuration; 0: it is none.
 [[nodiscard]] std::uint8_t SizeOf(const ObjectAddress& address) noexcept;
 
+/// One object that says who a slave is.
+struct IdentityRow
+{
+    ObjectAddress object;
+    std::uint32_t expected;
+    std::uint32_t mask; ///< Bits that are compared; 0: it is not asked.
+};
+
+constexpr std::uint8_t kIdentityRows = 5U;
+
+/// @brief 1000h and 1018h:01 to :04 by `row` 0 to 4, as the rule compares them. [SRS-SFS-010]
+[[nodiscard]] IdentityRow IdentityRowOf(const SlaveSetup& slave, IdentityRule rule, std::uint8_t row) noexcept;
+
 enum class SafetyTask : std::uint8_t
 {
     kInvalid = 0U,
-    kVerify = 1U, ///< Reads and compares.
-    kWrite = 2U,  ///< Writes by the full procedure, which compares before it declares anything valid.
+    kVerify = 1U, ///< Asks who it is, reads and compares.
+    kWrite = 2U,  ///< Asks, then writes by the full procedure, which compares before it declares anything valid.
 };
 
 enum class CheckState : std::uint8_t
@@ -48,6 +62,14 @@ enum class CheckState : std::uint8_t
     kAlike = 0x69U,
 };
 
+/// What is to be done to which slave. It is a safety slave, and kept by reference.
+struct SafetyOrder
+{
+    const SlaveSetup& slave;
+    IdentityRule rule;
+    SafetyTask task;
+};
+
 /// Compares or writes the safety configuration of one slave, one SDO after the other: Begin, then OnCycle while it is
 /// busy; nobody else uses the slave's connection meanwhile. The first difference ends it. Not reentrant.
 class SafetyCheck
@@ -55,8 +77,8 @@ class SafetyCheck
   public:
     SafetyCheck() noexcept = default;
 
-    /// @brief Anew from the beginning. `expectation` is kept by reference. [SRS-SFS-001, SRS-SFS-005]
-    void Begin(const SafetyExpectation& expectation, SafetyTask task, NodeId node) noexcept;
+    /// @brief Anew from the beginning. [SRS-SFS-001, 005, 010]
+    void Begin(const SafetyOrder& order, NodeId node) noexcept;
     /// @brief Takes what the slave answered and asks for the next object.
     void OnCycle(SdoPool& sdo, Instant now) noexcept;
     /// @brief kBusy, kDiffers, kFailed or kAlike; kClosed before the first Begin. [SRS-SFS-003]
@@ -81,10 +103,11 @@ class SafetyCheck
     }
 
   private:
-    /// One pass over the expectation, or one access to 13FEh.
+    /// One pass over the expectation or the identity, or one access to 13FEh.
     enum class Phase : std::uint8_t
     {
         kEnd = 0U,
+        kIdentity,
         kReadValid,
         kCompare,
         kClearValid,
@@ -104,20 +127,24 @@ class SafetyCheck
     [[nodiscard]] static std::uint32_t ValueIn(Phase phase, const ExpectedObject& object) noexcept;
     [[nodiscard]] Phase PhaseNow() const noexcept;
     [[nodiscard]] bool Reads() const noexcept;
+    [[nodiscard]] bool Take(Phase phase) noexcept;
+    [[nodiscard]] std::uint16_t CountIn(Phase phase) const noexcept;
     void Seek() noexcept;
     void Next() noexcept;
     [[nodiscard]] std::uint8_t SizeNow() const noexcept;
+    [[nodiscard]] bool IsAsExpected(std::uint32_t size_bytes) const noexcept;
     void Access(SdoPool& sdo, Instant now) noexcept;
     void Judge(const cia301::SdoOutcome& outcome) noexcept;
     void End(CheckState state) noexcept;
 
-    const SafetyExpectation* expectation_{nullptr};
+    const SlaveSetup* slave_{nullptr};
     GateFinding finding_{{0U, 0U}, SdoAbort::kNone, 0U, 0U};
     NodeId node_{0U};
     CheckState state_{CheckState::kClosed};
     SafetyTask task_{SafetyTask::kInvalid};
+    IdentityRule rule_{IdentityRule::kCia302};
     std::uint8_t phase_{0U};     ///< Of the task.
-    std::uint16_t position_{0U}; ///< In the expectation.
+    std::uint16_t position_{0U}; ///< In the expectation or the identity.
     ObjectAddress object_{0U, 0U};
     std::uint32_t target_{0U}; ///< Value that is written or expected.
     bool has_begun_{false};    ///< The transfer of this object.

@@ -17,7 +17,7 @@ std::uint32_t PermitOf(const NodeId node) noexcept
 } // namespace
 
 SafetyGate::SafetyGate(const NetworkSetup& setup, const SafetySlots& room, SdoPool& sdo) noexcept
-    : setup_(setup), room_(room), sdo_(sdo)
+    : setup_(setup), room_(room), sdo_(sdo), rule_(IdentityRule::kCia302)
 {
     std::uint8_t used = 0U;
     for (std::uint8_t node = 1U; node <= kLastNode; ++node)
@@ -29,6 +29,11 @@ SafetyGate::SafetyGate(const NetworkSetup& setup, const SafetySlots& room, SdoPo
         }
     }
     room_.count = used;
+}
+
+void SafetyGate::Use(const IdentityRule rule) noexcept
+{
+    rule_ = rule;
 }
 
 void SafetyGate::Verify(const NodeId node, const Instant /*now*/) noexcept
@@ -50,7 +55,7 @@ bool SafetyGate::Begin(const NodeId node, const SafetyTask task) noexcept
     {
         Cancel(*slot);
         slot->permit = 0U;
-        slot->check.Begin(*setup_.Slave(node).safety, task, node);
+        slot->check.Begin(SafetyOrder{setup_.Slave(node), rule_, task}, node);
     }
     return is_believed;
 }

@@ -34,6 +34,8 @@ class SafetyGate final : public StartGate
   public:
     SafetyGate(const NetworkSetup& setup, const SafetySlots& room, SdoPool& sdo) noexcept;
 
+    /// @brief Who a slave is, is asked as this rule says from the next verification on; kCia302 before. [SRS-SFS-010]
+    void Use(IdentityRule rule) noexcept;
     /// @brief Reads and compares from the beginning; kBusy until that ends. In doubt, or without a slot,
     /// nothing happens. [SRS-SFS-001]
     void Verify(NodeId node, Instant now) noexcept override;
@@ -59,6 +61,7 @@ class SafetyGate final : public StartGate
     const NetworkSetup& setup_;
     SafetySlots room_;
     SdoPool& sdo_;
+    IdentityRule rule_;
 };
 
 } // namespace counterpoint::cia302

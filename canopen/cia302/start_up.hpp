@@ -129,6 +129,11 @@ class StartUp
         return Boot(node, now);
     }
 
+    /// @brief What makes a slave the expected device under this profile.
+    [[nodiscard]] virtual IdentityRule Identity() const noexcept
+    {
+        return IdentityRule::kCia302;
+    }
     /// @brief `node` is 1 to 127, checked by the caller.
     [[nodiscard]] virtual NodeStatus Status(NodeId node) const noexcept = 0;
     /// @brief CiA 302-2: MasterStep of start_up_cia302.hpp. PLC Designer: 0, 1, 2, 3, 5. EL6751: see there.

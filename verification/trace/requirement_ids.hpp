@@ -675,6 +675,7 @@ inline constexpr RequirementId SRS_SFS_006{"SRS-SFS-006"};
 inline constexpr RequirementId SRS_SFS_007{"SRS-SFS-007"};
 inline constexpr RequirementId SRS_SFS_008{"SRS-SFS-008"};
 inline constexpr RequirementId SRS_SFS_009{"SRS-SFS-009"};
+inline constexpr RequirementId SRS_SFS_010{"SRS-SFS-010"};
 inline constexpr RequirementId SRS_SIM_001{"SRS-SIM-001"};
 inline constexpr RequirementId SRS_SIM_002{"SRS-SIM-002"};
 inline constexpr RequirementId SRS_SIM_003{"SRS-SIM-003"};

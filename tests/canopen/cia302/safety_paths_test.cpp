@@ -192,10 +192,11 @@ TEST_P(SafetyPathsTest, OfAnotherDeviceIsNeitherStartedNorWritten)
     EXPECT_EQ(Running(5U), 0);
     EXPECT_EQ(Running(6U), 1);
     EXPECT_EQ(devices[0]->writes, (std::vector<std::uint32_t>{}));
-    // When somebody else starts it, it is read, and says still what is wrong with it
+    // When somebody else starts it, it is read, says still what is wrong with it, and is stopped
     Put(Nmt(NmtCommand::kStart, 5U));
     Run(1000U);
-    EXPECT_EQ(Gate(), GateState::kOpen);
+    EXPECT_EQ(Gate(), GateState::kDiffers);
+    EXPECT_EQ(devices[0]->State(), cia301::NodeState::kStopped);
     EXPECT_TRUE(manager->Status(NodeId{5U}).is_other);
     EXPECT_EQ(manager->Status(NodeId{5U}).letter, (GetParam() == Profile::kCia302) ? 'O' : '\0');
     // When the expected one takes its place
@@ -224,7 +225,8 @@ TEST_P(SafetyPathsTest, OfAnotherDeviceThatWasFoundChangedStaysAnotherDevice)
     Put(Nmt(NmtCommand::kPreOperational, 5U));
     Put(Nmt(NmtCommand::kStart, 5U));
     Run(1000U);
-    EXPECT_EQ(Gate(), GateState::kOpen);
+    EXPECT_EQ(Gate(), GateState::kDiffers);
+    EXPECT_EQ(devices[0]->State(), cia301::NodeState::kStopped);
     EXPECT_TRUE(manager->Status(NodeId{5U}).is_other);
     EXPECT_EQ(manager->Status(NodeId{5U}).letter, (GetParam() == Profile::kCia302) ? 'O' : '\0');
 }
@@ -333,7 +335,7 @@ TEST_P(StoppedByErrorTest, ReplacedMeanwhileIsNeitherStartedNorWritten)
     // When somebody else starts it, it is read and still another one, also when it was found changed
     Put(Nmt(NmtCommand::kStart, 5U));
     Run(1000U);
-    EXPECT_EQ(Gate(), GateState::kOpen);
+    EXPECT_EQ(Gate(), GateState::kDiffers);
     Put(Nmt(NmtCommand::kPreOperational, 5U));
     Change();
     Put(Nmt(NmtCommand::kStart, 5U));
