@@ -115,10 +115,9 @@ SafetyCheck::Phase SafetyCheck::PhaseNow() const noexcept
 {
     constexpr Phase kVerifyPhases[kLongestTask] = {Phase::kIdentity, Phase::kReadValid, Phase::kCompare,
                                                    Phase::kReadValid};
-    constexpr Phase kWritePhases[kLongestTask] = {Phase::kIdentity,   Phase::kClearValid, Phase::kSwitchOff,
-                                                  Phase::kSettings,   Phase::kMapClear,   Phase::kMapEntries,
-                                                  Phase::kMapCount,   Phase::kSwitchOn,   Phase::kSign,
-                                                  Phase::kCompare,    Phase::kSetValid,   Phase::kReadValid};
+    constexpr Phase kWritePhases[kLongestTask] = {
+        Phase::kIdentity, Phase::kClearValid, Phase::kSwitchOff, Phase::kSettings, Phase::kMapClear, Phase::kMapEntries,
+        Phase::kMapCount, Phase::kSwitchOn,   Phase::kSign,      Phase::kCompare,  Phase::kSetValid, Phase::kReadValid};
     Phase phase = Phase::kEnd;
     if (phase_ < kLongestTask)
     {
@@ -262,7 +261,8 @@ std::uint8_t SafetyCheck::SizeNow() const noexcept
 bool SafetyCheck::IsAsExpected(const std::uint32_t size_bytes) const noexcept
 {
     const bool is_identity = (PhaseNow() == Phase::kIdentity);
-    const std::uint64_t mask = is_identity ? IdentityRowOf(*slave_, rule_, static_cast<std::uint8_t>(position_)).mask : ~std::uint64_t{0U};
+    const std::uint64_t mask =
+        is_identity ? IdentityRowOf(*slave_, rule_, static_cast<std::uint8_t>(position_)).mask : ~std::uint64_t{0U};
     const bool is_of_size = is_identity || (size_bytes == SizeNow());
     return is_of_size && ((finding_.read & mask) == (finding_.expected & mask));
 }
