@@ -228,6 +228,24 @@ TEST_F(BootConditionsTest, AfterAPauseOfTheManagerGuardingMakesUpForNothing)
     EXPECT_EQ(Letter(5U), "-");
 }
 
+TEST_F(BootConditionsTest, ALongBootTimeIsNoShortOneForWhoIsNeverSeen)
+{
+    Verifies(req::SRS_NMM_025);
+    // Given 4294968 ms, which are 704 us behind the turn of a counter of 32 bits, and a slave that is not there
+    Add(5U, kBoot);
+    setup.boot_time_ms = 4'294'968U;
+    Begin();
+    slaves.at(5U)->Unplug();
+    events.clear();
+    // Then it is told after 1000 s
+    Run(1'000U);
+    ms += 998'000U;
+    Run(1'000U);
+    EXPECT_EQ(events, (std::vector<std::string>{}));
+    Run(1U);
+    EXPECT_EQ(events, (std::vector<std::string>{"1000001:5 8"}));
+}
+
 /// A slave that answers no SDO any more once a block download has begun.
 class BootSilentBlockTest : public BootConditionsTest
 {
