@@ -103,6 +103,7 @@ class SafetyIdentityTest : public ManagerRig, public ::testing::WithParamInterfa
         EXPECT_EQ(manager->Status(kSlave).object.index, finding.object.index);
         EXPECT_EQ(manager->Status(kSlave).letter, (GetParam() == Profile::kCia302) ? 'O' : '\0');
         EXPECT_TRUE(!is_plc || (manager->Status(kSlave).code == kPlcWrongType));
+        EXPECT_TRUE(!is_plc || (manager->Status(kSlave).step == StartUpStep::kDeviceType));
         EXPECT_EQ(Running(5U), 0);
         EXPECT_EQ(Order(NmtCommand::kStart, 5U), NmtAnswer::kOtherDevice);
         EXPECT_FALSE(manager->WriteSafety(kSlave, Now()));
@@ -176,6 +177,38 @@ TEST_P(SafetyIdentityTest, ThatDoesNotAnswerIsNoOtherDevice)
     EXPECT_FALSE(manager->Gate().IsOther(kSlave));
     EXPECT_FALSE(manager->Status(kSlave).is_other);
     EXPECT_EQ(Running(5U), 0);
+}
+
+TEST_P(SafetyIdentityTest, IsTheNumberInAnyLengthThatTheStartUpTakes)
+{
+    Verifies(req::SRS_SFS_010);
+    devices[0]->Put(0x1018U, 4U, {0x34U, 0x12U});
+    devices[0]->Put(0x1000U, 0U, {0x91U, 0x01U});
+    Begin(GetParam());
+    Run(3000U);
+    // Then as the profile's own start-up takes it, of which EL6751 looks at the length
+    EXPECT_EQ(Running(5U), (GetParam() == Profile::kEl6751) ? 0 : 1);
+}
+
+TEST_P(SafetyIdentityTest, IsTheLowWordOfTheTypeUnderPlcDesigner)
+{
+    Verifies(req::SRS_SFS_010);
+    devices[0]->Put32(0x1000U, 0U, 0x000F'0191U);
+    Begin(GetParam());
+    Run(3000U);
+    EXPECT_EQ(Running(5U), (GetParam() == Profile::kPlcDesigner) ? 1 : 0);
+}
+
+TEST_F(SafetyIdentityTest, IsWithoutTheTypeWhereEl6751DoesNotCheckIt)
+{
+    Verifies(req::SRS_SFS_010);
+    El6751Slave box{};
+    box.is_device_type_checked = false;
+    setups[5].el6751 = &box;
+    devices[0]->Put32(0x1000U, 0U, 0x192U);
+    Begin(Profile::kEl6751);
+    Run(6000U);
+    EXPECT_EQ(Running(5U), 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Profiles, SafetyIdentityTest, ::testing::ValuesIn(kProfiles));
