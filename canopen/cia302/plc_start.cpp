@@ -63,12 +63,18 @@ bool PlcStartUp::RunsUnread(const NodeId node) const noexcept
     return is_one && is_running && (parts_.common.gate.State(node) != GateState::kOpen);
 }
 
+/// It is to be started with all others, for which somebody else is waited for.
+bool PlcStartUp::WaitsForAll(const NodeId node) const noexcept
+{
+    const PlcNode& slave = Of(node);
+    const bool is_one = slave.is_wanted && !slave.is_by_hand && (slave.status.code == kPlcConfigured);
+    return is_one && parts_.common.setup.Has(kStartAllAtOnce) && !has_started_all_;
+}
+
 /// [SRS-PLC-013, SRS-PLC-015]
 void PlcStartUp::DriveStart(const NodeId node, const Instant now) noexcept
 {
-    const PlcNode& slave = Of(node);
-    const bool waits_for_all = parts_.common.setup.Has(kStartAllAtOnce) && !has_started_all_;
-    if (slave.is_wanted && (slave.is_by_hand || !waits_for_all))
+    if (Of(node).is_wanted && !WaitsForAll(node))
     {
         StartOne(node, now);
     }
@@ -90,6 +96,7 @@ void PlcStartUp::StartOne(const NodeId node, const Instant now) noexcept
     else if (is_safety && !slave.is_verified)
     {
         slave.is_verified = !is_waking;
+        slave.is_checking = false; // This reading serves.
         if (!is_waking)
         {
             Tell(node, kPlcConfigured, StartUpStep::kSafety, now);
@@ -151,14 +158,15 @@ void PlcStartUp::Refuse(const NodeId node, const Instant now) noexcept
     parts_.common.listener.OnNodeStatus(node, now);
 }
 
-/// A safety slave that runs without having been started is verified, and one that was, but whose gate did not stay
-/// open. [SRS-PLC-020]
+/// A safety slave that runs without having been started is verified, also while it waits for the start of all, and one
+/// that was started, but whose gate did not stay open. [SRS-PLC-020]
 void PlcStartUp::DriveCheck(const NodeId node, const Instant now) noexcept
 {
     PlcNode& slave = Of(node);
     const NodeRecord& record = parts_.common.table.Record(node);
     const GateState gate = parts_.common.gate.State(node);
-    const bool is_left = (slave.status.code > kPlcSdos) && !slave.is_wanted && parts_.common.setup.IsSafetySlave(node);
+    const bool is_free = !slave.is_wanted || WaitsForAll(node);
+    const bool is_left = (slave.status.code > kPlcSdos) && is_free && parts_.common.setup.IsSafetySlave(node);
     const bool is_found = is_left && !slave.status.is_started && (record.signs != slave.signs) &&
                           parts_.common.table.IsFoundRunning(node);
     const bool is_refused = (gate == GateState::kDiffers) || (gate == GateState::kFailed);
@@ -170,6 +178,7 @@ void PlcStartUp::DriveCheck(const NodeId node, const Instant now) noexcept
         slave.was_checked = (gate == GateState::kOpen);
         if (is_refused)
         {
+            slave.is_wanted = false;
             Refuse(node, now);
         }
     }

@@ -112,6 +112,7 @@ class PlcStartUp final : public StartUp
     void StopUnread(NodeId node, Instant now) noexcept;
     [[nodiscard]] bool RunsUnread(NodeId node) const noexcept;
 
+    [[nodiscard]] bool WaitsForAll(NodeId node) const noexcept;
     void DriveStart(NodeId node, Instant now) noexcept;
     void StartOne(NodeId node, Instant now) noexcept;
     void Refuse(NodeId node, Instant now) noexcept;

@@ -241,5 +241,67 @@ TEST_F(UnaskedDeviceTest, ThatStartsItselfAndBootsOnceIsReadAsItRuns)
 
 INSTANTIATE_TEST_SUITE_P(Each, UnaskedPlcTest, ::testing::Values(16U, 100U, 450U));
 
+/// Given 1F80h bit 1 and a mandatory slave that is not there, so that slave 5 waits for the start of all.
+class WaitingForAllTest : public UnaskedDeviceTest, public ::testing::WithParamInterface<Profile>
+{
+  public:
+    void BeginWaiting()
+    {
+        setup.start_up = kIsMaster | kStartAllAtOnce;
+        Add(6U);
+        setups[6].assignment |= kMandatory;
+        Begin(GetParam());
+        devices[1]->Unplug();
+        Run(4000U);
+    }
+    void ExpectStopped()
+    {
+        Change();
+        Put(Nmt(NmtCommand::kStart, 5U));
+        EXPECT_EQ(Running(5U), 1);
+        Run(1000U);
+        EXPECT_EQ(Gate(), GateState::kDiffers);
+        EXPECT_EQ(Running(5U), 0);
+    }
+};
+
+TEST_P(WaitingForAllTest, StartedBySomebodyElseAndChangedIsStopped)
+{
+    Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_PLC_020);
+    BeginWaiting();
+    ASSERT_EQ(Running(5U), 0);
+    ExpectStopped();
+}
+
+TEST_P(WaitingForAllTest, WithoutHeartbeatStartedBySomebodyElseAndChangedIsStopped)
+{
+    Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_PLC_020);
+    devices[0]->heartbeat_ms = 0U;
+    BeginWaiting();
+    ExpectStopped();
+}
+
+TEST_P(WaitingForAllTest, StartedBySomebodyElseAsItIsToBeRunsOn)
+{
+    Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_PLC_020);
+    BeginWaiting();
+    Put(Nmt(NmtCommand::kStart, 5U));
+    Run(1000U);
+    EXPECT_EQ(Gate(), GateState::kOpen);
+    EXPECT_EQ(stops, 0);
+    // When the one comes for whom all wait
+    devices[1]->Power(Now());
+    Run(6000U);
+    EXPECT_EQ(Running(5U), 1);
+    EXPECT_EQ(Running(6U), 1);
+    EXPECT_EQ(stops, 0);
+}
+
+// With EL6751 nobody waits for another slave.
+INSTANTIATE_TEST_SUITE_P(Profiles, WaitingForAllTest, ::testing::Values(Profile::kCia302, Profile::kPlcDesigner));
+
 } // namespace
 } // namespace counterpoint::cia302
