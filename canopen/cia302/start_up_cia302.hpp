@@ -38,6 +38,7 @@ class Cia302StartUp final : public StartUp, private BootListener
     void OnBusBack(Instant now) noexcept override;
     [[nodiscard]] NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept override;
     [[nodiscard]] bool Boot(NodeId node, Instant now) noexcept override;
+    /// @brief False after a stop of all by error handling, too: slaves are booted by order then. [SRS-BOOT-017]
     [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept override;
     /// @brief Writes the configuration alone. False: not listed, its boot runs, it is STOPPED, a safety slave that is
     /// another device than the expected one, or no start-up runs. [SRS-NMM-009]

@@ -314,15 +314,17 @@ bool Cia302StartUp::Boot(const NodeId node, const Instant now) noexcept
     return is_listed;
 }
 
+/// After a stop of all only orders start a slave. [SRS-BOOT-017]
 bool Cia302StartUp::Resume(const NodeId node, const Instant now) noexcept
 {
     const BootTime time = Tick(now);
-    const bool is_listed = parts_.setup.IsListed(node) && (step_ != MasterStep::kIdle);
-    if (is_listed)
+    const bool is_going = (step_ != MasterStep::kIdle) && (step_ != MasterStep::kStopped);
+    const bool is_one = parts_.setup.IsListed(node) && is_going;
+    if (is_one)
     {
         boot_.Resume(node, time);
     }
-    return is_listed;
+    return is_one;
 }
 
 bool Cia302StartUp::Configure(const NodeId node, const Instant now) noexcept

@@ -349,6 +349,17 @@ TEST_P(StoppedByErrorTest, ReplacedMeanwhileIsNeitherStartedNorWritten)
     EXPECT_EQ(devices[0]->writes, (std::vector<std::uint32_t>{}));
 }
 
+TEST_P(StoppedByErrorTest, WrittenBehindItIsNotStartedUpUnasked)
+{
+    Verifies(req::SRS_BOOT_017);
+    BeginAndLose();
+    Run(300U);
+    EXPECT_EQ(manager->MasterState(), 6);
+    EXPECT_FALSE(manager->Resume(NodeId{5U}, Now()));
+    Run(1000U);
+    EXPECT_EQ(Running(5U), 0);
+}
+
 TEST_P(StoppedByErrorTest, InTheMiddleOfItsBootIsBootedByOrderAlone)
 {
     Verifies(req::SRS_BOOT_017);
