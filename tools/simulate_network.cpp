@@ -6,6 +6,7 @@
 #include "tools/network_file.hpp"
 #include "tools/network_simulation.hpp"
 #include "tools/output_files.hpp"
+#include "verification/simulator/reports.hpp"
 
 #include <ostream>
 
@@ -71,6 +72,7 @@ void RequireFiles(const NetworkScenario& scenario, const NetworkOptions& options
     }
     files.Write("--html", options.html);
     files.Write("--json", options.json);
+    files.Write("--candump", options.candump);
 }
 } // namespace
 
@@ -97,6 +99,16 @@ ExitStatus SimulateNetwork(const std::string& path, const NetworkOptions& option
             streams.err << warning << "\n";
         }
     }
+    std::string frames;
+    if (!options.candump.empty())
+    {
+        simulation.Listen(
+            [&frames](const host::LiveFrame& frame)
+            {
+                frames += simulator::CandumpLine(host::ToCanFrame(frame, CanPortId::kFirst),
+                                                 static_cast<simulator::Nanoseconds>(frame.time_ns));
+            });
+    }
     simulation.Run();
     std::size_t held = 0U;
     for (const NetworkVerdict& verdict : simulation.Verdicts())
@@ -116,6 +128,10 @@ ExitStatus SimulateNetwork(const std::string& path, const NetworkOptions& option
     if (!options.json.empty())
     {
         cia306::WriteTextFile(options.json, JsonOf(scenario, simulation).dump(1) + "\n");
+    }
+    if (!options.candump.empty())
+    {
+        cia306::WriteTextFile(options.candump, frames);
     }
     if (!options.html.empty())
     {
