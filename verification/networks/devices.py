@@ -24,6 +24,19 @@ def with_value(text, section, value):
     return text[:at] + f"ParameterValue={value}" + text[text.index("\n", at):]
 
 
+def with_parameters(text, donor):
+    """A plain device's DCF with the device parameters (5F00h) of another one."""
+    begin = text.index("[ManufacturerObjects]")
+    head = re.match(r"\[ManufacturerObjects\]\nSupportedObjects=(\d+)\n", text[begin:])
+    count = int(head.group(1))
+    listed = text[begin + head.end():].split("[", 1)[0].strip()
+    rows = [row for row in listed.splitlines() if row] + [f"{count + 1}=0x5F00"]
+    rest = text[begin + head.end() + len(text[begin + head.end():].split("[", 1)[0]):]
+    parameters = donor[donor.index("[5F00]"):donor.index("[5F01]")]
+    return (text[:begin] + f"[ManufacturerObjects]\nSupportedObjects={count + 1}\n" + "\n".join(rows) + "\n\n"
+            + rest.rstrip("\n") + "\n\n" + parameters)
+
+
 def sections_of(text):
     """Section, lower case -> its keys."""
     sections, current = {}, {}
@@ -101,8 +114,10 @@ class Catalogue:
         for section, value in OTHER_RELAY.items():
             other = with_value(other, section, value)
         self.texts["other relay"] = other
-        for name in ("relay", "other relay", "sensor", "controller"):
-            self.texts[name] = with_value(with_value(self.texts[name], "5F00sub4", INTERVAL_MS), "5F00sub5", INTERVAL_MS)
+        for name in ("io", "guarded"):
+            self.texts[name] = with_parameters(self.texts[name], self.texts["relay"])
+        for name, text in self.texts.items():
+            self.texts[name] = with_value(with_value(text, "5F00sub4", INTERVAL_MS), "5F00sub5", INTERVAL_MS)
 
     def of(self, kind, node):
         """The description of a device of this kind at this node-ID, with signatures and digest that fit it."""

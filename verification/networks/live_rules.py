@@ -1,0 +1,128 @@
+"""Rules about time: what runs and should not is stopped (4), and who is healthy runs in the end (5)."""
+import bounds
+import frames as wire
+from draw import NMT_WORDS
+from safety_rules import Violation
+
+WORDS = {value: word for word, value in NMT_WORDS.items()}
+# 1F82h (semantics of CiA 302-2): what is written there is a command.
+STATE_WORDS = {4: "stop", 5: "start", 6: "reset", 7: "reset-comm", 127: "preop"}
+HOLDS = ("stop", "preop")
+FREES = ("start", "reset", "reset-comm", "boot")
+RESTING_CODES = {"el6751": (8,), "plc_designer": (1, 2, 3)}
+
+
+class StopRule:
+    """Rule 4: a safety slave that begins to run with another configuration, heard by the manager, is stopped in time."""
+
+    def __init__(self, world):
+        self.world = world
+        self.found = []
+        self.due = {}  # Node -> until when.
+        self.stopped = 0
+
+    def after(self, was_running):
+        """Behind each frame; `was_running` is what was true before it."""
+        world = self.world
+        for number, node in world.nodes.items():
+            if node.is_running and not was_running[number] and node.is_wrong and node.safety and not node.is_double:
+                self.due.setdefault(number, world.now_us + bounds.stop_us(world.plan, number))
+            elif not node.is_running or not node.is_wrong or not node.is_there or world.is_deaf:
+                self.stopped += 1 if number in self.due and not node.is_running else 0
+                self.due.pop(number, None)
+            elif number in self.due and world.now_us > self.due[number]:
+                self.found.append(Violation("4 stopped", world.now_us, f"node {number} runs with another safety "
+                                            f"configuration, not stopped by {self.due.pop(number)} us"))
+
+
+class Wishes:
+    """Who has to run in the end, by what was commanded; what the texts leave to the application makes a slave uncertain."""
+
+    def __init__(self, plan):
+        self.plan = plan
+        self.held = dict.fromkeys((slave.node for slave in plan.slaves), False)
+        self.unsure = {slave.node: "" for slave in plan.slaves}
+        self.start_up = plan.start_up
+        has_events = bool(plan.events)
+        for slave in plan.slaves:
+            entry = slave.entry
+            is_optional = entry.get("mandatory") is False
+            if entry.get("boot") is False or entry.get("el6751", {}).get("start") is False or plan.start_up & 0x08:
+                self.unsure[slave.node] = "not to be started"
+            elif has_events and plan.profile == "el6751" and any("el6751" in each.entry for each in plan.slaves):
+                self.unsure[slave.node] = "restarted by hand"
+            elif is_optional and plan.profile == "plc_designer" and (has_events or slave.comes_us > 0):
+                self.unsure[slave.node] = "may be in 97"
+            elif has_events and self.start_up & 0x40:
+                self.unsure[slave.node] = "all stopped by error handling"
+        for event in plan.events:
+            self.take(event)
+
+    def take(self, event):
+        kind = event["do"]
+        if kind in ("insert", "reset", "replace") and self.plan.profile == "cia302":
+            self.held[event["node"]] = False
+        elif kind == "duplicate":
+            self.unsure[event["node"]] = "suspected duplicate"
+        elif kind == "send" and event["identifier"] == wire.NMT:
+            self.command(WORDS[event["data"][0]], event["data"][1])
+        elif kind == "order":
+            self.order(event["order"].split())
+        elif kind in ("bus_off", "no_controller"):
+            self.deaf()
+
+    def deaf(self):
+        """The boot-up message of an optional slave, or of one that nobody watches, may be lost."""
+        for slave in self.plan.slaves:
+            if slave.entry.get("mandatory") is False or slave.entry.get("heartbeat") == "0 ms":
+                self.unsure[slave.node] = self.unsure[slave.node] or "its boot-up message may be lost"
+
+    def order(self, words):
+        if words[0] == "set" and words[1].startswith("0x1F80"):
+            self.everybody("1F80h was changed")
+        elif words[0] == "set":
+            self.command(STATE_WORDS[int(words[2])], int(words[1].split(":")[1], 16))
+        elif words[0] in ("control", "write-safety"):
+            self.unsure[int(words[1])] = "by hand"
+        else:
+            self.command(words[0], 0 if words[1] == "all" else int(words[1]))
+
+    def command(self, word, whom):
+        if whom == 0 and word in HOLDS and self.plan.profile == "cia302":
+            self.everybody("the manager itself was commanded")
+        for node in self.held:
+            if whom in (0, node):
+                self.held[node] = word in HOLDS
+
+    def everybody(self, why):
+        for node in self.unsure:
+            self.unsure[node] = self.unsure[node] or why
+
+    def why_not(self, node, world):
+        """Why this slave need not run; empty: it has to."""
+        state = world.nodes[node]
+        reasons = ((not state.is_there, "absent"), (state.strange(self.plan.profile) is not None, "another device"),
+                   (state.is_wrong, "another safety configuration"), (self.held[node], "held"),
+                   (state.is_silent, "without heartbeat"))
+        return self.unsure[node] or next((word for holds, word in reasons if holds), "")
+
+    def musts(self, world):
+        """Node -> why not, empty for those that have to run."""
+        why = {node: self.why_not(node, world) for node in self.held}
+        waits = self.start_up & 0x02 and any(why[slave.node] and slave.entry.get("mandatory") is not False
+                                             for slave in self.plan.slaves)
+        return {node: text or ("start of all waits" if waits else "") for node, text in why.items()}
+
+
+def rest_violations(world, states, events, why):
+    """Rule 5: `states` by the device itself at the end, `events` of the manager, `why` of Wishes."""
+    plan, found = world.plan, []
+    for node, state in states.items():
+        if not why[node] and state != "operational":
+            found.append(Violation("5 runs", plan.duration_us, f"node {node} is {state} {plan.duration_us - plan.last_us} us "
+                                   f"after the last fault, expected operational"))
+    for node, state in states.items():
+        last = next((event for event in reversed(events) if event["event"] == "status" and event["node"] == node), None)
+        if last is not None and state != "absent" and last["code"] in RESTING_CODES.get(plan.profile, ()) and not why[node]:
+            found.append(Violation("5 booting", plan.duration_us, f"node {node} is left at '{last['step']}'"))
+    return found
