@@ -51,8 +51,8 @@ class Plan:
 
 
 def draw_start_up(rng, profile):
-    bits = {"cia302": ((0x02, 0.25), (0x04, 0.2), (0x08, 0.08), (0x10, 0.2), (0x40, 0.15)),
-            "el6751": (), "plc_designer": ((0x02, 0.3), (0x08, 0.1))}[profile]
+    bits = {"cia302": ((0x02, 0.25), (0x04, 0.2), (0x08, 0.05), (0x10, 0.2), (0x40, 0.1)),
+            "el6751": (), "plc_designer": ((0x02, 0.3), (0x08, 0.06))}[profile]
     return 1 | sum(bit for bit, chance in bits if rng.random() < chance)
 
 
@@ -65,7 +65,7 @@ def draw_entry(rng, plan, kind, safe):
         entry["heartbeat"] = "0 ms"
     elif rng.random() < 0.3:
         entry.update({"heartbeat": "50 ms", "consumer": "150 ms"})
-    if rng.random() < 0.4:
+    if rng.random() < 0.25:
         entry["mandatory"] = False
     if plan.profile == "cia302" and rng.random() < 0.12 and "heartbeat" not in entry:
         entry["keep_alive"] = True
@@ -75,7 +75,7 @@ def draw_entry(rng, plan, kind, safe):
         entry["write_safety"] = True
     if rng.random() < 0.2:
         entry["arming"] = rng.choice(("boot_up", "first_heartbeat"))
-    if plan.profile == "el6751" and rng.random() < 0.3:
+    if plan.profile == "el6751" and rng.random() < 0.12:
         entry["el6751"] = rng.choice(({"restart": "by_hand"}, {"reaction": "none"}, {"network_reaction": "stop_all"},
                                       {"start": False}))
     if plan.profile == "plc_designer" and rng.random() < 0.3:
@@ -229,6 +229,8 @@ def draw(seed, number, rest_us):
     plan.manager = {"node": MANAGER, "profile": profile, "heartbeat": "200 ms", "start_up": plan.start_up}
     if profile == "el6751":
         plan.manager["sync"] = "20 ms"
+        plan.manager["heartbeat"] = "50 ms"
+        plan.manager["el6751"] = {"input_shift": "8 ms"}
     if profile == "cia302" and rng.random() < 0.5:
         plan.manager["boot_time"] = f"{rng.choice((500, 2000, 5000))} ms"
     if rng.random() < 0.2:

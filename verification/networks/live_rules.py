@@ -25,9 +25,9 @@ class StopRule:
         """Behind each frame; `was_running` is what was true before it."""
         world = self.world
         for number, node in world.nodes.items():
-            if node.is_running and not was_running[number] and node.is_wrong and node.safety and not node.is_double:
+            if node.is_running and not was_running[number] and node.altered_us is not None and node.safety and not node.is_double:
                 self.due.setdefault(number, world.now_us + bounds.stop_us(world.plan, number))
-            elif not node.is_running or not node.is_wrong or not node.is_there or world.is_deaf:
+            elif not node.is_running or node.altered_us is None or not node.is_there or world.is_deaf:
                 self.stopped += 1 if number in self.due and not node.is_running else 0
                 self.due.pop(number, None)
             elif number in self.due and world.now_us > self.due[number]:
@@ -65,15 +65,17 @@ class Wishes:
         elif kind == "duplicate":
             self.unsure[event["node"]] = "suspected duplicate"
         elif kind == "send" and event["identifier"] == wire.NMT:
-            self.command(WORDS[event["data"][0]], event["data"][1])
+            self.command(WORDS[event["data"][0]], event["data"][1], True)
         elif kind == "order":
             self.order(event["order"].split())
         elif kind in ("bus_off", "no_controller"):
-            self.deaf()
+            self.deaf(event["until_us"] - event["at_us"])
 
-    def deaf(self):
-        """The boot-up message of an optional slave, or of one that nobody watches, may be lost."""
+    def deaf(self, for_us):
+        """The boot-up message of an optional slave, or of one that nobody watches, may be lost; 99 is left by hand."""
         for slave in self.plan.slaves:
+            if self.plan.profile == "plc_designer" and 2 * for_us > bounds.supervision_us(slave):
+                self.unsure[slave.node] = self.unsure[slave.node] or "may be in 99"
             if slave.entry.get("mandatory") is False or slave.entry.get("heartbeat") == "0 ms":
                 self.unsure[slave.node] = self.unsure[slave.node] or "its boot-up message may be lost"
 
@@ -87,11 +89,12 @@ class Wishes:
         else:
             self.command(words[0], 0 if words[1] == "all" else int(words[1]))
 
-    def command(self, word, whom):
+    def command(self, word, whom, is_foreign=False):
         if whom == 0 and word in HOLDS and self.plan.profile == "cia302":
             self.everybody("the manager itself was commanded")
         for node in self.held:
-            if whom in (0, node):
+            # Somebody else's start is no wish of whoever commands the manager.
+            if whom in (0, node) and not (is_foreign and word == "start"):
                 self.held[node] = word in HOLDS
 
     def everybody(self, why):
@@ -102,7 +105,7 @@ class Wishes:
         """Why this slave need not run; empty: it has to."""
         state = world.nodes[node]
         reasons = ((not state.is_there, "absent"), (state.strange(self.plan.profile) is not None, "another device"),
-                   (state.is_wrong, "another safety configuration"), (self.held[node], "held"),
+                   (state.altered_us is not None, "another safety configuration"), (self.held[node], "held"),
                    (state.is_silent, "without heartbeat"))
         return self.unsure[node] or next((word for holds, word in reasons if holds), "")
 

@@ -32,7 +32,8 @@ class Node:
         self.serial = slave.device_serial
         self.is_there = slave.is_there
         self.is_double = False
-        self.altered_us = None  # A value of its safety configuration is another one since then.
+        self.has_other_dcf = slave.device_kind != slave.kind
+        self.altered_us = 0 if self.has_other_dcf else None  # Its safety configuration is another one since then.
         self.is_silent = False  # Somebody took its heartbeat away.
         self.exchanged_us = None  # Another device took its place then, and nobody has heard its boot-up message.
         self.was_deaf = False  # That boot-up message came while the manager heard nothing.
@@ -41,14 +42,6 @@ class Node:
         self.reading = Reading()
         self.before = Reading()  # What was known until the last end of knowledge.
         self.state_us = 0
-
-    @property
-    def is_other_kind(self):
-        return self.slave.device_kind != self.slave.kind
-
-    @property
-    def is_wrong(self):
-        return self.altered_us is not None or (self.is_other_kind and bool(self.safety))
 
     def strange(self, profile):
         """The object by which the device that is there is another one than the expected one; None: it is that one."""
@@ -66,9 +59,9 @@ class Node:
         self.before, self.reading = self.reading, Reading()
         self.reading.ended_us = now_us
 
-    def begin_anew(self):
+    def begin_anew(self, now_us):
         """The device has the values of its DCF again."""
-        self.altered_us = None
+        self.altered_us = now_us if self.has_other_dcf else None
         self.is_silent = False
         self.is_running = False
 
@@ -135,7 +128,7 @@ class World:
         node.is_there = kind != "pull"
         node.is_double = kind == "duplicate"
         if kind != "duplicate":
-            node.begin_anew()
+            node.begin_anew(self.now_us)
         if kind == "replace":
             node.serial = event["serial"]
             node.exchanged_us, node.was_deaf = self.now_us, False
@@ -186,7 +179,7 @@ class World:
             if whom not in (0, number):
                 continue
             if command in (wire.RESET, wire.RESET_COMM):
-                node.begin_anew()
+                node.begin_anew(self.now_us)
             if command == wire.START:
                 node.is_running = True
             elif command in (wire.STOP, wire.PREOP, wire.RESET, wire.RESET_COMM):
