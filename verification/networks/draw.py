@@ -75,9 +75,11 @@ def draw_entry(rng, plan, kind, safe):
         entry["write_safety"] = True
     if rng.random() < 0.2:
         entry["arming"] = rng.choice(("boot_up", "first_heartbeat"))
-    if plan.profile == "el6751" and rng.random() < 0.12:
-        entry["el6751"] = rng.choice(({"restart": "by_hand"}, {"reaction": "none"}, {"network_reaction": "stop_all"},
-                                      {"start": False}))
+    if plan.profile == "el6751":
+        entry["el6751"] = {} if kind == "io" else {"write_sync_period": False}
+        if rng.random() < 0.12:
+            entry["el6751"].update(rng.choice(({"restart": "by_hand"}, {"reaction": "none"},
+                                               {"network_reaction": "stop_all"}, {"start": False})))
     if plan.profile == "plc_designer" and rng.random() < 0.3:
         entry["plc_designer"] = {"reset_node": True}
     return entry

@@ -9,7 +9,14 @@ WORDS = {value: word for word, value in NMT_WORDS.items()}
 STATE_WORDS = {4: "stop", 5: "start", 6: "reset", 7: "reset-comm", 127: "preop"}
 HOLDS = ("stop", "preop")
 FREES = ("start", "reset", "reset-comm", "boot")
-RESTING_CODES = {"el6751": (8,), "plc_designer": (1, 2, 3)}
+# Options of the EL6751 profile with which a slave, or all, stay stopped until somebody starts them.
+BY_HAND = {"restart", "reaction", "network_reaction"}
+BOOTING_CODES = {"el6751": (8,), "plc_designer": (1, 2, 3)}
+
+
+def starts(plan):
+    """Whether the manager starts slaves by itself: 1F80h bit 3; bit 1 is with its own start, which bit 2 forbids."""
+    return not plan.start_up & 0x08 and not (plan.profile == "cia302" and plan.start_up & 0x06 == 0x06)
 
 
 class StopRule:
@@ -47,9 +54,10 @@ class Wishes:
         for slave in plan.slaves:
             entry = slave.entry
             is_optional = entry.get("mandatory") is False
-            if entry.get("boot") is False or entry.get("el6751", {}).get("start") is False or plan.start_up & 0x08:
+            is_by_hand = any(BY_HAND & set(each.entry.get("el6751", {})) for each in plan.slaves)
+            if entry.get("boot") is False or entry.get("el6751", {}).get("start") is False or not starts(plan):
                 self.unsure[slave.node] = "not to be started"
-            elif has_events and plan.profile == "el6751" and any("el6751" in each.entry for each in plan.slaves):
+            elif has_events and is_by_hand:
                 self.unsure[slave.node] = "restarted by hand"
             elif is_optional and plan.profile == "plc_designer" and (has_events or slave.comes_us > 0):
                 self.unsure[slave.node] = "may be in 97"
@@ -126,6 +134,6 @@ def rest_violations(world, states, events, why):
                                    f"after the last fault, expected operational"))
     for node, state in states.items():
         last = next((event for event in reversed(events) if event["event"] == "status" and event["node"] == node), None)
-        if last is not None and state != "absent" and last["code"] in RESTING_CODES.get(plan.profile, ()) and not why[node]:
+        if last is not None and state != "absent" and last["code"] in BOOTING_CODES.get(plan.profile, ()) and not why[node]:
             found.append(Violation("5 booting", plan.duration_us, f"node {node} is left at '{last['step']}'"))
     return found
