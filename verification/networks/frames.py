@@ -56,12 +56,13 @@ class Transfer:
     is_abort: bool
 
 
-def read_frames(path):
+def frames_of(text, name):
+    """The frames of a log; `name` is what it is called when a line is none."""
     frames = []
-    for number, line in enumerate(path.read_text(encoding="ascii").splitlines(), start=1):
+    for number, line in enumerate(text.splitlines(), start=1):
         found = LINE.match(line)
         if not found:
-            raise BadLog(f"{path}:{number}: '{line}', expected (SECONDS.MICROSECONDS) can0 IDENTIFIER#DATA")
+            raise BadLog(f"{name}:{number}: '{line}', expected (SECONDS.MICROSECONDS) can0 IDENTIFIER#DATA")
         seconds, micro, identifier, data = found.groups()
         is_remote = data.startswith("R")
         frames.append(Frame(int(seconds) * 1000000 + int(micro), int(identifier, 16),

@@ -11,6 +11,8 @@ HOLDS = ("stop", "preop")
 FREES = ("start", "reset", "reset-comm", "boot")
 # Options of the EL6751 profile with which a slave, or all, stay stopped until somebody starts them.
 BY_HAND = {"restart", "reaction", "network_reaction"}
+BOOTING_STEPS = ("reset", "device type", "vendor-ID", "product code", "revision", "serial number", "state check",
+                 "configuration date", "restore", "configure", "error control", "safety")
 BOOTING_CODES = {"el6751": (8,), "plc_designer": (1, 2, 3)}
 
 
@@ -117,23 +119,33 @@ class Wishes:
                    (state.is_silent, "without heartbeat"))
         return self.unsure[node] or next((word for holds, word in reasons if holds), "")
 
-    def musts(self, world):
-        """Node -> why not, empty for those that have to run."""
+    def reasons(self, world):
+        """Node -> why it need not run, empty for those that have to."""
         why = {node: self.why_not(node, world) for node in self.held}
         waits = self.start_up & 0x02 and any(why[slave.node] and slave.entry.get("mandatory") is not False
                                              for slave in self.plan.slaves)
         return {node: text or ("start of all waits" if waits else "") for node, text in why.items()}
 
 
+def is_booting(profile, status):
+    """Whether this status is one in which a start-up goes on by itself."""
+    if profile == "cia302":
+        return status["letter"] in ("", "none") and status["step"] in BOOTING_STEPS
+    return status["code"] in BOOTING_CODES[profile]
+
+
 def rest_violations(world, states, events, why):
-    """Rule 5: `states` by the device itself at the end, `events` of the manager, `why` of Wishes."""
+    """Rule 5: `states` of the devices themselves at the end, `events` of the manager, `why` as of Wishes."""
     plan, found = world.plan, []
+    rested_us = plan.duration_us - plan.last_us
+    statuses = {event["node"]: event for event in events if event["event"] == "status"}
     for node, state in states.items():
+        status = statuses.get(node)
         if not why[node] and state != "operational":
-            found.append(Violation("5 runs", plan.duration_us, f"node {node} is {state} {plan.duration_us - plan.last_us} us "
-                                   f"after the last fault, expected operational"))
-    for node, state in states.items():
-        last = next((event for event in reversed(events) if event["event"] == "status" and event["node"] == node), None)
-        if last is not None and state != "absent" and last["code"] in BOOTING_CODES.get(plan.profile, ()) and not why[node]:
-            found.append(Violation("5 booting", plan.duration_us, f"node {node} is left at '{last['step']}'"))
+            found.append(Violation("5 runs", plan.duration_us, f"node {node} is {state} {rested_us} us after the last "
+                                                               "fault, expected operational"))
+        is_one = state != "absent" and not world.nodes[node].is_double and not world.nodes[node].is_silent
+        if is_one and status is not None and is_booting(plan.profile, status):
+            found.append(Violation("5 booting", plan.duration_us, f"node {node} is left at '{status['step']}', {rested_us} us "
+                                                                  "after the last fault"))
     return found

@@ -1,135 +1,112 @@
 #!/usr/bin/env python3
 """Draws networks with faults, runs them with `counterpoint simulate`, and judges what the manager did.
 
-    python3 verification/networks/run.py --program build/product/tools/counterpoint --runs 1000 --seed 1
-    python3 verification/networks/run.py --program ... --seed 1 --first 17 --runs 1 --keep /tmp/network
-    python3 verification/networks/run.py --self-test
+    run.py --program build/product/tools/counterpoint                          100 networks of seed 1
+    run.py --program build/product/tools/counterpoint --seed 7 --runs 10000    many
+    run.py --program ... --seed 7 --first 17 --runs 1 --keep /tmp/network      one again, its files kept
+    run.py --program ... --self-test                                           logs that break a rule are told
 
-Exit status: 0 every rule holds in every network; 1 one does not; 2 bad input.
+Each network has a manager of one of the three profiles, 1 to 6 slaves, and 0 to 8 faults and orders at drawn instants. The
+frames of its bus, the events of its manager and the devices' own states are judged by the rules of README.md, which know
+nothing of the manager's code. A broken rule is one line: seed, network, time, rule, and how to run it again.
+Needs nothing but Python. Exit status: 0 every rule holds; 1 one is broken; 2 bad input.
 """
 import argparse
 import collections
-import json
 import pathlib
-import re
-import subprocess
 import sys
 import tempfile
+import time
 
-import bounds
-import devices
-import draw
-import frames as wire
-import live_rules
-import safety_rules
-import scenario
-from world import World
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import bounds  # noqa: E402
+import devices  # noqa: E402
+import draw  # noqa: E402
+import judge  # noqa: E402
+import self_test  # noqa: E402
 
-VERDICT = re.compile(r"state of (?:device|node) (\d+).* is ([a-z-]+)")
+TWICE = 10  # Each so manieth network is run twice.
 
 
 class BadInput(Exception):
     """Arguments that cannot be used."""
 
 
-class Outcome:
-    """What one network came to."""
-
-    def __init__(self, plan):
-        self.plan = plan
-        self.violations = []
-        self.starts = 0
-        self.stopped = 0
-        self.states = {}
-        self.why = {}
-        self.events = []
+def progress(done, count):
+    if sys.stderr.isatty():
+        filled = 40 * done // count
+        sys.stderr.write(f"\r[{'#' * filled}{' ' * (40 - filled)}] {done} of {count} networks" + ("\n" if done == count else ""))
+        sys.stderr.flush()
 
 
-def simulate(program, path, folder):
-    """Runs the product; events, frames and verdicts as they are in its files."""
-    log, table = folder / "frames.log", folder / "events.json"
-    done = subprocess.run([str(program), "simulate", "--quiet", str(path), "--candump", str(log), "--json", str(table)],
-                          capture_output=True, text=True, check=False)
-    return done, log, table
+def number_of(least):
+    def parse(text):
+        if not text.isdecimal() or int(text) < least:
+            raise argparse.ArgumentTypeError(f"'{text}', expected a whole number of at least {least}")
+        return int(text)
+    return parse
 
 
-def states_of(verdicts):
-    states = {}
-    for verdict in verdicts:
-        found = VERDICT.search(verdict["text"])
-        states[int(found.group(1))] = found.group(2)
-    return states
+def arguments_of(words):
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", type=pathlib.Path, required=True, help="the built `counterpoint`")
+    parser.add_argument("--seed", type=number_of(0), default=1, help="everything is drawn from it (default 1)")
+    parser.add_argument("--runs", type=number_of(1), default=100, help="how many networks (default 100)")
+    parser.add_argument("--first", type=number_of(0), default=0, help="number of the first one (default 0)")
+    parser.add_argument("--keep", type=pathlib.Path, metavar="DIR",
+                        help="write the files here and keep them; of several networks each in a folder named by its number")
+    parser.add_argument("--self-test", action="store_true", help="shows that every rule can be broken, and ends")
+    options = parser.parse_args(words)
+    if not options.program.is_file():
+        parser.error(f"--program {options.program}: no such file, expected the built program, "
+                     "build/product/tools/counterpoint")
+    if options.keep is not None and options.keep.exists() and not options.keep.is_dir():
+        parser.error(f"--keep {options.keep}: this is no folder, expected one or a new name")
+    return options
 
 
-def judge(plan, catalogue, frames, document, outcome):
-    """All rules over one run."""
-    world = World(plan, catalogue)
-    safety, stops = safety_rules.SafetyRules(world), live_rules.StopRule(world)
-    for _, is_frame, _, what in world.steps(frames):
-        if not is_frame:
-            world.act(what)
-            continue
-        world.now_us = what.t_us
-        safety.before(what, what.is_nmt and world.is_foreign(what))
-        was_running = {number: node.is_running for number, node in world.nodes.items()}
-        world.hear(what)
-        stops.after(was_running)
-    outcome.states = states_of(document["verdicts"])
-    outcome.events = document["managers"][0]["events"]
-    outcome.why = live_rules.Wishes(plan).musts(world)
-    outcome.starts, outcome.stopped = safety.starts, stops.stopped
-    outcome.violations += safety.found + stops.found
-    outcome.violations += live_rules.rest_violations(world, outcome.states, outcome.events, outcome.why)
+def again(options, number):
+    return f"run.py --program {options.program} --seed {options.seed} --first {number} --runs 1 --keep DIR"
 
 
-def run_network(program, catalogue, plan, folder, checks_twice):
-    outcome = Outcome(plan)
-    path = scenario.write(plan, catalogue, folder)
-    done, log, table = simulate(program, path, folder)
-    if done.returncode not in (0, 1) or not table.exists():
-        text = (done.stderr or done.stdout).strip().splitlines()
-        outcome.violations.append(safety_rules.Violation("6 program", 0, f"exit status {done.returncode}, "
-                                                         f"{text[-1] if text else 'no text'}"))
-        return outcome
-    document = json.loads(table.read_text(encoding="utf-8"))
-    expected = 0 if all(verdict["holds"] for verdict in document["verdicts"]) else 1
-    if done.returncode != expected:
-        outcome.violations.append(safety_rules.Violation("6 program", 0, f"exit status {done.returncode}, expected {expected}"))
-    judge(plan, catalogue, wire.read_frames(log), document, outcome)
-    if checks_twice:
-        before = log.read_bytes(), table.read_bytes()
-        simulate(program, path, folder)
-        if before != (log.read_bytes(), table.read_bytes()):
-            outcome.violations.append(safety_rules.Violation("6 same bytes", 0, "a second run gave other bytes"))
-    return outcome
+def run_all(options, work):
+    """All networks. Returns the counts and the number of broken rules."""
+    catalogue = devices.Catalogue(options.program, work)
+    counts, broken = collections.Counter(), 0
+    for done, number in enumerate(range(options.first, options.first + options.runs), start=1):
+        plan = draw.draw(options.seed, number, bounds.rest_us)
+        folder = work / "network" if options.keep is None else options.keep
+        folder = folder / str(number) if options.keep is not None and options.runs > 1 else folder
+        folder.mkdir(parents=True, exist_ok=True)
+        outcome = judge.run_network(options.program, catalogue, plan, folder, number % TWICE == 0)
+        counts.update(outcome.counts)
+        counts["longest rest after the last fault [ms]"] = max(counts["longest rest after the last fault [ms]"],
+                                                               (plan.duration_us - plan.last_us) // bounds.MS)
+        for violation in outcome.violations:
+            broken += 1
+            print(f"BROKEN  seed {options.seed} network {number} ({plan.profile}) {violation.t_us / 1e6:.6f} s, rule "
+                  f"{violation.rule}: {violation.text}; {again(options, number)}", flush=True)
+        progress(done, options.runs)
+    return counts, broken
 
 
-def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--program", type=pathlib.Path)
-    parser.add_argument("--runs", type=int, default=100)
-    parser.add_argument("--first", type=int, default=0)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--keep", type=pathlib.Path)
-    options = parser.parse_args()
-    counts = collections.Counter()
-    with tempfile.TemporaryDirectory() as folder:
-        work = pathlib.Path(folder)
-        catalogue = devices.Catalogue(options.program, work)
-        for number in range(options.first, options.first + options.runs):
-            plan = draw.draw(options.seed, number, bounds.rest_us)
-            place = options.keep or work / str(number)
-            place.mkdir(parents=True, exist_ok=True)
-            outcome = run_network(options.program, catalogue, plan, place, number % 10 == 0)
-            counts["starts"] += outcome.starts
-            counts["stopped"] += outcome.stopped
-            counts["slaves"] += len(plan.slaves)
-            for node, why in outcome.why.items():
-                counts["why: " + why] += 1
-            for v in outcome.violations:
-                print(f"seed {options.seed} network {number} {plan.profile} {v.t_us/1e6:.6f} s {v.rule}: {v.text}")
-    for key in sorted(counts):
-        print(counts[key], key)
+def main(words):
+    options = arguments_of(words)
+    started = time.monotonic()
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            if options.self_test:
+                return self_test.run(options.program, pathlib.Path(folder))
+            counts, broken = run_all(options, pathlib.Path(folder))
+    except (devices.BadDevice, judge.wire.BadLog, OSError) as error:
+        print(error, file=sys.stderr)
+        return 2
+    for name in sorted(counts):
+        print(f"{counts[name]:9d}  {name}")
+    print(f"{options.runs} networks, seed {options.seed}, {broken} broken rules, {time.monotonic() - started:.0f} s: "
+          f"{'FAIL' if broken else 'pass'}")
+    return 1 if broken else 0
 
 
-main()
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

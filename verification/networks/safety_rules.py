@@ -51,7 +51,8 @@ class SafetyRules:
         if key is not None:
             self.tell("2 verified", f"start of node {whom}, {object_name(key)} not read as expected before it")
         asked = node.reading.values.get((0x13FE, 0))
-        if node.altered_us is not None and asked is not None and node.altered_us < asked.asked_us:
+        is_other = node.altered_us is not None and not node.is_double  # Of two devices one is asked.
+        if is_other and asked is not None and node.altered_us < asked.asked_us:
             self.tell("2 verified", f"start of node {whom}, whose safety configuration is another one since "
                                     f"{node.altered_us} us")
         self._identity(node, f"start of node {whom}")
