@@ -138,12 +138,13 @@ class Drawer:
 
     def event(self, at_us):
         kinds = [(self.pull, 2), (self.insert, 6), (self.reset, 3), (self.replace, 4), (self.store, 4), (self.silence, 1),
-                 (self.duplicate, 1), (self.nmt, 4), (self.order, 6), (self.bus_off, 3), (self.storm, 1), (self.babble, 1)]
+                 (self.duplicate, 1), (self.tamper, 4), (self.nmt, 4), (self.order, 6), (self.bus_off, 3), (self.storm, 1), (self.babble, 1)]
         while True:
             draw = self.rng.choices([kind for kind, _ in kinds], [weight for _, weight in kinds])[0]
             event = draw(at_us)
             if event is not None:
-                return {"at_us": at_us, **event}
+                steps = event if isinstance(event, list) else [event]
+                return [{"at_us": at_us + step.pop("after_us", 0), **step} for step in steps]
 
     def _one(self, at_us, is_there=True):
         nodes = self.nodes(at_us, is_there)
@@ -179,6 +180,19 @@ class Drawer:
             return None
         key, value = self.rng.choice(STORES)
         return {"do": "store", "node": self.rng.choice(nodes), "key": key, "value": value}
+
+    def tamper(self, at_us):
+        """Somebody takes a safety slave out of OPERATIONAL, writes into it, and starts it again, or has it started."""
+        store = self.store(at_us)
+        if store is None:
+            return None
+        node, gap_us = store["node"], self.rng.choice((2, 20, 150)) * MS
+        out = self.rng.choice(({"do": "order", "order": f"preop {node}"},
+                               {"do": "send", "identifier": 0, "data": bytes((0x80, node))}))
+        back = self.rng.choice(({"do": "order", "order": f"start {node}"}, {"do": "order", "order": "start all"},
+                                {"do": "send", "identifier": 0, "data": bytes((1, node))},
+                                {"do": "send", "identifier": 0, "data": bytes((1, 0))}))
+        return [out, {"after_us": gap_us, **store}, {"after_us": 2 * gap_us, **back}]
 
     def silence(self, at_us):
         nodes = [node for node in self.nodes(at_us, True) if self.plan.slave(node).kind != "guarded"]
@@ -223,6 +237,20 @@ class Drawer:
                 "until_us": at_us + self.rng.randrange(50, 800) * MS}
 
 
+def possible(plan):
+    """The events in their order, without those of a device that has gone meanwhile."""
+    there = {slave.node: slave.is_there for slave in plan.slaves}
+    events = []
+    for event in sorted(plan.events, key=lambda event: event["at_us"]):
+        kind, node = event["do"], event.get("node")
+        if kind in ("pull", "reset", "store", "duplicate") and not there[node] or kind == "insert" and there[node]:
+            continue
+        if kind in ("pull", "insert", "replace"):
+            there[node] = kind != "pull"
+        events.append(event)
+    return events
+
+
 def draw(seed, number, rest_us):
     """Network `number` of the seed; `rest_us` tells of a plan how long it may take to come to rest."""
     rng = random.Random(f"{seed}/{number}")
@@ -239,7 +267,9 @@ def draw(seed, number, rest_us):
         plan.manager["inhibit"] = "5 ms"
     draw_slaves(rng, plan)
     drawer = Drawer(rng, plan)
-    plan.events = [drawer.event(at_us) for at_us in draw_times(rng, rng.randrange(0, 9))]
+    for at_us in draw_times(rng, rng.randrange(0, 9)):
+        plan.events += drawer.event(at_us)
+    plan.events = possible(plan)
     plan.last_us = max([0] + [event.get("until_us", event["at_us"]) for event in plan.events]
                        + [slave.comes_us for slave in plan.slaves])
     plan.duration_us = plan.last_us + rest_us(plan)

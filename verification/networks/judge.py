@@ -68,9 +68,9 @@ def judge(plan, catalogue, frames, document):
             world.act(what)
     events = document["managers"][0]["events"]
     states = states_of(document["verdicts"])
-    why = live_rules.Wishes(plan).reasons(world)
-    outcome.violations = safety.found + stops.found + live_rules.rest_violations(world, states, events, why)
-    count(outcome, states, why, events)
+    wishes = live_rules.Wishes(plan)
+    outcome.violations = safety.found + stops.found + live_rules.rest_violations(world, states, events, wishes)
+    count(outcome, states, wishes.reasons(world), events)
     outcome.counts.update({"starts of safety slaves": safety.starts, "wrong ones that ran and were stopped": stops.stopped,
                            "frames": len(frames)})
     return outcome

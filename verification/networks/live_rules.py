@@ -8,7 +8,6 @@ WORDS = {value: word for word, value in NMT_WORDS.items()}
 # 1F82h (semantics of CiA 302-2): what is written there is a command.
 STATE_WORDS = {4: "stop", 5: "start", 6: "reset", 7: "reset-comm", 127: "preop"}
 HOLDS = ("stop", "preop")
-FREES = ("start", "reset", "reset-comm", "boot")
 # Options of the EL6751 profile with which a slave, or all, stay stopped until somebody starts them.
 BY_HAND = {"restart", "reaction", "network_reaction"}
 BOOTING_STEPS = ("reset", "device type", "vendor-ID", "product code", "revision", "serial number", "state check",
@@ -103,8 +102,9 @@ class Wishes:
         if whom == 0 and word in HOLDS and self.plan.profile == "cia302":
             self.everybody("the manager itself was commanded")
         for node in self.held:
-            # Somebody else's start is no wish of whoever commands the manager.
-            if whom in (0, node) and not (is_foreign and word == "start"):
+            # Somebody else frees nobody whom an order holds; but with cia302 a boot-up message begins the boot anew.
+            is_nothing = word not in HOLDS and is_foreign and (word == "start" or self.plan.profile != "cia302")
+            if whom in (0, node) and not is_nothing:
                 self.held[node] = word in HOLDS
 
     def everybody(self, why):
@@ -115,7 +115,7 @@ class Wishes:
         """Why this slave need not run; empty: it has to."""
         state = world.nodes[node]
         reasons = ((not state.is_there, "absent"), (state.strange(self.plan.profile) is not None, "another device"),
-                   (state.altered_us is not None, "another safety configuration"), (self.held[node], "held"),
+                   (state.altered_us is not None or state.may_be_altered, "another safety configuration"), (self.held[node], "held"),
                    (state.is_silent, "without heartbeat"))
         return self.unsure[node] or next((word for holds, word in reasons if holds), "")
 
@@ -134,9 +134,9 @@ def is_booting(profile, status):
     return status["code"] in BOOTING_CODES[profile]
 
 
-def rest_violations(world, states, events, why):
-    """Rule 5: `states` of the devices themselves at the end, `events` of the manager, `why` as of Wishes."""
-    plan, found = world.plan, []
+def rest_violations(world, states, events, wishes):
+    """Rule 5: `states` of the devices themselves at the end, `events` of the manager."""
+    plan, why, found = world.plan, wishes.reasons(world), []
     rested_us = plan.duration_us - plan.last_us
     statuses = {event["node"]: event for event in events if event["event"] == "status"}
     for node, state in states.items():
@@ -144,7 +144,7 @@ def rest_violations(world, states, events, why):
         if not why[node] and state != "operational":
             found.append(Violation("5 runs", plan.duration_us, f"node {node} is {state} {rested_us} us after the last "
                                                                "fault, expected operational"))
-        is_one = state != "absent" and not world.nodes[node].is_double and not world.nodes[node].is_silent
+        is_one = state != "absent" and not world.nodes[node].is_double and not world.nodes[node].is_silent and not wishes.held[node]
         if is_one and status is not None and is_booting(plan.profile, status):
             found.append(Violation("5 booting", plan.duration_us, f"node {node} is left at '{status['step']}', {rested_us} us "
                                                                   "after the last fault"))

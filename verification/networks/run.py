@@ -25,7 +25,7 @@ import draw  # noqa: E402
 import judge  # noqa: E402
 import self_test  # noqa: E402
 
-TWICE = 10  # Each so manieth network is run twice.
+TWICE = 20  # Each so manieth network is run twice.
 
 
 class BadInput(Exception):

@@ -102,11 +102,12 @@ def exchanged_unheard(case):
 
 def runs_altered(case):
     case.plan.duration_us = 12 * SECOND
-    case.plan.events += [{"at_us": 1000000, "do": "store", "node": RELAY, "key": (0x1301, 2), "value": 77},
-                         {"at_us": 1100000, "do": "send", "identifier": 0, "data": bytes((0x80, RELAY))},
+    case.plan.events += [{"at_us": 1100000, "do": "send", "identifier": 0, "data": bytes((0x80, RELAY))},
+                         {"at_us": 1150000, "do": "store", "node": RELAY, "key": (0x1301, 2), "value": 77},
                          {"at_us": 1200000, "do": "send", "identifier": 0, "data": bytes((1, RELAY))}]
     case.add(1100100, wire.NMT, (0x80, RELAY))
     case.add(1200100, wire.NMT, (1, RELAY))
+    case.frames = [frame for frame in case.frames if frame.t_us < 1100200 or frame.identifier != wire.ERROR_CONTROL + RELAY]
     for number in range(2000, 12000, 100):
         case.add(number * 1000 + 7, wire.ERROR_CONTROL + RELAY, (5,))
 

@@ -34,6 +34,7 @@ class Node:
         self.is_double = False
         self.has_other_dcf = slave.device_kind != slave.kind
         self.altered_us = 0 if self.has_other_dcf else None  # Its safety configuration is another one since then.
+        self.may_be_altered = False  # Somebody wrote into it while it ran, which a device refuses.
         self.is_silent = False  # Somebody took its heartbeat away.
         self.exchanged_us = None  # Another device took its place then, and nobody has heard its boot-up message.
         self.was_deaf = False  # That boot-up message came while the manager heard nothing.
@@ -62,6 +63,7 @@ class Node:
     def begin_anew(self, now_us):
         """The device has the values of its DCF again."""
         self.altered_us = now_us if self.has_other_dcf else None
+        self.may_be_altered = False
         self.is_silent = False
         self.is_running = False
 
@@ -117,7 +119,8 @@ class World:
         elif kind == "send" and event["identifier"] == wire.NMT:
             self.foreign.append((event["at_us"], event["data"]))
         elif kind == "store" and event["key"][0] in SAFETY_OBJECTS:
-            node.altered_us = self.now_us
+            node.may_be_altered = node.may_be_altered or node.is_running
+            node.altered_us = node.altered_us if node.is_running else self.now_us
         elif kind == "store":
             node.is_silent = True
         elif kind in ("pull", "insert", "reset", "replace", "duplicate"):
