@@ -241,7 +241,7 @@ def possible(plan):
     """The events in their order, without those of a device that has gone meanwhile."""
     there = {slave.node: slave.is_there for slave in plan.slaves}
     events = []
-    for event in sorted(plan.events, key=lambda event: event["at_us"]):
+    for event in sorted(plan.events, key=lambda each: each["at_us"]):
         kind, node = event["do"], event.get("node")
         if kind in ("pull", "reset", "store", "duplicate") and not there[node] or kind == "insert" and there[node]:
             continue
