@@ -74,6 +74,23 @@ void RequireFiles(const NetworkScenario& scenario, const NetworkOptions& options
     files.Write("--json", options.json);
     files.Write("--candump", options.candump);
 }
+
+void WriteFiles(const NetworkOptions& options, const NetworkScenario& scenario, const NetworkSimulation& simulation,
+                const std::string& frames)
+{
+    if (!options.json.empty())
+    {
+        cia306::WriteTextFile(options.json, JsonOf(scenario, simulation).dump(1) + "\n");
+    }
+    if (!options.candump.empty())
+    {
+        cia306::WriteTextFile(options.candump, frames);
+    }
+    if (!options.html.empty())
+    {
+        cia306::WriteTextFile(options.html, PageOf(scenario, simulation));
+    }
+}
 } // namespace
 
 ExitStatus SimulateNetwork(const std::string& path, const NetworkOptions& options, const Streams& streams)
@@ -125,18 +142,7 @@ ExitStatus SimulateNetwork(const std::string& path, const NetworkOptions& option
         streams.out << held << " of " << simulation.Verdicts().size() << " expectations hold, "
                     << simulation.FrameCount() << " frames\n";
     }
-    if (!options.json.empty())
-    {
-        cia306::WriteTextFile(options.json, JsonOf(scenario, simulation).dump(1) + "\n");
-    }
-    if (!options.candump.empty())
-    {
-        cia306::WriteTextFile(options.candump, frames);
-    }
-    if (!options.html.empty())
-    {
-        cia306::WriteTextFile(options.html, PageOf(scenario, simulation));
-    }
+    WriteFiles(options, scenario, simulation, frames);
     return (held == simulation.Verdicts().size()) ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
 }
 } // namespace counterpoint::tools

@@ -119,6 +119,10 @@ class Wishes:
                    (state.is_silent, "without heartbeat"))
         return self.unsure[node] or next((word for holds, word in reasons if holds), "")
 
+    def may_stay(self, node):
+        """Whether a command, or the manager's error handling, may leave a slave in the middle of its start-up."""
+        return self.held[node] or bool(self.start_up & 0x40)
+
     def reasons(self, world):
         """Node -> why it need not run, empty for those that have to."""
         why = {node: self.why_not(node, world) for node in self.held}
@@ -144,7 +148,7 @@ def rest_violations(world, states, events, wishes):
         if not why[node] and state != "operational":
             found.append(Violation("5 runs", plan.duration_us, f"node {node} is {state} {rested_us} us after the last "
                                                                "fault, expected operational"))
-        is_one = state != "absent" and not world.nodes[node].is_double and not world.nodes[node].is_silent and not wishes.held[node]
+        is_one = state != "absent" and not world.nodes[node].is_double and not world.nodes[node].is_silent and not wishes.may_stay(node)
         if is_one and status is not None and is_booting(plan.profile, status):
             found.append(Violation("5 booting", plan.duration_us, f"node {node} is left at '{status['step']}', {rested_us} us "
                                                                   "after the last fault"))
