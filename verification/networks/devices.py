@@ -26,15 +26,12 @@ def with_value(text, section, value):
 
 def with_parameters(text, donor):
     """A plain device's DCF with the device parameters (5F00h) of another one."""
-    begin = text.index("[ManufacturerObjects]")
-    head = re.match(r"\[ManufacturerObjects\]\nSupportedObjects=(\d+)\n", text[begin:])
-    count = int(head.group(1))
-    listed = text[begin + head.end():].split("[", 1)[0].strip()
-    rows = [row for row in listed.splitlines() if row] + [f"{count + 1}=0x5F00"]
-    rest = text[begin + head.end() + len(text[begin + head.end():].split("[", 1)[0]):]
+    before, behind = text.split("[ManufacturerObjects]\n", 1)
+    listed, rest = behind.split("[", 1)
+    rows = [row for row in listed.splitlines() if "=0x" in row]
+    rows = [f"SupportedObjects={len(rows) + 1}", *rows, f"{len(rows) + 1}=0x5F00"]
     parameters = donor[donor.index("[5F00]"):donor.index("[5F01]")]
-    return (text[:begin] + f"[ManufacturerObjects]\nSupportedObjects={count + 1}\n" + "\n".join(rows) + "\n\n"
-            + rest.rstrip("\n") + "\n\n" + parameters)
+    return before + "[ManufacturerObjects]\n" + "\n".join(rows) + "\n\n[" + rest.rstrip("\n") + "\n\n" + parameters
 
 
 def sections_of(text):

@@ -9,6 +9,7 @@ SECOND = 1000000
 BITRATES = (125000, 250000, 500000, 1000000)
 # What is written into a safety slave by nobody on the bus; never what the DCF has.
 STORES = (((0x1301, 2), 77), ((0x1301, 3), 19), ((0x13FE, 0), 0), ((0x13FF, 1), 1))
+OTHER_TYPE = 0x000401A5  # 1000h of no device that is drawn.
 NMT_WORDS = {"start": 1, "stop": 2, "preop": 0x80, "reset": 0x81, "reset-comm": 0x82}
 
 
@@ -100,6 +101,8 @@ def draw_slave(rng, plan, used, wants_safety, kinds):
     elif rng.random() < 0.12:
         slave.comes_us = rng.randrange(0, 3000) * MS
     slave.expects_serial = rng.random() < 0.9
+    if rng.random() < 0.05:
+        slave.entry["device_type"] = OTHER_TYPE
     return slave
 
 
@@ -138,7 +141,8 @@ class Drawer:
 
     def event(self, at_us):
         kinds = [(self.pull, 2), (self.insert, 6), (self.reset, 3), (self.replace, 4), (self.store, 4), (self.silence, 1),
-                 (self.duplicate, 1), (self.tamper, 4), (self.nmt, 4), (self.order, 6), (self.bus_off, 3), (self.storm, 1), (self.babble, 1)]
+                 (self.duplicate, 1), (self.tamper, 4), (self.nmt, 4), (self.order, 6), (self.bus_off, 3), (self.storm, 1),
+                 (self.babble, 1)]
         while True:
             draw = self.rng.choices([kind for kind, _ in kinds], [weight for _, weight in kinds])[0]
             event = draw(at_us)

@@ -3,7 +3,6 @@ import dataclasses
 import heapq
 
 import frames as wire
-from draw import MANAGER
 
 SAFETY_OBJECTS = range(0x1300, 0x1400)
 FRAME_BITS = 160  # The longest one with stuffing and intermission, rounded up.
@@ -28,6 +27,7 @@ class Node:
         self.slave = slave
         self.safety = expected.safety
         self.expected = expected.identity(slave.serial if slave.expects_serial else None)
+        self.expected[(0x1000, 0)] = slave.entry.get("device_type", self.expected[(0x1000, 0)])
         self.device = device
         self.serial = slave.device_serial
         self.is_there = slave.is_there
@@ -42,16 +42,15 @@ class Node:
         self.held_by = None  # The command or order that keeps it from running.
         self.reading = Reading()
         self.before = Reading()  # What was known until the last end of knowledge.
-        self.state_us = 0
 
     def strange(self, profile):
         """The object by which the device that is there is another one than the expected one; None: it is that one."""
         real = self.device.identity(self.serial)
+        is_plc = profile == "plc_designer"
+        mask = 0xFFFF if is_plc else 0xFFFFFFFF
         for key, value in self.expected.items():
-            if profile == "plc_designer" and key != (0x1000, 0):
-                continue
-            if value and value & (0xFFFF if profile == "plc_designer" else ~0) != real[key] & (
-                    0xFFFF if profile == "plc_designer" else ~0):
+            is_compared = value and (not is_plc or key == (0x1000, 0))
+            if is_compared and value & mask != real[key] & mask:
                 return key
         return None
 
@@ -188,6 +187,3 @@ class World:
             elif command in (wire.STOP, wire.PREOP, wire.RESET, wire.RESET_COMM):
                 node.is_running = False
                 node.forget(self.now_us)
-
-
-__all__ = ["MANAGER", "World"]
