@@ -33,7 +33,8 @@ class StopRule:
         """Behind each frame; `was_running` is what was true before it."""
         world = self.world
         for number, node in world.nodes.items():
-            if node.is_running and not was_running[number] and node.altered_us is not None and node.safety and not node.is_double:
+            is_wrong = node.altered_us is not None and node.safety and not node.is_double and not node.is_silent
+            if node.is_running and not was_running[number] and is_wrong:
                 self.due.setdefault(number, world.now_us + bounds.stop_us(world.plan, number))
             elif not node.is_running or node.altered_us is None or not node.is_there or world.is_deaf:
                 self.stopped += 1 if number in self.due and not node.is_running else 0
