@@ -68,7 +68,7 @@ def judge(plan, catalogue, frames, document):
             world.act(what)
     events = document["managers"][0]["events"]
     states = states_of(document["verdicts"])
-    wishes = live_rules.Wishes(plan)
+    wishes = live_rules.Wishes(plan, events)
     outcome.violations = safety.found + stops.found + live_rules.rest_violations(world, states, events, wishes)
     count(outcome, states, wishes.reasons(world), events)
     outcome.counts.update({"starts of safety slaves": safety.starts, "wrong ones that ran and were stopped": stops.stopped,

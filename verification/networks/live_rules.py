@@ -10,6 +10,7 @@ STATE_WORDS = {4: "stop", 5: "start", 6: "reset", 7: "reset-comm", 127: "preop"}
 HOLDS = ("stop", "preop")
 # Options of the EL6751 profile with which a slave, or all, stay stopped until somebody starts them.
 BY_HAND = {"restart", "reaction", "network_reaction"}
+WAITING_US = 50000  # Longer than any command waits in the manager's queue.
 BOOTING_STEPS = ("reset", "device type", "vendor-ID", "product code", "revision", "serial number", "state check",
                  "configuration date", "restore", "configure", "error control", "safety")
 BOOTING_CODES = {"el6751": (8,), "plc_designer": (1, 2, 3)}
@@ -47,8 +48,12 @@ class StopRule:
 class Wishes:
     """Who has to run in the end, by what was commanded; what the texts leave to the application makes a slave uncertain."""
 
-    def __init__(self, plan):
+    def __init__(self, plan, events):
         self.plan = plan
+        self.refused = {(event["t_us"], event["order"]) for event in events
+                        if event["event"] == "order" and not event["answer"].startswith("taken")}
+        self.now_us = 0
+        self.held_us = {}  # When the last command that holds it was given.
         self.held = dict.fromkeys((slave.node for slave in plan.slaves), False)
         self.unsure = {slave.node: "" for slave in plan.slaves}
         self.start_up = plan.start_up
@@ -63,20 +68,22 @@ class Wishes:
                 self.unsure[slave.node] = "restarted by hand"
             elif is_optional and plan.profile == "plc_designer" and (has_events or slave.comes_us > 0):
                 self.unsure[slave.node] = "may be in 97"
-            elif has_events and self.start_up & 0x40:
+            elif self.start_up & 0x40:
                 self.unsure[slave.node] = "all stopped by error handling"
         for event in plan.events:
             self.take(event)
 
     def take(self, event):
         kind = event["do"]
+        self.now_us = event["at_us"]
         if kind in ("insert", "reset", "replace") and self.plan.profile == "cia302":
-            self.held[event["node"]] = False
+            # A command that waits for the inhibit time may come behind it.
+            self.held[event["node"]] = self.now_us - self.held_us.get(event["node"], -WAITING_US) < WAITING_US
         elif kind == "duplicate":
             self.unsure[event["node"]] = "suspected duplicate"
         elif kind == "send" and event["identifier"] == wire.NMT:
             self.command(WORDS[event["data"][0]], event["data"][1], True)
-        elif kind == "order":
+        elif kind == "order" and (self.now_us, event["order"]) not in self.refused:
             self.order(event["order"].split())
         elif kind in ("bus_off", "no_controller"):
             self.deaf(event["until_us"] - event["at_us"])
@@ -107,6 +114,8 @@ class Wishes:
             is_nothing = word not in HOLDS and is_foreign and (word == "start" or self.plan.profile != "cia302")
             if whom in (0, node) and not is_nothing:
                 self.held[node] = word in HOLDS
+                if word in HOLDS:
+                    self.held_us[node] = self.now_us
 
     def everybody(self, why):
         for node in self.unsure:
