@@ -119,6 +119,7 @@ void NetworkSimulation::Run()
 void NetworkSimulation::Step(const std::uint64_t now_ns)
 {
     bus_.Advance(now_ns);
+    TellFrames();
     StartDue(now_ns);
     for (; next_action_ < actions_.size() && actions_[next_action_].at_ns <= now_ns; ++next_action_)
     {
@@ -140,6 +141,21 @@ void NetworkSimulation::Step(const std::uint64_t now_ns)
         }
     }
     Judge(now_ns);
+}
+
+void NetworkSimulation::Listen(TellFrame tell)
+{
+    tell_frame_ = std::move(tell);
+    listener_ = std::make_unique<SimulatedPort>(bus_);
+}
+
+void NetworkSimulation::TellFrames()
+{
+    host::LiveFrame frame;
+    while (listener_ != nullptr && listener_->Receive(frame))
+    {
+        tell_frame_(frame);
+    }
 }
 
 void NetworkSimulation::StartDue(const std::uint64_t now_ns)

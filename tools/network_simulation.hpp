@@ -37,11 +37,14 @@ class NetworkSimulation
 {
   public:
     using TellEvent = std::function<void(const SimulatedManager&, const ManagerEvent&)>;
+    using TellFrame = std::function<void(const host::LiveFrame&)>;
 
     /// @brief `scenario` outlives it. Throws cia306::InputError and simulator::ScenarioError.
     NetworkSimulation(const NetworkScenario& scenario, TellEvent tell);
 
     void Run();
+    /// @brief `tell` gets each frame of the bus at its end.
+    void Listen(TellFrame tell);
     [[nodiscard]] const std::vector<NetworkVerdict>& Verdicts() const noexcept
     {
         return verdicts_;
@@ -66,6 +69,7 @@ class NetworkSimulation
 
     [[nodiscard]] std::uint64_t NextNs() const;
     void Step(std::uint64_t now_ns);
+    void TellFrames();
     void StartDue(std::uint64_t now_ns);
     void Act(const NetworkAction& action, std::uint64_t now_ns);
     void ActOnController(const NetworkAction& action, std::uint64_t now_ns);
@@ -89,7 +93,9 @@ class NetworkSimulation
 
     const NetworkScenario& scenario_;
     TellEvent tell_;
+    TellFrame tell_frame_;
     SimulatedBus bus_;
+    std::unique_ptr<SimulatedPort> listener_; ///< Null: nobody listens.
     std::vector<std::unique_ptr<SimulatedManager>> managers_;
     std::vector<ScenarioDevice> setups_; ///< As they are now: a replaced one has another serial number.
     std::vector<bool> has_come_;         ///< By setup: its supply came once.

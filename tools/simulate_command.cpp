@@ -95,16 +95,16 @@ class SimulateCommand final : public Command
     /// A scenario with managers. [SRS-MGR-012]
     [[nodiscard]] ExitStatus Network(const Streams& streams) const
     {
-        for (const char* const option : {"--candump", "--seed", "--until", "--frames", "--sweep"})
+        for (const char* const option : {"--seed", "--until", "--frames", "--sweep"})
         {
             if (app_->count(option) > 0U)
             {
                 throw simulator::ScenarioError(scenario_, {}, std::string(option) + " for a scenario with managers",
-                                               "--html, --json or --quiet");
+                                               "--html, --json, --candump or --quiet");
             }
         }
         RequireNames();
-        return SimulateNetwork(scenario_, {html_, json_, quiet_}, streams);
+        return SimulateNetwork(scenario_, {html_, json_, candump_, quiet_}, streams);
     }
 
     /// `simulate --explain`, alone or with a name. [SRS-SIM-047]

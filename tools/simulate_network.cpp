@@ -6,6 +6,7 @@
 #include "tools/network_file.hpp"
 #include "tools/network_simulation.hpp"
 #include "tools/output_files.hpp"
+#include "verification/simulator/reports.hpp"
 
 #include <ostream>
 
@@ -71,6 +72,24 @@ void RequireFiles(const NetworkScenario& scenario, const NetworkOptions& options
     }
     files.Write("--html", options.html);
     files.Write("--json", options.json);
+    files.Write("--candump", options.candump);
+}
+
+void WriteFiles(const NetworkOptions& options, const NetworkScenario& scenario, const NetworkSimulation& simulation,
+                const std::string& frames)
+{
+    if (!options.json.empty())
+    {
+        cia306::WriteTextFile(options.json, JsonOf(scenario, simulation).dump(1) + "\n");
+    }
+    if (!options.candump.empty())
+    {
+        cia306::WriteTextFile(options.candump, frames);
+    }
+    if (!options.html.empty())
+    {
+        cia306::WriteTextFile(options.html, PageOf(scenario, simulation));
+    }
 }
 } // namespace
 
@@ -97,6 +116,16 @@ ExitStatus SimulateNetwork(const std::string& path, const NetworkOptions& option
             streams.err << warning << "\n";
         }
     }
+    std::string frames;
+    if (!options.candump.empty())
+    {
+        simulation.Listen(
+            [&frames](const host::LiveFrame& frame)
+            {
+                frames += simulator::CandumpLine(host::ToCanFrame(frame, CanPortId::kFirst),
+                                                 static_cast<simulator::Nanoseconds>(frame.time_ns));
+            });
+    }
     simulation.Run();
     std::size_t held = 0U;
     for (const NetworkVerdict& verdict : simulation.Verdicts())
@@ -113,14 +142,7 @@ ExitStatus SimulateNetwork(const std::string& path, const NetworkOptions& option
         streams.out << held << " of " << simulation.Verdicts().size() << " expectations hold, "
                     << simulation.FrameCount() << " frames\n";
     }
-    if (!options.json.empty())
-    {
-        cia306::WriteTextFile(options.json, JsonOf(scenario, simulation).dump(1) + "\n");
-    }
-    if (!options.html.empty())
-    {
-        cia306::WriteTextFile(options.html, PageOf(scenario, simulation));
-    }
+    WriteFiles(options, scenario, simulation, frames);
     return (held == simulation.Verdicts().size()) ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
 }
 } // namespace counterpoint::tools

@@ -13,6 +13,7 @@ struct NetworkOptions
 {
     std::string html; ///< Page of the first manager; empty: none.
     std::string json; ///< Events and verdicts; empty: none.
+    std::string candump; ///< Frames of the bus; empty: none.
     bool is_quiet{false};
 };
 

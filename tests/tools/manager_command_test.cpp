@@ -156,6 +156,21 @@ TEST_F(ManagerCommandTest, EventsAreJsonAndThePageShowsTheSequence)
     EXPECT_EQ(page.find("src="), std::string::npos);
 }
 
+TEST_F(ManagerCommandTest, FramesOfASimulatedNetworkAreWrittenAsCandumpDoes)
+{
+    Verifies(req::SRS_MGR_012);
+    Verifies(req::SRS_SIM_042);
+    const Answer answer = RunCommand({"simulate", "--candump", Path("out.log"), Network("boot.yaml")});
+    ASSERT_EQ(answer.status, 0);
+    const std::string frames = cia306::ReadTextFile(Path("out.log"));
+    const auto count = std::count(frames.begin(), frames.end(), '\n');
+    EXPECT_NE(answer.out.find(", " + std::to_string(count) + " frames\n"), std::string::npos) << count;
+    EXPECT_NE(frames.find(") can0 000#8200\n"), std::string::npos);
+    EXPECT_NE(frames.find(") can0 000#0121\n"), std::string::npos);
+    // Without the option nothing else happens
+    EXPECT_EQ(RunCommand({"simulate", Network("boot.yaml")}).out, answer.out);
+}
+
 TEST_F(ManagerCommandTest, WithoutItsSlavesTheManagerEndsWith1)
 {
     Verifies(req::SRS_MGR_004);
@@ -202,7 +217,7 @@ TEST_F(ManagerCommandTest, AnOutputWithoutANameIsRefused)
         EXPECT_EQ(answer.status, 2) << option;
         EXPECT_EQ(answer.err, std::string(option) + ": empty file name, expected the name of a file\n");
     }
-    for (const char* const option : {"--html", "--json"})
+    for (const char* const option : {"--html", "--json", "--candump"})
     {
         const Answer answer = RunCommand({"simulate", "--quiet", Network("boot.yaml"), option, ""});
         EXPECT_EQ(answer.status, 2) << option;

@@ -22,6 +22,8 @@ void WriteTimeLine(const Run& run, FrameLines frames, std::ostream& out);
 void WriteVerdicts(const Run& run, std::ostream& out);
 /// @brief Recording, measurements and verdicts as one JSON document. [SRS-SIM-041]
 [[nodiscard]] std::string JsonReport(const Run& run);
+/// @brief One frame as candump -l writes it, with its line end. [SRS-SIM-042]
+[[nodiscard]] std::string CandumpLine(const CanFrame& frame, Nanoseconds end);
 /// @brief The frames of the bus as candump -l writes them. [SRS-SIM-042]
 [[nodiscard]] std::string CandumpReport(const Run& run);
 /// @brief A page with the timing diagrams of all runs; needs no network. [SRS-SIM-043, SRS-DEMO-003]

@@ -79,7 +79,7 @@ const std::vector<SectionSpec> kNetworkSections{
           "what has to come out"},
      },
      "The whole file, when it has the key managers: a network of whole devices under the manager of docs/manager.md. "
-     "Options other than --html, --json and --quiet are not for it."},
+     "Options other than --html, --json, --candump and --quiet are not for it."},
     {"network.managers",
      "a manager",
      {},

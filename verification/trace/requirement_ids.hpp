@@ -486,6 +486,7 @@ inline constexpr RequirementId SRS_MGR_020{"SRS-MGR-020"};
 inline constexpr RequirementId SRS_MGR_021{"SRS-MGR-021"};
 inline constexpr RequirementId SRS_MGR_022{"SRS-MGR-022"};
 inline constexpr RequirementId SRS_MGR_023{"SRS-MGR-023"};
+inline constexpr RequirementId SRS_MGR_024{"SRS-MGR-024"};
 inline constexpr RequirementId SRS_MON_001{"SRS-MON-001"};
 inline constexpr RequirementId SRS_MON_002{"SRS-MON-002"};
 inline constexpr RequirementId SRS_MON_003{"SRS-MON-003"};
