@@ -58,10 +58,10 @@ void ManagerStation::OnFrame(const CanFrame& frame, const std::uint64_t now_us)
 void ManagerStation::OnCycle(const std::uint64_t now_us)
 {
     Enter(now_us);
+    DriveWriting(); // Before this cycle tells something: all that was told is followed.
     host_.OnCycle(InstantAt(now_us));
     host_.Core().OnCycle(InstantAt(now_us));
     dictionary_.OnCycle(InstantAt(now_us));
-    DriveWriting();
     TellInputs();
     Leave();
 }
@@ -109,6 +109,13 @@ void ManagerStation::TellInputs()
     }
 }
 
+/// By error handling: 1F80h bit 6.
+bool ManagerStation::IsAllStopped() const
+{
+    const bool is_cia302 = host_.Net().Plan().manager.profile == network::StartProfile::kCia302;
+    return is_cia302 && host_.Core().MasterState() == static_cast<std::int16_t>(cia302::MasterStep::kStopped);
+}
+
 void ManagerStation::FollowWriting(const ManagerEvent& event)
 {
     const network::LoadedSlave* const slave = host_.Net().Find(event.node);
@@ -133,9 +140,11 @@ void ManagerStation::FollowWriting(const ManagerEvent& event)
     }
     else if (writing == Writing::kRuns && state == "closed")
     {
-        // Somebody commanded it meanwhile. Who stopped it does not want it to be started behind the writing.
+        // Somebody commanded it meanwhile. Who stopped it does not want it to be started behind the writing; behind a
+        // stop of all by error handling nothing is started.
         const cia302::NodeRecord& record = host_.Core().Table().Record(cia302::NodeId{event.node});
-        writing = (record.asked == cia302::SlaveState::kStopped) ? Writing::kTried : Writing::kWanted;
+        const bool is_stop = (record.asked == cia302::SlaveState::kStopped) && !IsAllStopped();
+        writing = is_stop ? Writing::kTried : Writing::kWanted;
     }
     else if (writing == Writing::kRuns && state == "open")
     {

@@ -69,6 +69,7 @@ class ManagerStation final : private cia301::FrameSink
     void Enter(std::uint64_t now_us);
     void Leave();
     void TellInputs();
+    [[nodiscard]] bool IsAllStopped() const;
     void FollowWriting(const ManagerEvent& event);
     void DriveWriting();
 

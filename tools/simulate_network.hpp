@@ -11,8 +11,8 @@ namespace counterpoint::tools
 /// What `simulate` may be asked for a network scenario.
 struct NetworkOptions
 {
-    std::string html; ///< Page of the first manager; empty: none.
-    std::string json; ///< Events and verdicts; empty: none.
+    std::string html;    ///< Page of the first manager; empty: none.
+    std::string json;    ///< Events and verdicts; empty: none.
     std::string candump; ///< Frames of the bus; empty: none.
     bool is_quiet{false};
 };

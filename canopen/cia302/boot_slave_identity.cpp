@@ -85,13 +85,13 @@ void BootSlave::AwaitReset(const Job& job) noexcept
     }
 }
 
-/// STOPPED, it has no SDO to be asked by, and may send nothing that tells so. One command for each try: a lane for it
-/// may have to be waited for. Who was stopped in the middle of this boot stays so.
+/// STOPPED, it has no SDO to be asked by, and may send nothing that tells so, or not yet. One command for each try: a
+/// lane for it may have to be waited for. Who was stopped in the middle of this boot stays so.
 void BootSlave::WakeUp(const Job& job) noexcept
 {
     const NodeRecord& heard = parts_.table.Record(job.node);
-    const bool is_deaf = (heard.state == SlaveState::kStopped) ||
-                         ((heard.state != SlaveState::kOperational) && (heard.asked == SlaveState::kStopped));
+    const bool is_stopped = (heard.asked == SlaveState::kStopped) && !parts_.table.RunsSurely(job.node);
+    const bool is_deaf = (heard.state == SlaveState::kStopped) || is_stopped;
     const auto this_try = static_cast<std::uint16_t>(job.record.part + 1U);
     const bool is_first = (job.record.checks == 0U);
     const bool is_held = !is_first && (heard.asked == SlaveState::kStopped);

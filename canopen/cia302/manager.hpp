@@ -209,6 +209,7 @@ class Manager final : public NmtListener,
     void SendOwn(Instant now) noexcept;
     void TellGates(Instant now) noexcept;
     void CloseGate(NodeId node) noexcept;
+    void ReadAnew(NodeId node) noexcept;
 
     ManagerParts parts_;
     SdoPool sdo_;

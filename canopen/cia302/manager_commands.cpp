@@ -103,6 +103,16 @@ void Manager::OnLeave(const NodeId node) noexcept
     }
 }
 
+/// What was read of a safety slave before holds no more, and what is being read begins anew.
+void Manager::ReadAnew(const NodeId node) noexcept
+{
+    gate_.Renew(node);
+    if (gate_.State(node) == GateState::kOpen)
+    {
+        CloseGate(node);
+    }
+}
+
 /// Somebody else starts safety slaves. What this device has verified and started runs already; all others that were
 /// there last are taken to run, whether or not they say so by any error control, and so are read. [SRS-SFS-006]
 void Manager::OnForeignStart(const NodeId node, const Instant now) noexcept
@@ -119,6 +129,7 @@ void Manager::OnForeignStart(const NodeId node, const Instant now) noexcept
         const bool is_ours = is_started && has_left && (gate == GateState::kOpen);
         if (is_hit && parts_.setup.IsSafetySlave(slave) && was_there && !is_ours)
         {
+            ReadAnew(slave); // It may have been changed since it was read.
             table_.Presume(slave, now);
         }
     }

@@ -13,6 +13,14 @@ using test::RunCommand;
 
 class ManagerSafetyTest : public test::CommandTest
 {
+  public:
+    /// DCF of a device with another safeguard cycle time, rightly signed.
+    std::string Other()
+    {
+        return File("other.dcf", cia306::test::Changed(cia306::test::ExampleText("actuator"),
+                                                       {{"ParameterValue=50\n", "ParameterValue=51\n"},
+                                                        {"ParameterValue=0x9FCB", "ParameterValue=0xC68D"}}));
+    }
 };
 
 TEST_F(ManagerSafetyTest, EveryProfileWritesASafetyConfigurationButNotToAnotherDevice)
@@ -49,10 +57,7 @@ TEST_F(ManagerSafetyTest, WhatWasWrittenIsNotLostByTheStartUpBehindIt)
     Verifies(req::SRS_SFS_005);
     const std::string dcf = cia306::test::SourceFolder() + "/examples/emergency_stop/actuator.dcf";
     // Given a device that forgets at each reset what was written, and comes with another safeguard cycle time
-    const std::string other =
-        File("other.dcf", cia306::test::Changed(cia306::test::ExampleText("actuator"),
-                                                {{"ParameterValue=50\n", "ParameterValue=51\n"},
-                                                 {"ParameterValue=0x9FCB", "ParameterValue=0xC68D"}}));
+    const std::string other = Other();
     struct Case
     {
         const char* profile;
@@ -82,10 +87,7 @@ TEST_F(ManagerSafetyTest, AWritingThatSomebodyInterruptsIsTakenUpUnlessByAStop)
 {
     Verifies(req::SRS_SFS_005);
     const std::string dcf = cia306::test::SourceFolder() + "/examples/emergency_stop/actuator.dcf";
-    const std::string other =
-        File("other.dcf", cia306::test::Changed(cia306::test::ExampleText("actuator"),
-                                                {{"ParameterValue=50\n", "ParameterValue=51\n"},
-                                                 {"ParameterValue=0x9FCB", "ParameterValue=0xC68D"}}));
+    const std::string other = Other();
     for (const char* const profile : {"cia302", "el6751", "plc_designer"})
     {
         for (const bool is_stop : {false, true})
@@ -103,6 +105,47 @@ TEST_F(ManagerSafetyTest, AWritingThatSomebodyInterruptsIsTakenUpUnlessByAStop)
             const Answer answer = RunCommand({"simulate", File("s.yaml", scenario)});
             EXPECT_EQ(answer.status, 0) << profile << is_stop << "\n" << answer.out << answer.err;
         }
+    }
+}
+
+TEST_F(ManagerSafetyTest, AWritingThatTheBootOfAllBreaksOffIsTakenUp)
+{
+    Verifies(req::SRS_SFS_005);
+    const std::string folder = cia306::test::SourceFolder() + "/examples/emergency_stop/";
+    // Given single resets, the last after 0.63 s, for the sake of a slave that is kept alive and is not there
+    const std::string network = File("singly.yaml", "manager: {node: 127, inhibit: 5 ms}\nslaves:\n"
+                                                    "  - {node: 2, dcf: " +
+                                                        folder +
+                                                        "controller.dcf, keep_alive: true, mandatory: false}\n"
+                                                        "  - {node: 33, dcf: " +
+                                                        folder + "actuator.dcf, write_safety: true}\n");
+    const std::string scenario = "title: x\nduration: 4 s\nmanagers: [{network: " + network +
+                                 "}]\ndevices: [{node: 33, dcf: " + Other() +
+                                 "}]\nexpect:\n  - {that: event, is: write_safety, node: 33}\n"
+                                 "  - {that: gate, node: 33, is: open}\n"
+                                 "  - {that: device, node: 33, is: operational}\n";
+    const Answer answer = RunCommand({"simulate", File("s.yaml", scenario)});
+    EXPECT_EQ(answer.status, 0) << answer.out << answer.err;
+}
+
+TEST_F(ManagerSafetyTest, BehindAStopOfAllTheWrittenSlaveWaitsForAnOrder)
+{
+    Verifies(req::SRS_BOOT_017);
+    const std::string dcf = cia306::test::SourceFolder() + "/examples/emergency_stop/actuator.dcf";
+    for (const bool is_ordered : {false, true})
+    {
+        // Given 1F80h bit 6, and a mandatory slave that differs
+        const std::string network =
+            File("stops.yaml",
+                 "manager: {node: 127, start_up: 0x41}\nslaves: [{node: 33, dcf: " + dcf + ", write_safety: true}]\n");
+        const std::string scenario =
+            "title: x\nduration: 4 s\nmanagers: [{network: " + network + "}]\ndevices: [{node: 33, dcf: " + Other() +
+            "}]\n" + (is_ordered ? "events:\n  - {at: 2 s, do: order, order: start 33}\n" : "") +
+            "expect:\n  - {that: event, is: write_safety, node: 33}\n  - {that: gate, node: 33, is: open}\n"
+            "  - {that: device, node: 33, is: " +
+            (is_ordered ? "operational" : "pre-operational") + "}\n";
+        const Answer answer = RunCommand({"simulate", File("s.yaml", scenario)});
+        EXPECT_EQ(answer.status, 0) << is_ordered << answer.out << answer.err;
     }
 }
 

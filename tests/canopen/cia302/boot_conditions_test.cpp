@@ -228,6 +228,22 @@ TEST_F(BootConditionsTest, AfterAPauseOfTheManagerGuardingMakesUpForNothing)
     EXPECT_EQ(Letter(5U), "-");
 }
 
+TEST_F(BootConditionsTest, WhoWasStoppedAndHasNotSaidSoYetIsWoken)
+{
+    Verifies(req::SRS_BOOT_004);
+    Add(5U, kBoot).heartbeat_ms = 100U;
+    Begin();
+    Run(1000U);
+    ASSERT_EQ(slaves.at(5U)->State(), cia301::NodeState::kOperational);
+    // When it is booted right behind a stop, so that OPERATIONAL is the last that was heard
+    EXPECT_EQ(start_up.Command(NmtCommand::kStop, NodeId{5U}, Now()), NmtAnswer::kTaken);
+    Run(1U);
+    EXPECT_TRUE(start_up.Boot(NodeId{5U}, Now()));
+    Run(3000U);
+    EXPECT_EQ(Letter(5U), "-");
+    EXPECT_EQ(slaves.at(5U)->State(), cia301::NodeState::kOperational);
+}
+
 TEST_F(BootConditionsTest, ALongBootTimeIsNoShortOneForWhoIsNeverSeen)
 {
     Verifies(req::SRS_NMM_025);

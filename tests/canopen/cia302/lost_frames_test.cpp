@@ -95,6 +95,30 @@ TEST_P(LostFramesTest, WhoWasMadePreOperationalByOrderStaysSo)
     EXPECT_EQ(Running(6U), 0);
 }
 
+TEST_P(LostFramesTest, WhoIsReadAgainAndLeavesAndComesBackChangedIsStopped)
+{
+    Verifies(req::SRS_SFS_002);
+    Verifies(req::SRS_SFS_006);
+    for (const std::uint32_t pause_ms : {1U, 2U, 10U, 40U, 80U})
+    {
+        devices[0]->Put(0x1301U, 2U, {25U, 0U});
+        Begin(GetParam());
+        Run(6000U);
+        ASSERT_EQ(Running(5U), 1);
+        // Given one that is being read again when somebody takes it out of OPERATIONAL
+        manager->OnLost(Now());
+        Run(2U);
+        Put(Nmt(NmtCommand::kPreOperational, 5U));
+        Run(pause_ms);
+        // When it is changed and started by somebody, whether or not it was read to the end
+        devices[0]->Put(0x1301U, 2U, {26U, 0U});
+        Put(Nmt(NmtCommand::kStart, 5U));
+        Run(1500U);
+        EXPECT_EQ(Running(5U), 0) << pause_ms;
+        EXPECT_EQ(manager->Gate().State(NodeId{5U}), GateState::kDiffers) << pause_ms;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Profiles, LostFramesTest, ::testing::ValuesIn(kProfiles));
 
 TEST_F(LostFramesTest, WhoWasReplacedMeanwhileIsAskedWhoItIs)
