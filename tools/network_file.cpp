@@ -172,7 +172,7 @@ SlavePlan ReadSlave(const std::string& file, const ScenarioValue& value)
     }
     if (const auto options = map.Find("plc_designer"))
     {
-        plan.plc = ReadPlcSlave(file, *options);
+        plan.plc = ReadPlcSlave(file, *options, plan.is_mandatory.value_or(true));
     }
     if (const auto outputs = map.Find("outputs"))
     {

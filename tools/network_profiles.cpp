@@ -118,10 +118,10 @@ std::vector<network::OutputPlan> ReadOutputs(const std::string& file, const Scen
     return outputs;
 }
 
-cia302::PlcSlave ReadPlcSlave(const std::string& file, const ScenarioValue& value)
+cia302::PlcSlave ReadPlcSlave(const std::string& file, const ScenarioValue& value, const bool is_mandatory)
 {
     const YamlMap map(file, value.Node(), {"optional", "reset_node"});
-    cia302::PlcSlave slave{};
+    cia302::PlcSlave slave{!is_mandatory, false};
     TakeWord(map, "optional", slave.is_optional, kTruthWords);
     TakeWord(map, "reset_node", slave.is_reset, kTruthWords);
     return slave;

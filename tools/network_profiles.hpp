@@ -19,8 +19,10 @@ namespace counterpoint::tools
 /// @brief What RxPDOs carry, a list under "outputs" of a slave. Throws simulator::ScenarioError. [SRS-MGR-022]
 [[nodiscard]] std::vector<network::OutputPlan> ReadOutputs(const std::string& file,
                                                            const simulator::ScenarioValue& value);
-/// @brief Options of a slave under "plc_designer". Throws simulator::ScenarioError. [SRS-PLC-021]
-[[nodiscard]] cia302::PlcSlave ReadPlcSlave(const std::string& file, const simulator::ScenarioValue& value);
+/// @brief Options of a slave under "plc_designer"; one that is not mandatory is optional unless they say otherwise.
+/// Throws simulator::ScenarioError. [SRS-PLC-021]
+[[nodiscard]] cia302::PlcSlave ReadPlcSlave(const std::string& file, const simulator::ScenarioValue& value,
+                                            bool is_mandatory);
 } // namespace counterpoint::tools
 
 #endif // TOOLS_NETWORK_PROFILES_HPP

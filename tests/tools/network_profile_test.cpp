@@ -122,6 +122,13 @@ TEST_F(NetworkProfileTest, PlcDesignerTakesOptionalAndResetNode)
     EXPECT_FALSE(plain.Setup().slaves[5].plc->is_reset);
     const LoadedNetwork spare(ReadNetworkFile(Net("  profile: plc_designer\n", "    mandatory: false\n"), 0U));
     EXPECT_TRUE(spare.Setup().slaves[5].plc->is_optional);
+    const LoadedNetwork reset(ReadNetworkFile(
+        Net("  profile: plc_designer\n", "    mandatory: false\n    plc_designer: {reset_node: true}\n"), 0U));
+    EXPECT_TRUE(reset.Setup().slaves[5].plc->is_optional);
+    EXPECT_TRUE(reset.Setup().slaves[5].plc->is_reset);
+    const LoadedNetwork both(ReadNetworkFile(
+        Net("  profile: plc_designer\n", "    mandatory: false\n    plc_designer: {optional: false}\n"), 0U));
+    EXPECT_FALSE(both.Setup().slaves[5].plc->is_optional);
     const LoadedNetwork said(ReadNetworkFile(
         Net("  profile: plc_designer\n", "    plc_designer: {optional: true, reset_node: true}\n"), 0U));
     EXPECT_TRUE(said.Setup().slaves[5].plc->is_optional);

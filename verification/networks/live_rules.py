@@ -37,7 +37,7 @@ class StopRule:
             is_wrong = node.altered_us is not None and node.safety and not node.is_double and not node.is_silent
             if node.is_running and not was_running[number] and is_wrong:
                 self.due.setdefault(number, world.now_us + bounds.stop_us(world.plan, number))
-            elif not node.is_running or node.altered_us is None or not node.is_there or world.is_deaf:
+            elif not node.is_running or node.altered_us is None or not node.is_there or node.is_silent or world.is_deaf:
                 self.stopped += 1 if number in self.due and not node.is_running else 0
                 self.due.pop(number, None)
             elif number in self.due and world.now_us > self.due[number]:
