@@ -1,4 +1,6 @@
 """Rules about time: what runs and should not is stopped (4), and who is healthy runs in the end (5)."""
+import re
+
 import bounds
 import frames as wire
 from draw import NMT_WORDS
@@ -52,6 +54,9 @@ class Wishes:
         self.plan = plan
         self.refused = {(event["t_us"], event["order"]) for event in events
                         if event["event"] == "order" and not event["answer"].startswith("taken")}
+        # Of an order for all the answer names those who did not take it.
+        self.left_out = {(event["t_us"], int(node)) for event in events if event["event"] == "order"
+                         for node in re.findall(r"\bnode (\d+)", event["answer"])}
         self.now_us = 0
         self.held_us = {}  # When the last command that holds it was given.
         self.held = dict.fromkeys((slave.node for slave in plan.slaves), False)
@@ -112,7 +117,8 @@ class Wishes:
         for node in self.held:
             # Somebody else frees nobody whom an order holds; but with cia302 a boot-up message begins the boot anew.
             is_nothing = word not in HOLDS and is_foreign and (word == "start" or self.plan.profile != "cia302")
-            if whom in (0, node) and not is_nothing:
+            is_left_out = not is_foreign and whom == 0 and (self.now_us, node) in self.left_out
+            if whom in (0, node) and not is_nothing and not is_left_out:
                 self.held[node] = word in HOLDS
                 if word in HOLDS:
                     self.held_us[node] = self.now_us

@@ -7,6 +7,7 @@ import frames as wire
 SAFETY_OBJECTS = range(0x1300, 0x1400)
 FRAME_BITS = 160  # The longest one with stuffing and intermission, rounded up.
 CYCLE_US = 1000
+STALE_US = 20000  # So long a sign of life behind a command may have been on its way before it.
 
 
 @dataclasses.dataclass
@@ -39,6 +40,7 @@ class Node:
         self.exchanged_us = None  # Another device took its place then, and nobody has heard its boot-up message.
         self.was_deaf = False  # That boot-up message came while the manager heard nothing.
         self.is_running = False
+        self.commanded_us = -STALE_US  # The last NMT command.
         self.held_by = None  # The command or order that keeps it from running.
         self.reading = Reading()
         self.before = Reading()  # What was known until the last end of knowledge.
@@ -156,7 +158,8 @@ class World:
         return transfer
 
     def _sign_of_life(self, node, state):
-        node.is_running = state == wire.OPERATIONAL
+        is_stale = state != wire.BOOT_UP and self.now_us - node.commanded_us < STALE_US
+        node.is_running = node.is_running if is_stale else state == wire.OPERATIONAL
         if state == wire.BOOT_UP:
             if not self.is_deaf:
                 node.forget(self.now_us)
@@ -180,6 +183,7 @@ class World:
         for number, node in self.nodes.items():
             if whom not in (0, number):
                 continue
+            node.commanded_us = self.now_us
             if command in (wire.RESET, wire.RESET_COMM):
                 node.begin_anew(self.now_us)
             if command == wire.START:
