@@ -15,10 +15,6 @@ VERDICT = re.compile(r"state of node (\d+) is ([a-z-]+)")
 TIME_LIMIT_S = 120
 
 
-class BadRun(Exception):
-    """Something that is neither the product's nor the manager's fault."""
-
-
 class Outcome:
     """What one network came to."""
 

@@ -41,7 +41,6 @@ class Node:
         self.was_deaf = False  # That boot-up message came while the manager heard nothing.
         self.is_running = False
         self.commanded_us = -STALE_US  # The last NMT command.
-        self.held_by = None  # The command or order that keeps it from running.
         self.reading = Reading()
         self.before = Reading()  # What was known until the last end of knowledge.
 

@@ -199,6 +199,24 @@ TEST_P(SafetyIdentityTest, IsTheLowWordOfTheTypeUnderPlcDesigner)
     EXPECT_EQ(Running(5U), (GetParam() == Profile::kPlcDesigner) ? 1 : 0);
 }
 
+TEST_F(SafetyIdentityTest, OfOneThatNobodyBootsIsAskedAllTheSame)
+{
+    Verifies(req::SRS_SFS_010);
+    // Given cia302, 1F81h without bit 2, and another device with the very configuration that is expected
+    setups[5].assignment &= ~kBootSlave;
+    devices[0]->Put32(0x1018U, 4U, 0x4321U);
+    Begin(Profile::kCia302);
+    Run(2000U);
+    EXPECT_EQ(manager->Status(kSlave).letter, 'O');
+    // When it is to be written and started all the same
+    EXPECT_FALSE(manager->WriteSafety(kSlave, Now()));
+    EXPECT_EQ(Order(NmtCommand::kStart, 5U), NmtAnswer::kOtherDevice);
+    Run(1000U);
+    EXPECT_EQ(devices[0]->writes, (std::vector<std::uint32_t>{}));
+    EXPECT_EQ(starts, (std::vector<std::string>{}));
+    EXPECT_EQ(Running(5U), 0);
+}
+
 TEST_F(SafetyIdentityTest, IsWithoutTheTypeWhereEl6751DoesNotCheckIt)
 {
     Verifies(req::SRS_SFS_010);
