@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/manager_dictionary.hpp"
 
-#include "canopen/cia301/entry_value.hpp"
-#include "canopen/cia301/little_endian.hpp"
+#include "canopen/cia301/dictionary/entry_value.hpp"
+#include "canopen/cia301/base/little_endian.hpp"
 #include "canopen/cia306/input_error.hpp"
 #include "canopen/network/concise_maker.hpp"
 #include "tools/manager_words.hpp"

@@ -2,9 +2,9 @@
 #ifndef TOOLS_MANAGER_DICTIONARY_HPP
 #define TOOLS_MANAGER_DICTIONARY_HPP
 
-#include "canopen/cia301/dictionary.hpp"
-#include "canopen/cia301/sdo_server.hpp"
-#include "canopen/cia301/sdo_server_port.hpp"
+#include "canopen/cia301/dictionary/dictionary.hpp"
+#include "canopen/cia301/sdo/server.hpp"
+#include "canopen/cia301/sdo/server_port.hpp"
 #include "tools/manager_rules.hpp"
 #include "tools/node_hooks.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "tools/node_srdo_line.hpp"
 
-#include "canopen/cia301/little_endian.hpp"
+#include "canopen/cia301/base/little_endian.hpp"
 #include "canopen/cia306/input_error.hpp"
 
 #include <algorithm>

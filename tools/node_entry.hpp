@@ -2,7 +2,7 @@
 #ifndef TOOLS_NODE_ENTRY_HPP
 #define TOOLS_NODE_ENTRY_HPP
 
-#include "canopen/cia301/entry.hpp"
+#include "canopen/cia301/dictionary/entry.hpp"
 #include "canopen/cia306/device.hpp"
 
 #include <cstdint>

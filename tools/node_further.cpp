@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/node_further.hpp"
 
-#include "canopen/cia301/little_endian.hpp"
+#include "canopen/cia301/base/little_endian.hpp"
 #include "canopen/cia306/input_error.hpp"
 #include "verification/simulator/device_model.hpp"
 #include "verification/simulator/names.hpp"

@@ -2,9 +2,9 @@
 #ifndef TOOLS_NODE_FURTHER_HPP
 #define TOOLS_NODE_FURTHER_HPP
 
-#include "canopen/cia301/emergency_consumer.hpp"
-#include "canopen/cia301/sdo_client_port.hpp"
-#include "canopen/cia301/time_stamp.hpp"
+#include "canopen/cia301/emergency/consumer.hpp"
+#include "canopen/cia301/sdo/client_port.hpp"
+#include "canopen/cia301/time/time_stamp.hpp"
 #include "canopen/cia306/device.hpp"
 #include "canopen/device/services.hpp"
 #include "tools/node_order.hpp"

@@ -2,8 +2,8 @@
 #ifndef TOOLS_NODE_HOOKS_HPP
 #define TOOLS_NODE_HOOKS_HPP
 
-#include "canopen/cia301/entry.hpp"
-#include "canopen/cia301/foreign_objects.hpp"
+#include "canopen/cia301/dictionary/entry.hpp"
+#include "canopen/cia301/dictionary/foreign_objects.hpp"
 
 namespace counterpoint::tools
 {

@@ -3,9 +3,9 @@
 
 #include "tools/node_entry.hpp"
 
-#include "canopen/cia301/cob_id.hpp"
-#include "canopen/cia301/entry_value.hpp"
-#include "canopen/cia301/little_endian.hpp"
+#include "canopen/cia301/base/cob_id.hpp"
+#include "canopen/cia301/dictionary/entry_value.hpp"
+#include "canopen/cia301/base/little_endian.hpp"
 #include "canopen/cia306/input_error.hpp"
 #include "canopen/cia306/safety_configuration.hpp"
 #include "canopen/cia306/utf16.hpp"

@@ -2,7 +2,7 @@
 #ifndef TOOLS_NODE_OBJECTS_HPP
 #define TOOLS_NODE_OBJECTS_HPP
 
-#include "canopen/cia301/dictionary.hpp"
+#include "canopen/cia301/dictionary/dictionary.hpp"
 #include "canopen/cia306/device.hpp"
 #include "canopen/device/services.hpp"
 #include "tools/node_further.hpp"

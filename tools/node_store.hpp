@@ -2,7 +2,7 @@
 #ifndef TOOLS_NODE_STORE_HPP
 #define TOOLS_NODE_STORE_HPP
 
-#include "canopen/cia301/stored_parts.hpp"
+#include "canopen/cia301/store/stored_parts.hpp"
 #include "canopen/cia305/stored_lss.hpp"
 #include "canopen/device/services.hpp"
 #include "hal/host/file_parameter_memory.hpp"

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia302/answer_watch.hpp"
 
-#include "canopen/cia301/little_endian.hpp"
+#include "canopen/cia301/base/little_endian.hpp"
 
 namespace counterpoint::cia302
 {

@@ -2,7 +2,7 @@
 // Course of a boot and its transfers. What the steps do is in files of their own.
 #include "canopen/cia302/boot_slave.hpp"
 
-#include "canopen/cia301/little_endian.hpp"
+#include "canopen/cia301/base/little_endian.hpp"
 
 namespace counterpoint::cia302
 {

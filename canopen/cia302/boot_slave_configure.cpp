@@ -2,7 +2,7 @@
 // The slave is configured, supervised, verified and started: letters J and K.
 #include "canopen/cia302/boot_slave.hpp"
 
-#include "canopen/cia301/little_endian.hpp"
+#include "canopen/cia301/base/little_endian.hpp"
 
 namespace counterpoint::cia302
 {

@@ -2,7 +2,7 @@
 #ifndef CANOPEN_CIA302_CONCISE_DCF_HPP
 #define CANOPEN_CIA302_CONCISE_DCF_HPP
 
-#include "canopen/cia301/entry.hpp"
+#include "canopen/cia301/dictionary/entry.hpp"
 
 #include <cstdint>
 

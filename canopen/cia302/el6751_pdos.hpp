@@ -2,7 +2,7 @@
 #ifndef CANOPEN_CIA302_EL6751_PDOS_HPP
 #define CANOPEN_CIA302_EL6751_PDOS_HPP
 
-#include "canopen/cia301/frame_sink.hpp"
+#include "canopen/cia301/nmt/frame_sink.hpp"
 #include "canopen/cia302/el6751_setup.hpp"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Start-up of one slave: its SDOs row by row, the gate, NMT start.
-#include "canopen/cia301/little_endian.hpp"
+#include "canopen/cia301/base/little_endian.hpp"
 #include "canopen/cia302/el6751_start_up.hpp"
 
 namespace counterpoint::cia302

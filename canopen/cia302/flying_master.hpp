@@ -2,7 +2,7 @@
 #ifndef CANOPEN_CIA302_FLYING_MASTER_HPP
 #define CANOPEN_CIA302_FLYING_MASTER_HPP
 
-#include "canopen/cia301/frame_sink.hpp"
+#include "canopen/cia301/nmt/frame_sink.hpp"
 #include "canopen/cia302/flying_master_frames.hpp"
 #include "canopen/cia302/flying_master_options.hpp"
 #include "canopen/cia302/flying_master_times.hpp"

@@ -2,7 +2,7 @@
 #ifndef CANOPEN_CIA302_FLYING_MASTER_TIMES_HPP
 #define CANOPEN_CIA302_FLYING_MASTER_TIMES_HPP
 
-#include "canopen/cia301/number_hook.hpp"
+#include "canopen/cia301/dictionary/number_hook.hpp"
 #include "canopen/cia302/network_setup.hpp"
 
 #include <cstdint>

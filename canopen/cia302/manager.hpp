@@ -2,7 +2,7 @@
 #ifndef CANOPEN_CIA302_MANAGER_HPP
 #define CANOPEN_CIA302_MANAGER_HPP
 
-#include "canopen/cia301/heartbeat_producer.hpp"
+#include "canopen/cia301/nmt/heartbeat_producer.hpp"
 #include "canopen/cia302/flying_master.hpp"
 #include "canopen/cia302/node_watch.hpp"
 #include "canopen/cia302/safety_gate.hpp"

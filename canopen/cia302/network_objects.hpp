@@ -2,7 +2,7 @@
 #ifndef CANOPEN_CIA302_NETWORK_OBJECTS_HPP
 #define CANOPEN_CIA302_NETWORK_OBJECTS_HPP
 
-#include "canopen/cia301/number_hook.hpp"
+#include "canopen/cia301/dictionary/number_hook.hpp"
 #include "canopen/cia302/start_up.hpp"
 
 namespace counterpoint::cia302

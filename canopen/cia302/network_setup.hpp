@@ -2,8 +2,8 @@
 #ifndef CANOPEN_CIA302_NETWORK_SETUP_HPP
 #define CANOPEN_CIA302_NETWORK_SETUP_HPP
 
-#include "canopen/cia301/entry.hpp"
-#include "canopen/cia301/nmt_slave.hpp"
+#include "canopen/cia301/dictionary/entry.hpp"
+#include "canopen/cia301/nmt/slave.hpp"
 
 #include <cstdint>
 

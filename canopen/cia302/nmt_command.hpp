@@ -2,7 +2,7 @@
 #ifndef CANOPEN_CIA302_NMT_COMMAND_HPP
 #define CANOPEN_CIA302_NMT_COMMAND_HPP
 
-#include "canopen/cia301/nmt_slave.hpp"
+#include "canopen/cia301/nmt/slave.hpp"
 #include "safety_core/contract/time.hpp"
 
 #include <cstdint>

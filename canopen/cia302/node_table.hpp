@@ -2,7 +2,7 @@
 #ifndef CANOPEN_CIA302_NODE_TABLE_HPP
 #define CANOPEN_CIA302_NODE_TABLE_HPP
 
-#include "canopen/cia301/frame_sink.hpp"
+#include "canopen/cia301/nmt/frame_sink.hpp"
 #include "canopen/cia302/network_setup.hpp"
 #include "canopen/cia302/nmt_command.hpp"
 

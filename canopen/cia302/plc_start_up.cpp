@@ -2,7 +2,7 @@
 // States of master and slaves up to 4. Start and commands are in a file of their own.
 #include "canopen/cia302/plc_start_up.hpp"
 
-#include "canopen/cia301/little_endian.hpp"
+#include "canopen/cia301/base/little_endian.hpp"
 
 namespace counterpoint::cia302
 {

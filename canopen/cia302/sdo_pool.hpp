@@ -2,7 +2,7 @@
 #ifndef CANOPEN_CIA302_SDO_POOL_HPP
 #define CANOPEN_CIA302_SDO_POOL_HPP
 
-#include "canopen/cia301/sdo_client.hpp"
+#include "canopen/cia301/sdo/client.hpp"
 #include "canopen/cia302/network_setup.hpp"
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 #ifndef CANOPEN_CIA302_START_GATE_HPP
 #define CANOPEN_CIA302_START_GATE_HPP
 
-#include "canopen/cia301/abort_code.hpp"
+#include "canopen/cia301/base/abort_code.hpp"
 #include "canopen/cia302/network_setup.hpp"
 
 #include "safety_core/kernel/object_access.hpp"

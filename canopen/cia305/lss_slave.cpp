@@ -2,8 +2,8 @@
 // State, addressing and identification. What is configured and inquired is in lss_configuration.cpp.
 #include "canopen/cia305/lss_slave.hpp"
 
-#include "canopen/cia301/little_endian.hpp"
-#include "canopen/cia301/service_table.hpp"
+#include "canopen/cia301/base/little_endian.hpp"
+#include "canopen/cia301/objects/service_table.hpp"
 
 namespace counterpoint::cia305
 {

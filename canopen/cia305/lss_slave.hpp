@@ -2,7 +2,7 @@
 #ifndef CANOPEN_CIA305_LSS_SLAVE_HPP
 #define CANOPEN_CIA305_LSS_SLAVE_HPP
 
-#include "canopen/cia301/frame_sink.hpp"
+#include "canopen/cia301/nmt/frame_sink.hpp"
 
 namespace counterpoint::cia305
 {

@@ -4,7 +4,7 @@
 
 #include "canopen/cia305/lss_slave.hpp"
 
-#include "canopen/cia301/parameter_store.hpp"
+#include "canopen/cia301/store/parameter_store.hpp"
 
 namespace counterpoint::cia305
 {

@@ -6,7 +6,7 @@
 #include "canopen/device/safety_queue.hpp"
 #include "canopen/device/services.hpp"
 
-#include "canopen/cia301/foreign_objects.hpp"
+#include "canopen/cia301/dictionary/foreign_objects.hpp"
 #include "safety_core/kernel/kernel.hpp"
 
 #include <atomic>

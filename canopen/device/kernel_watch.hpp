@@ -2,7 +2,7 @@
 #ifndef CANOPEN_DEVICE_KERNEL_WATCH_HPP
 #define CANOPEN_DEVICE_KERNEL_WATCH_HPP
 
-#include "canopen/cia301/emergency_producer.hpp"
+#include "canopen/cia301/emergency/producer.hpp"
 
 #include "safety_core/kernel/application.hpp"
 

@@ -2,7 +2,7 @@
 #ifndef CANOPEN_DEVICE_OUTBOX_HPP
 #define CANOPEN_DEVICE_OUTBOX_HPP
 
-#include "canopen/cia301/frame_sink.hpp"
+#include "canopen/cia301/nmt/frame_sink.hpp"
 
 #include "hal/api/can_ports.hpp"
 #include "safety_core/contract/time.hpp"

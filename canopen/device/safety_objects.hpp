@@ -2,8 +2,8 @@
 #ifndef CANOPEN_DEVICE_SAFETY_OBJECTS_HPP
 #define CANOPEN_DEVICE_SAFETY_OBJECTS_HPP
 
-#include "canopen/cia301/entry.hpp"
-#include "canopen/cia301/foreign_objects.hpp"
+#include "canopen/cia301/dictionary/entry.hpp"
+#include "canopen/cia301/dictionary/foreign_objects.hpp"
 
 namespace counterpoint::device
 {

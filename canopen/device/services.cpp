@@ -3,7 +3,7 @@
 
 #include "canopen/device/kernel_watch.hpp"
 
-#include "canopen/cia301/service_table.hpp"
+#include "canopen/cia301/objects/service_table.hpp"
 
 namespace counterpoint::device
 {

@@ -4,13 +4,13 @@
 
 #include "canopen/device/outbox.hpp"
 
-#include "canopen/cia301/bus_service.hpp"
-#include "canopen/cia301/communication_errors.hpp"
-#include "canopen/cia301/heartbeat_consumer.hpp"
-#include "canopen/cia301/pdo_objects.hpp"
-#include "canopen/cia301/sdo_server_port.hpp"
-#include "canopen/cia301/service_objects.hpp"
-#include "canopen/cia301/sync.hpp"
+#include "canopen/cia301/nmt/bus_service.hpp"
+#include "canopen/cia301/emergency/communication_errors.hpp"
+#include "canopen/cia301/nmt/heartbeat_consumer.hpp"
+#include "canopen/cia301/pdo/objects.hpp"
+#include "canopen/cia301/sdo/server_port.hpp"
+#include "canopen/cia301/objects/service_objects.hpp"
+#include "canopen/cia301/time/sync.hpp"
 #include "canopen/cia305/lss_slave.hpp"
 
 namespace counterpoint::device

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/generated/stored_objects.hpp"
 
-#include "canopen/cia301/entry_value.hpp"
+#include "canopen/cia301/dictionary/entry_value.hpp"
 
 namespace counterpoint::generated
 {

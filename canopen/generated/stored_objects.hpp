@@ -2,7 +2,7 @@
 #ifndef CANOPEN_GENERATED_STORED_OBJECTS_HPP
 #define CANOPEN_GENERATED_STORED_OBJECTS_HPP
 
-#include "canopen/cia301/entry.hpp"
+#include "canopen/cia301/dictionary/entry.hpp"
 
 #include <cstdint>
 

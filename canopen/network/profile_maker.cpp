@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/network/profile_maker.hpp"
 
-#include "canopen/cia301/cob_id.hpp"
+#include "canopen/cia301/base/cob_id.hpp"
 #include "canopen/cia302/concise_dcf.hpp"
 #include "canopen/network/concise_maker.hpp"
 

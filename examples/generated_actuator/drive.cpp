@@ -2,7 +2,7 @@
 #include "examples/generated_actuator/drive.hpp"
 
 #include "actuator/object_dictionary.hpp"
-#include "canopen/cia301/little_endian.hpp"
+#include "canopen/cia301/base/little_endian.hpp"
 
 namespace counterpoint::examples
 {

@@ -2,8 +2,8 @@
 #ifndef EXAMPLES_GENERATED_ACTUATOR_DRIVE_HPP
 #define EXAMPLES_GENERATED_ACTUATOR_DRIVE_HPP
 
-#include "canopen/cia301/entry.hpp"
-#include "canopen/cia301/heartbeat_producer.hpp"
+#include "canopen/cia301/dictionary/entry.hpp"
+#include "canopen/cia301/nmt/heartbeat_producer.hpp"
 #include "examples/common/settings.hpp"
 
 namespace counterpoint::examples

@@ -5,9 +5,9 @@
 #include "examples/generated_actuator/run.hpp"
 
 #include "actuator/object_dictionary.hpp"
-#include "canopen/cia301/foreign_objects.hpp"
-#include "canopen/cia301/little_endian.hpp"
-#include "canopen/cia301/sdo_server.hpp"
+#include "canopen/cia301/dictionary/foreign_objects.hpp"
+#include "canopen/cia301/base/little_endian.hpp"
+#include "canopen/cia301/sdo/server.hpp"
 #include "channel_a/channel.hpp"
 #include "channel_b/channel.hpp"
 #include "examples/generated_actuator/drive.hpp"

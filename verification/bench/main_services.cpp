@@ -1,10 +1,10 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // On the target: RAM of each service, and the load of a whole device.
-#include "canopen/cia301/emergency_consumer.hpp"
-#include "canopen/cia301/parameter_store.hpp"
-#include "canopen/cia301/sdo_client.hpp"
-#include "canopen/cia301/stored_parts.hpp"
-#include "canopen/cia301/time_stamp.hpp"
+#include "canopen/cia301/emergency/consumer.hpp"
+#include "canopen/cia301/store/parameter_store.hpp"
+#include "canopen/cia301/sdo/client.hpp"
+#include "canopen/cia301/store/stored_parts.hpp"
+#include "canopen/cia301/time/time_stamp.hpp"
 #include "canopen/cia305/stored_lss.hpp"
 #include "verification/bench/service_load.hpp"
 #include "verification/bench/service_node.hpp"

@@ -2,7 +2,7 @@
 #ifndef VERIFICATION_BENCH_MIX_BUS_HPP
 #define VERIFICATION_BENCH_MIX_BUS_HPP
 
-#include "canopen/cia301/sdo_client.hpp"
+#include "canopen/cia301/sdo/client.hpp"
 #include "hal/host/virtual_bus.hpp"
 #include "verification/bench/frame_mix.hpp"
 #include "verification/bench/service_node.hpp"

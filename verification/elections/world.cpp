@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/elections/world.hpp"
 
-#include "canopen/cia301/nmt_slave.hpp"
+#include "canopen/cia301/nmt/slave.hpp"
 
 #include <algorithm>
 

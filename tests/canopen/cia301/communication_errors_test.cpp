@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia301/emergency_consumer.hpp"
+#include "canopen/cia301/emergency/consumer.hpp"
 #include "tests/canopen/cia301/service_rig.hpp"
 
 namespace counterpoint::cia301

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia301/dictionary.hpp"
-#include "canopen/cia301/entry_value.hpp"
+#include "canopen/cia301/dictionary/dictionary.hpp"
+#include "canopen/cia301/dictionary/entry_value.hpp"
 #include "tests/canopen/cia301/fake_objects.hpp"
 #include "verification/trace/verifies.hpp"
 

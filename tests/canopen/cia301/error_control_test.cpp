@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia301/heartbeat_consumer.hpp"
-#include "canopen/cia301/heartbeat_producer.hpp"
-#include "canopen/cia301/node_guarding.hpp"
+#include "canopen/cia301/nmt/heartbeat_consumer.hpp"
+#include "canopen/cia301/nmt/heartbeat_producer.hpp"
+#include "canopen/cia301/nmt/node_guarding.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <array>

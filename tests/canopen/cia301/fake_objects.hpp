@@ -2,7 +2,7 @@
 #ifndef TESTS_CANOPEN_CIA301_FAKE_OBJECTS_HPP
 #define TESTS_CANOPEN_CIA301_FAKE_OBJECTS_HPP
 
-#include "canopen/cia301/foreign_objects.hpp"
+#include "canopen/cia301/dictionary/foreign_objects.hpp"
 
 #include <cstdint>
 

@@ -1,9 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Any frames at any time to an SDO server, or as answers to an SDO client. The input is a list of steps: one byte of
 // what happens, then the bytes that it needs; what is missing is 0.
-#include "canopen/cia301/little_endian.hpp"
-#include "canopen/cia301/sdo_client.hpp"
-#include "canopen/cia301/sdo_server.hpp"
+#include "canopen/cia301/base/little_endian.hpp"
+#include "canopen/cia301/sdo/client.hpp"
+#include "canopen/cia301/sdo/server.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #ifndef TESTS_CANOPEN_CIA301_KEEPING_SINK_HPP
 #define TESTS_CANOPEN_CIA301_KEEPING_SINK_HPP
 
-#include "canopen/cia301/frame_sink.hpp"
+#include "canopen/cia301/nmt/frame_sink.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia301/dictionary.hpp"
+#include "canopen/cia301/dictionary/dictionary.hpp"
 #include "tests/safety_core/kernel/rig.hpp"
 
 namespace counterpoint::cia301

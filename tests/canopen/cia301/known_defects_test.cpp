@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Defects that other stacks had, each with a test that it is not here. Those of masters are in the tests of CiA 302.
-#include "canopen/cia301/node_guarding.hpp"
+#include "canopen/cia301/nmt/node_guarding.hpp"
 #include "tests/canopen/cia301/service_rig.hpp"
 
 namespace counterpoint::cia301

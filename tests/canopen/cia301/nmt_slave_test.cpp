@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia301/nmt_slave.hpp"
-#include "canopen/cia301/service_table.hpp"
+#include "canopen/cia301/nmt/slave.hpp"
+#include "canopen/cia301/objects/service_table.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <array>

@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia301/parameter_store.hpp"
+#include "canopen/cia301/store/parameter_store.hpp"
 #include "hal/absent/absent.hpp"
 #include "tests/canopen/cia301/cut_memory.hpp"
 #include "verification/trace/verifies.hpp"

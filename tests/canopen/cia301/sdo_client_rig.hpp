@@ -2,8 +2,8 @@
 #ifndef TESTS_CANOPEN_CIA301_SDO_CLIENT_RIG_HPP
 #define TESTS_CANOPEN_CIA301_SDO_CLIENT_RIG_HPP
 
-#include "canopen/cia301/sdo_client.hpp"
-#include "canopen/cia301/sdo_server_port.hpp"
+#include "canopen/cia301/sdo/client.hpp"
+#include "canopen/cia301/sdo/server_port.hpp"
 #include "tests/canopen/cia301/keeping_sink.hpp"
 #include "tests/canopen/cia301/sdo_rig.hpp"
 

@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia301/crc16.hpp"
+#include "canopen/cia301/store/crc16.hpp"
 #include "tests/canopen/cia301/sdo_client_rig.hpp"
 
 namespace counterpoint::cia301

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // A further SDO server (1201h) and an SDO client of the dictionary (1281h) with a wire between them.
-#include "canopen/cia301/sdo_client_port.hpp"
+#include "canopen/cia301/sdo/client_port.hpp"
 #include "tests/canopen/cia301/sdo_client_rig.hpp"
 
 namespace counterpoint::cia301

@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia301/little_endian.hpp"
+#include "canopen/cia301/base/little_endian.hpp"
 #include "tests/canopen/cia301/sdo_rig.hpp"
 
 #include <algorithm>

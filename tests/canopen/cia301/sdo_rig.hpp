@@ -2,7 +2,7 @@
 #ifndef TESTS_CANOPEN_CIA301_SDO_RIG_HPP
 #define TESTS_CANOPEN_CIA301_SDO_RIG_HPP
 
-#include "canopen/cia301/sdo_server.hpp"
+#include "canopen/cia301/sdo/server.hpp"
 #include "tests/canopen/cia301/fake_objects.hpp"
 #include "verification/trace/verifies.hpp"
 

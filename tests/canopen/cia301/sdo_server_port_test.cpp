@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia301/sdo_server_port.hpp"
+#include "canopen/cia301/sdo/server_port.hpp"
 #include "tests/canopen/cia301/sdo_client_rig.hpp"
 
 namespace counterpoint::cia301

@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia301/service_objects.hpp"
+#include "canopen/cia301/objects/service_objects.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <array>

@@ -2,8 +2,8 @@
 #ifndef TESTS_CANOPEN_CIA301_SERVICE_RIG_HPP
 #define TESTS_CANOPEN_CIA301_SERVICE_RIG_HPP
 
-#include "canopen/cia301/pdo_objects.hpp"
-#include "canopen/cia301/sync.hpp"
+#include "canopen/cia301/pdo/objects.hpp"
+#include "canopen/cia301/time/sync.hpp"
 #include "tests/canopen/cia301/fake_objects.hpp"
 #include "tests/canopen/cia301/keeping_sink.hpp"
 #include "verification/trace/verifies.hpp"

@@ -1,13 +1,13 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // The table of services by state, held against what the services do. SRDO and GFC are the kernel's, LSS is in the tests
 // of CiA 305.
-#include "canopen/cia301/emergency_consumer.hpp"
-#include "canopen/cia301/heartbeat_producer.hpp"
-#include "canopen/cia301/node_guarding.hpp"
-#include "canopen/cia301/sdo_client_port.hpp"
-#include "canopen/cia301/sdo_server_port.hpp"
-#include "canopen/cia301/service_table.hpp"
-#include "canopen/cia301/time_stamp.hpp"
+#include "canopen/cia301/emergency/consumer.hpp"
+#include "canopen/cia301/nmt/heartbeat_producer.hpp"
+#include "canopen/cia301/nmt/node_guarding.hpp"
+#include "canopen/cia301/sdo/client_port.hpp"
+#include "canopen/cia301/sdo/server_port.hpp"
+#include "canopen/cia301/objects/service_table.hpp"
+#include "canopen/cia301/time/time_stamp.hpp"
 #include "tests/canopen/cia301/service_rig.hpp"
 
 namespace counterpoint::cia301

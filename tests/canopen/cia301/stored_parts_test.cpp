@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia301/little_endian.hpp"
-#include "canopen/cia301/sdo_server_port.hpp"
-#include "canopen/cia301/stored_parts.hpp"
+#include "canopen/cia301/base/little_endian.hpp"
+#include "canopen/cia301/sdo/server_port.hpp"
+#include "canopen/cia301/store/stored_parts.hpp"
 #include "tests/canopen/cia301/cut_memory.hpp"
 #include "tests/canopen/cia301/service_rig.hpp"
 #include "tests/safety_core/kernel/rig.hpp"

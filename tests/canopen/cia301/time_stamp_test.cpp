@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia301/time_stamp.hpp"
+#include "canopen/cia301/time/time_stamp.hpp"
 #include "tests/canopen/cia301/service_rig.hpp"
 
 namespace counterpoint::cia301

@@ -2,7 +2,7 @@
 #ifndef TESTS_CANOPEN_CIA302_BUS_SLAVE_HPP
 #define TESTS_CANOPEN_CIA302_BUS_SLAVE_HPP
 
-#include "canopen/cia301/frame_sink.hpp"
+#include "canopen/cia301/nmt/frame_sink.hpp"
 
 #include <cstdint>
 #include <map>

@@ -2,9 +2,9 @@
 #ifndef TESTS_CANOPEN_CIA302_FAKE_SLAVE_HPP
 #define TESTS_CANOPEN_CIA302_FAKE_SLAVE_HPP
 
-#include "canopen/cia301/heartbeat_producer.hpp"
-#include "canopen/cia301/node_guarding.hpp"
-#include "canopen/cia301/sdo_server_port.hpp"
+#include "canopen/cia301/nmt/heartbeat_producer.hpp"
+#include "canopen/cia301/nmt/node_guarding.hpp"
+#include "canopen/cia301/sdo/server_port.hpp"
 #include "tests/canopen/cia301/fake_objects.hpp"
 
 #include <array>

@@ -2,8 +2,8 @@
 //
 // The demo of the reference's chapter 5 on a bus: flying master 2 (level 1, which does not watch the master), flying
 // master 5 (level 2, which does) and slave 5Fh. Preset so1114, 125 kbit/s, cycle 1 ms.
-#include "canopen/cia301/heartbeat_consumer.hpp"
-#include "canopen/cia301/heartbeat_producer.hpp"
+#include "canopen/cia301/nmt/heartbeat_consumer.hpp"
+#include "canopen/cia301/nmt/heartbeat_producer.hpp"
 #include "canopen/cia302/flying_master.hpp"
 #include "hal/host/virtual_bus.hpp"
 #include "verification/trace/verifies.hpp"

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia301/emergency_consumer.hpp"
-#include "canopen/cia301/sdo_client_port.hpp"
-#include "canopen/cia301/time_stamp.hpp"
+#include "canopen/cia301/emergency/consumer.hpp"
+#include "canopen/cia301/sdo/client_port.hpp"
+#include "canopen/cia301/time/time_stamp.hpp"
 #include "tests/canopen/device/device_rig.hpp"
 
 // Services that not every device has, in a device.

@@ -2,7 +2,7 @@
 #ifndef TESTS_CANOPEN_GENERATE_GENERATED_CASE_HPP
 #define TESTS_CANOPEN_GENERATE_GENERATED_CASE_HPP
 
-#include "canopen/cia301/entry.hpp"
+#include "canopen/cia301/dictionary/entry.hpp"
 #include "canopen/generated/configuration.hpp"
 
 #include <cstdint>

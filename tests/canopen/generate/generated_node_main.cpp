@@ -2,8 +2,8 @@
 // generated_node: a program built from generated code, on a live bus. Clients of other origin read its dictionary.
 //     generated_node --list             cases: name, node-ID, device file from the root of the tree
 //     generated_node CASE ADDRESS       serves the dictionary of one case until SIGTERM
-#include "canopen/cia301/frame_sink.hpp"
-#include "canopen/cia301/sdo_server_port.hpp"
+#include "canopen/cia301/nmt/frame_sink.hpp"
+#include "canopen/cia301/sdo/server_port.hpp"
 #include "hal/host/live_bus.hpp"
 #include "tests/canopen/generate/generated_node.hpp"
 

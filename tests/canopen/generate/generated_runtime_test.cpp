@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // What generated tables stand on: constants, stored values with hooks, numbers.
-#include "canopen/cia301/dictionary.hpp"
+#include "canopen/cia301/dictionary/dictionary.hpp"
 #include "canopen/generated/constant_objects.hpp"
 #include "canopen/generated/numbers.hpp"
 #include "canopen/generated/stored_objects.hpp"

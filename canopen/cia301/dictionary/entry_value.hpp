@@ -1,0 +1,27 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA301_DICTIONARY_ENTRY_VALUE_HPP
+#define CANOPEN_CIA301_DICTIONARY_ENTRY_VALUE_HPP
+
+#include "canopen/cia301/dictionary/entry.hpp"
+
+namespace counterpoint::cia301
+{
+
+/// @brief Whether a value of this type is a two's complement.
+[[nodiscard]] bool IsSigned(DataType type) noexcept;
+/// @brief Whether limits hold for this type.
+[[nodiscard]] bool IsNumber(DataType type) noexcept;
+/// @brief A value of an entry as a number, sign-extended for signed types. `value` has 1 to 8 bytes.
+[[nodiscard]] std::uint64_t NumberOf(DataType type, const Bytes& value) noexcept;
+/// @brief Refuses a length that the entry does not take. [SRS-OBD-005]
+[[nodiscard]] SdoAbort CheckLength(const Entry& entry, std::uint32_t size_bytes) noexcept;
+/// @brief Refuses a value beyond the entry's limits; its length was checked. [SRS-OBD-006]
+[[nodiscard]] SdoAbort CheckLimits(const Entry& entry, const Bytes& value) noexcept;
+/// @brief The value from hook or place. [SRS-OBD-007, SRS-OBD-009]
+[[nodiscard]] Reading ReadEntry(const Entry& entry, const Room& room) noexcept;
+/// @brief Checks, asks the hook, stores. [SRS-OBD-005..007]
+[[nodiscard]] SdoAbort WriteEntry(const Entry& entry, const Bytes& value) noexcept;
+
+} // namespace counterpoint::cia301
+
+#endif

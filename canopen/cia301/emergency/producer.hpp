@@ -1,0 +1,122 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA301_EMERGENCY_PRODUCER_HPP
+#define CANOPEN_CIA301_EMERGENCY_PRODUCER_HPP
+
+#include "canopen/cia301/base/abort_code.hpp"
+#include "canopen/cia301/nmt/slave.hpp"
+
+namespace counterpoint::cia301
+{
+
+constexpr std::uint8_t kEmergencyRoom = 9U;    ///< Where the owner gives none.
+constexpr std::uint8_t kLongestHistory = 254U; ///< Entries of 1003h: as many as an object has sub-indices.
+
+/// Room for 1003h, kept by reference; what is beyond kLongestHistory is not used.
+struct ErrorHistory
+{
+    std::uint32_t* errors;
+    std::uint8_t count; ///< 0: the device keeps none.
+};
+
+/// Whether an error is one that must find room.
+enum class EmergencyUrgency : std::uint8_t
+{
+    kUsual = 0U,
+    kUrgent = 0x5AU,
+};
+
+/// An error of the device.
+struct EmergencyError
+{
+    std::uint16_t code;         ///< Emergency error code, not 0.
+    std::uint8_t register_bits; ///< Bits of 1001h; the generic bit is added.
+    std::uint8_t details[5];    ///< Manufacturer's bytes; the first two are in 1003h too.
+    std::uint16_t source{0U};   ///< Tells errors of one code apart: a node, a PDO. [SRS-EMCY-007]
+    EmergencyUrgency urgency{EmergencyUrgency::kUsual};
+};
+
+/// A message on its way.
+struct EmergencyMessage
+{
+    std::uint8_t bytes[8];
+};
+
+/// Room for errors that are active at once and for messages that wait, kept by reference. The last place of each is for
+/// an urgent error. With one place more than the device has sources no error is lost. [SRS-EMCY-010]
+struct EmergencyRoom
+{
+    EmergencyError* active;
+    EmergencyMessage* waiting;
+    std::uint16_t count; ///< Of each; 0: no room, the producer takes its own.
+};
+
+/// Value of a sub-index of 1003h, or why there is none.
+struct HistoryReading
+{
+    SdoAbort abort;
+    std::uint32_t value;
+};
+
+/// Emergency messages with 1001h, 1003h, 1014h and 1015h. Poll at least once in 2^30 us. Not reentrant.
+class EmergencyProducer
+{
+  public:
+    /// With kEmergencyRoom places of its own.
+    EmergencyProducer(NodeId node, const ErrorHistory& history) noexcept;
+    EmergencyProducer(NodeId node, const ErrorHistory& history, const EmergencyRoom& room) noexcept;
+    EmergencyProducer(const EmergencyProducer&) = delete;
+    EmergencyProducer& operator=(const EmergencyProducer&) = delete;
+    ~EmergencyProducer() = default;
+
+    /// @brief Reset communication: 1014h and 1015h as at power-on; errors stay. [SRS-EMCY-008]
+    void ResetCommunication(NodeId node) noexcept;
+    /// @brief An error appeared; nothing happens if its code is active already for its source. O(room) [SRS-EMCY-001,
+    /// SRS-EMCY-010]
+    void Raise(const EmergencyError& error) noexcept;
+    /// @brief The error of this code and source is gone; nothing happens if it is not active. O(room) [SRS-EMCY-001]
+    void Clear(std::uint16_t code, std::uint16_t source = 0U) noexcept;
+    /// @brief Whether any error is active. O(1)
+    [[nodiscard]] bool HasErrors() const noexcept
+    {
+        return active_count_ > 0U;
+    }
+    /// @brief The next message, if state, 1014h and 1015h allow one. [SRS-EMCY-003..005]
+    [[nodiscard]] FrameToSend Poll(NodeState state, Instant now) noexcept;
+
+    /// @brief 1001h.
+    [[nodiscard]] std::uint8_t Register() const noexcept;
+    /// @brief 1003h. [SRS-EMCY-002]
+    [[nodiscard]] HistoryReading History(std::uint8_t sub) const noexcept;
+    [[nodiscard]] SdoAbort WriteHistory(std::uint8_t count) noexcept;
+    /// @brief 1014h. [SRS-EMCY-003]
+    [[nodiscard]] std::uint32_t CobId() const noexcept;
+    [[nodiscard]] SdoAbort WriteCobId(std::uint32_t value) noexcept;
+    /// @brief 1015h, in 100 us. [SRS-EMCY-004]
+    [[nodiscard]] std::uint16_t InhibitTime() const noexcept;
+    void SetInhibitTime(std::uint16_t time_100us) noexcept;
+    /// @brief Errors and messages that found no room; stays at 255.
+    [[nodiscard]] std::uint8_t Dropped() const noexcept;
+
+  private:
+    [[nodiscard]] std::uint16_t RoomFor(EmergencyUrgency urgency) const noexcept;
+    [[nodiscard]] std::uint16_t Find(std::uint16_t code, std::uint16_t source) const noexcept;
+    void Queue(std::uint16_t code, const EmergencyError& error) noexcept;
+    void Remember(const EmergencyError& error) noexcept;
+
+    EmergencyError own_active_[kEmergencyRoom];
+    EmergencyMessage own_waiting_[kEmergencyRoom];
+    EmergencyRoom room_;   ///< The first `active_count_`; the first `waiting_count_`, the oldest at 0.
+    ErrorHistory history_; ///< The first `history_count_`, the newest at 0.
+    std::uint32_t cob_id_;
+    std::uint16_t inhibit_100us_;
+    std::uint16_t active_count_;
+    std::uint16_t waiting_count_;
+    std::uint8_t history_count_;
+    std::uint8_t dropped_;
+    bool is_inhibited_; ///< One was sent at `sent_`.
+    Instant sent_;
+};
+
+} // namespace counterpoint::cia301
+
+#endif

@@ -1,0 +1,59 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA301_NMT_NODE_GUARDING_HPP
+#define CANOPEN_CIA301_NMT_NODE_GUARDING_HPP
+
+#include "canopen/cia301/nmt/slave.hpp"
+
+namespace counterpoint::cia301
+{
+
+enum class GuardEvent : std::uint8_t
+{
+    kNone = 0U,
+    kLost = 1U,
+    kResumed = 2U,
+};
+
+/// What a remote frame leads to.
+struct GuardReply
+{
+    FrameToSend reply;
+    GuardEvent event;
+};
+
+/// Moment, state and heartbeat of the own node when a frame comes.
+struct GuardMoment
+{
+    NodeState state;
+    std::uint16_t heartbeat_ms; ///< 1017h; guarding rests if it is not 0.
+    Instant now;
+};
+
+/// Node guarding and life guarding as a slave sees them. Poll at least once in 2^30 us. Not reentrant.
+class NodeGuarding
+{
+  public:
+    explicit NodeGuarding(NodeId node) noexcept;
+
+    /// @brief 100Ch and 100Dh; life guarding waits for the next remote frame. [SRS-GRD-002]
+    void SetLifeTime(std::uint16_t guard_time_ms, std::uint8_t factor) noexcept;
+    /// @brief A reset: the toggle is 0, life guarding waits. [SRS-GRD-001]
+    void Reset() noexcept;
+    /// @brief A frame from the bus. [SRS-GRD-001, SRS-GRD-002]
+    [[nodiscard]] GuardReply OnFrame(const CanFrame& frame, const GuardMoment& moment) noexcept;
+    /// @brief Whether the master was lost just now. [SRS-GRD-002]
+    [[nodiscard]] GuardEvent Poll(Instant now) noexcept;
+
+  private:
+    NodeId node_;
+    std::uint64_t life_us_; ///< 0: off.
+    std::uint64_t silence_us_;
+    Instant last_; ///< Up to where `silence_us_` counts.
+    std::uint8_t toggle_;
+    bool is_guarded_;
+    bool is_lost_;
+};
+
+} // namespace counterpoint::cia301
+
+#endif

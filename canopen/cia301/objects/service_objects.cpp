@@ -1,0 +1,138 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia301/objects/service_objects.hpp"
+
+#include "canopen/cia301/base/little_endian.hpp"
+
+namespace counterpoint::cia301
+{
+namespace
+{
+
+constexpr std::uint16_t kErrorRegister = 0x1001U;
+constexpr std::uint16_t kErrorHistory = 0x1003U;
+constexpr std::uint16_t kGuardTime = 0x100CU;
+constexpr std::uint16_t kLifeFactor = 0x100DU;
+constexpr std::uint16_t kEmergencyCobId = 0x1014U;
+constexpr std::uint16_t kEmergencyInhibit = 0x1015U;
+constexpr std::uint16_t kConsumerTimes = 0x1016U;
+constexpr std::uint16_t kProducerTime = 0x1017U;
+
+} // namespace
+
+ServiceObjects::ServiceObjects(const ServiceParts& parts) noexcept : parts_(parts), guard_time_ms_(0U), life_factor_(0U)
+{
+}
+
+Reading ServiceObjects::OnRead(const ObjectAddress& address, const Room& room) noexcept
+{
+    const bool is_list = (address.index == kErrorHistory) || (address.index == kConsumerTimes);
+    const Value value = is_list ? FetchList(address) : Fetch(address);
+    Reading reading{value.abort, value.size_bytes};
+    if ((reading.abort == SdoAbort::kNone) && (value.size_bytes > room.size_bytes))
+    {
+        reading.abort = SdoAbort::kOutOfMemory;
+    }
+    if (reading.abort == SdoAbort::kNone)
+    {
+        ToLittleEndian(value.value, room.data, value.size_bytes);
+    }
+    return reading;
+}
+
+SdoAbort ServiceObjects::OnWrite(const ObjectAddress& address, const Bytes& value) noexcept
+{
+    const auto number = static_cast<std::uint32_t>(FromLittleEndian(value.data, value.size_bytes));
+    SdoAbort abort = SdoAbort::kNone;
+    switch (address.index)
+    {
+    case kErrorHistory:
+        abort = (address.sub == 0U) ? parts_.emergency.WriteHistory(static_cast<std::uint8_t>(number & 0xFFU))
+                                    : SdoAbort::kReadOnly;
+        break;
+    case kGuardTime:
+        guard_time_ms_ = static_cast<std::uint16_t>(number & 0xFFFFU);
+        parts_.guarding.SetLifeTime(guard_time_ms_, life_factor_);
+        break;
+    case kLifeFactor:
+        life_factor_ = static_cast<std::uint8_t>(number & 0xFFU);
+        parts_.guarding.SetLifeTime(guard_time_ms_, life_factor_);
+        break;
+    case kEmergencyCobId:
+        abort = parts_.emergency.WriteCobId(number);
+        break;
+    case kEmergencyInhibit:
+        parts_.emergency.SetInhibitTime(static_cast<std::uint16_t>(number & 0xFFFFU));
+        break;
+    case kConsumerTimes:
+        abort = (address.sub == 0U) ? SdoAbort::kReadOnly : parts_.consumer.Write(address.sub, number);
+        break;
+    case kProducerTime:
+        parts_.producer.SetPeriod(static_cast<std::uint16_t>(number & 0xFFFFU));
+        break;
+    case kErrorRegister:
+        abort = SdoAbort::kReadOnly;
+        break;
+    default:
+        abort = SdoAbort::kObjectUnknown;
+        break;
+    }
+    return abort;
+}
+
+ServiceObjects::Value ServiceObjects::Fetch(const ObjectAddress& address) const noexcept
+{
+    Value value{SdoAbort::kNone, 0U, 2U};
+    switch (address.index)
+    {
+    case kErrorRegister:
+        value = Value{SdoAbort::kNone, parts_.emergency.Register(), 1U};
+        break;
+    case kGuardTime:
+        value.value = guard_time_ms_;
+        break;
+    case kLifeFactor:
+        value = Value{SdoAbort::kNone, life_factor_, 1U};
+        break;
+    case kEmergencyCobId:
+        value = Value{SdoAbort::kNone, parts_.emergency.CobId(), 4U};
+        break;
+    case kEmergencyInhibit:
+        value.value = parts_.emergency.InhibitTime();
+        break;
+    case kProducerTime:
+        value.value = parts_.producer.PeriodMs();
+        break;
+    default:
+        value.abort = SdoAbort::kObjectUnknown;
+        break;
+    }
+    if ((value.abort == SdoAbort::kNone) && (address.sub != 0U))
+    {
+        value.abort = SdoAbort::kSubUnknown;
+    }
+    return value;
+}
+
+/// 1003h and 1016h: sub-index 0 has one byte, the others four.
+ServiceObjects::Value ServiceObjects::FetchList(const ObjectAddress& address) const noexcept
+{
+    const std::uint32_t size_bytes = (address.sub == 0U) ? 1U : 4U;
+    Value value{SdoAbort::kNone, parts_.consumer_count, size_bytes};
+    if (address.index == kErrorHistory)
+    {
+        const HistoryReading history = parts_.emergency.History(address.sub);
+        value.abort = history.abort;
+        value.value = history.value;
+    }
+    else if (address.sub > parts_.consumer_count)
+    {
+        value.abort = SdoAbort::kSubUnknown;
+    }
+    else if (address.sub > 0U)
+    {
+        value.value = parts_.consumer.Value(address.sub);
+    }
+    return value;
+}
+
+} // namespace counterpoint::cia301

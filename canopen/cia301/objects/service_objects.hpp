@@ -1,0 +1,50 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA301_OBJECTS_SERVICE_OBJECTS_HPP
+#define CANOPEN_CIA301_OBJECTS_SERVICE_OBJECTS_HPP
+
+#include "canopen/cia301/emergency/producer.hpp"
+#include "canopen/cia301/dictionary/entry.hpp"
+#include "canopen/cia301/nmt/heartbeat_consumer.hpp"
+#include "canopen/cia301/nmt/heartbeat_producer.hpp"
+#include "canopen/cia301/nmt/node_guarding.hpp"
+
+namespace counterpoint::cia301
+{
+
+/// The services whose objects the dictionary shows, kept by reference.
+struct ServiceParts
+{
+    EmergencyProducer& emergency;
+    HeartbeatConsumer& consumer;
+    HeartbeatProducer& producer;
+    NodeGuarding& guarding;
+    std::uint8_t consumer_count; ///< Sub-index 0 of 1016h.
+};
+
+/// Hook of the entries 1001h, 1003h, 100Ch, 100Dh, 1014h to 1017h; the entries need no place. [SRS-OBD-013]
+class ServiceObjects final : public ReadHook, public WriteHook
+{
+  public:
+    explicit ServiceObjects(const ServiceParts& parts) noexcept;
+
+    [[nodiscard]] Reading OnRead(const ObjectAddress& address, const Room& room) noexcept override;
+    [[nodiscard]] SdoAbort OnWrite(const ObjectAddress& address, const Bytes& value) noexcept override;
+
+  private:
+    struct Value
+    {
+        SdoAbort abort;
+        std::uint32_t value;
+        std::uint32_t size_bytes;
+    };
+    [[nodiscard]] Value Fetch(const ObjectAddress& address) const noexcept;
+    [[nodiscard]] Value FetchList(const ObjectAddress& address) const noexcept;
+
+    ServiceParts parts_;
+    std::uint16_t guard_time_ms_;
+    std::uint8_t life_factor_;
+};
+
+} // namespace counterpoint::cia301
+
+#endif

@@ -1,0 +1,36 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA301_PDO_SETTINGS_HPP
+#define CANOPEN_CIA301_PDO_SETTINGS_HPP
+
+#include "canopen/cia301/dictionary/number_hook.hpp"
+
+#include <cstdint>
+
+// What the communication parameters of a TPDO (1800h..) and of an RPDO (1400h..) have in common, after CiA 301.
+namespace counterpoint::cia301
+{
+
+constexpr std::uint8_t kCobIdSub = 1U;
+constexpr std::uint8_t kTypeSub = 2U;
+constexpr std::uint8_t kInhibitSub = 3U;
+constexpr std::uint8_t kEventSub = 5U;
+constexpr std::uint32_t kLastSynchronous = 240U;     ///< Of the transmission types.
+constexpr std::uint32_t kFixedCobBits = 0x3FFFFFFFU; ///< Bits of a COB-ID that do not change while the PDO is valid.
+
+/// The values of sub-index 1, 2, 3 and 5.
+struct PdoSettings
+{
+    std::uint32_t cob_id;
+    std::uint8_t type;
+    std::uint16_t inhibit_100us;
+    std::uint16_t event_ms;
+};
+
+/// @brief A sub-index that both kinds have, as the bus reads it; 0 is `highest_sub`, another one is unknown. O(1)
+[[nodiscard]] ObjectValue FetchShared(const PdoSettings& settings, std::uint8_t sub, std::uint8_t highest_sub) noexcept;
+/// @brief Whether a COB-ID is off, or one of 11 bits that may be configured. O(1)
+[[nodiscard]] bool IsUsable(std::uint32_t cob_id) noexcept;
+
+} // namespace counterpoint::cia301
+
+#endif

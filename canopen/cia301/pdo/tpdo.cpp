@@ -1,0 +1,237 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// When a TPDO is sent. Its objects are in tpdo_settings.cpp.
+#include "canopen/cia301/pdo/tpdo.hpp"
+
+#include "canopen/cia301/base/cob_id.hpp"
+#include "canopen/cia301/objects/service_table.hpp"
+
+namespace counterpoint::cia301
+{
+namespace
+{
+
+constexpr std::uint32_t kUsPerMs = 1000U;
+constexpr std::uint32_t kUsPerStep = 100U;
+constexpr std::uint32_t kStandard = 0x7FFU;
+constexpr std::uint8_t kLastSynchronous = 240U;
+constexpr std::uint8_t kSampledBySync = 252U;
+constexpr std::uint8_t kSampledByRtr = 253U;
+
+bool IsSendable(const Tpdo& pdo) noexcept
+{
+    return ((pdo.settings.cob_id & kCobOff) == 0U) && (pdo.map.count > 0U);
+}
+
+bool IsSynchronous(const Tpdo& pdo) noexcept
+{
+    return pdo.settings.type <= kLastSynchronous;
+}
+
+bool IsEventDriven(const Tpdo& pdo) noexcept
+{
+    return pdo.settings.type > kSampledByRtr;
+}
+
+bool IsDifferent(const PdoData& left, const PdoData& right) noexcept
+{
+    bool is_different = false;
+    for (std::uint32_t i = 0U; i < kPdoBytes; ++i)
+    {
+        is_different = is_different || (left.bytes[i] != right.bytes[i]);
+    }
+    return is_different;
+}
+
+/// Whether the event time is over. It begins anew in its phase, unless a whole one was missed.
+bool IsTimerOver(Tpdo& pdo, const Instant now) noexcept
+{
+    const std::uint32_t period_us = pdo.settings.event_ms * kUsPerMs;
+    const std::uint32_t since_us = now.us - pdo.run.timer_at.us;
+    const bool is_over = (period_us > 0U) && pdo.run.is_timed && (since_us >= period_us);
+    if (is_over)
+    {
+        const bool is_steady = (since_us - period_us) < period_us;
+        pdo.run.timer_at.us = is_steady ? (pdo.run.timer_at.us + period_us) : now.us;
+    }
+    return is_over;
+}
+
+} // namespace
+
+void Tpdos::OnFrame(const CanFrame& frame, const Moment& moment) noexcept
+{
+    FollowState(moment);
+    for (std::uint16_t i = 0U; (frame.kind == FrameKind::kRemote) && (i < parts_.table.count); ++i)
+    {
+        Tpdo& pdo = parts_.table.pdos[i];
+        const bool is_allowed = is_operational_ && IsSendable(pdo) && ((pdo.settings.cob_id & kCobBit30) == 0U);
+        const bool is_kept = IsSynchronous(pdo) || (pdo.settings.type == kSampledBySync);
+        if (is_allowed && (frame.identifier == (pdo.settings.cob_id & kStandard)) && (!is_kept || pdo.run.has_sampled))
+        {
+            pdo.run.sampled = is_kept ? pdo.run.sampled : Pack(pdo.map);
+            pdo.run.window_us = 0U;
+            Transmit(pdo, moment.now);
+        }
+    }
+}
+
+void Tpdos::OnSync(const SyncEvent& event) noexcept
+{
+    FollowState(event.moment);
+    for (std::uint16_t i = 0U; is_operational_ && (i < parts_.table.count); ++i)
+    {
+        Tpdo& pdo = parts_.table.pdos[i];
+        if (IsSendable(pdo) && (IsSynchronous(pdo) || (pdo.settings.type == kSampledBySync)))
+        {
+            const PdoData now = Pack(pdo.map);
+            const bool is_due = IsSyncDue(pdo, event, now);
+            // What still waits for room keeps the values of its own SYNC.
+            pdo.run.sampled = (is_due || !pdo.run.is_due) ? now : pdo.run.sampled;
+            pdo.run.has_sampled = true;
+            if (is_due)
+            {
+                pdo.run.due_at = event.moment.now;
+                pdo.run.window_us = event.window_us;
+                pdo.run.is_requested = false;
+                Transmit(pdo, event.moment.now);
+            }
+        }
+    }
+}
+
+bool Tpdos::IsSyncDue(Tpdo& pdo, const SyncEvent& event, const PdoData& now) const noexcept
+{
+    TpdoRun& run = pdo.run;
+    bool is_due = false;
+    if (pdo.settings.type == 0U)
+    {
+        is_due = run.is_requested || ((pdo.trigger == PdoTrigger::kChange) && IsDifferent(now, run.sent));
+    }
+    else if (!IsSynchronous(pdo))
+    {
+        is_due = false; // Type 252 is only sampled.
+    }
+    else if ((event.counter != 0U) && (pdo.settings.sync_start != 0U) && !run.is_aligned)
+    {
+        is_due = (event.counter == pdo.settings.sync_start);
+        run.is_aligned = is_due;
+    }
+    else
+    {
+        ++run.syncs;
+        is_due = (run.syncs >= pdo.settings.type);
+    }
+    run.syncs = is_due ? std::uint8_t{0U} : run.syncs;
+    return is_due;
+}
+
+void Tpdos::OnCycle(const Moment& moment) noexcept
+{
+    FollowState(moment);
+    for (std::uint16_t i = 0U; is_operational_ && (i < parts_.table.count); ++i)
+    {
+        Tpdo& pdo = parts_.table.pdos[i];
+        if (pdo.run.is_due)
+        {
+            SendDue(pdo, moment);
+        }
+        else if (IsEventDriven(pdo) && IsSendable(pdo))
+        {
+            RunEvents(pdo, moment);
+        }
+        else
+        {
+            // Waits for SYNC or RTR.
+        }
+    }
+}
+
+/// What found no room, unless its window is over.
+void Tpdos::SendDue(Tpdo& pdo, const Moment& moment) noexcept
+{
+    const bool has_window = IsSynchronous(pdo) && (pdo.run.window_us > 0U);
+    if (has_window && ((moment.now.us - pdo.run.due_at.us) > pdo.run.window_us))
+    {
+        pdo.run.is_due = false;
+    }
+    else if (IsSendable(pdo))
+    {
+        Transmit(pdo, moment.now);
+    }
+    else
+    {
+        // Switched off in between.
+    }
+}
+
+void Tpdos::RunEvents(Tpdo& pdo, const Moment& moment) noexcept
+{
+    TpdoRun& run = pdo.run;
+    const std::uint32_t inhibit_us = pdo.settings.inhibit_100us * kUsPerStep;
+    const bool is_over = IsTimerOver(pdo, moment.now);
+    const Instant timer_at = run.timer_at;
+    run.is_inhibited = run.is_inhibited && ((moment.now.us - run.sent_at.us) < inhibit_us);
+    run.is_requested = run.is_requested || is_over;
+    if (run.is_requested || (pdo.trigger == PdoTrigger::kChange))
+    {
+        const PdoData now = Pack(pdo.map);
+        const bool is_changed = (pdo.trigger == PdoTrigger::kChange) && IsDifferent(now, run.sent);
+        run.is_requested = run.is_requested || is_changed;
+        if (run.is_requested && !run.is_inhibited)
+        {
+            run.sampled = now;
+            Transmit(pdo, moment.now);
+            run.is_requested = run.is_due;
+            run.is_due = false; // It goes later with the values of then.
+            run.timer_at = is_over ? timer_at : run.timer_at;
+        }
+    }
+}
+
+bool Tpdos::Request(const std::uint16_t number) noexcept
+{
+    Tpdo* const pdo = Find(number);
+    if (pdo != nullptr)
+    {
+        pdo->run.is_requested = true;
+    }
+    return pdo != nullptr;
+}
+
+void Tpdos::FollowState(const Moment& moment) noexcept
+{
+    const bool is_allowed = IsAllowed(Service::kPdo, moment.state);
+    for (std::uint16_t i = 0U; is_allowed && !is_operational_ && (i < parts_.table.count); ++i)
+    {
+        Start(parts_.table.pdos[i]);
+    }
+    is_operational_ = is_allowed;
+}
+
+/// Nothing from before counts, and event-driven values are sent once.
+void Tpdos::Start(Tpdo& pdo) noexcept
+{
+    pdo.run = TpdoRun{};
+    pdo.run.is_requested = true;
+}
+
+/// Sends `sampled`, or leaves it due.
+void Tpdos::Transmit(Tpdo& pdo, const Instant now) noexcept
+{
+    CanFrame frame{pdo.settings.cob_id & kStandard, FrameKind::kData, CanPortId::kFirst, LengthOf(pdo.map), {}};
+    for (std::uint32_t i = 0U; i < kPdoBytes; ++i)
+    {
+        frame.data[i] = pdo.run.sampled.bytes[i];
+    }
+    pdo.run.is_due = !parts_.sink.Send(frame);
+    if (!pdo.run.is_due)
+    {
+        pdo.run.sent = pdo.run.sampled;
+        pdo.run.sent_at = now;
+        pdo.run.timer_at = now;
+        pdo.run.is_timed = true;
+        pdo.run.is_inhibited = true;
+    }
+}
+
+} // namespace counterpoint::cia301

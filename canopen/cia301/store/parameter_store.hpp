@@ -1,0 +1,143 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA301_STORE_PARAMETER_STORE_HPP
+#define CANOPEN_CIA301_STORE_PARAMETER_STORE_HPP
+
+#include "canopen/cia301/dictionary/dictionary.hpp"
+#include "canopen/cia301/store/stored_image.hpp"
+
+#include "hal/api/parameter_memory.hpp"
+
+namespace counterpoint::cia301
+{
+
+/// Groups of parameters, as bits.
+constexpr std::uint8_t kCommunicationGroup = 1U; ///< 1000h to 1FFFh.
+constexpr std::uint8_t kApplicationGroup = 2U;   ///< 6000h to 9FFFh.
+constexpr std::uint8_t kManufacturerGroup = 4U;  ///< 2000h to 5FFFh.
+constexpr std::uint8_t kLssGroup = 8U;           ///< Node-ID and bit rate; by LSS only.
+constexpr std::uint8_t kAllGroups = 7U;          ///< What sub-index 1 of 1010h and 1011h means.
+
+/// One item of a part as it is stored.
+struct StoredItem
+{
+    SdoAbort abort;           ///< Not kNone: the whole set is not stored.
+    std::uint8_t group;       ///< 0: nothing to store at this number.
+    std::uint32_t size_bytes; ///< At most 65535.
+};
+
+/// A part of the device that keeps parameters.
+class StoredPart
+{
+  public:
+    /// @brief Numbers of items, from 0.
+    [[nodiscard]] virtual std::uint32_t ItemCount() noexcept = 0;
+    /// @brief Group of an item and its bytes of now, in `room`.
+    [[nodiscard]] virtual StoredItem Item(std::uint32_t number, const Room& room) noexcept = 0;
+    /// @brief Before and after the items of a set; nothing is loaded in between but items of these groups.
+    virtual void BeginLoad(std::uint8_t groups) noexcept = 0;
+    /// @brief False: the item means nothing to this device any more.
+    virtual bool LoadItem(const Bytes& item) noexcept = 0;
+    virtual void EndLoad(std::uint8_t groups) noexcept = 0;
+
+  protected:
+    StoredPart() noexcept = default;
+    ~StoredPart() noexcept = default;
+    StoredPart(const StoredPart&) = default;
+    StoredPart& operator=(const StoredPart&) = default;
+};
+
+/// All kept by reference. The place of a part in the list is its number in the memory: it never changes.
+struct StoreParts
+{
+    hal::ParameterMemory& memory;
+    StoredPart* const* parts;
+    std::uint8_t part_count;
+    Room scratch; ///< Holds the largest item, at least 64 bytes.
+};
+
+enum class StoreAction : std::uint8_t
+{
+    kInvalid = 0U,
+    kSave = 1U,
+    kForget = 2U, ///< Defaults hold after the next reset.
+};
+
+struct StoreRequest
+{
+    StoreAction action;
+    std::uint8_t groups;
+};
+
+/// What was loaded.
+struct LoadReport
+{
+    bool is_present; ///< There was a valid set.
+    std::uint32_t loaded;
+    std::uint32_t refused; ///< Items that mean nothing to this device any more.
+};
+
+/// Keeps parameters in two banks of persistent memory. A set is whole or not there: it gets its header, with
+/// generation and CRC, after everything else, and the other bank keeps the set before. Loses no set whenever power
+/// fails. [SRS-STO-001..008]
+///
+/// Order of use: Mount once; Load at each reset; OnCycle once a cycle. Not reentrant.
+class ParameterStore
+{
+  public:
+    explicit ParameterStore(const StoreParts& parts) noexcept;
+
+    /// @brief Finds the newest valid set; whether there is one. Waits for nothing: the memory must be ready. O(bank)
+    bool Mount() noexcept;
+    /// @brief Hands the items of these groups to their parts. Not while IsBusy: a device that is reset during a store
+    /// first sees the store through. O(set) [SRS-STO-007]
+    LoadReport Load(std::uint8_t groups) noexcept;
+    /// @brief Starts a request, or asks for the end of the running one: kPending until it ended, then kNone once, or
+    /// kHardware (memory), kNotStored (no room), kLocalControl (another request is running). A result that nobody asks
+    /// for in two cycles is forgotten. [SRS-STO-005]
+    [[nodiscard]] SdoAbort Ask(const StoreRequest& request) noexcept;
+    /// @brief One step of at most kStoreStepBytes or one erasing; O(step) [SRS-STO-006]
+    void OnCycle() noexcept;
+    [[nodiscard]] bool IsBusy() const noexcept;
+
+  private:
+    enum class Phase : std::uint8_t
+    {
+        kIdle = 0U,
+        kBegin = 1U,
+        kItems = 2U, ///< Items of now.
+        kCopy = 3U,  ///< Items of the old set that stay.
+        kClose = 4U, ///< Last bytes and header.
+        kOpen = 5U,  ///< The header is being written.
+        kVerify = 6U,
+        kEnded = 7U,
+    };
+
+    void Step() noexcept;
+    void FetchItem() noexcept;
+    void FetchOld() noexcept;
+    void PutPiece() noexcept;
+    void Close() noexcept;
+    void Verify() noexcept;
+    void End(SdoAbort result) noexcept;
+    [[nodiscard]] bool Examine(hal::MemoryBank bank) noexcept;
+
+    StoreParts parts_;
+    ImageReader current_;
+    ImageReader candidate_;
+    ImageWriter writer_;
+    StoreRequest request_;
+    Phase phase_;
+    SdoAbort result_;
+    std::uint8_t age_; ///< Cycles since the end.
+    std::uint8_t part_;
+    std::uint32_t item_count_; ///< Of the part; kUnknownLength: not asked.
+    std::uint32_t item_;
+    std::uint32_t place_; ///< In the old set.
+    std::uint32_t size_;  ///< Bytes of the item in hand, head included.
+    std::uint32_t put_;   ///< Those that are written.
+    bool has_current_;
+};
+
+} // namespace counterpoint::cia301
+
+#endif

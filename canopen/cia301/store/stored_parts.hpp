@@ -1,0 +1,69 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA301_STORE_STORED_PARTS_HPP
+#define CANOPEN_CIA301_STORE_STORED_PARTS_HPP
+
+#include "canopen/cia301/dictionary/number_hook.hpp"
+#include "canopen/cia301/store/parameter_store.hpp"
+#include "canopen/cia301/pdo/objects.hpp"
+
+#include "safety_core/kernel/kernel.hpp"
+
+namespace counterpoint::cia301
+{
+
+/// The entries of a table with kStored; `dictionary` is over the same table. An item is index, sub-index, value. PDOs
+/// are configured in any order while a set is loaded. All kept by reference. [SRS-STO-011]
+class StoredEntries final : public StoredPart
+{
+  public:
+    StoredEntries(const EntryTable& table, const Dictionary& dictionary, Tpdos& tpdos, Rpdos& rpdos) noexcept;
+
+    [[nodiscard]] std::uint32_t ItemCount() noexcept override;
+    [[nodiscard]] StoredItem Item(std::uint32_t number, const Room& room) noexcept override;
+    void BeginLoad(std::uint8_t groups) noexcept override;
+    bool LoadItem(const Bytes& item) noexcept override;
+    void EndLoad(std::uint8_t groups) noexcept override;
+
+  private:
+    EntryTable table_;
+    const Dictionary& dictionary_;
+    Tpdos& tpdos_;
+    Rpdos& rpdos_;
+};
+
+/// The configuration that the kernel owns (1300h to 13FFh), as a part of the communication group. The kernel is kept by
+/// reference. [SRS-STO-012]
+class StoredSafety final : public StoredPart
+{
+  public:
+    explicit StoredSafety(Kernel& kernel) noexcept;
+
+    [[nodiscard]] std::uint32_t ItemCount() noexcept override;
+    [[nodiscard]] StoredItem Item(std::uint32_t number, const Room& room) noexcept override;
+    void BeginLoad(std::uint8_t groups) noexcept override;
+    bool LoadItem(const Bytes& item) noexcept override;
+    void EndLoad(std::uint8_t groups) noexcept override;
+
+  private:
+    Kernel& kernel_;
+    ImageHeader header_; ///< Of the set that is being saved or loaded.
+    bool has_header_;
+};
+
+/// Hook of 1010h and 1011h: sub-index 1 all, 2 communication, 3 application, 4 manufacturer. The store is kept by
+/// reference. [SRS-STO-003, SRS-STO-004]
+class StoreObjects final : public NumberHook
+{
+  public:
+    explicit StoreObjects(ParameterStore& store) noexcept;
+
+  private:
+    [[nodiscard]] ObjectValue Fetch(const ObjectAddress& address) noexcept override;
+    [[nodiscard]] SdoAbort Store(const ObjectAddress& address, std::uint32_t value) noexcept override;
+
+    ParameterStore& store_;
+};
+
+} // namespace counterpoint::cia301
+
+#endif
