@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/bus_command.hpp"
 
-#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 #include "hal/host/live_address.hpp"
 #include "hal/host/live_socketcand_server.hpp"
 #include "tools/device_options.hpp"

@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/demo_command.hpp"
 
-#include "canopen/cia306/input_error.hpp"
-#include "canopen/cia306/text_file.hpp"
+#include "canopen/cia306/text/input_error.hpp"
+#include "canopen/cia306/text/text_file.hpp"
 #include "verification/simulator/names.hpp"
 #include "verification/simulator/reports.hpp"
 #include "verification/simulator/run.hpp"

@@ -2,8 +2,8 @@
 #ifndef TOOLS_DEVICE_OPTIONS_HPP
 #define TOOLS_DEVICE_OPTIONS_HPP
 
-#include "canopen/cia306/device.hpp"
-#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/file/device.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 #include "tools/command.hpp"
 
 #include <cstdint>

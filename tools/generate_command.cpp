@@ -1,9 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/generate_command.hpp"
 
-#include "canopen/cia306/check.hpp"
-#include "canopen/cia306/device_reader.hpp"
-#include "canopen/cia306/text_file.hpp"
+#include "canopen/cia306/check/check.hpp"
+#include "canopen/cia306/file/device_reader.hpp"
+#include "canopen/cia306/text/text_file.hpp"
 #include "canopen/generate/generate.hpp"
 #include "tools/device_options.hpp"
 #include "tools/json_text.hpp"

@@ -3,7 +3,7 @@
 #include "tools/manager_check.hpp"
 
 #include "canopen/cia302/flying_master_compare.hpp"
-#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 #include "tools/manager_check_places.hpp"
 #include "tools/manager_host.hpp"
 #include "tools/manager_process.hpp"

@@ -2,7 +2,7 @@
 // Where in the files of flying masters something stands, and what of it does not go together.
 #include "tools/manager_check_places.hpp"
 
-#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 #include "tools/manager_check.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/manager_command.hpp"
 
-#include "canopen/cia306/input_error.hpp"
-#include "canopen/cia306/text_file.hpp"
+#include "canopen/cia306/text/input_error.hpp"
+#include "canopen/cia306/text/text_file.hpp"
 #include "hal/host/live_bus.hpp"
 #include "tools/device_options.hpp"
 #include "tools/manager_check.hpp"

@@ -3,7 +3,7 @@
 
 #include "canopen/cia301/dictionary/entry_value.hpp"
 #include "canopen/cia301/base/little_endian.hpp"
-#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 #include "canopen/network/concise_maker.hpp"
 #include "tools/manager_words.hpp"
 

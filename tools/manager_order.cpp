@@ -2,8 +2,8 @@
 #include "tools/manager_order.hpp"
 
 #include "canopen/cia302/plc_start_up.hpp"
-#include "canopen/cia306/input_error.hpp"
-#include "canopen/cia306/number.hpp"
+#include "canopen/cia306/text/input_error.hpp"
+#include "canopen/cia306/text/number.hpp"
 #include "tools/manager_process.hpp"
 #include "tools/manager_words.hpp"
 #include "tools/node_order.hpp"

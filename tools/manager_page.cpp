@@ -3,8 +3,8 @@
 #include "tools/manager_diagram.hpp"
 #include "tools/manager_status.hpp"
 
-#include "canopen/cia306/html_text.hpp"
-#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/text/html_text.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 
 #include <algorithm>
 #include <cstdio>

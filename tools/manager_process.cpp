@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/manager_process.hpp"
 
-#include "canopen/cia306/number.hpp"
+#include "canopen/cia306/text/number.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -4,7 +4,7 @@
 #include "canopen/cia302/el6751_start_up.hpp"
 #include "canopen/cia302/plc_start_up.hpp"
 #include "canopen/cia302/start_up_cia302.hpp"
-#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 #include "verification/simulator/names.hpp"
 
 #include <array>

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/monitor_command.hpp"
 
-#include "canopen/cia306/text_file.hpp"
+#include "canopen/cia306/text/text_file.hpp"
 #include "canopen/monitor/decoder.hpp"
 #include "canopen/monitor/report.hpp"
 #include "canopen/monitor/texts.hpp"

@@ -5,8 +5,8 @@
 #include "tools/network_profiles.hpp"
 #include "tools/yaml_take.hpp"
 
-#include "canopen/cia306/ini_document.hpp"
-#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/text/ini_document.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 #include "canopen/network/cpj_reader.hpp"
 
 #include <filesystem>

@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/network_scenario.hpp"
 
-#include "canopen/cia306/input_error.hpp"
-#include "canopen/cia306/number.hpp"
+#include "canopen/cia306/text/input_error.hpp"
+#include "canopen/cia306/text/number.hpp"
 #include "canopen/network/cpj_reader.hpp"
 #include "hal/host/bit_rate.hpp"
 #include "tools/manager_order.hpp"

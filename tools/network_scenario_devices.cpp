@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // What a network scenario asks of a device, against its DCF: what is not there would stay as it is, whatever happens.
-#include "canopen/cia306/device_reader.hpp"
-#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/file/device_reader.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 #include "tools/network_scenario.hpp"
 #include "verification/simulator/device_model.hpp"
 

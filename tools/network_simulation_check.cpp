@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // What a network scenario asks of its managers, against their network files: it would do nothing, or hold whatever
 // happens.
-#include "canopen/cia306/number.hpp"
+#include "canopen/cia306/text/number.hpp"
 #include "tools/manager_order.hpp"
 #include "tools/manager_words.hpp"
 #include "tools/network_simulation.hpp"

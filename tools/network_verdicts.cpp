@@ -2,7 +2,7 @@
 // Expectations of a network scenario, each judged at its time.
 #include "tools/network_simulation.hpp"
 
-#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 #include "tools/manager_words.hpp"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "tools/node_objects.hpp"
 #include "tools/node_ports.hpp"
 
-#include "canopen/cia306/device.hpp"
+#include "canopen/cia306/file/device.hpp"
 #include "verification/simulator/device_model.hpp"
 
 #include <cstdint>

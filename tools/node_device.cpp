@@ -3,7 +3,7 @@
 
 #include "tools/node_build.hpp"
 
-#include "canopen/cia306/device_reader.hpp"
+#include "canopen/cia306/file/device_reader.hpp"
 #include "verification/simulator/names.hpp"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "tools/node_srdo_line.hpp"
 
 #include "canopen/cia301/base/little_endian.hpp"
-#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 
 #include <algorithm>
 

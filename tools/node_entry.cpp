@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/node_entry.hpp"
 
-#include "canopen/cia306/device_parameters.hpp"
+#include "canopen/cia306/safety/device_parameters.hpp"
 
 #include <algorithm>
 #include <cctype>

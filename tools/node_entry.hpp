@@ -3,7 +3,7 @@
 #define TOOLS_NODE_ENTRY_HPP
 
 #include "canopen/cia301/dictionary/entry.hpp"
-#include "canopen/cia306/device.hpp"
+#include "canopen/cia306/file/device.hpp"
 
 #include <cstdint>
 #include <string>

@@ -2,7 +2,7 @@
 #include "tools/node_further.hpp"
 
 #include "canopen/cia301/base/little_endian.hpp"
-#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 #include "verification/simulator/device_model.hpp"
 #include "verification/simulator/names.hpp"
 

@@ -5,7 +5,7 @@
 #include "canopen/cia301/emergency/consumer.hpp"
 #include "canopen/cia301/sdo/client_port.hpp"
 #include "canopen/cia301/time/time_stamp.hpp"
-#include "canopen/cia306/device.hpp"
+#include "canopen/cia306/file/device.hpp"
 #include "canopen/device/services.hpp"
 #include "tools/node_order.hpp"
 #include "tools/node_report.hpp"

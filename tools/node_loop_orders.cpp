@@ -3,7 +3,7 @@
 
 #include "tools/node_srdo_line.hpp"
 
-#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 #include "verification/simulator/names.hpp"
 
 // What a live node is asked, and its answers. [SRS-NODE-003, SRS-NODE-004]

@@ -6,9 +6,9 @@
 #include "canopen/cia301/base/cob_id.hpp"
 #include "canopen/cia301/dictionary/entry_value.hpp"
 #include "canopen/cia301/base/little_endian.hpp"
-#include "canopen/cia306/input_error.hpp"
-#include "canopen/cia306/safety_configuration.hpp"
-#include "canopen/cia306/utf16.hpp"
+#include "canopen/cia306/text/input_error.hpp"
+#include "canopen/cia306/safety/safety_configuration.hpp"
+#include "canopen/cia306/text/utf16.hpp"
 
 #include <algorithm>
 #include <array>

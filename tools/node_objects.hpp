@@ -3,7 +3,7 @@
 #define TOOLS_NODE_OBJECTS_HPP
 
 #include "canopen/cia301/dictionary/dictionary.hpp"
-#include "canopen/cia306/device.hpp"
+#include "canopen/cia306/file/device.hpp"
 #include "canopen/device/services.hpp"
 #include "tools/node_further.hpp"
 #include "tools/node_hooks.hpp"

@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/node_order.hpp"
 
-#include "canopen/cia306/input_error.hpp"
-#include "canopen/cia306/number.hpp"
+#include "canopen/cia306/text/input_error.hpp"
+#include "canopen/cia306/text/number.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,12 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/sign_command.hpp"
 
-#include "canopen/cia306/device_reader.hpp"
-#include "canopen/cia306/digest.hpp"
-#include "canopen/cia306/safety_configuration.hpp"
-#include "canopen/cia306/signature.hpp"
-#include "canopen/cia306/signing.hpp"
-#include "canopen/cia306/text_file.hpp"
+#include "canopen/cia306/file/device_reader.hpp"
+#include "canopen/cia306/safety/digest.hpp"
+#include "canopen/cia306/safety/safety_configuration.hpp"
+#include "canopen/cia306/safety/signature.hpp"
+#include "canopen/cia306/safety/signing.hpp"
+#include "canopen/cia306/text/text_file.hpp"
 #include "tools/device_options.hpp"
 #include "tools/json_text.hpp"
 

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/simulate_command.hpp"
 
-#include "canopen/cia306/text_file.hpp"
+#include "canopen/cia306/text/text_file.hpp"
 #include "tools/network_scenario.hpp"
 #include "tools/output_files.hpp"
 #include "tools/progress_bar.hpp"

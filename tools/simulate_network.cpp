@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/simulate_network.hpp"
 
-#include "canopen/cia306/text_file.hpp"
+#include "canopen/cia306/text/text_file.hpp"
 #include "tools/manager_status.hpp"
 #include "tools/network_file.hpp"
 #include "tools/network_simulation.hpp"

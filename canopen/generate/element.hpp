@@ -2,7 +2,7 @@
 #ifndef CANOPEN_GENERATE_ELEMENT_HPP
 #define CANOPEN_GENERATE_ELEMENT_HPP
 
-#include "canopen/cia306/device.hpp"
+#include "canopen/cia306/file/device.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -4,7 +4,7 @@
 #include "canopen/generate/names.hpp"
 #include "canopen/generate/text.hpp"
 
-#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 
 #include <boost/crc.hpp>
 

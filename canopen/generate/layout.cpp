@@ -3,8 +3,8 @@
 
 #include "canopen/generate/names.hpp"
 
-#include "canopen/cia306/input_error.hpp"
-#include "canopen/cia306/number.hpp"
+#include "canopen/cia306/text/input_error.hpp"
+#include "canopen/cia306/text/number.hpp"
 
 #include <algorithm>
 #include <set>

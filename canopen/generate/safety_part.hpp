@@ -4,8 +4,8 @@
 
 #include "canopen/generate/element.hpp"
 
-#include "canopen/cia306/device_parameters.hpp"
-#include "canopen/cia306/safety_configuration.hpp"
+#include "canopen/cia306/safety/device_parameters.hpp"
+#include "canopen/cia306/safety/safety_configuration.hpp"
 
 #include <cstddef>
 #include <cstdint>

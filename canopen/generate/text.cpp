@@ -3,7 +3,7 @@
 
 #include "canopen/generate/names.hpp"
 
-#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 
 namespace counterpoint::generate
 {

@@ -1,9 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/monitor/network.hpp"
 
-#include "canopen/cia306/device_reader.hpp"
-#include "canopen/cia306/input_error.hpp"
-#include "canopen/cia306/text_file.hpp"
+#include "canopen/cia306/file/device_reader.hpp"
+#include "canopen/cia306/text/input_error.hpp"
+#include "canopen/cia306/text/text_file.hpp"
 
 #include <algorithm>
 #include <utility>

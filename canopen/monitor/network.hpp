@@ -4,9 +4,9 @@
 
 #include "canopen/monitor/srdo_watch.hpp"
 
-#include "canopen/cia306/device.hpp"
-#include "canopen/cia306/device_parameters.hpp"
-#include "canopen/cia306/safety_configuration.hpp"
+#include "canopen/cia306/file/device.hpp"
+#include "canopen/cia306/safety/device_parameters.hpp"
+#include "canopen/cia306/safety/safety_configuration.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,7 +2,7 @@
 #ifndef CANOPEN_MONITOR_RECORDING_HPP
 #define CANOPEN_MONITOR_RECORDING_HPP
 
-#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 
 #include <array>
 #include <cstddef>

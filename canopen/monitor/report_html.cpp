@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/monitor/report.hpp"
 
-#include "canopen/cia306/html_text.hpp"
+#include "canopen/cia306/text/html_text.hpp"
 #include "canopen/monitor/texts.hpp"
 
 #include <algorithm>

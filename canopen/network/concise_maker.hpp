@@ -2,7 +2,7 @@
 #ifndef CANOPEN_NETWORK_CONCISE_MAKER_HPP
 #define CANOPEN_NETWORK_CONCISE_MAKER_HPP
 
-#include "canopen/cia306/device.hpp"
+#include "canopen/cia306/file/device.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -1,10 +1,10 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/network/cpj_reader.hpp"
 
-#include "canopen/cia306/ini_document.hpp"
-#include "canopen/cia306/input_error.hpp"
-#include "canopen/cia306/number.hpp"
-#include "canopen/cia306/text_file.hpp"
+#include "canopen/cia306/text/ini_document.hpp"
+#include "canopen/cia306/text/input_error.hpp"
+#include "canopen/cia306/text/number.hpp"
+#include "canopen/cia306/text/text_file.hpp"
 
 #include <algorithm>
 #include <array>

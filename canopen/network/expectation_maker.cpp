@@ -1,9 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/network/expectation_maker.hpp"
 
-#include "canopen/cia306/check.hpp"
-#include "canopen/cia306/input_error.hpp"
-#include "canopen/cia306/safety_configuration.hpp"
+#include "canopen/cia306/check/check.hpp"
+#include "canopen/cia306/text/input_error.hpp"
+#include "canopen/cia306/safety/safety_configuration.hpp"
 
 #include <algorithm>
 

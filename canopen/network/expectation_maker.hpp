@@ -3,7 +3,7 @@
 #define CANOPEN_NETWORK_EXPECTATION_MAKER_HPP
 
 #include "canopen/cia302/safety_check.hpp"
-#include "canopen/cia306/device.hpp"
+#include "canopen/cia306/file/device.hpp"
 
 #include <cstdint>
 #include <vector>

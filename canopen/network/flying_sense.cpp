@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // What a person should know of a network whose manager is a flying master.
-#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 #include "canopen/network/loaded_network.hpp"
 
 namespace counterpoint::network

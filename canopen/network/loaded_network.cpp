@@ -2,9 +2,9 @@
 #include "canopen/network/loaded_network.hpp"
 
 #include "canopen/cia302/concise_dcf.hpp"
-#include "canopen/cia306/device_reader.hpp"
-#include "canopen/cia306/input_error.hpp"
-#include "canopen/cia306/text_file.hpp"
+#include "canopen/cia306/file/device_reader.hpp"
+#include "canopen/cia306/text/input_error.hpp"
+#include "canopen/cia306/text/text_file.hpp"
 #include "canopen/network/expectation_maker.hpp"
 #include "canopen/network/manager_objects.hpp"
 

@@ -3,7 +3,7 @@
 #define CANOPEN_NETWORK_LOADED_NETWORK_HPP
 
 #include "canopen/cia302/safety_check.hpp"
-#include "canopen/cia306/device.hpp"
+#include "canopen/cia306/file/device.hpp"
 #include "canopen/network/concise_maker.hpp"
 #include "canopen/network/network_plan.hpp"
 #include "canopen/network/profile_maker.hpp"

@@ -2,7 +2,7 @@
 #ifndef CANOPEN_NETWORK_MANAGER_OBJECTS_HPP
 #define CANOPEN_NETWORK_MANAGER_OBJECTS_HPP
 
-#include "canopen/cia306/device.hpp"
+#include "canopen/cia306/file/device.hpp"
 #include "canopen/network/network_plan.hpp"
 
 #include <cstdint>

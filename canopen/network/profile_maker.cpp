@@ -5,7 +5,7 @@
 #include "canopen/cia302/concise_dcf.hpp"
 #include "canopen/network/concise_maker.hpp"
 
-#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 
 #include <algorithm>
 #include <set>

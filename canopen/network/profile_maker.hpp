@@ -4,7 +4,7 @@
 
 #include "canopen/cia302/el6751_setup.hpp"
 #include "canopen/cia302/plc_setup.hpp"
-#include "canopen/cia306/device.hpp"
+#include "canopen/cia306/file/device.hpp"
 #include "canopen/network/network_plan.hpp"
 
 #include <array>

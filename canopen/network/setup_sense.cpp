@@ -3,7 +3,7 @@
 #include "canopen/cia302/concise_dcf.hpp"
 #include "canopen/network/loaded_network.hpp"
 
-#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 #include "canopen/network/start_up_bits.hpp"
 
 #include <algorithm>

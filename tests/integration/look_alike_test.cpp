@@ -6,9 +6,9 @@
 #include "tests/integration/scenario_run.hpp"
 #include "verification/trace/verifies.hpp"
 
-#include "canopen/cia306/device_reader.hpp"
-#include "canopen/cia306/input_error.hpp"
-#include "canopen/cia306/signing.hpp"
+#include "canopen/cia306/file/device_reader.hpp"
+#include "canopen/cia306/text/input_error.hpp"
+#include "canopen/cia306/safety/signing.hpp"
 
 #include <cstddef>
 #include <sstream>

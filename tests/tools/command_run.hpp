@@ -2,7 +2,7 @@
 #ifndef TESTS_TOOLS_COMMAND_RUN_HPP
 #define TESTS_TOOLS_COMMAND_RUN_HPP
 
-#include "canopen/cia306/text_file.hpp"
+#include "canopen/cia306/text/text_file.hpp"
 #include "tools/command_line.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // manager --check: all masters of one network know the same network.
-#include "canopen/cia306/text_file.hpp"
+#include "canopen/cia306/text/text_file.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/verifies.hpp"

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // The socket of the manager: who sends what, and who keeps nobody waiting.
-#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 #include "tests/tools/command_run.hpp"
 #include "tools/manager_socket.hpp"
 #include "verification/trace/verifies.hpp"

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Malformed network files: one precise line each, file:line, what is wrong, what was expected.
-#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 #include "canopen/network/loaded_network.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Flying masters in network files: who is one, with which times and which behaviour.
-#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 #include "canopen/network/loaded_network.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"

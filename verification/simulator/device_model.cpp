@@ -3,8 +3,8 @@
 
 #include "verification/simulator/device_source.hpp"
 
-#include "canopen/cia306/device_reader.hpp"
-#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/file/device_reader.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,8 +4,8 @@
 
 #include "verification/simulator/device_model.hpp"
 
-#include "canopen/cia306/device_parameters.hpp"
-#include "canopen/cia306/safety_configuration.hpp"
+#include "canopen/cia306/safety/device_parameters.hpp"
+#include "canopen/cia306/safety/safety_configuration.hpp"
 
 #include <cstdint>
 #include <optional>

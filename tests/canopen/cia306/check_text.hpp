@@ -2,8 +2,8 @@
 #ifndef TESTS_CANOPEN_CIA306_CHECK_TEXT_HPP
 #define TESTS_CANOPEN_CIA306_CHECK_TEXT_HPP
 
-#include "canopen/cia306/check.hpp"
-#include "canopen/cia306/signing.hpp"
+#include "canopen/cia306/check/check.hpp"
+#include "canopen/cia306/safety/signing.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 
 #include <string>

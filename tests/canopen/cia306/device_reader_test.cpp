@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia306/device_reader.hpp"
+#include "canopen/cia306/file/device_reader.hpp"
 
 #include "tests/canopen/cia306/device_text.hpp"
 #include "verification/trace/verifies.hpp"

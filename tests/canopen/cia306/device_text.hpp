@@ -2,10 +2,10 @@
 #ifndef TESTS_CANOPEN_CIA306_DEVICE_TEXT_HPP
 #define TESTS_CANOPEN_CIA306_DEVICE_TEXT_HPP
 
-#include "canopen/cia306/device_reader.hpp"
-#include "canopen/cia306/ini_document.hpp"
-#include "canopen/cia306/input_error.hpp"
-#include "canopen/cia306/text_file.hpp"
+#include "canopen/cia306/file/device_reader.hpp"
+#include "canopen/cia306/text/ini_document.hpp"
+#include "canopen/cia306/text/input_error.hpp"
+#include "canopen/cia306/text/text_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Feeds arbitrary text to everything that a device file passes: read, extract, check, sign, write, read again.
 // A refusal (InputError) is a right answer; everything else that goes wrong ends the process. [SRS-EDS-025]
-#include "canopen/cia306/check.hpp"
-#include "canopen/cia306/device_reader.hpp"
-#include "canopen/cia306/ini_document.hpp"
-#include "canopen/cia306/input_error.hpp"
-#include "canopen/cia306/safety_configuration.hpp"
-#include "canopen/cia306/signature.hpp"
-#include "canopen/cia306/signing.hpp"
+#include "canopen/cia306/check/check.hpp"
+#include "canopen/cia306/file/device_reader.hpp"
+#include "canopen/cia306/text/ini_document.hpp"
+#include "canopen/cia306/text/input_error.hpp"
+#include "canopen/cia306/safety/safety_configuration.hpp"
+#include "canopen/cia306/safety/signature.hpp"
+#include "canopen/cia306/safety/signing.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia306/ini_document.hpp"
+#include "canopen/cia306/text/ini_document.hpp"
 
-#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "verification/trace/verifies.hpp"
 

@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia306/safety_configuration.hpp"
+#include "canopen/cia306/safety/safety_configuration.hpp"
 
-#include "canopen/cia306/device_parameters.hpp"
-#include "canopen/cia306/signature.hpp"
+#include "canopen/cia306/safety/device_parameters.hpp"
+#include "canopen/cia306/safety/signature.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "verification/trace/verifies.hpp"
 

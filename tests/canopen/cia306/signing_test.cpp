@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia306/signing.hpp"
+#include "canopen/cia306/safety/signing.hpp"
 
-#include "canopen/cia306/signature.hpp"
+#include "canopen/cia306/safety/signature.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "verification/trace/verifies.hpp"
 

@@ -1,9 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia306/utf16.hpp"
-#include "canopen/cia306/value.hpp"
+#include "canopen/cia306/text/utf16.hpp"
+#include "canopen/cia306/file/value.hpp"
 
-#include "canopen/cia306/data_type.hpp"
-#include "canopen/cia306/number.hpp"
+#include "canopen/cia306/file/data_type.hpp"
+#include "canopen/cia306/text/number.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Signatures and digests in this file and in the files it reads were computed by Python: binascii.crc_hqx(bytes, 0) is
 // the CRC-16 of 13FFh, zlib.crc32(bytes) the CRC-32 of 5F04h.
-#include "canopen/cia306/digest.hpp"
+#include "canopen/cia306/safety/digest.hpp"
 #include "tests/canopen/cia306/check_text.hpp"
 #include "verification/trace/verifies.hpp"
 

@@ -2,8 +2,8 @@
 // generate_case FILE FOLDER NAMESPACE [NODE_ID]: what `counterpoint generate` does, for the build of these tests alone.
 #include "canopen/generate/generate.hpp"
 
-#include "canopen/cia306/device_reader.hpp"
-#include "canopen/cia306/text_file.hpp"
+#include "canopen/cia306/file/device_reader.hpp"
+#include "canopen/cia306/text/text_file.hpp"
 
 #include <cstdio>
 #include <exception>

@@ -4,7 +4,7 @@
 #include "tests/canopen/generate/random_device.hpp"
 #include "verification/trace/verifies.hpp"
 
-#include "canopen/cia306/device_reader.hpp"
+#include "canopen/cia306/file/device_reader.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tests/canopen/generate/random_device.hpp"
 
-#include "canopen/cia306/device_reader.hpp"
-#include "canopen/cia306/signing.hpp"
+#include "canopen/cia306/file/device_reader.hpp"
+#include "canopen/cia306/safety/signing.hpp"
 
 #include <set>
 #include <vector>

@@ -2,7 +2,7 @@
 // random_device SEED FILE: writes a random DCF. The same seed gives the same file.
 #include "tests/canopen/generate/random_device.hpp"
 
-#include "canopen/cia306/text_file.hpp"
+#include "canopen/cia306/text/text_file.hpp"
 
 #include <cstdio>
 #include <exception>

@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tests/canopen/generate/random_device.hpp"
 
-#include "canopen/cia306/data_type.hpp"
-#include "canopen/cia306/input_error.hpp"
+#include "canopen/cia306/file/data_type.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 
 #include <array>
 

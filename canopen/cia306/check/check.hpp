@@ -1,0 +1,24 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA306_CHECK_CHECK_HPP
+#define CANOPEN_CIA306_CHECK_CHECK_HPP
+
+#include "canopen/cia306/file/device.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace counterpoint::cia306
+{
+struct CheckOptions
+{
+    std::optional<std::uint8_t> node_id;
+    std::optional<std::uint8_t> granularity_bits; ///< 1, 8, 16, 32 or 64, checked by the caller; else that of the file.
+};
+
+/// Everything that is wrong with the safety configuration of the device, the reader's warnings included, in the order
+/// of the lines. Never throws for what the file says. [SRS-CLI-009..018]
+[[nodiscard]] std::vector<Finding> CheckDevice(const Device& device, const CheckOptions& options);
+} // namespace counterpoint::cia306
+
+#endif // CANOPEN_CIA306_CHECK_CHECK_HPP

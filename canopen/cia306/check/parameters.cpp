@@ -1,0 +1,219 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia306/check/rules.hpp"
+#include "canopen/cia306/safety/digest.hpp"
+
+namespace counterpoint::cia306
+{
+namespace
+{
+constexpr std::uint32_t kShortestCycleUs = 100U;
+constexpr std::uint32_t kLongestCycleUs = 1000000U;
+constexpr std::uint64_t kUsPerMs = 1000U;
+constexpr std::uint8_t kPorts = 2U;
+
+/// Rules of the objects 5F00h to 5F05h.
+class ParameterCheck
+{
+  public:
+    ParameterCheck(const CheckContext& context, Findings& findings) noexcept
+        : context_(context), own_(context.parameters), findings_(findings)
+    {
+    }
+
+    void CheckTimes();
+    void CheckForm();
+    void CheckGaps();
+    void CheckGfc();
+    void CheckSrdo(const SrdoConfiguration& srdo);
+
+  private:
+    [[nodiscard]] std::size_t LineOf(const std::uint16_t index, const std::uint8_t sub) const
+    {
+        const Entry* const entry = context_.device.Find(index, sub);
+        return entry == nullptr ? std::size_t{1U} : entry->ValueLine();
+    }
+
+    void Require(const bool holds, const std::uint8_t sub, const std::string& wrong, const std::string& expected)
+    {
+        if (!holds)
+        {
+            findings_.Error(LineOf(kDeviceParametersIndex, sub), ObjectName(kDeviceParametersIndex, sub), wrong,
+                            expected);
+        }
+    }
+
+    void RequireTime(const std::uint8_t sub, const std::string& name, const std::uint32_t time_us)
+    {
+        Require(time_us <= kLongestUs, sub, name + " of " + std::to_string(time_us) + " us",
+                "at most " + std::to_string(kLongestUs) + " us");
+    }
+
+    void RequireEither(const std::uint8_t sub, const std::string& name, const std::uint8_t value,
+                       const std::uint8_t granted)
+    {
+        Require(value == 0U || value == granted, sub, name + " " + Hex(value, 2), "0x00 or " + Hex(granted, 2));
+    }
+
+    void RequirePort(const std::uint8_t sub, const std::string& frames, const std::uint8_t port)
+    {
+        Require(port != 0U && port <= kPorts, sub,
+                "controller " + std::to_string(port) + " of the " + frames + " frames", "1 or 2");
+    }
+
+    void WarnSrdo(const std::uint16_t index, const std::uint8_t number, const std::string& wrong,
+                  const std::string& expected)
+    {
+        findings_.Warning(LineOf(index, number), ObjectName(index, number), wrong, expected);
+    }
+
+    const CheckContext& context_;
+    const DeviceParameters& own_;
+    Findings& findings_;
+};
+
+void ParameterCheck::CheckTimes()
+{
+    const bool is_cycle = own_.cycle_us >= kShortestCycleUs && own_.cycle_us <= kLongestCycleUs;
+    Require(is_cycle, 1U, "cycle time " + std::to_string(own_.cycle_us) + " us", "100 us to 1000000 us");
+    Require(own_.cycle_tolerance_us <= own_.cycle_us, 2U,
+            "cycle tolerance of " + std::to_string(own_.cycle_tolerance_us) + " us",
+            "at most the cycle time of " + std::to_string(own_.cycle_us) + " us");
+    RequireTime(3U, "discrepancy time", own_.discrepancy_us);
+    RequireTime(7U, "clock tolerance interval", own_.clock_tolerance_interval_us);
+    RequireTime(8U, "output time", own_.output_us);
+    RequireTime(9U, "acknowledge window", own_.acknowledge_window_us);
+    Require(own_.clock_tolerance_us < own_.clock_tolerance_interval_us, 6U,
+            "clock tolerance of " + std::to_string(own_.clock_tolerance_us) + " us",
+            "less than its interval of " + std::to_string(own_.clock_tolerance_interval_us) + " us (0x5F00:07)");
+    if (!is_cycle)
+    {
+        return; // Nothing can be said about what is counted in cycles.
+    }
+    const std::uint64_t steps_us = 2U * context_.configuration.srdos.size() * std::uint64_t{own_.cycle_us};
+    Require(own_.diagnostic_interval_ms * kUsPerMs >= steps_us, 4U,
+            "diagnostic interval of " + std::to_string(own_.diagnostic_interval_ms) + " ms",
+            "at least " + std::to_string(steps_us) + " us, 2 cycles for each SRDO");
+    Require(own_.test_interval_ms * kUsPerMs >= own_.cycle_us, 5U,
+            "test interval of " + std::to_string(own_.test_interval_ms) + " ms",
+            "at least the cycle time of " + std::to_string(own_.cycle_us) + " us");
+}
+
+void ParameterCheck::CheckForm()
+{
+    Require(IsGranularity(own_.granularity_bits), kGranularitySub,
+            "granularity of " + std::to_string(own_.granularity_bits) + " bit", "1, 8, 16, 32 or 64 bit");
+    const bool is_room = own_.map_entries <= kMaxMappingEntries && (own_.map_entries & 1U) == 0U;
+    Require(is_room, kMapEntriesSub, "room for " + std::to_string(own_.map_entries) + " mapping entries",
+            "an even number from 0 to 128");
+    RequireEither(kDummyMappingSub, "dummy mapping", own_.dummy_mapping, kDummiesAllowed);
+    RequireEither(kNumberGapsSub, "gaps between SRDO numbers", own_.number_gaps, kGapsSearched);
+    RequireEither(kGfcUseSub, "use of the GFC", own_.gfc_use, kGfcPresent);
+    RequirePort(kNormalPortSub, "normal", own_.normal_port);
+    RequirePort(kInversePortSub, "inverse", own_.inverse_port);
+}
+
+void ParameterCheck::CheckGaps()
+{
+    std::uint8_t expected = 1U;
+    for (const SrdoConfiguration& srdo : context_.configuration.srdos)
+    {
+        const bool is_gap = own_.number_gaps != kGapsSearched && srdo.number != expected;
+        if (is_gap)
+        {
+            findings_.Error(srdo.line, Hex(srdo.CommunicationIndex(), 4),
+                            "SRDO " + std::to_string(srdo.number) + " in a device without gaps",
+                            "SRDO " + std::to_string(expected) + " before it, or 0x99 in " +
+                                ObjectName(kDeviceParametersIndex, kNumberGapsSub));
+            return;
+        }
+        ++expected;
+    }
+}
+
+void ParameterCheck::CheckGfc()
+{
+    const bool has_object = context_.device.Find(kGfcIndex) != nullptr;
+    const bool has_use = own_.gfc_use == kGfcPresent;
+    Require(has_object || !has_use, kGfcUseSub, "the GFC is used and there is no 0x1300", "0x00, or the object 0x1300");
+    Require(!has_object || has_use, kGfcUseSub, "the GFC is removed and there is 0x1300", "0x5A, or no object 0x1300");
+}
+
+void ParameterCheck::CheckSrdo(const SrdoConfiguration& srdo)
+{
+    const SrdoParameters& own = own_.Srdo(srdo.number);
+    const bool is_known_policy = own.release_policy == 0U || own.release_policy == kAutomaticRelease;
+    if (!is_known_policy)
+    {
+        WarnSrdo(kReleasePolicyIndex, srdo.number,
+                 "release policy " + Hex(own.release_policy, 2) + " is taken for the restart interlock",
+                 "0x00 (restart interlock) or 0x5A (automatic)");
+    }
+    if (own.producer_form > kProviderCalled)
+    {
+        WarnSrdo(kProducerFormIndex, srdo.number, "producer form " + std::to_string(own.producer_form),
+                 "0 (the application sends) or 1 (provider)");
+    }
+    const bool is_known_detection = own.srvt_detection == 0U || own.srvt_detection == kLateDetection;
+    if (!is_known_detection)
+    {
+        WarnSrdo(kDetectionIndex, srdo.number,
+                 "SRVT detection " + Hex(own.srvt_detection, 2) + " is taken for the early one",
+                 "0x00 (early) or 0x3C (late)");
+    }
+    std::uint32_t bits = 0U;
+    for (const MappingEntry& entry : srdo.mapping)
+    {
+        bits += entry.IsNormal() ? entry.Bits() : 0U;
+    }
+    const bool has_more = bits < 64U && (own.safe_value >> bits) != 0U;
+    if (has_more)
+    {
+        WarnSrdo(kSafeValueIndex, srdo.number, "safe value " + Hex(own.safe_value, 2),
+                 "no bit above the " + std::to_string(bits) + " mapped bits");
+    }
+}
+} // namespace
+
+void CheckParameters(const CheckContext& context, Findings& findings)
+{
+    ParameterCheck check(context, findings);
+    check.CheckTimes();
+    check.CheckForm();
+    if (context.configuration.srdos.empty())
+    {
+        return;
+    }
+    check.CheckGaps();
+    check.CheckGfc();
+    for (const SrdoConfiguration& srdo : context.configuration.srdos)
+    {
+        check.CheckSrdo(srdo);
+    }
+}
+
+void CheckDigest(const CheckContext& context, Findings& findings)
+{
+    const DigestRecord record = ExtractDigest(context.device, context.configuration, context.node_id);
+    const bool has_place = !record.is_present || context.device.Find(kDigestIndex, 0U) != nullptr;
+    if (!has_place)
+    {
+        findings.Error(record.stored.line, DigestName(), "is missing", "an object of type UNSIGNED32");
+    }
+    const bool is_expected = record.stored.value.value_or(0U) != 0U;
+    if (!is_expected)
+    {
+        return;
+    }
+    if (!context.node_id)
+    {
+        // The other problems are found where they are.
+        findings.Error(record.stored.line, DigestName(), "the digest needs the node-ID and there is none",
+                       "--node-id, or NodeID in [DeviceComissioning]");
+    }
+    else if (record.problems.empty() && !record.stored.Is(DigestOf(record.fields)))
+    {
+        findings.Error(record.stored.line, DigestName(), "device digest " + Hex(*record.stored.value, 8),
+                       Hex(DigestOf(record.fields), 8) + ", computed from the device's parameters");
+    }
+}
+} // namespace counterpoint::cia306

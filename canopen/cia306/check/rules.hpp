@@ -1,0 +1,76 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA306_CHECK_RULES_HPP
+#define CANOPEN_CIA306_CHECK_RULES_HPP
+
+#include "canopen/cia306/check/check.hpp"
+#include "canopen/cia306/safety/device_parameters.hpp"
+#include "canopen/cia306/safety/safety_configuration.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace counterpoint::cia306
+{
+/// Collects what the rules find.
+class Findings
+{
+  public:
+    void Error(std::size_t line, const std::string& object, const std::string& wrong, const std::string& expected);
+    void Warning(std::size_t line, const std::string& object, const std::string& wrong, const std::string& expected);
+    void Add(const std::vector<Finding>& findings);
+
+    [[nodiscard]] bool HasError() const;
+    [[nodiscard]] bool HasErrorAt(std::size_t line, const std::string& object) const;
+    /// In the order of the lines.
+    [[nodiscard]] std::vector<Finding> Sorted() const;
+
+  private:
+    void Add(Finding finding);
+
+    std::vector<Finding> findings_;
+    std::set<std::pair<std::size_t, std::string>> error_places_;
+};
+
+/// What all rules look at.
+struct CheckContext
+{
+    const Device& device;
+    const SafetyConfiguration& configuration;
+    const DeviceParameters& parameters;
+    std::optional<std::uint8_t> node_id;
+    std::uint32_t granularity_bits;
+};
+
+/// Direction, transmission type, COB-IDs and times of one SRDO. [SRS-CLI-010, 011, 017]
+void CheckCommunication(const CheckContext& context, const SrdoConfiguration& srdo, Findings& findings);
+
+/// Number, lengths and pairs of the mapping entries of one SRDO. [SRS-CLI-012, 014]
+void CheckMapping(const CheckContext& context, const SrdoConfiguration& srdo, Findings& findings);
+
+/// What one mapping entry names. [SRS-CLI-013, 015]
+void CheckMappedObject(const CheckContext& context, const SrdoConfiguration& srdo, const MappingEntry& entry,
+                       Findings& findings);
+
+/// Identifiers that two SRDOs of the device use. [SRS-CLI-010]
+void CheckIdentifiers(const SafetyConfiguration& configuration, Findings& findings);
+
+/// 1300h, 13FEh, 13FFh, reserved indices, limits, InvertedSRAD. Comes last: 13FEh depends on the other findings.
+/// [SRS-CLI-014, 016, 017]
+void CheckObjects(const CheckContext& context, Findings& findings);
+
+/// What can and cannot be written, and what a static mapping has to be. [SRS-CLI-023]
+void CheckStaticMapping(const CheckContext& context, const SrdoConfiguration& srdo, Findings& findings);
+
+/// 5F04h. [SRS-CLI-022]
+void CheckDigest(const CheckContext& context, Findings& findings);
+
+/// 5F00h to 5F03h and 5F05h. [SRS-CLI-018]
+void CheckParameters(const CheckContext& context, Findings& findings);
+} // namespace counterpoint::cia306
+
+#endif // CANOPEN_CIA306_CHECK_RULES_HPP

@@ -1,0 +1,54 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia306/file/device.hpp"
+
+namespace counterpoint::cia306
+{
+const Text& Entry::Configured() const noexcept
+{
+    return parameter_value.IsSet() ? parameter_value : default_value;
+}
+
+bool Entry::IsFixed() const noexcept
+{
+    return access == Access::kConstant || access == Access::kReadOnly;
+}
+
+std::size_t Entry::ValueLine() const noexcept
+{
+    const Text& configured = Configured();
+    return configured.IsSet() ? configured.line : line;
+}
+
+const Object* Device::Find(const std::uint16_t index) const
+{
+    const auto found = objects.find(index);
+    return found == objects.end() ? nullptr : &found->second;
+}
+
+const Entry* Device::Find(const std::uint16_t index, const std::uint8_t sub) const
+{
+    const Object* const object = Find(index);
+    if (object == nullptr)
+    {
+        return nullptr;
+    }
+    const auto found = object->entries.find(sub);
+    return found == object->entries.end() ? nullptr : &found->second;
+}
+
+bool IsGranularity(const std::uint64_t bits) noexcept
+{
+    const bool is_bytes = bits == 8U || bits == 16U || bits == 32U || bits == 64U;
+    return bits == 1U || is_bytes;
+}
+
+ValueResult ConfiguredValue(const Entry& entry, const std::optional<std::uint8_t> node_id)
+{
+    const Text& configured = entry.Configured();
+    if (!configured.IsSet())
+    {
+        return {std::nullopt, {"no value", "a ParameterValue or DefaultValue"}};
+    }
+    return ParseValue(configured.text, entry.type, node_id);
+}
+} // namespace counterpoint::cia306

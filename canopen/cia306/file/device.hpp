@@ -1,0 +1,119 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA306_FILE_DEVICE_HPP
+#define CANOPEN_CIA306_FILE_DEVICE_HPP
+
+#include "canopen/cia306/file/data_type.hpp"
+#include "canopen/cia306/text/finding.hpp"
+#include "canopen/cia306/file/value.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace counterpoint::cia306
+{
+/// Text of a key and where it stands; line 0 and no text where the key is not there or empty.
+struct Text
+{
+    std::string text;
+    std::size_t line{0U};
+
+    [[nodiscard]] bool IsSet() const noexcept
+    {
+        return !text.empty();
+    }
+};
+
+enum class ObjectType : std::uint8_t
+{
+    kNull = 0U,
+    kDomain = 2U,
+    kDeftype = 5U,
+    kDefstruct = 6U,
+    kVar = 7U,
+    kArray = 8U,
+    kRecord = 9U,
+};
+
+enum class Access : std::uint8_t
+{
+    kUnknown = 0U,
+    kReadOnly = 1U,
+    kWriteOnly = 2U,
+    kReadWrite = 3U,
+    kReadWriteInput = 4U,  ///< rwr: process data that the device sends.
+    kReadWriteOutput = 5U, ///< rww: process data that the device receives.
+    kConstant = 6U,
+};
+
+/// A data element: a variable (sub-index 0 of its object), or one sub-index of an array or record.
+struct Entry
+{
+    std::uint16_t index{0U};
+    std::uint8_t sub{0U};
+    std::string name;
+    std::uint16_t data_type{0U}; ///< 0: the file does not tell.
+    DataType type{};             ///< What `data_type` stands for in this file. [SRS-EDS-027]
+    Access access{Access::kUnknown};
+    bool is_pdo_mappable{false};
+    std::optional<bool> is_srdo_mappable;       ///< SRDOMapping, where the key is there.
+    std::optional<std::uint32_t> inverted_srad; ///< Index * 256 + sub-index of the inverse object.
+    std::size_t inverted_srad_line{0U};
+    Text default_value;
+    Text parameter_value;
+    Text low_limit;
+    Text high_limit;
+    std::size_t line{0U};
+    std::string section;    ///< Where its values are written.
+    bool is_compact{false}; ///< Made from CompactSubObj: its parameter value is key "sub" of section [indexValue].
+
+    /// ParameterValue, else DefaultValue. [SRS-EDS-010]
+    [[nodiscard]] const Text& Configured() const noexcept;
+    /// Const or ro: nobody can write it over the bus.
+    [[nodiscard]] bool IsFixed() const noexcept;
+    /// Line of the configured value, else of the section.
+    [[nodiscard]] std::size_t ValueLine() const noexcept;
+};
+
+struct Object
+{
+    std::uint16_t index{0U};
+    std::string name;
+    ObjectType type{ObjectType::kVar};
+    std::uint16_t data_type{0U}; ///< Of a record: its DEFSTRUCT, 0 where the file does not tell.
+    std::map<std::uint8_t, Entry> entries;
+    std::size_t line{0U};
+    std::string section;
+};
+
+/// What an EDS or DCF says about a device. All numbers are checked; values of entries are kept as text, because they
+/// may need the node-ID.
+struct Device
+{
+    std::string file;
+    std::map<std::uint16_t, Object> objects;
+    std::optional<std::uint8_t> node_id; ///< Of the commissioning section, 1 to 127.
+    std::optional<bool> is_safety_supported;
+    bool is_lss_supported{false}; ///< LSS_Supported.
+    std::size_t device_info_line{0U};
+    std::optional<std::uint8_t> granularity_bits; ///< Of DeviceInfo, where it is one of a Counterpoint device.
+    std::set<std::uint16_t> dummies;              ///< Data types that DummyUsage allows to be mapped.
+    std::map<std::uint16_t, std::size_t> missing; ///< Objects that a list names and no section describes; their lines.
+    std::vector<Finding> warnings;                ///< In the order of the lines.
+
+    [[nodiscard]] const Object* Find(std::uint16_t index) const;
+    [[nodiscard]] const Entry* Find(std::uint16_t index, std::uint8_t sub) const;
+};
+
+/// 1, 8, 16, 32 or 64.
+[[nodiscard]] bool IsGranularity(std::uint64_t bits) noexcept;
+
+/// The configured value of an entry by its data type; an entry without a value has a problem.
+[[nodiscard]] ValueResult ConfiguredValue(const Entry& entry, std::optional<std::uint8_t> node_id);
+} // namespace counterpoint::cia306
+
+#endif // CANOPEN_CIA306_FILE_DEVICE_HPP

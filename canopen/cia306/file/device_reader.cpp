@@ -1,0 +1,284 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia306/file/device_reader.hpp"
+
+#include "canopen/cia306/file/entry_reader.hpp"
+#include "canopen/cia306/text/number.hpp"
+#include "canopen/cia306/file/object_reader.hpp"
+#include "canopen/cia306/text/text_file.hpp"
+#include "canopen/cia306/file/type_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace counterpoint::cia306
+{
+namespace
+{
+constexpr std::uint64_t kMaxSubNumber = 256U;
+constexpr std::uint64_t kMaxNodeId = 127U;
+constexpr std::uint64_t kUnconfiguredNodeId = 255U;
+
+/// Reads what stands around the objects, and warns of what does not fit together.
+class DeviceReader
+{
+  public:
+    explicit DeviceReader(const IniDocument& document) : document_(document)
+    {
+        device_.file = document.File();
+        device_.warnings = document.Warnings();
+    }
+
+    Device Read()
+    {
+        ObjectReader(document_, device_).Read();
+        if (device_.objects.empty())
+        {
+            throw InputError(device_.file, std::max<std::size_t>(document_.LineCount(), 1U),
+                             {"the file describes no object", "sections such as [1000]"});
+        }
+        ReadDeviceInfo();
+        ReadCommissioning();
+        ReadDummyUsage();
+        ReadLists();
+        ResolveTypes(device_);
+        FinishEntries();
+        device_.warnings = SortedByLine(std::move(device_.warnings));
+        return std::move(device_);
+    }
+
+  private:
+    void Warn(const std::size_t line, const std::string& text)
+    {
+        device_.warnings.push_back({Severity::kWarning, line, "", text});
+    }
+
+    void Warn(const std::size_t line, const std::uint16_t index, const std::string& text)
+    {
+        device_.warnings.push_back({Severity::kWarning, line, Hex(index, 4), text});
+    }
+
+    void ReadDeviceInfo();
+    void ReadGranularity(const IniSection& section);
+    void ReadCommissioning();
+    void ReadNodeId(const IniSection& section);
+    void ReadDummyUsage();
+    void ReadLists();
+    void ReadList(const IniSection& section, std::set<std::uint16_t>& listed);
+    void AddMissing(std::size_t line, std::uint16_t index);
+    void FinishEntries();
+    void WarnOfSubNumber(const Object& object);
+
+    const IniDocument& document_;
+    Device device_;
+};
+
+void DeviceReader::ReadDeviceInfo()
+{
+    const IniSection* const section = document_.Find("DeviceInfo");
+    if (section == nullptr)
+    {
+        Warn(1U, "no section [DeviceInfo], expected one");
+        return;
+    }
+    device_.device_info_line = section->line;
+    device_.is_safety_supported = SectionReader(device_.file, *section).FlagAt("CANopenSafetySupported");
+    const IniKey* const lss = section->Find("LSS_Supported");
+    device_.is_lss_supported = lss != nullptr && ParseUnsigned(lss->value, 1U).value_or(0U) == 1U;
+    ReadGranularity(*section);
+}
+
+/// 0 stands for a mapping that cannot be changed and says nothing about lengths.
+void DeviceReader::ReadGranularity(const IniSection& section)
+{
+    const IniKey* const key = section.Find("Granularity");
+    if (key == nullptr || key->value.empty())
+    {
+        return;
+    }
+    const auto bits = ParseUnsigned(key->value, 64U);
+    const bool is_known = bits && IsGranularity(*bits);
+    if (is_known)
+    {
+        device_.granularity_bits = static_cast<std::uint8_t>(*bits);
+    }
+    else if (bits.value_or(1U) != 0U)
+    {
+        Warn(key->line, "Granularity is " + Quoted(key->value) + ", expected 1, 8, 16, 32 or 64; it is ignored");
+    }
+}
+
+void DeviceReader::ReadCommissioning()
+{
+    const IniSection* const standard = document_.Find("DeviceComissioning");
+    const IniSection* const corrected = document_.Find("DeviceCommissioning");
+    if (standard != nullptr && corrected != nullptr)
+    {
+        throw InputError(device_.file, std::max(standard->line, corrected->line),
+                         {"the commissioning section stands a second time",
+                          "it once, as in line " + std::to_string(std::min(standard->line, corrected->line))});
+    }
+    if (standard != nullptr)
+    {
+        ReadNodeId(*standard);
+    }
+    if (corrected != nullptr)
+    {
+        Warn(corrected->line, "section [DeviceCommissioning], expected [DeviceComissioning] as CiA 306 writes it");
+        ReadNodeId(*corrected);
+    }
+}
+
+void DeviceReader::ReadNodeId(const IniSection& section)
+{
+    const SectionReader reader(device_.file, section);
+    const auto number = reader.NumberAt("NodeID", kUnconfiguredNodeId);
+    if (!number)
+    {
+        return;
+    }
+    const IniKey& key = *section.Find("NodeID");
+    const bool is_none = *number == 0U || *number == kUnconfiguredNodeId;
+    if (is_none)
+    {
+        Warn(key.line, "NodeID is " + Quoted(key.value) + ", expected 1 to 127; the device has no node-ID");
+        return;
+    }
+    if (*number > kMaxNodeId)
+    {
+        reader.Refuse(key, "a node-ID from 1 to 127, or 255 for none");
+    }
+    device_.node_id = static_cast<std::uint8_t>(*number);
+}
+
+void DeviceReader::ReadDummyUsage()
+{
+    constexpr std::string_view prefix = "dummy";
+    const IniSection* const section = document_.Find("DummyUsage");
+    if (section == nullptr)
+    {
+        return;
+    }
+    const SectionReader reader(device_.file, *section);
+    for (const IniKey& key : section->keys)
+    {
+        const std::string lower = Lower(key.name);
+        const bool is_dummy = lower.substr(0U, prefix.size()) == prefix;
+        const auto index = ParseUnsigned("0x" + (is_dummy ? lower.substr(prefix.size()) : ""), 0xFFFFU);
+        if (!index)
+        {
+            Warn(key.line,
+                 "key " + Quoted(key.name) + " in [DummyUsage], expected Dummy and four digits; it is ignored");
+            continue;
+        }
+        if (reader.FlagAt(key.name).value_or(false))
+        {
+            device_.dummies.insert(static_cast<std::uint16_t>(*index));
+        }
+    }
+}
+
+void DeviceReader::ReadLists()
+{
+    constexpr std::array<std::string_view, 3U> names{"MandatoryObjects", "OptionalObjects", "ManufacturerObjects"};
+    std::set<std::uint16_t> listed;
+    for (const std::string_view name : names)
+    {
+        const IniSection* const section = document_.Find(name);
+        if (section != nullptr)
+        {
+            ReadList(*section, listed);
+        }
+    }
+    for (const auto& [index, object] : device_.objects)
+    {
+        const bool is_type = object.type == ObjectType::kDeftype || object.type == ObjectType::kDefstruct;
+        if (listed.count(index) == 0U && !is_type)
+        {
+            Warn(object.line, index,
+                 "is in none of the lists [MandatoryObjects], [OptionalObjects], [ManufacturerObjects]");
+        }
+    }
+}
+
+void DeviceReader::ReadList(const IniSection& section, std::set<std::uint16_t>& listed)
+{
+    const SectionReader reader(device_.file, section);
+    const auto count = reader.NumberAt("SupportedObjects", 0xFFFFU);
+    std::uint64_t found = 0U;
+    for (const IniKey& key : section.keys)
+    {
+        const bool is_place = key.name.find_first_not_of("0123456789") == std::string::npos;
+        if (!is_place)
+        {
+            continue;
+        }
+        const auto index = reader.NumberAt(key.name, 0xFFFFU);
+        if (!index)
+        {
+            continue;
+        }
+        ++found;
+        if (device_.Find(static_cast<std::uint16_t>(*index)) == nullptr)
+        {
+            AddMissing(key.line, static_cast<std::uint16_t>(*index));
+        }
+        listed.insert(static_cast<std::uint16_t>(*index));
+    }
+    if (count.value_or(0U) != found)
+    {
+        Warn(section.line, "section " + Quoted(section.name) + " lists " + std::to_string(found) +
+                               " objects, expected SupportedObjects of that number");
+    }
+}
+
+void DeviceReader::AddMissing(const std::size_t line, const std::uint16_t index)
+{
+    device_.missing.emplace(index, line);
+    if (!IsSafetyObject(index))
+    {
+        Warn(line, index, "is listed, expected a section that describes it");
+    }
+}
+
+void DeviceReader::FinishEntries()
+{
+    for (const auto& [index, object] : device_.objects)
+    {
+        WarnOfSubNumber(object);
+        for (const auto& [sub, entry] : object.entries)
+        {
+            // All sub-indices of a compact object share what is said once.
+            const bool is_repeated = entry.is_compact && sub > 1U && !entry.parameter_value.IsSet();
+            if (!is_repeated)
+            {
+                WarnOfEntry(entry, device_.warnings);
+            }
+        }
+    }
+}
+
+void DeviceReader::WarnOfSubNumber(const Object& object)
+{
+    const IniSection& section = *document_.Find(object.section);
+    const auto number = SectionReader(device_.file, section).NumberAt("SubNumber", kMaxSubNumber);
+    const bool differs = number && *number != 0U && *number != object.entries.size();
+    if (differs)
+    {
+        Warn(section.Find("SubNumber")->line, object.index,
+             "SubNumber is " + std::to_string(*number) + ", expected " + std::to_string(object.entries.size()) +
+                 ", the number of its sub-indices");
+    }
+}
+} // namespace
+
+Device ReadDevice(const IniDocument& document)
+{
+    return DeviceReader(document).Read();
+}
+
+Device ReadDeviceFile(const std::string& path)
+{
+    return ReadDevice(IniDocument::Parse(path, ReadTextFile(path)));
+}
+} // namespace counterpoint::cia306

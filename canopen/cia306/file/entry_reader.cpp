@@ -1,0 +1,200 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia306/file/entry_reader.hpp"
+
+#include "canopen/cia306/file/data_type.hpp"
+#include "canopen/cia306/text/number.hpp"
+
+#include <array>
+#include <utility>
+
+namespace counterpoint::cia306
+{
+namespace
+{
+constexpr std::uint64_t kMaxObjectType = 9U;
+constexpr std::uint64_t kMaxInvertedSrad = 0xFFFFFFU;
+constexpr std::size_t kInvertedSradDigits = 6U;
+
+constexpr std::array<std::pair<std::string_view, Access>, 6U> kAccessNames{{
+    {"ro", Access::kReadOnly},
+    {"wo", Access::kWriteOnly},
+    {"rw", Access::kReadWrite},
+    {"rwr", Access::kReadWriteInput},
+    {"rww", Access::kReadWriteOutput},
+    {"const", Access::kConstant},
+}};
+
+void Warn(std::vector<Finding>& warnings, const std::size_t line, const Entry& entry, const std::string& text)
+{
+    warnings.push_back({Severity::kWarning, line, ObjectName(entry.index, entry.sub), text});
+}
+
+void WarnOfValue(const Entry& entry, const Text& value, std::string_view key, std::vector<Finding>& warnings)
+{
+    if (!value.IsSet())
+    {
+        return;
+    }
+    const auto problem = ProblemOf(value.text, entry.type);
+    if (problem)
+    {
+        Warn(warnings, value.line, entry, std::string(key) + ": " + problem->wrong + ", expected " + problem->expected);
+    }
+}
+
+bool IsBareInvertedSrad(const std::string_view text)
+{
+    return text.size() == kInvertedSradDigits &&
+           text.find_first_not_of("0123456789abcdefABCDEF") == std::string_view::npos;
+}
+} // namespace
+
+SectionReader::SectionReader(const std::string& file, const IniSection& section) noexcept
+    : file_(&file), section_(&section)
+{
+}
+
+void SectionReader::Refuse(const IniKey& key, const std::string& expected) const
+{
+    throw InputError(*file_, key.line, {Quoted(key.name) + " is " + Quoted(key.value), expected});
+}
+
+std::optional<std::uint64_t> SectionReader::NumberAt(const std::string_view key, const std::uint64_t max) const
+{
+    const IniKey* const found = section_->Find(key);
+    if (found == nullptr || found->value.empty())
+    {
+        return std::nullopt;
+    }
+    const auto number = ParseUnsigned(found->value, max);
+    if (!number)
+    {
+        Refuse(*found, "a number from 0 to " + std::to_string(max));
+    }
+    return number;
+}
+
+std::optional<bool> SectionReader::FlagAt(const std::string_view key) const
+{
+    const auto number = NumberAt(key, 1U);
+    return number ? std::optional(*number == 1U) : std::nullopt;
+}
+
+Text SectionReader::TextAt(const std::string_view key) const
+{
+    const IniKey* const found = section_->Find(key);
+    return found == nullptr || found->value.empty() ? Text{} : Text{found->value, found->line};
+}
+
+ObjectType SectionReader::ObjectTypeAt(const std::string_view key) const
+{
+    const auto number = NumberAt(key, kMaxObjectType);
+    const auto type = static_cast<ObjectType>(number.value_or(static_cast<std::uint64_t>(ObjectType::kVar)));
+    const bool is_known = type == ObjectType::kNull || type == ObjectType::kDomain || type >= ObjectType::kDeftype;
+    if (!is_known)
+    {
+        Refuse(*section_->Find(key), "0x2 (DOMAIN), 0x5, 0x6, 0x7 (VAR), 0x8 (ARRAY) or 0x9 (RECORD)");
+    }
+    return type;
+}
+
+Access SectionReader::AccessAt(const std::string_view key) const
+{
+    const IniKey* const found = section_->Find(key);
+    if (found == nullptr || found->value.empty())
+    {
+        return Access::kUnknown;
+    }
+    const std::string lower = Lower(found->value);
+    for (const auto& [name, access] : kAccessNames)
+    {
+        if (lower == name)
+        {
+            return access;
+        }
+    }
+    Refuse(*found, "ro, wo, rw, rwr, rww or const");
+}
+
+void SectionReader::ReadInvertedSrad(Entry& entry, std::vector<Finding>& warnings) const
+{
+    const IniKey* const found = section_->Find("InvertedSRAD");
+    if (found == nullptr || found->value.empty())
+    {
+        return;
+    }
+    const bool is_bare = IsBareInvertedSrad(found->value);
+    const auto number = ParseUnsigned(is_bare ? "0x" + found->value : found->value, kMaxInvertedSrad);
+    if (!number)
+    {
+        Refuse(*found, "index and sub-index of the inverse object as one number, such as 0x210001");
+    }
+    if (is_bare)
+    {
+        Warn(warnings, found->line, entry,
+             "InvertedSRAD without 0x is read as hexadecimal, expected 0x" + found->value);
+    }
+    if (*number != 0U)
+    {
+        entry.inverted_srad = static_cast<std::uint32_t>(*number);
+        entry.inverted_srad_line = found->line;
+    }
+}
+
+Entry SectionReader::ReadEntry(const std::uint16_t index, const std::uint8_t sub, std::vector<Finding>& warnings) const
+{
+    Entry entry;
+    entry.index = index;
+    entry.sub = sub;
+    entry.name = TextAt("ParameterName").text;
+    entry.data_type = static_cast<std::uint16_t>(NumberAt("DataType", 0xFFFFU).value_or(0U));
+    if (ObjectTypeAt("ObjectType") == ObjectType::kDomain)
+    {
+        entry.data_type = kDomainType;
+    }
+    entry.access = AccessAt("AccessType");
+    entry.is_pdo_mappable = FlagAt("PDOMapping").value_or(false);
+    entry.is_srdo_mappable = FlagAt("SRDOMapping");
+    entry.default_value = TextAt("DefaultValue");
+    entry.parameter_value = TextAt("ParameterValue");
+    entry.low_limit = TextAt("LowLimit");
+    entry.high_limit = TextAt("HighLimit");
+    entry.line = section_->line;
+    entry.section = section_->name;
+    ReadInvertedSrad(entry, warnings);
+    return entry;
+}
+
+bool IsSafetyObject(const std::uint16_t index) noexcept
+{
+    const bool is_communication = index >= 0x1300U && index <= 0x13FFU;
+    const bool is_parameter = index >= 0x5F00U && index <= 0x5F05U;
+    return is_communication || is_parameter;
+}
+
+void WarnOfEntry(const Entry& entry, std::vector<Finding>& warnings)
+{
+    if (entry.data_type == 0U)
+    {
+        Warn(warnings, entry.line, entry, "no DataType, expected one; its values are not checked");
+    }
+    else if (entry.type.kind == DataKind::kUnknown)
+    {
+        Warn(warnings, entry.line, entry,
+             "DataType " + Hex(entry.data_type, 4) +
+                 " is unknown, expected 0x0001 to 0x001B, or an object there that describes it; its values are not "
+                 "checked");
+    }
+    if (entry.access == Access::kUnknown)
+    {
+        Warn(warnings, entry.line, entry, "no AccessType, expected ro, wo, rw, rwr, rww or const");
+    }
+    if (!IsSafetyObject(entry.index))
+    {
+        WarnOfValue(entry, entry.default_value, "DefaultValue", warnings);
+        WarnOfValue(entry, entry.parameter_value, "ParameterValue", warnings);
+        WarnOfValue(entry, entry.low_limit, "LowLimit", warnings);
+        WarnOfValue(entry, entry.high_limit, "HighLimit", warnings);
+    }
+}
+} // namespace counterpoint::cia306

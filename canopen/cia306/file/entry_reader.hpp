@@ -1,0 +1,47 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA306_FILE_ENTRY_READER_HPP
+#define CANOPEN_CIA306_FILE_ENTRY_READER_HPP
+
+#include "canopen/cia306/file/device.hpp"
+#include "canopen/cia306/text/ini_document.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace counterpoint::cia306
+{
+/// Reads the keys of one section; every refusal names file and line.
+class SectionReader
+{
+  public:
+    SectionReader(const std::string& file, const IniSection& section) noexcept;
+
+    /// The number at `key`, nothing where the key is missing or empty. Throws InputError where it is none or above max.
+    [[nodiscard]] std::optional<std::uint64_t> NumberAt(std::string_view key, std::uint64_t max) const;
+    [[nodiscard]] std::optional<bool> FlagAt(std::string_view key) const;
+    [[nodiscard]] Text TextAt(std::string_view key) const;
+    [[nodiscard]] ObjectType ObjectTypeAt(std::string_view key) const;
+    [[nodiscard]] Access AccessAt(std::string_view key) const;
+    /// Everything that says something about the data element; warnings are added to `warnings`.
+    [[nodiscard]] Entry ReadEntry(std::uint16_t index, std::uint8_t sub, std::vector<Finding>& warnings) const;
+
+    [[noreturn]] void Refuse(const IniKey& key, const std::string& expected) const;
+
+  private:
+    void ReadInvertedSrad(Entry& entry, std::vector<Finding>& warnings) const;
+
+    const std::string* file_;
+    const IniSection* section_;
+};
+
+/// Objects whose values are judged by the check of the safety configuration, not by the reader.
+[[nodiscard]] bool IsSafetyObject(std::uint16_t index) noexcept;
+
+/// Warns of what real files have wrong: no type, no access, values that do not fit.
+void WarnOfEntry(const Entry& entry, std::vector<Finding>& warnings);
+} // namespace counterpoint::cia306
+
+#endif // CANOPEN_CIA306_FILE_ENTRY_READER_HPP

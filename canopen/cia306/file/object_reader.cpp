@@ -1,0 +1,204 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia306/file/object_reader.hpp"
+
+#include "canopen/cia306/file/data_type.hpp"
+#include "canopen/cia306/file/entry_reader.hpp"
+#include "canopen/cia306/text/number.hpp"
+
+#include <utility>
+
+namespace counterpoint::cia306
+{
+namespace
+{
+constexpr std::uint64_t kMaxCompactSubs = 254U;
+constexpr std::uint64_t kMaxSubNumber = 256U;
+} // namespace
+
+ObjectReader::ObjectReader(const IniDocument& document, Device& device) noexcept
+    : document_(&document), device_(&device)
+{
+}
+
+void ObjectReader::Read()
+{
+    ForEach(SectionKind::kObject, &ObjectReader::ReadObject);
+    ForEach(SectionKind::kSub, &ObjectReader::ReadSub);
+    ForEach(SectionKind::kNames, &ObjectReader::ReadNames);
+    ForEach(SectionKind::kValues, &ObjectReader::ReadValues);
+    ForEach(SectionKind::kMisspelt, &ObjectReader::WarnOfName);
+}
+
+void ObjectReader::ForEach(const SectionKind kind, const Pass pass)
+{
+    for (const IniSection& section : document_->Sections())
+    {
+        const SectionName name = ParseSectionName(section.name);
+        if (name.kind == kind)
+        {
+            (this->*pass)(section, name);
+        }
+    }
+}
+
+void ObjectReader::Warn(const std::size_t line, const std::string& text)
+{
+    device_->warnings.push_back({Severity::kWarning, line, "", text});
+}
+
+void ObjectReader::AddEntry(Object& object, Entry entry, const std::size_t line)
+{
+    ++entry_count_;
+    if (entry_count_ > kMaxEntries)
+    {
+        throw InputError(device_->file, line, {"there is a sub-index more", "at most " + std::to_string(kMaxEntries)});
+    }
+    const std::uint8_t sub = entry.sub;
+    object.entries[sub] = std::move(entry);
+}
+
+void ObjectReader::ReadObject(const IniSection& section, const SectionName& name)
+{
+    const SectionReader reader(device_->file, section);
+    Object object;
+    object.index = name.index;
+    object.line = section.line;
+    object.section = section.name;
+    object.name = reader.TextAt("ParameterName").text;
+    object.type = reader.ObjectTypeAt("ObjectType");
+    object.data_type = static_cast<std::uint16_t>(reader.NumberAt("DataType", 0xFFFFU).value_or(0U));
+    const auto compact = reader.NumberAt("CompactSubObj", kMaxCompactSubs).value_or(0U);
+    const auto sub_number = reader.NumberAt("SubNumber", kMaxSubNumber).value_or(0U);
+    const bool has_subs = sub_number != 0U || object.type == ObjectType::kArray || object.type == ObjectType::kRecord ||
+                          object.type == ObjectType::kDefstruct;
+    if (compact != 0U)
+    {
+        AddCompactEntries(section, object, static_cast<std::uint8_t>(compact));
+    }
+    else if (!has_subs)
+    {
+        AddEntry(object, reader.ReadEntry(name.index, 0U, device_->warnings), section.line);
+    }
+    device_->objects.emplace(name.index, std::move(object));
+}
+
+void ObjectReader::AddCompactEntries(const IniSection& section, Object& object, const std::uint8_t count)
+{
+    Entry entry = SectionReader(device_->file, section).ReadEntry(object.index, 0U, device_->warnings);
+    entry.is_compact = true;
+    entry.parameter_value = Text{};
+    entry.section = section.name + "Value";
+    Entry number = entry;
+    number.name = "NrOfObjects";
+    number.data_type = kUnsigned8;
+    number.access = Access::kReadOnly;
+    number.is_pdo_mappable = false;
+    number.is_srdo_mappable = std::nullopt;
+    number.inverted_srad = std::nullopt;
+    number.low_limit = Text{};
+    number.high_limit = Text{};
+    number.default_value = Text{std::to_string(count), section.Find("CompactSubObj")->line};
+    AddEntry(object, std::move(number), section.line);
+    for (std::uint32_t sub = 1U; sub <= count; ++sub)
+    {
+        entry.sub = static_cast<std::uint8_t>(sub);
+        entry.name = object.name + std::to_string(sub);
+        AddEntry(object, entry, section.line);
+    }
+}
+
+void ObjectReader::ReadSub(const IniSection& section, const SectionName& name)
+{
+    const auto found = device_->objects.find(name.index);
+    if (found == device_->objects.end())
+    {
+        throw InputError(device_->file, section.line,
+                         {"section " + Quoted(section.name) + " belongs to no object",
+                          "a section [" + Hex(name.index, 4).substr(2U) + "]"});
+    }
+    Object& object = found->second;
+    const auto before = object.entries.find(name.sub);
+    const bool is_variable = before != object.entries.end() && before->second.section == object.section;
+    const bool is_second = before != object.entries.end() && !is_variable && !before->second.is_compact;
+    if (is_second)
+    {
+        throw InputError(device_->file, section.line,
+                         {"sub-index " + ObjectName(name.index, name.sub) + " is described a second time",
+                          "it once, as in line " + std::to_string(before->second.line)});
+    }
+    DropVariable(object);
+    const SectionReader reader(device_->file, section);
+    AddEntry(object, reader.ReadEntry(name.index, name.sub, device_->warnings), section.line);
+}
+
+/// An object without SubNumber and type was taken for a variable until its first sub-index came.
+void ObjectReader::DropVariable(Object& object)
+{
+    const auto variable = object.entries.find(0U);
+    const bool has_variable = variable != object.entries.end() && variable->second.section == object.section;
+    if (has_variable)
+    {
+        Warn(object.line,
+             Hex(object.index, 4) + " has sub-indices, expected SubNumber, or an ObjectType of 0x8 or 0x9");
+        object.entries.erase(variable);
+    }
+}
+
+/// The entry of a key such as "3" of a section [1018Name] or [1018Value]; nothing for NrOfEntries and what fits
+/// nowhere.
+Entry* ObjectReader::CompactEntry(const IniSection& section, const IniKey& key, const std::uint16_t index)
+{
+    if (Lower(key.name) == "nrofentries")
+    {
+        return nullptr;
+    }
+    const auto sub = ParseUnsigned(key.name, 0xFFU);
+    const auto object = device_->objects.find(index);
+    const bool is_known =
+        sub && object != device_->objects.end() && object->second.entries.count(static_cast<std::uint8_t>(*sub)) != 0U;
+    if (!is_known)
+    {
+        Warn(key.line, "key " + Quoted(key.name) + " in section " + Quoted(section.name) +
+                           " names no sub-index of the object, expected one; it is ignored");
+        return nullptr;
+    }
+    return &object->second.entries[static_cast<std::uint8_t>(*sub)];
+}
+
+void ObjectReader::ReadNames(const IniSection& section, const SectionName& name)
+{
+    for (const IniKey& key : section.keys)
+    {
+        Entry* const entry = CompactEntry(section, key, name.index);
+        if (entry != nullptr)
+        {
+            entry->name = key.value;
+        }
+    }
+}
+
+void ObjectReader::ReadValues(const IniSection& section, const SectionName& name)
+{
+    for (const IniKey& key : section.keys)
+    {
+        Entry* const entry = CompactEntry(section, key, name.index);
+        if (entry == nullptr || key.value.empty())
+        {
+            continue;
+        }
+        if (entry->parameter_value.IsSet())
+        {
+            throw InputError(device_->file, key.line,
+                             {ObjectName(name.index, entry->sub) + " has a second value",
+                              "it once, as in line " + std::to_string(entry->parameter_value.line)});
+        }
+        entry->parameter_value = Text{key.value, key.line};
+    }
+}
+
+void ObjectReader::WarnOfName(const IniSection& section, const SectionName& /*name*/)
+{
+    Warn(section.line, "section " + Quoted(section.name) +
+                           " is no object, expected a form such as [1018], [1018sub1] or [1018Value]; it is ignored");
+}
+} // namespace counterpoint::cia306

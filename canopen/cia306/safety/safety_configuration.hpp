@@ -1,0 +1,126 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA306_SAFETY_SAFETY_CONFIGURATION_HPP
+#define CANOPEN_CIA306_SAFETY_SAFETY_CONFIGURATION_HPP
+
+#include "canopen/cia306/file/device.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace counterpoint::cia306
+{
+constexpr std::uint16_t kGfcIndex = 0x1300U;
+constexpr std::uint16_t kFirstCommunicationIndex = 0x1301U;
+constexpr std::uint16_t kFirstMappingIndex = 0x1381U;
+constexpr std::uint16_t kConfigurationValidIndex = 0x13FEU;
+constexpr std::uint16_t kSignatureIndex = 0x13FFU;
+constexpr std::uint16_t kFirstObjectIndex = 0x0020U; ///< Below are the data types of CiA 301.
+constexpr std::uint8_t kMaxSrdos = 64U;
+constexpr std::uint8_t kMaxMappingEntries = 128U;
+constexpr std::uint8_t kConfigurationIsValid = 0xA5U;
+
+/// A number of the configuration and the line it stands in (of its object, where it is missing).
+struct Field
+{
+    std::optional<std::uint64_t> value;
+    std::size_t line{0U};
+
+    [[nodiscard]] bool Is(std::uint64_t number) const noexcept
+    {
+        return value && *value == number;
+    }
+};
+
+/// One entry of 1381h to 13C0h. Odd sub-indices are normal data, even ones inverse data.
+struct MappingEntry
+{
+    std::uint8_t sub{0U};
+    std::uint32_t raw{0U};
+    std::size_t line{0U};
+
+    [[nodiscard]] std::uint16_t Index() const noexcept
+    {
+        return static_cast<std::uint16_t>(raw >> 16U);
+    }
+    [[nodiscard]] std::uint8_t Sub() const noexcept
+    {
+        return static_cast<std::uint8_t>((raw >> 8U) & 0xFFU);
+    }
+    [[nodiscard]] std::uint8_t Bits() const noexcept
+    {
+        return static_cast<std::uint8_t>(raw & 0xFFU);
+    }
+    /// Names a data type instead of an object: its bits are stored nowhere.
+    [[nodiscard]] bool IsDummy() const noexcept
+    {
+        return Index() != 0U && Index() < kFirstObjectIndex;
+    }
+    [[nodiscard]] bool IsNormal() const noexcept
+    {
+        return (sub & 1U) != 0U;
+    }
+};
+
+struct SrdoConfiguration
+{
+    std::uint8_t number{0U}; ///< 1 to 64.
+    std::size_t line{0U};    ///< Of its communication parameters.
+    Field highest_sub;
+    Field direction;
+    Field sct_ms;
+    Field srvt_ms;
+    Field transmission_type;
+    Field cob_id_1;
+    Field cob_id_2;
+    Field entry_count;
+    std::vector<MappingEntry> mapping; ///< As many as `entry_count` tells, those that can be read.
+    bool is_static{false};             ///< Sub-index 0 and every entry of the mapping are const or ro. [SRS-EDS-029]
+    Field signature;                   ///< As the file has it.
+    /// What keeps the signature from being computed; empty: every number that goes into it has a value.
+    std::vector<Finding> signature_problems;
+    std::vector<Finding> other_problems;
+
+    [[nodiscard]] std::uint16_t CommunicationIndex() const noexcept
+    {
+        return static_cast<std::uint16_t>(kFirstCommunicationIndex + number - 1U);
+    }
+    [[nodiscard]] std::uint16_t MappingIndex() const noexcept
+    {
+        return static_cast<std::uint16_t>(kFirstMappingIndex + number - 1U);
+    }
+    [[nodiscard]] bool IsProducer() const noexcept
+    {
+        return direction.Is(1U);
+    }
+    [[nodiscard]] bool IsConsumer() const noexcept
+    {
+        return direction.Is(2U);
+    }
+};
+
+/// The safety configuration that a file gives a device. [SRS-EDS-020, 024]
+struct SafetyConfiguration
+{
+    std::vector<SrdoConfiguration> srdos; ///< By number; those whose communication parameters exist.
+    Field gfc;
+    Field configuration_valid;
+    Field signature_count;
+    std::vector<Finding> missing;  ///< Safety objects that are listed and not described: the file was cut.
+    std::vector<Finding> problems; ///< Of what belongs to no SRDO.
+};
+
+/// Never throws for what the file says: what cannot be used becomes a problem.
+[[nodiscard]] SafetyConfiguration ExtractSafety(const Device& device, std::optional<std::uint8_t> node_id);
+
+/// The value at index and sub-index; adds a finding where it is missing, of another data type, or out of range.
+/// `line` is used where the object does not exist.
+[[nodiscard]] Field ReadField(const Device& device, std::uint16_t index, std::uint8_t sub, std::uint16_t data_type,
+                              std::optional<std::uint8_t> node_id, std::size_t line, std::vector<Finding>& problems);
+
+/// Throws an InputError for the first of the problems that is an error.
+void RequireNone(const std::string& file, const std::vector<Finding>& problems);
+} // namespace counterpoint::cia306
+
+#endif // CANOPEN_CIA306_SAFETY_SAFETY_CONFIGURATION_HPP

@@ -1,0 +1,41 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA306_SAFETY_SIGNATURE_HPP
+#define CANOPEN_CIA306_SAFETY_SIGNATURE_HPP
+
+#include "canopen/cia306/safety/safety_configuration.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace counterpoint::cia306
+{
+/// One number that goes into the signature.
+struct SignedField
+{
+    std::string object;              ///< "0x1301:02"
+    std::string meaning;             ///< "SCT 50 ms"
+    std::vector<std::uint8_t> bytes; ///< Low byte first.
+};
+
+/// `count` bytes, low byte first.
+[[nodiscard]] std::vector<std::uint8_t> LittleEndian(std::uint64_t value, std::uint32_t count);
+
+/// In the order in which they are signed. The SRDO must have no signature problems. [SRS-EDS-021]
+[[nodiscard]] std::vector<SignedField> SignedFields(const SrdoConfiguration& srdo);
+
+/// The bytes of SignedFields one after the other: 13 + 5 n for n mapping entries.
+[[nodiscard]] std::vector<std::uint8_t> CanonicalBytes(const SrdoConfiguration& srdo);
+
+/// The bytes of fields one after the other.
+[[nodiscard]] std::vector<std::uint8_t> BytesOf(const std::vector<SignedField>& fields);
+
+/// CRC-16, polynomial 1021h, start 0000h, as computed by Boost: neither channel's code. [SRS-EDS-022]
+[[nodiscard]] std::uint16_t SignatureOf(const std::vector<std::uint8_t>& bytes);
+[[nodiscard]] std::uint16_t SignatureOf(const SrdoConfiguration& srdo);
+
+/// "02 32 00"
+[[nodiscard]] std::string HexBytes(const std::vector<std::uint8_t>& bytes);
+} // namespace counterpoint::cia306
+
+#endif // CANOPEN_CIA306_SAFETY_SIGNATURE_HPP

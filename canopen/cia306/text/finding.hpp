@@ -1,0 +1,34 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA306_TEXT_FINDING_HPP
+#define CANOPEN_CIA306_TEXT_FINDING_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace counterpoint::cia306
+{
+enum class Severity : std::uint8_t
+{
+    kError = 1U,
+    kWarning = 2U,
+};
+
+/// One thing that is wrong with a file, or that its author may not have meant.
+struct Finding
+{
+    Severity severity{Severity::kError};
+    std::size_t line{0U};
+    std::string object; ///< "0x1301:02", or empty where no object is concerned.
+    std::string text;   ///< What is wrong, and what was expected.
+};
+
+/// In the order of the lines; findings of one line stay in their order.
+[[nodiscard]] std::vector<Finding> SortedByLine(std::vector<Finding> findings);
+
+/// FILE:LINE: error|warning: OBJECT: TEXT
+[[nodiscard]] std::string FormatFinding(const std::string& file, const Finding& finding);
+} // namespace counterpoint::cia306
+
+#endif // CANOPEN_CIA306_TEXT_FINDING_HPP

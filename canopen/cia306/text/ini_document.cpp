@@ -1,0 +1,309 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia306/text/ini_document.hpp"
+
+#include "canopen/cia306/text/input_error.hpp"
+
+#include <stdexcept>
+
+namespace counterpoint::cia306
+{
+namespace
+{
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::string_view kBlank = " \t";
+constexpr char kDosEndOfFile = '\x1A';
+
+bool StartsWith(const std::string_view text, const std::string_view prefix)
+{
+    return text.substr(0U, prefix.size()) == prefix;
+}
+
+std::string_view WithoutLineEnd(std::string_view line)
+{
+    if (!line.empty() && line.back() == '\n')
+    {
+        line.remove_suffix(1U);
+    }
+    if (!line.empty() && line.back() == '\r')
+    {
+        line.remove_suffix(1U);
+    }
+    return line;
+}
+
+/// `line` with its value replaced; what stands around the value stays.
+std::string WithValue(const std::string& line, const std::string& value)
+{
+    const std::string_view content = WithoutLineEnd(line);
+    const std::size_t after_sign = content.find('=') + 1U;
+    const std::size_t first = content.find_first_not_of(kBlank, after_sign);
+    const std::size_t begin = first == std::string_view::npos ? after_sign : first;
+    const std::size_t end = first == std::string_view::npos ? after_sign : content.find_last_not_of(kBlank) + 1U;
+    return line.substr(0U, begin) + value + line.substr(end);
+}
+} // namespace
+
+std::string Lower(const std::string_view text)
+{
+    std::string out(text);
+    for (char& character : out)
+    {
+        const bool is_upper = character >= 'A' && character <= 'Z';
+        character = is_upper ? static_cast<char>(character - 'A' + 'a') : character;
+    }
+    return out;
+}
+
+std::string_view Trimmed(const std::string_view text)
+{
+    const std::size_t first = text.find_first_not_of(kBlank);
+    if (first == std::string_view::npos)
+    {
+        return {};
+    }
+    return text.substr(first, text.find_last_not_of(kBlank) - first + 1U);
+}
+
+const IniKey* IniSection::Find(const std::string_view key) const
+{
+    const auto found = index.find(Lower(key));
+    return found == index.end() ? nullptr : &keys[found->second];
+}
+
+IniDocument IniDocument::Parse(std::string file, const std::string_view text)
+{
+    IniDocument document;
+    document.file_ = std::move(file);
+    const bool is_utf16 = StartsWith(text, "\xFF\xFE") || StartsWith(text, "\xFE\xFF");
+    if (is_utf16)
+    {
+        document.Refuse(1U, "the text is UTF-16", "8-bit text (ASCII, Latin-1 or UTF-8)");
+    }
+    document.SplitLines(text);
+    for (std::size_t place = 0U; place < document.lines_.size(); ++place)
+    {
+        std::string_view content = WithoutLineEnd(document.lines_[place]);
+        if (place == 0U && StartsWith(content, kByteOrderMark))
+        {
+            content.remove_prefix(kByteOrderMark.size());
+        }
+        document.ReadLine(place + 1U, content);
+    }
+    return document;
+}
+
+void IniDocument::SplitLines(const std::string_view text)
+{
+    std::size_t begin = 0U;
+    while (begin < text.size())
+    {
+        const std::size_t found = text.find('\n', begin);
+        const std::size_t end = found == std::string_view::npos ? text.size() : found + 1U;
+        if (lines_.size() == kMaxLines)
+        {
+            Refuse(kMaxLines + 1U, "there is a line more", "at most " + std::to_string(kMaxLines) + " lines");
+        }
+        if (end - begin > kMaxLineBytes)
+        {
+            RequirePrintable(lines_.size() + 1U, text.substr(begin, kMaxLineBytes));
+            Refuse(lines_.size() + 1U, "the line has more than " + std::to_string(kMaxLineBytes) + " bytes",
+                   "shorter lines (CiA 306: 255)");
+        }
+        lines_.emplace_back(text.substr(begin, end - begin));
+        begin = end;
+    }
+}
+
+void IniDocument::ReadLine(const std::size_t line, const std::string_view content)
+{
+    const bool is_dos_end = line == lines_.size() && content.size() == 1U && content.front() == kDosEndOfFile;
+    if (is_dos_end)
+    {
+        warnings_.push_back({Severity::kWarning, line, "", "end-of-file character 1Ah, expected the end of the file"});
+        return;
+    }
+    RequirePrintable(line, content);
+    const std::string_view text = Trimmed(content);
+    if (text.empty() || text.front() == ';')
+    {
+        return;
+    }
+    if (text.front() == '#')
+    {
+        warnings_.push_back(
+            {Severity::kWarning, line, "", "a comment with '#' is no part of CiA 306, expected ';'; it is ignored"});
+        return;
+    }
+    if (text.front() == '[')
+    {
+        ReadSectionHead(line, text);
+        return;
+    }
+    ReadKey(line, text);
+}
+
+void IniDocument::ReadSectionHead(const std::size_t line, const std::string_view content)
+{
+    const std::size_t close = content.find(']');
+    if (close == std::string_view::npos)
+    {
+        Refuse(line, "section " + Quoted(content) + " is not closed", "']' at its end");
+    }
+    if (close + 1U != content.size())
+    {
+        Refuse(line, "text " + Quoted(content.substr(close + 1U)) + " after the section name", "nothing after ']'");
+    }
+    const std::string_view name = Trimmed(content.substr(1U, close - 1U));
+    if (name.empty() || name.find('[') != std::string_view::npos)
+    {
+        Refuse(line, "section name " + Quoted(name), "a name such as [DeviceInfo] or [1000sub0]");
+    }
+    const auto [place, is_new] = section_index_.emplace(Lower(name), sections_.size());
+    if (!is_new)
+    {
+        Refuse(line, "section " + Quoted(name) + " stands a second time",
+               "it once, as in line " + std::to_string(sections_[place->second].line));
+    }
+    IniSection section;
+    section.name = std::string(name);
+    section.line = line;
+    section.last_line = line;
+    sections_.push_back(std::move(section));
+}
+
+void IniDocument::ReadKey(const std::size_t line, const std::string_view content)
+{
+    const std::size_t sign = content.find('=');
+    if (sign == std::string_view::npos)
+    {
+        Refuse(line, Quoted(content) + " is no line of an EDS",
+               "[section], key=value or a comment that begins with ';'");
+    }
+    const std::string_view name = Trimmed(content.substr(0U, sign));
+    if (name.empty())
+    {
+        Refuse(line, "a value without a key", "key=value");
+    }
+    if (sections_.empty())
+    {
+        Refuse(line, "key " + Quoted(name) + " before the first section", "a section such as [FileInfo] before it");
+    }
+    IniSection& section = sections_.back();
+    const auto [place, is_new] = section.index.emplace(Lower(name), section.keys.size());
+    if (!is_new)
+    {
+        Refuse(line, "key " + Quoted(name) + " stands a second time in section " + Quoted(section.name),
+               "it once, as in line " + std::to_string(section.keys[place->second].line));
+    }
+    section.keys.push_back({std::string(name), std::string(Trimmed(content.substr(sign + 1U))), line});
+    section.last_line = line;
+}
+
+void IniDocument::RequirePrintable(const std::size_t line, const std::string_view content) const
+{
+    for (std::size_t place = 0U; place < content.size(); ++place)
+    {
+        const auto byte = static_cast<unsigned char>(content[place]);
+        const bool is_control = (byte < 0x20U && byte != 0x09U) || byte == 0x7FU;
+        if (is_control)
+        {
+            Refuse(line, "control byte " + Hex(byte, 2) + " in column " + std::to_string(place + 1U),
+                   byte == 0x0DU ? "lines that end in LF or CR LF" : "8-bit text");
+        }
+    }
+}
+
+void IniDocument::Refuse(const std::size_t line, const std::string& wrong, const std::string& expected) const
+{
+    throw InputError(file_, line, {wrong, expected});
+}
+
+const std::string& IniDocument::File() const noexcept
+{
+    return file_;
+}
+
+const std::vector<IniSection>& IniDocument::Sections() const noexcept
+{
+    return sections_;
+}
+
+const IniSection* IniDocument::Find(const std::string_view section) const
+{
+    const auto found = section_index_.find(Lower(section));
+    return found == section_index_.end() ? nullptr : &sections_[found->second];
+}
+
+const std::vector<Finding>& IniDocument::Warnings() const noexcept
+{
+    return warnings_;
+}
+
+std::size_t IniDocument::LineCount() const noexcept
+{
+    return lines_.size();
+}
+
+std::string IniDocument::Text() const
+{
+    std::string text;
+    for (const std::string& line : lines_)
+    {
+        text += line;
+    }
+    return text;
+}
+
+const IniSection& IniDocument::Existing(const std::string& section) const
+{
+    const IniSection* const found = Find(section);
+    if (found == nullptr)
+    {
+        throw std::invalid_argument("no section [" + section + "] to edit");
+    }
+    return *found;
+}
+
+std::string IniDocument::LineEnd() const
+{
+    const std::string& first = lines_.front();
+    const bool is_dos = first.size() >= 2U && first[first.size() - 2U] == '\r';
+    return is_dos ? "\r\n" : "\n";
+}
+
+IniDocument IniDocument::With(const std::vector<KeyEdit>& keys, const std::vector<SectionEdit>& sections) const
+{
+    std::vector<std::string> lines = lines_;
+    std::vector<std::string> added(lines.size()); // What comes after the line of the same place.
+    const std::string end = LineEnd();
+    for (const KeyEdit& edit : keys)
+    {
+        const IniSection& section = Existing(edit.section);
+        const IniKey* const key = section.Find(edit.key);
+        if (key != nullptr)
+        {
+            lines[key->line - 1U] = WithValue(lines[key->line - 1U], edit.value);
+            continue;
+        }
+        const IniKey* const before = section.Find(edit.after_key);
+        const std::size_t line = before == nullptr ? section.last_line : before->line;
+        added[line - 1U] += edit.key + "=" + edit.value + end;
+    }
+    for (const SectionEdit& edit : sections)
+    {
+        std::string& place = added[Existing(edit.after_section).last_line - 1U];
+        place += end + "[" + edit.name + "]" + end;
+        for (const auto& [key, value] : edit.keys)
+        {
+            place += key + "=" + value + end;
+        }
+    }
+    std::string text;
+    for (std::size_t place = 0U; place < lines.size(); ++place)
+    {
+        const bool lacks_end = !added[place].empty() && lines[place].back() != '\n';
+        text += lines[place] + (lacks_end ? end : "") + added[place];
+    }
+    return Parse(file_, text);
+}
+} // namespace counterpoint::cia306

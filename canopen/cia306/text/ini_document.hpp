@@ -1,0 +1,98 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA306_TEXT_INI_DOCUMENT_HPP
+#define CANOPEN_CIA306_TEXT_INI_DOCUMENT_HPP
+
+#include "canopen/cia306/text/finding.hpp"
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace counterpoint::cia306
+{
+constexpr std::size_t kMaxLines = 400000U;
+constexpr std::size_t kMaxLineBytes = 65535U;
+
+/// ASCII lower case: the form in which names of sections and keys are compared.
+[[nodiscard]] std::string Lower(std::string_view text);
+
+/// Without spaces and tabs at both ends.
+[[nodiscard]] std::string_view Trimmed(std::string_view text);
+
+struct IniKey
+{
+    std::string name;
+    std::string value;
+    std::size_t line{0U};
+};
+
+struct IniSection
+{
+    std::string name;
+    std::size_t line{0U};
+    std::size_t last_line{0U};                ///< Of its last key, or of its head.
+    std::vector<IniKey> keys;                 ///< In the order of the file.
+    std::map<std::string, std::size_t> index; ///< Lower case name to place in `keys`.
+
+    [[nodiscard]] const IniKey* Find(std::string_view key) const;
+};
+
+/// Sets a key of a section that exists: replaces its value, or adds a line after `after_key` (the end of the section
+/// where that is not there).
+struct KeyEdit
+{
+    std::string section;
+    std::string key;
+    std::string value;
+    std::string after_key;
+};
+
+/// Adds a section after the last key of `after_section`.
+struct SectionEdit
+{
+    std::string after_section;
+    std::string name;
+    std::vector<std::pair<std::string, std::string>> keys;
+};
+
+/// The lines of a file, and the sections and keys seen in them.
+/// Invariant: Text() of a parsed document is the text that was parsed, byte by byte; lines are never rewritten, an edit
+/// replaces the value in one line or adds lines. [SRS-EDS-002..005, 016, 018]
+class IniDocument
+{
+  public:
+    /// Throws InputError. `file` is used in messages only.
+    [[nodiscard]] static IniDocument Parse(std::string file, std::string_view text);
+
+    [[nodiscard]] const std::string& File() const noexcept;
+    [[nodiscard]] const std::vector<IniSection>& Sections() const noexcept;
+    [[nodiscard]] const IniSection* Find(std::string_view section) const;
+    [[nodiscard]] const std::vector<Finding>& Warnings() const noexcept;
+    [[nodiscard]] std::size_t LineCount() const noexcept;
+    [[nodiscard]] std::string Text() const;
+
+    /// The document with these edits. Sections named in the edits have to exist (std::invalid_argument otherwise).
+    [[nodiscard]] IniDocument With(const std::vector<KeyEdit>& keys, const std::vector<SectionEdit>& sections) const;
+
+  private:
+    void SplitLines(std::string_view text);
+    void ReadLine(std::size_t line, std::string_view content);
+    void ReadSectionHead(std::size_t line, std::string_view content);
+    void ReadKey(std::size_t line, std::string_view content);
+    void RequirePrintable(std::size_t line, std::string_view content) const;
+    [[noreturn]] void Refuse(std::size_t line, const std::string& wrong, const std::string& expected) const;
+    [[nodiscard]] const IniSection& Existing(const std::string& section) const;
+    [[nodiscard]] std::string LineEnd() const;
+
+    std::string file_;
+    std::vector<std::string> lines_; ///< Each with its line end; the first with the byte order mark, if any.
+    std::vector<IniSection> sections_;
+    std::map<std::string, std::size_t> section_index_;
+    std::vector<Finding> warnings_;
+};
+} // namespace counterpoint::cia306
+
+#endif // CANOPEN_CIA306_TEXT_INI_DOCUMENT_HPP

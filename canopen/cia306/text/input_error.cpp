@@ -1,0 +1,110 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia306/text/input_error.hpp"
+
+#include <utility>
+
+namespace counterpoint::cia306
+{
+namespace
+{
+constexpr std::size_t kMaxQuotedLength = 60U;
+constexpr std::string_view kHexDigits = "0123456789ABCDEF";
+
+void AppendEscaped(std::string& out, const unsigned char byte)
+{
+    out += "\\x";
+    out += kHexDigits[byte >> 4U];
+    out += kHexDigits[byte & 0x0FU];
+}
+
+std::string Sentence(const Problem& problem)
+{
+    return problem.expected.empty() ? problem.wrong : problem.wrong + ", expected " + problem.expected;
+}
+
+std::string ErrorLine(const std::string& file, const std::size_t line, const Problem& problem)
+{
+    return Printable(file) + ":" + std::to_string(line) + ": error: " + Sentence(problem);
+}
+} // namespace
+
+std::string Quoted(const std::string_view text)
+{
+    std::string out = "'";
+    for (const char character : text)
+    {
+        const auto byte = static_cast<unsigned char>(character);
+        const bool is_plain = byte >= 0x20U && byte < 0x7FU;
+        if (out.size() > kMaxQuotedLength)
+        {
+            return out + "...'";
+        }
+        if (is_plain)
+        {
+            out += character;
+        }
+        else
+        {
+            AppendEscaped(out, byte);
+        }
+    }
+    return out + "'";
+}
+
+std::string Printable(const std::string_view text)
+{
+    std::string out;
+    for (const char character : text)
+    {
+        const auto byte = static_cast<unsigned char>(character);
+        const bool is_control = byte < 0x20U || byte == 0x7FU;
+        if (is_control)
+        {
+            AppendEscaped(out, byte);
+        }
+        else
+        {
+            out += character;
+        }
+    }
+    return out;
+}
+
+std::string Hex(const std::uint64_t value, const int digits)
+{
+    std::string reversed;
+    std::uint64_t rest = value;
+    while (rest != 0U || reversed.size() < static_cast<std::size_t>(digits))
+    {
+        reversed += kHexDigits[rest & 0x0FU];
+        rest >>= 4U;
+    }
+    return "0x" + std::string(reversed.rbegin(), reversed.rend());
+}
+
+std::string ObjectName(const std::uint16_t index, const std::uint8_t sub)
+{
+    return Hex(index, 4) + ":" + Hex(sub, 2).substr(2U);
+}
+
+InputError::InputError(std::string file, const std::size_t line, const Problem& problem)
+    : std::runtime_error(ErrorLine(file, line, problem)), file_(std::move(file)), line_(line),
+      message_(Sentence(problem))
+{
+}
+
+const std::string& InputError::File() const noexcept
+{
+    return file_;
+}
+
+std::size_t InputError::Line() const noexcept
+{
+    return line_;
+}
+
+const std::string& InputError::Message() const noexcept
+{
+    return message_;
+}
+} // namespace counterpoint::cia306

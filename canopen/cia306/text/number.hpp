@@ -1,0 +1,35 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA306_TEXT_NUMBER_HPP
+#define CANOPEN_CIA306_TEXT_NUMBER_HPP
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace counterpoint::cia306
+{
+/// A number as CiA 306 writes it: 0x hexadecimal, leading 0 octal, decimal otherwise; one sign in front.
+struct Number
+{
+    bool is_negative{false};
+    bool is_hexadecimal{false};
+    std::uint64_t magnitude{0U};
+};
+
+/// Nothing when the text is no number, or one of more than 64 bits. [SRS-EDS-006]
+[[nodiscard]] std::optional<Number> ParseNumber(std::string_view text);
+
+/// As ParseNumber, without a sign and at most `max`.
+[[nodiscard]] std::optional<std::uint64_t> ParseUnsigned(std::string_view text, std::uint64_t max);
+
+/// A number, or $NODEID and a number in either order. [SRS-EDS-007]
+struct Formula
+{
+    bool has_node_id{false};
+    Number number;
+};
+
+[[nodiscard]] std::optional<Formula> ParseFormula(std::string_view text);
+} // namespace counterpoint::cia306
+
+#endif // CANOPEN_CIA306_TEXT_NUMBER_HPP

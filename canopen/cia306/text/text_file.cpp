@@ -1,0 +1,205 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia306/text/text_file.hpp"
+
+#include "canopen/cia306/text/input_error.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace counterpoint::cia306
+{
+namespace
+{
+constexpr std::size_t kBlockBytes = 65536U;
+constexpr mode_t kNewFileMode = 0644;
+
+class Descriptor
+{
+  public:
+    explicit Descriptor(const int number) noexcept : number_(number)
+    {
+    }
+    ~Descriptor()
+    {
+        (void)Close();
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    [[nodiscard]] int Number() const noexcept
+    {
+        return number_;
+    }
+    [[nodiscard]] bool Close() noexcept
+    {
+        const int number = number_;
+        number_ = -1;
+        return number < 0 || ::close(number) == 0;
+    }
+
+  private:
+    int number_;
+};
+
+std::string ErrorText()
+{
+    return std::strerror(errno);
+}
+
+[[noreturn]] void Refuse(const std::string& path, const std::string& wrong, const std::string& expected)
+{
+    throw InputError(path, 0U, {wrong, expected});
+}
+
+std::string KindOf(const mode_t mode)
+{
+    if (S_ISDIR(mode))
+    {
+        return "it is a directory";
+    }
+    if (S_ISFIFO(mode))
+    {
+        return "it is a pipe";
+    }
+    return (S_ISCHR(mode) || S_ISBLK(mode)) ? "it is a device" : "it is no regular file";
+}
+
+void RequireRegularAndSmall(const std::string& path, const struct stat& status)
+{
+    if (!S_ISREG(status.st_mode))
+    {
+        Refuse(path, KindOf(status.st_mode), "a regular file");
+    }
+    if (static_cast<std::uint64_t>(status.st_size) > kMaxFileBytes)
+    {
+        Refuse(path, "it has " + std::to_string(status.st_size) + " bytes",
+               "at most " + std::to_string(kMaxFileBytes) + " bytes");
+    }
+}
+
+std::string ReadAll(const std::string& path, const int descriptor)
+{
+    std::string text;
+    std::string block(kBlockBytes, '\0');
+    // Not the size that stat told: files of /proc have none, and a file may grow while it is read.
+    while (text.size() <= kMaxFileBytes)
+    {
+        const ssize_t count = ::read(descriptor, block.data(), block.size());
+        if (count == 0)
+        {
+            return text;
+        }
+        if (count < 0 && errno != EINTR)
+        {
+            Refuse(path, "it cannot be read (" + ErrorText() + ")", "a readable file");
+        }
+        text.append(block, 0U, count < 0 ? 0U : static_cast<std::size_t>(count));
+    }
+    Refuse(path, "it has more than " + std::to_string(kMaxFileBytes) + " bytes", "at most that many");
+}
+
+void WriteAll(const std::string& path, const int descriptor, std::string_view text)
+{
+    while (!text.empty())
+    {
+        const ssize_t count = ::write(descriptor, text.data(), text.size());
+        if (count < 0 && errno != EINTR)
+        {
+            Refuse(path, "it cannot be written (" + ErrorText() + ")", "a file system with room");
+        }
+        text.remove_prefix(count < 0 ? 0U : static_cast<std::size_t>(count));
+    }
+}
+
+/// Keeps the mode of what is replaced; refuses to replace what is no regular file.
+mode_t ModeFor(const std::string& path)
+{
+    struct stat status{};
+    if (::stat(path.c_str(), &status) != 0)
+    {
+        return kNewFileMode;
+    }
+    if (!S_ISREG(status.st_mode))
+    {
+        Refuse(path, KindOf(status.st_mode), "a regular file, or none");
+    }
+    return status.st_mode & static_cast<mode_t>(07777);
+}
+
+/// Where the bytes have to go: a symbolic link stays one, and the file behind it is replaced.
+std::string TargetOf(const std::string& path)
+{
+    char* const resolved = ::realpath(path.c_str(), nullptr);
+    if (resolved == nullptr)
+    {
+        return path;
+    }
+    std::string target(resolved);
+    ::free(resolved);
+    return target;
+}
+
+/// Opens a new file beside `target`; its name is written into `temporary`.
+int CreateBeside(const std::string& path, const std::string& target, std::string& temporary)
+{
+    temporary = target + ".XXXXXX";
+    const int descriptor = ::mkostemp(temporary.data(), O_CLOEXEC);
+    if (descriptor < 0)
+    {
+        Refuse(path, "it cannot be created (" + ErrorText() + ")", "a path in a writable folder");
+    }
+    return descriptor;
+}
+} // namespace
+
+std::string ReadTextFile(const std::string& path)
+{
+    // O_NONBLOCK: opening a pipe without a writer would wait for one.
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
+    if (file.Number() < 0)
+    {
+        Refuse(path, "it cannot be opened (" + ErrorText() + ")", "a readable EDS or DCF file");
+    }
+    struct stat status{};
+    if (::fstat(file.Number(), &status) != 0)
+    {
+        Refuse(path, "its status cannot be read (" + ErrorText() + ")", "a readable file");
+    }
+    RequireRegularAndSmall(path, status);
+    return ReadAll(path, file.Number());
+}
+
+void RequireWritable(const std::string& path)
+{
+    (void)ModeFor(path);
+    std::string temporary;
+    const Descriptor file(CreateBeside(path, TargetOf(path), temporary));
+    (void)::unlink(temporary.c_str());
+}
+
+void WriteTextFile(const std::string& path, const std::string_view text)
+{
+    const mode_t mode = ModeFor(path);
+    const std::string target = TargetOf(path);
+    std::string temporary;
+    Descriptor file(CreateBeside(path, target, temporary));
+    try
+    {
+        WriteAll(path, file.Number(), text);
+        const bool is_done = ::fchmod(file.Number(), mode) == 0 && ::fsync(file.Number()) == 0 && file.Close() &&
+                             ::rename(temporary.c_str(), target.c_str()) == 0;
+        if (!is_done)
+        {
+            Refuse(path, "it cannot be replaced (" + ErrorText() + ")", "a path in a writable folder");
+        }
+    }
+    catch (const InputError&)
+    {
+        (void)::unlink(temporary.c_str());
+        throw;
+    }
+}
+} // namespace counterpoint::cia306

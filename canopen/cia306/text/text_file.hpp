@@ -1,0 +1,26 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA306_TEXT_TEXT_FILE_HPP
+#define CANOPEN_CIA306_TEXT_TEXT_FILE_HPP
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace counterpoint::cia306
+{
+constexpr std::size_t kMaxFileBytes = 16U * 1024U * 1024U;
+
+/// The whole content of a regular file. Throws InputError for anything else, without waiting and without reading a
+/// file that is larger than kMaxFileBytes. [SRS-EDS-017]
+[[nodiscard]] std::string ReadTextFile(const std::string& path);
+
+/// Throws the InputError that WriteTextFile would throw for this path; leaves nothing behind. For what is written at
+/// the end of something long.
+void RequireWritable(const std::string& path);
+
+/// Replaces or creates the file in one step (a temporary file beside it, then a rename); an existing file keeps its
+/// permissions. Throws InputError.
+void WriteTextFile(const std::string& path, std::string_view text);
+} // namespace counterpoint::cia306
+
+#endif // CANOPEN_CIA306_TEXT_TEXT_FILE_HPP
