@@ -2,8 +2,8 @@
 #include "tools/bus_command.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
-#include "hal/host/live_address.hpp"
-#include "hal/host/live_socketcand_server.hpp"
+#include "hal/host/live/address.hpp"
+#include "hal/host/live/socketcand/server.hpp"
 #include "tools/device_options.hpp"
 #include "tools/json_text.hpp"
 

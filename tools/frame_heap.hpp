@@ -2,7 +2,7 @@
 #ifndef TOOLS_FRAME_HEAP_HPP
 #define TOOLS_FRAME_HEAP_HPP
 
-#include "hal/host/live_bus.hpp"
+#include "hal/host/live/bus.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -3,7 +3,7 @@
 
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/text_file.hpp"
-#include "hal/host/live_bus.hpp"
+#include "hal/host/live/bus.hpp"
 #include "tools/device_options.hpp"
 #include "tools/manager_check.hpp"
 #include "tools/manager_loop.hpp"

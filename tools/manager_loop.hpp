@@ -2,7 +2,7 @@
 #ifndef TOOLS_MANAGER_LOOP_HPP
 #define TOOLS_MANAGER_LOOP_HPP
 
-#include "hal/host/live_bus.hpp"
+#include "hal/host/live/bus.hpp"
 #include "tools/frame_heap.hpp"
 #include "tools/manager_socket.hpp"
 #include "tools/manager_station.hpp"

@@ -2,7 +2,7 @@
 #ifndef TOOLS_MANAGER_SOCKET_HPP
 #define TOOLS_MANAGER_SOCKET_HPP
 
-#include "hal/host/live_poll.hpp"
+#include "hal/host/live/poll.hpp"
 
 #include <cstdint>
 #include <functional>

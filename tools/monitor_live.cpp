@@ -2,7 +2,7 @@
 #include "tools/monitor_live.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
-#include "hal/host/live_bus.hpp"
+#include "hal/host/live/bus.hpp"
 
 #include <algorithm>
 #include <csignal>

@@ -4,7 +4,7 @@
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/number.hpp"
 #include "canopen/network/cpj_reader.hpp"
-#include "hal/host/bit_rate.hpp"
+#include "hal/host/virtual/bit_rate.hpp"
 #include "tools/manager_order.hpp"
 #include "verification/simulator/fields.hpp"
 #include "verification/simulator/names.hpp"

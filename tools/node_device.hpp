@@ -15,9 +15,9 @@
 
 #include "canopen/device/device.hpp"
 #include "canopen/device/safety_objects.hpp"
-#include "hal/host/host_output.hpp"
-#include "hal/host/host_watchdog.hpp"
-#include "hal/host/virtual_bus.hpp"
+#include "hal/host/output.hpp"
+#include "hal/host/watchdog.hpp"
+#include "hal/host/virtual/bus.hpp"
 #include "verification/simulator/channel_host.hpp"
 #include "verification/simulator/device_model.hpp"
 

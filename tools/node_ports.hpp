@@ -3,7 +3,7 @@
 #define TOOLS_NODE_PORTS_HPP
 
 #include "hal/api/can_ports.hpp"
-#include "hal/host/live_bus.hpp"
+#include "hal/host/live/bus.hpp"
 
 #include <memory>
 #include <string>

@@ -2,8 +2,8 @@
 #ifndef TOOLS_NODE_SELF_TEST_HPP
 #define TOOLS_NODE_SELF_TEST_HPP
 
-#include "hal/host/host_interrupt_lock.hpp"
-#include "hal/host/host_memory.hpp"
+#include "hal/host/interrupt_lock.hpp"
+#include "hal/host/memory.hpp"
 #include "safety_core/kernel/kernel.hpp"
 #include "safety_core/selftest/self_test.hpp"
 #include "verification/simulator/channel_host.hpp"

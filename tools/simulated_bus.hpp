@@ -2,7 +2,7 @@
 #ifndef TOOLS_SIMULATED_BUS_HPP
 #define TOOLS_SIMULATED_BUS_HPP
 
-#include "hal/host/live_bus.hpp"
+#include "hal/host/live/bus.hpp"
 
 #include <cstdint>
 #include <deque>

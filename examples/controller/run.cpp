@@ -2,7 +2,7 @@
 //
 // Two CPUs on one bus and one wire. Button 2 is pressed from 300 to 400 ms; at 600 ms the wire is cut.
 #include "examples/host/run.hpp"
-#include "hal/host/host_cross_link.hpp"
+#include "hal/host/cross_link.hpp"
 
 #include "channel_a/channel.hpp"
 #include "channel_b/channel.hpp"

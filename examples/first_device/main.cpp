@@ -7,11 +7,11 @@
 #include "channel_a/storage.hpp"
 #include "channel_b/channel.hpp"
 #include "channel_b/storage.hpp"
-#include "hal/host/host_can_ports.hpp"
-#include "hal/host/host_clocks.hpp"
-#include "hal/host/host_output.hpp"
-#include "hal/host/host_watchdog.hpp"
-#include "hal/host/virtual_bus.hpp"
+#include "hal/host/can_ports.hpp"
+#include "hal/host/clocks.hpp"
+#include "hal/host/output.hpp"
+#include "hal/host/watchdog.hpp"
+#include "hal/host/virtual/bus.hpp"
 
 #include <cstdio>
 

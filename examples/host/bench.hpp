@@ -2,11 +2,11 @@
 #ifndef EXAMPLES_HOST_BENCH_HPP
 #define EXAMPLES_HOST_BENCH_HPP
 
-#include "hal/host/host_can_ports.hpp"
-#include "hal/host/host_clocks.hpp"
-#include "hal/host/host_output.hpp"
-#include "hal/host/host_watchdog.hpp"
-#include "hal/host/virtual_bus.hpp"
+#include "hal/host/can_ports.hpp"
+#include "hal/host/clocks.hpp"
+#include "hal/host/output.hpp"
+#include "hal/host/watchdog.hpp"
+#include "hal/host/virtual/bus.hpp"
 #include "safety_core/crosslink/peer.hpp"
 #include "safety_core/kernel/kernel.hpp"
 

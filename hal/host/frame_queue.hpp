@@ -2,7 +2,7 @@
 #ifndef HAL_HOST_FRAME_QUEUE_HPP
 #define HAL_HOST_FRAME_QUEUE_HPP
 
-#include "hal/host/host_can_ports.hpp"
+#include "hal/host/can_ports.hpp"
 #include "safety_core/contract/can_frame.hpp"
 
 #include <cstddef>

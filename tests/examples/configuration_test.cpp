@@ -4,7 +4,7 @@
 #include "examples/actuator/actuator.hpp"
 #include "examples/controller/controller.hpp"
 #include "examples/sensor/sensor.hpp"
-#include "hal/host/virtual_bus.hpp"
+#include "hal/host/virtual/bus.hpp"
 #include "tests/canopen/cia306/check_text.hpp"
 #include "verification/trace/verifies.hpp"
 

@@ -2,7 +2,7 @@
 #ifndef TESTS_TOOLS_ECHO_BUS_HPP
 #define TESTS_TOOLS_ECHO_BUS_HPP
 
-#include "hal/host/live_bus.hpp"
+#include "hal/host/live/bus.hpp"
 
 #include <chrono>
 #include <cstdint>

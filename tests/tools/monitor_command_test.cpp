@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "hal/host/live_bus.hpp"
+#include "hal/host/live/bus.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/hal/host/live_server_rig.hpp"
 #include "tests/tools/command_run.hpp"

@@ -1,4 +1,4 @@
-"""A bus of `counterpoint node` for python-can: the datagrams of hal/host/live_udp_bus.cpp, or python-can's own interfaces."""
+"""A bus of `counterpoint node` for python-can: the datagrams of hal/host/live/udp_bus.cpp, or python-can's own interfaces."""
 import os
 import select
 import socket

@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "hal/host/live_bus.hpp"
+#include "hal/host/live/bus.hpp"
 #include "tests/tools/node_process.hpp"
 #include "verification/trace/verifies.hpp"
 

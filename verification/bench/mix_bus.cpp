@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/bench/mix_bus.hpp"
 
-#include "hal/host/frame_bits.hpp"
+#include "hal/host/virtual/frame_bits.hpp"
 
 namespace counterpoint::bench
 {

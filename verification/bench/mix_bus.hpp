@@ -3,7 +3,7 @@
 #define VERIFICATION_BENCH_MIX_BUS_HPP
 
 #include "canopen/cia301/sdo/client.hpp"
-#include "hal/host/virtual_bus.hpp"
+#include "hal/host/virtual/bus.hpp"
 #include "verification/bench/frame_mix.hpp"
 #include "verification/bench/service_node.hpp"
 

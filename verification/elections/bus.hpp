@@ -32,7 +32,7 @@ class BusUser
 /// One CAN bus with the durations of real frames, light enough for millions of elections. What matters for an election
 /// is as on the wire: frames that start at the same instant compete by identifier, equal ones are one frame, and two
 /// with the same identifier and different data destroy each other again and again until their senders are bus-off. A
-/// frame that nobody else could acknowledge waits. hal/host/virtual_bus.hpp is the complete model; a test compares
+/// frame that nobody else could acknowledge waits. hal/host/virtual/bus.hpp is the complete model; a test compares
 /// them.
 class Bus
 {

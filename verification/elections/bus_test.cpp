@@ -3,7 +3,7 @@
 // The light bus against the complete one of hal/host: same frames, same instants, same bus-off.
 #include "verification/elections/bus.hpp"
 
-#include "hal/host/virtual_bus.hpp"
+#include "hal/host/virtual/bus.hpp"
 #include "verification/simulator/random.hpp"
 #include "verification/trace/verifies.hpp"
 

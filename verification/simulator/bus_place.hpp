@@ -4,7 +4,7 @@
 
 #include "verification/simulator/scenario.hpp"
 
-#include "hal/host/bus_fault.hpp"
+#include "hal/host/virtual/bus_fault.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -2,7 +2,7 @@
 #ifndef VERIFICATION_SIMULATOR_FOREIGN_CONTROLLER_HPP
 #define VERIFICATION_SIMULATOR_FOREIGN_CONTROLLER_HPP
 
-#include "hal/host/virtual_bus.hpp"
+#include "hal/host/virtual/bus.hpp"
 #include "safety_core/contract/can_frame.hpp"
 
 namespace counterpoint::simulator

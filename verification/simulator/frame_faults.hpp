@@ -8,8 +8,8 @@
 #include "verification/simulator/random.hpp"
 #include "verification/simulator/scenario.hpp"
 
-#include "hal/host/bus_fault.hpp"
-#include "hal/host/virtual_bus.hpp"
+#include "hal/host/virtual/bus_fault.hpp"
+#include "hal/host/virtual/bus.hpp"
 
 #include <cstddef>
 #include <map>

@@ -4,7 +4,7 @@
 
 #include "verification/simulator/scenario.hpp"
 
-#include "hal/host/virtual_bus.hpp"
+#include "hal/host/virtual/bus.hpp"
 #include "safety_core/contract/can_frame.hpp"
 
 #include <algorithm>

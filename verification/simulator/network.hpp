@@ -10,7 +10,7 @@
 #include "verification/simulator/node.hpp"
 #include "verification/simulator/scenario.hpp"
 
-#include "hal/host/virtual_bus.hpp"
+#include "hal/host/virtual/bus.hpp"
 
 #include <functional>
 #include <map>

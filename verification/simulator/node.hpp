@@ -16,11 +16,11 @@
 #include "verification/simulator/supervisor_tap.hpp"
 
 #include "hal/host/frame_queue.hpp"
-#include "hal/host/host_can_ports.hpp"
-#include "hal/host/host_clocks.hpp"
-#include "hal/host/host_output.hpp"
-#include "hal/host/host_watchdog.hpp"
-#include "hal/host/virtual_bus.hpp"
+#include "hal/host/can_ports.hpp"
+#include "hal/host/clocks.hpp"
+#include "hal/host/output.hpp"
+#include "hal/host/watchdog.hpp"
+#include "hal/host/virtual/bus.hpp"
 #include "safety_core/crosslink/peer.hpp"
 #include "safety_core/kernel/kernel.hpp"
 

@@ -2,7 +2,7 @@
 #include "verification/simulator/names.hpp"
 #include "verification/simulator/schema.hpp"
 
-#include "hal/host/bus_fault.hpp"
+#include "hal/host/virtual/bus_fault.hpp"
 
 // The kinds of faults. A new kind is a section here, named like its word in names.hpp. [SRS-SIM-020..038, SRS-SIM-047]
 namespace counterpoint::simulator

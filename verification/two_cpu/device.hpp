@@ -2,7 +2,7 @@
 #ifndef VERIFICATION_TWO_CPU_DEVICE_HPP
 #define VERIFICATION_TWO_CPU_DEVICE_HPP
 
-#include "hal/host/host_cross_link.hpp"
+#include "hal/host/cross_link.hpp"
 #include "verification/two_cpu/cpu.hpp"
 
 #include <array>

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/vm/probe_checks.hpp"
 
-#include "hal/host/live_error.hpp"
+#include "hal/host/live/error.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -2,7 +2,7 @@
 #ifndef VERIFICATION_VM_PROBE_CHECKS_HPP
 #define VERIFICATION_VM_PROBE_CHECKS_HPP
 
-#include "hal/host/live_bus.hpp"
+#include "hal/host/live/bus.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -5,7 +5,7 @@
 #include "canopen/cia301/nmt/heartbeat_consumer.hpp"
 #include "canopen/cia301/nmt/heartbeat_producer.hpp"
 #include "canopen/cia302/flying_master.hpp"
-#include "hal/host/virtual_bus.hpp"
+#include "hal/host/virtual/bus.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

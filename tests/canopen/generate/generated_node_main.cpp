@@ -4,7 +4,7 @@
 //     generated_node CASE ADDRESS       serves the dictionary of one case until SIGTERM
 #include "canopen/cia301/nmt/frame_sink.hpp"
 #include "canopen/cia301/sdo/server_port.hpp"
-#include "hal/host/live_bus.hpp"
+#include "hal/host/live/bus.hpp"
 #include "tests/canopen/generate/generated_node.hpp"
 
 #include <poll.h>

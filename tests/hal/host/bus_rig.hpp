@@ -2,7 +2,7 @@
 #ifndef TESTS_HAL_HOST_BUS_RIG_HPP
 #define TESTS_HAL_HOST_BUS_RIG_HPP
 
-#include "hal/host/virtual_bus.hpp"
+#include "hal/host/virtual/bus.hpp"
 
 #include <algorithm>
 #include <cstddef>

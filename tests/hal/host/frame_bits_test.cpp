@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "hal/host/frame_bits.hpp"
+#include "hal/host/virtual/frame_bits.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

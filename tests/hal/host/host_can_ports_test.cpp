@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "hal/host/host_can_ports.hpp"
+#include "hal/host/can_ports.hpp"
 #include "tests/hal/host/bus_rig.hpp"
 #include "verification/trace/verifies.hpp"
 

@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "hal/host/host_clocks.hpp"
+#include "hal/host/clocks.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

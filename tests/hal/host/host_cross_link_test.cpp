@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "hal/host/host_cross_link.hpp"
+#include "hal/host/cross_link.hpp"
 
 #include "hal/host/udp_cross_link.hpp"
 #include "verification/trace/verifies.hpp"

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "hal/host/host_exceptions.hpp"
-#include "hal/host/host_interrupt_lock.hpp"
+#include "hal/host/exceptions.hpp"
+#include "hal/host/interrupt_lock.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "hal/host/host_output.hpp"
-#include "hal/host/host_watchdog.hpp"
+#include "hal/host/output.hpp"
+#include "hal/host/watchdog.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "hal/host/live_bus.hpp"
+#include "hal/host/live/bus.hpp"
 
-#include "hal/host/live_address.hpp"
-#include "hal/host/live_stamp.hpp"
+#include "hal/host/live/address.hpp"
+#include "hal/host/live/stamp.hpp"
 #include "tests/hal/host/live_rig.hpp"
 #include "verification/trace/verifies.hpp"
 

@@ -1,9 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // What the kernel says, in its bytes; the kernel itself is used by verification/vm.
-#include "hal/host/live_link.hpp"
+#include "hal/host/live/link.hpp"
 
-#include "hal/host/live_error.hpp"
-#include "hal/host/live_socketcan_bus.hpp"
+#include "hal/host/live/error.hpp"
+#include "hal/host/live/socketcan_bus.hpp"
 #include "tests/hal/host/live_rig.hpp"
 #include "verification/trace/verifies.hpp"
 

@@ -2,7 +2,7 @@
 #ifndef TESTS_HAL_HOST_LIVE_RIG_HPP
 #define TESTS_HAL_HOST_LIVE_RIG_HPP
 
-#include "hal/host/live_bus.hpp"
+#include "hal/host/live/bus.hpp"
 
 #include <algorithm>
 #include <cstdint>

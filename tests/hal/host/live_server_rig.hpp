@@ -2,8 +2,8 @@
 #ifndef TESTS_HAL_HOST_LIVE_SERVER_RIG_HPP
 #define TESTS_HAL_HOST_LIVE_SERVER_RIG_HPP
 
-#include "hal/host/live_address.hpp"
-#include "hal/host/live_socketcand_server.hpp"
+#include "hal/host/live/address.hpp"
+#include "hal/host/live/socketcand/server.hpp"
 
 #include <atomic>
 #include <cstdint>

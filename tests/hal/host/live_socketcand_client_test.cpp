@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // The client of the socketcand protocol, with servers that the test makes.
-#include "hal/host/live_socketcand_server.hpp"
+#include "hal/host/live/socketcand/server.hpp"
 #include "tests/hal/host/live_rig.hpp"
 #include "verification/trace/verifies.hpp"
 

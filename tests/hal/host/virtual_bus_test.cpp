@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "hal/host/virtual_bus.hpp"
+#include "hal/host/virtual/bus.hpp"
 #include "tests/hal/host/bus_rig.hpp"
 #include "verification/trace/verifies.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "hal/api/output_gate.hpp"
 #include "hal/host/defective_memory.hpp"
-#include "hal/host/host_memory.hpp"
+#include "hal/host/memory.hpp"
 #include "safety_core/selftest/self_test.hpp"
 #include "tests/safety_core/selftest/support.hpp"
 

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // The signature over the program that runs this test: its code, its constants, its tables of virtual functions.
-#include "hal/host/host_memory.hpp"
+#include "hal/host/memory.hpp"
 #include "hal/host/program_image.hpp"
 #include "safety_core/selftest/memory_signature.hpp"
 #include "tests/safety_core/selftest/support.hpp"

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "safety_core/selftest/ram_test.hpp"
 
-#include "hal/host/host_memory.hpp"
+#include "hal/host/memory.hpp"
 #include "tests/safety_core/selftest/support.hpp"
 #include "verification/trace/verifies.hpp"
 

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // The guard on the stack of a thread: only where there are threads.
-#include "hal/host/host_memory.hpp"
+#include "hal/host/memory.hpp"
 #include "safety_core/selftest/stack_guard.hpp"
 #include "tests/safety_core/selftest/support.hpp"
 #include "verification/trace/verifies.hpp"

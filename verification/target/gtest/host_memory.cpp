@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// The cells of this program for the tests of the self tests, in place of hal/host/host_memory.cpp, which tells tools of
+// The cells of this program for the tests of the self tests, in place of hal/host/memory.cpp, which tells tools of
 // a host what it does.
-#include "hal/host/host_memory.hpp"
+#include "hal/host/memory.hpp"
 
 #include "hal/api/plain_memory.hpp"
 

@@ -1,0 +1,53 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef HAL_HOST_EXCEPTIONS_HPP
+#define HAL_HOST_EXCEPTIONS_HPP
+
+#include "hal/api/exception_record.hpp"
+#include "hal/api/output_cutoff.hpp"
+
+#include <csignal>
+
+namespace counterpoint::host
+{
+
+/// Exit status of a process that an exception ended.
+inline constexpr int kExceptionExitStatus = 86;
+
+/// A signal that stands for an exception of a processor.
+struct HostException
+{
+    int signal;
+    hal::ExceptionCause cause;
+};
+
+inline constexpr HostException kHostExceptions[] = {
+    {SIGSEGV, hal::ExceptionCause::kDataAccess}, {SIGBUS, hal::ExceptionCause::kBus},
+    {SIGILL, hal::ExceptionCause::kInstruction}, {SIGFPE, hal::ExceptionCause::kArithmetic},
+    {SIGABRT, hal::ExceptionCause::kProgram},
+};
+
+/// From construction to destruction the exceptions of this process switch the output off, leave a record and end the
+/// process with kExceptionExitStatus. At most one object at a time. [SRS-STS-051]
+class HostExceptions final
+{
+  public:
+    /// @brief Both outlive this. Throws std::logic_error if there is one already.
+    HostExceptions(hal::OutputCutoff& cutoff, hal::ExceptionMemory& memory);
+    /// @brief Exceptions do again what they did before.
+    ~HostExceptions();
+
+    HostExceptions(const HostExceptions&) = delete;
+    HostExceptions(HostExceptions&&) = delete;
+    HostExceptions& operator=(const HostExceptions&) = delete;
+    HostExceptions& operator=(HostExceptions&&) = delete;
+
+  private:
+    static constexpr unsigned kCount = sizeof(kHostExceptions) / sizeof(kHostExceptions[0]);
+
+    struct sigaction before_[kCount]{};
+    stack_t stack_before_{};
+};
+
+} // namespace counterpoint::host
+
+#endif

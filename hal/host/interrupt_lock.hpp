@@ -1,0 +1,26 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef HAL_HOST_INTERRUPT_LOCK_HPP
+#define HAL_HOST_INTERRUPT_LOCK_HPP
+
+#include "hal/api/interrupt_lock.hpp"
+
+#include <csignal>
+
+namespace counterpoint::host
+{
+
+/// Signals are the interrupts of a process: all but those of exceptions wait. For a process of one thread.
+/// [SRS-STS-012]
+class HostInterruptLock final : public hal::InterruptLock
+{
+  public:
+    void Lock() noexcept override;
+    void Unlock() noexcept override;
+
+  private:
+    sigset_t before_{};
+};
+
+} // namespace counterpoint::host
+
+#endif

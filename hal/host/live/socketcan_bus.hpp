@@ -1,0 +1,77 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef HAL_HOST_LIVE_SOCKETCAN_BUS_HPP
+#define HAL_HOST_LIVE_SOCKETCAN_BUS_HPP
+
+#include "hal/host/live/address.hpp"
+#include "hal/host/live/bus.hpp"
+#include "hal/host/live/hardware_clock.hpp"
+#include "hal/host/live/link.hpp"
+#include "hal/host/live/poll.hpp"
+#include "hal/host/live/send_queue.hpp"
+
+#include <linux/can.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace counterpoint::host
+{
+
+/// A frame in the form of a raw socket, and how many of its bytes count (CAN_MTU or CANFD_MTU).
+struct SocketCanFrame
+{
+    canfd_frame frame;
+    std::size_t bytes;
+};
+[[nodiscard]] SocketCanFrame ToSocketCan(const LiveFrame& frame);
+/// @brief False: not the form of a frame.
+[[nodiscard]] bool FromSocketCan(const canfd_frame& raw, std::size_t bytes, LiveFrame& frame);
+
+/// One interface of Linux, by a raw socket. Survives the interface's going down and up, and its being removed and made
+/// again under the same name. Restart, and the policy kTimed, need CAP_NET_ADMIN. [SRS-LIVE-020..026]
+class LiveSocketCanBus final : public LiveBus
+{
+  public:
+    LiveSocketCanBus(const LiveAddress& address, const LiveOptions& options);
+
+    [[nodiscard]] SendResult Send(const LiveFrame& frame) override;
+    [[nodiscard]] bool Receive(LiveFrame& frame) override;
+    [[nodiscard]] int Descriptor() const override;
+    [[nodiscard]] BusHealth Health() const override;
+    [[nodiscard]] std::string Name() const override;
+    [[nodiscard]] bool Restart() override;
+
+  private:
+    void Configure();
+    void ApplyFilters();
+    [[nodiscard]] bool Bind();
+    void Look();
+    void Enter(BusState state);
+    void Learn(const LiveFrame& frame);
+    [[nodiscard]] int Transmit(const LiveFrame& frame);
+    void SendWaiting();
+    void DropWaiting();
+    void CarryOutPolicy();
+    void PlanWake();
+    void Service();
+
+    LiveAddress address_;
+    LiveOptions options_;
+    LiveFile socket_;
+    LiveLink link_{};
+    LivePoll poll_{};
+    HardwareClock clock_{};
+    LiveSendQueue queue_{};
+    int index_{0};
+    BusState state_{BusState::kDown};
+    bool has_controller_{false};      ///< Linux tells its state; else only error frames do.
+    bool is_carrying_{false};         ///< Else the kernel takes frames and throws them away without a word.
+    std::uint64_t restart_at_ns_{0U}; ///< 0: no restart is due.
+    std::uint64_t retry_at_ns_{0U};   ///< When to offer what waits to the system again.
+    BusHealth counts_{};
+};
+
+} // namespace counterpoint::host
+
+#endif

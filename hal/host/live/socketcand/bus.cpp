@@ -1,0 +1,312 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "hal/host/live/socketcand/bus.hpp"
+
+#include "hal/host/live/error.hpp"
+
+#include <poll.h>
+
+namespace counterpoint::host
+{
+namespace
+{
+
+constexpr std::uint64_t kMillisecondNs = 1'000'000U;
+/// For connecting and greeting together.
+constexpr std::uint64_t kPatienceNs = 3'000U * kMillisecondNs;
+constexpr std::uint64_t kRetryNs = kMillisecondNs;
+/// What may wait as text before frames wait as frames.
+constexpr std::size_t kTextBytes = 4096U;
+
+SocketcandMessage MessageOf(const SocketcandWord word)
+{
+    SocketcandMessage message;
+    message.word = word;
+    return message;
+}
+
+} // namespace
+
+LiveSocketcandBus::LiveSocketcandBus(const LiveAddress& address, const LiveOptions& options)
+    : address_{address}, options_{options}, give_up_at_ns_{LiveNow() + kPatienceNs}, peer_{address},
+      link_{peer_.Connect(give_up_at_ns_)}, greeting_{address.interface}
+{
+    Greet();
+    poll_.Add(link_.Descriptor());
+    Begin();
+}
+
+void LiveSocketcandBus::Refuse(const std::string& what) const
+{
+    throw LiveBusError("bus '" + address_.text + "': " + what);
+}
+
+void LiveSocketcandBus::Greet()
+{
+    greeting_.GoOn(link_);
+    while (!greeting_.IsOver())
+    {
+        if (!greeting_.Problem().empty())
+        {
+            Refuse(greeting_.Problem());
+        }
+        if (link_.IsLost())
+        {
+            Refuse("the server ended the connection, expected its answer");
+        }
+        pollfd wait{link_.Descriptor(), POLLIN, 0};
+        if (::poll(&wait, 1U, MillisecondsUntil(give_up_at_ns_)) <= 0)
+        {
+            Refuse("the server said nothing for 3 s, expected the socketcand protocol");
+        }
+        link_.Read();
+        greeting_.GoOn(link_);
+    }
+}
+
+void LiveSocketcandBus::Begin()
+{
+    is_lost_ = false;
+    state_ = BusState::kActive;
+    if (greeting_.Early().empty())
+    {
+        poll_.WakeNever();
+    }
+    else
+    {
+        poll_.WakeAt(LiveNow());
+    }
+}
+
+/// Goes on with opening a lost connection again, by the policy; nothing of it waits. [SRS-LIVE-058]
+void LiveSocketcandBus::Reconnect()
+{
+    const std::uint64_t now_ns = LiveNow();
+    const bool is_due = (options_.reconnect_after_ms != 0U) && (!link_.IsLost() || (now_ns >= retry_at_ns_));
+    if (!is_due)
+    {
+        return;
+    }
+    if (link_.IsLost())
+    {
+        link_ = SocketcandLink{peer_.BeginConnect()};
+        greeting_ = SocketcandGreeting{address_.interface};
+        give_up_at_ns_ = now_ns + kPatienceNs;
+        poll_.WakeAt(give_up_at_ns_);
+        if (!link_.IsLost())
+        {
+            poll_.Add(link_.Descriptor());
+        }
+    }
+    link_.Read();
+    greeting_.GoOn(link_);
+    const bool has_failed = link_.IsLost() || !greeting_.Problem().empty() || (now_ns >= give_up_at_ns_);
+    if (has_failed)
+    {
+        link_.Close();
+        peer_.TryOther();
+        PlanReconnect();
+    }
+    else if (greeting_.IsOver())
+    {
+        ++counts_.reconnects;
+        Begin();
+    }
+}
+
+void LiveSocketcandBus::PlanReconnect()
+{
+    retry_at_ns_ = LiveNow() + (options_.reconnect_after_ms * kMillisecondNs);
+    if (options_.reconnect_after_ms == 0U)
+    {
+        poll_.WakeNever();
+    }
+    else
+    {
+        poll_.WakeAt(retry_at_ns_);
+    }
+}
+
+SendResult LiveSocketcandBus::Send(const LiveFrame& frame)
+{
+    if (!IsSendable(frame) || frame.fd)
+    {
+        return SendResult::kRefused;
+    }
+    SendWaiting();
+    if (is_lost_)
+    {
+        return SendResult::kDown;
+    }
+    if (queue_.IsFull())
+    {
+        return SendResult::kQueueFull;
+    }
+    queue_.Push(frame);
+    SendWaiting();
+    return is_lost_ ? SendResult::kDown : SendResult::kSent;
+}
+
+void LiveSocketcandBus::Hand(const LiveFrame& frame)
+{
+    SocketcandMessage message = MessageOf(frame.remote ? SocketcandWord::kSendRemote : SocketcandWord::kSend);
+    message.frame = frame;
+    link_.Say(message);
+    if (!greeting_.HasOwn())
+    {
+        unconfirmed_.push_back(frame);
+        link_.Say(SocketcandWord::kEcho);
+    }
+}
+
+void LiveSocketcandBus::SendWaiting()
+{
+    link_.Flush();
+    while (!queue_.IsEmpty() && (link_.WaitingBytes() < kTextBytes) && !link_.IsLost())
+    {
+        Hand(queue_.First());
+        queue_.DropFirst();
+    }
+    NoteLoss();
+    if (is_lost_)
+    {
+        return; // What wakes then is the policy.
+    }
+    if (queue_.IsEmpty() && (link_.WaitingBytes() == 0U) && greeting_.Early().empty())
+    {
+        poll_.WakeNever();
+    }
+    else
+    {
+        poll_.WakeAt(LiveNow() + kRetryNs);
+    }
+}
+
+void LiveSocketcandBus::NoteLoss()
+{
+    if (link_.IsLost() && !is_lost_)
+    {
+        is_lost_ = true;
+        state_ = BusState::kDown;
+        counts_.dropped_frames += queue_.Clear();
+        unconfirmed_.clear();
+        PlanReconnect();
+    }
+}
+
+bool LiveSocketcandBus::Receive(LiveFrame& frame)
+{
+    if (is_lost_)
+    {
+        Reconnect();
+    }
+    else
+    {
+        SendWaiting();
+    }
+    std::deque<SocketcandMessage>& early = greeting_.Early();
+    bool has_read = false;
+    while (!is_lost_)
+    {
+        std::optional<SocketcandMessage> message;
+        if (!early.empty())
+        {
+            message = early.front();
+            early.pop_front();
+        }
+        else
+        {
+            message = link_.Next();
+        }
+        if (message && Take(*message, frame) && Passes(options_.filters, frame))
+        {
+            return true;
+        }
+        if (!message && has_read)
+        {
+            NoteLoss();
+            return false;
+        }
+        if (!message)
+        {
+            link_.Read();
+            has_read = true;
+        }
+    }
+    return false;
+}
+
+/// Whether the message gives a frame.
+bool LiveSocketcandBus::Take(const SocketcandMessage& message, LiveFrame& frame)
+{
+    const bool is_echo = (message.word == SocketcandWord::kEcho) && !unconfirmed_.empty();
+    const bool is_frame = message.frame.error || (message.word == SocketcandWord::kFrame) ||
+                          (message.word == SocketcandWord::kRemote) || (message.word == SocketcandWord::kOwnFrame) ||
+                          (message.word == SocketcandWord::kOwnRemote);
+    if (is_echo)
+    {
+        frame = unconfirmed_.front();
+        frame.own = true;
+        unconfirmed_.pop_front();
+    }
+    else if (is_frame)
+    {
+        frame = message.frame;
+    }
+    else
+    {
+        counts_.malformed += message.problem.empty() ? 0U : 1U;
+        LearnText(message.text);
+        return false;
+    }
+    frame.time_ns = LiveNow();
+    const ErrorNews news = ReadErrorFrame(frame);
+    counts_.error_frames += frame.error ? 1U : 0U;
+    counts_.bus_offs += news.is_bus_off ? 1U : 0U;
+    counts_.restarts += news.is_restart ? 1U : 0U;
+    // A frame that came is a bus that works, whatever was said before.
+    state_ = frame.error ? news.state.value_or(state_) : BusState::kActive;
+    return true;
+}
+
+/// Our server tells in words what became of a frame that it could not send.
+void LiveSocketcandBus::LearnText(const std::string& text)
+{
+    if (text.compare(0U, 5U, "send:") != 0)
+    {
+        return;
+    }
+    ++counts_.dropped_frames;
+    if (text.find("bus-off") != std::string::npos)
+    {
+        state_ = BusState::kBusOff;
+    }
+    else if (text.find("down") != std::string::npos)
+    {
+        state_ = BusState::kDown;
+    }
+}
+
+int LiveSocketcandBus::Descriptor() const
+{
+    return poll_.Descriptor();
+}
+
+BusHealth LiveSocketcandBus::Health() const
+{
+    BusHealth health = counts_;
+    health.state = state_;
+    health.waiting = queue_.Count();
+    return health;
+}
+
+std::string LiveSocketcandBus::Name() const
+{
+    return address_.text;
+}
+
+bool LiveSocketcandBus::Restart()
+{
+    return false; // The server's owner does that.
+}
+
+} // namespace counterpoint::host

@@ -1,0 +1,65 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef HAL_HOST_LIVE_SOCKETCAND_BUS_HPP
+#define HAL_HOST_LIVE_SOCKETCAND_BUS_HPP
+
+#include "hal/host/live/address.hpp"
+#include "hal/host/live/bus.hpp"
+#include "hal/host/live/poll.hpp"
+#include "hal/host/live/send_queue.hpp"
+#include "hal/host/live/socketcand/greeting.hpp"
+#include "hal/host/live/socketcand/link.hpp"
+#include "hal/host/live/socketcand/peer.hpp"
+
+#include <cstdint>
+#include <deque>
+#include <string>
+
+namespace counterpoint::host
+{
+
+/// A bus that a socketcand server offers: ours, or one by others. Frames have the time of their reading, because the
+/// server's clock is not ours. With a server by others, own means that the server took the frame, not that it was on
+/// the bus. A lost connection is opened again by the policy of the options. [SRS-LIVE-051] [SRS-LIVE-052]
+/// [SRS-LIVE-055] [SRS-LIVE-058]
+class LiveSocketcandBus final : public LiveBus
+{
+  public:
+    LiveSocketcandBus(const LiveAddress& address, const LiveOptions& options);
+
+    [[nodiscard]] SendResult Send(const LiveFrame& frame) override;
+    [[nodiscard]] bool Receive(LiveFrame& frame) override;
+    [[nodiscard]] int Descriptor() const override;
+    [[nodiscard]] BusHealth Health() const override;
+    [[nodiscard]] std::string Name() const override;
+    [[nodiscard]] bool Restart() override;
+
+  private:
+    [[noreturn]] void Refuse(const std::string& what) const;
+    void Greet();
+    void Begin();
+    void Reconnect();
+    void PlanReconnect();
+    void Hand(const LiveFrame& frame);
+    void SendWaiting();
+    void NoteLoss();
+    [[nodiscard]] bool Take(const SocketcandMessage& message, LiveFrame& frame);
+    void LearnText(const std::string& text);
+
+    LiveAddress address_;
+    LiveOptions options_;
+    std::uint64_t give_up_at_ns_; ///< On the connection that is being opened.
+    SocketcandPeer peer_;
+    SocketcandLink link_;
+    SocketcandGreeting greeting_;
+    LivePoll poll_{};
+    LiveSendQueue queue_{};
+    std::deque<LiveFrame> unconfirmed_{}; ///< Sent to a server that does not tell own frames.
+    bool is_lost_{false};                 ///< Until the greeting of the next connection is over.
+    std::uint64_t retry_at_ns_{0U};       ///< Of the next connection.
+    BusState state_{BusState::kActive};
+    BusHealth counts_{};
+};
+
+} // namespace counterpoint::host
+
+#endif

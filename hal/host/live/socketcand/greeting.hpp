@@ -1,0 +1,55 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef HAL_HOST_LIVE_SOCKETCAND_GREETING_HPP
+#define HAL_HOST_LIVE_SOCKETCAND_GREETING_HPP
+
+#include "hal/host/live/socketcand/link.hpp"
+
+#include <cstdint>
+#include <deque>
+#include <string>
+
+namespace counterpoint::host
+{
+
+/// What a client says to its server until frames come, answer by answer, without waiting: open, rawmode, ownmode.
+/// [SRS-LIVE-051] [SRS-LIVE-052]
+class SocketcandGreeting
+{
+  public:
+    explicit SocketcandGreeting(std::string bus);
+
+    /// @brief Goes on with what the link has read.
+    void GoOn(SocketcandLink& link);
+    /// @brief What the link reads from now on is of the bus.
+    [[nodiscard]] bool IsOver() const;
+    /// @brief Why it cannot go on; empty: it can.
+    [[nodiscard]] const std::string& Problem() const;
+    /// @brief The server tells own frames.
+    [[nodiscard]] bool HasOwn() const;
+    /// @brief What of the bus came before the last answer.
+    [[nodiscard]] std::deque<SocketcandMessage>& Early();
+
+  private:
+    enum class Step : std::uint8_t
+    {
+        kHi = 0U,
+        kOpen = 1U,
+        kRawMode = 2U,
+        kOwnMode = 3U,
+        kOver = 4U,
+    };
+
+    void Take(const SocketcandMessage& message, SocketcandLink& link);
+    void TakeOwnMode(const SocketcandMessage& message);
+    void Say(Step step, SocketcandLink& link);
+
+    std::string bus_;
+    Step step_{Step::kHi};
+    std::string problem_{};
+    std::deque<SocketcandMessage> early_{};
+    bool has_own_{false};
+};
+
+} // namespace counterpoint::host
+
+#endif

@@ -1,0 +1,98 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef HAL_HOST_LIVE_SOCKETCAND_SERVER_HPP
+#define HAL_HOST_LIVE_SOCKETCAND_SERVER_HPP
+
+#include "hal/host/live/bus.hpp"
+#include "hal/host/live/poll.hpp"
+#include "hal/host/live/socketcand/link.hpp"
+
+#include <poll.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace counterpoint::host
+{
+
+constexpr std::size_t kSocketcandClients = 32U;
+
+/// A bus under the name that clients open it by.
+struct ServedBus
+{
+    std::string name;
+    std::string address;
+};
+
+struct ServerCounts
+{
+    std::uint32_t clients{0U};  ///< Now.
+    std::uint64_t accepted{0U}; ///< Since the start.
+    std::uint64_t to_bus{0U};   ///< Frames.
+    std::uint64_t from_bus{0U};
+    std::uint64_t malformed{0U}; ///< Elements answered by an error.
+    std::uint64_t too_slow{0U};  ///< Clients disconnected because 1 MiB waited for them.
+};
+
+/// One client: its connection, and a bus object of its own, so that it is a sender of its own on the bus.
+class SocketcandClient
+{
+  public:
+    SocketcandClient(LiveFile socket, const std::vector<ServedBus>& buses, ServerCounts& counts);
+    /// @brief What to wait for: the connection, and the bus (descriptor -1: none).
+    [[nodiscard]] pollfd Connection() const;
+    [[nodiscard]] pollfd Bus() const;
+    /// @brief Carries on; false: the connection has ended.
+    [[nodiscard]] bool Serve();
+    [[nodiscard]] bool HoldsFrame() const
+    {
+        return held_.has_value();
+    }
+
+  private:
+    void Say(SocketcandWord word);
+    void SayError(const std::string& text);
+    void Obey(const SocketcandMessage& message);
+    void Open(const std::string& name);
+    void Transmit(const LiveFrame& frame);
+    void Tell(const LiveFrame& frame);
+
+    SocketcandLink link_;
+    const std::vector<ServedBus>& buses_;
+    ServerCounts& counts_;
+    std::unique_ptr<LiveBus> bus_{};
+    std::optional<LiveFrame> held_{}; ///< Refused by a full bus; nothing is read before it is gone.
+    bool is_raw_{false};
+    bool tells_own_{false};
+    bool is_ending_{false}; ///< After the last answer.
+};
+
+/// Offers buses by the socketcand protocol. For one thread. [SRS-LIVE-053] [SRS-LIVE-054]
+class SocketcandServer
+{
+  public:
+    /// @brief Listens; port 0: a free one. Throws LiveBusError when it cannot, or when a bus cannot be opened.
+    SocketcandServer(const std::string& host, std::uint16_t port, std::vector<ServedBus> buses);
+    [[nodiscard]] std::uint16_t Port() const;
+    /// @brief Serves for at most that time.
+    void Serve(int milliseconds);
+    [[nodiscard]] ServerCounts Counts() const
+    {
+        return counts_;
+    }
+
+  private:
+    void Accept();
+
+    std::vector<ServedBus> buses_;
+    LiveFile listener_;
+    std::vector<std::unique_ptr<SocketcandClient>> clients_{};
+    ServerCounts counts_{};
+};
+
+} // namespace counterpoint::host
+
+#endif

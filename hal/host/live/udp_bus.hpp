@@ -1,0 +1,51 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef HAL_HOST_LIVE_UDP_BUS_HPP
+#define HAL_HOST_LIVE_UDP_BUS_HPP
+
+#include "hal/host/live/address.hpp"
+#include "hal/host/live/bus.hpp"
+#include "hal/host/live/poll.hpp"
+#include "hal/host/live/send_queue.hpp"
+
+#include <cstdint>
+#include <string>
+#include <sys/types.h>
+
+namespace counterpoint::host
+{
+
+/// A bus for the processes of one machine: a multicast group on the loopback interface, one datagram a frame. Frames of
+/// one sender keep their order; those of two senders may reach two receivers in different orders, and there is no
+/// arbitration. [SRS-LIVE-010..013]
+class LiveUdpBus final : public LiveBus
+{
+  public:
+    LiveUdpBus(const LiveAddress& address, const LiveOptions& options);
+
+    [[nodiscard]] SendResult Send(const LiveFrame& frame) override;
+    [[nodiscard]] bool Receive(LiveFrame& frame) override;
+    [[nodiscard]] int Descriptor() const override;
+    [[nodiscard]] BusHealth Health() const override;
+    [[nodiscard]] std::string Name() const override;
+    [[nodiscard]] bool Restart() override;
+
+  private:
+    void Join();
+    [[nodiscard]] bool Transmit(const LiveFrame& frame);
+    void SendWaiting();
+    [[nodiscard]] bool Unpack(const std::uint8_t* bytes, std::size_t count, LiveFrame& frame) const;
+    void Occupy(const LiveFrame& frame, std::uint64_t from_ns);
+
+    LiveAddress address_;
+    LiveOptions options_;
+    LiveFile socket_;
+    LivePoll poll_{};
+    LiveSendQueue queue_{};
+    std::uint64_t sender_;         ///< Tells own frames from those of others.
+    std::uint64_t free_at_ns_{0U}; ///< When the frames seen so far have left the bus.
+    BusHealth counts_{};
+};
+
+} // namespace counterpoint::host
+
+#endif
