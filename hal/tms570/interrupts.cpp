@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "hal/tms570/interrupts.hpp"
 
-#include "hal/tms570/esm.hpp"
+#include "hal/tms570/diagnosis/esm.hpp"
 
 namespace counterpoint::tms570
 {

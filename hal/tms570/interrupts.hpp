@@ -2,8 +2,8 @@
 #ifndef HAL_TMS570_INTERRUPTS_HPP
 #define HAL_TMS570_INTERRUPTS_HPP
 
-#include "hal/tms570/registers.hpp"
-#include "hal/tms570/variant.hpp"
+#include "hal/tms570/chip/registers.hpp"
+#include "hal/tms570/chip/variant.hpp"
 
 #include <cstdint>
 

@@ -3,7 +3,7 @@
 #define HAL_TMS570_PROBE_HPP
 
 #include "hal/api/exception_record.hpp"
-#include "hal/tms570/registers.hpp"
+#include "hal/tms570/chip/registers.hpp"
 
 #include <cstdint>
 

@@ -2,7 +2,7 @@
 #ifndef HAL_TMS570_START_REPORT_HPP
 #define HAL_TMS570_START_REPORT_HPP
 
-#include "hal/tms570/clocks.hpp"
+#include "hal/tms570/time/clocks.hpp"
 
 #include <cstdint>
 

@@ -229,7 +229,7 @@ def check_origin(ours, theirs):
 def variant_differences(root):
     """Where flash and RAM of hal/tms570/start/image.cmake are not those of hal/tms570/variant.hpp."""
     cmake = (root / "hal/tms570/start/image.cmake").read_text(encoding="utf-8")
-    header = (root / "hal/tms570/variant.hpp").read_text(encoding="utf-8")
+    header = (root / "hal/tms570/chip/variant.hpp").read_text(encoding="utf-8")
     different = []
     for name in VARIANTS:
         lengths = re.search(rf"COUNTERPOINT_MEMORY_{name} 0x(\w+) 0x(\w+) ", cmake)

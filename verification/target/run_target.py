@@ -182,7 +182,7 @@ def check_images(report):
                f"not refused: {'; '.join(missed[:3])}" if missed else f"{count} of {count}", "SRS-FW-016")
     driver_sources.check(report, TARGET, PRODUCT, [folder / f"{device}_be32.elf" for device in firmware_run.DEVICES])
     different = image_check.variant_differences(ROOT)
-    report.add(not different, "memory of the variants as in hal/tms570/variant.hpp", ", ".join(different) or "4 variants", "SRS-FW-017")
+    report.add(not different, "memory of the variants as in hal/tms570/chip/variant.hpp", ", ".join(different) or "4 variants", "SRS-FW-017")
     for variant in image_check.VARIANTS:
         rows = image_check.check(folder / f"own_device_{variant}_be32.elf")
         wrong = [f"{text}: {found}" for holds, text, found in rows if not holds]

@@ -2,9 +2,9 @@
 #ifndef EXAMPLES_FIRMWARE_COMMON_BOARD_NEEDS_HPP
 #define EXAMPLES_FIRMWARE_COMMON_BOARD_NEEDS_HPP
 
-#include "hal/tms570/can_ports.hpp"
-#include "hal/tms570/gio_registers.hpp"
-#include "hal/tms570/variant.hpp"
+#include "hal/tms570/can/can_ports.hpp"
+#include "hal/tms570/output/gio_registers.hpp"
+#include "hal/tms570/chip/variant.hpp"
 #include "safety_core/contract/srdo.hpp"
 
 #include <cstdint>

@@ -4,7 +4,7 @@
 // that is refused stays in the safe state: outputs closed, nERROR low, nobody serves the watchdog.
 #include "examples/firmware/common/device.hpp"
 #include "examples/firmware/common/executive.hpp"
-#include "hal/tms570/processor.hpp"
+#include "hal/tms570/chip/processor.hpp"
 #include "hal/tms570/start/exceptions.hpp"
 #include "hal/tms570/start/memory_map.hpp"
 

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // Registers of a Cortex-R4F or R5F. The instructions have no name in C++ and stand in processor.S.
-#include "hal/tms570/processor.hpp"
+#include "hal/tms570/chip/processor.hpp"
 
 extern "C"
 {

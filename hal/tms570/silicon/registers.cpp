@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // The registers of a controller: one volatile access each, the only place where an address becomes a pointer.
-#include "hal/tms570/registers.hpp"
+#include "hal/tms570/chip/registers.hpp"
 
 namespace counterpoint::tms570
 {

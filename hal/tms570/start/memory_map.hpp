@@ -2,7 +2,7 @@
 #ifndef HAL_TMS570_START_MEMORY_MAP_HPP
 #define HAL_TMS570_START_MEMORY_MAP_HPP
 
-#include "hal/tms570/mpu.hpp"
+#include "hal/tms570/diagnosis/mpu.hpp"
 
 #include <cstdint>
 

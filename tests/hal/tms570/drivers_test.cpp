@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "hal/tms570/cut_off.hpp"
+#include "hal/tms570/output/cut_off.hpp"
 #include "hal/tms570/probe.hpp"
 #include "tests/hal/tms570/rig.hpp"
 #include "verification/trace/verifies.hpp"

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // The comparators that an LC43x has beside that of its processors: VIMs, bus of the idle processor, power domains.
-#include "hal/tms570/lockstep.hpp"
+#include "hal/tms570/diagnosis/lockstep.hpp"
 #include "tests/hal/tms570/rig.hpp"
 #include "verification/trace/verifies.hpp"
 

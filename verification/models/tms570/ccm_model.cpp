@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/models/tms570/ccm_model.hpp"
 
-#include "hal/tms570/lockstep.hpp"
+#include "hal/tms570/diagnosis/lockstep.hpp"
 
 namespace counterpoint::tms570::model
 {

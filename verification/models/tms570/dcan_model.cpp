@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/models/tms570/dcan_model.hpp"
 
-#include "hal/tms570/dcan_registers.hpp"
+#include "hal/tms570/can/dcan_registers.hpp"
 
 namespace counterpoint::tms570::model
 {

@@ -2,8 +2,8 @@
 #ifndef VERIFICATION_MODELS_TMS570_MACHINE_HPP
 #define VERIFICATION_MODELS_TMS570_MACHINE_HPP
 
-#include "hal/tms570/registers.hpp"
-#include "hal/tms570/variant.hpp"
+#include "hal/tms570/chip/registers.hpp"
+#include "hal/tms570/chip/variant.hpp"
 #include "verification/models/tms570/ccm_model.hpp"
 #include "verification/models/tms570/clock_models.hpp"
 #include "verification/models/tms570/dcan_model.hpp"
@@ -22,7 +22,7 @@
 namespace counterpoint::tms570::model
 {
 
-/// A controller made of register models: what the drivers reach through hal/tms570/registers.hpp on a host. One at a
+/// A controller made of register models: what the drivers reach through hal/tms570/chip/registers.hpp on a host. One at a
 /// time. Each access takes a short time, so that a driver which looks and waits sees time go on. [SRS-TMS-001,
 /// SRS-TMS-070]
 class Machine

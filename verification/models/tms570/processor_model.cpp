@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/models/tms570/processor_model.hpp"
 
-#include "hal/tms570/ecc.hpp"
-#include "hal/tms570/mpu_registers.hpp"
+#include "hal/tms570/diagnosis/ecc.hpp"
+#include "hal/tms570/diagnosis/mpu_registers.hpp"
 
 namespace counterpoint::tms570::model
 {

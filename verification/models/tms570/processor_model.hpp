@@ -2,7 +2,7 @@
 #ifndef VERIFICATION_MODELS_TMS570_PROCESSOR_MODEL_HPP
 #define VERIFICATION_MODELS_TMS570_PROCESSOR_MODEL_HPP
 
-#include "hal/tms570/processor.hpp"
+#include "hal/tms570/chip/processor.hpp"
 #include "verification/models/tms570/faults.hpp"
 
 #include <cstdint>

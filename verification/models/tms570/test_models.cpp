@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/models/tms570/test_models.hpp"
 
-#include "hal/tms570/system_registers.hpp"
+#include "hal/tms570/chip/system_registers.hpp"
 
 namespace counterpoint::tms570::model
 {

@@ -2,7 +2,7 @@
 #ifndef VERIFICATION_MODELS_TMS570_VIM_MODEL_HPP
 #define VERIFICATION_MODELS_TMS570_VIM_MODEL_HPP
 
-#include "hal/tms570/variant.hpp"
+#include "hal/tms570/chip/variant.hpp"
 #include "verification/models/tms570/dcan_model.hpp"
 #include "verification/models/tms570/esm_model.hpp"
 #include "verification/models/tms570/peripheral.hpp"

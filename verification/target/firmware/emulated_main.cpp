@@ -4,7 +4,7 @@
 // clocks, watchdog and pins are simulated. The program's argument is the scenario's file. An exception stops the device
 // and starts the image once more, which then tells what the record says.
 #include "examples/firmware/common/device.hpp"
-#include "hal/tms570/mpu.hpp"
+#include "hal/tms570/diagnosis/mpu.hpp"
 #include "hal/tms570/probe.hpp"
 #include "hal/tms570/start/exceptions.hpp"
 #include "hal/tms570/start/memory_map.hpp"

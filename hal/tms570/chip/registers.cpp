@@ -1,0 +1,30 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "hal/tms570/chip/registers.hpp"
+
+namespace counterpoint::tms570
+{
+
+Outcome WaitFor(const Register place, const Bits bits, const Looks most) noexcept
+{
+    for (std::uint32_t look = 0U; look < most.count; ++look)
+    {
+        if ((Read(place) & bits.mask) == bits.value)
+        {
+            return Outcome::kDone;
+        }
+    }
+    return Outcome::kFailed;
+}
+
+Outcome WriteChecked(const Register place, const std::uint32_t value, const std::uint32_t mask) noexcept
+{
+    Write(place, value);
+    return ((Read(place) & mask) == (value & mask)) ? Outcome::kDone : Outcome::kFailed;
+}
+
+void Touch(const Register place) noexcept
+{
+    static_cast<void>(Read(place));
+}
+
+} // namespace counterpoint::tms570
