@@ -3,9 +3,12 @@
 include(CMakePackageConfigHelpers)
 
 set(COUNTERPOINT_INSTALLED_ROOMS safety_core_contract safety_core_comparator hal_api safety_core_kernel safety_core_selftest
-    safety_core_crosslink channel_a channel_b hal_absent canopen_cia301 canopen_cia302
+    safety_core_crosslink channel_a channel_b hal_absent canopen_cia301
+    canopen_cia302_network canopen_cia302_safety_gate canopen_cia302_flying_master canopen_start_up_cia302
+    canopen_start_up_el6751 canopen_start_up_plc_designer canopen_manager
     canopen_cia305 canopen_device canopen_generated)
-set(COUNTERPOINT_INSTALLED_FOLDERS safety_core hal/api hal/absent channel_a channel_b canopen/cia301 canopen/cia302 canopen/cia305
+set(COUNTERPOINT_INSTALLED_FOLDERS safety_core hal/api hal/absent channel_a channel_b canopen/cia301 canopen/cia302 canopen/start_up canopen/manager
+    canopen/cia305
     canopen/device canopen/generated)
 if(COUNTERPOINT_HOST)
   list(APPEND COUNTERPOINT_INSTALLED_ROOMS hal_host)

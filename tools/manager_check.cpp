@@ -2,7 +2,7 @@
 // The findings of CompareFlyingMasters in words, and what network files say beyond the setup of a manager.
 #include "tools/manager_check.hpp"
 
-#include "canopen/cia302/flying_master_compare.hpp"
+#include "canopen/cia302/flying_master/compare.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "tools/manager_check_places.hpp"
 #include "tools/manager_host.hpp"

@@ -2,7 +2,7 @@
 #ifndef TOOLS_MANAGER_CHECK_PLACES_HPP
 #define TOOLS_MANAGER_CHECK_PLACES_HPP
 
-#include "canopen/cia302/flying_master_compare.hpp"
+#include "canopen/cia302/flying_master/compare.hpp"
 #include "canopen/network/loaded_network.hpp"
 
 #include <cstdint>

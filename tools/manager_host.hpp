@@ -2,10 +2,10 @@
 #ifndef TOOLS_MANAGER_HOST_HPP
 #define TOOLS_MANAGER_HOST_HPP
 
-#include "canopen/cia302/el6751_start_up.hpp"
-#include "canopen/cia302/manager.hpp"
-#include "canopen/cia302/plc_start_up.hpp"
-#include "canopen/cia302/start_up_cia302.hpp"
+#include "canopen/start_up/el6751/start_up.hpp"
+#include "canopen/manager/manager.hpp"
+#include "canopen/start_up/plc_designer/start_up.hpp"
+#include "canopen/start_up/cia302/start_up.hpp"
 #include "canopen/network/loaded_network.hpp"
 
 #include <array>

@@ -2,7 +2,7 @@
 #ifndef TOOLS_MANAGER_JOURNAL_HPP
 #define TOOLS_MANAGER_JOURNAL_HPP
 
-#include "canopen/cia302/manager.hpp"
+#include "canopen/manager/manager.hpp"
 #include "tools/manager_host.hpp"
 
 #include <nlohmann/json.hpp>

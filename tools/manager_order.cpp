@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/manager_order.hpp"
 
-#include "canopen/cia302/plc_start_up.hpp"
+#include "canopen/start_up/plc_designer/start_up.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/number.hpp"
 #include "tools/manager_process.hpp"

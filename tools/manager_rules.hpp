@@ -2,7 +2,7 @@
 #ifndef TOOLS_MANAGER_RULES_HPP
 #define TOOLS_MANAGER_RULES_HPP
 
-#include "canopen/cia302/network_objects.hpp"
+#include "canopen/cia302/network/objects.hpp"
 #include "tools/manager_consumers.hpp"
 #include "tools/manager_host.hpp"
 

@@ -1,9 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/manager_words.hpp"
 
-#include "canopen/cia302/el6751_start_up.hpp"
-#include "canopen/cia302/plc_start_up.hpp"
-#include "canopen/cia302/start_up_cia302.hpp"
+#include "canopen/start_up/el6751/start_up.hpp"
+#include "canopen/start_up/plc_designer/start_up.hpp"
+#include "canopen/start_up/cia302/start_up.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "verification/simulator/names.hpp"
 

@@ -2,8 +2,8 @@
 #ifndef TOOLS_MANAGER_WORDS_HPP
 #define TOOLS_MANAGER_WORDS_HPP
 
-#include "canopen/cia302/flying_master.hpp"
-#include "canopen/cia302/manager.hpp"
+#include "canopen/cia302/flying_master/flying_master.hpp"
+#include "canopen/manager/manager.hpp"
 #include "canopen/network/network_plan.hpp"
 
 #include <string>

@@ -2,8 +2,8 @@
 #ifndef TOOLS_NETWORK_PROFILES_HPP
 #define TOOLS_NETWORK_PROFILES_HPP
 
-#include "canopen/cia302/el6751_setup.hpp"
-#include "canopen/cia302/plc_setup.hpp"
+#include "canopen/start_up/el6751/setup.hpp"
+#include "canopen/start_up/plc_designer/setup.hpp"
 #include "canopen/network/network_plan.hpp"
 #include "verification/simulator/fields.hpp"
 

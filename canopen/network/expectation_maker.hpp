@@ -2,7 +2,7 @@
 #ifndef CANOPEN_NETWORK_EXPECTATION_MAKER_HPP
 #define CANOPEN_NETWORK_EXPECTATION_MAKER_HPP
 
-#include "canopen/cia302/safety_check.hpp"
+#include "canopen/cia302/safety_gate/safety_check.hpp"
 #include "canopen/cia306/file/device.hpp"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/network/loaded_network.hpp"
 
-#include "canopen/cia302/concise_dcf.hpp"
+#include "canopen/cia302/network/concise_dcf.hpp"
 #include "canopen/cia306/file/device_reader.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/text_file.hpp"

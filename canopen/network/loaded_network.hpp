@@ -2,7 +2,7 @@
 #ifndef CANOPEN_NETWORK_LOADED_NETWORK_HPP
 #define CANOPEN_NETWORK_LOADED_NETWORK_HPP
 
-#include "canopen/cia302/safety_check.hpp"
+#include "canopen/cia302/safety_gate/safety_check.hpp"
 #include "canopen/cia306/file/device.hpp"
 #include "canopen/network/concise_maker.hpp"
 #include "canopen/network/network_plan.hpp"

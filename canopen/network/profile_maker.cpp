@@ -2,7 +2,7 @@
 #include "canopen/network/profile_maker.hpp"
 
 #include "canopen/cia301/base/cob_id.hpp"
-#include "canopen/cia302/concise_dcf.hpp"
+#include "canopen/cia302/network/concise_dcf.hpp"
 #include "canopen/network/concise_maker.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"

@@ -2,8 +2,8 @@
 #ifndef CANOPEN_NETWORK_PROFILE_MAKER_HPP
 #define CANOPEN_NETWORK_PROFILE_MAKER_HPP
 
-#include "canopen/cia302/el6751_setup.hpp"
-#include "canopen/cia302/plc_setup.hpp"
+#include "canopen/start_up/el6751/setup.hpp"
+#include "canopen/start_up/plc_designer/setup.hpp"
 #include "canopen/cia306/file/device.hpp"
 #include "canopen/network/network_plan.hpp"
 

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // What somebody wrote into a network file and would not get: refused where the network could not work, else told.
-#include "canopen/cia302/concise_dcf.hpp"
+#include "canopen/cia302/network/concise_dcf.hpp"
 #include "canopen/network/loaded_network.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"

@@ -2,9 +2,9 @@
 #ifndef EXAMPLES_NETWORK_MANAGER_MANAGER_DEVICE_HPP
 #define EXAMPLES_NETWORK_MANAGER_MANAGER_DEVICE_HPP
 
-#include "canopen/cia302/flying_master.hpp"
-#include "canopen/cia302/manager.hpp"
-#include "canopen/cia302/start_up_cia302.hpp"
+#include "canopen/cia302/flying_master/flying_master.hpp"
+#include "canopen/manager/manager.hpp"
+#include "canopen/start_up/cia302/start_up.hpp"
 
 namespace counterpoint::examples
 {

@@ -3,7 +3,7 @@
 // The tables of the network: what `counterpoint manager` reads from a network file and its DCFs.
 #include "examples/network_manager/network.hpp"
 
-#include "canopen/cia302/safety_check.hpp"
+#include "canopen/cia302/safety_gate/safety_check.hpp"
 
 namespace counterpoint::examples
 {

@@ -2,8 +2,8 @@
 #ifndef EXAMPLES_NETWORK_MANAGER_NETWORK_HPP
 #define EXAMPLES_NETWORK_MANAGER_NETWORK_HPP
 
-#include "canopen/cia302/flying_master_options.hpp"
-#include "canopen/cia302/flying_master_times.hpp"
+#include "canopen/cia302/flying_master/options.hpp"
+#include "canopen/cia302/flying_master/times.hpp"
 #include "examples/network_manager/manager_device.hpp"
 
 namespace counterpoint::examples

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // The manager as a device: its objects by SDO, and a negotiation by order.
-#include "canopen/cia302/concise_dcf.hpp"
+#include "canopen/cia302/network/concise_dcf.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "tests/tools/manager_rig.hpp"
 #include "verification/trace/verifies.hpp"

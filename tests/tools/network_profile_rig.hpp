@@ -3,7 +3,7 @@
 #ifndef TESTS_TOOLS_NETWORK_PROFILE_RIG_HPP
 #define TESTS_TOOLS_NETWORK_PROFILE_RIG_HPP
 
-#include "canopen/cia302/concise_dcf.hpp"
+#include "canopen/cia302/network/concise_dcf.hpp"
 #include "canopen/network/loaded_network.hpp"
 #include "tests/tools/command_run.hpp"
 #include "tools/network_file.hpp"

@@ -2,7 +2,7 @@
 #ifndef VERIFICATION_ELECTIONS_WORLD_HPP
 #define VERIFICATION_ELECTIONS_WORLD_HPP
 
-#include "canopen/cia302/flying_master.hpp"
+#include "canopen/cia302/flying_master/flying_master.hpp"
 #include "verification/elections/bus.hpp"
 #include "verification/simulator/random.hpp"
 

@@ -31,7 +31,11 @@ def compiled(build):
 
 def linked_drivers(link_map):
     """Drivers in an image, from the linker's map."""
-    return {f"hal/tms570/{name}" for name in re.findall(r"libhal_tms570\.a\(([\w.]+\.cpp)\.obj\)$", link_map.read_text(encoding="utf-8"), re.MULTILINE)}
+    members = re.findall(r"libhal_tms570\.a\(([\w.]+\.cpp)\.obj\)$", link_map.read_text(encoding="utf-8"), re.MULTILINE)
+    # An archive knows no folders; no two drivers have one name.
+    places = {path.name: path.relative_to(ROOT).as_posix() for path in (ROOT / "hal/tms570").rglob("*.cpp")
+              if path.parent.name not in ("silicon", "start")}
+    return {places.get(name, name) for name in members}
 
 
 def tested(build, program):

@@ -15,7 +15,13 @@ CERTIFIED = [("safety_core/comparator", "safety_core/comparator/libsafety_core_c
              ("channel_b", "channel_b/libchannel_b.a")]
 # The services of a device and the network manager.
 SERVICES = [("canopen/cia301", "canopen/cia301/libcanopen_cia301.a"),
-            ("canopen/cia302", "canopen/cia302/libcanopen_cia302.a"),
+            ("canopen/cia302/network", "canopen/cia302/network/libcanopen_cia302_network.a"),
+            ("canopen/cia302/safety_gate", "canopen/cia302/safety_gate/libcanopen_cia302_safety_gate.a"),
+            ("canopen/cia302/flying_master", "canopen/cia302/flying_master/libcanopen_cia302_flying_master.a"),
+            ("canopen/start_up/cia302", "canopen/start_up/cia302/libcanopen_start_up_cia302.a"),
+            ("canopen/start_up/el6751", "canopen/start_up/el6751/libcanopen_start_up_el6751.a"),
+            ("canopen/start_up/plc_designer", "canopen/start_up/plc_designer/libcanopen_start_up_plc_designer.a"),
+            ("canopen/manager", "canopen/manager/libcanopen_manager.a"),
             ("canopen/cia305", "canopen/cia305/libcanopen_cia305.a"),
             ("canopen/device", "canopen/device/libcanopen_device.a"),
             ("canopen/generated", "canopen/generated/libcanopen_generated.a")]

@@ -4,7 +4,7 @@ import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CERTIFIED_TARGETS = ["safety_core_comparator", "safety_core_kernel", "safety_core_selftest", "safety_core_crosslink", "hal_api", "channel_a", "channel_b"]
-SERVICE_TARGETS = ["canopen_cia301", "canopen_cia302", "canopen_cia305", "canopen_device", "canopen_generated"]
+SERVICE_TARGETS = ["canopen_cia301", "canopen_cia302_network", "canopen_cia302_safety_gate", "canopen_cia302_flying_master", "canopen_start_up_cia302", "canopen_start_up_el6751", "canopen_start_up_plc_designer", "canopen_manager", "canopen_cia305", "canopen_device", "canopen_generated"]
 JOBS = "2"
 
 

@@ -2,7 +2,7 @@
 #ifndef TESTS_CANOPEN_CIA302_BOOT_RIG_HPP
 #define TESTS_CANOPEN_CIA302_BOOT_RIG_HPP
 
-#include "canopen/cia302/start_up_cia302.hpp"
+#include "canopen/start_up/cia302/start_up.hpp"
 #include "tests/canopen/cia302/fake_slave.hpp"
 #include "verification/trace/verifies.hpp"
 

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Windows and times of PDOs to the microsecond.
-#include "canopen/cia302/el6751_pdos.hpp"
+#include "canopen/start_up/el6751/pdos.hpp"
 #include "tests/canopen/cia301/keeping_sink.hpp"
 #include "verification/trace/verifies.hpp"
 

@@ -2,7 +2,7 @@
 #ifndef TESTS_CANOPEN_CIA302_EL6751_RIG_HPP
 #define TESTS_CANOPEN_CIA302_EL6751_RIG_HPP
 
-#include "canopen/cia302/el6751_start_up.hpp"
+#include "canopen/start_up/el6751/start_up.hpp"
 #include "tests/canopen/cia302/profile_rig.hpp"
 
 #include <array>

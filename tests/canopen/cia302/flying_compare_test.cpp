@@ -1,10 +1,10 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // Three masters of one network, alike but for one thing.
-#include "canopen/cia302/el6751_setup.hpp"
-#include "canopen/cia302/flying_master_compare.hpp"
-#include "canopen/cia302/plc_setup.hpp"
-#include "canopen/cia302/safety_check.hpp"
+#include "canopen/start_up/el6751/setup.hpp"
+#include "canopen/cia302/flying_master/compare.hpp"
+#include "canopen/start_up/plc_designer/setup.hpp"
+#include "canopen/cia302/safety_gate/safety_check.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 // master 5 (level 2, which does) and slave 5Fh. Preset so1114, 125 kbit/s, cycle 1 ms.
 #include "canopen/cia301/nmt/heartbeat_consumer.hpp"
 #include "canopen/cia301/nmt/heartbeat_producer.hpp"
-#include "canopen/cia302/flying_master.hpp"
+#include "canopen/cia302/flying_master/flying_master.hpp"
 #include "hal/host/virtual/bus.hpp"
 #include "verification/trace/verifies.hpp"
 

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // 1F90h as the dictionary sees it.
-#include "canopen/cia302/flying_master_times.hpp"
+#include "canopen/cia302/flying_master/times.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #ifndef TESTS_CANOPEN_CIA302_FLYING_RIG_HPP
 #define TESTS_CANOPEN_CIA302_FLYING_RIG_HPP
 
-#include "canopen/cia302/flying_master.hpp"
+#include "canopen/cia302/flying_master/flying_master.hpp"
 
 #include <array>
 #include <cstdint>

@@ -2,7 +2,7 @@
 #ifndef TESTS_CANOPEN_CIA302_GATE_RIG_HPP
 #define TESTS_CANOPEN_CIA302_GATE_RIG_HPP
 
-#include "canopen/cia302/safety_gate.hpp"
+#include "canopen/cia302/safety_gate/safety_gate.hpp"
 #include "tests/canopen/device/device_rig.hpp"
 
 #include <algorithm>

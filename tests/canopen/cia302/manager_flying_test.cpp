@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // A manager with a flying master and a profile that does nothing: what it does with the role that was negotiated.
-#include "canopen/cia302/manager.hpp"
+#include "canopen/manager/manager.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia302/network_objects.hpp"
-#include "canopen/cia302/safety_check.hpp"
+#include "canopen/cia302/network/objects.hpp"
+#include "canopen/cia302/safety_gate/safety_check.hpp"
 #include "tests/canopen/cia302/boot_rig.hpp"
 
 #include <algorithm>

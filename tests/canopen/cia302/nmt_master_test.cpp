@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia302/nmt_master.hpp"
+#include "canopen/cia302/network/nmt_master.hpp"
 #include "tests/canopen/cia301/keeping_sink.hpp"
 #include "tests/canopen/cia302/boot_rig.hpp"
 #include "verification/trace/verifies.hpp"

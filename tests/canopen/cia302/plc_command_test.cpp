@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Commands of the application and of 1F82h under the PLC Designer profile.
-#include "canopen/cia302/network_objects.hpp"
+#include "canopen/cia302/network/objects.hpp"
 #include "tests/canopen/cia302/plc_rig.hpp"
 
 namespace counterpoint::cia302

@@ -2,7 +2,7 @@
 #ifndef TESTS_CANOPEN_CIA302_PLC_RIG_HPP
 #define TESTS_CANOPEN_CIA302_PLC_RIG_HPP
 
-#include "canopen/cia302/plc_start_up.hpp"
+#include "canopen/start_up/plc_designer/start_up.hpp"
 #include "tests/canopen/cia302/profile_rig.hpp"
 
 #include <array>

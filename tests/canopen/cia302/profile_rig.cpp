@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tests/canopen/cia302/profile_rig.hpp"
 
-#include "canopen/cia302/safety_check.hpp"
+#include "canopen/cia302/safety_gate/safety_check.hpp"
 
 #include <algorithm>
 #include <cstdio>

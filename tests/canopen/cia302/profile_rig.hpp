@@ -2,7 +2,7 @@
 #ifndef TESTS_CANOPEN_CIA302_PROFILE_RIG_HPP
 #define TESTS_CANOPEN_CIA302_PROFILE_RIG_HPP
 
-#include "canopen/cia302/start_up.hpp"
+#include "canopen/cia302/network/start_up.hpp"
 #include "tests/canopen/cia302/boot_rig.hpp"
 #include "tests/canopen/cia302/bus_slave.hpp"
 

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // The CiA 302-2 start-up in front of a whole safety device: real kernel, real services, real gate.
-#include "canopen/cia302/start_up_cia302.hpp"
+#include "canopen/start_up/cia302/start_up.hpp"
 #include "tests/canopen/cia302/gate_rig.hpp"
 
 namespace counterpoint::cia302

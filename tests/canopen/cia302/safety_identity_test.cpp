@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Who a safety slave is, asked with each verification and before each writing.
-#include "canopen/cia302/el6751_setup.hpp"
+#include "canopen/start_up/el6751/setup.hpp"
 #include "tests/canopen/cia302/manager_rig.hpp"
 
 namespace counterpoint::cia302

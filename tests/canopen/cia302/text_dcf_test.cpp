@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia302/text_dcf.hpp"
+#include "canopen/cia302/network/text_dcf.hpp"
 #include "tests/canopen/cia302/boot_rig.hpp"
 
 #include <string>

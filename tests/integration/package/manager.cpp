@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // A network manager linked from the installed package alone. Its network is empty, so that it is OPERATIONAL at once.
-#include "canopen/cia302/manager.hpp"
-#include "canopen/cia302/start_up_cia302.hpp"
+#include "canopen/manager/manager.hpp"
+#include "canopen/start_up/cia302/start_up.hpp"
 
 #include <cstdio>
 

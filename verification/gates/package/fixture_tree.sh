@@ -9,7 +9,7 @@ manager=$made/data/package/include/canopen/cia302
 mkdir -p "$config" "$manager" "$made/tree/tests/integration/package" "$made/tree/docs" "$example"
 printf 'add_library(Counterpoint::%s INTERFACE IMPORTED)\nset_target_properties(Counterpoint::%s PROPERTIES INTERFACE_LINK_LIBRARIES "%s")\n' \
     "$2" "$2" "$3" >"$config/CounterpointConfig.cmake"
-printf 'add_library(Counterpoint::canopen_cia302 INTERFACE IMPORTED)\ntarget_include_directories(Counterpoint::canopen_cia302 INTERFACE %s)\n' \
+printf 'add_library(Counterpoint::canopen_manager INTERFACE IMPORTED)\ntarget_include_directories(Counterpoint::canopen_manager INTERFACE %s)\n' \
     "$made/data/package/include" >>"$config/CounterpointConfig.cmake"
 echo 'inline bool IsOperational() { return true; }' >"$manager/manager.hpp"
 cat >"$made/tree/tests/integration/package/CMakeLists.txt" <<'TEXT'
@@ -19,10 +19,10 @@ find_package(Counterpoint REQUIRED)
 add_executable(consumer main.cpp)
 target_link_libraries(consumer PRIVATE Counterpoint::channel_a)
 add_executable(manager_consumer manager.cpp)
-target_link_libraries(manager_consumer PRIVATE Counterpoint::canopen_cia302)
+target_link_libraries(manager_consumer PRIVATE Counterpoint::canopen_manager)
 TEXT
 echo 'int main() { return 0; }' >"$made/tree/tests/integration/package/main.cpp"
-printf '#include "canopen/cia302/manager.hpp"\nint main() { return IsOperational() ? 0 : 1; }\n' \
+printf '#include "canopen/manager/manager.hpp"\nint main() { return IsOperational() ? 0 : 1; }\n' \
     >"$made/tree/tests/integration/package/manager.cpp"
 cat >"$example/CMakeLists.txt" <<'TEXT'
 cmake_minimum_required(VERSION 3.25)

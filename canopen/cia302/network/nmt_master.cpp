@@ -1,0 +1,171 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia302/network/nmt_master.hpp"
+
+namespace counterpoint::cia302
+{
+namespace
+{
+
+constexpr std::uint32_t kUsPerInhibitUnit = 100U;
+constexpr std::uint32_t kFreshUs = 10000U; ///< What was verified before a start is not older when the start leaves.
+
+} // namespace
+
+NmtMaster::NmtMaster(const NmtMasterParts& parts) noexcept
+    : parts_(parts), first_(0U), waiting_(0U), dropped_(0U), last_{0U}, has_sent_(false), is_sending_(false),
+      is_active_(false)
+{
+}
+
+void NmtMaster::SetActive(const bool is_active) noexcept
+{
+    is_active_ = is_active;
+    waiting_ = is_active ? waiting_ : std::uint16_t{0U};
+}
+
+bool NmtMaster::IsActive() const noexcept
+{
+    return is_active_;
+}
+
+NmtAnswer NmtMaster::Check(const NmtRequest& request) const noexcept
+{
+    const bool is_start = (request.command == NmtCommand::kStart);
+    NmtAnswer answer = NmtAnswer::kTaken;
+    if (!IsNmtCommand(request.command) || (request.node.value > kLastNode))
+    {
+        answer = NmtAnswer::kWrong;
+    }
+    else if (!is_active_)
+    {
+        answer = NmtAnswer::kNotActive;
+    }
+    else if (is_start && (request.node.value == kAllNodes.value))
+    {
+        answer = parts_.setup.HasSafetySlave() ? NmtAnswer::kNoBroadcast : NmtAnswer::kTaken;
+    }
+    else if (is_start && parts_.setup.IsSafetySlave(request.node) && !parts_.gate.MayStart(request.node))
+    {
+        answer = NmtAnswer::kNotVerified;
+    }
+    return answer;
+}
+
+NmtAnswer NmtMaster::Request(const NmtCommand command, const NodeId node, const Instant now) noexcept
+{
+    const NmtRequest request{command, node, now};
+    NmtAnswer answer = Check(request);
+    if ((answer == NmtAnswer::kTaken) && (waiting_ >= parts_.room.count))
+    {
+        answer = NmtAnswer::kQueueFull;
+    }
+    if (answer == NmtAnswer::kTaken)
+    {
+        const std::uint32_t end = (std::uint32_t{first_} + waiting_) % parts_.room.count;
+        parts_.room.requests[end] = request;
+        ++waiting_;
+        if (!is_sending_)
+        {
+            OnCycle(now);
+        }
+    }
+    return answer;
+}
+
+NmtAnswer NmtMaster::RequestEach(const NmtCommand command, const NodeId except, const Instant now) noexcept
+{
+    NmtAnswer worst = NmtAnswer::kTaken;
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        if (parts_.setup.IsListed(NodeId{id}) && (id != except.value))
+        {
+            const NmtAnswer answer = Request(command, NodeId{id}, now);
+            worst = (worst == NmtAnswer::kTaken) ? answer : worst;
+        }
+    }
+    return worst;
+}
+
+void NmtMaster::DropStarts(const NodeId node) noexcept
+{
+    for (std::uint16_t i = 0U; i < waiting_; ++i)
+    {
+        NmtRequest& request = parts_.room.requests[(std::uint32_t{first_} + i) % parts_.room.count];
+        const bool is_it = (request.command == NmtCommand::kStart) && (request.node.value == node.value);
+        request.command = is_it ? NmtCommand::kInvalid : request.command; // Falls out when its turn comes.
+    }
+}
+
+/// A start of a safety slave that waited too long: the slave may have been changed meanwhile. [SRS-SFS-002]
+bool NmtMaster::IsStale(const NmtRequest& request, const Instant now) const noexcept
+{
+    const bool is_start = (request.command == NmtCommand::kStart) && parts_.setup.IsSafetySlave(request.node);
+    return is_start && ((now.us - request.since.us) > kFreshUs);
+}
+
+/// In order: what waits for the inhibit time or for room in the sink keeps all behind it waiting.
+void NmtMaster::OnCycle(const Instant now) noexcept
+{
+    bool is_going = true;
+    const std::uint32_t inhibit_us = kUsPerInhibitUnit * parts_.setup.inhibit_100us;
+    has_sent_ = has_sent_ && ((now.us - last_.us) < inhibit_us); // In each cycle: the counter comes round.
+    is_sending_ = true;
+    while (is_going && (waiting_ > 0U))
+    {
+        const NmtRequest request = parts_.room.requests[first_];
+        const bool is_right = (Check(request) == NmtAnswer::kTaken) && !IsStale(request, now);
+        is_going = !is_right || Emit(request, now);
+        if (is_going)
+        {
+            first_ = static_cast<std::uint16_t>((first_ + 1U) % parts_.room.count);
+            --waiting_;
+            dropped_ += is_right ? 0U : 1U;
+            if (is_right)
+            {
+                parts_.table.OnNmtSent(request, now);
+                parts_.listener.OnNmtSent(request, now);
+            }
+            else if (request.command == NmtCommand::kStart)
+            {
+                parts_.listener.OnStartDropped(request.node, now);
+            }
+            else
+            {
+                // Of no concern any more.
+            }
+        }
+    }
+    is_sending_ = false;
+}
+
+/// Whether it left. What is for the own node alone does not go to the bus.
+bool NmtMaster::Emit(const NmtRequest& request, const Instant now) noexcept
+{
+    const bool is_broadcast = (request.node.value == kAllNodes.value); // A master without node-ID has this one too.
+    bool has_left = !is_broadcast && (request.node.value == parts_.setup.own.value);
+    const bool is_inhibited = has_sent_ && (parts_.setup.inhibit_100us > 0U);
+    if (!has_left && !is_inhibited)
+    {
+        const CanFrame frame{0U,
+                             FrameKind::kData,
+                             CanPortId::kFirst,
+                             2U,
+                             {static_cast<std::uint8_t>(request.command), request.node.value}};
+        has_left = parts_.sink.Send(frame);
+        has_sent_ = has_left;
+        last_ = now;
+    }
+    return has_left;
+}
+
+std::uint16_t NmtMaster::Waiting() const noexcept
+{
+    return waiting_;
+}
+
+std::uint32_t NmtMaster::Dropped() const noexcept
+{
+    return dropped_;
+}
+
+} // namespace counterpoint::cia302

@@ -1,0 +1,90 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA302_NETWORK_NMT_MASTER_HPP
+#define CANOPEN_CIA302_NETWORK_NMT_MASTER_HPP
+
+#include "canopen/cia301/nmt/frame_sink.hpp"
+#include "canopen/cia302/network/setup.hpp"
+#include "canopen/cia302/network/nmt_command.hpp"
+#include "canopen/cia302/network/start_gate.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::cia302
+{
+
+enum class NmtAnswer : std::uint8_t
+{
+    kInvalid = 0U,
+    kTaken = 0x69U,
+    kQueueFull = 1U,
+    kNotActive = 2U,   ///< This device is not the active master.
+    kNoBroadcast = 3U, ///< A start of all nodes while a safety slave is assigned.
+    kNotVerified = 4U, ///< A start of a safety slave whose configuration was not verified since its boot-up.
+    kWrong = 5U,       ///< No such command or node.
+    kOtherDevice = 6U, ///< A start of a slave whose start-up did not find the expected device.
+    kPartly = 7U,      ///< A command for all: some nodes are in a state that does not allow it, the others obey.
+};
+
+/// Room for commands that wait, kept by reference. 256 hold one command for each node and the answer to it.
+struct NmtQueueRoom
+{
+    NmtRequest* requests;
+    std::uint16_t count;
+};
+
+struct NmtMasterParts
+{
+    const NetworkSetup& setup;
+    NmtQueueRoom room;
+    cia301::FrameSink& sink;
+    NmtListener& table;    ///< The node table.
+    NmtListener& listener; ///< Of the application: obeys commands for the own node and for all.
+    const StartGate& gate; ///< Tells who may be started.
+};
+
+/// The one place where NMT commands leave the device: in order, with 102Ah between two of them. A start of a safety
+/// slave is checked when it is asked for and once more when it leaves. Not reentrant.
+class NmtMaster
+{
+  public:
+    explicit NmtMaster(const NmtMasterParts& parts) noexcept;
+
+    /// @brief Whether this device is the active master; inactive at first. On losing this the queue is emptied.
+    /// [SRS-NMM-002]
+    void SetActive(bool is_active) noexcept;
+    [[nodiscard]] bool IsActive() const noexcept;
+
+    /// @brief Puts a command into the queue, and sends it at once if the inhibit time is over and nothing waits. What
+    /// is refused, and why: see NmtAnswer. [SRS-NMM-001..005]
+    [[nodiscard]] NmtAnswer Request(NmtCommand command, NodeId node, Instant now) noexcept;
+    /// @brief The command singly to each node of the network list but `except` (0: nobody) and the own
+    /// node: kTaken, or the first refusal, while the others are asked for. O(127)
+    [[nodiscard]] NmtAnswer RequestEach(NmtCommand command, NodeId except, Instant now) noexcept;
+    /// @brief The node begins anew: starts of it that wait are dropped. O(queue)
+    void DropStarts(NodeId node) noexcept;
+    /// @brief Sends what is due. Call once a cycle. O(commands that leave) [SRS-NMM-001]
+    void OnCycle(Instant now) noexcept;
+
+    /// @brief Commands that wait.
+    [[nodiscard]] std::uint16_t Waiting() const noexcept;
+    /// @brief Starts that were taken and did not leave: the gate closed meanwhile, or the node began anew.
+    [[nodiscard]] std::uint32_t Dropped() const noexcept;
+
+  private:
+    [[nodiscard]] NmtAnswer Check(const NmtRequest& request) const noexcept;
+    [[nodiscard]] bool IsStale(const NmtRequest& request, Instant now) const noexcept;
+    [[nodiscard]] bool Emit(const NmtRequest& request, Instant now) noexcept;
+
+    NmtMasterParts parts_;
+    std::uint16_t first_;
+    std::uint16_t waiting_;
+    std::uint32_t dropped_;
+    Instant last_; ///< When a frame left, only with `has_sent_`.
+    bool has_sent_;
+    bool is_sending_; ///< A listener that asks for more is served by the running OnCycle.
+    bool is_active_;
+};
+
+} // namespace counterpoint::cia302
+
+#endif

@@ -1,0 +1,195 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia302/network/node_watch.hpp"
+
+#include "canopen/cia302/network/nmt_command.hpp"
+
+namespace counterpoint::cia302
+{
+namespace
+{
+
+constexpr std::uint32_t kEmergencies = 0x80U;
+constexpr std::uint32_t kAnswers = 0x580U;
+constexpr std::uint32_t kRequests = 0x600U;
+constexpr std::uint32_t kErrorControl = 0x700U;
+constexpr std::uint32_t kNodeMask = 0x7FU;
+constexpr std::uint8_t kEmergencyBytes = 8U;
+constexpr std::uint32_t kUsPerMs = 1000U;
+
+} // namespace
+
+NodeWatch::NodeWatch(const NetworkSetup& setup, WatchedNode* const nodes, NodeWatchListener& listener) noexcept
+    : setup_(setup), nodes_(nodes), listener_(listener)
+{
+}
+
+void NodeWatch::OnFrame(const CanFrame& frame, const Instant now) noexcept
+{
+    const NodeId node{static_cast<std::uint8_t>(frame.identifier & kNodeMask)};
+    const std::uint32_t function = frame.identifier & ~kNodeMask;
+    const bool is_data = (frame.kind == FrameKind::kData) && (node.value != 0U);
+    OnSent(frame); // Others ask too.
+    if (is_data && (function == kEmergencies) && (frame.length_bytes == kEmergencyBytes))
+    {
+        OnEmergency(node, frame, now);
+    }
+    else if (is_data && (function == kErrorControl) && (frame.length_bytes == 1U))
+    {
+        OnAnswer(node, frame, now);
+        OnSign(node, frame.data[0], now);
+    }
+    else if (is_data && (function == kAnswers))
+    {
+        OnAnswer(node, frame, now);
+    }
+    else
+    {
+        // Of no concern here.
+    }
+}
+
+/// Questions alone: what is asked by whom makes no difference.
+void NodeWatch::OnSent(const CanFrame& frame) noexcept
+{
+    const std::uint32_t node = frame.identifier & kNodeMask;
+    const std::uint32_t function = frame.identifier & ~kNodeMask;
+    const bool is_remote = (frame.kind == FrameKind::kRemote);
+    const bool is_question = (function == kErrorControl) ? is_remote : ((function == kRequests) && !is_remote);
+    if (is_question && (node != 0U))
+    {
+        AnswerWatch::OnQuestion(nodes_[node].asked, frame);
+    }
+    else if (frame.identifier == 0U)
+    {
+        OnReset(frame);
+    }
+    else
+    {
+        // Nothing that a node answers.
+    }
+}
+
+void NodeWatch::OnReset(const CanFrame& frame) noexcept
+{
+    constexpr std::uint8_t kCommandBytes = 2U;
+    const auto command = static_cast<NmtCommand>(frame.data[0]);
+    const bool is_reset = (frame.kind == FrameKind::kData) && (frame.length_bytes == kCommandBytes) &&
+                          ((command == NmtCommand::kResetNode) || (command == NmtCommand::kResetCommunication));
+    for (std::uint8_t id = 1U; is_reset && (id <= kLastNode); ++id)
+    {
+        if ((frame.data[1] == kAllNodes.value) || (frame.data[1] == id))
+        {
+            AnswerWatch::OnReset(nodes_[id].asked);
+        }
+    }
+}
+
+/// Only this device itself answers with its own node-ID.
+void NodeWatch::OnAnswer(const NodeId node, const CanFrame& frame, const Instant now) noexcept
+{
+    const bool is_too_many = AnswerWatch::OnAnswer(nodes_[node.value].asked, frame);
+    if (is_too_many || (node.value == setup_.own.value))
+    {
+        Suspect(node, now);
+    }
+}
+
+void NodeWatch::OnEmergency(const NodeId node, const CanFrame& frame, const Instant now) noexcept
+{
+    EmergencyRecord& record = nodes_[node.value].emergency;
+    record.code = static_cast<std::uint16_t>(frame.data[0] | (std::uint32_t{frame.data[1]} << 8U));
+    record.error_register = frame.data[2];
+    for (std::uint32_t byte = 0U; byte < sizeof(record.details); ++byte)
+    {
+        record.details[byte] = frame.data[byte + 3U];
+    }
+    ++record.count;
+    if (!record.has_told || ((now.us - record.told.us) >= kEmergencyGapUs))
+    {
+        Tell(node, now);
+    }
+    else
+    {
+        ++record.untold;
+    }
+}
+
+void NodeWatch::Tell(const NodeId node, const Instant now) noexcept
+{
+    EmergencyRecord& record = nodes_[node.value].emergency;
+    record.has_told = true;
+    record.told = now;
+    listener_.OnEmergency(node, record, now);
+    record.untold = 0U;
+}
+
+/// The error reset behind an error is not to be the one that is left out.
+void NodeWatch::OnCycle(const Instant now) noexcept
+{
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        EmergencyRecord& record = nodes_[id].emergency;
+        const bool is_over = record.has_told && ((now.us - record.told.us) >= kEmergencyGapUs);
+        if (is_over && (record.untold > 0U))
+        {
+            --record.untold; // The last one is told itself.
+            Tell(NodeId{id}, now);
+        }
+        else if (is_over)
+        {
+            record.has_told = false; // Before the counter comes round.
+        }
+        else
+        {
+            // Nothing to tell, or not yet.
+        }
+    }
+}
+
+/// A restart has its own boot-up message and first heartbeat: the count begins anew behind them.
+void NodeWatch::OnSign(const NodeId node, const std::uint8_t byte, const Instant now) noexcept
+{
+    constexpr std::uint8_t kBootUp = 0U;
+    WatchedNode& watched = nodes_[node.value];
+    const std::uint32_t window_us = std::uint32_t{setup_.Slave(node).heartbeat.producer_ms} * kUsPerMs * kWindowPeriods;
+    const bool is_new = (watched.signs == 0U) || ((now.us - watched.window.us) > window_us);
+    watched.window = is_new ? now : watched.window;
+    watched.signs = is_new ? std::uint8_t{1U} : static_cast<std::uint8_t>(watched.signs + 1U);
+    watched.signs = (byte == kBootUp) ? std::uint8_t{0U} : watched.signs;
+    const bool is_too_often = (window_us > 0U) && (watched.signs >= kWindowSigns);
+    if (is_too_often)
+    {
+        watched.signs = 0U;
+        Suspect(node, now);
+    }
+}
+
+void NodeWatch::Suspect(const NodeId node, const Instant now) noexcept
+{
+    WatchedNode& watched = nodes_[node.value];
+    if (!watched.is_duplicate)
+    {
+        watched.is_duplicate = true;
+        listener_.OnDuplicate(node, now);
+    }
+}
+
+void NodeWatch::CountAnew(const NodeId node) noexcept
+{
+    nodes_[node.value].signs = 0U;
+}
+
+void NodeWatch::Forget(const NodeId node) noexcept
+{
+    WatchedNode& watched = nodes_[node.value];
+    watched.asked = watched.is_duplicate ? AskedNode{} : watched.asked; // Else the count goes on.
+    watched.signs = 0U;
+    watched.is_duplicate = false;
+}
+
+const WatchedNode& NodeWatch::Of(const NodeId node) const noexcept
+{
+    return nodes_[node.value];
+}
+
+} // namespace counterpoint::cia302

@@ -1,0 +1,69 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA302_SAFETY_GATE_SAFETY_GATE_HPP
+#define CANOPEN_CIA302_SAFETY_GATE_SAFETY_GATE_HPP
+
+#include "canopen/cia302/safety_gate/safety_check.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::cia302
+{
+
+/// One safety slave. Zero-filled at first.
+struct SafetySlot
+{
+    NodeId node;
+    std::uint32_t permit; ///< Derived from the node-ID while the gate is open; everything else grants nothing.
+    SafetyCheck check;
+    bool is_doubted; ///< Nothing that it says is believed.
+};
+
+/// Room for as many slaves as have an expectation, kept by reference.
+struct SafetySlots
+{
+    SafetySlot* slots;
+    std::uint8_t count;
+};
+
+/// Lets a safety slave be started only after all its safety objects were read and found as expected, since it last
+/// booted up, was reset or was lost. A slave for which there is no slot is never let through, nor is one in doubt:
+/// State is kFailed, Finding names object 0000h and kGeneral. Slaves are verified independently of each other. Not
+/// reentrant. [SRS-SFS-001..008]
+class SafetyGate final : public StartGate
+{
+  public:
+    SafetyGate(const NetworkSetup& setup, const SafetySlots& room, SdoPool& sdo) noexcept;
+
+    /// @brief Who a slave is, is asked as this rule says from the next verification on; kCia302 before. [SRS-SFS-010]
+    void Use(IdentityRule rule) noexcept;
+    /// @brief Reads and compares from the beginning; kBusy until that ends. In doubt, or without a slot,
+    /// nothing happens. [SRS-SFS-001]
+    void Verify(NodeId node, Instant now) noexcept override;
+    /// @brief Writes the whole safety configuration, then as Verify. The slave has to be PRE-OPERATIONAL: it refuses
+    /// otherwise. False: no safety slave, in doubt, or no slot. [SRS-SFS-005]
+    [[nodiscard]] bool Write(NodeId node, Instant now) noexcept;
+    /// @brief Two devices may be behind this node-ID: closed, and not to be opened until Trust. [SRS-SFS-002]
+    void Doubt(NodeId node) noexcept;
+    /// @brief The node was reset: it may be verified again.
+    void Trust(NodeId node) noexcept;
+    /// @brief What runs begins again: it may have been another device that answered until now. [SRS-SFS-002]
+    void Renew(NodeId node) noexcept;
+    void OnCycle(Instant now) noexcept override;
+    void Close(NodeId node) noexcept override;
+    [[nodiscard]] GateState State(NodeId node) const noexcept override;
+    [[nodiscard]] GateFinding Finding(NodeId node) const noexcept override;
+
+  private:
+    [[nodiscard]] SafetySlot* Find(NodeId node) const noexcept;
+    [[nodiscard]] bool Begin(NodeId node, SafetyTask task) noexcept;
+    void Cancel(const SafetySlot& slot) noexcept;
+
+    const NetworkSetup& setup_;
+    SafetySlots room_;
+    SdoPool& sdo_;
+    IdentityRule rule_;
+};
+
+} // namespace counterpoint::cia302
+
+#endif

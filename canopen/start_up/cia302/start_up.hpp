@@ -1,0 +1,100 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_START_UP_CIA302_START_UP_HPP
+#define CANOPEN_START_UP_CIA302_START_UP_HPP
+
+#include "canopen/start_up/cia302/boot_slave.hpp"
+
+namespace counterpoint::cia302
+{
+
+/// Where the master is; MasterState tells the number.
+enum class MasterStep : std::int16_t
+{
+    kIdle = 0,
+    kReset = 1, ///< Resets leave.
+    kBooting = 2,
+    kHalted = 3, ///< A mandatory slave failed.
+    kReady = 4,  ///< All mandatory slaves are booted; the application starts the master.
+    kOperational = 5,
+    kStopped = 6, ///< By error handling: all nodes were stopped. Begin starts anew.
+};
+
+/// Start-up and error handling after CiA 302-2: see StartUp. `records` has kNodeRoom elements by node-ID, kept by
+/// reference as the parts. After error handling has reset all nodes (1F80h bit 4) the start-up begins anew by itself;
+/// the listener of the NMT master obeys what is for the own node.
+class Cia302StartUp final : public StartUp, private BootListener
+{
+  public:
+    Cia302StartUp(const StartUpParts& parts, BootRecord* records) noexcept;
+
+    /// @brief Nothing without 1F80h bit 0. [SRS-BOOT-001, 002, 021]
+    void Begin(Instant now) noexcept override;
+    void End() noexcept override;
+    void OnFrame(const CanFrame& frame, Instant now) noexcept override;
+    void OnCycle(Instant now) noexcept override;
+    void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept override;
+    void OnStartDropped(NodeId node, Instant now) noexcept override;
+    /// @brief Boots that ran are begun anew, those that failed, and those whose start has not left. [SRS-BOOT-018]
+    void OnBusBack(Instant now) noexcept override;
+    [[nodiscard]] NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept override;
+    [[nodiscard]] bool Boot(NodeId node, Instant now) noexcept override;
+    /// @brief False after a stop of all by error handling, too: slaves are booted by order then. [SRS-BOOT-017]
+    [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept override;
+    /// @brief Writes the configuration alone. False: not listed, its boot runs, it is STOPPED, a safety slave that is
+    /// another device than the expected one, or no start-up runs. [SRS-NMM-009]
+    [[nodiscard]] bool Configure(NodeId node, Instant now) noexcept override;
+
+    [[nodiscard]] NodeStatus Status(NodeId node) const noexcept override;
+    [[nodiscard]] std::int16_t MasterState() const noexcept override;
+
+  private:
+    /// Error handling that has not left yet.
+    enum class Reaction : std::uint8_t
+    {
+        kNone = 0U,
+        kStopAll = 1U,
+        kResetAll = 2U,
+    };
+
+    void OnBooted(NodeId node, const BootTime& time) noexcept override;
+    void OnBootFailed(NodeId node, const BootTime& time) noexcept override;
+    [[nodiscard]] bool IsMasterOperational() const noexcept override;
+
+    [[nodiscard]] BootTime Tick(Instant now) noexcept;
+    void SetStep(MasterStep step, Instant now) noexcept;
+    void Restart(NmtCommand reset, Instant now) noexcept;
+    void SendResets(const BootTime& time) noexcept;
+    void BootAll(const BootTime& time) noexcept;
+    void GoOn(const BootTime& time) noexcept;
+    void StartSlaves(const BootTime& time) noexcept;
+    void VerifyRunning(const BootTime& time) noexcept;
+    void VerifyAgain(NodeId node, const BootTime& time) noexcept;
+    void React(const BootTime& time) noexcept;
+    void EndBoots(const BootTime& time) noexcept;
+    void OnBootUp(NodeId node, const BootTime& time) noexcept;
+    void OnLost(NodeId node, const BootTime& time) noexcept;
+    void OnForeign(NodeId node, Instant now) noexcept;
+    void OnState(NodeId node, NodeEvent event, const BootTime& time) noexcept;
+    [[nodiscard]] NmtAnswer CommandAll(NmtCommand command, const BootTime& time) noexcept;
+    [[nodiscard]] NmtAnswer StartEach(const BootTime& time) noexcept;
+    [[nodiscard]] NmtAnswer CommandOwn(NmtCommand command, const BootTime& time) noexcept;
+    [[nodiscard]] NmtAnswer CommandNode(NmtCommand command, NodeId node, const BootTime& time) noexcept;
+    [[nodiscard]] bool HasKeptAlive() const noexcept;
+    [[nodiscard]] bool IsEach(std::uint32_t bits, bool is_booted) const noexcept;
+
+    StartUpParts parts_;
+    BootSlave boot_;
+    MasterStep step_;
+    NmtCommand reset_;    ///< Of the running kReset.
+    std::uint8_t cursor_; ///< Next node to be reset; 0: all at once.
+    Reaction reaction_;
+    bool is_start_due_; ///< The slaves are to be started together.
+    bool has_news_;     ///< A boot ended since the master looked.
+    std::uint64_t clock_us_;
+    Instant last_;
+    bool has_clock_;
+};
+
+} // namespace counterpoint::cia302
+
+#endif

@@ -1,0 +1,109 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_START_UP_EL6751_PDOS_HPP
+#define CANOPEN_START_UP_EL6751_PDOS_HPP
+
+#include "canopen/cia301/nmt/frame_sink.hpp"
+#include "canopen/start_up/el6751/setup.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::cia302
+{
+
+/// What is known of one configured PDO. Zero-filled at first.
+struct El6751PdoRecord
+{
+    bool has_passed;   ///< TxPDO: received since the start. RxPDO: sent.
+    bool is_in_cycle;  ///< TxPDO: received in the window of this SYNC cycle.
+    bool is_due;       ///< RxPDO: to be sent.
+    bool is_awaited;   ///< RxPDO: its transmission ends the window, see kLastRxPdo.
+    bool is_inhibited; ///< RxPDO: within the inhibit time.
+    std::uint8_t age;  ///< SYNC cycles since it was received, expected or sent.
+    std::uint8_t missed;
+    std::uint8_t sent[8];
+    std::int16_t fault; ///< TxPDO: NodeState 20, 22 or 40 until it is received again, in time; 0: none.
+    Instant last;       ///< Received, or sent.
+};
+
+/// Room for El6751PdoCount records, kept by reference.
+struct El6751PdoRoom
+{
+    El6751PdoRecord* records;
+    std::uint16_t count;
+};
+
+struct El6751PdoParts
+{
+    const NetworkSetup& setup;
+    cia301::FrameSink& sink;
+    El6751PdoRoom room;
+    El6751Times times;
+};
+
+/// SYNC, the RxPDOs that go to the slaves and the supervision of the TxPDOs that come from them. Times are exact to the
+/// distance of two calls. Not reentrant.
+class El6751Pdos
+{
+  public:
+    explicit El6751Pdos(const El6751PdoParts& parts) noexcept;
+
+    /// @brief Forgets everything; SYNC runs from the next cycle on, if it is sent at all. False: not enough room.
+    [[nodiscard]] bool Begin() noexcept;
+    /// @brief No SYNC, no RxPDOs, no supervision.
+    void End() noexcept;
+    [[nodiscard]] bool IsSyncSent() const noexcept;
+
+    /// @brief The slave is being started: its TxPDOs are waited for. [SRS-ELM-028]
+    void Await(NodeId node) noexcept;
+    /// @brief RxPDOs go to it from now on, each at once for the first time. [SRS-ELM-030]
+    void Feed(NodeId node) noexcept;
+    /// @brief Nothing goes to it, nothing is expected of it.
+    void Rest(NodeId node) noexcept;
+
+    /// @brief A frame from the bus. O(PDOs) [SRS-ELM-033..038]
+    void OnFrame(const CanFrame& frame, Instant now) noexcept;
+    /// @brief A frame of this device was on the bus; only kLastRxPdo needs it. O(PDOs) [SRS-ELM-033]
+    void OnSent(const CanFrame& frame) noexcept;
+    /// @brief SYNC, RxPDOs, windows and times. O(PDOs) [SRS-ELM-031..037]
+    void OnCycle(Instant now) noexcept;
+
+    /// @brief NodeState of the first TxPDO that is missing or too short; 0: none.
+    [[nodiscard]] std::int16_t Fault(NodeId node) const noexcept;
+    /// @brief Every configured TxPDO was received since Await; true without one.
+    [[nodiscard]] bool HasAll(NodeId node) const noexcept;
+    /// @brief Any configured TxPDO was; true without one. [SRS-ELM-029]
+    [[nodiscard]] bool HasAny(NodeId node) const noexcept;
+
+  private:
+    enum class Duty : std::uint8_t
+    {
+        kRest = 0U,
+        kAwait = 1U,
+        kFeed = 2U, ///< And await.
+    };
+
+    [[nodiscard]] El6751PdoRecord& Record(NodeId node, std::uint8_t position) const noexcept;
+    [[nodiscard]] std::uint8_t CountTx(NodeId node, bool has_passed) const noexcept;
+    void Take(NodeId node, std::uint8_t position, const CanFrame& frame, Instant now) noexcept;
+    void OnSync(Instant now) noexcept;
+    void OpenFor(NodeId node) noexcept;
+    void EndWindow() noexcept;
+    void EndWindowIfOver(Instant now) noexcept;
+    void CheckTimes(NodeId node, Instant now) noexcept;
+    void SendTo(NodeId node, Instant now) noexcept;
+
+    El6751PdoParts parts_;
+    std::uint16_t first_[kNodeRoom]; ///< First record of each node.
+    Duty duty_[kNodeRoom];
+    std::uint32_t window_us_;
+    std::uint16_t awaited_; ///< RxPDOs of this cycle that were not on the bus yet.
+    bool is_sync_sent_;
+    bool is_running_; ///< SYNC was sent; `sync_due_` was its time.
+    bool is_window_open_;
+    Instant sync_due_;
+    Instant sync_at_; ///< When it was sent.
+};
+
+} // namespace counterpoint::cia302
+
+#endif
