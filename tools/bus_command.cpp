@@ -4,8 +4,8 @@
 #include "canopen/cia306/text/input_error.hpp"
 #include "hal/host/live/address.hpp"
 #include "hal/host/live/socketcand/server.hpp"
+#include "runtime/console/json_text.hpp"
 #include "tools/device_options.hpp"
-#include "tools/json_text.hpp"
 
 #include <CLI/CLI.hpp>
 

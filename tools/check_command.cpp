@@ -3,8 +3,8 @@
 
 #include "canopen/cia306/check/check.hpp"
 #include "canopen/cia306/file/device_reader.hpp"
+#include "runtime/console/json_text.hpp"
 #include "tools/device_options.hpp"
-#include "tools/json_text.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -86,7 +86,7 @@ class CheckCommand final : public Command
         {
             answer["findings"].push_back(ToJson(finding));
         }
-        out << JsonText(answer);
+        out << runtime::JsonText(answer);
     }
 
     DeviceOptions options_;

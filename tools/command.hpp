@@ -2,6 +2,8 @@
 #ifndef TOOLS_COMMAND_HPP
 #define TOOLS_COMMAND_HPP
 
+#include "runtime/console/streams.hpp"
+
 #include <cstdint>
 #include <iosfwd>
 #include <memory>
@@ -13,19 +15,8 @@ class App;
 
 namespace counterpoint::tools
 {
-enum class ExitStatus : std::uint8_t
-{
-    kHolds = 0U,       ///< What was asked holds.
-    kDoesNotHold = 1U, ///< It does not: a violated expectation, a wrong signature.
-    kBadInput = 2U,    ///< It could not be asked: a file that cannot be used, wrong usage.
-};
-
-/// Where a command writes: answers to `out`, what a person has to know besides to `err`.
-struct Streams
-{
-    std::ostream& out;
-    std::ostream& err;
-};
+using runtime::ExitStatus;
+using runtime::Streams;
 
 /// One command of the command line. A command lives in its own pair of files NAME_command.hpp, NAME_command.cpp with
 /// one function MakeNameCommand(), and has one row in command_table.cpp; nothing else knows it.

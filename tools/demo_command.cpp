@@ -3,10 +3,10 @@
 
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/text_file.hpp"
-#include "verification/simulator/names.hpp"
-#include "verification/simulator/reports.hpp"
-#include "verification/simulator/run.hpp"
-#include "verification/simulator/scenario_reader.hpp"
+#include "simulator/judge/run.hpp"
+#include "simulator/report/reports.hpp"
+#include "simulator/scenario/names.hpp"
+#include "simulator/scenario/reader.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -116,7 +116,7 @@ class DemoCommand final : public Command
                 ListScenarios(scenarios_.empty() ? FindScenarios() : fs::path(scenarios_));
             return list_ ? List(files, streams) : Demonstrate(files, streams);
         }
-        catch (const simulator::ScenarioError& error)
+        catch (const runtime::YamlError& error)
         {
             streams.err << error.what() << "\n";
             return ExitStatus::kBadInput;
@@ -128,11 +128,11 @@ class DemoCommand final : public Command
     {
         if (html_.empty())
         {
-            throw simulator::ScenarioError("--html", {}, "empty file name", "the name of a file or folder");
+            throw runtime::YamlError("--html", {}, "empty file name", "the name of a file or folder");
         }
         if (scenarios_.empty() && app_->count("--scenarios") > 0U)
         {
-            throw simulator::ScenarioError("--scenarios", {}, "empty file name", "the name of a folder");
+            throw runtime::YamlError("--scenarios", {}, "empty file name", "the name of a folder");
         }
     }
 
@@ -210,14 +210,14 @@ class DemoCommand final : public Command
         {
             // Before the run: nothing that happens in it can change the limit.
             cells[1] =
-                simulator::MillisecondsText(simulator::LimitOf(run.Setting(), *limited, run.ModelOf(limited->node)));
+                runtime::MillisecondsText(simulator::LimitOf(run.Setting(), *limited, run.ModelOf(limited->node)));
         }
         PrintBegin(cells, out);
         run.Simulate(nullptr);
         const simulator::Measurement* const measurement = run.FirstMeasurement();
         if (measurement != nullptr)
         {
-            cells[2] = (measurement->elapsed < 0) ? "never" : simulator::MillisecondsText(measurement->elapsed);
+            cells[2] = (measurement->elapsed < 0) ? "never" : runtime::MillisecondsText(measurement->elapsed);
             cells[3] = Words(simulator::Name(measurement->detection.party));
             cells[4] = Words(measurement->detection.cause);
         }
@@ -235,20 +235,20 @@ class DemoCommand final : public Command
         const std::string& node = run.NodeName(measurement.node);
         if (measurement.effect >= 0)
         {
-            out << "    " << simulator::MillisecondsText(measurement.effect) << " "
+            out << "    " << runtime::MillisecondsText(measurement.effect) << " "
                 << run.Setting().faults[measurement.fault].name;
         }
         if (measurement.reference >= 0 && measurement.reference < measurement.effect)
         {
-            out << " (last good pair " << simulator::MillisecondsText(measurement.reference) << ")";
+            out << " (last good pair " << runtime::MillisecondsText(measurement.reference) << ")";
         }
         if (measurement.detection.at >= 0)
         {
-            out << ", " << simulator::MillisecondsText(measurement.detection.at) << " detected";
+            out << ", " << runtime::MillisecondsText(measurement.detection.at) << " detected";
         }
         if (measurement.closed >= 0)
         {
-            out << ", " << simulator::MillisecondsText(measurement.closed) << " " << node << " closes its output";
+            out << ", " << runtime::MillisecondsText(measurement.closed) << " " << node << " closes its output";
         }
         out << "\n";
     }

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/device_options.hpp"
 
-#include "tools/json_text.hpp"
+#include "runtime/console/json_text.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -57,7 +57,7 @@ ExitStatus RunOnDevice(const DeviceOptions& options, const Streams& streams, con
         {
             const nlohmann::ordered_json answer{
                 {"error", {{"file", error.File()}, {"line", error.Line()}, {"message", error.Message()}}}};
-            streams.out << JsonText(answer);
+            streams.out << runtime::JsonText(answer);
         }
         throw;
     }

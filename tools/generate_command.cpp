@@ -5,8 +5,8 @@
 #include "canopen/cia306/file/device_reader.hpp"
 #include "canopen/cia306/text/text_file.hpp"
 #include "canopen/generate/generate.hpp"
+#include "runtime/console/json_text.hpp"
 #include "tools/device_options.hpp"
-#include "tools/json_text.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -160,7 +160,7 @@ class GenerateCommand final : public Command
                                           {"object", finding.object},
                                           {"message", finding.text}});
         }
-        out << JsonText(answer);
+        out << runtime::JsonText(answer);
     }
 
     DeviceOptions options_;

@@ -4,14 +4,14 @@
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/text_file.hpp"
 #include "hal/host/live/bus.hpp"
+#include "runtime/console/output_files.hpp"
+#include "runtime/manager/check.hpp"
+#include "runtime/manager/loop.hpp"
+#include "runtime/manager/report/status.hpp"
+#include "runtime/network_files/file.hpp"
 #include "tools/device_options.hpp"
-#include "tools/manager_check.hpp"
-#include "tools/manager_loop.hpp"
-#include "tools/manager_status.hpp"
-#include "tools/network_file.hpp"
-#include "tools/output_files.hpp"
 
-#include "verification/simulator/yaml_document.hpp"
+#include "runtime/yaml/document.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -59,7 +59,7 @@ class ManagerCommand final : public Command
         app.add_flag("--json", is_json_, "Events and answers as one JSON object a line");
         app.add_flag("--no-input", has_no_input_, "Read no orders from the standard input");
         app_ = &app;
-        app.footer("Orders, typed as lines or by the socket:\n" + ManagerOrderHelp() +
+        app.footer("Orders, typed as lines or by the socket:\n" + runtime::ManagerOrderHelp() +
                    "On a terminal the table of all slaves is shown and redrawn; elsewhere a line is printed for each\n"
                    "event, and the table at the end. Exit status 0: every mandatory slave was started at the end.");
     }
@@ -74,7 +74,7 @@ class ManagerCommand final : public Command
         {
             streams.err << "counterpoint manager: --can: " << error.what() << "\n";
         }
-        catch (const simulator::ScenarioError& error)
+        catch (const runtime::YamlError& error)
         {
             streams.err << error.what() << "\n";
         }
@@ -94,8 +94,8 @@ class ManagerCommand final : public Command
         {
             if (app_->count(option) > 0U)
             {
-                throw simulator::ScenarioError(option, {}, "with --check, which runs nothing",
-                                               "--check FILE FILE... alone, or with --node-id");
+                throw runtime::YamlError(option, {}, "with --check, which runs nothing",
+                                         "--check FILE FILE... alone, or with --node-id");
             }
         }
         std::vector<std::unique_ptr<network::LoadedNetwork>> networks;
@@ -103,14 +103,14 @@ class ManagerCommand final : public Command
         for (const std::string& file : check_)
         {
             const std::uint8_t node = networks.empty() ? NodeId() : std::uint8_t{0U};
-            networks.push_back(std::make_unique<network::LoadedNetwork>(ReadNetworkFile(file, node)));
+            networks.push_back(std::make_unique<network::LoadedNetwork>(runtime::ReadNetworkFile(file, node)));
             masters.push_back(networks.back().get());
         }
-        for (const std::string& warning : WarningsOf(masters))
+        for (const std::string& warning : runtime::WarningsOf(masters))
         {
             streams.err << warning << "\n";
         }
-        const std::vector<std::string> lines = DifferencesOf(masters);
+        const std::vector<std::string> lines = runtime::DifferencesOf(masters);
         for (const std::string& line : lines)
         {
             streams.out << line << "\n";
@@ -121,7 +121,7 @@ class ManagerCommand final : public Command
     /// Before the bus is touched.
     void RequireFiles(const network::LoadedNetwork& net) const
     {
-        OutputFiles files;
+        runtime::OutputFiles files;
         files.Read(network_);
         files.Read(net.Plan().manager.dcf);
         for (const auto& slave : net.Slaves())
@@ -133,7 +133,7 @@ class ManagerCommand final : public Command
         {
             if (file.empty() && app_->count(option) > 0U)
             {
-                throw simulator::ScenarioError(option, {}, "empty file name", "the name of a file");
+                throw runtime::YamlError(option, {}, "empty file name", "the name of a file");
             }
         }
         files.Write("--log", log_);
@@ -148,30 +148,32 @@ class ManagerCommand final : public Command
                         << " is missing, expected --can ADDRESS --network FILE, or --check FILE...\n";
             return ExitStatus::kBadInput;
         }
-        network::LoadedNetwork net(ReadNetworkFile(network_, NodeId()));
+        network::LoadedNetwork net(runtime::ReadNetworkFile(network_, NodeId()));
         for (const std::string& warning : net.Warnings())
         {
             streams.err << warning << "\n";
         }
         RequireFiles(net);
         std::unique_ptr<host::LiveBus> bus = host::OpenLiveBus(address_);
-        const std::unique_ptr<ManagerSocket> socket =
-            socket_.empty() ? nullptr : std::make_unique<ManagerSocket>(socket_);
-        NodeReport report(streams.out, ReportForm::kText, host::LiveNow());
-        ManagerLoopSettings settings;
+        const std::unique_ptr<runtime::ManagerSocket> socket =
+            socket_.empty() ? nullptr : std::make_unique<runtime::ManagerSocket>(socket_);
+        runtime::NodeReport report(streams.out, runtime::ReportForm::kText, host::LiveNow());
+        runtime::ManagerLoopSettings settings;
         settings.log = log_;
         settings.for_ns = static_cast<std::uint64_t>(seconds_) * kNsPerSecond;
         settings.input = has_no_input_ ? -1 : STDIN_FILENO;
         settings.is_json = is_json_;
         settings.is_screen = !is_json_ && ::isatty(STDOUT_FILENO) != 0;
-        ManagerLoop loop(net, std::move(bus), report, socket.get(), settings);
+        runtime::ManagerLoop loop(net, std::move(bus), report, socket.get(), settings);
         const bool has_started = loop.Run();
         const std::uint64_t now_us = loop.NowUs();
-        const ManagerStation& station = loop.Station();
-        report.Print(is_json_ ? OneLine(StatusJson(station, now_us)) : StatusTable(station, now_us));
+        const runtime::ManagerStation& station = loop.Station();
+        report.Print(is_json_ ? runtime::OneLine(runtime::StatusJson(station, now_us))
+                              : runtime::StatusTable(station, now_us));
         if (!html_.empty())
         {
-            cia306::WriteTextFile(html_, DiagramPage(station.Host(), station.Diagram(), InstantAt(now_us)));
+            cia306::WriteTextFile(html_,
+                                  runtime::DiagramPage(station.Host(), station.Diagram(), runtime::InstantAt(now_us)));
         }
         const bool is_written = report.Finish();
         if (!loop.IsLogWhole())

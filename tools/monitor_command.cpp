@@ -5,8 +5,8 @@
 #include "canopen/monitor/decoder.hpp"
 #include "canopen/monitor/report.hpp"
 #include "canopen/monitor/texts.hpp"
+#include "runtime/console/json_text.hpp"
 #include "tools/device_options.hpp"
-#include "tools/json_text.hpp"
 #include "tools/monitor_live.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,10 +1,10 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/node_command.hpp"
 
+#include "runtime/node/loop.hpp"
 #include "tools/device_options.hpp"
-#include "tools/node_loop.hpp"
 
-#include "verification/simulator/yaml_document.hpp"
+#include "runtime/yaml/document.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -62,7 +62,7 @@ class NodeCommand final : public Command
                      "Leave out the cyclic tests of program, memory, stack, parts and permits");
         app.add_flag("--json", is_json_, "One JSON object a line");
         app.add_flag("--no-input", has_no_input_, "Read no orders from the standard input");
-        app.footer("Orders, typed as lines or in a script:\n" + OrderHelp() +
+        app.footer("Orders, typed as lines or in a script:\n" + runtime::OrderHelp() +
                    "A line is printed for each change of state, output and value, and for each error.");
     }
 
@@ -76,7 +76,7 @@ class NodeCommand final : public Command
         {
             streams.err << "counterpoint node: --can: " << error.what() << "\n";
         }
-        catch (const simulator::ScenarioError& error)
+        catch (const runtime::YamlError& error)
         {
             streams.err << error.what() << "\n";
         }
@@ -86,35 +86,36 @@ class NodeCommand final : public Command
   private:
     [[nodiscard]] ExitStatus RunNode(const Streams& streams) const
     {
-        NodeSettings settings;
+        runtime::NodeSettings settings;
         settings.dcf = dcf_;
         settings.node_id = (node_id_ == 0) ? std::nullopt : std::optional(static_cast<std::uint8_t>(node_id_));
         settings.cycle_us = (cycle_us_ == 0) ? std::nullopt : std::optional(static_cast<std::uint32_t>(cycle_us_));
         settings.store = store_;
         settings.has_lss = has_lss_;
         settings.has_self_tests = !has_no_self_tests_;
-        const NodeScript script = script_.empty() ? NodeScript{} : ReadNodeScript(script_);
-        NodePorts ports(address_, second_address_);
-        NodeReport report(streams.out, is_json_ ? ReportForm::kJson : ReportForm::kText, host::LiveNow());
+        const runtime::NodeScript script = script_.empty() ? runtime::NodeScript{} : runtime::ReadNodeScript(script_);
+        runtime::NodePorts ports(address_, second_address_);
+        runtime::NodeReport report(streams.out, is_json_ ? runtime::ReportForm::kJson : runtime::ReportForm::kText,
+                                   host::LiveNow());
         const auto make = [&settings, &ports, &report, &script](const std::optional<std::uint8_t> lss_node_id)
         {
             settings.lss_node_id = lss_node_id;
-            auto device = std::make_unique<NodeDevice>(settings, ports, report);
+            auto device = std::make_unique<runtime::NodeDevice>(settings, ports, report);
             AddRules(script, *device);
             return device;
         };
-        NodeLoop loop({make, ports, report, script, has_no_input_ ? -1 : STDIN_FILENO});
+        runtime::NodeLoop loop({make, ports, report, script, has_no_input_ ? -1 : STDIN_FILENO});
         const ExitStatus status = loop.Run();
         return report.Finish() ? status : ExitStatus::kBadInput;
     }
 
-    static void AddRules(const NodeScript& script, NodeDevice& device)
+    static void AddRules(const runtime::NodeScript& script, runtime::NodeDevice& device)
     {
-        for (const simulator::LogicRule& rule : script.rules)
+        for (const runtime::LogicRule& rule : script.rules)
         {
             if (!device.App().AddRule(rule))
             {
-                throw simulator::ScenarioError(
+                throw runtime::YamlError(
                     script.file, rule.source.place, "a rule with an object that is no pair of the device",
                     "'set' with a normal object that it sends, 'from' with normal objects of its SRDOs");
             }

@@ -7,8 +7,8 @@
 #include "canopen/cia306/safety/signature.hpp"
 #include "canopen/cia306/safety/signing.hpp"
 #include "canopen/cia306/text/text_file.hpp"
+#include "runtime/console/json_text.hpp"
 #include "tools/device_options.hpp"
-#include "tools/json_text.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -155,7 +155,7 @@ class SignCommand final : public Command
         {
             answer["written"] = output_;
         }
-        out << JsonText(answer);
+        out << runtime::JsonText(answer);
     }
 
     void Print(const cia306::SafetyConfiguration& configuration, const cia306::DigestRecord& digest,

@@ -2,15 +2,15 @@
 #include "tools/simulate_command.hpp"
 
 #include "canopen/cia306/text/text_file.hpp"
-#include "tools/network_scenario.hpp"
-#include "tools/output_files.hpp"
-#include "tools/progress_bar.hpp"
+#include "runtime/console/output_files.hpp"
+#include "runtime/console/progress_bar.hpp"
+#include "simulator/judge/run.hpp"
+#include "simulator/judge/sweep.hpp"
+#include "simulator/networks/scenario.hpp"
+#include "simulator/report/reports.hpp"
+#include "simulator/scenario/reader.hpp"
+#include "simulator/scenario/schema.hpp"
 #include "tools/simulate_network.hpp"
-#include "verification/simulator/reports.hpp"
-#include "verification/simulator/run.hpp"
-#include "verification/simulator/scenario_reader.hpp"
-#include "verification/simulator/schema.hpp"
-#include "verification/simulator/sweep.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -71,7 +71,7 @@ class SimulateCommand final : public Command
             }
             return sweeps_.empty() ? Simulate(streams) : Sweep(streams);
         }
-        catch (const simulator::ScenarioError& error)
+        catch (const runtime::YamlError& error)
         {
             streams.err << error.what() << "\n";
             return ExitStatus::kBadInput;
@@ -84,9 +84,9 @@ class SimulateCommand final : public Command
     {
         try
         {
-            return IsNetworkScenario(scenario_);
+            return simulator::IsNetworkScenario(scenario_);
         }
-        catch (const simulator::ScenarioError&)
+        catch (const runtime::YamlError&)
         {
             return false;
         }
@@ -99,8 +99,8 @@ class SimulateCommand final : public Command
         {
             if (app_->count(option) > 0U)
             {
-                throw simulator::ScenarioError(scenario_, {}, std::string(option) + " for a scenario with managers",
-                                               "--html, --json, --candump or --quiet");
+                throw runtime::YamlError(scenario_, {}, std::string(option) + " for a scenario with managers",
+                                         "--html, --json, --candump or --quiet");
             }
         }
         RequireNames();
@@ -125,7 +125,7 @@ class SimulateCommand final : public Command
         const std::string text = markdown_ ? simulator::ExplainMarkdown() : simulator::ExplainText(name);
         if (explained_.empty() || text.empty())
         {
-            streams.err << "counterpoint simulate: --explain " << simulator::Shown(explained_)
+            streams.err << "counterpoint simulate: --explain " << runtime::Shown(explained_)
                         << ", expected a key or section of the format; without a name all of them are told\n";
             return ExitStatus::kBadInput;
         }
@@ -133,7 +133,7 @@ class SimulateCommand final : public Command
         return ExitStatus::kHolds;
     }
 
-    [[nodiscard]] std::optional<simulator::Nanoseconds> Until() const
+    [[nodiscard]] std::optional<runtime::Nanoseconds> Until() const
     {
         return app_->count("--until") == 0U ? std::nullopt : std::optional(simulator::ParseDuration("--until", until_));
     }
@@ -153,12 +153,12 @@ class SimulateCommand final : public Command
         RequireFiles();
         if (app_->count("--candump") > 0U)
         {
-            throw simulator::ScenarioError("--candump", {}, "frames of one bus for a sweep", "--html or --json");
+            throw runtime::YamlError("--candump", {}, "frames of one bus for a sweep", "--html or --json");
         }
         const simulator::SweepOptions options{Seed(), Until()};
         simulator::SweepResult result;
         {
-            ProgressBar bar(streams.err, "sweeping");
+            runtime::ProgressBar bar(streams.err, "sweeping");
             result = simulator::RunSweep(scenario_, axes, options, [&bar](const double part) { bar.Show(part); });
         }
         if (!html_.empty())
@@ -178,15 +178,15 @@ class SimulateCommand final : public Command
 
     [[nodiscard]] ExitStatus Simulate(const Streams& streams) const
     {
-        const std::optional<simulator::Nanoseconds> until = Until();
+        const std::optional<runtime::Nanoseconds> until = Until();
         RequireFiles();
         const std::optional<std::uint64_t> seed = Seed();
         const bool keeps_all = !quiet_ || !html_.empty() || !json_.empty() || !candump_.empty();
         simulator::Run run(scenario_, seed, until, keeps_all);
         {
-            ProgressBar bar(streams.err, "simulating");
+            runtime::ProgressBar bar(streams.err, "simulating");
             const auto duration = static_cast<double>(run.Setting().duration);
-            run.Simulate([&bar, duration](const simulator::Nanoseconds now)
+            run.Simulate([&bar, duration](const runtime::Nanoseconds now)
                          { bar.Show(static_cast<double>(now) / duration); });
         }
         if (!quiet_)
@@ -212,7 +212,7 @@ class SimulateCommand final : public Command
     /// All before the run.
     void RequireFiles() const
     {
-        OutputFiles files;
+        runtime::OutputFiles files;
         files.Read(scenario_);
         for (const std::string& file : simulator::FilesOf(simulator::LoadScenario(scenario_)))
         {
@@ -231,7 +231,7 @@ class SimulateCommand final : public Command
         {
             if (file.empty() && app_->count(option) > 0U)
             {
-                throw simulator::ScenarioError(option, {}, "empty file name", "the name of a file");
+                throw runtime::YamlError(option, {}, "empty file name", "the name of a file");
             }
         }
     }

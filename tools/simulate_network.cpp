@@ -2,11 +2,11 @@
 #include "tools/simulate_network.hpp"
 
 #include "canopen/cia306/text/text_file.hpp"
-#include "tools/manager_status.hpp"
-#include "tools/network_file.hpp"
-#include "tools/network_simulation.hpp"
-#include "tools/output_files.hpp"
-#include "verification/simulator/reports.hpp"
+#include "runtime/console/output_files.hpp"
+#include "runtime/manager/report/status.hpp"
+#include "runtime/network_files/file.hpp"
+#include "simulator/networks/simulation.hpp"
+#include "simulator/report/reports.hpp"
 
 #include <ostream>
 
@@ -15,16 +15,18 @@ namespace counterpoint::tools
 namespace
 {
 /// With several managers each line tells whose it is.
-std::string LineOf(const NetworkScenario& scenario, const SimulatedManager& manager, const ManagerEvent& event)
+std::string LineOf(const simulator::NetworkScenario& scenario, const simulator::SimulatedManager& manager,
+                   const runtime::ManagerEvent& event)
 {
     const std::string whose = (scenario.managers.size() > 1U) ? "[" + std::to_string(manager.node) + "] " : "";
-    return whose + TextLine(event);
+    return whose + runtime::TextLine(event);
 }
 
-nlohmann::ordered_json JsonOf(const NetworkScenario& scenario, const NetworkSimulation& simulation)
+nlohmann::ordered_json JsonOf(const simulator::NetworkScenario& scenario,
+                              const simulator::NetworkSimulation& simulation)
 {
     nlohmann::ordered_json verdicts = nlohmann::ordered_json::array();
-    for (const NetworkVerdict& verdict : simulation.Verdicts())
+    for (const simulator::NetworkVerdict& verdict : simulation.Verdicts())
     {
         verdicts.push_back({{"holds", verdict.holds}, {"text", verdict.text}});
     }
@@ -32,32 +34,32 @@ nlohmann::ordered_json JsonOf(const NetworkScenario& scenario, const NetworkSimu
     for (const auto& manager : simulation.Managers())
     {
         nlohmann::ordered_json events = nlohmann::ordered_json::array();
-        for (const ManagerEvent& event : manager->events)
+        for (const runtime::ManagerEvent& event : manager->events)
         {
-            events.push_back(nlohmann::ordered_json::parse(JsonLine(event)));
+            events.push_back(nlohmann::ordered_json::parse(runtime::JsonLine(event)));
         }
         managers.push_back({{"node", manager->node}, {"events", events}});
     }
     return {{"title", scenario.title}, {"managers", managers}, {"verdicts", verdicts}};
 }
 
-std::string PageOf(const NetworkScenario& scenario, const NetworkSimulation& simulation)
+std::string PageOf(const simulator::NetworkScenario& scenario, const simulator::NetworkSimulation& simulation)
 {
     constexpr std::uint64_t kNsPerUs = 1000U;
-    const SimulatedManager& first = *simulation.Managers().front();
+    const simulator::SimulatedManager& first = *simulation.Managers().front();
     return (first.station == nullptr) ? std::string{}
-                                      : DiagramPage(first.station->Host(), first.station->Diagram(),
-                                                    InstantAt(scenario.duration_ns / kNsPerUs));
+                                      : runtime::DiagramPage(first.station->Host(), first.station->Diagram(),
+                                                             runtime::InstantAt(scenario.duration_ns / kNsPerUs));
 }
 
 /// Before the run: nothing that it reads is written, the network files and their DCFs included.
-void RequireFiles(const NetworkScenario& scenario, const NetworkOptions& options)
+void RequireFiles(const simulator::NetworkScenario& scenario, const NetworkOptions& options)
 {
-    OutputFiles files;
+    runtime::OutputFiles files;
     files.Read(scenario.file);
-    for (const ScenarioManager& manager : scenario.managers)
+    for (const simulator::ScenarioManager& manager : scenario.managers)
     {
-        const network::NetworkPlan plan = ReadNetworkFile(manager.network, manager.node);
+        const network::NetworkPlan plan = runtime::ReadNetworkFile(manager.network, manager.node);
         files.Read(manager.network);
         files.Read(plan.manager.dcf);
         for (const network::SlavePlan& slave : plan.slaves)
@@ -66,7 +68,7 @@ void RequireFiles(const NetworkScenario& scenario, const NetworkOptions& options
             files.Read(slave.software ? slave.software->program : "");
         }
     }
-    for (const ScenarioDevice& device : scenario.devices)
+    for (const simulator::ScenarioDevice& device : scenario.devices)
     {
         files.Read(device.dcf);
     }
@@ -75,8 +77,8 @@ void RequireFiles(const NetworkScenario& scenario, const NetworkOptions& options
     files.Write("--candump", options.candump);
 }
 
-void WriteFiles(const NetworkOptions& options, const NetworkScenario& scenario, const NetworkSimulation& simulation,
-                const std::string& frames)
+void WriteFiles(const NetworkOptions& options, const simulator::NetworkScenario& scenario,
+                const simulator::NetworkSimulation& simulation, const std::string& frames)
 {
     if (!options.json.empty())
     {
@@ -95,20 +97,21 @@ void WriteFiles(const NetworkOptions& options, const NetworkScenario& scenario, 
 
 ExitStatus SimulateNetwork(const std::string& path, const NetworkOptions& options, const Streams& streams)
 {
-    const NetworkScenario scenario = ReadNetworkScenario(path);
+    const simulator::NetworkScenario scenario = simulator::ReadNetworkScenario(path);
     RequireFiles(scenario, options);
     if (!options.is_quiet)
     {
         streams.out << scenario.title << "\n\n";
     }
-    NetworkSimulation simulation(scenario,
-                                 [&](const SimulatedManager& manager, const ManagerEvent& event)
-                                 {
-                                     if (!options.is_quiet && !event.text.empty())
-                                     {
-                                         streams.out << LineOf(scenario, manager, event) << "\n";
-                                     }
-                                 });
+    simulator::NetworkSimulation simulation(
+        scenario,
+        [&](const simulator::SimulatedManager& manager, const runtime::ManagerEvent& event)
+        {
+            if (!options.is_quiet && !event.text.empty())
+            {
+                streams.out << LineOf(scenario, manager, event) << "\n";
+            }
+        });
     for (const auto& manager : simulation.Managers())
     {
         for (const std::string& warning : manager->net->Warnings())
@@ -123,12 +126,12 @@ ExitStatus SimulateNetwork(const std::string& path, const NetworkOptions& option
             [&frames](const host::LiveFrame& frame)
             {
                 frames += simulator::CandumpLine(host::ToCanFrame(frame, CanPortId::kFirst),
-                                                 static_cast<simulator::Nanoseconds>(frame.time_ns));
+                                                 static_cast<runtime::Nanoseconds>(frame.time_ns));
             });
     }
     simulation.Run();
     std::size_t held = 0U;
-    for (const NetworkVerdict& verdict : simulation.Verdicts())
+    for (const simulator::NetworkVerdict& verdict : simulation.Verdicts())
     {
         held += verdict.holds ? 1U : 0U;
         if (!verdict.holds || !options.is_quiet)

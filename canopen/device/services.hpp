@@ -4,12 +4,12 @@
 
 #include "canopen/device/outbox.hpp"
 
-#include "canopen/cia301/nmt/bus_service.hpp"
 #include "canopen/cia301/emergency/communication_errors.hpp"
+#include "canopen/cia301/nmt/bus_service.hpp"
 #include "canopen/cia301/nmt/heartbeat_consumer.hpp"
+#include "canopen/cia301/objects/service_objects.hpp"
 #include "canopen/cia301/pdo/objects.hpp"
 #include "canopen/cia301/sdo/server_port.hpp"
-#include "canopen/cia301/objects/service_objects.hpp"
 #include "canopen/cia301/time/sync.hpp"
 #include "canopen/cia305/lss_slave.hpp"
 

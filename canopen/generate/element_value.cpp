@@ -1,9 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/generate/element.hpp"
 
+#include "canopen/cia306/safety/signature.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/number.hpp"
-#include "canopen/cia306/safety/signature.hpp"
 #include "canopen/cia306/text/utf16.hpp"
 
 #include <algorithm>

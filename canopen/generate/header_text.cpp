@@ -108,7 +108,8 @@ std::string Opening(const FileText& file)
     const Layout& layout = file.layout;
     return "//" + file.origin + "\n// clang-format off\n#ifndef " + GuardOf(file.name_space) + "\n#define " +
            GuardOf(file.name_space) +
-           "\n\n#include \"canopen/cia301/dictionary/dictionary.hpp\"\n#include \"canopen/generated/configuration.hpp\"\n"
+           "\n\n#include \"canopen/cia301/dictionary/dictionary.hpp\"\n#include "
+           "\"canopen/generated/configuration.hpp\"\n"
            "#include \"canopen/generated/stored_objects.hpp\"\n#include \"safety_core/kernel/kernel.hpp\"\n\n"
            "#include <cstdint>\n\nnamespace " +
            file.name_space + "\n{\n\nconstexpr std::uint8_t kNodeId = " + UnsignedLiteral(file.node_id.value_or(0U)) +

@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/generate/safety_part.hpp"
 
-#include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/safety/signature.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 
 #include <algorithm>
 #include <set>

@@ -5,8 +5,8 @@
 #include "canopen/cia301/nmt/heartbeat_producer.hpp"
 #include "canopen/cia302/flying_master/flying_master.hpp"
 #include "canopen/cia302/network/node_watch.hpp"
-#include "canopen/cia302/safety_gate/safety_gate.hpp"
 #include "canopen/cia302/network/start_up.hpp"
+#include "canopen/cia302/safety_gate/safety_gate.hpp"
 
 #include <cstdint>
 

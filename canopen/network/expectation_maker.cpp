@@ -2,8 +2,8 @@
 #include "canopen/network/expectation_maker.hpp"
 
 #include "canopen/cia306/check/check.hpp"
-#include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/safety/safety_configuration.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 
 #include <algorithm>
 

@@ -2,10 +2,10 @@
 #ifndef CANOPEN_NETWORK_NETWORK_PLAN_HPP
 #define CANOPEN_NETWORK_NETWORK_PLAN_HPP
 
-#include "canopen/start_up/el6751/setup.hpp"
 #include "canopen/cia302/flying_master/options.hpp"
 #include "canopen/cia302/flying_master/times.hpp"
 #include "canopen/cia302/network/setup.hpp"
+#include "canopen/start_up/el6751/setup.hpp"
 #include "canopen/start_up/plc_designer/setup.hpp"
 
 #include <cstddef>

@@ -2,10 +2,10 @@
 #ifndef CANOPEN_NETWORK_PROFILE_MAKER_HPP
 #define CANOPEN_NETWORK_PROFILE_MAKER_HPP
 
-#include "canopen/start_up/el6751/setup.hpp"
-#include "canopen/start_up/plc_designer/setup.hpp"
 #include "canopen/cia306/file/device.hpp"
 #include "canopen/network/network_plan.hpp"
+#include "canopen/start_up/el6751/setup.hpp"
+#include "canopen/start_up/plc_designer/setup.hpp"
 
 #include <array>
 #include <cstdint>

@@ -10,8 +10,8 @@
 #include "hal/host/can_ports.hpp"
 #include "hal/host/clocks.hpp"
 #include "hal/host/output.hpp"
-#include "hal/host/watchdog.hpp"
 #include "hal/host/virtual/bus.hpp"
+#include "hal/host/watchdog.hpp"
 
 #include <cstdio>
 

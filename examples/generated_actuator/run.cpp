@@ -5,8 +5,8 @@
 #include "examples/generated_actuator/run.hpp"
 
 #include "actuator/object_dictionary.hpp"
-#include "canopen/cia301/dictionary/foreign_objects.hpp"
 #include "canopen/cia301/base/little_endian.hpp"
+#include "canopen/cia301/dictionary/foreign_objects.hpp"
 #include "canopen/cia301/sdo/server.hpp"
 #include "channel_a/channel.hpp"
 #include "channel_b/channel.hpp"

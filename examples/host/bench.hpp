@@ -5,8 +5,8 @@
 #include "hal/host/can_ports.hpp"
 #include "hal/host/clocks.hpp"
 #include "hal/host/output.hpp"
-#include "hal/host/watchdog.hpp"
 #include "hal/host/virtual/bus.hpp"
+#include "hal/host/watchdog.hpp"
 #include "safety_core/crosslink/peer.hpp"
 #include "safety_core/kernel/kernel.hpp"
 

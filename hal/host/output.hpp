@@ -6,8 +6,8 @@
 #include "hal/api/output_gate.hpp"
 #include "hal/api/safety_output.hpp"
 #include "hal/host/virtual/bit_rate.hpp"
-#include "hal/host/watchdog.hpp"
 #include "hal/host/virtual/bus.hpp"
+#include "hal/host/watchdog.hpp"
 
 #include <cstdint>
 

@@ -1,9 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "hal/tms570/board.hpp"
 
-#include "hal/tms570/time/clock_comparator.hpp"
-#include "hal/tms570/output/cut_off.hpp"
 #include "hal/tms570/diagnosis/lockstep.hpp"
+#include "hal/tms570/output/cut_off.hpp"
+#include "hal/tms570/time/clock_comparator.hpp"
 
 namespace counterpoint::tms570
 {

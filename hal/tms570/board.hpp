@@ -2,17 +2,17 @@
 #ifndef HAL_TMS570_BOARD_HPP
 #define HAL_TMS570_BOARD_HPP
 
-#include "hal/tms570/diagnosis/built_in_tests.hpp"
 #include "hal/tms570/can/can_ports.hpp"
+#include "hal/tms570/chip/shared.hpp"
+#include "hal/tms570/chip/variant.hpp"
+#include "hal/tms570/diagnosis/built_in_tests.hpp"
 #include "hal/tms570/diagnosis/ecc.hpp"
 #include "hal/tms570/diagnosis/esm.hpp"
-#include "hal/tms570/interrupts.hpp"
 #include "hal/tms570/diagnosis/mpu.hpp"
-#include "hal/tms570/time/rti.hpp"
+#include "hal/tms570/interrupts.hpp"
 #include "hal/tms570/output/safety_pins.hpp"
-#include "hal/tms570/chip/shared.hpp"
 #include "hal/tms570/start_report.hpp"
-#include "hal/tms570/chip/variant.hpp"
+#include "hal/tms570/time/rti.hpp"
 #include "hal/tms570/time/watchdog.hpp"
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "hal/tms570/probe.hpp"
 
-#include "hal/tms570/diagnosis/esm.hpp"
 #include "hal/tms570/chip/shared.hpp"
+#include "hal/tms570/diagnosis/esm.hpp"
 
 namespace counterpoint::tms570
 {

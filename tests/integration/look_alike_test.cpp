@@ -7,8 +7,8 @@
 #include "verification/trace/verifies.hpp"
 
 #include "canopen/cia306/file/device_reader.hpp"
-#include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/safety/signing.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 
 #include <cstddef>
 #include <sstream>
@@ -186,7 +186,7 @@ expect:
 TEST(LookAlike, StaticMappingIsInTheSetupAndNotWritten)
 {
     Verifies(req::SRS_SIM_009);
-    DeviceModel model(Data("static"), std::nullopt);
+    runtime::DeviceModel model(Data("static"), std::nullopt);
     ASSERT_EQ(model.Config().srdo_count, 2U);
     const SrdoSetup& setup = model.Config().srdos[1];
     EXPECT_EQ(setup.number, 3U);
@@ -194,7 +194,7 @@ TEST(LookAlike, StaticMappingIsInTheSetupAndNotWritten)
     ASSERT_NE(setup.map.entries, nullptr);
     EXPECT_EQ(setup.map.entries[0], 0x24000110U);
     EXPECT_EQ(setup.map.entries[5], 0x24100308U);
-    for (const ConfigurationWrite& write : model.Writes())
+    for (const runtime::ConfigurationWrite& write : model.Writes())
     {
         EXPECT_FALSE(write.object.index >= 0x1381U && write.object.index <= 0x13C0U) << write.object.index;
     }
@@ -255,9 +255,9 @@ TEST(LookAlike, EveryDeviceParameterAndItsDigest)
     Verifies(req::SRS_SIM_009);
     // Given two devices that accept their configuration by its digest only
     const std::string peer = Signed("peer", Mirrored(TextOf(Data("digest")), "126", {"1302", "1305"}));
-    EXPECT_EQ(DeviceModel(Data("digest"), std::nullopt).Config().digest, 0x5F9AFA3DU);
-    EXPECT_NE(DeviceModel(peer, std::nullopt).Config().digest, 0U);
-    EXPECT_NE(DeviceModel(peer, std::nullopt).Config().digest, 0x5F9AFA3DU);
+    EXPECT_EQ(runtime::DeviceModel(Data("digest"), std::nullopt).Config().digest, 0x5F9AFA3DU);
+    EXPECT_NE(runtime::DeviceModel(peer, std::nullopt).Config().digest, 0U);
+    EXPECT_NE(runtime::DeviceModel(peer, std::nullopt).Config().digest, 0x5F9AFA3DU);
     // Then SRDO 2 is released by itself, SRDO 5 after its acknowledge; until then they have their safe values
     EXPECT_EQ(FailuresOf("nodes:\n  device: {dcf: " + Data("digest") + "}\n  peer: {dcf: " + peer + R"(, phase: 270 us}
 inputs:
@@ -295,10 +295,10 @@ TEST(LookAlike, AnotherDigestIsRefused)
         EXPECT_NE(std::string(error.what()).find("0604 0043h"), std::string::npos) << error.what();
     }
     // And another node-ID is another device, of which no digest is known; so is one with a second controller
-    EXPECT_EQ(DeviceModel(file, std::uint8_t{5}).Config().digest, 0U);
-    EXPECT_EQ(DeviceModel(Data("digest"), std::uint8_t{127}).Config().digest, 0x5F9AFA3DU);
+    EXPECT_EQ(runtime::DeviceModel(file, std::uint8_t{5}).Config().digest, 0U);
+    EXPECT_EQ(runtime::DeviceModel(Data("digest"), std::uint8_t{127}).Config().digest, 0x5F9AFA3DU);
     Set(text, "5F00sub10", "ParameterValue", "1");
-    DeviceModel one(Written("one", text), std::nullopt);
+    runtime::DeviceModel one(Written("one", text), std::nullopt);
     EXPECT_EQ(one.Config().digest, 0x5F9AFA3CU);
     one.UseTwoControllers();
     EXPECT_EQ(one.Config().digest, 0U);

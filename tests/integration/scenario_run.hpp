@@ -2,7 +2,7 @@
 #ifndef TESTS_INTEGRATION_SCENARIO_RUN_HPP
 #define TESTS_INTEGRATION_SCENARIO_RUN_HPP
 
-#include "verification/simulator/run.hpp"
+#include "simulator/judge/run.hpp"
 
 #include <gtest/gtest.h>
 

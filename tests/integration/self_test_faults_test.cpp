@@ -2,8 +2,8 @@
 //
 // What the self tests of a device are for: its program, its tables, its live memory, its stack, its pointers, and the
 // gate that takes its permits. In each node of the demonstration.
+#include "simulator/report/reports.hpp"
 #include "tests/integration/scenario_run.hpp"
-#include "verification/simulator/reports.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // The command manager, and networks in simulated time.
 #include "canopen/cia306/text/input_error.hpp"
+#include "runtime/manager/order.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
-#include "tools/manager_order.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <nlohmann/json.hpp>
@@ -293,16 +293,16 @@ TEST_F(ManagerCommandTest, NoOutputReplacesWhatIsReadOrAnotherOne)
 TEST_F(ManagerCommandTest, OrdersAreReadStrictly)
 {
     Verifies(req::SRS_MGR_006);
-    EXPECT_EQ(ParseManagerOrder("start 33").command, cia302::NmtCommand::kStart);
-    EXPECT_EQ(ParseManagerOrder("start 33").node, 33U);
-    EXPECT_EQ(ParseManagerOrder("reset-comm all").node, 0U);
-    EXPECT_EQ(ParseManagerOrder("boot 5").kind, ManagerOrderKind::kBoot);
-    EXPECT_EQ(ParseManagerOrder("write-safety 5 # now").kind, ManagerOrderKind::kWriteSafety);
-    EXPECT_EQ(ParseManagerOrder("  ").kind, ManagerOrderKind::kNothing);
-    EXPECT_EQ(ParseManagerOrder("boot all").problem, "boot: 'all', expected a node-ID from 1 to 127");
-    EXPECT_EQ(ParseManagerOrder("stop").problem, "stop: no node, expected a node-ID from 1 to 127, or all");
-    EXPECT_EQ(ParseManagerOrder("stop 128").problem, "stop: '128', expected a node-ID from 1 to 127, or all");
-    EXPECT_EQ(ParseManagerOrder("fly").problem,
+    EXPECT_EQ(runtime::ParseManagerOrder("start 33").command, cia302::NmtCommand::kStart);
+    EXPECT_EQ(runtime::ParseManagerOrder("start 33").node, 33U);
+    EXPECT_EQ(runtime::ParseManagerOrder("reset-comm all").node, 0U);
+    EXPECT_EQ(runtime::ParseManagerOrder("boot 5").kind, runtime::ManagerOrderKind::kBoot);
+    EXPECT_EQ(runtime::ParseManagerOrder("write-safety 5 # now").kind, runtime::ManagerOrderKind::kWriteSafety);
+    EXPECT_EQ(runtime::ParseManagerOrder("  ").kind, runtime::ManagerOrderKind::kNothing);
+    EXPECT_EQ(runtime::ParseManagerOrder("boot all").problem, "boot: 'all', expected a node-ID from 1 to 127");
+    EXPECT_EQ(runtime::ParseManagerOrder("stop").problem, "stop: no node, expected a node-ID from 1 to 127, or all");
+    EXPECT_EQ(runtime::ParseManagerOrder("stop 128").problem, "stop: '128', expected a node-ID from 1 to 127, or all");
+    EXPECT_EQ(runtime::ParseManagerOrder("fly").problem,
               "order 'fly', expected status, start, stop, preop, reset, reset-comm, "
               "boot, write-safety, control, output, get, set, negotiate, help or quit");
 }

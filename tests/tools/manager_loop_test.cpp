@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // The executive of a live manager on a bus of this test.
+#include "runtime/manager/loop.hpp"
+#include "runtime/network_files/file.hpp"
 #include "tests/tools/command_run.hpp"
-#include "tools/manager_loop.hpp"
-#include "tools/network_file.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <nlohmann/json.hpp>
@@ -86,20 +86,20 @@ class ManagerLoopTest : public test::CommandTest
 {
   protected:
     /// How often a second device was suspected, from a run on heartbeats that came `apart_ns` from each other.
-    int Duplicates(const std::uint64_t apart_ns, const std::uint64_t longest_pause_ns = kLongestPauseNs,
+    int Duplicates(const std::uint64_t apart_ns, const std::uint64_t longest_pause_ns = runtime::kLongestPauseNs,
                    const std::string& name = "udp:239.74.163.91:43191")
     {
-        network::LoadedNetwork net(ReadNetworkFile(
+        network::LoadedNetwork net(runtime::ReadNetworkFile(
             File("net.yaml",
                  "manager: {node: 127}\nslaves: [{node: 5, heartbeat: 5 ms, consumer: 9 s, arming: immediately}]\n"),
             0U));
         std::ostringstream out;
-        NodeReport report(out, ReportForm::kText, host::LiveNow());
-        ManagerLoopSettings settings;
+        runtime::NodeReport report(out, runtime::ReportForm::kText, host::LiveNow());
+        runtime::ManagerLoopSettings settings;
         settings.log = Path("log.jsonl");
         settings.longest_pause_ns = longest_pause_ns;
         settings.for_ns = kPauseNs + 200U * kMs;
-        ManagerLoop loop(net, std::make_unique<WaitingBus>(apart_ns, name), report, nullptr, settings);
+        runtime::ManagerLoop loop(net, std::make_unique<WaitingBus>(apart_ns, name), report, nullptr, settings);
         EXPECT_FALSE(loop.Run());
         std::istringstream log(cia306::ReadTextFile(Path("log.jsonl")));
         int count = 0;
@@ -123,20 +123,20 @@ TEST_F(ManagerLoopTest, WhatWaitedDuringAPauseIsNoSecondDevice)
     // But after a pause that is too long to know, what waited is left aside
     EXPECT_EQ(Duplicates(1000U, 1000U * kMs), 0);
     // Nor is there a second device when a connection without times gives all of it at once
-    EXPECT_EQ(Duplicates(0U, kLongestPauseNs, "socketcand:localhost:1/can0"), 0);
+    EXPECT_EQ(Duplicates(0U, runtime::kLongestPauseNs, "socketcand:localhost:1/can0"), 0);
 }
 
 TEST_F(ManagerLoopTest, AHeapIsMoreThanABusCarriesAfterASilence)
 {
     Verifies(req::SRS_MGR_004);
     // Given a full bus of 1 Mbit/s, 21 frames a millisecond, after a silence of 600 ms
-    FrameHeap full(0U);
+    runtime::FrameHeap full(0U);
     for (std::uint64_t ms = 600U; ms < 3000U; ++ms)
     {
         EXPECT_FALSE(full.Has(21U, ms * kMs)) << ms;
     }
     // And a connection that gives 73 frames in each of 13 ms, some in each turn, and then what is on the bus
-    FrameHeap heap(0U);
+    runtime::FrameHeap heap(0U);
     std::size_t passed = 0U;
     for (std::uint64_t turn = 0U; turn < 130U; ++turn)
     {
@@ -148,7 +148,7 @@ TEST_F(ManagerLoopTest, AHeapIsMoreThanABusCarriesAfterASilence)
         EXPECT_FALSE(heap.Has(1U, ms * kMs)) << ms;
     }
     // Then a heap without a silence before it is none
-    EXPECT_FALSE(FrameHeap(0U).Has(300U, 400U * kMs));
+    EXPECT_FALSE(runtime::FrameHeap(0U).Has(300U, 400U * kMs));
 }
 } // namespace
 } // namespace counterpoint::tools

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Process data of a manager with the EL6751 profile.
+#include "runtime/manager/report/status.hpp"
 #include "tests/tools/manager_rig.hpp"
-#include "tools/manager_status.hpp"
 #include "verification/trace/verifies.hpp"
 
 namespace counterpoint::tools
@@ -74,7 +74,7 @@ TEST_F(ManagerProcessTest, OutputsGoOutAndInputsAreTold)
     for (const char* const wrong : {"output", "output 10", "output 10 1", "output 10 1 0", "output 10 1 0x12",
                                     "output 10 1 0 1", "output 10 513 00", "output 10 1 000102030405060708"})
     {
-        EXPECT_EQ(ParseManagerOrder(wrong).kind, ManagerOrderKind::kProblem) << wrong;
+        EXPECT_EQ(runtime::ParseManagerOrder(wrong).kind, runtime::ManagerOrderKind::kProblem) << wrong;
     }
 }
 
@@ -84,7 +84,7 @@ TEST_F(ManagerProcessTest, InputsAreToldAndShown)
     static_cast<void>(File("pdo.dcf", PdoDcf()));
     Make(PdoNetwork(""));
     Run(10U);
-    EXPECT_NE(StatusTable(*station, now_us).find("10    TxPDO 1     -\n"), std::string::npos);
+    EXPECT_NE(runtime::StatusTable(*station, now_us).find("10    TxPDO 1     -\n"), std::string::npos);
     // When 50 other values come in as many milliseconds, then one is told at once and the last one 100 ms later
     for (std::uint8_t value = 1U; value <= 50U; ++value)
     {
@@ -93,7 +93,7 @@ TEST_F(ManagerProcessTest, InputsAreToldAndShown)
     }
     Run(100U);
     Lines told;
-    for (const ManagerEvent& event : events)
+    for (const runtime::ManagerEvent& event : events)
     {
         if (event.kind == "pdo")
         {
@@ -101,10 +101,10 @@ TEST_F(ManagerProcessTest, InputsAreToldAndShown)
         }
     }
     EXPECT_EQ(told, (Lines{"10 TxPDO 1: 01", "10 TxPDO 1: 32"}));
-    const std::string table = StatusTable(*station, now_us);
+    const std::string table = runtime::StatusTable(*station, now_us);
     EXPECT_NE(table.find("10    RxPDO 1     00 00\n"), std::string::npos) << table;
     EXPECT_NE(table.find("10    TxPDO 1     32                        101 ms\n"), std::string::npos) << table;
-    const auto json = StatusJson(*station, now_us);
+    const auto json = runtime::StatusJson(*station, now_us);
     EXPECT_EQ(json["event"], "table");
     EXPECT_EQ(json["pdos"][1]["data"], "32");
     // A frame that is too short is no value

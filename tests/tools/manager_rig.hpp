@@ -2,10 +2,10 @@
 #ifndef TESTS_TOOLS_MANAGER_RIG_HPP
 #define TESTS_TOOLS_MANAGER_RIG_HPP
 
+#include "runtime/manager/station.hpp"
+#include "runtime/network_files/file.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
-#include "tools/manager_station.hpp"
-#include "tools/network_file.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -28,15 +28,15 @@ class ManagerRig : public CommandTest
     }
     void Make(const std::string& text)
     {
-        net = std::make_unique<network::LoadedNetwork>(ReadNetworkFile(File("net.yaml", text), 0U));
-        station = std::make_unique<ManagerStation>(
+        net = std::make_unique<network::LoadedNetwork>(runtime::ReadNetworkFile(File("net.yaml", text), 0U));
+        station = std::make_unique<runtime::ManagerStation>(
             *net,
             [this](const CanFrame& frame)
             {
                 sent.push_back(frame);
                 return true;
             },
-            [this](const ManagerEvent& event) { events.push_back(event); });
+            [this](const runtime::ManagerEvent& event) { events.push_back(event); });
         station->Begin(now_us);
     }
     void Run(const std::uint64_t ms)
@@ -143,14 +143,14 @@ class ManagerRig : public CommandTest
     }
     std::string Order(const std::string& line)
     {
-        return station->Carry(ParseManagerOrder(line), now_us);
+        return station->Carry(runtime::ParseManagerOrder(line), now_us);
     }
 
     std::uint64_t now_us{0U};
     std::unique_ptr<network::LoadedNetwork> net;
     std::vector<CanFrame> sent;
-    std::vector<ManagerEvent> events;
-    std::unique_ptr<ManagerStation> station;
+    std::vector<runtime::ManagerEvent> events;
+    std::unique_ptr<runtime::ManagerStation> station;
 };
 } // namespace counterpoint::tools::test
 

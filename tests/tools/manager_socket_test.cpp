@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // The socket of the manager: who sends what, and who keeps nobody waiting.
 #include "canopen/cia306/text/input_error.hpp"
+#include "runtime/manager/socket.hpp"
 #include "tests/tools/command_run.hpp"
-#include "tools/manager_socket.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ TEST_F(ManagerSocketTest, ASocketTakesThePlaceOfALeftSocketOnly)
     Verifies(req::SRS_MGR_006);
     // Given a file of a person
     const std::string file = File("file", "mine");
-    EXPECT_THROW(ManagerSocket socket(file), cia306::InputError);
+    EXPECT_THROW(runtime::ManagerSocket socket(file), cia306::InputError);
     EXPECT_EQ(cia306::ReadTextFile(file), "mine");
     // And a socket that nobody serves any more
     sockaddr_un address{};
@@ -58,15 +58,15 @@ TEST_F(ManagerSocketTest, ASocketTakesThePlaceOfALeftSocketOnly)
         const host::LiveFile left(::socket(AF_UNIX, SOCK_STREAM, 0));
         ASSERT_EQ(::bind(left.Get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)), 0);
     }
-    EXPECT_NO_THROW(ManagerSocket socket(path));
+    EXPECT_NO_THROW(runtime::ManagerSocket socket(path));
 }
 
 TEST_F(ManagerSocketTest, ProgramsSendOrdersByASocket)
 {
     Verifies(req::SRS_MGR_006);
-    ManagerSocket socket(Path("m.sock"));
+    runtime::ManagerSocket socket(Path("m.sock"));
     // A second manager does not take it away
-    EXPECT_THROW(ManagerSocket second(Path("m.sock")), std::runtime_error);
+    EXPECT_THROW(runtime::ManagerSocket second(Path("m.sock")), std::runtime_error);
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
     const std::string path = Path("m.sock");
@@ -93,7 +93,7 @@ TEST_F(ManagerSocketTest, ProgramsSendOrdersByASocket)
 TEST_F(ManagerSocketTest, AFewLinesOfEachClientATurn)
 {
     Verifies(req::SRS_MGR_006);
-    ManagerSocket socket(Path("m.sock"));
+    runtime::ManagerSocket socket(Path("m.sock"));
     const host::LiveFile many = Connect(Path("m.sock"));
     socket.Serve(Echo);
     const host::LiveFile one = Connect(Path("m.sock"));
@@ -111,7 +111,7 @@ TEST_F(ManagerSocketTest, AFewLinesOfEachClientATurn)
 TEST_F(ManagerSocketTest, WhoIsSilentMakesRoomAndWhoNeverEndsALineIsCut)
 {
     Verifies(req::SRS_MGR_006);
-    ManagerSocket socket(Path("m.sock"));
+    runtime::ManagerSocket socket(Path("m.sock"));
     std::vector<host::LiveFile> clients;
     for (int client = 0; client < 8; ++client)
     {
@@ -139,7 +139,7 @@ TEST_F(ManagerSocketTest, WhoIsSilentMakesRoomAndWhoNeverEndsALineIsCut)
 TEST_F(ManagerSocketTest, TheEndOfWhatIsSentEndsItsLastLine)
 {
     Verifies(req::SRS_MGR_006);
-    ManagerSocket socket(Path("m.sock"));
+    runtime::ManagerSocket socket(Path("m.sock"));
     const host::LiveFile client = Connect(Path("m.sock"));
     // Given a client that sends a line and half of one, and then says that nothing more comes
     Say(client, "one\ntwo");

@@ -166,8 +166,8 @@ TEST_F(ManagerStationTest, HeartbeatConsumersAreWrittenAsInAnyDevice)
     EndStartUp();
     const auto count = [this](const std::string& kind, const std::uint8_t node)
     {
-        return std::count_if(events.begin(), events.end(),
-                             [&](const ManagerEvent& event) { return event.kind == kind && event.node == node; });
+        return std::count_if(events.begin(), events.end(), [&](const runtime::ManagerEvent& event)
+                             { return event.kind == kind && event.node == node; });
     };
     // Rules of CiA 301, and of this manager
     EXPECT_EQ(Read(0x1016U, 2U), (33U << 16U) | 200U);
@@ -217,7 +217,7 @@ TEST_F(ManagerStationTest, TheLastEmergencyOfAStormIsTold)
     Hear(0x085U, {0x10U, 0x82U, 0x11U, 0U, 0U, 0U, 0U, 0U});
     Run(200U);
     Lines told;
-    for (const ManagerEvent& event : events)
+    for (const runtime::ManagerEvent& event : events)
     {
         if (event.kind == "emergency")
         {
@@ -343,11 +343,11 @@ TEST_F(ManagerStationTest, WithoutAFlyingMasterThereIsNothingToNegotiate)
     Verifies(req::SRS_MGR_023);
     Make(kNetwork);
     EXPECT_EQ(Order("negotiate"), "no negotiation waits for an order, expected flying: {start: by_order}");
-    EXPECT_EQ(ParseManagerOrder("get 1F80").problem,
+    EXPECT_EQ(runtime::ParseManagerOrder("get 1F80").problem,
               "'get' with something else than an object, expected get 0x1F80:00");
-    EXPECT_EQ(ParseManagerOrder("set 0x1F90:03").kind, ManagerOrderKind::kProblem);
-    EXPECT_EQ(ParseManagerOrder("set 0x1F90:03 x").kind, ManagerOrderKind::kProblem);
-    EXPECT_EQ(ParseManagerOrder("set 0x1F90:03 4294967296").kind, ManagerOrderKind::kProblem);
+    EXPECT_EQ(runtime::ParseManagerOrder("set 0x1F90:03").kind, runtime::ManagerOrderKind::kProblem);
+    EXPECT_EQ(runtime::ParseManagerOrder("set 0x1F90:03 x").kind, runtime::ManagerOrderKind::kProblem);
+    EXPECT_EQ(runtime::ParseManagerOrder("set 0x1F90:03 4294967296").kind, runtime::ManagerOrderKind::kProblem);
     EXPECT_EQ(Order("set 0x1017:00 65536"), "0x1017:00 = 65536, expected at most 2 bytes");
 }
 } // namespace

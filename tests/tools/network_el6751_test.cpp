@@ -23,7 +23,7 @@ TEST_F(NetworkProfileTest, WhatNoRowWritesStaysAFurtherObject)
             text.replace(type, 16U, "ParameterValue=255");
         }
         static_cast<void>(File("io.dcf", text));
-        const LoadedNetwork net(ReadNetworkFile(Net("  profile: el6751\n", ""), 0U));
+        const LoadedNetwork net(runtime::ReadNetworkFile(Net("  profile: el6751\n", ""), 0U));
         EXPECT_FALSE(cia302::NeedsSync(net.Setup()));
         const std::vector<std::uint32_t> keys = Keys(net.Setup().slaves[5].concise_dcf);
         return std::vector<std::uint32_t>(keys.begin() + 8, keys.end()); // Behind RPDO 1 and 2, which are off.
@@ -58,7 +58,7 @@ TEST_F(NetworkProfileTest, OtherConsumersOfTheSlaveAreKept)
         text.insert(entry, "[1016sub" + std::string(sub) + "\nParameterName=x\nDataType=0x0007\nAccessType=rw\n");
     }
     static_cast<void>(File("io.dcf", text));
-    const LoadedNetwork net(ReadNetworkFile(Net("  profile: el6751\n  heartbeat: 100 ms\n", ""), 0U));
+    const LoadedNetwork net(runtime::ReadNetworkFile(Net("  profile: el6751\n  heartbeat: 100 ms\n", ""), 0U));
     EXPECT_EQ(Keys(net.Setup().slaves[5].concise_dcf), (std::vector<std::uint32_t>{0x100600U, 0x101602U, 0x200000U}));
     ASSERT_EQ(net.Warnings().size(), 1U);
     EXPECT_NE(net.Warnings()[0].find(":8: node 5 watches node 9 by 1016h:01, where the profile writes the manager, "
@@ -73,7 +73,7 @@ TEST_F(NetworkProfileTest, TheGuardTimeIsThePeriodOfTheHeartbeat)
     // By its own keys or by 1F81h, whatever 1017h of the DCF says
     for (const char* const slave : {"    guard_time: 20 ms\n    retry_factor: 4\n", "    assignment: 0x0014040D\n"})
     {
-        const LoadedNetwork net(ReadNetworkFile(Net("  profile: el6751\n", slave), 0U));
+        const LoadedNetwork net(runtime::ReadNetworkFile(Net("  profile: el6751\n", slave), 0U));
         const cia302::SlaveSetup& setup = net.Setup().slaves[5];
         EXPECT_EQ(setup.el6751->guard_time_ms, 20U) << slave;
         EXPECT_EQ(setup.el6751->life_time_factor, 4U) << slave;
@@ -90,7 +90,7 @@ TEST_F(NetworkProfileTest, APdoOf29BitsIsRefused)
                                                Pdo("1801", "1A01", "$NODEID+0x80000280", "0", "DefaultValue"));
     try
     {
-        const LoadedNetwork net(ReadNetworkFile(Net("  profile: el6751\n", ""), 0U));
+        const LoadedNetwork net(runtime::ReadNetworkFile(Net("  profile: el6751\n", ""), 0U));
         ADD_FAILURE() << "accepted";
     }
     catch (const std::exception& error)
@@ -106,7 +106,7 @@ TEST_F(NetworkProfileTest, ASlaveThatHardlyWaitsForTheManagersHeartbeatIsTold)
     Verifies(req::SRS_NET_006);
     const auto warnings = [this](const std::string& manager, const std::string& slave)
     {
-        const LoadedNetwork net(ReadNetworkFile(Net(manager, slave), 0U));
+        const LoadedNetwork net(runtime::ReadNetworkFile(Net(manager, slave), 0U));
         std::string text;
         for (const std::string& warning : net.Warnings())
         {

@@ -2,10 +2,10 @@
 // Malformed network files: one precise line each, file:line, what is wrong, what was expected.
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/network/loaded_network.hpp"
+#include "runtime/network_files/file.hpp"
+#include "runtime/yaml/document.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
-#include "tools/network_file.hpp"
-#include "verification/simulator/yaml_document.hpp"
 #include "verification/trace/verifies.hpp"
 
 namespace counterpoint::tools
@@ -133,13 +133,13 @@ class BadNetworkTest : public test::CommandTest
     {
         try
         {
-            const network::LoadedNetwork net(ReadNetworkFile(path, 0U));
+            const network::LoadedNetwork net(runtime::ReadNetworkFile(path, 0U));
         }
         catch (const cia306::InputError& error)
         {
             return error.what();
         }
-        catch (const simulator::ScenarioError& error)
+        catch (const runtime::YamlError& error)
         {
             return error.what();
         }
@@ -174,7 +174,7 @@ TEST_F(BadNetworkTest, WhatACpjSaysBesideItsFormatIsTold)
         "net.cpj", "[Topology]\nNetNamme=x\nNodes=2\nNode1Present=1\nNode1DCFName=sensor.dcf\nNode1Refd=K1\n"
                    "Node2Present=1\nNode2DCFName=manager.dcf\n# three\nNode3Name=y\nNode3Presnt=1\n[Other]\na=1\n");
     // When it is read, then each is told with its line, and nothing else
-    const network::LoadedNetwork net(ReadNetworkFile(path, 0U));
+    const network::LoadedNetwork net(runtime::ReadNetworkFile(path, 0U));
     const std::vector<std::string> expected{
         path + ":9: a comment with '#' is no part of CiA 306, expected ';'; it is ignored",
         path + ":12: section [Other] is ignored, expected [Topology] alone",

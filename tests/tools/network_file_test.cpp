@@ -1,9 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Network files: what a manager learns from them and from the DCFs they name.
 #include "canopen/network/loaded_network.hpp"
+#include "runtime/network_files/file.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
-#include "tools/network_file.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ class NetworkFileTest : public test::CommandTest
 TEST_F(NetworkFileTest, ACpjNamesManagerAndSlaves)
 {
     Verifies(req::SRS_NET_001);
-    const NetworkPlan plan = ReadNetworkFile(Cpj(), 0U);
+    const NetworkPlan plan = runtime::ReadNetworkFile(Cpj(), 0U);
     EXPECT_EQ(plan.name, "Chain");
     EXPECT_EQ(plan.manager.node, std::uint8_t{2U});
     ASSERT_EQ(plan.slaves.size(), 2U);
@@ -50,7 +50,7 @@ TEST_F(NetworkFileTest, ACpjNamesManagerAndSlaves)
     EXPECT_EQ(plan.slaves[1].node, 33U);
     EXPECT_EQ(plan.slaves[1].name, "Relay");
     // When the command says who manages, the file's manager is a slave like the others
-    const NetworkPlan other = ReadNetworkFile(Cpj(), 100U);
+    const NetworkPlan other = runtime::ReadNetworkFile(Cpj(), 100U);
     EXPECT_EQ(other.manager.node, std::uint8_t{100U});
     EXPECT_EQ(other.slaves.size(), 3U);
 }
@@ -58,7 +58,7 @@ TEST_F(NetworkFileTest, ACpjNamesManagerAndSlaves)
 TEST_F(NetworkFileTest, WhatTheManagerExpectsFollowsFromTheDcf)
 {
     Verifies(req::SRS_NET_003);
-    const LoadedNetwork net(ReadNetworkFile(Cpj(), 0U));
+    const LoadedNetwork net(runtime::ReadNetworkFile(Cpj(), 0U));
     const cia302::SlaveSetup& relay = net.Setup().slaves[33];
     // In the network, booted, mandatory
     EXPECT_EQ(relay.assignment, 0x0DU);
@@ -79,7 +79,7 @@ TEST_F(NetworkFileTest, WhatTheManagerExpectsFollowsFromTheDcf)
 TEST_F(NetworkFileTest, TheSafetyExpectationIsTheSignedConfiguration)
 {
     Verifies(req::SRS_NET_003);
-    const LoadedNetwork net(ReadNetworkFile(Cpj(), 0U));
+    const LoadedNetwork net(runtime::ReadNetworkFile(Cpj(), 0U));
     const cia302::SafetyExpectation* const safety = net.Setup().slaves[33].safety;
     ASSERT_NE(safety, nullptr);
     EXPECT_TRUE(cia302::IsUsable(*safety));
@@ -108,7 +108,7 @@ slaves:
   - {node: 33, dcf: actuator.dcf, keep_alive: true, arming: immediately, write_safety: true, restore: 1}
   - {node: 34, assignment: 0x5, guard_time: 100 ms, retry_factor: 3, device_type: 0x191}
 )");
-    const NetworkPlan plan = ReadNetworkFile(file, 0U);
+    const NetworkPlan plan = runtime::ReadNetworkFile(file, 0U);
     EXPECT_EQ(plan.manager.sdo_time_out_ms, std::uint32_t{300U});
     EXPECT_EQ(plan.manager.flying->level_slot_ms, std::uint16_t{2000U});
     EXPECT_EQ(plan.manager.flying->options.cyclic, cia302::CyclicMessage::kNegotiation);
@@ -140,7 +140,7 @@ slaves:
   - {node: 1, software: {identification: 0x55, date: 2, time: 3}}
   - {node: 2, software: {identification: 0x56, update: true, program: program.bin}}
 )");
-    const LoadedNetwork net(ReadNetworkFile(file, 0U));
+    const LoadedNetwork net(runtime::ReadNetworkFile(file, 0U));
     const cia302::SlaveSetup& verified = net.Setup().slaves[1];
     EXPECT_EQ(verified.assignment, 0x2DU);
     EXPECT_EQ(verified.software.identification, 0x55U);
@@ -158,13 +158,14 @@ TEST_F(NetworkFileTest, WhatTheProfileDoesNotLookAtIsTold)
     Verifies(req::SRS_NET_006);
     const auto warnings = [this](const std::string& profile)
     {
-        const LoadedNetwork net(ReadNetworkFile(File("net.yaml", "manager: {node: 127, profile: " + profile +
-                                                                     R"(, sync: 10 ms, boot_time: 1 s, start_up: 0x41,
+        const LoadedNetwork net(
+            runtime::ReadNetworkFile(File("net.yaml", "manager: {node: 127, profile: " + profile +
+                                                          R"(, sync: 10 ms, boot_time: 1 s, start_up: 0x41,
   el6751: {sync_multiplier: 2}}
 slaves:
   - {node: 1, serial: 7, keep_alive: true, restore: 1, el6751: {start: false}, plc_designer: {optional: true}}
 )"),
-                                                0U));
+                                     0U));
         std::vector<std::string> told;
         for (const std::string& warning : net.Warnings())
         {
@@ -191,7 +192,7 @@ TEST_F(NetworkFileTest, AGuardTimeBesideAHeartbeatAndAReservedBitAreToldToo)
                                                   "}\n  - {node: 3, assignment: 0x07}\n"
                                                   "  - {node: 4, heartbeat: 50 ms, consumer: 0 ms, " +
                                                   guarded + "}\n");
-    const LoadedNetwork net(ReadNetworkFile(file, 0U));
+    const LoadedNetwork net(runtime::ReadNetworkFile(file, 0U));
     ASSERT_EQ(net.Warnings().size(), 3U);
     const auto says = [&net](const std::size_t number, const std::string& text)
     { return net.Warnings()[number].find("net.yaml:" + text) != std::string::npos; };
@@ -233,7 +234,7 @@ TEST_F(NetworkFileTest, TheManagersOwnObjectsGoBeforeDerivedOnes)
            variable("1F81sub0", "0x0005", "33") + variable("1F81sub21", "0x0007", "0x05") + array("1F88", "2") +
            variable("1F88sub0", "0x0005", "33") + variable("1F88sub21", "0x0007", "4711");
     static_cast<void>(File("manager.dcf", dcf));
-    const LoadedNetwork net(ReadNetworkFile(Cpj(), 0U));
+    const LoadedNetwork net(runtime::ReadNetworkFile(Cpj(), 0U));
     EXPECT_EQ(net.Setup().start_up, 0x11U);
     EXPECT_EQ(net.Setup().boot_time_ms, 7000U);
     EXPECT_EQ(net.Setup().slaves[33].assignment, 0x05U);
@@ -244,7 +245,7 @@ TEST_F(NetworkFileTest, TheManagersOwnObjectsGoBeforeDerivedOnes)
         static_cast<void>(File("manager.dcf", text));
         try
         {
-            const LoadedNetwork wrong(ReadNetworkFile(Cpj(), 0U));
+            const LoadedNetwork wrong(runtime::ReadNetworkFile(Cpj(), 0U));
         }
         catch (const cia306::InputError& error)
         {
@@ -292,10 +293,10 @@ TEST_F(NetworkFileTest, OneStartForAllWithASafetySlaveIsWarnedOf)
     const auto warnings = [this](const std::string& profile)
     {
         const LoadedNetwork net(
-            ReadNetworkFile(File("net.yaml", "name: Chain\n"
-                                             "manager: {node: 127, start_up: 7, profile: " +
-                                                 profile + "}\nslaves: [{node: 33, dcf: actuator.dcf}]\n"),
-                            0U));
+            runtime::ReadNetworkFile(File("net.yaml", "name: Chain\n"
+                                                      "manager: {node: 127, start_up: 7, profile: " +
+                                                          profile + "}\nslaves: [{node: 33, dcf: actuator.dcf}]\n"),
+                                     0U));
         return net.Warnings();
     };
     const std::string place = Path("net.yaml") + ":2: ";
@@ -316,7 +317,7 @@ TEST_F(NetworkFileTest, AConsumerTimeOfASlaveThatIsToldToSendNoHeartbeatIsWarned
     Verifies(req::SRS_NET_006);
     const auto warnings = [this](const std::string& profile, const std::string& slave)
     {
-        const LoadedNetwork net(ReadNetworkFile(
+        const LoadedNetwork net(runtime::ReadNetworkFile(
             File("net.yaml", "manager: {node: 127, profile: " + profile + "}\nslaves:\n  - {node: 5" + slave + "}\n"),
             0U));
         return net.Warnings();

@@ -2,10 +2,10 @@
 // Flying masters in network files: who is one, with which times and which behaviour.
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/network/loaded_network.hpp"
+#include "runtime/network_files/file.hpp"
+#include "runtime/yaml/document.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
-#include "tools/network_file.hpp"
-#include "verification/simulator/yaml_document.hpp"
 #include "verification/trace/verifies.hpp"
 
 namespace counterpoint::tools
@@ -51,7 +51,7 @@ class NetworkFlyingTest : public test::CommandTest
     }
     [[nodiscard]] cia302::FlyingMasterOptions Options(const std::string& flying) const
     {
-        return ReadNetworkFile(Net("flying: {" + flying + "}"), 0U).manager.flying->options;
+        return runtime::ReadNetworkFile(Net("flying: {" + flying + "}"), 0U).manager.flying->options;
     }
 };
 
@@ -94,7 +94,7 @@ TEST_F(NetworkFlyingTest, UnknownWordsAndTimesAreRefusedAtTheirPlace)
         {
             static_cast<void>(Options(flying));
         }
-        catch (const simulator::ScenarioError& error)
+        catch (const runtime::YamlError& error)
         {
             const std::string text = error.what();
             return text.substr(text.find("net.yaml") + 8U);
@@ -113,23 +113,23 @@ TEST_F(NetworkFlyingTest, StartUpValueDecidesNotTheDictionary)
     Verifies(req::SRS_FLY_030);
     // Given 1F90h in the DCF, once with and once without bit 5 of 1F80h
     WriteManager("0x21", "1");
-    const LoadedNetwork flies(ReadNetworkFile(Net("dcf: manager.dcf"), 0U));
+    const LoadedNetwork flies(runtime::ReadNetworkFile(Net("dcf: manager.dcf"), 0U));
     ASSERT_TRUE(flies.Plan().manager.flying);
     EXPECT_EQ(flies.Plan().manager.flying->timeout_ms, std::uint16_t{150U});
     EXPECT_EQ(flies.Plan().manager.flying->priority, std::uint16_t{1U});
     EXPECT_EQ(flies.Setup().start_up, 0x21U);
     WriteManager("0x01", "1");
-    const LoadedNetwork rests(ReadNetworkFile(Net("dcf: manager.dcf"), 0U));
+    const LoadedNetwork rests(runtime::ReadNetworkFile(Net("dcf: manager.dcf"), 0U));
     EXPECT_FALSE(rests.Plan().manager.flying);
     EXPECT_EQ(rests.Setup().start_up, 0x01U);
     // When the network file asks for it, the values of the DCF count where it says nothing
-    const LoadedNetwork asked(ReadNetworkFile(Net("dcf: manager.dcf, flying: {priority: 0}"), 0U));
+    const LoadedNetwork asked(runtime::ReadNetworkFile(Net("dcf: manager.dcf, flying: {priority: 0}"), 0U));
     ASSERT_TRUE(asked.Plan().manager.flying);
     EXPECT_EQ(asked.Plan().manager.flying->timeout_ms, std::uint16_t{150U});
     EXPECT_EQ(asked.Plan().manager.flying->priority, std::uint16_t{0U});
     EXPECT_EQ(asked.Setup().start_up, 0x21U);
     // Given the bit in the network file alone
-    const LoadedNetwork bit(ReadNetworkFile(Net("start_up: 0x21"), 0U));
+    const LoadedNetwork bit(runtime::ReadNetworkFile(Net("start_up: 0x21"), 0U));
     EXPECT_TRUE(bit.Plan().manager.flying);
     EXPECT_TRUE(bit.Warnings().empty());
 }
@@ -141,7 +141,7 @@ TEST_F(NetworkFlyingTest, ReservedPriorityInTheDcfIsRefusedWithItsLine)
     WriteManager("0x21", "3");
     try
     {
-        const LoadedNetwork net(ReadNetworkFile(Net("dcf: manager.dcf"), 0U));
+        const LoadedNetwork net(runtime::ReadNetworkFile(Net("dcf: manager.dcf"), 0U));
         FAIL() << "accepted";
     }
     catch (const cia306::InputError& error)
@@ -156,7 +156,7 @@ TEST_F(NetworkFlyingTest, AFlyingMasterWithoutHeartbeatIsWarnedOf)
 {
     Verifies(req::SRS_FLY_029);
     const std::string file = File("net.yaml", "manager: {node: 2, flying: {priority: 1}}\nslaves: [{node: 9}]\n");
-    const LoadedNetwork net(ReadNetworkFile(file, 0U));
+    const LoadedNetwork net(runtime::ReadNetworkFile(file, 0U));
     ASSERT_EQ(net.Warnings().size(), 1U);
     EXPECT_EQ(net.Warnings()[0], file +
                                      ":1: a flying master without heartbeat, which its standbys lose again and again: "
@@ -170,7 +170,7 @@ TEST_F(NetworkFlyingTest, TimesThatDoNotGoTogetherAreWarnedOfAtTheirLine)
     {
         const std::string file = File("net.yaml", "manager:\n  node: 2\n  heartbeat: 500 ms\n  flying:\n" + flying +
                                                       "slaves: [" + slave + "]\n");
-        const LoadedNetwork net(ReadNetworkFile(file, 0U));
+        const LoadedNetwork net(runtime::ReadNetworkFile(file, 0U));
         std::string all;
         for (const std::string& warning : net.Warnings())
         {
@@ -210,7 +210,7 @@ TEST_F(NetworkFlyingTest, TheUsualWatchTimeIsWarnedOfWhereItCounts)
     {
         const std::string file =
             File("net.yaml", "manager: {node: 2, heartbeat: 2 s, flying: {}}\nslaves: [{node: 9" + slave + "}]\n");
-        return LoadedNetwork(ReadNetworkFile(file, 0U)).Warnings().size();
+        return LoadedNetwork(runtime::ReadNetworkFile(file, 0U)).Warnings().size();
     };
     EXPECT_EQ(count(""), 1U);
     EXPECT_EQ(count(", consumer: 3 s"), 0U);

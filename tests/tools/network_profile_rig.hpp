@@ -5,8 +5,8 @@
 
 #include "canopen/cia302/network/concise_dcf.hpp"
 #include "canopen/network/loaded_network.hpp"
+#include "runtime/network_files/file.hpp"
 #include "tests/tools/command_run.hpp"
-#include "tools/network_file.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <string>

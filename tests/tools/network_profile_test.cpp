@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // What the EL6751 and PLC Designer profiles learn from network files and DCFs.
+#include "runtime/manager/station.hpp"
 #include "tests/tools/network_profile_rig.hpp"
-#include "tools/manager_station.hpp"
 
 namespace counterpoint::tools
 {
@@ -10,7 +10,7 @@ namespace
 TEST_F(NetworkProfileTest, El6751TakesPdosThatAreOnAndTheTimesOfTheHeartbeat)
 {
     Verifies(req::SRS_ELM_051);
-    const LoadedNetwork net(ReadNetworkFile(Net("  profile: el6751\n", "    consumer: 250 ms\n"), 0U));
+    const LoadedNetwork net(runtime::ReadNetworkFile(Net("  profile: el6751\n", "    consumer: 250 ms\n"), 0U));
     const cia302::SlaveSetup& setup = net.Setup().slaves[5];
     ASSERT_NE(setup.el6751, nullptr);
     const cia302::El6751Slave& slave = *setup.el6751;
@@ -41,7 +41,7 @@ TEST_F(NetworkProfileTest, WithoutA1016hTheHeartbeatIsAFurtherObjectAndSupervise
     without.replace(without.find("SupportedObjects=11\n11=0x1016"), 29U, "SupportedObjects=2");
     without.erase(without.find("3=0x1400"), without.find("[ManufacturerObjects]") - without.find("3=0x1400"));
     static_cast<void>(File("io.dcf", without));
-    const LoadedNetwork net(ReadNetworkFile(Net("  profile: el6751\n", "    consumer: 250 ms\n"), 0U));
+    const LoadedNetwork net(runtime::ReadNetworkFile(Net("  profile: el6751\n", "    consumer: 250 ms\n"), 0U));
     const cia302::SlaveSetup& setup = net.Setup().slaves[5];
     EXPECT_EQ(setup.el6751->guard_time_ms, 0U);
     EXPECT_EQ(setup.heartbeat.consumer_ms, 250U);
@@ -52,7 +52,7 @@ TEST_F(NetworkProfileTest, APdoWhoseMappingChangesKeepsItsWholeSequence)
 {
     Verifies(req::SRS_ELM_051);
     Device("ParameterValue");
-    const LoadedNetwork net(ReadNetworkFile(Net("  profile: el6751\n", ""), 0U));
+    const LoadedNetwork net(runtime::ReadNetworkFile(Net("  profile: el6751\n", ""), 0U));
     const std::vector<std::uint32_t> keys = Keys(net.Setup().slaves[5].concise_dcf);
     const std::vector<std::uint32_t> first(keys.begin(), keys.begin() + 8);
     EXPECT_EQ(first, (std::vector<std::uint32_t>{0x140001U, 0x140002U, 0x140005U, 0x160000U, 0x160001U, 0x160002U,
@@ -66,7 +66,7 @@ TEST_F(NetworkProfileTest, ASynchronousPdoWithoutASyncPeriodIsRefused)
         File("net.yaml", "manager: {node: 127, profile: el6751}\nslaves:\n  - {node: 4}\n  - {node: 5, dcf: io.dcf}\n");
     try
     {
-        const LoadedNetwork net(ReadNetworkFile(file, 0U));
+        const LoadedNetwork net(runtime::ReadNetworkFile(file, 0U));
         ADD_FAILURE() << "accepted";
     }
     catch (const std::exception& error)
@@ -80,7 +80,7 @@ TEST_F(NetworkProfileTest, ASynchronousPdoWithoutASyncPeriodIsRefused)
 TEST_F(NetworkProfileTest, El6751OptionsOfManagerAndSlave)
 {
     Verifies(req::SRS_ELM_051);
-    const LoadedNetwork net(ReadNetworkFile(
+    const LoadedNetwork net(runtime::ReadNetworkFile(
         Net("  profile: el6751\n  el6751: {window: last_rx_pdo, sync_multiplier: 4, input_shift: 300 us}\n",
             "    guard_time: 50 ms\n    retry_factor: 4\n    el6751:\n      kind: bk51x0\n      start: false\n"
             "      check_device_type: false\n      write_sync_period: false\n      write_cob_ids: false\n"
@@ -109,7 +109,7 @@ TEST_F(NetworkProfileTest, El6751OptionsOfManagerAndSlave)
 TEST_F(NetworkProfileTest, ABusCouplersPdosAreMadeBy5500hAlone)
 {
     Verifies(req::SRS_ELM_051);
-    const LoadedNetwork net(ReadNetworkFile(Net("  profile: el6751\n", "    el6751: {kind: bk51x0}\n"), 0U));
+    const LoadedNetwork net(runtime::ReadNetworkFile(Net("  profile: el6751\n", "    el6751: {kind: bk51x0}\n"), 0U));
     const std::vector<std::uint32_t> keys = Keys(net.Setup().slaves[5].concise_dcf);
     EXPECT_EQ(keys, (std::vector<std::uint32_t>{0x200000U}));
 }
@@ -117,19 +117,19 @@ TEST_F(NetworkProfileTest, ABusCouplersPdosAreMadeBy5500hAlone)
 TEST_F(NetworkProfileTest, PlcDesignerTakesOptionalAndResetNode)
 {
     Verifies(req::SRS_PLC_021);
-    const LoadedNetwork plain(ReadNetworkFile(Net("  profile: plc_designer\n", ""), 0U));
+    const LoadedNetwork plain(runtime::ReadNetworkFile(Net("  profile: plc_designer\n", ""), 0U));
     EXPECT_FALSE(plain.Setup().slaves[5].plc->is_optional);
     EXPECT_FALSE(plain.Setup().slaves[5].plc->is_reset);
-    const LoadedNetwork spare(ReadNetworkFile(Net("  profile: plc_designer\n", "    mandatory: false\n"), 0U));
+    const LoadedNetwork spare(runtime::ReadNetworkFile(Net("  profile: plc_designer\n", "    mandatory: false\n"), 0U));
     EXPECT_TRUE(spare.Setup().slaves[5].plc->is_optional);
-    const LoadedNetwork reset(ReadNetworkFile(
+    const LoadedNetwork reset(runtime::ReadNetworkFile(
         Net("  profile: plc_designer\n", "    mandatory: false\n    plc_designer: {reset_node: true}\n"), 0U));
     EXPECT_TRUE(reset.Setup().slaves[5].plc->is_optional);
     EXPECT_TRUE(reset.Setup().slaves[5].plc->is_reset);
-    const LoadedNetwork both(ReadNetworkFile(
+    const LoadedNetwork both(runtime::ReadNetworkFile(
         Net("  profile: plc_designer\n", "    mandatory: false\n    plc_designer: {optional: false}\n"), 0U));
     EXPECT_FALSE(both.Setup().slaves[5].plc->is_optional);
-    const LoadedNetwork said(ReadNetworkFile(
+    const LoadedNetwork said(runtime::ReadNetworkFile(
         Net("  profile: plc_designer\n", "    plc_designer: {optional: true, reset_node: true}\n"), 0U));
     EXPECT_TRUE(said.Setup().slaves[5].plc->is_optional);
     EXPECT_TRUE(said.Setup().slaves[5].plc->is_reset);
@@ -175,7 +175,7 @@ TEST_F(NetworkProfileTest, WrongOptionsAreRefusedWithTheirLine)
         std::string text;
         try
         {
-            static_cast<void>(ReadNetworkFile(Net(manager, slave), 0U));
+            static_cast<void>(runtime::ReadNetworkFile(Net(manager, slave), 0U));
         }
         catch (const std::exception& error)
         {
@@ -199,9 +199,9 @@ TEST_F(NetworkProfileTest, ManualNetworkManagementIsAnOrder)
     const std::string file =
         File("net.yaml", "name: n\nmanager:\n  node: 127\n  profile: el6751\nslaves:\n  - node: 5\n"
                          "    el6751: {check_device_type: false}\n");
-    LoadedNetwork net(ReadNetworkFile(file, 0U));
+    LoadedNetwork net(runtime::ReadNetworkFile(file, 0U));
     std::vector<std::string> commands;
-    ManagerStation station(
+    runtime::ManagerStation station(
         net,
         [&commands](const CanFrame& frame)
         {
@@ -211,7 +211,7 @@ TEST_F(NetworkProfileTest, ManualNetworkManagementIsAnOrder)
             }
             return true;
         },
-        [](const ManagerEvent&) {});
+        [](const runtime::ManagerEvent&) {});
     station.Begin(0U);
     for (std::uint64_t us = 1000U; us <= 5000U; us += 1000U)
     {
@@ -219,14 +219,14 @@ TEST_F(NetworkProfileTest, ManualNetworkManagementIsAnOrder)
     }
     EXPECT_EQ(commands, (std::vector<std::string>{"130 0", "1 5", "1 0"}));
     // When it is made PRE-OPERATIONAL, started, and what the table does not have is asked for
-    EXPECT_EQ(station.Carry(ParseManagerOrder("control 5 5 0"), 6000U), "taken");
-    EXPECT_NE(station.Carry(ParseManagerOrder("control 5 5 3"), 7000U), "taken");
-    EXPECT_EQ(station.Carry(ParseManagerOrder("control 5 5 1"), 8000U), "taken");
-    EXPECT_NE(station.Carry(ParseManagerOrder("control 6 5 1"), 9000U), "taken");
+    EXPECT_EQ(station.Carry(runtime::ParseManagerOrder("control 5 5 0"), 6000U), "taken");
+    EXPECT_NE(station.Carry(runtime::ParseManagerOrder("control 5 5 3"), 7000U), "taken");
+    EXPECT_EQ(station.Carry(runtime::ParseManagerOrder("control 5 5 1"), 8000U), "taken");
+    EXPECT_NE(station.Carry(runtime::ParseManagerOrder("control 6 5 1"), 9000U), "taken");
     EXPECT_EQ(commands, (std::vector<std::string>{"130 0", "1 5", "1 0", "128 5", "1 5"}));
     for (const char* const wrong : {"control", "control 5 5", "control 0 5 1", "control 5 x 1", "control 5 5 65536"})
     {
-        EXPECT_EQ(ParseManagerOrder(wrong).kind, ManagerOrderKind::kProblem) << wrong;
+        EXPECT_EQ(runtime::ParseManagerOrder(wrong).kind, runtime::ManagerOrderKind::kProblem) << wrong;
     }
 }
 

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "runtime/node/device.hpp"
 #include "tests/tools/echo_bus.hpp"
-#include "tools/node_device.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <fstream>
@@ -45,7 +45,7 @@ class Bench
   public:
     explicit Bench(const std::string& file)
     {
-        NodeSettings settings;
+        runtime::NodeSettings settings;
         settings.dcf = file;
         settings.cycle_us = 5000U;
         settings.has_self_tests = false;
@@ -53,8 +53,8 @@ class Bench
         auto services = std::make_unique<EchoBus>(false, 0U);
         safety_ = safety.get();
         services_ = services.get();
-        ports_ = std::make_unique<NodePorts>(std::move(safety), std::move(services));
-        device_ = std::make_unique<NodeDevice>(settings, *ports_, report_);
+        ports_ = std::make_unique<runtime::NodePorts>(std::move(safety), std::move(services));
+        device_ = std::make_unique<runtime::NodeDevice>(settings, *ports_, report_);
         EXPECT_TRUE(device_->PowerOn(Now(), now_ns_));
         static_cast<void>(device_->TakeRestart(now_ns_));
     }
@@ -122,7 +122,7 @@ class Bench
         device_->Cycle(Now(), now_ns_);
         device_->LookAtOutput(now_ns_);
     }
-    NodeDevice& Device()
+    runtime::NodeDevice& Device()
     {
         return *device_;
     }
@@ -157,12 +157,12 @@ class Bench
     }
 
     std::ostringstream out_{};
-    NodeReport report_{out_, ReportForm::kText, 0U};
+    runtime::NodeReport report_{out_, runtime::ReportForm::kText, 0U};
     std::uint64_t now_ns_{1000U * kNsPerMs};
     EchoBus* safety_{nullptr};
     EchoBus* services_{nullptr};
-    std::unique_ptr<NodePorts> ports_{};
-    std::unique_ptr<NodeDevice> device_{};
+    std::unique_ptr<runtime::NodePorts> ports_{};
+    std::unique_ptr<runtime::NodeDevice> device_{};
 };
 
 TEST(NodeConfiguredTest, AProducerThatWasConfiguredOverSdoSendsItsInputs)
@@ -175,7 +175,7 @@ TEST(NodeConfiguredTest, AProducerThatWasConfiguredOverSdoSendsItsInputs)
     for (const std::set<std::string>& sections : {kAllOfSrdo1, with_form})
     {
         Bench bench(FileWithout("sensor", sections));
-        NodeDevice& device = bench.Device();
+        runtime::NodeDevice& device = bench.Device();
         EXPECT_FALSE(device.App().SetInput({0x2000U, 1U}, 1U));
         bench.Configure(1U, 25U, 0x101U, {0x20000108U, 0x21000108U, 0x20000208U, 0x21000208U}, 0xB631U);
         bench.Start();
@@ -207,7 +207,7 @@ TEST(NodeConfiguredTest, AConsumerThatWasConfiguredOverSdoShowsItsOutputs)
     for (const std::set<std::string>& sections : {kAllOfSrdo1, std::set<std::string>{"1301sub1", "13FE", "13FFsub1"}})
     {
         Bench bench(FileWithout("actuator", sections));
-        NodeDevice& device = bench.Device();
+        runtime::NodeDevice& device = bench.Device();
         if (sections.size() == kAllOfSrdo1.size())
         {
             bench.Configure(2U, 50U, 0x103U, {0x22000108U, 0x23000108U, 0x22000208U, 0x23000208U}, 0x9FCBU);
@@ -240,7 +240,7 @@ TEST(NodeConfiguredTest, AnSrdoThatWasSwitchedOffOverSdoHasNoInputs)
 {
     Verifies(req::SRS_NODE_019);
     Bench bench(FileWithout("sensor", {}));
-    NodeDevice& device = bench.Device();
+    runtime::NodeDevice& device = bench.Device();
     EXPECT_TRUE(device.App().SetInput({0x2000U, 1U}, 1U));
     EXPECT_EQ(bench.Download(0x1301U, 1U, 0U, 1U), 0U);
     const SignReply reply = device.Core().Sign({0x1301U});

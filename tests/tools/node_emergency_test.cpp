@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "runtime/node/device.hpp"
 #include "tests/tools/echo_bus.hpp"
-#include "tools/node_device.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <fstream>
@@ -44,9 +44,9 @@ std::string FileWithManyNodes()
     return name;
 }
 
-NodeSettings SettingsOf(const std::string& dcf)
+runtime::NodeSettings SettingsOf(const std::string& dcf)
 {
-    NodeSettings settings;
+    runtime::NodeSettings settings;
     settings.dcf = dcf;
     settings.has_self_tests = false;
     return settings;
@@ -71,11 +71,11 @@ TEST(NodeEmergencyTest, EachOfManyLostNodesIsToldAndItsReturnToo)
     Verifies(req::SRS_EMCY_010);
     Verifies(req::SRS_DEV_012);
     std::ostringstream out;
-    NodeReport report{out, ReportForm::kText, 0U};
+    runtime::NodeReport report{out, runtime::ReportForm::kText, 0U};
     auto services = std::make_unique<EchoBus>(false, 0U);
     EchoBus& bus = *services;
-    NodePorts ports{std::make_unique<EchoBus>(false, 0U), std::move(services)};
-    NodeDevice device{SettingsOf(FileWithManyNodes()), ports, report};
+    runtime::NodePorts ports{std::make_unique<EchoBus>(false, 0U), std::move(services)};
+    runtime::NodeDevice device{SettingsOf(FileWithManyNodes()), ports, report};
     std::uint64_t now_ns = kNsPerMs;
     const auto now = [&now_ns]
     {

@@ -1,9 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "runtime/node/latency.hpp"
+#include "runtime/node/order.hpp"
+#include "runtime/node/script.hpp"
+#include "runtime/yaml/document.hpp"
 #include "tests/tools/command_run.hpp"
-#include "tools/node_latency.hpp"
-#include "tools/node_order.hpp"
-#include "tools/node_script.hpp"
-#include "verification/simulator/yaml_document.hpp"
 #include "verification/trace/verifies.hpp"
 
 namespace counterpoint::tools
@@ -14,25 +14,25 @@ namespace
 TEST(NodeOrderTest, OrdersAreRead)
 {
     Verifies(req::SRS_NODE_003);
-    const NodeOrder set = ParseOrder("  set 0x2000:0A 0x10 ");
-    EXPECT_EQ(set.kind, OrderKind::kSet);
+    const runtime::NodeOrder set = runtime::ParseOrder("  set 0x2000:0A 0x10 ");
+    EXPECT_EQ(set.kind, runtime::OrderKind::kSet);
     EXPECT_EQ(set.object.index, 0x2000U);
     EXPECT_EQ(set.object.sub, 10U);
     EXPECT_EQ(set.value, 16U);
-    EXPECT_EQ(ParseOrder("get 0x1018:01").kind, OrderKind::kGet);
-    EXPECT_EQ(ParseOrder("ack 64").value, 64U);
-    EXPECT_EQ(ParseOrder("gfc").kind, OrderKind::kGfc);
-    EXPECT_EQ(ParseOrder("nmt").kind, OrderKind::kNmt);
-    EXPECT_EQ(ParseOrder("state").kind, OrderKind::kState);
-    EXPECT_EQ(ParseOrder("help").kind, OrderKind::kHelp);
-    EXPECT_EQ(ParseOrder("quit").kind, OrderKind::kQuit);
-    EXPECT_EQ(ParseOrder("").kind, OrderKind::kNothing);
-    EXPECT_EQ(ParseOrder("# a remark").kind, OrderKind::kNothing);
-    const NodeOrder command = ParseOrder("nmt pre-operational 127");
-    EXPECT_EQ(command.kind, OrderKind::kCommand);
+    EXPECT_EQ(runtime::ParseOrder("get 0x1018:01").kind, runtime::OrderKind::kGet);
+    EXPECT_EQ(runtime::ParseOrder("ack 64").value, 64U);
+    EXPECT_EQ(runtime::ParseOrder("gfc").kind, runtime::OrderKind::kGfc);
+    EXPECT_EQ(runtime::ParseOrder("nmt").kind, runtime::OrderKind::kNmt);
+    EXPECT_EQ(runtime::ParseOrder("state").kind, runtime::OrderKind::kState);
+    EXPECT_EQ(runtime::ParseOrder("help").kind, runtime::OrderKind::kHelp);
+    EXPECT_EQ(runtime::ParseOrder("quit").kind, runtime::OrderKind::kQuit);
+    EXPECT_EQ(runtime::ParseOrder("").kind, runtime::OrderKind::kNothing);
+    EXPECT_EQ(runtime::ParseOrder("# a remark").kind, runtime::OrderKind::kNothing);
+    const runtime::NodeOrder command = runtime::ParseOrder("nmt pre-operational 127");
+    EXPECT_EQ(command.kind, runtime::OrderKind::kCommand);
     EXPECT_EQ(command.value, 128U);
     EXPECT_EQ(command.node, 127U);
-    EXPECT_EQ(ParseOrder("nmt start").node, 0U);
+    EXPECT_EQ(runtime::ParseOrder("nmt start").node, 0U);
 }
 
 TEST(NodeOrderTest, WhatCannotBeUsedIsToldWithWhatWasExpected)
@@ -60,8 +60,8 @@ TEST(NodeOrderTest, WhatCannotBeUsedIsToldWithWhatWasExpected)
                                    "gfc now",
                                    "go"})
     {
-        const NodeOrder order = ParseOrder(line);
-        EXPECT_EQ(order.kind, OrderKind::kProblem) << line;
+        const runtime::NodeOrder order = runtime::ParseOrder(line);
+        EXPECT_EQ(order.kind, runtime::OrderKind::kProblem) << line;
         EXPECT_NE(order.problem.find(", expected "), std::string::npos) << line;
     }
 }
@@ -69,7 +69,7 @@ TEST(NodeOrderTest, WhatCannotBeUsedIsToldWithWhatWasExpected)
 TEST(NodeLatencyTest, TellsHowTimesAreSpread)
 {
     Verifies(req::SRS_NODE_008);
-    NodeLatency latency;
+    runtime::NodeLatency latency;
     EXPECT_NE(latency.Text().find("no pair was released"), std::string::npos);
     for (std::uint64_t us = 1U; us <= 100U; ++us)
     {
@@ -92,9 +92,9 @@ class NodeScriptTest : public test::CommandTest
     {
         try
         {
-            static_cast<void>(ReadNodeScript(File("script.yaml", text)));
+            static_cast<void>(runtime::ReadNodeScript(File("script.yaml", text)));
         }
-        catch (const simulator::ScenarioError& error)
+        catch (const runtime::YamlError& error)
         {
             return error.what();
         }
@@ -105,16 +105,16 @@ class NodeScriptTest : public test::CommandTest
 TEST_F(NodeScriptTest, StepsAndRulesAreRead)
 {
     Verifies(req::SRS_NODE_003);
-    const NodeScript script =
-        ReadNodeScript(File("script.yaml", "logic: [{set: 0x2000:01, op: not, from: [0x2200:01]}]\n"
-                                           "steps:\n"
-                                           "  - {at: 1.5 s, do: set 0x2000:01 1, every: 20 ms}\n"));
+    const runtime::NodeScript script =
+        runtime::ReadNodeScript(File("script.yaml", "logic: [{set: 0x2000:01, op: not, from: [0x2200:01]}]\n"
+                                                    "steps:\n"
+                                                    "  - {at: 1.5 s, do: set 0x2000:01 1, every: 20 ms}\n"));
     ASSERT_EQ(script.rules.size(), 1U);
-    EXPECT_EQ(script.rules[0].operation, simulator::LogicOperation::kNot);
+    EXPECT_EQ(script.rules[0].operation, runtime::LogicOperation::kNot);
     ASSERT_EQ(script.steps.size(), 1U);
     EXPECT_EQ(script.steps[0].at_ns, 1500000000U);
     EXPECT_EQ(script.steps[0].every_ns, 20000000U);
-    EXPECT_EQ(script.steps[0].order.kind, OrderKind::kSet);
+    EXPECT_EQ(script.steps[0].order.kind, runtime::OrderKind::kSet);
 }
 
 TEST_F(NodeScriptTest, WhatCannotBeUsedIsRefusedWithItsPlace)

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "runtime/node/loop.hpp"
 #include "tests/tools/echo_bus.hpp"
-#include "tools/node_loop.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <csignal>
@@ -18,9 +18,9 @@ constexpr std::uint64_t kNsPerUs = 1000U;
 constexpr std::uint64_t kNsPerMs = 1000000U;
 const std::string kActuator = std::string(COUNTERPOINT_SOURCE) + "/examples/emergency_stop/actuator.dcf";
 
-NodeSettings SettingsOf(const std::uint32_t cycle_us)
+runtime::NodeSettings SettingsOf(const std::uint32_t cycle_us)
 {
-    NodeSettings settings;
+    runtime::NodeSettings settings;
     settings.dcf = kActuator;
     settings.cycle_us = cycle_us;
     settings.has_self_tests = false;
@@ -66,9 +66,9 @@ class NodeRestartTest : public ::testing::Test
     }
 
     std::ostringstream out{};
-    NodeReport report{out, ReportForm::kText, 0U};
-    NodePorts ports{std::make_unique<EchoBus>(false, 0U), std::make_unique<EchoBus>(false, 0U)};
-    NodeDevice device{SettingsOf(10000U), ports, report};
+    runtime::NodeReport report{out, runtime::ReportForm::kText, 0U};
+    runtime::NodePorts ports{std::make_unique<EchoBus>(false, 0U), std::make_unique<EchoBus>(false, 0U)};
+    runtime::NodeDevice device{SettingsOf(10000U), ports, report};
     std::uint64_t now_ns{1000U * kNsPerMs};
 };
 
@@ -127,9 +127,9 @@ class SignalsAsBefore
     sigset_t mask_{};
 };
 
-ScriptStep Step(const std::uint64_t at_ms, const std::uint64_t every_ms, const std::string& order)
+runtime::ScriptStep Step(const std::uint64_t at_ms, const std::uint64_t every_ms, const std::string& order)
 {
-    return {at_ms * kNsPerMs, every_ms * kNsPerMs, ParseOrder(order)};
+    return {at_ms * kNsPerMs, every_ms * kNsPerMs, runtime::ParseOrder(order)};
 }
 
 // Real time. Cycle 20 ms, late above 40 ms; each boot-up message takes 150 ms, and with it each start.
@@ -138,15 +138,15 @@ TEST(NodeLoopTest, AStartThatTakesLongIsNoLateAnswerToTheWatchdog)
     Verifies(req::SRS_NODE_018);
     const SignalsAsBefore signals;
     std::ostringstream out;
-    NodeReport report{out, ReportForm::kText, host::LiveNow()};
-    NodePorts ports{std::make_unique<EchoBus>(true, 150U), std::make_unique<EchoBus>(false, 150U)};
-    NodeScript script;
+    runtime::NodeReport report{out, runtime::ReportForm::kText, host::LiveNow()};
+    runtime::NodePorts ports{std::make_unique<EchoBus>(true, 150U), std::make_unique<EchoBus>(false, 150U)};
+    runtime::NodeScript script;
     script.steps = {Step(300U, 100U, "nmt start"), Step(400U, 250U, "ack 1"), Step(1500U, 0U, "nmt reset-node"),
                     Step(3000U, 0U, "quit")};
     const auto make = [&ports, &report](const std::optional<std::uint8_t> /*lss_node_id*/)
-    { return std::make_unique<NodeDevice>(SettingsOf(20000U), ports, report); };
-    NodeLoop loop{{make, ports, report, script, -1}};
-    EXPECT_EQ(loop.Run(), ExitStatus::kHolds);
+    { return std::make_unique<runtime::NodeDevice>(SettingsOf(20000U), ports, report); };
+    runtime::NodeLoop loop{{make, ports, report, script, -1}};
+    EXPECT_EQ(loop.Run(), runtime::ExitStatus::kHolds);
     ASSERT_TRUE(report.Finish());
     // Then the output opened after the power-on, closed with the reset, and opened again
     const std::string told = out.str();

@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // On the target: RAM of each service, and the load of a whole device.
 #include "canopen/cia301/emergency/consumer.hpp"
-#include "canopen/cia301/store/parameter_store.hpp"
 #include "canopen/cia301/sdo/client.hpp"
+#include "canopen/cia301/store/parameter_store.hpp"
 #include "canopen/cia301/store/stored_parts.hpp"
 #include "canopen/cia301/time/time_stamp.hpp"
 #include "canopen/cia305/stored_lss.hpp"

@@ -4,7 +4,7 @@
 #include "verification/elections/bus.hpp"
 
 #include "hal/host/virtual/bus.hpp"
-#include "verification/simulator/random.hpp"
+#include "simulator/faults/random.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "simulator/faults/random.hpp"
 #include "verification/elections/enumerate.hpp"
 #include "verification/elections/series.hpp"
-#include "verification/simulator/random.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 #define VERIFICATION_ELECTIONS_WORLD_HPP
 
 #include "canopen/cia302/flying_master/flying_master.hpp"
+#include "simulator/faults/random.hpp"
 #include "verification/elections/bus.hpp"
-#include "verification/simulator/random.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,9 +2,9 @@
 #ifndef CANOPEN_CIA301_EMERGENCY_COMMUNICATION_ERRORS_HPP
 #define CANOPEN_CIA301_EMERGENCY_COMMUNICATION_ERRORS_HPP
 
+#include "canopen/cia301/dictionary/number_hook.hpp"
 #include "canopen/cia301/emergency/producer.hpp"
 #include "canopen/cia301/nmt/heartbeat_consumer.hpp"
-#include "canopen/cia301/dictionary/number_hook.hpp"
 
 namespace counterpoint::cia301
 {

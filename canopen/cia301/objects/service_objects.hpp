@@ -2,8 +2,8 @@
 #ifndef CANOPEN_CIA301_OBJECTS_SERVICE_OBJECTS_HPP
 #define CANOPEN_CIA301_OBJECTS_SERVICE_OBJECTS_HPP
 
-#include "canopen/cia301/emergency/producer.hpp"
 #include "canopen/cia301/dictionary/entry.hpp"
+#include "canopen/cia301/emergency/producer.hpp"
 #include "canopen/cia301/nmt/heartbeat_consumer.hpp"
 #include "canopen/cia301/nmt/heartbeat_producer.hpp"
 #include "canopen/cia301/nmt/node_guarding.hpp"

@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia301/pdo/mapping.hpp"
 
-#include "canopen/cia301/dictionary/entry_value.hpp"
 #include "canopen/cia301/base/little_endian.hpp"
+#include "canopen/cia301/dictionary/entry_value.hpp"
 
 namespace counterpoint::cia301
 {

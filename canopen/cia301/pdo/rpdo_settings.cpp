@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Objects of the RPDOs: 1400h.. and 1600h..
 #include "canopen/cia301/base/cob_id.hpp"
-#include "canopen/cia301/pdo/settings.hpp"
 #include "canopen/cia301/pdo/rpdo.hpp"
+#include "canopen/cia301/pdo/settings.hpp"
 
 namespace counterpoint::cia301
 {

@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Block transfers of the SDO server.
-#include "canopen/cia301/store/crc16.hpp"
 #include "canopen/cia301/base/little_endian.hpp"
 #include "canopen/cia301/sdo/server.hpp"
+#include "canopen/cia301/store/crc16.hpp"
 
 namespace counterpoint::cia301
 {

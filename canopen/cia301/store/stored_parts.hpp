@@ -3,8 +3,8 @@
 #define CANOPEN_CIA301_STORE_STORED_PARTS_HPP
 
 #include "canopen/cia301/dictionary/number_hook.hpp"
-#include "canopen/cia301/store/parameter_store.hpp"
 #include "canopen/cia301/pdo/objects.hpp"
+#include "canopen/cia301/store/parameter_store.hpp"
 
 #include "safety_core/kernel/kernel.hpp"
 

@@ -2,9 +2,9 @@
 #ifndef CANOPEN_CIA301_TIME_SYNC_HPP
 #define CANOPEN_CIA301_TIME_SYNC_HPP
 
+#include "canopen/cia301/dictionary/number_hook.hpp"
 #include "canopen/cia301/emergency/communication_errors.hpp"
 #include "canopen/cia301/nmt/frame_sink.hpp"
-#include "canopen/cia301/dictionary/number_hook.hpp"
 
 namespace counterpoint::cia301
 {

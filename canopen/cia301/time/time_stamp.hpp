@@ -2,8 +2,8 @@
 #ifndef CANOPEN_CIA301_TIME_TIME_STAMP_HPP
 #define CANOPEN_CIA301_TIME_TIME_STAMP_HPP
 
-#include "canopen/cia301/nmt/bus_service.hpp"
 #include "canopen/cia301/dictionary/number_hook.hpp"
+#include "canopen/cia301/nmt/bus_service.hpp"
 
 namespace counterpoint::cia301
 {

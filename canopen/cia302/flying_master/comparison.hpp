@@ -2,8 +2,8 @@
 #ifndef CANOPEN_CIA302_FLYING_MASTER_COMPARISON_HPP
 #define CANOPEN_CIA302_FLYING_MASTER_COMPARISON_HPP
 
-#include "canopen/start_up/el6751/setup.hpp"
 #include "canopen/cia302/flying_master/compare.hpp"
+#include "canopen/start_up/el6751/setup.hpp"
 
 #include <cstdint>
 

@@ -3,8 +3,8 @@
 #define CANOPEN_CIA302_NETWORK_NMT_MASTER_HPP
 
 #include "canopen/cia301/nmt/frame_sink.hpp"
-#include "canopen/cia302/network/setup.hpp"
 #include "canopen/cia302/network/nmt_command.hpp"
+#include "canopen/cia302/network/setup.hpp"
 #include "canopen/cia302/network/start_gate.hpp"
 
 #include <cstdint>

@@ -3,8 +3,8 @@
 #define CANOPEN_CIA302_NETWORK_NODE_TABLE_HPP
 
 #include "canopen/cia301/nmt/frame_sink.hpp"
-#include "canopen/cia302/network/setup.hpp"
 #include "canopen/cia302/network/nmt_command.hpp"
+#include "canopen/cia302/network/setup.hpp"
 
 #include <cstdint>
 

@@ -2,10 +2,10 @@
 #ifndef CANOPEN_CIA302_NETWORK_START_UP_HPP
 #define CANOPEN_CIA302_NETWORK_START_UP_HPP
 
-#include "canopen/cia302/network/setup.hpp"
 #include "canopen/cia302/network/nmt_master.hpp"
 #include "canopen/cia302/network/node_table.hpp"
 #include "canopen/cia302/network/sdo_pool.hpp"
+#include "canopen/cia302/network/setup.hpp"
 #include "canopen/cia302/network/start_gate.hpp"
 
 #include <cstdint>

@@ -2,8 +2,8 @@
 #ifndef CANOPEN_CIA302_SAFETY_GATE_SAFETY_CHECK_HPP
 #define CANOPEN_CIA302_SAFETY_GATE_SAFETY_CHECK_HPP
 
-#include "canopen/cia302/network/setup.hpp"
 #include "canopen/cia302/network/sdo_pool.hpp"
+#include "canopen/cia302/network/setup.hpp"
 #include "canopen/cia302/network/start_gate.hpp"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Who a safety slave has to be, as its profile compares it.
-#include "canopen/start_up/el6751/setup.hpp"
 #include "canopen/cia302/safety_gate/safety_check.hpp"
+#include "canopen/start_up/el6751/setup.hpp"
 
 namespace counterpoint::cia302
 {

@@ -3,8 +3,8 @@
 #define CANOPEN_CIA306_FILE_DEVICE_HPP
 
 #include "canopen/cia306/file/data_type.hpp"
-#include "canopen/cia306/text/finding.hpp"
 #include "canopen/cia306/file/value.hpp"
+#include "canopen/cia306/text/finding.hpp"
 
 #include <cstddef>
 #include <cstdint>

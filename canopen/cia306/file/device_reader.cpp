@@ -2,10 +2,10 @@
 #include "canopen/cia306/file/device_reader.hpp"
 
 #include "canopen/cia306/file/entry_reader.hpp"
-#include "canopen/cia306/text/number.hpp"
 #include "canopen/cia306/file/object_reader.hpp"
-#include "canopen/cia306/text/text_file.hpp"
 #include "canopen/cia306/file/type_reader.hpp"
+#include "canopen/cia306/text/number.hpp"
+#include "canopen/cia306/text/text_file.hpp"
 
 #include <algorithm>
 #include <array>

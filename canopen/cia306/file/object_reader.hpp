@@ -3,8 +3,8 @@
 #define CANOPEN_CIA306_FILE_OBJECT_READER_HPP
 
 #include "canopen/cia306/file/device.hpp"
-#include "canopen/cia306/text/ini_document.hpp"
 #include "canopen/cia306/file/section_name.hpp"
+#include "canopen/cia306/text/ini_document.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,8 +2,8 @@
 #ifndef CANOPEN_CIA306_SAFETY_SIGNING_HPP
 #define CANOPEN_CIA306_SAFETY_SIGNING_HPP
 
-#include "canopen/cia306/text/ini_document.hpp"
 #include "canopen/cia306/safety/safety_configuration.hpp"
+#include "canopen/cia306/text/ini_document.hpp"
 
 #include <cstdint>
 #include <optional>

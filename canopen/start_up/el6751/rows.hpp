@@ -4,8 +4,8 @@
 #define CANOPEN_START_UP_EL6751_ROWS_HPP
 
 #include "canopen/cia302/network/concise_dcf.hpp"
-#include "canopen/start_up/el6751/setup.hpp"
 #include "canopen/cia302/network/start_up.hpp"
+#include "canopen/start_up/el6751/setup.hpp"
 
 #include <cstdint>
 

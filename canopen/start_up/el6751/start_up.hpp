@@ -2,9 +2,9 @@
 #ifndef CANOPEN_START_UP_EL6751_START_UP_HPP
 #define CANOPEN_START_UP_EL6751_START_UP_HPP
 
+#include "canopen/cia302/network/start_up.hpp"
 #include "canopen/start_up/el6751/pdos.hpp"
 #include "canopen/start_up/el6751/rows.hpp"
-#include "canopen/cia302/network/start_up.hpp"
 
 #include <cstdint>
 

@@ -2,8 +2,8 @@
 #ifndef CANOPEN_START_UP_PLC_DESIGNER_SETUP_HPP
 #define CANOPEN_START_UP_PLC_DESIGNER_SETUP_HPP
 
-#include "canopen/cia302/network/setup.hpp"
 #include "canopen/cia302/network/sdo_pool.hpp"
+#include "canopen/cia302/network/setup.hpp"
 
 #include <cstdint>
 

@@ -3,8 +3,8 @@
 #define CANOPEN_START_UP_PLC_DESIGNER_START_UP_HPP
 
 #include "canopen/cia302/network/concise_dcf.hpp"
-#include "canopen/start_up/plc_designer/setup.hpp"
 #include "canopen/cia302/network/start_up.hpp"
+#include "canopen/start_up/plc_designer/setup.hpp"
 
 #include <cstdint>
 

@@ -3,8 +3,8 @@
 #define EXAMPLES_FIRMWARE_COMMON_BOARD_NEEDS_HPP
 
 #include "hal/tms570/can/can_ports.hpp"
-#include "hal/tms570/output/gio_registers.hpp"
 #include "hal/tms570/chip/variant.hpp"
+#include "hal/tms570/output/gio_registers.hpp"
 #include "safety_core/contract/srdo.hpp"
 
 #include <cstdint>

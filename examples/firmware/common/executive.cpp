@@ -2,8 +2,8 @@
 #include "examples/firmware/common/executive.hpp"
 
 #include "examples/firmware/common/device.hpp"
-#include "hal/tms570/output/gio_registers.hpp"
 #include "hal/tms570/chip/processor.hpp"
+#include "hal/tms570/output/gio_registers.hpp"
 #include "hal/tms570/start/exceptions.hpp"
 #include "hal/tms570/start/memory_map.hpp"
 

@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "hal/host/live/address.hpp"
 
-#include "hal/host/virtual/bit_rate.hpp"
 #include "hal/host/live/bus.hpp"
+#include "hal/host/virtual/bit_rate.hpp"
 
 #include <algorithm>
 #include <arpa/inet.h>

@@ -1,11 +1,11 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "hal/host/live/bus.hpp"
 
-#include "hal/host/virtual/frame_bits.hpp"
 #include "hal/host/live/address.hpp"
 #include "hal/host/live/socketcan_bus.hpp"
 #include "hal/host/live/socketcand/bus.hpp"
 #include "hal/host/live/udp_bus.hpp"
+#include "hal/host/virtual/frame_bits.hpp"
 
 #include <algorithm>
 #include <ctime>

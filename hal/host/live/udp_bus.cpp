@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "hal/host/live/udp_bus.hpp"
 
-#include "hal/host/virtual/frame_bits.hpp"
 #include "hal/host/live/stamp.hpp"
+#include "hal/host/virtual/frame_bits.hpp"
 
 #include <algorithm>
 #include <arpa/inet.h>

@@ -2,9 +2,9 @@
 #ifndef HAL_TMS570_DIAGNOSIS_BUILT_IN_TESTS_HPP
 #define HAL_TMS570_DIAGNOSIS_BUILT_IN_TESTS_HPP
 
-#include "hal/tms570/time/clocks.hpp"
 #include "hal/tms570/chip/registers.hpp"
 #include "hal/tms570/chip/variant.hpp"
+#include "hal/tms570/time/clocks.hpp"
 
 #include <cstdint>
 

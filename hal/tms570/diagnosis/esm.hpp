@@ -2,10 +2,10 @@
 #ifndef HAL_TMS570_DIAGNOSIS_ESM_HPP
 #define HAL_TMS570_DIAGNOSIS_ESM_HPP
 
-#include "hal/tms570/diagnosis/esm_channels.hpp"
-#include "hal/tms570/diagnosis/esm_registers.hpp"
 #include "hal/tms570/chip/registers.hpp"
 #include "hal/tms570/chip/shared.hpp"
+#include "hal/tms570/diagnosis/esm_channels.hpp"
+#include "hal/tms570/diagnosis/esm_registers.hpp"
 
 #include <cstdint>
 

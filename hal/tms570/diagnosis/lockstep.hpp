@@ -2,8 +2,8 @@
 #ifndef HAL_TMS570_DIAGNOSIS_LOCKSTEP_HPP
 #define HAL_TMS570_DIAGNOSIS_LOCKSTEP_HPP
 
-#include "hal/tms570/diagnosis/esm_channels.hpp"
 #include "hal/tms570/chip/registers.hpp"
+#include "hal/tms570/diagnosis/esm_channels.hpp"
 
 #include <cstdint>
 

@@ -3,9 +3,9 @@
 // LBIST (reference manual, chapter "CPU Self-Test Controller (STC)"; CPU facts 4.4).
 #include "hal/tms570/diagnosis/built_in_tests.hpp"
 
-#include "hal/tms570/diagnosis/esm.hpp"
 #include "hal/tms570/chip/processor.hpp"
 #include "hal/tms570/chip/system_registers.hpp"
+#include "hal/tms570/diagnosis/esm.hpp"
 
 namespace counterpoint::tms570
 {

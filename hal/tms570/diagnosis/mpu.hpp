@@ -3,8 +3,8 @@
 #define HAL_TMS570_DIAGNOSIS_MPU_HPP
 
 #include "hal/api/memory_protection.hpp"
-#include "hal/tms570/diagnosis/mpu_registers.hpp"
 #include "hal/tms570/chip/registers.hpp"
+#include "hal/tms570/diagnosis/mpu_registers.hpp"
 
 #include <cstdint>
 

@@ -1,9 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "hal/tms570/diagnosis/ecc.hpp"
 
+#include "hal/tms570/chip/processor.hpp"
 #include "hal/tms570/diagnosis/esm.hpp"
 #include "hal/tms570/probe.hpp"
-#include "hal/tms570/chip/processor.hpp"
 
 namespace counterpoint::tms570
 {

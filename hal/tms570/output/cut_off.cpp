@@ -2,9 +2,9 @@
 #include "hal/tms570/output/cut_off.hpp"
 
 #include "hal/tms570/can/dcan_registers.hpp"
+#include "hal/tms570/chip/variant.hpp"
 #include "hal/tms570/diagnosis/esm.hpp"
 #include "hal/tms570/output/gio_registers.hpp"
-#include "hal/tms570/chip/variant.hpp"
 
 namespace counterpoint::tms570
 {

@@ -6,9 +6,9 @@
 #include "hal/api/output_cutoff.hpp"
 #include "hal/api/output_gate.hpp"
 #include "hal/api/safety_output.hpp"
-#include "hal/tms570/output/gio_registers.hpp"
 #include "hal/tms570/chip/registers.hpp"
 #include "hal/tms570/chip/shared.hpp"
+#include "hal/tms570/output/gio_registers.hpp"
 
 #include <cstdint>
 

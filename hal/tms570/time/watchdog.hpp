@@ -5,8 +5,8 @@
 #include "hal/api/watchdog.hpp"
 #include "hal/api/watchdog_timer.hpp"
 #include "hal/tms570/chip/registers.hpp"
-#include "hal/tms570/time/rti.hpp"
 #include "hal/tms570/chip/variant.hpp"
+#include "hal/tms570/time/rti.hpp"
 
 #include <cstdint>
 

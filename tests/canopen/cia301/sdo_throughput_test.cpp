@@ -2,8 +2,8 @@
 // 1 MB over the simulated bus at 1 Mbit/s, against the time that its frames alone take.
 #include "canopen/cia301/sdo/client.hpp"
 #include "canopen/cia301/sdo/server_port.hpp"
-#include "hal/host/virtual/frame_bits.hpp"
 #include "hal/host/virtual/bus.hpp"
+#include "hal/host/virtual/frame_bits.hpp"
 #include "tests/canopen/cia301/fake_objects.hpp"
 #include "verification/trace/verifies.hpp"
 

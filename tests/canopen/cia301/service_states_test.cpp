@@ -4,9 +4,9 @@
 #include "canopen/cia301/emergency/consumer.hpp"
 #include "canopen/cia301/nmt/heartbeat_producer.hpp"
 #include "canopen/cia301/nmt/node_guarding.hpp"
+#include "canopen/cia301/objects/service_table.hpp"
 #include "canopen/cia301/sdo/client_port.hpp"
 #include "canopen/cia301/sdo/server_port.hpp"
-#include "canopen/cia301/objects/service_table.hpp"
 #include "canopen/cia301/time/time_stamp.hpp"
 #include "tests/canopen/cia301/service_rig.hpp"
 

@@ -1,10 +1,10 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // Three masters of one network, alike but for one thing.
-#include "canopen/start_up/el6751/setup.hpp"
 #include "canopen/cia302/flying_master/compare.hpp"
-#include "canopen/start_up/plc_designer/setup.hpp"
 #include "canopen/cia302/safety_gate/safety_check.hpp"
+#include "canopen/start_up/el6751/setup.hpp"
+#include "canopen/start_up/plc_designer/setup.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

@@ -2,10 +2,10 @@
 #ifndef TESTS_CANOPEN_CIA302_MANAGER_RIG_HPP
 #define TESTS_CANOPEN_CIA302_MANAGER_RIG_HPP
 
-#include "canopen/start_up/el6751/start_up.hpp"
 #include "canopen/manager/manager.hpp"
-#include "canopen/start_up/plc_designer/start_up.hpp"
 #include "canopen/start_up/cia302/start_up.hpp"
+#include "canopen/start_up/el6751/start_up.hpp"
+#include "canopen/start_up/plc_designer/start_up.hpp"
 #include "tests/canopen/cia302/fake_slave.hpp"
 #include "verification/trace/verifies.hpp"
 

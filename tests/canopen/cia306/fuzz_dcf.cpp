@@ -3,11 +3,11 @@
 // A refusal (InputError) is a right answer; everything else that goes wrong ends the process. [SRS-EDS-025]
 #include "canopen/cia306/check/check.hpp"
 #include "canopen/cia306/file/device_reader.hpp"
-#include "canopen/cia306/text/ini_document.hpp"
-#include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/safety/safety_configuration.hpp"
 #include "canopen/cia306/safety/signature.hpp"
 #include "canopen/cia306/safety/signing.hpp"
+#include "canopen/cia306/text/ini_document.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 
 #include <cstddef>
 #include <cstdint>

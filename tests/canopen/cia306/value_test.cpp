@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia306/text/utf16.hpp"
 #include "canopen/cia306/file/value.hpp"
+#include "canopen/cia306/text/utf16.hpp"
 
 #include "canopen/cia306/file/data_type.hpp"
 #include "canopen/cia306/text/number.hpp"

@@ -2,8 +2,8 @@
 #ifndef TESTS_CANOPEN_GENERATE_GENERATED_NODE_HPP
 #define TESTS_CANOPEN_GENERATE_GENERATED_NODE_HPP
 
-#include "canopen/cia301/dictionary/foreign_objects.hpp"
 #include "canopen/cia301/base/little_endian.hpp"
+#include "canopen/cia301/dictionary/foreign_objects.hpp"
 #include "canopen/cia301/sdo/server.hpp"
 #include "tests/canopen/generate/generated_case.hpp"
 #include "tests/safety_core/kernel/rig.hpp"

@@ -1,10 +1,10 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // What the SDO server says over a generated dictionary, against what the reader says about the file it was made from.
 #include "canopen/cia306/check/check.hpp"
-#include "canopen/cia306/safety/device_parameters.hpp"
 #include "canopen/cia306/file/device_reader.hpp"
-#include "canopen/cia306/text/input_error.hpp"
+#include "canopen/cia306/safety/device_parameters.hpp"
 #include "canopen/cia306/safety/signature.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 #include "tests/canopen/generate/generated_node.hpp"
 
 #include <gtest/gtest.h>

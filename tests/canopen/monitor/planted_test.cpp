@@ -1,9 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // A recording of the simulated emergency-stop chain: clean as it is, and with violations planted in it.
+#include "simulator/judge/run.hpp"
+#include "simulator/report/reports.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/canopen/monitor/recordings.hpp"
-#include "verification/simulator/reports.hpp"
-#include "verification/simulator/run.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>
@@ -26,10 +26,10 @@ std::string Example(const std::string& name)
 }
 
 /// The chain without a fault for so long, as the simulator writes it.
-std::vector<LogFrame> Simulated(const simulator::Nanoseconds duration)
+std::vector<LogFrame> Simulated(const runtime::Nanoseconds duration)
 {
     simulator::Run run(Example("chain.yaml"), std::nullopt, duration, true);
-    run.Simulate([](simulator::Nanoseconds) {});
+    run.Simulate([](runtime::Nanoseconds) {});
     return FramesOf(simulator::CandumpReport(run));
 }
 

@@ -1,9 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // What the tests of the hardware leave behind, and limits of the drivers that no fault shows.
-#include "hal/tms570/time/clock_comparator.hpp"
-#include "hal/tms570/diagnosis/lockstep.hpp"
 #include "hal/tms570/chip/system_registers.hpp"
+#include "hal/tms570/diagnosis/lockstep.hpp"
+#include "hal/tms570/time/clock_comparator.hpp"
 #include "tests/hal/tms570/rig.hpp"
 #include "verification/trace/verifies.hpp"
 

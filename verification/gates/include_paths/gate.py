@@ -22,7 +22,7 @@ RULES = [
     ("safety_core/comparator", "channel_a", "safety_core/contract"),
     ("safety_core/kernel", "channel_a", "hal/api"),
     ("safety_core/kernel", "channel_b", "safety_core/comparator"),
-    ("safety_core/kernel", "verification/simulator", "safety_core/contract"),
+    ("safety_core/kernel", "simulator/world", "safety_core/contract"),
     ("hal/api", "safety_core/kernel", "safety_core/contract"),
 ]
 

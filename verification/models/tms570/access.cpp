@@ -1,9 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // The functions of hal/tms570/chip/registers.hpp, processor.hpp and probe.hpp over the register models.
-#include "hal/tms570/probe.hpp"
 #include "hal/tms570/chip/processor.hpp"
 #include "hal/tms570/chip/registers.hpp"
+#include "hal/tms570/probe.hpp"
 #include "verification/models/tms570/machine.hpp"
 
 namespace counterpoint::tms570

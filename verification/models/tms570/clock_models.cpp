@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/models/tms570/clock_models.hpp"
 
-#include "hal/tms570/time/clock_comparator.hpp"
 #include "hal/tms570/chip/system_registers.hpp"
+#include "hal/tms570/time/clock_comparator.hpp"
 
 namespace counterpoint::tms570::model
 {

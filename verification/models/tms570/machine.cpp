@@ -1,14 +1,14 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/models/tms570/machine.hpp"
 
-#include "hal/tms570/time/clock_comparator.hpp"
+#include "hal/tms570/chip/system_registers.hpp"
 #include "hal/tms570/diagnosis/ecc.hpp"
 #include "hal/tms570/diagnosis/esm_registers.hpp"
-#include "hal/tms570/output/gio_registers.hpp"
-#include "hal/tms570/interrupts.hpp"
 #include "hal/tms570/diagnosis/lockstep.hpp"
+#include "hal/tms570/interrupts.hpp"
+#include "hal/tms570/output/gio_registers.hpp"
+#include "hal/tms570/time/clock_comparator.hpp"
 #include "hal/tms570/time/rti_registers.hpp"
-#include "hal/tms570/chip/system_registers.hpp"
 
 #include <iterator>
 #include <stdexcept>

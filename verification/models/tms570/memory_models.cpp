@@ -1,9 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/models/tms570/memory_models.hpp"
 
-#include "hal/tms570/diagnosis/ecc.hpp"
 #include "hal/tms570/chip/system_registers.hpp"
 #include "hal/tms570/chip/variant.hpp"
+#include "hal/tms570/diagnosis/ecc.hpp"
 
 namespace counterpoint::tms570::model
 {

@@ -1,0 +1,15 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef RUNTIME_CONSOLE_JSON_TEXT_HPP
+#define RUNTIME_CONSOLE_JSON_TEXT_HPP
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace counterpoint::runtime
+{
+/// The document with a line end. Bytes that are no UTF-8 (file names, Latin-1 texts of an EDS) are replaced.
+[[nodiscard]] std::string JsonText(const nlohmann::ordered_json& document);
+} // namespace counterpoint::runtime
+
+#endif // RUNTIME_CONSOLE_JSON_TEXT_HPP

@@ -1,0 +1,34 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef RUNTIME_DEVICE_LOGIC_RULE_HPP
+#define RUNTIME_DEVICE_LOGIC_RULE_HPP
+
+#include "runtime/yaml/value.hpp"
+
+#include "safety_core/kernel/object_access.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace counterpoint::runtime
+{
+enum class LogicOperation : std::uint8_t
+{
+    kCopy = 1U,
+    kAnd = 2U,
+    kOr = 3U,
+    kNot = 4U,
+};
+
+/// What an application computes from its consumers for a producer.
+struct LogicRule
+{
+    std::size_t node{0U};
+    ObjectAddress target{0U, 0U};
+    LogicOperation operation{LogicOperation::kCopy};
+    std::vector<ObjectAddress> inputs;
+    Source source;
+};
+} // namespace counterpoint::runtime
+
+#endif // RUNTIME_DEVICE_LOGIC_RULE_HPP

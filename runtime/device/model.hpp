@@ -1,0 +1,144 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef RUNTIME_DEVICE_MODEL_HPP
+#define RUNTIME_DEVICE_MODEL_HPP
+
+#include "safety_core/contract/configuration.hpp"
+#include "safety_core/kernel/kernel.hpp"
+#include "safety_core/kernel/limits.hpp"
+#include "safety_core/kernel/object_access.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace counterpoint::runtime
+{
+/// One value that a configuring master writes, and where the DCF gives it.
+struct ConfigurationWrite
+{
+    ObjectAddress object{0U, 0U};
+    std::uint32_t value{0U};
+    std::uint8_t size_bytes{0U};
+    std::size_t line{0U};
+};
+
+/// What a DCF says about one SRDO, as far as people and limits need it.
+struct SrdoModel
+{
+    std::uint8_t number{0U};
+    std::uint8_t direction{0U};
+    SrdoTimes times{0U, 0U};
+    std::uint32_t cob_id_1{0U};
+    std::uint32_t cob_id_2{0U};
+    std::vector<ObjectAddress> normal_objects; ///< In the order of the mapping.
+};
+
+/// The table of a static mapping as the kernel gets it. As long as a mapping can be, so that a count in which a bit
+/// flips names entries that exist, though not of this mapping.
+struct StaticTable
+{
+    std::array<std::uint32_t, kMaxMapEntries> entries{};
+    std::uint8_t number{0U}; ///< Of the SRDO.
+    std::uint8_t count{0U};  ///< Of the entries.
+    std::size_t normal{0U};  ///< Where its fields begin in DeviceModel::Memory().
+    std::size_t inverse{0U};
+    std::size_t line{0U};
+};
+
+/// A pair of mappable variables as the mapping of an SRDO joins them.
+struct VariablePair
+{
+    std::size_t normal{0U}; ///< Indices into DeviceModel::Objects().
+    std::size_t inverse{0U};
+    std::uint8_t srdo{0U};       ///< Number of the SRDO.
+    std::uint32_t first_bit{0U}; ///< Of the pair in the data of the SRDO; entries before it may be dummies.
+    bool is_consumer{false};
+};
+
+/// Whether a device must have an SRDO.
+enum class SafetyNeed : std::uint8_t
+{
+    kInvalid = 0U,
+    kRequired = 1U,
+    kOptional = 2U, ///< Without any object of 1300h to 13FFh the kernel gets one SRDO that is off. [SRS-NODE-016]
+};
+
+struct SourceVariable;
+struct StaticMapping;
+
+/// A device built from its DCF. Owns the memory of the mappable variables and everything that DeviceConfig points to,
+/// and therefore stays where it is. [SRS-SIM-002]
+class DeviceModel
+{
+  public:
+    /// @brief Reads the DCF. Throws cia306::InputError for a file that cannot be simulated.
+    DeviceModel(const std::string& file, std::optional<std::uint8_t> node_id);
+    DeviceModel(const std::string& file, std::optional<std::uint8_t> node_id, SafetyNeed need);
+
+    DeviceModel(const DeviceModel&) = delete;
+    DeviceModel& operator=(const DeviceModel&) = delete;
+
+    [[nodiscard]] const std::string& File() const noexcept;
+    [[nodiscard]] const DeviceConfig& Config() const noexcept;
+    /// @brief Those of the DCF; none: a plain device.
+    [[nodiscard]] const std::vector<SrdoModel>& Srdos() const noexcept;
+    [[nodiscard]] const std::vector<VariablePair>& Pairs() const noexcept;
+    [[nodiscard]] const std::vector<MappableObject>& Objects() const noexcept;
+    [[nodiscard]] const std::vector<StaticTable>& StaticTables() const noexcept;
+    /// @brief Where the variables of this static mapping lie. [SRS-SIM-009]
+    [[nodiscard]] StaticFields FieldsOf(const StaticTable& table) noexcept;
+    /// @brief In the order of a configuring master.
+    [[nodiscard]] const std::vector<ConfigurationWrite>& Writes() const noexcept;
+
+    /// @brief Slot of an SRDO that exists.
+    [[nodiscard]] std::optional<SlotIndex> SlotOf(std::uint8_t number) const noexcept;
+    /// @brief Number of the SRDO in a slot that exists, as the DCF has it.
+    [[nodiscard]] std::uint8_t NumberOf(SlotIndex slot) const noexcept;
+    /// @brief The mapped pair whose normal object has this address.
+    [[nodiscard]] const VariablePair* PairOf(const ObjectAddress& normal) const noexcept;
+
+    /// @brief Inverse frames by a second controller, unless the DCF names the controllers: another device than that
+    /// of the DCF, so that no digest is expected. [SRS-SIM-036, SRS-SIM-009]
+    void UseTwoControllers() noexcept;
+    [[nodiscard]] std::uint32_t ControllerCount() const noexcept;
+    /// @brief For bits that flip: variables, mappable objects, setups. [SRS-SIM-035]
+    [[nodiscard]] std::vector<std::uint8_t>& Memory() noexcept;
+    [[nodiscard]] std::vector<MappableObject>& ObjectTable() noexcept;
+    [[nodiscard]] std::vector<SrdoSetup>& SetupTable() noexcept;
+    /// @brief The table of an SRDO; null: its mapping is dynamic.
+    [[nodiscard]] StaticTable* StaticTableOf(std::uint8_t number) noexcept;
+
+    /// @brief Power-on: all variables take their values of the DCF.
+    void ResetVariables() noexcept;
+
+  private:
+    void LayOut(const std::vector<SourceVariable>& variables, const std::vector<StaticMapping>& maps);
+    void Place(const std::vector<std::size_t>& variables, const std::vector<SourceVariable>& source);
+    void JoinTables() noexcept;
+
+    std::string file_;
+    std::vector<std::uint8_t> memory_;
+    std::vector<std::uint8_t> initial_;
+    std::vector<MappableObject> objects_;
+    std::vector<SrdoSetup> setups_;
+    std::vector<StaticTable> tables_;
+    std::vector<SrdoModel> srdos_;
+    std::vector<VariablePair> pairs_;
+    std::vector<ObjectAddress> addresses_; ///< Of the objects, and numbers of the setups: for people, whatever flips.
+    std::vector<std::uint8_t> numbers_;
+    std::vector<ConfigurationWrite> writes_;
+    DeviceConfig config_{};
+};
+
+/// @brief Registers the fields of static mappings and writes the configuration of the model to a started kernel. Throws
+/// cia306::InputError for the first write that is refused, with object and abort code.
+void Commission(Kernel& kernel, DeviceModel& model);
+
+/// "0609 0030h"
+[[nodiscard]] std::string AbortText(AbortCode code);
+} // namespace counterpoint::runtime
+
+#endif // RUNTIME_DEVICE_MODEL_HPP

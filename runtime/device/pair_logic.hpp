@@ -1,0 +1,102 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef RUNTIME_DEVICE_PAIR_LOGIC_HPP
+#define RUNTIME_DEVICE_PAIR_LOGIC_HPP
+
+#include "runtime/device/logic_rule.hpp"
+#include "runtime/device/model.hpp"
+
+#include "safety_core/kernel/kernel.hpp"
+#include "safety_core/kernel/variable.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace counterpoint::runtime
+{
+/// What of its pairs an application has: on a CPU of two its own half.
+enum class Half : std::uint8_t
+{
+    kBoth = 0U,
+    kNormal = 1U,
+    kInverse = 2U,
+};
+
+/// One pair of objects: the two paths hold their values apart.
+struct PairValue
+{
+    VariablePlace normal_place{nullptr, 0U};
+    VariablePlace inverse_place{nullptr, 0U};
+    ObjectAddress address{0U, 0U}; ///< Of the normal object.
+    std::uint64_t mask{0U};
+    std::uint64_t normal{0U};
+    std::uint64_t inverse{0U};
+    std::uint64_t safe{0U};
+    std::uint64_t disturbance{0U}; ///< Bits that the inverse path computes wrong.
+    SrdoMask slot{0U};
+    std::uint8_t srdo{0U};
+    bool is_consumer{false};
+    bool is_mapped{true}; ///< By an SRDO that is on, or by the file while nothing was followed yet.
+};
+
+/// What the application of a simulated or live device does with its pairs. Producers: the normal objects hold the
+/// input, the inverse objects are computed from it by another path. Consumers: a pair counts only while its two objects
+/// are inverse and the output of its SRDO is open. Logic rules join the two.
+class PairLogic
+{
+  public:
+    using OnValue = std::function<void(const PairValue&)>;
+
+    PairLogic(const DeviceModel& model, Half half);
+
+    /// @brief Pairs as the SRDOs are configured now, whoever did it: new ones come behind those that are known, and
+    /// those that no SRDO has any more rest. On entering OPERATIONAL. [SRS-NODE-019]
+    void Follow(Kernel& kernel, const DeviceModel& model);
+    [[nodiscard]] const std::vector<PairValue>& Pairs() const noexcept;
+    /// @brief The pair of this normal object, one that is mapped before others; null: there is none.
+    [[nodiscard]] const PairValue* Find(const ObjectAddress& normal) const noexcept;
+    /// @brief False: not all of its objects are pairs of this device, or its target is no producer's.
+    [[nodiscard]] bool AddRule(const LogicRule& rule);
+    /// @brief The object is that of a pair; the value is cut to its bits.
+    void SetInput(const ObjectAddress& normal, std::uint64_t value) noexcept;
+    /// @brief From now on the inverse path of that pair computes these bits wrong; 0: none.
+    void Disturb(const ObjectAddress& normal, std::uint64_t bits) noexcept;
+    /// @brief Takes the consumers' pairs with the outputs as they are, then the rules; tells changed values of
+    /// consumers.
+    void Take(SrdoMask open, const OnValue& on_value);
+    /// @brief Writes the objects of a producer.
+    void Write(const PairValue& pair) const noexcept;
+    /// @brief Whether any input of a producer changed since the last call.
+    [[nodiscard]] bool TakeChange() noexcept;
+
+  private:
+    struct Rule
+    {
+        std::size_t target{0U};
+        LogicOperation operation{LogicOperation::kCopy};
+        std::vector<std::size_t> inputs;
+    };
+
+    /// Two entries of a mapping.
+    struct MappedPair
+    {
+        VariablePlace normal{nullptr, 0U};
+        VariablePlace inverse{nullptr, 0U};
+        ObjectAddress address{0U, 0U};
+    };
+
+    void FollowSrdo(Kernel& kernel, const DeviceConfig& config, SlotIndex slot, std::uint8_t number);
+    [[nodiscard]] PairValue& TakeMapped(const MappedPair& mapped);
+    [[nodiscard]] std::size_t IndexOf(const ObjectAddress& normal) const noexcept;
+    void TakePair(PairValue& pair, SrdoMask open, const OnValue& on_value) const;
+    void Apply(const Rule& rule);
+
+    Half half_;
+    std::vector<PairValue> pairs_;
+    std::vector<Rule> rules_;
+    bool has_changed_{false};
+};
+} // namespace counterpoint::runtime
+
+#endif // RUNTIME_DEVICE_PAIR_LOGIC_HPP

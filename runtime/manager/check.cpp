@@ -1,0 +1,295 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// The findings of CompareFlyingMasters in words, and what network files say beyond the setup of a manager.
+#include "runtime/manager/check.hpp"
+
+#include "canopen/cia302/flying_master/compare.hpp"
+#include "canopen/cia306/text/input_error.hpp"
+#include "runtime/manager/check_places.hpp"
+#include "runtime/manager/host.hpp"
+#include "runtime/manager/process.hpp"
+#include "runtime/manager/report/words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+namespace counterpoint::runtime
+{
+namespace
+{
+using cia302::FlyingFinding;
+using cia302::FlyingFindingKind;
+using network::LoadedNetwork;
+using network::LoadedSlave;
+
+/// El6751Part as network files call it.
+constexpr std::uint16_t kProgram = 0x1F58U;
+constexpr std::array<const char*, cia302::kEl6751Parts> kParts{"profile data",
+                                                               "kind",
+                                                               "check_device_type",
+                                                               "write_sync_period",
+                                                               "write_cob_ids",
+                                                               "write_types",
+                                                               "start",
+                                                               "restart_without_pdos",
+                                                               "literal_consumer",
+                                                               "reaction",
+                                                               "restart",
+                                                               "network_reaction",
+                                                               "life time factor",
+                                                               "guard time",
+                                                               "coupler_pdos",
+                                                               "coupler_inhibit",
+                                                               "coupler_event",
+                                                               "number of RxPDOs",
+                                                               "number of TxPDOs"};
+
+constexpr std::array<std::pair<FlyingFindingKind, const char*>, 3> kNames{
+    {{FlyingFindingKind::kArming, "arming"},
+     {FlyingFindingKind::kPlcOptional, "optional"},
+     {FlyingFindingKind::kPlcReset, "reset_node"}}};
+
+std::string Number(const std::uint64_t value)
+{
+    return cia306::Hex(value, 1);
+}
+
+constexpr std::uint32_t kLastPdo = 512U;
+using Outputs = std::map<std::uint32_t, std::vector<std::uint8_t>>;
+
+Outputs OutputsOf(const network::SlavePlan& plan)
+{
+    Outputs outputs;
+    for (const network::OutputPlan& output : plan.outputs)
+    {
+        outputs[output.number] = output.bytes;
+    }
+    return outputs;
+}
+
+/// What is not said is sent as zeros.
+std::string OutputText(const Outputs& outputs, const std::uint32_t number)
+{
+    const auto found = outputs.find(number);
+    const std::vector<std::uint8_t> bytes = (found == outputs.end()) ? std::vector<std::uint8_t>{} : found->second;
+    const bool is_zero = std::all_of(bytes.begin(), bytes.end(), [](const std::uint8_t byte) { return byte == 0U; });
+    return is_zero ? "zeros" : BytesText(bytes);
+}
+
+class Differences final : public cia302::FlyingFindingListener
+{
+  public:
+    explicit Differences(const std::vector<const LoadedNetwork*>& masters) : masters_(masters)
+    {
+    }
+
+    void OnFinding(const FlyingFinding& finding) noexcept override
+    {
+        first_ = masters_[finding.first];
+        second_ = masters_[finding.second];
+        const bool is_profile = finding.kind == FlyingFindingKind::kProfile &&
+                                finding.sub == static_cast<std::uint8_t>(cia302::El6751Part::kProfiles);
+        if (finding.first == finding.second)
+        {
+            TellOfOne(finding);
+        }
+        else if (!is_profile) // Which data there are follows from the profile, which is compared by its name.
+        {
+            TellOfTwo(finding);
+        }
+    }
+    /// What is in the network file only.
+    void ComparePlans(const LoadedNetwork& first, const LoadedNetwork& second)
+    {
+        first_ = &first;
+        second_ = &second;
+        const network::ManagerPlan& one = first.Plan().manager;
+        const network::ManagerPlan& other = second.Plan().manager;
+        if (one.profile != other.profile)
+        {
+            Tell({0U, "profile"}, "profile", WordOf(one.profile), WordOf(other.profile));
+        }
+        const cia302::El6751Times times = one.el6751.value_or(cia302::El6751Times{});
+        const cia302::El6751Times others = other.el6751.value_or(cia302::El6751Times{});
+        Compare({0U, "el6751"}, "el6751 window", static_cast<std::uint64_t>(times.window),
+                static_cast<std::uint64_t>(others.window));
+        Compare({0U, "el6751"}, "el6751 sync_multiplier", times.sync_multiplier, others.sync_multiplier);
+        Compare({0U, "el6751"}, "el6751 input_shift", times.input_shift_us, others.input_shift_us);
+        Compare({0U, "sdo_timeout"}, "sdo_timeout", one.sdo_time_out_ms.value_or(0U),
+                other.sdo_time_out_ms.value_or(0U));
+        Compare({0U, "sdo_tries"}, "sdo_tries", one.sdo_tries.value_or(0U), other.sdo_tries.value_or(0U));
+        for (const auto& slave : first.Slaves())
+        {
+            const LoadedSlave* const same = second.Find(slave->plan.node);
+            if (same != nullptr)
+            {
+                Compare({slave->plan.node, "write_safety"}, "write_safety of node " + std::to_string(slave->plan.node),
+                        slave->plan.writes_safety ? 1U : 0U, same->plan.writes_safety ? 1U : 0U);
+                CompareOutputs(*slave, *same);
+            }
+        }
+    }
+    [[nodiscard]] const std::vector<std::string>& Lines() const noexcept
+    {
+        return lines_;
+    }
+
+  private:
+    /// `key` tells where in the files it stands.
+    void Tell(const CheckedKey& key, const std::string& object, const std::string& one, const std::string& other)
+    {
+        lines_.push_back(PlaceOf(*second_, key) + ": " + object + " is " + other + ", expected " + one + " as in " +
+                         PlaceOf(*first_, key));
+    }
+    void Compare(const CheckedKey& key, const std::string& object, const std::uint64_t one, const std::uint64_t other)
+    {
+        if (one != other)
+        {
+            Tell(key, object, Number(one), Number(other));
+        }
+    }
+    void CompareOutputs(const LoadedSlave& one, const LoadedSlave& other)
+    {
+        const auto firsts = OutputsOf(one.plan);
+        const auto seconds = OutputsOf(other.plan);
+        for (std::uint32_t number = 1U; number <= kLastPdo; ++number)
+        {
+            const std::string first = OutputText(firsts, number);
+            const std::string second = OutputText(seconds, number);
+            if (first != second)
+            {
+                Tell({one.plan.node, "outputs"},
+                     "output of RxPDO " + std::to_string(number) + " of node " + std::to_string(one.plan.node), first,
+                     second);
+            }
+        }
+    }
+
+    void TellOfOne(const FlyingFinding& finding)
+    {
+        const bool is_node = finding.kind == FlyingFindingKind::kSameNode;
+        const std::string file = PlaceOf(*second_, is_node ? CheckedKey{0U, "node"} : KeyOf(finding)) + ": ";
+        const std::string object = cia306::ObjectName(finding.index, finding.sub);
+        if (finding.kind == FlyingFindingKind::kNotFlying)
+        {
+            lines_.push_back(file + object + " is " + Number(finding.first_value) +
+                             ", expected bit 5: a flying master");
+        }
+        else if (finding.kind == FlyingFindingKind::kSlots)
+        {
+            lines_.push_back(file + object + " is " + Number(finding.first_value) + " with 0x1F90:05 " +
+                             Number(finding.second_value) +
+                             ", expected more than 127 times the latter, which is above 0");
+        }
+        else if (finding.kind == FlyingFindingKind::kSameNode)
+        {
+            lines_.push_back(file + "node-ID of the manager is " + std::to_string(finding.first_value) +
+                             ", expected another one than in the files before");
+        }
+        else
+        {
+            lines_.push_back(file + object + " is " + Number(finding.first_value) + ", expected at most " +
+                             Number(cia302::kLowestPriority));
+        }
+    }
+    void TellOfTwo(const FlyingFinding& finding)
+    {
+        const std::string node = std::to_string(finding.slave.value);
+        const bool is_in_first = finding.kind != FlyingFindingKind::kOnlySecond;
+        const bool is_in_second = finding.kind != FlyingFindingKind::kOnlyFirst;
+        if (finding.kind == FlyingFindingKind::kMissing)
+        {
+            TellMissing(finding, node);
+        }
+        else if (finding.kind == FlyingFindingKind::kUnknown)
+        {
+            lines_.push_back(PlaceOf(*first_, {0U, ""}) + ": no node " + node +
+                             ", expected the other master in the network list");
+        }
+        else if (finding.kind == FlyingFindingKind::kContent)
+        {
+            TellContent(finding);
+        }
+        else
+        {
+            Tell(KeyOf(finding), NameOf(finding), is_in_first ? Number(finding.first_value) : "absent",
+                 is_in_second ? Number(finding.second_value) : "absent");
+        }
+    }
+    void TellMissing(const FlyingFinding& finding, const std::string& node)
+    {
+        const bool is_first = finding.first_value == 0U;
+        lines_.push_back(PlaceOf(is_first ? *first_ : *second_, {0U, ""}) + ": no node " + node +
+                         ", expected it as in " + PlaceOf(is_first ? *second_ : *first_, {finding.slave.value, ""}));
+    }
+    void TellContent(const FlyingFinding& finding)
+    {
+        const LoadedSlave* const one = first_->Find(finding.slave.value);
+        const LoadedSlave* const other = second_->Find(finding.slave.value);
+        const auto size = [&finding](const LoadedNetwork* const net, const LoadedSlave* const slave)
+        {
+            const std::size_t concise = net->Setup().Slave(finding.slave).concise_dcf.size_bytes;
+            const std::size_t program = (slave == nullptr) ? 0U : slave->program.size();
+            return std::to_string((finding.index == kProgram) ? program : concise) + " bytes";
+        };
+        Tell(KeyOf(finding), cia306::ObjectName(finding.index, finding.sub), size(first_, one),
+             size(second_, other) + " with other contents");
+    }
+    [[nodiscard]] static std::string NameOf(const FlyingFinding& finding)
+    {
+        const std::string of_node = " of node " + std::to_string(finding.slave.value);
+        const std::string object = cia306::ObjectName(finding.index, finding.sub);
+        std::string name = object;
+        for (const auto& [kind, words] : kNames)
+        {
+            name = (kind == finding.kind) ? (words + of_node) : name;
+        }
+        const bool is_safety =
+            finding.kind == FlyingFindingKind::kOnlyFirst || finding.kind == FlyingFindingKind::kOnlySecond;
+        name = (is_safety || finding.kind == FlyingFindingKind::kSafety) ? (object + of_node + " (safety)") : name;
+        name = (finding.kind == FlyingFindingKind::kPdo) ? (object + of_node) : name;
+        name = (finding.kind == FlyingFindingKind::kProfile) ? (kParts.at(finding.sub) + of_node) : name;
+        return (finding.kind == FlyingFindingKind::kValue) ? NameOfValue(finding, object) : name;
+    }
+    /// Values of the master, of which two stand for what is told of the slave by name.
+    [[nodiscard]] static std::string NameOfValue(const FlyingFinding& finding, const std::string& object)
+    {
+        const std::string of_node = " of node " + std::to_string(finding.slave.value);
+        const bool is_consumer = finding.index == 0x1016U;
+        const bool is_producer = finding.index == 0x1017U;
+        const std::string heartbeat = is_consumer ? "heartbeat consumer (0x1016)" : "heartbeat (0x1017)";
+        return (is_consumer || is_producer) ? (heartbeat + of_node) : object;
+    }
+
+    const std::vector<const LoadedNetwork*>& masters_;
+    const LoadedNetwork* first_{nullptr};
+    const LoadedNetwork* second_{nullptr};
+    std::vector<std::string> lines_;
+};
+} // namespace
+
+std::vector<std::string> DifferencesOf(const std::vector<const LoadedNetwork*>& masters)
+{
+    std::vector<cia302::FlyingMasterTimes> times;
+    for (const LoadedNetwork* const master : masters)
+    {
+        times.push_back(FlyingTimesOf(master->Plan()));
+    }
+    std::vector<cia302::FlyingMasterView> views;
+    for (std::size_t i = 0U; i < masters.size(); ++i)
+    {
+        views.push_back({&masters[i]->Setup(), &times[i]});
+    }
+    Differences differences(masters);
+    static_cast<void>(cia302::CompareFlyingMasters(views.data(), static_cast<std::uint8_t>(views.size()), differences));
+    for (std::size_t i = 1U; i < masters.size(); ++i)
+    {
+        differences.ComparePlans(*masters.front(), *masters[i]);
+    }
+    std::vector<std::string> lines = differences.Lines();
+    const std::vector<std::string> together = ProblemsTogether(masters);
+    lines.insert(lines.end(), together.begin(), together.end());
+    return lines;
+}
+} // namespace counterpoint::runtime

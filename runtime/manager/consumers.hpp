@@ -1,0 +1,41 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef RUNTIME_MANAGER_CONSUMERS_HPP
+#define RUNTIME_MANAGER_CONSUMERS_HPP
+
+#include "runtime/manager/host.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace counterpoint::runtime
+{
+/// @brief Whether a start-up runs that has looked at the slave. One that waits for its boot-up message, or with the
+/// profile cia302 for its first answer, has not. [SRS-MGR-021]
+[[nodiscard]] bool IsStartingUp(const ManagerHost& host, cia302::NodeId node) noexcept;
+
+/// 1016h of the manager: whom it supervises by heartbeat, and how long it waits for one. At first the nodes of the
+/// network file in the order of their node-IDs. [SRS-MGR-021]
+class ManagerConsumers
+{
+  public:
+    /// @brief Both outlive it.
+    ManagerConsumers(ManagerHost& host, network::LoadedNetwork& net);
+
+    /// @brief `sub` is 1 to 127, checked by the caller: node-ID in bits 16 to 23, time in ms; 0: nobody.
+    [[nodiscard]] std::uint32_t Value(std::uint8_t sub) const noexcept;
+    /// @brief Counts at once where the node is watched or was started, else from its next start-up on. Refused are a
+    /// node in two entries, reserved bits, the own node, a safety slave, and a slave that starts up.
+    [[nodiscard]] cia301::SdoAbort Write(std::uint8_t sub, std::uint32_t value, Instant now) noexcept;
+
+  private:
+    [[nodiscard]] cia301::SdoAbort MayWrite(std::uint8_t sub, std::uint32_t value) const noexcept;
+    [[nodiscard]] cia301::SdoAbort MayChange(std::uint32_t value) const noexcept;
+    void Watch(cia302::NodeId node, std::uint16_t consumer_ms, Instant now) noexcept;
+
+    ManagerHost& host_;
+    network::LoadedNetwork& net_;
+    std::array<std::uint32_t, cia302::kNodeRoom> values_{};
+};
+} // namespace counterpoint::runtime
+
+#endif // RUNTIME_MANAGER_CONSUMERS_HPP

@@ -1,0 +1,184 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "runtime/manager/host.hpp"
+
+#include "canopen/cia306/text/input_error.hpp"
+
+namespace counterpoint::runtime
+{
+namespace
+{
+using network::StartProfile;
+
+constexpr cia302::SdoTimes kUsualTimes{500000U, 3U};
+
+/// Those of the profile, where the network file says nothing else.
+cia302::SdoTimes TimesOf(const network::ManagerPlan& plan)
+{
+    constexpr std::uint32_t kUsPerMs = 1000U;
+    cia302::SdoTimes times = kUsualTimes;
+    times = (plan.profile == StartProfile::kEl6751) ? cia302::kEl6751SdoTimes : times;
+    times = (plan.profile == StartProfile::kPlcDesigner) ? cia302::kPlcSdoTimes : times;
+    times.time_out_us = plan.sdo_time_out_ms ? (*plan.sdo_time_out_ms * kUsPerMs) : times.time_out_us;
+    times.tries = plan.sdo_tries.value_or(times.tries);
+    return times;
+}
+constexpr const char* kSlots = "a level slot above 127 node slots, which are above 0";
+
+std::string SlotsOf(const cia302::FlyingMasterTimes& times)
+{
+    return "level slot " + std::to_string(times.priority_slot) + " ms with node slot " +
+           std::to_string(times.device_slot) + " ms";
+}
+} // namespace
+
+cia302::FlyingMasterTimes FlyingTimesOf(const network::NetworkPlan& plan)
+{
+    const network::FlyingPlan flying = plan.manager.flying.value_or(network::FlyingPlan{});
+    cia302::FlyingMasterTimes times = cia302::DefaultTimes(cia302::NodeId{plan.manager.node.value_or(1U)});
+    times.timeout = flying.timeout_ms.value_or(times.timeout);
+    times.delay = flying.delay_ms.value_or(times.delay);
+    times.priority = flying.priority.value_or(times.priority);
+    times.priority_slot = flying.level_slot_ms.value_or(times.priority_slot);
+    times.device_slot = flying.node_slot_ms.value_or(times.device_slot);
+    times.detection_cycle = flying.detect_ms.value_or(times.detection_cycle);
+    return times;
+}
+
+ManagerHost::ManagerHost(const network::LoadedNetwork& net, cia301::FrameSink& sink, cia302::ManagerListener& listener)
+    : net_(net), times_(TimesOf(net.Plan().manager)), lanes_(sink, times_),
+      manager_(cia302::ManagerParts{net.Setup(), sink, listener, Room(),
+                                    net.Plan().manager.heartbeat_ms.value_or(std::uint16_t{0U})})
+{
+    MakeProfile();
+    if (net.Plan().manager.flying)
+    {
+        MakeFlying(sink);
+    }
+}
+
+cia302::ManagerRoom ManagerHost::Room() noexcept
+{
+    return {records_.data(),
+            watched_.data(),
+            gates_.data(),
+            {commands_.data(), static_cast<std::uint16_t>(commands_.size())},
+            {safety_.data(), static_cast<std::uint8_t>(safety_.size())},
+            lanes_.All(),
+            times_};
+}
+
+void ManagerHost::MakeProfile()
+{
+    const cia302::StartUpParts parts = manager_.ProfileParts();
+    switch (net_.Plan().manager.profile)
+    {
+    case StartProfile::kEl6751:
+        el6751_pdos_.resize(cia302::El6751PdoCount(net_.Setup()));
+        el6751_ = std::make_unique<cia302::El6751StartUp>(
+            cia302::El6751Parts{parts,
+                                el6751_nodes_.data(),
+                                {el6751_pdos_.data(), static_cast<std::uint16_t>(el6751_pdos_.size())},
+                                net_.Plan().manager.el6751.value_or(cia302::El6751Times{})});
+        Use(*el6751_);
+        break;
+    case StartProfile::kPlcDesigner:
+        plc_ = std::make_unique<cia302::PlcStartUp>(cia302::PlcParts{parts, plc_nodes_.data()});
+        Use(*plc_);
+        break;
+    case StartProfile::kCia302:
+    default:
+        cia302_ = std::make_unique<cia302::Cia302StartUp>(parts, boots_.data());
+        Use(*cia302_);
+        break;
+    }
+}
+
+void ManagerHost::Use(cia302::StartUp& profile) noexcept
+{
+    profile_ = &profile;
+    manager_.Use(profile);
+}
+
+void ManagerHost::MakeFlying(cia301::FrameSink& sink)
+{
+    const network::ManagerPlan& plan = net_.Plan().manager;
+    flying_times_ = FlyingTimesOf(net_.Plan());
+    if (!cia302::IsUsable(flying_times_))
+    {
+        throw cia306::InputError(net_.Plan().file, plan.line, {SlotsOf(flying_times_), kSlots});
+    }
+    flying_options_ = plan.flying->options;
+    flying_options_.own_producer_ms = plan.heartbeat_ms.value_or(flying_options_.own_producer_ms);
+    flying_ = std::make_unique<cia302::FlyingMaster>(
+        cia302::FlyingMasterParts{net_.Setup(), flying_times_, flying_options_, sink, manager_});
+    is_held_ = plan.flying->is_by_order;
+    manager_.Use(*flying_, is_held_ ? cia302::NegotiationBy::kApplication : cia302::NegotiationBy::kManager);
+}
+
+void ManagerHost::OnCycle(const Instant now)
+{
+    const bool is_by_order = net_.Plan().manager.flying.value_or(network::FlyingPlan{}).is_by_order;
+    if (is_by_order && !is_held_ && flying_->State() == cia302::FlyingState::kInitialising)
+    {
+        static_cast<void>(manager_.StartNegotiation(now));
+    }
+}
+
+void ManagerHost::SetHeartbeat(const std::uint16_t period_ms) noexcept
+{
+    manager_.SetHeartbeat(period_ms);
+    flying_options_.own_producer_ms = period_ms;
+}
+
+std::string ManagerHost::Negotiate()
+{
+    if (flying_ != nullptr && !cia302::IsUsable(flying_times_))
+    {
+        return SlotsOf(flying_times_) + ", expected " + kSlots;
+    }
+    const bool is_taken = is_held_;
+    is_held_ = false;
+    return is_taken ? "taken" : "no negotiation waits for an order, expected flying: {start: by_order}";
+}
+
+bool ManagerHost::HasStarted() const noexcept
+{
+    constexpr auto kOperational = static_cast<std::uint8_t>(cia302::SlaveState::kOperational);
+    bool has_started = true;
+    for (const auto& slave : net_.Slaves())
+    {
+        const cia302::NodeId node{slave->plan.node};
+        const bool is_needed = net_.Setup().Slave(node).Has(cia302::kInNetwork | cia302::kMandatory);
+        // What it said last, where it is listened to; else what it was told.
+        const bool is_running = manager_.Table().RequestValue(node) == kOperational;
+        const bool was_heard = manager_.Table().Record(node).state == cia302::SlaveState::kOperational;
+        const bool runs = is_running && (was_heard || manager_.Status(node).is_started);
+        has_started = has_started && (runs || !is_needed);
+    }
+    return has_started;
+}
+
+void ManagerHost::OnController(const cia302::ControllerState state, const Instant now) noexcept
+{
+    manager_.OnBus(state == cia302::ControllerState::kRunning, now);
+    if (el6751_ != nullptr)
+    {
+        el6751_->OnController(state, now);
+    }
+}
+
+void ManagerHost::OnSent(const CanFrame& frame) noexcept
+{
+    manager_.OnSent(frame);
+    if (el6751_ != nullptr)
+    {
+        el6751_->OnSent(frame);
+    }
+}
+
+cia302::NmtAnswer ManagerHost::Control(const cia302::NodeId node, const std::uint16_t ads_state,
+                                       const std::uint16_t device_state, const Instant now) noexcept
+{
+    return (el6751_ != nullptr) ? el6751_->Control(node, ads_state, device_state, now) : cia302::NmtAnswer::kWrong;
+}
+} // namespace counterpoint::runtime

@@ -1,0 +1,99 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef RUNTIME_MANAGER_HOST_HPP
+#define RUNTIME_MANAGER_HOST_HPP
+
+#include "canopen/manager/manager.hpp"
+#include "canopen/network/loaded_network.hpp"
+#include "canopen/start_up/cia302/start_up.hpp"
+#include "canopen/start_up/el6751/start_up.hpp"
+#include "canopen/start_up/plc_designer/start_up.hpp"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace counterpoint::runtime
+{
+/// A network manager with all its room, as a network file wants it. Time and frames come in with calls. Stays where it
+/// is: its parts refer to each other. [SRS-MGR-001]
+class ManagerHost
+{
+  public:
+    /// @brief All outlive it.
+    ManagerHost(const network::LoadedNetwork& net, cia301::FrameSink& sink, cia302::ManagerListener& listener);
+    ManagerHost(const ManagerHost&) = delete;
+    ManagerHost& operator=(const ManagerHost&) = delete;
+
+    [[nodiscard]] cia302::Manager& Core() noexcept
+    {
+        return manager_;
+    }
+    [[nodiscard]] const cia302::Manager& Core() const noexcept
+    {
+        return manager_;
+    }
+    [[nodiscard]] const network::LoadedNetwork& Net() const noexcept
+    {
+        return net_;
+    }
+    [[nodiscard]] cia302::StartUp& Profile() noexcept
+    {
+        return *profile_;
+    }
+    /// @brief 1F90h of a flying master; counts from the next start of the negotiation on.
+    [[nodiscard]] cia302::FlyingMasterTimes& FlyingTimes() noexcept
+    {
+        return flying_times_;
+    }
+    /// @brief 1017h of the manager.
+    void SetHeartbeat(std::uint16_t period_ms) noexcept;
+    /// @brief Lets the first negotiation begin; "taken" or the reason why not. [SRS-MGR-023]
+    [[nodiscard]] std::string Negotiate();
+    /// @brief Lets later negotiations begin by themselves. Before the manager's cycle.
+    void OnCycle(Instant now);
+    /// @brief Whether the start-up came to where its slaves run: every mandatory slave was started.
+    [[nodiscard]] bool HasStarted() const noexcept;
+    /// @brief What the flying master and the EL6751 profile are to know of the controller.
+    void OnController(cia302::ControllerState state, Instant now) noexcept;
+    /// @brief A frame of this manager was on the bus.
+    void OnSent(const CanFrame& frame) noexcept;
+    /// @brief Of the EL6751 profile, kWrong with another one: manual network management. [SRS-ELM-046]
+    [[nodiscard]] cia302::NmtAnswer Control(cia302::NodeId node, std::uint16_t ads_state, std::uint16_t device_state,
+                                            Instant now) noexcept;
+
+  private:
+    [[nodiscard]] cia302::ManagerRoom Room() noexcept;
+    void MakeProfile();
+    void Use(cia302::StartUp& profile) noexcept;
+    void MakeFlying(cia301::FrameSink& sink);
+
+    const network::LoadedNetwork& net_;
+    std::array<cia302::NodeRecord, cia302::kNodeRoom> records_{};
+    std::array<cia302::WatchedNode, cia302::kNodeRoom> watched_{};
+    std::array<cia302::GateState, cia302::kNodeRoom> gates_{};
+    std::array<cia302::NmtRequest, 256U> commands_{};
+    std::array<cia302::SafetySlot, cia302::kLastNode> safety_{};
+    cia302::SdoTimes times_;
+    cia302::SdoLanes<cia302::kLastNode> lanes_;
+    cia302::Manager manager_;
+    std::array<cia302::BootRecord, cia302::kNodeRoom> boots_{};
+    std::array<cia302::El6751Node, cia302::kNodeRoom> el6751_nodes_{};
+    std::vector<cia302::El6751PdoRecord> el6751_pdos_;
+    std::array<cia302::PlcNode, cia302::kNodeRoom> plc_nodes_{};
+    std::unique_ptr<cia302::Cia302StartUp> cia302_;
+    std::unique_ptr<cia302::El6751StartUp> el6751_;
+    std::unique_ptr<cia302::PlcStartUp> plc_;
+    cia302::StartUp* profile_{nullptr}; ///< One of the three.
+    cia302::FlyingMasterTimes flying_times_{};
+    cia302::FlyingMasterOptions flying_options_{};
+    bool is_held_{false}; ///< The first negotiation waits for its order.
+    std::unique_ptr<cia302::FlyingMaster> flying_;
+};
+
+/// @brief 1F90h of a flying master, with the defaults where the plan has nothing.
+[[nodiscard]] cia302::FlyingMasterTimes FlyingTimesOf(const network::NetworkPlan& plan);
+} // namespace counterpoint::runtime
+
+#endif // RUNTIME_MANAGER_HOST_HPP

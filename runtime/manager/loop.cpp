@@ -1,0 +1,384 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "runtime/manager/loop.hpp"
+
+#include "canopen/cia306/text/input_error.hpp"
+#include "runtime/manager/report/status.hpp"
+#include "runtime/manager/signals.hpp"
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <ctime>
+#include <poll.h>
+#include <thread>
+#include <unistd.h>
+#include <utility>
+
+namespace counterpoint::runtime
+{
+namespace
+{
+constexpr std::uint64_t kNsPerUs = 1000U;
+constexpr std::uint64_t kCycleNs = 1000000U;
+constexpr std::uint64_t kLookNs = 250000000U;
+constexpr std::size_t kFramesOfTurn = 256U;
+constexpr std::size_t kFramesOfPause = 1000000U; ///< More than any system keeps.
+constexpr std::size_t kRecentLines = 12U;
+constexpr std::size_t kLongestLine = 1024U;
+
+const char* WordOf(const host::BusState state)
+{
+    switch (state)
+    {
+    case host::BusState::kActive:
+        return "active";
+    case host::BusState::kWarning:
+        return "warning";
+    case host::BusState::kPassive:
+        return "passive";
+    case host::BusState::kBusOff:
+        return "bus_off";
+    case host::BusState::kDown:
+    case host::BusState::kInvalid:
+    default:
+        return "down";
+    }
+}
+} // namespace
+
+ManagerLoop::ManagerLoop(network::LoadedNetwork& net, std::unique_ptr<host::LiveBus> bus, NodeReport& report,
+                         ManagerSocket* const socket, ManagerLoopSettings settings)
+    : bus_(std::move(bus)), address_(bus_->Name()), report_(report), socket_(socket), settings_(std::move(settings)),
+      start_ns_(host::LiveNow()), station_(
+                                      net, [this](const CanFrame& frame) { return SendFrame(frame); },
+                                      [this](const ManagerEvent& event) { OnEvent(event); })
+{
+    if (!settings_.log.empty())
+    {
+        log_.open(settings_.log, std::ios::trunc);
+        if (!log_)
+        {
+            throw cia306::InputError(settings_.log, 0U, {"it cannot be opened", "a path in a writable folder"});
+        }
+    }
+}
+
+std::uint64_t ManagerLoop::NowUs() const
+{
+    return (host::LiveNow() - start_ns_) / kNsPerUs;
+}
+
+/// The manager's time never goes back, and never ahead of frames that wait to be read: after a pause of this process
+/// they are as far apart as they were on the bus. [SRS-MGR-004]
+std::uint64_t ManagerLoop::StationUs()
+{
+    station_us_ = is_behind_ ? station_us_ : std::max(station_us_, NowUs());
+    return station_us_;
+}
+
+bool ManagerLoop::SendFrame(const CanFrame& frame)
+{
+    return bus_->Send(host::FromCanFrame(frame)) == host::SendResult::kSent;
+}
+
+void ManagerLoop::OnEvent(const ManagerEvent& event)
+{
+    if (log_.is_open())
+    {
+        log_ << JsonLine(event) << "\n";
+    }
+    if (settings_.is_json)
+    {
+        report_.Print(JsonLine(event) + "\n");
+    }
+    else if (!event.text.empty())
+    {
+        recent_.push_back(TextLine(event));
+        while (recent_.size() > kRecentLines)
+        {
+            recent_.pop_front();
+        }
+        if (!settings_.is_screen)
+        {
+            report_.Print(TextLine(event) + "\n");
+        }
+    }
+}
+
+bool ManagerLoop::Run()
+{
+    const CaughtSignals signals;
+    start_ns_ = host::LiveNow();
+    last_turn_ns_ = start_ns_;
+    heap_ = FrameHeap(start_ns_);
+    next_cycle_ns_ = start_ns_ + kCycleNs;
+    station_.Begin(0U);
+    while (reason_.empty())
+    {
+        Wait();
+        Receive();
+        if (has_typed_)
+        {
+            ReadTyped();
+        }
+        const std::uint64_t now_ns = host::LiveNow();
+        if (now_ns >= next_cycle_ns_)
+        {
+            station_.OnCycle(StationUs());
+            next_cycle_ns_ = now_ns + kCycleNs;
+        }
+        if (socket_ != nullptr)
+        {
+            socket_->Serve([this](const std::string& line) { return Answer(line); });
+        }
+        if (now_ns >= next_look_ns_)
+        {
+            next_look_ns_ = now_ns + kLookNs;
+            WatchBus();
+            Draw();
+            FlushLog();
+        }
+        const bool is_time_over = settings_.for_ns != 0U && now_ns - start_ns_ >= settings_.for_ns;
+        reason_ = is_time_over ? "--for" : reason_;
+        reason_ = CaughtSignals::IsCaught() ? "signal" : reason_;
+    }
+    const bool has_started = station_.Host().HasStarted();
+    station_.Tell("stopped", "stopped by " + reason_, {{"reason", reason_}, {"started", has_started}}, StationUs());
+    Draw();
+    FlushLog();
+    report_.Print(settings_.is_screen ? "\n" : "");
+    return has_started;
+}
+
+void ManagerLoop::Wait()
+{
+    std::vector<pollfd> places{{bus_->Descriptor(), POLLIN, 0}, {settings_.input, POLLIN, 0}};
+    if (socket_ != nullptr)
+    {
+        socket_->AddTo(places);
+    }
+    const std::uint64_t now_ns = host::LiveNow();
+    const std::uint64_t wait_ns = (next_cycle_ns_ > now_ns) ? next_cycle_ns_ - now_ns : 0U;
+    const timespec time{0, static_cast<long>(wait_ns)};
+    const int ready = ::ppoll(places.data(), places.size(), &time, nullptr);
+    has_typed_ = ready > 0 && places[1].revents != 0;
+}
+
+void ManagerLoop::Receive()
+{
+    // Of a bus that never falls silent some at a time: cycles and orders come in between.
+    host::LiveFrame frame;
+    std::vector<host::LiveFrame> frames;
+    std::size_t old = 0U;
+    while (frames.size() < kFramesOfTurn && old < kFramesOfPause && bus_->Receive(frame))
+    {
+        const bool is_old = host::LiveNow() - last_turn_ns_ > settings_.longest_pause_ns;
+        old += is_old ? 1U : 0U;
+        if (!is_old || IsBootUp(frame))
+        {
+            frames.push_back(frame);
+        }
+    }
+    last_turn_ns_ = host::LiveNow();
+    is_behind_ = frames.size() == kFramesOfTurn;
+    const bool is_connection = address_.rfind("socketcand:", 0U) == 0U; // It tells no times of reception.
+    if (is_connection && heap_.Has(frames.size(), last_turn_ns_))
+    {
+        old += frames.size();
+        frames.erase(
+            std::remove_if(frames.begin(), frames.end(), [](const host::LiveFrame& each) { return !IsBootUp(each); }),
+            frames.end());
+    }
+    for (const host::LiveFrame& taken : frames)
+    {
+        TakeFrame(taken);
+    }
+    if (old > 0U)
+    {
+        const std::string text = "frames left aside but for boot-up messages: when they came cannot be known";
+        station_.Tell("lost_frames", std::to_string(old) + " " + text, {{"count", old}}, StationUs());
+        station_.Host().Core().OnLost(InstantAt(StationUs()));
+    }
+}
+
+void ManagerLoop::TakeFrame(const host::LiveFrame& frame)
+{
+    if (frame.error || frame.fd)
+    {
+        return;
+    }
+    const std::uint64_t stamp_us = (frame.time_ns > start_ns_) ? (frame.time_ns - start_ns_) / kNsPerUs : 0U;
+    station_us_ = std::max(station_us_, std::min(stamp_us, NowUs()));
+    if (frame.own)
+    {
+        station_.Host().OnSent(host::ToCanFrame(frame, CanPortId::kFirst));
+    }
+    else
+    {
+        station_.OnFrame(host::ToCanFrame(frame, CanPortId::kFirst), station_us_);
+    }
+}
+
+void ManagerLoop::WatchBus()
+{
+    const host::BusHealth health = bus_->Health();
+    if (health.state != bus_state_)
+    {
+        bus_state_ = health.state;
+        station_.Tell("bus", std::string("bus ") + WordOf(bus_state_), {{"state", WordOf(bus_state_)}}, StationUs());
+        cia302::ControllerState state = cia302::ControllerState::kRunning;
+        state = (bus_state_ == host::BusState::kBusOff) ? cia302::ControllerState::kBusOff : state;
+        state = (bus_state_ == host::BusState::kDown) ? cia302::ControllerState::kAbsent : state;
+        station_.Host().OnController(state, InstantAt(StationUs()));
+    }
+    if (bus_state_ == host::BusState::kDown)
+    {
+        Reconnect();
+    }
+    if (health.lost_frames > lost_)
+    {
+        const std::uint32_t count = health.lost_frames - lost_;
+        station_.Tell("lost_frames", std::to_string(count) + " frames lost between bus and manager", {{"count", count}},
+                      StationUs());
+        station_.Host().Core().OnLost(InstantAt(StationUs()));
+        lost_ = health.lost_frames;
+    }
+}
+
+/// An interface of the kernel comes back by itself, a connection does not. It is made by a thread of its own: a server
+/// that does not answer holds up nobody.
+void ManagerLoop::Reconnect()
+{
+    const bool is_connection = address_.rfind("socketcand:", 0U) == 0U;
+    const bool is_over = next_bus_.valid() && next_bus_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    std::unique_ptr<host::LiveBus> bus = is_over ? next_bus_.get() : nullptr;
+    if (bus != nullptr)
+    {
+        bus_ = std::move(bus);
+        lost_ = 0U;
+    }
+    else if (is_connection && !next_bus_.valid())
+    {
+        next_bus_ = std::async(std::launch::async,
+                               [address = address_]() -> std::unique_ptr<host::LiveBus>
+                               {
+                                   try
+                                   {
+                                       return host::OpenLiveBus(address);
+                                   }
+                                   catch (const host::LiveBusError&)
+                                   {
+                                       std::this_thread::sleep_for(std::chrono::seconds(1));
+                                       return nullptr; // To be tried again.
+                                   }
+                               });
+    }
+    else
+    {
+        // Nothing is lost that could be made again, or it is under way.
+    }
+}
+
+void ManagerLoop::ReadTyped()
+{
+    std::array<char, 4096U> bytes{};
+    const ssize_t count = ::read(settings_.input, bytes.data(), bytes.size());
+    settings_.input = (count > 0) ? settings_.input : -1;
+    typed_.append(bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    typed_ += (settings_.input < 0 && !typed_.empty()) ? "\n" : ""; // The end of the input ends its last line.
+    for (std::size_t end = typed_.find('\n'); end != std::string::npos; end = typed_.find('\n'))
+    {
+        const std::string line = typed_.substr(0U, end);
+        typed_.erase(0U, end + 1U);
+        if (!is_too_long_)
+        {
+            Reply(line);
+        }
+        is_too_long_ = false;
+    }
+    if (typed_.size() > kLongestLine)
+    {
+        Show(is_too_long_ ? "" : "a line without end, expected one of at most 1024 bytes\n");
+        typed_.clear();
+        is_too_long_ = true;
+    }
+}
+
+void ManagerLoop::Reply(const std::string& line)
+{
+    const bool is_table = settings_.is_screen && ParseManagerOrder(line).kind == ManagerOrderKind::kStatus;
+    const std::string answer = Answer(line);
+    Show(is_table ? "" : answer); // The table is there.
+}
+
+/// On a terminal an answer stays until the next one: the screen is drawn anew too often to read it otherwise.
+void ManagerLoop::Show(const std::string& answer)
+{
+    answer_ = answer;
+    if (settings_.is_screen)
+    {
+        Draw();
+    }
+    else
+    {
+        report_.Print(answer);
+    }
+}
+
+/// The network is worth more than its log: it is managed on, and the end says what is missing.
+void ManagerLoop::FlushLog()
+{
+    log_.flush();
+    if (!log_ && is_log_whole_)
+    {
+        is_log_whole_ = false;
+        station_.Tell("log_ended", "the event log cannot be written any more", {}, StationUs());
+    }
+}
+
+void ManagerLoop::Draw()
+{
+    if (settings_.is_screen)
+    {
+        std::string screen = "\x1b[H\x1b[2J" + StatusTable(station_, StationUs()) + "\n";
+        for (const std::string& line : recent_)
+        {
+            screen += line + "\n";
+        }
+        screen += answer_.empty() ? "" : "\n" + answer_;
+        report_.Print(screen + "\norder (help): " + typed_);
+    }
+}
+
+std::string ManagerLoop::Answer(const std::string& line)
+{
+    const ManagerOrder order = ParseManagerOrder(line);
+    std::string answer;
+    if (order.kind == ManagerOrderKind::kStatus)
+    {
+        answer = settings_.is_json ? OneLine(StatusJson(station_, StationUs())) : StatusTable(station_, StationUs());
+    }
+    else if (order.kind == ManagerOrderKind::kHelp)
+    {
+        answer = ManagerOrderHelp();
+    }
+    else if (order.kind == ManagerOrderKind::kQuit)
+    {
+        reason_ = "quit";
+        answer = "taken\n";
+    }
+    else if (order.kind == ManagerOrderKind::kProblem)
+    {
+        answer = order.problem + "\n";
+    }
+    else if (order.kind != ManagerOrderKind::kNothing)
+    {
+        const std::string result = station_.Carry(order, StationUs());
+        station_.Tell("order", "order " + line + ": " + result, {{"order", line}, {"answer", result}}, StationUs());
+        answer = result + "\n";
+    }
+    return (settings_.is_json && !answer.empty() && answer[0] != '{')
+               ? OneLine({{"event", "answer"}, {"text", answer.substr(0U, answer.size() - 1U)}})
+               : answer;
+}
+} // namespace counterpoint::runtime

@@ -1,0 +1,99 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef RUNTIME_MANAGER_LOOP_HPP
+#define RUNTIME_MANAGER_LOOP_HPP
+
+#include "hal/host/live/bus.hpp"
+#include "runtime/console/node_report.hpp"
+#include "runtime/manager/frame_heap.hpp"
+#include "runtime/manager/socket.hpp"
+#include "runtime/manager/station.hpp"
+
+#include <cstdint>
+#include <deque>
+#include <fstream>
+#include <future>
+#include <memory>
+#include <string>
+
+namespace counterpoint::runtime
+{
+/// The system's times of reception are told for frames of the last ten seconds.
+constexpr std::uint64_t kLongestPauseNs = 9000000000U;
+
+struct ManagerLoopSettings
+{
+    std::string log;          ///< Event log; empty: none.
+    std::uint64_t for_ns{0U}; ///< 0: until it is told to stop.
+    int input{-1};            ///< Descriptor of typed orders; -1: none.
+    bool is_json{false};
+    bool is_screen{false}; ///< The table is redrawn on a terminal.
+    std::uint64_t longest_pause_ns{kLongestPauseNs};
+};
+
+/// The executive of a live manager: frames, cycles of a millisecond and orders, until it is told to stop.
+/// [SRS-MGR-004..007]
+class ManagerLoop
+{
+  public:
+    /// @brief All but the bus outlive it; `socket` may be null. Throws cia306::InputError.
+    ManagerLoop(network::LoadedNetwork& net, std::unique_ptr<host::LiveBus> bus, NodeReport& report,
+                ManagerSocket* socket, ManagerLoopSettings settings);
+
+    /// @brief Until quit, SIGTERM, SIGINT or the end of the time; whether every mandatory slave was started then.
+    [[nodiscard]] bool Run();
+    /// @brief Every event is in the log, or there is none.
+    [[nodiscard]] bool IsLogWhole() const noexcept
+    {
+        return is_log_whole_;
+    }
+    [[nodiscard]] const ManagerStation& Station() const noexcept
+    {
+        return station_;
+    }
+    /// @brief Time of the host since the manager was made.
+    [[nodiscard]] std::uint64_t NowUs() const;
+
+  private:
+    [[nodiscard]] bool SendFrame(const CanFrame& frame);
+    void OnEvent(const ManagerEvent& event);
+    void Wait();
+    void Receive();
+    void TakeFrame(const host::LiveFrame& frame);
+    [[nodiscard]] std::uint64_t StationUs();
+    void WatchBus();
+    void Reconnect();
+    void ReadTyped();
+    void Reply(const std::string& line);
+    void Show(const std::string& answer);
+    void FlushLog();
+    void Draw();
+    [[nodiscard]] std::string Answer(const std::string& line);
+
+    std::unique_ptr<host::LiveBus> bus_;
+    std::string address_;
+    std::future<std::unique_ptr<host::LiveBus>> next_bus_; ///< A lost connection is being made again.
+    NodeReport& report_;
+    ManagerSocket* socket_;
+    ManagerLoopSettings settings_;
+    std::ofstream log_;
+    std::uint64_t start_ns_{0U};
+    std::uint64_t next_cycle_ns_{0U};
+    std::uint64_t next_look_ns_{0U};
+    std::uint64_t last_turn_ns_{0U};
+    FrameHeap heap_{0U};
+    std::uint64_t station_us_{0U}; ///< How far the manager's time has come.
+    bool is_behind_{false};        ///< More frames wait: time is that of the last one.
+    bool has_typed_{false};
+    host::BusState bus_state_{host::BusState::kActive};
+    std::uint32_t lost_{0U};
+    std::deque<std::string> recent_; ///< Lines under the table.
+    std::string typed_;
+    std::string answer_;      ///< To what was typed last, on a terminal.
+    bool is_too_long_{false}; ///< What is typed until the next line end is the rest of a line that was refused.
+    bool is_log_whole_{true};
+    std::string reason_; ///< Why it ends; empty: it does not.
+    ManagerStation station_;
+};
+} // namespace counterpoint::runtime
+
+#endif // RUNTIME_MANAGER_LOOP_HPP

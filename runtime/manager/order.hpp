@@ -1,0 +1,54 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef RUNTIME_MANAGER_ORDER_HPP
+#define RUNTIME_MANAGER_ORDER_HPP
+
+#include "runtime/manager/host.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace counterpoint::runtime
+{
+enum class ManagerOrderKind : std::uint8_t
+{
+    kNothing = 0U, ///< An empty line or a comment.
+    kStatus = 1U,
+    kCommand = 2U,     ///< command, node (0: all)
+    kBoot = 3U,        ///< node
+    kWriteSafety = 4U, ///< node
+    kHelp = 5U,
+    kQuit = 6U,
+    kProblem = 7U, ///< `problem` tells.
+    kControl = 8U, ///< node, ADS state and device state
+    kGet = 9U,     ///< object
+    kSet = 10U,    ///< object, value
+    kOutput = 11U, ///< node, pdo, bytes
+    kNegotiate = 12U,
+};
+
+/// What a person or a program wants of a running manager.
+struct ManagerOrder
+{
+    ManagerOrderKind kind{ManagerOrderKind::kNothing};
+    cia302::NmtCommand command{cia302::NmtCommand::kInvalid};
+    std::uint8_t node{0U};
+    std::uint16_t ads_state{0U}; ///< Of kControl, as `device_state`.
+    std::uint16_t device_state{0U};
+    ObjectAddress object{0U, 0U};
+    std::uint64_t value{0U};
+    std::uint16_t pdo{0U};
+    std::vector<std::uint8_t> bytes;
+    std::string problem; ///< What is wrong and what was expected.
+};
+
+/// @brief One line: status, start NODE|all, boot NODE, ... [SRS-MGR-006]
+[[nodiscard]] ManagerOrder ParseManagerOrder(const std::string& line);
+/// @brief All orders, a line each.
+[[nodiscard]] std::string ManagerOrderHelp();
+/// @brief Carries out a command, a boot, a writing or a negotiation; what it came to, "taken" or the reason why not.
+/// [SRS-MGR-006]
+[[nodiscard]] std::string CarryOut(const ManagerOrder& order, ManagerHost& host, Instant now);
+} // namespace counterpoint::runtime
+
+#endif // RUNTIME_MANAGER_ORDER_HPP

@@ -1,0 +1,67 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef RUNTIME_MANAGER_PROCESS_HPP
+#define RUNTIME_MANAGER_PROCESS_HPP
+
+#include "canopen/network/loaded_network.hpp"
+#include "safety_core/contract/can_frame.hpp"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace counterpoint::runtime
+{
+/// The value of a PDO between manager and slave. Direction is the slave's: the manager sends RxPDOs.
+struct ProcessValue
+{
+    std::uint8_t node{0U};
+    bool is_output{false}; ///< RxPDO.
+    std::uint16_t number{0U};
+    std::vector<std::uint8_t> bytes;
+    bool was_seen{false};    ///< Of an input: received once; of an output: always.
+    std::uint64_t at_us{0U}; ///< When it was received last.
+};
+
+/// Process data of a network in the EL6751 profile: what the RxPDOs carry, and what the TxPDOs brought. [SRS-MGR-022]
+class ManagerProcess
+{
+  public:
+    /// @brief Outlives it.
+    explicit ManagerProcess(network::LoadedNetwork& net);
+
+    /// @brief Bytes of an RxPDO from now on: "taken", or what is wrong and what was expected.
+    [[nodiscard]] std::string Set(std::uint8_t node, std::uint16_t number, const std::vector<std::uint8_t>& bytes);
+    /// @brief A frame from the bus: what a TxPDO brings, unless it is too short.
+    void OnFrame(const CanFrame& frame, std::uint64_t now_us);
+    /// @brief Inputs that changed and are to be told now, each at most once in 100 ms.
+    [[nodiscard]] std::vector<const ProcessValue*> TakeNews(std::uint64_t now_us);
+    /// @brief All of them by node-ID, RxPDOs first.
+    [[nodiscard]] std::vector<ProcessValue> Values() const;
+
+  private:
+    struct Input
+    {
+        ProcessValue value;
+        bool is_news{false};
+        bool was_told{false};
+        std::uint64_t told_us{0U};
+    };
+
+    network::LoadedNetwork& net_;
+    std::vector<Input> inputs_;
+    std::multimap<std::uint32_t, std::size_t> by_identifier_;
+    std::vector<std::size_t> news_; ///< Inputs to be told.
+};
+
+/// @brief 1 to 8 bytes, two hexadecimal digits each, with or without spaces between them; nothing for anything else.
+[[nodiscard]] std::optional<std::vector<std::uint8_t>> BytesFrom(const std::string& text);
+/// @brief "01 FF"
+[[nodiscard]] std::string BytesText(const std::vector<std::uint8_t>& bytes);
+/// @brief "TxPDO 1"
+[[nodiscard]] std::string NameOf(const ProcessValue& value);
+} // namespace counterpoint::runtime
+
+#endif // RUNTIME_MANAGER_PROCESS_HPP

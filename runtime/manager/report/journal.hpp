@@ -1,0 +1,80 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef RUNTIME_MANAGER_REPORT_JOURNAL_HPP
+#define RUNTIME_MANAGER_REPORT_JOURNAL_HPP
+
+#include "canopen/manager/manager.hpp"
+#include "runtime/manager/host.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace counterpoint::runtime
+{
+/// Something that happened in the network.
+struct ManagerEvent
+{
+    std::uint64_t at_us{0U}; ///< Since the start.
+    std::uint8_t node{0U};   ///< 0: the network or the manager.
+    std::string kind;
+    std::string text; ///< For people; empty: only programs want to know.
+    nlohmann::ordered_json details;
+    std::string word; ///< Of `details`, what this program itself goes by: state of a gate, letter of a status.
+};
+
+/// @brief One line of JSON with a line end; what is no UTF-8 is replaced.
+[[nodiscard]] std::string OneLine(const nlohmann::ordered_json& value);
+/// @brief One line of the event log. [SRS-MGR-007]
+[[nodiscard]] std::string JsonLine(const ManagerEvent& event);
+/// @brief One line for a person: time, node, text.
+[[nodiscard]] std::string TextLine(const ManagerEvent& event);
+
+/// Puts what the manager tells into words, in order. [SRS-MGR-007]
+class ManagerJournal final : public cia302::ManagerListener
+{
+  public:
+    /// @brief `host` is set before anything is told.
+    void Watch(const ManagerHost& host) noexcept
+    {
+        host_ = &host;
+    }
+    /// @brief The time of what is told from now on.
+    void SetNow(const std::uint64_t since_start_us) noexcept
+    {
+        now_us_ = since_start_us;
+    }
+    /// @brief All since the last call.
+    [[nodiscard]] std::vector<ManagerEvent> Take();
+    /// @brief Something that the manager itself does not tell: orders, the bus.
+    void Tell(std::uint8_t node, const std::string& kind, const std::string& text,
+              const nlohmann::ordered_json& details, const std::string& word = {});
+
+    void OnNodeEvent(cia302::NodeId node, cia302::NodeEvent event, Instant now) noexcept override;
+    void OnNodeStatus(cia302::NodeId node, Instant now) noexcept override;
+    void OnMasterState(std::int16_t state, Instant now) noexcept override;
+    void OnNmtSent(const cia302::NmtRequest& request, Instant now) noexcept override;
+    void OnGate(cia302::NodeId node, cia302::GateState state, Instant now) noexcept override;
+    void OnEmergency(cia302::NodeId node, const cia302::EmergencyRecord& emergency, Instant now) noexcept override;
+    void OnDuplicate(cia302::NodeId node, Instant now) noexcept override;
+    void OnFlyingMaster(cia302::FlyingEvent event, const cia302::MasterClaim& claim, Instant now) noexcept override;
+
+  private:
+    /// What was last told of a slave for people.
+    struct Told
+    {
+        char letter{0};
+        std::int16_t code{0};
+        bool is_started{false};
+    };
+
+    const ManagerHost* host_{nullptr};
+    std::uint64_t now_us_{0U};
+    std::vector<ManagerEvent> events_;
+    std::array<Told, cia302::kNodeRoom> told_{};
+};
+} // namespace counterpoint::runtime
+
+#endif // RUNTIME_MANAGER_REPORT_JOURNAL_HPP

@@ -1,0 +1,192 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "runtime/manager/report/status.hpp"
+
+#include "canopen/cia306/text/input_error.hpp"
+#include "runtime/manager/report/words.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace counterpoint::runtime
+{
+namespace
+{
+using cia302::NodeId;
+
+constexpr std::uint32_t kUsPerMs = 1000U;
+constexpr std::size_t kNameWidth = 20U;
+
+std::string ResultOf(const network::StartProfile profile, const cia302::NodeStatus& status)
+{
+    const std::string letter = (status.letter == 0) ? "" : std::string(1U, status.letter);
+    return (profile == network::StartProfile::kCia302) ? letter : std::to_string(status.code);
+}
+
+/// Nothing is wrong with a slave that runs as the profile wants it to.
+bool IsGood(const network::StartProfile profile, const cia302::NodeStatus& status, const cia302::SlaveState state)
+{
+    constexpr int kPlcStarted = 5;
+    const bool runs = state == cia302::SlaveState::kOperational || status.is_started;
+    bool is_good = status.letter == 0 || status.letter == 'L';
+    is_good = (profile == network::StartProfile::kEl6751) ? status.code == 0 : is_good;
+    is_good = (profile == network::StartProfile::kPlcDesigner) ? status.code == kPlcStarted : is_good;
+    return is_good && runs;
+}
+
+std::string Age(const cia302::NodeRecord& record, const Instant now)
+{
+    return record.was_seen ? std::to_string((now.us - record.last_sign.us) / kUsPerMs) + " ms" : "-";
+}
+
+std::string EmergencyText(const cia302::EmergencyRecord& emergency)
+{
+    return (emergency.count == 0U) ? "" : cia306::Hex(emergency.code, 4) + " (" + std::to_string(emergency.count) + ")";
+}
+
+StatusRow RowOf(const ManagerHost& host, const network::LoadedSlave& slave, const Instant now)
+{
+    const NodeId node{slave.plan.node};
+    const cia302::Manager& manager = host.Core();
+    const cia302::NodeRecord& record = manager.Table().Record(node);
+    const cia302::NodeStatus status = manager.Status(node);
+    const network::StartProfile profile = host.Net().Plan().manager.profile;
+    const bool is_safety = host.Net().Setup().IsSafetySlave(node);
+    StatusRow row;
+    row.node = node.value;
+    row.name = slave.plan.name;
+    row.state = WordOf(record.state);
+    row.result = ResultOf(profile, status);
+    row.step = WordOf(status.step);
+    row.heartbeat = Age(record, now);
+    row.emergency = EmergencyText(manager.Watched().Of(node).emergency);
+    row.safety = is_safety ? WordOf(manager.Gate().State(node)) : "";
+    const bool is_refused = is_safety && (manager.Gate().State(node) == cia302::GateState::kDiffers ||
+                                          manager.Gate().State(node) == cia302::GateState::kFailed);
+    row.finding = is_refused ? FindingText(manager.Gate().Finding(node)) : FindingText(profile, status);
+    row.finding = manager.Watched().Of(node).is_duplicate ? "two devices with this node-ID?" : row.finding;
+    row.is_good = IsGood(profile, status, record.state);
+    return row;
+}
+
+std::string Column(const std::string& text, const std::size_t width)
+{
+    const std::string shown = cia306::Printable(text.substr(0U, width));
+    return shown + std::string(width - std::min(width, shown.size()) + 2U, ' ');
+}
+
+std::string Line(const std::array<std::string, 9U>& cells)
+{
+    constexpr std::array<std::size_t, 9U> kWidths{4U, kNameWidth, 15U, 6U, 18U, 10U, 12U, 8U, 0U};
+    std::string line;
+    for (std::size_t cell = 0U; cell < cells.size(); ++cell)
+    {
+        line += (kWidths.at(cell) == 0U) ? cells.at(cell) : Column(cells.at(cell), kWidths.at(cell));
+    }
+    line.erase(line.find_last_not_of(' ') + 1U);
+    return line + "\n";
+}
+} // namespace
+
+std::vector<StatusRow> StatusRows(const ManagerHost& host, const Instant now)
+{
+    std::vector<StatusRow> rows;
+    for (const auto& slave : host.Net().Slaves())
+    {
+        rows.push_back(RowOf(host, *slave, now));
+    }
+    std::sort(rows.begin(), rows.end(),
+              [](const StatusRow& left, const StatusRow& right) { return left.node < right.node; });
+    return rows;
+}
+
+std::string ManagerLine(const ManagerHost& host)
+{
+    const cia302::Manager& manager = host.Core();
+    const network::StartProfile profile = host.Net().Plan().manager.profile;
+    std::string role = manager.IsActive() ? "active master" : "not the active master";
+    if (manager.Flying() != nullptr && manager.Flying()->Master().node.value != 0U && !manager.IsActive())
+    {
+        role += " (that is node " + std::to_string(manager.Flying()->Master().node.value) + ")";
+    }
+    return "manager, node " + std::to_string(host.Net().Setup().own.value) + ": " + WordOf(manager.OwnState()) + ", " +
+           role + ", profile " + WordOf(profile) + ", " + MasterText(profile, manager.MasterState());
+}
+
+/// Who looks at a value wants to know how old it is.
+std::string AgeOf(const ProcessValue& value, const std::uint64_t now_us)
+{
+    return value.is_output ? "" : std::to_string((now_us - value.at_us) / kUsPerMs) + " ms";
+}
+
+std::string ProcessTable(const ManagerProcess& process, const std::uint64_t now_us)
+{
+    std::string table;
+    for (const ProcessValue& value : process.Values())
+    {
+        const std::string shown = value.was_seen ? BytesText(value.bytes) : "-";
+        table += Column(std::to_string(value.node), 4U) + Column(NameOf(value), 10U) + Column(shown, 24U) +
+                 (value.was_seen ? AgeOf(value, now_us) : "");
+        table.erase(table.find_last_not_of(' ') + 1U);
+        table += "\n";
+    }
+    return table.empty() ? "" : "\nnode  PDO         value                     age\n" + table;
+}
+
+std::string StatusTable(const ManagerStation& station, const std::uint64_t now_us)
+{
+    const ManagerHost& host = station.Host();
+    const Instant now = InstantAt(now_us);
+    std::string table = ManagerLine(host) + "\n";
+    table += Line({"node", "name", "state", "result", "step", "heartbeat", "emergency", "safety", "finding"});
+    for (const StatusRow& row : StatusRows(host, now))
+    {
+        table += Line({std::to_string(row.node), row.name, row.state, row.result, row.step, row.heartbeat,
+                       row.emergency, row.safety, row.finding});
+    }
+    return table + ProcessTable(station.Process(), now_us);
+}
+
+nlohmann::ordered_json PdosJson(const ManagerProcess& process, const std::uint64_t now_us)
+{
+    nlohmann::ordered_json pdos = nlohmann::ordered_json::array();
+    for (const ProcessValue& value : process.Values())
+    {
+        pdos.push_back({{"node", value.node},
+                        {"pdo", NameOf(value)},
+                        {"data", value.was_seen ? BytesText(value.bytes) : ""},
+                        {"age", value.was_seen ? AgeOf(value, now_us) : "-"}});
+    }
+    return pdos;
+}
+
+nlohmann::ordered_json StatusJson(const ManagerStation& station, const std::uint64_t now_us)
+{
+    const ManagerHost& host = station.Host();
+    const Instant now = InstantAt(now_us);
+    nlohmann::ordered_json slaves = nlohmann::ordered_json::array();
+    for (const StatusRow& row : StatusRows(host, now))
+    {
+        const cia302::NodeStatus status = host.Core().Status(NodeId{row.node});
+        slaves.push_back({{"node", row.node},
+                          {"name", row.name},
+                          {"state", row.state},
+                          {"letter", (status.letter == 0) ? "" : std::string(1U, status.letter)},
+                          {"code", status.code},
+                          {"step", row.step},
+                          {"heartbeat", row.heartbeat},
+                          {"emergency", row.emergency},
+                          {"safety", row.safety},
+                          {"finding", row.finding},
+                          {"good", row.is_good}});
+    }
+    const cia302::Manager& manager = host.Core();
+    return {{"event", "table"},
+            {"manager", host.Net().Setup().own.value},
+            {"state", WordOf(manager.OwnState())},
+            {"active", manager.IsActive()},
+            {"profile", WordOf(host.Net().Plan().manager.profile)},
+            {"master_state", manager.MasterState()},
+            {"slaves", slaves},
+            {"pdos", PdosJson(station.Process(), now_us)}};
+}
+} // namespace counterpoint::runtime

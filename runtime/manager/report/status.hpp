@@ -1,0 +1,42 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef RUNTIME_MANAGER_REPORT_STATUS_HPP
+#define RUNTIME_MANAGER_REPORT_STATUS_HPP
+
+#include "runtime/manager/host.hpp"
+#include "runtime/manager/process.hpp"
+#include "runtime/manager/station.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace counterpoint::runtime
+{
+/// What a person in front of the network needs of one slave.
+struct StatusRow
+{
+    std::uint8_t node{0U};
+    std::string name;
+    std::string state;
+    std::string result; ///< Letter or code, empty for none.
+    std::string step;
+    std::string heartbeat; ///< Age of the last sign of life, "-": never.
+    std::string emergency; ///< Last code, empty for none.
+    std::string safety;    ///< State of the gate, empty for no safety slave.
+    std::string finding;
+    bool is_good{false};
+};
+
+/// @brief All slaves in the order of their node-IDs. [SRS-MGR-005]
+[[nodiscard]] std::vector<StatusRow> StatusRows(const ManagerHost& host, Instant now);
+/// @brief Manager, slaves and process data as a table of text, with a line end.
+[[nodiscard]] std::string StatusTable(const ManagerStation& station, std::uint64_t now_us);
+/// @brief The same for programs: with `--json` the last line, and the answer to `status`. [SRS-MGR-005]
+[[nodiscard]] nlohmann::ordered_json StatusJson(const ManagerStation& station, std::uint64_t now_us);
+/// @brief "operational, active master: operational, cia302"
+[[nodiscard]] std::string ManagerLine(const ManagerHost& host);
+} // namespace counterpoint::runtime
+
+#endif // RUNTIME_MANAGER_REPORT_STATUS_HPP

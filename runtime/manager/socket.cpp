@@ -1,0 +1,162 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "runtime/manager/socket.hpp"
+
+#include "canopen/cia306/text/input_error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
+#include <utility>
+
+namespace counterpoint::runtime
+{
+namespace
+{
+constexpr std::size_t kMostClients = 8U;
+constexpr std::size_t kLongestLine = 1024U;
+constexpr std::size_t kLinesOfTurn = 4U; ///< Of a client: the network comes in between.
+
+sockaddr_un AddressOf(const std::string& path)
+{
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    if (path.size() >= sizeof(address.sun_path))
+    {
+        throw cia306::InputError(path, 0U,
+                                 {"a socket name of " + std::to_string(path.size()) + " bytes",
+                                  "less than " + std::to_string(sizeof(address.sun_path))});
+    }
+    std::copy(path.begin(), path.end(), address.sun_path);
+    return address;
+}
+
+/// Bound and listening; -1 and errno otherwise.
+int Listen(const sockaddr_un& address)
+{
+    const int file = ::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+    const auto* const general = reinterpret_cast<const sockaddr*>(&address);
+    const bool is_bound = file >= 0 && ::bind(file, general, sizeof(address)) == 0 && ::listen(file, 4) == 0;
+    if (file >= 0 && !is_bound)
+    {
+        const int reason = errno;
+        ::close(file);
+        errno = reason;
+    }
+    return is_bound ? file : -1;
+}
+
+/// What a manager left behind that did not end by itself; never another kind of file.
+bool IsSocket(const std::string& path)
+{
+    struct stat status = {};
+    return ::lstat(path.c_str(), &status) == 0 && S_ISSOCK(status.st_mode);
+}
+
+/// Whether somebody answers there.
+bool IsServed(const sockaddr_un& address)
+{
+    const host::LiveFile file(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+    return ::connect(file.Get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0;
+}
+} // namespace
+
+ManagerSocket::ManagerSocket(std::string path) : path_(std::move(path)), listener_(-1)
+{
+    const sockaddr_un address = AddressOf(path_);
+    int file = Listen(address);
+    int reason = errno;
+    if (file < 0 && reason == EADDRINUSE && IsSocket(path_) && !IsServed(address))
+    {
+        ::unlink(path_.c_str());
+        file = Listen(address);
+        reason = errno;
+    }
+    if (file < 0)
+    {
+        throw cia306::InputError(path_, 0U,
+                                 {std::string("no socket can be made here (") + std::strerror(reason) + ")",
+                                  "a path in a folder that can be written, that nobody serves"});
+    }
+    listener_ = host::LiveFile(file);
+}
+
+ManagerSocket::~ManagerSocket()
+{
+    ::unlink(path_.c_str());
+}
+
+void ManagerSocket::AddTo(std::vector<pollfd>& places) const
+{
+    places.push_back({listener_.Get(), POLLIN, 0});
+    for (const Client& client : clients_)
+    {
+        // What waits is taken with the next cycle, before more is read.
+        const bool has_line = client.typed.find('\n') != std::string::npos;
+        places.push_back({client.file.Get(), static_cast<short>(has_line ? 0 : POLLIN), 0});
+    }
+}
+
+void ManagerSocket::Serve(const std::function<std::string(const std::string&)>& answer)
+{
+    ++turn_;
+    Accept();
+    for (Client& client : clients_)
+    {
+        std::size_t end = client.typed.find('\n');
+        if (end == std::string::npos)
+        {
+            Read(client);
+            end = client.typed.find('\n');
+        }
+        for (std::size_t lines = 0U; end != std::string::npos && lines < kLinesOfTurn; ++lines)
+        {
+            const std::string line = client.typed.substr(0U, end);
+            client.typed.erase(0U, end + 1U);
+            Reply(client, answer(line));
+            end = client.typed.find('\n');
+        }
+        const bool is_endless = end == std::string::npos && client.typed.size() > kLongestLine;
+        client.is_over = client.is_over || is_endless;
+    }
+    clients_.erase(
+        std::remove_if(clients_.begin(), clients_.end(), [](const Client& client) { return client.is_over; }),
+        clients_.end());
+}
+
+void ManagerSocket::Accept()
+{
+    const int file = ::accept4(listener_.Get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
+    if (file < 0)
+    {
+        return; // Nobody calls.
+    }
+    if (clients_.size() >= kMostClients)
+    {
+        clients_.erase(std::min_element(clients_.begin(), clients_.end(), [](const Client& left, const Client& right)
+                                        { return left.heard < right.heard; }));
+    }
+    clients_.push_back({host::LiveFile(file), {}, false, turn_});
+}
+
+void ManagerSocket::Read(Client& client)
+{
+    std::array<char, kLongestLine> bytes{};
+    const ssize_t count = ::recv(client.file.Get(), bytes.data(), bytes.size(), 0);
+    const bool is_nothing = count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR);
+    client.is_over = count == 0 || (count < 0 && !is_nothing);
+    client.typed += (count == 0 && !client.typed.empty()) ? "\n" : ""; // Its end ends its last line.
+    client.heard = (count > 0) ? turn_ : client.heard;
+    client.typed.append(bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+}
+
+void ManagerSocket::Reply(Client& client, const std::string& text)
+{
+    const ssize_t sent = ::send(client.file.Get(), text.data(), text.size(), MSG_NOSIGNAL);
+    client.is_over = client.is_over || sent != static_cast<ssize_t>(text.size());
+}
+} // namespace counterpoint::runtime

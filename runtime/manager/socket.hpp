@@ -1,0 +1,52 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef RUNTIME_MANAGER_SOCKET_HPP
+#define RUNTIME_MANAGER_SOCKET_HPP
+
+#include "hal/host/live/poll.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <poll.h>
+
+namespace counterpoint::runtime
+{
+/// A Unix socket on which programs send orders, a line each, and read the answers. Nothing blocks: who does not read
+/// its answers is cut off, and who was silent longest makes room for another one. [SRS-MGR-006]
+class ManagerSocket
+{
+  public:
+    /// @brief Replaces a socket file that nobody serves any more. Throws cia306::InputError.
+    explicit ManagerSocket(std::string path);
+    ~ManagerSocket();
+    ManagerSocket(const ManagerSocket&) = delete;
+    ManagerSocket& operator=(const ManagerSocket&) = delete;
+
+    /// @brief Descriptors to wait for.
+    void AddTo(std::vector<pollfd>& places) const;
+    /// @brief Takes new clients, and of each client a few whole lines; `answer` tells what goes back for a line.
+    void Serve(const std::function<std::string(const std::string&)>& answer);
+
+  private:
+    struct Client
+    {
+        host::LiveFile file;
+        std::string typed;
+        bool is_over{false};
+        std::uint64_t heard{0U}; ///< Turn in which it said something.
+    };
+
+    void Accept();
+    void Read(Client& client);
+    static void Reply(Client& client, const std::string& text);
+
+    std::string path_;
+    host::LiveFile listener_;
+    std::vector<Client> clients_;
+    std::uint64_t turn_{0U};
+};
+} // namespace counterpoint::runtime
+
+#endif // RUNTIME_MANAGER_SOCKET_HPP

@@ -1,0 +1,173 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "runtime/manager/station.hpp"
+
+#include <utility>
+
+namespace counterpoint::runtime
+{
+ManagerStation::ManagerStation(network::LoadedNetwork& net, SendFrame send, TellEvent tell)
+    : send_(std::move(send)), tell_(std::move(tell)), host_(net, *this, journal_), dictionary_(host_, net, *this),
+      process_(net)
+{
+    journal_.Watch(host_);
+}
+
+void ManagerStation::Enter(const std::uint64_t now_us)
+{
+    now_us_ = now_us;
+    journal_.SetNow(now_us);
+}
+
+void ManagerStation::Leave()
+{
+    for (const ManagerEvent& event : journal_.Take())
+    {
+        FollowWriting(event);
+        diagram_.OnEvent(event);
+        tell_(event);
+    }
+}
+
+bool ManagerStation::Send(const CanFrame& frame) noexcept
+{
+    const bool is_taken = send_(frame);
+    if (is_taken)
+    {
+        diagram_.OnFrame(frame, true, now_us_);
+    }
+    return is_taken;
+}
+
+void ManagerStation::Begin(const std::uint64_t now_us)
+{
+    Enter(now_us);
+    host_.Core().Begin(InstantAt(now_us));
+    Leave();
+}
+
+void ManagerStation::OnFrame(const CanFrame& frame, const std::uint64_t now_us)
+{
+    Enter(now_us);
+    diagram_.OnFrame(frame, false, now_us);
+    host_.Core().OnFrame(frame, InstantAt(now_us));
+    dictionary_.OnFrame(frame, InstantAt(now_us));
+    process_.OnFrame(frame, now_us);
+    Leave();
+}
+
+void ManagerStation::OnCycle(const std::uint64_t now_us)
+{
+    Enter(now_us);
+    DriveWriting(); // Before this cycle tells something: all that was told is followed.
+    host_.OnCycle(InstantAt(now_us));
+    host_.Core().OnCycle(InstantAt(now_us));
+    dictionary_.OnCycle(InstantAt(now_us));
+    TellInputs();
+    Leave();
+}
+
+std::string ManagerStation::Carry(const ManagerOrder& order, const std::uint64_t now_us)
+{
+    Enter(now_us);
+    const Instant now = InstantAt(now_us);
+    std::string answer;
+    if (order.kind == ManagerOrderKind::kGet)
+    {
+        answer = dictionary_.Get(order.object, now);
+    }
+    else if (order.kind == ManagerOrderKind::kSet)
+    {
+        answer = dictionary_.Set(order.object, order.value, now);
+    }
+    else if (order.kind == ManagerOrderKind::kOutput)
+    {
+        answer = process_.Set(order.node, order.pdo, order.bytes);
+    }
+    else
+    {
+        answer = CarryOut(order, host_, now);
+    }
+    Leave();
+    return answer;
+}
+
+void ManagerStation::Tell(const std::string& kind, const std::string& text, const nlohmann::ordered_json& details,
+                          const std::uint64_t now_us)
+{
+    Enter(now_us);
+    journal_.Tell(0U, kind, text, details);
+    Leave();
+}
+
+/// A TxPDO brought another value.
+void ManagerStation::TellInputs()
+{
+    for (const ProcessValue* const value : process_.TakeNews(now_us_))
+    {
+        const std::string text = NameOf(*value) + ": " + BytesText(value->bytes);
+        journal_.Tell(value->node, "pdo", text, {{"pdo", NameOf(*value)}, {"data", BytesText(value->bytes)}});
+    }
+}
+
+/// By error handling: 1F80h bit 6.
+bool ManagerStation::IsAllStopped() const
+{
+    const bool is_cia302 = host_.Net().Plan().manager.profile == network::StartProfile::kCia302;
+    return is_cia302 && host_.Core().MasterState() == static_cast<std::int16_t>(cia302::MasterStep::kStopped);
+}
+
+void ManagerStation::FollowWriting(const ManagerEvent& event)
+{
+    const network::LoadedSlave* const slave = host_.Net().Find(event.node);
+    if (slave == nullptr || !slave->plan.writes_safety)
+    {
+        return;
+    }
+    Writing& writing = writing_.at(event.node);
+    const std::string state = (event.kind == "gate") ? event.word : "";
+    const bool is_refused = state == "differs" || state == "failed";
+    if (event.kind == "boot_up")
+    {
+        writing = Writing::kNone;
+    }
+    else if (writing == Writing::kNone && is_refused)
+    {
+        writing = Writing::kWanted;
+    }
+    else if (writing == Writing::kRuns && is_refused)
+    {
+        writing = Writing::kTried;
+    }
+    else if (writing == Writing::kRuns && state == "closed")
+    {
+        // Somebody commanded it meanwhile. Who stopped it does not want it to be started behind the writing; behind a
+        // stop of all by error handling nothing is started.
+        const cia302::NodeRecord& record = host_.Core().Table().Record(cia302::NodeId{event.node});
+        const bool is_stop = (record.asked == cia302::SlaveState::kStopped) && !IsAllStopped();
+        writing = is_stop ? Writing::kTried : Writing::kWanted;
+    }
+    else if (writing == Writing::kRuns && state == "open")
+    {
+        writing = Writing::kTried;
+        static_cast<void>(host_.Core().Resume(cia302::NodeId{event.node}, InstantAt(now_us_)));
+    }
+    else
+    {
+        // Nothing that concerns the writing.
+    }
+}
+
+/// As soon as the start-up of the slave has come to its end.
+void ManagerStation::DriveWriting()
+{
+    for (std::uint8_t node = 1U; node <= cia302::kLastNode; ++node)
+    {
+        Writing& writing = writing_.at(node);
+        if (writing == Writing::kWanted && host_.Core().WriteSafety(cia302::NodeId{node}, InstantAt(now_us_)))
+        {
+            writing = Writing::kRuns;
+            journal_.Tell(node, "write_safety", "writes the safety configuration", {});
+        }
+    }
+}
+} // namespace counterpoint::runtime

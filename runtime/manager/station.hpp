@@ -1,0 +1,94 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef RUNTIME_MANAGER_STATION_HPP
+#define RUNTIME_MANAGER_STATION_HPP
+
+#include "runtime/manager/dictionary.hpp"
+#include "runtime/manager/host.hpp"
+#include "runtime/manager/order.hpp"
+#include "runtime/manager/process.hpp"
+#include "runtime/manager/report/diagram.hpp"
+#include "runtime/manager/report/journal.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace counterpoint::runtime
+{
+/// A manager with everything that watches it, on whatever bus: its owner carries frames, time and orders in, frames and
+/// events come out. Times are microseconds since the start. [SRS-MGR-001, SRS-MGR-012]
+class ManagerStation final : private cia301::FrameSink
+{
+  public:
+    using SendFrame = std::function<bool(const CanFrame&)>;
+    using TellEvent = std::function<void(const ManagerEvent&)>;
+
+    /// @brief `net` outlives it; `send` answers whether the bus took the frame.
+    ManagerStation(network::LoadedNetwork& net, SendFrame send, TellEvent tell);
+
+    /// @brief The manager is switched on.
+    void Begin(std::uint64_t now_us);
+    /// @brief A frame from the bus, in bus order; never one of this manager.
+    void OnFrame(const CanFrame& frame, std::uint64_t now_us);
+    /// @brief Each ms; tells what happened since the last call.
+    void OnCycle(std::uint64_t now_us);
+    /// @brief What it came to; empty for orders that the owner carries out itself.
+    [[nodiscard]] std::string Carry(const ManagerOrder& order, std::uint64_t now_us);
+    /// @brief Something that the bus or a person did.
+    void Tell(const std::string& kind, const std::string& text, const nlohmann::ordered_json& details,
+              std::uint64_t now_us);
+
+    [[nodiscard]] ManagerHost& Host() noexcept
+    {
+        return host_;
+    }
+    [[nodiscard]] const ManagerHost& Host() const noexcept
+    {
+        return host_;
+    }
+    [[nodiscard]] const ManagerProcess& Process() const noexcept
+    {
+        return process_;
+    }
+    [[nodiscard]] const ManagerDiagram& Diagram() const noexcept
+    {
+        return diagram_;
+    }
+
+  private:
+    /// Where the writing of a safety configuration is, that its network file asks for.
+    enum class Writing : std::uint8_t
+    {
+        kNone = 0U,
+        kWanted = 1U,
+        kRuns = 2U,
+        kTried = 3U, ///< Once for each boot-up of the slave.
+    };
+
+    [[nodiscard]] bool Send(const CanFrame& frame) noexcept override;
+    void Enter(std::uint64_t now_us);
+    void Leave();
+    void TellInputs();
+    [[nodiscard]] bool IsAllStopped() const;
+    void FollowWriting(const ManagerEvent& event);
+    void DriveWriting();
+
+    SendFrame send_;
+    TellEvent tell_;
+    std::uint64_t now_us_{0U};
+    ManagerJournal journal_;
+    ManagerDiagram diagram_;
+    ManagerHost host_;
+    ManagerDictionary dictionary_;
+    ManagerProcess process_;
+    std::array<Writing, cia302::kNodeRoom> writing_{};
+};
+
+/// @brief The manager's counter.
+[[nodiscard]] inline Instant InstantAt(const std::uint64_t us) noexcept
+{
+    return Instant{static_cast<std::uint32_t>(us & 0xFFFFFFFFU)};
+}
+} // namespace counterpoint::runtime
+
+#endif // RUNTIME_MANAGER_STATION_HPP

@@ -1,0 +1,231 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "runtime/network_files/file.hpp"
+
+#include "runtime/network_files/flying.hpp"
+#include "runtime/network_files/profiles.hpp"
+#include "runtime/yaml/take.hpp"
+
+#include "canopen/cia306/text/ini_document.hpp"
+#include "canopen/cia306/text/input_error.hpp"
+#include "canopen/network/cpj_reader.hpp"
+
+#include <filesystem>
+
+namespace counterpoint::runtime
+{
+namespace
+{
+using network::ManagerPlan;
+using network::NetworkPlan;
+using network::SlavePlan;
+using network::SoftwarePlan;
+using runtime::Word;
+using runtime::YamlValue;
+
+constexpr Word<network::StartProfile> kProfileWords[] = {{"cia302", network::StartProfile::kCia302},
+                                                         {"el6751", network::StartProfile::kEl6751},
+                                                         {"plc_designer", network::StartProfile::kPlcDesigner}};
+constexpr Word<cia302::Arming> kArmingWords[] = {{"first_heartbeat", cia302::Arming::kFirstHeartbeat},
+                                                 {"boot_up", cia302::Arming::kBootUp},
+                                                 {"immediately", cia302::Arming::kImmediately}};
+constexpr Word<bool> kTruthWords[] = {{"true", true}, {"false", false}};
+
+void TakeTruth(const YamlMap& map, const char* key, std::optional<bool>& part)
+{
+    if (const auto value = map.Find(key))
+    {
+        part = value->Choice(kTruthWords);
+    }
+}
+
+std::string TextOf(const YamlMap& map, const char* key, const std::string& expected)
+{
+    const auto value = map.Find(key);
+    return value ? value->Text(expected) : std::string{};
+}
+
+std::string FileIn(const std::string& file, const YamlMap& map, const char* key, const std::string& kind)
+{
+    const auto value = map.Find(key);
+    std::string path;
+    if (value)
+    {
+        path = network::BesideFile(file, value->Text("a file name"));
+        const std::string problem = network::ProblemOfFile(path);
+        if (!problem.empty())
+        {
+            value->Refuse(problem, kind);
+        }
+    }
+    return path;
+}
+
+ManagerPlan ReadManager(const std::string& file, const YamlValue& value)
+{
+    const YamlMap map(file, value.Node(),
+                      {"node", "dcf", "profile", "start_up", "boot_time", "inhibit", "sync", "heartbeat", "sdo_timeout",
+                       "sdo_tries", "flying", "el6751"});
+    constexpr std::uint64_t kStartUpBits = 0x7FU;
+    constexpr std::uint32_t kLongestSdoMs = 1000000U;
+    constexpr runtime::Nanoseconds kHundredUs = 100 * runtime::kNanosecondsPerMicrosecond;
+    ManagerPlan plan;
+    plan.line = static_cast<std::size_t>(value.Where().place.line);
+    plan.lines = map.Lines();
+    TakeNumber(map, "node", plan.node, 1U, cia302::kLastNode);
+    plan.dcf = FileIn(file, map, "dcf", "a DCF");
+    TakeWord(map, "profile", plan.profile, kProfileWords);
+    TakeNumber(map, "start_up", plan.start_up, 0U, kStartUpBits);
+    if (plan.start_up && (*plan.start_up & cia302::kIsMaster) == 0U)
+    {
+        map.Require("start_up").Refuse(cia306::Hex(*plan.start_up, 1), "bit 0: a manager is an NMT master");
+    }
+    TakeMs(map, "boot_time", plan.boot_time_ms);
+    TakeTime(map, "inhibit", plan.inhibit_100us, kHundredUs, "tenths of a millisecond");
+    TakeTime(map, "sync", plan.sync_us, runtime::kNanosecondsPerMicrosecond, "microseconds");
+    TakeMs(map, "heartbeat", plan.heartbeat_ms);
+    TakeMs(map, "sdo_timeout", plan.sdo_time_out_ms);
+    if (plan.sdo_time_out_ms.value_or(1U) == 0U || plan.sdo_time_out_ms.value_or(1U) > kLongestSdoMs)
+    {
+        map.Require("sdo_timeout").Refuse(std::to_string(*plan.sdo_time_out_ms) + " ms", "1 ms to 1000 s");
+    }
+    TakeNumber(map, "sdo_tries", plan.sdo_tries, 1U);
+    if (const auto times = map.Find("el6751"))
+    {
+        plan.el6751 = ReadEl6751Times(file, *times);
+    }
+    if (const auto flying = map.Find("flying"))
+    {
+        plan.flying = ReadFlying(file, *flying);
+    }
+    return plan;
+}
+
+void ReadExpectations(const YamlMap& map, SlavePlan& plan)
+{
+    TakeNumber(map, "device_type", plan.device_type, 0U);
+    TakeNumber(map, "vendor_id", plan.vendor_id, 0U);
+    TakeNumber(map, "product_code", plan.product_code, 0U);
+    TakeNumber(map, "revision", plan.revision, 0U);
+    TakeNumber(map, "serial", plan.serial, 0U);
+    TakeNumber(map, "date", plan.date, 0U);
+    TakeNumber(map, "time", plan.time, 0U);
+}
+
+void ReadAssignment(const YamlMap& map, SlavePlan& plan)
+{
+    TakeNumber(map, "assignment", plan.assignment, 0U);
+    if (plan.assignment && (*plan.assignment & cia302::kInNetwork) == 0U)
+    {
+        map.Require("assignment").Refuse(cia306::Hex(*plan.assignment, 1), "bit 0: a slave of the network");
+    }
+    TakeTruth(map, "mandatory", plan.is_mandatory);
+    TakeTruth(map, "keep_alive", plan.is_kept_alive);
+    TakeTruth(map, "boot", plan.is_booted);
+    TakeNumber(map, "restore", plan.restore_sub, 0U, cia302::kLastNode);
+    plan.is_restored = plan.restore_sub ? std::optional(*plan.restore_sub > 0U) : std::nullopt;
+    TakeMs(map, "heartbeat", plan.heartbeat_ms);
+    TakeMs(map, "consumer", plan.consumer_ms);
+    if (const auto arming = map.Find("arming"))
+    {
+        plan.arming = arming->Choice(kArmingWords);
+    }
+    TakeMs(map, "guard_time", plan.guard_ms);
+    TakeNumber(map, "retry_factor", plan.retry_factor, 0U);
+}
+
+SoftwarePlan ReadSoftware(const std::string& file, const YamlValue& value)
+{
+    const YamlMap map(file, value.Node(), {"identification", "date", "time", "program", "update"});
+    SoftwarePlan plan;
+    TakeNumber(map, "identification", plan.identification, 0U);
+    TakeNumber(map, "date", plan.date, 0U);
+    TakeNumber(map, "time", plan.time, 0U);
+    plan.program = FileIn(file, map, "program", "a program");
+    TakeWord(map, "update", plan.may_update, kTruthWords);
+    return plan;
+}
+
+SlavePlan ReadSlave(const std::string& file, const YamlValue& value)
+{
+    const YamlMap map(file, value.Node(),
+                      {"node",         "name",        "dcf",       "assignment",   "mandatory", "keep_alive",
+                       "boot",         "restore",     "heartbeat", "consumer",     "arming",    "guard_time",
+                       "retry_factor", "device_type", "vendor_id", "product_code", "revision",  "serial",
+                       "date",         "time",        "configure", "write_safety", "el6751",    "plc_designer",
+                       "outputs",      "software"});
+    SlavePlan plan;
+    plan.line = static_cast<std::size_t>(value.Where().place.line);
+    plan.lines = map.Lines();
+    plan.node = static_cast<std::uint8_t>(map.Require("node").Number({1U, cia302::kLastNode}));
+    plan.name = TextOf(map, "name", "a name");
+    plan.name = plan.name.empty() ? "node " + std::to_string(plan.node) : plan.name;
+    plan.dcf = FileIn(file, map, "dcf", "a DCF");
+    ReadAssignment(map, plan);
+    ReadExpectations(map, plan);
+    if (const auto software = map.Find("software"))
+    {
+        plan.software = ReadSoftware(file, *software);
+    }
+    if (const auto options = map.Find("el6751"))
+    {
+        plan.el6751 = ReadEl6751Slave(file, *options);
+    }
+    if (const auto options = map.Find("plc_designer"))
+    {
+        plan.plc = ReadPlcSlave(file, *options, plan.is_mandatory.value_or(true));
+    }
+    if (const auto outputs = map.Find("outputs"))
+    {
+        plan.outputs = ReadOutputs(file, *outputs);
+    }
+    TakeWord(map, "configure", plan.is_configured, kTruthWords);
+    TakeWord(map, "write_safety", plan.writes_safety, kTruthWords);
+    return plan;
+}
+
+NetworkPlan ReadYaml(const std::string& path, const std::uint8_t manager)
+{
+    const runtime::YamlNode document = runtime::ParseYaml(path, runtime::ReadYamlText(path));
+    const YamlMap map(path, document, {"name", "manager", "slaves"});
+    NetworkPlan plan;
+    plan.file = path;
+    plan.name = TextOf(map, "name", "a name");
+    plan.manager = ReadManager(path, map.Require("manager"));
+    if (manager != 0U)
+    {
+        plan.manager.node = manager;
+    }
+    for (const YamlValue& slave : map.Require("slaves").Items("a list of slaves"))
+    {
+        plan.slaves.push_back(ReadSlave(path, slave));
+    }
+    return plan;
+}
+
+/// Before it is read as something: neither reader knows what the file was to be. Line 1, for all of it.
+void RequireNetworkFile(const std::string& path)
+{
+    constexpr std::uintmax_t kMostBytes = runtime::kMaxYamlBytes;
+    const std::string problem = network::ProblemOfFile(path);
+    if (!problem.empty())
+    {
+        throw cia306::InputError(path, 1U, {problem, "a network file, CPJ or YAML"});
+    }
+    std::error_code error;
+    const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+    if (bytes > kMostBytes)
+    {
+        throw cia306::InputError(
+            path, 1U,
+            {"a network file of " + std::to_string(bytes) + " bytes", "at most " + std::to_string(kMostBytes)});
+    }
+}
+} // namespace
+
+NetworkPlan ReadNetworkFile(const std::string& path, const std::uint8_t manager)
+{
+    RequireNetworkFile(path);
+    const std::string extension = cia306::Lower(std::filesystem::path(path).extension().string());
+    return (extension == ".cpj") ? network::ReadCpj(path, manager) : ReadYaml(path, manager);
+}
+} // namespace counterpoint::runtime

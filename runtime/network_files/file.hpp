@@ -1,0 +1,18 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef RUNTIME_NETWORK_FILES_FILE_HPP
+#define RUNTIME_NETWORK_FILES_FILE_HPP
+
+#include "canopen/network/network_plan.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace counterpoint::runtime
+{
+/// @brief Reads a network file: CPJ where its name ends in .cpj, else YAML (docs/manager.md). `manager`: the node-ID of
+/// the manager instead of the file's; 0: none given. Throws cia306::InputError and runtime::YamlError.
+/// [SRS-NET-001, SRS-NET-002, SRS-NET-004]
+[[nodiscard]] network::NetworkPlan ReadNetworkFile(const std::string& path, std::uint8_t manager);
+} // namespace counterpoint::runtime
+
+#endif // RUNTIME_NETWORK_FILES_FILE_HPP

@@ -1,0 +1,16 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef RUNTIME_NETWORK_FILES_FLYING_HPP
+#define RUNTIME_NETWORK_FILES_FLYING_HPP
+
+#include "canopen/network/network_plan.hpp"
+#include "runtime/yaml/map.hpp"
+
+#include <string>
+
+namespace counterpoint::runtime
+{
+/// @brief The map `flying` of a network file. Throws runtime::YamlError. [SRS-FLY-029]
+[[nodiscard]] network::FlyingPlan ReadFlying(const std::string& file, const runtime::YamlValue& value);
+} // namespace counterpoint::runtime
+
+#endif // RUNTIME_NETWORK_FILES_FLYING_HPP

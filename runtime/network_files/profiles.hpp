@@ -1,0 +1,27 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef RUNTIME_NETWORK_FILES_PROFILES_HPP
+#define RUNTIME_NETWORK_FILES_PROFILES_HPP
+
+#include "canopen/network/network_plan.hpp"
+#include "canopen/start_up/el6751/setup.hpp"
+#include "canopen/start_up/plc_designer/setup.hpp"
+#include "runtime/yaml/value.hpp"
+
+#include <string>
+#include <vector>
+
+namespace counterpoint::runtime
+{
+/// @brief Options of a slave under "el6751" of a network file. Throws runtime::YamlError. [SRS-ELM-051]
+[[nodiscard]] cia302::El6751Slave ReadEl6751Slave(const std::string& file, const runtime::YamlValue& value);
+/// @brief Options of the manager under "el6751". Throws runtime::YamlError. [SRS-ELM-051]
+[[nodiscard]] cia302::El6751Times ReadEl6751Times(const std::string& file, const runtime::YamlValue& value);
+/// @brief What RxPDOs carry, a list under "outputs" of a slave. Throws runtime::YamlError. [SRS-MGR-022]
+[[nodiscard]] std::vector<network::OutputPlan> ReadOutputs(const std::string& file, const runtime::YamlValue& value);
+/// @brief Options of a slave under "plc_designer"; one that is not mandatory is optional unless they say otherwise.
+/// Throws runtime::YamlError. [SRS-PLC-021]
+[[nodiscard]] cia302::PlcSlave ReadPlcSlave(const std::string& file, const runtime::YamlValue& value,
+                                            bool is_mandatory);
+} // namespace counterpoint::runtime
+
+#endif // RUNTIME_NETWORK_FILES_PROFILES_HPP

@@ -1,0 +1,137 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "runtime/node/application.hpp"
+
+#include "runtime/device/names.hpp"
+
+#include <utility>
+
+namespace counterpoint::runtime
+{
+namespace
+{
+using runtime::PairValue;
+
+constexpr std::uint16_t kCommunicationBase = 0x1300U;
+
+std::uint8_t NumberOf(const CommunicationIndex index)
+{
+    return static_cast<std::uint8_t>(index.value - kCommunicationBase);
+}
+} // namespace
+
+NodeApplication::NodeApplication(const runtime::DeviceModel& model, NodeReport& report)
+    : report_(report), logic_(model, runtime::Half::kBoth)
+{
+}
+
+void NodeApplication::Tell(OnPair on_pair)
+{
+    on_pair_ = std::move(on_pair);
+}
+
+void NodeApplication::Follow(Kernel& kernel, const runtime::DeviceModel& model)
+{
+    logic_.Follow(kernel, model);
+}
+
+bool NodeApplication::AddRule(const runtime::LogicRule& rule)
+{
+    return logic_.AddRule(rule);
+}
+
+bool NodeApplication::SetInput(const ObjectAddress& object, const std::uint64_t value)
+{
+    const PairValue* const pair = logic_.Find(object);
+    const bool is_input = pair != nullptr && pair->is_mapped && !pair->is_consumer && value <= pair->mask;
+    if (is_input)
+    {
+        logic_.SetInput(object, value);
+    }
+    return is_input;
+}
+
+void NodeApplication::Run(const SrdoMask open)
+{
+    logic_.Take(open, [this](const PairValue& pair) { TellValue(pair); });
+    for (const PairValue& pair : logic_.Pairs())
+    {
+        if (!pair.is_consumer && pair.is_mapped)
+        {
+            logic_.Write(pair);
+        }
+    }
+}
+
+bool NodeApplication::TakeChange() noexcept
+{
+    return logic_.TakeChange();
+}
+
+std::string NodeApplication::Values() const
+{
+    std::string values;
+    for (const PairValue& pair : logic_.Pairs())
+    {
+        if (!pair.is_mapped)
+        {
+            continue;
+        }
+        values += (values.empty() ? "" : " ") + runtime::ObjectText(pair.address) + "=" + std::to_string(pair.normal);
+    }
+    return values;
+}
+
+void NodeApplication::TellValue(const PairValue& pair)
+{
+    report_.Tell(now_ns_, "value " + runtime::ObjectText(pair.address) + " = " + std::to_string(pair.normal), "value",
+                 {{"srdo", pair.srdo}, {"object", runtime::ObjectText(pair.address)}, {"value", pair.normal}});
+}
+
+RefreshAnswer NodeApplication::OnRefresh(const CommunicationIndex index) noexcept
+{
+    static_cast<void>(index);
+    return RefreshAnswer::kReady;
+}
+
+void NodeApplication::OnSrdoEvent(const CommunicationIndex index) noexcept
+{
+    if (on_pair_)
+    {
+        on_pair_(NumberOf(index));
+    }
+}
+
+void NodeApplication::OnSrdoError(const CommunicationIndex index, const SrdoCause cause) noexcept
+{
+    const std::string name = Name(cause);
+    report_.Tell(now_ns_, "SRDO " + std::to_string(NumberOf(index)) + ": " + name, "srdo_error",
+                 {{"srdo", NumberOf(index)}, {"cause", name}});
+}
+
+void NodeApplication::OnGfc() noexcept
+{
+    report_.Tell(now_ns_, "global fail-safe command received", "gfc", {{"received", true}});
+}
+
+void NodeApplication::OnGfcNotFollowed() noexcept
+{
+    report_.Tell(now_ns_, "no SRDO followed the own global fail-safe command", "gfc", {{"followed", false}});
+}
+
+void NodeApplication::OnConfigurationInvalid(const CommunicationIndex index) noexcept
+{
+    report_.Tell(now_ns_, "configuration of SRDO " + std::to_string(NumberOf(index)) + " does not hold: SRDOs are off",
+                 "configuration_invalid", {{"srdo", NumberOf(index)}});
+}
+
+void NodeApplication::OnDeviceFault(const DeviceFaultReport& report) noexcept
+{
+    const std::string name = Name(report.fault);
+    report_.Tell(now_ns_, "device safe state: " + name, "device_fault", {{"fault", name}});
+}
+
+void NodeApplication::OnFlow(const FlowCount& count) noexcept
+{
+    static_cast<void>(count);
+}
+} // namespace counterpoint::runtime

@@ -1,0 +1,39 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef RUNTIME_NODE_LATENCY_HPP
+#define RUNTIME_NODE_LATENCY_HPP
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace counterpoint::runtime
+{
+/// Times from the reception of a pair to its released output. Counts by microseconds up to a tenth of a second, so that
+/// days take no more memory than seconds. [SRS-NODE-008]
+class NodeLatency
+{
+  public:
+    void Add(std::uint64_t ns);
+    [[nodiscard]] std::uint64_t Count() const noexcept
+    {
+        return count_;
+    }
+    /// @brief Microseconds that `percent` of the times do not exceed.
+    [[nodiscard]] std::uint64_t Percentile(unsigned percent) const;
+    /// @brief Summary and histogram, a line each.
+    [[nodiscard]] std::string Text() const;
+    [[nodiscard]] nlohmann::ordered_json Json() const;
+
+  private:
+    [[nodiscard]] std::vector<std::uint64_t> Doubling() const;
+
+    std::vector<std::uint64_t> counts_; ///< By microsecond; the last one takes all above.
+    std::uint64_t count_{0U};
+    std::uint64_t least_us_{0U};
+    std::uint64_t greatest_us_{0U};
+};
+} // namespace counterpoint::runtime
+
+#endif // RUNTIME_NODE_LATENCY_HPP

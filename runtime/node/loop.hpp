@@ -1,0 +1,87 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef RUNTIME_NODE_LOOP_HPP
+#define RUNTIME_NODE_LOOP_HPP
+
+#include "runtime/console/streams.hpp"
+#include "runtime/node/clocks.hpp"
+#include "runtime/node/device.hpp"
+#include "runtime/node/script.hpp"
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace counterpoint::runtime
+{
+/// All that a loop runs; all outlive it.
+struct NodeLoopParts
+{
+    /// A device with the node-ID that LSS gave, if it gave one. May throw as NodeDevice does.
+    std::function<std::unique_ptr<NodeDevice>(std::optional<std::uint8_t> lss_node_id)> make;
+    NodePorts& ports;
+    NodeReport& report;
+    const NodeScript& script;
+    int input; ///< Descriptor of typed orders; -1: none.
+};
+
+/// The executive of a live node: cycles at their times, frames and orders between them, until it is told to stop.
+/// [SRS-NODE-003, SRS-NODE-005, SRS-NODE-006]
+class NodeLoop
+{
+  public:
+    explicit NodeLoop(const NodeLoopParts& parts);
+
+    /// @brief Until quit, typed or in the script, SIGTERM or SIGINT. 1: the device ended in its safe state.
+    [[nodiscard]] ExitStatus Run();
+
+  private:
+    using HeldFrames = std::deque<host::LiveFrame>;
+
+    void TellStart();
+    [[nodiscard]] std::string BusNames() const;
+    void TellProblem(const std::string& problem);
+    void Wait();
+    void Receive();
+    void Hold(host::LiveBus& bus, HeldFrames& held);
+    [[nodiscard]] bool TakeOldest();
+    void ReceiveServices();
+    void Replace(std::uint8_t node_id);
+    void Step();
+    void RunCycle();
+    void WatchBus();
+    void FollowScript();
+    void ReadOrders();
+    void Carry(const NodeOrder& order);
+    void SetObject(const NodeOrder& order);
+    void TellObject(const ObjectAddress& object);
+    void SendCommand(const NodeOrder& order);
+    void TellState();
+    void Tell(const std::string& text, const std::string& event, const nlohmann::ordered_json& details);
+    [[nodiscard]] ExitStatus End();
+
+    NodeLoopParts parts_;
+    std::unique_ptr<NodeDevice> device_;
+    NodeClocks clocks_;
+    NodeScript script_;     ///< Steps that are left.
+    HeldFrames first_held_; ///< Safety frames by controller; those after the instant that is worked on wait.
+    HeldFrames second_held_;
+    std::uint64_t start_ns_{0U};
+    std::uint64_t next_cycle_ns_{0U};
+    std::uint64_t cycle_ns_;
+    std::uint64_t watched_ns_{0U};
+    std::uint64_t latest_cycle_ns_{0U}; ///< Greatest distance of a cycle from its time.
+    std::uint32_t lost_{0U};
+    host::BusState bus_{host::BusState::kActive};
+    InstantPair now_{{0U}, {0U}};
+    std::uint64_t now_ns_{0U};
+    NodeOrder pending_;  ///< A value that its object has not taken yet: a save.
+    std::string typed_;  ///< Begin of a line.
+    std::string reason_; ///< Why it ends; empty: it does not.
+    bool is_input_open_;
+};
+} // namespace counterpoint::runtime
+
+#endif // RUNTIME_NODE_LOOP_HPP

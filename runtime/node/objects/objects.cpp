@@ -1,0 +1,365 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "runtime/node/objects/objects.hpp"
+
+#include "runtime/node/objects/entry.hpp"
+
+#include "canopen/cia301/base/cob_id.hpp"
+#include "canopen/cia301/base/little_endian.hpp"
+#include "canopen/cia301/dictionary/entry_value.hpp"
+#include "canopen/cia306/safety/safety_configuration.hpp"
+#include "canopen/cia306/text/input_error.hpp"
+#include "canopen/cia306/text/utf16.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace counterpoint::runtime
+{
+namespace
+{
+using cia301::SdoAbort;
+
+/// What a string or domain that can be written has room for, at least.
+constexpr std::size_t kTextRoom = 256U;
+constexpr std::size_t kDomainRoom = 8192U;
+constexpr std::uint16_t kOctetString = 0x000AU;
+constexpr std::uint16_t kUnicodeString = 0x000BU;
+constexpr std::uint16_t kConsumerTimes = 0x1016U;
+constexpr std::uint16_t kFirstApplication = 0x2000U;
+
+constexpr std::uint16_t kHighestPdo = 512U;
+constexpr std::uint16_t kFirstRpdo = 0x1400U;
+constexpr std::uint16_t kFirstRpdoMap = 0x1600U;
+constexpr std::uint16_t kFirstTpdo = 0x1800U;
+constexpr std::uint16_t kFirstTpdoMap = 0x1A00U;
+constexpr std::uint16_t kLastTpdoMap = 0x1BFFU;
+constexpr std::uint8_t kPdoEntries = 64U;
+/// 254: source address mode of a multiplexed PDO; 255: destination address mode.
+constexpr std::uint64_t kSourceMode = 254U;
+
+/// The hook of an object whose value a service keeps; null: none does.
+cia301::NumberHook* HookOf(const cia301::Entry& entry, device::Services& services, NodeFurther& further)
+{
+    if (cia301::NumberHook* const hook = further.HookOf(entry.index))
+    {
+        return hook;
+    }
+    switch (entry.index)
+    {
+    case 0x1005U:
+    case 0x1006U:
+    case 0x1007U:
+    case 0x1019U:
+        return &services.sync;
+    case 0x1029U:
+        return &services.errors;
+    case 0x1200U:
+        return &services.sdo_port;
+    default:
+        break;
+    }
+    return (entry.index >= kFirstRpdo && entry.index <= kLastTpdoMap) ? &services.pdos : nullptr;
+}
+
+bool IsOfServiceObjects(const std::uint16_t index)
+{
+    constexpr std::array<std::uint16_t, 8U> kServiceObjects{0x1001U, 0x1003U, 0x100CU, 0x100DU,
+                                                            0x1014U, 0x1015U, 0x1016U, 0x1017U};
+    return std::find(kServiceObjects.begin(), kServiceObjects.end(), index) != kServiceObjects.end();
+}
+} // namespace
+
+NodeObjects::NodeObjects(const cia306::Device& device, const std::uint8_t node_id, const IsKernels& is_kernels)
+    : file_(device.file)
+{
+    for (const auto& [index, object] : device.objects)
+    {
+        for (const auto& [sub, entry] : object.entries)
+        {
+            const bool has_value = entry.type.kind != cia306::DataKind::kStructure;
+            if (has_value && index >= cia306::kFirstObjectIndex && !is_kernels(index, sub))
+            {
+                Append(entry, node_id);
+            }
+        }
+    }
+    table_ = {entries_.data(), static_cast<std::uint32_t>(entries_.size())};
+    std::uint32_t longest = kMaxPayloadBytes;
+    for (const cia301::Entry& entry : entries_)
+    {
+        longest = std::max(longest, entry.size_bytes);
+    }
+    sdo_buffer_.resize(longest);
+    const cia306::Object* const consumers = device.Find(kConsumerTimes);
+    supervised_.resize((consumers == nullptr || consumers->entries.empty()) ? 0U : consumers->entries.rbegin()->first);
+    AppendPdos(device);
+}
+
+const cia301::EntryTable& NodeObjects::Table() const noexcept
+{
+    return table_;
+}
+
+device::ServiceRooms NodeObjects::Rooms() noexcept
+{
+    return {{supervised_.data(), static_cast<std::uint8_t>(supervised_.size())},
+            {tpdos_.data(), static_cast<std::uint16_t>(tpdos_.size())},
+            {rpdos_.data(), static_cast<std::uint16_t>(rpdos_.size())},
+            {sdo_buffer_.data(), static_cast<std::uint32_t>(sdo_buffer_.size())}};
+}
+
+void NodeObjects::Connect(device::Services& services, NodeFurther& further, cia301::NumberHook* const store) noexcept
+{
+    for (cia301::Entry& entry : entries_)
+    {
+        const bool is_count = entry.sub == 0U && (entry.access == cia301::Access::kConstant || IsStore(entry.index));
+        if (is_count)
+        {
+            continue;
+        }
+        if (IsOfServiceObjects(entry.index))
+        {
+            entry.read_hook = &services.objects;
+            entry.write_hook = &services.objects;
+        }
+        else if (IsStore(entry.index) && store == nullptr)
+        {
+            entry.read_hook = &no_store_;
+            entry.write_hook = &no_store_;
+        }
+        else if (cia301::NumberHook* const hook = IsStore(entry.index) ? store : HookOf(entry, services, further))
+        {
+            entry.read_hook = hook;
+            entry.write_hook = hook;
+        }
+        else
+        {
+            continue; // Has a place of its own.
+        }
+        entry.place = nullptr;
+        entry.length_bytes = nullptr;
+    }
+}
+
+void NodeObjects::Append(const cia306::Entry& source, const std::uint8_t node_id)
+{
+    SetValue(source, node_id);
+    cia301::Entry entry{};
+    entry.index = source.index;
+    entry.sub = source.sub;
+    entry.type = TypeOf(source);
+    entry.access = AccessOf(source);
+    entry.readable_in = cia301::kInBoth;
+    entry.writable_in = cia301::kInBoth;
+    entry.uses = UsesOf(source);
+    entry.size_bytes = static_cast<std::uint32_t>((source.type.bits + 7U) / 8U);
+    SetRoom(entry, source);
+    entry.write_hook = IsFixedAtStart(source.index) ? &fixed_ : nullptr;
+    SetLimits(entry, source, node_id);
+    entries_.push_back(entry);
+}
+
+/// A PDO for each object of communication parameters, with as many fields as its mapping has sub-indices.
+void NodeObjects::AppendPdos(const cia306::Device& device)
+{
+    for (std::uint16_t number = 1U; number <= kHighestPdo; ++number)
+    {
+        const auto step = static_cast<std::uint16_t>(number - 1U);
+        if (device.Find(static_cast<std::uint16_t>(kFirstRpdo + step)) != nullptr)
+        {
+            rpdos_.push_back({number, MapOf(device, static_cast<std::uint16_t>(kFirstRpdoMap + step))});
+        }
+        if (device.Find(static_cast<std::uint16_t>(kFirstTpdo + step)) != nullptr)
+        {
+            tpdos_.push_back(
+                {number, cia301::PdoTrigger::kChange, MapOf(device, static_cast<std::uint16_t>(kFirstTpdoMap + step))});
+        }
+    }
+}
+
+cia301::PdoMap NodeObjects::MapOf(const cia306::Device& device, const std::uint16_t index)
+{
+    const cia306::Object* const object = device.Find(index);
+    const cia306::Entry* const count = device.Find(index, 0U);
+    if (count != nullptr && count->Configured().IsSet())
+    {
+        const cia306::ValueResult value = cia306::ConfiguredValue(*count, std::nullopt);
+        if (value.value && value.value->bits >= kSourceMode)
+        {
+            throw cia306::InputError(file_, count->ValueLine(),
+                                     {cia306::ObjectName(index, 0U) + " = " + std::to_string(value.value->bits) +
+                                          ", a multiplexed PDO, which is not built",
+                                      "a count of mapped objects, 0 to 64"});
+        }
+    }
+    const bool has_subs = object != nullptr && !object->entries.empty();
+    const std::uint8_t room = has_subs ? std::min(object->entries.rbegin()->first, kPdoEntries) : std::uint8_t{0U};
+    fields_.emplace_back(room);
+    return {fields_.back().data(), room};
+}
+
+/// The value of the file as bytes, 0 where it gives none.
+void NodeObjects::SetValue(const cia306::Entry& source, const std::uint8_t node_id)
+{
+    Stored stored;
+    stored.entry = entries_.size();
+    stored.line = source.ValueLine();
+    stored.is_configured = source.Configured().IsSet();
+    stored.value.resize((source.type.bits + 7U) / 8U);
+    if (stored.is_configured)
+    {
+        const cia306::ValueResult result = cia306::ConfiguredValue(source, node_id);
+        if (!result.value)
+        {
+            throw cia306::InputError(file_, stored.line, result.problem);
+        }
+        const std::string& text = result.value->text;
+        if (source.type.bits != 0U)
+        {
+            cia301::ToLittleEndian(result.value->bits, stored.value.data(),
+                                   static_cast<std::uint32_t>(stored.value.size()));
+        }
+        else if (source.data_type == kOctetString)
+        {
+            stored.value = OctetsOf(text);
+        }
+        else if (source.data_type == kUnicodeString)
+        {
+            stored.value = cia306::Utf16Of(text);
+        }
+        else
+        {
+            stored.value.assign(text.begin(), text.end());
+        }
+    }
+    stored_.push_back(stored);
+}
+
+void NodeObjects::SetRoom(cia301::Entry& entry, const cia306::Entry& source)
+{
+    std::vector<std::uint8_t> room = stored_.back().value;
+    if (source.type.bits == 0U)
+    {
+        lengths_.push_back(static_cast<std::uint32_t>(room.size()));
+        entry.length_bytes = &lengths_.back();
+        const std::size_t least = (source.data_type == cia306::kDomainType) ? kDomainRoom : kTextRoom;
+        room.resize(std::max(room.size(), source.IsFixed() ? std::size_t{1U} : least));
+        entry.size_bytes = static_cast<std::uint32_t>(room.size());
+    }
+    memory_.push_back(std::move(room));
+    entry.place = memory_.back().data();
+}
+
+void NodeObjects::SetLimits(cia301::Entry& entry, const cia306::Entry& source, const std::uint8_t node_id)
+{
+    if (source.low_limit.IsSet() || source.high_limit.IsSet())
+    {
+        const bool is_signed = cia301::IsSigned(entry.type);
+        const std::uint64_t sign = std::uint64_t{1U} << 63U;
+        limits_.push_back({LimitOf(source, source.low_limit, node_id, is_signed ? sign : 0U),
+                           LimitOf(source, source.high_limit, node_id, is_signed ? sign - 1U : ~std::uint64_t{0U})});
+        entry.limits = &limits_.back();
+    }
+}
+
+std::uint64_t NodeObjects::LimitOf(const cia306::Entry& source, const cia306::Text& text, const std::uint8_t node_id,
+                                   const std::uint64_t otherwise) const
+{
+    if (!text.IsSet() || source.type.bits == 0U)
+    {
+        return otherwise;
+    }
+    const cia306::ValueResult result = cia306::ParseValue(text.text, source.type, node_id);
+    if (!result.value)
+    {
+        throw cia306::InputError(file_, text.line, result.problem);
+    }
+    std::array<std::uint8_t, 8U> bytes{};
+    const auto size = static_cast<std::uint32_t>((source.type.bits + 7U) / 8U);
+    cia301::ToLittleEndian(result.value->bits, bytes.data(), size);
+    return cia301::NumberOf(TypeOf(source), {bytes.data(), size});
+}
+
+void NodeObjects::LoadApplication() noexcept
+{
+    for (const Stored& stored : stored_)
+    {
+        if (entries_[stored.entry].index >= kFirstApplication)
+        {
+            Load(stored);
+        }
+    }
+}
+
+void NodeObjects::LoadCommunication() noexcept
+{
+    refusals_.clear();
+    for (const Stored& stored : stored_)
+    {
+        if (entries_[stored.entry].index < kFirstApplication)
+        {
+            Load(stored);
+        }
+    }
+}
+
+void NodeObjects::Load(const Stored& stored) noexcept
+{
+    cia301::Entry& entry = entries_[stored.entry];
+    const auto size = static_cast<std::uint32_t>(stored.value.size());
+    if (entry.place != nullptr)
+    {
+        std::copy(stored.value.begin(), stored.value.end(), entry.place);
+        if (entry.length_bytes != nullptr)
+        {
+            *entry.length_bytes = size;
+        }
+        return;
+    }
+    // The device's own: its errors, and what has one value only.
+    const bool is_own = entry.index == 0x1001U || entry.index == 0x1003U || entry.index == 0x1200U ||
+                        IsStore(entry.index) || entry.access == cia301::Access::kConstant;
+    if (!stored.is_configured || is_own)
+    {
+        return;
+    }
+    const SdoAbort abort = cia301::WriteEntry(entry, {stored.value.data(), size});
+    if (abort != SdoAbort::kNone)
+    {
+        refusals_.push_back(file_ + ":" + std::to_string(stored.line) +
+                            ": warning: " + cia306::ObjectName(entry.index, entry.sub) +
+                            ": the device refuses this value with " + "abort code " +
+                            cia306::Hex(static_cast<std::uint32_t>(abort), 8) + ", expected one of the object's range");
+    }
+}
+
+const std::vector<std::string>& NodeObjects::Refusals() const noexcept
+{
+    return refusals_;
+}
+
+std::vector<std::string> NodeObjects::PdosTurnedOff(cia301::Dictionary& dictionary) const
+{
+    std::vector<std::string> lines;
+    for (const Stored& stored : stored_)
+    {
+        const cia301::Entry& entry = entries_[stored.entry];
+        const bool is_rpdo = entry.index >= kFirstRpdo && entry.index < kFirstRpdoMap;
+        const bool is_tpdo = entry.index >= kFirstTpdo && entry.index < kFirstTpdoMap;
+        if (!(is_rpdo || is_tpdo) || entry.sub != 1U || !stored.is_configured)
+        {
+            continue;
+        }
+        const auto size = static_cast<std::uint32_t>(stored.value.size());
+        const std::uint64_t wanted = cia301::FromLittleEndian(stored.value.data(), size);
+        const std::uint64_t now = dictionary.ReadNumber({entry.index, entry.sub}).value;
+        if ((wanted & cia301::kCobOff) == 0U && (now & cia301::kCobOff) != 0U)
+        {
+            lines.push_back(file_ + ":" + std::to_string(stored.line) +
+                            ": warning: " + cia306::ObjectName(entry.index, entry.sub) +
+                            ": the device has turned this PDO off, expected a mapping and settings that hold");
+        }
+    }
+    return lines;
+}
+} // namespace counterpoint::runtime

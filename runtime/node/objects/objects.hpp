@@ -1,0 +1,87 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef RUNTIME_NODE_OBJECTS_OBJECTS_HPP
+#define RUNTIME_NODE_OBJECTS_OBJECTS_HPP
+
+#include "canopen/cia301/dictionary/dictionary.hpp"
+#include "canopen/cia306/file/device.hpp"
+#include "canopen/device/services.hpp"
+#include "runtime/node/hooks.hpp"
+#include "runtime/node/objects/further.hpp"
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace counterpoint::runtime
+{
+/// The objects of an EDS or DCF that are not the kernel's, as a table for a dictionary; owns their values. Stays where
+/// it is. [SRS-NODE-001]
+class NodeObjects
+{
+  public:
+    using IsKernels = std::function<bool(std::uint16_t index, std::uint8_t sub)>;
+
+    /// Throws cia306::InputError for a value or limit that its data type cannot have.
+    NodeObjects(const cia306::Device& device, std::uint8_t node_id, const IsKernels& is_kernels);
+    NodeObjects(const NodeObjects&) = delete;
+    NodeObjects& operator=(const NodeObjects&) = delete;
+
+    /// @brief Stays as it is, but for the hooks that Connect fills in.
+    [[nodiscard]] const cia301::EntryTable& Table() const noexcept;
+    /// @brief What the services of this device need; owned here.
+    [[nodiscard]] device::ServiceRooms Rooms() noexcept;
+    /// @brief The objects of services lead to them from now on, 1010h and 1011h to `store`; null: there is none.
+    void Connect(device::Services& services, NodeFurther& further, cia301::NumberHook* store) noexcept;
+    /// @brief Values of the file for all objects from 2000h on.
+    void LoadApplication() noexcept;
+    /// @brief The same for 1000h to 1FFFh; services take theirs by their hooks.
+    void LoadCommunication() noexcept;
+    /// @brief Values of the file that a service refuses, as lines; since the last LoadCommunication.
+    [[nodiscard]] const std::vector<std::string>& Refusals() const noexcept;
+
+    /// @brief PDOs of the file that are on, which the device has turned off because their mapping does not hold, as
+    /// lines. After the configuration. [SRS-NODE-017]
+    [[nodiscard]] std::vector<std::string> PdosTurnedOff(cia301::Dictionary& dictionary) const;
+
+  private:
+    /// A value and where it goes.
+    struct Stored
+    {
+        std::size_t entry{0U};
+        std::vector<std::uint8_t> value;
+        std::size_t line{0U};
+        bool is_configured{false}; ///< The file gives it.
+    };
+
+    void Append(const cia306::Entry& source, std::uint8_t node_id);
+    void AppendPdos(const cia306::Device& device);
+    [[nodiscard]] cia301::PdoMap MapOf(const cia306::Device& device, std::uint16_t index);
+    void SetValue(const cia306::Entry& source, std::uint8_t node_id);
+    void SetRoom(cia301::Entry& entry, const cia306::Entry& source);
+    void SetLimits(cia301::Entry& entry, const cia306::Entry& source, std::uint8_t node_id);
+    void Load(const Stored& stored) noexcept;
+    [[nodiscard]] std::uint64_t LimitOf(const cia306::Entry& source, const cia306::Text& text, std::uint8_t node_id,
+                                        std::uint64_t otherwise) const;
+
+    std::string file_;
+    std::vector<cia301::Entry> entries_;
+    std::vector<Stored> stored_;
+    std::deque<std::vector<std::uint8_t>> memory_;
+    std::deque<std::uint32_t> lengths_;
+    std::deque<cia301::ValueLimits> limits_;
+    std::vector<cia301::SupervisedNode> supervised_;
+    std::vector<cia301::Tpdo> tpdos_;
+    std::vector<cia301::Rpdo> rpdos_;
+    std::deque<std::vector<cia301::PdoField>> fields_;
+    std::vector<std::uint8_t> sdo_buffer_;
+    std::vector<std::string> refusals_;
+    cia301::EntryTable table_{nullptr, 0U};
+    FixedHook fixed_{table_};
+    NoStoreHook no_store_;
+};
+} // namespace counterpoint::runtime
+
+#endif // RUNTIME_NODE_OBJECTS_OBJECTS_HPP

@@ -1,0 +1,157 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "runtime/node/objects/store.hpp"
+
+#include "canopen/cia306/text/input_error.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace counterpoint::runtime
+{
+namespace
+{
+constexpr std::uint32_t kBankBytes = 256U * 1024U;
+constexpr std::uint32_t kChunkBytes = 4096U;
+constexpr std::uint8_t kErased = 0xFFU;
+constexpr std::uint32_t kLargestItem = 65535U;
+/// For how long a reset waits for a store that is under way.
+constexpr int kPatienceMs = 2000;
+} // namespace
+
+NodeMemory::NodeMemory(const std::string& path) : file_(path, kBankBytes), worker_([this] { Work(); })
+{
+}
+
+NodeMemory::~NodeMemory()
+{
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        is_finished_ = true;
+    }
+    wake_.notify_one();
+    worker_.join();
+}
+
+std::uint32_t NodeMemory::BankBytes() const noexcept
+{
+    return file_.BankBytes();
+}
+
+hal::MemoryStatus NodeMemory::Status() noexcept
+{
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return is_busy_ ? hal::MemoryStatus::kBusy : file_.Status();
+}
+
+void NodeMemory::Erase(const hal::MemoryBank bank) noexcept
+{
+    Order([this, bank] { file_.Erase(bank); });
+}
+
+void NodeMemory::Program(const hal::MemorySection& section, const std::uint8_t* const from) noexcept
+{
+    Order([this, section, from] { file_.Program(section, from); });
+}
+
+bool NodeMemory::Read(const hal::MemorySection& section, std::uint8_t* const to) noexcept
+{
+    return file_.Read(section, to);
+}
+
+bool NodeMemory::IsBlank() noexcept
+{
+    bool is_blank = true;
+    std::array<std::uint8_t, kChunkBytes> bytes{};
+    for (const hal::MemoryBank bank : {hal::MemoryBank::kFirst, hal::MemoryBank::kSecond})
+    {
+        for (std::uint32_t at = 0U; is_blank && at < kBankBytes; at += kChunkBytes)
+        {
+            is_blank = Read({bank, at, kChunkBytes}, bytes.data()) &&
+                       std::all_of(bytes.begin(), bytes.end(), [](const std::uint8_t byte) { return byte == kErased; });
+        }
+    }
+    return is_blank;
+}
+
+void NodeMemory::Order(std::function<void()> work)
+{
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        work_ = std::move(work);
+        is_busy_ = true;
+    }
+    wake_.notify_one();
+}
+
+void NodeMemory::Work()
+{
+    std::unique_lock<std::mutex> lock(mutex_);
+    while (!is_finished_ || work_)
+    {
+        wake_.wait(lock, [this] { return is_finished_ || static_cast<bool>(work_); });
+        if (const std::function<void()> work = std::exchange(work_, nullptr))
+        {
+            lock.unlock();
+            work();
+            lock.lock();
+            is_busy_ = false;
+        }
+    }
+}
+
+NodeStore::NodeStore(const std::string& path, const NodeStoreParts& parts)
+    : path_(path), memory_(path), entries_(parts.table, parts.dictionary, parts.services.tpdos, parts.services.rpdos),
+      safety_(parts.kernel), lss_({0U, {0U}}), list_{&entries_, &safety_, &lss_}, scratch_(kLargestItem),
+      store_({memory_, list_.data(), static_cast<std::uint8_t>(list_.size()), {scratch_.data(), kLargestItem}}),
+      objects_(store_)
+{
+    is_damaged_ = !store_.Mount() && !memory_.IsBlank();
+}
+
+std::string NodeStore::Load(const std::uint8_t groups) noexcept
+{
+    for (int waited_ms = 0; store_.IsBusy() && waited_ms < kPatienceMs; ++waited_ms)
+    {
+        store_.OnCycle();
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    const cia301::LoadReport report = store_.Load(groups);
+    const std::string warning = cia306::Printable(path_) + ":0: warning: ";
+    if (!report.is_present && is_damaged_)
+    {
+        return warning + "no whole set of values, expected what 1010h has saved; the values of the DCF hold";
+    }
+    return (report.refused == 0U)
+               ? std::string()
+               : warning + std::to_string(report.refused) + " of " + std::to_string(report.loaded + report.refused) +
+                     " saved values are refused, expected those of this device";
+}
+
+cia305::LssSettings NodeStore::LoadLss(const cia305::LssSettings& otherwise) noexcept
+{
+    static_cast<void>(Load(cia301::kLssGroup));         // The reset that follows tells.
+    const bool is_kept = lss_.Settings().node_id != 0U; // No setting that LSS could have.
+    return is_kept ? lss_.Settings() : otherwise;
+}
+
+cia305::LssStored NodeStore::Keep(const cia305::LssSettings& settings) noexcept
+{
+    return lss_.Keep(settings, store_);
+}
+
+void NodeStore::OnCycle() noexcept
+{
+    store_.OnCycle();
+}
+
+bool NodeStore::IsBusy() const noexcept
+{
+    return store_.IsBusy();
+}
+
+cia301::NumberHook& NodeStore::Hook() noexcept
+{
+    return objects_;
+}
+} // namespace counterpoint::runtime

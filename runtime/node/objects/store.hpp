@@ -1,0 +1,92 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef RUNTIME_NODE_OBJECTS_STORE_HPP
+#define RUNTIME_NODE_OBJECTS_STORE_HPP
+
+#include "canopen/cia301/store/stored_parts.hpp"
+#include "canopen/cia305/stored_lss.hpp"
+#include "canopen/device/services.hpp"
+#include "hal/host/file_parameter_memory.hpp"
+
+#include <array>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace counterpoint::runtime
+{
+/// A file as the memory of a device that may not wait for a disk: erasing and programming run in a thread of their own.
+class NodeMemory final : public hal::ParameterMemory
+{
+  public:
+    /// Throws std::runtime_error.
+    explicit NodeMemory(const std::string& path);
+    ~NodeMemory();
+
+    [[nodiscard]] std::uint32_t BankBytes() const noexcept override;
+    [[nodiscard]] hal::MemoryStatus Status() noexcept override;
+    void Erase(hal::MemoryBank bank) noexcept override;
+    void Program(const hal::MemorySection& section, const std::uint8_t* from) noexcept override;
+    [[nodiscard]] bool Read(const hal::MemorySection& section, std::uint8_t* to) noexcept override;
+    /// @brief Whether nothing was ever saved. O(size of both banks)
+    [[nodiscard]] bool IsBlank() noexcept;
+
+  private:
+    void Order(std::function<void()> work);
+    void Work();
+
+    host::FileParameterMemory file_;
+    std::mutex mutex_;
+    std::condition_variable wake_;
+    std::function<void()> work_; ///< Empty: nothing to do.
+    bool is_busy_{false};
+    bool is_finished_{false};
+    std::thread worker_;
+};
+
+/// What a store keeps of a live node; all outlive it.
+struct NodeStoreParts
+{
+    Kernel& kernel;
+    const cia301::EntryTable& table;
+    cia301::Dictionary& dictionary;
+    device::Services& services;
+};
+
+/// 1010h and 1011h of a live node, and the settings of its LSS, in a file. [SRS-NODE-011, SRS-NODE-015]
+class NodeStore
+{
+  public:
+    /// Throws std::runtime_error.
+    NodeStore(const std::string& path, const NodeStoreParts& parts);
+
+    /// @brief At a reset, after the values of the DCF: what was saved of these groups. Answers what is wrong with it,
+    /// nothing if it was used or nothing was ever saved.
+    std::string Load(std::uint8_t groups) noexcept;
+    void OnCycle() noexcept;
+    [[nodiscard]] bool IsBusy() const noexcept;
+    /// @brief What LSS saved, or else `otherwise`.
+    [[nodiscard]] cia305::LssSettings LoadLss(const cia305::LssSettings& otherwise) noexcept;
+    /// @brief Saves settings of LSS; as LssDevice::Store.
+    [[nodiscard]] cia305::LssStored Keep(const cia305::LssSettings& settings) noexcept;
+    /// @brief Of 1010h and 1011h.
+    [[nodiscard]] cia301::NumberHook& Hook() noexcept;
+
+  private:
+    std::string path_;
+    NodeMemory memory_;
+    cia301::StoredEntries entries_;
+    cia301::StoredSafety safety_;
+    cia305::StoredLss lss_;
+    std::array<cia301::StoredPart*, 3U> list_;
+    std::vector<std::uint8_t> scratch_;
+    cia301::ParameterStore store_;
+    cia301::StoreObjects objects_;
+    bool is_damaged_{false}; ///< At the start: neither blank nor with a whole set.
+};
+} // namespace counterpoint::runtime
+
+#endif // RUNTIME_NODE_OBJECTS_STORE_HPP

@@ -1,0 +1,111 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "runtime/node/ports.hpp"
+
+#include "canopen/device/safety_queue.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace counterpoint::runtime
+{
+namespace
+{
+constexpr std::uint32_t kRestartAfterMs = 200U;
+constexpr std::uint32_t kOneIdentifier = 0x7FFU;
+constexpr std::uint32_t kBlockOf128 = 0x780U;
+
+host::LiveOptions OptionsOfServices()
+{
+    return {host::RestartPolicy::kTimed, kRestartAfterMs, host::kReconnectAfterMs, {}};
+}
+
+/// 001h, 100h to 17Fh, 180h: whole powers of two; the device leaves out 100h. With two controllers the first one has
+/// the odd ones of the pairs, the second one the even ones.
+host::LiveOptions OptionsOfSafety(const bool is_alone)
+{
+    host::LiveOptions options = OptionsOfServices();
+    options.filters = {{kGfcIdentifier, kOneIdentifier, false}};
+    if (is_alone)
+    {
+        options.filters.push_back({kFirstSrdoIdentifier - 1U, kBlockOf128, false});
+        options.filters.push_back({kLastSrdoIdentifier, kOneIdentifier, false});
+    }
+    else
+    {
+        options.filters.push_back({kFirstSrdoIdentifier, kBlockOf128 | 1U, false});
+    }
+    return options;
+}
+
+host::LiveOptions OptionsOfInverse()
+{
+    host::LiveOptions options = OptionsOfServices();
+    options.filters = {{kFirstSrdoIdentifier + 1U, kBlockOf128 | 1U, false},
+                       {kLastSrdoIdentifier, kOneIdentifier, false}};
+    return options;
+}
+} // namespace
+
+NodePorts::NodePorts(const std::string& first, const std::string& second)
+    : safety_(host::OpenLiveBus(first, OptionsOfSafety(second.empty()))),
+      services_(host::OpenLiveBus(first, OptionsOfServices())),
+      inverse_(second.empty() ? nullptr : host::OpenLiveBus(second, OptionsOfInverse()))
+{
+}
+
+NodePorts::NodePorts(std::unique_ptr<host::LiveBus> safety, std::unique_ptr<host::LiveBus> services) noexcept
+    : safety_(std::move(safety)), services_(std::move(services))
+{
+}
+
+hal::CanGuarantees NodePorts::Guarantees() const noexcept
+{
+    return {hal::Guarantee::kGiven, hal::Guarantee::kGiven, hal::Guarantee::kGiven};
+}
+
+std::uint32_t NodePorts::LostFrames() const
+{
+    return safety_->Health().lost_frames + services_->Health().lost_frames +
+           (inverse_ ? inverse_->Health().lost_frames : 0U);
+}
+
+host::BusState NodePorts::State() const
+{
+    constexpr std::array<host::BusState, 5U> kWorstFirst{host::BusState::kDown, host::BusState::kBusOff,
+                                                         host::BusState::kPassive, host::BusState::kWarning,
+                                                         host::BusState::kActive};
+    const host::BusState services = services_->Health().state;
+    const std::array<host::BusState, 3U> states{services, safety_->Health().state,
+                                                inverse_ ? inverse_->Health().state : services};
+    const auto is_there = [&states](const host::BusState each)
+    { return std::find(states.begin(), states.end(), each) != states.end(); };
+    const auto worst = std::find_if(kWorstFirst.begin(), kWorstFirst.end(), is_there);
+    return (worst == kWorstFirst.end()) ? host::BusState::kInvalid : *worst;
+}
+
+hal::TransmitStatus NodePorts::DoTransmit(const CanFrame& frame) noexcept
+{
+    const bool is_safety = device::IsSafetyIdentifier(frame.identifier);
+    host::LiveBus* const first = is_safety ? safety_.get() : services_.get();
+    host::LiveBus* const bus = (frame.port == CanPortId::kFirst) ? first : inverse_.get();
+    if (bus == nullptr || (is_safety && has_ended_))
+    {
+        return hal::TransmitStatus::kRefused;
+    }
+    switch (bus->Send(host::FromCanFrame(frame)))
+    {
+    case host::SendResult::kSent:
+        return hal::TransmitStatus::kAccepted;
+    case host::SendResult::kBusOff:
+        return hal::TransmitStatus::kBusOff;
+    case host::SendResult::kQueueFull:
+    case host::SendResult::kDown:
+        return hal::TransmitStatus::kQueueFull;
+    case host::SendResult::kRefused:
+    case host::SendResult::kInvalid:
+        break;
+    }
+    return hal::TransmitStatus::kRefused;
+}
+} // namespace counterpoint::runtime

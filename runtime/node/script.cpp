@@ -1,0 +1,94 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "runtime/node/script.hpp"
+
+#include "runtime/yaml/map.hpp"
+
+#include "runtime/device/names.hpp"
+#include "runtime/yaml/document.hpp"
+#include "runtime/yaml/value.hpp"
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <optional>
+
+namespace counterpoint::runtime
+{
+namespace
+{
+using runtime::YamlNode;
+using runtime::YamlValue;
+
+runtime::LogicRule ReadRule(const std::string& file, const YamlValue& value)
+{
+    const YamlMap map(file, value.Node(), {"set", "op", "from"});
+    runtime::LogicRule rule;
+    rule.source = value.Where();
+    rule.target = map.Require("set").Object();
+    rule.operation = map.Require("op").Choice(runtime::kOperationWords);
+    const YamlValue from = map.Require("from");
+    for (const YamlValue& input : from.Items("a list of objects"))
+    {
+        rule.inputs.push_back(input.Object());
+    }
+    const bool takes_one =
+        rule.operation == runtime::LogicOperation::kCopy || rule.operation == runtime::LogicOperation::kNot;
+    if (rule.inputs.empty() || (takes_one && rule.inputs.size() != 1U))
+    {
+        from.Refuse(std::to_string(rule.inputs.size()) + " objects",
+                    "one with copy and not, one or more with and and or");
+    }
+    return rule;
+}
+
+ScriptStep ReadStep(const std::string& file, const YamlValue& value)
+{
+    const YamlMap map(file, value.Node(), {"at", "do", "every"});
+    ScriptStep step;
+    step.at_ns = static_cast<std::uint64_t>(map.Require("at").Duration());
+    const YamlValue order = map.Require("do");
+    step.order = ParseOrder(order.Text("an order such as set 0x2000:01 1"));
+    if (step.order.kind == OrderKind::kProblem)
+    {
+        order.Refuse(step.order.problem.substr(0U, step.order.problem.find(", expected ")),
+                     step.order.problem.substr(step.order.problem.find(", expected ") + 11U));
+    }
+    if (step.order.kind == OrderKind::kNothing)
+    {
+        order.Refuse("no order", "an order such as set 0x2000:01 1");
+    }
+    if (const std::optional<YamlValue> every = map.Find("every"))
+    {
+        step.every_ns = static_cast<std::uint64_t>(every->Lasting());
+    }
+    return step;
+}
+} // namespace
+
+NodeScript ReadNodeScript(const std::string& file)
+{
+    NodeScript script;
+    script.file = file;
+    const YamlNode document = runtime::ParseYaml(file, runtime::ReadYamlText(file));
+    const YamlMap map(script.file, document, {"title", "logic", "steps"});
+    if (const std::optional<YamlValue> title = map.Find("title"))
+    {
+        static_cast<void>(title->Text("a title"));
+    }
+    if (const std::optional<YamlValue> logic = map.Find("logic"))
+    {
+        for (const YamlValue& rule : logic->Items("a list of rules"))
+        {
+            script.rules.push_back(ReadRule(script.file, rule));
+        }
+    }
+    if (const std::optional<YamlValue> steps = map.Find("steps"))
+    {
+        for (const YamlValue& step : steps->Items("a list of steps"))
+        {
+            script.steps.push_back(ReadStep(script.file, step));
+        }
+    }
+    return script;
+}
+} // namespace counterpoint::runtime

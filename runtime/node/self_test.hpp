@@ -1,0 +1,65 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef RUNTIME_NODE_SELF_TEST_HPP
+#define RUNTIME_NODE_SELF_TEST_HPP
+
+#include "hal/host/interrupt_lock.hpp"
+#include "hal/host/memory.hpp"
+#include "runtime/device/channel_host.hpp"
+#include "runtime/device/model.hpp"
+#include "safety_core/kernel/kernel.hpp"
+#include "safety_core/selftest/self_test.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace counterpoint::runtime
+{
+/// The shipped self tests over the memory of this process: its program and tables, channels and kernel, the stack below
+/// the loop, the parts that the kernel calls. [SRS-NODE-013]
+class NodeSelfTest
+{
+  public:
+    explicit NodeSelfTest(const hal::SafetyOutput& output) noexcept;
+    NodeSelfTest(const NodeSelfTest&) = delete;
+    NodeSelfTest& operator=(const NodeSelfTest&) = delete;
+
+    /// @brief What the kernel is given.
+    [[nodiscard]] SelfTestPart& Part() noexcept
+    {
+        return self_test_;
+    }
+    void AddChannel(runtime::ChannelHost& channel);
+    void AddKernel(Kernel& kernel);
+    /// @brief What is constant after the construction of a device.
+    void AddConstants(const DeviceConfig& config, const runtime::DeviceModel& model);
+    /// @brief An object that begins with the pointer to its virtual table.
+    void AddPart(const void* part);
+    /// @brief After everything was added: slices as small as a round within so many cycles allows. False: it cannot be
+    /// done.
+    [[nodiscard]] bool Settle(std::uint32_t interval_cycles);
+    /// @brief The start-up test; a test that fails leaves the self test failing, and the kernel hears it.
+    void Start();
+    /// @brief "program" or what else failed first; empty: nothing did.
+    [[nodiscard]] std::string Failure() const;
+    /// @brief Words of program and tables, of RAM, and slices of a round: for people.
+    [[nodiscard]] std::string Text() const;
+
+  private:
+    [[nodiscard]] bool Fits(std::uint8_t ram_words, std::uint16_t signature_words, std::uint32_t interval_cycles);
+    [[nodiscard]] std::uint32_t RoundSlices();
+
+    host::HostMemory memory_{};
+    host::HostInterruptLock lock_{};
+    selftest::RamWorkspace workspace_{};
+    std::vector<hal::MemorySpan> program_;
+    std::vector<hal::MemorySpan> constants_;
+    std::vector<hal::MemorySpan> live_;
+    std::vector<hal::Address> parts_;
+    selftest::SelfTestSetup setup_{};
+    selftest::SelfTest self_test_;
+};
+} // namespace counterpoint::runtime
+
+#endif // RUNTIME_NODE_SELF_TEST_HPP

@@ -1,0 +1,316 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "runtime/yaml/document.hpp"
+
+#include "canopen/cia306/text/input_error.hpp"
+
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/parser.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+namespace counterpoint::runtime
+{
+namespace
+{
+std::string Message(const std::string& file, const Place place, const std::string& wrong, const std::string& expected)
+{
+    std::string where = cia306::Printable(file);
+    if (place.line > 0)
+    {
+        where += ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
+    }
+    return where + ": " + wrong + ", expected " + expected;
+}
+
+Place PlaceOf(const YAML::Mark& mark)
+{
+    return mark.is_null() ? Place{} : Place{mark.line + 1, mark.column + 1};
+}
+
+/// Length of the UTF-8 character at `place`, 0 if there is none or it is a control character other than tab and
+/// newline.
+std::size_t CharacterLength(const std::string& text, const std::size_t place)
+{
+    const auto first = static_cast<unsigned char>(text[place]);
+    if (first < 0x80U)
+    {
+        const bool is_text = first == '\n' || first == '\t' || (first >= 0x20U && first != 0x7FU);
+        return is_text ? 1U : 0U;
+    }
+    std::size_t length = (first >= 0xC2U && first < 0xF5U) ? 2U : 0U;
+    length += (length != 0U && first >= 0xE0U) ? 1U : 0U;
+    length += (length != 0U && first >= 0xF0U) ? 1U : 0U;
+    if (length == 0U || place + length > text.size())
+    {
+        return 0U;
+    }
+    for (std::size_t offset = 1U; offset < length; ++offset)
+    {
+        const auto next = static_cast<unsigned char>(text[place + offset]);
+        if ((next & 0xC0U) != 0x80U)
+        {
+            return 0U;
+        }
+    }
+    return length;
+}
+
+/// Builds the tree. The nodes under construction lie on a stack; a finished one is appended to the one below it.
+class TreeBuilder : public YAML::EventHandler
+{
+  public:
+    TreeBuilder(const std::string& file, const std::string& text) : file_(file), text_(text)
+    {
+    }
+
+    void OnDocumentStart(const YAML::Mark& mark) override
+    {
+        static_cast<void>(mark);
+        stack_.clear();
+    }
+    void OnDocumentEnd() override
+    {
+    }
+    void OnNull(const YAML::Mark& mark, const YAML::anchor_t anchor) override
+    {
+        static_cast<void>(anchor);
+        Begin(mark, YamlKind::kNull, "");
+        End();
+    }
+    void OnAlias(const YAML::Mark& mark, const YAML::anchor_t anchor) override
+    {
+        static_cast<void>(anchor);
+        throw YamlError(file_, PlaceOf(mark), "alias", "the value itself; aliases are not allowed");
+    }
+    void OnScalar(const YAML::Mark& mark, const std::string& tag, const YAML::anchor_t anchor,
+                  const std::string& value) override
+    {
+        static_cast<void>(anchor);
+        YamlNode& node = Begin(mark, YamlKind::kScalar, tag);
+        node.scalar = value;
+        RequirePrintable(value, node.place);
+        node.is_quoted = tag == "!";
+        RequireClosed(mark, node.place);
+        End();
+    }
+    void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, const YAML::anchor_t anchor,
+                         const YAML::EmitterStyle::value style) override
+    {
+        static_cast<void>(anchor);
+        static_cast<void>(style);
+        Begin(mark, YamlKind::kSequence, tag);
+    }
+    void OnSequenceEnd() override
+    {
+        End();
+    }
+    void OnMapStart(const YAML::Mark& mark, const std::string& tag, const YAML::anchor_t anchor,
+                    const YAML::EmitterStyle::value style) override
+    {
+        static_cast<void>(anchor);
+        static_cast<void>(style);
+        Begin(mark, YamlKind::kMap, tag);
+    }
+    void OnMapEnd() override
+    {
+        End();
+    }
+
+    [[nodiscard]] YamlNode Take()
+    {
+        return std::move(root_);
+    }
+
+  private:
+    YamlNode& Begin(const YAML::Mark& mark, const YamlKind kind, const std::string& tag)
+    {
+        const Place place = PlaceOf(mark);
+        const bool is_plain = tag.empty() || tag == "?" || tag == "!";
+        if (!is_plain)
+        {
+            throw YamlError(file_, place, "tag " + Shown(tag), "a value without a tag");
+        }
+        ++count_;
+        if (count_ > kMaxYamlNodes)
+        {
+            throw YamlError(file_, place, "too many values", "at most " + std::to_string(kMaxYamlNodes));
+        }
+        if (stack_.size() >= kMaxYamlDepth)
+        {
+            throw YamlError(file_, place, "nested too deeply", "at most " + std::to_string(kMaxYamlDepth) + " levels");
+        }
+        stack_.emplace_back();
+        stack_.back().kind = kind;
+        stack_.back().place = place;
+        return stack_.back();
+    }
+
+    void End()
+    {
+        YamlNode node = std::move(stack_.back());
+        stack_.pop_back();
+        if (stack_.empty())
+        {
+            root_ = std::move(node);
+            return;
+        }
+        stack_.back().items.push_back(std::move(node));
+    }
+
+    /// Escapes of quoted text can make what RequireText refused in the file itself.
+    void RequirePrintable(const std::string& value, const Place place) const
+    {
+        for (std::size_t at = 0U; at < value.size();)
+        {
+            const std::size_t length = CharacterLength(value, at);
+            const bool is_control = length == 2U && static_cast<unsigned char>(value[at]) == 0xC2U &&
+                                    static_cast<unsigned char>(value[at + 1U]) < 0xA0U;
+            if (length == 0U || is_control)
+            {
+                throw YamlError(file_, place, "text with a character that is not printable", "printable text");
+            }
+            at += length;
+        }
+    }
+
+    /// The library takes the end of the file for the end of a quoted text.
+    void RequireClosed(const YAML::Mark& mark, const Place place) const
+    {
+        const auto begin = static_cast<std::size_t>(mark.pos);
+        const char quote = (begin < text_.size()) ? text_[begin] : ' ';
+        if (quote != '"' && quote != '\'')
+        {
+            return;
+        }
+        std::size_t at = begin + 1U;
+        while (at < text_.size() && text_[at] != quote)
+        {
+            at += (quote == '"' && text_[at] == '\\') ? 2U : 1U;
+        }
+        if (at >= text_.size())
+        {
+            throw YamlError(file_, place, "quoted text without an end", std::string("a closing ") + quote);
+        }
+    }
+
+    const std::string& file_;
+    const std::string& text_;
+    std::vector<YamlNode> stack_;
+    YamlNode root_;
+    std::size_t count_{0U};
+};
+
+void RequireText(const std::string& file, const std::string& text)
+{
+    Place place{1, 1};
+    std::size_t at = 0U;
+    while (at < text.size())
+    {
+        const std::size_t length = CharacterLength(text, at);
+        if (length == 0U)
+        {
+            std::ostringstream byte;
+            byte << "byte 0x" << std::hex << static_cast<unsigned>(static_cast<unsigned char>(text[at]));
+            throw YamlError(file, place, byte.str(), "UTF-8 text");
+        }
+        place.column = (text[at] == '\n') ? 1 : place.column + 1;
+        place.line += (text[at] == '\n') ? 1 : 0;
+        at += length;
+    }
+}
+
+std::string Normalised(const std::string& raw)
+{
+    const std::string mark = "\xEF\xBB\xBF";
+    std::string text;
+    text.reserve(raw.size());
+    for (std::size_t at = (raw.compare(0U, mark.size(), mark) == 0) ? mark.size() : 0U; at < raw.size(); ++at)
+    {
+        const bool is_return = raw[at] == '\r' && at + 1U < raw.size() && raw[at + 1U] == '\n';
+        if (!is_return)
+        {
+            text.push_back(raw[at]);
+        }
+    }
+    return text;
+}
+} // namespace
+
+YamlError::YamlError(const std::string& file, const Place place, const std::string& wrong, const std::string& expected)
+    : std::runtime_error(Message(file, place, wrong, expected))
+{
+}
+
+std::string Shown(const std::string_view text)
+{
+    constexpr std::size_t kMaxShown = 60U;
+    std::string shown = "'";
+    for (const char character : text.substr(0U, kMaxShown))
+    {
+        const auto code = static_cast<unsigned char>(character);
+        shown.push_back((code < 0x20U || code >= 0x7FU) ? '?' : character);
+    }
+    return shown + ((text.size() > kMaxShown) ? "...'" : "'");
+}
+
+std::string ReadYamlText(const std::string& file)
+{
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(file, error);
+    if (status.type() == std::filesystem::file_type::not_found)
+    {
+        throw YamlError(file, {}, "no such file", "a scenario");
+    }
+    if (status.type() == std::filesystem::file_type::none)
+    {
+        throw YamlError(file, {}, "cannot be opened (" + error.message() + ")", "a readable file");
+    }
+    if (!std::filesystem::is_regular_file(status))
+    {
+        throw YamlError(file, {}, "not a regular file", "a scenario");
+    }
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    if (error || size > kMaxYamlBytes)
+    {
+        throw YamlError(file, {}, std::to_string(size) + " bytes", "at most " + std::to_string(kMaxYamlBytes));
+    }
+    std::ifstream stream(file, std::ios::binary);
+    std::string raw(static_cast<std::size_t>(size), '\0');
+    stream.read(raw.data(), static_cast<std::streamsize>(raw.size()));
+    if (stream.gcount() != static_cast<std::streamsize>(raw.size()))
+    {
+        throw YamlError(file, {}, "cannot be read", "a readable file");
+    }
+    std::string text = Normalised(raw);
+    RequireText(file, text);
+    return text;
+}
+
+YamlNode ParseYaml(const std::string& file, const std::string& text)
+{
+    std::istringstream stream(text);
+    TreeBuilder builder(file, text);
+    try
+    {
+        YAML::Parser parser(stream);
+        if (!parser.HandleNextDocument(builder))
+        {
+            throw YamlError(file, {1, 1}, "no document", "a map with the keys of a scenario");
+        }
+        YamlNode root = builder.Take();
+        if (parser.HandleNextDocument(builder))
+        {
+            throw YamlError(file, builder.Take().place, "a second document", "one document");
+        }
+        return root;
+    }
+    catch (const YAML::Exception& exception)
+    {
+        throw YamlError(file, PlaceOf(exception.mark), "not YAML: " + exception.msg, "a YAML 1.2 document");
+    }
+}
+} // namespace counterpoint::runtime

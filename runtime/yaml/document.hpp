@@ -1,0 +1,62 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef RUNTIME_YAML_DOCUMENT_HPP
+#define RUNTIME_YAML_DOCUMENT_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace counterpoint::runtime
+{
+/// A place in a scenario file; both count from 1, 0 is the file as a whole.
+struct Place
+{
+    int line{0};
+    int column{0};
+};
+
+/// Refuses a scenario. what() is the one line that a person reads: FILE:LINE:COLUMN: WRONG, expected EXPECTED.
+class YamlError : public std::runtime_error
+{
+  public:
+    YamlError(const std::string& file, Place place, const std::string& wrong, const std::string& expected);
+};
+
+enum class YamlKind : std::uint8_t
+{
+    kNull = 0U,
+    kScalar = 1U,
+    kSequence = 2U,
+    kMap = 3U,
+};
+
+/// One node of a YAML document, with its place. Neither aliases nor tags get this far.
+struct YamlNode
+{
+    YamlKind kind{YamlKind::kNull};
+    bool is_quoted{false};
+    Place place;
+    std::string scalar;
+    std::vector<YamlNode> items; ///< Of a sequence; of a map: key, value, key, value, ...
+};
+
+constexpr std::size_t kMaxYamlBytes = 1024U * 1024U;
+constexpr std::size_t kMaxYamlDepth = 12U;
+constexpr std::size_t kMaxYamlNodes = 50000U;
+
+/// The text of a scenario file; LF line ends, no byte order mark. Throws YamlError for what is missing, no regular
+/// file, too large or not text. [SRS-SIM-010, SRS-SIM-011]
+[[nodiscard]] std::string ReadYamlText(const std::string& file);
+
+/// The one document in `text`. Throws YamlError. [SRS-SIM-010]
+[[nodiscard]] YamlNode ParseYaml(const std::string& file, const std::string& text);
+
+/// Text of a file for a message: in quotes, printable, shortened.
+[[nodiscard]] std::string Shown(std::string_view text);
+} // namespace counterpoint::runtime
+
+#endif // RUNTIME_YAML_DOCUMENT_HPP

@@ -1,0 +1,75 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "runtime/yaml/map.hpp"
+
+#include <algorithm>
+
+namespace counterpoint::runtime
+{
+using runtime::YamlNode;
+using runtime::YamlValue;
+
+YamlMap::YamlMap(const std::string& file, const YamlNode& node, const std::initializer_list<const char*> known)
+    : file_(file), value_(file, node)
+{
+    std::string names;
+    for (const char* const name : known)
+    {
+        names += (names.empty() ? "" : ", ") + std::string(name);
+    }
+    if (node.kind != runtime::YamlKind::kMap)
+    {
+        value_.Refuse(runtime::WhatIs(node), "a map with " + names);
+    }
+    for (std::size_t place = 0U; place + 1U < node.items.size(); place += 2U)
+    {
+        const YamlNode& key = node.items[place];
+        const bool is_known =
+            std::any_of(known.begin(), known.end(), [&key](const char* const name) { return key.scalar == name; });
+        if (!is_known)
+        {
+            YamlValue(file_, key).Refuse("unknown key " + runtime::Shown(key.scalar), names);
+        }
+        for (std::size_t before = 0U; before < place; before += 2U)
+        {
+            if (node.items[before].scalar == key.scalar)
+            {
+                YamlValue(file_, key).Refuse("key " + runtime::Shown(key.scalar) + " twice", "each key once");
+            }
+        }
+    }
+}
+
+std::optional<YamlValue> YamlMap::Find(const std::string& name) const
+{
+    const std::vector<YamlNode>& items = value_.Node().items;
+    for (std::size_t place = 0U; place + 1U < items.size(); place += 2U)
+    {
+        if (items[place].scalar == name)
+        {
+            return YamlValue(file_, items[place + 1U]);
+        }
+    }
+    return std::nullopt;
+}
+
+std::map<std::string, std::size_t> YamlMap::Lines() const
+{
+    std::map<std::string, std::size_t> lines;
+    const std::vector<YamlNode>& items = value_.Node().items;
+    for (std::size_t place = 0U; place + 1U < items.size(); place += 2U)
+    {
+        lines[items[place].scalar] = static_cast<std::size_t>(YamlValue(file_, items[place]).Where().place.line);
+    }
+    return lines;
+}
+
+YamlValue YamlMap::Require(const std::string& name) const
+{
+    const std::optional<YamlValue> found = Find(name);
+    if (!found)
+    {
+        value_.Refuse("no key '" + name + "'", "it here");
+    }
+    return *found;
+}
+} // namespace counterpoint::runtime

@@ -1,0 +1,59 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef RUNTIME_YAML_TAKE_HPP
+#define RUNTIME_YAML_TAKE_HPP
+
+#include "runtime/yaml/map.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace counterpoint::runtime
+{
+/// A number of the map, if it is there, within the range of its type.
+template <typename Number>
+void TakeNumber(const YamlMap& map, const char* key, std::optional<Number>& part, const std::uint64_t lowest,
+                const std::uint64_t highest = std::numeric_limits<Number>::max())
+{
+    if (const auto value = map.Find(key))
+    {
+        part = static_cast<Number>(value->Number({lowest, highest}));
+    }
+}
+
+/// A time in whole units of `unit` nanoseconds.
+template <typename Number>
+void TakeTime(const YamlMap& map, const char* key, std::optional<Number>& part, const runtime::Nanoseconds unit,
+              const char* unit_name)
+{
+    if (const auto value = map.Find(key))
+    {
+        const runtime::Nanoseconds time = value->Duration();
+        constexpr auto kMost = std::numeric_limits<Number>::max();
+        if (time % unit != 0 || static_cast<std::uint64_t>(time / unit) > kMost)
+        {
+            value->Refuse("a time that its object cannot hold",
+                          "whole " + std::string(unit_name) + ", at most " + std::to_string(kMost));
+        }
+        part = static_cast<Number>(time / unit);
+    }
+}
+
+template <typename Number> void TakeMs(const YamlMap& map, const char* key, std::optional<Number>& part)
+{
+    TakeTime(map, key, part, runtime::kNanosecondsPerMillisecond, "milliseconds");
+}
+
+template <typename Meaning, std::size_t kCount>
+void TakeWord(const YamlMap& map, const char* key, Meaning& part, const runtime::Word<Meaning> (&words)[kCount])
+{
+    if (const auto value = map.Find(key))
+    {
+        part = value->Choice(words);
+    }
+}
+
+} // namespace counterpoint::runtime
+
+#endif // RUNTIME_YAML_TAKE_HPP

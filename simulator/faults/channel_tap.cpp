@@ -1,0 +1,258 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "simulator/faults/channel_tap.hpp"
+
+namespace counterpoint::simulator
+{
+ChannelTap::ChannelTap(Channel& real, const Part part, PartFaults& faults, ChannelWitness* const witness) noexcept
+    : real_(real), part_(part), faults_(faults), witness_(witness)
+{
+}
+
+bool ChannelTap::IsStill() const noexcept
+{
+    const PartCondition& condition = faults_.Condition(part_);
+    if (!condition.is_faulty)
+    {
+        return false;
+    }
+    if (condition.kind == FaultKind::kHung)
+    {
+        faults_.Hang(condition);
+    }
+    if (condition.kind == FaultKind::kFrozen || condition.kind == FaultKind::kNotCalled)
+    {
+        faults_.HasEffect(condition);
+        return true;
+    }
+    return false;
+}
+
+bool ChannelTap::IsMute() const noexcept
+{
+    const PartCondition& condition = faults_.Condition(part_);
+    return condition.is_faulty && condition.kind == FaultKind::kNotCalled;
+}
+
+bool ChannelTap::IsGood() const noexcept
+{
+    const PartCondition& condition = faults_.Condition(part_);
+    return condition.is_faulty && condition.kind == FaultKind::kAlwaysGood;
+}
+
+std::uint32_t ChannelTap::Calls(const ChannelCall call, const bool matters) noexcept
+{
+    PartCondition& condition = faults_.Condition(part_);
+    const bool is_counted = condition.kind == FaultKind::kSkipped || condition.kind == FaultKind::kDoubled;
+    if (!condition.is_faulty || !is_counted || condition.call != call || condition.remaining == 0U)
+    {
+        return 1U;
+    }
+    if (matters)
+    {
+        --condition.remaining;
+        faults_.HasEffect(condition);
+    }
+    return (condition.kind == FaultKind::kSkipped) ? 0U : 2U;
+}
+
+void ChannelTap::Restart(const DeviceConfig& config) noexcept
+{
+    real_.Restart(config);
+    outcome_ = CycleOutcome{};
+    slot_count_ = config.srdo_count;
+    once_released_ = 0U;
+    held_.fill({});
+}
+
+void ChannelTap::Store(const ConfigItem& item) noexcept
+{
+    if (!IsStill())
+    {
+        real_.Store(item);
+    }
+}
+
+ConfigItem ChannelTap::Load(const ConfigAddress& address) const noexcept
+{
+    return real_.Load(address);
+}
+
+ChannelRoom ChannelTap::Room() const noexcept
+{
+    return real_.Room();
+}
+
+void ChannelTap::SetFields(const SlotIndex slot, const StaticFields& fields) noexcept
+{
+    if (!IsStill())
+    {
+        real_.SetFields(slot, fields);
+    }
+}
+
+DeviceDigest ChannelTap::Digest(const SlotIndex slot, const DeviceDigest before) const noexcept
+{
+    if (!IsStill())
+    {
+        digest_ = real_.Digest(slot, before);
+    }
+    return Told(digest_);
+}
+
+CheckResult ChannelTap::Validate(const SlotIndex slot) noexcept
+{
+    if (!IsStill())
+    {
+        check_ = real_.Validate(slot);
+    }
+    return Told(check_);
+}
+
+CheckResult ChannelTap::Recheck(const SlotIndex slot) noexcept
+{
+    if (!IsStill())
+    {
+        check_ = real_.Recheck(slot);
+    }
+    if (IsGood() && check_.fault != ConfigFault::kNone)
+    {
+        faults_.HasEffect(faults_.Condition(part_));
+        check_.fault = ConfigFault::kNone;
+    }
+    return Told(check_);
+}
+
+void ChannelTap::OnFrame(const CanFrame& frame, const Instant stamp) noexcept
+{
+    if (IsStill())
+    {
+        return;
+    }
+    const std::uint32_t calls = Calls(ChannelCall::kOnFrame, witness_ == nullptr || witness_->Concerns(frame));
+    for (std::uint32_t call = 0U; call < calls; ++call)
+    {
+        real_.OnFrame(frame, stamp);
+    }
+}
+
+CycleOutcome ChannelTap::OnCycle(const CycleInput& input) noexcept
+{
+    if (!IsStill())
+    {
+        outcome_ = Fresh(input);
+        once_released_ |= outcome_.released;
+    }
+    if (IsGood())
+    {
+        Whitewash(outcome_);
+    }
+    const CycleOutcome told = Told(outcome_);
+    if (witness_ != nullptr)
+    {
+        witness_->OnOutcome(part_, *this, told);
+    }
+    return told;
+}
+
+// A call that is left out leaves what was in the caller's memory: the outcome of the cycle before.
+CycleOutcome ChannelTap::Fresh(const CycleInput& input) noexcept
+{
+    CycleOutcome outcome = outcome_;
+    const std::uint32_t calls = Calls(ChannelCall::kOnCycle, true);
+    for (std::uint32_t call = 0U; call < calls; ++call)
+    {
+        outcome = real_.OnCycle(input);
+    }
+    return outcome;
+}
+
+HeldPair ChannelTap::Held(const SlotIndex slot) const noexcept
+{
+    if (slot >= slot_count_)
+    {
+        return HeldPair{}; // A comparator with a flipped bit asks for what is not there.
+    }
+    if (!IsStill())
+    {
+        const HeldPair held = real_.Held(slot);
+        held_[slot] = IsGood() ? GoodPair(slot, held) : held;
+    }
+    return Told(held_[slot]);
+}
+
+SrdoView ChannelTap::View(const SlotIndex slot) const noexcept
+{
+    if (!IsStill())
+    {
+        views_[slot] = real_.View(slot);
+    }
+    return Told(views_[slot]);
+}
+
+void ChannelTap::Demote(const SlotIndex slot) noexcept
+{
+    if (!IsStill() && slot < slot_count_)
+    {
+        real_.Demote(slot);
+    }
+}
+
+void ChannelTap::Commit(const Agreement& agreement) noexcept
+{
+    agreed_ = agreement.agreed;
+    if (!IsStill())
+    {
+        real_.Commit(agreement);
+    }
+}
+
+Permit ChannelTap::Answer(const std::uint32_t challenge) const noexcept
+{
+    if (!IsStill())
+    {
+        permit_ = real_.Answer(challenge);
+    }
+    if (IsGood())
+    {
+        GoodPermit(challenge);
+    }
+    return Told(permit_);
+}
+
+PreparedPair ChannelTap::Prepare(const SlotIndex slot) noexcept
+{
+    if (!IsStill())
+    {
+        prepared_ = real_.Prepare(slot);
+    }
+    return Told(prepared_);
+}
+
+Confirmation ChannelTap::OnConfirm(const CanFrame& frame, const Instant stamp) noexcept
+{
+    Confirmation confirmation{kNoSlot, ConfirmStep::kNone};
+    if (!IsStill())
+    {
+        confirmation = real_.OnConfirm(frame, stamp);
+    }
+    return confirmation;
+}
+
+CanFrame ChannelTap::InverseFrame(const SlotIndex slot) noexcept
+{
+    CanFrame frame{};
+    if (!IsStill())
+    {
+        frame = real_.InverseFrame(slot);
+    }
+    return frame;
+}
+
+void ChannelTap::OnTransmitFault(const SlotIndex slot, const TransmitFault& fault) noexcept
+{
+    if (!IsStill())
+    {
+        real_.OnTransmitFault(slot, fault);
+    }
+}
+} // namespace counterpoint::simulator

@@ -1,0 +1,85 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "simulator/faults/frame_faults.hpp"
+
+#include <utility>
+
+namespace counterpoint::simulator
+{
+namespace
+{
+/// Far apart from the numbers of the frame faults.
+constexpr std::uint64_t kControllerSalt = 0xC0117501U;
+} // namespace
+
+bool ActsInControllers(const FaultKind kind) noexcept
+{
+    return kind == FaultKind::kQueueFull || kind == FaultKind::kSwallowed || kind == FaultKind::kWireError ||
+           kind == FaultKind::kConfirmation;
+}
+
+ControllerFaults::ControllerFaults(const FaultStage& stage, std::vector<FrameSelector> selectors)
+    : stage_(stage), teller_(stage_), random_(stage.scenario.seed + kControllerSalt), selectors_(std::move(selectors))
+{
+}
+
+const FrameSelector* ControllerFaults::Hit(const FaultKind one, const FaultKind other, const CanFrame& frame,
+                                           const host::NodeIndex sender)
+{
+    const FrameSelector* hit = nullptr;
+    for (FrameSelector& selector : selectors_)
+    {
+        if (selector.Fault().kind != one && selector.Fault().kind != other)
+        {
+            continue;
+        }
+        selector.Examine(frame, stage_.places[sender].node, stage_.bus.Now(), random_);
+        hit = (hit == nullptr && selector.IsChosen()) ? &selector : hit;
+    }
+    if (hit != nullptr)
+    {
+        teller_.Tell(hit->Index(), stage_.places[sender].node, frame.identifier, stage_.bus.Now());
+    }
+    return hit;
+}
+
+host::SubmitFate ControllerFaults::OnSubmit(CanFrame& frame, const host::NodeIndex sender, const host::BusTime now)
+{
+    static_cast<void>(now);
+    if (stage_.places[sender].fault != kNoFaultIndex)
+    {
+        return host::SubmitFate::kQueued;
+    }
+    const FrameSelector* const hit = Hit(FaultKind::kQueueFull, FaultKind::kSwallowed, frame, sender);
+    if (hit == nullptr)
+    {
+        return host::SubmitFate::kQueued;
+    }
+    return (hit->Fault().kind == FaultKind::kQueueFull) ? host::SubmitFate::kQueueFull : host::SubmitFate::kSwallowed;
+}
+
+host::WireHit ControllerFaults::OnWire(const host::FrameOnBus& sent)
+{
+    const FrameSelector* const hit = Hit(FaultKind::kWireError, FaultKind::kWireError, sent.frame, sent.sender);
+    return host::WireHit{(hit == nullptr) ? host::WireHit::kNone : std::uint16_t{hit->Fault().bit}};
+}
+
+void ControllerFaults::OnConfirmation(const host::FrameOnBus& sent, host::ReceptionList& receptions)
+{
+    const FrameSelector* const hit = Hit(FaultKind::kConfirmation, FaultKind::kConfirmation, sent.frame, sent.sender);
+    if (hit == nullptr || receptions.IsEmpty())
+    {
+        return;
+    }
+    if (hit->Fault().how == Wrongness::kMissing)
+    {
+        receptions.Clear();
+        return;
+    }
+    receptions[0U].delay += (hit->Fault().how == Wrongness::kLate) ? hit->Fault().by : 0;
+    for (const std::uint8_t bit : hit->Fault().bits)
+    {
+        std::uint8_t& byte = receptions[0U].frame.data[bit / 8U];
+        byte = static_cast<std::uint8_t>(byte ^ (1U << (bit % 8U)));
+    }
+}
+} // namespace counterpoint::simulator

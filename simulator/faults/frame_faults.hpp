@@ -1,0 +1,107 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SIMULATOR_FAULTS_FRAME_FAULTS_HPP
+#define SIMULATOR_FAULTS_FRAME_FAULTS_HPP
+
+#include "simulator/faults/frame_selector.hpp"
+#include "simulator/faults/random.hpp"
+#include "simulator/journal/bus_place.hpp"
+#include "simulator/journal/journal.hpp"
+#include "simulator/scenario/scenario.hpp"
+
+#include "hal/host/virtual/bus.hpp"
+#include "hal/host/virtual/bus_fault.hpp"
+
+#include <cstddef>
+#include <map>
+#include <vector>
+
+namespace counterpoint::simulator
+{
+/// What the faults on frames share. Everything outlives them.
+struct FaultStage
+{
+    const Scenario& scenario;
+    const host::VirtualBus& bus;
+    const BusPlaces& places;
+    Journal& journal;
+};
+
+/// Tells the journal of frames that a fault has changed, and of its first effect.
+class EffectTeller
+{
+  public:
+    explicit EffectTeller(const FaultStage& stage) noexcept;
+    void Tell(std::size_t fault, NodeIndex receiver, std::uint32_t identifier, Nanoseconds at);
+
+  private:
+    const FaultStage& stage_;
+    std::vector<std::size_t> told_; ///< Faults whose first effect is in the journal.
+};
+
+/// The faults that act on frames on their way to receivers, and the effects of frames that faults have sent. Selectors
+/// come in the order of the scenario. [SRS-SIM-020, SRS-SIM-027]
+class FrameFaults final : public host::BusFault
+{
+  public:
+    FrameFaults(const FaultStage& stage, std::vector<FrameSelector> selectors);
+
+    void OnReception(const host::FrameOnBus& sent, host::NodeIndex receiver, host::ReceptionList& receptions) override;
+    /// @brief Copies of frames that did not fit any more, by fault. [SRS-SIM-017]
+    [[nodiscard]] const std::map<std::size_t, std::uint32_t>& Dropped() const noexcept;
+
+  private:
+    /// A frame held back until the next one has come (wrong sequence).
+    struct Held
+    {
+        host::NodeIndex receiver{0U};
+        std::size_t fault{0U};
+        CanFrame frame{};
+    };
+
+    void TellForeign(const host::FrameOnBus& sent, NodeIndex receiver);
+    void ForForeign(const BusPlace& place, const host::FrameOnBus& sent, host::ReceptionList& receptions) const;
+    [[nodiscard]] bool Apply(const FrameSelector& selector, host::NodeIndex receiver, host::ReceptionList& receptions);
+    [[nodiscard]] bool Change(const FaultSetup& fault, host::ReceptionList& receptions) const;
+    void Repeat(const FrameSelector& selector, host::NodeIndex receiver, host::ReceptionList& receptions);
+    void Store(const FrameSelector& selector, host::NodeIndex receiver, host::ReceptionList& receptions);
+    void ReleaseHeld(host::NodeIndex receiver, host::ReceptionList& receptions);
+
+    FaultStage stage_;
+    EffectTeller teller_;
+    Random random_;
+    std::vector<FrameSelector> selectors_;
+    std::vector<Held> held_;
+    std::map<std::pair<std::size_t, host::NodeIndex>, Nanoseconds>
+        let_go_; ///< Store and forward: the last frame's time.
+    std::map<std::size_t, std::uint32_t> dropped_;
+    host::BusTime frame_start_{-1};
+};
+
+/// The faults of controllers that act on single frames: refused, swallowed, destroyed on the wire, and confirmations.
+/// [SRS-SIM-027]
+class ControllerFaults final : public host::BusFault
+{
+  public:
+    ControllerFaults(const FaultStage& stage, std::vector<FrameSelector> selectors);
+
+    host::SubmitFate OnSubmit(CanFrame& frame, host::NodeIndex sender, host::BusTime now) override;
+    host::WireHit OnWire(const host::FrameOnBus& sent) override;
+    void OnConfirmation(const host::FrameOnBus& sent, host::ReceptionList& receptions) override;
+
+  private:
+    /// @brief The first fault of these kinds that hits the frame; nullptr: none.
+    [[nodiscard]] const FrameSelector* Hit(FaultKind one, FaultKind other, const CanFrame& frame,
+                                           host::NodeIndex sender);
+
+    FaultStage stage_;
+    EffectTeller teller_;
+    Random random_;
+    std::vector<FrameSelector> selectors_;
+};
+
+/// Which of the two classes makes a fault.
+[[nodiscard]] bool ActsOnReceptions(FaultKind kind) noexcept;
+[[nodiscard]] bool ActsInControllers(FaultKind kind) noexcept;
+} // namespace counterpoint::simulator
+
+#endif // SIMULATOR_FAULTS_FRAME_FAULTS_HPP

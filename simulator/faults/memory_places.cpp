@@ -1,0 +1,161 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "simulator/faults/memory_places.hpp"
+
+namespace counterpoint::simulator
+{
+namespace
+{
+// The language lets an explicit instantiation name private members. That is how a fault gets at the kernel's memory
+// without the kernel knowing: friend functions declared here, defined for each member named below.
+template <typename Tag, typename Tag::Member kMember> struct Opened
+{
+    friend typename Tag::Member Open(Tag tag)
+    {
+        static_cast<void>(tag);
+        return kMember;
+    }
+};
+
+struct LatchTag
+{
+    using Member = SafeStateLatch Kernel::*;
+    friend Member Open(LatchTag tag);
+};
+struct GuardTag
+{
+    using Member = ConfigurationGuard Kernel::*;
+    friend Member Open(GuardTag tag);
+};
+struct ComparatorTag
+{
+    using Member = Comparator Kernel::*;
+    friend Member Open(ComparatorTag tag);
+};
+struct FlowTag
+{
+    using Member = FlowMonitor Kernel::*;
+    friend Member Open(FlowTag tag);
+};
+struct ClocksTag
+{
+    using Member = ClockSupervisor Kernel::*;
+    friend Member Open(ClocksTag tag);
+};
+struct RunTag
+{
+    using Member = KernelRun Kernel::*;
+    friend Member Open(RunTag tag);
+};
+struct GuardValidTag
+{
+    using Member = std::uint8_t ConfigurationGuard::*;
+    friend Member Open(GuardValidTag tag);
+};
+struct GuardCountTag
+{
+    using Member = std::uint32_t ConfigurationGuard::*;
+    friend Member Open(GuardCountTag tag);
+};
+
+template struct Opened<LatchTag, &Kernel::latch_>;
+template struct Opened<GuardTag, &Kernel::guard_>;
+template struct Opened<ComparatorTag, &Kernel::comparator_>;
+template struct Opened<FlowTag, &Kernel::flow_>;
+template struct Opened<ClocksTag, &Kernel::clocks_>;
+template struct Opened<RunTag, &Kernel::run_>;
+template struct Opened<GuardValidTag, &ConfigurationGuard::valid_>;
+template struct Opened<GuardCountTag, &ConfigurationGuard::cycles_to_check_>;
+
+template <typename Object> MemoryPiece PieceOf(Object& object)
+{
+    return {reinterpret_cast<std::uint8_t*>(&object), sizeof(object)};
+}
+
+std::vector<MemoryPiece> StateOf(KernelRun& run)
+{
+    return {PieceOf(run.committed), PieceOf(run.requests),       PieceOf(run.now),  PieceOf(run.gfc_until),
+            PieceOf(run.cycle),     PieceOf(run.cycles_to_test), PieceOf(run.queue)};
+}
+} // namespace
+
+std::vector<MemoryPiece> PiecesOf(const Part part, Kernel& kernel)
+{
+    switch (part)
+    {
+    case Part::kLatch:
+        return {PieceOf(kernel.*Open(LatchTag{}))};
+    case Part::kComparator:
+        return {PieceOf(kernel.*Open(ComparatorTag{}))};
+    case Part::kFlowMonitor:
+        return {PieceOf(kernel.*Open(FlowTag{}))};
+    case Part::kClocks:
+        return {PieceOf(kernel.*Open(ClocksTag{}))};
+    case Part::kGuard:
+    {
+        ConfigurationGuard& guard = kernel.*Open(GuardTag{});
+        return {PieceOf(guard.*Open(GuardValidTag{})), PieceOf(guard.*Open(GuardCountTag{}))};
+    }
+    default:
+        return StateOf(kernel.*Open(RunTag{}));
+    }
+}
+
+std::vector<MemoryPiece> PiecesOf(const Part part, runtime::DeviceModel& model, const std::uint8_t srdo)
+{
+    std::vector<MemoryPiece> pieces;
+    if (part == Part::kVariables)
+    {
+        return {{model.Memory().data(), model.Memory().size()}};
+    }
+    if (part == Part::kObjects)
+    {
+        for (MappableObject& object : model.ObjectTable())
+        {
+            pieces.push_back(PieceOf(object.index));
+            pieces.push_back(PieceOf(object.sub));
+            pieces.push_back(PieceOf(object.access));
+        }
+        return pieces;
+    }
+    const SlotIndex slot = model.SlotOf(srdo).value_or(0U);
+    SrdoSetup& setup = model.SetupTable()[slot];
+    if (part == Part::kSetup)
+    {
+        pieces = {PieceOf(setup.number), PieceOf(setup.policy), PieceOf(setup.form), PieceOf(setup.detection)};
+    }
+    pieces.push_back(PieceOf(setup.safe_value));
+    runtime::StaticTable* const table = model.StaticTableOf(model.NumberOf(slot));
+    if (part == Part::kSetup && table != nullptr)
+    {
+        // The places the pointer leads to, not the pointer: a wild one is the processor's affair.
+        pieces.push_back(PieceOf(setup.map.count));
+        pieces.push_back(
+            {reinterpret_cast<std::uint8_t*>(table->entries.data()), table->count * sizeof(std::uint32_t)});
+    }
+    return pieces;
+}
+
+std::size_t SizeOf(const std::vector<MemoryPiece>& pieces)
+{
+    std::size_t size = 0U;
+    for (const MemoryPiece& piece : pieces)
+    {
+        size += piece.size;
+    }
+    return size;
+}
+
+void FlipIn(const std::vector<MemoryPiece>& pieces, const std::size_t offset, const std::uint8_t bit)
+{
+    std::size_t place = offset;
+    for (const MemoryPiece& piece : pieces)
+    {
+        if (place < piece.size)
+        {
+            piece.bytes[place] = static_cast<std::uint8_t>(piece.bytes[place] ^ (1U << bit));
+            return;
+        }
+        place -= piece.size;
+    }
+}
+} // namespace counterpoint::simulator

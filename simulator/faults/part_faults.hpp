@@ -1,0 +1,66 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SIMULATOR_FAULTS_PART_FAULTS_HPP
+#define SIMULATOR_FAULTS_PART_FAULTS_HPP
+
+#include "simulator/journal/bus_place.hpp"
+#include "simulator/scenario/scenario.hpp"
+
+#include <array>
+#include <csetjmp>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace counterpoint::simulator
+{
+
+/// What is wrong with one part of a node at present.
+struct PartCondition
+{
+    bool is_faulty{false};
+    FaultKind kind{FaultKind::kFrozen};
+    ChannelCall call{ChannelCall::kOnCycle};
+    Wrongness how{Wrongness::kNone};
+    std::uint32_t remaining{0U}; ///< Calls that are still to be skipped or doubled.
+    std::size_t fault{kNoFaultIndex};
+};
+
+/// The conditions of all parts of one node, when each fault had its first effect, and the way out of a call that hangs.
+class PartFaults
+{
+  public:
+    PartFaults() = default;
+
+    void Begin(const FaultSetup& fault, std::size_t index);
+    void End(const FaultSetup& fault);
+    void SetNow(Nanoseconds now) noexcept;
+
+    [[nodiscard]] PartCondition& Condition(Part part) noexcept;
+    /// @brief The fault changes something now: remembered if it is the first time.
+    void HasEffect(const PartCondition& condition) noexcept;
+    /// @brief Leaves the call and everything that called it, for good. [SRS-SIM-025]
+    [[noreturn]] void Hang(const PartCondition& condition) noexcept;
+    /// @brief Leaves the call likewise, as an exception of the processor does. [SRS-SIM-055]
+    [[noreturn]] void Trap() noexcept;
+    /// @brief Where both lead to.
+    [[nodiscard]] std::jmp_buf& WayOut() noexcept;
+    [[nodiscard]] Nanoseconds Now() const noexcept
+    {
+        return now_;
+    }
+    /// @brief Whether a trap was the way out since the last call.
+    [[nodiscard]] bool TakeTrap() noexcept;
+    /// @brief First effects since the last call: index of the fault and time.
+    [[nodiscard]] std::vector<std::pair<std::size_t, Nanoseconds>> TakeEffects();
+
+  private:
+    std::array<PartCondition, kPartCount> conditions_{};
+    std::vector<std::pair<std::size_t, Nanoseconds>> effects_;
+    std::vector<std::size_t> seen_;
+    Nanoseconds now_{0};
+    bool is_trapped_{false};
+    std::jmp_buf way_out_{};
+};
+} // namespace counterpoint::simulator
+
+#endif // SIMULATOR_FAULTS_PART_FAULTS_HPP

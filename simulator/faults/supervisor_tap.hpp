@@ -1,0 +1,54 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SIMULATOR_FAULTS_SUPERVISOR_TAP_HPP
+#define SIMULATOR_FAULTS_SUPERVISOR_TAP_HPP
+
+#include "simulator/faults/part_faults.hpp"
+
+#include "safety_core/comparator/comparator.hpp"
+#include "safety_core/kernel/configuration_guard.hpp"
+#include "safety_core/kernel/flow_monitor.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::simulator
+{
+/// Stands between the kernel and comparator, flow monitor and configuration guard. They are no interfaces, so the
+/// linker puts the tap there (--wrap, see CMakeLists.txt): the shipped objects stay as they are. Without an active tap
+/// every call goes straight through. [SRS-SIM-022]
+class SupervisorTap
+{
+  public:
+    explicit SupervisorTap(PartFaults& faults) noexcept;
+
+    /// @brief While it lives, the calls of this thread go through `tap`.
+    class Scope
+    {
+      public:
+        explicit Scope(SupervisorTap* tap) noexcept;
+        ~Scope();
+        Scope(const Scope&) = delete;
+        Scope& operator=(const Scope&) = delete;
+    };
+
+    /// @brief Calls of this thread that the linker led through a tap so far, by part: shows that the wraps take hold.
+    [[nodiscard]] static std::uint64_t Intercepted(Part part) noexcept;
+
+    // What the linker leads here. [counterpoint::Comparator::Compare and so on]
+    [[nodiscard]] Verdict Compare(Comparator& self, const Comparison& comparison) noexcept;
+    void FlowBegin(FlowMonitor& self) noexcept;
+    void FlowMark(FlowMonitor& self, FlowStep step, const FlowEvidence& evidence) noexcept;
+    [[nodiscard]] hal::WatchdogAnswer FlowEnd(FlowMonitor& self, const hal::WatchdogQuestion& question) noexcept;
+    [[nodiscard]] std::uint32_t GuardCycle(ConfigurationGuard& self, std::uint32_t challenge) noexcept;
+
+  private:
+    /// @brief Whether the part is not to be called; one that hangs does not return from here.
+    [[nodiscard]] bool IsStill(Part part) noexcept;
+
+    PartFaults& faults_;
+    Verdict verdict_{};
+    hal::WatchdogAnswer answer_{};
+    std::uint32_t token_{0U};
+};
+} // namespace counterpoint::simulator
+
+#endif // SIMULATOR_FAULTS_SUPERVISOR_TAP_HPP

@@ -1,0 +1,127 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SIMULATOR_JOURNAL_JOURNAL_HPP
+#define SIMULATOR_JOURNAL_JOURNAL_HPP
+
+#include "simulator/scenario/scenario.hpp"
+
+#include "hal/host/virtual/bus.hpp"
+#include "safety_core/contract/can_frame.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace counterpoint::simulator
+{
+/// What happened. `node` and `srdo` (a number, 0: none) say where; `value` and `other` say what.
+enum class EventKind : std::uint8_t
+{
+    kNmt = 1U,         ///< value: NmtState.
+    kInput = 2U,       ///< value: the new value; other: index << 8 | sub.
+    kAcknowledge = 3U, ///< value: level.
+    kGfc = 4U,         ///< value: 1 sent, 0 refused.
+    kPowerOn = 5U,
+    kFault = 6U, ///< A fault had its first effect. value: index in Scenario::faults.
+    kFrameChanged =
+        7U,      ///< A receiver gets something else than what was sent. value: identifier; other: index of the fault.
+    kViewA = 8U, ///< Channel A shows a new state. value: SrdoState.
+    kViewB = 9U,
+    kCauseA = 10U, ///< Channel A reports a fault of an SRDO. value: first SrdoCause; other: signals of this cycle.
+    kCauseB = 11U,
+    kVerdict = 12U,     ///< The comparator's masks changed. value: agreed; other: matched.
+    kDemotion = 13U,    ///< value: mask.
+    kPermits = 14U,     ///< A party's permit changed. value: mask that all three give; other: 1 when all responses fit.
+    kOutput = 15U,      ///< value: 1 open, 0 closed.
+    kValue = 16U,       ///< What the application uses changed. value; other: index << 8 | sub.
+    kSignal = 17U,      ///< The application was told of a cause. value: SrdoCause.
+    kDeviceFault = 18U, ///< value: DeviceFault; other: that of the comparator's verdict.
+    kWatchdog = 19U,    ///< The watchdog tripped.
+    kHung = 20U,        ///< The node stands still. value: 0 a call did not return, 1 exception, 2 nothing runs.
+    kConfigurationInvalid = 21U,
+    kReception = 22U, ///< A consumer got a frame. value: identifier; other: 1 when it completed a good pair.
+    kPowerOff = 23U,
+    kNoStart = 24U,     ///< The kernel refused to start, or its configuration.
+    kSelfTest = 25U,    ///< A self test failed. value: selftest::TestId.
+    kLink = 26U,        ///< The link to the other CPU changed. value: LinkState; other: LinkFinding.
+    kLinkMessage = 27U, ///< A message does not arrive here as it was sent. other: index of the fault.
+};
+
+struct Event
+{
+    Nanoseconds at{0};
+    EventKind kind{EventKind::kNmt};
+    NodeIndex node{kNoNode};
+    std::uint8_t srdo{0U};
+    std::uint64_t value{0U};
+    std::uint64_t other{0U};
+    Nanoseconds since{-1};   ///< kOutput: normal frame of the last good pair; see PairTimes.
+    Nanoseconds inverse{-1}; ///< kOutput: last inverse frame.
+};
+
+/// One frame as it was on the bus; or an inserted one that one receiver alone gets (`sender` kNoNode).
+struct FrameEntry
+{
+    Nanoseconds start{0};
+    Nanoseconds end{0};
+    CanFrame frame{};
+    NodeIndex sender{kNoNode};
+    host::FrameFate fate{host::FrameFate::kComplete};
+};
+
+/// Everything that happened, in order of time. What decides about expectations is always kept; what only people look at
+/// is kept when somebody asked for it. [SRS-SIM-040, SRS-SIM-046]
+class Journal
+{
+  public:
+    explicit Journal(bool keeps_all) : keeps_all_(keeps_all)
+    {
+    }
+
+    [[nodiscard]] bool KeepsAll() const noexcept
+    {
+        return keeps_all_;
+    }
+    /// @brief Something that expectations need.
+    void Note(const Event& event)
+    {
+        events_.push_back(event);
+    }
+    /// @brief Something for people.
+    void Tell(const Event& event)
+    {
+        if (keeps_all_)
+        {
+            events_.push_back(event);
+        }
+    }
+    void Tell(const FrameEntry& frame)
+    {
+        if (keeps_all_)
+        {
+            frames_.push_back(frame);
+        }
+    }
+    /// @brief In order of time; what was told at one instant keeps its order. Some effects are told before they come.
+    void Sort()
+    {
+        std::stable_sort(events_.begin(), events_.end(),
+                         [](const Event& left, const Event& right) { return left.at < right.at; });
+    }
+    [[nodiscard]] const std::vector<Event>& Events() const noexcept
+    {
+        return events_;
+    }
+    [[nodiscard]] const std::vector<FrameEntry>& Frames() const noexcept
+    {
+        return frames_;
+    }
+
+  private:
+    bool keeps_all_;
+    std::vector<Event> events_;
+    std::vector<FrameEntry> frames_;
+};
+} // namespace counterpoint::simulator
+
+#endif // SIMULATOR_JOURNAL_JOURNAL_HPP

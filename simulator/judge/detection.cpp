@@ -1,0 +1,144 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "simulator/judge/verdicts.hpp"
+#include "simulator/scenario/names.hpp"
+
+namespace counterpoint::simulator
+{
+namespace
+{
+/// What was noticed at one instant.
+struct Findings
+{
+    const Event* device_fault{nullptr};
+    const Event* watchdog{nullptr};
+    const Event* cause_a{nullptr};
+    const Event* cause_b{nullptr};
+    const Event* closed{nullptr};
+    Nanoseconds at{-1};
+};
+
+bool IsFinding(const Event& event)
+{
+    return event.kind == EventKind::kDeviceFault || event.kind == EventKind::kWatchdog ||
+           event.kind == EventKind::kCauseA || event.kind == EventKind::kCauseB ||
+           (event.kind == EventKind::kOutput && event.value == 0U);
+}
+
+void Keep(const Event*& place, const Event& event)
+{
+    place = (place == nullptr) ? &event : place;
+}
+
+void Add(Findings& findings, const Event& event)
+{
+    findings.at = event.at;
+    if (event.kind == EventKind::kDeviceFault)
+    {
+        Keep(findings.device_fault, event);
+    }
+    else if (event.kind == EventKind::kWatchdog)
+    {
+        Keep(findings.watchdog, event);
+    }
+    else if (event.kind == EventKind::kCauseA)
+    {
+        Keep(findings.cause_a, event);
+    }
+    else if (event.kind == EventKind::kCauseB)
+    {
+        Keep(findings.cause_b, event);
+    }
+    else
+    {
+        Keep(findings.closed, event);
+    }
+}
+
+Party PartyOf(const Event& device_fault)
+{
+    const auto fault = static_cast<DeviceFault>(device_fault.value);
+    const bool is_verdict = device_fault.value == device_fault.other;
+    switch (fault)
+    {
+    case DeviceFault::kDisagreement:
+    case DeviceFault::kUnmatched:
+        return is_verdict ? Party::kComparator : Party::kGuard;
+    case DeviceFault::kGuard:
+    case DeviceFault::kConfiguration:
+        return Party::kChannels;
+    case DeviceFault::kComparator:
+        return Party::kKernel;
+    case DeviceFault::kFlow:
+        return Party::kFlowMonitor;
+    case DeviceFault::kClock:
+    case DeviceFault::kLateCall:
+    case DeviceFault::kFrameOrder:
+        return Party::kClockSupervisor;
+    case DeviceFault::kSelfTest:
+        return Party::kSelfTest;
+    case DeviceFault::kCrossLink:
+        return Party::kCrossLink;
+    case DeviceFault::kInvalid:
+    case DeviceFault::kApplication:
+    case DeviceFault::kHandshake:
+    case DeviceFault::kNone:
+        break;
+    }
+    return Party::kKernel;
+}
+
+/// The cause of this cycle: the first cause if it is among the signalled ones, or was signalled before; else the
+/// lowest.
+SrdoCause CauseOf(const Event& event)
+{
+    const bool is_first = event.other == 0U || event.value >= 32U || ((event.other >> event.value) & 1U) != 0U;
+    for (std::uint32_t cause = 1U; !is_first && cause < 32U; ++cause)
+    {
+        if (((event.other >> cause) & 1U) != 0U)
+        {
+            return static_cast<SrdoCause>(cause);
+        }
+    }
+    return static_cast<SrdoCause>(event.value);
+}
+
+Detection Conclude(const Findings& findings)
+{
+    if (findings.device_fault != nullptr)
+    {
+        return {PartyOf(*findings.device_fault), Name(static_cast<DeviceFault>(findings.device_fault->value)),
+                findings.at};
+    }
+    if (findings.cause_a != nullptr || findings.cause_b != nullptr)
+    {
+        const bool is_both = findings.cause_a != nullptr && findings.cause_b != nullptr;
+        const Event& first = (findings.cause_a != nullptr) ? *findings.cause_a : *findings.cause_b;
+        const Party one = (findings.cause_a != nullptr) ? Party::kChannelA : Party::kChannelB;
+        return {is_both ? Party::kChannels : one, Name(CauseOf(first)), findings.at};
+    }
+    if (findings.watchdog != nullptr)
+    {
+        return {Party::kWatchdog, "wrong_or_no_answer", findings.at};
+    }
+    return {Party::kOutputGate, "no_right_permits", findings.at};
+}
+} // namespace
+
+Detection DetectionAt(const Journal& journal, const NodeIndex node, const Nanoseconds from)
+{
+    Findings findings;
+    for (const Event& event : journal.Events())
+    {
+        const bool is_here = event.node == node && event.at >= from && IsFinding(event);
+        if (is_here && findings.at >= 0 && event.at > findings.at)
+        {
+            break;
+        }
+        if (is_here)
+        {
+            Add(findings, event);
+        }
+    }
+    return (findings.at < 0) ? Detection{} : Conclude(findings);
+}
+} // namespace counterpoint::simulator

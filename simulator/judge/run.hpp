@@ -1,0 +1,58 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SIMULATOR_JUDGE_RUN_HPP
+#define SIMULATOR_JUDGE_RUN_HPP
+
+#include "simulator/journal/journal.hpp"
+#include "simulator/judge/verdicts.hpp"
+#include "simulator/scenario/scenario.hpp"
+#include "simulator/world/network.hpp"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace counterpoint::simulator
+{
+/// A scenario, simulated and judged. Stays where it is: its parts refer to each other.
+class Run
+{
+  public:
+    /// @brief Reads and builds; nothing has happened yet. Throws YamlError and cia306::InputError.
+    Run(const std::string& file, std::optional<std::uint64_t> seed, std::optional<Nanoseconds> until, bool keeps_all);
+
+    /// @brief The same of a scenario that was read already.
+    Run(const Scenario& scenario, std::optional<Nanoseconds> until, bool keeps_all);
+
+    Run(const Run&) = delete;
+    Run& operator=(const Run&) = delete;
+
+    /// @brief Lets the time of the scenario pass and judges. `progress` is told now and then how much of it is over.
+    void Simulate(const std::function<void(Nanoseconds)>& progress);
+
+    [[nodiscard]] const Scenario& Setting() const noexcept;
+    [[nodiscard]] const Journal& Record() const noexcept;
+    [[nodiscard]] Network& Devices() noexcept;
+    [[nodiscard]] const runtime::DeviceModel& ModelOf(NodeIndex node) const;
+    [[nodiscard]] const std::vector<ExpectationVerdict>& Verdicts() const noexcept;
+    /// @brief One line for each fault that never changed anything. [SRS-SIM-015]
+    [[nodiscard]] std::vector<std::string> FaultsWithoutEffect() const;
+    /// @brief One line for each thing of the scenario that --until cut off, and for copies of frames that were dropped.
+    /// [SRS-SIM-016, SRS-SIM-017]
+    [[nodiscard]] std::vector<std::string> Findings() const;
+    /// @brief Whether all expectations hold.
+    [[nodiscard]] bool Holds() const noexcept;
+    /// @brief The first expectation with a limit, if any.
+    [[nodiscard]] const Measurement* FirstMeasurement() const noexcept;
+    [[nodiscard]] const std::string& NodeName(NodeIndex node) const;
+
+  private:
+    Scenario scenario_;
+    Journal journal_;
+    std::unique_ptr<Network> network_;
+    std::vector<ExpectationVerdict> verdicts_;
+};
+} // namespace counterpoint::simulator
+
+#endif // SIMULATOR_JUDGE_RUN_HPP

@@ -1,0 +1,75 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SIMULATOR_JUDGE_SWEEP_HPP
+#define SIMULATOR_JUDGE_SWEEP_HPP
+
+#include "simulator/judge/verdicts.hpp"
+#include "simulator/scenario/reader.hpp"
+
+#include <functional>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace counterpoint::simulator
+{
+/// One key of a scenario and the values that it takes.
+struct SweepAxis
+{
+    std::string path; ///< faults.NAME.at, duration, nodes.sensor.counter_a.ppm: keys, names or numbers from 0, joined
+                      ///< by points.
+    bool is_time{false};
+    std::vector<std::int64_t> values; ///< Nanoseconds, or plain numbers.
+
+    [[nodiscard]] std::string Text(std::size_t place) const;
+};
+
+constexpr std::size_t kMostSweepRuns = 20000U;
+
+/// @brief From "NAME=FROM:TO:STEP". Throws YamlError. [SRS-SIM-050]
+[[nodiscard]] SweepAxis ParseSweepAxis(const std::string& text);
+/// @brief Puts `value` where `path` leads to; a key of a map that is not there yet is added. Throws YamlError.
+void SetByPath(std::vector<ScenarioDocument>& documents, const std::string& path, const std::string& value);
+
+/// One run of a sweep.
+struct SweepRow
+{
+    std::vector<std::size_t> places; ///< Into the values of each axis.
+    std::optional<Measurement> measurement;
+    bool holds{false};
+    std::string failure; ///< The first expectation that did not come; "" if all did.
+
+    /// @brief From the first effect to its detection; -1: none.
+    [[nodiscard]] Nanoseconds DetectionTime() const noexcept;
+};
+
+struct SweepResult
+{
+    std::string scenario; ///< File name without folder.
+    std::string title;
+    std::vector<SweepAxis> axes;
+    std::vector<SweepRow> rows;
+
+    [[nodiscard]] bool Holds() const noexcept;
+    /// @brief The row that comes nearest to its limit; nullptr: nothing was measured.
+    [[nodiscard]] const SweepRow* Worst() const noexcept;
+};
+
+struct SweepOptions
+{
+    std::optional<std::uint64_t> seed;
+    std::optional<Nanoseconds> until;
+};
+
+/// @brief Runs the scenario for each combination. `progress` is told which part is over. Throws YamlError and
+/// cia306::InputError.
+[[nodiscard]] SweepResult RunSweep(const std::string& file, const std::vector<SweepAxis>& axes,
+                                   const SweepOptions& options, const std::function<void(double)>& progress);
+
+/// [SRS-SIM-050, SRS-SIM-051]
+void WriteSweepTable(const SweepResult& result, std::ostream& out);
+[[nodiscard]] std::string SweepJson(const SweepResult& result);
+[[nodiscard]] std::string SweepHtml(const SweepResult& result);
+} // namespace counterpoint::simulator
+
+#endif // SIMULATOR_JUDGE_SWEEP_HPP

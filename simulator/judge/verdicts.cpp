@@ -1,0 +1,372 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "simulator/judge/verdicts.hpp"
+
+#include "simulator/scenario/names.hpp"
+
+#include <algorithm>
+
+namespace counterpoint::simulator
+{
+namespace
+{
+/// Answers questions about a finished run.
+class Judgement
+{
+  public:
+    Judgement(const Scenario& scenario, const Journal& journal, Network& network)
+        : scenario_(scenario), journal_(journal), network_(network)
+    {
+    }
+
+    [[nodiscard]] ExpectationVerdict Of(const Expectation& expectation)
+    {
+        switch (expectation.kind)
+        {
+        case ExpectationKind::kReleased:
+        case ExpectationKind::kSafe:
+            return OfOutput(expectation);
+        case ExpectationKind::kValue:
+            return OfValue(expectation);
+        case ExpectationKind::kCause:
+            return OfCause(expectation);
+        case ExpectationKind::kDeviceFault:
+            return OfDeviceFault(expectation);
+        case ExpectationKind::kDetectedBy:
+            return OfDetection(expectation);
+        case ExpectationKind::kSafeWithin:
+            return OfLimit(expectation);
+        case ExpectationKind::kNoFault:
+            return OfNoFault(expectation);
+        }
+        return {};
+    }
+
+    [[nodiscard]] Nanoseconds EffectOf(const std::size_t fault) const
+    {
+        for (const Event& event : journal_.Events())
+        {
+            if (event.kind == EventKind::kFault && event.value == fault)
+            {
+                return event.at;
+            }
+        }
+        return -1;
+    }
+
+  private:
+    [[nodiscard]] const std::string& NameOfNode(const NodeIndex node) const
+    {
+        return scenario_.nodes[node].name;
+    }
+
+    [[nodiscard]] const std::string& NameOfPlace(const Expectation& expectation) const
+    {
+        const NodeSetup& setup = scenario_.nodes[expectation.node];
+        return expectation.is_series ? setup.device : setup.name;
+    }
+
+    /// Whether the node is meant: of a device with two CPUs each of them.
+    [[nodiscard]] static bool IsMeant(const Expectation& expectation, const NodeIndex node)
+    {
+        return node == expectation.node || (expectation.is_series && node == expectation.node + 1U);
+    }
+
+    [[nodiscard]] std::string Place(const Expectation& expectation) const
+    {
+        return NameOfPlace(expectation) + " SRDO " + std::to_string(expectation.srdo);
+    }
+
+    [[nodiscard]] bool IsOpen(const NodeIndex node, const std::uint8_t srdo, const Nanoseconds at) const
+    {
+        bool is_open = false;
+        for (const Event& event : journal_.Events())
+        {
+            const bool is_this = event.kind == EventKind::kOutput && event.node == node && event.srdo == srdo;
+            is_open = (is_this && event.at <= at) ? event.value != 0U : is_open;
+        }
+        return is_open;
+    }
+
+    /// Two outputs in series are open while both are.
+    [[nodiscard]] bool IsOpen(const Expectation& expectation, const std::uint8_t srdo, const Nanoseconds at) const
+    {
+        return IsOpen(expectation.node, srdo, at) &&
+               (!expectation.is_series || IsOpen(expectation.node + 1U, srdo, at));
+    }
+
+    [[nodiscard]] ExpectationVerdict OfOutput(const Expectation& expectation) const
+    {
+        const bool is_open = IsOpen(expectation, expectation.srdo, expectation.at);
+        const bool wants_open = expectation.kind == ExpectationKind::kReleased;
+        ExpectationVerdict verdict;
+        verdict.holds = is_open == wants_open;
+        verdict.wanted =
+            Place(expectation) + (wants_open ? " released" : " safe") + " at " + MillisecondsText(expectation.at);
+        verdict.seen = is_open ? "released" : "safe";
+        return verdict;
+    }
+
+    /// What the application of that node used last.
+    [[nodiscard]] std::uint64_t UsedAt(const NodeIndex node, const Expectation& expectation,
+                                       const std::uint64_t safe) const
+    {
+        const std::uint64_t object = (std::uint64_t{expectation.object.index} << 8U) | expectation.object.sub;
+        std::uint64_t value = safe;
+        for (const Event& event : journal_.Events())
+        {
+            const bool is_this = event.kind == EventKind::kValue && event.node == node && event.other == object;
+            value = (is_this && event.at <= expectation.at) ? event.value : value;
+        }
+        return value;
+    }
+
+    [[nodiscard]] ExpectationVerdict OfValue(const Expectation& expectation)
+    {
+        const Node& node = network_.At(expectation.node);
+        const runtime::VariablePair* const pair = node.Model().PairOf(expectation.object);
+        const std::uint64_t safe = network_.At(expectation.node).App().SafeValueOf(expectation.object);
+        // Behind a closed output no value counts, whatever the application last saw.
+        const bool is_open = IsOpen(expectation, pair->srdo, expectation.at);
+        const std::uint64_t value = is_open ? UsedAt(expectation.node, expectation, safe) : safe;
+        const bool is_same =
+            !is_open || !expectation.is_series || UsedAt(expectation.node + 1U, expectation, safe) == value;
+        ExpectationVerdict verdict;
+        verdict.holds = is_same && value == expectation.value;
+        verdict.wanted = NameOfPlace(expectation) + " " + ObjectText(expectation.object) + " is " +
+                         std::to_string(expectation.value) + " at " + MillisecondsText(expectation.at);
+        verdict.seen = std::to_string(value) + (is_same ? "" : ", and another one on the second CPU");
+        return verdict;
+    }
+
+    [[nodiscard]] ExpectationVerdict OfCause(const Expectation& expectation) const
+    {
+        std::string seen;
+        bool is_there = false;
+        for (const Event& event : journal_.Events())
+        {
+            const bool is_this =
+                event.kind == EventKind::kSignal && IsMeant(expectation, event.node) && event.srdo == expectation.srdo;
+            if (!is_this)
+            {
+                continue;
+            }
+            const auto cause = static_cast<SrdoCause>(event.value);
+            is_there = is_there || cause == expectation.cause;
+            const std::string name = Name(cause);
+            seen += (seen.find(name) == std::string::npos) ? (seen.empty() ? "" : ", ") + name : "";
+        }
+        ExpectationVerdict verdict;
+        verdict.holds = (expectation.cause == SrdoCause::kNone) ? seen.empty() : is_there;
+        verdict.wanted = Place(expectation) + " cause " + Name(expectation.cause);
+        verdict.seen = seen.empty() ? "none" : seen;
+        return verdict;
+    }
+
+    [[nodiscard]] ExpectationVerdict OfDeviceFault(const Expectation& expectation) const
+    {
+        DeviceFault fault = DeviceFault::kNone;
+        for (const Event& event : journal_.Events())
+        {
+            const bool is_this = event.kind == EventKind::kDeviceFault && IsMeant(expectation, event.node);
+            fault = (is_this && fault == DeviceFault::kNone) ? static_cast<DeviceFault>(event.value) : fault;
+        }
+        ExpectationVerdict verdict;
+        verdict.holds = fault == expectation.device_fault;
+        verdict.wanted = NameOfPlace(expectation) + " device fault " + Name(expectation.device_fault);
+        verdict.seen = Name(fault);
+        return verdict;
+    }
+
+    [[nodiscard]] Detection FirstDetection(const Expectation& expectation, const Nanoseconds from) const
+    {
+        const Detection one = DetectionAt(journal_, expectation.node, from);
+        const Detection other =
+            expectation.is_series ? DetectionAt(journal_, expectation.node + 1U, from) : Detection{};
+        const bool is_other = other.at >= 0 && (one.at < 0 || other.at < one.at);
+        return is_other ? other : one;
+    }
+
+    [[nodiscard]] ExpectationVerdict OfDetection(const Expectation& expectation) const
+    {
+        const Nanoseconds effect = EffectOf(expectation.fault);
+        const Detection detection = (effect < 0) ? Detection{} : FirstDetection(expectation, effect);
+        ExpectationVerdict verdict;
+        verdict.wanted = "detected at " + NameOfPlace(expectation) + " by ";
+        for (const Party party : expectation.parties)
+        {
+            verdict.holds = verdict.holds || (effect >= 0 && party == detection.party);
+            verdict.wanted += std::string(party == expectation.parties.front() ? "" : " or ") + Name(party);
+        }
+        verdict.seen = (effect < 0) ? "the fault never happened" : Name(detection.party);
+        verdict.seen += detection.cause.empty() ? "" : " (" + detection.cause + ")";
+        return verdict;
+    }
+
+    [[nodiscard]] const Event* ClosedAfter(const Expectation& expectation, const Nanoseconds from) const
+    {
+        const auto found = std::find_if(journal_.Events().begin(), journal_.Events().end(),
+                                        [&expectation, from](const Event& event)
+                                        {
+                                            return event.kind == EventKind::kOutput &&
+                                                   IsMeant(expectation, event.node) && event.srdo == expectation.srdo &&
+                                                   event.value == 0U && event.at >= from;
+                                        });
+        return (found == journal_.Events().end()) ? nullptr : &*found;
+    }
+
+    /// What the limit counts from: see semantics 5.
+    [[nodiscard]] Nanoseconds ReferenceOf(const Measurement& measurement, const Event& closed) const
+    {
+        const FaultSetup& fault = scenario_.faults[measurement.fault];
+        if (measurement.fault_class == FaultClass::kBus || measurement.fault_class == FaultClass::kBusNextNormal)
+        {
+            return closed.since;
+        }
+        // Bits of a normal frame are wrong only beside the inverse frame that follows.
+        const bool is_normal = !fault.frames.identifiers.empty() && ChoosesNormal(fault.frames);
+        const bool waits = fault.kind == FaultKind::kCorruption && !fault.length && is_normal;
+        return (waits && closed.inverse >= measurement.effect) ? closed.inverse : measurement.effect;
+    }
+
+    [[nodiscard]] Measurement Measure(const Expectation& expectation)
+    {
+        const runtime::DeviceModel& model = network_.At(expectation.node).Model();
+        Measurement measurement;
+        measurement.fault = expectation.fault;
+        measurement.node = expectation.node;
+        measurement.place = NameOfPlace(expectation);
+        measurement.srdo = expectation.srdo;
+        const FaultClass own = ClassOf(scenario_.faults[expectation.fault]);
+        measurement.fault_class = (expectation.fault_class == FaultClass::kInvalid) ? own : expectation.fault_class;
+        measurement.limit = LimitOf(scenario_, expectation, model);
+        measurement.effect = EffectOf(expectation.fault);
+        if (measurement.effect < 0)
+        {
+            return measurement;
+        }
+        measurement.was_open = IsOpen(expectation, expectation.srdo, measurement.effect - 1);
+        const Event* const closed = ClosedAfter(expectation, measurement.effect);
+        if (closed != nullptr)
+        {
+            measurement.closed = closed->at;
+            measurement.reference = ReferenceOf(measurement, *closed);
+            measurement.elapsed =
+                closed->at - measurement.reference + model.Config().output_time_us * kNanosecondsPerMicrosecond;
+        }
+        measurement.detection = FirstDetection(expectation, measurement.effect);
+        return measurement;
+    }
+
+    [[nodiscard]] ExpectationVerdict OfLimit(const Expectation& expectation)
+    {
+        const Measurement measurement = Measure(expectation);
+        ExpectationVerdict verdict;
+        verdict.holds = measurement.Holds();
+        verdict.wanted = Place(expectation) + " safe within " + MillisecondsText(measurement.limit) + " after '" +
+                         scenario_.faults[expectation.fault].name + "' (limit: " + Name(measurement.fault_class) + ")";
+        if (measurement.effect < 0)
+        {
+            verdict.seen = "the fault never happened";
+        }
+        else if (!measurement.was_open)
+        {
+            verdict.seen = "the output was not released when the fault came";
+        }
+        else
+        {
+            verdict.seen = (measurement.elapsed < 0) ? "not safe until the end" : MillisecondsText(measurement.elapsed);
+        }
+        verdict.measurement = measurement;
+        return verdict;
+    }
+
+    [[nodiscard]] std::string FaultText(const Event& event) const
+    {
+        const std::string where = NameOfNode(event.node) + " ";
+        if (event.kind == EventKind::kSignal)
+        {
+            return where + Name(static_cast<SrdoCause>(event.value));
+        }
+        if (event.kind == EventKind::kDeviceFault)
+        {
+            return where + Name(static_cast<DeviceFault>(event.value));
+        }
+        if (event.kind == EventKind::kWatchdog)
+        {
+            return where + "watchdog";
+        }
+        return (event.kind == EventKind::kConfigurationInvalid) ? where + "configuration invalid" : "";
+    }
+
+    [[nodiscard]] ExpectationVerdict OfNoFault(const Expectation& expectation) const
+    {
+        ExpectationVerdict verdict;
+        const bool is_any = expectation.node == kNoNode;
+        verdict.wanted = "no fault" + (is_any ? std::string() : " at " + NameOfPlace(expectation));
+        for (const Event& event : journal_.Events())
+        {
+            const bool is_here = event.node != kNoNode && (is_any || IsMeant(expectation, event.node));
+            const bool is_harmless = event.kind == EventKind::kSignal &&
+                                     event.value == static_cast<std::uint64_t>(SrdoCause::kWaitingPastSct);
+            if (is_here && !is_harmless && verdict.seen.empty())
+            {
+                const std::string text = FaultText(event);
+                verdict.seen = text.empty() ? "" : text + " at " + MillisecondsText(event.at);
+            }
+        }
+        verdict.holds = verdict.seen.empty();
+        verdict.seen = verdict.holds ? "none" : verdict.seen;
+        return verdict;
+    }
+
+    const Scenario& scenario_;
+    const Journal& journal_;
+    Network& network_;
+};
+} // namespace
+
+Nanoseconds LimitOf(const Scenario& scenario, const Expectation& expectation, const runtime::DeviceModel& model)
+{
+    const FaultClass own = ClassOf(scenario.faults[expectation.fault]);
+    const FaultClass fault_class = (expectation.fault_class == FaultClass::kInvalid) ? own : expectation.fault_class;
+    SrdoTimes times{0U, 0U};
+    for (const runtime::SrdoModel& srdo : model.Srdos())
+    {
+        times = (srdo.number == expectation.srdo) ? srdo.times : times;
+    }
+    if (fault_class == FaultClass::kCrossLink)
+    {
+        // At a node with one CPU it is the device of the fault that stops to be heard.
+        const NodeSetup& own_node = scenario.nodes[expectation.node];
+        const NodeSetup& node = (own_node.role == runtime::CpuRole::kWhole)
+                                    ? scenario.nodes[scenario.faults[expectation.fault].node]
+                                    : own_node;
+        const auto timeout_us = static_cast<std::uint32_t>(node.link.timeout / kNanosecondsPerMicrosecond);
+        return Nanoseconds{ComputeLimit(model.Config(), LinkTime{timeout_us}).us} * kNanosecondsPerMicrosecond;
+    }
+    return ComputeLimit(model.Config(), times, fault_class).us * kNanosecondsPerMicrosecond;
+}
+
+std::vector<ExpectationVerdict> Judge(const Scenario& scenario, const Journal& journal, Network& network)
+{
+    Judgement judgement(scenario, journal, network);
+    std::vector<ExpectationVerdict> verdicts;
+    for (std::size_t index = 0U; index < scenario.expectations.size(); ++index)
+    {
+        verdicts.push_back(judgement.Of(scenario.expectations[index]));
+        verdicts.back().expectation = index;
+    }
+    for (std::size_t index = 0U; index < scenario.faults.size(); ++index)
+    {
+        if (!scenario.faults[index].is_optional && judgement.EffectOf(index) < 0)
+        {
+            ExpectationVerdict verdict;
+            verdict.expectation = kOfItself;
+            verdict.wanted = "fault " + runtime::Shown(scenario.faults[index].name) + " happens";
+            verdict.seen = "never happened";
+            verdicts.push_back(verdict);
+        }
+    }
+    return verdicts;
+}
+} // namespace counterpoint::simulator

@@ -1,0 +1,65 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SIMULATOR_JUDGE_VERDICTS_HPP
+#define SIMULATOR_JUDGE_VERDICTS_HPP
+
+#include "simulator/journal/journal.hpp"
+#include "simulator/scenario/scenario.hpp"
+#include "simulator/world/network.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace counterpoint::simulator
+{
+/// Who noticed first that something is wrong at a node, by what, and when.
+struct Detection
+{
+    Party party{Party::kNobody};
+    std::string cause; ///< A word of the scenario format, such as sct or disagreement.
+    Nanoseconds at{-1};
+};
+
+/// Time from the first effect of a fault to the safe output of one SRDO, and its limit. [SRS-SIM-031]
+struct Measurement
+{
+    std::size_t fault{0U};
+    NodeIndex node{kNoNode};
+    std::string place; ///< Name of the node, or of a device whose two outputs are in series.
+    std::uint8_t srdo{0U};
+    FaultClass fault_class{FaultClass::kInvalid};
+    Nanoseconds effect{-1};    ///< When the fault first changed something; -1: never.
+    Nanoseconds reference{-1}; ///< What the limit counts from.
+    Nanoseconds closed{-1};    ///< When the output stage closed; -1: never.
+    Nanoseconds elapsed{-1};   ///< With the time that the output needs after that; -1: never safe.
+    Nanoseconds limit{0};
+    bool was_open{false}; ///< The output was on when the fault came.
+    Detection detection;
+
+    [[nodiscard]] bool Holds() const noexcept
+    {
+        return was_open && elapsed >= 0 && elapsed <= limit;
+    }
+};
+
+/// That a fault which is not optional happens is expected without being written. [SRS-SIM-015]
+constexpr std::size_t kOfItself = static_cast<std::size_t>(-1);
+
+struct ExpectationVerdict
+{
+    std::size_t expectation{0U}; ///< In Scenario::expectations, or kOfItself.
+    bool holds{false};
+    std::string wanted;
+    std::string seen;
+    std::optional<Measurement> measurement; ///< Of kSafeWithin.
+};
+
+/// @brief The verdict of each expectation after a run. [SRS-SIM-030]
+[[nodiscard]] std::vector<ExpectationVerdict> Judge(const Scenario& scenario, const Journal& journal, Network& network);
+/// @brief The limit that a fault has at this output, known before the run.
+[[nodiscard]] Nanoseconds LimitOf(const Scenario& scenario, const Expectation& expectation,
+                                  const runtime::DeviceModel& model);
+[[nodiscard]] Detection DetectionAt(const Journal& journal, NodeIndex node, Nanoseconds from);
+} // namespace counterpoint::simulator
+
+#endif // SIMULATOR_JUDGE_VERDICTS_HPP

@@ -1,0 +1,13 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SIMULATOR_REPORT_PAGE_PARTS_HPP
+#define SIMULATOR_REPORT_PAGE_PARTS_HPP
+
+namespace counterpoint::simulator
+{
+// The files of page/, built in by CMake.
+extern const char* const kPageHtml;
+extern const char* const kPageCss;
+extern const char* const kPageJs;
+} // namespace counterpoint::simulator
+
+#endif // SIMULATOR_REPORT_PAGE_PARTS_HPP

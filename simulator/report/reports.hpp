@@ -1,0 +1,41 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SIMULATOR_REPORT_REPORTS_HPP
+#define SIMULATOR_REPORT_REPORTS_HPP
+
+#include "simulator/judge/run.hpp"
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace counterpoint::simulator
+{
+enum class FrameLines
+{
+    kCounted, ///< Undisturbed frames are counted, not shown.
+    kAll,
+};
+
+/// @brief What happened, line by line, then the verdicts. [SRS-SIM-040]
+void WriteTimeLine(const Run& run, FrameLines frames, std::ostream& out);
+/// @brief One line for each expectation, and one for all.
+void WriteVerdicts(const Run& run, std::ostream& out);
+/// @brief Recording, measurements and verdicts as one JSON document. [SRS-SIM-041]
+[[nodiscard]] std::string JsonReport(const Run& run);
+/// @brief One frame as candump -l writes it, with its line end. [SRS-SIM-042]
+[[nodiscard]] std::string CandumpLine(const CanFrame& frame, Nanoseconds end);
+/// @brief The frames of the bus as candump -l writes them. [SRS-SIM-042]
+[[nodiscard]] std::string CandumpReport(const Run& run);
+/// @brief A page with the timing diagrams of all runs; needs no network. [SRS-SIM-043, SRS-DEMO-003]
+[[nodiscard]] std::string HtmlReport(const std::string& title, const std::vector<const Run*>& runs);
+
+/// @brief An event as words: what is shown of it beside time and place.
+[[nodiscard]] std::string EventText(const Run& run, const Event& event);
+/// @brief "0x103  01 01"
+[[nodiscard]] std::string FrameText(const CanFrame& frame);
+[[nodiscard]] std::string DataText(const CanFrame& frame, const char* separator);
+/// @brief "1, 2" for the SRDO numbers of the slots in `mask`; "none".
+[[nodiscard]] std::string SlotsText(const Run& run, NodeIndex node, SrdoMask mask);
+} // namespace counterpoint::simulator
+
+#endif // SIMULATOR_REPORT_REPORTS_HPP

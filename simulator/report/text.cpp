@@ -1,0 +1,273 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "simulator/report/reports.hpp"
+#include "simulator/scenario/names.hpp"
+
+#include <array>
+#include <cstdio>
+#include <iomanip>
+#include <ostream>
+
+namespace counterpoint::simulator
+{
+namespace
+{
+ObjectAddress ObjectOf(const std::uint64_t number)
+{
+    return {static_cast<std::uint16_t>(number >> 8U), static_cast<std::uint8_t>(number & 0xFFU)};
+}
+
+std::string TimeColumn(const Nanoseconds at)
+{
+    std::array<char, 32U> text{};
+    static_cast<void>(std::snprintf(text.data(), text.size(), "%12.3f ms", static_cast<double>(at) / 1e6));
+    return text.data();
+}
+
+const char* FateText(const host::FrameFate fate)
+{
+    switch (fate)
+    {
+    case host::FrameFate::kComplete:
+        return "";
+    case host::FrameFate::kHit:
+        return "destroyed on the wire";
+    case host::FrameFate::kCollision:
+        return "destroyed by a collision";
+    case host::FrameFate::kNotAcknowledged:
+        return "not acknowledged";
+    case host::FrameFate::kSenderGone:
+        return "sender gone";
+    }
+    return "";
+}
+
+/// Writes events and frames in order of time, and counts frames where nothing else happens.
+class TimeLine
+{
+  public:
+    TimeLine(const Run& run, const FrameLines frames, std::ostream& out) : run_(run), lines_(frames), out_(out)
+    {
+    }
+
+    void Write()
+    {
+        for (const Event& event : run_.Record().Events())
+        {
+            if (event.kind == EventKind::kReception)
+            {
+                continue; // The frame itself is shown.
+            }
+            WriteFramesUntil(event.at);
+            WriteCount();
+            Line(event.at, run_.NodeName(event.node), EventText(run_, event));
+        }
+        WriteFramesUntil(kNever);
+        WriteCount();
+    }
+
+  private:
+    void Line(const Nanoseconds at, const std::string& place, const std::string& text)
+    {
+        constexpr int kPlaceWidth = 12;
+        out_ << TimeColumn(at) << "  " << std::left << std::setw(kPlaceWidth) << place << " " << text << "\n";
+    }
+
+    void WriteFramesUntil(const Nanoseconds until)
+    {
+        const std::vector<FrameEntry>& frames = run_.Record().Frames();
+        while (next_frame_ < frames.size() && frames[next_frame_].end <= until)
+        {
+            const FrameEntry& frame = frames[next_frame_];
+            ++next_frame_;
+            const bool is_plain = frame.fate == host::FrameFate::kComplete && frame.sender != kNoNode;
+            if (lines_ == FrameLines::kCounted && is_plain)
+            {
+                ++counted_;
+                continue;
+            }
+            const std::string from = (frame.sender == kNoNode) ? "inserted" : "from " + run_.NodeName(frame.sender);
+            Line(frame.end, "bus", "frame " + FrameText(frame.frame) + "  " + from + "  " + FateText(frame.fate));
+        }
+    }
+
+    void WriteCount()
+    {
+        if (counted_ > 0U)
+        {
+            out_ << "                 (" << counted_ << (counted_ == 1U ? " frame)" : " frames)") << "\n";
+        }
+        counted_ = 0U;
+    }
+
+    const Run& run_;
+    FrameLines lines_;
+    std::ostream& out_;
+    std::size_t next_frame_{0U};
+    std::size_t counted_{0U};
+};
+
+std::string SrdoText(const Event& event)
+{
+    return "SRDO " + std::to_string(event.srdo) + " ";
+}
+
+std::string GfcText(const std::uint64_t value)
+{
+    constexpr const char* kTexts[] = {"GFC refused", "GFC sent", "GFC received", "GFC not followed by an SRDO in time"};
+    return kTexts[value % 4U];
+}
+
+std::string HungText(const std::uint64_t value)
+{
+    constexpr const char* kTexts[] = {"a call does not return: the node stands still",
+                                      "a call leads anywhere: the processor stops the node", "the node stands still"};
+    return kTexts[value % 3U];
+}
+
+std::string LinkText(const Event& event)
+{
+    const auto finding = static_cast<LinkFinding>(event.other);
+    const std::string why = (finding == LinkFinding::kNone || finding == LinkFinding::kInvalid)
+                                ? ""
+                                : std::string(": ") + NameOf(kLinkFindingWords, finding);
+    return std::string("link to the other CPU ") + NameOf(kLinkStateWords, static_cast<LinkState>(event.value)) + why;
+}
+
+std::string CauseText(const Event& event)
+{
+    std::string text;
+    for (std::uint32_t cause = 1U; cause < 32U; ++cause)
+    {
+        if (((event.other >> cause) & 1U) != 0U)
+        {
+            text += (text.empty() ? "" : ", ") + std::string(Name(static_cast<SrdoCause>(cause)));
+        }
+    }
+    return text.empty() ? Name(static_cast<SrdoCause>(event.value)) : text;
+}
+
+/// What channels, comparator and outputs say.
+std::string InsideText(const Run& run, const Event& event)
+{
+    switch (event.kind)
+    {
+    case EventKind::kViewA:
+        return SrdoText(event) + "channel A: " + NameOf(runtime::kStateWords, static_cast<SrdoState>(event.value));
+    case EventKind::kViewB:
+        return SrdoText(event) + "channel B: " + NameOf(runtime::kStateWords, static_cast<SrdoState>(event.value));
+    case EventKind::kCauseA:
+        return SrdoText(event) + "channel A reports " + CauseText(event);
+    case EventKind::kCauseB:
+        return SrdoText(event) + "channel B reports " + CauseText(event);
+    case EventKind::kVerdict:
+        return "comparator: agreed SRDO " + SlotsText(run, event.node, event.value) + ", matched " +
+               SlotsText(run, event.node, event.other);
+    case EventKind::kDemotion:
+        return "comparator: demote SRDO " + SlotsText(run, event.node, event.value);
+    case EventKind::kPermits:
+        return "three permits for SRDO " + SlotsText(run, event.node, event.value);
+    case EventKind::kOutput:
+        return SrdoText(event) + ((event.value != 0U) ? "OUTPUT RELEASED" : "OUTPUT SAFE");
+    case EventKind::kValue:
+        return SrdoText(event) + ObjectText(ObjectOf(event.other)) + " = " + std::to_string(event.value);
+    case EventKind::kSignal:
+        return SrdoText(event) + "application told: " + Name(static_cast<SrdoCause>(event.value));
+    case EventKind::kDeviceFault:
+        return std::string("DEVICE SAFE STATE: ") + Name(static_cast<DeviceFault>(event.value));
+    default:
+        return "";
+    }
+}
+} // namespace
+
+std::string SlotsText(const Run& run, const NodeIndex node, const SrdoMask mask)
+{
+    std::string text;
+    for (const runtime::SrdoModel& srdo : run.ModelOf(node).Srdos())
+    {
+        const SlotIndex slot = run.ModelOf(node).SlotOf(srdo.number).value_or(0U);
+        if (((mask >> slot) & 1U) != 0U)
+        {
+            text += (text.empty() ? "" : ", ") + std::to_string(srdo.number);
+        }
+    }
+    return text.empty() ? "none" : text;
+}
+
+std::string DataText(const CanFrame& frame, const char* const separator)
+{
+    std::string text;
+    for (std::uint8_t byte = 0U; byte < frame.length_bytes && byte < kMaxPayloadBytes; ++byte)
+    {
+        std::array<char, 8U> digits{};
+        static_cast<void>(std::snprintf(digits.data(), digits.size(), "%02X", static_cast<unsigned>(frame.data[byte])));
+        text += (text.empty() ? "" : separator) + std::string(digits.data());
+    }
+    return text;
+}
+
+std::string FrameText(const CanFrame& frame)
+{
+    return IdentifierText(frame.identifier) + " [" + std::to_string(frame.length_bytes) + "] " + DataText(frame, " ");
+}
+
+std::string EventText(const Run& run, const Event& event)
+{
+    const Scenario& scenario = run.Setting();
+    switch (event.kind)
+    {
+    case EventKind::kNmt:
+        return std::string("NMT ") + Name(static_cast<NmtState>(event.value));
+    case EventKind::kInput:
+        return "input " + ObjectText(ObjectOf(event.other)) + " = " + std::to_string(event.value);
+    case EventKind::kAcknowledge:
+        return SrdoText(event) + "acknowledge " + std::to_string(event.value);
+    case EventKind::kGfc:
+        return GfcText(event.value);
+    case EventKind::kPowerOn:
+        return "power on, configuration accepted";
+    case EventKind::kPowerOff:
+        return "power off";
+    case EventKind::kNoStart:
+        return "THE DEVICE DOES NOT START";
+    case EventKind::kFault:
+        return "FAULT: " + scenario.faults[event.value].name;
+    case EventKind::kFrameChanged:
+        return "frame " + IdentifierText(static_cast<std::uint32_t>(event.value)) +
+               " changed: " + scenario.faults[event.other].name;
+    case EventKind::kWatchdog:
+        return "WATCHDOG TRIPPED";
+    case EventKind::kHung:
+        return HungText(event.value);
+    case EventKind::kLink:
+        return LinkText(event);
+    case EventKind::kLinkMessage:
+        return "message of the other CPU: " + scenario.faults[event.other].name;
+    case EventKind::kSelfTest:
+        return std::string("self test finds: ") + NameOf(kTestWords, event.value);
+    case EventKind::kConfigurationInvalid:
+        return SrdoText(event) + "configuration invalid";
+    case EventKind::kReception:
+        return SrdoText(event) + "received " + IdentifierText(static_cast<std::uint32_t>(event.value));
+    default:
+        return InsideText(run, event);
+    }
+}
+
+void WriteTimeLine(const Run& run, const FrameLines frames, std::ostream& out)
+{
+    out << run.Setting().title << (run.Setting().title.empty() ? "" : "\n");
+    TimeLine(run, frames, out).Write();
+}
+
+void WriteVerdicts(const Run& run, std::ostream& out)
+{
+    std::size_t held = 0U;
+    for (const ExpectationVerdict& verdict : run.Verdicts())
+    {
+        out << (verdict.holds ? "  holds   " : "  FAILED  ") << verdict.wanted << ": " << verdict.seen << "\n";
+        held += verdict.holds ? 1U : 0U;
+    }
+    out << held << " of " << run.Verdicts().size() << " expectations hold\n";
+}
+} // namespace counterpoint::simulator

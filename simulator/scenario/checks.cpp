@@ -1,0 +1,191 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "simulator/scenario/checks.hpp"
+
+#include "simulator/scenario/names.hpp"
+
+#include <algorithm>
+
+namespace counterpoint::simulator
+{
+namespace
+{
+constexpr Nanoseconds kMostSwitches = 100000; ///< How often an intermittent fault may come and go.
+
+bool IsOfPart(const FaultSetup& fault)
+{
+    return fault.part != Part::kNone && fault.kind != FaultKind::kBitFlip && fault.kind != FaultKind::kStuckBit;
+}
+
+bool SharesController(const FaultSetup& one, const FaultSetup& other)
+{
+    const bool is_controller = one.kind == FaultKind::kBusOff || one.kind == FaultKind::kUnplugged;
+    return is_controller && (one.controller == 0U || other.controller == 0U || one.controller == other.controller);
+}
+
+/// Whether two faults would work on the same part, counter, object or controller.
+bool HitTheSame(const FaultSetup& one, const FaultSetup& other)
+{
+    if (one.node != other.node)
+    {
+        return false;
+    }
+    if (IsOfPart(one) && IsOfPart(other))
+    {
+        const bool is_second = one.second_part != Part::kNone && one.second_part == other.second_part;
+        return one.part == other.part || one.part == other.second_part || one.second_part == other.part || is_second;
+    }
+    if (one.kind != other.kind)
+    {
+        return false;
+    }
+    const bool is_counter =
+        (one.hits_counter_a && other.hits_counter_a) || (one.hits_counter_b && other.hits_counter_b);
+    const bool is_rate = one.kind == FaultKind::kClock && !one.jump && !other.jump && is_counter;
+    const bool is_object = one.kind == FaultKind::kNotInverse && one.object.index == other.object.index &&
+                           one.object.sub == other.object.sub;
+    return is_rate || is_object || SharesController(one, other) || one.kind == FaultKind::kQueueOverflow;
+}
+
+void RequireApart(const Scenario& scenario)
+{
+    for (std::size_t later = 1U; later < scenario.faults.size(); ++later)
+    {
+        for (std::size_t earlier = 0U; earlier < later; ++earlier)
+        {
+            const FaultSetup& one = scenario.faults[earlier];
+            const FaultSetup& other = scenario.faults[later];
+            const bool overlap = one.at < other.until && other.at < one.until;
+            if (overlap && HitTheSame(one, other))
+            {
+                throw YamlError(other.source.file, other.source.place,
+                                "fault " + runtime::Shown(other.name) + " overlaps " + runtime::Shown(one.name) +
+                                    " on the same part, counter or object",
+                                "one fault there at a time");
+            }
+        }
+    }
+}
+
+bool HasTime(const Expectation& expectation)
+{
+    return expectation.kind == ExpectationKind::kReleased || expectation.kind == ExpectationKind::kSafe ||
+           expectation.kind == ExpectationKind::kValue;
+}
+
+bool HasFault(const Expectation& expectation)
+{
+    return expectation.kind == ExpectationKind::kDetectedBy || expectation.kind == ExpectationKind::kSafeWithin;
+}
+
+/// The end of a fault and its pattern, in whatever way it chooses its time.
+Nanoseconds BeginOf(const FaultSetup& fault)
+{
+    return std::max(fault.at, fault.frames.from);
+}
+
+void RequireFewSwitches(const Scenario& scenario, const FaultSetup& fault)
+{
+    const Nanoseconds period = fault.on + fault.off;
+    const Nanoseconds length = std::min(fault.until, scenario.duration) - fault.at;
+    if (period > 0 && length / period > kMostSwitches)
+    {
+        throw YamlError(fault.source.file, fault.source.place,
+                        "fault " + runtime::Shown(fault.name) + " that comes and goes " +
+                            std::to_string(length / period) + " times",
+                        "at most " + std::to_string(kMostSwitches));
+    }
+}
+
+void RequireWithinTheRun(const Scenario& scenario, const Expectation& expectation)
+{
+    if (HasTime(expectation) && expectation.at > scenario.duration)
+    {
+        throw YamlError(expectation.source.file, expectation.source.place,
+                        "expectation at " + MillisecondsText(expectation.at) + ", after the end of the run",
+                        "a time up to " + MillisecondsText(scenario.duration));
+    }
+}
+
+void RequireOneFault(const Scenario& scenario, const Expectation& expectation)
+{
+    if (!HasFault(expectation))
+    {
+        return;
+    }
+    const std::string& name = scenario.faults[expectation.fault].name;
+    const auto count = std::count_if(scenario.faults.begin(), scenario.faults.end(),
+                                     [&name](const FaultSetup& fault) { return fault.name == name; });
+    if (count > 1)
+    {
+        throw YamlError(expectation.source.file, expectation.source.place,
+                        "fault " + runtime::Shown(name) + ", which is the name of several",
+                        "a name of its own for each");
+    }
+}
+} // namespace
+
+std::vector<Happening> HappeningsFrom(const Scenario& scenario, const Nanoseconds end)
+{
+    std::vector<Happening> late;
+    const auto add = [&late, end](const Nanoseconds at, const Source& source, const std::string& what)
+    {
+        if (at >= end)
+        {
+            late.push_back({at, source, what});
+        }
+    };
+    for (const Stimulus& stimulus : scenario.stimuli)
+    {
+        add(stimulus.at, stimulus.source, "input");
+    }
+    for (const Acknowledge& acknowledge : scenario.acknowledges)
+    {
+        add(acknowledge.at, acknowledge.source, "acknowledge");
+    }
+    for (const NmtEvent& event : scenario.nmt)
+    {
+        add(event.at, event.source, "NMT event");
+    }
+    for (const PowerCycle& cycle : scenario.power)
+    {
+        add(cycle.at, cycle.source, "power cycle");
+    }
+    for (const GfcEvent& event : scenario.gfc)
+    {
+        add(event.at, event.source, "GFC event");
+    }
+    for (const FaultSetup& fault : scenario.faults)
+    {
+        add(BeginOf(fault), fault.source, "fault " + runtime::Shown(fault.name));
+    }
+    return late;
+}
+
+void RequireHappening(const Scenario& scenario)
+{
+    for (const Happening& first : HappeningsFrom(scenario, scenario.duration))
+    {
+        if (first.source.file != scenario.file)
+        {
+            continue; // Of the extended scenario, which may be longer: told after the run.
+        }
+        throw YamlError(first.source.file, first.source.place,
+                        first.what + " at " + MillisecondsText(first.at) + ", not before the end of the run",
+                        "a time below " + MillisecondsText(scenario.duration));
+    }
+    for (const FaultSetup& fault : scenario.faults)
+    {
+        RequireFewSwitches(scenario, fault);
+    }
+}
+
+void RequirePossible(const Scenario& scenario)
+{
+    RequireApart(scenario);
+    for (const Expectation& expectation : scenario.expectations)
+    {
+        RequireWithinTheRun(scenario, expectation);
+        RequireOneFault(scenario, expectation);
+    }
+}
+} // namespace counterpoint::simulator

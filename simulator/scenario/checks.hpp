@@ -1,0 +1,31 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SIMULATOR_SCENARIO_CHECKS_HPP
+#define SIMULATOR_SCENARIO_CHECKS_HPP
+
+#include "simulator/scenario/scenario.hpp"
+
+#include <string>
+#include <vector>
+
+namespace counterpoint::simulator
+{
+/// @brief Refuses a whole scenario that asks for what cannot happen as it is written. Throws YamlError.
+/// [SRS-SIM-014]
+void RequirePossible(const Scenario& scenario);
+
+/// Something that a scenario makes happen.
+struct Happening
+{
+    Nanoseconds at{0};
+    Source source;
+    std::string what;
+};
+
+/// @brief What begins at `end` or later, in the order of the file. [SRS-SIM-016]
+[[nodiscard]] std::vector<Happening> HappeningsFrom(const Scenario& scenario, Nanoseconds end);
+/// @brief Refuses what the scenario's own file lets begin after its end, and what comes and goes too often. Throws
+/// YamlError.
+void RequireHappening(const Scenario& scenario);
+} // namespace counterpoint::simulator
+
+#endif // SIMULATOR_SCENARIO_CHECKS_HPP

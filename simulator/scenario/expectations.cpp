@@ -1,0 +1,129 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "simulator/scenario/names.hpp"
+#include "simulator/scenario/parts.hpp"
+
+#include <string>
+
+namespace counterpoint::simulator
+{
+namespace
+{
+/// The fault by its name, or by its place counted from 1; the only one if nothing is said.
+std::size_t ReadFaultIndex(Fields& fields, const Scenario& scenario)
+{
+    const auto value = fields.Find("fault");
+    if (!value && scenario.faults.size() == 1U)
+    {
+        return 0U;
+    }
+    if (!value)
+    {
+        fields.Value().Refuse("expectation without key 'fault'", "the name of one of the faults");
+    }
+    const std::string name = value->Text("the name of a fault");
+    std::string expected;
+    for (std::size_t index = 0U; index < scenario.faults.size(); ++index)
+    {
+        if (scenario.faults[index].name == name)
+        {
+            return index;
+        }
+        expected += (expected.empty() ? "" : ", ") + scenario.faults[index].name;
+    }
+    value->Refuse("fault " + runtime::Shown(name),
+                  expected.empty() ? "a fault of 'faults', which has none" : "one of " + expected);
+}
+
+void ReadParties(Fields& fields, Expectation& expectation)
+{
+    const YamlValue by = fields.Require("by");
+    if (by.Node().kind != runtime::YamlKind::kSequence)
+    {
+        expectation.parties.push_back(by.Choice(kPartyWords));
+        return;
+    }
+    for (const YamlValue& party : by.Items("a list of parties"))
+    {
+        expectation.parties.push_back(party.Choice(kPartyWords));
+    }
+    if (expectation.parties.empty())
+    {
+        by.Refuse("an empty list", "one party or more");
+    }
+}
+
+void ReadPlace(const YamlValue& name, const Scenario& scenario, Expectation& expectation)
+{
+    expectation.node = NodeNamed(scenario, name);
+    expectation.is_series = IsTwoCpus(scenario, name);
+}
+
+void ReadOutputOf(Fields& fields, const Scenario& scenario, Expectation& expectation)
+{
+    ReadPlace(fields.Require("node"), scenario, expectation);
+    expectation.srdo = SrdoNumber(fields.Require("srdo"));
+}
+
+void ReadContent(Fields& fields, const Scenario& scenario, Expectation& expectation)
+{
+    switch (expectation.kind)
+    {
+    case ExpectationKind::kReleased:
+    case ExpectationKind::kSafe:
+        ReadOutputOf(fields, scenario, expectation);
+        expectation.at = fields.Require("at").Duration();
+        return;
+    case ExpectationKind::kValue:
+        ReadPlace(fields.Require("node"), scenario, expectation);
+        expectation.object = fields.Require("object").Object();
+        expectation.value = fields.Require("is").Number({0U, 0xFFFFFFFFFFFFFFFFU});
+        expectation.at = fields.Require("at").Duration();
+        return;
+    case ExpectationKind::kCause:
+        ReadOutputOf(fields, scenario, expectation);
+        expectation.cause = fields.Require("is").Choice(runtime::kCauseWords);
+        return;
+    case ExpectationKind::kDeviceFault:
+        ReadPlace(fields.Require("node"), scenario, expectation);
+        expectation.device_fault = fields.Require("is").Choice(runtime::kDeviceFaultWords);
+        return;
+    case ExpectationKind::kDetectedBy:
+        expectation.fault = ReadFaultIndex(fields, scenario);
+        ReadPlace(fields.Require("node"), scenario, expectation);
+        ReadParties(fields, expectation);
+        return;
+    case ExpectationKind::kSafeWithin:
+        expectation.fault = ReadFaultIndex(fields, scenario);
+        ReadOutputOf(fields, scenario, expectation);
+        if (const auto limit = fields.Find("limit"))
+        {
+            expectation.fault_class = limit->Choice(kFaultClassWords);
+            const bool is_link = expectation.fault_class == FaultClass::kCrossLink;
+            if (is_link && scenario.nodes[expectation.node].role == runtime::CpuRole::kWhole)
+            {
+                limit->Refuse("cross_link of a node with one CPU", "another row, or a node with 'structure: two_cpu'");
+            }
+        }
+        return;
+    case ExpectationKind::kNoFault:
+        if (const auto node = fields.Find("node"))
+        {
+            ReadPlace(*node, scenario, expectation);
+        }
+        return;
+    }
+}
+} // namespace
+
+Expectation ReadExpectation(const Scenario& scenario, const YamlValue& value)
+{
+    Fields fields(value, "expect");
+    Expectation expectation;
+    expectation.source = value.Where();
+    expectation.kind = fields.Require("that").Choice(kExpectationWords);
+    fields.Extend(NameOf(kExpectationWords, expectation.kind));
+    ReadContent(fields, scenario, expectation);
+    fields.Close();
+    return expectation;
+}
+} // namespace counterpoint::simulator

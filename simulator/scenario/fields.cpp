@@ -1,0 +1,238 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "simulator/scenario/fields.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+// The keys of a map against the schema. [SRS-SIM-010, SRS-SIM-047]
+namespace counterpoint::simulator
+{
+namespace
+{
+/// Defaults of the schema as values.
+const runtime::YamlNode& FallbackOf(const KeySpec& spec)
+{
+    thread_local std::map<std::string, runtime::YamlNode> nodes;
+    runtime::YamlNode& node = nodes[spec.fallback];
+    node.kind = runtime::YamlKind::kScalar;
+    node.scalar = spec.fallback;
+    return node;
+}
+
+void RequireWord(const KeySpec& spec, const YamlValue& value)
+{
+    const std::string words = spec.words();
+    const std::string text = value.Text("one of " + words);
+    if ((", " + words + ",").find(", " + text + ",") == std::string::npos || text.find(',') != std::string::npos)
+    {
+        value.Refuse(runtime::Shown(text), "one of " + words);
+    }
+}
+
+void RequireNumbers(const KeySpec& spec, const YamlValue& value)
+{
+    const std::string expected =
+        "a list of numbers from " + std::to_string(spec.range.lowest) + " to " + std::to_string(spec.range.highest);
+    for (const YamlValue& item : value.Items(expected))
+    {
+        static_cast<void>(item.Number(spec.range));
+    }
+}
+
+void RequireList(const KeySpec& spec, const YamlValue& value)
+{
+    const bool is_list = value.Node().kind == runtime::YamlKind::kSequence;
+    if (spec.type == ValueType::kOneOrMore)
+    {
+        is_list ? RequireNumbers(spec, value) : static_cast<void>(value.Number(spec.range));
+    }
+    else if (spec.type == ValueType::kNumbers)
+    {
+        RequireNumbers(spec, value);
+    }
+    else if (!is_list && spec.type == ValueType::kWordOrList)
+    {
+        RequireWord(spec, value);
+    }
+    else
+    {
+        for (const YamlValue& item : value.Items("a list"))
+        {
+            (spec.type == ValueType::kObjects) ? static_cast<void>(item.Object()) : RequireWord(spec, item);
+        }
+    }
+}
+
+// Maps and lists of maps are looked at where their own keys are read.
+void RequireFit(const KeySpec& spec, const YamlValue& value)
+{
+    switch (spec.type)
+    {
+    case ValueType::kText:
+    case ValueType::kNode:
+        static_cast<void>(value.Text("a text"));
+        return;
+    case ValueType::kParagraph:
+        static_cast<void>(value.Paragraph("a text"));
+        return;
+    case ValueType::kNumber:
+        static_cast<void>(value.Number(spec.range));
+        return;
+    case ValueType::kDuration:
+        static_cast<void>(value.Duration());
+        return;
+    case ValueType::kLasting:
+        static_cast<void>(value.Lasting());
+        return;
+    case ValueType::kSignedTime:
+        static_cast<void>(value.SignedDuration());
+        return;
+    case ValueType::kPpm:
+        static_cast<void>(value.PartsPerMillion());
+        return;
+    case ValueType::kObject:
+        static_cast<void>(value.Object());
+        return;
+    case ValueType::kWord:
+        RequireWord(spec, value);
+        return;
+    case ValueType::kNumbers:
+    case ValueType::kOneOrMore:
+    case ValueType::kObjects:
+    case ValueType::kWordOrList:
+        RequireList(spec, value);
+        return;
+    case ValueType::kMap:
+    case ValueType::kMaps:
+    case ValueType::kNamedMaps:
+        return;
+    }
+}
+} // namespace
+
+Fields::Fields(const YamlValue& value, const char* const section) : value_(value)
+{
+    Extend(section);
+    const runtime::YamlNode& node = value_.Node();
+    if (node.kind != runtime::YamlKind::kMap)
+    {
+        value_.Refuse(runtime::WhatIs(node), "a map with the keys of " + std::string(sections_.back()->title));
+    }
+    std::set<std::string> seen;
+    for (std::size_t member = 0U; member < node.items.size(); member += 2U)
+    {
+        const runtime::YamlNode& key = node.items[member];
+        if (key.kind != runtime::YamlKind::kScalar)
+        {
+            throw YamlError(value_.FileName(), key.place, runtime::WhatIs(key) + " as key", "a word");
+        }
+        if (!seen.insert(key.scalar).second)
+        {
+            throw YamlError(value_.FileName(), key.place, "key " + runtime::Shown(key.scalar) + " twice",
+                            "each key once");
+        }
+    }
+}
+
+void Fields::Extend(const char* const section)
+{
+    sections_.push_back(&SectionNamed(section));
+}
+
+const KeySpec* Fields::SpecOf(const std::string& key) const
+{
+    for (const SectionSpec* const section : sections_)
+    {
+        for (const KeySpec* const spec : KeysOf(*section))
+        {
+            if (key == spec->key)
+            {
+                return spec;
+            }
+        }
+    }
+    return nullptr;
+}
+
+std::optional<YamlValue> Fields::Find(const std::string& key)
+{
+    known_.push_back(key);
+    const KeySpec* const spec = SpecOf(key);
+    if (spec == nullptr)
+    {
+        return std::nullopt; // Not of this map; if it is there, Close refuses it.
+    }
+    const runtime::YamlNode& node = value_.Node();
+    for (std::size_t member = 0U; member < node.items.size(); member += 2U)
+    {
+        if (node.items[member].scalar == key)
+        {
+            const YamlValue found(value_.FileName(), node.items[member + 1U]);
+            RequireFit(*spec, found);
+            return found;
+        }
+    }
+    if (spec->fallback == kNeeded)
+    {
+        value_.Refuse(std::string(sections_.back()->title) + " without key '" + key + "'", "that key");
+    }
+    return (spec->fallback == nullptr) ? std::nullopt
+                                       : std::optional<YamlValue>(YamlValue(value_.FileName(), FallbackOf(*spec)));
+}
+
+YamlValue Fields::Require(const std::string& key)
+{
+    const std::optional<YamlValue> found = Find(key);
+    if (!found)
+    {
+        value_.Refuse(std::string(sections_.back()->title) + " without key '" + key + "'", "that key");
+    }
+    return *found;
+}
+
+const YamlValue& Fields::Value() const noexcept
+{
+    return value_;
+}
+
+std::vector<std::pair<YamlValue, YamlValue>> Fields::All()
+{
+    const runtime::YamlNode& node = value_.Node();
+    std::vector<std::pair<YamlValue, YamlValue>> all;
+    for (std::size_t member = 0U; member < node.items.size(); member += 2U)
+    {
+        all.emplace_back(YamlValue(value_.FileName(), node.items[member]),
+                         YamlValue(value_.FileName(), node.items[member + 1U]));
+    }
+    return all;
+}
+
+void Fields::Close() const
+{
+    const runtime::YamlNode& node = value_.Node();
+    std::string expected;
+    std::set<std::string> told;
+    for (const KeySpec* const spec : KeysOf(*sections_.back()))
+    {
+        expected += told.insert(spec->key).second ? (expected.empty() ? "" : ", ") + std::string(spec->key) : "";
+    }
+    for (std::size_t member = 0U; member < node.items.size(); member += 2U)
+    {
+        const runtime::YamlNode& key = node.items[member];
+        const std::string title = sections_.back()->title;
+        if (SpecOf(key.scalar) == nullptr)
+        {
+            throw YamlError(value_.FileName(), key.place, "unknown key " + runtime::Shown(key.scalar) + " in " + title,
+                            "one of " + expected);
+        }
+        if (std::find(known_.begin(), known_.end(), key.scalar) == known_.end())
+        {
+            throw YamlError(value_.FileName(), key.place,
+                            "key " + runtime::Shown(key.scalar) + " without an effect in this " +
+                                title.substr(title.find(' ') + 1U),
+                            "only keys that fit its others");
+        }
+    }
+}
+} // namespace counterpoint::simulator

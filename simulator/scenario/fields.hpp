@@ -1,0 +1,45 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SIMULATOR_SCENARIO_FIELDS_HPP
+#define SIMULATOR_SCENARIO_FIELDS_HPP
+
+#include "simulator/scenario/scenario.hpp"
+#include "simulator/scenario/schema.hpp"
+#include "simulator/scenario/values.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace counterpoint::simulator
+{
+/// The keys of one map. Every value that is found was checked against the schema. Remembers which keys were asked for,
+/// so that Close can refuse the others.
+class Fields
+{
+  public:
+    /// @brief `section` names what the schema says of this map.
+    Fields(const YamlValue& value, const char* section);
+
+    /// @brief From here on the keys of another section are known, too.
+    void Extend(const char* section);
+    /// @brief The value, else the schema's default, else nothing.
+    [[nodiscard]] std::optional<YamlValue> Find(const std::string& key);
+    [[nodiscard]] YamlValue Require(const std::string& key);
+    [[nodiscard]] const YamlValue& Value() const noexcept;
+    /// @brief All keys with their values, in the order of the file.
+    [[nodiscard]] std::vector<std::pair<YamlValue, YamlValue>> All();
+    /// @brief Throws for the first key that is unknown, or that nobody asked for.
+    void Close() const;
+
+  private:
+    [[nodiscard]] const KeySpec* SpecOf(const std::string& key) const;
+
+    YamlValue value_;
+    std::vector<const SectionSpec*> sections_; ///< The last one names the map in messages.
+    std::vector<std::string> known_;
+};
+} // namespace counterpoint::simulator
+
+#endif // SIMULATOR_SCENARIO_FIELDS_HPP

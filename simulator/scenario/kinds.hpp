@@ -1,0 +1,159 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SIMULATOR_SCENARIO_KINDS_HPP
+#define SIMULATOR_SCENARIO_KINDS_HPP
+
+#include <cstddef>
+#include <cstdint>
+
+// The enumerations of scenarios; their words are in names.hpp.
+namespace counterpoint::simulator
+{
+/// What an NMT master says.
+enum class NmtCommand : std::uint8_t
+{
+    kNone = 0U,
+    kStart = 1U,
+    kStop = 2U,
+    kEnterPreOperational = 3U,
+    kResetNode = 4U,
+    kResetCommunication = 5U,
+};
+
+enum class FaultKind : std::uint8_t
+{
+    kCorruption = 1U,
+    kRepetition = 2U,
+    kWrongSequence = 3U,
+    kLoss = 4U,
+    kDelay = 5U,
+    kInsertion = 6U,
+    kMasquerade = 7U,
+    kAddressing = 8U,
+    kBitFlip = 9U,
+    kSkipped = 10U,
+    kDoubled = 11U,
+    kHung = 12U,
+    kFrozen = 13U,
+    kNotCalled = 14U,
+    kAlwaysGood = 15U,
+    kClock = 16U,
+    kCycle = 17U,
+    kNotInverse = 18U,
+    kStoreAndForward = 19U,
+    kDuplicate = 20U,
+    kBabbling = 21U,
+    kWireError = 22U,
+    kBusOff = 23U,
+    kUnplugged = 24U,
+    kQueueFull = 25U,
+    kSwallowed = 26U,
+    kConfirmation = 27U,
+    kQueueOverflow = 28U,
+    kFrozenInput = 29U,
+    kPermit = 30U,
+    kWatchdog = 31U,
+    kStuckBit = 32U,
+    kStandstill = 33U,
+    kLinkLoss = 34U,
+    kLinkDelay = 35U,
+    kLinkRepetition = 36U,
+    kLinkReordering = 37U,
+    kLinkCorruption = 38U,
+    kLinkInsertion = 39U,
+    kLinkCut = 40U,
+    // A new kind: a number, a word (names.hpp), a section (schema_faults.cpp), a reader (scenario_faults.cpp) and
+    // whoever brings it about (network_faults.cpp).
+};
+
+/// The part of a node that a fault hits.
+enum class Part : std::uint8_t
+{
+    kNone = 0U,
+    kChannelA = 1U,
+    kChannelB = 2U,
+    kComparator = 3U,
+    kFlowMonitor = 4U,
+    kGuard = 5U,
+    // Inputs, the last link, and what only bits flip in.
+    kAcknowledgeA = 6U,
+    kAcknowledgeB = 7U,
+    kApplication = 8U,
+    kChallenge = 9U,
+    kQuestion = 10U,
+    kPermitA = 11U,
+    kPermitB = 12U,
+    kPermitKernel = 13U,
+    kWatchdog = 14U,
+    kKernel = 15U,
+    kLatch = 16U,
+    kClocks = 17U,
+    kSetup = 18U,
+    kSafeValue = 19U,
+    kObjects = 20U,
+    kVariables = 21U,
+    // What the self tests watch, they themselves, and the last links as chips.
+    kSelfTest = 22U,
+    kOutputGate = 23U,
+    kWatchdogChip = 24U,
+    kProgram = 25U,
+    kConstants = 26U,
+    kStackGuard = 27U,
+    kTablePointer = 28U,
+};
+constexpr std::size_t kPartCount = 29U;
+
+/// How a permit, an answer to the watchdog or a confirmation is wrong.
+enum class Wrongness : std::uint8_t
+{
+    kNone = 0U,
+    kWrong = 1U,
+    kOld = 2U,
+    kMissing = 3U,
+    kTwice = 4U,
+    kLate = 5U,
+};
+
+/// Calls of a channel that can be skipped or doubled.
+enum class ChannelCall : std::uint8_t
+{
+    kOnCycle = 1U,
+    kOnFrame = 2U,
+};
+
+enum class ExpectationKind : std::uint8_t
+{
+    kReleased = 1U,
+    kSafe = 2U,
+    kValue = 3U,
+    kCause = 4U,
+    kDeviceFault = 5U,
+    kDetectedBy = 6U,
+    kSafeWithin = 7U,
+    kNoFault = 8U,
+};
+
+/// Who can find a fault.
+enum class Party : std::uint8_t
+{
+    kNobody = 0U,
+    kChannels = 1U, ///< Both channels in the same cycle.
+    kChannelA = 2U,
+    kChannelB = 3U,
+    kComparator = 4U,
+    kKernel = 5U, ///< By the comparator's echo and its negative test.
+    kFlowMonitor = 6U,
+    kWatchdog = 7U,
+    kOutputGate = 8U,
+    kClockSupervisor = 9U,
+    kGuard = 10U,
+    kSelfTest = 11U,
+    kCrossLink = 12U,
+};
+
+[[nodiscard]] constexpr bool IsOfLink(const FaultKind kind)
+{
+    return kind >= FaultKind::kLinkLoss && kind <= FaultKind::kLinkCut;
+}
+} // namespace counterpoint::simulator
+
+#endif // SIMULATOR_SCENARIO_KINDS_HPP

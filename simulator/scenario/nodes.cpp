@@ -1,0 +1,195 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "simulator/scenario/names.hpp"
+#include "simulator/scenario/parts.hpp"
+
+#include <filesystem>
+#include <utility>
+
+// The section `nodes`, and who is meant by the name of a node. [SRS-SIM-056]
+namespace counterpoint::simulator
+{
+namespace
+{
+constexpr std::size_t kMostNodes = 127U;
+constexpr std::int32_t kStandsStill = -1000000;
+
+CounterSetup ReadCounter(const YamlValue& value)
+{
+    Fields fields(value, "counter");
+    CounterSetup counter;
+    const YamlValue drift = fields.Require("ppm");
+    counter.drift_ppm = drift.PartsPerMillion();
+    if (counter.drift_ppm == kStandsStill)
+    {
+        drift.Refuse("a counter that stands still from the start", "more than -1000000 ppm");
+    }
+    counter.start_us = fields.Require("start_us").Checked();
+    fields.Close();
+    return counter;
+}
+
+/// What is a CPU's own where the device has two.
+void ReadCpu(Fields& fields, const char* key, NodeSetup& node)
+{
+    const auto value = fields.Find(key);
+    if (!value)
+    {
+        return;
+    }
+    Fields cpu(*value, "cpu");
+    node.phase = cpu.Require("phase").Duration();
+    if (const auto counter = cpu.Find("counter"))
+    {
+        node.counter_a = ReadCounter(*counter);
+    }
+    cpu.Close();
+}
+
+LinkSetup ReadLink(Fields& fields)
+{
+    LinkSetup setup;
+    if (const auto value = fields.Find("link"))
+    {
+        Fields link(*value, "link");
+        setup.timeout = link.Require("timeout").Lasting();
+        setup.delay = link.Require("delay").Duration();
+        setup.jitter = link.Require("jitter").Duration();
+        setup.clock_tolerance = link.Require("clock_tolerance").Lasting();
+        setup.clock_interval = link.Require("clock_interval").Lasting();
+        setup.stamp_tolerance = link.Require("stamp_tolerance").Duration();
+        link.Close();
+    }
+    return setup;
+}
+
+/// What is a device's own where it has one CPU.
+void ReadWhole(Fields& fields, NodeSetup& node)
+{
+    node.controllers = fields.Require("controllers").Checked();
+    node.phase = fields.Require("phase").Duration();
+    if (const auto counter = fields.Find("counter_a"))
+    {
+        node.counter_a = ReadCounter(*counter);
+    }
+    if (const auto counter = fields.Find("counter_b"))
+    {
+        node.counter_b = ReadCounter(*counter);
+    }
+}
+
+std::vector<NodeSetup> ReadNode(const YamlValue& name, const YamlValue& value)
+{
+    Fields fields(value, "node");
+    NodeSetup node;
+    node.name = name.Text("the name of a node");
+    if (node.name.empty() || node.name == "all" || node.name == "bus")
+    {
+        name.Refuse("node name " + runtime::Shown(node.name), "a name other than 'all' and 'bus'");
+    }
+    const YamlValue dcf = fields.Require("dcf");
+    node.dcf = Beside(value.FileName(), dcf.Text("the file name of a DCF"));
+    node.source = dcf.Where();
+    if (const auto id = fields.Find("node_id"))
+    {
+        node.node_id = static_cast<std::uint8_t>(id->Checked());
+    }
+    node.self_tests = fields.Require("self_tests").Choice(kYesWords);
+    node.start_at = fields.Require("start_at").Duration();
+    node.device = node.name;
+    std::vector<NodeSetup> cpus{node};
+    if (fields.Require("structure").Choice(kStructureWords))
+    {
+        cpus[0U].link = ReadLink(fields);
+        cpus.push_back(cpus[0U]);
+        cpus[0U].role = runtime::CpuRole::kA;
+        cpus[1U].role = runtime::CpuRole::kB;
+        cpus[0U].name += ".a";
+        cpus[1U].name += ".b";
+        ReadCpu(fields, "cpu_a", cpus[0U]);
+        ReadCpu(fields, "cpu_b", cpus[1U]);
+    }
+    else
+    {
+        ReadWhole(fields, cpus[0U]);
+    }
+    fields.Close();
+    return cpus;
+}
+} // namespace
+
+void ReadNodes(const YamlValue& value, Scenario& scenario)
+{
+    Fields fields(value, "nodes");
+    for (const auto& [name, node] : fields.All())
+    {
+        if (scenario.nodes.size() >= kMostNodes)
+        {
+            name.Refuse("node " + runtime::Shown(name.Node().scalar), "at most 127 nodes");
+        }
+        for (NodeSetup& setup : ReadNode(name, node))
+        {
+            for (const NodeSetup& other : scenario.nodes)
+            {
+                if (other.name == setup.name || other.device == setup.name)
+                {
+                    name.Refuse("node " + runtime::Shown(setup.name) + " twice", "each node once");
+                }
+            }
+            scenario.nodes.push_back(std::move(setup));
+        }
+    }
+}
+
+std::string Beside(const std::string& file, const std::string& name)
+{
+    const std::filesystem::path path(name);
+    return path.is_absolute() ? name : (std::filesystem::path(file).parent_path() / path).string();
+}
+
+NodeIndex NodeNamed(const Scenario& scenario, const YamlValue& name)
+{
+    const std::string text = name.Text("the name of a node");
+    std::string expected;
+    for (NodeIndex node = 0U; node < scenario.nodes.size(); ++node)
+    {
+        const NodeSetup& setup = scenario.nodes[node];
+        if (setup.name == text || setup.device == text)
+        {
+            return node;
+        }
+        expected += (expected.empty() ? "" : ", ") + setup.name;
+    }
+    name.Refuse("node " + runtime::Shown(text),
+                expected.empty() ? "a node of 'nodes', which has none" : "one of " + expected);
+}
+
+bool IsTwoCpus(const Scenario& scenario, const YamlValue& name)
+{
+    const NodeSetup& setup = scenario.nodes[NodeNamed(scenario, name)];
+    return setup.role != runtime::CpuRole::kWhole && setup.device == name.Node().scalar;
+}
+
+NodeIndex CpuNamed(const Scenario& scenario, const YamlValue& name)
+{
+    if (IsTwoCpus(scenario, name))
+    {
+        const std::string& device = name.Node().scalar;
+        name.Refuse("node " + runtime::Shown(device) + ", which is two CPUs", device + ".a or " + device + ".b");
+    }
+    return NodeNamed(scenario, name);
+}
+
+bool NamesBothCpus(const Scenario& scenario, const YamlValue& item)
+{
+    const runtime::YamlNode& map = item.Node();
+    for (std::size_t place = 0U; place + 1U < map.items.size(); place += 2U)
+    {
+        const bool is_node = map.items[place].scalar == "node" && map.items[place + 1U].scalar != "all";
+        if (is_node)
+        {
+            return IsTwoCpus(scenario, YamlValue(item.FileName(), map.items[place + 1U]));
+        }
+    }
+    return false;
+}
+} // namespace counterpoint::simulator

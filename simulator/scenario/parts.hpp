@@ -1,0 +1,38 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SIMULATOR_SCENARIO_PARTS_HPP
+#define SIMULATOR_SCENARIO_PARTS_HPP
+
+#include "simulator/scenario/fields.hpp"
+#include "simulator/scenario/scenario.hpp"
+
+namespace counterpoint::simulator
+{
+/// Largest cycle count, frame count and so on in a scenario: 2^31.
+inline constexpr Range kCountRange{1U, 0x7FFFFFFFU};
+inline constexpr Range kSrdoRange{1U, 64U};
+
+/// What the file `name` means that another file names.
+[[nodiscard]] std::string Beside(const std::string& file, const std::string& name);
+/// The section `nodes`, added to the scenario.
+void ReadNodes(const YamlValue& value, Scenario& scenario);
+/// The node of that name; of a device with two CPUs the first one. Throws YamlError.
+[[nodiscard]] NodeIndex NodeNamed(const Scenario& scenario, const YamlValue& name);
+/// Whether that is the name of a device with two CPUs; where one of them has to be named; and of an item's `node`.
+[[nodiscard]] bool IsTwoCpus(const Scenario& scenario, const YamlValue& name);
+[[nodiscard]] NodeIndex CpuNamed(const Scenario& scenario, const YamlValue& name);
+[[nodiscard]] bool NamesBothCpus(const Scenario& scenario, const YamlValue& item);
+[[nodiscard]] std::uint8_t SrdoNumber(const YamlValue& value);
+/// The keys `at`, `until`, `on` and `off`; the last two alone.
+void ReadSpan(Fields& fields, FaultSetup& fault);
+void ReadPattern(Fields& fields, Nanoseconds& on, Nanoseconds& off);
+[[nodiscard]] std::vector<std::uint8_t> ReadBytes(const YamlValue& value, const Range& range);
+/// What a fault of a node says beside its kind and name.
+void ReadNodeFault(Fields& fields, const Scenario& scenario, FaultSetup& fault);
+/// What a fault of the link between two CPUs says beside its kind and name.
+void ReadLinkFault(Fields& fields, const Scenario& scenario, FaultSetup& fault);
+/// One item of `faults`, `expect`.
+[[nodiscard]] FaultSetup ReadFault(const Scenario& scenario, const YamlValue& value);
+[[nodiscard]] Expectation ReadExpectation(const Scenario& scenario, const YamlValue& value);
+} // namespace counterpoint::simulator
+
+#endif // SIMULATOR_SCENARIO_PARTS_HPP

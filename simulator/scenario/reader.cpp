@@ -1,0 +1,310 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "simulator/scenario/reader.hpp"
+
+#include "simulator/scenario/names.hpp"
+#include "simulator/scenario/parts.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+namespace counterpoint::simulator
+{
+namespace
+{
+constexpr Range kSeedRange{0U, 0xFFFFFFFFFFFFFFFFU};
+constexpr std::uint32_t kBitrates[] = {10000U, 20000U, 50000U, 100000U, 125000U, 250000U, 500000U, 800000U, 1000000U};
+
+Stimulus ReadStimulus(const Scenario& scenario, const YamlValue& value)
+{
+    Fields fields(value, "input");
+    Stimulus stimulus;
+    stimulus.source = value.Where();
+    stimulus.at = fields.Require("at").Duration();
+    stimulus.node = NodeNamed(scenario, fields.Require("node"));
+    stimulus.object = fields.Require("object").Object();
+    stimulus.value = fields.Require("value").Number(kSeedRange);
+    fields.Close();
+    return stimulus;
+}
+
+runtime::LogicRule ReadLogic(const Scenario& scenario, const YamlValue& value)
+{
+    Fields fields(value, "logic");
+    runtime::LogicRule rule;
+    rule.source = value.Where();
+    rule.node = NodeNamed(scenario, fields.Require("node"));
+    rule.target = fields.Require("set").Object();
+    rule.operation = fields.Require("op").Choice(runtime::kOperationWords);
+    const YamlValue from = fields.Require("from");
+    for (const YamlValue& input : from.Items("a list of objects"))
+    {
+        rule.inputs.push_back(input.Object());
+    }
+    const bool takes_one =
+        rule.operation == runtime::LogicOperation::kCopy || rule.operation == runtime::LogicOperation::kNot;
+    const bool fits = takes_one ? rule.inputs.size() == 1U : !rule.inputs.empty();
+    if (!fits)
+    {
+        from.Refuse(std::to_string(rule.inputs.size()) + " objects", takes_one ? "one object" : "one object or more");
+    }
+    fields.Close();
+    return rule;
+}
+
+Acknowledge ReadAcknowledge(const Scenario& scenario, const YamlValue& value)
+{
+    Fields fields(value, "acknowledge");
+    Acknowledge acknowledge;
+    acknowledge.source = value.Where();
+    acknowledge.at = fields.Require("at").Duration();
+    acknowledge.node = NodeNamed(scenario, fields.Require("node"));
+    acknowledge.srdo = SrdoNumber(fields.Require("srdo"));
+    acknowledge.pulse = fields.Require("pulse").Duration();
+    fields.Close();
+    return acknowledge;
+}
+
+NmtEvent ReadNmt(const Scenario& scenario, const YamlValue& value)
+{
+    Fields fields(value, "nmt");
+    NmtEvent event;
+    event.source = value.Where();
+    event.at = fields.Require("at").Duration();
+    const YamlValue node = fields.Require("node");
+    event.node = (node.Text("a node, or all") == "all") ? kNoNode : NodeNamed(scenario, node);
+    const auto state = fields.Find("state");
+    const auto command = fields.Find("command");
+    if (static_cast<bool>(state) == static_cast<bool>(command))
+    {
+        value.Refuse("an NMT event", "either 'state' or 'command'");
+    }
+    event.state = state ? state->Choice(runtime::kNmtWords) : NmtState::kInvalid;
+    event.command = command ? command->Choice(kCommandWords) : NmtCommand::kNone;
+    if (event.command == NmtCommand::kResetNode || event.command == NmtCommand::kResetCommunication)
+    {
+        const auto start = fields.Find("start_after");
+        event.start_after = start ? start->Duration() : kNever;
+    }
+    fields.Close();
+    return event;
+}
+
+PowerCycle ReadPower(const Scenario& scenario, const YamlValue& value)
+{
+    Fields fields(value, "power");
+    PowerCycle cycle;
+    cycle.source = value.Where();
+    cycle.at = fields.Require("at").Duration();
+    cycle.node = NodeNamed(scenario, fields.Require("node"));
+    cycle.off = fields.Require("off").Lasting();
+    const auto start = fields.Find("start_after");
+    cycle.start_after = start ? start->Duration() : kNever;
+    fields.Close();
+    return cycle;
+}
+
+GfcEvent ReadGfc(const Scenario& scenario, const YamlValue& value)
+{
+    Fields fields(value, "gfc");
+    GfcEvent event;
+    event.source = value.Where();
+    event.at = fields.Require("at").Duration();
+    event.node = NodeNamed(scenario, fields.Require("node"));
+    fields.Close();
+    return event;
+}
+
+/// Appends the items of a list, each read by `read`.
+template <typename Item, typename Read>
+void Append(Fields& fields, const char* key, const Scenario& scenario, std::vector<Item>& items, const Read& read)
+{
+    const auto list = fields.Find(key);
+    if (!list)
+    {
+        return;
+    }
+    for (const YamlValue& value : list->Items("a list"))
+    {
+        items.push_back(read(scenario, value));
+    }
+}
+
+/// The same of what happens to both CPUs of a device that is named without one.
+template <typename Item, typename Read>
+void AppendToEach(Fields& fields, const char* key, const Scenario& scenario, std::vector<Item>& items, const Read& read)
+{
+    const auto list = fields.Find(key);
+    if (!list)
+    {
+        return;
+    }
+    for (const YamlValue& value : list->Items("a list"))
+    {
+        items.push_back(read(scenario, value));
+        if (NamesBothCpus(scenario, value))
+        {
+            Item second = items.back();
+            ++second.node;
+            items.push_back(second);
+        }
+    }
+}
+
+void ReadSingles(Fields& fields, Scenario& scenario)
+{
+    if (const auto title = fields.Find("title"))
+    {
+        scenario.title = title->Text("a text");
+    }
+    if (const auto description = fields.Find("description"))
+    {
+        scenario.description = description->Paragraph("a text");
+    }
+    if (const auto bitrate = fields.Find("bitrate"))
+    {
+        scenario.bitrate = bitrate->Checked();
+        if (std::find(std::begin(kBitrates), std::end(kBitrates), scenario.bitrate) == std::end(kBitrates))
+        {
+            bitrate->Refuse(runtime::Shown(bitrate->Node().scalar),
+                            "one of 10000, 20000, 50000, 100000, 125000, 250000, 500000, 800000, 1000000");
+        }
+    }
+    if (const auto duration = fields.Find("duration"))
+    {
+        scenario.duration = duration->Duration();
+    }
+    if (const auto seed = fields.Find("seed"))
+    {
+        scenario.seed = seed->Number(kSeedRange);
+    }
+}
+
+/// What one file says, on top of what is known already.
+void ReadInto(const ScenarioDocument& document, Scenario& scenario)
+{
+    Fields fields(YamlValue(document.file, document.root), "scenario");
+    if (const auto base = fields.Find("extends"))
+    {
+        if (document.is_base)
+        {
+            base->Refuse("a scenario that extends another one", "none here: one step only");
+        }
+    }
+    ReadSingles(fields, scenario);
+    if (const auto nodes = fields.Find("nodes"))
+    {
+        ReadNodes(*nodes, scenario);
+    }
+    AppendToEach(fields, "inputs", scenario, scenario.stimuli, ReadStimulus);
+    AppendToEach(fields, "logic", scenario, scenario.logic, ReadLogic);
+    AppendToEach(fields, "acknowledge", scenario, scenario.acknowledges, ReadAcknowledge);
+    AppendToEach(fields, "nmt", scenario, scenario.nmt, ReadNmt);
+    AppendToEach(fields, "power", scenario, scenario.power, ReadPower);
+    Append(fields, "gfc", scenario, scenario.gfc, ReadGfc);
+    Append(fields, "faults", scenario, scenario.faults, ReadFault);
+    Append(fields, "expect", scenario, scenario.expectations, ReadExpectation);
+    fields.Close();
+}
+} // namespace
+
+std::uint8_t SrdoNumber(const YamlValue& value)
+{
+    return static_cast<std::uint8_t>(value.Number(kSrdoRange));
+}
+
+std::vector<ScenarioDocument> LoadScenario(const std::string& file)
+{
+    std::vector<ScenarioDocument> documents;
+    documents.push_back({file, runtime::ParseYaml(file, runtime::ReadYamlText(file)), false});
+    const runtime::YamlNode& root = documents.back().root;
+    if (root.kind == runtime::YamlKind::kMap)
+    {
+        Fields fields(YamlValue(file, root), "scenario");
+        if (const auto base = fields.Find("extends"))
+        {
+            const std::string name = Beside(file, base->Text("the file name of a scenario"));
+            runtime::YamlNode extended = runtime::ParseYaml(name, runtime::ReadYamlText(name));
+            documents.insert(documents.begin(), {name, std::move(extended), true});
+        }
+    }
+    return documents;
+}
+
+std::vector<std::string> FilesOf(const std::vector<ScenarioDocument>& documents)
+{
+    const auto member = [](const runtime::YamlNode& map, const std::string& key) -> const runtime::YamlNode*
+    {
+        for (std::size_t item = 0U; map.kind == runtime::YamlKind::kMap && item + 1U < map.items.size(); item += 2U)
+        {
+            if (map.items[item].scalar == key)
+            {
+                return &map.items[item + 1U];
+            }
+        }
+        return nullptr;
+    };
+    std::vector<std::string> files;
+    for (const ScenarioDocument& document : documents)
+    {
+        files.push_back(document.file);
+        const runtime::YamlNode* const nodes = member(document.root, "nodes");
+        for (std::size_t item = 1U; nodes != nullptr && item < nodes->items.size(); item += 2U)
+        {
+            const runtime::YamlNode* const dcf = member(nodes->items[item], "dcf");
+            if (dcf != nullptr)
+            {
+                files.push_back(Beside(document.file, dcf->scalar));
+            }
+        }
+    }
+    return files;
+}
+
+Scenario ReadScenario(const std::vector<ScenarioDocument>& documents)
+{
+    Scenario scenario;
+    const std::string& file = documents.back().file;
+    scenario.file = file;
+    for (const ScenarioDocument& document : documents)
+    {
+        ReadInto(document, scenario);
+    }
+    if (scenario.nodes.empty())
+    {
+        throw YamlError(file, {1, 1}, "no nodes", "key 'nodes' with at least one node");
+    }
+    if (scenario.duration == 0)
+    {
+        throw YamlError(file, {1, 1}, "no duration", "key 'duration' with a time above 0");
+    }
+    return scenario;
+}
+
+Scenario ReadScenario(const std::string& file)
+{
+    return ReadScenario(LoadScenario(file));
+}
+
+Nanoseconds ParseDuration(const std::string& place, const std::string& text)
+{
+    runtime::YamlNode node;
+    node.kind = runtime::YamlKind::kScalar;
+    node.scalar = text;
+    const Nanoseconds duration = YamlValue(place, node).Duration();
+    if (duration == 0)
+    {
+        throw YamlError(place, {}, runtime::Shown(text), "a time above 0");
+    }
+    return duration;
+}
+
+std::uint64_t ParseSeed(const std::string& place, const std::string& text)
+{
+    runtime::YamlNode node;
+    node.kind = runtime::YamlKind::kScalar;
+    node.scalar = text;
+    return YamlValue(place, node).Number(kSeedRange);
+}
+} // namespace counterpoint::simulator

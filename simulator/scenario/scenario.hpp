@@ -1,0 +1,228 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SIMULATOR_SCENARIO_SCENARIO_HPP
+#define SIMULATOR_SCENARIO_SCENARIO_HPP
+
+#include "runtime/device/channel_host.hpp"
+#include "runtime/device/logic_rule.hpp"
+#include "simulator/scenario/kinds.hpp"
+#include "simulator/scenario/values.hpp"
+
+#include "safety_core/contract/channel.hpp"
+#include "safety_core/contract/device_fault.hpp"
+#include "safety_core/kernel/limits.hpp"
+#include "safety_core/kernel/object_access.hpp"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace counterpoint::simulator
+{
+using NodeIndex = std::size_t;
+constexpr NodeIndex kNoNode = std::numeric_limits<NodeIndex>::max();
+
+struct CounterSetup
+{
+    std::int32_t drift_ppm{0}; ///< Positive is fast.
+    std::uint32_t start_us{0U};
+};
+
+/// The link between the two CPUs of a device. [SRS-SIM-056]
+struct LinkSetup
+{
+    Nanoseconds timeout{10 * kNanosecondsPerMillisecond};
+    Nanoseconds delay{100 * kNanosecondsPerMicrosecond};
+    Nanoseconds jitter{0}; ///< Each message takes up to so much longer.
+    Nanoseconds clock_tolerance{2 * kNanosecondsPerMillisecond};
+    Nanoseconds clock_interval{500 * kNanosecondsPerMillisecond};
+    Nanoseconds stamp_tolerance{50 * kNanosecondsPerMicrosecond};
+};
+
+/// One processor: a device with one CPU, or one of the two CPUs of a device, which follow each other, A first.
+struct NodeSetup
+{
+    std::string name;
+    std::string device; ///< The same, or without .a and .b.
+    runtime::CpuRole role{runtime::CpuRole::kWhole};
+    LinkSetup link;
+    std::string dcf; ///< Path, usable from here.
+    Source source;
+    std::optional<std::uint8_t> node_id;
+    Nanoseconds phase{0};    ///< First cycle.
+    Nanoseconds start_at{0}; ///< Enters OPERATIONAL.
+    CounterSetup counter_a;
+    CounterSetup counter_b;
+    bool self_tests{true};
+    std::uint32_t controllers{1U}; ///< 2: normal frames by the first, inverse frames by the second.
+};
+
+/// The input of a producer changes.
+struct Stimulus
+{
+    Nanoseconds at{0};
+    NodeIndex node{0U};
+    ObjectAddress object{0U, 0U};
+    std::uint64_t value{0U};
+    Source source;
+};
+
+struct Acknowledge
+{
+    Nanoseconds at{0};
+    Nanoseconds pulse{0};
+    NodeIndex node{0U};
+    std::uint8_t srdo{0U};
+    Source source;
+};
+
+struct NmtEvent
+{
+    Nanoseconds at{0};
+    NodeIndex node{kNoNode}; ///< kNoNode: all.
+    NmtState state{NmtState::kInvalid};
+    NmtCommand command{NmtCommand::kNone}; ///< Instead of `state`.
+    Nanoseconds start_after{kNever};       ///< Enters OPERATIONAL so long after a reset.
+    Source source;
+};
+
+/// A node loses its supply for a while.
+struct PowerCycle
+{
+    Nanoseconds at{0};
+    NodeIndex node{0U};
+    Nanoseconds off{0};
+    Nanoseconds start_after{kNever}; ///< Enters OPERATIONAL so long after power-on.
+    Source source;
+};
+
+struct GfcEvent
+{
+    Nanoseconds at{0};
+    NodeIndex node{0U};
+    Source source;
+};
+
+/// Chooses frames. Bus faults act on the frames that fit, from the `first`-th one on, at most `count` of them.
+struct FrameChoice
+{
+    std::vector<std::uint32_t> identifiers; ///< None: any.
+    std::optional<NodeIndex> srdo_of;       ///< The frames of SRDO `srdo` of this node, both or one of them.
+    std::uint8_t srdo{0U};
+    bool has_normal{true};
+    bool has_inverse{true};
+    std::optional<NodeIndex> sender;
+    std::optional<NodeIndex> receiver; ///< None: for all receivers.
+    std::uint32_t controller{0U};      ///< Of the receiver; 0: each.
+    Nanoseconds from{0};
+    Nanoseconds until{kNever};
+    Nanoseconds on{0}; ///< 0: all the time.
+    Nanoseconds off{0};
+    std::uint32_t first{1U};
+    std::uint32_t every{1U};
+    std::uint32_t count{1U};
+    std::uint32_t probability_ppm{1000000U};
+};
+
+struct FaultSetup
+{
+    FaultKind kind{FaultKind::kLoss};
+    std::string name; ///< Shown to people.
+    Source source;
+    FrameChoice frames; ///< Bus faults.
+    // Everything else: what, where, when.
+    Nanoseconds at{0};
+    Nanoseconds until{kNever};
+    Nanoseconds on{0}; ///< Comes and goes: there for `on`, gone for `off`; 0: there all the time.
+    Nanoseconds off{0};
+    bool is_optional{false}; ///< It may be that it never has an effect.
+    NodeIndex node{kNoNode};
+    std::uint32_t controller{0U}; ///< 0: each.
+    Part part{Part::kNone};
+    Part second_part{Part::kNone}; ///< Where one cause hits two.
+    Wrongness how{Wrongness::kNone};
+    ChannelCall call{ChannelCall::kOnCycle};
+    // Corruption.
+    std::vector<std::uint8_t> bits;     ///< Numbered from bit 0 of byte 0.
+    std::optional<std::uint8_t> length; ///< Frame length instead of the true one.
+    // Repetition, delay, early and late cycle.
+    std::uint32_t times{1U};
+    Nanoseconds by{0};
+    // Insertion and masquerade; `identifier` also of addressing.
+    std::uint32_t identifier{0U};
+    FrameKind frame_kind{FrameKind::kData};
+    std::vector<std::uint8_t> data;
+    // Bit flip.
+    std::optional<std::uint32_t> offset;
+    std::uint8_t bit{0U};
+    bool level{false};                   ///< Of a stuck bit.
+    std::optional<ConfigAddress> config; ///< `slot` holds the SRDO number here.
+    std::uint8_t srdo{0U};               ///< Of a setup or safe value; 0: any.
+    // Clock.
+    bool hits_counter_a{false};
+    bool hits_counter_b{false};
+    std::int32_t rate_ppm{0};        ///< Instead of the drift; -10^6 stops the counter.
+    std::optional<Nanoseconds> jump; ///< Instead of another rate.
+    // Link between two CPUs: `frames` has window, turn and chance; `node` is CPU A.
+    bool hits_from_a{true};
+    bool hits_from_b{true};
+    std::uint32_t back{0U}; ///< Of an insertion: so many messages ago; 0: noise.
+    std::vector<std::uint32_t> message_bits;
+    // Store and forward; reception queue.
+    Nanoseconds gap{0};
+    std::uint32_t capacity{1U};
+    // Application.
+    ObjectAddress object{0U, 0U};
+};
+
+struct Expectation
+{
+    ExpectationKind kind{ExpectationKind::kNoFault};
+    Source source;
+    Nanoseconds at{0};
+    NodeIndex node{kNoNode};
+    bool is_series{false}; ///< Of both CPUs of a device: `node` and the next one, their outputs in series.
+    std::uint8_t srdo{0U};
+    ObjectAddress object{0U, 0U};
+    std::uint64_t value{0U};
+    SrdoCause cause{SrdoCause::kInvalid};
+    DeviceFault device_fault{DeviceFault::kInvalid};
+    std::vector<Party> parties;                   ///< Any of them.
+    std::size_t fault{0U};                        ///< Index in Scenario::faults.
+    FaultClass fault_class{FaultClass::kInvalid}; ///< kInvalid: follows from the fault.
+};
+
+struct Scenario
+{
+    std::string file;
+    std::string title;
+    std::string description;
+    std::uint32_t bitrate{500000U};
+    Nanoseconds duration{0};
+    std::uint64_t seed{1U};
+    std::vector<NodeSetup> nodes;
+    std::vector<Stimulus> stimuli;
+    std::vector<runtime::LogicRule> logic;
+    std::vector<Acknowledge> acknowledges;
+    std::vector<NmtEvent> nmt;
+    std::vector<PowerCycle> power;
+    std::vector<GfcEvent> gfc;
+    std::vector<FaultSetup> faults;
+    std::vector<Expectation> expectations;
+};
+
+/// Whether normal frames, which have odd identifiers, are among the chosen ones.
+[[nodiscard]] inline bool ChoosesNormal(const FrameChoice& choice)
+{
+    bool is_odd = choice.identifiers.empty() && choice.has_normal;
+    for (const std::uint32_t identifier : choice.identifiers)
+    {
+        is_odd = is_odd || (identifier & 1U) != 0U;
+    }
+    return is_odd;
+}
+} // namespace counterpoint::simulator
+
+#endif // SIMULATOR_SCENARIO_SCENARIO_HPP

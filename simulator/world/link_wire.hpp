@@ -1,0 +1,81 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SIMULATOR_WORLD_LINK_WIRE_HPP
+#define SIMULATOR_WORLD_LINK_WIRE_HPP
+
+#include "simulator/faults/random.hpp"
+#include "simulator/journal/journal.hpp"
+#include "simulator/scenario/scenario.hpp"
+
+#include "hal/api/cross_link.hpp"
+
+#include <array>
+#include <cstddef>
+#include <deque>
+#include <optional>
+#include <vector>
+
+namespace counterpoint::simulator
+{
+/// A message that has arrived.
+struct LinkArrival
+{
+    NodeIndex receiver{0U};
+    hal::LinkFrame frame{};
+};
+
+/// The wire between the two CPUs of a device, and its faults. [SRS-SIM-056, SRS-SIM-057]
+class LinkWire
+{
+  public:
+    /// @brief `first` is CPU A, the next node is CPU B. Both given outlive the wire.
+    LinkWire(const Scenario& scenario, NodeIndex first, Journal& journal);
+
+    void Send(NodeIndex sender, const hal::LinkFrame& frame, Nanoseconds now);
+    /// @brief A message that nobody sent, of the fault with this index.
+    void Insert(std::size_t fault, Nanoseconds now);
+    /// @brief kNever: nothing is under way.
+    [[nodiscard]] Nanoseconds NextArrival() const noexcept;
+    /// @brief The next of those that have arrived, in the order of arrival.
+    [[nodiscard]] std::optional<LinkArrival> Take(Nanoseconds now);
+
+  private:
+    struct Flight
+    {
+        Nanoseconds at{0};
+        LinkArrival arrival;
+    };
+    /// Counts what a fault has seen and hit in one direction.
+    struct Chooser
+    {
+        std::size_t fault{0U};
+        NodeIndex sender{0U};
+        std::uint32_t seen{0U};
+        std::uint32_t done{0U};
+    };
+    /// One direction.
+    struct Way
+    {
+        std::deque<hal::LinkFrame> sent; ///< The last ones, newest in front.
+        std::vector<LinkArrival> held;   ///< Until the next one has arrived.
+    };
+
+    [[nodiscard]] bool Hits(Chooser& chooser, Nanoseconds now);
+    void Change(const FaultSetup& fault, NodeIndex sender, std::vector<Flight>& flights);
+    void Depart(const Flight& flight);
+    void Tell(std::size_t fault, NodeIndex receiver, Nanoseconds at);
+    [[nodiscard]] NodeIndex Other(NodeIndex node) const noexcept;
+    [[nodiscard]] Way& WayFrom(NodeIndex sender) noexcept;
+    [[nodiscard]] Nanoseconds Delay() noexcept;
+
+    const Scenario& scenario_;
+    NodeIndex first_;
+    Journal& journal_;
+    Random random_;
+    std::vector<Chooser> choosers_;
+    std::vector<std::size_t> told_; ///< Faults whose first effect is in the journal.
+    std::array<Way, 2U> ways_{};
+    std::deque<Flight> flights_; ///< Ascending; of two at the same time the one that departed first.
+};
+} // namespace counterpoint::simulator
+
+#endif // SIMULATOR_WORLD_LINK_WIRE_HPP

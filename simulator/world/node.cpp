@@ -1,0 +1,311 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "simulator/world/node.hpp"
+
+#include "canopen/cia306/text/input_error.hpp"
+
+#include <algorithm>
+
+namespace counterpoint::simulator
+{
+namespace
+{
+constexpr std::int64_t kMillion = 1000000;
+constexpr std::uint16_t kCommunicationBase = 0x1300U;
+
+hal::GateLimit LimitOf(const DeviceConfig& config)
+{
+    return {config.cycle_us + config.cycle_tolerance_us};
+}
+
+runtime::Half HalfOf(const runtime::CpuRole role)
+{
+    if (role == runtime::CpuRole::kWhole)
+    {
+        return runtime::Half::kBoth;
+    }
+    return (role == runtime::CpuRole::kA) ? runtime::Half::kNormal : runtime::Half::kInverse;
+}
+} // namespace
+
+Node::Node(const NodeIndex index, const NodeSetup& setup, runtime::DeviceModel& model, host::VirtualBus& bus,
+           Journal& journal, const Insight insight)
+    : index_(index), setup_(setup), model_(model), bus_(bus), journal_(journal), insight_(insight),
+      clocks_(bus, {{setup.counter_a.start_us}, {setup.counter_b.start_us}}), watchdog_(bus),
+      output_(bus, watchdog_, LimitOf(model.Config())), output_tap_(output_, faults_),
+      watchdog_tap_(watchdog_, faults_), can_(clocks_, *this),
+      channel_a_(runtime::MakeChannel(runtime::Letter::kA, runtime::RoomOf(model.Config()))),
+      channel_b_(runtime::MakeChannel(runtime::Letter::kB, runtime::RoomOf(model.Config()))),
+      tap_a_(channel_a_->Voice(), Part::kChannelA, faults_, this),
+      tap_b_(channel_b_->Voice(), Part::kChannelB, faults_, this), supervisors_(faults_),
+      application_(index, model, journal, HalfOf(setup.role)),
+      self_test_(setup.self_tests ? std::make_unique<NodeSelfTest>(memory_, image_, Output(), faults_) : nullptr),
+      peer_((setup.role == runtime::CpuRole::kWhole)
+                ? nullptr
+                : std::make_unique<Peer>(
+                      RealChannel((setup.role == runtime::CpuRole::kA) ? runtime::Letter::kA : runtime::Letter::kB),
+                      Supervision(), LinkConfigOf(setup))),
+      kernel_({VoiceOf(runtime::Letter::kA), VoiceOf(runtime::Letter::kB), can_, Output(),
+               (peer_ == nullptr) ? Supervision() : peer_->Watchdog(), application_, self_test_.get()})
+{
+    FurnishSelfTest();
+    application_.Join(kernel_);
+    ConnectControllers(model.ControllerCount());
+    SetCounterRate(true, setup.counter_a.drift_ppm);
+    SetCounterRate(false, setup.counter_b.drift_ppm);
+    const std::int64_t cycle = std::int64_t{model.Config().cycle_us} * kNanosecondsPerMicrosecond * kMillion;
+    oscillator_ = kMillion + setup.counter_a.drift_ppm;
+    cycle_ns_ = cycle / oscillator_;
+    cycle_fraction_ = cycle % oscillator_;
+    next_cycle_ = setup.phase;
+    next_event_ = setup.phase;
+    slot_of_.fill(kNoSlot);
+    for (const runtime::SrdoModel& srdo : model.Srdos())
+    {
+        const bool has_identifier = srdo.cob_id_1 >= kFirstSrdoIdentifier && srdo.cob_id_1 < kLastSrdoIdentifier;
+        if (srdo.direction == kDirectionConsumer && has_identifier)
+        {
+            const SlotIndex slot = model.SlotOf(srdo.number).value_or(kNoSlot);
+            slot_of_.at(srdo.cob_id_1 - kFirstSrdoIdentifier) = slot;
+            slot_of_.at(srdo.cob_id_1 - kFirstSrdoIdentifier + 1U) = slot;
+        }
+    }
+}
+
+void Node::SettleNextEvent() noexcept
+{
+    next_event_ = std::min(is_hung_ ? kNever : next_cycle_, look_at_);
+}
+
+void Node::Run()
+{
+    if (!is_on_)
+    {
+        PowerOn();
+    }
+    else if (!is_hung_ && Now() >= next_cycle_)
+    {
+        Cycle();
+    }
+    else
+    {
+        LookAtOutput();
+    }
+    SettleNextEvent();
+}
+
+void Node::Cycle()
+{
+    application_.SetNow(Now());
+    DrainQueue();
+    if (is_hung_)
+    {
+        return;
+    }
+    if (cycles_per_send_ != 0U && setup_.role != runtime::CpuRole::kB) // CPU B follows.
+    {
+        SendByApplication();
+    }
+    if (is_hung_)
+    {
+        return;
+    }
+    seen_acknowledge_a_ = Level(Part::kAcknowledgeA, seen_acknowledge_a_);
+    seen_acknowledge_b_ = Level(Part::kAcknowledgeB, seen_acknowledge_b_);
+    const CycleCall call{Instants(), seen_acknowledge_a_, seen_acknowledge_b_};
+    Guarded(
+        [this, &call]()
+        {
+            if (self_test_ == nullptr)
+            {
+                RequireSound();
+            }
+            RunKernel(call);
+        });
+    if (insight_ == Insight::kTapped)
+    {
+        NoteEffects();
+        NoteSelfTest();
+        LookInside();
+    }
+    LookAtOutput();
+    if (!is_hung_)
+    {
+        const PartCondition& condition = faults_.Condition(Part::kApplication);
+        if (application_.Run(open_, Now(), condition.is_faulty))
+        {
+            faults_.HasEffect(condition);
+        }
+        ScheduleNext();
+    }
+}
+
+void Node::ScheduleNext()
+{
+    next_cycle_ += cycle_ns_;
+    fraction_sum_ += cycle_fraction_;
+    if (fraction_sum_ >= oscillator_)
+    {
+        fraction_sum_ -= oscillator_;
+        ++next_cycle_;
+    }
+}
+
+// The application's own refresh: at once after a change, and every refresh time after the last time.
+void Node::SendByApplication()
+{
+    const bool is_operational = nmt_ == NmtState::kOperational;
+    if (!is_operational)
+    {
+        cycles_to_send_ = 0U;
+        return;
+    }
+    const bool has_changed = application_.TakeChange();
+    if (cycles_to_send_ != 0U && !has_changed)
+    {
+        --cycles_to_send_;
+        return;
+    }
+    cycles_to_send_ = cycles_per_send_ - 1U;
+    Guarded(
+        [this]()
+        {
+            RequireSound();
+            SendEach();
+        });
+}
+
+void Node::SendEach()
+{
+    for (SlotIndex slot = 0U; slot < model_.Config().srdo_count; ++slot)
+    {
+        if (model_.Config().srdos[slot].form == ProducerForm::kApplicationSends)
+        {
+            const auto index = static_cast<std::uint16_t>(kCommunicationBase + NumberOf(slot));
+            static_cast<void>(kernel_.Send({index})); // Consumers among them refuse.
+        }
+    }
+}
+
+void Node::Take(const StampedFrame& frame)
+{
+    if (is_hung_ || !is_on_)
+    {
+        return;
+    }
+    if (insight_ == Insight::kTapped)
+    {
+        Follow(frame);
+    }
+    Guarded(
+        [this, &frame]()
+        {
+            RequireSound();
+            const bool is_echo = peer_ != nullptr && peer_->IsEcho(frame.frame);
+            is_echo ? kernel_.OnConfirm(Stamped(frame)) : kernel_.OnFrame(Stamped(frame));
+        });
+}
+
+void Node::TakeConfirmation(const StampedFrame& frame)
+{
+    if (is_hung_ || !is_on_)
+    {
+        return;
+    }
+    application_.SetNow(Now());
+    Guarded(
+        [this, &frame]()
+        {
+            RequireSound();
+            kernel_.OnConfirm(Stamped(frame));
+        });
+}
+
+void Node::TakeOverflow()
+{
+    kernel_.OnOverflow();
+}
+
+// Independent of both channels: a pair is good when it is complete, in order and inverse over all its bytes.
+void Node::Follow(const StampedFrame& frame)
+{
+    const std::uint32_t identifier = frame.frame.identifier;
+    const SlotIndex slot = ConsumerOf(frame.frame);
+    if (slot == kNoSlot)
+    {
+        return;
+    }
+    PairTimes& times = times_.at(slot);
+    Payload data{0U, 0U};
+    for (std::uint8_t byte = 0U; byte < std::min(frame.frame.length_bytes, kMaxPayloadBytes); ++byte)
+    {
+        std::uint32_t& word = (byte < 4U) ? data.low : data.high;
+        word |= std::uint32_t{frame.frame.data[byte]} << (8U * (byte % 4U));
+    }
+    if ((identifier & 1U) != 0U)
+    {
+        times.pending = Now();
+        times.data = data;
+        times.length_bytes = frame.frame.length_bytes;
+        journal_.Tell({Now(), EventKind::kReception, index_, NumberOf(slot), identifier, 0U});
+        return;
+    }
+    times.last_inverse = Now();
+    const std::uint64_t normal = (std::uint64_t{times.data.high} << 32U) | times.data.low;
+    const std::uint64_t inverse = (std::uint64_t{data.high} << 32U) | data.low;
+    const std::uint64_t mask = ~std::uint64_t{0U} >> (64U - 8U * std::max<unsigned>(times.length_bytes, 1U));
+    const bool is_good =
+        times.pending >= 0 && times.length_bytes == frame.frame.length_bytes && ((normal ^ inverse) & mask) == mask;
+    times.last_good_normal = is_good ? times.pending : times.last_good_normal;
+    times.pending = -1;
+    journal_.Tell({Now(), EventKind::kReception, index_, NumberOf(slot), identifier, is_good ? 1U : 0U});
+}
+
+void Node::LookAtOutput()
+{
+    const SrdoMask open = output_.Open();
+    const SrdoMask changed = open ^ open_;
+    open_ = open;
+    for (SlotIndex slot = 0U; changed != 0U && slot < model_.Config().srdo_count; ++slot)
+    {
+        if (((changed >> slot) & 1U) != 0U)
+        {
+            const PairTimes& times = times_.at(slot);
+            journal_.Note({Now(), EventKind::kOutput, index_, NumberOf(slot), (open >> slot) & 1U, 0U,
+                           times.last_good_normal, times.last_inverse});
+        }
+    }
+    if (insight_ == Insight::kTapped)
+    {
+        LookAtWatchdog();
+    }
+}
+
+void Node::LookAtWatchdog()
+{
+    const Nanoseconds served = watchdog_tap_.Keep(Now(), cycle_ns_);
+    const bool is_alive = watchdog_.IsAlive();
+    if (was_alive_ && !is_alive)
+    {
+        journal_.Note({Now(), EventKind::kWatchdog, index_, 0U, 0U, 0U});
+    }
+    was_alive_ = is_alive;
+    look_at_ = std::min({output_.ClosesAt(), watchdog_.TripsAt(), served});
+}
+
+void Node::SetNmt(const NmtState state)
+{
+    nmt_ = state;
+    journal_.Tell({Now(), EventKind::kNmt, index_, 0U, static_cast<std::uint64_t>(state), 0U});
+    if (!is_hung_ && is_on_)
+    {
+        application_.SetNow(Now());
+        Guarded(
+            [this, state]()
+            {
+                RequireSound();
+                kernel_.SetNmtState(state);
+            });
+    }
+}
+
+} // namespace counterpoint::simulator

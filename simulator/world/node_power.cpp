@@ -1,0 +1,264 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "simulator/world/node.hpp"
+
+#include "canopen/cia306/text/input_error.hpp"
+
+#include <algorithm>
+
+// How a node comes to life and loses it, and its controllers. [SRS-SIM-036, SRS-SIM-037]
+namespace counterpoint::simulator
+{
+namespace
+{
+constexpr std::size_t kTransmitCapacity = 16U;
+
+hal::WatchdogWindow WindowOf(const DeviceConfig& config)
+{
+    return {config.cycle_us / 2U, config.cycle_us + config.cycle_tolerance_us};
+}
+} // namespace
+
+// Two controllers hear each other on the one bus: the second takes the inverse frames of SRDOs (even identifiers), the
+// first everything else.
+void Node::ConnectControllers(const std::uint32_t count)
+{
+    bus_nodes_.push_back(can_.ConnectPort(CanPortId::kFirst, bus_, kTransmitCapacity));
+    if (count == 1U)
+    {
+        return;
+    }
+    bus_nodes_.push_back(can_.ConnectPort(CanPortId::kSecond, bus_, kTransmitCapacity));
+    constexpr std::uint32_t kLastIdentifier = 0x7FFU;
+    bus_.AcceptNone(bus_nodes_[0U]);
+    bus_.AcceptNone(bus_nodes_[1U]);
+    bus_.AcceptRange(bus_nodes_[0U], 0U, kFirstSrdoIdentifier - 1U);
+    bus_.AcceptRange(bus_nodes_[0U], kLastSrdoIdentifier + 1U, kLastIdentifier);
+    for (std::uint32_t identifier = kFirstSrdoIdentifier; identifier <= kLastSrdoIdentifier; ++identifier)
+    {
+        const bool is_normal = (identifier & 1U) != 0U;
+        bus_.AcceptRange(bus_nodes_[is_normal ? 0U : 1U], identifier, identifier);
+    }
+}
+
+void Node::Rehearse()
+{
+    model_.ResetVariables();
+    image_.RestorePointers();
+    may_be_wild_ = false;
+    application_.ForgetFault();
+    if (self_test_ != nullptr)
+    {
+        self_test_->Start();
+    }
+    const StartResult result = kernel_.Start(model_.Config(), FlowCallback::kOff);
+    if (result != StartResult::kStarted)
+    {
+        throw cia306::InputError(model_.File(), 0U,
+                                 {"the kernel refuses this device, reason " +
+                                      std::to_string(static_cast<unsigned>(result)) + " of StartResult",
+                                  "SRDOs, objects and times of 0x5F00 within the ranges of DeviceConfig"});
+    }
+    nmt_ = NmtState::kPreOperational;
+    kernel_.SetNmtState(nmt_);
+    runtime::Commission(kernel_, model_);
+}
+
+void Node::StartFresh()
+{
+    queue_.reset();
+    is_hung_ = false;
+    try
+    {
+        is_on_ = true;
+        Guarded([this]() { Rehearse(); }); // A part that hangs does so at the start, too.
+    }
+    catch (const cia306::InputError&)
+    {
+        // The rehearsal went well: a fault has hit the device's tables since.
+        is_on_ = false;
+        next_cycle_ = kNever;
+        journal_.Note({Now(), EventKind::kNoStart, index_, 0U, 0U, 0U});
+        return;
+    }
+    if (is_hung_)
+    {
+        return;
+    }
+    watchdog_.Start(WindowOf(model_.Config()));
+    was_alive_ = true;
+    voice_a_ = Voice{};
+    voice_b_ = Voice{};
+    shown_agreed_ = 0U;
+    shown_matched_ = 0U;
+    times_.fill(PairTimes{});
+    fraction_sum_ = 0;
+    next_cycle_ = Now();
+    ScheduleNext();
+    PrepareSending();
+}
+
+void Node::PowerOn()
+{
+    const bool is_again = next_cycle_ == kNever;
+    for (const host::NodeIndex node : bus_nodes_)
+    {
+        bus_.Connect(node);
+        if (is_again)
+        {
+            bus_.Recover(node);
+        }
+    }
+    if (is_again)
+    {
+        BeginCounters();
+    }
+    StartFresh();
+    journal_.Tell({Now(), EventKind::kPowerOn, index_, 0U, 0U, 0U});
+    SettleNextEvent();
+}
+
+void Node::BeginCounters()
+{
+    const InstantPair now = clocks_.Now();
+    clocks_.A().Jump(Now(), static_cast<std::int32_t>(setup_.counter_a.start_us - now.a.us));
+    clocks_.B().Jump(Now(), static_cast<std::int32_t>(setup_.counter_b.start_us - now.b.us));
+}
+
+// The shortest refresh time of the producers that the application sends by itself.
+void Node::PrepareSending()
+{
+    cycles_to_send_ = 0U;
+    cycles_per_send_ = 0U;
+    for (const runtime::SrdoModel& srdo : model_.Srdos())
+    {
+        const SlotIndex slot = model_.SlotOf(srdo.number).value_or(0U);
+        const bool sends =
+            srdo.direction == kDirectionProducer && model_.Config().srdos[slot].form == ProducerForm::kApplicationSends;
+        const std::uint32_t cycles = (srdo.times.sct_ms * kMicrosecondsPerMillisecond) / model_.Config().cycle_us;
+        if (sends && (cycles_per_send_ == 0U || cycles < cycles_per_send_))
+        {
+            cycles_per_send_ = std::max(cycles, 1U);
+        }
+    }
+}
+
+void Node::PowerOff()
+{
+    is_on_ = false;
+    is_hung_ = false;
+    next_cycle_ = kNever;
+    look_at_ = kNever;
+    queue_.reset();
+    for (const host::NodeIndex node : bus_nodes_)
+    {
+        bus_.AbortAll(node);
+        bus_.Disconnect(node);
+    }
+    for (SlotIndex slot = 0U; slot < model_.Config().srdo_count; ++slot)
+    {
+        if (((open_ >> slot) & 1U) != 0U)
+        {
+            const PairTimes& times = times_.at(slot);
+            journal_.Note({Now(), EventKind::kOutput, index_, NumberOf(slot), 0U, 0U, times.last_good_normal,
+                           times.last_inverse});
+        }
+    }
+    open_ = 0U;
+    application_.Run(open_, Now(), false); // Without supply no value counts.
+    journal_.Tell({Now(), EventKind::kPowerOff, index_, 0U, 0U, 0U});
+    SettleNextEvent();
+}
+
+void Node::ResetNode()
+{
+    if (is_on_ && !is_hung_)
+    {
+        StartFresh();
+        LookAtOutput();
+        SettleNextEvent();
+    }
+}
+
+void Node::ResetCommunication()
+{
+    SetNmt(NmtState::kInitialising);
+    SetNmt(NmtState::kPreOperational);
+}
+
+void Node::Poll(const std::size_t capacity, const std::size_t fault)
+{
+    queue_capacity_ = capacity;
+    queue_fault_ = (capacity == 0U) ? queue_fault_ : fault;
+}
+
+void Node::OnFrame(const StampedFrame& frame)
+{
+    if (queue_capacity_ == 0U && queue_ == nullptr)
+    {
+        Take(frame);
+        return;
+    }
+    if (!is_on_)
+    {
+        return;
+    }
+    if (queue_ == nullptr)
+    {
+        queue_ = std::make_unique<host::FrameQueue>(queue_capacity_);
+    }
+    if (queue_->Size() >= queue_capacity_ && queue_capacity_ != 0U && queue_fault_ != kNoFaultIndex)
+    {
+        journal_.Note({Now(), EventKind::kFault, index_, 0U, queue_fault_, 0U});
+        queue_fault_ = kNoFaultIndex;
+    }
+    queue_->OnFrame(frame);
+}
+
+void Node::OnConfirm(const StampedFrame& frame)
+{
+    if (queue_ == nullptr)
+    {
+        TakeConfirmation(frame);
+        return;
+    }
+    queue_->OnConfirm(frame); // Behind the frames that wait.
+}
+
+void Node::OnOverflow()
+{
+    TakeOverflow();
+}
+
+void Node::DrainQueue()
+{
+    if (queue_ == nullptr)
+    {
+        return;
+    }
+    class Sink final : public host::FrameSink
+    {
+      public:
+        explicit Sink(Node& node) : node_(node)
+        {
+        }
+        void OnFrame(const StampedFrame& frame) override
+        {
+            node_.Take(frame);
+        }
+        void OnConfirm(const StampedFrame& frame) override
+        {
+            node_.TakeConfirmation(frame);
+        }
+        void OnOverflow() override
+        {
+            node_.TakeOverflow();
+        }
+
+      private:
+        Node& node_;
+    };
+    Sink sink(*this);
+    const std::unique_ptr<host::FrameQueue> queue = std::move(queue_);
+    queue->Drain(sink);
+}
+} // namespace counterpoint::simulator

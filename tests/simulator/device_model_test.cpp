@@ -1,0 +1,107 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "runtime/device/channel_host.hpp"
+#include "runtime/device/model.hpp"
+#include "tests/integration/scenario_run.hpp"
+#include "verification/trace/verifies.hpp"
+
+namespace counterpoint::simulator
+{
+namespace
+{
+TEST(DeviceModel, TakesTheControllerFromItsDcf)
+{
+    Verifies(req::SRS_SIM_002);
+    const runtime::DeviceModel model(Examples() + "controller.dcf", std::nullopt);
+    // SRDOs
+    EXPECT_EQ(model.Config().node_id, 2U);
+    EXPECT_EQ(model.Config().srdo_count, 2U);
+    ASSERT_EQ(model.Srdos().size(), 2U);
+    EXPECT_EQ(model.Srdos()[0].direction, 2U);
+    EXPECT_EQ(model.Srdos()[0].times.sct_ms, 50U);
+    EXPECT_EQ(model.Srdos()[0].times.srvt_ms, 20U);
+    EXPECT_EQ(model.Srdos()[0].cob_id_1, 0x101U);
+    EXPECT_EQ(model.Srdos()[1].direction, 1U);
+    EXPECT_EQ(model.Srdos()[1].times.sct_ms, 25U);
+    // Times of 5F00h: 1 ms, 0.5 ms, 5 ms, 1 s, 1 s, 0.5 ms in 100 ms
+    EXPECT_EQ(model.Config().cycle_us, 1000U);
+    EXPECT_EQ(model.Config().cycle_tolerance_us, 500U);
+    EXPECT_EQ(model.Config().discrepancy_us, 5000U);
+    EXPECT_EQ(model.Config().diagnostic_interval_us, 1000000U);
+    EXPECT_EQ(model.Config().test_interval_us, 1000000U);
+    EXPECT_EQ(model.Config().clock_tolerance_us, 500U);
+    EXPECT_EQ(model.Config().clock_interval_us, 100000U);
+    // Objects in ascending order with the access of their direction
+    ASSERT_EQ(model.Objects().size(), 8U);
+    EXPECT_EQ(model.Objects()[0].index, 0x2000U);
+    EXPECT_EQ(model.Objects()[0].access, MapAccess::kProducer);
+    EXPECT_EQ(model.Objects()[7].index, 0x2300U);
+    EXPECT_EQ(model.Objects()[7].access, MapAccess::kConsumer);
+    // Power-on values of the DCF: 2000h 0, 2100h FFh
+    EXPECT_EQ(*model.Objects()[0].place, 0x00U);
+    EXPECT_EQ(*model.Objects()[2].place, 0xFFU);
+    // The order of a configuring master: first direction 0, last 13FEh
+    EXPECT_EQ(model.Writes().front().object.index, 0x1301U);
+    EXPECT_EQ(model.Writes().front().value, 0U);
+    EXPECT_EQ(model.Writes().back().object.index, 0x13FEU);
+    EXPECT_EQ(model.Writes().back().value, 0xA5U);
+}
+
+TEST(DeviceModel, TakesEveryDeviceParameterFromItsDcf)
+{
+    Verifies(req::SRS_SIM_002);
+    // Given a DCF in which each of 5F00h to 5F05h is another than its default
+    const runtime::DeviceModel model(Examples() + "../../tests/canopen/cia306/data/digest.dcf", std::nullopt);
+    const DeviceConfig& config = model.Config();
+    EXPECT_EQ(config.granularity_bits, 1U);
+    EXPECT_EQ(config.map_entries, 128U);
+    EXPECT_EQ(config.dummies, DummyMapping::kAllowed);
+    EXPECT_EQ(config.gaps, NumberGaps::kSearched);
+    EXPECT_EQ(config.gfc, GfcUse::kPresent);
+    EXPECT_EQ(config.normal_port, CanPortId::kFirst);
+    EXPECT_EQ(config.inverse_port, CanPortId::kSecond);
+    EXPECT_EQ(config.diagnostic_interval_us, 1234000U);
+    EXPECT_EQ(config.output_time_us, 4321U);
+    ASSERT_EQ(config.srdo_count, 2U);
+    EXPECT_EQ(config.srdos[0].policy, ReleasePolicy::kAutomatic);
+    EXPECT_EQ(config.srdos[0].detection, SrvtDetection::kLate);
+    EXPECT_EQ(config.srdos[0].safe_value.low, 0xA1B2C3D4U);
+    EXPECT_EQ(config.srdos[1].form, ProducerForm::kProviderCalled);
+    EXPECT_EQ(config.srdos[1].detection, SrvtDetection::kEarly);
+    EXPECT_EQ(config.srdos[1].safe_value.high, 0x11223344U);
+}
+
+TEST(DeviceModel, LeavesDummiesOutOfItsPairs)
+{
+    Verifies(req::SRS_SIM_002);
+    // Given SRDO 1 with dummies of 1, 8, 16 and 32 bits around objects of 1 and 6 bits
+    const runtime::DeviceModel model(Examples() + "../../tests/canopen/cia306/data/dummies.dcf", std::nullopt);
+    // Then its pairs are the objects, at their place in the data
+    ASSERT_EQ(model.Pairs().size(), 3U);
+    EXPECT_EQ(model.Pairs()[0].first_bit, 1U);
+    EXPECT_EQ(model.Pairs()[1].first_bit, 26U);
+    EXPECT_EQ(model.Pairs()[2].first_bit, 56U);
+    EXPECT_EQ(model.Objects()[1].length_bits, 6U);
+}
+
+TEST(FindConfigBit, NamesTheBitThatHoldsAValueInEitherChannel)
+{
+    Verifies(req::SRS_SIM_021);
+    const runtime::DeviceModel model(Examples() + "actuator.dcf", std::nullopt);
+    for (const runtime::Letter letter : {runtime::Letter::kA, runtime::Letter::kB})
+    {
+        // Given a channel that keeps SCT 50 (32h)
+        const auto host = runtime::MakeChannel(letter, runtime::RoomOf(model.Config()));
+        host->Voice().Restart(model.Config());
+        const ConfigAddress sct{0U, ConfigField::kSct, 0U};
+        host->Voice().Store({sct, 50U});
+        const auto place = runtime::FindConfigBit(letter, model.Config(), sct, 3U);
+        ASSERT_TRUE(place);
+        // When the bit at that place flips
+        host->Bytes()[place->offset] = static_cast<std::uint8_t>(host->Bytes()[place->offset] ^ (1U << place->bit));
+        // Then SCT is 3Ah
+        EXPECT_EQ(host->Voice().Load(sct).value, 0x3AU);
+    }
+    EXPECT_FALSE(runtime::FindConfigBit(runtime::Letter::kA, model.Config(), {0U, ConfigField::kSct, 0U}, 20U));
+}
+} // namespace
+} // namespace counterpoint::simulator

@@ -1,0 +1,117 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "simulator/report/reports.hpp"
+#include "tests/integration/scenario_run.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <sstream>
+#include <string>
+
+namespace counterpoint::simulator
+{
+namespace
+{
+constexpr const char* kLoss = R"(
+title: a <b> & "c"
+faults:
+  - {fault: loss, name: "</script>", frames: {identifier: 0x104, receiver: actuator, from: 500 ms}}
+  - {fault: bit_flip, name: chance, node: controller, part: channel_b, at: 700 ms}
+expect:
+  - {that: safe_within, fault: "</script>", node: actuator, srdo: 1}
+  - {that: released, node: actuator, srdo: 1, at: 990 ms}
+)";
+
+std::string TimeLineOf(const simulator::Run& run)
+{
+    std::ostringstream out;
+    WriteTimeLine(run, FrameLines::kAll, out);
+    WriteVerdicts(run, out);
+    return out.str();
+}
+
+TEST(Reports, AreTheSameBytesForTheSameScenarioAndSeed)
+{
+    Verifies(req::SRS_SIM_003);
+    const auto first = RunChain(kLoss, true);
+    const auto second = RunChain(kLoss, true);
+    EXPECT_EQ(TimeLineOf(*first), TimeLineOf(*second));
+    EXPECT_EQ(JsonReport(*first), JsonReport(*second));
+    EXPECT_EQ(CandumpReport(*first), CandumpReport(*second));
+    EXPECT_EQ(HtmlReport("x", {first.get()}), HtmlReport("x", {second.get()}));
+}
+
+TEST(Reports, TimeLineShowsWhoSawWhat)
+{
+    Verifies(req::SRS_SIM_040);
+    const auto run = RunChain(kLoss, true);
+    const std::string text = TimeLineOf(*run);
+    for (const char* const line :
+         {"frame 0x103 [2] 01 01  from controller", "FAULT: </script>", "SRDO 1 channel A: faulted",
+          "SRDO 1 channel B: faulted", "SRDO 1 channel A reports srvt", "comparator: agreed SRDO none",
+          "three permits for SRDO none", "SRDO 1 OUTPUT SAFE", "application told: srvt", "SRDO 1 0x2200:01 = 0",
+          "acknowledge 1", "NMT operational", "input 0x2000:01 = 1",
+          "  holds   actuator SRDO 1 safe within 72 ms after '</script>' (limit: bus_next_normal): ",
+          "  FAILED  actuator SRDO 1 released at 990 ms: safe", "1 of 2 expectations hold"})
+    {
+        EXPECT_NE(text.find(line), std::string::npos) << line;
+    }
+}
+
+TEST(Reports, JsonHoldsRecordingMeasurementAndVerdicts)
+{
+    Verifies(req::SRS_SIM_041);
+    Verifies(req::SRS_SIM_031);
+    const auto run = RunChain(kLoss, true);
+    const nlohmann::json json = nlohmann::json::parse(JsonReport(*run));
+    EXPECT_EQ(json["format"], "counterpoint-simulation-1");
+    EXPECT_EQ(json["holds"], false);
+    EXPECT_EQ(json["nodes"][2]["name"], "actuator");
+    EXPECT_EQ(json["nodes"][2]["srdos"][0]["cob_id_1"], 0x103);
+    const nlohmann::json& measurement = json["expectations"][0]["measurement"];
+    // SCT 50 ms + SRVT 20 ms + cycle 1 ms + output 1 ms
+    EXPECT_EQ(measurement["limit_ns"], 72000000);
+    EXPECT_EQ(measurement["holds"], true);
+    EXPECT_EQ(measurement["detected_by"], "channels");
+    EXPECT_EQ(measurement["detection_cause"], "srvt");
+    // The last good pair was one refresh time (25 ms) before the lost one, then SRVT 20 ms and up to a cycle, then
+    // output 1 ms
+    EXPECT_GE(measurement["elapsed_ns"], 45000000);
+    EXPECT_LE(measurement["elapsed_ns"], 47500000);
+    // Four a refresh time of 25 ms; the bit flipped by chance may silence the controller from 700 ms on.
+    EXPECT_GT(json["frames"].size(), 100U);
+    EXPECT_GT(json["events"].size(), 100U);
+}
+
+TEST(Reports, CandumpHasOneLineForEachFrameOfTheBus)
+{
+    Verifies(req::SRS_SIM_042);
+    const auto run = RunChain("duration: 40 ms\n", true);
+    const std::string text = CandumpReport(*run);
+    // Sensor: node 1, first pair 0.5 ms after OPERATIONAL at 10 ms, buttons not let go yet
+    EXPECT_EQ(text.substr(0U, 15U), "(0000000000.011") << text.substr(0U, 60U);
+    EXPECT_NE(text.find(") can0 101#0000\n"), std::string::npos) << text;
+    EXPECT_NE(text.find(") can0 102#FFFF\n"), std::string::npos) << text;
+    EXPECT_NE(text.find(") can0 101#0101\n"), std::string::npos) << text;
+    EXPECT_EQ(run->Record().Frames().size(), static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')));
+}
+
+TEST(Reports, PageNeedsNoNetworkAndNothingEndsItsScript)
+{
+    Verifies(req::SRS_SIM_043);
+    const auto run = RunChain(kLoss, true);
+    const std::string page = HtmlReport("a <b> & \"c\"", {run.get()});
+    EXPECT_EQ(page.find("http"), std::string::npos);
+    EXPECT_EQ(page.find("src="), std::string::npos);
+    EXPECT_EQ(page.find("{{"), std::string::npos);
+    EXPECT_NE(page.find("<h1>a &lt;b&gt; &amp; &quot;c&quot;</h1>"), std::string::npos);
+    // The two script elements of the page and no other
+    std::size_t ends = 0U;
+    for (std::size_t at = page.find("</script>"); at != std::string::npos; at = page.find("</script>", at + 1U))
+    {
+        ++ends;
+    }
+    EXPECT_EQ(ends, 2U);
+}
+} // namespace
+} // namespace counterpoint::simulator
