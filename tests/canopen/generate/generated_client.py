@@ -18,7 +18,7 @@ import sys
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-sys.path[:0] = [str(ROOT / "tests/tools")]
+sys.path[:0] = [str(ROOT / "tests/runtime/clients")]
 import canopen  # noqa: E402
 from canopen.objectdictionary import datatypes  # noqa: E402
 from canopen.sdo import SdoAbortedError, SdoClient  # noqa: E402

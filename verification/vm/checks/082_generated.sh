@@ -1,5 +1,5 @@
 # A client of other origin reads the dictionaries of generated code on vcan0: shipped files, static mapping, random ones
-# Needs: build/product/tests/canopen/generate/generated_node tests/canopen/generate/generated_client.py tests/tools/node_bus.py
+# Needs: build/product/tests/canopen/generate/generated_node tests/canopen/generate/generated_client.py tests/runtime/clients/node_bus.py
 # Needs: examples/sensor/sensor.dcf examples/emergency_stop/actuator.dcf tests/canopen/cia306/data/static.dcf
 # Needs: build/product/tests/canopen/generate/generated/random_1.dcf build/product/tests/canopen/generate/generated/random_2.dcf
 # Needs: build/product/tests/canopen/generate/generated/random_3.dcf build/product/tests/canopen/generate/generated/random_4.dcf

@@ -1,0 +1,301 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+//
+// The ten steps of the text, one device against frames; default preset and 1F90h unless told.
+#include "tests/canopen/cia302/flying_master/rig.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <gtest/gtest.h>
+
+namespace counterpoint::cia302
+{
+namespace
+{
+
+// t [ms]  0      500  600             1100 1200             2720 = 1200 + 1 x 1500 + 2 x 10
+//         Start  073  82 00 to all    073  072              071
+TEST(FlyingSteps, AloneAfterPowerOnItResetsOnceAndBecomesMaster)
+{
+    Verifies(req::SRS_FLY_003);
+    Verifies(req::SRS_FLY_007);
+    Verifies(req::SRS_FLY_008);
+    Verifies(req::SRS_FLY_009);
+    FlyingRig rig(2U, 1U, DefaultFlyingMaster());
+    rig.Start();
+    rig.RunTo(2720U);
+    EXPECT_EQ(rig.Log(), (Lines{"500 073", "600 000 82 00", "600 power-on reset", "600 initialising", "1100 073",
+                                "1200 072", "2720 071 01 02", "2720 master 1/2"}));
+    EXPECT_TRUE(rig.master.IsActiveMaster());
+    EXPECT_EQ(rig.master.Master().level, 1U);
+    EXPECT_EQ(rig.master.Master().node.value, 2U);
+}
+
+TEST(FlyingSteps, NothingHappensBeforeTheApplicationCallsStart)
+{
+    Verifies(req::SRS_FLY_002);
+    FlyingRig rig(2U, 1U, DefaultFlyingMaster());
+    // Given nobody who calls Start, and every service
+    rig.RunTo(100U);
+    for (std::uint32_t identifier = 0x72U; identifier <= 0x76U; ++identifier)
+    {
+        rig.Hear(identifier);
+    }
+    rig.Hear(0x71U, {0U, 9U});
+    rig.RunTo(5000U);
+    // Then it stays in INITIALISATION in silence
+    EXPECT_EQ(rig.Log(), Lines{});
+    EXPECT_EQ(rig.master.State(), FlyingState::kInitialising);
+    EXPECT_TRUE(rig.master.IsInitialising());
+    EXPECT_FALSE(rig.master.Next().is_set);
+    // When local objects are written and Start is called
+    rig.times.priority = 0U;
+    rig.times.delay = 50U;
+    EXPECT_EQ(rig.master.Start(rig.Now()), FlyingStart::kStarted);
+    EXPECT_EQ(rig.master.Start(rig.Now()), FlyingStart::kNotInitialising);
+    rig.RunTo(5050U);
+    // Then it begins with these values
+    EXPECT_EQ(rig.Log(), Lines{"5050 073"});
+}
+
+TEST(FlyingSteps, AfterAResetTheApplicationHasToCallStartAgain)
+{
+    Verifies(req::SRS_FLY_002);
+    FlyingRig rig(2U, 1U, DefaultFlyingMaster());
+    static_cast<void>(rig.master.Start(rig.Now()));
+    rig.RunTo(600U);
+    EXPECT_EQ(rig.Log(), (Lines{"500 073", "600 000 82 00", "600 power-on reset", "600 initialising"}));
+    rig.RunTo(10'000U);
+    EXPECT_EQ(rig.Log(), Lines{});
+    EXPECT_EQ(rig.master.State(), FlyingState::kInitialising);
+}
+
+TEST(FlyingSteps, StartRefusesValuesThatCannotWork)
+{
+    Verifies(req::SRS_FLY_002);
+    FlyingRig rig(2U, 3U, DefaultFlyingMaster());
+    EXPECT_EQ(rig.master.Start(rig.Now()), FlyingStart::kPriority);
+    rig.times.priority = 2U;
+    rig.times.device_slot = 0U;
+    EXPECT_EQ(rig.master.Start(rig.Now()), FlyingStart::kSlots);
+    rig.times.device_slot = 10U;
+    rig.times.priority_slot = 1270U; // 127 x 10: the last slot of a level is the first one of the next.
+    EXPECT_EQ(rig.master.Start(rig.Now()), FlyingStart::kSlots);
+    rig.times.priority_slot = 1271U;
+    EXPECT_EQ(rig.master.Start(rig.Now()), FlyingStart::kStarted);
+    FlyingRig none(0U, 1U, DefaultFlyingMaster());
+    EXPECT_EQ(none.master.Start(none.Now()), FlyingStart::kNode);
+    FlyingRig beyond(128U, 1U, DefaultFlyingMaster());
+    EXPECT_EQ(beyond.master.Start(beyond.Now()), FlyingStart::kNode);
+}
+
+TEST(FlyingSteps, MasterOfHigherOrEqualPriorityIsFollowed)
+{
+    Verifies(req::SRS_FLY_005);
+    for (const std::uint8_t level : {std::uint8_t{0U}, std::uint8_t{1U}})
+    {
+        FlyingRig rig(5U, 1U, DefaultFlyingMaster());
+        rig.Start();
+        rig.RunTo(540U);
+        rig.Hear(0x71U, {level, 9U});
+        EXPECT_EQ(rig.Log(), (Lines{"500 073", "540 slave of " + std::to_string(level) + "/9"}));
+        EXPECT_EQ(rig.master.State(), FlyingState::kSlave);
+        EXPECT_EQ(rig.master.Master().node.value, 9U);
+        EXPECT_FALSE(rig.master.IsInitialising());
+    }
+}
+
+// t [ms]  500  540              540        1040 1140 (no power-on reset any more: the master resets all)
+//         073  071 of level 2   076        073  ...
+TEST(FlyingSteps, MasterOfLowerPriorityIsForcedToNegotiate)
+{
+    Verifies(req::SRS_FLY_006);
+    FlyingRig rig(5U, 1U, DefaultFlyingMaster());
+    rig.Start();
+    rig.RunTo(540U);
+    rig.Hear(0x71U, {2U, 9U});
+    EXPECT_EQ(rig.Log(), (Lines{"500 073", "540 076", "540 force"}));
+    // When the master resets all
+    rig.RunTo(541U);
+    rig.Hear(0U, {0x82U, 0U});
+    rig.RunTo(541U + 600U + 1550U);
+    // Then both negotiate anew, and nobody resets a second time
+    EXPECT_EQ(rig.Log(), (Lines{"541 initialising", "1041 073", "1141 072", "2691 071 01 05", "2691 master 1/5"}));
+}
+
+TEST(FlyingSteps, ActiveMasterThatIsForcedResetsAllAndBeginsAgain)
+{
+    Verifies(req::SRS_FLY_006);
+    FlyingRig rig(5U, 0U, DefaultFlyingMaster());
+    EXPECT_EQ(rig.MakeMaster(), 1250U);
+    rig.Hear(0x76U);
+    EXPECT_EQ(rig.Log(), (Lines{"1250 000 82 00", "1250 initialising"}));
+    EXPECT_FALSE(rig.master.IsActiveMaster());
+    rig.RunTo(1900U);
+    EXPECT_EQ(rig.Log(), (Lines{"1750 073", "1850 072", "1900 071 00 05", "1900 master 0/5"}));
+}
+
+TEST(FlyingSteps, AResetByOthersEndsTheFirstPass)
+{
+    Verifies(req::SRS_FLY_007);
+    for (const std::uint8_t command : {std::uint8_t{0x81U}, std::uint8_t{0x82U}})
+    {
+        for (const std::uint8_t node : {std::uint8_t{0U}, std::uint8_t{5U}})
+        {
+            FlyingRig rig(5U, 0U, DefaultFlyingMaster());
+            rig.Start();
+            rig.RunTo(300U);
+            rig.Hear(0U, {command, node});
+            rig.RunTo(900U);
+            EXPECT_EQ(rig.Log(), (Lines{"300 initialising", "800 073", "900 072"}));
+        }
+    }
+}
+
+TEST(FlyingSteps, AResetBeforeStartEndsTheFirstPassToo)
+{
+    Verifies(req::SRS_FLY_007);
+    FlyingRig rig(5U, 0U, DefaultFlyingMaster());
+    rig.Hear(0U, {0x82U, 0U});
+    rig.Start();
+    rig.RunTo(600U);
+    EXPECT_EQ(rig.Log(), (Lines{"500 073", "600 072"}));
+}
+
+TEST(FlyingSteps, CommandsForOthersAndOtherCommandsAreIgnored)
+{
+    Verifies(req::SRS_FLY_007);
+    FlyingRig rig(5U, 0U, DefaultFlyingMaster());
+    rig.Start();
+    rig.RunTo(300U);
+    rig.Hear(0U, {0x82U, 6U});
+    rig.Hear(0U, {0x80U, 0U});
+    rig.Hear(0U, {0x01U, 0U});
+    rig.Hear(0U, {0x82U});
+    rig.Hear(0U, {0x82U, 0U, 0U});
+    rig.RunTo(600U);
+    EXPECT_EQ(rig.Log(), (Lines{"500 073", "600 000 82 00", "600 power-on reset", "600 initialising"}));
+}
+
+TEST(FlyingSteps, WhoeverWasFirstInTheRaceIsFollowed)
+{
+    Verifies(req::SRS_FLY_005);
+    FlyingRig rig(5U, 1U, DefaultFlyingMaster());
+    rig.Start();
+    rig.RunTo(1300U);
+    static_cast<void>(rig.Log());
+    rig.Hear(0x71U, {1U, 4U});
+    EXPECT_EQ(rig.Log(), Lines{"1300 slave of 1/4"});
+}
+
+TEST(FlyingSteps, WorseOneThatWinsTheRaceIsAConfigurationError)
+{
+    Verifies(req::SRS_FLY_010);
+    FlyingRig rig(5U, 1U, DefaultFlyingMaster());
+    rig.Start();
+    rig.RunTo(1300U);
+    static_cast<void>(rig.Log());
+    rig.Hear(0x71U, {2U, 4U});
+    EXPECT_EQ(rig.Log(), (Lines{"1300 configuration error 2/4", "1300 076"}));
+    rig.RunTo(1900U);
+    EXPECT_EQ(rig.Log(), (Lines{"1800 073", "1900 072"}));
+}
+
+/// A master of level 2 that is deaf to 076h: all there is in the way of an endless loop.
+std::size_t ForcesOf(const FlyingMasterOptions& options, FlyingState& end)
+{
+    FlyingRig rig(5U, 1U, options);
+    rig.Start();
+    std::size_t forces = 0U;
+    for (int i = 0; i < 20; ++i)
+    {
+        rig.RunTo(rig.now_ms + 550U);
+        rig.Hear(0x71U, {2U, 4U});
+        for (const std::string& line : rig.Log())
+        {
+            forces += (line.find(" 076") != std::string::npos) ? 1U : 0U;
+        }
+    }
+    end = rig.master.State();
+    return forces;
+}
+
+TEST(FlyingSteps, RestartsAreBoundedByDefaultAndEndlessAsInTheText)
+{
+    Verifies(req::SRS_FLY_010);
+    FlyingState end = FlyingState::kInvalid;
+    EXPECT_EQ(ForcesOf(DefaultFlyingMaster(), end), 3U);
+    EXPECT_EQ(end, FlyingState::kSlave);
+    EXPECT_EQ(ForcesOf(So1114FlyingMaster(), end), 20U);
+    EXPECT_EQ(end, FlyingState::kDelay);
+}
+
+TEST(FlyingSteps, RefusedFramesAreRepeatedAndTheirTimeBeginsWhenTaken)
+{
+    Verifies(req::SRS_FLY_020);
+    FlyingRig rig(1U, 0U, DefaultFlyingMaster());
+    rig.Start();
+    rig.refuses = 7U;
+    rig.RunTo(507U);
+    EXPECT_EQ(rig.Log(), Lines{"507 073"});
+    rig.refuses = 3U;
+    rig.RunTo(610U);
+    EXPECT_EQ(rig.Log(), (Lines{"610 000 82 00", "610 power-on reset", "610 initialising"}));
+    rig.RunTo(1200U);
+    rig.refuses = 2U;
+    rig.RunTo(1212U);
+    EXPECT_EQ(rig.Log(), (Lines{"1110 073", "1212 072"}));
+    rig.RunTo(1221U);
+    rig.refuses = 1U;
+    rig.RunTo(1223U);
+    EXPECT_EQ(rig.Log(), (Lines{"1223 071 00 01", "1223 master 0/1"}));
+}
+
+TEST(FlyingSteps, OtherLengthsKindsAndNodesAreIgnored)
+{
+    Verifies(req::SRS_FLY_001);
+    FlyingRig rig(5U, 0U, DefaultFlyingMaster());
+    EXPECT_EQ(rig.MakeMaster(), 1250U);
+    for (std::uint32_t identifier = 0x72U; identifier <= 0x76U; ++identifier)
+    {
+        rig.Hear(identifier, {0U});
+    }
+    rig.Hear(0x71U, {0U});
+    rig.Hear(0x71U, {0U, 1U, 0U});
+    rig.Hear(0x71U, {0U, 0U});
+    rig.Hear(0x71U, {0U, 128U});
+    rig.Hear(0x77U);
+    rig.Hear(0x70U);
+    CanFrame remote{0x76U, FrameKind::kRemote, CanPortId::kFirst, 0U, {}};
+    rig.master.OnFrame(remote, rig.Now());
+    rig.RunTo(1500U);
+    EXPECT_EQ(rig.Log(), Lines{});
+    EXPECT_TRUE(rig.master.IsActiveMaster());
+}
+
+TEST(FlyingSteps, NothingButServicesAndResetsIsEverSent)
+{
+    Verifies(req::SRS_FLY_021);
+    // Given every way to become master, to lose it and to be slave
+    FlyingRig rig(5U, 1U, DefaultFlyingMaster());
+    static_cast<void>(rig.MakeMaster());
+    for (int i = 0; i < 50; ++i)
+    {
+        rig.Hear(0x71U + static_cast<std::uint32_t>(i % 6),
+                 (i % 6 == 0) ? std::vector<std::uint8_t>{2U, 7U} : std::vector<std::uint8_t>{});
+        rig.RunTo(rig.now_ms + 700U);
+    }
+    // Then no frame but 071h to 076h and reset communication left
+    std::size_t frames = 0U;
+    for (const std::string& line : rig.Log())
+    {
+        const std::string what = line.substr(line.find(' ') + 1U);
+        if (what[0] == '0')
+        {
+            ++frames;
+            EXPECT_TRUE((what.substr(0, 2) == "07") || (what == "000 82 00")) << line;
+        }
+    }
+    EXPECT_GT(frames, 20U);
+}
+
+} // namespace
+} // namespace counterpoint::cia302

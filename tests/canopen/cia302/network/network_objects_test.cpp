@@ -1,0 +1,328 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia302/network/objects.hpp"
+#include "canopen/cia302/safety_gate/safety_check.hpp"
+#include "tests/canopen/start_up/boot_rig.hpp"
+
+#include <algorithm>
+
+namespace counterpoint::cia302
+{
+namespace
+{
+
+using Lines = std::vector<std::string>;
+using cia301::NodeState;
+using cia301::Reading;
+
+constexpr std::uint32_t kGuarded = (3U << 8U) | (100U << 16U);
+constexpr std::uint32_t kConf = 0x666E6F63U;
+
+/// Slaves 5, 6, 7 run; the own node is 127.
+class NetworkObjectsTest : public BootRig
+{
+  public:
+    void SetUp() override
+    {
+        Add(5U, kBoot | kGuarded);
+        Add(6U, kBoot);
+        Add(7U, kBoot);
+        Begin();
+        Run(20U);
+        objects.OnCycle(Now());
+        log.clear();
+        own.clear();
+    }
+    SdoAbort Write(std::uint16_t index, std::uint8_t sub, std::uint32_t value)
+    {
+        const std::uint8_t bytes[4] = {
+            static_cast<std::uint8_t>(value & 0xFFU), static_cast<std::uint8_t>((value >> 8U) & 0xFFU),
+            static_cast<std::uint8_t>((value >> 16U) & 0xFFU), static_cast<std::uint8_t>(value >> 24U)};
+        const SdoAbort abort = objects.OnWrite(ObjectAddress{index, sub}, Bytes{bytes, 4U});
+        Deliver();
+        return abort;
+    }
+    /// Value with its size in the upper half, or the abort code with size 0.
+    std::uint64_t Read(std::uint16_t index, std::uint8_t sub)
+    {
+        std::uint8_t bytes[4] = {};
+        const Reading reading = objects.OnRead(ObjectAddress{index, sub}, Room{bytes, 4U});
+        std::uint64_t value = 0U;
+        for (std::uint32_t i = reading.size_bytes; i > 0U; --i)
+        {
+            value = (value << 8U) | bytes[i - 1U];
+        }
+        return (reading.abort == SdoAbort::kNone) ? (value | (std::uint64_t{reading.size_bytes} << 32U))
+                                                  : static_cast<std::uint64_t>(reading.abort);
+    }
+    [[nodiscard]] Lines Told() const
+    {
+        Lines told{};
+        for (const std::string& command : Commands())
+        {
+            told.push_back(command.substr(command.find(':') + 1U));
+        }
+        return told;
+    }
+
+    NetworkObjects objects{NetworkObjectParts{setup, &setup, setups.data(), table, start_up}};
+    NetworkObjects constant{NetworkObjectParts{setup, nullptr, nullptr, table, start_up}};
+};
+
+TEST_F(NetworkObjectsTest, RequestForOneNode)
+{
+    Verifies(req::SRS_NMM_006);
+    EXPECT_EQ(Write(0x1F82U, 5U, 4U), SdoAbort::kNone);
+    EXPECT_EQ(Write(0x1F82U, 5U, 127U), SdoAbort::kNone);
+    EXPECT_EQ(Write(0x1F82U, 5U, 5U), SdoAbort::kNone);
+    EXPECT_EQ(Write(0x1F82U, 6U, 6U), SdoAbort::kNone);
+    EXPECT_EQ(Write(0x1F82U, 7U, 7U), SdoAbort::kNone);
+    EXPECT_EQ(Told(), (Lines{"02 05", "80 05", "01 05", "81 06", "82 07"}));
+    EXPECT_EQ(Write(0x1F82U, 127U, 127U), SdoAbort::kNone);
+    ASSERT_EQ(own.size(), 1U);
+    EXPECT_EQ(own[0].command, NmtCommand::kPreOperational);
+    // Refused
+    EXPECT_EQ(Write(0x1F82U, 9U, 5U), SdoAbort::kValueRange); // Not listed.
+    EXPECT_EQ(Write(0x1F82U, 5U, 3U), SdoAbort::kValueRange);
+    EXPECT_EQ(Write(0x1F82U, 5U, 15U), SdoAbort::kValueRange);
+    EXPECT_EQ(Write(0x1F82U, 5U, 0x85U), SdoAbort::kValueRange); // Only for all.
+    EXPECT_EQ(Write(0x1F82U, 0U, 5U), SdoAbort::kReadOnly);
+    nmt.SetActive(false);
+    EXPECT_EQ(Write(0x1F82U, 5U, 5U), SdoAbort::kDeviceState);
+}
+
+TEST_F(NetworkObjectsTest, AnotherDeviceIsNotStartedAndKeepsNobodyElseFromIt)
+{
+    Verifies(req::SRS_SFS_009);
+    Verifies(req::SRS_NMM_006);
+    // Given a safety slave 5 that is another device
+    const SafetyExpectation nothing{nullptr, 0U};
+    setups[5].safety = &nothing;
+    boots[5].status.is_other = true;
+    EXPECT_EQ(Write(0x1F82U, 5U, 5U), SdoAbort::kDeviceState);
+    EXPECT_EQ(Told(), (Lines{}));
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 5U), SdoAbort::kDeviceState);
+    EXPECT_EQ(Told(), (Lines{"01 06", "01 07"}));
+    log.clear();
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 0x85U), SdoAbort::kDeviceState);
+    EXPECT_EQ(Told(), (Lines{"01 06", "01 07"}));
+    // What is no start is for all
+    log.clear();
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 0x84U), SdoAbort::kNone);
+    EXPECT_EQ(Told(), (Lines{"02 05", "02 06", "02 07"}));
+}
+
+TEST_F(NetworkObjectsTest, RequestForAll)
+{
+    Verifies(req::SRS_NMM_006);
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 4U), SdoAbort::kNone);
+    EXPECT_EQ(Told(), (Lines{"02 00"}));
+    EXPECT_EQ(own.size(), 1U); // The master too.
+    log.clear();
+    // All but master and requester
+    objects.SetRequester(NodeId{6U});
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 0x85U), SdoAbort::kNone);
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 0x84U), SdoAbort::kNone);
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 0x8FU), SdoAbort::kNone);
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 0xFFU), SdoAbort::kNone);
+    EXPECT_EQ(Told(), (Lines{"01 05", "01 07", "02 05", "02 07", "80 05", "80 07", "80 05", "80 07"}));
+    EXPECT_EQ(own.size(), 1U);
+    objects.SetRequester(NodeId{0U});
+    log.clear();
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 0x87U), SdoAbort::kNone);
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 0x83U), SdoAbort::kValueRange);
+    Run(5U);
+    EXPECT_EQ(Count(0U), 6); // Three resets; the boot-up messages came, and the slaves were started again.
+}
+
+TEST_F(NetworkObjectsTest, StartOfAllWithASafetySlaveIsOneStartEachAfterVerification)
+{
+    Verifies(req::SRS_NMM_003);
+    Verifies(req::SRS_BOOT_023);
+    setups[6].safety = reinterpret_cast<const SafetyExpectation*>(&gate); // Only looked at whether it is there.
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 127U), SdoAbort::kNone);
+    log.clear();
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 5U), SdoAbort::kNone);
+    EXPECT_EQ(Told(), (Lines{"01 05", "01 07"}));
+    Run(10U);
+    EXPECT_EQ(Told(), (Lines{"01 05", "01 07", "01 06"}));
+    EXPECT_EQ(gate.verifications, 1);
+}
+
+TEST_F(NetworkObjectsTest, AFullQueueDelaysTheAnswer)
+{
+    Verifies(req::SRS_NMM_006);
+    setup.inhibit_100us = 10U;
+    for (int i = 0; i < 255; ++i)
+    {
+        static_cast<void>(nmt.Request(NmtCommand::kPreOperational, NodeId{99U}, Now()));
+    }
+    while (nmt.Waiting() < 255U)
+    {
+        static_cast<void>(nmt.Request(NmtCommand::kPreOperational, NodeId{99U}, Now()));
+    }
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 0x84U), SdoAbort::kPending); // Room for one.
+    Run(10U);
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 0x84U), SdoAbort::kNone);
+    Run(400U);
+    const Lines told = Told();
+    ASSERT_GE(told.size(), 3U);
+    EXPECT_EQ(std::count(told.begin(), told.end(), "02 05"), 1); // It went on where it had stopped.
+    EXPECT_EQ(std::count(told.begin(), told.end(), "02 06"), 1);
+    EXPECT_EQ(std::count(told.begin(), told.end(), "02 07"), 1);
+}
+
+TEST_F(NetworkObjectsTest, ReadingOfTheRequestObject)
+{
+    Verifies(req::SRS_NMM_007);
+    EXPECT_EQ(Read(0x1F82U, 0U), 0x1'0000'0080U);
+    EXPECT_EQ(Read(0x1F82U, 6U), 0x1'0000'0005U);
+    EXPECT_EQ(Read(0x1F82U, 9U), 0x1'0000'0000U);
+    EXPECT_EQ(Read(0x1F82U, 0x80U), 0x06010001U);
+    table.SetMissing(NodeId{6U});
+    EXPECT_EQ(Read(0x1F82U, 6U), 0x1'0000'0001U);
+    // A command to all makes nobody OPERATIONAL who is not there
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 5U), SdoAbort::kNone);
+    EXPECT_EQ(Read(0x1F82U, 6U), 0x1'0000'0001U);
+    EXPECT_EQ(Read(0x1F82U, 7U), 0x1'0000'0005U);
+    EXPECT_EQ(Read(0x1F82U, 9U), 0x1'0000'0000U);
+}
+
+TEST_F(NetworkObjectsTest, RequestForGuarding)
+{
+    Verifies(req::SRS_NMM_008);
+    EXPECT_EQ(Read(0x1F83U, 5U), 0x1'0000'0001U);
+    EXPECT_EQ(Read(0x1F83U, 6U), 0x1'0000'0000U);
+    EXPECT_EQ(Write(0x1F83U, 5U, 0U), SdoAbort::kNone);
+    EXPECT_EQ(Read(0x1F83U, 5U), 0x1'0000'0000U);
+    EXPECT_EQ(Write(0x1F83U, 6U, 1U), SdoAbort::kDeviceState); // Without times.
+    EXPECT_EQ(Write(0x1F83U, 6U, 0U), SdoAbort::kNone);
+    EXPECT_EQ(Write(0x1F83U, 9U, 1U), SdoAbort::kValueRange);
+    EXPECT_EQ(Write(0x1F83U, 5U, 2U), SdoAbort::kValueRange);
+    EXPECT_EQ(Write(0x1F83U, 0U, 1U), SdoAbort::kReadOnly);
+    EXPECT_EQ(Write(0x1F83U, 0x80U, 1U), SdoAbort::kNone);
+    EXPECT_EQ(Read(0x1F83U, 5U), 0x1'0000'0001U);
+    EXPECT_EQ(Read(0x1F83U, 0x80U), 0x06010001U);
+    Run(5U);
+    EXPECT_GE(Count(0x705U), 1);
+    // Who is supervised by heartbeat answers no remote frame, and stays supervised
+    setups[5].heartbeat = HeartbeatSetup{100U, 50U, Arming::kFirstHeartbeat};
+    table.WatchAsSetUp(NodeId{5U}, Now());
+    EXPECT_EQ(Write(0x1F83U, 5U, 1U), SdoAbort::kDeviceState);
+    EXPECT_EQ(Write(0x1F83U, 0x80U, 1U), SdoAbort::kNone);
+    EXPECT_EQ(Write(0x1F83U, 5U, 0U), SdoAbort::kNone);
+    EXPECT_EQ(nodes[5].watch, Watch::kHeartbeat);
+}
+
+TEST_F(NetworkObjectsTest, RequestForConfiguration)
+{
+    Verifies(req::SRS_NMM_009);
+    Octets dcf{};
+    AddEntry(dcf, 0x1018U, 4U, {1U, 2U, 3U, 4U});
+    setups[5].concise_dcf = Bytes{dcf.data(), static_cast<std::uint32_t>(dcf.size())};
+    EXPECT_EQ(Write(0x1F25U, 5U, kConf), SdoAbort::kNone);
+    EXPECT_EQ(Write(0x1F25U, 5U, kConf), SdoAbort::kNone); // The first one is done by then.
+    Run(5U);
+    EXPECT_EQ(slaves[5]->Get(0x1018U, 4U), (Octets{1U, 2U, 3U, 4U}));
+    EXPECT_EQ(slaves[5]->State(), NodeState::kOperational);
+    EXPECT_TRUE(Told().empty()); // Neither reset nor started.
+    EXPECT_EQ(Write(0x1F25U, 5U, kConf + 1U), SdoAbort::kNotStored);
+    EXPECT_EQ(Write(0x1F25U, 9U, kConf), SdoAbort::kValueRange);
+    EXPECT_EQ(Write(0x1F25U, 0U, kConf), SdoAbort::kReadOnly);
+    EXPECT_EQ(Write(0x1F25U, 0x80U, kConf), SdoAbort::kNone);
+    EXPECT_EQ(Read(0x1F25U, 5U), 0x06010001U);
+    // A failure is told, and the slave still counts as booted
+    slaves[5]->refused[0x101804U] = SdoAbort::kHardware;
+    EXPECT_EQ(Write(0x1F25U, 5U, kConf), SdoAbort::kNone);
+    Run(5U);
+    EXPECT_EQ(Letter(5U), "J");
+    EXPECT_EQ(Of(5U).abort, SdoAbort::kHardware);
+    EXPECT_EQ(Step(), MasterStep::kOperational);
+    EXPECT_EQ(table.Record(NodeId{5U}).watch, Watch::kGuarding);
+    // While it is booted it cannot be asked for
+    slaves[5]->is_sdo_mute = true;
+    slaves[5]->Power(Now());
+    Run(5U);
+    EXPECT_EQ(Write(0x1F25U, 5U, kConf), SdoAbort::kDeviceState);
+}
+
+TEST_F(NetworkObjectsTest, AnotherDeviceIsNotConfigured)
+{
+    Verifies(req::SRS_NMM_009);
+    Verifies(req::SRS_SFS_009);
+    // Given a safety slave 5 that is another device, whose defaults were to be restored
+    const SafetyExpectation nothing{nullptr, 0U};
+    setups[5].safety = &nothing;
+    setups[5].assignment |= kRestoreDefaults;
+    setups[5].restore_sub = 1U;
+    boots[5].status.is_other = true;
+    boots[5].status.letter = 'O';
+    EXPECT_EQ(Write(0x1F25U, 5U, kConf), SdoAbort::kDeviceState);
+    EXPECT_EQ(Write(0x1F25U, 0x80U, kConf), SdoAbort::kDeviceState);
+    Run(5U);
+    EXPECT_EQ(Count(0x605U), 0);
+    EXPECT_EQ(Letter(5U), "O");
+    // Without safety it is configured
+    setups[5].safety = nullptr;
+    EXPECT_EQ(Write(0x1F25U, 5U, kConf), SdoAbort::kNone);
+}
+
+TEST_F(NetworkObjectsTest, SetupIsReadAndWritten)
+{
+    Verifies(req::SRS_NMM_010);
+    const std::uint16_t arrays[] = {0x1F26U, 0x1F27U, 0x1F53U, 0x1F54U, 0x1F55U, 0x1F81U,
+                                    0x1F84U, 0x1F85U, 0x1F86U, 0x1F87U, 0x1F88U};
+    std::uint32_t value = 0x1234'5601U;
+    for (const std::uint16_t index : arrays)
+    {
+        EXPECT_EQ(Write(index, 9U, ++value), SdoAbort::kNone);
+        EXPECT_EQ(Read(index, 9U), 0x4'0000'0000U + value);
+        EXPECT_EQ(Read(index, 0U), 0x1'0000'007FU);
+        EXPECT_EQ(Read(index, 128U), 0x06090011U);
+        EXPECT_EQ(Write(index, 128U, 1U), SdoAbort::kSubUnknown);
+        EXPECT_EQ(Write(index, 0U, 1U), SdoAbort::kReadOnly);
+    }
+    EXPECT_EQ(setups[9].revision_number, 0x1234'560BU);
+    EXPECT_EQ(setups[9].software.identification, 0x1234'5606U);
+    EXPECT_EQ(Write(0x1F8AU, 9U, 4U), SdoAbort::kNone);
+    EXPECT_EQ(Write(0x1F8AU, 9U, 128U), SdoAbort::kValueRange);
+    EXPECT_EQ(Read(0x1F8AU, 9U), 0x1'0000'0004U);
+    EXPECT_EQ(Write(0x1F80U, 0U, 0x7FU), SdoAbort::kNone);
+    EXPECT_EQ(Write(0x1F80U, 0U, 0x80U), SdoAbort::kValueRange);
+    EXPECT_EQ(Read(0x1F80U, 0U), 0x4'0000'007FU);
+    EXPECT_EQ(Write(0x1F89U, 0U, 60000U), SdoAbort::kNone);
+    EXPECT_EQ(Read(0x1F89U, 0U), 0x4'0000'EA60U);
+    EXPECT_EQ(Write(0x102AU, 0U, 0xFFFFU), SdoAbort::kNone);
+    EXPECT_EQ(Write(0x102AU, 0U, 0x10000U), SdoAbort::kValueRange);
+    EXPECT_EQ(Read(0x102AU, 0U), 0x2'0000'FFFFU);
+    EXPECT_EQ(Read(0x1FFFU, 1U), 0x06020000U);
+    EXPECT_EQ(Write(0x1FFFU, 1U, 0U), SdoAbort::kObjectUnknown);
+    // A constant setup
+    const std::uint8_t four[4] = {};
+    EXPECT_EQ(constant.OnWrite(ObjectAddress{0x1F80U, 0U}, Bytes{four, 4U}), SdoAbort::kReadOnly);
+    EXPECT_EQ(constant.OnWrite(ObjectAddress{0x1F81U, 5U}, Bytes{four, 4U}), SdoAbort::kReadOnly);
+    EXPECT_EQ(constant.OnWrite(ObjectAddress{0x1F8AU, 5U}, Bytes{four, 1U}), SdoAbort::kReadOnly);
+}
+
+TEST_F(NetworkObjectsTest, DomainsAreRead)
+{
+    Verifies(req::SRS_NMM_010);
+    NetworkDomains domains{setup};
+    const Octets dcf{'[', 'x', ']'};
+    const Octets concise{0U, 0U, 0U, 0U};
+    const Octets program{1U, 2U};
+    setups[5].dcf = Bytes{dcf.data(), 3U};
+    setups[5].concise_dcf = Bytes{concise.data(), 4U};
+    setups[5].software.program = Bytes{program.data(), 2U};
+    std::array<std::uint8_t, 8> got{};
+    EXPECT_EQ(domains.OnRead(ObjectAddress{0x1F20U, 5U}, Room{got.data(), 8U}).size_bytes, 3U);
+    EXPECT_EQ(got[1], 'x');
+    EXPECT_EQ(domains.OnRead(ObjectAddress{0x1F22U, 5U}, Room{got.data(), 8U}).size_bytes, 4U);
+    EXPECT_EQ(domains.OnRead(ObjectAddress{0x1F58U, 5U}, Room{got.data(), 8U}).size_bytes, 2U);
+    EXPECT_EQ(domains.OnRead(ObjectAddress{0x1F58U, 6U}, Room{got.data(), 8U}).size_bytes, 0U);
+    EXPECT_EQ(domains.OnRead(ObjectAddress{0x1F58U, 5U}, Room{got.data(), 1U}).abort, SdoAbort::kOutOfMemory);
+    EXPECT_EQ(domains.OnRead(ObjectAddress{0x1F58U, 0U}, Room{got.data(), 8U}).abort, SdoAbort::kSubUnknown);
+    EXPECT_EQ(domains.OnRead(ObjectAddress{0x1F58U, 128U}, Room{got.data(), 8U}).abort, SdoAbort::kSubUnknown);
+}
+
+} // namespace
+} // namespace counterpoint::cia302

@@ -1,0 +1,201 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia302/network/nmt_master.hpp"
+#include "tests/canopen/cia301/keeping_sink.hpp"
+#include "tests/canopen/start_up/boot_rig.hpp"
+#include "verification/trace/verifies.hpp"
+
+namespace counterpoint::cia302
+{
+namespace
+{
+
+using cia301::KeepingSink;
+using Bytes2 = cia301::Octets;
+
+/// Asks for a stop of node 9 as soon as it hears of a start of node 8.
+class Asker final : public NmtListener
+{
+  public:
+    void OnNmtSent(const NmtRequest& request, Instant now) noexcept override
+    {
+        heard.push_back(request);
+        if ((master != nullptr) && (request.node.value == 8U))
+        {
+            EXPECT_EQ(master->Request(NmtCommand::kStop, NodeId{9U}, now), NmtAnswer::kTaken);
+        }
+    }
+
+    std::vector<NmtRequest> heard{};
+    NmtMaster* master{nullptr};
+};
+
+class NmtMasterTest : public ::testing::Test
+{
+  public:
+    NmtMasterTest()
+    {
+        for (std::uint8_t node = 5U; node <= 9U; ++node)
+        {
+            slaves[node].assignment = kInNetwork | kBootSlave;
+        }
+        nmt.SetActive(true);
+    }
+    [[nodiscard]] NmtAnswer Ask(NmtCommand command, std::uint8_t node)
+    {
+        return nmt.Request(command, NodeId{node}, Instant{now_us});
+    }
+    void After(std::uint32_t us)
+    {
+        now_us += us;
+        nmt.OnCycle(Instant{now_us});
+    }
+
+    std::uint32_t now_us{0xFFFF'FF00U};
+    std::array<SlaveSetup, kNodeRoom> slaves{};
+    NetworkSetup setup{NodeId{127U}, kIsMaster, 0U, 0U, 0U, slaves.data()};
+    FakeGate gate{setup};
+    KeepingSink sink{};
+    Asker table{};
+    Asker listener{};
+    std::array<NmtRequest, 4> room{};
+    NmtMaster nmt{NmtMasterParts{setup, NmtQueueRoom{room.data(), 4U}, sink, table, listener, gate}};
+};
+
+TEST_F(NmtMasterTest, CommandsLeaveInOrderWithTheInhibitTimeBetween)
+{
+    Verifies(req::SRS_NMM_001);
+    setup.inhibit_100us = 20U; // 2 ms
+    EXPECT_EQ(Ask(NmtCommand::kResetNode, 5U), NmtAnswer::kTaken);
+    EXPECT_EQ(Ask(NmtCommand::kStart, 6U), NmtAnswer::kTaken);
+    EXPECT_EQ(Ask(NmtCommand::kPreOperational, 0U), NmtAnswer::kTaken);
+    EXPECT_EQ(sink.frames.size(), 1U);
+    EXPECT_EQ(sink.Next(), (Bytes2{129U, 5U}));
+    EXPECT_EQ(sink.identifier, 0U);
+    After(1999U);
+    EXPECT_TRUE(sink.frames.empty());
+    After(1U);
+    EXPECT_EQ(sink.Next(), (Bytes2{1U, 6U}));
+    After(1999U);
+    EXPECT_EQ(nmt.Waiting(), 1U);
+    After(1U);
+    EXPECT_EQ(sink.Next(), (Bytes2{128U, 0U}));
+    EXPECT_EQ(nmt.Waiting(), 0U);
+    ASSERT_EQ(table.heard.size(), 3U);
+    EXPECT_EQ(table.heard[1].node.value, 6U);
+}
+
+TEST_F(NmtMasterTest, WithoutInhibitTimeAllLeaveAtOnceAndAFullSinkKeepsThem)
+{
+    Verifies(req::SRS_NMM_001);
+    Verifies(req::SRS_NMM_005);
+    sink.room = 1;
+    EXPECT_EQ(Ask(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
+    for (std::uint8_t node = 6U; node <= 9U; ++node)
+    {
+        EXPECT_EQ(Ask(NmtCommand::kStop, node), NmtAnswer::kTaken);
+    }
+    EXPECT_EQ(Ask(NmtCommand::kStop, 5U), NmtAnswer::kQueueFull);
+    EXPECT_EQ(table.heard.size(), 1U);
+    sink.room = 10;
+    After(1U);
+    EXPECT_EQ(sink.frames.size(), 5U);
+    EXPECT_EQ(sink.frames[4].data[1], 9U);
+    EXPECT_EQ(Ask(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
+}
+
+TEST_F(NmtMasterTest, ACommandForTheOwnNodeReachesTheListenerOnly)
+{
+    Verifies(req::SRS_NMM_001);
+    EXPECT_EQ(Ask(NmtCommand::kStart, 127U), NmtAnswer::kTaken);
+    EXPECT_TRUE(sink.frames.empty());
+    ASSERT_EQ(listener.heard.size(), 1U);
+    EXPECT_EQ(listener.heard[0].command, NmtCommand::kStart);
+}
+
+TEST_F(NmtMasterTest, AListenerMayAskForMore)
+{
+    Verifies(req::SRS_NMM_001);
+    listener.master = &nmt;
+    EXPECT_EQ(Ask(NmtCommand::kStart, 8U), NmtAnswer::kTaken);
+    ASSERT_EQ(sink.frames.size(), 2U);
+    EXPECT_EQ(sink.frames[1].data[1], 9U);
+}
+
+TEST_F(NmtMasterTest, OnlyTheActiveMasterCommands)
+{
+    Verifies(req::SRS_NMM_002);
+    sink.room = 0;
+    EXPECT_EQ(Ask(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
+    nmt.SetActive(false);
+    EXPECT_FALSE(nmt.IsActive());
+    EXPECT_EQ(nmt.Waiting(), 0U);
+    EXPECT_EQ(Ask(NmtCommand::kStart, 5U), NmtAnswer::kNotActive);
+    EXPECT_EQ(Ask(NmtCommand::kStart, 127U), NmtAnswer::kNotActive);
+    nmt.SetActive(true);
+    sink.room = 10;
+    After(1U);
+    EXPECT_TRUE(sink.frames.empty());
+}
+
+TEST_F(NmtMasterTest, WrongCommandsAndNodes)
+{
+    Verifies(req::SRS_NMM_001);
+    EXPECT_EQ(Ask(NmtCommand::kInvalid, 5U), NmtAnswer::kWrong);
+    EXPECT_EQ(Ask(static_cast<NmtCommand>(3U), 5U), NmtAnswer::kWrong);
+    EXPECT_EQ(Ask(NmtCommand::kStart, 128U), NmtAnswer::kWrong);
+}
+
+TEST_F(NmtMasterTest, NoStartOfAllWhileASafetySlaveIsListed)
+{
+    Verifies(req::SRS_NMM_003);
+    EXPECT_EQ(Ask(NmtCommand::kStart, 0U), NmtAnswer::kTaken);
+    slaves[6].safety = reinterpret_cast<const SafetyExpectation*>(&gate); // Only looked at whether it is there.
+    EXPECT_EQ(Ask(NmtCommand::kStart, 0U), NmtAnswer::kNoBroadcast);
+    EXPECT_EQ(Ask(NmtCommand::kStop, 0U), NmtAnswer::kTaken);
+    // Not in the list: no safety slave
+    slaves[6].assignment = 0U;
+    EXPECT_EQ(Ask(NmtCommand::kStart, 0U), NmtAnswer::kTaken);
+    // Only a start of all that waits when the list changes is dropped
+    sink.room = 0;
+    EXPECT_EQ(Ask(NmtCommand::kStart, 0U), NmtAnswer::kTaken);
+    slaves[6].assignment = kInNetwork;
+    sink.room = 10;
+    sink.frames.clear();
+    After(1U);
+    EXPECT_TRUE(sink.frames.empty());
+    EXPECT_EQ(nmt.Dropped(), 1U);
+}
+
+TEST_F(NmtMasterTest, NoStartOfASafetySlaveThatWasNotVerified)
+{
+    Verifies(req::SRS_NMM_004);
+    slaves[6].safety = reinterpret_cast<const SafetyExpectation*>(&gate);
+    EXPECT_EQ(Ask(NmtCommand::kStart, 6U), NmtAnswer::kNotVerified);
+    EXPECT_EQ(Ask(NmtCommand::kStop, 6U), NmtAnswer::kTaken);
+    EXPECT_EQ(Ask(NmtCommand::kStart, 7U), NmtAnswer::kTaken);
+    gate.states[6] = GateState::kOpen;
+    EXPECT_EQ(Ask(NmtCommand::kStart, 6U), NmtAnswer::kTaken);
+    EXPECT_EQ(sink.frames.size(), 3U);
+    // Taken, and the slave boots up before the frame leaves
+    sink.room = 0;
+    EXPECT_EQ(Ask(NmtCommand::kStart, 6U), NmtAnswer::kTaken);
+    gate.Close(NodeId{6U});
+    sink.room = 10;
+    After(1U);
+    EXPECT_EQ(sink.frames.size(), 3U);
+    EXPECT_EQ(nmt.Dropped(), 1U);
+}
+
+TEST_F(NmtMasterTest, EachNodeOfTheListButOne)
+{
+    Verifies(req::SRS_NMM_001);
+    EXPECT_EQ(nmt.RequestEach(NmtCommand::kStop, NodeId{7U}, Instant{now_us}), NmtAnswer::kTaken);
+    ASSERT_EQ(sink.frames.size(), 4U);
+    EXPECT_EQ(sink.frames[0].data[1], 5U);
+    EXPECT_EQ(sink.frames[1].data[1], 6U);
+    EXPECT_EQ(sink.frames[2].data[1], 8U);
+    EXPECT_EQ(sink.frames[3].data[1], 9U);
+}
+
+} // namespace
+} // namespace counterpoint::cia302

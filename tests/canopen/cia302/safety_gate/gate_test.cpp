@@ -1,0 +1,269 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// The gate in front of a real kernel device: what it reads, what opens it, and what a slave that lies gets.
+#include "tests/canopen/cia302/safety_gate/rig.hpp"
+
+namespace counterpoint::cia302
+{
+namespace
+{
+
+constexpr NodeId kSlave{2U};
+
+class SafetyGateTest : public GateRig
+{
+  protected:
+    void SetUp() override
+    {
+        Start();
+        Cycle();
+        Expect(Configuration());
+    }
+    GateState Verified()
+    {
+        gate.Verify(kSlave, Instant{now_us});
+        Finish();
+        return gate.State(kSlave);
+    }
+};
+
+/// Puts another value into the answer about one object.
+std::function<bool(CanFrame&)> Lie(const std::uint16_t index, const std::uint8_t sub, const std::uint8_t change)
+{
+    return [=](CanFrame& frame)
+    {
+        const bool is_it = (frame.data[0] != 0x80U) && (frame.data[1] == (index & 0xFFU)) &&
+                           (frame.data[2] == (index >> 8U)) && (frame.data[3] == sub);
+        frame.data[4] = is_it ? static_cast<std::uint8_t>(frame.data[4] ^ change) : frame.data[4];
+        return true;
+    };
+}
+
+TEST_F(SafetyGateTest, OpensWhenEveryObjectIsAsExpected)
+{
+    Verifies(req::SRS_SFS_001);
+    Verifies(req::SRS_SFS_002);
+    EXPECT_EQ(gate.State(kSlave), GateState::kClosed);
+    EXPECT_FALSE(gate.MayStart(kSlave));
+    // When the gate has read
+    EXPECT_EQ(Verified(), GateState::kOpen);
+    // Then it asked for 13FEh, for 1300h, six settings, count and entries of each SRDO, the signatures, and 13FEh again
+    EXPECT_TRUE(written.empty());
+    ASSERT_EQ(read.size(), 2U + 1U + (3U * 6U) + (3U + 3U + 1U) + 4U);
+    EXPECT_EQ(read.front().index, 0x13FEU);
+    EXPECT_EQ(read[1].index, 0x1300U);
+    EXPECT_EQ(read[2].index, 0x1301U);
+    EXPECT_EQ(read[2].sub, 1U);
+    EXPECT_EQ(read.back().index, 0x13FEU);
+    EXPECT_TRUE(gate.MayStart(kSlave));
+}
+
+TEST_F(SafetyGateTest, NamesEachObjectThatDiffers)
+{
+    Verifies(req::SRS_SFS_001);
+    Verifies(req::SRS_SFS_003);
+    for (const ExpectedObject& object : expected)
+    {
+        // Given a slave that has another value in this one object
+        on_answer = Lie(object.address.index, object.address.sub, 0x10U);
+        EXPECT_EQ(Verified(), GateState::kDiffers);
+        const GateFinding finding = gate.Finding(kSlave);
+        EXPECT_EQ(finding.object.index, object.address.index);
+        EXPECT_EQ(finding.object.sub, object.address.sub);
+        EXPECT_EQ(finding.abort, SdoAbort::kNone);
+        EXPECT_EQ(finding.expected, object.value);
+        EXPECT_EQ(finding.read, object.value ^ 0x10U);
+        EXPECT_FALSE(gate.MayStart(kSlave));
+    }
+}
+
+TEST_F(SafetyGateTest, AConfigurationThatIsNotValidIsNamedFirst)
+{
+    Verifies(req::SRS_SFS_001);
+    Verifies(req::SRS_SFS_003);
+    // Given a real change: SCT of SRDO 1 from 50 ms to 60 ms, which clears 13FEh
+    ASSERT_EQ(Download(0x1301U, 2U, 60U, 2U), 0U);
+    EXPECT_EQ(Verified(), GateState::kDiffers);
+    EXPECT_EQ(gate.Finding(kSlave).object.index, 0x13FEU);
+    EXPECT_EQ(gate.Finding(kSlave).expected, 0xA5U);
+    EXPECT_EQ(gate.Finding(kSlave).read, 0U);
+    // When somebody signs it and declares it valid, it still is not what was expected
+    ASSERT_EQ(Download(0x13FFU, 1U, core.Sign(CommunicationIndex{0x1301U}).signature, 2U), 0U);
+    ASSERT_EQ(Download(0x13FEU, 0U, 0xA5U, 1U), 0U);
+    EXPECT_EQ(Verified(), GateState::kDiffers);
+    EXPECT_EQ(gate.Finding(kSlave).object.index, 0x1301U);
+    EXPECT_EQ(gate.Finding(kSlave).object.sub, 2U);
+    EXPECT_EQ(gate.Finding(kSlave).expected, 50U);
+    EXPECT_EQ(gate.Finding(kSlave).read, 60U);
+}
+
+TEST_F(SafetyGateTest, AChangeWhileItReadsIsFound)
+{
+    Verifies(req::SRS_SFS_002);
+    // Given that 1301h was read already
+    gate.Verify(kSlave, Instant{now_us});
+    Pass(20U);
+    ASSERT_EQ(gate.State(kSlave), GateState::kBusy);
+    // When somebody changes it behind the gate's back
+    ASSERT_EQ(Store(0x1301U, 3U, 30U, 1U), AbortCode::kNone);
+    Finish();
+    // Then the last look at 13FEh finds it
+    EXPECT_EQ(gate.State(kSlave), GateState::kDiffers);
+    EXPECT_EQ(gate.Finding(kSlave).object.index, 0x13FEU);
+}
+
+TEST_F(SafetyGateTest, AValueOfAnotherLengthDiffers)
+{
+    Verifies(req::SRS_SFS_004);
+    // Given a slave whose 1301h:02 has four bytes with the same number
+    on_answer = [](CanFrame& frame)
+    {
+        const bool is_it = (frame.data[1] == 0x01U) && (frame.data[2] == 0x13U) && (frame.data[3] == 2U);
+        frame.data[0] = is_it ? std::uint8_t{0x43U} : frame.data[0];
+        return true;
+    };
+    EXPECT_EQ(Verified(), GateState::kDiffers);
+    EXPECT_EQ(gate.Finding(kSlave).object.sub, 2U);
+    EXPECT_EQ(gate.Finding(kSlave).read, 50U);
+    EXPECT_EQ(gate.Finding(kSlave).abort, SdoAbort::kLengthMismatch);
+}
+
+TEST_F(SafetyGateTest, AnAbortIsADifference)
+{
+    Verifies(req::SRS_SFS_004);
+    // Given a slave without SRDO 2, which is expected
+    std::vector<ExpectedObject> list = Configuration();
+    const auto place = std::find_if(list.begin(), list.end(),
+                                    [](const ExpectedObject& object) { return object.address.index == 0x1303U; });
+    std::vector<ExpectedObject> second{};
+    for (std::uint8_t sub = 1U; sub <= 6U; ++sub)
+    {
+        second.push_back({{0x1302U, sub}, 0U, false});
+    }
+    list.insert(place, second.begin(), second.end());
+    const auto mapping = std::find_if(list.begin(), list.end(),
+                                      [](const ExpectedObject& object) { return object.address.index == 0x1383U; });
+    list.insert(mapping, ExpectedObject{{0x1382U, 0U}, 0U, false});
+    const auto signature = std::find_if(list.begin(), list.end(), [](const ExpectedObject& object)
+                                        { return (object.address.index == 0x13FFU) && (object.address.sub == 3U); });
+    list.insert(signature, ExpectedObject{{0x13FFU, 2U}, 0U, false});
+    Expect(list);
+    EXPECT_EQ(Verified(), GateState::kFailed);
+    EXPECT_EQ(gate.Finding(kSlave).object.index, 0x1302U);
+    EXPECT_EQ(gate.Finding(kSlave).abort, SdoAbort::kObjectUnknown);
+}
+
+TEST_F(SafetyGateTest, OneLostAnswerIsAskedForAgainThreeAreSilence)
+{
+    Verifies(req::SRS_SFS_004);
+    int lost = 0;
+    int to_lose = 2;
+    on_answer = [&](CanFrame& frame)
+    {
+        const bool is_it = (frame.data[1] == 0x03U) && (frame.data[2] == 0x13U) && (frame.data[3] == 5U);
+        const bool is_lost = is_it && (lost < to_lose);
+        lost += is_lost ? 1 : 0;
+        return !is_lost;
+    };
+    EXPECT_EQ(Verified(), GateState::kOpen);
+    EXPECT_EQ(lost, 2);
+    lost = 0;
+    to_lose = 3;
+    EXPECT_EQ(Verified(), GateState::kFailed);
+    EXPECT_EQ(gate.Finding(kSlave).object.index, 0x1303U);
+    EXPECT_EQ(gate.Finding(kSlave).object.sub, 5U);
+    EXPECT_EQ(gate.Finding(kSlave).abort, SdoAbort::kTimeOut);
+}
+
+TEST_F(SafetyGateTest, ALateAnswerCountsForNothing)
+{
+    Verifies(req::SRS_SFS_004);
+    // Given a slave with another SCT whose answers to that question come 150 ms late, after the next try began
+    std::vector<CanFrame> late{};
+    int seen = 0;
+    on_answer = [&](CanFrame& frame)
+    {
+        const bool is_it = (frame.data[1] == 0x01U) && (frame.data[2] == 0x13U) && (frame.data[3] == 2U);
+        seen += is_it ? 1 : 0;
+        if (is_it && (seen == 1))
+        {
+            late.push_back(frame);
+        }
+        return !is_it || (seen != 1);
+    };
+    bool has_given_up = false;
+    on_request = [&](CanFrame& frame)
+    {
+        has_given_up = has_given_up || (frame.data[0] == 0x80U);
+        return true;
+    };
+    gate.Verify(kSlave, Instant{now_us});
+    while (!has_given_up)
+    {
+        Pass(1U);
+    }
+    // When the late answer comes, with another value than the present one
+    ASSERT_EQ(late.size(), 1U);
+    late[0].data[4] = 0x77U;
+    pool.OnFrame(late[0], Instant{now_us});
+    Finish();
+    EXPECT_EQ(gate.State(kSlave), GateState::kOpen);
+}
+
+TEST_F(SafetyGateTest, WhatWasVerifiedEndsWithTheSlavesRestart)
+{
+    Verifies(req::SRS_SFS_002);
+    ASSERT_EQ(Verified(), GateState::kOpen);
+    // When the slave boots up, is reset or lost, its owner closes the gate
+    gate.Close(kSlave);
+    EXPECT_EQ(gate.State(kSlave), GateState::kClosed);
+    EXPECT_FALSE(gate.MayStart(kSlave));
+    // And in the middle of a verification as well: nothing of it counts
+    gate.Verify(kSlave, Instant{now_us});
+    Pass(10U);
+    gate.Close(kSlave);
+    Pass(200U);
+    EXPECT_EQ(gate.State(kSlave), GateState::kClosed);
+    // Then only a whole new verification opens it
+    EXPECT_EQ(Verified(), GateState::kOpen);
+}
+
+TEST_F(SafetyGateTest, DamagedMemoryGrantsNothing)
+{
+    Verifies(req::SRS_SFS_002);
+    ASSERT_EQ(Verified(), GateState::kOpen);
+    for (std::uint32_t bit = 0U; bit < 32U; ++bit)
+    {
+        slots[0].permit ^= (1U << bit);
+        EXPECT_FALSE(gate.MayStart(kSlave));
+        slots[0].permit ^= (1U << bit);
+    }
+    slots[0].permit = 0U;
+    EXPECT_FALSE(gate.MayStart(kSlave));
+    slots[0].permit = 0xFFFFFFFFU;
+    EXPECT_FALSE(gate.MayStart(kSlave));
+}
+
+TEST_F(SafetyGateTest, OthersMayAlwaysStartASlaveWithoutRoomNever)
+{
+    Verifies(req::SRS_SFS_002);
+    EXPECT_TRUE(gate.MayStart(NodeId{3U}));
+    slaves[3].assignment = kInNetwork;
+    EXPECT_TRUE(gate.MayStart(NodeId{3U}));
+    slaves[3].safety = &expectation; // After the gate was made: there is no slot for it.
+    EXPECT_FALSE(gate.MayStart(NodeId{3U}));
+    gate.Verify(NodeId{3U}, Instant{now_us});
+    EXPECT_EQ(gate.State(NodeId{3U}), GateState::kFailed);
+    EXPECT_EQ(gate.Finding(NodeId{3U}).abort, SdoAbort::kOutOfMemory);
+}
+
+TEST_F(SafetyGateTest, AnOperationalSlaveIsReadAsWell)
+{
+    Verifies(req::SRS_SFS_006);
+    Command(1U);
+    Cycles(2U);
+    ASSERT_EQ(device.State(), cia301::NodeState::kOperational);
+    EXPECT_EQ(Verified(), GateState::kOpen);
+}
+
+} // namespace
+} // namespace counterpoint::cia302

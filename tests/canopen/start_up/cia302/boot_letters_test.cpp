@@ -1,0 +1,349 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// The letters of CiA 302-2 (those of software in boot_software_test.cpp), each provoked by a slave that misbehaves in
+// that very way.
+#include "tests/canopen/start_up/boot_rig.hpp"
+
+namespace counterpoint::cia302
+{
+namespace
+{
+
+using Lines = std::vector<std::string>;
+
+class BootLettersTest : public BootRig
+{
+};
+
+TEST_F(BootLettersTest, SlaveThatIsAsExpectedIsConfiguredSupervisedAndStarted)
+{
+    Verifies(req::SRS_BOOT_001);
+    Verifies(req::SRS_BOOT_002);
+    Verifies(req::SRS_BOOT_014);
+    Verifies(req::SRS_BOOT_015);
+    // Given a mandatory slave 5 with one object to be written
+    FakeSlave& slave = Add(5U, kMust);
+    slave.Put8(0x2000U, 0U, 0U);
+    Octets dcf{};
+    AddEntry(dcf, 0x2000U, 0U, {0x77U});
+    setups[5].concise_dcf = Bytes{dcf.data(), static_cast<std::uint32_t>(dcf.size())};
+    // When the start-up runs
+    Begin();
+    Run(20U);
+    // Then the bus is reset, the slave configured and started, and the master with it
+    EXPECT_EQ(Letter(5U), "-");
+    EXPECT_EQ(Of(5U).step, StartUpStep::kDone);
+    EXPECT_EQ(Commands(), (Lines{"0:82 00", "1:01 05"}));
+    EXPECT_EQ(slave.Get(0x2000U, 0U), (Octets{0x77U}));
+    EXPECT_EQ(slave.State(), cia301::NodeState::kOperational);
+    EXPECT_EQ(Step(), MasterStep::kOperational);
+    ASSERT_EQ(own.size(), 2U);
+    EXPECT_EQ(own[0].command, NmtCommand::kResetCommunication);
+    EXPECT_EQ(own[1].command, NmtCommand::kStart);
+}
+
+TEST_F(BootLettersTest, A_NodeThatIsNotListed)
+{
+    Verifies(req::SRS_BOOT_003);
+    // Given a listed slave 5 and a node 6 that nobody listed
+    Add(5U, kBoot);
+    Add(6U, 0U);
+    // When both boot up
+    Begin();
+    Run(20U);
+    // Then node 6 gets its letter, and nothing else
+    EXPECT_EQ(Letter(6U), "A");
+    EXPECT_EQ(Letter(5U), "-");
+    EXPECT_EQ(Count(0x606U), 0);
+    EXPECT_EQ(slaves[6]->State(), cia301::NodeState::kPreOperational);
+    EXPECT_FALSE(start_up.Boot(NodeId{6U}, Now()));
+    // Just not: the same node, listed
+    setups[6].assignment = kBoot;
+    EXPECT_TRUE(start_up.Boot(NodeId{6U}, Now()));
+    Run(20U);
+    EXPECT_EQ(Letter(6U), "-");
+}
+
+TEST_F(BootLettersTest, B_MandatorySlaveThatDoesNotAnswerWithinTheBootTime)
+{
+    Verifies(req::SRS_BOOT_004);
+    Verifies(req::SRS_BOOT_016);
+    Add(5U, kMust).is_sdo_mute = true;
+    setup.boot_time_ms = 3000U;
+    Begin();
+    // Asked at 1 ms three times for 100 ms, and again 1 s after each silence
+    Run(2900U);
+    EXPECT_EQ(Letter(5U), "-");
+    EXPECT_TRUE(Of(5U).is_busy);
+    EXPECT_EQ(Step(), MasterStep::kBooting);
+    EXPECT_EQ(table.RequestValue(NodeId{5U}), 1U);
+    Run(120U);
+    EXPECT_EQ(Letter(5U), "B");
+    EXPECT_EQ(Of(5U).step, StartUpStep::kDeviceType);
+    EXPECT_EQ(Of(5U).object.index, 0x1000U);
+    EXPECT_EQ(Of(5U).abort, SdoAbort::kTimeOut);
+    EXPECT_EQ(Step(), MasterStep::kHalted);
+    // When it answers at last, after a boot-up message
+    slaves[5]->is_sdo_mute = false;
+    slaves[5]->Power(Now());
+    Run(300U);
+    EXPECT_EQ(Letter(5U), "-");
+    EXPECT_EQ(Step(), MasterStep::kOperational);
+}
+
+TEST_F(BootLettersTest, B_OptionalSlaveIsAskedWithoutEnd)
+{
+    Verifies(req::SRS_BOOT_004);
+    Add(5U, kBoot).is_sdo_mute = true;
+    setup.boot_time_ms = 3000U;
+    Begin();
+    Run(20000U);
+    EXPECT_EQ(Letter(5U), "-");
+    EXPECT_TRUE(Of(5U).is_busy);
+    EXPECT_EQ(Step(), MasterStep::kOperational); // It does not wait for optional slaves.
+    slaves[5]->is_sdo_mute = false;
+    Run(1400U);
+    EXPECT_EQ(Of(5U).step, StartUpStep::kDone);
+    EXPECT_EQ(slaves[5]->State(), cia301::NodeState::kOperational);
+}
+
+TEST_F(BootLettersTest, MandatorySlaveIsWaitedForWithoutEndIfThereIsNoBootTime)
+{
+    Verifies(req::SRS_BOOT_004);
+    Add(5U, kMust).is_sdo_mute = true;
+    Begin();
+    Run(60000U);
+    EXPECT_EQ(Letter(5U), "-");
+    EXPECT_EQ(Step(), MasterStep::kBooting);
+}
+
+struct IdentityCase
+{
+    std::uint16_t index;
+    std::uint8_t sub;
+    const char* letter;
+    StartUpStep step;
+    std::uint32_t expected;
+};
+
+TEST_F(BootLettersTest, CDMNO_EachNumberOfTheIdentity)
+{
+    Verifies(req::SRS_BOOT_005);
+    Verifies(req::SRS_BOOT_019);
+    const IdentityCase cases[] = {{0x1000U, 0U, "C", StartUpStep::kDeviceType, 0x191U},
+                                  {0x1018U, 1U, "D", StartUpStep::kVendorId, 0x2AU},
+                                  {0x1018U, 2U, "M", StartUpStep::kProductCode, 7U},
+                                  {0x1018U, 3U, "N", StartUpStep::kRevisionNumber, 3U},
+                                  {0x1018U, 4U, "O", StartUpStep::kSerialNumber, 0x1234U}};
+    for (std::uint8_t i = 0U; i < 5U; ++i)
+    {
+        Add(static_cast<std::uint8_t>(10U + i), kBoot).Put32(cases[i].index, cases[i].sub, 0xBADU);
+    }
+    Begin();
+    Run(20U);
+    for (std::uint8_t i = 0U; i < 5U; ++i)
+    {
+        const auto node = static_cast<std::uint8_t>(10U + i);
+        EXPECT_EQ(Letter(node), cases[i].letter);
+        EXPECT_EQ(Of(node).step, cases[i].step);
+        EXPECT_EQ(Of(node).object.index, cases[i].index);
+        EXPECT_EQ(Of(node).object.sub, cases[i].sub);
+        EXPECT_EQ(Of(node).abort, SdoAbort::kNone);
+        EXPECT_EQ(Of(node).expected, cases[i].expected);
+        EXPECT_EQ(Of(node).read, 0xBADU);
+        EXPECT_EQ(slaves[node]->State(), cia301::NodeState::kPreOperational);
+    }
+}
+
+TEST_F(BootLettersTest, CDMNO_NumbersThatCannotBeReadAndNumbersThatAreNotCompared)
+{
+    Verifies(req::SRS_BOOT_005);
+    Add(10U, kBoot).refused[0x101804U] = SdoAbort::kHardware;
+    FakeSlave& other = Add(11U, kBoot);
+    other.Put32(0x1000U, 0U, 0xBADU);
+    other.Put32(0x1018U, 1U, 0xBADU);
+    other.refused[0x101802U] = SdoAbort::kHardware;
+    setups[11] = SlaveSetup{};
+    setups[11].assignment = kBoot;
+    Begin();
+    Run(20U);
+    EXPECT_EQ(Letter(10U), "O");
+    EXPECT_EQ(Of(10U).abort, SdoAbort::kHardware);
+    EXPECT_EQ(Letter(11U), "-");
+    EXPECT_EQ(Of(11U).step, StartUpStep::kDone);
+}
+
+TEST_F(BootLettersTest, E_KeptAliveSlaveWithoutHeartbeat)
+{
+    Verifies(req::SRS_BOOT_006);
+    Add(5U, kBoot | kKeepAlive);
+    setups[5].heartbeat = HeartbeatSetup{250U, 100U, Arming::kFirstHeartbeat};
+    Begin();
+    Run(249U);
+    EXPECT_EQ(Letter(5U), "-");
+    EXPECT_EQ(Of(5U).step, StartUpStep::kStateCheck);
+    Run(4U);
+    EXPECT_EQ(Letter(5U), "E");
+    // The slave was not touched: others were reset one by one, but not the own node
+    EXPECT_EQ(slaves[5]->resets, 1);
+    EXPECT_EQ(Commands().size(), 125U);
+    EXPECT_EQ(Commands().front(), "0:82 01");
+    EXPECT_EQ(Commands()[4], "0:82 06");
+    EXPECT_EQ(Commands().back(), "0:82 7e");
+}
+
+TEST_F(BootLettersTest, F_KeptAliveSlaveThatDoesNotAnswerARemoteFrame)
+{
+    Verifies(req::SRS_BOOT_006);
+    Add(5U, kBoot | kKeepAlive).heartbeat_ms = 60000U; // Guarding rests while there is a heartbeat.
+    Begin();
+    Run(100U);
+    EXPECT_EQ(Letter(5U), "-");
+    EXPECT_EQ(Count(0x705U), 1);
+    Run(4U);
+    EXPECT_EQ(Letter(5U), "F");
+}
+
+TEST_F(BootLettersTest, J_FirstEntryThatIsRefused)
+{
+    Verifies(req::SRS_BOOT_010);
+    FakeSlave& slave = Add(5U, kMust);
+    slave.Put8(0x2000U, 0U, 0U);
+    slave.Put8(0x2001U, 3U, 0U);
+    slave.Put8(0x2002U, 0U, 0U);
+    slave.refused[0x200103U] = SdoAbort::kValueHigh;
+    Octets dcf{};
+    AddEntry(dcf, 0x2000U, 0U, {1U});
+    AddEntry(dcf, 0x2001U, 3U, {2U});
+    AddEntry(dcf, 0x2002U, 0U, {3U});
+    setups[5].concise_dcf = Bytes{dcf.data(), static_cast<std::uint32_t>(dcf.size())};
+    Begin();
+    Run(20U);
+    EXPECT_EQ(Letter(5U), "J");
+    EXPECT_EQ(Of(5U).step, StartUpStep::kConfigure);
+    EXPECT_EQ(Of(5U).object.index, 0x2001U);
+    EXPECT_EQ(Of(5U).object.sub, 3U);
+    EXPECT_EQ(Of(5U).abort, SdoAbort::kValueHigh);
+    EXPECT_EQ(slave.Get(0x2000U, 0U), (Octets{1U}));
+    EXPECT_EQ(slave.Get(0x2002U, 0U), (Octets{0U}));
+    EXPECT_EQ(Step(), MasterStep::kHalted);
+}
+
+TEST_F(BootLettersTest, J_SilenceAndDomainsThatAreNotWellFormed)
+{
+    Verifies(req::SRS_BOOT_010);
+    FakeSlave& slave = Add(5U, kBoot);
+    slave.Put8(0x2000U, 0U, 0U);
+    slave.Put8(0x2001U, 0U, 0U);
+    slave.mute_after_writes = 1U;
+    Octets dcf{};
+    AddEntry(dcf, 0x2000U, 0U, {1U});
+    AddEntry(dcf, 0x2001U, 0U, {1U});
+    setups[5].concise_dcf = Bytes{dcf.data(), static_cast<std::uint32_t>(dcf.size())};
+    Add(6U, kBoot).Put8(0x2000U, 0U, 0U);
+    setups[6].concise_dcf = Bytes{dcf.data(), 15U}; // Cut inside the second entry.
+    Begin();
+    Run(320U);
+    EXPECT_EQ(Letter(5U), "J");
+    EXPECT_EQ(Of(5U).object.index, 0x2001U);
+    EXPECT_EQ(Of(5U).abort, SdoAbort::kTimeOut);
+    EXPECT_EQ(Letter(6U), "J");
+    EXPECT_EQ(Of(6U).object.index, 0x1F22U);
+    EXPECT_EQ(Of(6U).object.sub, 6U);
+}
+
+TEST_F(BootLettersTest, J_RestoringDefaultsFails)
+{
+    Verifies(req::SRS_BOOT_009);
+    // Given slave 5 that is restored and reset, 6 that refuses, 7 that does not come back
+    for (std::uint8_t node = 5U; node <= 7U; ++node)
+    {
+        Add(node, kBoot | kRestoreDefaults).Put32(0x1011U, 1U, 1U);
+        setups[node].restore_sub = 1U;
+    }
+    FakeSlave& communication = Add(8U, kBoot | kRestoreDefaults);
+    communication.Put32(0x1011U, 2U, 1U);
+    setups[8].restore_sub = 2U;
+    slaves[6]->refused[0x101101U] = SdoAbort::kNotStored;
+    Begin();
+    slaves[7]->boot_ms = 3000U;
+    Run(40U);
+    EXPECT_EQ(Letter(5U), "-");
+    EXPECT_EQ(slaves[5]->Get(0x1011U, 1U), (Octets{0x6CU, 0x6FU, 0x61U, 0x64U}));
+    EXPECT_EQ(Letter(6U), "J");
+    EXPECT_EQ(Of(6U).step, StartUpStep::kRestore);
+    EXPECT_EQ(Of(6U).abort, SdoAbort::kNotStored);
+    EXPECT_EQ(Letter(8U), "-");
+    const Lines commands = Commands();
+    EXPECT_EQ(std::count(commands.begin(), commands.end(), "1:81 05"), 1);
+    EXPECT_EQ(std::count(commands.begin(), commands.end(), "1:82 08"), 1);
+}
+
+TEST_F(BootLettersTest, J_NoBootUpMessageAfterRestoring)
+{
+    Verifies(req::SRS_BOOT_009);
+    FakeSlave& slave = Add(5U, kBoot | kRestoreDefaults);
+    slave.Put32(0x1011U, 1U, 1U);
+    setups[5].restore_sub = 1U;
+    Begin();
+    slave.boot_ms = 1U;
+    Run(1U);
+    slave.has_boot_up = false;
+    Run(1000U);
+    EXPECT_EQ(Letter(5U), "-");
+    Run(3U);
+    EXPECT_EQ(Letter(5U), "J");
+    EXPECT_EQ(Of(5U).step, StartUpStep::kRestore);
+}
+
+TEST_F(BootLettersTest, K_NoHeartbeatAtTheStartOfErrorControl)
+{
+    Verifies(req::SRS_BOOT_011);
+    Add(5U, kMust);
+    setups[5].heartbeat = HeartbeatSetup{300U, 0U, Arming::kFirstHeartbeat};
+    Add(6U, kMust).heartbeat_ms = 200U;
+    setups[6].heartbeat = HeartbeatSetup{300U, 200U, Arming::kFirstHeartbeat};
+    Begin();
+    Run(300U);
+    EXPECT_EQ(Letter(5U), "-");
+    EXPECT_EQ(Of(5U).step, StartUpStep::kErrorControl);
+    Run(4U);
+    EXPECT_EQ(Letter(5U), "K"); // The boot-up message is no heartbeat.
+    EXPECT_EQ(Letter(6U), "-");
+    EXPECT_EQ(Of(6U).step, StartUpStep::kDone);
+    EXPECT_EQ(Step(), MasterStep::kHalted);
+}
+
+TEST_F(BootLettersTest, L_SlaveThatWasOperationalGoesOn)
+{
+    Verifies(req::SRS_BOOT_006);
+    Verifies(req::SRS_BOOT_001);
+    // Given slaves 5 (heartbeat), 6 (remote frame) kept alive and OPERATIONAL, 7 kept alive in PRE-OPERATIONAL
+    Add(5U, kMust | kKeepAlive).heartbeat_ms = 50U;
+    setups[5].heartbeat = HeartbeatSetup{150U, 50U, Arming::kFirstHeartbeat};
+    Add(6U, kMust | kKeepAlive);
+    Add(7U, kMust | kKeepAlive);
+    PowerAll();
+    Run(10U);
+    const CanFrame start5{0U, FrameKind::kData, CanPortId::kFirst, 2U, {1U, 5U}};
+    const CanFrame start6{0U, FrameKind::kData, CanPortId::kFirst, 2U, {1U, 6U}};
+    slaves[5]->OnFrame(start5, Now());
+    slaves[6]->OnFrame(start6, Now());
+    log.clear();
+    begun_ms = ms;
+    is_begun = true;
+    start_up.Begin(Now());
+    Run(150U);
+    EXPECT_EQ(Letter(5U), "L");
+    EXPECT_EQ(Letter(6U), "L");
+    EXPECT_EQ(slaves[5]->resets, 1);
+    EXPECT_EQ(slaves[6]->resets, 1);
+    EXPECT_EQ(Letter(7U), "-");
+    EXPECT_EQ(slaves[7]->resets, 2);
+    EXPECT_EQ(slaves[7]->State(), cia301::NodeState::kOperational);
+    EXPECT_EQ(Step(), MasterStep::kOperational);
+    const Lines commands = Commands();
+    EXPECT_EQ(std::count(commands.begin(), commands.end(), "1:01 05"), 0);
+}
+
+} // namespace
+} // namespace counterpoint::cia302

@@ -1,0 +1,350 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// Each bit of 1F80h and 1F81h, and what the letters leave open.
+#include "tests/canopen/start_up/boot_rig.hpp"
+
+#include <algorithm>
+
+namespace counterpoint::cia302
+{
+namespace
+{
+
+using Lines = std::vector<std::string>;
+using cia301::NodeState;
+
+class StartUpCia302Test : public BootRig
+{
+  public:
+    [[nodiscard]] NodeState StateOf(std::uint8_t node) const
+    {
+        return slaves.at(node)->State();
+    }
+    void Protect(std::uint8_t node)
+    {
+        setups.at(node).safety =
+            reinterpret_cast<const SafetyExpectation*>(&gate); // Only looked at whether it is there.
+    }
+    NmtAnswer Command(NmtCommand command, std::uint8_t node)
+    {
+        const NmtAnswer answer = start_up.Command(command, NodeId{node}, Now());
+        Deliver();
+        return answer;
+    }
+};
+
+TEST_F(StartUpCia302Test, DeviceThatIsNoMasterDoesNothing)
+{
+    Verifies(req::SRS_BOOT_021);
+    Add(5U, kMust);
+    setup.start_up = kStartAllAtOnce;
+    Begin();
+    Run(2000U);
+    EXPECT_TRUE(log.empty());
+    EXPECT_EQ(Step(), MasterStep::kIdle);
+    EXPECT_FALSE(start_up.Boot(NodeId{5U}, Now()));
+}
+
+TEST_F(StartUpCia302Test, SlavesAreStartedEachByItself)
+{
+    Verifies(req::SRS_BOOT_014);
+    Add(5U, kMust);
+    Add(6U, kBoot);
+    Begin();
+    Run(20U);
+    EXPECT_EQ(Commands(), (Lines{"0:82 00", "1:01 05", "1:01 06"}));
+    EXPECT_TRUE(Of(5U).is_started);
+    EXPECT_EQ(master_states, (std::vector<std::int16_t>{1, 2, 4, 5}));
+}
+
+TEST_F(StartUpCia302Test, OneStartForAllIfAllAreBooted)
+{
+    Verifies(req::SRS_BOOT_015);
+    setup.start_up = kIsMaster | kStartAllAtOnce;
+    Add(5U, kMust);
+    Add(6U, kMust).boot_ms = 50U;
+    Add(7U, kBoot);
+    Begin();
+    Run(5U);
+    EXPECT_EQ(Letter(7U), "-");
+    EXPECT_EQ(Commands(), (Lines{"0:82 00"})); // Slave 6 is not there yet: nobody is started.
+    EXPECT_EQ(Step(), MasterStep::kBooting);
+    Run(60U);
+    EXPECT_EQ(Commands().size(), 2U);
+    EXPECT_EQ(Commands().back().substr(2U), ":01 00");
+    EXPECT_EQ(StateOf(7U), NodeState::kOperational);
+    EXPECT_TRUE(Of(7U).is_started);
+}
+
+TEST_F(StartUpCia302Test, StartOfAllBecomesSingleStartsIfOneIsNotBooted)
+{
+    Verifies(req::SRS_BOOT_015);
+    setup.start_up = kIsMaster | kStartAllAtOnce;
+    Add(5U, kMust);
+    Add(6U, kBoot).boot_ms = 500U;
+    Begin();
+    Run(20U);
+    EXPECT_EQ(Commands(), (Lines{"0:82 00", "1:01 05"}));
+    // The late one is started when it has booted: the master is OPERATIONAL
+    Run(500U);
+    EXPECT_EQ(Commands().size(), 3U);
+    EXPECT_EQ(StateOf(6U), NodeState::kOperational);
+}
+
+TEST_F(StartUpCia302Test, StartOfAllBecomesSingleStartsIfThereIsASafetySlave)
+{
+    Verifies(req::SRS_BOOT_015);
+    Verifies(req::SRS_NMM_003);
+    setup.start_up = kIsMaster | kStartAllAtOnce;
+    Add(5U, kMust);
+    Add(6U, kMust);
+    Protect(6U);
+    gate.cycles = 30;
+    Begin();
+    Run(20U);
+    EXPECT_EQ(Commands(), (Lines{"0:82 00"}));
+    EXPECT_EQ(Of(6U).step, StartUpStep::kSafety);
+    Run(60U);
+    const Lines commands = Commands();
+    ASSERT_EQ(commands.size(), 3U);
+    EXPECT_EQ(commands[1].substr(commands[1].size() - 5U), "01 05");
+    EXPECT_EQ(commands[2].substr(commands[2].size() - 5U), "01 06");
+    EXPECT_EQ(gate.verifications, 2); // At its boot, and once more directly before the start.
+}
+
+TEST_F(StartUpCia302Test, ApplicationStartsTheMaster)
+{
+    Verifies(req::SRS_BOOT_015);
+    setup.start_up = kIsMaster | kStartAllAtOnce | kApplicationStartsSelf;
+    Add(5U, kMust);
+    Begin();
+    Run(20U);
+    EXPECT_EQ(Step(), MasterStep::kReady);
+    EXPECT_EQ(StateOf(5U), NodeState::kPreOperational);
+    EXPECT_EQ(own.size(), 1U); // The reset of all.
+    EXPECT_EQ(Command(NmtCommand::kStart, 127U), NmtAnswer::kTaken);
+    EXPECT_EQ(Step(), MasterStep::kOperational);
+    EXPECT_EQ(StateOf(5U), NodeState::kOperational);
+    EXPECT_EQ(Command(NmtCommand::kPreOperational, 127U), NmtAnswer::kTaken);
+    EXPECT_EQ(Step(), MasterStep::kReady);
+}
+
+TEST_F(StartUpCia302Test, ApplicationStartsTheSlaves)
+{
+    Verifies(req::SRS_BOOT_014);
+    setup.start_up = kIsMaster | kStartAllAtOnce | kApplicationStartsSlaves;
+    Add(5U, kMust);
+    Begin();
+    Run(20U);
+    EXPECT_EQ(Step(), MasterStep::kOperational);
+    EXPECT_EQ(Commands(), (Lines{"0:82 00"}));
+    EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
+    EXPECT_EQ(StateOf(5U), NodeState::kOperational);
+    EXPECT_TRUE(Of(5U).is_started);
+    EXPECT_EQ(Command(NmtCommand::kStop, 0U), NmtAnswer::kTaken);
+    EXPECT_FALSE(Of(5U).is_started);
+    EXPECT_EQ(Step(), MasterStep::kReady);
+    EXPECT_EQ(Command(NmtCommand::kStart, 0U), NmtAnswer::kTaken);
+    EXPECT_EQ(StateOf(5U), NodeState::kOperational);
+    EXPECT_EQ(Step(), MasterStep::kOperational);
+}
+
+TEST_F(StartUpCia302Test, StartOfAllStartsNobodyWhoWasNeverThere)
+{
+    Verifies(req::SRS_MGR_004);
+    Add(5U, kMust);
+    setups[6].assignment = kMust;
+    Begin();
+    Run(20U);
+    EXPECT_EQ(Command(NmtCommand::kStart, 0U), NmtAnswer::kTaken);
+    Run(20U);
+    EXPECT_TRUE(Of(5U).is_started);
+    EXPECT_FALSE(Of(6U).is_started);
+}
+
+TEST_F(StartUpCia302Test, SlaveThatIsNotToBeBootedIsOnlySupervised)
+{
+    Verifies(req::SRS_BOOT_012);
+    Add(5U, kInNetwork | kMandatory).heartbeat_ms = 50U;
+    setups[5].heartbeat = HeartbeatSetup{150U, 50U, Arming::kFirstHeartbeat};
+    Add(6U, kInNetwork | (2U << 8U) | (100U << 16U));
+    Begin();
+    Run(500U);
+    EXPECT_EQ(Count(0x605U), 0);
+    EXPECT_EQ(Count(0x606U), 0);
+    EXPECT_EQ(Commands(), (Lines{"0:82 00"}));
+    EXPECT_EQ(table.Record(NodeId{5U}).watch, Watch::kHeartbeat);
+    EXPECT_EQ(table.Record(NodeId{6U}).watch, Watch::kGuarding);
+    EXPECT_EQ(Step(), MasterStep::kOperational);
+}
+
+TEST_F(StartUpCia302Test, ConfigurationDateSparesTheConfiguration)
+{
+    Verifies(req::SRS_BOOT_008);
+    Octets dcf{};
+    AddEntry(dcf, 0x2000U, 0U, {0x77U});
+    for (std::uint8_t node = 5U; node <= 8U; ++node)
+    {
+        FakeSlave& slave = Add(node, kBoot);
+        slave.Put8(0x2000U, 0U, 0U);
+        slave.Put32(0x1020U, 1U, 100U);
+        slave.Put32(0x1020U, 2U, 200U);
+        setups[node].configuration_date = 100U;
+        setups[node].configuration_time = 200U;
+        setups[node].concise_dcf = Bytes{dcf.data(), static_cast<std::uint32_t>(dcf.size())};
+    }
+    setups[6].configuration_time = 201U;                      // Another time.
+    setups[7].configuration_date = 0U;                        // Nothing is expected.
+    slaves[8]->refused[0x102001U] = SdoAbort::kObjectUnknown; // The slave does not tell.
+    Begin();
+    Run(20U);
+    EXPECT_EQ(slaves[5]->Get(0x2000U, 0U), (Octets{0U}));
+    EXPECT_EQ(slaves[6]->Get(0x2000U, 0U), (Octets{0x77U}));
+    EXPECT_EQ(slaves[7]->Get(0x2000U, 0U), (Octets{0x77U}));
+    EXPECT_EQ(slaves[8]->Get(0x2000U, 0U), (Octets{0x77U}));
+    for (std::uint8_t node = 5U; node <= 8U; ++node)
+    {
+        EXPECT_EQ(StateOf(node), NodeState::kOperational);
+        EXPECT_EQ(Of(node).abort, SdoAbort::kNone);
+    }
+}
+
+TEST_F(StartUpCia302Test, LateAnswerToTheDeviceTypeIsNotTaken)
+{
+    Verifies(req::SRS_NMM_032);
+    Add(5U, kMust).is_sdo_mute = true;
+    Begin();
+    Run(310U);
+    // Given three tries without answer; the answers come when nobody waits any more, with another type
+    const CanFrame late{0x585U, FrameKind::kData, CanPortId::kFirst, 8U, {0x43U, 0U, 0x10U, 0U, 0xADU, 0x0BU, 0U, 0U}};
+    ToManager(late);
+    // and once more when it was just asked again
+    Run(1000U);
+    ToManager(late);
+    ToManager(late);
+    EXPECT_EQ(Letter(5U), "-");
+    EXPECT_TRUE(Of(5U).is_busy);
+    // Then only the slave itself counts
+    slaves[5]->is_sdo_mute = false;
+    Run(110U);
+    EXPECT_EQ(Letter(5U), "-");
+    EXPECT_EQ(Of(5U).step, StartUpStep::kDone);
+}
+
+TEST_F(StartUpCia302Test, BootUpMessageInTheMiddleBeginsTheBootAnew)
+{
+    Verifies(req::SRS_BOOT_018);
+    FakeSlave& slave = Add(5U, kMust);
+    slave.Put8(0x2000U, 0U, 0U);
+    slave.Put8(0x2001U, 0U, 0U);
+    Octets dcf{};
+    AddEntry(dcf, 0x2000U, 0U, {1U});
+    AddEntry(dcf, 0x2001U, 0U, {2U});
+    setups[5].concise_dcf = Bytes{dcf.data(), static_cast<std::uint32_t>(dcf.size())};
+    slave.mute_after_writes = 1U;
+    Begin();
+    Run(50U);
+    EXPECT_EQ(Of(5U).step, StartUpStep::kConfigure);
+    // When it is pulled and put back while it is configured
+    slave.mute_after_writes = 100U;
+    slave.Power(Now());
+    Run(20U);
+    EXPECT_EQ(slave.writes, (std::vector<std::uint32_t>{0x200000U, 0x200000U, 0x200100U}));
+    EXPECT_EQ(Of(5U).step, StartUpStep::kDone);
+    EXPECT_EQ(StateOf(5U), NodeState::kOperational);
+}
+
+TEST_F(StartUpCia302Test, SlaveThatBootedBeforeTheResetOfTheMasterIsBootedOnce)
+{
+    Verifies(req::SRS_BOOT_018);
+    Verifies(req::SRS_BOOT_001);
+    setup.inhibit_100us = 200U;                     // 20 ms
+    Add(4U, kBoot | kKeepAlive).is_sdo_mute = true; // So that resets go singly.
+    Add(5U, kMust);
+    PowerAll();
+    is_begun = true;
+    begun_ms = ms;
+    start_up.Begin(Now());
+    Run(59U);
+    EXPECT_EQ(Of(5U).step, StartUpStep::kDone); // Booted by its power-on; its reset leaves at 60 ms.
+    Run(2600U);
+    const Lines commands = Commands();
+    EXPECT_EQ(std::count_if(commands.begin(), commands.end(),
+                            [](const std::string& line) { return line.substr(line.find(':')) == ":01 05"; }),
+              1); // The start of the first boot was dropped with it.
+    EXPECT_EQ(slaves[5]->resets, 2);
+    EXPECT_EQ(StateOf(5U), NodeState::kOperational);
+    EXPECT_EQ(Step(), MasterStep::kOperational);
+}
+
+TEST_F(StartUpCia302Test, MandatorySlaveWithoutBootUpMessageIsAskedAfterASecond)
+{
+    Verifies(req::SRS_BOOT_002);
+    Add(5U, kMust).has_boot_up = false;
+    Add(6U, kBoot).has_boot_up = false;
+    Begin();
+    Run(999U);
+    EXPECT_EQ(Count(0x605U), 0);
+    Run(10U);
+    EXPECT_EQ(StateOf(5U), NodeState::kOperational);
+    Run(5000U);
+    EXPECT_EQ(StateOf(6U), NodeState::kPreOperational); // An optional one is waited for.
+    EXPECT_EQ(Of(6U).step, StartUpStep::kWaitBootUp);
+}
+
+TEST_F(StartUpCia302Test, SlavesThatNeverShowThemselvesAreTold)
+{
+    Verifies(req::SRS_NMM_025);
+    setup.boot_time_ms = 2000U;
+    Add(5U, kBoot);
+    Add(6U, kBoot);
+    Begin();
+    slaves[6]->Unplug();
+    Run(2000U);
+    EXPECT_EQ(std::count(events.begin(), events.end(), "2001:6 8"), 0);
+    Run(2U);
+    EXPECT_EQ(std::count(events.begin(), events.end(), "2001:6 8"), 1);
+    EXPECT_EQ(table.RequestValue(NodeId{6U}), 1U);
+    EXPECT_EQ(table.RequestValue(NodeId{5U}), 5U);
+    // and booted when they come after all
+    slaves[6]->Power(Now());
+    Run(20U);
+    EXPECT_EQ(StateOf(6U), NodeState::kOperational);
+}
+
+TEST_F(StartUpCia302Test, CommandsBeforeTheStartUpHasBegunAreCommandsOnly)
+{
+    Verifies(req::SRS_BOOT_023);
+    Add(5U, kMust);
+    PowerAll();
+    Run(10U);
+    EXPECT_EQ(Command(NmtCommand::kResetCommunication, 0U), NmtAnswer::kTaken);
+    EXPECT_EQ(Step(), MasterStep::kIdle);
+    Run(10U);
+    EXPECT_EQ(Count(0x605U), 0);
+    EXPECT_EQ(Command(NmtCommand::kStart, 0U), NmtAnswer::kTaken);
+    EXPECT_EQ(Step(), MasterStep::kIdle);
+    EXPECT_EQ(StateOf(5U), NodeState::kOperational);
+}
+
+TEST_F(StartUpCia302Test, EndGivesEverythingUp)
+{
+    Verifies(req::SRS_BOOT_022);
+    Add(5U, kMust).is_sdo_mute = true;
+    Add(6U, kBoot).heartbeat_ms = 10U;
+    setups[6].heartbeat = HeartbeatSetup{50U, 10U, Arming::kImmediately};
+    Begin();
+    Run(50U);
+    start_up.End();
+    nmt.SetActive(false);
+    Run(1U); // The abort of the upload that ran.
+    log.clear();
+    slaves[6]->Unplug();
+    slaves[5]->Power(Now());
+    Run(3000U);
+    EXPECT_EQ(log.size(), 1U); // The boot-up message of slave 5.
+    EXPECT_EQ(Step(), MasterStep::kIdle);
+    EXPECT_FALSE(Of(5U).is_busy);
+}
+
+} // namespace
+} // namespace counterpoint::cia302

@@ -1,0 +1,234 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// What the EL6751 and PLC Designer profiles learn from network files and DCFs.
+#include "runtime/manager/station.hpp"
+#include "tests/runtime/network_files/profile_rig.hpp"
+
+namespace counterpoint::tools
+{
+namespace
+{
+TEST_F(NetworkProfileTest, El6751TakesPdosThatAreOnAndTheTimesOfTheHeartbeat)
+{
+    Verifies(req::SRS_ELM_051);
+    const LoadedNetwork net(runtime::ReadNetworkFile(Net("  profile: el6751\n", "    consumer: 250 ms\n"), 0U));
+    const cia302::SlaveSetup& setup = net.Setup().slaves[5];
+    ASSERT_NE(setup.el6751, nullptr);
+    const cia302::El6751Slave& slave = *setup.el6751;
+    ASSERT_EQ(slave.rx_count, 1U);
+    EXPECT_EQ(slave.rx_pdos[0].number, 1U);
+    EXPECT_EQ(slave.rx_pdos[0].cob_id, 0x205U);
+    EXPECT_EQ(slave.rx_pdos[0].type, 1U);
+    EXPECT_EQ(slave.rx_pdos[0].length_bytes, 3U);
+    ASSERT_EQ(slave.tx_count, 1U);
+    EXPECT_EQ(slave.tx_pdos[0].cob_id, 0x185U);
+    EXPECT_EQ(slave.tx_pdos[0].event_ms, 20U);
+    // 250 ms are three times of 100 ms, rounded up
+    EXPECT_EQ(slave.guard_time_ms, 100U);
+    EXPECT_EQ(slave.life_time_factor, 3U);
+    // What the rows write is left out; PDOs that are off are switched off as ever
+    EXPECT_EQ(Keys(setup.concise_dcf),
+              (std::vector<std::uint32_t>{0x140101U, 0x140102U, 0x140105U, 0x140101U, 0x180101U, 0x180102U, 0x180105U,
+                                          0x180101U, 0x200000U}));
+    EXPECT_TRUE(cia302::NeedsSync(net.Setup()));
+}
+
+TEST_F(NetworkProfileTest, WithoutA1016hTheHeartbeatIsAFurtherObjectAndSupervisedAllTheSame)
+{
+    Verifies(req::SRS_ELM_051);
+    const std::string text = kDcf;
+    const std::size_t begin = text.find("[1016]");
+    std::string without = text.substr(0U, begin) + text.substr(text.find("[1017]"));
+    without.replace(without.find("SupportedObjects=11\n11=0x1016"), 29U, "SupportedObjects=2");
+    without.erase(without.find("3=0x1400"), without.find("[ManufacturerObjects]") - without.find("3=0x1400"));
+    static_cast<void>(File("io.dcf", without));
+    const LoadedNetwork net(runtime::ReadNetworkFile(Net("  profile: el6751\n", "    consumer: 250 ms\n"), 0U));
+    const cia302::SlaveSetup& setup = net.Setup().slaves[5];
+    EXPECT_EQ(setup.el6751->guard_time_ms, 0U);
+    EXPECT_EQ(setup.heartbeat.consumer_ms, 250U);
+    EXPECT_EQ(Keys(setup.concise_dcf), (std::vector<std::uint32_t>{0x100600U, 0x101700U, 0x200000U}));
+}
+
+TEST_F(NetworkProfileTest, APdoWhoseMappingChangesKeepsItsWholeSequence)
+{
+    Verifies(req::SRS_ELM_051);
+    Device("ParameterValue");
+    const LoadedNetwork net(runtime::ReadNetworkFile(Net("  profile: el6751\n", ""), 0U));
+    const std::vector<std::uint32_t> keys = Keys(net.Setup().slaves[5].concise_dcf);
+    const std::vector<std::uint32_t> first(keys.begin(), keys.begin() + 8);
+    EXPECT_EQ(first, (std::vector<std::uint32_t>{0x140001U, 0x140002U, 0x140005U, 0x160000U, 0x160001U, 0x160002U,
+                                                 0x160000U, 0x140001U}));
+}
+
+TEST_F(NetworkProfileTest, ASynchronousPdoWithoutASyncPeriodIsRefused)
+{
+    Verifies(req::SRS_NET_006);
+    const std::string file =
+        File("net.yaml", "manager: {node: 127, profile: el6751}\nslaves:\n  - {node: 4}\n  - {node: 5, dcf: io.dcf}\n");
+    try
+    {
+        const LoadedNetwork net(runtime::ReadNetworkFile(file, 0U));
+        ADD_FAILURE() << "accepted";
+    }
+    catch (const std::exception& error)
+    {
+        EXPECT_EQ(std::string(error.what()),
+                  file + ":4: error: PDO 1 of node 5 is synchronous (type 1) and there is no SYNC, expected a period "
+                         "under manager, sync");
+    }
+}
+
+TEST_F(NetworkProfileTest, El6751OptionsOfManagerAndSlave)
+{
+    Verifies(req::SRS_ELM_051);
+    const LoadedNetwork net(runtime::ReadNetworkFile(
+        Net("  profile: el6751\n  el6751: {window: last_rx_pdo, sync_multiplier: 4, input_shift: 300 us}\n",
+            "    guard_time: 50 ms\n    retry_factor: 4\n    el6751:\n      kind: bk51x0\n      start: false\n"
+            "      check_device_type: false\n      write_sync_period: false\n      write_cob_ids: false\n"
+            "      write_types: false\n      restart_without_pdos: true\n      literal_consumer: true\n"
+            "      reaction: none\n      restart: by_hand\n      network_reaction: stop_all\n"
+            "      coupler_pdos: 0x102\n      coupler_inhibit: 1.5 ms\n      coupler_event: 30 ms\n"),
+        0U));
+    const cia302::El6751Slave& slave = *net.Setup().slaves[5].el6751;
+    EXPECT_EQ(slave.kind, cia302::El6751Kind::kBusCoupler);
+    EXPECT_FALSE(slave.is_started || slave.is_device_type_checked || slave.is_sync_period_written ||
+                 slave.is_cob_id_written || slave.is_type_written);
+    EXPECT_TRUE(slave.is_restarted_without_pdos && slave.is_consumer_literal);
+    EXPECT_EQ(slave.node_reaction, cia302::El6751NodeReaction::kNone);
+    EXPECT_EQ(slave.restart, cia302::El6751Restart::kByHand);
+    EXPECT_EQ(slave.network_reaction, cia302::El6751NetworkReaction::kStopAll);
+    EXPECT_EQ(slave.coupler_pdos, 0x102U);
+    EXPECT_EQ(slave.coupler_inhibit_100us, 15U);
+    EXPECT_EQ(slave.coupler_event_ms, 30U);
+    EXPECT_EQ(slave.guard_time_ms, 50U);
+    EXPECT_EQ(slave.life_time_factor, 4U);
+    EXPECT_EQ(net.Plan().manager.el6751->window, cia302::El6751Window::kLastRxPdo);
+    EXPECT_EQ(net.Plan().manager.el6751->sync_multiplier, 4U);
+    EXPECT_EQ(net.Plan().manager.el6751->input_shift_us, 300U);
+}
+
+TEST_F(NetworkProfileTest, ABusCouplersPdosAreMadeBy5500hAlone)
+{
+    Verifies(req::SRS_ELM_051);
+    const LoadedNetwork net(runtime::ReadNetworkFile(Net("  profile: el6751\n", "    el6751: {kind: bk51x0}\n"), 0U));
+    const std::vector<std::uint32_t> keys = Keys(net.Setup().slaves[5].concise_dcf);
+    EXPECT_EQ(keys, (std::vector<std::uint32_t>{0x200000U}));
+}
+
+TEST_F(NetworkProfileTest, PlcDesignerTakesOptionalAndResetNode)
+{
+    Verifies(req::SRS_PLC_021);
+    const LoadedNetwork plain(runtime::ReadNetworkFile(Net("  profile: plc_designer\n", ""), 0U));
+    EXPECT_FALSE(plain.Setup().slaves[5].plc->is_optional);
+    EXPECT_FALSE(plain.Setup().slaves[5].plc->is_reset);
+    const LoadedNetwork spare(runtime::ReadNetworkFile(Net("  profile: plc_designer\n", "    mandatory: false\n"), 0U));
+    EXPECT_TRUE(spare.Setup().slaves[5].plc->is_optional);
+    const LoadedNetwork reset(runtime::ReadNetworkFile(
+        Net("  profile: plc_designer\n", "    mandatory: false\n    plc_designer: {reset_node: true}\n"), 0U));
+    EXPECT_TRUE(reset.Setup().slaves[5].plc->is_optional);
+    EXPECT_TRUE(reset.Setup().slaves[5].plc->is_reset);
+    const LoadedNetwork both(runtime::ReadNetworkFile(
+        Net("  profile: plc_designer\n", "    mandatory: false\n    plc_designer: {optional: false}\n"), 0U));
+    EXPECT_FALSE(both.Setup().slaves[5].plc->is_optional);
+    const LoadedNetwork said(runtime::ReadNetworkFile(
+        Net("  profile: plc_designer\n", "    plc_designer: {optional: true, reset_node: true}\n"), 0U));
+    EXPECT_TRUE(said.Setup().slaves[5].plc->is_optional);
+    EXPECT_TRUE(said.Setup().slaves[5].plc->is_reset);
+    EXPECT_EQ(said.Setup().slaves[5].el6751, nullptr);
+}
+
+TEST_F(NetworkProfileTest, AStartOfAllThatSomeSlavesCannotTakeNamesThem)
+{
+    Verifies(req::SRS_PLC_015);
+    // Given slave 5 that waits for its start, 6 of another type and 7, optional and absent
+    const std::string io = std::string(COUNTERPOINT_SOURCE_FOLDER) + "/examples/networks/io.dcf";
+    static_cast<void>(File("net.yaml", "manager: {node: 127, profile: plc_designer, start_up: 0x9}\nslaves:\n"
+                                       "  - {node: 5, device_type: 0x30191}\n  - {node: 6, device_type: 0x30192}\n"
+                                       "  - {node: 7, mandatory: false}\n"));
+    const std::string scenario =
+        File("scenario.yaml", "title: Start of all\nduration: 5 s\nmanagers: [{network: net.yaml}]\ndevices:\n"
+                              "  - {node: 5, dcf: " +
+                                  io + "}\n  - {node: 6, dcf: " + io +
+                                  "}\nevents:\n  - {at: 100 ms, do: order, order: start all}\n"
+                                  "  - {at: 4 s, do: order, order: start all}\n"
+                                  "  - {at: 4500 ms, do: order, order: start 6}\n"
+                                  "expect:\n  - {that: device, node: 5, is: operational}\n");
+    const test::Answer answer = test::RunCommand({"simulate", scenario});
+    EXPECT_EQ(answer.status, 0) << answer.out << answer.err;
+    for (const char* const text :
+         {"order start all: not taken by node 5 (2: settles), node 6 (2: settles), node 7 (1: waits for boot-up), "
+          "expected each in state 4, 5 or 99\n",
+          "order start all: taken, but not by node 6 (98: device type differs), node 7 (97: optional, absent), "
+          "expected "
+          "each in state 4, 5 or 99\n",
+          "order start 6: not taken by node 6 (98: device type differs), expected each in state 4, 5 or 99\n"})
+    {
+        EXPECT_NE(answer.out.find(text), std::string::npos) << answer.out;
+    }
+}
+
+TEST_F(NetworkProfileTest, WrongOptionsAreRefusedWithTheirLine)
+{
+    Verifies(req::SRS_ELM_051);
+    Verifies(req::SRS_PLC_021);
+    const auto problem = [this](const std::string& manager, const std::string& slave)
+    {
+        std::string text;
+        try
+        {
+            static_cast<void>(runtime::ReadNetworkFile(Net(manager, slave), 0U));
+        }
+        catch (const std::exception& error)
+        {
+            text = error.what();
+        }
+        return text;
+    };
+    EXPECT_NE(problem("", "    el6751: {kind: bk5120}\n").find("net.yaml:8"), std::string::npos);
+    EXPECT_NE(problem("", "    el6751: {kinds: general}\n").find("unknown key"), std::string::npos);
+    EXPECT_NE(problem("", "    el6751: {coupler_event: 1.5 ms}\n").find("whole milliseconds"), std::string::npos);
+    EXPECT_NE(problem("  el6751: {sync_multiplier: 0}\n", "").find("net.yaml:5"), std::string::npos);
+    EXPECT_NE(problem("", "    plc_designer: {optional: maybe}\n").find("true, false"), std::string::npos);
+    EXPECT_NE(problem("", "    plc_designer: yes\n").find("a map with optional, reset_node"), std::string::npos);
+}
+
+TEST_F(NetworkProfileTest, ManualNetworkManagementIsAnOrder)
+{
+    Verifies(req::SRS_ELM_046);
+    Verifies(req::SRS_ELM_047);
+    // Given a slave that nothing is to be asked of: it is started at once
+    const std::string file =
+        File("net.yaml", "name: n\nmanager:\n  node: 127\n  profile: el6751\nslaves:\n  - node: 5\n"
+                         "    el6751: {check_device_type: false}\n");
+    LoadedNetwork net(runtime::ReadNetworkFile(file, 0U));
+    std::vector<std::string> commands;
+    runtime::ManagerStation station(
+        net,
+        [&commands](const CanFrame& frame)
+        {
+            if (frame.identifier == 0U)
+            {
+                commands.push_back(std::to_string(frame.data[0]) + " " + std::to_string(frame.data[1]));
+            }
+            return true;
+        },
+        [](const runtime::ManagerEvent&) {});
+    station.Begin(0U);
+    for (std::uint64_t us = 1000U; us <= 5000U; us += 1000U)
+    {
+        station.OnCycle(us);
+    }
+    EXPECT_EQ(commands, (std::vector<std::string>{"130 0", "1 5", "1 0"}));
+    // When it is made PRE-OPERATIONAL, started, and what the table does not have is asked for
+    EXPECT_EQ(station.Carry(runtime::ParseManagerOrder("control 5 5 0"), 6000U), "taken");
+    EXPECT_NE(station.Carry(runtime::ParseManagerOrder("control 5 5 3"), 7000U), "taken");
+    EXPECT_EQ(station.Carry(runtime::ParseManagerOrder("control 5 5 1"), 8000U), "taken");
+    EXPECT_NE(station.Carry(runtime::ParseManagerOrder("control 6 5 1"), 9000U), "taken");
+    EXPECT_EQ(commands, (std::vector<std::string>{"130 0", "1 5", "1 0", "128 5", "1 5"}));
+    for (const char* const wrong : {"control", "control 5 5", "control 0 5 1", "control 5 x 1", "control 5 5 65536"})
+    {
+        EXPECT_EQ(runtime::ParseManagerOrder(wrong).kind, runtime::ManagerOrderKind::kProblem) << wrong;
+    }
+}
+
+} // namespace
+} // namespace counterpoint::tools

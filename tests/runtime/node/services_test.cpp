@@ -1,0 +1,324 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "hal/host/live/bus.hpp"
+#include "tests/runtime/node/process.hpp"
+#include "tests/tools/command_run.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <unistd.h>
+
+// What a live node has beside its SRDOs, in processes of their own on one bus.
+namespace counterpoint::tools::test
+{
+namespace
+{
+const std::string kPlain = "../tests/runtime/data/plain.dcf";
+using Octets = std::vector<std::uint8_t>;
+
+std::string TextOf(const std::string& dcf)
+{
+    std::ifstream file(std::string(COUNTERPOINT_SOURCE) + "/examples/" + dcf);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+std::string Replaced(std::string text, const std::string& from, const std::string& to)
+{
+    const std::size_t place = text.find(from);
+    EXPECT_NE(place, std::string::npos) << from;
+    return (place == std::string::npos) ? text : text.replace(place, from.size(), to);
+}
+
+/// Somebody else on a bus of the test.
+class Other
+{
+  public:
+    explicit Other(const std::string& address) : bus_(host::OpenLiveBus(address))
+    {
+    }
+    void Send(std::uint32_t identifier, const Octets& bytes)
+    {
+        host::LiveFrame frame;
+        frame.identifier = identifier;
+        frame.length_bytes = static_cast<std::uint8_t>(bytes.size());
+        std::copy(bytes.begin(), bytes.end(), frame.data);
+        EXPECT_EQ(bus_->Send(frame), host::SendResult::kSent);
+    }
+    /// A command of LSS.
+    void Lss(Octets bytes)
+    {
+        bytes.resize(8U);
+        Send(0x7E5U, bytes);
+    }
+    /// Frames of others with this identifier that came within `ms`, or until there are `enough`.
+    std::vector<Octets> Hear(std::uint32_t identifier, int ms, std::size_t enough = 1U)
+    {
+        std::vector<Octets> heard;
+        const std::uint64_t until_ns = NowNs() + static_cast<std::uint64_t>(ms) * 1000000U;
+        while (heard.size() < enough && NowNs() < until_ns)
+        {
+            host::LiveFrame frame;
+            if (!bus_->Receive(frame))
+            {
+                ::usleep(1000);
+            }
+            else if (!frame.own && frame.identifier == identifier)
+            {
+                heard.emplace_back(frame.data, frame.data + frame.length_bytes);
+            }
+        }
+        return heard;
+    }
+
+  private:
+    std::unique_ptr<host::LiveBus> bus_;
+};
+
+class NodeServicesTest : public CommandTest
+{
+  protected:
+    /// What 'get' says: the value, or the text of the problem.
+    static nlohmann::json Get(NodeProcess& node, const std::string& object)
+    {
+        node.Type("get " + object);
+        const NodeLine line = node.WaitFor([](const nlohmann::json& event)
+                                           { return event["event"] == "object" || event["event"] == "problem"; });
+        return line.event.contains("value") ? line.event["value"] : line.event["text"];
+    }
+};
+
+TEST_F(NodeServicesTest, APlainDeviceRunsWithoutASafetyPart)
+{
+    Verifies(req::SRS_NODE_016);
+    Verifies(req::SRS_DEV_021);
+    const auto node = StartNode(kPlain, {});
+    node->Type("nmt start");
+    EXPECT_FALSE(node->WaitFor(Event("nmt", "state", "operational")).event.is_null());
+    EXPECT_EQ(Get(*node, "0x2000:00"), 7);
+    EXPECT_EQ(Get(*node, "0x1001:00"), 0); // no emergency
+    EXPECT_NE(Get(*node, "0x1300:00").get<std::string>().find("0602 0000h"), std::string::npos);
+    EXPECT_NE(Get(*node, "0x13FE:00").get<std::string>().find("0602 0000h"), std::string::npos);
+    node->Type("state");
+    EXPECT_TRUE(node->WaitFor("state").event["srdos"].empty());
+    node->Type("quit");
+    EXPECT_EQ(node->End(), 0);
+}
+
+TEST_F(NodeServicesTest, ClientAndServersOfTheFileTalk)
+{
+    Verifies(req::SRS_NODE_012);
+    Verifies(req::SRS_DEV_020);
+    const auto five = StartNode(kPlain, {});
+    const auto six = StartNode(kPlain, {"--node-id", "6"});
+    // By the client of 1280h, at the default server of node 6
+    five->Type("write 6 0x2000:00 42 1");
+    EXPECT_EQ(five->WaitFor("written").event["abort"], 0);
+    EXPECT_EQ(Get(*six, "0x2000:00"), 42);
+    five->Type("read 6 0x2000:00");
+    EXPECT_EQ(five->WaitFor("read").event["value"], 42);
+    five->Type("read 6 0x2001:00");
+    EXPECT_EQ(five->WaitFor("read").event["abort"], 0x06020000U);
+    // By the client of 1281h, at the second server of node 5
+    six->Type("read 5 0x1018:02");
+    EXPECT_EQ(six->WaitFor("read").event["value"], 9);
+    // Nobody is asked who is in no client's object, or does not answer
+    five->Type("read 7 0x1000:00");
+    EXPECT_FALSE(five->WaitFor("problem").event.is_null());
+    six->Type("quit");
+    EXPECT_EQ(six->End(), 0);
+    five->Type("read 6 0x2000:00");
+    EXPECT_EQ(five->WaitFor("read").event["abort"], 0x05040000U);
+}
+
+TEST_F(NodeServicesTest, TimesAndEmergenciesOfOthersAreLines)
+{
+    Verifies(req::SRS_NODE_012);
+    Verifies(req::SRS_EMCY_009);
+    const auto five = StartNode(kPlain, {});
+    const auto six = StartNode(kPlain, {"--node-id", "6"});
+    six->Type("time");
+    const nlohmann::json time = five->WaitFor("time").event;
+    EXPECT_GT(time["days"], 15000); // since 1984
+    EXPECT_LT(time["ms"], 86400000);
+    // A frame with an identifier that only node 6 has is its emergency 8150h, and node 5 hears of it
+    Other other(OwnBus());
+    other.Send(0x706U, {5U});
+    const nlohmann::json emergency = five->WaitFor("emergency").event;
+    EXPECT_EQ(emergency["node"], 6);
+    EXPECT_EQ(emergency["code"], 0x8150);
+    // 1003h has the twenty entries of the file
+    EXPECT_EQ(Get(*six, "0x1003:00"), 1);
+    EXPECT_EQ(Get(*six, "0x1003:01").get<unsigned>() & 0xFFFFU, 0x8150U);
+    EXPECT_NE(Get(*six, "0x1003:14").get<std::string>().find("0800 0024h"), std::string::npos);
+    EXPECT_NE(Get(*six, "0x1003:15").get<std::string>().find("0609 0011h"), std::string::npos);
+    // A node that may not send times says so
+    five->Type("set 0x1012:00 0x80000100");
+    five->Type("time");
+    EXPECT_FALSE(five->WaitFor("problem").event.is_null());
+    const auto before = Get(*five, "0x1013:00").get<std::uint32_t>();
+    ::usleep(20000);
+    EXPECT_GE(Get(*five, "0x1013:00").get<std::uint32_t>() - before, 20000U - 2U * kCycleUs);
+}
+
+TEST_F(NodeServicesTest, WithoutANodeIdThereIsOnlyLssAndThenANode)
+{
+    Verifies(req::SRS_NODE_015);
+    Verifies(req::SRS_LSS_009);
+    const std::string file = File("none.dcf", Replaced(TextOf(kPlain), "NodeID=5\n", ""));
+    const std::string store = Path("lss_store");
+    std::remove(store.c_str());
+    const std::vector<std::string> arguments{"--dcf", file,      "--cycle-us", std::to_string(kCycleUs),
+                                             "--lss", "--store", store};
+    NodeProcess node(arguments);
+    EXPECT_EQ(node.WaitFor("start").event["node_id"], 0);
+    Other other(OwnBus());
+    other.Send(0x000U, {1U, 0U});
+    EXPECT_FALSE(node.Tells(Event("nmt", "state", "pre_operational"), 300));
+    // Somebody looks for nodes without a node-ID, gives it one, and has it kept
+    other.Lss({0x4CU});
+    EXPECT_EQ(other.Hear(0x7E4U, 2000).at(0U)[0], 0x50U);
+    other.Lss({0x04U, 1U});
+    other.Lss({0x11U, 9U});
+    EXPECT_EQ(other.Hear(0x7E4U, 2000), (std::vector<Octets>{{0x11U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}}));
+    other.Lss({0x13U, 0U, 2U}); // the bit rate is the system's
+    EXPECT_EQ(other.Hear(0x7E4U, 2000), (std::vector<Octets>{{0x13U, 1U, 0U, 0U, 0U, 0U, 0U, 0U}}));
+    other.Lss({0x17U});
+    EXPECT_EQ(other.Hear(0x7E4U, 4000), (std::vector<Octets>{{0x17U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}}));
+    other.Lss({0x04U, 0U});
+    EXPECT_EQ(other.Hear(0x709U, 3000), (std::vector<Octets>{{0U}}));
+    EXPECT_FALSE(node.WaitFor(Event("start", "node_id", 9)).event.is_null());
+    EXPECT_EQ(Get(node, "0x1014:00"), 0x89);
+    node.Type("quit");
+    EXPECT_EQ(node.End(), 0);
+    // The next start has it from the store
+    NodeProcess again(arguments);
+    EXPECT_FALSE(again.WaitFor(Event("nmt", "state", "pre_operational")).event.is_null());
+    EXPECT_EQ(Get(again, "0x1014:00"), 0x89);
+    std::remove(store.c_str());
+}
+
+TEST_F(NodeServicesTest, APdoThatDoesNotHoldIsTold)
+{
+    Verifies(req::SRS_NODE_017);
+    const std::string file =
+        File("pdo.dcf", Replaced(TextOf(kPlain), "DefaultValue=0x20000008", "DefaultValue=0x20010008"));
+    NodeProcess node({"--dcf", file, "--cycle-us", std::to_string(kCycleUs)});
+    const auto is_told = [](const nlohmann::json& event)
+    {
+        return event["event"] == "refused" && event["text"].get<std::string>().find(
+                                                  "0x1800:01: the device has turned this PDO off") != std::string::npos;
+    };
+    EXPECT_TRUE(node.Tells(is_told, 5000));
+}
+
+TEST_F(NodeServicesTest, InverseFramesHaveAControllerOfTheirOwn)
+{
+    Verifies(req::SRS_NODE_014);
+    for (const std::string& second : {OtherBus(), OwnBus()})
+    {
+        const auto sensor = StartNode("emergency_stop/sensor.dcf", {"--can2", second});
+        const auto controller = StartNode("emergency_stop/controller.dcf", {"--can2", second});
+        Other first_bus(OwnBus());
+        Other second_bus(second);
+        sensor->Type("set 0x2000:01 1");
+        controller->Type("nmt start");
+        sensor->Type("nmt start 1");
+        EXPECT_FALSE(controller->WaitFor(Event("output", "open", true)).event.is_null());
+        EXPECT_FALSE(controller->WaitFor(Event("value", "value", 1)).event.is_null());
+        EXPECT_FALSE(first_bus.Hear(0x101U, 1000).empty());
+        EXPECT_FALSE(second_bus.Hear(0x102U, 1000).empty());
+        EXPECT_EQ(first_bus.Hear(0x102U, 200).empty(), second == OtherBus());
+        EXPECT_EQ(second_bus.Hear(0x101U, 200).empty(), second == OtherBus());
+        EXPECT_FALSE(controller->Tells(Event("output", "open", false), 500));
+        controller->Type("quit");
+        EXPECT_EQ(controller->End(), 0);
+    }
+}
+
+// Given a store without a whole set, or with the values of another device, then the node says so and runs; a new one
+// and its own are used without a word.
+TEST_F(NodeServicesTest, AStoreThatCannotBeUsedIsTold)
+{
+    Verifies(req::SRS_NODE_011);
+    constexpr std::size_t kStoreBytes = 524288U;
+    const std::string everything = "../tests/runtime/data/everything.dcf";
+    const std::string own = Path("own.store");
+    for (int start = 0; start < 2; ++start)
+    {
+        auto node = StartNode(everything, {"--store", own});
+        node->Type("set 0x1010:01 0x65766173");
+        EXPECT_FALSE(node->Tells(Event("device_fault", "fault", "late_call"), 500));
+        node->Type("quit");
+        EXPECT_EQ(node->End(), 0);
+        const auto& lines = node->Lines();
+        EXPECT_TRUE(std::none_of(lines.begin(), lines.end(),
+                                 [](const NodeLine& line) { return line.event["event"] == "store"; }));
+    }
+    const std::string wrong = File("wrong.store", std::string(kStoreBytes, '\x5A'));
+    for (const std::string& dcf : {everything, std::string("emergency_stop/sensor.dcf")})
+    {
+        const std::string& store = (dcf == everything) ? wrong : own;
+        auto node = StartNode(dcf, {"--store", store});
+        node->Type("quit");
+        EXPECT_EQ(node->End(), 0);
+        const auto& lines = node->Lines();
+        const auto told = std::find_if(lines.begin(), lines.end(),
+                                       [](const NodeLine& line) { return line.event["event"] == "store"; });
+        ASSERT_NE(told, lines.end()) << store;
+        const std::string text = told->event["text"];
+        EXPECT_EQ(text.find(store + ":0: warning: "), 0U) << text;
+        EXPECT_NE(text.find(dcf == everything ? "no whole set of values, expected what 1010h has saved"
+                                              : "saved values are refused, expected those of this device"),
+                  std::string::npos)
+            << text;
+    }
+}
+
+// Given an order whose line never ends, then it is not carried out, and the node runs on.
+TEST_F(NodeServicesTest, AnOrderWithoutAnEndIsTold)
+{
+    Verifies(req::SRS_NODE_009);
+    auto node = StartNode("emergency_stop/sensor.dcf", {});
+    node->Type(std::string(5000U, 'x'));
+    EXPECT_EQ(node->WaitFor("problem").event["text"],
+              "an order of more than 1024 characters, expected whole lines; no more are read");
+    node->Signal(SIGTERM);
+    EXPECT_EQ(node->End(), 0);
+}
+
+TEST_F(NodeServicesTest, AFileWithTwoControllersNeedsBoth)
+{
+    Verifies(req::SRS_NODE_014);
+    Verifies(req::SRS_NODE_017);
+    const std::string bus = "udp:239.74.163.2:43119";
+    const std::string mpdo = File("mpdo.dcf", Replaced(TextOf(kPlain),
+                                                       "ParameterName=Number of entries\n"
+                                                       "ObjectType=0x7\nDataType=0x0005\n"
+                                                       "AccessType=rw\nDefaultValue=1",
+                                                       "ParameterName=Number of entries\nObjectType=0x7\n"
+                                                       "DataType=0x0005\nAccessType=rw\nDefaultValue=254"));
+    const Answer refused = RunCommand({"node", "--no-input", "--can", bus, "--dcf", mpdo});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find("0x1A00:00 = 254, a multiplexed PDO, which is not built, expected"), std::string::npos)
+        << refused.err;
+    std::string two = TextOf("emergency_stop/sensor.dcf");
+    const std::size_t port = two.find("ParameterValue=", two.find("[5F00sub10]"));
+    two.replace(port, two.find('\n', port) - port, "ParameterValue=2");
+    const std::string quit = File("quit.yaml", "steps: [{at: 0 s, do: quit}]");
+    const Answer one =
+        RunCommand({"node", "--no-input", "--can", bus, "--script", quit, "--dcf", File("two.dcf", two)});
+    EXPECT_EQ(one.status, 2);
+    EXPECT_NE(one.err.find("expected --can2 for the second one"), std::string::npos) << one.err;
+    const Answer none = RunCommand({"node", "--no-input", "--can", bus, "--can2", "no_such_can7", "--dcf",
+                                    std::string(COUNTERPOINT_SOURCE) + "/examples/" + kPlain});
+    EXPECT_EQ(none.status, 2);
+}
+
+} // namespace
+} // namespace counterpoint::tools::test
