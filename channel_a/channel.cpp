@@ -34,7 +34,7 @@ constexpr SrdoState kStates[kStateCount] = {
     SrdoState::kFaulted,  SrdoState::kFaulted, SrdoState::kFaulted, SrdoState::kFaulted,
 };
 
-// Default connection set: SRDO 1 of the first 64 nodes. [SRS-CFG-002]
+// Default connection set: SRDO 1 of the first 64 nodes. [SRS_CFG_002]
 void SetDefaults(Record& record, const std::uint8_t number, const std::uint8_t node_id) noexcept
 {
     record.values[kSctPlace] = kDefaultSctMs;
@@ -100,7 +100,7 @@ SrdoView Channel::View(const SlotIndex slot) const noexcept
     view.ordinal = record.ordinal;
     view.signals = record.signals;
     view.error_count = record.error_count;
-    view.state = IsSealed(record) ? kStates[record.mode >> kStateShift] : SrdoState::kFaulted; // [SRS-CONS-024]
+    view.state = IsSealed(record) ? kStates[record.mode >> kStateShift] : SrdoState::kFaulted; // [SRS_CONS_024]
     view.first_cause = record.first_cause;
     view.holds_pair = static_cast<std::uint8_t>((record.mode & kHeld) >> kHeldShift);
     return view;

@@ -158,7 +158,7 @@ bool HasGoodTiming(const Voice& voice, const Record& record) noexcept
     return is_good;
 }
 
-// SRS-CFG-021 to 025.
+// SRS_CFG_021, SRS_CFG_022, SRS_CFG_023, SRS_CFG_024, SRS_CFG_025.
 ConfigFault CheckCommunication(const Voice& voice, const SlotIndex slot) noexcept
 {
     const Record& record = At(voice, slot);

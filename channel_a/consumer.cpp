@@ -38,13 +38,13 @@ inline bool IsFitting(const Voice& voice, const Record& record, const CanFrame& 
     return IsAddressed(voice, record, frame, half) && (frame.length_bytes == record.length_bytes);
 }
 
-// Whether the pending normal frame has bits above the mapped ones. [SRS-CONS-009]
+// Whether the pending normal frame has bits above the mapped ones. [SRS_CONS_009]
 inline bool HasSpareBits(const Record& record) noexcept
 {
     return ((record.total_bits & kRestOfByte) != 0U) && ((record.pending >> (record.total_bits & kShiftMask)) != 0U);
 }
 
-// [SRS-CONS-017]
+// [SRS_CONS_017]
 void ReceiveOther(Voice& voice, const CanFrame& frame) noexcept
 {
     const bool is_gfc = (frame.identifier == kGfcIdentifier) && (frame.length_bytes == 0U);
@@ -54,7 +54,7 @@ void ReceiveOther(Voice& voice, const CanFrame& frame) noexcept
     }
 }
 
-// A frame that is not as it should be. [SRS-CONS-011]
+// A frame that is not as it should be. [SRS_CONS_011]
 [[gnu::noinline]] void ReceiveOdd(Voice& voice, const CanFrame& frame, const std::size_t slot) noexcept
 {
     const Record& record = At(voice, slot);
@@ -183,7 +183,7 @@ HeldPair Channel::Held(const SlotIndex slot) const noexcept
     return pair;
 }
 
-// Counted and kept like a fault, but told to nobody: the other channel has reported it. [SRS-REL-006]
+// Counted and kept like a fault, but told to nobody: the other channel has reported it. [SRS_REL_006]
 void Channel::Demote(const SlotIndex slot) noexcept
 {
     Record& record = At(voice_, slot);

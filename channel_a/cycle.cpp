@@ -21,7 +21,7 @@ constexpr std::uint32_t kPermitRotation = 16U;
 constexpr std::uint32_t kLongAgoUs = 0x80000000U; // As far as instants have a difference.
 constexpr std::uint32_t kWaitingPastSctBit = std::uint32_t{1U} << static_cast<std::uint8_t>(SrdoCause::kWaitingPastSct);
 
-// [SRS-CFG-031]
+// [SRS_CFG_031]
 GuardView GuardOf(const CycleInput& input, const std::uint8_t configuration_valid) noexcept
 {
     const std::uint32_t rotated =
@@ -34,7 +34,7 @@ GuardView GuardOf(const CycleInput& input, const std::uint8_t configuration_vali
     return view;
 }
 
-// [SRS-CONS-002]
+// [SRS_CONS_002]
 void FollowOperational(Voice& voice, const NmtState nmt) noexcept
 {
     const bool is_active = (nmt == NmtState::kOperational) && (voice.outcome.guard == GuardView::kConfigured);
@@ -59,7 +59,7 @@ void DemandAll(const Voice& voice) noexcept
     }
 }
 
-// The phase of those producers that are called. [SRS-PROD-012]
+// The phase of those producers that are called. [SRS_PROD_012]
 void Shift(const Voice& voice, const SrdoMask standing) noexcept
 {
     SrdoMask left = standing;
@@ -73,7 +73,7 @@ void Shift(const Voice& voice, const SrdoMask standing) noexcept
     }
 }
 
-// An edge at a slot that is off is forgotten when it is served. [SRS-REL-005]
+// An edge at a slot that is off is forgotten when it is served. [SRS_REL_005]
 void NoteEdges(Voice& voice, const SrdoMask levels) noexcept
 {
     SrdoMask edges = levels & ~voice.levels;
@@ -129,7 +129,8 @@ void ExamineConsumer(Voice& voice, const Record& record, const std::size_t slot)
     }
 }
 
-// An edge is good for a release until its window is over, and for nothing afterwards. [SRS-REL-003..007]
+// An edge is good for a release until its window is over, and for nothing afterwards. [SRS_REL_003, SRS_REL_004,
+// SRS_REL_005, SRS_REL_006, SRS_REL_007]
 void Acknowledge(Voice& voice, Record& record, const std::size_t slot) noexcept
 {
     if ((voice.now.us - record.edge_since.us) > voice.config->acknowledge_window_us)
@@ -175,10 +176,10 @@ std::uint32_t ServeConsumer(Voice& voice, Record& record, const std::size_t slot
     return 0U;
 }
 
-// Due already, or in flight: the refresh that falls due now is skipped. [SRS-PROD-010]
+// Due already, or in flight: the refresh that falls due now is skipped. [SRS_PROD_010]
 void Refresh(Voice& voice, Record& record, const std::size_t slot) noexcept
 {
-    record.since.us += SctUs(record); // Exact addition keeps the phase. [SRS-PROD-002]
+    record.since.us += SctUs(record); // Exact addition keeps the phase. [SRS_PROD_002]
     if (Is(record, kFlying) || ((record.refreshed == kMarked)))
     {
         Report(record, SrdoCause::kRefreshMissed);
@@ -217,7 +218,7 @@ void ServeProducer(Voice& voice, Record& record, const std::size_t slot) noexcep
 {
     if ((voice.now.us - record.frame_since.us) > SrvtUs(record))
     {
-        Abort(record, SrdoCause::kNoConfirmation); // [SRS-PROD-008]
+        Abort(record, SrdoCause::kNoConfirmation); // [SRS_PROD_008]
     }
     if (Is(record, kFlying))
     {
@@ -231,7 +232,7 @@ void ServeProducer(Voice& voice, Record& record, const std::size_t slot) noexcep
     record.edge = kUnmarked;
 }
 
-// Each cause once in a window of SCT. [SRS-CONS-021]
+// Each cause once in a window of SCT. [SRS_CONS_021]
 void Signal(Voice& voice, Record& record, const std::size_t slot, const std::uint32_t extra) noexcept
 {
     if ((voice.now.us - record.told_since.us) > SctUs(record))

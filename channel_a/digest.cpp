@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-// What the signature does not cover. [SRS-CFG-034]
+// What the signature does not cover. [SRS_CFG_034]
 namespace counterpoint::channel_a
 {
 namespace

@@ -60,7 +60,7 @@ std::uint32_t FindObject(const DeviceConfig& config, const std::uint32_t entry) 
     return found;
 }
 
-// [SRS-CFG-033]
+// [SRS_CFG_033]
 bool IsDummy(const DeviceConfig& config, const Record& record, const std::uint32_t entry) noexcept
 {
     const std::uint32_t type = (entry >> kIndexShift) - 1U; // Index 0 becomes greater than every type.
@@ -91,7 +91,7 @@ bool FitsOthers(const DeviceConfig& config, const Mapping& mapping, const std::u
 }
 
 // What Validate and Recheck have in common: each entry leads to the object that it names, for this direction, a dummy
-// entry to none; the objects of a static mapping lie one behind the other in the two fields [SRS-CFG-032]. Bits of all
+// entry to none; the objects of a static mapping lie one behind the other in the two fields [SRS_CFG_032]. Bits of all
 // normal entries; kBad where one does not fit.
 std::uint32_t Measured(const DeviceConfig& config, const Record& record, const Mapping& mapping) noexcept
 {
@@ -159,7 +159,7 @@ Mapping MappingOf(const Voice& voice, const std::size_t slot) noexcept
                    Lesser(stored, limit), stored, limit};
 }
 
-// SRS-CFG-026 to 028.
+// SRS_CFG_026, SRS_CFG_027, SRS_CFG_028.
 ConfigFault Resolve(const DeviceConfig& config, Record& record, const Mapping& mapping) noexcept
 {
     const std::uint32_t count = mapping.stored_count;
@@ -192,7 +192,7 @@ ConfigFault Resolve(const DeviceConfig& config, Record& record, const Mapping& m
     return ConfigFault::kNone;
 }
 
-// [SRS-CFG-030]
+// [SRS_CFG_030]
 bool HoldsTable(const DeviceConfig& config, const Record& record, const Mapping& mapping) noexcept
 {
     const std::uint32_t total = Measured(config, record, mapping);

@@ -118,16 +118,16 @@ void Put(SrdoMask& mask, std::size_t slot, std::uint32_t is_in) noexcept;
 void Turn(Voice& voice, std::size_t slot, std::uint32_t mode) noexcept;
 /// @brief A consumer loses what it held and is faulted; a pending normal frame stays if `kept` is kPending.
 void Drop(Voice& voice, std::size_t slot, std::uint32_t kept) noexcept;
-/// @brief Counts a fault and keeps it if it is the first. [SRS-CONS-020]
+/// @brief Counts a fault and keeps it if it is the first. [SRS_CONS_020]
 void Count(Record& record, SrdoCause cause) noexcept;
 /// @brief A fault that the next OnCycle, or the one that goes on, tells.
 void Report(Record& record, SrdoCause cause) noexcept;
-/// @brief A fault of a consumer. [SRS-CONS-012]
+/// @brief A fault of a consumer. [SRS_CONS_012]
 void Fail(Voice& voice, std::size_t slot, SrdoCause cause) noexcept;
 /// @brief A fault that gives up the pair in flight; nothing where there is none.
 void Abort(Record& record, SrdoCause cause) noexcept;
 /// @brief The limit of a consumer that has expired, the one with the earlier deadline; kNone if none has. SRVT with
-/// late detection counts for an inverse frame only. [SRS-TIME-008, SRS-TIME-009]
+/// late detection counts for an inverse frame only. [SRS_TIME_008, SRS_TIME_009]
 [[nodiscard]] SrdoCause ExpiredLimit(const Record& record, Instant when, std::size_t half) noexcept;
 /// @brief Every SRDO with a valid configuration becomes active, as of `now`.
 void Enter(Voice& voice) noexcept;
@@ -136,16 +136,16 @@ void Leave(Voice& voice) noexcept;
 
 // signature.cpp
 
-/// @brief CRC-16 over the values of one SRDO, each fed as it is read. O(entries) [SRS-CFG-010]
+/// @brief CRC-16 over the values of one SRDO, each fed as it is read. O(entries) [SRS_CFG_010]
 [[nodiscard]] std::uint32_t Signature(const Record& record, const Mapping& mapping) noexcept;
 
 // mapping.cpp: the only source that knows what entries name.
 
 /// @brief The mapping of one SRDO, be it dynamic or static.
 [[nodiscard]] Mapping MappingOf(const Voice& voice, std::size_t slot) noexcept;
-/// @brief SRS-CFG-026 to 028; keeps the places of the objects of a dynamic mapping.
+/// @brief SRS_CFG_026, SRS_CFG_027, SRS_CFG_028; keeps the places of the objects of a dynamic mapping.
 [[nodiscard]] ConfigFault Resolve(const DeviceConfig& config, Record& record, const Mapping& mapping) noexcept;
-/// @brief Whether the places still lead to what the entries name. [SRS-CFG-030]
+/// @brief Whether the places still lead to what the entries name. [SRS_CFG_030]
 [[nodiscard]] bool HoldsTable(const DeviceConfig& config, const Record& record, const Mapping& mapping) noexcept;
 
 // objects.cpp: the only source that reads and writes objects.

@@ -12,7 +12,7 @@ namespace counterpoint::channel_b
 namespace
 {
 
-// Power-on values. [SRS-CFG-002]
+// Power-on values. [SRS_CFG_002]
 constexpr std::uint8_t kDefaultRefreshMs = 25U;
 constexpr std::uint8_t kDefaultSctMs = 50U;
 constexpr std::uint8_t kDefaultSrvtMs = 20U;

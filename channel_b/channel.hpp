@@ -60,7 +60,7 @@ class Channel final : public counterpoint::Channel
         Column<const std::uint32_t> entries;
         Column<std::uint16_t> table; ///< Places of the entries of a dynamic mapping; null of a static one.
         std::uint8_t declared;       ///< Map count as set.
-        std::uint8_t count; ///< Entries that count: what is declared above those that exist does not. [SRS-CFG-020]
+        std::uint8_t count; ///< Entries that count: what is declared above those that exist does not. [SRS_CFG_020]
     };
 
     /// What data and objects do to each other.

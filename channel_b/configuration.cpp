@@ -82,7 +82,7 @@ bool Channel::IsOfMapping(const ConfigAddress& address) const noexcept
     return is_of_mapping && (address.slot < x_count);
 }
 
-/// Count and entries of a static mapping are not to be changed. [SRS-CFG-003]
+/// Count and entries of a static mapping are not to be changed. [SRS_CFG_003]
 void Channel::Store(const ConfigItem& item) noexcept
 {
     const ConfigAddress& address = item.address;
@@ -163,7 +163,7 @@ bool Channel::IsIdentifierInUse(SlotIndex slot) const noexcept
     return is_in_use;
 }
 
-/// All rules before those of the mapping. [SRS-CFG-021 to 025]
+/// All rules before those of the mapping. [SRS_CFG_021, SRS_CFG_022, SRS_CFG_023, SRS_CFG_024, SRS_CFG_025]
 ConfigFault Channel::CheckParameters(SlotIndex slot) const noexcept
 {
     const Row& row = x_storage.rows[slot];

@@ -13,13 +13,13 @@ namespace
 
 constexpr std::uint32_t kWaitingBit = std::uint32_t{1U} << static_cast<std::uint32_t>(SrdoCause::kWaitingPastSct);
 
-/// Any other first cause is corrupted, or was put there because something else was. [SRS-CONS-024]
+/// Any other first cause is corrupted, or was put there because something else was. [SRS_CONS_024]
 [[nodiscard]] bool IsRecordable(std::uint32_t cause) noexcept
 {
     return ((cause - 1U) < Code(SrdoCause::kWrongEcho)) || (cause == Code(SrdoCause::kNone));
 }
 
-/// Whether the marks of a consumer fit each other. [SRS-CONS-024]
+/// Whether the marks of a consumer fit each other. [SRS_CONS_024]
 [[nodiscard]] bool IsSound(const Row& row) noexcept
 {
     if (row.standing == Standing::kReleased)
@@ -31,7 +31,7 @@ constexpr std::uint32_t kWaitingBit = std::uint32_t{1U} << static_cast<std::uint
 }
 
 /// The limit that is over at an instant so long after the last OnCycle: where both are the one with the earlier
-/// deadline, which is further below zero, and at a tie SRVT. [SRS-TIME-008, SRS-TIME-009]
+/// deadline, which is further below zero, and at a tie SRVT. [SRS_TIME_008, SRS_TIME_009]
 [[nodiscard]] SrdoCause ExpiredAt(const Row& row, std::uint32_t since_call, bool is_srvt_examined) noexcept
 {
     const std::uint32_t sct_left = row.left - since_call;
@@ -53,7 +53,7 @@ void Channel::Reject(SlotIndex slot, SrdoCause cause) noexcept
     Fault(x_storage.rows[slot], cause);
 }
 
-/// First half of a pair. With early detection it has answered SCT. [SRS-CONS-006, SRS-TIME-007]
+/// First half of a pair. With early detection it has answered SCT. [SRS_CONS_006, SRS_TIME_007]
 [[gnu::always_inline]] inline void Channel::TakeNormal(SlotIndex slot, const CanFrame& frame,
                                                        std::uint32_t since_call) noexcept
 {
@@ -73,7 +73,7 @@ void Channel::Reject(SlotIndex slot, SrdoCause cause) noexcept
     }
 }
 
-/// [SRS-CONS-008 to 010]
+/// [SRS_CONS_008, SRS_CONS_009, SRS_CONS_010]
 [[gnu::always_inline]] inline void Channel::TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept
 {
     Row& row = x_storage.rows[slot];
@@ -102,7 +102,7 @@ void Channel::Reject(SlotIndex slot, SrdoCause cause) noexcept
     x_unwritten[slot / kSlotsInHalf] |= BitOf(slot);
 }
 
-/// The checks are made in the order of SRS-CONS-011.
+/// The checks are made in the order of SRS_CONS_011.
 void Channel::TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
 {
     const Row& row = x_storage.rows[slot];
@@ -126,7 +126,7 @@ void Channel::TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t sin
 }
 
 /// A limit that is over discards what was there before the frame, which is then taken as the first one.
-/// [SRS-CONS-003, SRS-CONS-012]
+/// [SRS_CONS_003, SRS_CONS_012]
 void Channel::TakeLate(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
 {
     const Row& row = x_storage.rows[slot];
@@ -148,7 +148,7 @@ void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
     }
     if (offset >= kSrdoIdentifierCount)
     {
-        // Global fail-safe command. [SRS-CONS-017]
+        // Global fail-safe command. [SRS_CONS_017]
         const bool is_accepted = x_storage.device[kGfcParameterAt] == 1U;
         if ((frame.identifier == kGfcIdentifier) && (frame.length_bytes == 0U) && is_accepted)
         {
@@ -184,7 +184,8 @@ void Channel::Demote(SlotIndex slot) noexcept
     Count(row, SrdoCause::kDemoted);
 }
 
-/// [SRS-CONS-013 to 018, SRS-CONS-022, SRS-REL-003 to 005, SRS-REL-007]
+/// [SRS_CONS_013, SRS_CONS_014, SRS_CONS_015, SRS_CONS_016, SRS_CONS_017, SRS_CONS_018, SRS_CONS_022, SRS_REL_003,
+/// SRS_REL_004, SRS_REL_005, SRS_REL_007]
 void Channel::ServeConsumer(Row& row, Half& half) const noexcept
 {
     if (!IsSound(row))
@@ -239,7 +240,7 @@ void Channel::ServeConsumer(Row& row, Half& half) const noexcept
     Release(row, half);
 }
 
-/// What has a fault to report holds no pair any longer. [SRS-REL-003, SRS-REL-004, SRS-REL-007]
+/// What has a fault to report holds no pair any longer. [SRS_REL_003, SRS_REL_004, SRS_REL_007]
 void Channel::Release(Row& row, Half& half) const noexcept
 {
     const bool is_acknowledged = row.edge == kWaits;
@@ -274,7 +275,7 @@ void Channel::Release(Row& row, Half& half) const noexcept
     half.ordinal_sum += row.ordinal;
 }
 
-/// [SRS-REL-002]
+/// [SRS_REL_002]
 void Channel::Commit(const Agreement& agreement) noexcept
 {
     for (std::uint8_t half = 0U; half < kHalves; ++half)

@@ -39,7 +39,7 @@ constexpr std::uint32_t kQuiet =
     return (declared == kConfigurationValidValue) ? GuardView::kConfigured : GuardView::kUnconfigured;
 }
 
-/// It ceases to be active. [SRS-CONS-019, SRS-PROD-011]
+/// It ceases to be active. [SRS_CONS_019, SRS_PROD_011]
 void Leave(Row& row) noexcept
 {
     if (IsConsumer(row))
@@ -51,7 +51,7 @@ void Leave(Row& row) noexcept
     row.ordinal = 0U;
 }
 
-/// [SRS-CONS-021]
+/// [SRS_CONS_021]
 [[nodiscard]] std::uint32_t Signal(Row& row) noexcept
 {
     const std::uint32_t causes = row.causes;
@@ -120,7 +120,7 @@ void Channel::Age(Row& row) const noexcept
         ClearNews(row, kWindowOpen);
     }
     row.phase_left -= x_elapsed_us;
-    // Once and for all it has run out when it has. [SRS-TIME-009]
+    // Once and for all it has run out when it has. [SRS_TIME_009]
     row.srvt_left = (row.srvt_left > kLongestLeft) ? kLongOver : (row.srvt_left - x_elapsed_us);
 }
 

@@ -119,7 +119,7 @@ static_assert(kLookUpBytes == kSrdoIdentifierCount, "one byte an identifier");
     return (offset < kSrdoIdentifierCount) ? storage.slot_of[offset] : kNoSlot;
 }
 
-/// Whether it is not the frame in flight, whatever its data. [SRS-PROD-007]
+/// Whether it is not the frame in flight, whatever its data. [SRS_PROD_007]
 [[nodiscard]] inline bool IsOther(const Row& row, const CanFrame& frame) noexcept
 {
     return (frame.identifier != row.awaited.identifier) || (frame.kind != FrameKind::kData);
@@ -167,7 +167,7 @@ void Record(Row& row, SrdoCause cause) noexcept;
 void Discard(Row& row) noexcept;
 /// @brief A fault of a consumer.
 void Fault(Row& row, SrdoCause cause) noexcept;
-/// @brief A fault of a producer that gives up the pair in flight; returns what OnConfirm then tells. [SRS-PROD-009]
+/// @brief A fault of a producer that gives up the pair in flight; returns what OnConfirm then tells. [SRS_PROD_009]
 [[nodiscard]] Confirmation Fail(Row& row, SrdoCause cause) noexcept;
 
 } // namespace counterpoint::channel_b

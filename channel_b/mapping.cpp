@@ -5,7 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Mappings: what their entries name, and whether they may. [SRS-CFG-026 to 028, 030, 032, 033]
+/// Mappings: what their entries name, and whether they may. [SRS_CFG_026, SRS_CFG_027, SRS_CFG_028, SRS_CFG_030,
+/// SRS_CFG_032, SRS_CFG_033]
 namespace counterpoint::channel_b
 {
 

@@ -26,7 +26,7 @@ constexpr CanFrame kNoFrame{0U, FrameKind::kInvalid, CanPortId::kInvalid, 0U, {}
 
 } // namespace
 
-/// The pair is in flight from the last OnCycle on. [SRS-PROD-006]
+/// The pair is in flight from the last OnCycle on. [SRS_PROD_006]
 [[gnu::always_inline]] inline PreparedPair Channel::Launch(Row& row, std::uint64_t data) const noexcept
 {
     UnpackBytes(data, &row.awaited.data[0]);
@@ -50,7 +50,7 @@ PreparedPair Channel::PrepareSlowly(SlotIndex slot) const noexcept
     return Launch(row, ~(ExchangeFrom(slot, 1U, 0U, Way::kRead) | row.spare) & row.mask);
 }
 
-/// For two objects of four bytes, which fill a frame, there is nothing to call. [SRS-PROD-005]
+/// For two objects of four bytes, which fill a frame, there is nothing to call. [SRS_PROD_005]
 PreparedPair Channel::Prepare(SlotIndex slot) noexcept
 {
     Row& row = x_storage.rows[slot];
@@ -95,7 +95,7 @@ Confirmation Channel::Doubt(const CanFrame& frame) const noexcept
 }
 
 /// One way for both frames of a pair; behind the length anything may be. What is not as awaited takes the way of
-/// faults. [SRS-PROD-007, SRS-PROD-008]
+/// faults. [SRS_PROD_007, SRS_PROD_008]
 Confirmation Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
 {
     const std::size_t offset = std::size_t{frame.identifier} - kFirstSrdoIdentifier;
@@ -145,7 +145,7 @@ void Channel::OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexce
     }
 }
 
-/// The refresh falls due at exact distances, whenever the calls come. [SRS-PROD-001, SRS-PROD-002]
+/// The refresh falls due at exact distances, whenever the calls come. [SRS_PROD_001, SRS_PROD_002]
 void Channel::AdvanceProvider(Row& row) const noexcept
 {
     row.phase_left += SctUs(row);
@@ -160,7 +160,7 @@ void Channel::AdvanceProvider(Row& row) const noexcept
     }
 }
 
-/// Silence is allowed for the refresh time and a cycle that is just in time. [SRS-PROD-001, SRS-PROD-010]
+/// Silence is allowed for the refresh time and a cycle that is just in time. [SRS_PROD_001, SRS_PROD_010]
 void Channel::AdvanceApplication(Row& row) const noexcept
 {
     const std::uint32_t absence_us = SctUs(row) + x_late_us;
@@ -184,7 +184,7 @@ void Channel::AdvanceApplication(Row& row) const noexcept
     }
 }
 
-/// [SRS-PROD-003, SRS-PROD-004, SRS-PROD-008, SRS-PROD-010, SRS-PROD-012]
+/// [SRS_PROD_003, SRS_PROD_004, SRS_PROD_008, SRS_PROD_010, SRS_PROD_012]
 void Channel::ServeProducer(Row& row, Half& half) const noexcept
 {
     const bool is_provider = row.form == ProducerForm::kProviderCalled;

@@ -105,7 +105,7 @@ std::uint16_t Channel::SignatureOf(const Row& row, const Mapping& mapping) const
     return static_cast<std::uint16_t>(crc & 0xFFFFU);
 }
 
-/// [SRS-CFG-034]
+/// [SRS_CFG_034]
 DeviceDigest Channel::Digest(SlotIndex slot, DeviceDigest before) const noexcept
 {
     const SrdoSetup& setup = Column<const SrdoSetup>{x_config->srdos}[slot];

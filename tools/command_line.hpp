@@ -10,7 +10,7 @@
 namespace counterpoint::tools
 {
 /// Runs one command line without the program's name. Never throws for bad usage or bad input: that is one line on
-/// `err` and ExitStatus::kBadInput. [SRS-CLI-001, 020]
+/// `err` and ExitStatus::kBadInput. [SRS_CLI_001, SRS_CLI_020]
 [[nodiscard]] ExitStatus RunCommandLine(const std::vector<std::string>& arguments, const Streams& streams);
 } // namespace counterpoint::tools
 

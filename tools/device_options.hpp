@@ -26,15 +26,15 @@ struct DeviceOptions
 };
 
 /// For CLI::Option::check: what is wrong with a number that people read otherwise than CLI11 does, such as 010, which
-/// would be 8. [SRS-CLI-020]
+/// would be 8. [SRS_CLI_020]
 [[nodiscard]] std::string ProblemOfNumber(const std::string& text);
-/// Likewise of the name of a file: an empty one would count as not given. [SRS-CLI-020]
+/// Likewise of the name of a file: an empty one would count as not given. [SRS_CLI_020]
 [[nodiscard]] std::string ProblemOfFileName(const std::string& text);
 
-/// Likewise of the address of a bus. [SRS-CLI-020]
+/// Likewise of the address of a bus. [SRS_CLI_020]
 [[nodiscard]] std::string ProblemOfAddress(const std::string& text);
 
-/// Runs `body`; with --json a refusal is told as a JSON document too. [SRS-CLI-008]
+/// Runs `body`; with --json a refusal is told as a JSON document too. [SRS_CLI_008]
 [[nodiscard]] ExitStatus RunOnDevice(const DeviceOptions& options, const Streams& streams,
                                      const std::function<ExitStatus()>& body);
 } // namespace counterpoint::tools

@@ -39,7 +39,7 @@ void RequireFolder(const std::string& folder)
     }
 }
 
-/// Nothing but an older output is replaced: not FILE itself, and nobody's own source. [SRS-GEN-018]
+/// Nothing but an older output is replaced: not FILE itself, and nobody's own source. [SRS_GEN_018]
 void RequireOwnOrNone(const std::string& path)
 {
     std::error_code error;

@@ -8,7 +8,7 @@
 
 namespace counterpoint::tools
 {
-/// `counterpoint generate`: the C++ object dictionary of a device. [SRS-GEN-001..003, SRS-GEN-015]
+/// `counterpoint generate`: the C++ object dictionary of a device. [SRS_GEN_001, SRS_GEN_002, SRS_GEN_003, SRS_GEN_015]
 [[nodiscard]] std::unique_ptr<Command> MakeGenerateCommand();
 } // namespace counterpoint::tools
 

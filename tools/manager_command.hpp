@@ -6,7 +6,7 @@
 
 namespace counterpoint::tools
 {
-/// Runs a network manager on a live bus, or compares the network files of several. [SRS-MGR-004, SRS-MGR-009]
+/// Runs a network manager on a live bus, or compares the network files of several. [SRS_MGR_004, SRS_MGR_009]
 [[nodiscard]] std::unique_ptr<Command> MakeManagerCommand();
 } // namespace counterpoint::tools
 

@@ -8,7 +8,7 @@
 
 namespace counterpoint::tools
 {
-/// `counterpoint monitor`: what the SRDOs of a recording or a live bus do. [SRS-MON-001]
+/// `counterpoint monitor`: what the SRDOs of a recording or a live bus do. [SRS_MON_001]
 [[nodiscard]] std::unique_ptr<Command> MakeMonitorCommand();
 } // namespace counterpoint::tools
 

@@ -19,8 +19,8 @@ struct LiveWatcher
 };
 
 /// Hands over every frame of the bus, and the time where none comes, until Ctrl-C or `seconds` have passed (0: no end),
-/// also when the bus goes down and comes back. Throws InputError for an address that cannot be opened. [SRS-MON-001,
-/// SRS-MON-018]
+/// also when the bus goes down and comes back. Throws InputError for an address that cannot be opened. [SRS_MON_001,
+/// SRS_MON_018]
 void WatchLiveBus(const std::string& address, int seconds, const Streams& streams, const LiveWatcher& watcher);
 } // namespace counterpoint::tools
 

@@ -92,7 +92,7 @@ class SimulateCommand final : public Command
         }
     }
 
-    /// A scenario with managers. [SRS-MGR-012]
+    /// A scenario with managers. [SRS_MGR_012]
     [[nodiscard]] ExitStatus Network(const Streams& streams) const
     {
         for (const char* const option : {"--seed", "--until", "--frames", "--sweep"})
@@ -107,7 +107,7 @@ class SimulateCommand final : public Command
         return SimulateNetwork(scenario_, {html_, json_, candump_, quiet_}, streams);
     }
 
-    /// `simulate --explain`, alone or with a name. [SRS-SIM-047]
+    /// `simulate --explain`, alone or with a name. [SRS_SIM_047]
     [[nodiscard]] ExitStatus Explain(const Streams& streams) const
     {
         const std::size_t known = app_->count("--explain") + (markdown_ ? 1U : 0U);

@@ -18,7 +18,7 @@ struct NetworkOptions
 };
 
 /// @brief Simulates a scenario with managers and says whether all its expectations hold. Throws
-/// runtime::YamlError and cia306::InputError. [SRS-MGR-012]
+/// runtime::YamlError and cia306::InputError. [SRS_MGR_012]
 [[nodiscard]] ExitStatus SimulateNetwork(const std::string& path, const NetworkOptions& options,
                                          const Streams& streams);
 } // namespace counterpoint::tools

@@ -85,16 +85,17 @@ class LssSlave
   public:
     explicit LssSlave(const LssParts& parts) noexcept;
 
-    /// @brief A frame from the bus. [SRS-LSS-001..010]
+    /// @brief A frame from the bus. [SRS_LSS_001, SRS_LSS_002, SRS_LSS_003, SRS_LSS_004, SRS_LSS_005, SRS_LSS_006,
+    /// SRS_LSS_007, SRS_LSS_008, SRS_LSS_009, SRS_LSS_010]
     void OnFrame(const CanFrame& frame, const Moment& moment) noexcept;
-    /// @brief Delays of a change of bit rate, answer to a store. [SRS-LSS-005, SRS-LSS-006]
+    /// @brief Delays of a change of bit rate, answer to a store. [SRS_LSS_005, SRS_LSS_006]
     void OnCycle(const Moment& moment) noexcept;
 
-    /// @brief Reset communication: the configured node-ID becomes the active one. [SRS-LSS-004]
+    /// @brief Reset communication: the configured node-ID becomes the active one. [SRS_LSS_004]
     NodeId TakeNodeId() noexcept;
-    /// @brief The device without a node-ID has got one and waits no longer. [SRS-LSS-009]
+    /// @brief The device without a node-ID has got one and waits no longer. [SRS_LSS_009]
     [[nodiscard]] bool MayBoot() const noexcept;
-    /// @brief Nothing may be sent: the bit rate changes. [SRS-LSS-005]
+    /// @brief Nothing may be sent: the bit rate changes. [SRS_LSS_005]
     [[nodiscard]] bool IsSilent() const noexcept;
     [[nodiscard]] LssState State() const noexcept;
     /// @brief Active node-ID, or kNoNodeId.

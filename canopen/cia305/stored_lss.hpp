@@ -10,7 +10,7 @@ namespace counterpoint::cia305
 {
 
 /// Node-ID and bit timing in the parameter store, in the group that only LSS saves. At power-on: Mount, Load of
-/// kLssGroup, Settings; later LssDevice::Store hands its settings to Keep. Not reentrant. [SRS-LSS-012]
+/// kLssGroup, Settings; later LssDevice::Store hands its settings to Keep. Not reentrant. [SRS_LSS_012]
 class StoredLss final : public cia301::StoredPart
 {
   public:

@@ -70,26 +70,28 @@ enum class BusCondition : std::uint8_t
 ///     once a cycle:             Cycle
 ///     between cycles, optional: Serve                           shorter answers, inverse frames at once
 ///
-/// No clock, no heap; times are those of counter A. Not reentrant but for the reception. [SRS-DEV-001..018]
+/// No clock, no heap; times are those of counter A. Not reentrant but for the reception. [SRS_DEV_001, SRS_DEV_002,
+/// SRS_DEV_003, SRS_DEV_004, SRS_DEV_005, SRS_DEV_006, SRS_DEV_007, SRS_DEV_008, SRS_DEV_009, SRS_DEV_010, SRS_DEV_011,
+/// SRS_DEV_012, SRS_DEV_013, SRS_DEV_014, SRS_DEV_015, SRS_DEV_016, SRS_DEV_017, SRS_DEV_018]
 class Device
 {
   public:
     explicit Device(const DeviceParts& parts) noexcept;
 
     /// @brief Supply on: INITIALISATION, boot-up, and where 1F80h leads to. Whether the device came up, or waits for a
-    /// node-ID. [SRS-DEV-002, SRS-DEV-019]
+    /// node-ID. [SRS_DEV_002, SRS_DEV_019]
     [[nodiscard]] LoadResult PowerOn(Instant now) noexcept;
 
-    /// @brief A received frame. O(1) [SRS-DEV-005, SRS-DEV-007]
+    /// @brief A received frame. O(1) [SRS_DEV_005, SRS_DEV_007]
     void OnFrame(const StampedFrame& frame) noexcept;
     /// @brief A frame of this device was on the bus. O(1)
     void OnConfirm(const StampedFrame& frame) noexcept;
-    /// @brief The hardware layer lost frames. [SRS-DEV-008]
+    /// @brief The hardware layer lost frames. [SRS_DEV_008]
     void OnLoss() noexcept;
 
-    /// @brief How the controller feels; tell every change. Not from an interrupt. [SRS-DEV-016]
+    /// @brief How the controller feels; tell every change. Not from an interrupt. [SRS_DEV_016]
     void OnBus(BusCondition condition) noexcept;
-    /// @brief Safety frames to the kernel, its cycle, then Serve. [SRS-DEV-006]
+    /// @brief Safety frames to the kernel, its cycle, then Serve. [SRS_DEV_006]
     void Cycle(const CycleCall& call) noexcept;
     /// @brief Safety frames to the kernel, then the services. O(frames that wait + services)
     void Serve(Instant now) noexcept;

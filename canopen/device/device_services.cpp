@@ -1,7 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/device/device.hpp"
 
-// NMT and the services behind the safety part. [SRS-DEV-002..005, SRS-DEV-010, SRS-DEV-011, SRS-DEV-014]
+// NMT and the services behind the safety part. [SRS_DEV_002, SRS_DEV_003, SRS_DEV_004, SRS_DEV_005, SRS_DEV_010,
+// SRS_DEV_011, SRS_DEV_014]
 namespace counterpoint::device
 {
 namespace
@@ -115,7 +116,7 @@ void Device::ApplyState() noexcept
         }
         parts_.kernel.SetNmtState(state);
         const cia301::NumberReading valid = parts_.dictionary.ReadNumber({kConfigurationValidIndex, 0U});
-        const bool is_there = valid.abort == cia301::SdoAbort::kNone; // A plain device has none. [SRS-DEV-021]
+        const bool is_there = valid.abort == cia301::SdoAbort::kNone; // A plain device has none. [SRS_DEV_021]
         if (is_operational && is_there && (valid.value != kConfigurationValidValue))
         {
             parts_.watch.OnNotConfigured();

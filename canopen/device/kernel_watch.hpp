@@ -12,7 +12,7 @@ namespace counterpoint::device
 constexpr std::uint16_t kEmergenciesOfSrdo = 5U; ///< Kinds of error of one SRDO that may be active at once.
 
 /// Stands between the kernel and the application of a device: everything is passed on, and what the kernel tells of
-/// errors becomes emergencies, one for each SRDO and kind of error. [SRS-DEV-013..015]
+/// errors becomes emergencies, one for each SRDO and kind of error. [SRS_DEV_013, SRS_DEV_014, SRS_DEV_015]
 class KernelWatch final : public Application
 {
   public:

@@ -14,7 +14,7 @@ namespace counterpoint::device
 {
 
 /// Frames of services on their way out, in their order. Few are with the controller at a time, so that an SRDO waits
-/// for few. OnConfirm may interrupt the others. [SRS-DEV-009]
+/// for few. OnConfirm may interrupt the others. [SRS_DEV_009]
 class Outbox final : public cia301::FrameSink
 {
   public:

@@ -9,7 +9,7 @@ namespace counterpoint::device
 {
 
 /// The kernel's objects by its facade, which knows no others: an object of the own table in a mapping of an SRDO is not
-/// unknown (0602 0000h) but not mappable (0604 0041h). The kernel is kept by reference. [SRS-DEV-001, SRS-DEV-017]
+/// unknown (0602 0000h) but not mappable (0604 0041h). The kernel is kept by reference. [SRS_DEV_001, SRS_DEV_017]
 class SafetyObjects final : public cia301::ForeignObjects
 {
   public:

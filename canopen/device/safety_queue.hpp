@@ -17,7 +17,7 @@ namespace counterpoint::device
 }
 
 /// The receive queue of the safety part: nothing enters it but data frames of admitted SRDOs, confirmations of own
-/// ones, and one GFC at a time. One writer, one reader. [SRS-DEV-007, SRS-DEV-008]
+/// ones, and one GFC at a time. One writer, one reader. [SRS_DEV_007, SRS_DEV_008]
 class SafetyQueue
 {
   public:

@@ -26,7 +26,7 @@ struct ServiceRooms
 };
 
 /// @brief Places that a device with so many SRDOs and these rooms needs for its emergencies, so that none is ever lost.
-/// [SRS-EMCY-010]
+/// [SRS_EMCY_010]
 [[nodiscard]] std::uint16_t EmergencyPlaces(std::uint8_t srdo_count, const ServiceRooms& rooms) noexcept;
 
 /// Services that not every device has, in the order in which they are called; the list is kept by reference.
@@ -46,7 +46,7 @@ struct ServiceParts
 };
 
 /// The services of CiA 301 of one device. Members in the open, because entries of the dictionary name them as hooks;
-/// who builds the table needs only their addresses. Used by Device. [SRS-DEV-009, SRS-DEV-010, SRS-DEV-012]
+/// who builds the table needs only their addresses. Used by Device. [SRS_DEV_009, SRS_DEV_010, SRS_DEV_012]
 struct Services
 {
     Services(cia301::NodeId own_node, const ServiceParts& parts) noexcept;
@@ -68,9 +68,9 @@ struct Services
     cia301::SdoServer sdo;
     cia301::SdoServerPort sdo_port; ///< Hook of 1200h.
     cia305::LssSlave* lss;          ///< Null: the node-ID is what it was at the construction. Set before PowerOn.
-    FurtherServices further;        ///< None at first; they send by `outbox`. Set before PowerOn. [SRS-DEV-020]
+    FurtherServices further;        ///< None at first; they send by `outbox`. Set before PowerOn. [SRS_DEV_020]
 
-    /// @brief Whether there is a node-ID; that of LSS is asked for. [SRS-DEV-019]
+    /// @brief Whether there is a node-ID; that of LSS is asked for. [SRS_DEV_019]
     [[nodiscard]] bool TakeNodeId() noexcept;
     /// @brief Reset communication: parameters as at power-on; errors that are there stay. Until EndConfiguration
     /// values may come in any order.

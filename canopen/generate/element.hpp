@@ -77,7 +77,7 @@ struct ElementContext
 /// "rw" as the file writes it.
 [[nodiscard]] std::string AccessName(cia306::Access access);
 
-/// Value, room and limits of the element from its file. Throws InputError. [SRS-GEN-003, SRS-GEN-005]
+/// Value, room and limits of the element from its file. Throws InputError. [SRS_GEN_003, SRS_GEN_005]
 void ReadValue(const ElementContext& context, Element& element);
 } // namespace counterpoint::generate
 

@@ -35,17 +35,18 @@ struct GeneratedCode
 };
 
 /// The code of a device. `text` is that of the file, for its CRC. Throws InputError for what cannot be generated.
-/// [SRS-GEN-001, SRS-GEN-003..014]
+/// [SRS_GEN_001, SRS_GEN_003, SRS_GEN_004, SRS_GEN_005, SRS_GEN_006, SRS_GEN_007, SRS_GEN_008, SRS_GEN_009,
+/// SRS_GEN_010, SRS_GEN_011, SRS_GEN_012, SRS_GEN_013, SRS_GEN_014]
 [[nodiscard]] GeneratedCode Generate(const cia306::Device& device, std::string_view text,
                                      const GenerateOptions& options);
 
-/// Whether this is a text that Generate made, whatever its version. [SRS-GEN-018]
+/// Whether this is a text that Generate made, whatever its version. [SRS_GEN_018]
 [[nodiscard]] bool IsGenerated(std::string_view text) noexcept;
 
-/// What is wrong with the name of a namespace (`a::b` is one), nothing where it can be used. [SRS-GEN-003]
+/// What is wrong with the name of a namespace (`a::b` is one), nothing where it can be used. [SRS_GEN_003]
 [[nodiscard]] std::string ProblemOfNamespace(const std::string& name);
 
-/// A namespace that can be used, from the name of a file. [SRS-GEN-012]
+/// A namespace that can be used, from the name of a file. [SRS_GEN_012]
 [[nodiscard]] std::string NamespaceOf(const std::string& file);
 } // namespace counterpoint::generate
 

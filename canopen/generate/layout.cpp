@@ -31,7 +31,7 @@ bool IsDeviceParameter(const std::uint16_t index)
     return index >= cia306::kDeviceParametersIndex && index <= cia306::kDetectionIndex;
 }
 
-/// Where the value of an entry of the table is kept. [SRS-GEN-006]
+/// Where the value of an entry of the table is kept. [SRS_GEN_006]
 Home TableHome(const cia306::Entry& entry)
 {
     const bool is_text = entry.type.kind == DataKind::kText;

@@ -39,7 +39,7 @@ struct Layout
     std::uint32_t longest_bytes{8U}; ///< Of the entries.
 };
 
-/// Decides where everything lies. Throws InputError. [SRS-GEN-005..007, SRS-GEN-010]
+/// Decides where everything lies. Throws InputError. [SRS_GEN_005, SRS_GEN_006, SRS_GEN_007, SRS_GEN_010]
 [[nodiscard]] Layout LayOut(const cia306::Device& device, const GenerateOptions& options,
                             std::vector<cia306::Finding>& warnings);
 } // namespace counterpoint::generate

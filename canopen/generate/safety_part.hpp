@@ -43,14 +43,14 @@ class SafetyPart
 
     [[nodiscard]] const std::vector<cia306::SrdoConfiguration>& Srdos() const noexcept;
     [[nodiscard]] const cia306::DeviceParameters& Parameters() const noexcept;
-    /// @brief Expected device digest: none with another node-ID than the file's. [SRS-GEN-009]
+    /// @brief Expected device digest: none with another node-ID than the file's. [SRS_GEN_009]
     [[nodiscard]] std::uint32_t Digest() const noexcept;
-    /// @brief kProduced or kConsumed for a variable of the kernel, nothing else for the others. [SRS-GEN-009]
+    /// @brief kProduced or kConsumed for a variable of the kernel, nothing else for the others. [SRS_GEN_009]
     [[nodiscard]] std::optional<Home> HomeOf(const cia306::Entry& entry) const;
-    /// @brief Joins the variables of each pair. [SRS-GEN-013]
+    /// @brief Joins the variables of each pair. [SRS_GEN_013]
     void JoinPairs(std::vector<Element>& elements) const;
     [[nodiscard]] std::vector<StaticPart> StaticParts(const std::vector<Element>& elements) const;
-    /// @brief In the order in which the kernel takes them, without those of static mappings. [SRS-GEN-011, SRS-GEN-016]
+    /// @brief In the order in which the kernel takes them, without those of static mappings. [SRS_GEN_011, SRS_GEN_016]
     [[nodiscard]] std::vector<SafetySetting> Settings() const;
 
   private:

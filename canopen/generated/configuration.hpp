@@ -52,7 +52,7 @@ struct ConfigureReply
 };
 
 /// @brief Registers the fields, then writes the settings for a node-ID of 1 to 127. For a started kernel outside
-/// OPERATIONAL. O(settings) [SRS-GEN-011, SRS-GEN-016]
+/// OPERATIONAL. O(settings) [SRS_GEN_011, SRS_GEN_016]
 [[nodiscard]] ConfigureReply Configure(Kernel& kernel, const Configuration& configuration,
                                        std::uint8_t node_id) noexcept;
 

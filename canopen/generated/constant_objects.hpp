@@ -24,7 +24,7 @@ struct ConstantTable
     std::uint32_t count;
 };
 
-/// Hook of the entries whose values lie in program memory. [SRS-GEN-006]
+/// Hook of the entries whose values lie in program memory. [SRS_GEN_006]
 class ConstantObjects final : public cia301::ReadHook, public cia301::WriteHook
 {
   public:

@@ -9,7 +9,7 @@
 namespace counterpoint::generated
 {
 
-/// @brief A two's complement of the variable's length. O(bytes) [SRS-GEN-013]
+/// @brief A two's complement of the variable's length. O(bytes) [SRS_GEN_013]
 [[nodiscard]] std::int64_t ReadSigned(const VariablePlace& variable) noexcept;
 void WriteSigned(const VariablePlace& variable, std::int64_t value) noexcept;
 /// @brief A number of IEEE 754 in 32 or 64 bits.

@@ -34,7 +34,7 @@ enum class AttachResult : std::uint8_t
 };
 
 /// Hook of all entries that have a place: leads to who keeps the object now, else to the place. Hooks are kept by
-/// reference. Not reentrant. [SRS-GEN-008]
+/// reference. Not reentrant. [SRS_GEN_008]
 class StoredObjects final : public cia301::ReadHook, public cia301::WriteHook
 {
   public:

@@ -74,7 +74,7 @@ void Manager::Obey(const NmtCommand command) noexcept
 }
 
 /// A reset ends what was verified, at once and not when the slave comes back, and what was suspected: whoever sent it.
-/// [SRS-SFS-002]
+/// [SRS_SFS_002]
 void Manager::OnReset(const NodeId node) noexcept
 {
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
@@ -89,7 +89,7 @@ void Manager::OnReset(const NodeId node) noexcept
 }
 
 /// Out of OPERATIONAL it can be changed, and be back there before it says so. What was found before stays to be told.
-/// [SRS-SFS-002]
+/// [SRS_SFS_002]
 void Manager::OnLeave(const NodeId node) noexcept
 {
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
@@ -114,7 +114,7 @@ void Manager::ReadAnew(const NodeId node) noexcept
 }
 
 /// Somebody else starts safety slaves. What this device has verified and started runs already; all others that were
-/// there last are taken to run, whether or not they say so by any error control, and so are read. [SRS-SFS-006]
+/// there last are taken to run, whether or not they say so by any error control, and so are read. [SRS_SFS_006]
 void Manager::OnForeignStart(const NodeId node, const Instant now) noexcept
 {
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
@@ -136,7 +136,7 @@ void Manager::OnForeignStart(const NodeId node, const Instant now) noexcept
 }
 
 /// Whatever was on the bus meanwhile: who runs is read again, what is being read from the beginning, and who does not
-/// run any more has booted. [SRS-SFS-002, SRS-NMM-020]
+/// run any more has booted. [SRS_SFS_002, SRS_NMM_020]
 void Manager::OnLost(const Instant now) noexcept
 {
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
@@ -161,7 +161,7 @@ void Manager::OnLost(const Instant now) noexcept
     }
 }
 
-/// [SRS-SFS-002]
+/// [SRS_SFS_002]
 void Manager::OnStartDropped(const NodeId node, const Instant now) noexcept
 {
     if (is_leading_)

@@ -30,7 +30,7 @@ void Manager::OnBus(const bool is_there, const Instant now) noexcept
     }
 }
 
-/// The active master that is commanded to reset itself, and not all, is as any other device after it. [SRS-FLY-019]
+/// The active master that is commanded to reset itself, and not all, is as any other device after it. [SRS_FLY_019]
 void Manager::ResetRole(const Instant now) noexcept
 {
     const bool is_due = is_to_reset_ && (flying_ != nullptr);
@@ -54,7 +54,7 @@ void Manager::TryNegotiation(const Instant now) noexcept
     is_refused_ = is_refused_ && is_to_start_;
 }
 
-/// A negotiation may begin without an event: whoever negotiates commands nobody. [SRS-MGR-002]
+/// A negotiation may begin without an event: whoever negotiates commands nobody. [SRS_MGR_002]
 void Manager::FollowRole(const Instant now) noexcept
 {
     if (is_leading_ && !flying_->IsActiveMaster())
@@ -64,7 +64,7 @@ void Manager::FollowRole(const Instant now) noexcept
 }
 
 /// The application of the flying master: presets that leave supervision to it have no other. Without a consumer time
-/// for that node nobody watches, and this device stays slave. [SRS-MGR-002]
+/// for that node nobody watches, and this device stays slave. [SRS_MGR_002]
 void Manager::WatchMaster(const NodeId master, const Instant now) noexcept
 {
     const HeartbeatSetup& heartbeat = parts_.setup.Slave(master).heartbeat;

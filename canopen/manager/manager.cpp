@@ -70,7 +70,7 @@ void Manager::End() noexcept
     is_running_ = false;
 }
 
-/// Without a flying master it leads from the beginning; with one the negotiation says so. [SRS-MGR-002]
+/// Without a flying master it leads from the beginning; with one the negotiation says so. [SRS_MGR_002]
 void Manager::Lead(const bool is_leader, const Instant now) noexcept
 {
     if (is_leader && !is_leading_)
@@ -119,7 +119,7 @@ void Manager::OnFrame(const CanFrame& frame, const Instant now) noexcept
     }
 }
 
-/// A slave that was not started up since it booted sends heartbeats by a time of its own. [SRS-MGR-010]
+/// A slave that was not started up since it booted sends heartbeats by a time of its own. [SRS_MGR_010]
 void Manager::CountHeartbeats(const CanFrame& frame) noexcept
 {
     constexpr std::uint32_t kErrorControl = 0x700U;
@@ -183,7 +183,7 @@ void Manager::SendOwn(const Instant now) noexcept
     }
     else
     {
-        // Nobody is to take this device for one that is there. Whoever leaves INITIALISATION says so. [SRS-FLY-028]
+        // Nobody is to take this device for one that is there. Whoever leaves INITIALISATION says so. [SRS_FLY_028]
         state_ = NodeState::kPreOperational;
         owes_boot_up_ = true;
     }
@@ -277,7 +277,7 @@ void Manager::OnEmergency(const NodeId node, const EmergencyRecord& emergency, c
     parts_.listener.OnEmergency(node, emergency, now);
 }
 
-/// What a device says that may be two is worth nothing. [SRS-MGR-010]
+/// What a device says that may be two is worth nothing. [SRS_MGR_010]
 void Manager::OnDuplicate(const NodeId node, const Instant now) noexcept
 {
     gate_.Doubt(node);

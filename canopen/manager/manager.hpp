@@ -34,7 +34,7 @@ class ManagerListener
     /// @brief See FlyingMasterListener.
     virtual void OnFlyingMaster(FlyingEvent event, const MasterClaim& claim, Instant now) noexcept = 0;
     /// @brief The negotiation is to begin, at Begin and after each reset communication: local objects (1F90h) may be
-    /// written now. Who calls StartNegotiation: see Manager::Use. [SRS-FLY-027]
+    /// written now. Who calls StartNegotiation: see Manager::Use. [SRS_FLY_027]
     virtual void OnInitialising(Instant now) noexcept;
     /// @brief 1F90h or the own node-ID cannot be negotiated with. Told once; the manager begins when they can be.
     virtual void OnNegotiationRefused(FlyingStart reason, Instant now) noexcept;
@@ -86,7 +86,8 @@ struct ManagerParts
 /// and a flying master if there is one. Order of use: construct; construct the profile with ProfileParts and, if
 /// wanted, the flying master with this as listener; Use; Begin; then each frame by OnFrame and OnCycle each ms or so.
 /// Without a flying master it commands the network from Begin on, with one while the negotiation made it the master.
-/// No clock, no heap, no waiting; O(127) a cycle, O(127) a frame. Not reentrant. [SRS-MGR-001..003]
+/// No clock, no heap, no waiting; O(127) a cycle, O(127) a frame. Not reentrant. [SRS_MGR_001, SRS_MGR_002,
+/// SRS_MGR_003]
 class Manager final : public NmtListener,
                       public NodeListener,
                       public StartUpListener,
@@ -101,7 +102,7 @@ class Manager final : public NmtListener,
     [[nodiscard]] StartUpParts ProfileParts() noexcept;
     /// @brief The profile, kept by reference. Before Begin, which does nothing without one.
     void Use(StartUp& profile) noexcept;
-    /// @brief The flying master, kept by reference, and who lets it begin. Before Begin. [SRS-MGR-002, SRS-FLY-027]
+    /// @brief The flying master, kept by reference, and who lets it begin. Before Begin. [SRS_MGR_002, SRS_FLY_027]
     void Use(FlyingMaster& flying, NegotiationBy by = NegotiationBy::kManager) noexcept;
 
     /// @brief The device is there: boot-up message, then the start-up, or the negotiation first.
@@ -116,16 +117,16 @@ class Manager final : public NmtListener,
     {
         watch_.OnSent(frame);
     }
-    /// @brief Drives every part, once a ms or so: times are exact to the distance of two calls. O(127) [SRS-MGR-003]
+    /// @brief Drives every part, once a ms or so: times are exact to the distance of two calls. O(127) [SRS_MGR_003]
     void OnCycle(Instant now) noexcept;
     /// @brief The controller went bus-off or is gone, or is back. Another one may be master meanwhile: the role of a
     /// flying master ends, and it negotiates when the bus is there; without one, safety slaves are then read as OnLost
-    /// says. [SRS-FLY-019]
+    /// says. [SRS_FLY_019]
     void OnBus(bool is_there, Instant now) noexcept;
     /// @brief Frames of the bus were lost, or it was away: safety slaves that run are read again, and a started slave
-    /// that says PRE-OPERATIONAL next has booted. O(127) [SRS-SFS-002, SRS-NMM-020]
+    /// that says PRE-OPERATIONAL next has booted. O(127) [SRS_SFS_002, SRS_NMM_020]
     void OnLost(Instant now) noexcept;
-    /// @brief The application lets the negotiation begin. kInvalid: there is no flying master. [SRS-FLY-027]
+    /// @brief The application lets the negotiation begin. kInvalid: there is no flying master. [SRS_FLY_027]
     [[nodiscard]] FlyingStart StartNegotiation(Instant now) noexcept;
 
     /// @brief 1017h of this device from now on; 0: no heartbeat.
@@ -146,10 +147,10 @@ class Manager final : public NmtListener,
     /// @brief Start-up of one slave without a reset: see StartUp::Resume. False as Boot.
     [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept;
     /// @brief Writes the safety configuration of a slave by the full procedure and verifies it; one that was stopped is
-    /// made PRE-OPERATIONAL before. False: not now, it is OPERATIONAL, another device or commands wait. [SRS-SFS-005]
+    /// made PRE-OPERATIONAL before. False: not now, it is OPERATIONAL, another device or commands wait. [SRS_SFS_005]
     [[nodiscard]] bool WriteSafety(NodeId node, Instant now) noexcept;
 
-    /// @brief Whether it commands the network now. [SRS-MGR-002]
+    /// @brief Whether it commands the network now. [SRS_MGR_002]
     [[nodiscard]] bool IsActive() const noexcept
     {
         return is_leading_;

@@ -215,7 +215,7 @@ void Analysis::Tell()
     fresh_.clear();
 }
 
-/// Commands, boot-up, heartbeat and guarding tell who is OPERATIONAL. [SRS-MON-009]
+/// Commands, boot-up, heartbeat and guarding tell who is OPERATIONAL. [SRS_MON_009]
 void Analysis::FollowNodes(const LogFrame& frame)
 {
     if (!frame.IsPlain())

@@ -42,7 +42,8 @@ constexpr std::size_t kServiceCount = 12U;
 
 [[nodiscard]] const char* ServiceName(Service service) noexcept;
 
-/// Supervises all SRDOs of a network, and GFC. [SRS-MON-005..010, SRS-MON-016]
+/// Supervises all SRDOs of a network, and GFC. [SRS_MON_005, SRS_MON_006, SRS_MON_007, SRS_MON_008, SRS_MON_009,
+/// SRS_MON_010, SRS_MON_016]
 class Analysis final : private BreachSink
 {
   public:
@@ -56,7 +57,7 @@ class Analysis final : private BreachSink
     /// @brief Nothing came until `now`: what has expired is told.
     void Advance(Time now);
     /// @brief Frames from here to the next call of one of the others are not seen: nothing is held or awaited.
-    /// [SRS-MON-018]
+    /// [SRS_MON_018]
     void Interrupt() noexcept;
 
     [[nodiscard]] const std::deque<SrdoWatch>& Watches() const noexcept;

@@ -12,7 +12,7 @@
 namespace counterpoint::monitor
 {
 /// Frames in the words of their DCFs. Keeps what an SDO transfer is about; both arguments are kept by reference.
-/// [SRS-MON-004]
+/// [SRS_MON_004]
 class Decoder
 {
   public:

@@ -12,7 +12,7 @@
 namespace counterpoint::monitor
 {
 /// Whether an SRDO follows each GFC. The frame does not tell its sender: one of the devices that may send it (1300h =
-/// 1) has to send an SRDO within its own shortest refresh time. [SRS-MON-016]
+/// 1) has to send an SRDO within its own shortest refresh time. [SRS_MON_016]
 class GfcWatch
 {
   public:

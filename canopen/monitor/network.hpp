@@ -67,11 +67,11 @@ struct NodeFile
     std::optional<std::uint8_t> node_id;
 };
 
-/// The devices of a bus by their DCFs. Throws InputError for files that cannot be used. [SRS-MON-004]
+/// The devices of a bus by their DCFs. Throws InputError for files that cannot be used. [SRS_MON_004]
 class Network
 {
   public:
-    /// @brief `sct` is that of SRDOs without a consumer; else twice the refresh time. [SRS-MON-007]
+    /// @brief `sct` is that of SRDOs without a consumer; else twice the refresh time. [SRS_MON_007]
     Network(const std::vector<NodeFile>& files, std::optional<Time> sct);
 
     [[nodiscard]] const std::vector<NodeModel>& Nodes() const noexcept;

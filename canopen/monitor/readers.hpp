@@ -10,7 +10,7 @@
 namespace counterpoint::monitor
 {
 /// Lines of `candump -l`: (SECONDS.FRACTION) INTERFACE ID#DATA [DIRECTION], and what `candump -ta` or `-tz` prints:
-/// (SECONDS.FRACTION)  INTERFACE  ID   [LENGTH]  BYTES. [SRS-MON-002]
+/// (SECONDS.FRACTION)  INTERFACE  ID   [LENGTH]  BYTES. [SRS_MON_002]
 class CandumpReader final : public FrameSource
 {
   public:
@@ -90,11 +90,11 @@ struct PacketResult
 };
 
 /// A packet of a readable link type. Cooked packets have the identifier in the byte order of the machine that recorded,
-/// which is that of the file. [SRS-MON-003]
+/// which is that of the file. [SRS_MON_003]
 [[nodiscard]] PacketResult ReadPacketOf(std::uint32_t link_type, std::string_view packet, bool is_big_endian,
                                         LogFrame& frame);
 
-/// pcap, both byte orders, micro- and nanoseconds. [SRS-MON-003]
+/// pcap, both byte orders, micro- and nanoseconds. [SRS_MON_003]
 class PcapReader final : public FrameSource
 {
   public:
@@ -115,7 +115,7 @@ class PcapReader final : public FrameSource
     Time last_{0};
 };
 
-/// pcapng. [SRS-MON-003]
+/// pcapng. [SRS_MON_003]
 class PcapngReader final : public FrameSource
 {
   public:

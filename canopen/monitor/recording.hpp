@@ -65,7 +65,8 @@ struct RecordingOptions
     std::string interface;
 };
 
-/// A source over the bytes, which outlive it; the format is told by them. `file` is for messages. [SRS-MON-001..003]
+/// A source over the bytes, which outlive it; the format is told by them. `file` is for messages. [SRS_MON_001,
+/// SRS_MON_002, SRS_MON_003]
 [[nodiscard]] std::unique_ptr<FrameSource> OpenRecording(const std::string& file, std::string_view bytes,
                                                          const RecordingOptions& options);
 } // namespace counterpoint::monitor

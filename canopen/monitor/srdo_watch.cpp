@@ -138,7 +138,7 @@ void SrdoWatch::OnFrame(const LogFrame& frame)
     }
 }
 
-/// Late detection: an inverse frame after SRVT is the fault, unless SCT has expired before the frame. [SRS-TIME-009]
+/// Late detection: an inverse frame after SRVT is the fault, unless SCT has expired before the frame. [SRS_TIME_009]
 bool SrdoWatch::IsLateInverse(const LogFrame& frame)
 {
     const Time limit = pending_->time + setup_.srvt;

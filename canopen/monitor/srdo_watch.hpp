@@ -80,8 +80,9 @@ struct WatchSetup
     bool is_late{false}; ///< 5F05h: late detection.
 };
 
-/// One SRDO as one consumer sees it: SRS-CONS-003 to 012 with the clock of the recording. What is left of a discarded
-/// pair is no violation of its own. [SRS-MON-005..007]
+/// One SRDO as one consumer sees it: SRS_CONS_003, SRS_CONS_004, SRS_CONS_005, SRS_CONS_006, SRS_CONS_007,
+/// SRS_CONS_008, SRS_CONS_009, SRS_CONS_010, SRS_CONS_011, SRS_CONS_012 with the clock of the recording. What is left
+/// of a discarded pair is no violation of its own. [SRS_MON_005, SRS_MON_006, SRS_MON_007]
 class SrdoWatch
 {
   public:
@@ -94,7 +95,7 @@ class SrdoWatch
     /// @brief Reports a limit that has expired before `now`.
     void Advance(Time now);
     /// @brief Producer or consumer left OPERATIONAL: nothing is held or awaited; the inverse frame of a pair that has
-    /// begun may be under way. [SRS-MON-009]
+    /// begun may be under way. [SRS_MON_009]
     void Stop() noexcept;
     /// @brief The next time at which a limit could have expired; never: the greatest time.
     [[nodiscard]] Time Deadline() const noexcept;

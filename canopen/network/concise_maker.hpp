@@ -19,7 +19,7 @@ struct ConciseEntry
 
 /// @brief What has to be written to a device that has its defaults: every writable entry with a ParameterValue, but
 /// for the objects of the safety configuration and those that command something; PDOs in the order of CiA 301 (off,
-/// parameters, mapping off, mapping, on); 1020h at the end. Throws cia306::InputError. [SRS-NET-003]
+/// parameters, mapping off, mapping, on); 1020h at the end. Throws cia306::InputError. [SRS_NET_003]
 [[nodiscard]] std::vector<ConciseEntry> MakeConcise(const cia306::Device& device, std::uint8_t node_id);
 
 /// @brief The bytes of 1F22h.

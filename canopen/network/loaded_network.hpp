@@ -36,7 +36,7 @@ struct LoadedSlave
 class LoadedNetwork
 {
   public:
-    /// @brief Reads every DCF that the plan names. Throws cia306::InputError. [SRS-NET-003..005]
+    /// @brief Reads every DCF that the plan names. Throws cia306::InputError. [SRS_NET_003, SRS_NET_004, SRS_NET_005]
     explicit LoadedNetwork(const NetworkPlan& plan);
     LoadedNetwork(const LoadedNetwork&) = delete;
     LoadedNetwork& operator=(const LoadedNetwork&) = delete;

@@ -10,7 +10,7 @@
 namespace counterpoint::network
 {
 /// @brief Puts what the manager's own DCF says (1F80h to 1F90h, 1F26h, 1F27h, 1006h, 1016h, 1017h, 102Ah) where the
-/// network file says nothing. Throws cia306::InputError. [SRS-NET-003]
+/// network file says nothing. Throws cia306::InputError. [SRS_NET_003]
 void TakeManagerObjects(const cia306::Device& device, NetworkPlan& plan);
 } // namespace counterpoint::network
 

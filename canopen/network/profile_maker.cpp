@@ -173,7 +173,7 @@ std::vector<std::uint8_t> FurtherObjects(const ProfileSlave& slave, const cia302
     return ConciseBytes(kept);
 }
 
-/// Zeros, or what the network file says. [SRS-MGR-022]
+/// Zeros, or what the network file says. [SRS_MGR_022]
 void FillOutputs(const std::string& file, const SlavePlan& plan, ProfileSlave& slave)
 {
     slave.outputs.assign(slave.rx_pdos.size(), {});

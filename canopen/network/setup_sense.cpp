@@ -91,7 +91,7 @@ std::uint32_t WatchesManagerMs(const LoadedSlave& slave, const cia302::SlaveSetu
 }
 
 /// Each bit of 1F80h that the profile does not follow, and the one that a safety slave takes from it.
-/// [SRS-NET-005] [SRS-NET-006]
+/// [SRS_NET_005] [SRS_NET_006]
 std::vector<std::string> WarningsOfStartUp(const ManagerPlan& manager, const cia302::NetworkSetup& setup)
 {
     constexpr std::uint32_t kBits = 32U;
@@ -114,7 +114,7 @@ std::vector<std::string> WarningsOfStartUp(const ManagerPlan& manager, const cia
 }
 
 /// Told to send no heartbeat, by the network file or its DCF, and awaited all the same. Who is not booted is told
-/// nothing. [SRS-NET-006]
+/// nothing. [SRS_NET_006]
 bool IsAwaitedInVain(const LoadedSlave& slave, const cia302::SlaveSetup& setup, const StartProfile profile)
 {
     constexpr std::uint16_t kProducer = 0x1017U;
@@ -126,7 +126,7 @@ bool IsAwaitedInVain(const LoadedSlave& slave, const cia302::SlaveSetup& setup, 
 }
 } // namespace
 
-/// A slave that waits hardly longer than the period loses the manager on a loaded bus. [SRS-NET-006]
+/// A slave that waits hardly longer than the period loses the manager on a loaded bus. [SRS_NET_006]
 void LoadedNetwork::WarnOfHeartbeat()
 {
     const std::uint32_t period_ms = plan_.manager.heartbeat_ms.value_or(0U);

@@ -13,7 +13,7 @@
 namespace counterpoint::hal
 {
 
-/// What a platform links in the place of hardware that it does not have: each service refuses. [SRS-HAL-006]
+/// What a platform links in the place of hardware that it does not have: each service refuses. [SRS_HAL_006]
 ///
 /// There are no absent clocks: no reading says "no time", and a platform without two counters has nobody who could call
 /// the kernel.
@@ -60,7 +60,7 @@ class AbsentMemoryProtection final : public MemoryProtection
 };
 
 /// No parameter memory: no bytes, every operation has failed, nothing can be read. 1010h answers with an error, and
-/// nothing is ever loaded. [SRS-HAL-016]
+/// nothing is ever loaded. [SRS_HAL_016]
 class AbsentParameterMemory final : public ParameterMemory
 {
   public:

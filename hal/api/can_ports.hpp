@@ -16,7 +16,7 @@ enum class Guarantee : std::uint8_t
     kGiven = 0x5AU,
 };
 
-/// What the kernel's argument stands on. [SRS-HAL-002]
+/// What the kernel's argument stands on. [SRS_HAL_002]
 struct CanGuarantees
 {
     Guarantee bus_order;     ///< Frames of all controllers reach the kernel in the order of the bus.
@@ -39,7 +39,7 @@ enum class TransmitStatus : std::uint8_t
 class CanPorts
 {
   public:
-    /// @brief Takes a frame for transmission on frame.port. O(1) [SRS-HAL-001]
+    /// @brief Takes a frame for transmission on frame.port. O(1) [SRS_HAL_001]
     [[nodiscard]] TransmitStatus Transmit(const CanFrame& frame) noexcept
     {
         const bool sendable = IsSendable(frame);
@@ -87,7 +87,7 @@ enum class MissingGuarantee : std::uint8_t
     kNone = 0x5AU,
 };
 
-/// @brief Names the first guarantee that is not given. [SRS-HAL-002]
+/// @brief Names the first guarantee that is not given. [SRS_HAL_002]
 [[nodiscard]] MissingGuarantee CheckGuarantees(const CanGuarantees& guarantees) noexcept;
 
 } // namespace counterpoint::hal

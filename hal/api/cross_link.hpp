@@ -26,7 +26,7 @@ enum class LinkStatus : std::uint8_t
 
 /// The wire to the other CPU. It may lose, delay, repeat, overtake and change what it carries: whoever uses it finds
 /// out. Never blocks. The caller stamps what it receives by its own clock, as soon as it can: the time between arrival
-/// and stamp counts as delay of the link. [SRS-LNK-020]
+/// and stamp counts as delay of the link. [SRS_LNK_020]
 class CrossLink
 {
   public:

@@ -35,7 +35,7 @@ struct ExceptionStorage
 };
 
 /// Keeps the cause of an exception over a restart. Storage whose seal does not fit is no record: nothing is read from
-/// memory that was without power. [SRS-STS-050]
+/// memory that was without power. [SRS_STS_050]
 class ExceptionMemory
 {
   public:

@@ -5,7 +5,7 @@
 namespace counterpoint::hal
 {
 
-/// Keeps everything else of this processor away from memory for a bounded time. Calls are not nested. [SRS-STS-012]
+/// Keeps everything else of this processor away from memory for a bounded time. Calls are not nested. [SRS_STS_012]
 class InterruptLock
 {
   public:

@@ -19,7 +19,7 @@ struct MemorySpan
 };
 
 /// The memory as the self tests see it. On a target each call is one access or two to the cell itself, never to a copy
-/// that a compiler keeps; on a host the same tests run over cells with simulated defects. [SRS-STS-010]
+/// that a compiler keeps; on a host the same tests run over cells with simulated defects. [SRS_STS_010]
 class MemoryAccess
 {
   public:
@@ -27,7 +27,7 @@ class MemoryAccess
     virtual void Write(Address place, std::uint32_t value) noexcept = 0;
     /// @brief Reads, then writes: one call for the two accesses of a march element.
     [[nodiscard]] virtual std::uint32_t Exchange(Address place, std::uint32_t value) noexcept = 0;
-    /// @brief Where the stack is in use at this moment, to the accuracy of a few calls. [SRS-STS-013]
+    /// @brief Where the stack is in use at this moment, to the accuracy of a few calls. [SRS_STS_013]
     [[nodiscard]] virtual Address StackPosition() const noexcept = 0;
     /// @brief Where an object begins.
     [[nodiscard]] virtual Address PlaceOf(const void* object) const noexcept = 0;

@@ -31,7 +31,7 @@ enum class ProtectStatus : std::uint8_t
     kAbsent = 2U,  ///< No MPU here.
 };
 
-/// Keeps one party from writing another party's memory. [SRS-HAL-006]
+/// Keeps one party from writing another party's memory. [SRS_HAL_006]
 class MemoryProtection
 {
   public:

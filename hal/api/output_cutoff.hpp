@@ -6,7 +6,7 @@ namespace counterpoint::hal
 {
 
 /// The way to the safe output that an exception takes: callable at any moment, from any state, and needing nothing that
-/// the exception may have destroyed. [SRS-STS-051]
+/// the exception may have destroyed. [SRS_STS_051]
 class OutputCutoff
 {
   public:

@@ -17,7 +17,7 @@ struct GateLimit
 };
 
 /// The decision of the final output, for every port alike: which slots three fresh permits open. Zero-filled memory
-/// opens nothing. [SRS-HAL-003, SRS-HAL-004, SRS-HAL-007, SRS-HAL-008]
+/// opens nothing. [SRS_HAL_003, SRS_HAL_004, SRS_HAL_007, SRS_HAL_008]
 ///
 /// Invariants: `open_copy_` is the complement of `open_`, `driven_copy_` that of `driven_`; a bit of which this does
 /// not hold is closed, or counts as the longer elapsed time. `challenge_` is 0 while none is outstanding.
@@ -29,7 +29,7 @@ class OutputGate
     /// @brief Judges the permits; the challenge is used up. `now` is the port's own time in microseconds.
     void Drive(const PermitSet& permits, Instant now) noexcept;
     /// @brief Judges the permits against `challenge`, which need not be one of this gate; nothing changes.
-    /// [SRS-STS-031]
+    /// [SRS_STS_031]
     [[nodiscard]] static ProbeAnswer Probe(const PermitSet& permits, std::uint32_t challenge) noexcept;
     /// @brief Slots whose outputs are open at `now`; none when the last right Drive is more than `limit` ago, and then
     /// none until the next right Drive. Call at least once in 2^32 us minus `limit`, as every port does that has pins

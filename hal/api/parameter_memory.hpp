@@ -36,7 +36,7 @@ struct MemorySection
 
 /// Memory that keeps parameters without power. An operation is started and then asked for by Status, so that nobody
 /// waits for a flash. Power may fail at any moment: bytes of the section that was being worked on, and no others, then
-/// have any value. [SRS-STO-010]
+/// have any value. [SRS_STO_010]
 class ParameterMemory
 {
   public:

@@ -17,7 +17,7 @@ struct PermitSet
     Permit kernel;
 };
 
-/// What the gate thinks of a permit set that it was only shown. [SRS-STS-031]
+/// What the gate thinks of a permit set that it was only shown. [SRS_STS_031]
 enum class ProbeAnswer : std::uint8_t
 {
     kInvalid = 0U,
@@ -27,7 +27,7 @@ enum class ProbeAnswer : std::uint8_t
 };
 
 /// The final output of a device: opens the outputs of a slot only by three right permits a cycle.
-/// hal/api/output_gate.hpp has the decision; a port adds the pins. [SRS-HAL-003, SRS-HAL-004]
+/// hal/api/output_gate.hpp has the decision; a port adds the pins. [SRS_HAL_003, SRS_HAL_004]
 class SafetyOutput
 {
   public:
@@ -35,7 +35,7 @@ class SafetyOutput
     [[nodiscard]] virtual std::uint32_t Challenge() noexcept = 0;
     /// @brief The permits that answer the last challenge. Anything wrong closes all outputs at once.
     virtual void Drive(const PermitSet& permits) noexcept = 0;
-    /// @brief Judges permits as Drive does, against `challenge`, and does nothing. [SRS-STS-031]
+    /// @brief Judges permits as Drive does, against `challenge`, and does nothing. [SRS_STS_031]
     [[nodiscard]] virtual ProbeAnswer Probe(const PermitSet& /*permits*/, std::uint32_t /*challenge*/) const noexcept
     {
         return ProbeAnswer::kAbsent;

@@ -23,7 +23,7 @@ struct WatchdogAnswer
 };
 
 /// A windowed question-and-answer watchdog with a cut-off of its own. hal/api/watchdog_timer.hpp has the rule; a port
-/// adds the device that enforces it. [SRS-HAL-005]
+/// adds the device that enforces it. [SRS_HAL_005]
 class Watchdog
 {
   public:

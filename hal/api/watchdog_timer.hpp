@@ -18,7 +18,7 @@ struct WatchdogWindow
 };
 
 /// The rule of a windowed question-and-answer watchdog, for ports that have to play one (host) and as the model of the
-/// ones in hardware. Zero-filled memory is tripped. [SRS-HAL-005, SRS-HAL-009]
+/// ones in hardware. Zero-filled memory is tripped. [SRS_HAL_005, SRS_HAL_009]
 class WatchdogTimer
 {
   public:

@@ -26,7 +26,7 @@ class FrameSink
 /// The CAN controllers of one device on a VirtualBus. Hands over each frame at its end on the bus with both stamps, as
 /// an interrupt would; a device that polls puts a FrameQueue between. Two controllers may sit on the same bus (each
 /// then also hears the other, so give them filters) or on two buses that the test advances in step, earliest event
-/// first. [SRS-HAL-011, SRS-HAL-012]
+/// first. [SRS_HAL_011, SRS_HAL_012]
 class HostCanPorts final : public hal::CanPorts
 {
   public:

@@ -19,7 +19,7 @@ constexpr std::uint32_t kStopped = 0U;
 constexpr std::uint32_t kGreatestRate = 1'000'000'000U;
 
 /// A counter of microseconds as a function of bus time, piecewise linear, in integers: the reading is exact at every
-/// instant, however often the rate was changed. Changes are made in ascending order of time. [SRS-HAL-010]
+/// instant, however often the rate was changed. Changes are made in ascending order of time. [SRS_HAL_010]
 class HostClock
 {
   public:

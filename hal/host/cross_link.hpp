@@ -33,7 +33,7 @@ enum class WireEnd : std::uint8_t
     kSecond = 1U,
 };
 
-/// A wire between two CPUs in one process, under control of who tests. Deterministic for a seed. [SRS-LNK-021]
+/// A wire between two CPUs in one process, under control of who tests. Deterministic for a seed. [SRS_LNK_021]
 class HostWire
 {
   public:

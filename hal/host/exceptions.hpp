@@ -27,7 +27,7 @@ inline constexpr HostException kHostExceptions[] = {
 };
 
 /// From construction to destruction the exceptions of this process switch the output off, leave a record and end the
-/// process with kExceptionExitStatus. At most one object at a time. [SRS-STS-051]
+/// process with kExceptionExitStatus. At most one object at a time. [SRS_STS_051]
 class HostExceptions final
 {
   public:

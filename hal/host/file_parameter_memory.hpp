@@ -11,7 +11,7 @@ namespace counterpoint::host
 {
 
 /// A file of two banks as persistent memory: what was programmed is on the disk before the operation ends.
-/// [SRS-STO-013]
+/// [SRS_STO_013]
 class FileParameterMemory final : public hal::ParameterMemory
 {
   public:

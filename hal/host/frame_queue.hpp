@@ -13,7 +13,7 @@ namespace counterpoint::host
 {
 
 /// Queue between the controllers of a device and a kernel that polls: keeps stamped frames in bus order until Drain.
-/// [SRS-HAL-015]
+/// [SRS_HAL_015]
 class FrameQueue final : public FrameSink
 {
   public:

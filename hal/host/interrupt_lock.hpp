@@ -10,7 +10,7 @@ namespace counterpoint::host
 {
 
 /// Signals are the interrupts of a process: all but those of exceptions wait. For a process of one thread.
-/// [SRS-STS-012]
+/// [SRS_STS_012]
 class HostInterruptLock final : public hal::InterruptLock
 {
   public:

@@ -9,7 +9,7 @@
 namespace counterpoint::host
 {
 
-/// The memory of this process, guard zones of a sanitizer included. [SRS-STS-014]
+/// The memory of this process, guard zones of a sanitizer included. [SRS_STS_014]
 class HostMemory final : public hal::MemoryAccess
 {
   public:

@@ -11,7 +11,7 @@ namespace counterpoint::host
 
 /// @brief What the program itself (no library) keeps in memory that it may not write: code and constants, from its
 /// program headers, cut to whole words. Tables that the loader fills in are among them from then on, as they stand.
-/// [SRS-STS-003]
+/// [SRS_STS_003]
 [[nodiscard]] std::vector<hal::MemorySpan> ReadOnlyImage();
 
 } // namespace counterpoint::host

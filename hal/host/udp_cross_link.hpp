@@ -19,7 +19,7 @@ struct UdpPorts
 };
 
 /// Datagrams between two processes of one machine. Never blocks. Throws std::runtime_error, with the port, if there is
-/// no such address. [SRS-LNK-022]
+/// no such address. [SRS_LNK_022]
 class UdpSocket
 {
   public:
@@ -40,7 +40,7 @@ class UdpSocket
     std::uint16_t peer_;
 };
 
-/// The link between two processes that run as the two CPUs. [SRS-LNK-022]
+/// The link between two processes that run as the two CPUs. [SRS_LNK_022]
 class UdpCrossLink final : public hal::CrossLink
 {
   public:

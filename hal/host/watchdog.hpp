@@ -12,7 +12,7 @@
 namespace counterpoint::host
 {
 
-/// A watchdog chip: runs on bus time, whatever the kernel's clocks do. Tripped until Start. [SRS-HAL-013]
+/// A watchdog chip: runs on bus time, whatever the kernel's clocks do. Tripped until Start. [SRS_HAL_013]
 class HostWatchdog final : public hal::Watchdog
 {
   public:

@@ -32,7 +32,7 @@ struct BoardSetup
 };
 
 /// All drivers of a controller and the order in which they start. Use: Start with interrupts locked; unlock; then, for
-/// ever: BeginCycle, frames by NextFrame to the kernel, the kernel's cycle. [SRS-TMS-060..062]
+/// ever: BeginCycle, frames by NextFrame to the kernel, the kernel's cycle. [SRS_TMS_060, SRS_TMS_061, SRS_TMS_062]
 class Board
 {
   public:

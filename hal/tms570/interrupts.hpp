@@ -55,7 +55,7 @@ enum class InterruptRequest : std::uint8_t
 };
 
 /// Interrupt requests by number: the processor's two vectors lead to the program, which asks here what it was. The
-/// table of vectors is filled with one value and its check bits watched all the same. [SRS-TMS-041, SRS-TMS-042]
+/// table of vectors is filled with one value and its check bits watched all the same. [SRS_TMS_041, SRS_TMS_042]
 class Interrupts
 {
   public:

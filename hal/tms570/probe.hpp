@@ -8,7 +8,7 @@
 #include <cstdint>
 
 /// Reading a word that may abort. A test of ECC arms the probe and reads through it; the handler of data aborts asks
-/// whether this abort is that one. [SRS-TMS-046]
+/// whether this abort is that one. [SRS_TMS_046]
 namespace counterpoint::tms570
 {
 

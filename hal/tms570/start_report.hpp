@@ -60,7 +60,7 @@ struct StartReport
     std::uint8_t logic_test; ///< LogicTest.
 };
 
-/// First fault of the drivers. [SRS-TMS-062]
+/// First fault of the drivers. [SRS_TMS_062]
 enum class BoardFault : std::uint8_t
 {
     kInvalid = 0U, ///< Not started.

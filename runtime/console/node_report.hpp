@@ -21,7 +21,7 @@ enum class ReportForm : std::uint8_t
 };
 
 /// What a node tells, a line each. A thread of its own writes them: whoever reads slowly does not hold up the device.
-/// [SRS-NODE-004]
+/// [SRS_NODE_004]
 class NodeReport
 {
   public:

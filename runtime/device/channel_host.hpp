@@ -59,7 +59,7 @@ struct BitPlace
 };
 
 /// Where the channel keeps one bit of a configuration value, found by trial on a second channel of the same kind: which
-/// bit of the storage changes when that bit of the value does. Nothing if the value does not exist. [SRS-SIM-021]
+/// bit of the storage changes when that bit of the value does. Nothing if the value does not exist. [SRS_SIM_021]
 [[nodiscard]] std::optional<BitPlace> FindConfigBit(Letter letter, const DeviceConfig& config,
                                                     const ConfigAddress& address, std::uint8_t bit);
 } // namespace counterpoint::runtime

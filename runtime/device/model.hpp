@@ -63,14 +63,14 @@ enum class SafetyNeed : std::uint8_t
 {
     kInvalid = 0U,
     kRequired = 1U,
-    kOptional = 2U, ///< Without any object of 1300h to 13FFh the kernel gets one SRDO that is off. [SRS-NODE-016]
+    kOptional = 2U, ///< Without any object of 1300h to 13FFh the kernel gets one SRDO that is off. [SRS_NODE_016]
 };
 
 struct SourceVariable;
 struct StaticMapping;
 
 /// A device built from its DCF. Owns the memory of the mappable variables and everything that DeviceConfig points to,
-/// and therefore stays where it is. [SRS-SIM-002]
+/// and therefore stays where it is. [SRS_SIM_002]
 class DeviceModel
 {
   public:
@@ -88,7 +88,7 @@ class DeviceModel
     [[nodiscard]] const std::vector<VariablePair>& Pairs() const noexcept;
     [[nodiscard]] const std::vector<MappableObject>& Objects() const noexcept;
     [[nodiscard]] const std::vector<StaticTable>& StaticTables() const noexcept;
-    /// @brief Where the variables of this static mapping lie. [SRS-SIM-009]
+    /// @brief Where the variables of this static mapping lie. [SRS_SIM_009]
     [[nodiscard]] StaticFields FieldsOf(const StaticTable& table) noexcept;
     /// @brief In the order of a configuring master.
     [[nodiscard]] const std::vector<ConfigurationWrite>& Writes() const noexcept;
@@ -101,10 +101,10 @@ class DeviceModel
     [[nodiscard]] const VariablePair* PairOf(const ObjectAddress& normal) const noexcept;
 
     /// @brief Inverse frames by a second controller, unless the DCF names the controllers: another device than that
-    /// of the DCF, so that no digest is expected. [SRS-SIM-036, SRS-SIM-009]
+    /// of the DCF, so that no digest is expected. [SRS_SIM_036, SRS_SIM_009]
     void UseTwoControllers() noexcept;
     [[nodiscard]] std::uint32_t ControllerCount() const noexcept;
-    /// @brief For bits that flip: variables, mappable objects, setups. [SRS-SIM-035]
+    /// @brief For bits that flip: variables, mappable objects, setups. [SRS_SIM_035]
     [[nodiscard]] std::vector<std::uint8_t>& Memory() noexcept;
     [[nodiscard]] std::vector<MappableObject>& ObjectTable() noexcept;
     [[nodiscard]] std::vector<SrdoSetup>& SetupTable() noexcept;

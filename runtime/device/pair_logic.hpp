@@ -51,7 +51,7 @@ class PairLogic
     PairLogic(const DeviceModel& model, Half half);
 
     /// @brief Pairs as the SRDOs are configured now, whoever did it: new ones come behind those that are known, and
-    /// those that no SRDO has any more rest. On entering OPERATIONAL. [SRS-NODE-019]
+    /// those that no SRDO has any more rest. On entering OPERATIONAL. [SRS_NODE_019]
     void Follow(Kernel& kernel, const DeviceModel& model);
     [[nodiscard]] const std::vector<PairValue>& Pairs() const noexcept;
     /// @brief The pair of this normal object, one that is mapped before others; null: there is none.

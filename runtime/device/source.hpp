@@ -21,7 +21,7 @@ struct SourceVariable
     std::uint64_t value{0U}; ///< At power-on.
 };
 
-/// An SRDO whose mapping nobody can write. [SRS-SIM-009]
+/// An SRDO whose mapping nobody can write. [SRS_SIM_009]
 struct StaticMapping
 {
     std::uint8_t number{0U};            ///< Of the SRDO.

@@ -25,7 +25,7 @@ struct CheckedKey
 [[nodiscard]] std::string PlaceOf(const network::LoadedNetwork& net, const CheckedKey& key);
 /// @brief What does not work between these masters though their configurations are equal, a line each: supervision of
 /// a master that is not longer than its heartbeat, standbys that race and masters that ignore 071h beside one that
-/// sends 072h each cycle. O(masters^2) [SRS-MGR-009]
+/// sends 072h each cycle. O(masters^2) [SRS_MGR_009]
 [[nodiscard]] std::vector<std::string> ProblemsTogether(const std::vector<const network::LoadedNetwork*>& masters);
 } // namespace counterpoint::runtime
 

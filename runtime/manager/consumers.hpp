@@ -10,11 +10,11 @@
 namespace counterpoint::runtime
 {
 /// @brief Whether a start-up runs that has looked at the slave. One that waits for its boot-up message, or with the
-/// profile cia302 for its first answer, has not. [SRS-MGR-021]
+/// profile cia302 for its first answer, has not. [SRS_MGR_021]
 [[nodiscard]] bool IsStartingUp(const ManagerHost& host, cia302::NodeId node) noexcept;
 
 /// 1016h of the manager: whom it supervises by heartbeat, and how long it waits for one. At first the nodes of the
-/// network file in the order of their node-IDs. [SRS-MGR-021]
+/// network file in the order of their node-IDs. [SRS_MGR_021]
 class ManagerConsumers
 {
   public:

@@ -17,7 +17,7 @@
 namespace counterpoint::runtime
 {
 /// The manager as a device on the bus: its object dictionary, and the SDO server at its node-ID. Stays where it is.
-/// [SRS-MGR-020]
+/// [SRS_MGR_020]
 class ManagerDictionary
 {
   public:

@@ -10,7 +10,7 @@
 namespace counterpoint::runtime
 {
 /// Of a connection that tells no times of reception: more frames than a bus carries, after a silence. They have waited
-/// somewhere; as of now they would look like two devices. [SRS-MGR-004]
+/// somewhere; as of now they would look like two devices. [SRS_MGR_004]
 class FrameHeap
 {
   public:

@@ -17,7 +17,7 @@
 namespace counterpoint::runtime
 {
 /// A network manager with all its room, as a network file wants it. Time and frames come in with calls. Stays where it
-/// is: its parts refer to each other. [SRS-MGR-001]
+/// is: its parts refer to each other. [SRS_MGR_001]
 class ManagerHost
 {
   public:
@@ -49,7 +49,7 @@ class ManagerHost
     }
     /// @brief 1017h of the manager.
     void SetHeartbeat(std::uint16_t period_ms) noexcept;
-    /// @brief Lets the first negotiation begin; "taken" or the reason why not. [SRS-MGR-023]
+    /// @brief Lets the first negotiation begin; "taken" or the reason why not. [SRS_MGR_023]
     [[nodiscard]] std::string Negotiate();
     /// @brief Lets later negotiations begin by themselves. Before the manager's cycle.
     void OnCycle(Instant now);
@@ -59,7 +59,7 @@ class ManagerHost
     void OnController(cia302::ControllerState state, Instant now) noexcept;
     /// @brief A frame of this manager was on the bus.
     void OnSent(const CanFrame& frame) noexcept;
-    /// @brief Of the EL6751 profile, kWrong with another one: manual network management. [SRS-ELM-046]
+    /// @brief Of the EL6751 profile, kWrong with another one: manual network management. [SRS_ELM_046]
     [[nodiscard]] cia302::NmtAnswer Control(cia302::NodeId node, std::uint16_t ads_state, std::uint16_t device_state,
                                             Instant now) noexcept;
 

@@ -69,7 +69,7 @@ std::uint64_t ManagerLoop::NowUs() const
 }
 
 /// The manager's time never goes back, and never ahead of frames that wait to be read: after a pause of this process
-/// they are as far apart as they were on the bus. [SRS-MGR-004]
+/// they are as far apart as they were on the bus. [SRS_MGR_004]
 std::uint64_t ManagerLoop::StationUs()
 {
     station_us_ = is_behind_ ? station_us_ : std::max(station_us_, NowUs());

@@ -31,7 +31,7 @@ struct ManagerLoopSettings
 };
 
 /// The executive of a live manager: frames, cycles of a millisecond and orders, until it is told to stop.
-/// [SRS-MGR-004..007]
+/// [SRS_MGR_004, SRS_MGR_005, SRS_MGR_006, SRS_MGR_007]
 class ManagerLoop
 {
   public:

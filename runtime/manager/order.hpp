@@ -42,12 +42,12 @@ struct ManagerOrder
     std::string problem; ///< What is wrong and what was expected.
 };
 
-/// @brief One line: status, start NODE|all, boot NODE, ... [SRS-MGR-006]
+/// @brief One line: status, start NODE|all, boot NODE, ... [SRS_MGR_006]
 [[nodiscard]] ManagerOrder ParseManagerOrder(const std::string& line);
 /// @brief All orders, a line each.
 [[nodiscard]] std::string ManagerOrderHelp();
 /// @brief Carries out a command, a boot, a writing or a negotiation; what it came to, "taken" or the reason why not.
-/// [SRS-MGR-006]
+/// [SRS_MGR_006]
 [[nodiscard]] std::string CarryOut(const ManagerOrder& order, ManagerHost& host, Instant now);
 } // namespace counterpoint::runtime
 

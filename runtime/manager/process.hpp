@@ -25,7 +25,7 @@ struct ProcessValue
     std::uint64_t at_us{0U}; ///< When it was received last.
 };
 
-/// Process data of a network in the EL6751 profile: what the RxPDOs carry, and what the TxPDOs brought. [SRS-MGR-022]
+/// Process data of a network in the EL6751 profile: what the RxPDOs carry, and what the TxPDOs brought. [SRS_MGR_022]
 class ManagerProcess
 {
   public:

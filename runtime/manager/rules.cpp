@@ -151,7 +151,7 @@ SdoAbort ManagerRules::MayWrite(const ObjectAddress& address, const std::uint32_
 }
 
 /// What the manager knows of a slave. A safety slave stays what its network file says: no write takes it out of the
-/// list that forbids a start of all. [SRS-MGR-021]
+/// list that forbids a start of all. [SRS_MGR_021]
 SdoAbort ManagerRules::MayChange(const NodeId node) const noexcept
 {
     const bool is_listed = net_.Setup().IsListed(node);

@@ -9,7 +9,7 @@
 namespace counterpoint::runtime
 {
 /// The objects by which a manager is seen and commanded, and what a write may do while it runs. Hook of 1016h, 1017h,
-/// 102Ah, 1F20h to 1F27h, 1F53h to 1F58h and 1F80h to 1F90h. [SRS-MGR-021]
+/// 102Ah, 1F20h to 1F27h, 1F53h to 1F58h and 1F80h to 1F90h. [SRS_MGR_021]
 class ManagerRules final : public cia301::ReadHook, public cia301::WriteHook
 {
   public:

@@ -6,7 +6,7 @@ namespace counterpoint::runtime
 {
 /// As long as it lives SIGINT, SIGTERM and, where nohup does not ignore it, SIGHUP of a terminal that is gone end
 /// nothing by themselves. SIGPIPE is ignored for good: who reads the output may go, the network stays. One at a time.
-/// [SRS-MGR-004]
+/// [SRS_MGR_004]
 class CaughtSignals
 {
   public:

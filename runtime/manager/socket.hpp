@@ -14,7 +14,7 @@
 namespace counterpoint::runtime
 {
 /// A Unix socket on which programs send orders, a line each, and read the answers. Nothing blocks: who does not read
-/// its answers is cut off, and who was silent longest makes room for another one. [SRS-MGR-006]
+/// its answers is cut off, and who was silent longest makes room for another one. [SRS_MGR_006]
 class ManagerSocket
 {
   public:

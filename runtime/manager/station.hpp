@@ -16,7 +16,7 @@
 namespace counterpoint::runtime
 {
 /// A manager with everything that watches it, on whatever bus: its owner carries frames, time and orders in, frames and
-/// events come out. Times are microseconds since the start. [SRS-MGR-001, SRS-MGR-012]
+/// events come out. Times are microseconds since the start. [SRS_MGR_001, SRS_MGR_012]
 class ManagerStation final : private cia301::FrameSink
 {
   public:

@@ -11,7 +11,7 @@ namespace counterpoint::runtime
 {
 /// @brief Reads a network file: CPJ where its name ends in .cpj, else YAML (docs/manager.md). `manager`: the node-ID of
 /// the manager instead of the file's; 0: none given. Throws cia306::InputError and runtime::YamlError.
-/// [SRS-NET-001, SRS-NET-002, SRS-NET-004]
+/// [SRS_NET_001, SRS_NET_002, SRS_NET_004]
 [[nodiscard]] network::NetworkPlan ReadNetworkFile(const std::string& path, std::uint8_t manager);
 } // namespace counterpoint::runtime
 

@@ -12,14 +12,14 @@
 
 namespace counterpoint::runtime
 {
-/// @brief Options of a slave under "el6751" of a network file. Throws runtime::YamlError. [SRS-ELM-051]
+/// @brief Options of a slave under "el6751" of a network file. Throws runtime::YamlError. [SRS_ELM_051]
 [[nodiscard]] cia302::El6751Slave ReadEl6751Slave(const std::string& file, const runtime::YamlValue& value);
-/// @brief Options of the manager under "el6751". Throws runtime::YamlError. [SRS-ELM-051]
+/// @brief Options of the manager under "el6751". Throws runtime::YamlError. [SRS_ELM_051]
 [[nodiscard]] cia302::El6751Times ReadEl6751Times(const std::string& file, const runtime::YamlValue& value);
-/// @brief What RxPDOs carry, a list under "outputs" of a slave. Throws runtime::YamlError. [SRS-MGR-022]
+/// @brief What RxPDOs carry, a list under "outputs" of a slave. Throws runtime::YamlError. [SRS_MGR_022]
 [[nodiscard]] std::vector<network::OutputPlan> ReadOutputs(const std::string& file, const runtime::YamlValue& value);
 /// @brief Options of a slave under "plc_designer"; one that is not mandatory is optional unless they say otherwise.
-/// Throws runtime::YamlError. [SRS-PLC-021]
+/// Throws runtime::YamlError. [SRS_PLC_021]
 [[nodiscard]] cia302::PlcSlave ReadPlcSlave(const std::string& file, const runtime::YamlValue& value,
                                             bool is_mandatory);
 } // namespace counterpoint::runtime

@@ -15,7 +15,7 @@
 namespace counterpoint::runtime
 {
 /// The application of a live node: what it does with its pairs is that of a simulated one, what the kernel tells it is
-/// a line. [SRS-NODE-003, SRS-NODE-004]
+/// a line. [SRS_NODE_003, SRS_NODE_004]
 class NodeApplication final : public Application
 {
   public:
@@ -25,7 +25,7 @@ class NodeApplication final : public Application
     NodeApplication(const runtime::DeviceModel& model, NodeReport& report);
 
     void Tell(OnPair on_pair);
-    /// @brief Pairs as the SRDOs are configured now, whoever did it. On entering OPERATIONAL. [SRS-NODE-019]
+    /// @brief Pairs as the SRDOs are configured now, whoever did it. On entering OPERATIONAL. [SRS_NODE_019]
     void Follow(Kernel& kernel, const runtime::DeviceModel& model);
     /// @brief Whether the rule's objects are pairs of this device: the target of a producer.
     [[nodiscard]] bool AddRule(const runtime::LogicRule& rule);

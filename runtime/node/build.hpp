@@ -28,10 +28,10 @@ struct NodeSettings
     std::optional<std::uint8_t> lss_node_id{}; ///< LSS gave it in this run: before all others.
 };
 
-/// @brief What LSS gave comes first; a device that waits for it has a placeholder. [SRS-NODE-015]
+/// @brief What LSS gave comes first; a device that waits for it has a placeholder. [SRS_NODE_015]
 [[nodiscard]] std::optional<std::uint8_t> NodeIdOf(const NodeSettings& settings, const cia306::Device& file,
                                                    bool has_lss);
-/// @brief With a second controller the inverse frames are its own. [SRS-NODE-014]
+/// @brief With a second controller the inverse frames are its own. [SRS_NODE_014]
 [[nodiscard]] const runtime::DeviceModel& UseControllers(runtime::DeviceModel& model, NodePorts& ports);
 /// @brief Mapped by an SRDO or made for one: an object that a file only marks as process data is not the kernel's.
 [[nodiscard]] std::vector<MappableObject> SafetyObjectsOf(const runtime::DeviceModel& model,

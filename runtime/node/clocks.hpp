@@ -10,7 +10,7 @@ namespace counterpoint::runtime
 {
 /// Counter A is CLOCK_MONOTONIC, counter B CLOCK_MONOTONIC_RAW: one crystal, but only the first is steered by time
 /// services. Stamps of frames and instants of cycles come out in order; a frame that the system delivers late, by no
-/// more than `tolerance_us`, gets the instant of the one before it. [SRS-NODE-002]
+/// more than `tolerance_us`, gets the instant of the one before it. [SRS_NODE_002]
 class NodeClocks final : public hal::Clocks
 {
   public:

@@ -31,7 +31,7 @@
 namespace counterpoint::runtime
 {
 /// A device of a DCF in real time: shipped kernel, channels and services, the gate and the watchdog of the host, real
-/// frames. Time comes in with every call. [SRS-NODE-001, SRS-NODE-006]
+/// frames. Time comes in with every call. [SRS_NODE_001, SRS_NODE_006]
 class NodeDevice final : private device::Owner
 {
   public:
@@ -69,7 +69,7 @@ class NodeDevice final : private device::Owner
     /// it is after all that a start takes.
     [[nodiscard]] bool TakeRestart(std::uint64_t now_ns);
     /// @brief LSS gave another node-ID, and communication was reset: this device has ended, one with that node-ID has
-    /// to be made. [SRS-NODE-015]
+    /// to be made. [SRS_NODE_015]
     [[nodiscard]] std::optional<std::uint8_t> NewNodeId() const noexcept;
 
     /// @brief A save is under way: Serve soon, it takes many steps.

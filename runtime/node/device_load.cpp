@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-// What a live node loads at its resets, and what its application sends by itself. [SRS-NODE-001]
+// What a live node loads at its resets, and what its application sends by itself. [SRS_NODE_001]
 namespace counterpoint::runtime
 {
 namespace
@@ -176,7 +176,7 @@ void NodeDevice::LoadSafety()
 }
 
 /// Directions, times, identifiers and mappings stay as they are until OPERATIONAL is left; the file, a store or a
-/// commissioner may have given them. [SRS-NODE-019]
+/// commissioner may have given them. [SRS_NODE_019]
 void NodeDevice::FollowConfiguration()
 {
     PrepareSending();

@@ -20,7 +20,7 @@ class FixedHook final : public cia301::WriteHook
     const cia301::EntryTable& table_;
 };
 
-/// A plain device has no objects but its own. [SRS-NODE-016]
+/// A plain device has no objects but its own. [SRS_NODE_016]
 class NoSafetyObjects final : public cia301::ForeignObjects
 {
   public:

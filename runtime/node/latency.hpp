@@ -11,7 +11,7 @@
 namespace counterpoint::runtime
 {
 /// Times from the reception of a pair to its released output. Counts by microseconds up to a tenth of a second, so that
-/// days take no more memory than seconds. [SRS-NODE-008]
+/// days take no more memory than seconds. [SRS_NODE_008]
 class NodeLatency
 {
   public:

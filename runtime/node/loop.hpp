@@ -28,7 +28,7 @@ struct NodeLoopParts
 };
 
 /// The executive of a live node: cycles at their times, frames and orders between them, until it is told to stop.
-/// [SRS-NODE-003, SRS-NODE-005, SRS-NODE-006]
+/// [SRS_NODE_003, SRS_NODE_005, SRS_NODE_006]
 class NodeLoop
 {
   public:

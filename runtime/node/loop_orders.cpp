@@ -6,7 +6,7 @@
 #include "canopen/cia306/text/input_error.hpp"
 #include "runtime/device/names.hpp"
 
-// What a live node is asked, and its answers. [SRS-NODE-003, SRS-NODE-004]
+// What a live node is asked, and its answers. [SRS_NODE_003, SRS_NODE_004]
 namespace counterpoint::runtime
 {
 namespace

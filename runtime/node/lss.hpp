@@ -8,7 +8,7 @@
 namespace counterpoint::runtime
 {
 /// The LSS slave of a live node. Its bit rate is that of the bus, which the system sets: LSS changes none.
-/// [SRS-NODE-015]
+/// [SRS_NODE_015]
 class NodeLss final : private cia305::LssDevice
 {
   public:

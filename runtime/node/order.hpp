@@ -42,7 +42,7 @@ struct NodeOrder
 /// @brief 0x2000:01, both parts hexadecimal; nothing for anything else.
 [[nodiscard]] std::optional<ObjectAddress> ParseObject(const std::string& text);
 /// @brief One line: set 0x2000:01 1, get 0x1018:01, ack 1, gfc, nmt, nmt start [NODE], state, read 5 0x1018:01,
-/// write 5 0x2000:01 1 2, time, help, quit. [SRS-NODE-003, SRS-NODE-012]
+/// write 5 0x2000:01 1 2, time, help, quit. [SRS_NODE_003, SRS_NODE_012]
 [[nodiscard]] NodeOrder ParseOrder(const std::string& line);
 /// @brief All orders, a line each.
 [[nodiscard]] std::string OrderHelp();

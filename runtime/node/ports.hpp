@@ -12,7 +12,7 @@ namespace counterpoint::runtime
 {
 /// The controllers of a live node: two connections to one bus, so that in the system too SRDO and GFC have queues that
 /// no other frame takes, both ways; with a second controller a third one, which has the inverse frames of SRDOs (even
-/// identifiers) for itself. [SRS-DEV-007, SRS-NODE-014]
+/// identifiers) for itself. [SRS_DEV_007, SRS_NODE_014]
 class NodePorts final : public hal::CanPorts
 {
   public:

@@ -31,7 +31,7 @@ struct NodeScript
 /// @brief Reads
 ///     logic: [{set: 0x2000:01, op: and, from: [0x2200:01, 0x2200:02]}]
 ///     steps: [{at: 1 s, do: set 0x2000:01 1, every: 500 ms}]
-/// Throws runtime::YamlError. [SRS-NODE-003, SRS-NODE-009]
+/// Throws runtime::YamlError. [SRS_NODE_003, SRS_NODE_009]
 [[nodiscard]] NodeScript ReadNodeScript(const std::string& file);
 } // namespace counterpoint::runtime
 

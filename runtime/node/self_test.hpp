@@ -17,7 +17,7 @@
 namespace counterpoint::runtime
 {
 /// The shipped self tests over the memory of this process: its program and tables, channels and kernel, the stack below
-/// the loop, the parts that the kernel calls. [SRS-NODE-013]
+/// the loop, the parts that the kernel calls. [SRS_NODE_013]
 class NodeSelfTest
 {
   public:

@@ -10,7 +10,7 @@
 
 namespace counterpoint::runtime
 {
-/// @brief What an SRDO is: of a consumer the limit of its output, of a producer its refresh time. [SRS-NODE-004]
+/// @brief What an SRDO is: of a consumer the limit of its output, of a producer its refresh time. [SRS_NODE_004]
 void TellSrdo(NodeReport& report, std::uint64_t at_ns, const DeviceConfig& config, const runtime::SrdoModel& srdo);
 /// @brief The SRDO in a slot as the kernel has it now, by what the file says of it.
 [[nodiscard]] runtime::SrdoModel ConfiguredSrdo(Kernel& kernel, const runtime::SrdoModel& of_file);

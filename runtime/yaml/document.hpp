@@ -49,10 +49,10 @@ constexpr std::size_t kMaxYamlDepth = 12U;
 constexpr std::size_t kMaxYamlNodes = 50000U;
 
 /// The text of a scenario file; LF line ends, no byte order mark. Throws YamlError for what is missing, no regular
-/// file, too large or not text. [SRS-SIM-010, SRS-SIM-011]
+/// file, too large or not text. [SRS_SIM_010, SRS_SIM_011]
 [[nodiscard]] std::string ReadYamlText(const std::string& file);
 
-/// The one document in `text`. Throws YamlError. [SRS-SIM-010]
+/// The one document in `text`. Throws YamlError. [SRS_SIM_010]
 [[nodiscard]] YamlNode ParseYaml(const std::string& file, const std::string& text);
 
 /// Text of a file for a message: in quotes, printable, shortened.

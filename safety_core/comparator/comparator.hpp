@@ -30,12 +30,12 @@ struct Verdict
     SrdoMask demote;        ///< Both channels are to be told.
     SrdoMask start;         ///< Producers that both channels call due.
     SrdoMask newly_matched; ///< Consumers whose new pair matched in this cycle.
-    std::uint32_t echo;     ///< The challenge of the comparison. [SRS-CMP-001]
+    std::uint32_t echo;     ///< The challenge of the comparison. [SRS_CMP_001]
     DeviceFault fault;
     SlotIndex slot;
 };
 
-/// What the two prepared pairs of one producer say. Zero-filled memory is no permission. [SRS-CMP-010]
+/// What the two prepared pairs of one producer say. Zero-filled memory is no permission. [SRS_CMP_010]
 enum class PreparedVerdict : std::uint8_t
 {
     kInvalid = 0U,
@@ -58,9 +58,10 @@ class Comparator
 {
   public:
     void Restart(const ComparatorSetup& setup) noexcept;
-    /// @brief One comparison; call once a cycle. O(1) without news, O(slots to look at) with. [SRS-CMP-001..008]
+    /// @brief One comparison; call once a cycle. O(1) without news, O(slots to look at) with. [SRS_CMP_001,
+    /// SRS_CMP_002, SRS_CMP_003, SRS_CMP_004, SRS_CMP_005, SRS_CMP_006, SRS_CMP_007, SRS_CMP_008]
     [[nodiscard]] Verdict Compare(const Comparison& comparison) noexcept;
-    /// @brief Compares status and every member of the frame. [SRS-CMP-010]
+    /// @brief Compares status and every member of the frame. [SRS_CMP_010]
     [[nodiscard]] static PreparedVerdict ComparePrepared(const PreparedPair& a, const PreparedPair& b) noexcept;
 
   private:

@@ -10,7 +10,7 @@
 namespace counterpoint
 {
 
-/// Only kData is a candidate for SRDO and GFC; the others are told apart so that nothing is guessed. [SRS-CONS-002]
+/// Only kData is a candidate for SRDO and GFC; the others are told apart so that nothing is guessed. [SRS_CONS_002]
 enum class FrameKind : std::uint8_t
 {
     kInvalid = 0U,
@@ -41,7 +41,7 @@ struct CanFrame
 };
 
 /// A frame in bus order with the moment of its reception (or of its confirmed transmission) by both counters, taken in
-/// one place: the end of the frame, when the controller calls it valid. [SRS-TIME-003]
+/// one place: the end of the frame, when the controller calls it valid. [SRS_TIME_003]
 struct StampedFrame
 {
     CanFrame frame;

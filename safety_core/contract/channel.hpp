@@ -28,7 +28,7 @@ enum class QueueState : std::uint8_t
     kOverflowed = 1U,
 };
 
-/// What a channel thinks of the guard's token of this cycle. [SRS-CFG-031]
+/// What a channel thinks of the guard's token of this cycle. [SRS_CFG_031]
 enum class GuardView : std::uint8_t
 {
     kInvalid = 0U,
@@ -39,12 +39,12 @@ enum class GuardView : std::uint8_t
 
 /// Parties of the three permits, each with a constant of its own. The answer to a challenge is
 ///     ((challenge + mask bits 0 to 31) XOR (mask bits 32 to 63 rotated left by 16)) * constant   (modulo 2^32).
-///     [SRS-REL-010]
+///     [SRS_REL_010]
 constexpr std::uint32_t kPermitConstantA = 0x9E3779B1U;
 constexpr std::uint32_t kPermitConstantB = 0x85EBCA77U;
 constexpr std::uint32_t kPermitConstantKernel = 0xC2B2AE3DU;
 
-/// CRC-32 over the safety parameters that the signature 13FFh does not cover. [SRS-CFG-034]
+/// CRC-32 over the safety parameters that the signature 13FFh does not cover. [SRS_CFG_034]
 struct DeviceDigest
 {
     std::uint32_t value;
@@ -64,15 +64,15 @@ struct Agreement
     SrdoMask matched; ///< The held pairs of both channels have the same ordinal and equal data.
 };
 
-/// `guard_token` is (challenge rotated left by 8) XOR (13FEh in each of the four bytes). [SRS-CFG-031]
+/// `guard_token` is (challenge rotated left by 8) XOR (13FEh in each of the four bytes). [SRS_CFG_031]
 struct CycleInput
 {
     Instant now;
     std::uint32_t challenge; ///< Changes every cycle, never 0.
     std::uint32_t guard_token;
     SrdoMask acknowledge; ///< Level of the acknowledge input of each slot.
-    SrdoMask request; ///< Producers that the application wants to send; asked since the previous cycle. [SRS-PROD-003]
-    SrdoMask stand;   ///< Producers whose refresh phase stood still since the previous cycle. [SRS-PROD-012]
+    SrdoMask request; ///< Producers that the application wants to send; asked since the previous cycle. [SRS_PROD_003]
+    SrdoMask stand;   ///< Producers whose refresh phase stood still since the previous cycle. [SRS_PROD_012]
     NmtState nmt;
     QueueState queue; ///< Whether a frame was lost since the previous cycle.
 };
@@ -98,7 +98,7 @@ struct CycleOutcome
 };
 
 /// What the comparator needs of a consumer to match its pair: two words of a 64-bit processor, four of a 32-bit one.
-/// [SRS-CONS-025]
+/// [SRS_CONS_025]
 struct HeldPair
 {
     Payload data;             ///< As in SrdoView; 0 unless `holds_pair`.
@@ -136,7 +136,7 @@ struct PreparedPair
     PrepareStatus status;
 };
 
-/// What the confirmation of a frame meant to a channel. [SRS-PROD-007]
+/// What the confirmation of a frame meant to a channel. [SRS_PROD_007]
 enum class ConfirmStep : std::uint8_t
 {
     kNone = 0U,      ///< Not a frame in flight, or one that ended the pair with a fault.
@@ -164,11 +164,11 @@ struct TransmitFault
 class Channel
 {
   public:
-    /// @brief Power-on state: copies what it needs of the setups; defaults of the configuration as SRS-CFG-002; 13FEh
+    /// @brief Power-on state: copies what it needs of the setups; defaults of the configuration as SRS_CFG_002; 13FEh
     /// 0, everything off. `config` outlives the channel's use. O(srdo_count)
     virtual void Restart(const DeviceConfig& config) noexcept = 0;
 
-    /// @brief Keeps one value, admitted by the guard, which alone calls this. O(1) [SRS-CFG-003]
+    /// @brief Keeps one value, admitted by the guard, which alone calls this. O(1) [SRS_CFG_003]
     virtual void Store(const ConfigItem& item) noexcept = 0;
     /// @brief The value kept at `address`; 0 for an address that does not exist. O(1)
     [[nodiscard]] virtual ConfigItem Load(const ConfigAddress& address) const noexcept = 0;
@@ -176,49 +176,53 @@ class Channel
     /// @brief What this channel's storage has room for, for the kernel to refuse a device that is too large. O(1)
     [[nodiscard]] virtual ChannelRoom Room() const noexcept = 0;
     /// @brief Registers the fields of an SRDO with a static mapping; makes its mapping unresolved. No effect on an SRDO
-    /// with a dynamic one. O(1) [SRS-CFG-032]
+    /// with a dynamic one. O(1) [SRS_CFG_032]
     virtual void SetFields(SlotIndex slot, const StaticFields& fields) noexcept = 0;
     /// @brief CRC-32 over what the signature does not cover, continued from `before`: the device's part before slot 0,
-    /// then the slot's part. 0 starts. O(1) [SRS-CFG-034]
+    /// then the slot's part. 0 starts. O(1) [SRS_CFG_034]
     [[nodiscard]] virtual DeviceDigest Digest(SlotIndex slot, DeviceDigest before) const noexcept = 0;
 
     /// @brief All rules of one SRDO, in order, then its signature; resolves the mapping and writes the safe value into
     /// the objects this channel owns if there is no fault. Not in OPERATIONAL. O(entries * log objects)
-    /// [SRS-CFG-020..029]
+    /// [SRS_CFG_020, SRS_CFG_021, SRS_CFG_022, SRS_CFG_023, SRS_CFG_024, SRS_CFG_025, SRS_CFG_026, SRS_CFG_027,
+    /// SRS_CFG_028, SRS_CFG_029]
     [[nodiscard]] virtual CheckResult Validate(SlotIndex slot) noexcept = 0;
-    /// @brief Signature and resolved mapping of one SRDO again; in every state. O(entries) [SRS-CFG-030]
+    /// @brief Signature and resolved mapping of one SRDO again; in every state. O(entries) [SRS_CFG_030]
     [[nodiscard]] virtual CheckResult Recheck(SlotIndex slot) noexcept = 0;
 
-    /// @brief Takes one raw frame in bus order; what is not ours is ignored. O(payload) [SRS-CONS-001..019]
+    /// @brief Takes one raw frame in bus order; what is not ours is ignored. O(payload) [SRS_CONS_001, SRS_CONS_002,
+    /// SRS_CONS_003, SRS_CONS_004, SRS_CONS_005, SRS_CONS_006, SRS_CONS_007, SRS_CONS_008, SRS_CONS_009, SRS_CONS_010,
+    /// SRS_CONS_011, SRS_CONS_012, SRS_CONS_013, SRS_CONS_014, SRS_CONS_015, SRS_CONS_016, SRS_CONS_017, SRS_CONS_018,
+    /// SRS_CONS_019]
     virtual void OnFrame(const CanFrame& frame, Instant stamp) noexcept = 0;
-    /// @brief Limits, acknowledge, NMT, refresh; once a kernel cycle, after all its frames. O(srdo_count) [SRS-CONS-*,
-    /// SRS-REL-*]
+    /// @brief Limits, acknowledge, NMT, refresh; once a kernel cycle, after all its frames. O(srdo_count) Realises the
+    /// consumer, release and producer of docs/requirements/channel.sdoc.
     [[nodiscard]] virtual CycleOutcome OnCycle(const CycleInput& input) noexcept = 0;
-    /// @brief The held pair of an active consumer; all 0 for every other slot. O(1) [SRS-CONS-025]
+    /// @brief The held pair of an active consumer; all 0 for every other slot. O(1) [SRS_CONS_025]
     [[nodiscard]] virtual HeldPair Held(SlotIndex slot) const noexcept = 0;
-    /// @brief Everything there is to tell of one slot. O(1) [SRS-CONS-025]
+    /// @brief Everything there is to tell of one slot. O(1) [SRS_CONS_025]
     [[nodiscard]] virtual SrdoView View(SlotIndex slot) const noexcept = 0;
     /// @brief The other channel reported a fault for this consumer: be safe too. No effect unless the slot is a
-    /// consumer in kWaiting, kFaulted or kReleased. [SRS-REL-006]
+    /// consumer in kWaiting, kFaulted or kReleased. [SRS_REL_006]
     virtual void Demote(SlotIndex slot) noexcept = 0;
     /// @brief Writes the objects this channel owns (A the normal, B the inverse ones): the held pair where it is
     /// agreed, matched and released by this channel too, the safe value where a slot is no longer agreed. O(changed)
-    /// [SRS-REL-002]
+    /// [SRS_REL_002]
     virtual void Commit(const Agreement& agreement) noexcept = 0;
-    /// @brief This channel's permit for the slots it released in the last Commit. O(1) [SRS-REL-010]
+    /// @brief This channel's permit for the slots it released in the last Commit. O(1) [SRS_REL_010]
     [[nodiscard]] virtual Permit Answer(std::uint32_t challenge) const noexcept = 0;
 
     /// @brief Reads the objects of its own side (A the normal, B the inverse ones); uses up what made the slot due. A
-    /// pair that is kReady is in flight from the `now` of the last OnCycle. O(entries) [SRS-PROD-005, SRS-PROD-006]
+    /// pair that is kReady is in flight from the `now` of the last OnCycle. O(entries) [SRS_PROD_005, SRS_PROD_006]
     [[nodiscard]] virtual PreparedPair Prepare(SlotIndex slot) noexcept = 0;
-    /// @brief A frame of this device was on the bus. O(payload) [SRS-PROD-007]
+    /// @brief A frame of this device was on the bus. O(payload) [SRS_PROD_007]
     [[nodiscard]] virtual Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept = 0;
     /// @brief Channel B: the inverse frame of a pair whose normal frame was confirmed; handed out once. Channel A has
-    /// none to hand out. Kind kInvalid and all bytes 0 if there is none. O(payload) [SRS-PROD-006]
+    /// none to hand out. Kind kInvalid and all bytes 0 if there is none. O(payload) [SRS_PROD_006]
     [[nodiscard]] virtual CanFrame InverseFrame(SlotIndex slot) noexcept = 0;
     /// @brief The transmission of this slot failed (kTransmitQueue, kBusOff), or the two sides are not inverse
     /// (kNotInverse): recorded, the pair is given up.
-    /// [SRS-PROD-009]
+    /// [SRS_PROD_009]
     virtual void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept = 0;
 
     Channel(const Channel&) = delete;

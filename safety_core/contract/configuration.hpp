@@ -30,7 +30,7 @@ struct MappableObject
     std::uint8_t* place;
 };
 
-/// A mapping that is a part of the program: it takes no RAM and cannot be written. [SRS-CFG-032]
+/// A mapping that is a part of the program: it takes no RAM and cannot be written. [SRS_CFG_032]
 struct StaticMap
 {
     const std::uint32_t* entries; ///< As 138xh sub 1 onward; null: the mapping of this SRDO is dynamic.
@@ -57,21 +57,21 @@ struct SrdoSetup
     StaticMap map;
 };
 
-/// Whether a consumer may map dummy entries. [SRS-CFG-033]
+/// Whether a consumer may map dummy entries. [SRS_CFG_033]
 enum class DummyMapping : std::uint8_t
 {
     kRefused = 0U,
     kAllowed = 0x66U,
 };
 
-/// Whether numbers of SRDOs may be missing. Without gaps an SRDO is found without a search. [SRS-KRN-018]
+/// Whether numbers of SRDOs may be missing. Without gaps an SRDO is found without a search. [SRS_KRN_018]
 enum class NumberGaps : std::uint8_t
 {
     kRefused = 0U,
     kSearched = 0x99U,
 };
 
-/// Whether the device has the global fail-safe command. [SRS-KRN-019]
+/// Whether the device has the global fail-safe command. [SRS_KRN_019]
 enum class GfcUse : std::uint8_t
 {
     kRemoved = 0U, ///< 1300h does not exist; no GFC is sent or accepted.
@@ -103,10 +103,10 @@ struct DeviceConfig
     std::uint32_t clock_tolerance_us;     ///< Greatest difference of the counters' progress within clock_interval_us.
     std::uint32_t clock_interval_us;      ///< > clock_tolerance_us.
     std::uint32_t output_time_us;         ///< From the dropped permit to the safe output; only in computed limits.
-    std::uint32_t digest;                 ///< Expected device digest (5F04h); 0: none is expected. [SRS-CFG-050]
+    std::uint32_t digest;                 ///< Expected device digest (5F04h); 0: none is expected. [SRS_CFG_050]
 };
 
-/// What the storage of a channel has room for. [SRS-KRN-020]
+/// What the storage of a channel has room for. [SRS_KRN_020]
 struct ChannelRoom
 {
     std::uint8_t slots;       ///< SRDOs.
@@ -144,7 +144,7 @@ struct ConfigItem
     std::uint32_t value;
 };
 
-/// First rule that the configuration of one SRDO breaks, in the order in which the rules are tried. [SRS-CFG-020]
+/// First rule that the configuration of one SRDO breaks, in the order in which the rules are tried. [SRS_CFG_020]
 enum class ConfigFault : std::uint8_t
 {
     kInvalid = 0U,

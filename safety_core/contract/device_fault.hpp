@@ -9,7 +9,7 @@
 namespace counterpoint
 {
 
-/// Why a device is in its safe state (level 2). [SRS-KRN-003]
+/// Why a device is in its safe state (level 2). [SRS_KRN_003]
 enum class DeviceFault : std::uint8_t
 {
     kInvalid = 0U,       ///< Also: the latch itself was found corrupted.

@@ -22,7 +22,7 @@ constexpr std::uint8_t kDirectionProducer = 1U;
 constexpr std::uint8_t kDirectionConsumer = 2U;
 
 /// Why an SRDO is safe, or why a pair was not sent. Values are the bit positions in `SrdoView::signals`.
-/// Zero-filled memory reads as kInvalid, which every reader treats as a fault. [SRS-CONS-020]
+/// Zero-filled memory reads as kInvalid, which every reader treats as a fault. [SRS_CONS_020]
 enum class SrdoCause : std::uint8_t
 {
     kInvalid = 0U,
@@ -58,21 +58,21 @@ enum class SrdoState : std::uint8_t
     kReleased = 0xB7U, ///< Consumer: the held pair may be used.
 };
 
-/// Restart behaviour of a consumer. Everything that is not kAutomatic is the restart interlock. [SRS-REL-004]
+/// Restart behaviour of a consumer. Everything that is not kAutomatic is the restart interlock. [SRS_REL_004]
 enum class ReleasePolicy : std::uint8_t
 {
     kInterlock = 0U,
     kAutomatic = 0x5AU,
 };
 
-/// Who starts the transmission of a producer. [SRS-PROD-002]
+/// Who starts the transmission of a producer. [SRS_PROD_002]
 enum class ProducerForm : std::uint8_t
 {
     kApplicationSends = 0U,
     kProviderCalled = 1U,
 };
 
-/// When a missing inverse frame is found. Everything that is not kLate is early. [SRS-TIME-007, SRS-TIME-009]
+/// When a missing inverse frame is found. Everything that is not kLate is early. [SRS_TIME_007, SRS_TIME_009]
 enum class SrvtDetection : std::uint8_t
 {
     kEarly = 0U,   ///< By the cycle in which SRVT has expired.

@@ -8,13 +8,13 @@ namespace counterpoint
 {
 
 /// A reading of one of the two counters of time. Microseconds, modular; the difference of two instants is valid up to
-/// 2^31 us. Nothing in kernel and channels reads a clock: instants come in as arguments. [SRS-TIME-001]
+/// 2^31 us. Nothing in kernel and channels reads a clock: instants come in as arguments. [SRS_TIME_001]
 struct Instant
 {
     std::uint32_t us;
 };
 
-/// The two independent counters, read at one place and moment. A channel sees only its own. [SRS-TIME-002]
+/// The two independent counters, read at one place and moment. A channel sees only its own. [SRS_TIME_002]
 struct InstantPair
 {
     Instant a;

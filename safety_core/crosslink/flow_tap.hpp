@@ -9,7 +9,7 @@
 namespace counterpoint
 {
 
-/// Takes the flow signature of the last cycle back from the answer that the kernel gave its watchdog. [SRS-LNK-010]
+/// Takes the flow signature of the last cycle back from the answer that the kernel gave its watchdog. [SRS_LNK_010]
 class FlowTap final : public hal::Watchdog
 {
   public:

@@ -29,7 +29,7 @@ struct LinkConfig
     std::uint32_t stamp_tolerance_us; ///< By how much the stamps of one frame on the bus may differ on the two CPUs.
 };
 
-/// First reason why a LinkConfig cannot be used. [SRS-LNK-008]
+/// First reason why a LinkConfig cannot be used. [SRS_LNK_008]
 enum class LinkConfigFault : std::uint8_t
 {
     kInvalid = 0U,
@@ -42,7 +42,7 @@ enum class LinkConfigFault : std::uint8_t
 };
 
 /// @brief Whether `link` fits the device. A link time-out must besides hold the link's delays and losses, see decision
-/// 0005; only who knows the wire can check that. [SRS-LNK-008]
+/// 0005; only who knows the wire can check that. [SRS_LNK_008]
 [[nodiscard]] LinkConfigFault CheckLinkConfig(const DeviceConfig& device, const LinkConfig& link) noexcept;
 
 /// Why the voice of the peer no longer counts.

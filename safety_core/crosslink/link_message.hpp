@@ -115,7 +115,7 @@ struct LinkMessage
     ArmedFrame armed[kArmedCount];    // MISRA D-001
 };
 
-/// @brief Lays a message out. O(bytes) [SRS-LNK-001]
+/// @brief Lays a message out. O(bytes) [SRS_LNK_001]
 void Encode(const LinkMessage& message, hal::LinkFrame& frame) noexcept;
 
 enum class DecodeResult : std::uint8_t
@@ -123,7 +123,7 @@ enum class DecodeResult : std::uint8_t
     kInvalid = 0U, ///< Damaged, or not from `expected`; `message` has no meaning.
     kIntact = 0x69U,
 };
-/// @brief Reads a message back, without any judgement on what it says. O(bytes) [SRS-LNK-001, SRS-LNK-002]
+/// @brief Reads a message back, without any judgement on what it says. O(bytes) [SRS_LNK_001, SRS_LNK_002]
 [[nodiscard]] DecodeResult Decode(const hal::LinkFrame& frame, const LinkSender& expected,
                                   LinkMessage& message) noexcept;
 

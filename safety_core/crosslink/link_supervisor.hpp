@@ -35,7 +35,7 @@ struct Window
     Instant last;
 };
 
-/// @brief Whether `instant` lies in the window. [SRS-TWO-002]
+/// @brief Whether `instant` lies in the window. [SRS_TWO_002]
 [[nodiscard]] inline bool Holds(const Window& window, const Instant instant) noexcept
 {
     return (instant.us - window.first.us) <= (window.last.us - window.first.us);
@@ -52,7 +52,8 @@ enum class TakeResult : std::uint8_t
     kTaken = 0x69U,
 };
 
-/// Judges intact messages: sequence, freshness by echo, clock, time-out. [SRS-LNK-003..007]
+/// Judges intact messages: sequence, freshness by echo, clock, time-out. [SRS_LNK_003, SRS_LNK_004, SRS_LNK_005,
+/// SRS_LNK_006, SRS_LNK_007]
 class LinkSupervisor
 {
   public:

@@ -129,7 +129,7 @@ void OwnVoice::Discard(const SrdoMask slots, const Instant at) noexcept
 }
 
 // One slot a cycle: its part of the digest, and what was long ago stays long ago and does not come round again.
-// [SRS-TWO-015]
+// [SRS_TWO_015]
 void OwnVoice::Sweep(const Instant now) noexcept
 {
     running_ = channel_.Digest(swept_, running_);

@@ -13,7 +13,7 @@ namespace counterpoint
 {
 
 /// Stands between kernel and the one real channel of a CPU: passes every call on, notes what the peer has to be told,
-/// and names pairs by the moment of their inverse frame on the bus. [SRS-TWO-001, -002, -004]
+/// and names pairs by the moment of their inverse frame on the bus. [SRS_TWO_001, -002, -004]
 ///
 /// Invariant: while a channel holds a pair, that pair's inverse frame is the newest frame with the slot's COB-ID 2 as
 /// of the OnCycle that first showed it fresh: any other frame with that identifier would have been a fault.
@@ -42,7 +42,7 @@ class OwnVoice final : public Channel
     [[nodiscard]] CanFrame InverseFrame(SlotIndex slot) noexcept override;
     void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept override;
 
-    /// @brief The follower's Prepare, called by the remote voice, which the kernel asks first. [SRS-TWO-011]
+    /// @brief The follower's Prepare, called by the remote voice, which the kernel asks first. [SRS_TWO_011]
     [[nodiscard]] PreparedPair PrepareAhead(SlotIndex slot) noexcept;
     /// @brief What the channel answered to the last Prepare.
     [[nodiscard]] const PreparedPair& Prepared() const noexcept
@@ -51,7 +51,7 @@ class OwnVoice final : public Channel
     }
     /// @brief A message was taken that tells these slots due, composed within this window.
     void TakeDue(SrdoMask due, const Window& composed) noexcept;
-    /// @brief The leader gave up what was armed: the channel gives it up for the same cause. [SRS-TWO-012]
+    /// @brief The leader gave up what was armed: the channel gives it up for the same cause. [SRS_TWO_012]
     void TakeRefusal(const Refusal& refusal, Instant at) noexcept;
     /// @brief Due slots of the leader that the follower still has to prepare.
     [[nodiscard]] SrdoMask Wanted() const noexcept
@@ -91,7 +91,7 @@ class OwnVoice final : public Channel
     {
         return digest_;
     }
-    /// @brief Whether the held pair, and no other, lies in the window. [SRS-TWO-002]
+    /// @brief Whether the held pair, and no other, lies in the window. [SRS_TWO_002]
     [[nodiscard]] bool IsPair(SlotIndex slot, const Window& window) const noexcept;
     /// @brief Moment of the held pair's inverse frame, and of the last discard.
     [[nodiscard]] Instant PairAt(SlotIndex slot) const noexcept;

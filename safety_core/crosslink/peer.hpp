@@ -48,7 +48,7 @@ class Peer
     [[nodiscard]] LinkFinding Examine(Instant now) noexcept;
     /// @brief After each cycle: what the other CPU is to be told. O(bytes)
     void Compose(const PeerMoment& moment, hal::LinkFrame& frame) noexcept;
-    /// @brief Whether a received frame is the other CPU's half of a pair of this device. [SRS-TWO-013]
+    /// @brief Whether a received frame is the other CPU's half of a pair of this device. [SRS_TWO_013]
     [[nodiscard]] bool IsEcho(const CanFrame& frame) const noexcept;
     [[nodiscard]] const LinkSupervisor& Link() const noexcept;
 

@@ -26,7 +26,7 @@ enum class RefreshAnswer : std::uint8_t
     kSkip = 1U,     ///< No consistent pair now.
 };
 
-/// Events of the logical program flow, delivered once a cycle with their count. [SRS-FLOW-004]
+/// Events of the logical program flow, delivered once a cycle with their count. [SRS_FLOW_004]
 enum class FlowEvent : std::uint8_t
 {
     kInvalid = 0U,
@@ -47,11 +47,11 @@ struct FlowCount
 
 /// What the device's application implements. Called from within Kernel::Cycle and Kernel::OnConfirm; must return soon
 /// (its time counts towards the cycle) and call nothing of the kernel but its Get functions, SetStatus, Send (for the
-/// next cycle), SendGfc and DemandSafeState. [SRS-KRN-006]
+/// next cycle), SendGfc and DemandSafeState. [SRS_KRN_006]
 class Application
 {
   public:
-    /// @brief A producer of form kProviderCalled is about to be sent: write both objects of its pair. [SRS-KRN-012]
+    /// @brief A producer of form kProviderCalled is about to be sent: write both objects of its pair. [SRS_KRN_012]
     [[nodiscard]] virtual RefreshAnswer OnRefresh(CommunicationIndex index) noexcept = 0;
     /// @brief Consumer: a new pair was released into the objects. Producer: its pair is on the bus, confirmed.
     virtual void OnSrdoEvent(CommunicationIndex index) noexcept = 0;
@@ -59,14 +59,14 @@ class Application
     virtual void OnSrdoError(CommunicationIndex index, SrdoCause cause) noexcept = 0;
     /// @brief A GFC was accepted; the consumers are safe already.
     virtual void OnGfc() noexcept = 0;
-    /// @brief An own GFC was not followed by an SRDO in time. [SRS-KRN-013]
+    /// @brief An own GFC was not followed by an SRDO in time. [SRS_KRN_013]
     virtual void OnGfcNotFollowed() noexcept = 0;
     /// @brief OPERATIONAL was entered with a configuration that does not hold; SRDOs are off (emergency 6300h).
-    /// [SRS-KRN-010]
+    /// [SRS_KRN_010]
     virtual void OnConfigurationInvalid(CommunicationIndex index) noexcept = 0;
-    /// @brief The device safe state was entered. Called once. [SRS-KRN-006]
+    /// @brief The device safe state was entered. Called once. [SRS_KRN_006]
     virtual void OnDeviceFault(const DeviceFaultReport& report) noexcept = 0;
-    /// @brief Only with the option FlowCallback::kOn. [SRS-FLOW-004]
+    /// @brief Only with the option FlowCallback::kOn. [SRS_FLOW_004]
     virtual void OnFlow(const FlowCount& count) noexcept = 0;
 
     Application(const Application&) = delete;

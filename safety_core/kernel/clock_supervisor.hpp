@@ -12,7 +12,7 @@ namespace counterpoint
 {
 
 /// Supervises the progress of the two counters against each other, the distance of the cycles, and the stamps of the
-/// frames between them. [SRS-CLK-001, SRS-CLK-002, SRS-KRN-008]
+/// frames between them. [SRS_CLK_001, SRS_CLK_002, SRS_KRN_008]
 class ClockSupervisor
 {
   public:

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "safety_core/kernel/configuration_guard.hpp"
 
-// Which changed values the guard admits, and the abort code of those it does not. [SRS-CFG-044, SRS-CFG-045]
+// Which changed values the guard admits, and the abort code of those it does not. [SRS_CFG_044, SRS_CFG_045]
 namespace counterpoint
 {
 namespace

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "safety_core/kernel/configuration_guard.hpp"
 
-// Checks of the configuration: all at once, and bit by bit in the cycles. [SRS-CFG-048, SRS-CFG-050, SRS-KRN-015]
+// Checks of the configuration: all at once, and bit by bit in the cycles. [SRS_CFG_048, SRS_CFG_050, SRS_KRN_015]
 namespace counterpoint
 {
 namespace
@@ -59,7 +59,7 @@ ConfigFault ConfigurationGuard::CheckAll(const CheckDepth depth) noexcept
     return rule;
 }
 
-// One more slot by both channels: a difference between them shows at the slot where it is. [SRS-CFG-050]
+// One more slot by both channels: a difference between them shows at the slot where it is. [SRS_CFG_050]
 bool ConfigurationGuard::StepDigest(const SlotIndex slot) noexcept
 {
     const DeviceDigest before{(slot == 0U) ? 0U : digest_.value};

@@ -58,7 +58,7 @@ Result ConfigurationGuard::Changeable() const noexcept
 }
 
 // Both channels keep the value; what they give back then must be what was stored. The stand-in of a channel on another
-// CPU gives back what the channel here keeps: so both keep it first. [SRS-CFG-047]
+// CPU gives back what the channel here keeps: so both keep it first. [SRS_CFG_047]
 void ConfigurationGuard::StoreBoth(const ConfigItem& item) noexcept
 {
     a_.Store(item);

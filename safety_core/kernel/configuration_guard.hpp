@@ -26,7 +26,9 @@ enum class CheckDepth : std::uint8_t
 
 /// Owner of 1300h to 13FFh: admits or refuses every access, keeps both channels' copies equal, looks at 13FEh every
 /// cycle and has signatures and digests computed anew. The values themselves live in the channels; the guard keeps only
-/// 13FEh and the digest. Faults that it finds enter the latch at once. [SRS-CFG-040..053]
+/// 13FEh and the digest. Faults that it finds enter the latch at once. [SRS_CFG_040, SRS_CFG_041, SRS_CFG_042,
+/// SRS_CFG_043, SRS_CFG_044, SRS_CFG_045, SRS_CFG_046, SRS_CFG_047, SRS_CFG_048, SRS_CFG_049, SRS_CFG_050, SRS_CFG_051,
+/// SRS_CFG_052, SRS_CFG_053]
 class ConfigurationGuard
 {
   public:
@@ -56,12 +58,12 @@ class ConfigurationGuard
     /// OPERATIONAL.
     [[nodiscard]] Result Changeable() const noexcept;
     /// @brief Looks at 13FEh and does a step of the diagnosis when its turn has come. The token for CycleInput.
-    /// [SRS-CFG-031, SRS-CFG-048, SRS-CFG-050]
+    /// [SRS_CFG_031, SRS_CFG_048, SRS_CFG_050]
     [[nodiscard]] std::uint32_t Cycle(std::uint32_t challenge) noexcept;
     /// @brief Checks one SRDO in both channels; kInvalid where they differ, a device fault by now.
     [[nodiscard]] CheckResult Check(SlotIndex slot, CheckDepth depth) noexcept;
     /// @brief Checks all SRDOs in both channels up to the first that is faulty: the rule that it breaks, or kNone.
-    /// [SRS-KRN-010, SRS-KRN-015]
+    /// [SRS_KRN_010, SRS_KRN_015]
     [[nodiscard]] ConfigFault CheckAll(CheckDepth depth) noexcept;
     /// @brief The faulty SRDO that the last CheckAll found, if it found one.
     [[nodiscard]] SlotIndex Faulty() const noexcept
@@ -70,10 +72,10 @@ class ConfigurationGuard
     }
     /// @brief Sets 13FEh to 0 everywhere.
     void Invalidate() noexcept;
-    /// @brief Fields of an SRDO with a static mapping. [SRS-KRN-024]
+    /// @brief Fields of an SRDO with a static mapping. [SRS_KRN_024]
     [[nodiscard]] Result DefineFields(SlotIndex slot, const StaticFields& fields) noexcept;
 
-    /// @brief The stored configuration as a whole. [SRS-CFG-051..053]
+    /// @brief The stored configuration as a whole. [SRS_CFG_051, SRS_CFG_052, SRS_CFG_053]
     [[nodiscard]] ItemReply ReadItem(std::uint32_t number) noexcept;
     [[nodiscard]] HeaderReply Header(std::uint8_t valid) noexcept;
     [[nodiscard]] Result LoadItem(std::uint32_t number, std::uint32_t value) noexcept;
@@ -124,7 +126,7 @@ class ConfigurationGuard
     DeviceDigest digest_{0U};    ///< Of the slots so far.
 };
 
-/// Default identifiers of SRDO 1 for a node-ID. [SRS-CFG-049]
+/// Default identifiers of SRDO 1 for a node-ID. [SRS_CFG_049]
 struct Connection
 {
     std::uint16_t cob_id_1;

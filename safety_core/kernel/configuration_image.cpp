@@ -1,7 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "safety_core/kernel/configuration_guard.hpp"
 
-// The configuration as a whole: read, loaded, and set to its power-on values. [SRS-CFG-049, SRS-CFG-051..053]
+// The configuration as a whole: read, loaded, and set to its power-on values. [SRS_CFG_049, SRS_CFG_051, SRS_CFG_052,
+// SRS_CFG_053]
 namespace counterpoint
 {
 namespace

@@ -9,7 +9,7 @@
 namespace counterpoint
 {
 
-/// What a store keeps beside the items, so that a damaged or foreign configuration is found. [SRS-CFG-051]
+/// What a store keeps beside the items, so that a damaged or foreign configuration is found. [SRS_CFG_051]
 struct ImageHeader
 {
     std::uint32_t count; ///< Items, numbered from 0.

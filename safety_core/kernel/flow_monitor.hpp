@@ -11,7 +11,7 @@
 namespace counterpoint
 {
 
-/// Steps of a cycle in their order. [SRS-KRN-002]
+/// Steps of a cycle in their order. [SRS_KRN_002]
 enum class FlowStep : std::uint8_t
 {
     kInvalid = 0U,
@@ -37,7 +37,7 @@ struct FlowEvidence
 };
 
 /// Folds the steps of one cycle into a signature and answers the watchdog with it. It never compares to decide on the
-/// answer. [SRS-FLOW-001..003]
+/// answer. [SRS_FLOW_001, SRS_FLOW_002, SRS_FLOW_003]
 class FlowMonitor
 {
   public:
@@ -47,7 +47,7 @@ class FlowMonitor
     void Mark(FlowStep step, const FlowEvidence& evidence) noexcept;
     /// @brief Ends a cycle: the answer to the watchdog, from the signature alone.
     [[nodiscard]] hal::WatchdogAnswer End(const hal::WatchdogQuestion& question) noexcept;
-    /// @brief kNone if the last ended cycle had the reference signature, else kFlow. [SRS-FLOW-003]
+    /// @brief kNone if the last ended cycle had the reference signature, else kFlow. [SRS_FLOW_003]
     [[nodiscard]] DeviceFault Finding() const noexcept;
 
   private:

@@ -51,7 +51,7 @@ Kernel::Kernel(const KernelParts& parts) noexcept
 {
 }
 
-// Before any other part is called. [SRS-STS-040, SRS-STS-063]
+// Before any other part is called. [SRS_STS_040, SRS_STS_063]
 PartsView Kernel::ExamineSelf() noexcept
 {
     if (parts_.self_test == nullptr)
@@ -124,7 +124,7 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     flow_.Mark(FlowStep::kComparison, FlowEvidence{record_.verdict.echo, challenge});
     Demote();
     flow_.Mark(FlowStep::kDemotion, kDone);
-    // Each channel's refresh runs by its own counter; the one that is ahead waits for the other. [SRS-KRN-017]
+    // Each channel's refresh runs by its own counter; the one that is ahead waits for the other. [SRS_KRN_017]
     run_.stand_a = outcome_a.due & ~outcome_b.due;
     run_.stand_b = outcome_b.due & ~outcome_a.due;
     Produce();
@@ -161,7 +161,7 @@ void Kernel::CompareOutcomes(const Comparison& comparison, CycleOutcome& outcome
 }
 
 // A comparator that always says yes is found by a difference that it must see, another one each time. It is put into
-// the outcome of channel B and taken out again. [SRS-CMP-009]
+// the outcome of channel B and taken out again. [SRS_CMP_009]
 void Kernel::TestComparator(const Comparison& comparison, CycleOutcome& outcome_b) noexcept
 {
     const std::uint32_t number = (run_.test_number > kCounts) ? 0U : (run_.test_number + 1U);
@@ -206,7 +206,7 @@ SrdoMask Kernel::Commit() noexcept
 }
 
 // Computed from the comparator's echo and spoiled by a latch that is not running: there is nothing to decide.
-// [SRS-KRN-005]
+// [SRS_KRN_005]
 void Kernel::GivePermits(const std::uint32_t challenge) noexcept
 {
     const std::uint32_t low = static_cast<std::uint32_t>(run_.committed);

@@ -32,17 +32,17 @@ struct KernelParts
     hal::SafetyOutput& output;
     hal::Watchdog& watchdog;
     Application& application;
-    SelfTestPart* self_test{nullptr}; ///< Optional. [SRS-STS-063]
+    SelfTestPart* self_test{nullptr}; ///< Optional. [SRS_STS_063]
 };
 
-/// Whether OnFlow is called; the flow monitor works with either. [SRS-FLOW-004]
+/// Whether OnFlow is called; the flow monitor works with either. [SRS_FLOW_004]
 enum class FlowCallback : std::uint8_t
 {
     kOff = 0U,
     kOn = 1U,
 };
 
-/// Whether the application must answer in the status byte; the byte signals with either. [SRS-KRN-022]
+/// Whether the application must answer in the status byte; the byte signals with either. [SRS_KRN_022]
 enum class StatusHandshake : std::uint8_t
 {
     kOff = 0U,
@@ -57,7 +57,7 @@ struct CycleCall
     SrdoMask acknowledge_b;
 };
 
-/// First reason why Start refused. [SRS-KRN-001]
+/// First reason why Start refused. [SRS_KRN_001]
 enum class StartResult : std::uint8_t
 {
     kInvalid = 0U,
@@ -101,7 +101,7 @@ struct StatusReply
     StatusByte status;
 };
 
-/// Parameters of one SRDO that its application works with. [SRS-KRN-023]
+/// Parameters of one SRDO that its application works with. [SRS_KRN_023]
 struct ParametersReply
 {
     Result result;
@@ -168,27 +168,28 @@ class Kernel
   public:
     explicit Kernel(const KernelParts& parts) noexcept;
 
-    /// @brief Power-on. `config` is kept by reference and checked here. O(srdo_count + objects) [SRS-KRN-001]
+    /// @brief Power-on. `config` is kept by reference and checked here. O(srdo_count + objects) [SRS_KRN_001]
     [[nodiscard]] StartResult Start(const DeviceConfig& config, FlowCallback flow,
                                     StatusHandshake handshake = StatusHandshake::kOff) noexcept;
-    /// @brief The kernel is no longer used: permits are withdrawn, everything is refused until Start. [SRS-KRN-025]
+    /// @brief The kernel is no longer used: permits are withdrawn, everything is refused until Start. [SRS_KRN_025]
     void Stop() noexcept;
 
-    /// @brief A received frame, in bus order. O(payload) [SRS-KRN-007, SRS-KRN-008]
+    /// @brief A received frame, in bus order. O(payload) [SRS_KRN_007, SRS_KRN_008]
     void OnFrame(const StampedFrame& frame) noexcept;
-    /// @brief A frame of this device was on the bus, in bus order with the received ones. [SRS-KRN-014]
+    /// @brief A frame of this device was on the bus, in bus order with the received ones. [SRS_KRN_014]
     void OnConfirm(const StampedFrame& frame) noexcept;
-    /// @brief Frames were lost between controller and kernel. [SRS-KRN-009]
+    /// @brief Frames were lost between controller and kernel. [SRS_KRN_009]
     void OnOverflow() noexcept
     {
         run_.queue = QueueState::kOverflowed;
     }
-    /// @brief One cycle. O(srdo_count) [SRS-KRN-002]
+    /// @brief One cycle. O(srdo_count) [SRS_KRN_002]
     void Cycle(const CycleCall& call) noexcept;
 
-    /// @brief NMT state of the node. O(srdo_count) on entering OPERATIONAL. [SRS-KRN-010]
+    /// @brief NMT state of the node. O(srdo_count) on entering OPERATIONAL. [SRS_KRN_010]
     void SetNmtState(NmtState state) noexcept;
-    /// @brief 1300h to 13FFh and the mappable variables. [SRS-CFG-040..047]
+    /// @brief 1300h to 13FFh and the mappable variables. [SRS_CFG_040, SRS_CFG_041, SRS_CFG_042, SRS_CFG_043,
+    /// SRS_CFG_044, SRS_CFG_045, SRS_CFG_046, SRS_CFG_047]
     [[nodiscard]] ObjectReading ReadObject(const ObjectAddress& address) noexcept
     {
         return guard_.Read(KeyOf(address));
@@ -198,29 +199,29 @@ class Kernel
         return guard_.Write(KeyOf(address), data);
     }
 
-    /// @brief Requests the transmission of one producer, or of all with index 0. [SRS-KRN-011]
+    /// @brief Requests the transmission of one producer, or of all with index 0. [SRS_KRN_011]
     [[nodiscard]] Result Send(CommunicationIndex index) noexcept;
-    /// @brief Sends the global fail-safe command; an SRDO of this device must follow. [SRS-KRN-013]
+    /// @brief Sends the global fail-safe command; an SRDO of this device must follow. [SRS_KRN_013]
     [[nodiscard]] Result SendGfc() noexcept;
     /// @brief Checks all SRDOs in both channels: by all rules outside OPERATIONAL, by signature and resolved mapping in
-    /// it. [SRS-KRN-015]
+    /// it. [SRS_KRN_015]
     [[nodiscard]] CheckReply CheckConfiguration() noexcept;
-    /// @brief Signature of one SRDO as both channels compute it. [SRS-KRN-015]
+    /// @brief Signature of one SRDO as both channels compute it. [SRS_KRN_015]
     [[nodiscard]] SignReply Sign(CommunicationIndex index) noexcept;
-    /// @brief State of one SRDO. [SRS-KRN-015]
+    /// @brief State of one SRDO. [SRS_KRN_015]
     [[nodiscard]] StateReply GetState(CommunicationIndex index) const noexcept;
-    /// @brief Status byte of one SRDO, for callbacks too. [SRS-KRN-021]
+    /// @brief Status byte of one SRDO, for callbacks too. [SRS_KRN_021]
     [[nodiscard]] StatusReply GetStatus(CommunicationIndex index) const noexcept;
     [[nodiscard]] Result SetStatus(CommunicationIndex index, StatusByte status) noexcept;
-    /// @brief Parameters of one SRDO, and its mapped variables by number. [SRS-KRN-023]
+    /// @brief Parameters of one SRDO, and its mapped variables by number. [SRS_KRN_023]
     [[nodiscard]] ParametersReply GetParameters(CommunicationIndex index) const noexcept;
     [[nodiscard]] MappedReply GetMapped(CommunicationIndex index, MappedEntry entry) const noexcept;
-    /// @brief The fields of an SRDO with a static mapping; clears 13FEh. [SRS-KRN-024]
+    /// @brief The fields of an SRDO with a static mapping; clears 13FEh. [SRS_KRN_024]
     [[nodiscard]] Result DefineStaticFields(CommunicationIndex index, const StaticFields& fields) noexcept;
 
     /// @brief The stored configuration, item by item, for a store of the device. Loading and restoring takes time for
     /// each item (`header.count`) and is refused in OPERATIONAL; a device that cannot spare it in one cycle does it
-    /// before the first one. [SRS-CFG-051..053]
+    /// before the first one. [SRS_CFG_051, SRS_CFG_052, SRS_CFG_053]
     [[nodiscard]] HeaderReply ConfigurationHeader() noexcept
     {
         return guard_.Header(guard_.Valid());
@@ -249,17 +250,17 @@ class Kernel
     {
         latch_.Enter(DeviceFault::kApplication, kNoSlot);
     }
-    /// @brief The link to the other CPU is lost or wrong. [SRS-LNK-006]
+    /// @brief The link to the other CPU is lost or wrong. [SRS_LNK_006]
     void OnCrossLinkFault() noexcept
     {
         latch_.Enter(DeviceFault::kCrossLink, kNoSlot);
     }
-    /// @brief fault kNone while running. [SRS-KRN-003]
+    /// @brief fault kNone while running. [SRS_KRN_003]
     [[nodiscard]] DeviceFaultReport DeviceState() const noexcept
     {
         return latch_.Report();
     }
-    /// @brief How often a channel was demoted since Start; stays at 65535. [SRS-CMP-004]
+    /// @brief How often a channel was demoted since Start; stays at 65535. [SRS_CMP_004]
     [[nodiscard]] std::uint16_t DemotionCount() const noexcept
     {
         return run_.demotions;

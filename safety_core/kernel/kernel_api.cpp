@@ -3,8 +3,8 @@
 
 #include "safety_core/comparator/slot_mask.hpp"
 
-// Calls of the application and of the services around the kernel. [SRS-KRN-010, SRS-KRN-011, SRS-KRN-015,
-// SRS-KRN-021..025]
+// Calls of the application and of the services around the kernel. [SRS_KRN_010, SRS_KRN_011, SRS_KRN_015,
+// SRS_KRN_021, SRS_KRN_022, SRS_KRN_023, SRS_KRN_024, SRS_KRN_025]
 namespace counterpoint
 {
 // What lies outside of 1301h to 1340h leads to a number that no SRDO has.

@@ -3,7 +3,7 @@
 
 #include "safety_core/comparator/slot_mask.hpp"
 
-// What the application is told. [SRS-KRN-006, SRS-KRN-021, SRS-KRN-022, SRS-FLOW-004]
+// What the application is told. [SRS_KRN_006, SRS_KRN_021, SRS_KRN_022, SRS_FLOW_004]
 namespace counterpoint
 {
 namespace

@@ -3,7 +3,8 @@
 
 #include "safety_core/comparator/slot_mask.hpp"
 
-// Sending: SRDOs by both channels, GFC; and what the application is told of pairs. [SRS-KRN-006, SRS-KRN-012..014]
+// Sending: SRDOs by both channels, GFC; and what the application is told of pairs. [SRS_KRN_006, SRS_KRN_012,
+// SRS_KRN_013, SRS_KRN_014]
 namespace counterpoint
 {
 namespace

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "safety_core/kernel/kernel.hpp"
 
-// What Start looks at before anything runs. [SRS-KRN-001]
+// What Start looks at before anything runs. [SRS_KRN_001]
 namespace counterpoint
 {
 namespace

@@ -9,7 +9,7 @@
 namespace counterpoint
 {
 
-/// Classes of faults for which a limit can be computed. [SRS-LIM-001]
+/// Classes of faults for which a limit can be computed. [SRS_LIM_001]
 enum class FaultClass : std::uint8_t
 {
     kInvalid = 0U,
@@ -42,9 +42,9 @@ struct Limit
     std::uint32_t us;
 };
 
-/// @brief Greatest time from the first effect of a fault to the safe output, in microseconds. [SRS-LIM-001]
+/// @brief Greatest time from the first effect of a fault to the safe output, in microseconds. [SRS_LIM_001]
 [[nodiscard]] Limit ComputeLimit(const DeviceConfig& config, const SrdoTimes& times, FaultClass fault) noexcept;
-/// @brief The same for FaultClass::kCrossLink. [SRS-LNK-009]
+/// @brief The same for FaultClass::kCrossLink. [SRS_LNK_009]
 [[nodiscard]] Limit ComputeLimit(const DeviceConfig& config, const LinkTime& link) noexcept;
 
 } // namespace counterpoint

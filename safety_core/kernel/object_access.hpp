@@ -9,7 +9,8 @@
 namespace counterpoint
 {
 
-/// SDO abort codes that the kernel returns; kNone is success. [SRS-CFG-040..047]
+/// SDO abort codes that the kernel returns; kNone is success. [SRS_CFG_040, SRS_CFG_041, SRS_CFG_042, SRS_CFG_043,
+/// SRS_CFG_044, SRS_CFG_045, SRS_CFG_046, SRS_CFG_047]
 enum class AbortCode : std::uint32_t
 {
     kNone = 0U,
@@ -74,7 +75,7 @@ enum class ObjectKind : std::uint8_t
     kFixed = 7U, ///< As kConfiguration, but a part of the program: a static mapping.
 };
 
-/// Where an address leads. What is not stored has the field kInvalid, which reads 0. [SRS-CFG-040, SRS-CFG-041]
+/// Where an address leads. What is not stored has the field kInvalid, which reads 0. [SRS_CFG_040, SRS_CFG_041]
 struct ObjectPlace
 {
     AbortCode refusal; ///< Only with kInvalid.
@@ -91,7 +92,7 @@ constexpr std::uint32_t kEntryLengthMask = 0xFFU;
 /// @brief Finds what an address of the safety part of the dictionary leads to. O(log objects); with gaps O(srdo_count)
 /// more
 [[nodiscard]] ObjectPlace Locate(const DeviceConfig& config, ObjectKey key) noexcept;
-/// @brief Slot of an existing SRDO number, or kNoSlot. O(1); with gaps O(srdo_count) [SRS-KRN-018]
+/// @brief Slot of an existing SRDO number, or kNoSlot. O(1); with gaps O(srdo_count) [SRS_KRN_018]
 [[nodiscard]] SlotIndex SlotOf(const DeviceConfig& config, SrdoNumber number) noexcept;
 /// @brief The mappable object at an address, or null. O(log objects)
 [[nodiscard]] const MappableObject* FindObject(const DeviceConfig& config, ObjectKey key) noexcept;
@@ -102,7 +103,7 @@ constexpr std::uint32_t kEntryLengthMask = 0xFFU;
 }
 /// @brief Value of an object of up to 4 bytes; 0 for none.
 [[nodiscard]] std::uint32_t ToValue(const ObjectData& data) noexcept;
-/// @brief Whether a mapping entry is one of the dummies. [SRS-CFG-033]
+/// @brief Whether a mapping entry is one of the dummies. [SRS_CFG_033]
 [[nodiscard]] bool IsDummy(std::uint32_t entry) noexcept;
 
 /// What a kernel works with before Start and after Stop: a device without SRDOs and objects.

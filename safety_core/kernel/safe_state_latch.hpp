@@ -10,7 +10,7 @@ namespace counterpoint
 {
 
 /// Device safe state: one way in, Start alone leads out. Runs only while `word_` is the running pattern and `inverse_`
-/// its complement; zero-filled or corrupted memory is the safe state. [SRS-KRN-003]
+/// its complement; zero-filled or corrupted memory is the safe state. [SRS_KRN_003]
 class SafeStateLatch
 {
   public:
@@ -30,7 +30,7 @@ class SafeStateLatch
     {
         return IsRunning() ? ~SrdoMask{0U} : SrdoMask{0U};
     }
-    /// @brief 0 while running, something else otherwise: spoils the kernel's permit. [SRS-KRN-005]
+    /// @brief 0 while running, something else otherwise: spoils the kernel's permit. [SRS_KRN_005]
     [[nodiscard]] std::uint32_t Spoiler() const noexcept
     {
         return (word_ ^ kRunning) | (inverse_ ^ ~kRunning);

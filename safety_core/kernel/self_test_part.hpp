@@ -19,12 +19,12 @@ enum class PartsView : std::uint8_t
 /// What the self tests say of one cycle.
 struct SelfTestOutcome
 {
-    std::uint32_t progress; ///< Cycles since their start in which all was done that a cycle has to do. [SRS-STS-062]
+    std::uint32_t progress; ///< Cycles since their start in which all was done that a cycle has to do. [SRS_STS_062]
     DeviceFault fault;      ///< kNone, or what goes into the latch.
     PartsView parts;
 };
 
-/// The self tests as the kernel sees them: safety_core/selftest, or whatever else covers these faults. [SRS-STS-063]
+/// The self tests as the kernel sees them: safety_core/selftest, or whatever else covers these faults. [SRS_STS_063]
 class SelfTestPart
 {
   public:

@@ -9,7 +9,7 @@
 namespace counterpoint
 {
 
-/// The status byte of an SRDO as the application reads and writes it. [SRS-KRN-021]
+/// The status byte of an SRDO as the application reads and writes it. [SRS_KRN_021]
 struct StatusByte
 {
     std::uint8_t value;
@@ -35,7 +35,7 @@ class SrdoStatus
     void Set(SlotIndex slot, StatusByte status) noexcept;
     [[nodiscard]] StatusByte Get(SlotIndex slot) const noexcept;
     /// @brief Lowest slot that was unanswered at the last call and still is, or kNoSlot; once a cycle. O(slots)
-    /// [SRS-KRN-022]
+    /// [SRS_KRN_022]
     [[nodiscard]] SlotIndex TakeOverdue() noexcept;
 
   private:

@@ -33,7 +33,7 @@ enum class PairView : std::uint8_t
 /// @brief Writes the low length_bits of a value. O(bytes)
 void WriteVariable(const VariablePlace& variable, const VariableValue& value) noexcept;
 /// @brief Whether each of the bits of `inverse` is the inverse of that of `normal`; lengths must be equal.
-/// [SRS-KRN-016]
+/// [SRS_KRN_016]
 [[nodiscard]] PairView IsInversePair(const VariablePlace& normal, const VariablePlace& inverse) noexcept;
 
 } // namespace counterpoint

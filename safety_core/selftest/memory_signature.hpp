@@ -9,7 +9,7 @@
 namespace counterpoint::selftest
 {
 
-/// Where the expected signature comes from. [SRS-STS-002]
+/// Where the expected signature comes from. [SRS_STS_002]
 enum class SignatureSource : std::uint8_t
 {
     kInvalid = 0U,
@@ -25,7 +25,7 @@ struct SignatureSetup
     std::uint32_t expected; ///< Only with kGiven.
 };
 
-/// CRC-32 over read-only memory, some words a call. Zero-filled, it fails. [SRS-STS-001..003]
+/// CRC-32 over read-only memory, some words a call. Zero-filled, it fails. [SRS_STS_001, SRS_STS_002, SRS_STS_003]
 class MemorySignature
 {
   public:

@@ -19,7 +19,7 @@ struct PartsSetup
 };
 
 /// Compares the first words of polymorphic objects with what they were at the start. Zero-filled, it fails.
-/// [SRS-STS-040]
+/// [SRS_STS_040]
 class PartsCheck
 {
   public:

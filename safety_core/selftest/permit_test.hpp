@@ -11,7 +11,7 @@ namespace counterpoint::selftest
 {
 
 /// Shows the output permit sets of which it must refuse all but one; nothing opens or closes. The challenges used are
-/// even, and no output ever issues an even one. [SRS-STS-030]
+/// even, and no output ever issues an even one. [SRS_STS_030]
 class PermitTest
 {
   public:

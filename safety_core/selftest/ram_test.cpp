@@ -99,7 +99,7 @@ void RamTest::Restart(const RamSetup& setup) noexcept
     span_ = 0U;
 }
 
-// Own state outside of the span. [SRS-STS-013]
+// Own state outside of the span. [SRS_STS_013]
 bool RamTest::IsFree(const RamPorts& ports, const hal::MemorySpan& span) const noexcept
 {
     const hal::MemorySpan kept[4] = {// MISRA D-001
@@ -215,7 +215,7 @@ SliceResult RamTest::Slice(const RamPorts& ports) noexcept
     return (differences == 0U) ? result : SliceResult::kFailed;
 }
 
-// March C- and the backgrounds. Every step is done whatever was found. [SRS-STS-010]
+// March C- and the backgrounds. Every step is done whatever was found. [SRS_STS_010]
 std::uint32_t RamTest::TestWindow(const RamWindow& window, hal::MemoryAccess& memory) noexcept
 {
     constexpr std::uint32_t kUpright = 0U;

@@ -43,7 +43,8 @@ struct RamPorts
     hal::InterruptLock& lock;
 };
 
-/// March test over live memory, some words a call, contents kept. Zero-filled, it fails. [SRS-STS-010..013]
+/// March test over live memory, some words a call, contents kept. Zero-filled, it fails. [SRS_STS_010, SRS_STS_011,
+/// SRS_STS_012, SRS_STS_013]
 class RamTest
 {
   public:

@@ -72,7 +72,7 @@ struct SelfTestPorts
 };
 
 /// All self tests of a device: once at the start, then for ever in slices, one a cycle. Zero-filled, it reports a
-/// fault. Nothing but Start leads out of a failure. [SRS-STS-060..062]
+/// fault. Nothing but Start leads out of a failure. [SRS_STS_060, SRS_STS_061, SRS_STS_062]
 class SelfTest final : public SelfTestPart
 {
   public:

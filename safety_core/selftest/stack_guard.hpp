@@ -17,7 +17,7 @@ struct StackSetup
 };
 
 /// Guard words at the far end of a stack, and the mark of how far it was ever used. Zero-filled, it fails.
-/// [SRS-STS-020]
+/// [SRS_STS_020]
 class StackGuard
 {
   public:

@@ -23,8 +23,8 @@ class ChannelWitness
 };
 
 /// Stands between the kernel and a shipped channel: passes every call on, and makes the faults of calls (skipped,
-/// doubled, hung, frozen, not called, always good). The channel and the kernel know nothing of it. [SRS-SIM-021,
-/// SRS-SIM-025]
+/// doubled, hung, frozen, not called, always good). The channel and the kernel know nothing of it. [SRS_SIM_021,
+/// SRS_SIM_025]
 class ChannelTap final : public Channel
 {
   public:
@@ -60,7 +60,7 @@ class ChannelTap final : public Channel
     {
         return IsMute() ? Answered{} : last;
     }
-    /// @brief Whether the channel is always good: it works, but says that nothing is wrong. [SRS-SIM-033]
+    /// @brief Whether the channel is always good: it works, but says that nothing is wrong. [SRS_SIM_033]
     [[nodiscard]] bool IsGood() const noexcept;
     void Whitewash(CycleOutcome& outcome) const noexcept;
     [[nodiscard]] HeldPair GoodPair(SlotIndex slot, const HeldPair& real) const noexcept;

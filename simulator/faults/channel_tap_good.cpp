@@ -3,7 +3,7 @@
 
 #include "simulator/faults/right_response.hpp"
 
-// A channel that is always good: the answers that a healthy one gives when nothing is wrong. [SRS-SIM-033]
+// A channel that is always good: the answers that a healthy one gives when nothing is wrong. [SRS_SIM_033]
 namespace counterpoint::simulator
 {
 void ChannelTap::Whitewash(CycleOutcome& outcome) const noexcept

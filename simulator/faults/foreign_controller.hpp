@@ -8,7 +8,7 @@
 namespace counterpoint::simulator
 {
 /// A controller on the bus that belongs to a fault: sends again what it hears (duplicate), or one frame after the other
-/// (babbling). Like every controller it acknowledges what others send. [SRS-SIM-027]
+/// (babbling). Like every controller it acknowledges what others send. [SRS_SIM_027]
 class ForeignController final : private host::BusListener
 {
   public:

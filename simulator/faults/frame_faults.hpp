@@ -39,14 +39,14 @@ class EffectTeller
 };
 
 /// The faults that act on frames on their way to receivers, and the effects of frames that faults have sent. Selectors
-/// come in the order of the scenario. [SRS-SIM-020, SRS-SIM-027]
+/// come in the order of the scenario. [SRS_SIM_020, SRS_SIM_027]
 class FrameFaults final : public host::BusFault
 {
   public:
     FrameFaults(const FaultStage& stage, std::vector<FrameSelector> selectors);
 
     void OnReception(const host::FrameOnBus& sent, host::NodeIndex receiver, host::ReceptionList& receptions) override;
-    /// @brief Copies of frames that did not fit any more, by fault. [SRS-SIM-017]
+    /// @brief Copies of frames that did not fit any more, by fault. [SRS_SIM_017]
     [[nodiscard]] const std::map<std::size_t, std::uint32_t>& Dropped() const noexcept;
 
   private:
@@ -78,7 +78,7 @@ class FrameFaults final : public host::BusFault
 };
 
 /// The faults of controllers that act on single frames: refused, swallowed, destroyed on the wire, and confirmations.
-/// [SRS-SIM-027]
+/// [SRS_SIM_027]
 class ControllerFaults final : public host::BusFault
 {
   public:

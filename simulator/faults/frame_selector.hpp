@@ -12,7 +12,7 @@
 
 namespace counterpoint::simulator
 {
-/// Decides which frames one fault hits. [SRS-SIM-020]
+/// Decides which frames one fault hits. [SRS_SIM_020]
 class FrameSelector
 {
   public:

@@ -21,7 +21,7 @@ struct MemoryPiece
 };
 
 /// The memory of a part of the kernel. Pointers and indices are left out: a flip in them is an access to anywhere,
-/// which the processor's memory protection answers and no simulation can. [SRS-SIM-035]
+/// which the processor's memory protection answers and no simulation can. [SRS_SIM_035]
 [[nodiscard]] std::vector<MemoryPiece> PiecesOf(Part part, Kernel& kernel);
 /// The memory of a part of the device's tables and variables; `srdo` 0: the first SRDO.
 [[nodiscard]] std::vector<MemoryPiece> PiecesOf(Part part, runtime::DeviceModel& model, std::uint8_t srdo);

@@ -10,7 +10,7 @@
 namespace counterpoint::simulator
 {
 /// Stands before the output stage of the host: remembers the permits of the last cycle, and makes the faults of permits
-/// and of the challenge. [SRS-SIM-032, SRS-SIM-034]
+/// and of the challenge. [SRS_SIM_032, SRS_SIM_034]
 class OutputTap final : public hal::SafetyOutput
 {
   public:
@@ -25,7 +25,7 @@ class OutputTap final : public hal::SafetyOutput
 
   private:
     [[nodiscard]] Permit Spoiled(Part part, const Permit& given, const Permit& before) noexcept;
-    /// @brief What a gate that is always good makes of what it is given: right permits. [SRS-SIM-054]
+    /// @brief What a gate that is always good makes of what it is given: right permits. [SRS_SIM_054]
     [[nodiscard]] hal::PermitSet Accepted(const hal::PermitSet& given) noexcept;
 
     hal::SafetyOutput& real_;
@@ -35,7 +35,7 @@ class OutputTap final : public hal::SafetyOutput
     std::uint32_t issued_{0U};
 };
 
-/// The same before the watchdog. [SRS-SIM-032, SRS-SIM-034]
+/// The same before the watchdog. [SRS_SIM_032, SRS_SIM_034]
 class WatchdogTap final : public hal::Watchdog
 {
   public:
@@ -44,7 +44,7 @@ class WatchdogTap final : public hal::Watchdog
     [[nodiscard]] hal::WatchdogQuestion Question() noexcept override;
     void Answer(const hal::WatchdogAnswer& answer) noexcept override;
     /// @brief A watchdog that never trips: it is served here, once in so long. When the next time is; kNever: it is a
-    /// sound one. [SRS-SIM-054]
+    /// sound one. [SRS_SIM_054]
     [[nodiscard]] Nanoseconds Keep(Nanoseconds now, Nanoseconds every) noexcept;
 
   private:

@@ -38,9 +38,9 @@ class PartFaults
     [[nodiscard]] PartCondition& Condition(Part part) noexcept;
     /// @brief The fault changes something now: remembered if it is the first time.
     void HasEffect(const PartCondition& condition) noexcept;
-    /// @brief Leaves the call and everything that called it, for good. [SRS-SIM-025]
+    /// @brief Leaves the call and everything that called it, for good. [SRS_SIM_025]
     [[noreturn]] void Hang(const PartCondition& condition) noexcept;
-    /// @brief Leaves the call likewise, as an exception of the processor does. [SRS-SIM-055]
+    /// @brief Leaves the call likewise, as an exception of the processor does. [SRS_SIM_055]
     [[noreturn]] void Trap() noexcept;
     /// @brief Where both lead to.
     [[nodiscard]] std::jmp_buf& WayOut() noexcept;

@@ -8,7 +8,7 @@
 
 namespace counterpoint::simulator
 {
-/// The rule of SRS-REL-010, written down once more: what a healthy party answers for this mask.
+/// The rule of SRS_REL_010, written down once more: what a healthy party answers for this mask.
 [[nodiscard]] inline std::uint32_t RightResponse(const SrdoMask mask, const std::uint32_t challenge,
                                                  const std::uint32_t constant) noexcept
 {

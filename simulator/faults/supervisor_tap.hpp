@@ -14,7 +14,7 @@ namespace counterpoint::simulator
 {
 /// Stands between the kernel and comparator, flow monitor and configuration guard. They are no interfaces, so the
 /// linker puts the tap there (--wrap, see CMakeLists.txt): the shipped objects stay as they are. Without an active tap
-/// every call goes straight through. [SRS-SIM-022]
+/// every call goes straight through. [SRS_SIM_022]
 class SupervisorTap
 {
   public:

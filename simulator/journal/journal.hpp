@@ -70,7 +70,7 @@ struct FrameEntry
 };
 
 /// Everything that happened, in order of time. What decides about expectations is always kept; what only people look at
-/// is kept when somebody asked for it. [SRS-SIM-040, SRS-SIM-046]
+/// is kept when somebody asked for it. [SRS_SIM_040, SRS_SIM_046]
 class Journal
 {
   public:

@@ -36,10 +36,10 @@ class Run
     [[nodiscard]] Network& Devices() noexcept;
     [[nodiscard]] const runtime::DeviceModel& ModelOf(NodeIndex node) const;
     [[nodiscard]] const std::vector<ExpectationVerdict>& Verdicts() const noexcept;
-    /// @brief One line for each fault that never changed anything. [SRS-SIM-015]
+    /// @brief One line for each fault that never changed anything. [SRS_SIM_015]
     [[nodiscard]] std::vector<std::string> FaultsWithoutEffect() const;
     /// @brief One line for each thing of the scenario that --until cut off, and for copies of frames that were dropped.
-    /// [SRS-SIM-016, SRS-SIM-017]
+    /// [SRS_SIM_016, SRS_SIM_017]
     [[nodiscard]] std::vector<std::string> Findings() const;
     /// @brief Whether all expectations hold.
     [[nodiscard]] bool Holds() const noexcept;

@@ -26,7 +26,7 @@ struct SweepAxis
 
 constexpr std::size_t kMostSweepRuns = 20000U;
 
-/// @brief From "NAME=FROM:TO:STEP". Throws YamlError. [SRS-SIM-050]
+/// @brief From "NAME=FROM:TO:STEP". Throws YamlError. [SRS_SIM_050]
 [[nodiscard]] SweepAxis ParseSweepAxis(const std::string& text);
 /// @brief Puts `value` where `path` leads to; a key of a map that is not there yet is added. Throws YamlError.
 void SetByPath(std::vector<ScenarioDocument>& documents, const std::string& path, const std::string& value);
@@ -66,7 +66,7 @@ struct SweepOptions
 [[nodiscard]] SweepResult RunSweep(const std::string& file, const std::vector<SweepAxis>& axes,
                                    const SweepOptions& options, const std::function<void(double)>& progress);
 
-/// [SRS-SIM-050, SRS-SIM-051]
+/// [SRS_SIM_050, SRS_SIM_051]
 void WriteSweepTable(const SweepResult& result, std::ostream& out);
 [[nodiscard]] std::string SweepJson(const SweepResult& result);
 [[nodiscard]] std::string SweepHtml(const SweepResult& result);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
-// What a sweep varies, and how it gets into the scenario. [SRS-SIM-050]
+// What a sweep varies, and how it gets into the scenario. [SRS_SIM_050]
 namespace counterpoint::simulator
 {
 namespace

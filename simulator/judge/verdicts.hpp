@@ -20,7 +20,7 @@ struct Detection
     Nanoseconds at{-1};
 };
 
-/// Time from the first effect of a fault to the safe output of one SRDO, and its limit. [SRS-SIM-031]
+/// Time from the first effect of a fault to the safe output of one SRDO, and its limit. [SRS_SIM_031]
 struct Measurement
 {
     std::size_t fault{0U};
@@ -42,7 +42,7 @@ struct Measurement
     }
 };
 
-/// That a fault which is not optional happens is expected without being written. [SRS-SIM-015]
+/// That a fault which is not optional happens is expected without being written. [SRS_SIM_015]
 constexpr std::size_t kOfItself = static_cast<std::size_t>(-1);
 
 struct ExpectationVerdict
@@ -54,7 +54,7 @@ struct ExpectationVerdict
     std::optional<Measurement> measurement; ///< Of kSafeWithin.
 };
 
-/// @brief The verdict of each expectation after a run. [SRS-SIM-030]
+/// @brief The verdict of each expectation after a run. [SRS_SIM_030]
 [[nodiscard]] std::vector<ExpectationVerdict> Judge(const Scenario& scenario, const Journal& journal, Network& network);
 /// @brief The limit that a fault has at this output, known before the run.
 [[nodiscard]] Nanoseconds LimitOf(const Scenario& scenario, const Expectation& expectation,

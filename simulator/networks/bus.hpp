@@ -40,7 +40,7 @@ class SimulatedPort final : public host::LiveBus
 };
 
 /// One bus in simulated time: one frame at a time, each as long as its bits, of those that wait the lowest identifier
-/// first. What was on the bus comes to everybody at its end, to its sender as its own. [SRS-MGR-012]
+/// first. What was on the bus comes to everybody at its end, to its sender as its own. [SRS_MGR_012]
 class SimulatedBus
 {
   public:

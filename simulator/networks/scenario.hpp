@@ -71,7 +71,7 @@ struct NetworkExpectation
     std::string is; ///< The word that is expected.
 };
 
-/// A network in simulated time. [SRS-MGR-012]
+/// A network in simulated time. [SRS_MGR_012]
 struct NetworkScenario
 {
     std::string file;

@@ -32,7 +32,7 @@ struct NetworkVerdict
     std::string text; ///< "line 31: letter of node 33 is O" or what it was instead.
 };
 
-/// A network scenario brought to life, and judged. The same scenario gives the same events. [SRS-MGR-012]
+/// A network scenario brought to life, and judged. The same scenario gives the same events. [SRS_MGR_012]
 class NetworkSimulation
 {
   public:

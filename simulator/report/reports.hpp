@@ -16,17 +16,17 @@ enum class FrameLines
     kAll,
 };
 
-/// @brief What happened, line by line, then the verdicts. [SRS-SIM-040]
+/// @brief What happened, line by line, then the verdicts. [SRS_SIM_040]
 void WriteTimeLine(const Run& run, FrameLines frames, std::ostream& out);
 /// @brief One line for each expectation, and one for all.
 void WriteVerdicts(const Run& run, std::ostream& out);
-/// @brief Recording, measurements and verdicts as one JSON document. [SRS-SIM-041]
+/// @brief Recording, measurements and verdicts as one JSON document. [SRS_SIM_041]
 [[nodiscard]] std::string JsonReport(const Run& run);
-/// @brief One frame as candump -l writes it, with its line end. [SRS-SIM-042]
+/// @brief One frame as candump -l writes it, with its line end. [SRS_SIM_042]
 [[nodiscard]] std::string CandumpLine(const CanFrame& frame, Nanoseconds end);
-/// @brief The frames of the bus as candump -l writes them. [SRS-SIM-042]
+/// @brief The frames of the bus as candump -l writes them. [SRS_SIM_042]
 [[nodiscard]] std::string CandumpReport(const Run& run);
-/// @brief A page with the timing diagrams of all runs; needs no network. [SRS-SIM-043, SRS-DEMO-003]
+/// @brief A page with the timing diagrams of all runs; needs no network. [SRS_SIM_043, SRS_DEMO_003]
 [[nodiscard]] std::string HtmlReport(const std::string& title, const std::vector<const Run*>& runs);
 
 /// @brief An event as words: what is shown of it beside time and place.

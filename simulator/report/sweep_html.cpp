@@ -11,7 +11,7 @@
 #include <map>
 
 // The plot of a sweep: time to the safe output over the first key, one line for each combination of the others, the
-// limit as a line of its own. Drawn here, so that the page needs neither network nor script. [SRS-SIM-051]
+// limit as a line of its own. Drawn here, so that the page needs neither network nor script. [SRS_SIM_051]
 namespace counterpoint::simulator
 {
 namespace

@@ -10,7 +10,7 @@
 namespace counterpoint::simulator
 {
 /// @brief Refuses a whole scenario that asks for what cannot happen as it is written. Throws YamlError.
-/// [SRS-SIM-014]
+/// [SRS_SIM_014]
 void RequirePossible(const Scenario& scenario);
 
 /// Something that a scenario makes happen.
@@ -21,7 +21,7 @@ struct Happening
     std::string what;
 };
 
-/// @brief What begins at `end` or later, in the order of the file. [SRS-SIM-016]
+/// @brief What begins at `end` or later, in the order of the file. [SRS_SIM_016]
 [[nodiscard]] std::vector<Happening> HappeningsFrom(const Scenario& scenario, Nanoseconds end);
 /// @brief Refuses what the scenario's own file lets begin after its end, and what comes and goes too often. Throws
 /// YamlError.

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-// The keys of a map against the schema. [SRS-SIM-010, SRS-SIM-047]
+// The keys of a map against the schema. [SRS_SIM_010, SRS_SIM_047]
 namespace counterpoint::simulator
 {
 namespace

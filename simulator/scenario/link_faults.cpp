@@ -2,7 +2,7 @@
 #include "simulator/scenario/names.hpp"
 #include "simulator/scenario/parts.hpp"
 
-// Faults of the link between two CPUs. What each key may hold is the schema's. [SRS-SIM-057]
+// Faults of the link between two CPUs. What each key may hold is the schema's. [SRS_SIM_057]
 namespace counterpoint::simulator
 {
 namespace

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-// The words of scenarios with managers. [SRS-MGR-012]
+// The words of scenarios with managers. [SRS_MGR_012]
 namespace counterpoint::simulator
 {
 enum class NetworkActionKind : std::uint8_t

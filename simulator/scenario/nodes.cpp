@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <utility>
 
-// The section `nodes`, and who is meant by the name of a node. [SRS-SIM-056]
+// The section `nodes`, and who is meant by the name of a node. [SRS_SIM_056]
 namespace counterpoint::simulator
 {
 namespace

@@ -17,14 +17,14 @@ struct ScenarioDocument
     bool is_base{false}; ///< It is extended by the other one.
 };
 
-/// The file and what it extends, which comes first. Throws YamlError. [SRS-SIM-013]
+/// The file and what it extends, which comes first. Throws YamlError. [SRS_SIM_013]
 [[nodiscard]] std::vector<ScenarioDocument> LoadScenario(const std::string& file);
 [[nodiscard]] Scenario ReadScenario(const std::vector<ScenarioDocument>& documents);
 /// All files that a run of the scenario reads: its own and the DCFs of its nodes, whether or not it is right otherwise.
 [[nodiscard]] std::vector<std::string> FilesOf(const std::vector<ScenarioDocument>& documents);
 
 /// The scenario in `file`, with what it extends. Whether objects and SRDOs exist is known only with the DCFs: see
-/// network.hpp. Throws YamlError. [SRS-SIM-010..013]
+/// network.hpp. Throws YamlError. [SRS_SIM_010, SRS_SIM_011, SRS_SIM_012, SRS_SIM_013]
 [[nodiscard]] Scenario ReadScenario(const std::string& file);
 
 /// A time with its unit that did not come from a file; `place` stands for the file in a message. Throws YamlError.

@@ -30,7 +30,7 @@ struct CounterSetup
     std::uint32_t start_us{0U};
 };
 
-/// The link between the two CPUs of a device. [SRS-SIM-056]
+/// The link between the two CPUs of a device. [SRS_SIM_056]
 struct LinkSetup
 {
     Nanoseconds timeout{10 * kNanosecondsPerMillisecond};

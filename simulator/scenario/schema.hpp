@@ -34,7 +34,7 @@ enum class ValueType : std::uint8_t
 };
 
 /// One key: the reader checks every value against this row, and --explain and docs/scenario.md are written from it.
-/// [SRS-SIM-047]
+/// [SRS_SIM_047]
 struct KeySpec
 {
     const char* key;

@@ -4,7 +4,7 @@
 
 #include "hal/api/cross_link.hpp"
 
-// The faults of the link between two CPUs. [SRS-SIM-047, SRS-SIM-057]
+// The faults of the link between two CPUs. [SRS_SIM_047, SRS_SIM_057]
 namespace counterpoint::simulator
 {
 namespace

@@ -2,7 +2,7 @@
 #include "simulator/scenario/names.hpp"
 #include "simulator/scenario/network_names.hpp"
 
-// Scenarios with managers. An event or an expectation is a section named like its word. [SRS-MGR-012, SRS-SIM-047]
+// Scenarios with managers. An event or an expectation is a section named like its word. [SRS_MGR_012, SRS_SIM_047]
 namespace counterpoint::simulator
 {
 namespace

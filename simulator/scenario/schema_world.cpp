@@ -2,7 +2,7 @@
 #include "simulator/scenario/names.hpp"
 #include "simulator/scenario/schema.hpp"
 
-// What is on the bus, and what happens to it. [SRS-SIM-047]
+// What is on the bus, and what happens to it. [SRS_SIM_047]
 namespace counterpoint::simulator
 {
 namespace

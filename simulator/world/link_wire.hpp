@@ -23,7 +23,7 @@ struct LinkArrival
     hal::LinkFrame frame{};
 };
 
-/// The wire between the two CPUs of a device, and its faults. [SRS-SIM-056, SRS-SIM-057]
+/// The wire between the two CPUs of a device, and its faults. [SRS_SIM_056, SRS_SIM_057]
 class LinkWire
 {
   public:

@@ -20,7 +20,7 @@
 namespace counterpoint::simulator
 {
 /// A scenario brought to life: bus, nodes, what happens to them. Throws YamlError and cia306::InputError while it
-/// is being built; after that only time passes. The same scenario gives the same journal. [SRS-SIM-003]
+/// is being built; after that only time passes. The same scenario gives the same journal. [SRS_SIM_003]
 class Network final : private host::BusObserver
 {
   public:
@@ -34,7 +34,7 @@ class Network final : private host::BusObserver
     [[nodiscard]] std::size_t Size() const noexcept;
     [[nodiscard]] host::VirtualBus& Bus() noexcept;
     [[nodiscard]] std::uint64_t CycleCount() const noexcept;
-    /// @brief Copies of frames that did not fit any more, by fault. [SRS-SIM-017]
+    /// @brief Copies of frames that did not fit any more, by fault. [SRS_SIM_017]
     [[nodiscard]] const std::map<std::size_t, std::uint32_t>& DroppedCopies() const noexcept;
 
   private:
@@ -97,7 +97,7 @@ class Network final : private host::BusObserver
     std::uint64_t cycles_{0U};
 };
 
-/// What follows from a fault for its limit when the scenario says nothing. [SRS-SIM-031]
+/// What follows from a fault for its limit when the scenario says nothing. [SRS_SIM_031]
 [[nodiscard]] FaultClass ClassOf(const FaultSetup& fault);
 } // namespace counterpoint::simulator
 

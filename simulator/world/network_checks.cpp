@@ -4,7 +4,7 @@
 
 #include <string>
 
-// What a scenario names has to exist in the DCFs. [SRS-SIM-010]
+// What a scenario names has to exist in the DCFs. [SRS_SIM_010]
 namespace counterpoint::simulator
 {
 namespace

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 
-// How faults are brought about: each changes bytes, calls, clocks or frames at its time. [SRS-SIM-020..025]
+// How faults are brought about: each changes bytes, calls, clocks or frames at its time. [SRS_SIM_020, SRS_SIM_021,
+// SRS_SIM_022, SRS_SIM_023, SRS_SIM_024, SRS_SIM_025]
 namespace counterpoint::simulator
 {
 namespace

@@ -4,7 +4,7 @@
 
 #include <string>
 
-// What devices with two CPUs need, and what nobody but the other CPU sends. [SRS-SIM-056, SRS-SIM-057]
+// What devices with two CPUs need, and what nobody but the other CPU sends. [SRS_SIM_056, SRS_SIM_057]
 namespace counterpoint::simulator
 {
 namespace

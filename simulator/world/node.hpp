@@ -30,7 +30,7 @@
 
 namespace counterpoint::simulator
 {
-/// Frames of one SRDO as this node got them: what limits are counted from. [SRS-SIM-031]
+/// Frames of one SRDO as this node got them: what limits are counted from. [SRS_SIM_031]
 struct PairTimes
 {
     Nanoseconds last_good_normal{-1}; ///< Normal frame of the last complete valid pair.
@@ -47,11 +47,11 @@ enum class Insight : std::uint8_t
     kTapped = 1U,
 };
 
-/// What the core is told of the link. [SRS-SIM-056]
+/// What the core is told of the link. [SRS_SIM_056]
 [[nodiscard]] LinkConfig LinkConfigOf(const NodeSetup& setup);
 
 /// One device of the simulated network, or one CPU of it: shipped kernel and channels on the hardware layer of the
-/// host. [SRS-SIM-001]
+/// host. [SRS_SIM_001]
 class Node final : private host::FrameSink, private ChannelWitness
 {
   public:
@@ -69,7 +69,7 @@ class Node final : private host::FrameSink, private ChannelWitness
     /// @brief The supply comes, for the first time or again: counters begin, the kernel starts and is commissioned, the
     /// watchdog starts. A device whose tables were hit by a fault may not start; then it stays off.
     void PowerOn();
-    /// @brief The supply goes: outputs close, the controllers forget their frames. [SRS-SIM-037]
+    /// @brief The supply goes: outputs close, the controllers forget their frames. [SRS_SIM_037]
     void PowerOff();
     /// @brief Starts the kernel anew; a node that hangs does not hear of it.
     void ResetNode();
@@ -98,7 +98,7 @@ class Node final : private host::FrameSink, private ChannelWitness
     void StickBit(const FaultSetup& fault, const runtime::BitPlace& place, std::size_t index);
     /// @brief Nothing of the node runs any more, until a power cycle.
     void StandStill();
-    /// @brief From now on frames wait in a queue of this capacity for the next cycle; 0: as before. [SRS-SIM-027]
+    /// @brief From now on frames wait in a queue of this capacity for the next cycle; 0: as before. [SRS_SIM_027]
     void Poll(std::size_t capacity, std::size_t fault);
 
     [[nodiscard]] const runtime::DeviceModel& Model() const noexcept;

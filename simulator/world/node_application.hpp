@@ -14,7 +14,7 @@
 namespace counterpoint::simulator
 {
 /// The application of a simulated node: what it does with its pairs is PairLogic, what the kernel tells it is noted.
-/// [SRS-SIM-006, SRS-SIM-007]
+/// [SRS_SIM_006, SRS_SIM_007]
 class NodeApplication final : public Application
 {
   public:

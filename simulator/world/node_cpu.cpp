@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "simulator/world/node.hpp"
 
-// Which parts a node has, and what it does as one CPU of two. [SRS-SIM-056]
+// Which parts a node has, and what it does as one CPU of two. [SRS_SIM_056]
 namespace counterpoint::simulator
 {
 namespace

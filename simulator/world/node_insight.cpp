@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "simulator/world/node.hpp"
 
-// What a tapped node tells about its inside. [SRS-SIM-040]
+// What a tapped node tells about its inside. [SRS_SIM_040]
 namespace counterpoint::simulator
 {
 SlotIndex Node::ConsumerOf(const CanFrame& frame) const

@@ -26,7 +26,7 @@ struct StuckBit
 };
 
 /// The memory of a simulated node: pieces of the memory of this process under addresses of its own, so that a march
-/// takes the same way wherever the process has them. Bits may be stuck. [SRS-SIM-052, SRS-SIM-053]
+/// takes the same way wherever the process has them. Bits may be stuck. [SRS_SIM_052, SRS_SIM_053]
 class NodeMemory final : public hal::MemoryAccess
 {
   public:

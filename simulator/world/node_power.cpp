@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-// How a node comes to life and loses it, and its controllers. [SRS-SIM-036, SRS-SIM-037]
+// How a node comes to life and loses it, and its controllers. [SRS_SIM_036, SRS_SIM_037]
 namespace counterpoint::simulator
 {
 namespace

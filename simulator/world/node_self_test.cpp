@@ -132,7 +132,7 @@ SelfTestOutcome NodeSelfTest::Said() noexcept
     return said_;
 }
 
-// A kernel that hears that its parts are sound calls them. [SRS-SIM-055]
+// A kernel that hears that its parts are sound calls them. [SRS_SIM_055]
 SelfTestOutcome NodeSelfTest::OnCycle() noexcept
 {
     const SelfTestOutcome outcome = Said();

@@ -19,7 +19,7 @@
 namespace counterpoint::simulator
 {
 /// What self tests and faults find in the memory of a node beside its channels and its kernel: its copy of the program,
-/// its stack guard, the pointers to virtual tables. [SRS-SIM-052, SRS-SIM-053]
+/// its stack guard, the pointers to virtual tables. [SRS_SIM_052, SRS_SIM_053]
 class NodeImage
 {
   public:
@@ -52,7 +52,7 @@ class NodeImage
 };
 
 /// The shipped self tests over the memory of one node. Between them and the kernel: the faults of the self test as a
-/// part. [SRS-SIM-052, SRS-SIM-054]
+/// part. [SRS_SIM_052, SRS_SIM_054]
 class NodeSelfTest final : public SelfTestPart
 {
   public:

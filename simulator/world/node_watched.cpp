@@ -5,7 +5,7 @@
 
 #include <string>
 
-// What the self tests of a node watch, and the faults of it. [SRS-SIM-052, SRS-SIM-053, SRS-SIM-055]
+// What the self tests of a node watch, and the faults of it. [SRS_SIM_052, SRS_SIM_053, SRS_SIM_055]
 namespace counterpoint::simulator
 {
 namespace

@@ -2,6 +2,8 @@
 //
 // Every single bit of the storage of channel A flipped, in every phase, beside a sound other channel and comparator.
 #include "verification/conformance/flip_rig.hpp"
+#include "verification/trace/ids/channel.hpp"
+#include "verification/trace/ids/conformance.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

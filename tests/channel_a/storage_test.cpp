@@ -3,6 +3,8 @@
 // What the storage of channel A has room for.
 #include "channel_a/channel.hpp"
 #include "channel_a/storage.hpp"
+#include "verification/trace/ids/channel.hpp"
+#include "verification/trace/ids/kernel.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

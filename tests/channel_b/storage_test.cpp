@@ -3,6 +3,8 @@
 // What the storage of channel B has room for.
 #include "channel_b/channel.hpp"
 #include "channel_b/storage.hpp"
+#include "verification/trace/ids/channel.hpp"
+#include "verification/trace/ids/kernel.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

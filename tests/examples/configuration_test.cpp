@@ -6,6 +6,7 @@
 #include "examples/sensor/sensor.hpp"
 #include "hal/host/virtual/bus.hpp"
 #include "tests/canopen/cia306/check_text.hpp"
+#include "verification/trace/ids/verification.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include "examples/host/bench.hpp"

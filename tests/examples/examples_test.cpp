@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "examples/host/run.hpp"
+#include "verification/trace/ids/verification.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

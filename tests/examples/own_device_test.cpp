@@ -3,6 +3,7 @@
 // The file of the firmware's template. That its program writes what stands there, the scenarios of `./dev firmware`
 // show: a kernel with another configuration does not start.
 #include "tests/canopen/cia306/check_text.hpp"
+#include "verification/trace/ids/verification.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 // A party that always says that all is well is no fault as long as all is well. It takes a second fault that this party
 // should have found to show who finds it instead; and what nobody finds then.
 #include "tests/integration/scenario_run.hpp"
+#include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <ostream>

@@ -4,6 +4,7 @@
 // a self test or flow monitor that finds nothing, and an always good channel beside a broken guard. Where nobody finds
 // it, the test shows exactly that.
 #include "tests/integration/scenario_run.hpp"
+#include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <ostream>

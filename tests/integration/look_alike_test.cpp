@@ -4,6 +4,8 @@
 // device parameter other than its default. The other side of each is its mirror: what the device sends, the mirror
 // receives, and the other way round.
 #include "tests/integration/scenario_run.hpp"
+#include "verification/trace/ids/kernel.hpp"
+#include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include "canopen/cia306/file/device_reader.hpp"

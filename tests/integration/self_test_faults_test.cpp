@@ -4,6 +4,8 @@
 // gate that takes its permits. In each node of the demonstration.
 #include "simulator/report/reports.hpp"
 #include "tests/integration/scenario_run.hpp"
+#include "verification/trace/ids/selftest.hpp"
+#include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <algorithm>

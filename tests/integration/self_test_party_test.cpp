@@ -4,6 +4,8 @@
 // output gate.
 #include "safety_core/kernel/limits.hpp"
 #include "tests/safety_core/kernel/rig.hpp"
+#include "verification/trace/ids/kernel.hpp"
+#include "verification/trace/ids/selftest.hpp"
 
 #include <memory>
 

@@ -3,6 +3,8 @@
 // Devices with two CPUs on the simulated bus: the link between them, the loss of one of them, one that always says
 // good. Each time to the safe output is held to the computed limit.
 #include "tests/integration/scenario_run.hpp"
+#include "verification/trace/ids/crosslink.hpp"
+#include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <ostream>

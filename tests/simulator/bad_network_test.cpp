@@ -2,6 +2,7 @@
 // Scenarios of networks that are malformed, would do nothing, or hold whatever happens: one line each, file:line.
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
+#include "verification/trace/ids/manager.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 #include "runtime/device/channel_host.hpp"
 #include "runtime/device/model.hpp"
 #include "tests/integration/scenario_run.hpp"
+#include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"
 
 namespace counterpoint::simulator

@@ -2,6 +2,9 @@
 // The shipped networks in simulated time whose slaves and bus do not behave, under each start-up profile.
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
+#include "verification/trace/ids/manager.hpp"
+#include "verification/trace/ids/nmt_master.hpp"
+#include "verification/trace/ids/start_up_profiles.hpp"
 #include "verification/trace/verifies.hpp"
 
 namespace counterpoint::tools

@@ -2,6 +2,7 @@
 #include "simulator/judge/sweep.hpp"
 #include "tests/integration/scenario_run.hpp"
 #include "tools/command_line.hpp"
+#include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <nlohmann/json.hpp>

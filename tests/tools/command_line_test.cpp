@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tests/tools/command_run.hpp"
 #include "tools/command_table.hpp"
+#include "verification/trace/ids/eds.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <algorithm>

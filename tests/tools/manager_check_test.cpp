@@ -3,6 +3,7 @@
 #include "canopen/cia306/text/text_file.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
+#include "verification/trace/ids/manager.hpp"
 #include "verification/trace/verifies.hpp"
 
 namespace counterpoint::tools

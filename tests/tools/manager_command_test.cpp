@@ -4,6 +4,9 @@
 #include "runtime/manager/order.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
+#include "verification/trace/ids/flying_master.hpp"
+#include "verification/trace/ids/manager.hpp"
+#include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <nlohmann/json.hpp>

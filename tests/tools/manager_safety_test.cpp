@@ -2,6 +2,8 @@
 // Safety slaves in simulated networks of each profile: what is written to them, and what is not.
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
+#include "verification/trace/ids/manager.hpp"
+#include "verification/trace/ids/nmt_master.hpp"
 #include "verification/trace/verifies.hpp"
 
 namespace counterpoint::tools

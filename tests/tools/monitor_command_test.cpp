@@ -3,6 +3,7 @@
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/hal/host/live_server_rig.hpp"
 #include "tests/tools/command_run.hpp"
+#include "verification/trace/ids/monitor.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 #!/bin/sh
-# wireshark_test.sh SOURCE_FOLDER: what tshark shows of SRDO and GFC with the dissector of tools/wireshark. [SRS-MON-015]
+# wireshark_test.sh SOURCE_FOLDER: what tshark shows of SRDO and GFC with the dissector of tools/wireshark. [SRS_MON_015]
 source=$1
 if ! command -v tshark >/dev/null; then
   echo "tshark is not installed: left out (Debian package tshark)"

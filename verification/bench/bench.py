@@ -127,7 +127,7 @@ def simulated_seconds_a_second(tool):
 
 
 def seconds_of_demo(tool):
-    """Real seconds of the demonstration with its page. [SRS-DEMO-004]"""
+    """Real seconds of the demonstration with its page. [SRS_DEMO_004]"""
     start = time.monotonic()
     run(tool, "demo", "--html", RESULTS / "demo.html")
     return time.monotonic() - start
@@ -182,7 +182,7 @@ def judge(measured, limits):
 
 
 def judge_known_gaps(rows, path):
-    """Marks broken limits that are recorded with a reason and are no worse than recorded. [SRS-BEN-011]"""
+    """Marks broken limits that are recorded with a reason and are no worse than recorded. [SRS_BEN_011]"""
     gaps = {gap["id"]: gap for gap in json.loads(path.read_text(encoding="utf-8"))["gaps"]}
     for row in rows:
         gap = gaps.get(row["requirement"])
@@ -237,7 +237,7 @@ def limits_of(arguments):
 
 
 def bites(path):
-    """Whether each limit fails when it is one that cannot be kept; the fixture of this gate. [SRS-BEN-010]"""
+    """Whether each limit fails when it is one that cannot be kept; the fixture of this gate. [SRS_BEN_010]"""
     limits = json.loads((ROOT / "verification/bench/limits.json").read_text(encoding="utf-8"))["items"]
     for item in limits:
         impossible = "999999999999" if item.get("at_least") else "0"
@@ -250,7 +250,7 @@ def bites(path):
 
 
 def gaps_bite(path, rows):
-    """Whether a recorded gap lets an equal value pass and a worse one fail. [SRS-BEN-011]"""
+    """Whether a recorded gap lets an equal value pass and a worse one fail. [SRS_BEN_011]"""
     row = rows[0]
     for factor, status in ((1.0, 0), (0.5, 1)):
         record = {"gaps": [{"id": row["requirement"], "reason": "fixture", "no_worse_than": row["measured"] * factor}]}
@@ -296,7 +296,7 @@ def main():
     counted = result["services"]["bites"]
     result["requirements"] = {row["requirement"]: all(other["kept"] for other in rows if other["requirement"] == row["requirement"])
                               for row in rows} | {
-        "SRS-FW-015": len(result["firmware"]["rooms"]) > 5, "SRS-BEN-010": bite, "SRS-BEN-011": ratchet, "SRS-BEN-013": counted}
+        "SRS_FW_015": len(result["firmware"]["rooms"]) > 5, "SRS_BEN_010": bite, "SRS_BEN_011": ratchet, "SRS_BEN_013": counted}
     path.write_text(json.dumps({**result, "rows": rows, "passed": not broken and bite and ratchet and counted}, indent=2) + "\n",
                     encoding="utf-8")
     print(f"limits that cannot be kept were found broken: {'yes' if bite else 'NO'}")

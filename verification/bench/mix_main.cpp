@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-// bench_mix FILE: runs ServiceNode on the simulated bus for its second of SRS-BEN-012, writes what it lives through,
+// bench_mix FILE: runs ServiceNode on the simulated bus for its second of SRS_BEN_012, writes what it lives through,
 // and says as one JSON document what was on the bus. Exit status: 0, 1 the node was not well, 2 FILE cannot be written.
 #include "verification/bench/mix_bus.hpp"
 

@@ -7,7 +7,7 @@
 namespace counterpoint::bench
 {
 
-/// @brief Measures a cycle of the self tests in the default slicing, by the kind of its slice. [SRS-STS-064]
+/// @brief Measures a cycle of the self tests in the default slicing, by the kind of its slice. [SRS_STS_064]
 [[nodiscard]] BenchResult MeasureSelfTests() noexcept;
 
 } // namespace counterpoint::bench

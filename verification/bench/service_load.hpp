@@ -17,7 +17,7 @@ enum class LoadOutcome : std::uint8_t
     kFaulted = 4U,
 };
 
-/// @brief Lives through the mix once more and reports what that costs by MeterReport. [SRS-BEN-012]
+/// @brief Lives through the mix once more and reports what that costs by MeterReport. [SRS_BEN_012]
 [[nodiscard]] LoadOutcome RunServiceLoad(const Mix& mix) noexcept;
 [[nodiscard]] const char* NameOf(LoadOutcome outcome) noexcept;
 

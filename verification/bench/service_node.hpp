@@ -19,7 +19,7 @@ constexpr std::uint16_t kSrdoPeriodMs = 25U;
 constexpr std::uint16_t kHeartbeatMs = 100U;
 constexpr std::uint16_t kTpdoMs = 10U;
 
-/// The device of SRS-BEN-012: 64 consumers, 8 TPDOs (four on SYNC, four on their event timer), heartbeat, 16 supervised
+/// The device of SRS_BEN_012: 64 consumers, 8 TPDOs (four on SYNC, four on their event timer), heartbeat, 16 supervised
 /// nodes, an SDO server with a DOMAIN. Its controller passes every frame on.
 class ServiceNode final : public device::Owner
 {

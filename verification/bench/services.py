@@ -1,6 +1,6 @@
 """Cost of the services around the kernel on the target: bytes by service, and the load of a whole device.
 
-[SRS-BEN-012, SRS-BEN-013]"""
+[SRS_BEN_012, SRS_BEN_013]"""
 import json
 import re
 import subprocess

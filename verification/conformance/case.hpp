@@ -4,7 +4,7 @@
 
 #include "verification/conformance/device.hpp"
 #include "verification/conformance/steps.hpp"
-#include "verification/trace/requirement_ids.hpp"
+#include "verification/trace/requirement_id.hpp"
 
 #include <cstddef>
 #include <cstdint>

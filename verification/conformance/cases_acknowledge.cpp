@@ -2,6 +2,7 @@
 //
 // The acknowledge edge and its window (100 ms). Times in microseconds.
 #include "verification/conformance/gold.hpp"
+#include "verification/trace/ids/channel.hpp"
 
 namespace counterpoint::conformance
 {

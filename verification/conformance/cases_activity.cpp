@@ -2,6 +2,7 @@
 //
 // When SRDOs are active: NMT state, guard token, valid configuration. Times in microseconds.
 #include "verification/conformance/gold.hpp"
+#include "verification/trace/ids/channel.hpp"
 
 namespace counterpoint::conformance
 {

@@ -2,6 +2,7 @@
 //
 // Objects of any length: where their bits lie, what is written above them, and the bits of a frame that nobody maps.
 #include "verification/conformance/gold.hpp"
+#include "verification/trace/ids/channel.hpp"
 
 namespace counterpoint::conformance
 {

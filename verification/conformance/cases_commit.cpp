@@ -3,6 +3,7 @@
 // Writing the objects. Gold: 6010h:01, 02 by A, 6011h:01, 02 by B; pair 12h 34h, safe value A5h C3h. Untouched objects
 // read 66h. Times in microseconds.
 #include "verification/conformance/gold.hpp"
+#include "verification/trace/ids/channel.hpp"
 
 namespace counterpoint::conformance
 {

@@ -2,6 +2,7 @@
 //
 // Confirmation of what was sent, and the faults of a producer. SRVT 20 ms, refresh 25 ms. Times in microseconds.
 #include "verification/conformance/gold.hpp"
+#include "verification/trace/ids/channel.hpp"
 
 namespace counterpoint::conformance
 {

@@ -2,6 +2,7 @@
 //
 // Faults that only the cycle can find: late call, lost frames, GFC; and their order. Times in microseconds.
 #include "verification/conformance/gold.hpp"
+#include "verification/trace/ids/channel.hpp"
 
 namespace counterpoint::conformance
 {

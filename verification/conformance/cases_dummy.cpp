@@ -3,6 +3,7 @@
 // Dummy entries: data that this device does not need. Granularity of one bit unless said otherwise.
 #include "verification/conformance/gold.hpp"
 #include "verification/conformance/stores.hpp"
+#include "verification/trace/ids/channel.hpp"
 
 namespace counterpoint::conformance
 {

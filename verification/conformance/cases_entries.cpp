@@ -3,6 +3,7 @@
 // Numbers of entries from none to 128, and objects of any length against each granularity.
 #include "verification/conformance/gold.hpp"
 #include "verification/conformance/stores.hpp"
+#include "verification/trace/ids/channel.hpp"
 
 namespace counterpoint::conformance
 {

@@ -2,6 +2,7 @@
 //
 // What a fault does to a consumer, and the cycle that reports it. Times in microseconds; SCT 50 ms, SRVT 20 ms.
 #include "verification/conformance/gold.hpp"
+#include "verification/trace/ids/channel.hpp"
 
 namespace counterpoint::conformance
 {

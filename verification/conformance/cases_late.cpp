@@ -3,6 +3,7 @@
 // Late detection: SRVT is looked at by the inverse frame alone, SCT at every frame and in every cycle. Times in
 // microseconds; SCT 50 ms, SRVT 20 ms.
 #include "verification/conformance/gold.hpp"
+#include "verification/trace/ids/channel.hpp"
 
 namespace counterpoint::conformance
 {

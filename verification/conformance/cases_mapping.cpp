@@ -3,6 +3,7 @@
 // Rules of the mapping. Each refusal beside the nearest mapping that is accepted. Consumer gold unless said otherwise.
 #include "verification/conformance/gold.hpp"
 #include "verification/conformance/stores.hpp"
+#include "verification/trace/ids/channel.hpp"
 
 namespace counterpoint::conformance
 {

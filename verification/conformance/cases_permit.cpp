@@ -3,6 +3,7 @@
 // Permits: literal answers of ((challenge + lower half) XOR (upper half rotated left by 16)) * constant. Times in
 // microseconds.
 #include "verification/conformance/gold.hpp"
+#include "verification/trace/ids/channel.hpp"
 
 namespace counterpoint::conformance
 {

@@ -3,6 +3,7 @@
 // Producer: first transmission, requests, Prepare, frames. Node-ID 4, so that the first transmission is possible 2 ms
 // after entering OPERATIONAL. Times in microseconds.
 #include "verification/conformance/gold.hpp"
+#include "verification/trace/ids/channel.hpp"
 
 namespace counterpoint::conformance
 {

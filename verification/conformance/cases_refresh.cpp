@@ -2,6 +2,7 @@
 //
 // Refresh: phase, missed refresh, both forms. First transmission at 2 ms, refresh 25 ms. Times in microseconds.
 #include "verification/conformance/gold.hpp"
+#include "verification/trace/ids/channel.hpp"
 
 namespace counterpoint::conformance
 {

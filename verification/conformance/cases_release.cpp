@@ -2,6 +2,7 @@
 //
 // Policies of release, and Demote. Times in microseconds; SCT 50 ms, SRVT 20 ms.
 #include "verification/conformance/gold.hpp"
+#include "verification/trace/ids/channel.hpp"
 
 namespace counterpoint::conformance
 {

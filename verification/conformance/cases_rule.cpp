@@ -3,6 +3,7 @@
 // Rules of the configuration of one SRDO, first broken rule first. Gold unless said otherwise.
 #include "verification/conformance/gold.hpp"
 #include "verification/conformance/stores.hpp"
+#include "verification/trace/ids/channel.hpp"
 
 namespace counterpoint::conformance
 {

@@ -4,6 +4,7 @@
 // inverse. Node-ID 4: first transmission 2 ms after entering OPERATIONAL.
 #include "verification/conformance/gold.hpp"
 #include "verification/conformance/stores.hpp"
+#include "verification/trace/ids/channel.hpp"
 
 namespace counterpoint::conformance
 {

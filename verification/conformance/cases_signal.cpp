@@ -2,6 +2,7 @@
 //
 // What is signalled, and how often: once per cause in a window of SCT (50 ms). Times in microseconds.
 #include "verification/conformance/gold.hpp"
+#include "verification/trace/ids/channel.hpp"
 
 namespace counterpoint::conformance
 {

@@ -2,6 +2,7 @@
 //
 // 64 SRDOs, and numbers with gaps. Times in microseconds.
 #include "verification/conformance/gold.hpp"
+#include "verification/trace/ids/channel.hpp"
 
 namespace counterpoint::conformance
 {

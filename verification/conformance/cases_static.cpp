@@ -3,6 +3,7 @@
 // Static mappings: entries that are a part of the program, and two fields of the application that hold their objects.
 #include "verification/conformance/gold.hpp"
 #include "verification/conformance/stores.hpp"
+#include "verification/trace/ids/channel.hpp"
 
 namespace counterpoint::conformance
 {

@@ -3,6 +3,7 @@
 // Power-on values, Store and Load.
 #include "verification/conformance/gold.hpp"
 #include "verification/conformance/stores.hpp"
+#include "verification/trace/ids/channel.hpp"
 
 namespace counterpoint::conformance
 {

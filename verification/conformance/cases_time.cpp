@@ -2,6 +2,7 @@
 //
 // SCT and SRVT: just inside, on, just outside, by frames and by cycles. Times in microseconds; SCT 50 ms, SRVT 20 ms.
 #include "verification/conformance/gold.hpp"
+#include "verification/trace/ids/channel.hpp"
 
 namespace counterpoint::conformance
 {

@@ -22,7 +22,7 @@ struct Failure
     std::uint32_t origin;
 };
 
-/// Hears of each expectation that did not hold. [SRS-CNF-003]
+/// Hears of each expectation that did not hold. [SRS_CNF_003]
 class Reporter
 {
   public:
@@ -36,7 +36,7 @@ class Reporter
     ~Reporter() noexcept = default;
 };
 
-/// `hash` stands for every value the channel returned in every step and for the objects it wrote. [SRS-CNF-002]
+/// `hash` stands for every value the channel returned in every step and for the objects it wrote. [SRS_CNF_002]
 struct RunResult
 {
     std::uint32_t cases;
@@ -45,7 +45,7 @@ struct RunResult
 };
 
 /// The moments that are 0 in the cases: with the second, the counter wraps 30 ms into a case, with the third it passes
-/// half its range there. [SRS-CNF-004]
+/// half its range there. [SRS_CNF_004]
 constexpr std::uint32_t kOrigins[] = {0U, 0U - 30000U, 0x80000000U - 30000U};
 constexpr std::uint32_t kOriginCount = 3U;
 

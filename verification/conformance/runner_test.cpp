@@ -5,6 +5,7 @@
 #include "verification/conformance/flip_rig.hpp"
 #include "verification/conformance/forwarding.hpp"
 #include "verification/conformance/runner.hpp"
+#include "verification/trace/ids/conformance.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

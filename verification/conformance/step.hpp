@@ -7,7 +7,7 @@
 #include <cstdint>
 
 /// Conformance cases are tables of steps. Freestanding: the same tables run on the host and on the target.
-/// [SRS-CNF-001]
+/// [SRS_CNF_001]
 namespace counterpoint::conformance
 {
 

@@ -51,7 +51,7 @@ inline std::string CaseName(const ::testing::TestParamInfo<const Case*>& info)
     return info.param->name;
 }
 
-/// One case at every origin of time against a channel that starts in zero-filled memory. [SRS-CNF-001, SRS-CNF-004]
+/// One case at every origin of time against a channel that starts in zero-filled memory. [SRS_CNF_001, SRS_CNF_004]
 inline void RunCase(const Case& test, Channel& channel, Party party)
 {
     for (const req::RequirementId& requirement : test.requirements)

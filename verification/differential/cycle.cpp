@@ -13,7 +13,7 @@ std::uint32_t RotatedLeft(std::uint32_t word, std::uint32_t bits) noexcept
     return (word << bits) | (word >> (32U - bits));
 }
 
-/// [SRS-REL-010], written down once more.
+/// [SRS_REL_010], written down once more.
 std::uint32_t ResponseOf(std::uint32_t challenge, SrdoMask mask, std::uint32_t constant) noexcept
 {
     const std::uint32_t low = static_cast<std::uint32_t>(mask & 0xFFFFFFFFU);

@@ -10,7 +10,7 @@
 
 #include <cstdint>
 
-/// Random devices and sequences, fed to both channels and compared after every step. Freestanding. [SRS-CNF-010]
+/// Random devices and sequences, fed to both channels and compared after every step. Freestanding. [SRS_CNF_010]
 namespace counterpoint::differential
 {
 

@@ -6,6 +6,7 @@
 #include "channel_a/channel.hpp"
 #include "channel_b/channel.hpp"
 #include "verification/conformance/forwarding.hpp"
+#include "verification/trace/ids/conformance.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@
 namespace counterpoint::differential
 {
 
-/// Everything of which a run must have seen at least one. [SRS-CNF-011]
+/// Everything of which a run must have seen at least one. [SRS_CNF_011]
 enum class Item : std::uint8_t
 {
     kAcceptedPair,

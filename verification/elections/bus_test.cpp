@@ -5,6 +5,7 @@
 
 #include "hal/host/virtual/bus.hpp"
 #include "simulator/faults/random.hpp"
+#include "verification/trace/ids/flying_master.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 // The small series; `counterpoint_elections` runs the large ones.
 #include "verification/elections/failover_record.hpp"
 #include "verification/elections/series.hpp"
+#include "verification/trace/ids/flying_master.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>
@@ -100,7 +101,7 @@ TEST(Failovers, ALateOneIsRecordedAsAFailure)
     {
         EXPECT_TRUE(WriteFailovers(path, all));
         std::ifstream file(path);
-        return nlohmann::json::parse(file).at("requirements").at("SRS-FLY-026").get<bool>();
+        return nlohmann::json::parse(file).at("requirements").at("SRS_FLY_026").get<bool>();
     };
     EXPECT_TRUE(holds({{"punctual", punctual}}));
     EXPECT_FALSE(holds({{"punctual", punctual}, {"late", late}}));

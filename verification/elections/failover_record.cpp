@@ -64,7 +64,7 @@ bool WriteFailovers(const std::string& path, const std::vector<FailoverSeries>& 
     const Json record = {{"cycle_us", WorldPlan{}.cycle},
                          {"bin_us", kBin},
                          {"series", series},
-                         {"requirements", {{"SRS-FLY-026", holds}}}};
+                         {"requirements", {{"SRS_FLY_026", holds}}}};
     const std::filesystem::path parent = std::filesystem::path(path).parent_path();
     std::error_code ignored{};
     if (!parent.empty())

@@ -18,7 +18,7 @@ struct FailoverSeries
 };
 
 /// @brief Writes what the evidence draws: JSON with the histogram, the times by what was computed, and whether
-/// SRS-FLY-026 holds. False: the file cannot be written.
+/// SRS_FLY_026 holds. False: the file cannot be written.
 [[nodiscard]] bool WriteFailovers(const std::string& path, const std::vector<FailoverSeries>& all);
 
 } // namespace counterpoint::elections

@@ -94,7 +94,7 @@ void GiveFarNodes(std::vector<MasterPlan>& masters, std::uint64_t number);
 using Adapt = std::function<void(std::vector<MasterPlan>& masters, std::uint64_t number)>;
 
 /// @brief All priorities x all offsets of `offsets` of each but the first master x loss of each frame until rest.
-/// [SRS-FLY-023]
+/// [SRS_FLY_023]
 [[nodiscard]] Tally Combinations(Preset preset, std::size_t count, const std::vector<Time>& offsets, Losses losses,
                                  const Adapt& adapt = {});
 /// @brief 0, one tick, one slot, 1F90h:01, :02, :04 in both directions.
@@ -102,16 +102,16 @@ using Adapt = std::function<void(std::vector<MasterPlan>& masters, std::uint64_t
 /// @brief -8 s to 8 s in 10 ms steps.
 [[nodiscard]] std::vector<Time> OffsetsInSlots();
 /// @brief All priorities x all ways to split `count` masters in two x instants of joining x loss of each frame
-/// afterwards until rest. [SRS-FLY-024]
+/// afterwards until rest. [SRS_FLY_024]
 [[nodiscard]] Tally Splits(Preset preset, std::size_t count, Losses losses, const Adapt& adapt = {});
 /// @brief Each variant of FlyingMasterOptions by itself over the preset, but those that are known not to work: in all
 /// of 2 and of 3 masters, in the first and third, in the second alone; and both presets beside each other. Offsets of
-/// the text and splits; with kNone 2 masters only, else frames of 2 masters are lost. [SRS-FLY-016]
+/// the text and splits; with kNone 2 masters only, else frames of 2 masters are lost. [SRS_FLY_016]
 [[nodiscard]] Tally Variants(Preset preset, Losses losses);
-/// @brief The active one of 2 to 4 masters fails at each ms of its heartbeat's period. [SRS-FLY-026]
+/// @brief The active one of 2 to 4 masters fails at each ms of its heartbeat's period. [SRS_FLY_026]
 [[nodiscard]] Tally Failovers(Preset preset);
 /// @brief The active one of 2 to 127 masters fails, `count` times, each with other values of 1F90h, other heartbeats,
-/// bit rates and traffic. [SRS-FLY-026]
+/// bit rates and traffic. [SRS_FLY_026]
 [[nodiscard]] Tally FailoversDrawn(Preset preset, std::size_t count);
 /// How many masters a seeded run has.
 enum class Crowd : std::uint8_t
@@ -120,7 +120,7 @@ enum class Crowd : std::uint8_t
     kUpTo = 1U,    ///< 2 up to as many as told.
 };
 
-/// @brief Runs `first` to `first` + `count` - 1 of a seed, with `greatest` masters or up to as many. [SRS-FLY-025]
+/// @brief Runs `first` to `first` + `count` - 1 of a seed, with `greatest` masters or up to as many. [SRS_FLY_025]
 [[nodiscard]] Tally Seeded(Preset preset, std::uint32_t seed, std::uint32_t first, std::uint32_t count, Crowd crowd,
                            std::size_t greatest, const Adapt& adapt = {});
 

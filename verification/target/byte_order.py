@@ -98,4 +98,4 @@ def check(report, target, host):
             holds, text = outcome_of(fixture, target, host)
         except BadInput as problem:
             holds, text = False, str(problem)
-        report.add(holds, f"{fixture[1]} of {fixture[0]} in the order of the processor: the host passes, the target fails", text, "SRS-FW-011")
+        report.add(holds, f"{fixture[1]} of {fixture[0]} in the order of the processor: the host passes, the target fails", text, "SRS_FW_011")

@@ -103,7 +103,7 @@ def run_both(report, program):
     for line in [line for line in (run.output + host.stdout).splitlines() if line.startswith(("failed:", "FAILURE"))][:5]:
         print(f"      {line}")
     report.add(both_ran, f"{name} instrumented, on the target and on the host", last if both_ran else f"target {run.status}, host {host.returncode}: {last}",
-               "SRS-FW-010")
+               "SRS_FW_010")
     return raw if both_ran else None
 
 
@@ -115,18 +115,18 @@ def compare(report, programs, profiles, what, reached_only):
     sums = totals(ours)
     text = ", ".join(f"{kind} {covered} of {count}" for kind, (covered, count) in sums.items())
     report.add(not found and len(ours) >= 30 and sums["mcdc"][1] > 100, f"coverage of the target's objects, {what}",
-               f"{len(ours)} files, {text}" if not found else f"different: {', '.join(found)}", "SRS-FW-010")
+               f"{len(ours)} files, {text}" if not found else f"different: {', '.join(found)}", "SRS_FW_010")
     return ours, theirs
 
 
 def check_fixtures(report, ours, theirs):
     """A count, and a condition, that is another on the host."""
-    report.add(len(differences(theirs, changed(theirs))) == 1, "one execution more on the host is refused", "1 file", "SRS-FW-010")
+    report.add(len(differences(theirs, changed(theirs))) == 1, "one execution more on the host is refused", "1 file", "SRS_FW_010")
     copy = json.loads(json.dumps(ours))
     record = next(record for entries in copy.values() for entry in entries for record in entry["mcdc_records"] if all(record[-1]))
     record[-1][0] = False
     report.add(len(unreached(copy)) == len(unreached(ours)) + 1 and len(differences(ours, copy, True)) == 1,
-               "one condition less on the host is refused, and told", "1 condition", "SRS-FW-010")
+               "one condition less on the host is refused, and told", "1 condition", "SRS_FW_010")
 
 
 def check(report, programs):
@@ -142,6 +142,6 @@ def check(report, programs):
         left = unreached(ours)
         for line in left:
             print(f"      not shown on the target: {line}")
-        report.add(not left, "conditions of decisions that the target does not show", f"{len(left)}", "SRS-FW-010")
+        report.add(not left, "conditions of decisions that the target does not show", f"{len(left)}", "SRS_FW_010")
     sums = totals(ours)
     return {"files": len(ours), "unreached": unreached(ours), **{kind: {"covered": covered, "count": count} for kind, (covered, count) in sums.items()}}

@@ -83,6 +83,6 @@ def check(report, target, product, images):
         wrong = differences(drivers, ours, theirs, links)
         digest = hashlib.sha256("".join(hashlib.sha256((ROOT / name).read_bytes()).hexdigest() for name in sorted(drivers)).encode()).hexdigest()
         report.add(not wrong, f"drivers of {image.stem} are the sources that the tests of the drivers run",
-                   "; ".join(wrong[:3]) or f"{len(drivers)} sources, SHA-256 {digest}", "SRS-FW-020")
+                   "; ".join(wrong[:3]) or f"{len(drivers)} sources, SHA-256 {digest}", "SRS_FW_020")
     told = [len(differences(*fixture)) > 0 for fixture in fixtures(linked_drivers(images[0].with_name(images[0].name + ".map")), ours, theirs, links)]
-    report.add(all(told), "another list, another definition or another archive is told", f"{sum(told)} of {len(told)}", "SRS-FW-020")
+    report.add(all(told), "another list, another definition or another archive is told", f"{sum(told)} of {len(told)}", "SRS_FW_020")

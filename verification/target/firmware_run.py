@@ -56,9 +56,9 @@ def check_scenarios(report, images, hosts):
             print(f"      {path.stem}: {line}")
         holds = status == 0 and host.returncode == 0 and output == host.stdout and output.count("\n") > 1 and cost is not None
         report.add(holds, f"scenario {path.stem} on the target and on the host",
-                   f"{output.count(chr(10))} lines, {'equal' if output == host.stdout else 'DIFFERENT'}", "SRS-FW-008", "SRS-FW-009", *(["SRS-FW-018"] if device == "own_device" else []))
+                   f"{output.count(chr(10))} lines, {'equal' if output == host.stdout else 'DIFFERENT'}", "SRS_FW_008", "SRS_FW_009", *(["SRS_FW_018"] if device == "own_device" else []))
         costs[path.stem] = cost
-    report.add(len(paths) >= 9, "scenarios of the firmware examples", f"{len(paths)}", "SRS-FW-009")
+    report.add(len(paths) >= 9, "scenarios of the firmware examples", f"{len(paths)}", "SRS_FW_009")
     return costs
 
 
@@ -70,7 +70,7 @@ def check_refused_scenario(report, images):
             wrong.flush()
             status, output, _ = run_scenario(images / "actuator.bin", pathlib.Path(wrong.name))
         report.add(status not in (0, None) and expected in output, f"a scenario with '{text.split(chr(10))[0]}' fails",
-                   (output.strip().splitlines() or ["no output"])[-1], "SRS-FW-009")
+                   (output.strip().splitlines() or ["no output"])[-1], "SRS_FW_009")
 
 
 def symbols_of(elf):
@@ -98,21 +98,21 @@ def check_traps(report, images):
             address = symbols[victim] if victim else 0xFFFFFF5C
             found, text = trap(images, who + 16 * what)
             inside = found and (code is None or symbols[f"{code}_start"] <= found[2] < symbols[f"{code}_end"])
-            requirement = "SRS-FW-007" if who == 4 else "SRS-FW-006"
+            requirement = "SRS_FW_007" if who == 4 else "SRS_FW_006"
             report.add(found and found[:2] == (DATA_ACCESS, address) and inside, f"a write of {name} to {victim or 'a register'}", text,
-                       requirement, "SRS-FW-005", "SRS-FW-002")
+                       requirement, "SRS_FW_005", "SRS_FW_002")
     for name, who, cause in WRONG_STEPS:
         found, text = trap(images, who)
-        report.add(found and found[0] == cause, f"{name} in non-safety code", text, "SRS-FW-005")
+        report.add(found and found[0] == cause, f"{name} in non-safety code", text, "SRS_FW_005")
     found, text = trap(images, 0)
-    report.add(found is None and "exception" not in text, "the same device without a misdeed runs on", text, "SRS-FW-006", "SRS-FW-007")
+    report.add(found is None and "exception" not in text, "the same device without a misdeed runs on", text, "SRS_FW_006", "SRS_FW_007")
 
 
 def check(report, images, hosts):
     costs = check_scenarios(report, images, hosts)
     worst = (costs.get("own_device_worst") or (0,))[0]
     report.add(0 < worst <= MOST_INSTRUCTIONS, "dearest cycle of a device with 4 SRDOs, protection included", f"{worst} instructions, at most {MOST_INSTRUCTIONS}",
-               "SRS-FW-013")
+               "SRS_FW_013")
     check_refused_scenario(report, images)
     check_traps(report, images)
     return costs

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // What hal/tms570/start/start_up.S calls in an image that measures: the start-up, the vectors and the entries of the
-// exceptions are those of the firmware, and an exception ends the run as a failure. [SRS-TGT-009]
+// exceptions are those of the firmware, and an exception ends the run as a failure. [SRS_TGT_009]
 #include "verification/target/target.hpp"
 
 extern "C"

@@ -41,11 +41,11 @@ def check(report, images, programs):
         holds = status == 0 and passes(recorded, found)
         report.add(holds, f"network manager with a safety device {where}",
                    f"{SCENES} scenes, {len(found)} lines as recorded" if holds else difference(recorded, found) or f"exit status {status}",
-                   "SRS-TGT-010")
+                   "SRS_TGT_010")
     room = [line.removeprefix(ROOM) for line in target.output.splitlines() if line.startswith(ROOM)]
-    report.add(len(room) == 1, "room of a manager on the target", room[0] if room else "not told", "SRS-TGT-010")
+    report.add(len(room) == 1, "room of a manager on the target", room[0] if room else "not told", "SRS_TGT_010")
     swapped = [line.replace("00000032 read 0000003c", "32000000 read 3c000000") for line in recorded]
     wrong = [recorded[:-1], recorded + ["1 manager 1: node 33 NMT start"], swapped, [line.replace("hash=", "hash=0") for line in recorded], []]
     refused = sum(not passes(recorded, other) for other in wrong)
     report.add(refused == len(wrong) and passes(recorded, recorded), "other bytes, an event more or less, no run are refused",
-               f"{refused} of {len(wrong)}", "SRS-TGT-010")
+               f"{refused} of {len(wrong)}", "SRS_TGT_010")

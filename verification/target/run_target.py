@@ -75,14 +75,14 @@ def check_selftest(report):
     image = IMAGES / "selftest/selftest.bin"
     run = emulator.run_image(image, "all", 20)
     count = run.output.count("selftest: holds: ")
-    report.add(run.status == 0 and count == 4, "self test of the way into an image", f"{count} of 4 hold", "SRS-TGT-001")
+    report.add(run.status == 0 and count == 4, "self test of the way into an image", f"{count} of 4 hold", "SRS_TGT_001")
     for argument, expected in FAULTS.items():
         run = emulator.run_image(image, argument, 20 if expected else 2)
         if expected is None:
-            report.add(run.status is None, "an endless loop is ended by the time limit", f"exit status {run.status}", "SRS-TGT-009")
+            report.add(run.status is None, "an endless loop is ended by the time limit", f"exit status {run.status}", "SRS_TGT_009")
         else:
             last = (run.output.strip().splitlines() or ["no output"])[-1]
-            report.add(run.status not in (0, None) and expected in run.output, f"fault '{argument}' ends the run", last, "SRS-TGT-009")
+            report.add(run.status not in (0, None) and expected in run.output, f"fault '{argument}' ends the run", last, "SRS_TGT_009")
 
 
 def vectors_of(image):
@@ -97,7 +97,7 @@ def check_vectors(report):
     images = ["selftest/selftest", "conformance/conformance", "bench/bench", "manager/manager", "firmware/trap/trap", *(f"firmware/{device}" for device in firmware_run.DEVICES)]
     others = [name for name in images if vectors_of(IMAGES / f"{name}.elf") != silicon]
     report.add(len(silicon) == 1 and not others, "vectors, start-up and entries of exceptions of every image", ", ".join(others) or
-               f"{pathlib.Path(next(iter(silicon), 'none')).name} in {len(images) + 1} images", "SRS-TGT-009", "SRS-FW-005")
+               f"{pathlib.Path(next(iter(silicon), 'none')).name} in {len(images) + 1} images", "SRS_TGT_009", "SRS_FW_005")
 
 
 def is_same(ours, theirs):
@@ -118,14 +118,14 @@ def check_same_outcomes(report):
     expected = ("conformance_a", "conformance_b", "differential")
     for run in expected:
         report.add(is_same(ours.get(run), theirs.get(run)), f"{run} big-endian on the target", ours.get(run, "did not end"),
-                   "SRS-TGT-001", "SRS-TGT-003")
-        report.add(run in theirs, f"{run} on the host", theirs.get(run, "did not end"), "SRS-TGT-003")
+                   "SRS_TGT_001", "SRS_TGT_003")
+        report.add(run in theirs, f"{run} on the host", theirs.get(run, "did not end"), "SRS_TGT_003")
     report.add(target.status == 0 and host.returncode == 0, "both programs ended without a failure",
-               f"target {target.status}, host {host.returncode}", "SRS-TGT-003")
+               f"target {target.status}, host {host.returncode}", "SRS_TGT_003")
     line = "cases=9 failures=0 hash=00c0ffee"
     wrong = ["cases=9 failures=0 hash=00c0ffef", "cases=8 failures=0 hash=00c0ffee", "cases=9 failures=1 hash=00c0ffee", None]
     found = sum(not is_same(other, line) for other in wrong) + (not is_same("cases=0 failures=0 hash=0", "cases=0 failures=0 hash=0"))
-    report.add(is_same(line, line) and found == 5, "another hash, count, failure or no run is refused", f"{found} of 5", "SRS-TGT-003")
+    report.add(is_same(line, line) and found == 5, "another hash, count, failure or no run is refused", f"{found} of 5", "SRS_TGT_003")
     return ours
 
 
@@ -140,28 +140,28 @@ def compilers_of(archive, name):
 
 def check_objects(report):
     digest, count = objects.digest(TARGET)
-    report.add(count > 0, "objects of core and channels on the target", f"{count} objects, SHA-256 {digest}", "SRS-TGT-005")
+    report.add(count > 0, "objects of core and channels on the target", f"{count} objects, SHA-256 {digest}", "SRS_TGT_005")
     for room, archive in objects.archives(TARGET):
         name = "clang version 19" if room == "channel_b" else "GCC:"
         found, members = compilers_of(archive, name)
         report.add(members > 0 and found == members, f"compiler of {room}", f"{name.strip(':')} in {found} of {members} objects",
-                   "SRS-TGT-002")
+                   "SRS_TGT_002")
     foreign = objects.foreign_symbols(TARGET, "arm-none-eabi-")
     report.add(not foreign, "symbols that come from elsewhere", ", ".join(f"{name} ({rooms[0]})" for name, rooms in
-                                                                        foreign.items()) or "none", "SRS-TGT-004")
+                                                                        foreign.items()) or "none", "SRS_TGT_004")
     everything = objects.CERTIFIED + objects.SERVICES
     foreign = objects.foreign_symbols(TARGET, "arm-none-eabi-", everything)
     report.add(not foreign, "symbols that the services of CiA 301, 302, 305 want from elsewhere", ", ".join(
-        f"{name} ({rooms[0]})" for name, rooms in foreign.items()) or f"none in {len(objects.SERVICES)} rooms", "SRS-TGT-011")
+        f"{name} ({rooms[0]})" for name, rooms in foreign.items()) or f"none in {len(objects.SERVICES)} rooms", "SRS_TGT_011")
     only_services = objects.foreign_symbols(TARGET, "arm-none-eabi-", objects.SERVICES)
-    report.add(bool(only_services), "a room that is left out is missed", f"{len(only_services)} symbols", "SRS-TGT-011")
+    report.add(bool(only_services), "a room that is left out is missed", f"{len(only_services)} symbols", "SRS_TGT_011")
     for order, flags in ELF_FLAGS.items():
         image = IMAGES / f"conformance/conformance{'_be32' if order == 'be32' else ''}.elf"
         header = subprocess.run(["arm-none-eabi-readelf", "-h", image], capture_output=True, text=True, check=True).stdout
         found = re.search(r"Flags:\s+0x([0-9a-f]+)", header)
         big = "big endian" in header
         report.add(big and found and int(found.group(1), 16) == flags, f"image in {order} order",
-                   f"{image.stat().st_size} bytes, flags 0x{found.group(1) if found else '?'}", "SRS-TGT-008")
+                   f"{image.stat().st_size} bytes, flags 0x{found.group(1) if found else '?'}", "SRS_TGT_008")
     return digest, count
 
 
@@ -172,21 +172,21 @@ def check_images(report):
         rows = image_check.check(folder / f"{device}_be32.elf", folder / f"{device}.elf")
         wrong = [f"{text}: {found}" for holds, text, found in rows if not holds]
         report.add(len(rows) >= 25 and not wrong, f"image of {device} for silicon", "; ".join(wrong) or f"{len(rows)} of {len(rows)} checks hold",
-                   "SRS-FW-001", "SRS-FW-002", "SRS-FW-003", "SRS-FW-004", "SRS-FW-016", "SRS-FW-019")
+                   "SRS_FW_001", "SRS_FW_002", "SRS_FW_003", "SRS_FW_004", "SRS_FW_016", "SRS_FW_019")
     rows = image_check.check(folder / "actuator.elf")
     refused = [text for holds, text, _ in rows if not holds]
     report.add(all(any(word in text for text in refused) for word in ("ELF flags", "eight vectors", "flash or RAM")),
-               "the emulator's image is refused as one for silicon", f"{len(refused)} checks", "SRS-FW-016")
+               "the emulator's image is refused as one for silicon", f"{len(refused)} checks", "SRS_FW_016")
     count, missed = image_fixtures.check(folder / "own_device_be32.elf")
     report.add(count > 100 and not missed, "an image with one thing wrong is refused by the check that looks for it",
-               f"not refused: {'; '.join(missed[:3])}" if missed else f"{count} of {count}", "SRS-FW-016")
+               f"not refused: {'; '.join(missed[:3])}" if missed else f"{count} of {count}", "SRS_FW_016")
     driver_sources.check(report, TARGET, PRODUCT, [folder / f"{device}_be32.elf" for device in firmware_run.DEVICES])
     different = image_check.variant_differences(ROOT)
-    report.add(not different, "memory of the variants as in hal/tms570/chip/variant.hpp", ", ".join(different) or "4 variants", "SRS-FW-017")
+    report.add(not different, "memory of the variants as in hal/tms570/chip/variant.hpp", ", ".join(different) or "4 variants", "SRS_FW_017")
     for variant in image_check.VARIANTS:
         rows = image_check.check(folder / f"own_device_{variant}_be32.elf")
         wrong = [f"{text}: {found}" for holds, text, found in rows if not holds]
-        report.add(len(rows) >= 20 and not wrong, f"image of own_device for {variant}", "; ".join(wrong) or f"{len(rows)} of {len(rows)} checks hold", "SRS-FW-017")
+        report.add(len(rows) >= 20 and not wrong, f"image of own_device for {variant}", "; ".join(wrong) or f"{len(rows)} of {len(rows)} checks hold", "SRS_FW_017")
 
 
 def check_stack(report):
@@ -194,10 +194,10 @@ def check_stack(report):
     rows, problems = stack.compute(IMAGES / "bench/bench.elf", TARGET, HERE / "virtual_calls.txt", STACK_ENTRIES)
     for problem in problems:
         print(f"      {problem}")
-    report.add(not problems, "greatest stack of the kernel with both channels", f"{rows[0][1]} bytes in {rows[0][0]}", "SRS-TGT-007")
+    report.add(not problems, "greatest stack of the kernel with both channels", f"{rows[0][1]} bytes in {rows[0][0]}", "SRS_TGT_007")
     _, refused = stack.compute(IMAGES / "selftest/selftest.elf", TARGET, HERE / "selftest/virtual_calls.txt", ["TargetMain"])
     recursion = [problem for problem in refused if problem.startswith("recursion: ")]
-    report.add(len(recursion) == 1, "recursion in the fixture is refused", recursion[0] if recursion else "it was not", "SRS-TGT-007")
+    report.add(len(recursion) == 1, "recursion in the fixture is refused", recursion[0] if recursion else "it was not", "SRS_TGT_007")
     return rows
 
 
@@ -209,7 +209,7 @@ def count_instructions(report):
     idle = items.get("idle 64", 0.0)
     report.add(run.status == 0 and idle > 0, "instructions of the benchmark on the target (64 SRDOs)",
                f"idle cycle {idle:.0f}, pair with its cycle {items.get('pair 64', 0.0):.0f}, two cycles with a sent pair "
-               f"{items.get('send 64', 0.0):.0f}, check {items.get('check 64', 0.0):.0f}", "SRS-TGT-006")
+               f"{items.get('send 64', 0.0):.0f}, check {items.get('check 64', 0.0):.0f}", "SRS_TGT_006")
     return items
 
 

@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
-"""Writes requirement_ids.hpp from docs/requirements/*.sdoc.
+"""Writes verification/trace/ids/NAME.hpp from each docs/requirements/NAME.sdoc.
 
-    python3 verification/trace/generate_ids.py            write the header
-    python3 verification/trace/generate_ids.py --check    fail when the committed header differs
+An identifier is spelled SRS_AREA_001 everywhere: in the documents, in comments, in tests. One header for each document, so that
+a new requirement rebuilds only the tests of its document.
+
+    python3 verification/trace/generate_ids.py            write the headers
+    python3 verification/trace/generate_ids.py --check    fail when the committed headers differ
 
 Needs nothing but Python, so that everybody can run it after editing a requirement. Whether the files are valid
 StrictDoc is checked by the trace gate, which lets StrictDoc itself read them.
-Exit status: 0 done, 1 the committed header differs, 2 a requirement file cannot be used (file:line is printed).
+Exit status: 0 done, 1 a committed header differs, 2 a requirement file cannot be used (file:line is printed).
 """
 import argparse
 import difflib
@@ -15,8 +18,8 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-HEADER = "verification/trace/requirement_ids.hpp"
-UID = re.compile(r"SRS-[A-Z][A-Z0-9]*-[0-9]{3}")
+FOLDER = "verification/trace/ids"
+UID = re.compile(r"SRS_[A-Z][A-Z0-9]*_[0-9]{3}")
 METHODS = ("test", "bench", "gate", "analysis", "scenario")
 
 
@@ -82,7 +85,7 @@ def check(requirement):
             raise BadInput(f"{where}: requirement without {key}, expected fields UID, STATEMENT, RATIONALE, SOURCE, "
                            "VERIFICATION")
     if not UID.fullmatch(requirement.uid):
-        raise BadInput(f"{where}: UID '{requirement.uid}', expected the form SRS-AREA-001")
+        raise BadInput(f"{where}: UID '{requirement.uid}', expected the form SRS_AREA_001")
     for method in requirement.methods:
         if method not in METHODS:
             raise BadInput(f"{where}: {requirement.uid}: VERIFICATION '{method}', expected one of {', '.join(METHODS)}")
@@ -105,31 +108,35 @@ def read_requirements(root):
     return dict(sorted(by_uid.items()))
 
 
-def header_text(requirements):
+def header_text(name, uids):
+    guard = f"VERIFICATION_TRACE_IDS_{name.upper()}_HPP"
     lines = [
         "// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0",
-        "// Generated from docs/requirements/*.sdoc by verification/trace/generate_ids.py. Do not edit.",
-        "#ifndef VERIFICATION_TRACE_REQUIREMENT_IDS_HPP",
-        "#define VERIFICATION_TRACE_REQUIREMENT_IDS_HPP",
+        f"// Generated from docs/requirements/{name}.sdoc by verification/trace/generate_ids.py. Do not edit.",
+        f"#ifndef {guard}",
+        f"#define {guard}",
+        "",
+        '#include "verification/trace/requirement_id.hpp"',
         "",
         "namespace counterpoint::req",
         "{",
-        "/// Names one requirement; only this header makes one, so that an unknown or retired identifier does not compile.",
-        "struct RequirementId",
-        "{",
-        "    const char* text;",
-        "};",
-        "",
     ]
-    for uid in requirements:
-        lines.append(f'inline constexpr RequirementId {uid.replace("-", "_")}{{"{uid}"}};')
+    lines += [f'inline constexpr RequirementId {uid}{{"{uid}"}};' for uid in uids]
     lines += ["} // namespace counterpoint::req", "", "#endif", ""]
     return "\n".join(lines)
 
 
+def header_texts(requirements):
+    """Path -> text of the header of each document."""
+    documents = {}
+    for uid, requirement in requirements.items():
+        documents.setdefault(pathlib.PurePosixPath(requirement.path).stem, []).append(uid)
+    return {f"{FOLDER}/{name}.hpp": header_text(name, uids) for name, uids in sorted(documents.items())}
+
+
 def main(arguments):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--check", action="store_true", help="compare with the committed header, write nothing")
+    parser.add_argument("--check", action="store_true", help="compare with the committed headers, write nothing")
     parser.add_argument("--root", type=pathlib.Path, default=ROOT, help="root of the tree (for the gate's fixtures)")
     parser.add_argument("--list", action="store_true", help="print the identifiers, write nothing")
     options = parser.parse_args(arguments)
@@ -141,17 +148,26 @@ def main(arguments):
     if options.list:
         print("\n".join(requirements))
         return 0
-    text = header_text(requirements)
-    target = options.root / HEADER
-    before = target.read_text(encoding="utf-8") if target.exists() else ""
-    if options.check:
-        for line in difflib.unified_diff(before.splitlines(), text.splitlines(), HEADER, "generated", lineterm="", n=0):
-            print(line)
-        return 0 if before == text else 1
-    if before != text:
-        target.write_text(text, encoding="utf-8")
-    print(f"{HEADER}: {len(requirements)} requirements{'' if before != text else ', unchanged'}")
-    return 0
+    texts = header_texts(requirements)
+    folder = options.root / FOLDER
+    old = {path.relative_to(options.root).as_posix() for path in folder.glob("*.hpp")}
+    status = 0
+    for name in sorted(old | texts.keys()):
+        target = options.root / name
+        before = target.read_text(encoding="utf-8") if target.exists() else ""
+        text = texts.get(name, "")
+        if before == text:
+            continue
+        if options.check:
+            status = 1
+            for line in difflib.unified_diff(before.splitlines(), text.splitlines(), name, "generated", lineterm="", n=0):
+                print(line)
+        elif text:
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_text(text, encoding="utf-8")
+        else:
+            target.unlink()
+    return status
 
 
 if __name__ == "__main__":

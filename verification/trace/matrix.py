@@ -13,7 +13,7 @@ import generate_ids
 
 REGISTRY = "verification/trace/other_evidence.yaml"
 KNOWN_GAPS = "docs/known_gaps.json"
-UID = re.compile(r"SRS-[A-Z0-9]+-\d{3}")
+UID = re.compile(r"SRS_[A-Z0-9]+_\d{3}")
 
 
 class Evidence:

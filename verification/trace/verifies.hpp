@@ -2,7 +2,7 @@
 #ifndef VERIFICATION_TRACE_VERIFIES_HPP
 #define VERIFICATION_TRACE_VERIFIES_HPP
 
-#include "verification/trace/requirement_ids.hpp"
+#include "verification/trace/requirement_id.hpp"
 
 #include <gtest/gtest.h>
 

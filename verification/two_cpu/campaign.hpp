@@ -46,7 +46,7 @@ struct CampaignResult
     [[nodiscard]] bool Holds() const;
 };
 
-/// @brief One run: start, run up, break, judge. The same for the same seed. [SRS-TWO-017, SRS-TWO-018]
+/// @brief One run: start, run up, break, judge. The same for the same seed. [SRS_TWO_017, SRS_TWO_018]
 void RunOnce(Breakage breakage, std::uint64_t seed, Score& score);
 /// @brief `runs` runs, the kinds in turn.
 [[nodiscard]] CampaignResult RunCampaign(std::uint32_t runs, std::uint64_t seed);
@@ -68,7 +68,7 @@ struct SoakResult
 
     [[nodiscard]] bool Holds() const;
 };
-/// @brief So many simulated seconds with drift and a bad link, and nothing broken. [SRS-TWO-016]
+/// @brief So many simulated seconds with drift and a bad link, and nothing broken. [SRS_TWO_016]
 /// `sensor_faults_ppm`: pairs in a million that the sensor does not send as it should; they are no device faults
 /// either.
 [[nodiscard]] SoakResult RunSoak(double seconds, std::uint64_t seed, std::uint32_t sensor_faults_ppm);

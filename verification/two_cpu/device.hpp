@@ -25,7 +25,7 @@ struct DeviceSetup
     double operational_us{600'000.0};  ///< When both are told the NMT state.
 };
 
-/// Two CPUs, the link, one bus with a sensor and a listener, on true time. [SRS-TWO-016..018]
+/// Two CPUs, the link, one bus with a sensor and a listener, on true time. [SRS_TWO_016, SRS_TWO_017, SRS_TWO_018]
 class Device
 {
   public:

@@ -3,7 +3,7 @@
 
 A check is one file, NAME.sh (BusyBox's shell) or NAME.py, which passes by exit status 0. Comments at its head:
   # Needs: PATH ...            files, programs, folders from the root of the tree, placed at the same path under /
-  # Requirements: SRS-...      what a pass shows; written to build/vm/vm.json when all checks ran
+  # Requirements: SRS_...      what a pass shows; written to build/vm/vm.json when all checks ran
   # Seconds: N                 its limit (default 180)
 The first comment line that is none of these says in words what it checks. /lib.sh has functions for the shell.
 
@@ -49,8 +49,8 @@ class Check:
             elif not self.title:
                 self.title = line[1:].strip()
         for uid in self.requirements:
-            if not re.fullmatch(r"SRS-[A-Z][A-Z0-9]*-[0-9]{3}", uid):
-                raise CannotMake(f"{path.name}: requirement '{uid}', expected the form SRS-AREA-000")
+            if not re.fullmatch(r"SRS_[A-Z][A-Z0-9]*_[0-9]{3}", uid):
+                raise CannotMake(f"{path.name}: requirement '{uid}', expected the form SRS_AREA_000")
 
 
 def chosen(patterns):

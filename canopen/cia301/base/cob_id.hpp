@@ -13,7 +13,7 @@ constexpr std::uint32_t kCobExtended = 0x20000000U; ///< Bit 29: 29-bit identifi
 constexpr std::uint32_t kCobIdentifier = 0x1FFFFFFFU;
 
 /// @brief Whether a service may get this identifier: 11 bits, and of no other service (000h to 07Fh, 101h to 180h,
-/// 581h to 5FFh, 601h to 67Fh, 6E0h to 6FFh, 701h to 7FFh). O(1) [SRS-EMCY-003]
+/// 581h to 5FFh, 601h to 67Fh, 6E0h to 6FFh, 701h to 7FFh). O(1) [SRS_EMCY_003]
 [[nodiscard]] bool IsConfigurable(std::uint32_t identifier) noexcept;
 
 } // namespace counterpoint::cia301

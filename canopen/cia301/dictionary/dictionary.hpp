@@ -29,25 +29,27 @@ class Dictionary
   public:
     Dictionary(const EntryTable& table, ForeignObjects& foreign) noexcept;
 
-    /// @brief The state that decides about access over the bus; kInitialising at first. [SRS-OBD-004]
+    /// @brief The state that decides about access over the bus; kInitialising at first. [SRS_OBD_004]
     void SetNmtState(NmtState state) noexcept;
 
-    /// @brief Reads as a client on the bus does. O(log n + length) [SRS-OBD-002..009]
+    /// @brief Reads as a client on the bus does. O(log n + length) [SRS_OBD_002, SRS_OBD_003, SRS_OBD_004, SRS_OBD_005,
+    /// SRS_OBD_006, SRS_OBD_007, SRS_OBD_008, SRS_OBD_009]
     [[nodiscard]] Reading Read(const ObjectAddress& address, const Room& room) noexcept;
-    /// @brief Writes as a client on the bus does. O(log n + length) [SRS-OBD-002..008]
+    /// @brief Writes as a client on the bus does. O(log n + length) [SRS_OBD_002, SRS_OBD_003, SRS_OBD_004,
+    /// SRS_OBD_005, SRS_OBD_006, SRS_OBD_007, SRS_OBD_008]
     [[nodiscard]] SdoAbort Write(const ObjectAddress& address, const Bytes& value) noexcept;
-    /// @brief Whether Write can succeed for a value of `size_bytes` (or kUnknownLength). O(log n) [SRS-OBD-011]
+    /// @brief Whether Write can succeed for a value of `size_bytes` (or kUnknownLength). O(log n) [SRS_OBD_011]
     [[nodiscard]] SdoAbort MayWrite(const ObjectAddress& address, std::uint32_t size_bytes) noexcept;
     /// @brief Length of the value now; used where a client states none. O(log n)
     [[nodiscard]] Reading SizeOf(const ObjectAddress& address) noexcept;
 
-    /// @brief Reads a number whatever access and state are: for the device itself. [SRS-OBD-010]
+    /// @brief Reads a number whatever access and state are: for the device itself. [SRS_OBD_010]
     [[nodiscard]] NumberReading ReadNumber(const ObjectAddress& address) noexcept;
-    /// @brief Writes the low `size_bytes` (1 to 8) of a number whatever access and state are. [SRS-OBD-010]
+    /// @brief Writes the low `size_bytes` (1 to 8) of a number whatever access and state are. [SRS_OBD_010]
     [[nodiscard]] SdoAbort WriteNumber(const ObjectAddress& address, std::uint64_t value,
                                        std::uint32_t size_bytes) noexcept;
 
-    /// @brief The own entry at an address, or null. O(log n) [SRS-OBD-001]
+    /// @brief The own entry at an address, or null. O(log n) [SRS_OBD_001]
     [[nodiscard]] const Entry* Find(const ObjectAddress& address) const noexcept;
 
   private:

@@ -101,7 +101,7 @@ class WriteHook
 {
   public:
     /// @brief kNone accepts; kPending: to be asked again; everything else refuses and goes to the client as it is.
-    /// [SRS-OBD-007, SRS-OBD-015]
+    /// [SRS_OBD_007, SRS_OBD_015]
     [[nodiscard]] virtual SdoAbort OnWrite(const ObjectAddress& address, const Bytes& value) noexcept = 0;
 
   protected:
@@ -152,7 +152,7 @@ struct EntryTable
 constexpr std::uint16_t kFirstKernelIndex = 0x1300U;
 constexpr std::uint16_t kLastKernelIndex = 0x13FFU;
 
-/// @brief Whether a table may be used, also for a static_assert on a generated one. O(n) [SRS-OBD-001]
+/// @brief Whether a table may be used, also for a static_assert on a generated one. O(n) [SRS_OBD_001]
 [[nodiscard]] constexpr bool IsUsable(const EntryTable& table) noexcept
 {
     bool is_usable = true;

@@ -13,13 +13,13 @@ namespace counterpoint::cia301
 [[nodiscard]] bool IsNumber(DataType type) noexcept;
 /// @brief A value of an entry as a number, sign-extended for signed types. `value` has 1 to 8 bytes.
 [[nodiscard]] std::uint64_t NumberOf(DataType type, const Bytes& value) noexcept;
-/// @brief Refuses a length that the entry does not take. [SRS-OBD-005]
+/// @brief Refuses a length that the entry does not take. [SRS_OBD_005]
 [[nodiscard]] SdoAbort CheckLength(const Entry& entry, std::uint32_t size_bytes) noexcept;
-/// @brief Refuses a value beyond the entry's limits; its length was checked. [SRS-OBD-006]
+/// @brief Refuses a value beyond the entry's limits; its length was checked. [SRS_OBD_006]
 [[nodiscard]] SdoAbort CheckLimits(const Entry& entry, const Bytes& value) noexcept;
-/// @brief The value from hook or place. [SRS-OBD-007, SRS-OBD-009]
+/// @brief The value from hook or place. [SRS_OBD_007, SRS_OBD_009]
 [[nodiscard]] Reading ReadEntry(const Entry& entry, const Room& room) noexcept;
-/// @brief Checks, asks the hook, stores. [SRS-OBD-005..007]
+/// @brief Checks, asks the hook, stores. [SRS_OBD_005, SRS_OBD_006, SRS_OBD_007]
 [[nodiscard]] SdoAbort WriteEntry(const Entry& entry, const Bytes& value) noexcept;
 
 } // namespace counterpoint::cia301

@@ -7,7 +7,7 @@
 namespace counterpoint::cia301
 {
 
-/// Objects that another part of the device keeps. [SRS-OBD-008]
+/// Objects that another part of the device keeps. [SRS_OBD_008]
 class ForeignObjects
 {
   public:
@@ -21,7 +21,7 @@ class ForeignObjects
     ForeignObjects& operator=(const ForeignObjects&) = default;
 };
 
-/// The safety objects by the kernel's facade, which is kept by reference. [SRS-OBD-012]
+/// The safety objects by the kernel's facade, which is kept by reference. [SRS_OBD_012]
 class KernelObjects final : public ForeignObjects
 {
   public:

@@ -35,13 +35,13 @@ class CommunicationErrors final : public HeartbeatListener, public NumberHook
     /// Both are kept by reference.
     CommunicationErrors(EmergencyProducer& emergency, NmtSlave& slave) noexcept;
 
-    /// @brief An error appeared; nothing happens if it is active for this source. O(room) [SRS-ERR-001, SRS-ERR-002]
+    /// @brief An error appeared; nothing happens if it is active for this source. O(room) [SRS_ERR_001, SRS_ERR_002]
     void Raise(CommunicationError error, std::uint16_t source) noexcept;
-    /// @brief The error of this source is gone. O(room) [SRS-ERR-001]
+    /// @brief The error of this source is gone. O(room) [SRS_ERR_001]
     void Clear(CommunicationError error, std::uint16_t source) noexcept;
-    /// @brief An error of class 2 to 6: leaves OPERATIONAL as 1029h says. [SRS-ERR-002]
+    /// @brief An error of class 2 to 6: leaves OPERATIONAL as 1029h says. [SRS_ERR_002]
     void OnDeviceError(std::uint8_t error_class) noexcept;
-    /// @brief Lost, and back by a heartbeat or boot-up. [SRS-ERR-003]
+    /// @brief Lost, and back by a heartbeat or boot-up. [SRS_ERR_003]
     void OnHeartbeat(NodeId node, HeartbeatEvent event, std::uint8_t state) noexcept override;
     /// @brief Reset communication: 1029h as at power-on, all 0.
     void Reset() noexcept;

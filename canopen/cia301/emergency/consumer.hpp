@@ -45,7 +45,7 @@ class EmergencyConsumer final : public NumberHook, public BusService
     [[nodiscard]] bool Wants(std::uint32_t identifier) const noexcept override;
     /// @brief Reset communication: nobody is listened to.
     void ResetCommunication(NodeId node) noexcept override;
-    /// @brief A frame from the bus. O(count) [SRS-EMCY-006]
+    /// @brief A frame from the bus. O(count) [SRS_EMCY_006]
     void OnFrame(const CanFrame& frame, const Moment& moment) noexcept override;
     void OnCycle(const Moment& moment) noexcept override;
 

@@ -31,7 +31,7 @@ struct EmergencyError
     std::uint16_t code;         ///< Emergency error code, not 0.
     std::uint8_t register_bits; ///< Bits of 1001h; the generic bit is added.
     std::uint8_t details[5];    ///< Manufacturer's bytes; the first two are in 1003h too.
-    std::uint16_t source{0U};   ///< Tells errors of one code apart: a node, a PDO. [SRS-EMCY-007]
+    std::uint16_t source{0U};   ///< Tells errors of one code apart: a node, a PDO. [SRS_EMCY_007]
     EmergencyUrgency urgency{EmergencyUrgency::kUsual};
 };
 
@@ -42,7 +42,7 @@ struct EmergencyMessage
 };
 
 /// Room for errors that are active at once and for messages that wait, kept by reference. The last place of each is for
-/// an urgent error. With one place more than the device has sources no error is lost. [SRS-EMCY-010]
+/// an urgent error. With one place more than the device has sources no error is lost. [SRS_EMCY_010]
 struct EmergencyRoom
 {
     EmergencyError* active;
@@ -68,30 +68,30 @@ class EmergencyProducer
     EmergencyProducer& operator=(const EmergencyProducer&) = delete;
     ~EmergencyProducer() = default;
 
-    /// @brief Reset communication: 1014h and 1015h as at power-on; errors stay. [SRS-EMCY-008]
+    /// @brief Reset communication: 1014h and 1015h as at power-on; errors stay. [SRS_EMCY_008]
     void ResetCommunication(NodeId node) noexcept;
-    /// @brief An error appeared; nothing happens if its code is active already for its source. O(room) [SRS-EMCY-001,
-    /// SRS-EMCY-010]
+    /// @brief An error appeared; nothing happens if its code is active already for its source. O(room) [SRS_EMCY_001,
+    /// SRS_EMCY_010]
     void Raise(const EmergencyError& error) noexcept;
-    /// @brief The error of this code and source is gone; nothing happens if it is not active. O(room) [SRS-EMCY-001]
+    /// @brief The error of this code and source is gone; nothing happens if it is not active. O(room) [SRS_EMCY_001]
     void Clear(std::uint16_t code, std::uint16_t source = 0U) noexcept;
     /// @brief Whether any error is active. O(1)
     [[nodiscard]] bool HasErrors() const noexcept
     {
         return active_count_ > 0U;
     }
-    /// @brief The next message, if state, 1014h and 1015h allow one. [SRS-EMCY-003..005]
+    /// @brief The next message, if state, 1014h and 1015h allow one. [SRS_EMCY_003, SRS_EMCY_004, SRS_EMCY_005]
     [[nodiscard]] FrameToSend Poll(NodeState state, Instant now) noexcept;
 
     /// @brief 1001h.
     [[nodiscard]] std::uint8_t Register() const noexcept;
-    /// @brief 1003h. [SRS-EMCY-002]
+    /// @brief 1003h. [SRS_EMCY_002]
     [[nodiscard]] HistoryReading History(std::uint8_t sub) const noexcept;
     [[nodiscard]] SdoAbort WriteHistory(std::uint8_t count) noexcept;
-    /// @brief 1014h. [SRS-EMCY-003]
+    /// @brief 1014h. [SRS_EMCY_003]
     [[nodiscard]] std::uint32_t CobId() const noexcept;
     [[nodiscard]] SdoAbort WriteCobId(std::uint32_t value) noexcept;
-    /// @brief 1015h, in 100 us. [SRS-EMCY-004]
+    /// @brief 1015h, in 100 us. [SRS_EMCY_004]
     [[nodiscard]] std::uint16_t InhibitTime() const noexcept;
     void SetInhibitTime(std::uint16_t time_100us) noexcept;
     /// @brief Errors and messages that found no room; stays at 255.

@@ -10,7 +10,7 @@ namespace counterpoint::cia301
 {
 
 /// A service that not every device has, as a device sees it: TIME, emergency consumer, SDO clients, further SDO
-/// servers. Each looks into the table of services by state itself. [SRS-DEV-020]
+/// servers. Each looks into the table of services by state itself. [SRS_DEV_020]
 class BusService
 {
   public:

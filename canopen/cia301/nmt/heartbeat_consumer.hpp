@@ -53,13 +53,13 @@ class HeartbeatConsumer
   public:
     HeartbeatConsumer(const SupervisedNodes& room, HeartbeatListener& listener) noexcept;
 
-    /// @brief Writes 1016h, sub-index 1 to count; supervision of this entry waits anew. O(count) [SRS-HB-003]
+    /// @brief Writes 1016h, sub-index 1 to count; supervision of this entry waits anew. O(count) [SRS_HB_003]
     [[nodiscard]] SdoAbort Write(std::uint8_t sub, std::uint32_t value) noexcept;
     /// @brief Reads 1016h, sub-index 1 to count; 0 elsewhere.
     [[nodiscard]] std::uint32_t Value(std::uint8_t sub) const noexcept;
-    /// @brief A frame from the bus. O(count) [SRS-HB-004..006]
+    /// @brief A frame from the bus. O(count) [SRS_HB_004, SRS_HB_005, SRS_HB_006]
     void OnFrame(const CanFrame& frame, Instant now) noexcept;
-    /// @brief Tells the listener who was lost. O(1), O(count) when somebody may be [SRS-HB-004]
+    /// @brief Tells the listener who was lost. O(1), O(count) when somebody may be [SRS_HB_004]
     void Poll(Instant now) noexcept;
 
   private:

@@ -13,10 +13,10 @@ class HeartbeatProducer
   public:
     explicit HeartbeatProducer(NodeId node) noexcept;
 
-    /// @brief 1017h; 0 is off. The first heartbeat is due at once. [SRS-HB-001]
+    /// @brief 1017h; 0 is off. The first heartbeat is due at once. [SRS_HB_001]
     void SetPeriod(std::uint16_t period_ms) noexcept;
     [[nodiscard]] std::uint16_t PeriodMs() const noexcept;
-    /// @brief The heartbeat that is due, or none. [SRS-HB-001, SRS-HB-002]
+    /// @brief The heartbeat that is due, or none. [SRS_HB_001, SRS_HB_002]
     [[nodiscard]] FrameToSend Poll(NodeState state, Instant now) noexcept;
 
   private:

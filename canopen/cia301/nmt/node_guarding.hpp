@@ -35,13 +35,13 @@ class NodeGuarding
   public:
     explicit NodeGuarding(NodeId node) noexcept;
 
-    /// @brief 100Ch and 100Dh; life guarding waits for the next remote frame. [SRS-GRD-002]
+    /// @brief 100Ch and 100Dh; life guarding waits for the next remote frame. [SRS_GRD_002]
     void SetLifeTime(std::uint16_t guard_time_ms, std::uint8_t factor) noexcept;
-    /// @brief A reset: the toggle is 0, life guarding waits. [SRS-GRD-001]
+    /// @brief A reset: the toggle is 0, life guarding waits. [SRS_GRD_001]
     void Reset() noexcept;
-    /// @brief A frame from the bus. [SRS-GRD-001, SRS-GRD-002]
+    /// @brief A frame from the bus. [SRS_GRD_001, SRS_GRD_002]
     [[nodiscard]] GuardReply OnFrame(const CanFrame& frame, const GuardMoment& moment) noexcept;
-    /// @brief Whether the master was lost just now. [SRS-GRD-002]
+    /// @brief Whether the master was lost just now. [SRS_GRD_002]
     [[nodiscard]] GuardEvent Poll(Instant now) noexcept;
 
   private:

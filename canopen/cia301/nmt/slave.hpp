@@ -42,9 +42,9 @@ struct FrameToSend
     CanFrame frame;
 };
 
-/// @brief The NMT state of the kernel in a state of the node. [SRS-NMT-008]
+/// @brief The NMT state of the kernel in a state of the node. [SRS_NMT_008]
 [[nodiscard]] NmtState KernelState(NodeState state) noexcept;
-/// @brief The state as heartbeat and guarding tell it; 0 in INITIALISATION. [SRS-HB-002]
+/// @brief The state as heartbeat and guarding tell it; 0 in INITIALISATION. [SRS_HB_002]
 [[nodiscard]] std::uint8_t StateByte(NodeState state) noexcept;
 /// @brief One data byte on 700h + node-ID.
 [[nodiscard]] CanFrame ErrorControlFrame(NodeId node, std::uint8_t byte) noexcept;
@@ -58,13 +58,13 @@ class NmtSlave
 
     [[nodiscard]] NodeState State() const noexcept;
     /// @brief One step of INITIALISATION; from the last one the boot-up message comes back. Elsewhere nothing.
-    /// [SRS-NMT-001, SRS-NMT-002, SRS-NMT-005]
+    /// [SRS_NMT_001, SRS_NMT_002, SRS_NMT_005]
     [[nodiscard]] FrameToSend Advance() noexcept;
-    /// @brief The node-ID from now on, in RESET COMMUNICATION; without one the slave stays there. [SRS-NMT-009]
+    /// @brief The node-ID from now on, in RESET COMMUNICATION; without one the slave stays there. [SRS_NMT_009]
     void SetNodeId(NodeId node) noexcept;
-    /// @brief A frame from the bus; what is no command for this node is ignored. [SRS-NMT-003, SRS-NMT-004]
+    /// @brief A frame from the bus; what is no command for this node is ignored. [SRS_NMT_003, SRS_NMT_004]
     void OnFrame(const CanFrame& frame) noexcept;
-    /// @brief The device leaves OPERATIONAL by itself for PRE-OPERATIONAL or STOPPED; whether it did. [SRS-NMT-007]
+    /// @brief The device leaves OPERATIONAL by itself for PRE-OPERATIONAL or STOPPED; whether it did. [SRS_NMT_007]
     [[nodiscard]] bool Leave(NodeState to) noexcept;
 
   private:

@@ -21,7 +21,7 @@ struct ServiceParts
     std::uint8_t consumer_count; ///< Sub-index 0 of 1016h.
 };
 
-/// Hook of the entries 1001h, 1003h, 100Ch, 100Dh, 1014h to 1017h; the entries need no place. [SRS-OBD-013]
+/// Hook of the entries 1001h, 1003h, 100Ch, 100Dh, 1014h to 1017h; the entries need no place. [SRS_OBD_013]
 class ServiceObjects final : public ReadHook, public WriteHook
 {
   public:

@@ -57,7 +57,7 @@ constexpr std::uint32_t kServiceCount = sizeof(kServiceStates) / sizeof(kService
 constexpr std::uint32_t kStateBits = 32U;
 } // namespace service_table
 
-/// @brief Whether a service is allowed in a state. O(1) [SRS-NMT-006]
+/// @brief Whether a service is allowed in a state. O(1) [SRS_NMT_006]
 [[nodiscard]] constexpr bool IsAllowed(const Service service, const NodeState state) noexcept
 {
     const auto row = static_cast<std::uint32_t>(service);

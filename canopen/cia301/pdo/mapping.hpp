@@ -46,26 +46,26 @@ struct FieldChange
 /// @brief A sub-index of a mapping as the bus reads it. O(1)
 [[nodiscard]] ObjectValue FetchField(const PdoMap& map, std::uint8_t sub) noexcept;
 /// @brief A sub-index that exists gets another value, if the rules of order allow it: fields while nothing is enabled,
-/// both while the PDO is not valid. O(log n + count) [SRS-PDO-003]
+/// both while the PDO is not valid. O(log n + count) [SRS_PDO_003]
 [[nodiscard]] SdoAbort ChangeMap(PdoMap& map, bool is_valid, const FieldChange& change,
                                  Dictionary& dictionary) noexcept;
 /// @brief Writes one sub-index of a mapping, 1 to room, if `direction` (kInTpdo, kInRpdo) allows it; 0 empties it. The
-/// mapping is not enabled. O(log n) [SRS-PDO-003, SRS-PDO-005]
+/// mapping is not enabled. O(log n) [SRS_PDO_003, SRS_PDO_005]
 [[nodiscard]] SdoAbort WriteField(PdoMap& map, std::uint8_t sub, std::uint32_t mapping, std::uint8_t direction,
                                   Dictionary& dictionary) noexcept;
-/// @brief Enables the first `count` fields, or none. O(count) [SRS-PDO-004]
+/// @brief Enables the first `count` fields, or none. O(count) [SRS_PDO_004]
 [[nodiscard]] SdoAbort WriteCount(PdoMap& map, std::uint32_t count) noexcept;
-/// @brief Takes sub-index 0 to room without a check; ResolveMap checks all of them. [SRS-PDO-007]
+/// @brief Takes sub-index 0 to room without a check; ResolveMap checks all of them. [SRS_PDO_007]
 void PrepareMap(PdoMap& map, std::uint8_t sub, std::uint32_t value) noexcept;
-/// @brief Checks what was prepared; if it does not hold nothing is enabled. O(room log n) [SRS-PDO-007]
+/// @brief Checks what was prepared; if it does not hold nothing is enabled. O(room log n) [SRS_PDO_007]
 [[nodiscard]] SdoAbort ResolveMap(PdoMap& map, std::uint8_t direction, Dictionary& dictionary) noexcept;
 /// @brief Nothing mapped.
 void ClearMap(PdoMap& map) noexcept;
 /// @brief Length of the frame.
 [[nodiscard]] std::uint8_t LengthOf(const PdoMap& map) noexcept;
-/// @brief The mapped values of now. A value that cannot be read is sent as 0. O(count) [SRS-PDO-006]
+/// @brief The mapped values of now. A value that cannot be read is sent as 0. O(count) [SRS_PDO_006]
 [[nodiscard]] PdoData Pack(const PdoMap& map) noexcept;
-/// @brief Writes the values to their entries; one that is refused stays as it was. O(count) [SRS-PDO-006]
+/// @brief Writes the values to their entries; one that is refused stays as it was. O(count) [SRS_PDO_006]
 void Unpack(const PdoMap& map, const PdoData& data) noexcept;
 
 } // namespace counterpoint::cia301

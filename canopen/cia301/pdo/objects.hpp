@@ -9,7 +9,7 @@ namespace counterpoint::cia301
 {
 
 /// Hook of 1400h to 15FFh, 1600h to 17FFh, 1800h to 19FFh and 1A00h to 1BFFh; hands SYNC to both kinds of PDO. Both are
-/// kept by reference. [SRS-PDO-001]
+/// kept by reference. [SRS_PDO_001]
 class PdoObjects final : public NumberHook, public SyncListener
 {
   public:

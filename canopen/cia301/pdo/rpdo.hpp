@@ -74,18 +74,19 @@ class Rpdos
 
     /// @brief Reset communication: all off, nothing mapped.
     void Reset() noexcept;
-    /// @brief As Tpdos. [SRS-PDO-007]
+    /// @brief As Tpdos. [SRS_PDO_007]
     void BeginConfiguration() noexcept;
     void EndConfiguration() noexcept;
 
-    /// @brief A frame from the bus. [SRS-PDO-020..022]
+    /// @brief A frame from the bus. [SRS_PDO_020, SRS_PDO_021, SRS_PDO_022]
     void OnFrame(const CanFrame& frame, const Moment& moment) noexcept;
-    /// @brief [SRS-PDO-021]
+    /// @brief [SRS_PDO_021]
     void OnSync(const SyncEvent& event) noexcept;
-    /// @brief Deadlines. [SRS-PDO-023]
+    /// @brief Deadlines. [SRS_PDO_023]
     void OnCycle(const Moment& moment) noexcept;
 
-    /// @brief 1400h.. and 1600h.. by number, for their hook. [SRS-PDO-001..005]
+    /// @brief 1400h.. and 1600h.. by number, for their hook. [SRS_PDO_001, SRS_PDO_002, SRS_PDO_003, SRS_PDO_004,
+    /// SRS_PDO_005]
     [[nodiscard]] ObjectValue FetchSetting(std::uint16_t number, std::uint8_t sub) const noexcept;
     [[nodiscard]] ObjectValue FetchMapping(std::uint16_t number, std::uint8_t sub) const noexcept;
     [[nodiscard]] SdoAbort StoreSetting(std::uint16_t number, std::uint8_t sub, std::uint32_t value) noexcept;

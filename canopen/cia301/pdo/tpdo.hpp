@@ -79,21 +79,22 @@ class Tpdos
     /// @brief Reset communication: all off, nothing mapped.
     void Reset() noexcept;
     /// @brief Until EndConfiguration values may be written in any order and are not checked: defaults and stored
-    /// values. [SRS-PDO-007]
+    /// values. [SRS_PDO_007]
     void BeginConfiguration() noexcept;
     /// @brief Checks everything: a PDO whose mapping does not hold is off.
     void EndConfiguration() noexcept;
 
-    /// @brief A remote frame may ask for a PDO. [SRS-PDO-014]
+    /// @brief A remote frame may ask for a PDO. [SRS_PDO_014]
     void OnFrame(const CanFrame& frame, const Moment& moment) noexcept;
-    /// @brief [SRS-PDO-010, SRS-PDO-011, SRS-PDO-015]
+    /// @brief [SRS_PDO_010, SRS_PDO_011, SRS_PDO_015]
     void OnSync(const SyncEvent& event) noexcept;
-    /// @brief Events, event timers, what found no room. [SRS-PDO-012, SRS-PDO-013]
+    /// @brief Events, event timers, what found no room. [SRS_PDO_012, SRS_PDO_013]
     void OnCycle(const Moment& moment) noexcept;
-    /// @brief The application's event of one PDO (types 0, 254, 255); whether there is such a PDO. [SRS-PDO-012]
+    /// @brief The application's event of one PDO (types 0, 254, 255); whether there is such a PDO. [SRS_PDO_012]
     bool Request(std::uint16_t number) noexcept;
 
-    /// @brief 1800h.. and 1A00h.. by number, for their hook. [SRS-PDO-001..005]
+    /// @brief 1800h.. and 1A00h.. by number, for their hook. [SRS_PDO_001, SRS_PDO_002, SRS_PDO_003, SRS_PDO_004,
+    /// SRS_PDO_005]
     [[nodiscard]] ObjectValue FetchSetting(std::uint16_t number, std::uint8_t sub) const noexcept;
     [[nodiscard]] ObjectValue FetchMapping(std::uint16_t number, std::uint8_t sub) const noexcept;
     [[nodiscard]] SdoAbort StoreSetting(std::uint16_t number, std::uint8_t sub, std::uint32_t value) noexcept;

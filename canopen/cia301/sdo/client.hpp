@@ -53,29 +53,32 @@ struct SdoClientParts
 ///
 /// After a transfer that the client gave up an answer may still be under way. The next transfer is therefore preceded
 /// by one request that the server answers with a mark of its own (sub-index of 1000h): answers come in order, so that
-/// nothing from before that mark is taken for an answer to what follows. [SRS-SDC-008]
+/// nothing from before that mark is taken for an answer to what follows. [SRS_SDC_008]
 class SdoClient
 {
   public:
     explicit SdoClient(const SdoClientParts& parts) noexcept;
 
-    /// @brief Reads an object into `room`, which is kept until the end. False: busy. [SRS-SDC-001..005]
+    /// @brief Reads an object into `room`, which is kept until the end. False: busy. [SRS_SDC_001, SRS_SDC_002,
+    /// SRS_SDC_003, SRS_SDC_004, SRS_SDC_005]
     [[nodiscard]] bool StartUpload(const ObjectAddress& target, const Room& room, SdoMode mode, Instant now) noexcept;
-    /// @brief Writes an object from `value`, which is kept until the end. False: busy. [SRS-SDC-001..005]
+    /// @brief Writes an object from `value`, which is kept until the end. False: busy. [SRS_SDC_001, SRS_SDC_002,
+    /// SRS_SDC_003, SRS_SDC_004, SRS_SDC_005]
     [[nodiscard]] bool StartDownload(const ObjectAddress& target, const Bytes& value, SdoMode mode,
                                      Instant now) noexcept;
-    /// @brief A frame from the bus; what is no answer of the server is ignored. [SRS-SDC-001..007]
+    /// @brief A frame from the bus; what is no answer of the server is ignored. [SRS_SDC_001, SRS_SDC_002, SRS_SDC_003,
+    /// SRS_SDC_004, SRS_SDC_005, SRS_SDC_006, SRS_SDC_007]
     void OnFrame(const CanFrame& frame, Instant now) noexcept;
-    /// @brief Sends what is to be sent until the sink is full, and watches the time. [SRS-SDC-006]
+    /// @brief Sends what is to be sent until the sink is full, and watches the time. [SRS_SDC_006]
     void OnCycle(Instant now) noexcept;
-    /// @brief Gives a running transfer up with an abort. [SRS-SDC-009]
+    /// @brief Gives a running transfer up with an abort. [SRS_SDC_009]
     void Cancel(SdoAbort reason) noexcept;
     /// @brief The server restarted (boot-up message): nothing old is under way; a running transfer has failed.
-    /// [SRS-SDC-008]
+    /// [SRS_SDC_008]
     void OnServerRestart() noexcept;
     /// @brief Another server from now on; only while no transfer runs. Without a change of server nothing happens.
     [[nodiscard]] bool Connect(NodeId server) noexcept;
-    /// @brief The same with identifiers of its own. [SRS-SDC-011]
+    /// @brief The same with identifiers of its own. [SRS_SDC_011]
     [[nodiscard]] bool Connect(const SdoConnection& connection) noexcept;
 
     [[nodiscard]] SdoClientState State() const noexcept;

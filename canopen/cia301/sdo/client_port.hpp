@@ -22,7 +22,7 @@ struct SdoClientPortParts
 
 /// An SDO client of a device, whose server the dictionary names: also the hook of its object, off at first. The
 /// application starts a transfer with Client() while IsConnected, and looks at its state once a cycle. Not reentrant.
-/// [SRS-SDC-011, SRS-SDC-012]
+/// [SRS_SDC_011, SRS_SDC_012]
 class SdoClientPort final : public NumberHook, public BusService
 {
   public:

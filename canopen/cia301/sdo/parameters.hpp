@@ -33,7 +33,7 @@ struct SdoParameters
 }
 /// @brief A sub-index as the bus reads it; 0 is 3. O(1)
 [[nodiscard]] ObjectValue FetchSdo(const SdoParameters& parameters, std::uint8_t sub) noexcept;
-/// @brief Changes a sub-index: a COB-ID changes only while it is off, the node is 0 to 127. O(1) [SRS-SDO-018]
+/// @brief Changes a sub-index: a COB-ID changes only while it is off, the node is 0 to 127. O(1) [SRS_SDO_018]
 [[nodiscard]] SdoAbort StoreSdo(SdoParameters& parameters, SdoSide side, std::uint8_t sub,
                                 std::uint32_t value) noexcept;
 

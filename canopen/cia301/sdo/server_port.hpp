@@ -23,16 +23,16 @@ class SdoServerPort final : public NumberHook, public BusService
   public:
     /// @brief The default server.
     SdoServerPort(SdoServer& server, FrameSink& sink, NodeId node) noexcept;
-    /// @brief A further one, `number` from 1 on. [SRS-SDO-018]
+    /// @brief A further one, `number` from 1 on. [SRS_SDO_018]
     SdoServerPort(SdoServer& server, FrameSink& sink, SdoServerNumber number) noexcept;
 
     [[nodiscard]] bool Wants(std::uint32_t identifier) const noexcept override;
     /// @brief Reset communication with this node-ID; a running transfer is forgotten.
     void ResetCommunication(NodeId node) noexcept override;
-    /// @brief A frame from the bus; see SdoServer. [SRS-SDO-016]
+    /// @brief A frame from the bus; see SdoServer. [SRS_SDO_016]
     void OnFrame(const CanFrame& frame, const Moment& moment) noexcept override;
     /// @brief Sends what is to be sent until the sink is full; closes the transfer with 0800 0022h in a state that has
-    /// no SDO. At most kMaxBlockSize frames. [SRS-SDO-014, SRS-SDO-016]
+    /// no SDO. At most kMaxBlockSize frames. [SRS_SDO_014, SRS_SDO_016]
     void OnCycle(const Moment& moment) noexcept override;
 
   private:

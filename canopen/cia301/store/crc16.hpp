@@ -8,7 +8,7 @@ namespace counterpoint::cia301
 {
 
 /// @brief CRC of block transfers: polynomial 1021h, from `crc` (0 at first), most significant bit first. O(length)
-/// [SRS-SDO-008]
+/// [SRS_SDO_008]
 [[nodiscard]] std::uint16_t ContinueCrc(std::uint16_t crc, const Bytes& bytes) noexcept;
 
 } // namespace counterpoint::cia301

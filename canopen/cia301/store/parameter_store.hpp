@@ -78,7 +78,7 @@ struct LoadReport
 
 /// Keeps parameters in two banks of persistent memory. A set is whole or not there: it gets its header, with
 /// generation and CRC, after everything else, and the other bank keeps the set before. Loses no set whenever power
-/// fails. [SRS-STO-001..008]
+/// fails. [SRS_STO_001, SRS_STO_002, SRS_STO_003, SRS_STO_004, SRS_STO_005, SRS_STO_006, SRS_STO_007, SRS_STO_008]
 ///
 /// Order of use: Mount once; Load at each reset; OnCycle once a cycle. Not reentrant.
 class ParameterStore
@@ -89,13 +89,13 @@ class ParameterStore
     /// @brief Finds the newest valid set; whether there is one. Waits for nothing: the memory must be ready. O(bank)
     bool Mount() noexcept;
     /// @brief Hands the items of these groups to their parts. Not while IsBusy: a device that is reset during a store
-    /// first sees the store through. O(set) [SRS-STO-007]
+    /// first sees the store through. O(set) [SRS_STO_007]
     LoadReport Load(std::uint8_t groups) noexcept;
     /// @brief Starts a request, or asks for the end of the running one: kPending until it ended, then kNone once, or
     /// kHardware (memory), kNotStored (no room), kLocalControl (another request is running). A result that nobody asks
-    /// for in two cycles is forgotten. [SRS-STO-005]
+    /// for in two cycles is forgotten. [SRS_STO_005]
     [[nodiscard]] SdoAbort Ask(const StoreRequest& request) noexcept;
-    /// @brief One step of at most kStoreStepBytes or one erasing; O(step) [SRS-STO-006]
+    /// @brief One step of at most kStoreStepBytes or one erasing; O(step) [SRS_STO_006]
     void OnCycle() noexcept;
     [[nodiscard]] bool IsBusy() const noexcept;
 

@@ -54,7 +54,7 @@ class ImageReader
 
     /// @brief Begins the check of a bank; whether its header is whole. O(1)
     [[nodiscard]] bool Open(hal::MemoryBank bank) noexcept;
-    /// @brief Goes on with the check; at most kStoreStepBytes. [SRS-STO-001]
+    /// @brief Goes on with the check; at most kStoreStepBytes. [SRS_STO_001]
     [[nodiscard]] ImageCheck Continue() noexcept;
     [[nodiscard]] hal::MemoryBank Bank() const noexcept;
     [[nodiscard]] std::uint32_t Generation() const noexcept;

@@ -12,7 +12,7 @@ namespace counterpoint::cia301
 {
 
 /// The entries of a table with kStored; `dictionary` is over the same table. An item is index, sub-index, value. PDOs
-/// are configured in any order while a set is loaded. All kept by reference. [SRS-STO-011]
+/// are configured in any order while a set is loaded. All kept by reference. [SRS_STO_011]
 class StoredEntries final : public StoredPart
 {
   public:
@@ -32,7 +32,7 @@ class StoredEntries final : public StoredPart
 };
 
 /// The configuration that the kernel owns (1300h to 13FFh), as a part of the communication group. The kernel is kept by
-/// reference. [SRS-STO-012]
+/// reference. [SRS_STO_012]
 class StoredSafety final : public StoredPart
 {
   public:
@@ -51,7 +51,7 @@ class StoredSafety final : public StoredPart
 };
 
 /// Hook of 1010h and 1011h: sub-index 1 all, 2 communication, 3 application, 4 manufacturer. The store is kept by
-/// reference. [SRS-STO-003, SRS-STO-004]
+/// reference. [SRS_STO_003, SRS_STO_004]
 class StoreObjects final : public NumberHook
 {
   public:

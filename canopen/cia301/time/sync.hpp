@@ -47,9 +47,9 @@ class Sync final : public NumberHook
 
     /// @brief Reset communication: 1005h is 80h, the others 0.
     void Reset() noexcept;
-    /// @brief A frame from the bus. O(1) + listener [SRS-SYNC-001, SRS-SYNC-002]
+    /// @brief A frame from the bus. O(1) + listener [SRS_SYNC_001, SRS_SYNC_002]
     void OnFrame(const CanFrame& frame, const Moment& moment) noexcept;
-    /// @brief Sends the SYNC that is due. O(1) + listener [SRS-SYNC-003, SRS-SYNC-004]
+    /// @brief Sends the SYNC that is due. O(1) + listener [SRS_SYNC_003, SRS_SYNC_004]
     void OnCycle(const Moment& moment) noexcept;
 
   private:

@@ -30,7 +30,7 @@ class TimeListener
 
 /// TIME consumer and producer with 1012h and 1013h, whose hook it is. 1013h counts microseconds of the device and may
 /// be set; with PDOs that map it devices share one count. Sink and listener are kept by reference. Not reentrant.
-/// [SRS-TIM-004]
+/// [SRS_TIM_004]
 class TimeStamp final : public NumberHook, public BusService
 {
   public:
@@ -39,11 +39,11 @@ class TimeStamp final : public NumberHook, public BusService
     [[nodiscard]] bool Wants(std::uint32_t identifier) const noexcept override;
     /// @brief Reset communication: 1012h is 100h, neither consumed nor produced; 1013h is the time of the device.
     void ResetCommunication(NodeId node) noexcept override;
-    /// @brief A frame from the bus. O(1) [SRS-TIM-001]
+    /// @brief A frame from the bus. O(1) [SRS_TIM_001]
     void OnFrame(const CanFrame& frame, const Moment& moment) noexcept override;
     /// @brief What 1013h is until the next call. O(1)
     void OnCycle(const Moment& moment) noexcept override;
-    /// @brief Sends a time, if 1012h and the state allow it and the sink takes it: a time does not wait. [SRS-TIM-002]
+    /// @brief Sends a time, if 1012h and the state allow it and the sink takes it: a time does not wait. [SRS_TIM_002]
     [[nodiscard]] bool Send(const TimeOfDay& time, const Moment& moment) noexcept;
 
   private:

@@ -93,7 +93,7 @@ class FlyingFindingListener
 /// @brief Compares each master with the first one: each of them has to run the same network in the same way if the
 /// others fail. Nodes that are masters themselves are left out, as each knows the others only, but has to list them.
 /// Safety expectations are ascending, as SafetyExpectation says. Returns how many findings were told. O(count x 127)
-/// and the bytes of all contents. [SRS-FLY-022]
+/// and the bytes of all contents. [SRS_FLY_022]
 [[nodiscard]] std::uint32_t CompareFlyingMasters(const FlyingMasterView* masters, std::uint8_t count,
                                                  FlyingFindingListener& listener) noexcept;
 

@@ -39,7 +39,8 @@ enum class FlyingEvent : std::uint8_t
     kConfigurationError = 5U, ///< With whoever claims to be master and must not.
 };
 
-/// Is told how the negotiation goes. [SRS-FLY-002, SRS-FLY-005..010]
+/// Is told how the negotiation goes. [SRS_FLY_002, SRS_FLY_005, SRS_FLY_006, SRS_FLY_007, SRS_FLY_008, SRS_FLY_009,
+/// SRS_FLY_010]
 class FlyingMasterListener
 {
   public:
@@ -100,17 +101,17 @@ class FlyingMaster
     /// @brief Power-on: waits for Start.
     explicit FlyingMaster(const FlyingMasterParts& parts) noexcept;
 
-    /// @brief The application lets the negotiation begin, with 1F90h as it is now. [SRS-FLY-002]
+    /// @brief The application lets the negotiation begin, with 1F90h as it is now. [SRS_FLY_002]
     [[nodiscard]] FlyingStart Start(Instant now) noexcept;
-    /// @brief The device resets itself or went bus-off: every role ends, then as OnInitialising. [SRS-FLY-019]
+    /// @brief The device resets itself or went bus-off: every role ends, then as OnInitialising. [SRS_FLY_019]
     void Reset(Instant now) noexcept;
     /// @brief A frame from the bus. O(1)
     void OnFrame(const CanFrame& frame, Instant now) noexcept;
     /// @brief Does what is due; one step of the negotiation at most. O(1)
     void OnCycle(Instant now) noexcept;
-    /// @brief The application's heartbeat consumer lost `node`; of interest is the active master. [SRS-FLY-012]
+    /// @brief The application's heartbeat consumer lost `node`; of interest is the active master. [SRS_FLY_012]
     void OnHeartbeatLost(NodeId node, Instant now) noexcept;
-    /// @brief Asks by 075h who else could be master. False: the sink is full. [SRS-FLY-018]
+    /// @brief Asks by 075h who else could be master. False: the sink is full. [SRS_FLY_018]
     [[nodiscard]] bool FindCapable() noexcept;
 
     /// @brief Whether 074h was heard since the last FindCapable.

@@ -71,7 +71,7 @@ struct FlyingMasterOptions
     std::uint16_t own_producer_ms;   ///< 1017h of this device, see MasterWatch.
 };
 
-/// @brief The default preset. [SRS-FLY-015]
+/// @brief The default preset. [SRS_FLY_015]
 [[nodiscard]] constexpr FlyingMasterOptions DefaultFlyingMaster() noexcept
 {
     FlyingMasterOptions options{};
@@ -81,7 +81,7 @@ struct FlyingMasterOptions
     return options;
 }
 
-/// @brief Preset `so1114`: as the reference's text. [SRS-FLY-015]
+/// @brief Preset `so1114`: as the reference's text. [SRS_FLY_015]
 [[nodiscard]] constexpr FlyingMasterOptions So1114FlyingMaster() noexcept
 {
     FlyingMasterOptions options = DefaultFlyingMaster();

@@ -28,7 +28,7 @@ struct FlyingMasterTimes
     {
         return static_cast<std::uint8_t>(priority);
     }
-    /// @brief How long `node` waits between 072h and its 071h. At most 2^28 us if IsUsable. [SRS-FLY-008]
+    /// @brief How long `node` waits between 072h and its 071h. At most 2^28 us if IsUsable. [SRS_FLY_008]
     [[nodiscard]] constexpr std::uint32_t WaitingUs(const NodeId node) const noexcept
     {
         return ((static_cast<std::uint32_t>(priority) * priority_slot) +
@@ -37,27 +37,27 @@ struct FlyingMasterTimes
     }
 };
 
-/// @brief The defaults of the object. `node` is 1 to 127. [SRS-FLY-014]
+/// @brief The defaults of the object. `node` is 1 to 127. [SRS_FLY_014]
 [[nodiscard]] constexpr FlyingMasterTimes DefaultTimes(const NodeId node) noexcept
 {
     return FlyingMasterTimes{100U, 500U, 2U, 1500U, 10U, static_cast<std::uint16_t>(4000U + (10U * node.value))};
 }
 
-/// @brief No slot of a level reaches into the next level: sub 4 > 127 x sub 5 > 0. [SRS-FLY-002]
+/// @brief No slot of a level reaches into the next level: sub 4 > 127 x sub 5 > 0. [SRS_FLY_002]
 [[nodiscard]] constexpr bool HasSeparateSlots(const FlyingMasterTimes& times) noexcept
 {
     const std::uint32_t all_devices = static_cast<std::uint32_t>(times.device_slot) * kLastNode;
     return (times.device_slot > 0U) && (times.priority_slot > all_devices);
 }
 
-/// @brief Whether a negotiation may begin with these values. [SRS-FLY-002]
+/// @brief Whether a negotiation may begin with these values. [SRS_FLY_002]
 [[nodiscard]] constexpr bool IsUsable(const FlyingMasterTimes& times) noexcept
 {
     return (times.priority <= kLowestPriority) && HasSeparateSlots(times);
 }
 
 /// 1F90h in the object dictionary. A value that is written counts from the next start of the negotiation on: whoever
-/// owns the dictionary keeps it over the reset communication that a negotiation brings. [SRS-FLY-014]
+/// owns the dictionary keeps it over the reset communication that a negotiation brings. [SRS_FLY_014]
 class FlyingMasterObject final : public cia301::NumberHook
 {
   public:

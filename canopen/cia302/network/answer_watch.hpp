@@ -30,7 +30,7 @@ struct AskedNode
 
 /// Finds two devices behind one node-ID by their answers: each question that both answer is answered twice. Where their
 /// answers are the same bit for bit and begin together they are one frame on the wire, which nobody can tell from one
-/// of a single device. Pure functions over one record. [SRS-MGR-015]
+/// of a single device. Pure functions over one record. [SRS_MGR_015]
 class AnswerWatch
 {
   public:

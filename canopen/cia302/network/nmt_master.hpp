@@ -50,19 +50,19 @@ class NmtMaster
     explicit NmtMaster(const NmtMasterParts& parts) noexcept;
 
     /// @brief Whether this device is the active master; inactive at first. On losing this the queue is emptied.
-    /// [SRS-NMM-002]
+    /// [SRS_NMM_002]
     void SetActive(bool is_active) noexcept;
     [[nodiscard]] bool IsActive() const noexcept;
 
     /// @brief Puts a command into the queue, and sends it at once if the inhibit time is over and nothing waits. What
-    /// is refused, and why: see NmtAnswer. [SRS-NMM-001..005]
+    /// is refused, and why: see NmtAnswer. [SRS_NMM_001, SRS_NMM_002, SRS_NMM_003, SRS_NMM_004, SRS_NMM_005]
     [[nodiscard]] NmtAnswer Request(NmtCommand command, NodeId node, Instant now) noexcept;
     /// @brief The command singly to each node of the network list but `except` (0: nobody) and the own
     /// node: kTaken, or the first refusal, while the others are asked for. O(127)
     [[nodiscard]] NmtAnswer RequestEach(NmtCommand command, NodeId except, Instant now) noexcept;
     /// @brief The node begins anew: starts of it that wait are dropped. O(queue)
     void DropStarts(NodeId node) noexcept;
-    /// @brief Sends what is due. Call once a cycle. O(commands that leave) [SRS-NMM-001]
+    /// @brief Sends what is due. Call once a cycle. O(commands that leave) [SRS_NMM_001]
     void OnCycle(Instant now) noexcept;
 
     /// @brief Commands that wait.

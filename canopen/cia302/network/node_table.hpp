@@ -132,7 +132,7 @@ class NodeTable final : public NmtListener
     void Presume(NodeId node, Instant now) noexcept;
 
     /// @brief Frames were lost, perhaps those of this node: if its last command was a start, and its next sign says
-    /// PRE-OPERATIONAL, kBootUp is told. [SRS-NMM-020]
+    /// PRE-OPERATIONAL, kBootUp is told. [SRS_NMM_020]
     void Miss(NodeId node) noexcept;
 
     /// @brief A frame from the bus. O(1)

@@ -30,7 +30,7 @@ struct TextReading
 /// @brief The next object of a DCF as text (1F20h) from `offset` on, 0 at first, whose ParameterValue is not empty and
 /// whose AccessType lets it be written, in the order of the file. What else a DCF says is passed over: whoever loads it
 /// has checked it (canopen/cia306). `node` is $NODEID. Reals are taken as hexadecimal numbers only. O(text)
-/// [SRS-BOOT-010]
+/// [SRS_BOOT_010]
 [[nodiscard]] TextReading ReadTextDcf(const Bytes& dcf, std::uint32_t offset, NodeId node) noexcept;
 
 } // namespace counterpoint::cia302

@@ -21,14 +21,14 @@ struct ExpectedObject
 
 /// The safety configuration that a slave has to have: 1300h (where the slave has it), sub-index 1 to 6 of each 1301h to
 /// 1340h, sub-index 0 to count of each 1381h to 13C0h, sub-index 0 (where it is told) and n of 13FFh. Strictly
-/// ascending by index and sub-index. 13FEh is not in it: it has to be A5h. [SRS-SFS-001]
+/// ascending by index and sub-index. 13FEh is not in it: it has to be A5h. [SRS_SFS_001]
 struct SafetyExpectation
 {
     const ExpectedObject* objects; ///< Kept by whoever made it.
     std::uint16_t count;
 };
 
-/// @brief Whether it names every part of at least one SRDO and nothing else. O(count) [SRS-SFS-007]
+/// @brief Whether it names every part of at least one SRDO and nothing else. O(count) [SRS_SFS_007]
 [[nodiscard]] bool IsUsable(const SafetyExpectation& expectation) noexcept;
 /// @brief Bytes of an object of a safety configuration; 0: it is none.
 [[nodiscard]] std::uint8_t SizeOf(const ObjectAddress& address) noexcept;
@@ -43,7 +43,7 @@ struct IdentityRow
 
 constexpr std::uint8_t kIdentityRows = 5U;
 
-/// @brief 1000h and 1018h:01 to :04 by `row` 0 to 4, as the rule compares them. [SRS-SFS-010]
+/// @brief 1000h and 1018h:01 to :04 by `row` 0 to 4, as the rule compares them. [SRS_SFS_010]
 [[nodiscard]] IdentityRow IdentityRowOf(const SlaveSetup& slave, IdentityRule rule, std::uint8_t row) noexcept;
 
 enum class SafetyTask : std::uint8_t
@@ -77,11 +77,11 @@ class SafetyCheck
   public:
     SafetyCheck() noexcept = default;
 
-    /// @brief Anew from the beginning. [SRS-SFS-001, 005, 010]
+    /// @brief Anew from the beginning. [SRS_SFS_001, SRS_SFS_005, SRS_SFS_010]
     void Begin(const SafetyOrder& order, NodeId node) noexcept;
     /// @brief Takes what the slave answered and asks for the next object.
     void OnCycle(SdoPool& sdo, Instant now) noexcept;
-    /// @brief kBusy, kDiffers, kFailed or kAlike; kClosed before the first Begin. [SRS-SFS-003]
+    /// @brief kBusy, kDiffers, kFailed or kAlike; kClosed before the first Begin. [SRS_SFS_003]
     [[nodiscard]] CheckState State() const noexcept
     {
         return state_;

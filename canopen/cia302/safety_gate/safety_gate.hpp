@@ -28,25 +28,25 @@ struct SafetySlots
 /// Lets a safety slave be started only after all its safety objects were read and found as expected, since it last
 /// booted up, was reset or was lost. A slave for which there is no slot is never let through, nor is one in doubt:
 /// State is kFailed, Finding names object 0000h and kGeneral. Slaves are verified independently of each other. Not
-/// reentrant. [SRS-SFS-001..008]
+/// reentrant. [SRS_SFS_001, SRS_SFS_002, SRS_SFS_003, SRS_SFS_004, SRS_SFS_005, SRS_SFS_006, SRS_SFS_007, SRS_SFS_008]
 class SafetyGate final : public StartGate
 {
   public:
     SafetyGate(const NetworkSetup& setup, const SafetySlots& room, SdoPool& sdo) noexcept;
 
-    /// @brief Who a slave is, is asked as this rule says from the next verification on; kCia302 before. [SRS-SFS-010]
+    /// @brief Who a slave is, is asked as this rule says from the next verification on; kCia302 before. [SRS_SFS_010]
     void Use(IdentityRule rule) noexcept;
     /// @brief Reads and compares from the beginning; kBusy until that ends. In doubt, or without a slot,
-    /// nothing happens. [SRS-SFS-001]
+    /// nothing happens. [SRS_SFS_001]
     void Verify(NodeId node, Instant now) noexcept override;
     /// @brief Writes the whole safety configuration, then as Verify. The slave has to be PRE-OPERATIONAL: it refuses
-    /// otherwise. False: no safety slave, in doubt, or no slot. [SRS-SFS-005]
+    /// otherwise. False: no safety slave, in doubt, or no slot. [SRS_SFS_005]
     [[nodiscard]] bool Write(NodeId node, Instant now) noexcept;
-    /// @brief Two devices may be behind this node-ID: closed, and not to be opened until Trust. [SRS-SFS-002]
+    /// @brief Two devices may be behind this node-ID: closed, and not to be opened until Trust. [SRS_SFS_002]
     void Doubt(NodeId node) noexcept;
     /// @brief The node was reset: it may be verified again.
     void Trust(NodeId node) noexcept;
-    /// @brief What runs begins again: it may have been another device that answered until now. [SRS-SFS-002]
+    /// @brief What runs begins again: it may have been another device that answered until now. [SRS_SFS_002]
     void Renew(NodeId node) noexcept;
     void OnCycle(Instant now) noexcept override;
     void Close(NodeId node) noexcept override;

@@ -46,30 +46,30 @@ struct CheckContext
     std::uint32_t granularity_bits;
 };
 
-/// Direction, transmission type, COB-IDs and times of one SRDO. [SRS-CLI-010, 011, 017]
+/// Direction, transmission type, COB-IDs and times of one SRDO. [SRS_CLI_010, SRS_CLI_011, SRS_CLI_017]
 void CheckCommunication(const CheckContext& context, const SrdoConfiguration& srdo, Findings& findings);
 
-/// Number, lengths and pairs of the mapping entries of one SRDO. [SRS-CLI-012, 014]
+/// Number, lengths and pairs of the mapping entries of one SRDO. [SRS_CLI_012, SRS_CLI_014]
 void CheckMapping(const CheckContext& context, const SrdoConfiguration& srdo, Findings& findings);
 
-/// What one mapping entry names. [SRS-CLI-013, 015]
+/// What one mapping entry names. [SRS_CLI_013, SRS_CLI_015]
 void CheckMappedObject(const CheckContext& context, const SrdoConfiguration& srdo, const MappingEntry& entry,
                        Findings& findings);
 
-/// Identifiers that two SRDOs of the device use. [SRS-CLI-010]
+/// Identifiers that two SRDOs of the device use. [SRS_CLI_010]
 void CheckIdentifiers(const SafetyConfiguration& configuration, Findings& findings);
 
 /// 1300h, 13FEh, 13FFh, reserved indices, limits, InvertedSRAD. Comes last: 13FEh depends on the other findings.
-/// [SRS-CLI-014, 016, 017]
+/// [SRS_CLI_014, SRS_CLI_016, SRS_CLI_017]
 void CheckObjects(const CheckContext& context, Findings& findings);
 
-/// What can and cannot be written, and what a static mapping has to be. [SRS-CLI-023]
+/// What can and cannot be written, and what a static mapping has to be. [SRS_CLI_023]
 void CheckStaticMapping(const CheckContext& context, const SrdoConfiguration& srdo, Findings& findings);
 
-/// 5F04h. [SRS-CLI-022]
+/// 5F04h. [SRS_CLI_022]
 void CheckDigest(const CheckContext& context, Findings& findings);
 
-/// 5F00h to 5F03h and 5F05h. [SRS-CLI-018]
+/// 5F00h to 5F03h and 5F05h. [SRS_CLI_018]
 void CheckParameters(const CheckContext& context, Findings& findings);
 } // namespace counterpoint::cia306
 

@@ -57,7 +57,7 @@ struct Entry
     std::uint8_t sub{0U};
     std::string name;
     std::uint16_t data_type{0U}; ///< 0: the file does not tell.
-    DataType type{};             ///< What `data_type` stands for in this file. [SRS-EDS-027]
+    DataType type{};             ///< What `data_type` stands for in this file. [SRS_EDS_027]
     Access access{Access::kUnknown};
     bool is_pdo_mappable{false};
     std::optional<bool> is_srdo_mappable;       ///< SRDOMapping, where the key is there.
@@ -71,7 +71,7 @@ struct Entry
     std::string section;    ///< Where its values are written.
     bool is_compact{false}; ///< Made from CompactSubObj: its parameter value is key "sub" of section [indexValue].
 
-    /// ParameterValue, else DefaultValue. [SRS-EDS-010]
+    /// ParameterValue, else DefaultValue. [SRS_EDS_010]
     [[nodiscard]] const Text& Configured() const noexcept;
     /// Const or ro: nobody can write it over the bus.
     [[nodiscard]] bool IsFixed() const noexcept;

@@ -9,7 +9,8 @@
 
 namespace counterpoint::cia306
 {
-/// What the sections of the document mean. Throws InputError. [SRS-EDS-001, 009..016]
+/// What the sections of the document mean. Throws InputError. [SRS_EDS_001, SRS_EDS_009, SRS_EDS_010, SRS_EDS_011,
+/// SRS_EDS_012, SRS_EDS_013, SRS_EDS_014, SRS_EDS_015, SRS_EDS_016]
 [[nodiscard]] Device ReadDevice(const IniDocument& document);
 
 /// Reads the file, its lines and their meaning. Throws InputError.

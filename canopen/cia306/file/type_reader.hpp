@@ -7,7 +7,7 @@
 namespace counterpoint::cia306
 {
 /// Gives every entry the type that its DataType stands for in this file: one of CiA 301, or what an object of type
-/// DEFTYPE or DEFSTRUCT describes. [SRS-EDS-027]
+/// DEFTYPE or DEFSTRUCT describes. [SRS_EDS_027]
 void ResolveTypes(Device& device);
 } // namespace counterpoint::cia306
 

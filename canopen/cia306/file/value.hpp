@@ -27,7 +27,7 @@ struct ValueResult
 };
 
 /// Reads a value of the data type. A formula is evaluated with `node_id`; without one it is a problem that says so.
-/// A REAL may be a decimal fraction, or its IEEE 754 pattern after 0x. [SRS-EDS-007, 008, 014]
+/// A REAL may be a decimal fraction, or its IEEE 754 pattern after 0x. [SRS_EDS_007, SRS_EDS_008, SRS_EDS_014]
 [[nodiscard]] ValueResult ParseValue(std::string_view text, std::uint16_t data_type,
                                      std::optional<std::uint8_t> node_id);
 [[nodiscard]] ValueResult ParseValue(std::string_view text, const DataType& type, std::optional<std::uint8_t> node_id);

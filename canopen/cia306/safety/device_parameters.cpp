@@ -57,7 +57,7 @@ class ParameterReader
         number = field.value ? static_cast<Number>(*field.value) : number;
     }
 
-    /// Milliseconds that are kept as microseconds in 32 bits. [SRS-CLI-018]
+    /// Milliseconds that are kept as microseconds in 32 bits. [SRS_CLI_018]
     void ReadInterval(const std::uint8_t sub, std::uint32_t& interval_ms)
     {
         std::uint32_t number = interval_ms;

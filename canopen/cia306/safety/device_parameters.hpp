@@ -45,7 +45,7 @@ struct SrdoParameters
 };
 
 /// Manufacturer objects 5F00h to 5F05h of a Counterpoint device, with the values where a file has none. What they mean
-/// and their ranges: docs/device_objects.md. [SRS-EDS-023]
+/// and their ranges: docs/device_objects.md. [SRS_EDS_023]
 struct DeviceParameters
 {
     std::uint32_t cycle_us{1000U};

@@ -14,7 +14,7 @@
 
 namespace counterpoint::cia306
 {
-/// The device digest that a file has in 5F04h and the one that follows from it. [SRS-EDS-030]
+/// The device digest that a file has in 5F04h and the one that follows from it. [SRS_EDS_030]
 struct DigestRecord
 {
     bool is_present{false}; ///< 5F04h is there, and an SRDO; otherwise everything else here is empty.
@@ -28,7 +28,7 @@ struct DigestRecord
 [[nodiscard]] DigestRecord ExtractDigest(const Device& device, const SafetyConfiguration& configuration,
                                          std::optional<std::uint8_t> node_id);
 
-/// The bytes of SRS-CFG-034, of all SRDOs, in their order.
+/// The bytes of SRS_CFG_034, of all SRDOs, in their order.
 [[nodiscard]] std::vector<SignedField> DigestFields(const SafetyConfiguration& configuration,
                                                     const DeviceParameters& parameters, std::uint8_t node_id);
 

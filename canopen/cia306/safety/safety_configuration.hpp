@@ -76,7 +76,7 @@ struct SrdoConfiguration
     Field cob_id_2;
     Field entry_count;
     std::vector<MappingEntry> mapping; ///< As many as `entry_count` tells, those that can be read.
-    bool is_static{false};             ///< Sub-index 0 and every entry of the mapping are const or ro. [SRS-EDS-029]
+    bool is_static{false};             ///< Sub-index 0 and every entry of the mapping are const or ro. [SRS_EDS_029]
     Field signature;                   ///< As the file has it.
     /// What keeps the signature from being computed; empty: every number that goes into it has a value.
     std::vector<Finding> signature_problems;
@@ -100,7 +100,7 @@ struct SrdoConfiguration
     }
 };
 
-/// The safety configuration that a file gives a device. [SRS-EDS-020, 024]
+/// The safety configuration that a file gives a device. [SRS_EDS_020, SRS_EDS_024]
 struct SafetyConfiguration
 {
     std::vector<SrdoConfiguration> srdos; ///< By number; those whose communication parameters exist.

@@ -21,7 +21,7 @@ struct SignedField
 /// `count` bytes, low byte first.
 [[nodiscard]] std::vector<std::uint8_t> LittleEndian(std::uint64_t value, std::uint32_t count);
 
-/// In the order in which they are signed. The SRDO must have no signature problems. [SRS-EDS-021]
+/// In the order in which they are signed. The SRDO must have no signature problems. [SRS_EDS_021]
 [[nodiscard]] std::vector<SignedField> SignedFields(const SrdoConfiguration& srdo);
 
 /// The bytes of SignedFields one after the other: 13 + 5 n for n mapping entries.
@@ -30,7 +30,7 @@ struct SignedField
 /// The bytes of fields one after the other.
 [[nodiscard]] std::vector<std::uint8_t> BytesOf(const std::vector<SignedField>& fields);
 
-/// CRC-16, polynomial 1021h, start 0000h, as computed by Boost: neither channel's code. [SRS-EDS-022]
+/// CRC-16, polynomial 1021h, start 0000h, as computed by Boost: neither channel's code. [SRS_EDS_022]
 [[nodiscard]] std::uint16_t SignatureOf(const std::vector<std::uint8_t>& bytes);
 [[nodiscard]] std::uint16_t SignatureOf(const SrdoConfiguration& srdo);
 

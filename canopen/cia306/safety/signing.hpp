@@ -12,7 +12,8 @@ namespace counterpoint::cia306
 {
 /// The document with ParameterValue of 13FFh sub n set to the signature of each SRDO n of the configuration, and that
 /// of 5F04h, where it is there, to the device digest; all else is kept. Throws InputError where an SRDO cannot be
-/// signed, 13FFh has no place for it, or the result, read back, does not hold them. [SRS-CLI-005, 006, 021]
+/// signed, 13FFh has no place for it, or the result, read back, does not hold them. [SRS_CLI_005, SRS_CLI_006,
+/// SRS_CLI_021]
 [[nodiscard]] IniDocument WithSignatures(const IniDocument& document, const Device& device,
                                          std::optional<std::uint8_t> node_id);
 } // namespace counterpoint::cia306

@@ -60,7 +60,8 @@ struct SectionEdit
 
 /// The lines of a file, and the sections and keys seen in them.
 /// Invariant: Text() of a parsed document is the text that was parsed, byte by byte; lines are never rewritten, an edit
-/// replaces the value in one line or adds lines. [SRS-EDS-002..005, 016, 018]
+/// replaces the value in one line or adds lines. [SRS_EDS_002, SRS_EDS_003, SRS_EDS_004, SRS_EDS_005, SRS_EDS_016,
+/// SRS_EDS_018]
 class IniDocument
 {
   public:

@@ -16,13 +16,13 @@ struct Number
     std::uint64_t magnitude{0U};
 };
 
-/// Nothing when the text is no number, or one of more than 64 bits. [SRS-EDS-006]
+/// Nothing when the text is no number, or one of more than 64 bits. [SRS_EDS_006]
 [[nodiscard]] std::optional<Number> ParseNumber(std::string_view text);
 
 /// As ParseNumber, without a sign and at most `max`.
 [[nodiscard]] std::optional<std::uint64_t> ParseUnsigned(std::string_view text, std::uint64_t max);
 
-/// A number, or $NODEID and a number in either order. [SRS-EDS-007]
+/// A number, or $NODEID and a number in either order. [SRS_EDS_007]
 struct Formula
 {
     bool has_node_id{false};

@@ -11,7 +11,7 @@ namespace counterpoint::cia306
 constexpr std::size_t kMaxFileBytes = 16U * 1024U * 1024U;
 
 /// The whole content of a regular file. Throws InputError for anything else, without waiting and without reading a
-/// file that is larger than kMaxFileBytes. [SRS-EDS-017]
+/// file that is larger than kMaxFileBytes. [SRS_EDS_017]
 [[nodiscard]] std::string ReadTextFile(const std::string& path);
 
 /// Throws the InputError that WriteTextFile would throw for this path; leaves nothing behind. For what is written at

@@ -90,24 +90,25 @@ class BootSlave
   public:
     BootSlave(const StartUpParts& parts, BootRecord* records, BootListener& listener) noexcept;
 
-    /// @brief Boots now, without waiting for a boot-up message. [SRS-BOOT-004..014]
+    /// @brief Boots now, without waiting for a boot-up message. [SRS_BOOT_004, SRS_BOOT_005, SRS_BOOT_006,
+    /// SRS_BOOT_007, SRS_BOOT_008, SRS_BOOT_009, SRS_BOOT_010, SRS_BOOT_011, SRS_BOOT_012, SRS_BOOT_013, SRS_BOOT_014]
     void Ask(NodeId node, const BootTime& time) noexcept;
-    /// @brief As Ask, and what was written stays: no reset by the state check, nothing is restored. [SRS-SFS-005]
+    /// @brief As Ask, and what was written stays: no reset by the state check, nothing is restored. [SRS_SFS_005]
     void Resume(NodeId node, const BootTime& time) noexcept;
     /// @brief Boots when the boot-up message comes; mandatory slaves and those kept alive also without one, after
-    /// kResetUs. [SRS-BOOT-002]
+    /// kResetUs. [SRS_BOOT_002]
     void Await(NodeId node, const BootTime& time) noexcept;
-    /// @brief Resets the node, then as Await. [SRS-BOOT-017]
+    /// @brief Resets the node, then as Await. [SRS_BOOT_017]
     void Reset(NodeId node, const BootTime& time) noexcept;
-    /// @brief The boot-up message of the node: what the boot waits for, or its begin. [SRS-BOOT-018]
+    /// @brief The boot-up message of the node: what the boot waits for, or its begin. [SRS_BOOT_018]
     void OnBootUp(NodeId node, const BootTime& time) noexcept;
-    /// @brief Writes the configuration, and nothing else. [SRS-NMM-009]
+    /// @brief Writes the configuration, and nothing else. [SRS_NMM_009]
     void Configure(NodeId node, const BootTime& time) noexcept;
-    /// @brief Starts a booted slave, after verification if it is a safety slave. [SRS-BOOT-023]
+    /// @brief Starts a booted slave, after verification if it is a safety slave. [SRS_BOOT_023]
     void Start(NodeId node, const BootTime& time) noexcept;
-    /// @brief Verifies a safety slave that was found OPERATIONAL. [SRS-BOOT-013]
+    /// @brief Verifies a safety slave that was found OPERATIONAL. [SRS_BOOT_013]
     void Verify(NodeId node, const BootTime& time) noexcept;
-    /// @brief Gives up whatever runs, and takes the slave for another device until a boot has asked it. [SRS-BOOT-017]
+    /// @brief Gives up whatever runs, and takes the slave for another device until a boot has asked it. [SRS_BOOT_017]
     void Doubt(NodeId node, const BootTime& time) noexcept;
     /// @brief Gives up whatever runs.
     void End(NodeId node) noexcept;

@@ -150,7 +150,7 @@ void BootSlave::ReadDeviceType(const Job& job) noexcept
     }
 }
 
-/// A safety slave that runs and cannot be read is stopped, and asked on in PRE-OPERATIONAL. [SRS-SFS-006]
+/// A safety slave that runs and cannot be read is stopped, and asked on in PRE-OPERATIONAL. [SRS_SFS_006]
 void BootSlave::StopUnread(const Job& job) noexcept
 {
     const bool is_ours = job.record.is_unread && (parts_.table.Record(job.node).asked == SlaveState::kStopped);

@@ -150,7 +150,7 @@ void Cia302StartUp::EndBoots(const BootTime& time) noexcept
     }
 }
 
-/// It is verified anew and started in the next cycle, unless it boots anew. [SRS-BOOT-014]
+/// It is verified anew and started in the next cycle, unless it boots anew. [SRS_BOOT_014]
 void Cia302StartUp::OnStartDropped(const NodeId node, const Instant /*now*/) noexcept
 {
     BootRecord& record = boot_.Record(node);
@@ -314,7 +314,7 @@ bool Cia302StartUp::Boot(const NodeId node, const Instant now) noexcept
     return is_listed;
 }
 
-/// After a stop of all only orders start a slave. [SRS-BOOT-017]
+/// After a stop of all only orders start a slave. [SRS_BOOT_017]
 bool Cia302StartUp::Resume(const NodeId node, const Instant now) noexcept
 {
     const BootTime time = Tick(now);

@@ -180,7 +180,7 @@ void Cia302StartUp::GoOn(const BootTime& time) noexcept
     }
 }
 
-/// A slave that is kept alive may fail its boot while it runs: nobody else looks at it any more. [SRS-BOOT-013]
+/// A slave that is kept alive may fail its boot while it runs: nobody else looks at it any more. [SRS_BOOT_013]
 void Cia302StartUp::VerifyRunning(const BootTime& time) noexcept
 {
     for (std::uint8_t id = 1U; (id <= kLastNode) && (step_ != MasterStep::kIdle); ++id)
@@ -262,7 +262,7 @@ void Cia302StartUp::OnFrame(const CanFrame& frame, const Instant now) noexcept
 }
 
 /// It runs, but its gate was closed since it was started: it may have left OPERATIONAL and come back between two signs.
-/// [SRS-BOOT-013]
+/// [SRS_BOOT_013]
 void Cia302StartUp::VerifyAgain(const NodeId node, const BootTime& time) noexcept
 {
     const GateState gate = parts_.gate.State(node);

@@ -27,21 +27,21 @@ class Cia302StartUp final : public StartUp, private BootListener
   public:
     Cia302StartUp(const StartUpParts& parts, BootRecord* records) noexcept;
 
-    /// @brief Nothing without 1F80h bit 0. [SRS-BOOT-001, 002, 021]
+    /// @brief Nothing without 1F80h bit 0. [SRS_BOOT_001, SRS_BOOT_002, SRS_BOOT_021]
     void Begin(Instant now) noexcept override;
     void End() noexcept override;
     void OnFrame(const CanFrame& frame, Instant now) noexcept override;
     void OnCycle(Instant now) noexcept override;
     void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept override;
     void OnStartDropped(NodeId node, Instant now) noexcept override;
-    /// @brief Boots that ran are begun anew, those that failed, and those whose start has not left. [SRS-BOOT-018]
+    /// @brief Boots that ran are begun anew, those that failed, and those whose start has not left. [SRS_BOOT_018]
     void OnBusBack(Instant now) noexcept override;
     [[nodiscard]] NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept override;
     [[nodiscard]] bool Boot(NodeId node, Instant now) noexcept override;
-    /// @brief False after a stop of all by error handling, too: slaves are booted by order then. [SRS-BOOT-017]
+    /// @brief False after a stop of all by error handling, too: slaves are booted by order then. [SRS_BOOT_017]
     [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept override;
     /// @brief Writes the configuration alone. False: not listed, its boot runs, it is STOPPED, a safety slave that is
-    /// another device than the expected one, or no start-up runs. [SRS-NMM-009]
+    /// another device than the expected one, or no start-up runs. [SRS_NMM_009]
     [[nodiscard]] bool Configure(NodeId node, Instant now) noexcept override;
 
     [[nodiscard]] NodeStatus Status(NodeId node) const noexcept override;

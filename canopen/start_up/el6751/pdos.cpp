@@ -48,7 +48,8 @@ bool HasChanged(const El6751Pdo& pdo, const El6751PdoRecord& record) noexcept
     return has_changed;
 }
 
-/// One SYNC cycle is over for a TxPDO of types 1 to 240 that was received before. [SRS-ELM-034..036]
+/// One SYNC cycle is over for a TxPDO of types 1 to 240 that was received before. [SRS_ELM_034, SRS_ELM_035,
+/// SRS_ELM_036]
 void JudgeCycle(const El6751Pdo& pdo, const std::uint16_t event_ms, El6751PdoRecord& record) noexcept
 {
     const bool is_strict = (pdo.type == 1U) && (event_ms == 0U);
@@ -249,7 +250,7 @@ void El6751Pdos::OnSync(const Instant now) noexcept
     }
 }
 
-/// A new SYNC cycle for the PDOs of one slave. [SRS-ELM-031, SRS-ELM-033]
+/// A new SYNC cycle for the PDOs of one slave. [SRS_ELM_031, SRS_ELM_033]
 void El6751Pdos::OpenFor(const NodeId node) noexcept
 {
     const El6751Slave& slave = El6751SlaveOf(parts_.setup, node);
@@ -301,8 +302,8 @@ void El6751Pdos::EndWindow() noexcept
     is_window_open_ = false;
 }
 
-/// Event times of TxPDOs; event, inhibit time and changes of RxPDOs that do not follow SYNC. [SRS-ELM-031,
-/// SRS-ELM-037]
+/// Event times of TxPDOs; event, inhibit time and changes of RxPDOs that do not follow SYNC. [SRS_ELM_031,
+/// SRS_ELM_037]
 void El6751Pdos::CheckTimes(const NodeId node, const Instant now) noexcept
 {
     const El6751Slave& slave = El6751SlaveOf(parts_.setup, node);

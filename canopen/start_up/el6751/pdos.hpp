@@ -53,25 +53,27 @@ class El6751Pdos
     void End() noexcept;
     [[nodiscard]] bool IsSyncSent() const noexcept;
 
-    /// @brief The slave is being started: its TxPDOs are waited for. [SRS-ELM-028]
+    /// @brief The slave is being started: its TxPDOs are waited for. [SRS_ELM_028]
     void Await(NodeId node) noexcept;
-    /// @brief RxPDOs go to it from now on, each at once for the first time. [SRS-ELM-030]
+    /// @brief RxPDOs go to it from now on, each at once for the first time. [SRS_ELM_030]
     void Feed(NodeId node) noexcept;
     /// @brief Nothing goes to it, nothing is expected of it.
     void Rest(NodeId node) noexcept;
 
-    /// @brief A frame from the bus. O(PDOs) [SRS-ELM-033..038]
+    /// @brief A frame from the bus. O(PDOs) [SRS_ELM_033, SRS_ELM_034, SRS_ELM_035, SRS_ELM_036, SRS_ELM_037,
+    /// SRS_ELM_038]
     void OnFrame(const CanFrame& frame, Instant now) noexcept;
-    /// @brief A frame of this device was on the bus; only kLastRxPdo needs it. O(PDOs) [SRS-ELM-033]
+    /// @brief A frame of this device was on the bus; only kLastRxPdo needs it. O(PDOs) [SRS_ELM_033]
     void OnSent(const CanFrame& frame) noexcept;
-    /// @brief SYNC, RxPDOs, windows and times. O(PDOs) [SRS-ELM-031..037]
+    /// @brief SYNC, RxPDOs, windows and times. O(PDOs) [SRS_ELM_031, SRS_ELM_032, SRS_ELM_033, SRS_ELM_034,
+    /// SRS_ELM_035, SRS_ELM_036, SRS_ELM_037]
     void OnCycle(Instant now) noexcept;
 
     /// @brief NodeState of the first TxPDO that is missing or too short; 0: none.
     [[nodiscard]] std::int16_t Fault(NodeId node) const noexcept;
     /// @brief Every configured TxPDO was received since Await; true without one.
     [[nodiscard]] bool HasAll(NodeId node) const noexcept;
-    /// @brief Any configured TxPDO was; true without one. [SRS-ELM-029]
+    /// @brief Any configured TxPDO was; true without one. [SRS_ELM_029]
     [[nodiscard]] bool HasAny(NodeId node) const noexcept;
 
   private:

@@ -88,11 +88,15 @@ struct El6751Answer
     bool is_first;      ///< The slave had not answered anything in this start-up.
 };
 
-/// @brief The next row that is active under its conditions, or kEnd. O(rows) [SRS-ELM-004..024]
+/// @brief The next row that is active under its conditions, or kEnd. O(rows) [SRS_ELM_004, SRS_ELM_005, SRS_ELM_006,
+/// SRS_ELM_007, SRS_ELM_008, SRS_ELM_010, SRS_ELM_011, SRS_ELM_012, SRS_ELM_013, SRS_ELM_014, SRS_ELM_015, SRS_ELM_016,
+/// SRS_ELM_017, SRS_ELM_018, SRS_ELM_019, SRS_ELM_020, SRS_ELM_021, SRS_ELM_022, SRS_ELM_023, SRS_ELM_024]
 [[nodiscard]] El6751Place NextRow(const El6751Context& context, const El6751Place& place) noexcept;
 /// @brief The SDO of a row, neither kBegin nor kEnd. O(1)
 [[nodiscard]] El6751Access AccessOf(const El6751Context& context, const El6751Place& place) noexcept;
-/// @brief What an answer means for the start-up. O(1) [SRS-ELM-003..025]
+/// @brief What an answer means for the start-up. O(1) [SRS_ELM_003, SRS_ELM_004, SRS_ELM_005, SRS_ELM_006, SRS_ELM_007,
+/// SRS_ELM_008, SRS_ELM_010, SRS_ELM_011, SRS_ELM_012, SRS_ELM_013, SRS_ELM_014, SRS_ELM_015, SRS_ELM_016, SRS_ELM_017,
+/// SRS_ELM_018, SRS_ELM_019, SRS_ELM_020, SRS_ELM_021, SRS_ELM_022, SRS_ELM_023, SRS_ELM_024, SRS_ELM_025]
 [[nodiscard]] El6751Verdict JudgeAnswer(const El6751Access& access, El6751Row row, const El6751Answer& answer) noexcept;
 /// @brief The place after an answer that was judged kNext: it keeps what the conditions of later rows need.
 [[nodiscard]] El6751Place Remember(const El6751Place& place, const SdoOutcome& outcome) noexcept;

@@ -86,7 +86,7 @@ struct El6751Slave
     }
 };
 
-/// Where the window for synchronous TxPDOs ends. [SRS-ELM-033]
+/// Where the window for synchronous TxPDOs ends. [SRS_ELM_033]
 enum class El6751Window : std::uint8_t
 {
     kInputShift = 0U, ///< EL6751.
@@ -111,12 +111,12 @@ constexpr SdoTimes kEl6751SdoTimes{2000000U, 1U};
     constexpr std::uint8_t kSynchronousRemote = 252U;
     return (type <= kLastCyclic) || (type == kSynchronousRemote);
 }
-/// @brief Inhibit time of a PDO: its own, or the one that a bus coupler has for all. [SRS-ELM-015]
+/// @brief Inhibit time of a PDO: its own, or the one that a bus coupler has for all. [SRS_ELM_015]
 [[nodiscard]] constexpr std::uint16_t El6751InhibitOf(const El6751Slave& slave, const El6751Pdo& pdo) noexcept
 {
     return (slave.kind == El6751Kind::kBusCoupler) ? slave.coupler_inhibit_100us : pdo.inhibit_100us;
 }
-/// @brief Event time of a PDO, likewise: written to the slave, and what its supervision goes by. [SRS-ELM-017]
+/// @brief Event time of a PDO, likewise: written to the slave, and what its supervision goes by. [SRS_ELM_017]
 [[nodiscard]] constexpr std::uint16_t El6751EventOf(const El6751Slave& slave, const El6751Pdo& pdo) noexcept
 {
     return (slave.kind == El6751Kind::kBusCoupler) ? slave.coupler_event_ms : pdo.event_ms;
@@ -125,7 +125,7 @@ constexpr SdoTimes kEl6751SdoTimes{2000000U, 1U};
 [[nodiscard]] const El6751Slave& El6751SlaveOf(const NetworkSetup& setup, NodeId node) noexcept;
 /// @brief A PDO by its position: RxPDOs, then TxPDOs. `position` is below PdoCount.
 [[nodiscard]] const El6751Pdo& El6751PdoOf(const El6751Slave& slave, std::uint8_t position) noexcept;
-/// @brief Whether SYNC is sent: a period, and a synchronous PDO of any listed slave. O(PDOs) [SRS-ELM-032]
+/// @brief Whether SYNC is sent: a period, and a synchronous PDO of any listed slave. O(PDOs) [SRS_ELM_032]
 [[nodiscard]] bool NeedsSync(const NetworkSetup& setup) noexcept;
 /// @brief PDOs of all listed slaves: the records that El6751PdoRoom has to have. O(127)
 [[nodiscard]] std::uint16_t El6751PdoCount(const NetworkSetup& setup) noexcept;

@@ -141,7 +141,7 @@ void El6751StartUp::EndTransfer(const NodeId node, const Instant now) noexcept
 }
 
 /// A safety slave that runs and cannot be read is stopped, and asked on in PRE-OPERATIONAL; so is one that says that it
-/// is STOPPED: a command may have come in behind its boot-up message. [SRS-SFS-006, SRS-ELM-003]
+/// is STOPPED: a command may have come in behind its boot-up message. [SRS_SFS_006, SRS_ELM_003]
 void El6751StartUp::StopUnread(const NodeId node, const Instant now) noexcept
 {
     El6751Node& slave = Of(node);
@@ -183,7 +183,7 @@ void El6751StartUp::EndRows(const NodeId node, const Instant now) noexcept
 }
 
 /// Heartbeat if the slave took it, else guarding; what the network's list says if this profile has no times.
-/// [SRS-ELM-039]
+/// [SRS_ELM_039]
 void El6751StartUp::Supervise(const NodeId node, const Instant now) noexcept
 {
     const El6751Slave& setup = SetupOf(node);
@@ -228,7 +228,7 @@ void El6751StartUp::BeginStart(const NodeId node, const Instant now) noexcept
     Drive(node, now);
 }
 
-/// The gate reads; a STOPPED slave has no SDO and is made PRE-OPERATIONAL before. [SRS-ELM-048]
+/// The gate reads; a STOPPED slave has no SDO and is made PRE-OPERATIONAL before. [SRS_ELM_048]
 void El6751StartUp::DriveVerify(const NodeId node, const Instant now) noexcept
 {
     El6751Node& slave = Of(node);
@@ -296,7 +296,7 @@ void El6751StartUp::RefuseSafety(const NodeId node, const El6751Phase after, con
     Stop(node, after, now);
 }
 
-/// Somebody commanded the slave while its start waited: it is read once more. [SRS-ELM-048]
+/// Somebody commanded the slave while its start waited: it is read once more. [SRS_ELM_048]
 void El6751StartUp::OnStartDropped(const NodeId node, const Instant now) noexcept
 {
     El6751Node& slave = Of(node);

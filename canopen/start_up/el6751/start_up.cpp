@@ -38,7 +38,7 @@ void El6751StartUp::Begin(const Instant now) noexcept
     TellMaster(now);
 }
 
-/// The one reset of all slaves. [SRS-ELM-001]
+/// The one reset of all slaves. [SRS_ELM_001]
 void El6751StartUp::SendReset(const Instant now) noexcept
 {
     if (is_reset_due_)
@@ -177,7 +177,7 @@ void El6751StartUp::Drive(const NodeId node, const Instant now) noexcept
 }
 
 /// Once, when all run that were started singly. While a safety slave is assigned nothing goes to node 0: this device
-/// alone is OPERATIONAL then. [SRS-ELM-027, SRS-MGR-020]
+/// alone is OPERATIONAL then. [SRS_ELM_027, SRS_MGR_020]
 void El6751StartUp::StartAll(const Instant now) noexcept
 {
     const NodeId whom = parts_.common.setup.HasSafetySlave() ? parts_.common.setup.own : kAllNodes;
@@ -227,7 +227,7 @@ void El6751StartUp::OnNodeEvent(const NodeId node, const NodeEvent event, const 
     }
 }
 
-/// The boot-up message. [SRS-ELM-002]
+/// The boot-up message. [SRS_ELM_002]
 void El6751StartUp::OnRestartOfSlave(const NodeId node, const Instant now) noexcept
 {
     El6751Node& slave = Of(node);
@@ -297,7 +297,7 @@ NodeStatus El6751StartUp::Status(const NodeId node) const noexcept
                      (slave.phase == El6751Phase::kStopping);
     // Who booted while it was deactivated, or was held before it said who it is, is asked by its next start-up.
     const bool is_unasked = slave.has_restarted || (slave.place.row <= El6751Row::kSerialNumber);
-    status.is_other = status.is_other || (IsSafety(node) && !status.is_busy && is_unasked); // [SRS-SFS-009]
+    status.is_other = status.is_other || (IsSafety(node) && !status.is_busy && is_unasked); // [SRS_SFS_009]
     return status;
 }
 

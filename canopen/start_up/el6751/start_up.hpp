@@ -123,10 +123,10 @@ class El6751StartUp final : public StartUp
 
     /// @brief A frame of this device was on the bus; only El6751Window::kLastRxPdo needs it.
     void OnSent(const CanFrame& frame) noexcept;
-    /// @brief The controller changed. [SRS-ELM-044, SRS-ELM-045]
+    /// @brief The controller changed. [SRS_ELM_044, SRS_ELM_045]
     void OnController(ControllerState state, Instant now) noexcept;
     /// @brief Network management by hand: ADS state and device state of a write control. kWrong: the table has no such
-    /// transition from the slave's state, or its start-up runs. [SRS-ELM-046, SRS-ELM-047]
+    /// transition from the slave's state, or its start-up runs. [SRS_ELM_046, SRS_ELM_047]
     [[nodiscard]] NmtAnswer Control(NodeId node, std::uint16_t ads_state, std::uint16_t device_state,
                                     Instant now) noexcept;
     /// @brief NodeState of the slave's last error since Begin; 0: none.

@@ -70,7 +70,7 @@ void El6751StartUp::Watch(const NodeId node, const Instant now) noexcept
     }
 }
 
-/// One that was started, and whose gate did not stay open, runs on verified or not at all. [SRS-ELM-049]
+/// One that was started, and whose gate did not stay open, runs on verified or not at all. [SRS_ELM_049]
 void El6751StartUp::VerifyAgain(const NodeId node, const Instant now) noexcept
 {
     const El6751Node& slave = Of(node);
@@ -86,7 +86,8 @@ void El6751StartUp::VerifyAgain(const NodeId node, const Instant now) noexcept
     DriveCheck(node, IsSafety(node) && (is_refused || is_back), now);
 }
 
-/// NodeState of what is wrong now; 0: nothing. [SRS-ELM-034..041]
+/// NodeState of what is wrong now; 0: nothing. [SRS_ELM_034, SRS_ELM_035, SRS_ELM_036, SRS_ELM_037, SRS_ELM_038,
+/// SRS_ELM_039, SRS_ELM_040, SRS_ELM_041]
 std::int16_t El6751StartUp::FaultOf(const NodeId node) noexcept
 {
     El6751Node& slave = Of(node);
@@ -111,7 +112,7 @@ std::int16_t El6751StartUp::FaultOf(const NodeId node) noexcept
     return (fault != 0) ? fault : pdos_.Fault(node);
 }
 
-/// Stop, and what is configured to follow. [SRS-ELM-042, SRS-ELM-043]
+/// Stop, and what is configured to follow. [SRS_ELM_042, SRS_ELM_043]
 void El6751StartUp::React(const NodeId node, const std::int16_t code, const Instant now) noexcept
 {
     El6751Node& slave = Of(node);
@@ -187,7 +188,7 @@ void El6751StartUp::Hold(const NodeId node, const std::int16_t code, const Insta
 }
 
 /// A slave that is not to run: held, failed or deactivated. A safety slave that runs all the same is verified.
-/// [SRS-ELM-049]
+/// [SRS_ELM_049]
 void El6751StartUp::DriveIdle(const NodeId node, const Instant now) noexcept
 {
     El6751Node& slave = Of(node);

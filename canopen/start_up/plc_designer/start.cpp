@@ -14,7 +14,7 @@ constexpr std::uint8_t kPreOperationalByte = 127U;
 
 } // namespace
 
-/// State 4, or 98. [SRS-PLC-012, SRS-PLC-016]
+/// State 4, or 98. [SRS_PLC_012, SRS_PLC_016]
 void PlcStartUp::EndSdos(const NodeId node, const Instant now) noexcept
 {
     PlcNode& slave = Of(node);
@@ -41,7 +41,7 @@ void PlcStartUp::EndSdos(const NodeId node, const Instant now) noexcept
 }
 
 /// A safety slave that runs and cannot be read is stopped, and asked on in PRE-OPERATIONAL; so is one that says that it
-/// is STOPPED, unless it is held by a command. [SRS-SFS-006, SRS-PLC-005]
+/// is STOPPED, unless it is held by a command. [SRS_SFS_006, SRS_PLC_005]
 void PlcStartUp::StopUnread(const NodeId node, const Instant now) noexcept
 {
     PlcNode& slave = Of(node);
@@ -55,7 +55,7 @@ void PlcStartUp::StopUnread(const NodeId node, const Instant now) noexcept
     }
 }
 
-/// A safety slave that says OPERATIONAL, or whose start was heard, and has no permission of the gate. [SRS-SFS-006]
+/// A safety slave that says OPERATIONAL, or whose start was heard, and has no permission of the gate. [SRS_SFS_006]
 bool PlcStartUp::RunsUnread(const NodeId node) const noexcept
 {
     const bool is_one = parts_.common.setup.IsSafetySlave(node) && (Of(node).status.code >= kPlcSettles);
@@ -71,7 +71,7 @@ bool PlcStartUp::WaitsForAll(const NodeId node) const noexcept
     return is_one && parts_.common.setup.Has(kStartAllAtOnce) && !has_started_all_;
 }
 
-/// [SRS-PLC-013, SRS-PLC-015]
+/// [SRS_PLC_013, SRS_PLC_015]
 void PlcStartUp::DriveStart(const NodeId node, const Instant now) noexcept
 {
     if (Of(node).is_wanted && !WaitsForAll(node))
@@ -80,7 +80,7 @@ void PlcStartUp::DriveStart(const NodeId node, const Instant now) noexcept
     }
 }
 
-/// A safety slave is verified first; a STOPPED one has no SDO and is made PRE-OPERATIONAL before. [SRS-PLC-020]
+/// A safety slave is verified first; a STOPPED one has no SDO and is made PRE-OPERATIONAL before. [SRS_PLC_020]
 void PlcStartUp::StartOne(const NodeId node, const Instant now) noexcept
 {
     PlcNode& slave = Of(node);
@@ -123,7 +123,7 @@ void PlcStartUp::StartOne(const NodeId node, const Instant now) noexcept
     }
 }
 
-/// Somebody commanded the slave while its start waited: it is read once more. [SRS-PLC-020]
+/// Somebody commanded the slave while its start waited: it is read once more. [SRS_PLC_020]
 void PlcStartUp::OnStartDropped(const NodeId node, const Instant now) noexcept
 {
     PlcNode& slave = Of(node);
@@ -159,7 +159,7 @@ void PlcStartUp::Refuse(const NodeId node, const Instant now) noexcept
 }
 
 /// A safety slave that runs without having been started is verified, also while it waits for the start of all, and one
-/// that was started, but whose gate did not stay open. [SRS-PLC-020]
+/// that was started, but whose gate did not stay open. [SRS_PLC_020]
 void PlcStartUp::DriveCheck(const NodeId node, const Instant now) noexcept
 {
     PlcNode& slave = Of(node);
@@ -193,7 +193,7 @@ void PlcStartUp::DriveCheck(const NodeId node, const Instant now) noexcept
     }
 }
 
-/// A safety slave that has left OPERATIONAL can be changed: it is read when it says that it runs again. [SRS-PLC-020]
+/// A safety slave that has left OPERATIONAL can be changed: it is read when it says that it runs again. [SRS_PLC_020]
 void PlcStartUp::OnLeft(const NodeId node) noexcept
 {
     PlcNode& slave = Of(node);
@@ -212,7 +212,7 @@ void PlcStartUp::OnLeft(const NodeId node) noexcept
     }
 }
 
-/// Once, when nobody is waited for any more. Slaves that must not start forbid the start of all. [SRS-PLC-014]
+/// Once, when nobody is waited for any more. Slaves that must not start forbid the start of all. [SRS_PLC_014]
 void PlcStartUp::StartAll(const Instant now) noexcept
 {
     const bool is_asked = parts_.common.setup.Has(kStartAllAtOnce) && !has_started_all_ &&

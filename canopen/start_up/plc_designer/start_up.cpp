@@ -68,7 +68,7 @@ NodeStatus PlcStartUp::Status(const NodeId node) const noexcept
 {
     NodeStatus status = Of(node).status;
     status.is_busy = Of(node).is_listed && ((status.code <= kPlcSdos) || Of(node).is_wanted);
-    status.is_other = status.is_other || (status.code == kPlcAbsent); // Nobody knows who came later. [SRS-SFS-009]
+    status.is_other = status.is_other || (status.code == kPlcAbsent); // Nobody knows who came later. [SRS_SFS_009]
     return status;
 }
 
@@ -105,7 +105,7 @@ void PlcStartUp::OnCycle(const Instant now) noexcept
     }
 }
 
-/// [SRS-PLC-001, SRS-PLC-009, SRS-PLC-010]
+/// [SRS_PLC_001, SRS_PLC_009, SRS_PLC_010]
 void PlcStartUp::DriveMaster(const Instant now) noexcept
 {
     const std::int16_t before = master_;
@@ -121,7 +121,7 @@ void PlcStartUp::DriveMaster(const Instant now) noexcept
     }
     else if ((master_ == kPlcConfigures) && is_done)
     {
-        // This device too is OPERATIONAL then; that goes to nobody. [SRS-MGR-020]
+        // This device too is OPERATIONAL then; that goes to nobody. [SRS_MGR_020]
         const NodeId own = parts_.common.setup.own;
         const NmtAnswer answer = parts_.common.nmt.Request(NmtCommand::kStart, own, now);
         master_ = (answer == NmtAnswer::kTaken) ? kPlcRuns : master_;
@@ -143,7 +143,7 @@ void PlcStartUp::DriveMaster(const Instant now) noexcept
     }
 }
 
-/// State -1. [SRS-PLC-002]
+/// State -1. [SRS_PLC_002]
 void PlcStartUp::BeginReset(const NodeId node, const Instant now) noexcept
 {
     PlcNode& slave = Of(node);
@@ -161,7 +161,7 @@ void PlcStartUp::BeginReset(const NodeId node, const Instant now) noexcept
     Tell(node, kPlcReset, StartUpStep::kReset, now);
 }
 
-/// State 2. [SRS-PLC-003, SRS-PLC-018]
+/// State 2. [SRS_PLC_003, SRS_PLC_018]
 void PlcStartUp::Settle(const NodeId node, const Instant now) noexcept
 {
     PlcNode& slave = Of(node);
@@ -326,7 +326,7 @@ void PlcStartUp::Ask(const NodeId node, const Instant now) noexcept
     }
 }
 
-/// A confirmation or an abort. [SRS-PLC-007]
+/// A confirmation or an abort. [SRS_PLC_007]
 void PlcStartUp::OnAnswer(const NodeId node, const Instant now) noexcept
 {
     PlcNode& slave = Of(node);
@@ -364,7 +364,7 @@ void PlcStartUp::OnAnswer(const NodeId node, const Instant now) noexcept
     }
 }
 
-/// Again, in this cycle; an optional slave is asked once. [SRS-PLC-005, SRS-PLC-006, SRS-PLC-008]
+/// Again, in this cycle; an optional slave is asked once. [SRS_PLC_005, SRS_PLC_006, SRS_PLC_008]
 void PlcStartUp::OnSilence(const NodeId node, const Instant now) noexcept
 {
     PlcNode& slave = Of(node);

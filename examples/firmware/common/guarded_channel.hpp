@@ -9,7 +9,7 @@ namespace counterpoint::firmware
 {
 
 /// A channel that runs with its own memory writable, the other channel's and the core's read-only, and gives the memory
-/// back to the core when it is done. [SRS-FW-006]
+/// back to the core when it is done. [SRS_FW_006]
 class GuardedChannel final : public Channel
 {
   public:

@@ -8,7 +8,7 @@ namespace counterpoint::firmware
 {
 
 /// @brief Gives the regions of channel A, channel B and core, as the linker placed them, to the protection. False where
-/// one was refused: then the device must not run. A host has no regions and no protection: true. [SRS-FW-002]
+/// one was refused: then the device must not run. A host has no regions and no protection: true. [SRS_FW_002]
 [[nodiscard]] bool ProtectRegions(hal::MemoryProtection& protection) noexcept;
 
 } // namespace counterpoint::firmware

@@ -37,7 +37,7 @@ struct HostAndPort
 /// @brief As it stands before a port: with colons in brackets.
 [[nodiscard]] std::string HostBeforePort(const std::string& host);
 
-/// @brief Throws LiveBusError with the address and what was expected. [SRS-LIVE-001]
+/// @brief Throws LiveBusError with the address and what was expected. [SRS_LIVE_001]
 [[nodiscard]] LiveAddress ParseLiveAddress(const std::string& address);
 
 } // namespace counterpoint::host

@@ -104,7 +104,8 @@ class LiveBusError : public std::runtime_error
 };
 
 /// A CAN bus in real time, for one thread. Nothing blocks. Call Receive until it returns false each time the descriptor
-/// is readable, because that also sends what waits and carries out the restart policy. [SRS-LIVE-003..005]
+/// is readable, because that also sends what waits and carries out the restart policy. [SRS_LIVE_003, SRS_LIVE_004,
+/// SRS_LIVE_005]
 class LiveBus
 {
   public:
@@ -128,7 +129,7 @@ class LiveBus
 };
 
 /// @brief Opens `can0` or `socketcan:can0`, `socketcand:HOST:PORT/can0`, `udp:239.74.163.2:43113[?bitrate=N]`. Throws
-/// LiveBusError. [SRS-LIVE-001]
+/// LiveBusError. [SRS_LIVE_001]
 [[nodiscard]] std::unique_ptr<LiveBus> OpenLiveBus(const std::string& address, const LiveOptions& options);
 [[nodiscard]] std::unique_ptr<LiveBus> OpenLiveBus(const std::string& address);
 

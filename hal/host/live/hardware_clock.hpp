@@ -9,7 +9,7 @@ namespace counterpoint::host
 
 /// The clock of a controller beside CLOCK_MONOTONIC. A software stamp is never too early, and sometimes late: the least
 /// distance of both stamps is the distance of the clocks. It may grow by 200 ppm, because crystals differ.
-/// [SRS-LIVE-057]
+/// [SRS_LIVE_057]
 class HardwareClock
 {
   public:

@@ -25,11 +25,11 @@ struct LinkState
     std::uint32_t restart_ms{0U}; ///< The kernel's own restart; 0: it has none.
 };
 
-/// @brief Reads one answer of the kernel (RTM_NEWLINK); empty: it is none. [SRS-LIVE-022]
+/// @brief Reads one answer of the kernel (RTM_NEWLINK); empty: it is none. [SRS_LIVE_022]
 [[nodiscard]] std::optional<LinkState> ReadLinkMessage(const std::uint8_t* bytes, std::size_t count);
 /// @brief The message that asks the kernel for the state of an interface.
 [[nodiscard]] std::vector<std::uint8_t> AskLinkMessage(int index);
-/// @brief The message that starts a controller again after bus-off. [SRS-LIVE-022]
+/// @brief The message that starts a controller again after bus-off. [SRS_LIVE_022]
 [[nodiscard]] std::vector<std::uint8_t> RestartLinkMessage(int index);
 /// @brief The message that takes an interface up or down.
 [[nodiscard]] std::vector<std::uint8_t> SwitchLinkMessage(int index, bool is_up);

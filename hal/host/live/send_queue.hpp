@@ -11,7 +11,7 @@ namespace counterpoint::host
 {
 
 /// Frames that the system did not take yet, first in, first out. A frame sent while one waits waits behind it, which is
-/// what keeps the order. [SRS-LIVE-004]
+/// what keeps the order. [SRS_LIVE_004]
 class LiveSendQueue
 {
   public:

@@ -29,7 +29,8 @@ struct SocketCanFrame
 [[nodiscard]] bool FromSocketCan(const canfd_frame& raw, std::size_t bytes, LiveFrame& frame);
 
 /// One interface of Linux, by a raw socket. Survives the interface's going down and up, and its being removed and made
-/// again under the same name. Restart, and the policy kTimed, need CAP_NET_ADMIN. [SRS-LIVE-020..026]
+/// again under the same name. Restart, and the policy kTimed, need CAP_NET_ADMIN. [SRS_LIVE_020, SRS_LIVE_021,
+/// SRS_LIVE_022, SRS_LIVE_023, SRS_LIVE_024, SRS_LIVE_025, SRS_LIVE_026]
 class LiveSocketCanBus final : public LiveBus
 {
   public:

@@ -26,11 +26,11 @@ struct LiveArrival
 void RequestStamps(int socket);
 /// @brief Reads one datagram without blocking.
 [[nodiscard]] LiveArrival ReadStamped(int socket, void* bytes, std::size_t room);
-/// @brief Takes what the system says of a datagram that was read at `arrival.time_ns`. [SRS-LIVE-002, SRS-LIVE-057]
+/// @brief Takes what the system says of a datagram that was read at `arrival.time_ns`. [SRS_LIVE_002, SRS_LIVE_057]
 void ReadStamps(msghdr& message, LiveArrival& arrival);
 /// @brief A stamp of the wall clock as one of the monotonic clock: what counts is its age, `wall_now_ns - stamp_ns`. An
 /// age below 0 or above ten seconds is one of a clock that was set meanwhile, and gives `monotonic_now_ns`.
-/// [SRS-LIVE-002]
+/// [SRS_LIVE_002]
 [[nodiscard]] std::uint64_t MonotonicStamp(std::uint64_t stamp_ns, std::uint64_t wall_now_ns,
                                            std::uint64_t monotonic_now_ns);
 
@@ -44,7 +44,7 @@ struct ClockReading
 using ClockReadings = std::array<ClockReading, 3U>;
 
 /// @brief The one that took least time. Whoever reads two clocks may be interrupted between them, and stamps would be
-/// wrong by as much. [SRS-LIVE-002]
+/// wrong by as much. [SRS_LIVE_002]
 [[nodiscard]] ClockReading Quickest(const ClockReadings& readings);
 
 } // namespace counterpoint::host

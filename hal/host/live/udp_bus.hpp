@@ -16,7 +16,7 @@ namespace counterpoint::host
 
 /// A bus for the processes of one machine: a multicast group on the loopback interface, one datagram a frame. Frames of
 /// one sender keep their order; those of two senders may reach two receivers in different orders, and there is no
-/// arbitration. [SRS-LIVE-010..013]
+/// arbitration. [SRS_LIVE_010, SRS_LIVE_011, SRS_LIVE_012, SRS_LIVE_013]
 class LiveUdpBus final : public LiveBus
 {
   public:

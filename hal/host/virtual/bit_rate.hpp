@@ -18,7 +18,7 @@ constexpr BusTime kMillisecond = 1'000'000;
 constexpr BusTime kSecond = 1'000'000'000;
 
 /// The rates of CiA 301 and 100 kbit/s, as bits per second: at each of them a bit is a whole number of nanoseconds.
-/// [SRS-BUS-002]
+/// [SRS_BUS_002]
 enum class BitRate : std::uint32_t
 {
     k10k = 10'000U,

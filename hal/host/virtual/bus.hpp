@@ -41,7 +41,7 @@ enum class FrameFate : std::uint8_t
     kSenderGone = 4U,      ///< The sender went bus-off or was disconnected under way.
 };
 
-/// One attempt to send a frame, as a bus analyser would write it down. [SRS-BUS-013]
+/// One attempt to send a frame, as a bus analyser would write it down. [SRS_BUS_013]
 struct BusRecord
 {
     FrameOnBus sent;         ///< After a collision: of the node with the lowest index.
@@ -82,7 +82,7 @@ struct NodeSetup
 ///     bus.Advance(t, observer);   // first what happened on the bus up to and including t
 ///     run the devices due at t;   // then whoever has to do something at t; they Submit
 /// All frames submitted at one instant t compete with each other: a frame that starts at t is chosen by the first
-/// Advance that goes beyond t. [SRS-BUS-003, SRS-BUS-012]
+/// Advance that goes beyond t. [SRS_BUS_003, SRS_BUS_012]
 class VirtualBus
 {
   public:
@@ -100,7 +100,7 @@ class VirtualBus
     hal::TransmitStatus Submit(NodeIndex node, const CanFrame& frame);
     /// @brief Empties the node's transmit queue; a frame on the bus stays there. What a controller reset does.
     void AbortAll(NodeIndex node);
-    /// @brief Plans that `node` receives `frame` at `at` (not before Now()) without a frame on the bus. [SRS-BUS-011]
+    /// @brief Plans that `node` receives `frame` at `at` (not before Now()) without a frame on the bus. [SRS_BUS_011]
     void Plan(NodeIndex node, const CanFrame& frame, BusTime at);
 
     /// @brief Does everything up to and including `until`; Now() is `until` afterwards. An earlier `until` does

@@ -11,9 +11,9 @@ namespace
 {
 
 constexpr std::uint32_t kTransmitErrorWeight = 8U;
-/// Superposed error flags of all nodes at their longest, and the delimiter. [SRS-BUS-007]
+/// Superposed error flags of all nodes at their longest, and the delimiter. [SRS_BUS_007]
 constexpr std::uint16_t kErrorFrameBits = 12U + 8U;
-/// A frame that starts at t is chosen just after t, so that everything submitted at t takes part. [SRS-BUS-003]
+/// A frame that starts at t is chosen just after t, so that everything submitted at t takes part. [SRS_BUS_003]
 constexpr BusTime kChoiceDelay = 1;
 
 void CountDown(std::uint32_t& errors)

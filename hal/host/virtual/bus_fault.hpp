@@ -97,7 +97,7 @@ enum class SubmitFate : std::uint8_t
 
 /// Faults of the bus and of controllers. They change frames and nothing else. Several may be installed; each sees what
 /// the one before left. All calls are deterministic in number and order; none may call back into the bus except Plan.
-/// [SRS-BUS-010]
+/// [SRS_BUS_010]
 class BusFault
 {
   public:

@@ -19,7 +19,7 @@ constexpr std::uint16_t kIntermissionBits = 3U;
 /// Longest frame: 29-bit identifier, 8 bytes, worst stuffing, trailer.
 constexpr std::size_t kMaxFrameBits = 157U;
 
-/// Bits of a frame on the wire, SOF to the end of EOF. [SRS-BUS-001]
+/// Bits of a frame on the wire, SOF to the end of EOF. [SRS_BUS_001]
 struct FrameBits
 {
     std::uint16_t stuffable; ///< SOF to CRC sequence, without stuff bits.
@@ -53,7 +53,7 @@ struct WireImage
 [[nodiscard]] FrameBits MeasureFrame(const CanFrame& frame);
 /// @brief Writes out every bit; slow, for collisions and pictures. The frame is a classical one.
 [[nodiscard]] WireImage DrawFrame(const CanFrame& frame);
-/// @brief The arbitration field as a number: the lower one wins the bus. The frame is a classical one. [SRS-BUS-003]
+/// @brief The arbitration field as a number: the lower one wins the bus. The frame is a classical one. [SRS_BUS_003]
 [[nodiscard]] std::uint32_t ArbitrationKey(const CanFrame& frame);
 
 } // namespace counterpoint::host

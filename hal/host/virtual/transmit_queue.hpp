@@ -20,7 +20,7 @@ struct QueuedFrame
     std::uint64_t order;   ///< Ascending with the time of submission.
 };
 
-/// Mailboxes of one controller. The frame on the bus keeps its mailbox until it is confirmed. [SRS-BUS-005]
+/// Mailboxes of one controller. The frame on the bus keeps its mailbox until it is confirmed. [SRS_BUS_005]
 class TransmitQueue
 {
   public:

@@ -2,7 +2,7 @@
 //
 // The order of frames in different message objects is nowhere in the hardware. It is known as long as every look finds
 // one object pending: the shortest frame takes 47 bit times, so the interrupt must come within that. Where it did not,
-// the loss is told, and all consumers of the kernel become safe. [SRS-TMS-012]
+// the loss is told, and all consumers of the kernel become safe. [SRS_TMS_012]
 #include "hal/tms570/can/can_ports.hpp"
 
 namespace counterpoint::tms570

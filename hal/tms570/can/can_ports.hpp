@@ -29,7 +29,7 @@ struct CanPortsSetup
 };
 
 /// The CAN controllers of a device. The interrupt puts frames with their stamps into a queue, the program takes them
-/// out before each cycle. [SRS-TMS-012..016]
+/// out before each cycle. [SRS_TMS_012, SRS_TMS_013, SRS_TMS_014, SRS_TMS_015, SRS_TMS_016]
 class CanPorts final : public hal::CanPorts
 {
   public:

@@ -20,7 +20,7 @@ enum class ObjectUse : std::uint8_t
     kTransmit = 2U,
 };
 
-/// One message object: a frame of this identifier has a place of its own. [SRS-TMS-010]
+/// One message object: a frame of this identifier has a place of its own. [SRS_TMS_010]
 struct CanObject
 {
     std::uint16_t identifier;
@@ -38,7 +38,7 @@ struct DcanSetup
     std::uint8_t most_returns; ///< Out of bus-off, until the next start.
 };
 
-/// Why a controller is off the bus; the first one stays until Start. [SRS-TMS-019]
+/// Why a controller is off the bus; the first one stays until Start. [SRS_TMS_019]
 enum class CanFault : std::uint8_t
 {
     kInvalid = 0U,    ///< Never started.
@@ -81,11 +81,11 @@ enum class PendingCount : std::uint8_t
 class Dcan
 {
   public:
-    /// @brief All objects and registers, read back; on the bus if kNone comes back. [SRS-TMS-011]
+    /// @brief All objects and registers, read back; on the bus if kNone comes back. [SRS_TMS_011]
     [[nodiscard]] CanFault Start(const DcanSetup& setup) noexcept;
-    /// @brief Puts a data frame into its object, if that is free. [SRS-TMS-015]
+    /// @brief Puts a data frame into its object, if that is free. [SRS_TMS_015]
     [[nodiscard]] hal::TransmitStatus Send(const CanFrame& frame) noexcept;
-    /// @brief Once a cycle: status, registers, the way out of bus-off. [SRS-TMS-018, SRS-TMS-019]
+    /// @brief Once a cycle: status, registers, the way out of bus-off. [SRS_TMS_018, SRS_TMS_019]
     void OnCycle() noexcept;
 
     /// @brief Objects that wait for Take. kNone as well if only the status does.

@@ -26,7 +26,7 @@ struct QueuedFrame
 };
 
 /// From the interrupt to the program, in order: one side puts, one takes. A frame that finds no room is a loss, and a
-/// loss always finds room. [SRS-TMS-014]
+/// loss always finds room. [SRS_TMS_014]
 class FrameQueue
 {
   public:

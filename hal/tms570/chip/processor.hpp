@@ -5,7 +5,7 @@
 #include <cstdint>
 
 /// Registers of the processor itself (ARM DDI 0363, system control coprocessor), defined as those of registers.hpp:
-/// hal/tms570/silicon for a Cortex-R4F or R5F, verification/models/tms570 for a host. [SRS-TMS-001]
+/// hal/tms570/silicon for a Cortex-R4F or R5F, verification/models/tms570 for a host. [SRS_TMS_001]
 namespace counterpoint::tms570
 {
 

@@ -15,7 +15,7 @@ struct Register
     std::uint32_t address;
 };
 
-/// @brief One access of 32 bits, in the order of the program. [SRS-TMS-001]
+/// @brief One access of 32 bits, in the order of the program. [SRS_TMS_001]
 [[nodiscard]] std::uint32_t Read(Register place) noexcept;
 void Write(Register place, std::uint32_t value) noexcept;
 
@@ -51,10 +51,10 @@ enum class Outcome : std::uint8_t
     kFailed = 1U,
 };
 
-/// @brief Looks until `bits` read as wanted, at most `most` times. kFailed: they never did. [SRS-TMS-003]
+/// @brief Looks until `bits` read as wanted, at most `most` times. kFailed: they never did. [SRS_TMS_003]
 [[nodiscard]] Outcome WaitFor(Register place, Bits bits, Looks most) noexcept;
 
-/// @brief Writes and reads again. kFailed: the bits of `mask` read otherwise. [SRS-TMS-004]
+/// @brief Writes and reads again. kFailed: the bits of `mask` read otherwise. [SRS_TMS_004]
 [[nodiscard]] Outcome WriteChecked(Register place, std::uint32_t value, std::uint32_t mask) noexcept;
 
 /// @brief Reads a register whose reading does something; the value does not matter.

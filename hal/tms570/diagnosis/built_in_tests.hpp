@@ -23,12 +23,12 @@ enum class LogicTest : std::uint8_t
 
 /// @brief Logic test of both processors (LBIST): call once after each reset, with its reason. After power-on it starts
 /// the self-check, after the reset of that the test, after the reset of that it tells the result. The state between
-/// resets is in the controller of the test itself. [SRS-TMS-047]
+/// resets is in the controller of the test itself. [SRS_TMS_047]
 [[nodiscard]] LogicTest ContinueLogicTest(ResetReason reason) noexcept;
 
 /// @brief Memory test by hardware (PBIST): a run that must fail, then the ROMs of the test and the memories of
 /// peripherals. Their content is lost; the RAM of the processor is not among them (its march test is in
-/// safety_core/selftest). [SRS-TMS-048]
+/// safety_core/selftest). [SRS_TMS_048]
 [[nodiscard]] Outcome TestMemories(const MemorySelection& memories) noexcept;
 
 } // namespace counterpoint::tms570

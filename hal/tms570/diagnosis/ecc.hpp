@@ -91,14 +91,14 @@ struct EccTestPlace
 inline constexpr std::uint32_t kEccTestBytes = 32U;
 
 /// @brief Both banks of RAM: one bit is corrected and reported, two bits are reported and abort; then as it was.
-/// Interrupts are locked and the ESM is not started. [SRS-TMS-044]
+/// Interrupts are locked and the ESM is not started. [SRS_TMS_044]
 [[nodiscard]] Outcome TestRamEcc(EccTestPlace place) noexcept;
 
 /// @brief Level 2 RAM: a right pair of data and ECC raises nothing, one and two wrong bits are each reported by both
-/// corrections. No cell is touched; the correction of the processor itself is always on there. [SRS-TMS-044]
+/// corrections. No cell is touched; the correction of the processor itself is always on there. [SRS_TMS_044]
 [[nodiscard]] Outcome TestLevel2Ram() noexcept;
 
-/// @brief Flash: the same in diagnostic mode 7. [SRS-TMS-045]
+/// @brief Flash: the same in diagnostic mode 7. [SRS_TMS_045]
 [[nodiscard]] Outcome TestFlashEcc() noexcept;
 
 } // namespace counterpoint::tms570

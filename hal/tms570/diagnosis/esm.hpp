@@ -37,19 +37,19 @@ void ForceErrorPin() noexcept;
 /// @brief Lets nERROR go high again after its low time, as after a forced error that was found.
 void ReleaseErrorPin() noexcept;
 
-/// Error signalling module: which error leads to what. [SRS-TMS-030..033]
+/// Error signalling module: which error leads to what. [SRS_TMS_030, SRS_TMS_031, SRS_TMS_032, SRS_TMS_033]
 class Esm
 {
   public:
     /// @brief Before any test: no error of group 2 or 3, nor in the shadow of group 2 from before the reset. kFailed:
-    /// First tells which. [SRS-TMS-031]
+    /// First tells which. [SRS_TMS_031]
     [[nodiscard]] Outcome ExamineCold() noexcept;
-    /// @brief nERROR is forced and seen low, then released and seen high. [SRS-TMS-033]
+    /// @brief nERROR is forced and seen low, then released and seen high. [SRS_TMS_033]
     [[nodiscard]] Outcome TestErrorPin() noexcept;
     /// @brief Reactions by the table, read back; kFailed as well if an error with reaction safe state is there.
     [[nodiscard]] Outcome Start() noexcept;
     /// @brief From the interrupts of either level, and once a cycle. kFailed: safe state; the caller cuts off the
-    /// outputs. nERROR is low by then. [SRS-TMS-032]
+    /// outputs. nERROR is low by then. [SRS_TMS_032]
     [[nodiscard]] Outcome Serve() noexcept;
     /// @brief Once a cycle: set up as it was.
     [[nodiscard]] Outcome Examine() const noexcept;

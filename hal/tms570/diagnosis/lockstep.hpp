@@ -41,7 +41,7 @@ inline constexpr Comparator kComparators[kMostComparators] = {{0x00U, 0x04U, kEs
 } // namespace ccm
 
 /// Lockstep of the two processors and what else the CCM compares; nothing turns it off but the test, and only while it
-/// runs. [SRS-TMS-040]
+/// runs. [SRS_TMS_040]
 class Lockstep
 {
   public:

@@ -27,7 +27,7 @@ struct MpuSetup
 };
 
 /// Memory protection of the processor: code in user mode writes `non_safety` only and reaches no peripheral; regions of
-/// Protect are written by their owner, in privileged mode, while it is entered. [SRS-TMS-027, SRS-TMS-028]
+/// Protect are written by their owner, in privileged mode, while it is entered. [SRS_TMS_027, SRS_TMS_028]
 class Mpu final : public hal::MemoryProtection
 {
   public:

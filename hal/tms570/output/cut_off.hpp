@@ -6,7 +6,7 @@ namespace counterpoint::tms570
 {
 
 /// @brief What an exception does first: all pins of both ports low and inputs, both CAN controllers off the bus, nERROR
-/// low. Needs no object, no memory but the stack, no lock. [SRS-TMS-052]
+/// low. Needs no object, no memory but the stack, no lock. [SRS_TMS_052]
 void CutOffEverything() noexcept;
 
 } // namespace counterpoint::tms570

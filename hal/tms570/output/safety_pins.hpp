@@ -29,7 +29,7 @@ struct SafetyPinsSetup
 };
 
 /// Safety outputs on the pins of a GIO port: low unless three right permits of this cycle open them. A pin that does
-/// not follow cuts all of them off until the next Start. [SRS-TMS-024, SRS-TMS-025]
+/// not follow cuts all of them off until the next Start. [SRS_TMS_024, SRS_TMS_025]
 class SafetyPins final : public hal::SafetyOutput, public hal::OutputCutoff
 {
   public:

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// What hal/tms570/start asks of the hardware after an exception. [SRS-TMS-052]
+// What hal/tms570/start asks of the hardware after an exception. [SRS_TMS_052]
 #include "hal/tms570/chip/processor.hpp"
 #include "hal/tms570/output/cut_off.hpp"
 

@@ -1,7 +1,7 @@
 @ Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 @
 @ The one instruction that a test of ECC reads with, and the way back from the abort that it provokes. ARM state, so that
-@ every instruction has the same length. [SRS-TMS-046]
+@ every instruction has the same length. [SRS_TMS_046]
     .syntax unified
     .arch armv7-r
     .arm

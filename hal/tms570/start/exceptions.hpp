@@ -10,7 +10,7 @@ namespace counterpoint::tms570
 {
 
 /// @brief The record that start-up does not clear: of an exception before the last reset, or of none. `address_low` is
-/// what was accessed (0: not an access), `address_high` the instruction. [SRS-FW-005]
+/// what was accessed (0: not an access), `address_high` the instruction. [SRS_FW_005]
 [[nodiscard]] hal::ExceptionMemory LastException() noexcept;
 
 } // namespace counterpoint::tms570
@@ -32,7 +32,7 @@ extern "C"
     void FirmwareFastInterrupt() noexcept;
 
     /// @brief Calls `code` in user mode with a stack that ends below `stack_top`. The memory protection decides what it
-    /// may write. [SRS-FW-007]
+    /// may write. [SRS_FW_007]
     void RunUnprivileged(void (*code)() noexcept, std::uint32_t* stack_top) noexcept;
 }
 

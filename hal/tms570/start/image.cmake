@@ -4,13 +4,13 @@
 #   <name>_be32.elf  for silicon: instructions big-endian (BE32), flash at 0, RAM at 0x08000000, with the board's drivers
 #   <name>.elf       for the emulator: instructions little-endian (BE8), with what SILICON is replaced by; and <name>.bin,
 #                    since the emulator loads no big-endian ELF
-# No library of a compiler is linked. [SRS-FW-001, SRS-FW-003]
+# No library of a compiler is linked. [SRS_FW_001, SRS_FW_003]
 set(COUNTERPOINT_FIRMWARE_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/tms570.ld)
 
 # Flash and RAM in bytes, and the powers of two that cover them for the MPU. All have flash at 0 and RAM at 0x08000000.
 # hal/tms570/chip/variant.hpp has the same lengths; the image test compares. The last one: groups of the RAM in the memory test
 # hardware. LS12x and LS31x: groups 6, 21, 22 (and 28), as the start-up that the vendor's code generator writes for each has
-# them; LC43x: groups 29 and 30, SPNS195C table 6-33; LS20x: not known here, 0 leaves the test out. [SRS-FW-017, SRS-FW-019]
+# them; LC43x: groups 29 and 30, SPNS195C table 6-33; LS20x: not known here, 0 leaves the test out. [SRS_FW_017, SRS_FW_019]
 set(COUNTERPOINT_MEMORY_LS20x 0x00200000 0x00028000 0x00200000 0x00040000 0)
 set(COUNTERPOINT_MEMORY_LS12x 0x00140000 0x00030000 0x00200000 0x00040000 0x00300020)
 set(COUNTERPOINT_MEMORY_LS31x 0x00300000 0x00040000 0x00400000 0x00040000 0x08300020)

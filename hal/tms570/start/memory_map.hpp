@@ -15,7 +15,7 @@ extern "C"
 namespace counterpoint::tms570
 {
 
-/// @brief The regions of the MPU that are the same for every party, as the linker placed them. [SRS-FW-002]
+/// @brief The regions of the MPU that are the same for every party, as the linker placed them. [SRS_FW_002]
 [[nodiscard]] MpuSetup FixedRegions() noexcept;
 
 /// @brief Gives the regions of channel A, channel B and core to the protection. False where one was refused.

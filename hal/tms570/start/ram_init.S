@@ -3,7 +3,7 @@
 @ The RAM of the processor before its first use, in registers alone: tested by the memory test hardware (TRM "Programmable
 @ Built-In Self-Test": march 13N for single-port memories), then written with zeroes and a right ECC by the hardware of the
 @ system module (TRM "auto-initialisation of on-chip RAM": global key, memory 0, wait for the end, global key off). The clock
-@ is the oscillator's. `pbist_ram_groups` is a constant of the variant (image.cmake). [SRS-FW-004, SRS-FW-019]
+@ is the oscillator's. `pbist_ram_groups` is a constant of the variant (image.cmake). [SRS_FW_004, SRS_FW_019]
     .syntax unified
     .arch armv7-r
     .arm

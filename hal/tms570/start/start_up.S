@@ -1,7 +1,7 @@
 @ Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 @
 @ Vectors of a TMS570 and the way from reset to FirmwareMain. The same object is in the image for silicon and in the one
-@ for the emulator. [SRS-FW-004]
+@ for the emulator. [SRS_FW_004]
 @
 @ Order (start order of the family, TRM "device start-up"): registers of all modes, event export, flash correction, RAM by
 @ hardware, RAM correction, stacks, data, constructors. Nothing touches the RAM before HardwareInitialiseRam came back.

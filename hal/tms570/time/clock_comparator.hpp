@@ -40,7 +40,7 @@ inline constexpr std::uint32_t kTolerance = 792U;
 
 } // namespace dcc
 
-/// Supervises the clock of the processor, of which both counters of time are made. [SRS-TMS-043]
+/// Supervises the clock of the processor, of which both counters of time are made. [SRS_TMS_043]
 class ClockComparator
 {
   public:

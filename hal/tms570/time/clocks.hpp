@@ -17,17 +17,17 @@ struct ResetReason
 };
 
 /// @brief Flags of the resets since they were cleared. The test of the logic ends in a reset, too: whoever clears the
-/// others before it is over does not know any more why the controller started. [SRS-TMS-051]
+/// others before it is over does not know any more why the controller started. [SRS_TMS_051]
 [[nodiscard]] ResetReason ReadResetReason() noexcept;
 void ClearResetReason(ResetReason reason) noexcept;
 
-/// @brief Oscillator, PLL, dividers, sources, peripherals; every wait bounded, everything read back. [SRS-TMS-050]
+/// @brief Oscillator, PLL, dividers, sources, peripherals; every wait bounded, everything read back. [SRS_TMS_050]
 [[nodiscard]] Outcome StartClocks(const ClockTree& clocks, const SystemSetup& system) noexcept;
 
 /// @brief Once a cycle: sources as set up, no slip of the PLL, no failure of the oscillator.
 [[nodiscard]] Outcome ExamineClocks(std::uint32_t rti_source) noexcept;
 
-/// @brief Memories of the peripherals are written by hardware, with a right parity. [SRS-TMS-049]
+/// @brief Memories of the peripherals are written by hardware, with a right parity. [SRS_TMS_049]
 [[nodiscard]] Outcome InitialiseMemories(const MemorySelection& memories) noexcept;
 
 } // namespace counterpoint::tms570

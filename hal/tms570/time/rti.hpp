@@ -17,12 +17,12 @@ struct RtiClock
 };
 
 /// The two counters of time: counter block 0 for channel A, block 1 for channel B, each with a prescaler of its own to
-/// one microsecond. Both are fed by RTICLK, which the clock comparator supervises. [SRS-TMS-020]
+/// one microsecond. Both are fed by RTICLK, which the clock comparator supervises. [SRS_TMS_020]
 class Rti final : public hal::Clocks
 {
   public:
     /// @brief Sets both to 0 and starts them together; read back. kFailed as well when one of them does not advance.
-    /// [SRS-TMS-021]
+    /// [SRS_TMS_021]
     [[nodiscard]] Outcome Start(RtiClock clock) noexcept;
     [[nodiscard]] InstantPair Now() noexcept override;
     /// @brief Once a cycle: set up as it was. Whether the counters run the kernel finds out from the stamps.

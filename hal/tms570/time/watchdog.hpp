@@ -25,7 +25,7 @@ struct WatchdogPlan
 };
 
 /// @brief Longest period that ends within `wanted`, with the smallest open window that still opens before
-/// `latest_open_us`. [SRS-TMS-022]
+/// `latest_open_us`. [SRS_TMS_022]
 [[nodiscard]] WatchdogPlan PlanWatchdog(const hal::WatchdogWindow& wanted, RtiClock clock,
                                         std::uint32_t latest_open_us) noexcept;
 
@@ -33,10 +33,10 @@ struct WatchdogPlan
 class WindowedWatchdog final : public hal::Watchdog
 {
   public:
-    /// @brief Starts it; this counts as the answer before. [SRS-TMS-022]
+    /// @brief Starts it; this counts as the answer before. [SRS_TMS_022]
     [[nodiscard]] Outcome Start(const WatchdogPlan& plan) noexcept;
     [[nodiscard]] hal::WatchdogQuestion Question() noexcept override;
-    /// @brief Writes two keys that are right only if all bits of the answer are. [SRS-TMS-023]
+    /// @brief Writes two keys that are right only if all bits of the answer are. [SRS_TMS_023]
     void Answer(const hal::WatchdogAnswer& answer) noexcept override;
     /// @brief Once a cycle: set up as it was. A watchdog that is off has failed.
     [[nodiscard]] Outcome Examine() const noexcept;

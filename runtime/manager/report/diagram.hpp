@@ -26,7 +26,7 @@ struct DiagramRow
     bool is_request{false}; ///< An SDO; without `until_us` nobody answered.
 };
 
-/// Collects what the boot-up sequence diagram shows. [SRS-MGR-008]
+/// Collects what the boot-up sequence diagram shows. [SRS_MGR_008]
 class ManagerDiagram
 {
   public:

@@ -27,12 +27,12 @@ struct ManagerEvent
 
 /// @brief One line of JSON with a line end; what is no UTF-8 is replaced.
 [[nodiscard]] std::string OneLine(const nlohmann::ordered_json& value);
-/// @brief One line of the event log. [SRS-MGR-007]
+/// @brief One line of the event log. [SRS_MGR_007]
 [[nodiscard]] std::string JsonLine(const ManagerEvent& event);
 /// @brief One line for a person: time, node, text.
 [[nodiscard]] std::string TextLine(const ManagerEvent& event);
 
-/// Puts what the manager tells into words, in order. [SRS-MGR-007]
+/// Puts what the manager tells into words, in order. [SRS_MGR_007]
 class ManagerJournal final : public cia302::ManagerListener
 {
   public:

@@ -29,11 +29,11 @@ struct StatusRow
     bool is_good{false};
 };
 
-/// @brief All slaves in the order of their node-IDs. [SRS-MGR-005]
+/// @brief All slaves in the order of their node-IDs. [SRS_MGR_005]
 [[nodiscard]] std::vector<StatusRow> StatusRows(const ManagerHost& host, Instant now);
 /// @brief Manager, slaves and process data as a table of text, with a line end.
 [[nodiscard]] std::string StatusTable(const ManagerStation& station, std::uint64_t now_us);
-/// @brief The same for programs: with `--json` the last line, and the answer to `status`. [SRS-MGR-005]
+/// @brief The same for programs: with `--json` the last line, and the answer to `status`. [SRS_MGR_005]
 [[nodiscard]] nlohmann::ordered_json StatusJson(const ManagerStation& station, std::uint64_t now_us);
 /// @brief "operational, active master: operational, cia302"
 [[nodiscard]] std::string ManagerLine(const ManagerHost& host);

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-// What an entry of an EDS or DCF is as an entry of a dictionary. [SRS-NODE-001]
+// What an entry of an EDS or DCF is as an entry of a dictionary. [SRS_NODE_001]
 namespace counterpoint::runtime
 {
 /// @brief 1010h and 1011h.

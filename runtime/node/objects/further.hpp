@@ -19,7 +19,7 @@
 namespace counterpoint::runtime
 {
 /// The services that not every device has, as many as the file of a live node has objects of; what they hear becomes
-/// lines. Stays where it is. [SRS-NODE-012]
+/// lines. Stays where it is. [SRS_NODE_012]
 class NodeFurther final : private cia301::TimeListener, private cia301::EmergencyListener
 {
   public:

@@ -18,7 +18,7 @@
 namespace counterpoint::runtime
 {
 /// The objects of an EDS or DCF that are not the kernel's, as a table for a dictionary; owns their values. Stays where
-/// it is. [SRS-NODE-001]
+/// it is. [SRS_NODE_001]
 class NodeObjects
 {
   public:
@@ -43,7 +43,7 @@ class NodeObjects
     [[nodiscard]] const std::vector<std::string>& Refusals() const noexcept;
 
     /// @brief PDOs of the file that are on, which the device has turned off because their mapping does not hold, as
-    /// lines. After the configuration. [SRS-NODE-017]
+    /// lines. After the configuration. [SRS_NODE_017]
     [[nodiscard]] std::vector<std::string> PdosTurnedOff(cia301::Dictionary& dictionary) const;
 
   private:

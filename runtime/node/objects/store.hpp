@@ -56,7 +56,7 @@ struct NodeStoreParts
     device::Services& services;
 };
 
-/// 1010h and 1011h of a live node, and the settings of its LSS, in a file. [SRS-NODE-011, SRS-NODE-015]
+/// 1010h and 1011h of a live node, and the settings of its LSS, in a file. [SRS_NODE_011, SRS_NODE_015]
 class NodeStore
 {
   public:

@@ -2,6 +2,7 @@
 #include "canopen/cia301/dictionary/dictionary.hpp"
 #include "canopen/cia301/dictionary/entry_value.hpp"
 #include "tests/canopen/cia301/fake_objects.hpp"
+#include "verification/trace/ids/cia301.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <array>

@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia301/emergency/producer.hpp"
+#include "verification/trace/ids/cia301.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <vector>

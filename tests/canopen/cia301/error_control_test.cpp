@@ -2,6 +2,7 @@
 #include "canopen/cia301/nmt/heartbeat_consumer.hpp"
 #include "canopen/cia301/nmt/heartbeat_producer.hpp"
 #include "canopen/cia301/nmt/node_guarding.hpp"
+#include "verification/trace/ids/cia301.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <array>

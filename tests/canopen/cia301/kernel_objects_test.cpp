@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia301/dictionary/dictionary.hpp"
 #include "tests/safety_core/kernel/rig.hpp"
+#include "verification/trace/ids/cia301.hpp"
 
 namespace counterpoint::cia301
 {

@@ -2,6 +2,7 @@
 // Defects that other stacks had, each with a test that it is not here. Those of masters are in the tests of CiA 302.
 #include "canopen/cia301/nmt/node_guarding.hpp"
 #include "tests/canopen/cia301/service_rig.hpp"
+#include "verification/trace/ids/cia301.hpp"
 
 namespace counterpoint::cia301
 {

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia301/nmt/slave.hpp"
 #include "canopen/cia301/objects/service_table.hpp"
+#include "verification/trace/ids/cia301.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <array>

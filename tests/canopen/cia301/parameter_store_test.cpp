@@ -2,6 +2,8 @@
 #include "canopen/cia301/store/parameter_store.hpp"
 #include "hal/absent/absent.hpp"
 #include "tests/canopen/cia301/cut_memory.hpp"
+#include "verification/trace/ids/hal.hpp"
+#include "verification/trace/ids/store.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <map>

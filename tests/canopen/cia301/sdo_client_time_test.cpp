@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Silence, late answers, and frames that are none.
 #include "tests/canopen/cia301/sdo_client_rig.hpp"
+#include "verification/trace/ids/cia301.hpp"
 
 #include <algorithm>
 #include <random>

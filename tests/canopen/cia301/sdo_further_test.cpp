@@ -2,6 +2,7 @@
 // A further SDO server (1201h) and an SDO client of the dictionary (1281h) with a wire between them.
 #include "canopen/cia301/sdo/client_port.hpp"
 #include "tests/canopen/cia301/sdo_client_rig.hpp"
+#include "verification/trace/ids/cia301.hpp"
 
 namespace counterpoint::cia301
 {

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia301/sdo/server_port.hpp"
 #include "tests/canopen/cia301/sdo_client_rig.hpp"
+#include "verification/trace/ids/cia301.hpp"
 
 namespace counterpoint::cia301
 {

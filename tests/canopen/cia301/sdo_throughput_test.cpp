@@ -5,6 +5,7 @@
 #include "hal/host/virtual/bus.hpp"
 #include "hal/host/virtual/frame_bits.hpp"
 #include "tests/canopen/cia301/fake_objects.hpp"
+#include "verification/trace/ids/cia301.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <vector>

@@ -9,6 +9,7 @@
 #include "canopen/cia301/sdo/server_port.hpp"
 #include "canopen/cia301/time/time_stamp.hpp"
 #include "tests/canopen/cia301/service_rig.hpp"
+#include "verification/trace/ids/cia301.hpp"
 
 namespace counterpoint::cia301
 {

@@ -5,6 +5,9 @@
 #include "tests/canopen/cia301/cut_memory.hpp"
 #include "tests/canopen/cia301/service_rig.hpp"
 #include "tests/safety_core/kernel/rig.hpp"
+#include "verification/trace/ids/cia301.hpp"
+#include "verification/trace/ids/pdo.hpp"
+#include "verification/trace/ids/store.hpp"
 
 namespace counterpoint::cia301
 {

@@ -1,5 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tests/canopen/cia301/service_rig.hpp"
+#include "verification/trace/ids/cia301.hpp"
+#include "verification/trace/ids/pdo.hpp"
 
 namespace counterpoint::cia301
 {

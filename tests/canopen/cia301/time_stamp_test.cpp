@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia301/time/time_stamp.hpp"
 #include "tests/canopen/cia301/service_rig.hpp"
+#include "verification/trace/ids/pdo.hpp"
 
 namespace counterpoint::cia301
 {

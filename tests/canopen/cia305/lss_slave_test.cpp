@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia305/lss_slave.hpp"
 #include "tests/canopen/cia301/keeping_sink.hpp"
+#include "verification/trace/ids/cia301.hpp"
+#include "verification/trace/ids/lss.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia305/stored_lss.hpp"
 #include "tests/canopen/cia301/cut_memory.hpp"
+#include "verification/trace/ids/lss.hpp"
 #include "verification/trace/verifies.hpp"
 
 namespace counterpoint::cia305

@@ -2,6 +2,7 @@
 #include "canopen/cia306/file/device_reader.hpp"
 
 #include "tests/canopen/cia306/device_text.hpp"
+#include "verification/trace/ids/eds.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

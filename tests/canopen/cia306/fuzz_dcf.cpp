@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Feeds arbitrary text to everything that a device file passes: read, extract, check, sign, write, read again.
-// A refusal (InputError) is a right answer; everything else that goes wrong ends the process. [SRS-EDS-025]
+// A refusal (InputError) is a right answer; everything else that goes wrong ends the process. [SRS_EDS_025]
 #include "canopen/cia306/check/check.hpp"
 #include "canopen/cia306/file/device_reader.hpp"
 #include "canopen/cia306/safety/safety_configuration.hpp"

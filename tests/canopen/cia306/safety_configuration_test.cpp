@@ -4,6 +4,7 @@
 #include "canopen/cia306/safety/device_parameters.hpp"
 #include "canopen/cia306/safety/signature.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
+#include "verification/trace/ids/eds.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

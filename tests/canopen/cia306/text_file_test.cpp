@@ -2,6 +2,7 @@
 #include "canopen/cia306/text/text_file.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
+#include "verification/trace/ids/eds.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

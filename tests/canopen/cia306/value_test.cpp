@@ -4,6 +4,8 @@
 
 #include "canopen/cia306/file/data_type.hpp"
 #include "canopen/cia306/text/number.hpp"
+#include "verification/trace/ids/eds.hpp"
+#include "verification/trace/ids/generate.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

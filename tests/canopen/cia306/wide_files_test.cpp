@@ -3,6 +3,7 @@
 // the CRC-16 of 13FFh, zlib.crc32(bytes) the CRC-32 of 5F04h.
 #include "canopen/cia306/safety/digest.hpp"
 #include "tests/canopen/cia306/check_text.hpp"
+#include "verification/trace/ids/eds.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>
@@ -241,7 +242,7 @@ TEST(WideFiles, TheDigestIsThatOfAnIndependentComputation)
     const DigestRecord record = DigestOfText(FileText("digest"));
     EXPECT_TRUE(record.is_present);
     EXPECT_TRUE(record.problems.empty());
-    // Then the bytes are those of SRS-CFG-034
+    // Then the bytes are those of SRS_CFG_034
     EXPECT_EQ(HexBytes(BytesOf(record.fields)),
               "7F 01 66 99 5A 01 02 D0 07 00 00 EE 02 00 00 28 23 00 00 C0 27 09 00 50 D4 12 00 E8 E5 04 00 4D 00 00 "
               "00 40 E2 01 00 E1 10 00 00 01 02 5A 00 3C FE D4 C3 B2 A1 00 00 00 00 05 00 01 00 FE 88 77 66 55 44 33 "

@@ -3,6 +3,7 @@
 #include "canopen/cia301/sdo/client_port.hpp"
 #include "canopen/cia301/time/time_stamp.hpp"
 #include "tests/canopen/device/device_rig.hpp"
+#include "verification/trace/ids/node.hpp"
 
 // Services that not every device has, in a device.
 namespace counterpoint::device

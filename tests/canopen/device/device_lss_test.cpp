@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tests/canopen/device/device_rig.hpp"
+#include "verification/trace/ids/node.hpp"
 
 namespace counterpoint::device
 {

@@ -2,6 +2,7 @@
 #include "canopen/device/outbox.hpp"
 #include "canopen/device/safety_queue.hpp"
 #include "tests/safety_core/kernel/rig.hpp"
+#include "verification/trace/ids/node.hpp"
 
 #include <array>
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# compile_test.sh SOURCE_FOLDER GENERATED_FOLDER COUNT: all generated dictionaries by all compilers of SRS-GEN-004.
+# compile_test.sh SOURCE_FOLDER GENERATED_FOLDER COUNT: all generated dictionaries by all compilers of SRS_GEN_004.
 source=$1
 folder=$2
 count=$3

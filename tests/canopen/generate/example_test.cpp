@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "examples/generated_actuator/run.hpp"
 #include "examples/host/run.hpp"
+#include "verification/trace/ids/generate.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 #include "canopen/generate/generate.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/canopen/generate/random_device.hpp"
+#include "verification/trace/ids/generate.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

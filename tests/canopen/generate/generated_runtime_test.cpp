@@ -5,6 +5,7 @@
 #include "canopen/generated/numbers.hpp"
 #include "canopen/generated/stored_objects.hpp"
 #include "tests/canopen/cia301/fake_objects.hpp"
+#include "verification/trace/ids/generate.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

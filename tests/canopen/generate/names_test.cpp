@@ -2,6 +2,7 @@
 #include "canopen/generate/generate.hpp"
 #include "canopen/generate/names.hpp"
 #include "tests/canopen/generate/random_device.hpp"
+#include "verification/trace/ids/generate.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include "canopen/cia306/file/device_reader.hpp"

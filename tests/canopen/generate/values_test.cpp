@@ -6,6 +6,7 @@
 #include "canopen/cia306/safety/signature.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "tests/canopen/generate/generated_node.hpp"
+#include "verification/trace/ids/generate.hpp"
 
 #include <gtest/gtest.h>
 

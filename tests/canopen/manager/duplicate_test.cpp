@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Two devices with one node-ID and no heartbeat, and single devices that must not be taken for two.
 #include "tests/canopen/manager/rig.hpp"
+#include "verification/trace/ids/manager.hpp"
 
 namespace counterpoint::cia302
 {

@@ -2,6 +2,8 @@
 //
 // A manager with a flying master and a profile that does nothing: what it does with the role that was negotiated.
 #include "canopen/manager/manager.hpp"
+#include "verification/trace/ids/flying_master.hpp"
+#include "verification/trace/ids/manager.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

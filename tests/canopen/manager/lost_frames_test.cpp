@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Slaves that booted or were replaced while the manager lost frames, and starts that waited too long.
 #include "tests/canopen/manager/rig.hpp"
+#include "verification/trace/ids/manager.hpp"
+#include "verification/trace/ids/nmt_master.hpp"
 
 namespace counterpoint::cia302
 {

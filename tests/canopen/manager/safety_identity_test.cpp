@@ -2,6 +2,7 @@
 // Who a safety slave is, asked with each verification and before each writing.
 #include "canopen/start_up/el6751/setup.hpp"
 #include "tests/canopen/manager/rig.hpp"
+#include "verification/trace/ids/manager.hpp"
 
 namespace counterpoint::cia302
 {

@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Paths by which a safety slave could come to OPERATIONAL, or stay there, without having been read.
 #include "tests/canopen/manager/rig.hpp"
+#include "verification/trace/ids/manager.hpp"
+#include "verification/trace/ids/nmt_master.hpp"
 
 namespace counterpoint::cia302
 {

@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Safety slaves of which nobody knows whether they are the expected device, or that run while nobody can ask them.
 #include "tests/canopen/manager/rig.hpp"
+#include "verification/trace/ids/manager.hpp"
+#include "verification/trace/ids/start_up_profiles.hpp"
 
 namespace counterpoint::cia302
 {

@@ -2,6 +2,7 @@
 #include "canopen/monitor/decoder.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/canopen/monitor/recordings.hpp"
+#include "verification/trace/ids/monitor.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Feeds arbitrary bytes to the readers of recordings, and what they give to decoder and analysis. A refusal
-// (InputError) is a right answer; everything else that goes wrong ends the process. [SRS-MON-014]
+// (InputError) is a right answer; everything else that goes wrong ends the process. [SRS_MON_014]
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/monitor/decoder.hpp"
 #include "canopen/monitor/recording.hpp"

@@ -4,6 +4,7 @@
 #include "simulator/report/reports.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/canopen/monitor/recordings.hpp"
+#include "verification/trace/ids/monitor.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 // One pair, frame by frame: controller (SCT 50 ms, SRVT 20 ms) listens to the sensor's 101h and 102h.
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/canopen/monitor/recordings.hpp"
+#include "verification/trace/ids/monitor.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

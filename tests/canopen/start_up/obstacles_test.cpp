@@ -2,6 +2,7 @@
 // Both profiles where commands wait, where the gate closes again, and with other SDO times than their own.
 #include "tests/canopen/start_up/el6751/rig.hpp"
 #include "tests/canopen/start_up/plc_designer/rig.hpp"
+#include "verification/trace/ids/start_up_profiles.hpp"
 
 namespace counterpoint::cia302
 {

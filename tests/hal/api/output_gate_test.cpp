@@ -1,5 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "hal/api/output_gate.hpp"
+#include "verification/trace/ids/hal.hpp"
+#include "verification/trace/ids/selftest.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "hal/api/plain_memory.hpp"
 #include "hal/host/memory.hpp"
+#include "verification/trace/ids/selftest.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "hal/host/virtual/bit_rate.hpp"
+#include "verification/trace/ids/hal.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 #include "hal/host/virtual/bus.hpp"
 #include "tests/hal/host/allocations.hpp"
 #include "tests/hal/host/bus_rig.hpp"
+#include "verification/trace/ids/hal.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

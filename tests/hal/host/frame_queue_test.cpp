@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "hal/host/frame_queue.hpp"
 #include "tests/hal/host/bus_rig.hpp"
+#include "verification/trace/ids/hal.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 #include "hal/host/cross_link.hpp"
 
 #include "hal/host/udp_cross_link.hpp"
+#include "verification/trace/ids/crosslink.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

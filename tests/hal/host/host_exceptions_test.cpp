@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "hal/host/exceptions.hpp"
 #include "hal/host/interrupt_lock.hpp"
+#include "verification/trace/ids/selftest.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

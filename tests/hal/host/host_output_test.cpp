@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "hal/host/output.hpp"
 #include "hal/host/watchdog.hpp"
+#include "verification/trace/ids/hal.hpp"
+#include "verification/trace/ids/selftest.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

@@ -4,6 +4,7 @@
 #include "hal/host/live/address.hpp"
 #include "hal/host/live/stamp.hpp"
 #include "tests/hal/host/live_rig.hpp"
+#include "verification/trace/ids/live_bus.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

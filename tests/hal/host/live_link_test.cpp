@@ -5,6 +5,7 @@
 #include "hal/host/live/error.hpp"
 #include "hal/host/live/socketcan_bus.hpp"
 #include "tests/hal/host/live_rig.hpp"
+#include "verification/trace/ids/live_bus.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

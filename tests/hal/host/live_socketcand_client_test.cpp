@@ -2,6 +2,7 @@
 // The client of the socketcand protocol, with servers that the test makes.
 #include "hal/host/live/socketcand/server.hpp"
 #include "tests/hal/host/live_rig.hpp"
+#include "verification/trace/ids/live_bus.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <arpa/inet.h>

@@ -2,6 +2,7 @@
 // A socketcand server that ends and comes back.
 #include "tests/hal/host/live_rig.hpp"
 #include "tests/hal/host/live_server_rig.hpp"
+#include "verification/trace/ids/live_bus.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <arpa/inet.h>

@@ -2,6 +2,7 @@
 // Server and client of the socketcand protocol, over loopback and a UDP bus.
 #include "tests/hal/host/live_rig.hpp"
 #include "tests/hal/host/live_server_rig.hpp"
+#include "verification/trace/ids/live_bus.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <arpa/inet.h>

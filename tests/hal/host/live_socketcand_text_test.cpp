@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "hal/host/live/socketcand/text.hpp"
 
+#include "verification/trace/ids/live_bus.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

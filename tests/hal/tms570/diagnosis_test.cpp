@@ -5,6 +5,7 @@
 #include "hal/tms570/diagnosis/lockstep.hpp"
 #include "hal/tms570/time/clock_comparator.hpp"
 #include "tests/hal/tms570/rig.hpp"
+#include "verification/trace/ids/tms570.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

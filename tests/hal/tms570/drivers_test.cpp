@@ -2,6 +2,7 @@
 #include "hal/tms570/output/cut_off.hpp"
 #include "hal/tms570/probe.hpp"
 #include "tests/hal/tms570/rig.hpp"
+#include "verification/trace/ids/tms570.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

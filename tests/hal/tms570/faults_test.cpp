@@ -3,6 +3,7 @@
 // Every fault of the register models, set before the start or in operation, and what the unchanged drivers make of it.
 // docs/tms570_faults.md is the same table for people; the last test compares the two.
 #include "tests/hal/tms570/rig.hpp"
+#include "verification/trace/ids/tms570.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

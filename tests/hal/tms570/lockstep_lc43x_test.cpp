@@ -3,6 +3,7 @@
 // The comparators that an LC43x has beside that of its processors: VIMs, bus of the idle processor, power domains.
 #include "hal/tms570/diagnosis/lockstep.hpp"
 #include "tests/hal/tms570/rig.hpp"
+#include "verification/trace/ids/tms570.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

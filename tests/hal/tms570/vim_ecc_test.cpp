@@ -2,6 +2,7 @@
 //
 // The interrupt manager of an LC43x, which checks its table by ECC: its test at the start, and errors in operation.
 #include "tests/hal/tms570/rig.hpp"
+#include "verification/trace/ids/tms570.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

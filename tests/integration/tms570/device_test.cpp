@@ -5,6 +5,7 @@
 #include "examples/firmware/common/device.hpp"
 #include "examples/firmware/common/executive.hpp"
 #include "tests/hal/tms570/rig.hpp"
+#include "verification/trace/ids/tms570.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

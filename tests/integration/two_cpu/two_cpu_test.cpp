@@ -1,4 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/trace/ids/crosslink.hpp"
 #include "verification/trace/verifies.hpp"
 #include "verification/two_cpu/campaign.hpp"
 

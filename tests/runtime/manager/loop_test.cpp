@@ -3,6 +3,7 @@
 #include "runtime/manager/loop.hpp"
 #include "runtime/network_files/file.hpp"
 #include "tests/tools/command_run.hpp"
+#include "verification/trace/ids/manager.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <nlohmann/json.hpp>

@@ -2,6 +2,7 @@
 // Process data of a manager with the EL6751 profile.
 #include "runtime/manager/report/status.hpp"
 #include "tests/runtime/manager/rig.hpp"
+#include "verification/trace/ids/manager.hpp"
 #include "verification/trace/verifies.hpp"
 
 namespace counterpoint::tools

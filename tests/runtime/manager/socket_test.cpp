@@ -3,6 +3,7 @@
 #include "canopen/cia306/text/input_error.hpp"
 #include "runtime/manager/socket.hpp"
 #include "tests/tools/command_run.hpp"
+#include "verification/trace/ids/manager.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <algorithm>

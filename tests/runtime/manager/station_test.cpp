@@ -3,6 +3,7 @@
 #include "canopen/cia302/network/concise_dcf.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "tests/runtime/manager/rig.hpp"
+#include "verification/trace/ids/manager.hpp"
 #include "verification/trace/verifies.hpp"
 
 namespace counterpoint::tools

@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // What the EL6751 profile makes of a DCF where it and the rows of the text do not fit together.
 #include "tests/runtime/network_files/profile_rig.hpp"
+#include "verification/trace/ids/manager.hpp"
+#include "verification/trace/ids/start_up_profiles.hpp"
 
 namespace counterpoint::tools
 {

@@ -2,6 +2,8 @@
 // What the EL6751 and PLC Designer profiles learn from network files and DCFs.
 #include "runtime/manager/station.hpp"
 #include "tests/runtime/network_files/profile_rig.hpp"
+#include "verification/trace/ids/manager.hpp"
+#include "verification/trace/ids/start_up_profiles.hpp"
 
 namespace counterpoint::tools
 {

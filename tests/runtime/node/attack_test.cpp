@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "hal/host/live/bus.hpp"
 #include "tests/runtime/node/process.hpp"
+#include "verification/trace/ids/node.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <algorithm>

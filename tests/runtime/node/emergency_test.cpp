@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/node/device.hpp"
 #include "tests/tools/echo_bus.hpp"
+#include "verification/trace/ids/cia301.hpp"
+#include "verification/trace/ids/node.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <fstream>

@@ -2,6 +2,8 @@
 // A device whose bus is that of a server, which ends and is started again.
 #include "tests/hal/host/live_server_rig.hpp"
 #include "tests/runtime/node/process.hpp"
+#include "verification/trace/ids/live_bus.hpp"
+#include "verification/trace/ids/node.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <memory>

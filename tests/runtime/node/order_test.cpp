@@ -4,6 +4,7 @@
 #include "runtime/node/script.hpp"
 #include "runtime/yaml/document.hpp"
 #include "tests/tools/command_run.hpp"
+#include "verification/trace/ids/node.hpp"
 #include "verification/trace/verifies.hpp"
 
 namespace counterpoint::tools

@@ -2,6 +2,9 @@
 #include "hal/host/live/bus.hpp"
 #include "tests/runtime/node/process.hpp"
 #include "tests/tools/command_run.hpp"
+#include "verification/trace/ids/cia301.hpp"
+#include "verification/trace/ids/lss.hpp"
+#include "verification/trace/ids/node.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <algorithm>

@@ -2,6 +2,8 @@
 #include "safety_core/comparator/comparator.hpp"
 
 #include "safety_core/comparator/slot_mask.hpp"
+#include "verification/trace/ids/channel.hpp"
+#include "verification/trace/ids/kernel.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <cstdint>

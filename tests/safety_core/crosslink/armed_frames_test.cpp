@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tests/safety_core/crosslink/peer_rig.hpp"
+#include "verification/trace/ids/crosslink.hpp"
 
 #include <gtest/gtest.h>
 

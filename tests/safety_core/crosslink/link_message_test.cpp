@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "safety_core/crosslink/link_message.hpp"
 
+#include "verification/trace/ids/crosslink.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 
 #include "safety_core/crosslink/flow_tap.hpp"
 #include "tests/safety_core/crosslink/peer_rig.hpp"
+#include "verification/trace/ids/crosslink.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

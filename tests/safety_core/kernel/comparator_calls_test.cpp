@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tests/safety_core/kernel/comparator_test_hooks.hpp"
 #include "tests/safety_core/kernel/rig.hpp"
+#include "verification/trace/ids/kernel.hpp"
 
 namespace counterpoint
 {

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "safety_core/kernel/limits.hpp"
 #include "tests/safety_core/kernel/rig.hpp"
+#include "verification/trace/ids/crosslink.hpp"
 
 namespace counterpoint
 {

@@ -3,6 +3,8 @@
 // The configuration as a whole: read, loaded, and set to its power-on values.
 #include "tests/safety_core/kernel/image.hpp"
 #include "tests/safety_core/kernel/rig.hpp"
+#include "verification/trace/ids/channel.hpp"
+#include "verification/trace/ids/kernel.hpp"
 
 namespace counterpoint
 {

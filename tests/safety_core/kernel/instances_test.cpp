@@ -2,6 +2,7 @@
 //
 // Several kernels in one process.
 #include "tests/safety_core/kernel/rig.hpp"
+#include "verification/trace/ids/kernel.hpp"
 
 #include <memory>
 

@@ -3,6 +3,7 @@
 // Every return code of the reference (SO-1059 2.13) has its counterpart here, provoked once each.
 #include "tests/safety_core/kernel/image.hpp"
 #include "tests/safety_core/kernel/rig.hpp"
+#include "verification/trace/ids/kernel.hpp"
 
 namespace counterpoint
 {

@@ -2,6 +2,8 @@
 //
 // What the application asks for: Send and the GFC.
 #include "tests/safety_core/kernel/rig.hpp"
+#include "verification/trace/ids/channel.hpp"
+#include "verification/trace/ids/kernel.hpp"
 
 namespace counterpoint
 {

@@ -1,5 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tests/safety_core/kernel/rig.hpp"
+#include "verification/trace/ids/hal.hpp"
+#include "verification/trace/ids/kernel.hpp"
 
 namespace counterpoint
 {

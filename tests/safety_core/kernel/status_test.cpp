@@ -2,6 +2,7 @@
 //
 // Status byte of each SRDO and the handshake with the application.
 #include "tests/safety_core/kernel/rig.hpp"
+#include "verification/trace/ids/kernel.hpp"
 
 namespace counterpoint
 {

@@ -2,6 +2,8 @@
 //
 // Options of the reference that live in the channels, seen through the kernel: on here, off in the tests named.
 #include "tests/safety_core/kernel/rig.hpp"
+#include "verification/trace/ids/channel.hpp"
+#include "verification/trace/ids/kernel.hpp"
 
 namespace counterpoint
 {

@@ -5,6 +5,7 @@
 
 #include "tests/safety_core/kernel/rig.hpp"
 #include "tests/safety_core/selftest/device.hpp"
+#include "verification/trace/ids/selftest.hpp"
 
 #include <cstdint>
 

@@ -2,6 +2,7 @@
 #include "safety_core/selftest/memory_signature.hpp"
 
 #include "tests/safety_core/selftest/support.hpp"
+#include "verification/trace/ids/selftest.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <array>

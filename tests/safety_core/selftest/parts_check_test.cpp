@@ -3,6 +3,7 @@
 
 #include "hal/host/memory.hpp"
 #include "tests/safety_core/selftest/support.hpp"
+#include "verification/trace/ids/selftest.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <array>

@@ -5,6 +5,7 @@
 #include "hal/host/program_image.hpp"
 #include "safety_core/selftest/memory_signature.hpp"
 #include "tests/safety_core/selftest/support.hpp"
+#include "verification/trace/ids/selftest.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <cstdint>

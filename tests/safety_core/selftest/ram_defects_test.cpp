@@ -3,6 +3,7 @@
 // The RAM test over cells with each simulated defect: every one has to be found within one pass.
 #include "safety_core/selftest/ram_test.hpp"
 #include "tests/safety_core/selftest/support.hpp"
+#include "verification/trace/ids/selftest.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <cstdint>

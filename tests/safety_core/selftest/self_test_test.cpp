@@ -2,6 +2,7 @@
 #include "safety_core/selftest/self_test.hpp"
 
 #include "tests/safety_core/selftest/device.hpp"
+#include "verification/trace/ids/selftest.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <array>

@@ -2,6 +2,7 @@
 #include "safety_core/selftest/stack_guard.hpp"
 
 #include "tests/safety_core/selftest/support.hpp"
+#include "verification/trace/ids/selftest.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <cstdint>

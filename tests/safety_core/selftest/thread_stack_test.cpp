@@ -4,6 +4,7 @@
 #include "hal/host/memory.hpp"
 #include "safety_core/selftest/stack_guard.hpp"
 #include "tests/safety_core/selftest/support.hpp"
+#include "verification/trace/ids/selftest.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <pthread.h>

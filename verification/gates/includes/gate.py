@@ -21,7 +21,14 @@ MAY_SEE = {
     "hal/tms570": ["safety_core/contract", "hal/api"],
     "hal/host": ["safety_core/contract", "hal/api"],
     "canopen/cia301": ["safety_core/contract", "safety_core/kernel", "hal/api"],
-    "canopen/cia302": ["safety_core/contract", "safety_core/kernel", "hal/api", "canopen/cia301"],
+    "canopen/cia302/network": ["safety_core/contract", "safety_core/kernel", "hal/api", "canopen/cia301"],
+    "canopen/cia302/safety_gate": ["safety_core/contract", "safety_core/kernel", "hal/api", "canopen/cia301", "canopen/cia302/network", "canopen/start_up/el6751"],
+    "canopen/cia302/flying_master": ["safety_core/contract", "safety_core/kernel", "hal/api", "canopen/cia301", "canopen/cia302/network", "canopen/cia302/safety_gate", "canopen/start_up/el6751",
+                                     "canopen/start_up/plc_designer"],
+    "canopen/start_up/cia302": ["safety_core/contract", "safety_core/kernel", "hal/api", "canopen/cia301", "canopen/cia302/network"],
+    "canopen/start_up/el6751": ["safety_core/contract", "safety_core/kernel", "hal/api", "canopen/cia301", "canopen/cia302/network"],
+    "canopen/start_up/plc_designer": ["safety_core/contract", "safety_core/kernel", "hal/api", "canopen/cia301", "canopen/cia302/network"],
+    "canopen/manager": ["safety_core/contract", "safety_core/kernel", "hal/api", "canopen/cia301", "canopen/cia302/network", "canopen/cia302/safety_gate", "canopen/cia302/flying_master"],
     "canopen/cia305": ["safety_core/contract", "safety_core/kernel", "hal/api", "canopen/cia301"],
     "canopen/device": ["safety_core/contract", "safety_core/kernel", "hal/api", "canopen/cia301", "canopen/cia305"],
     "canopen/cia306": ["safety_core/contract", "safety_core/kernel", "hal/api"],
@@ -48,7 +55,7 @@ def check_include(root, name, number, directive):
         if any(name.startswith(folder + "/") for folder in FREESTANDING):
             if header not in STANDARD_HEADERS:
                 return f"{where}: <{header}> in code that runs on the target, expected one of {', '.join(sorted(STANDARD_HEADERS))}"
-        if re.match(r"(safety_core|channel_[ab]|hal|canopen|tools|verification|tests)/", header):
+        if re.match(r"(safety_core|channel_[ab]|hal|canopen|runtime|simulator|tools|verification|tests)/", header):
             return f"{where}: <{header}>, expected quotes for a header of this tree"
         return None
     header = form.group("own")

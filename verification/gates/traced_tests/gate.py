@@ -6,14 +6,15 @@ import sys
 import xml.etree.ElementTree as ElementTree
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from common import CannotLook, read, run_gate  # noqa: E402
+from common import CannotLook, files, read, run_gate  # noqa: E402
 
 
 def gate(root, data):
     xml_files = sorted(data.glob("tests/*.xml")) + sorted(data.glob("coverage/tests/*.xml"))
     if not xml_files:
         raise CannotLook("tests/*.xml and coverage/tests/*.xml, GoogleTest's reports")
-    known = set(re.findall(r'\{"(SRS-[A-Z0-9-]+)"\}', read(root, "verification/trace/requirement_ids.hpp")))
+    headers = files(root, "*.hpp", under=["verification/trace/ids"])
+    known = {uid for name in headers for uid in re.findall(r'\{"(SRS_[A-Z0-9_]+)"\}', read(root, name))}
     findings, count = [], 0
     for path in xml_files:
         for case in ElementTree.parse(path).iter("testcase"):

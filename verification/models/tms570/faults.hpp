@@ -9,7 +9,7 @@ namespace counterpoint::tms570::model
 {
 
 /// Everything that a register model can be made to do wrong. docs/tms570_faults.md has one row for each, with the
-/// reaction of the drivers. [SRS-TMS-070]
+/// reaction of the drivers. [SRS_TMS_070]
 enum class Fault : std::uint8_t
 {
     kDcanBusyForEver,

@@ -23,8 +23,8 @@ namespace counterpoint::tms570::model
 {
 
 /// A controller made of register models: what the drivers reach through hal/tms570/chip/registers.hpp on a host. One at
-/// a time. Each access takes a short time, so that a driver which looks and waits sees time go on. [SRS-TMS-001,
-/// SRS-TMS-070]
+/// a time. Each access takes a short time, so that a driver which looks and waits sees time go on. [SRS_TMS_001,
+/// SRS_TMS_070]
 class Machine
 {
   public:

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // Every conformance case with each channel, then the differential sequences with both: the same on host and target. The
-// lines that begin with "run=" must be the same on both. [SRS-TGT-003]
+// lines that begin with "run=" must be the same on both. [SRS_TGT_003]
 #include "verification/target/conformance/suite.hpp"
 
 #include "channel_a/channel.hpp"

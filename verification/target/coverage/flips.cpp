@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // Flipped bits in the storage of each channel, instrumented: what only a corrupted storage reaches. How the storage
-// lies in memory differs between target and host, and with it how often something is reached, not whether. [SRS-FW-010]
+// lies in memory differs between target and host, and with it how often something is reached, not whether. [SRS_FW_010]
 #include "verification/conformance/flip_rig.hpp"
 #include "verification/target/coverage/profile.hpp"
 #include "verification/target/gtest/memory.hpp"

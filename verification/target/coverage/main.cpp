@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // The suite of cases and the devices of the bench, instrumented: what they reach on the target has to be what they
-// reach on the host. [SRS-FW-010]
+// reach on the host. [SRS_FW_010]
 #include "verification/bench/items.hpp"
 #include "verification/bench/self_tests.hpp"
 #include "verification/target/conformance/suite.hpp"

@@ -17,7 +17,7 @@ struct Cost
 };
 
 /// Runs one firmware example through one scenario, cycle by cycle, and prints what it does: each frame it sends, each
-/// change of gate, outputs, states and device fault. The same source on host and target. [SRS-FW-009]
+/// change of gate, outputs, states and device fault. The same source on host and target. [SRS_FW_009]
 class SimulatedDevice
 {
   public:

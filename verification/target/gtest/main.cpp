@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// The tests of the safety rooms on the target, instrumented. [SRS-FW-010]
+// The tests of the safety rooms on the target, instrumented. [SRS_FW_010]
 #include <gtest/gtest.h>
 
 #include "verification/target/coverage/profile.hpp"

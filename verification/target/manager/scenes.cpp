@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // The network manager as a device would have it: nothing here but the wire is simulated. Time line of each scene: power
-// on of all at 0 ms; what else happens, its step says. [SRS-TGT-010]
+// on of all at 0 ms; what else happens, its step says. [SRS_TGT_010]
 #include "verification/target/manager/scenes.hpp"
 
 #include "examples/firmware/common/cell.hpp"

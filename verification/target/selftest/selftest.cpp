@@ -61,7 +61,7 @@ extern "C" void __cxa_pure_virtual(); // NOLINT(bugprone-reserved-identifier): t
 
 extern "C" std::uint32_t TargetMain() noexcept
 {
-    // Each argument is a fault that must end the run as a failure. [SRS-TGT-009]
+    // Each argument is a fault that must end the run as a failure. [SRS_TGT_009]
     switch (counterpoint::target::Argument()[0])
     {
     case 'u':

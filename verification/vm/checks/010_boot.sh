@@ -1,5 +1,5 @@
 # The modules are loaded, two SJA1000 cards are there, Python imports canopen
-# Requirements: SRS-LIVE-040
+# Requirements: SRS_LIVE_040
 . /lib.sh
 for module in vcan can_raw can_gw kvaser_pci sja1000 usb_8dev vhci_hcd; do
     [ -d "/sys/module/$module" ] || { echo "module $module is not loaded"; exit 1; }

@@ -1,6 +1,6 @@
 # Error frames drive state, counters and counts
 # Needs: build/product/verification/vm/live_probe
-# Requirements: SRS-LIVE-021
+# Requirements: SRS_LIVE_021
 . /lib.sh
 vcan vcan0
 $PROBE error-frames vcan0

@@ -1,6 +1,6 @@
 # The kernel's own restart (restart-ms) is recognised
 # Needs: build/product/verification/vm/live_probe
-# Requirements: SRS-LIVE-022
+# Requirements: SRS_LIVE_022
 . /lib.sh
 adapter
 ip link set usbcan0 down

@@ -1,6 +1,6 @@
 # python-can's socketcand client reaches vcan0 through counterpoint bus, both ways
 # Needs: build/product/tools/counterpoint
-# Requirements: SRS-LIVE-053
+# Requirements: SRS_LIVE_053
 import subprocess
 import sys
 import time

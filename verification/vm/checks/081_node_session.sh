@@ -1,6 +1,6 @@
 # A client of other origin walks the whole dictionary of a live device on vcan0: transfers, NMT, partners, PDO, safety
 # Needs: build/product/tools/counterpoint tests/runtime/data/everything.dcf tests/runtime/clients/node_client.py tests/runtime/clients/node_client_safety.py tests/runtime/clients/node_bus.py
-# Requirements: SRS-NODE-010
+# Requirements: SRS_NODE_010
 # Seconds: 240
 . /lib.sh
 vcan vcan0

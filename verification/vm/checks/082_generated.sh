@@ -3,7 +3,7 @@
 # Needs: examples/sensor/sensor.dcf examples/emergency_stop/actuator.dcf tests/canopen/cia306/data/static.dcf
 # Needs: build/product/tests/canopen/generate/generated/random_1.dcf build/product/tests/canopen/generate/generated/random_2.dcf
 # Needs: build/product/tests/canopen/generate/generated/random_3.dcf build/product/tests/canopen/generate/generated/random_4.dcf
-# Requirements: SRS-GEN-017
+# Requirements: SRS_GEN_017
 # Seconds: 300
 . /lib.sh
 vcan vcan0

@@ -1,6 +1,6 @@
 # counterpoint monitor on vcan0: a clean bus has no violation, planted ones are told with their cause, others' frames by name
 # Needs: build/product/tools/counterpoint examples/emergency_stop/sensor.dcf examples/emergency_stop/controller.dcf
-# Requirements: SRS-MON-017
+# Requirements: SRS_MON_017
 import json
 import pathlib
 import re

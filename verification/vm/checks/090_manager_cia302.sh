@@ -1,7 +1,7 @@
 # The manager as in CiA 302-2 boots, loses and refuses a slave of other origin (python-canopen) beside a safety slave
 # Needs: build/product/tools/counterpoint examples/emergency_stop/actuator.dcf tests/runtime/data/third_party_slave.dcf
 # Needs: tests/runtime/clients/third_party_network.py tests/runtime/clients/third_party_slave.py tests/runtime/clients/node_bus.py
-# Requirements: SRS-MGR-014
+# Requirements: SRS_MGR_014
 # Seconds: 300
 . /lib.sh
 vcan vcan0

@@ -1,7 +1,7 @@
 # A client of other origin (python-canopen) reads, commands and may not change a running manager by its objects, on vcan0
 # Needs: build/product/tools/counterpoint examples/emergency_stop/actuator.dcf tests/runtime/data/plain_slave.dcf
 # Needs: tests/runtime/clients/manager_client.py tests/runtime/clients/manager_slave.py tests/runtime/clients/node_bus.py
-# Requirements: SRS-MGR-020 SRS-MGR-021
+# Requirements: SRS_MGR_020 SRS_MGR_021
 # Seconds: 240
 . /lib.sh
 vcan vcan0

@@ -77,7 +77,7 @@ void LiveSocketcandBus::Begin()
     }
 }
 
-/// Goes on with opening a lost connection again, by the policy; nothing of it waits. [SRS-LIVE-058]
+/// Goes on with opening a lost connection again, by the policy; nothing of it waits. [SRS_LIVE_058]
 void LiveSocketcandBus::Reconnect()
 {
     const std::uint64_t now_ns = LiveNow();

@@ -19,8 +19,8 @@ namespace counterpoint::host
 
 /// A bus that a socketcand server offers: ours, or one by others. Frames have the time of their reading, because the
 /// server's clock is not ours. With a server by others, own means that the server took the frame, not that it was on
-/// the bus. A lost connection is opened again by the policy of the options. [SRS-LIVE-051] [SRS-LIVE-052]
-/// [SRS-LIVE-055] [SRS-LIVE-058]
+/// the bus. A lost connection is opened again by the policy of the options. [SRS_LIVE_051] [SRS_LIVE_052]
+/// [SRS_LIVE_055] [SRS_LIVE_058]
 class LiveSocketcandBus final : public LiveBus
 {
   public:

@@ -12,7 +12,7 @@ namespace counterpoint::host
 {
 
 /// What a client says to its server until frames come, answer by answer, without waiting: open, rawmode, ownmode.
-/// [SRS-LIVE-051] [SRS-LIVE-052]
+/// [SRS_LIVE_051] [SRS_LIVE_052]
 class SocketcandGreeting
 {
   public:

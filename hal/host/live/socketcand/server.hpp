@@ -70,7 +70,7 @@ class SocketcandClient
     bool is_ending_{false}; ///< After the last answer.
 };
 
-/// Offers buses by the socketcand protocol. For one thread. [SRS-LIVE-053] [SRS-LIVE-054]
+/// Offers buses by the socketcand protocol. For one thread. [SRS_LIVE_053] [SRS_LIVE_054]
 class SocketcandServer
 {
   public:

@@ -48,12 +48,12 @@ struct SocketcandMessage
     std::string problem{}; ///< Not empty: the element is malformed, and why; `word` is kInvalid then.
 };
 
-/// @brief Reads one element with its brackets. [SRS-LIVE-050]
+/// @brief Reads one element with its brackets. [SRS_LIVE_050]
 [[nodiscard]] SocketcandMessage ReadSocketcand(std::string_view element);
 /// @brief The element of a message; one that ReadSocketcand reads as the same message.
 [[nodiscard]] std::string WriteSocketcand(const SocketcandMessage& message);
 
-/// A stream cut into elements. What stands between them may be white space only. [SRS-LIVE-050]
+/// A stream cut into elements. What stands between them may be white space only. [SRS_LIVE_050]
 class SocketcandStream
 {
   public:

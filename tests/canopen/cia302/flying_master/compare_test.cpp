@@ -5,6 +5,7 @@
 #include "canopen/cia302/safety_gate/safety_check.hpp"
 #include "canopen/start_up/el6751/setup.hpp"
 #include "canopen/start_up/plc_designer/setup.hpp"
+#include "verification/trace/ids/flying_master.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

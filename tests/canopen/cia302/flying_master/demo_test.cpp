@@ -6,6 +6,7 @@
 #include "canopen/cia301/nmt/heartbeat_producer.hpp"
 #include "canopen/cia302/flying_master/flying_master.hpp"
 #include "hal/host/virtual/bus.hpp"
+#include "verification/trace/ids/flying_master.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

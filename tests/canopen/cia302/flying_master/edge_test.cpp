@@ -2,6 +2,7 @@
 //
 // Full queues and frames at unusual moments.
 #include "tests/canopen/cia302/flying_master/rig.hpp"
+#include "verification/trace/ids/flying_master.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

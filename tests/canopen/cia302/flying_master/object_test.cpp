@@ -2,6 +2,7 @@
 //
 // 1F90h as the dictionary sees it.
 #include "canopen/cia302/flying_master/times.hpp"
+#include "verification/trace/ids/flying_master.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

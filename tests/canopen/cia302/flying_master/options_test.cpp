@@ -2,6 +2,7 @@
 //
 // Each variant of the known implementations: the same events, once as by default and once otherwise.
 #include "tests/canopen/cia302/flying_master/rig.hpp"
+#include "verification/trace/ids/flying_master.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 //
 // What a flying master does once it is master or standby, in the default preset.
 #include "tests/canopen/cia302/flying_master/rig.hpp"
+#include "verification/trace/ids/flying_master.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 //
 // The ten steps of the text, one device against frames; default preset and 1F90h unless told.
 #include "tests/canopen/cia302/flying_master/rig.hpp"
+#include "verification/trace/ids/flying_master.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

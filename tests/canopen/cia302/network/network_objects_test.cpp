@@ -2,6 +2,8 @@
 #include "canopen/cia302/network/objects.hpp"
 #include "canopen/cia302/safety_gate/safety_check.hpp"
 #include "tests/canopen/start_up/boot_rig.hpp"
+#include "verification/trace/ids/manager.hpp"
+#include "verification/trace/ids/nmt_master.hpp"
 
 #include <algorithm>
 

@@ -2,6 +2,7 @@
 #include "canopen/cia302/network/nmt_master.hpp"
 #include "tests/canopen/cia301/keeping_sink.hpp"
 #include "tests/canopen/start_up/boot_rig.hpp"
+#include "verification/trace/ids/nmt_master.hpp"
 #include "verification/trace/verifies.hpp"
 
 namespace counterpoint::cia302

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia302/network/node_table.hpp"
 #include "tests/canopen/cia301/keeping_sink.hpp"
+#include "verification/trace/ids/nmt_master.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <array>

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // The gate in front of a real kernel device: what it reads, what opens it, and what a slave that lies gets.
 #include "tests/canopen/cia302/safety_gate/rig.hpp"
+#include "verification/trace/ids/manager.hpp"
 
 namespace counterpoint::cia302
 {

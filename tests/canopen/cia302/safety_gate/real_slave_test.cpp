@@ -2,6 +2,7 @@
 // The CiA 302-2 start-up in front of a whole safety device: real kernel, real services, real gate.
 #include "canopen/start_up/cia302/start_up.hpp"
 #include "tests/canopen/cia302/safety_gate/rig.hpp"
+#include "verification/trace/ids/nmt_master.hpp"
 
 namespace counterpoint::cia302
 {

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // The full procedure that writes a safety configuration, into a real kernel device; and expectations that are none.
 #include "tests/canopen/cia302/safety_gate/rig.hpp"
+#include "verification/trace/ids/manager.hpp"
 
 namespace counterpoint::cia302
 {

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // What lies directly beside the letters: times, and entries of 1F80h and 1F81h that are there by half.
 #include "tests/canopen/start_up/boot_rig.hpp"
+#include "verification/trace/ids/nmt_master.hpp"
 
 #include <algorithm>
 

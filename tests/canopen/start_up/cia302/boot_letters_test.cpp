@@ -2,6 +2,7 @@
 // The letters of CiA 302-2 (those of software in boot_software_test.cpp), each provoked by a slave that misbehaves in
 // that very way.
 #include "tests/canopen/start_up/boot_rig.hpp"
+#include "verification/trace/ids/nmt_master.hpp"
 
 namespace counterpoint::cia302
 {

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // How long 127 slaves take, on a bus that carries one frame after the other, against what the bus allows at best.
 #include "tests/canopen/start_up/boot_rig.hpp"
+#include "verification/trace/ids/nmt_master.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // What a bus does to the start-up when nodes do not behave: two of one node-ID, babble, storms, anything at all.
 #include "tests/canopen/start_up/boot_rig.hpp"
+#include "verification/trace/ids/nmt_master.hpp"
 
 #include <random>
 

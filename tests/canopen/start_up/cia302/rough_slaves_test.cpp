@@ -2,6 +2,7 @@
 // Slaves that are pulled, put back, fall silent and restart at random, and orders in between: whatever happened, in the
 // end all run, and no safety slave ever gets a start that was not earned.
 #include "tests/canopen/start_up/boot_rig.hpp"
+#include "verification/trace/ids/nmt_master.hpp"
 
 #include <random>
 

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Safety slaves in the CiA 302-2 start-up: none runs that was not verified.
 #include "tests/canopen/start_up/boot_rig.hpp"
+#include "verification/trace/ids/nmt_master.hpp"
 
 namespace counterpoint::cia302
 {

@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Each bit of 1F80h and 1F81h, and what the letters leave open.
 #include "tests/canopen/start_up/boot_rig.hpp"
+#include "verification/trace/ids/manager.hpp"
+#include "verification/trace/ids/nmt_master.hpp"
 
 #include <algorithm>
 

@@ -2,6 +2,7 @@
 // Conditions of the EL6751 text that no row's own test has: silence in each row that has no read-back, networks and
 // slaves to which a row does not apply.
 #include "tests/canopen/start_up/el6751/rig.hpp"
+#include "verification/trace/ids/start_up_profiles.hpp"
 
 namespace counterpoint::cia302
 {

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // The rows of the EL6751 text from the heartbeat to the last start-up SDO.
 #include "tests/canopen/start_up/el6751/rig.hpp"
+#include "verification/trace/ids/start_up_profiles.hpp"
 
 namespace counterpoint::cia302
 {

@@ -2,6 +2,7 @@
 // Windows and times of PDOs to the microsecond.
 #include "canopen/start_up/el6751/pdos.hpp"
 #include "tests/canopen/cia301/keeping_sink.hpp"
+#include "verification/trace/ids/start_up_profiles.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>

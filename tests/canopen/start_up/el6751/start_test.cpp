@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // From NMT start to running: the rows of the EL6751 text behind the SDOs, and the manager's own controller.
 #include "tests/canopen/start_up/el6751/rig.hpp"
+#include "verification/trace/ids/start_up_profiles.hpp"
 
 namespace counterpoint::cia302
 {

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // States 0 to 3 of the master and -1 to 3 of the slaves, as in the PLC Designer text.
 #include "tests/canopen/start_up/plc_designer/rig.hpp"
+#include "verification/trace/ids/start_up_profiles.hpp"
 
 namespace counterpoint::cia302
 {

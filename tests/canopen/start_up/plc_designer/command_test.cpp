@@ -2,6 +2,8 @@
 // Commands of the application and of 1F82h under the PLC Designer profile.
 #include "canopen/cia302/network/objects.hpp"
 #include "tests/canopen/start_up/plc_designer/rig.hpp"
+#include "verification/trace/ids/nmt_master.hpp"
+#include "verification/trace/ids/start_up_profiles.hpp"
 
 namespace counterpoint::cia302
 {

@@ -2,6 +2,7 @@
 // Conditions of the PLC Designer text at their edges: nobody to wait for, commands in states that they do not change,
 // and SDO connections that try again by themselves.
 #include "tests/canopen/start_up/plc_designer/rig.hpp"
+#include "verification/trace/ids/start_up_profiles.hpp"
 
 namespace counterpoint::cia302
 {

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // States 4, 5, 97, 98 and 99 of the slaves, commands, and safety slaves.
 #include "tests/canopen/start_up/plc_designer/rig.hpp"
+#include "verification/trace/ids/start_up_profiles.hpp"
 
 namespace counterpoint::cia302
 {

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // The drive of examples/actuator, led astray: the input pins say who writes where it must not. Each misdeed has to end
-// in an exception that names it. [SRS-FW-005, SRS-FW-006, SRS-FW-007]
+// in an exception that names it. [SRS_FW_005, SRS_FW_006, SRS_FW_007]
 #include "examples/actuator/actuator.hpp"
 #include "examples/firmware/common/safe_device.hpp"
 

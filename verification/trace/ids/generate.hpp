@@ -1,0 +1,30 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// Generated from docs/requirements/generate.sdoc by verification/trace/generate_ids.py. Do not edit.
+#ifndef VERIFICATION_TRACE_IDS_GENERATE_HPP
+#define VERIFICATION_TRACE_IDS_GENERATE_HPP
+
+#include "verification/trace/requirement_id.hpp"
+
+namespace counterpoint::req
+{
+inline constexpr RequirementId SRS_GEN_001{"SRS_GEN_001"};
+inline constexpr RequirementId SRS_GEN_002{"SRS_GEN_002"};
+inline constexpr RequirementId SRS_GEN_003{"SRS_GEN_003"};
+inline constexpr RequirementId SRS_GEN_004{"SRS_GEN_004"};
+inline constexpr RequirementId SRS_GEN_005{"SRS_GEN_005"};
+inline constexpr RequirementId SRS_GEN_006{"SRS_GEN_006"};
+inline constexpr RequirementId SRS_GEN_007{"SRS_GEN_007"};
+inline constexpr RequirementId SRS_GEN_008{"SRS_GEN_008"};
+inline constexpr RequirementId SRS_GEN_009{"SRS_GEN_009"};
+inline constexpr RequirementId SRS_GEN_010{"SRS_GEN_010"};
+inline constexpr RequirementId SRS_GEN_011{"SRS_GEN_011"};
+inline constexpr RequirementId SRS_GEN_012{"SRS_GEN_012"};
+inline constexpr RequirementId SRS_GEN_013{"SRS_GEN_013"};
+inline constexpr RequirementId SRS_GEN_014{"SRS_GEN_014"};
+inline constexpr RequirementId SRS_GEN_015{"SRS_GEN_015"};
+inline constexpr RequirementId SRS_GEN_016{"SRS_GEN_016"};
+inline constexpr RequirementId SRS_GEN_017{"SRS_GEN_017"};
+inline constexpr RequirementId SRS_GEN_018{"SRS_GEN_018"};
+} // namespace counterpoint::req
+
+#endif

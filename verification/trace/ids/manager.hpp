@@ -1,0 +1,49 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// Generated from docs/requirements/manager.sdoc by verification/trace/generate_ids.py. Do not edit.
+#ifndef VERIFICATION_TRACE_IDS_MANAGER_HPP
+#define VERIFICATION_TRACE_IDS_MANAGER_HPP
+
+#include "verification/trace/requirement_id.hpp"
+
+namespace counterpoint::req
+{
+inline constexpr RequirementId SRS_MGR_001{"SRS_MGR_001"};
+inline constexpr RequirementId SRS_MGR_002{"SRS_MGR_002"};
+inline constexpr RequirementId SRS_MGR_003{"SRS_MGR_003"};
+inline constexpr RequirementId SRS_MGR_004{"SRS_MGR_004"};
+inline constexpr RequirementId SRS_MGR_005{"SRS_MGR_005"};
+inline constexpr RequirementId SRS_MGR_006{"SRS_MGR_006"};
+inline constexpr RequirementId SRS_MGR_007{"SRS_MGR_007"};
+inline constexpr RequirementId SRS_MGR_008{"SRS_MGR_008"};
+inline constexpr RequirementId SRS_MGR_009{"SRS_MGR_009"};
+inline constexpr RequirementId SRS_MGR_010{"SRS_MGR_010"};
+inline constexpr RequirementId SRS_MGR_011{"SRS_MGR_011"};
+inline constexpr RequirementId SRS_MGR_012{"SRS_MGR_012"};
+inline constexpr RequirementId SRS_MGR_013{"SRS_MGR_013"};
+inline constexpr RequirementId SRS_MGR_014{"SRS_MGR_014"};
+inline constexpr RequirementId SRS_MGR_015{"SRS_MGR_015"};
+inline constexpr RequirementId SRS_MGR_016{"SRS_MGR_016"};
+inline constexpr RequirementId SRS_MGR_020{"SRS_MGR_020"};
+inline constexpr RequirementId SRS_MGR_021{"SRS_MGR_021"};
+inline constexpr RequirementId SRS_MGR_022{"SRS_MGR_022"};
+inline constexpr RequirementId SRS_MGR_023{"SRS_MGR_023"};
+inline constexpr RequirementId SRS_MGR_024{"SRS_MGR_024"};
+inline constexpr RequirementId SRS_NET_001{"SRS_NET_001"};
+inline constexpr RequirementId SRS_NET_002{"SRS_NET_002"};
+inline constexpr RequirementId SRS_NET_003{"SRS_NET_003"};
+inline constexpr RequirementId SRS_NET_004{"SRS_NET_004"};
+inline constexpr RequirementId SRS_NET_005{"SRS_NET_005"};
+inline constexpr RequirementId SRS_NET_006{"SRS_NET_006"};
+inline constexpr RequirementId SRS_SFS_001{"SRS_SFS_001"};
+inline constexpr RequirementId SRS_SFS_002{"SRS_SFS_002"};
+inline constexpr RequirementId SRS_SFS_003{"SRS_SFS_003"};
+inline constexpr RequirementId SRS_SFS_004{"SRS_SFS_004"};
+inline constexpr RequirementId SRS_SFS_005{"SRS_SFS_005"};
+inline constexpr RequirementId SRS_SFS_006{"SRS_SFS_006"};
+inline constexpr RequirementId SRS_SFS_007{"SRS_SFS_007"};
+inline constexpr RequirementId SRS_SFS_008{"SRS_SFS_008"};
+inline constexpr RequirementId SRS_SFS_009{"SRS_SFS_009"};
+inline constexpr RequirementId SRS_SFS_010{"SRS_SFS_010"};
+} // namespace counterpoint::req
+
+#endif

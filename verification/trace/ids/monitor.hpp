@@ -1,0 +1,30 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// Generated from docs/requirements/monitor.sdoc by verification/trace/generate_ids.py. Do not edit.
+#ifndef VERIFICATION_TRACE_IDS_MONITOR_HPP
+#define VERIFICATION_TRACE_IDS_MONITOR_HPP
+
+#include "verification/trace/requirement_id.hpp"
+
+namespace counterpoint::req
+{
+inline constexpr RequirementId SRS_MON_001{"SRS_MON_001"};
+inline constexpr RequirementId SRS_MON_002{"SRS_MON_002"};
+inline constexpr RequirementId SRS_MON_003{"SRS_MON_003"};
+inline constexpr RequirementId SRS_MON_004{"SRS_MON_004"};
+inline constexpr RequirementId SRS_MON_005{"SRS_MON_005"};
+inline constexpr RequirementId SRS_MON_006{"SRS_MON_006"};
+inline constexpr RequirementId SRS_MON_007{"SRS_MON_007"};
+inline constexpr RequirementId SRS_MON_008{"SRS_MON_008"};
+inline constexpr RequirementId SRS_MON_009{"SRS_MON_009"};
+inline constexpr RequirementId SRS_MON_010{"SRS_MON_010"};
+inline constexpr RequirementId SRS_MON_011{"SRS_MON_011"};
+inline constexpr RequirementId SRS_MON_012{"SRS_MON_012"};
+inline constexpr RequirementId SRS_MON_013{"SRS_MON_013"};
+inline constexpr RequirementId SRS_MON_014{"SRS_MON_014"};
+inline constexpr RequirementId SRS_MON_015{"SRS_MON_015"};
+inline constexpr RequirementId SRS_MON_016{"SRS_MON_016"};
+inline constexpr RequirementId SRS_MON_017{"SRS_MON_017"};
+inline constexpr RequirementId SRS_MON_018{"SRS_MON_018"};
+} // namespace counterpoint::req
+
+#endif

@@ -1,0 +1,55 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// Generated from docs/requirements/nmt_master.sdoc by verification/trace/generate_ids.py. Do not edit.
+#ifndef VERIFICATION_TRACE_IDS_NMT_MASTER_HPP
+#define VERIFICATION_TRACE_IDS_NMT_MASTER_HPP
+
+#include "verification/trace/requirement_id.hpp"
+
+namespace counterpoint::req
+{
+inline constexpr RequirementId SRS_BOOT_001{"SRS_BOOT_001"};
+inline constexpr RequirementId SRS_BOOT_002{"SRS_BOOT_002"};
+inline constexpr RequirementId SRS_BOOT_003{"SRS_BOOT_003"};
+inline constexpr RequirementId SRS_BOOT_004{"SRS_BOOT_004"};
+inline constexpr RequirementId SRS_BOOT_005{"SRS_BOOT_005"};
+inline constexpr RequirementId SRS_BOOT_006{"SRS_BOOT_006"};
+inline constexpr RequirementId SRS_BOOT_007{"SRS_BOOT_007"};
+inline constexpr RequirementId SRS_BOOT_008{"SRS_BOOT_008"};
+inline constexpr RequirementId SRS_BOOT_009{"SRS_BOOT_009"};
+inline constexpr RequirementId SRS_BOOT_010{"SRS_BOOT_010"};
+inline constexpr RequirementId SRS_BOOT_011{"SRS_BOOT_011"};
+inline constexpr RequirementId SRS_BOOT_012{"SRS_BOOT_012"};
+inline constexpr RequirementId SRS_BOOT_013{"SRS_BOOT_013"};
+inline constexpr RequirementId SRS_BOOT_014{"SRS_BOOT_014"};
+inline constexpr RequirementId SRS_BOOT_015{"SRS_BOOT_015"};
+inline constexpr RequirementId SRS_BOOT_016{"SRS_BOOT_016"};
+inline constexpr RequirementId SRS_BOOT_017{"SRS_BOOT_017"};
+inline constexpr RequirementId SRS_BOOT_018{"SRS_BOOT_018"};
+inline constexpr RequirementId SRS_BOOT_019{"SRS_BOOT_019"};
+inline constexpr RequirementId SRS_BOOT_020{"SRS_BOOT_020"};
+inline constexpr RequirementId SRS_BOOT_021{"SRS_BOOT_021"};
+inline constexpr RequirementId SRS_BOOT_022{"SRS_BOOT_022"};
+inline constexpr RequirementId SRS_BOOT_023{"SRS_BOOT_023"};
+inline constexpr RequirementId SRS_NMM_001{"SRS_NMM_001"};
+inline constexpr RequirementId SRS_NMM_002{"SRS_NMM_002"};
+inline constexpr RequirementId SRS_NMM_003{"SRS_NMM_003"};
+inline constexpr RequirementId SRS_NMM_004{"SRS_NMM_004"};
+inline constexpr RequirementId SRS_NMM_005{"SRS_NMM_005"};
+inline constexpr RequirementId SRS_NMM_006{"SRS_NMM_006"};
+inline constexpr RequirementId SRS_NMM_007{"SRS_NMM_007"};
+inline constexpr RequirementId SRS_NMM_008{"SRS_NMM_008"};
+inline constexpr RequirementId SRS_NMM_009{"SRS_NMM_009"};
+inline constexpr RequirementId SRS_NMM_010{"SRS_NMM_010"};
+inline constexpr RequirementId SRS_NMM_020{"SRS_NMM_020"};
+inline constexpr RequirementId SRS_NMM_021{"SRS_NMM_021"};
+inline constexpr RequirementId SRS_NMM_022{"SRS_NMM_022"};
+inline constexpr RequirementId SRS_NMM_023{"SRS_NMM_023"};
+inline constexpr RequirementId SRS_NMM_024{"SRS_NMM_024"};
+inline constexpr RequirementId SRS_NMM_025{"SRS_NMM_025"};
+inline constexpr RequirementId SRS_NMM_026{"SRS_NMM_026"};
+inline constexpr RequirementId SRS_NMM_030{"SRS_NMM_030"};
+inline constexpr RequirementId SRS_NMM_031{"SRS_NMM_031"};
+inline constexpr RequirementId SRS_NMM_032{"SRS_NMM_032"};
+} // namespace counterpoint::req
+
+#endif

@@ -1,0 +1,53 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// Generated from docs/requirements/node.sdoc by verification/trace/generate_ids.py. Do not edit.
+#ifndef VERIFICATION_TRACE_IDS_NODE_HPP
+#define VERIFICATION_TRACE_IDS_NODE_HPP
+
+#include "verification/trace/requirement_id.hpp"
+
+namespace counterpoint::req
+{
+inline constexpr RequirementId SRS_DEV_001{"SRS_DEV_001"};
+inline constexpr RequirementId SRS_DEV_002{"SRS_DEV_002"};
+inline constexpr RequirementId SRS_DEV_003{"SRS_DEV_003"};
+inline constexpr RequirementId SRS_DEV_004{"SRS_DEV_004"};
+inline constexpr RequirementId SRS_DEV_005{"SRS_DEV_005"};
+inline constexpr RequirementId SRS_DEV_006{"SRS_DEV_006"};
+inline constexpr RequirementId SRS_DEV_007{"SRS_DEV_007"};
+inline constexpr RequirementId SRS_DEV_008{"SRS_DEV_008"};
+inline constexpr RequirementId SRS_DEV_009{"SRS_DEV_009"};
+inline constexpr RequirementId SRS_DEV_010{"SRS_DEV_010"};
+inline constexpr RequirementId SRS_DEV_011{"SRS_DEV_011"};
+inline constexpr RequirementId SRS_DEV_012{"SRS_DEV_012"};
+inline constexpr RequirementId SRS_DEV_013{"SRS_DEV_013"};
+inline constexpr RequirementId SRS_DEV_014{"SRS_DEV_014"};
+inline constexpr RequirementId SRS_DEV_015{"SRS_DEV_015"};
+inline constexpr RequirementId SRS_DEV_016{"SRS_DEV_016"};
+inline constexpr RequirementId SRS_DEV_017{"SRS_DEV_017"};
+inline constexpr RequirementId SRS_DEV_018{"SRS_DEV_018"};
+inline constexpr RequirementId SRS_DEV_019{"SRS_DEV_019"};
+inline constexpr RequirementId SRS_DEV_020{"SRS_DEV_020"};
+inline constexpr RequirementId SRS_DEV_021{"SRS_DEV_021"};
+inline constexpr RequirementId SRS_NODE_001{"SRS_NODE_001"};
+inline constexpr RequirementId SRS_NODE_002{"SRS_NODE_002"};
+inline constexpr RequirementId SRS_NODE_003{"SRS_NODE_003"};
+inline constexpr RequirementId SRS_NODE_004{"SRS_NODE_004"};
+inline constexpr RequirementId SRS_NODE_005{"SRS_NODE_005"};
+inline constexpr RequirementId SRS_NODE_006{"SRS_NODE_006"};
+inline constexpr RequirementId SRS_NODE_007{"SRS_NODE_007"};
+inline constexpr RequirementId SRS_NODE_008{"SRS_NODE_008"};
+inline constexpr RequirementId SRS_NODE_009{"SRS_NODE_009"};
+inline constexpr RequirementId SRS_NODE_010{"SRS_NODE_010"};
+inline constexpr RequirementId SRS_NODE_011{"SRS_NODE_011"};
+inline constexpr RequirementId SRS_NODE_012{"SRS_NODE_012"};
+inline constexpr RequirementId SRS_NODE_013{"SRS_NODE_013"};
+inline constexpr RequirementId SRS_NODE_014{"SRS_NODE_014"};
+inline constexpr RequirementId SRS_NODE_015{"SRS_NODE_015"};
+inline constexpr RequirementId SRS_NODE_016{"SRS_NODE_016"};
+inline constexpr RequirementId SRS_NODE_017{"SRS_NODE_017"};
+inline constexpr RequirementId SRS_NODE_018{"SRS_NODE_018"};
+inline constexpr RequirementId SRS_NODE_019{"SRS_NODE_019"};
+inline constexpr RequirementId SRS_NODE_020{"SRS_NODE_020"};
+} // namespace counterpoint::req
+
+#endif

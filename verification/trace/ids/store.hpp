@@ -1,0 +1,24 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// Generated from docs/requirements/store.sdoc by verification/trace/generate_ids.py. Do not edit.
+#ifndef VERIFICATION_TRACE_IDS_STORE_HPP
+#define VERIFICATION_TRACE_IDS_STORE_HPP
+
+#include "verification/trace/requirement_id.hpp"
+
+namespace counterpoint::req
+{
+inline constexpr RequirementId SRS_STO_001{"SRS_STO_001"};
+inline constexpr RequirementId SRS_STO_002{"SRS_STO_002"};
+inline constexpr RequirementId SRS_STO_003{"SRS_STO_003"};
+inline constexpr RequirementId SRS_STO_004{"SRS_STO_004"};
+inline constexpr RequirementId SRS_STO_005{"SRS_STO_005"};
+inline constexpr RequirementId SRS_STO_006{"SRS_STO_006"};
+inline constexpr RequirementId SRS_STO_007{"SRS_STO_007"};
+inline constexpr RequirementId SRS_STO_008{"SRS_STO_008"};
+inline constexpr RequirementId SRS_STO_010{"SRS_STO_010"};
+inline constexpr RequirementId SRS_STO_011{"SRS_STO_011"};
+inline constexpr RequirementId SRS_STO_012{"SRS_STO_012"};
+inline constexpr RequirementId SRS_STO_013{"SRS_STO_013"};
+} // namespace counterpoint::req
+
+#endif

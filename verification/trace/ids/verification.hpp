@@ -1,0 +1,31 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// Generated from docs/requirements/verification.sdoc by verification/trace/generate_ids.py. Do not edit.
+#ifndef VERIFICATION_TRACE_IDS_VERIFICATION_HPP
+#define VERIFICATION_TRACE_IDS_VERIFICATION_HPP
+
+#include "verification/trace/requirement_id.hpp"
+
+namespace counterpoint::req
+{
+inline constexpr RequirementId SRS_VER_001{"SRS_VER_001"};
+inline constexpr RequirementId SRS_VER_002{"SRS_VER_002"};
+inline constexpr RequirementId SRS_VER_003{"SRS_VER_003"};
+inline constexpr RequirementId SRS_VER_004{"SRS_VER_004"};
+inline constexpr RequirementId SRS_VER_005{"SRS_VER_005"};
+inline constexpr RequirementId SRS_VER_006{"SRS_VER_006"};
+inline constexpr RequirementId SRS_VER_007{"SRS_VER_007"};
+inline constexpr RequirementId SRS_VER_008{"SRS_VER_008"};
+inline constexpr RequirementId SRS_VER_009{"SRS_VER_009"};
+inline constexpr RequirementId SRS_VER_010{"SRS_VER_010"};
+inline constexpr RequirementId SRS_VER_011{"SRS_VER_011"};
+inline constexpr RequirementId SRS_VER_012{"SRS_VER_012"};
+inline constexpr RequirementId SRS_VER_013{"SRS_VER_013"};
+inline constexpr RequirementId SRS_VER_014{"SRS_VER_014"};
+inline constexpr RequirementId SRS_VER_015{"SRS_VER_015"};
+inline constexpr RequirementId SRS_VER_016{"SRS_VER_016"};
+inline constexpr RequirementId SRS_VER_017{"SRS_VER_017"};
+inline constexpr RequirementId SRS_VER_018{"SRS_VER_018"};
+inline constexpr RequirementId SRS_VER_019{"SRS_VER_019"};
+} // namespace counterpoint::req
+
+#endif
