@@ -140,7 +140,7 @@ def areas(matrix):
     """Counts of shown requirements an area, for the first page."""
     counts = collections.OrderedDict()
     for uid, requirement in matrix.requirements.items():
-        row = counts.setdefault(uid.split("-")[1], {"file": requirement.path, "all": 0, "shown": 0, "links": 0})
+        row = counts.setdefault(uid.split("_")[1], {"file": requirement.path, "all": 0, "shown": 0, "links": 0})
         row["all"] += 1
         row["links"] += len(matrix.rows[uid])
         row["shown"] += matrix.status(uid) == "shown"
