@@ -7,29 +7,27 @@ import subprocess
 
 import emulator
 
-# Which source files are which service; every object of the rooms is in exactly one row.
+# Which sources are which service: beginnings of their paths below canopen, the longest one counts. Every object of the rooms has one row.
 SERVICES = {
-    "dictionary": ["dictionary", "entry_value", "foreign_objects", "number_hook", "cob_id"],
-    "sdo_server": ["sdo_server", "sdo_server_block", "sdo_server_segment", "sdo_server_port", "sdo_parameters", "crc16"],
-    "sdo_client": ["sdo_client", "sdo_client_block", "sdo_client_dispatch", "sdo_client_segment", "sdo_client_port"],
-    "nmt": ["nmt_slave"],
-    "heartbeat": ["heartbeat_producer", "heartbeat_consumer"],
-    "guarding": ["node_guarding"],
-    "emergency": ["emergency_producer", "emergency_consumer", "communication_errors", "service_objects"],
-    "sync": ["sync"],
-    "time": ["time_stamp"],
-    "pdo": ["tpdo", "tpdo_settings", "rpdo", "rpdo_settings", "pdo_mapping", "pdo_objects", "pdo_settings"],
-    "store": ["parameter_store", "stored_image", "stored_parts"],
-    "lss": ["lss_slave", "lss_configuration", "stored_lss"],
-    "device": ["device", "device_services", "frame_ring", "kernel_watch", "outbox", "safety_objects", "safety_queue", "services"],
-    "generated": ["configuration", "constant_objects", "numbers", "stored_objects"],
+    "dictionary": ["cia301/base/", "cia301/dictionary/"],
+    "sdo_server": ["cia301/sdo/server", "cia301/sdo/parameters", "cia301/store/crc16"],
+    "sdo_client": ["cia301/sdo/client"],
+    "nmt": ["cia301/nmt/slave"],
+    "heartbeat": ["cia301/nmt/heartbeat"],
+    "guarding": ["cia301/nmt/node_guarding"],
+    "emergency": ["cia301/emergency/", "cia301/objects/"],
+    "sync": ["cia301/time/sync"],
+    "time": ["cia301/time/time_stamp"],
+    "pdo": ["cia301/pdo/"],
+    "store": ["cia301/store/"],
+    "lss": ["cia305/"],
+    "device": ["device/"],
+    "generated": ["generated/"],
 }
-ROOMS = ["canopen/cia301/libcanopen_cia301.a", "canopen/cia305/libcanopen_cia305.a", "canopen/device/libcanopen_device.a",
-         "canopen/generated/libcanopen_generated.a"]
-TARGETS = ["canopen_cia301", "canopen_cia305", "canopen_device", "canopen_generated"]
+ROOMS = {"cia301": "canopen_cia301", "cia305": "canopen_cia305", "device": "canopen_device", "generated": "canopen_generated"}
+TARGETS = list(ROOMS.values())
 RAM_LINE = re.compile(r"service_ram=(\w+) bytes=(\d+)")
 LOAD_LINE = re.compile(r"item=(\w+) srdos=\d+ repetitions=(\d+) instructions=(\d+)")
-MEMBER = re.compile(r"^(\S+)\.cpp\.obj?\s+\(ex ")
 SECTION = re.compile(r"^\.(text|rodata|data)(?:\.\S*)?\s+(\d+)\s")
 MIX_ADDRESS = 0x00600000
 BUS_BITS = 1000000
@@ -40,34 +38,35 @@ class BadInput(Exception):
     """What was built or measured cannot be used; the text says why."""
 
 
+def objects(folder):
+    """Path of a source below canopen, without its ending, and its object."""
+    for room, target in ROOMS.items():
+        place = folder / "canopen" / room / "CMakeFiles" / f"{target}.dir"
+        for path in sorted(place.rglob("*.obj")):
+            yield f"{room}/{path.relative_to(place).as_posix().removesuffix('.cpp.obj')}", path
+
+
 def code_by_service(folder, services=None):
     """Bytes of code, constants and initialised data by service."""
-    services = services or SERVICES
-    service_of = {source: service for service, sources in services.items() for source in sources}
-    sizes = dict.fromkeys(services, 0)
-    seen = set()
-    for room in ROOMS:
-        text = subprocess.run(["arm-none-eabi-size", "-A", str(folder / room)], check=True, capture_output=True, text=True).stdout
-        service = None
-        for line in text.splitlines():
-            member, section = MEMBER.match(line), SECTION.match(line)
-            if member:
-                source = member.group(1)
-                if source not in service_of:
-                    raise BadInput(f"{room}: {source}.cpp belongs to no service, expected it in services.py")
-                service = service_of[source]
-                seen.add(source)
-            elif section and service:
-                sizes[service] += int(section.group(2))
-    missing = sorted(set(service_of) - seen)
-    if missing:
-        raise BadInput(f"{', '.join(missing)}: a service without its object, expected {missing[0]}.cpp in {folder}")
+    beginnings = {beginning: service for service, all_of in (services or SERVICES).items() for beginning in all_of}
+    sizes = dict.fromkeys(services or SERVICES, 0)
+    unseen = set(beginnings)
+    for source, path in objects(folder):
+        fitting = [beginning for beginning in beginnings if source.startswith(beginning)]
+        if not fitting:
+            raise BadInput(f"canopen/{source}.cpp belongs to no service, expected it in services.py")
+        mine = max(fitting, key=len)
+        unseen.discard(mine)
+        text = subprocess.run(["arm-none-eabi-size", "-A", str(path)], check=True, capture_output=True, text=True).stdout
+        sizes[beginnings[mine]] += sum(int(found.group(2)) for found in map(SECTION.match, text.splitlines()) if found)
+    if unseen:
+        raise BadInput(f"{', '.join(sorted(unseen))}: a service without its object, expected one in {folder}")
     return sizes
 
 
 def bites(folder):
     """Whether a source file that no service has is found, and a service without its object."""
-    for wrong in ({**SERVICES, "sync": []}, {**SERVICES, "sync": ["sync", "no_such_source"]}):
+    for wrong in ({**SERVICES, "sync": []}, {**SERVICES, "sync": ["cia301/time/sync", "no_such_source"]}):
         try:
             code_by_service(folder, wrong)
         except BadInput:

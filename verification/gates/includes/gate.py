@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Who may include whom: reads every #include of the product, relative ones too, and every DEPENDS of a room."""
+"""Who may include whom: reads every #include of the product, relative ones too, and what each room is linked with."""
 import pathlib
 import posixpath
 import re
@@ -8,31 +8,46 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from common import cpp_files, files, read, run_gate, without_comments  # noqa: E402
 
-# Room -> rooms it may see. A room not named here (tools, verification, tests, examples) may see all.
+# Room -> rooms that it may see beside itself; a folder stands for every room below it.
+CONTRACT = ["safety_core/contract"]
+SERVICES = ["safety_core/contract", "safety_core/kernel", "hal/api", "canopen/cia301"]
+MANAGER = [*SERVICES, "canopen/cia302/network"]
+DEVICE = ["safety_core", "channel_a", "channel_b", "hal", "canopen"]
 MAY_SEE = {
     "safety_core/contract": [],
-    "safety_core/comparator": ["safety_core/contract"],
-    "safety_core/kernel": ["safety_core/contract", "safety_core/comparator", "hal/api"],
-    "safety_core/crosslink": ["safety_core/contract", "safety_core/comparator", "hal/api"],
-    "channel_a": ["safety_core/contract"],
-    "channel_b": ["safety_core/contract"],
-    "hal/api": ["safety_core/contract"],
-    "hal/absent": ["safety_core/contract", "hal/api"],
-    "hal/tms570": ["safety_core/contract", "hal/api"],
-    "hal/host": ["safety_core/contract", "hal/api"],
-    "canopen/cia301": ["safety_core/contract", "safety_core/kernel", "hal/api"],
-    "canopen/cia302/network": ["safety_core/contract", "safety_core/kernel", "hal/api", "canopen/cia301"],
-    "canopen/cia302/safety_gate": ["safety_core/contract", "safety_core/kernel", "hal/api", "canopen/cia301", "canopen/cia302/network", "canopen/start_up/el6751"],
-    "canopen/cia302/flying_master": ["safety_core/contract", "safety_core/kernel", "hal/api", "canopen/cia301", "canopen/cia302/network", "canopen/cia302/safety_gate", "canopen/start_up/el6751",
-                                     "canopen/start_up/plc_designer"],
-    "canopen/start_up/cia302": ["safety_core/contract", "safety_core/kernel", "hal/api", "canopen/cia301", "canopen/cia302/network"],
-    "canopen/start_up/el6751": ["safety_core/contract", "safety_core/kernel", "hal/api", "canopen/cia301", "canopen/cia302/network"],
-    "canopen/start_up/plc_designer": ["safety_core/contract", "safety_core/kernel", "hal/api", "canopen/cia301", "canopen/cia302/network"],
-    "canopen/manager": ["safety_core/contract", "safety_core/kernel", "hal/api", "canopen/cia301", "canopen/cia302/network", "canopen/cia302/safety_gate", "canopen/cia302/flying_master"],
-    "canopen/cia305": ["safety_core/contract", "safety_core/kernel", "hal/api", "canopen/cia301"],
-    "canopen/device": ["safety_core/contract", "safety_core/kernel", "hal/api", "canopen/cia301", "canopen/cia305"],
-    "canopen/cia306": ["safety_core/contract", "safety_core/kernel", "hal/api"],
+    "safety_core/comparator": CONTRACT,
+    "safety_core/kernel": [*CONTRACT, "safety_core/comparator", "hal/api"],
+    "safety_core/selftest": [*CONTRACT, "safety_core/kernel", "hal/api"],
+    "safety_core/crosslink": [*CONTRACT, "safety_core/comparator", "hal/api"],
+    "channel_a": CONTRACT,
+    "channel_b": CONTRACT,
+    "hal/api": CONTRACT,
+    "hal/absent": [*CONTRACT, "hal/api"],
+    "hal/tms570": [*CONTRACT, "hal/api"],
+    "hal/host": [*CONTRACT, "hal/api"],
+    "canopen/cia301": [*CONTRACT, "safety_core/kernel", "hal/api"],
+    "canopen/cia302/network": SERVICES,
+    "canopen/cia302/safety_gate": [*MANAGER, "canopen/start_up/el6751"],
+    "canopen/cia302/flying_master": [*MANAGER, "canopen/cia302/safety_gate", "canopen/start_up/el6751", "canopen/start_up/plc_designer"],
+    "canopen/start_up/cia302": MANAGER,
+    "canopen/start_up/el6751": MANAGER,
+    "canopen/start_up/plc_designer": MANAGER,
+    "canopen/manager": [*MANAGER, "canopen/cia302/safety_gate", "canopen/cia302/flying_master"],
+    "canopen/cia305": SERVICES,
+    "canopen/device": [*SERVICES, "canopen/cia305"],
+    "canopen/generated": SERVICES,
+    "canopen/cia306": [*CONTRACT, "safety_core/kernel", "hal/api"],
+    "canopen/generate": ["canopen/cia306"],
+    "canopen/monitor": ["canopen/cia306"],
+    "canopen/network": ["canopen/cia301", "canopen/cia302", "canopen/cia306", "canopen/manager", "canopen/start_up"],
+    "runtime": DEVICE,
+    "simulator": [*DEVICE, "runtime"],
+    "tools": ["safety_core", "hal", "canopen", "runtime", "simulator"],
+    "examples": DEVICE,
 }
+PRODUCT = sorted({room.split("/")[0] for room in MAY_SEE})
+# Rooms of the host may use libraries, which DEPENDS cannot name.
+HOST = ("canopen/cia306", "canopen/generate", "canopen/monitor", "hal/host", "runtime", "simulator", "tools", "examples")
 # What runs on the target has these headers of the standard library and no other: constants, types, std::array.
 FREESTANDING = ["safety_core", "channel_a", "channel_b", "hal/api", "hal/absent", "hal/tms570"]
 STANDARD_HEADERS = {"array", "cstddef", "cstdint", "limits", "type_traits", "utility"}
@@ -55,7 +70,7 @@ def check_include(root, name, number, directive):
         if any(name.startswith(folder + "/") for folder in FREESTANDING):
             if header not in STANDARD_HEADERS:
                 return f"{where}: <{header}> in code that runs on the target, expected one of {', '.join(sorted(STANDARD_HEADERS))}"
-        if re.match(r"(safety_core|channel_[ab]|hal|canopen|runtime|simulator|tools|verification|tests)/", header):
+        if re.match(r"(safety_core|channel_[ab]|hal|canopen|runtime|simulator|tools|examples|verification|tests)/", header):
             return f"{where}: <{header}>, expected quotes for a header of this tree"
         return None
     header = form.group("own")
@@ -66,34 +81,55 @@ def check_include(root, name, number, directive):
         return None
     if ".." in header.split("/"):
         return f'{where}: "{header}", expected a path from the root of the tree'
-    if theirs != mine and theirs not in MAY_SEE[mine]:
+    made_by_the_build = mine in HOST and target.split("/")[0] not in (*PRODUCT, "verification", "tests")
+    if not made_by_the_build and not may_see(mine, theirs):
         return f'{where}: {mine} includes "{header}" of {theirs}, expected only {", ".join([mine] + MAY_SEE[mine])}'
     return None
 
 
-def check_depends(root, name):
-    room = posixpath.dirname(name)
+def may_see(room, other):
+    return any(other == seen or other.startswith(seen + "/") for seen in [room, *MAY_SEE[room]])
+
+
+def targets(root):
+    """CMake target of each room -> its folder."""
+    found = {}
+    for name in files(root, "CMakeLists.txt"):
+        for target in re.findall(r"counterpoint_room\(\s*(\w+)", read(root, name)):
+            found[target] = posixpath.dirname(name)
+    return found
+
+
+def check_depends(root, name, folder_of):
+    room = room_of(name)
     if room not in MAY_SEE:
         return
-    allowed = {other.replace("/", "_") for other in MAY_SEE[room]}
     text = re.sub(r"#[^\n]*", "", read(root, name))
+    allowed = [seen.replace("/", "_") for seen in MAY_SEE[room]]
+
+    def line_of(call):
+        return f"{name}:{text.count(chr(10), 0, call.start()) + 1}"
+
     for call in re.finditer(r"counterpoint_room\(\s*(\w+)(.*?)\)", text, re.DOTALL):
         depends = re.search(r"\bDEPENDS\b(.*)$", call.group(2), re.DOTALL)
         for other in (depends.group(1).split() if depends else []):
-            if other not in allowed:
-                yield (f"{name}:{text.count(chr(10), 0, call.start()) + 1}: room {call.group(1)} depends on {other}, "
-                       f"expected only {', '.join(sorted(allowed)) or 'nothing'}")
-    for line in re.finditer(r"(?:target_include_directories|include_directories|target_link_libraries)\s*\([^)]*\)", text):
-        if room not in ("canopen/cia306", "hal/host"):
-            yield (f"{name}:{text.count(chr(10), 0, line.start()) + 1}: {line.group(0)[:60]}, expected that a room says what "
-                   "it sees by DEPENDS alone")
+            if not other.startswith("$") and not may_see(room, folder_of.get(other, other)) and other not in allowed:
+                yield f"{line_of(call)}: room {call.group(1)} depends on {other}, expected only {', '.join(allowed) or 'nothing'}"
+    for call in re.finditer(r"(?:target_include_directories|include_directories|target_link_libraries)\s*\(([^)]*)\)", text):
+        if room not in HOST:
+            yield f"{line_of(call)}: {call.group(0)[:60]}, expected that a room says what it sees by DEPENDS alone"
+        for other in call.group(1).split()[1:]:
+            if other in folder_of and not may_see(room, folder_of[other]):
+                yield f"{line_of(call)}: {room} is linked with {other}, expected only {', '.join(MAY_SEE[room])}"
 
 
 def gate(root, _data):
     findings = []
-    names = cpp_files(root, ["safety_core", "channel_a", "channel_b", "hal", "canopen"])
+    names = cpp_files(root, PRODUCT)
     count = 0
     for name in names:
+        if room_of(name) not in MAY_SEE:
+            findings.append(f"{name}:1: a folder that no room's rule covers, expected one in MAY_SEE")
         text = without_comments(read(root, name), keep_strings=True)
         for number, line in enumerate(text.splitlines(), start=1):
             directive = re.match(r"\s*#\s*include(?:_next)?\b\s*(.*)$", line)
@@ -104,8 +140,9 @@ def gate(root, _data):
                     findings.append(finding)
             elif "__has_include" in line:
                 findings.append(f"{name}:{number}: __has_include, expected a plain #include")
-    for name in files(root, "CMakeLists.txt", under=["safety_core", "channel_a", "channel_b", "hal", "canopen"]):
-        findings += check_depends(root, name)
+    folder_of = targets(root)
+    for name in files(root, "CMakeLists.txt", under=PRODUCT):
+        findings += check_depends(root, name, folder_of)
     return findings, f"{count} includes in {len(names)} files"
 
 
