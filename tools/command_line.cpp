@@ -3,6 +3,7 @@
 
 #include "canopen/cia306/text/input_error.hpp"
 #include "tools/command_table.hpp"
+#include "version/version.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -15,7 +16,6 @@ namespace counterpoint::tools
 namespace
 {
 constexpr const char* kProgram = "counterpoint";
-constexpr const char* kVersion = "0.1.0";
 constexpr const char* kExitStatus = "Exit status: 0 what was asked holds, 1 it does not, 2 bad input or bad usage.";
 
 /// One line, whatever the library or the system says.
@@ -68,7 +68,7 @@ ExitStatus Usage(const CLI::App& app, const CLI::ParseError& error, const Stream
 ExitStatus RunCommandLine(const std::vector<std::string>& arguments, const Streams& streams)
 {
     CLI::App app("Counterpoint: CANopen Safety (EN 50325-5) tools", kProgram);
-    app.set_version_flag("--version", std::string(kProgram) + " " + kVersion);
+    app.set_version_flag("--version", CounterpointVersion);
     app.require_subcommand(1);
     app.footer(std::string(kExitStatus) + "\n'counterpoint COMMAND --help' tells the options of a command.");
     std::vector<std::pair<CLI::App*, std::unique_ptr<Command>>> commands;

@@ -77,7 +77,15 @@ TEST(CommandLine, HelpAndVersionHold)
         EXPECT_EQ(command_help.status, 0) << row.name;
         EXPECT_NE(command_help.out.find("Exit status: 0 "), std::string::npos) << row.name;
     }
-    EXPECT_EQ(RunCommand({"--version"}).out, "counterpoint 0.1.0\n");
+}
+
+TEST(CommandLine, VersionIsThatOfTheProjectWithTheCommit)
+{
+    Verifies(req::SRS_CLI_024);
+    const Answer answer = RunCommand({"--version"});
+    EXPECT_EQ(answer.status, 0);
+    EXPECT_EQ(answer.out.rfind("counterpoint 0.1.0 (commit ", 0U), 0U) << answer.out;
+    EXPECT_EQ(answer.out.substr(answer.out.size() - 2U), ")\n");
 }
 
 TEST(CommandLine, TextOfTheUserIsShownWithoutControlBytes)

@@ -10,6 +10,7 @@ import importlib.util
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -141,6 +142,16 @@ def digest():
     return module.digest(ROOT / "build/product")
 
 
+def told_versions():
+    """What the command line prints and what each image for silicon holds, by the name of the file."""
+    tool = ROOT / "build/product/tools/counterpoint"
+    texts = {tool.name: subprocess.run([tool, "--version"], check=True, capture_output=True, text=True).stdout.strip()}
+    for image in sorted((ROOT / "build/target/verification/target/firmware").glob("*_be32.elf")):
+        found = re.findall(rb"counterpoint \d[\w.]* \(commit \w+\)(?=\0)", image.read_bytes())
+        texts[image.name] = " and ".join(text.decode() for text in found) or "no version"
+    return texts
+
+
 def collect_identity():
     def text(*command):
         return subprocess.run(command, cwd=ROOT, check=False, capture_output=True, text=True).stdout.strip()
@@ -161,7 +172,7 @@ def collect_identity():
     changed = text("git", "status", "--porcelain").splitlines()
     (DATA / "identity.json").write_text(json.dumps({
         "commit": text("git", "rev-parse", "HEAD"), "commit_date": text("git", "log", "-1", "--format=%cI"),
-        "changed_files": len(changed), "digest": value, "object_count": count, "tools": versions}, indent=1))
+        "changed_files": len(changed), "versions": told_versions(), "digest": value, "object_count": count, "tools": versions}, indent=1))
 
 
 def main():

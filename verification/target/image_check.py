@@ -3,8 +3,8 @@
 
     image_check.py IMAGE_be32.elf [IMAGE.elf]
 
-ELF flags and order, vectors, placement of sections, regions of the MPU, reset sequence, what interrupts keep, nothing of a
-foreign library. With the second image, of the emulator: both are linked from the same objects of the rooms.
+ELF flags and order, vectors, placement of sections, regions of the MPU, reset sequence, what interrupts keep, the version,
+nothing of a foreign library. With the second image, of the emulator: both are linked from the same objects of the rooms.
 Exit status: 0 all holds, 1 something does not, 2 input that cannot be used.
 """
 import pathlib
@@ -20,6 +20,7 @@ EM_ARM, ET_EXEC, PT_LOAD = 40, 2, 1
 SHF_ALLOC, SHT_NOBITS = 2, 8
 VECTORS = ("Reset", "UndefinedInstruction", "SupervisorCall", "PrefetchAbort", "DataAbort", "Reserved", "Interrupt", "FastInterrupt")
 RAM_ORIGIN = 0x08000000
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 ECC_BYTES = 8
 VARIANTS = ("LS20x", "LS12x", "LS31x", "LC43x")
 ROOM_CODE = {"channel_a": ("counterpoint::channel_a::",), "channel_b": ("counterpoint::channel_b::",),
@@ -105,6 +106,12 @@ class Elf:
         """A word of what is loaded into flash."""
         _, offset, start, _, size, *_ = next(header for header in self.program_headers if header[0] == PT_LOAD and header[2] <= address < header[2] + header[4])
         return struct.unpack_from(">I", self.bytes, offset + address - start)[0]
+
+    def text_at(self, address):
+        """What is loaded into flash from there to the first zero."""
+        _, offset, start, *_ = next(header for header in self.program_headers if header[0] == PT_LOAD and header[2] <= address < header[2] + header[4])
+        place = offset + address - start
+        return self.bytes[place:self.bytes.index(b"\0", place)].decode("ascii", "replace")
 
     def code(self):
         """Function -> its instructions with operands, blanks as one; in the order of addresses."""
@@ -226,6 +233,14 @@ def check_origin(ours, theirs):
         yield len(mine & its) > 20 and not lost, "linked from the objects that ran on the emulator", ", ".join(lost[:3]) or f"{len(mine & its)} objects"
 
 
+def check_version(elf):
+    """The text of version/version.cpp.in, with the version of the project."""
+    project = re.search(r"project\(Counterpoint VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")).group(1)
+    address = elf.symbols.get("CounterpointVersion")
+    text = "no symbol CounterpointVersion" if address is None else elf.text_at(address)
+    yield re.fullmatch(rf"counterpoint {re.escape(project)} \(commit \w+\)", text) is not None, "version of the project", text
+
+
 def variant_differences(root):
     """Where flash and RAM of hal/tms570/start/image.cmake are not those of hal/tms570/variant.hpp."""
     cmake = (root / "hal/tms570/start/image.cmake").read_text(encoding="utf-8")
@@ -247,7 +262,7 @@ def check(path, other=None):
     if missing:
         raise BadInput(f"{path}: no symbol {missing[0]}, expected an image linked by hal/tms570/start/tms570.ld")
     rows = []
-    for part in (check_header(elf), check_vectors(elf), check_placement(elf), check_regions(elf), check_reset(elf.code()),
+    for part in (check_header(elf), check_vectors(elf), check_placement(elf), check_regions(elf), check_reset(elf.code()), check_version(elf),
                  ram_start.check(elf, elf.symbols.get("pbist_ram_groups", 0)), check_origin(members_of(path), members_of(other) if other else None)):
         rows += part
     return rows

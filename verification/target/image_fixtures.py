@@ -123,6 +123,14 @@ def reset_fixtures(elf):
         yield f"{name} without the registers of the floating-point unit", dict(code, **{name: [text for text in code[name] if not text.startswith("vpush")]}), check, f"{name} keeps"
 
 
+def version_fixtures(elf):
+    check, row = image_check.check_version, "version of the project"
+    place = elf.bytes.index(b"counterpoint ") + len("counterpoint ")
+    symbols = {name: value for name, value in elf.symbols.items() if name != "CounterpointVersion"}
+    yield "another version", with_bytes(elf, place, b"9"), check, row
+    yield "no version", changed_field(elf, symbols=symbols), check, row
+
+
 def origin_fixtures(members):
     yield "an object of the compiler's library", members | {"/usr/lib/gcc/arm-none-eabi/libgcc.a(_udivsi3.o)"}, lambda ours: image_check.check_origin(ours, members), "foreign library"
     yield "an object of channel A that did not run", members | set(), lambda ours: image_check.check_origin(ours - {min(name for name in members if "channel_a" in name)}, members), "ran on the emulator"
@@ -132,7 +140,7 @@ def check(path):
     """How many changed images there are, and those that were not refused by the check that should."""
     elf = image_check.Elf(path)
     missed, count = [], 0
-    fixtures = [*header_fixtures(elf), *vector_fixtures(elf), *placement_fixtures(elf), *region_fixtures(elf), *reset_fixtures(elf),
+    fixtures = [*header_fixtures(elf), *vector_fixtures(elf), *placement_fixtures(elf), *region_fixtures(elf), *reset_fixtures(elf), *version_fixtures(elf),
                 *origin_fixtures(image_check.members_of(path))]
     for what, changed, look, row in fixtures:
         count += 1

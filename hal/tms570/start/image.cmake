@@ -4,7 +4,7 @@
 #   <name>_be32.elf  for silicon: instructions big-endian (BE32), flash at 0, RAM at 0x08000000, with the board's drivers
 #   <name>.elf       for the emulator: instructions little-endian (BE8), with what SILICON is replaced by; and <name>.bin,
 #                    since the emulator loads no big-endian ELF
-# No library of a compiler is linked. [SRS_FW_001, SRS_FW_003]
+# No library of a compiler is linked. [SRS_FW_001, SRS_FW_003, SRS_FW_021]
 set(COUNTERPOINT_FIRMWARE_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/tms570.ld)
 
 # Flash and RAM in bytes, and the powers of two that cover them for the MPU. All have flash at 0 and RAM at 0x08000000.
@@ -65,10 +65,10 @@ function(counterpoint_firmware name)
     list(JOIN regions "," regions)
     add_executable(${image} $<TARGET_OBJECTS:hal_tms570_vectors>)
     set_target_properties(${image} PROPERTIES SUFFIX .elf LINK_DEPENDS ${COUNTERPOINT_FIRMWARE_SCRIPT} LINKER_LANGUAGE CXX)
-    target_link_libraries(${image} PRIVATE ${board} ${IMAGE_DEPENDS} hal_tms570_start hal_tms570_runtime)
+    target_link_libraries(${image} PRIVATE ${board} ${IMAGE_DEPENDS} hal_tms570_start hal_tms570_runtime version)
     target_link_options(${image} PRIVATE -nostdlib -nostartfiles ${flags}
         -Wl,--gc-sections,--fatal-warnings,--no-warn-execstack,-Map=$<TARGET_FILE:${image}>.map
-        -Wl,-u,FirmwareVectors,-u,FirmwareMain,-u,HardwareInitialiseRam,-u,HardwareCutOff,-u,FirmwareInterrupt,${memory},${regions},-T,${COUNTERPOINT_FIRMWARE_SCRIPT})
+        -Wl,-u,FirmwareVectors,-u,FirmwareMain,-u,HardwareInitialiseRam,-u,HardwareCutOff,-u,FirmwareInterrupt,-u,CounterpointVersion,${memory},${regions},-T,${COUNTERPOINT_FIRMWARE_SCRIPT})
   endforeach()
   if(NOT TARGET ${name})
     return()

@@ -42,7 +42,7 @@ MAY_SEE = {
     "canopen/network": ["canopen/cia301", "canopen/cia302", "canopen/cia306", "canopen/manager", "canopen/start_up"],
     "runtime": DEVICE,
     "simulator": [*DEVICE, "runtime"],
-    "tools": ["safety_core", "hal", "canopen", "runtime", "simulator"],
+    "tools": ["version", "safety_core", "hal", "canopen", "runtime", "simulator"],
     "examples": DEVICE,
 }
 PRODUCT = sorted({room.split("/")[0] for room in MAY_SEE})

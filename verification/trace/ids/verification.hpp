@@ -26,6 +26,8 @@ inline constexpr RequirementId SRS_VER_016{"SRS_VER_016"};
 inline constexpr RequirementId SRS_VER_017{"SRS_VER_017"};
 inline constexpr RequirementId SRS_VER_018{"SRS_VER_018"};
 inline constexpr RequirementId SRS_VER_019{"SRS_VER_019"};
+inline constexpr RequirementId SRS_VER_020{"SRS_VER_020"};
+inline constexpr RequirementId SRS_VER_021{"SRS_VER_021"};
 } // namespace counterpoint::req
 
 #endif
