@@ -7,8 +7,8 @@
 
 #include <cstdint>
 
-/// Vectored interrupt manager (VIM). Source: CPU facts 4.2; reference manual, chapter "Vectored Interrupt Manager"; for
-/// ECC that of the LC43x (SPNU563A, 19.5 and 19.9.1 to 19.9.5).
+/// Vectored interrupt manager (VIM). Source: facts/tms570 2; reference manual, chapter "Vectored Interrupt Manager";
+/// for ECC that of the LC43x (SPNU563A, 19.5 and 19.9.1 to 19.9.5).
 namespace counterpoint::tms570
 {
 

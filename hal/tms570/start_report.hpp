@@ -9,7 +9,7 @@
 namespace counterpoint::tms570
 {
 
-/// Steps of the start in their order. Source: CPU facts 4.4, start order; what comes before the first of them is in
+/// Steps of the start in their order. Source: facts/tms570 4; what comes before the first of them is in
 /// hal/tms570/start (registers of the processors, flash correction, RAM by hardware).
 enum class StartStep : std::uint8_t
 {

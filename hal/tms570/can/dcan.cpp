@@ -1,7 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// Frames through message objects (reference manual, chapter DCAN, "Message handling"; CPU facts 4.3). Data are moved in
-// words of 32 bits whose lowest byte is the first on the bus, which is the same for every byte order of the processor.
+// Frames through message objects (reference manual, chapter DCAN, "Message handling"; facts/tms570 3). Data are moved
+// in words of 32 bits whose lowest byte is the first on the bus, which is the same for every byte order of the
+// processor.
 #include "hal/tms570/can/dcan.hpp"
 
 namespace counterpoint::tms570

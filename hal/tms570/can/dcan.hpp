@@ -77,7 +77,7 @@ enum class PendingCount : std::uint8_t
 
 /// One DCAN controller: receive and transmit objects by identifier, parity, bus-off. `Send` and `OnCycle` belong to the
 /// program, `Pending` and `Take` to the interrupt; each side has an interface to the objects of its own.
-/// Source: CPU facts 4.3; reference manual, chapter "Controller Area Network (DCAN)".
+/// Source: facts/tms570 3; reference manual, chapter "Controller Area Network (DCAN)".
 class Dcan
 {
   public:

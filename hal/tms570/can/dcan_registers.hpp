@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-/// DCAN: offsets and bits. Source: CPU facts 4.3; reference manual, chapter "Controller Area Network (DCAN)",
+/// DCAN: offsets and bits. Source: facts/tms570 3; reference manual, chapter "Controller Area Network (DCAN)",
 /// registers.
 namespace counterpoint::tms570::dcan
 {
@@ -87,7 +87,7 @@ inline constexpr std::uint32_t kMostObjects = 64U;
     return low | high;
 }
 
-/// 500 kbit/s of 80 MHz: 20 * (1 + 5 + 2). CPU facts 4.3 have the same numbers.
+/// 500 kbit/s of 80 MHz: 20 * (1 + 5 + 2). facts/tms570 3 have the same numbers.
 static_assert(BitTiming(20U, 5U, 2U, 2U) == 0x1453U, "BRP 19, TSEG1 4, TSEG2 1, SJW 1");
 
 } // namespace counterpoint::tms570::dcan

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// Start of a DCAN controller (reference manual, chapter DCAN, "Initialization"; CPU facts 4.3): into initialisation
+// Start of a DCAN controller (reference manual, chapter DCAN, "Initialization"; facts/tms570 3): into initialisation
 // mode, bit timing, all objects invalid, those of the device written and read back, parity on, onto the bus.
 #include "hal/tms570/can/dcan.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-/// System module, self-test controllers: offsets, bits, keys. Source: CPU facts 4.2, 4.4; reference manual, chapters
+/// System module, self-test controllers: offsets, bits, keys. Source: facts/tms570 2, 4; reference manual, chapters
 /// "Architecture" (system control registers), "CPU Self-Test Controller", "Programmable Built-In Self-Test".
 namespace counterpoint::tms570::system_module
 {

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 /// What differs between the controllers of the family, as constants: a driver is handed the table of its controller and
-/// has no other way to know. Sources: CPU facts 4.1 to 4.4 (register headers of the vendor's safety library and code
+/// has no other way to know. Sources: facts/tms570 1 to 4 (register headers of the vendor's safety library and code
 /// generator, data sheets SPNS141, SPNS192, SPNS162, SPNS195). [SRS_TMS_002]
 namespace counterpoint::tms570
 {

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-/// Tests of the error correction of RAM (TCRAM modules, level 2 RAM) and flash (wrapper). Source: CPU facts 4.2, 4.4;
+/// Tests of the error correction of RAM (TCRAM modules, level 2 RAM) and flash (wrapper). Source: facts/tms570 2, 4;
 /// reference manual, chapters "Tightly-Coupled RAM" and "F021 Flash Module".
 namespace counterpoint::tms570
 {

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// Error signalling module (reference manual, chapter ESM; CPU facts 4.4). Group 1 has interrupts and influence on
+// Error signalling module (reference manual, chapter ESM; facts/tms570 4). Group 1 has interrupts and influence on
 // nERROR by choice, group 2 always both, group 3 nERROR only.
 #include "hal/tms570/diagnosis/esm.hpp"
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 
 /// All 128 channels of the error signalling module with what they stand for and what becomes of them. One table for the
-/// family: a channel that a variant does not have never speaks, and if it does, the device becomes safe. Source: CPU
-/// facts 4.4; data sheets, table "ESM channel assignments". [SRS_TMS_030]
+/// family: a channel that a variant does not have never speaks, and if it does, the device becomes safe. Source:
+/// facts/tms570 4; data sheets, table "ESM channel assignments". [SRS_TMS_030]
 namespace counterpoint::tms570
 {
 

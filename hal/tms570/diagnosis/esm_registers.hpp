@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-/// Error signalling module: offsets, keys. Source: CPU facts 4.4; reference manual, chapter "Error Signaling Module
+/// Error signalling module: offsets, keys. Source: facts/tms570 4; reference manual, chapter "Error Signaling Module
 /// (ESM)".
 namespace counterpoint::tms570::esm
 {

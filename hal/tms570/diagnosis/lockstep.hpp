@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-/// Comparator of the two processors (CCM). Source: CPU facts 4.4; reference manual, chapter "CPU Compare Module"; the
+/// Comparator of the two processors (CCM). Source: facts/tms570 4; reference manual, chapter "CPU Compare Module"; the
 /// CCM of an LC43x compares more than processors (SPNU563A, 13.2), by registers and keys of the same form.
 namespace counterpoint::tms570
 {

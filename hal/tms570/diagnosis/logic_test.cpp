@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// LBIST (reference manual, chapter "CPU Self-Test Controller (STC)"; CPU facts 4.4).
+// LBIST (reference manual, chapter "CPU Self-Test Controller (STC)"; facts/tms570 4).
 #include "hal/tms570/diagnosis/built_in_tests.hpp"
 
 #include "hal/tms570/chip/processor.hpp"

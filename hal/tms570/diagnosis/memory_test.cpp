@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// PBIST (reference manual, chapter "Programmable Built-In Self-Test (PBIST)"; CPU facts 4.4). The program that must
+// PBIST (reference manual, chapter "Programmable Built-In Self-Test (PBIST)"; facts/tms570 4). The program that must
 // fail is the vendor's own: two words an instruction, of which nothing else is published.
 #include "hal/tms570/diagnosis/built_in_tests.hpp"
 

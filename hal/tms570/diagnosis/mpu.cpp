@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// Memory protection unit (ARM DDI 0406, "Protected Memory System Architecture"; CPU facts 4.1: 12 regions on a
+// Memory protection unit (ARM DDI 0406, "Protected Memory System Architecture"; facts/tms570 1: 12 regions on a
 // Cortex-R4F of this family, 16 on a Cortex-R5F).
 #include "hal/tms570/diagnosis/mpu.hpp"
 

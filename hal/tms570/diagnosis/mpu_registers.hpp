@@ -5,7 +5,7 @@
 #include <cstdint>
 
 /// Memory protection unit of a Cortex-R4F and R5F: bits. Source: ARM DDI 0406, "Protected Memory System Architecture";
-/// CPU facts 4.1.
+/// facts/tms570 1.
 namespace counterpoint::tms570::mpu
 {
 

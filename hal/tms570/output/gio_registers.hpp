@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-/// General purpose pins: offsets. Source: CPU facts 4.2; reference manual, chapter "General-Purpose Input/Output
+/// General purpose pins: offsets. Source: facts/tms570 2; reference manual, chapter "General-Purpose Input/Output
 /// (GIO)".
 namespace counterpoint::tms570::gio
 {

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// Outputs on a GIO port (reference manual, chapter GIO, "I/O function"; CPU facts 4.2). After reset all pins are
+// Outputs on a GIO port (reference manual, chapter GIO, "I/O function"; facts/tms570 2). After reset all pins are
 // inputs; a pull-down outside makes that the safe state.
 #include "hal/tms570/output/safety_pins.hpp"
 

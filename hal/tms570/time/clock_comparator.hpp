@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-/// Dual clock comparator DCC1: the PLL against the oscillator. Source: CPU facts 4.2; reference manual, chapter
+/// Dual clock comparator DCC1: the PLL against the oscillator. Source: facts/tms570 2; reference manual, chapter
 /// "Dual-Clock Comparator".
 namespace counterpoint::tms570
 {

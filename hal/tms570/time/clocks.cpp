@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// Clock tree (reference manual, chapters "Oscillator and PLL", "Architecture"; CPU facts 4.2, 4.4 start order).
+// Clock tree (reference manual, chapters "Oscillator and PLL", "Architecture"; facts/tms570 2, 4).
 #include "hal/tms570/time/clocks.hpp"
 
 #include "hal/tms570/chip/system_registers.hpp"

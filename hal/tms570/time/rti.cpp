@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// Counters of the RTI (reference manual, chapter RTI, "Counter operation"; CPU facts 4.2, 4.4).
+// Counters of the RTI (reference manual, chapter RTI, "Counter operation"; facts/tms570 2, 4).
 #include "hal/tms570/time/rti.hpp"
 
 #include "hal/tms570/time/rti_registers.hpp"

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-/// RTI with its digital watchdog: offsets, bits, keys. Source: CPU facts 4.2, 4.4; reference manual, chapter "Real-Time
+/// RTI with its digital watchdog: offsets, bits, keys. Source: facts/tms570 2, 4; reference manual, chapter "Real-Time
 /// Interrupt (RTI) module".
 namespace counterpoint::tms570::rti
 {

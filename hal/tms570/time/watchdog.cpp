@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// Digital windowed watchdog (reference manual, chapter RTI, "Digital watchdog"; CPU facts 4.4).
+// Digital windowed watchdog (reference manual, chapter RTI, "Digital watchdog"; facts/tms570 4).
 #include "hal/tms570/time/watchdog.hpp"
 
 #include "hal/tms570/time/rti_registers.hpp"

@@ -28,6 +28,7 @@ inline constexpr RequirementId SRS_VER_018{"SRS_VER_018"};
 inline constexpr RequirementId SRS_VER_019{"SRS_VER_019"};
 inline constexpr RequirementId SRS_VER_020{"SRS_VER_020"};
 inline constexpr RequirementId SRS_VER_021{"SRS_VER_021"};
+inline constexpr RequirementId SRS_VER_030{"SRS_VER_030"};
 } // namespace counterpoint::req
 
 #endif
