@@ -32,20 +32,6 @@ bool IsBigEndian(const std::string_view bytes) noexcept
 }
 } // namespace
 
-std::uint16_t CaptureBytes::Number16(const std::size_t at) const noexcept
-{
-    const std::uint32_t first = At(at);
-    const std::uint32_t second = At(at + 1U);
-    return static_cast<std::uint16_t>(is_big_endian_ ? (first << 8U) | second : (second << 8U) | first);
-}
-
-std::uint32_t CaptureBytes::Number32(const std::size_t at) const noexcept
-{
-    const std::uint32_t first = Number16(at);
-    const std::uint32_t second = Number16(at + 2U);
-    return is_big_endian_ ? (first << 16U) | second : (second << 16U) | first;
-}
-
 std::optional<cia306::Problem> ReadSocketCan(const std::string_view packet, LogFrame& frame)
 {
     if (packet.size() < kFrameHead)

@@ -53,8 +53,18 @@ class CaptureBytes
         return is_big_endian_;
     }
     /// `at` + 2 or + 4 is at most Size(), checked by the caller.
-    [[nodiscard]] std::uint16_t Number16(std::size_t at) const noexcept;
-    [[nodiscard]] std::uint32_t Number32(std::size_t at) const noexcept;
+    [[nodiscard]] std::uint16_t Number16(const std::size_t at) const noexcept
+    {
+        const std::uint32_t first = At(at);
+        const std::uint32_t second = At(at + 1U);
+        return static_cast<std::uint16_t>(is_big_endian_ ? (first << 8U) | second : (second << 8U) | first);
+    }
+    [[nodiscard]] std::uint32_t Number32(const std::size_t at) const noexcept
+    {
+        const std::uint32_t first = Number16(at);
+        const std::uint32_t second = Number16(at + 2U);
+        return is_big_endian_ ? (first << 16U) | second : (second << 16U) | first;
+    }
     [[nodiscard]] std::string_view Part(const std::size_t at, const std::size_t count) const noexcept
     {
         return bytes_.substr(at, count);

@@ -7,6 +7,7 @@
 #include "canopen/cia306/text/text_file.hpp"
 #include "canopen/network/expectation_maker.hpp"
 #include "canopen/network/manager_objects.hpp"
+#include "canopen/network/network_warnings.hpp"
 
 #include <algorithm>
 #include <set>
@@ -63,6 +64,19 @@ std::uint32_t AssignmentOf(const SlavePlan& plan)
     bits = plan.retry_factor ? ((bits & 0xFFFF00FFU) | (std::uint32_t{*plan.retry_factor} << kFactorShift)) : bits;
     return plan.guard_ms ? ((bits & 0x0000FFFFU) | (std::uint32_t{*plan.guard_ms} << kTimeShift)) : bits;
 }
+
+const cia302::El6751Pdo* FirstSynchronous(const ProfileSlave& slave)
+{
+    const cia302::El6751Pdo* found = nullptr;
+    for (const auto* const pdos : {&slave.rx_pdos, &slave.tx_pdos})
+    {
+        for (const cia302::El6751Pdo& pdo : *pdos)
+        {
+            found = (found == nullptr && cia302::IsSynchronous(pdo.type)) ? &pdo : found;
+        }
+    }
+    return found;
+}
 } // namespace
 
 LoadedNetwork::LoadedNetwork(const NetworkPlan& plan) : plan_(plan), warnings_(plan.warnings)
@@ -86,9 +100,10 @@ LoadedNetwork::LoadedNetwork(const NetworkPlan& plan) : plan_(plan), warnings_(p
     for (const std::unique_ptr<LoadedSlave>& slave : loaded_)
     {
         Fill(*slave, slaves_.at(slave->plan.node));
-        WarnOfSafety(*slave);
     }
     FillManager();
+    const std::vector<std::string> warnings = WarningsOf(*this);
+    warnings_.insert(warnings_.end(), warnings.begin(), warnings.end());
 }
 
 const LoadedSlave* LoadedNetwork::Find(const std::uint8_t node) const noexcept
@@ -246,6 +261,42 @@ void LoadedNetwork::RequireSense(const LoadedSlave& slave, const SlaveSetup& set
     }
 }
 
+void LoadedNetwork::RequireSoftware(const SlavePlan& plan) const
+{
+    const SoftwarePlan software = plan.software.value_or(SoftwarePlan{});
+    const std::uint32_t compared =
+        software.identification.value_or(0U) | software.date.value_or(0U) | software.time.value_or(0U);
+    const std::string node = " of node " + std::to_string(plan.node);
+    if (plan.software && compared == 0U)
+    {
+        throw InputError(plan_.file, plan.line,
+                         {"software" + node + " with nothing to compare", "identification, date or time above 0"});
+    }
+    if (software.may_update == software.program.empty())
+    {
+        throw InputError(plan_.file, plan.line,
+                         {software.may_update ? "an update of the software" + node + " without a program"
+                                              : "a program" + node + " that no update may load",
+                          "update: true and program: FILE, or neither"});
+    }
+}
+
+/// SYNC is sent as soon as any PDO needs it; only the network file knows how often.
+void LoadedNetwork::RequireSync() const
+{
+    for (const std::unique_ptr<LoadedSlave>& slave : loaded_)
+    {
+        const cia302::El6751Pdo* const pdo = FirstSynchronous(slave->profile);
+        if (pdo != nullptr && setup_.sync_period_us == 0U)
+        {
+            throw InputError(plan_.file, slave->plan.line,
+                             {"PDO " + std::to_string(pdo->number) + " of node " + std::to_string(slave->plan.node) +
+                                  " is synchronous (type " + std::to_string(pdo->type) + ") and there is no SYNC",
+                              "a period under manager, sync"});
+        }
+    }
+}
+
 void LoadedNetwork::FillIdentity(const LoadedSlave& slave, SlaveSetup& setup) const
 {
     constexpr std::uint16_t kDeviceType = 0x1000U;
@@ -293,6 +344,18 @@ void LoadedNetwork::FillHeartbeat(LoadedSlave& slave, SlaveSetup& setup) const
                                         : cia302::Bytes{concise.data(), static_cast<std::uint32_t>(concise.size())};
 }
 
+void LoadedNetwork::FillSoftware(const LoadedSlave& slave, cia302::SlaveSetup& setup)
+{
+    if (slave.plan.software)
+    {
+        const SoftwarePlan& software = *slave.plan.software;
+        setup.software.identification = software.identification.value_or(0U);
+        setup.software.date = software.date.value_or(0U);
+        setup.software.time = software.time.value_or(0U);
+        setup.software.program = {slave.program.data(), static_cast<std::uint32_t>(slave.program.size())};
+    }
+}
+
 void LoadedNetwork::FillManager()
 {
     const ManagerPlan& manager = plan_.manager;
@@ -311,14 +374,11 @@ void LoadedNetwork::FillManager()
             LeaveOutRows(slave->device, node, setup_, slave->profile, slaves_.at(node));
         }
     }
-    WarnOfUnused();
-    WarnOfHeartbeat();
     if (setup_.sync_period_us != 0U && setup_.sync_period_us < kLeastSyncUs)
     {
         throw InputError(plan_.file, manager.line,
                          {"SYNC period (1006h) of " + std::to_string(setup_.sync_period_us) + " us",
                           "none, or at least " + std::to_string(kLeastSyncUs) + " us"});
     }
-    WarnOfFlying();
 }
 } // namespace counterpoint::network

@@ -90,12 +90,6 @@ class LoadedNetwork
     void RequireSense(const LoadedSlave& slave, const cia302::SlaveSetup& setup) const;
     void RequireSoftware(const SlavePlan& plan) const;
     void RequireSync() const;
-    void WarnOfUnused();
-    void WarnOfGuarding(const SlavePlan& slave, bool is_el6751);
-    void WarnOfSafety(const LoadedSlave& slave);
-    void WarnOfHeartbeat();
-    void WarnOfFlying();
-    [[nodiscard]] bool HasUnwatchedNode() const;
     void FillManager();
 
     NetworkPlan plan_;

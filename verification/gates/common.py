@@ -89,12 +89,21 @@ def without_comments(text, keep_strings=False):
     return TOKEN.sub(blank, text)
 
 
+class Class:
+    def __init__(self, name, line, scopes):
+        self.name = name
+        self.line = line
+        self.scopes = scopes
+        self.methods = 0  # Member functions, constructors and operators, defaulted and deleted ones left out.
+
+
 class Function:
-    def __init__(self, name, first_line, last_line, signature):
+    def __init__(self, name, first_line, last_line, signature, scopes):
         self.name = name
         self.first_line = first_line
         self.last_line = last_line
         self.signature = signature
+        self.scopes = scopes  # Names of the namespaces and classes around it, the outermost first; "" without a name.
 
     @property
     def length(self):
@@ -104,13 +113,30 @@ class Function:
 BODY = re.compile(r"\)\s*(?:(?:const\b|noexcept\b(?:\s*\([^()]*\))?|override\b|final\b|&&?|->\s*[\w:<>,&*()\s]+)\s*)*"
                   r"(?::(?!:).*)?$", re.DOTALL)
 SCOPE = re.compile(r"\b(?:namespace|class|struct|union|enum|extern)\b")
+NAMED_SCOPE = re.compile(r"\b(namespace|class|struct|union)\s+(?:\[\[.*?\]\]\s*)?([\w:]+)")
+NO_METHOD = re.compile(r"\b(?:friend|using|typedef|static_assert|alignas)\b|=\s*(?:default|delete)\s*$")
+
+
+def is_method(declaration):
+    """Whether a member's declaration is a function's: a name and a parenthesis once template arguments and initialisers are gone."""
+    bare = re.sub(r"\[\[.*?\]\]", "", declaration, flags=re.DOTALL)
+    while re.search(r"<[^<>]*>", bare):
+        bare = re.sub(r"<[^<>]*>", "", bare)
+    head = re.split(r"\{|(?<!operator)(?<![=!])=", bare)[0]
+    return not NO_METHOD.search(bare) and bool(re.search(r"[~\w]+\s*\(|\boperator\b", head))
 
 
 def functions(text):
     """Function definitions of a C++ text, lambdas counted with the function they stand in."""
+    return outline(text)[0]
+
+
+def outline(text):
+    """Function definitions of a C++ text, lambdas counted with the function they stand in, and its classes."""
     code = re.sub(r"(?m)^[ \t]*#.*?(?<!\\)$", lambda m: " " * len(m.group(0)), without_comments(text))
     found = []
-    stack = []          # of "scope", "body" (with its start) or "init"
+    classes = []
+    stack = []          # of "scope" (with its class or its name), "body" (with its start) or "init"
     segment_start = 0   # where the declaration that may open a brace begins
     line_starts = [0] + [match.end() for match in re.finditer(r"\n", code)]
 
@@ -124,9 +150,14 @@ def functions(text):
                 high = middle
         return low + 1
 
+    def scope_names():
+        scopes = [scope.name if isinstance(scope, Class) else scope for kind, scope, _ in stack if kind == "scope"]
+        return [part for scope in scopes for part in scope.split("::")]
+
     for match in re.finditer(r"[{};]", code):
         offset, character = match.start(), match.group(0)
         inside_body = any(kind == "body" for kind, _, _ in stack)
+        own = stack[-1][1] if stack and isinstance(stack[-1][1], Class) else None
         if character == "{":
             segment = code[segment_start:offset]
             segment = re.sub(r"\b(?:public|private|protected)\s*:(?!:)", lambda m: " " * len(m.group(0)), segment)
@@ -140,8 +171,15 @@ def functions(text):
                 continue
             elif "(" in flat and BODY.search(flat) and not re.search(r":\s*(?:[\w:<>]+\([^()]*\)\s*,\s*)*[\w:<>]+\s*$", flat):
                 stack.append(("body", begin, flat))
-            elif SCOPE.search(flat) and "(" not in flat:
-                stack.append(("scope", begin, flat))
+                if own is not None and is_method(flat):
+                    own.methods += 1
+            elif SCOPE.search(flat) and "(" not in re.sub(r"\balignas\s*\(.*?\)|\[\[.*?\]\]", "", flat):
+                named = NAMED_SCOPE.search(flat)
+                scope = named.group(2) if named else ""
+                if named and named.group(1) != "namespace" and not re.search(r"\benum\b", flat):
+                    scope = Class(scope, line_of(begin), scope_names())
+                    classes.append(scope)
+                stack.append(("scope", scope, flat))
             else:
                 stack.append(("init", begin, flat))
                 continue
@@ -154,8 +192,10 @@ def functions(text):
                 continue
             if kind == "body":
                 name = re.search(r"([~\w:<>]+(?:\s*operator\s*[^\s(]+)?)\s*\(", signature)
-                found.append(Function(name.group(1) if name else "?", line_of(begin), line_of(offset), signature.strip()))
+                found.append(Function(name.group(1) if name else "?", line_of(begin), line_of(offset), signature.strip(), scope_names()))
             segment_start = offset + 1
         elif not any(kind == "init" for kind, _, _ in stack):
+            if own is not None and is_method(re.sub(r"^\s*(?:public|private|protected)\s*:", "", code[segment_start:offset])):
+                own.methods += 1
             segment_start = offset + 1
-    return found
+    return found, classes

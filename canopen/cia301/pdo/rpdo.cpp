@@ -1,9 +1,10 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-// What happens to a received PDO. Its objects are in rpdo_settings.cpp.
+// What happens to a received PDO, and the objects of the RPDOs: 1400h.. and 1600h..
 #include "canopen/cia301/pdo/rpdo.hpp"
 
 #include "canopen/cia301/base/cob_id.hpp"
 #include "canopen/cia301/objects/service_table.hpp"
+#include "canopen/cia301/pdo/settings.hpp"
 
 namespace counterpoint::cia301
 {
@@ -17,6 +18,19 @@ constexpr std::uint8_t kLastSynchronous = 240U;
 bool IsSynchronous(const Rpdo& pdo) noexcept
 {
     return pdo.settings.type <= kLastSynchronous;
+}
+
+constexpr std::uint8_t kHighestSub = 5U;
+constexpr std::uint32_t kFirstEventDriven = 254U;
+
+bool IsValid(const Rpdo& pdo) noexcept
+{
+    return (pdo.settings.cob_id & kCobOff) == 0U;
+}
+
+bool IsType(const std::uint32_t type) noexcept
+{
+    return (type <= kLastSynchronous) || (type >= kFirstEventDriven);
 }
 
 } // namespace
@@ -127,6 +141,144 @@ void Rpdos::Apply(Rpdo& pdo, const Instant now) noexcept
 bool Rpdos::IsInWindow(const Instant now) const noexcept
 {
     return (window_us_ == 0U) || !has_sync_ || ((now.us - sync_at_.us) <= window_us_);
+}
+
+Rpdos::Rpdos(const RpdoParts& parts) noexcept
+    : parts_(parts), sync_at_{0U}, window_us_(0U), has_sync_(false), is_operational_(false), is_configuring_(false)
+{
+}
+
+void Rpdos::Reset() noexcept
+{
+    for (std::uint16_t i = 0U; i < parts_.table.count; ++i)
+    {
+        Rpdo& pdo = parts_.table.pdos[i];
+        pdo.settings = RpdoSettings{};
+        pdo.run = RpdoRun{};
+        ClearMap(pdo.map);
+    }
+    has_sync_ = false;
+    is_operational_ = false;
+    is_configuring_ = false;
+}
+
+void Rpdos::BeginConfiguration() noexcept
+{
+    is_configuring_ = true;
+}
+
+void Rpdos::EndConfiguration() noexcept
+{
+    for (std::uint16_t i = 0U; is_configuring_ && (i < parts_.table.count); ++i)
+    {
+        Rpdo& pdo = parts_.table.pdos[i];
+        const bool is_mapped = ResolveMap(pdo.map, kInRpdo, parts_.dictionary) == SdoAbort::kNone;
+        const bool is_set = IsUsable(pdo.settings.cob_id) && IsType(pdo.settings.type);
+        pdo.settings.cob_id |= (is_mapped && is_set) ? 0U : kCobOff;
+        pdo.run = RpdoRun{};
+    }
+    is_configuring_ = false;
+}
+
+ObjectValue Rpdos::FetchSetting(const std::uint16_t number, const std::uint8_t sub) const noexcept
+{
+    const Rpdo* const pdo = Find(number);
+    ObjectValue value{SdoAbort::kObjectUnknown, 0U, 1U};
+    if (pdo != nullptr)
+    {
+        const RpdoSettings& own = pdo->settings;
+        value = FetchShared({own.cob_id, own.type, own.inhibit_100us, own.event_ms}, sub, kHighestSub);
+    }
+    return value;
+}
+
+ObjectValue Rpdos::FetchMapping(const std::uint16_t number, const std::uint8_t sub) const noexcept
+{
+    const Rpdo* const pdo = Find(number);
+    ObjectValue value{SdoAbort::kObjectUnknown, 0U, 1U};
+    if (pdo != nullptr)
+    {
+        value = FetchField(pdo->map, sub);
+    }
+    return value;
+}
+
+SdoAbort Rpdos::StoreSetting(const std::uint16_t number, const std::uint8_t sub, const std::uint32_t value) noexcept
+{
+    Rpdo* const pdo = Find(number);
+    const ObjectValue old = FetchSetting(number, sub);
+    SdoAbort abort = old.abort;
+    if ((abort == SdoAbort::kNone) && (sub == 0U))
+    {
+        abort = SdoAbort::kReadOnly;
+    }
+    else if ((abort == SdoAbort::kNone) && (old.value != value))
+    {
+        abort = Change(*pdo, sub, value);
+    }
+    return abort;
+}
+
+/// A value that differs from what is there.
+SdoAbort Rpdos::Change(Rpdo& pdo, const std::uint8_t sub, const std::uint32_t value) noexcept
+{
+    bool is_taken = true;
+    switch (sub)
+    {
+    case kCobIdSub:
+        is_taken = WriteCobId(pdo, value);
+        break;
+    case kTypeSub:
+        is_taken = IsType(value);
+        pdo.settings.type = is_taken ? static_cast<std::uint8_t>(value) : pdo.settings.type;
+        break;
+    case kInhibitSub:
+        pdo.settings.inhibit_100us = static_cast<std::uint16_t>(value);
+        break;
+    default:
+        pdo.settings.event_ms = static_cast<std::uint16_t>(value);
+        break;
+    }
+    return is_taken ? SdoAbort::kNone : SdoAbort::kValueRange;
+}
+
+bool Rpdos::WriteCobId(Rpdo& pdo, const std::uint32_t value) noexcept
+{
+    const bool stays_valid = IsValid(pdo) && ((value & kCobOff) == 0U);
+    const bool is_changed = ((pdo.settings.cob_id ^ value) & kFixedCobBits) != 0U;
+    const bool is_taken = is_configuring_ || (IsUsable(value) && !(stays_valid && is_changed));
+    if (is_taken)
+    {
+        pdo.settings.cob_id = value;
+        pdo.run = RpdoRun{};
+    }
+    return is_taken;
+}
+
+SdoAbort Rpdos::StoreMapping(const std::uint16_t number, const std::uint8_t sub, const std::uint32_t value) noexcept
+{
+    Rpdo* const pdo = Find(number);
+    const ObjectValue old = FetchMapping(number, sub);
+    SdoAbort abort = old.abort;
+    if ((abort == SdoAbort::kNone) && is_configuring_)
+    {
+        PrepareMap(pdo->map, sub, value);
+    }
+    else if ((abort == SdoAbort::kNone) && (old.value != value))
+    {
+        abort = ChangeMap(pdo->map, IsValid(*pdo), FieldChange{sub, value, kInRpdo}, parts_.dictionary);
+    }
+    return abort;
+}
+
+Rpdo* Rpdos::Find(const std::uint16_t number) const noexcept
+{
+    Rpdo* found = nullptr;
+    for (std::uint16_t i = 0U; i < parts_.table.count; ++i)
+    {
+        found = (parts_.table.pdos[i].number == number) ? &parts_.table.pdos[i] : found;
+    }
+    return found;
 }
 
 } // namespace counterpoint::cia301

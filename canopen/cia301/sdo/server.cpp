@@ -2,6 +2,7 @@
 #include "canopen/cia301/sdo/server.hpp"
 
 #include "canopen/cia301/base/little_endian.hpp"
+#include "canopen/cia301/store/crc16.hpp"
 
 namespace counterpoint::cia301
 {
@@ -24,6 +25,31 @@ constexpr SdoAnswer kNoAnswer{SdoPresence::kNothing, {}};
 std::uint8_t AtMost(const std::uint8_t value, const std::uint8_t limit) noexcept
 {
     return (value > limit) ? limit : value;
+}
+
+constexpr std::uint8_t kExpedited = 0x02U;
+constexpr std::uint8_t kStated = 0x01U;
+constexpr std::uint8_t kToggle = 0x10U;
+constexpr std::uint8_t kLast = 0x01U;
+constexpr std::uint8_t kDownloadDone = 0x60U;
+constexpr std::uint8_t kSegmentDone = 0x20U;
+constexpr std::uint8_t kUploadExpedited = 0x43U;
+constexpr std::uint8_t kUploadSegmented = 0x41U;
+constexpr std::uint32_t kExpeditedBytes = 4U;
+
+constexpr std::uint8_t kCrcSupport = 0x04U;
+constexpr std::uint8_t kSizeStated = 0x02U;
+constexpr std::uint8_t kLastSegment = 0x80U;
+constexpr std::uint8_t kSequenceMask = 0x7FU;
+constexpr std::uint8_t kDownloadBegun = 0xA4U; ///< With CRC.
+constexpr std::uint8_t kDownloadEnded = 0xA1U;
+constexpr std::uint8_t kBlockTaken = 0xA2U;
+constexpr std::uint8_t kUploadBegun = 0xC6U; ///< With CRC and length.
+constexpr std::uint8_t kUploadEnd = 0xC1U;
+
+bool IsBlockSize(const std::uint8_t size) noexcept
+{
+    return (size >= 1U) && (size <= kMaxBlockSize);
 }
 
 } // namespace
@@ -198,6 +224,376 @@ SdoAnswer SdoServer::Answer(const std::uint8_t command, const std::uint32_t valu
     answer.frame.bytes[3] = target_.sub;
     ToLittleEndian(value, &answer.frame.bytes[4], 4U);
     return answer;
+}
+
+SdoAnswer SdoServer::BeginDownload(const SdoFrame& request) noexcept
+{
+    SdoAnswer answer{};
+    if ((request.bytes[0] & kExpedited) != 0U)
+    {
+        answer = DownloadExpedited(request);
+    }
+    else
+    {
+        const bool is_stated = (request.bytes[0] & kStated) != 0U;
+        const auto stated = static_cast<std::uint32_t>(FromLittleEndian(&request.bytes[4], 4U));
+        const SdoAbort abort = PrepareDownload(is_stated ? stated : kUnknownLength);
+        phase_ = Phase::kSegmentDownload;
+        answer = (abort == SdoAbort::kNone) ? Answer(kDownloadDone, 0U) : Abort(abort);
+    }
+    return answer;
+}
+
+SdoAnswer SdoServer::DownloadExpedited(const SdoFrame& request) noexcept
+{
+    std::uint32_t size_bytes = kExpeditedBytes - ((static_cast<std::uint32_t>(request.bytes[0]) >> 2U) & 3U);
+    SdoAbort abort = SdoAbort::kNone;
+    if ((request.bytes[0] & kStated) == 0U)
+    {
+        const Reading size = dictionary_.SizeOf(target_);
+        abort = size.abort;
+        size_bytes = (size.size_bytes < kExpeditedBytes) ? size.size_bytes : kExpeditedBytes;
+    }
+    if (abort == SdoAbort::kNone)
+    {
+        abort = dictionary_.Write(target_, Bytes{&request.bytes[4], size_bytes});
+    }
+    if ((abort == SdoAbort::kPending) && (size_bytes > buffer_.size_bytes))
+    {
+        abort = SdoAbort::kOutOfMemory;
+    }
+    else if (abort == SdoAbort::kPending)
+    {
+        for (std::uint32_t i = 0U; i < size_bytes; ++i)
+        {
+            buffer_.data[i] = request.bytes[4U + i];
+        }
+        position_ = size_bytes;
+    }
+    return Finish(abort, Answer(kDownloadDone, 0U));
+}
+
+/// The end of a write: `done`, an abort, or nothing yet.
+SdoAnswer SdoServer::Finish(const SdoAbort abort, const SdoAnswer& done) noexcept
+{
+    SdoAnswer answer{};
+    if (abort == SdoAbort::kPending)
+    {
+        delayed_ = done;
+        phase_ = Phase::kDelayed;
+    }
+    else
+    {
+        answer = (abort == SdoAbort::kNone) ? done : Abort(abort);
+    }
+    return answer;
+}
+
+/// The first `position_` bytes of the buffer are the value.
+SdoAnswer SdoServer::AskAgain() noexcept
+{
+    phase_ = Phase::kIdle;
+    return Finish(dictionary_.Write(target_, Bytes{buffer_.data, position_}), delayed_);
+}
+
+/// Whether a download of the stated length can be taken.
+SdoAbort SdoServer::PrepareDownload(const std::uint32_t stated) noexcept
+{
+    length_ = stated;
+    SdoAbort abort = dictionary_.MayWrite(target_, stated);
+    if ((abort == SdoAbort::kNone) && (stated != kUnknownLength) && (stated > buffer_.size_bytes))
+    {
+        abort = SdoAbort::kOutOfMemory;
+    }
+    return abort;
+}
+
+SdoAnswer SdoServer::DownloadSegment(const SdoFrame& request) noexcept
+{
+    const std::uint8_t head = request.bytes[0];
+    const std::uint32_t count = kSegmentBytes - ((static_cast<std::uint32_t>(head) >> 1U) & 7U);
+    const std::uint32_t room = buffer_.size_bytes - position_;
+    SdoAbort abort = SdoAbort::kNone;
+    if ((head & kToggle) != toggle_)
+    {
+        abort = SdoAbort::kToggle;
+    }
+    else if ((length_ != kUnknownLength) && (count > (length_ - position_)))
+    {
+        abort = SdoAbort::kTooLong;
+    }
+    else if (count > room)
+    {
+        abort = SdoAbort::kOutOfMemory;
+    }
+    else
+    {
+        for (std::uint32_t i = 0U; i < count; ++i)
+        {
+            buffer_.data[position_ + i] = request.bytes[1U + i];
+        }
+        position_ += count;
+        abort = ((head & kLast) != 0U) ? Store(position_) : SdoAbort::kNone;
+    }
+    SdoAnswer done{SdoPresence::kFrame, {}};
+    done.frame.bytes[0] = kSegmentDone | toggle_;
+    toggle_ ^= kToggle;
+    return Finish(abort, done);
+}
+
+/// Writes a value that is complete; the transfer is over.
+SdoAbort SdoServer::Store(const std::uint32_t size_bytes) noexcept
+{
+    SdoAbort abort = SdoAbort::kNone;
+    if ((length_ != kUnknownLength) && (size_bytes != length_))
+    {
+        abort = (size_bytes > length_) ? SdoAbort::kTooLong : SdoAbort::kTooShort;
+    }
+    else
+    {
+        abort = dictionary_.Write(target_, Bytes{buffer_.data, size_bytes});
+        position_ = size_bytes;
+    }
+    phase_ = Phase::kIdle;
+    return abort;
+}
+
+SdoAnswer SdoServer::BeginUpload() noexcept
+{
+    const Reading reading = dictionary_.Read(target_, buffer_);
+    length_ = reading.size_bytes;
+    return (reading.abort == SdoAbort::kNone) ? AnswerUpload() : Abort(reading.abort);
+}
+
+/// The value is in the buffer.
+SdoAnswer SdoServer::AnswerUpload() noexcept
+{
+    SdoAnswer answer{};
+    if ((length_ > 0U) && (length_ <= kExpeditedBytes))
+    {
+        const auto unused = static_cast<std::uint8_t>((kExpeditedBytes - length_) << 2U);
+        const auto value = static_cast<std::uint32_t>(FromLittleEndian(buffer_.data, length_));
+        answer = Answer(kUploadExpedited | unused, value);
+    }
+    else
+    {
+        phase_ = Phase::kSegmentUpload;
+        answer = Answer(kUploadSegmented, length_);
+    }
+    return answer;
+}
+
+SdoAnswer SdoServer::UploadSegment(const SdoFrame& request) noexcept
+{
+    SdoAnswer answer{};
+    if ((request.bytes[0] & kToggle) != toggle_)
+    {
+        answer = Abort(SdoAbort::kToggle);
+    }
+    else
+    {
+        const std::uint32_t left = length_ - position_;
+        const std::uint32_t count = (left < kSegmentBytes) ? left : kSegmentBytes;
+        const std::uint8_t last = (count == left) ? kLast : 0U;
+        answer.presence = SdoPresence::kFrame;
+        answer.frame.bytes[0] = static_cast<std::uint8_t>(toggle_ | ((kSegmentBytes - count) << 1U) | last);
+        for (std::uint32_t i = 0U; i < count; ++i)
+        {
+            answer.frame.bytes[1U + i] = buffer_.data[position_ + i];
+        }
+        position_ += count;
+        toggle_ ^= kToggle;
+        phase_ = (last != 0U) ? Phase::kIdle : Phase::kSegmentUpload;
+    }
+    return answer;
+}
+
+SdoAnswer SdoServer::BeginBlockDownload(const SdoFrame& request) noexcept
+{
+    const bool is_stated = (request.bytes[0] & kSizeStated) != 0U;
+    const auto stated = static_cast<std::uint32_t>(FromLittleEndian(&request.bytes[4], 4U));
+    const SdoAbort abort = PrepareDownload(is_stated ? stated : kUnknownLength);
+    has_crc_ = (request.bytes[0] & kCrcSupport) != 0U;
+    block_size_ = own_block_size_;
+    phase_ = Phase::kBlockDownload;
+    return (abort == SdoAbort::kNone) ? Answer(kDownloadBegun, block_size_) : Abort(abort);
+}
+
+SdoAnswer SdoServer::BlockSegment(const SdoFrame& request) noexcept
+{
+    const std::uint8_t number = request.bytes[0] & kSequenceMask;
+    const bool is_last = (request.bytes[0] & kLastSegment) != 0U;
+    SdoAbort abort = SdoAbort::kNone;
+    if ((number == 0U) || (number > block_size_))
+    {
+        abort = SdoAbort::kSequence;
+    }
+    else if (number == (sequence_ + 1U))
+    {
+        abort = TakeSegment(request);
+        has_last_ = is_last;
+    }
+    SdoAnswer answer{};
+    if (abort != SdoAbort::kNone)
+    {
+        answer = Abort(abort);
+    }
+    else if (is_last || (number == block_size_))
+    {
+        answer = AcknowledgeBlock();
+        is_repeated_ = false;
+    }
+    return answer;
+}
+
+/// The next segment in order. Its last bytes may be none of the value, which only the end of the transfer tells: they
+/// are counted, and kept if there is room.
+SdoAbort SdoServer::TakeSegment(const SdoFrame& request) noexcept
+{
+    const std::uint32_t limit = (length_ < buffer_.size_bytes) ? length_ : buffer_.size_bytes;
+    SdoAbort abort = SdoAbort::kNone;
+    if ((position_ >= limit) && (position_ > 0U))
+    {
+        abort = (limit == length_) ? SdoAbort::kTooLong : SdoAbort::kOutOfMemory;
+    }
+    else
+    {
+        crc_ = ContinueCrc(crc_, Bytes{&buffer_.data[crc_bytes_], position_ - crc_bytes_});
+        crc_bytes_ = position_;
+        for (std::uint32_t i = 0U; (i < kSegmentBytes) && ((position_ + i) < buffer_.size_bytes); ++i)
+        {
+            buffer_.data[position_ + i] = request.bytes[1U + i];
+        }
+        position_ += kSegmentBytes;
+        sequence_ = request.bytes[0] & kSequenceMask;
+    }
+    return abort;
+}
+
+SdoAnswer SdoServer::AcknowledgeBlock() noexcept
+{
+    SdoAnswer answer{SdoPresence::kFrame, {}};
+    answer.frame.bytes[0] = kBlockTaken;
+    answer.frame.bytes[1] = sequence_;
+    answer.frame.bytes[2] = own_block_size_;
+    sequence_ = 0U;
+    phase_ = has_last_ ? Phase::kBlockDownloadEnd : Phase::kBlockDownload;
+    return answer;
+}
+
+SdoAnswer SdoServer::EndBlockDownload(const SdoFrame& request) noexcept
+{
+    const std::uint32_t unused = (static_cast<std::uint32_t>(request.bytes[0]) >> 2U) & 7U;
+    const std::uint32_t size_bytes = position_ - unused; // One segment came at least.
+    SdoAbort abort = SdoAbort::kOutOfMemory;
+    if (size_bytes <= buffer_.size_bytes)
+    {
+        crc_ = ContinueCrc(crc_, Bytes{&buffer_.data[crc_bytes_], size_bytes - crc_bytes_});
+        const bool is_whole = !has_crc_ || (FromLittleEndian(&request.bytes[1], 2U) == crc_);
+        abort = is_whole ? Store(size_bytes) : SdoAbort::kCrc;
+    }
+    SdoAnswer done{SdoPresence::kFrame, {}};
+    done.frame.bytes[0] = kDownloadEnded;
+    return Finish(abort, done);
+}
+
+SdoAnswer SdoServer::BeginBlockUpload(const SdoFrame& request) noexcept
+{
+    const std::uint8_t threshold = request.bytes[5];
+    SdoAnswer answer{};
+    const Reading reading = dictionary_.Read(target_, buffer_);
+    length_ = reading.size_bytes;
+    has_crc_ = (request.bytes[0] & kCrcSupport) != 0U;
+    block_size_ = request.bytes[4];
+    if (!IsBlockSize(block_size_))
+    {
+        answer = Abort(SdoAbort::kBlockSize);
+    }
+    else if (reading.abort != SdoAbort::kNone)
+    {
+        answer = Abort(reading.abort);
+    }
+    else if ((threshold > 0U) && (length_ <= threshold))
+    {
+        answer = AnswerUpload();
+    }
+    else
+    {
+        phase_ = Phase::kBlockUploadStart;
+        answer = Answer(kUploadBegun, length_);
+    }
+    return answer;
+}
+
+SdoAnswer SdoServer::StartBlockUpload(const SdoFrame&) noexcept
+{
+    phase_ = Phase::kBlockUpload;
+    return NextSegment();
+}
+
+/// The segment after `sequence_` of the sub-block that begins at `position_`.
+SdoAnswer SdoServer::NextSegment() noexcept
+{
+    const std::uint32_t at = position_ + (static_cast<std::uint32_t>(sequence_) * kSegmentBytes);
+    const std::uint32_t left = length_ - at;
+    const std::uint32_t count = (left < kSegmentBytes) ? left : kSegmentBytes;
+    const bool is_last = (count == left);
+    ++sequence_;
+    SdoAnswer answer{SdoPresence::kFrame, {}};
+    answer.frame.bytes[0] = static_cast<std::uint8_t>(sequence_ | (is_last ? kLastSegment : 0U));
+    for (std::uint32_t i = 0U; i < count; ++i)
+    {
+        answer.frame.bytes[1U + i] = buffer_.data[at + i];
+    }
+    if (is_last || (sequence_ == block_size_))
+    {
+        phase_ = Phase::kBlockUploadAck;
+    }
+    return answer;
+}
+
+SdoAnswer SdoServer::BlockAcknowledged(const SdoFrame& request) noexcept
+{
+    const std::uint8_t taken = request.bytes[1];
+    SdoAnswer answer{};
+    if (taken > sequence_)
+    {
+        answer = Abort(SdoAbort::kSequence);
+    }
+    else if (!IsBlockSize(request.bytes[2]))
+    {
+        answer = Abort(SdoAbort::kBlockSize);
+    }
+    else
+    {
+        const std::uint32_t left = length_ - position_;
+        const std::uint32_t sent = static_cast<std::uint32_t>(taken) * kSegmentBytes;
+        const bool is_done = (taken > 0U) && (sent >= left);
+        const std::uint32_t advance = (sent < left) ? sent : left;
+        const std::uint32_t unused = is_done ? (sent - left) : 0U;
+        crc_ = ContinueCrc(crc_, Bytes{&buffer_.data[position_], advance});
+        position_ += advance;
+        sequence_ = 0U;
+        block_size_ = request.bytes[2];
+        phase_ = is_done ? Phase::kBlockUploadEnd : Phase::kBlockUpload;
+        if (is_done)
+        {
+            answer.presence = SdoPresence::kFrame;
+            answer.frame.bytes[0] = static_cast<std::uint8_t>(kUploadEnd | (unused << 2U));
+            ToLittleEndian(has_crc_ ? crc_ : 0U, &answer.frame.bytes[1], 2U);
+        }
+        else
+        {
+            answer = NextSegment();
+        }
+    }
+    return answer;
+}
+
+SdoAnswer SdoServer::EndBlockUpload(const SdoFrame&) noexcept
+{
+    phase_ = Phase::kIdle;
+    return SdoAnswer{SdoPresence::kNothing, {}};
 }
 
 } // namespace counterpoint::cia301

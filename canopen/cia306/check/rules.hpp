@@ -3,39 +3,15 @@
 #define CANOPEN_CIA306_CHECK_RULES_HPP
 
 #include "canopen/cia306/check/check.hpp"
+#include "canopen/cia306/check/findings.hpp"
 #include "canopen/cia306/safety/device_parameters.hpp"
 #include "canopen/cia306/safety/safety_configuration.hpp"
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace counterpoint::cia306
 {
-/// Collects what the rules find.
-class Findings
-{
-  public:
-    void Error(std::size_t line, const std::string& object, const std::string& wrong, const std::string& expected);
-    void Warning(std::size_t line, const std::string& object, const std::string& wrong, const std::string& expected);
-    void Add(const std::vector<Finding>& findings);
-
-    [[nodiscard]] bool HasError() const;
-    [[nodiscard]] bool HasErrorAt(std::size_t line, const std::string& object) const;
-    /// In the order of the lines.
-    [[nodiscard]] std::vector<Finding> Sorted() const;
-
-  private:
-    void Add(Finding finding);
-
-    std::vector<Finding> findings_;
-    std::set<std::pair<std::size_t, std::string>> error_places_;
-};
-
 /// What all rules look at.
 struct CheckContext
 {

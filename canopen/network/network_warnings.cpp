@@ -1,12 +1,12 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-// What somebody wrote into a network file and would not get: refused where the network could not work, else told.
-#include "canopen/cia302/network/concise_dcf.hpp"
-#include "canopen/network/loaded_network.hpp"
+#include "canopen/network/network_warnings.hpp"
 
+#include "canopen/cia302/network/concise_dcf.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/network/start_up_bits.hpp"
 
 #include <algorithm>
+#include <memory>
 
 namespace counterpoint::network
 {
@@ -29,19 +29,6 @@ const char* NameOf(const StartProfile profile)
     const char* name = "cia302";
     name = (profile == StartProfile::kEl6751) ? "el6751" : name;
     return (profile == StartProfile::kPlcDesigner) ? "plc_designer" : name;
-}
-
-const cia302::El6751Pdo* FirstSynchronous(const ProfileSlave& slave)
-{
-    const cia302::El6751Pdo* found = nullptr;
-    for (const auto* const pdos : {&slave.rx_pdos, &slave.tx_pdos})
-    {
-        for (const cia302::El6751Pdo& pdo : *pdos)
-        {
-            found = (found == nullptr && cia302::IsSynchronous(pdo.type)) ? &pdo : found;
-        }
-    }
-    return found;
 }
 
 /// Who is watched, in bits 16 to 23, and how long, if this is an entry of 1016h; else 0.
@@ -124,24 +111,72 @@ bool IsAwaitedInVain(const LoadedSlave& slave, const cia302::SlaveSetup& setup, 
     const bool is_booted = profile != StartProfile::kCia302 || setup.Has(cia302::kBootSlave);
     return is_told && is_booted && setup.heartbeat.producer_ms == 0U && setup.heartbeat.consumer_ms > 0U;
 }
-} // namespace
+
+constexpr std::uint32_t kUsualNodeSlotMs = 10U;
+/// 1F90h:05 below which a 072h of the same race can be taken for one of a later race: half of it has to be longer than
+/// two cycles of 1 ms, the longest frame and 072h, at 125 kbit/s.
+constexpr std::uint32_t LeastNodeSlotMs()
+{
+    constexpr std::uint32_t kCyclesUs = 2U * 1000U;
+    constexpr std::uint32_t kBits = 135U + 55U; // With the stuff bits at worst and the pause behind.
+    constexpr std::uint32_t kBitUs = 8U;
+    return ((2U * (kCyclesUs + (kBits * kBitUs))) / 1000U) + 1U;
+}
+static_assert(LeastNodeSlotMs() == 8U);
+
+class NetworkWarnings
+{
+  public:
+    explicit NetworkWarnings(const LoadedNetwork& network);
+    [[nodiscard]] std::vector<std::string> All();
+
+  private:
+    void WarnOfUnused();
+    void WarnOfGuarding(const SlavePlan& slave, bool is_el6751);
+    void WarnOfSafety(const LoadedSlave& slave);
+    void WarnOfHeartbeat();
+    void WarnOfFlying();
+    [[nodiscard]] bool HasUnwatchedNode() const;
+
+    const NetworkPlan& plan_;
+    const cia302::NetworkSetup& setup_;
+    const std::vector<std::unique_ptr<LoadedSlave>>& loaded_;
+    std::vector<std::string> warnings_;
+};
+
+NetworkWarnings::NetworkWarnings(const LoadedNetwork& network)
+    : plan_(network.Plan()), setup_(network.Setup()), loaded_(network.Slaves())
+{
+}
+
+std::vector<std::string> NetworkWarnings::All()
+{
+    for (const std::unique_ptr<LoadedSlave>& slave : loaded_)
+    {
+        WarnOfSafety(*slave);
+    }
+    WarnOfUnused();
+    WarnOfHeartbeat();
+    WarnOfFlying();
+    return warnings_;
+}
 
 /// A slave that waits hardly longer than the period loses the manager on a loaded bus. [SRS_NET_006]
-void LoadedNetwork::WarnOfHeartbeat()
+void NetworkWarnings::WarnOfHeartbeat()
 {
     const std::uint32_t period_ms = plan_.manager.heartbeat_ms.value_or(0U);
     const std::uint32_t least_ms = period_ms + (period_ms + 1U) / 2U;
     for (const std::unique_ptr<LoadedSlave>& slave : loaded_)
     {
         const std::uint8_t node = slave->plan.node;
-        const std::uint32_t time_ms = WatchesManagerMs(*slave, slaves_.at(node), setup_.own.value);
+        const std::uint32_t time_ms = WatchesManagerMs(*slave, setup_.slaves[node], setup_.own.value);
         const bool has_rows = slave->profile.el6751.IsWatched();
         const std::uint32_t first = has_rows ? FirstWatched(*slave) : 0U;
         const std::string name =
             cia306::Printable(plan_.file) + ":" + std::to_string(slave->plan.line) + ": node " + std::to_string(node);
-        if (IsAwaitedInVain(*slave, slaves_.at(node), plan_.manager.profile))
+        if (IsAwaitedInVain(*slave, setup_.slaves[node], plan_.manager.profile))
         {
-            const cia302::HeartbeatSetup& heartbeat = slaves_.at(node).heartbeat;
+            const cia302::HeartbeatSetup& heartbeat = setup_.slaves[node].heartbeat;
             const bool is_cia302 = plan_.manager.profile == StartProfile::kCia302;
             const bool is_patient = heartbeat.arming == cia302::Arming::kFirstHeartbeat;
             const std::string otherwise = is_patient ? "it is not supervised" : "it is taken for lost";
@@ -170,58 +205,10 @@ void LoadedNetwork::WarnOfHeartbeat()
     }
 }
 
-void LoadedNetwork::FillSoftware(const LoadedSlave& slave, cia302::SlaveSetup& setup)
-{
-    if (slave.plan.software)
-    {
-        const SoftwarePlan& software = *slave.plan.software;
-        setup.software.identification = software.identification.value_or(0U);
-        setup.software.date = software.date.value_or(0U);
-        setup.software.time = software.time.value_or(0U);
-        setup.software.program = {slave.program.data(), static_cast<std::uint32_t>(slave.program.size())};
-    }
-}
-
-void LoadedNetwork::RequireSoftware(const SlavePlan& plan) const
-{
-    const SoftwarePlan software = plan.software.value_or(SoftwarePlan{});
-    const std::uint32_t compared =
-        software.identification.value_or(0U) | software.date.value_or(0U) | software.time.value_or(0U);
-    const std::string node = " of node " + std::to_string(plan.node);
-    if (plan.software && compared == 0U)
-    {
-        throw InputError(plan_.file, plan.line,
-                         {"software" + node + " with nothing to compare", "identification, date or time above 0"});
-    }
-    if (software.may_update == software.program.empty())
-    {
-        throw InputError(plan_.file, plan.line,
-                         {software.may_update ? "an update of the software" + node + " without a program"
-                                              : "a program" + node + " that no update may load",
-                          "update: true and program: FILE, or neither"});
-    }
-}
-
-/// SYNC is sent as soon as any PDO needs it; only the network file knows how often.
-void LoadedNetwork::RequireSync() const
-{
-    for (const std::unique_ptr<LoadedSlave>& slave : loaded_)
-    {
-        const cia302::El6751Pdo* const pdo = FirstSynchronous(slave->profile);
-        if (pdo != nullptr && setup_.sync_period_us == 0U)
-        {
-            throw InputError(plan_.file, slave->plan.line,
-                             {"PDO " + std::to_string(pdo->number) + " of node " + std::to_string(slave->plan.node) +
-                                  " is synchronous (type " + std::to_string(pdo->type) + ") and there is no SYNC",
-                              "a period under manager, sync"});
-        }
-    }
-}
-
 /// One supervision a slave, and that by heartbeat goes first; who sends heartbeats answers no remote frames.
-void LoadedNetwork::WarnOfGuarding(const SlavePlan& slave, const bool is_el6751)
+void NetworkWarnings::WarnOfGuarding(const SlavePlan& slave, const bool is_el6751)
 {
-    const cia302::HeartbeatSetup& heartbeat = slaves_.at(slave.node).heartbeat;
+    const cia302::HeartbeatSetup& heartbeat = setup_.slaves[slave.node].heartbeat;
     const std::string place = cia306::Printable(plan_.file) + ":" + std::to_string(slave.line) + ": ";
     const std::string node = "node " + std::to_string(slave.node);
     const bool is_asked = slave.guard_ms.value_or(0U) > 0U && !is_el6751;
@@ -243,7 +230,7 @@ void LoadedNetwork::WarnOfGuarding(const SlavePlan& slave, const bool is_el6751)
 }
 
 /// What the gate expects and the device does not have by itself, or has and the gate does not read.
-void LoadedNetwork::WarnOfSafety(const LoadedSlave& slave)
+void NetworkWarnings::WarnOfSafety(const LoadedSlave& slave)
 {
     constexpr std::uint16_t kValidFlag = 0x13FEU;
     constexpr std::uint16_t kSignatures = 0x13FFU;
@@ -281,7 +268,7 @@ void LoadedNetwork::WarnOfSafety(const LoadedSlave& slave)
     }
 }
 
-void LoadedNetwork::WarnOfUnused()
+void NetworkWarnings::WarnOfUnused()
 {
     const StartProfile profile = plan_.manager.profile;
     const bool is_cia302 = profile == StartProfile::kCia302;
@@ -319,6 +306,77 @@ void LoadedNetwork::WarnOfUnused()
                           (slave.assignment.value_or(0U) & kReservedAssignment) != 0U, false});
         WarnOfGuarding(slave, is_el6751);
     }
+}
+
+/// A node of which no file tells more may be another master.
+bool NetworkWarnings::HasUnwatchedNode() const
+{
+    bool has_one = false;
+    for (const std::unique_ptr<LoadedSlave>& slave : loaded_)
+    {
+        const cia302::SlaveSetup& setup = setup_.slaves[slave->plan.node];
+        has_one = has_one || (slave->plan.dcf.empty() && setup.heartbeat.consumer_ms == 0U);
+    }
+    return has_one;
+}
+
+/// What a flying master would do, and nobody wants.
+void NetworkWarnings::WarnOfFlying()
+{
+    const ManagerPlan& manager = plan_.manager;
+    if (!manager.flying)
+    {
+        return;
+    }
+    const FlyingPlan& flying = *manager.flying;
+    const cia302::FlyingMasterOptions& options = flying.options;
+    const std::size_t of_flying = LineOf(manager.lines, "flying", manager.line);
+    const auto warn = [&](const std::size_t line, const std::string& text)
+    { warnings_.push_back(cia306::Printable(plan_.file) + ":" + std::to_string(line) + ": " + text); };
+    const auto ms = [](const std::uint32_t time) { return std::to_string(time) + " ms"; };
+    const std::uint32_t heartbeat_ms = manager.heartbeat_ms.value_or(0U);
+    if (heartbeat_ms == 0U)
+    {
+        warn(LineOf(manager.lines, "heartbeat", of_flying),
+             "a flying master without heartbeat, which its standbys lose again and again: expected a heartbeat above "
+             "0 ms");
+    }
+    const bool is_asked = flying.lines.count("watch_time") > 0U;
+    const bool watches = options.watch == cia302::MasterWatch::kInstalled && (is_asked || HasUnwatchedNode());
+    if (watches && options.watch_ms <= heartbeat_ms)
+    {
+        warn(LineOf(flying.lines, "watch_time", of_flying),
+             "watch_time " + ms(options.watch_ms) + " for masters with a heartbeat each " + ms(heartbeat_ms) +
+                 " as this one: their standbys lose them again and again, expected a longer one");
+    }
+    const std::uint32_t slot_ms = flying.node_slot_ms.value_or(kUsualNodeSlotMs);
+    if (slot_ms > 0U && slot_ms < LeastNodeSlotMs())
+    {
+        warn(LineOf(flying.lines, "node_slot", of_flying),
+             "node_slot " + ms(slot_ms) +
+                 ": with a cycle of 1 ms and 125 kbit/s a failover may take longer than "
+                 "computed, expected at least " +
+                 ms(LeastNodeSlotMs()));
+    }
+    const bool is_race_cyclic = options.cyclic == cia302::CyclicMessage::kNegotiation;
+    if (is_race_cyclic && options.standby == cia302::StandbyReaction::kRaces)
+    {
+        warn(LineOf(flying.lines, "standby", of_flying),
+             "standby races with cyclic negotiation: masters like this one elect without end, expected another word "
+             "for one of them");
+    }
+    if (is_race_cyclic && options.ignores_claims)
+    {
+        warn(LineOf(flying.lines, "claim_heard", of_flying),
+             "claim_heard ignores with cyclic negotiation: two masters like this one never end, expected another word "
+             "for one of them");
+    }
+}
+} // namespace
+
+std::vector<std::string> WarningsOf(const LoadedNetwork& network)
+{
+    return NetworkWarnings(network).All();
 }
 
 } // namespace counterpoint::network
