@@ -29,6 +29,7 @@ inline constexpr RequirementId SRS_VER_019{"SRS_VER_019"};
 inline constexpr RequirementId SRS_VER_020{"SRS_VER_020"};
 inline constexpr RequirementId SRS_VER_021{"SRS_VER_021"};
 inline constexpr RequirementId SRS_VER_030{"SRS_VER_030"};
+inline constexpr RequirementId SRS_VER_031{"SRS_VER_031"};
 } // namespace counterpoint::req
 
 #endif

@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+"""Each requirement is named in the code that realises it, or its field REALISED names the files and folders that do. A requirement of the
+document `channel` needs that for channel A and for channel B. An id in the code that no requirement has is a finding."""
+import pathlib
+import re
+import sys
+
+HERE = pathlib.Path(__file__).resolve()
+sys.path.insert(0, str(HERE.parents[1]))
+sys.path.insert(0, str(HERE.parents[2] / "trace"))
+from common import PRODUCT_FOLDERS, files, read, run_gate  # noqa: E402
+from generate_ids import BadInput, UID, read_requirements  # noqa: E402
+
+# Documents about the machinery: their code is in verification.
+MACHINERY = ("conformance", "firmware", "target", "verification")
+CHANNELS = ("channel_a", "channel_b")
+TEXT = (".md", ".dcf", ".eds", ".yaml", ".json")
+
+
+def below(path, folder):
+    return path == folder or path.startswith(folder + "/")
+
+
+def naming(root, folders):
+    """Id -> files of code that name it."""
+    found = {}
+    for name in files(root, under=folders):
+        # The generated headers of ids and the registry name every id; a test shows a requirement and does not realise it.
+        if below(name, "verification/trace") or name.endswith((*TEXT, "_test.cpp")):
+            continue
+        for match in re.finditer(rf"\b{UID.pattern}\b", read(root, name)):
+            found.setdefault(match.group(0), set()).add(name)
+    return found
+
+
+def told(root, requirement):
+    """The paths of REALISED, and what is wrong with them."""
+    paths = [path.strip() for path in requirement.fields.get("REALISED", "").split(",") if path.strip()]
+    wrong = [path for path in paths if not (root / path).exists() or not any(below(path, folder) for folder in (*PRODUCT_FOLDERS, "verification"))]
+    return paths, [f"REALISED names '{path}', expected a file or folder of the product or of verification" for path in wrong]
+
+
+def gate(root, _data):
+    try:
+        requirements = read_requirements(root)
+    except BadInput as problem:
+        return [str(problem)], "files that cannot be read"
+    product, machinery = naming(root, PRODUCT_FOLDERS), naming(root, ("verification",))
+    findings = []
+    for uid, requirement in requirements.items():
+        where = f"{requirement.path}:{requirement.line}: {uid}"
+        document = pathlib.PurePosixPath(requirement.path).stem
+        paths, wrong = told(root, requirement)
+        findings += [f"{where}: {problem}" for problem in wrong]
+        named = product.get(uid, set()) | (machinery.get(uid, set()) if document in MACHINERY else set())
+        for room in CHANNELS if document == "channel" else [""]:
+            if not any(not room or below(path, room) for path in [*named, *paths]):
+                findings.append(f"{where}: named by no code{' of ' + room if room else ''}, expected its id there or the place in REALISED")
+    for uid, names in sorted((product | machinery).items()):
+        if uid not in requirements and uid.split("_")[1] != "AREA":
+            findings.append(f"{sorted(names)[0]}: names {uid}, which is no requirement")
+    return findings, f"{len(requirements)} requirements, {sum('REALISED' in requirement.fields for requirement in requirements.values())} with REALISED"
+
+
+run_gate(gate)
