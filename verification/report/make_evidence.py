@@ -169,9 +169,9 @@ def collect_identity():
         line = next((line.strip() for line in lines if any(character.isdigit() for character in line)), "not found")
         versions.append({"tool": pathlib.Path(command[0]).name, "version": line})
     value, count = digest()
-    changed = text("git", "status", "--porcelain").splitlines()
+    changed = text("git", "-c", "safe.directory=*", "status", "--porcelain").splitlines()
     (DATA / "identity.json").write_text(json.dumps({
-        "commit": text("git", "rev-parse", "HEAD"), "commit_date": text("git", "log", "-1", "--format=%cI"),
+        "commit": text("git", "-c", "safe.directory=*", "rev-parse", "HEAD"), "commit_date": text("git", "-c", "safe.directory=*", "log", "-1", "--format=%cI"),
         "changed_files": len(changed), "versions": told_versions(), "digest": value, "object_count": count, "tools": versions}, indent=1))
 
 
