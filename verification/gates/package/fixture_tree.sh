@@ -5,7 +5,7 @@ set -euo pipefail
 made=$1
 config=$made/data/package/lib/cmake/Counterpoint
 example=$made/tree/examples/first_device
-manager=$made/data/package/include/canopen/cia302
+manager=$made/data/package/include/canopen/manager
 mkdir -p "$config" "$manager" "$made/tree/tests/integration/package" "$made/tree/docs" "$example"
 printf 'add_library(Counterpoint::%s INTERFACE IMPORTED)\nset_target_properties(Counterpoint::%s PROPERTIES INTERFACE_LINK_LIBRARIES "%s")\n' \
     "$2" "$2" "$3" >"$config/CounterpointConfig.cmake"
