@@ -3,20 +3,20 @@
 
 namespace counterpoint::device
 {
-namespace
-{
 
-using cia301::CommunicationError;
-
-constexpr std::uint16_t kOwnController = 0U;
-
-} // namespace
-
-Device::Device(const DeviceParts& parts) noexcept
+Device::Device(const BareParts& parts) noexcept
     : parts_(parts), command_frames_{}, safety_(parts.safety_room), commands_({command_frames_, kCommandRoom}),
       others_(parts.service_room), kernel_state_(NmtState::kInvalid), bus_(BusCondition::kActive), is_failed_(false),
       is_waiting_(false), has_lost_others_(false)
 {
+}
+
+Device::Device(const DeviceParts& parts) noexcept
+    : Device(
+          BareParts{parts.kernel, parts.services, parts.owner, parts.safety_room, parts.srdo_count, parts.service_room})
+{
+    parts.services.watch = &parts.watch;
+    parts.services.dictionary = &parts.dictionary;
 }
 
 LoadResult Device::PowerOn(const Instant now) noexcept
@@ -27,7 +27,7 @@ LoadResult Device::PowerOn(const Instant now) noexcept
         is_failed_ = false;
         is_waiting_ = false;
         Settle();
-        parts_.services.outbox.Poll(now);
+        parts_.services.Flush(now);
         const bool is_up = is_waiting_ || (cia301::StateByte(State()) != 0U);
         result = is_up ? LoadResult::kLoaded : LoadResult::kFailed;
     }
@@ -59,7 +59,7 @@ void Device::OnConfirm(const StampedFrame& frame) noexcept
     }
     else
     {
-        parts_.services.outbox.OnConfirm();
+        parts_.services.OnConfirm();
     }
 }
 
@@ -71,28 +71,9 @@ void Device::OnLoss() noexcept
 
 void Device::OnBus(const BusCondition condition) noexcept
 {
-    cia301::CommunicationErrors& errors = parts_.services.errors;
-    const bool was_off = bus_ == BusCondition::kOff;
+    const BusCondition left = bus_;
     bus_ = (condition == BusCondition::kInvalid) ? BusCondition::kOff : condition;
-    const bool is_off = bus_ == BusCondition::kOff;
-    if (bus_ == BusCondition::kPassive)
-    {
-        errors.Raise(CommunicationError::kPassive, kOwnController);
-    }
-    if (bus_ == BusCondition::kActive)
-    {
-        errors.Clear(CommunicationError::kPassive, kOwnController);
-    }
-    if (is_off && !was_off)
-    {
-        parts_.services.outbox.Clear();
-        parts_.services.sdo_port.ResetCommunication(parts_.services.node);
-        errors.Raise(CommunicationError::kBusOff, kOwnController);
-    }
-    if (was_off && !is_off)
-    {
-        errors.Clear(CommunicationError::kBusOff, kOwnController);
-    }
+    parts_.services.OnBus(left, bus_);
 }
 
 void Device::Cycle(const CycleCall& call) noexcept

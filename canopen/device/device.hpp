@@ -6,7 +6,6 @@
 #include "canopen/device/safety_queue.hpp"
 #include "canopen/device/services.hpp"
 
-#include "canopen/cia301/dictionary/foreign_objects.hpp"
 #include "safety_core/kernel/kernel.hpp"
 
 #include <atomic>
@@ -55,13 +54,15 @@ struct DeviceParts
     std::uint8_t srdo_count; ///< Of the kernel's device.
 };
 
-/// What the controller tells of the bus.
-enum class BusCondition : std::uint8_t
+/// The same of a device without services: `services` is a NoServices. [SRS_DEV_022]
+struct BareParts
 {
-    kInvalid = 0U, ///< Read as off.
-    kActive = 0x3CU,
-    kPassive = 1U,
-    kOff = 2U,
+    Kernel& kernel;
+    ServiceSet& services;
+    Owner& owner;
+    FrameRoom safety_room;
+    std::uint8_t srdo_count;
+    FrameRoom service_room{nullptr, 0U};
 };
 
 /// A whole CANopen Safety device: the kernel and the services of CiA 301 on one or two CAN controllers.
@@ -77,6 +78,7 @@ class Device
 {
   public:
     explicit Device(const DeviceParts& parts) noexcept;
+    explicit Device(const BareParts& parts) noexcept;
 
     /// @brief Supply on: INITIALISATION, boot-up, and where 1F80h leads to. Whether the device came up, or waits for a
     /// node-ID. [SRS_DEV_002, SRS_DEV_019]
@@ -107,7 +109,8 @@ class Device
     [[nodiscard]] LoadResult Load() noexcept;
     void ApplyState() noexcept;
     void AdmitSrdos() noexcept;
-    DeviceParts parts_;
+
+    BareParts parts_;
     QueuedFrame command_frames_[kCommandRoom];
     SafetyQueue safety_;
     FrameRing commands_;

@@ -8,29 +8,18 @@ namespace counterpoint::device
 namespace
 {
 
-using cia301::CommunicationError;
 using cia301::NodeState;
 
-constexpr std::uint16_t kStartUpIndex = 0x1F80U;
-constexpr std::uint16_t kConfigurationValidIndex = 0x13FEU;
 constexpr std::uint8_t kCobIdSub1 = 5U;
 constexpr std::uint8_t kCobIdSub2 = 6U;
-constexpr std::uint16_t kServiceQueue = 1U; ///< Source of an overrun.
 
 } // namespace
 
 void Device::Serve(const Instant now) noexcept
 {
     HandOver();
-    Services& services = parts_.services;
-    if (has_lost_others_.exchange(false))
-    {
-        services.errors.Raise(CommunicationError::kOverrun, kServiceQueue);
-    }
-    else
-    {
-        services.errors.Clear(CommunicationError::kOverrun, kServiceQueue);
-    }
+    ServiceSet& services = parts_.services;
+    services.OnOverrun(has_lost_others_.exchange(false));
     for (const QueuedFrame* item = commands_.Oldest(); item != nullptr; item = commands_.Oldest())
     {
         // Each takes effect completely before the next one is looked at.
@@ -56,9 +45,9 @@ void Device::Settle() noexcept
 
 void Device::Initialise() noexcept
 {
-    Services& services = parts_.services;
+    ServiceSet& services = parts_.services;
     cia301::NmtSlave& slave = services.slave;
-    is_waiting_ = is_waiting_ && !services.lss->MayBoot();
+    is_waiting_ = is_waiting_ && !services.MayBoot();
     while ((!is_failed_) && (!is_waiting_) && (cia301::StateByte(slave.State()) == 0U))
     {
         ApplyState();
@@ -74,20 +63,18 @@ void Device::Initialise() noexcept
 /// What a sub-state of INITIALISATION loads.
 LoadResult Device::Load() noexcept
 {
-    Services& services = parts_.services;
+    ServiceSet& services = parts_.services;
     LoadResult loaded = LoadResult::kLoaded;
     if (services.slave.State() == NodeState::kResetApplication)
     {
-        parts_.watch.OnRestart();
+        services.OnResetNode();
         loaded = parts_.owner.OnResetNode();
     }
     else if (services.slave.State() == NodeState::kResetCommunication)
     {
         services.BeginConfiguration();
         loaded = parts_.owner.OnResetCommunication();
-        const cia301::NumberReading start_up = parts_.dictionary.ReadNumber({kStartUpIndex, 0U});
-        const bool is_present = start_up.abort == cia301::SdoAbort::kNone;
-        services.EndConfiguration({is_present, static_cast<std::uint32_t>(start_up.value)});
+        services.EndConfiguration();
     }
     else
     {
@@ -101,25 +88,21 @@ void Device::ApplyState() noexcept
     const NmtState state = cia301::KernelState(State());
     if (state != kernel_state_)
     {
-        const bool was_operational = kernel_state_ == NmtState::kOperational;
-        const bool is_operational = state == NmtState::kOperational;
+        const NmtState left = kernel_state_;
         kernel_state_ = state;
-        parts_.dictionary.SetNmtState(state);
-        if (was_operational)
+        parts_.services.OnState(left, state);
+        if (left == NmtState::kOperational)
         {
             safety_.AdmitNone();
-            parts_.watch.OnOperationalLeft();
         }
-        if (is_operational)
+        if (state == NmtState::kOperational)
         {
             AdmitSrdos();
         }
         parts_.kernel.SetNmtState(state);
-        const cia301::NumberReading valid = parts_.dictionary.ReadNumber({kConfigurationValidIndex, 0U});
-        const bool is_there = valid.abort == cia301::SdoAbort::kNone; // A plain device has none. [SRS_DEV_021]
-        if (is_operational && is_there && (valid.value != kConfigurationValidValue))
+        if (state == NmtState::kOperational)
         {
-            parts_.watch.OnNotConfigured();
+            parts_.services.OnOperational();
         }
     }
 }
@@ -133,8 +116,8 @@ void Device::AdmitSrdos() noexcept
         const ParametersReply parameters = parts_.kernel.GetParameters(CommunicationIndex{index});
         if ((parameters.result == Result::kSuccessful) && (parameters.direction != kDirectionOff))
         {
-            safety_.Admit(static_cast<std::uint32_t>(parts_.dictionary.ReadNumber({index, kCobIdSub1}).value));
-            safety_.Admit(static_cast<std::uint32_t>(parts_.dictionary.ReadNumber({index, kCobIdSub2}).value));
+            safety_.Admit(ToValue(parts_.kernel.ReadObject({index, kCobIdSub1}).data));
+            safety_.Admit(ToValue(parts_.kernel.ReadObject({index, kCobIdSub2}).data));
         }
     }
 }

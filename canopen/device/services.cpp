@@ -19,13 +19,15 @@ constexpr std::uint32_t kEmergenciesOfRpdo = 3U; ///< Too short, too long, too l
 /// errors of the application.
 constexpr std::uint32_t kEmergenciesOfDevice = 32U;
 
-constexpr cia301::StartUp kNoStartUp{false, 0U};
 constexpr std::uint32_t kSdoTimeOutUs = 1000000U;
 constexpr std::uint8_t kSdoBlock = 64U;
+constexpr std::uint16_t kStartUpIndex = 0x1F80U;
+constexpr std::uint16_t kConfigurationValidIndex = 0x13FEU;
+constexpr std::uint16_t kServiceQueue = 1U;  ///< Source of an overrun.
+constexpr std::uint16_t kOwnController = 0U; ///< Source of what is wrong with the bus.
 constexpr std::uint16_t kGuardTimeIndex = 0x100CU;
 constexpr std::uint16_t kLifeFactorIndex = 0x100DU;
 
-constexpr std::uint8_t kLastNode = 127U;
 constexpr std::uint32_t kLssCommands = 0x7E5U;
 constexpr std::uint32_t kSdoAnswers = 0x580U;
 constexpr std::uint32_t kSdoRequests = 0x600U;
@@ -43,14 +45,24 @@ std::uint16_t EmergencyPlaces(const std::uint8_t srdo_count, const ServiceRooms&
 }
 
 Services::Services(const cia301::NodeId own_node, const ServiceParts& parts) noexcept
-    : node(own_node), supervised(parts.rooms.supervised), outbox(parts.can), slave(own_node, kNoStartUp),
+    : ServiceSet(own_node, &parts.can), supervised(parts.rooms.supervised), outbox(parts.can),
       emergency(parts.emergency), errors(emergency, slave), consumer(supervised, errors), producer(own_node),
       guarding(own_node), objects({emergency, consumer, producer, guarding, supervised.count}),
       tpdos({outbox, parts.dictionary, parts.rooms.tpdos}),
       rpdos({errors, parts.dictionary, parts.rooms.rpdos, nullptr}), pdos(tpdos, rpdos), sync({outbox, errors, pdos}),
       sdo({parts.dictionary, parts.rooms.sdo_buffer, kSdoTimeOutUs, kSdoBlock}), sdo_port(sdo, outbox, own_node),
-      lss(nullptr), further{nullptr, 0U}
+      lss(nullptr), further{nullptr, 0U}, watch(nullptr), dictionary(nullptr)
 {
+}
+
+bool Services::MayBoot() const noexcept
+{
+    return lss->MayBoot();
+}
+
+void Services::OnResetNode() noexcept
+{
+    watch->OnRestart();
 }
 
 bool Services::TakeNodeId() noexcept
@@ -59,7 +71,7 @@ bool Services::TakeNodeId() noexcept
     {
         node = lss->TakeNodeId();
     }
-    return (node.value >= 1U) && (node.value <= kLastNode);
+    return ServiceSet::TakeNodeId();
 }
 
 void Services::BeginConfiguration() noexcept
@@ -87,13 +99,31 @@ void Services::BeginConfiguration() noexcept
     rpdos.BeginConfiguration();
 }
 
-void Services::EndConfiguration(const cia301::StartUp& start_up) noexcept
+void Services::EndConfiguration() noexcept
 {
     rpdos.EndConfiguration();
     tpdos.EndConfiguration();
-    slave = cia301::NmtSlave{node, start_up};
-    static_cast<void>(slave.Advance()); // To reset application,
-    static_cast<void>(slave.Advance()); // and back to where it was: reset communication.
+    const cia301::NumberReading start_up = dictionary->ReadNumber({kStartUpIndex, 0U});
+    Rejoin({start_up.abort == cia301::SdoAbort::kNone, static_cast<std::uint32_t>(start_up.value)});
+}
+
+void Services::OnState(const NmtState left, const NmtState entered) noexcept
+{
+    dictionary->SetNmtState(entered);
+    if (left == NmtState::kOperational)
+    {
+        watch->OnOperationalLeft();
+    }
+}
+
+void Services::OnOperational() noexcept
+{
+    const cia301::NumberReading valid = dictionary->ReadNumber({kConfigurationValidIndex, 0U});
+    const bool is_there = valid.abort == cia301::SdoAbort::kNone; // A plain device has none. [SRS_DEV_021]
+    if (is_there && (valid.value != kConfigurationValidValue))
+    {
+        watch->OnNotConfigured();
+    }
 }
 
 bool Services::Wants(const CanFrame& frame) const noexcept
@@ -106,6 +136,23 @@ bool Services::Wants(const CanFrame& frame) const noexcept
         is_own_sdo = is_own_sdo || further.list[place]->Wants(identifier);
     }
     return is_sdo ? is_own_sdo : ((identifier <= kErrorControlLast) || (identifier == kLssCommands));
+}
+
+void Services::OnConfirm() noexcept
+{
+    outbox.OnConfirm();
+}
+
+void Services::OnOverrun(const bool has_lost) noexcept
+{
+    if (has_lost)
+    {
+        errors.Raise(CommunicationError::kOverrun, kServiceQueue);
+    }
+    else
+    {
+        errors.Clear(CommunicationError::kOverrun, kServiceQueue);
+    }
 }
 
 void Services::OnFrame(const CanFrame& frame, const cia301::Moment& moment) noexcept
@@ -174,6 +221,35 @@ void Services::OnCycle(const cia301::Moment& moment) noexcept
     {
         outbox.Poll(moment.now);
     }
+}
+
+void Services::OnBus(const BusCondition left, const BusCondition entered) noexcept
+{
+    const bool was_off = left == BusCondition::kOff;
+    const bool is_off = entered == BusCondition::kOff;
+    if (entered == BusCondition::kPassive)
+    {
+        errors.Raise(CommunicationError::kPassive, kOwnController);
+    }
+    if (entered == BusCondition::kActive)
+    {
+        errors.Clear(CommunicationError::kPassive, kOwnController);
+    }
+    if (is_off && !was_off)
+    {
+        outbox.Clear();
+        sdo_port.ResetCommunication(node);
+        errors.Raise(CommunicationError::kBusOff, kOwnController);
+    }
+    if (was_off && !is_off)
+    {
+        errors.Clear(CommunicationError::kBusOff, kOwnController);
+    }
+}
+
+void Services::Flush(const Instant now) noexcept
+{
+    outbox.Poll(now);
 }
 
 void Services::Send(const cia301::FrameToSend& frame) noexcept

@@ -3,9 +3,9 @@
 #define CANOPEN_DEVICE_SERVICES_HPP
 
 #include "canopen/device/outbox.hpp"
+#include "canopen/device/service_set.hpp"
 
 #include "canopen/cia301/emergency/communication_errors.hpp"
-#include "canopen/cia301/nmt/bus_service.hpp"
 #include "canopen/cia301/nmt/heartbeat_consumer.hpp"
 #include "canopen/cia301/objects/service_objects.hpp"
 #include "canopen/cia301/pdo/objects.hpp"
@@ -15,6 +15,8 @@
 
 namespace counterpoint::device
 {
+
+class KernelWatch;
 
 /// Room for what differs from device to device, kept by reference.
 struct ServiceRooms
@@ -47,14 +49,12 @@ struct ServiceParts
 
 /// The services of CiA 301 of one device. Members in the open, because entries of the dictionary name them as hooks;
 /// who builds the table needs only their addresses. Used by Device. [SRS_DEV_009, SRS_DEV_010, SRS_DEV_012]
-struct Services
+struct Services final : public ServiceSet
 {
     Services(cia301::NodeId own_node, const ServiceParts& parts) noexcept;
 
-    cia301::NodeId node;
     cia301::SupervisedNodes supervised;
     Outbox outbox;
-    cia301::NmtSlave slave;
     cia301::EmergencyProducer& emergency;
     cia301::CommunicationErrors errors; ///< Hook of 1029h.
     cia301::HeartbeatConsumer consumer;
@@ -70,20 +70,26 @@ struct Services
     cia305::LssSlave* lss;          ///< Null: the node-ID is what it was at the construction. Set before PowerOn.
     FurtherServices further;        ///< None at first; they send by `outbox`. Set before PowerOn. [SRS_DEV_020]
 
-    /// @brief Whether there is a node-ID; that of LSS is asked for. [SRS_DEV_019]
-    [[nodiscard]] bool TakeNodeId() noexcept;
-    /// @brief Reset communication: parameters as at power-on; errors that are there stay. Until EndConfiguration
-    /// values may come in any order.
-    void BeginConfiguration() noexcept;
-    /// @brief All values are there: 1F80h tells where INITIALISATION leads to.
-    void EndConfiguration(const cia301::StartUp& start_up) noexcept;
+    KernelWatch* watch;             ///< Set by Device, as is the next one.
+    cia301::Dictionary* dictionary; ///< Of the whole device.
 
-    /// @brief Whether a frame may concern this node; what cannot takes no room. O(1)
-    [[nodiscard]] bool Wants(const CanFrame& frame) const noexcept;
-    void OnFrame(const CanFrame& frame, const cia301::Moment& moment) noexcept;
-    void OnCycle(const cia301::Moment& moment) noexcept;
-    /// @brief What the state machine wants to send; the boot-up message.
-    void Send(const cia301::FrameToSend& frame) noexcept;
+    [[nodiscard]] bool MayBoot() const noexcept override;
+    void OnResetNode() noexcept override;
+    [[nodiscard]] bool TakeNodeId() noexcept override;
+    /// @brief Errors that are there stay.
+    void BeginConfiguration() noexcept override;
+    /// @brief 1F80h tells where INITIALISATION leads to.
+    void EndConfiguration() noexcept override;
+    void Send(const cia301::FrameToSend& frame) noexcept override;
+    void OnState(NmtState left, NmtState entered) noexcept override;
+    void OnOperational() noexcept override;
+    [[nodiscard]] bool Wants(const CanFrame& frame) const noexcept override;
+    void OnConfirm() noexcept override;
+    void OnOverrun(bool has_lost) noexcept override;
+    void OnFrame(const CanFrame& frame, const cia301::Moment& moment) noexcept override;
+    void OnCycle(const cia301::Moment& moment) noexcept override;
+    void OnBus(BusCondition left, BusCondition entered) noexcept override;
+    void Flush(Instant now) noexcept override;
 };
 
 } // namespace counterpoint::device

@@ -56,7 +56,8 @@ def check_scenarios(report, images, hosts):
             print(f"      {path.stem}: {line}")
         holds = status == 0 and host.returncode == 0 and output == host.stdout and output.count("\n") > 1 and cost is not None
         report.add(holds, f"scenario {path.stem} on the target and on the host",
-                   f"{output.count(chr(10))} lines, {'equal' if output == host.stdout else 'DIFFERENT'}", "SRS_FW_008", "SRS_FW_009", *(["SRS_FW_018"] if device == "own_device" else []))
+                   f"{output.count(chr(10))} lines, {'equal' if output == host.stdout else 'DIFFERENT'}", "SRS_FW_008", "SRS_FW_009", *(["SRS_FW_018"] if device == "own_device" else []),
+                   *(["SRS_FW_022"] if path.stem.endswith("reset") else []))
         costs[path.stem] = cost
     report.add(len(paths) >= 9, "scenarios of the firmware examples", f"{len(paths)}", "SRS_FW_009")
     return costs

@@ -17,6 +17,7 @@ import subprocess
 import sys
 
 FUNCTION = re.compile(r"^([0-9a-f]+) <([^>]+)>:$")
+CAST = re.compile(r"\((?:unsigned )?(?:char|short|int|long)\)(?=\d)")  # Of a template's argument; what comes before '(' is the name.
 INSTRUCTION = re.compile(r"^\s*([0-9a-f]+):\t[0-9a-f ]+\t(\S+)(?:\t(.*))?$")
 BRANCH = re.compile(r"^(?:b|bl|blx|b[a-z]{2}|bl[a-z]{2})(?:\.[nw])?$|^cbn?z$")
 TARGET = re.compile(r"([0-9a-f]+) <[^>]+>")
@@ -34,7 +35,7 @@ def lines_of(*command):
 
 def demangled(names):
     text = subprocess.run(["c++filt"], input="\n".join(names), check=True, capture_output=True, text=True).stdout
-    return dict(zip(names, text.splitlines()))
+    return dict(zip(names, CAST.sub("", text).splitlines()))
 
 
 def read_frames(folder):
@@ -165,8 +166,9 @@ class Image:
         method = pattern.rsplit("::", 1)[1]
         found = set()
         for address in self.table_entries:
-            name = self.name(address).split("(")[0]
-            if name.endswith("::" + pattern) if pattern.count("::") > 1 else name.rsplit("::", 1)[1] == method:
+            # Methods that are alike may stand at one address.
+            names = [self.names[symbol].split("(")[0] for symbol in self.symbols[address]]
+            if any(name.endswith("::" + pattern) if pattern.count("::") > 1 else name.rsplit("::", 1)[1] == method for name in names):
                 found.add(address)
         return found
 

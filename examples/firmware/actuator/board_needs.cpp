@@ -12,6 +12,7 @@ using tms570::ObjectUse;
 constexpr CanObject kObjects[]{
     kNmtObject,
     kGfcObject,
+    {0x721U, ObjectUse::kTransmit}, // Boot-up message of node 33.
     {0x103U, ObjectUse::kReceive},
     {0x104U, ObjectUse::kReceive},
 };
@@ -20,7 +21,7 @@ constexpr CanObject kObjects[]{
 
 BoardNeeds DescribeNeeds() noexcept
 {
-    return NeedsOf(kObjects, 33U, BoardPins{0x80U, {1U}});
+    return NeedsOf(kObjects, BoardPins{0x80U, {1U}});
 }
 
 } // namespace counterpoint::firmware

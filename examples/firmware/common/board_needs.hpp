@@ -17,7 +17,6 @@ struct BoardNeeds
 {
     const tms570::CanObject* objects;
     std::uint8_t object_count;
-    std::uint8_t node_id;
     std::uint8_t
         output_pins; ///< Pins of port B that are outputs in series, the lowest for bit 0; the others are inputs.
     SrdoMask gate_pins[tms570::gio::kPins]; ///< By pin of port A; 0: no safety output.
@@ -36,10 +35,9 @@ struct BoardPins
 
 /// @brief The needs of a device with these objects.
 template <std::uint8_t kObjects>
-[[nodiscard]] BoardNeeds NeedsOf(const tms570::CanObject (&objects)[kObjects], const std::uint8_t node_id,
-                                 const BoardPins& pins) noexcept
+[[nodiscard]] BoardNeeds NeedsOf(const tms570::CanObject (&objects)[kObjects], const BoardPins& pins) noexcept
 {
-    BoardNeeds needs{objects, kObjects, node_id, pins.outputs, {}};
+    BoardNeeds needs{objects, kObjects, pins.outputs, {}};
     for (std::uint32_t pin = 0U; pin < tms570::gio::kPins; ++pin)
     {
         needs.gate_pins[pin] = pins.gates[pin];

@@ -2,8 +2,8 @@
 #ifndef EXAMPLES_FIRMWARE_COMMON_DEVICE_HPP
 #define EXAMPLES_FIRMWARE_COMMON_DEVICE_HPP
 
+#include "canopen/device/device.hpp"
 #include "hal/api/memory_protection.hpp"
-#include "safety_core/kernel/kernel.hpp"
 
 #include <cstdint>
 
@@ -21,15 +21,22 @@ struct Hardware
     hal::MemoryProtection& protection;
 };
 
+/// A device as its board drives it; the kernel for a demand of the safe state, and to look at.
+struct DrivenDevice
+{
+    device::Device& device;
+    Kernel& kernel;
+};
+
 /// Digital pins, bit by bit; what each means the device says.
 struct Pins
 {
     std::uint32_t bits;
 };
 
-/// @brief Builds kernel, channels and application, protects their memory and configures the kernel. Null: something
-/// was refused, and the device must not run. Called once.
-[[nodiscard]] Kernel* StartDevice(const Hardware& hardware) noexcept;
+/// @brief Builds kernel, channels and application and protects their memory. Called once. What is refused, PowerOn of
+/// the device tells: then it must not run.
+[[nodiscard]] DrivenDevice BuildDevice(const Hardware& hardware) noexcept;
 
 /// @brief Before each cycle: the inputs go to the application. The acknowledge levels come back.
 [[nodiscard]] SrdoMask ReadInputs(Pins inputs) noexcept;

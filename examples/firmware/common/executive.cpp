@@ -1,7 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "examples/firmware/common/executive.hpp"
 
-#include "examples/firmware/common/device.hpp"
 #include "hal/tms570/chip/processor.hpp"
 #include "hal/tms570/output/gio_registers.hpp"
 #include "hal/tms570/start/exceptions.hpp"
@@ -20,17 +19,10 @@ constexpr std::uint32_t kMostLooks = 160000U;
 /// More than the queue of the port has room for.
 constexpr std::uint32_t kMostFrames = 128U;
 
-constexpr std::uint32_t kNmtIdentifier = 0U;
-constexpr std::uint8_t kNmtBytes = 2U;
-constexpr std::uint8_t kNmtStart = 1U;
-constexpr std::uint8_t kNmtStop = 2U;
-constexpr std::uint8_t kNmtPreOperational = 128U;
-constexpr std::uint8_t kNmtAllNodes = 0U;
-
 } // namespace
 
-Executive::Executive(Board& board, Kernel& kernel, const BoardNeeds& needs) noexcept
-    : board_{board}, kernel_{kernel}, needs_{needs}
+Executive::Executive(Board& board, const DrivenDevice& driven, const BoardNeeds& needs) noexcept
+    : board_{board}, driven_{driven}, needs_{needs}
 {
 }
 
@@ -51,7 +43,7 @@ void Executive::WaitForCycle() noexcept
     }
     if (looks == kMostLooks)
     {
-        kernel_.DemandSafeState();
+        driven_.kernel.DemandSafeState();
     }
 }
 
@@ -78,44 +70,17 @@ void Executive::Deliver(const QueuedFrame& queued) noexcept
     switch (queued.kind)
     {
     case QueuedKind::kReceived:
-        FollowNmt(queued.frame.frame);
-        kernel_.OnFrame(queued.frame);
+        driven_.device.OnFrame(queued.frame);
         break;
     case QueuedKind::kConfirmed:
-        kernel_.OnConfirm(queued.frame);
+        driven_.device.OnConfirm(queued.frame);
         break;
     case QueuedKind::kNothing:
         break;
     case QueuedKind::kLoss:
     case QueuedKind::kInvalid:
-        kernel_.OnOverflow();
+        driven_.device.OnLoss();
         break;
-    }
-}
-
-void Executive::FollowNmt(const CanFrame& frame) noexcept
-{
-    const bool is_command = (frame.identifier == kNmtIdentifier) && (frame.length_bytes == kNmtBytes);
-    const bool is_for_us = (frame.data[1] == kNmtAllNodes) || (frame.data[1] == needs_.node_id);
-    if (!is_command || !is_for_us)
-    {
-        return;
-    }
-    if (frame.data[0] == kNmtStart)
-    {
-        kernel_.SetNmtState(NmtState::kOperational);
-    }
-    else if (frame.data[0] == kNmtStop)
-    {
-        kernel_.SetNmtState(NmtState::kStopped);
-    }
-    else if (frame.data[0] == kNmtPreOperational)
-    {
-        kernel_.SetNmtState(NmtState::kPreOperational);
-    }
-    else
-    {
-        // Resets of the node are not followed: a device of this kind is restarted by its power.
     }
 }
 
@@ -124,11 +89,11 @@ void Executive::Cycle() noexcept
     WaitForCycle();
     if (board_.BeginCycle() != BoardFault::kNone)
     {
-        kernel_.DemandSafeState();
+        driven_.kernel.DemandSafeState();
     }
     const InstantPair now = TakeFrames();
     const SrdoMask acknowledge = ReadInputs(Pins{Read(At(gio::kPortB, gio::kInput)) & ~needs_.output_pins});
-    kernel_.Cycle(CycleCall{now, acknowledge, acknowledge});
+    driven_.device.Cycle(CycleCall{now, acknowledge, acknowledge});
     // Bit 0 of the device's outputs is the lowest of its output pins.
     const std::uint32_t pins = needs_.output_pins;
     const std::uint32_t outputs = (SetOutputs(board_.Output().Open()).bits * (pins & (~pins + 1U))) & pins;

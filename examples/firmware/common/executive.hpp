@@ -3,18 +3,18 @@
 #define EXAMPLES_FIRMWARE_COMMON_EXECUTIVE_HPP
 
 #include "examples/firmware/common/board_needs.hpp"
+#include "examples/firmware/common/device.hpp"
 #include "hal/tms570/board.hpp"
-#include "safety_core/kernel/kernel.hpp"
 
 namespace counterpoint::firmware
 {
 
-/// Calls a device every millisecond on its board: frames in bus order, inputs, the kernel's cycle, outputs, code
+/// Calls a device every millisecond on its board: frames in bus order, inputs, the cycle, outputs, code
 /// without safety requirements.
 class Executive
 {
   public:
-    Executive(tms570::Board& board, Kernel& kernel, const BoardNeeds& needs) noexcept;
+    Executive(tms570::Board& board, const DrivenDevice& driven, const BoardNeeds& needs) noexcept;
 
     /// @brief Once, before the first cycle: pins of port B, first moment.
     void Start() noexcept;
@@ -26,10 +26,9 @@ class Executive
     void WaitForCycle() noexcept;
     [[nodiscard]] InstantPair TakeFrames() noexcept;
     void Deliver(const tms570::QueuedFrame& queued) noexcept;
-    void FollowNmt(const CanFrame& frame) noexcept;
 
     tms570::Board& board_;
-    Kernel& kernel_;
+    DrivenDevice driven_;
     const BoardNeeds& needs_;
     Instant cycle_{0U};
 };

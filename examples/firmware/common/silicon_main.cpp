@@ -89,15 +89,15 @@ extern "C" void FirmwareMain() noexcept
     }
     TakeRecord();
     UnlockInterrupts(kInterruptsOn);
-    Kernel* const kernel =
-        firmware::StartDevice(firmware::Hardware{board.Can(), board.Output(), board.Watchdog(), board.Protection()});
-    if ((kernel == nullptr) || (board.StartWatchdog() != Outcome::kDone))
+    const firmware::DrivenDevice driven =
+        firmware::BuildDevice(firmware::Hardware{board.Can(), board.Output(), board.Watchdog(), board.Protection()});
+    const bool is_up = driven.device.PowerOn(board.Clocks().Now().a) == device::LoadResult::kLoaded;
+    if ((!is_up) || (board.StartWatchdog() != Outcome::kDone))
     {
         HardwareCutOff();
         HardwareStop();
     }
-    firmware::Executive executive{board, *kernel, needs};
-    kernel->SetNmtState(NmtState::kPreOperational);
+    firmware::Executive executive{board, driven, needs};
     executive.Start();
     for (;;)
     {

@@ -12,6 +12,7 @@ using tms570::ObjectUse;
 constexpr CanObject kObjects[]{
     kNmtObject,
     kGfcObject,
+    {0x711U, ObjectUse::kTransmit}, // Boot-up message of node 17.
     {0x121U, ObjectUse::kTransmit},
     {0x122U, ObjectUse::kTransmit},
     {0x123U, ObjectUse::kTransmit},
@@ -26,7 +27,7 @@ constexpr CanObject kObjects[]{
 
 BoardNeeds DescribeNeeds() noexcept
 {
-    return NeedsOf(kObjects, 17U, BoardPins{0xC0U, {0x4U, 0x8U}});
+    return NeedsOf(kObjects, BoardPins{0xC0U, {0x4U, 0x8U}});
 }
 
 } // namespace counterpoint::firmware

@@ -17,19 +17,17 @@ constexpr std::uint32_t kAcknowledgeShift = 4U;
 [[gnu::section(".bss.party_channel_a")]] Cell<MemoryA<kSrdos>> memory_a;
 [[gnu::section(".bss.party_channel_b")]] Cell<MemoryB<kSrdos>> memory_b;
 [[gnu::section(".bss.party_core")]] Cell<CoreMemory> memory_core;
+Cell<SafeDevice<OwnApplication, kSrdos>> memory_rest;
 [[gnu::section(".bss.party_non_safety")]] std::uint32_t cycles_shown;
 
 OwnApplication application{};
 
 } // namespace
 
-Kernel* StartDevice(const Hardware& hardware) noexcept
+DrivenDevice BuildDevice(const Hardware& hardware) noexcept
 {
-    Kernel* const kernel = BuildDevice(hardware, Regions<kSrdos>{memory_a, memory_b, memory_core}, application);
-    const bool started =
-        (kernel != nullptr) && (kernel->Start(application.Describe(), FlowCallback::kOff) == StartResult::kStarted);
-    const bool configured = started && (OwnApplication::Configure(*kernel) == AbortCode::kNone);
-    return configured ? kernel : nullptr;
+    const Regions<kSrdos> regions{memory_a, memory_b, memory_core};
+    return memory_rest.Make(hardware, regions, application).Driven();
 }
 
 SrdoMask ReadInputs(const Pins inputs) noexcept

@@ -12,6 +12,7 @@ using tms570::ObjectUse;
 constexpr CanObject kObjects[]{
     kNmtObject,
     kGfcObject,
+    {0x701U, ObjectUse::kTransmit}, // Boot-up message of node 1.
     {0x101U, ObjectUse::kTransmit},
     {0x102U, ObjectUse::kTransmit},
 };
@@ -20,7 +21,7 @@ constexpr CanObject kObjects[]{
 
 BoardNeeds DescribeNeeds() noexcept
 {
-    return NeedsOf(kObjects, 1U, BoardPins{0U, {}});
+    return NeedsOf(kObjects, BoardPins{0U, {}});
 }
 
 } // namespace counterpoint::firmware

@@ -15,19 +15,17 @@ constexpr std::uint8_t kSrdos = 1U;
 [[gnu::section(".bss.party_channel_a")]] Cell<MemoryA<kSrdos>> memory_a;
 [[gnu::section(".bss.party_channel_b")]] Cell<MemoryB<kSrdos>> memory_b;
 [[gnu::section(".bss.party_core")]] Cell<CoreMemory> memory_core;
+Cell<SafeDevice<examples::Sensor, kSrdos>> memory_rest;
 [[gnu::section(".bss.party_non_safety")]] std::uint32_t cycles_shown;
 
 examples::Sensor sensor{};
 
 } // namespace
 
-Kernel* StartDevice(const Hardware& hardware) noexcept
+DrivenDevice BuildDevice(const Hardware& hardware) noexcept
 {
-    Kernel* const kernel = BuildDevice(hardware, Regions<kSrdos>{memory_a, memory_b, memory_core}, sensor);
-    const bool started =
-        (kernel != nullptr) && (kernel->Start(sensor.Describe(), FlowCallback::kOff) == StartResult::kStarted);
-    const bool configured = started && (examples::Sensor::Configure(*kernel) == AbortCode::kNone);
-    return configured ? kernel : nullptr;
+    const Regions<kSrdos> regions{memory_a, memory_b, memory_core};
+    return memory_rest.Make(hardware, regions, sensor).Driven();
 }
 
 SrdoMask ReadInputs(const Pins inputs) noexcept

@@ -148,6 +148,7 @@ TEST_F(DeviceFurtherTest, APlainDeviceMissesNoSafetyConfiguration)
     EXPECT_EQ(other.State(), cia301::NodeState::kOperational);
     EXPECT_EQ(emergency.Register(), 0U);
     // Given one with 13FEh, it does
+    services.dictionary = &dictionary;
     Run();
     EXPECT_EQ(emergency.Register(), 0x81U);
 }

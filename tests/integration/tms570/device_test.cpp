@@ -33,6 +33,7 @@ using firmware::Executive;
 
 constexpr std::uint64_t kPairUs = 25'000U;
 constexpr std::uint64_t kInverseUs = 2'000U;
+constexpr std::uint8_t kNmtStart = 1U;
 
 /// The actuator of the examples on its board, with a sensor on the bus that says: move.
 class DeviceOnModels : public ::testing::Test
@@ -46,14 +47,15 @@ class DeviceOnModels : public ::testing::Test
         rig.setup.watchdog = hal::WatchdogWindow{500U, 1600U};
         ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
         Board& board = rig.board;
-        kernel = firmware::StartDevice(
+        const firmware::DrivenDevice driven = firmware::BuildDevice(
             firmware::Hardware{board.Can(), board.Output(), board.Watchdog(), board.Protection()});
-        ASSERT_NE(kernel, nullptr);
+        ASSERT_EQ(driven.device.PowerOn(board.Clocks().Now().a), device::LoadResult::kLoaded);
+        kernel = &driven.kernel;
         ASSERT_EQ(board.StartWatchdog(), Outcome::kDone);
-        kernel->SetNmtState(NmtState::kOperational);
-        executive.emplace(board, *kernel, needs);
+        executive.emplace(board, driven, needs);
         executive->Start();
         rig.machine.SetSurroundings([this] { Happen(); });
+        Command(kNmtStart);
         next_pair_us = rig.machine.NowUs() + kPairUs;
     }
     void TearDown() override
@@ -80,6 +82,13 @@ class DeviceOnModels : public ::testing::Test
         {
             rig.TakeInterrupts();
         }
+    }
+
+    /// NMT, to all nodes.
+    void Command(const std::uint8_t command)
+    {
+        rig.machine.dcan1.Receive(CanFrame{0U, FrameKind::kData, CanPortId::kFirst, 2U, {command, 0U}});
+        Run(2);
     }
 
     void Run(const int cycles)

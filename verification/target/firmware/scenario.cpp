@@ -10,8 +10,8 @@ constexpr std::uint32_t kDecimal = 10U;
 constexpr std::uint32_t kHexadecimal = 16U;
 constexpr std::uint32_t kNoDigit = 99U;
 
-// Their numbers are those of NmtState and SrdoState as simulated_device.cpp has them in the same order.
-constexpr const char* kNmtWords[]{"operational", "preoperational", "stopped"};
+// Their numbers are those of the NMT commands and SrdoState as simulated_device.cpp has them in the same order.
+constexpr const char* kNmtWords[]{"operational", "preoperational", "stopped", "resetnode", "resetcommunication"};
 constexpr const char* kStateWords[]{"off", "waiting", "faulted", "released", "producer"};
 constexpr const char* kSwitchWords[]{"off", "on"};
 constexpr const char* kCounterWords[]{"go", "stop"};
@@ -171,7 +171,7 @@ void Scenario::ReadVerb(Event& event) noexcept
     else if (Takes("nmt"))
     {
         event.verb = Verb::kNmt;
-        ReadChoice(event, kNmtWords, 3U);
+        ReadChoice(event, kNmtWords, 5U);
     }
     else if (Takes("input"))
     {

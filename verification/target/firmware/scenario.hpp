@@ -9,7 +9,7 @@
 /// Scenarios for the firmware examples: text that the emulator reads by semihosting and the host from a file. One event
 /// a line, `#` begins a comment, times ascend:
 ///     <us> frame <identifier> <bytes>     a frame of another node is on the bus (hexadecimal)
-///     <us> nmt operational|preoperational|stopped
+///     <us> nmt operational|preoperational|stopped|resetnode|resetcommunication    the command to all nodes
 ///     <us> input <bits>                   the input pins from now on (hexadecimal)
 ///     <us> overflow                       frames were lost
 ///     <us> busoff on|off                  the controller takes no frame

@@ -15,7 +15,7 @@ constexpr std::uint32_t kOffsetBUs = 70000U; // The counters start apart, as on 
 constexpr std::uint32_t kMostCycles = 20000U;
 
 // In the order of the scenario's words.
-constexpr NmtState kNmtStates[]{NmtState::kOperational, NmtState::kPreOperational, NmtState::kStopped};
+constexpr std::uint8_t kNmtCommands[]{1U, 128U, 2U, 129U, 130U};
 constexpr SrdoState kStates[]{SrdoState::kOff, SrdoState::kWaiting, SrdoState::kFaulted, SrdoState::kReleased,
                               SrdoState::kProducer};
 constexpr const char* kStateNames[]{"off", "waiting", "faulted", "released", "producer"};
@@ -44,7 +44,8 @@ bool IsSame(const CanFrame& left, const CanFrame& right) noexcept
 
 } // namespace
 
-SimulatedDevice::SimulatedDevice(hal::MemoryProtection& protection) noexcept : protection_{protection}
+SimulatedDevice::SimulatedDevice(hal::MemoryProtection& protection) noexcept
+    : driven_{firmware::BuildDevice(firmware::Hardware{can_, output_, watchdog_, protection})}
 {
 }
 
@@ -70,20 +71,18 @@ InstantPair SimulatedDevice::StampOf(const std::uint32_t at_us) const noexcept
 
 StateReply SimulatedDevice::StateOf(const std::uint32_t srdo) const noexcept
 {
-    return kernel_->GetState(CommunicationIndex{static_cast<std::uint16_t>((kFirstCommunication - 1U) + srdo)});
+    return driven_.kernel.GetState(CommunicationIndex{static_cast<std::uint16_t>((kFirstCommunication - 1U) + srdo)});
 }
 
 bool SimulatedDevice::Start() noexcept
 {
-    kernel_ = firmware::StartDevice(firmware::Hardware{can_, output_, watchdog_, protection_});
-    if (kernel_ == nullptr)
+    const bool is_up = driven_.device.PowerOn(Instant{0U}) == device::LoadResult::kLoaded;
+    if (!is_up)
     {
         Write("FAILURE: the device did not start\n");
-        return false;
     }
     watchdog_.Start(Instant{0U});
-    kernel_->SetNmtState(NmtState::kPreOperational);
-    return true;
+    return is_up;
 }
 
 void SimulatedDevice::ConfirmBefore(const std::uint32_t until_us) noexcept
@@ -96,7 +95,7 @@ void SimulatedDevice::ConfirmBefore(const std::uint32_t until_us) noexcept
         }
         bus_free_us_ += kFrameUs;
         can_.Confirm();
-        kernel_->OnConfirm(StampedFrame{frame, StampOf(bus_free_us_)});
+        driven_.device.OnConfirm(StampedFrame{frame, StampOf(bus_free_us_)});
     }
 }
 
@@ -118,16 +117,18 @@ void SimulatedDevice::Do(const Event& event) noexcept
     switch (event.verb)
     {
     case Verb::kFrame:
-        kernel_->OnFrame(StampedFrame{event.frame, StampOf(event.at_us)});
+        driven_.device.OnFrame(StampedFrame{event.frame, StampOf(event.at_us)});
         break;
     case Verb::kNmt:
-        kernel_->SetNmtState(kNmtStates[event.value]);
+        driven_.device.OnFrame(
+            StampedFrame{CanFrame{0U, FrameKind::kData, CanPortId::kFirst, 2U, {kNmtCommands[event.value], 0U}},
+                         StampOf(event.at_us)});
         break;
     case Verb::kInput:
         inputs_ = event.value;
         break;
     case Verb::kOverflow:
-        kernel_->OnOverflow();
+        driven_.device.OnLoss();
         break;
     case Verb::kBusOff:
         can_.SetBusOff(event.value != 0U);
@@ -194,7 +195,7 @@ void SimulatedDevice::Expect(const Event& event) noexcept
     }
     else if (event.verb == Verb::kExpectFault)
     {
-        const auto fault = static_cast<std::uint32_t>(kernel_->DeviceState().fault);
+        const auto fault = static_cast<std::uint32_t>(driven_.kernel.DeviceState().fault);
         Judge(event, fault == event.value, "fault", fault);
     }
     else if (event.verb == Verb::kExpectSent)
@@ -260,7 +261,7 @@ void SimulatedDevice::Show() noexcept
         shown_outputs_ = outputs_;
         Note("outputs", outputs_);
     }
-    const auto fault = static_cast<std::uint32_t>(kernel_->DeviceState().fault);
+    const auto fault = static_cast<std::uint32_t>(driven_.kernel.DeviceState().fault);
     if (fault != shown_fault_)
     {
         shown_fault_ = fault;
@@ -275,8 +276,9 @@ void SimulatedDevice::Cycle() noexcept
     watchdog_.SetTime(now);
     const SrdoMask acknowledge = firmware::ReadInputs(firmware::Pins{inputs_});
     const CycleCall call{StampOf(now_us_), acknowledge, acknowledge};
+    driven_.device.Serve(now); // Frames and commands; what is measured is a cycle.
     const std::uint32_t before = ReadMeter();
-    kernel_->Cycle(call);
+    driven_.device.Cycle(call);
     const std::uint32_t cost = ReadMeter() - before;
     cost_.greatest = (cost > cost_.greatest) ? cost : cost_.greatest;
     ++cost_.cycles;

@@ -44,11 +44,10 @@ class SimulatedDevice
 
     static constexpr std::uint32_t kMostShown = 8U;
 
-    hal::MemoryProtection& protection_;
     SimulatedCan can_{};
     SimulatedOutput output_{};
     SimulatedWatchdog watchdog_{};
-    Kernel* kernel_{nullptr};
+    firmware::DrivenDevice driven_;
     Event event_{};
     Cost cost_{0U, 0U};
     SrdoMask open_{0U};

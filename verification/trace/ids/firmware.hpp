@@ -28,6 +28,7 @@ inline constexpr RequirementId SRS_FW_018{"SRS_FW_018"};
 inline constexpr RequirementId SRS_FW_019{"SRS_FW_019"};
 inline constexpr RequirementId SRS_FW_020{"SRS_FW_020"};
 inline constexpr RequirementId SRS_FW_021{"SRS_FW_021"};
+inline constexpr RequirementId SRS_FW_022{"SRS_FW_022"};
 } // namespace counterpoint::req
 
 #endif

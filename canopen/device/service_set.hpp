@@ -1,0 +1,81 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_DEVICE_SERVICE_SET_HPP
+#define CANOPEN_DEVICE_SERVICE_SET_HPP
+
+#include "canopen/cia301/nmt/bus_service.hpp"
+#include "canopen/cia301/nmt/slave.hpp"
+#include "hal/api/can_ports.hpp"
+#include "safety_core/contract/time.hpp"
+
+namespace counterpoint::device
+{
+
+/// What the controller tells of the bus.
+enum class BusCondition : std::uint8_t
+{
+    kInvalid = 0U, ///< Read as off.
+    kActive = 0x3CU,
+    kPassive = 1U,
+    kOff = 2U,
+};
+
+/// What every device has beside its kernel: a node-ID, the NMT state machine, the boot-up message. A device that has no
+/// more costs no more: nothing of SDO, PDO, dictionary and emergency is linked. Services is the rest. Device calls all
+/// of it, in the order of the functions. [SRS_DEV_022]
+struct ServiceSet
+{
+    /// `sender` is kept. Null: the other CPU of the device sends the boot-up message.
+    ServiceSet(cia301::NodeId own_node, hal::CanPorts* sender) noexcept;
+
+    cia301::NodeId node;
+    cia301::NmtSlave slave;
+    hal::CanPorts* can;
+    cia301::FrameToSend waiting; ///< The boot-up message until the controller has taken it.
+
+    /// @brief Whether a device that waits for a node-ID has one now.
+    [[nodiscard]] virtual bool MayBoot() const noexcept;
+    /// @brief The kernel is about to be started anew.
+    virtual void OnResetNode() noexcept;
+    /// @brief Whether there is a node-ID; asked at each reset communication. [SRS_DEV_019]
+    [[nodiscard]] virtual bool TakeNodeId() noexcept;
+    /// @brief Reset communication: parameters as at power-on. Until EndConfiguration values may come in any order.
+    virtual void BeginConfiguration() noexcept;
+    /// @brief All values are there, and it is known where INITIALISATION leads to.
+    virtual void EndConfiguration() noexcept;
+    /// @brief What the state machine wants to send; the boot-up message.
+    virtual void Send(const cia301::FrameToSend& frame) noexcept;
+    /// @brief The kernel is about to leave one state for another.
+    virtual void OnState(NmtState left, NmtState entered) noexcept;
+    /// @brief The kernel is in OPERATIONAL.
+    virtual void OnOperational() noexcept;
+
+    /// @brief Whether a frame that is neither SRDO, GFC nor NMT may concern this node. May interrupt all others. O(1)
+    [[nodiscard]] virtual bool Wants(const CanFrame& frame) const noexcept;
+    /// @brief A frame of a service was on the bus. May interrupt all others.
+    virtual void OnConfirm() noexcept;
+    /// @brief Whether frames of services were lost since the last call.
+    virtual void OnOverrun(bool has_lost) noexcept;
+    virtual void OnFrame(const CanFrame& frame, const cia301::Moment& moment) noexcept;
+    virtual void OnCycle(const cia301::Moment& moment) noexcept;
+    virtual void OnBus(BusCondition left, BusCondition entered) noexcept;
+    /// @brief Hands over what the controller may have.
+    virtual void Flush(Instant now) noexcept;
+
+  protected:
+    ~ServiceSet() noexcept = default;
+    ServiceSet(const ServiceSet&) = default;
+    ServiceSet& operator=(const ServiceSet&) = default;
+
+    /// @brief The state machine at the end of reset communication.
+    void Rejoin(const cia301::StartUp& start_up) noexcept;
+};
+
+/// A device without services has just these.
+struct NoServices final : public ServiceSet
+{
+    NoServices(cia301::NodeId own_node, hal::CanPorts* sender) noexcept;
+};
+
+} // namespace counterpoint::device
+
+#endif
