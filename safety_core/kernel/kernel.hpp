@@ -171,7 +171,8 @@ class Kernel
     /// @brief Power-on. `config` is kept by reference and checked here. O(srdo_count + objects) [SRS_KRN_001]
     [[nodiscard]] StartResult Start(const DeviceConfig& config, FlowCallback flow,
                                     StatusHandshake handshake = StatusHandshake::kOff) noexcept;
-    /// @brief The kernel is no longer used: permits are withdrawn, everything is refused until Start. [SRS_KRN_025]
+    /// @brief The kernel is no longer used: permits are withdrawn, objects of consumers take the safe value, everything
+    /// is refused until Start. [SRS_KRN_025, SRS_KRN_029]
     void Stop() noexcept;
 
     /// @brief A received frame, in bus order. O(payload) [SRS_KRN_007, SRS_KRN_008]
@@ -186,7 +187,8 @@ class Kernel
     /// @brief One cycle. O(srdo_count) [SRS_KRN_002]
     void Cycle(const CycleCall& call) noexcept;
 
-    /// @brief NMT state of the node. O(srdo_count) on entering OPERATIONAL. [SRS_KRN_010]
+    /// @brief NMT state of the node. Leaving OPERATIONAL writes the safe values at once. O(srdo_count) [SRS_KRN_010,
+    /// SRS_KRN_029]
     void SetNmtState(NmtState state) noexcept;
     /// @brief 1300h to 13FFh and the mappable variables. [SRS_CFG_040, SRS_CFG_041, SRS_CFG_042, SRS_CFG_043,
     /// SRS_CFG_044, SRS_CFG_045, SRS_CFG_046, SRS_CFG_047]
@@ -297,6 +299,7 @@ class Kernel
     inline void ProduceSlot(SlotIndex slot) noexcept;
     void GiveUp(SlotIndex slot, SrdoCause cause) noexcept;
     [[nodiscard]] inline hal::TransmitStatus HandOver(SlotIndex slot, const CanFrame& frame) noexcept;
+    void Withdraw() noexcept; ///< Nothing is released any more: all objects of consumers take the safe value.
     inline void FollowGfc() noexcept;
     inline void EnterOperational() noexcept;
     void ReportErrors(SrdoMask signalled) noexcept;

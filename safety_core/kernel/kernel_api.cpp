@@ -29,7 +29,11 @@ void Kernel::SetNmtState(const NmtState state) noexcept
     {
         return;
     }
-    run_.left_operational = run_.left_operational || (guard_.Nmt() == NmtState::kOperational);
+    if (guard_.Nmt() == NmtState::kOperational)
+    {
+        run_.left_operational = true;
+        Withdraw();
+    }
     run_.producers = 0U;
     guard_.SetNmt(state);
     if (state == NmtState::kOperational)

@@ -165,8 +165,21 @@ StartResult Kernel::CheckPlatform(const DeviceConfig& config) const noexcept
     return static_cast<StartResult>(kFirstGuarantee + place);
 }
 
+// While the channels still know the mapping that they wrote by. [SRS_KRN_029]
+void Kernel::Withdraw() noexcept
+{
+    constexpr Agreement kNothing{0U, 0U};
+    parts_.channel_a.Commit(kNothing);
+    parts_.channel_b.Commit(kNothing);
+    run_.committed = 0U;
+}
+
 void Kernel::Stop() noexcept
 {
+    if (run_.started)
+    {
+        Withdraw();
+    }
     run_ = KernelRun{};
     record_.status = SrdoStatus{};
     latch_.Disarm();
