@@ -51,7 +51,7 @@ struct Defect
 };
 
 /// The memory of another access, with one defect. What is behind stays in place, so that live memory can be defective
-/// too. Defects act on accesses through this object only. [SRS_STS_010]
+/// too. Defects act on accesses through this object only. [SRS_STS_010, SRS_STS_015]
 class DefectiveMemory final : public hal::MemoryAccess
 {
   public:

@@ -107,7 +107,8 @@ struct NodeTableParts
 };
 
 /// State and supervision of all nodes as the master sees them. One supervision a node: heartbeat or guarding. Call
-/// OnCycle at least once in 2^30 us, and as often as times shall be exact. Not reentrant.
+/// OnCycle at least once in 2^30 us, and as often as times shall be exact. Not reentrant. [SRS_NMM_021, SRS_NMM_022,
+/// SRS_NMM_023, SRS_NMM_024, SRS_NMM_025, SRS_NMM_026]
 class NodeTable final : public NmtListener
 {
   public:

@@ -94,7 +94,8 @@ template <std::uint8_t Count> class SdoLanes
 
 /// The SDO connections to all slaves: one transfer a slave at a time, many slaves at the same time. A node has a lane
 /// from its first transfer on; with fewer lanes than nodes an idle one changes hands. Late answers to a transfer that
-/// was given up are never taken for answers to a later one (see SdoClient). Not reentrant.
+/// was given up are never taken for answers to a later one (see SdoClient). Not reentrant. [SRS_NMM_030, SRS_NMM_031,
+/// SRS_NMM_032]
 class SdoPool
 {
   public:
