@@ -15,7 +15,7 @@ namespace counterpoint::examples
 namespace
 {
 
-/// One CPU: its board, its one channel, its own kernel.
+/// One CPU: its board, its one channel, its own kernel. CPU A sends the boot-up message of the device.
 class Cpu
 {
   public:
@@ -24,19 +24,16 @@ class Cpu
           end_{(role == PeerRole::kA) ? host::WireEnd::kFirst : host::WireEnd::kSecond}, a_{storage_a_.Handle()},
           b_{storage_b_.Handle()}, peer{(role == PeerRole::kA) ? static_cast<Channel&>(a_) : static_cast<Channel&>(b_),
                                         board.watchdog, application.DescribeLink()},
-          kernel{KernelParts{peer.VoiceA(), peer.VoiceB(), board.can, board.output, peer.Watchdog(), application}}
+          kernel{KernelParts{peer.VoiceA(), peer.VoiceB(), board.can, board.output, peer.Watchdog(), application}},
+          device_{kernel, (role == PeerRole::kA) ? &board.can : nullptr, application}
     {
-        board.kernel = &kernel;
+        board.device = &device_.Whole();
         board.peer = &peer;
     }
     [[nodiscard]] bool PowerOn()
     {
-        const DeviceConfig& config = application.Describe();
-        const bool is_ready = (CheckLinkConfig(config, application.DescribeLink()) == LinkConfigFault::kNone) &&
-                              (kernel.Start(config, FlowCallback::kOff) == StartResult::kStarted) &&
-                              (Controller::Configure(kernel) == AbortCode::kNone);
-        board.PowerOn();
-        return is_ready;
+        const LinkConfigFault fault = CheckLinkConfig(application.Describe(), application.DescribeLink());
+        return (fault == LinkConfigFault::kNone) && board.PowerOn();
     }
     void Cycle(const host::BusTime at)
     {
@@ -52,7 +49,7 @@ class Cpu
         {
             kernel.OnCrossLinkFault();
         }
-        kernel.Cycle(CycleCall{now, 0U, 0U});
+        device_.Whole().Cycle(CycleCall{now, 0U, 0U});
         peer.Compose(PeerMoment{now.a, kernel.DeviceState().fault}, message_);
         static_cast<void>(link.Send(message_));
     }
@@ -72,6 +69,9 @@ class Cpu
   public:
     Peer peer;
     Kernel kernel;
+
+  private:
+    AppDevice<Controller, 2U> device_;
 };
 
 } // namespace
@@ -90,10 +90,9 @@ std::string RunController()
     TimeLine line{};
     for (unsigned ms = 1U; ms <= 1000U; ++ms)
     {
-        if (ms == 50U)
+        if (ms == 49U)
         {
-            a.kernel.SetNmtState(NmtState::kOperational);
-            b.kernel.SetNmtState(NmtState::kOperational);
+            others.StartAll();
         }
         if (ms == 600U)
         {

@@ -2,7 +2,6 @@
 #include "examples/generated_actuator/drive.hpp"
 
 #include "actuator/object_dictionary.hpp"
-#include "canopen/cia301/base/little_endian.hpp"
 
 namespace counterpoint::examples
 {
@@ -15,12 +14,6 @@ bool Drive::MayMove(const SrdoMask open) noexcept
                           (actuator::CompareReceivedCommandMode() == PairView::kInverse);
     return is_open && is_whole && (actuator::GetReceivedCommandCommand() == 1U) &&
            (actuator::GetReceivedCommandMode() == 1U);
-}
-
-cia301::SdoAbort HeartbeatTime::OnWrite(const ObjectAddress& /*address*/, const cia301::Bytes& value) noexcept
-{
-    producer_.SetPeriod(static_cast<std::uint16_t>(cia301::FromLittleEndian(value.data, value.size_bytes)));
-    return cia301::SdoAbort::kNone;
 }
 
 } // namespace counterpoint::examples

@@ -6,10 +6,8 @@
 
 #include "actuator/object_dictionary.hpp"
 #include "canopen/cia301/base/little_endian.hpp"
-#include "canopen/cia301/dictionary/foreign_objects.hpp"
-#include "canopen/cia301/sdo/server.hpp"
-#include "channel_a/channel.hpp"
-#include "channel_b/channel.hpp"
+#include "canopen/device/device.hpp"
+#include "canopen/device/safety_objects.hpp"
 #include "examples/generated_actuator/drive.hpp"
 #include "examples/host/bench.hpp"
 
@@ -18,11 +16,39 @@ namespace counterpoint::examples
 namespace
 {
 
-/// Everything of the node but its hardware.
-struct Node
+constexpr std::uint32_t kSafetyFrames = (2U * actuator::kSrdoCount) + 2U;
+constexpr std::uint32_t kServiceFrames = 16U;
+constexpr std::uint8_t kHistory = 4U;
+
+/// A whole device with the services of CiA 301, but for its hardware.
+struct Node final : private device::Owner
 {
-    explicit Node(Board& board) : kernel{KernelParts{a, b, board.can, board.output, board.watchdog, drive}}
+    explicit Node(Board& board)
+        : kernel{KernelParts{a, b, board.can, board.output, board.watchdog, watch}},
+          services{cia301::NodeId{actuator::kNodeId},
+                   device::ServiceParts{
+                       emergency, board.can, dictionary,
+                       device::ServiceRooms{
+                           {nullptr, 0U}, {nullptr, 0U}, {nullptr, 0U}, {buffer, actuator::kLongestObjectBytes}}}},
+          whole{device::DeviceParts{kernel, watch, dictionary, services, *this,
+                                    device::FrameRoom{safety_frames, kSafetyFrames},
+                                    device::FrameRoom{service_frames, kServiceFrames}, actuator::kSrdoCount}}
     {
+    }
+
+    device::LoadResult OnResetNode() noexcept override
+    {
+        const StartResult result = kernel.Start(actuator::kDevice, FlowCallback::kOff);
+        return (result == StartResult::kStarted) ? device::LoadResult::kLoaded : device::LoadResult::kFailed;
+    }
+    /// What the file says of the configuration, and who keeps 1017h.
+    device::LoadResult OnResetCommunication() noexcept override
+    {
+        const generated::IndexRange heartbeat{0x1017U, 0x1017U};
+        static_cast<void>(actuator::Objects().Attach(heartbeat, {nullptr, &services.objects}));
+        static_cast<void>(actuator::Objects().Preset(heartbeat));
+        const AbortCode abort = actuator::Configure(kernel).abort;
+        return (abort == AbortCode::kNone) ? device::LoadResult::kLoaded : device::LoadResult::kFailed;
     }
 
     channel_a::StorageFor<actuator::kSrdoCount, actuator::kMapEntries> storage_a{};
@@ -30,37 +56,23 @@ struct Node
     channel_a::Channel a{storage_a.Handle()};
     channel_b::Channel b{storage_b.Handle()};
     Drive drive{};
+    std::uint32_t history[kHistory]{};
+    cia301::EmergencyProducer emergency{cia301::NodeId{actuator::kNodeId}, cia301::ErrorHistory{history, kHistory}};
+    device::KernelWatch watch{emergency, drive};
     Kernel kernel;
-    cia301::KernelObjects safety_objects{kernel};
+    device::SafetyObjects safety_objects{kernel, actuator::kEntryTable};
     cia301::Dictionary dictionary{actuator::kEntryTable, safety_objects};
     std::uint8_t buffer[actuator::kLongestObjectBytes]{};
-    cia301::SdoServer server{{dictionary, {buffer, actuator::kLongestObjectBytes}, 100000U, 127U}};
-    cia301::HeartbeatProducer heartbeat{cia301::NodeId{actuator::kNodeId}};
-    HeartbeatTime heartbeat_time{heartbeat};
+    device::QueuedFrame safety_frames[kSafetyFrames]{};
+    device::QueuedFrame service_frames[kServiceFrames]{};
+    device::Services services;
+    device::Device whole;
 };
-
-/// First what the file says of the device and its configuration, then who keeps 1017h.
-std::string PowerOn(Node& node)
-{
-    if (node.kernel.Start(actuator::kDevice, FlowCallback::kOff) != StartResult::kStarted)
-    {
-        return "start refused\n";
-    }
-    if (actuator::Configure(node.kernel).abort != AbortCode::kNone)
-    {
-        return "configuration refused\n";
-    }
-    const generated::IndexRange heartbeat{0x1017U, 0x1017U};
-    static_cast<void>(actuator::Objects().Attach(heartbeat, {nullptr, &node.heartbeat_time}));
-    static_cast<void>(actuator::Objects().Preset(heartbeat));
-    node.dictionary.SetNmtState(NmtState::kPreOperational);
-    return "";
-}
 
 /// The four data bytes of an expedited answer.
 std::uint32_t Ask(Node& node, const cia301::SdoFrame& request)
 {
-    const cia301::SdoFrame answer = node.server.OnFrame(request, 8U, Instant{0U}).frame;
+    const cia301::SdoFrame answer = node.services.sdo.OnFrame(request, 8U, Instant{0U}).frame;
     return static_cast<std::uint32_t>(cia301::FromLittleEndian(&answer.bytes[4], 4U));
 }
 
@@ -68,9 +80,9 @@ std::string Converse(Node& node)
 {
     std::string text = "1018h:02 " + std::to_string(Ask(node, {{0x40U, 0x18U, 0x10U, 2U, 0U, 0U, 0U, 0U}}));
     text += ", SCT " + std::to_string(Ask(node, {{0x40U, 0x01U, 0x13U, 2U, 0U, 0U, 0U, 0U}})) + " ms";
-    text += ", heartbeat " + std::to_string(node.heartbeat.PeriodMs()) + " ms";
+    text += ", heartbeat " + std::to_string(node.services.producer.PeriodMs()) + " ms";
     static_cast<void>(Ask(node, {{0x2BU, 0x17U, 0x10U, 0U, 0xFAU, 0U, 0U, 0U}}));
-    return text + ", then " + std::to_string(node.heartbeat.PeriodMs()) + " ms, and " +
+    return text + ", then " + std::to_string(node.services.producer.PeriodMs()) + " ms, and " +
            std::to_string(actuator::GetProducerHeartbeatTimeMs()) + " ms in the dictionary\n";
 }
 
@@ -83,20 +95,18 @@ std::string RunGeneratedActuator()
     OtherNode controller{bus, 0x103U, 0x105U};
     actuator::ResetApplication();
     Node node{board};
-    board.kernel = &node.kernel;
-    const std::string problem = PowerOn(node);
-    if (!problem.empty())
+    board.device = &node.whole;
+    if (!board.PowerOn())
     {
-        return problem;
+        return "start refused\n";
     }
     const std::string conversation = Converse(node);
-    board.PowerOn();
     TimeLine line{};
     for (unsigned ms = 1U; ms <= 1000U; ++ms)
     {
-        if (ms == 10U)
+        if (ms == 9U)
         {
-            node.kernel.SetNmtState(NmtState::kOperational);
+            controller.StartAll();
         }
         if (((ms % 25U) == 0U) && ((ms < 500U) || (ms >= 600U)))
         {
@@ -106,7 +116,7 @@ std::string RunGeneratedActuator()
         bus.Advance(ms * host::kMillisecond);
         const bool is_pressed = ((ms >= 150U) && (ms < 200U)) || ((ms >= 750U) && (ms < 800U));
         const SrdoMask acknowledge = is_pressed ? SrdoMask{1U} << actuator::kSrdo1Slot : 0U;
-        node.kernel.Cycle(CycleCall{board.clocks.Now(), acknowledge, acknowledge});
+        node.whole.Cycle(CycleCall{board.clocks.Now(), acknowledge, acknowledge});
         const SrdoMask open = board.output.Open();
         line.Note(ms, std::string{NameOf(node.kernel.GetState(actuator::kSrdo1).state)} + ", gate " +
                           ((open != 0U) ? "open" : "closed") + ", drive " +

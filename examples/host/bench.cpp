@@ -22,6 +22,11 @@ void OtherNode::OnReceived(const CanFrame& frame, host::BusTime /*at*/)
     }
 }
 
+void OtherNode::StartAll()
+{
+    static_cast<void>(bus_.Submit(node_, CanFrame{0U, FrameKind::kData, CanPortId::kFirst, 2U, {1U, 0U}}));
+}
+
 void OtherNode::Send(const TwoBytes& data)
 {
     CanFrame frame{sends_, FrameKind::kData, CanPortId::kFirst, 2U, {data.first, data.second}};

@@ -2,6 +2,9 @@
 #ifndef EXAMPLES_HOST_BENCH_HPP
 #define EXAMPLES_HOST_BENCH_HPP
 
+#include "channel_a/channel.hpp"
+#include "channel_b/channel.hpp"
+#include "examples/common/app_device.hpp"
 #include "hal/host/can_ports.hpp"
 #include "hal/host/clocks.hpp"
 #include "hal/host/output.hpp"
@@ -30,34 +33,56 @@ class Board final : public host::FrameSink
     {
         if ((peer != nullptr) && peer->IsEcho(frame.frame))
         {
-            kernel->OnConfirm(frame);
+            device->OnConfirm(frame);
         }
         else
         {
-            kernel->OnFrame(frame);
+            device->OnFrame(frame);
         }
     }
     void OnConfirm(const StampedFrame& frame) override
     {
-        kernel->OnConfirm(frame);
+        device->OnConfirm(frame);
     }
     void OnOverflow() override
     {
-        kernel->OnOverflow();
+        device->OnLoss();
     }
-    /// @brief Starts the watchdog and lets the device wait for the start command.
-    void PowerOn()
+    /// @brief Starts the watchdog and the device, which sends its boot-up message. False: something was refused.
+    [[nodiscard]] bool PowerOn()
     {
         watchdog.Start(hal::WatchdogWindow{500U, 1600U});
-        kernel->SetNmtState(NmtState::kPreOperational);
+        return device->PowerOn(clocks.Now().a) == device::LoadResult::kLoaded;
     }
 
     host::HostClocks clocks;
     host::HostWatchdog watchdog;
     host::HostOutput output;
     host::HostCanPorts can;
-    Kernel* kernel{nullptr};
+    device::Device* device{nullptr};
     const Peer* peer{nullptr}; ///< With two CPUs.
+};
+
+/// A device of one CPU on its board.
+template <class App, std::uint8_t kSrdos> struct BenchDevice
+{
+    BenchDevice(host::VirtualBus& bus, const InstantPair& start) : board{bus, start}
+    {
+        board.device = &device.Whole();
+    }
+    void Cycle(const SrdoMask acknowledge)
+    {
+        device.Whole().Cycle(CycleCall{board.clocks.Now(), acknowledge, acknowledge});
+    }
+
+    Board board;
+    App application{};
+    channel_a::StorageFor<kSrdos> storage_a{};
+    channel_b::StorageFor<kSrdos> storage_b{};
+    channel_a::Channel a{storage_a.Handle()};
+    channel_b::Channel b{storage_b.Handle()};
+    Kernel kernel{KernelParts{a, b, board.can, board.output, board.watchdog, application}};
+    AppDevice<App, kSrdos> device{kernel, &board.can, application};
 };
 
 /// Data of two mapped bytes.
@@ -67,7 +92,8 @@ struct TwoBytes
     std::uint8_t second;
 };
 
-/// Everything else on the bus: sends pairs with its first identifier, keeps the last complete pair with its second one.
+/// Everything else on the bus: sends the start command, sends pairs with its first identifier, keeps the last complete
+/// pair with its second one.
 class OtherNode final : public host::BusListener
 {
   public:
@@ -79,6 +105,8 @@ class OtherNode final : public host::BusListener
     void OnConfirmed(const CanFrame& /*frame*/, host::BusTime /*at*/) override
     {
     }
+    /// @brief NMT: all nodes to OPERATIONAL.
+    void StartAll();
     void Send(const TwoBytes& data);
 
     TwoBytes heard{0U, 0U};

@@ -57,9 +57,9 @@ TEST(Examples, ControllerOfTwoCpusSendsUntilTheWireIsCut)
                                "  51 ms CPU A running, CPU B running, buttons waiting, commands 0 0\n"
                                "  75 ms CPU A running, CPU B running, buttons faulted, commands 0 0\n"
                                "  76 ms CPU A running, CPU B running, buttons released, commands 0 0\n"
-                               "  77 ms CPU A running, CPU B running, buttons released, commands 1 1\n"
-                               " 302 ms CPU A running, CPU B running, buttons released, commands 0 1\n"
-                               " 402 ms CPU A running, CPU B running, buttons released, commands 1 1\n"
+                               "  78 ms CPU A running, CPU B running, buttons released, commands 1 1\n"
+                               " 303 ms CPU A running, CPU B running, buttons released, commands 0 1\n"
+                               " 403 ms CPU A running, CPU B running, buttons released, commands 1 1\n"
                                " 609 ms CPU A running, CPU B device fault 13, buttons released, commands 1 1\n"
                                " 610 ms CPU A device fault 13, CPU B device fault 13, buttons released, commands 1 1\n"
                                "pairs 22, wrong pairs 0\n");

@@ -15,7 +15,7 @@ constexpr std::uint8_t kSrdos = 1U;
 [[gnu::section(".bss.party_channel_a")]] Cell<MemoryA<kSrdos>> memory_a;
 [[gnu::section(".bss.party_channel_b")]] Cell<MemoryB<kSrdos>> memory_b;
 [[gnu::section(".bss.party_core")]] Cell<CoreMemory> memory_core;
-Cell<SafeDevice<examples::Actuator, kSrdos>> memory_rest;
+Cell<examples::AppDevice<examples::Actuator, kSrdos>> memory_rest;
 [[gnu::section(".bss.party_non_safety")]] std::uint32_t cycles_shown;
 
 examples::Actuator actuator{};
@@ -25,7 +25,7 @@ examples::Actuator actuator{};
 DrivenDevice BuildDevice(const Hardware& hardware) noexcept
 {
     const Regions<kSrdos> regions{memory_a, memory_b, memory_core};
-    return memory_rest.Make(hardware, regions, actuator).Driven();
+    return Build(hardware, regions, memory_rest, actuator);
 }
 
 SrdoMask ReadInputs(const Pins inputs) noexcept

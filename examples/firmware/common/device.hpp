@@ -26,6 +26,7 @@ struct DrivenDevice
 {
     device::Device& device;
     Kernel& kernel;
+    bool is_protected; ///< The memory protection took every region; else the device must not run.
 };
 
 /// Digital pins, bit by bit; what each means the device says.
@@ -34,8 +35,7 @@ struct Pins
     std::uint32_t bits;
 };
 
-/// @brief Builds kernel, channels and application and protects their memory. Called once. What is refused, PowerOn of
-/// the device tells: then it must not run.
+/// @brief Builds kernel, channels and application and protects their memory. Called once.
 [[nodiscard]] DrivenDevice BuildDevice(const Hardware& hardware) noexcept;
 
 /// @brief Before each cycle: the inputs go to the application. The acknowledge levels come back.

@@ -4,6 +4,7 @@
 
 #include "channel_a/channel.hpp"
 #include "channel_b/channel.hpp"
+#include "examples/common/app_device.hpp"
 #include "examples/firmware/common/cell.hpp"
 #include "examples/firmware/common/device.hpp"
 #include "examples/firmware/common/guarded_channel.hpp"
@@ -48,50 +49,18 @@ template <std::uint8_t kSrdos> struct Regions
     Cell<CoreMemory>& core;
 };
 
-/// A device without services in its regions, started and configured by its application, which is built already. What
-/// the network says of NMT, canopen/device follows. [SRS_FW_022]
-template <class App, std::uint8_t kSrdos> class SafeDevice final : private device::Owner
+/// @brief Builds a device in its regions and protects them; the application is built already. What no party may keep to
+/// itself is in `rest`. [SRS_FW_022]
+template <class App, std::uint8_t kSrdos>
+[[nodiscard]] DrivenDevice Build(const Hardware& hardware, const Regions<kSrdos>& regions,
+                                 Cell<examples::AppDevice<App, kSrdos>>& rest, App& application) noexcept
 {
-  public:
-    SafeDevice(const Hardware& hardware, const Regions<kSrdos>& regions, App& application) noexcept
-        : application_{application}, kernel_{regions.core
-                                                 .Make(hardware, regions.a.Make().channel, regions.b.Make().channel,
-                                                       static_cast<Application&>(application))
-                                                 .kernel},
-          is_protected_{ProtectRegions(hardware.protection)},
-          services_{cia301::NodeId{application.Describe().node_id}, &hardware.can},
-          device_{device::BareParts{kernel_, services_, *this, device::FrameRoom{frames_, kRoom}, kSrdos}}
-    {
-    }
-    [[nodiscard]] DrivenDevice Driven() noexcept
-    {
-        return DrivenDevice{device_, kernel_};
-    }
-
-  private:
-    static constexpr std::uint32_t kRoom = (2U * kSrdos) + 2U;
-
-    [[nodiscard]] device::LoadResult OnResetNode() noexcept override
-    {
-        const bool is_started =
-            is_protected_ && (kernel_.Start(application_.Describe(), FlowCallback::kOff) == StartResult::kStarted);
-        return is_started ? device::LoadResult::kLoaded : device::LoadResult::kFailed;
-    }
-    /// The configuration is a constant: what was written once stays.
-    [[nodiscard]] device::LoadResult OnResetCommunication() noexcept override
-    {
-        const bool is_valid = kernel_.ReadObject({0x13FEU, 0U}).data.bytes[0] == kConfigurationValidValue;
-        const bool is_loaded = is_valid || (App::Configure(kernel_) == AbortCode::kNone);
-        return is_loaded ? device::LoadResult::kLoaded : device::LoadResult::kFailed;
-    }
-
-    App& application_;
-    Kernel& kernel_;
-    bool is_protected_;
-    device::QueuedFrame frames_[kRoom]{};
-    device::NoServices services_;
-    device::Device device_;
-};
+    MemoryA<kSrdos>& a = regions.a.Make();
+    MemoryB<kSrdos>& b = regions.b.Make();
+    CoreMemory& core = regions.core.Make(hardware, a.channel, b.channel, static_cast<Application&>(application));
+    examples::AppDevice<App, kSrdos>& device = rest.Make(core.kernel, &hardware.can, application);
+    return DrivenDevice{device.Whole(), core.kernel, ProtectRegions(hardware.protection)};
+}
 
 } // namespace counterpoint::firmware
 

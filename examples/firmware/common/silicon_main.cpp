@@ -91,7 +91,8 @@ extern "C" void FirmwareMain() noexcept
     UnlockInterrupts(kInterruptsOn);
     const firmware::DrivenDevice driven =
         firmware::BuildDevice(firmware::Hardware{board.Can(), board.Output(), board.Watchdog(), board.Protection()});
-    const bool is_up = driven.device.PowerOn(board.Clocks().Now().a) == device::LoadResult::kLoaded;
+    const bool is_up =
+        driven.is_protected && driven.device.PowerOn(board.Clocks().Now().a) == device::LoadResult::kLoaded;
     if ((!is_up) || (board.StartWatchdog() != Outcome::kDone))
     {
         HardwareCutOff();

@@ -17,7 +17,7 @@ constexpr std::uint32_t kAcknowledgeShift = 4U;
 [[gnu::section(".bss.party_channel_a")]] Cell<MemoryA<kSrdos>> memory_a;
 [[gnu::section(".bss.party_channel_b")]] Cell<MemoryB<kSrdos>> memory_b;
 [[gnu::section(".bss.party_core")]] Cell<CoreMemory> memory_core;
-Cell<SafeDevice<OwnApplication, kSrdos>> memory_rest;
+Cell<examples::AppDevice<OwnApplication, kSrdos>> memory_rest;
 [[gnu::section(".bss.party_non_safety")]] std::uint32_t cycles_shown;
 
 OwnApplication application{};
@@ -27,7 +27,7 @@ OwnApplication application{};
 DrivenDevice BuildDevice(const Hardware& hardware) noexcept
 {
     const Regions<kSrdos> regions{memory_a, memory_b, memory_core};
-    return memory_rest.Make(hardware, regions, application).Driven();
+    return Build(hardware, regions, memory_rest, application);
 }
 
 SrdoMask ReadInputs(const Pins inputs) noexcept

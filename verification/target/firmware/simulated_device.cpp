@@ -76,7 +76,7 @@ StateReply SimulatedDevice::StateOf(const std::uint32_t srdo) const noexcept
 
 bool SimulatedDevice::Start() noexcept
 {
-    const bool is_up = driven_.device.PowerOn(Instant{0U}) == device::LoadResult::kLoaded;
+    const bool is_up = driven_.is_protected && driven_.device.PowerOn(Instant{0U}) == device::LoadResult::kLoaded;
     if (!is_up)
     {
         Write("FAILURE: the device did not start\n");

@@ -41,7 +41,7 @@ constexpr std::uint8_t kSrdos = 1U;
 [[gnu::section(".bss.party_channel_a")]] Cell<MemoryA<kSrdos>> memory_a;
 [[gnu::section(".bss.party_channel_b")]] Cell<MemoryB<kSrdos>> memory_b;
 [[gnu::section(".bss.party_core")]] Cell<CoreMemory> memory_core;
-Cell<SafeDevice<examples::Actuator, kSrdos>> memory_rest;
+Cell<examples::AppDevice<examples::Actuator, kSrdos>> memory_rest;
 [[gnu::section(".bss.party_non_safety")]] volatile std::uint32_t cycles_shown;
 
 examples::Actuator actuator{};
@@ -81,7 +81,7 @@ DrivenDevice BuildDevice(const Hardware& hardware) noexcept
     // What a flipped bit does, a program is not allowed to: the table of variables is the application's and constant.
     objects = const_cast<MappableObject*>(actuator.Describe().objects);
     const Regions<kSrdos> regions{memory_a, memory_b, memory_core};
-    return memory_rest.Make(hardware, regions, actuator).Driven();
+    return Build(hardware, regions, memory_rest, actuator);
 }
 
 SrdoMask ReadInputs(const Pins inputs) noexcept
