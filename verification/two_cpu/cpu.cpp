@@ -2,7 +2,6 @@
 #include "verification/two_cpu/cpu.hpp"
 
 #include <stdexcept>
-#include <string>
 
 namespace counterpoint::two_cpu
 {
@@ -41,7 +40,9 @@ Cpu::Cpu(const PeerRole role, const Timing& timing, const CpuClock& its_clock)
     : clock{its_clock}, timing_{timing}, channel_a_{storage_a_.Handle()}, channel_b_{storage_b_.Handle()},
       tap{(role == PeerRole::kA) ? static_cast<Channel&>(channel_a_) : static_cast<Channel&>(channel_b_)},
       peer{tap, watchdog, LinkOf(role, timing)},
-      kernel{KernelParts{peer.VoiceA(), peer.VoiceB(), ports, output, peer.Watchdog(), application}}
+      kernel{KernelParts{peer.VoiceA(), peer.VoiceB(), ports, output, peer.Watchdog(), application}},
+      services_{cia301::NodeId{kNodeId}, (role == PeerRole::kA) ? &ports : nullptr},
+      device_{device::BareParts{kernel, services_, *this, device::FrameRoom{frames_.data(), 6U}, 2U}}
 {
 }
 
@@ -50,7 +51,7 @@ LinkConfig Cpu::LinkOf(const PeerRole role, const Timing& timing)
     return LinkConfig{role, timing.timeout_us, timing.timeout_us / 2U, 10U * timing.timeout_us, 50U};
 }
 
-void Cpu::Describe()
+void Cpu::Describe() noexcept
 {
     objects_ = {MappableObject{0x2000U, 1U, 16U, MapAccess::kProducer, application.tx_normal.data()},
                 MappableObject{0x2100U, 1U, 16U, MapAccess::kProducer, application.tx_inverse.data()},
@@ -79,7 +80,8 @@ void Cpu::Describe()
     config_.clock_interval_us = 100U * timing_.cycle_us;
 }
 
-void Cpu::Write(const std::uint16_t index, const std::uint8_t sub, const std::uint32_t value, const std::uint8_t size)
+void Cpu::Write(const std::uint16_t index, const std::uint8_t sub, const std::uint32_t value,
+                const std::uint8_t size) noexcept
 {
     ObjectData data{};
     data.size_bytes = size;
@@ -87,13 +89,10 @@ void Cpu::Write(const std::uint16_t index, const std::uint8_t sub, const std::ui
     {
         data.bytes[byte] = static_cast<std::uint8_t>(value >> (8U * byte));
     }
-    if (kernel.WriteObject(ObjectAddress{index, sub}, data) != AbortCode::kNone)
-    {
-        throw std::runtime_error("two_cpu: the kernel refuses " + std::to_string(index) + ":" + std::to_string(sub));
-    }
+    is_configured_ = (kernel.WriteObject(ObjectAddress{index, sub}, data) == AbortCode::kNone) && is_configured_;
 }
 
-void Cpu::Configure()
+device::LoadResult Cpu::OnResetCommunication() noexcept
 {
     const auto set = [this](std::uint8_t number, std::uint16_t first_object, std::uint8_t direction)
     {
@@ -119,20 +118,26 @@ void Cpu::Configure()
         Write(0x13FFU, number, reply.signature, 2U);
     }
     Write(0x13FEU, 0U, kConfigurationValidValue, 1U);
+    return is_configured_ ? device::LoadResult::kLoaded : device::LoadResult::kFailed;
+}
+
+device::LoadResult Cpu::OnResetNode() noexcept
+{
+    Describe();
+    const LinkConfigFault fault = CheckLinkConfig(config_, LinkOf(PeerRole::kA, timing_));
+    const bool is_started =
+        (fault == LinkConfigFault::kNone) && (kernel.Start(config_, FlowCallback::kOff) == StartResult::kStarted);
+    return is_started ? device::LoadResult::kLoaded : device::LoadResult::kFailed;
 }
 
 void Cpu::PowerOn(const double true_us)
 {
-    Describe();
-    const LinkConfigFault fault = CheckLinkConfig(config_, LinkOf(PeerRole::kA, timing_));
-    if ((fault != LinkConfigFault::kNone) || (kernel.Start(config_, FlowCallback::kOff) != StartResult::kStarted))
-    {
-        throw std::runtime_error("two_cpu: the kernel refuses to start");
-    }
-    Configure();
     watchdog.timer.Start(hal::WatchdogWindow{timing_.cycle_us / 8U, (2U * timing_.cycle_us) + timing_.tolerance_us},
                          TrueInstant(true_us - timing_.cycle_us));
-    kernel.SetNmtState(NmtState::kPreOperational);
+    if (device_.PowerOn(clock.At(true_us)) != device::LoadResult::kLoaded)
+    {
+        throw std::runtime_error("two_cpu: the kernel refuses to start, or its configuration");
+    }
 }
 
 void Cpu::OnBus(const CanFrame& frame, const bool is_own, const double true_us)
@@ -141,12 +146,13 @@ void Cpu::OnBus(const CanFrame& frame, const bool is_own, const double true_us)
     const StampedFrame stamped{frame, InstantPair{stamp, stamp}};
     if (is_own || peer.IsEcho(frame))
     {
-        kernel.OnConfirm(stamped);
+        device_.OnConfirm(stamped);
     }
     else
     {
-        kernel.OnFrame(stamped);
+        device_.OnFrame(stamped);
     }
+    device_.Serve(stamp); // The inverse frame at once, a command too.
 }
 
 void Cpu::OnLink(const hal::LinkFrame& frame, const double true_us)
@@ -164,7 +170,7 @@ void Cpu::Cycle(const double true_us, hal::LinkFrame& message)
     {
         kernel.OnCrossLinkFault();
     }
-    kernel.Cycle(CycleCall{InstantPair{now, now}, 0U, 0U});
+    device_.Cycle(CycleCall{InstantPair{now, now}, 0U, 0U});
     peer.Compose(PeerMoment{now, kernel.DeviceState().fault}, message);
 }
 

@@ -2,6 +2,7 @@
 #ifndef VERIFICATION_TWO_CPU_CPU_HPP
 #define VERIFICATION_TWO_CPU_CPU_HPP
 
+#include "canopen/device/device.hpp"
 #include "channel_a/channel.hpp"
 #include "channel_a/storage.hpp"
 #include "channel_b/channel.hpp"
@@ -169,13 +170,17 @@ class ProcessApplication final : public Application
     DeviceFaultReport fault{DeviceFault::kNone, kNoSlot, 0U};
 };
 
-/// One CPU: SRDO 1 consumes 101h/102h (automatic release), SRDO 2 produces 103h/104h by its provider.
-class Cpu
+/// NMT, to all nodes.
+inline constexpr CanFrame kStartCommand{0U, FrameKind::kData, CanPortId::kFirst, 2U, {1U, 0U}};
+
+/// One CPU: SRDO 1 consumes 101h/102h (automatic release), SRDO 2 produces 103h/104h by its provider. CPU A sends the
+/// boot-up message of both.
+class Cpu final : private device::Owner
 {
   public:
     Cpu(PeerRole role, const Timing& timing, const CpuClock& clock);
 
-    /// @brief Start, configuration, OPERATIONAL. The only way to fail is a mistake in this program: it throws.
+    /// @brief Start and configuration. The only way to fail is a mistake in this program: it throws.
     void PowerOn(double true_us);
     /// @brief A frame of the bus, at its end.
     void OnBus(const CanFrame& frame, bool is_own, double true_us);
@@ -198,9 +203,10 @@ class Cpu
 
   private:
     [[nodiscard]] static LinkConfig LinkOf(PeerRole role, const Timing& timing);
-    void Describe();
-    void Configure();
-    void Write(std::uint16_t index, std::uint8_t sub, std::uint32_t value, std::uint8_t size);
+    [[nodiscard]] device::LoadResult OnResetNode() noexcept override;
+    [[nodiscard]] device::LoadResult OnResetCommunication() noexcept override;
+    void Describe() noexcept;
+    void Write(std::uint16_t index, std::uint8_t sub, std::uint32_t value, std::uint8_t size) noexcept;
 
     Timing timing_;
     channel_a::StorageFor<2U> storage_a_{};
@@ -210,11 +216,17 @@ class Cpu
     std::array<MappableObject, 4U> objects_{};
     std::array<SrdoSetup, 2U> setups_{};
     DeviceConfig config_{};
+    bool is_configured_{true}; ///< The kernel took every value.
 
   public:
     ChannelTap tap;
     Peer peer;
     Kernel kernel;
+
+  private:
+    std::array<device::QueuedFrame, 6U> frames_{};
+    device::NoServices services_;
+    device::Device device_;
 };
 
 } // namespace counterpoint::two_cpu

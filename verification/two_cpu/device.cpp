@@ -82,7 +82,7 @@ void Device::RunCpu(const std::size_t cpu)
     if ((!is_operational_[cpu]) && (now_us_ >= setup_.operational_us))
     {
         is_operational_[cpu] = true;
-        self.kernel.SetNmtState(NmtState::kOperational);
+        self.OnBus(kStartCommand, false, now_us_);
     }
     wire.SetNow(static_cast<host::LinkInstant>(now_us_));
     while (wire.End(end).Receive(link_frame_) == hal::LinkStatus::kDone)

@@ -172,7 +172,7 @@ int Process::Run()
             if ((!is_operational) && cpu_.peer.Link().IsAlive())
             {
                 is_operational = true;
-                cpu_.kernel.SetNmtState(NmtState::kOperational);
+                cpu_.OnBus(kStartCommand, false, Now());
             }
             Cycle();
             next_cycle_us += timing_.cycle_us;
