@@ -6,7 +6,7 @@
 #include "canopen/cia306/text/input_error.hpp"
 #include "runtime/manager/check_places.hpp"
 #include "runtime/manager/host.hpp"
-#include "runtime/manager/process.hpp"
+#include "runtime/manager/pdos.hpp"
 #include "runtime/manager/report/words.hpp"
 
 #include <algorithm>

@@ -96,7 +96,7 @@ SdoAbort ManagerConsumers::MayWrite(const std::uint8_t sub, const std::uint32_t 
     return (before == SdoAbort::kNone) ? MayChange(value) : before;
 }
 
-/// As of what else the manager knows of a slave: see ManagerRules. A node that is no slave may always be watched.
+/// As of what else the manager knows of a slave: see ManagerObjects. A node that is no slave may always be watched.
 SdoAbort ManagerConsumers::MayChange(const std::uint32_t value) const noexcept
 {
     const NodeId node = NodeOf(value);

@@ -86,7 +86,7 @@ std::size_t LongestDomain(const network::LoadedNetwork& net)
 } // namespace
 
 ManagerDictionary::ManagerDictionary(ManagerHost& host, network::LoadedNetwork& net, cia301::FrameSink& sink)
-    : host_(host), net_(net), rules_(host, net), buffer_(LongestDomain(net)),
+    : host_(host), net_(net), objects_(host, net), buffer_(LongestDomain(net)),
       dictionary_(
           [this]
           {
@@ -138,8 +138,8 @@ void ManagerDictionary::AddHook(const std::uint16_t index, const std::uint8_t su
     entry.writable_in = cia301::kInBoth;
     entry.size_bytes = SizeOf(type);
     entry.length_bytes = (type == DataType::kDomain) ? &domain_length_ : nullptr;
-    entry.read_hook = &rules_;
-    entry.write_hook = &rules_;
+    entry.read_hook = &objects_;
+    entry.write_hook = &objects_;
     entries_.push_back(entry);
 }
 
@@ -231,7 +231,7 @@ void ManagerDictionary::Sort()
 cia301::Moment ManagerDictionary::Begin(const Instant now)
 {
     const cia301::NodeState state = host_.Core().OwnState();
-    rules_.SetNow(now);
+    objects_.SetNow(now);
     dictionary_.SetNmtState(StateOf(state));
     return {state, now};
 }

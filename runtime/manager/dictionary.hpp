@@ -5,7 +5,7 @@
 #include "canopen/cia301/dictionary/dictionary.hpp"
 #include "canopen/cia301/sdo/server.hpp"
 #include "canopen/cia301/sdo/server_port.hpp"
-#include "runtime/manager/rules.hpp"
+#include "runtime/manager/objects.hpp"
 #include "runtime/node/hooks.hpp"
 
 #include <array>
@@ -49,7 +49,7 @@ class ManagerDictionary
 
     ManagerHost& host_;
     network::LoadedNetwork& net_;
-    ManagerRules rules_;
+    ManagerObjects objects_;
     std::vector<cia301::Entry> entries_;
     std::deque<std::vector<std::uint8_t>> values_;
     std::uint32_t domain_length_{0U}; ///< Domains come by hooks; their entries need a place for a length.

@@ -7,7 +7,7 @@ namespace counterpoint::runtime
 {
 ManagerStation::ManagerStation(network::LoadedNetwork& net, SendFrame send, TellEvent tell)
     : send_(std::move(send)), tell_(std::move(tell)), host_(net, *this, journal_), dictionary_(host_, net, *this),
-      process_(net)
+      pdos_(net)
 {
     journal_.Watch(host_);
 }
@@ -51,7 +51,7 @@ void ManagerStation::OnFrame(const CanFrame& frame, const std::uint64_t now_us)
     diagram_.OnFrame(frame, false, now_us);
     host_.Core().OnFrame(frame, InstantAt(now_us));
     dictionary_.OnFrame(frame, InstantAt(now_us));
-    process_.OnFrame(frame, now_us);
+    pdos_.OnFrame(frame, now_us);
     Leave();
 }
 
@@ -81,7 +81,7 @@ std::string ManagerStation::Carry(const ManagerOrder& order, const std::uint64_t
     }
     else if (order.kind == ManagerOrderKind::kOutput)
     {
-        answer = process_.Set(order.node, order.pdo, order.bytes);
+        answer = pdos_.Set(order.node, order.pdo, order.bytes);
     }
     else
     {
@@ -102,7 +102,7 @@ void ManagerStation::Tell(const std::string& kind, const std::string& text, cons
 /// A TxPDO brought another value.
 void ManagerStation::TellInputs()
 {
-    for (const ProcessValue* const value : process_.TakeNews(now_us_))
+    for (const PdoValue* const value : pdos_.TakeNews(now_us_))
     {
         const std::string text = NameOf(*value) + ": " + BytesText(value->bytes);
         journal_.Tell(value->node, "pdo", text, {{"pdo", NameOf(*value)}, {"data", BytesText(value->bytes)}});

@@ -5,7 +5,7 @@
 #include "runtime/manager/dictionary.hpp"
 #include "runtime/manager/host.hpp"
 #include "runtime/manager/order.hpp"
-#include "runtime/manager/process.hpp"
+#include "runtime/manager/pdos.hpp"
 #include "runtime/manager/report/diagram.hpp"
 #include "runtime/manager/report/journal.hpp"
 
@@ -46,9 +46,9 @@ class ManagerStation final : private cia301::FrameSink
     {
         return host_;
     }
-    [[nodiscard]] const ManagerProcess& Process() const noexcept
+    [[nodiscard]] const ManagerPdos& Pdos() const noexcept
     {
-        return process_;
+        return pdos_;
     }
     [[nodiscard]] const ManagerDiagram& Diagram() const noexcept
     {
@@ -80,7 +80,7 @@ class ManagerStation final : private cia301::FrameSink
     ManagerDiagram diagram_;
     ManagerHost host_;
     ManagerDictionary dictionary_;
-    ManagerProcess process_;
+    ManagerPdos pdos_;
     std::array<Writing, cia302::kNodeRoom> writing_{};
 };
 

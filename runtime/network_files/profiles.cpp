@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/network_files/profiles.hpp"
 
-#include "runtime/manager/process.hpp"
+#include "runtime/manager/pdos.hpp"
 #include "runtime/yaml/map.hpp"
 
 #include <limits>

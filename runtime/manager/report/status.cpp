@@ -113,15 +113,15 @@ std::string ManagerLine(const ManagerHost& host)
 }
 
 /// Who looks at a value wants to know how old it is.
-std::string AgeOf(const ProcessValue& value, const std::uint64_t now_us)
+std::string AgeOf(const PdoValue& value, const std::uint64_t now_us)
 {
     return value.is_output ? "" : std::to_string((now_us - value.at_us) / kUsPerMs) + " ms";
 }
 
-std::string ProcessTable(const ManagerProcess& process, const std::uint64_t now_us)
+std::string PdoTable(const ManagerPdos& pdos, const std::uint64_t now_us)
 {
     std::string table;
-    for (const ProcessValue& value : process.Values())
+    for (const PdoValue& value : pdos.Values())
     {
         const std::string shown = value.was_seen ? BytesText(value.bytes) : "-";
         table += Column(std::to_string(value.node), 4U) + Column(NameOf(value), 10U) + Column(shown, 24U) +
@@ -143,20 +143,20 @@ std::string StatusTable(const ManagerStation& station, const std::uint64_t now_u
         table += Line({std::to_string(row.node), row.name, row.state, row.result, row.step, row.heartbeat,
                        row.emergency, row.safety, row.finding});
     }
-    return table + ProcessTable(station.Process(), now_us);
+    return table + PdoTable(station.Pdos(), now_us);
 }
 
-nlohmann::ordered_json PdosJson(const ManagerProcess& process, const std::uint64_t now_us)
+nlohmann::ordered_json PdosJson(const ManagerPdos& pdos, const std::uint64_t now_us)
 {
-    nlohmann::ordered_json pdos = nlohmann::ordered_json::array();
-    for (const ProcessValue& value : process.Values())
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (const PdoValue& value : pdos.Values())
     {
-        pdos.push_back({{"node", value.node},
+        rows.push_back({{"node", value.node},
                         {"pdo", NameOf(value)},
                         {"data", value.was_seen ? BytesText(value.bytes) : ""},
                         {"age", value.was_seen ? AgeOf(value, now_us) : "-"}});
     }
-    return pdos;
+    return rows;
 }
 
 nlohmann::ordered_json StatusJson(const ManagerStation& station, const std::uint64_t now_us)
@@ -187,6 +187,6 @@ nlohmann::ordered_json StatusJson(const ManagerStation& station, const std::uint
             {"profile", WordOf(host.Net().Plan().manager.profile)},
             {"master_state", manager.MasterState()},
             {"slaves", slaves},
-            {"pdos", PdosJson(station.Process(), now_us)}};
+            {"pdos", PdosJson(station.Pdos(), now_us)}};
 }
 } // namespace counterpoint::runtime

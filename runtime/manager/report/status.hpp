@@ -3,7 +3,7 @@
 #define RUNTIME_MANAGER_REPORT_STATUS_HPP
 
 #include "runtime/manager/host.hpp"
-#include "runtime/manager/process.hpp"
+#include "runtime/manager/pdos.hpp"
 #include "runtime/manager/station.hpp"
 
 #include <nlohmann/json.hpp>

@@ -11,7 +11,7 @@ namespace
 {
 using test::Lines;
 
-class ManagerProcessTest : public test::ManagerRig
+class ManagerPdosTest : public test::ManagerRig
 {
 };
 
@@ -50,7 +50,7 @@ std::string PdoNetwork(const std::string& more, const std::string& profile = "el
            more + "}\n";
 }
 
-TEST_F(ManagerProcessTest, OutputsGoOutAndInputsAreTold)
+TEST_F(ManagerPdosTest, OutputsGoOutAndInputsAreTold)
 {
     Verifies(req::SRS_MGR_022);
     static_cast<void>(File("pdo.dcf", PdoDcf()));
@@ -79,7 +79,7 @@ TEST_F(ManagerProcessTest, OutputsGoOutAndInputsAreTold)
     }
 }
 
-TEST_F(ManagerProcessTest, InputsAreToldAndShown)
+TEST_F(ManagerPdosTest, InputsAreToldAndShown)
 {
     Verifies(req::SRS_MGR_022);
     static_cast<void>(File("pdo.dcf", PdoDcf()));
@@ -110,10 +110,10 @@ TEST_F(ManagerProcessTest, InputsAreToldAndShown)
     EXPECT_EQ(json["pdos"][1]["data"], "32");
     // A frame that is too short is no value
     Hear(0x18AU, {});
-    EXPECT_EQ(station->Process().Values()[1].bytes, (std::vector<std::uint8_t>{0x32U}));
+    EXPECT_EQ(station->Pdos().Values()[1].bytes, (std::vector<std::uint8_t>{0x32U}));
 }
 
-TEST_F(ManagerProcessTest, OutputsThatNobodySendsAreRefused)
+TEST_F(ManagerPdosTest, OutputsThatNobodySendsAreRefused)
 {
     Verifies(req::SRS_MGR_022);
     static_cast<void>(File("pdo.dcf", PdoDcf()));

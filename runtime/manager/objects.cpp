@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "runtime/manager/rules.hpp"
+#include "runtime/manager/objects.hpp"
 
 #include "canopen/cia301/base/little_endian.hpp"
 #include "canopen/network/start_up_bits.hpp"
@@ -47,20 +47,20 @@ cia301::Reading Number(const std::uint32_t value, const std::uint32_t size_bytes
 }
 } // namespace
 
-ManagerRules::ManagerRules(ManagerHost& host, network::LoadedNetwork& net)
+ManagerObjects::ManagerObjects(ManagerHost& host, network::LoadedNetwork& net)
     : host_(host), net_(net),
       objects_({net.Setup(), &net.SetupRoom(), net.SlaveRoom(), host.Core().ProfileParts().table, host.Profile()}),
       domains_(net.Setup()), flying_(host.FlyingTimes()), consumers_(host, net)
 {
 }
 
-void ManagerRules::SetNow(const Instant now) noexcept
+void ManagerObjects::SetNow(const Instant now) noexcept
 {
     now_ = now;
     objects_.OnCycle(now);
 }
 
-cia301::Reading ManagerRules::OnRead(const ObjectAddress& address, const cia301::Room& room) noexcept
+cia301::Reading ManagerObjects::OnRead(const ObjectAddress& address, const cia301::Room& room) noexcept
 {
     if (IsDomain(address.index) && address.sub != 0U)
     {
@@ -87,7 +87,7 @@ cia301::Reading ManagerRules::OnRead(const ObjectAddress& address, const cia301:
 }
 
 /// What is not there is no empty domain.
-cia301::Reading ManagerRules::ReadDomain(const ObjectAddress& address, const cia301::Room& room) noexcept
+cia301::Reading ManagerObjects::ReadDomain(const ObjectAddress& address, const cia301::Room& room) noexcept
 {
     cia301::Reading reading = domains_.OnRead(address, room);
     const network::LoadedSlave* const slave = net_.Find(address.sub);
@@ -101,7 +101,7 @@ cia301::Reading ManagerRules::ReadDomain(const ObjectAddress& address, const cia
     return reading;
 }
 
-SdoAbort ManagerRules::OnWrite(const ObjectAddress& address, const cia301::Bytes& value) noexcept
+SdoAbort ManagerObjects::OnWrite(const ObjectAddress& address, const cia301::Bytes& value) noexcept
 {
     const bool is_number = !IsDomain(address.index);
     const auto number = static_cast<std::uint32_t>(is_number ? cia301::FromLittleEndian(value.data, value.size_bytes)
@@ -110,7 +110,7 @@ SdoAbort ManagerRules::OnWrite(const ObjectAddress& address, const cia301::Bytes
     return (abort == SdoAbort::kNone) ? Store(address, value) : abort;
 }
 
-SdoAbort ManagerRules::MayWrite(const ObjectAddress& address, const std::uint32_t value) const noexcept
+SdoAbort ManagerObjects::MayWrite(const ObjectAddress& address, const std::uint32_t value) const noexcept
 {
     const auto unless = [](const bool is_wrong, const SdoAbort abort) { return is_wrong ? abort : SdoAbort::kNone; };
     const cia302::FlyingMaster* const flying = host_.Core().Flying();
@@ -152,7 +152,7 @@ SdoAbort ManagerRules::MayWrite(const ObjectAddress& address, const std::uint32_
 
 /// What the manager knows of a slave. A safety slave stays what its network file says: no write takes it out of the
 /// list that forbids a start of all. [SRS_MGR_021]
-SdoAbort ManagerRules::MayChange(const NodeId node) const noexcept
+SdoAbort ManagerObjects::MayChange(const NodeId node) const noexcept
 {
     const bool is_listed = net_.Setup().IsListed(node);
     if (is_listed && net_.Setup().IsSafetySlave(node))
@@ -163,7 +163,7 @@ SdoAbort ManagerRules::MayChange(const NodeId node) const noexcept
 }
 
 /// Other guarding times count at once for a slave that is guarded, or was started and is watched by nobody.
-SdoAbort ManagerRules::StoreAssignment(const ObjectAddress& address, const cia301::Bytes& value) noexcept
+SdoAbort ManagerObjects::StoreAssignment(const ObjectAddress& address, const cia301::Bytes& value) noexcept
 {
     constexpr std::uint32_t kFirstGuardingBit = 8U;
     const NodeId node{address.sub};
@@ -180,7 +180,7 @@ SdoAbort ManagerRules::StoreAssignment(const ObjectAddress& address, const cia30
     return abort;
 }
 
-SdoAbort ManagerRules::Store(const ObjectAddress& address, const cia301::Bytes& value) noexcept
+SdoAbort ManagerObjects::Store(const ObjectAddress& address, const cia301::Bytes& value) noexcept
 {
     SdoAbort abort = SdoAbort::kNone;
     switch (address.index)

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#ifndef RUNTIME_MANAGER_RULES_HPP
-#define RUNTIME_MANAGER_RULES_HPP
+#ifndef RUNTIME_MANAGER_OBJECTS_HPP
+#define RUNTIME_MANAGER_OBJECTS_HPP
 
 #include "canopen/cia302/network/objects.hpp"
 #include "runtime/manager/consumers.hpp"
@@ -10,11 +10,11 @@ namespace counterpoint::runtime
 {
 /// The objects by which a manager is seen and commanded, and what a write may do while it runs. Hook of 1016h, 1017h,
 /// 102Ah, 1F20h to 1F27h, 1F53h to 1F58h and 1F80h to 1F90h. [SRS_MGR_021]
-class ManagerRules final : public cia301::ReadHook, public cia301::WriteHook
+class ManagerObjects final : public cia301::ReadHook, public cia301::WriteHook
 {
   public:
     /// @brief Both outlive it.
-    ManagerRules(ManagerHost& host, network::LoadedNetwork& net);
+    ManagerObjects(ManagerHost& host, network::LoadedNetwork& net);
 
     /// @brief Time for what writes lead to.
     void SetNow(Instant now) noexcept;
@@ -39,4 +39,4 @@ class ManagerRules final : public cia301::ReadHook, public cia301::WriteHook
 };
 } // namespace counterpoint::runtime
 
-#endif // RUNTIME_MANAGER_RULES_HPP
+#endif // RUNTIME_MANAGER_OBJECTS_HPP

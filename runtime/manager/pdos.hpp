@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#ifndef RUNTIME_MANAGER_PROCESS_HPP
-#define RUNTIME_MANAGER_PROCESS_HPP
+#ifndef RUNTIME_MANAGER_PDOS_HPP
+#define RUNTIME_MANAGER_PDOS_HPP
 
 #include "canopen/network/loaded_network.hpp"
 #include "safety_core/contract/can_frame.hpp"
@@ -15,7 +15,7 @@
 namespace counterpoint::runtime
 {
 /// The value of a PDO between manager and slave. Direction is the slave's: the manager sends RxPDOs.
-struct ProcessValue
+struct PdoValue
 {
     std::uint8_t node{0U};
     bool is_output{false}; ///< RxPDO.
@@ -26,25 +26,25 @@ struct ProcessValue
 };
 
 /// Process data of a network in the EL6751 profile: what the RxPDOs carry, and what the TxPDOs brought. [SRS_MGR_022]
-class ManagerProcess
+class ManagerPdos
 {
   public:
     /// @brief Outlives it.
-    explicit ManagerProcess(network::LoadedNetwork& net);
+    explicit ManagerPdos(network::LoadedNetwork& net);
 
     /// @brief Bytes of an RxPDO from now on: "taken", or what is wrong and what was expected.
     [[nodiscard]] std::string Set(std::uint8_t node, std::uint16_t number, const std::vector<std::uint8_t>& bytes);
     /// @brief A frame from the bus: what a TxPDO brings, unless it is too short.
     void OnFrame(const CanFrame& frame, std::uint64_t now_us);
     /// @brief Inputs that changed and are to be told now, each at most once in 100 ms.
-    [[nodiscard]] std::vector<const ProcessValue*> TakeNews(std::uint64_t now_us);
+    [[nodiscard]] std::vector<const PdoValue*> TakeNews(std::uint64_t now_us);
     /// @brief All of them by node-ID, RxPDOs first.
-    [[nodiscard]] std::vector<ProcessValue> Values() const;
+    [[nodiscard]] std::vector<PdoValue> Values() const;
 
   private:
     struct Input
     {
-        ProcessValue value;
+        PdoValue value;
         bool is_news{false};
         bool was_told{false};
         std::uint64_t told_us{0U};
@@ -61,7 +61,7 @@ class ManagerProcess
 /// @brief "01 FF"
 [[nodiscard]] std::string BytesText(const std::vector<std::uint8_t>& bytes);
 /// @brief "TxPDO 1"
-[[nodiscard]] std::string NameOf(const ProcessValue& value);
+[[nodiscard]] std::string NameOf(const PdoValue& value);
 } // namespace counterpoint::runtime
 
-#endif // RUNTIME_MANAGER_PROCESS_HPP
+#endif // RUNTIME_MANAGER_PDOS_HPP

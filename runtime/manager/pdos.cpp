@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "runtime/manager/process.hpp"
+#include "runtime/manager/pdos.hpp"
 
 #include "canopen/cia306/text/number.hpp"
 
@@ -17,7 +17,7 @@ constexpr std::uint32_t kIdentifierMask = 0x7FFU;
 constexpr std::uint64_t kTellUs = 100000U; ///< Least time between two events of one PDO.
 } // namespace
 
-ManagerProcess::ManagerProcess(network::LoadedNetwork& net) : net_(net)
+ManagerPdos::ManagerPdos(network::LoadedNetwork& net) : net_(net)
 {
     for (const auto& slave : net.Slaves())
     {
@@ -33,8 +33,8 @@ ManagerProcess::ManagerProcess(network::LoadedNetwork& net) : net_(net)
     }
 }
 
-std::string ManagerProcess::Set(const std::uint8_t node, const std::uint16_t number,
-                                const std::vector<std::uint8_t>& bytes)
+std::string ManagerPdos::Set(const std::uint8_t node, const std::uint16_t number,
+                             const std::vector<std::uint8_t>& bytes)
 {
     network::LoadedSlave* const slave = net_.Find(node);
     const std::string name = "RxPDO " + std::to_string(number) + " of node " + std::to_string(node);
@@ -59,7 +59,7 @@ std::string ManagerProcess::Set(const std::uint8_t node, const std::uint16_t num
     return "taken";
 }
 
-void ManagerProcess::OnFrame(const CanFrame& frame, const std::uint64_t now_us)
+void ManagerPdos::OnFrame(const CanFrame& frame, const std::uint64_t now_us)
 {
     if (frame.kind != FrameKind::kData)
     {
@@ -86,9 +86,9 @@ void ManagerProcess::OnFrame(const CanFrame& frame, const std::uint64_t now_us)
     }
 }
 
-std::vector<const ProcessValue*> ManagerProcess::TakeNews(const std::uint64_t now_us)
+std::vector<const PdoValue*> ManagerPdos::TakeNews(const std::uint64_t now_us)
 {
-    std::vector<const ProcessValue*> told;
+    std::vector<const PdoValue*> told;
     std::vector<std::size_t> later;
     for (const std::size_t place : news_)
     {
@@ -110,9 +110,9 @@ std::vector<const ProcessValue*> ManagerProcess::TakeNews(const std::uint64_t no
     return told;
 }
 
-std::vector<ProcessValue> ManagerProcess::Values() const
+std::vector<PdoValue> ManagerPdos::Values() const
 {
-    std::vector<ProcessValue> values;
+    std::vector<PdoValue> values;
     for (const auto& slave : net_.Slaves())
     {
         const network::ProfileSlave& profile = slave->profile;
@@ -129,7 +129,7 @@ std::vector<ProcessValue> ManagerProcess::Values() const
         values.push_back(input.value);
     }
     std::stable_sort(values.begin(), values.end(),
-                     [](const ProcessValue& left, const ProcessValue& right) { return left.node < right.node; });
+                     [](const PdoValue& left, const PdoValue& right) { return left.node < right.node; });
     return values;
 }
 
@@ -165,7 +165,7 @@ std::string BytesText(const std::vector<std::uint8_t>& bytes)
     return text;
 }
 
-std::string NameOf(const ProcessValue& value)
+std::string NameOf(const PdoValue& value)
 {
     return (value.is_output ? "RxPDO " : "TxPDO ") + std::to_string(value.number);
 }
