@@ -71,7 +71,7 @@ class Cpu
     Kernel kernel;
 
   private:
-    AppDevice<Controller, 2U> device_;
+    device::AppDevice<Controller, 2U> device_;
 };
 
 } // namespace

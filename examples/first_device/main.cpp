@@ -3,6 +3,7 @@
 // The device on the host: a simulated bus with a sender of commands, and half a second of simulated time.
 #include "device.hpp"
 
+#include "canopen/device/app_device.hpp"
 #include "channel_a/channel.hpp"
 #include "channel_a/storage.hpp"
 #include "channel_b/channel.hpp"
@@ -19,26 +20,26 @@ namespace
 {
 using namespace counterpoint;
 
-/// What the controllers report goes to the kernel in the order of the bus.
+/// What the controllers report goes to the device in the order of the bus.
 class Reception final : public host::FrameSink
 {
   public:
     void OnFrame(const StampedFrame& frame) override
     {
-        kernel->OnFrame(frame);
+        device->OnFrame(frame);
     }
     void OnConfirm(const StampedFrame& frame) override
     {
-        kernel->OnConfirm(frame);
+        device->OnConfirm(frame);
     }
     void OnOverflow() override
     {
-        kernel->OnOverflow();
+        device->OnLoss();
     }
-    Kernel* kernel{nullptr};
+    device::Device* device{nullptr};
 };
 
-/// The other node: sends pairs as a sensor would, and counts the pairs of the device.
+/// The other node: sends the start command, sends pairs as a sensor would, and counts the pairs of the device.
 class Sender final : public host::BusListener
 {
   public:
@@ -48,6 +49,10 @@ class Sender final : public host::BusListener
     }
     void OnConfirmed(const CanFrame& /*frame*/, host::BusTime /*at*/) override
     {
+    }
+    static void StartAll(host::VirtualBus& bus, const host::NodeIndex node)
+    {
+        static_cast<void>(bus.Submit(node, CanFrame{0U, FrameKind::kData, CanPortId::kFirst, 2U, {1U, 0U}}));
     }
     void Send(host::VirtualBus& bus, const host::NodeIndex node, const std::uint8_t command)
     {
@@ -91,28 +96,18 @@ struct Bench
     channel_b::StorageFor<2U> storage_b{};
     channel_a::Channel a{storage_a.Handle()};
     channel_b::Channel b{storage_b.Handle()};
-    first_device::Device device{};
-    Kernel kernel{KernelParts{a, b, can, output, watchdog, device}};
+    first_device::Device application{};
+    Kernel kernel{KernelParts{a, b, can, output, watchdog, application}};
+    device::AppDevice<first_device::Device, 2U> device{kernel, &can, application}; // Follows NMT.
 };
 
 bool PowerOn(Bench& bench)
 {
-    bench.reception.kernel = &bench.kernel;
+    bench.reception.device = &bench.device.Whole();
     static_cast<void>(bench.can.ConnectPort(CanPortId::kFirst, bench.bus, 8U));
-    if (bench.kernel.Start(bench.device.Describe(), FlowCallback::kOff) != StartResult::kStarted)
-    {
-        std::puts("start refused");
-        return false;
-    }
-    const AbortCode abort = first_device::Device::Configure(bench.kernel);
-    if (abort != AbortCode::kNone)
-    {
-        std::printf("configuration refused, abort code %08X\n", static_cast<unsigned>(abort));
-        return false;
-    }
     bench.watchdog.Start(hal::WatchdogWindow{500U, 1600U});
-    bench.kernel.SetNmtState(NmtState::kPreOperational);
-    return true;
+    // Starts the kernel, writes the configuration and sends the boot-up message.
+    return bench.device.Whole().PowerOn(bench.clocks.Now().a) == device::LoadResult::kLoaded;
 }
 
 /// What happens around the device until the millisecond `ms`, then its cycle.
@@ -122,14 +117,14 @@ void Run(Bench& bench, const unsigned ms)
     {
         bench.sender.Send(bench.bus, bench.sender_node, 1U);
     }
-    if (ms == 10U)
+    if (ms == 9U)
     {
-        bench.kernel.SetNmtState(NmtState::kOperational);
+        Sender::StartAll(bench.bus, bench.sender_node);
     }
-    bench.bus.Advance(ms * host::kMillisecond); // Frames and confirmations go to the kernel from in here.
+    bench.bus.Advance(ms * host::kMillisecond); // Frames and confirmations go to the device from in here.
     const bool is_pressed = ((ms >= 100U) && (ms < 150U)) || (ms >= 450U);
     const SrdoMask acknowledge = is_pressed ? 1U : 0U; // Bit 0: slot 0, which is SRDO 1.
-    bench.kernel.Cycle(CycleCall{bench.clocks.Now(), acknowledge, acknowledge});
+    bench.device.Whole().Cycle(CycleCall{bench.clocks.Now(), acknowledge, acknowledge});
 }
 
 } // namespace
@@ -139,6 +134,7 @@ int main()
     Bench bench{};
     if (!PowerOn(bench))
     {
+        std::puts("start or configuration refused");
         return 1;
     }
     bool was_on = false;
@@ -147,9 +143,9 @@ int main()
     {
         Run(bench, ms);
         // The output: the gate must be open, and the command must be to move.
-        const bool is_on = ((bench.output.Open() & 1U) != 0U) && (bench.device.Command() == 1U);
+        const bool is_on = ((bench.output.Open() & 1U) != 0U) && (bench.application.Command() == 1U);
         const SrdoState state = bench.kernel.GetState(CommunicationIndex{0x1301U}).state;
-        const SrdoCause error = bench.device.TakeError();
+        const SrdoCause error = bench.application.TakeError();
         if ((is_on != was_on) || (state != was_state) || (error != SrdoCause::kNone))
         {
             std::printf("%3u ms: SRDO 1 %s, output %s", ms, NameOf(state), is_on ? "on" : "off");

@@ -2,9 +2,9 @@
 #ifndef EXAMPLES_HOST_BENCH_HPP
 #define EXAMPLES_HOST_BENCH_HPP
 
+#include "canopen/device/app_device.hpp"
 #include "channel_a/channel.hpp"
 #include "channel_b/channel.hpp"
-#include "examples/common/app_device.hpp"
 #include "hal/host/can_ports.hpp"
 #include "hal/host/clocks.hpp"
 #include "hal/host/output.hpp"
@@ -82,7 +82,7 @@ template <class App, std::uint8_t kSrdos> struct BenchDevice
     channel_a::Channel a{storage_a.Handle()};
     channel_b::Channel b{storage_b.Handle()};
     Kernel kernel{KernelParts{a, b, board.can, board.output, board.watchdog, application}};
-    AppDevice<App, kSrdos> device{kernel, &board.can, application};
+    device::AppDevice<App, kSrdos> device{kernel, &board.can, application};
 };
 
 /// Data of two mapped bytes.

@@ -15,7 +15,7 @@ constexpr std::uint8_t kSrdos = 1U;
 [[gnu::section(".bss.party_channel_a")]] Cell<MemoryA<kSrdos>> memory_a;
 [[gnu::section(".bss.party_channel_b")]] Cell<MemoryB<kSrdos>> memory_b;
 [[gnu::section(".bss.party_core")]] Cell<CoreMemory> memory_core;
-Cell<examples::AppDevice<examples::Actuator, kSrdos>> memory_rest;
+Cell<device::AppDevice<examples::Actuator, kSrdos>> memory_rest;
 [[gnu::section(".bss.party_non_safety")]] std::uint32_t cycles_shown;
 
 examples::Actuator actuator{};

@@ -2,9 +2,9 @@
 #ifndef EXAMPLES_FIRMWARE_COMMON_SAFE_DEVICE_HPP
 #define EXAMPLES_FIRMWARE_COMMON_SAFE_DEVICE_HPP
 
+#include "canopen/device/app_device.hpp"
 #include "channel_a/channel.hpp"
 #include "channel_b/channel.hpp"
-#include "examples/common/app_device.hpp"
 #include "examples/firmware/common/cell.hpp"
 #include "examples/firmware/common/device.hpp"
 #include "examples/firmware/common/guarded_channel.hpp"
@@ -53,12 +53,12 @@ template <std::uint8_t kSrdos> struct Regions
 /// itself is in `rest`. [SRS_FW_022]
 template <class App, std::uint8_t kSrdos>
 [[nodiscard]] DrivenDevice Build(const Hardware& hardware, const Regions<kSrdos>& regions,
-                                 Cell<examples::AppDevice<App, kSrdos>>& rest, App& application) noexcept
+                                 Cell<device::AppDevice<App, kSrdos>>& rest, App& application) noexcept
 {
     MemoryA<kSrdos>& a = regions.a.Make();
     MemoryB<kSrdos>& b = regions.b.Make();
     CoreMemory& core = regions.core.Make(hardware, a.channel, b.channel, static_cast<Application&>(application));
-    examples::AppDevice<App, kSrdos>& device = rest.Make(core.kernel, &hardware.can, application);
+    device::AppDevice<App, kSrdos>& device = rest.Make(core.kernel, &hardware.can, application);
     return DrivenDevice{device.Whole(), core.kernel, ProtectRegions(hardware.protection)};
 }
 

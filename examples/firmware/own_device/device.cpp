@@ -17,7 +17,7 @@ constexpr std::uint32_t kAcknowledgeShift = 4U;
 [[gnu::section(".bss.party_channel_a")]] Cell<MemoryA<kSrdos>> memory_a;
 [[gnu::section(".bss.party_channel_b")]] Cell<MemoryB<kSrdos>> memory_b;
 [[gnu::section(".bss.party_core")]] Cell<CoreMemory> memory_core;
-Cell<examples::AppDevice<OwnApplication, kSrdos>> memory_rest;
+Cell<device::AppDevice<OwnApplication, kSrdos>> memory_rest;
 [[gnu::section(".bss.party_non_safety")]] std::uint32_t cycles_shown;
 
 OwnApplication application{};

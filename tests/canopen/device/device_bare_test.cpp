@@ -1,4 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/device/app_device.hpp"
 #include "tests/canopen/device/device_rig.hpp"
 #include "verification/trace/ids/node.hpp"
 
@@ -60,6 +61,8 @@ TEST_F(DeviceBareTest, FollowsNmtAndSendsNothingButItsBootUp)
     bare.OnBus(BusCondition::kActive);
     bare.Serve(Instant{now_us});
     bare.OnConfirm(StampedFrame{ports.sent[0], {Instant{now_us}, Instant{now_us}}});
+    // nor where a frame is given to the set itself
+    none.OnFrame(ports.sent[0], cia301::Moment{bare.State(), Instant{now_us}});
     EXPECT_EQ(ports.sent.size(), 1U);
 }
 
@@ -134,6 +137,65 @@ TEST_F(DeviceBareTest, WithoutANodeIdItStaysInInitialisation)
         lost.Serve(Instant{now_us});
         EXPECT_EQ(lost.State(), NodeState::kResetCommunication);
     }
+    EXPECT_TRUE(ports.sent.empty());
+}
+
+/// An application that may be refused.
+struct TestedApplication
+{
+    [[nodiscard]] const DeviceConfig& Describe() const noexcept
+    {
+        return config;
+    }
+    [[nodiscard]] static AbortCode Configure(Kernel& /*kernel*/) noexcept
+    {
+        ++configured;
+        return (is_refused || (rig->OnResetCommunication() != LoadResult::kLoaded)) ? AbortCode::kGeneral
+                                                                                    : AbortCode::kNone;
+    }
+
+    DeviceConfig config;
+    static int configured;
+    static bool is_refused;
+    static DeviceRig* rig; ///< Knows the values.
+};
+int TestedApplication::configured = 0;
+bool TestedApplication::is_refused = false;
+DeviceRig* TestedApplication::rig = nullptr;
+
+TEST_F(DeviceBareTest, AnApplicationIsADevice)
+{
+    Verifies(req::SRS_DEV_022);
+    // Given an application that knows its configuration
+    TestedApplication tested{config};
+    TestedApplication::configured = 0;
+    TestedApplication::rig = this;
+    tested.config.node_id = 2U;
+    AppDevice<TestedApplication, 3U> device_of{core, &ports, tested};
+    // When power comes, then it is configured, once, and up
+    ASSERT_EQ(device_of.Whole().PowerOn(Instant{now_us}), LoadResult::kLoaded);
+    EXPECT_EQ(Sent(0x702U), (std::vector<Octets>{{0U}}));
+    Tell(device_of.Whole(), 0U, {130U, 0U});
+    EXPECT_EQ(TestedApplication::configured, 1);
+    Tell(device_of.Whole(), 0U, {129U, 0U});
+    EXPECT_EQ(TestedApplication::configured, 2);
+    EXPECT_EQ(device_of.Whole().State(), NodeState::kPreOperational);
+}
+
+TEST_F(DeviceBareTest, AnApplicationThatIsRefusedIsNoDevice)
+{
+    Verifies(req::SRS_DEV_022);
+    // Given an application whose description the kernel refuses, or whose configuration
+    TestedApplication tested{config};
+    tested.config.node_id = 2U;
+    TestedApplication::is_refused = true;
+    AppDevice<TestedApplication, 3U> unconfigured{core, &ports, tested};
+    EXPECT_EQ(unconfigured.Whole().PowerOn(Instant{now_us}), LoadResult::kFailed);
+    TestedApplication::is_refused = false;
+    tested.config.srdo_count = 0U;
+    AppDevice<TestedApplication, 3U> refused{core, &ports, tested};
+    EXPECT_EQ(refused.Whole().PowerOn(Instant{now_us}), LoadResult::kFailed);
+    // Then nothing is sent
     EXPECT_TRUE(ports.sent.empty());
 }
 

@@ -1,0 +1,51 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_DEVICE_APP_DEVICE_HPP
+#define CANOPEN_DEVICE_APP_DEVICE_HPP
+
+#include "canopen/device/device.hpp"
+
+namespace counterpoint::device
+{
+
+/// An application as a device without services. `App` is the application of `kernel`, describes the device to it
+/// (Describe) and writes its configuration (Configure), which is a constant. [SRS_DEV_022, SRS_FW_022]
+template <class App, std::uint8_t kSrdos> class AppDevice final : private Owner
+{
+  public:
+    /// `sender` sends the boot-up message; null: another CPU of the device does.
+    AppDevice(Kernel& kernel, hal::CanPorts* const sender, App& application) noexcept
+        : application_{application}, kernel_{kernel}, services_{cia301::NodeId{application.Describe().node_id}, sender},
+          device_{BareParts{kernel, services_, *this, FrameRoom{frames_, kRoom}, kSrdos}}
+    {
+    }
+    [[nodiscard]] Device& Whole() noexcept
+    {
+        return device_;
+    }
+
+  private:
+    static constexpr std::uint32_t kRoom = (2U * kSrdos) + 2U;
+
+    [[nodiscard]] LoadResult OnResetNode() noexcept override
+    {
+        const StartResult result = kernel_.Start(application_.Describe(), FlowCallback::kOff);
+        return (result == StartResult::kStarted) ? LoadResult::kLoaded : LoadResult::kFailed;
+    }
+    /// What was written once stays.
+    [[nodiscard]] LoadResult OnResetCommunication() noexcept override
+    {
+        const bool is_valid = kernel_.ReadObject({0x13FEU, 0U}).data.bytes[0] == kConfigurationValidValue;
+        const bool is_loaded = is_valid || (App::Configure(kernel_) == AbortCode::kNone);
+        return is_loaded ? LoadResult::kLoaded : LoadResult::kFailed;
+    }
+
+    App& application_;
+    Kernel& kernel_;
+    QueuedFrame frames_[kRoom]{};
+    NoServices services_;
+    Device device_;
+};
+
+} // namespace counterpoint::device
+
+#endif
