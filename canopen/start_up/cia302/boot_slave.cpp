@@ -1,16 +1,14 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-// Course of a boot and its transfers. What the steps do is in files of their own.
 #include "canopen/start_up/cia302/boot_slave.hpp"
-
-#include "canopen/cia301/base/little_endian.hpp"
 
 namespace counterpoint::cia302
 {
 namespace
 {
 
-/// More steps than there are: a call ends also if two steps handed a boot to each other.
-constexpr std::uint8_t kMaxStepsPerCall = 32U;
+/// More states than a boot passes in one call: it ends also if two states handed a boot to each other.
+constexpr std::uint8_t kMaxStatesPerCall = 32U;
+constexpr std::uint8_t kStoppedByte = 4U; ///< As 1F82h reads it.
 
 /// It is another device than the expected one, or never said which it is.
 bool IsOfIdentity(const char letter) noexcept
@@ -19,10 +17,18 @@ bool IsOfIdentity(const char letter) noexcept
            (letter == 'O');
 }
 
+/// These lead to a state from everywhere: its step begins, whatever the step was.
+bool IsOrder(const BootEvent event) noexcept
+{
+    return (event == BootEvent::kBegin) || (event == BootEvent::kBeginUnasked) || (event == BootEvent::kAwait) ||
+           (event == BootEvent::kReset) || (event == BootEvent::kConfigure) || (event == BootEvent::kVerify);
+}
+
 } // namespace
 
 BootSlave::BootSlave(const StartUpParts& parts, BootRecord* const records, BootListener& listener) noexcept
-    : parts_(parts), records_(records), listener_(listener)
+    : parts_(parts), records_(records), listener_(listener), reset_(parts), identity_(parts), software_(parts.sdo),
+      configuration_(parts), release_(parts)
 {
 }
 
@@ -36,13 +42,13 @@ const BootRecord& BootSlave::Record(const NodeId node) const noexcept
     return records_[node.value & kLastNode];
 }
 
-BootSlave::Job BootSlave::JobOf(const NodeId node, const BootTime& time) noexcept
+BootJob BootSlave::JobOf(const NodeId node, const BootTime& time) noexcept
 {
-    return Job{node, Record(node), parts_.setup.Slave(node), time};
+    return BootJob{node, Record(node), parts_.setup.Slave(node), time};
 }
 
 /// The boot begins from nothing; what ran is given up.
-void BootSlave::Clear(const Job& job) noexcept
+void BootSlave::Clear(const BootJob& job) noexcept
 {
     End(job.node);
     const bool is_at_once = (job.setup.heartbeat.arming == Arming::kImmediately);
@@ -57,46 +63,44 @@ void BootSlave::Clear(const Job& job) noexcept
 
 void BootSlave::Ask(const NodeId node, const BootTime& time) noexcept
 {
-    const Job job = JobOf(node, time);
+    const BootJob job = JobOf(node, time);
     Clear(job);
-    Enter(job, job.setup.Has(kBootSlave) ? StartUpStep::kDeviceType : StartUpStep::kErrorControl);
+    Go(job, BeginOf(job.setup));
     OnCycle(node, time);
 }
 
 void BootSlave::Resume(const NodeId node, const BootTime& time) noexcept
 {
-    const Job job = JobOf(node, time);
+    const BootJob job = JobOf(node, time);
     Clear(job);
     job.record.is_fresh = true;
     job.record.is_resumed = true;
-    Enter(job, job.setup.Has(kBootSlave) ? StartUpStep::kDeviceType : StartUpStep::kErrorControl);
+    Go(job, BeginOf(job.setup));
     OnCycle(node, time);
 }
 
 void BootSlave::Await(const NodeId node, const BootTime& time) noexcept
 {
-    const Job job = JobOf(node, time);
+    const BootJob job = JobOf(node, time);
     Clear(job);
-    Enter(job, StartUpStep::kReset);
-    job.record.part = 1U; // The reset was sent by somebody else.
-    Wait(job, BootWait::kBootUp);
+    Go(job, BootEvent::kAwait);
 }
 
 void BootSlave::Reset(const NodeId node, const BootTime& time) noexcept
 {
-    const Job job = JobOf(node, time);
+    const BootJob job = JobOf(node, time);
     Clear(job);
-    Enter(job, StartUpStep::kReset);
+    Go(job, BootEvent::kReset);
     OnCycle(node, time);
 }
 
 void BootSlave::OnBootUp(const NodeId node, const BootTime& time) noexcept
 {
-    const Job job = JobOf(node, time);
-    const bool is_awaited = job.record.status.is_busy && (job.record.wait == BootWait::kBootUp);
-    const StartUpStep step = job.record.status.step;
+    const BootJob job = JobOf(node, time);
+    const bool is_awaited = job.record.IsAwaitingBootUp();
+    const BootState state = job.record.state;
+    const bool is_in_boot = is_awaited && (state != BootState::kResetSent) && (state != BootState::kUnheard);
     const std::uint8_t updates = job.record.updates;
-    const bool is_first = (step == StartUpStep::kReset) || (step == StartUpStep::kWaitBootUp);
     const HeartbeatSetup& heartbeat = job.setup.heartbeat;
     if (!is_awaited)
     {
@@ -109,61 +113,122 @@ void BootSlave::OnBootUp(const NodeId node, const BootTime& time) noexcept
     {
         parts_.table.WatchHeartbeat(node, heartbeat.consumer_ms, Arming::kBootUp, time.now);
     }
-    if (!is_awaited || is_first)
-    {
-        Enter(job, job.setup.Has(kBootSlave) ? StartUpStep::kDeviceType : StartUpStep::kErrorControl);
-    }
-    else if (step == StartUpStep::kStateCheck)
-    {
-        Enter(job, StartUpStep::kSoftwareVersion);
-    }
-    else if (step == StartUpStep::kRestore)
+    if (state == BootState::kRestored)
     {
         // Who runs and is reset by its new configuration (1F25h) is supervised, verified and started again.
         job.record.is_extra = job.record.is_extra && !job.record.is_booted;
         job.record.was_operational = false;
-        Enter(job, StartUpStep::kConfigure);
     }
-    else
-    {
-        Enter(job, StartUpStep::kDeviceType); // New software: it is another device until it was looked at.
-    }
+    Go(job, is_in_boot ? BootEvent::kBootUp : BeginOf(job.setup));
     OnCycle(node, time);
 }
 
 void BootSlave::Configure(const NodeId node, const BootTime& time) noexcept
 {
-    const Job job = JobOf(node, time);
+    const BootJob job = JobOf(node, time);
     End(node);
     job.record.status.is_busy = true;
     job.record.is_extra = true;
-    Enter(job, StartUpStep::kRestore);
+    Go(job, BootEvent::kConfigure);
     OnCycle(node, time);
+}
+
+void BootSlave::Start(const NodeId node, const BootTime& time) noexcept
+{
+    const BootJob job = JobOf(node, time);
+    job.record.is_start_wanted = true;
+    if (!job.record.status.is_busy)
+    {
+        parts_.gate.Close(node); // What was verified at the boot may be long ago.
+        const SlaveState state = parts_.table.Record(node).state;
+        const bool is_deaf = (state == SlaveState::kStopped) || (parts_.table.RequestValue(node) == kStoppedByte);
+        if (is_deaf && parts_.setup.IsSafetySlave(node))
+        {
+            // STOPPED, it has no SDO to be read by.
+            static_cast<void>(parts_.nmt.Request(NmtCommand::kPreOperational, node, time.now));
+        }
+        job.record.status.is_busy = true;
+        job.record.is_extra = true;
+        Go(job, BootEvent::kVerify);
+        OnCycle(node, time);
+    }
+}
+
+void BootSlave::Verify(const NodeId node, const BootTime& time) noexcept
+{
+    const BootJob job = JobOf(node, time);
+    parts_.gate.Close(node); // What was verified before it ran may be long ago.
+    job.record.was_operational = true;
+    job.record.status.is_busy = true;
+    job.record.is_extra = true;
+    Go(job, BootEvent::kVerify);
+    OnCycle(node, time);
+}
+
+/// What an earlier boot found holds no more: neither a start nor a writing may lean on it.
+void BootSlave::Doubt(const NodeId node, const BootTime& time) noexcept
+{
+    BootRecord& record = Record(node);
+    parts_.nmt.DropStarts(node);
+    End(node);
+    parts_.gate.Close(node);
+    record.is_booted = false;
+    record.status.is_started = false;
+    record.status.is_other = true;
+    parts_.listener.OnNodeStatus(node, time.now);
 }
 
 void BootSlave::End(const NodeId node) noexcept
 {
-    BootRecord& record = Record(node);
-    if (record.wait == BootWait::kTransfer)
-    {
-        parts_.sdo.Cancel(node, SdoAbort::kGeneral);
-    }
-    if (record.wait == BootWait::kGate)
+    const bool is_verifying = (Record(node).state == BootState::kGateBusy);
+    Rest(node, BootEvent::kGivenUp);
+    if (is_verifying)
     {
         parts_.gate.Close(node);
     }
-    record.wait = BootWait::kNothing;
+}
+
+/// Nothing runs any more; the gate keeps what it found.
+void BootSlave::Rest(const NodeId node, const BootEvent event) noexcept
+{
+    BootRecord& record = Record(node);
+    if (record.is_transferring)
+    {
+        parts_.sdo.Cancel(node, SdoAbort::kGeneral);
+    }
+    record.state = Next(record.state, event);
+    record.is_transferring = false;
     record.status.is_busy = false;
     record.is_extra = false;
     record.is_start_wanted = false;
     record.is_start_owed = false;
 }
 
-void BootSlave::Enter(const Job& job, const StartUpStep step) noexcept
+/// The next state, and what is done as it is entered.
+void BootSlave::Go(const BootJob& job, const BootEvent event) noexcept
+{
+    const BootRow& before = RowOf(job.record.state);
+    job.record.state = Next(job.record.state, event);
+    const BootRow& after = RowOf(job.record.state);
+    if (IsOrder(event) || (after.step != before.step))
+    {
+        EnterStep(job, after.step);
+    }
+    if (!ActsAtOnce(after.state))
+    {
+        job.record.since_us = job.time.clock_us;
+        job.record.beats = parts_.table.Record(job.node).beats;
+    }
+    if (after.state == BootState::kUnheard)
+    {
+        parts_.table.SetMissing(job.node);
+    }
+}
+
+void BootSlave::EnterStep(const BootJob& job, const StartUpStep step) noexcept
 {
     job.record.status.step = step;
-    job.record.wait = BootWait::kNothing;
-    job.record.part = 0U;
+    job.record.is_transferring = false;
     job.record.checks = 0U;
     job.record.position = ConcisePosition{};
     job.record.offset = 0U;
@@ -178,20 +243,8 @@ void BootSlave::Enter(const Job& job, const StartUpStep step) noexcept
     parts_.listener.OnNodeStatus(job.node, job.time.now);
 }
 
-void BootSlave::Wait(const Job& job, const BootWait wait) noexcept
-{
-    job.record.wait = wait;
-    job.record.since_us = job.time.clock_us;
-    job.record.beats = parts_.table.Record(job.node).beats;
-}
-
-bool BootSlave::IsOver(const Job& job, const std::uint64_t limit_us) noexcept
-{
-    return (job.time.clock_us - job.record.since_us) > limit_us;
-}
-
 /// A slave that failed is not supervised: it has nothing to lose. But one that failed in an extra still runs.
-void BootSlave::Fail(const Job& job, const char letter) noexcept
+void BootSlave::Fail(const BootJob& job, const char letter) noexcept
 {
     const bool is_extra = job.record.is_extra;
     const bool was_booted = job.record.is_booted && is_extra && (job.record.status.step != StartUpStep::kSafety);
@@ -199,7 +252,7 @@ void BootSlave::Fail(const Job& job, const char letter) noexcept
     job.record.identity = IsOfIdentity(letter) ? letter : job.record.identity;
     job.record.status.is_other = job.record.status.is_other || IsOfIdentity(letter);
     job.record.is_booted = was_booted;
-    End(job.node);
+    Rest(job.node, BootEvent::kFailed);
     if (!was_booted)
     {
         parts_.table.Unwatch(job.node);
@@ -211,7 +264,7 @@ void BootSlave::Fail(const Job& job, const char letter) noexcept
     }
 }
 
-void BootSlave::Finish(const Job& job) noexcept
+void BootSlave::Finish(const BootJob& job) noexcept
 {
     const bool is_boot = !job.record.is_extra;
     const char before = job.record.status.letter;
@@ -226,8 +279,8 @@ void BootSlave::Finish(const Job& job) noexcept
         job.record.status.letter = job.record.identity;
         job.record.status.object = ObjectAddress{0U, 0U}; // That was J's.
     }
-    End(job.node);
-    Enter(job, StartUpStep::kDone);
+    Rest(job.node, BootEvent::kFinished);
+    EnterStep(job, StartUpStep::kDone);
     if (is_boot)
     {
         listener_.OnBooted(job.node, job.time);
@@ -236,157 +289,69 @@ void BootSlave::Finish(const Job& job) noexcept
 
 void BootSlave::OnCycle(const NodeId node, const BootTime& time) noexcept
 {
-    const Job job = JobOf(node, time);
-    bool is_going = true;
-    for (std::uint8_t i = 0U; is_going && (i < kMaxStepsPerCall); ++i)
+    const BootJob job = JobOf(node, time);
+    bool is_going = job.record.status.is_busy;
+    for (std::uint8_t i = 0U; is_going && (i < kMaxStatesPerCall); ++i)
     {
-        const StartUpStep step = job.record.status.step;
-        const std::uint8_t part = job.record.part;
-        const std::uint32_t entry = job.record.position.entry + job.record.offset;
-        if (job.record.status.is_busy)
-        {
-            Run(job);
-        }
-        is_going = job.record.status.is_busy && ((step != job.record.status.step) || (part != job.record.part) ||
-                                                 (entry != (job.record.position.entry + job.record.offset)));
+        const BootFinding finding = Work(job);
+        Act(job, finding);
+        is_going = (finding.event != BootEvent::kNone) && job.record.status.is_busy && ActsAtOnce(job.record.state);
     }
 }
 
-/// The steps of this profile; in all others nothing is to be done.
-void BootSlave::Run(const Job& job) noexcept
+void BootSlave::Act(const BootJob& job, const BootFinding& finding) noexcept
 {
-    const StartUpStep step = job.record.status.step;
-    if (step == StartUpStep::kReset)
+    if (finding.event == BootEvent::kFailed)
     {
-        AwaitReset(job);
+        Fail(job, finding.letter);
     }
-    else if (step == StartUpStep::kDeviceType)
+    else if (finding.event == BootEvent::kFinished)
     {
-        ReadDeviceType(job);
+        Finish(job);
     }
-    else if (step == StartUpStep::kVendorId)
+    else if (finding.event != BootEvent::kNone)
     {
-        Compare(job, 1U, job.setup.vendor_id, 'D');
-    }
-    else if (step == StartUpStep::kProductCode)
-    {
-        Compare(job, 2U, job.setup.product_code, 'M');
-    }
-    else if (step == StartUpStep::kRevisionNumber)
-    {
-        Compare(job, 3U, job.setup.revision_number, 'N');
-    }
-    else if (step == StartUpStep::kSerialNumber)
-    {
-        Compare(job, 4U, job.setup.serial_number, 'O');
-    }
-    else if (step == StartUpStep::kStateCheck)
-    {
-        CheckState(job);
-    }
-    else
-    {
-        RunLater(job, step);
+        Go(job, finding.event);
     }
 }
 
-void BootSlave::RunLater(const Job& job, const StartUpStep step) noexcept
+/// What the state has to do in this call, and what came of it.
+BootFinding BootSlave::Work(const BootJob& job) noexcept
 {
-    if (step == StartUpStep::kSoftwareVersion)
+    const BootState state = job.record.state;
+    const StartUpStep step = RowOf(state).step;
+    const bool is_ours = job.record.IsAwaitingBootUp() && (state != BootState::kProgramStarted);
+    BootFinding finding = Found(BootEvent::kNone);
+    if (is_ours || (state == BootState::kResetDue))
     {
-        CheckSoftware(job);
+        finding = reset_.Work(job);
+    }
+    else if (step == StartUpStep::kSoftwareVersion)
+    {
+        finding = software_.Check(job);
     }
     else if (step == StartUpStep::kSoftwareUpdate)
     {
-        UpdateSoftware(job);
+        finding = software_.Update(job);
     }
-    else if (step == StartUpStep::kConfigurationDate)
+    else if ((step == StartUpStep::kConfigurationDate) || (step == StartUpStep::kRestore) ||
+             (step == StartUpStep::kConfigure))
     {
-        CompareDate(job);
+        finding = configuration_.Work(job);
     }
-    else if (step == StartUpStep::kRestore)
+    else if ((step == StartUpStep::kErrorControl) || (step == StartUpStep::kSafety))
     {
-        Restore(job);
-    }
-    else if (step == StartUpStep::kConfigure)
-    {
-        WriteConfiguration(job);
-    }
-    else if (step == StartUpStep::kErrorControl)
-    {
-        BeginSupervision(job);
-    }
-    else if (step == StartUpStep::kSafety)
-    {
-        VerifySafety(job);
+        finding = release_.Work(job);
     }
     else if (step == StartUpStep::kStart)
     {
-        StartNode(job);
+        finding = release_.Start(job, listener_.IsMasterOperational());
     }
-}
-
-BootSlave::Got BootSlave::Fetch(const Job& job, const ObjectAddress& object) noexcept
-{
-    Got got = Got::kNothingYet;
-    if (job.record.wait == BootWait::kTransfer)
+    else
     {
-        got = Take(job);
+        finding = identity_.Work(job);
     }
-    else if (parts_.sdo.Upload(job.node, object, Room{job.record.value, 4U}, SdoMode::kNormal, job.time.now))
-    {
-        Wait(job, BootWait::kTransfer);
-        job.record.status.object = object;
-        job.record.status.abort = SdoAbort::kNone;
-    }
-    if (got == Got::kDone)
-    {
-        const std::uint32_t size = parts_.sdo.Outcome(job.node).size_bytes;
-        job.record.status.read = cia301::FromLittleEndian(job.record.value, (size < 4U) ? size : 4U);
-    }
-    return got;
-}
-
-BootSlave::Got BootSlave::Put(const Job& job, const ObjectAddress& object, const Bytes& value,
-                              const SdoMode mode) noexcept
-{
-    Got got = Got::kNothingYet;
-    if (job.record.wait == BootWait::kTransfer)
-    {
-        got = Take(job);
-    }
-    else if (parts_.sdo.Download(job.node, object, value, mode, job.time.now))
-    {
-        Wait(job, BootWait::kTransfer);
-        job.record.status.object = object;
-        job.record.status.abort = SdoAbort::kNone;
-    }
-    return got;
-}
-
-BootSlave::Got BootSlave::PutByte(const Job& job, const ObjectAddress& object, const std::uint8_t value) noexcept
-{
-    job.record.value[0] = value;
-    return Put(job, object, Bytes{job.record.value, 1U}, SdoMode::kNormal);
-}
-
-/// The end of the running transfer, if it has one.
-BootSlave::Got BootSlave::Take(const Job& job) noexcept
-{
-    const TransferState state = parts_.sdo.State(job.node);
-    Got got = Got::kNothingYet;
-    if (state == TransferState::kDone)
-    {
-        got = Got::kDone;
-        job.record.wait = BootWait::kNothing;
-    }
-    else if (state != TransferState::kBusy)
-    {
-        got = Got::kRefused;
-        job.record.wait = BootWait::kNothing;
-        job.record.status.abort = parts_.sdo.Outcome(job.node).abort;
-    }
-    return got;
+    return finding;
 }
 
 } // namespace counterpoint::cia302

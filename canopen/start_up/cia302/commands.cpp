@@ -45,7 +45,7 @@ void Cia302StartUp::OnBootUp(const NodeId node, const BootTime& time) noexcept
 {
     const BootRecord& record = boot_.Record(node);
     const bool is_stopped = (step_ == MasterStep::kStopped);
-    const bool is_ordered = record.status.is_busy && (!record.is_extra || (record.wait == BootWait::kBootUp));
+    const bool is_ordered = record.status.is_busy && (!record.is_extra || record.IsAwaitingBootUp());
     if ((step_ != MasterStep::kIdle) && (!is_stopped || is_ordered))
     {
         boot_.OnBootUp(node, time);
@@ -140,7 +140,7 @@ void Cia302StartUp::EndBoots(const BootTime& time) noexcept
     {
         const NodeId node{id};
         BootRecord& record = boot_.Record(node);
-        const bool is_booting = record.status.is_busy && !record.is_extra;
+        const bool is_booting = record.IsBooting();
         boot_.End(node);
         record.status.is_started = false;
         if (is_booting && parts_.setup.IsSafetySlave(node))
@@ -171,7 +171,7 @@ void Cia302StartUp::OnBusBack(const Instant now) noexcept
         const NodeStatus& status = record.status;
         const SlaveState asked = parts_.table.Record(node).asked;
         const bool is_to_start = !record.is_extra || record.is_start_wanted;
-        const bool is_cut = status.is_busy && is_to_start && (record.wait != BootWait::kBootUp);
+        const bool is_cut = status.is_busy && is_to_start && !record.IsAwaitingBootUp();
         const bool is_waiting = record.is_start_owed || (status.is_started && (asked != SlaveState::kOperational));
         const bool has_failed = (status.letter != '\0') && !record.is_booted && (asked != SlaveState::kStopped);
         const bool is_ended = !status.is_busy && (is_waiting || has_failed);

@@ -119,7 +119,7 @@ void Cia302StartUp::BootAll(const BootTime& time) noexcept
     {
         const NodeId node{id};
         const BootRecord& record = boot_.Record(node);
-        const bool is_booting = record.status.is_busy && !record.is_extra; // An extra alone boots nobody.
+        const bool is_booting = record.IsBooting(); // An extra alone boots nobody.
         const bool is_new = parts_.setup.IsListed(node) && !is_booting && !record.is_booted;
         if (is_new && parts_.setup.Slave(node).Has(kKeepAlive))
         {
@@ -146,7 +146,7 @@ bool Cia302StartUp::IsEach(const std::uint32_t bits, const bool is_booted) const
         const NodeId node{id};
         const BootRecord& record = boot_.Record(node);
         const bool is_meant = parts_.setup.IsListed(node) && parts_.setup.Slave(node).Has(bits);
-        const bool is_booting = record.status.is_busy && !record.is_extra;
+        const bool is_booting = record.IsBooting();
         const bool is_good = record.is_booted || (!is_booted && is_booting);
         is_each = is_each && (!is_meant || is_good);
     }

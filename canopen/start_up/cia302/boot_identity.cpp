@@ -1,0 +1,196 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/start_up/cia302/boot_identity.hpp"
+
+namespace counterpoint::cia302
+{
+namespace
+{
+
+constexpr std::uint64_t kUsPerMs = 1000U;
+constexpr ObjectAddress kDeviceTypeObject{0x1000U, 0U};
+constexpr std::uint16_t kIdentityIndex = 0x1018U;
+
+/// A number of 1018h: zero is not asked for.
+struct Number
+{
+    std::uint8_t sub;
+    std::uint32_t expected;
+    char letter;
+};
+
+Number NumberOf(const BootState state, const SlaveSetup& setup) noexcept
+{
+    Number number{4U, setup.serial_number, 'O'};
+    if (state == BootState::kVendorId)
+    {
+        number = Number{1U, setup.vendor_id, 'D'};
+    }
+    else if (state == BootState::kProductCode)
+    {
+        number = Number{2U, setup.product_code, 'M'};
+    }
+    else if (state == BootState::kRevisionNumber)
+    {
+        number = Number{3U, setup.revision_number, 'N'};
+    }
+    return number;
+}
+
+} // namespace
+
+BootFinding BootIdentity::Work(const BootJob& job) noexcept
+{
+    const BootState state = job.record.state;
+    BootFinding finding = Found(BootEvent::kNone);
+    if ((state == BootState::kTypeFirst) || (state == BootState::kTypeAgain))
+    {
+        finding = WakeUp(job);
+    }
+    else if (state == BootState::kType)
+    {
+        finding = ReadDeviceType(job);
+    }
+    else if (state == BootState::kTypePause)
+    {
+        finding = Pause(job);
+    }
+    else if (state == BootState::kStateAsk)
+    {
+        finding = AskState(job);
+    }
+    else if (state == BootState::kStateSign)
+    {
+        finding = TakeState(job);
+    }
+    else
+    {
+        finding = Compare(job);
+    }
+    return finding;
+}
+
+/// STOPPED, it has no SDO to be asked by, and may send nothing that tells so, or not yet. One command for each try: a
+/// lane for it may have to be waited for. Who was stopped in the middle of this boot stays so.
+BootFinding BootIdentity::WakeUp(const BootJob& job) noexcept
+{
+    const NodeRecord& heard = parts_.table.Record(job.node);
+    const bool is_stopped = (heard.asked == SlaveState::kStopped) && !parts_.table.RunsSurely(job.node);
+    const bool is_deaf = (heard.state == SlaveState::kStopped) || is_stopped;
+    const bool is_first = (job.record.state == BootState::kTypeFirst);
+    const bool is_held = !is_first && (heard.asked == SlaveState::kStopped);
+    if (is_deaf && !is_held)
+    {
+        static_cast<void>(parts_.nmt.Request(NmtCommand::kPreOperational, job.node, job.time.now));
+    }
+    return Found(BootEvent::kDone);
+}
+
+BootFinding BootIdentity::ReadDeviceType(const BootJob& job) noexcept
+{
+    const Got got = transfer_.Fetch(job, kDeviceTypeObject);
+    const bool is_expected = (job.setup.device_type == 0U) || (job.record.status.read == job.setup.device_type);
+    BootFinding finding = Found(BootEvent::kNone);
+    if (got == Got::kRefused)
+    {
+        StopUnread(job);
+        const SdoOutcome outcome = parts_.sdo.Outcome(job.node);
+        if ((outcome.abort == SdoAbort::kTimeOut) && !outcome.by_server) // Who refuses, or errs, is there.
+        {
+            parts_.table.SetMissing(job.node);
+        }
+        finding = Found(BootEvent::kElse);
+    }
+    else if ((got == Got::kDone) && !is_expected)
+    {
+        job.record.status.expected = job.setup.device_type;
+        finding = Failed('C');
+    }
+    else if (got == Got::kDone)
+    {
+        finding = Found(BootEvent::kDone);
+    }
+    return finding;
+}
+
+/// Asked for until there is an answer; of a mandatory slave only as long as 1F89h allows.
+BootFinding BootIdentity::Pause(const BootJob& job) const noexcept
+{
+    const std::uint64_t limit_us = kUsPerMs * parts_.setup.boot_time_ms;
+    const bool is_limited = job.setup.Has(kMandatory) && (limit_us > 0U);
+    const bool is_too_late = is_limited && ((job.time.clock_us - job.record.began_us) >= limit_us);
+    const bool is_over = job.IsOver(kAskAgainUs - 1U);
+    return is_too_late ? Failed('B') : Found(is_over ? BootEvent::kDone : BootEvent::kNone);
+}
+
+/// A safety slave that runs and cannot be read is stopped, and asked on in PRE-OPERATIONAL. [SRS_SFS_006]
+void BootIdentity::StopUnread(const BootJob& job) noexcept
+{
+    const bool is_ours = job.record.is_unread && (parts_.table.Record(job.node).asked == SlaveState::kStopped);
+    const bool is_running = parts_.setup.IsSafetySlave(job.node) && parts_.table.RunsSurely(job.node);
+    if (is_ours || is_running) // A full queue: at the next silence.
+    {
+        const NmtCommand command = is_running ? NmtCommand::kStop : NmtCommand::kPreOperational;
+        const NmtAnswer answer = parts_.nmt.Request(command, job.node, job.time.now);
+        job.record.is_unread = (answer == NmtAnswer::kTaken) ? is_running : job.record.is_unread;
+    }
+}
+
+BootFinding BootIdentity::Compare(const BootJob& job) noexcept
+{
+    const Number number = NumberOf(job.record.state, job.setup);
+    const bool is_asked = (number.expected != 0U);
+    const Got got = is_asked ? transfer_.Fetch(job, ObjectAddress{kIdentityIndex, number.sub}) : Got::kDone;
+    const bool is_wrong = is_asked && (got == Got::kDone) && (job.record.status.read != number.expected);
+    const bool is_failed = (got == Got::kRefused) || is_wrong;
+    if (is_failed)
+    {
+        job.record.status.expected = number.expected;
+    }
+    const BootEvent event = (got == Got::kDone) ? BootEvent::kDone : BootEvent::kNone;
+    return is_failed ? Failed(number.letter) : Found(event);
+}
+
+/// Only slaves that are kept alive, and only if they have not just booted up.
+BootFinding BootIdentity::AskState(const BootJob& job) noexcept
+{
+    BootEvent event = BootEvent::kNone;
+    if (IsStateUnasked(job))
+    {
+        event = BootEvent::kSkip;
+    }
+    else if ((job.setup.heartbeat.consumer_ms > 0U) || parts_.table.AskState(job.node))
+    {
+        event = BootEvent::kDone;
+    }
+    return Found(event);
+}
+
+/// A sign came, or none within its time; then a slave that does not run is reset.
+BootFinding BootIdentity::TakeState(const BootJob& job) noexcept
+{
+    const NodeRecord& heard = parts_.table.Record(job.node);
+    const bool has_heartbeat = (job.setup.heartbeat.consumer_ms > 0U);
+    const std::uint64_t limit_us = has_heartbeat ? (kUsPerMs * job.setup.heartbeat.consumer_ms) : kGuardAnswerUs;
+    BootFinding finding = Found(BootEvent::kNone);
+    if (IsStateUnasked(job))
+    {
+        finding = Found(BootEvent::kSkip);
+    }
+    else if (heard.beats == job.record.beats)
+    {
+        finding = job.IsOver(limit_us) ? Failed(has_heartbeat ? 'E' : 'F') : finding;
+    }
+    else if (heard.state == SlaveState::kOperational)
+    {
+        job.record.was_operational = true;
+        job.record.status.is_started = true;
+        finding = Found(BootEvent::kDone);
+    }
+    else if (parts_.nmt.Request(NmtCommand::kResetCommunication, job.node, job.time.now) == NmtAnswer::kTaken)
+    {
+        finding = Found(BootEvent::kElse);
+    }
+    return finding;
+}
+
+} // namespace counterpoint::cia302

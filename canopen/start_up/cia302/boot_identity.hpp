@@ -1,0 +1,45 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_START_UP_CIA302_BOOT_IDENTITY_HPP
+#define CANOPEN_START_UP_CIA302_BOOT_IDENTITY_HPP
+
+#include "canopen/start_up/cia302/boot_transfer.hpp"
+
+namespace counterpoint::cia302
+{
+
+constexpr std::uint32_t kAskAgainUs = 1'000'000U;  ///< Between two readings of 1000h.
+constexpr std::uint32_t kGuardAnswerUs = 100'000U; ///< From a remote frame to its answer.
+
+/// The slave is there, is the one that is expected, and may be reset: letters B to F and M to O.
+class BootIdentity
+{
+  public:
+    explicit BootIdentity(const StartUpParts& parts) noexcept : parts_(parts), transfer_(parts.sdo)
+    {
+    }
+
+    /// @brief The work of one call in the states kTypeFirst to kStateSign.
+    [[nodiscard]] BootFinding Work(const BootJob& job) noexcept;
+
+  private:
+    [[nodiscard]] BootFinding WakeUp(const BootJob& job) noexcept;
+    [[nodiscard]] BootFinding ReadDeviceType(const BootJob& job) noexcept;
+    [[nodiscard]] BootFinding Pause(const BootJob& job) const noexcept;
+    [[nodiscard]] BootFinding Compare(const BootJob& job) noexcept;
+    [[nodiscard]] BootFinding AskState(const BootJob& job) noexcept;
+    [[nodiscard]] BootFinding TakeState(const BootJob& job) noexcept;
+    void StopUnread(const BootJob& job) noexcept;
+
+    StartUpParts parts_;
+    BootTransfer transfer_;
+};
+
+/// @brief The state check is not for this slave.
+[[nodiscard]] inline bool IsStateUnasked(const BootJob& job) noexcept
+{
+    return !job.setup.Has(kKeepAlive) || job.record.is_fresh;
+}
+
+} // namespace counterpoint::cia302
+
+#endif

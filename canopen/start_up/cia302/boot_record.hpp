@@ -1,0 +1,93 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_START_UP_CIA302_BOOT_RECORD_HPP
+#define CANOPEN_START_UP_CIA302_BOOT_RECORD_HPP
+
+#include "canopen/cia302/network/concise_dcf.hpp"
+#include "canopen/start_up/cia302/boot_states.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::cia302
+{
+
+constexpr std::uint32_t kResetUs = 1'000'000U; ///< From a reset to the boot-up message; CiA 302-2 leaves it open.
+
+/// Time of a call: modular, and as a count that does not wrap.
+struct BootTime
+{
+    Instant now;
+    std::uint64_t clock_us;
+};
+
+/// The boot of one slave. Zero-filled at first. `state` changes by Next alone; the rest is what is known beside it.
+struct BootRecord
+{
+    NodeStatus status;
+    std::uint64_t began_us;   ///< Boot: 1F89h counts from here.
+    std::uint64_t since_us;   ///< Wait.
+    ConcisePosition position; ///< In 1F22h.
+    std::uint32_t offset;     ///< In 1F20h.
+    std::uint32_t next;       ///< In 1F20h, behind the object that is written.
+    std::uint8_t value[8];    ///< Of a transfer.
+    BootState state;
+    std::uint8_t beats;   ///< Of the table when the wait began.
+    std::uint16_t checks; ///< Readings of 1F57h.
+    std::uint8_t updates; ///< Begun since the last boot that ended well.
+    char identity;        ///< Letter with which the boot found another device; 0: the expected one.
+    bool is_transferring; ///< The SDO of the state was handed over.
+    bool is_fresh;        ///< Its boot-up message came in this boot: it is not asked for its state.
+    bool is_resumed;      ///< Nothing is restored in this boot.
+    bool is_updated;      ///< Software was downloaded in this boot.
+    bool was_operational; ///< L.
+    bool is_booted;       ///< The last boot ended without letter, or with L.
+    bool is_start_wanted; ///< By application or master, whatever 1F80h says.
+    bool is_unread;       ///< Stopped because it ran and did not answer.
+    bool is_start_owed;   ///< The NMT master gave up its start.
+    bool is_extra;        ///< Configuration or verification alone: its end says nothing of the boot.
+
+    /// @brief A boot runs, and no extra alone.
+    [[nodiscard]] bool IsBooting() const noexcept
+    {
+        return status.is_busy && !is_extra;
+    }
+    [[nodiscard]] bool IsAwaitingBootUp() const noexcept
+    {
+        return RowOf(state).wait == BootWait::kBootUp;
+    }
+};
+
+/// One slave in one call.
+struct BootJob
+{
+    NodeId node;
+    BootRecord& record;
+    const SlaveSetup& setup;
+    const BootTime& time;
+
+    /// @brief Since the state began to wait.
+    [[nodiscard]] bool IsOver(const std::uint64_t limit_us) const noexcept
+    {
+        return (time.clock_us - record.since_us) > limit_us;
+    }
+};
+
+/// What a piece of work in a state came to. The letter goes with kFailed.
+struct BootFinding
+{
+    BootEvent event;
+    char letter;
+};
+
+[[nodiscard]] constexpr BootFinding Found(const BootEvent event) noexcept
+{
+    return BootFinding{event, '\0'};
+}
+
+[[nodiscard]] constexpr BootFinding Failed(const char letter) noexcept
+{
+    return BootFinding{BootEvent::kFailed, letter};
+}
+
+} // namespace counterpoint::cia302
+
+#endif

@@ -1,0 +1,145 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/start_up/cia302/boot_release.hpp"
+
+namespace counterpoint::cia302
+{
+namespace
+{
+
+constexpr std::uint64_t kUsPerMs = 1000U;
+
+/// Letter of an identity that differs, as where the start-up itself finds it.
+char LetterOf(const ObjectAddress& object) noexcept
+{
+    constexpr std::uint8_t kSubs = 5U;
+    constexpr char kLetters[kSubs] = {'C', 'D', 'M', 'N', 'O'}; // 1000h is sub-index 0, 1018h has the others.
+    return (object.sub < kSubs) ? kLetters[object.sub] : 'J';
+}
+
+} // namespace
+
+BootFinding BootRelease::Work(const BootJob& job) noexcept
+{
+    const BootState state = job.record.state;
+    BootFinding finding = Found(BootEvent::kNone);
+    if (state == BootState::kWatch)
+    {
+        finding = Watch(job);
+    }
+    else if (state == BootState::kWatched)
+    {
+        finding = AwaitSign(job);
+    }
+    else if (state == BootState::kGateBusy)
+    {
+        finding = AwaitGate(job);
+    }
+    else
+    {
+        finding = Verify(job);
+    }
+    return finding;
+}
+
+BootFinding BootRelease::Watch(const BootJob& job) noexcept
+{
+    parts_.table.WatchAsSetUp(job.node, job.time.now);
+    return Found((job.setup.heartbeat.consumer_ms == 0U) ? BootEvent::kSkip : BootEvent::kDone);
+}
+
+/// With heartbeat the slave must show one; the boot-up message is none.
+BootFinding BootRelease::AwaitSign(const BootJob& job) const noexcept
+{
+    const std::uint64_t limit_us = kUsPerMs * job.setup.heartbeat.consumer_ms;
+    BootFinding finding = Found(BootEvent::kNone);
+    if ((limit_us == 0U) || (parts_.table.Record(job.node).beats != job.record.beats))
+    {
+        finding = Found(BootEvent::kDone);
+    }
+    else if (job.IsOver(limit_us))
+    {
+        finding = Failed('K');
+    }
+    return finding;
+}
+
+BootFinding BootRelease::Verify(const BootJob& job) noexcept
+{
+    const bool is_open = (parts_.gate.State(job.node) == GateState::kOpen);
+    const bool is_skipped = is_open || !parts_.setup.IsSafetySlave(job.node);
+    if (!is_skipped)
+    {
+        parts_.gate.Verify(job.node, job.time.now);
+    }
+    return Found(is_skipped ? BootEvent::kSkip : BootEvent::kDone);
+}
+
+BootFinding BootRelease::AwaitGate(const BootJob& job) noexcept
+{
+    const GateState state = parts_.gate.State(job.node);
+    BootFinding finding = Found(BootEvent::kNone);
+    if ((state == GateState::kOpen) || !parts_.setup.IsSafetySlave(job.node))
+    {
+        finding = Found(BootEvent::kDone);
+    }
+    else if ((state == GateState::kDiffers) || (state == GateState::kFailed))
+    {
+        finding = Refuse(job);
+    }
+    else if (state == GateState::kClosed)
+    {
+        finding = Found(BootEvent::kElse);
+    }
+    return finding;
+}
+
+/// A slave that runs with a configuration that is not the expected one is stopped, and so are two devices of one
+/// node-ID: what is known of their state may be said of the other one. So is one that never told its state, and one
+/// that was found running: what it said since may be of before.
+BootFinding BootRelease::Refuse(const BootJob& job) noexcept
+{
+    const GateFinding found = parts_.gate.Finding(job.node);
+    const bool is_doubted = (found.object.index == 0U);
+    const NodeRecord& heard = parts_.table.Record(job.node);
+    const bool is_running =
+        is_doubted || job.record.was_operational || (heard.state == SlaveState::kOperational) || (heard.beats == 0U);
+    const bool is_done =
+        !is_running || (parts_.nmt.Request(NmtCommand::kStop, job.node, job.time.now) == NmtAnswer::kTaken);
+    BootFinding finding = Found(BootEvent::kNone);
+    if (is_done)
+    {
+        job.record.status.object = found.object;
+        job.record.status.abort = found.abort;
+        job.record.status.expected = found.expected;
+        job.record.status.read = found.read;
+        job.record.status.is_started = false;
+        job.record.was_operational = false;
+        finding = Failed(parts_.gate.IsOther(job.node) ? LetterOf(found.object) : 'J');
+    }
+    return finding;
+}
+
+/// Started, or left as it is: with L it runs unless somebody stopped it and asks for a start, and 1F80h may leave it to
+/// others.
+BootFinding BootRelease::Start(const BootJob& job, const bool is_master_operational) noexcept
+{
+    const bool is_alone = !parts_.setup.Has(kStartAllAtOnce) || is_master_operational;
+    const bool is_booting = !job.record.is_extra && job.setup.Has(kBootSlave);
+    const bool is_left = parts_.setup.Has(kApplicationStartsSlaves) || job.record.was_operational;
+    const bool is_due = is_booting && !is_left && is_alone;
+    BootEvent event = BootEvent::kFinished;
+    if (is_due || job.record.is_start_wanted)
+    {
+        const NmtAnswer answer = parts_.nmt.Request(NmtCommand::kStart, job.node, job.time.now);
+        event = (answer == NmtAnswer::kNotVerified) ? BootEvent::kElse : BootEvent::kNone;
+        if (answer == NmtAnswer::kTaken)
+        {
+            job.record.status.is_started = true;
+            job.record.was_operational = false;
+            event = BootEvent::kFinished;
+        }
+    }
+    return Found(event);
+}
+
+} // namespace counterpoint::cia302
