@@ -26,10 +26,13 @@ template <class App, std::uint8_t kSrdos> class AppDevice final : private Owner
   private:
     static constexpr std::uint32_t kRoom = (2U * kSrdos) + 2U;
 
+    /// The device safe state is left by a restart with all start-up tests alone; these are not at hand here.
     [[nodiscard]] LoadResult OnResetNode() noexcept override
     {
-        const StartResult result = kernel_.Start(application_.Describe(), FlowCallback::kOff);
-        return (result == StartResult::kStarted) ? LoadResult::kLoaded : LoadResult::kFailed;
+        const bool is_safe = has_started_ && (kernel_.DeviceState().fault != DeviceFault::kNone);
+        has_started_ =
+            (!is_safe) && (kernel_.Start(application_.Describe(), FlowCallback::kOff) == StartResult::kStarted);
+        return has_started_ ? LoadResult::kLoaded : LoadResult::kFailed;
     }
     /// What was written once stays.
     [[nodiscard]] LoadResult OnResetCommunication() noexcept override
@@ -41,6 +44,7 @@ template <class App, std::uint8_t kSrdos> class AppDevice final : private Owner
 
     App& application_;
     Kernel& kernel_;
+    bool has_started_{false};
     QueuedFrame frames_[kRoom]{};
     NoServices services_;
     Device device_;

@@ -182,6 +182,25 @@ TEST_F(DeviceBareTest, AnApplicationIsADevice)
     EXPECT_EQ(device_of.Whole().State(), NodeState::kPreOperational);
 }
 
+TEST_F(DeviceBareTest, AnApplicationLeavesItsSafeStateByPowerAlone)
+{
+    Verifies(req::SRS_DEV_022);
+    // Given a device in its safe state
+    TestedApplication tested{config};
+    TestedApplication::rig = this;
+    tested.config.node_id = 2U;
+    AppDevice<TestedApplication, 3U> device_of{core, &ports, tested};
+    ASSERT_EQ(device_of.Whole().PowerOn(Instant{now_us}), LoadResult::kLoaded);
+    core.DemandSafeState();
+    // When the node is reset, then the fault stays, no boot-up message is sent, and no command leads out
+    Tell(device_of.Whole(), 0U, {129U, 0U});
+    Tell(device_of.Whole(), 0U, {129U, 0U});
+    Tell(device_of.Whole(), 0U, {1U, 0U});
+    EXPECT_EQ(core.DeviceState().fault, DeviceFault::kApplication);
+    EXPECT_EQ(device_of.Whole().State(), NodeState::kResetApplication);
+    EXPECT_EQ(Sent(0x702U), (std::vector<Octets>{{0U}}));
+}
+
 TEST_F(DeviceBareTest, AnApplicationThatIsRefusedIsNoDevice)
 {
     Verifies(req::SRS_DEV_022);
