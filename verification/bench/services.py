@@ -39,11 +39,12 @@ class BadInput(Exception):
 
 
 def objects(folder):
-    """Path of a source below canopen, without its ending, and its object."""
+    """Path of a source below canopen, without its ending, and its object: those of the archives as they are linked now."""
     for room, target in ROOMS.items():
-        place = folder / "canopen" / room / "CMakeFiles" / f"{target}.dir"
-        for path in sorted(place.rglob("*.obj")):
-            yield f"{room}/{path.relative_to(place).as_posix().removesuffix('.cpp.obj')}", path
+        place = f"canopen/{room}/CMakeFiles/{target}.dir/"
+        listed = subprocess.run(["ninja", "-C", str(folder), "-t", "query", f"canopen/{room}/lib{target}.a"], check=True, capture_output=True, text=True).stdout
+        for name in sorted({word for word in listed.split() if word.startswith(place) and word.endswith(".cpp.obj")}):
+            yield f"{room}/{name.removeprefix(place).removesuffix('.cpp.obj')}", folder / name
 
 
 def code_by_service(folder, services=None):
