@@ -1,5 +1,4 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-// The steps of the negotiation in time; flying_master_heard.cpp has what is heard.
 #include "canopen/cia302/flying_master/flying_master.hpp"
 
 namespace counterpoint::cia302
@@ -15,6 +14,30 @@ constexpr MasterClaim kNobody{0U, NodeId{0U}};
 bool IsDue(const FlyingDeadline& deadline, const Instant now) noexcept
 {
     return deadline.is_set && ((now.us - deadline.at.us) < kHalfRange);
+}
+
+/// Two masters that answer the same 073h or boot-up message in the same instant would collide until both are bus-off.
+/// 16 places, 3 ms apart with the default of 1F90h:01, keep them apart, and the last one is well within the time of the
+/// asker. 072h is answered at once: it comes from the other one of two masters more often than from a third device, and
+/// a later answer would meet the one to the 073h that standbys ask then.
+std::uint32_t AnswerDelayUs(const FlyingMasterTimes& times, const NodeId node) noexcept
+{
+    constexpr std::uint32_t kPlaces = 16U;
+    return ((node.value % kPlaces) * times.timeout * kUsPerMs) / (2U * kPlaces);
+}
+
+/// How long the heartbeat of `master` may be missing.
+std::uint32_t WatchUs(const FlyingMasterParts& parts, const NodeId master) noexcept
+{
+    const bool is_twice = (parts.options.watch == MasterWatch::kTwiceProducer) && (parts.options.own_producer_ms > 0U);
+    const std::uint32_t other_ms = is_twice ? (2U * parts.options.own_producer_ms) : parts.options.watch_ms;
+    const std::uint16_t own_ms = parts.setup.Slave(master).heartbeat.consumer_ms;
+    return ((own_ms > 0U) ? own_ms : other_ms) * kUsPerMs;
+}
+
+bool Send(cia301::FrameSink& sink, const FlyingService service) noexcept
+{
+    return sink.Send(ServiceFrame(service));
 }
 
 CanFrame ResetAllFrame() noexcept
@@ -55,7 +78,7 @@ FlyingStart FlyingMaster::Start(const Instant now) noexcept
     else
     {
         times_ = parts_.times;
-        Delay(now);
+        Enter(FlyingInput::kStart, now, times_.delay * kUsPerMs);
     }
     return answer;
 }
@@ -76,7 +99,7 @@ void FlyingMaster::OnHeartbeatLost(const NodeId node, const Instant now) noexcep
 
 bool FlyingMaster::FindCapable() noexcept
 {
-    const bool is_sent = Send(FlyingService::kCapableDetection);
+    const bool is_sent = Send(parts_.sink, FlyingService::kCapableDetection);
     has_found_capable_ = has_found_capable_ && !is_sent;
     return is_sent;
 }
@@ -93,9 +116,124 @@ FlyingDeadline FlyingMaster::Next() const noexcept
     return IsEarlier(second_, main_) ? second_ : main_;
 }
 
+void FlyingMaster::OnFrame(const CanFrame& frame, const Instant now) noexcept
+{
+    const MasterClaim own{times_.Level(), parts_.setup.own};
+    const FlyingView view{state_, parts_.options, times_, own, master_, has_asked_, now.us - race_begin_.us};
+    React(Heard(view, frame), frame, now);
+}
+
+void FlyingMaster::React(const FlyingReaction reaction, const CanFrame& frame, const Instant now) noexcept
+{
+    switch (reaction)
+    {
+    case FlyingReaction::kNone:
+        break;
+    case FlyingReaction::kReset:
+        is_first_pass_ = false;
+        if (state_ != FlyingState::kInitialising)
+        {
+            Initialise(now);
+        }
+        break;
+    case FlyingReaction::kHalt:
+    case FlyingReaction::kAccept:
+    case FlyingReaction::kFollow:
+    case FlyingReaction::kRefresh:
+    case FlyingReaction::kForce:
+    case FlyingReaction::kReject:
+        ReactToClaim(reaction, ClaimOf(frame), now);
+        break;
+    case FlyingReaction::kAnswer:
+        Answer(0U, now);
+        break;
+    case FlyingReaction::kAnswerInTurn:
+        Answer(AnswerDelayUs(times_, parts_.setup.own), now);
+        break;
+    case FlyingReaction::kJoin:
+    case FlyingReaction::kRace:
+        Join(reaction == FlyingReaction::kJoin, now);
+        break;
+    case FlyingReaction::kAsk:
+        if (!second_.is_set)
+        {
+            second_ = FlyingDeadline{true, now};
+            RunSlave(now);
+        }
+        break;
+    case FlyingReaction::kRestart:
+        Enter(FlyingInput::kRestart, now, times_.delay * kUsPerMs);
+        break;
+    case FlyingReaction::kResetAll:
+    case FlyingReaction::kRaceAnew:
+        Enter((reaction == FlyingReaction::kResetAll) ? FlyingInput::kResetAll : FlyingInput::kRaceAnew, now, 0U);
+        RunNegotiation(now);
+        break;
+    case FlyingReaction::kWatch:
+        WatchMaster(now);
+        break;
+    case FlyingReaction::kFoundCapable:
+        has_found_capable_ = true;
+        break;
+    case FlyingReaction::kTellCapable:
+        owes_capable_ = !Send(parts_.sink, FlyingService::kMasterCapable);
+        break;
+    }
+}
+
+void FlyingMaster::ReactToClaim(const FlyingReaction reaction, const MasterClaim& claim, const Instant now) noexcept
+{
+    if (reaction == FlyingReaction::kHalt)
+    {
+        Enter(FlyingInput::kSameNode, now, 0U);
+        main_.is_set = false;
+        owes_capable_ = false;
+        parts_.listener.OnFlyingMaster(FlyingEvent::kConfigurationError, claim, now);
+    }
+    else if (reaction == FlyingReaction::kRefresh)
+    {
+        master_ = claim;
+        second_.is_set = false;
+        has_asked_ = false;
+        WatchMaster(now);
+    }
+    else if (reaction == FlyingReaction::kForce)
+    {
+        Force(claim, FlyingEvent::kForceNegotiation, now);
+    }
+    else if (reaction == FlyingReaction::kReject)
+    {
+        Force(claim, FlyingEvent::kConfigurationError, now);
+    }
+    else
+    {
+        restarts_ = (reaction == FlyingReaction::kAccept) ? std::uint8_t{0U} : restarts_;
+        Follow(claim, now);
+    }
+}
+
+/// One answer is enough for all who wait for one, at the earliest of their times.
+void FlyingMaster::Answer(const std::uint32_t delay_us, const Instant now) noexcept
+{
+    const FlyingDeadline answer{true, Instant{now.us + delay_us}};
+    second_ = IsEarlier(answer, second_) ? answer : second_;
+    RunMaster(now);
+}
+
+/// The 072h of another may be the cyclic one of an active master, whose claim was lost or not yet asked for. Waiting
+/// alone would never end where its cycle is shorter than the own slot: this device asks while it waits, unless it was a
+/// standby or has asked.
+void FlyingMaster::Join(const bool is_asking, const Instant now) noexcept
+{
+    const bool has_asked = (state_ == FlyingState::kDetect) || !is_asking;
+    Enter(FlyingInput::kJoin, now, times_.WaitingUs(parts_.setup.own));
+    second_ = FlyingDeadline{!has_asked, now};
+    RunQuestion(now);
+}
+
 void FlyingMaster::OnCycle(const Instant now) noexcept
 {
-    owes_capable_ = owes_capable_ && !Send(FlyingService::kMasterCapable);
+    owes_capable_ = owes_capable_ && !Send(parts_.sink, FlyingService::kMasterCapable);
     if (state_ == FlyingState::kMaster)
     {
         RunMaster(now);
@@ -120,19 +258,34 @@ void FlyingMaster::RunNegotiation(const Instant now) noexcept
     switch (state_)
     {
     case FlyingState::kDelay:
-        if (Send(FlyingService::kDetection))
+        if (Send(parts_.sink, FlyingService::kDetection))
         {
-            Enter(FlyingState::kDetect, now, times_.timeout * kUsPerMs);
+            Enter(FlyingInput::kSent, now, times_.timeout * kUsPerMs);
         }
         break;
     case FlyingState::kDetect:
-        EndDetection(now);
+        if (is_first_pass_)
+        {
+            SendReset(now);
+        }
+        else if (Send(parts_.sink, FlyingService::kNegotiation))
+        {
+            Enter(FlyingInput::kSent, now, times_.WaitingUs(parts_.setup.own));
+        }
         break;
     case FlyingState::kRace:
         EndRace(now);
         break;
     case FlyingState::kForcing:
-        EndForcing(now);
+        if (Send(parts_.sink, FlyingService::kForceNegotiation))
+        {
+            const bool tells = tells_force_;
+            Enter(FlyingInput::kSent, now, times_.delay * kUsPerMs);
+            if (tells)
+            {
+                parts_.listener.OnFlyingMaster(FlyingEvent::kForceNegotiation, kNobody, now);
+            }
+        }
         break;
     case FlyingState::kResetting:
         SendReset(now);
@@ -149,51 +302,23 @@ void FlyingMaster::RunNegotiation(const Instant now) noexcept
 /// 073h while a race goes on, see Join.
 void FlyingMaster::RunQuestion(const Instant now) noexcept
 {
-    if ((state_ == FlyingState::kRace) && IsDue(second_, now) && Send(FlyingService::kDetection))
+    if ((state_ == FlyingState::kRace) && IsDue(second_, now) && Send(parts_.sink, FlyingService::kDetection))
     {
         second_ = kNone;
         has_asked_ = true;
     }
 }
 
-void FlyingMaster::EndDetection(const Instant now) noexcept
-{
-    if (is_first_pass_)
-    {
-        SendReset(now);
-    }
-    else if (Send(FlyingService::kNegotiation))
-    {
-        Race(now);
-    }
-    else
-    {
-        // Again in the next cycle.
-    }
-}
-
 void FlyingMaster::EndRace(const Instant now) noexcept
 {
-    if (parts_.sink.Send(ClaimFrame(Own())))
+    const MasterClaim own{times_.Level(), parts_.setup.own};
+    if (parts_.sink.Send(ClaimFrame(own)))
     {
-        Enter(FlyingState::kMaster, now, times_.detection_cycle * kUsPerMs);
+        Enter(FlyingInput::kSent, now, times_.detection_cycle * kUsPerMs);
         main_.is_set = times_.detection_cycle > 0U;
-        master_ = Own();
+        master_ = own;
         restarts_ = 0U;
-        Tell(FlyingEvent::kMasterMode, now);
-    }
-}
-
-void FlyingMaster::EndForcing(const Instant now) noexcept
-{
-    if (Send(FlyingService::kForceNegotiation))
-    {
-        const bool tells = tells_force_;
-        Delay(now);
-        if (tells)
-        {
-            Tell(FlyingEvent::kForceNegotiation, now);
-        }
+        parts_.listener.OnFlyingMaster(FlyingEvent::kMasterMode, master_, now);
     }
 }
 
@@ -205,7 +330,7 @@ void FlyingMaster::SendReset(const Instant now) noexcept
         is_first_pass_ = false;
         if (is_power_on)
         {
-            Tell(FlyingEvent::kPowerOnReset, now);
+            parts_.listener.OnFlyingMaster(FlyingEvent::kPowerOnReset, kNobody, now);
         }
         Initialise(now);
     }
@@ -213,13 +338,14 @@ void FlyingMaster::SendReset(const Instant now) noexcept
 
 void FlyingMaster::RunMaster(const Instant now) noexcept
 {
-    if (IsDue(second_, now) && parts_.sink.Send(ClaimFrame(Own())))
+    const MasterClaim own{times_.Level(), parts_.setup.own};
+    if (IsDue(second_, now) && parts_.sink.Send(ClaimFrame(own)))
     {
         second_ = kNone;
     }
     const bool is_force = parts_.options.cyclic == CyclicMessage::kForce;
     const FlyingService cyclic = is_force ? FlyingService::kForceNegotiation : FlyingService::kNegotiation;
-    if (IsDue(main_, now) && Send(cyclic))
+    if (IsDue(main_, now) && Send(parts_.sink, cyclic))
     {
         main_.at.us = now.us + (times_.detection_cycle * kUsPerMs);
     }
@@ -234,10 +360,10 @@ void FlyingMaster::RunSlave(const Instant now) noexcept
     else if (IsDue(second_, now) && has_asked_)
     {
         // Nobody answers as master. Asking was the detection: the race begins.
-        Enter(FlyingState::kDetect, now, 0U);
+        Enter(FlyingInput::kRaceAnew, now, 0U);
         RunNegotiation(now);
     }
-    else if (IsDue(second_, now) && Send(FlyingService::kDetection))
+    else if (IsDue(second_, now) && Send(parts_.sink, FlyingService::kDetection))
     {
         has_asked_ = true;
         second_.at.us = now.us + (times_.timeout * kUsPerMs);
@@ -248,26 +374,20 @@ void FlyingMaster::RunSlave(const Instant now) noexcept
     }
 }
 
-void FlyingMaster::Enter(const FlyingState state, const Instant now, const std::uint32_t time_us) noexcept
+/// The next state, with nothing left of the one before.
+void FlyingMaster::Enter(const FlyingInput input, const Instant now, const std::uint32_t time_us) noexcept
 {
-    state_ = state;
+    state_ = cia302::Next(state_, input);
     main_ = FlyingDeadline{true, Instant{now.us + time_us}};
     second_ = kNone;
     master_ = kNobody;
     has_asked_ = false;
     tells_force_ = false;
-}
-
-void FlyingMaster::Delay(const Instant now) noexcept
-{
-    Enter(FlyingState::kDelay, now, times_.delay * kUsPerMs);
-}
-
-void FlyingMaster::Race(const Instant now) noexcept
-{
-    is_first_pass_ = false;
-    race_begin_ = now;
-    Enter(FlyingState::kRace, now, times_.WaitingUs(parts_.setup.own));
+    if (state_ == FlyingState::kRace)
+    {
+        is_first_pass_ = false;
+        race_begin_ = now;
+    }
 }
 
 /// Bounded, because whoever claims to be master may be deaf to 076h, or may win again and again by other times.
@@ -286,7 +406,7 @@ void FlyingMaster::Force(const MasterClaim& claim, const FlyingEvent event, cons
     {
         constexpr std::uint8_t kGreatest = 255U;
         restarts_ = static_cast<std::uint8_t>((restarts_ < kGreatest) ? (restarts_ + 1U) : kGreatest);
-        Enter(FlyingState::kForcing, now, 0U);
+        Enter(FlyingInput::kForce, now, 0U);
         tells_force_ = event == FlyingEvent::kForceNegotiation;
         RunNegotiation(now);
     }
@@ -296,7 +416,7 @@ void FlyingMaster::Initialise(const Instant now) noexcept
 {
     const bool was_at_rest = (state_ == FlyingState::kSlave) || (state_ == FlyingState::kMaster);
     restarts_ = was_at_rest ? 0U : restarts_;
-    Enter(FlyingState::kInitialising, now, 0U);
+    Enter(FlyingInput::kReset, now, 0U);
     main_ = kNone;
     owes_capable_ = false;
     parts_.listener.OnInitialising(now);
@@ -305,17 +425,17 @@ void FlyingMaster::Initialise(const Instant now) noexcept
 void FlyingMaster::Follow(const MasterClaim& claim, const Instant now) noexcept
 {
     is_first_pass_ = false;
-    Enter(FlyingState::kSlave, now, 0U);
+    Enter(FlyingInput::kFollow, now, 0U);
     master_ = claim;
     WatchMaster(now);
-    Tell(FlyingEvent::kSlaveMode, now);
+    parts_.listener.OnFlyingMaster(FlyingEvent::kSlaveMode, master_, now);
 }
 
 /// Its 071h counts as a first sign: a master that dies before its first heartbeat is missed too.
 void FlyingMaster::WatchMaster(const Instant now) noexcept
 {
     const bool is_own = parts_.options.watch != MasterWatch::kApplication;
-    main_ = FlyingDeadline{is_own, Instant{now.us + WatchUs()}};
+    main_ = FlyingDeadline{is_own, Instant{now.us + WatchUs(parts_, master_.node)}};
 }
 
 void FlyingMaster::Lose(const Instant now) noexcept
@@ -324,46 +444,21 @@ void FlyingMaster::Lose(const Instant now) noexcept
     switch (parts_.options.on_loss)
     {
     case LossReaction::kRestart:
-        Delay(now);
+        Enter(FlyingInput::kRestart, now, times_.delay * kUsPerMs);
         if (times_.delay == 0U)
         {
             RunNegotiation(now);
         }
         break;
     case LossReaction::kResetAll:
-        Enter(FlyingState::kResetting, now, 0U);
+        Enter(FlyingInput::kResetAll, now, 0U);
         RunNegotiation(now);
         break;
     case LossReaction::kRace:
-        Enter(FlyingState::kDetect, now, 0U);
+        Enter(FlyingInput::kRaceAnew, now, 0U);
         RunNegotiation(now);
         break;
     }
-}
-
-void FlyingMaster::Tell(const FlyingEvent event, const Instant now) noexcept
-{
-    const bool has_master = (event == FlyingEvent::kSlaveMode) || (event == FlyingEvent::kMasterMode);
-    parts_.listener.OnFlyingMaster(event, has_master ? master_ : kNobody, now);
-}
-
-bool FlyingMaster::Send(const FlyingService service) noexcept
-{
-    return parts_.sink.Send(ServiceFrame(service));
-}
-
-MasterClaim FlyingMaster::Own() const noexcept
-{
-    return MasterClaim{times_.Level(), parts_.setup.own};
-}
-
-std::uint32_t FlyingMaster::WatchUs() const noexcept
-{
-    const bool is_twice =
-        (parts_.options.watch == MasterWatch::kTwiceProducer) && (parts_.options.own_producer_ms > 0U);
-    const std::uint32_t other_ms = is_twice ? (2U * parts_.options.own_producer_ms) : parts_.options.watch_ms;
-    const std::uint16_t own_ms = parts_.setup.Slave(master_.node).heartbeat.consumer_ms;
-    return ((own_ms > 0U) ? own_ms : other_ms) * kUsPerMs;
 }
 
 } // namespace counterpoint::cia302

@@ -3,8 +3,7 @@
 #define CANOPEN_CIA302_FLYING_MASTER_FLYING_MASTER_HPP
 
 #include "canopen/cia301/nmt/frame_sink.hpp"
-#include "canopen/cia302/flying_master/frames.hpp"
-#include "canopen/cia302/flying_master/options.hpp"
+#include "canopen/cia302/flying_master/heard.hpp"
 #include "canopen/cia302/flying_master/times.hpp"
 #include "canopen/cia302/network/setup.hpp"
 
@@ -12,21 +11,6 @@
 
 namespace counterpoint::cia302
 {
-
-/// Where the negotiation stands. Steps are those of the text.
-enum class FlyingState : std::uint8_t
-{
-    kInvalid = 0U,
-    kInitialising = 1U, ///< Nothing happens until Start.
-    kDelay = 2U,        ///< Step 1, before 073h.
-    kDetect = 3U,       ///< Steps 1 to 5: 071h is waited for.
-    kRace = 4U,         ///< Step 7: the own slot is waited for.
-    kForcing = 5U,      ///< Steps 4 and 10: 076h is to leave.
-    kResetting = 6U,    ///< Reset communication of all nodes is to leave.
-    kSlave = 7U,        ///< Another one is master.
-    kHalted = 8U,       ///< Another device has the own node-ID: nothing until the next reset.
-    kMaster = 0x96U,    ///< The active master.
-};
 
 /// Events by their numbers in the text.
 enum class FlyingEvent : std::uint8_t
@@ -143,41 +127,23 @@ class FlyingMaster
     [[nodiscard]] FlyingDeadline Next() const noexcept;
 
   private:
-    void OnCommand(const CanFrame& frame, Instant now) noexcept;
-    void OnService(FlyingService service, Instant now) noexcept;
-    void OnErrorControl(const CanFrame& frame, Instant now) noexcept;
-    void OnClaim(const MasterClaim& claim, Instant now) noexcept;
-    void OnClaimAsMaster(const MasterClaim& claim, Instant now) noexcept;
-    void OnClaimAsSlave(const MasterClaim& claim, Instant now) noexcept;
+    void React(FlyingReaction reaction, const CanFrame& frame, Instant now) noexcept;
+    void ReactToClaim(FlyingReaction reaction, const MasterClaim& claim, Instant now) noexcept;
+    void Join(bool is_asking, Instant now) noexcept;
     void Answer(std::uint32_t delay_us, Instant now) noexcept;
-    void OnForce(Instant now) noexcept;
-    void OnNegotiation(Instant now) noexcept;
-    void Join(Instant now) noexcept;
     void RunNegotiation(Instant now) noexcept;
     void RunQuestion(Instant now) noexcept;
     void RunMaster(Instant now) noexcept;
     void RunSlave(Instant now) noexcept;
-    void EndDetection(Instant now) noexcept;
     void EndRace(Instant now) noexcept;
-    void EndForcing(Instant now) noexcept;
     void SendReset(Instant now) noexcept;
 
-    void Enter(FlyingState state, Instant now, std::uint32_t time_us) noexcept;
-    void Delay(Instant now) noexcept;
-    void Race(Instant now) noexcept;
+    void Enter(FlyingInput input, Instant now, std::uint32_t time_us) noexcept;
     void Force(const MasterClaim& claim, FlyingEvent event, Instant now) noexcept;
     void Initialise(Instant now) noexcept;
     void Follow(const MasterClaim& claim, Instant now) noexcept;
     void WatchMaster(Instant now) noexcept;
     void Lose(Instant now) noexcept;
-    void Ask(Instant now) noexcept;
-    void Halt(const MasterClaim& claim, Instant now) noexcept;
-    void Tell(FlyingEvent event, Instant now) noexcept;
-
-    [[nodiscard]] bool Accepts(const MasterClaim& claim) const noexcept;
-    [[nodiscard]] bool Send(FlyingService service) noexcept;
-    [[nodiscard]] MasterClaim Own() const noexcept;
-    [[nodiscard]] std::uint32_t WatchUs() const noexcept;
 
     FlyingMasterParts parts_;
     FlyingMasterTimes times_;

@@ -1,6 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-// What the flying master does when it hears a frame; flying_master.cpp has the steps in time.
-#include "canopen/cia302/flying_master/flying_master.hpp"
+#include "canopen/cia302/flying_master/heard.hpp"
 
 namespace counterpoint::cia302
 {
@@ -19,304 +18,219 @@ bool IsService(const CanFrame& frame) noexcept
     return is_in_range && (frame.length_bytes == (is_claim ? 2U : 0U));
 }
 
-/// Two masters that answer the same 073h or boot-up message in the same instant would collide until both are bus-off.
-/// 16 places, 3 ms apart with the default of 1F90h:01, keep them apart, and the last one is well within the time of the
-/// asker. 072h is answered at once: it comes from the other one of two masters more often than from a third device, and
-/// a later answer would meet the one to the 073h that standbys ask then.
-std::uint32_t AnswerDelayUs(const FlyingMasterTimes& times, const NodeId node) noexcept
-{
-    constexpr std::uint32_t kPlaces = 16U;
-    return ((node.value % kPlaces) * times.timeout * kUsPerMs) / (2U * kPlaces);
-}
-
-} // namespace
-
-void FlyingMaster::OnFrame(const CanFrame& frame, const Instant now) noexcept
-{
-    const bool is_deaf = (state_ == FlyingState::kInitialising) || (state_ == FlyingState::kHalted);
-    if (frame.kind != FrameKind::kData)
-    {
-        return;
-    }
-    if (frame.identifier == 0U)
-    {
-        OnCommand(frame, now);
-    }
-    else if (is_deaf)
-    {
-        // Only a reset is of interest.
-    }
-    else if (IsService(frame))
-    {
-        const MasterClaim claim{frame.data[0], NodeId{frame.data[1]}};
-        if (frame.identifier != kFirstService)
-        {
-            OnService(static_cast<FlyingService>(frame.identifier), now);
-        }
-        else if ((claim.node.value >= 1U) && (claim.node.value <= kLastNode))
-        {
-            OnClaim(claim, now);
-        }
-        else
-        {
-            // No such node.
-        }
-    }
-    else if ((frame.identifier > kErrorControl) && (frame.identifier <= (kErrorControl + kLastNode)))
-    {
-        OnErrorControl(frame, now);
-    }
-    else
-    {
-        // Of another service.
-    }
-}
-
 /// An active master commands others and obeys nobody, so that a second one cannot stop it by a broadcast.
-void FlyingMaster::OnCommand(const CanFrame& frame, const Instant now) noexcept
+FlyingReaction OnCommand(const FlyingView& view, const CanFrame& frame) noexcept
 {
     constexpr std::uint8_t kResetNode = 129U;
     constexpr std::uint8_t kResetCommunication = 130U;
     const bool is_reset = (frame.data[0] == kResetNode) || (frame.data[0] == kResetCommunication);
-    const bool is_for_us = (frame.data[1] == kAllNodes.value) || (frame.data[1] == parts_.setup.own.value);
-    if ((frame.length_bytes != 2U) || !is_reset || !is_for_us || (state_ == FlyingState::kMaster))
-    {
-        return;
-    }
-    is_first_pass_ = false;
-    if (state_ != FlyingState::kInitialising)
-    {
-        Initialise(now);
-    }
-}
-
-void FlyingMaster::OnService(const FlyingService service, const Instant now) noexcept
-{
-    switch (service)
-    {
-    case FlyingService::kActiveMaster:
-        break; // See OnClaim.
-    case FlyingService::kNegotiation:
-        OnNegotiation(now);
-        break;
-    case FlyingService::kDetection:
-        if (state_ == FlyingState::kMaster)
-        {
-            Answer(AnswerDelayUs(times_, parts_.setup.own), now);
-        }
-        break;
-    case FlyingService::kMasterCapable:
-        has_found_capable_ = true;
-        break;
-    case FlyingService::kCapableDetection:
-        owes_capable_ = !Send(FlyingService::kMasterCapable);
-        break;
-    case FlyingService::kForceNegotiation:
-        OnForce(now);
-        break;
-    }
-}
-
-void FlyingMaster::OnErrorControl(const CanFrame& frame, const Instant now) noexcept
-{
-    const bool is_sign = frame.length_bytes == 1U;
-    const bool is_boot_up = is_sign && (frame.data[0] == 0U);
-    if ((state_ == FlyingState::kSlave) && is_sign && (frame.identifier == (kErrorControl + master_.node.value)))
-    {
-        WatchMaster(now);
-    }
-    else if ((state_ == FlyingState::kMaster) && is_boot_up && parts_.options.answers_boot_up)
-    {
-        Answer(AnswerDelayUs(times_, parts_.setup.own), now);
-    }
-    else
-    {
-        // Not of the active master.
-    }
-}
-
-void FlyingMaster::OnClaim(const MasterClaim& claim, const Instant now) noexcept
-{
-    const bool is_negotiating = (state_ == FlyingState::kDetect) || (state_ == FlyingState::kRace);
-    const bool listens = (state_ == FlyingState::kDelay) || is_negotiating;
-    if (claim.node.value == parts_.setup.own.value)
-    {
-        Halt(claim, now);
-    }
-    else if (state_ == FlyingState::kMaster)
-    {
-        OnClaimAsMaster(claim, now);
-    }
-    else if (state_ == FlyingState::kSlave)
-    {
-        OnClaimAsSlave(claim, now);
-    }
-    else if (listens && Accepts(claim))
-    {
-        restarts_ = 0U;
-        Follow(claim, now);
-    }
-    else if (is_negotiating)
-    {
-        const bool has_asked = (state_ == FlyingState::kDetect) || has_asked_;
-        Force(claim, has_asked ? FlyingEvent::kForceNegotiation : FlyingEvent::kConfigurationError, now);
-    }
-    else
-    {
-        // In step 1 a worse master is left in peace until it was asked; and 076h or a reset that is to leave leaves.
-    }
+    const bool is_for_us = (frame.data[1] == kAllNodes.value) || (frame.data[1] == view.own.node.value);
+    const bool is_ours = (frame.length_bytes == 2U) && is_reset && is_for_us && (view.state != FlyingState::kMaster);
+    return is_ours ? FlyingReaction::kReset : FlyingReaction::kNone;
 }
 
 /// Whether this device becomes slave of such a master.
-bool FlyingMaster::Accepts(const MasterClaim& claim) const noexcept
+bool Accepts(const FlyingView& view, const MasterClaim& claim) noexcept
 {
     // Once the waiting has begun, all that counts is who was first.
     const bool can_pre_empt =
-        (parts_.options.equal_level == EqualLevel::kLowerNodeForces) && (state_ != FlyingState::kRace);
-    const bool is_equal_accepted = !can_pre_empt || (claim.node.value < parts_.setup.own.value);
-    const bool is_equal = claim.level == times_.Level();
-    return (claim.level < times_.Level()) || (is_equal && is_equal_accepted);
+        (view.options.equal_level == EqualLevel::kLowerNodeForces) && (view.state != FlyingState::kRace);
+    const bool is_equal_accepted = !can_pre_empt || (claim.node.value < view.own.node.value);
+    const bool is_equal = claim.level == view.own.level;
+    return (claim.level < view.own.level) || (is_equal && is_equal_accepted);
 }
 
 /// The better one of two masters stays, and tells the other one by its own claim.
-void FlyingMaster::OnClaimAsMaster(const MasterClaim& claim, const Instant now) noexcept
+FlyingReaction OnClaimAsMaster(const FlyingView& view, const MasterClaim& claim) noexcept
 {
-    if (parts_.options.ignores_claims)
-    {
-        // As if the only message buffer of 071h were one for sending.
-    }
-    else if (IsBetter(claim, Own()))
-    {
-        Follow(claim, now);
-    }
-    else
-    {
-        Answer(0U, now);
-    }
-}
-
-/// One answer is enough for all who wait for one, at the earliest of their times.
-void FlyingMaster::Answer(const std::uint32_t delay_us, const Instant now) noexcept
-{
-    const FlyingDeadline answer{true, Instant{now.us + delay_us}};
-    second_ = IsEarlier(answer, second_) ? answer : second_;
-    RunMaster(now);
+    const FlyingReaction better = IsBetter(claim, view.own) ? FlyingReaction::kFollow : FlyingReaction::kAnswer;
+    // Ignored: as if the only message buffer of 071h were one for sending.
+    return view.options.ignores_claims ? FlyingReaction::kNone : better;
 }
 
 /// A standby that watches its master changes to a better one only: two masters settle who stays. Whoever does not watch
 /// has only claims to go by.
-void FlyingMaster::OnClaimAsSlave(const MasterClaim& claim, const Instant now) noexcept
+FlyingReaction OnClaimAsSlave(const FlyingView& view, const MasterClaim& claim) noexcept
 {
-    const bool is_watched = parts_.options.watch != MasterWatch::kApplication;
-    const bool has_asked = has_asked_;
-    if (claim.node.value == master_.node.value)
+    const bool is_watched = view.options.watch != MasterWatch::kApplication;
+    FlyingReaction reaction = FlyingReaction::kNone; // The own master lives.
+    if (claim.node.value == view.master.node.value)
     {
-        master_ = claim;
-        second_.is_set = false;
-        has_asked_ = false;
-        WatchMaster(now);
+        reaction = FlyingReaction::kRefresh;
     }
-    else if (IsBetter(claim, master_) || (!is_watched && Accepts(claim)))
+    else if (IsBetter(claim, view.master) || (!is_watched && Accepts(view, claim)))
     {
-        Follow(claim, now);
+        reaction = FlyingReaction::kFollow;
     }
-    else if (has_asked && !is_watched)
+    else if (view.has_asked && !is_watched)
     {
-        Force(claim, FlyingEvent::kForceNegotiation, now);
+        reaction = FlyingReaction::kForce;
     }
-    else
-    {
-        // The own master lives.
-    }
+    return reaction;
 }
 
-void FlyingMaster::OnForce(const Instant now) noexcept
+FlyingReaction OnClaim(const FlyingView& view, const MasterClaim& claim) noexcept
 {
-    const ForceReaction reaction = parts_.options.on_force;
-    const bool is_waiting = (state_ == FlyingState::kDetect) || (state_ == FlyingState::kRace);
-    const bool is_negotiating = (state_ == FlyingState::kDelay) || is_waiting;
-    if ((state_ == FlyingState::kMaster) && (reaction == ForceReaction::kResetAll))
+    const bool is_node = (claim.node.value >= 1U) && (claim.node.value <= kLastNode);
+    const bool is_negotiating = (view.state == FlyingState::kDetect) || (view.state == FlyingState::kRace);
+    const bool listens = (view.state == FlyingState::kDelay) || is_negotiating;
+    // In step 1 a worse master is left in peace until it was asked; and 076h or a reset that is to leave leaves.
+    FlyingReaction reaction = FlyingReaction::kNone;
+    if (!is_node)
     {
-        Enter(FlyingState::kResetting, now, 0U);
-        RunNegotiation(now);
+        // No such node.
     }
-    else if ((state_ == FlyingState::kMaster) && (reaction == ForceReaction::kRace))
+    else if (claim.node.value == view.own.node.value)
     {
-        Enter(FlyingState::kDetect, now, 0U);
-        RunNegotiation(now);
+        reaction = FlyingReaction::kHalt;
     }
-    else if ((state_ == FlyingState::kMaster) || (is_negotiating && (reaction == ForceReaction::kRestart)))
+    else if (view.state == FlyingState::kMaster)
     {
-        Delay(now);
+        reaction = OnClaimAsMaster(view, claim);
     }
-    else if (state_ == FlyingState::kSlave)
+    else if (view.state == FlyingState::kSlave)
     {
-        Ask(now);
+        reaction = OnClaimAsSlave(view, claim);
     }
-    else
+    else if (listens && Accepts(view, claim))
     {
-        // Of interest for active masters only.
+        reaction = FlyingReaction::kAccept;
     }
+    else if (is_negotiating)
+    {
+        const bool has_asked = (view.state == FlyingState::kDetect) || view.has_asked;
+        reaction = has_asked ? FlyingReaction::kForce : FlyingReaction::kReject;
+    }
+    return reaction;
 }
 
-void FlyingMaster::OnNegotiation(const Instant now) noexcept
+/// What a standby does about 072h and 076h, but for 072h with kRaces: it ignores them, or asks.
+FlyingReaction Asks(const FlyingView& view) noexcept
+{
+    return (view.options.standby == StandbyReaction::kAsks) ? FlyingReaction::kAsk : FlyingReaction::kNone;
+}
+
+FlyingReaction OnForce(const FlyingView& view) noexcept
+{
+    const ForceReaction wanted = view.options.on_force;
+    const bool is_master = (view.state == FlyingState::kMaster);
+    const bool is_waiting = (view.state == FlyingState::kDetect) || (view.state == FlyingState::kRace);
+    const bool is_negotiating = (view.state == FlyingState::kDelay) || is_waiting;
+    FlyingReaction reaction = FlyingReaction::kNone; // Of interest for active masters only.
+    if (is_master && (wanted == ForceReaction::kResetAll))
+    {
+        reaction = FlyingReaction::kResetAll;
+    }
+    else if (is_master && (wanted == ForceReaction::kRace))
+    {
+        reaction = FlyingReaction::kRaceAnew;
+    }
+    else if (is_master || (is_negotiating && (wanted == ForceReaction::kRestart)))
+    {
+        reaction = FlyingReaction::kRestart;
+    }
+    else if (view.state == FlyingState::kSlave)
+    {
+        reaction = Asks(view);
+    }
+    return reaction;
+}
+
+FlyingReaction OnNegotiation(const FlyingView& view) noexcept
 {
     // Where an active master sends 072h each cycle, only whoever races already knows that it is a race.
-    const bool is_race = parts_.options.cyclic != CyclicMessage::kNegotiation;
-    const bool is_waiting = (state_ == FlyingState::kDelay) || (state_ == FlyingState::kDetect);
+    const bool is_race = view.options.cyclic != CyclicMessage::kNegotiation;
+    const bool is_waiting = (view.state == FlyingState::kDelay) || (view.state == FlyingState::kDetect);
     const bool is_before = is_waiting && is_race;
     // All who began nearly at once are of one race: to follow each of their frames would only put the end off.
-    const std::uint32_t half_slot_us = (times_.device_slot * kUsPerMs) / 2U;
-    const bool is_late = (state_ == FlyingState::kRace) && ((now.us - race_begin_.us) >= half_slot_us);
-    if (state_ == FlyingState::kMaster)
+    const std::uint32_t half_slot_us = (view.times.device_slot * kUsPerMs) / 2U;
+    const bool is_late = (view.state == FlyingState::kRace) && (view.raced_us >= half_slot_us);
+    FlyingReaction reaction = FlyingReaction::kNone; // Already in this race.
+    if (view.state == FlyingState::kMaster)
     {
-        Answer(0U, now);
+        reaction = FlyingReaction::kAnswer;
     }
-    else if ((is_before || is_late) && !parts_.options.keeps_slot)
+    else if ((is_before || is_late) && !view.options.keeps_slot)
     {
-        Join(now);
+        reaction = FlyingReaction::kJoin;
     }
-    else if ((state_ == FlyingState::kSlave) && (parts_.options.standby == StandbyReaction::kRaces))
+    else if (view.state == FlyingState::kSlave)
     {
-        Race(now);
+        const bool is_racing = (view.options.standby == StandbyReaction::kRaces);
+        reaction = is_racing ? FlyingReaction::kRace : Asks(view);
     }
-    else if (state_ == FlyingState::kSlave)
-    {
-        Ask(now);
-    }
-    else
-    {
-        // Already in this race.
-    }
+    return reaction;
 }
 
-/// The 072h of another may be the cyclic one of an active master, whose claim was lost or not yet asked for. Waiting
-/// alone would never end where its cycle is shorter than the own slot: this device asks while it waits.
-void FlyingMaster::Join(const Instant now) noexcept
+FlyingReaction OnService(const FlyingView& view, const CanFrame& frame) noexcept
 {
-    const bool has_asked = (state_ == FlyingState::kDetect);
-    Race(now);
-    second_ = FlyingDeadline{!has_asked, now};
-    RunQuestion(now);
-}
-
-/// What a standby does about 072h and 076h, but for 072h with kRaces: it ignores them, or asks unless it has asked.
-void FlyingMaster::Ask(const Instant now) noexcept
-{
-    const StandbyReaction reaction = parts_.options.standby;
-    if ((reaction == StandbyReaction::kAsks) && !second_.is_set)
+    FlyingReaction reaction = FlyingReaction::kNone;
+    switch (static_cast<FlyingService>(frame.identifier))
     {
-        second_ = FlyingDeadline{true, now};
-        RunSlave(now);
+    case FlyingService::kActiveMaster:
+        reaction = OnClaim(view, ClaimOf(frame));
+        break;
+    case FlyingService::kNegotiation:
+        reaction = OnNegotiation(view);
+        break;
+    case FlyingService::kDetection:
+        reaction = (view.state == FlyingState::kMaster) ? FlyingReaction::kAnswerInTurn : FlyingReaction::kNone;
+        break;
+    case FlyingService::kMasterCapable:
+        reaction = FlyingReaction::kFoundCapable;
+        break;
+    case FlyingService::kCapableDetection:
+        reaction = FlyingReaction::kTellCapable;
+        break;
+    case FlyingService::kForceNegotiation:
+        reaction = OnForce(view);
+        break;
     }
+    return reaction;
 }
 
-void FlyingMaster::Halt(const MasterClaim& claim, const Instant now) noexcept
+FlyingReaction OnErrorControl(const FlyingView& view, const CanFrame& frame) noexcept
 {
-    Enter(FlyingState::kHalted, now, 0U);
-    main_.is_set = false;
-    owes_capable_ = false;
-    parts_.listener.OnFlyingMaster(FlyingEvent::kConfigurationError, claim, now);
+    const bool is_sign = frame.length_bytes == 1U;
+    const bool is_boot_up = is_sign && (frame.data[0] == 0U);
+    const bool is_of_master = (frame.identifier == (kErrorControl + view.master.node.value));
+    FlyingReaction reaction = FlyingReaction::kNone;
+    if ((view.state == FlyingState::kSlave) && is_sign && is_of_master)
+    {
+        reaction = FlyingReaction::kWatch;
+    }
+    else if ((view.state == FlyingState::kMaster) && is_boot_up && view.options.answers_boot_up)
+    {
+        reaction = FlyingReaction::kAnswerInTurn;
+    }
+    return reaction;
+}
+
+} // namespace
+
+FlyingReaction Heard(const FlyingView& view, const CanFrame& frame) noexcept
+{
+    const bool is_deaf = (view.state == FlyingState::kInitialising) || (view.state == FlyingState::kHalted);
+    const bool is_error_control =
+        (frame.identifier > kErrorControl) && (frame.identifier <= (kErrorControl + kLastNode));
+    FlyingReaction reaction = FlyingReaction::kNone; // Of another service, or only a reset is of interest.
+    if (frame.kind != FrameKind::kData)
+    {
+        // None of these services is asked for.
+    }
+    else if (frame.identifier == 0U)
+    {
+        reaction = OnCommand(view, frame);
+    }
+    else if (!is_deaf && IsService(frame))
+    {
+        reaction = OnService(view, frame);
+    }
+    else if (!is_deaf && is_error_control)
+    {
+        reaction = OnErrorControl(view, frame);
+    }
+    return reaction;
 }
 
 } // namespace counterpoint::cia302

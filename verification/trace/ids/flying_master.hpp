@@ -37,6 +37,7 @@ inline constexpr RequirementId SRS_FLY_027{"SRS_FLY_027"};
 inline constexpr RequirementId SRS_FLY_028{"SRS_FLY_028"};
 inline constexpr RequirementId SRS_FLY_029{"SRS_FLY_029"};
 inline constexpr RequirementId SRS_FLY_030{"SRS_FLY_030"};
+inline constexpr RequirementId SRS_FLY_031{"SRS_FLY_031"};
 } // namespace counterpoint::req
 
 #endif
