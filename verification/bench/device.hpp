@@ -20,7 +20,8 @@ enum class FrameSide : std::uint8_t
     kInverse = 2U,
 };
 
-/// The kernel with the SRDOs of SafetySetup. Drives its own time, 1 ms a cycle.
+/// The kernel with the SRDOs of SafetySetup. Drives its own time, 1 ms a cycle. Without canopen/device on purpose: what
+/// is measured is the kernel and the channels alone; ServiceNode is the whole device.
 class Device
 {
   public:
