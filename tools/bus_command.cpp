@@ -5,9 +5,7 @@
 #include "hal/host/live/address.hpp"
 #include "hal/host/live/socketcand/server.hpp"
 #include "runtime/console/json_text.hpp"
-#include "tools/device_options.hpp"
-
-#include <CLI/CLI.hpp>
+#include "tools/command_line/options.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -82,22 +80,23 @@ host::ServedBus ServedOf(const std::string& text)
 class BusCommand final : public Command
 {
   public:
-    void Describe(CLI::App& app) override
+    void Describe(Options& options) override
     {
-        app.add_option("BUS", buses_,
-                       "Bus to serve, as [NAME=]ADDRESS: udp:239.74.163.2:43113 (a bus for the programs of this "
-                       "machine; ?bitrate=125000 gives it a pace), can0 (an interface of Linux), "
-                       "socketcand:HOST:PORT/can0. NAME is what clients open (default: the interface, else can0)")
-            ->required()
-            ->type_name("[NAME=]ADDRESS");
-        app.add_option("--listen", listen_,
-                       "Where clients connect (default: 127.0.0.1:29536, this machine only; port 0: a free one)")
-            ->type_name("HOST:PORT");
-        app.add_option("--seconds", seconds_, "End after that time (default: at SIGINT or SIGTERM)")
-            ->check(CLI::Validator(ProblemOfNumber, ""))
-            ->check(CLI::Range(1, kLongestSeconds));
-        app.add_flag("--json", is_json_,
-                     "Print where it listens, and at the end the counts, as one JSON object a line");
+        options
+            .Add("BUS", &buses_,
+                 "Bus to serve, as [NAME=]ADDRESS: udp:239.74.163.2:43113 (a bus for the programs of this "
+                 "machine; ?bitrate=125000 gives it a pace), can0 (an interface of Linux), "
+                 "socketcand:HOST:PORT/can0. NAME is what clients open (default: the interface, else can0)")
+            .Required()
+            .Type("[NAME=]ADDRESS");
+        options
+            .Add("--listen", &listen_,
+                 "Where clients connect (default: 127.0.0.1:29536, this machine only; port 0: a free one)")
+            .Type("HOST:PORT");
+        options.Add("--seconds", &seconds_, "End after that time (default: at SIGINT or SIGTERM)")
+            .Range(1, kLongestSeconds);
+        options.Add("--json", &is_json_,
+                    "Print where it listens, and at the end the counts, as one JSON object a line");
     }
 
     [[nodiscard]] ExitStatus Run(const Streams& streams) override

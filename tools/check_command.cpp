@@ -6,8 +6,6 @@
 #include "runtime/console/json_text.hpp"
 #include "tools/device_options.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <ostream>
 #include <set>
@@ -35,13 +33,13 @@ nlohmann::ordered_json ToJson(const cia306::Finding& finding)
 class CheckCommand final : public Command
 {
   public:
-    void Describe(CLI::App& app) override
+    void Describe(Options& options) override
     {
-        options_.Describe(app);
-        app.add_option("--granularity", granularity_,
-                       "Bits that mapped lengths have to be multiples of (default: the ones in the file, else 8)")
-            ->check(CLI::Validator(ProblemOfNumber, ""))
-            ->check(CLI::IsMember(std::set<int>{1, 8, 16, 32, 64}));
+        options_.Describe(options);
+        options
+            .Add("--granularity", &granularity_,
+                 "Bits that mapped lengths have to be multiples of (default: the ones in the file, else 8)")
+            .OneOf({1, 8, 16, 32, 64});
     }
 
     [[nodiscard]] ExitStatus Run(const Streams& streams) override

@@ -3,7 +3,7 @@
 
 #include "tools/bus_command.hpp"
 #include "tools/check_command.hpp"
-#include "tools/demo_command.hpp"
+#include "tools/demo/command.hpp"
 #include "tools/generate_command.hpp"
 #include "tools/manager_command.hpp"
 #include "tools/monitor_command.hpp"
@@ -16,7 +16,7 @@ namespace counterpoint::tools
 std::vector<CommandRow> CommandTable()
 {
     return {
-        {"demo", "Simulate the emergency-stop chain under faults and show the timing diagrams", &MakeDemoCommand},
+        kDemoRow,
         {"simulate", "Simulate a scenario: devices, faults, expectations", &MakeSimulateCommand},
         {"node", "Run the device of a DCF on a live CAN bus", &MakeNodeCommand},
         {"manager", "Manage a CANopen network on a live CAN bus: start, check, supervise its slaves",

@@ -2,19 +2,12 @@
 #ifndef TOOLS_COMMAND_TABLE_HPP
 #define TOOLS_COMMAND_TABLE_HPP
 
-#include "tools/command.hpp"
+#include "tools/command_line/command.hpp"
 
 #include <vector>
 
 namespace counterpoint::tools
 {
-struct CommandRow
-{
-    const char* name;
-    const char* description;
-    CommandMaker make;
-};
-
 /// All commands, in the order of the help.
 [[nodiscard]] std::vector<CommandRow> CommandTable();
 } // namespace counterpoint::tools

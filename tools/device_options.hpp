@@ -4,7 +4,8 @@
 
 #include "canopen/cia306/file/device.hpp"
 #include "canopen/cia306/text/input_error.hpp"
-#include "tools/command.hpp"
+#include "tools/command_line/command.hpp"
+#include "tools/command_line/options.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -20,19 +21,10 @@ struct DeviceOptions
     int node_id{0}; ///< 0: not given.
     bool is_json{false};
 
-    void Describe(CLI::App& app);
+    void Describe(Options& options);
     /// From the command line, else from the file.
     [[nodiscard]] std::optional<std::uint8_t> NodeId(const cia306::Device& device) const;
 };
-
-/// For CLI::Option::check: what is wrong with a number that people read otherwise than CLI11 does, such as 010, which
-/// would be 8. [SRS_CLI_020]
-[[nodiscard]] std::string ProblemOfNumber(const std::string& text);
-/// Likewise of the name of a file: an empty one would count as not given. [SRS_CLI_020]
-[[nodiscard]] std::string ProblemOfFileName(const std::string& text);
-
-/// Likewise of the address of a bus. [SRS_CLI_020]
-[[nodiscard]] std::string ProblemOfAddress(const std::string& text);
 
 /// Runs `body`; with --json a refusal is told as a JSON document too. [SRS_CLI_008]
 [[nodiscard]] ExitStatus RunOnDevice(const DeviceOptions& options, const Streams& streams,

@@ -8,8 +8,6 @@
 #include "runtime/console/json_text.hpp"
 #include "tools/device_options.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <filesystem>
 #include <ostream>
@@ -56,16 +54,16 @@ void RequireOwnOrNone(const std::string& path)
 class GenerateCommand final : public Command
 {
   public:
-    void Describe(CLI::App& app) override
+    void Describe(Options& options) override
     {
-        options_.Describe(app);
-        app.add_option("--output", folder_, "Folder of object_dictionary.hpp and .cpp (default: this one)")
-            ->type_name("DIR")
-            ->check(CLI::Validator(ProblemOfFileName, ""));
-        app.add_option("--namespace", name_space_, "Namespace of the code, a::b too (default: the name of FILE)")
-            ->type_name("NAME")
-            ->check(CLI::Validator(generate::ProblemOfNamespace, ""));
-        app.add_flag("--force", is_forced_, "Write the files in spite of errors that 'counterpoint check' finds");
+        options_.Describe(options);
+        options.Add("--output", &folder_, "Folder of object_dictionary.hpp and .cpp (default: this one)")
+            .Type("DIR")
+            .Check(ProblemOfFileName);
+        options.Add("--namespace", &name_space_, "Namespace of the code, a::b too (default: the name of FILE)")
+            .Type("NAME")
+            .Check(generate::ProblemOfNamespace);
+        options.Add("--force", &is_forced_, "Write the files in spite of errors that 'counterpoint check' finds");
     }
 
     [[nodiscard]] ExitStatus Run(const Streams& streams) override

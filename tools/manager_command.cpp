@@ -9,11 +9,9 @@
 #include "runtime/manager/loop.hpp"
 #include "runtime/manager/report/status.hpp"
 #include "runtime/network_files/file.hpp"
-#include "tools/device_options.hpp"
+#include "tools/command_line/options.hpp"
 
 #include "runtime/yaml/document.hpp"
-
-#include <CLI/CLI.hpp>
 
 #include <ostream>
 #include <unistd.h>
@@ -30,38 +28,38 @@ constexpr std::uint64_t kNsPerSecond = 1000000000U;
 class ManagerCommand final : public Command
 {
   public:
-    void Describe(CLI::App& app) override
+    void Describe(Options& options) override
     {
-        app.add_option("--can", address_,
-                       "The bus: can0 or socketcan:can0, socketcand:HOST:PORT/can0, udp:GROUP:PORT for devices on this "
-                       "machine, such as udp:239.74.163.2:43113")
-            ->type_name("ADDRESS");
-        app.add_option("--network", network_,
-                       "The network: a CPJ file (CiA 306-3) or YAML; docs/manager.md tells the format")
-            ->type_name("FILE")
-            ->check(CLI::Validator(ProblemOfFileName, ""));
-        app.add_option("--check", check_,
-                       "Instead: compare the network files of all flying masters of one network with the first one")
-            ->type_name("FILE...")
-            ->expected(2, kHighestNodeId);
-        app.add_option("--node-id", node_id_, "Node-ID of the manager (default: the one in the file)")
-            ->check(CLI::Validator(ProblemOfNumber, ""))
-            ->check(CLI::Range(1, kHighestNodeId));
-        app.add_option("--for", seconds_, "End after so many seconds (default: quit, SIGINT, SIGTERM or SIGHUP)")
-            ->type_name("SECONDS")
-            ->check(CLI::Validator(ProblemOfNumber, ""))
-            ->check(CLI::Range(1, kLongestSeconds));
-        app.add_option("--log", log_, "Event log, one JSON object a line")->type_name("FILE");
-        app.add_option("--html", html_, "Page with the boot-up sequence diagram, written at the end")
-            ->type_name("FILE");
-        app.add_option("--socket", socket_, "Unix socket on which programs send orders, a line each")
-            ->type_name("PATH");
-        app.add_flag("--json", is_json_, "Events and answers as one JSON object a line");
-        app.add_flag("--no-input", has_no_input_, "Read no orders from the standard input");
-        app_ = &app;
-        app.footer("Orders, typed as lines or by the socket:\n" + runtime::ManagerOrderHelp() +
-                   "On a terminal the table of all slaves is shown and redrawn; elsewhere a line is printed for each\n"
-                   "event, and the table at the end. Exit status 0: every mandatory slave was started at the end.");
+        options
+            .Add("--can", &address_,
+                 "The bus: can0 or socketcan:can0, socketcand:HOST:PORT/can0, udp:GROUP:PORT for devices on this "
+                 "machine, such as udp:239.74.163.2:43113")
+            .Type("ADDRESS");
+        options
+            .Add("--network", &network_,
+                 "The network: a CPJ file (CiA 306-3) or YAML; docs/manager.md tells the format")
+            .Type("FILE")
+            .Check(ProblemOfFileName);
+        options
+            .Add("--check", &check_,
+                 "Instead: compare the network files of all flying masters of one network with the first one")
+            .Type("FILE...")
+            .Values(2, kHighestNodeId);
+        options.Add("--node-id", &node_id_, "Node-ID of the manager (default: the one in the file)")
+            .Range(1, kHighestNodeId);
+        options.Add("--for", &seconds_, "End after so many seconds (default: quit, SIGINT, SIGTERM or SIGHUP)")
+            .Type("SECONDS")
+            .Range(1, kLongestSeconds);
+        options.Add("--log", &log_, "Event log, one JSON object a line").Type("FILE");
+        options.Add("--html", &html_, "Page with the boot-up sequence diagram, written at the end").Type("FILE");
+        options.Add("--socket", &socket_, "Unix socket on which programs send orders, a line each").Type("PATH");
+        options.Add("--json", &is_json_, "Events and answers as one JSON object a line");
+        options.Add("--no-input", &has_no_input_, "Read no orders from the standard input");
+        options_ = &options;
+        options.Footer(
+            "Orders, typed as lines or by the socket:\n" + runtime::ManagerOrderHelp() +
+            "On a terminal the table of all slaves is shown and redrawn; elsewhere a line is printed for each\n"
+            "event, and the table at the end. Exit status 0: every mandatory slave was started at the end.");
     }
 
     [[nodiscard]] ExitStatus Run(const Streams& streams) override
@@ -92,7 +90,7 @@ class ManagerCommand final : public Command
         for (const char* const option :
              {"--can", "--network", "--for", "--log", "--html", "--socket", "--json", "--no-input"})
         {
-            if (app_->count(option) > 0U)
+            if (options_->IsGiven(option))
             {
                 throw runtime::YamlError(option, {}, "with --check, which runs nothing",
                                          "--check FILE FILE... alone, or with --node-id");
@@ -131,7 +129,7 @@ class ManagerCommand final : public Command
         }
         for (const auto& [option, file] : {std::pair("--log", log_), {"--html", html_}, {"--socket", socket_}})
         {
-            if (file.empty() && app_->count(option) > 0U)
+            if (file.empty() && options_->IsGiven(option))
             {
                 throw runtime::YamlError(option, {}, "empty file name", "the name of a file");
             }
@@ -185,7 +183,7 @@ class ManagerCommand final : public Command
         return is_written ? status : ExitStatus::kBadInput;
     }
 
-    const CLI::App* app_{nullptr};
+    const Options* options_{nullptr};
     std::string address_;
     std::string network_;
     std::vector<std::string> check_;

@@ -2,7 +2,7 @@
 #ifndef TOOLS_MANAGER_COMMAND_HPP
 #define TOOLS_MANAGER_COMMAND_HPP
 
-#include "tools/command.hpp"
+#include "tools/command_line/command.hpp"
 
 namespace counterpoint::tools
 {

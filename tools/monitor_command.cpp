@@ -9,8 +9,6 @@
 #include "tools/device_options.hpp"
 #include "tools/monitor_live.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <filesystem>
 #include <ostream>
 #include <string>
@@ -51,36 +49,28 @@ std::string ProblemOfInterface(const std::string& text)
 class MonitorCommand final : public Command
 {
   public:
-    void Describe(CLI::App& app) override
+    void Describe(Options& options) override
     {
-        CLI::Option* const file = app.add_option("FILE", file_, "Recording: candump -l, pcap or pcapng (SocketCAN)");
-        file->type_name("");
-        CLI::Option* const can =
-            app.add_option("--can", address_,
-                           "Instead of FILE a live bus: can0, socketcand:HOST:PORT/can0, udp:GROUP:PORT")
-                ->type_name("ADDRESS")
-                ->excludes(file);
-        app.add_option("--dcf", dcfs_,
-                       "DCF of a device on the bus, as often as there are devices; FILE=N for node-ID N")
-            ->type_name("FILE")
-            ->required();
-        app.add_option("--interface", interface_, "Take the frames of this interface (default: the first in FILE)")
-            ->type_name("NAME")
-            ->needs(file)
-            ->check(CLI::Validator(ProblemOfInterface, ""));
-        app.add_option("--sct", sct_ms_, "SCT of SRDOs that no DCF consumes, in ms (default: twice the refresh time)")
-            ->check(CLI::Validator(ProblemOfNumber, ""))
-            ->check(CLI::Range(1, 65535));
-        app.add_option("--for", seconds_,
-                       "End the watching of a live bus after so many seconds (default: Ctrl-C, SIGTERM)")
-            ->needs(can)
-            ->check(CLI::Validator(ProblemOfNumber, ""))
-            ->check(CLI::Range(1, 1000000));
-        app.add_flag("--frames", shows_frames_, "Show each frame in words");
-        app.add_flag("--json", is_json_, "Answer as one JSON document");
-        app.add_option("--html", html_, "Write a page with histograms")
-            ->type_name("PAGE")
-            ->check(CLI::Validator(ProblemOfFileName, ""));
+        options.Add("FILE", &file_, "Recording: candump -l, pcap or pcapng (SocketCAN)").Type("");
+        options.Add("--can", &address_, "Instead of FILE a live bus: can0, socketcand:HOST:PORT/can0, udp:GROUP:PORT")
+            .Type("ADDRESS")
+            .Excludes("FILE");
+        options.Add("--dcf", &dcfs_, "DCF of a device on the bus, as often as there are devices; FILE=N for node-ID N")
+            .Type("FILE")
+            .Required();
+        options.Add("--interface", &interface_, "Take the frames of this interface (default: the first in FILE)")
+            .Type("NAME")
+            .Needs("FILE")
+            .Check(ProblemOfInterface);
+        options.Add("--sct", &sct_ms_, "SCT of SRDOs that no DCF consumes, in ms (default: twice the refresh time)")
+            .Range(1, 65535);
+        options
+            .Add("--for", &seconds_, "End the watching of a live bus after so many seconds (default: Ctrl-C, SIGTERM)")
+            .Needs("--can")
+            .Range(1, 1000000);
+        options.Add("--frames", &shows_frames_, "Show each frame in words");
+        options.Add("--json", &is_json_, "Answer as one JSON document");
+        options.Add("--html", &html_, "Write a page with histograms").Type("PAGE").Check(ProblemOfFileName);
     }
 
     [[nodiscard]] ExitStatus Run(const Streams& streams) override

@@ -3,7 +3,7 @@
 #define TOOLS_MONITOR_LIVE_HPP
 
 #include "canopen/monitor/recording.hpp"
-#include "tools/command.hpp"
+#include "tools/command_line/command.hpp"
 
 #include <functional>
 #include <string>

@@ -2,11 +2,9 @@
 #include "tools/node_command.hpp"
 
 #include "runtime/node/loop.hpp"
-#include "tools/device_options.hpp"
+#include "tools/command_line/options.hpp"
 
 #include "runtime/yaml/document.hpp"
-
-#include <CLI/CLI.hpp>
 
 #include <ostream>
 #include <unistd.h>
@@ -22,48 +20,46 @@ constexpr int kLongestCycleUs = 1000000;
 class NodeCommand final : public Command
 {
   public:
-    void Describe(CLI::App& app) override
+    void Describe(Options& options) override
     {
-        app.add_option("--can", address_,
-                       "The bus: can0 or socketcan:can0, socketcand:HOST:PORT/can0, udp:GROUP:PORT for devices on this "
-                       "machine, such as udp:239.74.163.2:43113")
-            ->required()
-            ->type_name("ADDRESS");
-        app.add_option("--can2", second_address_,
-                       "The bus of a second controller, which sends and receives the inverse frames of SRDOs; the "
-                       "same bus is allowed")
-            ->type_name("ADDRESS")
-            ->check(CLI::Validator(ProblemOfAddress, ""));
-        app.add_option("--dcf", dcf_, "EDS or DCF of the device: all its objects, its safety configuration, its times")
-            ->required()
-            ->type_name("FILE")
-            ->check(CLI::Validator(ProblemOfFileName, ""));
-        app.add_option("--node-id", node_id_, "Node-ID (default: the one in the file)")
-            ->check(CLI::Validator(ProblemOfNumber, ""))
-            ->check(CLI::Range(1, kHighestNodeId));
-        app.add_option("--script", script_,
-                       "What the application does, with times (YAML); docs/node.md tells the format")
-            ->type_name("FILE")
-            ->check(CLI::Validator(ProblemOfFileName, ""));
-        app.add_option(
-               "--cycle-us", cycle_us_,
-               "Cycle time in microseconds instead of 5F00h:01 of the file; a cycle may then be late by as much "
-               "again. For machines that are not fast enough for the file")
-            ->check(CLI::Validator(ProblemOfNumber, ""))
-            ->check(CLI::Range(kShortestCycleUs, kLongestCycleUs));
-        app.add_option("--store", store_,
-                       "Where 1010h saves and from where each start loads; without it nothing is saved")
-            ->type_name("FILE")
-            ->check(CLI::Validator(ProblemOfFileName, ""));
-        app.add_flag("--lss", has_lss_,
-                     "LSS gives the node-ID, also where the file does not say LSS_Supported=1; without a node-ID of "
-                     "file, command line or store there is nothing but LSS");
-        app.add_flag("--no-self-tests", has_no_self_tests_,
-                     "Leave out the cyclic tests of program, memory, stack, parts and permits");
-        app.add_flag("--json", is_json_, "One JSON object a line");
-        app.add_flag("--no-input", has_no_input_, "Read no orders from the standard input");
-        app.footer("Orders, typed as lines or in a script:\n" + runtime::OrderHelp() +
-                   "A line is printed for each change of state, output and value, and for each error.");
+        options
+            .Add("--can", &address_,
+                 "The bus: can0 or socketcan:can0, socketcand:HOST:PORT/can0, udp:GROUP:PORT for devices on this "
+                 "machine, such as udp:239.74.163.2:43113")
+            .Required()
+            .Type("ADDRESS");
+        options
+            .Add("--can2", &second_address_,
+                 "The bus of a second controller, which sends and receives the inverse frames of SRDOs; the "
+                 "same bus is allowed")
+            .Type("ADDRESS")
+            .Check(ProblemOfAddress);
+        options.Add("--dcf", &dcf_, "EDS or DCF of the device: all its objects, its safety configuration, its times")
+            .Required()
+            .Type("FILE")
+            .Check(ProblemOfFileName);
+        options.Add("--node-id", &node_id_, "Node-ID (default: the one in the file)").Range(1, kHighestNodeId);
+        options.Add("--script", &script_, "What the application does, with times (YAML); docs/node.md tells the format")
+            .Type("FILE")
+            .Check(ProblemOfFileName);
+        options
+            .Add("--cycle-us", &cycle_us_,
+                 "Cycle time in microseconds instead of 5F00h:01 of the file; a cycle may then be late by as much "
+                 "again. For machines that are not fast enough for the file")
+            .Range(kShortestCycleUs, kLongestCycleUs);
+        options
+            .Add("--store", &store_, "Where 1010h saves and from where each start loads; without it nothing is saved")
+            .Type("FILE")
+            .Check(ProblemOfFileName);
+        options.Add("--lss", &has_lss_,
+                    "LSS gives the node-ID, also where the file does not say LSS_Supported=1; without a node-ID of "
+                    "file, command line or store there is nothing but LSS");
+        options.Add("--no-self-tests", &has_no_self_tests_,
+                    "Leave out the cyclic tests of program, memory, stack, parts and permits");
+        options.Add("--json", &is_json_, "One JSON object a line");
+        options.Add("--no-input", &has_no_input_, "Read no orders from the standard input");
+        options.Footer("Orders, typed as lines or in a script:\n" + runtime::OrderHelp() +
+                       "A line is printed for each change of state, output and value, and for each error.");
     }
 
     [[nodiscard]] ExitStatus Run(const Streams& streams) override

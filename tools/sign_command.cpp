@@ -10,8 +10,6 @@
 #include "runtime/console/json_text.hpp"
 #include "tools/device_options.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <ostream>
 #include <vector>
 
@@ -84,15 +82,16 @@ nlohmann::ordered_json ToJson(const cia306::DigestRecord& digest, const bool is_
 class SignCommand final : public Command
 {
   public:
-    void Describe(CLI::App& app) override
+    void Describe(Options& options) override
     {
-        options_.Describe(app);
-        app.add_option("--write", output_,
-                       "Write a copy of FILE with the signatures and the digest as ParameterValue of 13FFh and 5F04h")
-            ->type_name("COPY")
-            ->check(CLI::Validator(ProblemOfFileName, ""));
-        app.add_flag("--verbose", is_verbose_,
-                     "Print the bytes that go into each signature and the digest, field by field");
+        options_.Describe(options);
+        options
+            .Add("--write", &output_,
+                 "Write a copy of FILE with the signatures and the digest as ParameterValue of 13FFh and 5F04h")
+            .Type("COPY")
+            .Check(ProblemOfFileName);
+        options.Add("--verbose", &is_verbose_,
+                    "Print the bytes that go into each signature and the digest, field by field");
     }
 
     [[nodiscard]] ExitStatus Run(const Streams& streams) override

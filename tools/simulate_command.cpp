@@ -10,9 +10,8 @@
 #include "simulator/report/reports.hpp"
 #include "simulator/scenario/reader.hpp"
 #include "simulator/scenario/schema.hpp"
+#include "tools/command_line/options.hpp"
 #include "tools/simulate_network.hpp"
-
-#include <CLI/CLI.hpp>
 
 #include <optional>
 #include <ostream>
@@ -30,31 +29,31 @@ constexpr const char* kEverything = "all";
 class SimulateCommand final : public Command
 {
   public:
-    void Describe(CLI::App& app) override
+    void Describe(Options& options) override
     {
-        app.add_option("SCENARIO", scenario_, "Scenario file (YAML); --explain tells the format");
-        app.add_option("--html", html_, "Write a page with the timing diagram");
-        app.add_option("--json", json_, "Write recording, measurements and verdicts as JSON");
-        app.add_option("--candump", candump_, "Write the frames of the bus as candump -l does");
-        app.add_option("--seed", seed_, "Instead of the scenario's seed: 0 to 2^64 - 1");
-        app.add_option("--until", until_, "Instead of the scenario's duration, with its unit: 500ms, 20s");
-        CLI::Option* const frames = app.add_flag("--frames", frames_, "Show every frame on the time line");
-        app.add_flag("--quiet", quiet_, "No time line; only what was expected and did not come")->excludes(frames);
-        app.add_option("--sweep", sweeps_, "NAME=FROM:TO:STEP: run once for each value of the key with this path")
-            ->allow_extra_args(false)
-            ->excludes(frames);
-        app.add_option("--explain", explained_,
-                       "Describe the scenario format (all), or one KEY or section of it, and end")
-            ->expected(0, 1)
-            ->default_str(kEverything)
-            ->type_name("[KEY]");
-        app.add_flag("--markdown", markdown_, "With --explain: the reference as it stands in docs/scenario.md");
-        app_ = &app;
+        options.Add("SCENARIO", &scenario_, "Scenario file (YAML); --explain tells the format");
+        options.Add("--html", &html_, "Write a page with the timing diagram");
+        options.Add("--json", &json_, "Write recording, measurements and verdicts as JSON");
+        options.Add("--candump", &candump_, "Write the frames of the bus as candump -l does");
+        options.Add("--seed", &seed_, "Instead of the scenario's seed: 0 to 2^64 - 1");
+        options.Add("--until", &until_, "Instead of the scenario's duration, with its unit: 500ms, 20s");
+        options.Add("--frames", &frames_, "Show every frame on the time line");
+        options.Add("--quiet", &quiet_, "No time line; only what was expected and did not come").Excludes("--frames");
+        options.Add("--sweep", &sweeps_, "NAME=FROM:TO:STEP: run once for each value of the key with this path")
+            .OneValueEach()
+            .Excludes("--frames");
+        options
+            .Add("--explain", &explained_, "Describe the scenario format (all), or one KEY or section of it, and end")
+            .Values(0, 1)
+            .IfAlone(kEverything)
+            .Type("[KEY]");
+        options.Add("--markdown", &markdown_, "With --explain: the reference as it stands in docs/scenario.md");
+        options_ = &options;
     }
 
     [[nodiscard]] ExitStatus Run(const Streams& streams) override
     {
-        if (app_->count("--explain") > 0U || markdown_)
+        if (options_->IsGiven("--explain") || markdown_)
         {
             return Explain(streams);
         }
@@ -97,7 +96,7 @@ class SimulateCommand final : public Command
     {
         for (const char* const option : {"--seed", "--until", "--frames", "--sweep"})
         {
-            if (app_->count(option) > 0U)
+            if (options_->IsGiven(option))
             {
                 throw runtime::YamlError(scenario_, {}, std::string(option) + " for a scenario with managers",
                                          "--html, --json, --candump or --quiet");
@@ -110,13 +109,7 @@ class SimulateCommand final : public Command
     /// `simulate --explain`, alone or with a name. [SRS_SIM_047]
     [[nodiscard]] ExitStatus Explain(const Streams& streams) const
     {
-        const std::size_t known = app_->count("--explain") + (markdown_ ? 1U : 0U);
-        std::size_t given = 0U;
-        for (const CLI::Option* const option : app_->get_options())
-        {
-            given += option->empty() ? 0U : 1U;
-        }
-        if (app_->count("--explain") == 0U || given > ((known > 1U && markdown_) ? 2U : 1U))
+        if (!options_->IsGiven("--explain") || options_->GivenCount() > (markdown_ ? 2U : 1U))
         {
             streams.err << "counterpoint simulate: --explain with something else, expected it alone\n";
             return ExitStatus::kBadInput;
@@ -135,12 +128,12 @@ class SimulateCommand final : public Command
 
     [[nodiscard]] std::optional<runtime::Nanoseconds> Until() const
     {
-        return app_->count("--until") == 0U ? std::nullopt : std::optional(simulator::ParseDuration("--until", until_));
+        return options_->IsGiven("--until") ? std::optional(simulator::ParseDuration("--until", until_)) : std::nullopt;
     }
 
     [[nodiscard]] std::optional<std::uint64_t> Seed() const
     {
-        return app_->count("--seed") == 0U ? std::nullopt : std::optional(simulator::ParseSeed("--seed", seed_));
+        return options_->IsGiven("--seed") ? std::optional(simulator::ParseSeed("--seed", seed_)) : std::nullopt;
     }
 
     [[nodiscard]] ExitStatus Sweep(const Streams& streams) const
@@ -151,7 +144,7 @@ class SimulateCommand final : public Command
             axes.push_back(simulator::ParseSweepAxis(sweep));
         }
         RequireFiles();
-        if (app_->count("--candump") > 0U)
+        if (options_->IsGiven("--candump"))
         {
             throw runtime::YamlError("--candump", {}, "frames of one bus for a sweep", "--html or --json");
         }
@@ -229,7 +222,7 @@ class SimulateCommand final : public Command
     {
         for (const auto& [option, file] : {std::pair("--html", html_), {"--json", json_}, {"--candump", candump_}})
         {
-            if (file.empty() && app_->count(option) > 0U)
+            if (file.empty() && options_->IsGiven(option))
             {
                 throw runtime::YamlError(option, {}, "empty file name", "the name of a file");
             }
@@ -260,7 +253,7 @@ class SimulateCommand final : public Command
     std::string candump_;
     std::string until_;
     std::string seed_;
-    const CLI::App* app_{nullptr};
+    const Options* options_{nullptr};
     bool frames_{false};
     bool quiet_{false};
     std::string explained_;

@@ -2,7 +2,7 @@
 #ifndef TOOLS_SIMULATE_NETWORK_HPP
 #define TOOLS_SIMULATE_NETWORK_HPP
 
-#include "tools/command.hpp"
+#include "tools/command_line/command.hpp"
 
 #include <string>
 

@@ -1,7 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "simulator/judge/sweep.hpp"
 #include "tests/integration/scenario_run.hpp"
-#include "tools/command_line.hpp"
+#include "tools/command_line/run.hpp"
+#include "tools/command_table.hpp"
 #include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -28,7 +29,7 @@ Answer Tool(const std::vector<std::string>& arguments)
 {
     std::ostringstream out;
     std::ostringstream err;
-    const ExitStatus status = RunCommandLine(arguments, {out, err});
+    const ExitStatus status = RunCommandLine(arguments, CommandTable(), {out, err});
     return {status, out.str(), err.str()};
 }
 

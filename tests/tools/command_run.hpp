@@ -3,7 +3,8 @@
 #define TESTS_TOOLS_COMMAND_RUN_HPP
 
 #include "canopen/cia306/text/text_file.hpp"
-#include "tools/command_line.hpp"
+#include "tools/command_line/run.hpp"
+#include "tools/command_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +28,7 @@ inline Answer RunCommand(const std::vector<std::string>& arguments)
 {
     std::ostringstream out;
     std::ostringstream err;
-    const ExitStatus status = RunCommandLine(arguments, {out, err});
+    const ExitStatus status = RunCommandLine(arguments, CommandTable(), {out, err});
     return {static_cast<int>(status), out.str(), err.str()};
 }
 

@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "tools/demo_command.hpp"
+#include "tools/demo/command.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/text_file.hpp"
@@ -7,8 +7,7 @@
 #include "simulator/report/reports.hpp"
 #include "simulator/scenario/names.hpp"
 #include "simulator/scenario/reader.hpp"
-
-#include <CLI/CLI.hpp>
+#include "tools/command_line/options.hpp"
 
 #include <algorithm>
 #include <array>
@@ -97,14 +96,12 @@ std::string Words(std::string text)
 class DemoCommand final : public Command
 {
   public:
-    void Describe(CLI::App& app) override
+    void Describe(Options& options) override
     {
-        CLI::Option* const html =
-            app.add_option("--html", html_, "Page with all timing diagrams; a folder gets index.html")
-                ->capture_default_str();
-        app.add_option("--scenarios", scenarios_, "Folder of the scenarios NN_name.yaml");
-        app.add_flag("--list", list_, "List the scenarios and end")->excludes(html);
-        app_ = &app;
+        options.Add("--html", &html_, "Page with all timing diagrams; a folder gets index.html").ShowDefault();
+        options.Add("--scenarios", &scenarios_, "Folder of the scenarios NN_name.yaml");
+        options.Add("--list", &list_, "List the scenarios and end").Excludes("--html");
+        options_ = &options;
     }
 
     [[nodiscard]] ExitStatus Run(const Streams& streams) override
@@ -130,7 +127,7 @@ class DemoCommand final : public Command
         {
             throw runtime::YamlError("--html", {}, "empty file name", "the name of a file or folder");
         }
-        if (scenarios_.empty() && app_->count("--scenarios") > 0U)
+        if (scenarios_.empty() && options_->IsGiven("--scenarios"))
         {
             throw runtime::YamlError("--scenarios", {}, "empty file name", "the name of a folder");
         }
@@ -279,7 +276,7 @@ class DemoCommand final : public Command
 
     std::string html_{"build/demo"};
     std::string scenarios_;
-    const CLI::App* app_{nullptr};
+    const Options* options_{nullptr};
     bool list_{false};
 };
 } // namespace

@@ -1,0 +1,234 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tools/command_line/run.hpp"
+
+#include "canopen/cia306/text/input_error.hpp"
+#include "tools/command_line/options.hpp"
+#include "version/version.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <variant>
+
+namespace counterpoint::tools
+{
+namespace
+{
+constexpr const char* kProgram = "counterpoint";
+constexpr const char* kExitStatus = "Exit status: 0 what was asked holds, 1 it does not, 2 bad input or bad usage.";
+
+/// One line, whatever the library or the system says.
+std::string OneLine(std::string text)
+{
+    while (!text.empty() && text.back() == '\n')
+    {
+        text.pop_back();
+    }
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return cia306::Printable(text);
+}
+
+std::string NamesOf(const std::vector<CommandRow>& table)
+{
+    std::string names;
+    for (const CommandRow& row : table)
+    {
+        names += (names.empty() ? "" : ", ") + std::string(row.name);
+    }
+    return names;
+}
+
+/// What is wrong with a number that people read otherwise than the library does, such as 010, which would be 8.
+std::string ProblemOfNumber(const std::string& text)
+{
+    const bool is_hexadecimal = text.size() > 2U && (text[1] == 'x' || text[1] == 'X');
+    const bool is_octal = text.size() > 1U && text[0] == '0' && !is_hexadecimal;
+    return is_octal ? text + " begins with 0, expected a decimal number, or a hexadecimal one after 0x" : std::string();
+}
+
+CLI::Option* Add(CLI::App& app, const Option& option)
+{
+    if (bool* const* const flag = std::get_if<bool*>(&option.target))
+    {
+        return app.add_flag(option.name, **flag, option.description);
+    }
+    if (int* const* const number = std::get_if<int*>(&option.target))
+    {
+        return app.add_option(option.name, **number, option.description)->check(CLI::Validator(ProblemOfNumber, ""));
+    }
+    if (std::string* const* const text = std::get_if<std::string*>(&option.target))
+    {
+        return app.add_option(option.name, **text, option.description);
+    }
+    return app.add_option(option.name, *std::get<std::vector<std::string>*>(option.target), option.description);
+}
+
+void AddChecks(CLI::Option& added, const Option& option)
+{
+    if (option.problem != nullptr)
+    {
+        added.check(CLI::Validator(option.problem, ""));
+    }
+    if (option.range)
+    {
+        added.check(CLI::Range(option.range->first, option.range->second));
+    }
+    if (!option.numbers.empty())
+    {
+        added.check(CLI::IsMember(option.numbers));
+    }
+}
+
+void Describe(CLI::App& app, const Option& option)
+{
+    CLI::Option& added = *Add(app, option);
+    AddChecks(added, option);
+    if (option.is_required)
+    {
+        added.required();
+    }
+    if (option.value_count)
+    {
+        added.expected(option.value_count->least, option.value_count->most);
+    }
+    if (option.takes_one_value)
+    {
+        added.allow_extra_args(false);
+    }
+    if (option.shows_default)
+    {
+        added.capture_default_str();
+    }
+    if (option.if_alone)
+    {
+        added.default_str(*option.if_alone);
+    }
+    if (option.type)
+    {
+        added.type_name(*option.type);
+    }
+    if (!option.excluded.empty())
+    {
+        added.excludes(app.get_option(option.excluded));
+    }
+    if (!option.needed.empty())
+    {
+        added.needs(app.get_option(option.needed));
+    }
+}
+
+/// One command, its options and what the library knows of them.
+struct Entry
+{
+    CLI::App* app;
+    std::unique_ptr<Command> command;
+    std::unique_ptr<Options> options;
+};
+
+Entry AddCommand(CLI::App& app, const CommandRow& row)
+{
+    Entry entry{app.add_subcommand(row.name, row.description), row.make(), std::make_unique<Options>()};
+    entry.command->Describe(*entry.options);
+    for (const Option& option : entry.options->All())
+    {
+        Describe(*entry.app, option);
+    }
+    const std::string& more = entry.options->FooterText();
+    entry.app->footer(more + (more.empty() ? "" : "\n") + kExitStatus);
+    return entry;
+}
+
+ExitStatus Run(const Entry& entry, const Streams& streams)
+{
+    for (Option& option : entry.options->All())
+    {
+        option.times = entry.app->count(option.name);
+    }
+    return entry.command->Run(streams);
+}
+
+ExitStatus Usage(const CLI::App& app, const std::vector<CommandRow>& table, const CLI::ParseError& error,
+                 const Streams& streams)
+{
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+    {
+        (void)app.exit(error, streams.out, streams.err); // Help and version.
+        return ExitStatus::kHolds;
+    }
+    std::string help = std::string(kProgram);
+    for (const CLI::App* command : app.get_subcommands())
+    {
+        help += " " + command->get_name();
+    }
+    const std::vector<std::string> unknown = app.remaining();
+    const bool has_command = !app.get_subcommands().empty();
+    std::string wrong = OneLine(error.what());
+    if (!has_command && !unknown.empty())
+    {
+        wrong = cia306::Quoted(unknown.front()) + " is no command";
+    }
+    streams.err << kProgram << ": " << wrong << "; expected "
+                << (has_command ? "" : "one of " + NamesOf(table) + " in ") << "a command line as told by '" << help
+                << " --help'\n";
+    return ExitStatus::kBadInput;
+}
+} // namespace
+
+ExitStatus RunCommandLine(const std::vector<std::string>& arguments, const std::vector<CommandRow>& table,
+                          const Streams& streams)
+{
+    CLI::App app("Counterpoint: CANopen Safety (EN 50325-5) tools", kProgram);
+    app.set_version_flag("--version", CounterpointVersion);
+    app.require_subcommand(1);
+    app.footer(std::string(kExitStatus) + "\n'counterpoint COMMAND --help' tells the options of a command.");
+    std::vector<Entry> entries;
+    for (const CommandRow& row : table)
+    {
+        entries.push_back(AddCommand(app, row));
+    }
+    try
+    {
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend())); // CLI11 takes them last first.
+        for (const Entry& entry : entries)
+        {
+            if (entry.app->parsed())
+            {
+                return Run(entry, streams);
+            }
+        }
+    }
+    catch (const CLI::ParseError& error)
+    {
+        return Usage(app, table, error, streams);
+    }
+    catch (const cia306::InputError& error)
+    {
+        streams.err << error.what() << "\n";
+    }
+    catch (const std::exception& error)
+    {
+        streams.err << kProgram << ": " << OneLine(error.what()) << "\n";
+    }
+    return ExitStatus::kBadInput;
+}
+
+int RunProgram(const int count, const char* const* const arguments, const std::vector<CommandRow>& table)
+{
+    std::vector<std::string> words;
+    for (int place = 1; place < count; ++place)
+    {
+        words.emplace_back(arguments[place]);
+    }
+    ExitStatus status = RunCommandLine(words, table, {std::cout, std::cerr});
+    std::cout.flush();
+    if (!std::cout)
+    {
+        std::cerr << kProgram << ": the answer cannot be written, expected an open output\n";
+        status = ExitStatus::kBadInput;
+    }
+    return static_cast<int>(status);
+}
+} // namespace counterpoint::tools
