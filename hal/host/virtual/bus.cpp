@@ -9,23 +9,22 @@
 namespace counterpoint::host
 {
 
-VirtualBus::VirtualBus(const BitRate rate) : bit_time_(BitTime(rate))
+VirtualBus::VirtualBus(const BitRate rate) : events_(rate, nodes_, faults_)
 {
 }
 
 NodeIndex VirtualBus::Attach(BusListener& listener, const NodeSetup& setup)
 {
-    Node node{&listener, TransmitQueue(setup.queue_capacity), {}, 0U, 0U, setup.port, true, true, false};
+    BusNode node{&listener, TransmitQueue(setup.queue_capacity), {}, 0U, 0U, setup.port, true, true, false};
     node.accepted.set();
     nodes_.push_back(std::move(node)); // A copy of the queue would not keep the memory set aside for its frames.
-    senders_.reserve(nodes_.size());
-    deliveries_.reserve(nodes_.size());
+    events_.OnAttached();
     return nodes_.size() - 1U;
 }
 
 void VirtualBus::Detach(const NodeIndex node)
 {
-    Node& gone = nodes_.at(node);
+    BusNode& gone = nodes_.at(node);
     gone.listener = nullptr;
     gone.connected = false;
     gone.queue.Clear();
@@ -33,7 +32,7 @@ void VirtualBus::Detach(const NodeIndex node)
 
 hal::TransmitStatus VirtualBus::Submit(const NodeIndex node, const CanFrame& frame)
 {
-    Node& sender = nodes_.at(node);
+    BusNode& sender = nodes_.at(node);
     if (sender.bus_off)
     {
         return hal::TransmitStatus::kBusOff;
@@ -41,7 +40,7 @@ hal::TransmitStatus VirtualBus::Submit(const NodeIndex node, const CanFrame& fra
     CanFrame sent = frame;
     for (BusFault* const fault : faults_)
     {
-        const SubmitFate fate = fault->OnSubmit(sent, node, now_);
+        const SubmitFate fate = fault->OnSubmit(sent, node, events_.Now());
         if (fate != SubmitFate::kQueued)
         {
             return (fate == SubmitFate::kSwallowed) ? hal::TransmitStatus::kAccepted : hal::TransmitStatus::kQueueFull;
@@ -55,10 +54,8 @@ hal::TransmitStatus VirtualBus::Submit(const NodeIndex node, const CanFrame& fra
     {
         return hal::TransmitStatus::kQueueFull;
     }
-    sender.queue.Insert(QueuedFrame{sent, ArbitrationKey(sent), 0U, order_});
-    ++order_;
-    Arm();
-    Schedule();
+    sender.queue.Insert(QueuedFrame{sent, ArbitrationKey(sent), 0U, events_.NextOrder()});
+    events_.OnWaiting();
     return hal::TransmitStatus::kAccepted;
 }
 
@@ -70,9 +67,7 @@ void VirtualBus::AbortAll(const NodeIndex node)
 void VirtualBus::Plan(const NodeIndex node, const CanFrame& frame, const BusTime at)
 {
     static_cast<void>(nodes_.at(node));
-    PlanEvent(PlannedEvent{std::max(at, now_), order_, node, frame, EventKind::kReception});
-    ++order_;
-    Schedule();
+    events_.Plan(node, frame, at);
 }
 
 void VirtualBus::AcceptAll(const NodeIndex node)
@@ -90,7 +85,7 @@ void VirtualBus::AcceptNone(const NodeIndex node)
 void VirtualBus::AcceptRange(const NodeIndex node, const std::uint32_t first_identifier,
                              const std::uint32_t last_identifier)
 {
-    Node& receiver = nodes_.at(node);
+    BusNode& receiver = nodes_.at(node);
     const std::uint32_t last = std::min(last_identifier, kGreatestStandardIdentifier);
     for (std::uint32_t identifier = first_identifier; identifier <= last; ++identifier)
     {
@@ -115,20 +110,19 @@ void VirtualBus::Disconnect(const NodeIndex node)
 
 void VirtualBus::Connect(const NodeIndex node)
 {
-    Node& back = nodes_.at(node);
+    BusNode& back = nodes_.at(node);
     back.connected = back.listener != nullptr;
-    Arm();
-    Schedule();
+    events_.OnWaiting();
 }
 
 void VirtualBus::ForceBusOff(const NodeIndex node)
 {
-    EnterBusOff(nodes_.at(node));
+    events_.EnterBusOff(nodes_.at(node));
 }
 
 void VirtualBus::Recover(const NodeIndex node)
 {
-    Node& back = nodes_.at(node);
+    BusNode& back = nodes_.at(node);
     back.bus_off = false;
     back.transmit_errors = 0U;
     back.receive_errors = 0U;
@@ -136,7 +130,7 @@ void VirtualBus::Recover(const NodeIndex node)
 
 ControllerState VirtualBus::State(const NodeIndex node) const
 {
-    const Node& looked_at = nodes_.at(node);
+    const BusNode& looked_at = nodes_.at(node);
     if (looked_at.bus_off)
     {
         return ControllerState::kBusOff;
@@ -158,21 +152,6 @@ std::uint32_t VirtualBus::ReceiveErrors(const NodeIndex node) const
 std::size_t VirtualBus::Pending(const NodeIndex node) const
 {
     return nodes_.at(node).queue.Size();
-}
-
-void VirtualBus::EnterBusOff(Node& node)
-{
-    if (node.bus_off)
-    {
-        return;
-    }
-    node.bus_off = true;
-    node.transmit_errors = std::max(node.transmit_errors, kBusOffFrom);
-    node.queue.Clear();
-    if (node.listener != nullptr)
-    {
-        node.listener->OnBusOff(now_);
-    }
 }
 
 } // namespace counterpoint::host

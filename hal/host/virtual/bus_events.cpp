@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "hal/host/virtual/bus.hpp"
+#include "hal/host/virtual/bus_events.hpp"
+
 #include "hal/host/virtual/frame_bits.hpp"
 
 #include <algorithm>
@@ -23,7 +24,30 @@ void CountDown(std::uint32_t& errors)
 
 } // namespace
 
-void VirtualBus::RunEvents(const BusTime until, BusObserver* const observer)
+BusEvents::BusEvents(const BitRate rate, std::vector<BusNode>& nodes, const std::vector<BusFault*>& faults)
+    : bit_time_(BitTime(rate)), nodes_(nodes), faults_(faults)
+{
+}
+
+void BusEvents::OnAttached()
+{
+    senders_.reserve(nodes_.size());
+    deliveries_.reserve(nodes_.size());
+}
+
+void BusEvents::Plan(const NodeIndex node, const CanFrame& frame, const BusTime at)
+{
+    PlanEvent(PlannedEvent{std::max(at, now_), NextOrder(), node, frame, EventKind::kReception});
+    Schedule();
+}
+
+void BusEvents::OnWaiting()
+{
+    Arm();
+    Schedule();
+}
+
+void BusEvents::Run(const BusTime until, BusObserver* const observer)
 {
     while (next_event_ <= until)
     {
@@ -44,12 +68,12 @@ void VirtualBus::RunEvents(const BusTime until, BusObserver* const observer)
     }
 }
 
-bool VirtualBus::IsLater(const PlannedEvent& left, const PlannedEvent& right)
+bool BusEvents::IsLater(const PlannedEvent& left, const PlannedEvent& right)
 {
     return (left.at != right.at) ? (left.at > right.at) : (left.order > right.order);
 }
 
-void VirtualBus::RunPlanned()
+void BusEvents::RunPlanned()
 {
     std::pop_heap(planned_.begin(), planned_.end(), IsLater);
     const PlannedEvent event = planned_.back();
@@ -57,13 +81,13 @@ void VirtualBus::RunPlanned()
     Deliver(event);
 }
 
-void VirtualBus::PlanEvent(const PlannedEvent& event)
+void BusEvents::PlanEvent(const PlannedEvent& event)
 {
     planned_.push_back(event);
     std::push_heap(planned_.begin(), planned_.end(), IsLater);
 }
 
-void VirtualBus::Arbitrate()
+void BusEvents::Arbitrate()
 {
     const BusTime start = arbitration_at_;
     arbitration_at_ = kNever;
@@ -102,11 +126,11 @@ void VirtualBus::Arbitrate()
     frame_end_ = start + (static_cast<BusTime>(record_.bits) * bit_time_);
 }
 
-bool VirtualBus::TakeWinners()
+bool BusEvents::TakeWinners()
 {
     bool found = false;
     std::uint32_t lowest = 0U;
-    for (const Node& node : nodes_)
+    for (const BusNode& node : nodes_)
     {
         const bool waits = node.IsOnBus() && !node.queue.IsEmpty();
         if (waits && (!found || (node.queue.Front().key < lowest)))
@@ -118,7 +142,7 @@ bool VirtualBus::TakeWinners()
     senders_.clear();
     for (NodeIndex index = 0U; found && (index < nodes_.size()); ++index)
     {
-        Node& node = nodes_[index];
+        BusNode& node = nodes_[index];
         const bool waits = node.IsOnBus() && !node.queue.IsEmpty();
         if (waits && (node.queue.Front().key == lowest))
         {
@@ -129,7 +153,7 @@ bool VirtualBus::TakeWinners()
     return found;
 }
 
-std::uint16_t VirtualBus::FirstHit() const
+std::uint16_t BusEvents::FirstHit() const
 {
     std::uint16_t first = WireHit::kNone;
     for (BusFault* const fault : faults_)
@@ -140,7 +164,7 @@ std::uint16_t VirtualBus::FirstHit() const
 }
 
 /// First bit in which the frames of several senders differ; WireHit::kNone if there is none.
-std::uint16_t VirtualBus::FirstDifference() const
+std::uint16_t BusEvents::FirstDifference() const
 {
     std::uint16_t first = WireHit::kNone;
     if (senders_.size() > 1U)
@@ -160,17 +184,17 @@ std::uint16_t VirtualBus::FirstDifference() const
     return first;
 }
 
-bool VirtualBus::IsHeardByOthers() const
+bool BusEvents::IsHeardByOthers() const
 {
     std::size_t on_bus = 0U;
-    for (const Node& node : nodes_)
+    for (const BusNode& node : nodes_)
     {
         on_bus += node.IsOnBus() ? 1U : 0U;
     }
     return on_bus > 1U;
 }
 
-bool VirtualBus::IsSender(const NodeIndex node) const
+bool BusEvents::IsSender(const NodeIndex node) const
 {
     for (const Sender& sender : senders_)
     {
@@ -182,14 +206,14 @@ bool VirtualBus::IsSender(const NodeIndex node) const
     return false;
 }
 
-void VirtualBus::FinishFrame(BusObserver* const observer)
+void BusEvents::FinishFrame(BusObserver* const observer)
 {
     record_.end = frame_end_;
     frame_end_ = kNever;
     free_at_ = record_.end + (static_cast<BusTime>(kIntermissionBits) * bit_time_);
     for (const Sender& sender : senders_)
     {
-        const Node& node = nodes_[sender.node];
+        const BusNode& node = nodes_[sender.node];
         if (!node.IsOnBus() || !node.queue.IsSending())
         {
             record_.fate = FrameFate::kSenderGone;
@@ -206,7 +230,7 @@ void VirtualBus::FinishFrame(BusObserver* const observer)
     Arm();
 }
 
-void VirtualBus::CompleteFrame(BusObserver* const observer)
+void BusEvents::CompleteFrame(BusObserver* const observer)
 {
     deliveries_.clear();
     for (NodeIndex index = 0U; index < nodes_.size(); ++index)
@@ -219,7 +243,7 @@ void VirtualBus::CompleteFrame(BusObserver* const observer)
     }
     for (const Sender& sender : senders_)
     {
-        Node& node = nodes_[sender.node];
+        BusNode& node = nodes_[sender.node];
         CountDown(node.transmit_errors);
         node.queue.Release();
         CollectConfirmation(sender.node);
@@ -234,7 +258,7 @@ void VirtualBus::CompleteFrame(BusObserver* const observer)
     }
 }
 
-void VirtualBus::DestroyFrame(BusObserver* const observer)
+void BusEvents::DestroyFrame(BusObserver* const observer)
 {
     CountErrors();
     for (const Sender& sender : senders_)
@@ -258,11 +282,11 @@ void VirtualBus::DestroyFrame(BusObserver* const observer)
     }
 }
 
-void VirtualBus::CountErrors()
+void BusEvents::CountErrors()
 {
     for (NodeIndex index = 0U; index < nodes_.size(); ++index)
     {
-        Node& node = nodes_[index];
+        BusNode& node = nodes_[index];
         const bool sends = IsSender(index);
         const bool forgiven =
             (record_.fate == FrameFate::kNotAcknowledged) && (node.transmit_errors > kErrorPassiveAbove);
@@ -277,7 +301,7 @@ void VirtualBus::CountErrors()
     }
 }
 
-void VirtualBus::CollectReceptions(const NodeIndex receiver)
+void BusEvents::CollectReceptions(const NodeIndex receiver)
 {
     receptions_.Clear();
     receptions_.Add(Reception{record_.sent.frame, 0});
@@ -289,7 +313,7 @@ void VirtualBus::CollectReceptions(const NodeIndex receiver)
     Spread(receiver, EventKind::kReception);
 }
 
-void VirtualBus::CollectConfirmation(const NodeIndex sender)
+void BusEvents::CollectConfirmation(const NodeIndex sender)
 {
     receptions_.Clear();
     receptions_.Add(Reception{record_.sent.frame, 0});
@@ -300,12 +324,12 @@ void VirtualBus::CollectConfirmation(const NodeIndex sender)
     Spread(sender, EventKind::kConfirmation);
 }
 
-void VirtualBus::Spread(const NodeIndex node, const EventKind kind)
+void BusEvents::Spread(const NodeIndex node, const EventKind kind)
 {
     for (const Reception& reception : receptions_)
     {
-        const PlannedEvent event{now_ + std::max<BusTime>(reception.delay, 0), order_, node, reception.frame, kind};
-        ++order_;
+        const PlannedEvent event{now_ + std::max<BusTime>(reception.delay, 0), NextOrder(), node, reception.frame,
+                                 kind};
         if (event.at > now_)
         {
             PlanEvent(event);
@@ -317,9 +341,9 @@ void VirtualBus::Spread(const NodeIndex node, const EventKind kind)
     }
 }
 
-void VirtualBus::Deliver(const PlannedEvent& event)
+void BusEvents::Deliver(const PlannedEvent& event)
 {
-    const Node& node = nodes_[event.node];
+    const BusNode& node = nodes_[event.node];
     if (!node.IsOnBus())
     {
         return;
@@ -342,13 +366,13 @@ void VirtualBus::Deliver(const PlannedEvent& event)
 }
 
 /// Fixes the next SOF if the bus is idle and somebody has something to send.
-void VirtualBus::Arm()
+void BusEvents::Arm()
 {
     if ((frame_end_ != kNever) || (arbitration_at_ != kNever))
     {
         return;
     }
-    for (const Node& node : nodes_)
+    for (const BusNode& node : nodes_)
     {
         if (node.IsOnBus() && !node.queue.IsEmpty())
         {
@@ -358,11 +382,26 @@ void VirtualBus::Arm()
     }
 }
 
-void VirtualBus::Schedule()
+void BusEvents::Schedule()
 {
     const BusTime choice = (arbitration_at_ == kNever) ? kNever : (arbitration_at_ + kChoiceDelay);
     const BusTime planned = planned_.empty() ? kNever : planned_.front().at;
     next_event_ = std::min({choice, planned, frame_end_});
+}
+
+void BusEvents::EnterBusOff(BusNode& node)
+{
+    if (node.bus_off)
+    {
+        return;
+    }
+    node.bus_off = true;
+    node.transmit_errors = std::max(node.transmit_errors, kBusOffFrom);
+    node.queue.Clear();
+    if (node.listener != nullptr)
+    {
+        node.listener->OnBusOff(now_);
+    }
 }
 
 } // namespace counterpoint::host
