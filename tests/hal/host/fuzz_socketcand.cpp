@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Any bytes, cut at any place: every element is either malformed with a reason or a message that is written as text
 // that is read as the same message.
-#include "hal/host/live/socketcand/text.hpp"
+#include "hal/host/live/socketcand/message.hpp"
 
 #include <algorithm>
 #include <cstddef>

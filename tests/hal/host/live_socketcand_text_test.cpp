@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "hal/host/live/socketcand/text.hpp"
+#include "hal/host/live/socketcand/message.hpp"
 
 #include "verification/trace/ids/live_bus.hpp"
 #include "verification/trace/verifies.hpp"

@@ -3,7 +3,7 @@
 #define HAL_HOST_LIVE_SOCKETCAND_LINK_HPP
 
 #include "hal/host/live/poll.hpp"
-#include "hal/host/live/socketcand/text.hpp"
+#include "hal/host/live/socketcand/message.hpp"
 
 #include <cstddef>
 #include <optional>

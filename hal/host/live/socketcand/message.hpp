@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#ifndef HAL_HOST_LIVE_SOCKETCAND_TEXT_HPP
-#define HAL_HOST_LIVE_SOCKETCAND_TEXT_HPP
+#ifndef HAL_HOST_LIVE_SOCKETCAND_MESSAGE_HPP
+#define HAL_HOST_LIVE_SOCKETCAND_MESSAGE_HPP
 
 #include "hal/host/live/bus.hpp"
 
