@@ -8,6 +8,17 @@ namespace
 
 using cia301::NodeState;
 
+bool IsReset(const NmtCommand command) noexcept
+{
+    return (command == NmtCommand::kResetNode) || (command == NmtCommand::kResetCommunication);
+}
+
+/// Takes a node out of OPERATIONAL without a reset.
+bool IsLeave(const NmtCommand command) noexcept
+{
+    return (command == NmtCommand::kStop) || (command == NmtCommand::kPreOperational);
+}
+
 } // namespace
 
 Manager::Manager(const ManagerParts& parts) noexcept
@@ -15,16 +26,16 @@ Manager::Manager(const ManagerParts& parts) noexcept
       table_(NodeTableParts{parts.room.records, parts_.setup, parts_.sink, *this}),
       gate_(parts_.setup, parts.room.safety, sdo_),
       nmt_(NmtMasterParts{parts_.setup, parts.room.commands, parts_.sink, table_, *this, gate_}),
-      watch_(parts_.setup, parts.room.watched, *this), producer_(parts_.setup.own), profile_(nullptr), flying_(nullptr),
-      negotiation_(NegotiationBy::kManager), state_(NodeState::kInitialising), is_running_(false), is_leading_(false),
-      owes_boot_up_(false), is_to_start_(false), is_refused_(false), is_off_bus_(false), is_to_reset_(false)
+      watch_(parts_.setup, parts.room.watched, *this), own_(parts_.setup.own, parts_.sink, parts.heartbeat_ms),
+      permissions_(parts_.setup, gate_, table_), profile_(nullptr), flying_(nullptr),
+      negotiation_(NegotiationBy::kManager), is_running_(false), is_leading_(false), is_to_start_(false),
+      is_refused_(false), is_off_bus_(false), is_to_reset_(false)
 {
-    producer_.SetPeriod(parts.heartbeat_ms);
 }
 
 StartUpParts Manager::ProfileParts() noexcept
 {
-    return StartUpParts{parts_.setup, table_, nmt_, sdo_, gate_, parts_.sink, *this};
+    return StartUpParts{parts_.setup, table_, nmt_, sdo_, gate_, parts_.sink, parts_.listener};
 }
 
 void Manager::Use(StartUp& profile) noexcept
@@ -44,10 +55,9 @@ void Manager::Begin(const Instant now) noexcept
     is_running_ = (profile_ != nullptr);
     if (is_running_)
     {
-        state_ = NodeState::kPreOperational;
-        owes_boot_up_ = true;
+        own_.Restart();
         is_to_start_ = (flying_ != nullptr) && (negotiation_ == NegotiationBy::kManager);
-        SendOwn(now);
+        own_.Send(IsInitialising(), now);
         if (flying_ == nullptr)
         {
             Lead(true, now);
@@ -150,7 +160,7 @@ void Manager::OnCycle(const Instant now) noexcept
             flying_->OnCycle(now);
             FollowRole(now);
         }
-        SendOwn(now);
+        own_.Send(IsInitialising(), now);
         watch_.OnCycle(now);
         table_.OnCycle(now);
         sdo_.OnCycle(now);
@@ -164,29 +174,6 @@ void Manager::OnCycle(const Instant now) noexcept
 bool Manager::IsInitialising() const noexcept
 {
     return (flying_ != nullptr) && flying_->IsInitialising();
-}
-
-/// Boot-up message and heartbeat of this device. What the sink does not take comes in a later cycle.
-void Manager::SendOwn(const Instant now) noexcept
-{
-    if (!IsInitialising() && owes_boot_up_)
-    {
-        owes_boot_up_ = !parts_.sink.Send(cia301::ErrorControlFrame(parts_.setup.own, 0U));
-    }
-    else if (!IsInitialising())
-    {
-        const cia301::FrameToSend heartbeat = producer_.Poll(state_, now);
-        if (heartbeat.is_present)
-        {
-            static_cast<void>(parts_.sink.Send(heartbeat.frame)); // The next one is as good.
-        }
-    }
-    else
-    {
-        // Nobody is to take this device for one that is there. Whoever leaves INITIALISATION says so. [SRS_FLY_028]
-        state_ = NodeState::kPreOperational;
-        owes_boot_up_ = true;
-    }
 }
 
 NmtAnswer Manager::Command(const NmtCommand command, const NodeId node, const Instant now) noexcept
@@ -231,14 +218,6 @@ void Manager::TellGates(const Instant now) noexcept
     }
 }
 
-void Manager::CloseGate(const NodeId node) noexcept
-{
-    if (parts_.setup.IsSafetySlave(node))
-    {
-        gate_.Close(node);
-    }
-}
-
 void Manager::OnNodeEvent(const NodeId node, const NodeEvent event, const Instant now) noexcept
 {
     const bool is_boot_up = (event == NodeEvent::kBootUp);
@@ -249,7 +228,7 @@ void Manager::OnNodeEvent(const NodeId node, const NodeEvent event, const Instan
     }
     if (is_boot_up || is_lost || (event == NodeEvent::kToggleError))
     {
-        CloseGate(node);
+        permissions_.Close(node);
     }
     parts_.listener.OnNodeEvent(node, event, now);
     if ((flying_ != nullptr) && is_lost)
@@ -260,16 +239,6 @@ void Manager::OnNodeEvent(const NodeId node, const NodeEvent event, const Instan
     {
         profile_->OnNodeEvent(node, event, now);
     }
-}
-
-void Manager::OnNodeStatus(const NodeId node, const Instant now) noexcept
-{
-    parts_.listener.OnNodeStatus(node, now);
-}
-
-void Manager::OnMasterState(const std::int16_t state, const Instant now) noexcept
-{
-    parts_.listener.OnMasterState(state, now);
 }
 
 void Manager::OnEmergency(const NodeId node, const EmergencyRecord& emergency, const Instant now) noexcept
@@ -286,7 +255,7 @@ void Manager::OnDuplicate(const NodeId node, const Instant now) noexcept
 
 NodeState Manager::OwnState() const noexcept
 {
-    return IsInitialising() ? NodeState::kInitialising : state_;
+    return IsInitialising() ? NodeState::kInitialising : own_.State();
 }
 
 NodeStatus Manager::Status(const NodeId node) const noexcept
@@ -297,6 +266,178 @@ NodeStatus Manager::Status(const NodeId node) const noexcept
 std::int16_t Manager::MasterState() const noexcept
 {
     return (profile_ != nullptr) ? profile_->MasterState() : std::int16_t{0};
+}
+
+/// Commands of the active master to this device while it is not the master itself. A master is not commanded by
+/// others: they show themselves by 071h.
+void Manager::OnCommandFrame(const CanFrame& frame, const Instant now) noexcept
+{
+    constexpr std::uint8_t kCommandBytes = 2U;
+    const bool is_command =
+        (frame.kind == FrameKind::kData) && (frame.identifier == 0U) && (frame.length_bytes == kCommandBytes);
+    const bool is_for_us =
+        is_command && ((frame.data[1] == kAllNodes.value) || (frame.data[1] == parts_.setup.own.value));
+    if (is_command && IsReset(static_cast<NmtCommand>(frame.data[0])))
+    {
+        OnReset(NodeId{frame.data[1]});
+    }
+    if (is_command && IsLeave(static_cast<NmtCommand>(frame.data[0])))
+    {
+        permissions_.OnLeave(NodeId{frame.data[1]});
+    }
+    if (is_command && is_leading_ && (static_cast<NmtCommand>(frame.data[0]) == NmtCommand::kStart))
+    {
+        permissions_.OnForeignStart(NodeId{frame.data[1]}, *profile_, now);
+    }
+    if (is_for_us && (flying_ != nullptr) && !is_leading_)
+    {
+        own_.Obey(static_cast<NmtCommand>(frame.data[0]));
+    }
+}
+
+/// [SRS_SFS_002]
+void Manager::OnStartDropped(const NodeId node, const Instant now) noexcept
+{
+    if (is_leading_)
+    {
+        permissions_.OnStartDropped(node);
+        profile_->OnStartDropped(node, now);
+    }
+}
+
+void Manager::OnNmtSent(const NmtRequest& request, const Instant now) noexcept
+{
+    const bool is_all = (request.node.value == kAllNodes.value);
+    if (IsReset(request.command))
+    {
+        OnReset(request.node);
+    }
+    if (IsLeave(request.command))
+    {
+        permissions_.OnLeave(request.node);
+    }
+    if (is_all || (request.node.value == parts_.setup.own.value))
+    {
+        own_.Obey(request.command);
+    }
+    // Not here: the queue of commands is being worked through.
+    is_to_reset_ =
+        is_to_reset_ || (!is_all && IsReset(request.command) && (request.node.value == parts_.setup.own.value));
+    parts_.listener.OnNmtSent(request, now);
+}
+
+void Manager::OnReset(const NodeId node) noexcept
+{
+    permissions_.OnReset(node);
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        if ((node.value == kAllNodes.value) || (node.value == id))
+        {
+            watch_.Forget(NodeId{id});
+        }
+    }
+}
+
+void Manager::OnLost(const Instant now) noexcept
+{
+    permissions_.OnLost(is_leading_ ? profile_ : nullptr, now);
+}
+
+FlyingStart Manager::StartNegotiation(const Instant now) noexcept
+{
+    const FlyingStart refusal = (flying_ != nullptr) ? FlyingStart::kNoBus : FlyingStart::kInvalid;
+    return ((flying_ != nullptr) && !is_off_bus_) ? flying_->Start(now) : refusal;
+}
+
+void Manager::OnBus(const bool is_there, const Instant now) noexcept
+{
+    const bool has_gone = !is_there && !is_off_bus_;
+    const bool is_back = is_there && is_off_bus_;
+    is_off_bus_ = !is_there;
+    if (is_back)
+    {
+        OnLost(now);
+        if (is_leading_)
+        {
+            profile_->OnBusBack(now);
+        }
+    }
+    if (has_gone && is_running_ && (flying_ != nullptr))
+    {
+        flying_->Reset(now);
+    }
+}
+
+/// The active master that is commanded to reset itself, and not all, is as any other device after it. [SRS_FLY_019]
+void Manager::ResetRole(const Instant now) noexcept
+{
+    const bool is_due = is_to_reset_ && (flying_ != nullptr);
+    is_to_reset_ = false;
+    if (is_due)
+    {
+        flying_->Reset(now);
+    }
+}
+
+/// Values that cannot work may be corrected while the device is initialising.
+void Manager::TryNegotiation(const Instant now) noexcept
+{
+    const FlyingStart answer = flying_->Start(now);
+    is_to_start_ = (answer != FlyingStart::kStarted);
+    if (is_to_start_ && !is_refused_ && (answer != FlyingStart::kNotInitialising))
+    {
+        is_refused_ = true;
+        parts_.listener.OnNegotiationRefused(answer, now);
+    }
+    is_refused_ = is_refused_ && is_to_start_;
+}
+
+/// A negotiation may begin without an event: whoever negotiates commands nobody. [SRS_MGR_002]
+void Manager::FollowRole(const Instant now) noexcept
+{
+    if (is_leading_ && !flying_->IsActiveMaster())
+    {
+        Lead(false, now);
+    }
+}
+
+/// The application of the flying master: presets that leave supervision to it have no other. Without a consumer time
+/// for that node nobody watches, and this device stays slave. [SRS_MGR_002]
+void Manager::WatchMaster(const NodeId master, const Instant now) noexcept
+{
+    const HeartbeatSetup& heartbeat = parts_.setup.Slave(master).heartbeat;
+    table_.WatchHeartbeat(master, heartbeat.consumer_ms, heartbeat.arming, now);
+}
+
+void Manager::OnFlyingMaster(const FlyingEvent event, const MasterClaim& claim, const Instant now) noexcept
+{
+    parts_.listener.OnFlyingMaster(event, claim, now);
+    const bool is_settled = (event == FlyingEvent::kMasterMode) || (event == FlyingEvent::kSlaveMode);
+    if (is_settled)
+    {
+        Lead(event == FlyingEvent::kMasterMode, now);
+        if (event == FlyingEvent::kSlaveMode)
+        {
+            WatchMaster(claim.node, now);
+        }
+    }
+    else if (!flying_->IsActiveMaster())
+    {
+        Lead(false, now);
+    }
+    else
+    {
+        // Told something, and still the master.
+    }
+}
+
+void Manager::OnInitialising(const Instant now) noexcept
+{
+    Lead(false, now);
+    UnwatchAll();
+    own_.Restart();
+    is_to_start_ = (negotiation_ == NegotiationBy::kManager);
+    parts_.listener.OnInitialising(now);
 }
 
 } // namespace counterpoint::cia302

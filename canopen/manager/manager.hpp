@@ -2,11 +2,12 @@
 #ifndef CANOPEN_MANAGER_MANAGER_HPP
 #define CANOPEN_MANAGER_MANAGER_HPP
 
-#include "canopen/cia301/nmt/heartbeat_producer.hpp"
 #include "canopen/cia302/flying_master/flying_master.hpp"
 #include "canopen/cia302/network/node_watch.hpp"
 #include "canopen/cia302/network/start_up.hpp"
 #include "canopen/cia302/safety_gate/safety_gate.hpp"
+#include "canopen/manager/own_device.hpp"
+#include "canopen/manager/safety_permissions.hpp"
 
 #include <cstdint>
 
@@ -14,15 +15,11 @@ namespace counterpoint::cia302
 {
 
 /// Is told everything that happens in the network, in order. It may read the manager, and command it later.
-class ManagerListener
+class ManagerListener : public StartUpListener
 {
   public:
     /// @brief Boot-up message, supervision or state of any node.
     virtual void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept = 0;
-    /// @brief Letter, code or step of a slave changed.
-    virtual void OnNodeStatus(NodeId node, Instant now) noexcept = 0;
-    /// @brief MasterState changed.
-    virtual void OnMasterState(std::int16_t state, Instant now) noexcept = 0;
     /// @brief A command left, or one for this device itself, for which no frame leaves.
     virtual void OnNmtSent(const NmtRequest& request, Instant now) noexcept = 0;
     /// @brief The gate of a safety slave changed, seen once a cycle.
@@ -88,11 +85,7 @@ struct ManagerParts
 /// Without a flying master it commands the network from Begin on, with one while the negotiation made it the master.
 /// No clock, no heap, no waiting; O(127) a cycle, O(127) a frame. Not reentrant. [SRS_MGR_001, SRS_MGR_002,
 /// SRS_MGR_003]
-class Manager final : public NmtListener,
-                      public NodeListener,
-                      public StartUpListener,
-                      public NodeWatchListener,
-                      public FlyingMasterListener
+class Manager final : public NmtListener, public NodeListener, public NodeWatchListener, public FlyingMasterListener
 {
   public:
     /// @brief Nothing happens before Begin.
@@ -132,12 +125,12 @@ class Manager final : public NmtListener,
     /// @brief 1017h of this device from now on; 0: no heartbeat.
     void SetHeartbeat(const std::uint16_t period_ms) noexcept
     {
-        producer_.SetPeriod(period_ms);
+        own_.Heartbeat().SetPeriod(period_ms);
     }
     /// @brief 1017h of this device as it is now; 0: no heartbeat.
     [[nodiscard]] std::uint16_t HeartbeatMs() const noexcept
     {
-        return producer_.PeriodMs();
+        return own_.Heartbeat().PeriodMs();
     }
 
     /// @brief A command of the application, by the profile: see StartUp::Command.
@@ -186,8 +179,6 @@ class Manager final : public NmtListener,
     void OnNmtSent(const NmtRequest& request, Instant now) noexcept override;
     void OnStartDropped(NodeId node, Instant now) noexcept override;
     void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept override;
-    void OnNodeStatus(NodeId node, Instant now) noexcept override;
-    void OnMasterState(std::int16_t state, Instant now) noexcept override;
     void OnEmergency(NodeId node, const EmergencyRecord& emergency, Instant now) noexcept override;
     void OnDuplicate(NodeId node, Instant now) noexcept override;
     void OnFlyingMaster(FlyingEvent event, const MasterClaim& claim, Instant now) noexcept override;
@@ -195,22 +186,16 @@ class Manager final : public NmtListener,
 
   private:
     [[nodiscard]] bool IsInitialising() const noexcept;
-    void Obey(NmtCommand command) noexcept;
     void OnCommandFrame(const CanFrame& frame, Instant now) noexcept;
     void CountHeartbeats(const CanFrame& frame) noexcept;
     void OnReset(NodeId node) noexcept;
-    void OnLeave(NodeId node) noexcept;
-    void OnForeignStart(NodeId node, Instant now) noexcept;
     void Lead(bool is_leader, Instant now) noexcept;
     void FollowRole(Instant now) noexcept;
     void TryNegotiation(Instant now) noexcept;
     void ResetRole(Instant now) noexcept;
     void UnwatchAll() noexcept;
     void WatchMaster(NodeId master, Instant now) noexcept;
-    void SendOwn(Instant now) noexcept;
     void TellGates(Instant now) noexcept;
-    void CloseGate(NodeId node) noexcept;
-    void ReadAnew(NodeId node) noexcept;
 
     ManagerParts parts_;
     SdoPool sdo_;
@@ -218,18 +203,17 @@ class Manager final : public NmtListener,
     SafetyGate gate_;
     NmtMaster nmt_;
     NodeWatch watch_;
-    cia301::HeartbeatProducer producer_;
+    OwnDevice own_;
+    SafetyPermissions permissions_;
     StartUp* profile_;
     FlyingMaster* flying_; ///< Null: none.
     NegotiationBy negotiation_;
-    cia301::NodeState state_;
     bool is_running_;
-    bool is_leading_;   ///< The profile was begun.
-    bool owes_boot_up_; ///< The boot-up message has not left.
-    bool is_to_start_;  ///< The negotiation is to be started in the next cycle.
-    bool is_refused_;   ///< That was told.
-    bool is_off_bus_;   ///< No negotiation begins.
-    bool is_to_reset_;  ///< This device was commanded to reset itself.
+    bool is_leading_;  ///< The profile was begun.
+    bool is_to_start_; ///< The negotiation is to be started in the next cycle.
+    bool is_refused_;  ///< That was told.
+    bool is_off_bus_;  ///< No negotiation begins.
+    bool is_to_reset_; ///< This device was commanded to reset itself.
 };
 
 } // namespace counterpoint::cia302

@@ -1,0 +1,47 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_MANAGER_OWN_DEVICE_HPP
+#define CANOPEN_MANAGER_OWN_DEVICE_HPP
+
+#include "canopen/cia301/nmt/frame_sink.hpp"
+#include "canopen/cia301/nmt/heartbeat_producer.hpp"
+#include "canopen/cia302/network/nmt_command.hpp"
+
+namespace counterpoint::cia302
+{
+
+/// The manager's device as one node among the others: NMT state, boot-up message, heartbeat.
+class OwnDevice
+{
+  public:
+    OwnDevice(NodeId own, cia301::FrameSink& sink, std::uint16_t heartbeat_ms) noexcept;
+
+    /// @brief PRE-OPERATIONAL; owes its boot-up message.
+    void Restart() noexcept;
+    void Obey(NmtCommand command) noexcept;
+    /// @brief Boot-up message and heartbeat. What the sink does not take comes in a later cycle.
+    void Send(bool is_initialising, Instant now) noexcept;
+
+    [[nodiscard]] cia301::NodeState State() const noexcept
+    {
+        return state_;
+    }
+    [[nodiscard]] cia301::HeartbeatProducer& Heartbeat() noexcept
+    {
+        return producer_;
+    }
+    [[nodiscard]] const cia301::HeartbeatProducer& Heartbeat() const noexcept
+    {
+        return producer_;
+    }
+
+  private:
+    NodeId own_;
+    cia301::FrameSink& sink_;
+    cia301::HeartbeatProducer producer_;
+    cia301::NodeState state_;
+    bool owes_boot_up_; ///< The boot-up message has not left.
+};
+
+} // namespace counterpoint::cia302
+
+#endif

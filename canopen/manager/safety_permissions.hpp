@@ -1,0 +1,42 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_MANAGER_SAFETY_PERMISSIONS_HPP
+#define CANOPEN_MANAGER_SAFETY_PERMISSIONS_HPP
+
+#include "canopen/cia302/network/node_table.hpp"
+#include "canopen/cia302/network/start_up.hpp"
+#include "canopen/cia302/safety_gate/safety_gate.hpp"
+
+namespace counterpoint::cia302
+{
+
+/// When what was verified of a safety slave holds no more, and when it is read again: after resets, commands, losses
+/// and somebody else's start. Everything is kept by reference.
+class SafetyPermissions
+{
+  public:
+    SafetyPermissions(const NetworkSetup& setup, SafetyGate& gate, NodeTable& table) noexcept;
+
+    /// @brief The slave booted, or is lost: nothing of it is verified. Nothing for other slaves.
+    void Close(NodeId node) noexcept;
+    /// @brief A reset of one node or all, whoever sent it.
+    void OnReset(NodeId node) noexcept;
+    /// @brief One node or all were commanded out of OPERATIONAL.
+    void OnLeave(NodeId node) noexcept;
+    /// @brief A start command that is not of this device, which leads the network. O(127)
+    void OnForeignStart(NodeId node, const StartUp& profile, Instant now) noexcept;
+    /// @brief See Manager::OnLost. `profile` is null while this device does not lead. O(127)
+    void OnLost(const StartUp* profile, Instant now) noexcept;
+    /// @brief The start of a slave was given up.
+    void OnStartDropped(NodeId node) noexcept;
+
+  private:
+    void ReadAnew(NodeId node) noexcept;
+
+    const NetworkSetup& setup_;
+    SafetyGate& gate_;
+    NodeTable& table_;
+};
+
+} // namespace counterpoint::cia302
+
+#endif
