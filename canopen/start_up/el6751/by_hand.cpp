@@ -137,7 +137,7 @@ bool El6751StartUp::Boot(const NodeId node, const Instant now) noexcept
     {
         El6751Node& slave = Of(node);
         slave.is_held_by_hand = false;
-        slave.phase = El6751Phase::kResetting;
+        slave.phase = Next(slave.phase, El6751Event::kReset);
         Tell(node, kNodeStarts, StartUpStep::kReset, now);
     }
     return is_one;

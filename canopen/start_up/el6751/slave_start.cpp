@@ -29,7 +29,7 @@ void El6751StartUp::BeginRows(const NodeId node, const std::int16_t code, const 
     parts_.common.gate.Close(node);
     parts_.common.table.Unwatch(node);
     pdos_.Rest(node);
-    slave.phase = El6751Phase::kRows;
+    slave.phase = Next(slave.phase, El6751Event::kBegin);
     slave.place = NextRow(Context(node), El6751Place{});
     slave.control_fault = 0;
     slave.has_answered = false;
@@ -160,7 +160,7 @@ void El6751StartUp::StopUnread(const NodeId node, const Instant now) noexcept
 void El6751StartUp::Fail(const NodeId node, const std::int16_t code, const Instant now) noexcept
 {
     El6751Node& slave = Of(node);
-    slave.phase = El6751Phase::kFailed;
+    slave.phase = Next(slave.phase, El6751Event::kFail);
     slave.status.is_other = slave.status.is_other || (slave.place.row <= El6751Row::kSerialNumber);
     slave.cause = code;
     slave.signs = parts_.common.table.Record(node).signs;
@@ -223,7 +223,7 @@ void El6751StartUp::BeginStart(const NodeId node, const Instant now) noexcept
     slave.is_start_wanted = false;
     slave.is_checking = false;
     slave.control_fault = 0;
-    slave.phase = IsSafety(node) ? El6751Phase::kVerify : El6751Phase::kStarting;
+    slave.phase = Next(slave.phase, IsSafety(node) ? El6751Event::kVerify : El6751Event::kStart);
     Tell(node, kNodeStarts, IsSafety(node) ? StartUpStep::kSafety : StartUpStep::kStart, now);
     Drive(node, now);
 }
@@ -254,13 +254,13 @@ void El6751StartUp::DriveVerify(const NodeId node, const Instant now) noexcept
     {
         slave.is_checking = false;
         slave.is_requested = false;
-        slave.phase = El6751Phase::kStarting;
+        slave.phase = Next(slave.phase, El6751Event::kStart);
         Tell(node, kNodeStarts, StartUpStep::kStart, now);
         DriveStart(node, now);
     }
     else if ((gate == GateState::kDiffers) || (gate == GateState::kFailed))
     {
-        RefuseSafety(node, El6751Phase::kFailed, now);
+        RefuseSafety(node, now);
     }
     else
     {
@@ -270,7 +270,7 @@ void El6751StartUp::DriveVerify(const NodeId node, const Instant now) noexcept
 
 /// A slave that was stopped, and is read once more because somebody's start came so near that it may run, is silent:
 /// what was found before stays, unless it said itself that it runs.
-void El6751StartUp::RefuseSafety(const NodeId node, const El6751Phase after, const Instant now) noexcept
+void El6751StartUp::RefuseSafety(const NodeId node, const Instant now) noexcept
 {
     El6751Node& slave = Of(node);
     const bool differs = parts_.common.gate.State(node) == GateState::kDiffers;
@@ -293,7 +293,7 @@ void El6751StartUp::RefuseSafety(const NodeId node, const El6751Phase after, con
     slave.status.is_other = slave.status.is_other || parts_.common.gate.IsOther(node);
     slave.status.is_started = false;
     slave.is_checking = false;
-    Stop(node, after, now);
+    Stop(node, El6751Event::kRefuse, now);
 }
 
 /// Somebody commanded the slave while its start waited: it is read once more. [SRS_ELM_048]
@@ -302,7 +302,7 @@ void El6751StartUp::OnStartDropped(const NodeId node, const Instant now) noexcep
     El6751Node& slave = Of(node);
     if ((slave.phase == El6751Phase::kStarting) && slave.is_requested)
     {
-        slave.phase = El6751Phase::kVerify;
+        slave.phase = Next(slave.phase, El6751Event::kVerify);
         slave.is_requested = false;
         slave.is_checking = false;
         Tell(node, kNodeStarts, StartUpStep::kSafety, now);
@@ -319,7 +319,7 @@ void El6751StartUp::DriveStart(const NodeId node, const Instant now) noexcept
         slave.is_requested = (answer == NmtAnswer::kTaken);
         if (answer == NmtAnswer::kNotVerified)
         {
-            slave.phase = El6751Phase::kVerify;
+            slave.phase = Next(slave.phase, El6751Event::kVerify);
         }
     }
     if (slave.is_requested && (parts_.common.table.Record(node).asked == SlaveState::kOperational))

@@ -162,7 +162,10 @@ void El6751StartUp::Drive(const NodeId node, const Instant now) noexcept
     case El6751Phase::kRunning:
         Watch(node, now);
         break;
-    case El6751Phase::kStopping:
+    case El6751Phase::kStoppingToReset:
+    case El6751Phase::kStoppingHeld:
+    case El6751Phase::kStoppingFailed:
+    case El6751Phase::kStoppingForGood:
         DriveStop(node, now);
         break;
     case El6751Phase::kHeld:
@@ -232,7 +235,7 @@ void El6751StartUp::OnRestartOfSlave(const NodeId node, const Instant now) noexc
 {
     El6751Node& slave = Of(node);
     const bool has_run = (slave.phase == El6751Phase::kRunning) || (slave.phase == El6751Phase::kStarting);
-    const bool is_left = (slave.phase == El6751Phase::kDeactivated) || (slave.phase == El6751Phase::kStopping) ||
+    const bool is_left = (slave.phase == El6751Phase::kDeactivated) || IsStopping(slave.phase) ||
                          (slave.phase == El6751Phase::kResetting);
     if (has_run && (SetupOf(node).restart == El6751Restart::kByHand))
     {
@@ -294,7 +297,7 @@ NodeStatus El6751StartUp::Status(const NodeId node) const noexcept
     NodeStatus status = slave.status;
     status.is_busy = (slave.phase == El6751Phase::kResetting) || (slave.phase == El6751Phase::kRows) ||
                      (slave.phase == El6751Phase::kVerify) || (slave.phase == El6751Phase::kStarting) ||
-                     (slave.phase == El6751Phase::kStopping);
+                     IsStopping(slave.phase);
     // Who booted while it was deactivated, or was held before it said who it is, is asked by its next start-up.
     const bool is_unasked = slave.has_restarted || (slave.place.row <= El6751Row::kSerialNumber);
     status.is_other = status.is_other || (IsSafety(node) && !status.is_busy && is_unasked); // [SRS_SFS_009]

@@ -5,6 +5,7 @@
 #include "canopen/cia302/network/start_up.hpp"
 #include "canopen/start_up/el6751/pdos.hpp"
 #include "canopen/start_up/el6751/rows.hpp"
+#include "canopen/start_up/el6751/states.hpp"
 
 #include <cstdint>
 
@@ -42,25 +43,10 @@ enum class ControllerState : std::uint8_t
     kAbsent = 2U, ///< It does not start.
 };
 
-enum class El6751Phase : std::uint8_t
-{
-    kOutside = 0U, ///< Not in the network.
-    kResetting,    ///< Reset communication waits to be handed over.
-    kRows,         ///< SDOs of the start-up.
-    kVerify,       ///< The gate reads the safety objects.
-    kStarting,     ///< NMT start waits to be sent.
-    kRunning,
-    kHeld,     ///< Not started: by hand, or because the automatic start is off.
-    kFailed,   ///< The start-up ended.
-    kStopping, ///< NMT stop waits to be handed over; then `after`.
-    kDeactivated,
-};
-
-/// One slave. Zero-filled at first.
+/// One slave. Zero-filled at first. Beside the phase stands what is known.
 struct El6751Node
 {
-    El6751Phase phase;
-    El6751Phase after; ///< Phase behind kStopping.
+    El6751Phase phase; ///< Changes by Next alone.
     El6751Place place;
     NodeStatus status;
     std::int16_t cause;         ///< NodeState of the last error.
@@ -156,7 +142,7 @@ class El6751StartUp final : public StartUp
     void BeginStart(NodeId node, Instant now) noexcept;
     void DriveVerify(NodeId node, Instant now) noexcept;
     void StopUnread(NodeId node, Instant now) noexcept;
-    void RefuseSafety(NodeId node, El6751Phase after, Instant now) noexcept;
+    void RefuseSafety(NodeId node, Instant now) noexcept;
     void DriveStart(NodeId node, Instant now) noexcept;
 
     void Run(NodeId node, Instant now) noexcept;
@@ -164,7 +150,7 @@ class El6751StartUp final : public StartUp
     [[nodiscard]] std::int16_t FaultOf(NodeId node) noexcept;
     void React(NodeId node, std::int16_t code, Instant now) noexcept;
     void StopOthers(NodeId node, Instant now) noexcept;
-    void Stop(NodeId node, El6751Phase after, Instant now) noexcept;
+    void Stop(NodeId node, El6751Event event, Instant now) noexcept;
     void DriveStop(NodeId node, Instant now) noexcept;
     void Hold(NodeId node, std::int16_t code, Instant now) noexcept;
     void DriveIdle(NodeId node, Instant now) noexcept;

@@ -15,7 +15,7 @@ constexpr std::uint32_t kFirstPdoUs = 10000000U;
 void El6751StartUp::Run(const NodeId node, const Instant now) noexcept
 {
     El6751Node& slave = Of(node);
-    slave.phase = El6751Phase::kRunning;
+    slave.phase = Next(slave.phase, El6751Event::kRun);
     slave.started = now;
     slave.signs = parts_.common.table.Record(node).signs;
     slave.is_settled = false;
@@ -52,7 +52,7 @@ void El6751StartUp::Watch(const NodeId node, const Instant now) noexcept
     }
     else if (is_overdue && SetupOf(node).is_restarted_without_pdos && !pdos_.HasAny(node))
     {
-        slave.phase = El6751Phase::kResetting;
+        slave.phase = Next(slave.phase, El6751Event::kReset);
         pdos_.Rest(node);
         DriveReset(node, now);
     }
@@ -126,7 +126,7 @@ void El6751StartUp::React(const NodeId node, const std::int16_t code, const Inst
         Tell(node, kNodeDeactivated, slave.status.step, now);
     }
     StopOthers(node, now);
-    Stop(node, is_by_hand ? El6751Phase::kDeactivated : El6751Phase::kResetting, now);
+    Stop(node, is_by_hand ? El6751Event::kDeactivate : El6751Event::kRestart, now);
 }
 
 /// The reaction of the network, which does not depend on that of the node.
@@ -141,18 +141,17 @@ void El6751StartUp::StopOthers(const NodeId node, const Instant now) noexcept
         {
             other.cause = kNodeDeactivated;
             Tell(NodeId{id}, kNodeDeactivated, other.status.step, now);
-            Stop(NodeId{id}, El6751Phase::kDeactivated, now);
+            Stop(NodeId{id}, El6751Event::kDeactivate, now);
         }
     }
 }
 
-void El6751StartUp::Stop(const NodeId node, const El6751Phase after, const Instant now) noexcept
+void El6751StartUp::Stop(const NodeId node, const El6751Event event, const Instant now) noexcept
 {
     El6751Node& slave = Of(node);
     parts_.common.table.Unwatch(node);
     pdos_.Rest(node);
-    slave.phase = El6751Phase::kStopping;
-    slave.after = after;
+    slave.phase = Next(slave.phase, event);
     DriveStop(node, now);
 }
 
@@ -161,7 +160,7 @@ void El6751StartUp::DriveStop(const NodeId node, const Instant now) noexcept
     El6751Node& slave = Of(node);
     if (parts_.common.nmt.Request(NmtCommand::kStop, node, now) == NmtAnswer::kTaken)
     {
-        slave.phase = slave.after;
+        slave.phase = Next(slave.phase, El6751Event::kStopped);
         slave.signs = parts_.common.table.Record(node).signs;
         slave.was_checked = false;
         slave.status.is_started = false;
@@ -177,7 +176,7 @@ void El6751StartUp::Hold(const NodeId node, const std::int16_t code, const Insta
 {
     El6751Node& slave = Of(node);
     pdos_.Rest(node);
-    slave.phase = El6751Phase::kHeld;
+    slave.phase = Next(slave.phase, El6751Event::kHold);
     slave.held_code = code;
     slave.control_fault = 0;
     slave.is_checking = false;
@@ -213,12 +212,11 @@ void El6751StartUp::DriveCheck(const NodeId node, const bool is_suspect, const I
     const GateState gate = parts_.common.gate.State(node);
     if (slave.is_checking)
     {
-        const bool is_started = (slave.phase == El6751Phase::kRunning);
         slave.is_checking = (gate == GateState::kBusy);
         slave.was_checked = (gate == GateState::kOpen);
         if ((gate == GateState::kDiffers) || (gate == GateState::kFailed))
         {
-            RefuseSafety(node, is_started ? El6751Phase::kFailed : slave.phase, now);
+            RefuseSafety(node, now);
         }
     }
     else if (is_suspect)

@@ -31,12 +31,12 @@ void PlcStartUp::EndSdos(const NodeId node, const Instant now) noexcept
     if (slave.is_type_wrong)
     {
         slave.status.object = kDeviceType;
-        Tell(node, kPlcWrongType, StartUpStep::kDeviceType, now);
+        Go(node, PlcEvent::kOther, StartUpStep::kDeviceType, now);
     }
     else
     {
         parts_.common.table.WatchAsSetUp(node, now);
-        Tell(node, kPlcConfigured, StartUpStep::kManual, now);
+        Go(node, PlcEvent::kAnswered, StartUpStep::kManual, now);
     }
 }
 
@@ -99,7 +99,7 @@ void PlcStartUp::StartOne(const NodeId node, const Instant now) noexcept
         slave.is_checking = false; // This reading serves.
         if (!is_waking)
         {
-            Tell(node, kPlcConfigured, StartUpStep::kSafety, now);
+            Go(node, PlcEvent::kNone, StartUpStep::kSafety, now);
             parts_.common.gate.Verify(node, now);
         }
     }
@@ -109,7 +109,7 @@ void PlcStartUp::StartOne(const NodeId node, const Instant now) noexcept
         {
             slave.is_wanted = false;
             slave.status.is_started = true;
-            Tell(node, kPlcStarted, StartUpStep::kRunning, now);
+            Go(node, PlcEvent::kStarted, StartUpStep::kRunning, now);
         }
     }
     else if ((gate == GateState::kDiffers) || (gate == GateState::kFailed))
@@ -135,7 +135,7 @@ void PlcStartUp::OnStartDropped(const NodeId node, const Instant now) noexcept
         slave.is_woken = false;
         slave.is_checking = false;
         slave.status.is_started = false;
-        Tell(node, kPlcConfigured, StartUpStep::kStart, now);
+        Go(node, PlcEvent::kStartAgain, StartUpStep::kStart, now);
     }
 }
 
@@ -153,8 +153,8 @@ void PlcStartUp::Refuse(const NodeId node, const Instant now) noexcept
     slave.signs = parts_.common.table.Record(node).signs;
     slave.was_checked = false;
     slave.is_stop_due = (parts_.common.nmt.Request(NmtCommand::kStop, node, now) != NmtAnswer::kTaken);
-    const std::int16_t code = is_other ? kPlcWrongType : slave.status.code;
-    Tell(node, code, is_other ? StartUpStep::kDeviceType : StartUpStep::kSafety, now);
+    Go(node, is_other ? PlcEvent::kOther : PlcEvent::kNone, is_other ? StartUpStep::kDeviceType : StartUpStep::kSafety,
+       now);
     parts_.common.listener.OnNodeStatus(node, now);
 }
 
@@ -241,7 +241,7 @@ void PlcStartUp::StartAll(const Instant now) noexcept
             {
                 slave.is_wanted = false;
                 slave.status.is_started = true;
-                Tell(NodeId{id}, kPlcStarted, StartUpStep::kRunning, now);
+                Go(NodeId{id}, PlcEvent::kStarted, StartUpStep::kRunning, now);
             }
         }
     }
@@ -301,7 +301,7 @@ NmtAnswer PlcStartUp::CommandOne(const NmtCommand command, const NodeId node, co
         {
             parts_.common.table.WatchAsSetUp(node, now);
         }
-        Tell(node, kPlcConfigured, StartUpStep::kStart, now);
+        Go(node, PlcEvent::kStartAgain, StartUpStep::kStart, now);
     }
     else if (is_start)
     {
@@ -324,11 +324,10 @@ NmtAnswer PlcStartUp::CommandOne(const NmtCommand command, const NodeId node, co
 void PlcStartUp::Obey(const NmtCommand command, const NodeId node, const Instant now) noexcept
 {
     PlcNode& slave = Of(node);
-    const std::int16_t state = slave.status.code;
     if ((command == NmtCommand::kResetNode) || (command == NmtCommand::kResetCommunication))
     {
         BeginReset(node, now);
-        Tell(node, kPlcBootUp, StartUpStep::kWaitBootUp, now);
+        Go(node, PlcEvent::kResetSent, StartUpStep::kWaitBootUp, now);
     }
     else
     {
@@ -339,7 +338,7 @@ void PlcStartUp::Obey(const NmtCommand command, const NodeId node, const Instant
         slave.is_checking = false;
         slave.status.is_started = false;
         slave.signs = parts_.common.table.Record(node).signs;
-        Tell(node, (state == kPlcStarted) ? kPlcConfigured : state, StartUpStep::kManual, now);
+        Go(node, PlcEvent::kHold, StartUpStep::kManual, now);
     }
 }
 

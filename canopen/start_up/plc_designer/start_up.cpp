@@ -72,9 +72,11 @@ NodeStatus PlcStartUp::Status(const NodeId node) const noexcept
     return status;
 }
 
-void PlcStartUp::Tell(const NodeId node, const std::int16_t state, const StartUpStep step, const Instant now) noexcept
+/// The next state, and what is told of it.
+void PlcStartUp::Go(const NodeId node, const PlcEvent event, const StartUpStep step, const Instant now) noexcept
 {
     PlcNode& slave = Of(node);
+    const std::int16_t state = Next(slave.status.code, event);
     const bool has_changed = (slave.status.code != state) || (slave.status.step != step);
     slave.since = (slave.status.code != state) ? now : slave.since;
     slave.status.code = state;
@@ -158,7 +160,7 @@ void PlcStartUp::BeginReset(const NodeId node, const Instant now) noexcept
     slave.was_reset = was_reset;
     slave.has_sdos = has_sdos;
     slave.status.code = before.code;
-    Tell(node, kPlcReset, StartUpStep::kReset, now);
+    Go(node, PlcEvent::kBegin, StartUpStep::kReset, now);
 }
 
 /// State 2. [SRS_PLC_003, SRS_PLC_018]
@@ -176,7 +178,7 @@ void PlcStartUp::Settle(const NodeId node, const Instant now) noexcept
     slave.is_checking = false;
     slave.status.is_started = false;
     slave.status.abort = SdoAbort::kNone;
-    Tell(node, kPlcSettles, StartUpStep::kSettling, now);
+    Go(node, PlcEvent::kSettle, StartUpStep::kSettling, now);
     slave.since = now;
 }
 
@@ -194,7 +196,7 @@ void PlcStartUp::Drive(const NodeId node, const Instant now) noexcept
     case kPlcReset:
         if (parts_.common.nmt.Request(NmtCommand::kResetNode, node, now) == NmtAnswer::kTaken)
         {
-            Tell(node, kPlcBootUp, StartUpStep::kWaitBootUp, now);
+            Go(node, PlcEvent::kResetSent, StartUpStep::kWaitBootUp, now);
         }
         break;
     case kPlcBootUp:
@@ -206,7 +208,7 @@ void PlcStartUp::Drive(const NodeId node, const Instant now) noexcept
     case kPlcSettles:
         if (elapsed_us >= kSettlingUs)
         {
-            Tell(node, kPlcSdos, StartUpStep::kDeviceType, now);
+            Go(node, PlcEvent::kTimeOver, StartUpStep::kDeviceType, now);
             Ask(node, now);
         }
         break;
@@ -242,7 +244,7 @@ void PlcStartUp::OnNodeEvent(const NodeId node, const NodeEvent event, const Ins
         parts_.common.gate.Close(node);
         Of(node).is_wanted = false;
         Of(node).status.is_started = false;
-        Tell(node, kPlcLost, StartUpStep::kErrorControl, now);
+        Go(node, PlcEvent::kLost, StartUpStep::kErrorControl, now);
     }
     else if (is_listed && (event == NodeEvent::kChanged) && (state == kPlcStarted))
     {
@@ -345,7 +347,7 @@ void PlcStartUp::OnAnswer(const NodeId node, const Instant now) noexcept
         slave.is_type_wrong = (expected != 0U) && ((outcome.abort != SdoAbort::kNone) || !is_equal);
         const bool is_reset = SetupOf(node).is_reset && !slave.was_reset;
         slave.row = is_reset ? PlcRow::kRestore : PlcRow::kList;
-        Tell(node, kPlcSdos, is_reset ? StartUpStep::kRestore : StartUpStep::kUserObjects, now);
+        Go(node, PlcEvent::kNone, is_reset ? StartUpStep::kRestore : StartUpStep::kUserObjects, now);
     }
     else if (slave.row == PlcRow::kRestore)
     {
@@ -373,7 +375,7 @@ void PlcStartUp::OnSilence(const NodeId node, const Instant now) noexcept
     if ((slave.row == PlcRow::kDeviceType) && SetupOf(node).is_optional && !slave.is_unread)
     {
         slave.signs = parts_.common.table.Record(node).signs;
-        Tell(node, kPlcAbsent, StartUpStep::kDeviceType, now);
+        Go(node, PlcEvent::kSilence, StartUpStep::kDeviceType, now);
     }
     else
     {

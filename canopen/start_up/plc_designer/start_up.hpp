@@ -5,6 +5,7 @@
 #include "canopen/cia302/network/concise_dcf.hpp"
 #include "canopen/cia302/network/start_up.hpp"
 #include "canopen/start_up/plc_designer/setup.hpp"
+#include "canopen/start_up/plc_designer/states.hpp"
 
 #include <cstdint>
 
@@ -14,17 +15,6 @@ namespace counterpoint::cia302
 /// MasterState of this profile: the master's nStatus. 0, 1 and 2 are passed in the first cycles.
 constexpr std::int16_t kPlcConfigures = 3;
 constexpr std::int16_t kPlcRuns = 5;
-
-/// nStatus of a slave: what its status has as `code`.
-constexpr std::int16_t kPlcReset = -1;     ///< Reset node waits to be handed over.
-constexpr std::int16_t kPlcBootUp = 1;     ///< Waits for the boot-up message.
-constexpr std::int16_t kPlcSettles = 2;    ///< Waits 0.5 s.
-constexpr std::int16_t kPlcSdos = 3;       ///< Is configured.
-constexpr std::int16_t kPlcConfigured = 4; ///< PRE-OPERATIONAL.
-constexpr std::int16_t kPlcStarted = 5;    ///< OPERATIONAL.
-constexpr std::int16_t kPlcAbsent = 97;    ///< Optional, and did not answer.
-constexpr std::int16_t kPlcWrongType = 98; ///< 1000h is not the expected one.
-constexpr std::int16_t kPlcLost = 99;      ///< Heartbeat or guarding lost.
 
 /// What a slave in state 3 is sent.
 enum class PlcRow : std::uint8_t
@@ -37,7 +27,7 @@ enum class PlcRow : std::uint8_t
 /// One slave. Zero-filled at first.
 struct PlcNode
 {
-    NodeStatus status; ///< nStatus is its code.
+    NodeStatus status; ///< nStatus is its code and changes by Next alone.
     PlcRow row;
     ConcisePosition place; ///< In the list.
     Instant since;         ///< Begin of the state, or of the reading of 1000h.
@@ -97,7 +87,7 @@ class PlcStartUp final : public StartUp
   private:
     [[nodiscard]] PlcNode& Of(NodeId node) const noexcept;
     [[nodiscard]] const PlcSlave& SetupOf(NodeId node) const noexcept;
-    void Tell(NodeId node, std::int16_t state, StartUpStep step, Instant now) noexcept;
+    void Go(NodeId node, PlcEvent event, StartUpStep step, Instant now) noexcept;
     void Drive(NodeId node, Instant now) noexcept;
     void DriveMaster(Instant now) noexcept;
     void BeginReset(NodeId node, Instant now) noexcept;
