@@ -124,7 +124,7 @@ void Cia302StartUp::React(const BootTime& time) noexcept
             reaction_ = Reaction::kNone;
             is_start_due_ = false;
             EndBoots(time);
-            SetStep(MasterStep::kStopped, time.now);
+            Go(MasterEvent::kStop, time.now);
         }
     }
     else if (reaction_ == Reaction::kResetAll)
@@ -229,7 +229,7 @@ NmtAnswer Cia302StartUp::CommandAll(const NmtCommand command, const BootTime& ti
         }
         else if (is_begun && (is_start || IsMasterOperational()))
         {
-            SetStep(is_start ? MasterStep::kOperational : MasterStep::kReady, time.now);
+            Go(is_start ? MasterEvent::kStart : MasterEvent::kLeave, time.now);
         }
     }
     return answer;
@@ -260,7 +260,7 @@ NmtAnswer Cia302StartUp::CommandOwn(const NmtCommand command, const BootTime& ti
     const bool was_operational = IsMasterOperational();
     if ((answer == NmtAnswer::kTaken) && is_start && (step_ != MasterStep::kIdle))
     {
-        SetStep(MasterStep::kOperational, time.now);
+        Go(MasterEvent::kStart, time.now);
         const bool is_due = parts_.setup.Has(kStartAllAtOnce) && !parts_.setup.Has(kApplicationStartsSlaves);
         if (is_due && !was_operational)
         {
@@ -269,7 +269,7 @@ NmtAnswer Cia302StartUp::CommandOwn(const NmtCommand command, const BootTime& ti
     }
     else if ((answer == NmtAnswer::kTaken) && was_operational)
     {
-        SetStep(MasterStep::kReady, time.now);
+        Go(MasterEvent::kLeave, time.now);
     }
     return answer;
 }

@@ -31,8 +31,9 @@ BootTime Cia302StartUp::Tick(const Instant now) noexcept
     return BootTime{now, clock_us_};
 }
 
-void Cia302StartUp::SetStep(const MasterStep step, const Instant now) noexcept
+void Cia302StartUp::Go(const MasterEvent event, const Instant now) noexcept
 {
+    const MasterStep step = Next(step_, event);
     if (step != step_)
     {
         step_ = step;
@@ -61,7 +62,7 @@ void Cia302StartUp::End() noexcept
     }
     reaction_ = Reaction::kNone;
     is_start_due_ = false;
-    SetStep(MasterStep::kIdle, last_);
+    Go(MasterEvent::kEnd, last_);
 }
 
 /// From the resets on.
@@ -71,7 +72,7 @@ void Cia302StartUp::Restart(const NmtCommand reset, const Instant now) noexcept
     reset_ = reset;
     const bool is_singly = (reset == NmtCommand::kResetCommunication) && HasKeptAlive();
     cursor_ = is_singly ? std::uint8_t{1U} : std::uint8_t{0U};
-    SetStep(MasterStep::kReset, now);
+    Go(MasterEvent::kReset, now);
     SendResets(Tick(now));
 }
 
@@ -114,7 +115,7 @@ void Cia302StartUp::BootAll(const BootTime& time) noexcept
 {
     const std::uint32_t asked_ms = parts_.setup.boot_time_ms;
     const std::uint32_t limit_ms = (asked_ms < kLongestExpectMs) ? asked_ms : kLongestExpectMs;
-    SetStep(MasterStep::kBooting, time.now);
+    Go(MasterEvent::kBoot, time.now);
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
     {
         const NodeId node{id};
@@ -164,11 +165,11 @@ void Cia302StartUp::GoOn(const BootTime& time) noexcept
     has_news_ = false;
     if (is_waiting && !IsEach(kMandatory, false))
     {
-        SetStep(MasterStep::kHalted, time.now);
+        Go(MasterEvent::kFailed, time.now);
     }
     else if (is_waiting && IsEach(kMandatory, true))
     {
-        SetStep(MasterStep::kReady, time.now);
+        Go(MasterEvent::kBooted, time.now);
         if (!parts_.setup.Has(kApplicationStartsSelf))
         {
             static_cast<void>(CommandOwn(NmtCommand::kStart, time));
@@ -176,7 +177,7 @@ void Cia302StartUp::GoOn(const BootTime& time) noexcept
     }
     else if (is_waiting)
     {
-        SetStep(MasterStep::kBooting, time.now);
+        Go(MasterEvent::kAgain, time.now);
     }
 }
 

@@ -3,21 +3,10 @@
 #define CANOPEN_START_UP_CIA302_START_UP_HPP
 
 #include "canopen/start_up/cia302/boot_slave.hpp"
+#include "canopen/start_up/cia302/master_steps.hpp"
 
 namespace counterpoint::cia302
 {
-
-/// Where the master is; MasterState tells the number.
-enum class MasterStep : std::int16_t
-{
-    kIdle = 0,
-    kReset = 1, ///< Resets leave.
-    kBooting = 2,
-    kHalted = 3, ///< A mandatory slave failed.
-    kReady = 4,  ///< All mandatory slaves are booted; the application starts the master.
-    kOperational = 5,
-    kStopped = 6, ///< By error handling: all nodes were stopped. Begin starts anew.
-};
 
 /// Start-up and error handling after CiA 302-2: see StartUp. `records` has kNodeRoom elements by node-ID, kept by
 /// reference as the parts. After error handling has reset all nodes (1F80h bit 4) the start-up begins anew by itself;
@@ -61,7 +50,7 @@ class Cia302StartUp final : public StartUp, private BootListener
     [[nodiscard]] bool IsMasterOperational() const noexcept override;
 
     [[nodiscard]] BootTime Tick(Instant now) noexcept;
-    void SetStep(MasterStep step, Instant now) noexcept;
+    void Go(MasterEvent event, Instant now) noexcept;
     void Restart(NmtCommand reset, Instant now) noexcept;
     void SendResets(const BootTime& time) noexcept;
     void BootAll(const BootTime& time) noexcept;
