@@ -9,6 +9,8 @@ set(COUNTERPOINT_WARNINGS -Wall -Wextra -Wpedantic -Werror -Wconversion -Wsign-c
     -Wformat=2 -Wnull-dereference)
 # Tests are not measured; a preset may have them compiled in less time than the rooms that they test.
 set(COUNTERPOINT_TEST_OPTIONS "" CACHE STRING "Options of test programs alone, after those of everything")
+# Debug information of rooms that are no part of a device takes a third of their compile time; a preset may ask for less.
+set(COUNTERPOINT_HOST_OPTIONS "" CACHE STRING "Options of rooms without KERNEL alone, after those of everything")
 # What a kernel object may not contain: exceptions, RTTI, guards of static locals, calls of a hosted library.
 set(COUNTERPOINT_KERNEL_FLAGS -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-stack-protector
     -fno-asynchronous-unwind-tables -fno-common -ffunction-sections -fdata-sections)
@@ -39,7 +41,7 @@ function(counterpoint_room target)
       target_compile_options(${target} PRIVATE ${COUNTERPOINT_KERNEL_FLAGS})
     else()
       # std::stable_sort of GCC 12's library uses what it itself marks as deprecated, and Clang tells.
-      target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:Clang>:-Wno-deprecated-declarations>)
+      target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:Clang>:-Wno-deprecated-declarations> ${COUNTERPOINT_HOST_OPTIONS})
     endif()
     if(ROOM_CLANG AND COUNTERPOINT_CHANNEL_B_COMPILER)
       # The launcher is handed the whole command line of the main compiler and puts Clang in its first place.

@@ -28,10 +28,11 @@ while read -r check seconds; do
         grep '^note: ' /tmp/output | sed 's/^note: /  /' >&3
         echo "pass $check $took" >&3
     else
+        # What it said, then the verdict.
+        tail -n 200 /tmp/output | sed 's/^/! /' >&3
+        [ $status -ne 143 ] && [ $status -ne 124 ] || echo "! no end after $seconds s" >&3
+        dmesg | tail -n 20 | sed 's/^/! kernel: /' >&3
         echo "FAIL $check $took" >&3
-        [ $status -ne 143 ] && [ $status -ne 124 ] || echo "  no end after $seconds s" >&3
-        tail -n 25 /tmp/output | sed 's/^/  /' >&3
-        dmesg | tail -n 5 | sed 's/^/  kernel: /' >&3
     fi
     # What a check left behind must not disturb the next one.
     sh -c '. /lib.sh; clean_up' >/dev/null 2>&1
