@@ -110,7 +110,7 @@ bool ManagerLoop::Run()
     const CaughtSignals signals;
     start_ns_ = host::LiveNow();
     last_turn_ns_ = start_ns_;
-    heap_ = FrameHeap(start_ns_);
+    backlog_ = FrameBacklog(start_ns_);
     next_cycle_ns_ = start_ns_ + kCycleNs;
     station_.Begin(0U);
     while (reason_.empty())
@@ -182,7 +182,7 @@ void ManagerLoop::Receive()
     last_turn_ns_ = host::LiveNow();
     is_behind_ = frames.size() == kFramesOfTurn;
     const bool is_connection = address_.rfind("socketcand:", 0U) == 0U; // It tells no times of reception.
-    if (is_connection && heap_.Has(frames.size(), last_turn_ns_))
+    if (is_connection && backlog_.Has(frames.size(), last_turn_ns_))
     {
         old += frames.size();
         frames.erase(

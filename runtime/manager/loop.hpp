@@ -4,7 +4,7 @@
 
 #include "hal/host/live/bus.hpp"
 #include "runtime/console/node_report.hpp"
-#include "runtime/manager/frame_heap.hpp"
+#include "runtime/manager/frame_backlog.hpp"
 #include "runtime/manager/socket.hpp"
 #include "runtime/manager/station.hpp"
 
@@ -80,7 +80,7 @@ class ManagerLoop
     std::uint64_t next_cycle_ns_{0U};
     std::uint64_t next_look_ns_{0U};
     std::uint64_t last_turn_ns_{0U};
-    FrameHeap heap_{0U};
+    FrameBacklog backlog_{0U};
     std::uint64_t station_us_{0U}; ///< How far the manager's time has come.
     bool is_behind_{false};        ///< More frames wait: time is that of the last one.
     bool has_typed_{false};

@@ -3,7 +3,7 @@
 
 #include "runtime/network_files/flying.hpp"
 #include "runtime/network_files/profiles.hpp"
-#include "runtime/yaml/take.hpp"
+#include "runtime/yaml/optional_values.hpp"
 
 #include "canopen/cia306/text/ini_document.hpp"
 #include "canopen/cia306/text/input_error.hpp"

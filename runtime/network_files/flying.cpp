@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/network_files/flying.hpp"
 
-#include "runtime/yaml/take.hpp"
+#include "runtime/yaml/optional_values.hpp"
 
 namespace counterpoint::runtime
 {

@@ -131,25 +131,25 @@ TEST_F(ManagerLoopTest, AHeapIsMoreThanABusCarriesAfterASilence)
 {
     Verifies(req::SRS_MGR_004);
     // Given a full bus of 1 Mbit/s, 21 frames a millisecond, after a silence of 600 ms
-    runtime::FrameHeap full(0U);
+    runtime::FrameBacklog full(0U);
     for (std::uint64_t ms = 600U; ms < 3000U; ++ms)
     {
         EXPECT_FALSE(full.Has(21U, ms * kMs)) << ms;
     }
     // And a connection that gives 73 frames in each of 13 ms, some in each turn, and then what is on the bus
-    runtime::FrameHeap heap(0U);
+    runtime::FrameBacklog backlog(0U);
     std::size_t passed = 0U;
     for (std::uint64_t turn = 0U; turn < 130U; ++turn)
     {
-        passed += heap.Has(7U + turn % 2U, 600U * kMs + turn * 100000U) ? 0U : 7U + turn % 2U;
+        passed += backlog.Has(7U + turn % 2U, 600U * kMs + turn * 100000U) ? 0U : 7U + turn % 2U;
     }
     EXPECT_LT(passed, 80U);
     for (std::uint64_t ms = 700U; ms < 1000U; ++ms)
     {
-        EXPECT_FALSE(heap.Has(1U, ms * kMs)) << ms;
+        EXPECT_FALSE(backlog.Has(1U, ms * kMs)) << ms;
     }
-    // Then a heap without a silence before it is none
-    EXPECT_FALSE(runtime::FrameHeap(0U).Has(300U, 400U * kMs));
+    // Then a backlog without a silence before it is none
+    EXPECT_FALSE(runtime::FrameBacklog(0U).Has(300U, 400U * kMs));
 }
 } // namespace
 } // namespace counterpoint::tools

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#ifndef RUNTIME_MANAGER_FRAME_HEAP_HPP
-#define RUNTIME_MANAGER_FRAME_HEAP_HPP
+#ifndef RUNTIME_MANAGER_FRAME_BACKLOG_HPP
+#define RUNTIME_MANAGER_FRAME_BACKLOG_HPP
 
 #include "hal/host/live/bus.hpp"
 
@@ -11,10 +11,10 @@ namespace counterpoint::runtime
 {
 /// Of a connection that tells no times of reception: more frames than a bus carries, after a silence. They have waited
 /// somewhere; as of now they would look like two devices. [SRS_MGR_004]
-class FrameHeap
+class FrameBacklog
 {
   public:
-    explicit FrameHeap(std::uint64_t start_ns) noexcept;
+    explicit FrameBacklog(std::uint64_t start_ns) noexcept;
 
     /// @brief `count` frames came since the last call.
     [[nodiscard]] bool Has(std::size_t count, std::uint64_t now_ns) noexcept;
@@ -31,4 +31,4 @@ class FrameHeap
 [[nodiscard]] bool IsBootUp(const host::LiveFrame& frame) noexcept;
 } // namespace counterpoint::runtime
 
-#endif // RUNTIME_MANAGER_FRAME_HEAP_HPP
+#endif // RUNTIME_MANAGER_FRAME_BACKLOG_HPP

@@ -10,7 +10,7 @@ namespace
 {
 
 /// The server listens on 680h and answers on 6A0h.
-class SdoFurtherTest : public SdoClientRig
+class SdoSecondServerTest : public SdoClientRig
 {
   public:
     static SdoAbort Write(NumberHook& hook, std::uint16_t index, std::uint8_t sub, std::uint32_t value)
@@ -73,7 +73,7 @@ class SdoFurtherTest : public SdoClientRig
     SdoClientPort asks{SdoClientPortParts{requests, 1U, 1000U, 5U}};
 };
 
-TEST_F(SdoFurtherTest, TheServerIsOffUntilBothIdentifiersAreValid)
+TEST_F(SdoSecondServerTest, TheServerIsOffUntilBothIdentifiersAreValid)
 {
     Verifies(req::SRS_SDO_018);
     EXPECT_EQ(Read(more, 0x1201U, 0U), 0x100000003U);
@@ -95,7 +95,7 @@ TEST_F(SdoFurtherTest, TheServerIsOffUntilBothIdentifiersAreValid)
     EXPECT_FALSE(more.Wants(0x605U));
 }
 
-TEST_F(SdoFurtherTest, TheServersObjectIsChecked)
+TEST_F(SdoSecondServerTest, TheServersObjectIsChecked)
 {
     Verifies(req::SRS_SDO_018);
     for (const std::uint32_t wrong : {0x605U, 0x585U, 0x101U, 0x701U, 0x000U, 0x40000680U, 0x20000680U, 0x800U})
@@ -121,7 +121,7 @@ TEST_F(SdoFurtherTest, TheServersObjectIsChecked)
     EXPECT_EQ(Write(more, 0x1201U, 2U, 0x800006A0U), SdoAbort::kDeviceState);
 }
 
-TEST_F(SdoFurtherTest, AClientReadsFromTheServerOfItsObject)
+TEST_F(SdoSecondServerTest, AClientReadsFromTheServerOfItsObject)
 {
     Verifies(req::SRS_SDC_011);
     Verifies(req::SRS_SDO_018);
@@ -149,7 +149,7 @@ TEST_F(SdoFurtherTest, AClientReadsFromTheServerOfItsObject)
     EXPECT_EQ(Write(asks, 0x1280U, 1U, 0x607U), SdoAbort::kObjectUnknown);
 }
 
-TEST_F(SdoFurtherTest, AClientGivesUpWithItsStateItsServerAndItsReset)
+TEST_F(SdoSecondServerTest, AClientGivesUpWithItsStateItsServerAndItsReset)
 {
     Verifies(req::SRS_SDC_012);
     Connect();

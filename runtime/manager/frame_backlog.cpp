@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "runtime/manager/frame_heap.hpp"
+#include "runtime/manager/frame_backlog.hpp"
 
 namespace counterpoint::runtime
 {
@@ -11,11 +11,11 @@ constexpr std::uint64_t kShortestFrameNs = 47000U;    ///< Without data, at 1 Mb
 constexpr std::uint64_t kMarginNs = 2000000U;
 } // namespace
 
-FrameHeap::FrameHeap(const std::uint64_t start_ns) noexcept : last_turn_ns_(start_ns), last_frame_ns_(start_ns)
+FrameBacklog::FrameBacklog(const std::uint64_t start_ns) noexcept : last_turn_ns_(start_ns), last_frame_ns_(start_ns)
 {
 }
 
-bool FrameHeap::Has(const std::size_t count, const std::uint64_t now_ns) noexcept
+bool FrameBacklog::Has(const std::size_t count, const std::uint64_t now_ns) noexcept
 {
     const std::uint64_t passed_ns = now_ns - last_turn_ns_;
     const std::uint64_t carried_ns = ahead_ns_ + count * kShortestFrameNs;

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#ifndef RUNTIME_YAML_TAKE_HPP
-#define RUNTIME_YAML_TAKE_HPP
+#ifndef RUNTIME_YAML_OPTIONAL_VALUES_HPP
+#define RUNTIME_YAML_OPTIONAL_VALUES_HPP
 
 #include "runtime/yaml/map.hpp"
 
@@ -56,4 +56,4 @@ void TakeWord(const YamlMap& map, const char* key, Meaning& part, const runtime:
 
 } // namespace counterpoint::runtime
 
-#endif // RUNTIME_YAML_TAKE_HPP
+#endif // RUNTIME_YAML_OPTIONAL_VALUES_HPP
