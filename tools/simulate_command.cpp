@@ -1,17 +1,18 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/simulate_command.hpp"
 
+#include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/text_file.hpp"
 #include "runtime/console/output_files.hpp"
 #include "runtime/console/progress_bar.hpp"
+#include "runtime/network_files/file.hpp"
 #include "simulator/judge/run.hpp"
 #include "simulator/judge/sweep.hpp"
-#include "simulator/networks/scenario.hpp"
+#include "simulator/networks/managed.hpp"
 #include "simulator/report/reports.hpp"
 #include "simulator/scenario/reader.hpp"
 #include "simulator/scenario/schema.hpp"
 #include "tools/command_line/options.hpp"
-#include "tools/simulate_network.hpp"
 
 #include <optional>
 #include <ostream>
@@ -64,10 +65,6 @@ class SimulateCommand final : public Command
         }
         try
         {
-            if (IsOfNetwork())
-            {
-                return Network(streams);
-            }
             return sweeps_.empty() ? Simulate(streams) : Sweep(streams);
         }
         catch (const runtime::YamlError& error)
@@ -78,34 +75,6 @@ class SimulateCommand final : public Command
     }
 
   private:
-    /// What cannot be read is no network here: the reader of scenarios says what is wrong with it.
-    [[nodiscard]] bool IsOfNetwork() const
-    {
-        try
-        {
-            return simulator::IsNetworkScenario(scenario_);
-        }
-        catch (const runtime::YamlError&)
-        {
-            return false;
-        }
-    }
-
-    /// A scenario with managers. [SRS_MGR_012]
-    [[nodiscard]] ExitStatus Network(const Streams& streams) const
-    {
-        for (const char* const option : {"--seed", "--until", "--frames", "--sweep"})
-        {
-            if (options_->IsGiven(option))
-            {
-                throw runtime::YamlError(scenario_, {}, std::string(option) + " for a scenario with managers",
-                                         "--html, --json, --candump or --quiet");
-            }
-        }
-        RequireNames();
-        return SimulateNetwork(scenario_, {html_, json_, candump_, quiet_}, streams);
-    }
-
     /// `simulate --explain`, alone or with a name. [SRS_SIM_047]
     [[nodiscard]] ExitStatus Explain(const Streams& streams) const
     {
@@ -148,7 +117,7 @@ class SimulateCommand final : public Command
         {
             throw runtime::YamlError("--candump", {}, "frames of one bus for a sweep", "--html or --json");
         }
-        const simulator::SweepOptions options{Seed(), Until()};
+        const simulator::SweepOptions options{Seed(), Until(), &simulator::MakeManagedWorld};
         simulator::SweepResult result;
         {
             runtime::ProgressBar bar(streams.err, "sweeping");
@@ -175,7 +144,7 @@ class SimulateCommand final : public Command
         RequireFiles();
         const std::optional<std::uint64_t> seed = Seed();
         const bool keeps_all = !quiet_ || !html_.empty() || !json_.empty() || !candump_.empty();
-        simulator::Run run(scenario_, seed, until, keeps_all);
+        simulator::Run run(scenario_, seed, until, keeps_all, &simulator::MakeManagedWorld);
         {
             runtime::ProgressBar bar(streams.err, "simulating");
             const auto duration = static_cast<double>(run.Setting().duration);
@@ -207,14 +176,41 @@ class SimulateCommand final : public Command
     {
         runtime::OutputFiles files;
         files.Read(scenario_);
-        for (const std::string& file : simulator::FilesOf(simulator::LoadScenario(scenario_)))
+        const std::vector<simulator::ScenarioDocument> documents = simulator::LoadScenario(scenario_);
+        for (const std::string& file : simulator::FilesOf(documents))
         {
             files.Read(file);
+        }
+        for (const std::string& file : simulator::NetworkFilesOf(documents))
+        {
+            files.Read(file);
+            ReadNetwork(file, files);
         }
         RequireNames();
         for (const auto& [option, file] : {std::pair("--html", html_), {"--json", json_}, {"--candump", candump_}})
         {
             files.Write(option, file);
+        }
+    }
+
+    /// What a network file names in turn. Whether it is one, and right, is said when the run reads it.
+    static void ReadNetwork(const std::string& file, runtime::OutputFiles& files)
+    {
+        try
+        {
+            const network::NetworkPlan plan = runtime::ReadNetworkFile(file, 0U);
+            files.Read(plan.manager.dcf);
+            for (const network::SlavePlan& slave : plan.slaves)
+            {
+                files.Read(slave.dcf);
+                files.Read(slave.software ? slave.software->program : "");
+            }
+        }
+        catch (const runtime::YamlError&)
+        {
+        }
+        catch (const cia306::InputError&)
+        {
         }
     }
 

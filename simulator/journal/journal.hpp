@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace counterpoint::simulator
@@ -69,6 +70,17 @@ struct FrameEntry
     host::FrameFate fate{host::FrameFate::kComplete};
 };
 
+/// What a manager told.
+struct ManagerEntry
+{
+    Nanoseconds at{0};
+    NodeIndex manager{kNoNode}; ///< Behind the nodes come the managers, in the order of the scenario.
+    std::uint8_t node_id{0U};   ///< 0: the network or the manager.
+    std::string kind;
+    std::string text; ///< For people; empty: only programs want to know.
+    std::string line; ///< As in the log of a manager.
+};
+
 /// Everything that happened, in order of time. What decides about expectations is always kept; what only people look at
 /// is kept when somebody asked for it. [SRS_SIM_040, SRS_SIM_046]
 class Journal
@@ -86,6 +98,10 @@ class Journal
     void Note(const Event& event)
     {
         events_.push_back(event);
+    }
+    void Note(ManagerEntry entry)
+    {
+        managers_.push_back(std::move(entry));
     }
     /// @brief Something for people.
     void Tell(const Event& event)
@@ -112,6 +128,10 @@ class Journal
     {
         return events_;
     }
+    [[nodiscard]] const std::vector<ManagerEntry>& Managers() const noexcept
+    {
+        return managers_;
+    }
     [[nodiscard]] const std::vector<FrameEntry>& Frames() const noexcept
     {
         return frames_;
@@ -121,6 +141,7 @@ class Journal
     bool keeps_all_;
     std::vector<Event> events_;
     std::vector<FrameEntry> frames_;
+    std::vector<ManagerEntry> managers_;
 };
 } // namespace counterpoint::simulator
 

@@ -6,6 +6,7 @@
 #include "simulator/scenario/reader.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace counterpoint::simulator
 {
@@ -20,27 +21,86 @@ std::string LineOf(const Source& source, const std::string& what, const std::str
            what + ", expected " + expected;
 }
 
-Scenario Changed(Scenario scenario, const std::optional<std::uint64_t> seed, const std::optional<Nanoseconds> until)
+Scenario Seeded(Scenario scenario, const std::optional<std::uint64_t> seed)
+{
+    scenario.seed = seed.value_or(scenario.seed);
+    return scenario;
+}
+
+Scenario Cut(Scenario scenario, const std::optional<Nanoseconds> until)
 {
     RequireHappening(scenario);
-    scenario.seed = seed.value_or(scenario.seed);
     scenario.duration = until.value_or(scenario.duration);
     RequirePossible(scenario);
+    for (Expectation& expectation : scenario.expectations)
+    {
+        expectation.at = (expectation.at == kNever) ? scenario.duration : expectation.at;
+    }
     return scenario;
 }
 } // namespace
 
+Run::Run(Scenario scenario, const std::optional<Nanoseconds> until, const bool keeps_all, const MakeManaged& make)
+    : scenario_(Cut(std::move(scenario), until)), journal_(keeps_all), found_(scenario_.expectations.size())
+{
+    if (scenario_.managers.empty())
+    {
+        network_ = std::make_unique<Network>(scenario_, journal_);
+        return;
+    }
+    if (!make)
+    {
+        const Source& source = scenario_.managers.front().source;
+        throw YamlError(source.file, source.place, "a manager", "a scenario without managers");
+    }
+    for (const NodeSetup& node : scenario_.nodes)
+    {
+        models_.push_back(
+            std::make_unique<runtime::DeviceModel>(node.dcf, node.node_id, runtime::SafetyNeed::kOptional));
+    }
+    managed_ = make(scenario_, journal_);
+}
+
 Run::Run(const std::string& file, const std::optional<std::uint64_t> seed, const std::optional<Nanoseconds> until,
-         const bool keeps_all)
-    : scenario_(Changed(ReadScenario(file), seed, until)), journal_(keeps_all),
-      network_(std::make_unique<Network>(scenario_, journal_))
+         const bool keeps_all, const MakeManaged& make)
+    : Run(Seeded(ReadScenario(file), seed), until, keeps_all, make)
 {
 }
 
-Run::Run(const Scenario& scenario, const std::optional<Nanoseconds> until, const bool keeps_all)
-    : scenario_(Changed(scenario, std::nullopt, until)), journal_(keeps_all),
-      network_(std::make_unique<Network>(scenario_, journal_))
+void Run::RunTo(const Nanoseconds now)
 {
+    if (managed_ == nullptr)
+    {
+        network_->RunUntil(now);
+        return;
+    }
+    std::vector<Nanoseconds> looks{now};
+    for (const Expectation& expectation : scenario_.expectations)
+    {
+        if (IsOfNetwork(expectation.kind) && expectation.at <= now)
+        {
+            looks.push_back(expectation.at);
+        }
+    }
+    std::sort(looks.begin(), looks.end());
+    for (const Nanoseconds look : looks)
+    {
+        managed_->RunUntil(look);
+        LookAt(look);
+    }
+}
+
+/// What is expected of managers and whole devices is asked of them at its time.
+void Run::LookAt(const Nanoseconds now)
+{
+    for (std::size_t index = 0U; index < scenario_.expectations.size(); ++index)
+    {
+        const Expectation& expectation = scenario_.expectations[index];
+        if (IsOfNetwork(expectation.kind) && expectation.at == now && found_[index].empty())
+        {
+            found_[index] = managed_->Found(expectation);
+        }
+    }
 }
 
 void Run::Simulate(const std::function<void(Nanoseconds)>& progress)
@@ -48,7 +108,7 @@ void Run::Simulate(const std::function<void(Nanoseconds)>& progress)
     for (Nanoseconds now = 0; now < scenario_.duration;)
     {
         now = std::min(now + kStep, scenario_.duration);
-        network_->RunUntil(now);
+        RunTo(now);
         const std::size_t recorded = journal_.Events().size() + journal_.Frames().size();
         if (journal_.KeepsAll() && recorded > kMostRecorded)
         {
@@ -61,7 +121,7 @@ void Run::Simulate(const std::function<void(Nanoseconds)>& progress)
         }
     }
     journal_.Sort();
-    verdicts_ = Judge(scenario_, journal_, *network_);
+    verdicts_ = Judge(scenario_, journal_, network_.get(), found_);
 }
 
 const Scenario& Run::Setting() const noexcept
@@ -81,7 +141,7 @@ Network& Run::Devices() noexcept
 
 const runtime::DeviceModel& Run::ModelOf(const NodeIndex node) const
 {
-    return network_->At(node).Model();
+    return (managed_ == nullptr) ? network_->At(node).Model() : *models_.at(node);
 }
 
 const std::vector<ExpectationVerdict>& Run::Verdicts() const noexcept
@@ -116,6 +176,12 @@ std::vector<std::string> Run::Findings() const
         lines.push_back(LineOf(late.source, late.what + " at " + MillisecondsText(late.at) + " does not happen",
                                "a time before the end of the run at " + MillisecondsText(scenario_.duration)));
     }
+    if (managed_ != nullptr)
+    {
+        const std::vector<std::string> more = managed_->Warnings();
+        lines.insert(lines.end(), more.begin(), more.end());
+        return lines;
+    }
     for (const auto& [fault, count] : network_->DroppedCopies())
     {
         const FaultSetup& setup = scenario_.faults[fault];
@@ -144,9 +210,24 @@ const Measurement* Run::FirstMeasurement() const noexcept
     return nullptr;
 }
 
-const std::string& Run::NodeName(const NodeIndex node) const
+std::string Run::NodeName(const NodeIndex node) const
 {
-    static const std::string kBus = "bus";
-    return (node < scenario_.nodes.size()) ? scenario_.nodes[node].name : kBus;
+    const std::size_t nodes = scenario_.nodes.size();
+    if (node < nodes)
+    {
+        return scenario_.nodes[node].name;
+    }
+    const std::vector<std::uint8_t> managers =
+        (managed_ == nullptr) ? std::vector<std::uint8_t>{} : managed_->Managers();
+    if (node - nodes < managers.size())
+    {
+        return "manager " + std::to_string(managers[node - nodes]);
+    }
+    return (node == kNoNode) ? "bus" : "somebody else";
+}
+
+const ManagedWorld* Run::Managed() const noexcept
+{
+    return managed_.get();
 }
 } // namespace counterpoint::simulator

@@ -3,6 +3,7 @@
 #define SIMULATOR_JUDGE_RUN_HPP
 
 #include "simulator/journal/journal.hpp"
+#include "simulator/judge/managed.hpp"
 #include "simulator/judge/verdicts.hpp"
 #include "simulator/scenario/scenario.hpp"
 #include "simulator/world/network.hpp"
@@ -19,11 +20,12 @@ namespace counterpoint::simulator
 class Run
 {
   public:
-    /// @brief Reads and builds; nothing has happened yet. Throws YamlError and cia306::InputError.
-    Run(const std::string& file, std::optional<std::uint64_t> seed, std::optional<Nanoseconds> until, bool keeps_all);
-
-    /// @brief The same of a scenario that was read already.
-    Run(const Scenario& scenario, std::optional<Nanoseconds> until, bool keeps_all);
+    /// @brief Builds; nothing has happened yet. Without `make` a scenario with managers is refused. Throws YamlError
+    /// and cia306::InputError.
+    Run(Scenario scenario, std::optional<Nanoseconds> until, bool keeps_all, const MakeManaged& make = nullptr);
+    /// @brief The same of a file.
+    Run(const std::string& file, std::optional<std::uint64_t> seed, std::optional<Nanoseconds> until, bool keeps_all,
+        const MakeManaged& make = nullptr);
 
     Run(const Run&) = delete;
     Run& operator=(const Run&) = delete;
@@ -33,6 +35,7 @@ class Run
 
     [[nodiscard]] const Scenario& Setting() const noexcept;
     [[nodiscard]] const Journal& Record() const noexcept;
+    /// @brief Of a scenario without managers.
     [[nodiscard]] Network& Devices() noexcept;
     [[nodiscard]] const runtime::DeviceModel& ModelOf(NodeIndex node) const;
     [[nodiscard]] const std::vector<ExpectationVerdict>& Verdicts() const noexcept;
@@ -45,12 +48,21 @@ class Run
     [[nodiscard]] bool Holds() const noexcept;
     /// @brief The first expectation with a limit, if any.
     [[nodiscard]] const Measurement* FirstMeasurement() const noexcept;
-    [[nodiscard]] const std::string& NodeName(NodeIndex node) const;
+    /// @brief Of a node, of a manager behind them, or who else is on the bus.
+    [[nodiscard]] std::string NodeName(NodeIndex node) const;
+    /// @brief Null: a scenario without managers.
+    [[nodiscard]] const ManagedWorld* Managed() const noexcept;
 
   private:
+    void RunTo(Nanoseconds now);
+    void LookAt(Nanoseconds now);
+
     Scenario scenario_;
     Journal journal_;
-    std::unique_ptr<Network> network_;
+    std::unique_ptr<Network> network_;                          ///< Null: there are managers.
+    std::unique_ptr<ManagedWorld> managed_;                     ///< Null: there are none.
+    std::vector<std::unique_ptr<runtime::DeviceModel>> models_; ///< With managers: of each node.
+    std::vector<std::string> found_; ///< By expectation: what a manager or device said at its time.
     std::vector<ExpectationVerdict> verdicts_;
 };
 } // namespace counterpoint::simulator

@@ -33,7 +33,7 @@ bool Advance(std::vector<std::size_t>& places, const std::vector<SweepAxis>& axe
 
 SweepRow RunOne(const Scenario& scenario, const SweepOptions& options, std::vector<std::size_t> places)
 {
-    Run run(scenario, options.until, false);
+    Run run(scenario, options.until, false, options.make);
     run.Simulate(nullptr);
     SweepRow row;
     row.places = std::move(places);

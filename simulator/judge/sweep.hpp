@@ -2,6 +2,7 @@
 #ifndef SIMULATOR_JUDGE_SWEEP_HPP
 #define SIMULATOR_JUDGE_SWEEP_HPP
 
+#include "simulator/judge/managed.hpp"
 #include "simulator/judge/verdicts.hpp"
 #include "simulator/scenario/reader.hpp"
 
@@ -59,6 +60,7 @@ struct SweepOptions
 {
     std::optional<std::uint64_t> seed;
     std::optional<Nanoseconds> until;
+    MakeManaged make; ///< Of scenarios with managers.
 };
 
 /// @brief Runs the scenario for each combination. `progress` is told which part is over. Throws YamlError and

@@ -13,7 +13,7 @@ namespace
 class Judgement
 {
   public:
-    Judgement(const Scenario& scenario, const Journal& journal, Network& network)
+    Judgement(const Scenario& scenario, const Journal& journal, Network* const network)
         : scenario_(scenario), journal_(journal), network_(network)
     {
     }
@@ -37,8 +37,20 @@ class Judgement
             return OfLimit(expectation);
         case ExpectationKind::kNoFault:
             return OfNoFault(expectation);
+        default:
+            return {};
         }
-        return {};
+    }
+
+    /// What was asked at its time.
+    [[nodiscard]] ExpectationVerdict OfFound(const Expectation& expectation, const std::string& found) const
+    {
+        const bool is_absence = expectation.kind == ExpectationKind::kNoEvent;
+        ExpectationVerdict verdict;
+        verdict.holds = (found == expectation.is) != is_absence;
+        verdict.wanted = WantedOf(expectation);
+        verdict.seen = found;
+        return verdict;
     }
 
     [[nodiscard]] Nanoseconds EffectOf(const std::size_t fault) const
@@ -54,6 +66,39 @@ class Judgement
     }
 
   private:
+    /// Whom a manager is asked about: by its name, if the scenario has it.
+    [[nodiscard]] std::string NameOfAsked(const std::uint8_t node_id) const
+    {
+        for (const NodeSetup& node : scenario_.nodes)
+        {
+            if (node.node_id == node_id)
+            {
+                return node.name;
+            }
+        }
+        return std::to_string(node_id);
+    }
+
+    [[nodiscard]] std::string WantedOf(const Expectation& expectation) const
+    {
+        const std::string kind = NameOf(kExpectationWords, expectation.kind);
+        const bool is_of_manager = IsOfManager(expectation.kind);
+        const std::string node =
+            is_of_manager ? ((expectation.node_id == 0U) ? "" : " of node " + NameOfAsked(expectation.node_id))
+                          : " of node " + NameOfNode(expectation.node);
+        const std::string srdo =
+            (expectation.kind == ExpectationKind::kOutput) ? " SRDO " + std::to_string(expectation.srdo) : "";
+        const std::string at = MillisecondsText(expectation.at);
+        const std::string manager =
+            (expectation.manager == 0U) ? "" : ", manager " + std::to_string(expectation.manager);
+        if (IsOfEvents(expectation.kind))
+        {
+            return ((expectation.kind == ExpectationKind::kEvent) ? "event " : "no event ") + expectation.is + node +
+                   " from " + MillisecondsText(expectation.from) + " to " + at + manager;
+        }
+        return kind + node + srdo + " is " + expectation.is + " at " + at + manager;
+    }
+
     [[nodiscard]] const std::string& NameOfNode(const NodeIndex node) const
     {
         return scenario_.nodes[node].name;
@@ -122,9 +167,9 @@ class Judgement
 
     [[nodiscard]] ExpectationVerdict OfValue(const Expectation& expectation)
     {
-        const Node& node = network_.At(expectation.node);
+        const Node& node = network_->At(expectation.node);
         const runtime::VariablePair* const pair = node.Model().PairOf(expectation.object);
-        const std::uint64_t safe = network_.At(expectation.node).App().SafeValueOf(expectation.object);
+        const std::uint64_t safe = network_->At(expectation.node).App().SafeValueOf(expectation.object);
         // Behind a closed output no value counts, whatever the application last saw.
         const bool is_open = IsOpen(expectation, pair->srdo, expectation.at);
         const std::uint64_t value = is_open ? UsedAt(expectation.node, expectation, safe) : safe;
@@ -230,7 +275,7 @@ class Judgement
 
     [[nodiscard]] Measurement Measure(const Expectation& expectation)
     {
-        const runtime::DeviceModel& model = network_.At(expectation.node).Model();
+        const runtime::DeviceModel& model = network_->At(expectation.node).Model();
         Measurement measurement;
         measurement.fault = expectation.fault;
         measurement.node = expectation.node;
@@ -321,7 +366,7 @@ class Judgement
 
     const Scenario& scenario_;
     const Journal& journal_;
-    Network& network_;
+    Network* network_; ///< Null: there are managers, and nothing is expected that asks it.
 };
 } // namespace
 
@@ -347,13 +392,16 @@ Nanoseconds LimitOf(const Scenario& scenario, const Expectation& expectation, co
     return ComputeLimit(model.Config(), times, fault_class).us * kNanosecondsPerMicrosecond;
 }
 
-std::vector<ExpectationVerdict> Judge(const Scenario& scenario, const Journal& journal, Network& network)
+std::vector<ExpectationVerdict> Judge(const Scenario& scenario, const Journal& journal, Network* const network,
+                                      const std::vector<std::string>& found)
 {
     Judgement judgement(scenario, journal, network);
     std::vector<ExpectationVerdict> verdicts;
     for (std::size_t index = 0U; index < scenario.expectations.size(); ++index)
     {
-        verdicts.push_back(judgement.Of(scenario.expectations[index]));
+        const Expectation& expectation = scenario.expectations[index];
+        verdicts.push_back(IsOfNetwork(expectation.kind) ? judgement.OfFound(expectation, found[index])
+                                                         : judgement.Of(expectation));
         verdicts.back().expectation = index;
     }
     for (std::size_t index = 0U; index < scenario.faults.size(); ++index)

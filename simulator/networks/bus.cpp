@@ -14,7 +14,7 @@ constexpr std::uint64_t kNsPerSecond = 1000000000U;
 constexpr std::size_t kMostReceived = 4096U;
 } // namespace
 
-SimulatedPort::SimulatedPort(SimulatedBus& bus) : bus_(bus)
+SimulatedPort::SimulatedPort(SimulatedBus& bus, const std::size_t owner) : bus_(bus), owner_(owner)
 {
     bus_.ports_.push_back(this);
 }
@@ -101,6 +101,8 @@ void SimulatedBus::Begin()
         current_ = winner->waiting_.front();
         winner->waiting_.pop_front();
         sender_ = winner;
+        owner_ = winner->owner_;
+        begin_ns_ = now_ns_;
         is_busy_ = true;
         const host::FrameBits bits = host::MeasureFrame(host::ToCanFrame(current_, CanPortId::kFirst));
         end_ns_ = now_ns_ + bits.WithIntermission() * bit_ns_;
@@ -113,8 +115,11 @@ void SimulatedBus::Advance(const std::uint64_t now_ns)
     if (is_busy_ && now_ns >= end_ns_)
     {
         is_busy_ = false;
-        ++frames_;
         current_.time_ns = now_ns;
+        if (tell_)
+        {
+            tell_(current_, begin_ns_, owner_);
+        }
         for (SimulatedPort* const port : ports_)
         {
             if (port->received_.size() < kMostReceived)

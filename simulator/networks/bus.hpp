@@ -6,7 +6,9 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace counterpoint::simulator
@@ -17,7 +19,8 @@ class SimulatedBus;
 class SimulatedPort final : public host::LiveBus
 {
   public:
-    explicit SimulatedPort(SimulatedBus& bus);
+    /// @brief `owner` is whose frames it sends.
+    SimulatedPort(SimulatedBus& bus, std::size_t owner);
     ~SimulatedPort() override;
 
     [[nodiscard]] host::SendResult Send(const host::LiveFrame& frame) override;
@@ -35,6 +38,7 @@ class SimulatedPort final : public host::LiveBus
     friend class SimulatedBus;
 
     SimulatedBus& bus_;
+    std::size_t owner_;
     std::deque<host::LiveFrame> waiting_;
     std::deque<host::LiveFrame> received_;
 };
@@ -54,9 +58,11 @@ class SimulatedBus
     {
         return now_ns_;
     }
-    [[nodiscard]] std::uint64_t FrameCount() const noexcept
+    /// @brief `tell` gets each frame at its end, with its begin and its owner.
+    using TellFrame = std::function<void(const host::LiveFrame&, std::uint64_t, std::size_t)>;
+    void Listen(TellFrame tell)
     {
-        return frames_;
+        tell_ = std::move(tell);
     }
 
   private:
@@ -67,7 +73,9 @@ class SimulatedBus
     std::uint64_t bit_ns_;
     std::uint64_t now_ns_{0U};
     std::uint64_t end_ns_{0U};
-    std::uint64_t frames_{0U};
+    std::uint64_t begin_ns_{0U};
+    std::size_t owner_{0U};
+    TellFrame tell_;
     bool is_busy_{false};
     host::LiveFrame current_;
     SimulatedPort* sender_{nullptr}; ///< Null: it has left the bus.

@@ -12,27 +12,29 @@ namespace
 constexpr std::uint64_t kNsPerUs = 1000U;
 constexpr ObjectAddress kSerialNumber{0x1018U, 4U};
 
-runtime::NodeSettings SettingsOf(const ScenarioDevice& setup)
+runtime::NodeSettings SettingsOf(const NodeSetup& setup)
 {
     runtime::NodeSettings settings;
     settings.dcf = setup.dcf;
-    settings.node_id = setup.node;
+    settings.node_id = setup.node_id;
     return settings;
 }
 
 /// Two connections; `kept` leads to the port after its owner has it.
-std::unique_ptr<host::LiveBus> PortOf(SimulatedBus& bus, SimulatedPort*& kept)
+std::unique_ptr<host::LiveBus> PortOf(SimulatedBus& bus, const NodeIndex node, SimulatedPort*& kept)
 {
-    auto port = std::make_unique<SimulatedPort>(bus);
+    auto port = std::make_unique<SimulatedPort>(bus, node);
     kept = port.get();
     return port;
 }
 } // namespace
 
-SimulatedDevice::SimulatedDevice(const ScenarioDevice& setup, SimulatedBus& bus, const std::uint64_t now_ns)
-    : setup_(setup), safety_(nullptr), services_(nullptr), ports_(PortOf(bus, safety_), PortOf(bus, services_)),
-      out_(&nowhere_), report_(out_, runtime::ReportForm::kText, now_ns), device_(SettingsOf(setup), ports_, report_),
-      start_ns_(now_ns), cycle_ns_(device_.Config().cycle_us * kNsPerUs), next_cycle_ns_(now_ns + cycle_ns_)
+SimulatedDevice::SimulatedDevice(const NodeIndex node, const NodeSetup& setup, SimulatedBus& bus,
+                                 const std::uint64_t now_ns)
+    : node_(node), setup_(setup), safety_(nullptr), services_(nullptr),
+      ports_(PortOf(bus, node, safety_), PortOf(bus, node, services_)), out_(&nowhere_),
+      report_(out_, runtime::ReportForm::kText, now_ns), device_(SettingsOf(setup), ports_, report_), start_ns_(now_ns),
+      cycle_ns_(device_.Config().cycle_us * kNsPerUs), next_cycle_ns_(now_ns + cycle_ns_)
 {
     static_cast<void>(device_.PowerOn(Now(now_ns), now_ns));
     static_cast<void>(device_.TakeRestart(now_ns));

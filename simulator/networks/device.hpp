@@ -4,7 +4,7 @@
 
 #include "runtime/node/device.hpp"
 #include "simulator/networks/bus.hpp"
-#include "simulator/networks/scenario.hpp"
+#include "simulator/scenario/scenario.hpp"
 
 #include <cstdint>
 #include <deque>
@@ -28,7 +28,7 @@ class SimulatedDevice
 {
   public:
     /// @brief Supply on at `now_ns`. Throws cia306::InputError.
-    SimulatedDevice(const ScenarioDevice& setup, SimulatedBus& bus, std::uint64_t now_ns);
+    SimulatedDevice(NodeIndex node, const NodeSetup& setup, SimulatedBus& bus, std::uint64_t now_ns);
 
     /// @brief The next instant at which it does something by itself.
     [[nodiscard]] std::uint64_t NextNs() const noexcept
@@ -42,9 +42,9 @@ class SimulatedDevice
     {
         return device_;
     }
-    [[nodiscard]] std::uint8_t Node() const noexcept
+    [[nodiscard]] NodeIndex Node() const noexcept
     {
-        return setup_.node;
+        return node_;
     }
     void Acknowledge(std::uint8_t srdo, std::uint64_t now_ns);
     /// @brief Somebody writes into it, by no message of the bus.
@@ -55,7 +55,8 @@ class SimulatedDevice
     void Take(std::uint64_t now_ns);
     void SetSerial();
 
-    ScenarioDevice setup_;
+    NodeIndex node_;
+    NodeSetup setup_;
     SimulatedPort* safety_;
     SimulatedPort* services_;
     runtime::NodePorts ports_;

@@ -1,33 +1,40 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-// What passes in a simulated network; network_verdicts.cpp judges it.
+// What passes in a simulated network.
 #include "simulator/networks/simulation.hpp"
 
 #include "runtime/network_files/file.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace counterpoint::simulator
 {
 namespace
 {
-constexpr std::uint64_t kNsPerUs = 1000U;
-constexpr std::uint64_t kManagerCycleNs = 1000000U;
-constexpr std::uint64_t kNeverNs = std::numeric_limits<std::uint64_t>::max();
+constexpr Nanoseconds kManagerCycle = kNanosecondsPerMillisecond;
+
+std::uint64_t Ns(const Nanoseconds time)
+{
+    return static_cast<std::uint64_t>(time);
+}
+
+std::uint64_t Us(const Nanoseconds time)
+{
+    return static_cast<std::uint64_t>(time / kNanosecondsPerMicrosecond);
+}
 
 template <typename Item> std::vector<Item> ByTime(std::vector<Item> items)
 {
     std::stable_sort(items.begin(), items.end(),
-                     [](const Item& left, const Item& right) { return left.at_ns < right.at_ns; });
+                     [](const Item& left, const Item& right) { return left.at < right.at; });
     return items;
 }
 
-host::LiveFrame EmergencyFrame(const NetworkAction& action)
+host::LiveFrame EmergencyFrame(const Action& action)
 {
     constexpr std::uint32_t kEmergencies = 0x80U;
     host::LiveFrame frame;
-    frame.identifier = kEmergencies + action.node;
+    frame.identifier = kEmergencies + action.node_id;
     frame.length_bytes = host::kClassicalDataBytes;
     frame.data[0] = static_cast<std::uint8_t>(action.code & 0xFFU);
     frame.data[1] = static_cast<std::uint8_t>(action.code >> 8U);
@@ -36,163 +43,212 @@ host::LiveFrame EmergencyFrame(const NetworkAction& action)
 }
 
 /// Eight zeros, or what is to be sent.
-host::LiveFrame FrameOf(const NetworkAction& action)
+host::LiveFrame FrameOf(const Action& action)
 {
     host::LiveFrame frame;
-    const bool is_babble = action.kind == NetworkActionKind::kBabble;
+    const bool is_babble = action.kind == ActionKind::kBabble;
     frame.identifier = action.identifier;
     frame.length_bytes = is_babble ? host::kClassicalDataBytes : static_cast<std::uint8_t>(action.data.size());
     std::copy(action.data.begin(), action.data.end(), std::begin(frame.data));
     return frame;
 }
+NmtState StateFrom(const cia301::NodeState state)
+{
+    switch (state)
+    {
+    case cia301::NodeState::kInvalid:
+        return NmtState::kInvalid;
+    case cia301::NodeState::kPreOperational:
+        return NmtState::kPreOperational;
+    case cia301::NodeState::kOperational:
+        return NmtState::kOperational;
+    case cia301::NodeState::kStopped:
+        return NmtState::kStopped;
+    default:
+        return NmtState::kInitialising;
+    }
+}
 } // namespace
 
-NetworkSimulation::NetworkSimulation(const NetworkScenario& scenario, TellEvent tell)
-    : scenario_(scenario), tell_(std::move(tell)), bus_(scenario.bitrate), setups_(scenario.devices),
-      has_come_(scenario.devices.size(), false), actions_(ByTime(scenario.actions)),
-      expectations_(ByTime(scenario.expectations))
+NetworkSimulation::NetworkSimulation(const Scenario& scenario, Journal& journal)
+    : scenario_(scenario), journal_(journal), bus_(scenario.bitrate), setups_(scenario.nodes),
+      has_come_(scenario.nodes.size(), false), told_(scenario.nodes.size()), actions_(ByTime(scenario.actions))
 {
-    for (const ScenarioManager& setup : scenario.managers)
+    LoadManagers();
+    RequireOfManagers(scenario_, managers_);
+    if (journal_.KeepsAll())
+    {
+        bus_.Listen([this](const host::LiveFrame& frame, const std::uint64_t begin_ns, const std::size_t owner)
+                    { TellFrame(frame, begin_ns, owner); });
+    }
+}
+
+void NetworkSimulation::LoadManagers()
+{
+    for (const ManagerSetup& setup : scenario_.managers)
     {
         auto manager = std::make_unique<SimulatedManager>();
         manager->setup = setup;
-        manager->net = std::make_unique<network::LoadedNetwork>(runtime::ReadNetworkFile(setup.network, setup.node));
+        manager->place = scenario_.nodes.size() + managers_.size();
+        manager->net = std::make_unique<network::LoadedNetwork>(runtime::ReadNetworkFile(setup.network, setup.node_id));
         manager->node = manager->net->Setup().own.value;
         for (const auto& other : managers_)
         {
             if (other->node == manager->node)
             {
-                throw YamlError(scenario_.file, setup.place,
+                throw YamlError(setup.source.file, setup.source.place,
                                 "manager " + std::to_string(manager->node) + " a second time",
                                 "each manager with a node-ID of its own");
             }
         }
         managers_.push_back(std::move(manager));
     }
-    for (const NetworkExpectation& expectation : expectations_)
-    {
-        RequireKnown(expectation);
-    }
-    RequireManagers();
 }
 
-std::uint64_t NetworkSimulation::NextNs() const
+Nanoseconds NetworkSimulation::Next() const
 {
-    std::uint64_t next = std::min(bus_.NextNs(), scenario_.duration_ns);
-    next = (next_action_ < actions_.size()) ? std::min(next, actions_[next_action_].at_ns) : next;
-    next = (next_expectation_ < expectations_.size()) ? std::min(next, expectations_[next_expectation_].at_ns) : next;
+    const std::uint64_t of_bus = bus_.NextNs();
+    Nanoseconds next = (of_bus > Ns(kNever)) ? kNever : static_cast<Nanoseconds>(of_bus);
+    next = (next_action_ < actions_.size()) ? std::min(next, actions_[next_action_].at) : next;
     for (const auto& manager : managers_)
     {
-        const std::uint64_t at = (manager->port == nullptr && manager->station == nullptr) ? manager->setup.at_ns
-                                 : (manager->port != nullptr)                              ? manager->next_cycle_ns
-                                                                                           : kNeverNs;
+        const Nanoseconds at = (manager->port == nullptr && manager->station == nullptr) ? manager->setup.at
+                               : (manager->port != nullptr)                              ? manager->next_cycle
+                                                                                         : kNever;
         next = std::min(next, at);
     }
     for (std::size_t place = 0U; place < setups_.size(); ++place)
     {
-        next = has_come_[place] ? next : std::min(next, setups_[place].at_ns);
+        next = has_come_[place] ? next : std::min(next, setups_[place].phase);
     }
     for (const auto& device : devices_)
     {
-        next = std::min(next, device->NextNs());
+        next = std::min(next, static_cast<Nanoseconds>(device->NextNs()));
     }
     for (const Storm& storm : storms_)
     {
-        next = std::min(next, storm.next_ns);
+        next = std::min(next, storm.next);
     }
     return next;
 }
 
-void NetworkSimulation::Run()
+// Also at `until` itself, where somebody looks: whatever the bus has by then is taken.
+void NetworkSimulation::RunUntil(const Nanoseconds until)
 {
-    std::uint64_t now_ns = 0U;
-    Step(now_ns);
-    while (now_ns < scenario_.duration_ns)
+    while (now_ < until)
     {
-        now_ns = std::max(NextNs(), now_ns + 1U);
-        Step(now_ns);
+        now_ = (now_ < 0) ? 0 : std::min(std::max(Next(), now_ + 1), until);
+        Step(now_);
     }
-    verdicts_.reserve(expectations_.size());
-    Judge(kNeverNs);
 }
 
-void NetworkSimulation::Step(const std::uint64_t now_ns)
+void NetworkSimulation::Step(const Nanoseconds now)
 {
-    bus_.Advance(now_ns);
-    TellFrames();
-    StartDue(now_ns);
-    for (; next_action_ < actions_.size() && actions_[next_action_].at_ns <= now_ns; ++next_action_)
+    bus_.Advance(Ns(now));
+    StartDue(now);
+    for (; next_action_ < actions_.size() && actions_[next_action_].at <= now; ++next_action_)
     {
-        Act(actions_[next_action_], now_ns);
+        Act(actions_[next_action_], now);
     }
-    RunStorms(now_ns);
+    RunStorms(now);
     for (const auto& device : devices_)
     {
-        if (device->HasFrames() || device->NextNs() <= now_ns)
+        if (device->HasFrames() || device->NextNs() <= Ns(now))
         {
-            device->Run(now_ns);
+            device->Run(Ns(now));
         }
     }
     for (const auto& manager : managers_)
     {
         if (manager->port != nullptr)
         {
-            RunManager(*manager, now_ns);
+            RunManager(*manager, now);
         }
     }
-    Judge(now_ns);
+    TellDevices(now);
 }
 
-void NetworkSimulation::Listen(TellFrame tell)
+void NetworkSimulation::TellFrame(const host::LiveFrame& frame, const std::uint64_t begin_ns, const std::size_t owner)
 {
-    tell_frame_ = std::move(tell);
-    listener_ = std::make_unique<SimulatedPort>(bus_);
+    journal_.Tell(FrameEntry{static_cast<Nanoseconds>(begin_ns), static_cast<Nanoseconds>(frame.time_ns),
+                             host::ToCanFrame(frame, CanPortId::kFirst), owner, host::FrameFate::kComplete});
 }
 
-void NetworkSimulation::TellFrames()
+void NetworkSimulation::TellOutputs(SimulatedDevice& device, const SrdoMask changed, const Nanoseconds now)
 {
-    host::LiveFrame frame;
-    while (listener_ != nullptr && listener_->Receive(frame))
+    for (const runtime::SrdoModel& srdo : device.Device().Model().Srdos())
     {
-        tell_frame_(frame);
-    }
-}
-
-void NetworkSimulation::StartDue(const std::uint64_t now_ns)
-{
-    for (std::size_t place = 0U; place < setups_.size(); ++place)
-    {
-        if (!has_come_[place] && setups_[place].at_ns <= now_ns)
+        const SlotIndex slot = device.Device().Model().SlotOf(srdo.number).value_or(0U);
+        if (((changed >> slot) & 1U) != 0U)
         {
-            has_come_[place] = true;
-            devices_.push_back(std::make_unique<SimulatedDevice>(setups_[place], bus_, now_ns));
-        }
-    }
-    for (const auto& each : managers_)
-    {
-        SimulatedManager& manager = *each;
-        if (manager.station == nullptr && manager.setup.at_ns <= now_ns)
-        {
-            manager.port = std::make_unique<SimulatedPort>(bus_);
-            manager.next_cycle_ns = now_ns + kManagerCycleNs;
-            manager.station = std::make_unique<runtime::ManagerStation>(
-                *manager.net,
-                [&manager](const CanFrame& frame)
-                {
-                    return manager.port != nullptr && !manager.is_off_bus &&
-                           manager.port->Send(host::FromCanFrame(frame)) == host::SendResult::kSent;
-                },
-                [this, &manager](const runtime::ManagerEvent& event)
-                {
-                    manager.events.push_back(event);
-                    tell_(manager, event);
-                });
-            manager.station->Begin(now_ns / kNsPerUs);
+            journal_.Note({now, EventKind::kOutput, device.Node(), srdo.number, (device.Device().Open() >> slot) & 1U});
         }
     }
 }
 
-void NetworkSimulation::RunManager(SimulatedManager& manager, const std::uint64_t now_ns)
+/// States and outputs of the devices that are there, where they changed.
+void NetworkSimulation::TellDevices(const Nanoseconds now)
+{
+    for (NodeIndex node = 0U; node < setups_.size(); ++node)
+    {
+        SimulatedDevice* const device = DeviceOf(node);
+        Told& told = told_[node];
+        const Told is{(device == nullptr) ? cia301::NodeState::kInvalid : device->Device().Services().State(),
+                      (device == nullptr) ? SrdoMask{0U} : device->Device().Open()};
+        if (is.state != told.state)
+        {
+            const bool is_off = is.state == cia301::NodeState::kInvalid;
+            journal_.Note({now, is_off ? EventKind::kPowerOff : EventKind::kNmt, node, 0U,
+                           static_cast<std::uint64_t>(StateFrom(is.state))});
+        }
+        if (device != nullptr && is.open != told.open)
+        {
+            TellOutputs(*device, is.open ^ told.open, now);
+        }
+        told = is;
+    }
+}
+
+void NetworkSimulation::StartDue(const Nanoseconds now)
+{
+    for (NodeIndex node = 0U; node < setups_.size(); ++node)
+    {
+        if (!has_come_[node] && setups_[node].phase <= now)
+        {
+            has_come_[node] = true;
+            Insert(node, now);
+        }
+    }
+    for (const auto& manager : managers_)
+    {
+        if (manager->station == nullptr && manager->setup.at <= now)
+        {
+            StartManager(*manager, now);
+        }
+    }
+}
+
+void NetworkSimulation::StartManager(SimulatedManager& manager, const Nanoseconds now)
+{
+    manager.port = std::make_unique<SimulatedPort>(bus_, manager.place);
+    manager.next_cycle = now + kManagerCycle;
+    manager.station = std::make_unique<runtime::ManagerStation>(
+        *manager.net,
+        [&manager](const CanFrame& frame)
+        {
+            return manager.port != nullptr && !manager.is_off_bus &&
+                   manager.port->Send(host::FromCanFrame(frame)) == host::SendResult::kSent;
+        },
+        [this, &manager](const runtime::ManagerEvent& event)
+        {
+            manager.events.push_back(event);
+            journal_.Note(ManagerEntry{static_cast<Nanoseconds>(event.at_us) * kNanosecondsPerMicrosecond,
+                                       manager.place, event.node, event.kind, event.text, runtime::JsonLine(event)});
+        });
+    manager.station->Begin(Us(now));
+}
+
+void NetworkSimulation::RunManager(SimulatedManager& manager, const Nanoseconds now)
 {
     host::LiveFrame frame;
     while (manager.port->Receive(frame))
@@ -208,87 +264,87 @@ void NetworkSimulation::RunManager(SimulatedManager& manager, const std::uint64_
         }
         else
         {
-            manager.station->OnFrame(passed, now_ns / kNsPerUs);
+            manager.station->OnFrame(passed, Us(now));
         }
     }
-    if (now_ns >= manager.next_cycle_ns)
+    if (now >= manager.next_cycle)
     {
-        manager.next_cycle_ns += kManagerCycleNs;
-        manager.station->OnCycle(now_ns / kNsPerUs);
+        manager.next_cycle += kManagerCycle;
+        manager.station->OnCycle(Us(now));
     }
 }
 
-void NetworkSimulation::Act(const NetworkAction& action, const std::uint64_t now_ns)
+void NetworkSimulation::Act(const Action& action, const Nanoseconds now)
 {
     switch (action.kind)
     {
-    case NetworkActionKind::kOrder:
+    case ActionKind::kOrder:
     {
-        SimulatedManager& manager = ManagerOf(action.node, {});
+        SimulatedManager& manager = ManagerOf(managers_, action.node_id, action.source);
         if (manager.port != nullptr)
         {
-            const std::string answer =
-                manager.station->Carry(runtime::ParseManagerOrder(action.order), now_ns / kNsPerUs);
+            const std::string answer = manager.station->Carry(runtime::ParseManagerOrder(action.order), Us(now));
             manager.station->Tell("order", "order " + action.order + ": " + answer,
-                                  {{"order", action.order}, {"answer", answer}}, now_ns / kNsPerUs);
+                                  {{"order", action.order}, {"answer", answer}}, Us(now));
         }
         break;
     }
-    case NetworkActionKind::kKillManager:
-        ManagerOf(action.node, {}).port.reset();
+    case ActionKind::kKillManager:
+        ManagerOf(managers_, action.node_id, action.source).port.reset();
         break;
-    case NetworkActionKind::kBusOff:
-    case NetworkActionKind::kNoController:
-    case NetworkActionKind::kBusBack:
-        ActOnController(action, now_ns);
+    case ActionKind::kBusOff:
+    case ActionKind::kNoController:
+    case ActionKind::kBusBack:
+        ActOnController(action, now);
         break;
-    case NetworkActionKind::kEmcyStorm:
-    case NetworkActionKind::kBabble:
-    case NetworkActionKind::kSend:
-        storms_.push_back({action, std::make_unique<SimulatedPort>(bus_), now_ns});
+    case ActionKind::kEmcyStorm:
+    case ActionKind::kBabble:
+    case ActionKind::kSend:
+        storms_.push_back(
+            {action, std::make_unique<SimulatedPort>(bus_, scenario_.nodes.size() + managers_.size()), now});
         break;
-    case NetworkActionKind::kPull:
-    case NetworkActionKind::kInsert:
-    case NetworkActionKind::kReset:
-    case NetworkActionKind::kReplace:
-    case NetworkActionKind::kDuplicate:
-    case NetworkActionKind::kStore:
-    case NetworkActionKind::kAcknowledge:
+    case ActionKind::kPull:
+    case ActionKind::kInsert:
+    case ActionKind::kReset:
+    case ActionKind::kReplace:
+    case ActionKind::kDuplicate:
+    case ActionKind::kStore:
+    case ActionKind::kAcknowledge:
     default:
-        ActOnDevice(action, now_ns);
+        ActOnDevice(action, now);
         break;
     }
 }
 
-void NetworkSimulation::ActOnController(const NetworkAction& action, const std::uint64_t now_ns)
+void NetworkSimulation::ActOnController(const Action& action, const Nanoseconds now)
 {
-    SimulatedManager& manager = ManagerOf(action.node, {});
+    SimulatedManager& manager = ManagerOf(managers_, action.node_id, action.source);
     cia302::ControllerState state = cia302::ControllerState::kRunning;
-    state = (action.kind == NetworkActionKind::kBusOff) ? cia302::ControllerState::kBusOff : state;
-    state = (action.kind == NetworkActionKind::kNoController) ? cia302::ControllerState::kAbsent : state;
+    state = (action.kind == ActionKind::kBusOff) ? cia302::ControllerState::kBusOff : state;
+    state = (action.kind == ActionKind::kNoController) ? cia302::ControllerState::kAbsent : state;
     manager.is_off_bus = state != cia302::ControllerState::kRunning;
     if (manager.port != nullptr)
     {
         const std::string word = !manager.is_off_bus                           ? "active"
                                  : (state == cia302::ControllerState::kBusOff) ? "bus_off"
                                                                                : "down";
-        manager.station->Tell("bus", "bus " + word, {{"state", word}}, now_ns / kNsPerUs);
-        manager.station->Host().OnController(state, runtime::InstantAt(now_ns / kNsPerUs));
+        manager.station->Tell("bus", "bus " + word, {{"state", word}}, Us(now));
+        manager.station->Host().OnController(state, runtime::InstantAt(Us(now)));
     }
 }
 
-void NetworkSimulation::ActOnDevice(const NetworkAction& action, const std::uint64_t now_ns)
+void NetworkSimulation::ActOnDevice(const Action& action, const Nanoseconds now)
 {
     SimulatedDevice* const device = DeviceOf(action.node);
-    const bool is_off = action.kind == NetworkActionKind::kPull || action.kind == NetworkActionKind::kReset ||
-                        action.kind == NetworkActionKind::kReplace;
-    const bool is_on = action.kind == NetworkActionKind::kInsert || action.kind == NetworkActionKind::kReset ||
-                       action.kind == NetworkActionKind::kReplace || action.kind == NetworkActionKind::kDuplicate;
-    if (device != nullptr && action.kind == NetworkActionKind::kAcknowledge)
+    const bool is_off =
+        action.kind == ActionKind::kPull || action.kind == ActionKind::kReset || action.kind == ActionKind::kReplace;
+    const bool is_on = action.kind == ActionKind::kInsert || action.kind == ActionKind::kReset ||
+                       action.kind == ActionKind::kReplace || action.kind == ActionKind::kDuplicate;
+    if (device != nullptr && action.kind == ActionKind::kAcknowledge)
     {
-        device->Acknowledge(action.srdo, now_ns);
+        device->Acknowledge(action.srdo, Ns(now));
     }
-    else if (device != nullptr && action.kind == NetworkActionKind::kStore)
+    else if (device != nullptr && action.kind == ActionKind::kStore)
     {
         device->Store(action.object, action.value);
     }
@@ -296,30 +352,22 @@ void NetworkSimulation::ActOnDevice(const NetworkAction& action, const std::uint
     {
         Pull(action.node);
     }
-    for (ScenarioDevice& setup : setups_)
+    if (action.kind == ActionKind::kReplace)
     {
-        const bool is_other = action.kind == NetworkActionKind::kReplace && setup.node == action.node;
-        setup.serial = is_other ? std::optional(action.serial) : setup.serial;
+        setups_[action.node].serial = action.serial;
     }
     if (is_on)
     {
-        Insert(action.node, now_ns);
+        Insert(action.node, now);
     }
 }
 
-void NetworkSimulation::Insert(const std::uint8_t node, const std::uint64_t now_ns)
+void NetworkSimulation::Insert(const NodeIndex node, const Nanoseconds now)
 {
-    for (const ScenarioDevice& setup : setups_)
-    {
-        if (setup.node == node)
-        {
-            devices_.push_back(std::make_unique<SimulatedDevice>(setup, bus_, now_ns));
-            return;
-        }
-    }
+    devices_.push_back(std::make_unique<SimulatedDevice>(node, setups_[node], bus_, Ns(now)));
 }
 
-void NetworkSimulation::Pull(const std::uint8_t node)
+void NetworkSimulation::Pull(const NodeIndex node)
 {
     devices_.erase(std::remove_if(devices_.begin(), devices_.end(),
                                   [node](const std::unique_ptr<SimulatedDevice>& device)
@@ -327,16 +375,16 @@ void NetworkSimulation::Pull(const std::uint8_t node)
                    devices_.end());
 }
 
-void NetworkSimulation::RunStorms(const std::uint64_t now_ns)
+void NetworkSimulation::RunStorms(const Nanoseconds now)
 {
     for (Storm& storm : storms_)
     {
-        if (storm.next_ns <= now_ns)
+        if (storm.next <= now)
         {
-            const bool is_emergency = storm.action.kind == NetworkActionKind::kEmcyStorm;
+            const bool is_emergency = storm.action.kind == ActionKind::kEmcyStorm;
             static_cast<void>(storm.port->Send(is_emergency ? EmergencyFrame(storm.action) : FrameOf(storm.action)));
-            const std::uint64_t next_ns = now_ns + storm.action.every_ns;
-            storm.next_ns = (next_ns > storm.action.until_ns) ? kNeverNs : next_ns;
+            const Nanoseconds next = now + storm.action.every;
+            storm.next = (next > storm.action.until) ? kNever : next;
         }
         host::LiveFrame unread;
         while (storm.port->Receive(unread))
@@ -345,26 +393,24 @@ void NetworkSimulation::RunStorms(const std::uint64_t now_ns)
     }
 }
 
-SimulatedDevice* NetworkSimulation::DeviceOf(const std::uint8_t node)
+SimulatedDevice* NetworkSimulation::DeviceOf(const NodeIndex node)
 {
-    SimulatedDevice* found = nullptr;
-    for (const auto& device : devices_)
-    {
-        found = (found == nullptr && device->Node() == node) ? device.get() : found;
-    }
-    return found;
+    const auto found =
+        std::find_if(devices_.begin(), devices_.end(),
+                     [node](const std::unique_ptr<SimulatedDevice>& device) { return device->Node() == node; });
+    return (found == devices_.end()) ? nullptr : found->get();
 }
 
-SimulatedManager& NetworkSimulation::ManagerOf(const std::uint8_t node, const Place& place)
+SimulatedManager& ManagerOf(const SimulatedManagers& managers, const std::uint8_t node_id, const Source& source)
 {
-    for (const auto& manager : managers_)
+    for (const auto& manager : managers)
     {
-        if (node == 0U || manager->node == node)
+        if (node_id == 0U || manager->node == node_id)
         {
             return *manager;
         }
     }
-    throw YamlError(scenario_.file, place, "no manager with node-ID " + std::to_string(node),
+    throw YamlError(source.file, source.place, "no manager with node-ID " + std::to_string(node_id),
                     "one of the scenario's managers");
 }
 } // namespace counterpoint::simulator

@@ -3,8 +3,8 @@
 #define SIMULATOR_NETWORKS_SIMULATION_HPP
 
 #include "runtime/manager/station.hpp"
+#include "simulator/journal/journal.hpp"
 #include "simulator/networks/device.hpp"
-#include "simulator/networks/scenario.hpp"
 
 #include <functional>
 #include <memory>
@@ -16,96 +16,85 @@ namespace counterpoint::simulator
 /// One manager of a simulated network, with what it told.
 struct SimulatedManager
 {
-    ScenarioManager setup;
+    ManagerSetup setup;
+    std::size_t place{0U}; ///< In the journal: behind the nodes come the managers, then whoever else sends.
     std::uint8_t node{0U};
     std::unique_ptr<network::LoadedNetwork> net;
     std::unique_ptr<SimulatedPort> port; ///< Null: it has no supply.
     std::unique_ptr<runtime::ManagerStation> station;
     std::vector<runtime::ManagerEvent> events;
-    std::uint64_t next_cycle_ns{0U};
+    Nanoseconds next_cycle{0};
     bool is_off_bus{false}; ///< Its controller neither sends nor receives.
 };
 
-struct NetworkVerdict
-{
-    bool holds{false};
-    std::string text; ///< "line 31: letter of node 33 is O" or what it was instead.
-};
+using SimulatedManagers = std::vector<std::unique_ptr<SimulatedManager>>;
 
-/// A network scenario brought to life, and judged. The same scenario gives the same events. [SRS_MGR_012]
+/// @brief What a scenario asks of its managers, against their network files: it would do nothing, or hold whatever
+/// happens. Throws YamlError. [SRS_MGR_012]
+void RequireOfManagers(const Scenario& scenario, const SimulatedManagers& managers);
+/// @brief The manager with that node-ID, 0: the first one. Throws YamlError.
+[[nodiscard]] SimulatedManager& ManagerOf(const SimulatedManagers& managers, std::uint8_t node_id,
+                                          const Source& source);
+
+/// A scenario with managers brought to life. The same scenario gives the same events. [SRS_MGR_012]
 class NetworkSimulation
 {
   public:
-    using TellEvent = std::function<void(const SimulatedManager&, const runtime::ManagerEvent&)>;
-    using TellFrame = std::function<void(const host::LiveFrame&)>;
+    /// @brief `scenario` and `journal` outlive it. Throws cia306::InputError and YamlError.
+    NetworkSimulation(const Scenario& scenario, Journal& journal);
 
-    /// @brief `scenario` outlives it. Throws cia306::InputError and YamlError.
-    NetworkSimulation(const NetworkScenario& scenario, TellEvent tell);
-
-    void Run();
-    /// @brief `tell` gets each frame of the bus at its end.
-    void Listen(TellFrame tell);
-    [[nodiscard]] const std::vector<NetworkVerdict>& Verdicts() const noexcept
-    {
-        return verdicts_;
-    }
-    [[nodiscard]] const std::vector<std::unique_ptr<SimulatedManager>>& Managers() const noexcept
+    /// @brief Everything up to and including `until`.
+    void RunUntil(Nanoseconds until);
+    [[nodiscard]] const SimulatedManagers& Managers() const noexcept
     {
         return managers_;
     }
-    [[nodiscard]] std::uint64_t FrameCount() const noexcept
-    {
-        return bus_.FrameCount();
-    }
+    /// @brief Null: it is not there.
+    [[nodiscard]] SimulatedDevice* DeviceOf(NodeIndex node);
 
   private:
     /// Frames that a defective device sends, one after the other.
     struct Storm
     {
-        NetworkAction action;
+        Action action;
         std::unique_ptr<SimulatedPort> port;
-        std::uint64_t next_ns{0U};
+        Nanoseconds next{0};
+    };
+    /// What was last told of a device.
+    struct Told
+    {
+        cia301::NodeState state{cia301::NodeState::kInvalid};
+        SrdoMask open{0U};
     };
 
-    [[nodiscard]] std::uint64_t NextNs() const;
-    void Step(std::uint64_t now_ns);
-    void TellFrames();
-    void StartDue(std::uint64_t now_ns);
-    void Act(const NetworkAction& action, std::uint64_t now_ns);
-    void ActOnController(const NetworkAction& action, std::uint64_t now_ns);
-    void ActOnDevice(const NetworkAction& action, std::uint64_t now_ns);
-    void Insert(std::uint8_t node, std::uint64_t now_ns);
-    void Pull(std::uint8_t node);
-    void RunStorms(std::uint64_t now_ns);
-    void RunManager(SimulatedManager& manager, std::uint64_t now_ns);
-    void Judge(std::uint64_t now_ns);
-    void RequireKnown(const NetworkExpectation& expectation);
-    void RequireOfProfile(const NetworkExpectation& expectation, const SimulatedManager& manager) const;
-    void RequireOfSafety(const NetworkExpectation& expectation, const SimulatedManager& manager) const;
-    void RequireOfGuarding(const NetworkExpectation& expectation, const SimulatedManager& manager) const;
-    [[nodiscard]] bool MayChange(const SimulatedManager& manager) const;
-    void RequireManagers();
-    [[nodiscard]] NetworkVerdict VerdictOf(const NetworkExpectation& expectation);
-    [[nodiscard]] std::string Found(const NetworkExpectation& expectation, const SimulatedManager& manager);
-    [[nodiscard]] std::string FoundAtDevice(const NetworkExpectation& expectation);
-    [[nodiscard]] SimulatedDevice* DeviceOf(std::uint8_t node);
-    [[nodiscard]] SimulatedManager& ManagerOf(std::uint8_t node, const Place& place);
+    void LoadManagers();
+    [[nodiscard]] Nanoseconds Next() const;
+    void Step(Nanoseconds now);
+    void StartDue(Nanoseconds now);
+    void StartManager(SimulatedManager& manager, Nanoseconds now);
+    void Act(const Action& action, Nanoseconds now);
+    void ActOnController(const Action& action, Nanoseconds now);
+    void ActOnDevice(const Action& action, Nanoseconds now);
+    void Insert(NodeIndex node, Nanoseconds now);
+    void Pull(NodeIndex node);
+    void RunStorms(Nanoseconds now);
+    void RunManager(SimulatedManager& manager, Nanoseconds now);
+    void TellFrame(const host::LiveFrame& frame, std::uint64_t begin_ns, std::size_t owner);
+    void TellDevices(Nanoseconds now);
+    void TellOutputs(SimulatedDevice& device, SrdoMask changed, Nanoseconds now);
 
-    const NetworkScenario& scenario_;
-    TellEvent tell_;
-    TellFrame tell_frame_;
+    const Scenario& scenario_;
+    Journal& journal_;
     SimulatedBus bus_;
-    std::unique_ptr<SimulatedPort> listener_; ///< Null: nobody listens.
-    std::vector<std::unique_ptr<SimulatedManager>> managers_;
-    std::vector<ScenarioDevice> setups_; ///< As they are now: a replaced one has another serial number.
-    std::vector<bool> has_come_;         ///< By setup: its supply came once.
+    SimulatedManagers managers_;
+    std::vector<NodeSetup> setups_; ///< As they are now: a replaced one has another serial number.
+    std::vector<bool> has_come_;    ///< By setup: its supply came once.
+    std::vector<Told> told_;        ///< By setup.
     std::vector<std::unique_ptr<SimulatedDevice>> devices_;
     std::vector<Storm> storms_;
-    std::vector<NetworkAction> actions_;           ///< By time.
-    std::vector<NetworkExpectation> expectations_; ///< By time.
-    std::vector<NetworkVerdict> verdicts_;
+    std::vector<Action> actions_; ///< By time.
     std::size_t next_action_{0U};
-    std::size_t next_expectation_{0U};
+    Nanoseconds now_{-1};
 };
 } // namespace counterpoint::simulator
 

@@ -109,6 +109,17 @@ std::string Summary(const std::vector<const Run*>& runs)
     return table + "</tbody>\n</table>\n";
 }
 
+/// Tables and sequences of the managers.
+std::string Managers(const std::vector<const Run*>& runs)
+{
+    std::string text;
+    for (const Run* const run : runs)
+    {
+        text += (run->Managed() == nullptr) ? "" : run->Managed()->Pictures();
+    }
+    return text;
+}
+
 std::string Lead(const std::vector<const Run*>& runs)
 {
     const auto held = std::count_if(runs.begin(), runs.end(), [](const Run* run) { return run->Holds(); });
@@ -134,6 +145,7 @@ std::string HtmlReport(const std::string& title, const std::vector<const Run*>& 
                               {"style", kPageCss},
                               {"script", kPageJs},
                               {"summary", Summary(runs)},
+                              {"managers", Managers(runs)},
                               {"data", Embedded(data)}});
 }
 } // namespace counterpoint::simulator

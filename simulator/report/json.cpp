@@ -109,6 +109,9 @@ void AddDetails(const Run& run, const Event& event, Json& json)
     case EventKind::kViewB:
         json["state"] = NameOf(runtime::kStateWords, static_cast<SrdoState>(event.value));
         return;
+    case EventKind::kNmt:
+        json["state"] = Name(static_cast<NmtState>(event.value));
+        return;
     case EventKind::kSignal:
     case EventKind::kCauseA:
     case EventKind::kCauseB:
@@ -174,6 +177,31 @@ Json EventsToJson(const Run& run)
     return events;
 }
 
+/// What each manager told, as in its log.
+Json ManagersToJson(const Run& run)
+{
+    Json managers = Json::array();
+    if (run.Managed() == nullptr)
+    {
+        return managers;
+    }
+    NodeIndex place = run.Setting().nodes.size();
+    for (const std::uint8_t node : run.Managed()->Managers())
+    {
+        Json events = Json::array();
+        for (const ManagerEntry& entry : run.Record().Managers())
+        {
+            if (entry.manager == place)
+            {
+                events.push_back(Json::parse(entry.line));
+            }
+        }
+        managers.push_back({{"node", node}, {"name", run.NodeName(place)}, {"events", events}});
+        ++place;
+    }
+    return managers;
+}
+
 Json MeasurementToJson(const Run& run, const Measurement& measurement)
 {
     const auto time = [](const Nanoseconds at) { return (at < 0) ? Json() : Json(at); };
@@ -225,6 +253,7 @@ nlohmann::ordered_json RunToJson(const Run& run)
             {"duration_ns", scenario.duration},
             {"holds", run.Holds()},
             {"nodes", NodesToJson(run)},
+            {"managers", ManagersToJson(run)},
             {"faults", faults},
             {"expectations", ExpectationsToJson(run)},
             {"frames", FramesToJson(run)},

@@ -41,6 +41,11 @@ const char* FateText(const host::FrameFate fate)
     return "";
 }
 
+std::string ManagerText(const ManagerEntry& entry)
+{
+    return ((entry.node_id == 0U) ? "" : "node " + std::to_string(entry.node_id) + ": ") + entry.text;
+}
+
 /// Writes events and frames in order of time, and counts frames where nothing else happens.
 class TimeLine
 {
@@ -57,10 +62,12 @@ class TimeLine
             {
                 continue; // The frame itself is shown.
             }
+            WriteManagersUntil(event.at);
             WriteFramesUntil(event.at);
             WriteCount();
             Line(event.at, run_.NodeName(event.node), EventText(run_, event));
         }
+        WriteManagersUntil(kNever);
         WriteFramesUntil(kNever);
         WriteCount();
     }
@@ -70,6 +77,21 @@ class TimeLine
     {
         constexpr int kPlaceWidth = 12;
         out_ << TimeColumn(at) << "  " << std::left << std::setw(kPlaceWidth) << place << " " << text << "\n";
+    }
+
+    void WriteManagersUntil(const Nanoseconds until)
+    {
+        const std::vector<ManagerEntry>& entries = run_.Record().Managers();
+        for (; next_told_ < entries.size() && entries[next_told_].at <= until; ++next_told_)
+        {
+            const ManagerEntry& entry = entries[next_told_];
+            if (!entry.text.empty())
+            {
+                WriteFramesUntil(entry.at);
+                WriteCount();
+                Line(entry.at, run_.NodeName(entry.manager), ManagerText(entry));
+            }
+        }
     }
 
     void WriteFramesUntil(const Nanoseconds until)
@@ -103,6 +125,7 @@ class TimeLine
     FrameLines lines_;
     std::ostream& out_;
     std::size_t next_frame_{0U};
+    std::size_t next_told_{0U};
     std::size_t counted_{0U};
 };
 
@@ -254,6 +277,21 @@ std::string EventText(const Run& run, const Event& event)
     }
 }
 
+namespace
+{
+/// Where the expectation stands.
+std::string PlaceText(const Run& run, const ExpectationVerdict& verdict)
+{
+    if (verdict.expectation == kOfItself)
+    {
+        return "";
+    }
+    const Source& source = run.Setting().expectations[verdict.expectation].source;
+    return "  (" + source.file + ":" + std::to_string(source.place.line) + ":" + std::to_string(source.place.column) +
+           ")";
+}
+} // namespace
+
 void WriteTimeLine(const Run& run, const FrameLines frames, std::ostream& out)
 {
     out << run.Setting().title << (run.Setting().title.empty() ? "" : "\n");
@@ -265,7 +303,8 @@ void WriteVerdicts(const Run& run, std::ostream& out)
     std::size_t held = 0U;
     for (const ExpectationVerdict& verdict : run.Verdicts())
     {
-        out << (verdict.holds ? "  holds   " : "  FAILED  ") << verdict.wanted << ": " << verdict.seen << "\n";
+        out << (verdict.holds ? "  holds   " : "  FAILED  ") << verdict.wanted << ": " << verdict.seen
+            << (verdict.holds ? "" : PlaceText(run, verdict)) << "\n";
         held += verdict.holds ? 1U : 0U;
     }
     out << held << " of " << run.Verdicts().size() << " expectations hold\n";

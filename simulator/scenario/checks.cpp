@@ -2,6 +2,7 @@
 #include "simulator/scenario/checks.hpp"
 
 #include "simulator/scenario/names.hpp"
+#include "simulator/scenario/network_names.hpp"
 
 #include <algorithm>
 
@@ -69,7 +70,7 @@ void RequireApart(const Scenario& scenario)
 bool HasTime(const Expectation& expectation)
 {
     return expectation.kind == ExpectationKind::kReleased || expectation.kind == ExpectationKind::kSafe ||
-           expectation.kind == ExpectationKind::kValue;
+           expectation.kind == ExpectationKind::kValue || (IsOfNetwork(expectation.kind) && expectation.at != kNever);
 }
 
 bool HasFault(const Expectation& expectation)
@@ -154,6 +155,18 @@ std::vector<Happening> HappeningsFrom(const Scenario& scenario, const Nanosecond
     {
         add(event.at, event.source, "GFC event");
     }
+    for (const NodeSetup& node : scenario.nodes)
+    {
+        add(node.phase, node.source, "node " + runtime::Shown(node.name));
+    }
+    for (const ManagerSetup& manager : scenario.managers)
+    {
+        add(manager.at, manager.source, "manager");
+    }
+    for (const Action& action : scenario.actions)
+    {
+        add((action.kind == ActionKind::kBusBack) ? 0 : action.at, action.source, NameOf(kActionWords, action.kind));
+    }
     for (const FaultSetup& fault : scenario.faults)
     {
         add(BeginOf(fault), fault.source, "fault " + runtime::Shown(fault.name));
@@ -177,6 +190,7 @@ void RequireHappening(const Scenario& scenario)
     {
         RequireFewSwitches(scenario, fault);
     }
+    RequireNetwork(scenario);
 }
 
 void RequirePossible(const Scenario& scenario)

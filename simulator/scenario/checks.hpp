@@ -23,6 +23,8 @@ struct Happening
 
 /// @brief What begins at `end` or later, in the order of the file. [SRS_SIM_016]
 [[nodiscard]] std::vector<Happening> HappeningsFrom(const Scenario& scenario, Nanoseconds end);
+/// @brief What does not fit together in a network with managers. Throws YamlError and cia306::InputError.
+void RequireNetwork(const Scenario& scenario);
 /// @brief Refuses what the scenario's own file lets begin after its end, and what comes and goes too often. Throws
 /// YamlError.
 void RequireHappening(const Scenario& scenario);

@@ -111,6 +111,9 @@ void ReadContent(Fields& fields, const Scenario& scenario, Expectation& expectat
             ReadPlace(*node, scenario, expectation);
         }
         return;
+    default:
+        ReadOfNetwork(fields, scenario, expectation);
+        return;
     }
 }
 } // namespace

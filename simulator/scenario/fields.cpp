@@ -71,6 +71,7 @@ void RequireFit(const KeySpec& spec, const YamlValue& value)
     {
     case ValueType::kText:
     case ValueType::kNode:
+    case ValueType::kNodeId:
         static_cast<void>(value.Text("a text"));
         return;
     case ValueType::kParagraph:

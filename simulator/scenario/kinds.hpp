@@ -130,6 +130,38 @@ enum class ExpectationKind : std::uint8_t
     kDetectedBy = 6U,
     kSafeWithin = 7U,
     kNoFault = 8U,
+    // Of networks with managers.
+    kState = 9U,   ///< As the manager knows it.
+    kDevice = 10U, ///< As it is.
+    kLetter = 11U,
+    kCode = 12U,
+    kGate = 13U,
+    kFinding = 14U,
+    kOutput = 15U,
+    kEvent = 16U,
+    kNoEvent = 17U,
+    kActive = 18U,
+    kFlying = 19U,
+};
+
+/// What happens to the devices and managers of a network, and what somebody else sends.
+enum class ActionKind : std::uint8_t
+{
+    kPull = 1U,
+    kInsert = 2U,
+    kReset = 3U, ///< Its supply blinks: nobody commanded it.
+    kReplace = 4U,
+    kDuplicate = 5U,
+    kEmcyStorm = 6U,
+    kBabble = 7U,
+    kOrder = 8U,
+    kKillManager = 9U,
+    kStore = 10U,
+    kAcknowledge = 11U,
+    kSend = 12U,         ///< A frame of somebody else.
+    kBusOff = 13U,       ///< The manager's controller.
+    kNoController = 14U, ///< Of the manager.
+    kBusBack = 15U,      ///< Its end, made from both.
 };
 
 /// Who can find a fault.
@@ -149,6 +181,43 @@ enum class Party : std::uint8_t
     kSelfTest = 11U,
     kCrossLink = 12U,
 };
+
+/// Whether the action is one of a manager, by its node-ID or 0 for the first one.
+[[nodiscard]] constexpr bool IsOfManager(const ActionKind kind)
+{
+    return kind == ActionKind::kOrder || kind == ActionKind::kKillManager || kind == ActionKind::kBusOff ||
+           kind == ActionKind::kNoController || kind == ActionKind::kBusBack;
+}
+
+/// Whether the action puts frames on the bus by itself.
+[[nodiscard]] constexpr bool IsStorm(const ActionKind kind)
+{
+    return kind == ActionKind::kEmcyStorm || kind == ActionKind::kBabble || kind == ActionKind::kSend;
+}
+
+/// Whether the action is one of a device.
+[[nodiscard]] constexpr bool IsOfDevice(const ActionKind kind)
+{
+    return !IsOfManager(kind) && !IsStorm(kind);
+}
+
+/// Whether a manager is asked, not a device.
+[[nodiscard]] constexpr bool IsOfManager(const ExpectationKind kind)
+{
+    return kind >= ExpectationKind::kState && kind != ExpectationKind::kDevice && kind != ExpectationKind::kOutput;
+}
+
+/// Whether it is about a network with managers.
+[[nodiscard]] constexpr bool IsOfNetwork(const ExpectationKind kind)
+{
+    return kind >= ExpectationKind::kState;
+}
+
+/// Whether it looks at what the manager told in a window.
+[[nodiscard]] constexpr bool IsOfEvents(const ExpectationKind kind)
+{
+    return kind == ExpectationKind::kEvent || kind == ExpectationKind::kNoEvent;
+}
 
 [[nodiscard]] constexpr bool IsOfLink(const FaultKind kind)
 {

@@ -167,6 +167,17 @@ inline constexpr Word<ExpectationKind> kExpectationWords[] = {
     {"detected_by", ExpectationKind::kDetectedBy},
     {"safe_within", ExpectationKind::kSafeWithin},
     {"no_fault", ExpectationKind::kNoFault},
+    {"state", ExpectationKind::kState},
+    {"device", ExpectationKind::kDevice},
+    {"letter", ExpectationKind::kLetter},
+    {"code", ExpectationKind::kCode},
+    {"gate", ExpectationKind::kGate},
+    {"finding", ExpectationKind::kFinding},
+    {"output", ExpectationKind::kOutput},
+    {"event", ExpectationKind::kEvent},
+    {"no_event", ExpectationKind::kNoEvent},
+    {"active", ExpectationKind::kActive},
+    {"flying", ExpectationKind::kFlying},
 };
 
 inline constexpr Word<Party> kPartyWords[] = {

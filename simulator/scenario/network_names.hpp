@@ -2,72 +2,30 @@
 #ifndef SIMULATOR_SCENARIO_NETWORK_NAMES_HPP
 #define SIMULATOR_SCENARIO_NETWORK_NAMES_HPP
 
+#include "simulator/scenario/kinds.hpp"
 #include "simulator/scenario/schema.hpp"
 
 #include <cstdint>
 #include <string>
 
-// The words of scenarios with managers. [SRS_MGR_012]
+// The words of networks with managers. [SRS_MGR_012]
 namespace counterpoint::simulator
 {
-enum class NetworkActionKind : std::uint8_t
-{
-    kPull = 1U,
-    kInsert,
-    kReset, ///< Its supply blinks: nobody commanded it.
-    kReplace,
-    kDuplicate,
-    kEmcyStorm,
-    kBabble,
-    kOrder,
-    kKillManager,
-    kStore,
-    kAcknowledge,
-    kSend,         ///< A frame of somebody else.
-    kBusOff,       ///< The manager's controller.
-    kNoController, ///< Of the manager.
-    kBusBack,      ///< Its end, made from both.
-};
-
-enum class NetworkExpectationKind : std::uint8_t
-{
-    kState = 1U, ///< As the manager knows it.
-    kDevice,     ///< As it is.
-    kLetter,
-    kCode,
-    kGate,
-    kFinding,
-    kOutput,
-    kEvent,
-    kNoEvent,
-    kActive,
-    kFlying,
-};
-
-inline constexpr Word<NetworkActionKind> kNetworkActionWords[] = {
-    {"pull", NetworkActionKind::kPull},
-    {"insert", NetworkActionKind::kInsert},
-    {"reset", NetworkActionKind::kReset},
-    {"replace", NetworkActionKind::kReplace},
-    {"duplicate", NetworkActionKind::kDuplicate},
-    {"emcy_storm", NetworkActionKind::kEmcyStorm},
-    {"babble", NetworkActionKind::kBabble},
-    {"order", NetworkActionKind::kOrder},
-    {"kill_manager", NetworkActionKind::kKillManager},
-    {"store", NetworkActionKind::kStore},
-    {"acknowledge", NetworkActionKind::kAcknowledge},
-    {"send", NetworkActionKind::kSend},
-    {"bus_off", NetworkActionKind::kBusOff},
-    {"no_controller", NetworkActionKind::kNoController},
-};
-
-inline constexpr Word<NetworkExpectationKind> kNetworkExpectationWords[] = {
-    {"state", NetworkExpectationKind::kState},      {"device", NetworkExpectationKind::kDevice},
-    {"letter", NetworkExpectationKind::kLetter},    {"code", NetworkExpectationKind::kCode},
-    {"gate", NetworkExpectationKind::kGate},        {"finding", NetworkExpectationKind::kFinding},
-    {"output", NetworkExpectationKind::kOutput},    {"event", NetworkExpectationKind::kEvent},
-    {"no_event", NetworkExpectationKind::kNoEvent}, {"active", NetworkExpectationKind::kActive},
-    {"flying", NetworkExpectationKind::kFlying},
+inline constexpr Word<ActionKind> kActionWords[] = {
+    {"pull", ActionKind::kPull},
+    {"insert", ActionKind::kInsert},
+    {"reset", ActionKind::kReset},
+    {"replace", ActionKind::kReplace},
+    {"duplicate", ActionKind::kDuplicate},
+    {"emcy_storm", ActionKind::kEmcyStorm},
+    {"babble", ActionKind::kBabble},
+    {"order", ActionKind::kOrder},
+    {"kill_manager", ActionKind::kKillManager},
+    {"store", ActionKind::kStore},
+    {"acknowledge", ActionKind::kAcknowledge},
+    {"send", ActionKind::kSend},
+    {"bus_off", ActionKind::kBusOff},
+    {"no_controller", ActionKind::kNoController},
 };
 
 /// What may be found; a word stands for itself.
@@ -96,8 +54,8 @@ inline constexpr FoundWord kFoundEvents[] = {{"boot_up"},      {"supervision_sta
                                              {"order"},        {"write_safety"},
                                              {"pdo"},          {"bus"}};
 
-/// What begins the names of the sections of these scenarios.
-inline constexpr char kNetworkPrefix[] = "network.";
+/// What begins the names of the sections of actions: some are called like faults.
+inline constexpr char kActionPrefix[] = "events.";
 } // namespace counterpoint::simulator
 
 #endif // SIMULATOR_SCENARIO_NETWORK_NAMES_HPP

@@ -1,8 +1,12 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "runtime/device/model.hpp"
 #include "simulator/scenario/names.hpp"
 #include "simulator/scenario/parts.hpp"
 
+#include <charconv>
 #include <filesystem>
+#include <optional>
+#include <system_error>
 #include <utility>
 
 // The section `nodes`, and who is meant by the name of a node. [SRS_SIM_056]
@@ -77,6 +81,15 @@ void ReadWhole(Fields& fields, NodeSetup& node)
     }
 }
 
+/// A name that is a number is the node-ID.
+std::optional<std::uint8_t> NodeIdIn(const std::string& text)
+{
+    std::uint8_t number = 0U;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool is_one = error == std::errc() && end == text.data() + text.size() && number > 0U && number <= kMostNodes;
+    return is_one ? std::optional<std::uint8_t>(number) : std::nullopt;
+}
+
 std::vector<NodeSetup> ReadNode(const YamlValue& name, const YamlValue& value)
 {
     Fields fields(value, "node");
@@ -89,12 +102,22 @@ std::vector<NodeSetup> ReadNode(const YamlValue& name, const YamlValue& value)
     const YamlValue dcf = fields.Require("dcf");
     node.dcf = Beside(value.FileName(), dcf.Text("the file name of a DCF"));
     node.source = dcf.Where();
+    node.node_id = NodeIdIn(node.name);
     if (const auto id = fields.Find("node_id"))
     {
+        if (node.node_id)
+        {
+            id->Refuse("a node-ID of node " + runtime::Shown(node.name), "none, its name is one");
+        }
         node.node_id = static_cast<std::uint8_t>(id->Checked());
     }
+    if (const auto serial = fields.Find("serial"))
+    {
+        node.serial = serial->Checked();
+    }
     node.self_tests = fields.Require("self_tests").Choice(kYesWords);
-    node.start_at = fields.Require("start_at").Duration();
+    const auto start = fields.Find("start_at");
+    node.start_at = start ? start->Duration() : kNever;
     node.device = node.name;
     std::vector<NodeSetup> cpus{node};
     if (fields.Require("structure").Choice(kStructureWords))
@@ -144,6 +167,43 @@ std::string Beside(const std::string& file, const std::string& name)
 {
     const std::filesystem::path path(name);
     return path.is_absolute() ? name : (std::filesystem::path(file).parent_path() / path).string();
+}
+
+void RequireFile(const std::string& path, const Source& source, const std::string& expected)
+{
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error))
+    {
+        const bool is_there = std::filesystem::exists(path, error);
+        throw YamlError(source.file, source.place,
+                        is_there ? runtime::Shown(path) + " is no regular file"
+                                 : "there is no file " + runtime::Shown(path),
+                        expected);
+    }
+}
+
+std::uint8_t NodeIdOf(const NodeSetup& node)
+{
+    return node.node_id ? *node.node_id
+                        : runtime::DeviceModel(node.dcf, std::nullopt, runtime::SafetyNeed::kOptional).Config().node_id;
+}
+
+std::uint8_t NodeIdNamed(const Scenario& scenario, const YamlValue& name)
+{
+    const std::string text = name.Text("a node");
+    for (const NodeSetup& setup : scenario.nodes)
+    {
+        if (setup.name == text || setup.device == text)
+        {
+            return NodeIdOf(setup);
+        }
+    }
+    const std::optional<std::uint8_t> number = NodeIdIn(text);
+    if (!number)
+    {
+        name.Refuse("node " + runtime::Shown(text), "the name of a node, or a node-ID from 1 to 127");
+    }
+    return *number;
 }
 
 NodeIndex NodeNamed(const Scenario& scenario, const YamlValue& name)

@@ -129,6 +129,10 @@ void Append(Fields& fields, const char* key, const Scenario& scenario, std::vect
     {
         items.push_back(read(scenario, value));
     }
+    if (items.empty() && std::string(key) == "managers")
+    {
+        list->Refuse("an empty list of managers", "at least one");
+    }
 }
 
 /// The same of what happens to both CPUs of a device that is named without one.
@@ -197,15 +201,45 @@ void ReadInto(const ScenarioDocument& document, Scenario& scenario)
     {
         ReadNodes(*nodes, scenario);
     }
+    Append(fields, "managers", scenario, scenario.managers, ReadManager);
     AppendToEach(fields, "inputs", scenario, scenario.stimuli, ReadStimulus);
     AppendToEach(fields, "logic", scenario, scenario.logic, ReadLogic);
     AppendToEach(fields, "acknowledge", scenario, scenario.acknowledges, ReadAcknowledge);
     AppendToEach(fields, "nmt", scenario, scenario.nmt, ReadNmt);
     AppendToEach(fields, "power", scenario, scenario.power, ReadPower);
     Append(fields, "gfc", scenario, scenario.gfc, ReadGfc);
+    Append(fields, "events", scenario, scenario.actions, ReadAction);
     Append(fields, "faults", scenario, scenario.faults, ReadFault);
     Append(fields, "expect", scenario, scenario.expectations, ReadExpectation);
     fields.Close();
+}
+const runtime::YamlNode* MemberOf(const runtime::YamlNode& map, const std::string& key)
+{
+    for (std::size_t item = 0U; map.kind == runtime::YamlKind::kMap && item + 1U < map.items.size(); item += 2U)
+    {
+        if (map.items[item].scalar == key)
+        {
+            return &map.items[item + 1U];
+        }
+    }
+    return nullptr;
+}
+
+/// What follows from having managers, or none.
+void Complete(Scenario& scenario)
+{
+    constexpr Nanoseconds kStart = 10 * kNanosecondsPerMillisecond;
+    const bool has_managers = !scenario.managers.empty();
+    for (NodeSetup& node : scenario.nodes)
+    {
+        if (has_managers)
+        {
+            RequireFile(node.dcf, node.source, "a DCF");
+        }
+        node.node_id = has_managers ? std::optional(NodeIdOf(node)) : node.node_id;
+        node.start_at = (has_managers || node.start_at != kNever) ? node.start_at : kStart;
+    }
+    AddReturns(scenario.actions);
 }
 } // namespace
 
@@ -234,28 +268,35 @@ std::vector<ScenarioDocument> LoadScenario(const std::string& file)
 
 std::vector<std::string> FilesOf(const std::vector<ScenarioDocument>& documents)
 {
-    const auto member = [](const runtime::YamlNode& map, const std::string& key) -> const runtime::YamlNode*
-    {
-        for (std::size_t item = 0U; map.kind == runtime::YamlKind::kMap && item + 1U < map.items.size(); item += 2U)
-        {
-            if (map.items[item].scalar == key)
-            {
-                return &map.items[item + 1U];
-            }
-        }
-        return nullptr;
-    };
     std::vector<std::string> files;
     for (const ScenarioDocument& document : documents)
     {
         files.push_back(document.file);
-        const runtime::YamlNode* const nodes = member(document.root, "nodes");
+        const runtime::YamlNode* const nodes = MemberOf(document.root, "nodes");
         for (std::size_t item = 1U; nodes != nullptr && item < nodes->items.size(); item += 2U)
         {
-            const runtime::YamlNode* const dcf = member(nodes->items[item], "dcf");
+            const runtime::YamlNode* const dcf = MemberOf(nodes->items[item], "dcf");
             if (dcf != nullptr)
             {
                 files.push_back(Beside(document.file, dcf->scalar));
+            }
+        }
+    }
+    return files;
+}
+
+std::vector<std::string> NetworkFilesOf(const std::vector<ScenarioDocument>& documents)
+{
+    std::vector<std::string> files;
+    for (const ScenarioDocument& document : documents)
+    {
+        const runtime::YamlNode* const managers = MemberOf(document.root, "managers");
+        for (std::size_t item = 0U; managers != nullptr && item < managers->items.size(); ++item)
+        {
+            const runtime::YamlNode* const network = MemberOf(managers->items[item], "network");
+            if (network != nullptr)
+            {
+                files.push_back(Beside(document.file, network->scalar));
             }
         }
     }
@@ -271,7 +312,7 @@ Scenario ReadScenario(const std::vector<ScenarioDocument>& documents)
     {
         ReadInto(document, scenario);
     }
-    if (scenario.nodes.empty())
+    if (scenario.nodes.empty() && scenario.managers.empty())
     {
         throw YamlError(file, {1, 1}, "no nodes", "key 'nodes' with at least one node");
     }
@@ -279,6 +320,7 @@ Scenario ReadScenario(const std::vector<ScenarioDocument>& documents)
     {
         throw YamlError(file, {1, 1}, "no duration", "key 'duration' with a time above 0");
     }
+    Complete(scenario);
     return scenario;
 }
 

@@ -22,6 +22,8 @@ struct ScenarioDocument
 [[nodiscard]] Scenario ReadScenario(const std::vector<ScenarioDocument>& documents);
 /// All files that a run of the scenario reads: its own and the DCFs of its nodes, whether or not it is right otherwise.
 [[nodiscard]] std::vector<std::string> FilesOf(const std::vector<ScenarioDocument>& documents);
+/// The network files of its managers, which name other files.
+[[nodiscard]] std::vector<std::string> NetworkFilesOf(const std::vector<ScenarioDocument>& documents);
 
 /// The scenario in `file`, with what it extends. Whether objects and SRDOs exist is known only with the DCFs: see
 /// network.hpp. Throws YamlError. [SRS_SIM_010, SRS_SIM_011, SRS_SIM_012, SRS_SIM_013]

@@ -50,9 +50,10 @@ struct NodeSetup
     LinkSetup link;
     std::string dcf; ///< Path, usable from here.
     Source source;
-    std::optional<std::uint8_t> node_id;
-    Nanoseconds phase{0};    ///< First cycle.
-    Nanoseconds start_at{0}; ///< Enters OPERATIONAL.
+    std::optional<std::uint8_t> node_id; ///< Always known in a network with managers.
+    std::optional<std::uint32_t> serial; ///< 1018h:04 instead of the DCF's.
+    Nanoseconds phase{0};                ///< Power-on; its cycles follow.
+    Nanoseconds start_at{0};             ///< Enters OPERATIONAL; kNever: when a manager says so.
     CounterSetup counter_a;
     CounterSetup counter_b;
     bool self_tests{true};
@@ -177,11 +178,45 @@ struct FaultSetup
     ObjectAddress object{0U, 0U};
 };
 
+/// A manager of the network: a network file, and who manages.
+struct ManagerSetup
+{
+    std::string network;      ///< Path, usable from here.
+    std::uint8_t node_id{0U}; ///< 0: as the file says.
+    Nanoseconds at{0};        ///< It is switched on.
+    Source source;
+};
+
+/// Something that happens to devices, managers and bus.
+struct Action
+{
+    ActionKind kind{ActionKind::kPull};
+    Source source;
+    Nanoseconds at{0};
+    Nanoseconds until{0};
+    Nanoseconds every{0};
+    NodeIndex node{kNoNode};  ///< Of a device.
+    std::uint8_t node_id{0U}; ///< Of a manager, 0: the first one; or whose emergencies.
+    std::uint32_t serial{0U};
+    std::uint32_t identifier{0U};
+    std::uint16_t code{0U};
+    std::string order;
+    Source order_source; ///< Where it stands.
+    ObjectAddress object{0U, 0U};
+    std::uint32_t value{0U};
+    std::uint8_t srdo{0U};
+    std::vector<std::uint8_t> data; ///< Of a frame that is sent.
+};
+
 struct Expectation
 {
     ExpectationKind kind{ExpectationKind::kNoFault};
     Source source;
-    Nanoseconds at{0};
+    Nanoseconds at{0};        ///< Of events the end of the window; kNever: the end of the run.
+    Nanoseconds from{0};      ///< Of events.
+    std::uint8_t node_id{0U}; ///< Whom a manager is asked about; 0: nobody in particular.
+    std::uint8_t manager{0U}; ///< Who is asked; 0: the first one.
+    std::string is;           ///< The word that is expected of manager, device or output.
     NodeIndex node{kNoNode};
     bool is_series{false}; ///< Of both CPUs of a device: `node` and the next one, their outputs in series.
     std::uint8_t srdo{0U};
@@ -203,12 +238,14 @@ struct Scenario
     Nanoseconds duration{0};
     std::uint64_t seed{1U};
     std::vector<NodeSetup> nodes;
+    std::vector<ManagerSetup> managers;
     std::vector<Stimulus> stimuli;
     std::vector<runtime::LogicRule> logic;
     std::vector<Acknowledge> acknowledges;
     std::vector<NmtEvent> nmt;
     std::vector<PowerCycle> power;
     std::vector<GfcEvent> gfc;
+    std::vector<Action> actions;
     std::vector<FaultSetup> faults;
     std::vector<Expectation> expectations;
 };

@@ -128,6 +128,8 @@ std::string TypeText(const KeySpec& key)
         return "text";
     case ValueType::kNode:
         return "name of a node";
+    case ValueType::kNodeId:
+        return "name or node-ID of a node";
     case ValueType::kNumber:
         return "number" + RangeText(key.range);
     case ValueType::kNumbers:
@@ -165,7 +167,7 @@ std::string ExplainText(const std::string& name)
     std::string text;
     for (const SectionSpec& section : Schema())
     {
-        if (name.empty() || name == section.name || kNetworkPrefix + name == section.name)
+        if (name.empty() || name == section.name || kActionPrefix + name == section.name)
         {
             text += ExplainedSection(section, !name.empty());
             continue;

@@ -17,6 +17,7 @@ enum class ValueType : std::uint8_t
     kText = 1U,
     kParagraph,
     kNode,       ///< The name of a node.
+    kNodeId,     ///< The same, or a node-ID.
     kNumber,     ///< Within the range.
     kNumbers,    ///< List of numbers, each within the range.
     kOneOrMore,  ///< A number or a list of them.
@@ -79,7 +80,7 @@ template <const auto& kTable> [[nodiscard]] std::string WordsOf()
 /// What a value looks like, in words: "number from 1 to 64".
 [[nodiscard]] std::string TypeText(const KeySpec& key);
 /// @brief The description for a terminal: of everything, or of each section and key of that name, also without the
-/// network. before it. Empty: no such name.
+/// events. before it. Empty: no such name.
 [[nodiscard]] std::string ExplainText(const std::string& name);
 /// @brief The reference part of docs/scenario.md.
 [[nodiscard]] std::string ExplainMarkdown();

@@ -144,6 +144,7 @@ void Network::RequireOfExpectation(const Expectation& expectation) const
     case ExpectationKind::kDeviceFault:
     case ExpectationKind::kDetectedBy:
     case ExpectationKind::kNoFault:
+    default:
         return;
     }
 }

@@ -24,11 +24,12 @@ constexpr BadPart kMalformed[] = {
     {"events: [{at: 1 s, do: pull}]", ":4:10: an event without key 'node', expected that key"},
     {"events: [{do: pull, node: 33}]", ":4:10: an event without key 'at', expected that key"},
     {"events: [{at: 1 s, do: order, order: fly}]", ":4:38: order 'fly', expected status, start"},
-    {"expect: [{that: state, node: 1, is: stopped, at: 3 s}]", ":4:10: a time after the end of the scenario"},
+    {"expect: [{that: state, node: 1, is: stopped, at: 3 s}]",
+     ":4:10: expectation at 3000 ms, after the end of the run, expected a time up to 2000 ms"},
     {"expect: [{that: active, manager: 9, is: true}]", ":4:10: no manager with node-ID 9"},
-    {"speed: 3", ":4:1: unknown key 'speed' in a scenario of a network, expected one of title, description"},
+    {"speed: 3", ":4:1: unknown key 'speed' in a scenario, expected one of extends, title, description"},
     {"bitrate: 5", ":4:10: '5', expected a number from 10000 to 1000000"},
-    {"bitrate: 10001", ":4:10: 10001, expected 10000, 20000"},
+    {"bitrate: 10001", ":4:10: '10001', expected one of 10000, 20000"},
     {"title: y", ":4:1: key 'title' twice, expected each key once"},
     {"events: {at: 1 s}", ":4:9: a map, expected a list"},
     {"events: [pull]", ":4:10: 'pull', expected a map with the keys of an event"},
@@ -42,12 +43,13 @@ constexpr BadPart kMalformed[] = {
     {"events: [{at: 0 s, do: bus_off}]", ":4:10: an event without key 'until', expected that key"},
     {"events: [{at: 0 s, do: replace, node: 33}]", ":4:10: an event without key 'serial', expected that key"},
     {"events: [{at: 0 s, do: no_controller, until: 1 s, node: 9}]", ":4:10: no manager with node-ID 9"},
-    {"events: [{at: 2 s, do: order, order: start all}]", ":4:10: a time at the end of the scenario or later"},
-    {"events: [{at: 0 s, do: pull, node: 9}]", ":4:10: no device with node-ID 9"},
+    {"events: [{at: 2 s, do: order, order: start all}]",
+     ":4:10: order at 2000 ms, not before the end of the run, expected a time below 2000 ms"},
+    {"events: [{at: 0 s, do: pull, node: 9}]", ":4:36: node '9', expected one of 33, 2, 5"},
     {"events: [{at: 0 s, do: kill_manager, node: 9}]", ":4:10: no manager with node-ID 9"},
     {"expect: [{that: no_event, is: heartbeat_lots}]", ":4:31: 'heartbeat_lots', expected one of boot_up"},
     {"expect: [{that: no_event, is: gate, from: 9 ms, until: 8 ms}]", ":4:10: a window that ends before"},
-    {"expect: [{that: output, node: 9, is: closed}]", ":4:10: no device with node-ID 9"},
+    {"expect: [{that: output, node: 9, is: closed}]", ":4:31: node '9', expected one of 33, 2, 5"},
     {"expect: [{that: state, node: 9, is: stopped}]", ":4:10: node 9, which is no slave of manager 127"},
     {"expect: [{that: no_event, node: 9, is: gate}]", ":4:10: node 9, which is no slave of manager"},
 };
@@ -69,7 +71,7 @@ constexpr BadPart kIdle[] = {
     {"events: [{at: 0 s, do: pull, node: 33}, {at: 1 s, do: duplicate, node: 33}]",
      ":4:41: duplicate of device 33, which is not there"},
     {"events: [{at: 0 s, do: pull, node: 2}]",
-     ":4:10: pull of device 2 before it comes, expected a time from its 'at'"},
+     ":4:10: pull of device 2 before it comes, expected a time from its 'phase'"},
     {"events: [{at: 0 s, do: kill_manager, node: 127}, {at: 1 s, do: order, order: start 33}]",
      ":4:50: an event of manager 127 after it was killed, expected a time at which it is there"},
     {"events: [{at: 0 s, do: bus_off, until: 1 s}, {at: 500 ms, do: no_controller, until: 1 s}]",
@@ -124,8 +126,8 @@ class BadScenarioTest : public test::CommandTest
                                    "controller.dcf}\n  - {node: 5}\n";
         static_cast<void>(File("net.yaml", "manager: {node: 127}\n" + slaves));
         static_cast<void>(File("el.yaml", "manager: {node: 127, profile: el6751}\nslaves: [{node: 5}]\n"));
-        devices_ = "devices:\n  - {node: 33, dcf: " + dcf + "actuator.dcf}\n  - {node: 2, at: 500 ms, dcf: " + dcf +
-                   "controller.dcf}\n  - {node: 5, dcf: " + dcf + "sensor.dcf}\n";
+        devices_ = "nodes:\n  33: {dcf: " + dcf + "actuator.dcf}\n  2: {phase: 500 ms, dcf: " + dcf +
+                   "controller.dcf}\n  5: {dcf: " + dcf + "sensor.dcf}\n";
     }
     void ExpectRefused(const std::string& text, const std::string& message)
     {
@@ -166,11 +168,10 @@ TEST_F(BadScenarioTest, ManagersAndDevices)
     ExpectRefused(two + "managers: [{network: nobody.yaml}]\n", ":3:22: there is no file ");
     ExpectRefused(two + "managers: [{network: .}]\n", ":3:22: '" + Path("."));
     ExpectRefused(two + "managers: []\n", ":3:11: an empty list of managers, expected at least one");
-    ExpectRefused(two + "managers: 5\n", ":3:11: '5', expected a list of managers");
+    ExpectRefused(two + "managers: 5\n", ":3:11: '5', expected a list");
     ExpectRefused(two + "managers: [{network: net.yaml},\n  {network: net.yaml}]\n", ":4:3: manager 127 a second time");
-    ExpectRefused(head_ + devices_ + "  - {node: 33, dcf: net.yaml}\n", ":8:5: device 33 a second time");
-    ExpectRefused(head_ + "devices: [{node: 5, dcf: /dev/zero}]\n",
-                  ":4:26: '/dev/zero' is no regular file, expected a DCF");
+    ExpectRefused(head_ + devices_ + "  33: {dcf: net.yaml}\n", ":8:3: key '33' twice");
+    ExpectRefused(head_ + "nodes: {5: {dcf: /dev/zero}}\n", ":4:18: '/dev/zero' is no regular file, expected a DCF");
     // Given a manager that comes later, then nothing is asked of it before
     const std::string late = two + "managers: [{network: net.yaml, at: 1 s}]\n";
     ExpectRefused(late + "expect: [{that: no_event, is: nmt, until: 1 s}]\n", ":4:10: a time before manager 127 comes");
@@ -193,8 +194,8 @@ TEST_F(BadScenarioTest, AnObjectIsTheSameHoweverItIsWritten)
     // Given a relay with another serial number, and its finding with one digit of the sub-index
     const std::string dcf = cia306::test::SourceFolder() + "/examples/emergency_stop/actuator.dcf";
     const Answer answer = RunCommand({"simulate", "--quiet",
-                                      File("s.yaml", head_ + "devices: [{node: 33, serial: 77, dcf: " + dcf +
-                                                         "}]\nexpect:\n"
+                                      File("s.yaml", head_ + "nodes: {33: {serial: 77, dcf: " + dcf +
+                                                         "}}\nexpect:\n"
                                                          "  - {that: finding, node: 33, is: '0x1018:4'}\n  - {that: "
                                                          "finding, node: 33, is: none, at: 1 ms}\n")});
     EXPECT_EQ(answer.status, 0) << answer.out << answer.err;

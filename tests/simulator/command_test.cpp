@@ -52,7 +52,8 @@ TEST(SimulateCommand, EndsWithZeroOneOrTwo)
                             "chain.yaml\nexpect:\n  - {that: safe, node: actuator, srdo: 1, at: 900 ms}\n");
     const Answer bad = Tool({"simulate", failing, "--quiet"});
     EXPECT_EQ(bad.status, ExitStatus::kDoesNotHold);
-    EXPECT_EQ(bad.out, "  FAILED  actuator SRDO 1 safe at 900 ms: released\n0 of 1 expectations hold\n");
+    EXPECT_EQ(bad.out,
+              "  FAILED  actuator SRDO 1 safe at 900 ms: released  (" + failing + ":3:5)\n0 of 1 expectations hold\n");
     // Bad input: one line
     const Answer lost = Tool({"simulate", "/nonexistent.yaml"});
     EXPECT_EQ(lost.status, ExitStatus::kBadInput);

@@ -39,8 +39,8 @@ TEST_F(ManagerSafetyTest, EveryProfileWritesASafetyConfigurationButNotToAnotherD
                                          "}\nslaves: [{node: 33, dcf: " + dcf + ", write_safety: true" +
                                          (is_other ? ", serial: 5, device_type: 7" : "") + "}]\n");
             const std::string head = "title: x\nduration: 9 s\nmanagers: [{network: " + network +
-                                     "}]\ndevices: [{node: 33, dcf: " + dcf +
-                                     "}]\nevents:\n  - {at: 2 s, do: order, order: preop 33}\n"
+                                     "}]\nnodes: {33: {dcf: " + dcf +
+                                     "}}\nevents:\n  - {at: 2 s, do: order, order: preop 33}\n"
                                      "  - {at: 2100 ms, do: store, node: 33, object: \"0x1301:02\", value: 77}\n"
                                      "  - {at: 3 s, do: send, identifier: 0, data: \"01 21\"}\nexpect:\n";
             // When it is found OPERATIONAL, then it is written or not
@@ -72,8 +72,8 @@ TEST_F(ManagerSafetyTest, WhatWasWrittenIsNotLostByTheStartUpBehindIt)
             File("forgets.yaml", "manager: {node: 127, profile: " + std::string(row.profile) +
                                      "}\nslaves: [{node: 33, dcf: " + dcf + ", write_safety: true" + row.more + "}]\n");
         const std::string scenario = "title: x\nduration: 5 s\nmanagers: [{network: " + network +
-                                     "}]\ndevices: [{node: 33, dcf: " + other +
-                                     "}]\nexpect:\n"
+                                     "}]\nnodes: {33: {dcf: " + other +
+                                     "}}\nexpect:\n"
                                      "  - {that: event, is: write_safety, node: 33}\n"
                                      "  - {that: gate, node: 33, is: open}\n"
                                      "  - {that: device, node: 33, is: operational}\n";
@@ -100,8 +100,8 @@ TEST_F(ManagerSafetyTest, AWritingThatSomebodyInterruptsIsTakenUpUnlessByAStop)
                 File("interrupted.yaml", "manager: {node: 127, profile: " + std::string(profile) +
                                              "}\nslaves: [{node: 33, dcf: " + dcf + ", write_safety: true}]\n");
             const std::string scenario =
-                "title: x\nduration: 4 s\nmanagers: [{network: " + network + "}]\ndevices: [{node: 33, dcf: " + other +
-                "}]\nevents:\n  - {at: " + at + ", do: send, identifier: 0, data: \"" + (is_stop ? "02" : "80") +
+                "title: x\nduration: 4 s\nmanagers: [{network: " + network + "}]\nnodes: {33: {dcf: " + other +
+                "}}\nevents:\n  - {at: " + at + ", do: send, identifier: 0, data: \"" + (is_stop ? "02" : "80") +
                 " 21\"}\nexpect:\n  - {that: gate, node: 33, is: " + (is_stop ? "closed" : "open") +
                 "}\n  - {that: device, node: 33, is: " + (is_stop ? "stopped" : "operational") + "}\n";
             const Answer answer = RunCommand({"simulate", File("s.yaml", scenario)});
@@ -122,8 +122,8 @@ TEST_F(ManagerSafetyTest, AWritingThatTheBootOfAllBreaksOffIsTakenUp)
                                                         "  - {node: 33, dcf: " +
                                                         folder + "actuator.dcf, write_safety: true}\n");
     const std::string scenario = "title: x\nduration: 4 s\nmanagers: [{network: " + network +
-                                 "}]\ndevices: [{node: 33, dcf: " + Other() +
-                                 "}]\nexpect:\n  - {that: event, is: write_safety, node: 33}\n"
+                                 "}]\nnodes: {33: {dcf: " + Other() +
+                                 "}}\nexpect:\n  - {that: event, is: write_safety, node: 33}\n"
                                  "  - {that: gate, node: 33, is: open}\n"
                                  "  - {that: device, node: 33, is: operational}\n";
     const Answer answer = RunCommand({"simulate", File("s.yaml", scenario)});
@@ -141,8 +141,8 @@ TEST_F(ManagerSafetyTest, BehindAStopOfAllTheWrittenSlaveWaitsForAnOrder)
             File("stops.yaml",
                  "manager: {node: 127, start_up: 0x41}\nslaves: [{node: 33, dcf: " + dcf + ", write_safety: true}]\n");
         const std::string scenario =
-            "title: x\nduration: 4 s\nmanagers: [{network: " + network + "}]\ndevices: [{node: 33, dcf: " + Other() +
-            "}]\n" + (is_ordered ? "events:\n  - {at: 2 s, do: order, order: start 33}\n" : "") +
+            "title: x\nduration: 4 s\nmanagers: [{network: " + network + "}]\nnodes: {33: {dcf: " + Other() + "}}\n" +
+            (is_ordered ? "events:\n  - {at: 2 s, do: order, order: start 33}\n" : "") +
             "expect:\n  - {that: event, is: write_safety, node: 33}\n  - {that: gate, node: 33, is: open}\n"
             "  - {that: device, node: 33, is: " +
             (is_ordered ? "operational" : "pre-operational") + "}\n";
@@ -162,8 +162,8 @@ TEST_F(ManagerSafetyTest, NoOrderStartsOrWritesAnotherDevice)
             File("other.yaml", "manager: {node: 127, profile: " + std::string(profile) +
                                    "}\nslaves: [{node: 33, dcf: " + dcf + ", serial: 5, device_type: 7}]\n");
         const std::string scenario = "title: x\nduration: 6 s\nmanagers: [{network: " + network +
-                                     "}]\ndevices: [{node: 33, dcf: " + dcf +
-                                     "}]\nevents:\n  - {at: 4 s, do: order, order: start 33}\n"
+                                     "}]\nnodes: {33: {dcf: " + dcf +
+                                     "}}\nevents:\n  - {at: 4 s, do: order, order: start 33}\n"
                                      "  - {at: 5 s, do: order, order: write-safety 33}\n"
                                      "  - {at: 5500 ms, do: order, order: start all}\nexpect:\n"
                                      "  - {that: device, node: 33, is: pre-operational}\n"
@@ -194,8 +194,8 @@ TEST_F(ManagerSafetyTest, EveryProfileRepairsAChangedGlobalFailSafeObject)
             File("gfc.yaml", "manager: {node: 127, profile: " + std::string(profile) +
                                  "}\nslaves: [{node: 33, dcf: " + dcf + ", write_safety: true}]\n");
         const std::string scenario = "title: x\nduration: 9 s\nmanagers: [{network: " + network +
-                                     "}]\ndevices: [{node: 33, dcf: " + dcf +
-                                     "}]\nevents:\n  - {at: 3 s, do: order, order: preop 33}\n"
+                                     "}]\nnodes: {33: {dcf: " + dcf +
+                                     "}}\nevents:\n  - {at: 3 s, do: order, order: preop 33}\n"
                                      "  - {at: 3100 ms, do: store, node: 33, object: \"0x1300:00\", value: 0}\n"
                                      "  - {at: 3200 ms, do: order, order: start 33}\nexpect:\n"
                                      "  - {that: event, is: write_safety, node: 33}\n"

@@ -11,7 +11,7 @@ import scenario
 from safety_rules import Violation
 from world import World
 
-VERDICT = re.compile(r"state of node (\d+) is ([a-z-]+)")
+WANTED = re.compile(r"device of node (\d+) is ")
 TIME_LIMIT_S = 120
 
 
@@ -44,8 +44,7 @@ def simulate(program, path, folder):
 
 def states_of(verdicts):
     """Node -> the device's own state at the end, out of what was expected of it and found."""
-    found = (VERDICT.search(verdict["text"]) for verdict in verdicts)
-    return {int(match.group(1)): match.group(2) for match in found}
+    return {int(WANTED.search(verdict["wanted"]).group(1)): verdict["seen"] for verdict in verdicts}
 
 
 def judge(plan, catalogue, frames, document):
@@ -63,7 +62,7 @@ def judge(plan, catalogue, frames, document):
         else:
             world.act(what)
     events = document["managers"][0]["events"]
-    states = states_of(document["verdicts"])
+    states = states_of(document["expectations"])
     wishes = live_rules.Wishes(plan, events)
     outcome.violations = safety.found + stops.found + live_rules.rest_violations(world, states, events, wishes)
     count(outcome, states, wishes.reasons(world), events)
@@ -101,7 +100,7 @@ def run_network(program, catalogue, plan, folder, is_run_twice):
         return outcome
     document = json.loads(files[1])
     outcome = judge(plan, catalogue, wire.frames_of(files[0].decode("ascii"), folder / "frames.log"), document)
-    expected = 0 if all(verdict["holds"] for verdict in document["verdicts"]) else 1
+    expected = 0 if all(verdict["holds"] for verdict in document["expectations"]) else 1
     if status != expected:
         outcome.broken("6 program", f"exit status {status}, expected {expected}")
     if is_run_twice:

@@ -32,13 +32,13 @@ def network_document(plan):
 
 
 def scenario_document(plan):
-    devices = [{"node": slave.node, "dcf": f"device_{slave.node}.dcf", "serial": slave.device_serial,
-                "at": microseconds(slave.comes_us)} for slave in plan.slaves if slave.is_there]
+    nodes = {str(slave.node): {"dcf": f"device_{slave.node}.dcf", "serial": slave.device_serial,
+                               "phase": microseconds(slave.comes_us)} for slave in plan.slaves if slave.is_there}
     document = {"title": f"Network {plan.number}, profile {plan.profile}", "bitrate": plan.bitrate,
                 "duration": microseconds(plan.duration_us), "managers": [{"network": "network.yaml"}],
-                "devices": devices, "events": [event_entry(event) for event in plan.events],
-                "expect": [{"that": "device", "node": device["node"], "is": "operational"} for device in devices]}
-    return {key: value for key, value in document.items() if value != []}
+                "nodes": nodes, "events": [event_entry(event) for event in plan.events],
+                "expect": [{"that": "device", "node": node, "is": "operational"} for node in nodes]}
+    return {key: value for key, value in document.items() if value not in ([], {})}
 
 
 def dump(document):

@@ -62,6 +62,9 @@ class ManagerDiagram
     std::size_t left_out_{0U};
 };
 
+/// @brief A part of a page: results, then the diagram; its style once in the page.
+[[nodiscard]] std::string DiagramSection(const ManagerHost& host, const ManagerDiagram& diagram, Instant now);
+[[nodiscard]] std::string DiagramStyle();
 /// @brief One page without references to elsewhere: results, then the diagram.
 [[nodiscard]] std::string DiagramPage(const ManagerHost& host, const ManagerDiagram& diagram, Instant now);
 } // namespace counterpoint::runtime

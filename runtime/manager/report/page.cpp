@@ -25,16 +25,17 @@ constexpr int kHeadHeight = 46;
 constexpr int kRowsOfPage = 40; ///< Then the heads again: nobody has to go back to see whose lane it is.
 
 constexpr const char* kStyle =
-    ":root{color-scheme:light dark;--ink:#1c2430;--soft:#667085;--line:#c9d0da;--good:#1a7f4b;--bad:#c0362c;"
-    "--paper:#fff;--head:#f3f5f8}@media(prefers-color-scheme:dark){:root{--ink:#e6e9ef;--soft:#98a2b3;--line:#3a4252;"
-    "--good:#4cc38a;--bad:#ff7b72;--paper:#14181f;--head:#1d232d}}body{font:14px/1.45 system-ui,sans-serif;"
-    "color:var(--ink);background:var(--paper);margin:24px}h1{font-size:20px}table{border-collapse:collapse;"
-    "margin:12px 0 24px}td,th{padding:4px 12px 4px 0;text-align:left;border-bottom:1px solid var(--line)}"
-    "th{color:var(--soft);font-weight:500}.good{color:var(--good)}.bad{color:var(--bad)}svg text{font-size:12px;"
-    "fill:var(--ink);paint-order:stroke;stroke:var(--paper);stroke-width:4px}svg .soft{fill:var(--soft)}svg "
-    ".badtext{fill:var(--bad)}svg .lane{stroke:var(--line)}"
-    "svg .arrow{stroke:var(--ink);fill:none}svg .badarrow{stroke:var(--bad);fill:none}svg .head{fill:var(--head)}"
-    "figure{overflow-x:auto;margin:0}figcaption{color:var(--soft);margin-bottom:8px}";
+    ".sequence{color-scheme:light dark;--ink:#1c2430;--soft:#667085;--line:#c9d0da;--good:#1a7f4b;--bad:#c0362c;"
+    "--paper:#fff;--head:#f3f5f8}@media(prefers-color-scheme:dark){.sequence{--ink:#e6e9ef;--soft:#98a2b3;--line:"
+    "#3a4252;--good:#4cc38a;--bad:#ff7b72;--paper:#14181f;--head:#1d232d}}.sequence{font:14px/1.45 system-ui,"
+    "sans-serif;color:var(--ink);background:var(--paper);margin:24px}.sequence h1{font-size:20px}.sequence table{"
+    "border-collapse:collapse;margin:12px 0 24px}.sequence td,.sequence th{padding:4px 12px 4px 0;text-align:left;"
+    "border-bottom:1px solid var(--line)}.sequence th{color:var(--soft);font-weight:500}.sequence .good{color:"
+    "var(--good)}.sequence .bad{color:var(--bad)}.sequence svg text{font-size:12px;fill:var(--ink);paint-order:stroke;"
+    "stroke:var(--paper);stroke-width:4px}.sequence svg .soft{fill:var(--soft)}.sequence svg .badtext{fill:var(--bad)}"
+    ".sequence svg .lane{stroke:var(--line)}.sequence svg .arrow{stroke:var(--ink);fill:none}.sequence svg .badarrow{"
+    "stroke:var(--bad);fill:none}.sequence svg .head{fill:var(--head)}.sequence figure{overflow-x:auto;margin:0}"
+    ".sequence figcaption{color:var(--soft);margin-bottom:8px}";
 
 /// At most so many bytes, no character cut in two.
 std::string Cut(std::string text, const std::size_t length)
@@ -57,6 +58,11 @@ std::string Seconds(const std::uint64_t us)
     char text[kRoom];
     std::snprintf(text, sizeof(text), "%.4f s", static_cast<double>(us) / 1e6);
     return text;
+}
+
+std::string NameOf(const ManagerHost& host)
+{
+    return cia306::HtmlText(host.Net().Plan().name.empty() ? host.Net().Plan().file : host.Net().Plan().name);
 }
 
 std::string ResultTable(const ManagerHost& host, const Instant now)
@@ -200,21 +206,29 @@ class Picture
 };
 } // namespace
 
-std::string DiagramPage(const ManagerHost& host, const ManagerDiagram& diagram, const Instant now)
+std::string DiagramSection(const ManagerHost& host, const ManagerDiagram& diagram, const Instant now)
 {
-    const std::string name =
-        cia306::HtmlText(host.Net().Plan().name.empty() ? host.Net().Plan().file : host.Net().Plan().name);
-    std::ostringstream page;
-    page << "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>Boot-up of " << name
-         << "</title><style>" << kStyle << "</style></head><body><h1>Boot-up of " << name << "</h1><p>"
-         << cia306::HtmlText(ManagerLine(host)) << "</p>" << ResultTable(host, now)
-         << "<figure><figcaption>Time goes down, one row for each message; SDO transfers are one row, an arrow to and "
-            "fro with the time to the answer.";
+    std::ostringstream out;
+    out << "<section class=\"sequence\"><h1>Boot-up of " << NameOf(host) << "</h1><p>"
+        << cia306::HtmlText(ManagerLine(host)) << "</p>" << ResultTable(host, now)
+        << "<figure><figcaption>Time goes down, one row for each message; SDO transfers are one row, an arrow to and "
+           "fro with the time to the answer.";
     if (diagram.LeftOut() > 0U)
     {
-        page << " " << diagram.LeftOut() << " later rows are left out.";
+        out << " " << diagram.LeftOut() << " later rows are left out.";
     }
-    page << "</figcaption>" << Picture(host, diagram).Draw() << "</figure></body></html>\n";
-    return page.str();
+    out << "</figcaption>" << Picture(host, diagram).Draw() << "</figure></section>";
+    return out.str();
+}
+
+std::string DiagramStyle()
+{
+    return std::string("<style>") + kStyle + "</style>";
+}
+
+std::string DiagramPage(const ManagerHost& host, const ManagerDiagram& diagram, const Instant now)
+{
+    return "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>Boot-up of " + NameOf(host) +
+           "</title>" + DiagramStyle() + "</head><body>" + DiagramSection(host, diagram, now) + "</body></html>\n";
 }
 } // namespace counterpoint::runtime

@@ -102,6 +102,9 @@
     });
     // A CPU of two has one channel; the other one is heard over the link.
     const views = node.cpu ? [view(node.cpu, 16)] : [view("a", 16), view("b", 16)];
+    const output = onOff("SRDO " + srdo.number + " output", segments, mine("output"), e => e.value !== 0, { released: "OPEN", off: "SAFE" }, 20);
+    // In a network with managers nobody looks into the devices.
+    if (run.managers.length) return srdo.direction === "consumer" ? [output] : [];
     if (srdo.direction === "producer") return views;
     if (srdo.direction !== "consumer") return [];
     const list = [
@@ -110,7 +113,7 @@
       ...views,
       onOff("SRDO " + srdo.number + " comparator", untilHung, ofNode("verdict"), e => bit(e.agreed, srdo.slot), { released: "agreed", off: "not agreed" }),
       onOff("SRDO " + srdo.number + " permits", untilHung, ofNode("permits"), e => bit(e.value, srdo.slot), { released: "three", off: "none" }),
-      onOff("SRDO " + srdo.number + " output", segments, mine("output"), e => e.value !== 0, { released: "OPEN", off: "SAFE" }, 20)
+      output
     ];
     const values = new Map();
     for (const event of mine("value")) {
@@ -136,6 +139,23 @@
     }];
   }
 
+  // What the bus made of a device that a manager starts.
+  function stateLane(node) {
+    if (!run.managers.length) return [];
+    const mine = run.events.filter(e => e.node === node.name && (e.kind === "nmt" || e.kind === "power_off"));
+    const styles = { operational: "released", stopped: "faulted", pre_operational: "waiting", initialising: "waiting" };
+    return [{
+      kind: "state", height: 16, label: "NMT state", segments: segments(mine, "off", e => styles[e.state] || "off"),
+      words: { released: "operational", faulted: "stopped", waiting: "pre-operational", off: "no supply" }
+    }];
+  }
+
+  // What a manager told about each of its nodes.
+  function managerLane(manager) {
+    const told = manager.events.filter(e => e.text);
+    return [{ kind: "state", height: 16, label: "events", segments: [], marks: told.map(e => [e.t_us * 1e3, e.text]) }];
+  }
+
   function buildLanes() {
     lanes = [];
     const group = (name, note, content) => {
@@ -145,8 +165,9 @@
     };
     group("bus", run.bitrate / 1000 + " kbit/s", busLanes());
     for (const node of run.nodes) {
-      group(node.name, "node " + node.node_id + ", " + node.dcf, [...linkLane(node), ...node.srdos.flatMap(srdo => srdoLanes(node, srdo))]);
+      group(node.name, "node " + node.node_id + ", " + node.dcf, [...linkLane(node), ...stateLane(node), ...node.srdos.flatMap(srdo => srdoLanes(node, srdo))]);
     }
+    for (const manager of run.managers) group(manager.name, "node " + manager.node, managerLane(manager));
     let y = TOP;
     for (const lane of lanes) {
       lane.y = y;
@@ -357,10 +378,12 @@
         `detected by <b>${esc(m.detected_by.replace(/_/g, " "))}</b>: ${esc(m.detection_cause.replace(/_/g, " "))}, at ${esc(m.node)} SRDO ${m.srdo}`;
     $("expectations").innerHTML = run.expectations.map(e =>
       `<li class="${e.holds ? "" : "failed"}">${esc(e.wanted)}: <b>${esc(e.seen)}</b></li>`).join("") || "<li>none</li>";
-    $("timeline").innerHTML = run.events.filter(e => e.kind !== "reception").map(e =>
+    const told = run.managers.flatMap(m => m.events.filter(e => e.text).map(e =>
+      ({ kind: "manager", at_ns: e.t_us * 1e3, node: m.name, text: e.text })));
+    $("timeline").innerHTML = [...run.events, ...told].filter(e => e.kind !== "reception").sort((a, b) => a.at_ns - b.at_ns).map(e =>
       `<li class="${LOUD.has(e.kind) ? "loud" : ""}" data-at="${e.at_ns}" data-kind="${e.kind}"><time>${at(e.at_ns)}</time><em>${esc(e.node || "bus")}</em>` +
       `<span>${esc(e.text)}</span></li>`).join("");
-    $("places").innerHTML = ["bus", ...run.nodes.map(n => n.name)].map(n =>
+    $("places").innerHTML = ["bus", ...run.nodes.map(n => n.name), ...run.managers.map(m => m.name)].map(n =>
       `<button data-place="${esc(n)}" aria-pressed="${!hidden.has(n)}">${esc(n)}</button>`).join(" ");
     $("fault").style.display = run.faults.length ? "" : "none";
   }

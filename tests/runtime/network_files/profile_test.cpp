@@ -147,9 +147,9 @@ TEST_F(NetworkProfileTest, AStartOfAllThatSomeSlavesCannotTakeNamesThem)
                                        "  - {node: 5, device_type: 0x30191}\n  - {node: 6, device_type: 0x30192}\n"
                                        "  - {node: 7, mandatory: false}\n"));
     const std::string scenario =
-        File("scenario.yaml", "title: Start of all\nduration: 5 s\nmanagers: [{network: net.yaml}]\ndevices:\n"
-                              "  - {node: 5, dcf: " +
-                                  io + "}\n  - {node: 6, dcf: " + io +
+        File("scenario.yaml", "title: Start of all\nduration: 5 s\nmanagers: [{network: net.yaml}]\nnodes:\n"
+                              "  5: {dcf: " +
+                                  io + "}\n  6: {dcf: " + io +
                                   "}\nevents:\n  - {at: 100 ms, do: order, order: start all}\n"
                                   "  - {at: 4 s, do: order, order: start all}\n"
                                   "  - {at: 4500 ms, do: order, order: start 6}\n"

@@ -1,0 +1,40 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SIMULATOR_JUDGE_MANAGED_HPP
+#define SIMULATOR_JUDGE_MANAGED_HPP
+
+#include "simulator/journal/journal.hpp"
+#include "simulator/scenario/scenario.hpp"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace counterpoint::simulator
+{
+/// A network with managers in simulated time, as a run sees it: who only looks at devices needs no manager. What
+/// happens is told to the journal.
+class ManagedWorld
+{
+  public:
+    ManagedWorld() = default;
+    virtual ~ManagedWorld() = default;
+    ManagedWorld(const ManagedWorld&) = delete;
+    ManagedWorld& operator=(const ManagedWorld&) = delete;
+
+    /// @brief Everything up to and including `until`.
+    virtual void RunUntil(Nanoseconds until) = 0;
+    /// @brief What the expectation finds now, as a word of the scenario format.
+    [[nodiscard]] virtual std::string Found(const Expectation& expectation) = 0;
+    /// @brief One line for each thing in a network file that is worth knowing.
+    [[nodiscard]] virtual std::vector<std::string> Warnings() const = 0;
+    /// @brief Node-IDs in the order of the scenario.
+    [[nodiscard]] virtual std::vector<std::uint8_t> Managers() const = 0;
+    /// @brief Of each manager the table of its nodes and its sequence diagram, as HTML.
+    [[nodiscard]] virtual std::string Pictures() const = 0;
+};
+
+using MakeManaged = std::function<std::unique_ptr<ManagedWorld>(const Scenario&, Journal&)>;
+} // namespace counterpoint::simulator
+
+#endif // SIMULATOR_JUDGE_MANAGED_HPP

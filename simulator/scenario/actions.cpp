@@ -1,0 +1,206 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// The sections `managers` and `events`. [SRS_MGR_012]
+#include "canopen/cia306/text/number.hpp"
+#include "simulator/scenario/names.hpp"
+#include "simulator/scenario/network_names.hpp"
+#include "simulator/scenario/parts.hpp"
+
+#include <optional>
+#include <sstream>
+
+namespace counterpoint::simulator
+{
+namespace
+{
+Nanoseconds TimeOf(const std::optional<YamlValue>& value, const Nanoseconds otherwise)
+{
+    return value ? value->Duration() : otherwise;
+}
+
+/// The schema has checked its range.
+template <typename Number> Number NumberOf(const std::optional<YamlValue>& value, const Number otherwise)
+{
+    return value ? static_cast<Number>(value->Checked()) : otherwise;
+}
+
+/// "01 21": up to 8 bytes in hexadecimal.
+std::vector<std::uint8_t> DataOf(const std::optional<YamlValue>& value)
+{
+    constexpr std::size_t kMost = 8U;
+    std::vector<std::uint8_t> data;
+    std::istringstream words(value ? value->Text("bytes such as 01 21") : std::string{});
+    for (std::string word; words >> word;)
+    {
+        const auto byte = (word.size() == 2U) ? cia306::ParseUnsigned("0x" + word, 0xFFU) : std::nullopt;
+        if (!byte || data.size() == kMost)
+        {
+            value->Refuse(runtime::Shown(word), "up to 8 bytes of two hexadecimal digits");
+        }
+        data.push_back(static_cast<std::uint8_t>(*byte));
+    }
+    return data;
+}
+
+/// What only storms and frames of somebody else have.
+void ReadFrames(Fields& fields, const Scenario& scenario, Action& action)
+{
+    const auto every = fields.Find("every");
+    const auto until = fields.Find("until");
+    if (action.kind == ActionKind::kSend && every.has_value() != until.has_value())
+    {
+        (every ? every : until)->Refuse("one of 'every' and 'until'", "both, or neither for a single frame");
+    }
+    action.every = TimeOf(every, 1);
+    action.until = TimeOf(until, action.at);
+    if (action.kind == ActionKind::kEmcyStorm)
+    {
+        action.node_id = NodeIdNamed(scenario, fields.Require("node"));
+        action.code = NumberOf<std::uint16_t>(fields.Require("code"), 0U);
+    }
+    else
+    {
+        action.identifier = NumberOf<std::uint32_t>(fields.Require("identifier"), 0U);
+    }
+    action.data = (action.kind == ActionKind::kSend) ? DataOf(fields.Find("data")) : action.data;
+}
+
+void ReadOfManager(Fields& fields, Action& action)
+{
+    action.node_id = NumberOf<std::uint8_t>(fields.Find("node"), 0U);
+    if (action.kind == ActionKind::kBusOff || action.kind == ActionKind::kNoController)
+    {
+        action.until = fields.Require("until").Duration();
+    }
+    if (action.kind == ActionKind::kOrder)
+    {
+        const YamlValue order = fields.Require("order");
+        action.order = order.Text("an order such as start 33");
+        action.order_source = order.Where();
+    }
+}
+
+void ReadOfDevice(Fields& fields, const Scenario& scenario, Action& action)
+{
+    action.node = NodeNamed(scenario, fields.Require("node"));
+    if (action.kind == ActionKind::kReplace)
+    {
+        action.serial = fields.Require("serial").Checked();
+    }
+    if (action.kind == ActionKind::kStore)
+    {
+        action.object = fields.Require("object").Object();
+        action.value = fields.Require("value").Checked();
+    }
+    if (action.kind == ActionKind::kAcknowledge)
+    {
+        action.srdo = NumberOf<std::uint8_t>(fields.Require("srdo"), 0U);
+    }
+}
+
+/// "0x1018:4" and "0x1018:04" are one object.
+std::string ObjectIn(const YamlValue& value)
+{
+    const std::string text = value.Text("an object such as 0x1018:04, or none");
+    return (text == "none") ? text : ObjectText(value.Object());
+}
+
+/// Numbers of events of the election with one space between them.
+std::string FlyingEventsIn(const YamlValue& value)
+{
+    constexpr std::uint64_t kLastEvent = 5U;
+    const std::string expected = "none, or numbers from 1 to 5 such as 3 4";
+    std::istringstream words(value.Text(expected));
+    std::string events;
+    for (std::string word; words >> word;)
+    {
+        const auto number = cia306::ParseUnsigned(word, kLastEvent);
+        const bool is_none = word == "none" && events.empty() && words.peek() == std::istringstream::traits_type::eof();
+        if (!is_none && (!number || *number == 0U))
+        {
+            value.Refuse(runtime::Shown(word), expected);
+        }
+        events += (events.empty() ? "" : " ") + (is_none ? word : std::to_string(*number));
+    }
+    if (events.empty())
+    {
+        value.Refuse("no word", expected);
+    }
+    return events;
+}
+} // namespace
+
+ManagerSetup ReadManager(const Scenario& /*scenario*/, const YamlValue& value)
+{
+    Fields fields(value, "manager");
+    ManagerSetup manager;
+    manager.source = value.Where();
+    const YamlValue network = fields.Require("network");
+    manager.network = Beside(value.FileName(), network.Text("the file name of a network"));
+    RequireFile(manager.network, network.Where(), "a network file");
+    manager.node_id = NumberOf<std::uint8_t>(fields.Find("node"), 0U);
+    manager.at = fields.Require("at").Duration();
+    fields.Close();
+    return manager;
+}
+
+Action ReadAction(const Scenario& scenario, const YamlValue& value)
+{
+    Fields fields(value, "events");
+    Action action;
+    action.source = value.Where();
+    action.kind = fields.Require("do").Choice(kActionWords);
+    action.at = fields.Require("at").Duration();
+    fields.Extend((kActionPrefix + std::string(NameOf(kActionWords, action.kind))).c_str());
+    if (IsStorm(action.kind))
+    {
+        ReadFrames(fields, scenario, action);
+    }
+    else if (IsOfManager(action.kind))
+    {
+        ReadOfManager(fields, action);
+    }
+    else
+    {
+        ReadOfDevice(fields, scenario, action);
+    }
+    fields.Close();
+    return action;
+}
+
+void AddReturns(std::vector<Action>& actions)
+{
+    std::vector<Action> returns;
+    for (const Action& action : actions)
+    {
+        if (action.kind == ActionKind::kBusOff || action.kind == ActionKind::kNoController)
+        {
+            returns.push_back(action);
+            returns.back().kind = ActionKind::kBusBack;
+            returns.back().at = action.until;
+        }
+    }
+    actions.insert(actions.end(), returns.begin(), returns.end());
+}
+
+void ReadOfNetwork(Fields& fields, const Scenario& scenario, Expectation& expectation)
+{
+    const auto node = fields.Find("node");
+    if (IsOfManager(expectation.kind))
+    {
+        expectation.node_id = node ? NodeIdNamed(scenario, *node) : std::uint8_t{0U};
+        expectation.manager = NumberOf<std::uint8_t>(fields.Find("manager"), 0U);
+    }
+    else
+    {
+        expectation.node = NodeNamed(scenario, *node);
+        expectation.srdo = NumberOf<std::uint8_t>(fields.Find("srdo"), 0U);
+    }
+    const YamlValue is = fields.Require("is");
+    expectation.is = (expectation.kind == ExpectationKind::kFinding)  ? ObjectIn(is)
+                     : (expectation.kind == ExpectationKind::kFlying) ? FlyingEventsIn(is)
+                                                                      : is.Text("a word");
+    const bool is_event = IsOfEvents(expectation.kind);
+    expectation.from = is_event ? fields.Require("from").Duration() : 0;
+    expectation.at = TimeOf(fields.Find(is_event ? "until" : "at"), kNever);
+}
+} // namespace counterpoint::simulator
