@@ -34,6 +34,28 @@ LoadResult Device::PowerOn(const Instant now) noexcept
     return result;
 }
 
+void Device::PowerOff() noexcept
+{
+    while (safety_.Oldest() != nullptr)
+    {
+        safety_.Drop();
+    }
+    while (commands_.Oldest() != nullptr)
+    {
+        commands_.Drop();
+    }
+    while (others_.Oldest() != nullptr)
+    {
+        others_.Drop();
+    }
+    safety_.AdmitNone();
+    static_cast<void>(safety_.TakeLoss());
+    has_lost_others_.store(false);
+    parts_.services.PowerOff();
+    kernel_state_ = NmtState::kInvalid;
+    bus_ = BusCondition::kActive;
+}
+
 void Device::OnFrame(const StampedFrame& frame) noexcept
 {
     if (IsSafetyIdentifier(frame.frame.identifier))

@@ -83,6 +83,9 @@ class Device
     /// @brief Supply on: INITIALISATION, boot-up, and where 1F80h leads to. Whether the device came up, or waits for a
     /// node-ID. [SRS_DEV_002, SRS_DEV_019]
     [[nodiscard]] LoadResult PowerOn(Instant now) noexcept;
+    /// @brief Supply off, of a device whose memory outlives it: frames that wait and the NMT state are gone, and
+    /// PowerOn begins anew. [SRS_DEV_023]
+    void PowerOff() noexcept;
 
     /// @brief A received frame. O(1) [SRS_DEV_005, SRS_DEV_007]
     void OnFrame(const StampedFrame& frame) noexcept;
@@ -97,13 +100,14 @@ class Device
     void Cycle(const CycleCall& call) noexcept;
     /// @brief Safety frames to the kernel, then the services. O(frames that wait + services)
     void Serve(Instant now) noexcept;
+    /// @brief Safety frames to the kernel and no more: what Serve and Cycle begin with. O(frames that wait)
+    void HandOver() noexcept;
 
     [[nodiscard]] cia301::NodeState State() const noexcept;
 
   private:
     static constexpr std::uint32_t kCommandRoom = 8U;
 
-    void HandOver() noexcept;
     void Settle() noexcept;
     void Initialise() noexcept;
     [[nodiscard]] LoadResult Load() noexcept;

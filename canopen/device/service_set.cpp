@@ -16,6 +16,12 @@ ServiceSet::ServiceSet(const cia301::NodeId own_node, hal::CanPorts* const sende
 {
 }
 
+void ServiceSet::PowerOff() noexcept
+{
+    slave = cia301::NmtSlave{node, cia301::StartUp{false, 0U}};
+    waiting.is_present = false;
+}
+
 bool ServiceSet::MayBoot() const noexcept
 {
     return false;

@@ -32,6 +32,8 @@ struct ServiceSet
     hal::CanPorts* can;
     cia301::FrameToSend waiting; ///< The boot-up message until the controller has taken it.
 
+    /// @brief The supply is gone: no frame waits, and the state machine is at its beginning. [SRS_DEV_023]
+    virtual void PowerOff() noexcept;
     /// @brief Whether a device that waits for a node-ID has one now.
     [[nodiscard]] virtual bool MayBoot() const noexcept;
     /// @brief The kernel is about to be started anew.

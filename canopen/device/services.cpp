@@ -55,6 +55,12 @@ Services::Services(const cia301::NodeId own_node, const ServiceParts& parts) noe
 {
 }
 
+void Services::PowerOff() noexcept
+{
+    ServiceSet::PowerOff();
+    outbox.Clear();
+}
+
 bool Services::MayBoot() const noexcept
 {
     return lss->MayBoot();

@@ -73,6 +73,7 @@ struct Services final : public ServiceSet
     KernelWatch* watch;             ///< Set by Device, as is the next one.
     cia301::Dictionary* dictionary; ///< Of the whole device.
 
+    void PowerOff() noexcept override;
     [[nodiscard]] bool MayBoot() const noexcept override;
     void OnResetNode() noexcept override;
     [[nodiscard]] bool TakeNodeId() noexcept override;

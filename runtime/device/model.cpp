@@ -14,17 +14,6 @@ namespace counterpoint::runtime
 {
 namespace
 {
-ObjectData DataOf(const ConfigurationWrite& write)
-{
-    ObjectData data{};
-    data.size_bytes = write.size_bytes;
-    for (std::uint8_t byte = 0U; byte < write.size_bytes; ++byte)
-    {
-        data.bytes[byte] = static_cast<std::uint8_t>(write.value >> (8U * byte));
-    }
-    return data;
-}
-
 const char* MeaningOf(const AbortCode code)
 {
     switch (code)
@@ -265,9 +254,19 @@ std::string AbortText(const AbortCode code)
     return text.data();
 }
 
+ObjectData DataOf(const ConfigurationWrite& write)
+{
+    ObjectData data{};
+    data.size_bytes = write.size_bytes;
+    for (std::uint8_t byte = 0U; byte < write.size_bytes; ++byte)
+    {
+        data.bytes[byte] = static_cast<std::uint8_t>(write.value >> (8U * byte));
+    }
+    return data;
+}
+
 void Commission(Kernel& kernel, DeviceModel& model)
 {
-    // What the kernel says of a mapping before its SRDO is configured is not looked at: 13FEh has the last word.
     for (const StaticTable& table : model.StaticTables())
     {
         static_cast<void>(kernel.DefineStaticFields(
@@ -278,13 +277,19 @@ void Commission(Kernel& kernel, DeviceModel& model)
         const AbortCode code = kernel.WriteObject(write.object, DataOf(write));
         if (code != AbortCode::kNone)
         {
-            const std::string object = cia306::ObjectName(write.object.index, write.object.sub);
-            const auto digits = static_cast<int>(write.size_bytes * 2U);
-            throw cia306::InputError(model.File(), write.line,
-                                     {object + ": the device refuses " + cia306::Hex(write.value, digits) +
-                                          " with abort code " + AbortText(code) + " (" + MeaningOf(code) + ")",
-                                      "a configuration that it accepts; 'counterpoint check' tells more"});
+            throw RefusalOf(model, write, code);
         }
     }
+}
+
+cia306::InputError RefusalOf(const DeviceModel& model, const ConfigurationWrite& write, const AbortCode code)
+{
+    const std::string object = cia306::ObjectName(write.object.index, write.object.sub);
+    const auto digits = static_cast<int>(write.size_bytes * 2U);
+    return {model.File(),
+            write.line,
+            {object + ": the device refuses " + cia306::Hex(write.value, digits) + " with abort code " +
+                 AbortText(code) + " (" + MeaningOf(code) + ")",
+             "a configuration that it accepts; 'counterpoint check' tells more"}};
 }
 } // namespace counterpoint::runtime

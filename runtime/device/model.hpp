@@ -2,6 +2,7 @@
 #ifndef RUNTIME_DEVICE_MODEL_HPP
 #define RUNTIME_DEVICE_MODEL_HPP
 
+#include "canopen/cia306/text/input_error.hpp"
 #include "safety_core/contract/configuration.hpp"
 #include "safety_core/kernel/kernel.hpp"
 #include "safety_core/kernel/limits.hpp"
@@ -133,9 +134,11 @@ class DeviceModel
     DeviceConfig config_{};
 };
 
-/// @brief Registers the fields of static mappings and writes the configuration of the model to a started kernel. Throws
-/// cia306::InputError for the first write that is refused, with object and abort code.
 void Commission(Kernel& kernel, DeviceModel& model);
+/// @brief The bytes of a write.
+[[nodiscard]] ObjectData DataOf(const ConfigurationWrite& write);
+/// @brief That the kernel refuses a value of the file, for people.
+[[nodiscard]] cia306::InputError RefusalOf(const DeviceModel& model, const ConfigurationWrite& write, AbortCode code);
 
 /// "0609 0030h"
 [[nodiscard]] std::string AbortText(AbortCode code);

@@ -5,8 +5,8 @@
 #include "canopen/cia301/dictionary/dictionary.hpp"
 #include "canopen/cia301/sdo/server.hpp"
 #include "canopen/cia301/sdo/server_port.hpp"
+#include "runtime/device/objects/hooks.hpp"
 #include "runtime/manager/objects.hpp"
-#include "runtime/node/hooks.hpp"
 
 #include <array>
 #include <cstdint>

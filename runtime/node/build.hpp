@@ -2,7 +2,6 @@
 #ifndef RUNTIME_NODE_BUILD_HPP
 #define RUNTIME_NODE_BUILD_HPP
 
-#include "runtime/node/objects/objects.hpp"
 #include "runtime/node/ports.hpp"
 
 #include "canopen/cia306/file/device.hpp"
@@ -11,7 +10,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 // How a live node is made of its file and its command line. Each may throw cia306::InputError.
 namespace counterpoint::runtime
@@ -33,17 +31,6 @@ struct NodeSettings
                                                    bool has_lss);
 /// @brief With a second controller the inverse frames are its own. [SRS_NODE_014]
 [[nodiscard]] const runtime::DeviceModel& UseControllers(runtime::DeviceModel& model, NodePorts& ports);
-/// @brief Mapped by an SRDO or made for one: an object that a file only marks as process data is not the kernel's.
-[[nodiscard]] std::vector<MappableObject> SafetyObjectsOf(const runtime::DeviceModel& model,
-                                                          const cia306::Device& device);
-/// @brief Another cycle time is another device than that of the file: no digest is expected, and what has to last some
-/// cycles does.
-[[nodiscard]] DeviceConfig ConfigOf(const runtime::DeviceModel& model, const std::vector<MappableObject>& objects,
-                                    std::optional<std::uint32_t> cycle_us);
-/// @brief Those of 1300h to 13FFh, and the mappable ones of `config`, which outlives the answer.
-[[nodiscard]] NodeObjects::IsKernels KernelsOf(const DeviceConfig& config);
-/// @brief Entries of 1003h.
-[[nodiscard]] std::uint8_t HistoryOf(const cia306::Device& file);
 } // namespace counterpoint::runtime
 
 #endif // RUNTIME_NODE_BUILD_HPP

@@ -13,15 +13,9 @@ namespace counterpoint::runtime
 {
 namespace
 {
-constexpr std::size_t kServiceFrames = 256U;
 constexpr std::uint64_t kPressNs = 200000000U;
 constexpr std::uint64_t kNsPerUs = 1000U;
 constexpr std::uint64_t kPressCycles = 4U;
-
-hal::WatchdogWindow WindowOf(const DeviceConfig& config)
-{
-    return {config.cycle_us / 2U, config.cycle_us + config.cycle_tolerance_us};
-}
 } // namespace
 
 NodeDevice::NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeReport& report)
@@ -33,34 +27,19 @@ NodeDevice::NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeRepor
       output_(time_, watchdog_, {config_.cycle_us + config_.cycle_tolerance_us}),
       channel_a_(MakeChannel(runtime::Letter::kA, runtime::RoomOf(config_))),
       channel_b_(MakeChannel(runtime::Letter::kB, runtime::RoomOf(config_))), application_(model_, report),
-      objects_(file_, config_.node_id, KernelsOf(config_)), history_(HistoryOf(file_)),
-      errors_(device::EmergencyPlaces(config_.srdo_count, objects_.Rooms())), messages_(errors_.size()),
-      emergency_({config_.node_id}, {history_.data(), static_cast<std::uint8_t>(history_.size())},
-                 {errors_.data(), messages_.data(), static_cast<std::uint16_t>(errors_.size())}),
-      watch_(emergency_, application_),
       self_test_(settings.has_self_tests ? std::make_unique<NodeSelfTest>(output_) : nullptr),
-      kernel_({channel_a_->Voice(), channel_b_->Voice(), ports, output_, watchdog_, watch_,
-               self_test_ ? &self_test_->Part() : nullptr}),
-      facade_(kernel_, objects_.Table()),
-      dictionary_(objects_.Table(), model_.Srdos().empty() ? static_cast<cia301::ForeignObjects&>(no_safety_)
-                                                           : static_cast<cia301::ForeignObjects&>(facade_)),
-      services_({config_.node_id}, {emergency_, ports, dictionary_, objects_.Rooms()}),
-      further_(file_, dictionary_, services_, report, objects_.Rooms().sdo_buffer.size_bytes),
-      store_(settings.store.empty()
-                 ? nullptr
-                 : std::make_unique<NodeStore>(settings.store,
-                                               NodeStoreParts{kernel_, objects_.Table(), dictionary_, services_})),
-      safety_room_(2U * config_.srdo_count + 2U), service_room_(kServiceFrames),
-      device_({kernel_,
-               watch_,
-               dictionary_,
-               services_,
-               *this,
-               {safety_room_.data(), static_cast<std::uint32_t>(safety_room_.size())},
-               {service_room_.data(), static_cast<std::uint32_t>(service_room_.size())},
-               config_.srdo_count})
+      assembly_(file_, model_, config_,
+                {channel_a_->Voice(), channel_b_->Voice(), ports, output_, watchdog_, application_,
+                 self_test_ ? &self_test_->Part() : nullptr, *this, ServiceExtent::kAll}),
+      further_(file_, assembly_.Dictionary(), assembly_.Services(), report,
+               assembly_.Objects().Rooms().sdo_buffer.size_bytes),
+      store_(settings.store.empty() ? nullptr
+                                    : std::make_unique<NodeStore>(
+                                          settings.store, NodeStoreParts{assembly_.Core(), assembly_.Objects().Table(),
+                                                                         assembly_.Dictionary(), assembly_.Services()}))
 {
-    objects_.Connect(services_, further_, store_ ? &store_->Hook() : nullptr);
+    assembly_.Connect([this](const std::uint16_t index) { return further_.HookOf(index); },
+                      store_ ? &store_->Hook() : nullptr);
     FurnishSelfTest();
     FurnishLss(settings);
     slot_of_.fill(kNoSlot);
@@ -91,7 +70,7 @@ std::uint8_t NodeDevice::NodeId() const noexcept
 {
     if (!lss_)
     {
-        return services_.node.value;
+        return assembly_.Services().node.value;
     }
     const std::uint8_t active = lss_->Slave().ActiveNodeId();
     const std::uint8_t coming = lss_->Slave().Settings().node_id; // Before power-on.
@@ -101,7 +80,7 @@ std::uint8_t NodeDevice::NodeId() const noexcept
 
 std::optional<std::uint8_t> NodeDevice::NewNodeId() const noexcept
 {
-    return (new_node_id_ == 0U) ? std::nullopt : std::optional(new_node_id_);
+    return assembly_.NewNodeId();
 }
 
 NodeApplication& NodeDevice::App() noexcept
@@ -111,17 +90,17 @@ NodeApplication& NodeDevice::App() noexcept
 
 device::Device& NodeDevice::Services() noexcept
 {
-    return device_;
+    return assembly_.Device();
 }
 
 cia301::Dictionary& NodeDevice::Objects() noexcept
 {
-    return dictionary_;
+    return assembly_.Dictionary();
 }
 
 Kernel& NodeDevice::Core() noexcept
 {
-    return kernel_;
+    return assembly_.Core();
 }
 
 const NodeLatency& NodeDevice::Latency() const noexcept
@@ -146,7 +125,7 @@ bool NodeDevice::PowerOn(const InstantPair& now, const std::uint64_t now_ns)
 {
     start_ns_ = now_ns;
     SetTime(now_ns);
-    const bool is_up = device_.PowerOn(now.a) == device::LoadResult::kLoaded;
+    const bool is_up = assembly_.Device().PowerOn(now.a) == device::LoadResult::kLoaded;
     TellState(now_ns);
     return is_up;
 }
@@ -168,7 +147,7 @@ void NodeDevice::OnFrame(const host::LiveFrame& frame, const CanPortId port, con
     const StampedFrame stamped{host::ToCanFrame(frame, port), stamp};
     if (frame.own)
     {
-        device_.OnConfirm(stamped);
+        assembly_.Device().OnConfirm(stamped);
         return;
     }
     const std::uint32_t number = frame.identifier - kFirstSrdoIdentifier;
@@ -176,17 +155,17 @@ void NodeDevice::OnFrame(const host::LiveFrame& frame, const CanPortId port, con
     {
         received_ns_.at(slot_of_.at(number)) = frame.time_ns;
     }
-    device_.OnFrame(stamped);
+    assembly_.Device().OnFrame(stamped);
 }
 
 void NodeDevice::OnLoss() noexcept
 {
-    device_.OnLoss();
+    assembly_.Device().OnLoss();
 }
 
 void NodeDevice::OnBus(const device::BusCondition condition) noexcept
 {
-    device_.OnBus(condition);
+    assembly_.Device().OnBus(condition);
 }
 
 void NodeDevice::Cycle(const InstantPair& now, const std::uint64_t now_ns)
@@ -195,7 +174,7 @@ void NodeDevice::Cycle(const InstantPair& now, const std::uint64_t now_ns)
     SendByApplication();
     paired_ = 0U;
     const SrdoMask levels = AcknowledgeLevels(now_ns);
-    device_.Cycle({now, levels, levels});
+    assembly_.Device().Cycle({now, levels, levels});
     Save();
     further_.Look();
     TellSelfTest(now_ns);
@@ -205,7 +184,7 @@ void NodeDevice::Cycle(const InstantPair& now, const std::uint64_t now_ns)
 void NodeDevice::Serve(const InstantPair& now, const std::uint64_t now_ns)
 {
     SetTime(now_ns);
-    device_.Serve(now.a);
+    assembly_.Device().Serve(now.a);
     Save();
     further_.Look();
     TellState(now_ns);
@@ -284,12 +263,13 @@ SrdoMask NodeDevice::AcknowledgeLevels(const std::uint64_t now_ns) const noexcep
 
 void NodeDevice::TellState(const std::uint64_t now_ns)
 {
-    const cia301::NodeState state = device_.State();
+    const cia301::NodeState state = assembly_.Device().State();
     if (state != state_)
     {
         const bool is_configured = state_ == cia301::NodeState::kInvalid && cia301::StateByte(state) != 0U;
         const bool is_of_file = is_configured && !store_; // What was saved may have turned one off.
-        for (const std::string& line : is_of_file ? objects_.PdosTurnedOff(dictionary_) : std::vector<std::string>{})
+        for (const std::string& line :
+             is_of_file ? assembly_.Objects().PdosTurnedOff(assembly_.Dictionary()) : std::vector<std::string>{})
         {
             report_.Tell(now_ns, line, "refused", {{"text", line}});
         }
@@ -317,7 +297,7 @@ void NodeDevice::TellSelfTest(const std::uint64_t now_ns)
 void NodeDevice::Stop(const std::uint64_t now_ns)
 {
     ports_.EndProduction();
-    kernel_.Stop();
+    assembly_.Core().Stop();
     LookAtOutput(now_ns);
 }
 } // namespace counterpoint::runtime

@@ -8,16 +8,14 @@
 #include "runtime/node/latency.hpp"
 #include "runtime/node/lss.hpp"
 #include "runtime/node/objects/further.hpp"
-#include "runtime/node/objects/objects.hpp"
 #include "runtime/node/objects/store.hpp"
 #include "runtime/node/ports.hpp"
 #include "runtime/node/self_test.hpp"
 
-#include "canopen/device/device.hpp"
-#include "canopen/device/safety_objects.hpp"
 #include "hal/host/output.hpp"
 #include "hal/host/virtual/bus.hpp"
 #include "hal/host/watchdog.hpp"
+#include "runtime/device/assembly.hpp"
 #include "runtime/device/channel_host.hpp"
 #include "runtime/device/model.hpp"
 
@@ -30,9 +28,9 @@
 
 namespace counterpoint::runtime
 {
-/// A device of a DCF in real time: shipped kernel, channels and services, the gate and the watchdog of the host, real
+/// A device of a DCF in real time: an assembly with shipped channels, the gate and the watchdog of the host, real
 /// frames. Time comes in with every call. [SRS_NODE_001, SRS_NODE_006]
-class NodeDevice final : private device::Owner
+class NodeDevice final : private AssemblyOwner
 {
   public:
     /// Throws cia306::InputError.
@@ -80,18 +78,18 @@ class NodeDevice final : private device::Owner
     void Stop(std::uint64_t now_ns);
 
   private:
-    [[nodiscard]] device::LoadResult OnResetNode() noexcept override;
-    [[nodiscard]] device::LoadResult OnResetCommunication() noexcept override;
+    void OnStart() noexcept override;
+    void OnNoStart(StartResult result) noexcept override;
+    void OnLoaded(std::uint8_t groups) noexcept override;
+    void OnRefused(const ConfigurationWrite& write, AbortCode code) noexcept override;
+    void OnResetCommunication(const std::vector<std::string>& refusals) noexcept override;
 
     void FurnishSelfTest();
     void FurnishLss(const NodeSettings& settings);
     void Save();
     void TellSelfTest(std::uint64_t now_ns);
     void TellStore(const std::string& warning);
-    void LoadSafety();
-    [[nodiscard]] bool IsSafetyLoaded();
     void FollowConfiguration();
-    void PrepareSending();
     void FindInverseFrames();
     void SendByApplication();
     [[nodiscard]] SrdoMask AcknowledgeLevels(std::uint64_t now_ns) const noexcept;
@@ -112,25 +110,12 @@ class NodeDevice final : private device::Owner
     std::unique_ptr<runtime::ChannelHost> channel_a_;
     std::unique_ptr<runtime::ChannelHost> channel_b_;
     NodeApplication application_;
-    NodeObjects objects_;
-    std::vector<std::uint32_t> history_;             ///< 1003h.
-    std::vector<cia301::EmergencyError> errors_;     ///< Room for all that may be wrong at once,
-    std::vector<cia301::EmergencyMessage> messages_; ///< and for telling it.
-    cia301::EmergencyProducer emergency_;
-    device::KernelWatch watch_;
     std::unique_ptr<NodeSelfTest> self_test_; ///< Null: none.
-    Kernel kernel_;
-    device::SafetyObjects facade_;
-    NoSafetyObjects no_safety_{}; ///< Instead of it, for a plain device.
-    cia301::Dictionary dictionary_;
-    device::Services services_;
+    DeviceAssembly assembly_;
     NodeFurther further_;
     std::unique_ptr<NodeStore> store_; ///< Null: none.
     std::string store_warning_;        ///< The last one that was told.
     std::unique_ptr<NodeLss> lss_;     ///< Null: none.
-    std::vector<device::QueuedFrame> safety_room_;
-    std::vector<device::QueuedFrame> service_room_;
-    device::Device device_;
 
     NodeLatency latency_;
     std::uint64_t start_ns_{0U};
@@ -145,7 +130,6 @@ class NodeDevice final : private device::Owner
     std::uint32_t cycles_to_send_{0U};
     bool has_restarted_{false};
     bool has_told_test_{false};
-    std::uint8_t new_node_id_{0U};
 };
 } // namespace counterpoint::runtime
 

@@ -3,7 +3,6 @@
 
 #include "runtime/node/srdo_line.hpp"
 
-#include "canopen/cia301/base/little_endian.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 
 #include <algorithm>
@@ -16,70 +15,51 @@ namespace
 constexpr std::uint16_t kCommunicationBase = 0x1300U;
 constexpr std::uint16_t kIdentity = 0x1018U;
 constexpr std::uint8_t kCobIdSub2 = 6U;
-
-ObjectData DataOf(const runtime::ConfigurationWrite& write)
-{
-    ObjectData data{};
-    data.size_bytes = write.size_bytes;
-    cia301::ToLittleEndian(write.value, data.bytes, write.size_bytes);
-    return data;
-}
 } // namespace
 
-device::LoadResult NodeDevice::OnResetNode() noexcept
+void NodeDevice::OnStart() noexcept
 {
-    model_.ResetVariables();
-    objects_.LoadApplication();
     if (self_test_)
     {
         has_told_test_ = false;
         self_test_->Start();
         TellSelfTest(now_ns_);
     }
-    const StartResult result = kernel_.Start(config_, FlowCallback::kOff);
-    if (result != StartResult::kStarted)
-    {
-        const auto reason = static_cast<unsigned>(result);
-        report_.Tell(now_ns_, "the kernel refuses this device, reason " + std::to_string(reason) + " of StartResult",
-                     "no_start", {{"reason", reason}});
-        return device::LoadResult::kFailed;
-    }
-    for (const runtime::StaticTable& table : model_.StaticTables())
-    {
-        // What the kernel says of a mapping before its SRDO is configured is not looked at: 13FEh has the last word.
-        const auto index = static_cast<std::uint16_t>(kCommunicationBase + table.number);
-        static_cast<void>(kernel_.DefineStaticFields({index}, model_.FieldsOf(table)));
-    }
-    if (store_)
-    {
-        TellStore(store_->Load(cia301::kApplicationGroup | cia301::kManufacturerGroup));
-    }
-    has_restarted_ = true;
-    return device::LoadResult::kLoaded;
 }
 
-device::LoadResult NodeDevice::OnResetCommunication() noexcept
+void NodeDevice::OnNoStart(const StartResult result) noexcept
+{
+    const auto reason = static_cast<unsigned>(result);
+    report_.Tell(now_ns_, "the kernel refuses this device, reason " + std::to_string(reason) + " of StartResult",
+                 "no_start", {{"reason", reason}});
+}
+
+void NodeDevice::OnResetCommunication(const std::vector<std::string>& refusals) noexcept
 {
     state_ = cia301::NodeState::kInvalid; // Told again, even if it is the same.
-    if (services_.node.value != config_.node_id)
-    {
-        new_node_id_ = services_.node.value;
-        return device::LoadResult::kFailed; // Silent until another device has been made.
-    }
-    objects_.LoadCommunication();
-    for (const std::string& refusal : objects_.Refusals())
+    for (const std::string& refusal : refusals)
     {
         report_.Tell(now_ns_, refusal, "refused", {{"text", refusal}});
     }
-    if (!IsSafetyLoaded())
-    {
-        LoadSafety();
-    }
+}
+
+void NodeDevice::OnLoaded(const std::uint8_t groups) noexcept
+{
+    has_restarted_ = has_restarted_ || (groups & cia301::kApplicationGroup) != 0U;
     if (store_)
     {
-        TellStore(store_->Load(cia301::kCommunicationGroup));
+        TellStore(store_->Load(groups));
     }
-    return device::LoadResult::kLoaded;
+}
+
+void NodeDevice::OnRefused(const ConfigurationWrite& write, const AbortCode code) noexcept
+{
+    const std::string text = model_.File() + ":" + std::to_string(write.line) +
+                             ": warning: " + cia306::ObjectName(write.object.index, write.object.sub) +
+                             ": the kernel refuses " + cia306::Hex(write.value, write.size_bytes * 2) +
+                             " with abort code " + runtime::AbortText(code) +
+                             ", expected what 'counterpoint check' finds right";
+    report_.Tell(now_ns_, text, "refused", {{"text", text}});
 }
 
 /// What is wrong with the file is told once, not at each reset.
@@ -100,11 +80,11 @@ void NodeDevice::FurnishSelfTest()
     }
     self_test_->AddChannel(*channel_a_);
     self_test_->AddChannel(*channel_b_);
-    self_test_->AddKernel(kernel_);
+    self_test_->AddKernel(assembly_.Core());
     self_test_->AddPart(static_cast<hal::CanPorts*>(&ports_));
     self_test_->AddPart(static_cast<hal::SafetyOutput*>(&output_));
     self_test_->AddPart(static_cast<hal::Watchdog*>(&watchdog_));
-    self_test_->AddPart(static_cast<Application*>(&watch_));
+    self_test_->AddPart(&assembly_.Told());
     self_test_->AddConstants(config_, model_);
     const std::uint32_t cycles = config_.diagnostic_interval_us / config_.cycle_us;
     if (!self_test_->Settle(cycles))
@@ -138,76 +118,25 @@ void NodeDevice::FurnishLss(const NodeSettings& settings)
     }
     known.node_id = settings.lss_node_id.value_or(known.node_id);
     const cia305::Identity identity{part(1U), part(2U), part(3U), part(4U)};
-    lss_ = std::make_unique<NodeLss>(services_.outbox, identity, known, store_.get());
-    services_.lss = &lss_->Slave();
-}
-
-/// Writing the same values again would withdraw 13FEh for a moment.
-bool NodeDevice::IsSafetyLoaded()
-{
-    const auto& writes = model_.Writes();
-    return std::all_of(writes.begin(), writes.end(),
-                       [this, &writes](const runtime::ConfigurationWrite& write)
-                       {
-                           // Each object counts with the last value that it gets.
-                           const auto same = [&write](const runtime::ConfigurationWrite& other)
-                           { return other.object.index == write.object.index && other.object.sub == write.object.sub; };
-                           const auto last = std::find_if(writes.rbegin(), writes.rend(), same);
-                           const ObjectReading reading = kernel_.ReadObject(write.object);
-                           return reading.abort == AbortCode::kNone && ToValue(reading.data) == last->value;
-                       });
-}
-
-void NodeDevice::LoadSafety()
-{
-    for (const runtime::ConfigurationWrite& write : model_.Writes())
-    {
-        const AbortCode code = kernel_.WriteObject(write.object, DataOf(write));
-        if (code != AbortCode::kNone)
-        {
-            const std::string text = model_.File() + ":" + std::to_string(write.line) +
-                                     ": warning: " + cia306::ObjectName(write.object.index, write.object.sub) +
-                                     ": the kernel refuses " + cia306::Hex(write.value, write.size_bytes * 2) +
-                                     " with abort code " + runtime::AbortText(code) +
-                                     ", expected what 'counterpoint check' finds right";
-            report_.Tell(now_ns_, text, "refused", {{"text", text}});
-        }
-    }
+    lss_ = std::make_unique<NodeLss>(assembly_.Services().outbox, identity, known, store_.get());
+    assembly_.Services().lss = &lss_->Slave();
 }
 
 /// Directions, times, identifiers and mappings stay as they are until OPERATIONAL is left; the file, a store or a
 /// commissioner may have given them. [SRS_NODE_019]
 void NodeDevice::FollowConfiguration()
 {
-    PrepareSending();
+    cycles_per_send_ = assembly_.CyclesPerSend();
+    cycles_to_send_ = 0U;
     FindInverseFrames();
-    application_.Follow(kernel_, model_);
+    application_.Follow(assembly_.Core(), model_);
     for (const runtime::SrdoModel& of_file : model_.Srdos())
     {
         // What is as in the file was told at the start.
-        const runtime::SrdoModel srdo = ConfiguredSrdo(kernel_, of_file);
+        const runtime::SrdoModel srdo = ConfiguredSrdo(assembly_.Core(), of_file);
         if (!IsSameSrdo(srdo, of_file))
         {
             TellSrdo(report_, now_ns_, config_, srdo);
-        }
-    }
-}
-
-// The shortest refresh time of the producers that the application sends by itself.
-void NodeDevice::PrepareSending()
-{
-    cycles_per_send_ = 0U;
-    cycles_to_send_ = 0U;
-    for (SlotIndex slot = 0U; slot < model_.Srdos().size(); ++slot)
-    {
-        const auto index = static_cast<std::uint16_t>(kCommunicationBase + model_.NumberOf(slot));
-        const ParametersReply parameters = kernel_.GetParameters({index});
-        const bool sends =
-            parameters.direction == kDirectionProducer && config_.srdos[slot].form == ProducerForm::kApplicationSends;
-        const std::uint32_t cycles = (parameters.refresh_ms * kMicrosecondsPerMillisecond) / config_.cycle_us;
-        if (sends && (cycles_per_send_ == 0U || cycles < cycles_per_send_))
-        {
-            cycles_per_send_ = std::max(cycles, std::uint32_t{1U});
         }
     }
 }
@@ -219,9 +148,9 @@ void NodeDevice::FindInverseFrames()
     for (SlotIndex slot = 0U; slot < model_.Srdos().size(); ++slot)
     {
         const auto index = static_cast<std::uint16_t>(kCommunicationBase + model_.NumberOf(slot));
-        const std::uint32_t identifier = ToValue(kernel_.ReadObject({index, kCobIdSub2}).data);
+        const std::uint32_t identifier = ToValue(assembly_.Core().ReadObject({index, kCobIdSub2}).data);
         const std::uint32_t number = identifier - kFirstSrdoIdentifier;
-        if (kernel_.GetParameters({index}).direction == kDirectionConsumer && number < kSrdoIdentifierCount)
+        if (assembly_.Core().GetParameters({index}).direction == kDirectionConsumer && number < kSrdoIdentifierCount)
         {
             slot_of_.at(number) = slot;
         }
@@ -231,7 +160,7 @@ void NodeDevice::FindInverseFrames()
 // At once after a change, and every refresh time after the last time.
 void NodeDevice::SendByApplication()
 {
-    if (cycles_per_send_ == 0U || device_.State() != cia301::NodeState::kOperational)
+    if (cycles_per_send_ == 0U || assembly_.Device().State() != cia301::NodeState::kOperational)
     {
         cycles_to_send_ = 0U;
         return;
@@ -243,13 +172,6 @@ void NodeDevice::SendByApplication()
         return;
     }
     cycles_to_send_ = cycles_per_send_ - 1U;
-    for (SlotIndex slot = 0U; slot < config_.srdo_count; ++slot)
-    {
-        if (config_.srdos[slot].form == ProducerForm::kApplicationSends)
-        {
-            const auto index = static_cast<std::uint16_t>(kCommunicationBase + model_.NumberOf(slot));
-            static_cast<void>(kernel_.Send({index})); // Consumers among them refuse.
-        }
-    }
+    assembly_.SendAll();
 }
 } // namespace counterpoint::runtime

@@ -235,6 +235,27 @@ TEST_F(DeviceTest, TheInverseFrameFollowsItsConfirmationBetweenTwoCycles)
     EXPECT_TRUE(CausesOf(0x1303U).empty());
 }
 
+TEST_F(DeviceTest, NothingIsLeftAfterTheSupplyWasOff)
+{
+    Verifies(req::SRS_DEV_023);
+    // Given an operational device with a request, a command and a pair that wait
+    Run();
+    Frame(0x602U, {0x40U, 0x00U, 0x10U, 0U, 0U, 0U, 0U, 0U});
+    Command(0x02U);
+    Pair();
+    Forget();
+    // When its supply goes and comes
+    device.PowerOff();
+    EXPECT_EQ(device.State(), cia301::NodeState::kInitialising);
+    Start();
+    Cycle();
+    // Then it has booted again, and what waited is gone
+    EXPECT_EQ(device.State(), cia301::NodeState::kPreOperational);
+    EXPECT_EQ(node_resets, 2);
+    EXPECT_EQ(Sent(0x702U), (std::vector<Octets>{{0x00U}}));
+    EXPECT_TRUE(Sent(0x582U).empty());
+}
+
 TEST_F(DeviceTest, OneServerReachesOwnObjectsAndTheKernels)
 {
     Verifies(req::SRS_DEV_001);

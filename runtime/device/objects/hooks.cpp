@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "runtime/node/hooks.hpp"
+#include "runtime/device/objects/hooks.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#ifndef RUNTIME_NODE_OBJECTS_ENTRY_HPP
-#define RUNTIME_NODE_OBJECTS_ENTRY_HPP
+#ifndef RUNTIME_DEVICE_OBJECTS_ENTRY_HPP
+#define RUNTIME_DEVICE_OBJECTS_ENTRY_HPP
 
 #include "canopen/cia301/dictionary/entry.hpp"
 #include "canopen/cia306/file/device.hpp"
@@ -25,4 +25,4 @@ namespace counterpoint::runtime
 [[nodiscard]] std::vector<std::uint8_t> OctetsOf(const std::string& text);
 } // namespace counterpoint::runtime
 
-#endif // RUNTIME_NODE_OBJECTS_ENTRY_HPP
+#endif // RUNTIME_DEVICE_OBJECTS_ENTRY_HPP

@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "runtime/node/objects/entry.hpp"
+#include "runtime/device/objects/entry.hpp"
 
 #include "canopen/cia306/safety/device_parameters.hpp"
 

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "runtime/node/objects/objects.hpp"
+#include "runtime/device/objects/objects.hpp"
 
-#include "runtime/node/objects/entry.hpp"
+#include "runtime/device/objects/entry.hpp"
 
 #include "canopen/cia301/base/cob_id.hpp"
 #include "canopen/cia301/base/little_endian.hpp"
@@ -38,9 +38,10 @@ constexpr std::uint8_t kPdoEntries = 64U;
 constexpr std::uint64_t kSourceMode = 254U;
 
 /// The hook of an object whose value a service keeps; null: none does.
-cia301::NumberHook* HookOf(const cia301::Entry& entry, device::Services& services, NodeFurther& further)
+cia301::NumberHook* HookOf(const cia301::Entry& entry, device::Services& services,
+                           const DeviceObjects::FindHook& further)
 {
-    if (cia301::NumberHook* const hook = further.HookOf(entry.index))
+    if (cia301::NumberHook* const hook = further(entry.index))
     {
         return hook;
     }
@@ -69,7 +70,7 @@ bool IsOfServiceObjects(const std::uint16_t index)
 }
 } // namespace
 
-NodeObjects::NodeObjects(const cia306::Device& device, const std::uint8_t node_id, const IsKernels& is_kernels)
+DeviceObjects::DeviceObjects(const cia306::Device& device, const std::uint8_t node_id, const IsKernels& is_kernels)
     : file_(device.file)
 {
     for (const auto& [index, object] : device.objects)
@@ -95,12 +96,12 @@ NodeObjects::NodeObjects(const cia306::Device& device, const std::uint8_t node_i
     AppendPdos(device);
 }
 
-const cia301::EntryTable& NodeObjects::Table() const noexcept
+const cia301::EntryTable& DeviceObjects::Table() const noexcept
 {
     return table_;
 }
 
-device::ServiceRooms NodeObjects::Rooms() noexcept
+device::ServiceRooms DeviceObjects::Rooms() noexcept
 {
     return {{supervised_.data(), static_cast<std::uint8_t>(supervised_.size())},
             {tpdos_.data(), static_cast<std::uint16_t>(tpdos_.size())},
@@ -108,7 +109,8 @@ device::ServiceRooms NodeObjects::Rooms() noexcept
             {sdo_buffer_.data(), static_cast<std::uint32_t>(sdo_buffer_.size())}};
 }
 
-void NodeObjects::Connect(device::Services& services, NodeFurther& further, cia301::NumberHook* const store) noexcept
+void DeviceObjects::Connect(device::Services& services, const FindHook& further,
+                            cia301::NumberHook* const store) noexcept
 {
     for (cia301::Entry& entry : entries_)
     {
@@ -141,7 +143,7 @@ void NodeObjects::Connect(device::Services& services, NodeFurther& further, cia3
     }
 }
 
-void NodeObjects::Append(const cia306::Entry& source, const std::uint8_t node_id)
+void DeviceObjects::Append(const cia306::Entry& source, const std::uint8_t node_id)
 {
     SetValue(source, node_id);
     cia301::Entry entry{};
@@ -160,7 +162,7 @@ void NodeObjects::Append(const cia306::Entry& source, const std::uint8_t node_id
 }
 
 /// A PDO for each object of communication parameters, with as many fields as its mapping has sub-indices.
-void NodeObjects::AppendPdos(const cia306::Device& device)
+void DeviceObjects::AppendPdos(const cia306::Device& device)
 {
     for (std::uint16_t number = 1U; number <= kHighestPdo; ++number)
     {
@@ -177,7 +179,7 @@ void NodeObjects::AppendPdos(const cia306::Device& device)
     }
 }
 
-cia301::PdoMap NodeObjects::MapOf(const cia306::Device& device, const std::uint16_t index)
+cia301::PdoMap DeviceObjects::MapOf(const cia306::Device& device, const std::uint16_t index)
 {
     const cia306::Object* const object = device.Find(index);
     const cia306::Entry* const count = device.Find(index, 0U);
@@ -199,7 +201,7 @@ cia301::PdoMap NodeObjects::MapOf(const cia306::Device& device, const std::uint1
 }
 
 /// The value of the file as bytes, 0 where it gives none.
-void NodeObjects::SetValue(const cia306::Entry& source, const std::uint8_t node_id)
+void DeviceObjects::SetValue(const cia306::Entry& source, const std::uint8_t node_id)
 {
     Stored stored;
     stored.entry = entries_.size();
@@ -235,7 +237,7 @@ void NodeObjects::SetValue(const cia306::Entry& source, const std::uint8_t node_
     stored_.push_back(stored);
 }
 
-void NodeObjects::SetRoom(cia301::Entry& entry, const cia306::Entry& source)
+void DeviceObjects::SetRoom(cia301::Entry& entry, const cia306::Entry& source)
 {
     std::vector<std::uint8_t> room = stored_.back().value;
     if (source.type.bits == 0U)
@@ -250,7 +252,7 @@ void NodeObjects::SetRoom(cia301::Entry& entry, const cia306::Entry& source)
     entry.place = memory_.back().data();
 }
 
-void NodeObjects::SetLimits(cia301::Entry& entry, const cia306::Entry& source, const std::uint8_t node_id)
+void DeviceObjects::SetLimits(cia301::Entry& entry, const cia306::Entry& source, const std::uint8_t node_id)
 {
     if (source.low_limit.IsSet() || source.high_limit.IsSet())
     {
@@ -262,8 +264,8 @@ void NodeObjects::SetLimits(cia301::Entry& entry, const cia306::Entry& source, c
     }
 }
 
-std::uint64_t NodeObjects::LimitOf(const cia306::Entry& source, const cia306::Text& text, const std::uint8_t node_id,
-                                   const std::uint64_t otherwise) const
+std::uint64_t DeviceObjects::LimitOf(const cia306::Entry& source, const cia306::Text& text, const std::uint8_t node_id,
+                                     const std::uint64_t otherwise) const
 {
     if (!text.IsSet() || source.type.bits == 0U)
     {
@@ -280,7 +282,7 @@ std::uint64_t NodeObjects::LimitOf(const cia306::Entry& source, const cia306::Te
     return cia301::NumberOf(TypeOf(source), {bytes.data(), size});
 }
 
-void NodeObjects::LoadApplication() noexcept
+void DeviceObjects::LoadApplication() noexcept
 {
     for (const Stored& stored : stored_)
     {
@@ -291,7 +293,7 @@ void NodeObjects::LoadApplication() noexcept
     }
 }
 
-void NodeObjects::LoadCommunication() noexcept
+void DeviceObjects::LoadCommunication() noexcept
 {
     refusals_.clear();
     for (const Stored& stored : stored_)
@@ -303,7 +305,7 @@ void NodeObjects::LoadCommunication() noexcept
     }
 }
 
-void NodeObjects::Load(const Stored& stored) noexcept
+void DeviceObjects::Load(const Stored& stored) noexcept
 {
     cia301::Entry& entry = entries_[stored.entry];
     const auto size = static_cast<std::uint32_t>(stored.value.size());
@@ -333,12 +335,12 @@ void NodeObjects::Load(const Stored& stored) noexcept
     }
 }
 
-const std::vector<std::string>& NodeObjects::Refusals() const noexcept
+const std::vector<std::string>& DeviceObjects::Refusals() const noexcept
 {
     return refusals_;
 }
 
-std::vector<std::string> NodeObjects::PdosTurnedOff(cia301::Dictionary& dictionary) const
+std::vector<std::string> DeviceObjects::PdosTurnedOff(cia301::Dictionary& dictionary) const
 {
     std::vector<std::string> lines;
     for (const Stored& stored : stored_)

@@ -1,12 +1,11 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#ifndef RUNTIME_NODE_OBJECTS_OBJECTS_HPP
-#define RUNTIME_NODE_OBJECTS_OBJECTS_HPP
+#ifndef RUNTIME_DEVICE_OBJECTS_OBJECTS_HPP
+#define RUNTIME_DEVICE_OBJECTS_OBJECTS_HPP
 
 #include "canopen/cia301/dictionary/dictionary.hpp"
 #include "canopen/cia306/file/device.hpp"
 #include "canopen/device/services.hpp"
-#include "runtime/node/hooks.hpp"
-#include "runtime/node/objects/further.hpp"
+#include "runtime/device/objects/hooks.hpp"
 
 #include <cstdint>
 #include <deque>
@@ -19,22 +18,24 @@ namespace counterpoint::runtime
 {
 /// The objects of an EDS or DCF that are not the kernel's, as a table for a dictionary; owns their values. Stays where
 /// it is. [SRS_NODE_001]
-class NodeObjects
+class DeviceObjects
 {
   public:
     using IsKernels = std::function<bool(std::uint16_t index, std::uint8_t sub)>;
+    /// Finds the hook of an object that belongs to a service beside Services; null: it does not.
+    using FindHook = std::function<cia301::NumberHook*(std::uint16_t index)>;
 
     /// Throws cia306::InputError for a value or limit that its data type cannot have.
-    NodeObjects(const cia306::Device& device, std::uint8_t node_id, const IsKernels& is_kernels);
-    NodeObjects(const NodeObjects&) = delete;
-    NodeObjects& operator=(const NodeObjects&) = delete;
+    DeviceObjects(const cia306::Device& device, std::uint8_t node_id, const IsKernels& is_kernels);
+    DeviceObjects(const DeviceObjects&) = delete;
+    DeviceObjects& operator=(const DeviceObjects&) = delete;
 
     /// @brief Stays as it is, but for the hooks that Connect fills in.
     [[nodiscard]] const cia301::EntryTable& Table() const noexcept;
     /// @brief What the services of this device need; owned here.
     [[nodiscard]] device::ServiceRooms Rooms() noexcept;
     /// @brief The objects of services lead to them from now on, 1010h and 1011h to `store`; null: there is none.
-    void Connect(device::Services& services, NodeFurther& further, cia301::NumberHook* store) noexcept;
+    void Connect(device::Services& services, const FindHook& further, cia301::NumberHook* store) noexcept;
     /// @brief Values of the file for all objects from 2000h on.
     void LoadApplication() noexcept;
     /// @brief The same for 1000h to 1FFFh; services take theirs by their hooks.
@@ -84,4 +85,4 @@ class NodeObjects
 };
 } // namespace counterpoint::runtime
 
-#endif // RUNTIME_NODE_OBJECTS_OBJECTS_HPP
+#endif // RUNTIME_DEVICE_OBJECTS_OBJECTS_HPP

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#ifndef RUNTIME_NODE_HOOKS_HPP
-#define RUNTIME_NODE_HOOKS_HPP
+#ifndef RUNTIME_DEVICE_OBJECTS_HOOKS_HPP
+#define RUNTIME_DEVICE_OBJECTS_HOOKS_HPP
 
 #include "canopen/cia301/dictionary/entry.hpp"
 #include "canopen/cia301/dictionary/foreign_objects.hpp"
@@ -37,4 +37,4 @@ class NoStoreHook final : public cia301::ReadHook, public cia301::WriteHook
 };
 } // namespace counterpoint::runtime
 
-#endif // RUNTIME_NODE_HOOKS_HPP
+#endif // RUNTIME_DEVICE_OBJECTS_HOOKS_HPP

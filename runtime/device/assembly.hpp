@@ -1,0 +1,171 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef RUNTIME_DEVICE_ASSEMBLY_HPP
+#define RUNTIME_DEVICE_ASSEMBLY_HPP
+
+#include "canopen/cia306/file/device.hpp"
+#include "canopen/device/device.hpp"
+#include "canopen/device/safety_objects.hpp"
+#include "hal/api/watchdog_timer.hpp"
+#include "runtime/device/model.hpp"
+#include "runtime/device/objects/hooks.hpp"
+#include "runtime/device/objects/objects.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace counterpoint::runtime
+{
+/// Whoever runs an assembly: is told what passes at its resets. Called from within calls of the assembly's device.
+class AssemblyOwner
+{
+  public:
+    /// @brief Reset node: the kernel is started next.
+    virtual void OnStart() noexcept = 0;
+    /// @brief The kernel refuses the device, which stays in INITIALISATION.
+    virtual void OnNoStart(StartResult result) noexcept = 0;
+    /// @brief The values of the file are there; whoever stored others loads them now. Of cia301::StoreGroup.
+    virtual void OnLoaded(std::uint8_t groups) noexcept = 0;
+    /// @brief The kernel refuses a value of the file.
+    virtual void OnRefused(const ConfigurationWrite& write, AbortCode code) noexcept = 0;
+    /// @brief Reset communication: from now on nothing was told. `refusals`: what services refuse of the file, as
+    /// lines.
+    virtual void OnResetCommunication(const std::vector<std::string>& refusals) noexcept = 0;
+
+  protected:
+    AssemblyOwner() noexcept = default;
+    ~AssemblyOwner() noexcept = default;
+    AssemblyOwner(const AssemblyOwner&) = default;
+    AssemblyOwner& operator=(const AssemblyOwner&) = default;
+};
+
+/// Which services an assembly has.
+enum class ServiceExtent : std::uint8_t
+{
+    kAll = 0U,
+    kNmt = 1U, ///< NMT commands alone, and no boot-up message: a device that is only looked at for its SRDOs.
+};
+
+/// What the kernel and the services are given. Each may be a shipped part or a tap in front of one. All outlive it.
+struct AssemblyParts
+{
+    Channel& channel_a;
+    Channel& channel_b;
+    hal::CanPorts& can;
+    hal::SafetyOutput& output;
+    hal::Watchdog& watchdog;
+    Application& application;
+    SelfTestPart* self_test; ///< Null: the device has none.
+    AssemblyOwner& owner;
+    ServiceExtent extent;
+};
+
+/// Dictionary and services of a device of a DCF, and the watch that makes emergencies of the kernel's errors.
+class ServiceAssembly
+{
+  public:
+    /// @brief `kernel` need not be there yet. Throws cia306::InputError.
+    ServiceAssembly(const cia306::Device& file, const DeviceModel& model, const DeviceConfig& config, Kernel& kernel,
+                    const AssemblyParts& parts);
+    ServiceAssembly(const ServiceAssembly&) = delete;
+    ServiceAssembly& operator=(const ServiceAssembly&) = delete;
+
+    /// @brief Supply off: no error is there any more.
+    void PowerOff() noexcept;
+
+  private:
+    DeviceObjects objects_;
+    std::vector<std::uint32_t> history_;             ///< 1003h.
+    std::vector<cia301::EmergencyError> errors_;     ///< Room for all that may be wrong at once,
+    std::vector<cia301::EmergencyMessage> messages_; ///< and for telling it.
+    cia301::EmergencyProducer emergency_;
+    device::KernelWatch watch_;
+    device::SafetyObjects facade_;
+    NoSafetyObjects no_safety_{}; ///< Instead of it, for a plain device.
+    cia301::Dictionary dictionary_;
+    device::Services services_;
+    std::vector<device::QueuedFrame> room_;
+
+    friend class DeviceAssembly;
+};
+
+/// A device of a DCF: kernel, dictionary, services and what joins them. The only composition of them on a host; the
+/// simulator puts its taps into the parts. [SRS_NODE_001, SRS_SIM_001]
+class DeviceAssembly final : private device::Owner
+{
+  public:
+    /// @brief All given outlive it. Throws cia306::InputError.
+    DeviceAssembly(const cia306::Device& file, DeviceModel& model, const DeviceConfig& config,
+                   const AssemblyParts& parts);
+
+    /// @brief Objects of services lead to them from now on; `store` null: 1010h and 1011h save nothing. Once, before
+    /// power-on, of a device with services.
+    void Connect(const DeviceObjects::FindHook& further, cia301::NumberHook* store) noexcept;
+    /// @brief Supply off: what the services had in memory is gone.
+    void PowerOff() noexcept;
+    /// @brief The shortest refresh time of producers that the application sends by itself, in cycles; 0: it sends none.
+    [[nodiscard]] std::uint32_t CyclesPerSend() noexcept;
+    /// @brief Sends all SRDOs that the application sends by itself.
+    void SendAll() noexcept;
+
+    [[nodiscard]] Kernel& Core() noexcept
+    {
+        return kernel_;
+    }
+    /// @brief What the kernel calls as its application.
+    [[nodiscard]] Application& Told() noexcept
+    {
+        return told_;
+    }
+    /// @brief Of a device with services; the same of the two below.
+    [[nodiscard]] cia301::Dictionary& Dictionary() noexcept
+    {
+        return rest_->dictionary_;
+    }
+    [[nodiscard]] device::Services& Services() const noexcept
+    {
+        return rest_->services_;
+    }
+    [[nodiscard]] device::Device& Device() noexcept
+    {
+        return device_;
+    }
+    [[nodiscard]] DeviceObjects& Objects() noexcept
+    {
+        return rest_->objects_;
+    }
+    /// @brief LSS gave another node-ID, and communication was reset: a device with that node-ID has to be made.
+    [[nodiscard]] std::optional<std::uint8_t> NewNodeId() const noexcept;
+
+  private:
+    [[nodiscard]] device::LoadResult OnResetNode() noexcept override;
+    [[nodiscard]] device::LoadResult OnResetCommunication() noexcept override;
+    [[nodiscard]] device::FrameRoom SafetyRoom() noexcept;
+    [[nodiscard]] bool IsSafetyLoaded() noexcept;
+    void LoadSafety() noexcept;
+
+    DeviceModel& model_;
+    const DeviceConfig& config_;
+    AssemblyOwner& owner_;
+    std::unique_ptr<ServiceAssembly> rest_; ///< Null: NMT alone.
+    device::NoServices bare_;               ///< Instead of them.
+    Application& told_;
+    Kernel kernel_;
+    std::vector<device::QueuedFrame> safety_room_;
+    device::Device device_;
+    std::uint8_t new_node_id_{0U};
+};
+
+/// @brief Mapped by an SRDO or made for one: an object that a file only marks as process data is not the kernel's.
+[[nodiscard]] std::vector<MappableObject> SafetyObjectsOf(const DeviceModel& model, const cia306::Device& device);
+/// @brief The configuration of the model with these objects, which outlive it. Another cycle time is another device
+/// than that of the file: no digest is expected, and what has to last some cycles does. Throws cia306::InputError.
+[[nodiscard]] DeviceConfig ConfigOf(const DeviceModel& model, const std::vector<MappableObject>& objects,
+                                    std::optional<std::uint32_t> cycle_us);
+/// @brief When the watchdog of a device is to be served.
+[[nodiscard]] hal::WatchdogWindow WindowOf(const DeviceConfig& config) noexcept;
+} // namespace counterpoint::runtime
+
+#endif // RUNTIME_DEVICE_ASSEMBLY_HPP
