@@ -39,9 +39,9 @@ CommunicationIndex IndexOf(const std::uint8_t srdo)
 }
 } // namespace
 
-ServiceAssembly::ServiceAssembly(const cia306::Device& file, const DeviceModel& model, const DeviceConfig& config,
-                                 Kernel& kernel, const AssemblyParts& parts)
-    : objects_(file, config.node_id, KernelsOf(config)), history_(HistoryOf(file)),
+ServiceAssembly::ServiceAssembly(const DeviceModel& model, const DeviceConfig& config, Kernel& kernel,
+                                 const AssemblyParts& parts)
+    : objects_(*parts.file, config.node_id, KernelsOf(config)), history_(HistoryOf(*parts.file)),
       errors_(device::EmergencyPlaces(config.srdo_count, objects_.Rooms())), messages_(errors_.size()),
       emergency_({config.node_id}, {history_.data(), static_cast<std::uint8_t>(history_.size())},
                  {errors_.data(), messages_.data(), static_cast<std::uint16_t>(errors_.size())}),
@@ -60,12 +60,9 @@ void ServiceAssembly::PowerOff() noexcept
     }
 }
 
-DeviceAssembly::DeviceAssembly(const cia306::Device& file, DeviceModel& model, const DeviceConfig& config,
-                               const AssemblyParts& parts)
+DeviceAssembly::DeviceAssembly(DeviceModel& model, const DeviceConfig& config, const AssemblyParts& parts)
     : model_(model), config_(config), owner_(parts.owner),
-      rest_((parts.extent == ServiceExtent::kAll)
-                ? std::make_unique<ServiceAssembly>(file, model, config, kernel_, parts)
-                : nullptr),
+      rest_((parts.file == nullptr) ? nullptr : std::make_unique<ServiceAssembly>(model, config, kernel_, parts)),
       bare_({config.node_id}, nullptr), told_((rest_ == nullptr) ? parts.application : rest_->watch_),
       kernel_({parts.channel_a, parts.channel_b, parts.can, parts.output, parts.watchdog, told_, parts.self_test}),
       safety_room_(2U * config.srdo_count + 2U),

@@ -41,13 +41,6 @@ class AssemblyOwner
     AssemblyOwner& operator=(const AssemblyOwner&) = default;
 };
 
-/// Which services an assembly has.
-enum class ServiceExtent : std::uint8_t
-{
-    kAll = 0U,
-    kNmt = 1U, ///< NMT commands alone, and no boot-up message: a device that is only looked at for its SRDOs.
-};
-
 /// What the kernel and the services are given. Each may be a shipped part or a tap in front of one. All outlive it.
 struct AssemblyParts
 {
@@ -59,7 +52,8 @@ struct AssemblyParts
     Application& application;
     SelfTestPart* self_test; ///< Null: the device has none.
     AssemblyOwner& owner;
-    ServiceExtent extent;
+    /// Null: no services but NMT commands, and no boot-up message: of a device that is only looked at for its SRDOs.
+    const cia306::Device* file;
 };
 
 /// Dictionary and services of a device of a DCF, and the watch that makes emergencies of the kernel's errors.
@@ -67,8 +61,7 @@ class ServiceAssembly
 {
   public:
     /// @brief `kernel` need not be there yet. Throws cia306::InputError.
-    ServiceAssembly(const cia306::Device& file, const DeviceModel& model, const DeviceConfig& config, Kernel& kernel,
-                    const AssemblyParts& parts);
+    ServiceAssembly(const DeviceModel& model, const DeviceConfig& config, Kernel& kernel, const AssemblyParts& parts);
     ServiceAssembly(const ServiceAssembly&) = delete;
     ServiceAssembly& operator=(const ServiceAssembly&) = delete;
 
@@ -97,8 +90,7 @@ class DeviceAssembly final : private device::Owner
 {
   public:
     /// @brief All given outlive it. Throws cia306::InputError.
-    DeviceAssembly(const cia306::Device& file, DeviceModel& model, const DeviceConfig& config,
-                   const AssemblyParts& parts);
+    DeviceAssembly(DeviceModel& model, const DeviceConfig& config, const AssemblyParts& parts);
 
     /// @brief Objects of services lead to them from now on; `store` null: 1010h and 1011h save nothing. Once, before
     /// power-on, of a device with services.

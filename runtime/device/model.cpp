@@ -265,23 +265,6 @@ ObjectData DataOf(const ConfigurationWrite& write)
     return data;
 }
 
-void Commission(Kernel& kernel, DeviceModel& model)
-{
-    for (const StaticTable& table : model.StaticTables())
-    {
-        static_cast<void>(kernel.DefineStaticFields(
-            {static_cast<std::uint16_t>(cia306::kFirstCommunicationIndex - 1U + table.number)}, model.FieldsOf(table)));
-    }
-    for (const ConfigurationWrite& write : model.Writes())
-    {
-        const AbortCode code = kernel.WriteObject(write.object, DataOf(write));
-        if (code != AbortCode::kNone)
-        {
-            throw RefusalOf(model, write, code);
-        }
-    }
-}
-
 cia306::InputError RefusalOf(const DeviceModel& model, const ConfigurationWrite& write, const AbortCode code)
 {
     const std::string object = cia306::ObjectName(write.object.index, write.object.sub);

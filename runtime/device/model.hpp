@@ -134,7 +134,6 @@ class DeviceModel
     DeviceConfig config_{};
 };
 
-void Commission(Kernel& kernel, DeviceModel& model);
 /// @brief The bytes of a write.
 [[nodiscard]] ObjectData DataOf(const ConfigurationWrite& write);
 /// @brief That the kernel refuses a value of the file, for people.

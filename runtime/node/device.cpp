@@ -28,9 +28,9 @@ NodeDevice::NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeRepor
       channel_a_(MakeChannel(runtime::Letter::kA, runtime::RoomOf(config_))),
       channel_b_(MakeChannel(runtime::Letter::kB, runtime::RoomOf(config_))), application_(model_, report),
       self_test_(settings.has_self_tests ? std::make_unique<NodeSelfTest>(output_) : nullptr),
-      assembly_(file_, model_, config_,
+      assembly_(model_, config_,
                 {channel_a_->Voice(), channel_b_->Voice(), ports, output_, watchdog_, application_,
-                 self_test_ ? &self_test_->Part() : nullptr, *this, ServiceExtent::kAll}),
+                 self_test_ ? &self_test_->Part() : nullptr, *this, &file_}),
       further_(file_, assembly_.Dictionary(), assembly_.Services(), report,
                assembly_.Objects().Rooms().sdo_buffer.size_bytes),
       store_(settings.store.empty() ? nullptr

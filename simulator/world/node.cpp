@@ -10,7 +10,9 @@ namespace counterpoint::simulator
 namespace
 {
 constexpr std::int64_t kMillion = 1000000;
-constexpr std::uint16_t kCommunicationBase = 0x1300U;
+constexpr std::uint8_t kStart = 1U; ///< NMT commands.
+constexpr std::uint8_t kStop = 2U;
+constexpr std::uint8_t kEnterPreOperational = 128U;
 
 hal::GateLimit LimitOf(const DeviceConfig& config)
 {
@@ -44,11 +46,13 @@ Node::Node(const NodeIndex index, const NodeSetup& setup, runtime::DeviceModel& 
                 : std::make_unique<Peer>(
                       RealChannel((setup.role == runtime::CpuRole::kA) ? runtime::Letter::kA : runtime::Letter::kB),
                       Supervision(), LinkConfigOf(setup))),
-      kernel_({VoiceOf(runtime::Letter::kA), VoiceOf(runtime::Letter::kB), can_, Output(),
-               (peer_ == nullptr) ? Supervision() : peer_->Watchdog(), application_, self_test_.get()})
+      assembly_(model, model.Config(),
+                {VoiceOf(runtime::Letter::kA), VoiceOf(runtime::Letter::kB), can_, Output(),
+                 (peer_ == nullptr) ? Supervision() : peer_->Watchdog(), application_, self_test_.get(), *this,
+                 nullptr})
 {
     FurnishSelfTest();
-    application_.Join(kernel_);
+    application_.Join(assembly_.Core());
     ConnectControllers(model.ControllerCount());
     SetCounterRate(true, setup.counter_a.drift_ppm);
     SetCounterRate(false, setup.counter_b.drift_ppm);
@@ -153,8 +157,7 @@ void Node::ScheduleNext()
 // The application's own refresh: at once after a change, and every refresh time after the last time.
 void Node::SendByApplication()
 {
-    const bool is_operational = nmt_ == NmtState::kOperational;
-    if (!is_operational)
+    if (assembly_.Device().State() != cia301::NodeState::kOperational)
     {
         cycles_to_send_ = 0U;
         return;
@@ -170,20 +173,8 @@ void Node::SendByApplication()
         [this]()
         {
             RequireSound();
-            SendEach();
+            assembly_.SendAll();
         });
-}
-
-void Node::SendEach()
-{
-    for (SlotIndex slot = 0U; slot < model_.Config().srdo_count; ++slot)
-    {
-        if (model_.Config().srdos[slot].form == ProducerForm::kApplicationSends)
-        {
-            const auto index = static_cast<std::uint16_t>(kCommunicationBase + NumberOf(slot));
-            static_cast<void>(kernel_.Send({index})); // Consumers among them refuse.
-        }
-    }
 }
 
 void Node::Take(const StampedFrame& frame)
@@ -201,7 +192,8 @@ void Node::Take(const StampedFrame& frame)
         {
             RequireSound();
             const bool is_echo = peer_ != nullptr && peer_->IsEcho(frame.frame);
-            is_echo ? kernel_.OnConfirm(Stamped(frame)) : kernel_.OnFrame(Stamped(frame));
+            is_echo ? assembly_.Device().OnConfirm(Stamped(frame)) : assembly_.Device().OnFrame(Stamped(frame));
+            assembly_.Device().HandOver();
         });
 }
 
@@ -216,13 +208,14 @@ void Node::TakeConfirmation(const StampedFrame& frame)
         [this, &frame]()
         {
             RequireSound();
-            kernel_.OnConfirm(Stamped(frame));
+            assembly_.Device().OnConfirm(Stamped(frame));
+            assembly_.Device().HandOver();
         });
 }
 
 void Node::TakeOverflow()
 {
-    kernel_.OnOverflow();
+    assembly_.Device().OnLoss();
 }
 
 // Independent of both channels: a pair is good when it is complete, in order and inverse over all its bytes.
@@ -294,18 +287,38 @@ void Node::LookAtWatchdog()
 
 void Node::SetNmt(const NmtState state)
 {
-    nmt_ = state;
     journal_.Tell({Now(), EventKind::kNmt, index_, 0U, static_cast<std::uint64_t>(state), 0U});
-    if (!is_hung_ && is_on_)
+    if (state == NmtState::kOperational)
     {
-        application_.SetNow(Now());
-        Guarded(
-            [this, state]()
-            {
-                RequireSound();
-                kernel_.SetNmtState(state);
-            });
+        Obey(kStart);
+    }
+    else
+    {
+        Obey((state == NmtState::kStopped) ? kStop : kEnterPreOperational);
     }
 }
 
+// As a frame of a master that no bus carried.
+void Node::Obey(const std::uint8_t command)
+{
+    if (is_hung_ || !is_on_)
+    {
+        return;
+    }
+    application_.SetNow(Now());
+    CanFrame frame{};
+    frame.kind = FrameKind::kData;
+    frame.port = CanPortId::kFirst;
+    frame.length_bytes = 2U;
+    frame.data[0] = command;
+    frame.data[1] = model_.Config().node_id;
+    Guarded(
+        [this, &frame]()
+        {
+            RequireSound();
+            assembly_.Device().OnFrame({frame, Instants()});
+            assembly_.Device().Serve(Instants().a);
+            cycles_per_send_ = assembly_.CyclesPerSend();
+        });
+}
 } // namespace counterpoint::simulator

@@ -2,6 +2,7 @@
 #ifndef SIMULATOR_WORLD_NODE_HPP
 #define SIMULATOR_WORLD_NODE_HPP
 
+#include "runtime/device/assembly.hpp"
 #include "runtime/device/channel_host.hpp"
 #include "runtime/device/model.hpp"
 #include "simulator/faults/channel_tap.hpp"
@@ -50,9 +51,9 @@ enum class Insight : std::uint8_t
 /// What the core is told of the link. [SRS_SIM_056]
 [[nodiscard]] LinkConfig LinkConfigOf(const NodeSetup& setup);
 
-/// One device of the simulated network, or one CPU of it: shipped kernel and channels on the hardware layer of the
-/// host. [SRS_SIM_001]
-class Node final : private host::FrameSink, private ChannelWitness
+/// One device of the simulated network, or one CPU of it: an assembly with shipped channels on the hardware layer of
+/// the host, with taps in front of them where it is looked into. [SRS_SIM_001]
+class Node final : private host::FrameSink, private ChannelWitness, private runtime::AssemblyOwner
 {
   public:
     /// @brief Everything given outlives the node.
@@ -83,6 +84,7 @@ class Node final : private host::FrameSink, private ChannelWitness
     /// @brief Does what is due at the bus's present instant.
     void Run();
 
+    /// @brief A command of the NMT master for this node alone, or that another way leads to that state.
     void SetNmt(NmtState state);
     void SetAcknowledge(std::uint8_t srdo, bool level);
     void SendGfc();
@@ -124,6 +126,11 @@ class Node final : private host::FrameSink, private ChannelWitness
     void OnOverflow() override;
     void OnOutcome(Part part, const Channel& channel, const CycleOutcome& outcome) override;
     [[nodiscard]] bool Concerns(const CanFrame& frame) const override;
+    void OnStart() noexcept override; // Of the assembly; the four below as well.
+    void OnNoStart(StartResult result) noexcept override;
+    void OnLoaded(std::uint8_t groups) noexcept override;
+    void OnRefused(const runtime::ConfigurationWrite& write, AbortCode code) noexcept override;
+    void OnResetCommunication(const std::vector<std::string>& refusals) noexcept override;
     [[nodiscard]] SlotIndex ConsumerOf(const CanFrame& frame) const;
 
     void ConnectControllers(std::uint32_t count);
@@ -135,13 +142,13 @@ class Node final : private host::FrameSink, private ChannelWitness
     [[nodiscard]] hal::Watchdog& Supervision() noexcept;
     [[nodiscard]] InstantPair Instants() noexcept;
     [[nodiscard]] StampedFrame Stamped(const StampedFrame& frame) const noexcept;
+    void Obey(std::uint8_t command);
     void RunKernel(const CycleCall& call);
     void TellLink();
     [[nodiscard]] std::vector<MemoryPiece> WatchedPieces(Part part);
     void NoteSelfTest();
     void StartFresh();
     void BeginCounters();
-    void PrepareSending();
     void Take(const StampedFrame& frame);
     void TakeConfirmation(const StampedFrame& frame);
     void TakeOverflow();
@@ -154,7 +161,6 @@ class Node final : private host::FrameSink, private ChannelWitness
     /// @brief Makes a call into the kernel that may never return.
     template <typename Call> void Guarded(const Call& call);
     void SendByApplication();
-    void SendEach();
     void LookAtOutput();
     void LookAtWatchdog();
     void SettleNextEvent() noexcept;
@@ -193,7 +199,10 @@ class Node final : private host::FrameSink, private ChannelWitness
     std::unique_ptr<Peer> peer_;              ///< Null: the device has one CPU.
     LinkWire* wire_{nullptr};
     LinkState shown_link_{LinkState::kWaiting};
-    Kernel kernel_;
+    runtime::DeviceAssembly assembly_;
+    StartResult started_{StartResult::kStarted};               ///< What the kernel said last.
+    std::optional<runtime::ConfigurationWrite> refused_write_; ///< The first one at this start.
+    AbortCode refused_{AbortCode::kNone};
 
     Nanoseconds next_cycle_{0};
     Nanoseconds cycle_ns_{0};        ///< Whole nanoseconds of a cycle on the node's oscillator.
@@ -218,7 +227,6 @@ class Node final : private host::FrameSink, private ChannelWitness
     bool may_be_wild_{false}; ///< A pointer to a virtual table was hit.
     bool is_on_{false};
     bool was_alive_{true};
-    NmtState nmt_{NmtState::kInvalid};
     // Last shown to people.
     Voice voice_a_{};
     Voice voice_b_{};

@@ -27,7 +27,7 @@ void Node::SendGfc()
             [this, &result]()
             {
                 RequireSound();
-                result = kernel_.SendGfc();
+                result = assembly_.Core().SendGfc();
             });
     }
     journal_.Tell({Now(), EventKind::kGfc, index_, 0U, (result == Result::kSuccessful) ? 1U : 0U, 0U});
@@ -64,7 +64,7 @@ std::vector<MemoryPiece> Node::PiecesOfPart(const Part part, const std::uint8_t 
     }
     const bool is_of_device =
         part == Part::kSetup || part == Part::kSafeValue || part == Part::kObjects || part == Part::kVariables;
-    return is_of_device ? PiecesOf(part, model_, srdo) : PiecesOf(part, kernel_);
+    return is_of_device ? PiecesOf(part, model_, srdo) : PiecesOf(part, assembly_.Core());
 }
 
 const std::vector<host::NodeIndex>& Node::BusNodes() const noexcept
@@ -108,7 +108,7 @@ host::HostCanPorts& Node::Can() noexcept
 
 Kernel& Node::Core() noexcept
 {
-    return kernel_;
+    return assembly_.Core();
 }
 
 const PairTimes& Node::TimesOf(const SlotIndex slot) const noexcept

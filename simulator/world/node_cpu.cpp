@@ -90,14 +90,14 @@ void Node::RunKernel(const CycleCall& call)
 {
     if (peer_ != nullptr && peer_->Examine(call.now.a) != LinkFinding::kNone)
     {
-        kernel_.OnCrossLinkFault();
+        assembly_.Core().OnCrossLinkFault();
     }
-    kernel_.Cycle(call);
+    assembly_.Device().Cycle(call);
     if (peer_ != nullptr)
     {
         RequireSound();
         hal::LinkFrame message{};
-        peer_->Compose({call.now.a, kernel_.DeviceState().fault}, message);
+        peer_->Compose({call.now.a, assembly_.Core().DeviceState().fault}, message);
         wire_->Send(index_, message, Now());
     }
 }

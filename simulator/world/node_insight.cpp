@@ -77,7 +77,7 @@ void Node::LookInside()
         return;
     }
     TellLink();
-    const Verdict& verdict = kernel_.LastVerdict();
+    const Verdict& verdict = assembly_.Core().LastVerdict();
     const SrdoMask slots = ~SrdoMask{0U} >> (kMaxSrdoCount - model_.Config().srdo_count);
     const SrdoMask agreed = verdict.agreement.agreed & slots;
     const SrdoMask matched = verdict.agreement.matched & slots;

@@ -11,11 +11,7 @@ namespace counterpoint::simulator
 namespace
 {
 constexpr std::size_t kTransmitCapacity = 16U;
-
-hal::WatchdogWindow WindowOf(const DeviceConfig& config)
-{
-    return {config.cycle_us / 2U, config.cycle_us + config.cycle_tolerance_us};
-}
+constexpr std::uint8_t kResetCommunication = 130U;
 } // namespace
 
 // Two controllers hear each other on the one bus: the second takes the inverse frames of SRDOs (even identifiers), the
@@ -42,7 +38,24 @@ void Node::ConnectControllers(const std::uint32_t count)
 
 void Node::Rehearse()
 {
-    model_.ResetVariables();
+    refused_write_.reset();
+    assembly_.PowerOff();
+    const bool is_up = assembly_.Device().PowerOn(Instants().a) == device::LoadResult::kLoaded;
+    if (refused_write_)
+    {
+        throw runtime::RefusalOf(model_, *refused_write_, refused_);
+    }
+    if (!is_up)
+    {
+        throw cia306::InputError(model_.File(), 0U,
+                                 {"the kernel refuses this device, reason " +
+                                      std::to_string(static_cast<unsigned>(started_)) + " of StartResult",
+                                  "SRDOs, objects and times of 0x5F00 within the ranges of DeviceConfig"});
+    }
+}
+
+void Node::OnStart() noexcept
+{
     image_.RestorePointers();
     may_be_wild_ = false;
     application_.ForgetFault();
@@ -50,17 +63,31 @@ void Node::Rehearse()
     {
         self_test_->Start();
     }
-    const StartResult result = kernel_.Start(model_.Config(), FlowCallback::kOff);
-    if (result != StartResult::kStarted)
+}
+
+void Node::OnNoStart(const StartResult result) noexcept
+{
+    started_ = result;
+}
+
+void Node::OnRefused(const runtime::ConfigurationWrite& write, const AbortCode code) noexcept
+{
+    if (!refused_write_)
     {
-        throw cia306::InputError(model_.File(), 0U,
-                                 {"the kernel refuses this device, reason " +
-                                      std::to_string(static_cast<unsigned>(result)) + " of StartResult",
-                                  "SRDOs, objects and times of 0x5F00 within the ranges of DeviceConfig"});
+        refused_write_ = write;
+        refused_ = code;
     }
-    nmt_ = NmtState::kPreOperational;
-    kernel_.SetNmtState(nmt_);
-    runtime::Commission(kernel_, model_);
+}
+
+// Values of the file are all that a simulated node has.
+void Node::OnLoaded(const std::uint8_t groups) noexcept
+{
+    static_cast<void>(groups);
+}
+
+void Node::OnResetCommunication(const std::vector<std::string>& refusals) noexcept
+{
+    static_cast<void>(refusals);
 }
 
 void Node::StartFresh()
@@ -84,7 +111,7 @@ void Node::StartFresh()
     {
         return;
     }
-    watchdog_.Start(WindowOf(model_.Config()));
+    watchdog_.Start(runtime::WindowOf(model_.Config()));
     was_alive_ = true;
     voice_a_ = Voice{};
     voice_b_ = Voice{};
@@ -94,7 +121,8 @@ void Node::StartFresh()
     fraction_sum_ = 0;
     next_cycle_ = Now();
     ScheduleNext();
-    PrepareSending();
+    cycles_to_send_ = 0U;
+    cycles_per_send_ = 0U;
 }
 
 void Node::PowerOn()
@@ -122,24 +150,6 @@ void Node::BeginCounters()
     const InstantPair now = clocks_.Now();
     clocks_.A().Jump(Now(), static_cast<std::int32_t>(setup_.counter_a.start_us - now.a.us));
     clocks_.B().Jump(Now(), static_cast<std::int32_t>(setup_.counter_b.start_us - now.b.us));
-}
-
-// The shortest refresh time of the producers that the application sends by itself.
-void Node::PrepareSending()
-{
-    cycles_to_send_ = 0U;
-    cycles_per_send_ = 0U;
-    for (const runtime::SrdoModel& srdo : model_.Srdos())
-    {
-        const SlotIndex slot = model_.SlotOf(srdo.number).value_or(0U);
-        const bool sends =
-            srdo.direction == kDirectionProducer && model_.Config().srdos[slot].form == ProducerForm::kApplicationSends;
-        const std::uint32_t cycles = (srdo.times.sct_ms * kMicrosecondsPerMillisecond) / model_.Config().cycle_us;
-        if (sends && (cycles_per_send_ == 0U || cycles < cycles_per_send_))
-        {
-            cycles_per_send_ = std::max(cycles, 1U);
-        }
-    }
 }
 
 void Node::PowerOff()
@@ -181,8 +191,11 @@ void Node::ResetNode()
 
 void Node::ResetCommunication()
 {
-    SetNmt(NmtState::kInitialising);
-    SetNmt(NmtState::kPreOperational);
+    for (const NmtState state : {NmtState::kInitialising, NmtState::kPreOperational})
+    {
+        journal_.Tell({Now(), EventKind::kNmt, index_, 0U, static_cast<std::uint64_t>(state), 0U});
+    }
+    Obey(kResetCommunication);
 }
 
 void Node::Poll(const std::size_t capacity, const std::size_t fault)

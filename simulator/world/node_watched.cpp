@@ -26,7 +26,7 @@ void Node::FurnishSelfTest()
     image_.AddPart(&channel_b_->Voice());
     image_.AddPart(static_cast<hal::SafetyOutput*>(&output_tap_));
     image_.AddPart(static_cast<hal::Watchdog*>(&watchdog_tap_));
-    image_.AddPart(static_cast<Application*>(&application_));
+    image_.AddPart(&assembly_.Told());
     if (peer_ != nullptr)
     {
         image_.AddPart(&peer_->VoiceA());
@@ -45,7 +45,7 @@ void Node::FurnishSelfTest()
             self_test_->AddLive(&channel->Voice(), channel->VoiceSize());
         }
     }
-    self_test_->AddLive(&kernel_, sizeof kernel_);
+    self_test_->AddLive(&assembly_.Core(), sizeof(Kernel));
     if (peer_ != nullptr)
     {
         self_test_->AddLive(peer_.get(), sizeof *peer_);
@@ -125,7 +125,7 @@ void Node::RequireSound()
 // A cycle that ended before any part was called told nobody.
 void Node::NoteSelfTest()
 {
-    application_.NoteUntold(kernel_.DeviceState());
+    application_.NoteUntold(assembly_.Core().DeviceState());
     const bool has_failed = self_test_ != nullptr && self_test_->FirstFailed() != selftest::TestId::kNone;
     if (has_failed && !has_told_test_)
     {
