@@ -39,6 +39,9 @@ void Node::ConnectControllers(const std::uint32_t count)
 void Node::Rehearse()
 {
     refused_write_.reset();
+    // What stood in RAM is gone with the supply, wild pointers too: none may be used on the way up.
+    image_.RestorePointers();
+    may_be_wild_ = false;
     assembly_.PowerOff();
     const bool is_up = assembly_.Device().PowerOn(Instants().a) == device::LoadResult::kLoaded;
     if (refused_write_)
