@@ -30,6 +30,7 @@ inline constexpr RequirementId SRS_VER_020{"SRS_VER_020"};
 inline constexpr RequirementId SRS_VER_021{"SRS_VER_021"};
 inline constexpr RequirementId SRS_VER_030{"SRS_VER_030"};
 inline constexpr RequirementId SRS_VER_031{"SRS_VER_031"};
+inline constexpr RequirementId SRS_VER_032{"SRS_VER_032"};
 } // namespace counterpoint::req
 
 #endif

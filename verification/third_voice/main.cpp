@@ -1,0 +1,47 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/third_voice/sequence.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <iostream>
+
+using namespace counterpoint::third_voice;
+
+int main(const int count, char** const words)
+{
+    CLI::App app{
+        "Compares kernel and channels with a model written from docs/semantics.md alone, over drawn sequences."};
+    std::uint64_t sequences = 1000U;
+    std::uint64_t seed = 1U;
+    std::uint32_t shown = 1U;
+    app.add_option("--sequences", sequences, "How many");
+    app.add_option("--seed", seed, "Of the first one; the next ones follow");
+    app.add_option("--show", shown, "How many differences are told with what came before them");
+    CLI11_PARSE(app, count, words);
+    std::uint64_t differences = 0U;
+    SequenceResult sum;
+    for (std::uint64_t number = 0U; number < sequences; ++number)
+    {
+        const SequenceResult result = RunSequence(seed + number);
+        sum.steps += result.steps;
+        sum.releases += result.releases;
+        sum.faults += result.faults;
+        sum.refusals += result.refusals;
+        if (!result.is_equal)
+        {
+            ++differences;
+            if (differences <= shown)
+            {
+                std::cout << result.story;
+            }
+            if (differences <= 50U)
+            {
+                std::cout << "seed " << seed + number << ": " << result.difference << "\n";
+            }
+        }
+    }
+    std::cout << sequences << " sequences, " << sum.steps << " cycles, " << sum.releases << " releases, " << sum.faults
+              << " causes, " << sum.refusals << " writes refused: " << differences << " differences\n";
+    return (differences == 0U) ? 0 : 1;
+}

@@ -1,0 +1,169 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/third_voice/rig.hpp"
+
+#include "safety_core/kernel/variable.hpp"
+
+namespace counterpoint::third_voice
+{
+namespace
+{
+std::uint8_t NumberOf(const CommunicationIndex index)
+{
+    return static_cast<std::uint8_t>(index.value - (kFirstCommunication - 1U));
+}
+} // namespace
+
+Rig::Rig(DeviceConfig& config, std::vector<MappableObject>& objects, const Counters& counters)
+    : config_(config), counters_(counters), a_{storage_a_.Handle()}, b_{storage_b_.Handle()},
+      kernel_{KernelParts{a_, b_, *this, *this, *this, *this, nullptr}}
+{
+    for (MappableObject& object : objects)
+    {
+        object.place = memory_[{object.index, object.sub}].data();
+        bits_[{object.index, object.sub}] = object.length_bits;
+    }
+    config_.objects = objects.data();
+    config_.object_count = static_cast<std::uint16_t>(objects.size());
+}
+
+StartResult Rig::Start()
+{
+    watchdog_.Start(hal::WatchdogWindow{1U, config_.cycle_us + config_.cycle_tolerance_us + 1U}, Instant{0U});
+    return kernel_.Start(config_, FlowCallback::kOff);
+}
+
+AbortCode Rig::Write(const Device::Address address, const std::uint64_t value, const std::size_t size)
+{
+    ObjectData data{};
+    data.size_bytes = static_cast<std::uint8_t>(size);
+    for (std::size_t byte = 0U; byte < size; ++byte)
+    {
+        data.bytes[byte] = static_cast<std::uint8_t>(value >> (8U * byte));
+    }
+    return kernel_.WriteObject(ObjectAddress{address.first, address.second}, data);
+}
+
+std::uint32_t Rig::Read(const Device::Address address)
+{
+    return ToValue(kernel_.ReadObject(ObjectAddress{address.first, address.second}).data);
+}
+
+InstantPair Rig::At(const Time time) const
+{
+    return {Instant{counters_.a + static_cast<std::uint32_t>(time)},
+            Instant{counters_.b + static_cast<std::uint32_t>(time)}};
+}
+
+void Rig::SetNmt(const NmtState state, const Time now)
+{
+    now_ = now;
+    kernel_.SetNmtState(state);
+}
+
+void Rig::OnFrame(const CanFrame& frame, const Time stamp)
+{
+    now_ = stamp;
+    kernel_.OnFrame({frame, At(stamp)});
+}
+
+void Rig::Cycle(const Time now, const SrdoMask acknowledge_a, const SrdoMask acknowledge_b)
+{
+    now_ = now;
+    kernel_.Cycle({At(now), acknowledge_a, acknowledge_b});
+}
+
+std::uint64_t Rig::Variable(const Device::Address address) const
+{
+    std::array<std::uint8_t, 8U> bytes = memory_.at(address);
+    return ReadVariable({bytes.data(), bits_.at(address)}).bits;
+}
+
+SrdoState Rig::StateOf(const std::uint8_t number) const
+{
+    return kernel_.GetState(CommunicationIndex{static_cast<std::uint16_t>(kFirstCommunication - 1U + number)}).state;
+}
+
+DeviceFault Rig::Fault() const
+{
+    return kernel_.DeviceState().fault;
+}
+
+SrdoMask Rig::Open(const Time now)
+{
+    return gate_.Open(At(now).a, hal::GateLimit{2U * config_.cycle_us});
+}
+
+Seen Rig::TakeSeen()
+{
+    Seen taken;
+    std::swap(taken, seen_);
+    return taken;
+}
+
+RefreshAnswer Rig::OnRefresh(CommunicationIndex /*index*/) noexcept
+{
+    return RefreshAnswer::kReady;
+}
+
+void Rig::OnSrdoEvent(const CommunicationIndex index) noexcept
+{
+    seen_.events.push_back(NumberOf(index));
+}
+
+void Rig::OnSrdoError(const CommunicationIndex index, const SrdoCause cause) noexcept
+{
+    seen_.signals.emplace_back(NumberOf(index), cause);
+}
+
+void Rig::OnGfc() noexcept
+{
+    ++seen_.gfcs;
+}
+
+void Rig::OnGfcNotFollowed() noexcept
+{
+}
+
+void Rig::OnConfigurationInvalid(CommunicationIndex /*index*/) noexcept
+{
+    seen_.is_configuration_invalid = true;
+}
+
+void Rig::OnDeviceFault(const DeviceFaultReport& /*report*/) noexcept
+{
+}
+
+void Rig::OnFlow(const FlowCount& /*count*/) noexcept
+{
+}
+
+hal::CanGuarantees Rig::Guarantees() const noexcept
+{
+    return {hal::Guarantee::kGiven, hal::Guarantee::kGiven, hal::Guarantee::kGiven};
+}
+
+hal::TransmitStatus Rig::DoTransmit(const CanFrame& /*frame*/) noexcept
+{
+    return hal::TransmitStatus::kAccepted;
+}
+
+std::uint32_t Rig::Challenge() noexcept
+{
+    return gate_.Challenge();
+}
+
+void Rig::Drive(const hal::PermitSet& permits) noexcept
+{
+    gate_.Drive(permits, At(now_).a);
+}
+
+hal::WatchdogQuestion Rig::Question() noexcept
+{
+    return watchdog_.Question();
+}
+
+void Rig::Answer(const hal::WatchdogAnswer& answer) noexcept
+{
+    watchdog_.Answer(answer, At(now_).a);
+}
+} // namespace counterpoint::third_voice

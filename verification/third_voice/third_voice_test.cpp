@@ -1,0 +1,49 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/third_voice/sequence.hpp"
+#include "verification/trace/ids/verification.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <gtest/gtest.h>
+
+namespace counterpoint::third_voice
+{
+namespace
+{
+std::uint32_t DifferencesIn(const std::uint64_t sequences, const Flaw flaw)
+{
+    std::uint32_t differences = 0U;
+    for (std::uint64_t seed = 1U; seed <= sequences; ++seed)
+    {
+        differences += RunSequence(seed, flaw).is_equal ? 0U : 1U;
+    }
+    return differences;
+}
+
+TEST(ThirdVoice, KernelAndChannelsDoWhatTheSemanticsSay)
+{
+    Verifies(req::SRS_VER_032);
+    std::uint32_t releases = 0U;
+    std::uint32_t faults = 0U;
+    for (std::uint64_t seed = 1U; seed <= 2000U; ++seed)
+    {
+        const SequenceResult result = RunSequence(seed);
+        ASSERT_TRUE(result.is_equal) << result.story << "seed " << seed << ": " << result.difference;
+        releases += result.releases;
+        faults += result.faults;
+    }
+    // Sequences in which nothing happens would show nothing.
+    EXPECT_GT(releases, 50000U);
+    EXPECT_GT(faults, 50000U);
+}
+
+TEST(ThirdVoice, AModelWithOneBrokenRuleIsTold)
+{
+    Verifies(req::SRS_VER_032);
+    EXPECT_GT(DifferencesIn(200U, Flaw::kSctLonger), 0U);
+    EXPECT_GT(DifferencesIn(200U, Flaw::kSrvtLonger), 0U);
+    EXPECT_GT(DifferencesIn(200U, Flaw::kNoInversion), 0U);
+    EXPECT_GT(DifferencesIn(200U, Flaw::kNoSignature), 0U);
+    EXPECT_GT(DifferencesIn(200U, Flaw::kKeepsReleased), 0U);
+}
+} // namespace
+} // namespace counterpoint::third_voice
