@@ -61,7 +61,7 @@ enum class FaultKind : std::uint8_t
     kLinkCorruption = 38U,
     kLinkInsertion = 39U,
     kLinkCut = 40U,
-    // A new kind: a number, a word (names.hpp), a section (schema_faults.cpp), a reader (scenario_faults.cpp) and
+    // A new kind: a number, a word (names.hpp), a section (schema_faults.cpp), a reader (faults.cpp) and
     // whoever brings it about (network_faults.cpp).
 };
 
