@@ -1,0 +1,159 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+//
+// What channel A resolves when a mapping is validated, and what it still knows of the mapping before.
+#include "tests/channel_a/device.hpp"
+#include "verification/trace/ids/channel.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <memory>
+
+namespace counterpoint::channel_a_test
+{
+namespace
+{
+
+TEST(ChannelAMapping, OfOneObjectWritesNoOtherAfterOneOfTwo)
+{
+    Verifies(req::SRS_REL_002);
+    Verifies(req::SRS_CFG_036);
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    // Given a mapping of two words that is then one of a word
+    device.Start();
+    device.Map(kConsumerSlot, kConsumed, 2U);
+    ASSERT_EQ(device.Sign(kConsumerSlot).fault, ConfigFault::kNone);
+    const std::uint8_t before[4] = {9U, 9U, 9U, 9U};
+    std::memcpy(device.words[1], before, sizeof(before));
+    // When a pair is released
+    static_cast<void>(device.Cycle());
+    device.Pair(4U, 0x11U);
+    ASSERT_EQ(device.Cycle().released, kConsumerBit);
+    device.Commit();
+    // Then the first object has it, and the second one is left alone
+    const std::uint8_t written[4] = {0x11U, 0x12U, 0x13U, 0x14U};
+    EXPECT_EQ(std::memcmp(device.words[0], written, sizeof(written)), 0);
+    EXPECT_EQ(std::memcmp(device.words[1], before, sizeof(before)), 0);
+    // and a frame of the old length is none of it
+    device.Pair(8U, 0x11U);
+    EXPECT_EQ(device.channel.View(kConsumerSlot).state, SrdoState::kFaulted);
+    EXPECT_EQ(device.channel.View(kConsumerSlot).first_cause, SrdoCause::kLength);
+}
+
+TEST(ChannelAMapping, OfOneObjectSendsNoOtherAfterOneOfTwo)
+{
+    Verifies(req::SRS_PROD_005);
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    device.Start();
+    device.Map(kProducerSlot, kSent, 2U);
+    ASSERT_EQ(device.Sign(kProducerSlot).fault, ConfigFault::kNone);
+    std::memset(device.words[4], 0x21, 4U);
+    std::memset(device.words[5], 0x77, 4U);
+    static_cast<void>(device.Cycle());
+    static_cast<void>(device.Cycle());
+    const PreparedPair pair = device.channel.Prepare(kProducerSlot);
+    const std::uint8_t sent[8] = {0x21U, 0x21U, 0x21U, 0x21U, 0U, 0U, 0U, 0U};
+    EXPECT_EQ(pair.status, PrepareStatus::kReady);
+    EXPECT_EQ(pair.normal.length_bytes, 4U);
+    EXPECT_EQ(std::memcmp(pair.normal.data, sent, sizeof(sent)), 0);
+}
+
+// What a device does with a released pair and a pair to send.
+struct Acts
+{
+    std::uint8_t written[8][4];
+    CanFrame sent;
+
+    [[nodiscard]] bool IsSame(const Acts& other) const
+    {
+        return (std::memcmp(written, other.written, sizeof(written)) == 0) &&
+               (sent.length_bytes == other.sent.length_bytes) &&
+               (std::memcmp(sent.data, other.sent.data, sizeof(sent.data)) == 0);
+    }
+};
+
+Acts ActsOf(Device& device)
+{
+    for (std::uint8_t word = 0U; word < 8U; ++word)
+    {
+        std::memset(device.words[word], 0x30 + word, 4U);
+    }
+    device.Commit();
+    Acts acts{};
+    acts.sent = device.channel.Prepare(kProducerSlot).normal;
+    std::memcpy(acts.written, device.words, sizeof(acts.written));
+    return acts;
+}
+
+void Reach(Device& device)
+{
+    device.clock_us = 0U;
+    device.Start();
+    static_cast<void>(device.Cycle());
+    device.Pair(8U, 0x11U);
+    static_cast<void>(device.Cycle());
+}
+
+TEST(ChannelAMapping, OfAFullFrameIsConfirmedWordByWord)
+{
+    Verifies(req::SRS_CFG_030);
+    // Given two objects of four bytes, released and to be sent
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    Reach(device);
+    const CheckResult sound = device.channel.Recheck(kConsumerSlot);
+    ASSERT_EQ(sound.fault, ConfigFault::kNone);
+    const SrdoView view = device.channel.View(kConsumerSlot);
+    const Acts expected = ActsOf(device);
+    std::uint32_t misled = 0U;
+    for (std::size_t bit = 0U; bit < (8U * FencedDevice::kByteCount); ++bit)
+    {
+        // When one bit flips
+        Reach(device);
+        std::uint8_t& byte = fenced->Bytes()[bit / 8U];
+        byte = static_cast<std::uint8_t>(byte ^ (1U << (bit % 8U)));
+        const bool is_found = (device.channel.Recheck(kConsumerSlot).fault != ConfigFault::kNone) ||
+                              (device.channel.Recheck(kProducerSlot).fault != ConfigFault::kNone);
+        // and other objects are written or other data sent, from data that did not change
+        const SrdoView now = device.channel.View(kConsumerSlot);
+        const bool has_data = (now.data.low == view.data.low) && (now.data.high == view.data.high);
+        const Acts acts = ActsOf(device);
+        const bool is_prepared = acts.sent.length_bytes != 0U;
+        if (has_data && is_prepared && (now.state == SrdoState::kReleased) && !acts.IsSame(expected))
+        {
+            // then Recheck had found it
+            EXPECT_TRUE(is_found) << "bit " << bit;
+            misled += 1U;
+        }
+    }
+    EXPECT_GE(misled, 32U) << "the places of the objects were among the bits";
+    EXPECT_TRUE(fenced->IsIntact());
+}
+
+TEST(ChannelAMapping, OfStaticObjectsOfOneAndNineBitsIsRefused)
+{
+    Verifies(req::SRS_CFG_032);
+    static constexpr std::uint32_t kEntries[2][2] = {{0x22200101U, 0x22210101U}, {0x22200209U, 0x22210209U}};
+    for (std::uint8_t kind = 0U; kind < 2U; ++kind)
+    {
+        const auto fenced = std::make_unique<FencedDevice>();
+        Device& device = fenced->device;
+        // Given a static mapping of an object that is no multiple of a byte, whose fields are those registered
+        device.setups[0].map = StaticMap{kEntries[kind], 2U};
+        device.Start();
+        device.channel.SetFields(kConsumerSlot, StaticFields{device.bits[kind], device.bits[kind + 2U]});
+        // Then it is refused
+        EXPECT_EQ(device.Sign(kConsumerSlot).fault, ConfigFault::kMapping);
+        // and dynamically it is not
+        device.setups[0].map = StaticMap{};
+        device.Start();
+        device.Map(kConsumerSlot, kEntries[kind], 2U);
+        EXPECT_EQ(device.Sign(kConsumerSlot).fault, ConfigFault::kNone);
+    }
+}
+
+} // namespace
+} // namespace counterpoint::channel_a_test
