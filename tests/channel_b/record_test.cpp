@@ -1,0 +1,279 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+//
+// Channel B alone: what a corrupted record becomes, what Recheck finds, and what storage and Restart leave behind.
+#include "tests/channel_b/rig.hpp"
+#include "verification/trace/ids/channel.hpp"
+#include "verification/trace/ids/kernel.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace counterpoint
+{
+namespace
+{
+
+constexpr std::uint64_t kData = 0x8877665544332211U;
+
+/// Each bit alone, zero, all ones.
+constexpr std::uint32_t kCorruptions = 10U;
+
+std::uint8_t Corrupted(std::uint8_t byte, std::uint32_t kind)
+{
+    if (kind < 8U)
+    {
+        return static_cast<std::uint8_t>(byte ^ (1U << kind));
+    }
+    return (kind == 8U) ? std::uint8_t{0U} : std::uint8_t{0xFFU};
+}
+
+void ForEachCorruption(const std::function<void(std::size_t, std::uint32_t)>& run)
+{
+    for (std::size_t byte = 0U; byte < Rig::kByteCount; ++byte)
+    {
+        for (std::uint32_t kind = 0U; kind < kCorruptions; ++kind)
+        {
+            run(byte, kind);
+        }
+    }
+}
+
+void Release(Rig& rig)
+{
+    rig.Start();
+    static_cast<void>(rig.Enter());
+    rig.Pair(0U, kData);
+    ASSERT_EQ(rig.Acknowledged().released & 1U, 1U);
+}
+
+TEST(ChannelBRecord, CorruptedWhileReleasedEndsFaultedWithItsOwnCause)
+{
+    Verifies(req::SRS_CONS_024);
+    const auto rig = std::make_unique<Rig>();
+    std::uint32_t invalid = 0U;
+    ForEachCorruption(
+        [&](std::size_t byte, std::uint32_t kind)
+        {
+            // Given a released consumer, when a byte of the storage changes
+            Release(*rig);
+            rig->Bytes()[byte] = Corrupted(rig->Bytes()[byte], kind);
+            const CycleOutcome outcome = rig->Cycle();
+            const SrdoView view = rig->Voice().View(0U);
+            // then it is released with its pair, or faulted, or off
+            const bool is_released = (outcome.released & 1U) != 0U;
+            EXPECT_EQ(is_released, view.state == SrdoState::kReleased) << byte << " " << kind;
+            EXPECT_TRUE(is_released || (view.state == SrdoState::kFaulted) || (view.state == SrdoState::kOff)) << byte;
+            EXPECT_EQ(view.holds_pair, is_released ? 1U : 0U) << byte << " " << kind;
+            if (view.first_cause == SrdoCause::kInvalid)
+            {
+                ++invalid;
+                EXPECT_EQ(outcome.released & 1U, 0U) << byte << " " << kind;
+                EXPECT_EQ(view.ordinal, 0U) << byte << " " << kind;
+            }
+            if ((outcome.signalled & view.signals & 1U) != 0U)
+            {
+                EXPECT_EQ(view.state, SrdoState::kFaulted) << byte << " " << kind;
+                EXPECT_EQ(outcome.new_fault & 1U, 1U) << byte << " " << kind;
+                // and no acknowledge releases what is corrupted
+                rig->Pair(0U, kData);
+                EXPECT_EQ(rig->Acknowledged().released & 1U, 0U) << byte << " " << kind;
+            }
+        });
+    // There is more than one mark whose corruption is told as such.
+    EXPECT_GE(invalid, 12U);
+}
+
+TEST(ChannelBRecord, CorruptedWhileSafeStaysSafe)
+{
+    Verifies(req::SRS_CONS_024);
+    const auto rig = std::make_unique<Rig>();
+    std::uint32_t told = 0U;
+    ForEachCorruption(
+        [&](std::size_t byte, std::uint32_t kind)
+        {
+            // Given a consumer that waits for its acknowledge with a pair, when a byte changes and nothing acknowledges
+            rig->Start();
+            static_cast<void>(rig->Enter());
+            rig->Pair(0U, kData);
+            static_cast<void>(rig->Cycle());
+            rig->Bytes()[byte] = Corrupted(rig->Bytes()[byte], kind);
+            // then it is not released
+            EXPECT_EQ(rig->Cycle().released & 1U, 0U) << byte << " " << kind;
+            told += ((rig->Voice().View(0U).signals & 1U) != 0U) ? 1U : 0U;
+        });
+    EXPECT_GE(told, 8U);
+}
+
+TEST(ChannelBRecord, RecheckFindsEveryObjectThatIsNotTheMappedOne)
+{
+    Verifies(req::SRS_CFG_030);
+    // Given a frame filled by two objects of 32 bits, when a byte changes before OPERATIONAL
+    const auto rig = std::make_unique<Rig>(ReleasePolicy::kAutomatic);
+    std::uint32_t found = 0U;
+    std::uint32_t written = 0U;
+    ForEachCorruption(
+        [&](std::size_t byte, std::uint32_t kind)
+        {
+            rig->Start();
+            rig->Put(2U, 0U);
+            rig->Put(3U, 0U);
+            rig->Bytes()[byte] = Corrupted(rig->Bytes()[byte], kind);
+            const ConfigFault fault = rig->Voice().Recheck(0U).fault;
+            found += (fault == ConfigFault::kTable) ? 1U : 0U;
+            static_cast<void>(rig->Enter());
+            rig->Pair(0U, kData);
+            const bool is_released = (rig->Cycle().released & 1U) != 0U;
+            rig->Voice().Commit(Agreement{1U, 1U});
+            if (is_released)
+            {
+                // then it is found and never released, or the pair reaches its own objects
+                ++written;
+                EXPECT_EQ(fault, ConfigFault::kNone) << byte << " " << kind;
+                EXPECT_EQ(rig->Value(2U), 0xBBCCDDEEU) << byte << " " << kind;
+                EXPECT_EQ(rig->Value(3U), 0x778899AAU) << byte << " " << kind;
+            }
+            // and no other object is touched.
+            for (const std::size_t other : {0U, 1U, 4U, 5U, 6U, 7U, 8U, 10U, 11U})
+            {
+                EXPECT_EQ(rig->Value(other), 0x66666666U) << byte << " " << kind << " " << other;
+            }
+        });
+    EXPECT_GE(found, 4U * 16U);
+    EXPECT_GE(written, 1000U);
+}
+
+/// Everything that may happen to a device; what the channel answers, one number after the other.
+std::vector<std::uint64_t> Trace(Rig& rig)
+{
+    std::vector<std::uint64_t> trace;
+    const auto note = [&](const CycleOutcome& outcome)
+    {
+        for (const std::uint64_t value :
+             {outcome.released, outcome.faulted, outcome.waiting, outcome.new_fault, outcome.fresh, outcome.due,
+              outcome.signalled, std::uint64_t{outcome.cycle}, std::uint64_t{outcome.ordinal_sum},
+              std::uint64_t{outcome.sct_checked}, std::uint64_t{outcome.is_tx}, std::uint64_t{outcome.is_invalid}})
+        {
+            trace.push_back(value);
+        }
+        for (SlotIndex slot = 0U; slot < kRigSlots; ++slot)
+        {
+            const SrdoView view = rig.Voice().View(slot);
+            trace.push_back(view.data.low + (std::uint64_t{view.data.high} << 32U));
+            trace.push_back(view.ordinal + (std::uint64_t{view.signals} << 32U));
+            trace.push_back(std::uint64_t{view.error_count} + (static_cast<std::uint64_t>(view.state) << 32U));
+            trace.push_back(static_cast<std::uint64_t>(view.first_cause) + (std::uint64_t{view.holds_pair} << 32U));
+        }
+        rig.Voice().Commit(Agreement{outcome.released, outcome.released});
+        const Permit permit = rig.Voice().Answer(0x01020304U);
+        trace.push_back(permit.mask + (std::uint64_t{permit.response} << 32U));
+        for (std::size_t object = 0U; object < 12U; ++object)
+        {
+            trace.push_back(rig.Value(object));
+        }
+    };
+    rig.Start();
+    note(rig.Enter());
+    rig.Pair(0U, kData);
+    rig.Normal(2U, 0x5AU);
+    rig.Request();
+    note(rig.Cycle());
+    note(rig.Acknowledged());
+    rig.Inverse(2U, 0x5AU);
+    rig.Pair(0U, ~kData);
+    note(rig.Cycle());
+    static_cast<void>(rig.Voice().Prepare(1U));
+    const PreparedPair pair = rig.Voice().Prepare(1U);
+    trace.push_back(static_cast<std::uint64_t>(pair.status));
+    rig.Confirm(pair.normal);
+    trace.push_back(rig.Voice().InverseFrame(1U).identifier);
+    note(rig.Cycle(60000U));
+    note(rig.Leave());
+    note(rig.Enter());
+    rig.Pair(0U, kData);
+    rig.Pair(2U, 0x77U);
+    note(rig.Acknowledged());
+    rig.Normal(0U, kData);
+    rig.Normal(0U, kData);
+    rig.Request();
+    note(rig.Cycle());
+    static_cast<void>(rig.Voice().Prepare(1U));
+    rig.Normal(2U, 0x12U);
+    return trace;
+}
+
+TEST(ChannelBRecord, SecondStartBeginsAsTheFirst)
+{
+    Verifies(req::SRS_CFG_002);
+    // Given what a channel does in memory that is zero
+    const auto rig = std::make_unique<Rig>();
+    const std::vector<std::uint64_t> first = Trace(*rig);
+    // when it starts again in the midst of everything, then it does the same
+    EXPECT_EQ(Trace(*rig), first);
+    // and so in memory that holds anything
+    static constexpr std::uint8_t kFills[] = {0xFFU, 0x5AU, 0xA5U, 0x93U, 0xC6U};
+    for (const std::uint8_t fill : kFills)
+    {
+        rig->Fill(fill);
+        EXPECT_EQ(Trace(*rig), first) << static_cast<std::uint32_t>(fill);
+    }
+}
+
+TEST(ChannelBRecord, StorageOfExactlyTheDevicesSizeIsNotLeft)
+{
+    Verifies(req::SRS_KRN_020);
+    Verifies(req::SRS_CFG_003);
+    const auto rig = std::make_unique<Rig>();
+    static_cast<void>(Trace(*rig));
+    EXPECT_TRUE(rig->AreCanariesAlive());
+    // Given addresses beside what exists, when they are stored, then nothing changes
+    const std::vector<std::uint8_t> before(rig->Bytes(), &rig->Bytes()[Rig::kByteCount]);
+    rig->Store(kRigSlots, ConfigField::kSct, 0xFFFFU);
+    rig->Store(0xFFU, ConfigField::kMapEntry, 0xFFFFFFFFU, 1U);
+    rig->Store(2U, ConfigField::kMapEntry, 0xFFFFFFFFU, 5U);
+    rig->Store(0U, ConfigField::kMapEntry, 0xFFFFFFFFU, 0U);
+    rig->Store(kRigSlots, ConfigField::kMapCount, 2U);
+    rig->Store(kRigSlots, ConfigField::kSignature, 2U);
+    EXPECT_EQ(std::vector<std::uint8_t>(rig->Bytes(), &rig->Bytes()[Rig::kByteCount]), before);
+    // and the last of all is the last of the storage
+    rig->Store(2U, ConfigField::kMapEntry, 0x12345678U, kRigEntries);
+    EXPECT_EQ(rig->Voice().Load(ConfigAddress{2U, ConfigField::kMapEntry, kRigEntries}).value, 0x12345678U);
+    EXPECT_TRUE(rig->AreCanariesAlive());
+}
+
+/// Static mapping of one object of each side.
+ConfigFault StaticOf(Rig& rig, std::uint8_t bits)
+{
+    const std::uint32_t entries[] = {0x63000100U + bits, 0x63010100U + bits};
+    rig.Config().granularity_bits = 1U;
+    rig.SetFreeLength(bits);
+    rig.Setup(2U).map = StaticMap{entries, 2U};
+    rig.Voice().Restart(rig.Config());
+    rig.Voice().SetFields(2U, rig.FreeFields());
+    rig.Store(2U, ConfigField::kCobId1, 0x105U);
+    rig.Store(2U, ConfigField::kCobId2, 0x106U);
+    rig.Store(2U, ConfigField::kDirection, 2U);
+    rig.Store(2U, ConfigField::kSignature, rig.Voice().Validate(2U).signature);
+    return rig.Voice().Validate(2U).fault;
+}
+
+TEST(ChannelBRecord, StaticObjectsAreOfWholeBytes)
+{
+    Verifies(req::SRS_CFG_032);
+    const auto rig = std::make_unique<Rig>();
+    EXPECT_EQ(StaticOf(*rig, 1U), ConfigFault::kMapping);
+    EXPECT_EQ(StaticOf(*rig, 7U), ConfigFault::kMapping);
+    EXPECT_EQ(StaticOf(*rig, 8U), ConfigFault::kNone);
+    EXPECT_EQ(StaticOf(*rig, 9U), ConfigFault::kMapping);
+    EXPECT_EQ(StaticOf(*rig, 16U), ConfigFault::kNone);
+    EXPECT_EQ(StaticOf(*rig, 17U), ConfigFault::kMapping);
+    EXPECT_EQ(StaticOf(*rig, 32U), ConfigFault::kNone);
+}
+
+} // namespace
+} // namespace counterpoint
