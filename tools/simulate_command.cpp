@@ -37,6 +37,7 @@ class SimulateCommand final : public Command
         options.Add("--json", &json_, "Write recording, measurements and verdicts as JSON");
         options.Add("--candump", &candump_, "Write the frames of the bus as candump -l does");
         options.Add("--seed", &seed_, "Instead of the scenario's seed: 0 to 2^64 - 1");
+        options.Add("--profile", &profile_, "Start-up profile of the managers: one of the scenario's 'profiles'");
         options.Add("--until", &until_, "Instead of the scenario's duration, with its unit: 500ms, 20s");
         options.Add("--frames", &frames_, "Show every frame on the time line");
         options.Add("--quiet", &quiet_, "No time line; only what was expected and did not come").Excludes("--frames");
@@ -117,7 +118,7 @@ class SimulateCommand final : public Command
         {
             throw runtime::YamlError("--candump", {}, "frames of one bus for a sweep", "--html or --json");
         }
-        const simulator::SweepOptions options{Seed(), Until(), &simulator::MakeManagedWorld};
+        const simulator::SweepOptions options{Seed(), Until(), &simulator::MakeManagedWorld, profile_};
         simulator::SweepResult result;
         {
             runtime::ProgressBar bar(streams.err, "sweeping");
@@ -144,7 +145,7 @@ class SimulateCommand final : public Command
         RequireFiles();
         const std::optional<std::uint64_t> seed = Seed();
         const bool keeps_all = !quiet_ || !html_.empty() || !json_.empty() || !candump_.empty();
-        simulator::Run run(scenario_, seed, until, keeps_all, &simulator::MakeManagedWorld);
+        simulator::Run run(scenario_, seed, until, keeps_all, &simulator::MakeManagedWorld, profile_);
         {
             runtime::ProgressBar bar(streams.err, "simulating");
             const auto duration = static_cast<double>(run.Setting().duration);
@@ -216,6 +217,10 @@ class SimulateCommand final : public Command
 
     void RequireNames() const
     {
+        if (profile_.empty() && options_->IsGiven("--profile"))
+        {
+            throw runtime::YamlError("--profile", {}, "empty name", "one of the scenario's 'profiles'");
+        }
         for (const auto& [option, file] : {std::pair("--html", html_), {"--json", json_}, {"--candump", candump_}})
         {
             if (file.empty() && options_->IsGiven(option))
@@ -249,6 +254,7 @@ class SimulateCommand final : public Command
     std::string candump_;
     std::string until_;
     std::string seed_;
+    std::string profile_;
     const Options* options_{nullptr};
     bool frames_{false};
     bool quiet_{false};

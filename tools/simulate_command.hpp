@@ -8,8 +8,8 @@
 
 namespace counterpoint::tools
 {
-/// counterpoint simulate SCENARIO [--html OUT] [--json OUT] [--candump OUT] [--seed N] [--until T] [--frames] [--quiet]
-///                       [--explain]
+/// counterpoint simulate SCENARIO [--html OUT] [--json OUT] [--candump OUT] [--profile PROFILE] [--seed N] [--until T]
+///                       [--frames] [--quiet] [--sweep ...] [--explain]
 [[nodiscard]] std::unique_ptr<Command> MakeSimulateCommand();
 } // namespace counterpoint::tools
 

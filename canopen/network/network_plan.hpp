@@ -109,6 +109,7 @@ struct ManagerPlan
     KeyLines lines;
     std::string dcf; ///< Empty: none.
     StartProfile profile{StartProfile::kCia302};
+    bool is_profile_chosen{false};         ///< By a scenario, for a file with keys of several profiles.
     std::optional<std::uint32_t> start_up; ///< 1F80h.
     std::optional<std::uint32_t> boot_time_ms;
     std::optional<std::uint16_t> inhibit_100us;

@@ -274,15 +274,19 @@ void NetworkWarnings::WarnOfUnused()
     const bool is_cia302 = profile == StartProfile::kCia302;
     const bool is_el6751 = profile == StartProfile::kEl6751;
     const bool is_plc = profile == StartProfile::kPlcDesigner;
+    const ManagerPlan& manager = plan_.manager;
+    const auto tell = [&](const std::size_t line, const std::string& key)
+    {
+        warnings_.push_back(cia306::Printable(plan_.file) + ":" + std::to_string(line) + ": " + key +
+                            " has no effect with the profile " + NameOf(profile));
+    };
     const auto warn = [&](const std::size_t line, const ProfileKey& key)
     {
-        if (key.is_given && !key.has_effect)
+        if (key.is_given && !key.has_effect && !manager.is_profile_chosen)
         {
-            warnings_.push_back(cia306::Printable(plan_.file) + ":" + std::to_string(line) + ": " + key.key +
-                                " has no effect with the profile " + NameOf(profile));
+            tell(line, key.key);
         }
     };
-    const ManagerPlan& manager = plan_.manager;
     warn(manager.line, {"sync", setup_.sync_period_us != 0U, is_el6751});
     warn(manager.line, {"el6751", manager.el6751.has_value(), is_el6751});
     warn(manager.line, {"boot_time", setup_.boot_time_ms != 0U, is_cia302});
@@ -302,8 +306,10 @@ void NetworkWarnings::WarnOfUnused()
         warn(slave.line, {"product_code", slave.product_code.value_or(0U) != 0U, !is_plc});
         warn(slave.line, {"revision", slave.revision.value_or(0U) != 0U, !is_plc});
         warn(slave.line, {"serial", slave.serial.value_or(0U) != 0U, !is_plc});
-        warn(slave.line, {"bit 1 of assignment, which is reserved,",
-                          (slave.assignment.value_or(0U) & kReservedAssignment) != 0U, false});
+        if ((slave.assignment.value_or(0U) & kReservedAssignment) != 0U)
+        {
+            tell(slave.line, "bit 1 of assignment, which is reserved,");
+        }
         WarnOfGuarding(slave, is_el6751);
     }
 }

@@ -222,10 +222,19 @@ void RequireNetworkFile(const std::string& path)
 }
 } // namespace
 
-NetworkPlan ReadNetworkFile(const std::string& path, const std::uint8_t manager)
+NetworkPlan ReadNetworkFile(const std::string& path, const std::uint8_t manager, const std::string& profile)
 {
     RequireNetworkFile(path);
     const std::string extension = cia306::Lower(std::filesystem::path(path).extension().string());
-    return (extension == ".cpj") ? network::ReadCpj(path, manager) : ReadYaml(path, manager);
+    NetworkPlan plan = (extension == ".cpj") ? network::ReadCpj(path, manager) : ReadYaml(path, manager);
+    for (const Word<network::StartProfile>& word : kProfileWords)
+    {
+        if (profile == word.text)
+        {
+            plan.manager.profile = word.meaning;
+            plan.manager.is_profile_chosen = true;
+        }
+    }
+    return plan;
 }
 } // namespace counterpoint::runtime

@@ -10,9 +10,10 @@
 namespace counterpoint::runtime
 {
 /// @brief Reads a network file: CPJ where its name ends in .cpj, else YAML (docs/manager.md). `manager`: the node-ID of
-/// the manager instead of the file's; 0: none given. Throws cia306::InputError and runtime::YamlError.
-/// [SRS_NET_001, SRS_NET_002, SRS_NET_004]
-[[nodiscard]] network::NetworkPlan ReadNetworkFile(const std::string& path, std::uint8_t manager);
+/// the manager instead of the file's; 0: none given. `profile`: the word of a start-up profile instead of the file's.
+/// Throws cia306::InputError and runtime::YamlError. [SRS_NET_001, SRS_NET_002, SRS_NET_004]
+[[nodiscard]] network::NetworkPlan ReadNetworkFile(const std::string& path, std::uint8_t manager,
+                                                   const std::string& profile = {});
 } // namespace counterpoint::runtime
 
 #endif // RUNTIME_NETWORK_FILES_FILE_HPP

@@ -62,8 +62,8 @@ Run::Run(Scenario scenario, const std::optional<Nanoseconds> until, const bool k
 }
 
 Run::Run(const std::string& file, const std::optional<std::uint64_t> seed, const std::optional<Nanoseconds> until,
-         const bool keeps_all, const MakeManaged& make)
-    : Run(Seeded(ReadScenario(file), seed), until, keeps_all, make)
+         const bool keeps_all, const MakeManaged& make, const std::string& profile)
+    : Run(Seeded(ReadScenario(file, profile), seed), until, keeps_all, make)
 {
 }
 

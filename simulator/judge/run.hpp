@@ -23,9 +23,9 @@ class Run
     /// @brief Builds; nothing has happened yet. Without `make` a scenario with managers is refused. Throws YamlError
     /// and cia306::InputError.
     Run(Scenario scenario, std::optional<Nanoseconds> until, bool keeps_all, const MakeManaged& make = nullptr);
-    /// @brief The same of a file.
+    /// @brief The same of a file, under a start-up profile instead of its first one.
     Run(const std::string& file, std::optional<std::uint64_t> seed, std::optional<Nanoseconds> until, bool keeps_all,
-        const MakeManaged& make = nullptr);
+        const MakeManaged& make = nullptr, const std::string& profile = {});
 
     Run(const Run&) = delete;
     Run& operator=(const Run&) = delete;

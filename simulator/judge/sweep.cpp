@@ -153,9 +153,10 @@ SweepResult RunSweep(const std::string& file, const std::vector<SweepAxis>& axes
         {
             SetByPath(changed, axes[axis].path, axes[axis].Text(places[axis]));
         }
-        Scenario scenario = ReadScenario(changed);
+        Scenario scenario = ReadScenario(changed, options.profile);
         scenario.seed = options.seed.value_or(scenario.seed);
         result.title = scenario.title;
+        result.profile = scenario.profile;
         result.rows.push_back(RunOne(scenario, options, places));
         if (progress)
         {
@@ -239,6 +240,7 @@ std::string SweepJson(const SweepResult& result)
     const Json document{{"format", "counterpoint-sweep-1"},
                         {"scenario", result.scenario},
                         {"title", result.title},
+                        {"profile", result.profile.empty() ? Json() : Json(result.profile)},
                         {"holds", result.Holds()},
                         {"axes", axes},
                         {"runs", rows}};

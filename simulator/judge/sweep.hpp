@@ -48,6 +48,7 @@ struct SweepResult
 {
     std::string scenario; ///< File name without folder.
     std::string title;
+    std::string profile; ///< Start-up profile of the managers; empty: the scenario has none.
     std::vector<SweepAxis> axes;
     std::vector<SweepRow> rows;
 
@@ -60,7 +61,8 @@ struct SweepOptions
 {
     std::optional<std::uint64_t> seed;
     std::optional<Nanoseconds> until;
-    MakeManaged make; ///< Of scenarios with managers.
+    MakeManaged make;    ///< Of scenarios with managers.
+    std::string profile; ///< Empty: the scenario's first one.
 };
 
 /// @brief Runs the scenario for each combination. `progress` is told which part is over. Throws YamlError and

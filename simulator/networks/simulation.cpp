@@ -90,7 +90,8 @@ void NetworkSimulation::LoadManagers()
         auto manager = std::make_unique<SimulatedManager>();
         manager->setup = setup;
         manager->place = scenario_.nodes.size() + managers_.size();
-        manager->net = std::make_unique<network::LoadedNetwork>(runtime::ReadNetworkFile(setup.network, setup.node_id));
+        manager->net = std::make_unique<network::LoadedNetwork>(
+            runtime::ReadNetworkFile(setup.network, setup.node_id, scenario_.profile));
         manager->node = manager->net->Setup().own.value;
         for (const auto& other : managers_)
         {

@@ -125,8 +125,10 @@ std::string Lead(const std::vector<const Run*>& runs)
     const auto held = std::count_if(runs.begin(), runs.end(), [](const Run* run) { return run->Holds(); });
     if (runs.size() == 1U)
     {
-        const std::filesystem::path file(runs.front()->Setting().file);
-        return cia306::HtmlText(file.filename().string()) + ", seed " + std::to_string(runs.front()->Setting().seed);
+        const Scenario& scenario = runs.front()->Setting();
+        const std::string profile = scenario.profile.empty() ? "" : ", profile " + scenario.profile;
+        return cia306::HtmlText(std::filesystem::path(scenario.file).filename().string()) + profile + ", seed " +
+               std::to_string(scenario.seed);
     }
     return std::to_string(held) + " of " + std::to_string(runs.size()) +
            " runs as expected. Choose a row; limits are computed from each device's configuration before the run.";

@@ -249,6 +249,7 @@ nlohmann::ordered_json RunToJson(const Run& run)
             {"title", scenario.title},
             {"description", scenario.description},
             {"seed", scenario.seed},
+            {"profile", scenario.profile.empty() ? Json() : Json(scenario.profile)},
             {"bitrate", scenario.bitrate},
             {"duration_ns", scenario.duration},
             {"holds", run.Holds()},

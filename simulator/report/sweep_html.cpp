@@ -241,7 +241,8 @@ std::string SweepHtml(const SweepResult& result)
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
            title + "</title>\n<style>\n" + kPageCss +
            "tbody tr { cursor: auto; }\n</style>\n</head>\n<body>\n<header>\n<h1>" + title +
-           "</h1>\n<p class=\"lead\">" + cia306::HtmlText(result.scenario) + ": " + std::to_string(held) + " of " +
+           "</h1>\n<p class=\"lead\">" + cia306::HtmlText(result.scenario) +
+           (result.profile.empty() ? "" : ", profile " + result.profile) + ": " + std::to_string(held) + " of " +
            std::to_string(result.rows.size()) +
            " runs hold. The limit is computed from the device's configuration.</p>\n</header>\n" +
            "<main>\n<section>\n" + plot.Draw() + plot.Legend() + "</section>\n" + Table(result) +

@@ -307,6 +307,8 @@ void WriteVerdicts(const Run& run, std::ostream& out)
             << (verdict.holds ? "" : PlaceText(run, verdict)) << "\n";
         held += verdict.holds ? 1U : 0U;
     }
-    out << held << " of " << run.Verdicts().size() << " expectations hold\n";
+    const std::string& profile = run.Setting().profile;
+    out << held << " of " << run.Verdicts().size() << " expectations hold"
+        << (profile.empty() ? "" : ", profile " + profile) << "\n";
 }
 } // namespace counterpoint::simulator

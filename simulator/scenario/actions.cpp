@@ -150,6 +150,7 @@ Action ReadAction(const Scenario& scenario, const YamlValue& value)
     action.source = value.Where();
     action.kind = fields.Require("do").Choice(kActionWords);
     action.at = fields.Require("at").Duration();
+    action.is_of_profile = IsOfProfile(fields, scenario);
     fields.Extend((kActionPrefix + std::string(NameOf(kActionWords, action.kind))).c_str());
     if (IsStorm(action.kind))
     {

@@ -36,19 +36,9 @@ std::size_t ReadFaultIndex(Fields& fields, const Scenario& scenario)
 
 void ReadParties(Fields& fields, Expectation& expectation)
 {
-    const YamlValue by = fields.Require("by");
-    if (by.Node().kind != runtime::YamlKind::kSequence)
-    {
-        expectation.parties.push_back(by.Choice(kPartyWords));
-        return;
-    }
-    for (const YamlValue& party : by.Items("a list of parties"))
+    for (const YamlValue& party : OneOrMore(fields.Require("by"), "one party or more"))
     {
         expectation.parties.push_back(party.Choice(kPartyWords));
-    }
-    if (expectation.parties.empty())
-    {
-        by.Refuse("an empty list", "one party or more");
     }
 }
 
@@ -124,6 +114,7 @@ Expectation ReadExpectation(const Scenario& scenario, const YamlValue& value)
     Expectation expectation;
     expectation.source = value.Where();
     expectation.kind = fields.Require("that").Choice(kExpectationWords);
+    expectation.is_of_profile = IsOfProfile(fields, scenario);
     fields.Extend(NameOf(kExpectationWords, expectation.kind));
     ReadContent(fields, scenario, expectation);
     fields.Close();

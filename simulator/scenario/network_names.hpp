@@ -28,12 +28,13 @@ inline constexpr Word<ActionKind> kActionWords[] = {
     {"no_controller", ActionKind::kNoController},
 };
 
-/// What may be found; a word stands for itself.
+/// What may be found or chosen; a word stands for itself.
 struct FoundWord
 {
     const char* text;
 };
 
+inline constexpr FoundWord kProfileWords[] = {{"cia302"}, {"el6751"}, {"plc_designer"}};
 inline constexpr FoundWord kFoundStates[] = {
     {"unknown"}, {"missing"}, {"stopped"}, {"operational"}, {"pre-operational"}};
 inline constexpr FoundWord kFoundDevices[] = {

@@ -15,6 +15,10 @@ inline constexpr Range kSrdoRange{1U, 64U};
 [[nodiscard]] std::string Beside(const std::string& file, const std::string& name);
 /// Refuses a file that is not there. Throws YamlError.
 void RequireFile(const std::string& path, const Source& source, const std::string& expected);
+/// The items of a list, or a single one. Throws YamlError for none.
+[[nodiscard]] std::vector<YamlValue> OneOrMore(const YamlValue& value, const std::string& expected);
+/// By the key `profile`: whether something is there under the scenario's one. Throws YamlError. [SRS_SIM_059]
+[[nodiscard]] bool IsOfProfile(Fields& fields, const Scenario& scenario);
 /// The section `nodes`, added to the scenario.
 void ReadNodes(const YamlValue& value, Scenario& scenario);
 /// The node of that name; of a device with two CPUs the first one. Throws YamlError.

@@ -135,6 +135,16 @@ void Append(Fields& fields, const char* key, const Scenario& scenario, std::vect
     }
 }
 
+/// The same without what is there under other profiles only.
+template <typename Item, typename Read>
+void AppendOfProfile(Fields& fields, const char* key, const Scenario& scenario, std::vector<Item>& items,
+                     const Read& read)
+{
+    Append(fields, key, scenario, items, read);
+    items.erase(std::remove_if(items.begin(), items.end(), [](const Item& item) { return !item.is_of_profile; }),
+                items.end());
+}
+
 /// The same of what happens to both CPUs of a device that is named without one.
 template <typename Item, typename Read>
 void AppendToEach(Fields& fields, const char* key, const Scenario& scenario, std::vector<Item>& items, const Read& read)
@@ -185,6 +195,53 @@ void ReadSingles(Fields& fields, Scenario& scenario)
     }
 }
 
+std::string Joined(const std::vector<std::string>& words)
+{
+    std::string text;
+    for (const std::string& word : words)
+    {
+        text += (text.empty() ? "" : ", ") + word;
+    }
+    return text;
+}
+
+/// The key `profiles`, if it is there.
+void ReadProfiles(Fields& fields, std::vector<std::string>& profiles)
+{
+    const auto value = fields.Find("profiles");
+    if (!value)
+    {
+        return;
+    }
+    profiles.clear();
+    for (const YamlValue& profile : OneOrMore(*value, "one profile or more"))
+    {
+        const std::string word = profile.Text("a profile");
+        if (std::find(profiles.begin(), profiles.end(), word) != profiles.end())
+        {
+            profile.Refuse(runtime::Shown(word) + " a second time", "each profile once");
+        }
+        profiles.push_back(word);
+    }
+}
+
+/// The profile under which all files are read: the wanted one, else the first one. [SRS_SIM_059]
+std::string ChosenProfile(const std::vector<ScenarioDocument>& documents, const std::string& wanted)
+{
+    std::vector<std::string> profiles;
+    for (const ScenarioDocument& document : documents)
+    {
+        Fields fields(YamlValue(document.file, document.root), "scenario");
+        ReadProfiles(fields, profiles);
+    }
+    if (!wanted.empty() && std::find(profiles.begin(), profiles.end(), wanted) == profiles.end())
+    {
+        throw YamlError("--profile", {}, runtime::Shown(wanted),
+                        profiles.empty() ? "a scenario with 'profiles'" : "one of " + Joined(profiles));
+    }
+    return (wanted.empty() && !profiles.empty()) ? profiles.front() : wanted;
+}
+
 /// What one file says, on top of what is known already.
 void ReadInto(const ScenarioDocument& document, Scenario& scenario)
 {
@@ -202,15 +259,20 @@ void ReadInto(const ScenarioDocument& document, Scenario& scenario)
         ReadNodes(*nodes, scenario);
     }
     Append(fields, "managers", scenario, scenario.managers, ReadManager);
+    ReadProfiles(fields, scenario.profiles);
+    if (scenario.managers.empty() && !scenario.profiles.empty())
+    {
+        fields.Require("profiles").Refuse("profiles without managers", "the key 'managers', too");
+    }
     AppendToEach(fields, "inputs", scenario, scenario.stimuli, ReadStimulus);
     AppendToEach(fields, "logic", scenario, scenario.logic, ReadLogic);
     AppendToEach(fields, "acknowledge", scenario, scenario.acknowledges, ReadAcknowledge);
     AppendToEach(fields, "nmt", scenario, scenario.nmt, ReadNmt);
     AppendToEach(fields, "power", scenario, scenario.power, ReadPower);
     Append(fields, "gfc", scenario, scenario.gfc, ReadGfc);
-    Append(fields, "events", scenario, scenario.actions, ReadAction);
+    AppendOfProfile(fields, "events", scenario, scenario.actions, ReadAction);
     Append(fields, "faults", scenario, scenario.faults, ReadFault);
-    Append(fields, "expect", scenario, scenario.expectations, ReadExpectation);
+    AppendOfProfile(fields, "expect", scenario, scenario.expectations, ReadExpectation);
     fields.Close();
 }
 const runtime::YamlNode* MemberOf(const runtime::YamlNode& map, const std::string& key)
@@ -242,6 +304,39 @@ void Complete(Scenario& scenario)
     AddReturns(scenario.actions);
 }
 } // namespace
+
+std::vector<YamlValue> OneOrMore(const YamlValue& value, const std::string& expected)
+{
+    const bool is_list = value.Node().kind == runtime::YamlKind::kSequence;
+    std::vector<YamlValue> items = is_list ? value.Items("a list") : std::vector<YamlValue>{value};
+    if (items.empty())
+    {
+        value.Refuse("an empty list", expected);
+    }
+    return items;
+}
+
+bool IsOfProfile(Fields& fields, const Scenario& scenario)
+{
+    const auto value = fields.Find("profile");
+    if (!value)
+    {
+        return true;
+    }
+    bool is_there = false;
+    for (const YamlValue& profile : OneOrMore(*value, "one profile or more"))
+    {
+        const std::vector<std::string>& known = scenario.profiles;
+        const std::string word = profile.Text("a profile");
+        if (std::find(known.begin(), known.end(), word) == known.end())
+        {
+            profile.Refuse("profile " + runtime::Shown(word),
+                           known.empty() ? "a scenario with 'profiles'" : "one of its 'profiles': " + Joined(known));
+        }
+        is_there = is_there || word == scenario.profile;
+    }
+    return is_there;
+}
 
 std::uint8_t SrdoNumber(const YamlValue& value)
 {
@@ -303,9 +398,10 @@ std::vector<std::string> NetworkFilesOf(const std::vector<ScenarioDocument>& doc
     return files;
 }
 
-Scenario ReadScenario(const std::vector<ScenarioDocument>& documents)
+Scenario ReadScenario(const std::vector<ScenarioDocument>& documents, const std::string& profile)
 {
     Scenario scenario;
+    scenario.profile = ChosenProfile(documents, profile);
     const std::string& file = documents.back().file;
     scenario.file = file;
     for (const ScenarioDocument& document : documents)
@@ -324,9 +420,9 @@ Scenario ReadScenario(const std::vector<ScenarioDocument>& documents)
     return scenario;
 }
 
-Scenario ReadScenario(const std::string& file)
+Scenario ReadScenario(const std::string& file, const std::string& profile)
 {
-    return ReadScenario(LoadScenario(file));
+    return ReadScenario(LoadScenario(file), profile);
 }
 
 Nanoseconds ParseDuration(const std::string& place, const std::string& text)

@@ -19,7 +19,8 @@ struct ScenarioDocument
 
 /// The file and what it extends, which comes first. Throws YamlError. [SRS_SIM_013]
 [[nodiscard]] std::vector<ScenarioDocument> LoadScenario(const std::string& file);
-[[nodiscard]] Scenario ReadScenario(const std::vector<ScenarioDocument>& documents);
+/// `profile`: the start-up profile instead of the first one that the scenario is written for.
+[[nodiscard]] Scenario ReadScenario(const std::vector<ScenarioDocument>& documents, const std::string& profile = {});
 /// All files that a run of the scenario reads: its own and the DCFs of its nodes, whether or not it is right otherwise.
 [[nodiscard]] std::vector<std::string> FilesOf(const std::vector<ScenarioDocument>& documents);
 /// The network files of its managers, which name other files.
@@ -27,7 +28,7 @@ struct ScenarioDocument
 
 /// The scenario in `file`, with what it extends. Whether objects and SRDOs exist is known only with the DCFs: see
 /// network.hpp. Throws YamlError. [SRS_SIM_010, SRS_SIM_011, SRS_SIM_012, SRS_SIM_013]
-[[nodiscard]] Scenario ReadScenario(const std::string& file);
+[[nodiscard]] Scenario ReadScenario(const std::string& file, const std::string& profile = {});
 
 /// A time with its unit that did not come from a file; `place` stands for the file in a message. Throws YamlError.
 [[nodiscard]] Nanoseconds ParseDuration(const std::string& place, const std::string& text);

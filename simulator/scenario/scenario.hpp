@@ -192,6 +192,7 @@ struct Action
 {
     ActionKind kind{ActionKind::kPull};
     Source source;
+    bool is_of_profile{true}; ///< Else it is left out.
     Nanoseconds at{0};
     Nanoseconds until{0};
     Nanoseconds every{0};
@@ -212,6 +213,7 @@ struct Expectation
 {
     ExpectationKind kind{ExpectationKind::kNoFault};
     Source source;
+    bool is_of_profile{true}; ///< Else it is left out.
     Nanoseconds at{0};        ///< Of events the end of the window; kNever: the end of the run.
     Nanoseconds from{0};      ///< Of events.
     std::uint8_t node_id{0U}; ///< Whom a manager is asked about; 0: nobody in particular.
@@ -237,6 +239,8 @@ struct Scenario
     std::uint32_t bitrate{500000U};
     Nanoseconds duration{0};
     std::uint64_t seed{1U};
+    std::vector<std::string> profiles; ///< Those that it is written for; none: as the network files say.
+    std::string profile;               ///< The one of them that runs.
     std::vector<NodeSetup> nodes;
     std::vector<ManagerSetup> managers;
     std::vector<Stimulus> stimuli;

@@ -70,6 +70,8 @@ const std::vector<SectionSpec> kNetworkSections{
      {
          {"at", T::kDuration, kNone, nullptr, nullptr, kNeeded, "3 s", "when, before the end of the scenario"},
          {"do", T::kWord, kNone, &WordsOf<kActionWords>, nullptr, kNeeded, "pull", "what happens"},
+         {"profile", T::kWordOrList, kNone, &WordsOf<kProfileWords>, nullptr, nullptr, "el6751",
+          "only under these of the scenario's 'profiles'"},
      },
      "Every event; its other keys follow from what it does. One that would change nothing is refused: an insert of a "
      "device that is there, an order to a manager that is not."},

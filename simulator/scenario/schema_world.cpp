@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "simulator/scenario/names.hpp"
+#include "simulator/scenario/network_names.hpp"
 #include "simulator/scenario/schema.hpp"
 
 // What is on the bus, and what happens to it. [SRS_SIM_047]
@@ -32,6 +33,10 @@ const std::vector<SectionSpec> kWorldSections{
           "the devices by their names, 1 to 127; needed here or in what is extended, unless there are managers"},
          {"managers", T::kMaps, kNone, nullptr, "manager", nullptr, "[{network: chain.yaml}]",
           "network managers; the devices are then whole ones with their services, and start when a manager says so"},
+         {"profiles", T::kWordOrList, kNone, &WordsOf<kProfileWords>, nullptr, nullptr, "[cia302, el6751]",
+          "start-up profiles of its managers that it is written for, whatever their network files say: the first one, "
+          "or "
+          "that of --profile"},
          {"bitrate",
           T::kNumber,
           {10000U, 1000000U},
@@ -232,6 +237,8 @@ const std::vector<SectionSpec> kExpectationSections{
      {},
      {
          {"that", T::kWord, kNone, &WordsOf<kExpectationWords>, nullptr, kNeeded, "safe_within", "what is expected"},
+         {"profile", T::kWordOrList, kNone, &WordsOf<kProfileWords>, nullptr, nullptr, "el6751",
+          "only under these of the scenario's 'profiles'"},
      },
      "An expectation; its other keys follow from 'that'. One that holds, or does not, whatever happens is refused."},
     {"released", "an expectation", {"expect"}, {kNode, kSrdo, kAt}, "The output of the SRDO is open at that time."},

@@ -14,19 +14,22 @@ namespace
 class RoughNetworkTest : public test::CommandTest
 {
   protected:
-    /// The scenario holds; otherwise what it told. `warning`: behind the folder of the examples.
-    static void ExpectHolds(const std::string& name, const std::string& warning = {})
+    /// The scenario holds; otherwise what it told. `warning`: behind the folder of the networks.
+    static void ExpectHolds(const std::string& name, const std::string& warning = {},
+                            const std::vector<std::string>& more = {})
     {
         const std::string folder = cia306::test::SourceFolder() + "/examples/networks/";
-        const test::Answer answer = test::RunCommand({"simulate", "--quiet", folder + name + ".yaml"});
+        std::vector<std::string> words{"simulate", "--quiet", folder + name + ".yaml"};
+        words.insert(words.end(), more.begin(), more.end());
+        const test::Answer answer = test::RunCommand(words);
         EXPECT_EQ(answer.status, 0) << name << "\n" << answer.out << answer.err;
         EXPECT_EQ(answer.err, warning.empty() ? warning : (folder + warning + "\n")) << name;
     }
     static void ExpectHoldsInEachProfile(const std::string& name)
     {
-        for (const char* const profile : {"", "_el6751", "_plc_designer"})
+        for (const char* const profile : {"cia302", "el6751", "plc_designer"})
         {
-            ExpectHolds(name + profile);
+            ExpectHolds(name, {}, {"--profile", profile});
         }
     }
 };

@@ -66,6 +66,7 @@ inline constexpr RequirementId SRS_SIM_055{"SRS_SIM_055"};
 inline constexpr RequirementId SRS_SIM_056{"SRS_SIM_056"};
 inline constexpr RequirementId SRS_SIM_057{"SRS_SIM_057"};
 inline constexpr RequirementId SRS_SIM_058{"SRS_SIM_058"};
+inline constexpr RequirementId SRS_SIM_059{"SRS_SIM_059"};
 } // namespace counterpoint::req
 
 #endif
