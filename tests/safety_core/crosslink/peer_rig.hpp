@@ -28,7 +28,7 @@ class FakeChannel final : public Channel
     ConfigItem Load(const ConfigAddress& address) const noexcept override
     {
         std::uint32_t value = 0U;
-        if (address.slot < 3U)
+        if (address.slot < kMaxSrdoCount)
         {
             value = (address.field == ConfigField::kCobId1) ? cob_id_1[address.slot] : value;
             value = (address.field == ConfigField::kDirection) ? direction[address.slot] : value;
@@ -102,11 +102,11 @@ class FakeChannel final : public Channel
         transmit_faults.emplace_back(slot, fault.cause);
     }
 
-    std::array<std::uint32_t, 3U> cob_id_1{0x101U, 0x103U, 0U};
-    std::array<std::uint32_t, 3U> direction{2U, 1U, 0U};
-    std::array<std::uint32_t, 3U> digest_of{1U, 20U, 300U};
-    std::array<HeldPair, 3U> held{};
-    std::array<SrdoView, 3U> view{};
+    std::array<std::uint32_t, kMaxSrdoCount> cob_id_1{0x101U, 0x103U, 0U};
+    std::array<std::uint32_t, kMaxSrdoCount> direction{2U, 1U, 0U};
+    std::array<std::uint32_t, kMaxSrdoCount> digest_of{1U, 20U, 300U};
+    std::array<HeldPair, kMaxSrdoCount> held{};
+    std::array<SrdoView, kMaxSrdoCount> view{};
     CycleOutcome outcome{};
     CycleInput last_input{};
     CheckResult check{ConfigFault::kNone, 0x1234U};
