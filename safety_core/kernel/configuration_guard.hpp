@@ -108,6 +108,7 @@ class ConfigurationGuard
     [[nodiscard]] inline bool IsDigestSound() const noexcept;
     [[nodiscard]] bool StepDigest(SlotIndex slot) noexcept;
     [[nodiscard]] std::uint32_t ItemCount() const noexcept;
+    [[nodiscard]] Result FindItem(std::uint32_t number) const noexcept;
     [[nodiscard]] ObjectKey KeyAt(std::uint32_t number) const noexcept;
     [[nodiscard]] inline std::uint32_t DefaultOf(const ConfigAddress& address) const noexcept;
 

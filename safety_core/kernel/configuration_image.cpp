@@ -90,11 +90,22 @@ ObjectKey ConfigurationGuard::KeyAt(const std::uint32_t number) const noexcept
     return ObjectKey{key};
 }
 
+// [SRS_KRN_030]
+Result ConfigurationGuard::FindItem(const std::uint32_t number) const noexcept
+{
+    if (nmt_ == NmtState::kInvalid)
+    {
+        return Result::kDeviceFault;
+    }
+    return (number < ItemCount()) ? Result::kSuccessful : Result::kNotExist;
+}
+
 ItemReply ConfigurationGuard::ReadItem(const std::uint32_t number) noexcept
 {
-    if (number >= ItemCount())
+    const Result found = FindItem(number);
+    if (found != Result::kSuccessful)
     {
-        return ItemReply{Result::kNotExist, 0U};
+        return ItemReply{found, 0U};
     }
     const ObjectReading reading = Read(KeyAt(number));
     const bool is_general = reading.abort == AbortCode::kGeneral;
@@ -121,7 +132,8 @@ HeaderReply ConfigurationGuard::Header(const std::uint8_t valid) noexcept
 
 Result ConfigurationGuard::LoadItem(const std::uint32_t number, const std::uint32_t value) noexcept
 {
-    const Result readiness = (number < ItemCount()) ? Changeable() : Result::kNotExist;
+    const Result found = FindItem(number);
+    const Result readiness = (found == Result::kSuccessful) ? Changeable() : found;
     if (readiness != Result::kSuccessful)
     {
         return readiness;

@@ -287,6 +287,11 @@ class Kernel
         const std::uint32_t number = config_->srdos[slot].number; // MISRA D-002
         return CommunicationIndex{static_cast<std::uint16_t>((kFirstCommunication - 1U) + number)};
     }
+    /// @brief Why a call finds no SRDO. [SRS_KRN_030]
+    [[nodiscard]] Result Missing() const noexcept
+    {
+        return run_.started ? Result::kNotExist : Result::kDeviceFault;
+    }
     [[nodiscard]] Result SendReadiness() const noexcept;
     [[nodiscard]] inline Result Request(SlotIndex wanted, SrdoMask to_send) noexcept;
     [[nodiscard]] Result WhyNotSent(SlotIndex wanted) const noexcept;

@@ -90,7 +90,7 @@ Result Kernel::Send(const CommunicationIndex index) noexcept
         return Request(kNoSlot, run_.producers);
     }
     const SlotIndex slot = SlotAt(index.value);
-    return (slot == kNoSlot) ? Result::kNotExist : Request(slot, run_.producers & OnlySlot(slot).mask);
+    return (slot == kNoSlot) ? Missing() : Request(slot, run_.producers & OnlySlot(slot).mask);
 }
 
 Result Kernel::Request(const SlotIndex wanted, const SrdoMask to_send) noexcept
@@ -140,7 +140,7 @@ SignReply Kernel::Sign(const CommunicationIndex index) noexcept
     const SlotIndex slot = SlotAt(index.value);
     if (slot == kNoSlot)
     {
-        return SignReply{Result::kNotExist, 0U};
+        return SignReply{Missing(), 0U};
     }
     const CheckResult result = guard_.Check(slot, CheckDepth::kRecheck);
     return (result.fault == ConfigFault::kInvalid) ? SignReply{Result::kDeviceFault, 0U}
@@ -152,7 +152,7 @@ StateReply Kernel::GetState(const CommunicationIndex index) const noexcept
     const SlotIndex slot = SlotAt(index.value);
     if (slot == kNoSlot)
     {
-        return StateReply{Result::kNotExist, SrdoState::kInvalid, SrdoCause::kInvalid, 0U};
+        return StateReply{Missing(), SrdoState::kInvalid, SrdoCause::kInvalid, 0U};
     }
     const SrdoView a = parts_.channel_a.View(slot);
     const SrdoView b = parts_.channel_b.View(slot);
@@ -165,7 +165,7 @@ StateReply Kernel::GetState(const CommunicationIndex index) const noexcept
 StatusReply Kernel::GetStatus(const CommunicationIndex index) const noexcept
 {
     const SlotIndex slot = SlotAt(index.value);
-    return (slot == kNoSlot) ? StatusReply{Result::kNotExist, StatusByte{0U}}
+    return (slot == kNoSlot) ? StatusReply{Missing(), StatusByte{0U}}
                              : StatusReply{Result::kSuccessful, record_.status.Get(slot)};
 }
 
@@ -174,7 +174,7 @@ Result Kernel::SetStatus(const CommunicationIndex index, const StatusByte status
     const SlotIndex slot = SlotAt(index.value);
     if (slot == kNoSlot)
     {
-        return Result::kNotExist;
+        return Missing();
     }
     record_.status.Set(slot, status);
     return Result::kSuccessful;
@@ -185,7 +185,7 @@ ParametersReply Kernel::GetParameters(const CommunicationIndex index) const noex
     const SlotIndex slot = SlotAt(index.value);
     if (slot == kNoSlot)
     {
-        return ParametersReply{Result::kNotExist, 0U, 0U, 0U};
+        return ParametersReply{Missing(), 0U, 0U, 0U};
     }
     return ParametersReply{Result::kSuccessful, static_cast<std::uint8_t>(guard_.Value(slot, ConfigField::kDirection)),
                            static_cast<std::uint16_t>(guard_.Value(slot, ConfigField::kSct)),
@@ -194,7 +194,7 @@ ParametersReply Kernel::GetParameters(const CommunicationIndex index) const noex
 
 MappedReply Kernel::GetMapped(const CommunicationIndex index, const MappedEntry entry) const noexcept
 {
-    MappedReply reply{Result::kNotExist, VariablePlace{nullptr, 0U}};
+    MappedReply reply{Missing(), VariablePlace{nullptr, 0U}};
     const SlotIndex slot = SlotAt(index.value);
     // 0 - 1 is the greatest value: there is no entry 0.
     if ((slot != kNoSlot) && ((entry.number - 1U) < guard_.Value(slot, ConfigField::kMapCount)))
@@ -211,7 +211,7 @@ MappedReply Kernel::GetMapped(const CommunicationIndex index, const MappedEntry 
 Result Kernel::DefineStaticFields(const CommunicationIndex index, const StaticFields& fields) noexcept
 {
     const SlotIndex slot = SlotAt(index.value);
-    return (slot == kNoSlot) ? Result::kNotExist : guard_.DefineFields(slot, fields);
+    return (slot == kNoSlot) ? Missing() : guard_.DefineFields(slot, fields);
 }
 
 } // namespace counterpoint

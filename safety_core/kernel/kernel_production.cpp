@@ -135,7 +135,7 @@ Result Kernel::SendGfc() noexcept
 {
     if (config_->gfc != GfcUse::kPresent)
     {
-        return Result::kNotExist;
+        return Missing();
     }
     const Result readiness = SendReadiness();
     if (readiness != Result::kSuccessful)

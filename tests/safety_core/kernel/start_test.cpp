@@ -206,6 +206,7 @@ TEST_F(Starting, HardwareThatCannotGuaranteeIsRefused)
 TEST_F(Starting, StoppedKernelGivesNoPermitAndRefusesEverything)
 {
     Verifies(req::SRS_KRN_025);
+    Verifies(req::SRS_KRN_030);
     // Given a released and open output
     Operate();
     ReceivePair();
@@ -224,17 +225,21 @@ TEST_F(Starting, StoppedKernelGivesNoPermitAndRefusesEverything)
     const CommunicationIndex first{0x1301U};
     EXPECT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kDeviceState);
     EXPECT_EQ(kernel.ReadObject(ObjectAddress{0x1300U, 0U}).abort, AbortCode::kDeviceState);
-    EXPECT_EQ(kernel.Send(first), Result::kNotExist);
-    EXPECT_EQ(kernel.SendGfc(), Result::kNotExist);
-    EXPECT_EQ(kernel.Sign(first).result, Result::kNotExist);
-    EXPECT_EQ(kernel.GetState(first).result, Result::kNotExist);
-    EXPECT_EQ(kernel.GetStatus(first).result, Result::kNotExist);
-    EXPECT_EQ(kernel.SetStatus(first, StatusByte{0U}), Result::kNotExist);
-    EXPECT_EQ(kernel.GetParameters(first).result, Result::kNotExist);
-    EXPECT_EQ(kernel.GetMapped(first, MappedEntry{1U}).result, Result::kNotExist);
-    EXPECT_EQ(kernel.DefineStaticFields(first, StaticFields{nullptr, nullptr}), Result::kNotExist);
+    EXPECT_EQ(kernel.Send(first), Result::kDeviceFault);
+    EXPECT_EQ(kernel.SendGfc(), Result::kDeviceFault);
+    EXPECT_EQ(kernel.Sign(first).result, Result::kDeviceFault);
+    EXPECT_EQ(kernel.GetState(first).result, Result::kDeviceFault);
+    EXPECT_EQ(kernel.GetStatus(first).result, Result::kDeviceFault);
+    EXPECT_EQ(kernel.SetStatus(first, StatusByte{0U}), Result::kDeviceFault);
+    EXPECT_EQ(kernel.GetParameters(first).result, Result::kDeviceFault);
+    EXPECT_EQ(kernel.GetMapped(first, MappedEntry{1U}).result, Result::kDeviceFault);
+    EXPECT_EQ(kernel.DefineStaticFields(first, StaticFields{nullptr, nullptr}), Result::kDeviceFault);
     EXPECT_EQ(kernel.CheckConfiguration().result, Result::kDeviceFault);
+    EXPECT_EQ(kernel.ConfigurationHeader().result, Result::kDeviceFault);
+    EXPECT_EQ(kernel.ReadItem(0U).result, Result::kDeviceFault);
+    EXPECT_EQ(kernel.ReadItem(1U).result, Result::kDeviceFault);
     EXPECT_EQ(kernel.LoadItem(0U, 0U), Result::kDeviceFault);
+    EXPECT_EQ(kernel.LoadItem(1U, 0U), Result::kDeviceFault);
     EXPECT_EQ(kernel.LoadConfiguration(ImageHeader{}), Result::kDeviceFault);
     EXPECT_EQ(kernel.RestoreDefaults(), Result::kDeviceFault);
     // And a new start begins anew
@@ -255,7 +260,7 @@ TEST_F(Starting, RefusedStartStopsARunningKernel)
     config.srdo_count = 0U;
     EXPECT_EQ(Start(), StartResult::kSrdoCount);
     EXPECT_EQ(Open(), 0U);
-    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kNotExist);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kDeviceFault);
 }
 
 TEST_F(Starting, NothingRunsBeforeStartOrAfterARefusedStart)
@@ -275,8 +280,9 @@ TEST_F(Starting, NothingRunsBeforeStartOrAfterARefusedStart)
         EXPECT_EQ(Open(), 0U);
     };
     nothing_runs();
-    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1301U}), Result::kNotExist);
-    EXPECT_EQ(kernel.Sign(CommunicationIndex{0x1301U}).result, Result::kNotExist);
+    Verifies(req::SRS_KRN_030);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1301U}), Result::kDeviceFault);
+    EXPECT_EQ(kernel.Sign(CommunicationIndex{0x1301U}).result, Result::kDeviceFault);
     // And the same after a start that was refused
     config.srdo_count = 0U;
     ASSERT_EQ(Start(), StartResult::kSrdoCount);
