@@ -60,6 +60,7 @@ void Comparator::Restart(const ComparatorSetup& setup) noexcept
     slots_ = ~SrdoMask{0U} >> (std::uint32_t{kMaxSrdoCount} - setup.slot_count);
     discrepancy_us_ = setup.discrepancy_us;
     watched_ = 0U;
+    fresh_ = 0U;
     previous_ = Instant{0U};
 }
 
@@ -98,6 +99,7 @@ Verdict Comparator::Compare(const Comparison& comparison) noexcept
         watched_ = slots_;
     }
     watched_ &= slots_ & ~verdict.demote;
+    fresh_ = (fresh_ | a.fresh | b.fresh) & watched_;
     for (SrdoMask to_look = watched_; to_look != 0U; to_look &= to_look - 1U)
     {
         Look(comparison, SlotSet{to_look & (0U - to_look)}, verdict);
@@ -132,7 +134,7 @@ void Comparator::Look(const Comparison& comparison, const SlotSet only, Verdict&
     else if (is_one_pair && ((one_sided_ & bit) == 0U))
     {
         watched_ ^= bit;
-        verdict.newly_matched |= bit;
+        verdict.newly_matched |= bit & fresh_;
     }
     else if (elapsed_us > discrepancy_us_)
     {

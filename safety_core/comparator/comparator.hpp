@@ -69,6 +69,7 @@ class Comparator
 
     SrdoMask watched_{0U};
     SrdoMask known_{0U};     ///< What was watched before this comparison.
+    SrdoMask fresh_{0U};     ///< Watched slots of which a channel has a new pair that was not matched yet.
     SrdoMask one_sided_{0U}; ///< Released or due in one channel alone, in this comparison.
     SrdoMask slots_{0U};     ///< Those that exist: nothing else is ever looked at.
     std::uint32_t discrepancy_us_{0U};

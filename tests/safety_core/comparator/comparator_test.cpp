@@ -271,6 +271,40 @@ TEST_F(Comparing, FreshEqualPairIsNewlyMatched)
     EXPECT_EQ(CompareAt(1000U).newly_matched, 0U);
 }
 
+// t [us]   1000   2000 another slot's ordinals differ: slot 2 is looked at, and matches as before
+TEST_F(Comparing, PairThatIsLookedAtBecauseOfAnotherSlotIsNotNewlyMatched)
+{
+    Verifies(req::SRS_CMP_005);
+    (void)CompareAt(1000U);
+    a.outcome.fresh = 2U;
+    a.outcome.ordinal_sum = 10U;
+    a.held[1].ordinal = 1U;
+    const Verdict verdict = CompareAt(2000U);
+    EXPECT_EQ(verdict.agreement.matched & 6U, 4U);
+    EXPECT_EQ(verdict.newly_matched, 0U);
+    // When the other slot's pair comes in channel B too, it alone is newly matched
+    a.outcome.fresh = 0U;
+    b.outcome.fresh = 2U;
+    b.outcome.ordinal_sum = 10U;
+    b.held[1].ordinal = 1U;
+    EXPECT_EQ(CompareAt(3000U).newly_matched, 2U);
+}
+
+// A new pair of a slot that is demoted is forgotten: what matches later is not that pair.
+TEST_F(Comparing, NewPairOfADemotedSlotIsNotNewlyMatchedLater)
+{
+    Verifies(req::SRS_CMP_005);
+    a.outcome.fresh = 4U;
+    b.outcome.fresh = 4U;
+    b.outcome.new_fault = 4U;
+    EXPECT_EQ(CompareAt(1000U).newly_matched, 0U);
+    a.outcome.fresh = 0U;
+    b.outcome.fresh = 0U;
+    b.outcome.new_fault = 0U;
+    a.outcome.ordinal_sum = 10U;
+    EXPECT_EQ(CompareAt(2000U).newly_matched, 0U);
+}
+
 TEST_F(Comparing, UnequalDataUnderOneOrdinalIsADisagreementInEveryBit)
 {
     Verifies(req::SRS_CMP_006);
