@@ -176,7 +176,7 @@ Result Kernel::SetStatus(const CommunicationIndex index, const StatusByte status
     {
         return Missing();
     }
-    record_.status.Set(slot, status);
+    record_.status.Answer(slot, status);
     return Result::kSuccessful;
 }
 

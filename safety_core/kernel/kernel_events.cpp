@@ -36,7 +36,7 @@ void Kernel::ReportSlot(const SlotIndex slot) noexcept
         if (((signals >> cause) & 1U) != 0U)
         {
             ++run_.errors;
-            record_.status.Set(slot, StatusByte{kStatusFaulty});
+            record_.status.OnError(slot);
             parts_.application.OnSrdoError(IndexOf(slot), static_cast<SrdoCause>(cause));
         }
     }

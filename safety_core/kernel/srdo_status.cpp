@@ -8,14 +8,6 @@ namespace
 {
 
 constexpr std::uint32_t kReadable = 0xF0U;
-constexpr std::uint32_t kErrorTold = 0x40U;
-
-// Bits 5-4 are 11, and bits 7-6 are not 01.
-bool IsAnswer(const StatusByte status) noexcept
-{
-    const bool is_transfer_handled = (status.value & kStatusTransfer) == kStatusTransfer;
-    return is_transfer_handled && ((status.value & kStatusError) != kErrorTold);
-}
 
 } // namespace
 
@@ -24,11 +16,22 @@ StatusByte SrdoStatus::Get(const SlotIndex slot) const noexcept
     return StatusByte{static_cast<std::uint8_t>((bytes_[slot] & kReadable) ^ kStatusReset)};
 }
 
-void SrdoStatus::Set(const SlotIndex slot, const StatusByte status) noexcept
+void SrdoStatus::OnError(const SlotIndex slot) noexcept
 {
-    const std::uint32_t marks = IsAnswer(status) ? 0U : ((bytes_[slot] & kOpen) | kUnanswered);
+    constexpr std::uint32_t kFaulty = std::uint32_t{kStatusFaulty} ^ kStatusReset;
+    bytes_[slot] = static_cast<std::uint8_t>((bytes_[slot] & kOpen) | kFaulty | kUnanswered | kError);
+}
+
+// Bits 5-4 are 11; bits 7-6 are 10 behind an error, and behind an event alone whatever does not say that one was told.
+void SrdoStatus::Answer(const SlotIndex slot, const StatusByte status) noexcept
+{
+    const std::uint32_t marks = bytes_[slot] & (kOpen | kError);
+    const std::uint32_t error = status.value & kStatusError;
+    const bool is_error_handled =
+        ((marks & kError) != 0U) ? (error == kStatusErrorHandled) : (error != kStatusErrorTold);
+    const bool is_answer = ((status.value & kStatusTransfer) == kStatusTransfer) && is_error_handled;
     const std::uint32_t kept = (status.value & kReadable) ^ kStatusReset;
-    bytes_[slot] = static_cast<std::uint8_t>(kept | marks);
+    bytes_[slot] = static_cast<std::uint8_t>(kept | (is_answer ? 0U : (marks | kUnanswered)));
 }
 
 SlotIndex SrdoStatus::TakeOverdue() noexcept

@@ -180,6 +180,63 @@ TEST_F(Status, ErrorIsAnsweredWithBothFields)
     EXPECT_EQ(kernel.DeviceState().slot, 0U);
 }
 
+// Bits 7-6 behind an error: 10 alone is an answer.
+TEST_F(Status, ErrorIsAnsweredByTenInItsFieldAlone)
+{
+    Verifies(req::SRS_KRN_022);
+    handshake = StatusHandshake::kRequired;
+    const std::array<std::pair<std::uint8_t, DeviceFault>, 4> answers{{{0x30U, DeviceFault::kHandshake},
+                                                                       {0x70U, DeviceFault::kHandshake},
+                                                                       {0xB0U, DeviceFault::kNone},
+                                                                       {0xF0U, DeviceFault::kHandshake}}};
+    for (const auto& [answer, fault] : answers)
+    {
+        Operate();
+        ReceiveWrong();
+        Cycle();
+        ASSERT_EQ(StatusOf(kConsumer), 0x50U);
+        Answer(kConsumer, answer);
+        EXPECT_EQ(StatusOf(kConsumer), answer);
+        Cycle();
+        EXPECT_EQ(kernel.DeviceState().fault, fault) << unsigned{answer};
+    }
+}
+
+// An answer that is no answer does not make the error an event.
+TEST_F(Status, WrongAnswerLeavesTheErrorToAnswer)
+{
+    Verifies(req::SRS_KRN_022);
+    handshake = StatusHandshake::kRequired;
+    Operate();
+    ReceiveWrong();
+    Cycle();
+    Answer(kConsumer, 0x20U);
+    Answer(kConsumer, 0x30U);
+    Cycle();
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kHandshake);
+}
+
+// Behind an event alone whatever does not say that an error was told: none, or an older one that was handled.
+TEST_F(Status, EventNeedsNoAnswerInTheFieldOfErrors)
+{
+    Verifies(req::SRS_KRN_022);
+    handshake = StatusHandshake::kRequired;
+    Operate();
+    for (const std::uint8_t answer : std::initializer_list<std::uint8_t>{0x30U, 0xB0U, 0xF0U})
+    {
+        ReceivePair();
+        Cycle();
+        Answer(kConsumer, answer);
+    }
+    Cycle();
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+    ReceivePair();
+    Cycle();
+    Answer(kConsumer, 0x70U);
+    Cycle();
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kHandshake);
+}
+
 TEST_F(Status, BitFiveMissingIsUnanswered)
 {
     Verifies(req::SRS_KRN_022);
