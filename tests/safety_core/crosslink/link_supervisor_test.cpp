@@ -94,6 +94,21 @@ TEST_F(Supervision, SequenceTellsRepeatedOldAndLost)
     EXPECT_EQ(link.Echo(Instant{11000U}).sequence, 53U);
 }
 
+// t (numbers)   FFFFFFFEh   1   FFFFFFFFh   80000001h (2^31 ahead)   80000000h
+TEST_F(Supervision, SequenceIsModular)
+{
+    Verifies(req::SRS_LNK_003);
+    ASSERT_EQ(link.Take(Message(0xFFFFFFFEU, 510000U, EchoOf(8000U)), Instant{10000U}), TakeResult::kTaken);
+    EXPECT_EQ(link.Take(Message(1U, 511000U, EchoOf(9000U)), Instant{11000U}), TakeResult::kTaken);
+    EXPECT_EQ(link.Counts().lost, 2U);
+    EXPECT_EQ(link.Take(Message(0xFFFFFFFFU, 511000U, EchoOf(9000U)), Instant{11000U}), TakeResult::kDiscarded);
+    EXPECT_EQ(link.Counts().old, 1U);
+    EXPECT_EQ(link.Take(Message(0x80000002U, 511000U, EchoOf(9000U)), Instant{11000U}), TakeResult::kDiscarded);
+    EXPECT_EQ(link.Counts().old, 2U);
+    EXPECT_EQ(link.Take(Message(0x80000001U, 511000U, EchoOf(9000U)), Instant{11000U}), TakeResult::kTaken);
+    EXPECT_EQ(link.Counts().lost, 0x80000001U);
+}
+
 // Given contact, when an echo is exactly as old as the time-out, then it is taken; a microsecond more is late.
 TEST_F(Supervision, EchoAtTheTimeoutIsTakenOneMoreIsLate)
 {

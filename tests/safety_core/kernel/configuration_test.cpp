@@ -291,6 +291,17 @@ TEST_F(Configuring, DigestOfAnUndeclaredConfigurationIsNotCompared)
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
 }
 
+TEST_F(Configuring, WriteToGfcParameterHasBothChannelsComputeAtOnce)
+{
+    Verifies(req::SRS_CFG_050);
+    Operate();
+    b.digest_slot = 2U;
+    b.digest_flip = 1U;
+    ASSERT_EQ(Write(0x1300U, 0U, 0U, 1U), AbortCode::kNone);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+    EXPECT_EQ(kernel.DeviceState().slot, 2U);
+}
+
 // t [cycles]   12 digest of slot 0 done     1300h written     30 digest of slot 2 done: not compared
 TEST_F(Configuring, WriteToGfcParameterTakesTheDigestAnew)
 {

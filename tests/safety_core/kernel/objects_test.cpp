@@ -180,6 +180,32 @@ TEST_F(SafetyObjects, InOperationalOnlyGfcParameterIsWritable)
     EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
 }
 
+TEST_F(SafetyObjects, WhatNoStateAcceptsIsToldBeforeOperational)
+{
+    Verifies(req::SRS_CFG_042);
+    Operate();
+    EXPECT_EQ(Write(0x1302U, 1U, 0U, 1U), AbortCode::kObjectUnknown);
+    EXPECT_EQ(Write(0x1301U, 7U, 0U, 1U), AbortCode::kSubUnknown);
+    EXPECT_EQ(Write(0x1301U, 0U, 6U, 1U), AbortCode::kReadOnly);
+    EXPECT_EQ(Write(0x2200U, 1U, 0U, 2U), AbortCode::kReadOnly);
+    EXPECT_EQ(Write(0x1301U, 2U, 50U, 1U), AbortCode::kLengthMismatch);
+    // and it before what a value breaks
+    EXPECT_EQ(Write(0x1301U, 1U, 3U, 1U), AbortCode::kDeviceState);
+    EXPECT_EQ(Write(0x1301U, 5U, 0x102U, 4U), AbortCode::kDeviceState);
+    EXPECT_EQ(Write(0x1381U, 1U, 0x22000110U, 4U), AbortCode::kDeviceState);
+    EXPECT_EQ(Write(0x13FFU, 2U, 1U, 2U), AbortCode::kDeviceState);
+}
+
+TEST_F(SafetyObjects, VariableIsKnownByItsWholeAddress)
+{
+    Verifies(req::SRS_CFG_040);
+    Configure();
+    EXPECT_EQ(kernel.ReadObject(ObjectAddress{0x2200U, 1U}).abort, AbortCode::kNone);
+    EXPECT_EQ(kernel.ReadObject(ObjectAddress{0x2200U, 0U}).abort, AbortCode::kObjectUnknown);
+    EXPECT_EQ(kernel.ReadObject(ObjectAddress{0x2200U, 2U}).abort, AbortCode::kObjectUnknown);
+    EXPECT_EQ(Write(0x2200U, 2U, 0U, 2U), AbortCode::kObjectUnknown);
+}
+
 TEST_F(SafetyObjects, IdenticalValueIsAcceptedAndClearsNothing)
 {
     Verifies(req::SRS_CFG_042);
