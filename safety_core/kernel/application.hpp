@@ -42,7 +42,7 @@ enum class FlowEvent : std::uint8_t
 struct FlowCount
 {
     FlowEvent event;
-    std::uint8_t count;
+    std::uint16_t count;
 };
 
 /// What the device's application implements. Called from within Kernel::Cycle and Kernel::OnConfirm; must return soon

@@ -130,7 +130,6 @@ struct KernelRun
     std::uint8_t received{};
     std::uint8_t transmitted{};
     std::uint8_t transmitted_told{};
-    std::uint8_t errors{};
     QueueState queue{};
     FlowCallback flow_callback{};
     StatusHandshake handshake{};
@@ -139,6 +138,7 @@ struct KernelRun
     bool gfc_seen{};
     bool gfc_open{};
     bool fault_told{};
+    std::uint16_t errors{}; ///< Told in this cycle: more than 255 with many consumers.
     std::uint16_t demotions{};
     std::uint32_t cycle{};
     std::uint32_t test_cycles{};
@@ -314,7 +314,7 @@ class Kernel
     void ReportReceived(SrdoMask received) noexcept;
     void ReportDevice() noexcept;
     void ReportFlow(const CycleOutcome& outcome) noexcept;
-    void Deliver(FlowEvent event, std::uint8_t count) noexcept;
+    void Deliver(FlowEvent event, std::uint16_t count) noexcept;
     inline void GivePermits(std::uint32_t challenge) noexcept;
 
     KernelRun run_{};

@@ -57,7 +57,7 @@ void Kernel::ReportFlow(const CycleOutcome& outcome) noexcept
     Deliver(FlowEvent::kSrdoTransmitted, run_.transmitted_told);
 }
 
-void Kernel::Deliver(const FlowEvent event, const std::uint8_t count) noexcept
+void Kernel::Deliver(const FlowEvent event, const std::uint16_t count) noexcept
 {
     if (count != 0U)
     {

@@ -241,7 +241,7 @@ TEST_F(Cycling, FlowEventsHaveTheCountsOfTheCycle)
     Cycle();
     // Not OPERATIONAL: exactly one event
     ASSERT_EQ(application.flow.size(), 1U);
-    EXPECT_EQ(application.flow[0], std::make_pair(FlowEvent::kNotOperational, std::uint8_t{1U}));
+    EXPECT_EQ(application.flow[0], std::make_pair(FlowEvent::kNotOperational, std::uint16_t{1U}));
     kernel.SetNmtState(NmtState::kOperational);
     application.flow.clear();
     ReceivePair();
@@ -251,15 +251,43 @@ TEST_F(Cycling, FlowEventsHaveTheCountsOfTheCycle)
     application.flow.clear();
     ReceivePair();
     Cycle();
-    const std::vector<std::pair<FlowEvent, std::uint8_t>> expected{{FlowEvent::kSctChecked, std::uint8_t{1U}},
-                                                                   {FlowEvent::kItIsTx, std::uint8_t{1U}},
-                                                                   {FlowEvent::kItIsInvalid, std::uint8_t{1U}},
-                                                                   {FlowEvent::kSrdoReceived, std::uint8_t{1U}}};
+    const std::vector<std::pair<FlowEvent, std::uint16_t>> expected{{FlowEvent::kSctChecked, std::uint16_t{1U}},
+                                                                    {FlowEvent::kItIsTx, std::uint16_t{1U}},
+                                                                    {FlowEvent::kItIsInvalid, std::uint16_t{1U}},
+                                                                    {FlowEvent::kSrdoReceived, std::uint16_t{1U}}};
     EXPECT_EQ(application.flow, expected);
     application.flow.clear();
     Receive(0x102U, {0xEDU, 0xCBU}, 100U);
     Cycle();
-    EXPECT_EQ(application.flow.back(), std::make_pair(FlowEvent::kSrdoError, std::uint8_t{1U}));
+    EXPECT_EQ(application.flow.back(), std::make_pair(FlowEvent::kSrdoError, std::uint16_t{1U}));
+}
+
+// 64 consumers with four causes each: 256 errors in one cycle
+TEST_F(Cycling, FlowEventOfErrorsCountsBeyondAByte)
+{
+    Verifies(req::SRS_FLOW_004);
+    std::array<SrdoSetup, 64> many{};
+    for (std::uint8_t slot = 0U; slot < 64U; ++slot)
+    {
+        many[slot].number = static_cast<std::uint8_t>(slot + 1U);
+    }
+    config.srdos = many.data();
+    config.srdo_count = 64U;
+    config.diagnostic_interval_us = 1000000U;
+    channel_a::StorageFor<64U> many_a{};
+    channel_b::StorageFor<64U> many_b{};
+    channel_a::Channel channel_a{many_a.Handle()};
+    channel_b::Channel channel_b{many_b.Handle()};
+    Tap tap_a{channel_a};
+    Tap tap_b{channel_b};
+    Kernel wide{KernelParts{tap_a, tap_b, ports, output, watchdog, application}};
+    ASSERT_EQ(wide.Start(config, FlowCallback::kOn), StartResult::kStarted);
+    tap_b.on_outcome = [](CycleOutcome& outcome) { outcome.signalled = ~SrdoMask{0U}; };
+    tap_b.more_signals = 0x1EU;
+    wide.Cycle(CycleCall{InstantPair{{now_us}, {now_us}}, 0U, 0U});
+    EXPECT_EQ(application.errors.size(), 256U);
+    ASSERT_FALSE(application.flow.empty());
+    EXPECT_EQ(application.flow.back(), std::make_pair(FlowEvent::kSrdoError, std::uint16_t{256U}));
 }
 
 TEST_F(Cycling, OptionRemovesTheCallbackAndNotTheMonitor)

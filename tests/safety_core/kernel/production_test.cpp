@@ -66,7 +66,7 @@ TEST_F(Production, SecondPairIsAnEventAndCountedInTheFlow)
     ConfirmLast();
     application.flow.clear();
     Cycle();
-    EXPECT_EQ(application.flow.back(), std::make_pair(FlowEvent::kSrdoTransmitted, std::uint8_t{1U}));
+    EXPECT_EQ(application.flow.back(), std::make_pair(FlowEvent::kSrdoTransmitted, std::uint16_t{1U}));
     Cycles(24U);
     ConfirmLast();
     ConfirmLast();

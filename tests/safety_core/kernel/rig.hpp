@@ -138,7 +138,7 @@ class RecordingApplication final : public Application
     std::vector<std::pair<std::uint16_t, SrdoCause>> errors{};
     std::vector<std::uint16_t> invalid{};
     std::vector<DeviceFault> faults{};
-    std::vector<std::pair<FlowEvent, std::uint8_t>> flow{};
+    std::vector<std::pair<FlowEvent, std::uint16_t>> flow{};
     int gfcs{0};
     int gfcs_not_followed{0};
 };

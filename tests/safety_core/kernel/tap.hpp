@@ -44,6 +44,7 @@ class Tap final : public Channel
     void SetFields(SlotIndex slot, const StaticFields& fields) noexcept override
     {
         ++fields_set;
+        last_fields = fields;
         real_.SetFields(slot, fields);
     }
     DeviceDigest Digest(SlotIndex slot, DeviceDigest before) const noexcept override
@@ -86,7 +87,9 @@ class Tap final : public Channel
     }
     SrdoView View(SlotIndex slot) const noexcept override
     {
-        return real_.View(slot);
+        SrdoView view = real_.View(slot);
+        view.signals |= more_signals;
+        return view;
     }
     void Demote(SlotIndex slot) noexcept override
     {
@@ -145,6 +148,8 @@ class Tap final : public Channel
     std::uint32_t data_flip{0U};
     std::uint32_t permit_flip{0U};
     std::uint32_t digest_flip{0U};
+    std::uint32_t more_signals{0U};
+    StaticFields last_fields{};
     SlotIndex digest_slot{0U}; ///< Where it is flipped.
     std::uint16_t signature_flip{0U};
     std::uint8_t room_slots{0U};   ///< Instead of the real one's; 0: the real one's.
