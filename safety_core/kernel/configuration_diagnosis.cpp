@@ -60,34 +60,41 @@ ConfigFault ConfigurationGuard::CheckAll(const CheckDepth depth) noexcept
 }
 
 // One more slot by both channels: a difference between them shows at the slot where it is. [SRS_CFG_050]
-bool ConfigurationGuard::StepDigest(const SlotIndex slot) noexcept
+DigestReply ConfigurationGuard::ContinueDigest(const SlotIndex slot, const DeviceDigest before) noexcept
 {
-    const DeviceDigest before{(slot == 0U) ? 0U : digest_.value};
-    digest_ = a_.Digest(slot, before);
-    const bool is_equal = digest_.value == b_.Digest(slot, before).value;
-    if (!is_equal)
+    const DigestReply reply{Result::kSuccessful, a_.Digest(slot, before).value};
+    if (reply.digest == b_.Digest(slot, before).value)
     {
-        latch_.Enter(DeviceFault::kDisagreement, slot);
+        return reply;
     }
-    return is_equal;
+    latch_.Enter(DeviceFault::kDisagreement, slot);
+    return DigestReply{Result::kDeviceFault, reply.digest};
 }
 
-// The digest of the device as it is becomes the reference of the cyclic one, whose walk this disturbs.
-Result ConfigurationGuard::TakeDigest() noexcept
+DigestReply ConfigurationGuard::Digest() noexcept
 {
-    bool is_equal = true;
+    DigestReply reply{(nmt_ == NmtState::kInvalid) ? Result::kDeviceFault : Result::kSuccessful, 0U};
     for (SlotIndex slot = 0U; slot < config_->srdo_count; ++slot)
     {
-        is_equal = StepDigest(slot) && is_equal;
+        const DigestReply further = ContinueDigest(slot, DeviceDigest{reply.digest});
+        reply.digest = further.digest;
+        reply.result = (further.result == Result::kSuccessful) ? reply.result : further.result;
     }
-    reference_ = digest_;
-    is_digest_whole_ = false;
-    if (!is_equal)
+    const bool is_expected = (config_->digest == 0U) || (config_->digest == reply.digest);
+    if ((reply.result == Result::kSuccessful) && (!is_expected))
     {
-        return Result::kDeviceFault;
+        reply.result = Result::kInvalidConfiguration;
     }
-    const bool is_expected = (config_->digest == 0U) || (config_->digest == reference_.value);
-    return is_expected ? Result::kSuccessful : Result::kInvalidConfiguration;
+    return reply;
+}
+
+// The digest of the device as it is becomes the reference of the cyclic one. A walk that is under way saw another.
+Result ConfigurationGuard::TakeDigest() noexcept
+{
+    const DigestReply reply = Digest();
+    reference_.value = reply.digest;
+    is_digest_whole_ = false;
+    return reply.result;
 }
 
 std::uint32_t ConfigurationGuard::Cycle(const std::uint32_t challenge) noexcept
@@ -129,13 +136,12 @@ void ConfigurationGuard::Examine() noexcept
         is_digest_whole_ = is_digest_whole_ || (slot == 0U);
         is_sound = IsSlotSound(slot);
     }
-    else if (StepDigest(slot) && is_last)
-    {
-        is_sound = IsDigestSound();
-    }
     else
     {
-        // One slot of the digest more.
+        const DigestReply further = ContinueDigest(slot, DeviceDigest{(slot == 0U) ? 0U : digest_.value});
+        digest_.value = further.digest;
+        const bool is_complete = (further.result == Result::kSuccessful) && is_last;
+        is_sound = (!is_complete) || IsDigestSound();
     }
     if (!is_sound)
     {

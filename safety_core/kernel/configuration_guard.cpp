@@ -214,10 +214,20 @@ Result ConfigurationGuard::DefineFields(const SlotIndex slot, const StaticFields
     Invalidate();
     a_.SetFields(slot, fields);
     b_.SetFields(slot, fields);
-    const Result result = ToResult(Check(slot, CheckDepth::kValidate).fault);
+    Result result = ToResult(Check(slot, CheckDepth::kValidate).fault);
     // What else is not right yet, such as its signature, is found when the configuration is declared valid.
     const bool is_mapping = (result == Result::kMappingError) || (result == Result::kLengthExceeded);
-    return (is_mapping || (result == Result::kDeviceFault)) ? result : CheckFields(map, fields);
+    if ((!is_mapping) && (result != Result::kDeviceFault))
+    {
+        result = CheckFields(map, fields);
+    }
+    if (result != Result::kSuccessful)
+    {
+        constexpr StaticFields kNone{nullptr, nullptr}; // Fields that were refused are not kept.
+        a_.SetFields(slot, kNone);
+        b_.SetFields(slot, kNone);
+    }
+    return result;
 }
 
 // The channels look at the mapping of an SRDO only once it has a direction; its fields are defined before.

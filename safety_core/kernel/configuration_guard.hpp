@@ -21,6 +21,13 @@ enum class CheckDepth : std::uint8_t
     kValidate = 2U,
 };
 
+/// Device digest as both channels compute it: kSuccessful where it is the expected one, or none is expected.
+struct DigestReply
+{
+    Result result;
+    std::uint32_t digest;
+};
+
 /// @brief Return code of the reference for a rule of the configuration.
 [[nodiscard]] Result ToResult(ConfigFault rule) noexcept;
 
@@ -70,6 +77,8 @@ class ConfigurationGuard
     {
         return faulty_;
     }
+    /// @brief The device digest of now, by both channels; the cyclic one goes on undisturbed. O(slots) [SRS_KRN_015]
+    [[nodiscard]] DigestReply Digest() noexcept;
     /// @brief Sets 13FEh to 0 everywhere.
     void Invalidate() noexcept;
     /// @brief Fields of an SRDO with a static mapping. [SRS_KRN_024]
@@ -102,11 +111,11 @@ class ConfigurationGuard
     void StoreBoth(const ConfigItem& item) noexcept;
     [[nodiscard]] inline Result CheckFields(const StaticMap& map, const StaticFields& fields) const noexcept;
     [[nodiscard]] static CheckResult CheckBy(Channel& channel, SlotIndex slot, CheckDepth depth) noexcept;
+    [[nodiscard]] DigestReply ContinueDigest(SlotIndex slot, DeviceDigest before) noexcept;
     [[nodiscard]] Result TakeDigest() noexcept;
     inline void Examine() noexcept;
     [[nodiscard]] inline bool IsSlotSound(SlotIndex slot) noexcept;
     [[nodiscard]] inline bool IsDigestSound() const noexcept;
-    [[nodiscard]] bool StepDigest(SlotIndex slot) noexcept;
     [[nodiscard]] std::uint32_t ItemCount() const noexcept;
     [[nodiscard]] Result FindItem(std::uint32_t number) const noexcept;
     [[nodiscard]] ObjectKey KeyAt(std::uint32_t number) const noexcept;

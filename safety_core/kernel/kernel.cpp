@@ -103,18 +103,14 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     const std::uint32_t token = guard_.Cycle(challenge);
     flow_.Mark(FlowStep::kGuard, kDone);
 
-    // OPERATIONAL that was left and entered again between two cycles was left: the channels see one cycle outside of
-    // it.
-    const NmtState nmt = run_.left_operational ? NmtState::kPreOperational : guard_.Nmt();
-    run_.left_operational = false;
-    CycleInput input{call.now.a, challenge, token, call.acknowledge_a, run_.requests, run_.stand_a, nmt, run_.queue};
-    run_.queue = QueueState::kIntact;
-    run_.requests = 0U;
+    CycleInput input = TakeInput(call);
+    input.challenge = challenge;
+    input.guard_token = token;
     const CycleOutcome outcome_a = parts_.channel_a.OnCycle(input);
     flow_.Mark(FlowStep::kChannelA, FlowEvidence{outcome_a.cycle, run_.cycle});
     input.now = call.now.b;
     input.acknowledge = call.acknowledge_b;
-    input.stand = run_.stand_b;
+    input.stand = run_.stand_b | Halted();
     CycleOutcome outcome_b = parts_.channel_b.OnCycle(input);
     flow_.Mark(FlowStep::kChannelB, FlowEvidence{outcome_b.cycle, run_.cycle});
 
@@ -142,6 +138,29 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     parts_.watchdog.Answer(flow_.End(parts_.watchdog.Question()));
     latch_.Enter(flow_.Finding(), kNoSlot);
     ReportDevice();
+}
+
+// What channel A is given, but for challenge and token.
+CycleInput Kernel::TakeInput(const CycleCall& call) noexcept
+{
+    CycleInput input{};
+    input.now = call.now.a;
+    input.acknowledge = call.acknowledge_a;
+    input.request = Halted();
+    input.stand = run_.stand_a | Halted();
+    input.queue = run_.queue;
+    run_.queue = QueueState::kIntact;
+    // OPERATIONAL that was left and entered again between two cycles was left: the channels see one cycle outside of
+    // it, and what was asked for since then waits for the next one. [SRS_KRN_010, SRS_KRN_011]
+    input.nmt = NmtState::kPreOperational;
+    if (!run_.left_operational)
+    {
+        input.nmt = guard_.Nmt();
+        input.request |= run_.requests;
+        run_.requests = 0U;
+    }
+    run_.left_operational = false;
+    return input;
 }
 
 void Kernel::CompareOutcomes(const Comparison& comparison, CycleOutcome& outcome_b) noexcept

@@ -78,7 +78,7 @@ enum class StartResult : std::uint8_t
 struct CheckReply
 {
     Result result;
-    CommunicationIndex index; ///< First faulty SRDO; 0 if none.
+    CommunicationIndex index; ///< First faulty SRDO; 0 if none, or if the device digest is not the expected one.
 };
 
 struct SignReply
@@ -90,9 +90,9 @@ struct SignReply
 struct StateReply
 {
     Result result;
-    SrdoState state; ///< kFaulted where the channels differ.
-    SrdoCause first_cause;
-    std::uint16_t error_count;
+    SrdoState state;           ///< kFaulted where the channels differ; never kReleased in the device safe state.
+    SrdoCause first_cause;     ///< As channel A has it, or channel B where A has none or was demoted.
+    std::uint16_t error_count; ///< The greater one of both.
 };
 
 struct StatusReply
@@ -206,8 +206,14 @@ class Kernel
     /// @brief Sends the global fail-safe command; an SRDO of this device must follow. [SRS_KRN_013]
     [[nodiscard]] Result SendGfc() noexcept;
     /// @brief Checks all SRDOs in both channels: by all rules outside OPERATIONAL, by signature and resolved mapping in
-    /// it. [SRS_KRN_015]
+    /// it; then the device digest. [SRS_KRN_015]
     [[nodiscard]] CheckReply CheckConfiguration() noexcept;
+    /// @brief The device digest as both channels compute it now, whatever is expected: what 5F04h has to hold. O(slots)
+    /// [SRS_KRN_015]
+    [[nodiscard]] DigestReply Digest() noexcept
+    {
+        return guard_.Digest();
+    }
     /// @brief Signature of one SRDO as both channels compute it. [SRS_KRN_015]
     [[nodiscard]] SignReply Sign(CommunicationIndex index) noexcept;
     /// @brief State of one SRDO. [SRS_KRN_015]
@@ -296,6 +302,13 @@ class Kernel
     [[nodiscard]] inline Result Request(SlotIndex wanted, SrdoMask to_send) noexcept;
     [[nodiscard]] Result WhyNotSent(SlotIndex wanted) const noexcept;
     [[nodiscard]] inline PartsView ExamineSelf() noexcept;
+    /// @brief Producers while nothing is sent because of the device safe state: every refresh stands still, every one
+    /// is asked to send, and nothing is missed. [SRS_KRN_004]
+    [[nodiscard]] SrdoMask Halted() const noexcept
+    {
+        return run_.producers & ~latch_.Gate();
+    }
+    [[nodiscard]] inline CycleInput TakeInput(const CycleCall& call) noexcept;
     inline void CompareOutcomes(const Comparison& comparison, CycleOutcome& outcome_b) noexcept;
     void TestComparator(const Comparison& comparison, CycleOutcome& outcome_b) noexcept;
     inline void Demote() noexcept;

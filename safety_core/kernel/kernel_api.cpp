@@ -32,6 +32,7 @@ void Kernel::SetNmtState(const NmtState state) noexcept
     if (guard_.Nmt() == NmtState::kOperational)
     {
         run_.left_operational = true;
+        run_.requests = 0U;
         Withdraw();
     }
     run_.producers = 0U;
@@ -131,6 +132,10 @@ CheckReply Kernel::CheckConfiguration() noexcept
         {
             reply.index = IndexOf(guard_.Faulty());
         }
+        else
+        {
+            reply.result = guard_.Digest().result;
+        }
     }
     return reply;
 }
@@ -156,10 +161,13 @@ StateReply Kernel::GetState(const CommunicationIndex index) const noexcept
     }
     const SrdoView a = parts_.channel_a.View(slot);
     const SrdoView b = parts_.channel_b.View(slot);
-    const SrdoState state = (a.state == b.state) ? a.state : SrdoState::kFaulted;
+    // In the device safe state nothing is released, whatever the channels still hold.
+    const bool is_shared = (a.state == b.state) && ((a.state != SrdoState::kReleased) || latch_.IsRunning());
+    const SrdoState state = is_shared ? a.state : SrdoState::kFaulted;
     // A demoted channel learned of the fault from the other one, which knows the cause.
-    const bool asks_b = a.first_cause == SrdoCause::kDemoted;
-    return StateReply{Result::kSuccessful, state, asks_b ? b.first_cause : a.first_cause, a.error_count};
+    const bool asks_b = (a.first_cause == SrdoCause::kDemoted) || (a.first_cause == SrdoCause::kNone);
+    const std::uint16_t error_count = (a.error_count > b.error_count) ? a.error_count : b.error_count;
+    return StateReply{Result::kSuccessful, state, asks_b ? b.first_cause : a.first_cause, error_count};
 }
 
 StatusReply Kernel::GetStatus(const CommunicationIndex index) const noexcept

@@ -58,7 +58,115 @@ TEST_F(Facade, StateThatTheChannelsDoNotShareIsFaulted)
     ReceivePair();
     Cycle();
     real_b.Demote(0U);
+    const StateReply reply = kernel.GetState(CommunicationIndex{0x1301U});
+    EXPECT_EQ(reply.state, SrdoState::kFaulted);
+    // Channel A knows of nothing
+    EXPECT_EQ(reply.first_cause, SrdoCause::kDemoted);
+    EXPECT_EQ(reply.error_count, 1U);
+}
+
+TEST_F(Facade, CauseIsThatOfTheChannelThatFoundIt)
+{
+    Verifies(req::SRS_KRN_015);
+    Operate();
+    ReceivePair();
+    Cycle();
+    // Given an inverse frame without a normal one before it, that channel B alone sees
+    a.drop_frames = true;
+    Receive(0x102U, {0xEDU, 0xCBU}, 100U);
+    a.drop_frames = false;
+    Cycle();
+    EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1301U}).first_cause, SrdoCause::kInverseFirst);
+    // When channel A alone sees it, then it tells its own
+    Operate();
+    b.drop_frames = true;
+    Receive(0x102U, {0xEDU, 0xCBU}, 100U);
+    b.drop_frames = false;
+    Cycle();
+    EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1301U}).first_cause, SrdoCause::kInverseFirst);
+}
+
+TEST_F(Facade, NothingIsReleasedInTheDeviceSafeState)
+{
+    Verifies(req::SRS_KRN_015);
+    Verifies(req::SRS_KRN_031);
+    Operate();
+    ReceivePair();
+    Cycle();
+    ASSERT_EQ(kernel.GetState(CommunicationIndex{0x1301U}).state, SrdoState::kReleased);
+    // When the application demands the device safe state, then it is told at once
+    kernel.DemandSafeState();
     EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1301U}).state, SrdoState::kFaulted);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kApplication);
+    EXPECT_EQ(kernel.DeviceState().slot, 0xFFU);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kDeviceFault);
+    // and outputs and objects are safe with the next cycle, whatever still comes
+    for (std::uint32_t cycle = 0U; cycle < 5U; ++cycle)
+    {
+        ReceivePair();
+        Cycle();
+        EXPECT_EQ(Open(), 0U);
+        EXPECT_EQ(NormalOut(), 0x7F01U);
+        EXPECT_EQ(InverseOut(), 0x80FEU);
+        EXPECT_NE(kernel.GetState(CommunicationIndex{0x1301U}).state, SrdoState::kReleased);
+    }
+    EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1303U}).state, SrdoState::kProducer);
+    EXPECT_EQ(application.faults, std::vector<DeviceFault>{DeviceFault::kApplication});
+}
+
+TEST_F(Facade, DemandBeforeStartHasNoEffect)
+{
+    Verifies(req::SRS_KRN_031);
+    kernel.DemandSafeState();
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kInvalid);
+    Operate();
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+    EXPECT_EQ(kernel.DeviceState().count, 0U);
+}
+
+TEST_F(Facade, DigestIsToldAndCheckedAsTheConfigurationIs)
+{
+    Verifies(req::SRS_KRN_015);
+    EXPECT_EQ(kernel.Digest().result, Result::kDeviceFault);
+    Operate();
+    const std::uint32_t digest = real_a.Digest(2U, real_a.Digest(1U, real_a.Digest(0U, DeviceDigest{0U}))).value;
+    EXPECT_EQ(kernel.Digest().result, Result::kSuccessful);
+    EXPECT_EQ(kernel.Digest().digest, digest);
+    EXPECT_EQ(kernel.CheckConfiguration().result, Result::kSuccessful);
+    // Given another one that is expected, then the computed one is still told
+    config.digest = digest ^ 1U;
+    EXPECT_EQ(kernel.Digest().result, Result::kInvalidConfiguration);
+    EXPECT_EQ(kernel.Digest().digest, digest);
+    EXPECT_EQ(kernel.CheckConfiguration().result, Result::kInvalidConfiguration);
+    EXPECT_EQ(kernel.CheckConfiguration().index.value, 0U);
+    kernel.SetNmtState(NmtState::kPreOperational);
+    EXPECT_EQ(kernel.CheckConfiguration().result, Result::kInvalidConfiguration);
+    config.digest = digest;
+    EXPECT_EQ(kernel.CheckConfiguration().result, Result::kSuccessful);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+    // Given channels that differ at the second slot
+    b.digest_slot = 1U;
+    b.digest_flip = 1U;
+    EXPECT_EQ(kernel.Digest().result, Result::kDeviceFault);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+    EXPECT_EQ(kernel.DeviceState().slot, 1U);
+}
+
+// t [cycles]   the digest of the cycles takes ten of them for each slot; it is asked for in every one
+TEST_F(Facade, DigestThatIsAskedForDoesNotDisturbTheCyclicOne)
+{
+    Verifies(req::SRS_KRN_015);
+    Verifies(req::SRS_CFG_050);
+    Operate();
+    Cycles(60U);
+    a.digest_flip = 0x80U;
+    b.digest_flip = 0x80U;
+    for (std::uint32_t cycle = 0U; cycle < 60U; ++cycle)
+    {
+        ASSERT_EQ(kernel.Digest().result, Result::kSuccessful);
+        Cycle();
+    }
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kConfiguration);
 }
 
 TEST_F(Facade, ParametersOfAnSrdo)
@@ -119,6 +227,25 @@ TEST_F(Facade, StaticFieldsNeedAStaticMappingOutsideOperational)
     EXPECT_EQ(kernel.DefineStaticFields(CommunicationIndex{0x1301U}, fields), Result::kNmtError);
     EXPECT_EQ(a.fields_set, 0);
     EXPECT_EQ(b.fields_set, 0);
+}
+
+TEST_F(Facade, StaticFieldsThatAreRefusedAreNotKept)
+{
+    Verifies(req::SRS_KRN_024);
+    static constexpr std::uint32_t kEntries[] = {0x22000110U, 0x23000110U};
+    setups[2].map = StaticMap{kEntries, 2U};
+    Configure();
+    const CommunicationIndex index{0x1304U};
+    ASSERT_EQ(kernel.DefineStaticFields(index, StaticFields{rx_normal.data(), rx_inverse.data()}), Result::kSuccessful);
+    EXPECT_EQ(a.last_fields.normal, rx_normal.data());
+    EXPECT_EQ(b.last_fields.inverse, rx_inverse.data());
+    ASSERT_EQ(kernel.DefineStaticFields(index, StaticFields{tx_normal.data(), rx_inverse.data()}),
+              Result::kMappingError);
+    for (const Tap* const tap : {&a, &b})
+    {
+        EXPECT_EQ(tap->last_fields.normal, nullptr);
+        EXPECT_EQ(tap->last_fields.inverse, nullptr);
+    }
 }
 
 TEST_F(Facade, StaticFieldsAreCheckedByBothChannels)

@@ -109,6 +109,64 @@ TEST_F(Sending, ApplicationSendsWhenItWants)
     EXPECT_EQ(ports.sent.size(), 2U);
 }
 
+// t   request   OPERATIONAL left   entered   request   cycle outside of it   cycle in it ...
+TEST_F(Sending, RequestSinceOperationalWasEnteredAgainIsSentWhateverCyclesSaw)
+{
+    Verifies(req::SRS_KRN_011);
+    setups[1].form = ProducerForm::kApplicationSends;
+    Operate();
+    Cycles(3U);
+    kernel.SetNmtState(NmtState::kPreOperational);
+    kernel.SetNmtState(NmtState::kOperational);
+    ASSERT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kSuccessful);
+    Cycle();
+    EXPECT_EQ(a.requests | b.requests, 0U);
+    Cycles(3U);
+    EXPECT_EQ(ports.sent.size(), 1U);
+}
+
+TEST_F(Sending, RequestBeforeOperationalWasLeftIsForgotten)
+{
+    Verifies(req::SRS_KRN_011);
+    setups[1].form = ProducerForm::kApplicationSends;
+    Operate();
+    Cycles(3U);
+    ASSERT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kSuccessful);
+    kernel.SetNmtState(NmtState::kPreOperational);
+    kernel.SetNmtState(NmtState::kOperational);
+    Cycles(10U);
+    EXPECT_TRUE(ports.sent.empty());
+}
+
+// Refresh time 25 ms: nothing is sent in the device safe state, and nothing is missed.
+TEST_F(Sending, NoRefreshIsMissedInTheDeviceSafeState)
+{
+    Verifies(req::SRS_KRN_004);
+    for (const ProducerForm form : {ProducerForm::kApplicationSends, ProducerForm::kProviderCalled})
+    {
+        setups[1].form = form;
+        Operate();
+        kernel.DemandSafeState();
+        Cycles(200U);
+        EXPECT_TRUE(CausesOf(0x1303U).empty());
+        const StateReply reply = kernel.GetState(CommunicationIndex{0x1303U});
+        EXPECT_EQ(reply.error_count, 0U);
+        EXPECT_EQ(reply.first_cause, SrdoCause::kNone);
+        EXPECT_TRUE(ports.sent.empty());
+        EXPECT_EQ(a.requests & ~SrdoMask{2U}, 0U);
+    }
+}
+
+TEST_F(Sending, GfcLeavesByTheControllerOfTheNormalFrames)
+{
+    Verifies(req::SRS_KRN_013);
+    config.normal_port = CanPortId::kSecond;
+    Operate();
+    ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
+    ASSERT_EQ(ports.sent.size(), 1U);
+    EXPECT_EQ(ports.sent[0].port, CanPortId::kSecond);
+}
+
 TEST_F(Sending, GfcIsSentOnlyIfSupportedAndOperational)
 {
     Verifies(req::SRS_KRN_013);
