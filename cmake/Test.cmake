@@ -1,4 +1,4 @@
-# counterpoint_test(<target> SOURCES ... DEPENDS <rooms> [LIBRARIES ...] [LABELS ...] [TIMEOUT seconds] [COST seconds] [LAUNCHER script])
+# counterpoint_test(<target> SOURCES ... DEPENDS <rooms> [LIBRARIES ...] [LABELS ...] [COST seconds])
 #
 # One GoogleTest program is one ctest entry; `./dev test` and the trace gate count the cases from its XML.
 #   COST       about how long it runs: the longest begin first, so that no core waits for them at the end
@@ -22,16 +22,13 @@ counterpoint_test_options(gtest_precompiled)
 target_precompile_headers(gtest_precompiled PRIVATE <gtest/gtest.h>)
 
 function(counterpoint_test target)
-  cmake_parse_arguments(TEST "" "TIMEOUT;COST;LAUNCHER" "SOURCES;DEPENDS;LIBRARIES;LABELS" ${ARGN})
+  cmake_parse_arguments(TEST "" "COST" "SOURCES;DEPENDS;LIBRARIES;LABELS" ${ARGN})
   add_executable(${target} ${TEST_SOURCES})
   target_link_libraries(${target} PRIVATE ${TEST_DEPENDS} ${TEST_LIBRARIES} verification_trace)
   counterpoint_test_options(${target})
   target_precompile_headers(${target} REUSE_FROM gtest_precompiled)
-  add_test(NAME ${target} COMMAND ${TEST_LAUNCHER} $<TARGET_FILE:${target}>)
-  if(NOT TEST_TIMEOUT)
-    set(TEST_TIMEOUT 300)
-  endif()
-  set_tests_properties(${target} PROPERTIES TIMEOUT ${TEST_TIMEOUT} LABELS "${TEST_LABELS}")
+  add_test(NAME ${target} COMMAND $<TARGET_FILE:${target}>)
+  set_tests_properties(${target} PROPERTIES LABELS "${TEST_LABELS}")
   if(TEST_COST)
     set_tests_properties(${target} PROPERTIES COST ${TEST_COST})
   endif()

@@ -90,7 +90,7 @@ def make_mix(program, path):
 
 def load_on_target(image, mix_path):
     """Instructions of one second, without those of the meter; RAM of each service."""
-    run = emulator.run_image(image, seconds=120, files={mix_path: MIX_ADDRESS})
+    run = emulator.run_image(image, seconds=1800, files={mix_path: MIX_ADDRESS})
     if run.status != 0:
         raise BadInput(f"{image}: exit status {run.status} on the emulator\n{run.output}")
     sums = {item: (int(count), int(total)) for item, count, total in LOAD_LINE.findall(run.output)}

@@ -25,7 +25,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 TEST_FOLDERS = ("tests/safety_core", "tests/channel_a", "tests/channel_b", "tests/hal", "verification/conformance",
                 "verification/differential")
 SAFETY_ROOMS = ("safety_core/contract", "safety_core/comparator", "safety_core/kernel", "safety_core/selftest", "safety_core/crosslink", "channel_a", "channel_b")
-TIMEOUT_S = 900
+TIMEOUT_S = 1800
 
 
 class CannotMeasure(Exception):

@@ -12,7 +12,7 @@ from safety_rules import Violation
 from world import World
 
 WANTED = re.compile(r"device of node (\d+) is ")
-TIME_LIMIT_S = 120
+TIME_LIMIT_S = 1800
 
 
 class Outcome:

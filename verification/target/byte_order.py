@@ -76,7 +76,7 @@ def build_changed(build, program, fixture, work):
 def run_target(program):
     binary = program.with_suffix(".bin")
     subprocess.run(["arm-none-eabi-objcopy", "-O", "binary", str(program), str(binary)], check=True)
-    return emulator.run_image(binary, "short", seconds=600, count_instructions=False)
+    return emulator.run_image(binary, "short", count_instructions=False)
 
 
 def outcome_of(fixture, target, host):
@@ -85,7 +85,7 @@ def outcome_of(fixture, target, host):
     with tempfile.TemporaryDirectory(prefix="byte-order-") as folder:
         work = pathlib.Path(folder)
         on_host = build_changed(host, SUITES["host"], fixture, work)
-        done = subprocess.run([on_host, "short"], capture_output=True, text=True, timeout=300, check=False)
+        done = subprocess.run([on_host, "short"], capture_output=True, text=True, timeout=1800, check=False)
         run = run_target(build_changed(target, SUITES["target"], fixture, work))
     line = re.search(rf"run=conform\w+{room[-2:]} cases=\d+ failures=(\d+)", run.output)
     caught = run.status not in (0, None) and line is not None and int(line.group(1)) > 0

@@ -13,7 +13,7 @@ class Run:
     output: str
 
 
-def run_image(binary, argument="run", seconds=60, count_instructions=True, folder=None, files=None):
+def run_image(binary, argument="run", seconds=1800, count_instructions=True, folder=None, files=None):
     """Runs one .bin. With `count_instructions` one cycle of the cycle counter is one instruction, exactly. Files that the
     image asks for are looked for in `folder`; `files` (path -> address) are loaded besides."""
     command = COMMAND + ["-device", f"loader,file={binary},addr=0,force-raw=on", "-semihosting-config",

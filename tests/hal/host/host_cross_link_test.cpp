@@ -138,7 +138,7 @@ TEST(UdpWire, CarriesBetweenPorts)
     EXPECT_EQ(second.Receive(frame), hal::LinkStatus::kNothing);
     EXPECT_EQ(first.Send(Frame(5U)), hal::LinkStatus::kDone);
     hal::LinkStatus status = hal::LinkStatus::kNothing;
-    for (int attempt = 0; (attempt < 1000) && (status != hal::LinkStatus::kDone); ++attempt)
+    for (int attempt = 0; (attempt < 100'000) && (status != hal::LinkStatus::kDone); ++attempt)
     {
         status = second.Receive(frame);
         usleep(1000);

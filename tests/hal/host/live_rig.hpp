@@ -25,10 +25,10 @@ namespace counterpoint::host
     return frame;
 }
 
-/// @brief Waits on the descriptor, as an owner does, at most ten seconds; empty: nothing came.
+/// @brief Waits on the descriptor, as an owner does, at most minutes; empty: nothing came.
 [[nodiscard]] inline std::optional<LiveFrame> Wait(LiveBus& bus)
 {
-    constexpr std::uint64_t kPatienceNs = 10'000'000'000U;
+    constexpr std::uint64_t kPatienceNs = 300'000'000'000U;
     const std::uint64_t start_ns = LiveNow();
     LiveFrame frame;
     while (LiveNow() - start_ns < kPatienceNs)

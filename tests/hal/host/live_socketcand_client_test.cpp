@@ -37,7 +37,7 @@ TEST(SocketcandClientTest, SaysWhatItCannotReach)
     ASSERT_EQ(::listen(listener, 1), 0);
     const std::uint64_t start_ns = LiveNow();
     EXPECT_EQ(problem(), "bus '" + address + "': the server said nothing for 3 s, expected the socketcand protocol");
-    EXPECT_LT(LiveNow() - start_ns, 10'000'000'000U);
+    EXPECT_GE(LiveNow() - start_ns, 3'000'000'000U);
     static_cast<void>(::close(listener));
 }
 

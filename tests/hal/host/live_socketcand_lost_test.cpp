@@ -8,6 +8,7 @@
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -30,12 +31,12 @@ LiveOptions After(const std::uint32_t milliseconds)
     return options;
 }
 
-/// Serves the bus as an owner does until it has that state, at most twenty seconds.
+/// Serves the bus as an owner does until it has that state, at most minutes.
 bool Reaches(LiveBus& bus, const BusState state)
 {
     const std::uint64_t start_ns = LiveNow();
     LiveFrame frame;
-    while ((bus.Health().state != state) && (LiveNow() - start_ns < 20U * kSecondNs))
+    while ((bus.Health().state != state) && (LiveNow() - start_ns < 300U * kSecondNs))
     {
         pollfd wait{bus.Descriptor(), POLLIN, 0};
         static_cast<void>(::poll(&wait, 1U, 100));
@@ -44,6 +45,14 @@ bool Reaches(LiveBus& bus, const BusState state)
         }
     }
     return bus.Health().state == state;
+}
+
+/// How often this thread gave the processor away because it had to wait.
+long Waits()
+{
+    rusage used{};
+    static_cast<void>(::getrusage(RUSAGE_THREAD, &used));
+    return used.ru_nvcsw;
 }
 
 // Given a server that ends, then the bus is down and takes nothing; when a server is at that place again, frames go
@@ -113,18 +122,18 @@ TEST(SocketcandLostTest, GivesUpWhoSaysNothing)
     ASSERT_EQ(::bind(silent, reinterpret_cast<sockaddr*>(&place), sizeof(place)), 0);
     ASSERT_EQ(::listen(silent, 1), 0);
     const std::uint64_t start_ns = LiveNow();
-    std::uint64_t longest_ns = 0U;
+    long waits = 0;
     LiveFrame none;
     while (LiveNow() - start_ns < kSecondNs)
     {
-        const std::uint64_t call_ns = LiveNow();
+        const long before = Waits();
         EXPECT_FALSE(bus->Receive(none));
         EXPECT_EQ(bus->Send(Live(1U, {})), SendResult::kDown);
-        longest_ns = std::max(longest_ns, LiveNow() - call_ns);
+        waits += Waits() - before;
         pollfd wait{bus->Descriptor(), POLLIN, 0};
         static_cast<void>(::poll(&wait, 1U, 10));
     }
-    EXPECT_LT(longest_ns, kSecondNs / 2U); // A machine that is busy, not a connection that is awaited.
+    EXPECT_EQ(waits, 0);
     static_cast<void>(::close(silent));
     server = std::make_unique<RunningServer>(Group(), port);
     EXPECT_TRUE(Reaches(*bus, BusState::kActive));

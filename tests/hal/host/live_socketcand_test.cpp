@@ -32,7 +32,7 @@ class PlainClient
         server.sin_port = htons(port);
         server.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
         EXPECT_EQ(::connect(socket_, reinterpret_cast<sockaddr*>(&server), sizeof(server)), 0);
-        const timeval patience{10, 0};
+        const timeval patience{300, 0};
         static_cast<void>(::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof(patience)));
         static_cast<void>(::setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof(patience)));
     }
@@ -217,7 +217,7 @@ TEST(SocketcandServerTest, DisconnectsWhoDoesNotRead)
     client.Say("< open can0 >< rawmode >");
     const std::uint64_t start_ns = LiveNow();
     LiveFrame own;
-    while ((server.Counts().too_slow == 0U) && (LiveNow() - start_ns < 60'000'000'000U))
+    while ((server.Counts().too_slow == 0U) && (LiveNow() - start_ns < 600'000'000'000U))
     {
         static_cast<void>(member->Send(Live(0x100U, {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U})));
         static_cast<void>(member->Receive(own));

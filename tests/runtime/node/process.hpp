@@ -2,13 +2,14 @@
 #ifndef TESTS_RUNTIME_NODE_PROCESS_HPP
 #define TESTS_RUNTIME_NODE_PROCESS_HPP
 
+#include "tests/runtime/stepped_time/stepped_process.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
-#include <sys/types.h>
 #include <vector>
 
 namespace counterpoint::tools::test
@@ -24,25 +25,16 @@ struct NodeLine
     std::uint64_t read_ns{0U};
 };
 
-/// `counterpoint node --json` as a process of its own, with typed orders. Killed at the end if it still runs.
-class NodeProcess
+/// `counterpoint node --json` as a process of its own in the time of the test, with typed orders.
+class NodeProcess : public SteppedProcess
 {
   public:
     using Wanted = std::function<bool(const nlohmann::json&)>;
 
-    /// `arguments` behind --can, --cycle-us and --json.
+    /// `arguments` behind --can and --json.
     explicit NodeProcess(const std::vector<std::string>& arguments, const std::string& bus = OwnBus());
-    ~NodeProcess();
-    NodeProcess(const NodeProcess&) = delete;
-    NodeProcess& operator=(const NodeProcess&) = delete;
 
-    void Type(const std::string& order);
-    void Signal(int number);
-    [[nodiscard]] pid_t Process() const
-    {
-        return process_;
-    }
-    /// @brief The next line that is wanted, within five seconds; without one its event is null.
+    /// @brief The next line that is wanted, within a minute of the test's time; without one its event is null.
     NodeLine WaitFor(const Wanted& wanted);
     NodeLine WaitFor(const std::string& event);
     /// @brief Whether a wanted line comes within `ms`.
@@ -55,13 +47,10 @@ class NodeProcess
     }
 
   private:
-    bool ReadSome(int ms);
+    bool ReadSome(std::uint64_t until_ns);
     NodeLine Next(const Wanted& wanted, int ms);
 
-    pid_t process_{-1};
-    int input_{-1};
-    int output_{-1};
-    std::string text_;
+    std::string text_; ///< Begin of a line.
     std::vector<NodeLine> lines_;
     std::size_t seen_{0U};
 };
@@ -71,9 +60,7 @@ class NodeProcess
                                                      const std::string& bus = OwnBus());
 /// @brief The limit of its first consumer, as it told at its start.
 [[nodiscard]] double LimitMsOf(const NodeProcess& consumer);
-/// Cycle time of those nodes: slow enough for a machine that has other things to do.
 constexpr int kCycleUs = 10000;
-[[nodiscard]] std::uint64_t NowNs();
 /// @brief {"event": name, key: value}
 [[nodiscard]] NodeProcess::Wanted Event(const std::string& name, const std::string& key, const nlohmann::json& value);
 } // namespace counterpoint::tools::test

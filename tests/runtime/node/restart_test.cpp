@@ -133,7 +133,7 @@ runtime::ScriptStep Step(const std::uint64_t at_ms, const std::uint64_t every_ms
     return {at_ms * kNsPerMs, every_ms * kNsPerMs, runtime::ParseOrder(order)};
 }
 
-// Real time. Cycle 20 ms, late above 40 ms; each boot-up message takes 150 ms, and with it each start.
+// Cycle 20 ms, late above 40 ms; each boot-up message takes 150 ms, and with it each start.
 TEST(NodeLoopTest, AStartThatTakesLongIsNoLateAnswerToTheWatchdog)
 {
     Verifies(req::SRS_NODE_018);

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "hal/host/live/bus.hpp"
 #include "tests/runtime/node/process.hpp"
+#include "tests/runtime/stepped_time/stepped_time.hpp"
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/ids/cia301.hpp"
 #include "verification/trace/ids/lss.hpp"
@@ -69,7 +70,7 @@ class Other
             host::LiveFrame frame;
             if (!bus_->Receive(frame))
             {
-                ::usleep(1000);
+                static_cast<void>(SteppedTime::Get().Wait(bus_->Descriptor(), until_ns));
             }
             else if (!frame.own && frame.identifier == identifier)
             {
@@ -165,7 +166,7 @@ TEST_F(NodeServicesTest, TimesAndEmergenciesOfOthersAreLines)
     five->Type("time");
     EXPECT_FALSE(five->WaitFor("problem").event.is_null());
     const auto before = Get(*five, "0x1013:00").get<std::uint32_t>();
-    ::usleep(20000);
+    SleepMs(20);
     EXPECT_GE(Get(*five, "0x1013:00").get<std::uint32_t>() - before, 20000U - 2U * kCycleUs);
 }
 

@@ -92,7 +92,7 @@ def compare_output(findings, blocks, work, package):
         words = shlex.split(command)
         words[0] = shutil.which(words[0], path=path) or words[0]
         try:
-            done = subprocess.run(words, cwd=work, capture_output=True, text=True, check=False, timeout=60)
+            done = subprocess.run(words, cwd=work, capture_output=True, text=True, check=False, timeout=1800)
         except OSError as problem:
             findings.append(f"{GUIDE}:{line}: {command} cannot be run: {problem.strerror}")
             continue
