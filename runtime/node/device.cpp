@@ -1,9 +1,10 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/node/device.hpp"
 
-#include "runtime/node/build.hpp"
+#include "runtime/node/srdo_line.hpp"
 
 #include "canopen/cia306/file/device_reader.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 #include "runtime/device/names.hpp"
 
 #include <algorithm>
@@ -21,16 +22,17 @@ constexpr std::uint64_t kPressCycles = 4U;
 NodeDevice::NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeReport& report)
     : report_(report), ports_(ports), file_(cia306::ReadDeviceFile(settings.dcf)),
       has_lss_(settings.has_lss || file_.is_lss_supported),
-      model_(settings.dcf, NodeIdOf(settings, file_, has_lss_), runtime::SafetyNeed::kOptional),
+      model_(settings.dcf, NodeIdOf(settings, file_, has_lss_), SafetyNeed::kOptional),
       safety_objects_(SafetyObjectsOf(UseControllers(model_, ports), file_)),
       config_(ConfigOf(model_, safety_objects_, settings.cycle_us)), time_(host::BitRate::k500k), watchdog_(time_),
       output_(time_, watchdog_, {config_.cycle_us + config_.cycle_tolerance_us}),
-      channel_a_(MakeChannel(runtime::Letter::kA, runtime::RoomOf(config_))),
-      channel_b_(MakeChannel(runtime::Letter::kB, runtime::RoomOf(config_))), application_(model_, report),
+      channel_a_(MakeChannel(Letter::kA, RoomOf(config_))), channel_b_(MakeChannel(Letter::kB, RoomOf(config_))),
+      application_(model_, report),
       self_test_(settings.has_self_tests ? std::make_unique<NodeSelfTest>(output_) : nullptr),
+      outputs_(model_, output_, report), loading_(model_, self_test_.get(), report),
       assembly_(model_, config_,
                 {channel_a_->Voice(), channel_b_->Voice(), ports, output_, watchdog_, application_,
-                 self_test_ ? &self_test_->Part() : nullptr, *this, &file_}),
+                 self_test_ ? &self_test_->Part() : nullptr, loading_, &file_}),
       further_(file_, assembly_.Dictionary(), assembly_.Services(), report,
                assembly_.Objects().Rooms().sdo_buffer.size_bytes),
       store_(settings.store.empty() ? nullptr
@@ -40,10 +42,17 @@ NodeDevice::NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeRepor
 {
     assembly_.Connect([this](const std::uint16_t index) { return further_.HookOf(index); },
                       store_ ? &store_->Hook() : nullptr);
+    if (store_)
+    {
+        loading_.Use(*store_);
+    }
     FurnishSelfTest();
-    FurnishLss(settings);
-    slot_of_.fill(kNoSlot);
-    application_.Tell([this](const std::uint8_t srdo) { paired_ |= SrdoMask{1U} << model_.SlotOf(srdo).value_or(0U); });
+    if (has_lss_)
+    {
+        lss_ = std::make_unique<NodeLss>(assembly_.Services().outbox, settings, file_, config_.node_id, store_.get());
+        assembly_.Services().lss = &lss_->Slave();
+    }
+    application_.Tell([this](const std::uint8_t srdo) { outputs_.OnPair(srdo); });
 }
 
 const DeviceConfig& NodeDevice::Config() const noexcept
@@ -51,7 +60,7 @@ const DeviceConfig& NodeDevice::Config() const noexcept
     return config_;
 }
 
-const runtime::DeviceModel& NodeDevice::Model() const noexcept
+const DeviceModel& NodeDevice::Model() const noexcept
 {
     return model_;
 }
@@ -68,14 +77,7 @@ NodeFurther& NodeDevice::Further() noexcept
 
 std::uint8_t NodeDevice::NodeId() const noexcept
 {
-    if (!lss_)
-    {
-        return assembly_.Services().node.value;
-    }
-    const std::uint8_t active = lss_->Slave().ActiveNodeId();
-    const std::uint8_t coming = lss_->Slave().Settings().node_id; // Before power-on.
-    const std::uint8_t node_id = (active == cia305::kNoNodeId) ? coming : active;
-    return (node_id == cia305::kNoNodeId) ? std::uint8_t{0U} : node_id;
+    return lss_ ? lss_->NodeId() : assembly_.Services().node.value;
 }
 
 std::optional<std::uint8_t> NodeDevice::NewNodeId() const noexcept
@@ -105,12 +107,36 @@ Kernel& NodeDevice::Core() noexcept
 
 const NodeLatency& NodeDevice::Latency() const noexcept
 {
-    return latency_;
+    return outputs_.Latency();
 }
 
 SrdoMask NodeDevice::Open() noexcept
 {
-    return open_;
+    return outputs_.Open();
+}
+
+void NodeDevice::FurnishSelfTest()
+{
+    if (!self_test_)
+    {
+        return;
+    }
+    self_test_->AddChannel(*channel_a_);
+    self_test_->AddChannel(*channel_b_);
+    self_test_->AddKernel(assembly_.Core());
+    self_test_->AddPart(static_cast<hal::CanPorts*>(&ports_));
+    self_test_->AddPart(static_cast<hal::SafetyOutput*>(&output_));
+    self_test_->AddPart(static_cast<hal::Watchdog*>(&watchdog_));
+    self_test_->AddPart(&assembly_.Told());
+    self_test_->AddConstants(config_, model_);
+    const std::uint32_t cycles = config_.diagnostic_interval_us / config_.cycle_us;
+    if (!self_test_->Settle(cycles))
+    {
+        throw cia306::InputError(
+            model_.File(), 0U,
+            {"the self tests do not fit into the diagnostic interval of " + std::to_string(cycles) + " cycles",
+             "a longer one (0x5F00:04), or --no-self-tests"});
+    }
 }
 
 void NodeDevice::SetTime(const std::uint64_t now_ns)
@@ -118,7 +144,7 @@ void NodeDevice::SetTime(const std::uint64_t now_ns)
     time_.Advance(static_cast<host::BusTime>(now_ns - start_ns_));
     application_.SetNow(now_ns);
     further_.SetNow(now_ns);
-    now_ns_ = now_ns;
+    loading_.SetNow(now_ns);
 }
 
 bool NodeDevice::PowerOn(const InstantPair& now, const std::uint64_t now_ns)
@@ -132,12 +158,11 @@ bool NodeDevice::PowerOn(const InstantPair& now, const std::uint64_t now_ns)
 
 bool NodeDevice::TakeRestart(const std::uint64_t now_ns)
 {
-    const bool has_restarted = has_restarted_;
+    const bool has_restarted = loading_.TakeRestart();
     if (has_restarted)
     {
         SetTime(now_ns);
         watchdog_.Start(WindowOf(config_));
-        has_restarted_ = false;
     }
     return has_restarted;
 }
@@ -150,11 +175,7 @@ void NodeDevice::OnFrame(const host::LiveFrame& frame, const CanPortId port, con
         assembly_.Device().OnConfirm(stamped);
         return;
     }
-    const std::uint32_t number = frame.identifier - kFirstSrdoIdentifier;
-    if (number < kSrdoIdentifierCount && slot_of_.at(number) != kNoSlot)
-    {
-        received_ns_.at(slot_of_.at(number)) = frame.time_ns;
-    }
+    outputs_.OnFrame(frame);
     assembly_.Device().OnFrame(stamped);
 }
 
@@ -172,12 +193,15 @@ void NodeDevice::Cycle(const InstantPair& now, const std::uint64_t now_ns)
 {
     SetTime(now_ns);
     SendByApplication();
-    paired_ = 0U;
+    outputs_.BeginCycle();
     const SrdoMask levels = AcknowledgeLevels(now_ns);
     assembly_.Device().Cycle({now, levels, levels});
-    Save();
+    if (store_)
+    {
+        store_->OnCycle();
+    }
     further_.Look();
-    TellSelfTest(now_ns);
+    loading_.TellSelfTest();
     TellState(now_ns);
 }
 
@@ -185,7 +209,10 @@ void NodeDevice::Serve(const InstantPair& now, const std::uint64_t now_ns)
 {
     SetTime(now_ns);
     assembly_.Device().Serve(now.a);
-    Save();
+    if (store_)
+    {
+        store_->OnCycle();
+    }
     further_.Look();
     TellState(now_ns);
 }
@@ -194,50 +221,15 @@ void NodeDevice::LookAtOutput(const std::uint64_t now_ns)
 {
     // What closes by itself does so at its time, not when somebody looks again.
     const host::BusTime closes_at = output_.ClosesAt();
+    const bool closes = closes_at != host::kNever;
     SetTime(now_ns);
-    const SrdoMask open = output_.Open();
-    TellLatency(now_ns);
-    for (SlotIndex slot = 0U; slot < config_.srdo_count; ++slot)
-    {
-        const bool is_open = ((open >> slot) & 1U) != 0U;
-        if (((open_ ^ open) >> slot) & 1U)
-        {
-            const std::uint64_t closed_ns = start_ns_ + static_cast<std::uint64_t>(closes_at);
-            const std::uint64_t at_ns = (is_open || closes_at == host::kNever) ? now_ns : std::min(closed_ns, now_ns);
-            report_.Tell(at_ns,
-                         "output of SRDO " + std::to_string(model_.NumberOf(slot)) + (is_open ? " open" : " closed"),
-                         "output", {{"srdo", model_.NumberOf(slot)}, {"open", is_open}});
-        }
-    }
-    open_ = open;
-    application_.Run(open);
-}
-
-// From the stamp of the inverse frame to now, when the gate is open with the new pair.
-void NodeDevice::TellLatency(const std::uint64_t now_ns)
-{
-    const SrdoMask released = paired_ & output_.Open();
-    for (SlotIndex slot = 0U; slot < config_.srdo_count; ++slot)
-    {
-        if (((released >> slot) & 1U) != 0U && received_ns_.at(slot) != 0U && received_ns_.at(slot) < now_ns)
-        {
-            latency_.Add(now_ns - received_ns_.at(slot));
-        }
-    }
-    paired_ = 0U;
+    outputs_.Look(closes ? start_ns_ + static_cast<std::uint64_t>(closes_at) : now_ns, now_ns);
+    application_.Run(outputs_.Open());
 }
 
 bool NodeDevice::IsSaving() const noexcept
 {
     return store_ && store_->IsBusy();
-}
-
-void NodeDevice::Save()
-{
-    if (store_)
-    {
-        store_->OnCycle();
-    }
 }
 
 bool NodeDevice::Acknowledge(const std::uint8_t srdo, const std::uint64_t now_ns)
@@ -264,6 +256,7 @@ SrdoMask NodeDevice::AcknowledgeLevels(const std::uint64_t now_ns) const noexcep
 void NodeDevice::TellState(const std::uint64_t now_ns)
 {
     const cia301::NodeState state = assembly_.Device().State();
+    state_ = loading_.TakeReset() ? cia301::NodeState::kInvalid : state_; // Told again, even if it is the same.
     if (state != state_)
     {
         const bool is_configured = state_ == cia301::NodeState::kInvalid && cia301::StateByte(state) != 0U;
@@ -276,22 +269,48 @@ void NodeDevice::TellState(const std::uint64_t now_ns)
         state_ = state;
         if (state == cia301::NodeState::kOperational)
         {
-            FollowConfiguration();
+            FollowConfiguration(now_ns);
         }
         const std::string name = Name(cia301::KernelState(state));
         report_.Tell(now_ns, "NMT " + name, "nmt", {{"state", name}});
     }
 }
 
-// A cycle that ended before any part was called told nobody.
-void NodeDevice::TellSelfTest(const std::uint64_t now_ns)
+/// Directions, times, identifiers and mappings stay as they are until OPERATIONAL is left; the file, a store or a
+/// commissioner may have given them. [SRS_NODE_019]
+void NodeDevice::FollowConfiguration(const std::uint64_t now_ns)
 {
-    const std::string failure = self_test_ ? self_test_->Failure() : "";
-    if (!failure.empty() && !has_told_test_)
+    cycles_per_send_ = assembly_.CyclesPerSend();
+    cycles_to_send_ = 0U;
+    outputs_.Follow(assembly_.Core());
+    application_.Follow(assembly_.Core(), model_);
+    for (const SrdoModel& of_file : model_.Srdos())
     {
-        report_.Tell(now_ns, "self test failed: " + failure, "self_test", {{"failed", failure}});
+        // What is as in the file was told at the start.
+        const SrdoModel srdo = ConfiguredSrdo(assembly_.Core(), of_file);
+        if (!IsSameSrdo(srdo, of_file))
+        {
+            TellSrdo(report_, now_ns, config_, srdo);
+        }
     }
-    has_told_test_ = !failure.empty();
+}
+
+// At once after a change, and every refresh time after the last time.
+void NodeDevice::SendByApplication()
+{
+    if (cycles_per_send_ == 0U || assembly_.Device().State() != cia301::NodeState::kOperational)
+    {
+        cycles_to_send_ = 0U;
+        return;
+    }
+    const bool has_changed = application_.TakeChange();
+    if (cycles_to_send_ != 0U && !has_changed)
+    {
+        --cycles_to_send_;
+        return;
+    }
+    cycles_to_send_ = cycles_per_send_ - 1U;
+    assembly_.SendAll();
 }
 
 void NodeDevice::Stop(const std::uint64_t now_ns)

@@ -5,10 +5,11 @@
 #include "runtime/console/node_report.hpp"
 #include "runtime/node/application.hpp"
 #include "runtime/node/build.hpp"
-#include "runtime/node/latency.hpp"
+#include "runtime/node/loading.hpp"
 #include "runtime/node/lss.hpp"
 #include "runtime/node/objects/further.hpp"
 #include "runtime/node/objects/store.hpp"
+#include "runtime/node/output_watch.hpp"
 #include "runtime/node/ports.hpp"
 #include "runtime/node/self_test.hpp"
 
@@ -23,21 +24,20 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace counterpoint::runtime
 {
 /// A device of a DCF in real time: an assembly with shipped channels, the gate and the watchdog of the host, real
 /// frames. Time comes in with every call. [SRS_NODE_001, SRS_NODE_006]
-class NodeDevice final : private AssemblyOwner
+class NodeDevice final
 {
   public:
     /// Throws cia306::InputError.
     NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeReport& report);
 
     [[nodiscard]] const DeviceConfig& Config() const noexcept;
-    [[nodiscard]] const runtime::DeviceModel& Model() const noexcept;
+    [[nodiscard]] const DeviceModel& Model() const noexcept;
     /// @brief Null: the device has none.
     [[nodiscard]] const NodeSelfTest* SelfTests() const noexcept;
     [[nodiscard]] NodeFurther& Further() noexcept;
@@ -78,58 +78,39 @@ class NodeDevice final : private AssemblyOwner
     void Stop(std::uint64_t now_ns);
 
   private:
-    void OnStart() noexcept override;
-    void OnNoStart(StartResult result) noexcept override;
-    void OnLoaded(std::uint8_t groups) noexcept override;
-    void OnRefused(const ConfigurationWrite& write, AbortCode code) noexcept override;
-    void OnResetCommunication(const std::vector<std::string>& refusals) noexcept override;
-
     void FurnishSelfTest();
-    void FurnishLss(const NodeSettings& settings);
-    void Save();
-    void TellSelfTest(std::uint64_t now_ns);
-    void TellStore(const std::string& warning);
-    void FollowConfiguration();
-    void FindInverseFrames();
+    void FollowConfiguration(std::uint64_t now_ns);
     void SendByApplication();
     [[nodiscard]] SrdoMask AcknowledgeLevels(std::uint64_t now_ns) const noexcept;
     void SetTime(std::uint64_t now_ns);
     void TellState(std::uint64_t now_ns);
-    void TellLatency(std::uint64_t now_ns);
 
     NodeReport& report_;
     NodePorts& ports_;
     cia306::Device file_;
     bool has_lss_;
-    runtime::DeviceModel model_;
+    DeviceModel model_;
     std::vector<MappableObject> safety_objects_; ///< Those of the model that are not for PDOs alone.
     DeviceConfig config_;
     host::VirtualBus time_; ///< Nobody is on it: the time of output and watchdog.
     host::HostWatchdog watchdog_;
     host::HostOutput output_;
-    std::unique_ptr<runtime::ChannelHost> channel_a_;
-    std::unique_ptr<runtime::ChannelHost> channel_b_;
+    std::unique_ptr<ChannelHost> channel_a_;
+    std::unique_ptr<ChannelHost> channel_b_;
     NodeApplication application_;
     std::unique_ptr<NodeSelfTest> self_test_; ///< Null: none.
+    OutputWatch outputs_;
+    NodeLoading loading_;
     DeviceAssembly assembly_;
     NodeFurther further_;
     std::unique_ptr<NodeStore> store_; ///< Null: none.
-    std::string store_warning_;        ///< The last one that was told.
     std::unique_ptr<NodeLss> lss_;     ///< Null: none.
 
-    NodeLatency latency_;
     std::uint64_t start_ns_{0U};
-    std::uint64_t now_ns_{0U};
     std::array<std::uint64_t, kMaxSrdoCount> pressed_until_ns_{};
-    std::array<std::uint64_t, kMaxSrdoCount> received_ns_{}; ///< Last inverse frame, by slot.
-    std::array<SlotIndex, kSrdoIdentifierCount> slot_of_{};  ///< By identifier of the inverse frame.
-    SrdoMask paired_{0U};                                    ///< Slots with a new pair in this cycle.
-    SrdoMask open_{0U};
     cia301::NodeState state_{cia301::NodeState::kInvalid};
     std::uint32_t cycles_per_send_{0U};
     std::uint32_t cycles_to_send_{0U};
-    bool has_restarted_{false};
-    bool has_told_test_{false};
 };
 } // namespace counterpoint::runtime
 

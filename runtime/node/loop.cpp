@@ -1,8 +1,11 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/node/loop.hpp"
 
+#include "runtime/node/srdo_line.hpp"
+
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/device/safety_queue.hpp"
+#include "runtime/device/names.hpp"
 #include "safety_core/kernel/limits.hpp"
 
 #include <algorithm>
@@ -62,11 +65,17 @@ void CatchSignals()
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGTTIN, SIG_IGN);
 }
+
+std::string Milliseconds(const std::uint32_t us)
+{
+    return MillisecondsText(Nanoseconds{us} * kNanosecondsPerMicrosecond);
+}
 } // namespace
 
 NodeLoop::NodeLoop(const NodeLoopParts& parts)
     : parts_(parts), device_(parts.make(std::nullopt)), clocks_(device_->Config().cycle_tolerance_us),
-      script_(parts.script), cycle_ns_(device_->Config().cycle_us * kNsPerUs), is_input_open_(parts.input >= 0)
+      orders_(parts.ports, parts.report), script_(parts.script), cycle_ns_(device_->Config().cycle_us * kNsPerUs),
+      is_input_open_(parts.input >= 0)
 {
 }
 
@@ -123,7 +132,7 @@ void NodeLoop::Step()
     device_->LookAtOutput(clocks_.NowNs());
     WatchBus();
     FollowScript();
-    Carry(NodeOrder(pending_));
+    orders_.GoOn(*device_, {now_, now_ns_});
     if (caught_signal != 0)
     {
         reason_ = (caught_signal == SIGINT) ? "SIGINT" : "SIGTERM";
@@ -137,6 +146,50 @@ void NodeLoop::RunCycle()
     latest_cycle_ns_ = std::max(latest_cycle_ns_, late_ns);
     device_->Cycle(clocks_.Seal(), now_ns_);
     next_cycle_ns_ += (late_ns > cycle_ns_ / 4U) ? late_ns + cycle_ns_ : cycle_ns_;
+}
+
+void NodeLoop::TellStart()
+{
+    const DeviceConfig& config = device_->Config();
+    const DeviceModel& model = device_->Model();
+    const bool has_node_id = device_->NodeId() != 0U;
+    Tell((has_node_id ? "node " + std::to_string(config.node_id) : std::string("node without a node-ID")) + " of " +
+             cia306::Printable(model.File()) + " on " + BusNames() + ", cycle " + Milliseconds(config.cycle_us) +
+             ", late above " + Milliseconds(config.cycle_us + config.cycle_tolerance_us),
+         "start",
+         {{"node_id", device_->NodeId()},
+          {"dcf", model.File()},
+          {"can", BusNames()},
+          {"cycle_us", config.cycle_us},
+          {"cycle_tolerance_us", config.cycle_tolerance_us}});
+    const NodeSelfTest* const tests = device_->SelfTests();
+    const std::string covered = (tests == nullptr) ? "none" : tests->Text();
+    Tell("self tests: " + covered, "self_tests", {{"covered", covered}});
+    if (model.Srdos().empty())
+    {
+        Tell("no safety objects: a plain CANopen device", "plain", nlohmann::ordered_json::object());
+    }
+    for (const SrdoModel& srdo : model.Srdos())
+    {
+        if (srdo.direction == kDirectionConsumer || srdo.direction == kDirectionProducer)
+        {
+            TellSrdo(parts_.report, now_ns_, config, srdo);
+        }
+    }
+}
+
+std::string NodeLoop::BusNames() const
+{
+    host::LiveBus* const inverse = parts_.ports.Inverse();
+    return parts_.ports.Services().Name() + (inverse == nullptr ? "" : " and " + inverse->Name());
+}
+
+void NodeLoop::Carry(const NodeOrder& order)
+{
+    if (!orders_.Carry(order, *device_, {now_, now_ns_}))
+    {
+        reason_ = "quit";
+    }
 }
 
 void NodeLoop::Wait()
@@ -283,10 +336,11 @@ void NodeLoop::ReadOrders()
     const bool is_too_long = typed_.size() > kLongestOrder;
     if (is_too_long || (!is_input_open_ && !typed_.empty()))
     {
-        TellProblem("an order " +
-                    (is_too_long ? "of more than " + std::to_string(kLongestOrder) + " characters"
-                                 : cia306::Quoted(typed_) + " without an end of its line") +
-                    ", expected whole lines; no more are read");
+        const std::string text = "an order " +
+                                 (is_too_long ? "of more than " + std::to_string(kLongestOrder) + " characters"
+                                              : cia306::Quoted(typed_) + " without an end of its line") +
+                                 ", expected whole lines; no more are read";
+        Tell(text, "problem", {{"text", text}});
         typed_.clear();
         is_input_open_ = false;
     }

@@ -4,7 +4,7 @@
 
 #include "runtime/console/streams.hpp"
 #include "runtime/node/clocks.hpp"
-#include "runtime/node/device.hpp"
+#include "runtime/node/orders.hpp"
 #include "runtime/node/script.hpp"
 
 #include <cstdint>
@@ -42,7 +42,6 @@ class NodeLoop
 
     void TellStart();
     [[nodiscard]] std::string BusNames() const;
-    void TellProblem(const std::string& problem);
     void Wait();
     void Receive();
     void Hold(host::LiveBus& bus, HeldFrames& held);
@@ -55,16 +54,13 @@ class NodeLoop
     void FollowScript();
     void ReadOrders();
     void Carry(const NodeOrder& order);
-    void SetObject(const NodeOrder& order);
-    void TellObject(const ObjectAddress& object);
-    void SendCommand(const NodeOrder& order);
-    void TellState();
     void Tell(const std::string& text, const std::string& event, const nlohmann::ordered_json& details);
     [[nodiscard]] ExitStatus End();
 
     NodeLoopParts parts_;
     std::unique_ptr<NodeDevice> device_;
     NodeClocks clocks_;
+    NodeOrders orders_;
     NodeScript script_;     ///< Steps that are left.
     HeldFrames first_held_; ///< Safety frames by controller; those after the instant that is worked on wait.
     HeldFrames second_held_;
@@ -77,7 +73,6 @@ class NodeLoop
     host::BusState bus_{host::BusState::kActive};
     InstantPair now_{{0U}, {0U}};
     std::uint64_t now_ns_{0U};
-    NodeOrder pending_;  ///< A value that its object has not taken yet: a save.
     std::string typed_;  ///< Begin of a line.
     std::string reason_; ///< Why it ends; empty: it does not.
     bool is_input_open_;

@@ -3,6 +3,7 @@
 #define RUNTIME_NODE_LSS_HPP
 
 #include "canopen/cia305/lss_slave.hpp"
+#include "runtime/node/build.hpp"
 #include "runtime/node/objects/store.hpp"
 
 namespace counterpoint::runtime
@@ -12,12 +13,16 @@ namespace counterpoint::runtime
 class NodeLss final : private cia305::LssDevice
 {
   public:
-    /// `store` null: settings are not kept. All given outlive it.
-    NodeLss(cia301::FrameSink& sink, const cia305::Identity& identity, const cia305::LssSettings& settings,
+    /// Identity by the file, `node_id` stands for $NODEID in it. Node-ID: what LSS gave in this run, what it saved,
+    /// then the command line and the file. `store` null: settings are not kept. Sink and store outlive it. Throws
+    /// cia306::InputError.
+    NodeLss(cia301::FrameSink& sink, const NodeSettings& settings, const cia306::Device& file, std::uint8_t node_id,
             NodeStore* store);
     NodeLss(const NodeLss&) = delete;
     NodeLss& operator=(const NodeLss&) = delete;
 
+    /// @brief Of the device now, or what it will be at power-on; 0: LSS has given none.
+    [[nodiscard]] std::uint8_t NodeId() const noexcept;
     [[nodiscard]] cia305::LssSlave& Slave() noexcept
     {
         return slave_;

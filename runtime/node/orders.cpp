@@ -1,0 +1,169 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "runtime/node/orders.hpp"
+
+#include "runtime/device/names.hpp"
+
+namespace counterpoint::runtime
+{
+namespace
+{
+constexpr std::uint16_t kCommunicationBase = 0x1300U;
+
+std::string TextOf(const cia301::SdoAbort abort)
+{
+    return AbortText(static_cast<AbortCode>(static_cast<std::uint32_t>(abort)));
+}
+} // namespace
+
+NodeOrders::NodeOrders(NodePorts& ports, NodeReport& report) : ports_(ports), report_(report)
+{
+}
+
+bool NodeOrders::Carry(const NodeOrder& order, NodeDevice& device, const NodeMoment& at)
+{
+    at_ = at;
+    switch (order.kind)
+    {
+    case OrderKind::kSet:
+        Set(order, device);
+        break;
+    case OrderKind::kGet:
+        TellObject(order.object, device);
+        break;
+    case OrderKind::kAcknowledge:
+        if (!device.Acknowledge(static_cast<std::uint8_t>(order.value), at_.now_ns))
+        {
+            TellProblem("ack: no SRDO " + std::to_string(order.value) + ", expected one of this device",
+                        "no such SRDO");
+        }
+        break;
+    case OrderKind::kGfc:
+        if (device.Core().SendGfc() != Result::kSuccessful)
+        {
+            TellProblem("gfc: refused, expected OPERATIONAL, a valid configuration and 1300h = 1", "gfc refused");
+        }
+        break;
+    case OrderKind::kNmt:
+    {
+        const std::string name = Name(cia301::KernelState(device.Services().State()));
+        report_.Tell(at_.now_ns, "NMT " + name, "nmt", {{"state", name}});
+        break;
+    }
+    case OrderKind::kCommand:
+        SendCommand(order, device);
+        break;
+    case OrderKind::kState:
+        TellState(device);
+        break;
+    case OrderKind::kTime:
+        TellProblem(device.Further().SendTime(device.Services().State(), at_.now.a));
+        break;
+    case OrderKind::kRead:
+    case OrderKind::kWrite:
+        TellProblem(device.Further().StartTransfer(order, at_.now.a));
+        break;
+    case OrderKind::kHelp:
+        report_.Print(OrderHelp());
+        break;
+    case OrderKind::kQuit:
+        break;
+    case OrderKind::kProblem:
+        TellProblem(order.problem);
+        break;
+    case OrderKind::kNothing:
+        break;
+    }
+    return order.kind != OrderKind::kQuit;
+}
+
+void NodeOrders::GoOn(NodeDevice& device, const NodeMoment& at)
+{
+    static_cast<void>(Carry(NodeOrder(pending_), device, at));
+}
+
+/// An input of the application, else an object of the device itself.
+void NodeOrders::Set(const NodeOrder& order, NodeDevice& device)
+{
+    if (device.App().SetInput(order.object, order.value))
+    {
+        return;
+    }
+    cia301::Dictionary& objects = device.Objects();
+    const cia301::Reading size = objects.SizeOf(order.object);
+    cia301::SdoAbort abort = size.abort;
+    if (abort == cia301::SdoAbort::kNone)
+    {
+        abort = objects.WriteNumber(order.object, order.value, size.size_bytes);
+    }
+    pending_ = (abort == cia301::SdoAbort::kPending) ? order : NodeOrder{};
+    if (abort != cia301::SdoAbort::kNone && abort != cia301::SdoAbort::kPending)
+    {
+        TellProblem("set: " + ObjectText(order.object) + " = " + std::to_string(order.value) + " refused with " +
+                    TextOf(abort) + ", expected an input or an object of the device, and a value that it takes");
+    }
+}
+
+void NodeOrders::TellObject(const ObjectAddress& object, NodeDevice& device)
+{
+    const cia301::NumberReading reading = device.Objects().ReadNumber(object);
+    if (reading.abort == cia301::SdoAbort::kNone)
+    {
+        report_.Tell(at_.now_ns, ObjectText(object) + " = " + std::to_string(reading.value), "object",
+                     {{"object", ObjectText(object)}, {"value", reading.value}});
+        return;
+    }
+    TellProblem("get: " + ObjectText(object) + ": " + TextOf(reading.abort) + ", expected an object of numbers");
+}
+
+/// To this node as if it had come from the bus, to another as a master would.
+void NodeOrders::SendCommand(const NodeOrder& order, NodeDevice& device)
+{
+    const std::uint8_t own = device.NodeId();
+    host::LiveFrame frame;
+    frame.length_bytes = 2U;
+    frame.data[0U] = static_cast<std::uint8_t>(order.value);
+    frame.data[1U] = (order.node == 0U) ? own : order.node;
+    if (frame.data[1U] == own)
+    {
+        device.OnFrame(frame, CanPortId::kFirst, at_.now);
+    }
+    else if (ports_.Services().Send(frame) != host::SendResult::kSent)
+    {
+        TellProblem("nmt: the bus takes no frame now", "bus takes no frame");
+    }
+}
+
+void NodeOrders::TellState(NodeDevice& device)
+{
+    const DeviceFaultReport fault = device.Core().DeviceState();
+    const SrdoMask open = device.Open();
+    std::string text = std::string("NMT ") + Name(cia301::KernelState(device.Services().State())) + ", device " +
+                       (fault.fault == DeviceFault::kNone ? "running" : Name(fault.fault));
+    nlohmann::ordered_json details{{"nmt", Name(cia301::KernelState(device.Services().State()))},
+                                   {"device_fault", Name(fault.fault)},
+                                   {"srdos", nlohmann::ordered_json::array()}};
+    for (SlotIndex slot = 0U; slot < device.Model().Srdos().size(); ++slot)
+    {
+        const std::uint8_t number = device.Model().NumberOf(slot);
+        const auto index = static_cast<std::uint16_t>(kCommunicationBase + number);
+        const StateReply state = device.Core().GetState({index});
+        const bool is_open = ((open >> slot) & 1U) != 0U;
+        const std::string name = NameOf(kStateWords, state.state);
+        const std::string cause = Name(state.first_cause);
+        text += "; SRDO " + std::to_string(number) + " " + name + (cause == "none" ? "" : " (" + cause + ")") +
+                (is_open ? ", output open" : "");
+        details["srdos"].push_back(
+            {{"srdo", number}, {"state", name}, {"cause", cause}, {"errors", state.error_count}, {"open", is_open}});
+    }
+    details["values"] = device.App().Values();
+    report_.Tell(at_.now_ns, text + "; " + device.App().Values(), "state", details);
+}
+
+void NodeOrders::TellProblem(const std::string& text, const std::string& shown)
+{
+    if (!text.empty())
+    {
+        report_.Tell(at_.now_ns, text, "problem", {{"text", shown.empty() ? text : shown}});
+    }
+}
+} // namespace counterpoint::runtime
