@@ -59,6 +59,20 @@ struct NodeStatus
     bool is_busy;    ///< Start-up runs.
     bool is_started; ///< NMT start was sent since the last boot-up.
     bool is_other;   ///< The last start-up found another device than the expected one, or could not ask which it is.
+
+    /// @brief The object that kept the gate closed.
+    constexpr void Take(const GateFinding& finding) noexcept
+    {
+        object = finding.object;
+        abort = finding.abort;
+        expected = finding.expected;
+        read = finding.read;
+    }
+    /// @brief No object was asked for yet.
+    constexpr void ForgetObject() noexcept
+    {
+        Take(GateFinding{ObjectAddress{0U, 0U}, SdoAbort::kNone, 0U, 0U});
+    }
 };
 
 /// Is told what changes.

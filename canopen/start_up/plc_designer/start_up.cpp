@@ -1,45 +1,36 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-// States of master and slaves up to 4. Start and commands are in a file of their own.
 #include "canopen/start_up/plc_designer/start_up.hpp"
-
-#include "canopen/cia301/base/little_endian.hpp"
 
 namespace counterpoint::cia302
 {
 namespace
 {
 
-constexpr PlcSlave kPlainSlave{};
 constexpr std::uint32_t kBootUpUs = 2000000U;
 constexpr std::uint32_t kSettlingUs = 500000U;
-constexpr std::uint32_t kAnswerUs = 500000U;
-constexpr ObjectAddress kDeviceType{0x1000U, 0U};
-constexpr ObjectAddress kRestoreEntry{0x1011U, 1U};
-constexpr std::uint16_t kConciseDcf = 0x1F22U;
-constexpr std::uint32_t kLoad = 0x64616F6CU;
-constexpr std::uint64_t kProfileMask = 0xFFFFU;
-constexpr std::uint32_t kBufferBytes = 4U;
+constexpr std::uint8_t kStoppedByte = 4U; ///< As 1F82h reads it.
+constexpr std::uint8_t kPreOperationalByte = 127U;
 
 } // namespace
 
 PlcStartUp::PlcStartUp(const PlcParts& parts) noexcept
-    : parts_(parts), master_(0), is_active_(false), has_started_all_(false)
+    : parts_(parts.common), slaves_(parts), sdos_(parts), release_(parts), master_(0), is_active_(false)
 {
 }
 
 void PlcStartUp::Begin(const Instant now) noexcept
 {
     is_active_ = true;
-    has_started_all_ = false;
+    release_.Begin();
     master_ = 0;
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
     {
-        parts_.common.sdo.Cancel(NodeId{id}, SdoAbort::kGeneral);
-        parts_.common.table.Unwatch(NodeId{id});
-        Of(NodeId{id}) = PlcNode{};
-        Of(NodeId{id}).is_listed = parts_.common.setup.IsListed(NodeId{id});
+        parts_.sdo.Cancel(NodeId{id}, SdoAbort::kGeneral);
+        parts_.table.Unwatch(NodeId{id});
+        slaves_.Of(NodeId{id}) = PlcNode{};
+        slaves_.Of(NodeId{id}).is_listed = parts_.setup.IsListed(NodeId{id});
     }
-    parts_.common.listener.OnMasterState(master_, now);
+    parts_.listener.OnMasterState(master_, now);
 }
 
 void PlcStartUp::End() noexcept
@@ -48,43 +39,22 @@ void PlcStartUp::End() noexcept
     master_ = 0;
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
     {
-        parts_.common.sdo.Cancel(NodeId{id}, SdoAbort::kGeneral);
-        Of(NodeId{id}) = PlcNode{};
+        parts_.sdo.Cancel(NodeId{id}, SdoAbort::kGeneral);
+        slaves_.Of(NodeId{id}) = PlcNode{};
     }
 }
 
-PlcNode& PlcStartUp::Of(const NodeId node) const noexcept
+bool PlcStartUp::IsBegun(const NodeId node) const noexcept
 {
-    return parts_.nodes[node.value & kLastNode];
-}
-
-const PlcSlave& PlcStartUp::SetupOf(const NodeId node) const noexcept
-{
-    const PlcSlave* const slave = parts_.common.setup.Slave(node).plc;
-    return (slave != nullptr) ? *slave : kPlainSlave;
+    return is_active_ && slaves_.Of(node).is_listed && (master_ >= kPlcConfigures);
 }
 
 NodeStatus PlcStartUp::Status(const NodeId node) const noexcept
 {
-    NodeStatus status = Of(node).status;
-    status.is_busy = Of(node).is_listed && ((status.code <= kPlcSdos) || Of(node).is_wanted);
+    NodeStatus status = slaves_.Of(node).status;
+    status.is_busy = slaves_.Of(node).is_listed && ((status.code <= kPlcSdos) || slaves_.Of(node).is_wanted);
     status.is_other = status.is_other || (status.code == kPlcAbsent); // Nobody knows who came later. [SRS_SFS_009]
     return status;
-}
-
-/// The next state, and what is told of it.
-void PlcStartUp::Go(const NodeId node, const PlcEvent event, const StartUpStep step, const Instant now) noexcept
-{
-    PlcNode& slave = Of(node);
-    const std::int16_t state = Next(slave.status.code, event);
-    const bool has_changed = (slave.status.code != state) || (slave.status.step != step);
-    slave.since = (slave.status.code != state) ? now : slave.since;
-    slave.status.code = state;
-    slave.status.step = step;
-    if (has_changed)
-    {
-        parts_.common.listener.OnNodeStatus(node, now);
-    }
 }
 
 void PlcStartUp::OnFrame(const CanFrame&, const Instant) noexcept
@@ -98,7 +68,7 @@ void PlcStartUp::OnCycle(const Instant now) noexcept
     {
         for (std::uint8_t id = 1U; (id <= kLastNode) && (master_ >= kPlcConfigures); ++id)
         {
-            if (Of(NodeId{id}).is_listed)
+            if (slaves_.Of(NodeId{id}).is_listed)
             {
                 Drive(NodeId{id}, now);
             }
@@ -114,7 +84,7 @@ void PlcStartUp::DriveMaster(const Instant now) noexcept
     bool is_done = true;
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
     {
-        const PlcNode& slave = Of(NodeId{id});
+        const PlcNode& slave = slaves_.Of(NodeId{id});
         is_done = is_done && (!slave.is_listed || slave.has_sdos || (slave.status.code == kPlcAbsent));
     }
     if (master_ < kPlcConfigures)
@@ -124,79 +94,79 @@ void PlcStartUp::DriveMaster(const Instant now) noexcept
     else if ((master_ == kPlcConfigures) && is_done)
     {
         // This device too is OPERATIONAL then; that goes to nobody. [SRS_MGR_020]
-        const NodeId own = parts_.common.setup.own;
-        const NmtAnswer answer = parts_.common.nmt.Request(NmtCommand::kStart, own, now);
+        const NodeId own = parts_.setup.own;
+        const NmtAnswer answer = parts_.nmt.Request(NmtCommand::kStart, own, now);
         master_ = (answer == NmtAnswer::kTaken) ? kPlcRuns : master_;
     }
     else
     {
-        StartAll(now);
+        release_.StartAll(now);
     }
     for (std::uint8_t id = 1U; (id <= kLastNode) && (before < kPlcConfigures) && (master_ == kPlcConfigures); ++id)
     {
-        if (Of(NodeId{id}).is_listed)
+        if (slaves_.Of(NodeId{id}).is_listed)
         {
             BeginReset(NodeId{id}, now);
         }
     }
     if (master_ != before)
     {
-        parts_.common.listener.OnMasterState(master_, now);
+        parts_.listener.OnMasterState(master_, now);
     }
 }
 
 /// State -1. [SRS_PLC_002]
 void PlcStartUp::BeginReset(const NodeId node, const Instant now) noexcept
 {
-    PlcNode& slave = Of(node);
+    PlcNode& slave = slaves_.Of(node);
     const bool was_reset = slave.was_reset;
     const bool has_sdos = slave.has_sdos;
     const NodeStatus before = slave.status;
-    parts_.common.sdo.Cancel(node, SdoAbort::kGeneral);
-    parts_.common.gate.Close(node);
-    parts_.common.table.Unwatch(node);
+    parts_.sdo.Cancel(node, SdoAbort::kGeneral);
+    parts_.gate.Close(node);
+    parts_.table.Unwatch(node);
     slave = PlcNode{};
     slave.is_listed = true;
     slave.was_reset = was_reset;
     slave.has_sdos = has_sdos;
     slave.status.code = before.code;
-    Go(node, PlcEvent::kBegin, StartUpStep::kReset, now);
+    slaves_.Go(node, PlcEvent::kBegin, StartUpStep::kReset, now);
 }
 
 /// State 2. [SRS_PLC_003, SRS_PLC_018]
 void PlcStartUp::Settle(const NodeId node, const Instant now) noexcept
 {
-    PlcNode& slave = Of(node);
-    parts_.common.sdo.Cancel(node, SdoAbort::kGeneral);
-    parts_.common.gate.Close(node);
-    parts_.common.table.Unwatch(node);
+    PlcNode& slave = slaves_.Of(node);
+    parts_.sdo.Cancel(node, SdoAbort::kGeneral);
+    parts_.gate.Close(node);
+    parts_.table.Unwatch(node);
     slave.row = PlcRow::kDeviceType;
     slave.place = ConcisePosition{0U, 0U};
     slave.is_transferring = false;
     slave.is_type_wrong = false;
     slave.is_wanted = false;
-    slave.is_checking = false;
+    slave.reading.is_checking = false;
     slave.status.is_started = false;
     slave.status.abort = SdoAbort::kNone;
-    Go(node, PlcEvent::kSettle, StartUpStep::kSettling, now);
+    slaves_.Go(node, PlcEvent::kSettle, StartUpStep::kSettling, now);
     slave.since = now;
 }
 
 void PlcStartUp::Drive(const NodeId node, const Instant now) noexcept
 {
-    PlcNode& slave = Of(node);
+    PlcNode& slave = slaves_.Of(node);
     const std::uint32_t elapsed_us = now.us - slave.since.us;
     if (slave.is_stop_due)
     {
-        slave.is_stop_due = (parts_.common.nmt.Request(NmtCommand::kStop, node, now) != NmtAnswer::kTaken);
+        slave.is_stop_due = (parts_.nmt.Request(NmtCommand::kStop, node, now) != NmtAnswer::kTaken);
     }
-    slave.ran_unread = slave.ran_unread || RunsUnread(node);
+    slave.ran_unread = slave.ran_unread || release_.RunsUnread(node);
     switch (slave.status.code)
     {
     case kPlcReset:
-        if (parts_.common.nmt.Request(NmtCommand::kResetNode, node, now) == NmtAnswer::kTaken)
+        if (parts_.nmt.Request(NmtCommand::kResetNode, node, now) == NmtAnswer::kTaken)
         {
-            Go(node, PlcEvent::kResetSent, StartUpStep::kWaitBootUp, now);
+            slaves_.Go(node, PlcEvent::kResetSent, StartUpStep::kWaitBootUp, now);
         }
         break;
     case kPlcBootUp:
@@ -208,47 +178,65 @@ void PlcStartUp::Drive(const NodeId node, const Instant now) noexcept
     case kPlcSettles:
         if (elapsed_us >= kSettlingUs)
         {
-            Go(node, PlcEvent::kTimeOver, StartUpStep::kDeviceType, now);
-            Ask(node, now);
+            slaves_.Go(node, PlcEvent::kTimeOver, StartUpStep::kDeviceType, now);
+            sdos_.Ask(node, now);
         }
         break;
     case kPlcSdos:
-        DriveSdos(node, now);
+        Take(sdos_.Drive(node, now), node, now);
         break;
     case kPlcConfigured:
-        DriveStart(node, now);
+        release_.Drive(node, now);
         break;
     default:
         break;
     }
-    DriveCheck(node, now);
+    release_.Check(node, now);
+}
+
+/// What came of its SDOs.
+void PlcStartUp::Take(const PlcSdoEnd end, const NodeId node, const Instant now) noexcept
+{
+    if (end == PlcSdoEnd::kAll)
+    {
+        release_.Configured(node, now);
+    }
+    else if (end == PlcSdoEnd::kRestored)
+    {
+        BeginReset(node, now);
+    }
+    else
+    {
+        // They go on.
+    }
 }
 
 void PlcStartUp::OnNodeEvent(const NodeId node, const NodeEvent event, const Instant now) noexcept
 {
-    const std::int16_t state = Of(node).status.code;
-    const bool is_listed = is_active_ && Of(node).is_listed && (master_ >= kPlcConfigures);
+    const std::int16_t state = slaves_.Of(node).status.code;
+    const bool is_listed = IsBegun(node);
     const bool is_lost = (event == NodeEvent::kHeartbeatLost) || (event == NodeEvent::kGuardLost);
     const bool is_watched = (state == kPlcConfigured) || (state == kPlcStarted);
     if (is_listed && (event == NodeEvent::kBootUp) && (state != kPlcReset) && (state != kPlcAbsent))
     {
         // One that ran while it waited to be read, and now has to wait again, could so run unread for ever.
-        const bool is_cut = Of(node).ran_unread && ((state == kPlcSettles) || (state == kPlcSdos));
-        Of(node).is_stop_due = Of(node).is_stop_due || is_cut;
-        Of(node).is_unread = Of(node).is_unread || is_cut;
-        Of(node).ran_unread = Of(node).ran_unread && !is_cut;
+        PlcNode& slave = slaves_.Of(node);
+        const bool is_cut = slave.ran_unread && ((state == kPlcSettles) || (state == kPlcSdos));
+        slave.is_stop_due = slave.is_stop_due || is_cut;
+        slave.reading.is_unread = slave.reading.is_unread || is_cut;
+        slave.ran_unread = slave.ran_unread && !is_cut;
         Settle(node, now);
     }
     else if (is_listed && is_lost && is_watched)
     {
-        parts_.common.gate.Close(node);
-        Of(node).is_wanted = false;
-        Of(node).status.is_started = false;
-        Go(node, PlcEvent::kLost, StartUpStep::kErrorControl, now);
+        parts_.gate.Close(node);
+        slaves_.Of(node).is_wanted = false;
+        slaves_.Of(node).status.is_started = false;
+        slaves_.Go(node, PlcEvent::kLost, StartUpStep::kErrorControl, now);
     }
     else if (is_listed && (event == NodeEvent::kChanged) && (state == kPlcStarted))
     {
-        OnLeft(node);
+        release_.OnLeft(node);
     }
     else
     {
@@ -256,132 +244,111 @@ void PlcStartUp::OnNodeEvent(const NodeId node, const NodeEvent event, const Ins
     }
 }
 
-/// One SDO a cycle: an answer is taken in one, the next request goes in the following one.
-void PlcStartUp::DriveSdos(const NodeId node, const Instant now) noexcept
+void PlcStartUp::OnStartDropped(const NodeId node, const Instant now) noexcept
 {
-    PlcNode& slave = Of(node);
-    const TransferState state = parts_.common.sdo.State(node);
-    const bool is_silent = (slave.row == PlcRow::kDeviceType) && ((now.us - slave.since.us) >= kAnswerUs);
-    if (!slave.is_transferring)
+    release_.OnStartDropped(node, now);
+}
+
+NmtAnswer PlcStartUp::Command(const NmtCommand command, const NodeId node, const Instant now) noexcept
+{
+    NmtAnswer answer = is_active_ ? NmtAnswer::kTaken : NmtAnswer::kNotActive;
+    const bool is_all = (node.value == kAllNodes.value);
+    bool is_any = is_all;
+    bool has_taken = false;
+    if (is_active_ && (node.value == parts_.setup.own.value))
     {
-        Ask(node, now);
+        answer = parts_.nmt.Request(command, node, now);
+        is_any = true;
     }
-    else if (state == TransferState::kBusy)
+    for (std::uint8_t id = 1U; (id <= kLastNode) && is_active_; ++id)
     {
-        if (is_silent)
+        if (slaves_.Of(NodeId{id}).is_listed && (is_all || (id == node.value)))
         {
-            parts_.common.sdo.Cancel(node, SdoAbort::kTimeOut);
-            OnSilence(node, now);
+            const NmtAnswer one = CommandOne(command, NodeId{id}, now);
+            answer = (answer == NmtAnswer::kTaken) ? one : answer;
+            is_any = true;
+            has_taken = has_taken || (one == NmtAnswer::kTaken);
         }
+    }
+    answer = (has_taken && (answer == NmtAnswer::kWrong)) ? NmtAnswer::kPartly : answer;
+    return (is_any || !is_active_) ? answer : NmtAnswer::kWrong;
+}
+
+NmtAnswer PlcStartUp::CommandOne(const NmtCommand command, const NodeId node, const Instant now) noexcept
+{
+    PlcNode& slave = slaves_.Of(node);
+    const std::int16_t state = slave.status.code;
+    const bool is_start = (command == NmtCommand::kStart);
+    const std::uint8_t heard = parts_.table.RequestValue(node);
+    const bool has_left = (state == kPlcStarted) && ((heard == kStoppedByte) || (heard == kPreOperationalByte));
+    NmtAnswer answer = NmtAnswer::kTaken;
+    if (is_start && ((state == kPlcConfigured) || (state == kPlcLost) || has_left))
+    {
+        release_.StartByHand(node, now);
+    }
+    else if (is_start)
+    {
+        const bool is_other = slave.status.is_other && parts_.setup.IsSafetySlave(node);
+        answer = is_other ? NmtAnswer::kOtherDevice : NmtAnswer::kWrong;
+        answer = (state == kPlcStarted) ? NmtAnswer::kTaken : answer;
     }
     else
     {
-        const SdoOutcome outcome = parts_.common.sdo.Outcome(node);
-        const bool is_answer = (state == TransferState::kDone) || outcome.by_server;
-        if (is_answer)
+        answer = parts_.nmt.Request(command, node, now);
+        if (answer == NmtAnswer::kTaken)
         {
-            OnAnswer(node, now);
-        }
-        else if (is_silent || (slave.row != PlcRow::kDeviceType))
-        {
-            OnSilence(node, now);
-        }
-        else
-        {
-            // The pool gave up before the half second was over.
+            Obey(command, node, now);
         }
     }
+    return answer;
 }
 
-void PlcStartUp::Ask(const NodeId node, const Instant now) noexcept
+/// What a command that was handed over makes of the slave's state.
+void PlcStartUp::Obey(const NmtCommand command, const NodeId node, const Instant now) noexcept
 {
-    PlcNode& slave = Of(node);
-    const Bytes& list = parts_.common.setup.Slave(node).concise_dcf;
-    const ConciseReading entry = ReadConcise(list, slave.place);
-    const bool is_usable = (slave.place.entry > 0U) || IsConcise(list);
-    SdoPool& sdo = parts_.common.sdo;
-    slave.since = now;
-    if (slave.row == PlcRow::kDeviceType)
+    PlcNode& slave = slaves_.Of(node);
+    if ((command == NmtCommand::kResetNode) || (command == NmtCommand::kResetCommunication))
     {
-        slave.status.object = kDeviceType;
-        slave.is_transferring = sdo.Upload(node, kDeviceType, Room{slave.buffer, kBufferBytes}, SdoMode::kNormal, now);
-        if (slave.is_transferring)
-        {
-            sdo.TryOnce(node); // Half a second is this profile's own, and an optional slave is asked once.
-        }
-    }
-    else if (slave.row == PlcRow::kRestore)
-    {
-        cia301::ToLittleEndian(kLoad, slave.buffer, kBufferBytes);
-        slave.status.object = kRestoreEntry;
-        slave.is_transferring =
-            sdo.Download(node, kRestoreEntry, Bytes{slave.buffer, kBufferBytes}, SdoMode::kNormal, now);
-    }
-    else if (is_usable && (entry.state == ConciseState::kEntry))
-    {
-        slave.status.object = entry.object;
-        slave.is_transferring = sdo.Download(node, entry.object, entry.value, SdoMode::kNormal, now);
+        BeginReset(node, now);
+        slaves_.Go(node, PlcEvent::kResetSent, StartUpStep::kWaitBootUp, now);
     }
     else
     {
-        slave.status.object = ObjectAddress{kConciseDcf, node.value}; // It has no end: the slave stays in state 3.
+        parts_.gate.Close(node);
+        slave.is_held = true;
+        slave.reading.is_unread = false; // Not woken: this command counts.
+        slave.is_wanted = false;
+        slave.reading.is_checking = false;
+        slave.status.is_started = false;
+        slave.signs = parts_.table.Record(node).signs;
+        slaves_.Go(node, PlcEvent::kHold, StartUpStep::kManual, now);
     }
 }
 
-/// A confirmation or an abort. [SRS_PLC_007]
-void PlcStartUp::OnAnswer(const NodeId node, const Instant now) noexcept
+bool PlcStartUp::Boot(const NodeId node, const Instant now) noexcept
 {
-    PlcNode& slave = Of(node);
-    const SdoOutcome outcome = parts_.common.sdo.Outcome(node);
-    const std::uint32_t expected = parts_.common.setup.Slave(node).device_type;
-    slave.is_transferring = false;
-    slave.status.abort = outcome.abort;
-    parts_.common.listener.OnNodeStatus(node, now);
-    if (slave.row == PlcRow::kDeviceType)
+    const bool is_one = IsBegun(node);
+    if (is_one)
     {
-        const std::uint32_t size = (outcome.size_bytes < kBufferBytes) ? outcome.size_bytes : kBufferBytes;
-        const std::uint64_t read = cia301::FromLittleEndian(slave.buffer, size);
-        const bool is_equal = (read & kProfileMask) == (expected & kProfileMask);
-        slave.status.read = read;
-        slave.status.expected = expected;
-        slave.is_type_wrong = (expected != 0U) && ((outcome.abort != SdoAbort::kNone) || !is_equal);
-        const bool is_reset = SetupOf(node).is_reset && !slave.was_reset;
-        slave.row = is_reset ? PlcRow::kRestore : PlcRow::kList;
-        Go(node, PlcEvent::kNone, is_reset ? StartUpStep::kRestore : StartUpStep::kUserObjects, now);
-    }
-    else if (slave.row == PlcRow::kRestore)
-    {
-        slave.was_reset = true;
         BeginReset(node, now);
     }
-    else
-    {
-        slave.place = ReadConcise(parts_.common.setup.Slave(node).concise_dcf, slave.place).next;
-    }
-    const Bytes& list = parts_.common.setup.Slave(node).concise_dcf;
-    const bool is_over = ReadConcise(list, slave.place).state == ConciseState::kEnd;
-    if ((slave.status.code == kPlcSdos) && (slave.row == PlcRow::kList) && is_over)
-    {
-        EndSdos(node, now);
-    }
+    return is_one;
 }
 
-/// Again, in this cycle; an optional slave is asked once. [SRS_PLC_005, SRS_PLC_006, SRS_PLC_008]
-void PlcStartUp::OnSilence(const NodeId node, const Instant now) noexcept
+/// A slave that is held by a command waits for one.
+bool PlcStartUp::Resume(const NodeId node, const Instant now) noexcept
 {
-    PlcNode& slave = Of(node);
-    slave.is_transferring = false;
-    slave.status.abort = SdoAbort::kTimeOut;
-    if ((slave.row == PlcRow::kDeviceType) && SetupOf(node).is_optional && !slave.is_unread)
+    const bool is_one = IsBegun(node);
+    if (is_one && !slaves_.Of(node).is_held)
     {
-        slave.signs = parts_.common.table.Record(node).signs;
-        Go(node, PlcEvent::kSilence, StartUpStep::kDeviceType, now);
+        Settle(node, now);
     }
-    else
-    {
-        StopUnread(node, now);
-        Ask(node, now);
-    }
+    return is_one;
+}
+
+std::int16_t PlcStartUp::MasterState() const noexcept
+{
+    return master_;
 }
 
 } // namespace counterpoint::cia302

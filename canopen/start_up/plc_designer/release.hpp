@@ -1,0 +1,51 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_START_UP_PLC_DESIGNER_RELEASE_HPP
+#define CANOPEN_START_UP_PLC_DESIGNER_RELEASE_HPP
+
+#include "canopen/start_up/plc_designer/slaves.hpp"
+
+namespace counterpoint::cia302
+{
+
+/// From state 4 to 5, one by one or all at once, and the gate before and behind it: safety slaves are read before their
+/// start, and when they run without one. [SRS_PLC_012, SRS_PLC_013, SRS_PLC_014, SRS_PLC_015, SRS_PLC_016, SRS_PLC_020]
+class PlcRelease
+{
+  public:
+    explicit PlcRelease(const PlcParts& parts) noexcept;
+
+    /// @brief The start-up of all begins: no start of all has left.
+    void Begin() noexcept;
+    /// @brief All SDOs of the slave were answered: state 4, or 98.
+    void Configured(NodeId node, Instant now) noexcept;
+    /// @brief One step of a slave in state 4.
+    void Drive(NodeId node, Instant now) noexcept;
+    /// @brief A safety slave that runs without having been started is verified, also while it waits for the start of
+    /// all, and one that was started, but whose gate did not stay open. Once a cycle, in any state.
+    void Check(NodeId node, Instant now) noexcept;
+    /// @brief The start of all. Once a cycle, when the master runs.
+    void StartAll(Instant now) noexcept;
+    /// @brief The slave said another state than before.
+    void OnLeft(NodeId node) noexcept;
+    /// @brief Somebody commanded the slave while its start waited: it is read once more.
+    void OnStartDropped(NodeId node, Instant now) noexcept;
+    /// @brief By a command: no other slave is waited for. The slave is in state 4 or 99, or has left 5.
+    void StartByHand(NodeId node, Instant now) noexcept;
+    /// @brief A safety slave that says OPERATIONAL, or whose start was heard, has no permission of the gate.
+    /// [SRS_SFS_006]
+    [[nodiscard]] bool RunsUnread(NodeId node) const noexcept;
+
+  private:
+    [[nodiscard]] bool WaitsForAll(NodeId node) const noexcept;
+    void Want(NodeId node) noexcept;
+    void Refuse(NodeId node, Instant now) noexcept;
+
+    StartUpParts parts_;
+    PlcSlaves slaves_;
+    SafetyReader reader_;
+    bool has_started_all_;
+};
+
+} // namespace counterpoint::cia302
+
+#endif
