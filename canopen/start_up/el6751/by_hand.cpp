@@ -1,6 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-// Commands of the application: the text's table, and NMT commands.
-#include "canopen/start_up/el6751/start_up.hpp"
+#include "canopen/start_up/el6751/by_hand.hpp"
 
 namespace counterpoint::cia302
 {
@@ -41,14 +40,19 @@ constexpr ControlRow kControlRows[]{
 
 } // namespace
 
-NmtAnswer El6751StartUp::Control(const NodeId node, const std::uint16_t ads_state, const std::uint16_t device_state,
-                                 const Instant now) noexcept
+El6751ByHand::El6751ByHand(El6751Slaves& slaves, El6751Sdos& sdos, El6751Stops& stops, El6751Release& release) noexcept
+    : parts_(slaves.Parts()), slaves_(slaves), sdos_(sdos), stops_(stops), release_(release)
 {
-    const bool is_free = is_active_ && !Status(node).is_busy && (Of(node).phase != El6751Phase::kOutside);
+}
+
+NmtAnswer El6751ByHand::Control(const NodeId node, const std::uint16_t ads_state, const std::uint16_t device_state,
+                                const Instant now) noexcept
+{
+    const bool is_free = !slaves_.IsBusy(node) && (slaves_.Of(node).phase != El6751Phase::kOutside);
     // A deactivated slave was stopped, whatever became of it.
-    const bool is_stopped = (Of(node).phase == El6751Phase::kDeactivated);
+    const bool is_stopped = (slaves_.Of(node).phase == El6751Phase::kDeactivated);
     const std::uint8_t stopped = static_cast<std::uint8_t>(SlaveState::kStopped);
-    const std::uint8_t state = is_stopped ? stopped : parts_.common.table.RequestValue(node);
+    const std::uint8_t state = is_stopped ? stopped : parts_.table.RequestValue(node);
     Transition transition = Transition::kNone;
     for (const ControlRow& row : kControlRows)
     {
@@ -56,21 +60,21 @@ NmtAnswer El6751StartUp::Control(const NodeId node, const std::uint16_t ads_stat
         const bool is_from = (state == static_cast<std::uint8_t>(row.from));
         transition = (is_free && is_command && is_from) ? row.transition : transition;
     }
-    NmtAnswer answer = is_active_ ? NmtAnswer::kWrong : NmtAnswer::kNotActive;
+    NmtAnswer answer = NmtAnswer::kWrong;
     switch (transition)
     {
     case Transition::kStart:
-        answer = StartByHand(node, now);
+        answer = Start(node, now);
         break;
     case Transition::kStop:
-        answer = HoldByHand(NmtCommand::kStop, node, now);
+        answer = Hold(NmtCommand::kStop, node, now);
         break;
     case Transition::kPreOperational:
-        answer = HoldByHand(NmtCommand::kPreOperational, node, now);
+        answer = Hold(NmtCommand::kPreOperational, node, now);
         break;
     case Transition::kResetAndStart:
         answer = Reset(NmtCommand::kResetCommunication, node, now);
-        Of(node).is_start_wanted = (answer == NmtAnswer::kTaken);
+        slaves_.Of(node).is_start_wanted = (answer == NmtAnswer::kTaken);
         break;
     case Transition::kNone:
     default:
@@ -79,26 +83,26 @@ NmtAnswer El6751StartUp::Control(const NodeId node, const std::uint16_t ads_stat
     return answer;
 }
 
-NmtAnswer El6751StartUp::Command(const NmtCommand command, const NodeId node, const Instant now) noexcept
+NmtAnswer El6751ByHand::Command(const NmtCommand command, const NodeId node, const Instant now) noexcept
 {
-    NmtAnswer answer = is_active_ ? NmtAnswer::kWrong : NmtAnswer::kNotActive;
-    if (is_active_ && (node.value == kAllNodes.value))
+    NmtAnswer answer = NmtAnswer::kWrong;
+    if ((node.value == kAllNodes.value))
     {
         answer = NmtAnswer::kTaken;
         for (std::uint8_t id = 1U; id <= kLastNode; ++id)
         {
-            const bool is_one = (Of(NodeId{id}).phase != El6751Phase::kOutside);
+            const bool is_one = (slaves_.Of(NodeId{id}).phase != El6751Phase::kOutside);
             const NmtAnswer one = is_one ? CommandOne(command, NodeId{id}, now) : NmtAnswer::kTaken;
             answer = (one == NmtAnswer::kTaken) ? answer : one;
         }
     }
-    else if (is_active_ && (Of(node).phase != El6751Phase::kOutside))
+    else if ((slaves_.Of(node).phase != El6751Phase::kOutside))
     {
         answer = CommandOne(command, node, now);
     }
-    else if (is_active_ && (node.value == parts_.common.setup.own.value))
+    else if ((node.value == parts_.setup.own.value))
     {
-        answer = parts_.common.nmt.Request(command, node, now);
+        answer = parts_.nmt.Request(command, node, now);
     }
     else
     {
@@ -107,17 +111,17 @@ NmtAnswer El6751StartUp::Command(const NmtCommand command, const NodeId node, co
     return answer;
 }
 
-NmtAnswer El6751StartUp::CommandOne(const NmtCommand command, const NodeId node, const Instant now) noexcept
+NmtAnswer El6751ByHand::CommandOne(const NmtCommand command, const NodeId node, const Instant now) noexcept
 {
     NmtAnswer answer = NmtAnswer::kWrong;
     switch (command)
     {
     case NmtCommand::kStart:
-        answer = StartByHand(node, now);
+        answer = Start(node, now);
         break;
     case NmtCommand::kStop:
     case NmtCommand::kPreOperational:
-        answer = HoldByHand(command, node, now);
+        answer = Hold(command, node, now);
         break;
     case NmtCommand::kResetNode:
     case NmtCommand::kResetCommunication:
@@ -130,79 +134,55 @@ NmtAnswer El6751StartUp::CommandOne(const NmtCommand command, const NodeId node,
     return answer;
 }
 
-bool El6751StartUp::Boot(const NodeId node, const Instant now) noexcept
-{
-    const bool is_one = is_active_ && (Of(node).phase != El6751Phase::kOutside);
-    if (is_one)
-    {
-        El6751Node& slave = Of(node);
-        slave.is_held_by_hand = false;
-        slave.phase = Next(slave.phase, El6751Event::kReset);
-        Tell(node, kNodeStarts, StartUpStep::kReset, now);
-    }
-    return is_one;
-}
-
-/// A slave that is held by hand waits for a hand.
-bool El6751StartUp::Resume(const NodeId node, const Instant now) noexcept
-{
-    const bool is_one = is_active_ && (Of(node).phase != El6751Phase::kOutside);
-    if (is_one && !Of(node).is_held_by_hand)
-    {
-        BeginRows(node, kNodeStarts, now);
-    }
-    return is_one;
-}
-
 /// A start-up that runs is given up.
-NmtAnswer El6751StartUp::HoldByHand(const NmtCommand command, const NodeId node, const Instant now) noexcept
+NmtAnswer El6751ByHand::Hold(const NmtCommand command, const NodeId node, const Instant now) noexcept
 {
-    const NmtAnswer answer = parts_.common.nmt.Request(command, node, now);
+    const NmtAnswer answer = parts_.nmt.Request(command, node, now);
     if (answer == NmtAnswer::kTaken)
     {
-        parts_.common.gate.Close(node);
-        parts_.common.sdo.Cancel(node, SdoAbort::kGeneral);
-        Of(node).is_cut = Of(node).is_cut || (Of(node).phase == El6751Phase::kRows);
-        Of(node).is_held_by_hand = true;
-        Of(node).is_start_wanted = false;
-        Hold(node, (command == NmtCommand::kStop) ? kNodeDeactivated : kNodePreOperational, now);
+        parts_.gate.Close(node);
+        parts_.sdo.Cancel(node, SdoAbort::kGeneral);
+        slaves_.Of(node).is_cut = slaves_.Of(node).is_cut || (slaves_.Of(node).phase == El6751Phase::kRows);
+        slaves_.Of(node).is_held_by_hand = true;
+        slaves_.Of(node).is_start_wanted = false;
+        stops_.Hold(node, (command == NmtCommand::kStop) ? kNodeDeactivated : kNodePreOperational, now);
     }
     return answer;
 }
 
 /// While SDOs are under way, the start follows them. A slave that restarted unnoticed needs them first. One that left
 /// OPERATIONAL without a reaction is started again. One that was held in the middle of its SDOs gets all of them first.
-NmtAnswer El6751StartUp::StartByHand(const NodeId node, const Instant now) noexcept
+NmtAnswer El6751ByHand::Start(const NodeId node, const Instant now) noexcept
 {
-    El6751Node& slave = Of(node);
+    El6751Node& slave = slaves_.Of(node);
     const std::uint8_t operational = static_cast<std::uint8_t>(SlaveState::kOperational);
-    const bool runs = (parts_.common.table.RequestValue(node) == operational);
-    const bool is_deaf = (parts_.common.table.Record(node).asked == SlaveState::kStopped);
-    const bool is_unasked = IsSafety(node) && (slave.place.row <= El6751Row::kSerialNumber); // Who it is.
+    const bool runs = (parts_.table.RequestValue(node) == operational);
+    const bool is_deaf = (parts_.table.Record(node).asked == SlaveState::kStopped);
+    const bool is_unasked = slaves_.IsSafety(node) && (slave.place.row <= El6751Row::kSerialNumber); // Who it is.
     const bool is_unknown = slave.is_cut || is_unasked;
     const bool is_held = (slave.phase == El6751Phase::kHeld);
     NmtAnswer answer = NmtAnswer::kTaken;
-    if (IsSafety(node) && slave.status.is_other)
+    if (slaves_.IsSafety(node) && slave.status.is_other)
     {
         answer = NmtAnswer::kOtherDevice;
     }
-    else if ((slave.has_restarted && !Status(node).is_busy) || (is_held && is_unknown && is_deaf))
+    else if ((slave.has_restarted && !slaves_.IsBusy(node)) || (is_held && is_unknown && is_deaf))
     {
         answer = Reset(NmtCommand::kResetCommunication, node, now);
         slave.is_start_wanted = (answer == NmtAnswer::kTaken);
     }
-    else if (Status(node).is_busy)
+    else if (slaves_.IsBusy(node))
     {
         slave.is_start_wanted = true;
     }
     else if (is_held && is_unknown)
     {
         slave.is_start_wanted = true;
-        BeginRows(node, kNodeStarts, now);
+        sdos_.Begin(node, kNodeStarts, now);
     }
     else if ((slave.phase != El6751Phase::kRunning) || !runs)
     {
-        BeginStart(node, now);
+        release_.Start(node, now);
     }
     else
     {
@@ -211,13 +191,13 @@ NmtAnswer El6751StartUp::StartByHand(const NodeId node, const Instant now) noexc
     return answer;
 }
 
-NmtAnswer El6751StartUp::Reset(const NmtCommand command, const NodeId node, const Instant now) noexcept
+NmtAnswer El6751ByHand::Reset(const NmtCommand command, const NodeId node, const Instant now) noexcept
 {
-    const NmtAnswer answer = parts_.common.nmt.Request(command, node, now);
+    const NmtAnswer answer = parts_.nmt.Request(command, node, now);
     if (answer == NmtAnswer::kTaken)
     {
-        Of(node).is_held_by_hand = false;
-        BeginRows(node, kNodeStarts, now);
+        slaves_.Of(node).is_held_by_hand = false;
+        sdos_.Begin(node, kNodeStarts, now);
     }
     return answer;
 }

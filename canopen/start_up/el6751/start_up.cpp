@@ -1,12 +1,13 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-// Course of the whole network. SDOs and start of a slave, its supervision, and commands are in files of their own.
 #include "canopen/start_up/el6751/start_up.hpp"
 
 namespace counterpoint::cia302
 {
 
 El6751StartUp::El6751StartUp(const El6751Parts& parts) noexcept
-    : parts_(parts), pdos_(El6751PdoParts{parts.common.setup, parts.common.sink, parts.pdos, parts.times}),
+    : parts_(parts.common), pdos_(El6751PdoParts{parts.common.setup, parts.common.sink, parts.pdos, parts.times}),
+      slaves_(parts), sdos_(slaves_, pdos_), stops_(slaves_, pdos_, sdos_), release_(slaves_, pdos_, stops_),
+      watch_(slaves_, pdos_, sdos_, stops_), by_hand_(slaves_, sdos_, stops_, release_),
       controller_(ControllerState::kRunning), master_(kEl6751Ended), is_active_(false), is_usable_(true),
       is_reset_due_(false), has_started_all_(false)
 {
@@ -22,16 +23,16 @@ void El6751StartUp::Begin(const Instant now) noexcept
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
     {
         const NodeId node{id};
-        if (parts_.common.setup.IsListed(node))
+        if (parts_.setup.IsListed(node))
         {
-            const NodeStatus before = Of(node).status;
-            Of(node) = El6751Node{};
-            Of(node).status.code = before.code;
-            BeginRows(node, is_reset_due_ ? kNodeStarts : lost, now);
+            const NodeStatus before = slaves_.Of(node).status;
+            slaves_.Of(node) = El6751Node{};
+            slaves_.Of(node).status.code = before.code;
+            sdos_.Begin(node, is_reset_due_ ? kNodeStarts : lost, now);
         }
         else
         {
-            Of(node) = El6751Node{};
+            slaves_.Of(node) = El6751Node{};
         }
     }
     SendReset(now);
@@ -43,7 +44,7 @@ void El6751StartUp::SendReset(const Instant now) noexcept
 {
     if (is_reset_due_)
     {
-        const NmtAnswer answer = parts_.common.nmt.Request(NmtCommand::kResetCommunication, kAllNodes, now);
+        const NmtAnswer answer = parts_.nmt.Request(NmtCommand::kResetCommunication, kAllNodes, now);
         is_reset_due_ = (answer != NmtAnswer::kTaken);
     }
 }
@@ -54,40 +55,8 @@ void El6751StartUp::End() noexcept
     pdos_.End();
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
     {
-        parts_.common.sdo.Cancel(NodeId{id}, SdoAbort::kGeneral);
-        Of(NodeId{id}) = El6751Node{};
-    }
-}
-
-El6751Node& El6751StartUp::Of(const NodeId node) const noexcept
-{
-    return parts_.nodes[node.value & kLastNode];
-}
-
-const El6751Slave& El6751StartUp::SetupOf(const NodeId node) const noexcept
-{
-    return El6751SlaveOf(parts_.common.setup, node);
-}
-
-El6751Context El6751StartUp::Context(const NodeId node) const noexcept
-{
-    return El6751Context{parts_.common.setup, node, pdos_.IsSyncSent()};
-}
-
-bool El6751StartUp::IsSafety(const NodeId node) const noexcept
-{
-    return parts_.common.setup.IsSafetySlave(node);
-}
-
-void El6751StartUp::Tell(const NodeId node, const std::int16_t code, const StartUpStep step, const Instant now) noexcept
-{
-    NodeStatus& status = Of(node).status;
-    const bool has_changed = (status.code != code) || (status.step != step);
-    status.code = code;
-    status.step = step;
-    if (has_changed)
-    {
-        parts_.common.listener.OnNodeStatus(node, now);
+        parts_.sdo.Cancel(NodeId{id}, SdoAbort::kGeneral);
+        slaves_.Of(NodeId{id}) = El6751Node{};
     }
 }
 
@@ -97,7 +66,7 @@ void El6751StartUp::TellMaster(const Instant now) noexcept
     if (state != master_)
     {
         master_ = state;
-        parts_.common.listener.OnMasterState(state, now);
+        parts_.listener.OnMasterState(state, now);
     }
 }
 
@@ -107,9 +76,9 @@ void El6751StartUp::OnFrame(const CanFrame& frame, const Instant now) noexcept
     for (std::uint8_t id = 1U; (id <= kLastNode) && is_active_; ++id)
     {
         // At once: the next frame may be right again.
-        if ((Of(NodeId{id}).phase == El6751Phase::kRunning) && (pdos_.Fault(NodeId{id}) != 0))
+        if ((slaves_.Of(NodeId{id}).phase == El6751Phase::kRunning) && (pdos_.Fault(NodeId{id}) != 0))
         {
-            Watch(NodeId{id}, now);
+            watch_.Watch(NodeId{id}, now);
         }
     }
 }
@@ -145,33 +114,34 @@ void El6751StartUp::OnCycle(const Instant now) noexcept
 /// One step of one slave.
 void El6751StartUp::Drive(const NodeId node, const Instant now) noexcept
 {
-    switch (Of(node).phase)
+    switch (slaves_.Of(node).phase)
     {
     case El6751Phase::kResetting:
-        DriveReset(node, now);
+        sdos_.Reset(node, now);
         break;
     case El6751Phase::kRows:
-        DriveRows(node, now);
+        if (sdos_.Drive(node, now))
+        {
+            release_.Begin(node, now);
+        }
         break;
     case El6751Phase::kVerify:
-        DriveVerify(node, now);
-        break;
     case El6751Phase::kStarting:
-        DriveStart(node, now);
+        release_.Drive(node, now);
         break;
     case El6751Phase::kRunning:
-        Watch(node, now);
+        watch_.Watch(node, now);
         break;
     case El6751Phase::kStoppingToReset:
     case El6751Phase::kStoppingHeld:
     case El6751Phase::kStoppingFailed:
     case El6751Phase::kStoppingForGood:
-        DriveStop(node, now);
+        stops_.Drive(node, now);
         break;
     case El6751Phase::kHeld:
     case El6751Phase::kFailed:
     case El6751Phase::kDeactivated:
-        DriveIdle(node, now);
+        watch_.WatchIdle(node, now);
         break;
     case El6751Phase::kOutside:
     default:
@@ -183,28 +153,28 @@ void El6751StartUp::Drive(const NodeId node, const Instant now) noexcept
 /// alone is OPERATIONAL then. [SRS_ELM_027, SRS_MGR_020]
 void El6751StartUp::StartAll(const Instant now) noexcept
 {
-    const NodeId whom = parts_.common.setup.HasSafetySlave() ? parts_.common.setup.own : kAllNodes;
+    const NodeId whom = parts_.setup.HasSafetySlave() ? parts_.setup.own : kAllNodes;
     bool is_time = !has_started_all_;
     std::uint8_t slaves = 0U;
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
     {
         const NodeId node{id};
-        if (parts_.common.setup.IsListed(node))
+        if (parts_.setup.IsListed(node))
         {
             ++slaves;
-            is_time = is_time && SetupOf(node).is_started && (Of(node).phase == El6751Phase::kRunning);
+            is_time = is_time && slaves_.SetupOf(node).is_started && (slaves_.Of(node).phase == El6751Phase::kRunning);
         }
     }
     if (is_time && (slaves > 0U))
     {
-        has_started_all_ = (parts_.common.nmt.Request(NmtCommand::kStart, whom, now) == NmtAnswer::kTaken);
+        has_started_all_ = (parts_.nmt.Request(NmtCommand::kStart, whom, now) == NmtAnswer::kTaken);
     }
 }
 
 void El6751StartUp::OnNodeEvent(const NodeId node, const NodeEvent event, const Instant now) noexcept
 {
     const bool is_working = is_active_ && is_usable_ && (controller_ == ControllerState::kRunning);
-    if (is_working && (Of(node).phase != El6751Phase::kOutside))
+    if (is_working && (slaves_.Of(node).phase != El6751Phase::kOutside))
     {
         switch (event)
         {
@@ -213,10 +183,10 @@ void El6751StartUp::OnNodeEvent(const NodeId node, const NodeEvent event, const 
             break;
         case NodeEvent::kHeartbeatLost:
         case NodeEvent::kGuardLost:
-            OnFault(node, kNodeDeactivated, now);
+            watch_.OnFault(node, kNodeDeactivated, now);
             break;
         case NodeEvent::kToggleError:
-            OnFault(node, kNodeToggle, now);
+            watch_.OnFault(node, kNodeToggle, now);
             break;
         case NodeEvent::kStarted:
         case NodeEvent::kChanged:
@@ -233,18 +203,18 @@ void El6751StartUp::OnNodeEvent(const NodeId node, const NodeEvent event, const 
 /// The boot-up message. [SRS_ELM_002]
 void El6751StartUp::OnRestartOfSlave(const NodeId node, const Instant now) noexcept
 {
-    El6751Node& slave = Of(node);
+    El6751Node& slave = slaves_.Of(node);
     const bool has_run = (slave.phase == El6751Phase::kRunning) || (slave.phase == El6751Phase::kStarting);
     const bool is_left = (slave.phase == El6751Phase::kDeactivated) || IsStopping(slave.phase) ||
                          (slave.phase == El6751Phase::kResetting);
-    if (has_run && (SetupOf(node).restart == El6751Restart::kByHand))
+    if (has_run && (slaves_.SetupOf(node).restart == El6751Restart::kByHand))
     {
-        OnFault(node, kNodePreOperational, now);
+        watch_.OnFault(node, kNodePreOperational, now);
         slave.has_restarted = true; // It may be another device: the hand's start asks it first.
     }
     else if (!is_left)
     {
-        BeginRows(node, kNodeStarts, now);
+        sdos_.Begin(node, kNodeStarts, now);
     }
     else
     {
@@ -252,33 +222,9 @@ void El6751StartUp::OnRestartOfSlave(const NodeId node, const Instant now) noexc
     }
 }
 
-/// Error control of a slave whose SDOs are done.
-void El6751StartUp::OnFault(const NodeId node, const std::int16_t code, const Instant now) noexcept
+void El6751StartUp::OnStartDropped(const NodeId node, const Instant now) noexcept
 {
-    El6751Node& slave = Of(node);
-    const bool is_under_way = (slave.phase == El6751Phase::kRunning) || (slave.phase == El6751Phase::kStarting) ||
-                              (slave.phase == El6751Phase::kVerify);
-    const bool is_held = (slave.phase == El6751Phase::kHeld);
-    const bool has_reaction = (SetupOf(node).node_reaction == El6751NodeReaction::kStop) && !slave.is_held_by_hand;
-    if ((is_under_way || is_held) && has_reaction)
-    {
-        React(node, code, now);
-    }
-    else if (is_under_way || is_held)
-    {
-        slave.control_fault = code;
-        slave.cause = code;
-        slave.signs = parts_.common.table.Record(node).signs;
-        slave.beats = parts_.common.table.Record(node).beats;
-        if (!slave.is_held_by_hand)
-        {
-            StopOthers(node, now);
-        }
-    }
-    else
-    {
-        // Not supervised.
-    }
+    release_.OnStartDropped(node, now);
 }
 
 void El6751StartUp::OnController(const ControllerState state, const Instant now) noexcept
@@ -291,16 +237,49 @@ void El6751StartUp::OnController(const ControllerState state, const Instant now)
     }
 }
 
+NmtAnswer El6751StartUp::Command(const NmtCommand command, const NodeId node, const Instant now) noexcept
+{
+    return is_active_ ? by_hand_.Command(command, node, now) : NmtAnswer::kNotActive;
+}
+
+NmtAnswer El6751StartUp::Control(const NodeId node, const std::uint16_t ads_state, const std::uint16_t device_state,
+                                 const Instant now) noexcept
+{
+    return is_active_ ? by_hand_.Control(node, ads_state, device_state, now) : NmtAnswer::kNotActive;
+}
+
+bool El6751StartUp::Boot(const NodeId node, const Instant now) noexcept
+{
+    const bool is_one = is_active_ && (slaves_.Of(node).phase != El6751Phase::kOutside);
+    if (is_one)
+    {
+        El6751Node& slave = slaves_.Of(node);
+        slave.is_held_by_hand = false;
+        slave.phase = Next(slave.phase, El6751Event::kReset);
+        slaves_.Tell(node, kNodeStarts, StartUpStep::kReset, now);
+    }
+    return is_one;
+}
+
+/// A slave that is held by hand waits for a hand.
+bool El6751StartUp::Resume(const NodeId node, const Instant now) noexcept
+{
+    const bool is_one = is_active_ && (slaves_.Of(node).phase != El6751Phase::kOutside);
+    if (is_one && !slaves_.Of(node).is_held_by_hand)
+    {
+        sdos_.Begin(node, kNodeStarts, now);
+    }
+    return is_one;
+}
+
 NodeStatus El6751StartUp::Status(const NodeId node) const noexcept
 {
-    const El6751Node& slave = Of(node);
+    const El6751Node& slave = slaves_.Of(node);
     NodeStatus status = slave.status;
-    status.is_busy = (slave.phase == El6751Phase::kResetting) || (slave.phase == El6751Phase::kRows) ||
-                     (slave.phase == El6751Phase::kVerify) || (slave.phase == El6751Phase::kStarting) ||
-                     IsStopping(slave.phase);
+    status.is_busy = slaves_.IsBusy(node);
     // Who booted while it was deactivated, or was held before it said who it is, is asked by its next start-up.
     const bool is_unasked = slave.has_restarted || (slave.place.row <= El6751Row::kSerialNumber);
-    status.is_other = status.is_other || (IsSafety(node) && !status.is_busy && is_unasked); // [SRS_SFS_009]
+    status.is_other = status.is_other || (slaves_.IsSafety(node) && !status.is_busy && is_unasked); // [SRS_SFS_009]
     return status;
 }
 
@@ -309,7 +288,7 @@ std::int16_t El6751StartUp::MasterState() const noexcept
     bool is_started = true;
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
     {
-        is_started = is_started && (!parts_.common.setup.IsListed(NodeId{id}) || Of(NodeId{id}).was_started);
+        is_started = is_started && (!parts_.setup.IsListed(NodeId{id}) || slaves_.Of(NodeId{id}).was_started);
     }
     std::int16_t state = is_started ? kEl6751Runs : kEl6751Starts;
     state = (controller_ == ControllerState::kRunning) ? state : kEl6751NoBus;
@@ -319,7 +298,7 @@ std::int16_t El6751StartUp::MasterState() const noexcept
 
 std::int16_t El6751StartUp::Cause(const NodeId node) const noexcept
 {
-    return Of(node).cause;
+    return slaves_.Of(node).cause;
 }
 
 } // namespace counterpoint::cia302

@@ -1,0 +1,103 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_START_UP_EL6751_SLAVES_HPP
+#define CANOPEN_START_UP_EL6751_SLAVES_HPP
+
+#include "canopen/cia302/network/safety_reader.hpp"
+#include "canopen/start_up/el6751/pdos.hpp"
+#include "canopen/start_up/el6751/rows.hpp"
+#include "canopen/start_up/el6751/states.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::cia302
+{
+
+/// NodeState: what the status of a slave has as `code`.
+constexpr std::int16_t kNodeRuns = 0;        ///< Started, every TxPDO received, no error.
+constexpr std::int16_t kNodeDeactivated = 1; ///< Heartbeat or guarding lost, or stopped until a hand restarts it.
+constexpr std::int16_t kNodeNotFound = 2;    ///< The first SDO is not answered.
+constexpr std::int16_t kNodeSyntax = 4;      ///< An SDO of the start-up was aborted, or of a wrong length.
+constexpr std::int16_t kNodeMismatch = 5;    ///< A value is not the configured one.
+constexpr std::int16_t kNodeStarts = 8;      ///< Start-up runs.
+constexpr std::int16_t kNodeBusOff = 11;     ///< The manager's own controller.
+constexpr std::int16_t kNodePreOperational = 12;
+constexpr std::int16_t kNodeBusFault = 13; ///< The manager's controller does not start.
+constexpr std::int16_t kNodeToggle = 14;   ///< Guarding.
+constexpr std::int16_t kNodePdoTooShort = 20;
+constexpr std::int16_t kNodePdoMissing = 22;
+constexpr std::int16_t kNodeWaitsForPdos = 23; ///< Started; not every TxPDO was received.
+constexpr std::int16_t kNodePdoNotInCycle = 40;
+
+/// One slave. Zero-filled at first. Beside the phase stands what is known.
+struct El6751Node
+{
+    El6751Phase phase; ///< Changes by Next alone.
+    El6751Place place;
+    NodeStatus status;
+    std::int16_t cause;         ///< NodeState of the last error.
+    std::int16_t control_fault; ///< 1, 14 or 12 until the next right sign of life; 0: none.
+    std::int16_t held_code;     ///< Of kHeld.
+    std::uint8_t signs;         ///< Of the node table, when the phase, the fault or the wait began.
+    std::uint8_t beats;         ///< Likewise, when the control fault began: an answer that does not toggle ends none.
+    bool has_answered;          ///< Any SDO of this start-up.
+    bool is_transferring;
+    bool is_requested;    ///< NMT start was handed over.
+    bool is_start_wanted; ///< By hand, whatever the automatic start says.
+    bool is_held_by_hand;
+    bool was_started;     ///< Singly, since Begin.
+    bool was_operational; ///< Said so since its start.
+    bool is_settled;      ///< 1 s since the start.
+    bool is_wait_over;    ///< 10 s since the start.
+    SafetyReading reading;
+    bool has_restarted; ///< While it was deactivated.
+    bool is_cut;        ///< Held by hand in the middle of its SDOs.
+    Instant started;
+    std::uint8_t buffer[8];
+};
+
+/// `nodes` has kNodeRoom elements. All kept by reference.
+struct El6751Parts
+{
+    StartUpParts common;
+    El6751Node* nodes;
+    El6751PdoRoom pdos;
+    El6751Times times;
+};
+
+/// The slaves of the profile, by node-ID from 1 to 127, checked by the caller: what is known of each, and the one way
+/// by which NodeState and step are told.
+class El6751Slaves
+{
+  public:
+    explicit El6751Slaves(const El6751Parts& parts) noexcept : parts_(parts)
+    {
+    }
+
+    [[nodiscard]] const StartUpParts& Parts() const noexcept
+    {
+        return parts_.common;
+    }
+    [[nodiscard]] El6751Node& Of(const NodeId node) const noexcept
+    {
+        return parts_.nodes[node.value & kLastNode];
+    }
+    [[nodiscard]] const El6751Slave& SetupOf(const NodeId node) const noexcept
+    {
+        return El6751SlaveOf(parts_.common.setup, node);
+    }
+    [[nodiscard]] bool IsSafety(const NodeId node) const noexcept
+    {
+        return parts_.common.setup.IsSafetySlave(node);
+    }
+    /// @brief Its start-up or its stop is under way.
+    [[nodiscard]] bool IsBusy(NodeId node) const noexcept;
+    /// @brief Told if either is another one than before.
+    void Tell(NodeId node, std::int16_t code, StartUpStep step, Instant now) noexcept;
+
+  private:
+    El6751Parts parts_;
+};
+
+} // namespace counterpoint::cia302
+
+#endif
