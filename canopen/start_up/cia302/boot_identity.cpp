@@ -92,7 +92,8 @@ BootFinding BootIdentity::ReadDeviceType(const BootJob& job) noexcept
     BootFinding finding = Found(BootEvent::kNone);
     if (got == Got::kRefused)
     {
-        StopUnread(job);
+        const bool is_ours = job.record.is_unread && (parts_.table.Record(job.node).asked == SlaveState::kStopped);
+        reader_.StopUnread(job.record.is_unread, job.node, is_ours, job.time.now);
         const SdoOutcome outcome = parts_.sdo.Outcome(job.node);
         if ((outcome.abort == SdoAbort::kTimeOut) && !outcome.by_server) // Who refuses, or errs, is there.
         {
@@ -120,19 +121,6 @@ BootFinding BootIdentity::Pause(const BootJob& job) const noexcept
     const bool is_too_late = is_limited && ((job.time.clock_us - job.record.began_us) >= limit_us);
     const bool is_over = job.IsOver(kAskAgainUs - 1U);
     return is_too_late ? Failed('B') : Found(is_over ? BootEvent::kDone : BootEvent::kNone);
-}
-
-/// A safety slave that runs and cannot be read is stopped, and asked on in PRE-OPERATIONAL. [SRS_SFS_006]
-void BootIdentity::StopUnread(const BootJob& job) noexcept
-{
-    const bool is_ours = job.record.is_unread && (parts_.table.Record(job.node).asked == SlaveState::kStopped);
-    const bool is_running = parts_.setup.IsSafetySlave(job.node) && parts_.table.RunsSurely(job.node);
-    if (is_ours || is_running) // A full queue: at the next silence.
-    {
-        const NmtCommand command = is_running ? NmtCommand::kStop : NmtCommand::kPreOperational;
-        const NmtAnswer answer = parts_.nmt.Request(command, job.node, job.time.now);
-        job.record.is_unread = (answer == NmtAnswer::kTaken) ? is_running : job.record.is_unread;
-    }
 }
 
 BootFinding BootIdentity::Compare(const BootJob& job) noexcept

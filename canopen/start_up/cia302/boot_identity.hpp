@@ -2,6 +2,7 @@
 #ifndef CANOPEN_START_UP_CIA302_BOOT_IDENTITY_HPP
 #define CANOPEN_START_UP_CIA302_BOOT_IDENTITY_HPP
 
+#include "canopen/cia302/network/safety_reader.hpp"
 #include "canopen/start_up/cia302/boot_transfer.hpp"
 
 namespace counterpoint::cia302
@@ -14,7 +15,7 @@ constexpr std::uint32_t kGuardAnswerUs = 100'000U; ///< From a remote frame to i
 class BootIdentity
 {
   public:
-    explicit BootIdentity(const StartUpParts& parts) noexcept : parts_(parts), transfer_(parts.sdo)
+    explicit BootIdentity(const StartUpParts& parts) noexcept : parts_(parts), transfer_(parts.sdo), reader_(parts)
     {
     }
 
@@ -28,10 +29,10 @@ class BootIdentity
     [[nodiscard]] BootFinding Compare(const BootJob& job) noexcept;
     [[nodiscard]] BootFinding AskState(const BootJob& job) noexcept;
     [[nodiscard]] BootFinding TakeState(const BootJob& job) noexcept;
-    void StopUnread(const BootJob& job) noexcept;
 
     StartUpParts parts_;
     BootTransfer transfer_;
+    SafetyReader reader_;
 };
 
 /// @brief The state check is not for this slave.

@@ -19,6 +19,23 @@ struct BootTime
     std::uint64_t clock_us;
 };
 
+/// Makes a count of the counter. Zero-filled at first.
+struct BootClock
+{
+    std::uint64_t clock_us;
+    Instant last;
+    bool is_running;
+
+    /// @brief The count goes on as far as the counter did since the call before.
+    [[nodiscard]] BootTime Tick(const Instant now) noexcept
+    {
+        clock_us += is_running ? (now.us - last.us) : 0U;
+        last = now;
+        is_running = true;
+        return BootTime{now, clock_us};
+    }
+};
+
 /// The boot of one slave. Zero-filled at first. `state` changes by Next alone; the rest is what is known beside it.
 struct BootRecord
 {

@@ -108,10 +108,7 @@ BootFinding BootRelease::Refuse(const BootJob& job) noexcept
     BootFinding finding = Found(BootEvent::kNone);
     if (is_done)
     {
-        job.record.status.object = found.object;
-        job.record.status.abort = found.abort;
-        job.record.status.expected = found.expected;
-        job.record.status.read = found.read;
+        job.record.status.Take(found);
         job.record.status.is_started = false;
         job.record.was_operational = false;
         finding = Failed(parts_.gate.IsOther(job.node) ? LetterOf(found.object) : 'J');

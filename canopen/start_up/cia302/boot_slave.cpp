@@ -235,10 +235,7 @@ void BootSlave::EnterStep(const BootJob& job, const StartUpStep step) noexcept
     const bool is_new_look = (step != StartUpStep::kDone) && (job.record.status.letter == '\0');
     if (is_new_look) // What an earlier step read belongs to that step.
     {
-        job.record.status.object = ObjectAddress{0U, 0U};
-        job.record.status.abort = SdoAbort::kNone;
-        job.record.status.expected = 0U;
-        job.record.status.read = 0U;
+        job.record.status.ForgetObject();
     }
     parts_.listener.OnNodeStatus(job.node, job.time.now);
 }

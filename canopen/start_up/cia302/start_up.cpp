@@ -1,5 +1,4 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-// Course of the start-up. Commands and error handling are in a file of their own.
 #include "canopen/start_up/cia302/start_up.hpp"
 
 namespace counterpoint::cia302
@@ -9,45 +8,26 @@ namespace
 
 constexpr std::uint32_t kAnswers = 0x580U;
 constexpr std::uint32_t kErrorControl = 0x700U;
-constexpr std::uint32_t kLongestExpectMs = 1'000'000U; ///< See NodeTable::Expect.
-constexpr std::uint8_t kBehindLast = kLastNode + 1U;
+
+bool IsReset(const NmtCommand command) noexcept
+{
+    return (command == NmtCommand::kResetNode) || (command == NmtCommand::kResetCommunication);
+}
 
 } // namespace
 
 Cia302StartUp::Cia302StartUp(const StartUpParts& parts, BootRecord* const records) noexcept
-    : parts_(parts), boot_(parts, records, *this), step_(MasterStep::kIdle), reset_(NmtCommand::kResetCommunication),
-      cursor_(0U), reaction_(Reaction::kNone), is_start_due_(false), has_news_(false), clock_us_(0U), last_{0U},
-      has_clock_(false)
+    : parts_(parts), boot_(parts, records, *this), master_(parts, boot_), clock_{}, reaction_(Reaction::kNone)
 {
-}
-
-/// The count goes on as far as the counter did since the call before.
-BootTime Cia302StartUp::Tick(const Instant now) noexcept
-{
-    const std::uint32_t passed_us = has_clock_ ? (now.us - last_.us) : 0U;
-    clock_us_ += passed_us;
-    last_ = now;
-    has_clock_ = true;
-    return BootTime{now, clock_us_};
-}
-
-void Cia302StartUp::Go(const MasterEvent event, const Instant now) noexcept
-{
-    const MasterStep step = Next(step_, event);
-    if (step != step_)
-    {
-        step_ = step;
-        parts_.listener.OnMasterState(MasterState(), now);
-    }
 }
 
 void Cia302StartUp::Begin(const Instant now) noexcept
 {
-    static_cast<void>(Tick(now));
+    const BootTime time = clock_.Tick(now);
     End();
     if (parts_.setup.Has(kIsMaster))
     {
-        Restart(NmtCommand::kResetCommunication, now);
+        master_.Begin(NmtCommand::kResetCommunication, time);
     }
 }
 
@@ -61,200 +41,19 @@ void Cia302StartUp::End() noexcept
         parts_.gate.Close(NodeId{id});
     }
     reaction_ = Reaction::kNone;
-    is_start_due_ = false;
-    Go(MasterEvent::kEnd, last_);
-}
-
-/// From the resets on.
-void Cia302StartUp::Restart(const NmtCommand reset, const Instant now) noexcept
-{
-    End();
-    reset_ = reset;
-    const bool is_singly = (reset == NmtCommand::kResetCommunication) && HasKeptAlive();
-    cursor_ = is_singly ? std::uint8_t{1U} : std::uint8_t{0U};
-    Go(MasterEvent::kReset, now);
-    SendResets(Tick(now));
-}
-
-bool Cia302StartUp::HasKeptAlive() const noexcept
-{
-    bool has_one = false;
-    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
-    {
-        const NodeId node{id};
-        has_one = has_one || (parts_.setup.IsListed(node) && parts_.setup.Slave(node).Has(kKeepAlive));
-    }
-    return has_one;
-}
-
-/// Singly: nodes that are not listed too. What finds the queue full is tried in the next cycle.
-void Cia302StartUp::SendResets(const BootTime& time) noexcept
-{
-    bool is_going = true;
-    while (is_going && (cursor_ < kBehindLast))
-    {
-        const NodeId node{cursor_};
-        const bool is_kept =
-            (cursor_ > 0U) && (((cursor_ == parts_.setup.own.value)) ||
-                               (parts_.setup.IsListed(node) && parts_.setup.Slave(node).Has(kKeepAlive)));
-        is_going = is_kept || (parts_.nmt.Request(reset_, node, time.now) == NmtAnswer::kTaken);
-        if (is_going)
-        {
-            cursor_ = (cursor_ == 0U) ? kBehindLast : static_cast<std::uint8_t>(cursor_ + 1U);
-        }
-    }
-    if (is_going && (parts_.nmt.Waiting() == 0U))
-    {
-        BootAll(time);
-    }
-}
-
-/// All resets have left. What has booted up meanwhile is on its way already. 1F89h is also the time after which a
-/// slave, mandatory or not, is told as never seen.
-void Cia302StartUp::BootAll(const BootTime& time) noexcept
-{
-    const std::uint32_t asked_ms = parts_.setup.boot_time_ms;
-    const std::uint32_t limit_ms = (asked_ms < kLongestExpectMs) ? asked_ms : kLongestExpectMs;
-    Go(MasterEvent::kBoot, time.now);
-    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
-    {
-        const NodeId node{id};
-        const BootRecord& record = boot_.Record(node);
-        const bool is_booting = record.IsBooting(); // An extra alone boots nobody.
-        const bool is_new = parts_.setup.IsListed(node) && !is_booting && !record.is_booted;
-        if (is_new && parts_.setup.Slave(node).Has(kKeepAlive))
-        {
-            boot_.Ask(node, time);
-        }
-        else if (is_new)
-        {
-            boot_.Await(node, time);
-        }
-        if (is_new && (limit_ms > 0U))
-        {
-            parts_.table.Expect(node, limit_ms, time.now);
-        }
-    }
-    has_news_ = true;
-}
-
-/// Whether all listed slaves with these bits are booted, or none of them has failed.
-bool Cia302StartUp::IsEach(const std::uint32_t bits, const bool is_booted) const noexcept
-{
-    bool is_each = true;
-    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
-    {
-        const NodeId node{id};
-        const BootRecord& record = boot_.Record(node);
-        const bool is_meant = parts_.setup.IsListed(node) && parts_.setup.Slave(node).Has(bits);
-        const bool is_booting = record.IsBooting();
-        const bool is_good = record.is_booted || (!is_booted && is_booting);
-        is_each = is_each && (!is_meant || is_good);
-    }
-    return is_each;
-}
-
-/// The master follows its mandatory slaves. Called at the end of a call, not inside a boot.
-void Cia302StartUp::GoOn(const BootTime& time) noexcept
-{
-    if (has_news_)
-    {
-        VerifyRunning(time);
-    }
-    const bool is_waiting = has_news_ && ((step_ == MasterStep::kBooting) || (step_ == MasterStep::kHalted));
-    has_news_ = false;
-    if (is_waiting && !IsEach(kMandatory, false))
-    {
-        Go(MasterEvent::kFailed, time.now);
-    }
-    else if (is_waiting && IsEach(kMandatory, true))
-    {
-        Go(MasterEvent::kBooted, time.now);
-        if (!parts_.setup.Has(kApplicationStartsSelf))
-        {
-            static_cast<void>(CommandOwn(NmtCommand::kStart, time));
-        }
-    }
-    else if (is_waiting)
-    {
-        Go(MasterEvent::kAgain, time.now);
-    }
-}
-
-/// A slave that is kept alive may fail its boot while it runs: nobody else looks at it any more. [SRS_BOOT_013]
-void Cia302StartUp::VerifyRunning(const BootTime& time) noexcept
-{
-    for (std::uint8_t id = 1U; (id <= kLastNode) && (step_ != MasterStep::kIdle); ++id)
-    {
-        const NodeId node{id};
-        const BootRecord& record = boot_.Record(node);
-        const bool has_failed = (record.status.letter != '\0') && !record.is_booted && !record.status.is_busy;
-        const SlaveState state = parts_.table.Record(node).state;
-        const bool is_untold = (state == SlaveState::kUnknown) && parts_.setup.Slave(node).Has(kKeepAlive);
-        const bool is_running = (state == SlaveState::kOperational) || is_untold;
-        const bool is_closed = parts_.setup.IsSafetySlave(node) && (parts_.gate.State(node) == GateState::kClosed);
-        if (has_failed && is_running && is_closed)
-        {
-            boot_.Verify(node, time);
-        }
-    }
-}
-
-/// With one start for all if that hits booted slaves only, and none that must be verified.
-void Cia302StartUp::StartSlaves(const BootTime& time) noexcept
-{
-    is_start_due_ = false;
-    const bool is_together = !parts_.setup.HasSafetySlave() && IsEach(kInNetwork | kBootSlave, true);
-    const bool is_sent =
-        is_together && (parts_.nmt.Request(NmtCommand::kStart, kAllNodes, time.now) == NmtAnswer::kTaken);
-    is_start_due_ = is_together && !is_sent;
-    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
-    {
-        const NodeId node{id};
-        BootRecord& record = boot_.Record(node);
-        const bool is_meant =
-            parts_.setup.IsListed(node) && parts_.setup.Slave(node).Has(kBootSlave) && record.is_booted;
-        if (is_meant && is_sent)
-        {
-            record.status.is_started = true;
-        }
-        else if (is_meant && !is_together && !record.was_operational)
-        {
-            boot_.Start(node, time);
-        }
-    }
-}
-
-void Cia302StartUp::OnBooted(const NodeId /*node*/, const BootTime& /*time*/) noexcept
-{
-    has_news_ = true;
-}
-
-void Cia302StartUp::OnBootFailed(const NodeId node, const BootTime& /*time*/) noexcept
-{
-    const bool is_unsafe = (boot_.Record(node).status.step == StartUpStep::kSafety);
-    if (is_unsafe && parts_.setup.Slave(node).Has(kMandatory) && parts_.setup.Has(kStopAllOnError))
-    {
-        reaction_ = Reaction::kStopAll;
-    }
-    has_news_ = true;
-}
-
-bool Cia302StartUp::IsMasterOperational() const noexcept
-{
-    return step_ == MasterStep::kOperational;
+    master_.End(clock_.last);
 }
 
 void Cia302StartUp::OnFrame(const CanFrame& frame, const Instant now) noexcept
 {
-    const BootTime time = Tick(now);
+    const BootTime time = clock_.Tick(now);
     const std::uint32_t service = frame.identifier & ~std::uint32_t{kLastNode};
     const NodeId node{static_cast<std::uint8_t>(frame.identifier & kLastNode)};
     const bool is_of_slave = (service == kAnswers) || (service == kErrorControl);
     if (is_of_slave && parts_.setup.IsListed(node))
     {
         boot_.OnCycle(node, time);
-        GoOn(time);
+        master_.GoOn(time);
     }
     if ((service == kErrorControl) && parts_.setup.IsSafetySlave(node))
     {
@@ -268,7 +67,7 @@ void Cia302StartUp::VerifyAgain(const NodeId node, const BootTime& time) noexcep
 {
     const GateState gate = parts_.gate.State(node);
     const bool is_closed = (gate != GateState::kOpen) && (gate != GateState::kBusy);
-    const bool is_past_resets = (step_ != MasterStep::kIdle) && (step_ != MasterStep::kReset);
+    const bool is_past_resets = (master_.Step() != MasterStep::kIdle) && (master_.Step() != MasterStep::kReset);
     const bool is_quiet = !boot_.Record(node).status.is_busy && (parts_.nmt.Waiting() == 0U); // No stop on its way.
     if (is_closed && is_past_resets && is_quiet && parts_.table.RunsSurely(node))
     {
@@ -278,17 +77,11 @@ void Cia302StartUp::VerifyAgain(const NodeId node, const BootTime& time) noexcep
 
 void Cia302StartUp::OnCycle(const Instant now) noexcept
 {
-    const BootTime time = Tick(now);
-    if (step_ == MasterStep::kReset)
-    {
-        SendResets(time);
-    }
+    const BootTime time = clock_.Tick(now);
+    master_.SendResets(time);
     React(time);
-    if (is_start_due_)
-    {
-        StartSlaves(time);
-    }
-    for (std::uint8_t id = 1U; (step_ != MasterStep::kIdle) && (id <= kLastNode); ++id)
+    master_.SendStart(time);
+    for (std::uint8_t id = 1U; (master_.Step() != MasterStep::kIdle) && (id <= kLastNode); ++id)
     {
         const BootRecord& record = boot_.Record(NodeId{id});
         if (record.is_start_owed && !record.status.is_busy)
@@ -300,8 +93,336 @@ void Cia302StartUp::OnCycle(const Instant now) noexcept
             boot_.OnCycle(NodeId{id}, time);
         }
     }
-    has_news_ = has_news_ || (step_ == MasterStep::kHalted); // What halts it may be mandatory no more.
-    GoOn(time);
+    if (master_.Step() == MasterStep::kHalted)
+    {
+        master_.OnNews(); // What halts it may be mandatory no more.
+    }
+    master_.GoOn(time);
+}
+
+void Cia302StartUp::OnNodeEvent(const NodeId node, const NodeEvent event, const Instant now) noexcept
+{
+    const BootTime time = clock_.Tick(now);
+    const bool is_listed = parts_.setup.IsListed(node);
+    const bool is_active = (master_.Step() != MasterStep::kIdle) && (master_.Step() != MasterStep::kStopped);
+    const bool is_boot_up = (event == NodeEvent::kBootUp);
+    const bool is_lost = (event == NodeEvent::kHeartbeatLost) || (event == NodeEvent::kGuardLost);
+    const bool is_state = (event == NodeEvent::kStarted) || (event == NodeEvent::kChanged);
+    if (is_active && !is_listed && (is_boot_up || (event == NodeEvent::kUnexpected)))
+    {
+        OnForeign(node, now);
+    }
+    else if (is_listed && is_boot_up)
+    {
+        OnBootUp(node, time);
+    }
+    else if (is_active && is_listed && is_lost)
+    {
+        OnLost(node, time);
+    }
+    else if ((master_.Step() != MasterStep::kIdle) && is_listed && is_state)
+    {
+        OnState(node, event, time);
+    }
+}
+
+/// After a stop of all by error handling nobody is booted but by order. Who boots up then may be another device.
+void Cia302StartUp::OnBootUp(const NodeId node, const BootTime& time) noexcept
+{
+    const BootRecord& record = boot_.Record(node);
+    const bool is_stopped = (master_.Step() == MasterStep::kStopped);
+    const bool is_ordered = record.status.is_busy && (!record.is_extra || record.IsAwaitingBootUp());
+    if ((master_.Step() != MasterStep::kIdle) && (!is_stopped || is_ordered))
+    {
+        boot_.OnBootUp(node, time);
+    }
+    else if (is_stopped && parts_.setup.IsSafetySlave(node))
+    {
+        boot_.Doubt(node, time);
+    }
+    else
+    {
+        // Nothing was found of it, or it has no gate.
+    }
+}
+
+void Cia302StartUp::OnForeign(const NodeId node, const Instant now) noexcept
+{
+    NodeStatus& status = boot_.Record(node).status;
+    const bool is_news = (status.letter != 'A') && (node.value != parts_.setup.own.value);
+    if (is_news)
+    {
+        status = NodeStatus{};
+        status.letter = 'A';
+        parts_.listener.OnNodeStatus(node, now);
+    }
+}
+
+/// A safety slave that runs and was not verified, or not started by this master: it was verified before it ran, and
+/// changed since. One that has left OPERATIONAL can be changed: what was verified holds no more.
+void Cia302StartUp::OnState(const NodeId node, const NodeEvent event, const BootTime& time) noexcept
+{
+    const bool is_running = (parts_.table.Record(node).state == SlaveState::kOperational);
+    const bool is_free = !boot_.Record(node).status.is_busy;
+    const bool is_foreign = parts_.setup.IsSafetySlave(node) && !boot_.Record(node).status.is_started;
+    const bool is_found = parts_.table.IsFoundRunning(node); // Else at its next sign: VerifyAgain.
+    if (is_found && is_free && (is_foreign || !parts_.gate.MayStart(node)))
+    {
+        boot_.Verify(node, time);
+    }
+    else if (!is_running && is_free && (event == NodeEvent::kChanged) && parts_.gate.MayStart(node))
+    {
+        parts_.gate.Close(node);
+    }
+    else
+    {
+        // As it is to be, or under way.
+    }
+}
+
+void Cia302StartUp::OnLost(const NodeId node, const BootTime& time) noexcept
+{
+    const BootRecord& record = boot_.Record(node);
+    const bool is_mandatory = parts_.setup.Slave(node).Has(kMandatory);
+    const bool is_booted = record.is_booted && (!record.status.is_busy || record.is_extra);
+    if (is_booted && is_mandatory && parts_.setup.Has(kStopAllOnError))
+    {
+        reaction_ = Reaction::kStopAll;
+    }
+    else if (is_booted && is_mandatory && parts_.setup.Has(kResetAllOnError))
+    {
+        reaction_ = (reaction_ == Reaction::kStopAll) ? reaction_ : Reaction::kResetAll;
+    }
+    else if (is_booted)
+    {
+        boot_.Reset(node, time);
+    }
+    React(time);
+}
+
+/// What error handling owes, as soon as the queue has room.
+void Cia302StartUp::React(const BootTime& time) noexcept
+{
+    if (reaction_ == Reaction::kStopAll)
+    {
+        if (parts_.nmt.Request(NmtCommand::kStop, kAllNodes, time.now) == NmtAnswer::kTaken)
+        {
+            reaction_ = Reaction::kNone;
+            EndBoots(time);
+            master_.Stop(time.now);
+        }
+    }
+    else if (reaction_ == Reaction::kResetAll)
+    {
+        End();
+        master_.Begin(NmtCommand::kResetNode, time);
+    }
+}
+
+/// A safety slave in the middle of its boot was perhaps not asked yet who it is.
+void Cia302StartUp::EndBoots(const BootTime& time) noexcept
+{
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        const NodeId node{id};
+        BootRecord& record = boot_.Record(node);
+        const bool is_booting = record.IsBooting();
+        boot_.End(node);
+        record.status.is_started = false;
+        if (is_booting && parts_.setup.IsSafetySlave(node))
+        {
+            boot_.Doubt(node, time);
+        }
+    }
+}
+
+void Cia302StartUp::OnBooted(const NodeId /*node*/, const BootTime& /*time*/) noexcept
+{
+    master_.OnNews();
+}
+
+void Cia302StartUp::OnBootFailed(const NodeId node, const BootTime& /*time*/) noexcept
+{
+    const bool is_unsafe = (boot_.Record(node).status.step == StartUpStep::kSafety);
+    if (is_unsafe && parts_.setup.Slave(node).Has(kMandatory) && parts_.setup.Has(kStopAllOnError))
+    {
+        reaction_ = Reaction::kStopAll;
+    }
+    master_.OnNews();
+}
+
+bool Cia302StartUp::IsMasterOperational() const noexcept
+{
+    return master_.IsOperational();
+}
+
+/// It is verified anew and started in the next cycle, unless it boots anew. [SRS_BOOT_014]
+void Cia302StartUp::OnStartDropped(const NodeId node, const Instant /*now*/) noexcept
+{
+    BootRecord& record = boot_.Record(node);
+    // Two starts of one slave may be given up in one cycle.
+    record.is_start_owed = (record.is_start_owed || record.status.is_started) && parts_.setup.IsListed(node);
+    record.status.is_started = false;
+}
+
+/// Whom the master asked before may have been replaced since, and it was itself that did not hear the others.
+void Cia302StartUp::OnBusBack(const Instant now) noexcept
+{
+    const BootTime time = clock_.Tick(now);
+    const bool is_booting = (master_.Step() != MasterStep::kIdle) && (master_.Step() != MasterStep::kStopped);
+    for (std::uint8_t id = 1U; is_booting && (id <= kLastNode); ++id)
+    {
+        const NodeId node{id};
+        const BootRecord& record = boot_.Record(node);
+        const NodeStatus& status = record.status;
+        const SlaveState asked = parts_.table.Record(node).asked;
+        const bool is_to_start = !record.is_extra || record.is_start_wanted;
+        const bool is_cut = status.is_busy && is_to_start && !record.IsAwaitingBootUp();
+        const bool is_waiting = record.is_start_owed || (status.is_started && (asked != SlaveState::kOperational));
+        const bool has_failed = (status.letter != '\0') && !record.is_booted && (asked != SlaveState::kStopped);
+        const bool is_ended = !status.is_busy && (is_waiting || has_failed);
+        if (parts_.setup.IsListed(node) && (is_cut || is_ended))
+        {
+            const bool is_start_wanted = record.is_start_wanted;
+            boot_.Ask(node, time);
+            boot_.Record(node).is_start_wanted = is_start_wanted;
+        }
+    }
+}
+
+NmtAnswer Cia302StartUp::Command(const NmtCommand command, const NodeId node, const Instant now) noexcept
+{
+    const BootTime time = clock_.Tick(now);
+    NmtAnswer answer = NmtAnswer::kInvalid;
+    if (node.value == kAllNodes.value)
+    {
+        answer = CommandAll(command, time);
+    }
+    else if (node.value == parts_.setup.own.value)
+    {
+        answer = master_.CommandOwn(command, time);
+    }
+    else
+    {
+        answer = CommandNode(command, node, time);
+    }
+    return answer;
+}
+
+NmtAnswer Cia302StartUp::CommandAll(const NmtCommand command, const BootTime& time) noexcept
+{
+    const bool is_start = (command == NmtCommand::kStart);
+    NmtAnswer answer = NmtAnswer::kTaken;
+    if (is_start && parts_.setup.HasSafetySlave())
+    {
+        answer = StartEach(time);
+    }
+    else
+    {
+        answer = parts_.nmt.Request(command, kAllNodes, time.now);
+        for (std::uint8_t id = 1U; (answer == NmtAnswer::kTaken) && (id <= kLastNode); ++id)
+        {
+            // Who was never there heard nothing of it.
+            BootRecord& record = boot_.Record(NodeId{id});
+            record.status.is_started = is_start && record.is_booted;
+            record.is_start_owed = false;
+        }
+        const bool is_begun = (answer == NmtAnswer::kTaken) && (master_.Step() != MasterStep::kIdle);
+        if (is_begun && IsReset(command))
+        {
+            End();
+            master_.BootAll(time);
+        }
+        else if (is_begun && (is_start || master_.IsOperational()))
+        {
+            master_.Go(is_start ? MasterEvent::kStart : MasterEvent::kLeave, time.now);
+        }
+    }
+    return answer;
+}
+
+/// Another device than the expected one keeps nobody else from being started.
+NmtAnswer Cia302StartUp::StartEach(const BootTime& time) noexcept
+{
+    NmtAnswer answer = NmtAnswer::kTaken;
+    NmtAnswer refusal = NmtAnswer::kTaken;
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        const bool is_meant = parts_.setup.IsListed(NodeId{id}) && (answer == NmtAnswer::kTaken);
+        const NmtAnswer one = is_meant ? CommandNode(NmtCommand::kStart, NodeId{id}, time) : NmtAnswer::kTaken;
+        refusal = (one == NmtAnswer::kOtherDevice) ? one : refusal;
+        answer = ((one == NmtAnswer::kTaken) || (one == NmtAnswer::kOtherDevice)) ? answer : one;
+    }
+    answer = (answer == NmtAnswer::kTaken) ? master_.CommandOwn(NmtCommand::kStart, time) : answer;
+    return (answer == NmtAnswer::kTaken) ? refusal : answer;
+}
+
+NmtAnswer Cia302StartUp::CommandNode(const NmtCommand command, const NodeId node, const BootTime& time) noexcept
+{
+    const bool is_guarded =
+        (command == NmtCommand::kStart) && parts_.setup.IsSafetySlave(node) && parts_.nmt.IsActive();
+    const bool is_other = is_guarded && boot_.Record(node).status.is_other;
+    const NmtAnswer guarded = is_other ? NmtAnswer::kOtherDevice : NmtAnswer::kTaken;
+    const NmtAnswer answer = is_guarded ? guarded : parts_.nmt.Request(command, node, time.now);
+    const bool is_listed = parts_.setup.IsListed(node);
+    if (is_guarded && !is_other)
+    {
+        boot_.Start(node, time); // Verifies, whatever was verified before, and then starts.
+    }
+    else if ((answer == NmtAnswer::kTaken) && is_listed && IsReset(command) && (master_.Step() != MasterStep::kIdle))
+    {
+        boot_.Await(node, time);
+    }
+    else if ((answer == NmtAnswer::kTaken) && is_listed)
+    {
+        boot_.Record(node).status.is_started = (command == NmtCommand::kStart);
+        boot_.Record(node).is_start_owed = false;
+    }
+    return answer;
+}
+
+bool Cia302StartUp::Boot(const NodeId node, const Instant now) noexcept
+{
+    const BootTime time = clock_.Tick(now);
+    const bool is_node = (node.value >= 1U) && (node.value <= kLastNode);
+    const bool is_listed = parts_.setup.IsListed(node) && (master_.Step() != MasterStep::kIdle);
+    if (is_listed)
+    {
+        boot_.Ask(node, time);
+    }
+    else if (is_node && !parts_.setup.IsListed(node))
+    {
+        OnForeign(node, now);
+    }
+    return is_listed;
+}
+
+/// After a stop of all only orders start a slave. [SRS_BOOT_017]
+bool Cia302StartUp::Resume(const NodeId node, const Instant now) noexcept
+{
+    const BootTime time = clock_.Tick(now);
+    const bool is_going = (master_.Step() != MasterStep::kIdle) && (master_.Step() != MasterStep::kStopped);
+    const bool is_one = parts_.setup.IsListed(node) && is_going;
+    if (is_one)
+    {
+        boot_.Resume(node, time);
+    }
+    return is_one;
+}
+
+bool Cia302StartUp::Configure(const NodeId node, const Instant now) noexcept
+{
+    const BootTime time = clock_.Tick(now);
+    constexpr auto kStopped = static_cast<std::uint8_t>(SlaveState::kStopped); // It has no SDO to be written by.
+    const NodeStatus& status = boot_.Record(node).status;
+    const bool is_other = parts_.setup.IsSafetySlave(node) && status.is_other;
+    const bool is_free = parts_.setup.IsListed(node) && (master_.Step() != MasterStep::kIdle) && !is_other &&
+                         !status.is_busy && (parts_.table.RequestValue(node) != kStopped);
+    if (is_free)
+    {
+        boot_.Configure(node, time);
+    }
+    return is_free;
 }
 
 NodeStatus Cia302StartUp::Status(const NodeId node) const noexcept
@@ -311,7 +432,7 @@ NodeStatus Cia302StartUp::Status(const NodeId node) const noexcept
 
 std::int16_t Cia302StartUp::MasterState() const noexcept
 {
-    return static_cast<std::int16_t>(step_);
+    return static_cast<std::int16_t>(master_.Step());
 }
 
 } // namespace counterpoint::cia302

@@ -2,8 +2,7 @@
 #ifndef CANOPEN_START_UP_CIA302_START_UP_HPP
 #define CANOPEN_START_UP_CIA302_START_UP_HPP
 
-#include "canopen/start_up/cia302/boot_slave.hpp"
-#include "canopen/start_up/cia302/master_steps.hpp"
+#include "canopen/start_up/cia302/master.hpp"
 
 namespace counterpoint::cia302
 {
@@ -49,14 +48,6 @@ class Cia302StartUp final : public StartUp, private BootListener
     void OnBootFailed(NodeId node, const BootTime& time) noexcept override;
     [[nodiscard]] bool IsMasterOperational() const noexcept override;
 
-    [[nodiscard]] BootTime Tick(Instant now) noexcept;
-    void Go(MasterEvent event, Instant now) noexcept;
-    void Restart(NmtCommand reset, Instant now) noexcept;
-    void SendResets(const BootTime& time) noexcept;
-    void BootAll(const BootTime& time) noexcept;
-    void GoOn(const BootTime& time) noexcept;
-    void StartSlaves(const BootTime& time) noexcept;
-    void VerifyRunning(const BootTime& time) noexcept;
     void VerifyAgain(NodeId node, const BootTime& time) noexcept;
     void React(const BootTime& time) noexcept;
     void EndBoots(const BootTime& time) noexcept;
@@ -66,22 +57,13 @@ class Cia302StartUp final : public StartUp, private BootListener
     void OnState(NodeId node, NodeEvent event, const BootTime& time) noexcept;
     [[nodiscard]] NmtAnswer CommandAll(NmtCommand command, const BootTime& time) noexcept;
     [[nodiscard]] NmtAnswer StartEach(const BootTime& time) noexcept;
-    [[nodiscard]] NmtAnswer CommandOwn(NmtCommand command, const BootTime& time) noexcept;
     [[nodiscard]] NmtAnswer CommandNode(NmtCommand command, NodeId node, const BootTime& time) noexcept;
-    [[nodiscard]] bool HasKeptAlive() const noexcept;
-    [[nodiscard]] bool IsEach(std::uint32_t bits, bool is_booted) const noexcept;
 
     StartUpParts parts_;
     BootSlave boot_;
-    MasterStep step_;
-    NmtCommand reset_;    ///< Of the running kReset.
-    std::uint8_t cursor_; ///< Next node to be reset; 0: all at once.
+    Cia302Master master_;
+    BootClock clock_;
     Reaction reaction_;
-    bool is_start_due_; ///< The slaves are to be started together.
-    bool has_news_;     ///< A boot ended since the master looked.
-    std::uint64_t clock_us_;
-    Instant last_;
-    bool has_clock_;
 };
 
 } // namespace counterpoint::cia302
