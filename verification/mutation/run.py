@@ -14,32 +14,25 @@ import argparse
 import concurrent.futures
 import json
 import pathlib
-import re
-import resource
-import shlex
 import shutil
-import subprocess
 import sys
 import tempfile
 import time
 
+from build_tree import BadInput, Build, progress, run_program
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = "verification/mutation"
 FIELDS = ("name", "room", "file", "find", "replace", "count", "meaning")
-PROBE = "counterpoint_mutation_probe"
-COMPARATOR_PROBE = "counterpoint_comparator_probe"
+PROBE = f"{HERE}/counterpoint_mutation_probe"
+COMPARATOR_PROBE = f"{HERE}/counterpoint_comparator_probe"
 # Program, its arguments, and what it is called in the report.
 JUDGES = {
     "channel_a": ((PROBE, (), "cases"), (PROBE, ("differential",), "differential")),
     "channel_b": ((PROBE, (), "cases"), (PROBE, ("differential",), "differential")),
     "safety_core_comparator": ((COMPARATOR_PROBE, ("--gtest_brief=1",), "tests"),),
 }
-PROCESSOR_LIMIT_S = 60  # A busy machine makes a program wait, and that is no verdict.
-TIME_LIMIT_S = 1800
-
-
-class BadInput(Exception):
-    """Arguments or a list of mutants that cannot be used."""
+PROCESSOR_LIMIT_S = 60
 
 
 def read_mutants(path):
@@ -54,60 +47,6 @@ def read_mutants(path):
         if mutant["room"] not in JUDGES:
             raise BadInput(f"{path}: mutant {mutant['name']}: room '{mutant['room']}', expected one of {', '.join(JUDGES)}")
     return mutants
-
-
-class Build:
-    """What the build tree knows: how a source is compiled and how a program is linked."""
-
-    def __init__(self, folder):
-        self.folder = folder
-        if not (folder / "build.ninja").exists():
-            raise BadInput(f"{folder}: no build.ninja, expected a configured build tree")
-        programs = [PROBE, COMPARATOR_PROBE]
-        done = subprocess.run(["ninja", "-C", str(folder), "-j2", *programs], capture_output=True, text=True, check=False)
-        if done.returncode != 0:
-            raise BadInput(f"{folder}: the programs do not build:\n{done.stdout}{done.stderr}")
-        self.compile = {}
-        self.link = {}
-        for program in programs:
-            commands = subprocess.run(["ninja", "-C", str(folder), "-t", "commands", program], capture_output=True,
-                                      text=True, check=True).stdout.splitlines()
-            for line in commands:
-                source = re.search(r" -c (\S+\.cpp)$", line)
-                if source:
-                    self.compile[pathlib.Path(source.group(1)).resolve()] = line
-            self.link[program] = next(line for line in reversed(commands) if f" -o {self.path_of(program)} " in line)
-
-    @staticmethod
-    def path_of(program):
-        return f"{HERE}/{program}"
-
-    def compile_mutated(self, source, copy, work):
-        """Compiles `copy` in place of `source`; the copy's headers come first. Returns object and text of the compiler."""
-        words = shlex.split(self.compile[source])
-        target = work / (copy.stem + ".o")
-        words = [word for word in words if word != "-Werror"]
-        words[words.index("-c") + 1] = str(copy)
-        words[words.index("-o") + 1] = str(target)
-        for option, value in (("-MT", str(target)), ("-MF", str(target) + ".d")):
-            if option in words:
-                words[words.index(option) + 1] = value
-        words.insert(words.index("-c"), "-w")
-        # Behind the compiler's name, which the launcher of channel B wants in its place.
-        first_option = next(i for i, word in enumerate(words) if word.startswith("-"))
-        words.insert(first_option, f"-I{work}")
-        done = subprocess.run(words, cwd=self.folder, capture_output=True, text=True, check=False)
-        return (target if done.returncode == 0 else None), done.stderr
-
-    def link_mutated(self, program, objects, work):
-        line = self.link[program].replace(": && ", "", 1).replace(" && :", "", 1)
-        words = shlex.split(line)
-        target = work / program
-        words[words.index("-o") + 1] = str(target)
-        first = next(i for i, word in enumerate(words) if word.endswith(".o"))
-        words[first + 1:first + 1] = [str(item) for item in objects]
-        done = subprocess.run(words, cwd=self.folder, capture_output=True, text=True, check=False)
-        return (target if done.returncode == 0 else None), done.stderr
 
 
 def mutate(mutant, work):
@@ -127,20 +66,6 @@ def mutate(mutant, work):
     return [(source, copy_of_room / source.name) for source in sorted(room.glob("*.cpp"))]
 
 
-def run_program(program, arguments):
-    """Returns (killed, what it said)."""
-    limits = (PROCESSOR_LIMIT_S, PROCESSOR_LIMIT_S)
-    try:
-        done = subprocess.run([str(program), *arguments], capture_output=True, text=True, check=False, timeout=TIME_LIMIT_S,
-                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, limits))
-    except subprocess.TimeoutExpired:
-        return True, f"no end within {TIME_LIMIT_S} s"
-    if done.returncode == 0:
-        return False, ""
-    said = re.search(r"killed: (.*)|\[  FAILED  \] (\S+)", done.stdout)
-    return True, (next(group for group in said.groups() if group) if said else f"status {done.returncode}")
-
-
 def judge(build, mutant):
     """One mutant from copy to verdict."""
     result = {"name": mutant["name"], "room": mutant["room"], "meaning": mutant["meaning"], "killed": False, "by": {}, "error": ""}
@@ -151,13 +76,13 @@ def judge(build, mutant):
         except (OSError, ValueError) as error:
             result["error"] = str(error)
             return result
-        objects = []
+        objects = {}
         for original, copy in sources:
             item, text = build.compile_mutated(original.resolve(), copy, work)
             if item is None:
                 result["error"] = "does not compile: " + next((line for line in text.splitlines() if "error" in line), text)
                 return result
-            objects.append(item)
+            objects[original.resolve()] = item
         programs = {}
         for program, arguments, label in JUDGES[mutant["room"]]:
             if program not in programs:
@@ -165,7 +90,7 @@ def judge(build, mutant):
                 if programs[program] is None:
                     result["error"] = "does not link: " + text
                     return result
-            killed, said = run_program(programs[program], arguments)
+            killed, said = run_program(programs[program], arguments, PROCESSOR_LIMIT_S)
             if killed:
                 result["by"][label] = said
         result["killed"] = bool(result["by"])
@@ -176,16 +101,9 @@ def check_unmutated(build):
     """What the real sources do not pass cannot judge a mutant."""
     for room, judges in JUDGES.items():
         for program, arguments, label in judges:
-            killed, said = run_program(build.folder / build.path_of(program), arguments)
+            killed, said = run_program(build.folder / program, arguments, PROCESSOR_LIMIT_S)
             if killed:
                 raise BadInput(f"{room}: the sources themselves fail ({label}): {said}")
-
-
-def progress(done, count):
-    if sys.stderr.isatty():
-        filled = 40 * done // count
-        sys.stderr.write(f"\r[{'#' * filled}{' ' * (40 - filled)}] {done} of {count} mutants" + ("\n" if done == count else ""))
-        sys.stderr.flush()
 
 
 def run(build, mutants, jobs):
@@ -237,7 +155,7 @@ def main(arguments):
         mutants = [mutant for mutant in read_mutants(options.mutants) if mutant["name"].startswith(options.only)]
         if not mutants:
             raise BadInput(f"{options.mutants}: no mutant begins with '{options.only}'")
-        build = Build(options.build.resolve())
+        build = Build(options.build.resolve(), [PROBE, COMPARATOR_PROBE])
         if options.self_test:
             return self_test(build)
         check_unmutated(build)
