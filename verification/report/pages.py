@@ -113,6 +113,7 @@ def write(root, evidence, data):
     coverage_rows, totals = coverage(root, data)
     misra_rows, records, misra_counts = misra(root, gate_rows)
     tests = read_json(data / "ctest.json", [])
+    test_origin = read_json(data / "test_run.json", {"origin": "an unknown run"})["origin"]
     commands = read_json(data / "commands.json", {})
     gaps = [f"gate {row['gate']}: {row['looked_at']}" for row in gate_rows if not row["passed"]]
     gaps += [f"test program {test['name']} failed" for test in tests if not test["passed"]]
@@ -125,7 +126,7 @@ def write(root, evidence, data):
     context = {
         "identity": read_json(data / "identity.json", {}), "gates": gate_rows, "matrix": matrix, "coverage": coverage_rows,
         "totals": totals, "metrics": METRICS, "misra": misra_rows, "deviations": records, "misra_counts": misra_counts,
-        "tests": tests, "commands": commands, "gaps": gaps, "failover": failover, "areas": areas(matrix),
+        "tests": tests, "test_origin": test_origin, "commands": commands, "gaps": gaps, "failover": failover, "areas": areas(matrix),
         "gcov_totals": read_json(data / "gcov/summary.json", {}),
         "has_gcov": (evidence / "coverage_gcov/index.html").exists(),
         "has_clang": (evidence / "coverage_clang/index.html").exists(),

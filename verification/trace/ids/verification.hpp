@@ -31,6 +31,7 @@ inline constexpr RequirementId SRS_VER_021{"SRS_VER_021"};
 inline constexpr RequirementId SRS_VER_030{"SRS_VER_030"};
 inline constexpr RequirementId SRS_VER_031{"SRS_VER_031"};
 inline constexpr RequirementId SRS_VER_032{"SRS_VER_032"};
+inline constexpr RequirementId SRS_VER_033{"SRS_VER_033"};
 } // namespace counterpoint::req
 
 #endif
