@@ -48,9 +48,10 @@ void RemoteVoice::Restart(const DeviceConfig& /*config*/) noexcept
     previous_ = Instant{0U};
     cycle_ = 0U;
     refusal_ = Refusal{0U, SrdoCause::kNone};
-    for (ArmedFrame& armed : armed_)
+    for (std::uint8_t place = 0U; place < kArmedCount; ++place)
     {
-        armed.slot = kNoSlot;
+        armed_[place].slot = kNoSlot; // MISRA D-002
+        used_[place] = 0U;            // MISRA D-002
     }
     for (Told& told : told_)
     {

@@ -6,7 +6,10 @@
 #include "verification/trace/ids/kernel.hpp"
 #include "verification/trace/verifies.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <initializer_list>
+#include <iterator>
 
 namespace counterpoint
 {
@@ -135,6 +138,38 @@ TEST_F(Comparing, SlotThatDoesNotExistIsNeverLookedAt)
     // Then nothing was compared there
     EXPECT_EQ(first.newly_matched & 0x20U, 0U);
     EXPECT_EQ(last.fault, DeviceFault::kNone);
+}
+
+TEST_F(Comparing, RestartForgetsWhatDiffered)
+{
+    Verifies(req::SRS_CMP_007);
+    // Given a difference that is 4000 us old
+    a.outcome.fresh = 4U;
+    b.held[2].ordinal = 8U;
+    (void)CompareAt(1000U);
+    EXPECT_EQ(CompareAt(5000U).fault, DeviceFault::kNone);
+    // When the comparator is restarted and the voices agree, then nothing is newly matched
+    comparator.Restart(ComparatorSetup{5000U, 4U});
+    a.outcome.fresh = 0U;
+    b.held[2].ordinal = 9U;
+    EXPECT_EQ(CompareAt(6000U).newly_matched, 0U);
+    // and a new difference has the whole time
+    a.outcome.fresh = 4U;
+    b.held[2].ordinal = 8U;
+    EXPECT_EQ(CompareAt(7000U).fault, DeviceFault::kNone);
+    EXPECT_EQ(CompareAt(11000U).fault, DeviceFault::kNone);
+    EXPECT_EQ(CompareAt(11001U).fault, DeviceFault::kUnmatched);
+}
+
+TEST_F(Comparing, HighestSlotIsLookedAt)
+{
+    Verifies(req::SRS_CMP_006);
+    comparator.Restart(ComparatorSetup{5000U, 64U});
+    a.outcome.fresh = SrdoMask{1U} << 63U;
+    a.held[63].data.high = 1U;
+    const Verdict verdict = CompareAt(0U);
+    EXPECT_EQ(verdict.fault, DeviceFault::kDisagreement);
+    EXPECT_EQ(verdict.slot, 63U);
 }
 
 TEST_F(Comparing, EqualVoicesAgree)
@@ -320,6 +355,29 @@ TEST_F(Comparing, UnequalDataUnderOneOrdinalIsADisagreementInEveryBit)
     }
 }
 
+TEST_F(Comparing, UnequalDataIsADisagreementWhateverTheOtherBitsAre)
+{
+    Verifies(req::SRS_CMP_006);
+    b.outcome.fresh = 4U;
+    for (const std::uint32_t fill : {0x00000000U, 0xFFFFFFFFU})
+    {
+        a.held[2].data = Payload{fill, fill};
+        b.held[2].data = Payload{fill, fill};
+        EXPECT_EQ(CompareAt(0U).fault, DeviceFault::kNone);
+        for (std::uint32_t bit = 0U; bit < 32U; ++bit)
+        {
+            const std::uint32_t flipped = fill ^ (1U << bit);
+            b.held[2].data = Payload{flipped, fill};
+            EXPECT_EQ(CompareAt(0U).fault, DeviceFault::kDisagreement) << "bit " << bit;
+            b.held[2].data = Payload{fill, flipped};
+            EXPECT_EQ(CompareAt(0U).fault, DeviceFault::kDisagreement) << "bit " << bit;
+            // The same bit in both words, which must not cancel
+            b.held[2].data = Payload{flipped, flipped};
+            EXPECT_EQ(CompareAt(0U).fault, DeviceFault::kDisagreement) << "bit " << bit;
+        }
+    }
+}
+
 // t [us]    1000   2000 (seen)     6000 (limit)   6001
 // A's pair   9     10 .............10             10
 // B's pair   9      9 ............. 9              9
@@ -491,6 +549,29 @@ TEST(ComparePrepared, EveryBitOfTheDataAloneIsNotInverse)
         other.normal.length_bytes = 2U;
         other.status = PrepareStatus::kInvalid;
         EXPECT_EQ(Comparator::ComparePrepared(kPrepared, other), PreparedVerdict::kDisagreement) << "bit " << bit;
+    }
+}
+
+// Bytes are joined to words: a bit must not be covered by its neighbours, nor two equal bits of the halves cancel.
+TEST(ComparePrepared, EveryBitIsSeenAmongFullAndEmptyBytes)
+{
+    Verifies(req::SRS_CMP_010);
+    for (const std::uint8_t fill : std::initializer_list<std::uint8_t>{0x00U, 0xFFU})
+    {
+        PreparedPair full = kPrepared;
+        std::fill(std::begin(full.normal.data), std::end(full.normal.data), fill);
+        EXPECT_EQ(Comparator::ComparePrepared(full, full), PreparedVerdict::kEqual);
+        for (std::uint32_t bit = 0U; bit < 64U; ++bit)
+        {
+            const std::uint32_t flip = 1U << (bit % 8U);
+            PreparedPair other = full;
+            other.normal.data[bit / 8U] = static_cast<std::uint8_t>(fill ^ flip);
+            EXPECT_EQ(Comparator::ComparePrepared(full, other), PreparedVerdict::kNotInverse) << "bit " << bit;
+            EXPECT_EQ(Comparator::ComparePrepared(other, full), PreparedVerdict::kNotInverse) << "bit " << bit;
+            const std::uint32_t opposite = ((bit / 8U) + 4U) % 8U;
+            other.normal.data[opposite] = static_cast<std::uint8_t>(fill ^ flip);
+            EXPECT_EQ(Comparator::ComparePrepared(full, other), PreparedVerdict::kNotInverse) << "bit " << bit;
+        }
     }
 }
 

@@ -49,6 +49,22 @@ TEST_F(MemorySignatureTest, IsCrc32OfTheWordsLowByteFirst)
     EXPECT_EQ(signature.Done(), 1U);
 }
 
+TEST_F(MemorySignatureTest, EveryRemainderOfFourBitsIsUsed)
+{
+    Verifies(req::SRS_STS_001);
+    // Given six words on whose way each of the 16 remainders is used; the value is that of any other CRC-32
+    const std::array<std::uint32_t, 6> words{0x0001'0203U, 0x0405'0607U, 0x0809'0A0BU,
+                                             0x0C0D'0E0FU, 0xFFFF'FFFFU, 0x0000'0000U};
+    for (std::uint32_t word = 0U; word < 6U; ++word)
+    {
+        memory.Write(0x1000U + (4U * word), words[word]);
+    }
+    spans[0].words = 6U;
+    Restart(6U, SignatureSource::kGiven, 0x8A7F'A94AU);
+    EXPECT_EQ(Slice(), SliceResult::kPassed);
+    EXPECT_EQ(signature.Value(), 0x8A7F'A94AU);
+}
+
 TEST_F(MemorySignatureTest, SlicesAndSpansDoNotChangeIt)
 {
     Verifies(req::SRS_STS_001);
