@@ -226,12 +226,20 @@ TEST(ManySlots, ArmedFramesOfBothEndsAreUsed)
     rig.Cycle(20000U);
     EXPECT_EQ(rig.remote.due, MaskOf({0U}));
     EXPECT_EQ(rig.Remote().Prepare(0U).normal.identifier, 0x101U);
+    // Two frames for one slot call it due as one does
+    static_cast<void>(rig.Say(20000U));
+    word = rig.Word(21000U);
+    word.armed[0] = ArmedFrame{40U, 7U, PeerRig::Frame(0x151U)};
+    word.armed[1] = ArmedFrame{40U, 8U, PeerRig::Frame(0x151U)};
+    rig.Hear(word, 22000U);
+    rig.Cycle(22100U);
+    EXPECT_EQ(rig.remote.due, MaskOf({40U}));
     for (const SlotIndex slot : std::initializer_list<SlotIndex>{64U, 66U, 127U, 128U, 254U})
     {
-        static_cast<void>(rig.Say(21000U));
-        word = rig.Word(22000U);
+        static_cast<void>(rig.Say(23000U));
+        word = rig.Word(24000U);
         word.armed[0] = ArmedFrame{slot, 9U, PeerRig::Frame(0x17FU)};
-        rig.Hear(word, 23000U);
+        rig.Hear(word, 25000U);
         rig.Cycle(30000U);
         EXPECT_EQ(rig.remote.due, 0U) << static_cast<int>(slot);
     }

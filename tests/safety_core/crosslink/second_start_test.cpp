@@ -70,10 +70,10 @@ TEST(SecondStart, FaultsAndNewsOfBeforeAreNotTold)
     Verifies(req::SRS_TWO_006);
     Verifies(req::SRS_TWO_014);
     PeerRig rig{PeerRole::kA};
-    rig.channel.outcome.waiting = 5U;
     rig.channel.outcome.new_fault = 1U;
-    rig.Cycle(1000U);
+    rig.Cycle(1000U); // Slot 0 is news.
     StartAgain(rig);
+    rig.channel.outcome.waiting = 5U;
     rig.channel.outcome.new_fault = 0U;
     rig.channel.outcome.not_operational = 1U; // Entering would be news of all.
     rig.Cycle(2000U);
