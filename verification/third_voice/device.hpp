@@ -2,9 +2,7 @@
 #ifndef VERIFICATION_THIRD_VOICE_DEVICE_HPP
 #define VERIFICATION_THIRD_VOICE_DEVICE_HPP
 
-#include "safety_core/contract/channel.hpp"
-#include "safety_core/contract/configuration.hpp"
-#include "safety_core/kernel/object_access.hpp"
+#include "verification/third_voice/configuration.hpp"
 #include "verification/third_voice/consumer.hpp"
 
 #include <array>
@@ -16,20 +14,6 @@
 
 namespace counterpoint::third_voice
 {
-/// The objects of one SRDO as a client on the bus sees them.
-struct SrdoObjects
-{
-    std::uint32_t direction{0U};
-    std::uint32_t sct_ms{0U};
-    std::uint32_t srvt_ms{0U};
-    std::uint32_t transmission_type{254U};
-    std::uint32_t cob_id_1{0U};
-    std::uint32_t cob_id_2{0U};
-    std::uint32_t count{0U};
-    std::vector<std::uint32_t> entries; ///< As many as the device has room for.
-    std::uint32_t signature{0U};
-};
-
 /// What somebody in front of the device sees behind a call.
 struct Seen
 {
@@ -39,29 +23,15 @@ struct Seen
     bool is_configuration_invalid{false};
 };
 
-/// CRC of 13FFh, bit by bit. [semantics 7]
-[[nodiscard]] std::uint16_t SignatureOf(const SrdoObjects& srdo);
-
-/// One rule that is broken on purpose: a comparison that does not see it shows nothing. [SRS_VER_032]
-enum class Flaw : std::uint8_t
-{
-    kNone = 0U,
-    kSctLonger,     ///< SCT is one microsecond longer.
-    kSrvtLonger,    ///< SRVT is.
-    kNoInversion,   ///< The inverse frame is not compared.
-    kNoSignature,   ///< 13FFh is not.
-    kKeepsReleased, ///< Leaving OPERATIONAL writes no safe value.
-};
-
 /// A whole device as docs/semantics.md describes it: configuration, consumers, GFC; one time for both counters.
 class Device
 {
   public:
-    using Address = std::pair<std::uint16_t, std::uint8_t>;
-
     /// @brief `config` outlives it. Initial values of the objects are told by SetInitial: what a device has at power-on
     /// is its own affair.
     explicit Device(const DeviceConfig& config, Flaw flaw = Flaw::kNone);
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
 
     void SetInitial(std::uint8_t number, const SrdoObjects& objects);
     void SetGfcParameter(std::uint32_t value);
@@ -83,24 +53,14 @@ class Device
     struct Srdo
     {
         const SrdoSetup* setup{nullptr};
-        SrdoObjects objects{};
+        const SrdoObjects* objects{nullptr};
         std::array<Consumer, 2U> observers{};
         std::uint32_t written_ordinal{0U};
         bool is_released{false};
     };
 
-    [[nodiscard]] AbortCode WriteParameter(Srdo& srdo, std::uint8_t sub, std::uint32_t value);
-    [[nodiscard]] AbortCode WriteMapping(Srdo& srdo, std::uint8_t sub, std::uint32_t value);
-    [[nodiscard]] AbortCode WriteValid(std::uint32_t value);
-    [[nodiscard]] AbortCode CheckIdentifier(const Srdo& srdo, std::uint32_t cob_id_1, std::uint32_t cob_id_2) const;
-    [[nodiscard]] bool IsSound(const Srdo& srdo) const;
-    [[nodiscard]] bool IsMappingSound(const Srdo& srdo) const;
-    [[nodiscard]] const MappableObject* ObjectOf(std::uint32_t entry) const;
     [[nodiscard]] ConsumerRules RulesOf(const Srdo& srdo) const;
-    [[nodiscard]] Srdo* Find(std::uint8_t number);     ///< Null: there is none.
-    [[nodiscard]] Srdo& Existing(std::uint8_t number); ///< Throws std::out_of_range.
-    [[nodiscard]] const Srdo& Existing(std::uint8_t number) const;
-    void Keep(std::uint32_t& place, std::uint32_t value);
+    [[nodiscard]] const Srdo& Existing(std::uint8_t number) const; ///< Throws std::bad_optional_access.
     void WriteSafe(const Srdo& srdo);
     void WriteData(const Srdo& srdo, std::uint64_t normal);
     void Enter(Time now);
@@ -110,10 +70,9 @@ class Device
 
     const DeviceConfig& config_;
     Flaw flaw_;
-    std::vector<Srdo> srdos_;
+    Configuration configuration_;
+    std::vector<Srdo> srdos_; ///< By slot.
     std::map<Address, std::uint64_t> variables_;
-    std::uint32_t gfc_parameter_{0U};
-    std::uint32_t valid_{0U};
     NmtState nmt_{NmtState::kInitialising};
     bool has_gfc_{false};
     bool has_left_{false};           ///< Since the last cycle: that one shows it, whatever came behind.

@@ -32,7 +32,7 @@ StartResult Rig::Start()
     return kernel_.Start(config_, FlowCallback::kOff);
 }
 
-AbortCode Rig::Write(const Device::Address address, const std::uint64_t value, const std::size_t size)
+AbortCode Rig::Write(const Address address, const std::uint64_t value, const std::size_t size)
 {
     ObjectData data{};
     data.size_bytes = static_cast<std::uint8_t>(size);
@@ -43,7 +43,7 @@ AbortCode Rig::Write(const Device::Address address, const std::uint64_t value, c
     return kernel_.WriteObject(ObjectAddress{address.first, address.second}, data);
 }
 
-std::uint32_t Rig::Read(const Device::Address address)
+std::uint32_t Rig::Read(const Address address)
 {
     return ToValue(kernel_.ReadObject(ObjectAddress{address.first, address.second}).data);
 }
@@ -72,7 +72,7 @@ void Rig::Cycle(const Time now, const SrdoMask acknowledge_a, const SrdoMask ack
     kernel_.Cycle({At(now), acknowledge_a, acknowledge_b});
 }
 
-std::uint64_t Rig::Variable(const Device::Address address) const
+std::uint64_t Rig::Variable(const Address address) const
 {
     std::array<std::uint8_t, 8U> bytes = memory_.at(address);
     return ReadVariable({bytes.data(), bits_.at(address)}).bits;

@@ -36,12 +36,12 @@ class Rig final : private Application, private hal::CanPorts, private hal::Safet
     Rig(DeviceConfig& config, std::vector<MappableObject>& objects, const Counters& counters);
 
     [[nodiscard]] StartResult Start();
-    [[nodiscard]] AbortCode Write(Device::Address address, std::uint64_t value, std::size_t size);
-    [[nodiscard]] std::uint32_t Read(Device::Address address);
+    [[nodiscard]] AbortCode Write(Address address, std::uint64_t value, std::size_t size);
+    [[nodiscard]] std::uint32_t Read(Address address);
     void SetNmt(NmtState state, Time now);
     void OnFrame(const CanFrame& frame, Time stamp);
     void Cycle(Time now, SrdoMask acknowledge_a, SrdoMask acknowledge_b);
-    [[nodiscard]] std::uint64_t Variable(Device::Address address) const;
+    [[nodiscard]] std::uint64_t Variable(Address address) const;
     [[nodiscard]] SrdoState StateOf(std::uint8_t number) const;
     [[nodiscard]] DeviceFault Fault() const;
     [[nodiscard]] SrdoMask Open(Time now);
@@ -66,8 +66,8 @@ class Rig final : private Application, private hal::CanPorts, private hal::Safet
 
     DeviceConfig& config_;
     Counters counters_;
-    std::map<Device::Address, std::array<std::uint8_t, 8U>> memory_;
-    std::map<Device::Address, std::uint8_t> bits_;
+    std::map<Address, std::array<std::uint8_t, 8U>> memory_;
+    std::map<Address, std::uint8_t> bits_;
     channel_a::StorageFor<kSrdos, kEntries> storage_a_{};
     channel_b::StorageFor<kSrdos, kEntries> storage_b_{};
     channel_a::Channel a_;
