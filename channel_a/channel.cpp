@@ -1,51 +1,44 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "channel_a/channel.hpp"
 
-#include "channel_a/octets.hpp"
-#include "channel_a/seal.hpp"
-#include "channel_a/voice.hpp"
+#include "channel_a/consumer.hpp"
+#include "channel_a/cycle.hpp"
+#include "channel_a/producer.hpp"
+#include "channel_a/rules.hpp"
+#include "channel_a/slot.hpp"
+#include "channel_a/values.hpp"
 
 #include <cstddef>
-#include <cstdint>
 
-// Start and details. Steps of the state: state.cpp; frames: consumer.cpp, producer.cpp; cycle: cycle.cpp.
 namespace counterpoint::channel_a
 {
 namespace
 {
 
-constexpr std::uint32_t kDefaultSctMs = 25U;
-constexpr std::uint32_t kDefaultSctOfConsumerMs = 50U;
-constexpr std::uint32_t kDefaultSrvtMs = 20U;
-constexpr std::uint8_t kFirstSrdoNumber = 1U;
-constexpr std::uint8_t kLastNodeIdOfProducers = 32U;
-constexpr std::uint8_t kLastNodeIdWithDefault = 64U;
-constexpr std::uint32_t kDefaultIdentifierBase = 0xFFU;
-
-constexpr std::uint32_t kHeldShift = 1U;
-constexpr std::uint32_t kStateCount = 16U;
-
-// By the bits of the mode's state; what is none or more than one of them is not released.
-constexpr SrdoState kStates[kStateCount] = {
-    // MISRA D-001
-    SrdoState::kOff,      SrdoState::kWaiting, SrdoState::kFaulted, SrdoState::kFaulted,
-    SrdoState::kReleased, SrdoState::kFaulted, SrdoState::kFaulted, SrdoState::kFaulted,
-    SrdoState::kProducer, SrdoState::kFaulted, SrdoState::kFaulted, SrdoState::kFaulted,
-    SrdoState::kFaulted,  SrdoState::kFaulted, SrdoState::kFaulted, SrdoState::kFaulted,
-};
-
-// Default connection set: SRDO 1 of the first 64 nodes. [SRS_CFG_002]
-void SetDefaults(Record& record, const std::uint8_t number, const std::uint8_t node_id) noexcept
+// Power-on state of one slot.
+void Clear(const Voice& voice, const std::size_t slot) noexcept
 {
-    record.values[kSctPlace] = kDefaultSctMs;
-    record.values[kSrvtPlace] = kDefaultSrvtMs;
-    record.values[kTransmissionTypePlace] = kTransmissionTypeAsynchronous;
-    if ((number == kFirstSrdoNumber) && (node_id <= kLastNodeIdWithDefault))
+    const SrdoSetup& setup = voice.config->srdos[slot]; // MISRA D-002
+    Record& record = At(voice, slot);
+    record = Record{};
+    record.grants.Set(Grant::kState, static_cast<std::uint8_t>(State::kOff));
+    record.grants.Set(Grant::kLength, 0U);
+    record.grants.Set(Grant::kPolicy, static_cast<std::uint8_t>(setup.policy));
+    record.grants.Set(Grant::kEdge, kNo);
+    record.grants.Set(Grant::kResolved, kNo);
+    record.grants.Set(Grant::kChecked, kNo);
+    record.limit_us = kNoLimit;
+    record.form = setup.form;
+    record.detection = setup.detection;
+    record.safe = BytesOf(setup.safe_value);
+    SetFirstCause(record, SrdoCause::kNone);
+    SetDefaults(record, setup.number, voice.config->node_id);
+    const std::size_t entries = voice.storage.map_entries;
+    voice.storage.counts[slot] = 0U; // MISRA D-002
+    for (std::size_t entry = slot * entries; entry < ((slot + 1U) * entries); ++entry)
     {
-        const std::uint32_t identifier = kDefaultIdentifierBase + (2U * std::uint32_t{node_id});
-        record.values[kCobIdPlace] = identifier;
-        record.values[kCobIdPlace + 1U] = identifier + 1U;
-        record.values[kSctPlace] = (node_id > kLastNodeIdOfProducers) ? kDefaultSctOfConsumerMs : kDefaultSctMs;
+        voice.storage.entries[entry] = 0U;                                                 // MISRA D-002
+        voice.storage.steps[entry / kEntriesPerStep] = Step{kNoObject, kNoObject, 0U, 0U}; // MISRA D-002
     }
 }
 
@@ -59,51 +52,135 @@ void Channel::Restart(const DeviceConfig& config) noexcept
     voice_.config = &config;
     // 1 to 64, by the contract of DeviceConfig.
     voice_.count = (config.srdo_count < storage.capacity) ? config.srdo_count : storage.capacity;
-    voice_.ports[0] = config.normal_port;
-    voice_.ports[1] = config.inverse_port;
+    voice_.ports[kNormalHalf] = config.normal_port;
+    voice_.ports[kInverseHalf] = config.inverse_port;
     voice_.late_after_us = config.cycle_us + config.cycle_tolerance_us;
     voice_.first_delay_us = kFirstTransmissionStepUs * config.node_id;
     voice_.outcome.not_operational = 1U;
     voice_.levels = ~SrdoMask{0U}; // A level of 1 at power-on is no edge.
-    const std::size_t entries = (std::size_t{voice_.count} * storage.row) + kMoreEntries;
-    for (std::size_t entry = 0U; entry < entries; ++entry)
-    {
-        storage.entries[entry] = 0U;       // MISRA D-002
-        storage.places[entry] = kNoObject; // MISRA D-002
-    }
     for (std::size_t slot = 0U; slot < voice_.count; ++slot)
     {
-        const SrdoSetup& setup = config.srdos[slot]; // MISRA D-002
-        Record& record = At(voice_, slot);
-        record = Record{};
-        // The only seal that is built: of a record of zeros with its first mode and cause.
-        PutWord(&record.seal[0], kAllBits);
-        SetMode(record, kOff);
-        SetFirstCause(record, SrdoCause::kNone);
-        record.limit_us = kNoLimit;
-        record.policy = setup.policy;
-        record.form = setup.form;
-        record.detection = setup.detection;
-        record.safe = setup.safe_value;
-        SetDefaults(record, setup.number, config.node_id);
+        Clear(voice_, slot);
     }
 }
 
+void Channel::Store(const ConfigItem& item) noexcept
+{
+    StoreValue(voice_, item);
+}
+
+ConfigItem Channel::Load(const ConfigAddress& address) const noexcept
+{
+    return ConfigItem{address, LoadValue(voice_, address)};
+}
+
+ChannelRoom Channel::Room() const noexcept
+{
+    return ChannelRoom{voice_.storage.capacity, voice_.storage.map_entries};
+}
+
+void Channel::SetFields(const SlotIndex slot, const StaticFields& fields) noexcept
+{
+    StoreFields(voice_, slot, fields);
+}
+
+DeviceDigest Channel::Digest(const SlotIndex slot, const DeviceDigest before) const noexcept
+{
+    return DigestOf(voice_, slot, before);
+}
+
+CheckResult Channel::Validate(const SlotIndex slot) noexcept
+{
+    return ValidateSlot(voice_, slot);
+}
+
+CheckResult Channel::Recheck(const SlotIndex slot) noexcept
+{
+    return RecheckSlot(voice_, slot);
+}
+
+void Channel::OnFrame(const CanFrame& frame, const Instant stamp) noexcept
+{
+    TakeFrame(voice_, frame, stamp);
+}
+
+CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
+{
+    return RunCycle(voice_, input);
+}
+
+// [SRS_CONS_025]
+HeldPair Channel::Held(const SlotIndex slot) const noexcept
+{
+    const Record& record = At(voice_, slot);
+    HeldPair pair{};
+    if (FactsOf(record).holds_pair)
+    {
+        pair.data = PayloadOf(record.held);
+        pair.ordinal = record.ordinal;
+        pair.holds_pair = 1U;
+    }
+    return pair;
+}
+
+// [SRS_CONS_025]
 SrdoView Channel::View(const SlotIndex slot) const noexcept
 {
     const Record& record = At(voice_, slot);
+    const Facts& facts = IsSound(record) ? FactsOf(record) : FactsOf(State::kBroken);
     SrdoView view{};
-    if (Is(record, kHeld | kFlying))
+    if (facts.holds_pair || facts.is_flying)
     {
-        view.data = record.held;
+        view.data = PayloadOf(record.held);
     }
-    view.ordinal = record.ordinal;
+    view.ordinal = (facts.role == Role::kProducer) ? record.sent : record.ordinal;
     view.signals = record.signals;
     view.error_count = record.error_count;
-    view.state = IsSealed(record) ? kStates[record.mode >> kStateShift] : SrdoState::kFaulted; // [SRS_CONS_024]
-    view.first_cause = record.first_cause;
-    view.holds_pair = static_cast<std::uint8_t>((record.mode & kHeld) >> kHeldShift);
+    view.state = facts.shown;
+    view.first_cause = FirstCauseOf(record);
+    view.holds_pair = facts.holds_pair ? std::uint8_t{1U} : std::uint8_t{0U};
     return view;
+}
+
+void Channel::Demote(const SlotIndex slot) noexcept
+{
+    DemoteConsumer(voice_, slot);
+}
+
+void Channel::Commit(const Agreement& agreement) noexcept
+{
+    CommitPairs(voice_, agreement);
+}
+
+Permit Channel::Answer(const std::uint32_t challenge) const noexcept
+{
+    return PermitFor(voice_, challenge);
+}
+
+PreparedPair Channel::Prepare(const SlotIndex slot) noexcept
+{
+    return PreparePair(voice_, slot);
+}
+
+Confirmation Channel::OnConfirm(const CanFrame& frame, const Instant stamp) noexcept
+{
+    return ConfirmFrame(voice_, frame, stamp);
+}
+
+// The inverse frame is the other channel's. [SRS_PROD_006]
+CanFrame Channel::InverseFrame(SlotIndex /*slot*/) noexcept
+{
+    return CanFrame{};
+}
+
+// [SRS_PROD_009]
+void Channel::OnTransmitFault(const SlotIndex slot, const TransmitFault& fault) noexcept
+{
+    const bool is_of_port = (fault.cause == SrdoCause::kTransmitQueue) || (fault.cause == SrdoCause::kBusOff);
+    if (is_of_port || (fault.cause == SrdoCause::kNotInverse))
+    {
+        GiveUp(voice_, slot, fault.cause);
+    }
 }
 
 } // namespace counterpoint::channel_a

@@ -43,13 +43,6 @@ class Channel final : public counterpoint::Channel
     void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept override;
 
   private:
-    // What is rare has the arguments of the common way, so that those stay where they are.
-
-    /// @brief What a frame leads to that is awaited but wrong or too late.
-    [[nodiscard]] Confirmation GiveUp(const CanFrame& frame, SrdoCause cause) noexcept;
-    /// @brief Prepare of everything but two objects of four bytes each.
-    [[nodiscard]] PreparedPair PrepareOther(SlotIndex slot) noexcept;
-
     Voice voice_;
 };
 

@@ -1,79 +1,120 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "channel_a/channel.hpp"
-#include "channel_a/octets.hpp"
-#include "channel_a/seal.hpp"
-#include "channel_a/slots.hpp"
-#include "channel_a/voice.hpp"
+#include "channel_a/consumer.hpp"
 
-#include <cstddef>
-#include <cstdint>
+#include "channel_a/slot.hpp"
 
-// Frames of consumers and the pairs that come of them. The common case is two functions, one behind the other by a
-// jump, without calls, so that they have no registers to save; what is rare follows them by a jump.
 namespace counterpoint::channel_a
 {
 namespace
 {
 
 constexpr std::uint8_t kGfcEnabled = 1U;
-constexpr std::size_t kHalfMask = 1U;
-constexpr std::uint32_t kRestOfByte = 7U;
-constexpr std::uint32_t kShiftMask = 63U;
+constexpr std::uint32_t kLongAgoUs = 0x80000000U; // As far as instants have a difference.
+constexpr std::uint32_t kWaitingPastSctBit = std::uint32_t{1U} << static_cast<std::uint8_t>(SrdoCause::kWaitingPastSct);
 
-// Which half of a pair a frame is: 0 the normal one, whose identifier is odd, 1 the inverse one.
-inline std::size_t HalfOf(const CanFrame& frame) noexcept
+// The normal frame has the odd identifier.
+std::size_t HalfOf(const CanFrame& frame) noexcept
 {
-    return ~std::size_t{frame.identifier} & kHalfMask;
-}
-
-// Whether identifier and controller are those of this half of the SRDO.
-inline bool IsAddressed(const Voice& voice, const Record& record, const CanFrame& frame,
-                        const std::size_t half) noexcept
-{
-    return (frame.identifier == record.values[kCobIdPlace + half]) && (frame.port == voice.ports[half]);
-}
-
-inline bool IsFitting(const Voice& voice, const Record& record, const CanFrame& frame, const std::size_t half) noexcept
-{
-    return IsAddressed(voice, record, frame, half) && (frame.length_bytes == record.length_bytes);
-}
-
-// Whether the pending normal frame has bits above the mapped ones. [SRS_CONS_009]
-inline bool HasSpareBits(const Record& record) noexcept
-{
-    return ((record.total_bits & kRestOfByte) != 0U) && ((record.pending >> (record.total_bits & kShiftMask)) != 0U);
+    return ((frame.identifier % 2U) == 0U) ? kInverseHalf : kNormalHalf;
 }
 
 // [SRS_CONS_017]
-void ReceiveOther(Voice& voice, const CanFrame& frame) noexcept
+void TakeCommand(Voice& voice, const CanFrame& frame) noexcept
 {
     const bool is_gfc = (frame.identifier == kGfcIdentifier) && (frame.length_bytes == 0U);
-    if (is_gfc && IsActive(voice) && (voice.globals[kGfcParameterPlace] == kGfcEnabled))
+    if (is_gfc && IsActive(voice) && (voice.gfc_parameter == kGfcEnabled))
     {
         voice.gfc_pending = true;
     }
 }
 
-// A frame that is not as it should be. [SRS_CONS_011]
-[[gnu::noinline]] void ReceiveOdd(Voice& voice, const CanFrame& frame, const std::size_t slot) noexcept
+// Late detection: SRVT counts for an inverse frame alone; where SCT has expired as well, that which did so longer ago
+// had the earlier deadline, at a tie SRVT. [SRS_TIME_008, SRS_TIME_009]
+SrdoCause ExpiredLate(const Record& record, const bool has_pending, const Instant when, const std::size_t half) noexcept
 {
-    const Record& record = At(voice, slot);
-    const std::size_t half = HalfOf(frame);
-    SrdoCause cause = SrdoCause::kIdentifier;
-    if (IsAddressed(voice, record, frame, half))
+    const bool is_sct = IsExpired(record, when);
+    const std::uint32_t age_us = AgeUs(record.frame_since, when);
+    const std::uint32_t srvt_us = SrvtUs(record);
+    if ((half == kInverseHalf) && has_pending && (age_us > srvt_us))
     {
-        const SrdoCause of_inverse = Is(record, kPending) ? SrdoCause::kNotInverse : SrdoCause::kInverseFirst;
-        cause = (half == 0U) ? SrdoCause::kNormalTwice : of_inverse;
-        cause = (frame.length_bytes != record.length_bytes) ? SrdoCause::kLength : cause;
+        const std::uint32_t over_sct_us = AgeUs(record.since, when) - record.limit_us;
+        if (!is_sct || ((age_us - srvt_us) >= over_sct_us))
+        {
+            return SrdoCause::kSrvt;
+        }
     }
-    Fail(voice, slot, cause);
+    return is_sct ? SrdoCause::kSct : SrdoCause::kNone;
+}
+
+// The limit that has expired at a frame or, for half 0, in a cycle. [SRS_CONS_003, SRS_CONS_014, SRS_TIME_003,
+// SRS_TIME_005, SRS_TIME_006, SRS_TIME_007]
+SrdoCause ExpiredLimit(const Record& record, const bool has_pending, const Instant when,
+                       const std::size_t half) noexcept
+{
+    if (record.detection == SrvtDetection::kLate)
+    {
+        return ExpiredLate(record, has_pending, when, half);
+    }
+    if (!IsExpired(record, when))
+    {
+        return SrdoCause::kNone;
+    }
+    return has_pending ? SrdoCause::kSrvt : SrdoCause::kSct;
+}
+
+// Of a frame without a byte it is the last one that there could be.
+std::uint32_t LastByteOf(const Bytes& data, const std::uint32_t length_bytes) noexcept
+{
+    return data.at[(length_bytes + (kMaxPayloadBytes - 1U)) % kMaxPayloadBytes];
+}
+
+// Byte by byte: every mapped bit is inverted, and the bits above the mapped ones are 0 in the normal frame, so that
+// they are 1 in its inverse. Bytes behind the length have no meaning. [SRS_CONS_009]
+bool IsInverse(const Record& record, const CanFrame& frame) noexcept
+{
+    std::uint32_t wrong = LastByteOf(record.pending, frame.length_bytes) & record.spare_bits;
+    for (std::size_t place = 0U; place < kMaxPayloadBytes; ++place)
+    {
+        wrong |= (std::uint32_t{record.pending.at[place]} ^ frame.data[place] ^ kByteMask) & record.mapped.at[place];
+    }
+    return wrong == 0U;
+}
+
+// What is wrong with a frame, in the order in which it is asked. [SRS_CONS_011]
+SrdoCause Judge(const Voice& voice, const Record& record, const bool has_pending, const CanFrame& frame,
+                const std::size_t half) noexcept
+{
+    if ((frame.identifier != record.values.cob_id[half]) || (frame.port != voice.ports[half]))
+    {
+        return SrdoCause::kIdentifier; // [SRS_CONS_004]
+    }
+    if (frame.length_bytes != record.grants.Of(Grant::kLength))
+    {
+        return SrdoCause::kLength; // [SRS_CONS_005]
+    }
+    if (half == kNormalHalf)
+    {
+        return has_pending ? SrdoCause::kNormalTwice : SrdoCause::kNone; // [SRS_CONS_007]
+    }
+    if (!has_pending)
+    {
+        return SrdoCause::kInverseFirst; // [SRS_CONS_008]
+    }
+    return IsInverse(record, frame) ? SrdoCause::kNone : SrdoCause::kNotInverse;
 }
 
 // With late detection SRVT has no deadline, but the slot is served until the frame has become too old or is gone.
-inline void Keep(Record& record, const CanFrame& frame, const Instant stamp) noexcept
+// [SRS_CONS_006]
+void Keep(Voice& voice, const std::size_t slot, const CanFrame& frame, const Instant stamp) noexcept
 {
-    FlipMode(record, kPending);
-    record.pending = BitsOf(frame) & record.mapped;
+    Record& record = At(voice, slot);
+    static_cast<void>(Advance(voice, slot, Event::kNormal));
+    Bytes data{};
+    for (std::size_t place = 0U; place < kMaxPayloadBytes; ++place)
+    {
+        data.at[place] = static_cast<std::uint8_t>(frame.data[place] & record.mapped.at[place]);
+    }
+    record.pending = data;
     record.frame_since = stamp;
     if (record.detection == SrvtDetection::kLate)
     {
@@ -84,63 +125,72 @@ inline void Keep(Record& record, const CanFrame& frame, const Instant stamp) noe
     record.limit_us = SrvtUs(record);
 }
 
-// A new pair is of interest to a slot that is not released yet.
-inline void Complete(Voice& voice, Record& record, const std::size_t slot) noexcept
+// A new pair is of interest to a slot that is not released yet. [SRS_CONS_010]
+void Complete(Voice& voice, const std::size_t slot) noexcept
 {
-    FlipMode(record, kPending | (~std::uint32_t{record.mode} & kHeld));
-    record.held = Payload{LowOf(record.pending), HighOf(record.pending)};
+    Record& record = At(voice, slot);
+    const State state = Advance(voice, slot, Event::kInverse);
+    record.held = record.pending;
     record.since = record.frame_since;
     record.limit_us = SctUs(record);
-    record.awaiting = kUnmarked;
+    record.awaiting = kNo;
     ++record.ordinal;
     ++voice.outcome.ordinal_sum;
-    voice.outcome.fresh |= BitOf(slot);
-    if (!Is(record, kReleased))
+    PutIn(voice.outcome.fresh, slot);
+    if (!IsReleased(state))
     {
         Demand(record, kLook);
     }
 }
 
-// A frame of this SRDO whose limits have been examined.
-[[gnu::noinline]] void Take(Voice& voice, const CanFrame& frame, const Instant stamp, const std::size_t slot) noexcept
+// [SRS_CONS_015, SRS_CONS_016, SRS_CONS_018]
+void Examine(Voice& voice, const std::size_t slot) noexcept
 {
-    Record& record = At(voice, slot);
-    const bool has_pending = Is(record, kPending);
-    if (HalfOf(frame) == 0U)
+    const Record& record = At(voice, slot);
+    SrdoCause cause = ExpiredLimit(record, FactsOf(record).has_pending, voice.now, kNormalHalf);
+    if ((cause == SrdoCause::kNone) && voice.is_late)
     {
-        if (!IsFitting(voice, record, frame, 0U) || has_pending)
-        {
-            ReceiveOdd(voice, frame, slot);
-            return;
-        }
-        Keep(record, frame, stamp);
-        return;
+        cause = SrdoCause::kLateCall;
     }
-    // Where the spare bits are 0 in the normal frame they are 1 in its inverse.
-    const std::uint64_t wrong = ~(BitsOf(frame) ^ record.pending) & record.mapped;
-    if (!IsFitting(voice, record, frame, 1U) || !has_pending || (wrong != 0U) || HasSpareBits(record))
-    {
-        ReceiveOdd(voice, frame, slot);
-        return;
-    }
-    Complete(voice, record, slot);
-}
-
-// The limit first; the frame is then taken as if nothing had been there before it.
-[[gnu::noinline]] void TakeAfterLimit(Voice& voice, const CanFrame& frame, const Instant stamp,
-                                      const std::size_t slot) noexcept
-{
-    const SrdoCause cause = ExpiredLimit(At(voice, slot), stamp, HalfOf(frame));
     if (cause != SrdoCause::kNone)
     {
         Fail(voice, slot, cause);
     }
-    Take(voice, frame, stamp, slot);
+    if (voice.has_overflow)
+    {
+        Fail(voice, slot, SrdoCause::kQueueOverflow);
+    }
+    if (voice.gfc_pending)
+    {
+        Fail(voice, slot, SrdoCause::kGfc);
+    }
+}
+
+// An edge is good for a release until its window is over, and for nothing afterwards. [SRS_REL_003, SRS_REL_004,
+// SRS_REL_005, SRS_REL_007]
+void Acknowledge(Voice& voice, const std::size_t slot) noexcept
+{
+    Record& record = At(voice, slot);
+    if (AgeUs(record.edge_since, voice.now) > voice.config->acknowledge_window_us)
+    {
+        record.grants.Set(Grant::kEdge, kNo);
+    }
+    const bool has_edge = record.grants.Is(Grant::kEdge, kYes);
+    const bool is_automatic = record.grants.Is(Grant::kPolicy, static_cast<std::uint8_t>(ReleasePolicy::kAutomatic));
+    if (FactsOf(record).holds_pair && (has_edge || is_automatic))
+    {
+        static_cast<void>(Advance(voice, slot, Event::kRelease));
+    }
+    if (has_edge && IsReleased(StateOf(record)))
+    {
+        SetFirstCause(record, SrdoCause::kNone);
+        record.grants.Set(Grant::kEdge, kNo);
+    }
 }
 
 } // namespace
 
-void Channel::OnFrame(const CanFrame& frame, const Instant stamp) noexcept
+void TakeFrame(Voice& voice, const CanFrame& frame, const Instant stamp) noexcept
 {
     const std::uint32_t place = frame.identifier - kFirstSrdoIdentifier; // Every other identifier is a greater place.
     if (frame.kind != FrameKind::kData)
@@ -149,49 +199,83 @@ void Channel::OnFrame(const CanFrame& frame, const Instant stamp) noexcept
     }
     if (place >= kSrdoIdentifierCount)
     {
-        ReceiveOther(voice_, frame);
+        TakeCommand(voice, frame);
         return;
     }
-    const std::size_t slot = LookUp(voice_, frame.identifier);
-    if (slot >= voice_.count)
+    const std::size_t slot = LookUp(voice, frame.identifier);
+    if (slot >= voice.count)
     {
         return;
     }
-    const Record& record = At(voice_, slot);
-    if (!Is(record, kConsumer))
+    const Record& record = At(voice, slot);
+    const Facts& facts = FactsOf(record);
+    if (facts.role != Role::kConsumer)
     {
         return;
     }
-    if (IsExpired(record, stamp) || (record.detection == SrvtDetection::kLate))
+    // The limit first; the frame is then taken as if nothing had been there before it.
+    const std::size_t half = HalfOf(frame);
+    bool has_pending = facts.has_pending;
+    const SrdoCause limit = ExpiredLimit(record, has_pending, stamp, half);
+    if (limit != SrdoCause::kNone)
     {
-        TakeAfterLimit(voice_, frame, stamp, slot);
+        Fail(voice, slot, limit);
+        has_pending = false;
+    }
+    const SrdoCause cause = Judge(voice, record, has_pending, frame, half);
+    if (cause != SrdoCause::kNone)
+    {
+        Fail(voice, slot, cause);
         return;
     }
-    Take(voice_, frame, stamp, slot);
+    if (half == kNormalHalf)
+    {
+        Keep(voice, slot, frame, stamp);
+        return;
+    }
+    Complete(voice, slot);
 }
 
-HeldPair Channel::Held(const SlotIndex slot) const noexcept
+// t      frames of this cycle        now
+//        faults in bus order | SRVT or SCT, late call, overflow, GFC | report: nothing held, or acknowledge and release
+std::uint32_t ServeConsumer(Voice& voice, const std::size_t slot) noexcept
 {
-    const Record& record = At(voice_, slot);
-    HeldPair pair{};
-    if (Is(record, kHeld))
+    Record& record = At(voice, slot);
+    Examine(voice, slot);
+    if (AgeUs(record.frame_since, voice.now) > kLongAgoUs)
     {
-        pair.data = record.held;
-        pair.ordinal = record.ordinal;
-        pair.holds_pair = 1U;
+        record.frame_since.us = voice.now.us - kLongAgoUs; // Still too old, however long it waits. [SRS_TIME_009]
     }
-    return pair;
+    if (record.unreported != 0U)
+    {
+        Discard(voice, slot, Event::kDrop);
+        PutIn(voice.outcome.new_fault, slot);
+    }
+    else
+    {
+        Acknowledge(voice, slot);
+    }
+    if ((record.awaiting == kYes) && (AgeUs(voice.entered, voice.now) > SctUs(record)))
+    {
+        record.awaiting = kNo; // [SRS_CONS_022]
+        return kWaitingPastSctBit;
+    }
+    return 0U;
 }
 
-// Counted and kept like a fault, but told to nobody: the other channel has reported it. [SRS_REL_006]
-void Channel::Demote(const SlotIndex slot) noexcept
+// Counted and kept like a fault, but told to nobody: the other channel has reported it.
+void DemoteConsumer(Voice& voice, const std::size_t slot) noexcept
 {
-    Record& record = At(voice_, slot);
-    if (Is(record, kConsumer))
+    if (FactsOf(At(voice, slot)).role == Role::kConsumer)
     {
-        Drop(voice_, slot, kPending);
-        Count(record, SrdoCause::kDemoted);
+        Discard(voice, slot, Event::kDrop);
+        Count(At(voice, slot), SrdoCause::kDemoted);
     }
+}
+
+bool IsWatched(const Record& record) noexcept
+{
+    return (record.detection == SrvtDetection::kLate) && FactsOf(record).has_pending;
 }
 
 } // namespace counterpoint::channel_a

@@ -1,37 +1,45 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "channel_a/channel.hpp"
-#include "channel_a/octets.hpp"
-#include "channel_a/seal.hpp"
-#include "channel_a/slots.hpp"
-#include "channel_a/voice.hpp"
+#include "channel_a/cycle.hpp"
+
+#include "channel_a/consumer.hpp"
+#include "channel_a/objects.hpp"
+#include "channel_a/producer.hpp"
+#include "channel_a/slot.hpp"
 
 #include <cstddef>
-#include <cstdint>
 
-// One cycle: OPERATIONAL first, then what comes from outside is noted at the slots it is for, then one loop that passes
-// over every slot with nothing to do and serves the few others. After it the release.
+// OPERATIONAL first, then what comes from outside is noted at the slots it is for, then one loop that passes over every
+// slot with nothing to do and serves the few others.
 namespace counterpoint::channel_a
 {
 namespace
 {
 
+constexpr std::uint32_t kBitsPerWord = 32U;
 constexpr std::uint32_t kTokenRotation = 8U;
-constexpr std::uint32_t kEachByte = 0x01010101U;
 constexpr std::uint32_t kPermitRotation = 16U;
-constexpr std::uint32_t kLongAgoUs = 0x80000000U; // As far as instants have a difference.
-constexpr std::uint32_t kWaitingPastSctBit = std::uint32_t{1U} << static_cast<std::uint8_t>(SrdoCause::kWaitingPastSct);
+constexpr std::uint32_t kGroup = 8U; ///< Slots that are passed over at once where nothing is to be committed.
+constexpr SrdoMask kGroupMask = 0xFFU;
+
+std::uint32_t RotatedLeft(const std::uint32_t word, const std::uint32_t bits) noexcept
+{
+    return (word << bits) | (word >> (kBitsPerWord - bits));
+}
 
 // [SRS_CFG_031]
 GuardView GuardOf(const CycleInput& input, const std::uint8_t configuration_valid) noexcept
 {
-    const std::uint32_t rotated =
-        (input.challenge << kTokenRotation) | (input.challenge >> (kBitsPerWord - kTokenRotation));
-    GuardView view = GuardView::kStale;
-    if (input.guard_token == (rotated ^ (configuration_valid * kEachByte)))
+    const std::uint32_t token = input.guard_token ^ RotatedLeft(input.challenge, kTokenRotation);
+    std::uint32_t wrong = 0U;
+    for (std::uint32_t place = 0U; place < kBytesPerWord; ++place)
     {
-        view = (configuration_valid == kConfigurationValidValue) ? GuardView::kConfigured : GuardView::kUnconfigured;
+        wrong |= std::uint32_t{ByteOf(token, place)} ^ configuration_valid;
     }
-    return view;
+    if (wrong != 0U)
+    {
+        return GuardView::kStale;
+    }
+    return (configuration_valid == kConfigurationValidValue) ? GuardView::kConfigured : GuardView::kUnconfigured;
 }
 
 // [SRS_CONS_002]
@@ -44,13 +52,13 @@ void FollowOperational(Voice& voice, const NmtState nmt) noexcept
     }
     if (is_active)
     {
-        Enter(voice);
+        EnterOperational(voice);
         return;
     }
-    Leave(voice);
+    LeaveOperational(voice);
 }
 
-// Every active consumer is to be looked at, and whatever else there is.
+// Every slot is to be looked at.
 void DemandAll(const Voice& voice) noexcept
 {
     for (std::size_t slot = 0U; slot < voice.count; ++slot)
@@ -60,15 +68,17 @@ void DemandAll(const Voice& voice) noexcept
 }
 
 // The phase of those producers that are called. [SRS_PROD_012]
-void Shift(const Voice& voice, const SrdoMask standing) noexcept
+void ShiftPhases(const Voice& voice, const SrdoMask standing) noexcept
 {
-    SrdoMask left = standing;
-    while (left != 0U)
+    if (standing == 0U)
     {
-        Record& record = At(voice, TakeLowest(left));
-        if (record.form == ProducerForm::kProviderCalled)
+        return;
+    }
+    for (std::size_t slot = 0U; slot < voice.count; ++slot)
+    {
+        if (IsIn(standing, slot) && (At(voice, slot).form == ProducerForm::kProviderCalled))
         {
-            record.since.us += voice.step_us;
+            At(voice, slot).since.us += voice.step_us;
         }
     }
 }
@@ -76,166 +86,41 @@ void Shift(const Voice& voice, const SrdoMask standing) noexcept
 // An edge at a slot that is off is forgotten when it is served. [SRS_REL_005]
 void NoteEdges(Voice& voice, const SrdoMask levels) noexcept
 {
-    SrdoMask edges = levels & ~voice.levels;
+    const SrdoMask edges = levels & ~voice.levels;
     voice.levels = levels;
-    while (edges != 0U)
+    if (edges == 0U)
     {
-        const std::size_t slot = TakeLowest(edges);
-        if (slot < voice.count)
+        return;
+    }
+    for (std::size_t slot = 0U; slot < voice.count; ++slot)
+    {
+        if (IsIn(edges, slot))
         {
             Record& record = At(voice, slot);
-            record.edge = kMarked;
+            record.grants.Set(Grant::kEdge, kYes);
             record.edge_since = voice.now;
             Demand(record, kLook);
         }
     }
 }
 
-// A corrupted record: a consumer is faulted, everything else is off.
-void Break(Voice& voice, Record& record, const std::size_t slot) noexcept
+// [SRS_PROD_003, SRS_PROD_004]
+void NoteRequests(Voice& voice, const SrdoMask request) noexcept
 {
-    if (Is(record, kConsumer))
+    if (AgeUs(voice.entered, voice.now) >= voice.first_delay_us)
     {
-        Fail(voice, slot, SrdoCause::kInvalid);
-        return;
+        voice.may_send = true; // Kept: the difference wraps after 71 minutes.
     }
-    if (Is(record, kProducer))
-    {
-        Report(record, SrdoCause::kInvalid);
-    }
-    Turn(voice, slot, kOff);
-    record.limit_us = kNoLimit;
-    record.ordinal = 0U;
-}
-
-void ExamineConsumer(Voice& voice, const Record& record, const std::size_t slot) noexcept
-{
-    SrdoCause cause = ExpiredLimit(record, voice.now, 0U);
-    if ((cause == SrdoCause::kNone) && voice.is_late)
-    {
-        cause = SrdoCause::kLateCall;
-    }
-    if (cause != SrdoCause::kNone)
-    {
-        Fail(voice, slot, cause);
-    }
-    if (voice.has_overflow)
-    {
-        Fail(voice, slot, SrdoCause::kQueueOverflow);
-    }
-    if (voice.gfc_pending)
-    {
-        Fail(voice, slot, SrdoCause::kGfc);
-    }
-}
-
-// An edge is good for a release until its window is over, and for nothing afterwards. [SRS_REL_003, SRS_REL_004,
-// SRS_REL_005, SRS_REL_006, SRS_REL_007]
-void Acknowledge(Voice& voice, Record& record, const std::size_t slot) noexcept
-{
-    if ((voice.now.us - record.edge_since.us) > voice.config->acknowledge_window_us)
-    {
-        record.edge = kUnmarked;
-    }
-    const bool has_edge = record.edge == kMarked;
-    if (Is(record, kHeld) && (has_edge || (record.policy == ReleasePolicy::kAutomatic)))
-    {
-        Turn(voice, slot, (record.mode & (kPending | kHeld)) | kReleased);
-    }
-    if (has_edge && Is(record, kReleased))
-    {
-        SetFirstCause(record, SrdoCause::kNone);
-        record.edge = kUnmarked;
-    }
-}
-
-// t      frames of this cycle        now
-//        faults in bus order | SRVT or SCT, late call, overflow, GFC | report: nothing held, or acknowledge and release
-// Returns what else is to be signalled.
-std::uint32_t ServeConsumer(Voice& voice, Record& record, const std::size_t slot) noexcept
-{
-    ExamineConsumer(voice, record, slot);
-    if ((voice.now.us - record.frame_since.us) > kLongAgoUs)
-    {
-        record.frame_since.us = voice.now.us - kLongAgoUs; // Still too old, however long it waits.
-    }
-    if (record.unreported != 0U)
-    {
-        Drop(voice, slot, kPending);
-        Put(voice.outcome.new_fault, slot, 1U);
-    }
-    else
-    {
-        Acknowledge(voice, record, slot);
-    }
-    if ((record.awaiting == kMarked) && ((voice.now.us - voice.entered.us) > SctUs(record)))
-    {
-        record.awaiting = kUnmarked;
-        return kWaitingPastSctBit;
-    }
-    return 0U;
-}
-
-// Due already, or in flight: the refresh that falls due now is skipped. [SRS_PROD_010]
-void Refresh(Voice& voice, Record& record, const std::size_t slot) noexcept
-{
-    record.since.us += SctUs(record); // Exact addition keeps the phase. [SRS_PROD_002]
-    if (Is(record, kFlying) || ((record.refreshed == kMarked)))
-    {
-        Report(record, SrdoCause::kRefreshMissed);
-        return;
-    }
-    record.refreshed = kMarked;
-    Put(voice.wanted, slot, 1U);
-    Put(voice.outcome.due, slot, 1U);
-}
-
-// The limit of a producer is its next refresh.
-void ExamineSending(Voice& voice, Record& record, const std::size_t slot) noexcept
-{
-    const bool is_called = record.form == ProducerForm::kProviderCalled;
-    record.limit_us = SctUs(record) + (is_called ? 0U : voice.late_after_us);
-    if (!voice.may_send || !IsExpired(record, voice.now))
-    {
-        return;
-    }
-    if (is_called)
-    {
-        Refresh(voice, record, slot);
-    }
-    else if ((voice.wanted & BitOf(slot)) != 0U)
-    {
-        record.since.us = voice.now.us - (record.limit_us + 1U); // Still too long ago, however long the request waits.
-    }
-    else
-    {
-        record.since = voice.now;
-        Report(record, SrdoCause::kRefreshMissed);
-    }
-}
-
-void ServeProducer(Voice& voice, Record& record, const std::size_t slot) noexcept
-{
-    if ((voice.now.us - record.frame_since.us) > SrvtUs(record))
-    {
-        Abort(record, SrdoCause::kNoConfirmation); // [SRS_PROD_008]
-    }
-    if (Is(record, kFlying))
-    {
-        Put(voice.outcome.due, slot, 0U);
-    }
-    ExamineSending(voice, record, slot);
-    if ((record.edge == kMarked) && (record.unreported == 0U))
-    {
-        SetFirstCause(record, SrdoCause::kNone);
-    }
-    record.edge = kUnmarked;
+    voice.origin = voice.may_send ? voice.now : voice.origin;
+    voice.wanted = (voice.wanted | request) & voice.producers;
+    voice.outcome.due = voice.may_send ? voice.wanted : 0U;
 }
 
 // Each cause once in a window of SCT. [SRS_CONS_021]
-void Signal(Voice& voice, Record& record, const std::size_t slot, const std::uint32_t extra) noexcept
+void Signal(Voice& voice, const std::size_t slot, const std::uint32_t extra) noexcept
 {
-    if ((voice.now.us - record.told_since.us) > SctUs(record))
+    Record& record = At(voice, slot);
+    if (AgeUs(record.told_since, voice.now) > SctUs(record))
     {
         record.told = 0U;
     }
@@ -245,82 +130,96 @@ void Signal(Voice& voice, Record& record, const std::size_t slot, const std::uin
     {
         record.told_since = (record.told == 0U) ? voice.now : record.told_since;
         record.told |= record.signals;
-        Put(voice.outcome.signalled, slot, 1U);
+        PutIn(voice.outcome.signalled, slot);
     }
 }
 
-void Serve(Voice& voice, Record& record, const std::size_t slot) noexcept
+void Serve(Voice& voice, const std::size_t slot) noexcept
 {
+    Record& record = At(voice, slot);
     record.todo = static_cast<std::uint8_t>(record.todo & ~kLook);
-    if (!IsSealed(record))
+    if (!IsSound(record))
     {
-        Break(voice, record, slot);
+        Break(voice, slot);
     }
     std::uint32_t extra = 0U;
-    if (Is(record, kConsumer))
+    const Role role = FactsOf(record).role;
+    if (role == Role::kConsumer)
     {
-        extra = ServeConsumer(voice, record, slot);
+        extra = ServeConsumer(voice, slot);
     }
-    else if (Is(record, kProducer))
+    else if (role == Role::kProducer)
     {
-        ServeProducer(voice, record, slot);
+        ServeProducer(voice, slot);
     }
     else
     {
-        record.edge = kUnmarked; // Only what was reported before it went off is to be told.
+        record.grants.Set(Grant::kEdge, kNo); // Only what was reported before it went off is to be told.
     }
-    Signal(voice, record, slot, extra);
-    const std::uint32_t unfinished = record.told | record.edge | record.awaiting;
-    const bool is_watched = (record.detection == SrvtDetection::kLate) && Is(record, kPending);
-    if ((unfinished != 0U) || is_watched)
+    Signal(voice, slot, extra);
+    const bool is_unfinished = (record.told != 0U) || record.grants.Is(Grant::kEdge, kYes) || (record.awaiting == kYes);
+    if (is_unfinished || IsWatched(record))
     {
         Demand(record, kLook);
     }
 }
 
-// The one loop over all slots. What it passes over has no limit that expired, fits its seal, and has nothing to tell,
-// to wait for or to release.
+// What is passed over has no limit that expired, is intact, and has nothing to tell, to wait for or to release.
 void ServeAll(Voice& voice) noexcept
 {
-    const std::uint32_t count = voice.count;
     const Instant now = voice.now;
+    const std::size_t count = voice.count;
     const Record* record = voice.storage.records;
     for (std::size_t slot = 0U; slot < count; ++slot)
     {
-        if ((record->todo != 0U) || IsExpired(*record, now) || !IsSealed(*record))
+        if ((record->todo != 0U) || IsExpired(*record, now) || !record->grants.AreWhole())
         {
-            Serve(voice, At(voice, slot), slot);
+            Serve(voice, slot);
         }
         ++record; // MISRA D-002
     }
 }
 
+// The slots from `first` on, each a bit: those that are written, and those that are written or dropped.
+void CommitGroup(const Voice& voice, const std::size_t first, const std::uint32_t written,
+                 const std::uint32_t changed) noexcept
+{
+    for (std::uint32_t place = 0U; place < kGroup; ++place)
+    {
+        if (((changed >> place) & 1U) != 0U)
+        {
+            const Record& record = At(voice, first + place);
+            const bool is_written = ((written >> place) & 1U) != 0U;
+            WriteObjects(voice, first + place, is_written ? record.held : record.safe);
+        }
+    }
+}
+
+// A few slots of a mask.
+std::uint32_t GroupOf(const SrdoMask mask, const std::size_t first) noexcept
+{
+    return static_cast<std::uint32_t>((mask >> first) & kGroupMask);
+}
+
 } // namespace
 
-CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
+CycleOutcome RunCycle(Voice& voice, const CycleInput& input) noexcept
 {
-    Voice& voice = voice_;
     CycleOutcome& outcome = voice.outcome;
-    voice.step_us = input.now.us - voice.now.us;
+    voice.step_us = AgeUs(voice.now, input.now);
     voice.is_late = voice.has_run && (voice.step_us > voice.late_after_us);
     voice.has_overflow = input.queue != QueueState::kIntact;
     voice.has_run = true;
     voice.now = input.now;
     ++outcome.cycle;
-    outcome.guard = GuardOf(input, voice.globals[kConfigurationValidPlace]);
+    outcome.guard = GuardOf(input, voice.configuration_valid);
 
     FollowOperational(voice, input.nmt);
     if (voice.may_send)
     {
-        Shift(voice, input.stand & voice.producers);
+        ShiftPhases(voice, input.stand & voice.producers);
     }
-    if ((voice.now.us - voice.entered.us) >= voice.first_delay_us)
-    {
-        voice.may_send = true; // Kept: the difference wraps after 71 minutes.
-    }
-    voice.origin = voice.may_send ? voice.now : voice.origin;
-    voice.wanted = (voice.wanted | input.request) & voice.producers;
-    outcome.due = voice.may_send ? voice.wanted : 0U;
+    NoteRequests(voice, input.request);
     NoteEdges(voice, input.acknowledge);
     if (voice.is_late || voice.has_overflow || voice.gfc_pending)
     {
@@ -337,32 +236,31 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
     return result;
 }
 
-void Channel::Commit(const Agreement& agreement) noexcept
+void CommitPairs(Voice& voice, const Agreement& agreement) noexcept
 {
-    const SrdoMask own = agreement.agreed & voice_.outcome.released;
-    SrdoMask to_write = own & agreement.matched & (voice_.unwritten | voice_.outcome.fresh);
-    SrdoMask to_drop = voice_.committed & ~own;
-    voice_.unwritten &= ~to_write;
-    voice_.committed = (voice_.committed | to_write) & ~to_drop;
-    while (to_write != 0U)
+    const SrdoMask own = agreement.agreed & voice.outcome.released;
+    const SrdoMask to_write = own & agreement.matched & (voice.unwritten | voice.outcome.fresh);
+    const SrdoMask to_drop = voice.committed & ~own;
+    voice.unwritten &= ~to_write;
+    voice.committed = (voice.committed | to_write) & ~to_drop;
+    for (std::size_t first = 0U; first < voice.count; first += kGroup)
     {
-        const std::size_t slot = TakeLowest(to_write);
-        WriteObjects(voice_, slot, At(voice_, slot).held);
-    }
-    while (to_drop != 0U)
-    {
-        const std::size_t slot = TakeLowest(to_drop);
-        WriteObjects(voice_, slot, At(voice_, slot).safe);
+        const std::uint32_t changed = GroupOf(to_write | to_drop, first);
+        if (changed != 0U)
+        {
+            CommitGroup(voice, first, GroupOf(to_write, first), changed);
+        }
     }
 }
 
-Permit Channel::Answer(const std::uint32_t challenge) const noexcept
+// [SRS_REL_010]
+Permit PermitFor(const Voice& voice, const std::uint32_t challenge) noexcept
 {
     Permit permit{};
-    permit.mask = IsActive(voice_) ? voice_.committed : 0U;
-    const std::uint32_t low = LowOf(permit.mask);
-    const std::uint32_t high = HighOf(permit.mask);
-    permit.response = ((challenge + low) ^ ((high << kPermitRotation) | (high >> kPermitRotation))) * kPermitConstantA;
+    permit.mask = IsActive(voice) ? voice.committed : 0U;
+    const std::uint32_t low = static_cast<std::uint32_t>(permit.mask & 0xFFFFFFFFU);
+    const std::uint32_t high = static_cast<std::uint32_t>(permit.mask >> kBitsPerWord);
+    permit.response = ((challenge + low) ^ RotatedLeft(high, kPermitRotation)) * kPermitConstantA;
     return permit;
 }
 

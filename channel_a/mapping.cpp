@@ -1,12 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "channel_a/octets.hpp"
-#include "channel_a/seal.hpp"
-#include "channel_a/voice.hpp"
+#include "channel_a/mapping.hpp"
 
-#include <cstddef>
-#include <cstdint>
-
-// From entries of a mapping to objects.
 namespace counterpoint::channel_a
 {
 namespace
@@ -17,19 +11,48 @@ constexpr std::uint32_t kSubShift = 8U;
 constexpr std::uint32_t kIndexShift = 16U;
 constexpr std::uint32_t kLengthBits = 0xFFU;
 constexpr std::uint32_t kSubAndLength = 0xFFFFU;
-constexpr std::uint32_t kBitsToBytes = 3U;
-constexpr std::uint32_t kRestOfByte = 7U;
-constexpr std::uint32_t kShiftMask = kMaxPayloadBits - 1U;
-constexpr std::uint32_t kPairMask = 1U; ///< Of a position from 0: even the normal, odd the inverse object.
 constexpr std::uint32_t kBad = 0xFFFFFFFFU;
-constexpr MappableObject kNothing{0U, 0U, 0U, MapAccess::kNone, nullptr};
 
 /// Bits of the data types 0001h to 0007h.
 constexpr std::uint8_t kDummyBits[kLastDummyIndex] = {1U, 8U, 16U, 32U, 8U, 16U, 32U}; // MISRA D-001
 
-std::uint32_t Lesser(const std::uint32_t one, const std::uint32_t other) noexcept
+// Bytes of a frame of so many bits.
+std::uint8_t LengthOf(const std::uint32_t total_bits) noexcept
 {
-    return (one < other) ? one : other;
+    return static_cast<std::uint8_t>((total_bits + (kBitsPerByte - 1U)) / kBitsPerByte);
+}
+
+// The bits of its last byte that are not mapped.
+std::uint8_t SpareOf(const std::uint32_t total_bits) noexcept
+{
+    const std::uint32_t rest = total_bits % kBitsPerByte;
+    const std::uint32_t spare = (rest == 0U) ? 0U : ((kByteMask << rest) & kByteMask);
+    return static_cast<std::uint8_t>(spare);
+}
+
+Bytes MappedOf(const std::uint32_t length_bytes) noexcept
+{
+    Bytes mapped{};
+    for (std::size_t place = 0U; place < kMaxPayloadBytes; ++place)
+    {
+        mapped.at[place] = (place < length_bytes) ? static_cast<std::uint8_t>(kByteMask) : std::uint8_t{0U};
+    }
+    return mapped;
+}
+
+bool AreSame(const Bytes& one, const Bytes& other) noexcept
+{
+    return (WordOf(one, 0U) == WordOf(other, 0U)) && (WordOf(one, kBytesPerWord) == WordOf(other, kBytesPerWord));
+}
+
+std::uint32_t NormalEntry(const std::uint32_t* const entries, const std::uint32_t pair) noexcept
+{
+    return entries[kEntriesPerStep * pair]; // MISRA D-002
+}
+
+std::uint32_t InverseEntry(const std::uint32_t* const entries, const std::uint32_t pair) noexcept
+{
+    return entries[(kEntriesPerStep * pair) + 1U]; // MISRA D-002
 }
 
 // The map entry that names this object.
@@ -40,7 +63,7 @@ std::uint32_t EntryOf(const MappableObject& object) noexcept
 }
 
 // The objects are in ascending order of index and sub.
-std::uint32_t FindObject(const DeviceConfig& config, const std::uint32_t entry) noexcept
+std::uint16_t FindObject(const DeviceConfig& config, const std::uint32_t entry) noexcept
 {
     const std::uint32_t key = entry >> kKeyShift;
     std::uint32_t low = 0U;
@@ -48,7 +71,7 @@ std::uint32_t FindObject(const DeviceConfig& config, const std::uint32_t entry) 
     std::uint32_t found = kNoObject;
     while (low < high)
     {
-        const std::uint32_t middle = (low + high) >> 1U;
+        const std::uint32_t middle = (low + high) / 2U;
         const std::uint32_t seen = EntryOf(config.objects[middle]) >> kKeyShift; // MISRA D-002
         if (seen == key)
         {
@@ -57,128 +80,147 @@ std::uint32_t FindObject(const DeviceConfig& config, const std::uint32_t entry) 
         low = (seen < key) ? (middle + 1U) : low;
         high = (seen < key) ? high : middle;
     }
-    return found;
+    return static_cast<std::uint16_t>(found);
 }
 
 // [SRS_CFG_033]
 bool IsDummy(const DeviceConfig& config, const Record& record, const std::uint32_t entry) noexcept
 {
     const std::uint32_t type = (entry >> kIndexShift) - 1U; // Index 0 becomes greater than every type.
-    if ((config.dummies != DummyMapping::kAllowed) || (record.direction != kDirectionConsumer))
+    if ((config.dummies != DummyMapping::kAllowed) || (record.grants.Of(Grant::kDirection) != kDirectionConsumer))
     {
         return false;
     }
     return (type < kLastDummyIndex) && ((entry & kSubAndLength) == kDummyBits[type]);
 }
 
-// What only Validate asks: length of the granularity and of the partner, and no object twice.
-bool FitsOthers(const DeviceConfig& config, const Mapping& mapping, const std::uint32_t position) noexcept
+// Whether a place is that of the object that the entry names, for this direction.
+bool Leads(const DeviceConfig& config, const Record& record, const std::uint16_t place,
+           const std::uint32_t entry) noexcept
 {
-    const std::uint32_t entry = mapping.entries[position];                // MISRA D-002
-    const std::uint32_t partner = mapping.entries[position & ~kPairMask]; // MISRA D-002
-    const std::uint32_t own_bits = ObjectAt(config, mapping, position).length_bits;
-    const std::uint32_t partner_bits = ObjectAt(config, mapping, position & ~kPairMask).length_bits;
-    const std::uint32_t rest = entry & (config.granularity_bits - 1U);
-    std::uint32_t twice = 0U;
+    const bool is_consumer = record.grants.Of(Grant::kDirection) == kDirectionConsumer;
+    const MapAccess wanted = is_consumer ? MapAccess::kConsumer : MapAccess::kProducer;
+    const MappableObject& object = ObjectAt(config, place);
+    return (EntryOf(object) == entry) && (object.access == wanted);
+}
+
+// Whether a place is that of no object, and the entry a dummy entry.
+bool LeadsNowhere(const DeviceConfig& config, const Record& record, const std::uint16_t place,
+                  const std::uint32_t entry) noexcept
+{
+    return (place == kNoObject) && IsDummy(config, record, entry);
+}
+
+// Both entries name objects, or both are dummies; a static mapping has none.
+bool IsStepOf(const DeviceConfig& config, const Record& record, const Mapping& mapping, const std::uint32_t pair,
+              const Step& step) noexcept
+{
+    const std::uint32_t normal = NormalEntry(mapping.entries, pair);
+    const std::uint32_t inverse = InverseEntry(mapping.entries, pair);
+    if (Leads(config, record, step.normal, normal))
+    {
+        return Leads(config, record, step.inverse, inverse);
+    }
+    return (mapping.steps != nullptr) && LeadsNowhere(config, record, step.normal, normal) &&
+           LeadsNowhere(config, record, step.inverse, inverse);
+}
+
+// Whether an object of a static mapping lies where the one before it ended; `next` is then its end. [SRS_CFG_032]
+bool Follows(const MappableObject& object, const std::uint8_t*& next) noexcept
+{
+    const bool follows = (object.place == next) && ((object.length_bits % kBitsPerByte) == 0U);
+    next = object.place + (object.length_bits / kBitsPerByte); // MISRA D-002
+    return follows;
+}
+
+// What only Validate asks of an entry: length of the granularity and of the partner, and no object twice.
+// [SRS_CFG_027]
+bool FitsOthers(const DeviceConfig& config, const Record& record, const Mapping& mapping,
+                const std::uint32_t position) noexcept
+{
+    const std::uint32_t entry = mapping.entries[position];                                  // MISRA D-002
+    const std::uint32_t partner = mapping.entries[position - (position % kEntriesPerStep)]; // MISRA D-002
+    bool fits = (((entry ^ partner) & kLengthBits) == 0U) && (((entry & kLengthBits) % config.granularity_bits) == 0U);
     for (std::uint32_t before = 0U; before < position; ++before)
     {
-        if (mapping.entries[before] == entry) // MISRA D-002
+        const bool is_same = mapping.entries[before] == entry; // MISRA D-002
+        if (is_same && !IsDummy(config, record, entry))
         {
-            twice = own_bits; // Of a dummy 0: it may be named twice.
+            fits = false;
         }
     }
-    return (((entry ^ partner) & kLengthBits) == 0U) && (own_bits == partner_bits) && ((rest | twice) == 0U);
+    return fits;
 }
 
-// What Validate and Recheck have in common: each entry leads to the object that it names, for this direction, a dummy
-// entry to none; the objects of a static mapping lie one behind the other in the two fields [SRS_CFG_032]. Bits of all
-// normal entries; kBad where one does not fit.
+// What Validate and Recheck have in common: each step is that of its entries, and the objects of a static mapping lie
+// one behind the other in its two fields. Bits of all normal entries; kBad where something does not fit.
 std::uint32_t Measured(const DeviceConfig& config, const Record& record, const Mapping& mapping) noexcept
 {
-    const MapAccess wanted = (record.direction == kDirectionConsumer) ? MapAccess::kConsumer : MapAccess::kProducer;
-    const bool is_static = mapping.places == nullptr;
-    const std::uint8_t* next[2] = {record.fields.normal, record.fields.inverse}; // MISRA D-001
+    const std::uint8_t* next_normal = record.fields.normal;
+    const std::uint8_t* next_inverse = record.fields.inverse;
     std::uint32_t total = 0U;
-    bool fits = true;
-    for (std::uint32_t position = 0U; position < mapping.count; ++position)
+    std::uint32_t wrong = 0U;
+    for (std::uint32_t pair = 0U; pair < (mapping.count / kEntriesPerStep); ++pair)
     {
-        const MappableObject& object = ObjectAt(config, mapping, position);
-        const std::uint32_t entry = mapping.entries[position]; // MISRA D-002
-        if ((EntryOf(object) != entry) || (object.access != wanted))
+        const Step step = StepAt(config, mapping, pair, total);
+        const std::uint32_t bits = NormalEntry(mapping.entries, pair) & kLengthBits;
+        if (!IsStepOf(config, record, mapping, pair, step))
         {
-            fits = fits && (object.length_bits == 0U) && !is_static && IsDummy(config, record, entry);
+            ++wrong;
         }
-        if (is_static)
+        if ((mapping.steps == nullptr) && !Follows(ObjectAt(config, step.normal), next_normal))
         {
-            const std::uint8_t*& field = next[position & kPairMask];
-            fits = fits && (object.place == field) && ((object.length_bits & kRestOfByte) == 0U);
-            field = object.place + (object.length_bits >> kBitsToBytes); // MISRA D-002
+            ++wrong;
         }
-        if ((position & kPairMask) == 0U)
+        if ((mapping.steps == nullptr) && !Follows(ObjectAt(config, step.inverse), next_inverse))
         {
-            total += entry & kLengthBits;
+            ++wrong;
         }
+        wrong += (step.first_bit ^ total) & kByteMask;
+        wrong += step.bits ^ bits;
+        total += bits;
     }
-    return fits ? total : kBad;
-}
-
-std::uint64_t MappedOf(const std::uint32_t length_bytes) noexcept
-{
-    return ~std::uint64_t{0U} >> ((kMaxPayloadBits - (length_bytes * kBitsPerByte)) & kShiftMask);
+    return (wrong == 0U) ? total : kBad;
 }
 
 } // namespace
 
-const MappableObject& ObjectAt(const DeviceConfig& config, const Mapping& mapping,
-                               const std::uint32_t position) noexcept
+Step WorkedOut(const DeviceConfig& config, const std::uint32_t* const entries, const std::uint32_t pair,
+               const std::uint32_t first_bit) noexcept
 {
-    std::uint32_t place = 0U;
-    if (mapping.places != nullptr)
-    {
-        place = mapping.places[position]; // MISRA D-002
-    }
-    else
-    {
-        place = FindObject(config, mapping.entries[position]); // MISRA D-002
-    }
-    return (place < config.object_count) ? config.objects[place] : kNothing; // MISRA D-002
+    const std::uint32_t entry = NormalEntry(entries, pair);
+    return Step{FindObject(config, entry), FindObject(config, InverseEntry(entries, pair)),
+                static_cast<std::uint8_t>(first_bit & kByteMask), static_cast<std::uint8_t>(entry & kLengthBits)};
 }
 
-Mapping MappingOf(const Voice& voice, const std::size_t slot) noexcept
-{
-    const StaticMap& map = voice.config->srdos[slot].map; // MISRA D-002
-    if (map.entries != nullptr)
-    {
-        return Mapping{map.entries, nullptr, Lesser(map.count, kMaxMapEntries), map.count, kMaxMapEntries};
-    }
-    const std::size_t first = slot * voice.storage.row;
-    const std::uint32_t stored = voice.storage.entries[first]; // MISRA D-002
-    const std::uint32_t limit = voice.config->map_entries;
-    return Mapping{voice.storage.entries + first + kFirstEntry,
-                   voice.storage.places + first + kFirstEntry, // MISRA D-002
-                   Lesser(stored, limit), stored, limit};
-}
-
-// SRS_CFG_026, SRS_CFG_027, SRS_CFG_028.
+// [SRS_CFG_026, SRS_CFG_027, SRS_CFG_028, SRS_CFG_032]
 ConfigFault Resolve(const DeviceConfig& config, Record& record, const Mapping& mapping) noexcept
 {
     const std::uint32_t count = mapping.stored_count;
-    if ((count == 0U) || ((count & kPairMask) != 0U) || (count > mapping.limit))
+    if ((count == 0U) || ((count % kEntriesPerStep) != 0U) || (count > mapping.limit))
     {
         return ConfigFault::kMapping;
     }
-    bool is_good = true;
+    std::uint32_t first_bit = 0U;
+    bool fits = true;
     for (std::uint32_t position = 0U; position < count; ++position)
     {
-        if (mapping.places != nullptr)
+        if (!FitsOthers(config, record, mapping, position))
         {
-            mapping.places[position] =
-                static_cast<std::uint16_t>(FindObject(config, mapping.entries[position])); // MISRA D-002
+            fits = false;
         }
-        is_good = FitsOthers(config, mapping, position) && is_good;
+    }
+    for (std::uint32_t pair = 0U; pair < (count / kEntriesPerStep); ++pair)
+    {
+        const Step step = WorkedOut(config, mapping.entries, pair, first_bit);
+        if (mapping.steps != nullptr)
+        {
+            mapping.steps[pair] = step; // MISRA D-002
+        }
+        first_bit += step.bits;
     }
     const std::uint32_t total = Measured(config, record, mapping);
-    if (!is_good || (total == kBad))
+    if (!fits || (total == kBad))
     {
         return ConfigFault::kMapping;
     }
@@ -186,19 +228,22 @@ ConfigFault Resolve(const DeviceConfig& config, Record& record, const Mapping& m
     {
         return ConfigFault::kLengthExceeded;
     }
-    SetLength(record, static_cast<std::uint8_t>((total + kRestOfByte) >> kBitsToBytes));
+    record.grants.Set(Grant::kLength, LengthOf(total));
+    record.mapped = MappedOf(LengthOf(total));
+    record.spare_bits = SpareOf(total);
     record.total_bits = static_cast<std::uint8_t>(total);
-    record.mapped = MappedOf(record.length_bytes);
     return ConfigFault::kNone;
 }
 
-// [SRS_CFG_030]
-bool HoldsTable(const DeviceConfig& config, const Record& record, const Mapping& mapping) noexcept
+bool HoldsSteps(const DeviceConfig& config, const Record& record, const Mapping& mapping) noexcept
 {
     const std::uint32_t total = Measured(config, record, mapping);
-    return (record.mapping == kMarked) && (total == record.total_bits) &&
-           (((total + kRestOfByte) >> kBitsToBytes) == record.length_bytes) &&
-           (record.mapped == MappedOf(record.length_bytes));
+    if (!record.grants.Is(Grant::kResolved, kYes) || (total != record.total_bits))
+    {
+        return false;
+    }
+    return record.grants.Is(Grant::kLength, LengthOf(total)) && (SpareOf(total) == record.spare_bits) &&
+           AreSame(MappedOf(LengthOf(total)), record.mapped);
 }
 
 } // namespace counterpoint::channel_a

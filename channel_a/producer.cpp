@@ -1,15 +1,11 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "channel_a/channel.hpp"
-#include "channel_a/octets.hpp"
-#include "channel_a/seal.hpp"
-#include "channel_a/voice.hpp"
+#include "channel_a/producer.hpp"
 
-#include <cstddef>
+#include "channel_a/objects.hpp"
+#include "channel_a/slot.hpp"
+
 #include <cstdint>
 
-// What became of a pair of a producer. When to send: cycle.cpp; what: objects.cpp.
-//
-// Idle --Prepare--> NormalAwaited --normal frame--> InverseAwaited --inverse frame--> Idle
 namespace counterpoint::channel_a
 {
 namespace
@@ -17,80 +13,163 @@ namespace
 
 constexpr Confirmation kNotOurs{kNoSlot, ConfirmStep::kNone};
 
-// Whether the frame is the awaited half of the SRDO: 0 the normal, 1 the inverse one.
-inline bool IsAwaited(const Record& record, const CanFrame& frame, const std::uint32_t half) noexcept
+bool IsFlying(const Record& record) noexcept
 {
-    return (frame.identifier == record.values[kCobIdPlace + half]) && (record.mode == (kNormalAwaited + half));
+    return FactsOf(record).is_flying;
 }
 
-// Whether it says what is expected of this half.
-inline bool IsEcho(const Record& record, const CanFrame& frame, const std::uint32_t half) noexcept
+// Due already, or in flight: the refresh that falls due now is skipped. [SRS_PROD_010]
+void Refresh(Voice& voice, const std::size_t slot) noexcept
 {
-    const std::uint64_t wrong =
-        BitsOf(frame) ^ Joined(record.held.low, record.held.high) ^ (std::uint64_t{0U} - std::uint64_t{half});
-    return ((wrong & record.mapped) == 0U) && (frame.length_bytes == record.length_bytes);
+    Record& record = At(voice, slot);
+    record.since.us += SctUs(record); // Exact addition keeps the phase. [SRS_PROD_002]
+    if (IsFlying(record) || (record.refreshed == kYes))
+    {
+        Report(record, SrdoCause::kRefreshMissed);
+        return;
+    }
+    record.refreshed = kYes;
+    PutIn(voice.wanted, slot);
+    PutIn(voice.outcome.due, slot);
+}
+
+// The limit of a producer is its next refresh.
+void ExamineRefresh(Voice& voice, const std::size_t slot) noexcept
+{
+    Record& record = At(voice, slot);
+    const bool is_called = record.form == ProducerForm::kProviderCalled;
+    record.limit_us = SctUs(record) + (is_called ? 0U : voice.late_after_us);
+    if (!voice.may_send || !IsExpired(record, voice.now))
+    {
+        return;
+    }
+    if (is_called)
+    {
+        Refresh(voice, slot);
+    }
+    else if (IsIn(voice.wanted, slot))
+    {
+        record.since.us = voice.now.us - (record.limit_us + 1U); // Still too long ago, however long the request waits.
+    }
+    else
+    {
+        record.since = voice.now;
+        Report(record, SrdoCause::kRefreshMissed);
+    }
+}
+
+// Whether the frame says what is expected of this half.
+bool IsEcho(const Record& record, const CanFrame& frame, const std::size_t half) noexcept
+{
+    const std::uint32_t inversion = (half == kInverseHalf) ? kByteMask : 0U;
+    std::uint32_t wrong = std::uint32_t{frame.length_bytes} ^ record.grants.Of(Grant::kLength);
+    for (std::size_t place = 0U; place < kMaxPayloadBytes; ++place)
+    {
+        wrong |= (std::uint32_t{frame.data[place]} ^ record.held.at[place] ^ inversion) & record.mapped.at[place];
+    }
+    return wrong == 0U;
 }
 
 } // namespace
 
-// Finds the record anew.
-[[gnu::noinline]] Confirmation Channel::GiveUp(const CanFrame& frame, const SrdoCause cause) noexcept
+void GiveUp(Voice& voice, const std::size_t slot, const SrdoCause cause) noexcept
 {
-    Abort(At(voice_, LookUp(voice_, frame.identifier)), cause);
-    return kNotOurs;
+    Record& record = At(voice, slot);
+    if (IsFlying(record))
+    {
+        static_cast<void>(Advance(voice, slot, Event::kGivenUp));
+        record.todo = 0U;
+        Report(record, cause);
+    }
 }
 
-// Each of the two frames is awaited in a mode of its own; an identifier that is none of an SRDO is not that of the slot
-// that it leads to.
-Confirmation Channel::OnConfirm(const CanFrame& frame, const Instant stamp) noexcept
+void ServeProducer(Voice& voice, const std::size_t slot) noexcept
 {
-    const std::size_t slot = LookUp(voice_, frame.identifier);
-    if ((slot >= voice_.count) || (frame.kind != FrameKind::kData))
+    Record& record = At(voice, slot);
+    if (AgeUs(record.frame_since, voice.now) > SrvtUs(record))
+    {
+        GiveUp(voice, slot, SrdoCause::kNoConfirmation); // [SRS_PROD_008]
+    }
+    if (IsFlying(record))
+    {
+        TakeOut(voice.outcome.due, slot); // [SRS_PROD_004]
+    }
+    ExamineRefresh(voice, slot);
+    if (record.grants.Is(Grant::kEdge, kYes) && (record.unreported == 0U))
+    {
+        SetFirstCause(record, SrdoCause::kNone);
+    }
+    record.grants.Set(Grant::kEdge, kNo);
+}
+
+// What was read is what is sent, once it is confirmed. [SRS_PROD_005, SRS_PROD_006]
+PreparedPair PreparePair(Voice& voice, const std::size_t slot) noexcept
+{
+    PreparedPair pair{};
+    Record& record = At(voice, slot);
+    if (StateOf(record) != State::kIdle)
+    {
+        pair.status = PrepareStatus::kNotProducer;
+        return pair;
+    }
+    static_cast<void>(Advance(voice, slot, Event::kPrepared));
+    Demand(record, kInFlight);
+    record.held = ReadObjects(voice, slot);
+    record.refreshed = kNo;
+    record.frame_since = voice.now;
+    if (record.form != ProducerForm::kProviderCalled)
+    {
+        record.since = voice.origin;
+    }
+    TakeOut(voice.wanted, slot);
+    pair.status = PrepareStatus::kReady;
+    pair.normal.identifier = record.values.cob_id[kNormalHalf];
+    pair.normal.kind = FrameKind::kData;
+    pair.normal.port = voice.ports[kNormalHalf];
+    pair.normal.length_bytes = record.grants.Of(Grant::kLength);
+    for (std::size_t place = 0U; place < kMaxPayloadBytes; ++place)
+    {
+        pair.normal.data[place] = record.held.at[place];
+    }
+    return pair;
+}
+
+// Each of the two frames is awaited in a state of its own; an identifier that is none of an SRDO is not that of the
+// slot that it leads to. [SRS_PROD_007]
+Confirmation ConfirmFrame(Voice& voice, const CanFrame& frame, const Instant stamp) noexcept
+{
+    const std::size_t slot = LookUp(voice, frame.identifier);
+    if ((slot >= voice.count) || (frame.kind != FrameKind::kData))
     {
         return kNotOurs;
     }
-    Record& record = At(voice_, slot);
-    if (IsAwaited(record, frame, 0U))
+    Record& record = At(voice, slot);
+    const State state = StateOf(record);
+    const std::size_t half = (state == State::kInverseAwaited) ? kInverseHalf : kNormalHalf;
+    if (!FactsOf(state).is_flying || (frame.identifier != record.values.cob_id[half]))
     {
-        if (!IsEcho(record, frame, 0U))
-        {
-            return GiveUp(frame, SrdoCause::kWrongEcho);
-        }
-        StepMode(record, kNormalAwaited, kInverseAwaited);
+        return kNotOurs;
+    }
+    if (!IsEcho(record, frame, half))
+    {
+        GiveUp(voice, slot, SrdoCause::kWrongEcho);
+        return kNotOurs;
+    }
+    if (half == kNormalHalf)
+    {
+        static_cast<void>(Advance(voice, slot, Event::kNormalSent));
         record.frame_since = stamp;
         return Confirmation{static_cast<SlotIndex>(slot), ConfirmStep::kNormal};
     }
-    if (IsAwaited(record, frame, 1U))
+    if (AgeUs(record.frame_since, stamp) > SrvtUs(record))
     {
-        if (!IsEcho(record, frame, 1U))
-        {
-            return GiveUp(frame, SrdoCause::kWrongEcho);
-        }
-        if ((stamp.us - record.frame_since.us) > SrvtUs(record))
-        {
-            return GiveUp(frame, SrdoCause::kNoConfirmation);
-        }
-        StepMode(record, kInverseAwaited, kProducer);
-        record.todo = static_cast<std::uint8_t>(record.todo & ~kInFlight);
-        ++record.ordinal;
-        return Confirmation{static_cast<SlotIndex>(slot), ConfirmStep::kPair};
+        GiveUp(voice, slot, SrdoCause::kNoConfirmation); // [SRS_PROD_008]
+        return kNotOurs;
     }
-    return kNotOurs;
-}
-
-// The inverse frame is the other channel's.
-CanFrame Channel::InverseFrame(SlotIndex /*slot*/) noexcept
-{
-    return CanFrame{};
-}
-
-void Channel::OnTransmitFault(const SlotIndex slot, const TransmitFault& fault) noexcept
-{
-    const bool is_of_port = (fault.cause == SrdoCause::kTransmitQueue) || (fault.cause == SrdoCause::kBusOff);
-    if (is_of_port || (fault.cause == SrdoCause::kNotInverse))
-    {
-        Abort(At(voice_, slot), fault.cause);
-    }
+    static_cast<void>(Advance(voice, slot, Event::kPairSent));
+    record.todo = static_cast<std::uint8_t>(record.todo & ~kInFlight);
+    ++record.sent;
+    return Confirmation{static_cast<SlotIndex>(slot), ConfirmStep::kPair};
 }
 
 } // namespace counterpoint::channel_a

@@ -94,6 +94,7 @@ struct Device
         input.guard_token = 0x020304'01U ^ 0xA5A5A5A5U;
         input.acknowledge = acknowledge;
         input.request = request;
+        input.stand = stand;
         input.nmt = nmt;
         input.queue = QueueState::kIntact;
         return channel.OnCycle(input);
@@ -153,6 +154,7 @@ struct Device
     NmtState nmt{NmtState::kOperational};
     SrdoMask acknowledge{0U};
     SrdoMask request{0U};
+    SrdoMask stand{0U};
     std::uint32_t clock_us{0U};
 };
 

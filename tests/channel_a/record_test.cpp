@@ -35,7 +35,6 @@ TEST(ChannelARecord, OfAConsumerThatIsCorruptedIsFaultedUntilRestart)
     const auto fenced = std::make_unique<FencedDevice>();
     Device& device = fenced->device;
     std::uint32_t found = 0U;
-    std::uint32_t reported = 0U;
     for (std::size_t bit = 0U; bit < (8U * FencedDevice::kByteCount); ++bit)
     {
         // Given a released consumer, when a bit flips that makes its record look corrupted
@@ -53,11 +52,10 @@ TEST(ChannelARecord, OfAConsumerThatIsCorruptedIsFaultedUntilRestart)
         {
             const CycleOutcome outcome = device.Cycle();
             EXPECT_EQ(outcome.released, 0U) << "bit " << bit;
-            // (or it is off, where the flip makes it look as if it were no consumer)
-            EXPECT_EQ(outcome.new_fault, outcome.faulted) << "bit " << bit;
-            if ((cycle == 0U) && (outcome.faulted == kConsumerBit))
+            EXPECT_EQ(outcome.faulted, kConsumerBit) << "bit " << bit;
+            EXPECT_EQ(outcome.new_fault, kConsumerBit) << "bit " << bit;
+            if (cycle == 0U)
             {
-                reported += 1U;
                 EXPECT_EQ(outcome.signalled & kConsumerBit, kConsumerBit) << "bit " << bit;
                 EXPECT_EQ(device.channel.View(kConsumerSlot).signals & kBitOfInvalid, kBitOfInvalid) << "bit " << bit;
             }
@@ -74,8 +72,7 @@ TEST(ChannelARecord, OfAConsumerThatIsCorruptedIsFaultedUntilRestart)
         const CycleOutcome outcome = device.Cycle();
         EXPECT_EQ(outcome.released | outcome.waiting, 0U) << "bit " << bit;
     }
-    EXPECT_GE(found, 32U) << "state, cause, direction and length were among the bits";
-    EXPECT_GE(reported, found - 1U);
+    EXPECT_GE(found, 64U) << "every grant was among the bits";
     EXPECT_TRUE(fenced->IsIntact());
 }
 
@@ -85,7 +82,6 @@ TEST(ChannelARecord, OfAProducerThatIsCorruptedSendsNothing)
     const auto fenced = std::make_unique<FencedDevice>();
     Device& device = fenced->device;
     std::uint32_t found = 0U;
-    std::uint32_t reported = 0U;
     for (std::size_t bit = 0U; bit < (8U * FencedDevice::kByteCount); ++bit)
     {
         Release(device);
@@ -99,14 +95,14 @@ TEST(ChannelARecord, OfAProducerThatIsCorruptedSendsNothing)
         found += 1U;
         device.request = kProducerBit;
         const CycleOutcome outcome = device.Cycle();
-        const bool is_signalled = (outcome.signalled & kProducerBit) != 0U;
-        reported += (is_signalled && (device.channel.View(kProducerSlot).signals == kBitOfInvalid)) ? 1U : 0U;
+        EXPECT_EQ(outcome.due, 0U) << "bit " << bit;
+        EXPECT_EQ(outcome.signalled & kProducerBit, kProducerBit) << "bit " << bit;
+        EXPECT_EQ(device.channel.View(kProducerSlot).signals, kBitOfInvalid) << "bit " << bit;
         EXPECT_EQ(device.Cycle().due, 0U) << "bit " << bit;
         device.request = 0U;
         EXPECT_EQ(device.channel.Prepare(kProducerSlot).status, PrepareStatus::kNotProducer) << "bit " << bit;
     }
-    EXPECT_GE(found, 32U);
-    EXPECT_GE(reported, found - 1U) << "one flip may make it look as if it were off";
+    EXPECT_GE(found, 64U);
 }
 
 TEST(ChannelARecord, OfALatePairDoesNotComeIntoTimeAgainWithTheCounter)
@@ -132,6 +128,24 @@ TEST(ChannelARecord, OfALatePairDoesNotComeIntoTimeAgainWithTheCounter)
     EXPECT_EQ(device.channel.View(kConsumerSlot).state, SrdoState::kFaulted);
     EXPECT_EQ(device.channel.View(kConsumerSlot).first_cause, SrdoCause::kSrvt);
     EXPECT_EQ(device.Cycle().released, 0U);
+}
+
+TEST(ChannelARecord, OfOneProducerStandsAlone)
+{
+    Verifies(req::SRS_PROD_012);
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    device.setups[kProducerSlot].form = ProducerForm::kProviderCalled;
+    Release(device);
+    static_cast<void>(device.channel.Prepare(kProducerSlot));
+    device.channel.OnTransmitFault(kProducerSlot, TransmitFault{SrdoCause::kTransmitQueue});
+    // Given the first refresh at 1.5 ms, seen at 2 ms, when the phase stands still for a cycle
+    device.stand = kProducerBit;
+    static_cast<void>(device.Cycle());
+    device.stand = 0U;
+    // Then the next refresh is due 51 ms after the first one
+    EXPECT_EQ(device.Cycle(49000U).due, 0U);
+    EXPECT_EQ(device.Cycle(500U).due, kProducerBit);
 }
 
 // A start with another mapping, a release, a pair in flight, faults and an acknowledge: whatever leaves something.

@@ -14,10 +14,10 @@ JOINED = "(std::uint32_t{order[0]} << 24U) | (std::uint32_t{order[1]} << 16U) | 
 SWAPPED = "(word << 24U) | ((word & 0xFF00U) << 8U) | ((word >> 8U) & 0xFF00U) | (word >> 24U);"
 # Room, what, file, what stands there, and what takes the order of the processor instead.
 FIXTURES = [
-    ("channel_a", "released objects", "channel_a/objects.cpp", "    PutWord(words.low, data.low);", "    __builtin_memcpy(words.low, &data.low, 4U);"),
-    ("channel_a", "data to send", "channel_a/objects.cpp", "return static_cast<std::uint8_t>((bits >> (kPlace * kBitsPerByte)) & kByteMask);",
-     "return reinterpret_cast<const std::uint8_t*>(&bits)[kPlace];"),
-    ("channel_a", "signature", "channel_a/signature.cpp", f"    const std::uint32_t swapped = {SWAPPED}", f"    {ORDER} const std::uint32_t swapped = {JOINED}"),
+    ("channel_a", "received data", "channel_a/channel.cpp", "        pair.data = PayloadOf(record.held);", "        __builtin_memcpy(&pair.data, &record.held, 8U);"),
+    ("channel_a", "safe value", "channel_a/channel.cpp", "    record.safe = BytesOf(setup.safe_value);", "    __builtin_memcpy(&record.safe, &setup.safe_value, 8U);"),
+    ("channel_a", "signature", "channel_a/signature.cpp", "        crc.AddBytes(mapping.entries[position], kFourBytes); // MISRA D-002",
+     "        std::uint8_t order[4]; __builtin_memcpy(order, &mapping.entries[position], 4U); for (const std::uint8_t byte : order) { crc.AddByte(byte); }"),
     ("channel_b", "received data", "channel_b/consumer.cpp", "    row.pending_data = PackBytes(&frame.data[0]);",
      "    __builtin_memcpy(&row.pending_data, &frame.data[0], 8U);"),
     ("channel_b", "data to send", "channel_b/producer.cpp", "    UnpackBytes(data, &row.awaited.data[0]);", "    __builtin_memcpy(&row.awaited.data[0], &data, 8U);"),
