@@ -21,6 +21,20 @@ void Released(FlipRig& rig)
     rig.Cycle(kCycleUs);
 }
 
+void Due(FlipRig& rig)
+{
+    Released(rig);
+    rig.Request();
+    rig.Cycle(2U * kCycleUs);
+}
+
+void NormalSent(FlipRig& rig)
+{
+    Due(rig);
+    rig.Prepare();
+    rig.SendNormal();
+}
+
 /// From power-on to the phase in which the bit flips. In the phases up to kLastSafePhase the consumer is safe, and
 /// nothing in the next call would release it.
 constexpr std::uint32_t kLastSafePhase = 5U;
@@ -58,9 +72,7 @@ void Reach(FlipRig& rig, std::uint32_t phase)
         Released(rig);
         break;
     case 7U: // Released, next normal frame pending, producer due.
-        Released(rig);
-        rig.Request();
-        rig.Cycle(2U * kCycleUs);
+        Due(rig);
         rig.Pair(0x5555U, false);
         break;
     case 8U: // A pair that the next call may release.
@@ -68,24 +80,14 @@ void Reach(FlipRig& rig, std::uint32_t phase)
         rig.Pair(0x6666U, true);
         break;
     case 9U: // Pair in flight, nothing sent.
-        Released(rig);
-        rig.Request();
-        rig.Cycle(2U * kCycleUs);
+        Due(rig);
         rig.Prepare();
         break;
     case 10U: // Normal frame confirmed, inverse frame not sent.
-        Released(rig);
-        rig.Request();
-        rig.Cycle(2U * kCycleUs);
-        rig.Prepare();
-        rig.SendNormal();
+        NormalSent(rig);
         break;
     case 11U: // Inverse frame handed out, not confirmed.
-        Released(rig);
-        rig.Request();
-        rig.Cycle(2U * kCycleUs);
-        rig.Prepare();
-        rig.SendNormal();
+        NormalSent(rig);
         rig.TakeInverse();
         break;
     case kInvalidPhase: // Off, because a check found the configuration invalid.

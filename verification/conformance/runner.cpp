@@ -311,7 +311,16 @@ bool Runner::RunCycleStep(const Step& step) noexcept
     {
         DoCycle(step);
     }
-    else if (step.op == Op::kMasks)
+    else
+    {
+        return RunOutcomeStep(step);
+    }
+    return true;
+}
+
+bool Runner::RunOutcomeStep(const Step& step) noexcept
+{
+    if (step.op == Op::kMasks)
     {
         CheckMasks(step);
     }

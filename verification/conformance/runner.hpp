@@ -77,6 +77,7 @@ class Runner
     void RunRepeated(const Step& repeat) noexcept;
     bool RunConfigurationStep(const Step& step) noexcept;
     bool RunCycleStep(const Step& step) noexcept;
+    bool RunOutcomeStep(const Step& step) noexcept;
     bool RunSlotStep(const Step& step) noexcept;
     bool RunReleaseStep(const Step& step) noexcept;
     void RunProducerStep(const Step& step) noexcept;

@@ -143,20 +143,6 @@ class DrawnFailover
 
 } // namespace
 
-void Lateness::Add(const Time late)
-{
-    least = (runs == 0U) ? late : std::min(least, late);
-    greatest = (runs == 0U) ? late : std::max(greatest, late);
-    ++runs;
-}
-
-void Lateness::Add(const Lateness& other)
-{
-    least = (runs == 0U) ? other.least : std::min(least, other.least);
-    greatest = (runs == 0U) ? other.greatest : std::max(greatest, other.greatest);
-    runs += other.runs;
-}
-
 Tally Failovers(const Preset preset)
 {
     const auto run_part = [&](const std::size_t part, const std::size_t parts)

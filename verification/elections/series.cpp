@@ -36,6 +36,20 @@ std::string Describe(const World& world, const Trial& trial)
 
 } // namespace
 
+void Lateness::Add(const Time late)
+{
+    least = (runs == 0U) ? late : std::min(least, late);
+    greatest = (runs == 0U) ? late : std::max(greatest, late);
+    ++runs;
+}
+
+void Lateness::Add(const Lateness& other)
+{
+    least = (runs == 0U) ? other.least : std::min(least, other.least);
+    greatest = (runs == 0U) ? other.greatest : std::max(greatest, other.greatest);
+    runs += other.runs;
+}
+
 void Tally::Add(const Tally& other)
 {
     runs += other.runs;

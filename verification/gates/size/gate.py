@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Size by thought: no C++ file of the product beyond 600 lines, no function beyond 60 (from its signature to its closing brace), no class beyond 30 methods, and a class's methods in one place.
+"""Size by thought: no C++ file of the product or of verification beyond 600 lines, no function beyond 60 (from its signature to its closing brace), no class beyond 30 methods, and a class's methods in one place. No Python function of verification beyond 70.
 
 A class's methods are its member functions, constructors and operators, those of nested classes with it; what is defaulted or
 deleted does not count. A method defined out of its class stands in the file beside its declaration (foo.cpp for foo.hpp, in the same
@@ -7,16 +7,19 @@ folder or in one that holds variants of a port) or in a file named after the cla
 of the folders around it (canopen/cia301/sdo/server.cpp: SdoServer). A nested class counts with its outer one; a class of one .cpp
 stands where it is. exceptions.json names the classes that do not comply, each with a reason; one that complies must leave the list.
 """
+import ast
 import json
 import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from common import PRODUCT_FOLDERS, CannotLook, cpp_files, outline, read, run_gate  # noqa: E402
+from common import PRODUCT_FOLDERS, CannotLook, cpp_files, files, outline, read, run_gate  # noqa: E402
 
 MAX_FILE_LINES = 600
 MAX_FUNCTION_LINES = 60
 MAX_METHODS = 30
+MAX_PYTHON_LINES = 70
+VERIFICATION = "verification"
 EXCEPTIONS = "verification/gates/size/exceptions.json"
 
 
@@ -74,8 +77,14 @@ def class_findings(functions, declared):
                 yield key, f"{name}:{function.first_line}: {function.name} stands neither beside its declaration ({homes[0]}) nor in a file named after {cls}"
 
 
+def python_findings(root, name):
+    for node in ast.walk(ast.parse(read(root, name))):
+        if isinstance(node, ast.FunctionDef) and node.end_lineno - node.lineno + 1 > MAX_PYTHON_LINES:
+            yield f"{name}:{node.lineno}: {node.name} has {node.end_lineno - node.lineno + 1} lines, expected at most {MAX_PYTHON_LINES}"
+
+
 def gate(root, _data):
-    names = cpp_files(root, PRODUCT_FOLDERS)
+    names = cpp_files(root, (*PRODUCT_FOLDERS, VERIFICATION))
     functions, declared = look(root, names)
     exceptions = json.loads(read(root, EXCEPTIONS)) if (root / EXCEPTIONS).exists() else {}
     findings = []
@@ -87,6 +96,8 @@ def gate(root, _data):
             if function.length > MAX_FUNCTION_LINES:
                 findings.append(f"{name}:{function.first_line}: {function.name} has {function.length} lines, "
                                 f"expected at most {MAX_FUNCTION_LINES}")
+    scripts = files(root, "*.py", under=(VERIFICATION,))
+    findings += [text for name in scripts for text in python_findings(root, name)]
     excused = set()
     for key, text in class_findings(functions, declared):
         if key in exceptions:
@@ -96,8 +107,8 @@ def gate(root, _data):
     findings += [f"{EXCEPTIONS}:1: {key} complies or is gone, expected only classes that do not" for key in exceptions if key not in excused]
     count = sum(len(each) for each in functions.values())
     if count == 0:
-        raise CannotLook("no function found in the product's files")
-    return findings, f"{count} functions in {len(names)} files, {len(declared)} classes, {len(exceptions)} of them excused"
+        raise CannotLook("no function found in the files of product and verification")
+    return findings, f"{count} functions in {len(names)} files, {len(scripts)} scripts, {len(declared)} classes, {len(exceptions)} of them excused"
 
 
 run_gate(gate)
