@@ -1,7 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "channel_b/channel.hpp"
 
-#include "channel_b/image.hpp"
+#include "channel_b/checksum.hpp"
+#include "channel_b/slots.hpp"
+#include "channel_b/words.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -12,104 +14,82 @@ namespace counterpoint::channel_b
 namespace
 {
 
-// Power-on values. [SRS_CFG_002]
-constexpr std::uint8_t kDefaultRefreshMs = 25U;
-constexpr std::uint8_t kDefaultSctMs = 50U;
-constexpr std::uint8_t kDefaultSrvtMs = 20U;
-constexpr std::uint8_t kLastDefaultProducer = 32U;
-constexpr std::uint8_t kLastDefaultNode = 64U;
-
-[[nodiscard]] std::uint32_t RotateLeft(std::uint32_t value, std::uint32_t count) noexcept
+[[nodiscard]] std::uint32_t RotatedLeft(std::uint32_t value, std::uint32_t count) noexcept
 {
     return (value << count) | (value >> (32U - count));
 }
 
-/// The value that counts, or that of all others.
-template <typename T> [[nodiscard]] constexpr T OnlyIf(T value, T expected, T other) noexcept
+/// [SRS_CFG_031]
+[[nodiscard]] GuardView ViewGuard(const CycleInput& input, std::uint32_t declared) noexcept
 {
-    return (value == expected) ? expected : other;
-}
-
-[[nodiscard]] Payload PayloadOf(std::uint64_t word) noexcept
-{
-    return Payload{PartOf(word, 0U), PartOf(word, 1U)};
-}
-
-[[nodiscard]] SrdoState StateOf(const Row& row) noexcept
-{
-    switch (row.standing)
+    const std::uint32_t in_each_byte = declared | (declared << 8U) | (declared << 16U) | (declared << 24U);
+    if (input.guard_token != (RotatedLeft(input.challenge, 8U) ^ in_each_byte))
     {
-    case Standing::kWaiting:
-        return SrdoState::kWaiting;
-    case Standing::kFaulted:
-        return SrdoState::kFaulted;
-    case Standing::kReleased:
-        return SrdoState::kReleased;
-    case Standing::kProducer:
-        return SrdoState::kProducer;
-    case Standing::kOff:
-        break;
+        return GuardView::kStale;
     }
-    return SrdoState::kOff;
+    return (declared == kConfigurationValidValue) ? GuardView::kConfigured : GuardView::kUnconfigured;
+}
+
+/// The only value that counts, or 0.
+template <typename T> [[nodiscard]] constexpr std::uint32_t OnlyIf(T value, T expected) noexcept
+{
+    return (value == expected) ? static_cast<std::uint32_t>(expected) : 0U;
+}
+
+/// [SRS_CFG_034]
+void AddDevice(Crc32& crc, const DeviceConfig& config, std::uint32_t gfc) noexcept
+{
+    crc.AddByte(config.node_id);
+    crc.AddByte(config.granularity_bits);
+    crc.AddByte(OnlyIf(config.dummies, DummyMapping::kAllowed));
+    crc.AddByte(OnlyIf(config.gaps, NumberGaps::kSearched));
+    crc.AddByte(OnlyIf(config.gfc, GfcUse::kPresent));
+    crc.AddByte(static_cast<std::uint32_t>(config.normal_port));
+    crc.AddByte(static_cast<std::uint32_t>(config.inverse_port));
+    crc.AddWord(config.cycle_us);
+    crc.AddWord(config.cycle_tolerance_us);
+    crc.AddWord(config.discrepancy_us);
+    crc.AddWord(config.acknowledge_window_us);
+    crc.AddWord(config.diagnostic_interval_us);
+    crc.AddWord(config.test_interval_us);
+    crc.AddWord(config.clock_tolerance_us);
+    crc.AddWord(config.clock_interval_us);
+    crc.AddWord(config.output_time_us);
+    crc.AddByte(gfc);
+}
+
+/// The rule of the signature comes last of those of Validate and first of those of Recheck. [SRS_CFG_029]
+[[nodiscard]] ConfigFault CompareSignatures(std::uint32_t computed, std::uint32_t stored) noexcept
+{
+    return (computed == stored) ? ConfigFault::kNone : ConfigFault::kSignature;
 }
 
 } // namespace
 
-void Channel::Restart(const DeviceConfig& config) noexcept
+Channel::Channel(const Storage& storage) noexcept
+    : x_storage(storage), x_settings(storage.settings), x_mappings(storage.mappings, x_settings, storage.map_entries),
+      x_faults(storage.faults, x_settings), x_consumers(storage.pairs, x_settings, x_mappings, x_faults),
+      x_producers(storage.pairs, x_settings, x_mappings, x_faults)
 {
-    const Column<const SrdoSetup> setups{config.srdos};
-    x_config = &config;
-    x_objects = Column<const MappableObject>{config.objects};
-    x_object_count = config.object_count;
-    x_count = (config.srdo_count < x_storage.capacity) ? config.srdo_count : x_storage.capacity;
-    x_map_entries = (config.map_entries < x_storage.map_entries) ? config.map_entries : x_storage.map_entries;
-    x_port[0U] = config.inverse_port;
-    x_port[1U] = config.normal_port;
-    x_running = 0U;
-    x_alarms = 0U;
-    x_late_us = 0xFFFFFFFFU; // The first call is never late.
-    x_cycle = 0U;
-    x_storage.device[kGfcParameterAt] = 0U;
-    x_storage.device[kConfigurationValidAt] = 0U;
-    for (std::uint8_t half = 0U; half < kHalves; ++half)
-    {
-        x_levels[half] = ~HalfMask{0U}; // A level that is 1 from the start is no edge.
-        x_committed[half] = 0U;
-        x_released[half] = 0U;
-        x_unwritten[half] = 0U;
-    }
-    for (SlotIndex slot = 0U; slot < x_count; ++slot)
-    {
-        TakeSetup(slot, setups[slot]);
-    }
 }
 
-void Channel::TakeSetup(SlotIndex slot, const SrdoSetup& setup) noexcept
+void Channel::Restart(const DeviceConfig& config) noexcept
 {
-    const std::uint32_t node = x_config->node_id;
-    const std::uint32_t first = FirstEntryOf(x_storage, slot);
-    Row& row = x_storage.rows[slot];
-    row = Row{};
-    x_storage.fields[slot] = StaticFields{nullptr, nullptr};
-    Ground(row, Stage::kOff);
-    row.first_cause = Code(SrdoCause::kNone);
-    row.awaited.kind = FrameKind::kData;
-    row.policy = OnlyIf(setup.policy, ReleasePolicy::kAutomatic, ReleasePolicy::kInterlock);
-    row.form = OnlyIf(setup.form, ProducerForm::kProviderCalled, ProducerForm::kApplicationSends);
-    row.detection = OnlyIf(setup.detection, SrvtDetection::kLate, SrvtDetection::kEarly);
-    row.image[kSctAt] = kDefaultRefreshMs;
-    row.image[kSrvtAt] = kDefaultSrvtMs;
-    row.image[kTransmissionTypeAt] = kTransmissionTypeAsynchronous;
-    for (std::uint32_t index = 0U; index < x_storage.map_entries; ++index)
+    const bool is_room_enough = config.srdo_count < x_storage.capacity;
+    x_settings.Restart(config, is_room_enough ? config.srdo_count : x_storage.capacity);
+    x_mappings.Restart(config);
+    x_faults.Restart();
+    x_consumers.Restart();
+    x_producers.Clear();
+    x_levels = ~SrdoMask{0U}; // A level that is 1 from the start is no edge.
+    x_cycle = 0U;
+    x_activity = Mark::kUnset;
+    x_was_called = false;
+    x_has_gfc = false;
+    for (SlotIndex slot = 0U; slot < x_settings.Count(); ++slot)
     {
-        x_storage.entries[first + index] = 0U;
-    }
-    if ((setup.number == 1U) && (node <= kLastDefaultNode))
-    {
-        const std::uint32_t normal = (kFirstSrdoIdentifier - 2U) + (2U * node); // 0FFh + 2n
-        UnpackFourBytes(normal, &row.image[kCobId1At]);
-        UnpackFourBytes(normal + 1U, &row.image[kCobId2At]);
-        row.image[kSctAt] = (node > kLastDefaultProducer) ? kDefaultSctMs : kDefaultRefreshMs;
+        x_storage.valid[slot] = Mark::kUnset;
+        x_storage.resolved[slot] = Mark::kUnset;
     }
 }
 
@@ -118,48 +98,339 @@ ChannelRoom Channel::Room() const noexcept
     return ChannelRoom{x_storage.capacity, x_storage.map_entries};
 }
 
-/// Of a valid pair the inverse data tell the normal data.
-HeldPair Channel::Held(SlotIndex slot) const noexcept
+// ---- configuration
+
+/// Count and entries of a static mapping are not to be changed. [SRS_CFG_003]
+void Channel::Store(const ConfigItem& item) noexcept
 {
-    const Row& row = x_storage.rows[slot];
-    HeldPair pair{{0U, 0U}, 0U, 0U};
-    if (IsConsumer(row))
+    const ConfigAddress& address = item.address;
+    const bool is_slot = address.slot < x_settings.Count();
+    bool is_changed = false;
+    if (address.field == ConfigField::kMapEntry)
     {
-        pair.ordinal = row.ordinal;
-        if (IsHeld(row))
-        {
-            pair.data = PayloadOf(~row.inverse_data & row.mask);
-            pair.holds_pair = 1U;
-        }
+        is_changed = is_slot && x_mappings.StoreEntry(address.slot, address.sub, item.value);
     }
-    return pair;
+    else if ((address.field == ConfigField::kMapCount) && is_slot && x_mappings.IsStatic(address.slot))
+    {
+        // It stays.
+    }
+    else
+    {
+        is_changed = x_settings.Store(item);
+    }
+    if (is_changed)
+    {
+        x_storage.resolved[address.slot] = Mark::kUnset;
+    }
 }
 
+/// [SRS_CFG_003]
+ConfigItem Channel::Load(const ConfigAddress& address) const noexcept
+{
+    ConfigItem item{address, 0U};
+    const bool is_slot = address.slot < x_settings.Count();
+    if (address.field == ConfigField::kMapEntry)
+    {
+        item.value = is_slot ? x_mappings.LoadEntry(address.slot, address.sub) : 0U;
+    }
+    else if ((address.field == ConfigField::kMapCount) && is_slot)
+    {
+        item.value = x_mappings.Of(address.slot).declared;
+    }
+    else
+    {
+        item.value = x_settings.Load(address);
+    }
+    return item;
+}
+
+/// [SRS_CFG_032]
+void Channel::SetFields(SlotIndex slot, const StaticFields& fields) noexcept
+{
+    if (x_mappings.IsStatic(slot))
+    {
+        x_mappings.SetFields(slot, fields);
+        x_storage.resolved[slot] = Mark::kUnset;
+    }
+}
+
+/// The image as it is, but for the entries that do not count. [SRS_CFG_010, SRS_CFG_020]
+std::uint16_t Channel::SignatureOf(SlotIndex slot) const noexcept
+{
+    const Mapping mapping = x_mappings.Of(slot);
+    Crc16 crc;
+    for (std::uint8_t at = 0U; at < kMapCount.at; ++at)
+    {
+        crc.AddByte(x_settings.ImageByte(slot, at));
+    }
+    crc.AddByte(mapping.count);
+    for (std::uint32_t index = 0U; index < mapping.count; ++index)
+    {
+        crc.AddByte(index + 1U);
+        crc.AddWord(mapping.entries[index]);
+    }
+    return crc.Value();
+}
+
+/// [SRS_CFG_034]
+DeviceDigest Channel::Digest(SlotIndex slot, DeviceDigest before) const noexcept
+{
+    const SrdoSetup& setup = x_settings.Setup(slot);
+    Crc32 crc{before.value};
+    if (slot == 0U)
+    {
+        AddDevice(crc, x_settings.Config(), x_settings.GfcParameter());
+    }
+    crc.AddByte(setup.number);
+    crc.AddByte(static_cast<std::uint32_t>(x_settings.Policy(slot)));
+    crc.AddByte(static_cast<std::uint32_t>(x_settings.Form(slot)));
+    crc.AddByte(static_cast<std::uint32_t>(x_settings.Detection(slot)));
+    crc.AddByte(x_settings.TransmissionType(slot));
+    crc.AddWord(setup.safe_value.low);
+    crc.AddWord(setup.safe_value.high);
+    return DeviceDigest{crc.Value()};
+}
+
+/// A slot counts as valid if no rule is broken.
+CheckResult Channel::Conclude(SlotIndex slot, ConfigFault fault, std::uint16_t signature) noexcept
+{
+    x_storage.valid[slot] = (fault == ConfigFault::kNone) ? Mark::kGood : Mark::kUnset;
+    return CheckResult{fault, signature};
+}
+
+/// [SRS_CFG_020]
+CheckResult Channel::Validate(SlotIndex slot) noexcept
+{
+    const std::uint16_t signature = SignatureOf(slot);
+    const std::uint8_t direction = x_settings.Direction(slot);
+    ConfigFault fault = ConfigFault::kNone;
+    x_storage.resolved[slot] = Mark::kUnset;
+    if (direction != kDirectionOff)
+    {
+        fault = x_settings.CheckParameters(slot);
+        if (fault == ConfigFault::kNone)
+        {
+            fault = x_mappings.Resolve(slot);
+        }
+    }
+    if (fault == ConfigFault::kNone)
+    {
+        fault = CompareSignatures(signature, x_settings.Signature(slot));
+    }
+    if ((fault == ConfigFault::kNone) && (direction != kDirectionOff))
+    {
+        x_storage.resolved[slot] = Mark::kGood;
+        x_consumers.Withdraw(slot); // What was released is overwritten here, or no longer ours.
+        if (direction == kDirectionConsumer)
+        {
+            x_mappings.WriteSafe(slot);
+        }
+    }
+    return Conclude(slot, fault, signature);
+}
+
+/// What the signature finds need not be looked for in the mapping. [SRS_CFG_030]
+CheckResult Channel::Recheck(SlotIndex slot) noexcept
+{
+    const std::uint16_t signature = SignatureOf(slot);
+    ConfigFault fault = CompareSignatures(signature, x_settings.Signature(slot));
+    if ((fault == ConfigFault::kNone) && (x_settings.Direction(slot) != kDirectionOff))
+    {
+        const bool is_right = (x_storage.resolved[slot] == Mark::kGood) && x_mappings.IsRight(slot);
+        fault = is_right ? ConfigFault::kNone : ConfigFault::kTable;
+    }
+    return Conclude(slot, fault, signature);
+}
+
+// ---- OPERATIONAL
+
+bool Channel::IsRunning() const noexcept
+{
+    return x_activity == Mark::kRunning;
+}
+
+/// Whether the slot becomes active, and as what. A direction that is neither stays off. [SRS_CONS_002, SRS_CONS_024]
+void Channel::Admit(SlotIndex slot) noexcept
+{
+    const std::uint8_t direction = x_settings.Direction(slot);
+    if ((x_storage.valid[slot] != Mark::kGood) || (x_storage.resolved[slot] != Mark::kGood))
+    {
+        return;
+    }
+    if (direction == kDirectionProducer)
+    {
+        x_producers.Admit(slot);
+    }
+    else if (direction == kDirectionConsumer)
+    {
+        x_consumers.Admit(slot);
+    }
+    else
+    {
+        return;
+    }
+    // Identifiers were checked by Validate; the remainder keeps a corrupted one within the look-up.
+    const std::uint32_t offset = x_settings.NormalIdentifier(slot) - kFirstSrdoIdentifier;
+    x_storage.slot_of[offset % kSrdoIdentifierCount] = slot;
+    x_storage.slot_of[(offset + 1U) % kSrdoIdentifierCount] = slot;
+}
+
+void Channel::Enter() noexcept
+{
+    x_consumers.Enter();
+    x_producers.Clear();
+    for (std::uint8_t offset = 0U; offset < kLookUpBytes; ++offset)
+    {
+        x_storage.slot_of[offset] = kNoSlot;
+    }
+    for (SlotIndex slot = 0U; slot < x_settings.Count(); ++slot)
+    {
+        Admit(slot);
+    }
+}
+
+/// Slot to which the identifier leads; kNoSlot if to none of the device's.
+SlotIndex Channel::LookUp(const CanFrame& frame) const noexcept
+{
+    const std::uint32_t offset = frame.identifier - kFirstSrdoIdentifier;
+    if ((frame.kind != FrameKind::kData) || (offset >= kSrdoIdentifierCount))
+    {
+        return kNoSlot;
+    }
+    const SlotIndex slot = x_storage.slot_of[offset];
+    return (slot < x_settings.Count()) ? slot : kNoSlot;
+}
+
+/// A frame before OPERATIONAL finds no active consumer. A global fail-safe command is accepted only by 1300h = 1 and in
+/// OPERATIONAL. [SRS_CONS_001, SRS_CONS_002, SRS_CONS_017]
+void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
+{
+    const SlotIndex slot = LookUp(frame);
+    if (slot != kNoSlot)
+    {
+        x_consumers.OnFrame(slot, frame, stamp.us - x_last_us);
+        return;
+    }
+    const bool is_command = (frame.identifier == kGfcIdentifier) && (frame.kind == FrameKind::kData);
+    const bool is_accepted = IsRunning() && (x_settings.GfcParameter() == 1U);
+    if (is_command && is_accepted && (frame.length_bytes == 0U))
+    {
+        x_has_gfc = true;
+    }
+}
+
+/// NMT state and guard come first; then the time that went by is taken from all that runs. [SRS_CONS_002, SRS_CONS_015,
+/// SRS_CONS_023, SRS_REL_005]
+CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
+{
+    CycleOutcome outcome{};
+    const bool was_running = IsRunning();
+    const std::uint32_t elapsed_us = input.now.us - x_last_us;
+    Tick tick{elapsed_us, input.acknowledge & ~x_levels, input.request, input.stand, false, false, false};
+    tick.is_late = x_was_called && (elapsed_us > x_settings.LongestCallUs()); // The first call is never late.
+    tick.is_overflowed = input.queue != QueueState::kIntact;
+    tick.is_gfc = x_has_gfc;
+    outcome.guard = ViewGuard(input, x_settings.ConfigurationValid());
+    const bool is_running = (outcome.guard == GuardView::kConfigured) && (input.nmt == NmtState::kOperational);
+    x_activity = is_running ? Mark::kRunning : Mark::kUnset;
+    x_last_us = input.now.us;
+    x_levels = input.acknowledge;
+    x_was_called = true;
+    x_has_gfc = false;
+    ++x_cycle;
+    x_faults.Age(elapsed_us);
+    if (was_running && (!is_running))
+    {
+        outcome.new_fault = x_consumers.Leave();
+        x_producers.Clear();
+    }
+    if (is_running && (!was_running))
+    {
+        Enter();
+        tick.elapsed_us = 0U; // All budgets begin now.
+    }
+    x_consumers.Serve(tick, outcome);
+    x_producers.Serve(tick, outcome);
+    outcome.signalled = x_faults.Report();
+    outcome.cycle = x_cycle;
+    if (is_running)
+    {
+        const std::uint32_t served = std::uint32_t{outcome.sct_checked} + outcome.is_tx;
+        outcome.is_invalid = static_cast<std::uint8_t>(x_settings.Count() - served);
+    }
+    outcome.not_operational = is_running ? std::uint8_t{0U} : std::uint8_t{1U};
+    return outcome;
+}
+
+// ---- what is asked
+
+HeldPair Channel::Held(SlotIndex slot) const noexcept
+{
+    return x_consumers.Held(slot);
+}
+
+/// [SRS_CONS_025]
 SrdoView Channel::View(SlotIndex slot) const noexcept
 {
-    const Row& row = x_storage.rows[slot];
-    const HeldPair held = Held(slot);
+    const HeldPair held = x_consumers.Held(slot);
     SrdoView view{held.data,
-                  row.ordinal,
-                  row.signals,
-                  row.error_count,
-                  StateOf(row),
-                  static_cast<SrdoCause>(row.first_cause),
+                  held.ordinal,
+                  x_faults.Signals(slot),
+                  x_faults.ErrorCount(slot),
+                  x_consumers.StateOf(slot),
+                  x_faults.FirstCause(slot),
                   static_cast<std::uint8_t>(held.holds_pair)};
-    if (IsInFlight(row))
+    if (x_producers.IsActive(slot))
     {
-        const std::uint64_t data = PackBytes(&row.awaited.data[0]);
-        const bool is_normal = row.stage == Stage::kPrepared;
-        view.data = PayloadOf(is_normal ? data : (~data & row.mask));
+        view.data = x_producers.InFlight(slot);
+        view.ordinal = x_producers.Ordinal(slot);
+        view.state = SrdoState::kProducer;
     }
     return view;
 }
 
+void Channel::Demote(SlotIndex slot) noexcept
+{
+    x_consumers.Demote(slot);
+}
+
+void Channel::Commit(const Agreement& agreement) noexcept
+{
+    x_consumers.Commit(agreement);
+}
+
+/// [SRS_REL_010]
 Permit Channel::Answer(std::uint32_t challenge) const noexcept
 {
-    const HalfMask low = x_committed[0U] & x_running;
-    const HalfMask high = x_committed[1U] & x_running;
-    return Permit{Join(low, high), ((challenge + low) ^ RotateLeft(high, 16U)) * kPermitConstantB};
+    const SrdoMask mask = IsRunning() ? x_consumers.Committed() : 0U;
+    const Payload halves = PayloadOf(mask);
+    return Permit{mask, ((challenge + halves.low) ^ RotatedLeft(halves.high, 16U)) * kPermitConstantB};
+}
+
+PreparedPair Channel::Prepare(SlotIndex slot) noexcept
+{
+    return x_producers.Prepare(slot);
+}
+
+CanFrame Channel::InverseFrame(SlotIndex slot) noexcept
+{
+    return x_producers.InverseFrame(slot);
+}
+
+/// [SRS_PROD_007]
+Confirmation Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
+{
+    const SlotIndex slot = LookUp(frame);
+    if (slot == kNoSlot)
+    {
+        return Confirmation{kNoSlot, ConfirmStep::kNone};
+    }
+    return x_producers.OnConfirm(slot, frame, stamp.us - x_last_us);
+}
+
+void Channel::OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept
+{
+    x_producers.OnTransmitFault(slot, fault.cause);
 }
 
 } // namespace counterpoint::channel_b

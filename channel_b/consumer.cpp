@@ -1,8 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "channel_b/channel.hpp"
-#include "channel_b/image.hpp"
+#include "channel_b/consumer.hpp"
 
-#include <cstddef>
+#include "channel_b/slots.hpp"
+#include "channel_b/words.hpp"
+
 #include <cstdint>
 
 namespace counterpoint::channel_b
@@ -11,293 +12,446 @@ namespace counterpoint::channel_b
 namespace
 {
 
-constexpr std::uint32_t kWaitingBit = std::uint32_t{1U} << static_cast<std::uint32_t>(SrdoCause::kWaitingPastSct);
-
-/// Any other first cause is corrupted, or was put there because something else was. [SRS_CONS_024]
-[[nodiscard]] bool IsRecordable(std::uint32_t cause) noexcept
+[[nodiscard]] bool IsNormal(const CanFrame& frame) noexcept
 {
-    return ((cause - 1U) < Code(SrdoCause::kWrongEcho)) || (cause == Code(SrdoCause::kNone));
+    return (frame.identifier % 2U) != 0U;
 }
 
-/// Whether the marks of a consumer fit each other. [SRS_CONS_024]
-[[nodiscard]] bool IsSound(const Row& row) noexcept
+/// How long a budget that is over has been over.
+[[nodiscard]] std::uint32_t Overdue(std::uint32_t left) noexcept
 {
-    if (row.standing == Standing::kReleased)
-    {
-        return IsHeld(row) && IsRecordable(row.first_cause);
-    }
-    const bool is_defined = (row.standing == Standing::kWaiting) || (row.standing == Standing::kFaulted);
-    return is_defined && (IsHeld(row) || (row.held == kUnset));
-}
-
-/// The limit that is over at an instant so long after the last OnCycle: where both are the one with the earlier
-/// deadline, which is further below zero, and at a tie SRVT. [SRS_TIME_008, SRS_TIME_009]
-[[nodiscard]] SrdoCause ExpiredAt(const Row& row, std::uint32_t since_call, bool is_srvt_examined) noexcept
-{
-    const std::uint32_t sct_left = row.left - since_call;
-    const std::uint32_t srvt_left = row.srvt_left - since_call;
-    const bool is_sct_over = sct_left > row.limit;
-    if (is_srvt_examined && (srvt_left > row.srvt_limit))
-    {
-        return (is_sct_over && (sct_left < srvt_left)) ? SrdoCause::kSct : SrdoCause::kSrvt;
-    }
-    return is_sct_over ? SrdoCause::kSct : SrdoCause::kNone;
+    return 0U - left;
 }
 
 } // namespace
 
-/// A fault between two calls of OnCycle.
-void Channel::Reject(SlotIndex slot, SrdoCause cause) noexcept
+void Consumers::Restart() noexcept
 {
-    x_released[slot / kSlotsInHalf] &= ~BitOf(slot);
-    Fault(x_storage.rows[slot], cause);
+    Enter();
+    x_committed = 0U;
 }
 
-/// First half of a pair. With early detection it has answered SCT. [SRS_CONS_006, SRS_TIME_007]
-[[gnu::always_inline]] inline void Channel::TakeNormal(SlotIndex slot, const CanFrame& frame,
-                                                       std::uint32_t since_call) noexcept
+void Consumers::Enter() noexcept
 {
-    Row& row = x_storage.rows[slot];
-    if (HasNews(row, kPending))
+    x_active = 0U;
+    x_pending = 0U;
+    x_stale = 0U;
+    x_fresh = 0U;
+    x_unheard = 0U;
+    x_troubled = 0U;
+    x_released = 0U;
+    x_unwritten = 0U;
+    x_active_us = 0U;
+}
+
+/// [SRS_REL_001, SRS_REL_008]
+void Consumers::Admit(SlotIndex slot) noexcept
+{
+    x_active |= BitOf(slot);
+    x_unheard |= BitOf(slot);
+    x_pairs.held[slot] = Mark::kUnset;
+    x_pairs.granted[slot] = Mark::kUnset;
+    x_pairs.edge[slot] = Mark::kUnset;
+    x_pairs.ordinal[slot] = 0U;
+}
+
+/// [SRS_CONS_019]
+SrdoMask Consumers::Leave() noexcept
+{
+    const SrdoMask left = x_active;
+    for (SlotWalk walk{left}; walk.IsOn(); walk.Step())
     {
-        Reject(slot, SrdoCause::kNormalTwice);
-        return;
+        Fault(walk.Slot(), SrdoCause::kNotOperational);
     }
-    SetNews(row, kPending);
-    row.pending_data = PackBytes(&frame.data[0]);
-    row.srvt_limit = SrvtUs(row);
-    row.srvt_left = row.srvt_limit + since_call; // The next OnCycle takes away what lay before the frame.
-    if (row.detection != SrvtDetection::kLate)
+    Enter();
+    return left;
+}
+
+bool Consumers::IsActive(SlotIndex slot) const noexcept
+{
+    return HasAny(x_active, BitOf(slot));
+}
+
+bool Consumers::IsHeld(SlotIndex slot) const noexcept
+{
+    return x_pairs.held[slot] == Mark::kHeld;
+}
+
+bool Consumers::IsReleased(SlotIndex slot) const noexcept
+{
+    return IsHeld(slot) && (x_pairs.granted[slot] == Mark::kGranted) && x_faults.IsCauseDefined(slot);
+}
+
+/// Whether the marks are defined, fit each other, and still say what the last OnCycle decided. [SRS_CONS_024]
+bool Consumers::IsSound(SlotIndex slot) const noexcept
+{
+    if (HasAny(x_released, BitOf(slot)))
     {
-        row.limit = kNothingRuns;
+        return IsReleased(slot);
+    }
+    const bool is_held_defined = IsHeld(slot) || (x_pairs.held[slot] == Mark::kUnset);
+    return is_held_defined && (x_pairs.granted[slot] == Mark::kUnset);
+}
+
+/// Whether a missing inverse frame is found late.
+bool Consumers::IsLate(SlotIndex slot) const noexcept
+{
+    return x_settings.Detection(slot) == SrvtDetection::kLate;
+}
+
+/// [SRS_CONS_024]
+SrdoState Consumers::StateOf(SlotIndex slot) const noexcept
+{
+    if (!IsActive(slot))
+    {
+        return SrdoState::kOff;
+    }
+    if (IsReleased(slot))
+    {
+        return SrdoState::kReleased;
+    }
+    return HasAny(x_troubled, BitOf(slot)) ? SrdoState::kFaulted : SrdoState::kWaiting;
+}
+
+/// Of a valid pair the inverse data tell the normal data. [SRS_CONS_025]
+HeldPair Consumers::Held(SlotIndex slot) const noexcept
+{
+    HeldPair pair{{0U, 0U}, 0U, 0U};
+    if (IsActive(slot))
+    {
+        pair.ordinal = x_pairs.ordinal[slot];
+        if (IsHeld(slot))
+        {
+            pair.data = PayloadOf(~x_pairs.data[slot] & FrameMask(x_mappings.LengthBits(slot)));
+            pair.holds_pair = 1U;
+        }
+    }
+    return pair;
+}
+
+SrdoMask Consumers::Committed() const noexcept
+{
+    return x_committed;
+}
+
+void Consumers::Withdraw(SlotIndex slot) noexcept
+{
+    x_committed &= ~BitOf(slot);
+}
+
+/// Nothing is granted any longer. A pending normal frame stays. [SRS_CONS_012]
+void Consumers::Discard(SlotIndex slot) noexcept
+{
+    const SrdoMask others = ~BitOf(slot);
+    x_pairs.held[slot] = Mark::kUnset;
+    x_pairs.granted[slot] = Mark::kUnset;
+    x_pairs.edge[slot] = Mark::kUnset;
+    x_pairs.ordinal[slot] = 0U;
+    x_troubled |= BitOf(slot);
+    x_fresh &= others;
+    x_unheard &= others;
+    x_released &= others;
+}
+
+/// [SRS_CONS_012]
+void Consumers::Fault(SlotIndex slot, SrdoCause cause) noexcept
+{
+    Discard(slot);
+    x_pending &= ~BitOf(slot);
+    x_faults.Record(slot, cause);
+}
+
+/// [SRS_REL_006]
+void Consumers::Demote(SlotIndex slot) noexcept
+{
+    if (IsActive(slot))
+    {
+        Discard(slot);
+        x_faults.Count(slot, SrdoCause::kDemoted);
     }
 }
 
-/// [SRS_CONS_008, SRS_CONS_009, SRS_CONS_010]
-[[gnu::always_inline]] inline void Channel::TakeInverse(SlotIndex slot, const CanFrame& frame) noexcept
+/// The limit that is over at an instant so long after the last OnCycle. With early detection a pending normal frame has
+/// answered SCT. Where both are over it is the one with the earlier deadline, at a tie SRVT.
+/// [SRS_TIME_003, SRS_TIME_004, SRS_TIME_005, SRS_TIME_006, SRS_TIME_007, SRS_TIME_008, SRS_TIME_009]
+SrdoCause Consumers::ExpiredAt(SlotIndex slot, std::uint32_t since_call_us, bool is_srvt_examined) const noexcept
 {
-    Row& row = x_storage.rows[slot];
-    if (!HasNews(row, kPending))
+    const bool is_pending = HasAny(x_pending, BitOf(slot));
+    const std::uint32_t sct_left = x_pairs.left[slot] - since_call_us;
+    const std::uint32_t srvt_left = x_pairs.srvt_left[slot] - since_call_us;
+    const bool is_sct_answered = is_pending && (!IsLate(slot));
+    const bool is_sct_over = IsHeld(slot) && (!is_sct_answered) && (sct_left > x_pairs.limit[slot]);
+    if (is_pending && is_srvt_examined)
     {
-        Reject(slot, SrdoCause::kInverseFirst);
-        return;
+        if (HasAny(x_stale, BitOf(slot)))
+        {
+            return SrdoCause::kSrvt;
+        }
+        if (srvt_left > x_pairs.srvt_limit[slot])
+        {
+            return (is_sct_over && (Overdue(sct_left) > Overdue(srvt_left))) ? SrdoCause::kSct : SrdoCause::kSrvt;
+        }
     }
-    const std::uint64_t normal = row.pending_data;
-    const std::uint64_t inverse = PackBytes(&frame.data[0]);
-    const std::uint64_t alike = ~(normal ^ inverse) & row.mask; // Behind the length anything may be.
-    if ((alike | (normal & row.spare)) != 0U)
-    {
-        Reject(slot, SrdoCause::kNotInverse);
-        return;
-    }
-    // Both limits count from the normal frame, so that the greater one has the difference more left.
-    row.limit = SctUs(row);
-    row.left = row.srvt_left + (row.limit - row.srvt_limit);
-    row.srvt_limit = kNothingRuns;
-    SetNews(row, kFresh);
-    ClearNews(row, kPending | kUnheard);
-    row.held = kHeld;
-    row.inverse_data = inverse;
-    row.ordinal += 1U;
-    x_unwritten[slot / kSlotsInHalf] |= BitOf(slot);
+    return is_sct_over ? SrdoCause::kSct : SrdoCause::kNone;
 }
 
-/// The checks are made in the order of SRS_CONS_011.
-void Channel::TakeFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
+// ---- frames
+
+/// What of identifier, controller and length is not as configured. [SRS_CONS_004, SRS_CONS_005]
+SrdoCause Consumers::Misfit(SlotIndex slot, const CanFrame& frame) const noexcept
 {
-    const Row& row = x_storage.rows[slot];
-    const std::uint32_t parity = frame.identifier & 1U;
-    if ((frame.identifier != OwnIdentifier(row, parity)) || (frame.port != x_port[parity])) // MISRA D-002
+    const DeviceConfig& config = x_settings.Config();
+    const bool is_normal = IsNormal(frame);
+    const std::uint32_t own = is_normal ? x_settings.NormalIdentifier(slot) : x_settings.InverseIdentifier(slot);
+    const CanPortId port = is_normal ? config.normal_port : config.inverse_port;
+    if ((frame.identifier != own) || (frame.port != port))
     {
-        Reject(slot, SrdoCause::kIdentifier);
-        return;
+        return SrdoCause::kIdentifier;
     }
-    if (frame.length_bytes != row.awaited.length_bytes)
-    {
-        Reject(slot, SrdoCause::kLength);
-        return;
-    }
-    if (parity != 0U)
-    {
-        TakeNormal(slot, frame, since_call);
-        return;
-    }
-    TakeInverse(slot, frame);
+    const bool is_mapped_length = frame.length_bytes == BytesFor(x_mappings.LengthBits(slot));
+    return is_mapped_length ? SrdoCause::kNone : SrdoCause::kLength;
 }
 
 /// A limit that is over discards what was there before the frame, which is then taken as the first one.
-/// [SRS_CONS_003, SRS_CONS_012]
-void Channel::TakeLate(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call) noexcept
+/// [SRS_CONS_001, SRS_CONS_003, SRS_CONS_011, SRS_CONS_012]
+void Consumers::OnFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept
 {
-    const Row& row = x_storage.rows[slot];
-    const bool is_inverse = (frame.identifier & 1U) == 0U;
-    const SrdoCause expired = ExpiredAt(row, since_call, is_inverse || (row.detection != SrvtDetection::kLate));
+    if (!IsActive(slot))
+    {
+        return;
+    }
+    const bool is_normal = IsNormal(frame);
+    const SrdoCause expired = ExpiredAt(slot, since_call_us, (!is_normal) || (!IsLate(slot)));
     if (expired != SrdoCause::kNone)
     {
-        Reject(slot, expired);
+        Fault(slot, expired);
     }
-    TakeFrame(slot, frame, since_call);
+    const SrdoCause misfit = Misfit(slot, frame);
+    if (misfit != SrdoCause::kNone)
+    {
+        Fault(slot, misfit);
+        return;
+    }
+    const std::uint64_t data = FrameData(frame);
+    if (is_normal)
+    {
+        TakeNormal(slot, data, since_call_us);
+    }
+    else
+    {
+        TakeInverse(slot, data);
+    }
 }
 
-void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
+/// [SRS_CONS_006, SRS_CONS_007]
+void Consumers::TakeNormal(SlotIndex slot, std::uint64_t normal, std::uint32_t since_call_us) noexcept
 {
-    const std::uint32_t offset = frame.identifier - kFirstSrdoIdentifier;
-    if (frame.kind != FrameKind::kData)
+    if (HasAny(x_pending, BitOf(slot)))
     {
+        Fault(slot, SrdoCause::kNormalTwice);
         return;
     }
-    if (offset >= kSrdoIdentifierCount)
-    {
-        // Global fail-safe command. [SRS_CONS_017]
-        const bool is_accepted = x_storage.device[kGfcParameterAt] == 1U;
-        if ((frame.identifier == kGfcIdentifier) && (frame.length_bytes == 0U) && is_accepted)
-        {
-            x_alarms |= x_running & kGfc;
-        }
-        return;
-    }
-    const SlotIndex slot = x_storage.slot_of[offset];
-    if ((slot >= x_count) || (!IsConsumer(x_storage.rows[slot])))
-    {
-        return; // Nobody's, or a producer's own.
-    }
-    const Row& row = x_storage.rows[slot];
-    // From the last OnCycle to the frame, modular, so that it may be before that call as well.
-    const std::uint32_t since_call = stamp.us - x_last_us;
-    if (((row.left - since_call) > row.limit) || ((row.srvt_left - since_call) > row.srvt_limit))
-    {
-        TakeLate(slot, frame, since_call);
-        return;
-    }
-    TakeFrame(slot, frame, since_call);
+    x_pending |= BitOf(slot);
+    x_stale &= ~BitOf(slot);
+    x_pairs.pending[slot] = normal;
+    x_pairs.srvt_limit[slot] = x_settings.SrvtUs(slot);
+    // The next OnCycle takes away what lay between the last one and the frame.
+    x_pairs.srvt_left[slot] = x_pairs.srvt_limit[slot] + since_call_us;
 }
 
-void Channel::Demote(SlotIndex slot) noexcept
+/// [SRS_CONS_008, SRS_CONS_009, SRS_CONS_010]
+void Consumers::TakeInverse(SlotIndex slot, std::uint64_t inverse) noexcept
 {
-    Row& row = x_storage.rows[slot];
-    if (!IsConsumer(row))
+    const SrdoMask bit = BitOf(slot);
+    if (!HasAny(x_pending, bit))
     {
+        Fault(slot, SrdoCause::kInverseFirst);
         return;
     }
-    x_released[slot / kSlotsInHalf] &= ~BitOf(slot);
-    Discard(row);
-    Count(row, SrdoCause::kDemoted);
+    const std::uint32_t length_bits = x_mappings.LengthBits(slot);
+    const std::uint64_t normal = x_pairs.pending[slot];
+    const bool is_inverse = (normal ^ inverse) == FrameMask(length_bits);
+    const bool is_unmapped_clear = (normal & ~LowBits(length_bits)) == 0U;
+    if (!(is_inverse && is_unmapped_clear))
+    {
+        Fault(slot, SrdoCause::kNotInverse);
+        return;
+    }
+    // Both limits count from the normal frame, so that the greater one has the difference more left.
+    x_pairs.limit[slot] = x_settings.SctUs(slot);
+    x_pairs.left[slot] = x_pairs.srvt_left[slot] + (x_pairs.limit[slot] - x_pairs.srvt_limit[slot]);
+    x_pairs.held[slot] = Mark::kHeld;
+    x_pairs.data[slot] = inverse;
+    x_pairs.ordinal[slot] += 1U;
+    x_pending &= ~bit;
+    x_unheard &= ~bit;
+    x_fresh |= bit;
+    x_unwritten |= bit;
 }
 
-/// [SRS_CONS_013, SRS_CONS_014, SRS_CONS_015, SRS_CONS_016, SRS_CONS_017, SRS_CONS_018, SRS_CONS_022, SRS_REL_003,
-/// SRS_REL_004, SRS_REL_005, SRS_REL_007]
-void Channel::ServeConsumer(Row& row, Half& half) const noexcept
+// ---- the cycle
+
+/// The budgets beside that of SCT, as far as they run.
+void Consumers::SpendOthers(SlotIndex slot, std::uint32_t elapsed_us) noexcept
 {
-    if (!IsSound(row))
+    x_pairs.srvt_left[slot] -= elapsed_us;
+    x_pairs.phase_left[slot] -= elapsed_us;
+    if (x_pairs.srvt_left[slot] > x_pairs.srvt_limit[slot])
     {
-        Fault(row, SrdoCause::kInvalid);
+        x_stale |= BitOf(slot);
     }
-    const SrdoCause expired = ExpiredAt(row, 0U, row.detection != SrvtDetection::kLate);
+    if (x_pairs.phase_left[slot] > x_settings.Config().acknowledge_window_us)
+    {
+        x_pairs.edge[slot] = Mark::kUnset;
+    }
+}
+
+/// Faults of this call, in their order. [SRS_CONS_014, SRS_CONS_015, SRS_CONS_016, SRS_CONS_017, SRS_CONS_018,
+/// SRS_CONS_024]
+void Consumers::Examine(SlotIndex slot, const Tick& tick) noexcept
+{
+    if (!IsSound(slot))
+    {
+        Fault(slot, SrdoCause::kInvalid);
+    }
+    const SrdoCause expired = ExpiredAt(slot, 0U, !IsLate(slot));
     if (expired != SrdoCause::kNone)
     {
-        Fault(row, expired);
+        Fault(slot, expired);
     }
-    else if ((x_alarms & kLate) != 0U)
+    else if (tick.is_late)
     {
-        Fault(row, SrdoCause::kLateCall);
+        Fault(slot, SrdoCause::kLateCall);
     }
     else
     {
         // In time.
     }
-    if ((x_alarms & kOverflowed) != 0U)
+    if (tick.is_overflowed)
     {
-        Fault(row, SrdoCause::kQueueOverflow);
+        Fault(slot, SrdoCause::kQueueOverflow);
     }
-    if ((x_alarms & kGfc) != 0U)
+    if (tick.is_gfc)
     {
-        Fault(row, SrdoCause::kGfc);
+        Fault(slot, SrdoCause::kGfc);
     }
-    if (row.phase_left > x_config->acknowledge_window_us)
+}
+
+/// [SRS_REL_003, SRS_REL_004, SRS_REL_007]
+void Consumers::Grant(SlotIndex slot) noexcept
+{
+    const bool is_acknowledged = x_pairs.edge[slot] == Mark::kWaits;
+    const bool is_permitted = is_acknowledged || (x_settings.Policy(slot) == ReleasePolicy::kAutomatic);
+    if (IsHeld(slot) && is_permitted)
     {
-        ForgetEdge(row);
+        x_pairs.granted[slot] = Mark::kGranted;
     }
-    if (row.causes != 0U)
+    if (is_acknowledged && IsReleased(slot))
     {
-        Discard(row); // A pair completed after the fault, before it was reported.
-        half.new_fault |= half.bit;
+        x_faults.Forget(slot);
+        x_pairs.edge[slot] = Mark::kUnset;
     }
-    else if ((half.edges & half.bit) != 0U)
+}
+
+/// Where there is more to do than to take the time of SCT. [SRS_CONS_013, SRS_CONS_022, SRS_REL_005]
+void Consumers::ServeBusy(SlotIndex slot, const Tick& tick, CycleOutcome& outcome) noexcept
+{
+    const SrdoMask bit = BitOf(slot);
+    SpendOthers(slot, tick.elapsed_us);
+    Examine(slot, tick);
+    if (HasAny(x_faults.Unreported(), bit))
     {
-        row.edge = kWaits;
-        row.phase_left = x_config->acknowledge_window_us;
-        SetNews(row, kEdge);
+        Discard(slot); // A pair completed after the fault, before it was reported.
+        outcome.new_fault |= bit;
+    }
+    else if (HasAny(tick.edges, bit))
+    {
+        x_pairs.edge[slot] = Mark::kWaits;
+        x_pairs.phase_left[slot] = x_settings.Config().acknowledge_window_us;
     }
     else
     {
         // Nothing new.
     }
-    if (HasNews(row, kUnheard) && (x_active_us > SctUs(row)))
+    if (HasAny(x_unheard, bit) && (x_active_us > x_settings.SctUs(slot)))
     {
-        ClearNews(row, kUnheard);
-        row.causes |= kWaitingBit;
+        x_unheard &= ~bit;
+        x_faults.Complain(slot, SrdoCause::kWaitingPastSct);
     }
-    Release(row, half);
+    Grant(slot);
 }
 
-/// What has a fault to report holds no pair any longer. [SRS_REL_003, SRS_REL_004, SRS_REL_007]
-void Channel::Release(Row& row, Half& half) const noexcept
+/// Takes the time from the budgets of SCT of `quiet` consumers. Settled is what its marks release, within its SCT and
+/// without a cause to be told of: it stays released. [SRS_CONS_014]
+SrdoMask Consumers::Settle(SrdoMask quiet, std::uint32_t elapsed_us, CycleOutcome& outcome) noexcept
 {
-    const bool is_acknowledged = row.edge == kWaits;
-    const bool is_permitted = is_acknowledged || (row.policy == ReleasePolicy::kAutomatic);
-    if (IsHeld(row) && is_permitted && IsRecordable(row.first_cause))
+    SrdoMask settled = 0U;
+    std::uint32_t ordinal_sum = 0U;
+    std::uint32_t count = 0U;
+    for (SlotWalk walk{quiet}; walk.IsOn(); walk.Step())
     {
-        row.standing = Standing::kReleased;
-    }
-    if (row.standing == Standing::kReleased)
-    {
-        half.released |= half.bit;
-        if (is_acknowledged)
+        const SlotIndex slot = walk.Slot();
+        const std::uint32_t left = x_pairs.left[slot] - elapsed_us;
+        x_pairs.left[slot] = left;
+        const bool is_granted = IsHeld(slot) && (x_pairs.granted[slot] == Mark::kGranted);
+        if (is_granted && (left <= x_pairs.limit[slot]) && (x_faults.FirstCause(slot) == SrdoCause::kNone))
         {
-            row.first_cause = Code(SrdoCause::kNone);
-            ForgetEdge(row);
+            settled |= walk.Bit();
+            ordinal_sum += x_pairs.ordinal[slot];
+            ++count;
         }
     }
-    else if (row.standing == Standing::kFaulted)
+    outcome.ordinal_sum = ordinal_sum;
+    outcome.sct_checked = static_cast<std::uint8_t>(count);
+    return settled;
+}
+
+/// [SRS_CONS_023]
+void Consumers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
+{
+    const bool is_alarm = tick.is_late || tick.is_overflowed || tick.is_gfc;
+    const SrdoMask news = is_alarm ? x_active : (x_pending | x_faults.Unreported() | tick.edges);
+    const SrdoMask quiet = x_active & ~news;
+    SrdoMask released = Settle(quiet, tick.elapsed_us, outcome);
+    x_active_us += tick.elapsed_us;
+    for (SlotWalk walk{x_active & ~released}; walk.IsOn(); walk.Step())
     {
-        half.faulted |= half.bit;
+        const SlotIndex slot = walk.Slot();
+        if (!HasAny(quiet, walk.Bit()))
+        {
+            x_pairs.left[slot] -= tick.elapsed_us;
+        }
+        ServeBusy(slot, tick, outcome);
+        if (IsReleased(slot))
+        {
+            released |= walk.Bit();
+        }
+        outcome.ordinal_sum += x_pairs.ordinal[slot];
+        outcome.sct_checked = static_cast<std::uint8_t>(outcome.sct_checked + 1U);
     }
-    else
-    {
-        half.waiting |= half.bit;
-    }
-    if (HasNews(row, kFresh) && IsHeld(row))
-    {
-        half.fresh |= half.bit;
-    }
-    ClearNews(row, kFresh);
-    half.consumers += 1U;
-    half.ordinal_sum += row.ordinal;
+    x_released = released;
+    outcome.released = released;
+    outcome.faulted = x_active & x_troubled & ~released;
+    outcome.waiting = x_active & ~(x_troubled | released);
+    outcome.fresh = x_fresh;
+    x_fresh = 0U;
 }
 
 /// [SRS_REL_002]
-void Channel::Commit(const Agreement& agreement) noexcept
+void Consumers::Commit(const Agreement& agreement) noexcept
 {
-    for (std::uint8_t half = 0U; half < kHalves; ++half)
+    const SrdoMask released = agreement.agreed & x_released;
+    const SrdoMask written = released & agreement.matched & x_unwritten;
+    for (SlotWalk walk{written}; walk.IsOn(); walk.Step())
     {
-        const HalfMask committed = x_committed[half]; // MISRA D-002
-        const HalfMask released = PartOf(agreement.agreed, half) & x_released[half];
-        const HalfMask written = PartOf(agreement.matched, half) & released & x_unwritten[half];
-        x_unwritten[half] &= ~written;
-        x_committed[half] = (committed & released) | written;
-        for (HalfMask rest = written | (committed & ~released); rest != 0U; rest = WithoutLowest(rest))
-        {
-            const SlotIndex slot = static_cast<SlotIndex>(LowestOf(rest) + (half * kSlotsInHalf));
-            if ((written & BitOf(slot)) != 0U)
-            {
-                WriteInverse(slot, x_storage.rows[slot].inverse_data);
-            }
-            else
-            {
-                WriteSafe(slot);
-            }
-        }
+        x_mappings.WriteInverse(walk.Slot(), x_pairs.data[walk.Slot()]);
     }
+    for (SlotWalk walk{x_committed & ~released}; walk.IsOn(); walk.Step())
+    {
+        x_mappings.WriteSafe(walk.Slot());
+    }
+    x_unwritten &= ~written;
+    x_committed = (x_committed & released) | written;
 }
 
 } // namespace counterpoint::channel_b

@@ -1,32 +1,32 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "channel_b/channel.hpp"
-#include "channel_b/image.hpp"
+#include "channel_b/mapping.hpp"
+
+#include "channel_b/words.hpp"
 
 #include <cstddef>
 #include <cstdint>
 
-/// Mappings: what their entries name, and whether they may. [SRS_CFG_026, SRS_CFG_027, SRS_CFG_028, SRS_CFG_030,
-/// SRS_CFG_032, SRS_CFG_033]
 namespace counterpoint::channel_b
 {
 
 namespace
 {
 
+/// Entries of a static mapping at most.
+constexpr std::uint8_t kLargestMapping = 2U * kMaxPayloadBits;
+/// Not the place of an object, and the place of a dummy entry.
+constexpr std::uint16_t kNoPlace = 0xFFFFU;
+constexpr std::uint16_t kDummyPlace = 0xFFFEU;
+
 /// Lengths of the data types that stand for an object nobody wants; the index is the row.
 constexpr std::uint8_t kDummyBits[kLastDummyIndex + 1U] = {0U, 1U, 8U, 16U, 32U, 8U, 16U, 32U}; // MISRA D-001
 
-/// Of a mapping of two normal and two inverse objects.
-constexpr std::uint8_t kEntriesOfTwo = 4U;
-
-/// The entry that names the object.
-[[nodiscard]] std::uint32_t EntryOf(const MappableObject& object) noexcept
+[[nodiscard]] std::uint32_t LengthOf(std::uint32_t entry) noexcept
 {
-    return (static_cast<std::uint32_t>(object.index) << 16U) | (static_cast<std::uint32_t>(object.sub) << 8U) |
-           static_cast<std::uint32_t>(object.length_bits);
+    return entry & 0xFFU;
 }
 
-/// Whether the entry has the form of a dummy: no length goes with index 0.
+/// Whether the entry has the form of a dummy: no length goes with index 0. [SRS_CFG_033]
 [[nodiscard]] bool IsDummy(std::uint32_t entry) noexcept
 {
     const std::uint32_t index = entry >> 16U;
@@ -34,144 +34,244 @@ constexpr std::uint8_t kEntriesOfTwo = 4U;
     return (bits != 0U) && ((entry & 0xFFFFU) == bits);
 }
 
+/// Whether an entry before this one names the same object; dummies name none.
+[[nodiscard]] bool IsNamedBefore(const Mapping& mapping, std::uint32_t index) noexcept
+{
+    const std::uint32_t entry = mapping.entries[index];
+    if (IsDummy(entry))
+    {
+        return false;
+    }
+    for (std::uint32_t before = 0U; before < index; ++before)
+    {
+        if ((mapping.entries[before] >> 8U) == (entry >> 8U))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// [SRS_CFG_026]
+[[nodiscard]] bool IsCountRight(const Mapping& mapping) noexcept
+{
+    return (mapping.count == mapping.declared) && (mapping.count != 0U) && ((mapping.count % 2U) == 0U);
+}
+
+/// Where an object's bits lie in the word. A sum of lengths that a corrupted entry led beyond the word stays in it.
+[[nodiscard]] std::uint32_t Within(std::uint32_t at) noexcept
+{
+    return at % kMaxPayloadBits;
+}
+
 } // namespace
 
-Channel::Mapping Channel::MappingOf(SlotIndex slot) const noexcept
+void Mappings::Restart(const DeviceConfig& config) noexcept
 {
-    const StaticMap& map = Column<const SrdoSetup>{x_config->srdos}[slot].map;
+    x_objects.Restart(config);
+    x_entries = (config.map_entries < x_room) ? config.map_entries : x_room;
+    for (SlotIndex slot = 0U; slot < x_settings.Count(); ++slot)
+    {
+        x_columns.fields[slot] = StaticFields{nullptr, nullptr};
+        x_columns.length_bits[slot] = 0U;
+        for (std::uint32_t index = 0U; index < x_room; ++index)
+        {
+            x_columns.entries[FirstEntryOf(slot) + index] = 0U;
+        }
+    }
+}
+
+std::size_t Mappings::FirstEntryOf(SlotIndex slot) const noexcept
+{
+    return std::size_t{slot} * x_room;
+}
+
+bool Mappings::IsStatic(SlotIndex slot) const noexcept
+{
+    return x_settings.Setup(slot).map.entries != nullptr;
+}
+
+/// [SRS_CFG_020, SRS_CFG_032]
+Mapping Mappings::Of(SlotIndex slot) const noexcept
+{
+    const StaticMap& map = x_settings.Setup(slot).map;
     if (map.entries != nullptr)
     {
         return Mapping{
             {map.entries}, {nullptr}, map.count, (map.count < kLargestMapping) ? map.count : kLargestMapping};
     }
-    const std::uint32_t first = FirstEntryOf(x_storage, slot);
-    const Row& row = x_storage.rows[slot];
-    return Mapping{{&x_storage.entries[first]},
-                   {&x_storage.table[first]},
-                   row.image[kMapCountAt],
-                   StoredCount(row, x_map_entries)};
+    const std::size_t first = FirstEntryOf(slot);
+    const std::uint8_t declared = x_settings.MapCount(slot);
+    return Mapping{{&x_columns.entries[first]},
+                   {&x_columns.places[first]},
+                   declared,
+                   (declared < x_entries) ? declared : x_entries};
 }
 
-/// The first object that is not before the one that the entry names.
-std::uint32_t Channel::Find(std::uint32_t entry) const noexcept
+/// [SRS_CFG_003]
+bool Mappings::StoreEntry(SlotIndex slot, std::uint8_t sub, std::uint32_t value) noexcept
 {
-    std::uint32_t low = 0U;
-    std::uint32_t high = static_cast<std::uint32_t>(x_object_count);
-    while (low < high) // Halves at each turn: at most 11 for 1024 objects.
+    if (IsStatic(slot) || (sub == 0U) || (sub > x_entries))
     {
-        const std::uint32_t middle = (low + high) / 2U;
-        if ((EntryOf(x_objects[middle]) >> 8U) < (entry >> 8U))
-        {
-            low = middle + 1U;
-        }
-        else
-        {
-            high = middle;
-        }
+        return false;
     }
-    return low;
+    x_columns.entries[FirstEntryOf(slot) + (sub - 1U)] = value;
+    return true;
 }
 
-/// Fills the table of a dynamic mapping. What an entry behind the last one leads to is no object.
-void Channel::Resolve(const Mapping& mapping, bool may_be_dummy) const noexcept
+/// [SRS_CFG_003]
+std::uint32_t Mappings::LoadEntry(SlotIndex slot, std::uint8_t sub) const noexcept
 {
-    for (std::uint32_t index = 0U; index < x_map_entries; ++index)
+    const Mapping mapping = Of(slot);
+    const std::uint8_t last = IsStatic(slot) ? mapping.count : x_entries;
+    if ((sub == 0U) || (sub > last))
+    {
+        return 0U;
+    }
+    return mapping.entries[sub - 1U];
+}
+
+void Mappings::SetFields(SlotIndex slot, const StaticFields& fields) noexcept
+{
+    x_columns.fields[slot] = fields;
+}
+
+/// What an entry behind the last one leads to is no object.
+void Mappings::FindPlaces(SlotIndex slot, const Mapping& mapping) noexcept
+{
+    const bool is_consumer = x_settings.Direction(slot) == kDirectionConsumer;
+    const bool may_be_dummy = is_consumer && (x_settings.Config().dummies == DummyMapping::kAllowed);
+    for (std::uint32_t index = 0U; index < x_entries; ++index)
     {
         std::uint32_t place = kNoPlace;
         if (index < mapping.count)
         {
             const std::uint32_t entry = mapping.entries[index];
-            place = (may_be_dummy && IsDummy(entry)) ? kDummyPlace : Find(entry);
+            place = (may_be_dummy && IsDummy(entry)) ? kDummyPlace : x_objects.Find(entry);
         }
-        mapping.table[index] = static_cast<std::uint16_t>(place);
+        x_columns.places[FirstEntryOf(slot) + index] = static_cast<std::uint16_t>(place);
     }
 }
 
-/// Two objects of four bytes fill a frame: most often found are the shortest to reach.
-std::uint32_t Channel::WordsOf(const Mapping& mapping) noexcept
+/// A static mapping has no places of its own: what it names is looked up each time.
+std::uint32_t Mappings::PlaceOf(const Mapping& mapping, std::uint32_t index) const noexcept
 {
-    if (IsStatic(mapping) || (mapping.count != kEntriesOfTwo))
+    return (mapping.places.first != nullptr) ? mapping.places[index] : x_objects.Find(mapping.entries[index]);
+}
+
+/// The rules that need no object, for a normal entry and the inverse entry behind it. [SRS_CFG_027, SRS_CFG_033]
+bool Mappings::IsPairAllowed(const Mapping& mapping, std::uint32_t index) const noexcept
+{
+    const std::uint32_t normal = mapping.entries[index];
+    const std::uint32_t inverse = mapping.entries[index + 1U];
+    const std::uint32_t granularity_bits = x_settings.Config().granularity_bits; // A power of 2.
+    if (LengthOf(normal) != LengthOf(inverse))
     {
-        return kNoWords;
+        return false;
     }
-    return std::uint32_t{mapping.table[1U]} | (std::uint32_t{mapping.table[3U]} << 16U);
-}
-
-/// Whether each entry leads to the object that it names, of its length, that fits the direction; the objects of a
-/// static mapping one behind the other from the registered fields on.
-bool Channel::IsTableRight(SlotIndex slot, const Mapping& mapping) const noexcept
-{
-    const bool is_sent = x_storage.rows[slot].image[kDirectionAt] == kDirectionProducer;
-    const std::uint32_t access = static_cast<std::uint32_t>(is_sent ? MapAccess::kProducer : MapAccess::kConsumer);
-    const std::uint8_t* next[2U] = {x_storage.fields[slot].normal, x_storage.fields[slot].inverse}; // MISRA D-001
-    std::uint32_t flaws = 0U;
-    for (std::uint32_t index = 0U; index < mapping.count; ++index)
+    if ((LengthOf(normal) & (granularity_bits - 1U)) != 0U)
     {
-        const std::uint32_t entry = mapping.entries[index];
-        const bool is_static = IsStatic(mapping);
-        const std::uint32_t place = is_static ? Find(entry) : mapping.table[index];
-        if (place >= x_object_count)
-        {
-            flaws |= static_cast<std::uint32_t>(!IsDummy(entry)) | (place ^ kDummyPlace);
-            continue;
-        }
-        const MappableObject& object = x_objects[place];
-        flaws |= (EntryOf(object) ^ entry) | (static_cast<std::uint32_t>(object.access) ^ access);
-        if (is_static)
-        {
-            flaws |= static_cast<std::uint32_t>(object.place != next[index & 1U]);                 // MISRA D-002
-            next[index & 1U] = &Column<const std::uint8_t>{object.place}[object.length_bits / 8U]; // MISRA D-002
-        }
+        return false;
     }
-    flaws |= x_storage.rows[slot].words ^ WordsOf(mapping);
-    return flaws == 0U;
+    if (IsDummy(normal) != IsDummy(inverse))
+    {
+        return false;
+    }
+    return !(IsNamedBefore(mapping, index) || IsNamedBefore(mapping, index + 1U));
 }
 
-/// The table that it writes counts only after a Validate without fault.
-ConfigFault Channel::CheckMapping(SlotIndex slot, const Mapping& mapping) const noexcept
+/// The places that it finds count only after a Validate without fault. [SRS_CFG_026, SRS_CFG_027, SRS_CFG_028]
+ConfigFault Mappings::Resolve(SlotIndex slot) noexcept
 {
-    Row& row = x_storage.rows[slot];
-    const std::uint32_t count = mapping.count;
-    const bool is_static = IsStatic(mapping);
-    std::uint32_t flaws = (count ^ mapping.declared) | (count & 1U) | static_cast<std::uint32_t>(count == 0U);
+    const Mapping mapping = Of(slot);
     std::uint32_t bits = 0U;
-    std::uint32_t granule = static_cast<std::uint32_t>(x_config->granularity_bits) - 1U;
-    granule |= is_static ? 7U : 0U;
-    for (std::uint32_t index = 0U; index < (count & 0xFEU); ++index)
-    {
-        const std::uint32_t entry = mapping.entries[index];
-        const std::uint32_t partner = mapping.entries[index ^ 1U];
-        const bool is_dummy = IsDummy(entry);
-        flaws |= ((entry ^ partner) & 0xFFU) | (entry & 0xFFU & granule);
-        flaws |= static_cast<std::uint32_t>(is_dummy != IsDummy(partner));
-        for (std::uint32_t before = 0U; before < index; ++before)
-        {
-            const bool is_named = (mapping.entries[before] >> 8U) == (entry >> 8U);
-            flaws |= static_cast<std::uint32_t>(is_named && (!is_dummy));
-        }
-        bits += entry & 0xFFU;
-    }
-    if (!is_static)
-    {
-        const bool is_consumer = row.image[kDirectionAt] == kDirectionConsumer;
-        Resolve(mapping, is_consumer && (x_config->dummies == DummyMapping::kAllowed));
-    }
-    row.words = WordsOf(mapping);
-    if ((flaws != 0U) || (!IsTableRight(slot, mapping)))
+    if (!IsCountRight(mapping))
     {
         return ConfigFault::kMapping;
     }
-    bits /= 2U; // Each normal entry is as long as its inverse entry.
+    if (mapping.places.first != nullptr)
+    {
+        FindPlaces(slot, mapping);
+    }
+    for (std::uint32_t index = 0U; index < mapping.count; index += 2U)
+    {
+        if (!IsPairAllowed(mapping, index))
+        {
+            return ConfigFault::kMapping;
+        }
+        bits += LengthOf(mapping.entries[index]);
+    }
+    if (!IsRight(slot))
+    {
+        return ConfigFault::kMapping;
+    }
     if (bits > kMaxPayloadBits)
     {
         return ConfigFault::kLengthExceeded;
     }
-    const std::uint32_t length_bytes = (bits + 7U) / 8U;
-    row.length_bits = static_cast<std::uint8_t>(bits);
-    row.awaited.length_bytes = static_cast<std::uint8_t>(length_bytes);
-    row.mask = LowBits(length_bytes * 8U);
-    row.spare = row.mask & ~LowBits(bits);
+    x_columns.length_bits[slot] = static_cast<std::uint8_t>(bits);
     return ConfigFault::kNone;
+}
+
+/// [SRS_CFG_027, SRS_CFG_030, SRS_CFG_032, SRS_CFG_033]
+bool Mappings::IsRight(SlotIndex slot) const noexcept
+{
+    const Mapping mapping = Of(slot);
+    const bool is_static = mapping.places.first == nullptr;
+    const bool is_sent = x_settings.Direction(slot) == kDirectionProducer;
+    const MapAccess access = is_sent ? MapAccess::kProducer : MapAccess::kConsumer;
+    StaticFields next = x_columns.fields[slot];
+    for (std::uint32_t index = 0U; index < mapping.count; ++index)
+    {
+        const std::uint32_t entry = mapping.entries[index];
+        const std::uint32_t place = PlaceOf(mapping, index);
+        const bool is_dummy = (place == kDummyPlace) && IsDummy(entry);
+        if (!(is_dummy || x_objects.IsNamed(place, entry, access)))
+        {
+            return false;
+        }
+        if (is_static)
+        {
+            std::uint8_t*& expected = ((index % 2U) == 0U) ? next.normal : next.inverse;
+            if ((x_objects.Begin(place) != expected) || ((LengthOf(entry) % kBitsPerByte) != 0U))
+            {
+                return false;
+            }
+            expected = x_objects.End(place);
+        }
+    }
+    return true;
+}
+
+/// [SRS_PROD_005, SRS_CFG_036]
+std::uint64_t Mappings::ReadInverse(SlotIndex slot) const noexcept
+{
+    const Mapping mapping = Of(slot);
+    std::uint64_t data = 0U;
+    std::uint32_t at = 0U;
+    for (std::uint32_t index = 1U; index < mapping.count; index += 2U)
+    {
+        data |= x_objects.Read(PlaceOf(mapping, index)) << Within(at);
+        at += LengthOf(mapping.entries[index]);
+    }
+    return data;
+}
+
+/// The bits of a dummy, or of a corrupted place, go nowhere. [SRS_CFG_033, SRS_CFG_036]
+void Mappings::WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept
+{
+    const Mapping mapping = Of(slot);
+    std::uint32_t at = 0U;
+    for (std::uint32_t index = 1U; index < mapping.count; index += 2U)
+    {
+        x_objects.Write(PlaceOf(mapping, index), data >> Within(at));
+        at += LengthOf(mapping.entries[index]);
+    }
+}
+
+void Mappings::WriteSafe(SlotIndex slot) const noexcept
+{
+    WriteInverse(slot, ~WordOf(x_settings.Setup(slot).safe_value));
 }
 
 } // namespace counterpoint::channel_b

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "channel_b/channel.hpp"
-#include "channel_b/image.hpp"
+#include "channel_b/objects.hpp"
+
+#include "channel_b/words.hpp"
 
 #include <cstdint>
 
@@ -10,74 +11,48 @@ namespace counterpoint::channel_b
 namespace
 {
 
-/// One object of any length, up to eight bits at a time; its last byte is filled up with 0.
-[[nodiscard]] std::uint64_t ExchangeBits(const MappableObject& object, std::uint64_t data, bool is_read) noexcept
+/// The entry that names the object.
+[[nodiscard]] std::uint32_t EntryOf(const MappableObject& object) noexcept
 {
-    const Column<std::uint8_t> place{object.place};
-    std::uint64_t word = data;
-    std::uint32_t left = object.length_bits;
-    for (std::uint32_t at = 0U; left > 0U; ++at)
-    {
-        const std::uint32_t step = (left < 8U) ? left : 8U;
-        const std::uint32_t bits = (1U << step) - 1U;
-        if (is_read)
-        {
-            word |= place[at] & bits;
-        }
-        else
-        {
-            place[at] = static_cast<std::uint8_t>(word & bits);
-        }
-        word = Turned(word, step);
-        left -= step;
-    }
-    return word;
+    return (std::uint32_t{object.index} << 16U) | (std::uint32_t{object.sub} << 8U) | object.length_bits;
 }
 
 } // namespace
 
-/// The way for all objects, from one entry on: the word turns object by object, so that those bits are at its low end
-/// that are written to an object, or that enter it where they are read (they are 0 then). A dummy, or a corrupted
-/// place, leaves its bits out.
-std::uint64_t Channel::ExchangeFrom(SlotIndex slot, std::uint32_t from, std::uint64_t data, Way way) const noexcept
+void Objects::Restart(const DeviceConfig& config) noexcept
 {
-    const Mapping mapping = MappingOf(slot);
-    std::uint64_t word = data;
-    for (std::uint32_t index = from; index < mapping.count; index += 2U)
-    {
-        const std::uint32_t entry = mapping.entries[index];
-        const std::uint32_t at = IsStatic(mapping) ? Find(entry) : mapping.table[index];
-        const bool is_object = at < x_object_count;
-        word = is_object ? ExchangeBits(x_objects[at], word, way == Way::kRead) : Turned(word, entry);
-    }
-    return Turned(word, 64U - x_storage.rows[slot].length_bits);
+    x_objects = Column<const MappableObject>{config.objects};
+    x_count = config.object_count;
 }
 
-/// For two objects of four bytes, which fill a frame, there is nothing to call.
-void Channel::WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept
+std::uint32_t Objects::Find(std::uint32_t entry) const noexcept
 {
-    const Row& row = x_storage.rows[slot];
-    const std::size_t low = row.words & 0xFFFFU;
-    const std::size_t high = row.words >> 16U;
-    if (((low < high) ? high : low) < x_object_count)
+    std::uint32_t low = 0U;
+    std::uint32_t high = x_count;
+    while (low < high) // Halves at each turn: at most 11 for 1024 objects.
     {
-        const MappableObject& first = x_objects[low];
-        const MappableObject& second = x_objects[high];
-        if ((first.length_bits == kFourBytes) && (second.length_bits == kFourBytes))
+        const std::uint32_t middle = (low + high) / 2U;
+        if ((EntryOf(x_objects[middle]) >> 8U) < (entry >> 8U))
         {
-            UnpackFourBytes(PartOf(data, 0U), first.place);
-            UnpackFourBytes(PartOf(data, 1U), second.place);
-            return;
+            low = middle + 1U;
+        }
+        else
+        {
+            high = middle;
         }
     }
-    static_cast<void>(ExchangeFrom(slot, 1U, data, Way::kWritten));
+    return low;
 }
 
-/// Complement of the safe value.
-void Channel::WriteSafe(SlotIndex slot) const noexcept
+/// [SRS_CFG_027]
+bool Objects::IsNamed(std::uint32_t place, std::uint32_t entry, MapAccess access) const noexcept
 {
-    const Payload& safe_value = Column<const SrdoSetup>{x_config->srdos}[slot].safe_value;
-    WriteInverse(slot, ~Join(safe_value.low, safe_value.high));
+    if (place >= x_count)
+    {
+        return false;
+    }
+    const MappableObject& object = x_objects[place];
+    return (EntryOf(object) == entry) && (object.access == access);
 }
 
 } // namespace counterpoint::channel_b

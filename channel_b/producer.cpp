@@ -1,8 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "channel_b/channel.hpp"
-#include "channel_b/image.hpp"
+#include "channel_b/producer.hpp"
 
-#include <cstddef>
+#include "channel_b/slots.hpp"
+#include "channel_b/words.hpp"
+
 #include <cstdint>
 
 namespace counterpoint::channel_b
@@ -11,216 +12,287 @@ namespace counterpoint::channel_b
 namespace
 {
 
-/// A budget of which one microsecond too much was taken.
-constexpr std::uint32_t kJustSpent = 0xFFFFFFFFU;
-/// No phase and no refresh lasts longer: 2^27 us are 134 s. What is above is below zero.
-constexpr std::uint32_t kLongestPhase = 0x07FFFFFFU;
+/// No phase lasts 2^27 us, 134 s: one microsecond less than 0 is far above.
+constexpr std::uint32_t kLongestPhaseUs = std::uint32_t{1U} << 27U;
 
 constexpr CanFrame kNoFrame{0U, FrameKind::kInvalid, CanPortId::kInvalid, 0U, {}};
-
-/// A function of its own, so that the compiler keeps the answer in one register.
-[[nodiscard]] inline Confirmation Told(std::size_t slot, ConfirmStep step) noexcept
-{
-    return Confirmation{static_cast<SlotIndex>(slot), step};
-}
+constexpr Confirmation kNothingConfirmed{kNoSlot, ConfirmStep::kNone};
 
 } // namespace
 
-/// The pair is in flight from the last OnCycle on. [SRS_PROD_006]
-[[gnu::always_inline]] inline PreparedPair Channel::Launch(Row& row, std::uint64_t data) const noexcept
+/// [SRS_PROD_011]
+void Producers::Clear() noexcept
 {
-    UnpackBytes(data, &row.awaited.data[0]);
-    row.awaited.identifier = OwnIdentifier(row, 1U);
-    row.awaited.port = x_port[1U];
-    row.stage = Stage::kPrepared;
-    row.left = SrvtUs(row);
-    row.limit = row.left;
-    if (HasNews(row, kSilence))
+    x_active = 0U;
+    x_started = 0U;
+    x_requested = 0U;
+    x_refresh_due = 0U;
+    x_silent = 0U;
+}
+
+/// [SRS_PROD_001]
+void Producers::Admit(SlotIndex slot) noexcept
+{
+    x_active |= BitOf(slot);
+    x_pairs.ordinal[slot] = 0U;
+    x_pairs.phase_left[slot] = kFirstTransmissionStepUs * x_settings.Config().node_id;
+    Ground(slot);
+}
+
+/// Nothing is in flight; a budget that ran now would be over.
+void Producers::Ground(SlotIndex slot) noexcept
+{
+    x_pairs.stage[slot] = Stage::kIdle;
+    x_pairs.left[slot] = 0U;
+    x_pairs.limit[slot] = 0U;
+}
+
+/// A fault that gives up the pair in flight. [SRS_PROD_009]
+void Producers::Fail(SlotIndex slot, SrdoCause cause) noexcept
+{
+    Ground(slot);
+    x_faults.Record(slot, cause);
+}
+
+bool Producers::IsActive(SlotIndex slot) const noexcept
+{
+    return HasAny(x_active, BitOf(slot));
+}
+
+/// A corrupted stage is in flight until its budget is over; nothing confirms it.
+bool Producers::IsInFlight(SlotIndex slot) const noexcept
+{
+    return IsActive(slot) && (x_pairs.stage[slot] != Stage::kIdle);
+}
+
+/// Whether the confirmation of a frame is awaited.
+bool Producers::IsAwaiting(SlotIndex slot) const noexcept
+{
+    switch (x_pairs.stage[slot])
     {
-        row.phase_left = SctUs(row) + x_late_us;
+    case Stage::kPrepared:
+    case Stage::kToSend:
+    case Stage::kHandedOut:
+        return IsActive(slot);
+    case Stage::kIdle:
+        break;
     }
-    ClearNews(row, kRequested | kRefreshDue);
-    return PreparedPair{row.awaited, PrepareStatus::kReady};
+    return false;
 }
 
-/// The way for all objects.
-PreparedPair Channel::PrepareSlowly(SlotIndex slot) const noexcept
+std::uint32_t Producers::Ordinal(SlotIndex slot) const noexcept
 {
-    Row& row = x_storage.rows[slot];
-    return Launch(row, ~(ExchangeFrom(slot, 1U, 0U, Way::kRead) | row.spare) & row.mask);
+    return x_pairs.ordinal[slot];
 }
 
-/// For two objects of four bytes, which fill a frame, there is nothing to call. [SRS_PROD_005]
-PreparedPair Channel::Prepare(SlotIndex slot) noexcept
+/// [SRS_CONS_025]
+Payload Producers::InFlight(SlotIndex slot) const noexcept
 {
-    Row& row = x_storage.rows[slot];
-    if (row.stage != Stage::kIdle)
+    return PayloadOf(IsInFlight(slot) ? x_pairs.data[slot] : 0U);
+}
+
+/// Of the frame that has to be on the bus next: its identifier, and its data as one word.
+std::uint32_t Producers::AwaitedIdentifier(SlotIndex slot) const noexcept
+{
+    const bool is_normal = x_pairs.stage[slot] == Stage::kPrepared;
+    return is_normal ? x_settings.NormalIdentifier(slot) : x_settings.InverseIdentifier(slot);
+}
+
+std::uint64_t Producers::AwaitedData(SlotIndex slot) const noexcept
+{
+    const std::uint64_t normal = x_pairs.data[slot];
+    const bool is_normal = x_pairs.stage[slot] == Stage::kPrepared;
+    return is_normal ? normal : (~normal & FrameMask(x_mappings.LengthBits(slot)));
+}
+
+/// [SRS_PROD_005, SRS_PROD_006, SRS_CFG_036]
+CanFrame Producers::AwaitedFrame(SlotIndex slot, CanPortId port) const noexcept
+{
+    const std::uint32_t length_bytes = BytesFor(x_mappings.LengthBits(slot));
+    CanFrame frame{AwaitedIdentifier(slot), FrameKind::kData, port, static_cast<std::uint8_t>(length_bytes), {}};
+    Unpack(AwaitedData(slot), {&frame.data[0U]}, kMaxPayloadBytes);
+    return frame;
+}
+
+/// [SRS_PROD_005, SRS_PROD_006]
+PreparedPair Producers::Prepare(SlotIndex slot) noexcept
+{
+    if ((!IsActive(slot)) || (x_pairs.stage[slot] != Stage::kIdle))
     {
         return PreparedPair{kNoFrame, PrepareStatus::kNotProducer};
     }
-    const std::size_t low = row.words & 0xFFFFU;
-    const std::size_t high = row.words >> 16U;
-    if (((low < high) ? high : low) < x_object_count)
+    const SrdoMask bit = BitOf(slot);
+    x_pairs.data[slot] = ~x_mappings.ReadInverse(slot) & LowBits(x_mappings.LengthBits(slot));
+    x_pairs.stage[slot] = Stage::kPrepared;
+    x_pairs.left[slot] = x_settings.SrvtUs(slot);
+    x_pairs.limit[slot] = x_pairs.left[slot];
+    if (HasAny(x_silent, bit))
     {
-        const MappableObject& first = x_objects[low];
-        const MappableObject& second = x_objects[high];
-        if ((first.length_bits == kFourBytes) && (second.length_bits == kFourBytes))
-        {
-            return Launch(row, ~Join(PackFourBytes(first.place), PackFourBytes(second.place)));
-        }
+        x_pairs.phase_left[slot] = SilenceUs(slot);
     }
-    return PrepareSlowly(slot);
+    x_requested &= ~bit;
+    x_refresh_due &= ~bit;
+    return PreparedPair{AwaitedFrame(slot, x_settings.Config().normal_port), PrepareStatus::kReady};
 }
 
-CanFrame Channel::InverseFrame(SlotIndex slot) noexcept
+/// [SRS_PROD_006]
+CanFrame Producers::InverseFrame(SlotIndex slot) noexcept
 {
-    Row& row = x_storage.rows[slot];
-    if (row.stage != Stage::kToSend)
+    if ((!IsActive(slot)) || (x_pairs.stage[slot] != Stage::kToSend))
     {
         return kNoFrame;
     }
-    row.stage = Stage::kHandedOut;
-    return row.awaited;
+    x_pairs.stage[slot] = Stage::kHandedOut;
+    return AwaitedFrame(slot, x_settings.Config().inverse_port);
 }
 
-/// Another frame, or a wrong echo.
-Confirmation Channel::Doubt(const CanFrame& frame) const noexcept
+/// [SRS_PROD_007, SRS_PROD_008]
+Confirmation Producers::OnConfirm(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept
 {
-    const SlotIndex slot = LookUp(x_storage, frame);
-    if ((slot >= x_count) || IsOther(x_storage.rows[slot], frame))
+    if ((!IsAwaiting(slot)) || (frame.identifier != AwaitedIdentifier(slot)))
     {
-        return Confirmation{kNoSlot, ConfirmStep::kNone};
+        return kNothingConfirmed;
     }
-    return Fail(x_storage.rows[slot], SrdoCause::kWrongEcho);
+    const bool is_length_right = frame.length_bytes == BytesFor(x_mappings.LengthBits(slot));
+    if ((!is_length_right) || (FrameData(frame) != AwaitedData(slot)))
+    {
+        Fail(slot, SrdoCause::kWrongEcho);
+        return kNothingConfirmed;
+    }
+    if (x_pairs.stage[slot] == Stage::kPrepared)
+    {
+        x_pairs.stage[slot] = Stage::kToSend;
+        x_pairs.left[slot] = x_pairs.limit[slot] + since_call_us; // SRVT anew.
+        return Confirmation{slot, ConfirmStep::kNormal};
+    }
+    if ((x_pairs.left[slot] - since_call_us) > x_pairs.limit[slot])
+    {
+        Fail(slot, SrdoCause::kNoConfirmation);
+        return kNothingConfirmed;
+    }
+    x_pairs.ordinal[slot] += 1U;
+    Ground(slot);
+    return Confirmation{slot, ConfirmStep::kPair};
 }
 
-/// One way for both frames of a pair; behind the length anything may be. What is not as awaited takes the way of
-/// faults. [SRS_PROD_007, SRS_PROD_008]
-Confirmation Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
+/// [SRS_PROD_009]
+void Producers::OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept
 {
-    const std::size_t offset = std::size_t{frame.identifier} - kFirstSrdoIdentifier;
-    if (offset >= kSrdoIdentifierCount)
+    const bool is_of_bus = (cause == SrdoCause::kTransmitQueue) || (cause == SrdoCause::kBusOff);
+    const bool is_transmit_fault = is_of_bus || (cause == SrdoCause::kNotInverse);
+    if (is_transmit_fault && IsInFlight(slot))
     {
-        return Doubt(frame);
-    }
-    const std::size_t slot = x_storage.slot_of[offset];
-    if (slot >= x_count)
-    {
-        return Doubt(frame);
-    }
-    Row& row = x_storage.rows[slot];
-    const std::uint64_t data = PackBytes(&row.awaited.data[0]);
-    const std::uint64_t different = (PackBytes(&frame.data[0]) ^ data) & row.mask;
-    if (IsOther(row, frame) || (different != 0U) || (frame.length_bytes != row.awaited.length_bytes))
-    {
-        return Doubt(frame);
-    }
-    const std::uint32_t since_call = stamp.us - x_last_us;
-    if (row.stage == Stage::kPrepared)
-    {
-        UnpackBytes(data ^ row.mask, &row.awaited.data[0]); // Behind the length both frames are 0.
-        row.awaited.identifier = OwnIdentifier(row, 0U);
-        row.awaited.port = x_port[0U];
-        row.stage = Stage::kToSend;
-        row.left = row.limit + since_call; // SRVT anew.
-        return Told(slot, ConfirmStep::kNormal);
-    }
-    if ((row.left - since_call) > row.limit)
-    {
-        return Fail(row, SrdoCause::kNoConfirmation);
-    }
-    row.ordinal += 1U;
-    Ground(row, Stage::kIdle);
-    return Told(slot, ConfirmStep::kPair);
-}
-
-void Channel::OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept
-{
-    const bool is_of_bus = (fault.cause == SrdoCause::kTransmitQueue) || (fault.cause == SrdoCause::kBusOff);
-    const bool is_transmit_fault = is_of_bus || (fault.cause == SrdoCause::kNotInverse);
-    Row& row = x_storage.rows[slot];
-    if (is_transmit_fault && IsInFlight(row))
-    {
-        static_cast<void>(Fail(row, fault.cause));
+        Fail(slot, cause);
     }
 }
 
-/// The refresh falls due at exact distances, whenever the calls come. [SRS_PROD_001, SRS_PROD_002]
-void Channel::AdvanceProvider(Row& row) const noexcept
+// ---- the cycle
+
+/// Not one microsecond is left.
+bool Producers::IsPhaseOver(SlotIndex slot) const noexcept
 {
-    row.phase_left += SctUs(row);
-    SetNews(row, kStarted);
-    if (IsInFlight(row) || HasNews(row, kRefreshDue))
+    return (x_pairs.phase_left[slot] - 1U) >= kLongestPhaseUs;
+}
+
+/// For so long the application may send nothing: the refresh time and a cycle that is just in time.
+std::uint32_t Producers::SilenceUs(SlotIndex slot) const noexcept
+{
+    return x_settings.SctUs(slot) + x_settings.LongestCallUs();
+}
+
+/// The refresh falls due at exact distances, whenever the calls come. [SRS_PROD_001, SRS_PROD_002, SRS_PROD_010]
+void Producers::AdvanceProvider(SlotIndex slot) noexcept
+{
+    const SrdoMask bit = BitOf(slot);
+    x_pairs.phase_left[slot] += x_settings.SctUs(slot);
+    x_started |= bit;
+    if (IsInFlight(slot) || HasAny(x_refresh_due, bit))
     {
-        Record(row, SrdoCause::kRefreshMissed);
+        x_faults.Record(slot, SrdoCause::kRefreshMissed);
     }
     else
     {
-        SetNews(row, kRefreshDue);
+        x_refresh_due |= bit;
     }
 }
 
-/// Silence is allowed for the refresh time and a cycle that is just in time. [SRS_PROD_001, SRS_PROD_010]
-void Channel::AdvanceApplication(Row& row) const noexcept
+/// Silence counts from the instant of the first possible transmission, not from the call that sees it. A request that
+/// waits is no silence. [SRS_PROD_001, SRS_PROD_010]
+void Producers::AdvanceApplication(SlotIndex slot) noexcept
 {
-    const std::uint32_t absence_us = SctUs(row) + x_late_us;
-    if (!HasNews(row, kStarted))
+    const SrdoMask bit = BitOf(slot);
+    const std::uint32_t silence_us = SilenceUs(slot);
+    if (!HasAny(x_started, bit))
     {
-        SetNews(row, kStarted | kSilence);
-        row.phase_left += absence_us; // Silence counts from the instant, not from this call.
+        x_started |= bit;
+        x_silent |= bit;
+        x_pairs.phase_left[slot] += silence_us;
     }
-    if (row.phase_left <= absence_us)
+    if (x_pairs.phase_left[slot] <= silence_us)
     {
         return;
     }
-    if (HasNews(row, kRequested))
+    if (HasAny(x_requested, bit))
     {
-        row.phase_left = kJustSpent; // However long the request waits, the budget must not wrap.
+        x_pairs.phase_left[slot] = ~std::uint32_t{0U}; // However long the request waits: just over.
     }
     else
     {
-        Record(row, SrdoCause::kRefreshMissed);
-        row.phase_left = absence_us;
+        x_faults.Record(slot, SrdoCause::kRefreshMissed);
+        x_pairs.phase_left[slot] = silence_us;
     }
 }
 
-/// [SRS_PROD_003, SRS_PROD_004, SRS_PROD_008, SRS_PROD_010, SRS_PROD_012]
-void Channel::ServeProducer(Row& row, Half& half) const noexcept
+/// [SRS_PROD_008, SRS_PROD_009, SRS_PROD_010, SRS_PROD_012]
+void Producers::ServeOne(SlotIndex slot, const Tick& tick) noexcept
 {
-    const bool is_provider = row.form == ProducerForm::kProviderCalled;
-    half.producers += 1U;
-    if (row.left > row.limit)
+    const SrdoMask bit = BitOf(slot);
+    const bool is_provider = x_settings.Form(slot) == ProducerForm::kProviderCalled;
+    const bool is_standing = HasAny(tick.stand & x_started, bit) && is_provider;
+    x_pairs.left[slot] -= tick.elapsed_us;
+    if (IsInFlight(slot) && (x_pairs.left[slot] > x_pairs.limit[slot]))
     {
-        static_cast<void>(Fail(row, SrdoCause::kNoConfirmation));
+        Fail(slot, SrdoCause::kNoConfirmation);
     }
-    if ((half.requests & half.bit) != 0U)
+    if (!is_standing)
     {
-        SetNews(row, kRequested);
+        x_pairs.phase_left[slot] -= tick.elapsed_us;
     }
-    if (((half.stand & half.bit) != 0U) && is_provider && HasNews(row, kStarted))
-    {
-        row.phase_left += x_elapsed_us;
-    }
-    if ((row.phase_left - 1U) > kLongestPhase) // Not one microsecond is left.
+    if (IsPhaseOver(slot))
     {
         if (is_provider)
         {
-            AdvanceProvider(row);
+            AdvanceProvider(slot);
         }
         else
         {
-            AdvanceApplication(row);
+            AdvanceApplication(slot);
         }
     }
-    if (((half.edges & half.bit) != 0U) && (row.causes == 0U))
+    if (HasAny(tick.edges & ~x_faults.Unreported(), bit))
     {
-        row.first_cause = Code(SrdoCause::kNone);
+        x_faults.Forget(slot);
     }
-    const bool is_requested = HasNews(row, kRequested) && HasNews(row, kStarted);
-    if ((is_requested || HasNews(row, kRefreshDue)) && (!IsInFlight(row)))
+}
+
+/// [SRS_PROD_003, SRS_PROD_004]
+void Producers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
+{
+    SrdoMask in_flight = 0U;
+    std::uint32_t count = 0U;
+    x_requested |= tick.requests & x_active;
+    for (SlotWalk walk{x_active}; walk.IsOn(); walk.Step())
     {
-        half.due |= half.bit;
+        const SlotIndex slot = walk.Slot();
+        ServeOne(slot, tick);
+        if (IsInFlight(slot))
+        {
+            in_flight |= walk.Bit();
+        }
+        ++count;
     }
+    outcome.due = (x_refresh_due | (x_requested & x_started)) & ~in_flight;
+    outcome.is_tx = static_cast<std::uint8_t>(count);
 }
 
 } // namespace counterpoint::channel_b

@@ -2,7 +2,6 @@
 #ifndef CHANNEL_B_STORAGE_HPP
 #define CHANNEL_B_STORAGE_HPP
 
-#include "safety_core/contract/can_frame.hpp"
 #include "safety_core/contract/configuration.hpp"
 #include "safety_core/contract/limits.hpp"
 #include "safety_core/contract/srdo.hpp"
@@ -13,52 +12,26 @@
 namespace counterpoint::channel_b
 {
 
-/// Canonical image of one SRDO without its entries: direction (1 byte), refresh time or SCT (2), SRVT (1), COB-ID 1 and
-/// 2 (4 each), map count (1); behind it what the signature does not cover: transmission type (1), stored signature (2).
-constexpr std::uint8_t kImageBytes = 16U;
-/// Identifiers 101h to 180h.
-constexpr std::uint8_t kLookUpBytes = 128U;
-/// 1300h and 13FEh.
-constexpr std::uint8_t kDeviceBytes = 2U;
-
-/// What an active SRDO is. Sealed: at least two bits lie between any two of them, and what is none of them is nothing.
-/// The consumers have a high half of their own.
-enum class Standing : std::uint8_t
+/// A fact that grants something. It counts only if the byte is exactly its word: at least four bits lie between any two
+/// words, those of Stage included. [SRS_CONS_024]
+enum class Mark : std::uint8_t
 {
-    kOff = 0U,
-    kWaiting = 0x63U,
-    kFaulted = 0x65U,
-    kReleased = 0x6EU,
-    kProducer = 0x98U,
+    kUnset = 0U,
+    kHeld = 0xC3U,    ///< A complete valid pair is held.
+    kGranted = 0x3CU, ///< The pair was released, and no fault has come since.
+    kWaits = 0x96U,   ///< An acknowledge edge waits.
+    kGood = 0x69U,    ///< No fault was found.
+    kRunning = 0xCCU, ///< SRDOs are active.
 };
 
 /// How far the transmission of a producer has come.
 enum class Stage : std::uint8_t
 {
-    kOff = 0U,          ///< Not an active producer.
-    kIdle = 0x2BU,      ///< Prepare may follow.
-    kPrepared = 0x4EU,  ///< The normal frame of the other channel has not been seen yet.
-    kToSend = 0x71U,    ///< Normal frame seen; the inverse frame has to be handed out.
-    kHandedOut = 0x98U, ///< The inverse frame has not been seen yet.
+    kIdle = 0x33U,      ///< Prepare may follow.
+    kPrepared = 0x55U,  ///< The normal frame of the other channel has not been seen yet.
+    kToSend = 0x66U,    ///< Normal frame seen; the inverse frame has to be handed out.
+    kHandedOut = 0x99U, ///< The inverse frame has not been seen yet.
 };
-
-// Sealed marks: set only if the byte is exactly this one.
-constexpr std::uint8_t kHeld = 0xC6U;
-constexpr std::uint8_t kWaits = 0x5CU;
-constexpr std::uint8_t kGood = 0x93U;
-constexpr std::uint8_t kUnset = 0U;
-
-// Bits of Row::news: what OnCycle has to look at. None of them grants anything by itself.
-constexpr std::uint32_t kPending = 0x01U;    ///< Consumer: a normal frame waits for its inverse frame.
-constexpr std::uint32_t kStarted = 0x01U;    ///< Producer: its first transmission is possible.
-constexpr std::uint32_t kFresh = 0x02U;      ///< Consumer: a pair was completed since the last OnCycle.
-constexpr std::uint32_t kRefreshDue = 0x02U; ///< Producer: its refresh has fallen due.
-constexpr std::uint32_t kUnheard = 0x04U;    ///< Consumer: no pair, fault or complaint since OPERATIONAL was entered.
-constexpr std::uint32_t kRequested = 0x04U;  ///< Producer: the application wants to send.
-constexpr std::uint32_t kEdge = 0x08U;       ///< Consumer: Row::edge is to be looked at.
-constexpr std::uint32_t kReported = 0x10U;   ///< Row::causes is to be reported.
-constexpr std::uint32_t kWindowOpen = 0x20U; ///< A window of signals is running.
-constexpr std::uint32_t kSilence = 0x40U;    ///< Producer: the phase is that of the application's silence.
 
 /// One field of all slots.
 template <typename T> struct Column
@@ -71,54 +44,71 @@ template <typename T> struct Column
     }
 };
 
-/// All of one slot but its entries; what is used most comes first, where the shortest instructions reach it. Budgets
-/// are microseconds that remain, as of the last OnCycle; a budget is spent when it exceeds what it started with
-/// (modular subtraction has then gone below zero).
-struct Row
+/// Canonical image of one SRDO without its entries: direction (1 byte), refresh time or SCT (2), SRVT (1), COB-ID 1 and
+/// 2 (4 each), map count (1); behind it what the signature does not cover: transmission type (1), stored signature (2).
+constexpr std::uint8_t kImageBytes = 16U;
+/// 1300h and 13FEh.
+constexpr std::uint8_t kDeviceBytes = 2U;
+/// Identifiers 101h to 180h.
+constexpr std::uint8_t kLookUpBytes = 128U;
+
+/// What was set: by the configuration, and by the setups as far as the digest covers them.
+struct SettingColumns
 {
-    std::uint32_t left;       ///< Consumer: budget of SCT while a pair is held. Producer: of the confirmation.
-    std::uint32_t limit;      ///< What `left` started with; all bits set if nothing runs.
-    Standing standing;        ///< These four bytes are looked at in one word by every cycle.
-    std::uint8_t held;        ///< kHeld: a complete valid pair is held.
-    std::uint8_t first_cause; ///< SrdoCause.
-    std::uint8_t news;
-    std::uint32_t ordinal; ///< Consumer: pairs completed. Producer: pairs sent. Else 0.
-    std::uint8_t edge;     ///< kWaits: an acknowledge edge waits.
-    ReleasePolicy policy;  ///< Of the setup, as the next two.
-    ProducerForm form;
-    SrvtDetection detection;
-    Stage stage;
-    std::uint8_t length_bits;        ///< Of the mapped data.
-    std::uint8_t valid;              ///< kGood: the last Validate or Recheck found no fault.
-    std::uint8_t resolved;           ///< kGood: the table of objects belongs to the mapping.
-    std::uint8_t image[kImageBytes]; // MISRA D-001
-    std::uint16_t error_count;
-    std::uint32_t phase_left; ///< Consumer: budget of the acknowledge edge. Producer: to the next refresh.
-    std::uint32_t srvt_left;  ///< Consumer: budget of SRVT while a normal frame is pending.
-    std::uint32_t srvt_limit; ///< What `srvt_left` started with; all bits set if nothing is pending.
-    std::uint32_t window_us;  ///< Age of the window of signals.
-    std::uint32_t causes;     ///< Bit (1 << cause): recorded and not reported yet.
-    std::uint32_t told;       ///< Signalled in the open window.
-    std::uint32_t signals;    ///< Of the last OnCycle.
-    CanFrame awaited;    ///< Producer: the frame that must be on the bus next; identifier 0 if none is in flight. Its
-                         ///< length is that of all frames of the slot.
-    std::uint64_t mask;  ///< All bits of the bytes of a frame.
-    std::uint64_t spare; ///< Of those the bits above the mapped length: 0 in the normal frame.
-    std::uint64_t inverse_data; ///< Inverse data of the held pair; behind the length anything.
-    std::uint64_t pending_data; ///< Normal data that wait for their inverse.
-    std::uint32_t unused;       ///< Fills the row up to 128 bytes, so that a shift finds it.
-    std::uint32_t words;        ///< Of a mapping of four entries the places of its two inverse objects, else kNoWords.
+    Column<std::uint8_t> image; ///< kImageBytes for each slot.
+    Column<std::uint8_t> device;
+    Column<ReleasePolicy> policy;
+    Column<ProducerForm> form;
+    Column<SrvtDetection> detection;
 };
 
-/// Owned by the caller: `capacity` rows, and for each `map_entries` entries.
+/// Mappings that are stored, and where they lead.
+struct MappingColumns
+{
+    Column<std::uint32_t> entries;    ///< `map_entries` for each slot.
+    Column<std::uint16_t> places;     ///< As many: place in DeviceConfig::objects of each entry.
+    Column<StaticFields> fields;      ///< As registered; only compared with, never followed.
+    Column<std::uint8_t> length_bits; ///< Of the mapped data.
+};
+
+/// Pairs and their time. A budget is in microseconds and is what remains at the last OnCycle; it is over when it is
+/// greater than the limit that it began with, because modular subtraction has then gone below zero. [SRS_TIME_001]
+struct PairColumns
+{
+    Column<std::uint64_t> data;    ///< Consumer: inverse data of the held pair. Producer: normal data in flight.
+    Column<std::uint64_t> pending; ///< Consumer: normal data that wait for their inverse.
+    Column<std::uint32_t> left;    ///< Consumer: budget of SCT. Producer: of the confirmation.
+    Column<std::uint32_t> limit;
+    Column<std::uint32_t> srvt_left; ///< Consumer: budget of SRVT.
+    Column<std::uint32_t> srvt_limit;
+    Column<std::uint32_t> phase_left; ///< Consumer: budget of the acknowledge edge. Producer: to the next refresh.
+    Column<std::uint32_t> ordinal;
+    Column<Mark> held;
+    Column<Mark> granted;
+    Column<Mark> edge;
+    Column<Stage> stage;
+};
+
+struct FaultColumns
+{
+    Column<std::uint32_t> causes;    ///< Bit (1 << cause): recorded and not reported yet.
+    Column<std::uint32_t> told;      ///< Signalled in the open window.
+    Column<std::uint32_t> signals;   ///< Of the last OnCycle that signalled something.
+    Column<std::uint32_t> window_us; ///< Age of the open window.
+    Column<std::uint16_t> error_count;
+    Column<std::uint8_t> first_cause; ///< SrdoCause.
+};
+
+/// Owned by the caller.
 struct Storage
 {
-    Column<Row> rows;
-    Column<std::uint8_t> slot_of;  ///< kLookUpBytes: slot of each identifier as of entering OPERATIONAL, or kNoSlot.
-    Column<std::uint8_t> device;   ///< kDeviceBytes.
-    Column<StaticFields> fields;   ///< One for each slot, as registered; only compared with, never followed.
-    Column<std::uint32_t> entries; ///< `map_entries` for each slot: mapping as stored.
-    Column<std::uint16_t> table;   ///< As many: place in DeviceConfig::objects of each entry.
+    SettingColumns settings;
+    MappingColumns mappings;
+    PairColumns pairs;
+    FaultColumns faults;
+    Column<Mark> valid;           ///< The last Validate or Recheck found no fault.
+    Column<Mark> resolved;        ///< The places belong to the mapping.
+    Column<std::uint8_t> slot_of; ///< kLookUpBytes: slot of each identifier as of entering OPERATIONAL, or kNoSlot.
     std::uint8_t capacity;
     std::uint8_t map_entries;
 };
@@ -131,17 +121,60 @@ template <std::uint8_t kSlots, std::uint8_t kMapEntries = kUsualMapEntries> stru
     static_assert(kMapEntries <= kMaxMapEntries, "at most 64 normal and 64 inverse objects");
     static constexpr std::size_t kEntries = (kMapEntries > 0U) ? (std::size_t{kSlots} * kMapEntries) : 1U;
 
-    Row rows[kSlots];                   // MISRA D-001
-    StaticFields fields[kSlots];        // MISRA D-001
-    std::uint32_t entries[kEntries];    // MISRA D-001
-    std::uint16_t table[kEntries];      // MISRA D-001
-    std::uint8_t slot_of[kLookUpBytes]; // MISRA D-001
-    std::uint8_t device[kDeviceBytes];  // MISRA D-001
+    std::uint64_t data[kSlots];                            // MISRA D-001
+    std::uint64_t pending[kSlots];                         // MISRA D-001
+    StaticFields fields[kSlots];                           // MISRA D-001
+    std::uint32_t entries[kEntries];                       // MISRA D-001
+    std::uint32_t left[kSlots];                            // MISRA D-001
+    std::uint32_t limit[kSlots];                           // MISRA D-001
+    std::uint32_t srvt_left[kSlots];                       // MISRA D-001
+    std::uint32_t srvt_limit[kSlots];                      // MISRA D-001
+    std::uint32_t phase_left[kSlots];                      // MISRA D-001
+    std::uint32_t ordinal[kSlots];                         // MISRA D-001
+    std::uint32_t causes[kSlots];                          // MISRA D-001
+    std::uint32_t told[kSlots];                            // MISRA D-001
+    std::uint32_t signals[kSlots];                         // MISRA D-001
+    std::uint32_t window_us[kSlots];                       // MISRA D-001
+    std::uint16_t error_count[kSlots];                     // MISRA D-001
+    std::uint16_t places[kEntries];                        // MISRA D-001
+    std::uint8_t image[std::size_t{kSlots} * kImageBytes]; // MISRA D-001
+    std::uint8_t length_bits[kSlots];                      // MISRA D-001
+    std::uint8_t first_cause[kSlots];                      // MISRA D-001
+    Mark held[kSlots];                                     // MISRA D-001
+    Mark granted[kSlots];                                  // MISRA D-001
+    Mark edge[kSlots];                                     // MISRA D-001
+    Mark valid[kSlots];                                    // MISRA D-001
+    Mark resolved[kSlots];                                 // MISRA D-001
+    Stage stage[kSlots];                                   // MISRA D-001
+    ReleasePolicy policy[kSlots];                          // MISRA D-001
+    ProducerForm form[kSlots];                             // MISRA D-001
+    SrvtDetection detection[kSlots];                       // MISRA D-001
+    std::uint8_t slot_of[kLookUpBytes];                    // MISRA D-001
+    std::uint8_t device[kDeviceBytes];                     // MISRA D-001
 
     /// What the constructor of the channel wants.
     [[nodiscard]] Storage Handle() noexcept
     {
-        return Storage{{rows}, {slot_of}, {device}, {fields}, {entries}, {table}, kSlots, kMapEntries};
+        return Storage{{{image}, {device}, {policy}, {form}, {detection}},
+                       {{entries}, {places}, {fields}, {length_bits}},
+                       {{data},
+                        {pending},
+                        {left},
+                        {limit},
+                        {srvt_left},
+                        {srvt_limit},
+                        {phase_left},
+                        {ordinal},
+                        {held},
+                        {granted},
+                        {edge},
+                        {stage}},
+                       {{causes}, {told}, {signals}, {window_us}, {error_count}, {first_cause}},
+                       {valid},
+                       {resolved},
+                       {slot_of},
+                       kSlots,
+                       kMapEntries};
     }
 };
 

@@ -9,20 +9,18 @@ import tempfile
 import emulator
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-ORDER = "std::uint8_t order[4]; __builtin_memcpy(order, &word, 4U);"
-JOINED = "(std::uint32_t{order[0]} << 24U) | (std::uint32_t{order[1]} << 16U) | (std::uint32_t{order[2]} << 8U) | order[3];"
-SWAPPED = "(word << 24U) | ((word & 0xFF00U) << 8U) | ((word >> 8U) & 0xFF00U) | (word >> 24U);"
 # Room, what, file, what stands there, and what takes the order of the processor instead.
 FIXTURES = [
     ("channel_a", "received data", "channel_a/channel.cpp", "        pair.data = PayloadOf(record.held);", "        __builtin_memcpy(&pair.data, &record.held, 8U);"),
     ("channel_a", "safe value", "channel_a/channel.cpp", "    record.safe = BytesOf(setup.safe_value);", "    __builtin_memcpy(&record.safe, &setup.safe_value, 8U);"),
     ("channel_a", "signature", "channel_a/signature.cpp", "        crc.AddBytes(mapping.entries[position], kFourBytes); // MISRA D-002",
      "        std::uint8_t order[4]; __builtin_memcpy(order, &mapping.entries[position], 4U); for (const std::uint8_t byte : order) { crc.AddByte(byte); }"),
-    ("channel_b", "received data", "channel_b/consumer.cpp", "    row.pending_data = PackBytes(&frame.data[0]);",
-     "    __builtin_memcpy(&row.pending_data, &frame.data[0], 8U);"),
-    ("channel_b", "data to send", "channel_b/producer.cpp", "    UnpackBytes(data, &row.awaited.data[0]);", "    __builtin_memcpy(&row.awaited.data[0], &data, 8U);"),
-    ("channel_b", "signature", "channel_b/signature.cpp", f"[[nodiscard]] constexpr std::uint32_t Reversed(std::uint32_t word) noexcept\n{{\n    return {SWAPPED}",
-     f"[[nodiscard]] std::uint32_t Reversed(std::uint32_t word) noexcept\n{{\n    {ORDER} return {JOINED}"),
+    ("channel_b", "received data", "channel_b/consumer.cpp", "    const std::uint64_t data = FrameData(frame);",
+     "    std::uint64_t data = 0U;\n    __builtin_memcpy(&data, &frame.data[0U], 8U);\n    data &= LowBits(kBitsPerByte * frame.length_bytes);"),
+    ("channel_b", "data to send", "channel_b/producer.cpp", "    Unpack(AwaitedData(slot), {&frame.data[0U]}, kMaxPayloadBytes);",
+     "    const std::uint64_t data = AwaitedData(slot);\n    __builtin_memcpy(&frame.data[0U], &data, 8U);"),
+    ("channel_b", "signature", "channel_b/checksum.cpp", "void Crc16::AddWord(std::uint32_t word) noexcept\n{\n    for (std::uint32_t at = 0U; at < 32U; at += 8U)\n    {\n        AddByte(word >> at);\n",
+     "void Crc16::AddWord(std::uint32_t word) noexcept\n{\n    std::uint8_t order[4]; __builtin_memcpy(order, &word, 4U);\n    for (const std::uint8_t byte : order)\n    {\n        AddByte(byte);\n"),
 ]
 SUITES = {"target": "verification/target/conformance/conformance.elf", "host": "verification/target/conformance/conformance_host"}
 

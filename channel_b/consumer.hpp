@@ -1,0 +1,91 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CHANNEL_B_CONSUMER_HPP
+#define CHANNEL_B_CONSUMER_HPP
+
+#include "channel_b/faults.hpp"
+#include "channel_b/mapping.hpp"
+#include "channel_b/settings.hpp"
+#include "channel_b/storage.hpp"
+#include "channel_b/tick.hpp"
+#include "safety_core/contract/channel.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::channel_b
+{
+
+/// All active consumers. Nothing here is a state: marks say what is held and granted, budgets what time is left, masks
+/// what has happened. What a consumer is follows from them, anew whenever it matters.
+///
+/// Invariants between two calls:
+/// - `granted` implies `held`; a held pair implies an ordinal above 0 (until the ordinal wraps);
+/// - the budget of SCT belongs to the held pair, the budget of SRVT to the pending normal frame;
+/// - x_committed are the slots whose inverse objects hold released data.
+class Consumers
+{
+  public:
+    Consumers(const PairColumns& columns, const Settings& settings, const Mappings& mappings, Faults& faults) noexcept
+        : x_pairs(columns), x_settings(settings), x_mappings(mappings), x_faults(faults)
+    {
+    }
+
+    void Restart() noexcept;
+    /// @brief OPERATIONAL begins without consumers; those that are admitted follow.
+    void Enter() noexcept;
+    void Admit(SlotIndex slot) noexcept;
+    /// @brief OPERATIONAL ends; the slots that were active.
+    [[nodiscard]] SrdoMask Leave() noexcept;
+
+    /// @brief A data frame that the look-up leads here, so long after the last OnCycle (modular); only an active
+    /// consumer takes it.
+    void OnFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept;
+    void Serve(const Tick& tick, CycleOutcome& outcome) noexcept;
+    void Demote(SlotIndex slot) noexcept;
+    void Commit(const Agreement& agreement) noexcept;
+    /// @brief The objects of the slot hold no released data any longer.
+    void Withdraw(SlotIndex slot) noexcept;
+
+    [[nodiscard]] bool IsActive(SlotIndex slot) const noexcept;
+    [[nodiscard]] SrdoState StateOf(SlotIndex slot) const noexcept;
+    [[nodiscard]] HeldPair Held(SlotIndex slot) const noexcept;
+    [[nodiscard]] SrdoMask Committed() const noexcept;
+
+  private:
+    [[nodiscard]] bool IsHeld(SlotIndex slot) const noexcept;
+    [[nodiscard]] bool IsReleased(SlotIndex slot) const noexcept;
+    [[nodiscard]] bool IsSound(SlotIndex slot) const noexcept;
+    [[nodiscard]] bool IsLate(SlotIndex slot) const noexcept;
+
+    [[nodiscard]] SrdoCause ExpiredAt(SlotIndex slot, std::uint32_t since_call_us,
+                                      bool is_srvt_examined) const noexcept;
+    [[nodiscard]] SrdoMask Settle(SrdoMask quiet, std::uint32_t elapsed_us, CycleOutcome& outcome) noexcept;
+    void SpendOthers(SlotIndex slot, std::uint32_t elapsed_us) noexcept;
+    void Examine(SlotIndex slot, const Tick& tick) noexcept;
+    void Grant(SlotIndex slot) noexcept;
+    void ServeBusy(SlotIndex slot, const Tick& tick, CycleOutcome& outcome) noexcept;
+    void Discard(SlotIndex slot) noexcept;
+    [[gnu::cold]] void Fault(SlotIndex slot, SrdoCause cause) noexcept;
+
+    [[nodiscard]] SrdoCause Misfit(SlotIndex slot, const CanFrame& frame) const noexcept;
+    void TakeNormal(SlotIndex slot, std::uint64_t normal, std::uint32_t since_call_us) noexcept;
+    void TakeInverse(SlotIndex slot, std::uint64_t inverse) noexcept;
+
+    PairColumns x_pairs;
+    const Settings& x_settings;
+    const Mappings& x_mappings;
+    Faults& x_faults;
+    SrdoMask x_active{0U};
+    SrdoMask x_pending{0U};   ///< A normal frame waits for its inverse frame.
+    SrdoMask x_stale{0U};     ///< The SRVT of that frame has been over for so long that its budget no longer counts.
+    SrdoMask x_fresh{0U};     ///< A pair was completed since the last OnCycle.
+    SrdoMask x_unheard{0U};   ///< No pair, fault or complaint since OPERATIONAL was entered.
+    SrdoMask x_troubled{0U};  ///< A fault since OPERATIONAL was entered.
+    SrdoMask x_released{0U};  ///< As the last OnCycle decided, less those with a fault since.
+    SrdoMask x_unwritten{0U}; ///< The held pair has not been written into the objects.
+    SrdoMask x_committed{0U};
+    std::uint32_t x_active_us{0U}; ///< Since entering OPERATIONAL.
+};
+
+} // namespace counterpoint::channel_b
+
+#endif

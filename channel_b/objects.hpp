@@ -1,0 +1,68 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CHANNEL_B_OBJECTS_HPP
+#define CHANNEL_B_OBJECTS_HPP
+
+#include "channel_b/storage.hpp"
+#include "channel_b/words.hpp"
+#include "safety_core/contract/configuration.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::channel_b
+{
+
+/// The mappable objects of the device, looked up by mapping entries. A place is their number in the device's table.
+class Objects
+{
+  public:
+    void Restart(const DeviceConfig& config) noexcept;
+
+    /// @brief Place of the first object that is not before the one that the entry names.
+    [[nodiscard]] std::uint32_t Find(std::uint32_t entry) const noexcept;
+    /// @brief Whether there is an object at the place, with index, sub-index and length as the entry says, that an SRDO
+    /// of this access may map.
+    [[nodiscard]] bool IsNamed(std::uint32_t place, std::uint32_t entry, MapAccess access) const noexcept;
+    /// @brief Where the object lies, and behind it.
+    [[nodiscard]] std::uint8_t* Begin(std::uint32_t place) const noexcept
+    {
+        return x_objects[place].place;
+    }
+
+    [[nodiscard]] std::uint8_t* End(std::uint32_t place) const noexcept
+    {
+        const MappableObject& object = x_objects[place];
+        return &Column<std::uint8_t>{object.place}[BytesFor(object.length_bits)];
+    }
+
+    /// @brief The value of an object; 0 where there is none. Bits of the last byte above the length do not count.
+    /// [SRS_CFG_036]
+    [[nodiscard]] std::uint64_t Read(std::uint32_t place) const noexcept
+    {
+        if (place >= x_count)
+        {
+            return 0U;
+        }
+        const MappableObject& object = x_objects[place];
+        return Packed({object.place}, BytesFor(object.length_bits)) & LowBits(object.length_bits);
+    }
+
+    /// @brief The lowest bits of the word become the value of an object, and bits of its last byte above the length 0;
+    /// nothing where there is none. [SRS_CFG_036]
+    void Write(std::uint32_t place, std::uint64_t word) const noexcept
+    {
+        if (place >= x_count)
+        {
+            return;
+        }
+        const MappableObject& object = x_objects[place];
+        Unpack(word & LowBits(object.length_bits), {object.place}, BytesFor(object.length_bits));
+    }
+
+  private:
+    Column<const MappableObject> x_objects{nullptr};
+    std::uint32_t x_count{0U};
+};
+
+} // namespace counterpoint::channel_b
+
+#endif

@@ -1,0 +1,71 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CHANNEL_B_PRODUCER_HPP
+#define CHANNEL_B_PRODUCER_HPP
+
+#include "channel_b/faults.hpp"
+#include "channel_b/mapping.hpp"
+#include "channel_b/settings.hpp"
+#include "channel_b/storage.hpp"
+#include "channel_b/tick.hpp"
+#include "safety_core/contract/channel.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::channel_b
+{
+
+/// All active producers. A pair is in flight at every stage but kIdle; then its normal data are kept and the budget of
+/// its confirmation runs. An inverse frame leaves once, at the stage kToSend.
+class Producers
+{
+  public:
+    Producers(const PairColumns& columns, const Settings& settings, const Mappings& mappings, Faults& faults) noexcept
+        : x_pairs(columns), x_settings(settings), x_mappings(mappings), x_faults(faults)
+    {
+    }
+
+    /// @brief OPERATIONAL begins or ends without producers; those that are admitted follow.
+    void Clear() noexcept;
+    void Admit(SlotIndex slot) noexcept;
+
+    void Serve(const Tick& tick, CycleOutcome& outcome) noexcept;
+    [[nodiscard]] PreparedPair Prepare(SlotIndex slot) noexcept;
+    [[nodiscard]] CanFrame InverseFrame(SlotIndex slot) noexcept;
+    /// @brief A frame of the device to which the look-up leads, so long after the last OnCycle (modular).
+    [[nodiscard]] Confirmation OnConfirm(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept;
+    void OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept;
+
+    [[nodiscard]] bool IsActive(SlotIndex slot) const noexcept;
+    /// @brief Pairs sent.
+    [[nodiscard]] std::uint32_t Ordinal(SlotIndex slot) const noexcept;
+    /// @brief Normal data of the pair in flight; 0 if there is none.
+    [[nodiscard]] Payload InFlight(SlotIndex slot) const noexcept;
+
+  private:
+    [[nodiscard]] bool IsInFlight(SlotIndex slot) const noexcept;
+    [[nodiscard]] bool IsPhaseOver(SlotIndex slot) const noexcept;
+    [[nodiscard]] std::uint32_t SilenceUs(SlotIndex slot) const noexcept;
+    [[nodiscard]] bool IsAwaiting(SlotIndex slot) const noexcept;
+    [[nodiscard]] std::uint32_t AwaitedIdentifier(SlotIndex slot) const noexcept;
+    [[nodiscard]] std::uint64_t AwaitedData(SlotIndex slot) const noexcept;
+    [[nodiscard]] CanFrame AwaitedFrame(SlotIndex slot, CanPortId port) const noexcept;
+    void Ground(SlotIndex slot) noexcept;
+    void Fail(SlotIndex slot, SrdoCause cause) noexcept;
+    void ServeOne(SlotIndex slot, const Tick& tick) noexcept;
+    void AdvanceProvider(SlotIndex slot) noexcept;
+    void AdvanceApplication(SlotIndex slot) noexcept;
+
+    PairColumns x_pairs;
+    const Settings& x_settings;
+    const Mappings& x_mappings;
+    Faults& x_faults;
+    SrdoMask x_active{0U};
+    SrdoMask x_started{0U};     ///< The first transmission is possible.
+    SrdoMask x_requested{0U};   ///< The application wants to send.
+    SrdoMask x_refresh_due{0U}; ///< A refresh has fallen due.
+    SrdoMask x_silent{0U};      ///< The phase is that of the application's silence.
+};
+
+} // namespace counterpoint::channel_b
+
+#endif
