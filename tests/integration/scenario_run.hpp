@@ -20,6 +20,12 @@ inline std::string Examples()
     return std::string(COUNTERPOINT_SOURCE_FOLDER) + "/examples/emergency_stop/";
 }
 
+/// Scenarios of the tests alone.
+inline std::string Scenarios()
+{
+    return std::string(COUNTERPOINT_SOURCE_FOLDER) + "/tests/simulator/scenarios/";
+}
+
 /// A file of this test with the given content.
 inline std::string TextFile(const std::string& text)
 {

@@ -17,7 +17,7 @@ namespace
 /// A scenario on the chain whose actuator has two CPUs; `text` is what it adds.
 std::unique_ptr<Run> RunTwoCpus(const std::string& text)
 {
-    auto run = std::make_unique<Run>(TextFile("extends: " + Examples() + "../scenarios/two_cpu_chain.yaml\n" + text),
+    auto run = std::make_unique<Run>(TextFile("extends: " + Examples() + "../two_cpus/chain.yaml\n" + text),
                                      std::nullopt, std::nullopt, false);
     run->Simulate(nullptr);
     return run;

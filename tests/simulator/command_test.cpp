@@ -73,14 +73,14 @@ TEST(SimulateCommand, WritesAllReportsAndSaysWhereItCannot)
     Verifies(req::SRS_SIM_043);
     Verifies(req::SRS_SIM_045);
     const std::string base = ::testing::TempDir() + "counterpoint_reports";
-    const Answer answer = Tool({"simulate", simulator::Examples() + "03_corruption.yaml", "--quiet", "--html",
-                                base + ".html", "--json", base + ".json", "--candump", base + ".log"});
+    const Answer answer = Tool({"simulate", simulator::Examples() + "02_loss_of_inverse_frame.yaml", "--quiet",
+                                "--html", base + ".html", "--json", base + ".json", "--candump", base + ".log"});
     EXPECT_EQ(answer.status, ExitStatus::kHolds) << answer.out << answer.err;
     EXPECT_EQ(Content(base + ".html").substr(0U, 15U), "<!DOCTYPE html>");
     EXPECT_EQ(Content(base + ".json").substr(0U, 1U), "{");
     EXPECT_EQ(Content(base + ".log").substr(0U, 1U), "(");
-    const Answer lost =
-        Tool({"simulate", simulator::Examples() + "03_corruption.yaml", "--quiet", "--json", "/nonexistent/x.json"});
+    const Answer lost = Tool({"simulate", simulator::Examples() + "02_loss_of_inverse_frame.yaml", "--quiet", "--json",
+                              "/nonexistent/x.json"});
     EXPECT_EQ(lost.status, ExitStatus::kBadInput);
     EXPECT_NE(lost.err.find("/nonexistent/x.json"), std::string::npos);
 }
@@ -90,8 +90,8 @@ TEST(SimulateCommand, AnOutputThatCannotBeWrittenIsToldBeforeAnythingElse)
     Verifies(req::SRS_SIM_045);
     // Given one output that can be written and one that cannot
     const std::string page = ::testing::TempDir() + "counterpoint_alone.html";
-    const Answer answer = Tool(
-        {"simulate", simulator::Examples() + "03_corruption.yaml", "--html", page, "--json", "/nonexistent/x.json"});
+    const Answer answer = Tool({"simulate", simulator::Examples() + "02_loss_of_inverse_frame.yaml", "--html", page,
+                                "--json", "/nonexistent/x.json"});
     // Then there is one line, and neither a time line nor the other output
     EXPECT_EQ(answer.status, ExitStatus::kBadInput);
     EXPECT_EQ(answer.out, "");
@@ -108,8 +108,8 @@ TEST(SimulateCommand, AnOutputThatCannotBeWrittenIsToldBeforeAnythingElse)
 TEST(SimulateCommand, NoOutputReplacesWhatTheRunReads)
 {
     Verifies(req::SRS_SIM_049);
-    const std::string file = simulator::Examples() + "03_corruption.yaml";
-    for (const char* const name : {"03_corruption.yaml", "chain.yaml", "sensor.dcf", "./actuator.dcf"})
+    const std::string file = simulator::Examples() + "02_loss_of_inverse_frame.yaml";
+    for (const char* const name : {"02_loss_of_inverse_frame.yaml", "chain.yaml", "sensor.dcf", "./actuator.dcf"})
     {
         const std::string output = simulator::Examples() + name;
         const std::string before = Content(output);
@@ -130,7 +130,7 @@ TEST(SimulateCommand, NoOutputReplacesWhatTheRunReads)
 TEST(SimulateCommand, RefusesOptionsThatWouldBeIgnored)
 {
     Verifies(req::SRS_SIM_049);
-    const std::string file = simulator::Examples() + "03_corruption.yaml";
+    const std::string file = simulator::Examples() + "02_loss_of_inverse_frame.yaml";
     const std::string out = ::testing::TempDir() + "counterpoint_same.html";
     for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
              {"simulate", file, "--html", ""},
@@ -247,7 +247,7 @@ TEST(DemoCommand, ShowsEveryRunWithItsLimitAndWritesThePage)
     std::filesystem::remove_all(folder);
     const std::clock_t start = std::clock();
     // When the demonstration runs on the shipped scenarios
-    const Answer answer = Tool({"demo", "--scenarios", simulator::Examples(), "--html", folder});
+    const Answer answer = Tool({"demo", "--html", folder});
     const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     // Then every row is in time, the page is there and is named, and nobody had to wait
     EXPECT_EQ(answer.status, ExitStatus::kHolds) << answer.out << answer.err;
@@ -282,7 +282,7 @@ expect:
 TEST(DemoCommand, ListsItsScenarios)
 {
     Verifies(req::SRS_DEMO_001);
-    const Answer answer = Tool({"demo", "--scenarios", simulator::Examples(), "--list"});
+    const Answer answer = Tool({"demo", "--list"});
     EXPECT_EQ(answer.status, ExitStatus::kHolds);
     EXPECT_NE(answer.out.find("Corruption of one bit"), std::string::npos);
     EXPECT_EQ(answer.out.find("Long run"), std::string::npos);

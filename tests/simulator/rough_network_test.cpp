@@ -14,12 +14,13 @@ namespace
 class RoughNetworkTest : public test::CommandTest
 {
   protected:
-    /// The scenario holds; otherwise what it told. `warning`: behind the folder of the networks.
+    /// The scenario holds; otherwise what it told. `warning`: behind its folder.
     static void ExpectHolds(const std::string& name, const std::string& warning = {},
                             const std::vector<std::string>& more = {})
     {
-        const std::string folder = cia306::test::SourceFolder() + "/examples/networks/";
-        std::vector<std::string> words{"simulate", "--quiet", folder + name + ".yaml"};
+        const std::string file = cia306::test::NetworkFile(name + ".yaml");
+        const std::string folder = file.substr(0U, file.rfind('/') + 1U);
+        std::vector<std::string> words{"simulate", "--quiet", file};
         words.insert(words.end(), more.begin(), more.end());
         const test::Answer answer = test::RunCommand(words);
         EXPECT_EQ(answer.status, 0) << name << "\n" << answer.out << answer.err;

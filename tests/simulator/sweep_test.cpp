@@ -42,7 +42,7 @@ std::string Content(const std::string& file)
 
 std::string LostPairs()
 {
-    return simulator::Examples() + "01_loss_of_pairs.yaml";
+    return simulator::Scenarios() + "emergency_stop/01_loss_of_pairs.yaml";
 }
 
 TEST(Sweep, RunsEveryValueAndPrintsATable)

@@ -17,7 +17,7 @@ namespace
 {
 std::string TwoCpuChain()
 {
-    return Examples() + "../scenarios/two_cpu_chain.yaml";
+    return Examples() + "../two_cpus/chain.yaml";
 }
 
 std::string Refusal(const std::string& file)

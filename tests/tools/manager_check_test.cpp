@@ -10,22 +10,18 @@ namespace counterpoint::tools
 {
 namespace
 {
+using cia306::test::NetworkFile;
 using test::Answer;
 using test::RunCommand;
 
 class ManagerCheckTest : public test::CommandTest
 {
-  protected:
-    static std::string Network(const std::string& name)
-    {
-        return std::string(COUNTERPOINT_SOURCE_FOLDER) + "/examples/networks/" + name;
-    }
 };
 
 TEST_F(ManagerCheckTest, EqualMastersPassOthersAreNamed)
 {
     Verifies(req::SRS_MGR_009);
-    const Answer equal = RunCommand({"manager", "--check", Network("master_2.yaml"), Network("master_5.yaml")});
+    const Answer equal = RunCommand({"manager", "--check", NetworkFile("master_2.yaml"), NetworkFile("master_5.yaml")});
     EXPECT_EQ(equal.status, 0) << equal.out;
     EXPECT_EQ(equal.out, "");
     // Given a second master with another time-out, another slave and another expectation
@@ -34,10 +30,10 @@ TEST_F(ManagerCheckTest, EqualMastersPassOthersAreNamed)
                            "slaves:\n"
                            "  - {node: 2, boot: false, mandatory: false, consumer: 500 ms}\n"
                            "  - {node: 95, dcf: " +
-                               Network("slave.dcf") + ", serial: 7}\n  - {node: 96}\n");
-    const Answer differs = RunCommand({"manager", "--check", Network("master_2.yaml"), other});
+                               NetworkFile("slave.dcf") + ", serial: 7}\n  - {node: 96}\n");
+    const Answer differs = RunCommand({"manager", "--check", NetworkFile("master_2.yaml"), other});
     EXPECT_EQ(differs.status, 1);
-    const std::string first = Network("master_2.yaml");
+    const std::string first = NetworkFile("master_2.yaml");
     // Then the key that decides is named in both files; where a value comes from the DCF, the key of that
     EXPECT_EQ(differs.out, other + ":1: 0x1F90:01 is 0x96, expected 0x64 as in " + first + ":2\n" + other +
                                ":4: 0x1F88:5F is 0x7, expected 0x21 as in " + first + ":5\n" + first +
@@ -102,8 +98,8 @@ TEST_F(ManagerCheckTest, WhatProfilesAndSafetyAskForIsCompared)
                                 const std::string& slave, const std::string& times)
     {
         return File(name, "manager: {node: " + node + ", heartbeat: 200 ms, profile: el6751, flying: {}, el6751: {" +
-                              times + "}}\nslaves: [{node: " + other + "}, {node: 95, dcf: " + Network("slave.dcf") +
-                              slave + "}]\n");
+                              times + "}}\nslaves: [{node: " + other +
+                              "}, {node: 95, dcf: " + NetworkFile("slave.dcf") + slave + "}]\n");
     };
     const std::string two = network("two.yaml", "2", "5", ", write_safety: true", "input_shift: 500 us");
     const std::string five = network("five.yaml", "5", "2", ", el6751: {restart: by_hand}", "input_shift: 600 us");
@@ -179,7 +175,7 @@ TEST_F(ManagerCheckTest, OutputsAndProfilesAreCompared)
                                 const std::string& outputs)
     {
         return File(name, "manager: {heartbeat: 200 ms, sync: 10 ms, flying: {}, " + manager +
-                              "}\nslaves:\n  - {node: " + other + "}\n  - node: 5\n    dcf: " + Network("io.dcf") +
+                              "}\nslaves:\n  - {node: " + other + "}\n  - node: 5\n    dcf: " + NetworkFile("io.dcf") +
                               "\n" + outputs);
     };
     const std::string two =
@@ -306,7 +302,7 @@ TEST_F(ManagerCheckTest, WhatTheEl6751ProfileSendsIsCompared)
         return File(name, "manager: {node: " + node + ", heartbeat: 100 ms, flying: {}, " + profile +
                               "}\nslaves: [{node: " + other + "}, {node: 6, dcf: io.dcf" + slave + "}]\n");
     };
-    std::string text = cia306::ReadTextFile(Network("io.dcf"));
+    std::string text = cia306::ReadTextFile(NetworkFile("io.dcf"));
     text.replace(text.find("NodeID=5"), 8U, "NodeID=6");
     static_cast<void>(File("io.dcf", text));
     const std::string el6751 = "profile: el6751, sync: 10 ms";

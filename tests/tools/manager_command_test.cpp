@@ -18,20 +18,17 @@ namespace counterpoint::tools
 {
 namespace
 {
+using cia306::test::NetworkFile;
 using test::Answer;
 using test::RunCommand;
 
 class ManagerCommandTest : public test::CommandTest
 {
   protected:
-    static std::string Network(const std::string& name)
-    {
-        return cia306::test::SourceFolder() + "/examples/networks/" + name;
-    }
     /// The scenario holds; otherwise what it told.
     static void ExpectHolds(const std::string& name)
     {
-        const Answer answer = RunCommand({"simulate", "--quiet", Network(name)});
+        const Answer answer = RunCommand({"simulate", "--quiet", NetworkFile(name)});
         EXPECT_EQ(answer.status, 0) << name << "\n" << answer.out << answer.err;
     }
     /// Under each of these profiles.
@@ -39,7 +36,7 @@ class ManagerCommandTest : public test::CommandTest
     {
         for (const std::string& profile : profiles)
         {
-            const Answer answer = RunCommand({"simulate", "--quiet", Network(name), "--profile", profile});
+            const Answer answer = RunCommand({"simulate", "--quiet", NetworkFile(name), "--profile", profile});
             EXPECT_EQ(answer.status, 0) << name << " " << profile << "\n" << answer.out << answer.err;
             EXPECT_EQ(answer.err, "") << name << " " << profile;
         }
@@ -86,7 +83,7 @@ TEST_F(ManagerCommandTest, AFlyingMasterDiesAndTheOtherOneTakesOver)
             return File(node + ".yaml", "manager: {node: " + node + ", heartbeat: 200 ms, profile: " + profile +
                                             ", flying: {priority: 1}}\nslaves:\n  - {node: " + other +
                                             ", mandatory: false, consumer: 500 ms}\n  - {node: 95, dcf: " +
-                                            Network("slave.dcf") + "}\n");
+                                            NetworkFile("slave.dcf") + "}\n");
         };
         const Answer equal = RunCommand({"manager", "--check", master("2", "5"), master("5", "2")});
         EXPECT_EQ(equal.status, 0) << equal.out;
@@ -113,18 +110,18 @@ TEST_F(ManagerCommandTest, TheDemoOfTheReference)
     ExpectHolds("demo_swapped.yaml");
     ExpectHolds("demo_watching.yaml");
     const Answer printed =
-        RunCommand({"manager", "--check", Network("demo_master_2.yaml"), Network("demo_master_5.yaml")});
+        RunCommand({"manager", "--check", NetworkFile("demo_master_2.yaml"), NetworkFile("demo_master_5.yaml")});
     EXPECT_EQ(printed.status, 0) << printed.out;
     const Answer swapped =
-        RunCommand({"manager", "--check", Network("demo_watching_2.yaml"), Network("demo_swapped_5.yaml")});
+        RunCommand({"manager", "--check", NetworkFile("demo_watching_2.yaml"), NetworkFile("demo_swapped_5.yaml")});
     EXPECT_EQ(swapped.status, 0) << swapped.out;
 }
 
 TEST_F(ManagerCommandTest, TheSameScenarioGivesTheSameEvents)
 {
     Verifies(req::SRS_MGR_012);
-    const Answer first = RunCommand({"simulate", Network("babbling.yaml")});
-    const Answer second = RunCommand({"simulate", Network("babbling.yaml")});
+    const Answer first = RunCommand({"simulate", NetworkFile("babbling.yaml")});
+    const Answer second = RunCommand({"simulate", NetworkFile("babbling.yaml")});
     EXPECT_EQ(first.out, second.out);
     EXPECT_NE(first.out.find("9 of 9 expectations hold"), std::string::npos);
 }
@@ -132,8 +129,9 @@ TEST_F(ManagerCommandTest, TheSameScenarioGivesTheSameEvents)
 TEST_F(ManagerCommandTest, AnExpectationThatDoesNotHoldEndsWith1)
 {
     Verifies(req::SRS_MGR_012);
-    const std::string file = File("s.yaml", "title: x\nduration: 1 s\nmanagers: [{network: " + Network("chain.yaml") +
-                                                "}]\nexpect:\n  - {that: state, node: 33, is: operational}\n");
+    const std::string file =
+        File("s.yaml", "title: x\nduration: 1 s\nmanagers: [{network: " + NetworkFile("chain.yaml") +
+                           "}]\nexpect:\n  - {that: state, node: 33, is: operational}\n");
     const Answer answer = RunCommand({"simulate", "--quiet", file});
     EXPECT_EQ(answer.status, 1);
     EXPECT_EQ(answer.out, "  FAILED  state of node 33 is operational at 1000 ms: unknown  (" + file +
@@ -146,7 +144,7 @@ TEST_F(ManagerCommandTest, EventsAreJsonAndThePageShowsTheSequence)
     Verifies(req::SRS_MGR_008);
     Verifies(req::SRS_SFS_008);
     const Answer answer = RunCommand(
-        {"simulate", "--quiet", "--json", Path("out.json"), "--html", Path("out.html"), Network("boot.yaml")});
+        {"simulate", "--quiet", "--json", Path("out.json"), "--html", Path("out.html"), NetworkFile("boot.yaml")});
     ASSERT_EQ(answer.status, 0);
     const auto document = nlohmann::json::parse(cia306::ReadTextFile(Path("out.json")));
     const auto& events = document["managers"][0]["events"];
@@ -180,7 +178,7 @@ TEST_F(ManagerCommandTest, FramesOfASimulatedNetworkAreWrittenAsCandumpDoes)
     Verifies(req::SRS_MGR_012);
     Verifies(req::SRS_SIM_042);
     const Answer answer =
-        RunCommand({"simulate", "--candump", Path("out.log"), "--json", Path("out.json"), Network("boot.yaml")});
+        RunCommand({"simulate", "--candump", Path("out.log"), "--json", Path("out.json"), NetworkFile("boot.yaml")});
     ASSERT_EQ(answer.status, 0);
     const std::string frames = cia306::ReadTextFile(Path("out.log"));
     const auto count = std::count(frames.begin(), frames.end(), '\n');
@@ -190,15 +188,16 @@ TEST_F(ManagerCommandTest, FramesOfASimulatedNetworkAreWrittenAsCandumpDoes)
     EXPECT_NE(frames.find(") can0 000#8200\n"), std::string::npos);
     EXPECT_NE(frames.find(") can0 000#0121\n"), std::string::npos);
     // Without the option nothing else happens
-    EXPECT_EQ(RunCommand({"simulate", Network("boot.yaml")}).out, answer.out);
+    EXPECT_EQ(RunCommand({"simulate", NetworkFile("boot.yaml")}).out, answer.out);
 }
 
 TEST_F(ManagerCommandTest, WithoutItsSlavesTheManagerEndsWith1)
 {
     Verifies(req::SRS_MGR_004);
     Verifies(req::SRS_MGR_005);
-    const Answer answer = RunCommand({"manager", "--can", "udp:239.74.163.91:43191", "--network", Network("chain.yaml"),
-                                      "--for", "1", "--no-input", "--log", Path("log.jsonl")});
+    const Answer answer =
+        RunCommand({"manager", "--can", "udp:239.74.163.91:43191", "--network", NetworkFile("chain.yaml"), "--for", "1",
+                    "--no-input", "--log", Path("log.jsonl")});
     EXPECT_EQ(answer.status, 1) << answer.err;
     EXPECT_NE(answer.out.find("node  name                  state"), std::string::npos) << answer.out;
     EXPECT_NE(answer.out.find("33    Relay"), std::string::npos);
@@ -217,11 +216,11 @@ TEST_F(ManagerCommandTest, WhatCannotBeUsedEndsWith2)
 {
     Verifies(req::SRS_MGR_004);
     Verifies(req::SRS_NET_004);
-    const Answer no_bus = RunCommand({"manager", "--network", Network("chain.yaml")});
+    const Answer no_bus = RunCommand({"manager", "--network", NetworkFile("chain.yaml")});
     EXPECT_EQ(no_bus.status, 2);
     EXPECT_EQ(no_bus.err, "counterpoint manager: --can is missing, expected --can ADDRESS --network FILE, or --check "
                           "FILE...\n");
-    const Answer bad_bus = RunCommand({"manager", "--can", "udp:nowhere", "--network", Network("chain.yaml")});
+    const Answer bad_bus = RunCommand({"manager", "--can", "udp:nowhere", "--network", NetworkFile("chain.yaml")});
     EXPECT_EQ(bad_bus.status, 2);
     const std::string file = File("net.yaml", "manager: {node: 127}\nslaves: [{node: 300}]\n");
     const Answer bad_file = RunCommand({"manager", "--can", "udp:239.74.163.91:43191", "--network", file});
@@ -235,13 +234,13 @@ TEST_F(ManagerCommandTest, AnOutputWithoutANameIsRefused)
     for (const char* const option : {"--log", "--html", "--socket"})
     {
         const Answer answer = RunCommand({"manager", "--can", "udp:239.74.163.91:43191", "--network",
-                                          Network("chain.yaml"), "--for", "1", "--no-input", option, ""});
+                                          NetworkFile("chain.yaml"), "--for", "1", "--no-input", option, ""});
         EXPECT_EQ(answer.status, 2) << option;
         EXPECT_EQ(answer.err, std::string(option) + ": empty file name, expected the name of a file\n");
     }
     for (const char* const option : {"--html", "--json", "--candump"})
     {
-        const Answer answer = RunCommand({"simulate", "--quiet", Network("boot.yaml"), option, ""});
+        const Answer answer = RunCommand({"simulate", "--quiet", NetworkFile("boot.yaml"), option, ""});
         EXPECT_EQ(answer.status, 2) << option;
         EXPECT_EQ(answer.err, std::string(option) + ": empty file name, expected the name of a file\n");
     }
@@ -250,10 +249,11 @@ TEST_F(ManagerCommandTest, AnOutputWithoutANameIsRefused)
 TEST_F(ManagerCommandTest, ACheckRunsNothingAndTakesNoOptionOfARun)
 {
     Verifies(req::SRS_MGR_004);
-    const std::vector<std::string> check{"manager", "--check", Network("master_2.yaml"), Network("master_5.yaml")};
+    const std::vector<std::string> check{"manager", "--check", NetworkFile("master_2.yaml"),
+                                         NetworkFile("master_5.yaml")};
     for (const std::vector<std::string>& more :
          std::vector<std::vector<std::string>>{{"--can", "udp:239.74.163.91:43191"},
-                                               {"--network", Network("chain.yaml")},
+                                               {"--network", NetworkFile("chain.yaml")},
                                                {"--log", Path("x")},
                                                {"--json"}})
     {
@@ -279,7 +279,7 @@ TEST_F(ManagerCommandTest, NoOutputReplacesWhatIsReadOrAnotherOne)
 {
     Verifies(req::SRS_MGR_004);
     // Given a network file, its DCF and a scenario of them
-    const std::string dcf_text = cia306::ReadTextFile(Network("slave.dcf"));
+    const std::string dcf_text = cia306::ReadTextFile(NetworkFile("slave.dcf"));
     const std::string dcf = File("k.dcf", dcf_text);
     const std::string net_text = "manager: {node: 127}\nslaves: [{node: 95, dcf: k.dcf}]\n";
     const std::string net = File("k.yaml", net_text);

@@ -25,53 +25,56 @@ namespace
 {
 namespace fs = std::filesystem;
 
-constexpr const char* kScenarioFolder = "examples/emergency_stop";
+/// Some of its scenarios are examples, the others test data; the examples alone are installed.
+constexpr const char* kExamples = "examples/emergency_stop";
+constexpr const char* kTestData = "tests/simulator/scenarios/emergency_stop";
 constexpr int kFaultColumn = 34;
 constexpr int kPartyColumn = 17;
 constexpr int kCauseColumn = 20;
 constexpr int kTimeColumn = 12;
 
-/// The shipped scenarios: beside the working directory, else in the tree that the program was built in.
-fs::path FindScenarios()
+/// Folders of the shipped scenarios: in the working directory, else in the tree that the program was built in.
+std::vector<fs::path> FindScenarios()
 {
-    if (fs::is_directory(kScenarioFolder))
-    {
-        return kScenarioFolder;
-    }
     std::error_code error;
-    for (fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path(); folder.has_relative_path();
-         folder = folder.parent_path())
+    fs::path root;
+    if (!fs::is_directory(kExamples))
     {
-        if (fs::is_directory(folder / kScenarioFolder))
+        root = fs::read_symlink("/proc/self/exe", error).parent_path();
+        while (root.has_relative_path() && !fs::is_directory(root / kExamples))
         {
-            return folder / kScenarioFolder;
+            root = root.parent_path();
         }
     }
-    return kScenarioFolder;
+    return {root / kExamples, root / kTestData};
 }
 
 /// Files NN_name.yaml in the order of their numbers; the others are what these extend.
-std::vector<std::string> ListScenarios(const fs::path& folder)
+std::vector<std::string> ListScenarios(const std::vector<fs::path>& folders)
 {
     std::error_code error;
-    std::vector<std::string> files;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    std::vector<fs::path> paths;
+    for (const fs::path& folder : folders)
     {
-        const std::string name = entry.path().filename().string();
-        const bool is_numbered = name.size() > 3U && std::isdigit(static_cast<unsigned char>(name[0])) != 0 &&
-                                 std::isdigit(static_cast<unsigned char>(name[1])) != 0 && name[2] == '_';
-        if (is_numbered && entry.path().extension() == ".yaml")
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
         {
-            files.push_back(entry.path().string());
+            const std::string name = entry.path().filename().string();
+            const bool is_numbered = name.size() > 3U && std::isdigit(static_cast<unsigned char>(name[0])) != 0 &&
+                                     std::isdigit(static_cast<unsigned char>(name[1])) != 0 && name[2] == '_';
+            if (is_numbered && entry.path().extension() == ".yaml")
+            {
+                paths.push_back(entry.path());
+            }
         }
     }
-    if (files.empty())
+    if (paths.empty())
     {
-        throw cia306::InputError(folder.string(), 0U,
+        throw cia306::InputError(folders.front().string(), 0U,
                                  {"no scenarios", "files such as 01_loss.yaml; --scenarios names their folder"});
     }
-    std::sort(files.begin(), files.end());
-    return files;
+    std::sort(paths.begin(), paths.end(),
+              [](const fs::path& left, const fs::path& right) { return left.filename() < right.filename(); });
+    return {paths.begin(), paths.end()};
 }
 
 /// The expectation whose limit a row shows.
@@ -110,7 +113,7 @@ class DemoCommand final : public Command
         {
             RequireNames();
             const std::vector<std::string> files =
-                ListScenarios(scenarios_.empty() ? FindScenarios() : fs::path(scenarios_));
+                ListScenarios(scenarios_.empty() ? FindScenarios() : std::vector<fs::path>{scenarios_});
             return list_ ? List(files, streams) : Demonstrate(files, streams);
         }
         catch (const runtime::YamlError& error)

@@ -7,8 +7,10 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SIZES = {0x0005: 1, 0x0006: 2, 0x0007: 4}
 # A round of the self tests over this time: the tests of a device are not what is looked at, and cost most of a run.
 INTERVAL_MS = 60000
-SOURCES = {"relay": "emergency_stop/actuator.dcf", "sensor": "emergency_stop/sensor.dcf",
-           "controller": "emergency_stop/controller.dcf", "io": "networks/io.dcf", "guarded": "networks/guarded.dcf"}
+CHAIN = "examples/emergency_stop"
+OTHERS = "tests/simulator/scenarios/networks"
+SOURCES = {"relay": f"{CHAIN}/actuator.dcf", "sensor": f"{CHAIN}/sensor.dcf", "controller": f"{CHAIN}/controller.dcf",
+           "io": f"{OTHERS}/io.dcf", "guarded": f"{OTHERS}/guarded.dcf"}
 # A relay that was built from another DCF: its SCT.
 OTHER_RELAY = {"1301sub2": "60"}
 
@@ -106,7 +108,7 @@ class Catalogue:
         self.program = program
         self.folder = folder
         self.made = {}
-        self.texts = {name: (ROOT / "examples" / path).read_text(encoding="utf-8") for name, path in SOURCES.items()}
+        self.texts = {name: (ROOT / path).read_text(encoding="utf-8") for name, path in SOURCES.items()}
         other = self.texts["relay"]
         for section, value in OTHER_RELAY.items():
             other = with_value(other, section, value)

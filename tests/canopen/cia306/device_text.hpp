@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,6 +48,14 @@ inline std::string SourceFolder()
 inline std::string ExampleText(const std::string& name)
 {
     return ReadTextFile(SourceFolder() + "/examples/emergency_stop/" + name + ".dcf");
+}
+
+/// A scenario of a network, or what it names: of the examples, else of the tests alone.
+inline std::string NetworkFile(const std::string& name)
+{
+    const std::string example = SourceFolder() + "/examples/networks/" + name;
+    const bool is_example = std::filesystem::exists(example);
+    return is_example ? example : SourceFolder() + "/tests/simulator/scenarios/networks/" + name;
 }
 
 inline Device DeviceOf(const std::string& text)
