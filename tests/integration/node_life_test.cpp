@@ -201,7 +201,7 @@ TEST(CutOff, IsToldWithItsPlace)
     ASSERT_EQ(run.Findings().size(), 2U);
     EXPECT_EQ(run.Findings()[0U],
               file + ":3:5: input at 600 ms does not happen, expected a time before the end of the run at 100 ms");
-    EXPECT_NE(run.Findings()[1U].find("chain.yaml:22:5: acknowledge at 150 ms does not happen"), std::string::npos);
+    EXPECT_NE(run.Findings()[1U].find("chain.yaml:24:5: acknowledge at 150 ms does not happen"), std::string::npos);
 }
 } // namespace
 } // namespace counterpoint::simulator
