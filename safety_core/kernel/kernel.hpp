@@ -253,7 +253,7 @@ class Kernel
         return guard_.RestoreDefaults();
     }
 
-    /// @brief The application demands the device safe state.
+    /// @brief The application demands the device safe state. [SRS_KRN_031]
     void DemandSafeState() noexcept
     {
         latch_.Enter(DeviceFault::kApplication, kNoSlot);

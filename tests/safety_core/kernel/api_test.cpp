@@ -63,6 +63,9 @@ TEST_F(Facade, StateThatTheChannelsDoNotShareIsFaulted)
     // Channel A knows of nothing
     EXPECT_EQ(reply.first_cause, SrdoCause::kDemoted);
     EXPECT_EQ(reply.error_count, 1U);
+    real_a.Demote(0U);
+    real_a.Demote(0U);
+    EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1301U}).error_count, 2U);
 }
 
 TEST_F(Facade, CauseIsThatOfTheChannelThatFoundIt)

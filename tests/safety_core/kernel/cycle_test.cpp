@@ -3,6 +3,8 @@
 #include "verification/trace/ids/channel.hpp"
 #include "verification/trace/ids/kernel.hpp"
 
+#include <memory>
+
 namespace counterpoint
 {
 namespace
@@ -274,10 +276,10 @@ TEST_F(Cycling, FlowEventOfErrorsCountsBeyondAByte)
     config.srdos = many.data();
     config.srdo_count = 64U;
     config.diagnostic_interval_us = 1000000U;
-    channel_a::StorageFor<64U> many_a{};
-    channel_b::StorageFor<64U> many_b{};
-    channel_a::Channel channel_a{many_a.Handle()};
-    channel_b::Channel channel_b{many_b.Handle()};
+    const auto many_a = std::make_unique<channel_a::StorageFor<64U>>();
+    const auto many_b = std::make_unique<channel_b::StorageFor<64U>>();
+    channel_a::Channel channel_a{many_a->Handle()};
+    channel_b::Channel channel_b{many_b->Handle()};
     Tap tap_a{channel_a};
     Tap tap_b{channel_b};
     Kernel wide{KernelParts{tap_a, tap_b, ports, output, watchdog, application}};
