@@ -165,7 +165,31 @@ SteppedTime::Look SteppedTime::LookAtAll() const
             return {};
         }
     }
+    for (const std::string& thread : kernel_)
+    {
+        if (!AddThreadsOf(thread, look))
+        {
+            return {};
+        }
+    }
     return AddThreadsOf("/proc/self", look) ? look : Look{};
+}
+
+std::vector<std::string> SteppedTime::ThreadsOfTheKernel()
+{
+    std::vector<std::string> found;
+    DIR* const folder = ::opendir("/proc");
+    for (const dirent* entry = (folder == nullptr) ? nullptr : ::readdir(folder); entry != nullptr;
+         entry = ::readdir(folder))
+    {
+        const std::string path = std::string("/proc/") + entry->d_name;
+        if (std::strtoul(entry->d_name, nullptr, 10) != 0U && TextOf(path + "/comm").rfind("ksoftirqd/", 0U) == 0U)
+        {
+            found.push_back(path);
+        }
+    }
+    static_cast<void>((folder == nullptr) ? 0 : ::closedir(folder));
+    return found;
 }
 
 bool SteppedTime::AddThreadsOf(const std::string& process, Look& look)

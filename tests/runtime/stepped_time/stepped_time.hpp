@@ -15,8 +15,8 @@ namespace counterpoint::tools::test
 /// to the next instant that somebody waits for when all of them wait: what a test sees does not depend on how much else
 /// the machine does. A stopped process (SIGSTOP) is left behind, as it is in real time.
 ///
-/// "All wait" is seen in /proc: every thread of theirs, and every other one of the test, sleeps and went to sleep no
-/// further time between two looks.
+/// "All wait" is seen in /proc: every thread of theirs, every other one of the test, and those of the kernel that bring
+/// frames which it could not bring at once, sleeps and went to sleep no further time between two looks.
 class SteppedTime
 {
   public:
@@ -61,9 +61,12 @@ class SteppedTime
     ~SteppedTime() = default;
     [[nodiscard]] Look LookAtAll() const;
     [[nodiscard]] static bool AddThreadsOf(const std::string& process, Look& look);
+    /// @brief The kernel's threads for what it puts off, as folders of /proc; none where they cannot be seen.
+    [[nodiscard]] static std::vector<std::string> ThreadsOfTheKernel();
     void GoOn(std::uint64_t until_ns);
 
     std::uint64_t now_ns_;
+    std::vector<std::string> kernel_{ThreadsOfTheKernel()};
     std::vector<Process> processes_{};
 };
 } // namespace counterpoint::tools::test
