@@ -27,9 +27,8 @@ Manager::Manager(const ManagerParts& parts) noexcept
       gate_(parts_.setup, parts.room.safety, sdo_),
       nmt_(NmtMasterParts{parts_.setup, parts.room.commands, parts_.sink, table_, *this, gate_}),
       watch_(parts_.setup, parts.room.watched, *this), own_(parts_.setup.own, parts_.sink, parts.heartbeat_ms),
-      permissions_(parts_.setup, gate_, table_), profile_(nullptr), flying_(nullptr),
-      negotiation_(NegotiationBy::kManager), is_running_(false), is_leading_(false), is_to_start_(false),
-      is_refused_(false), is_off_bus_(false), is_to_reset_(false)
+      permissions_(parts_.setup, parts.room.gates, gate_, table_),
+      role_(RoleParts{parts_.setup, table_, nmt_, own_, parts_.listener})
 {
 }
 
@@ -40,92 +39,31 @@ StartUpParts Manager::ProfileParts() noexcept
 
 void Manager::Use(StartUp& profile) noexcept
 {
-    profile_ = &profile;
+    role_.Use(profile);
     gate_.Use(profile.Identity());
-}
-
-void Manager::Use(FlyingMaster& flying, const NegotiationBy by) noexcept
-{
-    flying_ = &flying;
-    negotiation_ = by;
 }
 
 void Manager::Begin(const Instant now) noexcept
 {
-    is_running_ = (profile_ != nullptr);
-    if (is_running_)
-    {
-        own_.Restart();
-        is_to_start_ = (flying_ != nullptr) && (negotiation_ == NegotiationBy::kManager);
-        own_.Send(IsInitialising(), now);
-        if (flying_ == nullptr)
-        {
-            Lead(true, now);
-        }
-        else
-        {
-            parts_.listener.OnInitialising(now);
-        }
-    }
+    role_.Begin(now);
 }
 
 void Manager::End() noexcept
 {
-    if (is_running_)
-    {
-        profile_->End();
-        nmt_.SetActive(false);
-    }
-    is_leading_ = false;
-    is_running_ = false;
-}
-
-/// Without a flying master it leads from the beginning; with one the negotiation says so. [SRS_MGR_002]
-void Manager::Lead(const bool is_leader, const Instant now) noexcept
-{
-    if (is_leader && !is_leading_)
-    {
-        is_leading_ = true;
-        nmt_.SetActive(true);
-        profile_->Begin(now);
-    }
-    else if (!is_leader && is_leading_)
-    {
-        is_leading_ = false;
-        profile_->End();
-        nmt_.SetActive(false);
-        UnwatchAll();
-    }
-    else
-    {
-        // As before.
-    }
-}
-
-/// Nobody but the active master guards, and what was watched in another role counts no more.
-void Manager::UnwatchAll() noexcept
-{
-    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
-    {
-        table_.Unwatch(NodeId{id});
-    }
+    role_.End();
 }
 
 void Manager::OnFrame(const CanFrame& frame, const Instant now) noexcept
 {
-    if (is_running_)
+    if (role_.IsRunning())
     {
-        if (flying_ != nullptr)
-        {
-            flying_->OnFrame(frame, now);
-            FollowRole(now);
-        }
+        role_.OnFrame(frame, now);
         OnCommandFrame(frame, now);
         CountHeartbeats(frame);
         watch_.OnFrame(frame, now);
         table_.OnFrame(frame, now);
         sdo_.OnFrame(frame, now);
-        profile_->OnFrame(frame, now);
+        role_.Profile()->OnFrame(frame, now);
     }
 }
 
@@ -148,54 +86,25 @@ void Manager::CountHeartbeats(const CanFrame& frame) noexcept
 
 void Manager::OnCycle(const Instant now) noexcept
 {
-    if (is_running_)
+    if (role_.IsRunning())
     {
-        ResetRole(now);
-        if (is_to_start_ && !is_off_bus_)
-        {
-            TryNegotiation(now);
-        }
-        if (flying_ != nullptr)
-        {
-            flying_->OnCycle(now);
-            FollowRole(now);
-        }
-        own_.Send(IsInitialising(), now);
+        role_.OnCycle(now);
+        own_.Send(role_.IsInitialising(), now);
         watch_.OnCycle(now);
         table_.OnCycle(now);
         sdo_.OnCycle(now);
         gate_.OnCycle(now);
-        TellGates(now);
-        profile_->OnCycle(now);
+        permissions_.Tell(parts_.listener, now);
+        role_.Profile()->OnCycle(now);
         nmt_.OnCycle(now);
     }
-}
-
-bool Manager::IsInitialising() const noexcept
-{
-    return (flying_ != nullptr) && flying_->IsInitialising();
-}
-
-NmtAnswer Manager::Command(const NmtCommand command, const NodeId node, const Instant now) noexcept
-{
-    return is_leading_ ? profile_->Command(command, node, now) : NmtAnswer::kNotActive;
-}
-
-bool Manager::Boot(const NodeId node, const Instant now) noexcept
-{
-    return is_leading_ && profile_->Boot(node, now);
-}
-
-bool Manager::Resume(const NodeId node, const Instant now) noexcept
-{
-    return is_leading_ && profile_->Resume(node, now);
 }
 
 bool Manager::WriteSafety(const NodeId node, const Instant now) noexcept
 {
     const NodeStatus status = Status(node);
     const bool is_running = table_.RequestValue(node) == static_cast<std::uint8_t>(SlaveState::kOperational);
-    const bool is_free = is_leading_ && !is_running && !status.is_other && !status.is_busy && (nmt_.Waiting() == 0U) &&
+    const bool is_free = IsActive() && !is_running && !status.is_other && !status.is_busy && (nmt_.Waiting() == 0U) &&
                          (gate_.State(node) != GateState::kBusy);
     if (is_free && (table_.Record(node).asked == SlaveState::kStopped))
     {
@@ -203,19 +112,6 @@ bool Manager::WriteSafety(const NodeId node, const Instant now) noexcept
         static_cast<void>(nmt_.Request(NmtCommand::kPreOperational, node, now));
     }
     return is_free && (nmt_.Waiting() == 0U) && gate_.Write(node, now);
-}
-
-void Manager::TellGates(const Instant now) noexcept
-{
-    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
-    {
-        const NodeId node{id};
-        if (parts_.setup.IsSafetySlave(node) && (gate_.State(node) != parts_.room.gates[id]))
-        {
-            parts_.room.gates[id] = gate_.State(node);
-            parts_.listener.OnGate(node, parts_.room.gates[id], now);
-        }
-    }
 }
 
 void Manager::OnNodeEvent(const NodeId node, const NodeEvent event, const Instant now) noexcept
@@ -231,13 +127,13 @@ void Manager::OnNodeEvent(const NodeId node, const NodeEvent event, const Instan
         permissions_.Close(node);
     }
     parts_.listener.OnNodeEvent(node, event, now);
-    if ((flying_ != nullptr) && is_lost)
+    if (is_lost)
     {
-        flying_->OnHeartbeatLost(node, now);
+        role_.OnHeartbeatLost(node, now);
     }
-    if (is_leading_)
+    if (StartUp* const profile = role_.Leading())
     {
-        profile_->OnNodeEvent(node, event, now);
+        profile->OnNodeEvent(node, event, now);
     }
 }
 
@@ -255,17 +151,17 @@ void Manager::OnDuplicate(const NodeId node, const Instant now) noexcept
 
 NodeState Manager::OwnState() const noexcept
 {
-    return IsInitialising() ? NodeState::kInitialising : own_.State();
+    return role_.IsInitialising() ? NodeState::kInitialising : own_.State();
 }
 
 NodeStatus Manager::Status(const NodeId node) const noexcept
 {
-    return (profile_ != nullptr) ? profile_->Status(node) : NodeStatus{};
+    return (role_.Profile() != nullptr) ? role_.Profile()->Status(node) : NodeStatus{};
 }
 
 std::int16_t Manager::MasterState() const noexcept
 {
-    return (profile_ != nullptr) ? profile_->MasterState() : std::int16_t{0};
+    return (role_.Profile() != nullptr) ? role_.Profile()->MasterState() : std::int16_t{0};
 }
 
 /// Commands of the active master to this device while it is not the master itself. A master is not commanded by
@@ -275,169 +171,81 @@ void Manager::OnCommandFrame(const CanFrame& frame, const Instant now) noexcept
     constexpr std::uint8_t kCommandBytes = 2U;
     const bool is_command =
         (frame.kind == FrameKind::kData) && (frame.identifier == 0U) && (frame.length_bytes == kCommandBytes);
-    const bool is_for_us =
-        is_command && ((frame.data[1] == kAllNodes.value) || (frame.data[1] == parts_.setup.own.value));
-    if (is_command && IsReset(static_cast<NmtCommand>(frame.data[0])))
+    if (is_command)
     {
-        OnReset(NodeId{frame.data[1]});
-    }
-    if (is_command && IsLeave(static_cast<NmtCommand>(frame.data[0])))
-    {
-        permissions_.OnLeave(NodeId{frame.data[1]});
-    }
-    if (is_command && is_leading_ && (static_cast<NmtCommand>(frame.data[0]) == NmtCommand::kStart))
-    {
-        permissions_.OnForeignStart(NodeId{frame.data[1]}, *profile_, now);
-    }
-    if (is_for_us && (flying_ != nullptr) && !is_leading_)
-    {
-        own_.Obey(static_cast<NmtCommand>(frame.data[0]));
+        const auto command = static_cast<NmtCommand>(frame.data[0]);
+        const NodeId node{frame.data[1]};
+        const bool is_for_us = (node.value == kAllNodes.value) || (node.value == parts_.setup.own.value);
+        const StartUp* const profile = role_.Leading();
+        OnCommand(command, node);
+        if ((profile != nullptr) && (command == NmtCommand::kStart))
+        {
+            permissions_.OnForeignStart(node, *profile, now);
+        }
+        if (is_for_us && (role_.Flying() != nullptr) && (profile == nullptr))
+        {
+            own_.Obey(command);
+        }
     }
 }
 
 /// [SRS_SFS_002]
 void Manager::OnStartDropped(const NodeId node, const Instant now) noexcept
 {
-    if (is_leading_)
+    if (StartUp* const profile = role_.Leading())
     {
         permissions_.OnStartDropped(node);
-        profile_->OnStartDropped(node, now);
+        profile->OnStartDropped(node, now);
     }
 }
 
 void Manager::OnNmtSent(const NmtRequest& request, const Instant now) noexcept
 {
-    const bool is_all = (request.node.value == kAllNodes.value);
-    if (IsReset(request.command))
-    {
-        OnReset(request.node);
-    }
-    if (IsLeave(request.command))
-    {
-        permissions_.OnLeave(request.node);
-    }
-    if (is_all || (request.node.value == parts_.setup.own.value))
+    const bool is_own = (request.node.value == parts_.setup.own.value);
+    OnCommand(request.command, request.node);
+    if (is_own || (request.node.value == kAllNodes.value))
     {
         own_.Obey(request.command);
     }
-    // Not here: the queue of commands is being worked through.
-    is_to_reset_ =
-        is_to_reset_ || (!is_all && IsReset(request.command) && (request.node.value == parts_.setup.own.value));
+    if (is_own && IsReset(request.command) && (request.node.value != kAllNodes.value))
+    {
+        role_.OnOwnReset();
+    }
     parts_.listener.OnNmtSent(request, now);
 }
 
-void Manager::OnReset(const NodeId node) noexcept
+/// What a command, of whomever, makes of what is known of its nodes.
+void Manager::OnCommand(const NmtCommand command, const NodeId node) noexcept
 {
-    permissions_.OnReset(node);
-    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    if (IsReset(command))
     {
-        if ((node.value == kAllNodes.value) || (node.value == id))
-        {
-            watch_.Forget(NodeId{id});
-        }
+        permissions_.OnReset(node);
+        watch_.OnReset(node);
+    }
+    if (IsLeave(command))
+    {
+        permissions_.OnLeave(node);
     }
 }
 
 void Manager::OnLost(const Instant now) noexcept
 {
-    permissions_.OnLost(is_leading_ ? profile_ : nullptr, now);
-}
-
-FlyingStart Manager::StartNegotiation(const Instant now) noexcept
-{
-    const FlyingStart refusal = (flying_ != nullptr) ? FlyingStart::kNoBus : FlyingStart::kInvalid;
-    return ((flying_ != nullptr) && !is_off_bus_) ? flying_->Start(now) : refusal;
+    permissions_.OnLost(role_.Leading(), now);
 }
 
 void Manager::OnBus(const bool is_there, const Instant now) noexcept
 {
-    const bool has_gone = !is_there && !is_off_bus_;
-    const bool is_back = is_there && is_off_bus_;
-    is_off_bus_ = !is_there;
+    const bool is_back = is_there && !role_.IsOnBus();
+    StartUp* const profile = role_.Leading();
+    role_.OnBus(is_there, now);
     if (is_back)
     {
         OnLost(now);
-        if (is_leading_)
-        {
-            profile_->OnBusBack(now);
-        }
     }
-    if (has_gone && is_running_ && (flying_ != nullptr))
+    if (is_back && (profile != nullptr))
     {
-        flying_->Reset(now);
+        profile->OnBusBack(now);
     }
-}
-
-/// The active master that is commanded to reset itself, and not all, is as any other device after it. [SRS_FLY_019]
-void Manager::ResetRole(const Instant now) noexcept
-{
-    const bool is_due = is_to_reset_ && (flying_ != nullptr);
-    is_to_reset_ = false;
-    if (is_due)
-    {
-        flying_->Reset(now);
-    }
-}
-
-/// Values that cannot work may be corrected while the device is initialising.
-void Manager::TryNegotiation(const Instant now) noexcept
-{
-    const FlyingStart answer = flying_->Start(now);
-    is_to_start_ = (answer != FlyingStart::kStarted);
-    if (is_to_start_ && !is_refused_ && (answer != FlyingStart::kNotInitialising))
-    {
-        is_refused_ = true;
-        parts_.listener.OnNegotiationRefused(answer, now);
-    }
-    is_refused_ = is_refused_ && is_to_start_;
-}
-
-/// A negotiation may begin without an event: whoever negotiates commands nobody. [SRS_MGR_002]
-void Manager::FollowRole(const Instant now) noexcept
-{
-    if (is_leading_ && !flying_->IsActiveMaster())
-    {
-        Lead(false, now);
-    }
-}
-
-/// The application of the flying master: presets that leave supervision to it have no other. Without a consumer time
-/// for that node nobody watches, and this device stays slave. [SRS_MGR_002]
-void Manager::WatchMaster(const NodeId master, const Instant now) noexcept
-{
-    const HeartbeatSetup& heartbeat = parts_.setup.Slave(master).heartbeat;
-    table_.WatchHeartbeat(master, heartbeat.consumer_ms, heartbeat.arming, now);
-}
-
-void Manager::OnFlyingMaster(const FlyingEvent event, const MasterClaim& claim, const Instant now) noexcept
-{
-    parts_.listener.OnFlyingMaster(event, claim, now);
-    const bool is_settled = (event == FlyingEvent::kMasterMode) || (event == FlyingEvent::kSlaveMode);
-    if (is_settled)
-    {
-        Lead(event == FlyingEvent::kMasterMode, now);
-        if (event == FlyingEvent::kSlaveMode)
-        {
-            WatchMaster(claim.node, now);
-        }
-    }
-    else if (!flying_->IsActiveMaster())
-    {
-        Lead(false, now);
-    }
-    else
-    {
-        // Told something, and still the master.
-    }
-}
-
-void Manager::OnInitialising(const Instant now) noexcept
-{
-    Lead(false, now);
-    UnwatchAll();
-    own_.Restart();
-    is_to_start_ = (negotiation_ == NegotiationBy::kManager);
-    parts_.listener.OnInitialising(now);
 }
 
 } // namespace counterpoint::cia302

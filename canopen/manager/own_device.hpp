@@ -29,10 +29,6 @@ class OwnDevice
     {
         return producer_;
     }
-    [[nodiscard]] const cia301::HeartbeatProducer& Heartbeat() const noexcept
-    {
-        return producer_;
-    }
 
   private:
     NodeId own_;

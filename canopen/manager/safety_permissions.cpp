@@ -4,8 +4,9 @@
 namespace counterpoint::cia302
 {
 
-SafetyPermissions::SafetyPermissions(const NetworkSetup& setup, SafetyGate& gate, NodeTable& table) noexcept
-    : setup_(setup), gate_(gate), table_(table)
+SafetyPermissions::SafetyPermissions(const NetworkSetup& setup, GateState* const told, SafetyGate& gate,
+                                     NodeTable& table) noexcept
+    : setup_(setup), told_(told), gate_(gate), table_(table)
 {
 }
 
@@ -109,6 +110,20 @@ void SafetyPermissions::OnStartDropped(const NodeId node) noexcept
     if (gate_.State(node) == GateState::kOpen)
     {
         Close(node);
+    }
+}
+
+void SafetyPermissions::Tell(ManagerListener& listener, const Instant now) noexcept
+{
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        const NodeId node{id};
+        const GateState gate = gate_.State(node);
+        if (setup_.IsSafetySlave(node) && (gate != told_[id]))
+        {
+            told_[id] = gate;
+            listener.OnGate(node, gate, now);
+        }
     }
 }
 

@@ -2,9 +2,8 @@
 #ifndef CANOPEN_MANAGER_SAFETY_PERMISSIONS_HPP
 #define CANOPEN_MANAGER_SAFETY_PERMISSIONS_HPP
 
-#include "canopen/cia302/network/node_table.hpp"
-#include "canopen/cia302/network/start_up.hpp"
 #include "canopen/cia302/safety_gate/safety_gate.hpp"
+#include "canopen/manager/listener.hpp"
 
 namespace counterpoint::cia302
 {
@@ -14,7 +13,8 @@ namespace counterpoint::cia302
 class SafetyPermissions
 {
   public:
-    SafetyPermissions(const NetworkSetup& setup, SafetyGate& gate, NodeTable& table) noexcept;
+    /// `told` has kNodeRoom elements by node-ID: the gates as told last.
+    SafetyPermissions(const NetworkSetup& setup, GateState* told, SafetyGate& gate, NodeTable& table) noexcept;
 
     /// @brief The slave booted, or is lost: nothing of it is verified. Nothing for other slaves.
     void Close(NodeId node) noexcept;
@@ -28,11 +28,14 @@ class SafetyPermissions
     void OnLost(const StartUp* profile, Instant now) noexcept;
     /// @brief The start of a slave was given up.
     void OnStartDropped(NodeId node) noexcept;
+    /// @brief Gates that changed since the last call. Once a cycle. O(127)
+    void Tell(ManagerListener& listener, Instant now) noexcept;
 
   private:
     void ReadAnew(NodeId node) noexcept;
 
     const NetworkSetup& setup_;
+    GateState* told_;
     SafetyGate& gate_;
     NodeTable& table_;
 };

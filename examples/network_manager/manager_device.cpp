@@ -15,12 +15,12 @@ ManagerDevice::ManagerDevice(const ManagerSettings& settings, cia301::FrameSink&
     : lanes_{sink, kSdoTimes},
       manager_{cia302::ManagerParts{settings.setup, sink, listener, Room(), settings.heartbeat_ms}},
       start_up_{manager_.ProfileParts(), boots_},
-      flying_{cia302::FlyingMasterParts{settings.setup, settings.times, settings.options, sink, manager_}}
+      flying_{cia302::FlyingMasterParts{settings.setup, settings.times, settings.options, sink, manager_.Role()}}
 {
     manager_.Use(start_up_);
     if (settings.setup.Has(cia302::kFlyingMaster))
     {
-        manager_.Use(flying_);
+        manager_.Role().Use(flying_);
     }
 }
 

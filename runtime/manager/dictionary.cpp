@@ -212,7 +212,7 @@ void ManagerDictionary::AddNetwork()
 void ManagerDictionary::AddFlying()
 {
     constexpr std::uint8_t kLastSub = 6U;
-    if (host_.Core().Flying() != nullptr)
+    if (host_.Core().Role().Flying() != nullptr)
     {
         AddValue(cia302::kFlyingMasterIndex, 0U, DataType::kUnsigned8, kLastSub);
         for (std::uint8_t sub = 1U; sub <= kLastSub; ++sub)

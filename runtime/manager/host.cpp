@@ -110,9 +110,9 @@ void ManagerHost::MakeFlying(cia301::FrameSink& sink)
     flying_options_ = plan.flying->options;
     flying_options_.own_producer_ms = plan.heartbeat_ms.value_or(flying_options_.own_producer_ms);
     flying_ = std::make_unique<cia302::FlyingMaster>(
-        cia302::FlyingMasterParts{net_.Setup(), flying_times_, flying_options_, sink, manager_});
+        cia302::FlyingMasterParts{net_.Setup(), flying_times_, flying_options_, sink, manager_.Role()});
     is_held_ = plan.flying->is_by_order;
-    manager_.Use(*flying_, is_held_ ? cia302::NegotiationBy::kApplication : cia302::NegotiationBy::kManager);
+    manager_.Role().Use(*flying_, is_held_ ? cia302::NegotiationBy::kApplication : cia302::NegotiationBy::kManager);
 }
 
 void ManagerHost::OnCycle(const Instant now)
@@ -120,13 +120,13 @@ void ManagerHost::OnCycle(const Instant now)
     const bool is_by_order = net_.Plan().manager.flying.value_or(network::FlyingPlan{}).is_by_order;
     if (is_by_order && !is_held_ && flying_->State() == cia302::FlyingState::kInitialising)
     {
-        static_cast<void>(manager_.StartNegotiation(now));
+        static_cast<void>(manager_.Role().StartNegotiation(now));
     }
 }
 
 void ManagerHost::SetHeartbeat(const std::uint16_t period_ms) noexcept
 {
-    manager_.SetHeartbeat(period_ms);
+    manager_.Heartbeat().SetPeriod(period_ms);
     flying_options_.own_producer_ms = period_ms;
 }
 

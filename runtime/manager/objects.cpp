@@ -68,7 +68,7 @@ cia301::Reading ManagerObjects::OnRead(const ObjectAddress& address, const cia30
     }
     if (address.index == kProducer)
     {
-        return Number(host_.Core().HeartbeatMs(), 2U, room);
+        return Number(host_.Core().Heartbeat().PeriodMs(), 2U, room);
     }
     if (address.index == kConsumers)
     {
@@ -113,7 +113,7 @@ SdoAbort ManagerObjects::OnWrite(const ObjectAddress& address, const cia301::Byt
 SdoAbort ManagerObjects::MayWrite(const ObjectAddress& address, const std::uint32_t value) const noexcept
 {
     const auto unless = [](const bool is_wrong, const SdoAbort abort) { return is_wrong ? abort : SdoAbort::kNone; };
-    const cia302::FlyingMaster* const flying = host_.Core().Flying();
+    const cia302::FlyingMaster* const flying = host_.Core().Role().Flying();
     switch (address.index)
     {
     case kConsumers: // See there.

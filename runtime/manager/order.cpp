@@ -151,7 +151,7 @@ std::string NotStarted(const ManagerHost& host)
 std::string AnswerTo(const ManagerOrder& order, ManagerHost& host, const Instant now)
 {
     using cia302::NmtAnswer;
-    const NmtAnswer answer = host.Core().Command(order.command, cia302::NodeId{order.node}, now);
+    const NmtAnswer answer = host.Core().Role().Command(order.command, cia302::NodeId{order.node}, now);
     const network::StartProfile profile = host.Net().Plan().manager.profile;
     const bool is_partly = answer == NmtAnswer::kPartly;
     const bool is_refused = answer == NmtAnswer::kWrong && order.command == cia302::NmtCommand::kStart;
@@ -290,7 +290,7 @@ std::string CarryOut(const ManagerOrder& order, ManagerHost& host, const Instant
     }
     else if (order.kind == ManagerOrderKind::kBoot)
     {
-        answer = host.Core().Boot(node, now) ? answer : not_ours;
+        answer = host.Core().Role().Boot(node, now) ? answer : not_ours;
     }
     else if (order.kind == ManagerOrderKind::kNegotiate)
     {

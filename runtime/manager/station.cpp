@@ -149,7 +149,7 @@ void ManagerStation::FollowWriting(const ManagerEvent& event)
     else if (writing == Writing::kRuns && state == "open")
     {
         writing = Writing::kTried;
-        static_cast<void>(host_.Core().Resume(cia302::NodeId{event.node}, InstantAt(now_us_)));
+        static_cast<void>(host_.Core().Role().Resume(cia302::NodeId{event.node}, InstantAt(now_us_)));
     }
     else
     {

@@ -179,12 +179,18 @@ void NodeWatch::CountAnew(const NodeId node) noexcept
     nodes_[node.value].signs = 0U;
 }
 
-void NodeWatch::Forget(const NodeId node) noexcept
+void NodeWatch::OnReset(const NodeId node) noexcept
 {
-    WatchedNode& watched = nodes_[node.value];
-    watched.asked = watched.is_duplicate ? AskedNode{} : watched.asked; // Else the count goes on.
-    watched.signs = 0U;
-    watched.is_duplicate = false;
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        if ((node.value == kAllNodes.value) || (node.value == id))
+        {
+            WatchedNode& watched = nodes_[id];
+            watched.asked = watched.is_duplicate ? AskedNode{} : watched.asked; // Else the count goes on.
+            watched.signs = 0U;
+            watched.is_duplicate = false;
+        }
+    }
 }
 
 const WatchedNode& NodeWatch::Of(const NodeId node) const noexcept

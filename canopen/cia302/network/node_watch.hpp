@@ -31,7 +31,7 @@ struct WatchedNode
     AskedNode asked;
     Instant window;     ///< Begin of the window in which signs of life are counted.
     std::uint8_t signs; ///< In it.
-    bool is_duplicate;  ///< Suspected since the last Forget.
+    bool is_duplicate;  ///< Suspected since the last OnReset.
 };
 
 /// Is told what concerns the whole network, beside start-up and supervision.
@@ -42,7 +42,7 @@ class NodeWatchListener
     /// left out before it.
     virtual void OnEmergency(NodeId node, const EmergencyRecord& emergency, Instant now) noexcept = 0;
     /// @brief More signs of life or answers than one device sends, or one of the manager's own node-ID. Once until
-    /// Forget.
+    /// OnReset.
     virtual void OnDuplicate(NodeId node, Instant now) noexcept = 0;
 
   protected:
@@ -75,8 +75,8 @@ class NodeWatch
     void OnSent(const CanFrame& frame) noexcept;
     /// @brief The producer time of the node is not known: its heartbeats are counted from the next one on. O(1)
     void CountAnew(NodeId node) noexcept;
-    /// @brief The node was reset: what was suspected may be over.
-    void Forget(NodeId node) noexcept;
+    /// @brief One node, or all with node 0, was reset: what was suspected may be over. O(127)
+    void OnReset(NodeId node) noexcept;
     /// @brief `node` is 1 to 127, checked by the caller.
     [[nodiscard]] const WatchedNode& Of(NodeId node) const noexcept;
 

@@ -104,9 +104,9 @@ std::string ManagerLine(const ManagerHost& host)
     const cia302::Manager& manager = host.Core();
     const network::StartProfile profile = host.Net().Plan().manager.profile;
     std::string role = manager.IsActive() ? "active master" : "not the active master";
-    if (manager.Flying() != nullptr && manager.Flying()->Master().node.value != 0U && !manager.IsActive())
+    if (manager.Role().Flying() != nullptr && manager.Role().Flying()->Master().node.value != 0U && !manager.IsActive())
     {
-        role += " (that is node " + std::to_string(manager.Flying()->Master().node.value) + ")";
+        role += " (that is node " + std::to_string(manager.Role().Flying()->Master().node.value) + ")";
     }
     return "manager, node " + std::to_string(host.Net().Setup().own.value) + ": " + WordOf(manager.OwnState()) + ", " +
            role + ", profile " + WordOf(profile) + ", " + MasterText(profile, manager.MasterState());

@@ -75,7 +75,7 @@ class ManagerFlying : public ::testing::Test, public cia301::FrameSink, public M
     {
         times.priority = 1U;
         manager.Use(profile);
-        manager.Use(flying, by);
+        manager.Role().Use(flying, by);
     }
     void RunTo(const std::uint32_t ms)
     {
@@ -181,7 +181,7 @@ class ManagerFlying : public ::testing::Test, public cia301::FrameSink, public M
                                              lanes.All(),
                                              SdoTimes{500'000U, 3U}},
                                  1000U}};
-    FlyingMaster flying{FlyingMasterParts{setup, times, options, *this, manager}};
+    FlyingMaster flying{FlyingMasterParts{setup, times, options, *this, manager.Role()}};
 };
 
 TEST_F(ManagerFlying, NegotiationOnTheApplicationsCallWithWhatItWrote)
@@ -196,15 +196,15 @@ TEST_F(ManagerFlying, NegotiationOnTheApplicationsCallWithWhatItWrote)
     // When it wrote a slot relation that cannot work, and one that can
     FlyingMasterObject object(times);
     EXPECT_EQ(object.Write(4U, 1270U), cia301::SdoAbort::kNone);
-    EXPECT_EQ(manager.StartNegotiation(Now()), FlyingStart::kSlots);
+    EXPECT_EQ(manager.Role().StartNegotiation(Now()), FlyingStart::kSlots);
     EXPECT_EQ(object.Write(4U, 2000U), cia301::SdoAbort::kNone);
     EXPECT_EQ(object.Write(2U, 300U), cia301::SdoAbort::kNone);
-    EXPECT_EQ(manager.StartNegotiation(Now()), FlyingStart::kStarted);
-    EXPECT_EQ(manager.StartNegotiation(Now()), FlyingStart::kNotInitialising);
+    EXPECT_EQ(manager.Role().StartNegotiation(Now()), FlyingStart::kStarted);
+    EXPECT_EQ(manager.Role().StartNegotiation(Now()), FlyingStart::kNotInitialising);
     RunTo(20'000U);
     // Then the power-on reset ends in INITIALISATION again, and nothing happens before the next call
     EXPECT_EQ(Log(), (Lines{"10300 073", "10400 000 82 00", "event 3 0/0", "10400 initialising"}));
-    EXPECT_EQ(manager.StartNegotiation(Now()), FlyingStart::kStarted);
+    EXPECT_EQ(manager.Role().StartNegotiation(Now()), FlyingStart::kStarted);
     RunTo(22'450U);
     // 20000 + 300 + 100 + 1 x 2000 + 5 x 10
     EXPECT_EQ(Log(), (Lines{"20300 073", "20400 072", "22450 071 01 05", "event 4 1/5", "leads", "22450 705 00"}));
@@ -227,7 +227,7 @@ TEST_F(ManagerFlying, WithoutAFlyingMasterThereIsNoNegotiation)
 {
     Verifies(req::SRS_FLY_027);
     manager.Use(profile);
-    EXPECT_EQ(manager.StartNegotiation(Now()), FlyingStart::kInvalid);
+    EXPECT_EQ(manager.Role().StartNegotiation(Now()), FlyingStart::kInvalid);
 }
 
 // t [ms]  501  540 (slave of 0/9)  2040 lost     2540  2640  4190 = 2640 + 1500 + 50
@@ -274,7 +274,7 @@ TEST_F(ManagerFlying, ARaceOrRestartAtAForceEndsTheLeadAtOnce)
         Hear(0x76U);
         // Then it commands nobody any more
         EXPECT_FALSE(manager.IsActive());
-        EXPECT_EQ(manager.Command(NmtCommand::kStart, NodeId{9U}, Now()), NmtAnswer::kNotActive);
+        EXPECT_EQ(manager.Role().Command(NmtCommand::kStart, NodeId{9U}, Now()), NmtAnswer::kNotActive);
         refuses = 0U;
         RunTo(now_ms + 3000U);
         EXPECT_TRUE(manager.IsActive());
@@ -294,10 +294,10 @@ TEST_F(ManagerFlying, OffTheBusNoRoleIsKeptAndNoneNegotiatedBeforeItIsBack)
     manager.OnBus(false, Now());
     // Then it commands nobody at once, and nothing is tried before the bus is back
     EXPECT_FALSE(manager.IsActive());
-    EXPECT_EQ(manager.Command(NmtCommand::kStart, NodeId{9U}, Now()), NmtAnswer::kNotActive);
+    EXPECT_EQ(manager.Role().Command(NmtCommand::kStart, NodeId{9U}, Now()), NmtAnswer::kNotActive);
     RunTo(8000U);
     EXPECT_EQ(Log(), (Lines{"leads no more", "3000 initialising"}));
-    EXPECT_EQ(manager.StartNegotiation(Now()), FlyingStart::kNoBus);
+    EXPECT_EQ(manager.Role().StartNegotiation(Now()), FlyingStart::kNoBus);
     manager.OnBus(true, Now());
     RunTo(10'151U);
     // Then it asks, and resets nobody: 8001 + 500, + 100, + 1 x 1500 + 5 x 10

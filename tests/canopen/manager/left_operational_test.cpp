@@ -306,7 +306,7 @@ TEST_P(LeftInCia302Test, ReplacedWhileTheBusWasAwayFromItsStartByOrderIsAskedWho
     EXPECT_EQ(starts, (std::vector<std::string>{}));
     // When it is the expected one, the order still counts
     devices[0]->PutIdentity();
-    EXPECT_TRUE(manager->Boot(NodeId{5U}, Now()));
+    EXPECT_TRUE(manager->Role().Boot(NodeId{5U}, Now()));
     Run(1000U);
     EXPECT_EQ(Order(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
     Run(2U);

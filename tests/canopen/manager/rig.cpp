@@ -133,7 +133,7 @@ void ManagerRig::Begin(const Profile profile)
 NmtAnswer ManagerRig::Order(const NmtCommand command, const std::uint8_t node)
 {
     NmtAnswer answer = NmtAnswer::kInvalid;
-    AsManager([&] { answer = manager->Command(command, NodeId{node}, Now()); });
+    AsManager([&] { answer = manager->Role().Command(command, NodeId{node}, Now()); });
     Deliver();
     return answer;
 }

@@ -131,7 +131,7 @@ TEST_P(SafetyPathsTest, CommandedWhileItsStartWaitsIsReadAgainAndStarted)
     for (int i = 0; (i < 9000) && (waits == 0); ++i)
     {
         Run(1U);
-        const bool is_start_waiting = (Gate() == GateState::kOpen) && (manager->Nmt().Waiting() > 0U);
+        const bool is_start_waiting = (Gate() == GateState::kOpen) && (manager->ProfileParts().nmt.Waiting() > 0U);
         waits += is_start_waiting ? 1 : 0;
     }
     EXPECT_EQ(waits, 1);
@@ -147,7 +147,7 @@ TEST_P(SafetyPathsTest, CommandedAndChangedWhileItsStartWaitsIsNotLeftRunning)
     devices[0]->heartbeat_ms = 100U;
     setup.inhibit_100us = 10000U;
     Begin(GetParam());
-    for (int i = 0; (i < 9000) && !((Gate() == GateState::kOpen) && (manager->Nmt().Waiting() > 0U)); ++i)
+    for (int i = 0; (i < 9000) && !((Gate() == GateState::kOpen) && (manager->ProfileParts().nmt.Waiting() > 0U)); ++i)
     {
         Run(1U);
     }
@@ -357,7 +357,7 @@ TEST_P(StoppedByErrorTest, WrittenBehindItIsNotStartedUpUnasked)
     BeginAndLose();
     Run(300U);
     EXPECT_EQ(manager->MasterState(), 6);
-    EXPECT_FALSE(manager->Resume(NodeId{5U}, Now()));
+    EXPECT_FALSE(manager->Role().Resume(NodeId{5U}, Now()));
     Run(1000U);
     EXPECT_EQ(Running(5U), 0);
 }

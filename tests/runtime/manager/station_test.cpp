@@ -303,7 +303,7 @@ TEST_F(ManagerStationTest, TheNegotiationWaitsForItsOrder)
     EXPECT_NE(Order("negotiate"), "taken");
     Run(8000U);
     EXPECT_TRUE(station->Host().Core().IsActive());
-    EXPECT_EQ(station->Host().Core().Flying()->Master().level, 1U);
+    EXPECT_EQ(station->Host().Core().Role().Flying()->Master().level, 1U);
     EXPECT_EQ(Write(0x1F90U, 3U, 0U, 2U), 0x08000022U); // Not any more.
     EXPECT_EQ(Read(0x1F90U, 3U), 1U);
 }

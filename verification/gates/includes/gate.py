@@ -36,7 +36,7 @@ MAY_SEE = {
     "canopen/cia305": SERVICES,
     "canopen/device": [*SERVICES, "canopen/cia305"],
     "canopen/generated": SERVICES,
-    "canopen/cia306": [*CONTRACT, "safety_core/kernel", "hal/api"],
+    "canopen/cia306": [],
     "canopen/generate": ["canopen/cia306"],
     "canopen/monitor": ["canopen/cia306"],
     "canopen/network": ["canopen/cia301", "canopen/cia302", "canopen/cia306", "canopen/manager", "canopen/start_up"],

@@ -1,0 +1,51 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_MANAGER_LISTENER_HPP
+#define CANOPEN_MANAGER_LISTENER_HPP
+
+#include "canopen/cia302/flying_master/flying_master.hpp"
+#include "canopen/cia302/network/node_watch.hpp"
+#include "canopen/cia302/network/start_up.hpp"
+
+namespace counterpoint::cia302
+{
+
+/// Is told everything that happens in the network, in order. It may read the manager, and command it later.
+class ManagerListener : public StartUpListener
+{
+  public:
+    /// @brief Boot-up message, supervision or state of any node.
+    virtual void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept = 0;
+    /// @brief A command left, or one for this device itself, for which no frame leaves.
+    virtual void OnNmtSent(const NmtRequest& request, Instant now) noexcept = 0;
+    /// @brief The gate of a safety slave changed, seen once a cycle.
+    virtual void OnGate(NodeId node, GateState state, Instant now) noexcept = 0;
+    /// @brief See NodeWatchListener.
+    virtual void OnEmergency(NodeId node, const EmergencyRecord& emergency, Instant now) noexcept = 0;
+    /// @brief Two devices seem to have this node-ID. Once until its reset.
+    virtual void OnDuplicate(NodeId node, Instant now) noexcept = 0;
+    /// @brief See FlyingMasterListener.
+    virtual void OnFlyingMaster(FlyingEvent event, const MasterClaim& claim, Instant now) noexcept = 0;
+    /// @brief The negotiation is to begin, at Begin and after each reset communication: local objects (1F90h) may be
+    /// written now. Who calls StartNegotiation: see ManagerRole::Use. [SRS_FLY_027]
+    virtual void OnInitialising(Instant now) noexcept;
+    /// @brief 1F90h or the own node-ID cannot be negotiated with. Told once; the manager begins when they can be.
+    virtual void OnNegotiationRefused(FlyingStart reason, Instant now) noexcept;
+
+  protected:
+    ManagerListener() noexcept = default;
+    ~ManagerListener() noexcept = default;
+    ManagerListener(const ManagerListener&) = default;
+    ManagerListener& operator=(const ManagerListener&) = default;
+};
+
+inline void ManagerListener::OnInitialising(const Instant /*now*/) noexcept
+{
+}
+
+inline void ManagerListener::OnNegotiationRefused(const FlyingStart /*reason*/, const Instant /*now*/) noexcept
+{
+}
+
+} // namespace counterpoint::cia302
+
+#endif

@@ -1,0 +1,216 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/manager/role.hpp"
+
+namespace counterpoint::cia302
+{
+
+ManagerRole::ManagerRole(const RoleParts& parts) noexcept
+    : parts_(parts), profile_(nullptr), flying_(nullptr), negotiation_(NegotiationBy::kManager), is_running_(false),
+      is_leading_(false), is_to_start_(false), is_refused_(false), is_off_bus_(false), is_to_reset_(false)
+{
+}
+
+void ManagerRole::Use(StartUp& profile) noexcept
+{
+    profile_ = &profile;
+}
+
+void ManagerRole::Use(FlyingMaster& flying, const NegotiationBy by) noexcept
+{
+    flying_ = &flying;
+    negotiation_ = by;
+}
+
+void ManagerRole::Begin(const Instant now) noexcept
+{
+    is_running_ = (profile_ != nullptr);
+    if (is_running_)
+    {
+        parts_.own.Restart();
+        is_to_start_ = (flying_ != nullptr) && (negotiation_ == NegotiationBy::kManager);
+        parts_.own.Send(IsInitialising(), now);
+        if (flying_ == nullptr)
+        {
+            Lead(true, now);
+        }
+        else
+        {
+            parts_.listener.OnInitialising(now);
+        }
+    }
+}
+
+void ManagerRole::End() noexcept
+{
+    if (is_running_)
+    {
+        profile_->End();
+        parts_.nmt.SetActive(false);
+    }
+    is_leading_ = false;
+    is_running_ = false;
+}
+
+void ManagerRole::Lead(const bool is_leader, const Instant now) noexcept
+{
+    if (is_leader && !is_leading_)
+    {
+        is_leading_ = true;
+        parts_.nmt.SetActive(true);
+        profile_->Begin(now);
+    }
+    else if (!is_leader && is_leading_)
+    {
+        is_leading_ = false;
+        profile_->End();
+        parts_.nmt.SetActive(false);
+        UnwatchAll();
+    }
+    else
+    {
+        // As before.
+    }
+}
+
+/// Nobody but the active master guards, and what was watched in another role counts no more.
+void ManagerRole::UnwatchAll() noexcept
+{
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        parts_.table.Unwatch(NodeId{id});
+    }
+}
+
+void ManagerRole::OnFrame(const CanFrame& frame, const Instant now) noexcept
+{
+    if (flying_ != nullptr)
+    {
+        flying_->OnFrame(frame, now);
+        FollowFlying(now);
+    }
+}
+
+void ManagerRole::OnCycle(const Instant now) noexcept
+{
+    if (is_to_reset_ && (flying_ != nullptr))
+    {
+        flying_->Reset(now);
+    }
+    is_to_reset_ = false;
+    if (is_to_start_ && !is_off_bus_)
+    {
+        TryNegotiation(now);
+    }
+    if (flying_ != nullptr)
+    {
+        flying_->OnCycle(now);
+        FollowFlying(now);
+    }
+}
+
+void ManagerRole::OnBus(const bool is_there, const Instant now) noexcept
+{
+    const bool has_gone = !is_there && !is_off_bus_;
+    is_off_bus_ = !is_there;
+    if (has_gone && is_running_ && (flying_ != nullptr))
+    {
+        flying_->Reset(now);
+    }
+}
+
+void ManagerRole::OnHeartbeatLost(const NodeId node, const Instant now) noexcept
+{
+    if (flying_ != nullptr)
+    {
+        flying_->OnHeartbeatLost(node, now);
+    }
+}
+
+void ManagerRole::OnOwnReset() noexcept
+{
+    is_to_reset_ = true; // Not at once: the queue of commands is being worked through.
+}
+
+NmtAnswer ManagerRole::Command(const NmtCommand command, const NodeId node, const Instant now) noexcept
+{
+    return is_leading_ ? profile_->Command(command, node, now) : NmtAnswer::kNotActive;
+}
+
+bool ManagerRole::Boot(const NodeId node, const Instant now) noexcept
+{
+    return is_leading_ && profile_->Boot(node, now);
+}
+
+bool ManagerRole::Resume(const NodeId node, const Instant now) noexcept
+{
+    return is_leading_ && profile_->Resume(node, now);
+}
+
+FlyingStart ManagerRole::StartNegotiation(const Instant now) noexcept
+{
+    const FlyingStart refusal = (flying_ != nullptr) ? FlyingStart::kNoBus : FlyingStart::kInvalid;
+    return ((flying_ != nullptr) && !is_off_bus_) ? flying_->Start(now) : refusal;
+}
+
+/// Values that cannot work may be corrected while the device is initialising.
+void ManagerRole::TryNegotiation(const Instant now) noexcept
+{
+    const FlyingStart answer = flying_->Start(now);
+    is_to_start_ = (answer != FlyingStart::kStarted);
+    if (is_to_start_ && !is_refused_ && (answer != FlyingStart::kNotInitialising))
+    {
+        is_refused_ = true;
+        parts_.listener.OnNegotiationRefused(answer, now);
+    }
+    is_refused_ = is_refused_ && is_to_start_;
+}
+
+/// A negotiation may begin without an event: whoever negotiates commands nobody.
+void ManagerRole::FollowFlying(const Instant now) noexcept
+{
+    if (is_leading_ && !flying_->IsActiveMaster())
+    {
+        Lead(false, now);
+    }
+}
+
+bool ManagerRole::IsInitialising() const noexcept
+{
+    return (flying_ != nullptr) && flying_->IsInitialising();
+}
+
+void ManagerRole::OnFlyingMaster(const FlyingEvent event, const MasterClaim& claim, const Instant now) noexcept
+{
+    parts_.listener.OnFlyingMaster(event, claim, now);
+    const bool is_settled = (event == FlyingEvent::kMasterMode) || (event == FlyingEvent::kSlaveMode);
+    if (is_settled)
+    {
+        Lead(event == FlyingEvent::kMasterMode, now);
+        if (event == FlyingEvent::kSlaveMode)
+        {
+            // The application of the flying master: presets that leave supervision to it have no other. Without a
+            // consumer time for that node nobody watches, and this device stays slave.
+            const HeartbeatSetup& heartbeat = parts_.setup.Slave(claim.node).heartbeat;
+            parts_.table.WatchHeartbeat(claim.node, heartbeat.consumer_ms, heartbeat.arming, now);
+        }
+    }
+    else if (!flying_->IsActiveMaster())
+    {
+        Lead(false, now);
+    }
+    else
+    {
+        // Told something, and still the master.
+    }
+}
+
+void ManagerRole::OnInitialising(const Instant now) noexcept
+{
+    Lead(false, now);
+    UnwatchAll();
+    parts_.own.Restart();
+    is_to_start_ = (negotiation_ == NegotiationBy::kManager);
+    parts_.listener.OnInitialising(now);
+}
+
+} // namespace counterpoint::cia302

@@ -1,0 +1,116 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_MANAGER_ROLE_HPP
+#define CANOPEN_MANAGER_ROLE_HPP
+
+#include "canopen/manager/listener.hpp"
+#include "canopen/manager/own_device.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::cia302
+{
+
+/// Who lets the negotiation begin whenever the device is initialising.
+enum class NegotiationBy : std::uint8_t
+{
+    kManager = 0U,     ///< In the next cycle.
+    kApplication = 1U, ///< By StartNegotiation; the device stays in INITIALISATION until then.
+};
+
+/// All kept by reference.
+struct RoleParts
+{
+    const NetworkSetup& setup;
+    NodeTable& table;
+    NmtMaster& nmt;
+    OwnDevice& own;
+    ManagerListener& listener;
+};
+
+/// Whether this device commands the network: without a flying master from Begin on, with one while the negotiation made
+/// it the active master. The profile is begun and ended by it. [SRS_MGR_002]
+class ManagerRole final : public FlyingMasterListener
+{
+  public:
+    explicit ManagerRole(const RoleParts& parts) noexcept;
+
+    /// @brief The profile, kept by reference. Before Begin, which does nothing without one.
+    void Use(StartUp& profile) noexcept;
+    /// @brief The flying master, kept by reference, which has this as its listener; and who lets it begin. Before
+    /// Begin. [SRS_FLY_027]
+    void Use(FlyingMaster& flying, NegotiationBy by = NegotiationBy::kManager) noexcept;
+
+    /// @brief This device restarts; then it leads, or negotiates first.
+    void Begin(Instant now) noexcept;
+    void End() noexcept;
+    /// @brief A frame from the bus, before any other part has it.
+    void OnFrame(const CanFrame& frame, Instant now) noexcept;
+    void OnCycle(Instant now) noexcept;
+    /// @brief The controller went bus-off or is gone, or is back. [SRS_FLY_019]
+    void OnBus(bool is_there, Instant now) noexcept;
+    /// @brief A node, perhaps the active master, is silent.
+    void OnHeartbeatLost(NodeId node, Instant now) noexcept;
+    /// @brief The active master was commanded to reset itself, and not all: it is as any other device after it, from
+    /// the next cycle on. [SRS_FLY_019]
+    void OnOwnReset() noexcept;
+    /// @brief The application lets the negotiation begin. kInvalid: there is no flying master. [SRS_FLY_027]
+    [[nodiscard]] FlyingStart StartNegotiation(Instant now) noexcept;
+
+    /// @brief A command of the application, by the profile: see StartUp::Command.
+    [[nodiscard]] NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept;
+    /// @brief Start-up of one slave anew: see StartUp::Boot. False also while it does not command the network.
+    [[nodiscard]] bool Boot(NodeId node, Instant now) noexcept;
+    /// @brief Start-up of one slave without a reset: see StartUp::Resume. False as Boot.
+    [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept;
+
+    /// @brief Between Begin, with a profile, and End.
+    [[nodiscard]] bool IsRunning() const noexcept
+    {
+        return is_running_;
+    }
+    [[nodiscard]] bool IsOnBus() const noexcept
+    {
+        return !is_off_bus_;
+    }
+    /// @brief A flying master is there and has not begun to negotiate.
+    [[nodiscard]] bool IsInitialising() const noexcept;
+    /// @brief Null: none yet.
+    [[nodiscard]] StartUp* Profile() const noexcept
+    {
+        return profile_;
+    }
+    /// @brief The profile while this device commands the network, else null.
+    [[nodiscard]] StartUp* Leading() const noexcept
+    {
+        return is_leading_ ? profile_ : nullptr;
+    }
+    /// @brief Null: there is none.
+    [[nodiscard]] const FlyingMaster* Flying() const noexcept
+    {
+        return flying_;
+    }
+
+    void OnFlyingMaster(FlyingEvent event, const MasterClaim& claim, Instant now) noexcept override;
+    void OnInitialising(Instant now) noexcept override;
+
+  private:
+    void Lead(bool is_leader, Instant now) noexcept;
+    void FollowFlying(Instant now) noexcept;
+    void TryNegotiation(Instant now) noexcept;
+    void UnwatchAll() noexcept;
+
+    RoleParts parts_;
+    StartUp* profile_;
+    FlyingMaster* flying_; ///< Null: none.
+    NegotiationBy negotiation_;
+    bool is_running_;
+    bool is_leading_;  ///< The profile was begun.
+    bool is_to_start_; ///< The negotiation is to be started in the next cycle.
+    bool is_refused_;  ///< That was told.
+    bool is_off_bus_;  ///< No negotiation begins.
+    bool is_to_reset_; ///< This device was commanded to reset itself.
+};
+
+} // namespace counterpoint::cia302
+
+#endif
