@@ -4,8 +4,8 @@
 
 #include "canopen/cia302/flying_master/compare.hpp"
 #include "canopen/cia306/text/input_error.hpp"
+#include "runtime/manager/assembly.hpp"
 #include "runtime/manager/check_places.hpp"
-#include "runtime/manager/host.hpp"
 #include "runtime/manager/pdos.hpp"
 #include "runtime/manager/report/words.hpp"
 

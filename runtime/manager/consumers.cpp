@@ -28,17 +28,18 @@ bool IsOn(const std::uint32_t value)
 }
 } // namespace
 
-bool IsStartingUp(const ManagerHost& host, const NodeId node) noexcept
+bool IsStartingUp(const ManagerAssembly& assembly, const NodeId node) noexcept
 {
     using cia302::StartUpStep;
-    const cia302::NodeStatus status = host.Core().Status(node);
-    const bool is_cia302 = host.Net().Plan().manager.profile == network::StartProfile::kCia302;
+    const cia302::NodeStatus status = assembly.Core().Status(node);
+    const bool is_cia302 = assembly.Net().Plan().manager.profile == network::StartProfile::kCia302;
     const bool is_waiting = status.step == StartUpStep::kReset || status.step == StartUpStep::kWaitBootUp ||
                             (is_cia302 && status.step == StartUpStep::kDeviceType);
     return status.is_busy && !is_waiting;
 }
 
-ManagerConsumers::ManagerConsumers(ManagerHost& host, network::LoadedNetwork& net) : host_(host), net_(net)
+ManagerConsumers::ManagerConsumers(ManagerAssembly& assembly, network::LoadedNetwork& net)
+    : assembly_(assembly), net_(net)
 {
     std::size_t count = 0U;
     for (std::uint8_t node = 1U; node <= cia302::kLastNode; ++node)
@@ -104,19 +105,19 @@ SdoAbort ManagerConsumers::MayChange(const std::uint32_t value) const noexcept
     {
         return SdoAbort::kReadOnly;
     }
-    const bool is_busy = IsOn(value) && net_.Setup().IsListed(node) && IsStartingUp(host_, node);
+    const bool is_busy = IsOn(value) && net_.Setup().IsListed(node) && IsStartingUp(assembly_, node);
     return is_busy ? SdoAbort::kDeviceState : SdoAbort::kNone;
 }
 
 void ManagerConsumers::Watch(const NodeId node, const std::uint16_t consumer_ms, const Instant now) noexcept
 {
     cia302::HeartbeatSetup& setup = net_.SlaveRoom()[node.value].heartbeat;
-    cia302::NodeTable& table = host_.Core().ProfileParts().table;
+    cia302::NodeTable& table = assembly_.Core().ProfileParts().table;
     const bool is_listed = net_.Setup().IsListed(node);
     setup.consumer_ms = consumer_ms;
     setup.arming = is_listed ? setup.arming : cia302::Arming::kFirstHeartbeat;
     const bool is_watched = table.Record(node).watch != cia302::Watch::kNone;
-    if (is_watched || !is_listed || host_.Core().Status(node).is_started)
+    if (is_watched || !is_listed || assembly_.Core().Status(node).is_started)
     {
         table.WatchAsSetUp(node, now);
     }

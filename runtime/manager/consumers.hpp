@@ -2,7 +2,7 @@
 #ifndef RUNTIME_MANAGER_CONSUMERS_HPP
 #define RUNTIME_MANAGER_CONSUMERS_HPP
 
-#include "runtime/manager/host.hpp"
+#include "runtime/manager/assembly.hpp"
 
 #include <array>
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace counterpoint::runtime
 {
 /// @brief Whether a start-up runs that has looked at the slave. One that waits for its boot-up message, or with the
 /// profile cia302 for its first answer, has not. [SRS_MGR_021]
-[[nodiscard]] bool IsStartingUp(const ManagerHost& host, cia302::NodeId node) noexcept;
+[[nodiscard]] bool IsStartingUp(const ManagerAssembly& assembly, cia302::NodeId node) noexcept;
 
 /// 1016h of the manager: whom it supervises by heartbeat, and how long it waits for one. At first the nodes of the
 /// network file in the order of their node-IDs. [SRS_MGR_021]
@@ -19,7 +19,7 @@ class ManagerConsumers
 {
   public:
     /// @brief Both outlive it.
-    ManagerConsumers(ManagerHost& host, network::LoadedNetwork& net);
+    ManagerConsumers(ManagerAssembly& assembly, network::LoadedNetwork& net);
 
     /// @brief `sub` is 1 to 127, checked by the caller: node-ID in bits 16 to 23, time in ms; 0: nobody.
     [[nodiscard]] std::uint32_t Value(std::uint8_t sub) const noexcept;
@@ -32,7 +32,7 @@ class ManagerConsumers
     [[nodiscard]] cia301::SdoAbort MayChange(std::uint32_t value) const noexcept;
     void Watch(cia302::NodeId node, std::uint16_t consumer_ms, Instant now) noexcept;
 
-    ManagerHost& host_;
+    ManagerAssembly& assembly_;
     network::LoadedNetwork& net_;
     std::array<std::uint32_t, cia302::kNodeRoom> values_{};
 };

@@ -85,8 +85,8 @@ std::size_t LongestDomain(const network::LoadedNetwork& net)
 }
 } // namespace
 
-ManagerDictionary::ManagerDictionary(ManagerHost& host, network::LoadedNetwork& net, cia301::FrameSink& sink)
-    : host_(host), net_(net), objects_(host, net), buffer_(LongestDomain(net)),
+ManagerDictionary::ManagerDictionary(ManagerAssembly& assembly, network::LoadedNetwork& net, cia301::FrameSink& sink)
+    : assembly_(assembly), net_(net), objects_(assembly, net), buffer_(LongestDomain(net)),
       dictionary_(
           [this]
           {
@@ -212,7 +212,7 @@ void ManagerDictionary::AddNetwork()
 void ManagerDictionary::AddFlying()
 {
     constexpr std::uint8_t kLastSub = 6U;
-    if (host_.Core().Role().Flying() != nullptr)
+    if (assembly_.Core().Role().Flying() != nullptr)
     {
         AddValue(cia302::kFlyingMasterIndex, 0U, DataType::kUnsigned8, kLastSub);
         for (std::uint8_t sub = 1U; sub <= kLastSub; ++sub)
@@ -230,7 +230,7 @@ void ManagerDictionary::Sort()
 
 cia301::Moment ManagerDictionary::Begin(const Instant now)
 {
-    const cia301::NodeState state = host_.Core().OwnState();
+    const cia301::NodeState state = assembly_.Core().OwnState();
     objects_.SetNow(now);
     dictionary_.SetNmtState(StateOf(state));
     return {state, now};

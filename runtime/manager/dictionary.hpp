@@ -22,7 +22,7 @@ class ManagerDictionary
 {
   public:
     /// @brief All outlive it. Throws cia306::InputError for a value of the manager's DCF that its type cannot have.
-    ManagerDictionary(ManagerHost& host, network::LoadedNetwork& net, cia301::FrameSink& sink);
+    ManagerDictionary(ManagerAssembly& assembly, network::LoadedNetwork& net, cia301::FrameSink& sink);
     ManagerDictionary(const ManagerDictionary&) = delete;
     ManagerDictionary& operator=(const ManagerDictionary&) = delete;
 
@@ -47,7 +47,7 @@ class ManagerDictionary
     void AddFlying();
     void Sort();
 
-    ManagerHost& host_;
+    ManagerAssembly& assembly_;
     network::LoadedNetwork& net_;
     ManagerObjects objects_;
     std::vector<cia301::Entry> entries_;

@@ -47,10 +47,10 @@ cia301::Reading Number(const std::uint32_t value, const std::uint32_t size_bytes
 }
 } // namespace
 
-ManagerObjects::ManagerObjects(ManagerHost& host, network::LoadedNetwork& net)
-    : host_(host), net_(net),
-      objects_({net.Setup(), &net.SetupRoom(), net.SlaveRoom(), host.Core().ProfileParts().table, host.Profile()}),
-      domains_(net.Setup()), flying_(host.FlyingTimes()), consumers_(host, net)
+ManagerObjects::ManagerObjects(ManagerAssembly& assembly, network::LoadedNetwork& net)
+    : assembly_(assembly), net_(net), objects_({net.Setup(), &net.SetupRoom(), net.SlaveRoom(),
+                                                assembly.Core().ProfileParts().table, assembly.Profile()}),
+      domains_(net.Setup()), flying_(assembly.FlyingTimes()), consumers_(assembly, net)
 {
 }
 
@@ -68,7 +68,7 @@ cia301::Reading ManagerObjects::OnRead(const ObjectAddress& address, const cia30
     }
     if (address.index == kProducer)
     {
-        return Number(host_.Core().Heartbeat().PeriodMs(), 2U, room);
+        return Number(assembly_.Core().Heartbeat().PeriodMs(), 2U, room);
     }
     if (address.index == kConsumers)
     {
@@ -76,7 +76,7 @@ cia301::Reading ManagerObjects::OnRead(const ObjectAddress& address, const cia30
     }
     if (address.index == kNmt && address.sub == net_.Setup().own.value)
     {
-        return Number(cia301::StateByte(host_.Core().OwnState()), 1U, room); // Nobody hears itself.
+        return Number(cia301::StateByte(assembly_.Core().OwnState()), 1U, room); // Nobody hears itself.
     }
     if (address.index == kFormat && address.sub != 0U)
     {
@@ -113,7 +113,7 @@ SdoAbort ManagerObjects::OnWrite(const ObjectAddress& address, const cia301::Byt
 SdoAbort ManagerObjects::MayWrite(const ObjectAddress& address, const std::uint32_t value) const noexcept
 {
     const auto unless = [](const bool is_wrong, const SdoAbort abort) { return is_wrong ? abort : SdoAbort::kNone; };
-    const cia302::FlyingMaster* const flying = host_.Core().Role().Flying();
+    const cia302::FlyingMaster* const flying = assembly_.Core().Role().Flying();
     switch (address.index)
     {
     case kConsumers: // See there.
@@ -124,7 +124,7 @@ SdoAbort ManagerObjects::MayWrite(const ObjectAddress& address, const std::uint3
     case kConfigure:
     case kNmt:
     case kGuarding:
-        return unless(!host_.Core().IsActive(), SdoAbort::kDeviceState);
+        return unless(!assembly_.Core().IsActive(), SdoAbort::kDeviceState);
     case kStartUp:
     {
         const std::uint32_t changed = value ^ net_.Setup().start_up;
@@ -159,7 +159,7 @@ SdoAbort ManagerObjects::MayChange(const NodeId node) const noexcept
     {
         return SdoAbort::kReadOnly;
     }
-    return (!is_listed || IsStartingUp(host_, node)) ? SdoAbort::kDeviceState : SdoAbort::kNone;
+    return (!is_listed || IsStartingUp(assembly_, node)) ? SdoAbort::kDeviceState : SdoAbort::kNone;
 }
 
 /// Other guarding times count at once for a slave that is guarded, or was started and is watched by nobody.
@@ -167,12 +167,12 @@ SdoAbort ManagerObjects::StoreAssignment(const ObjectAddress& address, const cia
 {
     constexpr std::uint32_t kFirstGuardingBit = 8U;
     const NodeId node{address.sub};
-    cia302::NodeTable& table = host_.Core().ProfileParts().table;
+    cia302::NodeTable& table = assembly_.Core().ProfileParts().table;
     const std::uint32_t before = net_.Setup().Slave(node).assignment;
     const SdoAbort abort = objects_.OnWrite(address, value);
     const std::uint32_t changed = before ^ net_.Setup().Slave(node).assignment;
     const cia302::Watch watch = table.Record(node).watch;
-    const bool is_unwatched = watch == cia302::Watch::kNone && host_.Core().Status(node).is_started;
+    const bool is_unwatched = watch == cia302::Watch::kNone && assembly_.Core().Status(node).is_started;
     if ((changed >> kFirstGuardingBit) != 0U && (watch == cia302::Watch::kGuarding || is_unwatched))
     {
         table.WatchAsSetUp(node, now_);
@@ -186,7 +186,7 @@ SdoAbort ManagerObjects::Store(const ObjectAddress& address, const cia301::Bytes
     switch (address.index)
     {
     case kProducer:
-        host_.SetHeartbeat(static_cast<std::uint16_t>(cia301::FromLittleEndian(value.data, value.size_bytes)));
+        assembly_.SetHeartbeat(static_cast<std::uint16_t>(cia301::FromLittleEndian(value.data, value.size_bytes)));
         break;
     case kConsumers:
         abort = consumers_.Write(

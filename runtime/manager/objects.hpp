@@ -3,8 +3,8 @@
 #define RUNTIME_MANAGER_OBJECTS_HPP
 
 #include "canopen/cia302/network/objects.hpp"
+#include "runtime/manager/assembly.hpp"
 #include "runtime/manager/consumers.hpp"
-#include "runtime/manager/host.hpp"
 
 namespace counterpoint::runtime
 {
@@ -14,7 +14,7 @@ class ManagerObjects final : public cia301::ReadHook, public cia301::WriteHook
 {
   public:
     /// @brief Both outlive it.
-    ManagerObjects(ManagerHost& host, network::LoadedNetwork& net);
+    ManagerObjects(ManagerAssembly& assembly, network::LoadedNetwork& net);
 
     /// @brief Time for what writes lead to.
     void SetNow(Instant now) noexcept;
@@ -29,7 +29,7 @@ class ManagerObjects final : public cia301::ReadHook, public cia301::WriteHook
     [[nodiscard]] cia301::SdoAbort StoreAssignment(const ObjectAddress& address, const cia301::Bytes& value) noexcept;
     [[nodiscard]] cia301::SdoAbort Store(const ObjectAddress& address, const cia301::Bytes& value) noexcept;
 
-    ManagerHost& host_;
+    ManagerAssembly& assembly_;
     network::LoadedNetwork& net_;
     cia302::NetworkObjects objects_;
     cia302::NetworkDomains domains_;

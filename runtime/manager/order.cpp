@@ -134,32 +134,32 @@ ManagerOrder OutputOf(const std::vector<std::string>& words)
 }
 
 /// Who is left out of a start of all because it is another device.
-std::string NotStarted(const ManagerHost& host)
+std::string NotStarted(const ManagerAssembly& assembly)
 {
     std::string nodes;
-    for (const auto& slave : host.Net().Slaves())
+    for (const auto& slave : assembly.Net().Slaves())
     {
         const cia302::NodeId node{slave->plan.node};
         // Slaves without safety configuration are started all the same.
-        const bool is_other = host.Net().Setup().IsSafetySlave(node) && host.Core().Status(node).is_other;
+        const bool is_other = assembly.Net().Setup().IsSafetySlave(node) && assembly.Core().Status(node).is_other;
         nodes += is_other ? (nodes.empty() ? "" : ", ") + std::to_string(slave->plan.node) : "";
     }
     return "taken but for node " + nodes + ": not known to be the expected device, expected that one, and boot NODE";
 }
 
 /// What became of a command, and who did not take a start: the PLC Designer profile starts slaves that are configured.
-std::string AnswerTo(const ManagerOrder& order, ManagerHost& host, const Instant now)
+std::string AnswerTo(const ManagerOrder& order, ManagerAssembly& assembly, const Instant now)
 {
     using cia302::NmtAnswer;
-    const NmtAnswer answer = host.Core().Role().Command(order.command, cia302::NodeId{order.node}, now);
-    const network::StartProfile profile = host.Net().Plan().manager.profile;
+    const NmtAnswer answer = assembly.Core().Role().Command(order.command, cia302::NodeId{order.node}, now);
+    const network::StartProfile profile = assembly.Net().Plan().manager.profile;
     const bool is_partly = answer == NmtAnswer::kPartly;
     const bool is_refused = answer == NmtAnswer::kWrong && order.command == cia302::NmtCommand::kStart;
     std::string refused;
-    for (const auto& slave : host.Net().Slaves())
+    for (const auto& slave : assembly.Net().Slaves())
     {
         const std::uint8_t node = slave->plan.node;
-        const int code = host.Core().Status(cia302::NodeId{node}).code;
+        const int code = assembly.Core().Status(cia302::NodeId{node}).code;
         const bool is_meant = order.node == 0U || order.node == node;
         if (is_meant && code != cia302::kPlcConfigured && code != cia302::kPlcStarted)
         {
@@ -169,7 +169,7 @@ std::string AnswerTo(const ManagerOrder& order, ManagerHost& host, const Instant
     }
     const bool is_told = profile == network::StartProfile::kPlcDesigner && (is_partly || is_refused);
     const bool is_other_left_out = order.node == 0U && answer == NmtAnswer::kOtherDevice;
-    const std::string word = is_other_left_out ? NotStarted(host) : WordOf(answer);
+    const std::string word = is_other_left_out ? NotStarted(assembly) : WordOf(answer);
     return is_told ? std::string(is_partly ? "taken, but not by " : "not taken by ") + refused +
                          ", expected each in state 4, 5 or 99"
                    : word;
@@ -245,25 +245,25 @@ std::string ManagerOrderHelp()
 
 namespace
 {
-std::string WriteSafety(ManagerHost& host, const cia302::NodeId node, const Instant now)
+std::string WriteSafety(ManagerAssembly& assembly, const cia302::NodeId node, const Instant now)
 {
     constexpr auto kOperational = static_cast<std::uint8_t>(cia302::SlaveState::kOperational);
-    const bool is_safety = host.Net().Setup().IsSafetySlave(node);
+    const bool is_safety = assembly.Net().Setup().IsSafetySlave(node);
     const std::string name = "node " + std::to_string(node.value);
     std::string answer = "taken";
     if (!is_safety)
     {
         answer = name + " is no safety slave, expected one";
     }
-    else if (host.Core().Status(node).is_other)
+    else if (assembly.Core().Status(node).is_other)
     {
         answer = name + " is not known to be the expected device, expected that one, and boot NODE";
     }
-    else if (host.Core().Table().RequestValue(node) == kOperational)
+    else if (assembly.Core().Table().RequestValue(node) == kOperational)
     {
         answer = name + " is OPERATIONAL, expected it stopped or PRE-OPERATIONAL";
     }
-    else if (!host.Core().WriteSafety(node, now))
+    else if (!assembly.Core().WriteSafety(node, now))
     {
         answer = "the start-up of the slave runs, or the manager is not the active master, expected it later";
     }
@@ -271,34 +271,34 @@ std::string WriteSafety(ManagerHost& host, const cia302::NodeId node, const Inst
 }
 } // namespace
 
-std::string CarryOut(const ManagerOrder& order, ManagerHost& host, const Instant now)
+std::string CarryOut(const ManagerOrder& order, ManagerAssembly& assembly, const Instant now)
 {
     const cia302::NodeId node{order.node};
-    const bool is_listed = host.Net().Setup().IsListed(node);
+    const bool is_listed = assembly.Net().Setup().IsListed(node);
     const std::string not_ours = "node " + std::to_string(order.node) +
                                  " is not in the network file, or the manager "
                                  "is not the active master, expected a slave";
     std::string answer = "taken";
     if (order.kind == ManagerOrderKind::kCommand)
     {
-        const bool is_known = order.node == 0U || is_listed || order.node == host.Net().Setup().own.value;
-        answer = is_known ? AnswerTo(order, host, now) : not_ours;
+        const bool is_known = order.node == 0U || is_listed || order.node == assembly.Net().Setup().own.value;
+        answer = is_known ? AnswerTo(order, assembly, now) : not_ours;
     }
     else if (order.kind == ManagerOrderKind::kControl)
     {
-        answer = is_listed ? WordOf(host.Control(node, order.ads_state, order.device_state, now)) : not_ours;
+        answer = is_listed ? WordOf(assembly.Control(node, order.ads_state, order.device_state, now)) : not_ours;
     }
     else if (order.kind == ManagerOrderKind::kBoot)
     {
-        answer = host.Core().Role().Boot(node, now) ? answer : not_ours;
+        answer = assembly.Core().Role().Boot(node, now) ? answer : not_ours;
     }
     else if (order.kind == ManagerOrderKind::kNegotiate)
     {
-        answer = host.Negotiate();
+        answer = assembly.Negotiate();
     }
     else if (order.kind == ManagerOrderKind::kWriteSafety)
     {
-        answer = WriteSafety(host, node, now);
+        answer = WriteSafety(assembly, node, now);
     }
     return answer;
 }

@@ -2,7 +2,7 @@
 #ifndef RUNTIME_MANAGER_ORDER_HPP
 #define RUNTIME_MANAGER_ORDER_HPP
 
-#include "runtime/manager/host.hpp"
+#include "runtime/manager/assembly.hpp"
 
 #include <cstdint>
 #include <string>
@@ -48,7 +48,7 @@ struct ManagerOrder
 [[nodiscard]] std::string ManagerOrderHelp();
 /// @brief Carries out a command, a boot, a writing or a negotiation; what it came to, "taken" or the reason why not.
 /// [SRS_MGR_006]
-[[nodiscard]] std::string CarryOut(const ManagerOrder& order, ManagerHost& host, Instant now);
+[[nodiscard]] std::string CarryOut(const ManagerOrder& order, ManagerAssembly& assembly, Instant now);
 } // namespace counterpoint::runtime
 
 #endif // RUNTIME_MANAGER_ORDER_HPP

@@ -6,10 +6,10 @@
 namespace counterpoint::runtime
 {
 ManagerStation::ManagerStation(network::LoadedNetwork& net, SendFrame send, TellEvent tell)
-    : send_(std::move(send)), tell_(std::move(tell)), host_(net, *this, journal_), dictionary_(host_, net, *this),
-      pdos_(net)
+    : send_(std::move(send)), tell_(std::move(tell)), assembly_(net, *this, journal_),
+      dictionary_(assembly_, net, *this), pdos_(net)
 {
-    journal_.Watch(host_);
+    journal_.Watch(assembly_);
 }
 
 void ManagerStation::Enter(const std::uint64_t now_us)
@@ -41,7 +41,7 @@ bool ManagerStation::Send(const CanFrame& frame) noexcept
 void ManagerStation::Begin(const std::uint64_t now_us)
 {
     Enter(now_us);
-    host_.Core().Begin(InstantAt(now_us));
+    assembly_.Core().Begin(InstantAt(now_us));
     Leave();
 }
 
@@ -49,7 +49,7 @@ void ManagerStation::OnFrame(const CanFrame& frame, const std::uint64_t now_us)
 {
     Enter(now_us);
     diagram_.OnFrame(frame, false, now_us);
-    host_.Core().OnFrame(frame, InstantAt(now_us));
+    assembly_.Core().OnFrame(frame, InstantAt(now_us));
     dictionary_.OnFrame(frame, InstantAt(now_us));
     pdos_.OnFrame(frame, now_us);
     Leave();
@@ -59,8 +59,8 @@ void ManagerStation::OnCycle(const std::uint64_t now_us)
 {
     Enter(now_us);
     DriveWriting(); // Before this cycle tells something: all that was told is followed.
-    host_.OnCycle(InstantAt(now_us));
-    host_.Core().OnCycle(InstantAt(now_us));
+    assembly_.OnCycle(InstantAt(now_us));
+    assembly_.Core().OnCycle(InstantAt(now_us));
     dictionary_.OnCycle(InstantAt(now_us));
     TellInputs();
     Leave();
@@ -85,7 +85,7 @@ std::string ManagerStation::Carry(const ManagerOrder& order, const std::uint64_t
     }
     else
     {
-        answer = CarryOut(order, host_, now);
+        answer = CarryOut(order, assembly_, now);
     }
     Leave();
     return answer;
@@ -112,13 +112,13 @@ void ManagerStation::TellInputs()
 /// By error handling: 1F80h bit 6.
 bool ManagerStation::IsAllStopped() const
 {
-    const bool is_cia302 = host_.Net().Plan().manager.profile == network::StartProfile::kCia302;
-    return is_cia302 && host_.Core().MasterState() == static_cast<std::int16_t>(cia302::MasterStep::kStopped);
+    const bool is_cia302 = assembly_.Net().Plan().manager.profile == network::StartProfile::kCia302;
+    return is_cia302 && assembly_.Core().MasterState() == static_cast<std::int16_t>(cia302::MasterStep::kStopped);
 }
 
 void ManagerStation::FollowWriting(const ManagerEvent& event)
 {
-    const network::LoadedSlave* const slave = host_.Net().Find(event.node);
+    const network::LoadedSlave* const slave = assembly_.Net().Find(event.node);
     if (slave == nullptr || !slave->plan.writes_safety)
     {
         return;
@@ -142,14 +142,14 @@ void ManagerStation::FollowWriting(const ManagerEvent& event)
     {
         // Somebody commanded it meanwhile. Who stopped it does not want it to be started behind the writing; behind a
         // stop of all by error handling nothing is started.
-        const cia302::NodeRecord& record = host_.Core().Table().Record(cia302::NodeId{event.node});
+        const cia302::NodeRecord& record = assembly_.Core().Table().Record(cia302::NodeId{event.node});
         const bool is_stop = (record.asked == cia302::SlaveState::kStopped) && !IsAllStopped();
         writing = is_stop ? Writing::kTried : Writing::kWanted;
     }
     else if (writing == Writing::kRuns && state == "open")
     {
         writing = Writing::kTried;
-        static_cast<void>(host_.Core().Role().Resume(cia302::NodeId{event.node}, InstantAt(now_us_)));
+        static_cast<void>(assembly_.Core().Role().Resume(cia302::NodeId{event.node}, InstantAt(now_us_)));
     }
     else
     {
@@ -163,7 +163,7 @@ void ManagerStation::DriveWriting()
     for (std::uint8_t node = 1U; node <= cia302::kLastNode; ++node)
     {
         Writing& writing = writing_.at(node);
-        if (writing == Writing::kWanted && host_.Core().WriteSafety(cia302::NodeId{node}, InstantAt(now_us_)))
+        if (writing == Writing::kWanted && assembly_.Core().WriteSafety(cia302::NodeId{node}, InstantAt(now_us_)))
         {
             writing = Writing::kRuns;
             journal_.Tell(node, "write_safety", "writes the safety configuration", {});

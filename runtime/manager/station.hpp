@@ -2,8 +2,8 @@
 #ifndef RUNTIME_MANAGER_STATION_HPP
 #define RUNTIME_MANAGER_STATION_HPP
 
+#include "runtime/manager/assembly.hpp"
 #include "runtime/manager/dictionary.hpp"
-#include "runtime/manager/host.hpp"
 #include "runtime/manager/order.hpp"
 #include "runtime/manager/pdos.hpp"
 #include "runtime/manager/report/diagram.hpp"
@@ -38,13 +38,13 @@ class ManagerStation final : private cia301::FrameSink
     void Tell(const std::string& kind, const std::string& text, const nlohmann::ordered_json& details,
               std::uint64_t now_us);
 
-    [[nodiscard]] ManagerHost& Host() noexcept
+    [[nodiscard]] ManagerAssembly& Host() noexcept
     {
-        return host_;
+        return assembly_;
     }
-    [[nodiscard]] const ManagerHost& Host() const noexcept
+    [[nodiscard]] const ManagerAssembly& Host() const noexcept
     {
-        return host_;
+        return assembly_;
     }
     [[nodiscard]] const ManagerPdos& Pdos() const noexcept
     {
@@ -78,7 +78,7 @@ class ManagerStation final : private cia301::FrameSink
     std::uint64_t now_us_{0U};
     ManagerJournal journal_;
     ManagerDiagram diagram_;
-    ManagerHost host_;
+    ManagerAssembly assembly_;
     ManagerDictionary dictionary_;
     ManagerPdos pdos_;
     std::array<Writing, cia302::kNodeRoom> writing_{};

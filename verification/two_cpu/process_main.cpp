@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-// One CPU of two as a process of its own, in real time or a test's: link and CAN bus are datagrams on the loopback interface. The
-// process with role A plays the sensor as well. Exit status: 0 what was asked holds, 1 it does not, 2 bad input.
+// One CPU of two as a process of its own, in real time or a test's: link and CAN bus are datagrams on the loopback
+// interface. The process with role A plays the sensor as well. Exit status: 0 what was asked holds, 1 it does not, 2
+// bad input.
 #include "hal/host/udp_cross_link.hpp"
 #include "safety_core/kernel/limits.hpp"
 #include "verification/two_cpu/comparator_tap.hpp"

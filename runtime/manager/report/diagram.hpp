@@ -2,7 +2,7 @@
 #ifndef RUNTIME_MANAGER_REPORT_DIAGRAM_HPP
 #define RUNTIME_MANAGER_REPORT_DIAGRAM_HPP
 
-#include "runtime/manager/host.hpp"
+#include "runtime/manager/assembly.hpp"
 #include "runtime/manager/report/journal.hpp"
 #include "safety_core/contract/can_frame.hpp"
 
@@ -63,10 +63,10 @@ class ManagerDiagram
 };
 
 /// @brief A part of a page: results, then the diagram; its style once in the page.
-[[nodiscard]] std::string DiagramSection(const ManagerHost& host, const ManagerDiagram& diagram, Instant now);
+[[nodiscard]] std::string DiagramSection(const ManagerAssembly& assembly, const ManagerDiagram& diagram, Instant now);
 [[nodiscard]] std::string DiagramStyle();
 /// @brief One page without references to elsewhere: results, then the diagram.
-[[nodiscard]] std::string DiagramPage(const ManagerHost& host, const ManagerDiagram& diagram, Instant now);
+[[nodiscard]] std::string DiagramPage(const ManagerAssembly& assembly, const ManagerDiagram& diagram, Instant now);
 } // namespace counterpoint::runtime
 
 #endif // RUNTIME_MANAGER_REPORT_DIAGRAM_HPP

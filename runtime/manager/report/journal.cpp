@@ -79,7 +79,7 @@ void ManagerJournal::Tell(const std::uint8_t node, const std::string& kind, cons
 
 void ManagerJournal::OnNodeEvent(const NodeId node, const cia302::NodeEvent event, const Instant /*now*/) noexcept
 {
-    const std::string state = WordOf(host_->Core().Table().Record(node).state);
+    const std::string state = WordOf(assembly_->Core().Table().Record(node).state);
     const bool is_change = event == cia302::NodeEvent::kChanged || event == cia302::NodeEvent::kStarted;
     const bool is_missed = event == cia302::NodeEvent::kGuardMissed;
     std::string text = is_change ? state : WordOf(event);
@@ -89,8 +89,8 @@ void ManagerJournal::OnNodeEvent(const NodeId node, const cia302::NodeEvent even
 
 void ManagerJournal::OnNodeStatus(const NodeId node, const Instant /*now*/) noexcept
 {
-    const cia302::NodeStatus status = host_->Core().Status(node);
-    const network::StartProfile profile = host_->Net().Plan().manager.profile;
+    const cia302::NodeStatus status = assembly_->Core().Status(node);
+    const network::StartProfile profile = assembly_->Net().Plan().manager.profile;
     Told& told = told_.at(node.value & cia302::kLastNode);
     const bool is_news =
         told.letter != status.letter || told.code != status.code || (status.is_started && !told.is_started);
@@ -112,7 +112,7 @@ void ManagerJournal::OnNodeStatus(const NodeId node, const Instant /*now*/) noex
 
 void ManagerJournal::OnMasterState(const std::int16_t state, const Instant /*now*/) noexcept
 {
-    const std::string text = MasterText(host_->Net().Plan().manager.profile, state);
+    const std::string text = MasterText(assembly_->Net().Plan().manager.profile, state);
     Tell(0U, "master", "master: " + text, {{"state", state}, {"word", text}});
 }
 
@@ -125,7 +125,7 @@ void ManagerJournal::OnNmtSent(const cia302::NmtRequest& request, const Instant 
 
 void ManagerJournal::OnGate(const NodeId node, const cia302::GateState state, const Instant /*now*/) noexcept
 {
-    const cia302::GateFinding finding = host_->Core().Gate().Finding(node);
+    const cia302::GateFinding finding = assembly_->Core().Gate().Finding(node);
     const bool is_refused = state == cia302::GateState::kDiffers || state == cia302::GateState::kFailed;
     const std::string found = is_refused ? FindingText(finding) : "";
     std::string text = is_refused ? "safety configuration refused: " + found : "";
@@ -154,7 +154,7 @@ void ManagerJournal::OnEmergency(const NodeId node, const cia302::EmergencyRecor
 
 void ManagerJournal::OnDuplicate(const NodeId node, const Instant /*now*/) noexcept
 {
-    const bool is_own = node.value == host_->Net().Setup().own.value;
+    const bool is_own = node.value == assembly_->Net().Setup().own.value;
     Tell(node.value, "duplicate",
          is_own ? "another device has the manager's node-ID" : "suspected: two devices with this node-ID", {});
 }

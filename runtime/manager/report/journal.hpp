@@ -3,7 +3,7 @@
 #define RUNTIME_MANAGER_REPORT_JOURNAL_HPP
 
 #include "canopen/manager/manager.hpp"
-#include "runtime/manager/host.hpp"
+#include "runtime/manager/assembly.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -36,10 +36,10 @@ struct ManagerEvent
 class ManagerJournal final : public cia302::ManagerListener
 {
   public:
-    /// @brief `host` is set before anything is told.
-    void Watch(const ManagerHost& host) noexcept
+    /// @brief `assembly` is set before anything is told.
+    void Watch(const ManagerAssembly& assembly) noexcept
     {
-        host_ = &host;
+        assembly_ = &assembly;
     }
     /// @brief The time of what is told from now on.
     void SetNow(const std::uint64_t since_start_us) noexcept
@@ -70,7 +70,7 @@ class ManagerJournal final : public cia302::ManagerListener
         bool is_started{false};
     };
 
-    const ManagerHost* host_{nullptr};
+    const ManagerAssembly* assembly_{nullptr};
     std::uint64_t now_us_{0U};
     std::vector<ManagerEvent> events_;
     std::array<Told, cia302::kNodeRoom> told_{};

@@ -60,17 +60,18 @@ std::string Seconds(const std::uint64_t us)
     return text;
 }
 
-std::string NameOf(const ManagerHost& host)
+std::string NameOf(const ManagerAssembly& assembly)
 {
-    return cia306::HtmlText(host.Net().Plan().name.empty() ? host.Net().Plan().file : host.Net().Plan().name);
+    return cia306::HtmlText(assembly.Net().Plan().name.empty() ? assembly.Net().Plan().file
+                                                               : assembly.Net().Plan().name);
 }
 
-std::string ResultTable(const ManagerHost& host, const Instant now)
+std::string ResultTable(const ManagerAssembly& assembly, const Instant now)
 {
     std::ostringstream out;
     out << "<table><tr><th>node</th><th>name</th><th>state</th><th>result</th><th>step</th><th>safety</th>"
            "<th>finding</th></tr>";
-    for (const StatusRow& row : StatusRows(host, now))
+    for (const StatusRow& row : StatusRows(assembly, now))
     {
         out << "<tr><td>" << int{row.node} << "</td><td>" << cia306::HtmlText(row.name) << "</td><td class=\""
             << (row.is_good ? "good" : "bad") << "\">" << row.state << "</td><td>" << row.result << "</td><td>"
@@ -84,21 +85,21 @@ std::string ResultTable(const ManagerHost& host, const Instant now)
 class Picture
 {
   public:
-    Picture(const ManagerHost& host, const ManagerDiagram& diagram) : rows_(diagram.Rows())
+    Picture(const ManagerAssembly& assembly, const ManagerDiagram& diagram) : rows_(diagram.Rows())
     {
         std::map<std::uint8_t, std::string> names;
-        for (const auto& slave : host.Net().Slaves())
+        for (const auto& slave : assembly.Net().Slaves())
         {
             names[slave->plan.node] = slave->plan.name;
         }
         for (const DiagramRow& row : rows_)
         {
-            if (row.node != 0U && row.node != host.Net().Setup().own.value)
+            if (row.node != 0U && row.node != assembly.Net().Setup().own.value)
             {
                 names.emplace(row.node, "unknown");
             }
         }
-        heads_.push_back({"manager", "node " + std::to_string(host.Net().Setup().own.value)});
+        heads_.push_back({"manager", "node " + std::to_string(assembly.Net().Setup().own.value)});
         for (const auto& [node, name] : names)
         {
             lanes_[node] = static_cast<int>(heads_.size());
@@ -206,18 +207,18 @@ class Picture
 };
 } // namespace
 
-std::string DiagramSection(const ManagerHost& host, const ManagerDiagram& diagram, const Instant now)
+std::string DiagramSection(const ManagerAssembly& assembly, const ManagerDiagram& diagram, const Instant now)
 {
     std::ostringstream out;
-    out << "<section class=\"sequence\"><h1>Boot-up of " << NameOf(host) << "</h1><p>"
-        << cia306::HtmlText(ManagerLine(host)) << "</p>" << ResultTable(host, now)
+    out << "<section class=\"sequence\"><h1>Boot-up of " << NameOf(assembly) << "</h1><p>"
+        << cia306::HtmlText(ManagerLine(assembly)) << "</p>" << ResultTable(assembly, now)
         << "<figure><figcaption>Time goes down, one row for each message; SDO transfers are one row, an arrow to and "
            "fro with the time to the answer.";
     if (diagram.LeftOut() > 0U)
     {
         out << " " << diagram.LeftOut() << " later rows are left out.";
     }
-    out << "</figcaption>" << Picture(host, diagram).Draw() << "</figure></section>";
+    out << "</figcaption>" << Picture(assembly, diagram).Draw() << "</figure></section>";
     return out.str();
 }
 
@@ -226,9 +227,9 @@ std::string DiagramStyle()
     return std::string("<style>") + kStyle + "</style>";
 }
 
-std::string DiagramPage(const ManagerHost& host, const ManagerDiagram& diagram, const Instant now)
+std::string DiagramPage(const ManagerAssembly& assembly, const ManagerDiagram& diagram, const Instant now)
 {
-    return "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>Boot-up of " + NameOf(host) +
-           "</title>" + DiagramStyle() + "</head><body>" + DiagramSection(host, diagram, now) + "</body></html>\n";
+    return "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>Boot-up of " + NameOf(assembly) +
+           "</title>" + DiagramStyle() + "</head><body>" + DiagramSection(assembly, diagram, now) + "</body></html>\n";
 }
 } // namespace counterpoint::runtime

@@ -43,14 +43,14 @@ std::string EmergencyText(const cia302::EmergencyRecord& emergency)
     return (emergency.count == 0U) ? "" : cia306::Hex(emergency.code, 4) + " (" + std::to_string(emergency.count) + ")";
 }
 
-StatusRow RowOf(const ManagerHost& host, const network::LoadedSlave& slave, const Instant now)
+StatusRow RowOf(const ManagerAssembly& assembly, const network::LoadedSlave& slave, const Instant now)
 {
     const NodeId node{slave.plan.node};
-    const cia302::Manager& manager = host.Core();
+    const cia302::Manager& manager = assembly.Core();
     const cia302::NodeRecord& record = manager.Table().Record(node);
     const cia302::NodeStatus status = manager.Status(node);
-    const network::StartProfile profile = host.Net().Plan().manager.profile;
-    const bool is_safety = host.Net().Setup().IsSafetySlave(node);
+    const network::StartProfile profile = assembly.Net().Plan().manager.profile;
+    const bool is_safety = assembly.Net().Setup().IsSafetySlave(node);
     StatusRow row;
     row.node = node.value;
     row.name = slave.plan.name;
@@ -87,29 +87,29 @@ std::string Line(const std::array<std::string, 9U>& cells)
 }
 } // namespace
 
-std::vector<StatusRow> StatusRows(const ManagerHost& host, const Instant now)
+std::vector<StatusRow> StatusRows(const ManagerAssembly& assembly, const Instant now)
 {
     std::vector<StatusRow> rows;
-    for (const auto& slave : host.Net().Slaves())
+    for (const auto& slave : assembly.Net().Slaves())
     {
-        rows.push_back(RowOf(host, *slave, now));
+        rows.push_back(RowOf(assembly, *slave, now));
     }
     std::sort(rows.begin(), rows.end(),
               [](const StatusRow& left, const StatusRow& right) { return left.node < right.node; });
     return rows;
 }
 
-std::string ManagerLine(const ManagerHost& host)
+std::string ManagerLine(const ManagerAssembly& assembly)
 {
-    const cia302::Manager& manager = host.Core();
-    const network::StartProfile profile = host.Net().Plan().manager.profile;
+    const cia302::Manager& manager = assembly.Core();
+    const network::StartProfile profile = assembly.Net().Plan().manager.profile;
     std::string role = manager.IsActive() ? "active master" : "not the active master";
     if (manager.Role().Flying() != nullptr && manager.Role().Flying()->Master().node.value != 0U && !manager.IsActive())
     {
         role += " (that is node " + std::to_string(manager.Role().Flying()->Master().node.value) + ")";
     }
-    return "manager, node " + std::to_string(host.Net().Setup().own.value) + ": " + WordOf(manager.OwnState()) + ", " +
-           role + ", profile " + WordOf(profile) + ", " + MasterText(profile, manager.MasterState());
+    return "manager, node " + std::to_string(assembly.Net().Setup().own.value) + ": " + WordOf(manager.OwnState()) +
+           ", " + role + ", profile " + WordOf(profile) + ", " + MasterText(profile, manager.MasterState());
 }
 
 /// Who looks at a value wants to know how old it is.
@@ -134,11 +134,11 @@ std::string PdoTable(const ManagerPdos& pdos, const std::uint64_t now_us)
 
 std::string StatusTable(const ManagerStation& station, const std::uint64_t now_us)
 {
-    const ManagerHost& host = station.Host();
+    const ManagerAssembly& assembly = station.Host();
     const Instant now = InstantAt(now_us);
-    std::string table = ManagerLine(host) + "\n";
+    std::string table = ManagerLine(assembly) + "\n";
     table += Line({"node", "name", "state", "result", "step", "heartbeat", "emergency", "safety", "finding"});
-    for (const StatusRow& row : StatusRows(host, now))
+    for (const StatusRow& row : StatusRows(assembly, now))
     {
         table += Line({std::to_string(row.node), row.name, row.state, row.result, row.step, row.heartbeat,
                        row.emergency, row.safety, row.finding});
@@ -161,12 +161,12 @@ nlohmann::ordered_json PdosJson(const ManagerPdos& pdos, const std::uint64_t now
 
 nlohmann::ordered_json StatusJson(const ManagerStation& station, const std::uint64_t now_us)
 {
-    const ManagerHost& host = station.Host();
+    const ManagerAssembly& assembly = station.Host();
     const Instant now = InstantAt(now_us);
     nlohmann::ordered_json slaves = nlohmann::ordered_json::array();
-    for (const StatusRow& row : StatusRows(host, now))
+    for (const StatusRow& row : StatusRows(assembly, now))
     {
-        const cia302::NodeStatus status = host.Core().Status(NodeId{row.node});
+        const cia302::NodeStatus status = assembly.Core().Status(NodeId{row.node});
         slaves.push_back({{"node", row.node},
                           {"name", row.name},
                           {"state", row.state},
@@ -179,12 +179,12 @@ nlohmann::ordered_json StatusJson(const ManagerStation& station, const std::uint
                           {"finding", row.finding},
                           {"good", row.is_good}});
     }
-    const cia302::Manager& manager = host.Core();
+    const cia302::Manager& manager = assembly.Core();
     return {{"event", "table"},
-            {"manager", host.Net().Setup().own.value},
+            {"manager", assembly.Net().Setup().own.value},
             {"state", WordOf(manager.OwnState())},
             {"active", manager.IsActive()},
-            {"profile", WordOf(host.Net().Plan().manager.profile)},
+            {"profile", WordOf(assembly.Net().Plan().manager.profile)},
             {"master_state", manager.MasterState()},
             {"slaves", slaves},
             {"pdos", PdosJson(station.Pdos(), now_us)}};

@@ -2,7 +2,7 @@
 #ifndef RUNTIME_MANAGER_REPORT_STATUS_HPP
 #define RUNTIME_MANAGER_REPORT_STATUS_HPP
 
-#include "runtime/manager/host.hpp"
+#include "runtime/manager/assembly.hpp"
 #include "runtime/manager/pdos.hpp"
 #include "runtime/manager/station.hpp"
 
@@ -30,13 +30,13 @@ struct StatusRow
 };
 
 /// @brief All slaves in the order of their node-IDs. [SRS_MGR_005]
-[[nodiscard]] std::vector<StatusRow> StatusRows(const ManagerHost& host, Instant now);
+[[nodiscard]] std::vector<StatusRow> StatusRows(const ManagerAssembly& assembly, Instant now);
 /// @brief Manager, slaves and process data as a table of text, with a line end.
 [[nodiscard]] std::string StatusTable(const ManagerStation& station, std::uint64_t now_us);
 /// @brief The same for programs: with `--json` the last line, and the answer to `status`. [SRS_MGR_005]
 [[nodiscard]] nlohmann::ordered_json StatusJson(const ManagerStation& station, std::uint64_t now_us);
 /// @brief "operational, active master: operational, cia302"
-[[nodiscard]] std::string ManagerLine(const ManagerHost& host);
+[[nodiscard]] std::string ManagerLine(const ManagerAssembly& assembly);
 } // namespace counterpoint::runtime
 
 #endif // RUNTIME_MANAGER_REPORT_STATUS_HPP

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#ifndef RUNTIME_MANAGER_HOST_HPP
-#define RUNTIME_MANAGER_HOST_HPP
+#ifndef RUNTIME_MANAGER_ASSEMBLY_HPP
+#define RUNTIME_MANAGER_ASSEMBLY_HPP
 
 #include "canopen/manager/manager.hpp"
 #include "canopen/network/loaded_network.hpp"
@@ -18,13 +18,13 @@ namespace counterpoint::runtime
 {
 /// A network manager with all its room, as a network file wants it. Time and frames come in with calls. Stays where it
 /// is: its parts refer to each other. [SRS_MGR_001]
-class ManagerHost
+class ManagerAssembly
 {
   public:
     /// @brief All outlive it.
-    ManagerHost(const network::LoadedNetwork& net, cia301::FrameSink& sink, cia302::ManagerListener& listener);
-    ManagerHost(const ManagerHost&) = delete;
-    ManagerHost& operator=(const ManagerHost&) = delete;
+    ManagerAssembly(const network::LoadedNetwork& net, cia301::FrameSink& sink, cia302::ManagerListener& listener);
+    ManagerAssembly(const ManagerAssembly&) = delete;
+    ManagerAssembly& operator=(const ManagerAssembly&) = delete;
 
     [[nodiscard]] cia302::Manager& Core() noexcept
     {
@@ -96,4 +96,4 @@ class ManagerHost
 [[nodiscard]] cia302::FlyingMasterTimes FlyingTimesOf(const network::NetworkPlan& plan);
 } // namespace counterpoint::runtime
 
-#endif // RUNTIME_MANAGER_HOST_HPP
+#endif // RUNTIME_MANAGER_ASSEMBLY_HPP

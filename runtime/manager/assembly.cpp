@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "runtime/manager/host.hpp"
+#include "runtime/manager/assembly.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
 
@@ -44,7 +44,8 @@ cia302::FlyingMasterTimes FlyingTimesOf(const network::NetworkPlan& plan)
     return times;
 }
 
-ManagerHost::ManagerHost(const network::LoadedNetwork& net, cia301::FrameSink& sink, cia302::ManagerListener& listener)
+ManagerAssembly::ManagerAssembly(const network::LoadedNetwork& net, cia301::FrameSink& sink,
+                                 cia302::ManagerListener& listener)
     : net_(net), times_(TimesOf(net.Plan().manager)), lanes_(sink, times_),
       manager_(cia302::ManagerParts{net.Setup(), sink, listener, Room(),
                                     net.Plan().manager.heartbeat_ms.value_or(std::uint16_t{0U})})
@@ -56,7 +57,7 @@ ManagerHost::ManagerHost(const network::LoadedNetwork& net, cia301::FrameSink& s
     }
 }
 
-cia302::ManagerRoom ManagerHost::Room() noexcept
+cia302::ManagerRoom ManagerAssembly::Room() noexcept
 {
     return {records_.data(),
             watched_.data(),
@@ -67,7 +68,7 @@ cia302::ManagerRoom ManagerHost::Room() noexcept
             times_};
 }
 
-void ManagerHost::MakeProfile()
+void ManagerAssembly::MakeProfile()
 {
     const cia302::StartUpParts parts = manager_.ProfileParts();
     switch (net_.Plan().manager.profile)
@@ -93,13 +94,13 @@ void ManagerHost::MakeProfile()
     }
 }
 
-void ManagerHost::Use(cia302::StartUp& profile) noexcept
+void ManagerAssembly::Use(cia302::StartUp& profile) noexcept
 {
     profile_ = &profile;
     manager_.Use(profile);
 }
 
-void ManagerHost::MakeFlying(cia301::FrameSink& sink)
+void ManagerAssembly::MakeFlying(cia301::FrameSink& sink)
 {
     const network::ManagerPlan& plan = net_.Plan().manager;
     flying_times_ = FlyingTimesOf(net_.Plan());
@@ -115,7 +116,7 @@ void ManagerHost::MakeFlying(cia301::FrameSink& sink)
     manager_.Role().Use(*flying_, is_held_ ? cia302::NegotiationBy::kApplication : cia302::NegotiationBy::kManager);
 }
 
-void ManagerHost::OnCycle(const Instant now)
+void ManagerAssembly::OnCycle(const Instant now)
 {
     const bool is_by_order = net_.Plan().manager.flying.value_or(network::FlyingPlan{}).is_by_order;
     if (is_by_order && !is_held_ && flying_->State() == cia302::FlyingState::kInitialising)
@@ -124,13 +125,13 @@ void ManagerHost::OnCycle(const Instant now)
     }
 }
 
-void ManagerHost::SetHeartbeat(const std::uint16_t period_ms) noexcept
+void ManagerAssembly::SetHeartbeat(const std::uint16_t period_ms) noexcept
 {
     manager_.Heartbeat().SetPeriod(period_ms);
     flying_options_.own_producer_ms = period_ms;
 }
 
-std::string ManagerHost::Negotiate()
+std::string ManagerAssembly::Negotiate()
 {
     if (flying_ != nullptr && !cia302::IsUsable(flying_times_))
     {
@@ -141,7 +142,7 @@ std::string ManagerHost::Negotiate()
     return is_taken ? "taken" : "no negotiation waits for an order, expected flying: {start: by_order}";
 }
 
-bool ManagerHost::HasStarted() const noexcept
+bool ManagerAssembly::HasStarted() const noexcept
 {
     constexpr auto kOperational = static_cast<std::uint8_t>(cia302::SlaveState::kOperational);
     bool has_started = true;
@@ -158,7 +159,7 @@ bool ManagerHost::HasStarted() const noexcept
     return has_started;
 }
 
-void ManagerHost::OnController(const cia302::ControllerState state, const Instant now) noexcept
+void ManagerAssembly::OnController(const cia302::ControllerState state, const Instant now) noexcept
 {
     manager_.OnBus(state == cia302::ControllerState::kRunning, now);
     if (el6751_ != nullptr)
@@ -167,7 +168,7 @@ void ManagerHost::OnController(const cia302::ControllerState state, const Instan
     }
 }
 
-void ManagerHost::OnSent(const CanFrame& frame) noexcept
+void ManagerAssembly::OnSent(const CanFrame& frame) noexcept
 {
     manager_.OnSent(frame);
     if (el6751_ != nullptr)
@@ -176,8 +177,8 @@ void ManagerHost::OnSent(const CanFrame& frame) noexcept
     }
 }
 
-cia302::NmtAnswer ManagerHost::Control(const cia302::NodeId node, const std::uint16_t ads_state,
-                                       const std::uint16_t device_state, const Instant now) noexcept
+cia302::NmtAnswer ManagerAssembly::Control(const cia302::NodeId node, const std::uint16_t ads_state,
+                                           const std::uint16_t device_state, const Instant now) noexcept
 {
     return (el6751_ != nullptr) ? el6751_->Control(node, ads_state, device_state, now) : cia302::NmtAnswer::kWrong;
 }
