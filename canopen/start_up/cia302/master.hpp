@@ -10,7 +10,7 @@ namespace counterpoint::cia302
 
 /// The master while it starts the network: the resets, the boots of all, its own start and that of the slaves. Its
 /// steps are kRows of master_steps.hpp. Parts and boots are kept by reference. [SRS_BOOT_001, SRS_BOOT_002,
-/// SRS_BOOT_003, SRS_BOOT_015, SRS_BOOT_016]
+/// SRS_BOOT_015, SRS_BOOT_016]
 class Cia302Master
 {
   public:

@@ -15,8 +15,8 @@ enum class PlcSdoEnd : std::uint8_t
     kAll = 2U,      ///< Every one was answered.
 };
 
-/// State 3: 1000h, 1011h:01 and the list of the configurator, one SDO a cycle. [SRS_PLC_004, SRS_PLC_005, SRS_PLC_006,
-/// SRS_PLC_007, SRS_PLC_008]
+/// State 3: 1000h, 1011h:01 and the list of the configurator, one SDO a cycle. [SRS_PLC_005, SRS_PLC_006, SRS_PLC_007,
+/// SRS_PLC_008, SRS_PLC_011]
 class PlcSdos
 {
   public:
