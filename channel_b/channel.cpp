@@ -68,8 +68,8 @@ void AddDevice(Crc32& crc, const DeviceConfig& config, std::uint32_t gfc) noexce
 
 Channel::Channel(const Storage& storage) noexcept
     : x_storage(storage), x_settings(storage.settings), x_mappings(storage.mappings, x_settings, storage.map_entries),
-      x_faults(storage.faults, x_settings), x_consumers(storage.pairs, x_settings, x_mappings, x_faults),
-      x_producers(storage.pairs, x_settings, x_mappings, x_faults)
+      x_faults(storage.faults, x_settings), x_consumers(storage.pairs, Parts{x_settings, x_mappings, x_faults}),
+      x_producers(storage.pairs, Parts{x_settings, x_mappings, x_faults})
 {
 }
 

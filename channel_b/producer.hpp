@@ -2,9 +2,7 @@
 #ifndef CHANNEL_B_PRODUCER_HPP
 #define CHANNEL_B_PRODUCER_HPP
 
-#include "channel_b/faults.hpp"
-#include "channel_b/mapping.hpp"
-#include "channel_b/settings.hpp"
+#include "channel_b/parts.hpp"
 #include "channel_b/storage.hpp"
 #include "channel_b/tick.hpp"
 #include "safety_core/contract/channel.hpp"
@@ -19,8 +17,8 @@ namespace counterpoint::channel_b
 class Producers
 {
   public:
-    Producers(const PairColumns& columns, const Settings& settings, const Mappings& mappings, Faults& faults) noexcept
-        : x_pairs(columns), x_settings(settings), x_mappings(mappings), x_faults(faults)
+    Producers(const PairColumns& columns, const Parts& parts) noexcept
+        : x_pairs{columns}, x_settings{parts.settings}, x_mappings{parts.mappings}, x_faults{parts.faults}
     {
     }
 
