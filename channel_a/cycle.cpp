@@ -16,24 +16,19 @@ namespace
 {
 
 constexpr std::uint32_t kBitsPerWord = 32U;
-constexpr std::uint32_t kTokenRotation = 8U;
 constexpr std::uint32_t kPermitRotation = 16U;
 constexpr std::uint32_t kGroup = 8U; ///< Slots that are passed over at once where nothing is to be committed.
 constexpr SrdoMask kGroupMask = 0xFFU;
 
-std::uint32_t RotatedLeft(const std::uint32_t word, const std::uint32_t bits) noexcept
-{
-    return (word << bits) | (word >> (kBitsPerWord - bits));
-}
-
-// [SRS_CFG_031]
+// Byte by byte: the token is the challenge moved up by a byte, its highest byte then being the lowest, and in every
+// byte what the configuration is. [SRS_CFG_031]
 GuardView GuardOf(const CycleInput& input, const std::uint8_t configuration_valid) noexcept
 {
-    const std::uint32_t token = input.guard_token ^ RotatedLeft(input.challenge, kTokenRotation);
     std::uint32_t wrong = 0U;
     for (std::uint32_t place = 0U; place < kBytesPerWord; ++place)
     {
-        wrong |= std::uint32_t{ByteOf(token, place)} ^ configuration_valid;
+        const std::uint32_t above = (place + 1U) % kBytesPerWord;
+        wrong |= std::uint32_t{ByteOf(input.guard_token, above)} ^ ByteOf(input.challenge, place) ^ configuration_valid;
     }
     if (wrong != 0U)
     {
@@ -260,7 +255,8 @@ Permit PermitFor(const Voice& voice, const std::uint32_t challenge) noexcept
     permit.mask = IsActive(voice) ? voice.committed : 0U;
     const std::uint32_t low = static_cast<std::uint32_t>(permit.mask & 0xFFFFFFFFU);
     const std::uint32_t high = static_cast<std::uint32_t>(permit.mask >> kBitsPerWord);
-    permit.response = ((challenge + low) ^ RotatedLeft(high, kPermitRotation)) * kPermitConstantA;
+    const std::uint32_t halves_swapped = (high << kPermitRotation) | (high >> kPermitRotation);
+    permit.response = ((challenge + low) ^ halves_swapped) * kPermitConstantA;
     return permit;
 }
 

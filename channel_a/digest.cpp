@@ -9,9 +9,9 @@ namespace
 {
 
 // One byte: the value that grants something, or 00h for any other.
-template <typename Option> std::uint32_t Granted(const Option value, const Option granting) noexcept
+template <typename Option> void AddGranted(Crc32& crc, const Option value, const Option granting) noexcept
 {
-    return (value == granting) ? static_cast<std::uint32_t>(granting) : 0U;
+    crc.AddByte((value == granting) ? static_cast<std::uint32_t>(granting) : 0U);
 }
 
 void AddDevice(Crc32& crc, const Voice& voice) noexcept
@@ -19,9 +19,9 @@ void AddDevice(Crc32& crc, const Voice& voice) noexcept
     const DeviceConfig& config = *voice.config;
     crc.AddByte(config.node_id);
     crc.AddByte(config.granularity_bits);
-    crc.AddByte(Granted(config.dummies, DummyMapping::kAllowed));
-    crc.AddByte(Granted(config.gaps, NumberGaps::kSearched));
-    crc.AddByte(Granted(config.gfc, GfcUse::kPresent));
+    AddGranted(crc, config.dummies, DummyMapping::kAllowed);
+    AddGranted(crc, config.gaps, NumberGaps::kSearched);
+    AddGranted(crc, config.gfc, GfcUse::kPresent);
     crc.AddByte(static_cast<std::uint32_t>(voice.ports[kNormalHalf]));
     crc.AddByte(static_cast<std::uint32_t>(voice.ports[kInverseHalf]));
     crc.AddWord(config.cycle_us);
@@ -51,8 +51,8 @@ DeviceDigest DigestOf(const Voice& voice, const std::size_t slot, const DeviceDi
     }
     crc.AddByte(voice.config->srdos[slot].number); // MISRA D-002
     crc.AddByte(record.grants.Is(Grant::kPolicy, automatic) ? automatic : std::uint32_t{0U});
-    crc.AddByte(Granted(record.form, ProducerForm::kProviderCalled));
-    crc.AddByte(Granted(record.detection, SrvtDetection::kLate));
+    AddGranted(crc, record.form, ProducerForm::kProviderCalled);
+    AddGranted(crc, record.detection, SrvtDetection::kLate);
     crc.AddByte(record.values.transmission_type);
     crc.AddWord(safe.low);
     crc.AddWord(safe.high);

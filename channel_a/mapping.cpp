@@ -62,25 +62,28 @@ std::uint32_t EntryOf(const MappableObject& object) noexcept
            std::uint32_t{object.length_bits};
 }
 
-// The objects are in ascending order of index and sub.
+// What the objects are ordered by.
+std::uint32_t KeyAt(const DeviceConfig& config, const std::uint32_t place) noexcept
+{
+    return EntryOf(config.objects[place]) >> kKeyShift; // MISRA D-002
+}
+
+// The objects are in ascending order of index and sub. Those before `first` are too small; of the `left` ones from
+// there on the one in the middle decides which half is looked at next.
 std::uint16_t FindObject(const DeviceConfig& config, const std::uint32_t entry) noexcept
 {
     const std::uint32_t key = entry >> kKeyShift;
-    std::uint32_t low = 0U;
-    std::uint32_t high = config.object_count;
-    std::uint32_t found = kNoObject;
-    while (low < high)
+    std::uint32_t first = 0U;
+    std::uint32_t left = config.object_count;
+    while (left != 0U)
     {
-        const std::uint32_t middle = (low + high) / 2U;
-        const std::uint32_t seen = EntryOf(config.objects[middle]) >> kKeyShift; // MISRA D-002
-        if (seen == key)
-        {
-            found = middle;
-        }
-        low = (seen < key) ? (middle + 1U) : low;
-        high = (seen < key) ? high : middle;
+        const std::uint32_t half = left / 2U;
+        const bool is_above = KeyAt(config, first + half) < key;
+        first += is_above ? (half + 1U) : 0U;
+        left = is_above ? (left - half - 1U) : half;
     }
-    return static_cast<std::uint16_t>(found);
+    const bool is_it = (first < config.object_count) && (KeyAt(config, first) == key);
+    return is_it ? static_cast<std::uint16_t>(first) : kNoObject;
 }
 
 // [SRS_CFG_033]
