@@ -8,7 +8,7 @@
 #include "runtime/network_files/file.hpp"
 #include "simulator/judge/run.hpp"
 #include "simulator/judge/sweep.hpp"
-#include "simulator/networks/managed.hpp"
+#include "simulator/managers/managed.hpp"
 #include "simulator/report/reports.hpp"
 #include "simulator/scenario/reader.hpp"
 #include "simulator/scenario/schema.hpp"

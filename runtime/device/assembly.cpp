@@ -202,12 +202,9 @@ void DeviceAssembly::SendAll() noexcept
     }
 }
 
-DeviceConfig ConfigOf(const DeviceModel& model, const std::vector<MappableObject>& objects,
-                      const std::optional<std::uint32_t> cycle_us)
+DeviceConfig ConfigOf(const DeviceModel& model, const std::optional<std::uint32_t> cycle_us)
 {
     DeviceConfig config = model.Config();
-    config.objects = objects.data();
-    config.object_count = static_cast<std::uint16_t>(objects.size());
     if (cycle_us && *cycle_us != config.cycle_us)
     {
         for (const SrdoModel& srdo : model.Srdos())
@@ -233,23 +230,6 @@ DeviceConfig ConfigOf(const DeviceModel& model, const std::vector<MappableObject
         config.digest = 0U;
     }
     return config;
-}
-
-std::vector<MappableObject> SafetyObjectsOf(const DeviceModel& model, const cia306::Device& device)
-{
-    std::vector<MappableObject> kept;
-    for (std::size_t place = 0U; place < model.Objects().size(); ++place)
-    {
-        const MappableObject& object = model.Objects()[place];
-        const cia306::Entry* const entry = device.Find(object.index, object.sub);
-        const bool is_mapped = std::any_of(model.Pairs().begin(), model.Pairs().end(), [place](const VariablePair& pair)
-                                           { return pair.normal == place || pair.inverse == place; });
-        if (is_mapped || (entry != nullptr && entry->is_srdo_mappable.value_or(false)))
-        {
-            kept.push_back(object);
-        }
-    }
-    return kept;
 }
 
 hal::WatchdogWindow WindowOf(const DeviceConfig& config) noexcept

@@ -150,12 +150,9 @@ class DeviceAssembly final : private device::Owner
     std::uint8_t new_node_id_{0U};
 };
 
-/// @brief Mapped by an SRDO or made for one: an object that a file only marks as process data is not the kernel's.
-[[nodiscard]] std::vector<MappableObject> SafetyObjectsOf(const DeviceModel& model, const cia306::Device& device);
-/// @brief The configuration of the model with these objects, which outlive it. Another cycle time is another device
-/// than that of the file: no digest is expected, and what has to last some cycles does. Throws cia306::InputError.
-[[nodiscard]] DeviceConfig ConfigOf(const DeviceModel& model, const std::vector<MappableObject>& objects,
-                                    std::optional<std::uint32_t> cycle_us);
+/// @brief The configuration of the model. Another cycle time is another device than that of the file: no digest is
+/// expected, and what has to last some cycles does. Throws cia306::InputError.
+[[nodiscard]] DeviceConfig ConfigOf(const DeviceModel& model, std::optional<std::uint32_t> cycle_us);
 /// @brief When the watchdog of a device is to be served.
 [[nodiscard]] hal::WatchdogWindow WindowOf(const DeviceConfig& config) noexcept;
 } // namespace counterpoint::runtime

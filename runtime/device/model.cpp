@@ -71,6 +71,10 @@ DeviceModel::DeviceModel(const std::string& file, const std::optional<std::uint8
     }
     LayOut(variables, source.StaticMappings());
     pairs_ = source.Pairs();
+    if (need == SafetyNeed::kOptional)
+    {
+        KeepSafetyObjects(device);
+    }
     config_ = source.Config();
     config_.srdos = setups_.data();
     config_.objects = objects_.data();
@@ -135,6 +139,32 @@ void DeviceModel::JoinTables() noexcept
     }
 }
 
+void DeviceModel::KeepSafetyObjects(const cia306::Device& device)
+{
+    std::vector<std::size_t> places(objects_.size(), objects_.size()); // By the place before.
+    std::size_t kept = 0U;
+    for (std::size_t place = 0U; place < objects_.size(); ++place)
+    {
+        const cia306::Entry* const entry = device.Find(objects_[place].index, objects_[place].sub);
+        const bool is_mapped = std::any_of(pairs_.begin(), pairs_.end(), [place](const VariablePair& pair)
+                                           { return pair.normal == place || pair.inverse == place; });
+        if (is_mapped || (entry != nullptr && entry->is_srdo_mappable.value_or(false)))
+        {
+            places[place] = kept;
+            objects_[kept] = objects_[place];
+            addresses_[kept] = addresses_[place];
+            ++kept;
+        }
+    }
+    objects_.resize(kept);
+    addresses_.resize(kept);
+    for (VariablePair& pair : pairs_)
+    {
+        pair.normal = places[pair.normal];
+        pair.inverse = places[pair.inverse];
+    }
+}
+
 const std::string& DeviceModel::File() const noexcept
 {
     return file_;
@@ -194,7 +224,7 @@ std::optional<SlotIndex> DeviceModel::SlotOf(const std::uint8_t number) const no
 
 std::uint8_t DeviceModel::NumberOf(const SlotIndex slot) const noexcept
 {
-    return numbers_[slot];
+    return (slot < numbers_.size()) ? numbers_[slot] : std::uint8_t{0U};
 }
 
 const VariablePair* DeviceModel::PairOf(const ObjectAddress& normal) const noexcept

@@ -2,6 +2,7 @@
 #ifndef RUNTIME_DEVICE_MODEL_HPP
 #define RUNTIME_DEVICE_MODEL_HPP
 
+#include "canopen/cia306/file/device.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "safety_core/contract/configuration.hpp"
 #include "safety_core/kernel/kernel.hpp"
@@ -64,7 +65,9 @@ enum class SafetyNeed : std::uint8_t
 {
     kInvalid = 0U,
     kRequired = 1U,
-    kOptional = 2U, ///< Without any object of 1300h to 13FFh the kernel gets one SRDO that is off. [SRS_NODE_016]
+    /// A device with services: without any object of 1300h to 13FFh the kernel gets one SRDO that is off, and of the
+    /// mappable objects it gets those that are for SRDOs; the others are the dictionary's. [SRS_NODE_016]
+    kOptional = 2U,
 };
 
 struct SourceVariable;
@@ -96,7 +99,7 @@ class DeviceModel
 
     /// @brief Slot of an SRDO that exists.
     [[nodiscard]] std::optional<SlotIndex> SlotOf(std::uint8_t number) const noexcept;
-    /// @brief Number of the SRDO in a slot that exists, as the DCF has it.
+    /// @brief Number of the SRDO in a slot that exists, as the DCF has it; 0: the one of a plain device.
     [[nodiscard]] std::uint8_t NumberOf(SlotIndex slot) const noexcept;
     /// @brief The mapped pair whose normal object has this address.
     [[nodiscard]] const VariablePair* PairOf(const ObjectAddress& normal) const noexcept;
@@ -119,6 +122,8 @@ class DeviceModel
     void LayOut(const std::vector<SourceVariable>& variables, const std::vector<StaticMapping>& maps);
     void Place(const std::vector<std::size_t>& variables, const std::vector<SourceVariable>& source);
     void JoinTables() noexcept;
+    /// @brief Mapped by an SRDO or made for one: an object that a file only marks as process data is not the kernel's.
+    void KeepSafetyObjects(const cia306::Device& device);
 
     std::string file_;
     std::vector<std::uint8_t> memory_;

@@ -90,7 +90,6 @@ class NodeDevice final
     cia306::Device file_;
     bool has_lss_;
     DeviceModel model_;
-    std::vector<MappableObject> safety_objects_; ///< Those of the model that are not for PDOs alone.
     DeviceConfig config_;
     host::VirtualBus time_; ///< Nobody is on it: the time of output and watchdog.
     host::HostWatchdog watchdog_;

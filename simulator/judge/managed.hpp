@@ -12,8 +12,10 @@
 
 namespace counterpoint::simulator
 {
-/// A network with managers in simulated time, as a run sees it: who only looks at devices needs no manager. What
-/// happens is told to the journal.
+class Network;
+
+/// The managers of a network as a run sees them: who only looks at devices needs none. They join the network, and what
+/// they tell is in the journal.
 class ManagedWorld
 {
   public:
@@ -22,9 +24,7 @@ class ManagedWorld
     ManagedWorld(const ManagedWorld&) = delete;
     ManagedWorld& operator=(const ManagedWorld&) = delete;
 
-    /// @brief Everything up to and including `until`.
-    virtual void RunUntil(Nanoseconds until) = 0;
-    /// @brief What the expectation finds now, as a word of the scenario format.
+    /// @brief What the expectation finds at a manager now, as a word of the scenario format.
     [[nodiscard]] virtual std::string Found(const Expectation& expectation) = 0;
     /// @brief One line for each thing in a network file that is worth knowing.
     [[nodiscard]] virtual std::vector<std::string> Warnings() const = 0;
@@ -34,7 +34,7 @@ class ManagedWorld
     [[nodiscard]] virtual std::string Pictures() const = 0;
 };
 
-using MakeManaged = std::function<std::unique_ptr<ManagedWorld>(const Scenario&, Journal&)>;
+using MakeManaged = std::function<std::unique_ptr<ManagedWorld>(const Scenario&, Journal&, Network&)>;
 } // namespace counterpoint::simulator
 
 #endif // SIMULATOR_JUDGE_MANAGED_HPP

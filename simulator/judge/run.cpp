@@ -43,22 +43,13 @@ Scenario Cut(Scenario scenario, const std::optional<Nanoseconds> until)
 Run::Run(Scenario scenario, const std::optional<Nanoseconds> until, const bool keeps_all, const MakeManaged& make)
     : scenario_(Cut(std::move(scenario), until)), journal_(keeps_all), found_(scenario_.expectations.size())
 {
-    if (scenario_.managers.empty())
-    {
-        network_ = std::make_unique<Network>(scenario_, journal_);
-        return;
-    }
-    if (!make)
+    if (!scenario_.managers.empty() && !make)
     {
         const Source& source = scenario_.managers.front().source;
         throw YamlError(source.file, source.place, "a manager", "a scenario without managers");
     }
-    for (const NodeSetup& node : scenario_.nodes)
-    {
-        models_.push_back(
-            std::make_unique<runtime::DeviceModel>(node.dcf, node.node_id, runtime::SafetyNeed::kOptional));
-    }
-    managed_ = make(scenario_, journal_);
+    network_ = std::make_unique<Network>(scenario_, journal_);
+    managed_ = scenario_.managers.empty() ? nullptr : make(scenario_, journal_, *network_);
 }
 
 Run::Run(const std::string& file, const std::optional<std::uint64_t> seed, const std::optional<Nanoseconds> until,
@@ -69,11 +60,6 @@ Run::Run(const std::string& file, const std::optional<std::uint64_t> seed, const
 
 void Run::RunTo(const Nanoseconds now)
 {
-    if (managed_ == nullptr)
-    {
-        network_->RunUntil(now);
-        return;
-    }
     std::vector<Nanoseconds> looks{now};
     for (const Expectation& expectation : scenario_.expectations)
     {
@@ -85,7 +71,7 @@ void Run::RunTo(const Nanoseconds now)
     std::sort(looks.begin(), looks.end());
     for (const Nanoseconds look : looks)
     {
-        managed_->RunUntil(look);
+        network_->RunUntil(look + kNanosecondsPerMicrosecond - 1); // Managers count whole ones.
         LookAt(look);
     }
 }
@@ -98,9 +84,26 @@ void Run::LookAt(const Nanoseconds now)
         const Expectation& expectation = scenario_.expectations[index];
         if (IsOfNetwork(expectation.kind) && expectation.at == now && found_[index].empty())
         {
-            found_[index] = managed_->Found(expectation);
+            found_[index] = IsOfManager(expectation.kind) ? managed_->Found(expectation) : FoundAtDevice(expectation);
         }
     }
+}
+
+std::string Run::FoundAtDevice(const Expectation& expectation)
+{
+    const Node& device = network_->At(expectation.node);
+    if (!device.HasSupply())
+    {
+        return "absent";
+    }
+    if (expectation.kind == ExpectationKind::kDevice)
+    {
+        std::string word = Name(cia301::KernelState(device.State()));
+        std::replace(word.begin(), word.end(), '_', '-'); // As managers tell it.
+        return word;
+    }
+    const std::optional<SlotIndex> slot = device.Model().SlotOf(expectation.srdo);
+    return (slot && ((device.Open() >> *slot) & 1U) != 0U) ? "open" : "closed";
 }
 
 void Run::Simulate(const std::function<void(Nanoseconds)>& progress)
@@ -121,7 +124,7 @@ void Run::Simulate(const std::function<void(Nanoseconds)>& progress)
         }
     }
     journal_.Sort();
-    verdicts_ = Judge(scenario_, journal_, network_.get(), found_);
+    verdicts_ = Judge(scenario_, journal_, *network_, found_);
 }
 
 const Scenario& Run::Setting() const noexcept
@@ -141,7 +144,7 @@ Network& Run::Devices() noexcept
 
 const runtime::DeviceModel& Run::ModelOf(const NodeIndex node) const
 {
-    return (managed_ == nullptr) ? network_->At(node).Model() : *models_.at(node);
+    return network_->At(node).Model();
 }
 
 const std::vector<ExpectationVerdict>& Run::Verdicts() const noexcept
@@ -180,7 +183,6 @@ std::vector<std::string> Run::Findings() const
     {
         const std::vector<std::string> more = managed_->Warnings();
         lines.insert(lines.end(), more.begin(), more.end());
-        return lines;
     }
     for (const auto& [fault, count] : network_->DroppedCopies())
     {

@@ -35,7 +35,6 @@ class Run
 
     [[nodiscard]] const Scenario& Setting() const noexcept;
     [[nodiscard]] const Journal& Record() const noexcept;
-    /// @brief Of a scenario without managers.
     [[nodiscard]] Network& Devices() noexcept;
     [[nodiscard]] const runtime::DeviceModel& ModelOf(NodeIndex node) const;
     [[nodiscard]] const std::vector<ExpectationVerdict>& Verdicts() const noexcept;
@@ -56,13 +55,13 @@ class Run
   private:
     void RunTo(Nanoseconds now);
     void LookAt(Nanoseconds now);
+    [[nodiscard]] std::string FoundAtDevice(const Expectation& expectation);
 
     Scenario scenario_;
     Journal journal_;
-    std::unique_ptr<Network> network_;                          ///< Null: there are managers.
-    std::unique_ptr<ManagedWorld> managed_;                     ///< Null: there are none.
-    std::vector<std::unique_ptr<runtime::DeviceModel>> models_; ///< With managers: of each node.
-    std::vector<std::string> found_; ///< By expectation: what a manager or device said at its time.
+    std::unique_ptr<Network> network_;
+    std::unique_ptr<ManagedWorld> managed_; ///< The managers; null: there are none.
+    std::vector<std::string> found_;        ///< By expectation: what a manager or device said at its time.
     std::vector<ExpectationVerdict> verdicts_;
 };
 } // namespace counterpoint::simulator

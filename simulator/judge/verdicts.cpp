@@ -13,7 +13,7 @@ namespace
 class Judgement
 {
   public:
-    Judgement(const Scenario& scenario, const Journal& journal, Network* const network)
+    Judgement(const Scenario& scenario, const Journal& journal, Network& network)
         : scenario_(scenario), journal_(journal), network_(network)
     {
     }
@@ -167,9 +167,9 @@ class Judgement
 
     [[nodiscard]] ExpectationVerdict OfValue(const Expectation& expectation)
     {
-        const Node& node = network_->At(expectation.node);
+        const Node& node = network_.At(expectation.node);
         const runtime::VariablePair* const pair = node.Model().PairOf(expectation.object);
-        const std::uint64_t safe = network_->At(expectation.node).App().SafeValueOf(expectation.object);
+        const std::uint64_t safe = network_.At(expectation.node).App().SafeValueOf(expectation.object);
         // Behind a closed output no value counts, whatever the application last saw.
         const bool is_open = IsOpen(expectation, pair->srdo, expectation.at);
         const std::uint64_t value = is_open ? UsedAt(expectation.node, expectation, safe) : safe;
@@ -268,14 +268,15 @@ class Judgement
             return closed.since;
         }
         // Bits of a normal frame are wrong only beside the inverse frame that follows.
-        const bool is_normal = !fault.frames.identifiers.empty() && ChoosesNormal(fault.frames);
+        const bool is_chosen = !fault.frames.identifiers.empty() || fault.frames.srdo_of;
+        const bool is_normal = is_chosen && ChoosesNormal(fault.frames);
         const bool waits = fault.kind == FaultKind::kCorruption && !fault.length && is_normal;
         return (waits && closed.inverse >= measurement.effect) ? closed.inverse : measurement.effect;
     }
 
     [[nodiscard]] Measurement Measure(const Expectation& expectation)
     {
-        const runtime::DeviceModel& model = network_->At(expectation.node).Model();
+        const runtime::DeviceModel& model = network_.At(expectation.node).Model();
         Measurement measurement;
         measurement.fault = expectation.fault;
         measurement.node = expectation.node;
@@ -366,7 +367,7 @@ class Judgement
 
     const Scenario& scenario_;
     const Journal& journal_;
-    Network* network_; ///< Null: there are managers, and nothing is expected that asks it.
+    Network& network_;
 };
 } // namespace
 
@@ -392,7 +393,7 @@ Nanoseconds LimitOf(const Scenario& scenario, const Expectation& expectation, co
     return ComputeLimit(model.Config(), times, fault_class).us * kNanosecondsPerMicrosecond;
 }
 
-std::vector<ExpectationVerdict> Judge(const Scenario& scenario, const Journal& journal, Network* const network,
+std::vector<ExpectationVerdict> Judge(const Scenario& scenario, const Journal& journal, Network& network,
                                       const std::vector<std::string>& found)
 {
     Judgement judgement(scenario, journal, network);

@@ -55,8 +55,8 @@ struct ExpectationVerdict
 };
 
 /// @brief The verdict of each expectation after a run. [SRS_SIM_030]
-/// `network` is null in a scenario with managers; `found` has what they and their devices said, by expectation.
-[[nodiscard]] std::vector<ExpectationVerdict> Judge(const Scenario& scenario, const Journal& journal, Network* network,
+/// `found` has what managers and whole devices said, by expectation.
+[[nodiscard]] std::vector<ExpectationVerdict> Judge(const Scenario& scenario, const Journal& journal, Network& network,
                                                     const std::vector<std::string>& found);
 /// @brief The limit that a fault has at this output, known before the run.
 [[nodiscard]] Nanoseconds LimitOf(const Scenario& scenario, const Expectation& expectation,

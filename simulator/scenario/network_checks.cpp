@@ -185,58 +185,6 @@ void RequireManagers(const Scenario& scenario)
     }
 }
 
-/// What a network with managers cannot do.
-void RequireWithoutManagers(const Scenario& scenario)
-{
-    const auto refuse = [](const auto& items, const std::string& what)
-    {
-        if (!items.empty())
-        {
-            Refuse(items.front().source, what + " in a network with managers", "a scenario without them");
-        }
-    };
-    refuse(scenario.stimuli, "an input");
-    refuse(scenario.logic, "a logic rule");
-    refuse(scenario.acknowledges, "an acknowledge");
-    refuse(scenario.nmt, "an NMT event");
-    refuse(scenario.power, "a power cycle");
-    refuse(scenario.gfc, "a GFC event");
-    refuse(scenario.faults, "a fault");
-    for (const NodeSetup& node : scenario.nodes)
-    {
-        const bool has_clocks = node.counter_a.drift_ppm != 0 || node.counter_a.start_us != 0U ||
-                                node.counter_b.drift_ppm != 0 || node.counter_b.start_us != 0U;
-        if (node.role != runtime::CpuRole::kWhole || node.controllers != 1U || has_clocks || !node.self_tests ||
-            node.start_at != kNever)
-        {
-            Refuse(node.source, "a node with more than dcf, node_id, serial and phase in a network with managers",
-                   "those alone");
-        }
-    }
-    for (const Expectation& expectation : scenario.expectations)
-    {
-        if (!IsOfNetwork(expectation.kind))
-        {
-            Refuse(expectation.source,
-                   std::string("expectation ") + NameOf(kExpectationWords, expectation.kind) + " with managers",
-                   "one of managers, device or output");
-        }
-    }
-}
-
-void RequireOwnNodeIds(const Scenario& scenario)
-{
-    for (NodeIndex later = 1U; later < scenario.nodes.size(); ++later)
-    {
-        const NodeSetup& node = scenario.nodes[later];
-        const auto is_same = [&node](const NodeSetup& other) { return other.node_id == node.node_id; };
-        if (std::any_of(scenario.nodes.begin(), scenario.nodes.begin() + static_cast<std::ptrdiff_t>(later), is_same))
-        {
-            Refuse(node.source, "node-ID " + std::to_string(node.node_id.value_or(0U)) + " a second time",
-                   "each node-ID once; the event 'duplicate' brings another one");
-        }
-    }
-}
 } // namespace
 
 void RequireNetwork(const Scenario& scenario)
@@ -246,8 +194,6 @@ void RequireNetwork(const Scenario& scenario)
     {
         return;
     }
-    RequireWithoutManagers(scenario);
-    RequireOwnNodeIds(scenario);
     for (const Action& action : scenario.actions)
     {
         RequireSpan(scenario, action);

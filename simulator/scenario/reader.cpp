@@ -135,12 +135,9 @@ void Append(Fields& fields, const char* key, const Scenario& scenario, std::vect
     }
 }
 
-/// The same without what is there under other profiles only.
-template <typename Item, typename Read>
-void AppendOfProfile(Fields& fields, const char* key, const Scenario& scenario, std::vector<Item>& items,
-                     const Read& read)
+/// Takes away what is there under other profiles only.
+template <typename Item> void KeepOfProfile(std::vector<Item>& items)
 {
-    Append(fields, key, scenario, items, read);
     items.erase(std::remove_if(items.begin(), items.end(), [](const Item& item) { return !item.is_of_profile; }),
                 items.end());
 }
@@ -157,7 +154,7 @@ void AppendToEach(Fields& fields, const char* key, const Scenario& scenario, std
     for (const YamlValue& value : list->Items("a list"))
     {
         items.push_back(read(scenario, value));
-        if (NamesBothCpus(scenario, value))
+        if (items.back().node != kNoNode && NamesBothCpus(scenario, value))
         {
             Item second = items.back();
             ++second.node;
@@ -270,9 +267,11 @@ void ReadInto(const ScenarioDocument& document, Scenario& scenario)
     AppendToEach(fields, "nmt", scenario, scenario.nmt, ReadNmt);
     AppendToEach(fields, "power", scenario, scenario.power, ReadPower);
     Append(fields, "gfc", scenario, scenario.gfc, ReadGfc);
-    AppendOfProfile(fields, "events", scenario, scenario.actions, ReadAction);
+    AppendToEach(fields, "events", scenario, scenario.actions, ReadAction);
+    KeepOfProfile(scenario.actions);
     Append(fields, "faults", scenario, scenario.faults, ReadFault);
-    AppendOfProfile(fields, "expect", scenario, scenario.expectations, ReadExpectation);
+    Append(fields, "expect", scenario, scenario.expectations, ReadExpectation);
+    KeepOfProfile(scenario.expectations);
     fields.Close();
 }
 const runtime::YamlNode* MemberOf(const runtime::YamlNode& map, const std::string& key)

@@ -1,8 +1,12 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "simulator/world/network.hpp"
 
+#include "simulator/world/network_check.hpp"
+
+#include "canopen/cia306/file/device_reader.hpp"
+
 #include <algorithm>
-#include <utility>
+#include <optional>
 
 namespace counterpoint::simulator
 {
@@ -25,253 +29,153 @@ Insight InsightOf(const Scenario& scenario, const Journal& journal)
 } // namespace
 
 Network::Network(const Scenario& scenario, Journal& journal)
-    : scenario_(scenario), journal_(journal), bus_(RateOf(scenario))
+    : unheard_(false), world_{scenario, journal, host::VirtualBus(RateOf(scenario)), {}, {}, {}, {}},
+      events_(world_, agenda_)
 {
-    BuildNodes();
-    RequireThatEverythingExists();
-    BuildLinks();
-    for (const runtime::LogicRule& rule : scenario_.logic)
+    if (!scenario.managers.empty())
     {
-        nodes_[rule.node]->App().AddRule(rule);
+        world_.bus.TakeTurns(); // Managers and second devices send the same identifiers, each by its own clock.
     }
-    BuildForeignControllers();
-    InstallFaults();
+    BuildNodes();
+    NetworkCheck(world_).RequireThatEverythingExists();
+    BuildLinks();
+    for (const runtime::LogicRule& rule : scenario.logic)
+    {
+        At(rule.node).App().AddRule(rule);
+    }
+    faults_ = std::make_unique<NetworkFaults>(world_, agenda_);
     // What the DCFs make impossible is found now and not in the middle of the run.
-    for (const std::unique_ptr<Node>& node : nodes_)
+    for (const std::unique_ptr<Node>& node : world_.nodes)
     {
         node->Rehearse();
     }
-    PlanWorld();
-    for (std::size_t index = 0U; index < scenario_.faults.size(); ++index)
-    {
-        PlanFault(index);
-    }
-    std::stable_sort(actions_.begin(), actions_.end(),
-                     [](const Action& left, const Action& right) { return left.at < right.at; });
+    BuildStorms();
+    events_.PlanAll();
+    faults_->PlanAll();
+    agenda_.Sort();
 }
 
 void Network::BuildNodes()
 {
-    const Insight insight = InsightOf(scenario_, journal_);
-    for (NodeIndex index = 0U; index < scenario_.nodes.size(); ++index)
+    const Insight insight = InsightOf(world_.scenario, world_.journal);
+    for (NodeIndex index = 0U; index < world_.scenario.nodes.size(); ++index)
     {
-        const NodeSetup& setup = scenario_.nodes[index];
-        models_.push_back(std::make_unique<runtime::DeviceModel>(setup.dcf, setup.node_id));
-        if (setup.controllers > 1U)
+        BuildNode(index, world_.scenario.nodes[index], world_.journal, insight);
+    }
+    for (const Action& action : world_.scenario.actions)
+    {
+        if (action.kind == ActionKind::kDuplicate)
         {
-            models_.back()->UseTwoControllers();
+            duplicates_.push_back(world_.scenario.nodes[action.node]);
+            duplicates_.back().phase = kNever;
+            BuildNode(action.node, duplicates_.back(), unheard_, Insight::kNone);
         }
-        nodes_.push_back(std::make_unique<Node>(index, setup, *models_.back(), bus_, journal_, insight));
-        std::uint32_t controller = 0U;
-        for (const host::NodeIndex place : nodes_.back()->BusNodes())
-        {
-            ++controller;
-            places_.resize(place + 1U);
-            places_[place] = {index, controller, kNoFaultIndex};
-        }
+    }
+}
+
+// With managers each device runs its services; of two CPUs the first one does.
+void Network::BuildNode(const NodeIndex index, const NodeSetup& setup, Journal& journal, const Insight insight)
+{
+    const bool has_managers = !world_.scenario.managers.empty();
+    const runtime::SafetyNeed need = has_managers ? runtime::SafetyNeed::kOptional : runtime::SafetyNeed::kRequired;
+    world_.models.push_back(std::make_unique<runtime::DeviceModel>(setup.dcf, setup.node_id, need));
+    runtime::DeviceModel& model = *world_.models.back();
+    if (setup.controllers > 1U)
+    {
+        model.UseTwoControllers();
+    }
+    std::optional<cia306::Device> file;
+    if (has_managers && setup.role != runtime::CpuRole::kB)
+    {
+        file = cia306::ReadDeviceFile(setup.dcf);
+    }
+    world_.nodes.push_back(
+        std::make_unique<Node>(NodePlace{index, world_.bus, journal, insight, file ? &*file : nullptr}, setup, model));
+    std::uint32_t controller = 0U;
+    for (const host::NodeIndex place : world_.nodes.back()->BusNodes())
+    {
+        ++controller;
+        world_.places.resize(place + 1U);
+        world_.places[place] = {index, controller, kNoFaultIndex};
     }
 }
 
 void Network::BuildLinks()
 {
-    for (NodeIndex index = 0U; index < nodes_.size(); ++index)
+    for (NodeIndex index = 0U; index < Size(); ++index)
     {
-        if (scenario_.nodes[index].role == runtime::CpuRole::kA)
+        if (world_.scenario.nodes[index].role == runtime::CpuRole::kA)
         {
             LinkWire& wire =
-                *wires_.emplace(index, std::make_unique<LinkWire>(scenario_, index, journal_)).first->second;
-            nodes_[index]->Join(wire);
-            nodes_[index + 1U]->Join(wire);
+                *world_.wires.emplace(index, std::make_unique<LinkWire>(world_.scenario, index, world_.journal))
+                     .first->second;
+            At(index).Join(wire);
+            At(index + 1U).Join(wire);
         }
     }
+}
+
+void Network::BuildStorms()
+{
+    for (const Action& action : world_.scenario.actions)
+    {
+        if (IsStorm(action.kind))
+        {
+            Storm& storm = storms_.emplace_back(action, world_.bus);
+            Join(storm, storm.BusNode(), world_.scenario.nodes.size() + world_.scenario.managers.size());
+        }
+    }
+}
+
+void Network::Join(Participant& participant, const host::NodeIndex bus_node, const NodeIndex whose)
+{
+    world_.places.resize(std::max<std::size_t>(world_.places.size(), bus_node + 1U));
+    world_.places[bus_node] = {whose, 1U, kNoFaultIndex};
+    participants_.push_back(&participant);
 }
 
 void Network::DeliverMessages()
 {
-    for (const auto& [first, wire] : wires_)
+    for (const auto& [first, wire] : world_.wires)
     {
         while (const std::optional<LinkArrival> arrival = wire->Take(Now()))
         {
-            nodes_[arrival->receiver]->TakeMessage(arrival->frame);
+            At(arrival->receiver).TakeMessage(arrival->frame);
         }
     }
 }
 
-// A fault that sends frames of its own does it by a controller of its own.
-void Network::BuildForeignControllers()
+Nanoseconds Network::NextEvent() const noexcept
 {
-    for (std::size_t index = 0U; index < scenario_.faults.size(); ++index)
+    // Services and managers act on what the bus brings.
+    const Nanoseconds of_bus = world_.scenario.managers.empty() ? kNever : world_.bus.NextEvent();
+    Nanoseconds next = std::min(agenda_.NextEvent(), of_bus);
+    for (const std::unique_ptr<Node>& node : world_.nodes)
     {
-        const FaultKind kind = scenario_.faults[index].kind;
-        if (kind == FaultKind::kDuplicate || kind == FaultKind::kBabbling)
-        {
-            foreign_[index] = std::make_unique<ForeignController>(bus_);
-            places_.push_back({kNoNode, 1U, index});
-        }
+        next = std::min(next, node->NextEvent());
     }
+    for (const auto& [first, wire] : world_.wires)
+    {
+        next = std::min(next, wire->NextArrival());
+    }
+    for (const Participant* const participant : participants_)
+    {
+        next = std::min(next, participant->NextEvent());
+    }
+    return next;
 }
 
-std::vector<FrameSelector> Network::SelectorsOf(bool (*const is_wanted)(FaultKind)) const
-{
-    std::vector<FrameSelector> selectors;
-    for (std::size_t index = 0U; index < scenario_.faults.size(); ++index)
-    {
-        const FaultSetup& fault = scenario_.faults[index];
-        if (!is_wanted(fault.kind))
-        {
-            continue;
-        }
-        std::vector<std::uint32_t> identifiers = fault.frames.identifiers;
-        for (const runtime::SrdoModel& srdo : models_[fault.frames.srdo_of.value_or(0U)]->Srdos())
-        {
-            const bool is_it = fault.frames.srdo_of && srdo.number == fault.frames.srdo;
-            if (is_it && fault.frames.has_normal)
-            {
-                identifiers.push_back(srdo.cob_id_1);
-            }
-            if (is_it && fault.frames.has_inverse)
-            {
-                identifiers.push_back(srdo.cob_id_2);
-            }
-        }
-        selectors.emplace_back(fault, index, std::move(identifiers));
-    }
-    return selectors;
-}
-
-void Network::InstallFaults()
-{
-    const FaultStage stage{scenario_, bus_, places_, journal_};
-    const bool has_masquerade =
-        std::any_of(scenario_.faults.begin(), scenario_.faults.end(),
-                    [](const FaultSetup& fault) { return fault.kind == FaultKind::kMasquerade; });
-    std::vector<FrameSelector> on_receptions = SelectorsOf(&ActsOnReceptions);
-    if (!on_receptions.empty() || has_masquerade || !foreign_.empty())
-    {
-        frame_faults_ = std::make_unique<FrameFaults>(stage, std::move(on_receptions));
-        bus_.Install(*frame_faults_);
-    }
-    std::vector<FrameSelector> in_controllers = SelectorsOf(&ActsInControllers);
-    if (!in_controllers.empty())
-    {
-        controller_faults_ = std::make_unique<ControllerFaults>(stage, std::move(in_controllers));
-        bus_.Install(*controller_faults_);
-    }
-}
-
-void Network::Plan(const Nanoseconds at, std::function<void()> act)
-{
-    actions_.push_back({at, std::move(act)});
-}
-
-void Network::PlanWorld()
-{
-    for (NodeIndex index = 0U; index < nodes_.size(); ++index)
-    {
-        Plan(scenario_.nodes[index].start_at, [this, index]() { nodes_[index]->SetNmt(NmtState::kOperational); });
-    }
-    for (const Stimulus& stimulus : scenario_.stimuli)
-    {
-        Plan(stimulus.at,
-             [this, &stimulus]()
-             {
-                 const std::uint64_t object = (std::uint64_t{stimulus.object.index} << 8U) | stimulus.object.sub;
-                 nodes_[stimulus.node]->App().SetInput(stimulus.object, stimulus.value);
-                 journal_.Tell({Now(), EventKind::kInput, stimulus.node, 0U, stimulus.value, object});
-             });
-    }
-    for (const Acknowledge& acknowledge : scenario_.acknowledges)
-    {
-        Plan(acknowledge.at,
-             [this, &acknowledge]() { nodes_[acknowledge.node]->SetAcknowledge(acknowledge.srdo, true); });
-        Plan(acknowledge.at + acknowledge.pulse,
-             [this, &acknowledge]() { nodes_[acknowledge.node]->SetAcknowledge(acknowledge.srdo, false); });
-    }
-    PlanNmt();
-    for (const GfcEvent& event : scenario_.gfc)
-    {
-        Plan(event.at, [this, &event]() { nodes_[event.node]->SendGfc(); });
-    }
-}
-
-void Network::PlanNmt()
-{
-    for (const NmtEvent& event : scenario_.nmt)
-    {
-        for (NodeIndex index = 0U; index < nodes_.size(); ++index)
-        {
-            if (event.node != kNoNode && event.node != index)
-            {
-                continue;
-            }
-            Plan(event.at, [this, &event, index]() { Command(index, event); });
-            if (event.start_after != kNever)
-            {
-                Plan(event.at + event.start_after, [this, index]() { nodes_[index]->SetNmt(NmtState::kOperational); });
-            }
-        }
-    }
-    for (const PowerCycle& cycle : scenario_.power)
-    {
-        Plan(cycle.at, [this, &cycle]() { nodes_[cycle.node]->PowerOff(); });
-        Plan(cycle.at + cycle.off, [this, &cycle]() { nodes_[cycle.node]->PowerOn(); });
-        if (cycle.start_after != kNever)
-        {
-            Plan(cycle.at + cycle.off + cycle.start_after,
-                 [this, &cycle]() { nodes_[cycle.node]->SetNmt(NmtState::kOperational); });
-        }
-    }
-}
-
-void Network::Command(const NodeIndex node, const NmtEvent& event)
-{
-    switch (event.command)
-    {
-    case NmtCommand::kNone:
-        nodes_[node]->SetNmt(event.state);
-        return;
-    case NmtCommand::kStart:
-        nodes_[node]->SetNmt(NmtState::kOperational);
-        return;
-    case NmtCommand::kStop:
-        nodes_[node]->SetNmt(NmtState::kStopped);
-        return;
-    case NmtCommand::kEnterPreOperational:
-        nodes_[node]->SetNmt(NmtState::kPreOperational);
-        return;
-    case NmtCommand::kResetNode:
-        nodes_[node]->ResetNode();
-        return;
-    case NmtCommand::kResetCommunication:
-        nodes_[node]->ResetCommunication();
-        return;
-    }
-}
-
-// t = the next instant of bus, world, links and nodes; first the bus up to t, then the world, then messages between
-// CPUs, then the nodes in their order.
+// t = the next instant of bus, world, links, nodes and others; first the bus up to t, then the world, then messages
+// between CPUs, then the nodes in their order, then the others.
 void Network::RunUntil(const Nanoseconds until)
 {
-    host::BusObserver* const observer = journal_.KeepsAll() ? this : nullptr;
-    while (true)
+    host::BusObserver* const observer = world_.journal.KeepsAll() ? this : nullptr;
+    for (Nanoseconds next = NextEvent(); next <= until && next != kNever; next = NextEvent())
     {
-        Nanoseconds next = (next_action_ < actions_.size()) ? actions_[next_action_].at : kNever;
-        for (const std::unique_ptr<Node>& node : nodes_)
-        {
-            next = std::min(next, node->NextEvent());
-        }
-        for (const auto& [first, wire] : wires_)
-        {
-            next = std::min(next, wire->NextArrival());
-        }
-        if (next > until)
-        {
-            break;
-        }
-        bus_.Advance(next, observer);
-        RunActions();
+        world_.bus.Advance(next, observer);
+        agenda_.Run(next);
         DeliverMessages();
-        for (const std::unique_ptr<Node>& node : nodes_)
+        for (const std::unique_ptr<Node>& node : world_.nodes)
         {
             if (node->NextEvent() <= next)
             {
@@ -279,49 +183,46 @@ void Network::RunUntil(const Nanoseconds until)
                 ++cycles_;
             }
         }
+        for (Participant* const participant : participants_)
+        {
+            if (participant->NextEvent() <= next)
+            {
+                participant->Run(next);
+            }
+        }
     }
-    bus_.Advance(until, observer);
-}
-
-void Network::RunActions()
-{
-    while (next_action_ < actions_.size() && actions_[next_action_].at <= Now())
-    {
-        actions_[next_action_].act();
-        ++next_action_;
-    }
+    world_.bus.Advance(until, observer);
 }
 
 void Network::OnBusRecord(const host::BusRecord& record)
 {
-    const BusPlace& sender = places_[record.sent.sender];
-    journal_.Tell(FrameEntry{record.sent.start, record.end, record.sent.frame, sender.node, record.fate});
+    const BusPlace& sender = world_.places[record.sent.sender];
+    world_.journal.Tell(FrameEntry{record.sent.start, record.end, record.sent.frame, sender.node, record.fate});
 }
 
 Nanoseconds Network::Now() const noexcept
 {
-    return bus_.Now();
+    return world_.Now();
 }
 
 Node& Network::At(const NodeIndex node)
 {
-    return *nodes_.at(node);
+    return *world_.nodes.at(node);
 }
 
 std::size_t Network::Size() const noexcept
 {
-    return nodes_.size();
+    return world_.scenario.nodes.size();
 }
 
 host::VirtualBus& Network::Bus() noexcept
 {
-    return bus_;
+    return world_.bus;
 }
 
 const std::map<std::size_t, std::uint32_t>& Network::DroppedCopies() const noexcept
 {
-    static const std::map<std::size_t, std::uint32_t> kNone;
-    return (frame_faults_ == nullptr) ? kNone : frame_faults_->Dropped();
+    return faults_->Dropped();
 }
 
 std::uint64_t Network::CycleCount() const noexcept

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "simulator/world/network_faults.hpp"
+
 #include "simulator/faults/random.hpp"
-#include "simulator/world/network.hpp"
 
 #include <algorithm>
 
@@ -88,12 +89,104 @@ FaultClass ClassOf(const FaultSetup& fault)
     }
 }
 
-void Network::NoteFault(const std::size_t index, const NodeIndex node)
+NetworkFaults::NetworkFaults(World& world, Agenda& agenda) : world_(world), scenario_(world.scenario), agenda_(agenda)
 {
-    journal_.Note({Now(), EventKind::kFault, node, 0U, index, 0U});
+    BuildForeignControllers();
+    Install();
 }
 
-void Network::PlanFault(const std::size_t index)
+void NetworkFaults::PlanAll()
+{
+    for (std::size_t index = 0U; index < scenario_.faults.size(); ++index)
+    {
+        PlanFault(index);
+    }
+}
+
+const std::map<std::size_t, std::uint32_t>& NetworkFaults::Dropped() const noexcept
+{
+    static const std::map<std::size_t, std::uint32_t> kNone;
+    return (frame_faults_ == nullptr) ? kNone : frame_faults_->Dropped();
+}
+
+// A fault that sends frames of its own does it by a controller of its own.
+void NetworkFaults::BuildForeignControllers()
+{
+    for (std::size_t index = 0U; index < scenario_.faults.size(); ++index)
+    {
+        const FaultKind kind = scenario_.faults[index].kind;
+        if (kind == FaultKind::kDuplicate || kind == FaultKind::kBabbling)
+        {
+            foreign_[index] = std::make_unique<ForeignController>(world_.bus);
+            world_.places.push_back({kNoNode, 1U, index});
+        }
+    }
+}
+
+std::vector<FrameSelector> NetworkFaults::SelectorsOf(bool (*const is_wanted)(FaultKind)) const
+{
+    std::vector<FrameSelector> selectors;
+    for (std::size_t index = 0U; index < scenario_.faults.size(); ++index)
+    {
+        const FaultSetup& fault = scenario_.faults[index];
+        if (!is_wanted(fault.kind))
+        {
+            continue;
+        }
+        std::vector<std::uint32_t> identifiers = fault.frames.identifiers;
+        for (const runtime::SrdoModel& srdo : world_.models[fault.frames.srdo_of.value_or(0U)]->Srdos())
+        {
+            const bool is_it = fault.frames.srdo_of && srdo.number == fault.frames.srdo;
+            if (is_it && fault.frames.has_normal)
+            {
+                identifiers.push_back(srdo.cob_id_1);
+            }
+            if (is_it && fault.frames.has_inverse)
+            {
+                identifiers.push_back(srdo.cob_id_2);
+            }
+        }
+        selectors.emplace_back(fault, index, std::move(identifiers));
+    }
+    return selectors;
+}
+
+void NetworkFaults::Install()
+{
+    const FaultStage stage{scenario_, world_.bus, world_.places, world_.journal};
+    const bool has_masquerade =
+        std::any_of(scenario_.faults.begin(), scenario_.faults.end(),
+                    [](const FaultSetup& fault) { return fault.kind == FaultKind::kMasquerade; });
+    std::vector<FrameSelector> on_receptions = SelectorsOf(&ActsOnReceptions);
+    if (!on_receptions.empty() || has_masquerade || !foreign_.empty())
+    {
+        frame_faults_ = std::make_unique<FrameFaults>(stage, std::move(on_receptions));
+        world_.bus.Install(*frame_faults_);
+    }
+    std::vector<FrameSelector> in_controllers = SelectorsOf(&ActsInControllers);
+    if (!in_controllers.empty())
+    {
+        controller_faults_ = std::make_unique<ControllerFaults>(stage, std::move(in_controllers));
+        world_.bus.Install(*controller_faults_);
+    }
+}
+
+void NetworkFaults::PlanInsertedMessages(const std::size_t index)
+{
+    const FaultSetup& fault = scenario_.faults[index];
+    for (std::uint32_t time = 0U; time < fault.times; ++time)
+    {
+        agenda_.Plan(fault.at + fault.by * time,
+                     [this, index, &fault]() { world_.wires.at(fault.node)->Insert(index, world_.Now()); });
+    }
+}
+
+void NetworkFaults::NoteFault(const std::size_t index, const NodeIndex node)
+{
+    world_.journal.Note({world_.Now(), EventKind::kFault, node, 0U, index, 0U});
+}
+
+void NetworkFaults::PlanFault(const std::size_t index)
 {
     const FaultSetup& fault = scenario_.faults[index];
     switch (fault.kind)
@@ -136,78 +229,80 @@ void Network::PlanFault(const std::size_t index)
     }
 }
 
-void Network::PlanState(const std::size_t index, const std::function<void()>& begin, const std::function<void()>& end)
+void NetworkFaults::PlanState(const std::size_t index, const std::function<void()>& begin,
+                              const std::function<void()>& end)
 {
     const FaultSetup& fault = scenario_.faults[index];
     const Nanoseconds last = std::min(fault.until, scenario_.duration);
     for (Nanoseconds at = fault.at; at < last; at += fault.on + fault.off)
     {
-        Plan(at, begin);
+        agenda_.Plan(at, begin);
         if (fault.on == 0)
         {
             break;
         }
         if (at + fault.on < last)
         {
-            Plan(at + fault.on, end);
+            agenda_.Plan(at + fault.on, end);
         }
     }
     if (fault.until != kNever)
     {
-        Plan(fault.until, end);
+        agenda_.Plan(fault.until, end);
     }
 }
 
-void Network::Insert(const std::size_t index)
+void NetworkFaults::Insert(const std::size_t index)
 {
     const FaultSetup& fault = scenario_.faults[index];
     const CanFrame frame = ForeignFrame(fault);
     NoteFault(index, fault.frames.receiver.value_or(kNoNode));
-    for (NodeIndex node = 0U; node < nodes_.size(); ++node)
+    for (NodeIndex node = 0U; node < world_.nodes.size(); ++node)
     {
         if (fault.frames.receiver.value_or(node) != node)
         {
             continue;
         }
-        for (const host::NodeIndex place : nodes_[node]->BusNodes()) // Filters decide which of two it is for.
+        for (const host::NodeIndex place : world_.nodes[node]->BusNodes()) // Filters decide which of two it is for.
         {
-            bus_.Plan(place, frame, Now());
+            world_.bus.Plan(place, frame, world_.Now());
         }
     }
-    journal_.Tell(FrameEntry{Now(), Now(), frame, kNoNode, host::FrameFate::kComplete});
+    world_.journal.Tell(FrameEntry{world_.Now(), world_.Now(), frame, kNoNode, host::FrameFate::kComplete});
 }
 
-void Network::PlanForeignFrames(const std::size_t index)
+void NetworkFaults::PlanForeignFrames(const std::size_t index)
 {
     const FaultSetup& fault = scenario_.faults[index];
     for (std::uint32_t time = 0U; time < fault.times; ++time)
     {
-        Plan(fault.at + fault.by * time,
-             [this, index, &fault]()
-             {
-                 if (fault.kind == FaultKind::kInsertion)
-                 {
-                     Insert(index);
-                     return;
-                 }
-                 static_cast<void>(bus_.Submit(nodes_[fault.node]->BusNodes().front(), ForeignFrame(fault)));
-             });
+        agenda_.Plan(fault.at + fault.by * time,
+                     [this, index, &fault]()
+                     {
+                         if (fault.kind == FaultKind::kInsertion)
+                         {
+                             Insert(index);
+                             return;
+                         }
+                         static_cast<void>(
+                             world_.bus.Submit(world_.nodes[fault.node]->BusNodes().front(), ForeignFrame(fault)));
+                     });
     }
 }
 
-void Network::PlanBabbling(const std::size_t index)
+void NetworkFaults::PlanBabbling(const std::size_t index)
 {
     const CanFrame frame = ForeignFrame(scenario_.faults[index]);
     ForeignController& controller = *foreign_.at(index);
     PlanState(index, [&controller, frame]() { controller.Babble(frame); }, [&controller]() { controller.Stop(); });
 }
 
-void Network::PlanControllerFault(const std::size_t index)
+void NetworkFaults::PlanControllerFault(const std::size_t index)
 {
     const FaultSetup& fault = scenario_.faults[index];
     if (fault.kind == FaultKind::kQueueOverflow)
     {
-        Node& node = *nodes_[fault.node];
+        Node& node = *world_.nodes[fault.node];
         PlanState(
             index, [&node, &fault, index]() { node.Poll(fault.capacity, index); },
             [&node]() { node.Poll(0U, kNoFaultIndex); });
@@ -215,12 +310,12 @@ void Network::PlanControllerFault(const std::size_t index)
     }
     const auto for_each = [this, &fault](void (host::VirtualBus::* const act)(host::NodeIndex))
     {
-        const std::vector<host::NodeIndex>& places = nodes_[fault.node]->BusNodes();
+        const std::vector<host::NodeIndex>& places = world_.nodes[fault.node]->BusNodes();
         for (std::uint32_t place = 0U; place < places.size(); ++place)
         {
             if (fault.controller == 0U || fault.controller == place + 1U)
             {
-                (bus_.*act)(places[place]);
+                (world_.bus.*act)(places[place]);
             }
         }
     };
@@ -235,21 +330,21 @@ void Network::PlanControllerFault(const std::size_t index)
         [for_each, is_bus_off]() { for_each(is_bus_off ? &host::VirtualBus::Recover : &host::VirtualBus::Connect); });
 }
 
-void Network::PlanStandstill(const std::size_t index)
+void NetworkFaults::PlanStandstill(const std::size_t index)
 {
     const FaultSetup& fault = scenario_.faults[index];
-    Plan(fault.at,
-         [this, index, &fault]()
-         {
-             NoteFault(index, fault.node);
-             nodes_[fault.node]->StandStill();
-         });
+    agenda_.Plan(fault.at,
+                 [this, index, &fault]()
+                 {
+                     NoteFault(index, fault.node);
+                     world_.nodes[fault.node]->StandStill();
+                 });
 }
 
-runtime::BitPlace Network::PlaceOfBit(const std::size_t index)
+runtime::BitPlace NetworkFaults::PlaceOfBit(const std::size_t index)
 {
     const FaultSetup& fault = scenario_.faults[index];
-    Node& node = *nodes_[fault.node];
+    Node& node = *world_.nodes[fault.node];
     const std::size_t size = SizeOf(node.PiecesOfPart(fault.part, fault.srdo));
     runtime::BitPlace place{fault.offset.value_or(0U), fault.bit};
     if (fault.config)
@@ -283,43 +378,44 @@ runtime::BitPlace Network::PlaceOfBit(const std::size_t index)
     return place;
 }
 
-void Network::PlanBitFault(const std::size_t index)
+void NetworkFaults::PlanBitFault(const std::size_t index)
 {
     const FaultSetup& fault = scenario_.faults[index];
     const runtime::BitPlace place = PlaceOfBit(index);
     if (fault.kind == FaultKind::kStuckBit)
     {
-        Plan(fault.at, [this, index, &fault, place]() { nodes_[fault.node]->StickBit(fault, place, index); });
+        agenda_.Plan(fault.at,
+                     [this, index, &fault, place]() { world_.nodes[fault.node]->StickBit(fault, place, index); });
         return;
     }
-    Plan(fault.at,
-         [this, index, &fault, place]()
-         {
-             nodes_[fault.node]->FlipBit(fault.part, fault.srdo, place);
-             NoteFault(index, fault.node);
-         });
+    agenda_.Plan(fault.at,
+                 [this, index, &fault, place]()
+                 {
+                     world_.nodes[fault.node]->FlipBit(fault.part, fault.srdo, place);
+                     NoteFault(index, fault.node);
+                 });
 }
 
-void Network::PlanPartFault(const std::size_t index)
+void NetworkFaults::PlanPartFault(const std::size_t index)
 {
     const FaultSetup& fault = scenario_.faults[index];
     PlanState(
-        index, [this, index, &fault]() { nodes_[fault.node]->Faults().Begin(fault, index); },
-        [this, &fault]() { nodes_[fault.node]->Faults().End(fault); });
+        index, [this, index, &fault]() { world_.nodes[fault.node]->Faults().Begin(fault, index); },
+        [this, &fault]() { world_.nodes[fault.node]->Faults().End(fault); });
 }
 
-void Network::PlanClock(const std::size_t index)
+void NetworkFaults::PlanClock(const std::size_t index)
 {
     const FaultSetup& fault = scenario_.faults[index];
     const auto for_each = [this, &fault](const std::function<void(Node&, bool)>& act)
     {
         if (fault.hits_counter_a)
         {
-            act(*nodes_[fault.node], true);
+            act(*world_.nodes[fault.node], true);
         }
         if (fault.hits_counter_b)
         {
-            act(*nodes_[fault.node], false);
+            act(*world_.nodes[fault.node], false);
         }
     };
     const NodeSetup& setup = scenario_.nodes[fault.node];
@@ -337,26 +433,26 @@ void Network::PlanClock(const std::size_t index)
     PlanState(index, begin, end);
 }
 
-void Network::PlanDisturbance(const std::size_t index)
+void NetworkFaults::PlanDisturbance(const std::size_t index)
 {
     const FaultSetup& fault = scenario_.faults[index];
     if (fault.kind == FaultKind::kCycle)
     {
-        Plan(fault.at,
-             [this, index, &fault]()
-             {
-                 nodes_[fault.node]->ShiftCycle(fault.by);
-                 NoteFault(index, fault.node);
-             });
+        agenda_.Plan(fault.at,
+                     [this, index, &fault]()
+                     {
+                         world_.nodes[fault.node]->ShiftCycle(fault.by);
+                         NoteFault(index, fault.node);
+                     });
         return;
     }
     PlanState(
         index,
         [this, index, &fault]()
         {
-            nodes_[fault.node]->App().Disturb(fault.object, BitsOf(fault));
+            world_.nodes[fault.node]->App().Disturb(fault.object, BitsOf(fault));
             NoteFault(index, fault.node);
         },
-        [this, &fault]() { nodes_[fault.node]->App().Disturb(fault.object, 0U); });
+        [this, &fault]() { world_.nodes[fault.node]->App().Disturb(fault.object, 0U); });
 }
 } // namespace counterpoint::simulator

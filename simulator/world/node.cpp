@@ -10,6 +10,8 @@ namespace counterpoint::simulator
 namespace
 {
 constexpr std::int64_t kMillion = 1000000;
+constexpr std::uint16_t kCommunicationBase = 0x1300U;
+constexpr std::uint8_t kCobIdSub1 = 5U;
 constexpr std::uint8_t kStart = 1U; ///< NMT commands.
 constexpr std::uint8_t kStop = 2U;
 constexpr std::uint8_t kEnterPreOperational = 128U;
@@ -29,17 +31,16 @@ runtime::Half HalfOf(const runtime::CpuRole role)
 }
 } // namespace
 
-Node::Node(const NodeIndex index, const NodeSetup& setup, runtime::DeviceModel& model, host::VirtualBus& bus,
-           Journal& journal, const Insight insight)
-    : index_(index), setup_(setup), model_(model), bus_(bus), journal_(journal), insight_(insight),
-      clocks_(bus, {{setup.counter_a.start_us}, {setup.counter_b.start_us}}), watchdog_(bus),
-      output_(bus, watchdog_, LimitOf(model.Config())), output_tap_(output_, faults_),
+Node::Node(const NodePlace& place, const NodeSetup& setup, runtime::DeviceModel& model)
+    : place_(place), setup_(setup), model_(model), bus_(place.bus), journal_(place.journal),
+      clocks_(bus_, {{setup.counter_a.start_us}, {setup.counter_b.start_us}}), watchdog_(bus_),
+      output_(bus_, watchdog_, LimitOf(model.Config())), output_tap_(output_, faults_),
       watchdog_tap_(watchdog_, faults_), can_(clocks_, *this),
       channel_a_(runtime::MakeChannel(runtime::Letter::kA, runtime::RoomOf(model.Config()))),
       channel_b_(runtime::MakeChannel(runtime::Letter::kB, runtime::RoomOf(model.Config()))),
       tap_a_(channel_a_->Voice(), Part::kChannelA, faults_, this),
       tap_b_(channel_b_->Voice(), Part::kChannelB, faults_, this), supervisors_(faults_),
-      application_(index, model, journal, HalfOf(setup.role)),
+      application_(place.index, model, journal_, HalfOf(setup.role)),
       self_test_(setup.self_tests ? std::make_unique<NodeSelfTest>(memory_, image_, Output(), faults_) : nullptr),
       peer_((setup.role == runtime::CpuRole::kWhole)
                 ? nullptr
@@ -49,11 +50,20 @@ Node::Node(const NodeIndex index, const NodeSetup& setup, runtime::DeviceModel& 
       assembly_(model, model.Config(),
                 {VoiceOf(runtime::Letter::kA), VoiceOf(runtime::Letter::kB), can_, Output(),
                  (peer_ == nullptr) ? Supervision() : peer_->Watchdog(), application_, self_test_.get(), *this,
-                 nullptr})
+                 place.file}),
+      serial_(setup.serial)
 {
     FurnishSelfTest();
     application_.Join(assembly_.Core());
     ConnectControllers(model.ControllerCount());
+    if (place.file != nullptr)
+    {
+        assembly_.Connect([](const std::uint16_t /*index*/) { return nullptr; }, nullptr);
+        for (const host::NodeIndex node : bus_nodes_)
+        {
+            bus_.Disconnect(node); // Whoever has no supply hears nobody.
+        }
+    }
     SetCounterRate(true, setup.counter_a.drift_ppm);
     SetCounterRate(false, setup.counter_b.drift_ppm);
     const std::int64_t cycle = std::int64_t{model.Config().cycle_us} * kNanosecondsPerMicrosecond * kMillion;
@@ -65,19 +75,16 @@ Node::Node(const NodeIndex index, const NodeSetup& setup, runtime::DeviceModel& 
     slot_of_.fill(kNoSlot);
     for (const runtime::SrdoModel& srdo : model.Srdos())
     {
-        const bool has_identifier = srdo.cob_id_1 >= kFirstSrdoIdentifier && srdo.cob_id_1 < kLastSrdoIdentifier;
-        if (srdo.direction == kDirectionConsumer && has_identifier)
+        if (srdo.direction == kDirectionConsumer)
         {
-            const SlotIndex slot = model.SlotOf(srdo.number).value_or(kNoSlot);
-            slot_of_.at(srdo.cob_id_1 - kFirstSrdoIdentifier) = slot;
-            slot_of_.at(srdo.cob_id_1 - kFirstSrdoIdentifier + 1U) = slot;
+            TakeIdentifier(srdo.cob_id_1, model.SlotOf(srdo.number).value_or(kNoSlot));
         }
     }
 }
 
 void Node::SettleNextEvent() noexcept
 {
-    next_event_ = std::min(is_hung_ ? kNever : next_cycle_, look_at_);
+    next_event_ = std::min(is_hung_ ? kNever : std::min(next_cycle_, serve_at_), look_at_);
 }
 
 void Node::Run()
@@ -92,6 +99,7 @@ void Node::Run()
     }
     else
     {
+        Serve();
         LookAtOutput();
     }
     SettleNextEvent();
@@ -116,6 +124,7 @@ void Node::Cycle()
     seen_acknowledge_a_ = Level(Part::kAcknowledgeA, seen_acknowledge_a_);
     seen_acknowledge_b_ = Level(Part::kAcknowledgeB, seen_acknowledge_b_);
     const CycleCall call{Instants(), seen_acknowledge_a_, seen_acknowledge_b_};
+    LookAtBus();
     Guarded(
         [this, &call]()
         {
@@ -125,13 +134,15 @@ void Node::Cycle()
             }
             RunKernel(call);
         });
-    if (insight_ == Insight::kTapped)
+    if (place_.insight == Insight::kTapped)
     {
         NoteEffects();
         NoteSelfTest();
         LookInside();
     }
     LookAtOutput();
+    const bool has_restarted = has_restarted_;
+    Settle();
     if (!is_hung_)
     {
         const PartCondition& condition = faults_.Condition(Part::kApplication);
@@ -139,8 +150,114 @@ void Node::Cycle()
         {
             faults_.HasEffect(condition);
         }
-        ScheduleNext();
+        if (!has_restarted)
+        {
+            ScheduleNext();
+        }
     }
+}
+
+/// What follows when the device was called: it may have obeyed a command.
+void Node::Settle()
+{
+    if (is_hung_ || !is_on_)
+    {
+        return;
+    }
+    if (has_restarted_)
+    {
+        BeginCycles();
+    }
+    const cia301::NodeState state = assembly_.Device().State();
+    if (state == state_)
+    {
+        return;
+    }
+    state_ = state;
+    if (place_.file != nullptr)
+    {
+        journal_.Tell(
+            {Now(), EventKind::kNmt, place_.index, 0U, static_cast<std::uint64_t>(cia301::KernelState(state)), 0U});
+    }
+    if (state == cia301::NodeState::kOperational)
+    {
+        FollowConfiguration();
+    }
+}
+
+/// Directions, times, identifiers and mappings stay as they are until OPERATIONAL is left. What a manager may have
+/// written is followed; without services they are those of the file.
+void Node::FollowConfiguration()
+{
+    cycles_per_send_ = assembly_.CyclesPerSend();
+    cycles_to_send_ = 0U;
+    if (place_.file == nullptr)
+    {
+        return;
+    }
+    slot_of_.fill(kNoSlot);
+    for (SlotIndex slot = 0U; slot < model_.Srdos().size(); ++slot)
+    {
+        const auto index = static_cast<std::uint16_t>(kCommunicationBase + model_.NumberOf(slot));
+        if (assembly_.Core().GetParameters({index}).direction == kDirectionConsumer)
+        {
+            TakeIdentifier(ToValue(assembly_.Core().ReadObject({index, kCobIdSub1}).data), slot);
+        }
+    }
+    application_.Follow(assembly_.Core(), model_);
+}
+
+/// Of the normal frame; that of the inverse frame is the next one.
+void Node::TakeIdentifier(const std::uint32_t identifier, const SlotIndex slot)
+{
+    if (identifier >= kFirstSrdoIdentifier && identifier < kLastSrdoIdentifier)
+    {
+        slot_of_.at(identifier - kFirstSrdoIdentifier) = slot;
+        slot_of_.at(identifier - kFirstSrdoIdentifier + 1U) = slot;
+    }
+}
+
+void Node::LookAtBus()
+{
+    if (place_.file == nullptr)
+    {
+        return;
+    }
+    const bool is_off = std::any_of(bus_nodes_.begin(), bus_nodes_.end(), [this](const host::NodeIndex node)
+                                    { return bus_.State(node) == host::ControllerState::kBusOff; });
+    const device::BusCondition condition = is_off ? device::BusCondition::kOff : device::BusCondition::kActive;
+    if (condition != condition_)
+    {
+        condition_ = condition;
+        assembly_.Device().OnBus(condition);
+    }
+}
+
+void Node::HandOver()
+{
+    assembly_.Device().HandOver();
+    if (place_.file != nullptr && serve_at_ == kNever)
+    {
+        serve_at_ = Now() + ReactionTime(bus_);
+        SettleNextEvent();
+    }
+}
+
+/// Between two cycles.
+void Node::Serve()
+{
+    if (is_hung_ || Now() < serve_at_)
+    {
+        return;
+    }
+    serve_at_ = kNever;
+    Guarded(
+        [this]()
+        {
+            RequireSound();
+            assembly_.Device().Serve(Instants().a);
+        });
+    Settle();
 }
 
 void Node::ScheduleNext()
@@ -183,7 +300,7 @@ void Node::Take(const StampedFrame& frame)
     {
         return;
     }
-    if (insight_ == Insight::kTapped)
+    if (place_.insight == Insight::kTapped)
     {
         Follow(frame);
     }
@@ -193,7 +310,7 @@ void Node::Take(const StampedFrame& frame)
             RequireSound();
             const bool is_echo = peer_ != nullptr && peer_->IsEcho(frame.frame);
             is_echo ? assembly_.Device().OnConfirm(Stamped(frame)) : assembly_.Device().OnFrame(Stamped(frame));
-            assembly_.Device().HandOver();
+            HandOver();
         });
 }
 
@@ -209,7 +326,7 @@ void Node::TakeConfirmation(const StampedFrame& frame)
         {
             RequireSound();
             assembly_.Device().OnConfirm(Stamped(frame));
-            assembly_.Device().HandOver();
+            HandOver();
         });
 }
 
@@ -239,7 +356,7 @@ void Node::Follow(const StampedFrame& frame)
         times.pending = Now();
         times.data = data;
         times.length_bytes = frame.frame.length_bytes;
-        journal_.Tell({Now(), EventKind::kReception, index_, NumberOf(slot), identifier, 0U});
+        journal_.Tell({Now(), EventKind::kReception, place_.index, NumberOf(slot), identifier, 0U});
         return;
     }
     times.last_inverse = Now();
@@ -250,7 +367,7 @@ void Node::Follow(const StampedFrame& frame)
         times.pending >= 0 && times.length_bytes == frame.frame.length_bytes && ((normal ^ inverse) & mask) == mask;
     times.last_good_normal = is_good ? times.pending : times.last_good_normal;
     times.pending = -1;
-    journal_.Tell({Now(), EventKind::kReception, index_, NumberOf(slot), identifier, is_good ? 1U : 0U});
+    journal_.Tell({Now(), EventKind::kReception, place_.index, NumberOf(slot), identifier, is_good ? 1U : 0U});
 }
 
 void Node::LookAtOutput()
@@ -263,11 +380,11 @@ void Node::LookAtOutput()
         if (((changed >> slot) & 1U) != 0U)
         {
             const PairTimes& times = times_.at(slot);
-            journal_.Note({Now(), EventKind::kOutput, index_, NumberOf(slot), (open >> slot) & 1U, 0U,
+            journal_.Note({Now(), EventKind::kOutput, place_.index, NumberOf(slot), (open >> slot) & 1U, 0U,
                            times.last_good_normal, times.last_inverse});
         }
     }
-    if (insight_ == Insight::kTapped)
+    if (place_.insight == Insight::kTapped)
     {
         LookAtWatchdog();
     }
@@ -279,7 +396,7 @@ void Node::LookAtWatchdog()
     const bool is_alive = watchdog_.IsAlive();
     if (was_alive_ && !is_alive)
     {
-        journal_.Note({Now(), EventKind::kWatchdog, index_, 0U, 0U, 0U});
+        journal_.Note({Now(), EventKind::kWatchdog, place_.index, 0U, 0U, 0U});
     }
     was_alive_ = is_alive;
     look_at_ = std::min({output_.ClosesAt(), watchdog_.TripsAt(), served});
@@ -287,7 +404,10 @@ void Node::LookAtWatchdog()
 
 void Node::SetNmt(const NmtState state)
 {
-    journal_.Tell({Now(), EventKind::kNmt, index_, 0U, static_cast<std::uint64_t>(state), 0U});
+    if (place_.file == nullptr)
+    {
+        journal_.Tell({Now(), EventKind::kNmt, place_.index, 0U, static_cast<std::uint64_t>(state), 0U});
+    }
     if (state == NmtState::kOperational)
     {
         Obey(kStart);
@@ -318,7 +438,7 @@ void Node::Obey(const std::uint8_t command)
             RequireSound();
             assembly_.Device().OnFrame({frame, Instants()});
             assembly_.Device().Serve(Instants().a);
-            cycles_per_send_ = assembly_.CyclesPerSend();
         });
+    Settle();
 }
 } // namespace counterpoint::simulator

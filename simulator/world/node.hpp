@@ -15,6 +15,7 @@
 #include "simulator/world/node_application.hpp"
 #include "simulator/world/node_memory.hpp"
 #include "simulator/world/node_self_test.hpp"
+#include "simulator/world/participant.hpp"
 
 #include "hal/host/can_ports.hpp"
 #include "hal/host/clocks.hpp"
@@ -48,6 +49,16 @@ enum class Insight : std::uint8_t
     kTapped = 1U,
 };
 
+/// Where a node is, and who looks at it.
+struct NodePlace
+{
+    NodeIndex index;
+    host::VirtualBus& bus;
+    Journal& journal;
+    Insight insight;
+    const cia306::Device* file; ///< Null: the node has no services but NMT commands.
+};
+
 /// What the core is told of the link. [SRS_SIM_056]
 [[nodiscard]] LinkConfig LinkConfigOf(const NodeSetup& setup);
 
@@ -56,9 +67,9 @@ enum class Insight : std::uint8_t
 class Node final : private host::FrameSink, private ChannelWitness, private runtime::AssemblyOwner
 {
   public:
-    /// @brief Everything given outlives the node.
-    Node(NodeIndex index, const NodeSetup& setup, runtime::DeviceModel& model, host::VirtualBus& bus, Journal& journal,
-         Insight insight);
+    /// @brief Everything given outlives the node, but for the file. A setup whose phase never comes has no supply until
+    /// PowerOn.
+    Node(const NodePlace& place, const NodeSetup& setup, runtime::DeviceModel& model);
 
     /// @brief Of a CPU of two: the wire to the other one, which outlives the node.
     void Join(LinkWire& wire) noexcept;
@@ -109,6 +120,20 @@ class Node final : private host::FrameSink, private ChannelWitness, private runt
     [[nodiscard]] host::HostCanPorts& Can() noexcept;
     [[nodiscard]] const PairTimes& TimesOf(SlotIndex slot) const noexcept;
     [[nodiscard]] SrdoMask Open() const noexcept;
+    [[nodiscard]] NodeIndex Index() const noexcept
+    {
+        return place_.index;
+    }
+    /// @brief kInvalid: it has no supply.
+    [[nodiscard]] cia301::NodeState State() const noexcept;
+    [[nodiscard]] bool HasSupply() const noexcept
+    {
+        return is_on_;
+    }
+    /// @brief Another device of its kind stands here from the next power-on on. Of a node with services; below, too.
+    void SetSerial(std::uint32_t serial) noexcept;
+    /// @brief Somebody writes into it, by no message of the bus.
+    void Store(const ObjectAddress& object, std::uint32_t value);
     /// @brief Its nodes of the bus, the first controller first.
     [[nodiscard]] const std::vector<host::NodeIndex>& BusNodes() const noexcept;
     [[nodiscard]] Kernel& Core() noexcept;
@@ -148,8 +173,15 @@ class Node final : private host::FrameSink, private ChannelWitness, private runt
     [[nodiscard]] std::vector<MemoryPiece> WatchedPieces(Part part);
     void NoteSelfTest();
     void StartFresh();
+    void BeginCycles();
+    void Settle();
+    void LookAtBus();
+    void Serve();
     void BeginCounters();
     void Take(const StampedFrame& frame);
+    void HandOver();
+    void FollowConfiguration();
+    void TakeIdentifier(std::uint32_t identifier, SlotIndex slot);
     void TakeConfirmation(const StampedFrame& frame);
     void TakeOverflow();
     void DrainQueue();
@@ -174,12 +206,11 @@ class Node final : private host::FrameSink, private ChannelWitness, private runt
     [[nodiscard]] Nanoseconds Now() const noexcept;
     [[nodiscard]] std::uint8_t NumberOf(SlotIndex slot) const noexcept;
 
-    NodeIndex index_;
+    NodePlace place_; ///< Its file is a mark only.
     const NodeSetup& setup_;
     runtime::DeviceModel& model_;
     host::VirtualBus& bus_;
     Journal& journal_;
-    Insight insight_;
     PartFaults faults_{};
     host::HostClocks clocks_;
     host::HostWatchdog watchdog_;
@@ -221,7 +252,12 @@ class Node final : private host::FrameSink, private ChannelWitness, private runt
     std::uint32_t cycles_to_send_{0U}; ///< Applications that send by themselves: cycles until the next refresh.
     std::uint32_t cycles_per_send_{0U};
     Nanoseconds next_event_{0};
-    Nanoseconds look_at_{kNever}; ///< When output or watchdog change by themselves.
+    Nanoseconds serve_at_{kNever};        ///< Services look at what the bus brought.
+    Nanoseconds look_at_{kNever};         ///< When output or watchdog change by themselves.
+    std::optional<std::uint32_t> serial_; ///< 1018h:04 instead of the file's.
+    cia301::NodeState state_{cia301::NodeState::kInvalid};
+    device::BusCondition condition_{device::BusCondition::kActive};
+    bool has_restarted_{false}; ///< The kernel was started anew: cycles and watchdog begin.
     bool is_hung_{false};
     bool has_told_test_{false};
     bool may_be_wild_{false}; ///< A pointer to a virtual table was hit.
@@ -238,7 +274,7 @@ class Node final : private host::FrameSink, private ChannelWitness, private runt
 };
 template <typename Call> void Node::Guarded(const Call& call)
 {
-    if (insight_ == Insight::kNone)
+    if (place_.insight == Insight::kNone)
     {
         call();
         return;

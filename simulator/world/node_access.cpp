@@ -15,7 +15,7 @@ void Node::SetAcknowledge(const std::uint8_t srdo, const bool level)
 {
     const SrdoMask bit = SrdoMask{1U} << model_.SlotOf(srdo).value_or(0U);
     acknowledge_ = level ? (acknowledge_ | bit) : (acknowledge_ & ~bit);
-    journal_.Tell({Now(), EventKind::kAcknowledge, index_, srdo, level ? 1U : 0U, 0U});
+    journal_.Tell({Now(), EventKind::kAcknowledge, place_.index, srdo, level ? 1U : 0U, 0U});
 }
 
 void Node::SendGfc()
@@ -30,7 +30,7 @@ void Node::SendGfc()
                 result = assembly_.Core().SendGfc();
             });
     }
-    journal_.Tell({Now(), EventKind::kGfc, index_, 0U, (result == Result::kSuccessful) ? 1U : 0U, 0U});
+    journal_.Tell({Now(), EventKind::kGfc, place_.index, 0U, (result == Result::kSuccessful) ? 1U : 0U, 0U});
 }
 
 void Node::ShiftCycle(const Nanoseconds by)
@@ -114,6 +114,29 @@ Kernel& Node::Core() noexcept
 const PairTimes& Node::TimesOf(const SlotIndex slot) const noexcept
 {
     return times_[slot];
+}
+
+cia301::NodeState Node::State() const noexcept
+{
+    return is_on_ ? state_ : cia301::NodeState::kInvalid;
+}
+
+void Node::SetSerial(const std::uint32_t serial) noexcept
+{
+    serial_ = serial;
+}
+
+void Node::Store(const ObjectAddress& object, const std::uint32_t value)
+{
+    if (is_on_ && !is_hung_ && place_.file != nullptr)
+    {
+        Guarded(
+            [this, &object, value]()
+            {
+                const cia301::Reading size = assembly_.Dictionary().SizeOf(object);
+                static_cast<void>(assembly_.Dictionary().WriteNumber(object, value, size.size_bytes));
+            });
+    }
 }
 
 SrdoMask Node::Open() const noexcept

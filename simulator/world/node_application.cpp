@@ -31,6 +31,11 @@ void NodeApplication::AddRule(const runtime::LogicRule& rule)
     static_cast<void>(logic_.AddRule(rule));
 }
 
+void NodeApplication::Follow(Kernel& kernel, const runtime::DeviceModel& model)
+{
+    logic_.Follow(kernel, model);
+}
+
 const runtime::PairValue& NodeApplication::PairAt(const ObjectAddress& object) const
 {
     const runtime::PairValue* const pair = logic_.Find(object);
@@ -64,11 +69,15 @@ bool NodeApplication::Run(const SrdoMask open, const Nanoseconds now, const bool
     bool is_held_back = false;
     for (const runtime::PairValue& pair : logic_.Pairs())
     {
-        if (!pair.is_consumer && is_frozen)
+        if (pair.is_consumer || !pair.is_mapped)
+        {
+            continue;
+        }
+        if (is_frozen)
         {
             is_held_back = is_held_back || ReadVariable(pair.normal_place).bits != pair.normal;
         }
-        else if (!pair.is_consumer)
+        else
         {
             logic_.Write(pair);
             const bool is_first = pair.disturbance != 0U && disturbed_at_ == kNever;

@@ -24,6 +24,8 @@ class NodeApplication final : public Application
     void Join(const Kernel& kernel) noexcept;
     /// @brief The rule's objects exist; see Network.
     void AddRule(const runtime::LogicRule& rule);
+    /// @brief Pairs as the SRDOs are configured now. On entering OPERATIONAL.
+    void Follow(Kernel& kernel, const runtime::DeviceModel& model);
     void SetInput(const ObjectAddress& object, std::uint64_t value);
     /// @brief From now on the inverse path computes these bits wrong; 0: none.
     void Disturb(const ObjectAddress& object, std::uint64_t bits);

@@ -21,7 +21,7 @@ LinkConfig LinkConfigOf(const NodeSetup& setup)
 
 bool Node::IsTapped() const noexcept
 {
-    return insight_ == Insight::kTapped;
+    return place_.insight == Insight::kTapped;
 }
 
 Channel& Node::RealChannel(const runtime::Letter letter) noexcept
@@ -98,7 +98,7 @@ void Node::RunKernel(const CycleCall& call)
         RequireSound();
         hal::LinkFrame message{};
         peer_->Compose({call.now.a, assembly_.Core().DeviceState().fault}, message);
-        wire_->Send(index_, message, Now());
+        wire_->Send(place_.index, message, Now());
     }
 }
 
@@ -109,7 +109,7 @@ void Node::TellLink()
         return;
     }
     shown_link_ = peer_->Link().State();
-    journal_.Tell({Now(), EventKind::kLink, index_, 0U, static_cast<std::uint64_t>(shown_link_),
+    journal_.Tell({Now(), EventKind::kLink, place_.index, 0U, static_cast<std::uint64_t>(shown_link_),
                    static_cast<std::uint64_t>(peer_->Link().Finding())});
 }
 } // namespace counterpoint::simulator

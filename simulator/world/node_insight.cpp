@@ -44,7 +44,7 @@ void Node::TellStates(const Part part, const Channel& channel, Voice& voice)
         if (state != voice.states.at(slot))
         {
             voice.states.at(slot) = state;
-            journal_.Tell({Now(), kind, index_, NumberOf(slot), static_cast<std::uint64_t>(state), 0U});
+            journal_.Tell({Now(), kind, place_.index, NumberOf(slot), static_cast<std::uint64_t>(state), 0U});
         }
     }
 }
@@ -65,7 +65,8 @@ void Node::TellCauses(const Part part, const Channel& channel, const SrdoMask ne
         const std::uint32_t signals = ((signalled & bit) != 0U) ? (view.signals & ~kHarmless) : 0U;
         if ((new_fault & bit) != 0U || signals != 0U)
         {
-            journal_.Note({Now(), kind, index_, NumberOf(slot), static_cast<std::uint64_t>(view.first_cause), signals});
+            journal_.Note(
+                {Now(), kind, place_.index, NumberOf(slot), static_cast<std::uint64_t>(view.first_cause), signals});
         }
     }
 }
@@ -85,18 +86,18 @@ void Node::LookInside()
     {
         shown_agreed_ = agreed;
         shown_matched_ = matched;
-        journal_.Tell({Now(), EventKind::kVerdict, index_, 0U, agreed, matched});
+        journal_.Tell({Now(), EventKind::kVerdict, place_.index, 0U, agreed, matched});
     }
     if (verdict.demote != 0U)
     {
-        journal_.Tell({Now(), EventKind::kDemotion, index_, 0U, verdict.demote, 0U});
+        journal_.Tell({Now(), EventKind::kDemotion, place_.index, 0U, verdict.demote, 0U});
     }
     const hal::PermitSet& permits = output_tap_.Permits();
     const SrdoMask permitted = permits.a.mask & permits.b.mask & permits.kernel.mask;
     if (permitted != shown_permits_)
     {
         shown_permits_ = permitted;
-        journal_.Tell({Now(), EventKind::kPermits, index_, 0U, permitted, 0U});
+        journal_.Tell({Now(), EventKind::kPermits, place_.index, 0U, permitted, 0U});
     }
 }
 
@@ -104,11 +105,11 @@ void Node::NoteEffects()
 {
     for (const std::size_t fault : memory_.TakeEffects())
     {
-        journal_.Note({Now(), EventKind::kFault, index_, 0U, fault, 0U});
+        journal_.Note({Now(), EventKind::kFault, place_.index, 0U, fault, 0U});
     }
     for (const auto& [fault, at] : faults_.TakeEffects())
     {
-        journal_.Note({at, EventKind::kFault, index_, 0U, fault, 0U});
+        journal_.Note({at, EventKind::kFault, place_.index, 0U, fault, 0U});
     }
 }
 
@@ -117,6 +118,6 @@ void Node::NoteHung()
     is_hung_ = true;
     SettleNextEvent();
     NoteEffects();
-    journal_.Note({Now(), EventKind::kHung, index_, 0U, faults_.TakeTrap() ? 1U : 0U, 0U});
+    journal_.Note({Now(), EventKind::kHung, place_.index, 0U, faults_.TakeTrap() ? 1U : 0U, 0U});
 }
 } // namespace counterpoint::simulator

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "simulator/world/node.hpp"
 
+#include "canopen/cia301/store/stored_parts.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 
 #include <algorithm>
@@ -12,6 +13,7 @@ namespace
 {
 constexpr std::size_t kTransmitCapacity = 16U;
 constexpr std::uint8_t kResetCommunication = 130U;
+constexpr ObjectAddress kSerialNumber{0x1018U, 4U};
 } // namespace
 
 // Two controllers hear each other on the one bus: the second takes the inverse frames of SRDOs (even identifiers), the
@@ -44,7 +46,7 @@ void Node::Rehearse()
     may_be_wild_ = false;
     assembly_.PowerOff();
     const bool is_up = assembly_.Device().PowerOn(Instants().a) == device::LoadResult::kLoaded;
-    if (refused_write_)
+    if (refused_write_ && place_.file == nullptr) // Whoever manages the others finds it and says so.
     {
         throw runtime::RefusalOf(model_, *refused_write_, refused_);
     }
@@ -82,15 +84,19 @@ void Node::OnRefused(const runtime::ConfigurationWrite& write, const AbortCode c
     }
 }
 
-// Values of the file are all that a simulated node has.
 void Node::OnLoaded(const std::uint8_t groups) noexcept
 {
-    static_cast<void>(groups);
+    has_restarted_ = has_restarted_ || (groups & cia301::kApplicationGroup) != 0U;
+    if (serial_ && place_.file != nullptr && (groups & cia301::kCommunicationGroup) != 0U)
+    {
+        Store(kSerialNumber, *serial_);
+    }
 }
 
 void Node::OnResetCommunication(const std::vector<std::string>& refusals) noexcept
 {
     static_cast<void>(refusals);
+    state_ = cia301::NodeState::kInvalid;
 }
 
 void Node::StartFresh()
@@ -107,13 +113,17 @@ void Node::StartFresh()
         // The rehearsal went well: a fault has hit the device's tables since.
         is_on_ = false;
         next_cycle_ = kNever;
-        journal_.Note({Now(), EventKind::kNoStart, index_, 0U, 0U, 0U});
+        journal_.Note({Now(), EventKind::kNoStart, place_.index, 0U, 0U, 0U});
         return;
     }
-    if (is_hung_)
-    {
-        return;
-    }
+    Settle();
+}
+
+// Cycles and watchdog begin with the kernel.
+void Node::BeginCycles()
+{
+    has_restarted_ = false;
+    state_ = cia301::NodeState::kInvalid; // Followed again, even if it is the same.
     watchdog_.Start(runtime::WindowOf(model_.Config()));
     was_alive_ = true;
     voice_a_ = Voice{};
@@ -133,6 +143,7 @@ void Node::PowerOn()
     const bool is_again = next_cycle_ == kNever;
     for (const host::NodeIndex node : bus_nodes_)
     {
+        bus_.AbortAll(node); // What it said when it was rehearsed.
         bus_.Connect(node);
         if (is_again)
         {
@@ -144,7 +155,7 @@ void Node::PowerOn()
         BeginCounters();
     }
     StartFresh();
-    journal_.Tell({Now(), EventKind::kPowerOn, index_, 0U, 0U, 0U});
+    journal_.Tell({Now(), EventKind::kPowerOn, place_.index, 0U, 0U, 0U});
     SettleNextEvent();
 }
 
@@ -159,7 +170,10 @@ void Node::PowerOff()
 {
     is_on_ = false;
     is_hung_ = false;
+    state_ = cia301::NodeState::kInvalid;
+    condition_ = device::BusCondition::kActive;
     next_cycle_ = kNever;
+    serve_at_ = kNever;
     look_at_ = kNever;
     queue_.reset();
     for (const host::NodeIndex node : bus_nodes_)
@@ -172,13 +186,13 @@ void Node::PowerOff()
         if (((open_ >> slot) & 1U) != 0U)
         {
             const PairTimes& times = times_.at(slot);
-            journal_.Note({Now(), EventKind::kOutput, index_, NumberOf(slot), 0U, 0U, times.last_good_normal,
+            journal_.Note({Now(), EventKind::kOutput, place_.index, NumberOf(slot), 0U, 0U, times.last_good_normal,
                            times.last_inverse});
         }
     }
     open_ = 0U;
     application_.Run(open_, Now(), false); // Without supply no value counts.
-    journal_.Tell({Now(), EventKind::kPowerOff, index_, 0U, 0U, 0U});
+    journal_.Tell({Now(), EventKind::kPowerOff, place_.index, 0U, 0U, 0U});
     SettleNextEvent();
 }
 
@@ -194,9 +208,12 @@ void Node::ResetNode()
 
 void Node::ResetCommunication()
 {
-    for (const NmtState state : {NmtState::kInitialising, NmtState::kPreOperational})
+    if (place_.file == nullptr)
     {
-        journal_.Tell({Now(), EventKind::kNmt, index_, 0U, static_cast<std::uint64_t>(state), 0U});
+        for (const NmtState state : {NmtState::kInitialising, NmtState::kPreOperational})
+        {
+            journal_.Tell({Now(), EventKind::kNmt, place_.index, 0U, static_cast<std::uint64_t>(state), 0U});
+        }
     }
     Obey(kResetCommunication);
 }
@@ -224,7 +241,7 @@ void Node::OnFrame(const StampedFrame& frame)
     }
     if (queue_->Size() >= queue_capacity_ && queue_capacity_ != 0U && queue_fault_ != kNoFaultIndex)
     {
-        journal_.Note({Now(), EventKind::kFault, index_, 0U, queue_fault_, 0U});
+        journal_.Note({Now(), EventKind::kFault, place_.index, 0U, queue_fault_, 0U});
         queue_fault_ = kNoFaultIndex;
     }
     queue_->OnFrame(frame);

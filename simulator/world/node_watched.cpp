@@ -111,7 +111,7 @@ void Node::StandStill()
 {
     is_hung_ = true;
     SettleNextEvent();
-    journal_.Note({Now(), EventKind::kHung, index_, 0U, 2U, 0U});
+    journal_.Note({Now(), EventKind::kHung, place_.index, 0U, 2U, 0U});
 }
 
 void Node::RequireSound()
@@ -130,7 +130,7 @@ void Node::NoteSelfTest()
     if (has_failed && !has_told_test_)
     {
         journal_.Tell(
-            {Now(), EventKind::kSelfTest, index_, 0U, static_cast<std::uint64_t>(self_test_->FirstFailed()), 0U});
+            {Now(), EventKind::kSelfTest, place_.index, 0U, static_cast<std::uint64_t>(self_test_->FirstFailed()), 0U});
     }
     has_told_test_ = has_failed;
 }

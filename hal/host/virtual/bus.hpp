@@ -84,6 +84,13 @@ class VirtualBus
     void AcceptNone(NodeIndex node);
     void AcceptRange(NodeIndex node, std::uint32_t first_identifier, std::uint32_t last_identifier);
 
+    /// @brief From now on of several nodes that would start frames with the same arbitration field at one instant the
+    /// one attached first sends: clocks that differ. Else they send together, as clocks that do not. [SRS_BUS_015]
+    void TakeTurns() noexcept
+    {
+        events_.TakeTurns();
+    }
+
     /// @brief Faults stay owned by the caller and are asked in the order of installation.
     void Install(BusFault& fault);
     void Remove(BusFault& fault);

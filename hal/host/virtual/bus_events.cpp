@@ -143,7 +143,8 @@ bool BusEvents::TakeWinners()
     for (NodeIndex index = 0U; found && (index < nodes_.size()); ++index)
     {
         BusNode& node = nodes_[index];
-        const bool waits = node.IsOnBus() && !node.queue.IsEmpty();
+        const bool may_join = senders_.empty() || !takes_turns_;
+        const bool waits = may_join && node.IsOnBus() && !node.queue.IsEmpty();
         if (waits && (node.queue.Front().key == lowest))
         {
             senders_.push_back(Sender{index, node.queue.Take()});

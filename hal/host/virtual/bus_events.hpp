@@ -120,6 +120,10 @@ class BusEvents
     /// @brief Somebody has something to send, or is back.
     void OnWaiting();
     void EnterBusOff(BusNode& node);
+    void TakeTurns() noexcept
+    {
+        takes_turns_ = true;
+    }
 
   private:
     enum class EventKind : std::uint8_t
@@ -169,6 +173,7 @@ class BusEvents
     BusTime frame_end_{kNever};      ///< kNever while no frame is on the bus.
     BusTime free_at_{0};             ///< End of the last intermission.
     std::uint64_t order_{0U};
+    bool takes_turns_{false};
     BusRecord record_{};
     std::vector<BusNode>& nodes_;
     std::vector<Sender> senders_; ///< Who is on the bus: one, or several with the same arbitration field.

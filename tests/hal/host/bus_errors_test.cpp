@@ -248,6 +248,25 @@ TEST(BusErrors, TwoNodesWithOneIdentifierAndDifferentDataCollide)
     EXPECT_TRUE(rig.listeners[2].received.empty());
 }
 
+TEST(BusErrors, NodesThatTakeTurnsSendOneAfterTheOther)
+{
+    Verifies(req::SRS_BUS_015);
+    // Given the same identifier with different data in two nodes that take turns
+    BusRig rig;
+    rig.bus.TakeTurns();
+    ASSERT_EQ(rig.bus.Submit(1U, MakeFrame(0U, {0x80U})), TransmitStatus::kAccepted);
+    ASSERT_EQ(rig.bus.Submit(0U, MakeFrame(0U, {0x00U})), TransmitStatus::kAccepted);
+    // When both could start
+    rig.RunTo(kMillisecond);
+    // Then the first node's frame comes first, and neither counts an error
+    ASSERT_EQ(rig.listeners[2].received.size(), 2U);
+    EXPECT_EQ(rig.listeners[2].received[0].frame.data[0], 0x00U);
+    EXPECT_EQ(rig.listeners[2].received[1].frame.data[0], 0x80U);
+    EXPECT_EQ(rig.recorder.records[0].fate, FrameFate::kComplete);
+    EXPECT_EQ(rig.bus.TransmitErrors(0U), 0U);
+    EXPECT_EQ(rig.bus.TransmitErrors(1U), 0U);
+}
+
 TEST(BusErrors, TwoNodesWithTheSameFrameBothGetTheirConfirmation)
 {
     Verifies(req::SRS_BUS_004);

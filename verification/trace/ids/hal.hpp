@@ -21,6 +21,7 @@ inline constexpr RequirementId SRS_BUS_011{"SRS_BUS_011"};
 inline constexpr RequirementId SRS_BUS_012{"SRS_BUS_012"};
 inline constexpr RequirementId SRS_BUS_013{"SRS_BUS_013"};
 inline constexpr RequirementId SRS_BUS_014{"SRS_BUS_014"};
+inline constexpr RequirementId SRS_BUS_015{"SRS_BUS_015"};
 inline constexpr RequirementId SRS_HAL_001{"SRS_HAL_001"};
 inline constexpr RequirementId SRS_HAL_002{"SRS_HAL_002"};
 inline constexpr RequirementId SRS_HAL_003{"SRS_HAL_003"};

@@ -67,6 +67,7 @@ inline constexpr RequirementId SRS_SIM_056{"SRS_SIM_056"};
 inline constexpr RequirementId SRS_SIM_057{"SRS_SIM_057"};
 inline constexpr RequirementId SRS_SIM_058{"SRS_SIM_058"};
 inline constexpr RequirementId SRS_SIM_059{"SRS_SIM_059"};
+inline constexpr RequirementId SRS_SIM_060{"SRS_SIM_060"};
 } // namespace counterpoint::req
 
 #endif

@@ -1,10 +1,10 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // A network with managers as a run sees it. [SRS_MGR_012]
-#include "simulator/networks/managed.hpp"
+#include "simulator/managers/managed.hpp"
 
 #include "runtime/manager/report/status.hpp"
 #include "runtime/manager/report/words.hpp"
-#include "simulator/networks/simulation.hpp"
+#include "simulator/managers/manager.hpp"
 #include "simulator/scenario/names.hpp"
 
 namespace counterpoint::simulator
@@ -17,7 +17,7 @@ using Expected = ExpectationKind;
 std::string FlyingEvents(const SimulatedManager& manager)
 {
     std::string numbers;
-    for (const runtime::ManagerEvent& event : manager.events)
+    for (const runtime::ManagerEvent& event : manager.Events())
     {
         if (event.kind == "flying_master")
         {
@@ -30,7 +30,7 @@ std::string FlyingEvents(const SimulatedManager& manager)
 /// The word of the expectation if such an event was there, else none.
 std::string EventIn(const SimulatedManager& manager, const Expectation& expectation)
 {
-    for (const runtime::ManagerEvent& event : manager.events)
+    for (const runtime::ManagerEvent& event : manager.Events())
     {
         const Nanoseconds at = static_cast<Nanoseconds>(event.at_us) * kNanosecondsPerMicrosecond;
         const bool is_node = expectation.node_id == 0U || event.node == expectation.node_id;
@@ -44,18 +44,18 @@ std::string EventIn(const SimulatedManager& manager, const Expectation& expectat
 
 std::string FoundAtManager(const Expectation& expectation, const SimulatedManager& manager)
 {
-    if (manager.station == nullptr)
+    if (manager.Station() == nullptr)
     {
         return "no manager yet";
     }
-    const cia302::Manager& core = manager.station->Host().Core();
+    const cia302::Manager& core = manager.Station()->Host().Core();
     const cia302::NodeId node{expectation.node_id};
     const cia302::NodeStatus status = core.Status(node);
     const cia302::GateFinding gate = core.Gate().Finding(node);
     const bool is_refused =
         core.Gate().State(node) == cia302::GateState::kDiffers || core.Gate().State(node) == cia302::GateState::kFailed;
     const ObjectAddress object = is_refused ? gate.object : status.object;
-    const bool has_finding = is_refused || !runtime::FindingText(manager.net->Plan().manager.profile, status).empty();
+    const bool has_finding = is_refused || !runtime::FindingText(manager.Net().Plan().manager.profile, status).empty();
     switch (expectation.kind)
     {
     case Expected::kState:
@@ -72,51 +72,53 @@ std::string FoundAtManager(const Expectation& expectation, const SimulatedManage
     case Expected::kNoEvent:
         return EventIn(manager, expectation);
     case Expected::kActive:
-        return (manager.port != nullptr && core.IsActive()) ? "true" : "false";
+        return (manager.HasSupply() && core.IsActive()) ? "true" : "false";
     default:
         return FlyingEvents(manager);
     }
 }
 
-std::string FoundAtDevice(const Expectation& expectation, SimulatedDevice* const device)
-{
-    if (device == nullptr)
-    {
-        return "absent";
-    }
-    if (expectation.kind == Expected::kDevice)
-    {
-        return runtime::WordOf(device->Device().Services().State());
-    }
-    const std::optional<SlotIndex> slot = device->Device().Model().SlotOf(expectation.srdo);
-    const bool is_open = slot && ((device->Device().Open() >> *slot) & 1U) != 0U;
-    return is_open ? "open" : "closed";
-}
-
 class Managed final : public ManagedWorld
 {
   public:
-    Managed(const Scenario& scenario, Journal& journal) : scenario_(scenario), simulation_(scenario, journal)
+    Managed(const Scenario& scenario, Journal& journal, Network& network) : scenario_(scenario)
     {
+        for (const ManagerSetup& setup : scenario.managers)
+        {
+            const std::size_t place = scenario.nodes.size() + managers_.size();
+            auto manager = std::make_unique<SimulatedManager>(setup, scenario.profile, place, network.Bus(), journal);
+            for (const auto& other : managers_)
+            {
+                if (other->Node() == manager->Node())
+                {
+                    throw YamlError(setup.source.file, setup.source.place,
+                                    "manager " + std::to_string(manager->Node()) + " a second time",
+                                    "each manager with a node-ID of its own");
+                }
+            }
+            network.Join(*manager, manager->BusNode(), place);
+            managers_.push_back(std::move(manager));
+        }
+        RequireOfManagers(scenario, managers_);
+        for (const Action& action : scenario.actions)
+        {
+            if (IsOfManager(action.kind))
+            {
+                ManagerOf(managers_, action.node_id, action.source).Plan(action);
+            }
+        }
     }
 
-    void RunUntil(const Nanoseconds until) override
-    {
-        simulation_.RunUntil(until);
-    }
     [[nodiscard]] std::string Found(const Expectation& expectation) override
     {
-        return IsOfManager(expectation.kind)
-                   ? FoundAtManager(expectation,
-                                    ManagerOf(simulation_.Managers(), expectation.manager, expectation.source))
-                   : FoundAtDevice(expectation, simulation_.DeviceOf(expectation.node));
+        return FoundAtManager(expectation, ManagerOf(managers_, expectation.manager, expectation.source));
     }
     [[nodiscard]] std::vector<std::string> Warnings() const override
     {
         std::vector<std::string> lines;
-        for (const auto& manager : simulation_.Managers())
+        for (const auto& manager : managers_)
         {
-            const std::vector<std::string>& more = manager->net->Warnings();
+            const std::vector<std::string>& more = manager->Net().Warnings();
             lines.insert(lines.end(), more.begin(), more.end());
         }
         return lines;
@@ -124,21 +126,21 @@ class Managed final : public ManagedWorld
     [[nodiscard]] std::vector<std::uint8_t> Managers() const override
     {
         std::vector<std::uint8_t> nodes;
-        for (const auto& manager : simulation_.Managers())
+        for (const auto& manager : managers_)
         {
-            nodes.push_back(manager->node);
+            nodes.push_back(manager->Node());
         }
         return nodes;
     }
     [[nodiscard]] std::string Pictures() const override
     {
         std::string text = runtime::DiagramStyle();
-        for (const auto& manager : simulation_.Managers())
+        for (const auto& manager : managers_)
         {
-            if (manager->station != nullptr)
+            if (manager->Station() != nullptr)
             {
                 text += runtime::DiagramSection(
-                    manager->station->Host(), manager->station->Diagram(),
+                    manager->Station()->Host(), manager->Station()->Diagram(),
                     runtime::InstantAt(static_cast<std::uint64_t>(scenario_.duration / kNanosecondsPerMicrosecond)));
             }
         }
@@ -147,12 +149,25 @@ class Managed final : public ManagedWorld
 
   private:
     const Scenario& scenario_;
-    NetworkSimulation simulation_;
+    SimulatedManagers managers_;
 };
 } // namespace
 
-std::unique_ptr<ManagedWorld> MakeManagedWorld(const Scenario& scenario, Journal& journal)
+SimulatedManager& ManagerOf(const SimulatedManagers& managers, const std::uint8_t node_id, const Source& source)
 {
-    return std::make_unique<Managed>(scenario, journal);
+    for (const auto& manager : managers)
+    {
+        if (node_id == 0U || manager->Node() == node_id)
+        {
+            return *manager;
+        }
+    }
+    throw YamlError(source.file, source.place, "no manager with node-ID " + std::to_string(node_id),
+                    "one of the scenario's managers");
+}
+
+std::unique_ptr<ManagedWorld> MakeManagedWorld(const Scenario& scenario, Journal& journal, Network& network)
+{
+    return std::make_unique<Managed>(scenario, journal, network);
 }
 } // namespace counterpoint::simulator

@@ -4,7 +4,7 @@
 #include "canopen/cia306/text/number.hpp"
 #include "runtime/manager/order.hpp"
 #include "runtime/manager/report/words.hpp"
-#include "simulator/networks/simulation.hpp"
+#include "simulator/managers/manager.hpp"
 
 #include <algorithm>
 #include <map>
@@ -63,19 +63,19 @@ void Check::Known(const Expectation& expectation) const
     const SimulatedManager& manager = ManagerOf(managers_, expectation.manager, expectation.source);
     const auto is_it = [&expectation](const NodeSetup& node) { return node.node_id == expectation.node_id; };
     const auto is_other = [&expectation](const std::unique_ptr<SimulatedManager>& other)
-    { return other->node == expectation.node_id; };
+    { return other->Node() == expectation.node_id; };
     const bool is_on_bus = std::any_of(managers_.begin(), managers_.end(), is_other) ||
                            std::any_of(scenario_.nodes.begin(), scenario_.nodes.end(), is_it);
-    if (expectation.node_id != 0U && manager.net->Find(expectation.node_id) == nullptr && !is_on_bus)
+    if (expectation.node_id != 0U && manager.Net().Find(expectation.node_id) == nullptr && !is_on_bus)
     {
         Refuse(expectation.source,
                "node " + std::to_string(expectation.node_id) + ", which is no slave of manager " +
-                   std::to_string(manager.node) + " and not there",
+                   std::to_string(manager.Node()) + " and not there",
                "one of its network file, or of the scenario's devices");
     }
-    if (expectation.at <= manager.setup.at)
+    if (expectation.at <= manager.Setup().at)
     {
-        Refuse(expectation.source, "a time before manager " + std::to_string(manager.node) + " comes", "a later one");
+        Refuse(expectation.source, "a time before manager " + std::to_string(manager.Node()) + " comes", "a later one");
     }
     OfProfile(expectation, manager);
     OfSafety(expectation, manager);
@@ -84,11 +84,11 @@ void Check::Known(const Expectation& expectation) const
 
 void Check::OfProfile(const Expectation& expectation, const SimulatedManager& manager) const
 {
-    const network::StartProfile profile = manager.net->Plan().manager.profile;
+    const network::StartProfile profile = manager.Net().Plan().manager.profile;
     const bool is_cia302 = profile == network::StartProfile::kCia302;
     const bool is_event = IsOfEvents(expectation.kind);
     const std::string whose =
-        "manager " + std::to_string(manager.node) + " with the profile " + runtime::WordOf(profile);
+        "manager " + std::to_string(manager.Node()) + " with the profile " + runtime::WordOf(profile);
     std::string wrong;
     std::string expected;
     if ((expectation.kind == Expected::kLetter && !is_cia302) || (expectation.kind == Expected::kCode && is_cia302))
@@ -111,14 +111,14 @@ void Check::OfProfile(const Expectation& expectation, const SimulatedManager& ma
         wrong = "event " + runtime::Shown(expectation.is) + " of a node";
         expected = "it without 'node'";
     }
-    else if (expectation.kind == Expected::kFlying && !manager.net->Plan().manager.flying)
+    else if (expectation.kind == Expected::kFlying && !manager.Net().Plan().manager.flying)
     {
-        wrong = "events of the election at manager " + std::to_string(manager.node) + ", which is no flying master";
+        wrong = "events of the election at manager " + std::to_string(manager.Node()) + ", which is no flying master";
         expected = "a manager with 'flying'";
     }
-    else if (expectation.kind == Expected::kActive && !manager.net->Plan().manager.flying)
+    else if (expectation.kind == Expected::kActive && !manager.Net().Plan().manager.flying)
     {
-        wrong = "the active master at manager " + std::to_string(manager.node) +
+        wrong = "the active master at manager " + std::to_string(manager.Node()) +
                 ", which is no flying master and commands the network while it is there";
         expected = "a manager with 'flying'";
     }
@@ -134,7 +134,7 @@ void Check::OfSafety(const Expectation& expectation, const SimulatedManager& man
     const bool is_event = IsOfEvents(expectation.kind);
     const bool is_of_safety = expectation.kind == Expected::kGate ||
                               (is_event && (expectation.is == "gate" || expectation.is == "write_safety"));
-    const cia302::NetworkSetup& setup = manager.net->Setup();
+    const cia302::NetworkSetup& setup = manager.Net().Setup();
     const bool has_safety =
         (expectation.node_id == 0U) ? setup.HasSafetySlave() : setup.IsSafetySlave(cia302::NodeId{expectation.node_id});
     if (is_of_safety && !has_safety)
@@ -153,7 +153,7 @@ bool Check::MayChange(const SimulatedManager& manager) const
     {
         const bool is_order = action.kind == ActionKind::kOrder &&
                               runtime::ParseManagerOrder(action.order).kind == runtime::ManagerOrderKind::kSet;
-        return is_order || (action.kind == ActionKind::kSend && action.identifier == kSdoRequests + manager.node);
+        return is_order || (action.kind == ActionKind::kSend && action.identifier == kSdoRequests + manager.Node());
     };
     return std::any_of(scenario_.actions.begin(), scenario_.actions.end(), is_change);
 }
@@ -165,9 +165,9 @@ void Check::OfGuarding(const Expectation& expectation, const SimulatedManager& m
     const bool is_of_guarding = is_event && (expectation.is == "guard_lost" || expectation.is == "guard_missed" ||
                                              expectation.is == "toggle_error");
     bool is_guarded = false;
-    for (const auto& slave : manager.net->Slaves())
+    for (const auto& slave : manager.Net().Slaves())
     {
-        const cia302::SlaveSetup& setup = manager.net->Setup().Slave(cia302::NodeId{slave->plan.node});
+        const cia302::SlaveSetup& setup = manager.Net().Setup().Slave(cia302::NodeId{slave->plan.node});
         const bool is_listed =
             setup.heartbeat.consumer_ms == 0U && setup.GuardTimeMs() > 0U && setup.RetryFactor() > 0U;
         const bool by_rows = setup.el6751 != nullptr && setup.el6751->IsWatched(); // Guarded without 1017h.
@@ -176,7 +176,7 @@ void Check::OfGuarding(const Expectation& expectation, const SimulatedManager& m
     }
     if (is_of_guarding && !is_guarded && !MayChange(manager))
     {
-        const std::string name = "manager " + std::to_string(manager.node);
+        const std::string name = "manager " + std::to_string(manager.Node());
         const std::string whom = (expectation.node_id == 0U) ? "any node, and " + name + " guards none"
                                                              : "node " + std::to_string(expectation.node_id) +
                                                                    ", which " + name + " does not guard";
@@ -200,20 +200,20 @@ void Check::Presence() const
             continue;
         }
         const SimulatedManager& manager = ManagerOf(managers_, action.node_id, action.source);
-        const std::string name = "manager " + std::to_string(manager.node);
+        const std::string name = "manager " + std::to_string(manager.Node());
         const bool is_bus = action.kind == ActionKind::kBusOff || action.kind == ActionKind::kNoController;
-        if (action.at < manager.setup.at || is_killed[manager.node])
+        if (action.at < manager.Setup().at || is_killed[manager.Node()])
         {
             Refuse(action.source,
-                   "an event of " + name + (is_killed[manager.node] ? " after it was killed" : " before it comes"),
+                   "an event of " + name + (is_killed[manager.Node()] ? " after it was killed" : " before it comes"),
                    "a time at which it is there");
         }
-        if (is_bus && action.at < off_until[manager.node])
+        if (is_bus && action.at < off_until[manager.Node()])
         {
             Refuse(action.source, name + " is off the bus already", "a time after the 'until' before it");
         }
-        is_killed[manager.node] = action.kind == ActionKind::kKillManager;
-        off_until[manager.node] = is_bus ? action.until : off_until[manager.node];
+        is_killed[manager.Node()] = action.kind == ActionKind::kKillManager;
+        off_until[manager.Node()] = is_bus ? action.until : off_until[manager.Node()];
     }
 }
 

@@ -1,0 +1,85 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SIMULATOR_MANAGERS_MANAGER_HPP
+#define SIMULATOR_MANAGERS_MANAGER_HPP
+
+#include "runtime/manager/station.hpp"
+#include "simulator/journal/journal.hpp"
+#include "simulator/world/network.hpp"
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <vector>
+
+namespace counterpoint::simulator
+{
+/// One manager of a simulated network, with what happens to it and what it told. Stays where it is. [SRS_MGR_012]
+class SimulatedManager final : public Participant, private host::BusListener
+{
+  public:
+    /// @brief `place` is its index in the journal: behind the nodes come the managers. All outlive it. Throws
+    /// cia306::InputError and YamlError.
+    SimulatedManager(const ManagerSetup& setup, const std::string& profile, std::size_t place, host::VirtualBus& bus,
+                     Journal& journal);
+
+    /// @brief An action of a manager, in the order of time.
+    void Plan(const Action& action);
+    [[nodiscard]] const ManagerSetup& Setup() const noexcept;
+    [[nodiscard]] std::uint8_t Node() const noexcept;
+    [[nodiscard]] host::NodeIndex BusNode() const noexcept;
+    [[nodiscard]] const network::LoadedNetwork& Net() const noexcept;
+    /// @brief Null: it has not come yet.
+    [[nodiscard]] const runtime::ManagerStation* Station() const noexcept;
+    [[nodiscard]] bool HasSupply() const noexcept;
+    [[nodiscard]] const std::vector<runtime::ManagerEvent>& Events() const noexcept;
+
+    [[nodiscard]] Nanoseconds NextEvent() const noexcept override;
+    void Run(Nanoseconds now) override;
+
+  private:
+    /// A frame that was on the bus, and when the manager looks at it.
+    struct HeardFrame
+    {
+        CanFrame frame;
+        Nanoseconds at;
+        bool is_own;
+    };
+
+    void OnReceived(const CanFrame& frame, host::BusTime at) override;
+    void OnConfirmed(const CanFrame& frame, host::BusTime at) override;
+    void OnBusOff(host::BusTime at) override;
+    [[nodiscard]] bool Send(const CanFrame& frame);
+    void TakeFrames(Nanoseconds now);
+    void Start(Nanoseconds now);
+    void Act(const Action& action, Nanoseconds now);
+    void TellController(cia302::ControllerState state, const char* word, Nanoseconds now);
+
+    ManagerSetup setup_;
+    std::size_t place_;
+    host::VirtualBus& bus_;
+    Journal& journal_;
+    network::LoadedNetwork net_;
+    host::NodeIndex bus_node_;
+    std::unique_ptr<runtime::ManagerStation> station_;
+    std::vector<runtime::ManagerEvent> events_;
+    std::deque<HeardFrame> heard_; ///< Not taken yet.
+    std::deque<CanFrame> waiting_; ///< As in a socket: in the order of sending, the first one in the controller.
+    std::vector<Action> actions_;  ///< By time.
+    std::size_t next_action_{0U};
+    Nanoseconds begin_;
+    Nanoseconds next_cycle_{kNever};
+    bool is_killed_{false};
+    bool is_off_bus_{false}; ///< Its controller neither sends nor receives.
+};
+
+using SimulatedManagers = std::vector<std::unique_ptr<SimulatedManager>>;
+
+/// @brief What a scenario asks of its managers, against their network files: it would do nothing, or hold whatever
+/// happens. Throws YamlError. [SRS_MGR_012]
+void RequireOfManagers(const Scenario& scenario, const SimulatedManagers& managers);
+/// @brief The manager with that node-ID, 0: the first one. Throws YamlError.
+[[nodiscard]] SimulatedManager& ManagerOf(const SimulatedManagers& managers, std::uint8_t node_id,
+                                          const Source& source);
+} // namespace counterpoint::simulator
+
+#endif // SIMULATOR_MANAGERS_MANAGER_HPP

@@ -1,0 +1,292 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "simulator/world/network_check.hpp"
+
+#include "simulator/scenario/names.hpp"
+
+#include <string>
+
+// What a scenario names has to exist in the DCFs. [SRS_SIM_010, SRS_SIM_056, SRS_SIM_057]
+namespace counterpoint::simulator
+{
+namespace
+{
+/// What half the range of a counter of microseconds holds, and more than any device can use.
+constexpr Nanoseconds kLongestLinkTime = 536 * kNanosecondsPerSecond;
+
+/// What CheckLinkConfig found, for people: what is wrong and what was expected.
+std::pair<const char*, const char*> TextOf(const LinkConfigFault fault)
+{
+    switch (fault)
+    {
+    case LinkConfigFault::kTimeout:
+        return {"link time-out", "3 cycles of the device or more"};
+    case LinkConfigFault::kClock:
+        return {"clock tolerance or interval of the link",
+                "a tolerance above 0 and up to half the time-out, an interval above the time-out and up to 536 s"};
+    case LinkConfigFault::kStampTolerance:
+        return {"stamp tolerance of the link", "less than the time-out"};
+    case LinkConfigFault::kDiscrepancy:
+        return {"discrepancy time 0x5F00:03 of a device with two CPUs", "2 cycles or more"};
+    default:
+        return {"link", "one that the device accepts"};
+    }
+}
+
+std::string ListOf(const runtime::DeviceModel& model, const bool is_consumer)
+{
+    std::string list;
+    for (const runtime::VariablePair& pair : model.Pairs())
+    {
+        if (pair.is_consumer == is_consumer)
+        {
+            const MappableObject& object = model.Objects()[pair.normal];
+            list += (list.empty() ? "" : ", ") + ObjectText({object.index, object.sub});
+        }
+    }
+    return list.empty() ? "(this node has none)" : list;
+}
+} // namespace
+
+NetworkCheck::NetworkCheck(const World& world) : world_(world)
+{
+}
+
+const runtime::DeviceModel& NetworkCheck::ModelOf(const NodeIndex node) const
+{
+    return *world_.models[node];
+}
+
+void NetworkCheck::RequirePair(const NodeIndex node, const ObjectAddress& object, const bool is_consumer,
+                               const Source& source) const
+{
+    const runtime::DeviceModel& model = ModelOf(node);
+    const runtime::VariablePair* const pair = model.PairOf(object);
+    if (pair == nullptr || pair->is_consumer != is_consumer)
+    {
+        const char* const side = is_consumer ? "a normal object that an SRDO of direction 2 is mapped to: "
+                                             : "a normal object that an SRDO of direction 1 is mapped to: ";
+        throw YamlError(source.file, source.place, "object " + ObjectText(object) + " in " + model.File(),
+                        side + ListOf(model, is_consumer));
+    }
+}
+
+void NetworkCheck::RequireSrdo(const NodeIndex node, const std::uint8_t number, const bool needs_consumer,
+                               const Source& source) const
+{
+    const runtime::DeviceModel& model = ModelOf(node);
+    std::string list;
+    for (const runtime::SrdoModel& srdo : model.Srdos())
+    {
+        const bool fits = !needs_consumer || srdo.direction == kDirectionConsumer;
+        if (fits && srdo.number == number)
+        {
+            return;
+        }
+        list += fits ? (list.empty() ? "" : ", ") + std::to_string(srdo.number) : "";
+    }
+    throw YamlError(source.file, source.place, "SRDO " + std::to_string(number) + " in " + model.File(),
+                    std::string(needs_consumer ? "an SRDO of direction 2: " : "an SRDO: ") +
+                        (list.empty() ? "(this node has none)" : list));
+}
+
+/// The value fits into the bits of the object, which exists.
+void NetworkCheck::RequireValue(const NodeIndex node, const ObjectAddress& object, const std::uint64_t value,
+                                const Source& source) const
+{
+    const runtime::DeviceModel& model = ModelOf(node);
+    const std::uint8_t bits = model.Objects()[model.PairOf(object)->normal].length_bits;
+    if ((value >> (bits - 1U)) > 1U)
+    {
+        throw YamlError(source.file, source.place,
+                        "value " + std::to_string(value) + " for object " + ObjectText(object),
+                        "a value of " + std::to_string(bits) + " bits");
+    }
+}
+
+void NetworkCheck::RequireNodeIds() const
+{
+    for (NodeIndex node = 1U; node < world_.scenario.nodes.size(); ++node)
+    {
+        for (NodeIndex other = 0U; other < node; ++other)
+        {
+            const std::uint8_t id = ModelOf(node).Config().node_id;
+            const bool is_one_device = world_.scenario.nodes[other].device == world_.scenario.nodes[node].device;
+            if (ModelOf(other).Config().node_id == id && !is_one_device)
+            {
+                const NodeSetup& setup = world_.scenario.nodes[node];
+                throw YamlError(setup.source.file, setup.source.place,
+                                "node-ID " + std::to_string(id) + ", which " + world_.scenario.nodes[other].name +
+                                    " has",
+                                "a node-ID of its own for each node; the event 'duplicate' brings another one");
+            }
+        }
+    }
+}
+
+void NetworkCheck::RequireOfFault(const FaultSetup& fault) const
+{
+    RequireOfCpu(fault);
+    if (fault.kind == FaultKind::kNotInverse)
+    {
+        RequirePair(fault.node, fault.object, false, fault.source);
+        for (const std::uint8_t bit : fault.bits)
+        {
+            RequireValue(fault.node, fault.object, std::uint64_t{1U} << bit, fault.source);
+        }
+    }
+    if (fault.controller > 1U && ModelOf(fault.node).ControllerCount() == 1U)
+    {
+        throw YamlError(fault.source.file, fault.source.place, "controller 2 of a node with one",
+                        "'controllers: 2' of that node, or a DCF that names two");
+    }
+    if (fault.part == Part::kSelfTest && !world_.scenario.nodes[fault.node].self_tests)
+    {
+        throw YamlError(fault.source.file, fault.source.place, "the self test of a node without one",
+                        "a node without 'self_tests: false'");
+    }
+    if (fault.frames.srdo_of)
+    {
+        RequireSrdo(*fault.frames.srdo_of, fault.frames.srdo, false, fault.source);
+    }
+    if (fault.srdo != 0U)
+    {
+        RequireSrdo(fault.node, fault.srdo, false, fault.source);
+    }
+    if (fault.config && fault.config->slot != 0U)
+    {
+        RequireSrdo(fault.node, fault.config->slot, false, fault.source);
+    }
+}
+
+void NetworkCheck::RequireOfExpectation(const Expectation& expectation) const
+{
+    switch (expectation.kind)
+    {
+    case ExpectationKind::kReleased:
+    case ExpectationKind::kSafe:
+    case ExpectationKind::kSafeWithin:
+        RequireSrdo(expectation.node, expectation.srdo, true, expectation.source);
+        return;
+    case ExpectationKind::kCause:
+        RequireSrdo(expectation.node, expectation.srdo, false, expectation.source);
+        return;
+    case ExpectationKind::kValue:
+        RequirePair(expectation.node, expectation.object, true, expectation.source);
+        RequireValue(expectation.node, expectation.object, expectation.value, expectation.source);
+        return;
+    case ExpectationKind::kDeviceFault:
+    case ExpectationKind::kDetectedBy:
+    case ExpectationKind::kNoFault:
+    default:
+        return;
+    }
+}
+
+/// What devices with two CPUs need.
+void NetworkCheck::RequireLinks() const
+{
+    for (NodeIndex node = 0U; node < world_.scenario.nodes.size(); ++node)
+    {
+        const NodeSetup& setup = world_.scenario.nodes[node];
+        if (setup.role == runtime::CpuRole::kWhole)
+        {
+            continue;
+        }
+        for (const Nanoseconds time :
+             {setup.link.timeout, setup.link.clock_tolerance, setup.link.clock_interval, setup.link.stamp_tolerance})
+        {
+            if (time > kLongestLinkTime)
+            {
+                throw YamlError(setup.source.file, setup.source.place,
+                                "a time of the link of " + MillisecondsText(time),
+                                "at most " + MillisecondsText(kLongestLinkTime));
+            }
+        }
+        const LinkConfigFault fault = CheckLinkConfig(ModelOf(node).Config(), LinkConfigOf(setup));
+        if (fault != LinkConfigFault::kNone)
+        {
+            const auto [wrong, expected] = TextOf(fault);
+            throw YamlError(setup.source.file, setup.source.place, wrong, expected);
+        }
+        if (setup.link.delay + setup.link.jitter >= setup.link.timeout)
+        {
+            throw YamlError(setup.source.file, setup.source.place, "delay of the link with its jitter",
+                            "less than its time-out");
+        }
+        if (ModelOf(node).ControllerCount() > 1U)
+        {
+            throw YamlError(setup.source.file, setup.source.place, "a DCF with two controllers",
+                            "one for all frames: each CPU has a controller of its own");
+        }
+    }
+}
+
+void NetworkCheck::RequireOfCpu(const FaultSetup& fault) const
+{
+    if (fault.node == kNoNode || world_.scenario.nodes[fault.node].role == runtime::CpuRole::kWhole)
+    {
+        return;
+    }
+    const NodeSetup& setup = world_.scenario.nodes[fault.node];
+    const bool is_a = setup.role == runtime::CpuRole::kA;
+    if (fault.part == (is_a ? Part::kChannelB : Part::kChannelA))
+    {
+        throw YamlError(fault.source.file, fault.source.place,
+                        std::string("channel_") + (is_a ? "b" : "a") + " of " + setup.name,
+                        "the channel of this CPU, or the other CPU");
+    }
+    if (fault.kind == FaultKind::kClock && fault.hits_counter_b)
+    {
+        throw YamlError(fault.source.file, fault.source.place, "counter b of " + setup.name,
+                        "counter a: a CPU of two has one");
+    }
+}
+
+void NetworkCheck::RequireThatEverythingExists() const
+{
+    RequireNodeIds();
+    RequireLinks();
+    for (const NodeSetup& node : world_.scenario.nodes)
+    {
+        if (node.start_at <= node.phase)
+        {
+            throw YamlError(node.source.file, node.source.place, "start_at not after phase",
+                            "a node that is on before it starts");
+        }
+    }
+    for (const Action& action : world_.scenario.actions)
+    {
+        if (action.kind == ActionKind::kDuplicate &&
+            world_.scenario.nodes[action.node].role != runtime::CpuRole::kWhole)
+        {
+            throw YamlError(action.source.file, action.source.place, "a duplicate of a device with two CPUs",
+                            "a device with one: the second one would need a link of its own");
+        }
+    }
+    for (const Stimulus& stimulus : world_.scenario.stimuli)
+    {
+        RequirePair(stimulus.node, stimulus.object, false, stimulus.source);
+        RequireValue(stimulus.node, stimulus.object, stimulus.value, stimulus.source);
+    }
+    for (const runtime::LogicRule& rule : world_.scenario.logic)
+    {
+        RequirePair(rule.node, rule.target, false, rule.source);
+        for (const ObjectAddress& input : rule.inputs)
+        {
+            RequirePair(rule.node, input, true, rule.source);
+        }
+    }
+    for (const Acknowledge& acknowledge : world_.scenario.acknowledges)
+    {
+        RequireSrdo(acknowledge.node, acknowledge.srdo, false, acknowledge.source);
+    }
+    for (const FaultSetup& fault : world_.scenario.faults)
+    {
+        RequireOfFault(fault);
+    }
+    for (const Expectation& expectation : world_.scenario.expectations)
+    {
+        RequireOfExpectation(expectation);
+    }
+}
+} // namespace counterpoint::simulator

@@ -1,0 +1,32 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SIMULATOR_WORLD_NETWORK_CHECK_HPP
+#define SIMULATOR_WORLD_NETWORK_CHECK_HPP
+
+#include "simulator/world/world.hpp"
+
+namespace counterpoint::simulator
+{
+/// Compares a scenario with its devices. Each may throw YamlError.
+class NetworkCheck
+{
+  public:
+    explicit NetworkCheck(const World& world);
+
+    void RequireThatEverythingExists() const;
+
+  private:
+    [[nodiscard]] const runtime::DeviceModel& ModelOf(NodeIndex node) const;
+    void RequirePair(NodeIndex node, const ObjectAddress& object, bool is_consumer, const Source& source) const;
+    void RequireSrdo(NodeIndex node, std::uint8_t number, bool needs_consumer, const Source& source) const;
+    void RequireValue(NodeIndex node, const ObjectAddress& object, std::uint64_t value, const Source& source) const;
+    void RequireNodeIds() const;
+    void RequireLinks() const;
+    void RequireOfCpu(const FaultSetup& fault) const;
+    void RequireOfFault(const FaultSetup& fault) const;
+    void RequireOfExpectation(const Expectation& expectation) const;
+
+    const World& world_;
+};
+} // namespace counterpoint::simulator
+
+#endif // SIMULATOR_WORLD_NETWORK_CHECK_HPP

@@ -1,0 +1,32 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SIMULATOR_WORLD_NETWORK_EVENTS_HPP
+#define SIMULATOR_WORLD_NETWORK_EVENTS_HPP
+
+#include "simulator/world/agenda.hpp"
+#include "simulator/world/world.hpp"
+
+namespace counterpoint::simulator
+{
+/// Plans what happens to the devices of a scenario that is no fault. [SRS_SIM_006, SRS_SIM_037, SRS_MGR_012]
+class NetworkEvents
+{
+  public:
+    /// @brief Both outlive it.
+    NetworkEvents(World& world, Agenda& agenda);
+
+    void PlanAll();
+
+  private:
+    void PlanNmt();
+    void PlanActions();
+    void Command(NodeIndex node, const NmtEvent& event);
+    void Act(const Action& action, Node& node);
+    void PullAll(NodeIndex index);
+
+    World& world_;
+    const Scenario& scenario_;
+    Agenda& agenda_;
+};
+} // namespace counterpoint::simulator
+
+#endif // SIMULATOR_WORLD_NETWORK_EVENTS_HPP

@@ -1,0 +1,62 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SIMULATOR_WORLD_NETWORK_FAULTS_HPP
+#define SIMULATOR_WORLD_NETWORK_FAULTS_HPP
+
+#include "simulator/faults/foreign_controller.hpp"
+#include "simulator/faults/frame_faults.hpp"
+#include "simulator/world/agenda.hpp"
+#include "simulator/world/world.hpp"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace counterpoint::simulator
+{
+/// Brings about the faults of a scenario: those of frames sit on the bus, all others are planned. [SRS_SIM_020,
+/// SRS_SIM_021, SRS_SIM_022, SRS_SIM_023, SRS_SIM_024, SRS_SIM_025]
+class NetworkFaults
+{
+  public:
+    /// @brief Both outlive it.
+    NetworkFaults(World& world, Agenda& agenda);
+
+    /// @brief Throws YamlError for a place that a device does not have.
+    void PlanAll();
+    /// @brief Copies of frames that did not fit any more, by fault. [SRS_SIM_017]
+    [[nodiscard]] const std::map<std::size_t, std::uint32_t>& Dropped() const noexcept;
+
+  private:
+    void BuildForeignControllers();
+    void Install();
+    [[nodiscard]] std::vector<FrameSelector> SelectorsOf(bool (*is_wanted)(FaultKind)) const;
+    void PlanFault(std::size_t index);
+    /// @brief The beginnings and ends of a fault that lasts, as often as it comes and goes.
+    void PlanState(std::size_t index, const std::function<void()>& begin, const std::function<void()>& end);
+    void PlanForeignFrames(std::size_t index);
+    void PlanInsertedMessages(std::size_t index);
+    void PlanPartFault(std::size_t index);
+    [[nodiscard]] runtime::BitPlace PlaceOfBit(std::size_t index);
+    void PlanBitFault(std::size_t index);
+    void PlanStandstill(std::size_t index);
+    void PlanDisturbance(std::size_t index);
+    void PlanClock(std::size_t index);
+    void PlanControllerFault(std::size_t index);
+    void PlanBabbling(std::size_t index);
+    void Insert(std::size_t index);
+    void NoteFault(std::size_t index, NodeIndex node);
+
+    World& world_;
+    const Scenario& scenario_;
+    Agenda& agenda_;
+    std::unique_ptr<FrameFaults> frame_faults_;
+    std::unique_ptr<ControllerFaults> controller_faults_;
+    std::map<std::size_t, std::unique_ptr<ForeignController>> foreign_; ///< By fault.
+};
+
+/// What follows from a fault for its limit when the scenario says nothing. [SRS_SIM_031]
+[[nodiscard]] FaultClass ClassOf(const FaultSetup& fault);
+} // namespace counterpoint::simulator
+
+#endif // SIMULATOR_WORLD_NETWORK_FAULTS_HPP

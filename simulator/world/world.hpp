@@ -1,0 +1,37 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SIMULATOR_WORLD_WORLD_HPP
+#define SIMULATOR_WORLD_WORLD_HPP
+
+#include "simulator/journal/bus_place.hpp"
+#include "simulator/journal/journal.hpp"
+#include "simulator/scenario/scenario.hpp"
+#include "simulator/world/link_wire.hpp"
+#include "simulator/world/node.hpp"
+
+#include "hal/host/virtual/bus.hpp"
+
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace counterpoint::simulator
+{
+/// What whoever makes something happen in a network works on. Owned by the network.
+struct World
+{
+    const Scenario& scenario;
+    Journal& journal;
+    host::VirtualBus bus;
+    BusPlaces places;
+    std::vector<std::unique_ptr<runtime::DeviceModel>> models;
+    std::vector<std::unique_ptr<Node>> nodes;             ///< Of the scenario; then those that events duplicate.
+    std::map<NodeIndex, std::unique_ptr<LinkWire>> wires; ///< By CPU A.
+
+    [[nodiscard]] Nanoseconds Now() const noexcept
+    {
+        return bus.Now();
+    }
+};
+} // namespace counterpoint::simulator
+
+#endif // SIMULATOR_WORLD_WORLD_HPP

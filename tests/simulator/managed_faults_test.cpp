@@ -1,0 +1,173 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// Faults in the devices of a network with managers, and the options of simulate there.
+#include "tests/canopen/cia306/device_text.hpp"
+#include "tests/tools/command_run.hpp"
+#include "verification/trace/ids/manager.hpp"
+#include "verification/trace/ids/simulator.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace counterpoint::tools
+{
+namespace
+{
+using test::Answer;
+using test::RunCommand;
+
+class ManagedFaultsTest : public test::CommandTest
+{
+  protected:
+    static std::string Shipped(const std::string& name)
+    {
+        return cia306::test::SourceFolder() + "/examples/networks/managed_faults/" + name;
+    }
+    /// The shipped network with more, beside it by its whole path.
+    [[nodiscard]] Answer Simulate(const std::string& more, const std::vector<std::string>& options = {}) const
+    {
+        std::vector<std::string> arguments{"simulate",
+                                           File("more.yaml", "extends: " + Shipped("base.yaml") + "\n" + more)};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        return RunCommand(arguments);
+    }
+    static bool Has(const std::string& text, const std::string& part)
+    {
+        return text.find(part) != std::string::npos;
+    }
+};
+
+class ShippedFault : public ManagedFaultsTest, public ::testing::WithParamInterface<const char*>
+{
+};
+
+TEST_P(ShippedFault, IsFoundInTimeAndToldToTheManager)
+{
+    Verifies(req::SRS_SIM_060);
+    Verifies(req::SRS_MGR_012);
+    // Given a scenario of one family of faults; when it runs, then what it expects of output and manager comes
+    const Answer answer = RunCommand({"simulate", "--quiet", Shipped(GetParam() + std::string(".yaml"))});
+    EXPECT_EQ(answer.status, 0) << answer.out << answer.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, ShippedFault,
+                         ::testing::Values("base", "frames", "channel", "clock", "memory", "self_test", "permits"),
+                         [](const ::testing::TestParamInfo<const char*>& info) { return std::string(info.param); });
+
+TEST_F(ManagedFaultsTest, AWrongLimitFailsTheScenario)
+{
+    Verifies(req::SRS_SIM_060);
+    // Given a fault of memory, which is found within 1002 ms, judged by the limit of a channel
+    const std::string fault = "faults:\n  - {fault: bit_flip, name: flip, node: actuator, part: channel_a, at: 3 s,\n"
+                              "     config: {srdo: 1, field: sct}, bit: 4}\nexpect:\n"
+                              "  - {that: safe_within, node: actuator, srdo: 1, fault: flip, ";
+    const Answer wrong = Simulate(fault + "limit: channel}\n", {"--quiet"});
+    EXPECT_EQ(wrong.status, 1);
+    EXPECT_TRUE(Has(wrong.out, "FAILED  actuator SRDO 1 safe within 7 ms")) << wrong.out << wrong.err;
+    // And with its own one
+    EXPECT_EQ(Simulate(fault + "limit: configuration}\n", {"--quiet"}).status, 0);
+}
+
+TEST_F(ManagedFaultsTest, WhatHappensToDevicesHappensBesideAManager)
+{
+    Verifies(req::SRS_SIM_060);
+    // Given NMT, power, GFC, controllers and a processor that stands still
+    const Answer answer =
+        Simulate("nmt:\n  - {at: 3 s, node: plain, command: stop}\n"
+                 "  - {at: 3100 ms, node: sensor, command: reset_node}\n"
+                 "power: [{at: 3300 ms, node: controller, off: 50 ms}]\n"
+                 "gfc: [{at: 3200 ms, node: sensor}]\n"
+                 "faults:\n  - {fault: unplugged, node: plain, at: 3500 ms}\n"
+                 "  - {fault: standstill, node: actuator, at: 3600 ms}\n"
+                 "expect:\n  - {that: device, node: plain, is: stopped, at: 3050 ms}\n"
+                 "  - {that: event, is: boot_up, node: sensor, from: 3100 ms, until: 3101 ms}\n"
+                 "  - {that: device, node: controller, is: absent, at: 3320 ms}\n"
+                 "  - {that: event, is: boot_up, node: controller, from: 3350 ms, until: 3351 ms}\n"
+                 "  - {that: event, is: heartbeat_lost, node: plain, from: 3500 ms, until: 3900 ms}\n"
+                 "  - {that: event, is: heartbeat_lost, node: actuator, from: 3600 ms, until: 3900 ms}\n"
+                 "  - {that: output, node: actuator, srdo: 1, is: closed}\n");
+    // Then the devices do so, and the manager hears of it; the base's own last look at two of them does not hold then
+    EXPECT_TRUE(Has(answer.out, "holds   device of node plain is stopped")) << answer.out << answer.err;
+    EXPECT_TRUE(Has(answer.out, "holds   event boot_up of node sensor")) << answer.out;
+    EXPECT_TRUE(Has(answer.out, "holds   device of node controller is absent at 3320 ms")) << answer.out;
+    EXPECT_TRUE(Has(answer.out, "holds   event boot_up of node controller")) << answer.out;
+    EXPECT_TRUE(Has(answer.out, "holds   event heartbeat_lost of node plain")) << answer.out;
+    EXPECT_TRUE(Has(answer.out, "holds   event heartbeat_lost of node actuator")) << answer.out;
+    EXPECT_TRUE(Has(answer.out, "holds   output of node actuator SRDO 1 is closed")) << answer.out;
+}
+
+TEST_F(ManagedFaultsTest, ADeviceOfTwoCpusIsManaged)
+{
+    Verifies(req::SRS_SIM_060);
+    const std::string folder = cia306::test::SourceFolder() + "/examples/";
+    const std::string nodes = "title: x\nduration: 3 s\nmanagers: [{network: " + Shipped("network.yaml") +
+                              "}]\nnodes:\n  1: {dcf: " + folder + "emergency_stop/sensor.dcf}\n  2: {dcf: " + folder +
+                              "emergency_stop/controller.dcf}\n  5: {dcf: " + folder + "networks/managed_faults/io.dcf}\n" +
+                              "  relay: {dcf: " + folder + "emergency_stop/actuator.dcf, structure: two_cpu}\n";
+    // Given a relay of two CPUs, when the manager starts it and its supply goes later
+    const std::string good =
+        File("two.yaml", nodes + "events: [{at: 2 s, do: pull, node: relay}]\nexpect:\n"
+                                 "  - {that: device, node: relay, is: operational, at: 1900 ms}\n"
+                                 "  - {that: gate, node: 33, is: open, at: 1900 ms}\n"
+                                 "  - {that: released, node: 2, srdo: 1, at: 100 ms}\n"
+                                 "  - {that: event, is: heartbeat_lost, node: 33, from: 2 s, until: 2300 ms}\n"
+                                 "  - {that: device, node: relay, is: absent}\n");
+    const Answer answer = RunCommand({"simulate", "--quiet", good});
+    EXPECT_EQ(answer.status, 0) << answer.out << answer.err;
+    // A second one of it would need a link of its own
+    const std::string bad = File("bad.yaml", nodes + "events: [{at: 2 s, do: duplicate, node: relay}]\n");
+    const Answer refused = RunCommand({"simulate", "--quiet", bad});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_TRUE(Has(refused.err, "bad.yaml:9:10: a duplicate of a device with two CPUs, expected a device with one"))
+        << refused.err;
+}
+
+TEST_F(ManagedFaultsTest, ManagerAndDeviceAreToldThatTheBusIsOff)
+{
+    Verifies(req::SRS_MGR_012);
+    // Given a controller of a device that errors on the wire put off the bus, and comes back
+    const Answer answer =
+        Simulate("faults: [{fault: bus_off, node: plain, at: 3 s, until: 3050 ms}]\n"
+                 "expect: [{that: event, is: emergency, node: plain, from: 3050 ms, until: 3100 ms},\n"
+                 "  {that: device, node: plain, is: pre-operational}]\n");
+    // Then it has left OPERATIONAL, and says so as soon as it can
+    EXPECT_TRUE(Has(answer.out, "holds   event emergency of node plain")) << answer.out << answer.err;
+    EXPECT_TRUE(Has(answer.out, "holds   device of node plain is pre-operational")) << answer.out;
+}
+
+TEST_F(ManagedFaultsTest, EveryOptionWorks)
+{
+    Verifies(req::SRS_MGR_012);
+    Verifies(req::SRS_SIM_040);
+    const std::string memory = Shipped("memory.yaml");
+    // Given one fault that comes by chance, the seed decides when
+    const std::string chance =
+        "faults: [{fault: loss, name: lost, frames: {srdo: {node: actuator, srdo: 1}, from: 2600 ms, "
+        "probability_ppm: 100000}}]\n";
+    const std::string first = Simulate(chance, {"--seed", "1"}).out;
+    EXPECT_EQ(first, Simulate(chance, {"--seed", "1"}).out);
+    EXPECT_NE(first, Simulate(chance, {"--seed", "5"}).out);
+    // --until ends the run and tells what it cut off
+    const Answer cut = RunCommand({"simulate", "--quiet", "--until", "2950ms", memory});
+    EXPECT_TRUE(Has(cut.err, "'SCT of channel A wrong' at 3000 ms does not happen")) << cut.err;
+    // --frames shows frames of devices and of the manager
+    const Answer frames = RunCommand({"simulate", "--frames", "--until", "100ms", Shipped("base.yaml")});
+    EXPECT_TRUE(Has(frames.out, "frame 0x705 [1] 00  from plain")) << frames.out;
+    EXPECT_TRUE(Has(frames.out, "frame 0x77F [1] 00  from manager 127")) << frames.out;
+    // --sweep measures each
+    const Answer sweep = RunCommand({"simulate", "--sweep", "faults.SCT of channel A wrong.bit=2:4:2", memory});
+    EXPECT_EQ(sweep.status, 0) << sweep.out << sweep.err;
+    EXPECT_TRUE(Has(sweep.out, "2 of 2 runs hold")) << sweep.out;
+    // One page with devices, outputs, fault and the table of the manager; the same as JSON and as a capture
+    const Answer all = RunCommand({"simulate", "--quiet", "--html", Path("page.html"), "--json", Path("run.json"),
+                                   "--candump", Path("run.log"), memory});
+    EXPECT_EQ(all.status, 0) << all.err;
+    const std::string page = cia306::ReadTextFile(Path("page.html"));
+    EXPECT_TRUE(Has(page, "\"name\":\"actuator\"") && Has(page, "SCT of channel A wrong") && Has(page, "Relay"));
+    const nlohmann::json json = nlohmann::json::parse(cia306::ReadTextFile(Path("run.json")));
+    EXPECT_EQ(json["nodes"].size(), 4U);
+    EXPECT_EQ(json["managers"][0]["node"], 127);
+    EXPECT_EQ(json["faults"][0]["kind"], "bit_flip");
+    EXPECT_TRUE(Has(cia306::ReadTextFile(Path("run.log")), "can0 000#0121"));
+}
+} // namespace
+} // namespace counterpoint::tools
