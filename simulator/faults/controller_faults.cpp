@@ -11,12 +11,6 @@ namespace
 constexpr std::uint64_t kControllerSalt = 0xC0117501U;
 } // namespace
 
-bool ActsInControllers(const FaultKind kind) noexcept
-{
-    return kind == FaultKind::kQueueFull || kind == FaultKind::kSwallowed || kind == FaultKind::kWireError ||
-           kind == FaultKind::kConfirmation;
-}
-
 ControllerFaults::ControllerFaults(const FaultStage& stage, std::vector<FrameSelector> selectors)
     : stage_(stage), teller_(stage_), random_(stage.scenario.seed + kControllerSalt), selectors_(std::move(selectors))
 {

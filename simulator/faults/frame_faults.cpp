@@ -23,24 +23,6 @@ bool Corrupt(const FaultSetup& fault, CanFrame& frame)
 }
 } // namespace
 
-bool ActsOnReceptions(const FaultKind kind) noexcept
-{
-    switch (kind)
-    {
-    case FaultKind::kCorruption:
-    case FaultKind::kRepetition:
-    case FaultKind::kWrongSequence:
-    case FaultKind::kLoss:
-    case FaultKind::kDelay:
-    case FaultKind::kAddressing:
-    case FaultKind::kStoreAndForward:
-    case FaultKind::kDuplicate:
-        return true;
-    default:
-        return false;
-    }
-}
-
 EffectTeller::EffectTeller(const FaultStage& stage) noexcept : stage_(stage)
 {
 }

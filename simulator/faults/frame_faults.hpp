@@ -98,10 +98,6 @@ class ControllerFaults final : public host::BusFault
     Random random_;
     std::vector<FrameSelector> selectors_;
 };
-
-/// Which of the two classes makes a fault.
-[[nodiscard]] bool ActsOnReceptions(FaultKind kind) noexcept;
-[[nodiscard]] bool ActsInControllers(FaultKind kind) noexcept;
 } // namespace counterpoint::simulator
 
 #endif // SIMULATOR_FAULTS_FRAME_FAULTS_HPP

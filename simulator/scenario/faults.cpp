@@ -184,53 +184,56 @@ void ReadBabbling(Fields& fields, FaultSetup& fault)
     fault.data = ReadData(fields);
 }
 
-/// What a fault on chosen frames does to them.
+/// What a fault on chosen frames does to them: what its section has of these keys.
 void ReadEffect(Fields& fields, FaultSetup& fault)
 {
-    switch (fault.kind)
+    if (fault.kind == FaultKind::kCorruption)
     {
-    case FaultKind::kCorruption:
         ReadCorruption(fields, fault);
         return;
-    case FaultKind::kRepetition:
-        fault.times = fields.Require("times").Checked();
-        fault.by = fields.Require("after").Duration();
-        return;
-    case FaultKind::kDelay:
-        fault.by = fields.Require("by").Lasting();
-        return;
-    case FaultKind::kStoreAndForward:
-        fault.by = fields.Require("by").Lasting();
-        fault.gap = fields.Require("gap").Duration();
-        return;
-    case FaultKind::kAddressing:
-        fault.identifier = fields.Require("as").Checked();
-        return;
-    case FaultKind::kDuplicate:
-        fault.by = fields.Require("after").Duration();
-        return;
-    case FaultKind::kWireError:
-        fault.bit = static_cast<std::uint8_t>(fields.Require("bit").Checked());
-        return;
-    case FaultKind::kConfirmation:
+    }
+    if (fault.kind == FaultKind::kConfirmation)
+    {
         ReadConfirmation(fields, fault);
         return;
-    default:
-        return;
+    }
+    if (fields.Has("times"))
+    {
+        fault.times = fields.Require("times").Checked();
+    }
+    if (fields.Has("after"))
+    {
+        fault.by = fields.Require("after").Duration();
+    }
+    if (fields.Has("by"))
+    {
+        fault.by = fields.Require("by").Lasting();
+    }
+    if (fields.Has("gap"))
+    {
+        fault.gap = fields.Require("gap").Duration();
+    }
+    if (fields.Has("as"))
+    {
+        fault.identifier = fields.Require("as").Checked();
+    }
+    if (fields.Has("bit"))
+    {
+        fault.bit = static_cast<std::uint8_t>(fields.Require("bit").Checked());
     }
 }
 
-/// The kinds whose section has `on_frames` among its parents.
-bool HasFrames(const FaultKind kind)
+FaultKind KindNamed(const YamlValue& value)
 {
-    for (const char* const parent : SectionNamed(Name(kind)).parents)
+    const std::string text = value.Text("one word");
+    for (const FaultKindRow& row : kFaultKinds)
     {
-        if (std::string(parent) == "on_frames")
+        if (text == row.text)
         {
-            return true;
+            return row.meaning;
         }
     }
-    return false;
+    value.Refuse(runtime::Shown(text), "one of " + WordsOf<kFaultKinds>());
 }
 } // namespace
 
@@ -275,12 +278,12 @@ FaultSetup ReadFault(const Scenario& scenario, const YamlValue& value)
     Fields fields(value, "fault");
     FaultSetup fault;
     fault.source = value.Where();
-    fault.kind = fields.Require("fault").Choice(kFaultWords);
+    fault.kind = KindNamed(fields.Require("fault"));
     fields.Extend(Name(fault.kind));
     const auto name = fields.Find("name");
     fault.name = name ? name->Text("a text") : std::string(Name(fault.kind));
     fault.is_optional = fields.Require("optional").Choice(kYesWords);
-    if (HasFrames(fault.kind))
+    if (fields.Has("frames"))
     {
         fault.frames = ReadFrames(scenario, fields.Require("frames"));
         ReadEffect(fields, fault);
@@ -293,7 +296,7 @@ FaultSetup ReadFault(const Scenario& scenario, const YamlValue& value)
     {
         ReadBabbling(fields, fault);
     }
-    else if (IsOfLink(fault.kind))
+    else if (RowOf(fault.kind).site == FaultSite::kLink)
     {
         ReadLinkFault(fields, scenario, fault);
     }

@@ -192,6 +192,11 @@ YamlValue Fields::Require(const std::string& key)
     return *found;
 }
 
+bool Fields::Has(const std::string& key) const
+{
+    return SpecOf(key) != nullptr;
+}
+
 const YamlValue& Fields::Value() const noexcept
 {
     return value_;

@@ -27,6 +27,8 @@ class Fields
     /// @brief The value, else the schema's default, else nothing.
     [[nodiscard]] std::optional<YamlValue> Find(const std::string& key);
     [[nodiscard]] YamlValue Require(const std::string& key);
+    /// @brief Whether such a key is known here.
+    [[nodiscard]] bool Has(const std::string& key) const;
     [[nodiscard]] const YamlValue& Value() const noexcept;
     /// @brief All keys with their values, in the order of the file.
     [[nodiscard]] std::vector<std::pair<YamlValue, YamlValue>> All();

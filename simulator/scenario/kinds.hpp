@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-// The enumerations of scenarios; their words are in names.hpp.
+// The enumerations of scenarios; their words are in names.hpp. Kinds of faults are in fault_kinds.hpp.
 namespace counterpoint::simulator
 {
 /// What an NMT master says.
@@ -17,52 +17,6 @@ enum class NmtCommand : std::uint8_t
     kEnterPreOperational = 3U,
     kResetNode = 4U,
     kResetCommunication = 5U,
-};
-
-enum class FaultKind : std::uint8_t
-{
-    kCorruption = 1U,
-    kRepetition = 2U,
-    kWrongSequence = 3U,
-    kLoss = 4U,
-    kDelay = 5U,
-    kInsertion = 6U,
-    kMasquerade = 7U,
-    kAddressing = 8U,
-    kBitFlip = 9U,
-    kSkipped = 10U,
-    kDoubled = 11U,
-    kHung = 12U,
-    kFrozen = 13U,
-    kNotCalled = 14U,
-    kAlwaysGood = 15U,
-    kClock = 16U,
-    kCycle = 17U,
-    kNotInverse = 18U,
-    kStoreAndForward = 19U,
-    kDuplicate = 20U,
-    kBabbling = 21U,
-    kWireError = 22U,
-    kBusOff = 23U,
-    kUnplugged = 24U,
-    kQueueFull = 25U,
-    kSwallowed = 26U,
-    kConfirmation = 27U,
-    kQueueOverflow = 28U,
-    kFrozenInput = 29U,
-    kPermit = 30U,
-    kWatchdog = 31U,
-    kStuckBit = 32U,
-    kStandstill = 33U,
-    kLinkLoss = 34U,
-    kLinkDelay = 35U,
-    kLinkRepetition = 36U,
-    kLinkReordering = 37U,
-    kLinkCorruption = 38U,
-    kLinkInsertion = 39U,
-    kLinkCut = 40U,
-    // A new kind: a number, a word (names.hpp), a section (schema_faults.cpp), a reader (faults.cpp) and
-    // whoever brings it about (network_faults.cpp).
 };
 
 /// The part of a node that a fault hits.
@@ -217,11 +171,6 @@ enum class Party : std::uint8_t
 [[nodiscard]] constexpr bool IsOfEvents(const ExpectationKind kind)
 {
     return kind == ExpectationKind::kEvent || kind == ExpectationKind::kNoEvent;
-}
-
-[[nodiscard]] constexpr bool IsOfLink(const FaultKind kind)
-{
-    return kind >= FaultKind::kLinkLoss && kind <= FaultKind::kLinkCut;
 }
 } // namespace counterpoint::simulator
 

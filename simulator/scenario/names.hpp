@@ -3,6 +3,7 @@
 #define SIMULATOR_SCENARIO_NAMES_HPP
 
 #include "runtime/device/names.hpp"
+#include "simulator/scenario/fault_kinds.hpp"
 #include "simulator/scenario/fields.hpp"
 #include "simulator/scenario/scenario.hpp"
 
@@ -20,49 +21,6 @@ using runtime::NameOf;
 using runtime::ObjectText;
 
 // The words of scenarios and outputs for the enumerations of contract, kernel and simulator: one table for both ways.
-inline constexpr Word<FaultKind> kFaultWords[] = {
-    {"corruption", FaultKind::kCorruption},
-    {"repetition", FaultKind::kRepetition},
-    {"wrong_sequence", FaultKind::kWrongSequence},
-    {"loss", FaultKind::kLoss},
-    {"delay", FaultKind::kDelay},
-    {"insertion", FaultKind::kInsertion},
-    {"masquerade", FaultKind::kMasquerade},
-    {"addressing", FaultKind::kAddressing},
-    {"bit_flip", FaultKind::kBitFlip},
-    {"skipped", FaultKind::kSkipped},
-    {"doubled", FaultKind::kDoubled},
-    {"hung", FaultKind::kHung},
-    {"frozen", FaultKind::kFrozen},
-    {"not_called", FaultKind::kNotCalled},
-    {"always_good", FaultKind::kAlwaysGood},
-    {"clock", FaultKind::kClock},
-    {"cycle", FaultKind::kCycle},
-    {"not_inverse", FaultKind::kNotInverse},
-    {"store_and_forward", FaultKind::kStoreAndForward},
-    {"duplicate", FaultKind::kDuplicate},
-    {"babbling", FaultKind::kBabbling},
-    {"wire_error", FaultKind::kWireError},
-    {"bus_off", FaultKind::kBusOff},
-    {"unplugged", FaultKind::kUnplugged},
-    {"queue_full", FaultKind::kQueueFull},
-    {"swallowed", FaultKind::kSwallowed},
-    {"confirmation", FaultKind::kConfirmation},
-    {"queue_overflow", FaultKind::kQueueOverflow},
-    {"frozen_input", FaultKind::kFrozenInput},
-    {"permit", FaultKind::kPermit},
-    {"watchdog", FaultKind::kWatchdog},
-    {"stuck_bit", FaultKind::kStuckBit},
-    {"standstill", FaultKind::kStandstill},
-    {"link_loss", FaultKind::kLinkLoss},
-    {"link_delay", FaultKind::kLinkDelay},
-    {"link_repetition", FaultKind::kLinkRepetition},
-    {"link_reordering", FaultKind::kLinkReordering},
-    {"link_corruption", FaultKind::kLinkCorruption},
-    {"link_insertion", FaultKind::kLinkInsertion},
-    {"link_cut", FaultKind::kLinkCut},
-};
-
 inline constexpr Word<Part> kPartWords[] = {
     {"channel_a", Part::kChannelA},       {"channel_b", Part::kChannelB}, {"comparator", Part::kComparator},
     {"flow_monitor", Part::kFlowMonitor}, {"guard", Part::kGuard},        {"self_test", Part::kSelfTest},
@@ -231,7 +189,7 @@ inline constexpr Word<ConfigField> kConfigFieldWords[] = {
 
 [[nodiscard]] inline const char* Name(const FaultKind kind) noexcept
 {
-    return NameOf(kFaultWords, kind);
+    return RowOf(kind).text;
 }
 [[nodiscard]] inline const char* Name(const Part part) noexcept
 {

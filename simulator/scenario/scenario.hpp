@@ -4,6 +4,7 @@
 
 #include "runtime/device/channel_host.hpp"
 #include "runtime/device/logic_rule.hpp"
+#include "simulator/scenario/fault_kinds.hpp"
 #include "simulator/scenario/kinds.hpp"
 #include "simulator/scenario/values.hpp"
 

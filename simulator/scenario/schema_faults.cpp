@@ -4,7 +4,7 @@
 
 #include "hal/host/virtual/bus_fault.hpp"
 
-// The kinds of faults. A new kind is a section here, named like its word in names.hpp. [SRS_SIM_020, SRS_SIM_021,
+// The kinds of faults. A new kind is a section here, named like its word in fault_kinds.hpp. [SRS_SIM_020, SRS_SIM_021,
 // SRS_SIM_022, SRS_SIM_023, SRS_SIM_024, SRS_SIM_025, SRS_SIM_026, SRS_SIM_027, SRS_SIM_028, SRS_SIM_029, SRS_SIM_030,
 // SRS_SIM_031, SRS_SIM_032, SRS_SIM_033, SRS_SIM_034, SRS_SIM_035, SRS_SIM_036, SRS_SIM_037, SRS_SIM_038, SRS_SIM_047]
 namespace counterpoint::simulator
@@ -42,7 +42,7 @@ const std::vector<SectionSpec> kFrameFaultSections{
      "a fault",
      {},
      {
-         {"fault", T::kWord, kNone, &WordsOf<kFaultWords>, nullptr, kNeeded, "loss", "the kind"},
+         {"fault", T::kWord, kNone, &WordsOf<kFaultKinds>, nullptr, kNeeded, "loss", "the kind"},
          {"name", T::kText, kNone, nullptr, nullptr, nullptr, "one frame lost",
           "shown to people, named by expectations; default: the kind"},
          {"optional", T::kWord, kNone, &WordsOf<kYesWords>, nullptr, "false", "true",

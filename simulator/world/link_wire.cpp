@@ -21,7 +21,8 @@ LinkWire::LinkWire(const Scenario& scenario, const NodeIndex first, Journal& jou
     for (std::size_t index = 0U; index < scenario.faults.size(); ++index)
     {
         const FaultSetup& fault = scenario.faults[index];
-        if (IsOfLink(fault.kind) && fault.kind != FaultKind::kLinkInsertion && fault.node == first)
+        if (RowOf(fault.kind).site == FaultSite::kLink && fault.kind != FaultKind::kLinkInsertion &&
+            fault.node == first)
         {
             choosers_.push_back({index, first, 0U, 0U});
             choosers_.push_back({index, first + 1U, 0U, 0U});

@@ -73,7 +73,7 @@ void Network::BuildNodes()
     }
 }
 
-// With managers each device runs its services; of two CPUs the first one does.
+// With managers each device runs its services; of two CPUs the first one does. [SRS_SIM_060]
 void Network::BuildNode(const NodeIndex index, const NodeSetup& setup, Journal& journal, const Insight insight)
 {
     const bool has_managers = !world_.scenario.managers.empty();

@@ -39,54 +39,13 @@ std::uint64_t BitsOf(const FaultSetup& fault)
 
 FaultClass ClassOf(const FaultSetup& fault)
 {
-    const bool is_normal = ChoosesNormal(fault.frames);
-    const bool is_channel = fault.part == Part::kChannelA || fault.part == Part::kChannelB;
-    switch (fault.kind)
-    {
-    case FaultKind::kCorruption:
-    case FaultKind::kRepetition:
-    case FaultKind::kWrongSequence:
-    case FaultKind::kQueueOverflow:
-        return FaultClass::kWrongFrame;
-    case FaultKind::kLoss:
-    case FaultKind::kDelay:
-    case FaultKind::kAddressing:
-    case FaultKind::kStoreAndForward:
-    case FaultKind::kQueueFull:
-    case FaultKind::kSwallowed:
-        return is_normal ? FaultClass::kBus : FaultClass::kBusNextNormal;
-    case FaultKind::kDuplicate:
-        return is_normal ? FaultClass::kBusNextNormal : FaultClass::kWrongFrame;
-    case FaultKind::kInsertion:
-    case FaultKind::kMasquerade:
-        return ((fault.identifier & 1U) != 0U) ? FaultClass::kBusNextNormal : FaultClass::kWrongFrame;
-    case FaultKind::kBabbling:
-    case FaultKind::kWireError:
-    case FaultKind::kBusOff:
-    case FaultKind::kUnplugged:
-    case FaultKind::kConfirmation:
-    case FaultKind::kNotInverse:
-        return FaultClass::kBus;
-    case FaultKind::kFrozenInput:
-        return (fault.part == Part::kChallenge || fault.part == Part::kQuestion) ? FaultClass::kSupervisor
-                                                                                 : FaultClass::kBus;
-    case FaultKind::kBitFlip:
-    case FaultKind::kStuckBit:
-        return FaultClass::kConfiguration;
-    case FaultKind::kClock:
-    case FaultKind::kCycle:
-        return FaultClass::kClock;
-    case FaultKind::kLinkLoss:
-    case FaultKind::kLinkDelay:
-    case FaultKind::kLinkRepetition:
-    case FaultKind::kLinkReordering:
-    case FaultKind::kLinkCorruption:
-    case FaultKind::kLinkInsertion:
-    case FaultKind::kLinkCut:
-        return FaultClass::kCrossLink;
-    default:
-        return is_channel ? FaultClass::kChannel : FaultClass::kSupervisor;
-    }
+    const FaultKindRow& row = RowOf(fault.kind);
+    const bool is_of_frames = row.site == FaultSite::kReceptions || row.site == FaultSite::kController;
+    const bool is_normal = is_of_frames ? ChoosesNormal(fault.frames) : (fault.identifier & 1U) != 0U;
+    const bool is_asked = fault.part == Part::kChannelA || fault.part == Part::kChannelB ||
+                          fault.part == Part::kChallenge || fault.part == Part::kQuestion;
+    const bool is_first = (row.site == FaultSite::kNode) ? is_asked : is_normal;
+    return is_first ? row.limit : row.other_limit;
 }
 
 NetworkFaults::NetworkFaults(World& world, Agenda& agenda) : world_(world), scenario_(world.scenario), agenda_(agenda)
@@ -123,13 +82,13 @@ void NetworkFaults::BuildForeignControllers()
     }
 }
 
-std::vector<FrameSelector> NetworkFaults::SelectorsOf(bool (*const is_wanted)(FaultKind)) const
+std::vector<FrameSelector> NetworkFaults::SelectorsOf(const FaultSite site) const
 {
     std::vector<FrameSelector> selectors;
     for (std::size_t index = 0U; index < scenario_.faults.size(); ++index)
     {
         const FaultSetup& fault = scenario_.faults[index];
-        if (!is_wanted(fault.kind))
+        if (RowOf(fault.kind).site != site)
         {
             continue;
         }
@@ -157,13 +116,13 @@ void NetworkFaults::Install()
     const bool has_masquerade =
         std::any_of(scenario_.faults.begin(), scenario_.faults.end(),
                     [](const FaultSetup& fault) { return fault.kind == FaultKind::kMasquerade; });
-    std::vector<FrameSelector> on_receptions = SelectorsOf(&ActsOnReceptions);
+    std::vector<FrameSelector> on_receptions = SelectorsOf(FaultSite::kReceptions);
     if (!on_receptions.empty() || has_masquerade || !foreign_.empty())
     {
         frame_faults_ = std::make_unique<FrameFaults>(stage, std::move(on_receptions));
         world_.bus.Install(*frame_faults_);
     }
-    std::vector<FrameSelector> in_controllers = SelectorsOf(&ActsInControllers);
+    std::vector<FrameSelector> in_controllers = SelectorsOf(FaultSite::kController);
     if (!in_controllers.empty())
     {
         controller_faults_ = std::make_unique<ControllerFaults>(stage, std::move(in_controllers));

@@ -30,7 +30,7 @@ class NetworkFaults
   private:
     void BuildForeignControllers();
     void Install();
-    [[nodiscard]] std::vector<FrameSelector> SelectorsOf(bool (*is_wanted)(FaultKind)) const;
+    [[nodiscard]] std::vector<FrameSelector> SelectorsOf(FaultSite site) const;
     void PlanFault(std::size_t index);
     /// @brief The beginnings and ends of a fault that lasts, as often as it comes and goes.
     void PlanState(std::size_t index, const std::function<void()>& begin, const std::function<void()>& end);

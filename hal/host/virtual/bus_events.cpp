@@ -22,6 +22,17 @@ void CountDown(std::uint32_t& errors)
     errors -= (errors > 0U) ? 1U : 0U;
 }
 
+/// Whether whoever sends is acknowledged.
+bool IsHeardByOthers(const std::vector<BusNode>& nodes)
+{
+    std::size_t on_bus = 0U;
+    for (const BusNode& node : nodes)
+    {
+        on_bus += node.IsOnBus() ? 1U : 0U;
+    }
+    return on_bus > 1U;
+}
+
 } // namespace
 
 BusEvents::BusEvents(const BitRate rate, std::vector<BusNode>& nodes, const std::vector<BusFault*>& faults)
@@ -111,7 +122,7 @@ void BusEvents::Arbitrate()
     const std::uint16_t ack_slot = static_cast<std::uint16_t>((record_.bits - kTrailerBits) + 1U);
     const std::uint16_t difference = FirstDifference();
     const std::uint16_t hit = FirstHit();
-    if (!IsHeardByOthers())
+    if (!IsHeardByOthers(nodes_))
     {
         destroy(ack_slot, FrameFate::kNotAcknowledged);
     }
@@ -183,16 +194,6 @@ std::uint16_t BusEvents::FirstDifference() const
         }
     }
     return first;
-}
-
-bool BusEvents::IsHeardByOthers() const
-{
-    std::size_t on_bus = 0U;
-    for (const BusNode& node : nodes_)
-    {
-        on_bus += node.IsOnBus() ? 1U : 0U;
-    }
-    return on_bus > 1U;
 }
 
 bool BusEvents::IsSender(const NodeIndex node) const

@@ -152,7 +152,6 @@ class BusEvents
     [[nodiscard]] bool TakeWinners();
     [[nodiscard]] std::uint16_t FirstHit() const;
     [[nodiscard]] std::uint16_t FirstDifference() const;
-    [[nodiscard]] bool IsHeardByOthers() const;
     void FinishFrame(BusObserver* observer);
     void CompleteFrame(BusObserver* observer);
     void DestroyFrame(BusObserver* observer);
