@@ -51,7 +51,7 @@ TEST_P(ShippedFault, IsFoundInTimeAndToldToTheManager)
 
 INSTANTIATE_TEST_SUITE_P(Families, ShippedFault,
                          ::testing::Values("base", "frames", "channel", "clock", "memory", "self_test", "permits"),
-                         [](const ::testing::TestParamInfo<const char*>& info) { return std::string(info.param); });
+                         [](const ::testing::TestParamInfo<const char*>& family) { return std::string(family.param); });
 
 TEST_F(ManagedFaultsTest, AWrongLimitFailsTheScenario)
 {
