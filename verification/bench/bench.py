@@ -41,6 +41,8 @@ SELF_TESTS = {"selftest_signature": "signature, 24 words", "selftest_constants":
 APART = ("hal/api", "safety_core/selftest", "safety_core/crosslink")
 LOAD_CYCLES = 1000
 COUNTS = (1, 8, 64)
+# Mappings by the suffix of their items: objects of one side x bits.
+SHAPES = {"1x8": "_1x8", "1x32": "_1x32", "2x32": "", "4x16": "_4x16", "8x8": "_8x8"}
 
 
 class BadInput(Exception):
@@ -88,8 +90,9 @@ def costs(sums):
     bracket = total / repetitions
     once = {}
     for (item, srdos), (repetitions, total) in sums.items():
-        if item in BRACKETS:
-            once[(item, srdos)] = total / repetitions - BRACKETS[item] * bracket
+        kind = re.sub(r"_\dx\d+$", "", item)
+        if kind in BRACKETS:
+            once[(item, srdos)] = total / repetitions - BRACKETS[kind] * bracket
     result = {"idle": {}, "pair": {}, "send": {}, "check": {}, "idle_cycle": {}}
     for srdos in COUNTS:
         idle, idle_producers = once[("idle", srdos)], once[("idle_producers", srdos)]
@@ -99,6 +102,11 @@ def costs(sums):
         result["pair"][srdos] = once[("pair", srdos)] - idle
         result["send"][srdos] = once[("send", srdos)] - 2 * idle_producers
         result["check"][srdos] = once[("check", srdos)]
+    result["shapes"] = {}
+    for shape, suffix in SHAPES.items():
+        idle, idle_producers = once[("idle" + suffix, 64)], once[("idle_producers" + suffix, 64)]
+        result["shapes"][shape] = {"pair": once[("pair" + suffix, 64)] - idle, "send": once[("send" + suffix, 64)] - 2 * idle_producers,
+                                   "check": once[("check" + suffix, 64)], "idle": idle / 64}
     result["selftest"] = {}
     for item in SELF_TESTS:
         repetitions, total = sums[(item, 1)]
@@ -169,8 +177,9 @@ def measure():
         "growth": ratios,
         "digest": {"product": digest, "product_objects": count, "target": target_digest, "target_objects": target_count},
         "measured": {
-            "pair": host["pair"][64], "idle": host["idle"][64], "send": host["send"][64],
-            "check": max(host["check"].values()),
+            **{f"{item}_{shape}": row[item] for shape, row in host["shapes"].items() for item in ("pair", "send", "check")},
+            "idle": max(row["idle"] for row in host["shapes"].values()),
+            "fixed": host["idle_cycle"][1], "fixed_target": on_target["idle_cycle"][1],
             "ram": sum(ram.values()) / 64,
             # Core and both channels; the hardware layer is the device's, and rooms that it may leave out are counted apart.
             "code": sum(row["text"] + row["rodata"] + row["data"] for room, row in small_sizes.items() if room not in APART),
@@ -224,6 +233,10 @@ def print_table(rows, result):
     for item, text in names.items():
         cells = [f"{result['host'][item][srdos]:7.0f} |{result['target'][item][srdos]:6.0f}" for srdos in map(str, COUNTS)]
         print(f"{text:42} {cells[0]:>15} {cells[1]:>15} {cells[2]:>15}")
+    print(f"\n{'instructions by mapping, 64 SRDOs':42} " + " ".join(f"{shape:>15}" for shape in SHAPES))
+    for item, text in (("pair", names["pair"]), ("send", names["send"]), ("check", names["check"]), ("idle", names["idle"])):
+        cells = [f"{result['host']['shapes'][shape][item]:7.0f} |{result['target']['shapes'][shape][item]:6.0f}" for shape in SHAPES]
+        print(f"{text:42} " + " ".join(f"{cell:>15}" for cell in cells))
     print("self tests in a cycle with (host | target): " + ", ".join(
         f"{text} {result['host']['selftest'][item]:.0f} | {result['target']['selftest'][item]:.0f}" for item, text in SELF_TESTS.items()))
     print()

@@ -65,8 +65,8 @@ StampedFrame Device::NextFrame(const SlotIndex slot, const FrameSide side) noexc
     frame.frame.identifier = kFirstSrdoIdentifier + (2U * slot) + ((side == FrameSide::kInverse) ? 1U : 0U);
     frame.frame.kind = FrameKind::kData;
     frame.frame.port = CanPortId::kFirst;
-    frame.frame.length_bytes = kMaxPayloadBytes;
-    for (std::uint32_t i = 0U; i < kMaxPayloadBytes; ++i)
+    frame.frame.length_bytes = setup_.FrameBytes();
+    for (std::uint32_t i = 0U; i < setup_.FrameBytes(); ++i)
     {
         frame.frame.data[i] = static_cast<std::uint8_t>((data_ >> (3U * i)) ^ mask);
     }

@@ -48,10 +48,29 @@ void MeasureNothing() noexcept
     MeterReport({"nothing", 0U, kRepetitions});
 }
 
-BenchResult MeasureConsumers(const std::uint8_t count) noexcept
+/// What the items are called with one mapping.
+struct ItemNames
+{
+    MapShape shape;
+    const char* idle;
+    const char* pair;
+    const char* check;
+    const char* idle_producers;
+    const char* send;
+};
+
+constexpr ItemNames kTwoWordNames{kTwoWords, "idle", "pair", "check", "idle_producers", "send"};
+constexpr ItemNames kOtherNames[] = {
+    {{1U, 8U}, "idle_1x8", "pair_1x8", "check_1x8", "idle_producers_1x8", "send_1x8"},
+    {{1U, 32U}, "idle_1x32", "pair_1x32", "check_1x32", "idle_producers_1x32", "send_1x32"},
+    {{4U, 16U}, "idle_4x16", "pair_4x16", "check_4x16", "idle_producers_4x16", "send_4x16"},
+    {{8U, 8U}, "idle_8x8", "pair_8x8", "check_8x8", "idle_producers_8x8", "send_8x8"},
+};
+
+BenchResult MeasureConsumers(const std::uint8_t count, const ItemNames& names) noexcept
 {
     Device& device = NewDevice();
-    if (!device.Start({DeviceRole::kConsumers, count, kRareInterval}))
+    if (!device.Start({DeviceRole::kConsumers, count, kRareInterval, names.shape}))
     {
         return BenchResult::kNotStarted;
     }
@@ -61,7 +80,7 @@ BenchResult MeasureConsumers(const std::uint8_t count) noexcept
     {
         device.MeasuredCycle();
     }
-    MeterReport({"idle", count, kRepetitions});
+    MeterReport({names.idle, count, kRepetitions});
     if (device.Open() != AllOf(count))
     {
         return BenchResult::kNotReleased;
@@ -73,7 +92,7 @@ BenchResult MeasureConsumers(const std::uint8_t count) noexcept
         device.MeasuredPair(static_cast<SlotIndex>(i % count));
         device.MeasuredCycle();
     }
-    MeterReport({"pair", count, kRepetitions});
+    MeterReport({names.pair, count, kRepetitions});
     if ((device.Events() - events) != kRepetitions)
     {
         return BenchResult::kNotReleased;
@@ -83,14 +102,14 @@ BenchResult MeasureConsumers(const std::uint8_t count) noexcept
     {
         device.MeasuredCheck(static_cast<SlotIndex>(i % count));
     }
-    MeterReport({"check", count, kRepetitions});
+    MeterReport({names.check, count, kRepetitions});
     return device.IsWell() ? BenchResult::kDone : BenchResult::kCheckFailed;
 }
 
-BenchResult MeasureProducers(const std::uint8_t count) noexcept
+BenchResult MeasureProducers(const std::uint8_t count, const ItemNames& names) noexcept
 {
     Device& device = NewDevice();
-    if (!device.Start({DeviceRole::kProducers, count, kRareInterval}))
+    if (!device.Start({DeviceRole::kProducers, count, kRareInterval, names.shape}))
     {
         return BenchResult::kNotStarted;
     }
@@ -99,14 +118,14 @@ BenchResult MeasureProducers(const std::uint8_t count) noexcept
     {
         device.MeasuredCycle();
     }
-    MeterReport({"idle_producers", count, kRepetitions});
+    MeterReport({names.idle_producers, count, kRepetitions});
     const std::uint32_t events = device.Events();
     MeterReset();
     for (std::uint32_t i = 0U; i < kRepetitions; ++i)
     {
         device.MeasuredSend(static_cast<SlotIndex>(i % count));
     }
-    MeterReport({"send", count, kRepetitions});
+    MeterReport({names.send, count, kRepetitions});
     if ((device.Events() - events) != kRepetitions)
     {
         return BenchResult::kNotSent;
@@ -114,25 +133,27 @@ BenchResult MeasureProducers(const std::uint8_t count) noexcept
     return device.IsWell() ? BenchResult::kDone : BenchResult::kFaulted;
 }
 
+BenchResult Measure(const std::uint8_t count, const ItemNames& names) noexcept
+{
+    const BenchResult consumers = MeasureConsumers(count, names);
+    return (consumers == BenchResult::kDone) ? MeasureProducers(count, names) : consumers;
+}
+
 } // namespace
 
 BenchResult RunItems() noexcept
 {
     MeasureNothing();
+    BenchResult result = BenchResult::kDone;
     for (const std::uint8_t count : kCounts)
     {
-        const BenchResult consumers = MeasureConsumers(count);
-        if (consumers != BenchResult::kDone)
-        {
-            return consumers;
-        }
-        const BenchResult producers = MeasureProducers(count);
-        if (producers != BenchResult::kDone)
-        {
-            return producers;
-        }
+        result = (result == BenchResult::kDone) ? Measure(count, kTwoWordNames) : result;
     }
-    return BenchResult::kDone;
+    for (const ItemNames& names : kOtherNames)
+    {
+        result = (result == BenchResult::kDone) ? Measure(kMaxSrdoCount, names) : result;
+    }
+    return result;
 }
 
 BenchResult RunFullLoad() noexcept

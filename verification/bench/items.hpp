@@ -19,7 +19,8 @@ enum class BenchResult : std::uint8_t
     kFaulted = 5U, ///< A device met a fault while it was measured.
 };
 
-/// @brief Measures every item for 1, 8 and 64 SRDOs and reports it by MeterReport.
+/// @brief Measures every item for 1, 8 and 64 SRDOs of two objects of 32 bits, and for 64 SRDOs of other mappings, and
+/// reports it by MeterReport.
 [[nodiscard]] BenchResult RunItems() noexcept;
 /// @brief One second of back-to-back pairs at 1 Mbit/s for 64 consumers in a cycle of 1 ms.
 [[nodiscard]] BenchResult RunFullLoad() noexcept;

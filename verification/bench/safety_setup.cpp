@@ -39,23 +39,23 @@ const DeviceConfig& SafetySetup::Describe(const DevicePlan& plan) noexcept
                                   Payload{0U, 0U},
                                   SrvtDetection::kEarly,
                                   StaticMap{nullptr, 0U}};
-        for (std::uint8_t part = 0U; part < 2U; ++part)
+        for (std::uint8_t part = 0U; part < plan.shape.parts; ++part)
         {
-            const std::uint32_t normal = (2U * slot) + part;
-            const std::uint32_t inverse = (2U * plan.srdo_count) + normal;
+            const std::uint32_t normal = (std::uint32_t{plan.shape.parts} * slot) + part;
+            const std::uint32_t inverse = (std::uint32_t{plan.shape.parts} * plan.srdo_count) + normal;
             const auto sub = static_cast<std::uint8_t>(part + 1U);
             objects_[normal] =
-                MappableObject{static_cast<std::uint16_t>(kNormalIndex + slot), sub, 32U, access, places_[normal]};
+                MappableObject{static_cast<std::uint16_t>(kNormalIndex + slot), sub, plan.shape.bits, access, places_[normal]};
             objects_[inverse] =
-                MappableObject{static_cast<std::uint16_t>(kInverseIndex + slot), sub, 32U, access, places_[inverse]};
+                MappableObject{static_cast<std::uint16_t>(kInverseIndex + slot), sub, plan.shape.bits, access, places_[inverse]};
         }
     }
     config_.srdos = setups_;
     config_.objects = objects_;
-    config_.object_count = static_cast<std::uint16_t>(kObjectsEach * plan.srdo_count);
+    config_.object_count = static_cast<std::uint16_t>(2U * plan.shape.parts * plan.srdo_count);
     config_.srdo_count = plan.srdo_count;
     config_.node_id = kNodeId;
-    config_.granularity_bits = 32U;
+    config_.granularity_bits = plan.shape.bits;
     config_.map_entries = kUsualMapEntries;
     config_.gfc = GfcUse::kPresent;
     config_.normal_port = CanPortId::kFirst;
@@ -80,16 +80,16 @@ bool SafetySetup::ConfigureSlot(Kernel& kernel, const std::uint8_t slot) const n
     const std::uint32_t cob_id = kFirstSrdoIdentifier + (2U * slot);
     bool good = Write(kernel, {communication, 1U}, {kDirectionOff, 1U});
     good = Write(kernel, {mapping, 0U}, {0U, 1U}) && good;
-    for (std::uint8_t part = 0U; part < 2U; ++part)
+    for (std::uint8_t part = 0U; part < plan_.shape.parts; ++part)
     {
-        const std::uint32_t tail = ((part + 1U) << 8U) | 32U;
+        const std::uint32_t tail = ((part + 1U) << 8U) | plan_.shape.bits;
         const auto sub = static_cast<std::uint8_t>((2U * part) + 1U);
         const std::uint32_t normal = ((kNormalIndex + static_cast<std::uint32_t>(slot)) << 16U) | tail;
         const std::uint32_t inverse = ((kInverseIndex + static_cast<std::uint32_t>(slot)) << 16U) | tail;
         good = Write(kernel, {mapping, sub}, {normal, 4U}) && good;
         good = Write(kernel, {mapping, static_cast<std::uint8_t>(sub + 1U)}, {inverse, 4U}) && good;
     }
-    good = Write(kernel, {mapping, 0U}, {kObjectsEach, 1U}) && good;
+    good = Write(kernel, {mapping, 0U}, {2U * std::uint32_t{plan_.shape.parts}, 1U}) && good;
     good = Write(kernel, {communication, 2U}, {plan_.sct_ms, 2U}) && good;
     good = Write(kernel, {communication, 3U}, {kSrvtMs, 1U}) && good;
     good = Write(kernel, {communication, 4U}, {kTransmissionTypeAsynchronous, 1U}) && good;
@@ -114,7 +114,7 @@ void SafetySetup::FillVariables() noexcept
 {
     for (std::uint32_t i = 0U; i < config_.object_count; ++i)
     {
-        const bool inverse = i >= (2U * static_cast<std::uint32_t>(plan_.srdo_count));
+        const bool inverse = i >= std::uint32_t{plan_.shape.parts} * plan_.srdo_count;
         for (std::uint8_t& byte : places_[i])
         {
             byte = inverse ? 0xA5U : 0x5AU;
@@ -125,6 +125,11 @@ void SafetySetup::FillVariables() noexcept
 std::uint8_t SafetySetup::SrdoCount() const noexcept
 {
     return plan_.srdo_count;
+}
+
+std::uint8_t SafetySetup::FrameBytes() const noexcept
+{
+    return static_cast<std::uint8_t>((plan_.shape.parts * plan_.shape.bits) / 8U);
 }
 
 } // namespace counterpoint::bench

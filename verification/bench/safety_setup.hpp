@@ -20,12 +20,22 @@ enum class DeviceRole : std::uint8_t
     kProducers = 2U,
 };
 
+/// How the data of each SRDO is mapped: so many objects of so many bits (8, 16 or 32), normal and as many inverse.
+struct MapShape
+{
+    std::uint8_t parts;
+    std::uint8_t bits;
+};
+
+constexpr MapShape kTwoWords{2U, 32U};
+
 struct DevicePlan
 {
     DeviceRole role;
     std::uint8_t srdo_count;
     /// Diagnostic and test interval.
     std::uint32_t interval_us;
+    MapShape shape{kTwoWords};
     /// As a rule longer than any item runs: no time-out and no refresh of its own comes in between.
     std::uint16_t sct_ms{60000U};
 };
@@ -37,8 +47,8 @@ struct ObjectNumber
     std::uint8_t size_bytes;
 };
 
-/// What a measured kernel is told: SRDOs that carry 8 bytes each, two objects of 32 bits normal, two inverse; SRDO n
-/// with the identifiers 101h + 2 (n - 1) and the next one. Kept by reference by the kernel.
+/// What a measured kernel is told: SRDOs with the mapping of the plan; SRDO n with the identifiers 101h + 2 (n - 1) and
+/// the next one. Kept by reference by the kernel.
 class SafetySetup
 {
   public:
@@ -48,15 +58,16 @@ class SafetySetup
     /// @brief Gives all variables values that are each other's inverse.
     void FillVariables() noexcept;
     [[nodiscard]] std::uint8_t SrdoCount() const noexcept;
+    /// @brief Length of a frame of an SRDO.
+    [[nodiscard]] std::uint8_t FrameBytes() const noexcept;
 
   private:
     [[nodiscard]] bool ConfigureSlot(Kernel& kernel, std::uint8_t slot) const noexcept;
 
-    static constexpr std::uint32_t kObjectsEach = 4U;
-    static constexpr std::uint32_t kObjects = kObjectsEach * kMaxSrdoCount;
+    static constexpr std::uint32_t kMostObjects = kUsualMapEntries * kMaxSrdoCount;
 
-    std::uint8_t places_[kObjects][4]{};
-    MappableObject objects_[kObjects]{};
+    std::uint8_t places_[kMostObjects][4]{};
+    MappableObject objects_[kMostObjects]{};
     SrdoSetup setups_[kMaxSrdoCount]{};
     DeviceConfig config_{};
     DevicePlan plan_{};

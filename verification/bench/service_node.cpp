@@ -71,7 +71,7 @@ device::ServiceRooms ServiceNode::Rooms() noexcept
 LoadResult ServiceNode::OnResetNode() noexcept
 {
     const DeviceConfig& config = setup_.Describe(
-        {DeviceRole::kConsumers, kMaxSrdoCount, kInterval, static_cast<std::uint16_t>(2U * kSrdoPeriodMs)});
+        {DeviceRole::kConsumers, kMaxSrdoCount, kInterval, kTwoWords, static_cast<std::uint16_t>(2U * kSrdoPeriodMs)});
     Take(kernel_.Start(config, FlowCallback::kOff) == StartResult::kStarted);
     return LoadResult::kLoaded;
 }

@@ -21,6 +21,8 @@ inline constexpr RequirementId SRS_BEN_011{"SRS_BEN_011"};
 inline constexpr RequirementId SRS_BEN_012{"SRS_BEN_012"};
 inline constexpr RequirementId SRS_BEN_013{"SRS_BEN_013"};
 inline constexpr RequirementId SRS_BEN_014{"SRS_BEN_014"};
+inline constexpr RequirementId SRS_BEN_015{"SRS_BEN_015"};
+inline constexpr RequirementId SRS_BEN_016{"SRS_BEN_016"};
 inline constexpr RequirementId SRS_TGT_001{"SRS_TGT_001"};
 inline constexpr RequirementId SRS_TGT_002{"SRS_TGT_002"};
 inline constexpr RequirementId SRS_TGT_003{"SRS_TGT_003"};
