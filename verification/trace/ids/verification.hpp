@@ -32,6 +32,7 @@ inline constexpr RequirementId SRS_VER_030{"SRS_VER_030"};
 inline constexpr RequirementId SRS_VER_031{"SRS_VER_031"};
 inline constexpr RequirementId SRS_VER_032{"SRS_VER_032"};
 inline constexpr RequirementId SRS_VER_033{"SRS_VER_033"};
+inline constexpr RequirementId SRS_VER_037{"SRS_VER_037"};
 } // namespace counterpoint::req
 
 #endif
