@@ -209,9 +209,12 @@ def judge_known_gaps(rows, path):
         gap = gaps.get(row["requirement"])
         if row["kept"] or gap is None:
             continue
-        if "no_worse_than" not in gap:
-            raise BadInput(f"{path}: {row['requirement']} has no no_worse_than, expected the value that may not get worse")
-        worse = row["measured"] < gap["no_worse_than"] if row.get("at_least") else row["measured"] > gap["no_worse_than"]
+        bounds = gap.get("no_worse_than")
+        if not isinstance(bounds, dict):
+            raise BadInput(f"{path}: {row['requirement']} has no no_worse_than, expected for each broken item the value that may not get worse")
+        if row["id"] not in bounds:
+            continue
+        worse = row["measured"] < bounds[row["id"]] if row.get("at_least") else row["measured"] > bounds[row["id"]]
         row["verdict"] = "WORSE" if worse else "KNOWN GAP"
         row["known"] = not worse
 
@@ -278,10 +281,12 @@ def gaps_bite(path, rows):
     """Whether a recorded gap lets an equal value pass and a worse one fail. [SRS_BEN_011]"""
     row = rows[0]
     for factor, status in ((1.0, 0), (0.5, 1)):
-        record = {"gaps": [{"id": row["requirement"], "reason": "fixture", "no_worse_than": row["measured"] * factor}]}
+        bounds = {}
+        for each in rows:
+            bounds.setdefault(each["requirement"], {})[each["id"]] = each["measured"] * (factor if each is row else 1.0)
         fixture = RESULTS / "fixture_known_gaps.json"
-        others = {"gaps": [{"id": other["requirement"], "reason": "fixture", "no_worse_than": other["measured"]} for other in rows[1:]]}
-        fixture.write_text(json.dumps({"gaps": record["gaps"] + others["gaps"]}), encoding="utf-8")
+        fixture.write_text(json.dumps({"gaps": [{"id": uid, "reason": "fixture", "no_worse_than": items} for uid, items in bounds.items()]}),
+                           encoding="utf-8")
         done = subprocess.run([sys.executable, __file__, "--from", str(path), "--limit", f"{row['id']}=0", "--known-gaps", str(fixture)],
                               capture_output=True, text=True, check=False)
         if done.returncode != status:
