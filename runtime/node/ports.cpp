@@ -54,6 +54,11 @@ NodePorts::NodePorts(const std::string& first, const std::string& second)
 {
 }
 
+NodePorts::NodePorts(std::unique_ptr<host::LiveBus> safety, std::unique_ptr<host::LiveBus> services) noexcept
+    : safety_(std::move(safety)), services_(std::move(services))
+{
+}
+
 hal::CanGuarantees NodePorts::Guarantees() const noexcept
 {
     return {hal::Guarantee::kGiven, hal::Guarantee::kGiven, hal::Guarantee::kGiven};

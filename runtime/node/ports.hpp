@@ -18,6 +18,8 @@ class NodePorts final : public hal::CanPorts
   public:
     /// `second` empty: one controller. Throws host::LiveBusError.
     NodePorts(const std::string& first, const std::string& second);
+    /// @brief One controller, two connections that were opened already.
+    NodePorts(std::unique_ptr<host::LiveBus> safety, std::unique_ptr<host::LiveBus> services) noexcept;
 
     [[nodiscard]] hal::CanGuarantees Guarantees() const noexcept override;
     /// @brief Frames with safety identifiers; without those of the second controller.
