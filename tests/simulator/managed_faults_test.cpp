@@ -45,13 +45,24 @@ TEST_P(ShippedFault, IsFoundInTimeAndToldToTheManager)
     Verifies(req::SRS_SIM_060);
     Verifies(req::SRS_MGR_012);
     // Given a scenario of one family of faults; when it runs, then what it expects of output and manager comes
-    const Answer answer = RunCommand({"simulate", "--quiet", Shipped(GetParam() + std::string(".yaml"))});
+    const Answer answer =
+        RunCommand({"simulate", "--quiet", cia306::test::SourceFolder() + "/" + GetParam() + ".yaml"});
     EXPECT_EQ(answer.status, 0) << answer.out << answer.err;
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, ShippedFault,
-                         ::testing::Values("base", "frames", "channel", "clock", "memory", "self_test", "permits"),
-                         [](const ::testing::TestParamInfo<const char*>& family) { return std::string(family.param); });
+                         ::testing::Values("examples/networks/managed_faults/base",
+                                           "examples/networks/managed_faults/channel",
+                                           "tests/simulator/scenarios/managed_faults/frames",
+                                           "tests/simulator/scenarios/managed_faults/clock",
+                                           "tests/simulator/scenarios/managed_faults/memory",
+                                           "tests/simulator/scenarios/managed_faults/self_test",
+                                           "tests/simulator/scenarios/managed_faults/permits"),
+                         [](const ::testing::TestParamInfo<const char*>& family)
+                         {
+                             const std::string path(family.param);
+                             return path.substr(path.rfind('/') + 1U);
+                         });
 
 TEST_F(ManagedFaultsTest, AWrongLimitFailsTheScenario)
 {
