@@ -61,7 +61,7 @@ TEST(Examples, ControllerOfTwoCpusSendsUntilTheWireIsCut)
                                " 303 ms CPU A running, CPU B running, buttons released, commands 0 1\n"
                                " 403 ms CPU A running, CPU B running, buttons released, commands 1 1\n"
                                " 609 ms CPU A running, CPU B device fault 13, buttons released, commands 1 1\n"
-                               " 610 ms CPU A device fault 13, CPU B device fault 13, buttons released, commands 1 1\n"
+                               " 610 ms CPU A device fault 13, CPU B device fault 13, buttons faulted, commands 1 1\n"
                                "pairs 22, wrong pairs 0\n");
 }
 
