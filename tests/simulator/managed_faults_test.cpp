@@ -22,6 +22,10 @@ class ManagedFaultsTest : public test::CommandTest
     {
         return cia306::test::SourceFolder() + "/examples/networks/managed_faults/" + name;
     }
+    static std::string Family(const std::string& name)
+    {
+        return cia306::test::SourceFolder() + "/tests/simulator/scenarios/managed_faults/" + name + ".yaml";
+    }
     /// The shipped network with more, beside it by its whole path.
     [[nodiscard]] Answer Simulate(const std::string& more, const std::vector<std::string>& options = {}) const
     {
@@ -148,7 +152,7 @@ TEST_F(ManagedFaultsTest, EveryOptionWorks)
 {
     Verifies(req::SRS_MGR_012);
     Verifies(req::SRS_SIM_040);
-    const std::string memory = Shipped("memory.yaml");
+    const std::string memory = Family("memory");
     // Given one fault that comes by chance, the seed decides when
     const std::string chance =
         "faults: [{fault: loss, name: lost, frames: {srdo: {node: actuator, srdo: 1}, from: 2600 ms, "
