@@ -44,10 +44,10 @@ const DeviceConfig& SafetySetup::Describe(const DevicePlan& plan) noexcept
             const std::uint32_t normal = (std::uint32_t{plan.shape.parts} * slot) + part;
             const std::uint32_t inverse = (std::uint32_t{plan.shape.parts} * plan.srdo_count) + normal;
             const auto sub = static_cast<std::uint8_t>(part + 1U);
-            objects_[normal] =
-                MappableObject{static_cast<std::uint16_t>(kNormalIndex + slot), sub, plan.shape.bits, access, places_[normal]};
-            objects_[inverse] =
-                MappableObject{static_cast<std::uint16_t>(kInverseIndex + slot), sub, plan.shape.bits, access, places_[inverse]};
+            objects_[normal] = MappableObject{static_cast<std::uint16_t>(kNormalIndex + slot), sub, plan.shape.bits,
+                                              access, places_[normal]};
+            objects_[inverse] = MappableObject{static_cast<std::uint16_t>(kInverseIndex + slot), sub, plan.shape.bits,
+                                               access, places_[inverse]};
         }
     }
     config_.srdos = setups_;
