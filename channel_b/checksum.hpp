@@ -37,14 +37,14 @@ constexpr std::uint32_t kByteValues = 256U;
 /// Both are linear, so that it is enough to look at each byte that leaves, each that enters and each that moves up.
 [[nodiscard]] constexpr bool IsShiftedAsDivided() noexcept
 {
-    bool is_equal = true;
+    std::uint32_t differences = 0U;
     for (std::uint32_t byte = 0U; byte < kByteValues; ++byte)
     {
-        is_equal = is_equal && (Shifted(byte << 8U, 0U) == Divided(byte << 8U, 0U));
-        is_equal = is_equal && (Shifted(0U, byte) == Divided(0U, byte));
-        is_equal = is_equal && (Shifted(byte, 0U) == Divided(byte, 0U));
+        differences |= Shifted(byte << 8U, 0U) ^ Divided(byte << 8U, 0U);
+        differences |= Shifted(0U, byte) ^ Divided(0U, byte);
+        differences |= Shifted(byte, 0U) ^ Divided(byte, 0U);
     }
-    return is_equal;
+    return differences == 0U;
 }
 
 /// Bit 0 becomes bit 31.
