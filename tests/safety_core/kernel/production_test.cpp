@@ -146,6 +146,7 @@ TEST_F(Production, CountersThatDriftApartKeepOnePhase)
         now_us = start_us + (cycle * 1000U);
         drift_us = cycle / 10U;
         DriftingCycle(drift_us);
+        application.flow.clear(); // Of no interest here, and more than a target has room for.
         ASSERT_EQ(kernel.DeviceState().fault, DeviceFault::kNone) << "cycle " << cycle;
     }
     // Then the refresh has followed the slower counter: 8000 pairs, no cause, and only A had to wait
@@ -162,6 +163,7 @@ TEST_F(Production, CountersThatDriftApartKeepOnePhase)
         now_us += 1000U;
         drift_us -= ((cycle % 10U) == 0U) ? 1U : 0U;
         DriftingCycle(drift_us);
+        application.flow.clear(); // Of no interest here, and more than a target has room for.
         ASSERT_EQ(kernel.DeviceState().fault, DeviceFault::kNone) << "cycle " << cycle;
     }
     EXPECT_GT(b.stands, 0);

@@ -62,8 +62,9 @@ bool Check(const bool holds, const char* const file, const int line, const char*
     return holds;
 }
 
-void RunOne(const char* /*suite*/, const char* /*name*/, Test* (*const make)())
+void RunOne(const char* const suite, const char* const name, Test* (*const make)())
 {
+    counterpoint::target::NameMemoryUser(suite, name);
     const std::size_t before = counterpoint::target::MarkMemory();
     Test* const test = make();
     test->SetUp();

@@ -19,6 +19,8 @@ constexpr std::size_t kGreatestAlignment = 64U;
 
 alignas(kGreatestAlignment) std::uint8_t arena[kArenaBytes];
 std::size_t arena_used = 0U;
+const char* user_suite = "";
+const char* user_name = "";
 
 void* Allocate(const std::size_t bytes, const std::size_t alignment = kAlignment) noexcept
 {
@@ -26,7 +28,11 @@ void* Allocate(const std::size_t bytes, const std::size_t alignment = kAlignment
     arena_used = (arena_used + (alignment - 1U)) & ~(alignment - 1U);
     if ((kArenaBytes - arena_used) < rounded)
     {
-        counterpoint::target::Write("FAILURE: a test needs more memory than there is\n");
+        counterpoint::target::Write("FAILURE: a test needs more memory than there is: ");
+        counterpoint::target::Write(user_suite);
+        counterpoint::target::Write(".");
+        counterpoint::target::Write(user_name);
+        counterpoint::target::Write("\n");
         counterpoint::target::Exit(1U);
     }
     void* const place = &arena[arena_used];
@@ -50,6 +56,12 @@ namespace counterpoint::target
 std::size_t MarkMemory() noexcept
 {
     return arena_used;
+}
+
+void NameMemoryUser(const char* const suite, const char* const name) noexcept
+{
+    user_suite = suite;
+    user_name = name;
 }
 
 void ReleaseMemory(const std::size_t mark) noexcept

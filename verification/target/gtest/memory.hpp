@@ -9,6 +9,8 @@ namespace counterpoint::target
 
 /// @brief What a test took since the mark is given back as a whole. A host has memory enough: nothing happens.
 [[nodiscard]] std::size_t MarkMemory() noexcept;
+/// @brief Who is told of when there is no memory left.
+void NameMemoryUser(const char* suite, const char* name) noexcept;
 void ReleaseMemory(std::size_t mark) noexcept;
 
 } // namespace counterpoint::target

@@ -9,6 +9,10 @@ std::size_t MarkMemory() noexcept
     return 0U;
 }
 
+void NameMemoryUser(const char* /*suite*/, const char* /*name*/) noexcept
+{
+}
+
 void ReleaseMemory(const std::size_t /*mark*/) noexcept
 {
 }
