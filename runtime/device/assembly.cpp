@@ -5,6 +5,7 @@
 #include "canopen/cia306/text/input_error.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace counterpoint::runtime
 {
@@ -48,7 +49,10 @@ ServiceAssembly::ServiceAssembly(const DeviceModel& model, const DeviceConfig& c
       watch_(emergency_, parts.application), facade_(kernel, objects_.Table()),
       dictionary_(objects_.Table(), model.Srdos().empty() ? static_cast<cia301::ForeignObjects&>(no_safety_)
                                                           : static_cast<cia301::ForeignObjects&>(facade_)),
-      services_({config.node_id}, {emergency_, parts.can, dictionary_, objects_.Rooms()}), room_(kServiceFrames)
+      services_({config.node_id}, {emergency_, parts.can, dictionary_, objects_.Rooms()}),
+      optional_(*parts.file, dictionary_, services_, {parts.owner, parts.owner},
+                objects_.Rooms().sdo_buffer.size_bytes),
+      room_(kServiceFrames)
 {
 }
 
@@ -57,6 +61,11 @@ void ServiceAssembly::PowerOff() noexcept
     while (emergency_.HasErrors())
     {
         emergency_.Clear(errors_.front().code, errors_.front().source);
+    }
+    if (lss_ != nullptr)
+    {
+        lss_->PowerOff();
+        services_.lss = &lss_->Slave();
     }
 }
 
@@ -84,9 +93,22 @@ device::FrameRoom DeviceAssembly::SafetyRoom() noexcept
     return {safety_room_.data(), static_cast<std::uint32_t>(safety_room_.size())};
 }
 
-void DeviceAssembly::Connect(const DeviceObjects::FindHook& further, cia301::NumberHook* const store) noexcept
+void DeviceAssembly::Connect(cia301::NumberHook* const store) noexcept
 {
-    rest_->objects_.Connect(rest_->services_, further, store);
+    rest_->objects_.Connect(
+        rest_->services_, [this](const std::uint16_t index) { return rest_->optional_.HookOf(index); }, store);
+}
+
+void DeviceAssembly::UseLss(const cia306::Device& file, const cia305::LssSettings& settings, KeepLss keep)
+{
+    rest_->lss_ =
+        std::make_unique<DeviceLss>(rest_->services_.outbox, file, settings, config_.node_id, std::move(keep));
+    rest_->services_.lss = &rest_->lss_->Slave();
+}
+
+std::uint8_t DeviceAssembly::NodeId() const noexcept
+{
+    return (rest_->lss_ != nullptr) ? rest_->lss_->NodeId() : rest_->services_.node.value;
 }
 
 void DeviceAssembly::PowerOff() noexcept
@@ -96,6 +118,7 @@ void DeviceAssembly::PowerOff() noexcept
         rest_->PowerOff();
     }
     device_.PowerOff();
+    new_node_id_ = 0U;
 }
 
 std::optional<std::uint8_t> DeviceAssembly::NewNodeId() const noexcept

@@ -6,9 +6,11 @@
 #include "canopen/device/device.hpp"
 #include "canopen/device/safety_objects.hpp"
 #include "hal/api/watchdog_timer.hpp"
+#include "runtime/device/lss.hpp"
 #include "runtime/device/model.hpp"
 #include "runtime/device/objects/hooks.hpp"
 #include "runtime/device/objects/objects.hpp"
+#include "runtime/device/objects/optional_services.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -18,8 +20,9 @@
 
 namespace counterpoint::runtime
 {
-/// Whoever runs an assembly: is told what passes at its resets. Called from within calls of the assembly's device.
-class AssemblyOwner
+/// Whoever runs an assembly: is told what passes at its resets, and what its services hear. Called from within calls of
+/// the assembly's device.
+class AssemblyOwner : public cia301::TimeListener, public cia301::EmergencyListener
 {
   public:
     /// @brief Reset node: the kernel is started next.
@@ -79,6 +82,8 @@ class ServiceAssembly
     NoSafetyObjects no_safety_{}; ///< Instead of it, for a plain device.
     cia301::Dictionary dictionary_;
     device::Services services_;
+    OptionalServices optional_;
+    std::unique_ptr<DeviceLss> lss_; ///< Null: none.
     std::vector<device::QueuedFrame> room_;
 
     friend class DeviceAssembly;
@@ -94,7 +99,10 @@ class DeviceAssembly final : private device::Owner
 
     /// @brief Objects of services lead to them from now on; `store` null: 1010h and 1011h save nothing. Once, before
     /// power-on, of a device with services.
-    void Connect(const DeviceObjects::FindHook& further, cia301::NumberHook* store) noexcept;
+    void Connect(cia301::NumberHook* store) noexcept;
+    /// @brief An LSS slave with these settings gives the node-ID. `keep`: see KeepLss. Once, before power-on, of a
+    /// device with services. Throws cia306::InputError.
+    void UseLss(const cia306::Device& file, const cia305::LssSettings& settings, KeepLss keep);
     /// @brief Supply off: what the services had in memory is gone.
     void PowerOff() noexcept;
     /// @brief The shortest refresh time of producers that the application sends by itself, in cycles; 0: it sends none.
@@ -111,7 +119,7 @@ class DeviceAssembly final : private device::Owner
     {
         return told_;
     }
-    /// @brief Of a device with services; the same of the two below.
+    /// @brief Of a device with services; the same of what follows, but for Device.
     [[nodiscard]] cia301::Dictionary& Dictionary() noexcept
     {
         return rest_->dictionary_;
@@ -120,6 +128,12 @@ class DeviceAssembly final : private device::Owner
     {
         return rest_->services_;
     }
+    [[nodiscard]] OptionalServices& Optional() noexcept
+    {
+        return rest_->optional_;
+    }
+    /// @brief Of the device now; 0: LSS has given none.
+    [[nodiscard]] std::uint8_t NodeId() const noexcept;
     [[nodiscard]] device::Device& Device() noexcept
     {
         return device_;

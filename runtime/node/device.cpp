@@ -17,6 +17,22 @@ namespace
 constexpr std::uint64_t kPressNs = 200000000U;
 constexpr std::uint64_t kNsPerUs = 1000U;
 constexpr std::uint64_t kPressCycles = 4U;
+
+/// Node-ID: what LSS gave in this run, what it saved, then the command line and the file.
+cia305::LssSettings LssSettingsOf(const NodeSettings& settings, const cia306::Device& file, NodeStore* const store)
+{
+    const std::optional<std::uint8_t> wanted = settings.node_id ? settings.node_id : file.node_id;
+    cia305::LssSettings known{wanted.value_or(cia305::kNoNodeId), {0U}};
+    known = (store == nullptr) ? known : store->LoadLss(known);
+    known.node_id = settings.lss_node_id.value_or(known.node_id);
+    return known;
+}
+
+KeepLss KeeperOf(NodeStore* const store)
+{
+    return (store == nullptr) ? KeepLss{} : [store](const cia305::LssSettings& settings)
+    { return store->Keep(settings); };
+}
 } // namespace
 
 NodeDevice::NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeReport& report)
@@ -32,15 +48,13 @@ NodeDevice::NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeRepor
       assembly_(model_, config_,
                 {channel_a_->Voice(), channel_b_->Voice(), ports, output_, watchdog_, application_,
                  self_test_ ? &self_test_->Part() : nullptr, loading_, &file_}),
-      further_(file_, assembly_.Dictionary(), assembly_.Services(), report,
-               assembly_.Objects().Rooms().sdo_buffer.size_bytes),
+      transfers_(assembly_.Optional(), report),
       store_(settings.store.empty() ? nullptr
                                     : std::make_unique<NodeStore>(
                                           settings.store, NodeStoreParts{assembly_.Core(), assembly_.Objects().Table(),
                                                                          assembly_.Dictionary(), assembly_.Services()}))
 {
-    assembly_.Connect([this](const std::uint16_t index) { return further_.HookOf(index); },
-                      store_ ? &store_->Hook() : nullptr);
+    assembly_.Connect(store_ ? &store_->Hook() : nullptr);
     if (store_)
     {
         loading_.Use(*store_);
@@ -48,8 +62,7 @@ NodeDevice::NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeRepor
     FurnishSelfTest();
     if (has_lss_)
     {
-        lss_ = std::make_unique<NodeLss>(assembly_.Services().outbox, settings, file_, config_.node_id, store_.get());
-        assembly_.Services().lss = &lss_->Slave();
+        assembly_.UseLss(file_, LssSettingsOf(settings, file_, store_.get()), KeeperOf(store_.get()));
     }
     application_.Tell([this](const std::uint8_t srdo) { outputs_.OnPair(srdo); });
 }
@@ -69,14 +82,14 @@ const NodeSelfTest* NodeDevice::SelfTests() const noexcept
     return self_test_.get();
 }
 
-NodeFurther& NodeDevice::Further() noexcept
+NodeTransfers& NodeDevice::Transfers() noexcept
 {
-    return further_;
+    return transfers_;
 }
 
 std::uint8_t NodeDevice::NodeId() const noexcept
 {
-    return lss_ ? lss_->NodeId() : assembly_.Services().node.value;
+    return assembly_.NodeId();
 }
 
 std::optional<std::uint8_t> NodeDevice::NewNodeId() const noexcept
@@ -142,7 +155,7 @@ void NodeDevice::SetTime(const std::uint64_t now_ns)
 {
     time_.Advance(static_cast<host::BusTime>(now_ns - start_ns_));
     application_.SetNow(now_ns);
-    further_.SetNow(now_ns);
+    transfers_.SetNow(now_ns);
     loading_.SetNow(now_ns);
 }
 
@@ -199,7 +212,7 @@ void NodeDevice::Cycle(const InstantPair& now, const std::uint64_t now_ns)
     {
         store_->OnCycle();
     }
-    further_.Look();
+    transfers_.Look();
     loading_.TellSelfTest();
     TellState(now_ns);
 }
@@ -212,7 +225,7 @@ void NodeDevice::Serve(const InstantPair& now, const std::uint64_t now_ns)
     {
         store_->OnCycle();
     }
-    further_.Look();
+    transfers_.Look();
     TellState(now_ns);
 }
 

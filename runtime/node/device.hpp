@@ -6,12 +6,11 @@
 #include "runtime/node/application.hpp"
 #include "runtime/node/build.hpp"
 #include "runtime/node/loading.hpp"
-#include "runtime/node/lss.hpp"
-#include "runtime/node/objects/further.hpp"
 #include "runtime/node/objects/store.hpp"
 #include "runtime/node/output_watch.hpp"
 #include "runtime/node/ports.hpp"
 #include "runtime/node/self_test.hpp"
+#include "runtime/node/transfers.hpp"
 
 #include "hal/host/output.hpp"
 #include "hal/host/virtual/bus.hpp"
@@ -40,7 +39,7 @@ class NodeDevice final
     [[nodiscard]] const DeviceModel& Model() const noexcept;
     /// @brief Null: the device has none.
     [[nodiscard]] const NodeSelfTest* SelfTests() const noexcept;
-    [[nodiscard]] NodeFurther& Further() noexcept;
+    [[nodiscard]] NodeTransfers& Transfers() noexcept;
     /// @brief Of the device now; 0: LSS has given none.
     [[nodiscard]] std::uint8_t NodeId() const noexcept;
     [[nodiscard]] NodeApplication& App() noexcept;
@@ -101,9 +100,8 @@ class NodeDevice final
     OutputWatch outputs_;
     NodeLoading loading_;
     DeviceAssembly assembly_;
-    NodeFurther further_;
+    NodeTransfers transfers_;
     std::unique_ptr<NodeStore> store_; ///< Null: none.
-    std::unique_ptr<NodeLss> lss_;     ///< Null: none.
 
     std::uint64_t start_ns_{0U};
     std::array<std::uint64_t, kMaxSrdoCount> pressed_until_ns_{};

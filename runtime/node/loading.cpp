@@ -79,4 +79,16 @@ void NodeLoading::OnResetCommunication(const std::vector<std::string>& refusals)
         report_.Tell(now_ns_, refusal, "refused", {{"text", refusal}});
     }
 }
+
+void NodeLoading::OnTime(const cia301::TimeOfDay& time, const Instant now) noexcept
+{
+    static_cast<void>(now);
+    report_.Tell(now_ns_, TextOf(time), "time", {{"ms", time.ms}, {"days", time.days}});
+}
+
+void NodeLoading::OnEmergency(const cia301::ReceivedEmergency& emergency) noexcept
+{
+    report_.Tell(now_ns_, TextOf(emergency), "emergency",
+                 {{"node", emergency.node.value}, {"code", emergency.code}, {"register", emergency.error_register}});
+}
 } // namespace counterpoint::runtime

@@ -16,7 +16,7 @@
 namespace counterpoint::runtime
 {
 /// What a live node does at its resets beside loading its file: self tests, values that were saved, and a line for each
-/// thing that is refused. [SRS_NODE_001]
+/// thing that is refused, and for what its services hear. [SRS_NODE_001, SRS_NODE_012]
 class NodeLoading final : public AssemblyOwner
 {
   public:
@@ -46,6 +46,8 @@ class NodeLoading final : public AssemblyOwner
     void OnLoaded(std::uint8_t groups) noexcept override;
     void OnRefused(const ConfigurationWrite& write, AbortCode code) noexcept override;
     void OnResetCommunication(const std::vector<std::string>& refusals) noexcept override;
+    void OnTime(const cia301::TimeOfDay& time, Instant now) noexcept override;
+    void OnEmergency(const cia301::ReceivedEmergency& emergency) noexcept override;
 
   private:
     const DeviceModel& model_;

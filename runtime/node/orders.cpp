@@ -56,11 +56,11 @@ bool NodeOrders::Carry(const NodeOrder& order, NodeDevice& device, const NodeMom
         TellState(device);
         break;
     case OrderKind::kTime:
-        TellProblem(device.Further().SendTime(device.Services().State(), at_.now.a));
+        TellProblem(device.Transfers().SendTime(device.Services().State(), at_.now.a));
         break;
     case OrderKind::kRead:
     case OrderKind::kWrite:
-        TellProblem(device.Further().StartTransfer(order, at_.now.a));
+        TellProblem(device.Transfers().StartTransfer(order, at_.now.a));
         break;
     case OrderKind::kHelp:
         report_.Print(OrderHelp());

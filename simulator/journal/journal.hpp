@@ -46,6 +46,9 @@ enum class EventKind : std::uint8_t
     kSelfTest = 25U,    ///< A self test failed. value: selftest::TestId.
     kLink = 26U,        ///< The link to the other CPU changed. value: LinkState; other: LinkFinding.
     kLinkMessage = 27U, ///< A message does not arrive here as it was sent. other: index of the fault.
+    kTime = 28U,        ///< The device heard a time. value: ms of the day; other: days since 1 January 1984.
+    kEmergency = 29U,   ///< The device heard one. value: node << 24 | register << 16 | code; other: the 5 bytes behind.
+    kNewNodeId = 30U,   ///< LSS gave one, and communication was reset: the device is silent. value: the node-ID.
 };
 
 struct Event

@@ -41,6 +41,9 @@ constexpr Word<EventKind> kEventWords[] = {
     {"self_test", EventKind::kSelfTest},
     {"link", EventKind::kLink},
     {"link_message", EventKind::kLinkMessage},
+    {"time", EventKind::kTime},
+    {"emergency", EventKind::kEmergency},
+    {"new_node_id", EventKind::kNewNodeId},
 };
 
 constexpr Word<host::FrameFate> kFateWords[] = {

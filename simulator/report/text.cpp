@@ -1,5 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "simulator/report/reports.hpp"
+
+#include "runtime/device/objects/optional_services.hpp"
 #include "simulator/scenario/names.hpp"
 
 #include <array>
@@ -128,6 +130,22 @@ class TimeLine
     std::size_t next_told_{0U};
     std::size_t counted_{0U};
 };
+
+/// As Node packed it.
+cia301::ReceivedEmergency EmergencyOf(const Event& event)
+{
+    cia301::ReceivedEmergency emergency{{static_cast<std::uint8_t>(event.value >> 24U)},
+                                        static_cast<std::uint16_t>(event.value & 0xFFFFU),
+                                        static_cast<std::uint8_t>((event.value >> 16U) & 0xFFU),
+                                        {}};
+    std::uint64_t details = event.other;
+    for (std::size_t byte = sizeof(emergency.details); byte > 0U; --byte)
+    {
+        emergency.details[byte - 1U] = static_cast<std::uint8_t>(details & 0xFFU);
+        details >>= 8U;
+    }
+    return emergency;
+}
 
 std::string SrdoText(const Event& event)
 {
@@ -272,6 +290,13 @@ std::string EventText(const Run& run, const Event& event)
         return SrdoText(event) + "configuration invalid";
     case EventKind::kReception:
         return SrdoText(event) + "received " + IdentifierText(static_cast<std::uint32_t>(event.value));
+    case EventKind::kTime:
+        return "hears " + runtime::TextOf(cia301::TimeOfDay{static_cast<std::uint32_t>(event.value),
+                                                            static_cast<std::uint16_t>(event.other)});
+    case EventKind::kEmergency:
+        return "hears " + runtime::TextOf(EmergencyOf(event));
+    case EventKind::kNewNodeId:
+        return "SILENT: LSS gave node-ID " + std::to_string(event.value);
     default:
         return InsideText(run, event);
     }

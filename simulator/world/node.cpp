@@ -58,7 +58,11 @@ Node::Node(const NodePlace& place, const NodeSetup& setup, runtime::DeviceModel&
     ConnectControllers(model.ControllerCount());
     if (place.file != nullptr)
     {
-        assembly_.Connect([](const std::uint16_t /*index*/) { return nullptr; }, nullptr);
+        assembly_.Connect(nullptr);
+        if (place_.file->is_lss_supported)
+        {
+            assembly_.UseLss(*place_.file, {model.Config().node_id, {0U}}, nullptr); // Nothing is kept.
+        }
         for (const host::NodeIndex node : bus_nodes_)
         {
             bus_.Disconnect(node); // Whoever has no supply hears nobody.
@@ -178,6 +182,10 @@ void Node::Settle()
     {
         journal_.Tell(
             {Now(), EventKind::kNmt, place_.index, 0U, static_cast<std::uint64_t>(cia301::KernelState(state)), 0U});
+    }
+    if (place_.file != nullptr && assembly_.NewNodeId())
+    {
+        journal_.Note({Now(), EventKind::kNewNodeId, place_.index, 0U, *assembly_.NewNodeId(), 0U});
     }
     if (state == cia301::NodeState::kOperational)
     {

@@ -63,7 +63,7 @@ struct NodePlace
 [[nodiscard]] LinkConfig LinkConfigOf(const NodeSetup& setup);
 
 /// One device of the simulated network, or one CPU of it: an assembly with shipped channels on the hardware layer of
-/// the host, with taps in front of them where it is looked into. [SRS_SIM_001]
+/// the host, with taps in front of them where it is looked into. [SRS_SIM_001, SRS_SIM_061, SRS_SIM_062]
 class Node final : private host::FrameSink, private ChannelWitness, private runtime::AssemblyOwner
 {
   public:
@@ -151,11 +151,13 @@ class Node final : private host::FrameSink, private ChannelWitness, private runt
     void OnOverflow() override;
     void OnOutcome(Part part, const Channel& channel, const CycleOutcome& outcome) override;
     [[nodiscard]] bool Concerns(const CanFrame& frame) const override;
-    void OnStart() noexcept override; // Of the assembly; the four below as well.
+    void OnStart() noexcept override; // Of the assembly; the six below as well.
     void OnNoStart(StartResult result) noexcept override;
     void OnLoaded(std::uint8_t groups) noexcept override;
     void OnRefused(const runtime::ConfigurationWrite& write, AbortCode code) noexcept override;
     void OnResetCommunication(const std::vector<std::string>& refusals) noexcept override;
+    void OnTime(const cia301::TimeOfDay& time, Instant now) noexcept override;
+    void OnEmergency(const cia301::ReceivedEmergency& emergency) noexcept override;
     [[nodiscard]] SlotIndex ConsumerOf(const CanFrame& frame) const;
 
     void ConnectControllers(std::uint32_t count);

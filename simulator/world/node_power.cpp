@@ -14,6 +14,17 @@ namespace
 constexpr std::size_t kTransmitCapacity = 16U;
 constexpr std::uint8_t kResetCommunication = 130U;
 constexpr ObjectAddress kSerialNumber{0x1018U, 4U};
+constexpr std::uint32_t kByteBits = 8U;
+
+std::uint64_t DetailsOf(const cia301::ReceivedEmergency& emergency)
+{
+    std::uint64_t details = 0U;
+    for (const std::uint8_t byte : emergency.details)
+    {
+        details = (details << kByteBits) | byte;
+    }
+    return details;
+}
 } // namespace
 
 // Two controllers hear each other on the one bus: the second takes the inverse frames of SRDOs (even identifiers), the
@@ -97,6 +108,20 @@ void Node::OnResetCommunication(const std::vector<std::string>& refusals) noexce
 {
     static_cast<void>(refusals);
     state_ = cia301::NodeState::kInvalid;
+}
+
+void Node::OnTime(const cia301::TimeOfDay& time, const Instant now) noexcept
+{
+    static_cast<void>(now);
+    journal_.Tell({Now(), EventKind::kTime, place_.index, 0U, time.ms, time.days});
+}
+
+void Node::OnEmergency(const cia301::ReceivedEmergency& emergency) noexcept
+{
+    journal_.Tell({Now(), EventKind::kEmergency, place_.index, 0U,
+                   (std::uint64_t{emergency.node.value} << 24U) | (std::uint64_t{emergency.error_register} << 16U) |
+                       emergency.code,
+                   DetailsOf(emergency)});
 }
 
 void Node::StartFresh()

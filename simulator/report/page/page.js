@@ -4,7 +4,8 @@
   const DATA = JSON.parse(document.getElementById("data").textContent);
   const $ = id => document.getElementById(id);
   const GUTTER = 210, RIGHT = 32, TOP = 46, AXIS = 26;
-  const LOUD = new Set(["fault", "link", "self_test", "device_fault", "watchdog", "hung", "output", "frame_changed"]);
+  const LOUD = new Set(["fault", "link", "self_test", "device_fault", "watchdog", "hung", "output", "frame_changed",
+    "new_node_id"]);
   const esc = text => String(text).replace(/[&<>"]/g, c => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" }[c]));
   const hex = id => id.toString(16).toUpperCase().padStart(3, "0") + "h";
   let run = null, lanes = [], hidden = new Set(), from = 0, to = 1, queued = false;

@@ -68,6 +68,8 @@ inline constexpr RequirementId SRS_SIM_057{"SRS_SIM_057"};
 inline constexpr RequirementId SRS_SIM_058{"SRS_SIM_058"};
 inline constexpr RequirementId SRS_SIM_059{"SRS_SIM_059"};
 inline constexpr RequirementId SRS_SIM_060{"SRS_SIM_060"};
+inline constexpr RequirementId SRS_SIM_061{"SRS_SIM_061"};
+inline constexpr RequirementId SRS_SIM_062{"SRS_SIM_062"};
 } // namespace counterpoint::req
 
 #endif
