@@ -15,7 +15,7 @@ namespace
 
 constexpr std::size_t kArenaBytes = 5U * 1024U * 1024U;
 constexpr std::size_t kAlignment = 8U;
-constexpr std::size_t kGreatestAlignment = 64U;
+constexpr std::size_t kGreatestAlignment = 256U;
 
 alignas(kGreatestAlignment) std::uint8_t arena[kArenaBytes];
 std::size_t arena_used = 0U;
@@ -26,9 +26,9 @@ void* Allocate(const std::size_t bytes, const std::size_t alignment = kAlignment
 {
     const std::size_t rounded = (bytes + (kAlignment - 1U)) & ~(kAlignment - 1U);
     arena_used = (arena_used + (alignment - 1U)) & ~(alignment - 1U);
-    if ((kArenaBytes - arena_used) < rounded)
+    if (alignment > kGreatestAlignment || (kArenaBytes - arena_used) < rounded)
     {
-        counterpoint::target::Write("FAILURE: a test needs more memory than there is: ");
+        counterpoint::target::Write("FAILURE: a test needs more memory than there is, or an alignment above 256: ");
         counterpoint::target::Write(user_suite);
         counterpoint::target::Write(".");
         counterpoint::target::Write(user_name);
