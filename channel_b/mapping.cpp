@@ -225,7 +225,7 @@ bool Mappings::IsRight(SlotIndex slot) const noexcept
     {
         const std::uint32_t entry = mapping.entries[index];
         const std::uint32_t place = PlaceOf(mapping, index);
-        const bool is_dummy = (place == kDummyPlace) && IsDummy(entry);
+        const bool is_dummy = IsDummy(entry) ? (place == kDummyPlace) : false;
         if (!(is_dummy || x_objects.IsNamed(place, entry, access)))
         {
             return false;
