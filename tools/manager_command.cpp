@@ -96,12 +96,12 @@ class ManagerCommand final : public Command
                                          "--check FILE FILE... alone, or with --node-id");
             }
         }
-        std::vector<std::unique_ptr<network::LoadedNetwork>> networks;
-        std::vector<const network::LoadedNetwork*> masters;
+        std::vector<std::unique_ptr<network_plan::LoadedNetwork>> networks;
+        std::vector<const network_plan::LoadedNetwork*> masters;
         for (const std::string& file : check_)
         {
             const std::uint8_t node = networks.empty() ? NodeId() : std::uint8_t{0U};
-            networks.push_back(std::make_unique<network::LoadedNetwork>(runtime::ReadNetworkFile(file, node)));
+            networks.push_back(std::make_unique<network_plan::LoadedNetwork>(runtime::ReadNetworkFile(file, node)));
             masters.push_back(networks.back().get());
         }
         for (const std::string& warning : runtime::WarningsOf(masters))
@@ -117,7 +117,7 @@ class ManagerCommand final : public Command
     }
 
     /// Before the bus is touched.
-    void RequireFiles(const network::LoadedNetwork& net) const
+    void RequireFiles(const network_plan::LoadedNetwork& net) const
     {
         runtime::OutputFiles files;
         files.Read(network_);
@@ -146,7 +146,7 @@ class ManagerCommand final : public Command
                         << " is missing, expected --can ADDRESS --network FILE, or --check FILE...\n";
             return ExitStatus::kBadInput;
         }
-        network::LoadedNetwork net(runtime::ReadNetworkFile(network_, NodeId()));
+        network_plan::LoadedNetwork net(runtime::ReadNetworkFile(network_, NodeId()));
         for (const std::string& warning : net.Warnings())
         {
             streams.err << warning << "\n";
@@ -170,8 +170,8 @@ class ManagerCommand final : public Command
                               : runtime::StatusTable(station, now_us));
         if (!html_.empty())
         {
-            cia306::WriteTextFile(html_,
-                                  runtime::DiagramPage(station.Host(), station.Diagram(), runtime::InstantAt(now_us)));
+            cia306::WriteTextFile(
+                html_, runtime::DiagramPage(station.Assembly(), station.Diagram(), runtime::InstantAt(now_us)));
         }
         const bool is_written = report.Finish();
         if (!loop.IsLogWhole())

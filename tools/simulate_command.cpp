@@ -199,9 +199,9 @@ class SimulateCommand final : public Command
     {
         try
         {
-            const network::NetworkPlan plan = runtime::ReadNetworkFile(file, 0U);
+            const network_plan::NetworkPlan plan = runtime::ReadNetworkFile(file, 0U);
             files.Read(plan.manager.dcf);
-            for (const network::SlavePlan& slave : plan.slaves)
+            for (const network_plan::SlavePlan& slave : plan.slaves)
             {
                 files.Read(slave.dcf);
                 files.Read(slave.software ? slave.software->program : "");

@@ -7,12 +7,12 @@ namespace counterpoint::runtime
 {
 namespace
 {
-using network::StartProfile;
+using network_plan::StartProfile;
 
 constexpr cia302::SdoTimes kUsualTimes{500000U, 3U};
 
 /// Those of the profile, where the network file says nothing else.
-cia302::SdoTimes TimesOf(const network::ManagerPlan& plan)
+cia302::SdoTimes TimesOf(const network_plan::ManagerPlan& plan)
 {
     constexpr std::uint32_t kUsPerMs = 1000U;
     cia302::SdoTimes times = kUsualTimes;
@@ -31,9 +31,9 @@ std::string SlotsOf(const cia302::FlyingMasterTimes& times)
 }
 } // namespace
 
-cia302::FlyingMasterTimes FlyingTimesOf(const network::NetworkPlan& plan)
+cia302::FlyingMasterTimes FlyingTimesOf(const network_plan::NetworkPlan& plan)
 {
-    const network::FlyingPlan flying = plan.manager.flying.value_or(network::FlyingPlan{});
+    const network_plan::FlyingPlan flying = plan.manager.flying.value_or(network_plan::FlyingPlan{});
     cia302::FlyingMasterTimes times = cia302::DefaultTimes(cia302::NodeId{plan.manager.node.value_or(1U)});
     times.timeout = flying.timeout_ms.value_or(times.timeout);
     times.delay = flying.delay_ms.value_or(times.delay);
@@ -44,7 +44,7 @@ cia302::FlyingMasterTimes FlyingTimesOf(const network::NetworkPlan& plan)
     return times;
 }
 
-ManagerAssembly::ManagerAssembly(const network::LoadedNetwork& net, cia301::FrameSink& sink,
+ManagerAssembly::ManagerAssembly(const network_plan::LoadedNetwork& net, cia301::FrameSink& sink,
                                  cia302::ManagerListener& listener)
     : net_(net), times_(TimesOf(net.Plan().manager)), lanes_(sink, times_),
       manager_(cia302::ManagerParts{net.Setup(), sink, listener, Room(),
@@ -102,7 +102,7 @@ void ManagerAssembly::Use(cia302::StartUp& profile) noexcept
 
 void ManagerAssembly::MakeFlying(cia301::FrameSink& sink)
 {
-    const network::ManagerPlan& plan = net_.Plan().manager;
+    const network_plan::ManagerPlan& plan = net_.Plan().manager;
     flying_times_ = FlyingTimesOf(net_.Plan());
     if (!cia302::IsUsable(flying_times_))
     {
@@ -118,7 +118,7 @@ void ManagerAssembly::MakeFlying(cia301::FrameSink& sink)
 
 void ManagerAssembly::OnCycle(const Instant now)
 {
-    const bool is_by_order = net_.Plan().manager.flying.value_or(network::FlyingPlan{}).is_by_order;
+    const bool is_by_order = net_.Plan().manager.flying.value_or(network_plan::FlyingPlan{}).is_by_order;
     if (is_by_order && !is_held_ && flying_->State() == cia302::FlyingState::kInitialising)
     {
         static_cast<void>(manager_.Role().StartNegotiation(now));

@@ -3,7 +3,7 @@
 #define RUNTIME_MANAGER_ASSEMBLY_HPP
 
 #include "canopen/manager/manager.hpp"
-#include "canopen/network/loaded_network.hpp"
+#include "canopen/network_plan/loaded_network.hpp"
 #include "canopen/start_up/cia302/start_up.hpp"
 #include "canopen/start_up/el6751/start_up.hpp"
 #include "canopen/start_up/plc_designer/start_up.hpp"
@@ -22,7 +22,7 @@ class ManagerAssembly
 {
   public:
     /// @brief All outlive it.
-    ManagerAssembly(const network::LoadedNetwork& net, cia301::FrameSink& sink, cia302::ManagerListener& listener);
+    ManagerAssembly(const network_plan::LoadedNetwork& net, cia301::FrameSink& sink, cia302::ManagerListener& listener);
     ManagerAssembly(const ManagerAssembly&) = delete;
     ManagerAssembly& operator=(const ManagerAssembly&) = delete;
 
@@ -34,7 +34,7 @@ class ManagerAssembly
     {
         return manager_;
     }
-    [[nodiscard]] const network::LoadedNetwork& Net() const noexcept
+    [[nodiscard]] const network_plan::LoadedNetwork& Net() const noexcept
     {
         return net_;
     }
@@ -69,7 +69,7 @@ class ManagerAssembly
     void Use(cia302::StartUp& profile) noexcept;
     void MakeFlying(cia301::FrameSink& sink);
 
-    const network::LoadedNetwork& net_;
+    const network_plan::LoadedNetwork& net_;
     std::array<cia302::NodeRecord, cia302::kNodeRoom> records_{};
     std::array<cia302::WatchedNode, cia302::kNodeRoom> watched_{};
     std::array<cia302::GateState, cia302::kNodeRoom> gates_{};
@@ -93,7 +93,7 @@ class ManagerAssembly
 };
 
 /// @brief 1F90h of a flying master, with the defaults where the plan has nothing.
-[[nodiscard]] cia302::FlyingMasterTimes FlyingTimesOf(const network::NetworkPlan& plan);
+[[nodiscard]] cia302::FlyingMasterTimes FlyingTimesOf(const network_plan::NetworkPlan& plan);
 } // namespace counterpoint::runtime
 
 #endif // RUNTIME_MANAGER_ASSEMBLY_HPP

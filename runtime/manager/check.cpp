@@ -7,7 +7,7 @@
 #include "runtime/manager/assembly.hpp"
 #include "runtime/manager/check_places.hpp"
 #include "runtime/manager/pdos.hpp"
-#include "runtime/manager/report/words.hpp"
+#include "runtime/manager/report/texts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,8 +20,8 @@ namespace
 {
 using cia302::FlyingFinding;
 using cia302::FlyingFindingKind;
-using network::LoadedNetwork;
-using network::LoadedSlave;
+using network_plan::LoadedNetwork;
+using network_plan::LoadedSlave;
 
 /// El6751Part as network files call it.
 constexpr std::uint16_t kProgram = 0x1F58U;
@@ -58,10 +58,10 @@ std::string Number(const std::uint64_t value)
 constexpr std::uint32_t kLastPdo = 512U;
 using Outputs = std::map<std::uint32_t, std::vector<std::uint8_t>>;
 
-Outputs OutputsOf(const network::SlavePlan& plan)
+Outputs OutputsOf(const network_plan::SlavePlan& plan)
 {
     Outputs outputs;
-    for (const network::OutputPlan& output : plan.outputs)
+    for (const network_plan::OutputPlan& output : plan.outputs)
     {
         outputs[output.number] = output.bytes;
     }
@@ -104,8 +104,8 @@ class Differences final : public cia302::FlyingFindingListener
     {
         first_ = &first;
         second_ = &second;
-        const network::ManagerPlan& one = first.Plan().manager;
-        const network::ManagerPlan& other = second.Plan().manager;
+        const network_plan::ManagerPlan& one = first.Plan().manager;
+        const network_plan::ManagerPlan& other = second.Plan().manager;
         if (one.profile != other.profile)
         {
             Tell({0U, "profile"}, "profile", WordOf(one.profile), WordOf(other.profile));

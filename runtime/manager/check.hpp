@@ -2,7 +2,7 @@
 #ifndef RUNTIME_MANAGER_CHECK_HPP
 #define RUNTIME_MANAGER_CHECK_HPP
 
-#include "canopen/network/loaded_network.hpp"
+#include "canopen/network_plan/loaded_network.hpp"
 
 #include <string>
 #include <vector>
@@ -12,10 +12,10 @@ namespace counterpoint::runtime
 /// @brief What differs between the network configurations of all masters of one network, and what each of them lacks
 /// as a flying master, a line each; nothing: they are equal where they have to be. What is compared, and what may
 /// differ: cia302::CompareFlyingMasters, and beside it what network files alone say. [SRS_MGR_009]
-[[nodiscard]] std::vector<std::string> DifferencesOf(const std::vector<const network::LoadedNetwork*>& masters);
+[[nodiscard]] std::vector<std::string> DifferencesOf(const std::vector<const network_plan::LoadedNetwork*>& masters);
 /// @brief What a person should know of these masters beside it: the warnings of each file, another master that is
 /// mandatory, and one that nobody watches. [SRS_MGR_009]
-[[nodiscard]] std::vector<std::string> WarningsOf(const std::vector<const network::LoadedNetwork*>& masters);
+[[nodiscard]] std::vector<std::string> WarningsOf(const std::vector<const network_plan::LoadedNetwork*>& masters);
 } // namespace counterpoint::runtime
 
 #endif // RUNTIME_MANAGER_CHECK_HPP

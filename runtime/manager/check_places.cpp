@@ -15,8 +15,8 @@ namespace
 using cia302::FlyingFinding;
 using cia302::FlyingFindingKind;
 using cia302::MasterWatch;
-using network::LoadedNetwork;
-using network::LoadedSlave;
+using network_plan::LoadedNetwork;
+using network_plan::LoadedSlave;
 
 constexpr std::uint8_t kAnySub = 0xFFU;
 
@@ -58,8 +58,8 @@ constexpr std::array<const char*, 9> kOfFlying{"timeout",    "delay",   "priorit
 /// 0: nobody watches.
 std::uint32_t WatchMsOf(const LoadedNetwork& net, const cia302::NodeId other)
 {
-    const network::ManagerPlan& plan = net.Plan().manager;
-    const cia302::FlyingMasterOptions options = plan.flying.value_or(network::FlyingPlan{}).options;
+    const network_plan::ManagerPlan& plan = net.Plan().manager;
+    const cia302::FlyingMasterOptions options = plan.flying.value_or(network_plan::FlyingPlan{}).options;
     const std::uint32_t own_ms = plan.heartbeat_ms.value_or(0U);
     const bool is_twice = options.watch == MasterWatch::kTwiceProducer && own_ms > 0U;
     const std::uint32_t consumer_ms = net.Setup().Slave(other).heartbeat.consumer_ms;
@@ -82,8 +82,8 @@ void TellTogether(const LoadedNetwork& one, const LoadedNetwork& other, std::vec
                         std::to_string(watch_ms) + " ms, expected more than the " + std::to_string(heartbeat_ms) +
                         " ms of its heartbeat in " + PlaceOf(other, {0U, "heartbeat"}));
     }
-    const network::FlyingPlan flying = one.Plan().manager.flying.value_or(network::FlyingPlan{});
-    const network::FlyingPlan others = other.Plan().manager.flying.value_or(network::FlyingPlan{});
+    const network_plan::FlyingPlan flying = one.Plan().manager.flying.value_or(network_plan::FlyingPlan{});
+    const network_plan::FlyingPlan others = other.Plan().manager.flying.value_or(network_plan::FlyingPlan{});
     const bool is_race_cyclic = others.options.cyclic == cia302::CyclicMessage::kNegotiation;
     if (flying.options.ignores_claims && is_race_cyclic && flying.options.cyclic == others.options.cyclic)
     {
@@ -133,19 +133,19 @@ CheckedKey KeyOf(const FlyingFinding& finding)
 
 std::string PlaceOf(const LoadedNetwork& net, const CheckedKey& key)
 {
-    const network::ManagerPlan& manager = net.Plan().manager;
+    const network_plan::ManagerPlan& manager = net.Plan().manager;
     const LoadedSlave* const slave = net.Find(key.node);
     const bool is_slave = key.node != 0U && slave != nullptr;
-    const network::KeyLines& lines = is_slave ? slave->plan.lines : manager.lines;
+    const network_plan::KeyLines& lines = is_slave ? slave->plan.lines : manager.lines;
     std::size_t line = is_slave ? slave->plan.line : manager.line;
     const bool has_key = !key.key.empty();
-    line = has_key ? network::LineOf(lines, "dcf", line) : line;
-    line = has_key ? network::LineOf(lines, key.key, line) : line;
+    line = has_key ? network_plan::LineOf(lines, "dcf", line) : line;
+    line = has_key ? network_plan::LineOf(lines, key.key, line) : line;
     const bool is_of_flying = std::find(kOfFlying.begin(), kOfFlying.end(), key.key) != kOfFlying.end();
     if (!is_slave && is_of_flying && manager.flying)
     {
-        line = network::LineOf(lines, "flying", line);
-        line = network::LineOf(manager.flying->lines, key.key, line);
+        line = network_plan::LineOf(lines, "flying", line);
+        line = network_plan::LineOf(manager.flying->lines, key.key, line);
     }
     const std::string file = cia306::Printable(net.Plan().file);
     return (line > 0U) ? (file + ":" + std::to_string(line)) : file;

@@ -3,7 +3,7 @@
 #define RUNTIME_MANAGER_CHECK_PLACES_HPP
 
 #include "canopen/cia302/flying_master/compare.hpp"
-#include "canopen/network/loaded_network.hpp"
+#include "canopen/network_plan/loaded_network.hpp"
 
 #include <cstdint>
 #include <string>
@@ -22,11 +22,11 @@ struct CheckedKey
 [[nodiscard]] CheckedKey KeyOf(const cia302::FlyingFinding& finding);
 /// @brief FILE:LINE of a key; where the file does not have it, of `dcf`, from which it came then, or of the slave or
 /// manager.
-[[nodiscard]] std::string PlaceOf(const network::LoadedNetwork& net, const CheckedKey& key);
+[[nodiscard]] std::string PlaceOf(const network_plan::LoadedNetwork& net, const CheckedKey& key);
 /// @brief What does not work between these masters though their configurations are equal, a line each: supervision of
 /// a master that is not longer than its heartbeat, standbys that race and masters that ignore 071h beside one that
 /// sends 072h each cycle. O(masters^2) [SRS_MGR_009]
-[[nodiscard]] std::vector<std::string> ProblemsTogether(const std::vector<const network::LoadedNetwork*>& masters);
+[[nodiscard]] std::vector<std::string> ProblemsTogether(const std::vector<const network_plan::LoadedNetwork*>& masters);
 } // namespace counterpoint::runtime
 
 #endif // RUNTIME_MANAGER_CHECK_PLACES_HPP

@@ -32,13 +32,13 @@ bool IsStartingUp(const ManagerAssembly& assembly, const NodeId node) noexcept
 {
     using cia302::StartUpStep;
     const cia302::NodeStatus status = assembly.Core().Status(node);
-    const bool is_cia302 = assembly.Net().Plan().manager.profile == network::StartProfile::kCia302;
+    const bool is_cia302 = assembly.Net().Plan().manager.profile == network_plan::StartProfile::kCia302;
     const bool is_waiting = status.step == StartUpStep::kReset || status.step == StartUpStep::kWaitBootUp ||
                             (is_cia302 && status.step == StartUpStep::kDeviceType);
     return status.is_busy && !is_waiting;
 }
 
-ManagerConsumers::ManagerConsumers(ManagerAssembly& assembly, network::LoadedNetwork& net)
+ManagerConsumers::ManagerConsumers(ManagerAssembly& assembly, network_plan::LoadedNetwork& net)
     : assembly_(assembly), net_(net)
 {
     std::size_t count = 0U;

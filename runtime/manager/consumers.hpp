@@ -19,7 +19,7 @@ class ManagerConsumers
 {
   public:
     /// @brief Both outlive it.
-    ManagerConsumers(ManagerAssembly& assembly, network::LoadedNetwork& net);
+    ManagerConsumers(ManagerAssembly& assembly, network_plan::LoadedNetwork& net);
 
     /// @brief `sub` is 1 to 127, checked by the caller: node-ID in bits 16 to 23, time in ms; 0: nobody.
     [[nodiscard]] std::uint32_t Value(std::uint8_t sub) const noexcept;
@@ -33,7 +33,7 @@ class ManagerConsumers
     void Watch(cia302::NodeId node, std::uint16_t consumer_ms, Instant now) noexcept;
 
     ManagerAssembly& assembly_;
-    network::LoadedNetwork& net_;
+    network_plan::LoadedNetwork& net_;
     std::array<std::uint32_t, cia302::kNodeRoom> values_{};
 };
 } // namespace counterpoint::runtime

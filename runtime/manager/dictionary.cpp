@@ -4,8 +4,8 @@
 #include "canopen/cia301/base/little_endian.hpp"
 #include "canopen/cia301/dictionary/entry_value.hpp"
 #include "canopen/cia306/text/input_error.hpp"
-#include "canopen/network/concise_maker.hpp"
-#include "runtime/manager/report/words.hpp"
+#include "canopen/network_plan/concise_maker.hpp"
+#include "runtime/manager/report/texts.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -74,7 +74,7 @@ NmtState StateOf(const cia301::NodeState state)
 }
 
 /// As long as the longest object that is read or written.
-std::size_t LongestDomain(const network::LoadedNetwork& net)
+std::size_t LongestDomain(const network_plan::LoadedNetwork& net)
 {
     std::size_t longest = kConciseRoom;
     for (const auto& slave : net.Slaves())
@@ -85,7 +85,8 @@ std::size_t LongestDomain(const network::LoadedNetwork& net)
 }
 } // namespace
 
-ManagerDictionary::ManagerDictionary(ManagerAssembly& assembly, network::LoadedNetwork& net, cia301::FrameSink& sink)
+ManagerDictionary::ManagerDictionary(ManagerAssembly& assembly, network_plan::LoadedNetwork& net,
+                                     cia301::FrameSink& sink)
     : assembly_(assembly), net_(net), objects_(assembly, net), buffer_(LongestDomain(net)),
       dictionary_(
           [this]
@@ -161,7 +162,8 @@ void ManagerDictionary::AddIdentity()
     {
         const cia306::Entry* const entry = net_.Device().Find(index, sub);
         const bool is_there = entry != nullptr && entry->Configured().IsSet();
-        return is_there ? network::BytesOf(net_.Device(), *entry, net_.Setup().own.value) : std::vector<std::uint8_t>{};
+        return is_there ? network_plan::BytesOf(net_.Device(), *entry, net_.Setup().own.value)
+                        : std::vector<std::uint8_t>{};
     };
     const auto number = [&own](const std::uint16_t index, const std::uint8_t sub)
     {

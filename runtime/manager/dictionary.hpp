@@ -22,7 +22,7 @@ class ManagerDictionary
 {
   public:
     /// @brief All outlive it. Throws cia306::InputError for a value of the manager's DCF that its type cannot have.
-    ManagerDictionary(ManagerAssembly& assembly, network::LoadedNetwork& net, cia301::FrameSink& sink);
+    ManagerDictionary(ManagerAssembly& assembly, network_plan::LoadedNetwork& net, cia301::FrameSink& sink);
     ManagerDictionary(const ManagerDictionary&) = delete;
     ManagerDictionary& operator=(const ManagerDictionary&) = delete;
 
@@ -48,7 +48,7 @@ class ManagerDictionary
     void Sort();
 
     ManagerAssembly& assembly_;
-    network::LoadedNetwork& net_;
+    network_plan::LoadedNetwork& net_;
     ManagerObjects objects_;
     std::vector<cia301::Entry> entries_;
     std::deque<std::vector<std::uint8_t>> values_;

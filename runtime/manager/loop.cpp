@@ -46,7 +46,7 @@ const char* WordOf(const host::BusState state)
 }
 } // namespace
 
-ManagerLoop::ManagerLoop(network::LoadedNetwork& net, std::unique_ptr<host::LiveBus> bus, NodeReport& report,
+ManagerLoop::ManagerLoop(network_plan::LoadedNetwork& net, std::unique_ptr<host::LiveBus> bus, NodeReport& report,
                          ManagerSocket* const socket, ManagerLoopSettings settings)
     : bus_(std::move(bus)), address_(bus_->Name()), report_(report), socket_(socket), settings_(std::move(settings)),
       start_ns_(host::LiveNow()), station_(
@@ -142,7 +142,7 @@ bool ManagerLoop::Run()
         reason_ = is_time_over ? "--for" : reason_;
         reason_ = CaughtSignals::IsCaught() ? "signal" : reason_;
     }
-    const bool has_started = station_.Host().HasStarted();
+    const bool has_started = station_.Assembly().HasStarted();
     station_.Tell("stopped", "stopped by " + reason_, {{"reason", reason_}, {"started", has_started}}, StationUs());
     Draw();
     FlushLog();
@@ -197,7 +197,7 @@ void ManagerLoop::Receive()
     {
         const std::string text = "frames left aside but for boot-up messages: when they came cannot be known";
         station_.Tell("lost_frames", std::to_string(old) + " " + text, {{"count", old}}, StationUs());
-        station_.Host().Core().OnLost(InstantAt(StationUs()));
+        station_.Assembly().Core().OnLost(InstantAt(StationUs()));
     }
 }
 
@@ -211,7 +211,7 @@ void ManagerLoop::TakeFrame(const host::LiveFrame& frame)
     station_us_ = std::max(station_us_, std::min(stamp_us, NowUs()));
     if (frame.own)
     {
-        station_.Host().OnSent(host::ToCanFrame(frame, CanPortId::kFirst));
+        station_.Assembly().OnSent(host::ToCanFrame(frame, CanPortId::kFirst));
     }
     else
     {
@@ -229,7 +229,7 @@ void ManagerLoop::WatchBus()
         cia302::ControllerState state = cia302::ControllerState::kRunning;
         state = (bus_state_ == host::BusState::kBusOff) ? cia302::ControllerState::kBusOff : state;
         state = (bus_state_ == host::BusState::kDown) ? cia302::ControllerState::kAbsent : state;
-        station_.Host().OnController(state, InstantAt(StationUs()));
+        station_.Assembly().OnController(state, InstantAt(StationUs()));
     }
     if (bus_state_ == host::BusState::kDown)
     {
@@ -240,7 +240,7 @@ void ManagerLoop::WatchBus()
         const std::uint32_t count = health.lost_frames - lost_;
         station_.Tell("lost_frames", std::to_string(count) + " frames lost between bus and manager", {{"count", count}},
                       StationUs());
-        station_.Host().Core().OnLost(InstantAt(StationUs()));
+        station_.Assembly().Core().OnLost(InstantAt(StationUs()));
         lost_ = health.lost_frames;
     }
 }

@@ -36,7 +36,7 @@ class ManagerLoop
 {
   public:
     /// @brief All but the bus outlive it; `socket` may be null. Throws cia306::InputError.
-    ManagerLoop(network::LoadedNetwork& net, std::unique_ptr<host::LiveBus> bus, NodeReport& report,
+    ManagerLoop(network_plan::LoadedNetwork& net, std::unique_ptr<host::LiveBus> bus, NodeReport& report,
                 ManagerSocket* socket, ManagerLoopSettings settings);
 
     /// @brief Until quit, SIGTERM, SIGINT or the end of the time; whether every mandatory slave was started then.

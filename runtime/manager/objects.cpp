@@ -2,7 +2,7 @@
 #include "runtime/manager/objects.hpp"
 
 #include "canopen/cia301/base/little_endian.hpp"
-#include "canopen/network/start_up_bits.hpp"
+#include "canopen/network_plan/start_up_bits.hpp"
 
 #include <algorithm>
 
@@ -47,7 +47,7 @@ cia301::Reading Number(const std::uint32_t value, const std::uint32_t size_bytes
 }
 } // namespace
 
-ManagerObjects::ManagerObjects(ManagerAssembly& assembly, network::LoadedNetwork& net)
+ManagerObjects::ManagerObjects(ManagerAssembly& assembly, network_plan::LoadedNetwork& net)
     : assembly_(assembly), net_(net), objects_({net.Setup(), &net.SetupRoom(), net.SlaveRoom(),
                                                 assembly.Core().ProfileParts().table, assembly.Profile()}),
       domains_(net.Setup()), flying_(assembly.FlyingTimes()), consumers_(assembly, net)
@@ -90,7 +90,7 @@ cia301::Reading ManagerObjects::OnRead(const ObjectAddress& address, const cia30
 cia301::Reading ManagerObjects::ReadDomain(const ObjectAddress& address, const cia301::Room& room) noexcept
 {
     cia301::Reading reading = domains_.OnRead(address, room);
-    const network::LoadedSlave* const slave = net_.Find(address.sub);
+    const network_plan::LoadedSlave* const slave = net_.Find(address.sub);
     if (address.index == kDcf && slave != nullptr && slave->dcf_text.size() <= room.size_bytes)
     {
         std::copy(slave->dcf_text.begin(), slave->dcf_text.end(), room.data);
@@ -128,7 +128,7 @@ SdoAbort ManagerObjects::MayWrite(const ObjectAddress& address, const std::uint3
     case kStartUp:
     {
         const std::uint32_t changed = value ^ net_.Setup().start_up;
-        const bool has_no_effect = (changed & ~network::StartUpBits(net_.Plan().manager.profile)) != 0U;
+        const bool has_no_effect = (changed & ~network_plan::StartUpBits(net_.Plan().manager.profile)) != 0U;
         return ((changed & kFixedBits) != 0U) ? SdoAbort::kDeviceState : unless(has_no_effect, SdoAbort::kValueRange);
     }
     case cia302::kFlyingMasterIndex:

@@ -14,7 +14,7 @@ class ManagerObjects final : public cia301::ReadHook, public cia301::WriteHook
 {
   public:
     /// @brief Both outlive it.
-    ManagerObjects(ManagerAssembly& assembly, network::LoadedNetwork& net);
+    ManagerObjects(ManagerAssembly& assembly, network_plan::LoadedNetwork& net);
 
     /// @brief Time for what writes lead to.
     void SetNow(Instant now) noexcept;
@@ -30,7 +30,7 @@ class ManagerObjects final : public cia301::ReadHook, public cia301::WriteHook
     [[nodiscard]] cia301::SdoAbort Store(const ObjectAddress& address, const cia301::Bytes& value) noexcept;
 
     ManagerAssembly& assembly_;
-    network::LoadedNetwork& net_;
+    network_plan::LoadedNetwork& net_;
     cia302::NetworkObjects objects_;
     cia302::NetworkDomains domains_;
     cia302::FlyingMasterObject flying_;

@@ -5,7 +5,7 @@
 #include "canopen/cia306/text/number.hpp"
 #include "canopen/start_up/plc_designer/start_up.hpp"
 #include "runtime/manager/pdos.hpp"
-#include "runtime/manager/report/words.hpp"
+#include "runtime/manager/report/texts.hpp"
 #include "runtime/node/order.hpp"
 
 #include <limits>
@@ -152,7 +152,7 @@ std::string AnswerTo(const ManagerOrder& order, ManagerAssembly& assembly, const
 {
     using cia302::NmtAnswer;
     const NmtAnswer answer = assembly.Core().Role().Command(order.command, cia302::NodeId{order.node}, now);
-    const network::StartProfile profile = assembly.Net().Plan().manager.profile;
+    const network_plan::StartProfile profile = assembly.Net().Plan().manager.profile;
     const bool is_partly = answer == NmtAnswer::kPartly;
     const bool is_refused = answer == NmtAnswer::kWrong && order.command == cia302::NmtCommand::kStart;
     std::string refused;
@@ -167,7 +167,7 @@ std::string AnswerTo(const ManagerOrder& order, ManagerAssembly& assembly, const
                        ": " + CodeText(profile, code) + ")";
         }
     }
-    const bool is_told = profile == network::StartProfile::kPlcDesigner && (is_partly || is_refused);
+    const bool is_told = profile == network_plan::StartProfile::kPlcDesigner && (is_partly || is_refused);
     const bool is_other_left_out = order.node == 0U && answer == NmtAnswer::kOtherDevice;
     const std::string word = is_other_left_out ? NotStarted(assembly) : WordOf(answer);
     return is_told ? std::string(is_partly ? "taken, but not by " : "not taken by ") + refused +

@@ -11,13 +11,13 @@ namespace counterpoint::runtime
 namespace
 {
 using cia302::El6751Pdo;
-using network::StartProfile;
+using network_plan::StartProfile;
 
 constexpr std::uint32_t kIdentifierMask = 0x7FFU;
 constexpr std::uint64_t kTellUs = 100000U; ///< Least time between two events of one PDO.
 } // namespace
 
-ManagerPdos::ManagerPdos(network::LoadedNetwork& net) : net_(net)
+ManagerPdos::ManagerPdos(network_plan::LoadedNetwork& net) : net_(net)
 {
     for (const auto& slave : net.Slaves())
     {
@@ -36,7 +36,7 @@ ManagerPdos::ManagerPdos(network::LoadedNetwork& net) : net_(net)
 std::string ManagerPdos::Set(const std::uint8_t node, const std::uint16_t number,
                              const std::vector<std::uint8_t>& bytes)
 {
-    network::LoadedSlave* const slave = net_.Find(node);
+    network_plan::LoadedSlave* const slave = net_.Find(node);
     const std::string name = "RxPDO " + std::to_string(number) + " of node " + std::to_string(node);
     if (slave == nullptr || net_.Plan().manager.profile != StartProfile::kEl6751)
     {
@@ -115,7 +115,7 @@ std::vector<PdoValue> ManagerPdos::Values() const
     std::vector<PdoValue> values;
     for (const auto& slave : net_.Slaves())
     {
-        const network::ProfileSlave& profile = slave->profile;
+        const network_plan::ProfileSlave& profile = slave->profile;
         for (std::size_t place = 0U; place < profile.rx_pdos.size(); ++place)
         {
             const El6751Pdo& pdo = profile.rx_pdos[place];

@@ -2,7 +2,7 @@
 #ifndef RUNTIME_MANAGER_PDOS_HPP
 #define RUNTIME_MANAGER_PDOS_HPP
 
-#include "canopen/network/loaded_network.hpp"
+#include "canopen/network_plan/loaded_network.hpp"
 #include "safety_core/contract/can_frame.hpp"
 
 #include <array>
@@ -30,7 +30,7 @@ class ManagerPdos
 {
   public:
     /// @brief Outlives it.
-    explicit ManagerPdos(network::LoadedNetwork& net);
+    explicit ManagerPdos(network_plan::LoadedNetwork& net);
 
     /// @brief Bytes of an RxPDO from now on: "taken", or what is wrong and what was expected.
     [[nodiscard]] std::string Set(std::uint8_t node, std::uint16_t number, const std::vector<std::uint8_t>& bytes);
@@ -50,7 +50,7 @@ class ManagerPdos
         std::uint64_t told_us{0U};
     };
 
-    network::LoadedNetwork& net_;
+    network_plan::LoadedNetwork& net_;
     std::vector<Input> inputs_;
     std::multimap<std::uint32_t, std::size_t> by_identifier_;
     std::vector<std::size_t> news_; ///< Inputs to be told.

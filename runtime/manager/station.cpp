@@ -5,7 +5,7 @@
 
 namespace counterpoint::runtime
 {
-ManagerStation::ManagerStation(network::LoadedNetwork& net, SendFrame send, TellEvent tell)
+ManagerStation::ManagerStation(network_plan::LoadedNetwork& net, SendFrame send, TellEvent tell)
     : send_(std::move(send)), tell_(std::move(tell)), assembly_(net, *this, journal_),
       dictionary_(assembly_, net, *this), pdos_(net)
 {
@@ -112,13 +112,13 @@ void ManagerStation::TellInputs()
 /// By error handling: 1F80h bit 6.
 bool ManagerStation::IsAllStopped() const
 {
-    const bool is_cia302 = assembly_.Net().Plan().manager.profile == network::StartProfile::kCia302;
+    const bool is_cia302 = assembly_.Net().Plan().manager.profile == network_plan::StartProfile::kCia302;
     return is_cia302 && assembly_.Core().MasterState() == static_cast<std::int16_t>(cia302::MasterStep::kStopped);
 }
 
 void ManagerStation::FollowWriting(const ManagerEvent& event)
 {
-    const network::LoadedSlave* const slave = assembly_.Net().Find(event.node);
+    const network_plan::LoadedSlave* const slave = assembly_.Net().Find(event.node);
     if (slave == nullptr || !slave->plan.writes_safety)
     {
         return;

@@ -24,7 +24,7 @@ class ManagerStation final : private cia301::FrameSink
     using TellEvent = std::function<void(const ManagerEvent&)>;
 
     /// @brief `net` outlives it; `send` answers whether the bus took the frame.
-    ManagerStation(network::LoadedNetwork& net, SendFrame send, TellEvent tell);
+    ManagerStation(network_plan::LoadedNetwork& net, SendFrame send, TellEvent tell);
 
     /// @brief The manager is switched on.
     void Begin(std::uint64_t now_us);
@@ -38,11 +38,11 @@ class ManagerStation final : private cia301::FrameSink
     void Tell(const std::string& kind, const std::string& text, const nlohmann::ordered_json& details,
               std::uint64_t now_us);
 
-    [[nodiscard]] ManagerAssembly& Host() noexcept
+    [[nodiscard]] ManagerAssembly& Assembly() noexcept
     {
         return assembly_;
     }
-    [[nodiscard]] const ManagerAssembly& Host() const noexcept
+    [[nodiscard]] const ManagerAssembly& Assembly() const noexcept
     {
         return assembly_;
     }

@@ -7,7 +7,7 @@
 
 #include "canopen/cia306/text/ini_document.hpp"
 #include "canopen/cia306/text/input_error.hpp"
-#include "canopen/network/cpj_reader.hpp"
+#include "canopen/network_plan/cpj_reader.hpp"
 
 #include <filesystem>
 
@@ -15,16 +15,17 @@ namespace counterpoint::runtime
 {
 namespace
 {
-using network::ManagerPlan;
-using network::NetworkPlan;
-using network::SlavePlan;
-using network::SoftwarePlan;
+using network_plan::ManagerPlan;
+using network_plan::NetworkPlan;
+using network_plan::SlavePlan;
+using network_plan::SoftwarePlan;
 using runtime::Word;
 using runtime::YamlValue;
 
-constexpr Word<network::StartProfile> kProfileWords[] = {{"cia302", network::StartProfile::kCia302},
-                                                         {"el6751", network::StartProfile::kEl6751},
-                                                         {"plc_designer", network::StartProfile::kPlcDesigner}};
+constexpr Word<network_plan::StartProfile> kProfileWords[] = {
+    {"cia302", network_plan::StartProfile::kCia302},
+    {"el6751", network_plan::StartProfile::kEl6751},
+    {"plc_designer", network_plan::StartProfile::kPlcDesigner}};
 constexpr Word<cia302::Arming> kArmingWords[] = {{"first_heartbeat", cia302::Arming::kFirstHeartbeat},
                                                  {"boot_up", cia302::Arming::kBootUp},
                                                  {"immediately", cia302::Arming::kImmediately}};
@@ -50,8 +51,8 @@ std::string FileIn(const std::string& file, const YamlMap& map, const char* key,
     std::string path;
     if (value)
     {
-        path = network::BesideFile(file, value->Text("a file name"));
-        const std::string problem = network::ProblemOfFile(path);
+        path = network_plan::BesideFile(file, value->Text("a file name"));
+        const std::string problem = network_plan::ProblemOfFile(path);
         if (!problem.empty())
         {
             value->Refuse(problem, kind);
@@ -206,7 +207,7 @@ NetworkPlan ReadYaml(const std::string& path, const std::uint8_t manager)
 void RequireNetworkFile(const std::string& path)
 {
     constexpr std::uintmax_t kMostBytes = runtime::kMaxYamlBytes;
-    const std::string problem = network::ProblemOfFile(path);
+    const std::string problem = network_plan::ProblemOfFile(path);
     if (!problem.empty())
     {
         throw cia306::InputError(path, 1U, {problem, "a network file, CPJ or YAML"});
@@ -226,8 +227,8 @@ NetworkPlan ReadNetworkFile(const std::string& path, const std::uint8_t manager,
 {
     RequireNetworkFile(path);
     const std::string extension = cia306::Lower(std::filesystem::path(path).extension().string());
-    NetworkPlan plan = (extension == ".cpj") ? network::ReadCpj(path, manager) : ReadYaml(path, manager);
-    for (const Word<network::StartProfile>& word : kProfileWords)
+    NetworkPlan plan = (extension == ".cpj") ? network_plan::ReadCpj(path, manager) : ReadYaml(path, manager);
+    for (const Word<network_plan::StartProfile>& word : kProfileWords)
     {
         if (profile == word.text)
         {

@@ -2,7 +2,7 @@
 #ifndef RUNTIME_NETWORK_FILES_FILE_HPP
 #define RUNTIME_NETWORK_FILES_FILE_HPP
 
-#include "canopen/network/network_plan.hpp"
+#include "canopen/network_plan/network_plan.hpp"
 
 #include <cstdint>
 #include <string>
@@ -12,8 +12,8 @@ namespace counterpoint::runtime
 /// @brief Reads a network file: CPJ where its name ends in .cpj, else YAML (docs/manager.md). `manager`: the node-ID of
 /// the manager instead of the file's; 0: none given. `profile`: the word of a start-up profile instead of the file's.
 /// Throws cia306::InputError and runtime::YamlError. [SRS_NET_001, SRS_NET_002, SRS_NET_004]
-[[nodiscard]] network::NetworkPlan ReadNetworkFile(const std::string& path, std::uint8_t manager,
-                                                   const std::string& profile = {});
+[[nodiscard]] network_plan::NetworkPlan ReadNetworkFile(const std::string& path, std::uint8_t manager,
+                                                        const std::string& profile = {});
 } // namespace counterpoint::runtime
 
 #endif // RUNTIME_NETWORK_FILES_FILE_HPP

@@ -62,13 +62,13 @@ void TakeOptions(const YamlMap& map, FlyingMasterOptions& options)
 }
 } // namespace
 
-network::FlyingPlan ReadFlying(const std::string& file, const runtime::YamlValue& value)
+network_plan::FlyingPlan ReadFlying(const std::string& file, const runtime::YamlValue& value)
 {
     const YamlMap map(file, value.Node(), {"priority",   "timeout",     "delay",           "level_slot", "node_slot",
                                            "detect",     "preset",      "cyclic",          "on_force",   "equal_level",
                                            "on_loss",    "watch",       "watch_time",      "standby",    "negotiates",
                                            "race_heard", "claim_heard", "answers_boot_up", "restarts",   "start"});
-    network::FlyingPlan plan;
+    network_plan::FlyingPlan plan;
     plan.lines = map.Lines();
     TakeNumber(map, "priority", plan.priority, 0U, cia302::kLowestPriority);
     TakeMs(map, "timeout", plan.timeout_ms);

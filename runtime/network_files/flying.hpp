@@ -2,7 +2,7 @@
 #ifndef RUNTIME_NETWORK_FILES_FLYING_HPP
 #define RUNTIME_NETWORK_FILES_FLYING_HPP
 
-#include "canopen/network/network_plan.hpp"
+#include "canopen/network_plan/network_plan.hpp"
 #include "runtime/yaml/map.hpp"
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace counterpoint::runtime
 {
 /// @brief The map `flying` of a network file. Throws runtime::YamlError. [SRS_FLY_029]
-[[nodiscard]] network::FlyingPlan ReadFlying(const std::string& file, const runtime::YamlValue& value);
+[[nodiscard]] network_plan::FlyingPlan ReadFlying(const std::string& file, const runtime::YamlValue& value);
 } // namespace counterpoint::runtime
 
 #endif // RUNTIME_NETWORK_FILES_FLYING_HPP

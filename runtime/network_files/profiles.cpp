@@ -95,15 +95,15 @@ cia302::El6751Times ReadEl6751Times(const std::string& file, const YamlValue& va
     return times;
 }
 
-std::vector<network::OutputPlan> ReadOutputs(const std::string& file, const YamlValue& value)
+std::vector<network_plan::OutputPlan> ReadOutputs(const std::string& file, const YamlValue& value)
 {
     constexpr std::uint64_t kHighestPdo = 512U;
     const std::string expected = "1 to 8 bytes as hexadecimal digits, such as 01 FF";
-    std::vector<network::OutputPlan> outputs;
+    std::vector<network_plan::OutputPlan> outputs;
     for (const YamlValue& item : value.Items("a list of RxPDOs, such as [{pdo: 1, data: 01 FF}]"))
     {
         const YamlMap map(file, item.Node(), {"pdo", "data"});
-        network::OutputPlan output;
+        network_plan::OutputPlan output;
         output.line = static_cast<std::size_t>(item.Where().place.line);
         output.number = static_cast<std::uint16_t>(map.Require("pdo").Number({1U, kHighestPdo}));
         const YamlValue data = map.Require("data");

@@ -2,7 +2,7 @@
 #ifndef RUNTIME_NETWORK_FILES_PROFILES_HPP
 #define RUNTIME_NETWORK_FILES_PROFILES_HPP
 
-#include "canopen/network/network_plan.hpp"
+#include "canopen/network_plan/network_plan.hpp"
 #include "canopen/start_up/el6751/setup.hpp"
 #include "canopen/start_up/plc_designer/setup.hpp"
 #include "runtime/yaml/value.hpp"
@@ -17,7 +17,8 @@ namespace counterpoint::runtime
 /// @brief Options of the manager under "el6751". Throws runtime::YamlError. [SRS_ELM_051]
 [[nodiscard]] cia302::El6751Times ReadEl6751Times(const std::string& file, const runtime::YamlValue& value);
 /// @brief What RxPDOs carry, a list under "outputs" of a slave. Throws runtime::YamlError. [SRS_MGR_022]
-[[nodiscard]] std::vector<network::OutputPlan> ReadOutputs(const std::string& file, const runtime::YamlValue& value);
+[[nodiscard]] std::vector<network_plan::OutputPlan> ReadOutputs(const std::string& file,
+                                                                const runtime::YamlValue& value);
 /// @brief Options of a slave under "plc_designer"; one that is not mandatory is optional unless they say otherwise.
 /// Throws runtime::YamlError. [SRS_PLC_021]
 [[nodiscard]] cia302::PlcSlave ReadPlcSlave(const std::string& file, const runtime::YamlValue& value,

@@ -16,8 +16,8 @@
 #include "hal/host/virtual/bus.hpp"
 #include "hal/host/watchdog.hpp"
 #include "runtime/device/assembly.hpp"
-#include "runtime/device/channel_host.hpp"
 #include "runtime/device/model.hpp"
+#include "runtime/device/owned_channel.hpp"
 
 #include <array>
 #include <cstdint>
@@ -93,8 +93,8 @@ class NodeDevice final
     host::VirtualBus time_; ///< Nobody is on it: the time of output and watchdog.
     host::HostWatchdog watchdog_;
     host::HostOutput output_;
-    std::unique_ptr<ChannelHost> channel_a_;
-    std::unique_ptr<ChannelHost> channel_b_;
+    std::unique_ptr<OwnedChannel> channel_a_;
+    std::unique_ptr<OwnedChannel> channel_b_;
     NodeApplication application_;
     std::unique_ptr<NodeSelfTest> self_test_; ///< Null: none.
     OutputWatch outputs_;

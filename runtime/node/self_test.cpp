@@ -65,7 +65,7 @@ NodeSelfTest::NodeSelfTest(const hal::SafetyOutput& output) noexcept : self_test
 {
 }
 
-void NodeSelfTest::AddChannel(runtime::ChannelHost& channel)
+void NodeSelfTest::AddChannel(runtime::OwnedChannel& channel)
 {
     AddPart(&channel.Voice());
     live_.push_back({memory_.PlaceOf(channel.Bytes()), static_cast<std::uint32_t>(channel.Size() / hal::kWordBytes)});

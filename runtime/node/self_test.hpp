@@ -4,8 +4,8 @@
 
 #include "hal/host/interrupt_lock.hpp"
 #include "hal/host/memory.hpp"
-#include "runtime/device/channel_host.hpp"
 #include "runtime/device/model.hpp"
+#include "runtime/device/owned_channel.hpp"
 #include "safety_core/kernel/kernel.hpp"
 #include "safety_core/selftest/self_test.hpp"
 
@@ -30,7 +30,7 @@ class NodeSelfTest
     {
         return self_test_;
     }
-    void AddChannel(runtime::ChannelHost& channel);
+    void AddChannel(runtime::OwnedChannel& channel);
     void AddKernel(Kernel& kernel);
     /// @brief What is constant after the construction of a device.
     void AddConstants(const DeviceConfig& config, const runtime::DeviceModel& model);

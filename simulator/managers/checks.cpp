@@ -3,7 +3,7 @@
 // happens.
 #include "canopen/cia306/text/number.hpp"
 #include "runtime/manager/order.hpp"
-#include "runtime/manager/report/words.hpp"
+#include "runtime/manager/report/texts.hpp"
 #include "simulator/managers/manager.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ bool IsOfNetwork(const std::string& event)
 }
 
 /// -1 to 127, written as it will be found.
-bool IsCodeOf(const network::StartProfile profile, const std::string& text)
+bool IsCodeOf(const network_plan::StartProfile profile, const std::string& text)
 {
     constexpr std::uint64_t kHighest = 127U;
     const bool is_negative = !text.empty() && text[0] == '-';
@@ -84,8 +84,8 @@ void Check::Known(const Expectation& expectation) const
 
 void Check::OfProfile(const Expectation& expectation, const SimulatedManager& manager) const
 {
-    const network::StartProfile profile = manager.Net().Plan().manager.profile;
-    const bool is_cia302 = profile == network::StartProfile::kCia302;
+    const network_plan::StartProfile profile = manager.Net().Plan().manager.profile;
+    const bool is_cia302 = profile == network_plan::StartProfile::kCia302;
     const bool is_event = IsOfEvents(expectation.kind);
     const std::string whose =
         "manager " + std::to_string(manager.Node()) + " with the profile " + runtime::WordOf(profile);
@@ -101,7 +101,7 @@ void Check::OfProfile(const Expectation& expectation, const SimulatedManager& ma
         wrong = "code " + runtime::Shown(expectation.is) + " of " + whose;
         expected = "a decimal code that this profile knows";
     }
-    else if (is_event && expectation.is == "pdo" && profile != network::StartProfile::kEl6751)
+    else if (is_event && expectation.is == "pdo" && profile != network_plan::StartProfile::kEl6751)
     {
         wrong = "event 'pdo' of " + whose;
         expected = "the profile el6751";

@@ -3,7 +3,7 @@
 #include "simulator/managers/managed.hpp"
 
 #include "runtime/manager/report/status.hpp"
-#include "runtime/manager/report/words.hpp"
+#include "runtime/manager/report/texts.hpp"
 #include "simulator/managers/manager.hpp"
 #include "simulator/scenario/names.hpp"
 
@@ -48,7 +48,7 @@ std::string FoundAtManager(const Expectation& expectation, const SimulatedManage
     {
         return "no manager yet";
     }
-    const cia302::Manager& core = manager.Station()->Host().Core();
+    const cia302::Manager& core = manager.Station()->Assembly().Core();
     const cia302::NodeId node{expectation.node_id};
     const cia302::NodeStatus status = core.Status(node);
     const cia302::GateFinding gate = core.Gate().Finding(node);
@@ -140,7 +140,7 @@ class Managed final : public ManagedWorld
             if (manager->Station() != nullptr)
             {
                 text += runtime::DiagramSection(
-                    manager->Station()->Host(), manager->Station()->Diagram(),
+                    manager->Station()->Assembly(), manager->Station()->Diagram(),
                     runtime::InstantAt(static_cast<std::uint64_t>(scenario_.duration / kNanosecondsPerMicrosecond)));
             }
         }

@@ -54,7 +54,7 @@ host::NodeIndex SimulatedManager::BusNode() const noexcept
     return bus_node_;
 }
 
-const network::LoadedNetwork& SimulatedManager::Net() const noexcept
+const network_plan::LoadedNetwork& SimulatedManager::Net() const noexcept
 {
     return net_;
 }
@@ -139,7 +139,7 @@ void SimulatedManager::TakeFrames(const Nanoseconds now)
         }
         if (heard.is_own)
         {
-            station_->Host().OnSent(heard.frame);
+            station_->Assembly().OnSent(heard.frame);
         }
         else
         {
@@ -217,7 +217,7 @@ void SimulatedManager::TellController(const cia302::ControllerState state, const
     if (HasSupply())
     {
         station_->Tell("bus", std::string("bus ") + word, {{"state", word}}, Us(now));
-        station_->Host().OnController(state, runtime::InstantAt(Us(now)));
+        station_->Assembly().OnController(state, runtime::InstantAt(Us(now)));
     }
 }
 } // namespace counterpoint::simulator

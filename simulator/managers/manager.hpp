@@ -27,7 +27,7 @@ class SimulatedManager final : public Participant, private host::BusListener
     [[nodiscard]] const ManagerSetup& Setup() const noexcept;
     [[nodiscard]] std::uint8_t Node() const noexcept;
     [[nodiscard]] host::NodeIndex BusNode() const noexcept;
-    [[nodiscard]] const network::LoadedNetwork& Net() const noexcept;
+    [[nodiscard]] const network_plan::LoadedNetwork& Net() const noexcept;
     /// @brief Null: it has not come yet.
     [[nodiscard]] const runtime::ManagerStation* Station() const noexcept;
     [[nodiscard]] bool HasSupply() const noexcept;
@@ -58,7 +58,7 @@ class SimulatedManager final : public Participant, private host::BusListener
     std::size_t place_;
     host::VirtualBus& bus_;
     Journal& journal_;
-    network::LoadedNetwork net_;
+    network_plan::LoadedNetwork net_;
     host::NodeIndex bus_node_;
     std::unique_ptr<runtime::ManagerStation> station_;
     std::vector<runtime::ManagerEvent> events_;

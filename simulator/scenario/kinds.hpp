@@ -8,17 +8,6 @@
 // The enumerations of scenarios; their words are in names.hpp. Kinds of faults are in fault_kinds.hpp.
 namespace counterpoint::simulator
 {
-/// What an NMT master says.
-enum class NmtCommand : std::uint8_t
-{
-    kNone = 0U,
-    kStart = 1U,
-    kStop = 2U,
-    kEnterPreOperational = 3U,
-    kResetNode = 4U,
-    kResetCommunication = 5U,
-};
-
 /// The part of a node that a fault hits.
 enum class Part : std::uint8_t
 {

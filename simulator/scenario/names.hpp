@@ -76,12 +76,12 @@ inline constexpr Word<Wrongness> kWatchdogHowWords[] = {{"not_served", Wrongness
 inline constexpr Word<Wrongness> kConfirmationHowWords[] = {
     {"missing", Wrongness::kMissing}, {"late", Wrongness::kLate}, {"wrong", Wrongness::kWrong}};
 
-inline constexpr Word<NmtCommand> kCommandWords[] = {
-    {"start", NmtCommand::kStart},
-    {"stop", NmtCommand::kStop},
-    {"enter_pre_operational", NmtCommand::kEnterPreOperational},
-    {"reset_node", NmtCommand::kResetNode},
-    {"reset_communication", NmtCommand::kResetCommunication},
+inline constexpr Word<cia301::NmtCommand> kCommandWords[] = {
+    {"start", cia301::NmtCommand::kStart},
+    {"stop", cia301::NmtCommand::kStop},
+    {"enter_pre_operational", cia301::NmtCommand::kPreOperational},
+    {"reset_node", cia301::NmtCommand::kResetNode},
+    {"reset_communication", cia301::NmtCommand::kResetCommunication},
 };
 
 inline constexpr Word<ChannelCall> kCallWords[] = {{"OnCycle", ChannelCall::kOnCycle},

@@ -81,8 +81,8 @@ NmtEvent ReadNmt(const Scenario& scenario, const YamlValue& value)
         value.Refuse("an NMT event", "either 'state' or 'command'");
     }
     event.state = state ? state->Choice(runtime::kNmtWords) : NmtState::kInvalid;
-    event.command = command ? command->Choice(kCommandWords) : NmtCommand::kNone;
-    if (event.command == NmtCommand::kResetNode || event.command == NmtCommand::kResetCommunication)
+    event.command = command ? command->Choice(kCommandWords) : cia301::NmtCommand::kInvalid;
+    if (event.command == cia301::NmtCommand::kResetNode || event.command == cia301::NmtCommand::kResetCommunication)
     {
         const auto start = fields.Find("start_after");
         event.start_after = start ? start->Duration() : kNever;

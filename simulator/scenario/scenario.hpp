@@ -2,8 +2,9 @@
 #ifndef SIMULATOR_SCENARIO_SCENARIO_HPP
 #define SIMULATOR_SCENARIO_SCENARIO_HPP
 
-#include "runtime/device/channel_host.hpp"
+#include "canopen/cia301/nmt/command.hpp"
 #include "runtime/device/logic_rule.hpp"
+#include "runtime/device/owned_channel.hpp"
 #include "simulator/scenario/fault_kinds.hpp"
 #include "simulator/scenario/kinds.hpp"
 #include "simulator/scenario/values.hpp"
@@ -85,8 +86,8 @@ struct NmtEvent
     Nanoseconds at{0};
     NodeIndex node{kNoNode}; ///< kNoNode: all.
     NmtState state{NmtState::kInvalid};
-    NmtCommand command{NmtCommand::kNone}; ///< Instead of `state`.
-    Nanoseconds start_after{kNever};       ///< Enters OPERATIONAL so long after a reset.
+    cia301::NmtCommand command{cia301::NmtCommand::kInvalid}; ///< Instead of `state`.
+    Nanoseconds start_after{kNever};                          ///< Enters OPERATIONAL so long after a reset.
     Source source;
 };
 

@@ -76,22 +76,22 @@ void NetworkEvents::Command(const NodeIndex node, const NmtEvent& event)
 {
     switch (event.command)
     {
-    case NmtCommand::kNone:
+    case cia301::NmtCommand::kInvalid:
         world_.nodes[node]->SetNmt(event.state);
         return;
-    case NmtCommand::kStart:
+    case cia301::NmtCommand::kStart:
         world_.nodes[node]->SetNmt(NmtState::kOperational);
         return;
-    case NmtCommand::kStop:
+    case cia301::NmtCommand::kStop:
         world_.nodes[node]->SetNmt(NmtState::kStopped);
         return;
-    case NmtCommand::kEnterPreOperational:
+    case cia301::NmtCommand::kPreOperational:
         world_.nodes[node]->SetNmt(NmtState::kPreOperational);
         return;
-    case NmtCommand::kResetNode:
+    case cia301::NmtCommand::kResetNode:
         world_.nodes[node]->ResetNode();
         return;
-    case NmtCommand::kResetCommunication:
+    case cia301::NmtCommand::kResetCommunication:
         world_.nodes[node]->ResetCommunication();
         return;
     }

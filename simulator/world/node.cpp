@@ -12,9 +12,6 @@ namespace
 constexpr std::int64_t kMillion = 1000000;
 constexpr std::uint16_t kCommunicationBase = 0x1300U;
 constexpr std::uint8_t kCobIdSub1 = 5U;
-constexpr std::uint8_t kStart = 1U; ///< NMT commands.
-constexpr std::uint8_t kStop = 2U;
-constexpr std::uint8_t kEnterPreOperational = 128U;
 
 hal::GateLimit LimitOf(const DeviceConfig& config)
 {
@@ -418,16 +415,16 @@ void Node::SetNmt(const NmtState state)
     }
     if (state == NmtState::kOperational)
     {
-        Obey(kStart);
+        Obey(cia301::NmtCommand::kStart);
     }
     else
     {
-        Obey((state == NmtState::kStopped) ? kStop : kEnterPreOperational);
+        Obey((state == NmtState::kStopped) ? cia301::NmtCommand::kStop : cia301::NmtCommand::kPreOperational);
     }
 }
 
 // As a frame of a master that no bus carried.
-void Node::Obey(const std::uint8_t command)
+void Node::Obey(const cia301::NmtCommand command)
 {
     if (is_hung_ || !is_on_)
     {
@@ -438,7 +435,7 @@ void Node::Obey(const std::uint8_t command)
     frame.kind = FrameKind::kData;
     frame.port = CanPortId::kFirst;
     frame.length_bytes = 2U;
-    frame.data[0] = command;
+    frame.data[0] = static_cast<std::uint8_t>(command);
     frame.data[1] = model_.Config().node_id;
     Guarded(
         [this, &frame]()

@@ -3,8 +3,8 @@
 #define SIMULATOR_WORLD_NODE_HPP
 
 #include "runtime/device/assembly.hpp"
-#include "runtime/device/channel_host.hpp"
 #include "runtime/device/model.hpp"
+#include "runtime/device/owned_channel.hpp"
 #include "simulator/faults/channel_tap.hpp"
 #include "simulator/faults/memory_places.hpp"
 #include "simulator/faults/output_tap.hpp"
@@ -169,7 +169,7 @@ class Node final : private host::FrameSink, private ChannelWitness, private runt
     [[nodiscard]] hal::Watchdog& Supervision() noexcept;
     [[nodiscard]] InstantPair Instants() noexcept;
     [[nodiscard]] StampedFrame Stamped(const StampedFrame& frame) const noexcept;
-    void Obey(std::uint8_t command);
+    void Obey(cia301::NmtCommand command);
     void RunKernel(const CycleCall& call);
     void TellLink();
     [[nodiscard]] std::vector<MemoryPiece> WatchedPieces(Part part);
@@ -220,8 +220,8 @@ class Node final : private host::FrameSink, private ChannelWitness, private runt
     OutputTap output_tap_;
     WatchdogTap watchdog_tap_;
     host::HostCanPorts can_;
-    std::unique_ptr<runtime::ChannelHost> channel_a_;
-    std::unique_ptr<runtime::ChannelHost> channel_b_;
+    std::unique_ptr<runtime::OwnedChannel> channel_a_;
+    std::unique_ptr<runtime::OwnedChannel> channel_b_;
     ChannelTap tap_a_;
     ChannelTap tap_b_;
     SupervisorTap supervisors_;

@@ -55,7 +55,7 @@ std::vector<MemoryPiece> Node::PiecesOfPart(const Part part, const std::uint8_t 
 {
     if (part == Part::kChannelA || part == Part::kChannelB)
     {
-        runtime::ChannelHost& channel = (part == Part::kChannelA) ? *channel_a_ : *channel_b_;
+        runtime::OwnedChannel& channel = (part == Part::kChannelA) ? *channel_a_ : *channel_b_;
         return {{channel.Bytes(), channel.Size()}};
     }
     if (part >= Part::kProgram)

@@ -12,7 +12,6 @@ namespace counterpoint::simulator
 namespace
 {
 constexpr std::size_t kTransmitCapacity = 16U;
-constexpr std::uint8_t kResetCommunication = 130U;
 constexpr ObjectAddress kSerialNumber{0x1018U, 4U};
 constexpr std::uint32_t kByteBits = 8U;
 
@@ -240,7 +239,7 @@ void Node::ResetCommunication()
             journal_.Tell({Now(), EventKind::kNmt, place_.index, 0U, static_cast<std::uint64_t>(state), 0U});
         }
     }
-    Obey(kResetCommunication);
+    Obey(cia301::NmtCommand::kResetCommunication);
 }
 
 void Node::Poll(const std::size_t capacity, const std::size_t fault)

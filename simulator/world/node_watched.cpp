@@ -36,7 +36,7 @@ void Node::FurnishSelfTest()
     {
         return;
     }
-    for (runtime::ChannelHost* const channel : {channel_a_.get(), channel_b_.get()})
+    for (runtime::OwnedChannel* const channel : {channel_a_.get(), channel_b_.get()})
     {
         const runtime::Letter letter = (channel == channel_a_.get()) ? runtime::Letter::kA : runtime::Letter::kB;
         if (runtime::HasChannel(setup_.role, letter))

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "runtime/device/channel_host.hpp"
 #include "runtime/device/model.hpp"
+#include "runtime/device/owned_channel.hpp"
 #include "tests/integration/scenario_run.hpp"
 #include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"

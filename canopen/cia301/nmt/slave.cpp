@@ -6,11 +6,6 @@ namespace counterpoint::cia301
 namespace
 {
 
-constexpr std::uint8_t kStart = 1U;
-constexpr std::uint8_t kStop = 2U;
-constexpr std::uint8_t kEnterPreOperational = 128U;
-constexpr std::uint8_t kResetNode = 129U;
-constexpr std::uint8_t kResetCommunication = 130U;
 constexpr std::uint32_t kMasterBit = 0x01U;
 constexpr std::uint32_t kWaitBit = 0x04U;
 constexpr std::uint32_t kErrorControl = 0x700U;
@@ -117,7 +112,7 @@ void NmtSlave::OnFrame(const CanFrame& frame) noexcept
     const bool is_ours = (frame.data[1] == 0U) || (frame.data[1] == node_.value);
     if (is_command && is_ours && IsRunning(state_))
     {
-        Obey(frame.data[0]);
+        Obey(static_cast<NmtCommand>(frame.data[0]));
     }
 }
 
@@ -129,25 +124,26 @@ bool NmtSlave::Leave(const NodeState to) noexcept
     return is_allowed;
 }
 
-void NmtSlave::Obey(const std::uint8_t command) noexcept
+void NmtSlave::Obey(const NmtCommand command) noexcept
 {
     switch (command)
     {
-    case kStart:
+    case NmtCommand::kStart:
         state_ = NodeState::kOperational;
         break;
-    case kStop:
+    case NmtCommand::kStop:
         state_ = NodeState::kStopped;
         break;
-    case kEnterPreOperational:
+    case NmtCommand::kPreOperational:
         state_ = NodeState::kPreOperational;
         break;
-    case kResetNode:
+    case NmtCommand::kResetNode:
         state_ = NodeState::kResetApplication;
         break;
-    case kResetCommunication:
+    case NmtCommand::kResetCommunication:
         state_ = NodeState::kResetCommunication;
         break;
+    case NmtCommand::kInvalid:
     default:
         break; // Reserved commands change nothing.
     }

@@ -2,6 +2,7 @@
 #ifndef CANOPEN_CIA301_NMT_SLAVE_HPP
 #define CANOPEN_CIA301_NMT_SLAVE_HPP
 
+#include "canopen/cia301/nmt/command.hpp"
 #include "safety_core/contract/can_frame.hpp"
 #include "safety_core/contract/channel.hpp"
 
@@ -68,7 +69,7 @@ class NmtSlave
     [[nodiscard]] bool Leave(NodeState to) noexcept;
 
   private:
-    void Obey(std::uint8_t command) noexcept;
+    void Obey(NmtCommand command) noexcept;
 
     NodeId node_;
     StartUp start_up_;

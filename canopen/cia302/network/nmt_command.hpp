@@ -2,6 +2,7 @@
 #ifndef CANOPEN_CIA302_NETWORK_NMT_COMMAND_HPP
 #define CANOPEN_CIA302_NETWORK_NMT_COMMAND_HPP
 
+#include "canopen/cia301/nmt/command.hpp"
 #include "canopen/cia301/nmt/slave.hpp"
 #include "safety_core/contract/time.hpp"
 
@@ -10,26 +11,9 @@
 namespace counterpoint::cia302
 {
 
+using cia301::IsNmtCommand;
+using cia301::NmtCommand;
 using cia301::NodeId;
-
-/// NMT commands by their bytes on the bus.
-enum class NmtCommand : std::uint8_t
-{
-    kInvalid = 0U,
-    kStart = 1U,
-    kStop = 2U,
-    kPreOperational = 128U,
-    kResetNode = 129U,
-    kResetCommunication = 130U,
-};
-
-/// @brief Whether this is one of the five; a byte from the bus may be anything.
-[[nodiscard]] constexpr bool IsNmtCommand(const NmtCommand command) noexcept
-{
-    return (command == NmtCommand::kStart) || (command == NmtCommand::kStop) ||
-           (command == NmtCommand::kPreOperational) || (command == NmtCommand::kResetNode) ||
-           (command == NmtCommand::kResetCommunication);
-}
 
 /// A command for one node, or for all with node 0.
 struct NmtRequest

@@ -2,7 +2,7 @@
 #include "runtime/manager/report/diagram.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
-#include "runtime/manager/report/words.hpp"
+#include "runtime/manager/report/texts.hpp"
 
 namespace counterpoint::runtime
 {

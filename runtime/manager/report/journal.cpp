@@ -2,7 +2,7 @@
 #include "runtime/manager/report/journal.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
-#include "runtime/manager/report/words.hpp"
+#include "runtime/manager/report/texts.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -20,9 +20,9 @@ std::string Letter(const char letter)
 }
 
 /// "D: vendor-ID differs (0x1018:01 is 0x2, expected 0x1)"
-std::string StatusText(const network::StartProfile profile, const cia302::NodeStatus& status)
+std::string StatusText(const network_plan::StartProfile profile, const cia302::NodeStatus& status)
 {
-    const std::string code = (profile == network::StartProfile::kCia302) ? "" : std::to_string(status.code);
+    const std::string code = (profile == network_plan::StartProfile::kCia302) ? "" : std::to_string(status.code);
     const std::string head = (status.letter != 0) ? Letter(status.letter) : code;
     const std::string meaning = (status.letter != 0) ? LetterText(status.letter) : CodeText(profile, status.code);
     const std::string finding = FindingText(profile, status);
@@ -90,12 +90,12 @@ void ManagerJournal::OnNodeEvent(const NodeId node, const cia302::NodeEvent even
 void ManagerJournal::OnNodeStatus(const NodeId node, const Instant /*now*/) noexcept
 {
     const cia302::NodeStatus status = assembly_->Core().Status(node);
-    const network::StartProfile profile = assembly_->Net().Plan().manager.profile;
+    const network_plan::StartProfile profile = assembly_->Net().Plan().manager.profile;
     Told& told = told_.at(node.value & cia302::kLastNode);
     const bool is_news =
         told.letter != status.letter || told.code != status.code || (status.is_started && !told.is_started);
     told = {status.letter, status.code, status.is_started};
-    const bool says_something = status.letter != 0 || profile != network::StartProfile::kCia302;
+    const bool says_something = status.letter != 0 || profile != network_plan::StartProfile::kCia302;
     std::string text = (is_news && says_something) ? StatusText(profile, status) : "";
     text = (is_news && status.is_started && text.empty()) ? "started" : text;
     Tell(node.value, "status", text,

@@ -2,7 +2,7 @@
 #include "runtime/manager/report/status.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
-#include "runtime/manager/report/words.hpp"
+#include "runtime/manager/report/texts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,20 +16,20 @@ using cia302::NodeId;
 constexpr std::uint32_t kUsPerMs = 1000U;
 constexpr std::size_t kNameWidth = 20U;
 
-std::string ResultOf(const network::StartProfile profile, const cia302::NodeStatus& status)
+std::string ResultOf(const network_plan::StartProfile profile, const cia302::NodeStatus& status)
 {
     const std::string letter = (status.letter == 0) ? "" : std::string(1U, status.letter);
-    return (profile == network::StartProfile::kCia302) ? letter : std::to_string(status.code);
+    return (profile == network_plan::StartProfile::kCia302) ? letter : std::to_string(status.code);
 }
 
 /// Nothing is wrong with a slave that runs as the profile wants it to.
-bool IsGood(const network::StartProfile profile, const cia302::NodeStatus& status, const cia302::SlaveState state)
+bool IsGood(const network_plan::StartProfile profile, const cia302::NodeStatus& status, const cia302::SlaveState state)
 {
     constexpr int kPlcStarted = 5;
     const bool runs = state == cia302::SlaveState::kOperational || status.is_started;
     bool is_good = status.letter == 0 || status.letter == 'L';
-    is_good = (profile == network::StartProfile::kEl6751) ? status.code == 0 : is_good;
-    is_good = (profile == network::StartProfile::kPlcDesigner) ? status.code == kPlcStarted : is_good;
+    is_good = (profile == network_plan::StartProfile::kEl6751) ? status.code == 0 : is_good;
+    is_good = (profile == network_plan::StartProfile::kPlcDesigner) ? status.code == kPlcStarted : is_good;
     return is_good && runs;
 }
 
@@ -43,13 +43,13 @@ std::string EmergencyText(const cia302::EmergencyRecord& emergency)
     return (emergency.count == 0U) ? "" : cia306::Hex(emergency.code, 4) + " (" + std::to_string(emergency.count) + ")";
 }
 
-StatusRow RowOf(const ManagerAssembly& assembly, const network::LoadedSlave& slave, const Instant now)
+StatusRow RowOf(const ManagerAssembly& assembly, const network_plan::LoadedSlave& slave, const Instant now)
 {
     const NodeId node{slave.plan.node};
     const cia302::Manager& manager = assembly.Core();
     const cia302::NodeRecord& record = manager.Table().Record(node);
     const cia302::NodeStatus status = manager.Status(node);
-    const network::StartProfile profile = assembly.Net().Plan().manager.profile;
+    const network_plan::StartProfile profile = assembly.Net().Plan().manager.profile;
     const bool is_safety = assembly.Net().Setup().IsSafetySlave(node);
     StatusRow row;
     row.node = node.value;
@@ -102,7 +102,7 @@ std::vector<StatusRow> StatusRows(const ManagerAssembly& assembly, const Instant
 std::string ManagerLine(const ManagerAssembly& assembly)
 {
     const cia302::Manager& manager = assembly.Core();
-    const network::StartProfile profile = assembly.Net().Plan().manager.profile;
+    const network_plan::StartProfile profile = assembly.Net().Plan().manager.profile;
     std::string role = manager.IsActive() ? "active master" : "not the active master";
     if (manager.Role().Flying() != nullptr && manager.Role().Flying()->Master().node.value != 0U && !manager.IsActive())
     {
@@ -134,7 +134,7 @@ std::string PdoTable(const ManagerPdos& pdos, const std::uint64_t now_us)
 
 std::string StatusTable(const ManagerStation& station, const std::uint64_t now_us)
 {
-    const ManagerAssembly& assembly = station.Host();
+    const ManagerAssembly& assembly = station.Assembly();
     const Instant now = InstantAt(now_us);
     std::string table = ManagerLine(assembly) + "\n";
     table += Line({"node", "name", "state", "result", "step", "heartbeat", "emergency", "safety", "finding"});
@@ -161,7 +161,7 @@ nlohmann::ordered_json PdosJson(const ManagerPdos& pdos, const std::uint64_t now
 
 nlohmann::ordered_json StatusJson(const ManagerStation& station, const std::uint64_t now_us)
 {
-    const ManagerAssembly& assembly = station.Host();
+    const ManagerAssembly& assembly = station.Assembly();
     const Instant now = InstantAt(now_us);
     nlohmann::ordered_json slaves = nlohmann::ordered_json::array();
     for (const StatusRow& row : StatusRows(assembly, now))

@@ -90,7 +90,7 @@ class ManagerLoopTest : public test::CommandTest
     int Duplicates(const std::uint64_t apart_ns, const std::uint64_t longest_pause_ns = runtime::kLongestPauseNs,
                    const std::string& name = "udp:239.74.163.91:43191")
     {
-        network::LoadedNetwork net(runtime::ReadNetworkFile(
+        network_plan::LoadedNetwork net(runtime::ReadNetworkFile(
             File("net.yaml",
                  "manager: {node: 127}\nslaves: [{node: 5, heartbeat: 5 ms, consumer: 9 s, arming: immediately}]\n"),
             0U));

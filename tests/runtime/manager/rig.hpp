@@ -28,7 +28,7 @@ class ManagerRig : public CommandTest
     }
     void Make(const std::string& text)
     {
-        net = std::make_unique<network::LoadedNetwork>(runtime::ReadNetworkFile(File("net.yaml", text), 0U));
+        net = std::make_unique<network_plan::LoadedNetwork>(runtime::ReadNetworkFile(File("net.yaml", text), 0U));
         station = std::make_unique<runtime::ManagerStation>(
             *net,
             [this](const CanFrame& frame)
@@ -147,7 +147,7 @@ class ManagerRig : public CommandTest
     }
 
     std::uint64_t now_us{0U};
-    std::unique_ptr<network::LoadedNetwork> net;
+    std::unique_ptr<network_plan::LoadedNetwork> net;
     std::vector<CanFrame> sent;
     std::vector<runtime::ManagerEvent> events;
     std::unique_ptr<runtime::ManagerStation> station;

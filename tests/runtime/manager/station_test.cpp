@@ -302,8 +302,8 @@ TEST_F(ManagerStationTest, TheNegotiationWaitsForItsOrder)
     EXPECT_EQ(Order("negotiate"), "taken");
     EXPECT_NE(Order("negotiate"), "taken");
     Run(8000U);
-    EXPECT_TRUE(station->Host().Core().IsActive());
-    EXPECT_EQ(station->Host().Core().Role().Flying()->Master().level, 1U);
+    EXPECT_TRUE(station->Assembly().Core().IsActive());
+    EXPECT_EQ(station->Assembly().Core().Role().Flying()->Master().level, 1U);
     EXPECT_EQ(Write(0x1F90U, 3U, 0U, 2U), 0x08000022U); // Not any more.
     EXPECT_EQ(Read(0x1F90U, 3U), 1U);
 }
@@ -326,7 +326,7 @@ TEST_F(ManagerStationTest, ACommandToAllMakesNoAbsentSlaveAStartedOne)
         // Given a mandatory slave that is not there
         Make("manager: {node: 127, boot_time: 1 s, profile: " + std::string(profile) + "}\nslaves: [{node: 16}]\n");
         Run(5000U);
-        EXPECT_FALSE(station->Host().HasStarted()) << profile;
+        EXPECT_FALSE(station->Assembly().HasStarted()) << profile;
         // When everybody is commanded
         for (const char* const order : {"preop all", "start all", "stop all", "start all", "start 16"})
         {
@@ -334,7 +334,7 @@ TEST_F(ManagerStationTest, ACommandToAllMakesNoAbsentSlaveAStartedOne)
             Run(20U);
         }
         // Then it has not been started
-        EXPECT_FALSE(station->Host().HasStarted()) << profile;
+        EXPECT_FALSE(station->Assembly().HasStarted()) << profile;
         EXPECT_EQ(events.back().text.find("all started"), std::string::npos) << profile;
     }
 }

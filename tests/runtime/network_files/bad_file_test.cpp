@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Malformed network files: one precise line each, file:line, what is wrong, what was expected.
 #include "canopen/cia306/text/input_error.hpp"
-#include "canopen/network/loaded_network.hpp"
+#include "canopen/network_plan/loaded_network.hpp"
 #include "runtime/network_files/file.hpp"
 #include "runtime/yaml/document.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
@@ -134,7 +134,7 @@ class BadNetworkTest : public test::CommandTest
     {
         try
         {
-            const network::LoadedNetwork net(runtime::ReadNetworkFile(path, 0U));
+            const network_plan::LoadedNetwork net(runtime::ReadNetworkFile(path, 0U));
         }
         catch (const cia306::InputError& error)
         {
@@ -175,7 +175,7 @@ TEST_F(BadNetworkTest, WhatACpjSaysBesideItsFormatIsTold)
         "net.cpj", "[Topology]\nNetNamme=x\nNodes=2\nNode1Present=1\nNode1DCFName=sensor.dcf\nNode1Refd=K1\n"
                    "Node2Present=1\nNode2DCFName=manager.dcf\n# three\nNode3Name=y\nNode3Presnt=1\n[Other]\na=1\n");
     // When it is read, then each is told with its line, and nothing else
-    const network::LoadedNetwork net(runtime::ReadNetworkFile(path, 0U));
+    const network_plan::LoadedNetwork net(runtime::ReadNetworkFile(path, 0U));
     const std::vector<std::string> expected{
         path + ":9: a comment with '#' is no part of CiA 306, expected ';'; it is ignored",
         path + ":12: section [Other] is ignored, expected [Topology] alone",

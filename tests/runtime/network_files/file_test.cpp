@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Network files: what a manager learns from them and from the DCFs they name.
-#include "canopen/network/loaded_network.hpp"
+#include "canopen/network_plan/loaded_network.hpp"
 #include "runtime/network_files/file.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
@@ -15,8 +15,8 @@ namespace
 {
 using cia306::test::Changed;
 using cia306::test::ExampleText;
-using network::LoadedNetwork;
-using network::NetworkPlan;
+using network_plan::LoadedNetwork;
+using network_plan::NetworkPlan;
 
 /// The three devices of the emergency-stop chain, the controller as manager.
 class NetworkFileTest : public test::CommandTest

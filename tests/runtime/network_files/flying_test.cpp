@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Flying masters in network files: who is one, with which times and which behaviour.
 #include "canopen/cia306/text/input_error.hpp"
-#include "canopen/network/loaded_network.hpp"
+#include "canopen/network_plan/loaded_network.hpp"
 #include "runtime/network_files/file.hpp"
 #include "runtime/yaml/document.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
@@ -21,7 +21,7 @@ using cia302::LossReaction;
 using cia302::MasterWatch;
 using cia302::StandbyReaction;
 using cia306::test::ExampleText;
-using network::LoadedNetwork;
+using network_plan::LoadedNetwork;
 
 class NetworkFlyingTest : public test::CommandTest
 {

@@ -4,7 +4,7 @@
 #define TESTS_RUNTIME_NETWORK_FILES_PROFILE_RIG_HPP
 
 #include "canopen/cia302/network/concise_dcf.hpp"
-#include "canopen/network/loaded_network.hpp"
+#include "canopen/network_plan/loaded_network.hpp"
 #include "runtime/network_files/file.hpp"
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/verifies.hpp"
@@ -14,7 +14,7 @@
 
 namespace counterpoint::tools
 {
-using network::LoadedNetwork;
+using network_plan::LoadedNetwork;
 
 /// A slave with two PDOs of each direction, of which one each is on, and a heartbeat.
 constexpr const char* kDcf = R"([FileInfo]

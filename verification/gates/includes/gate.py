@@ -39,7 +39,7 @@ MAY_SEE = {
     "canopen/cia306": [],
     "canopen/generate": ["canopen/cia306"],
     "canopen/monitor": ["canopen/cia306"],
-    "canopen/network": ["canopen/cia301", "canopen/cia302", "canopen/cia306", "canopen/manager", "canopen/start_up"],
+    "canopen/network_plan": ["canopen/cia301", "canopen/cia302", "canopen/cia306", "canopen/manager", "canopen/start_up"],
     "runtime": DEVICE,
     "simulator": [*DEVICE, "runtime"],
     "tools": ["version", "safety_core", "hal", "canopen", "runtime", "simulator"],

@@ -1,12 +1,12 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#ifndef CANOPEN_NETWORK_CPJ_READER_HPP
-#define CANOPEN_NETWORK_CPJ_READER_HPP
+#ifndef CANOPEN_NETWORK_PLAN_CPJ_READER_HPP
+#define CANOPEN_NETWORK_PLAN_CPJ_READER_HPP
 
-#include "canopen/network/network_plan.hpp"
+#include "canopen/network_plan/network_plan.hpp"
 
 #include <string>
 
-namespace counterpoint::network
+namespace counterpoint::network_plan
 {
 /// @brief Reads a CPJ file (CiA 306-3). The node whose DCF says CANopenManager=1 is the manager, `manager` (0: none
 /// given) where no DCF does. Throws cia306::InputError. [SRS_NET_001]
@@ -17,6 +17,6 @@ namespace counterpoint::network
 
 /// @brief Why nothing can be read from a file that a network file names: "'x.dcf' is a folder". Empty: it can.
 [[nodiscard]] std::string ProblemOfFile(const std::string& path);
-} // namespace counterpoint::network
+} // namespace counterpoint::network_plan
 
-#endif // CANOPEN_NETWORK_CPJ_READER_HPP
+#endif // CANOPEN_NETWORK_PLAN_CPJ_READER_HPP

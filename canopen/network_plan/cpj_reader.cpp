@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/network/cpj_reader.hpp"
+#include "canopen/network_plan/cpj_reader.hpp"
 
 #include "canopen/cia306/text/ini_document.hpp"
 #include "canopen/cia306/text/input_error.hpp"
@@ -14,7 +14,7 @@
 #include <map>
 #include <unistd.h>
 
-namespace counterpoint::network
+namespace counterpoint::network_plan
 {
 namespace
 {
@@ -288,4 +288,4 @@ NetworkPlan ReadCpj(const std::string& path, const std::uint8_t manager)
     }
     return plan;
 }
-} // namespace counterpoint::network
+} // namespace counterpoint::network_plan

@@ -1,9 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#ifndef CANOPEN_NETWORK_PROFILE_MAKER_HPP
-#define CANOPEN_NETWORK_PROFILE_MAKER_HPP
+#ifndef CANOPEN_NETWORK_PLAN_PROFILE_MAKER_HPP
+#define CANOPEN_NETWORK_PLAN_PROFILE_MAKER_HPP
 
 #include "canopen/cia306/file/device.hpp"
-#include "canopen/network/network_plan.hpp"
+#include "canopen/network_plan/network_plan.hpp"
 #include "canopen/start_up/el6751/setup.hpp"
 #include "canopen/start_up/plc_designer/setup.hpp"
 
@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace counterpoint::network
+namespace counterpoint::network_plan
 {
 /// What a start-up profile needs of one slave beside its SlaveSetup. Stays where it is: the setup points to it.
 struct ProfileSlave
@@ -39,6 +39,6 @@ void FillProfile(const std::string& file, StartProfile profile, const SlavePlan&
 /// whether SYNC is sent. [SRS_ELM_051]
 void LeaveOutRows(const cia306::Device& device, std::uint8_t node_id, const cia302::NetworkSetup& network,
                   ProfileSlave& slave, cia302::SlaveSetup& setup);
-} // namespace counterpoint::network
+} // namespace counterpoint::network_plan
 
-#endif // CANOPEN_NETWORK_PROFILE_MAKER_HPP
+#endif // CANOPEN_NETWORK_PLAN_PROFILE_MAKER_HPP

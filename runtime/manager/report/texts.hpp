@@ -1,10 +1,10 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#ifndef RUNTIME_MANAGER_REPORT_WORDS_HPP
-#define RUNTIME_MANAGER_REPORT_WORDS_HPP
+#ifndef RUNTIME_MANAGER_REPORT_TEXTS_HPP
+#define RUNTIME_MANAGER_REPORT_TEXTS_HPP
 
 #include "canopen/cia302/flying_master/flying_master.hpp"
 #include "canopen/manager/manager.hpp"
-#include "canopen/network/network_plan.hpp"
+#include "canopen/network_plan/network_plan.hpp"
 
 #include <string>
 
@@ -20,21 +20,21 @@ namespace counterpoint::runtime
 [[nodiscard]] std::string WordOf(cia302::GateState state);
 [[nodiscard]] std::string WordOf(cia302::FlyingEvent event);
 [[nodiscard]] std::string WordOf(cia301::NodeState state);
-[[nodiscard]] std::string WordOf(network::StartProfile profile);
+[[nodiscard]] std::string WordOf(network_plan::StartProfile profile);
 /// @brief What an error letter of CiA 302-2 means; empty for none.
 [[nodiscard]] std::string LetterText(char letter);
 /// @brief What a NodeState or nStatus means in its profile; empty where it has none.
-[[nodiscard]] std::string CodeText(network::StartProfile profile, int code);
+[[nodiscard]] std::string CodeText(network_plan::StartProfile profile, int code);
 /// @brief MasterState in its profile.
-[[nodiscard]] std::string MasterText(network::StartProfile profile, int state);
+[[nodiscard]] std::string MasterText(network_plan::StartProfile profile, int state);
 /// @brief "0x1301:02 is 60, expected 50", "0x1000:00 aborted with 0x06020000 (...)"; empty where nothing is wrong.
 [[nodiscard]] std::string FindingText(const cia302::GateFinding& finding);
 /// @brief The same of a status that tells an error in its profile.
-[[nodiscard]] std::string FindingText(network::StartProfile profile, const cia302::NodeStatus& status);
+[[nodiscard]] std::string FindingText(network_plan::StartProfile profile, const cia302::NodeStatus& status);
 /// @brief "0x06020000", and what it means where the bus alone does not tell.
 [[nodiscard]] std::string AbortText(cia301::SdoAbort abort);
 /// @brief The command of a word, kInvalid for none.
 [[nodiscard]] cia302::NmtCommand CommandOf(const std::string& word);
 } // namespace counterpoint::runtime
 
-#endif // RUNTIME_MANAGER_REPORT_WORDS_HPP
+#endif // RUNTIME_MANAGER_REPORT_TEXTS_HPP

@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "runtime/manager/report/words.hpp"
+#include "runtime/manager/report/texts.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/start_up/cia302/start_up.hpp"
@@ -20,7 +20,7 @@ using cia302::NmtCommand;
 using cia302::NodeEvent;
 using cia302::SlaveState;
 using cia302::StartUpStep;
-using network::StartProfile;
+using network_plan::StartProfile;
 
 /// A number and its word.
 template <typename Meaning> struct Row

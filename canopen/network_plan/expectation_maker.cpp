@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/network/expectation_maker.hpp"
+#include "canopen/network_plan/expectation_maker.hpp"
 
 #include "canopen/cia306/check/check.hpp"
 #include "canopen/cia306/safety/safety_configuration.hpp"
@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace counterpoint::network
+namespace counterpoint::network_plan
 {
 namespace
 {
@@ -107,4 +107,4 @@ std::vector<ExpectedObject> MakeExpectation(const Device& device, const std::uin
     }
     return maker.Sorted();
 }
-} // namespace counterpoint::network
+} // namespace counterpoint::network_plan

@@ -1,18 +1,18 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/network/loaded_network.hpp"
+#include "canopen/network_plan/loaded_network.hpp"
 
 #include "canopen/cia302/network/concise_dcf.hpp"
 #include "canopen/cia306/file/device_reader.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/text_file.hpp"
-#include "canopen/network/expectation_maker.hpp"
-#include "canopen/network/manager_objects.hpp"
-#include "canopen/network/network_warnings.hpp"
+#include "canopen/network_plan/expectation_maker.hpp"
+#include "canopen/network_plan/manager_objects.hpp"
+#include "canopen/network_plan/network_warnings.hpp"
 
 #include <algorithm>
 #include <set>
 
-namespace counterpoint::network
+namespace counterpoint::network_plan
 {
 namespace
 {
@@ -381,4 +381,4 @@ void LoadedNetwork::FillManager()
                           "none, or at least " + std::to_string(kLeastSyncUs) + " us"});
     }
 }
-} // namespace counterpoint::network
+} // namespace counterpoint::network_plan

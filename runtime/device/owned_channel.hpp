@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#ifndef RUNTIME_DEVICE_CHANNEL_HOST_HPP
-#define RUNTIME_DEVICE_CHANNEL_HOST_HPP
+#ifndef RUNTIME_DEVICE_OWNED_CHANNEL_HPP
+#define RUNTIME_DEVICE_OWNED_CHANNEL_HPP
 
 #include "safety_core/contract/channel.hpp"
 
@@ -13,13 +13,13 @@ namespace counterpoint::runtime
 {
 /// A shipped channel with exactly as much injected storage as its device needs. The storage is at hand as bytes, so
 /// that a fault can flip any bit of it.
-class ChannelHost
+class OwnedChannel
 {
   public:
-    ChannelHost() = default;
-    virtual ~ChannelHost() = default;
-    ChannelHost(const ChannelHost&) = delete;
-    ChannelHost& operator=(const ChannelHost&) = delete;
+    OwnedChannel() = default;
+    virtual ~OwnedChannel() = default;
+    OwnedChannel(const OwnedChannel&) = delete;
+    OwnedChannel& operator=(const OwnedChannel&) = delete;
 
     [[nodiscard]] virtual Channel& Voice() noexcept = 0;
     [[nodiscard]] virtual std::uint8_t* Bytes() noexcept = 0;
@@ -50,7 +50,7 @@ enum class Letter : std::uint8_t
 /// @brief What a device needs: 1 to 64 slots.
 [[nodiscard]] ChannelRoom RoomOf(const DeviceConfig& config) noexcept;
 /// @brief A channel with room for so many slots, and 16 entries each where they are enough, else 128.
-[[nodiscard]] std::unique_ptr<ChannelHost> MakeChannel(Letter letter, const ChannelRoom& room);
+[[nodiscard]] std::unique_ptr<OwnedChannel> MakeChannel(Letter letter, const ChannelRoom& room);
 
 struct BitPlace
 {
@@ -64,4 +64,4 @@ struct BitPlace
                                                     const ConfigAddress& address, std::uint8_t bit);
 } // namespace counterpoint::runtime
 
-#endif // RUNTIME_DEVICE_CHANNEL_HOST_HPP
+#endif // RUNTIME_DEVICE_OWNED_CHANNEL_HPP

@@ -1,13 +1,13 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#ifndef CANOPEN_NETWORK_CONCISE_MAKER_HPP
-#define CANOPEN_NETWORK_CONCISE_MAKER_HPP
+#ifndef CANOPEN_NETWORK_PLAN_CONCISE_MAKER_HPP
+#define CANOPEN_NETWORK_PLAN_CONCISE_MAKER_HPP
 
 #include "canopen/cia306/file/device.hpp"
 
 #include <cstdint>
 #include <vector>
 
-namespace counterpoint::network
+namespace counterpoint::network_plan
 {
 /// One entry of a concise DCF.
 struct ConciseEntry
@@ -28,6 +28,6 @@ struct ConciseEntry
 /// @brief The configured value as it goes over the bus. Throws cia306::InputError.
 [[nodiscard]] std::vector<std::uint8_t> BytesOf(const cia306::Device& device, const cia306::Entry& entry,
                                                 std::uint8_t node_id);
-} // namespace counterpoint::network
+} // namespace counterpoint::network_plan
 
-#endif // CANOPEN_NETWORK_CONCISE_MAKER_HPP
+#endif // CANOPEN_NETWORK_PLAN_CONCISE_MAKER_HPP

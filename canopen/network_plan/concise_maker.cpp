@@ -1,12 +1,12 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/network/concise_maker.hpp"
+#include "canopen/network_plan/concise_maker.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
 
 #include <set>
 #include <string>
 
-namespace counterpoint::network
+namespace counterpoint::network_plan
 {
 namespace
 {
@@ -213,4 +213,4 @@ std::vector<std::uint8_t> ConciseBytes(const std::vector<ConciseEntry>& entries)
     }
     return entries.empty() ? std::vector<std::uint8_t>{} : bytes;
 }
-} // namespace counterpoint::network
+} // namespace counterpoint::network_plan

@@ -1,14 +1,14 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/network/network_warnings.hpp"
+#include "canopen/network_plan/network_warnings.hpp"
 
 #include "canopen/cia302/network/concise_dcf.hpp"
 #include "canopen/cia306/text/input_error.hpp"
-#include "canopen/network/start_up_bits.hpp"
+#include "canopen/network_plan/start_up_bits.hpp"
 
 #include <algorithm>
 #include <memory>
 
-namespace counterpoint::network
+namespace counterpoint::network_plan
 {
 namespace
 {
@@ -385,4 +385,4 @@ std::vector<std::string> WarningsOf(const LoadedNetwork& network)
     return NetworkWarnings(network).All();
 }
 
-} // namespace counterpoint::network
+} // namespace counterpoint::network_plan

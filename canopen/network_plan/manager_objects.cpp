@@ -1,12 +1,12 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/network/manager_objects.hpp"
+#include "canopen/network_plan/manager_objects.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
 
 #include <limits>
 #include <set>
 
-namespace counterpoint::network
+namespace counterpoint::network_plan
 {
 namespace
 {
@@ -187,4 +187,4 @@ void TakeManagerObjects(const Device& device, NetworkPlan& plan)
 {
     Taker(device, plan).Take();
 }
-} // namespace counterpoint::network
+} // namespace counterpoint::network_plan

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#ifndef CANOPEN_NETWORK_NETWORK_PLAN_HPP
-#define CANOPEN_NETWORK_NETWORK_PLAN_HPP
+#ifndef CANOPEN_NETWORK_PLAN_NETWORK_PLAN_HPP
+#define CANOPEN_NETWORK_PLAN_NETWORK_PLAN_HPP
 
 #include "canopen/cia302/flying_master/options.hpp"
 #include "canopen/cia302/flying_master/times.hpp"
@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace counterpoint::network
+namespace counterpoint::network_plan
 {
 /// Where the network file has a key. A CPJ has none.
 using KeyLines = std::map<std::string, std::size_t>;
@@ -130,6 +130,6 @@ struct NetworkPlan
     std::vector<SlavePlan> slaves;     ///< In the order of the file; each node once.
     std::vector<std::string> warnings; ///< FILE:LINE: what its reader left aside.
 };
-} // namespace counterpoint::network
+} // namespace counterpoint::network_plan
 
-#endif // CANOPEN_NETWORK_NETWORK_PLAN_HPP
+#endif // CANOPEN_NETWORK_PLAN_NETWORK_PLAN_HPP

@@ -1,12 +1,12 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#ifndef CANOPEN_NETWORK_LOADED_NETWORK_HPP
-#define CANOPEN_NETWORK_LOADED_NETWORK_HPP
+#ifndef CANOPEN_NETWORK_PLAN_LOADED_NETWORK_HPP
+#define CANOPEN_NETWORK_PLAN_LOADED_NETWORK_HPP
 
 #include "canopen/cia302/safety_gate/safety_check.hpp"
 #include "canopen/cia306/file/device.hpp"
-#include "canopen/network/concise_maker.hpp"
-#include "canopen/network/network_plan.hpp"
-#include "canopen/network/profile_maker.hpp"
+#include "canopen/network_plan/concise_maker.hpp"
+#include "canopen/network_plan/network_plan.hpp"
+#include "canopen/network_plan/profile_maker.hpp"
 
 #include <array>
 #include <cstdint>
@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace counterpoint::network
+namespace counterpoint::network_plan
 {
 /// One slave with everything that its SlaveSetup points to.
 struct LoadedSlave
@@ -99,6 +99,6 @@ class LoadedNetwork
     cia302::NetworkSetup setup_{};
     std::vector<std::string> warnings_;
 };
-} // namespace counterpoint::network
+} // namespace counterpoint::network_plan
 
-#endif // CANOPEN_NETWORK_LOADED_NETWORK_HPP
+#endif // CANOPEN_NETWORK_PLAN_LOADED_NETWORK_HPP

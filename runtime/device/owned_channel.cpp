@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "runtime/device/channel_host.hpp"
+#include "runtime/device/owned_channel.hpp"
 
 #include "channel_a/channel.hpp"
 #include "channel_a/storage.hpp"
@@ -14,10 +14,10 @@ namespace counterpoint::runtime
 {
 namespace
 {
-template <typename ShippedChannel, typename Storage> class Host final : public ChannelHost
+template <typename ShippedChannel, typename Storage> class Owned final : public OwnedChannel
 {
   public:
-    Host() : channel_(storage_.Handle())
+    Owned() : channel_(storage_.Handle())
     {
     }
     [[nodiscard]] Channel& Voice() noexcept override
@@ -42,17 +42,17 @@ template <typename ShippedChannel, typename Storage> class Host final : public C
     ShippedChannel channel_;
 };
 
-template <std::uint8_t kSlots, std::uint8_t kEntries> std::unique_ptr<ChannelHost> MakeA()
+template <std::uint8_t kSlots, std::uint8_t kEntries> std::unique_ptr<OwnedChannel> MakeA()
 {
-    return std::make_unique<Host<channel_a::Channel, channel_a::StorageFor<kSlots, kEntries>>>();
+    return std::make_unique<Owned<channel_a::Channel, channel_a::StorageFor<kSlots, kEntries>>>();
 }
 
-template <std::uint8_t kSlots, std::uint8_t kEntries> std::unique_ptr<ChannelHost> MakeB()
+template <std::uint8_t kSlots, std::uint8_t kEntries> std::unique_ptr<OwnedChannel> MakeB()
 {
-    return std::make_unique<Host<channel_b::Channel, channel_b::StorageFor<kSlots, kEntries>>>();
+    return std::make_unique<Owned<channel_b::Channel, channel_b::StorageFor<kSlots, kEntries>>>();
 }
 
-using Maker = std::unique_ptr<ChannelHost> (*)();
+using Maker = std::unique_ptr<OwnedChannel> (*)();
 using Makers = std::array<Maker, kMaxSrdoCount>;
 
 template <std::uint8_t kEntries, std::size_t... kIndex> constexpr Makers MakersA(std::index_sequence<kIndex...> indices)
@@ -73,7 +73,7 @@ constexpr Makers kUsualB = MakersB<kUsualMapEntries>(std::make_index_sequence<kM
 constexpr Makers kWideB = MakersB<kMaxMapEntries>(std::make_index_sequence<kMaxSrdoCount>());
 } // namespace
 
-std::unique_ptr<ChannelHost> MakeChannel(const Letter letter, const ChannelRoom& room)
+std::unique_ptr<OwnedChannel> MakeChannel(const Letter letter, const ChannelRoom& room)
 {
     const bool is_wide = room.map_entries > kUsualMapEntries;
     const Makers& of_a = is_wide ? kWideA : kUsualA;
@@ -89,7 +89,7 @@ ChannelRoom RoomOf(const DeviceConfig& config) noexcept
 std::optional<BitPlace> FindConfigBit(const Letter letter, const DeviceConfig& config, const ConfigAddress& address,
                                       const std::uint8_t bit)
 {
-    const std::unique_ptr<ChannelHost> trial = MakeChannel(letter, RoomOf(config));
+    const std::unique_ptr<OwnedChannel> trial = MakeChannel(letter, RoomOf(config));
     trial->Voice().Restart(config);
     // What changes when the value does is looked at bit by bit: the one whose flip alone changes the value is it, and
     // not a check sum beside it.

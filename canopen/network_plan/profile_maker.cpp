@@ -1,16 +1,16 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/network/profile_maker.hpp"
+#include "canopen/network_plan/profile_maker.hpp"
 
 #include "canopen/cia301/base/cob_id.hpp"
 #include "canopen/cia302/network/concise_dcf.hpp"
-#include "canopen/network/concise_maker.hpp"
+#include "canopen/network_plan/concise_maker.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
 
 #include <algorithm>
 #include <set>
 
-namespace counterpoint::network
+namespace counterpoint::network_plan
 {
 namespace
 {
@@ -286,4 +286,4 @@ void FillProfile(const std::string& file, const StartProfile profile, const Slav
         setup.plc = &slave.plc;
     }
 }
-} // namespace counterpoint::network
+} // namespace counterpoint::network_plan

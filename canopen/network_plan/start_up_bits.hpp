@@ -1,10 +1,10 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#ifndef CANOPEN_NETWORK_START_UP_BITS_HPP
-#define CANOPEN_NETWORK_START_UP_BITS_HPP
+#ifndef CANOPEN_NETWORK_PLAN_START_UP_BITS_HPP
+#define CANOPEN_NETWORK_PLAN_START_UP_BITS_HPP
 
-#include "canopen/network/network_plan.hpp"
+#include "canopen/network_plan/network_plan.hpp"
 
-namespace counterpoint::network
+namespace counterpoint::network_plan
 {
 /// @brief Bits of 1F80h that the start-up follows, and those that say what the device is: master, flying master.
 [[nodiscard]] constexpr std::uint32_t StartUpBits(const StartProfile profile) noexcept
@@ -16,6 +16,6 @@ namespace counterpoint::network
                ? (kOfAll | cia302::kStartAllAtOnce | cia302::kApplicationStartsSlaves)
                : bits;
 }
-} // namespace counterpoint::network
+} // namespace counterpoint::network_plan
 
-#endif // CANOPEN_NETWORK_START_UP_BITS_HPP
+#endif // CANOPEN_NETWORK_PLAN_START_UP_BITS_HPP
