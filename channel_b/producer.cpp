@@ -159,16 +159,16 @@ Confirmation Producers::OnConfirm(SlotIndex slot, const CanFrame& frame, std::ui
         Fail(slot, SrdoCause::kWrongEcho);
         return kNothingConfirmed;
     }
+    if ((x_pairs.left[slot] - since_call_us) > x_pairs.limit[slot])
+    {
+        Fail(slot, SrdoCause::kNoConfirmation);
+        return kNothingConfirmed;
+    }
     if (x_pairs.stage[slot] == Stage::kPrepared)
     {
         x_pairs.stage[slot] = Stage::kToSend;
         x_pairs.left[slot] = x_pairs.limit[slot] + since_call_us; // SRVT anew.
         return Confirmation{slot, ConfirmStep::kNormal};
-    }
-    if ((x_pairs.left[slot] - since_call_us) > x_pairs.limit[slot])
-    {
-        Fail(slot, SrdoCause::kNoConfirmation);
-        return kNothingConfirmed;
     }
     x_pairs.ordinal[slot] += 1U;
     Ground(slot);
