@@ -135,7 +135,7 @@ PreparedPair PreparePair(Voice& voice, const std::size_t slot) noexcept
 }
 
 // Each of the two frames is awaited in a state of its own; an identifier that is none of an SRDO is not that of the
-// slot that it leads to. [SRS_PROD_007]
+// slot that it leads to. [SRS_PROD_007, SRS_PROD_008]
 Confirmation ConfirmFrame(Voice& voice, const CanFrame& frame, const Instant stamp) noexcept
 {
     const std::size_t slot = LookUp(voice, frame.identifier);
@@ -155,16 +155,16 @@ Confirmation ConfirmFrame(Voice& voice, const CanFrame& frame, const Instant sta
         GiveUp(voice, slot, SrdoCause::kWrongEcho);
         return kNotOurs;
     }
+    if (AgeUs(record.frame_since, stamp) > SrvtUs(record))
+    {
+        GiveUp(voice, slot, SrdoCause::kNoConfirmation); // Since the start of the pair, or the normal frame.
+        return kNotOurs;
+    }
     if (half == kNormalHalf)
     {
         static_cast<void>(Advance(voice, slot, Event::kNormalSent));
         record.frame_since = stamp;
         return Confirmation{static_cast<SlotIndex>(slot), ConfirmStep::kNormal};
-    }
-    if (AgeUs(record.frame_since, stamp) > SrvtUs(record))
-    {
-        GiveUp(voice, slot, SrdoCause::kNoConfirmation); // [SRS_PROD_008]
-        return kNotOurs;
     }
     static_cast<void>(Advance(voice, slot, Event::kPairSent));
     record.todo = static_cast<std::uint8_t>(record.todo & ~kInFlight);
