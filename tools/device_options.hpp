@@ -14,19 +14,20 @@
 
 namespace counterpoint::tools
 {
-/// What every command on one device file takes: FILE, --node-id, --json.
+/// The options that every command on one device file takes: FILE, --node-id, --json.
 struct DeviceOptions
 {
     std::string file;
     int node_id{0}; ///< 0: not given.
     bool is_json{false};
 
+    /// Adds them to a command.
     void Describe(Options& options);
-    /// From the command line, else from the file.
+    /// The node-ID of the command line, else that of the file; nothing if neither has one.
     [[nodiscard]] std::optional<std::uint8_t> NodeId(const cia306::Device& device) const;
 };
 
-/// Runs `body`; with --json a refusal is told as a JSON document too. [SRS_CLI_008]
+/// Runs `body`. With --json an InputError is told as a JSON document too. [SRS_CLI_008]
 [[nodiscard]] ExitStatus RunOnDevice(const DeviceOptions& options, const Streams& streams,
                                      const std::function<ExitStatus()>& body);
 } // namespace counterpoint::tools

@@ -10,7 +10,7 @@
 
 namespace counterpoint::tools
 {
-/// Whoever watches a live bus.
+/// What WatchLiveBus calls: each is set.
 struct LiveWatcher
 {
     std::function<void(const monitor::LogFrame&)> take;

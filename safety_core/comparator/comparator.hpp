@@ -11,7 +11,7 @@
 namespace counterpoint
 {
 
-/// The voices of one cycle.
+/// What one comparison looks at: what both voices say in one cycle. Everything is kept for the length of the call only.
 struct Comparison
 {
     const CycleOutcome* outcome_a;
@@ -27,7 +27,7 @@ struct Comparison
 struct Verdict
 {
     Agreement agreement;
-    SrdoMask demote;        ///< Both channels are to be told.
+    SrdoMask demote;        ///< Slots that only one channel calls faulted: the kernel calls Demote in both channels.
     SrdoMask start;         ///< Producers that both channels call due.
     SrdoMask newly_matched; ///< Consumers whose new pair matched in this cycle.
     std::uint32_t echo;     ///< The challenge of the comparison. [SRS_CMP_001]
@@ -35,7 +35,7 @@ struct Verdict
     SlotIndex slot;
 };
 
-/// What the two prepared pairs of one producer say. Zero-filled memory is no permission. [SRS_CMP_010]
+/// What follows from the two prepared pairs of one producer. Zero-filled memory is no permission. [SRS_CMP_010]
 enum class PreparedVerdict : std::uint8_t
 {
     kInvalid = 0U,
@@ -44,11 +44,11 @@ enum class PreparedVerdict : std::uint8_t
     kDisagreement = 2U, ///< The channels differ in anything else.
 };
 
-/// How long the channels may differ, and how many slots there are.
+/// How long the channels may differ, and how many slots there are. Both are checked by Kernel::Start.
 struct ComparatorSetup
 {
-    std::uint32_t discrepancy_us;
-    std::uint8_t slot_count; ///< 1 to 64.
+    std::uint32_t discrepancy_us; ///< Discrepancy time; at most 2^30 - 1 us.
+    std::uint8_t slot_count;      ///< 1 to 64.
 };
 
 /// Decides whether the two channels say the same. Owns the discrepancy time: for each slot since when it is unmatched.
@@ -57,9 +57,11 @@ struct ComparatorSetup
 class Comparator
 {
   public:
+    /// @brief Forgets every difference that was seen. Call it at each start of the kernel, before the first Compare.
+    /// O(1)
     void Restart(const ComparatorSetup& setup) noexcept;
-    /// @brief One comparison; call once a cycle. O(1) without news, O(slots to look at) with. [SRS_CMP_001,
-    /// SRS_CMP_002, SRS_CMP_003, SRS_CMP_004, SRS_CMP_005, SRS_CMP_006, SRS_CMP_007, SRS_CMP_008]
+    /// @brief Compares both voices; call once a cycle. O(1) when nothing is new, else O(slots that need a look).
+    /// [SRS_CMP_001, SRS_CMP_002, SRS_CMP_003, SRS_CMP_004, SRS_CMP_005, SRS_CMP_006, SRS_CMP_007, SRS_CMP_008]
     [[nodiscard]] Verdict Compare(const Comparison& comparison) noexcept;
     /// @brief Compares status and every member of the frame. [SRS_CMP_010]
     [[nodiscard]] static PreparedVerdict ComparePrepared(const PreparedPair& a, const PreparedPair& b) noexcept;

@@ -29,7 +29,7 @@ struct SlotSet
     SrdoMask mask;
 };
 
-/// @brief The set that holds one slot, which is below 64.
+/// @brief The set that holds this slot alone; `slot` is below 64, checked by the caller. O(1)
 [[nodiscard]] inline SlotSet OnlySlot(const SlotIndex slot) noexcept
 {
     return SlotSet{SrdoMask{1U} << slot};

@@ -12,6 +12,8 @@
 namespace counterpoint
 {
 
+/// NMT state as the kernel and the channels know it. SRDOs work in kOperational alone; every value that is not listed
+/// counts as another state.
 enum class NmtState : std::uint8_t
 {
     kInvalid = 0U,
@@ -21,6 +23,7 @@ enum class NmtState : std::uint8_t
     kOperational = 0xD8U,
 };
 
+/// Whether all frames of the bus reached the kernel since the previous cycle.
 enum class QueueState : std::uint8_t
 {
     kInvalid = 0U, ///< Read as an overflow.
@@ -119,6 +122,7 @@ struct SrdoView
     std::uint8_t holds_pair; ///< 1: a complete valid pair is held and no limit has expired; else 0.
 };
 
+/// Whether a channel prepared a pair.
 enum class PrepareStatus : std::uint8_t
 {
     kInvalid = 0U,
@@ -144,7 +148,7 @@ enum class ConfirmStep : std::uint8_t
     kPair = 0xAAU,   ///< The inverse frame: the pair was sent.
 };
 
-/// `slot` is kNoSlot with kNone.
+/// What a channel made of a confirmation, and for which slot; `slot` is kNoSlot with kNone.
 struct Confirmation
 {
     SlotIndex slot;
@@ -200,7 +204,7 @@ class Channel
     [[nodiscard]] virtual CycleOutcome OnCycle(const CycleInput& input) noexcept = 0;
     /// @brief The held pair of an active consumer; all 0 for every other slot. O(1) [SRS_CONS_025]
     [[nodiscard]] virtual HeldPair Held(SlotIndex slot) const noexcept = 0;
-    /// @brief Everything there is to tell of one slot. O(1) [SRS_CONS_025]
+    /// @brief The details of one slot, for diagnosis and for the application. O(1) [SRS_CONS_025]
     [[nodiscard]] virtual SrdoView View(SlotIndex slot) const noexcept = 0;
     /// @brief The other channel reported a fault for this consumer: be safe too. No effect unless the slot is a
     /// consumer in kWaiting, kFaulted or kReleased. [SRS_REL_006]
@@ -221,8 +225,7 @@ class Channel
     /// none to hand out. Kind kInvalid and all bytes 0 if there is none. O(payload) [SRS_PROD_006]
     [[nodiscard]] virtual CanFrame InverseFrame(SlotIndex slot) noexcept = 0;
     /// @brief The transmission of this slot failed (kTransmitQueue, kBusOff), or the two sides are not inverse
-    /// (kNotInverse): recorded, the pair is given up.
-    /// [SRS_PROD_009]
+    /// (kNotInverse): the cause is recorded and the pair is given up. O(1) [SRS_PROD_009]
     virtual void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept = 0;
 
     Channel(const Channel&) = delete;

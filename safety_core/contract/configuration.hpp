@@ -96,14 +96,16 @@ struct DeviceConfig
     CanPortId inverse_port;           ///< Controller of the inverse frames; equal to normal_port with one controller.
     std::uint32_t cycle_us;           ///< 100 to 1 000 000: nominal distance of two calls of Kernel::Cycle.
     std::uint32_t cycle_tolerance_us; ///< 0 to cycle_us: a call this much later is still in time.
-    std::uint32_t discrepancy_us;     ///< Greatest time for which the channels' ordinals may differ.
-    std::uint32_t acknowledge_window_us;  ///< For how long an acknowledge edge waits for its pair.
-    std::uint32_t diagnostic_interval_us; ///< Every signature and digest is recomputed in it; >= 2 srdo_count cycles.
-    std::uint32_t test_interval_us;       ///< The comparator is tested at least once in it; >= 1 cycle.
-    std::uint32_t clock_tolerance_us;     ///< Greatest difference of the counters' progress within clock_interval_us.
-    std::uint32_t clock_interval_us;      ///< > clock_tolerance_us.
-    std::uint32_t output_time_us;         ///< From the dropped permit to the safe output; only in computed limits.
-    std::uint32_t digest;                 ///< Expected device digest (5F04h); 0: none is expected. [SRS_CFG_050]
+    std::uint32_t discrepancy_us;     ///< 0 to 2^30 - 1: greatest time for which the channels' ordinals may differ.
+    std::uint32_t acknowledge_window_us; ///< 0 to 2^30 - 1: for how long an acknowledge edge waits for its pair.
+    /// 2 srdo_count cycles to 2^30 - 1: every signature and digest is recomputed in it.
+    std::uint32_t diagnostic_interval_us;
+    std::uint32_t test_interval_us;   ///< 1 cycle to 2^30 - 1: the comparator is tested at least once in it.
+    std::uint32_t clock_tolerance_us; ///< Greatest difference of the counters' progress within clock_interval_us.
+    std::uint32_t clock_interval_us;  ///< Above clock_tolerance_us, at most 2^30 - 1.
+    /// 0 to 2^30 - 1: from the dropped permit to the safe output; used in computed limits only.
+    std::uint32_t output_time_us;
+    std::uint32_t digest; ///< Expected device digest (5F04h); 0: none is expected. [SRS_CFG_050]
 };
 
 /// What the storage of a channel has room for. [SRS_KRN_020]
@@ -130,7 +132,7 @@ enum class ConfigField : std::uint8_t
     kConfigurationValid = 11U, ///< 13FEh, u8; slot has no meaning.
 };
 
-/// `sub` is 1 to 128 with kMapEntry and 0 otherwise.
+/// Where a value of the configuration is kept; `sub` is 1 to 128 with kMapEntry and 0 otherwise.
 struct ConfigAddress
 {
     SlotIndex slot;
@@ -138,6 +140,7 @@ struct ConfigAddress
     std::uint8_t sub;
 };
 
+/// One value of the configuration; the low bytes of `value`, as many as the field has.
 struct ConfigItem
 {
     ConfigAddress address;
@@ -161,6 +164,7 @@ enum class ConfigFault : std::uint8_t
     kNone = 0x5AU,
 };
 
+/// What a check of one SRDO came to.
 struct CheckResult
 {
     ConfigFault fault;

@@ -29,7 +29,7 @@ enum class DeviceFault : std::uint8_t
     kNone = 0x5AU,
 };
 
-/// The first device fault and the slot it was seen at (kNoSlot: none in particular).
+/// The first device fault and the slot at which it was seen; kNoSlot where it belongs to no slot.
 struct DeviceFaultReport
 {
     DeviceFault fault;

@@ -47,7 +47,8 @@ enum class SrdoCause : std::uint8_t
     kNone = 0x5AU,         ///< No cause recorded. No bit in `signals`.
 };
 
-/// State of one SRDO in one channel, as the canonical outcome shows it; how a channel keeps it is its own affair.
+/// State of one SRDO in one channel, as its outcome shows it. How a channel keeps the state is not part of the
+/// contract.
 enum class SrdoState : std::uint8_t
 {
     kInvalid = 0U,

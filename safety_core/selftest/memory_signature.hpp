@@ -17,6 +17,7 @@ enum class SignatureSource : std::uint8_t
     kTaken = 0x96U, ///< The first complete pass after Restart takes it.
 };
 
+/// Which memory is signed, how many words a slice has (1 or more), and where the expected signature comes from.
 struct SignatureSetup
 {
     SpanList memory;
@@ -31,7 +32,7 @@ class MemorySignature
   public:
     /// @brief Begins the first pass. The arrays of `setup` are kept by reference.
     void Restart(const SignatureSetup& setup) noexcept;
-    /// @brief Slices of one pass; 0 for a setup that cannot be used. O(spans)
+    /// @brief How many slices one pass takes; 0: the setup cannot be used. O(spans)
     [[nodiscard]] std::uint32_t SlicesAPass() const noexcept;
     /// @brief The next slice. Only with a setup that can be used. O(slice_words)
     [[nodiscard]] SliceResult Slice(const hal::MemoryAccess& memory) noexcept;

@@ -25,7 +25,7 @@ class PartsCheck
   public:
     /// @brief Takes the references. O(count)
     void Restart(const PartsSetup& setup, const hal::MemoryAccess& memory) noexcept;
-    /// @brief 1 to kMaxParts, all aligned.
+    /// @brief Whether the setup can be used: 1 to kMaxParts parts, all at aligned addresses.
     [[nodiscard]] bool IsUsable() const noexcept;
     /// @brief kPassed while all are as they were. O(count)
     [[nodiscard]] SliceResult Check(const hal::MemoryAccess& memory) noexcept;

@@ -10,16 +10,18 @@
 namespace counterpoint::selftest
 {
 
-/// Shows the output permit sets of which it must refuse all but one; nothing opens or closes. The challenges used are
-/// even, and no output ever issues an even one. [SRS_STS_030]
+/// Shows the output sets of permits: one that is right and must be accepted, all others wrong, old or missing and must
+/// be refused. Nothing opens or closes by it: the challenges used are even, and no output ever issues an even one.
+/// [SRS_STS_030]
 class PermitTest
 {
   public:
     /// One right set; a wrong, an old and a missing permit of each of three parties.
     static constexpr std::uint32_t kSlicesAPass = 10U;
 
+    /// @brief Begins the first pass.
     void Restart() noexcept;
-    /// @brief The next set. O(1)
+    /// @brief Shows the next set. kFailed: the output judged it wrongly, or cannot be probed. O(1)
     [[nodiscard]] SliceResult Slice(const hal::SafetyOutput& output) noexcept;
     /// @brief Slices done since Restart, modular.
     [[nodiscard]] std::uint32_t Done() const noexcept

@@ -27,16 +27,18 @@ struct RamSetup
     std::uint8_t slice_words; ///< kMinRamSliceWords to kMaxRamSliceWords.
 };
 
-/// Words of one slice: neighbours, or two that differ in one address line.
+/// The words of one slice: neighbours, or two words whose addresses differ in one line.
 struct RamWindow
 {
     hal::Address first;
     hal::Address stride;
     std::uint8_t count;
-    std::uint8_t own; ///< The first ones of them, whose bits are tested against each other here; others elsewhere.
+    /// So many words from the first on have their bits tested against each other in this slice; the others in another
+    /// slice.
+    std::uint8_t own;
 };
 
-/// What a test of RAM works with.
+/// What a test of RAM works with; both outlive the call.
 struct RamPorts
 {
     hal::MemoryAccess& memory;

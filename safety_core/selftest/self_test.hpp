@@ -14,6 +14,7 @@
 namespace counterpoint::selftest
 {
 
+/// The self tests, as they are named in reports.
 enum class TestId : std::uint8_t
 {
     kInvalid = 0U, ///< Never started.
@@ -28,6 +29,7 @@ enum class TestId : std::uint8_t
 };
 constexpr std::uint8_t kTestCount = 6U;
 
+/// What became of one test at the start.
 enum class TestState : std::uint8_t
 {
     kInvalid = 0U, ///< Not done.
@@ -36,6 +38,7 @@ enum class TestState : std::uint8_t
     kUnusable = 2U, ///< Its setup cannot be used.
 };
 
+/// What the start-up test as a whole came to.
 enum class StartAnswer : std::uint8_t
 {
     kInvalid = 0U,
@@ -45,6 +48,7 @@ enum class StartAnswer : std::uint8_t
     kFailed = 3U,   ///< `first_failed` found a defect.
 };
 
+/// Result of the start-up test, and how long a round takes.
 struct StartReport
 {
     StartAnswer answer;
@@ -53,6 +57,7 @@ struct StartReport
     std::uint32_t cycles;         ///< What a round and the longest pass of a signature take: the interval needed.
 };
 
+/// What each test works on. All arrays are kept by reference and outlive the self test.
 struct SelfTestSetup
 {
     PartsSetup parts;
@@ -60,7 +65,7 @@ struct SelfTestSetup
     SignatureSetup program;
     SignatureSetup constants;
     RamSetup ram;
-    std::uint32_t interval_cycles; ///< Diagnostic interval.
+    std::uint32_t interval_cycles; ///< Diagnostic interval, in cycles.
 };
 
 /// What the self tests work with; all outlive them.
@@ -71,27 +76,30 @@ struct SelfTestPorts
     const hal::SafetyOutput& output;
 };
 
-/// All self tests of a device: once at the start, then for ever in slices, one a cycle. Zero-filled, it reports a
-/// fault. Nothing but Start leads out of a failure. [SRS_STS_060, SRS_STS_061, SRS_STS_062]
+/// All self tests of a device: once completely at the start, then in slices, one a cycle, for ever. Zero-filled, it
+/// reports a fault. After a failure it goes on failing until Start. [SRS_STS_060, SRS_STS_061, SRS_STS_062]
 class SelfTest final : public SelfTestPart
 {
   public:
+    /// @brief Nothing is tested before Start.
     explicit SelfTest(const SelfTestPorts& ports) noexcept;
 
-    /// @brief Every test once, completely; before Kernel::Start. O(all memory)
+    /// @brief Runs every test once, completely. Call it before Kernel::Start. O(all memory)
     [[nodiscard]] StartReport Start(const SelfTestSetup& setup) noexcept;
-    /// @brief Parts, stack guard and one slice. O(slice)
+    /// @brief Checks parts and stack guard, and does one slice of the other tests. Once a cycle. O(slice)
     [[nodiscard]] SelfTestOutcome OnCycle() noexcept override;
 
-    /// @brief kNone while all is well.
+    /// @brief The test that failed first since Start; kNone while all is well.
     [[nodiscard]] TestId FirstFailed() const noexcept
     {
         return first_failed_;
     }
+    /// @brief The RAM test, for its counts.
     [[nodiscard]] const RamTest& Ram() const noexcept
     {
         return ram_;
     }
+    /// @brief Most bytes of the stack ever in use since Start. O(words)
     [[nodiscard]] std::uint32_t StackHighWaterBytes() const noexcept
     {
         return stack_.HighWaterBytes(ports_.memory);

@@ -9,7 +9,7 @@
 namespace counterpoint::selftest
 {
 
-/// What one slice of a test gave. Everything but kContinues and kPassed is a failure.
+/// What one slice of a test came to. Everything but kContinues and kPassed is a failure.
 enum class SliceResult : std::uint8_t
 {
     kInvalid = 0U,

@@ -14,8 +14,8 @@ using runtime::ExitStatus;
 using runtime::Streams;
 
 /// One command of the command line. A command lives in its own pair of files NAME_command.hpp, NAME_command.cpp with
-/// one function MakeNameCommand(), and has one row in tools/command_table.cpp; nothing else knows it. `demo` has a
-/// folder and a program of its own besides: what people try first is to be built soon.
+/// one function MakeNameCommand(), and has one row in tools/command_table.cpp; nothing else knows it. `demo` also has a
+/// folder and a program of its own, so that the first thing that people try is built fast.
 class Command
 {
   public:

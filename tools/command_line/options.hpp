@@ -13,12 +13,12 @@
 
 namespace counterpoint::tools
 {
-/// What is wrong with a value, in words; empty: nothing.
+/// Says in words what is wrong with a value; an empty text: nothing.
 using Problem = std::string (*)(const std::string& text);
 
-/// Of the name of a file: an empty one would count as not given. [SRS_CLI_020]
+/// A file name is wrong when it is empty, which would count as not given. [SRS_CLI_020]
 [[nodiscard]] std::string ProblemOfFileName(const std::string& text);
-/// Likewise of the address of a bus. [SRS_CLI_020]
+/// The address of a bus is wrong when it is empty. [SRS_CLI_020]
 [[nodiscard]] std::string ProblemOfAddress(const std::string& text);
 
 /// How many values an option takes.
@@ -28,8 +28,8 @@ struct ValueCount
     int most;
 };
 
-/// One option or positional of a command. command_line.cpp hands it to the library that reads command lines; no other
-/// source includes that library, because it takes long to compile.
+/// One option or positional argument of a command. Of the sources only run.cpp includes the library that reads command
+/// lines, because that library takes long to compile.
 struct Option
 {
     /// Where the value goes. A flag is a bool; a number is refused where people read it otherwise than the library
@@ -41,17 +41,18 @@ struct Option
     std::string description;
     bool is_required{false};
     bool shows_default{false};
-    bool takes_one_value{false};           ///< Each time it is given, where it may be given several times.
-    std::optional<std::string> type;       ///< Of its value, in the help; empty: not shown.
-    std::optional<std::string> if_alone;   ///< The value where none follows.
-    std::optional<ValueCount> value_count; ///< In one go.
+    bool takes_one_value{false};           ///< Where the option may be given several times: one value each time.
+    std::optional<std::string> type;       ///< What the help shows for its value; empty: nothing.
+    std::optional<std::string> if_alone;   ///< The value where none follows the option.
+    std::optional<ValueCount> value_count; ///< How many values may follow each time it is given.
     Problem problem{nullptr};
     std::optional<std::pair<int, int>> range;
     std::set<int> numbers; ///< The only ones allowed; empty: all.
     std::string excluded;  ///< Name of an option that may not stand beside it.
-    std::string needed;    ///< Name of an option that has to.
+    std::string needed;    ///< Name of an option that must be given beside it.
     std::size_t times{0U}; ///< How often it was given.
 
+    /// Each of the following sets the property of its name and returns the option itself.
     Option& Required()
     {
         is_required = true;
@@ -123,20 +124,23 @@ class Options
         options_.push_back(std::move(option));
         return options_.back();
     }
-    /// Text below the options in the help.
+    /// Sets the text below the options in the help.
     void Footer(std::string text)
     {
         footer_ = std::move(text);
     }
 
+    /// Whether this option was on the command line.
     [[nodiscard]] bool IsGiven(const std::string& name) const;
     /// How many options were given.
     [[nodiscard]] std::size_t GivenCount() const;
 
+    /// All options, in the order in which they were added.
     [[nodiscard]] std::deque<Option>& All()
     {
         return options_;
     }
+    /// What Footer set.
     [[nodiscard]] const std::string& FooterText() const
     {
         return footer_;
