@@ -3,20 +3,23 @@
 #define SAFETY_CORE_CROSSLINK_OWN_VOICE_HPP
 
 #include "safety_core/contract/channel.hpp"
-#include "safety_core/crosslink/armed_frames.hpp"
-#include "safety_core/crosslink/link_message.hpp"
-#include "safety_core/crosslink/link_supervisor.hpp"
+#include "safety_core/crosslink/own_sending.hpp"
+#include "safety_core/crosslink/pair_moments.hpp"
 
 #include <cstdint>
 
 namespace counterpoint
 {
 
-/// Stands between kernel and the one real channel of a CPU: passes every call on, notes what the peer has to be told,
-/// and names pairs by the moment of their inverse frame on the bus. [SRS_TWO_001, -002, -004]
-///
-/// Invariant: while a channel holds a pair, that pair's inverse frame is the newest frame with the slot's COB-ID 2 as
-/// of the OnCycle that first showed it fresh: any other frame with that identifier would have been a fault.
+/// What the peer has not been told yet.
+struct News
+{
+    SrdoMask changed; ///< Consumers with a new pair or a discard.
+    SrdoMask faults;  ///< New faults.
+};
+
+/// Stands between kernel and the one real channel of a CPU: passes every call on, and notes what the peer has to be
+/// told. [SRS_TWO_001]
 class OwnVoice final : public Channel
 {
   public:
@@ -42,32 +45,15 @@ class OwnVoice final : public Channel
     [[nodiscard]] CanFrame InverseFrame(SlotIndex slot) noexcept override;
     void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept override;
 
-    /// @brief The follower's Prepare, called by the remote voice, which the kernel asks first. [SRS_TWO_011]
-    [[nodiscard]] PreparedPair PrepareAhead(SlotIndex slot) noexcept;
-    /// @brief What the channel answered to the last Prepare.
-    [[nodiscard]] const PreparedPair& Prepared() const noexcept
+    [[nodiscard]] OwnSending& Sending() noexcept
     {
-        return prepared_;
+        return sending_;
     }
-    /// @brief A message was taken that tells these slots due, composed within this window.
-    void TakeDue(SrdoMask due, const Window& composed) noexcept;
-    /// @brief The leader gave up what was armed: the channel gives it up for the same cause. [SRS_TWO_012]
-    void TakeRefusal(const Refusal& refusal, Instant at) noexcept;
-    /// @brief Due slots of the leader that the follower still has to prepare.
-    [[nodiscard]] SrdoMask Wanted() const noexcept
+    [[nodiscard]] const PairMoments& Moments() const noexcept
     {
-        return peer_due_ & ~armed_.Slots();
+        return moments_;
     }
-    [[nodiscard]] ArmedFrames& Armed() noexcept
-    {
-        return armed_;
-    }
-
-    /// @brief What the channel said in the last OnCycle, prepared slots no longer due.
-    [[nodiscard]] const CycleOutcome& Outcome() const noexcept
-    {
-        return outcome_;
-    }
+    /// @brief What the channel said in the last OnCycle.
     [[nodiscard]] Statement Said() const noexcept;
     [[nodiscard]] const DeviceConfig& Config() const noexcept
     {
@@ -77,65 +63,30 @@ class OwnVoice final : public Channel
     {
         return outcome_.released | outcome_.faulted | outcome_.waiting;
     }
-    /// @brief Consumers with a new pair or a discard since the last call.
-    [[nodiscard]] SrdoMask TakeNews() noexcept;
-    /// @brief New faults since the last call.
-    [[nodiscard]] SrdoMask TakeFaults() noexcept;
-    /// @brief What the peer is told of an active consumer.
-    [[nodiscard]] SlotReport Report(SlotIndex slot, Instant now) const noexcept;
-    [[nodiscard]] const SlotCheck& LastCheck() const noexcept
-    {
-        return check_;
-    }
+    /// @brief What the message tells of the channel as a whole.
+    void Tell(LinkMessage& message) const noexcept;
+    /// @brief News since the last call.
+    [[nodiscard]] News TakeNews() noexcept;
     [[nodiscard]] DeviceDigest LastDigest() const noexcept
     {
         return digest_;
     }
-    /// @brief Whether the held pair, and no other, lies in the window. [SRS_TWO_002]
-    [[nodiscard]] bool IsPair(SlotIndex slot, const Window& window) const noexcept;
-    /// @brief Moment of the held pair's inverse frame, and of the last discard.
-    [[nodiscard]] Instant PairAt(SlotIndex slot) const noexcept;
-    [[nodiscard]] Instant DiscardedAt(SlotIndex slot) const noexcept;
-    /// @brief Slot of an active producer or consumer with this identifier; kNoSlot if there is none.
-    [[nodiscard]] SlotIndex SlotOfFrame(const CanFrame& frame) const noexcept;
 
   private:
-    struct Moments
-    {
-        Instant newest; ///< Newest inverse frame on the bus.
-        Instant former; ///< The one before it.
-        Instant pair;   ///< Both as of the held pair.
-        Instant before;
-        Instant discarded; ///< Nothing that was complete then is held.
-    };
-
-    void Register(SlotIndex slot) noexcept;
-    void Discard(SrdoMask slots, Instant at) noexcept;
     void Sweep(Instant now) noexcept;
     void NoteOutcome(const CycleOutcome& outcome, Instant now) noexcept;
-    [[nodiscard]] bool IsFollower() const noexcept
-    {
-        return role_ == PeerRole::kB;
-    }
 
     Channel& channel_;
     const DeviceConfig* config_;
-    ArmedFrames armed_{};
+    OwnSending sending_;
     CycleOutcome outcome_{};
-    PreparedPair prepared_{};
-    SrdoMask news_{0U};
-    SrdoMask faults_{0U};
-    SrdoMask peer_due_{0U};
-    SrdoMask contact_{0U}; ///< All bits once a message was taken.
-    SrdoMask standing_{0U};
+    News news_{0U, 0U};
     Instant now_{0U};
     SlotCheck check_{kNoSlot, {ConfigFault::kInvalid, 0U}};
     DeviceDigest digest_{0U};  ///< Of the last whole sweep.
     DeviceDigest running_{0U}; ///< Of the slots below swept_.
-    PeerRole role_;
     SlotIndex swept_{0U};
-    Moments moments_[kMaxSrdoCount]{};   // MISRA D-001
-    SlotIndex slot_of_[kMaxSrdoCount]{}; // MISRA D-001
+    PairMoments moments_{};
 };
 
 } // namespace counterpoint

@@ -17,6 +17,19 @@ SlotIndex NextBehind(const SrdoMask set, const SlotIndex last) noexcept
     return TakeLowest(choice);
 }
 
+// What the peer is told of an active consumer.
+SlotReport ReportOf(const OwnVoice& own, const SlotIndex slot, const Instant now) noexcept
+{
+    const HeldPair held = own.Held(slot);
+    const SrdoView view = own.View(slot);
+    const bool holds = held.holds_pair != 0U;
+    const Instant moment = holds ? own.Moments().PairAt(slot) : own.Moments().DiscardedAt(slot);
+    return SlotReport{slot,         holds ? Holding::kPair : Holding::kNothing,
+                      view.state,   view.first_cause,
+                      held.ordinal, now.us - moment.us,
+                      held.data};
+}
+
 } // namespace
 
 Peer::Peer(Channel& channel, hal::Watchdog& watchdog, const LinkConfig& config) noexcept
@@ -68,13 +81,12 @@ LinkFinding Peer::Examine(const Instant now) noexcept
 }
 
 // In every message until the peer has echoed one that carried the newest of them. [SRS_TWO_006]
-SrdoMask Peer::TellFaults() noexcept
+SrdoMask Peer::TellFaults(const SrdoMask faults) noexcept
 {
     if ((remote_.Link().Acknowledged() - carried_since_) < 0x80000000U)
     {
         carried_ = 0U;
     }
-    const SrdoMask faults = own_.TakeFaults();
     if (faults != 0U)
     {
         carried_since_ = sequence_;
@@ -83,18 +95,18 @@ SrdoMask Peer::TellFaults() noexcept
     return carried_;
 }
 
-void Peer::FillReports(const Instant now, LinkMessage& message) noexcept
+void Peer::FillReports(const SrdoMask changed, const Instant now, LinkMessage& message) noexcept
 {
     const SrdoMask consumers = own_.Consumers();
     SrdoMask turn = consumers;
-    news_ = (news_ | own_.TakeNews()) & consumers;
+    news_ = (news_ | changed) & consumers;
     for (SlotReport& report : message.reports)
     {
         report.slot = kNoSlot;
         if (turn != 0U)
         {
             reported_ = NextBehind((news_ != 0U) ? news_ : turn, reported_);
-            report = own_.Report(reported_, now);
+            report = ReportOf(own_, reported_, now);
             news_ &= ~OnlySlot(reported_).mask;
             turn &= ~OnlySlot(reported_).mask;
         }
@@ -104,7 +116,8 @@ void Peer::FillReports(const Instant now, LinkMessage& message) noexcept
 void Peer::Compose(const PeerMoment& moment, hal::LinkFrame& frame) noexcept
 {
     ++sequence_;
-    own_.Armed().Examine(moment.now);
+    own_.Sending().Armed().Examine(moment.now);
+    const News news = own_.TakeNews();
     LinkMessage message{};
     message.sender = LinkSender{config_.role, own_.Config().node_id};
     message.fault = moment.fault;
@@ -112,24 +125,20 @@ void Peer::Compose(const PeerMoment& moment, hal::LinkFrame& frame) noexcept
     message.stamp = moment.now;
     message.echo = remote_.Link().Echo(moment.now);
     message.flow = flow_.TakeSignature();
-    message.digest = own_.LastDigest();
-    message.statement = own_.Said();
-    message.check = own_.LastCheck();
+    own_.Tell(message);
     message.refusal = remote_.Refused();
-    message.released = own_.Outcome().released;
-    message.new_faults = TellFaults();
-    message.due = own_.Outcome().due;
-    FillReports(moment.now, message);
+    message.new_faults = TellFaults(news.faults);
+    FillReports(news.changed, moment.now, message);
     for (std::uint8_t place = 0U; place < kArmedCount; ++place)
     {
-        message.armed[place] = own_.Armed().At(place); // MISRA D-002
+        message.armed[place] = own_.Sending().Armed().At(place); // MISRA D-002
     }
     Encode(message, frame);
 }
 
 bool Peer::IsEcho(const CanFrame& frame) const noexcept
 {
-    const SlotIndex slot = own_.SlotOfFrame(frame);
+    const SlotIndex slot = own_.Moments().SlotOfFrame(frame);
     return own_.Load(ConfigAddress{slot, ConfigField::kDirection, 0U}).value == kDirectionProducer;
 }
 

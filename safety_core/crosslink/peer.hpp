@@ -53,8 +53,8 @@ class Peer
     [[nodiscard]] const LinkSupervisor& Link() const noexcept;
 
   private:
-    void FillReports(Instant now, LinkMessage& message) noexcept;
-    [[nodiscard]] SrdoMask TellFaults() noexcept;
+    void FillReports(SrdoMask changed, Instant now, LinkMessage& message) noexcept;
+    [[nodiscard]] SrdoMask TellFaults(SrdoMask faults) noexcept;
 
     OwnVoice own_;
     RemoteVoice remote_;

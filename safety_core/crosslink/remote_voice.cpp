@@ -157,8 +157,8 @@ void RemoteVoice::OnMessage(const LinkMessage& message, const Instant received) 
         armed_[place] = message.armed[place]; // MISRA D-002
     }
     // Given up before this message was composed: the slots that it tells due are new ones.
-    own_.TakeRefusal(message.refusal, link_.Composed().first);
-    own_.TakeDue(message.due, link_.Composed());
+    own_.Sending().TakeRefusal(message.refusal, link_.Composed().first);
+    own_.Sending().TakeDue(message.due, link_.Composed());
 }
 
 // The narrowest window of a pair that is told again and again is kept, until the own pair is known by it.
@@ -179,7 +179,7 @@ void RemoteVoice::Keep(const SlotReport& report) noexcept
     const bool overlaps = Holds(moment, told.moment.first) || Holds(told.moment, moment.first);
     const bool is_same = ((data | forms) == 0U) && overlaps;
     const bool is_wider = (moment.last.us - moment.first.us) >= (told.moment.last.us - told.moment.first.us);
-    const bool is_known = is_wider || own_.IsPair(report.slot, told.moment);
+    const bool is_known = is_wider || own_.Moments().IsPair(report.slot, told.moment);
     told.report = report;
     holding_ = (report.holding == Holding::kPair) ? (holding_ | bit) : (holding_ & ~bit);
     if (is_same && is_known)
@@ -194,7 +194,7 @@ SrdoMask RemoteVoice::Due() const noexcept
 {
     if (config_.role == PeerRole::kB)
     {
-        return own_.Wanted();
+        return own_.Sending().Wanted();
     }
     SrdoMask due = 0U;
     for (std::uint8_t place = 0U; place < kArmedCount; ++place)
@@ -267,8 +267,8 @@ CycleOutcome RemoteVoice::OnCycle(const CycleInput& input) noexcept
 // One holds a pair, the other none: right if the pair was complete before the other's last discard.
 bool RemoteVoice::IsExcused(const Told& told, const HeldPair& own, const SlotIndex slot) const noexcept
 {
-    return (own.holds_pair != 0U) ? IsNotAfter(own_.PairAt(slot), told.moment.last)
-                                  : IsNotAfter(told.moment.first, own_.DiscardedAt(slot));
+    return (own.holds_pair != 0U) ? IsNotAfter(own_.Moments().PairAt(slot), told.moment.last)
+                                  : IsNotAfter(told.moment.first, own_.Moments().DiscardedAt(slot));
 }
 
 HeldPair RemoteVoice::Held(const SlotIndex slot) const noexcept
@@ -285,7 +285,7 @@ HeldPair RemoteVoice::Held(const SlotIndex slot) const noexcept
     {
         return own;
     }
-    const bool is_name = (peer_holds == 0U) || own_.IsPair(slot, told.moment);
+    const bool is_name = (peer_holds == 0U) || own_.Moments().IsPair(slot, told.moment);
     const bool is_match = (peer_holds == own.holds_pair) && is_name;
     return HeldPair{told.report.data, is_match ? own.ordinal : ~own.ordinal, peer_holds};
 }
@@ -334,9 +334,9 @@ PreparedPair RemoteVoice::Prepare(const SlotIndex slot) noexcept
 {
     if (config_.role == PeerRole::kB)
     {
-        return own_.PrepareAhead(slot);
+        return own_.Sending().PrepareAhead(slot);
     }
-    PreparedPair pair{CanFrame{}, own_.Prepared().status};
+    PreparedPair pair{CanFrame{}, own_.Sending().Status()};
     if (pair.status != PrepareStatus::kReady)
     {
         return pair;
@@ -355,7 +355,7 @@ PreparedPair RemoteVoice::Prepare(const SlotIndex slot) noexcept
 
 Confirmation RemoteVoice::OnConfirm(const CanFrame& frame, const Instant /*stamp*/) noexcept
 {
-    const SlotIndex slot = own_.SlotOfFrame(frame);
+    const SlotIndex slot = own_.Moments().SlotOfFrame(frame);
     const ConfirmStep step = ((frame.identifier & 1U) != 0U) ? ConfirmStep::kNormal : ConfirmStep::kPair;
     return Confirmation{slot, (slot == kNoSlot) ? ConfirmStep::kNone : step};
 }

@@ -416,7 +416,7 @@ TEST(ManySlots, IdentifierThatCannotBeIsRegisteredNowhere)
     {
         fenced->channel.cob_id_1[7] = identifier;
         static_cast<void>(fenced->own.Validate(7U));
-        EXPECT_EQ(fenced->own.SlotOfFrame(PeerRig::Frame(identifier)), kNoSlot) << identifier;
+        EXPECT_EQ(fenced->own.Moments().SlotOfFrame(PeerRig::Frame(identifier)), kNoSlot) << identifier;
     }
     EXPECT_TRUE(fenced->IsWhole());
 }
