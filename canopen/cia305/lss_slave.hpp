@@ -45,14 +45,15 @@ enum class LssStored : std::uint8_t
     kUnsupported = 4U,
 };
 
-/// The device around an LSS slave.
+/// What an LSS slave asks of its device.
 class LssDevice
 {
   public:
+    /// @brief Whether the controller can run at this bit rate.
     [[nodiscard]] virtual bool IsSupported(BitTiming timing) noexcept = 0;
-    /// @brief Keeps the settings without power; called again while kPending.
+    /// @brief Keeps the settings without power. It is called again in each cycle while it answers kPending.
     [[nodiscard]] virtual LssStored Store(const LssSettings& settings) noexcept = 0;
-    /// @brief The controller changes its bit rate now; the slave keeps silent around it (IsSilent).
+    /// @brief The controller changes its bit rate now; IsSilent holds before and after it.
     virtual void SwitchTo(BitTiming timing) noexcept = 0;
 
   protected:
@@ -62,7 +63,7 @@ class LssDevice
     LssDevice& operator=(const LssDevice&) = default;
 };
 
-/// Sink and device are kept by reference.
+/// What an LSS slave works with; sink and device are kept by reference.
 struct LssParts
 {
     FrameSink& sink;
@@ -71,6 +72,7 @@ struct LssParts
     LssSettings settings; ///< As stored.
 };
 
+/// State of the LSS slave.
 enum class LssState : std::uint8_t
 {
     kInvalid = 0U,
@@ -83,24 +85,27 @@ enum class LssState : std::uint8_t
 class LssSlave
 {
   public:
+    /// @brief Waiting; TakeNodeId gives the stored node-ID.
     explicit LssSlave(const LssParts& parts) noexcept;
 
     /// @brief A frame from the bus. [SRS_LSS_001, SRS_LSS_002, SRS_LSS_003, SRS_LSS_004, SRS_LSS_005, SRS_LSS_006,
     /// SRS_LSS_007, SRS_LSS_008, SRS_LSS_009, SRS_LSS_010]
     void OnFrame(const CanFrame& frame, const Moment& moment) noexcept;
-    /// @brief Delays of a change of bit rate, answer to a store. [SRS_LSS_005, SRS_LSS_006]
+    /// @brief Watches the delays of a change of bit rate and sends the answer to a store. Once a cycle. [SRS_LSS_005,
+    /// SRS_LSS_006]
     void OnCycle(const Moment& moment) noexcept;
 
-    /// @brief Reset communication: the configured node-ID becomes the active one. [SRS_LSS_004]
+    /// @brief Reset communication: the configured node-ID becomes the active one, and is returned. [SRS_LSS_004]
     NodeId TakeNodeId() noexcept;
-    /// @brief The device without a node-ID has got one and waits no longer. [SRS_LSS_009]
+    /// @brief Whether a device that waited without a node-ID has got one. [SRS_LSS_009]
     [[nodiscard]] bool MayBoot() const noexcept;
-    /// @brief Nothing may be sent: the bit rate changes. [SRS_LSS_005]
+    /// @brief Whether nothing may be sent, because the bit rate is being changed. [SRS_LSS_005]
     [[nodiscard]] bool IsSilent() const noexcept;
+    /// @brief The present state.
     [[nodiscard]] LssState State() const noexcept;
     /// @brief Active node-ID, or kNoNodeId.
     [[nodiscard]] std::uint8_t ActiveNodeId() const noexcept;
-    /// @brief What was configured, stored or not.
+    /// @brief What was configured, whether stored or not.
     [[nodiscard]] const LssSettings& Settings() const noexcept;
 
   private:

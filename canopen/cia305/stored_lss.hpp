@@ -17,8 +17,9 @@ class StoredLss final : public cia301::StoredPart
     /// @brief `settings` hold until others are loaded or kept.
     explicit StoredLss(const LssSettings& settings) noexcept;
 
+    /// @brief The settings that hold now.
     [[nodiscard]] const LssSettings& Settings() const noexcept;
-    /// @brief Saves these settings: kPending until it has ended, as LssDevice::Store wants it.
+    /// @brief Saves these settings. kPending until the saving has ended, as LssDevice::Store wants it.
     [[nodiscard]] LssStored Keep(const LssSettings& settings, cia301::ParameterStore& store) noexcept;
 
     [[nodiscard]] std::uint32_t ItemCount() noexcept override;

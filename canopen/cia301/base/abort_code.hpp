@@ -7,7 +7,7 @@
 namespace counterpoint::cia301
 {
 
-/// The SDO abort codes of CiA 301; kNone is success, kPending a hook that is not ready: both are never on the bus.
+/// The SDO abort codes of CiA 301. kNone is success, kPending says that a hook is not ready; neither is ever sent.
 enum class SdoAbort : std::uint32_t
 {
     kNone = 0U,

@@ -7,7 +7,7 @@
 namespace counterpoint::cia301
 {
 
-/// @brief Up to 8 bytes in little-endian order as a number.
+/// @brief The number that `count` bytes (at most 8) hold in little-endian order. O(count)
 [[nodiscard]] inline std::uint64_t FromLittleEndian(const std::uint8_t* const bytes, const std::uint32_t count) noexcept
 {
     std::uint64_t value = 0U;
@@ -18,7 +18,7 @@ namespace counterpoint::cia301
     return value;
 }
 
-/// @brief The low bytes of a number in little-endian order.
+/// @brief Writes the low `count` bytes (at most 8) of a number in little-endian order. O(count)
 inline void ToLittleEndian(const std::uint64_t value, std::uint8_t* const bytes, const std::uint32_t count) noexcept
 {
     for (std::uint32_t i = 0U; i < count; ++i)

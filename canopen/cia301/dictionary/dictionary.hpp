@@ -12,10 +12,10 @@
 namespace counterpoint::cia301
 {
 
-/// Length that a client did not state.
+/// Stands for a length that a client did not state.
 constexpr std::uint32_t kUnknownLength = 0xFFFFFFFFU;
 
-/// A value as a number, sign-extended for signed types.
+/// A value as a number, sign-extended for signed types, or why there is none.
 struct NumberReading
 {
     SdoAbort abort;
@@ -40,12 +40,14 @@ class Dictionary
     [[nodiscard]] SdoAbort Write(const ObjectAddress& address, const Bytes& value) noexcept;
     /// @brief Whether Write can succeed for a value of `size_bytes` (or kUnknownLength). O(log n) [SRS_OBD_011]
     [[nodiscard]] SdoAbort MayWrite(const ObjectAddress& address, std::uint32_t size_bytes) noexcept;
-    /// @brief Length of the value now; used where a client states none. O(log n)
+    /// @brief Present length of the value in bytes, for uploads whose length nobody states. O(log n)
     [[nodiscard]] Reading SizeOf(const ObjectAddress& address) noexcept;
 
-    /// @brief Reads a number whatever access and state are: for the device itself. [SRS_OBD_010]
+    /// @brief Reads an object as a number for the device itself: access right and NMT state are not looked at. O(log n)
+    /// [SRS_OBD_010]
     [[nodiscard]] NumberReading ReadNumber(const ObjectAddress& address) noexcept;
-    /// @brief Writes the low `size_bytes` (1 to 8) of a number whatever access and state are. [SRS_OBD_010]
+    /// @brief Writes the low `size_bytes` (1 to 8) of a number for the device itself: access right and NMT state are
+    /// not looked at. O(log n) [SRS_OBD_010]
     [[nodiscard]] SdoAbort WriteNumber(const ObjectAddress& address, std::uint64_t value,
                                        std::uint32_t size_bytes) noexcept;
 

@@ -42,6 +42,7 @@ enum class DataType : std::uint8_t
     kUnsigned64 = 0x1BU,
 };
 
+/// Who may read or write an entry over the bus.
 enum class Access : std::uint8_t
 {
     kInvalid = 0U, ///< Grants nothing.
@@ -82,7 +83,7 @@ struct Reading
     std::uint32_t size_bytes;
 };
 
-/// Supplies the value of an entry.
+/// Supplies the value of an entry in place of the memory at its `place`.
 class ReadHook
 {
   public:
@@ -96,12 +97,12 @@ class ReadHook
     ReadHook& operator=(const ReadHook&) = default;
 };
 
-/// Is asked before a value is stored, after length and limits were checked.
+/// Is asked before a value is stored; length and limits were checked before.
 class WriteHook
 {
   public:
-    /// @brief kNone accepts; kPending: to be asked again; everything else refuses and goes to the client as it is.
-    /// [SRS_OBD_007, SRS_OBD_015]
+    /// @brief kNone accepts the value. kPending: not ready, ask again with the same value. Everything else refuses it
+    /// and is sent to the client as it is. [SRS_OBD_007, SRS_OBD_015]
     [[nodiscard]] virtual SdoAbort OnWrite(const ObjectAddress& address, const Bytes& value) noexcept = 0;
 
   protected:

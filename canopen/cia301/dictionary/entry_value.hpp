@@ -7,9 +7,9 @@
 namespace counterpoint::cia301
 {
 
-/// @brief Whether a value of this type is a two's complement.
+/// @brief Whether values of this type are two's complements.
 [[nodiscard]] bool IsSigned(DataType type) noexcept;
-/// @brief Whether limits hold for this type.
+/// @brief Whether values of this type are numbers, so that limits can apply.
 [[nodiscard]] bool IsNumber(DataType type) noexcept;
 /// @brief A value of an entry as a number, sign-extended for signed types. `value` has 1 to 8 bytes.
 [[nodiscard]] std::uint64_t NumberOf(DataType type, const Bytes& value) noexcept;

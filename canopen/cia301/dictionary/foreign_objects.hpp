@@ -7,11 +7,14 @@
 namespace counterpoint::cia301
 {
 
-/// Objects that another part of the device keeps. [SRS_OBD_008]
+/// Objects that another part of the device keeps. The dictionary asks for those that its own table does not have.
+/// [SRS_OBD_008]
 class ForeignObjects
 {
   public:
+    /// @brief The value of an object, or an abort code.
     [[nodiscard]] virtual ObjectReading Read(const ObjectAddress& address) noexcept = 0;
+    /// @brief Writes a value; kNone where it was taken.
     [[nodiscard]] virtual AbortCode Write(const ObjectAddress& address, const ObjectData& data) noexcept = 0;
 
   protected:
@@ -21,7 +24,7 @@ class ForeignObjects
     ForeignObjects& operator=(const ForeignObjects&) = default;
 };
 
-/// The safety objects by the kernel's facade, which is kept by reference. [SRS_OBD_012]
+/// The safety objects 1300h to 13FFh, reached by the kernel's facade. The kernel is kept by reference. [SRS_OBD_012]
 class KernelObjects final : public ForeignObjects
 {
   public:

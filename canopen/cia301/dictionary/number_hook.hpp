@@ -7,7 +7,7 @@
 namespace counterpoint::cia301
 {
 
-/// Value of an object of 1, 2 or 4 bytes, or why there is none.
+/// Value of an object of 1, 2 or 4 bytes, or the abort code that says why there is none.
 struct ObjectValue
 {
     SdoAbort abort;
@@ -15,8 +15,8 @@ struct ObjectValue
     std::uint32_t size_bytes;
 };
 
-/// Hook of entries without a place whose values are numbers of up to 4 bytes: turns bytes into numbers and back, once
-/// for all services. The dictionary has checked length and limits.
+/// Base of the hooks of all services: turns the bytes of an object into a number of up to 4 bytes and back. Its entries
+/// need no place. The dictionary has checked length and limits before OnWrite.
 class NumberHook : public ReadHook, public WriteHook
 {
   public:
@@ -30,7 +30,9 @@ class NumberHook : public ReadHook, public WriteHook
     NumberHook& operator=(const NumberHook&) = default;
 
   private:
+    /// @brief The present value of an object of this service.
     [[nodiscard]] virtual ObjectValue Fetch(const ObjectAddress& address) noexcept = 0;
+    /// @brief Takes a value that is written; kNone where it was accepted.
     [[nodiscard]] virtual SdoAbort Store(const ObjectAddress& address, std::uint32_t value) noexcept = 0;
 };
 

@@ -9,7 +9,8 @@
 namespace counterpoint::cia301
 {
 
-/// What goes wrong in communication, with its emergency error code. Those marked leave OPERATIONAL by 1029h:01.
+/// Errors of communication, each with its emergency error code. Those with 1029h also leave OPERATIONAL as 1029h:01
+/// says.
 enum class CommunicationError : std::uint8_t
 {
     kInvalid = 0U,
@@ -19,7 +20,7 @@ enum class CommunicationError : std::uint8_t
     kHeartbeat = 4U,    ///< 8130h, 1029h: a node is silent; source is its node-ID.
     kBusOff = 5U,       ///< 1029h; 8140h when it is over.
     kCollision = 6U,    ///< 8150h: another node uses an identifier of this one.
-    kPdoShort = 7U,     ///< 8210h; source is the number of the RPDO, as below.
+    kPdoShort = 7U,     ///< 8210h; the source is the number of the RPDO, as it is for kPdoLong and kRpdoTimeOut.
     kPdoLong = 8U,      ///< 8220h.
     kSyncLength = 9U,   ///< 8240h.
     kRpdoTimeOut = 10U, ///< 8250h.
@@ -32,7 +33,7 @@ constexpr std::uint8_t kErrorClasses = 6U; ///< Sub-indices of 1029h: 1 communic
 class CommunicationErrors final : public HeartbeatListener, public NumberHook
 {
   public:
-    /// Both are kept by reference.
+    /// @brief Both are kept by reference.
     CommunicationErrors(EmergencyProducer& emergency, NmtSlave& slave) noexcept;
 
     /// @brief An error appeared; nothing happens if it is active for this source. O(room) [SRS_ERR_001, SRS_ERR_002]
@@ -41,7 +42,7 @@ class CommunicationErrors final : public HeartbeatListener, public NumberHook
     void Clear(CommunicationError error, std::uint16_t source) noexcept;
     /// @brief An error of class 2 to 6: leaves OPERATIONAL as 1029h says. [SRS_ERR_002]
     void OnDeviceError(std::uint8_t error_class) noexcept;
-    /// @brief Lost, and back by a heartbeat or boot-up. [SRS_ERR_003]
+    /// @brief A lost node is an error of that node; its next heartbeat or boot-up message ends it. [SRS_ERR_003]
     void OnHeartbeat(NodeId node, HeartbeatEvent event, std::uint8_t state) noexcept override;
     /// @brief Reset communication: 1029h as at power-on, all 0.
     void Reset() noexcept;

@@ -17,9 +17,11 @@ struct ReceivedEmergency
     std::uint8_t details[5];
 };
 
+/// Is told of the emergency messages of other nodes.
 class EmergencyListener
 {
   public:
+    /// @brief Called within OnFrame of the consumer.
     virtual void OnEmergency(const ReceivedEmergency& emergency) noexcept = 0;
 
   protected:
@@ -36,14 +38,14 @@ struct EmergencySources
     std::uint8_t count; ///< 0 to 127.
 };
 
-/// Receives emergency messages; the hook of 1028h. Not reentrant.
+/// Receives the emergency messages of the nodes that 1028h names; it is the hook of 1028h. Not reentrant.
 class EmergencyConsumer final : public NumberHook, public BusService
 {
   public:
     EmergencyConsumer(const EmergencySources& sources, EmergencyListener& listener) noexcept;
 
     [[nodiscard]] bool Wants(std::uint32_t identifier) const noexcept override;
-    /// @brief Reset communication: nobody is listened to.
+    /// @brief Reset communication: 1028h is as at power-on, no node is listened to.
     void ResetCommunication(NodeId node) noexcept override;
     /// @brief A frame from the bus. O(count) [SRS_EMCY_006]
     void OnFrame(const CanFrame& frame, const Moment& moment) noexcept override;

@@ -18,7 +18,7 @@ struct ErrorHistory
     std::uint8_t count; ///< 0: the device keeps none.
 };
 
-/// Whether an error is one that must find room.
+/// Whether an error may use the places that are kept free for urgent ones.
 enum class EmergencyUrgency : std::uint8_t
 {
     kUsual = 0U,
@@ -61,8 +61,9 @@ struct HistoryReading
 class EmergencyProducer
 {
   public:
-    /// With kEmergencyRoom places of its own.
+    /// @brief With kEmergencyRoom places of its own for active errors and for messages.
     EmergencyProducer(NodeId node, const ErrorHistory& history) noexcept;
+    /// @brief With the places of `room`.
     EmergencyProducer(NodeId node, const ErrorHistory& history, const EmergencyRoom& room) noexcept;
     EmergencyProducer(const EmergencyProducer&) = delete;
     EmergencyProducer& operator=(const EmergencyProducer&) = delete;
@@ -80,21 +81,25 @@ class EmergencyProducer
     {
         return active_count_ > 0U;
     }
-    /// @brief The next message, if state, 1014h and 1015h allow one. [SRS_EMCY_003, SRS_EMCY_004, SRS_EMCY_005]
+    /// @brief The next emergency message, if one waits and state, 1014h and 1015h allow it to be sent. O(1)
+    /// [SRS_EMCY_003, SRS_EMCY_004, SRS_EMCY_005]
     [[nodiscard]] FrameToSend Poll(NodeState state, Instant now) noexcept;
 
-    /// @brief 1001h.
+    /// @brief Error register 1001h.
     [[nodiscard]] std::uint8_t Register() const noexcept;
-    /// @brief 1003h. [SRS_EMCY_002]
+    /// @brief 1003h by sub-index: 0 is the number of errors, 1 the newest error. [SRS_EMCY_002]
     [[nodiscard]] HistoryReading History(std::uint8_t sub) const noexcept;
+    /// @brief Writes 1003h:00: 0 clears the history, every other value is refused with kValueRange.
     [[nodiscard]] SdoAbort WriteHistory(std::uint8_t count) noexcept;
-    /// @brief 1014h. [SRS_EMCY_003]
+    /// @brief COB-ID 1014h. [SRS_EMCY_003]
     [[nodiscard]] std::uint32_t CobId() const noexcept;
+    /// @brief Writes 1014h; kNone where it was accepted.
     [[nodiscard]] SdoAbort WriteCobId(std::uint32_t value) noexcept;
-    /// @brief 1015h, in 100 us. [SRS_EMCY_004]
+    /// @brief 1015h: least time between two messages, in 100 us. [SRS_EMCY_004]
     [[nodiscard]] std::uint16_t InhibitTime() const noexcept;
+    /// @brief Writes 1015h.
     void SetInhibitTime(std::uint16_t time_100us) noexcept;
-    /// @brief Errors and messages that found no room; stays at 255.
+    /// @brief Number of errors and messages for which there was no room; stays at 255.
     [[nodiscard]] std::uint8_t Dropped() const noexcept;
 
   private:

@@ -9,18 +9,18 @@
 namespace counterpoint::cia301
 {
 
-/// A service that not every device has, as a device sees it: TIME, emergency consumer, SDO clients, further SDO
-/// servers. Each looks into the table of services by state itself. [SRS_DEV_020]
+/// A service that only some devices have: TIME, emergency consumer, SDO clients, further SDO servers. Each of them
+/// looks by itself whether the NMT state allows it. [SRS_DEV_020]
 class BusService
 {
   public:
-    /// @brief Whether a data frame with this identifier is one of its own now. May interrupt the others.
+    /// @brief Whether a data frame with this identifier is for this service at present. May interrupt the other calls.
     [[nodiscard]] virtual bool Wants(std::uint32_t identifier) const noexcept = 0;
-    /// @brief Reset communication: its objects are as at power-on.
+    /// @brief Reset communication: its objects become as at power-on. `node` is the node-ID from now on.
     virtual void ResetCommunication(NodeId node) noexcept = 0;
-    /// @brief A frame from the bus; what does not concern it is ignored.
+    /// @brief A frame from the bus. Frames that do not concern the service are ignored.
     virtual void OnFrame(const CanFrame& frame, const Moment& moment) noexcept = 0;
-    /// @brief Once a cycle.
+    /// @brief Call once a cycle: times, and what found no room in the sink before.
     virtual void OnCycle(const Moment& moment) noexcept = 0;
 
   protected:

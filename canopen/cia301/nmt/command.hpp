@@ -7,7 +7,7 @@
 namespace counterpoint::cia301
 {
 
-/// NMT commands by their bytes on the bus.
+/// NMT commands by their command specifier, the first byte of the frame.
 enum class NmtCommand : std::uint8_t
 {
     kInvalid = 0U,
@@ -18,7 +18,7 @@ enum class NmtCommand : std::uint8_t
     kResetCommunication = 130U,
 };
 
-/// @brief Whether this is one of the five; a byte from the bus may be anything.
+/// @brief Whether this is one of the five commands; a byte from the bus may have any value.
 [[nodiscard]] constexpr bool IsNmtCommand(const NmtCommand command) noexcept
 {
     return (command == NmtCommand::kStart) || (command == NmtCommand::kStop) ||

@@ -7,14 +7,14 @@
 namespace counterpoint::cia301
 {
 
-/// State of the node and time at a call: every service that has OnFrame and OnCycle takes it.
+/// NMT state of the node and time at a call; every service that has OnFrame and OnCycle takes it.
 struct Moment
 {
     NodeState state;
     Instant now;
 };
 
-/// A service's way to the bus.
+/// The way of a service to the bus.
 class FrameSink
 {
   public:

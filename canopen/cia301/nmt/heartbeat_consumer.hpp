@@ -8,6 +8,7 @@
 namespace counterpoint::cia301
 {
 
+/// What the consumer tells of a supervised node.
 enum class HeartbeatEvent : std::uint8_t
 {
     kInvalid = 0U,
@@ -17,11 +18,11 @@ enum class HeartbeatEvent : std::uint8_t
     kLost = 4U,    ///< Silence above the time: supervision waits.
 };
 
-/// Is told what happens to supervised nodes. It may read the consumer, not change it.
+/// Is told what happens to supervised nodes. It may read the consumer, but not change it.
 class HeartbeatListener
 {
   public:
-    /// @brief `state` is the node's state byte, of the last heartbeat with kLost.
+    /// @brief `state` is the state byte that the node sent; with kLost the one of its last heartbeat.
     virtual void OnHeartbeat(NodeId node, HeartbeatEvent event, std::uint8_t state) noexcept = 0;
 
   protected:
@@ -47,7 +48,7 @@ struct SupervisedNodes
     std::uint8_t count;
 };
 
-/// Supervises other nodes. Poll at least once in 2^30 us. Not reentrant.
+/// Supervises other nodes by their heartbeats, as 1016h says. Call Poll at least once in 2^30 us. Not reentrant.
 class HeartbeatConsumer
 {
   public:

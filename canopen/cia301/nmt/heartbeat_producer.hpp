@@ -7,14 +7,16 @@
 namespace counterpoint::cia301
 {
 
-/// Sends the state with the period of 1017h. Poll at least once in 2^30 us.
+/// Sends the NMT state with the period of 1017h. Call Poll at least once in 2^30 us. Not reentrant.
 class HeartbeatProducer
 {
   public:
+    /// @brief Off at first.
     explicit HeartbeatProducer(NodeId node) noexcept;
 
-    /// @brief 1017h; 0 is off. The first heartbeat is due at once. [SRS_HB_001]
+    /// @brief Sets 1017h in ms; 0 turns the heartbeat off. The first heartbeat is due at once. [SRS_HB_001]
     void SetPeriod(std::uint16_t period_ms) noexcept;
+    /// @brief 1017h in ms; 0: off.
     [[nodiscard]] std::uint16_t PeriodMs() const noexcept;
     /// @brief The heartbeat that is due, or none. [SRS_HB_001, SRS_HB_002]
     [[nodiscard]] FrameToSend Poll(NodeState state, Instant now) noexcept;

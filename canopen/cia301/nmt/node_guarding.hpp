@@ -7,6 +7,7 @@
 namespace counterpoint::cia301
 {
 
+/// What life guarding found: the master guards no more, or guards again.
 enum class GuardEvent : std::uint8_t
 {
     kNone = 0U,
@@ -14,14 +15,14 @@ enum class GuardEvent : std::uint8_t
     kResumed = 2U,
 };
 
-/// What a remote frame leads to.
+/// What a remote frame leads to: the answer to be sent, and an event.
 struct GuardReply
 {
     FrameToSend reply;
     GuardEvent event;
 };
 
-/// Moment, state and heartbeat of the own node when a frame comes.
+/// Time, NMT state and heartbeat time of the own node when a frame comes.
 struct GuardMoment
 {
     NodeState state;
@@ -33,9 +34,11 @@ struct GuardMoment
 class NodeGuarding
 {
   public:
+    /// @brief Life guarding is off at first.
     explicit NodeGuarding(NodeId node) noexcept;
 
-    /// @brief 100Ch and 100Dh; life guarding waits for the next remote frame. [SRS_GRD_002]
+    /// @brief Sets 100Ch (ms) and 100Dh; life guarding waits for the next remote frame. Either of them 0: off.
+    /// [SRS_GRD_002]
     void SetLifeTime(std::uint16_t guard_time_ms, std::uint8_t factor) noexcept;
     /// @brief A reset: the toggle is 0, life guarding waits. [SRS_GRD_001]
     void Reset() noexcept;

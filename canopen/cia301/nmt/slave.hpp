@@ -11,7 +11,7 @@
 namespace counterpoint::cia301
 {
 
-/// Node-ID, 1 to 127; every other value is none.
+/// Node-ID, 1 to 127; every other value means that there is none.
 struct NodeId
 {
     std::uint8_t value;
@@ -36,7 +36,7 @@ struct StartUp
     std::uint32_t value;
 };
 
-/// A frame that is to be sent, or none.
+/// A frame that is to be sent, or none: `frame` has a meaning only with `is_present`.
 struct FrameToSend
 {
     bool is_present;
@@ -57,6 +57,7 @@ class NmtSlave
   public:
     NmtSlave(NodeId node, const StartUp& start_up) noexcept;
 
+    /// @brief The present state.
     [[nodiscard]] NodeState State() const noexcept;
     /// @brief One step of INITIALISATION; from the last one the boot-up message comes back. Elsewhere nothing.
     /// [SRS_NMT_001, SRS_NMT_002, SRS_NMT_005]
@@ -65,7 +66,8 @@ class NmtSlave
     void SetNodeId(NodeId node) noexcept;
     /// @brief A frame from the bus; what is no command for this node is ignored. [SRS_NMT_003, SRS_NMT_004]
     void OnFrame(const CanFrame& frame) noexcept;
-    /// @brief The device leaves OPERATIONAL by itself for PRE-OPERATIONAL or STOPPED; whether it did. [SRS_NMT_007]
+    /// @brief The device itself leaves OPERATIONAL for PRE-OPERATIONAL or STOPPED. True: it was OPERATIONAL and has
+    /// left. [SRS_NMT_007]
     [[nodiscard]] bool Leave(NodeState to) noexcept;
 
   private:

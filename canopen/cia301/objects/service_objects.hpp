@@ -25,6 +25,7 @@ struct ServiceParts
 class ServiceObjects final : public ReadHook, public WriteHook
 {
   public:
+    /// @brief 100Ch and 100Dh are 0 at first.
     explicit ServiceObjects(const ServiceParts& parts) noexcept;
 
     [[nodiscard]] Reading OnRead(const ObjectAddress& address, const Room& room) noexcept override;

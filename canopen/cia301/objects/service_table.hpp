@@ -9,6 +9,7 @@
 namespace counterpoint::cia301
 {
 
+/// The services whose use depends on the NMT state (CiA 301, table of services by state).
 enum class Service : std::uint8_t
 {
     kInvalid = 0U,

@@ -59,11 +59,12 @@ struct FieldChange
 void PrepareMap(PdoMap& map, std::uint8_t sub, std::uint32_t value) noexcept;
 /// @brief Checks what was prepared; if it does not hold nothing is enabled. O(room log n) [SRS_PDO_007]
 [[nodiscard]] SdoAbort ResolveMap(PdoMap& map, std::uint8_t direction, Dictionary& dictionary) noexcept;
-/// @brief Nothing mapped.
+/// @brief Empties the mapping: no field is enabled.
 void ClearMap(PdoMap& map) noexcept;
-/// @brief Length of the frame.
+/// @brief Length of the frame in bytes.
 [[nodiscard]] std::uint8_t LengthOf(const PdoMap& map) noexcept;
-/// @brief The mapped values of now. A value that cannot be read is sent as 0. O(count) [SRS_PDO_006]
+/// @brief The present values of the mapped objects as bytes of the frame. A value that cannot be read is sent as 0.
+/// O(count) [SRS_PDO_006]
 [[nodiscard]] PdoData Pack(const PdoMap& map) noexcept;
 /// @brief Writes the values to their entries; one that is refused stays as it was. O(count) [SRS_PDO_006]
 void Unpack(const PdoMap& map, const PdoData& data) noexcept;

@@ -15,7 +15,7 @@ class PdoObjects final : public NumberHook, public SyncListener
   public:
     PdoObjects(Tpdos& tpdos, Rpdos& rpdos) noexcept;
 
-    /// @brief Received values take effect before values are sampled.
+    /// @brief Hands SYNC to the RPDOs first, so that received values take effect before TPDOs sample theirs.
     void OnSync(const SyncEvent& event) noexcept override;
 
   private:

@@ -43,10 +43,11 @@ struct RpdoTable
     std::uint16_t count;
 };
 
-/// Is told that the values of a PDO were written to the dictionary.
+/// Is told that the values of an RPDO were written to the dictionary.
 class RpdoListener
 {
   public:
+    /// @brief `number` is 1 to 512. Called within OnFrame or OnSync of the RPDOs.
     virtual void OnRpdo(std::uint16_t number, Instant now) noexcept = 0;
 
   protected:
@@ -56,7 +57,7 @@ class RpdoListener
     RpdoListener& operator=(const RpdoListener&) = default;
 };
 
-/// All kept by reference.
+/// What the RPDOs work with; all kept by reference.
 struct RpdoParts
 {
     CommunicationErrors& errors;
@@ -65,8 +66,8 @@ struct RpdoParts
     RpdoListener* listener; ///< Optional.
 };
 
-/// Receives PDOs: 0 to 240 take effect with the next SYNC, 254 and 255 at once. Only in OPERATIONAL. OnCycle at least
-/// once in 2^30 us. Not reentrant. Time O(count + fields) a call.
+/// Receives the RPDOs of a device: transmission types 0 to 240 take effect with the next SYNC, 254 and 255 at once.
+/// Works in OPERATIONAL only. Call OnCycle at least once in 2^30 us. Not reentrant. Each call takes O(count + fields).
 class Rpdos
 {
   public:
@@ -74,19 +75,21 @@ class Rpdos
 
     /// @brief Reset communication: all off, nothing mapped.
     void Reset() noexcept;
-    /// @brief As Tpdos. [SRS_PDO_007]
+    /// @brief From here to EndConfiguration values may be written in any order and are not checked: defaults and stored
+    /// values. [SRS_PDO_007]
     void BeginConfiguration() noexcept;
+    /// @brief Checks everything: an RPDO whose mapping does not hold is turned off.
     void EndConfiguration() noexcept;
 
     /// @brief A frame from the bus. [SRS_PDO_020, SRS_PDO_021, SRS_PDO_022]
     void OnFrame(const CanFrame& frame, const Moment& moment) noexcept;
-    /// @brief [SRS_PDO_021]
+    /// @brief A SYNC: what waits for it is written to the dictionary. [SRS_PDO_021]
     void OnSync(const SyncEvent& event) noexcept;
-    /// @brief Deadlines. [SRS_PDO_023]
+    /// @brief Watches the deadlines (event timers). [SRS_PDO_023]
     void OnCycle(const Moment& moment) noexcept;
 
-    /// @brief 1400h.. and 1600h.. by number, for their hook. [SRS_PDO_001, SRS_PDO_002, SRS_PDO_003, SRS_PDO_004,
-    /// SRS_PDO_005]
+    /// @brief 1400h.. and 1600h.. by the number of the RPDO, for their hook; so are the three functions below.
+    /// [SRS_PDO_001, SRS_PDO_002, SRS_PDO_003, SRS_PDO_004, SRS_PDO_005]
     [[nodiscard]] ObjectValue FetchSetting(std::uint16_t number, std::uint8_t sub) const noexcept;
     [[nodiscard]] ObjectValue FetchMapping(std::uint16_t number, std::uint8_t sub) const noexcept;
     [[nodiscard]] SdoAbort StoreSetting(std::uint16_t number, std::uint8_t sub, std::uint32_t value) noexcept;

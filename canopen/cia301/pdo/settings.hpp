@@ -28,7 +28,7 @@ struct PdoSettings
 
 /// @brief A sub-index that both kinds have, as the bus reads it; 0 is `highest_sub`, another one is unknown. O(1)
 [[nodiscard]] ObjectValue FetchShared(const PdoSettings& settings, std::uint8_t sub, std::uint8_t highest_sub) noexcept;
-/// @brief Whether a COB-ID is off, or one of 11 bits that may be configured. O(1)
+/// @brief Whether a COB-ID is turned off, or has an identifier of 11 bits that may be configured. O(1)
 [[nodiscard]] bool IsUsable(std::uint32_t cob_id) noexcept;
 
 } // namespace counterpoint::cia301

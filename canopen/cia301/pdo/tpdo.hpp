@@ -9,10 +9,10 @@
 namespace counterpoint::cia301
 {
 
-/// What makes an event-driven PDO send besides its event timer and the application's request.
+/// What makes an event-driven TPDO send, besides its event timer and the application's request.
 enum class PdoTrigger : std::uint8_t
 {
-    kRequest = 0U, ///< Nothing.
+    kRequest = 0U, ///< Nothing more.
     kChange = 1U,  ///< A mapped value differs from what was sent.
 };
 
@@ -61,7 +61,7 @@ struct TpdoTable
     std::uint16_t count;
 };
 
-/// All kept by reference.
+/// What the TPDOs work with; all kept by reference.
 struct TpdoParts
 {
     FrameSink& sink;
@@ -69,8 +69,9 @@ struct TpdoParts
     TpdoTable table;
 };
 
-/// Sends PDOs: 0 to 240 after SYNC, 252 and 253 on RTR, 254 and 255 on events. Only in OPERATIONAL. OnCycle at least
-/// once in 2^30 us. Not reentrant. Time O(count x fields) a call.
+/// Sends the TPDOs of a device: transmission types 0 to 240 after SYNC, 252 and 253 on a remote frame, 254 and 255 on
+/// events. Works in OPERATIONAL only. Call OnCycle at least once in 2^30 us. Not reentrant. Each call takes O(count x
+/// fields).
 class Tpdos
 {
   public:
@@ -86,15 +87,15 @@ class Tpdos
 
     /// @brief A remote frame may ask for a PDO. [SRS_PDO_014]
     void OnFrame(const CanFrame& frame, const Moment& moment) noexcept;
-    /// @brief [SRS_PDO_010, SRS_PDO_011, SRS_PDO_015]
+    /// @brief A SYNC: samples and sends the TPDOs that are due with it. [SRS_PDO_010, SRS_PDO_011, SRS_PDO_015]
     void OnSync(const SyncEvent& event) noexcept;
-    /// @brief Events, event timers, what found no room. [SRS_PDO_012, SRS_PDO_013]
+    /// @brief Looks at events and event timers, and sends what found no room before. [SRS_PDO_012, SRS_PDO_013]
     void OnCycle(const Moment& moment) noexcept;
-    /// @brief The application's event of one PDO (types 0, 254, 255); whether there is such a PDO. [SRS_PDO_012]
+    /// @brief The application's event of one TPDO (types 0, 254, 255). False: there is no such TPDO. [SRS_PDO_012]
     bool Request(std::uint16_t number) noexcept;
 
-    /// @brief 1800h.. and 1A00h.. by number, for their hook. [SRS_PDO_001, SRS_PDO_002, SRS_PDO_003, SRS_PDO_004,
-    /// SRS_PDO_005]
+    /// @brief 1800h.. and 1A00h.. by the number of the TPDO, for their hook; so are the three functions below.
+    /// [SRS_PDO_001, SRS_PDO_002, SRS_PDO_003, SRS_PDO_004, SRS_PDO_005]
     [[nodiscard]] ObjectValue FetchSetting(std::uint16_t number, std::uint8_t sub) const noexcept;
     [[nodiscard]] ObjectValue FetchMapping(std::uint16_t number, std::uint8_t sub) const noexcept;
     [[nodiscard]] SdoAbort StoreSetting(std::uint16_t number, std::uint8_t sub, std::uint32_t value) noexcept;

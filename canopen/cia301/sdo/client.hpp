@@ -21,6 +21,7 @@ struct SdoClientParts
 class SdoClient
 {
   public:
+    /// @brief Idle; no server is asked anything before a Start... call.
     explicit SdoClient(const SdoClientParts& parts) noexcept;
 
     /// @brief Reads an object into `room`, which is kept until the end. False: busy. [SRS_SDC_001, SRS_SDC_002,
@@ -35,24 +36,29 @@ class SdoClient
     void OnFrame(const CanFrame& frame, Instant now) noexcept;
     /// @brief Sends what is to be sent until the sink is full, and watches the time. [SRS_SDC_006]
     void OnCycle(Instant now) noexcept;
-    /// @brief Gives a running transfer up with an abort. [SRS_SDC_009]
+    /// @brief Ends a running transfer with an abort, of which the server is told. Nothing without a transfer.
+    /// [SRS_SDC_009]
     void Cancel(SdoAbort reason) noexcept;
     /// @brief The server restarted (boot-up message): nothing old is under way; a running transfer has failed.
     /// [SRS_SDC_008]
     void OnServerRestart() noexcept;
-    /// @brief Another server from now on; only while no transfer runs. Without a change of server nothing happens.
+    /// @brief Asks another server from now on, by its default identifiers. False: a transfer runs. With the present
+    /// server nothing changes.
     [[nodiscard]] bool Connect(NodeId server) noexcept;
-    /// @brief The same with identifiers of its own. [SRS_SDC_011]
+    /// @brief As above, with identifiers of its own. [SRS_SDC_011]
     [[nodiscard]] bool Connect(const SdoConnection& connection) noexcept;
 
+    /// @brief What the transfer is doing.
     [[nodiscard]] SdoClientState State() const noexcept
     {
         return transfer_.State();
     }
+    /// @brief How the last transfer ended; has a meaning with kDone and kAborted.
     [[nodiscard]] const SdoOutcome& Outcome() const noexcept
     {
         return transfer_.Outcome();
     }
+    /// @brief Node-ID of the present server.
     [[nodiscard]] NodeId Server() const noexcept
     {
         return transfer_.Link().Connection().server;

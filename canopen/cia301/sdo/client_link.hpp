@@ -28,6 +28,7 @@ class SdoClientLink
 
     /// @brief Another server from now on; without a change nothing happens.
     void Connect(const SdoConnection& connection) noexcept;
+    /// @brief The present server and its identifiers.
     [[nodiscard]] const SdoConnection& Connection() const noexcept
     {
         return connection_;
@@ -39,7 +40,7 @@ class SdoClientLink
         is_doubtful_ = false;
     }
 
-    /// @brief The instant of the running call.
+    /// @brief Sets the time of the running call.
     void SetNow(const Instant now) noexcept
     {
         now_ = now;
@@ -49,17 +50,19 @@ class SdoClientLink
     {
         last_ = now_;
     }
-    /// @brief Since the server was heard or something was sent last, until `now`.
+    /// @brief Time since the last frame of the server or to the server, in us.
     [[nodiscard]] std::uint32_t SilenceUs(const Instant now) const noexcept
     {
         return now.us - last_.us;
     }
 
+    /// @brief Sends a request: command byte, object, 4 bytes of data.
     void Request(std::uint8_t command, const ObjectAddress& target, std::uint32_t value) noexcept;
+    /// @brief Sends a frame, or keeps it until Flush finds room.
     void Emit(const SdoFrame& frame) noexcept;
-    /// @brief Whether nothing waits any more.
+    /// @brief Tries to send the frame that is kept. True: no frame is kept any more.
     [[nodiscard]] bool Flush() noexcept;
-    /// @brief What waits is not sent.
+    /// @brief The frame that is kept is not sent any more.
     void Drop() noexcept
     {
         is_sending_ = false;
@@ -72,15 +75,16 @@ class SdoClientLink
     {
         return is_doubtful_;
     }
-    /// @brief `target` is asked for next: no mark may look like it.
+    /// @brief The next transfer is about `target`: the mark that is sent before it must not look like a request for it.
     void OnBegin(const ObjectAddress& target) noexcept
     {
         stale_ = target;
     }
+    /// @brief Sends the next mark.
     void SendMark() noexcept;
-    /// @brief Whether this answers the mark; nothing is in doubt then.
+    /// @brief Whether this is the answer to the mark. If it is, nothing is in doubt any more.
     [[nodiscard]] bool TakeMark(const SdoFrame& answer) noexcept;
-    /// @brief What the last mark asked for.
+    /// @brief The object that the last mark asked for.
     [[nodiscard]] ObjectAddress Mark() const noexcept;
 
   private:

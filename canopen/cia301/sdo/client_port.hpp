@@ -26,12 +26,14 @@ struct SdoClientPortParts
 class SdoClientPort final : public NumberHook, public BusService
 {
   public:
+    /// @brief Its object is off, so that there is no server.
     explicit SdoClientPort(const SdoClientPortParts& parts) noexcept;
 
-    /// @brief Whether the object names identifiers of a server.
+    /// @brief Whether the object names the identifiers of a server.
     [[nodiscard]] bool IsConnected() const noexcept;
     /// @brief Node-ID of the server; 0: not told.
     [[nodiscard]] NodeId Server() const noexcept;
+    /// @brief The client, by which transfers are started.
     [[nodiscard]] SdoClient& Client() noexcept;
 
     [[nodiscard]] bool Wants(std::uint32_t identifier) const noexcept override;

@@ -7,6 +7,7 @@
 namespace counterpoint::cia301
 {
 
+/// By which of the SDO protocols a value is transferred.
 enum class SdoMode : std::uint8_t
 {
     kInvalid = 0U,
@@ -14,6 +15,7 @@ enum class SdoMode : std::uint8_t
     kBlock = 2U,  ///< Blocks with CRC; a server may answer an upload as kNormal.
 };
 
+/// What a client is doing.
 enum class SdoClientState : std::uint8_t
 {
     kIdle = 0U,
@@ -41,38 +43,46 @@ struct SdoJob
     std::uint8_t block_size; ///< Segments of a sub-block of an upload.
 };
 
-/// One transfer of a client, expedited, in segments or in blocks: what it asks and what it makes of the answers.
+/// One transfer of a client, expedited, in segments or in blocks: what the client asks, and what follows from the
+/// answers.
 class SdoClientTransfer
 {
   public:
+    /// @brief Idle; has a copy of the link.
     explicit SdoClientTransfer(const SdoClientLink& link) noexcept;
 
     /// @brief kBusy from now on; nothing is sent before Begin.
     void Take(const SdoJob& job) noexcept;
+    /// @brief Sends the first request of the job.
     void Begin() noexcept;
-    /// @brief A frame of the server.
+    /// @brief Takes a frame of the server.
     void OnAnswer(const SdoFrame& answer) noexcept;
-    /// @brief As many segments of the sub-block as the sink takes.
+    /// @brief Sends as many segments of the sub-block as the sink takes.
     void SendBlockSegments() noexcept;
-    /// @brief A silence of half the time-out: what came of a sub-block is acknowledged, once.
+    /// @brief Half of the time-out has passed without a frame: the received part of a sub-block is acknowledged, once
+    /// for each sub-block.
     void OnHalfTimeOut() noexcept;
-    /// @brief Ends it. The server is told.
+    /// @brief Ends the transfer with `reason`, and tells the server.
     void GiveUp(SdoAbort reason) noexcept;
-    /// @brief Ends it. The server is not told.
+    /// @brief Ends the transfer with `reason`, without telling the server.
     void Fail(SdoAbort reason, bool by_server) noexcept;
 
+    /// @brief The connection to the server.
     [[nodiscard]] SdoClientLink& Link() noexcept
     {
         return link_;
     }
+    /// @brief The same, to look at.
     [[nodiscard]] const SdoClientLink& Link() const noexcept
     {
         return link_;
     }
+    /// @brief What the transfer is doing.
     [[nodiscard]] SdoClientState State() const noexcept
     {
         return state_;
     }
+    /// @brief How it ended; has a meaning with kDone and kAborted.
     [[nodiscard]] const SdoOutcome& Outcome() const noexcept
     {
         return outcome_;

@@ -11,6 +11,7 @@
 namespace counterpoint::cia301
 {
 
+/// Which side of an SDO connection the device is.
 enum class SdoSide : std::uint8_t
 {
     kInvalid = 0U,
@@ -18,7 +19,7 @@ enum class SdoSide : std::uint8_t
     kClient = 2U, ///< May use the identifiers of default servers.
 };
 
-/// Sub-index 1, 2 and 3.
+/// Sub-index 1, 2 and 3 of a connection.
 struct SdoParameters
 {
     std::uint32_t request{kCobOff}; ///< COB-ID from client to server.
@@ -26,7 +27,7 @@ struct SdoParameters
     std::uint8_t partner{0U};       ///< Node-ID of the other side; 0: not told.
 };
 
-/// @brief Whether both COB-IDs are valid: else there is no connection.
+/// @brief Whether both COB-IDs are valid; there is no connection otherwise.
 [[nodiscard]] constexpr bool IsOn(const SdoParameters& parameters) noexcept
 {
     return ((parameters.request | parameters.answer) & kCobOff) == 0U;

@@ -20,6 +20,7 @@ struct SdoFrame
     std::uint8_t bytes[8];
 };
 
+/// Whether there is a frame to be sent.
 enum class SdoPresence : std::uint8_t
 {
     kNothing = 0U, ///< Nothing is to be sent.
@@ -33,7 +34,8 @@ struct SdoAnswer
     SdoFrame frame; ///< Only with kFrame.
 };
 
-/// What a server is made of. `buffer` holds the value of one transfer that is not expedited: the longest object.
+/// What a server works with. `buffer` holds the value of one transfer that is not expedited, so it is as long as the
+/// longest object.
 struct SdoServerParts
 {
     Dictionary& dictionary;
@@ -51,6 +53,7 @@ struct SdoServerParts
 class SdoServer
 {
   public:
+    /// @brief No transfer runs at first.
     explicit SdoServer(const SdoServerParts& parts) noexcept;
 
     /// @brief A request of the client. Frames of another length than 8 are ignored. O(length of the object) at the
@@ -61,7 +64,8 @@ class SdoServer
     /// @brief The next segment of a block upload, what a time-out demands, the end of a delayed write, or nothing. O(1)
     /// [SRS_SDO_007, SRS_SDO_010, SRS_SDO_017]
     [[nodiscard]] SdoAnswer Poll(Instant now) noexcept;
-    /// @brief Ends a running transfer with an abort; without one there is nothing to send. [SRS_SDO_014]
+    /// @brief Ends a running transfer with an abort, which is to be sent; without a transfer there is nothing to send.
+    /// [SRS_SDO_014]
     [[nodiscard]] SdoAnswer Close(SdoAbort reason) noexcept;
     /// @brief Whether a transfer is running.
     [[nodiscard]] bool IsBusy() const noexcept;

@@ -29,14 +29,15 @@ struct StoredItem
 class StoredPart
 {
   public:
-    /// @brief Numbers of items, from 0.
+    /// @brief How many items the part has; their numbers begin with 0.
     [[nodiscard]] virtual std::uint32_t ItemCount() noexcept = 0;
-    /// @brief Group of an item and its bytes of now, in `room`.
+    /// @brief Group of an item, and its present bytes, which are written to `room`.
     [[nodiscard]] virtual StoredItem Item(std::uint32_t number, const Room& room) noexcept = 0;
-    /// @brief Before and after the items of a set; nothing is loaded in between but items of these groups.
+    /// @brief Items of these groups are about to be loaded; nothing else is loaded before EndLoad.
     virtual void BeginLoad(std::uint8_t groups) noexcept = 0;
-    /// @brief False: the item means nothing to this device any more.
+    /// @brief Takes a stored item. False: this device has no use for it any more.
     virtual bool LoadItem(const Bytes& item) noexcept = 0;
+    /// @brief All items of these groups were loaded.
     virtual void EndLoad(std::uint8_t groups) noexcept = 0;
 
   protected:
@@ -55,6 +56,7 @@ struct StoreParts
     Room scratch; ///< Holds the largest item, at least 64 bytes.
 };
 
+/// What 1010h or 1011h asks for.
 enum class StoreAction : std::uint8_t
 {
     kInvalid = 0U,
@@ -62,13 +64,14 @@ enum class StoreAction : std::uint8_t
     kForget = 2U, ///< Defaults hold after the next reset.
 };
 
+/// An action and the groups (bits) that it is for.
 struct StoreRequest
 {
     StoreAction action;
     std::uint8_t groups;
 };
 
-/// What was loaded.
+/// What Load came to.
 struct LoadReport
 {
     bool is_present; ///< There was a valid set.
@@ -84,9 +87,11 @@ struct LoadReport
 class ParameterStore
 {
   public:
+    /// @brief Nothing is read before Mount.
     explicit ParameterStore(const StoreParts& parts) noexcept;
 
-    /// @brief Finds the newest valid set; whether there is one. Waits for nothing: the memory must be ready. O(bank)
+    /// @brief Finds the newest valid set. False: there is none. The memory must be ready, for Mount does not wait.
+    /// O(bank)
     bool Mount() noexcept;
     /// @brief Hands the items of these groups to their parts. Not while IsBusy: a device that is reset during a store
     /// first sees the store through. O(set) [SRS_STO_007]
@@ -97,6 +102,7 @@ class ParameterStore
     [[nodiscard]] SdoAbort Ask(const StoreRequest& request) noexcept;
     /// @brief One step of at most kStoreStepBytes or one erasing; O(step) [SRS_STO_006]
     void OnCycle() noexcept;
+    /// @brief Whether a request is under way.
     [[nodiscard]] bool IsBusy() const noexcept;
 
   private:

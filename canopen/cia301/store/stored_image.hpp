@@ -50,13 +50,16 @@ enum class ImageCheck : std::uint8_t
 class ImageReader
 {
   public:
+    /// @brief Reads nothing before Open.
     explicit ImageReader(hal::ParameterMemory& memory) noexcept;
 
     /// @brief Begins the check of a bank; whether its header is whole. O(1)
     [[nodiscard]] bool Open(hal::MemoryBank bank) noexcept;
     /// @brief Goes on with the check; at most kStoreStepBytes. [SRS_STO_001]
     [[nodiscard]] ImageCheck Continue() noexcept;
+    /// @brief The bank that was opened.
     [[nodiscard]] hal::MemoryBank Bank() const noexcept;
+    /// @brief Generation of its set: the greater one is the newer one.
     [[nodiscard]] std::uint32_t Generation() const noexcept;
     /// @brief The item at a place, from 0; the next one is kItemHeadBytes + size_bytes behind it. O(1)
     [[nodiscard]] ItemHead HeadAt(std::uint32_t place) noexcept;
@@ -75,11 +78,12 @@ class ImageReader
 class ImageWriter
 {
   public:
+    /// @brief Writes nothing before Begin.
     explicit ImageWriter(hal::ParameterMemory& memory) noexcept;
 
     /// @brief Starts to erase the bank.
     void Begin(hal::MemoryBank bank) noexcept;
-    /// @brief Bytes that Put takes now.
+    /// @brief How many bytes Put takes at present.
     [[nodiscard]] std::uint32_t Space() const noexcept;
     /// @brief Whether the set may still grow by so many bytes.
     [[nodiscard]] bool HasRoom(std::uint32_t count) const noexcept;

@@ -36,6 +36,7 @@ class StoredEntries final : public StoredPart
 class StoredSafety final : public StoredPart
 {
   public:
+    /// @brief The kernel is started before anything is stored or loaded.
     explicit StoredSafety(Kernel& kernel) noexcept;
 
     [[nodiscard]] std::uint32_t ItemCount() noexcept override;
@@ -55,6 +56,7 @@ class StoredSafety final : public StoredPart
 class StoreObjects final : public NumberHook
 {
   public:
+    /// @brief `store` outlives the hook.
     explicit StoreObjects(ParameterStore& store) noexcept;
 
   private:

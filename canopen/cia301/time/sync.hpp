@@ -21,6 +21,7 @@ struct SyncEvent
 class SyncListener
 {
   public:
+    /// @brief Called within OnFrame or OnCycle of Sync.
     virtual void OnSync(const SyncEvent& event) noexcept = 0;
 
   protected:
@@ -30,7 +31,7 @@ class SyncListener
     SyncListener& operator=(const SyncListener&) = default;
 };
 
-/// All kept by reference.
+/// What SYNC works with; all kept by reference.
 struct SyncParts
 {
     FrameSink& sink;
@@ -43,6 +44,7 @@ struct SyncParts
 class Sync final : public NumberHook
 {
   public:
+    /// @brief As after Reset.
     explicit Sync(const SyncParts& parts) noexcept;
 
     /// @brief Reset communication: 1005h is 80h, the others 0.

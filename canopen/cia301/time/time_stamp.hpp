@@ -15,10 +15,11 @@ struct TimeOfDay
     std::uint16_t days; ///< Since 1 January 1984.
 };
 
+/// Is told of the times that the network sends.
 class TimeListener
 {
   public:
-    /// @brief A time came at `now` of this device.
+    /// @brief A time was received at `now` of this device's counter.
     virtual void OnTime(const TimeOfDay& time, Instant now) noexcept = 0;
 
   protected:
@@ -41,9 +42,10 @@ class TimeStamp final : public NumberHook, public BusService
     void ResetCommunication(NodeId node) noexcept override;
     /// @brief A frame from the bus. O(1) [SRS_TIM_001]
     void OnFrame(const CanFrame& frame, const Moment& moment) noexcept override;
-    /// @brief What 1013h is until the next call. O(1)
+    /// @brief Sets what 1013h reads until the next call. O(1)
     void OnCycle(const Moment& moment) noexcept override;
-    /// @brief Sends a time, if 1012h and the state allow it and the sink takes it: a time does not wait. [SRS_TIM_002]
+    /// @brief Sends a time. False: 1012h or the state does not allow it, or the sink has no room; a time is not kept
+    /// for later. [SRS_TIM_002]
     [[nodiscard]] bool Send(const TimeOfDay& time, const Moment& moment) noexcept;
 
   private:
