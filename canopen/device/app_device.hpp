@@ -12,12 +12,13 @@ namespace counterpoint::device
 template <class App, std::uint8_t kSrdos> class AppDevice final : private Owner
 {
   public:
-    /// `sender` sends the boot-up message; null: another CPU of the device does.
+    /// @brief All are kept by reference. `sender` sends the boot-up message; null: another CPU of the device sends it.
     AppDevice(Kernel& kernel, hal::CanPorts* const sender, App& application) noexcept
         : application_{application}, kernel_{kernel}, services_{cia301::NodeId{application.Describe().node_id}, sender},
           device_{BareParts{kernel, services_, *this, FrameRoom{frames_, kRoom}, kSrdos}}
     {
     }
+    /// @brief The device itself, for frames, cycles and power-on.
     [[nodiscard]] Device& Whole() noexcept
     {
         return device_;

@@ -14,6 +14,7 @@
 namespace counterpoint::device
 {
 
+/// Whether a device could be loaded.
 enum class LoadResult : std::uint8_t
 {
     kInvalid = 0U,
@@ -21,7 +22,8 @@ enum class LoadResult : std::uint8_t
     kFailed = 1U,
 };
 
-/// Who knows what a device had at power-on or has stored. Called from within PowerOn, Serve and Cycle.
+/// Knows the power-on values of a device and what it has stored. Its functions are called within PowerOn, Serve and
+/// Cycle.
 class Owner
 {
   public:
@@ -54,7 +56,7 @@ struct DeviceParts
     std::uint8_t srdo_count; ///< Of the kernel's device.
 };
 
-/// The same of a device without services: `services` is a NoServices. [SRS_DEV_022]
+/// What a device without services is made of: as DeviceParts, with NoServices as `services`. [SRS_DEV_022]
 struct BareParts
 {
     Kernel& kernel;
@@ -77,11 +79,13 @@ struct BareParts
 class Device
 {
   public:
+    /// @brief A device with services; off until PowerOn.
     explicit Device(const DeviceParts& parts) noexcept;
+    /// @brief A device without services; off until PowerOn.
     explicit Device(const BareParts& parts) noexcept;
 
-    /// @brief Supply on: INITIALISATION, boot-up, and where 1F80h leads to. Whether the device came up, or waits for a
-    /// node-ID. [SRS_DEV_002, SRS_DEV_019]
+    /// @brief Supply on: INITIALISATION, boot-up message, and the state that 1F80h leads to. kLoaded: the device came
+    /// up, or waits for a node-ID. [SRS_DEV_002, SRS_DEV_019]
     [[nodiscard]] LoadResult PowerOn(Instant now) noexcept;
     /// @brief Supply off, of a device whose memory outlives it: frames that wait and the NMT state are gone, and
     /// PowerOn begins anew. [SRS_DEV_023]
@@ -94,7 +98,7 @@ class Device
     /// @brief The hardware layer lost frames. [SRS_DEV_008]
     void OnLoss() noexcept;
 
-    /// @brief How the controller feels; tell every change. Not from an interrupt. [SRS_DEV_016]
+    /// @brief The condition of the CAN controller; tell every change. Not from an interrupt. [SRS_DEV_016]
     void OnBus(BusCondition condition) noexcept;
     /// @brief Safety frames to the kernel, its cycle, then Serve. [SRS_DEV_006]
     void Cycle(const CycleCall& call) noexcept;
@@ -103,6 +107,7 @@ class Device
     /// @brief Safety frames to the kernel and no more: what Serve and Cycle begin with. O(frames that wait)
     void HandOver() noexcept;
 
+    /// @brief NMT state of the device.
     [[nodiscard]] cia301::NodeState State() const noexcept;
 
   private:

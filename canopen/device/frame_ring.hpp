@@ -10,6 +10,7 @@
 namespace counterpoint::device
 {
 
+/// Where a frame came from.
 enum class Origin : std::uint8_t
 {
     kInvalid = 0U,
@@ -17,6 +18,7 @@ enum class Origin : std::uint8_t
     kConfirmed = 2U, ///< A frame of this device that was on the bus.
 };
 
+/// A frame in a queue.
 struct QueuedFrame
 {
     StampedFrame frame;
@@ -36,13 +38,14 @@ struct FrameRoom
 class FrameRing
 {
   public:
+    /// @brief Empty at first.
     explicit FrameRing(const FrameRoom& room) noexcept;
 
-    /// @brief Whether there was room. For the writer. O(1)
+    /// @brief Adds a frame. False: there was no room. For the writer. O(1)
     [[nodiscard]] bool Put(const StampedFrame& frame, Origin origin) noexcept;
     /// @brief The oldest frame where it lies, or null; it stays there until Drop. For the reader. O(1)
     [[nodiscard]] const QueuedFrame* Oldest() const noexcept;
-    /// @brief The oldest frame is done with. Only after Oldest had one. O(1)
+    /// @brief Takes the oldest frame out. Only after Oldest returned it. O(1)
     void Drop() noexcept;
     [[nodiscard]] std::uint32_t Room() const noexcept;
 

@@ -16,7 +16,7 @@ constexpr std::uint16_t kEmergenciesOfSrdo = 5U; ///< Kinds of error of one SRDO
 class KernelWatch final : public Application
 {
   public:
-    /// Both are kept by reference.
+    /// @brief Both are kept by reference.
     KernelWatch(cia301::EmergencyProducer& emergency, Application& application) noexcept;
 
     [[nodiscard]] RefreshAnswer OnRefresh(CommunicationIndex index) noexcept override;
@@ -30,7 +30,7 @@ class KernelWatch final : public Application
 
     /// @brief OPERATIONAL was entered while 13FEh is not A5h.
     void OnNotConfigured() noexcept;
-    /// @brief OPERATIONAL was left: SRDOs have no errors any more, and nobody misses a configuration.
+    /// @brief OPERATIONAL was left: errors of SRDOs end, and so does the error of a missing configuration.
     void OnOperationalLeft() noexcept;
     /// @brief The kernel is started anew.
     void OnRestart() noexcept;

@@ -13,24 +13,26 @@
 namespace counterpoint::device
 {
 
-/// Frames of services on their way out, in their order. Few are with the controller at a time, so that an SRDO waits
-/// for few. OnConfirm may interrupt the others. [SRS_DEV_009]
+/// Frames of services that are to be sent, in their order. At most kUnconfirmed of them are with the controller at a
+/// time, so that an SRDO waits for few. OnConfirm may interrupt the other calls. [SRS_DEV_009]
 class Outbox final : public cia301::FrameSink
 {
   public:
     static constexpr std::uint32_t kRoom = 16U;
     static constexpr std::uint32_t kUnconfirmed = 2U;
 
+    /// @brief `can` is kept by reference.
     explicit Outbox(hal::CanPorts& can) noexcept;
 
-    /// @brief Whether there was room.
+    /// @brief Takes a frame. False: there is no room.
     [[nodiscard]] bool Send(const CanFrame& frame) noexcept override;
+    /// @brief Whether Send would take a frame.
     [[nodiscard]] bool HasRoom() const noexcept;
     /// @brief A frame of a service was on the bus.
     void OnConfirm() noexcept;
-    /// @brief Hands over what the controller may have. O(kUnconfirmed)
+    /// @brief Hands frames over to the controller, as many as it may have. O(kUnconfirmed)
     void Poll(Instant now) noexcept;
-    /// @brief Forgets everything, the controller's frames too.
+    /// @brief Forgets all frames, those that the controller has too.
     void Clear() noexcept;
 
   private:

@@ -8,8 +8,9 @@
 namespace counterpoint::device
 {
 
-/// The kernel's objects by its facade, which knows no others: an object of the own table in a mapping of an SRDO is not
-/// unknown (0602 0000h) but not mappable (0604 0041h). The kernel is kept by reference. [SRS_DEV_001, SRS_DEV_017]
+/// The kernel's objects, reached by its facade. The kernel knows no other objects: where an SRDO mapping names an entry
+/// of the own table, the answer becomes not mappable (0604 0041h) instead of unknown (0602 0000h). The kernel is kept
+/// by reference. [SRS_DEV_001, SRS_DEV_017]
 class SafetyObjects final : public cia301::ForeignObjects
 {
   public:

@@ -21,17 +21,19 @@ namespace counterpoint::device
 class SafetyQueue
 {
   public:
+    /// @brief Empty; no identifier is admitted.
     explicit SafetyQueue(const FrameRoom& room) noexcept;
 
-    /// @brief Whether the room is enough for a device of so many SRDOs.
+    /// @brief Whether the room is enough for a device with so many SRDOs.
     [[nodiscard]] bool HasRoomFor(std::uint8_t srdo_count) const noexcept;
-    /// @brief From now on frames with this identifier (101h to 180h) enter.
+    /// @brief Frames with this identifier (101h to 180h) enter from now on.
     void Admit(std::uint32_t identifier) noexcept;
+    /// @brief No frame of an SRDO enters from now on.
     void AdmitNone() noexcept;
 
     /// @brief A frame with a safety identifier; what is not admitted is dropped. For the writer. O(1)
     void Offer(const StampedFrame& frame, Origin origin) noexcept;
-    /// @brief Frames were lost elsewhere.
+    /// @brief Frames were lost before they reached this queue.
     void MarkLoss() noexcept;
     /// @brief Whether a frame was lost since the last call. Ask before Oldest.
     [[nodiscard]] bool TakeLoss() noexcept;

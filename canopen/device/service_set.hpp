@@ -10,7 +10,7 @@
 namespace counterpoint::device
 {
 
-/// What the controller tells of the bus.
+/// Condition of the CAN controller, as it tells.
 enum class BusCondition : std::uint8_t
 {
     kInvalid = 0U, ///< Read as off.
@@ -19,12 +19,12 @@ enum class BusCondition : std::uint8_t
     kOff = 2U,
 };
 
-/// What every device has beside its kernel: a node-ID, the NMT state machine, the boot-up message. A device that has no
-/// more costs no more: nothing of SDO, PDO, dictionary and emergency is linked. Services is the rest. Device calls all
-/// of it, in the order of the functions. [SRS_DEV_022]
+/// What every device has beside its kernel: node-ID, NMT state machine, boot-up message. A device with no more than
+/// this links nothing of SDO, PDO, dictionary and emergency; Services has those. Device calls the functions, in the
+/// order in which they stand here. [SRS_DEV_022]
 struct ServiceSet
 {
-    /// `sender` is kept. Null: the other CPU of the device sends the boot-up message.
+    /// @brief `sender` is kept by reference. Null: the other CPU of the device sends the boot-up message.
     ServiceSet(cia301::NodeId own_node, hal::CanPorts* sender) noexcept;
 
     cia301::NodeId node;
@@ -34,17 +34,17 @@ struct ServiceSet
 
     /// @brief The supply is gone: no frame waits, and the state machine is at its beginning. [SRS_DEV_023]
     virtual void PowerOff() noexcept;
-    /// @brief Whether a device that waits for a node-ID has one now.
+    /// @brief Whether a device that waited for a node-ID has one now.
     [[nodiscard]] virtual bool MayBoot() const noexcept;
     /// @brief The kernel is about to be started anew.
     virtual void OnResetNode() noexcept;
-    /// @brief Whether there is a node-ID; asked at each reset communication. [SRS_DEV_019]
+    /// @brief Reset communication: takes the node-ID that holds from now on. False: there is none. [SRS_DEV_019]
     [[nodiscard]] virtual bool TakeNodeId() noexcept;
     /// @brief Reset communication: parameters as at power-on. Until EndConfiguration values may come in any order.
     virtual void BeginConfiguration() noexcept;
-    /// @brief All values are there, and it is known where INITIALISATION leads to.
+    /// @brief All values are there; INITIALISATION can be left.
     virtual void EndConfiguration() noexcept;
-    /// @brief What the state machine wants to send; the boot-up message.
+    /// @brief Sends what the NMT state machine gives out: the boot-up message.
     virtual void Send(const cia301::FrameToSend& frame) noexcept;
     /// @brief The kernel is about to leave one state for another.
     virtual void OnState(NmtState left, NmtState entered) noexcept;
@@ -55,12 +55,15 @@ struct ServiceSet
     [[nodiscard]] virtual bool Wants(const CanFrame& frame) const noexcept;
     /// @brief A frame of a service was on the bus. May interrupt all others.
     virtual void OnConfirm() noexcept;
-    /// @brief Whether frames of services were lost since the last call.
+    /// @brief `has_lost`: frames of services were lost since the last call.
     virtual void OnOverrun(bool has_lost) noexcept;
+    /// @brief A frame for the services, in bus order.
     virtual void OnFrame(const CanFrame& frame, const cia301::Moment& moment) noexcept;
+    /// @brief Once a cycle.
     virtual void OnCycle(const cia301::Moment& moment) noexcept;
+    /// @brief The condition of the CAN controller changed.
     virtual void OnBus(BusCondition left, BusCondition entered) noexcept;
-    /// @brief Hands over what the controller may have.
+    /// @brief Hands frames over to the controller, as many as it may have.
     virtual void Flush(Instant now) noexcept;
 
   protected:
@@ -72,7 +75,7 @@ struct ServiceSet
     void Rejoin(const cia301::StartUp& start_up) noexcept;
 };
 
-/// A device without services has just these.
+/// The services of a device that has none: ServiceSet and nothing more.
 struct NoServices final : public ServiceSet
 {
     NoServices(cia301::NodeId own_node, hal::CanPorts* sender) noexcept;

@@ -27,8 +27,8 @@ struct ServiceRooms
     cia301::Room sdo_buffer; ///< As long as the longest object.
 };
 
-/// @brief Places that a device with so many SRDOs and these rooms needs for its emergencies, so that none is ever lost.
-/// [SRS_EMCY_010]
+/// @brief How many places a device with so many SRDOs and these rooms needs so that none of its emergencies is ever
+/// lost. [SRS_EMCY_010]
 [[nodiscard]] std::uint16_t EmergencyPlaces(std::uint8_t srdo_count, const ServiceRooms& rooms) noexcept;
 
 /// Services that not every device has, in the order in which they are called; the list is kept by reference.
@@ -38,7 +38,7 @@ struct FurtherServices
     std::uint8_t count;
 };
 
-/// All kept by reference. `emergency` is there before the kernel, which has errors to tell.
+/// What the services work with; all kept by reference. `emergency` is made before the kernel, which has errors to tell.
 struct ServiceParts
 {
     cia301::EmergencyProducer& emergency;
@@ -47,10 +47,11 @@ struct ServiceParts
     ServiceRooms rooms;
 };
 
-/// The services of CiA 301 of one device. Members in the open, because entries of the dictionary name them as hooks;
-/// who builds the table needs only their addresses. Used by Device. [SRS_DEV_009, SRS_DEV_010, SRS_DEV_012]
+/// The services of CiA 301 of one device. The members are public because entries of the dictionary name them as hooks;
+/// whoever builds the table needs only their addresses. Used by Device. [SRS_DEV_009, SRS_DEV_010, SRS_DEV_012]
 struct Services final : public ServiceSet
 {
+    /// @brief As at power-on, before any configuration.
     Services(cia301::NodeId own_node, const ServiceParts& parts) noexcept;
 
     cia301::SupervisedNodes supervised;
@@ -77,9 +78,9 @@ struct Services final : public ServiceSet
     [[nodiscard]] bool MayBoot() const noexcept override;
     void OnResetNode() noexcept override;
     [[nodiscard]] bool TakeNodeId() noexcept override;
-    /// @brief Errors that are there stay.
+    /// @brief As ServiceSet. Errors that are active stay active.
     void BeginConfiguration() noexcept override;
-    /// @brief 1F80h tells where INITIALISATION leads to.
+    /// @brief As ServiceSet. 1F80h says where INITIALISATION leads to.
     void EndConfiguration() noexcept override;
     void Send(const cia301::FrameToSend& frame) noexcept override;
     void OnState(NmtState left, NmtState entered) noexcept override;

@@ -9,7 +9,8 @@
 namespace counterpoint::cia302
 {
 
-/// Is told everything that happens in the network, in order. It may read the manager, and command it later.
+/// Is told everything that happens in the network, in order. From within a call it may read the manager, but not
+/// command it.
 class ManagerListener : public StartUpListener
 {
   public:

@@ -23,6 +23,7 @@ struct ManagerRoom
     SdoTimes times;
 };
 
+/// What a manager works with; all kept by reference.
 struct ManagerParts
 {
     const NetworkSetup& setup;
@@ -51,7 +52,7 @@ class Manager final : public NmtListener, public NodeListener, public NodeWatchL
 
     /// @brief The device is there: boot-up message, then the start-up, or the negotiation first.
     void Begin(Instant now) noexcept;
-    /// @brief Commands nothing any more and takes part in no negotiation.
+    /// @brief From now on it sends no command and takes part in no negotiation.
     void End() noexcept;
     /// @brief A frame from the bus; frames of this device itself must not come back.
     void OnFrame(const CanFrame& frame, Instant now) noexcept;
@@ -71,7 +72,7 @@ class Manager final : public NmtListener, public NodeListener, public NodeWatchL
     /// that says PRE-OPERATIONAL next has booted. O(127) [SRS_SFS_002, SRS_NMM_020]
     void OnLost(Instant now) noexcept;
 
-    /// @brief 1017h of this device.
+    /// @brief Heartbeat of this device (1017h).
     [[nodiscard]] cia301::HeartbeatProducer& Heartbeat() noexcept
     {
         return own_.Heartbeat();
@@ -97,18 +98,21 @@ class Manager final : public NmtListener, public NodeListener, public NodeWatchL
     }
     /// @brief NMT state of this device itself.
     [[nodiscard]] cia301::NodeState OwnState() const noexcept;
-    /// @brief Of the profile; all zero before Use.
+    /// @brief Status of a slave as the profile has it; all zero before Use.
     [[nodiscard]] NodeStatus Status(NodeId node) const noexcept;
-    /// @brief Of the profile, see StartUp::MasterState; 0 before Use.
+    /// @brief MasterState of the profile (see StartUp); 0 before Use.
     [[nodiscard]] std::int16_t MasterState() const noexcept;
+    /// @brief The node table, to look at.
     [[nodiscard]] const NodeTable& Table() const noexcept
     {
         return table_;
     }
+    /// @brief Emergency messages and duplicates, to look at.
     [[nodiscard]] const NodeWatch& Watched() const noexcept
     {
         return watch_;
     }
+    /// @brief The safety gate, to look at.
     [[nodiscard]] const SafetyGate& Gate() const noexcept
     {
         return gate_;

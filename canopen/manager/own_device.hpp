@@ -13,18 +13,22 @@ namespace counterpoint::cia302
 class OwnDevice
 {
   public:
+    /// @brief `sink` is kept by reference.
     OwnDevice(NodeId own, cia301::FrameSink& sink, std::uint16_t heartbeat_ms) noexcept;
 
-    /// @brief PRE-OPERATIONAL; owes its boot-up message.
+    /// @brief PRE-OPERATIONAL from now on; a boot-up message is to be sent.
     void Restart() noexcept;
+    /// @brief Follows an NMT command for this device.
     void Obey(NmtCommand command) noexcept;
     /// @brief Boot-up message and heartbeat. What the sink does not take comes in a later cycle.
     void Send(bool is_initialising, Instant now) noexcept;
 
+    /// @brief NMT state of this device.
     [[nodiscard]] cia301::NodeState State() const noexcept
     {
         return state_;
     }
+    /// @brief Its heartbeat (1017h).
     [[nodiscard]] cia301::HeartbeatProducer& Heartbeat() noexcept
     {
         return producer_;

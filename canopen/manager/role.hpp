@@ -17,7 +17,7 @@ enum class NegotiationBy : std::uint8_t
     kApplication = 1U, ///< By StartNegotiation; the device stays in INITIALISATION until then.
 };
 
-/// All kept by reference.
+/// What the role works with; all kept by reference.
 struct RoleParts
 {
     const NetworkSetup& setup;
@@ -40,18 +40,20 @@ class ManagerRole final : public FlyingMasterListener
     /// Begin. [SRS_FLY_027]
     void Use(FlyingMaster& flying, NegotiationBy by = NegotiationBy::kManager) noexcept;
 
-    /// @brief This device restarts; then it leads, or negotiates first.
+    /// @brief The device restarts. It commands the network from then on, or negotiates first if it is a flying master.
     void Begin(Instant now) noexcept;
+    /// @brief Ends profile and negotiation.
     void End() noexcept;
     /// @brief A frame from the bus, before any other part has it.
     void OnFrame(const CanFrame& frame, Instant now) noexcept;
+    /// @brief Once a cycle.
     void OnCycle(Instant now) noexcept;
     /// @brief The controller went bus-off or is gone, or is back. [SRS_FLY_019]
     void OnBus(bool is_there, Instant now) noexcept;
     /// @brief A node, perhaps the active master, is silent.
     void OnHeartbeatLost(NodeId node, Instant now) noexcept;
-    /// @brief The active master was commanded to reset itself, and not all: it is as any other device after it, from
-    /// the next cycle on. [SRS_FLY_019]
+    /// @brief The active master alone was commanded to reset itself: from the next cycle on it is as any other device
+    /// after a reset. [SRS_FLY_019]
     void OnOwnReset() noexcept;
     /// @brief The application lets the negotiation begin. kInvalid: there is no flying master. [SRS_FLY_027]
     [[nodiscard]] FlyingStart StartNegotiation(Instant now) noexcept;
@@ -63,18 +65,19 @@ class ManagerRole final : public FlyingMasterListener
     /// @brief Start-up of one slave without a reset: see StartUp::Resume. False as Boot.
     [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept;
 
-    /// @brief Between Begin, with a profile, and End.
+    /// @brief Whether it is between Begin, with a profile, and End.
     [[nodiscard]] bool IsRunning() const noexcept
     {
         return is_running_;
     }
+    /// @brief Whether the controller is on the bus.
     [[nodiscard]] bool IsOnBus() const noexcept
     {
         return !is_off_bus_;
     }
-    /// @brief A flying master is there and has not begun to negotiate.
+    /// @brief Whether this is a flying master that has not begun to negotiate.
     [[nodiscard]] bool IsInitialising() const noexcept;
-    /// @brief Null: none yet.
+    /// @brief The profile; null before Use.
     [[nodiscard]] StartUp* Profile() const noexcept
     {
         return profile_;
@@ -84,7 +87,7 @@ class ManagerRole final : public FlyingMasterListener
     {
         return is_leading_ ? profile_ : nullptr;
     }
-    /// @brief Null: there is none.
+    /// @brief The flying master; null where there is none.
     [[nodiscard]] const FlyingMaster* Flying() const noexcept
     {
         return flying_;

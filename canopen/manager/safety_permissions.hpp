@@ -8,15 +8,15 @@
 namespace counterpoint::cia302
 {
 
-/// When what was verified of a safety slave holds no more, and when it is read again: after resets, commands, losses
-/// and somebody else's start. Everything is kept by reference.
+/// Decides when the verification of a safety slave does not count any more, and when the slave is read again: after
+/// resets, commands, losses and the start by somebody else. Everything is kept by reference.
 class SafetyPermissions
 {
   public:
     /// `told` has kNodeRoom elements by node-ID: the gates as told last.
     SafetyPermissions(const NetworkSetup& setup, GateState* told, SafetyGate& gate, NodeTable& table) noexcept;
 
-    /// @brief The slave booted, or is lost: nothing of it is verified. Nothing for other slaves.
+    /// @brief The slave booted, or was lost: its verification does not count any more. Does nothing for other slaves.
     void Close(NodeId node) noexcept;
     /// @brief A reset of one node or all, whoever sent it.
     void OnReset(NodeId node) noexcept;
@@ -28,7 +28,7 @@ class SafetyPermissions
     void OnLost(const StartUp* profile, Instant now) noexcept;
     /// @brief The start of a slave was given up.
     void OnStartDropped(NodeId node) noexcept;
-    /// @brief Gates that changed since the last call. Once a cycle. O(127)
+    /// @brief Tells the listener which gates changed since the last call. Once a cycle. O(127)
     void Tell(ManagerListener& listener, Instant now) noexcept;
 
   private:

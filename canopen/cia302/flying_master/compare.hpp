@@ -17,6 +17,8 @@ struct FlyingMasterView
     const FlyingMasterTimes* times; ///< Its 1F90h.
 };
 
+/// What is different between two masters of one network, or wrong with one of them. The values and places are in
+/// FlyingFinding.
 enum class FlyingFindingKind : std::uint8_t
 {
     kInvalid = 0U,
@@ -63,8 +65,8 @@ enum class El6751Part : std::uint8_t
 };
 constexpr std::uint8_t kEl6751Parts = 19U;
 
-/// `slave` is 0 for objects of the master itself. Object 1016h, 1017h with `sub` = `slave` stand for the heartbeat
-/// times of that slave.
+/// One finding. `slave` is 0 for objects of the master itself. Objects 1016h and 1017h with `sub` = `slave` stand for
+/// the heartbeat times of that slave.
 struct FlyingFinding
 {
     FlyingFindingKind kind;
@@ -77,6 +79,7 @@ struct FlyingFinding
     std::uint32_t second_value;
 };
 
+/// Is told of each finding.
 class FlyingFindingListener
 {
   public:

@@ -10,7 +10,7 @@
 namespace counterpoint::cia302
 {
 
-/// One object of both, by its number.
+/// The values that one object has in the two masters.
 struct Pair
 {
     std::uint16_t index;
@@ -30,9 +30,13 @@ class Comparison
     {
     }
 
+    /// @brief What is wrong with one master by itself, by its place in the list.
     void CheckAlone(std::uint8_t place) noexcept;
+    /// @brief Node-IDs that two masters have, and masters that do not list each other.
     void CheckNodes() noexcept;
+    /// @brief Compares the master at this place with the first one.
     void CompareWithFirst(std::uint8_t place) noexcept;
+    /// @brief How many findings were told.
     [[nodiscard]] std::uint32_t Found() const noexcept
     {
         return found_;

@@ -12,7 +12,7 @@
 namespace counterpoint::cia302
 {
 
-/// Events by their numbers in the text.
+/// What a flying master tells its listener, by the numbers of the text.
 enum class FlyingEvent : std::uint8_t
 {
     kInvalid = 0U,
@@ -41,6 +41,7 @@ class FlyingMasterListener
     FlyingMasterListener& operator=(const FlyingMasterListener&) = default;
 };
 
+/// Whether a negotiation began, or why not.
 enum class FlyingStart : std::uint8_t
 {
     kInvalid = 0U,
@@ -67,6 +68,7 @@ struct FlyingDeadline
     return left.is_set && (!right.is_set || ((lead_us > 0U) && (lead_us < kHalfRange)));
 }
 
+/// What a flying master works with; all kept by reference.
 struct FlyingMasterParts
 {
     const NetworkSetup& setup;      ///< Own node-ID, heartbeat consumer times.
@@ -93,7 +95,8 @@ class FlyingMaster
     void OnFrame(const CanFrame& frame, Instant now) noexcept;
     /// @brief Does what is due; one step of the negotiation at most. O(1)
     void OnCycle(Instant now) noexcept;
-    /// @brief The application's heartbeat consumer lost `node`; of interest is the active master. [SRS_FLY_012]
+    /// @brief The application's heartbeat consumer lost `node`. It matters if that node is the active master.
+    /// [SRS_FLY_012]
     void OnHeartbeatLost(NodeId node, Instant now) noexcept;
     /// @brief Asks by 075h who else could be master. False: the sink is full. [SRS_FLY_018]
     [[nodiscard]] bool FindCapable() noexcept;
@@ -103,27 +106,29 @@ class FlyingMaster
     {
         return has_found_capable_;
     }
+    /// @brief Where the negotiation stands.
     [[nodiscard]] FlyingState State() const noexcept
     {
         return state_;
     }
+    /// @brief Whether this device is the active master.
     [[nodiscard]] bool IsActiveMaster() const noexcept
     {
         return state_ == FlyingState::kMaster;
     }
-    /// @brief Whether the device is to stay in INITIALISATION, without boot-up message and heartbeat.
+    /// @brief Whether the device has to stay in INITIALISATION, without boot-up message and heartbeat.
     [[nodiscard]] bool IsInitialising() const noexcept;
     /// @brief The active master, in kSlave and kMaster; all 0 elsewhere.
     [[nodiscard]] MasterClaim Master() const noexcept
     {
         return master_;
     }
-    /// @brief 076h sent in a row because a master of lower priority was heard.
+    /// @brief How many 076h were sent in a row because a master of lower priority was heard.
     [[nodiscard]] std::uint8_t Restarts() const noexcept
     {
         return restarts_;
     }
-    /// @brief For whoever wants to sleep until then.
+    /// @brief When OnCycle has something to do next, for an owner that sleeps until then.
     [[nodiscard]] FlyingDeadline Next() const noexcept;
 
   private:

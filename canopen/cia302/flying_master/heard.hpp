@@ -12,7 +12,7 @@
 namespace counterpoint::cia302
 {
 
-/// What a frame is judged by.
+/// What decides how a frame is judged: the state of the negotiation and its settings.
 struct FlyingView
 {
     FlyingState state;
@@ -24,37 +24,37 @@ struct FlyingView
     std::uint32_t raced_us; ///< Of kRace: since it began.
 };
 
-/// What is to be done about a frame.
+/// What is to be done about a frame. Better and worse: by priority level, then by node-ID (IsBetter).
 enum class FlyingReaction : std::uint8_t
 {
     kNone = 0U,
     kReset,        ///< Communication of this node, too, was reset.
     kHalt,         ///< Another device has the own node-ID.
-    kAccept,       ///< The master that the negotiation looked for.
-    kFollow,       ///< A better one.
-    kRefresh,      ///< The own master claims again.
-    kForce,        ///< A worse one has to yield.
-    kReject,       ///< Likewise, and it should not have claimed to be one.
-    kAnswer,       ///< As master, at once.
-    kAnswerInTurn, ///< As master, at the own place.
-    kJoin,         ///< A race of others.
-    kRace,         ///< A standby that races.
-    kAsk,          ///< A standby may ask for its master.
-    kRestart,      ///< As FlyingInput, by 076h.
+    kAccept,       ///< To accept the master that the negotiation looked for.
+    kFollow,       ///< To follow a better master.
+    kRefresh,      ///< To supervise on: the present master has claimed again.
+    kForce,        ///< To make a worse master yield.
+    kReject,       ///< As kForce, and to tell that this master should not have claimed to be one.
+    kAnswer,       ///< To answer as master, at once.
+    kAnswerInTurn, ///< To answer as master, in the own time slot.
+    kJoin,         ///< To join a race that others have begun.
+    kRace,         ///< To begin a race as a standby.
+    kAsk,          ///< To ask as a standby whether the master is there.
+    kRestart,      ///< To restart, reset all or race anew, as the options say: 076h was heard.
     kResetAll,
     kRaceAnew,
-    kWatch,        ///< Heartbeat of the own master.
+    kWatch,        ///< To note the heartbeat of the own master.
     kFoundCapable, ///< 074h.
     kTellCapable,  ///< 075h.
 };
 
-/// @brief The claim of 071h.
+/// @brief What a frame 071h claims.
 [[nodiscard]] constexpr MasterClaim ClaimOf(const CanFrame& frame) noexcept
 {
     return MasterClaim{frame.data[0], NodeId{frame.data[1]}};
 }
 
-/// @brief Judges a frame, without effect.
+/// @brief Judges a frame. A pure function: it changes nothing.
 [[nodiscard]] FlyingReaction Heard(const FlyingView& view, const CanFrame& frame) noexcept;
 
 } // namespace counterpoint::cia302

@@ -53,7 +53,8 @@ enum class StandbyReaction : std::uint8_t
     kRaces = 2U, ///< At 072h; ignores 076h. Known of other makes: a cyclic 072h begins a race each time.
 };
 
-/// How this device differs from others that follow the same text; all zero but the numbers: the default preset.
+/// In what this device differs from others that follow the same text. All values zero, but for the numbers, are the
+/// default preset.
 struct FlyingMasterOptions
 {
     CyclicMessage cyclic;

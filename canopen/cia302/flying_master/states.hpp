@@ -12,11 +12,11 @@ enum class FlyingState : std::uint8_t
 {
     kInvalid = 0U,
     kInitialising = 1U, ///< Nothing happens until Start.
-    kDelay = 2U,        ///< Step 1, before 073h.
-    kDetect = 3U,       ///< Steps 1 to 5: 071h is waited for.
-    kRace = 4U,         ///< Step 7: the own slot is waited for.
-    kForcing = 5U,      ///< Steps 4 and 10: 076h is to leave.
-    kResetting = 6U,    ///< Reset communication of all nodes is to leave.
+    kDelay = 2U,        ///< Step 1: the delay before 073h.
+    kDetect = 3U,       ///< Steps 1 to 5: waits for 071h.
+    kRace = 4U,         ///< Step 7: waits for the own time slot.
+    kForcing = 5U,      ///< Steps 4 and 10: 076h is to be sent.
+    kResetting = 6U,    ///< Reset communication of all nodes is to be sent.
     kSlave = 7U,        ///< Another one is master.
     kHalted = 8U,       ///< Another device has the own node-ID: nothing until the next reset.
     kMaster = 0x96U,    ///< The active master.
@@ -39,7 +39,7 @@ enum class FlyingInput : std::uint8_t
 };
 constexpr std::uint8_t kFlyingInputs = 11U;
 
-/// One state. kInvalid in a cell would be one that was forgotten.
+/// One state and what follows it. kInvalid in a cell would mean that the cell was forgotten.
 struct FlyingRow
 {
     FlyingState state;
@@ -85,7 +85,8 @@ static_assert(IsTotal(), "a row without a cell");
 
 } // namespace flying_table
 
-/// @brief What follows `state`: total, without effect. A value that is no state waits for a reset. [SRS_FLY_031]
+/// @brief What follows `state`. A pure function, defined for every value; a value that is no state waits for a reset.
+/// [SRS_FLY_031]
 [[nodiscard]] constexpr FlyingState Next(const FlyingState state, const FlyingInput input) noexcept
 {
     const auto column = static_cast<std::uint8_t>(input);

@@ -24,6 +24,7 @@ struct FlyingMasterTimes
     std::uint16_t device_slot;     ///< Sub 5: a node-ID waits so much longer than the one below it.
     std::uint16_t detection_cycle; ///< Sub 6: cyclic message of the active master; 0: none.
 
+    /// @brief Priority level: the low byte of `priority`.
     [[nodiscard]] constexpr std::uint8_t Level() const noexcept
     {
         return static_cast<std::uint8_t>(priority);
@@ -43,7 +44,8 @@ struct FlyingMasterTimes
     return FlyingMasterTimes{100U, 500U, 2U, 1500U, 10U, static_cast<std::uint16_t>(4000U + (10U * node.value))};
 }
 
-/// @brief No slot of a level reaches into the next level: sub 4 > 127 x sub 5 > 0. [SRS_FLY_002]
+/// @brief Whether no time slot of a level reaches into the next level: sub-index 4 > 127 x sub-index 5 > 0.
+/// [SRS_FLY_002]
 [[nodiscard]] constexpr bool HasSeparateSlots(const FlyingMasterTimes& times) noexcept
 {
     const std::uint32_t all_devices = static_cast<std::uint32_t>(times.device_slot) * kLastNode;
@@ -61,6 +63,7 @@ struct FlyingMasterTimes
 class FlyingMasterObject final : public cia301::NumberHook
 {
   public:
+    /// @brief `times` is kept by reference.
     explicit FlyingMasterObject(FlyingMasterTimes& times) noexcept;
 
     /// @brief kNone, kSubUnknown, kReadOnly (sub-index 0) or kValueRange.

@@ -28,9 +28,9 @@ struct AskedNode
     bool has_toggled;           ///< Answers remote frames: a heartbeat never has the toggle bit.
 };
 
-/// Finds two devices behind one node-ID by their answers: each question that both answer is answered twice. Where their
-/// answers are the same bit for bit and begin together they are one frame on the wire, which nobody can tell from one
-/// of a single device. Pure functions over one record. [SRS_MGR_015]
+/// Finds two devices behind one node-ID by their answers: a question that both answer is answered twice. Answers that
+/// are equal bit for bit and begin together are one frame on the wire; then nobody can tell them from the answer of one
+/// device. Pure functions over one record. [SRS_MGR_015]
 class AnswerWatch
 {
   public:
@@ -41,7 +41,8 @@ class AnswerWatch
     static void OnQuestion(AskedNode& node, const CanFrame& frame) noexcept;
     /// @brief A reset of the node was on the bus, whoever sent it. O(1)
     static void OnReset(AskedNode& node) noexcept;
-    /// @brief A frame of the node: SDO answer, or error control message. Whether it is the one too many. O(1)
+    /// @brief A frame of the node: SDO answer, or error control message. True: it is the answer that shows a second
+    /// device. O(1)
     [[nodiscard]] static bool OnAnswer(AskedNode& node, const CanFrame& frame) noexcept;
 
   private:

@@ -9,6 +9,7 @@
 namespace counterpoint::cia302
 {
 
+/// What reading an entry came to.
 enum class ConciseState : std::uint8_t
 {
     kMalformed = 0U, ///< Ends inside an entry.
@@ -23,6 +24,7 @@ struct ConcisePosition
     std::uint32_t offset; ///< Bytes behind the count.
 };
 
+/// One entry of a concise DCF, and where the next one begins.
 struct ConciseReading
 {
     ConciseState state;

@@ -12,6 +12,7 @@
 namespace counterpoint::cia302
 {
 
+/// Whether a command was taken, or why not.
 enum class NmtAnswer : std::uint8_t
 {
     kInvalid = 0U,
@@ -32,6 +33,7 @@ struct NmtQueueRoom
     std::uint16_t count;
 };
 
+/// What an NMT master works with; all kept by reference.
 struct NmtMasterParts
 {
     const NetworkSetup& setup;
@@ -42,16 +44,17 @@ struct NmtMasterParts
     const StartGate& gate; ///< Tells who may be started.
 };
 
-/// The one place where NMT commands leave the device: in order, with 102Ah between two of them. A start of a safety
-/// slave is checked when it is asked for and once more when it leaves. Not reentrant.
+/// Sends the NMT commands of the device; no other part sends one. It sends them in order, with 102Ah between two of
+/// them. The start of a safety slave is checked when it is asked for, and again when it leaves. Not reentrant.
 class NmtMaster
 {
   public:
+    /// @brief Inactive, with an empty queue.
     explicit NmtMaster(const NmtMasterParts& parts) noexcept;
 
-    /// @brief Whether this device is the active master; inactive at first. On losing this the queue is emptied.
-    /// [SRS_NMM_002]
+    /// @brief Tells whether this device is the active master. When it is no longer, the queue is emptied. [SRS_NMM_002]
     void SetActive(bool is_active) noexcept;
+    /// @brief Whether this device is the active master.
     [[nodiscard]] bool IsActive() const noexcept;
 
     /// @brief Puts a command into the queue, and sends it at once if the inhibit time is over and nothing waits. What
@@ -65,9 +68,9 @@ class NmtMaster
     /// @brief Sends what is due. Call once a cycle. O(commands that leave) [SRS_NMM_001]
     void OnCycle(Instant now) noexcept;
 
-    /// @brief Commands that wait.
+    /// @brief How many commands wait.
     [[nodiscard]] std::uint16_t Waiting() const noexcept;
-    /// @brief Starts that were taken and did not leave: the gate closed meanwhile, or the node began anew.
+    /// @brief How many starts were taken and not sent, because the gate closed or the node began anew.
     [[nodiscard]] std::uint32_t Dropped() const noexcept;
 
   private:

@@ -21,6 +21,7 @@ enum class SlaveState : std::uint8_t
     kPreOperational = 127U, ///< Also after a boot-up message.
 };
 
+/// What the node table tells of a node.
 enum class NodeEvent : std::uint8_t
 {
     kInvalid = 0U,
@@ -49,6 +50,7 @@ class NodeListener
     NodeListener& operator=(const NodeListener&) = default;
 };
 
+/// How a node is supervised.
 enum class Watch : std::uint8_t
 {
     kNone = 0U,
@@ -91,13 +93,13 @@ struct NodeRecord
     std::uint8_t missed; ///< Unanswered remote frames in a row.
     Toggle toggle;
     bool is_asked;        ///< A remote frame is out and not answered.
-    bool is_toggle_wrong; ///< Told already.
+    bool is_toggle_wrong; ///< The toggle error was told already.
     bool is_expected;     ///< Expect runs.
     std::uint32_t expect_us;
     Instant expected_from;
 };
 
-/// Room for kNodeRoom records by node-ID, and the parts, kept by reference.
+/// What the node table works with: room for kNodeRoom records by node-ID, and the parts, all kept by reference.
 struct NodeTableParts
 {
     NodeRecord* records;
@@ -112,6 +114,7 @@ struct NodeTableParts
 class NodeTable final : public NmtListener
 {
   public:
+    /// @brief No node is supervised at first.
     explicit NodeTable(const NodeTableParts& parts) noexcept;
 
     /// @brief Supervision by heartbeat from now on. `time_ms` 0: none.
@@ -147,9 +150,11 @@ class NodeTable final : public NmtListener
     [[nodiscard]] const NodeRecord& Record(NodeId node) const noexcept;
     /// @brief What 1F82h reads: the state heard, or the one last asked for where nothing supervises the node.
     [[nodiscard]] std::uint8_t RequestValue(NodeId node) const noexcept;
-    /// @brief It says OPERATIONAL, and no sign of that was under way when it was commanded otherwise, by whomever.
+    /// @brief Whether the node says OPERATIONAL, and no sign that says so can be older than the last command to leave
+    /// it.
     [[nodiscard]] bool RunsSurely(NodeId node) const noexcept;
-    /// @brief It says OPERATIONAL, and the last command did not tell it otherwise, or it says so surely.
+    /// @brief Whether the node is OPERATIONAL although nobody told it otherwise last, or surely so in spite of such a
+    /// command.
     [[nodiscard]] bool IsFoundRunning(const NodeId node) const noexcept
     {
         const NodeRecord& record = Record(node);

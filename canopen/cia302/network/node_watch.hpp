@@ -73,7 +73,8 @@ class NodeWatch
     void OnCycle(Instant now) noexcept;
     /// @brief A frame of this device was on the bus. Without these calls second answers are not seen. As OnFrame
     void OnSent(const CanFrame& frame) noexcept;
-    /// @brief The producer time of the node is not known: its heartbeats are counted from the next one on. O(1)
+    /// @brief The heartbeat time of the node is not known any more: its heartbeats are counted from the next one on.
+    /// O(1)
     void CountAnew(NodeId node) noexcept;
     /// @brief One node, or all with node 0, was reset: what was suspected may be over. O(127)
     void OnReset(NodeId node) noexcept;

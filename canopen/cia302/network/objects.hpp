@@ -25,12 +25,13 @@ struct NetworkObjectParts
 class NetworkObjects final : public cia301::NumberHook
 {
   public:
+    /// @brief The setup stands before the first access.
     explicit NetworkObjects(const NetworkObjectParts& parts) noexcept;
 
-    /// @brief Time for what writes lead to. Once a cycle.
+    /// @brief Sets the time for what writes lead to. Once a cycle.
     void OnCycle(Instant now) noexcept;
-    /// @brief Node-ID of the SDO client whose write is at hand, if that is known; "all but the requester" leaves it
-    /// out. 0: nobody.
+    /// @brief Node-ID of the SDO client whose write is being carried out, 0 if it is not known. A command to all but
+    /// the requester leaves this node out.
     void SetRequester(NodeId node) noexcept;
 
   private:
@@ -57,6 +58,7 @@ class NetworkObjects final : public cia301::NumberHook
 class NetworkDomains final : public cia301::ReadHook
 {
   public:
+    /// @brief `setup` outlives the hook.
     explicit NetworkDomains(const NetworkSetup& setup) noexcept;
 
     [[nodiscard]] cia301::Reading OnRead(const ObjectAddress& address, const Room& room) noexcept override;

@@ -7,7 +7,7 @@
 namespace counterpoint::cia302
 {
 
-/// What a profile keeps of the readings of one slave. Zero-filled at first.
+/// What a start-up profile remembers of the readings of one slave. Zero-filled at first.
 struct SafetyReading
 {
     bool is_woken;    ///< STOPPED, and made PRE-OPERATIONAL to be read before its start.
@@ -17,7 +17,7 @@ struct SafetyReading
     bool is_unread;   ///< Stopped because it ran and did not answer.
 };
 
-/// How far a reading is.
+/// How far a reading of a safety slave is.
 enum class ReadingEnd : std::uint8_t
 {
     kWaits = 0U,
@@ -26,11 +26,13 @@ enum class ReadingEnd : std::uint8_t
     kRefused = 3U, ///< See StartGate::Finding.
 };
 
-/// When the gate reads a safety slave on behalf of a start-up profile: before its start, when it runs without one, and
-/// what is done if it runs and cannot be read. `node` is 1 to 127, checked by the caller. Nothing here waits.
+/// Decides when the gate reads a safety slave on behalf of a start-up profile: before its start, and when it runs
+/// without having been read; and what happens to a slave that runs and cannot be read. `node` is 1 to 127, checked by
+/// the caller. Nothing here waits.
 class SafetyReader
 {
   public:
+    /// @brief The parts are kept by reference.
     explicit SafetyReader(const StartUpParts& parts) noexcept;
 
     /// @brief One step of the reading before a start. `is_deaf`: STOPPED, it has no SDO, and is made PRE-OPERATIONAL

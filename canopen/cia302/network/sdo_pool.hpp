@@ -16,6 +16,7 @@ using cia301::SdoAbort;
 using cia301::SdoMode;
 using cia301::SdoOutcome;
 
+/// What the transfer of a node is doing.
 enum class TransferState : std::uint8_t
 {
     kIdle = 0U,
@@ -24,7 +25,7 @@ enum class TransferState : std::uint8_t
     kFailed = 3U, ///< Aborted by the server, or no answer to any of the tries: see Outcome.
 };
 
-/// One client and the transfer it was given.
+/// One SDO client and the transfer that it was given.
 struct SdoLane
 {
     cia301::SdoClient client;
@@ -45,10 +46,10 @@ struct SdoTimes
     std::uint8_t tries;        ///< 1 to 255; only silence is tried again, an abort never.
 };
 
-/// Cycles after which a lane may change hands.
+/// Cycles after the end of a transfer, after which a lane may be given to another node.
 constexpr std::uint8_t kSettled = 2U;
 
-/// Lanes as they stand somewhere; see SdoLanes.
+/// Where the lanes of a pool are; see SdoLanes.
 struct SdoLaneRoom
 {
     SdoLane* lanes;
@@ -109,13 +110,14 @@ class SdoPool
                                 Instant now) noexcept;
     /// @brief The running transfer of this node is not tried again: its first silence is its end.
     void TryOnce(NodeId node) noexcept;
-    /// @brief Of the node's last transfer; kIdle if its lane has gone to another node.
+    /// @brief State of the node's last transfer; kIdle if its lane was given to another node.
     [[nodiscard]] TransferState State(NodeId node) const noexcept;
-    /// @brief With kDone and kFailed. abort is kTimeOut with !by_server if nobody answered.
+    /// @brief How the node's last transfer ended; has a meaning with kDone and kFailed. `abort` is kTimeOut with
+    /// !by_server if nobody answered.
     [[nodiscard]] SdoOutcome Outcome(NodeId node) const noexcept;
     /// @brief Whether any transfer ran at the last OnCycle, or less than a time-out before it.
     [[nodiscard]] bool IsBusy() const noexcept;
-    /// @brief Silence that ends a try.
+    /// @brief Silence that ends a try, in us.
     [[nodiscard]] std::uint32_t TimeOutUs() const noexcept;
     /// @brief Gives a running transfer up; it is kFailed with this reason.
     void Cancel(NodeId node, SdoAbort reason) noexcept;

@@ -13,9 +13,9 @@ namespace counterpoint::cia302
 using cia301::Bytes;
 using cia301::NodeId;
 
-struct El6751Slave;       ///< el6751_setup.hpp
-struct PlcSlave;          ///< plc_setup.hpp
-struct SafetyExpectation; ///< safety_check.hpp
+struct El6751Slave;       ///< canopen/start_up/el6751/setup.hpp
+struct PlcSlave;          ///< canopen/start_up/plc_designer/setup.hpp
+struct SafetyExpectation; ///< canopen/cia302/safety_gate/safety_check.hpp
 
 constexpr std::uint8_t kLastNode = 127U;
 constexpr std::uint8_t kNodeRoom = 128U; ///< Arrays by node-ID; element 0 is not used.
@@ -66,7 +66,8 @@ struct SoftwareSetup
     Bytes program;                ///< 1F58h, to 1F50h:01; null: there is none.
 };
 
-/// All that the master knows beforehand of one slave. Numbers of 0 are not checked. All zero: not in the network.
+/// All that the manager knows beforehand of one slave. A number that is 0 is not compared. All values zero: the slave
+/// is not in the network.
 struct SlaveSetup
 {
     std::uint32_t assignment;         ///< 1F81h.
@@ -91,6 +92,7 @@ struct SlaveSetup
     {
         return (assignment & bits) == bits;
     }
+    /// @brief Whether it is in the network list (1F81h bit 0).
     [[nodiscard]] constexpr bool IsListed() const noexcept
     {
         return Has(kInNetwork);
@@ -128,17 +130,17 @@ struct NetworkSetup
     {
         return slaves[node.value & kLastNode];
     }
-    /// @brief In the network list, and not the master itself.
+    /// @brief Whether the node is in the network list and not the master itself. Any node-ID.
     [[nodiscard]] constexpr bool IsListed(const NodeId node) const noexcept
     {
         return (node.value >= 1U) && (node.value <= kLastNode) && (node.value != own.value) && Slave(node).IsListed();
     }
-    /// @brief Listed, with a safety configuration that it has to have. Any node-ID.
+    /// @brief Whether the node is listed and has a safety configuration that is expected of it. Any node-ID.
     [[nodiscard]] constexpr bool IsSafetySlave(const NodeId node) const noexcept
     {
         return IsListed(node) && (Slave(node).safety != nullptr);
     }
-    /// @brief While this holds, no start goes to node 0 by any path. O(127)
+    /// @brief Whether any listed slave is a safety slave. While this holds, no start goes to node 0 by any path. O(127)
     [[nodiscard]] constexpr bool HasSafetySlave() const noexcept
     {
         bool has_one = false;

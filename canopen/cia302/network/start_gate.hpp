@@ -12,6 +12,7 @@
 namespace counterpoint::cia302
 {
 
+/// State of the safety gate for one slave.
 enum class GateState : std::uint8_t
 {
     kClosed = 0U,  ///< Not verified since the last boot-up of the slave.
@@ -47,8 +48,9 @@ struct GateFinding
     }
 };
 
-/// Stands before every start of a safety slave, whatever profile starts it: Verify, then wait until State is not kBusy.
-/// While it is kBusy the slave's SDO connection belongs to the gate. Nodes that are no safety slaves may always start.
+/// Is asked before every start of a safety slave, by every start-up profile: call Verify, then wait until State is not
+/// kBusy. While it is kBusy the slave's SDO connection belongs to the gate. Nodes that are no safety slaves may always
+/// start.
 class StartGate
 {
   public:
@@ -56,7 +58,7 @@ class StartGate
     virtual void Verify(NodeId node, Instant now) noexcept = 0;
     /// @brief Drives verification; once a cycle, by the owner of all parts.
     virtual void OnCycle(Instant now) noexcept = 0;
-    /// @brief The slave booted up, was reset or was lost: what was verified holds no more.
+    /// @brief The slave booted up, was reset or was lost: its verification does not count any more.
     virtual void Close(NodeId node) noexcept = 0;
     /// @brief kOpen for a node that is no safety slave.
     [[nodiscard]] virtual GateState State(NodeId node) const noexcept = 0;

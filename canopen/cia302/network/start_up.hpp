@@ -46,7 +46,7 @@ enum class StartUpStep : std::uint8_t
     kSettling = 27U,    ///< Time between boot-up message and first SDO.
 };
 
-/// What is known of the start-up of one slave. Kept until the next start-up of this slave begins.
+/// What is known of the start-up of one slave. It stays until the next start-up of this slave begins.
 struct NodeStatus
 {
     char letter;            ///< CiA 302-2: 'A' to 'O', 0: none.
@@ -75,7 +75,7 @@ struct NodeStatus
     }
 };
 
-/// Is told what changes.
+/// Is told what changes in the start-up of a network.
 class StartUpListener
 {
   public:
@@ -123,7 +123,8 @@ class StartUp
     virtual void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept = 0;
     /// @brief The NMT master gave up a start that it had taken: the slave is verified anew and then started.
     virtual void OnStartDropped(NodeId node, Instant now) noexcept;
-    /// @brief The bus is back: a start-up that it was away from is worth nothing. Nothing, unless a profile says more.
+    /// @brief The bus is back after it was away. A profile may begin start-ups again that it was away from; by itself
+    /// this does nothing.
     virtual void OnBusBack(Instant now) noexcept;
     /// @brief A command of the application, of 1F82h or typed: a start of a safety slave waits for its verification and
     /// is refused if the slave is another device (kOtherDevice), a start of all is one start for each slave where a
@@ -150,7 +151,8 @@ class StartUp
     }
     /// @brief `node` is 1 to 127, checked by the caller.
     [[nodiscard]] virtual NodeStatus Status(NodeId node) const noexcept = 0;
-    /// @brief CiA 302-2: MasterStep of start_up_cia302.hpp. PLC Designer: 0, 1, 2, 3, 5. EL6751: see there.
+    /// @brief Where the profile is, as a number of its own. CiA 302-2: MasterStep (start_up/cia302/master_steps.hpp).
+    /// EL6751: kEl6751... (start_up/el6751/start_up.hpp). PLC Designer: nStatus 0, 1, 2, 3 or 5.
     [[nodiscard]] virtual std::int16_t MasterState() const noexcept = 0;
 
   protected:

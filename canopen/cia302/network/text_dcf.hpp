@@ -9,6 +9,7 @@
 namespace counterpoint::cia302
 {
 
+/// What reading an entry came to.
 enum class TextState : std::uint8_t
 {
     kMalformed = 0U, ///< The value of this object cannot be understood, or does not fit its type.

@@ -28,9 +28,9 @@ struct SafetyExpectation
     std::uint16_t count;
 };
 
-/// @brief Whether it names every part of at least one SRDO and nothing else. O(count) [SRS_SFS_007]
+/// @brief Whether it names every object of at least one SRDO, and nothing else. O(count) [SRS_SFS_007]
 [[nodiscard]] bool IsUsable(const SafetyExpectation& expectation) noexcept;
-/// @brief Bytes of an object of a safety configuration; 0: it is none.
+/// @brief Length in bytes of an object of a safety configuration; 0: the object is none of them.
 [[nodiscard]] std::uint8_t SizeOf(const ObjectAddress& address) noexcept;
 
 /// One object that says who a slave is.
@@ -46,6 +46,7 @@ constexpr std::uint8_t kIdentityRows = 5U;
 /// @brief 1000h and 1018h:01 to :04 by `row` 0 to 4, as the rule compares them. [SRS_SFS_010]
 [[nodiscard]] IdentityRow IdentityRowOf(const SlaveSetup& slave, IdentityRule rule, std::uint8_t row) noexcept;
 
+/// What a check does with the safety configuration of its slave.
 enum class SafetyTask : std::uint8_t
 {
     kInvalid = 0U,
@@ -53,6 +54,7 @@ enum class SafetyTask : std::uint8_t
     kWrite = 2U,  ///< Asks, then writes by the full procedure, which compares before it declares anything valid.
 };
 
+/// Where a check is, or how it ended.
 enum class CheckState : std::uint8_t
 {
     kClosed = 0U,
@@ -62,7 +64,7 @@ enum class CheckState : std::uint8_t
     kAlike = 0x69U,
 };
 
-/// What is to be done to which slave. It is a safety slave, and kept by reference.
+/// Which slave is to be checked, and how. The slave is a safety slave, and is kept by reference.
 struct SafetyOrder
 {
     const SlaveSetup& slave;
@@ -77,7 +79,7 @@ class SafetyCheck
   public:
     SafetyCheck() noexcept = default;
 
-    /// @brief Anew from the beginning. [SRS_SFS_001, SRS_SFS_005, SRS_SFS_010]
+    /// @brief Begins the check from its start. [SRS_SFS_001, SRS_SFS_005, SRS_SFS_010]
     void Begin(const SafetyOrder& order, NodeId node) noexcept;
     /// @brief Takes what the slave answered and asks for the next object.
     void OnCycle(SdoPool& sdo, Instant now) noexcept;

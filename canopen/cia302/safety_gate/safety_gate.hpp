@@ -15,7 +15,7 @@ struct SafetySlot
     NodeId node;
     std::uint32_t permit; ///< Derived from the node-ID while the gate is open; everything else grants nothing.
     SafetyCheck check;
-    bool is_doubted; ///< Nothing that it says is believed.
+    bool is_doubted; ///< Two devices may have this node-ID: nothing that it says is believed.
 };
 
 /// Room for as many slaves as have an expectation, kept by reference.
@@ -34,7 +34,8 @@ class SafetyGate final : public StartGate
   public:
     SafetyGate(const NetworkSetup& setup, const SafetySlots& room, SdoPool& sdo) noexcept;
 
-    /// @brief Who a slave is, is asked as this rule says from the next verification on; kCia302 before. [SRS_SFS_010]
+    /// @brief From the next verification on this rule says by which objects a slave is recognised; kCia302 at first.
+    /// [SRS_SFS_010]
     void Use(IdentityRule rule) noexcept;
     /// @brief Reads and compares from the beginning; kBusy until that ends. In doubt, or without a slot,
     /// nothing happens. [SRS_SFS_001]
@@ -42,11 +43,12 @@ class SafetyGate final : public StartGate
     /// @brief Writes the whole safety configuration, then as Verify. The slave has to be PRE-OPERATIONAL: it refuses
     /// otherwise. False: no safety slave, in doubt, or no slot. [SRS_SFS_005]
     [[nodiscard]] bool Write(NodeId node, Instant now) noexcept;
-    /// @brief Two devices may be behind this node-ID: closed, and not to be opened until Trust. [SRS_SFS_002]
+    /// @brief Two devices may have this node-ID: the gate is closed and stays so until Trust. [SRS_SFS_002]
     void Doubt(NodeId node) noexcept;
     /// @brief The node was reset: it may be verified again.
     void Trust(NodeId node) noexcept;
-    /// @brief What runs begins again: it may have been another device that answered until now. [SRS_SFS_002]
+    /// @brief A verification or writing that runs begins again, because another device may have answered until now.
+    /// [SRS_SFS_002]
     void Renew(NodeId node) noexcept;
     void OnCycle(Instant now) noexcept override;
     void Close(NodeId node) noexcept override;

@@ -7,10 +7,11 @@
 namespace counterpoint::cia302
 {
 
-/// The slave is configured: letter J.
+/// Writes the configuration of a slave during its boot. A failure is letter J.
 class BootConfiguration
 {
   public:
+    /// @brief The parts are kept by reference.
     explicit BootConfiguration(const StartUpParts& parts) noexcept : parts_(parts), transfer_(parts.sdo)
     {
     }
@@ -29,7 +30,7 @@ class BootConfiguration
     BootTransfer transfer_;
 };
 
-/// @brief Nothing is restored for this slave.
+/// @brief Whether no defaults are to be restored in this boot.
 [[nodiscard]] inline bool IsRestoreUnasked(const BootJob& job) noexcept
 {
     return !job.setup.Has(kRestoreDefaults) || (job.setup.restore_sub == 0U) || job.record.is_resumed;

@@ -11,10 +11,12 @@ namespace counterpoint::cia302
 constexpr std::uint32_t kAskAgainUs = 1'000'000U;  ///< Between two readings of 1000h.
 constexpr std::uint32_t kGuardAnswerUs = 100'000U; ///< From a remote frame to its answer.
 
-/// The slave is there, is the one that is expected, and may be reset: letters B to F and M to O.
+/// Finds out whether the slave is there, is the expected device, and may be reset. Failures are letters B to F and M to
+/// O.
 class BootIdentity
 {
   public:
+    /// @brief The parts are kept by reference.
     explicit BootIdentity(const StartUpParts& parts) noexcept : parts_(parts), transfer_(parts.sdo), reader_(parts)
     {
     }
@@ -35,7 +37,7 @@ class BootIdentity
     SafetyReader reader_;
 };
 
-/// @brief The state check is not for this slave.
+/// @brief Whether the state check is left out for this slave.
 [[nodiscard]] inline bool IsStateUnasked(const BootJob& job) noexcept
 {
     return !job.setup.Has(kKeepAlive) || job.record.is_fresh;

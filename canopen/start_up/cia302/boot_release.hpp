@@ -7,17 +7,19 @@
 namespace counterpoint::cia302
 {
 
-/// The slave is supervised, verified and started: letters J, K and those of another device.
+/// Supervises, verifies and starts the slave at the end of its boot. Failures are letters J and K, and those of another
+/// device.
 class BootRelease
 {
   public:
+    /// @brief The parts are kept by reference.
     explicit BootRelease(const StartUpParts& parts) noexcept : parts_(parts)
     {
     }
 
     /// @brief The work of one call in the states kWatch to kGateClosed.
     [[nodiscard]] BootFinding Work(const BootJob& job) noexcept;
-    /// @brief Likewise, kStart.
+    /// @brief The work of one call in the state kStart.
     [[nodiscard]] BootFinding Start(const BootJob& job, bool is_master_operational) noexcept;
 
   private:

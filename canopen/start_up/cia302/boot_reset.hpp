@@ -7,15 +7,17 @@
 namespace counterpoint::cia302
 {
 
-/// What CiA 302-2 leaves to the master: from a reset to the boot-up message (kResetUs), at most, while SDOs of other
-/// slaves keep the bus busy,
+/// CiA 302-2 leaves open how long a boot-up message may take after a reset. Usually kResetUs are enough. While SDOs of
+/// other slaves keep the bus busy, the master waits for this time, or for kCrowdedTimeOuts, whichever is longer.
 constexpr std::uint32_t kCrowdedUs = 10'000'000U;
-constexpr std::uint32_t kCrowdedTimeOuts = 20U; ///< or as many SDO time-outs, which are long where the bus is slow.
+/// or for so many SDO time-outs, whichever is longer: they are long where the bus is slow.
+constexpr std::uint32_t kCrowdedTimeOuts = 20U; ///< SDO time-outs; they are long where the bus is slow.
 
-/// The reset before a boot, and the boot-up messages that its states wait for.
+/// Resets the slave before its boot, and waits for the boot-up messages that the states of a boot need.
 class BootReset
 {
   public:
+    /// @brief The parts are kept by reference.
     explicit BootReset(const StartUpParts& parts) noexcept : parts_(parts)
     {
     }
@@ -31,7 +33,7 @@ class BootReset
     StartUpParts parts_;
 };
 
-/// @brief How the boot of this slave begins.
+/// @brief With which event the boot of this slave begins: with its first SDO, or with supervision alone.
 [[nodiscard]] inline BootEvent BeginOf(const SlaveSetup& setup) noexcept
 {
     return setup.Has(kBootSlave) ? BootEvent::kBegin : BootEvent::kBeginUnasked;

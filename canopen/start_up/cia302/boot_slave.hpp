@@ -17,10 +17,11 @@ namespace counterpoint::cia302
 class BootListener
 {
   public:
-    /// @brief The boot ended without letter, or with L.
+    /// @brief The boot of a slave ended well: without a letter, or with L.
     virtual void OnBooted(NodeId node, const BootTime& time) noexcept = 0;
-    /// @brief It ended with another letter; the record tells.
+    /// @brief The boot of a slave ended with another letter, which is in its record.
     virtual void OnBootFailed(NodeId node, const BootTime& time) noexcept = 0;
+    /// @brief Whether the master is OPERATIONAL.
     [[nodiscard]] virtual bool IsMasterOperational() const noexcept = 0;
 
   protected:
@@ -30,25 +31,28 @@ class BootListener
     BootListener& operator=(const BootListener&) = default;
 };
 
-/// Boots slaves after CiA 302-2, each by itself and all at the same time: `records` has kNodeRoom elements by node-ID,
-/// kept by reference as the parts. `node` is always that of a listed slave. Not reentrant. The course of a boot is
-/// kRows of boot_states.hpp; reset, identity, software, configuration and release do the work of its states.
+/// Boots slaves after CiA 302-2, each independently of the others and all at the same time. `records` has kNodeRoom
+/// elements by node-ID; they and the parts are kept by reference. `node` is always that of a listed slave. Not
+/// reentrant. What follows which state is the table kRows in boot_states.hpp; the classes for reset, identity,
+/// software, configuration and release do the work of the states.
 class BootSlave
 {
   public:
+    /// @brief No boot runs at first.
     BootSlave(const StartUpParts& parts, BootRecord* records, BootListener& listener) noexcept;
 
     /// @brief Boots now, without waiting for a boot-up message. [SRS_BOOT_004, SRS_BOOT_005, SRS_BOOT_006,
     /// SRS_BOOT_007, SRS_BOOT_008, SRS_BOOT_009, SRS_BOOT_010, SRS_BOOT_011, SRS_BOOT_012, SRS_BOOT_013, SRS_BOOT_014]
     void Ask(NodeId node, const BootTime& time) noexcept;
-    /// @brief As Ask, and what was written stays: no reset by the state check, nothing is restored. [SRS_SFS_005]
+    /// @brief As Ask, but what was written to the slave stays: the state check does not reset it, and no defaults are
+    /// restored. [SRS_SFS_005]
     void Resume(NodeId node, const BootTime& time) noexcept;
     /// @brief Boots when the boot-up message comes; mandatory slaves and those kept alive also without one, after
     /// kResetUs. [SRS_BOOT_002]
     void Await(NodeId node, const BootTime& time) noexcept;
     /// @brief Resets the node, then as Await. [SRS_BOOT_017]
     void Reset(NodeId node, const BootTime& time) noexcept;
-    /// @brief The boot-up message of the node: what the boot waits for, or its begin. [SRS_BOOT_018]
+    /// @brief The boot-up message of the node: the boot waits for it, or begins with it. [SRS_BOOT_018]
     void OnBootUp(NodeId node, const BootTime& time) noexcept;
     /// @brief Writes the configuration, and nothing else. [SRS_NMM_009]
     void Configure(NodeId node, const BootTime& time) noexcept;
@@ -56,14 +60,15 @@ class BootSlave
     void Start(NodeId node, const BootTime& time) noexcept;
     /// @brief Verifies a safety slave that was found OPERATIONAL. [SRS_BOOT_013]
     void Verify(NodeId node, const BootTime& time) noexcept;
-    /// @brief Gives up whatever runs, and takes the slave for another device until a boot has asked it. [SRS_BOOT_017]
+    /// @brief Ends whatever runs, and takes the slave for another device until a boot has found the expected one.
+    /// [SRS_BOOT_017]
     void Doubt(NodeId node, const BootTime& time) noexcept;
-    /// @brief Gives up whatever runs.
+    /// @brief Ends whatever runs.
     void End(NodeId node) noexcept;
-    /// @brief Goes on as far as it can. Once a cycle, and after each frame of the node.
+    /// @brief Does what can be done now. Call it once a cycle, and after each frame of the node.
     void OnCycle(NodeId node, const BootTime& time) noexcept;
 
-    /// @brief `node` is 1 to 127, checked by the caller.
+    /// @brief Record of a slave; `node` is 1 to 127, checked by the caller.
     [[nodiscard]] BootRecord& Record(NodeId node) noexcept;
     [[nodiscard]] const BootRecord& Record(NodeId node) const noexcept;
 

@@ -8,20 +8,23 @@ namespace counterpoint::cia302
 {
 
 constexpr std::uint32_t kFlashCheckUs = 100'000U; ///< Between two readings of 1F57h.
-constexpr std::uint16_t kMaxFlashChecks = 600U;   ///< A minute; then the update has failed.
-constexpr std::uint8_t kMaxUpdates = 3U;          ///< That the slave's own restarts broke off.
+constexpr std::uint16_t kMaxFlashChecks = 600U;   ///< Readings of 1F57h before the update has failed: a minute.
+/// How often an update is begun again after the slave's own restarts broke it off.
+constexpr std::uint8_t kMaxUpdates = 3U;
 
-/// The slave has the software that is expected, or gets it: letters G, H, I.
+/// Checks whether the slave has the expected software, and updates it if that is wanted. Failures are letters G, H and
+/// I.
 class BootSoftware
 {
   public:
+    /// @brief `sdo` is kept by reference.
     explicit BootSoftware(SdoPool& sdo) noexcept : sdo_(sdo), transfer_(sdo)
     {
     }
 
     /// @brief The work of one call in the states kSoftwareId to kSoftwareTime.
     [[nodiscard]] BootFinding Check(const BootJob& job) noexcept;
-    /// @brief Likewise, kProgramStop to kProgramStarted.
+    /// @brief The work of one call in the states kProgramStop to kProgramStarted.
     [[nodiscard]] BootFinding Update(const BootJob& job) noexcept;
 
   private:

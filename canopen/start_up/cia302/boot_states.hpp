@@ -9,23 +9,24 @@
 namespace counterpoint::cia302
 {
 
-/// What the boot of a slave is doing. kBootTable tells of each state its step, what it waits for, and what follows.
+/// What the boot of a slave is doing. The table kRows says for each state which step it belongs to, what it waits for,
+/// and what follows.
 enum class BootState : std::uint8_t
 {
-    kIdle = 0U,               ///< No boot runs; the step of the status tells where the last one ended.
-    kResetDue = 1U,           ///< Reset node is to be handed over.
-    kResetSent = 2U,          ///< By the boot or by somebody else.
-    kUnheard = 3U,            ///< No boot-up message in its time: the slave is to come by itself.
-    kTypeFirst = 4U,          ///< Before the first reading of 1000h: a STOPPED slave has no SDO to be asked by.
-    kTypeAgain = 5U,          ///< Before each other reading.
-    kType = 6U,               ///< Reads 1000h.
-    kTypePause = 7U,          ///< Between two readings.
-    kVendorId = 8U,           ///< Reads 1018h:01.
+    kIdle = 0U,      ///< No boot runs; the step of the status tells where the last one ended.
+    kResetDue = 1U,  ///< NMT reset node is to be handed to the NMT master.
+    kResetSent = 2U, ///< The slave was reset, by the boot or by somebody else.
+    kUnheard = 3U,   ///< No boot-up message came in time; it is waited for without end.
+    kTypeFirst = 4U, ///< Before the first reading of 1000h: a STOPPED slave, which has no SDO, is made PRE-OPERATIONAL.
+    kTypeAgain = 5U, ///< Before each further reading of 1000h.
+    kType = 6U,      ///< Reads 1000h.
+    kTypePause = 7U, ///< Between two readings.
+    kVendorId = 8U,  ///< Reads 1018h:01.
     kProductCode = 9U,        ///< Reads 1018h:02.
     kRevisionNumber = 10U,    ///< Reads 1018h:03.
     kSerialNumber = 11U,      ///< Reads 1018h:04.
     kStateAsk = 12U,          ///< Asks a slave that is kept alive for its state.
-    kStateSign = 13U,         ///< Its heartbeat or guarding answer is to come.
+    kStateSign = 13U,         ///< Waits for its heartbeat or guarding answer.
     kStateReset = 14U,        ///< It did not run and was reset.
     kSoftwareId = 15U,        ///< Reads 1F56h:01.
     kSoftwareDate = 16U,      ///< Reads 1F52h:01.
@@ -39,42 +40,42 @@ enum class BootState : std::uint8_t
     kProgramCheck = 24U,      ///< Reads 1F57h:01.
     kProgramPause = 25U,      ///< Between two readings.
     kProgramStart = 26U,      ///< Writes 1F51h:01.
-    kProgramStarted = 27U,    ///< It restarts, or does not need to.
+    kProgramStarted = 27U,    ///< Waits for the restart of the slave, if it does restart.
     kConfigurationDate = 28U, ///< Reads 1020h:01.
     kConfigurationTime = 29U, ///< Reads 1020h:02.
     kRestore = 30U,           ///< Writes "load" to 1011h.
-    kRestoreReset = 31U,      ///< The reset that makes it come true is to be handed over.
+    kRestoreReset = 31U,      ///< The reset that lets the restored values take effect is to be handed over.
     kRestored = 32U,          ///< The slave restarts.
     kText = 33U,              ///< Writes the entries of 1F20h.
     kConcise = 34U,           ///< Writes the entries of 1F22h.
     kWatch = 35U,             ///< Supervision begins.
-    kWatched = 36U,           ///< The first heartbeat is to come.
-    kGate = 37U,              ///< The gate is to verify.
-    kGateBusy = 38U,          ///< It verifies.
-    kGateClosed = 39U,        ///< Somebody closed it meanwhile: it verifies anew in the next call.
+    kWatched = 36U,           ///< Waits for the first heartbeat.
+    kGate = 37U,              ///< The gate is asked to verify.
+    kGateBusy = 38U,          ///< The gate verifies.
+    kGateClosed = 39U,        ///< The gate was closed meanwhile: it verifies again in the next call.
     kStart = 40U,             ///< NMT start is to be handed over, unless it is left to others.
 };
 constexpr std::uint8_t kBootStates = 41U;
 
-/// What happens to a boot. kDone to kSilence are of the state and mean something in some states only; the others lead
-/// to the same state from everywhere.
+/// What happens to a boot. kDone to kSilence are results of the present state, and have a meaning in some states only;
+/// the others lead to the same state from every state.
 enum class BootEvent : std::uint8_t
 {
     kNone = 0U,         ///< Nothing yet.
     kDone = 1U,         ///< What the state is for is done, and as expected.
-    kSkip = 2U,         ///< The set-up does not ask for it.
-    kElse = 3U,         ///< Not as hoped, and there is another way.
-    kBootUp = 4U,       ///< The boot-up message that the state waits for.
-    kSilence = 5U,      ///< What it waits for did not come in time.
-    kBegin = 6U,        ///< With the first SDO.
-    kBeginUnasked = 7U, ///< Without 1F81h bit 2: supervision alone.
-    kAwait = 8U,
-    kReset = 9U,
-    kConfigure = 10U,
-    kVerify = 11U,
-    kFinished = 12U,
-    kFailed = 13U,
-    kGivenUp = 14U,
+    kSkip = 2U,         ///< The setup of the slave does not ask for it.
+    kElse = 3U,         ///< The result is not the hoped-for one, and there is another way on.
+    kBootUp = 4U,       ///< The boot-up message for which the state waits.
+    kSilence = 5U,      ///< What the state waits for did not come in time.
+    kBegin = 6U,        ///< A boot begins, with its first SDO.
+    kBeginUnasked = 7U, ///< A boot without 1F81h bit 2 begins: supervision alone.
+    kAwait = 8U,        ///< The slave was reset: wait for its boot-up message.
+    kReset = 9U,        ///< The slave is to be reset.
+    kConfigure = 10U,   ///< Its configuration alone is to be written.
+    kVerify = 11U,      ///< A slave that runs is to be verified.
+    kFinished = 12U,    ///< The boot ended well.
+    kFailed = 13U,      ///< The boot ended with a letter.
+    kGivenUp = 14U,     ///< The boot was ended from outside.
 };
 constexpr std::uint8_t kBootEvents = 15U;
 
@@ -88,10 +89,10 @@ enum class BootWait : std::uint8_t
     kSign = 4U, ///< Heartbeat or guarding answer.
     kBootUp = 5U,
     kGate = 6U,
-    kCall = 7U, ///< The next one.
+    kCall = 7U, ///< The next call.
 };
 
-/// One state. kIdle in a cell would be one that was forgotten.
+/// One state and what follows it. kIdle in a cell would mean that the cell was forgotten.
 struct BootRow
 {
     BootState state;
@@ -161,7 +162,7 @@ constexpr BootRow kRows[kBootStates]{
 };
 // clang-format on
 
-/// Every row is in its place and no cell was forgotten.
+/// @brief Whether every row is in its place and no cell was forgotten.
 constexpr bool IsTotal() noexcept
 {
     bool is_total = true;
@@ -178,14 +179,14 @@ static_assert(IsTotal(), "a state without a row, or a row without a cell");
 
 } // namespace boot_table
 
-/// @brief The row of a state; that of kIdle for a value that is none.
+/// @brief The row of a state; that of kIdle for a value that is no state.
 [[nodiscard]] constexpr const BootRow& RowOf(const BootState state) noexcept
 {
     const auto index = static_cast<std::uint8_t>(state);
     return boot_table::kRows[(index < kBootStates) ? index : 0U];
 }
 
-/// @brief What follows `state`: total, without effect. [SRS_BOOT_024]
+/// @brief What follows `state`. A pure function, defined for every value. [SRS_BOOT_024]
 [[nodiscard]] constexpr BootState Next(const BootState state, const BootEvent event) noexcept
 {
     const BootRow& row = RowOf(state);
@@ -236,7 +237,7 @@ static_assert(IsTotal(), "a state without a row, or a row without a cell");
     return (next == boot_table::kStays) ? row.state : next;
 }
 
-/// @brief It has something to do as soon as it is entered.
+/// @brief Whether the state has something to do as soon as it is entered.
 [[nodiscard]] constexpr bool ActsAtOnce(const BootState state) noexcept
 {
     const BootWait wait = RowOf(state).wait;

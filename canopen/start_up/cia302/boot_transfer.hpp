@@ -15,20 +15,23 @@ enum class Got : std::uint8_t
     kRefused = 2U, ///< Abort or silence: see the status.
 };
 
-/// The SDOs of boots, one a slave: each call hands over the one that the state is about, or looks what became of it.
-/// The status tells object, abort code and, of up to 4 bytes, the value that was read.
+/// The SDOs of boots, one for each slave. Each call starts the SDO that the state is about, or looks how far it is. The
+/// status of the slave tells object, abort code and, for up to 4 bytes, the value that was read.
 class BootTransfer
 {
   public:
+    /// @brief `sdo` is kept by reference.
     explicit BootTransfer(SdoPool& sdo) noexcept : sdo_(sdo)
     {
     }
 
+    /// @brief Reads an object of the slave.
     [[nodiscard]] Got Fetch(const BootJob& job, const ObjectAddress& object) noexcept;
-    /// @brief `value` has to last until the end.
+    /// @brief Writes an object of the slave; `value` must stay until the end.
     [[nodiscard]] Got Put(const BootJob& job, const ObjectAddress& object, const Bytes& value, SdoMode mode) noexcept;
+    /// @brief Writes an object of one byte.
     [[nodiscard]] Got PutByte(const BootJob& job, const ObjectAddress& object, std::uint8_t value) noexcept;
-    /// @brief The end of the running transfer, if it has one.
+    /// @brief How the running transfer ended, if it has.
     [[nodiscard]] Got Take(const BootJob& job) noexcept;
 
   private:

@@ -8,39 +8,43 @@
 namespace counterpoint::cia302
 {
 
-/// The master while it starts the network: the resets, the boots of all, its own start and that of the slaves. Its
-/// steps are kRows of master_steps.hpp. Parts and boots are kept by reference. [SRS_BOOT_001, SRS_BOOT_002,
-/// SRS_BOOT_015, SRS_BOOT_016]
+/// The master while it starts the network: the resets, the boots of all slaves, its own start and the start of the
+/// slaves. What follows which step is the table kRows in master_steps.hpp. Parts and boots are kept by reference.
+/// [SRS_BOOT_001, SRS_BOOT_002, SRS_BOOT_015, SRS_BOOT_016]
 class Cia302Master
 {
   public:
+    /// @brief Idle at first.
     Cia302Master(const StartUpParts& parts, BootSlave& boot) noexcept;
 
-    /// @brief From the resets on; all slaves are at rest. `reset`: reset node hits all, reset communication spares
+    /// @brief Begins with the resets; no boot runs. `reset`: reset node is sent to all, reset communication leaves out
     /// slaves that are kept alive.
     void Begin(NmtCommand reset, const BootTime& time) noexcept;
+    /// @brief Ends the start-up; nothing is sent any more.
     void End(Instant now) noexcept;
-    /// @brief Resets that wait; when all have left, the boots begin. Nothing in other steps.
+    /// @brief Sends the resets that wait; when all have left, the boots begin. Does nothing in other steps.
     void SendResets(const BootTime& time) noexcept;
-    /// @brief Boots all that are listed and do not boot yet: the resets have left, or the application sent them.
+    /// @brief Boots all listed slaves that do not boot yet: the resets have left, or the application sent them.
     void BootAll(const BootTime& time) noexcept;
-    /// @brief The start of the slaves that waits for the queue, if any.
+    /// @brief Sends the start of the slaves that waits for room in the queue, if any.
     void SendStart(const BootTime& time) noexcept;
-    /// @brief Follows the mandatory slaves if there is news. At the end of a call, not inside a boot.
+    /// @brief Looks at the mandatory slaves if a boot has ended. Call it at the end of a call, not from within a boot.
     void GoOn(const BootTime& time) noexcept;
-    /// @brief A boot ended.
+    /// @brief A boot has ended.
     void OnNews() noexcept;
-    /// @brief A command for this device itself.
+    /// @brief Carries out a command for this device itself.
     [[nodiscard]] NmtAnswer CommandOwn(NmtCommand command, const BootTime& time) noexcept;
     /// @brief The application started all, or took all out of OPERATIONAL.
     void Go(MasterEvent event, Instant now) noexcept;
     /// @brief Error handling stopped all nodes.
     void Stop(Instant now) noexcept;
 
+    /// @brief The present step.
     [[nodiscard]] MasterStep Step() const noexcept
     {
         return step_;
     }
+    /// @brief Whether the master is OPERATIONAL.
     [[nodiscard]] bool IsOperational() const noexcept;
 
   private:

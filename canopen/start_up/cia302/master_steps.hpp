@@ -7,11 +7,11 @@
 namespace counterpoint::cia302
 {
 
-/// Where the master is; MasterState tells the number.
+/// Where the master is in the start-up. MasterState gives these numbers.
 enum class MasterStep : std::int16_t
 {
     kIdle = 0,
-    kReset = 1, ///< Resets leave.
+    kReset = 1, ///< The resets are being sent.
     kBooting = 2,
     kHalted = 3, ///< A mandatory slave failed.
     kReady = 4,  ///< All mandatory slaves are booted; the application starts the master.
@@ -20,15 +20,15 @@ enum class MasterStep : std::int16_t
 };
 constexpr std::uint8_t kMasterSteps = 7U;
 
-/// What moves the master on.
+/// What leads the master from one step to another.
 enum class MasterEvent : std::uint8_t
 {
     kNone = 0U,
     kReset = 1U,  ///< The start-up begins, with resets.
-    kBoot = 2U,   ///< They have left, or the application sent them.
-    kFailed = 3U, ///< A mandatory slave.
-    kBooted = 4U, ///< All mandatory slaves.
-    kAgain = 5U,  ///< Who failed boots again.
+    kBoot = 2U,   ///< The resets have left, or the application sent them.
+    kFailed = 3U, ///< The boot of a mandatory slave failed.
+    kBooted = 4U, ///< All mandatory slaves are booted.
+    kAgain = 5U,  ///< A slave whose boot failed boots again.
     kStart = 6U,
     kLeave = 7U, ///< OPERATIONAL is left by a command.
     kStop = 8U,  ///< Error handling stopped all.
@@ -36,7 +36,7 @@ enum class MasterEvent : std::uint8_t
 };
 constexpr std::uint8_t kMasterEvents = 10U;
 
-/// One step. kIdle in a cell would be one that was forgotten: to it leads the end alone.
+/// One step and what follows it. kIdle in a cell would mean that the cell was forgotten: only kEnd leads there.
 struct MasterRow
 {
     MasterStep step;
@@ -64,6 +64,7 @@ constexpr MasterRow kRows[kMasterSteps]{
 };
 // clang-format on
 
+/// @brief Whether every row is in its place and no cell was forgotten.
 constexpr bool IsTotal() noexcept
 {
     bool is_total = true;
@@ -81,7 +82,7 @@ static_assert(IsTotal(), "a step without a row, or a row without a cell");
 
 } // namespace master_table
 
-/// @brief What follows `step`: total, without effect. A value that is no step stays. [SRS_BOOT_025]
+/// @brief What follows `step`. A pure function, defined for every value; a value that is no step stays. [SRS_BOOT_025]
 [[nodiscard]] constexpr MasterStep Next(const MasterStep step, const MasterEvent event) noexcept
 {
     const auto column = static_cast<std::uint8_t>(event);

@@ -7,26 +7,27 @@
 namespace counterpoint::cia302
 {
 
-/// Start-up and error handling after CiA 302-2: see StartUp. `records` has kNodeRoom elements by node-ID, kept by
-/// reference as the parts. After error handling has reset all nodes (1F80h bit 4) the start-up begins anew by itself;
-/// the listener of the NMT master obeys what is for the own node.
+/// Start-up and error handling after CiA 302-2; see StartUp for the order of calls. `records` has kNodeRoom elements by
+/// node-ID; they and the parts are kept by reference. When error handling has reset all nodes (1F80h bit 4), the
+/// start-up begins again by itself. Commands for the own node are carried out by the listener of the NMT master.
 class Cia302StartUp final : public StartUp, private BootListener
 {
   public:
     Cia302StartUp(const StartUpParts& parts, BootRecord* records) noexcept;
 
-    /// @brief Nothing without 1F80h bit 0. [SRS_BOOT_001, SRS_BOOT_002, SRS_BOOT_021]
+    /// @brief As StartUp. Does nothing without 1F80h bit 0. [SRS_BOOT_001, SRS_BOOT_002, SRS_BOOT_021]
     void Begin(Instant now) noexcept override;
     void End() noexcept override;
     void OnFrame(const CanFrame& frame, Instant now) noexcept override;
     void OnCycle(Instant now) noexcept override;
     void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept override;
     void OnStartDropped(NodeId node, Instant now) noexcept override;
-    /// @brief Boots that ran are begun anew, those that failed, and those whose start has not left. [SRS_BOOT_018]
+    /// @brief Begins boots again: those that ran, those that failed, and those whose start has not left. [SRS_BOOT_018]
     void OnBusBack(Instant now) noexcept override;
     [[nodiscard]] NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept override;
     [[nodiscard]] bool Boot(NodeId node, Instant now) noexcept override;
-    /// @brief False after a stop of all by error handling, too: slaves are booted by order then. [SRS_BOOT_017]
+    /// @brief As StartUp. Also false after error handling stopped all nodes: slaves are then booted by order only.
+    /// [SRS_BOOT_017]
     [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept override;
     /// @brief Writes the configuration alone. False: not listed, its boot runs, it is STOPPED, a safety slave that is
     /// another device than the expected one, or no start-up runs. [SRS_NMM_009]

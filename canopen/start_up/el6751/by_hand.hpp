@@ -7,11 +7,12 @@
 namespace counterpoint::cia302
 {
 
-/// Commands of the application, while the start-up was begun: the text's table, and NMT commands. [SRS_ELM_046,
-/// SRS_ELM_047]
+/// Carries out commands of the application while the start-up runs: the transitions of the text's table, and NMT
+/// commands. [SRS_ELM_046, SRS_ELM_047]
 class El6751ByHand
 {
   public:
+    /// @brief All are kept by reference.
     El6751ByHand(El6751Slaves& slaves, El6751Sdos& sdos, El6751Stops& stops, El6751Release& release) noexcept;
 
     /// @brief See El6751StartUp::Control.

@@ -32,6 +32,7 @@ struct El6751PdoRoom
     std::uint16_t count;
 };
 
+/// What the PDOs work with; all kept by reference.
 struct El6751PdoParts
 {
     const NetworkSetup& setup;
@@ -40,24 +41,27 @@ struct El6751PdoParts
     El6751Times times;
 };
 
-/// SYNC, the RxPDOs that go to the slaves and the supervision of the TxPDOs that come from them. Times are exact to the
+/// Sends SYNC and the RxPDOs to the slaves, and supervises the TxPDOs that come from them. Times are exact to the
 /// distance of two calls. Not reentrant.
 class El6751Pdos
 {
   public:
+    /// @brief Sends nothing before Begin.
     explicit El6751Pdos(const El6751PdoParts& parts) noexcept;
 
-    /// @brief Forgets everything; SYNC runs from the next cycle on, if it is sent at all. False: not enough room.
+    /// @brief Forgets everything; SYNC is sent from the next cycle on, if it is needed. False: there is not enough
+    /// room.
     [[nodiscard]] bool Begin() noexcept;
     /// @brief No SYNC, no RxPDOs, no supervision.
     void End() noexcept;
+    /// @brief Whether SYNC is sent.
     [[nodiscard]] bool IsSyncSent() const noexcept;
 
-    /// @brief The slave is being started: its TxPDOs are waited for. [SRS_ELM_028]
+    /// @brief The slave is being started: its TxPDOs are expected from now on. [SRS_ELM_028]
     void Await(NodeId node) noexcept;
-    /// @brief RxPDOs go to it from now on, each at once for the first time. [SRS_ELM_030]
+    /// @brief RxPDOs are sent to the slave from now on, each of them at once for the first time. [SRS_ELM_030]
     void Feed(NodeId node) noexcept;
-    /// @brief Nothing goes to it, nothing is expected of it.
+    /// @brief Nothing is sent to the slave, and nothing is expected of it.
     void Rest(NodeId node) noexcept;
 
     /// @brief A frame from the bus. O(PDOs) [SRS_ELM_033, SRS_ELM_034, SRS_ELM_035, SRS_ELM_036, SRS_ELM_037,
@@ -69,11 +73,11 @@ class El6751Pdos
     /// SRS_ELM_035, SRS_ELM_036, SRS_ELM_037]
     void OnCycle(Instant now) noexcept;
 
-    /// @brief NodeState of the first TxPDO that is missing or too short; 0: none.
+    /// @brief NodeState of the slave's first TxPDO that is missing or too short; 0: none is.
     [[nodiscard]] std::int16_t Fault(NodeId node) const noexcept;
-    /// @brief Every configured TxPDO was received since Await; true without one.
+    /// @brief Whether every configured TxPDO was received since Await; true without one.
     [[nodiscard]] bool HasAll(NodeId node) const noexcept;
-    /// @brief Any configured TxPDO was; true without one. [SRS_ELM_029]
+    /// @brief Whether any configured TxPDO was received since Await; true without one. [SRS_ELM_029]
     [[nodiscard]] bool HasAny(NodeId node) const noexcept;
 
   private:

@@ -7,20 +7,21 @@
 namespace counterpoint::cia302
 {
 
-/// From the last SDO to a running slave: supervision, the gate, NMT start. Phases kVerify and kStarting. [SRS_ELM_026,
-/// SRS_ELM_039, SRS_ELM_048]
+/// Leads a slave from its last SDO to OPERATIONAL: supervision, safety gate, NMT start. Phases kVerify and kStarting.
+/// [SRS_ELM_026, SRS_ELM_039, SRS_ELM_048]
 class El6751Release
 {
   public:
+    /// @brief All are kept by reference.
     El6751Release(El6751Slaves& slaves, El6751Pdos& pdos, El6751Stops& stops) noexcept;
 
-    /// @brief Every row was answered: the slave is supervised, and started if it is to be.
+    /// @brief All SDOs were answered: the slave is supervised, and started if it is to be started.
     void Begin(NodeId node, Instant now) noexcept;
-    /// @brief The slave is to be started, a safety slave through the gate.
+    /// @brief Starts the slave; a safety slave is verified first.
     void Start(NodeId node, Instant now) noexcept;
-    /// @brief One step.
+    /// @brief One step of the slave. Once a cycle.
     void Drive(NodeId node, Instant now) noexcept;
-    /// @brief Somebody commanded the slave while its start waited: it is read once more.
+    /// @brief Somebody commanded the slave while its start waited: it is verified once more.
     void OnStartDropped(NodeId node, Instant now) noexcept;
 
   private:

@@ -12,7 +12,7 @@
 namespace counterpoint::cia302
 {
 
-/// The rows of the text in their order; those from kCobId to kEventReadBack come once for each PDO.
+/// The rows of the text, in its order. Those from kCobId to kEventReadBack are passed once for each PDO.
 enum class El6751Row : std::uint8_t
 {
     kBegin = 0U,
@@ -50,7 +50,7 @@ struct El6751Place
     bool is_heartbeat_answered; ///< 1017h was written at all.
 };
 
-/// What rows are made of.
+/// What decides which rows a slave has.
 struct El6751Context
 {
     const NetworkSetup& setup;
@@ -58,29 +58,29 @@ struct El6751Context
     bool is_sync_sent;
 };
 
-/// One SDO.
+/// The SDO of a row.
 struct El6751Access
 {
     ObjectAddress object;
     StartUpStep step;
     bool is_upload;
-    bool is_compared;        ///< An upload that has to give `value`.
+    bool is_compared;        ///< An upload that must give `value`.
     std::uint8_t size_bytes; ///< Of `value`; 0: `user` is written.
     std::uint32_t value;
     Bytes user;
 };
 
-/// What follows an answer.
+/// What an answer means for the start-up; from kNotFound on it ends, and the value is the NodeState.
 enum class El6751Verdict : std::uint8_t
 {
     kInvalid = 0U,
     kNext = 1U,
     kNotFound = 2U, ///< Nobody answered the first SDO.
-    kSyntax = 4U,   ///< The start-up ends with this NodeState.
-    kMismatch = 5U, ///< The start-up ends with this NodeState.
+    kSyntax = 4U,   ///< The SDO was aborted, or its value has a wrong length.
+    kMismatch = 5U, ///< The value is not the configured one.
 };
 
-/// An SDO that came to an end.
+/// How an SDO ended.
 struct El6751Answer
 {
     SdoOutcome outcome;
@@ -98,7 +98,7 @@ struct El6751Answer
 /// SRS_ELM_008, SRS_ELM_010, SRS_ELM_011, SRS_ELM_012, SRS_ELM_013, SRS_ELM_014, SRS_ELM_015, SRS_ELM_016, SRS_ELM_017,
 /// SRS_ELM_018, SRS_ELM_019, SRS_ELM_020, SRS_ELM_021, SRS_ELM_022, SRS_ELM_023, SRS_ELM_024, SRS_ELM_025]
 [[nodiscard]] El6751Verdict JudgeAnswer(const El6751Access& access, El6751Row row, const El6751Answer& answer) noexcept;
-/// @brief The place after an answer that was judged kNext: it keeps what the conditions of later rows need.
+/// @brief The place after an answer that was judged kNext, with what the conditions of later rows need.
 [[nodiscard]] El6751Place Remember(const El6751Place& place, const SdoOutcome& outcome) noexcept;
 
 } // namespace counterpoint::cia302

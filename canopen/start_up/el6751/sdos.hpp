@@ -7,18 +7,19 @@
 namespace counterpoint::cia302
 {
 
-/// Reset of a slave and its SDOs, row by row: phases kResetting, kRows, kFailed. [SRS_ELM_003, SRS_ELM_025]
+/// Resets a slave and carries out its SDOs, row by row: phases kResetting, kRows, kFailed. [SRS_ELM_003, SRS_ELM_025]
 class El6751Sdos
 {
   public:
+    /// @brief Both are kept by reference.
     El6751Sdos(El6751Slaves& slaves, El6751Pdos& pdos) noexcept;
 
-    /// @brief Reset communication, as soon as the queue has room, then Begin: what the slave showed stays to be seen
-    /// until it answers.
+    /// @brief Reset communication as soon as the queue has room, then Begin. The status stays as it was until the slave
+    /// answers.
     void Reset(NodeId node, Instant now) noexcept;
-    /// @brief From the first row on; whatever the slave did is given up. `code`: the NodeState until it answers.
+    /// @brief Begins with the first row; whatever the slave did is ended. `code` is its NodeState until it answers.
     void Begin(NodeId node, std::int16_t code, Instant now) noexcept;
-    /// @brief One step. Whether every row was answered.
+    /// @brief One step of the slave. True: every row was answered.
     [[nodiscard]] bool Drive(NodeId node, Instant now) noexcept;
 
   private:

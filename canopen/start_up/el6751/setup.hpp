@@ -10,35 +10,35 @@
 namespace counterpoint::cia302
 {
 
-/// What the reference calls a box.
+/// Kind of a slave, which the reference calls a box.
 enum class El6751Kind : std::uint8_t
 {
     kGeneral = 0U,    ///< CANopen slave of any make.
     kBusCoupler = 1U, ///< BK51x0.
 };
 
-/// What happens to a slave with an error, beside its NodeState.
+/// What an error does to the slave that has it, beside its NodeState.
 enum class El6751NodeReaction : std::uint8_t
 {
     kStop = 0U,
     kNone = 1U,
 };
 
-/// What follows the stop.
+/// What follows the stop of a slave.
 enum class El6751Restart : std::uint8_t
 {
     kAutomatic = 0U, ///< Reset communication and the whole start-up.
     kByHand = 1U,    ///< The slave is deactivated.
 };
 
-/// What happens to the other slaves.
+/// What an error of a slave does to the other slaves.
 enum class El6751NetworkReaction : std::uint8_t
 {
     kNone = 0U,
     kStopAll = 1U, ///< All other started slaves are stopped and deactivated.
 };
 
-/// A configured PDO. Direction is the slave's: the master sends RxPDOs.
+/// A configured PDO. Its direction is seen from the slave: the master sends RxPDOs.
 struct El6751Pdo
 {
     std::uint16_t number{1U}; ///< 1 to 512: 1400h or 1800h + number - 1.
@@ -46,7 +46,7 @@ struct El6751Pdo
     std::uint8_t type{255U};
     std::uint8_t length_bytes{8U};
     std::uint16_t inhibit_100us{0U};         ///< Of a bus coupler not used, see El6751InhibitOf.
-    std::uint16_t event_ms{0U};              ///< Likewise.
+    std::uint16_t event_ms{0U};              ///< Of a bus coupler not used, see El6751EventOf.
     const std::uint8_t* data_bytes{nullptr}; ///< RxPDO: `length_bytes` of the application; null: zeros.
 };
 
@@ -75,11 +75,12 @@ struct El6751Slave
     std::uint8_t rx_count{0U};
     std::uint8_t tx_count{0U};
 
-    /// @brief Whether its rows ask for heartbeat or guarding.
+    /// @brief Whether its rows set up heartbeat or guarding.
     [[nodiscard]] constexpr bool IsWatched() const noexcept
     {
         return (guard_time_ms != 0U) && (life_time_factor != 0U);
     }
+    /// @brief Number of its PDOs, of both directions.
     [[nodiscard]] constexpr std::uint8_t PdoCount() const noexcept
     {
         return static_cast<std::uint8_t>(rx_count + tx_count);

@@ -12,7 +12,7 @@
 namespace counterpoint::cia302
 {
 
-/// NodeState: what the status of a slave has as `code`.
+/// Values of NodeState, which the status of a slave has as `code`.
 constexpr std::int16_t kNodeRuns = 0;        ///< Started, every TxPDO received, no error.
 constexpr std::int16_t kNodeDeactivated = 1; ///< Heartbeat or guarding lost, or stopped until a hand restarts it.
 constexpr std::int16_t kNodeNotFound = 2;    ///< The first SDO is not answered.
@@ -28,34 +28,34 @@ constexpr std::int16_t kNodePdoMissing = 22;
 constexpr std::int16_t kNodeWaitsForPdos = 23; ///< Started; not every TxPDO was received.
 constexpr std::int16_t kNodePdoNotInCycle = 40;
 
-/// One slave. Zero-filled at first. Beside the phase stands what is known.
+/// One slave: the phase of its start-up, and what is known besides. Zero-filled at first.
 struct El6751Node
 {
-    El6751Phase phase; ///< Changes by Next alone.
+    El6751Phase phase; ///< Is changed by Next alone.
     El6751Place place;
     NodeStatus status;
     std::int16_t cause;         ///< NodeState of the last error.
     std::int16_t control_fault; ///< 1, 14 or 12 until the next right sign of life; 0: none.
-    std::int16_t held_code;     ///< Of kHeld.
+    std::int16_t held_code;     ///< NodeState while the phase is kHeld.
     std::uint8_t signs;         ///< Of the node table, when the phase, the fault or the wait began.
     std::uint8_t beats;         ///< Likewise, when the control fault began: an answer that does not toggle ends none.
-    bool has_answered;          ///< Any SDO of this start-up.
+    bool has_answered;          ///< An SDO of this start-up was answered.
     bool is_transferring;
     bool is_requested;    ///< NMT start was handed over.
-    bool is_start_wanted; ///< By hand, whatever the automatic start says.
+    bool is_start_wanted; ///< Its start was ordered, whatever the automatic start says.
     bool is_held_by_hand;
-    bool was_started;     ///< Singly, since Begin.
-    bool was_operational; ///< Said so since its start.
-    bool is_settled;      ///< 1 s since the start.
-    bool is_wait_over;    ///< 10 s since the start.
+    bool was_started;     ///< An NMT start of its own was sent since Begin.
+    bool was_operational; ///< It said OPERATIONAL since its start.
+    bool is_settled;      ///< 1 s has passed since its start.
+    bool is_wait_over;    ///< 10 s have passed since its start.
     SafetyReading reading;
-    bool has_restarted; ///< While it was deactivated.
-    bool is_cut;        ///< Held by hand in the middle of its SDOs.
+    bool has_restarted; ///< It restarted while it was deactivated.
+    bool is_cut;        ///< It was held by hand while its SDOs ran.
     Instant started;
     std::uint8_t buffer[8];
 };
 
-/// `nodes` has kNodeRoom elements. All kept by reference.
+/// What the profile works with; all kept by reference. `nodes` has kNodeRoom elements.
 struct El6751Parts
 {
     StartUpParts common;
@@ -64,8 +64,8 @@ struct El6751Parts
     El6751Times times;
 };
 
-/// The slaves of the profile, by node-ID from 1 to 127, checked by the caller: what is known of each, and the one way
-/// by which NodeState and step are told.
+/// The slaves of the profile: what is known of each, and the only function that changes NodeState and step. Node-IDs
+/// are 1 to 127, checked by the caller.
 class El6751Slaves
 {
   public:
@@ -73,25 +73,29 @@ class El6751Slaves
     {
     }
 
+    /// @brief What the profile works with.
     [[nodiscard]] const StartUpParts& Parts() const noexcept
     {
         return parts_.common;
     }
+    /// @brief Record of a slave.
     [[nodiscard]] El6751Node& Of(const NodeId node) const noexcept
     {
         return parts_.nodes[node.value & kLastNode];
     }
+    /// @brief What the profile is configured to do with the slave.
     [[nodiscard]] const El6751Slave& SetupOf(const NodeId node) const noexcept
     {
         return El6751SlaveOf(parts_.common.setup, node);
     }
+    /// @brief Whether it is a safety slave.
     [[nodiscard]] bool IsSafety(const NodeId node) const noexcept
     {
         return parts_.common.setup.IsSafetySlave(node);
     }
-    /// @brief Its start-up or its stop is under way.
+    /// @brief Whether its start-up or its stop is under way.
     [[nodiscard]] bool IsBusy(NodeId node) const noexcept;
-    /// @brief Told if either is another one than before.
+    /// @brief Sets NodeState and step; the listener is told if one of them has changed.
     void Tell(NodeId node, std::int16_t code, StartUpStep step, Instant now) noexcept;
 
   private:

@@ -17,7 +17,7 @@ constexpr std::int16_t kEl6751Runs = 2;     ///< Every slave was started once.
 constexpr std::int16_t kEl6751NoBus = 3;    ///< The controller is bus-off or does not start.
 constexpr std::int16_t kEl6751Unusable = 4; ///< Not enough room for the PDOs: nothing is started.
 
-/// State of the manager's CAN controller, told by its owner.
+/// State of the manager's CAN controller, as its owner tells it.
 enum class ControllerState : std::uint8_t
 {
     kRunning = 0U,
@@ -30,6 +30,7 @@ enum class ControllerState : std::uint8_t
 class El6751StartUp final : public StartUp
 {
   public:
+    /// @brief The parts are kept by reference.
     explicit El6751StartUp(const El6751Parts& parts) noexcept;
 
     void Begin(Instant now) noexcept override;
@@ -42,7 +43,7 @@ class El6751StartUp final : public StartUp
     [[nodiscard]] NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept override;
     /// @brief Reset communication of the slave, then its start-up, also of one that is held by hand.
     [[nodiscard]] bool Boot(NodeId node, Instant now) noexcept override;
-    /// @brief Its SDOs without the reset; one that is held by hand waits on.
+    /// @brief The SDOs of the slave again without a reset; a slave that is held by hand stays held.
     [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept override;
     [[nodiscard]] NodeStatus Status(NodeId node) const noexcept override;
     [[nodiscard]] std::int16_t MasterState() const noexcept override;
@@ -53,7 +54,7 @@ class El6751StartUp final : public StartUp
 
     /// @brief A frame of this device was on the bus; only El6751Window::kLastRxPdo needs it.
     void OnSent(const CanFrame& frame) noexcept;
-    /// @brief The controller changed. [SRS_ELM_044, SRS_ELM_045]
+    /// @brief The state of the controller changed. [SRS_ELM_044, SRS_ELM_045]
     void OnController(ControllerState state, Instant now) noexcept;
     /// @brief Network management by hand: ADS state and device state of a write control. kWrong: the table has no such
     /// transition from the slave's state, or its start-up runs. [SRS_ELM_046, SRS_ELM_047]

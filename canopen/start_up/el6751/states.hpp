@@ -26,25 +26,25 @@ enum class El6751Phase : std::uint8_t
 };
 constexpr std::uint8_t kEl6751Phases = 13U;
 
-/// What moves the start-up of a slave on.
+/// What leads the start-up of a slave from one phase to another.
 enum class El6751Event : std::uint8_t
 {
     kNone = 0U,
-    kBegin = 1U,      ///< Its SDOs, from the first one on.
-    kReset = 2U,      ///< By hand, or because no TxPDO came.
-    kFail = 3U,       ///< An SDO of the start-up.
+    kBegin = 1U,      ///< Its SDOs begin with the first one.
+    kReset = 2U,      ///< It is to be reset: by order, or because no TxPDO came.
+    kFail = 3U,       ///< An SDO of the start-up failed.
     kVerify = 4U,     ///< A safety slave is to be started, or to be read once more.
     kStart = 5U,      ///< A slave is to be started, or the gate is open.
     kRun = 6U,        ///< NMT start was sent.
-    kHold = 7U,       ///< By hand, or because the automatic start is off.
+    kHold = 7U,       ///< It is not to be started: by order, or because the automatic start is off.
     kRestart = 8U,    ///< Error reaction: stop, then the start-up anew.
-    kDeactivate = 9U, ///< Likewise, then a hand restarts it.
-    kRefuse = 10U,    ///< By the gate: stop, and it is not started.
+    kDeactivate = 9U, ///< Error reaction: stop, then it is started by order only.
+    kRefuse = 10U,    ///< The gate refused it: stop, and it is not started.
     kStopped = 11U,   ///< NMT stop was handed over.
 };
 constexpr std::uint8_t kEl6751Events = 12U;
 
-/// One phase. kOutside in a cell would be one that was forgotten.
+/// One phase and what follows it. kOutside in a cell would mean that the cell was forgotten.
 struct El6751StateRow
 {
     El6751Phase phase;
@@ -81,6 +81,7 @@ constexpr El6751StateRow kRows[kEl6751Phases]{
 };
 // clang-format on
 
+/// @brief Whether every row is in its place and no cell was forgotten.
 constexpr bool IsTotal() noexcept
 {
     bool is_total = true;
@@ -98,7 +99,8 @@ static_assert(IsTotal(), "a phase without a row, or a row without a cell");
 
 } // namespace el6751_table
 
-/// @brief What follows `phase`: total, without effect. A value that is no phase is outside. [SRS_ELM_052]
+/// @brief What follows `phase`. A pure function, defined for every value; a value that is no phase counts as kOutside.
+/// [SRS_ELM_052]
 [[nodiscard]] constexpr El6751Phase Next(const El6751Phase phase, const El6751Event event) noexcept
 {
     const auto index = static_cast<std::uint8_t>(phase);
@@ -108,7 +110,7 @@ static_assert(IsTotal(), "a phase without a row, or a row without a cell");
     return (next == el6751_table::kStays) ? row.phase : next;
 }
 
-/// @brief NMT stop waits to be handed over.
+/// @brief Whether the phase waits until NMT stop is handed over.
 [[nodiscard]] constexpr bool IsStopping(const El6751Phase phase) noexcept
 {
     return Next(phase, El6751Event::kStopped) != phase;

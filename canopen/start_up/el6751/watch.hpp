@@ -7,12 +7,13 @@
 namespace counterpoint::cia302
 {
 
-/// Slaves whose SDOs are done: TxPDOs that are waited for, errors and what follows them, and the gate of safety slaves
-/// that run. [SRS_ELM_029, SRS_ELM_034, SRS_ELM_035, SRS_ELM_036, SRS_ELM_037, SRS_ELM_038, SRS_ELM_039, SRS_ELM_040,
-/// SRS_ELM_041, SRS_ELM_049]
+/// Watches the slaves whose SDOs are done: their TxPDOs, errors and the reactions to them, and the gate of safety
+/// slaves that run. [SRS_ELM_029, SRS_ELM_034, SRS_ELM_035, SRS_ELM_036, SRS_ELM_037, SRS_ELM_038, SRS_ELM_039,
+/// SRS_ELM_040, SRS_ELM_041, SRS_ELM_049]
 class El6751Watch
 {
   public:
+    /// @brief All are kept by reference.
     El6751Watch(El6751Slaves& slaves, El6751Pdos& pdos, El6751Sdos& sdos, El6751Stops& stops) noexcept;
 
     /// @brief One step of a slave that was started.

@@ -7,24 +7,25 @@
 namespace counterpoint::cia302
 {
 
-/// What came of a slave's SDOs.
+/// What came of the SDOs of a slave.
 enum class PlcSdoEnd : std::uint8_t
 {
     kNone = 0U,     ///< They go on, or the slave is absent now.
-    kRestored = 1U, ///< 1011h:01 was answered: the slave is to be reset.
-    kAll = 2U,      ///< Every one was answered.
+    kRestored = 1U, ///< 1011h:01 was answered: the slave must be reset.
+    kAll = 2U,      ///< All of them were answered.
 };
 
-/// State 3: 1000h, 1011h:01 and the list of the configurator, one SDO a cycle. [SRS_PLC_005, SRS_PLC_006, SRS_PLC_007,
-/// SRS_PLC_008, SRS_PLC_011]
+/// Carries out the SDOs of state 3: 1000h, 1011h:01 and the list of the configurator, one SDO a cycle. [SRS_PLC_005,
+/// SRS_PLC_006, SRS_PLC_007, SRS_PLC_008, SRS_PLC_011]
 class PlcSdos
 {
   public:
+    /// @brief The parts are kept by reference.
     explicit PlcSdos(const PlcParts& parts) noexcept;
 
-    /// @brief Hands the next SDO over, if it can.
+    /// @brief Starts the next SDO, if it can be started now.
     void Ask(NodeId node, Instant now) noexcept;
-    /// @brief An answer is taken in one cycle, the next request goes in the following one.
+    /// @brief One step of the slave: an answer is taken in one cycle, the next request is sent in the following one.
     [[nodiscard]] PlcSdoEnd Drive(NodeId node, Instant now) noexcept;
 
   private:

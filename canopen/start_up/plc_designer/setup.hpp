@@ -11,14 +11,14 @@ namespace counterpoint::cia302
 {
 
 /// What the PLC Designer profile knows of a slave beside SlaveSetup, whose concise DCF holds the SDOs of the
-/// configurator. A slave without it is neither optional nor reset.
+/// configurator. A slave without a PlcSlave is neither optional nor reset.
 struct PlcSlave
 {
     bool is_optional{false};
     bool is_reset{false}; ///< "Reset nodes": 1011h:01 and a reset before it is configured.
 };
 
-/// How long this profile waits for an SDO; it repeats by itself.
+/// Time-out and tries of the SDO pool for this profile. It repeats SDOs itself.
 constexpr SdoTimes kPlcSdoTimes{500000U, 1U};
 
 } // namespace counterpoint::cia302

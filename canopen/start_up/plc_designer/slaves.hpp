@@ -12,7 +12,7 @@
 namespace counterpoint::cia302
 {
 
-/// What a slave in state 3 is sent.
+/// Which SDO a slave in state 3 is sent next.
 enum class PlcRow : std::uint8_t
 {
     kDeviceType = 0U,
@@ -20,10 +20,10 @@ enum class PlcRow : std::uint8_t
     kList = 2U,    ///< SDOs of the configurator.
 };
 
-/// One slave. Zero-filled at first.
+/// One slave: its state, and what is known besides. Zero-filled at first.
 struct PlcNode
 {
-    NodeStatus status; ///< nStatus is its code and changes by Next alone.
+    NodeStatus status; ///< Its code is nStatus, which is changed by Next alone.
     PlcRow row;
     ConcisePosition place; ///< In the list.
     Instant since;         ///< Begin of the state, or of the reading of 1000h.
@@ -31,26 +31,26 @@ struct PlcNode
     bool is_transferring;
     bool is_type_wrong;
     bool was_reset;  ///< After 1011h:01, since Begin.
-    bool is_held;    ///< By a command: not started again by itself.
+    bool is_held;    ///< Held by a command: it is not started again by itself.
     bool is_wanted;  ///< To be started.
-    bool is_by_hand; ///< By a command: no other slave is waited for.
+    bool is_by_hand; ///< Its start was ordered: no other slave is waited for.
     SafetyReading reading;
     bool ran_unread;  ///< Was OPERATIONAL since its SDOs were answered last, and not read.
-    bool is_stop_due; ///< The gate refused, or it cannot be read.
-    bool has_sdos;    ///< All were answered since Begin.
+    bool is_stop_due; ///< It is to be stopped: the gate refused it, or it cannot be read.
+    bool has_sdos;    ///< All its SDOs were answered since Begin.
     std::uint8_t signs;
     std::uint8_t buffer[4];
 };
 
-/// `nodes` has kNodeRoom elements. All kept by reference.
+/// What the profile works with; all kept by reference. `nodes` has kNodeRoom elements.
 struct PlcParts
 {
     StartUpParts common;
     PlcNode* nodes;
 };
 
-/// The slaves of the profile, by node-ID from 1 to 127, checked by the caller: what is known of each, and the one way
-/// by which its state changes.
+/// The slaves of the profile: what is known of each, and the only function that changes the state. Node-IDs are 1 to
+/// 127, checked by the caller.
 class PlcSlaves
 {
   public:
@@ -58,13 +58,14 @@ class PlcSlaves
     {
     }
 
+    /// @brief Record of a slave.
     [[nodiscard]] PlcNode& Of(const NodeId node) const noexcept
     {
         return parts_.nodes[node.value & kLastNode];
     }
-    /// @brief A slave without a setup of this profile has the defaults.
+    /// @brief What the profile is configured to do with the slave; the defaults where nothing is.
     [[nodiscard]] const PlcSlave& SetupOf(NodeId node) const noexcept;
-    /// @brief The next state, and what is told of it.
+    /// @brief Takes the slave to the state that follows `event`, and tells the listener.
     void Go(NodeId node, PlcEvent event, StartUpStep step, Instant now) noexcept;
 
   private:

@@ -20,6 +20,7 @@ constexpr std::int16_t kPlcRuns = 5;
 class PlcStartUp final : public StartUp
 {
   public:
+    /// @brief The parts are kept by reference.
     explicit PlcStartUp(const PlcParts& parts) noexcept;
 
     void Begin(Instant now) noexcept override;

@@ -19,25 +19,25 @@ constexpr std::int16_t kPlcAbsent = 97;    ///< Optional, and did not answer.
 constexpr std::int16_t kPlcWrongType = 98; ///< 1000h is not the expected one.
 constexpr std::int16_t kPlcLost = 99;      ///< Heartbeat or guarding lost.
 
-/// What moves a slave on.
+/// What leads a slave from one state to another.
 enum class PlcEvent : std::uint8_t
 {
-    kNone = 0U,       ///< Its step alone changes.
-    kBegin = 1U,      ///< From the reset on.
-    kResetSent = 2U,  ///< By the profile or by a command.
-    kSettle = 3U,     ///< The boot-up message came, or is waited for no more.
-    kTimeOver = 4U,   ///< Of settling.
-    kAnswered = 5U,   ///< All SDOs.
-    kOther = 6U,      ///< Another device than the expected one.
-    kSilence = 7U,    ///< Of an optional slave.
+    kNone = 0U,       ///< Only its step changes.
+    kBegin = 1U,      ///< Its start-up begins, with the reset.
+    kResetSent = 2U,  ///< The reset was sent, by the profile or by a command.
+    kSettle = 3U,     ///< The boot-up message came, or is not waited for any more.
+    kTimeOver = 4U,   ///< The time in kPlcSettles is over.
+    kAnswered = 5U,   ///< All SDOs were answered.
+    kOther = 6U,      ///< It is another device than the expected one.
+    kSilence = 7U,    ///< An optional slave did not answer.
     kStarted = 8U,    ///< NMT start was handed over.
-    kStartAgain = 9U, ///< By a command, or because a start was given up.
-    kHold = 10U,      ///< By a command.
-    kLost = 11U,      ///< Heartbeat or guarding.
+    kStartAgain = 9U, ///< It is to be started again: by order, or because a start was given up.
+    kHold = 10U,      ///< A command holds it.
+    kLost = 11U,      ///< Heartbeat or guarding was lost.
 };
 constexpr std::uint8_t kPlcEvents = 12U;
 
-/// One state. kPlcOutside in a cell would be one that was forgotten.
+/// One state and what follows it. kPlcOutside in a cell would mean that the cell was forgotten.
 struct PlcStateRow
 {
     std::int16_t state;
@@ -68,6 +68,7 @@ constexpr PlcStateRow kRows[kStates]{
 };
 // clang-format on
 
+/// @brief Whether no cell was forgotten.
 constexpr bool IsTotal() noexcept
 {
     bool is_total = true;
@@ -84,7 +85,7 @@ static_assert(IsTotal(), "a row without a cell");
 
 } // namespace plc_table
 
-/// @brief What follows `state`: total, without effect. A value that is no state stays. [SRS_PLC_022]
+/// @brief What follows `state`. A pure function, defined for every value; a value that is no state stays. [SRS_PLC_022]
 [[nodiscard]] constexpr std::int16_t Next(const std::int16_t state, const PlcEvent event) noexcept
 {
     const auto column = static_cast<std::uint8_t>(event);
