@@ -126,7 +126,7 @@ void Peer::Compose(const PeerMoment& moment, hal::LinkFrame& frame) noexcept
     message.echo = remote_.Link().Echo(moment.now);
     message.flow = flow_.TakeSignature();
     own_.Tell(message);
-    message.refusal = remote_.Refused();
+    message.refusal = remote_.Offered().Refused();
     message.new_faults = TellFaults(news.faults);
     FillReports(news.changed, moment.now, message);
     for (std::uint8_t place = 0U; place < kArmedCount; ++place)

@@ -47,12 +47,7 @@ void RemoteVoice::Restart(const DeviceConfig& /*config*/) noexcept
     digests_.is_open = 0U;
     previous_ = Instant{0U};
     cycle_ = 0U;
-    refusal_ = Refusal{0U, SrdoCause::kNone};
-    for (std::uint8_t place = 0U; place < kArmedCount; ++place)
-    {
-        armed_[place].slot = kNoSlot; // MISRA D-002
-        used_[place] = 0U;            // MISRA D-002
-    }
+    offered_.Restart();
     for (Told& told : told_)
     {
         told.report = SlotReport{};
@@ -152,10 +147,7 @@ void RemoteVoice::OnMessage(const LinkMessage& message, const Instant received) 
     {
         Keep(report);
     }
-    for (std::uint8_t place = 0U; place < kArmedCount; ++place)
-    {
-        armed_[place] = message.armed[place]; // MISRA D-002
-    }
+    offered_.Take(message);
     // Given up before this message was composed: the slots that it tells due are new ones.
     own_.Sending().TakeRefusal(message.refusal, link_.Composed().first);
     own_.Sending().TakeDue(message.due, link_.Composed());
@@ -188,22 +180,6 @@ void RemoteVoice::Keep(const SlotReport& report) noexcept
     }
     told.moment = moment;
     fresh_ |= bit;
-}
-
-SrdoMask RemoteVoice::Due() const noexcept
-{
-    if (config_.role == PeerRole::kB)
-    {
-        return own_.Sending().Wanted();
-    }
-    SrdoMask due = 0U;
-    for (std::uint8_t place = 0U; place < kArmedCount; ++place)
-    {
-        const ArmedFrame& armed = armed_[place];                                            // MISRA D-002
-        const bool is_new = (armed.slot < kMaxSrdoCount) && (armed.number != used_[place]); // MISRA D-002
-        due |= is_new ? OnlySlot(armed.slot).mask : SrdoMask{0U};
-    }
-    return due;
 }
 
 // A difference seen now may be as old as the cycle before.
@@ -258,7 +234,7 @@ CycleOutcome RemoteVoice::OnCycle(const CycleInput& input) noexcept
     outcome.released = shown_;
     outcome.new_fault = new_faults_;
     outcome.fresh = fresh_;
-    outcome.due = Due();
+    outcome.due = (config_.role == PeerRole::kB) ? own_.Sending().Wanted() : offered_.Due();
     new_faults_ = 0U;
     fresh_ = 0U;
     return outcome;
@@ -336,21 +312,8 @@ PreparedPair RemoteVoice::Prepare(const SlotIndex slot) noexcept
     {
         return own_.Sending().PrepareAhead(slot);
     }
-    PreparedPair pair{CanFrame{}, own_.Sending().Status()};
-    if (pair.status != PrepareStatus::kReady)
-    {
-        return pair;
-    }
-    for (std::uint8_t place = 0U; place < kArmedCount; ++place)
-    {
-        const ArmedFrame& armed = armed_[place]; // MISRA D-002
-        if (armed.slot == slot)
-        {
-            used_[place] = armed.number; // MISRA D-002
-            pair.normal = armed.frame;
-        }
-    }
-    return pair;
+    const PrepareStatus status = own_.Sending().Status();
+    return PreparedPair{(status == PrepareStatus::kReady) ? offered_.Use(slot) : CanFrame{}, status};
 }
 
 Confirmation RemoteVoice::OnConfirm(const CanFrame& frame, const Instant /*stamp*/) noexcept
@@ -367,13 +330,7 @@ CanFrame RemoteVoice::InverseFrame(const SlotIndex /*slot*/) noexcept
 
 void RemoteVoice::OnTransmitFault(const SlotIndex slot, const TransmitFault& fault) noexcept
 {
-    for (const ArmedFrame& armed : armed_)
-    {
-        if (armed.slot == slot)
-        {
-            refusal_ = Refusal{armed.number, fault.cause};
-        }
-    }
+    offered_.GiveUp(slot, fault.cause);
 }
 
 } // namespace counterpoint

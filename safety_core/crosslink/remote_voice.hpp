@@ -5,6 +5,7 @@
 #include "safety_core/contract/channel.hpp"
 #include "safety_core/crosslink/link_message.hpp"
 #include "safety_core/crosslink/link_supervisor.hpp"
+#include "safety_core/crosslink/offered_frames.hpp"
 #include "safety_core/crosslink/own_voice.hpp"
 
 #include <cstdint>
@@ -50,10 +51,9 @@ class RemoteVoice final : public Channel
 
     /// @brief An intact message of the peer, received at `received`.
     void OnMessage(const LinkMessage& message, Instant received) noexcept;
-    /// @brief What the message tells of the armed frame given up last.
-    [[nodiscard]] const Refusal& Refused() const noexcept
+    [[nodiscard]] const OfferedFrames& Offered() const noexcept
     {
-        return refusal_;
+        return offered_;
     }
     [[nodiscard]] LinkSupervisor& Link() noexcept
     {
@@ -76,7 +76,6 @@ class RemoteVoice final : public Channel
     void Keep(const SlotReport& report) noexcept;
     [[nodiscard]] bool IsOperational() const noexcept;
     [[nodiscard]] bool IsExcused(const Told& told, const HeldPair& own, SlotIndex slot) const noexcept;
-    [[nodiscard]] SrdoMask Due() const noexcept;
     void CompareStatements(Instant now) noexcept;
     void Follow(Difference& difference, std::uint32_t differs) const noexcept;
 
@@ -97,9 +96,7 @@ class RemoteVoice final : public Channel
     Difference digests_{{0U}, 0U};
     Instant previous_{0U}; ///< `now` of the OnCycle before.
     std::uint32_t cycle_{0U};
-    Refusal refusal_{0U, SrdoCause::kNone};
-    std::uint8_t used_[kArmedCount]{};    // MISRA D-001
-    ArmedFrame armed_[kArmedCount]{};     // MISRA D-001
+    OfferedFrames offered_{};
     CheckResult checks_[kMaxSrdoCount]{}; // MISRA D-001
     Told told_[kMaxSrdoCount]{};          // MISRA D-001
 };
