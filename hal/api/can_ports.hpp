@@ -9,6 +9,7 @@
 namespace counterpoint::hal
 {
 
+/// Whether a port guarantees something.
 enum class Guarantee : std::uint8_t
 {
     kInvalid = 0U,
@@ -16,7 +17,7 @@ enum class Guarantee : std::uint8_t
     kGiven = 0x5AU,
 };
 
-/// What the kernel's argument stands on. [SRS_HAL_002]
+/// What the kernel relies on. A port answers kGiven only for what is so on its hardware. [SRS_HAL_002]
 struct CanGuarantees
 {
     Guarantee bus_order;     ///< Frames of all controllers reach the kernel in the order of the bus.
@@ -24,6 +25,7 @@ struct CanGuarantees
     Guarantee confirmations; ///< Every transmitted frame comes back with stamps when it was on the bus.
 };
 
+/// What became of a frame that was handed over for transmission.
 enum class TransmitStatus : std::uint8_t
 {
     kInvalid = 0U,
@@ -50,6 +52,7 @@ class CanPorts
         }
         return TransmitStatus::kRefused;
     }
+    /// @brief What this port guarantees.
     [[nodiscard]] virtual CanGuarantees Guarantees() const noexcept = 0;
 
     CanPorts(const CanPorts&) = delete;
@@ -75,9 +78,11 @@ class CanPorts
 
     static constexpr std::uint32_t kGreatestIdentifier = 0x7FFU;
 
+    /// @brief Takes a frame that Transmit has validated. Never waits; a frame that was taken is sent at most once.
     [[nodiscard]] virtual TransmitStatus DoTransmit(const CanFrame& frame) noexcept = 0;
 };
 
+/// The guarantees by name.
 enum class MissingGuarantee : std::uint8_t
 {
     kInvalid = 0U,
@@ -87,7 +92,7 @@ enum class MissingGuarantee : std::uint8_t
     kNone = 0x5AU,
 };
 
-/// @brief Names the first guarantee that is not given. [SRS_HAL_002]
+/// @brief The first guarantee that is not given; kNone: all are. O(1) [SRS_HAL_002]
 [[nodiscard]] MissingGuarantee CheckGuarantees(const CanGuarantees& guarantees) noexcept;
 
 } // namespace counterpoint::hal

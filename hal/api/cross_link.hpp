@@ -17,6 +17,7 @@ struct LinkFrame
     std::uint16_t length;
 };
 
+/// What a transfer over the link came to.
 enum class LinkStatus : std::uint8_t
 {
     kInvalid = 0U,
@@ -30,6 +31,7 @@ enum class LinkStatus : std::uint8_t
 class CrossLink
 {
   public:
+    /// @brief Hands a frame to the wire.
     [[nodiscard]] virtual LinkStatus Send(const LinkFrame& frame) noexcept = 0;
     /// @brief The next frame that arrived, in the order of arrival.
     [[nodiscard]] virtual LinkStatus Receive(LinkFrame& frame) noexcept = 0;

@@ -7,6 +7,7 @@
 namespace counterpoint::hal
 {
 
+/// Kinds of exceptions of a processor.
 enum class ExceptionCause : std::uint32_t
 {
     kInvalid = 0U,
@@ -18,7 +19,7 @@ enum class ExceptionCause : std::uint32_t
     kNone = 0x5A5A5A5AU,
 };
 
-/// What is known of the last exception. `count`: exceptions since the record was cleared; stays at its greatest value.
+/// What is known of the last exception. `count`: exceptions since the record was cleared; stays at 2^32 - 1.
 struct ExceptionRecord
 {
     ExceptionCause cause;
@@ -42,11 +43,12 @@ class ExceptionMemory
     /// @brief `storage` outlives this and is not touched here.
     explicit ExceptionMemory(ExceptionStorage& storage) noexcept;
 
-    /// @brief Called by the handler of an exception: no lock, no call outside of this class.
+    /// @brief Writes the record. Called by the handler of an exception: takes no lock and calls nothing outside of this
+    /// class.
     void Record(ExceptionCause cause, std::uint64_t address) noexcept;
-    /// @brief Cause kNone and all else 0 if there is no record.
+    /// @brief The record; cause kNone and everything else 0 if there is none.
     [[nodiscard]] ExceptionRecord Read() const noexcept;
-    /// @brief The record was reported; there is none from now on.
+    /// @brief Deletes the record, for example after it was reported.
     void Clear() noexcept;
 
   private:

@@ -9,6 +9,7 @@ namespace counterpoint::hal
 class InterruptLock
 {
   public:
+    /// @brief From now on nothing else accesses memory, until Unlock.
     virtual void Lock() noexcept = 0;
     /// @brief Back to what it was before Lock.
     virtual void Unlock() noexcept = 0;

@@ -23,9 +23,11 @@ struct MemorySpan
 class MemoryAccess
 {
   public:
+    /// @brief Reads one word.
     [[nodiscard]] virtual std::uint32_t Read(Address place) const noexcept = 0;
+    /// @brief Writes one word.
     virtual void Write(Address place, std::uint32_t value) noexcept = 0;
-    /// @brief Reads, then writes: one call for the two accesses of a march element.
+    /// @brief Reads a word, then writes it: one call for both accesses of a march element. Returns what was read.
     [[nodiscard]] virtual std::uint32_t Exchange(Address place, std::uint32_t value) noexcept = 0;
     /// @brief Where the stack is in use at this moment, to the accuracy of a few calls. [SRS_STS_013]
     [[nodiscard]] virtual Address StackPosition() const noexcept = 0;

@@ -16,6 +16,7 @@ enum class MemoryOwner : std::uint8_t
     kKernel = 3U,
 };
 
+/// A region of memory and the party that may write it.
 struct MemoryRegion
 {
     const void* start;
@@ -23,6 +24,7 @@ struct MemoryRegion
     MemoryOwner owner;
 };
 
+/// Whether a region is protected.
 enum class ProtectStatus : std::uint8_t
 {
     kInvalid = 0U,
@@ -35,9 +37,9 @@ enum class ProtectStatus : std::uint8_t
 class MemoryProtection
 {
   public:
-    /// @brief From now on only `region.owner` writes the region.
+    /// @brief From now on only `region.owner` may write the region.
     [[nodiscard]] virtual ProtectStatus Protect(const MemoryRegion& region) noexcept = 0;
-    /// @brief The party that runs from now on.
+    /// @brief From now on this party runs.
     virtual void Enter(MemoryOwner owner) noexcept = 0;
 
     MemoryProtection(const MemoryProtection&) = delete;

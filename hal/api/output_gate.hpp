@@ -10,7 +10,7 @@
 namespace counterpoint::hal
 {
 
-/// How long a right Drive keeps the outputs open.
+/// How long a right Drive keeps the outputs open, in us.
 struct GateLimit
 {
     std::uint32_t us;

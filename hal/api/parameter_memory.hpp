@@ -7,7 +7,7 @@
 namespace counterpoint::hal
 {
 
-/// Two banks that are erased independently of each other.
+/// The two banks, which are erased independently of each other.
 enum class MemoryBank : std::uint8_t
 {
     kInvalid = 0U,
@@ -15,6 +15,7 @@ enum class MemoryBank : std::uint8_t
     kSecond = 2U,
 };
 
+/// What the last operation is doing, or how it ended.
 enum class MemoryStatus : std::uint8_t
 {
     kInvalid = 0U,
@@ -42,14 +43,14 @@ class ParameterMemory
   public:
     /// @brief Bytes of one bank, a multiple of kProgramUnitBytes.
     [[nodiscard]] virtual std::uint32_t BankBytes() const noexcept = 0;
-    /// @brief Sees the running operation through as far as it goes without waiting.
+    /// @brief Goes on with the running operation as far as that needs no waiting, and tells how far it is.
     [[nodiscard]] virtual MemoryStatus Status() noexcept = 0;
     /// @brief Every byte of the bank becomes FFh. Only when not kBusy.
     virtual void Erase(MemoryBank bank) noexcept = 0;
     /// @brief Writes bytes that are erased; the section is of whole units. `from` is kept until the end. Only when not
     /// kBusy.
     virtual void Program(const MemorySection& section, const std::uint8_t* from) noexcept = 0;
-    /// @brief Whether the bytes could be read. Only when not kBusy.
+    /// @brief Reads bytes. False: they could not be read. Only when not kBusy.
     [[nodiscard]] virtual bool Read(const MemorySection& section, std::uint8_t* to) noexcept = 0;
 
     ParameterMemory(const ParameterMemory&) = delete;

@@ -7,16 +7,18 @@
 namespace counterpoint::hal
 {
 
-/// Signature of an undisturbed cycle. The kernel never compares with it to decide on the answer.
+/// Flow signature of an undisturbed cycle. The kernel never compares with it to decide on the answer.
 constexpr std::uint32_t kFlowReference = 0x5EC0DE27U;
 /// Right answer: (flow signature + question) * kWatchdogConstant (modulo 2^32), with the signature kFlowReference.
 constexpr std::uint32_t kWatchdogConstant = 0x01000193U;
 
+/// The question of a cycle; another one in each cycle.
 struct WatchdogQuestion
 {
     std::uint32_t value;
 };
 
+/// The answer that the flow monitor gives.
 struct WatchdogAnswer
 {
     std::uint32_t value;

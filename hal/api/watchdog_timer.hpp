@@ -25,12 +25,15 @@ class WatchdogTimer
     /// @brief Starts the supervision at `now`, which counts as the answer before; the only way out of the tripped
     /// state.
     void Start(const WatchdogWindow& window, Instant now) noexcept;
+    /// @brief The question that the next answer must fit.
     [[nodiscard]] WatchdogQuestion Question() const noexcept;
-    /// @brief Right and within the window: the next window begins at `now`, with another question. Else trips.
+    /// @brief A right answer within the window begins the next window at `now`, with another question. Any other answer
+    /// trips the watchdog.
     void Answer(const WatchdogAnswer& answer, Instant now) noexcept;
     /// @brief Trips when the end of the window has passed at `now`. Call before looking at IsAlive, and at least once
     /// in 2^31 us.
     void Examine(Instant now) noexcept;
+    /// @brief False: tripped, or never started.
     [[nodiscard]] bool IsAlive() const noexcept;
 
   private:

@@ -13,13 +13,16 @@
 namespace counterpoint::host
 {
 
-/// Where stamped frames go: the kernel behind an adapter, or a FrameQueue.
+/// Receives stamped frames, in bus order: an adapter in front of the kernel, or a FrameQueue.
 class FrameSink
 {
   public:
     virtual ~FrameSink() = default;
+    /// @brief A frame was received.
     virtual void OnFrame(const StampedFrame& frame) = 0;
+    /// @brief A frame of this device was on the bus.
     virtual void OnConfirm(const StampedFrame& frame) = 0;
+    /// @brief Frames were lost.
     virtual void OnOverflow() = 0;
 };
 

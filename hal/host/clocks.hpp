@@ -15,7 +15,7 @@ namespace counterpoint::host
 /// Progress of a clock in millionths of the true one.
 constexpr std::uint32_t kTrueRate = 1'000'000U;
 constexpr std::uint32_t kStopped = 0U;
-/// A thousand times too fast.
+/// Greatest rate that a clock can have: a thousand times too fast.
 constexpr std::uint32_t kGreatestRate = 1'000'000'000U;
 
 /// A counter of microseconds as a function of bus time, piecewise linear, in integers: the reading is exact at every
@@ -55,14 +55,18 @@ class HostClock
 class HostClocks final : public hal::Clocks
 {
   public:
+    /// @brief Both counters read `start` at bus time 0. `bus` outlives this.
     HostClocks(const VirtualBus& bus, const InstantPair& start);
 
     [[nodiscard]] InstantPair Now() noexcept override;
+    /// @brief Both counters at bus time `at`, which is not before the last change.
     [[nodiscard]] InstantPair At(BusTime at) const;
+    /// @brief The first counter, to be changed by faults.
     [[nodiscard]] HostClock& A()
     {
         return a_;
     }
+    /// @brief The second counter, likewise.
     [[nodiscard]] HostClock& B()
     {
         return b_;

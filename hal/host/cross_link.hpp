@@ -33,10 +33,11 @@ enum class WireEnd : std::uint8_t
     kSecond = 1U,
 };
 
-/// A wire between two CPUs in one process, under control of who tests. Deterministic for a seed. [SRS_LNK_021]
+/// A wire between two CPUs in one process, controlled by a test. The same seed gives the same faults. [SRS_LNK_021]
 class HostWire
 {
   public:
+    /// @brief Without faults and delay at first.
     explicit HostWire(std::uint64_t seed);
 
     /// @brief The side of one CPU. Lives as long as the wire.

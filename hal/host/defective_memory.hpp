@@ -43,6 +43,7 @@ enum class CellDefect : std::uint8_t
     kTwoCells = 19U, ///< A write to the victim's word also goes to the aggressor's; a read is the AND of both.
 };
 
+/// A kind of defect and the cells that it concerns.
 struct Defect
 {
     CellDefect kind;
@@ -50,14 +51,15 @@ struct Defect
     Cell aggressor;
 };
 
-/// The memory of another access, with one defect. What is behind stays in place, so that live memory can be defective
-/// too. Defects act on accesses through this object only. [SRS_STS_010, SRS_STS_015]
+/// Passes accesses on to other memory and puts one defect into them, so that live memory can be tested as defective.
+/// Only accesses through this object see the defect. [SRS_STS_010, SRS_STS_015]
 class DefectiveMemory final : public hal::MemoryAccess
 {
   public:
+    /// @brief Without a defect at first; `cells` outlives this.
     explicit DefectiveMemory(hal::MemoryAccess& cells);
 
-    /// @brief From now on this defect, and no other.
+    /// @brief From now on there is this defect, and no other one.
     void Break(const Defect& defect);
     [[nodiscard]] std::uint32_t Read(hal::Address place) const noexcept override;
     void Write(hal::Address place, std::uint32_t value) noexcept override;
@@ -79,10 +81,11 @@ class DefectiveMemory final : public hal::MemoryAccess
     mutable std::uint64_t accesses_{0U};
 };
 
-/// Words that exist nowhere else, from `first` on: for tests that need their own addresses.
+/// Memory in an array, with addresses of its own from `first` on, for tests that choose their addresses.
 class ArrayMemory final : public hal::MemoryAccess
 {
   public:
+    /// @brief All words are 0.
     ArrayMemory(hal::Address first, std::uint32_t words);
 
     [[nodiscard]] std::uint32_t Read(hal::Address place) const noexcept override;

@@ -26,14 +26,14 @@ inline constexpr HostException kHostExceptions[] = {
     {SIGABRT, hal::ExceptionCause::kProgram},
 };
 
-/// From construction to destruction the exceptions of this process switch the output off, leave a record and end the
-/// process with kExceptionExitStatus. At most one object at a time. [SRS_STS_051]
+/// While it lives, an exception of this process switches the output off, leaves a record and ends the process with
+/// kExceptionExitStatus. At most one object at a time. [SRS_STS_051]
 class HostExceptions final
 {
   public:
     /// @brief Both outlive this. Throws std::logic_error if there is one already.
     HostExceptions(hal::OutputCutoff& cutoff, hal::ExceptionMemory& memory);
-    /// @brief Exceptions do again what they did before.
+    /// @brief Exceptions do again what they did before the construction.
     ~HostExceptions();
 
     HostExceptions(const HostExceptions&) = delete;

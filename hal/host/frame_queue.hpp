@@ -23,8 +23,10 @@ class FrameQueue final : public FrameSink
     void OnFrame(const StampedFrame& frame) override;
     void OnConfirm(const StampedFrame& frame) override;
     void OnOverflow() override;
-    /// @brief First OnOverflow if a frame was lost since the last Drain, then all frames in order.
+    /// @brief Hands everything over: first OnOverflow if a frame was lost since the last Drain, then all frames in
+    /// order.
     void Drain(FrameSink& sink);
+    /// @brief How many frames wait.
     [[nodiscard]] std::size_t Size() const
     {
         return count_;

@@ -9,8 +9,8 @@
 namespace counterpoint::host
 {
 
-/// Signals are the interrupts of a process: all but those of exceptions wait. For a process of one thread.
-/// [SRS_STS_012]
+/// Interrupts of a process are its signals: while it is locked all signals wait, but for those that stand for
+/// exceptions. For a process with one thread. [SRS_STS_012]
 class HostInterruptLock final : public hal::InterruptLock
 {
   public:

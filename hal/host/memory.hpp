@@ -9,7 +9,7 @@
 namespace counterpoint::host
 {
 
-/// The memory of this process, guard zones of a sanitizer included. [SRS_STS_014]
+/// The memory of this process; it may also access the guard zones of a sanitizer. [SRS_STS_014]
 class HostMemory final : public hal::MemoryAccess
 {
   public:

@@ -14,8 +14,8 @@
 namespace counterpoint::host
 {
 
-/// The output stage of a simulated device: the gate, run on bus time, and the watchdog's cut-off in series. Look at it
-/// (Open) at least once an hour. An exception cuts it off for good. [SRS_HAL_013, SRS_HAL_014, SRS_STS_052]
+/// The output stage of a simulated device: the output gate, run on bus time, in series with the watchdog. Call Open at
+/// least once an hour. An exception cuts the output off for good. [SRS_HAL_013, SRS_HAL_014, SRS_STS_052]
 class HostOutput final : public hal::SafetyOutput, public hal::OutputCutoff
 {
   public:

@@ -9,9 +9,9 @@
 namespace counterpoint::host
 {
 
-/// @brief What the program itself (no library) keeps in memory that it may not write: code and constants, from its
-/// program headers, cut to whole words. Tables that the loader fills in are among them from then on, as they stand.
-/// [SRS_STS_003]
+/// @brief Code and constants of the program itself, without libraries: what it keeps in memory that it may not write,
+/// from its program headers, cut to whole words. Tables that the loader fills in are part of it, as they are after
+/// loading. [SRS_STS_003]
 [[nodiscard]] std::vector<hal::MemorySpan> ReadOnlyImage();
 
 } // namespace counterpoint::host

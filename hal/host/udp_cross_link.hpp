@@ -23,6 +23,7 @@ struct UdpPorts
 class UdpSocket
 {
   public:
+    /// @brief Opens the own port.
     explicit UdpSocket(const UdpPorts& ports);
     ~UdpSocket();
     UdpSocket(const UdpSocket&) = delete;
@@ -30,7 +31,7 @@ class UdpSocket
     UdpSocket& operator=(const UdpSocket&) = delete;
     UdpSocket& operator=(UdpSocket&&) = delete;
 
-    /// @brief Whether the datagram was handed over.
+    /// @brief Sends a datagram. False: it was not handed over.
     [[nodiscard]] bool Send(const void* bytes, std::size_t count) noexcept;
     /// @brief Bytes of the next datagram; 0: there is none. A longer one is cut.
     [[nodiscard]] std::size_t Receive(void* bytes, std::size_t room) noexcept;
@@ -44,6 +45,7 @@ class UdpSocket
 class UdpCrossLink final : public hal::CrossLink
 {
   public:
+    /// @brief Throws as UdpSocket.
     explicit UdpCrossLink(const UdpPorts& ports) : socket_{ports}
     {
     }

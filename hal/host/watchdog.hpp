@@ -16,13 +16,14 @@ namespace counterpoint::host
 class HostWatchdog final : public hal::Watchdog
 {
   public:
+    /// @brief Tripped until Start. `bus` outlives this.
     explicit HostWatchdog(const VirtualBus& bus);
 
     /// @brief Power-on of the device: supervision from now on, this instant counting as the answer before.
     void Start(const hal::WatchdogWindow& window);
     [[nodiscard]] hal::WatchdogQuestion Question() noexcept override;
     void Answer(const hal::WatchdogAnswer& answer) noexcept override;
-    /// @brief At the present instant of the bus.
+    /// @brief Whether it has not tripped, at the present time of the bus.
     [[nodiscard]] bool IsAlive();
     /// @brief When it trips if no answer comes; kNever if it has tripped already.
     [[nodiscard]] BusTime TripsAt();

@@ -20,6 +20,7 @@
 namespace counterpoint::tms570
 {
 
+/// How a board is set up; the objects that it names outlive the board.
 struct BoardSetup
 {
     const Variant& variant;
@@ -36,6 +37,7 @@ struct BoardSetup
 class Board
 {
   public:
+    /// @brief Nothing is started.
     Board() noexcept;
 
     /// @brief Every step in order, until one fails. With answer kResetComes the processor is about to be reset by its
@@ -48,38 +50,47 @@ class Board
     /// @brief Looks at the drivers; the first fault stays, cuts off and is told: then demand the safe state of the
     /// kernel.
     [[nodiscard]] BoardFault BeginCycle() noexcept;
+    /// @brief The next frame or loss, oldest first; kind kNothing when there is none.
     [[nodiscard]] QueuedFrame NextFrame() noexcept
     {
         return can_.Next();
     }
-    /// @brief The two interrupt vectors.
+    /// @brief Handler of the interrupt (IRQ).
     void OnInterrupt() noexcept;
+    /// @brief Handler of the fast interrupt (FIQ).
     void OnFastInterrupt() noexcept;
 
+    /// @brief The drivers, for the kernel and its executive: CAN controllers.
     [[nodiscard]] CanPorts& Can() noexcept
     {
         return can_;
     }
+    /// @brief Safety outputs.
     [[nodiscard]] SafetyPins& Output() noexcept
     {
         return pins_;
     }
+    /// @brief Watchdog.
     [[nodiscard]] WindowedWatchdog& Watchdog() noexcept
     {
         return watchdog_;
     }
+    /// @brief The two counters of time.
     [[nodiscard]] Rti& Clocks() noexcept
     {
         return rti_;
     }
+    /// @brief Memory protection.
     [[nodiscard]] Mpu& Protection() noexcept
     {
         return mpu_;
     }
+    /// @brief Error signalling module.
     [[nodiscard]] const Esm& Errors() const noexcept
     {
         return esm_;
     }
+    /// @brief The first fault of a driver; kNone while there is none.
     [[nodiscard]] BoardFault Fault() const noexcept
     {
         return fault_.Load();

@@ -64,8 +64,9 @@ class Interrupts
     [[nodiscard]] static Outcome TestTable(TableCheck check) noexcept;
     /// @brief Table filled, its check on, all requests off but those of this port; read back.
     [[nodiscard]] static Outcome Start(TableCheck check) noexcept;
-    /// @brief What raised the interrupt (IRQ) or the fast one (FIQ).
+    /// @brief What raised the interrupt (IRQ).
     [[nodiscard]] static InterruptRequest Next() noexcept;
+    /// @brief What raised the fast interrupt (FIQ).
     [[nodiscard]] static InterruptRequest NextFast() noexcept;
     /// @brief All requests off but the fast ones, which nothing turns off: after one that nobody asked for.
     static void MaskAll() noexcept;

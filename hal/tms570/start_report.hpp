@@ -34,6 +34,7 @@ enum class StartStep : std::uint8_t
 };
 constexpr std::uint8_t kStartSteps = 18U;
 
+/// What a step of the start came to.
 enum class StepResult : std::uint8_t
 {
     kInvalid = 0U, ///< Not done.
@@ -43,6 +44,7 @@ enum class StepResult : std::uint8_t
     kResetComes = 3U, ///< The processor tests itself and is reset.
 };
 
+/// What the start as a whole came to.
 enum class StartAnswer : std::uint8_t
 {
     kInvalid = 0U,
@@ -51,6 +53,7 @@ enum class StartAnswer : std::uint8_t
     kResetComes = 2U,
 };
 
+/// Result of the start: the answer, each step, and why the controller started.
 struct StartReport
 {
     StartAnswer answer;

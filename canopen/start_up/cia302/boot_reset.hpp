@@ -10,7 +10,6 @@ namespace counterpoint::cia302
 /// CiA 302-2 leaves open how long a boot-up message may take after a reset. Usually kResetUs are enough. While SDOs of
 /// other slaves keep the bus busy, the master waits for this time, or for kCrowdedTimeOuts, whichever is longer.
 constexpr std::uint32_t kCrowdedUs = 10'000'000U;
-/// or for so many SDO time-outs, whichever is longer: they are long where the bus is slow.
 constexpr std::uint32_t kCrowdedTimeOuts = 20U; ///< SDO time-outs; they are long where the bus is slow.
 
 /// Resets the slave before its boot, and waits for the boot-up messages that the states of a boot need.

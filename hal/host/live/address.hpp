@@ -8,6 +8,7 @@
 namespace counterpoint::host
 {
 
+/// Kinds of live buses.
 enum class LiveKind : std::uint8_t
 {
     kInvalid = 0U,
@@ -16,7 +17,7 @@ enum class LiveKind : std::uint8_t
     kUdp = 3U,
 };
 
-/// The parts of an address of a live bus; those that its kind does not have are empty.
+/// The parts of the address of a live bus; parts that its kind does not have are empty.
 struct LiveAddress
 {
     LiveKind kind{LiveKind::kInvalid};
@@ -27,17 +28,18 @@ struct LiveAddress
     std::uint32_t bits_per_second{0U}; ///< 0: no pace.
 };
 
-/// HOST:PORT before its port is a number.
+/// HOST:PORT in two parts; the port is not a number yet.
 struct HostAndPort
 {
     std::string host; ///< Without the brackets that an address with colons has here; empty: the text is none.
     std::string port;
 };
+/// @brief Splits a text at its last colon. A host with colons must stand in brackets; the text is none otherwise.
 [[nodiscard]] HostAndPort SplitHostAndPort(const std::string& text);
-/// @brief As it stands before a port: with colons in brackets.
+/// @brief A host as it is written before a port: an address with colons in brackets.
 [[nodiscard]] std::string HostBeforePort(const std::string& host);
 
-/// @brief Throws LiveBusError with the address and what was expected. [SRS_LIVE_001]
+/// @brief Reads an address. Throws LiveBusError, which names the address and what was expected. [SRS_LIVE_001]
 [[nodiscard]] LiveAddress ParseLiveAddress(const std::string& address);
 
 } // namespace counterpoint::host

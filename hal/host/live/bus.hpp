@@ -23,7 +23,7 @@ constexpr std::uint32_t kReconnectAfterMs = 500U;
 /// One frame of a bus in real time. Bytes behind `length_bytes` have no meaning; a remote frame has no data.
 struct LiveFrame
 {
-    std::uint32_t identifier{0U};  ///< 11 or 29 bits; of an error frame its classes (live_error.hpp reads them).
+    std::uint32_t identifier{0U};  ///< 11 or 29 bits; of an error frame its classes (error.hpp reads them).
     std::uint8_t length_bytes{0U}; ///< 0 to 8, with `fd` one of the lengths of CAN FD up to 64.
     bool extended{false};          ///< Identifier of 29 bits.
     bool remote{false};
@@ -34,6 +34,7 @@ struct LiveFrame
     std::uint64_t time_ns{0U}; ///< CLOCK_MONOTONIC of reception; the kernel's receive stamp where there is one.
 };
 
+/// What became of a frame that was to be sent.
 enum class SendResult : std::uint8_t
 {
     kInvalid = 0U,
@@ -44,6 +45,7 @@ enum class SendResult : std::uint8_t
     kRefused = 4U,   ///< Not a frame that this bus can carry.
 };
 
+/// State of a bus, as far as its controller or the system tells.
 enum class BusState : std::uint8_t
 {
     kInvalid = 0U,
@@ -71,6 +73,7 @@ struct BusHealth
     std::uint32_t refused_restarts{0U}; ///< By policy, but the system refused: no rights, or it does it by itself.
 };
 
+/// What happens after bus-off.
 enum class RestartPolicy : std::uint8_t
 {
     kInvalid = 0U,
@@ -78,7 +81,7 @@ enum class RestartPolicy : std::uint8_t
     kTimed = 2U,  ///< Restart `restart_after_ms` after bus-off.
 };
 
-/// Passes frames whose identifier equals `identifier` in the bits of `mask`, of the same width.
+/// Lets frames pass whose identifier equals `identifier` in the bits of `mask`, and has the same width.
 struct IdentifierFilter
 {
     std::uint32_t identifier{0U};
@@ -86,6 +89,7 @@ struct IdentifierFilter
     bool extended{false};
 };
 
+/// How a bus is opened.
 struct LiveOptions
 {
     RestartPolicy restart{RestartPolicy::kManual};
@@ -96,7 +100,7 @@ struct LiveOptions
     std::vector<IdentifierFilter> filters;
 };
 
-/// What could not be opened, in one sentence.
+/// Says in one sentence what could not be opened, and why.
 class LiveBusError : public std::runtime_error
 {
   public:
@@ -116,33 +120,37 @@ class LiveBus
     LiveBus& operator=(const LiveBus&) = delete;
     LiveBus& operator=(LiveBus&&) = delete;
 
+    /// @brief Takes a frame for transmission.
     [[nodiscard]] virtual SendResult Send(const LiveFrame& frame) = 0;
     /// @brief Takes the next frame; false: there is none now.
     [[nodiscard]] virtual bool Receive(LiveFrame& frame) = 0;
     /// @brief For poll (POLLIN): readable when Receive has something to give or to do. Owned by the bus.
     [[nodiscard]] virtual int Descriptor() const = 0;
+    /// @brief State and counts.
     [[nodiscard]] virtual BusHealth Health() const = 0;
-    /// @brief The address that opens it again.
+    /// @brief The address by which the bus was opened.
     [[nodiscard]] virtual std::string Name() const = 0;
-    /// @brief Leaves bus-off now; false: not possible on this bus, or not now.
+    /// @brief Leaves bus-off now. False: this bus cannot, or not at present.
     [[nodiscard]] virtual bool Restart() = 0;
 };
 
 /// @brief Opens `can0` or `socketcan:can0`, `socketcand:HOST:PORT/can0`, `udp:239.74.163.2:43113[?bitrate=N]`. Throws
 /// LiveBusError. [SRS_LIVE_001]
 [[nodiscard]] std::unique_ptr<LiveBus> OpenLiveBus(const std::string& address, const LiveOptions& options);
+/// @brief The same with default options.
 [[nodiscard]] std::unique_ptr<LiveBus> OpenLiveBus(const std::string& address);
 
-/// @brief Whether a bus may carry it: identifier in its width, a length of its format, no error frame.
+/// @brief Whether a bus can carry the frame: an identifier within its width, a length of its format, no error frame.
 [[nodiscard]] bool IsSendable(const LiveFrame& frame);
-/// @brief By the filters of `options`.
+/// @brief Whether a frame passes the filters; without filters each one does.
 [[nodiscard]] bool Passes(const std::vector<IdentifierFilter>& filters, const LiveFrame& frame);
-/// @brief The kernel's form of a frame; an error frame becomes kInvalid.
+/// @brief The frame as the kernel takes it, received by `port`; an error frame has kind kInvalid.
 [[nodiscard]] CanFrame ToCanFrame(const LiveFrame& frame, CanPortId port);
+/// @brief The frame as a live bus takes it.
 [[nodiscard]] LiveFrame FromCanFrame(const CanFrame& frame);
 /// @brief CLOCK_MONOTONIC, the clock of LiveFrame::time_ns.
 [[nodiscard]] std::uint64_t LiveNow();
-/// @brief From now on, rounded up; for poll.
+/// @brief Milliseconds from now until `time_ns`, rounded up, as poll takes them.
 [[nodiscard]] int MillisecondsUntil(std::uint64_t time_ns);
 
 } // namespace counterpoint::host

@@ -21,7 +21,7 @@ struct ErrorNews
     std::uint8_t receive_errors{0U};
 };
 
-/// @brief Reads a frame with `error` set; of another frame nothing is told. [SRS_LIVE_021]
+/// @brief Reads a frame that has `error` set; of any other frame nothing is told. [SRS_LIVE_021]
 [[nodiscard]] ErrorNews ReadErrorFrame(const LiveFrame& frame);
 /// @brief In words, for people: "bus-off", "error passive (transmitter); 130 transmit, 0 receive errors".
 /// [SRS_LIVE_021]

@@ -7,9 +7,9 @@
 namespace counterpoint::host
 {
 
-/// The clock of a controller beside CLOCK_MONOTONIC. A software stamp is never too early, and sometimes late: the least
-/// distance of both stamps is the distance of the clocks. It may grow by 200 ppm, because crystals differ.
-/// [SRS_LIVE_057]
+/// Maps the stamps of a controller's own clock to CLOCK_MONOTONIC. A software stamp is never too early and sometimes
+/// too late, so the least distance of the two stamps is the distance of the clocks. It may grow by 200 ppm, because
+/// crystals differ. [SRS_LIVE_057]
 class HardwareClock
 {
   public:

@@ -34,23 +34,25 @@ struct LinkState
 /// @brief The message that takes an interface up or down.
 [[nodiscard]] std::vector<std::uint8_t> SwitchLinkMessage(int index, bool is_up);
 
-/// The kernel's side of a CAN interface, by rtnetlink. Asking needs no rights; the two orders need CAP_NET_ADMIN.
-/// Throws LiveBusError when the system has no rtnetlink.
+/// State and orders of a CAN interface of Linux, by rtnetlink. Asking needs no rights; Restart and Switch need
+/// CAP_NET_ADMIN. Throws LiveBusError when the system has no rtnetlink.
 class LiveLink
 {
   public:
+    /// @brief Opens the connections to the kernel.
     LiveLink();
     /// @brief Readable when the state of some interface changed.
     [[nodiscard]] int Descriptor() const
     {
         return news_.Get();
     }
-    /// @brief Takes all news; true: there were some, ask again.
+    /// @brief Takes all news. True: there were some, so that Ask may answer something new.
     [[nodiscard]] bool TakeNews();
-    /// @brief State now, never an earlier one; empty: no such interface.
+    /// @brief The present state; empty: there is no such interface.
     [[nodiscard]] std::optional<LinkState> Ask(int index);
-    /// @brief 0, or an errno.
+    /// @brief Restarts the controller after bus-off. Answers 0, or an errno.
     [[nodiscard]] int Restart(int index);
+    /// @brief Takes the interface up or down. Answers 0, or an errno.
     [[nodiscard]] int Switch(int index, bool is_up);
 
   private:

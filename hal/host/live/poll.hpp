@@ -7,10 +7,11 @@
 namespace counterpoint::host
 {
 
-/// An owned descriptor; -1: none.
+/// Owns a file descriptor; -1: none.
 class LiveFile
 {
   public:
+    /// @brief Takes the descriptor over.
     explicit LiveFile(int descriptor) : descriptor_{descriptor}
     {
     }
@@ -19,6 +20,7 @@ class LiveFile
     LiveFile(LiveFile&& other) noexcept;
     LiveFile& operator=(const LiveFile&) = delete;
     LiveFile& operator=(LiveFile&& other) noexcept;
+    /// @brief The descriptor.
     [[nodiscard]] int Get() const
     {
         return descriptor_;
@@ -28,16 +30,19 @@ class LiveFile
     int descriptor_;
 };
 
-/// One descriptor for poll that stands for several and for a moment: readable when one of them is, or when the moment
-/// has come. Throws std::runtime_error when the system has no descriptor left.
+/// One descriptor for poll that stands for several descriptors and a time: it is readable when one of them is, or when
+/// the time has come. Throws std::runtime_error when the system has no descriptor left.
 class LivePoll
 {
   public:
     LivePoll();
+    /// @brief From now on it stands for this descriptor, too.
     void Add(int descriptor);
     /// @brief Readable from `time_ns` of CLOCK_MONOTONIC on, until WakeAt or WakeNever is called again.
     void WakeAt(std::uint64_t time_ns);
+    /// @brief No time any more.
     void WakeNever();
+    /// @brief The descriptor to poll.
     [[nodiscard]] int Descriptor() const
     {
         return set_.Get();

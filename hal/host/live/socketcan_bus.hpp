@@ -24,8 +24,9 @@ struct SocketCanFrame
     canfd_frame frame;
     std::size_t bytes;
 };
+/// @brief The frame in that form.
 [[nodiscard]] SocketCanFrame ToSocketCan(const LiveFrame& frame);
-/// @brief False: not the form of a frame.
+/// @brief Reads a frame of that form. False: the bytes are none.
 [[nodiscard]] bool FromSocketCan(const canfd_frame& raw, std::size_t bytes, LiveFrame& frame);
 
 /// One interface of Linux, by a raw socket. Survives the interface's going down and up, and its being removed and made
@@ -34,6 +35,7 @@ struct SocketCanFrame
 class LiveSocketCanBus final : public LiveBus
 {
   public:
+    /// @brief Opens the interface. Throws LiveBusError.
     LiveSocketCanBus(const LiveAddress& address, const LiveOptions& options);
 
     [[nodiscard]] SendResult Send(const LiveFrame& frame) override;

@@ -10,7 +10,7 @@
 namespace counterpoint::host
 {
 
-/// What the system told besides the bytes of a datagram.
+/// A datagram as the system handed it over: its length, its time, and what was lost before it.
 struct LiveArrival
 {
     std::ptrdiff_t count{-1};      ///< Bytes; below 0: nothing came, `failure` says why.
@@ -43,7 +43,7 @@ struct ClockReading
 };
 using ClockReadings = std::array<ClockReading, 3U>;
 
-/// @brief The one that took least time. Whoever reads two clocks may be interrupted between them, and stamps would be
+/// @brief The reading that took least time. A process may be interrupted between the two clocks, and stamps would be
 /// wrong by as much. [SRS_LIVE_002]
 [[nodiscard]] ClockReading Quickest(const ClockReadings& readings);
 

@@ -20,6 +20,7 @@ namespace counterpoint::host
 class LiveUdpBus final : public LiveBus
 {
   public:
+    /// @brief Joins the group. Throws LiveBusError.
     LiveUdpBus(const LiveAddress& address, const LiveOptions& options);
 
     [[nodiscard]] SendResult Send(const LiveFrame& frame) override;

@@ -12,6 +12,7 @@
 namespace counterpoint::host
 {
 
+/// Error state of a controller.
 enum class ControllerState : std::uint8_t
 {
     kErrorActive = 0U,
@@ -39,6 +40,7 @@ struct NodeSetup
 class VirtualBus
 {
   public:
+    /// @brief A bus without nodes at time 0.
     explicit VirtualBus(BitRate rate);
     VirtualBus(const VirtualBus&) = delete;
     VirtualBus& operator=(const VirtualBus&) = delete;
@@ -70,43 +72,54 @@ class VirtualBus
     {
         return events_.NextEvent();
     }
+    /// @brief The time up to which everything was done.
     [[nodiscard]] BusTime Now() const
     {
         return events_.Now();
     }
+    /// @brief Duration of one bit, in ns.
     [[nodiscard]] BusTime BitDuration() const
     {
         return events_.BitDuration();
     }
 
-    /// @brief Acceptance filter for 11-bit identifiers (data and remote); 29-bit frames pass only after AcceptAll.
+    /// @brief The node receives every frame, also with 29-bit identifiers.
     void AcceptAll(NodeIndex node);
+    /// @brief The node receives no frame until others are accepted.
     void AcceptNone(NodeIndex node);
+    /// @brief The node also receives frames with 11-bit identifiers of this range, both ends included.
     void AcceptRange(NodeIndex node, std::uint32_t first_identifier, std::uint32_t last_identifier);
 
-    /// @brief From now on of several nodes that would start frames with the same arbitration field at one instant the
-    /// one attached first sends: clocks that differ. Else they send together, as clocks that do not. [SRS_BUS_015]
+    /// @brief From now on, of several nodes that would start frames with the same arbitration field at one instant,
+    /// only the one attached first sends: their clocks differ. Without this they send together, as if they had one
+    /// clock. [SRS_BUS_015]
     void TakeTurns() noexcept
     {
         events_.TakeTurns();
     }
 
-    /// @brief Faults stay owned by the caller and are asked in the order of installation.
+    /// @brief From now on this fault is asked, after those that were installed before. It stays owned by the caller.
     void Install(BusFault& fault);
+    /// @brief The fault is not asked any more.
     void Remove(BusFault& fault);
 
-    /// @brief Cable of one node off and on. Disconnected: hears nothing, gets nothing out, keeps its queue.
+    /// @brief The cable of the node is off: it hears nothing, sends nothing, and keeps its queue.
     void Disconnect(NodeIndex node);
+    /// @brief The cable of the node is on again.
     void Connect(NodeIndex node);
     /// @brief Puts the node into bus-off as 256 counted errors would; its queue is emptied.
     void ForceBusOff(NodeIndex node);
     /// @brief Back to error-active with counters 0.
     void Recover(NodeIndex node);
+    /// @brief Error state of the node's controller.
     [[nodiscard]] ControllerState State(NodeIndex node) const;
+    /// @brief Its transmit error counter.
     [[nodiscard]] std::uint32_t TransmitErrors(NodeIndex node) const;
+    /// @brief Its receive error counter.
     [[nodiscard]] std::uint32_t ReceiveErrors(NodeIndex node) const;
     /// @brief Frames in the node's queue, the one on the bus included.
     [[nodiscard]] std::size_t Pending(NodeIndex node) const;
+    /// @brief Number of nodes that were ever attached.
     [[nodiscard]] std::size_t NodeCount() const
     {
         return nodes_.size();

@@ -22,15 +22,18 @@ class BusListener
 {
   public:
     virtual ~BusListener() = default;
+    /// @brief A frame that the node's filters accept.
     virtual void OnReceived(const CanFrame& frame, BusTime at) = 0;
     /// @brief A frame of this node was on the bus, complete and acknowledged.
     virtual void OnConfirmed(const CanFrame& frame, BusTime at) = 0;
+    /// @brief The controller went bus-off.
     virtual void OnBusOff(BusTime at)
     {
         static_cast<void>(at);
     }
 };
 
+/// How an attempt to send a frame ended.
 enum class FrameFate : std::uint8_t
 {
     kComplete = 0U,
@@ -50,6 +53,7 @@ struct BusRecord
     FrameFate fate;
 };
 
+/// Is told of every attempt to send a frame.
 class BusObserver
 {
   public:
@@ -74,6 +78,7 @@ struct BusNode
     bool connected{true};
     bool bus_off{false};
 
+    /// @brief Whether it takes part in the traffic.
     [[nodiscard]] bool IsOnBus() const
     {
         return connected && !bus_off;
@@ -98,14 +103,17 @@ class BusEvents
         }
         now_ = (until > now_) ? until : now_;
     }
+    /// @brief See VirtualBus.
     [[nodiscard]] BusTime NextEvent() const
     {
         return next_event_;
     }
+    /// @brief See VirtualBus.
     [[nodiscard]] BusTime Now() const
     {
         return now_;
     }
+    /// @brief See VirtualBus.
     [[nodiscard]] BusTime BitDuration() const
     {
         return bit_time_;
@@ -117,9 +125,11 @@ class BusEvents
     }
     /// @brief A reception at `at`, or now.
     void Plan(NodeIndex node, const CanFrame& frame, BusTime at);
-    /// @brief Somebody has something to send, or is back.
+    /// @brief A node has something to send, or is back on the bus.
     void OnWaiting();
+    /// @brief Takes the node off the bus and empties its queue.
     void EnterBusOff(BusNode& node);
+    /// @brief See VirtualBus.
     void TakeTurns() noexcept
     {
         takes_turns_ = true;

@@ -31,22 +31,26 @@ struct Reception
     BusTime delay;
 };
 
-/// The receptions that one frame causes in one node. It holds the true one (delay 0) when a fault gets it; a fault
-/// leaves in it what the node shall see: nothing (loss), the frame with other bytes, length, identifier or kind
-/// (corruption, masquerade, addressing), with a delay, several times (repetition), or others beside it (insertion).
+/// The receptions that one frame causes in one node. It holds the true one (delay 0) when a fault gets it. The fault
+/// leaves in it what the node shall receive: nothing (loss), the frame with other bytes, length, identifier or kind
+/// (corruption, masquerade, addressing), with a delay, several times (repetition), or with others beside it
+/// (insertion).
 class ReceptionList
 {
   public:
     static constexpr std::size_t kCapacity = 16U;
 
+    /// @brief Number of receptions.
     [[nodiscard]] std::size_t Size() const
     {
         return size_;
     }
+    /// @brief Whether the node receives nothing.
     [[nodiscard]] bool IsEmpty() const
     {
         return size_ == 0U;
     }
+    /// @brief A reception by its place, below Size().
     [[nodiscard]] Reception& operator[](const std::size_t place)
     {
         return list_[place];
@@ -59,6 +63,7 @@ class ReceptionList
     {
         return list_.data() + size_;
     }
+    /// @brief The node receives nothing.
     void Clear()
     {
         size_ = 0U;

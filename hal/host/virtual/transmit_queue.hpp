@@ -24,12 +24,15 @@ struct QueuedFrame
 class TransmitQueue
 {
   public:
+    /// @brief `capacity` mailboxes, at least 1.
     explicit TransmitQueue(std::size_t capacity);
 
+    /// @brief Whether no frame waits.
     [[nodiscard]] bool IsEmpty() const
     {
         return waiting_.empty();
     }
+    /// @brief Whether every mailbox is taken.
     [[nodiscard]] bool IsFull() const
     {
         return (waiting_.size() + (sending_ ? 1U : 0U)) >= capacity_;

@@ -21,6 +21,7 @@ enum class BusLayout : std::uint8_t
     kTwoBuses = 3U,      ///< Frames may end at the same moment; then those of the first controller come first.
 };
 
+/// How the controllers are set up.
 struct CanPortsSetup
 {
     DcanSetup first;
@@ -49,6 +50,7 @@ class CanPorts final : public hal::CanPorts
     /// @brief Takes all controllers off the bus.
     void Stop() noexcept;
 
+    /// @brief One of the controllers, to look at.
     [[nodiscard]] const Dcan& Controller(CanPortId port) const noexcept
     {
         return (port == CanPortId::kSecond) ? second_ : first_;

@@ -13,6 +13,7 @@
 namespace counterpoint::tms570
 {
 
+/// What a message object is for.
 enum class ObjectUse : std::uint8_t
 {
     kInvalid = 0U,
@@ -27,6 +28,7 @@ struct CanObject
     ObjectUse use;
 };
 
+/// How a controller is set up.
 struct DcanSetup
 {
     RegisterBase base;
@@ -51,6 +53,7 @@ enum class CanFault : std::uint8_t
     kNone = 0x5AU,
 };
 
+/// What a controller asks to be served for.
 enum class DcanEventKind : std::uint8_t
 {
     kInvalid = 0U,
@@ -95,15 +98,17 @@ class Dcan
     /// @brief Serves one request. A fault of what it reads takes the controller off the bus.
     [[nodiscard]] DcanEvent Take() noexcept;
 
+    /// @brief Why the controller is off the bus; kNone: it is not.
     [[nodiscard]] CanFault Fault() const noexcept
     {
         return fault_.Load();
     }
+    /// @brief Whether it is bus-off, or on its way back.
     [[nodiscard]] bool IsBusOff() const noexcept
     {
         return bus_off_.Load() != kOnBus;
     }
-    /// @brief Times it went back to the bus since Start.
+    /// @brief How often it went back to the bus since Start.
     [[nodiscard]] std::uint8_t Returns() const noexcept
     {
         return returns_;

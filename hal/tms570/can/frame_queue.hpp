@@ -10,6 +10,7 @@
 namespace counterpoint::tms570
 {
 
+/// What an entry of the queue is.
 enum class QueuedKind : std::uint8_t
 {
     kInvalid = 0U, ///< Read as a loss.
@@ -30,14 +31,18 @@ struct QueuedFrame
 class FrameQueue
 {
   public:
+    /// @brief Empties the queue.
     void Clear() noexcept;
+    /// @brief Adds a frame; without room it counts as a loss. For the interrupt.
     void Put(const QueuedFrame& frame) noexcept;
+    /// @brief Adds a loss. For the interrupt.
     void PutLoss() noexcept;
-    /// @brief Losses come before the frames that are there.
+    /// @brief The next entry; losses come before the frames that are there. For the program.
     [[nodiscard]] QueuedFrame Take() noexcept;
 
   private:
-    /// All frames of two controllers at 1 Mbit/s in a cycle of 1 ms, of the shortest length: 2 * 1000 / 47.
+    /// Room for all frames of two controllers at 1 Mbit/s in a cycle of 1 ms, of the shortest length: 2 * 1000 / 47,
+    /// rounded up to a power of two.
     static constexpr std::uint32_t kPlaces = 64U;
     static_assert((kPlaces & (kPlaces - 1U)) == 0U, "the counters wrap");
 

@@ -21,6 +21,7 @@ enum class ProcessorRegister : std::uint8_t
     kRegionAccess = 7U,     ///< DRACR
 };
 
+/// @brief Reads a register of the processor.
 [[nodiscard]] std::uint32_t ReadProcessor(ProcessorRegister which) noexcept;
 /// @brief Takes effect before the next instruction.
 void WriteProcessor(ProcessorRegister which, std::uint32_t value) noexcept;
@@ -31,8 +32,9 @@ void WriteRegionAccess(std::uint32_t region, std::uint32_t access) noexcept;
 void Synchronise() noexcept;
 /// @brief Sleeps until an interrupt or, where a self test of the processor was asked for, until its reset.
 void WaitForInterrupt() noexcept;
-/// @brief Interrupts off (FIQ and IRQ); back to what `before` says.
+/// @brief Turns interrupts off (IRQ and FIQ). Returns what they were before.
 [[nodiscard]] std::uint32_t LockInterrupts() noexcept;
+/// @brief Sets interrupts as they were `before`.
 void UnlockInterrupts(std::uint32_t before) noexcept;
 
 } // namespace counterpoint::tms570

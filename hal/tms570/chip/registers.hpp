@@ -17,6 +17,7 @@ struct Register
 
 /// @brief One access of 32 bits, in the order of the program. [SRS_TMS_001]
 [[nodiscard]] std::uint32_t Read(Register place) noexcept;
+/// @brief One access of 32 bits, in the order of the program.
 void Write(Register place, std::uint32_t value) noexcept;
 
 /// First register of a peripheral.
@@ -25,6 +26,7 @@ struct RegisterBase
     std::uint32_t address;
 };
 
+/// @brief A register of a peripheral by its offset.
 [[nodiscard]] constexpr Register At(const RegisterBase base, const std::uint32_t offset_bytes) noexcept
 {
     return Register{base.address + offset_bytes};
@@ -43,7 +45,7 @@ struct Looks
     std::uint32_t count;
 };
 
-/// Zero-filled memory reads as kInvalid, which every reader treats as a failure.
+/// Whether something succeeded. Zero-filled memory reads as kInvalid, which every reader treats as a failure.
 enum class Outcome : std::uint8_t
 {
     kInvalid = 0U,
@@ -62,7 +64,7 @@ void Touch(Register place) noexcept;
 
 inline constexpr std::uint32_t kWholeWord = 0xFFFFFFFFU;
 
-/// @brief kDone where both are.
+/// @brief kDone if both are kDone.
 [[nodiscard]] constexpr Outcome Both(const Outcome first, const Outcome second) noexcept
 {
     return (first == Outcome::kDone) ? second : Outcome::kFailed;

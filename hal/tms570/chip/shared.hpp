@@ -15,12 +15,14 @@ template <class Value> class Shared
     {
     }
 
+    /// @brief The value that was stored last.
     [[nodiscard]] Value Load() const noexcept
     {
         Value value{};
         __atomic_load(&value_, &value, __ATOMIC_ACQUIRE); // MISRA D-005
         return value;
     }
+    /// @brief Stores a value.
     void Store(const Value value) noexcept
     {
         Value stored{value};

@@ -11,6 +11,7 @@
 namespace counterpoint::tms570
 {
 
+/// How far the logic test is, or how it ended.
 enum class LogicTest : std::uint8_t
 {
     kInvalid = 0U,

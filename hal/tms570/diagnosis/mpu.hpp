@@ -11,7 +11,7 @@
 namespace counterpoint::tms570
 {
 
-/// Memory by address; `size_bytes` is a power of two from 32 on, `start` a multiple of it.
+/// A piece of memory: `size_bytes` is a power of two from 32 on, `start` a multiple of it.
 struct ProtectedSpan
 {
     std::uint32_t start;

@@ -21,6 +21,7 @@ struct SafetyPin
     SrdoMask slots;
 };
 
+/// How the safety outputs are set up.
 struct SafetyPinsSetup
 {
     RegisterBase port;          ///< gio::kPortA or gio::kPortB

@@ -19,6 +19,7 @@ struct ResetReason
 /// @brief Flags of the resets since they were cleared. The test of the logic ends in a reset, too: whoever clears the
 /// others before it is over does not know any more why the controller started. [SRS_TMS_051]
 [[nodiscard]] ResetReason ReadResetReason() noexcept;
+/// @brief Clears these flags.
 void ClearResetReason(ResetReason reason) noexcept;
 
 /// @brief Oscillator, PLL, dividers, sources, peripherals; every wait bounded, everything read back. [SRS_TMS_050]

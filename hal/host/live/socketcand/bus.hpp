@@ -24,6 +24,7 @@ namespace counterpoint::host
 class LiveSocketcandBus final : public LiveBus
 {
   public:
+    /// @brief Connects and greets the server. Throws LiveBusError.
     LiveSocketcandBus(const LiveAddress& address, const LiveOptions& options);
 
     [[nodiscard]] SendResult Send(const LiveFrame& frame) override;

@@ -11,22 +11,23 @@
 namespace counterpoint::host
 {
 
-/// What a client says to its server until frames come, answer by answer, without waiting: open, rawmode, ownmode.
-/// [SRS_LIVE_051] [SRS_LIVE_052]
+/// What a client says to its server before frames come: open, rawmode, ownmode. Each call takes the answers that are
+/// there; nothing waits. [SRS_LIVE_051, SRS_LIVE_052]
 class SocketcandGreeting
 {
   public:
+    /// @brief `bus` is the name by which the server offers the bus.
     explicit SocketcandGreeting(std::string bus);
 
     /// @brief Goes on with what the link has read.
     void GoOn(SocketcandLink& link);
-    /// @brief What the link reads from now on is of the bus.
+    /// @brief Whether the greeting is complete: what the link reads from now on is of the bus.
     [[nodiscard]] bool IsOver() const;
     /// @brief Why it cannot go on; empty: it can.
     [[nodiscard]] const std::string& Problem() const;
-    /// @brief The server tells own frames.
+    /// @brief Whether the server tells own frames.
     [[nodiscard]] bool HasOwn() const;
-    /// @brief What of the bus came before the last answer.
+    /// @brief Messages of the bus that came before the last answer.
     [[nodiscard]] std::deque<SocketcandMessage>& Early();
 
   private:

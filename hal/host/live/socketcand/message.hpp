@@ -18,6 +18,7 @@ constexpr std::size_t kSocketcandElementBytes = 256U;
 /// Longest text of an element `< error TEXT >`.
 constexpr std::size_t kSocketcandErrorTextBytes = kSocketcandElementBytes - std::string_view("< error  >").size();
 
+/// Elements of the socketcand protocol, and of our extension of it.
 enum class SocketcandWord : std::uint8_t
 {
     kInvalid = 0U,
@@ -50,13 +51,14 @@ struct SocketcandMessage
 
 /// @brief Reads one element with its brackets. [SRS_LIVE_050]
 [[nodiscard]] SocketcandMessage ReadSocketcand(std::string_view element);
-/// @brief The element of a message; one that ReadSocketcand reads as the same message.
+/// @brief Writes a message as an element; ReadSocketcand reads the same message from it.
 [[nodiscard]] std::string WriteSocketcand(const SocketcandMessage& message);
 
 /// A stream cut into elements. What stands between them may be white space only. [SRS_LIVE_050]
 class SocketcandStream
 {
   public:
+    /// @brief Adds bytes as they come.
     void Feed(const char* bytes, std::size_t count);
     /// @brief The next element, read; empty: none is whole yet.
     [[nodiscard]] std::optional<SocketcandMessage> Next();

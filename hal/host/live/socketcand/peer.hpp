@@ -13,17 +13,17 @@
 namespace counterpoint::host
 {
 
-/// Where the server of an address is: all addresses that its name has, asked for once.
+/// Where the server of an address is: all addresses that its name has. The name is looked up once.
 class SocketcandPeer
 {
   public:
     /// @brief Throws LiveBusError for a name that no machine has.
     explicit SocketcandPeer(const LiveAddress& address);
-    /// @brief A connection to the first address that takes one. Throws LiveBusError.
+    /// @brief Connects to the first address that takes a connection, until `until_ns`. Throws LiveBusError.
     [[nodiscard]] LiveFile Connect(std::uint64_t until_ns);
-    /// @brief Begins a connection to the address of the last one, without waiting: reading tells what becomes of it.
+    /// @brief Begins a connection to the address of the last one, without waiting; reading shows what becomes of it.
     [[nodiscard]] LiveFile BeginConnect() const;
-    /// @brief The next one is to another address, where there is one.
+    /// @brief The next connection goes to another address, if there is one.
     void TryOther();
 
   private:

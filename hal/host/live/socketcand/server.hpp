@@ -27,6 +27,7 @@ struct ServedBus
     std::string address;
 };
 
+/// What a server has done.
 struct ServerCounts
 {
     std::uint32_t clients{0U};  ///< Now.
@@ -37,16 +38,19 @@ struct ServerCounts
     std::uint64_t too_slow{0U};  ///< Clients disconnected because 1 MiB waited for them.
 };
 
-/// One client: its connection, and a bus object of its own, so that it is a sender of its own on the bus.
+/// One client of the server: its connection, and a bus object of its own, so that it is a sender of its own on the bus.
 class SocketcandClient
 {
   public:
+    /// @brief `buses` and `counts` outlive the client.
     SocketcandClient(LiveFile socket, const std::vector<ServedBus>& buses, ServerCounts& counts);
-    /// @brief What to wait for: the connection, and the bus (descriptor -1: none).
+    /// @brief What to poll for the connection.
     [[nodiscard]] pollfd Connection() const;
+    /// @brief What to poll for the bus (descriptor -1: no bus is open).
     [[nodiscard]] pollfd Bus() const;
-    /// @brief Carries on; false: the connection has ended.
+    /// @brief Reads, obeys and answers what is there. False: the connection has ended.
     [[nodiscard]] bool Serve();
+    /// @brief Whether a frame waits because the bus was full.
     [[nodiscard]] bool HoldsFrame() const
     {
         return held_.has_value();
@@ -76,9 +80,11 @@ class SocketcandServer
   public:
     /// @brief Listens; port 0: a free one. Throws LiveBusError when it cannot, or when a bus cannot be opened.
     SocketcandServer(const std::string& host, std::uint16_t port, std::vector<ServedBus> buses);
+    /// @brief The port on which it listens.
     [[nodiscard]] std::uint16_t Port() const;
-    /// @brief Serves for at most that time.
+    /// @brief Serves its clients for at most that time.
     void Serve(int milliseconds);
+    /// @brief What it has done so far.
     [[nodiscard]] ServerCounts Counts() const
     {
         return counts_;
