@@ -22,7 +22,7 @@ enum class Home : std::uint8_t
     kConsumed = 4U, ///< In memory, a variable of the kernel that the channels write.
 };
 
-/// Bounds as the dictionary takes them: signed ones as two's complement of 64 bits.
+/// Least and greatest value as the dictionary takes them: of signed types as two's complement of 64 bits.
 struct Limits
 {
     std::uint64_t low{0U};
@@ -46,21 +46,24 @@ struct Element
     std::optional<std::uint64_t> node_addend; ///< The value is the node-ID and so much.
     std::optional<std::size_t> inverse;       ///< Of a normal variable: the element of its inverse.
 
+    /// Index and sub-index as one ordered number.
     [[nodiscard]] std::uint32_t Key() const noexcept
     {
         return (static_cast<std::uint32_t>(entry->index) << 8U) | entry->sub;
     }
+    /// Whether it is a variable that the kernel maps.
     [[nodiscard]] bool IsVariable() const noexcept
     {
         return home == Home::kProduced || home == Home::kConsumed;
     }
+    /// Whether its value is kept in RAM.
     [[nodiscard]] bool IsInMemory() const noexcept
     {
         return home == Home::kStored || IsVariable();
     }
 };
 
-/// What the program is made from, decided once.
+/// What the generated program is made from.
 struct ElementContext
 {
     const cia306::Device& device;
@@ -70,9 +73,9 @@ struct ElementContext
 
 /// The C++ type of a number; empty for a string or DOMAIN.
 [[nodiscard]] std::string CppTypeOf(const cia306::DataType& type);
-/// Enumerator of cia301::DataType.
+/// The enumerator of cia301::DataType for its type.
 [[nodiscard]] std::string TableTypeOf(const cia306::Entry& entry);
-/// Enumerator of cia301::Access.
+/// The enumerator of cia301::Access for its access right.
 [[nodiscard]] std::string TableAccessOf(const Element& element);
 /// "rw" as the file writes it.
 [[nodiscard]] std::string AccessName(cia306::Access access);

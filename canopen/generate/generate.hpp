@@ -16,12 +16,14 @@ namespace counterpoint::generate
 constexpr const char* kHeaderName = "object_dictionary.hpp";
 constexpr const char* kSourceName = "object_dictionary.cpp";
 
+/// What the command line says about the generated code.
 struct GenerateOptions
 {
-    std::string name_space; ///< ProblemOfNamespace has nothing to say about it.
+    std::string name_space; ///< Checked by ProblemOfNamespace.
     std::optional<std::uint8_t> node_id;
 };
 
+/// The two files, and what is told about them.
 struct GeneratedCode
 {
     std::string header;
@@ -40,13 +42,13 @@ struct GeneratedCode
 [[nodiscard]] GeneratedCode Generate(const cia306::Device& device, std::string_view text,
                                      const GenerateOptions& options);
 
-/// Whether this is a text that Generate made, whatever its version. [SRS_GEN_018]
+/// Whether Generate made this text, in whatever version. [SRS_GEN_018]
 [[nodiscard]] bool IsGenerated(std::string_view text) noexcept;
 
-/// What is wrong with the name of a namespace (`a::b` is one), nothing where it can be used. [SRS_GEN_003]
+/// What is wrong with the name of a namespace (`a::b` is one); empty: nothing. [SRS_GEN_003]
 [[nodiscard]] std::string ProblemOfNamespace(const std::string& name);
 
-/// A namespace that can be used, from the name of a file. [SRS_GEN_012]
+/// The name of a namespace made from the name of a file. [SRS_GEN_012]
 [[nodiscard]] std::string NamespaceOf(const std::string& file);
 } // namespace counterpoint::generate
 

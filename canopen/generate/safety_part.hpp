@@ -39,16 +39,20 @@ struct StaticPart
 class SafetyPart
 {
   public:
+    /// @brief Reads it; the device is kept by reference.
     SafetyPart(const cia306::Device& device, std::optional<std::uint8_t> node_id);
 
+    /// @brief Its SRDOs, by number.
     [[nodiscard]] const std::vector<cia306::SrdoConfiguration>& Srdos() const noexcept;
+    /// @brief Parameters of the device, 5F00h to 5F05h.
     [[nodiscard]] const cia306::DeviceParameters& Parameters() const noexcept;
-    /// @brief Expected device digest: none with another node-ID than the file's. [SRS_GEN_009]
+    /// @brief The expected device digest; 0 (none) with another node-ID than that of the file. [SRS_GEN_009]
     [[nodiscard]] std::uint32_t Digest() const noexcept;
     /// @brief kProduced or kConsumed for a variable of the kernel, nothing else for the others. [SRS_GEN_009]
     [[nodiscard]] std::optional<Home> HomeOf(const cia306::Entry& entry) const;
     /// @brief Joins the variables of each pair. [SRS_GEN_013]
     void JoinPairs(std::vector<Element>& elements) const;
+    /// @brief Its static mappings.
     [[nodiscard]] std::vector<StaticPart> StaticParts(const std::vector<Element>& elements) const;
     /// @brief In the order in which the kernel takes them, without those of static mappings. [SRS_GEN_011, SRS_GEN_016]
     [[nodiscard]] std::vector<SafetySetting> Settings() const;

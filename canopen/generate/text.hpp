@@ -32,18 +32,20 @@ struct FileText
 [[nodiscard]] std::string Describe(const Element& element);
 /// "counterpoint::VariablePlace{storage.bytes + 12U, 8U}"
 [[nodiscard]] std::string PlaceText(const Element& element);
-/// Whether the application may write it by a function.
+/// Whether there is a function by which the application writes it.
 [[nodiscard]] bool HasSetter(const Element& element);
-/// Whether it is a number.
+/// Whether its value is a number.
 [[nodiscard]] bool IsNumber(const Element& element);
 
+/// The header file.
 [[nodiscard]] std::string HeaderText(const FileText& file);
+/// The source file.
 [[nodiscard]] std::string SourceText(const FileText& file);
-/// Memory, constants and entries.
+/// The part of the source with memory, constants and entries.
 [[nodiscard]] std::string TableText(const Layout& layout);
-/// Tables of what the kernel is given.
+/// The part with the tables that the kernel is given.
 [[nodiscard]] std::string KernelText(const FileText& file);
-/// The description of the device.
+/// The part that describes the device to the kernel.
 [[nodiscard]] std::string DeviceText(const FileText& file);
 } // namespace counterpoint::generate
 

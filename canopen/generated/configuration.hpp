@@ -44,7 +44,7 @@ struct Configuration
     std::uint8_t node_id; ///< Of the file.
 };
 
-/// The first refusal; kNone if there was none.
+/// The first write that the kernel refused; kNone: it took all of them.
 struct ConfigureReply
 {
     AbortCode abort;

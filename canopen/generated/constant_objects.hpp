@@ -17,7 +17,7 @@ struct ConstantValue
     const std::uint8_t* bytes;
 };
 
-/// Ordered by index and sub-index.
+/// A table of constant values, ordered by index and sub-index.
 struct ConstantTable
 {
     const ConstantValue* values;
@@ -28,6 +28,7 @@ struct ConstantTable
 class ConstantObjects final : public cia301::ReadHook, public cia301::WriteHook
 {
   public:
+    /// @brief `table` and what it points to outlive the hook.
     explicit constexpr ConstantObjects(const ConstantTable& table) noexcept : table_(table)
     {
     }

@@ -11,20 +11,21 @@ namespace counterpoint::generated
 
 constexpr std::uint8_t kMaxHookedRanges = 8U;
 
-/// Indices, both ends included.
+/// A range of indices, both ends included.
 struct IndexRange
 {
     std::uint16_t first;
     std::uint16_t last;
 };
 
-/// Who keeps the objects of a range. Null: the stored value does.
+/// The hooks that keep the objects of a range; null: the stored value is used.
 struct ObjectHooks
 {
     cia301::ReadHook* read;
     cia301::WriteHook* write;
 };
 
+/// Whether hooks were attached.
 enum class AttachResult : std::uint8_t
 {
     kInvalid = 0U,
@@ -33,8 +34,8 @@ enum class AttachResult : std::uint8_t
     kFull = 2U,    ///< kMaxHookedRanges have hooks.
 };
 
-/// Hook of all entries that have a place: leads to who keeps the object now, else to the place. Hooks are kept by
-/// reference. Not reentrant. [SRS_GEN_008]
+/// Hook of all entries that have a place: asks the hook that is attached to the object, else reads and writes the
+/// place. Attached hooks are kept by reference. Not reentrant. [SRS_GEN_008]
 class StoredObjects final : public cia301::ReadHook, public cia301::WriteHook
 {
   public:
@@ -43,6 +44,7 @@ class StoredObjects final : public cia301::ReadHook, public cia301::WriteHook
     {
     }
 
+    /// @brief From now on these hooks keep the objects of the range. O(ranges)
     [[nodiscard]] AttachResult Attach(const IndexRange& range, const ObjectHooks& hooks) noexcept;
     /// @brief Tells the hook of each writable entry of the range its stored value; the first refusal ends it. A
     /// sub-index 0 of an object that has others is not told. O(entries)

@@ -15,14 +15,15 @@
 
 namespace counterpoint::monitor
 {
-/// A violation, and all watches that see it: for what is wrong with the frames alone that is each consumer of the pair.
-/// None for a GFC.
+/// A violation, and the watches that see it. What is wrong with the frames alone is seen by each consumer of the pair;
+/// a missing SRDO after a GFC by no watch.
 struct Violation
 {
     Breach breach;
     std::vector<std::size_t> watches;
 };
 
+/// What a frame is for, by its identifier.
 enum class Service : std::uint8_t
 {
     kNmt = 0U,
@@ -35,11 +36,12 @@ enum class Service : std::uint8_t
     kSdo = 7U,
     kErrorControl = 8U, ///< Boot-up, heartbeat, guarding.
     kLss = 9U,
-    kOther = 10U,   ///< Of 11 bits, by no file.
+    kOther = 10U,   ///< An identifier of 11 bits that no file names.
     kForeign = 11U, ///< Extended, CAN FD, error frames.
 };
 constexpr std::size_t kServiceCount = 12U;
 
+/// Its name for people.
 [[nodiscard]] const char* ServiceName(Service service) noexcept;
 
 /// Supervises all SRDOs of a network, and GFC. [SRS_MON_005, SRS_MON_006, SRS_MON_007, SRS_MON_008, SRS_MON_009,
@@ -52,22 +54,29 @@ class Analysis final : private BreachSink
     /// @brief `network` is kept by reference. Violations are told in the order of their times.
     Analysis(const Network& network, Listener listener);
 
-    /// @brief The next frame, not before the one before it.
+    /// @brief Takes the next frame; its time is not before that of the frame before.
     void Take(const LogFrame& frame);
-    /// @brief Nothing came until `now`: what has expired is told.
+    /// @brief No frame came until `now`: limits that have expired are told.
     void Advance(Time now);
-    /// @brief Frames from here to the next call of one of the others are not seen: nothing is held or awaited.
-    /// [SRS_MON_018]
+    /// @brief Frames from now until the next call of Take or Advance are not seen: no frame of before is awaited any
+    /// more. [SRS_MON_018]
     void Interrupt() noexcept;
 
+    /// @brief All watches, in the order of Network::Watches.
     [[nodiscard]] const std::deque<SrdoWatch>& Watches() const noexcept;
     /// @brief Violations of one watch by cause.
     [[nodiscard]] const std::array<std::size_t, kCauseCount>& CountsOf(std::size_t watch) const;
+    /// @brief Number of frames by service.
     [[nodiscard]] const std::array<std::size_t, kServiceCount>& Frames() const noexcept;
+    /// @brief Number of violations.
     [[nodiscard]] std::size_t ViolationCount() const noexcept;
+    /// @brief Number of frames.
     [[nodiscard]] std::size_t FrameCount() const noexcept;
+    /// @brief Time of the first frame.
     [[nodiscard]] Time First() const noexcept;
+    /// @brief Time of the last frame.
     [[nodiscard]] Time Last() const noexcept;
+    /// @brief What a frame is for.
     [[nodiscard]] Service ServiceOf(const LogFrame& frame) const noexcept;
 
   private:

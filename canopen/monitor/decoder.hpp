@@ -11,8 +11,8 @@
 
 namespace counterpoint::monitor
 {
-/// Frames in the words of their DCFs. Keeps what an SDO transfer is about; both arguments are kept by reference.
-/// [SRS_MON_004]
+/// Describes frames in the words of the DCFs of their devices. It remembers which object an SDO transfer is about. Both
+/// arguments are kept by reference. [SRS_MON_004]
 class Decoder
 {
   public:

@@ -11,20 +11,21 @@
 
 namespace counterpoint::monitor
 {
-/// Whether an SRDO follows each GFC. The frame does not tell its sender: one of the devices that may send it (1300h =
-/// 1) has to send an SRDO within its own shortest refresh time. [SRS_MON_016]
+/// Watches whether an SRDO follows each GFC. The frame does not tell its sender, so one of the devices that may send
+/// GFC (1300h = 1) has to send an SRDO within its own shortest refresh time. [SRS_MON_016]
 class GfcWatch
 {
   public:
+    /// @brief No GFC is open.
     explicit GfcWatch(const Network& network);
 
-    /// @brief A plain frame.
+    /// @brief A data frame with an identifier of 11 bits.
     void OnFrame(const LogFrame& frame) noexcept;
-    /// @brief Frames were not seen: nothing is awaited.
+    /// @brief Frames were missed: no SRDO is awaited any more.
     void Stop() noexcept;
-    /// @brief What has expired before `now`, once.
+    /// @brief The violation whose limit has expired before `now`, told once.
     [[nodiscard]] std::optional<Breach> Advance(Time now);
-    /// @brief The time until which an SRDO is awaited; never: the greatest time.
+    /// @brief Until when an SRDO is awaited; the greatest time: none is.
     [[nodiscard]] Time Deadline() const noexcept;
 
   private:

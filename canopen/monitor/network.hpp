@@ -34,6 +34,7 @@ struct PdoModel
     std::vector<MappedField> fields;
 };
 
+/// A device of the bus.
 struct NodeModel
 {
     std::string name; ///< NodeName, else the name of the file.
@@ -67,15 +68,19 @@ struct NodeFile
     std::optional<std::uint8_t> node_id;
 };
 
-/// The devices of a bus by their DCFs. Throws InputError for files that cannot be used. [SRS_MON_004]
+/// The devices of a bus, read from their DCFs, and the SRDOs to be watched. Throws InputError for files that cannot be
+/// used. [SRS_MON_004]
 class Network
 {
   public:
     /// @brief `sct` is that of SRDOs without a consumer; else twice the refresh time. [SRS_MON_007]
     Network(const std::vector<NodeFile>& files, std::optional<Time> sct);
 
+    /// @brief The devices, in the order of the files.
     [[nodiscard]] const std::vector<NodeModel>& Nodes() const noexcept;
+    /// @brief The SRDOs to be watched.
     [[nodiscard]] const std::vector<WatchModel>& Watches() const noexcept;
+    /// @brief The PDOs that the DCFs switch on.
     [[nodiscard]] const std::vector<PdoModel>& Pdos() const noexcept;
     /// @brief The node with this ID, or null.
     [[nodiscard]] const NodeModel* Find(std::uint8_t id) const noexcept;

@@ -14,6 +14,7 @@ namespace counterpoint::monitor
 class CandumpReader final : public FrameSource
 {
   public:
+    /// @brief `file` is for messages; `text` outlives the reader.
     CandumpReader(std::string file, std::string_view text, const RecordingOptions& options);
     [[nodiscard]] bool Next(LogFrame& frame) override;
     [[nodiscard]] std::size_t Place() const noexcept override;
@@ -44,27 +45,31 @@ class CaptureBytes
         : bytes_(bytes), is_big_endian_(is_big_endian)
     {
     }
+    /// Number of bytes.
     [[nodiscard]] std::size_t Size() const noexcept
     {
         return bytes_.size();
     }
+    /// Byte order of the machine that wrote the file.
     [[nodiscard]] bool IsBigEndian() const noexcept
     {
         return is_big_endian_;
     }
-    /// `at` + 2 or + 4 is at most Size(), checked by the caller.
+    /// The number at `at`; `at` + 2 is at most Size(), checked by the caller.
     [[nodiscard]] std::uint16_t Number16(const std::size_t at) const noexcept
     {
         const std::uint32_t first = At(at);
         const std::uint32_t second = At(at + 1U);
         return static_cast<std::uint16_t>(is_big_endian_ ? (first << 8U) | second : (second << 8U) | first);
     }
+    /// The number at `at`; `at` + 4 is at most Size(), checked by the caller.
     [[nodiscard]] std::uint32_t Number32(const std::size_t at) const noexcept
     {
         const std::uint32_t first = Number16(at);
         const std::uint32_t second = Number16(at + 2U);
         return is_big_endian_ ? (first << 16U) | second : (second << 16U) | first;
     }
+    /// Bytes from `at` on.
     [[nodiscard]] std::string_view Part(const std::size_t at, const std::size_t count) const noexcept
     {
         return bytes_.substr(at, count);
@@ -80,7 +85,7 @@ class CaptureBytes
     bool is_big_endian_;
 };
 
-/// What is wrong with a packet of link type CAN_SOCKETCAN; nothing where it became a frame.
+/// Reads a packet of link type CAN_SOCKETCAN. Nothing: it became a frame; else what is wrong with it.
 [[nodiscard]] std::optional<cia306::Problem> ReadSocketCan(std::string_view packet, LogFrame& frame);
 
 constexpr std::uint32_t kLinkSocketCan = 227U;
@@ -104,10 +109,11 @@ struct PacketResult
 [[nodiscard]] PacketResult ReadPacketOf(std::uint32_t link_type, std::string_view packet, bool is_big_endian,
                                         LogFrame& frame);
 
-/// pcap, both byte orders, micro- and nanoseconds. [SRS_MON_003]
+/// Reads pcap files of both byte orders, with micro- or nanoseconds. [SRS_MON_003]
 class PcapReader final : public FrameSource
 {
   public:
+    /// @brief `file` is for messages; `bytes` outlive the reader. Throws InputError.
     PcapReader(std::string file, std::string_view bytes);
     [[nodiscard]] bool Next(LogFrame& frame) override;
     [[nodiscard]] std::size_t Place() const noexcept override;
@@ -125,10 +131,11 @@ class PcapReader final : public FrameSource
     Time last_{0};
 };
 
-/// pcapng. [SRS_MON_003]
+/// Reads pcapng files. [SRS_MON_003]
 class PcapngReader final : public FrameSource
 {
   public:
+    /// @brief `file` is for messages; `bytes` outlive the reader. Throws InputError.
     PcapngReader(std::string file, std::string_view bytes, const RecordingOptions& options);
     [[nodiscard]] bool Next(LogFrame& frame) override;
     [[nodiscard]] std::size_t Place() const noexcept override;

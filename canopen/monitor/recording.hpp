@@ -34,14 +34,14 @@ struct LogFrame
     bool is_error{false};
     std::array<std::uint8_t, kMostDataBytes> data{};
 
-    /// A data frame with an identifier of 11 bits, the only kind that CANopen has beside remote frames.
+    /// Whether it is a data frame with an identifier of 11 bits. CANopen uses no other kind, but for remote frames.
     [[nodiscard]] bool IsPlain() const noexcept
     {
         return !is_extended && !is_remote && !is_fd && !is_error;
     }
 };
 
-/// Frames one after the other.
+/// Gives the frames of a recording, one after the other.
 class FrameSource
 {
   public:

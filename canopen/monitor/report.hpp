@@ -25,8 +25,9 @@ struct Report
 
 /// "12.000345 not inverse: sensor SRDO 1 -> controller SRDO 1 (101h, 102h): DETAILS"
 [[nodiscard]] std::string ViolationText(const Network& network, const Violation& violation);
-/// The summary, a block for each SRDO. [SRS_MON_010]
+/// Writes the summary: totals, and a block for each SRDO. [SRS_MON_010]
 void WriteSummary(const Report& report, std::ostream& out);
+/// The whole report as one JSON document.
 [[nodiscard]] std::string JsonReport(const Report& report);
 /// A page that needs no other file. [SRS_MON_011]
 [[nodiscard]] std::string HtmlReport(const Report& report);

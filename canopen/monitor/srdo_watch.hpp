@@ -13,7 +13,7 @@
 
 namespace counterpoint::monitor
 {
-/// What is wrong with a pair, in the words of semantics 2.
+/// What is wrong with a pair, in the words of semantics section 2.
 enum class Cause : std::uint8_t
 {
     kLength = 0U,
@@ -23,7 +23,7 @@ enum class Cause : std::uint8_t
     kSrvt = 4U,
     kSct = 5U,
     kRemote = 6U, ///< A remote frame with an identifier of the pair, which nobody may send.
-    kGfc = 7U,    ///< Of no pair: no SRDO follows a GFC.
+    kGfc = 7U,    ///< No SRDO follows a GFC; belongs to no pair.
 };
 constexpr std::size_t kCauseCount = 8U;
 
@@ -38,10 +38,11 @@ struct Breach
     std::string details;
 };
 
-/// Whoever is told of violations.
+/// Is told of violations.
 class BreachSink
 {
   public:
+    /// @brief `watch` is the number that the watch was given.
     virtual void OnBreach(std::size_t watch, const Breach& breach) = 0;
 
   protected:
@@ -51,8 +52,8 @@ class BreachSink
     BreachSink& operator=(const BreachSink&) = default;
 };
 
-/// Least, mean and greatest of times, and how they are spread: bins of a fortieth of the limit, the last one for all
-/// that is greater.
+/// Least, mean and greatest of a set of times, and their distribution: each bin is a fortieth of the limit wide, and
+/// the last one takes all that is greater.
 struct TimeStatistics
 {
     static constexpr std::size_t kBinsToLimit = 40U;
@@ -65,7 +66,9 @@ struct TimeStatistics
     long double sum{0.0L};
     std::array<std::size_t, kBins> bins{};
 
+    /// @brief Adds a time.
     void Add(Time time) noexcept;
+    /// @brief The mean; 0 without a time.
     [[nodiscard]] Time Mean() const noexcept;
 };
 
@@ -80,12 +83,13 @@ struct WatchSetup
     bool is_late{false}; ///< 5F05h: late detection.
 };
 
-/// One SRDO as one consumer sees it: SRS_CONS_003, SRS_CONS_004, SRS_CONS_005, SRS_CONS_006, SRS_CONS_007,
-/// SRS_CONS_008, SRS_CONS_009, SRS_CONS_010, SRS_CONS_011, SRS_CONS_012 with the clock of the recording. What is left
-/// of a discarded pair is no violation of its own. [SRS_MON_005, SRS_MON_006, SRS_MON_007]
+/// One SRDO as a consumer sees it, by the rules SRS_CONS_003, SRS_CONS_004, SRS_CONS_005, SRS_CONS_006, SRS_CONS_007,
+/// SRS_CONS_008, SRS_CONS_009, SRS_CONS_010, SRS_CONS_011, SRS_CONS_012 and the clock of the recording. The rest of a
+/// pair that was discarded is no violation of its own. [SRS_MON_005, SRS_MON_006, SRS_MON_007]
 class SrdoWatch
 {
   public:
+    /// @brief `number` is told with each violation; `sink` is kept by reference.
     SrdoWatch(std::size_t number, const WatchSetup& setup, BreachSink& sink);
 
     /// @brief Nothing of before `now` was seen: until SRVT has passed an inverse frame may be the rest of a pair.
@@ -97,12 +101,16 @@ class SrdoWatch
     /// @brief Producer or consumer left OPERATIONAL: nothing is held or awaited; the inverse frame of a pair that has
     /// begun may be under way. [SRS_MON_009]
     void Stop() noexcept;
-    /// @brief The next time at which a limit could have expired; never: the greatest time.
+    /// @brief The next time at which a limit may have expired; the greatest time: none can.
     [[nodiscard]] Time Deadline() const noexcept;
 
+    /// @brief Limits and identifiers.
     [[nodiscard]] const WatchSetup& Setup() const noexcept;
+    /// @brief Number of valid pairs.
     [[nodiscard]] std::size_t PairCount() const noexcept;
+    /// @brief Times from normal frame to normal frame.
     [[nodiscard]] const TimeStatistics& Cycle() const noexcept;
+    /// @brief Times from normal to inverse frame.
     [[nodiscard]] const TimeStatistics& Srvt() const noexcept;
 
   private:

@@ -22,7 +22,7 @@ struct ConciseEntry
 /// parameters, mapping off, mapping, on); 1020h at the end. Throws cia306::InputError. [SRS_NET_003]
 [[nodiscard]] std::vector<ConciseEntry> MakeConcise(const cia306::Device& device, std::uint8_t node_id);
 
-/// @brief The bytes of 1F22h.
+/// @brief The entries as the bytes of 1F22h.
 [[nodiscard]] std::vector<std::uint8_t> ConciseBytes(const std::vector<ConciseEntry>& entries);
 
 /// @brief The configured value as it goes over the bus. Throws cia306::InputError.

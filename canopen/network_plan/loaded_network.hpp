@@ -41,19 +41,22 @@ class LoadedNetwork
     LoadedNetwork(const LoadedNetwork&) = delete;
     LoadedNetwork& operator=(const LoadedNetwork&) = delete;
 
+    /// @brief What the network file says.
     [[nodiscard]] const NetworkPlan& Plan() const noexcept
     {
         return plan_;
     }
+    /// @brief The network as the manager takes it.
     [[nodiscard]] const cia302::NetworkSetup& Setup() const noexcept
     {
         return setup_;
     }
-    /// @brief The same to write to, and its slaves by node-ID.
+    /// @brief The same, to be written to.
     [[nodiscard]] cia302::NetworkSetup& SetupRoom() noexcept
     {
         return setup_;
     }
+    /// @brief Its slaves by node-ID, to be written to.
     [[nodiscard]] cia302::SlaveSetup* SlaveRoom() noexcept
     {
         return slaves_.data();
@@ -63,14 +66,17 @@ class LoadedNetwork
     {
         return device_;
     }
-    /// @brief Another concise DCF for a slave; not while it is being written to it. False: no slave, or damaged.
+    /// @brief Gives a slave another concise DCF; not while it is being written. False: there is no such slave, or the
+    /// bytes are damaged.
     [[nodiscard]] bool ReplaceConcise(std::uint8_t node, const cia302::Bytes& bytes);
+    /// @brief The slaves, in the order of the file.
     [[nodiscard]] const std::vector<std::unique_ptr<LoadedSlave>>& Slaves() const noexcept
     {
         return loaded_;
     }
-    /// @brief Null: no slave of the network.
+    /// @brief The slave with this node-ID; null: the network has none.
     [[nodiscard]] const LoadedSlave* Find(std::uint8_t node) const noexcept;
+    /// @brief The same, to be written to.
     [[nodiscard]] LoadedSlave* Find(std::uint8_t node) noexcept;
     /// @brief What a person should know before the network starts, a line each.
     [[nodiscard]] const std::vector<std::string>& Warnings() const noexcept

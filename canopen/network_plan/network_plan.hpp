@@ -17,7 +17,7 @@
 
 namespace counterpoint::network_plan
 {
-/// Where the network file has a key. A CPJ has none.
+/// Lines of the keys in the network file. A CPJ has none.
 using KeyLines = std::map<std::string, std::size_t>;
 
 /// @brief The line of `key`, or `otherwise`.
@@ -27,7 +27,7 @@ using KeyLines = std::map<std::string, std::size_t>;
     return (found == lines.end()) ? otherwise : found->second;
 }
 
-/// How the manager starts its network.
+/// The start-up profiles.
 enum class StartProfile : std::uint8_t
 {
     kCia302 = 1U,
@@ -121,7 +121,7 @@ struct ManagerPlan
     std::optional<FlyingPlan> flying;
 };
 
-/// One network, as its file has it.
+/// What a network file says.
 struct NetworkPlan
 {
     std::string file;

@@ -9,8 +9,8 @@
 
 namespace counterpoint::network_plan
 {
-/// @brief What somebody wrote into a network file and would not get, a line each; what cannot work at all LoadedNetwork
-/// refuses. Its setup is complete. [SRS_NET_006]
+/// @brief What a network file asks for without effect, a line each. What cannot work at all is refused by
+/// LoadedNetwork. `network` is complete. [SRS_NET_006]
 [[nodiscard]] std::vector<std::string> WarningsOf(const LoadedNetwork& network);
 } // namespace counterpoint::network_plan
 

@@ -10,6 +10,7 @@
 
 namespace counterpoint::cia306
 {
+/// What the command line says about a check.
 struct CheckOptions
 {
     std::optional<std::uint8_t> node_id;

@@ -16,13 +16,18 @@ namespace counterpoint::cia306
 class Findings
 {
   public:
+    /// Adds an error: line of the file, object (may be empty), what is wrong, what was expected.
     void Error(std::size_t line, const std::string& object, const std::string& wrong, const std::string& expected);
+    /// Adds a warning of the same form.
     void Warning(std::size_t line, const std::string& object, const std::string& wrong, const std::string& expected);
+    /// Adds findings that somebody else made.
     void Add(const std::vector<Finding>& findings);
 
+    /// Whether there is any error.
     [[nodiscard]] bool HasError() const;
+    /// Whether there is an error of this object at this line.
     [[nodiscard]] bool HasErrorAt(std::size_t line, const std::string& object) const;
-    /// In the order of the lines.
+    /// All findings, in the order of their lines.
     [[nodiscard]] std::vector<Finding> Sorted() const;
 
   private:

@@ -28,24 +28,24 @@ void CheckCommunication(const CheckContext& context, const SrdoConfiguration& sr
 /// Number, lengths and pairs of the mapping entries of one SRDO. [SRS_CLI_012, SRS_CLI_014]
 void CheckMapping(const CheckContext& context, const SrdoConfiguration& srdo, Findings& findings);
 
-/// What one mapping entry names. [SRS_CLI_013, SRS_CLI_015]
+/// Whether the object that one mapping entry names can be mapped. [SRS_CLI_013, SRS_CLI_015]
 void CheckMappedObject(const CheckContext& context, const SrdoConfiguration& srdo, const MappingEntry& entry,
                        Findings& findings);
 
-/// Identifiers that two SRDOs of the device use. [SRS_CLI_010]
+/// Whether two SRDOs of the device use the same identifier. [SRS_CLI_010]
 void CheckIdentifiers(const SafetyConfiguration& configuration, Findings& findings);
 
 /// 1300h, 13FEh, 13FFh, reserved indices, limits, InvertedSRAD. Comes last: 13FEh depends on the other findings.
 /// [SRS_CLI_014, SRS_CLI_016, SRS_CLI_017]
 void CheckObjects(const CheckContext& context, Findings& findings);
 
-/// What can and cannot be written, and what a static mapping has to be. [SRS_CLI_023]
+/// Whether a mapping that cannot be written keeps the rules of a static mapping. [SRS_CLI_023]
 void CheckStaticMapping(const CheckContext& context, const SrdoConfiguration& srdo, Findings& findings);
 
-/// 5F04h. [SRS_CLI_022]
+/// Whether 5F04h is the digest that follows from the file. [SRS_CLI_022]
 void CheckDigest(const CheckContext& context, Findings& findings);
 
-/// 5F00h to 5F03h and 5F05h. [SRS_CLI_018]
+/// Whether 5F00h to 5F03h and 5F05h have values that a device can use. [SRS_CLI_018]
 void CheckParameters(const CheckContext& context, Findings& findings);
 } // namespace counterpoint::cia306
 

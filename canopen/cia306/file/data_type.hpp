@@ -6,6 +6,7 @@
 
 namespace counterpoint::cia306
 {
+/// What sort of value a data type has.
 enum class DataKind : std::uint8_t
 {
     kUnknown = 0U,
@@ -18,6 +19,7 @@ enum class DataKind : std::uint8_t
     kStructure = 7U, ///< Has sub-indices, each with a type of its own.
 };
 
+/// What a data type stands for.
 struct DataType
 {
     const char* name{"an unknown data type"};
@@ -31,8 +33,8 @@ constexpr std::uint16_t kUnsigned32 = 0x0007U;
 constexpr std::uint16_t kDomainType = 0x000FU;
 constexpr std::uint16_t kUnsigned64 = 0x001BU;
 
-/// The data type of the code (index of the object dictionary, CiA 301 table 44; BIT1 to BIT8 at 0030h to 0037h, which
-/// files of devices with CoE have).
+/// The data type with this code: its index in the object dictionary (CiA 301 table 44), and 0030h to 0037h for BIT1 to
+/// BIT8, which files of devices with CoE have.
 [[nodiscard]] DataType DataTypeOf(std::uint16_t code) noexcept;
 } // namespace counterpoint::cia306
 

@@ -16,18 +16,20 @@
 
 namespace counterpoint::cia306
 {
-/// Text of a key and where it stands; line 0 and no text where the key is not there or empty.
+/// Text of a key and the line in which it stands; no text and line 0 where the key is missing or empty.
 struct Text
 {
     std::string text;
     std::size_t line{0U};
 
+    /// Whether there is a text.
     [[nodiscard]] bool IsSet() const noexcept
     {
         return !text.empty();
     }
 };
 
+/// Kinds of objects, by their codes in CiA 306.
 enum class ObjectType : std::uint8_t
 {
     kNull = 0U,
@@ -39,6 +41,7 @@ enum class ObjectType : std::uint8_t
     kRecord = 9U,
 };
 
+/// Who may read or write an entry.
 enum class Access : std::uint8_t
 {
     kUnknown = 0U,
@@ -71,14 +74,15 @@ struct Entry
     std::string section;    ///< Where its values are written.
     bool is_compact{false}; ///< Made from CompactSubObj: its parameter value is key "sub" of section [indexValue].
 
-    /// ParameterValue, else DefaultValue. [SRS_EDS_010]
+    /// ParameterValue where the file has one, else DefaultValue. [SRS_EDS_010]
     [[nodiscard]] const Text& Configured() const noexcept;
-    /// Const or ro: nobody can write it over the bus.
+    /// Whether nobody can write it over the bus (const or ro).
     [[nodiscard]] bool IsFixed() const noexcept;
     /// Line of the configured value, else of the section.
     [[nodiscard]] std::size_t ValueLine() const noexcept;
 };
 
+/// An object of the dictionary with its entries by sub-index.
 struct Object
 {
     std::uint16_t index{0U};
@@ -105,14 +109,16 @@ struct Device
     std::map<std::uint16_t, std::size_t> missing; ///< Objects that a list names and no section describes; their lines.
     std::vector<Finding> warnings;                ///< In the order of the lines.
 
+    /// The object with this index; null: the file has none.
     [[nodiscard]] const Object* Find(std::uint16_t index) const;
+    /// The entry at this index and sub-index; null: the file has none.
     [[nodiscard]] const Entry* Find(std::uint16_t index, std::uint8_t sub) const;
 };
 
-/// 1, 8, 16, 32 or 64.
+/// Whether a device can have this granularity: 1, 8, 16, 32 or 64 bits.
 [[nodiscard]] bool IsGranularity(std::uint64_t bits) noexcept;
 
-/// The configured value of an entry by its data type; an entry without a value has a problem.
+/// The configured value of an entry, read by its data type; for an entry without a value the result has a problem.
 [[nodiscard]] ValueResult ConfiguredValue(const Entry& entry, std::optional<std::uint8_t> node_id);
 } // namespace counterpoint::cia306
 

@@ -21,13 +21,18 @@ class SectionReader
 
     /// The number at `key`, nothing where the key is missing or empty. Throws InputError where it is none or above max.
     [[nodiscard]] std::optional<std::uint64_t> NumberAt(std::string_view key, std::uint64_t max) const;
+    /// The flag (0 or 1) at `key`; nothing where the key is missing or empty.
     [[nodiscard]] std::optional<bool> FlagAt(std::string_view key) const;
+    /// The text at `key` and its line.
     [[nodiscard]] Text TextAt(std::string_view key) const;
+    /// The object type at `key`; a variable where the key is missing or empty.
     [[nodiscard]] ObjectType ObjectTypeAt(std::string_view key) const;
+    /// The access right at `key`; kUnknown where the key is missing or empty.
     [[nodiscard]] Access AccessAt(std::string_view key) const;
     /// Everything that says something about the data element; warnings are added to `warnings`.
     [[nodiscard]] Entry ReadEntry(std::uint16_t index, std::uint8_t sub, std::vector<Finding>& warnings) const;
 
+    /// Throws InputError for the value of this key.
     [[noreturn]] void Refuse(const IniKey& key, const std::string& expected) const;
 
   private:
@@ -37,10 +42,10 @@ class SectionReader
     const IniSection* section_;
 };
 
-/// Objects whose values are judged by the check of the safety configuration, not by the reader.
+/// Whether the values of this object are judged by the check of the safety configuration, not by the reader.
 [[nodiscard]] bool IsSafetyObject(std::uint16_t index) noexcept;
 
-/// Warns of what real files have wrong: no type, no access, values that do not fit.
+/// Warns of what files in use often have wrong: no type, no access, values that do not fit.
 void WarnOfEntry(const Entry& entry, std::vector<Finding>& warnings);
 } // namespace counterpoint::cia306
 

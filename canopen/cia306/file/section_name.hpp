@@ -7,6 +7,7 @@
 
 namespace counterpoint::cia306
 {
+/// What a section describes, by its name.
 enum class SectionKind : std::uint8_t
 {
     kOther = 0U,
@@ -18,6 +19,7 @@ enum class SectionKind : std::uint8_t
     kMisspelt = 6U,   ///< Begins like an object and is none.
 };
 
+/// The parts of the name of a section.
 struct SectionName
 {
     SectionKind kind{SectionKind::kOther};
@@ -25,6 +27,7 @@ struct SectionName
     std::uint8_t sub{0U};
 };
 
+/// Takes the name of a section apart. Never fails: a name that is not one of an object has kind kOther or kMisspelt.
 [[nodiscard]] SectionName ParseSectionName(std::string_view name);
 } // namespace counterpoint::cia306
 

@@ -20,6 +20,7 @@ struct Value
     std::string text;
 };
 
+/// A value, or what is wrong with its text.
 struct ValueResult
 {
     std::optional<Value> value;
@@ -30,10 +31,13 @@ struct ValueResult
 /// A REAL may be a decimal fraction, or its IEEE 754 pattern after 0x. [SRS_EDS_007, SRS_EDS_008, SRS_EDS_014]
 [[nodiscard]] ValueResult ParseValue(std::string_view text, std::uint16_t data_type,
                                      std::optional<std::uint8_t> node_id);
+/// The same for a type of the file.
 [[nodiscard]] ValueResult ParseValue(std::string_view text, const DataType& type, std::optional<std::uint8_t> node_id);
 
-/// The same without a node-ID: a formula is checked with node-ID 127 and its value is of no use.
+/// What is wrong with a text as a value of the data type; nothing if it is a value. There is no node-ID: a formula is
+/// tried with node-ID 127.
 [[nodiscard]] std::optional<Problem> ProblemOf(std::string_view text, std::uint16_t data_type);
+/// The same for a type of the file.
 [[nodiscard]] std::optional<Problem> ProblemOf(std::string_view text, const DataType& type);
 } // namespace counterpoint::cia306
 

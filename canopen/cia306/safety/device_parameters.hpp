@@ -67,14 +67,15 @@ struct DeviceParameters
     std::uint32_t digest{0U};                      ///< 5F04h. 0: none is expected.
     std::array<SrdoParameters, kMaxSrdos> srdos{}; ///< SRDO n at n - 1.
 
-    /// `number` from 1 to 64, checked by the caller.
+    /// Parameters of an SRDO; `number` is 1 to 64, checked by the caller.
     [[nodiscard]] const SrdoParameters& Srdo(std::uint8_t number) const
     {
         return srdos.at(number - 1U);
     }
 };
 
-/// Objects that are not there keep their default; one that is there and cannot be used is added to `problems`.
+/// Reads 5F00h to 5F05h. Objects that the file does not have keep their default; for one that cannot be used a finding
+/// is added to `problems`.
 [[nodiscard]] DeviceParameters ReadDeviceParameters(const Device& device, std::optional<std::uint8_t> node_id,
                                                     std::vector<Finding>& problems);
 } // namespace counterpoint::cia306

@@ -24,11 +24,11 @@ struct DigestRecord
     std::vector<Finding> problems;
 };
 
-/// Never throws for what the file says.
+/// Reads the digest of a file and what goes into it. Never throws for what the file says.
 [[nodiscard]] DigestRecord ExtractDigest(const Device& device, const SafetyConfiguration& configuration,
                                          std::optional<std::uint8_t> node_id);
 
-/// The bytes of SRS_CFG_034, of all SRDOs, in their order.
+/// The numbers that the digest covers, for all SRDOs, in the order of SRS_CFG_034.
 [[nodiscard]] std::vector<SignedField> DigestFields(const SafetyConfiguration& configuration,
                                                     const DeviceParameters& parameters, std::uint8_t node_id);
 

@@ -27,6 +27,7 @@ struct Field
     std::optional<std::uint64_t> value;
     std::size_t line{0U};
 
+    /// Whether there is a value and it is this number.
     [[nodiscard]] bool Is(std::uint64_t number) const noexcept
     {
         return value && *value == number;
@@ -40,29 +41,34 @@ struct MappingEntry
     std::uint32_t raw{0U};
     std::size_t line{0U};
 
+    /// Index of the mapped object.
     [[nodiscard]] std::uint16_t Index() const noexcept
     {
         return static_cast<std::uint16_t>(raw >> 16U);
     }
+    /// Its sub-index.
     [[nodiscard]] std::uint8_t Sub() const noexcept
     {
         return static_cast<std::uint8_t>((raw >> 8U) & 0xFFU);
     }
+    /// Its length in bits.
     [[nodiscard]] std::uint8_t Bits() const noexcept
     {
         return static_cast<std::uint8_t>(raw & 0xFFU);
     }
-    /// Names a data type instead of an object: its bits are stored nowhere.
+    /// Whether it names a data type instead of an object: its bits are stored nowhere.
     [[nodiscard]] bool IsDummy() const noexcept
     {
         return Index() != 0U && Index() < kFirstObjectIndex;
     }
+    /// Whether it is an entry of the normal data.
     [[nodiscard]] bool IsNormal() const noexcept
     {
         return (sub & 1U) != 0U;
     }
 };
 
+/// The configuration of one SRDO as a file has it.
 struct SrdoConfiguration
 {
     std::uint8_t number{0U}; ///< 1 to 64.
@@ -82,18 +88,22 @@ struct SrdoConfiguration
     std::vector<Finding> signature_problems;
     std::vector<Finding> other_problems;
 
+    /// Index of its communication parameters, 1301h to 1340h.
     [[nodiscard]] std::uint16_t CommunicationIndex() const noexcept
     {
         return static_cast<std::uint16_t>(kFirstCommunicationIndex + number - 1U);
     }
+    /// Index of its mapping, 1381h to 13C0h.
     [[nodiscard]] std::uint16_t MappingIndex() const noexcept
     {
         return static_cast<std::uint16_t>(kFirstMappingIndex + number - 1U);
     }
+    /// Whether its direction is 1.
     [[nodiscard]] bool IsProducer() const noexcept
     {
         return direction.Is(1U);
     }
+    /// Whether its direction is 2.
     [[nodiscard]] bool IsConsumer() const noexcept
     {
         return direction.Is(2U);
@@ -111,7 +121,8 @@ struct SafetyConfiguration
     std::vector<Finding> problems; ///< Of what belongs to no SRDO.
 };
 
-/// Never throws for what the file says: what cannot be used becomes a problem.
+/// Reads the safety configuration of a file. Never throws for what the file says: what cannot be used becomes a
+/// problem.
 [[nodiscard]] SafetyConfiguration ExtractSafety(const Device& device, std::optional<std::uint8_t> node_id);
 
 /// The value at index and sub-index; adds a finding where it is missing, of another data type, or out of range.
@@ -119,7 +130,7 @@ struct SafetyConfiguration
 [[nodiscard]] Field ReadField(const Device& device, std::uint16_t index, std::uint8_t sub, std::uint16_t data_type,
                               std::optional<std::uint8_t> node_id, std::size_t line, std::vector<Finding>& problems);
 
-/// Throws an InputError for the first of the problems that is an error.
+/// Throws an InputError for the first of the problems that is an error; warnings do not count.
 void RequireNone(const std::string& file, const std::vector<Finding>& problems);
 } // namespace counterpoint::cia306
 

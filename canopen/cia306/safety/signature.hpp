@@ -21,7 +21,7 @@ struct SignedField
 /// `count` bytes, low byte first.
 [[nodiscard]] std::vector<std::uint8_t> LittleEndian(std::uint64_t value, std::uint32_t count);
 
-/// In the order in which they are signed. The SRDO must have no signature problems. [SRS_EDS_021]
+/// The numbers that are signed, in their order. The SRDO must have no signature problems. [SRS_EDS_021]
 [[nodiscard]] std::vector<SignedField> SignedFields(const SrdoConfiguration& srdo);
 
 /// The bytes of SignedFields one after the other: 13 + 5 n for n mapping entries.
@@ -32,6 +32,7 @@ struct SignedField
 
 /// CRC-16, polynomial 1021h, start 0000h, as computed by Boost: neither channel's code. [SRS_EDS_022]
 [[nodiscard]] std::uint16_t SignatureOf(const std::vector<std::uint8_t>& bytes);
+/// The signature of an SRDO, which must have no signature problems.
 [[nodiscard]] std::uint16_t SignatureOf(const SrdoConfiguration& srdo);
 
 /// "02 32 00"

@@ -9,6 +9,7 @@
 
 namespace counterpoint::cia306
 {
+/// Whether a file cannot be used because of a finding.
 enum class Severity : std::uint8_t
 {
     kError = 1U,
@@ -27,7 +28,7 @@ struct Finding
 /// In the order of the lines; findings of one line stay in their order.
 [[nodiscard]] std::vector<Finding> SortedByLine(std::vector<Finding> findings);
 
-/// FILE:LINE: error|warning: OBJECT: TEXT
+/// The finding as a line: FILE:LINE: error|warning: OBJECT: TEXT
 [[nodiscard]] std::string FormatFinding(const std::string& file, const Finding& finding);
 } // namespace counterpoint::cia306
 

@@ -16,12 +16,13 @@ namespace counterpoint::cia306
 constexpr std::size_t kMaxLines = 400000U;
 constexpr std::size_t kMaxLineBytes = 65535U;
 
-/// ASCII lower case: the form in which names of sections and keys are compared.
+/// The text in ASCII lower case; names of sections and keys are compared in this form.
 [[nodiscard]] std::string Lower(std::string_view text);
 
-/// Without spaces and tabs at both ends.
+/// The text without spaces and tabs at both ends.
 [[nodiscard]] std::string_view Trimmed(std::string_view text);
 
+/// A key of a section with its value and line.
 struct IniKey
 {
     std::string name;
@@ -29,6 +30,7 @@ struct IniKey
     std::size_t line{0U};
 };
 
+/// A section with its keys.
 struct IniSection
 {
     std::string name;
@@ -37,6 +39,7 @@ struct IniSection
     std::vector<IniKey> keys;                 ///< In the order of the file.
     std::map<std::string, std::size_t> index; ///< Lower case name to place in `keys`.
 
+    /// The key of that name, upper or lower case; null: there is none.
     [[nodiscard]] const IniKey* Find(std::string_view key) const;
 };
 
@@ -65,17 +68,23 @@ struct SectionEdit
 class IniDocument
 {
   public:
-    /// Throws InputError. `file` is used in messages only.
+    /// Parses a text. `file` is used in messages only. Throws InputError.
     [[nodiscard]] static IniDocument Parse(std::string file, std::string_view text);
 
+    /// Name of the file, as it was given.
     [[nodiscard]] const std::string& File() const noexcept;
+    /// All sections, in the order of the file.
     [[nodiscard]] const std::vector<IniSection>& Sections() const noexcept;
+    /// The section of that name, upper or lower case; null: there is none.
     [[nodiscard]] const IniSection* Find(std::string_view section) const;
+    /// What the lines have wrong without being refused.
     [[nodiscard]] const std::vector<Finding>& Warnings() const noexcept;
+    /// Number of lines.
     [[nodiscard]] std::size_t LineCount() const noexcept;
+    /// The whole text, byte by byte as it was parsed or edited.
     [[nodiscard]] std::string Text() const;
 
-    /// The document with these edits. Sections named in the edits have to exist (std::invalid_argument otherwise).
+    /// A copy with these edits. The sections that the edits name must exist (std::invalid_argument otherwise).
     [[nodiscard]] IniDocument With(const std::vector<KeyEdit>& keys, const std::vector<SectionEdit>& sections) const;
 
   private:

@@ -36,9 +36,11 @@ class InputError : public std::runtime_error
   public:
     InputError(std::string file, std::size_t line, const Problem& problem);
 
+    /// Name of the file.
     [[nodiscard]] const std::string& File() const noexcept;
+    /// Line, from 1; 0: the file as a whole.
     [[nodiscard]] std::size_t Line() const noexcept;
-    /// Without file and line.
+    /// The message without file and line.
     [[nodiscard]] const std::string& Message() const noexcept;
 
   private:

@@ -16,7 +16,7 @@ struct Number
     std::uint64_t magnitude{0U};
 };
 
-/// Nothing when the text is no number, or one of more than 64 bits. [SRS_EDS_006]
+/// Reads a number. Nothing when the text is none, or when it has more than 64 bits. [SRS_EDS_006]
 [[nodiscard]] std::optional<Number> ParseNumber(std::string_view text);
 
 /// As ParseNumber, without a sign and at most `max`.
@@ -29,6 +29,7 @@ struct Formula
     Number number;
 };
 
+/// Reads a formula; nothing when the text is none.
 [[nodiscard]] std::optional<Formula> ParseFormula(std::string_view text);
 } // namespace counterpoint::cia306
 
