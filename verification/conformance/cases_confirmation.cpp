@@ -76,6 +76,12 @@ constexpr Step kNormalLate[] = {
     ConfirmSecond(0U, 42000U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
 };
 
+constexpr Step kNormalOver[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Cycle(22000U), StrangeFirst(22001U),
+    Slot(0U, kProducing, Cause::kNoConfirmation, 0U, 1U, 0U), TakeNone(0U), Cycle(23000U),
+    Signals(0U, Bit(Cause::kNoConfirmation)),
+};
+
 // t     2000      2300         22300 (on)   22301
 //       prepared  N confirmed  cycle        cycle: no confirmation
 constexpr Step kInverseMissing[] = {
@@ -156,6 +162,8 @@ constexpr Case kCases[] = {
     MakeCase("NormalFrameIsNotConfirmed", {req::SRS_PROD_008, req::SRS_TIME_004, req::SRS_PROD_009}, kSender,
              kNormalMissing),
     MakeCase("ConfirmationsOnTheirLimits", {req::SRS_PROD_008, req::SRS_TIME_004}, kSender, kNormalLate),
+    MakeCase("NormalFrameConfirmedTooLate", {req::SRS_PROD_008, req::SRS_TIME_004, req::SRS_TIME_001}, kSender,
+             kNormalOver),
     MakeCase("InverseFrameIsNotConfirmed", {req::SRS_PROD_008, req::SRS_TIME_004}, kSender, kInverseMissing),
     MakeCase("InverseFrameConfirmedOnTheLimit", {req::SRS_PROD_008, req::SRS_TIME_004, req::SRS_TIME_001}, kSender,
              kInverseOn),

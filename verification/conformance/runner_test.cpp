@@ -253,7 +253,7 @@ TEST(ConformanceTable, EveryLimitHasItsThreePoints)
         {"first transmission", {"PairIsSent", "FirstTransmissionOfNode127", "FirstTransmissionAfterReentering"}},
         {"refresh", {"RefreshKeepsItsPhase"}},
         {"silence of the application", {"SilentApplication", "SilenceAfterPrepare"}},
-        {"confirmation of the normal frame", {"NormalFrameIsNotConfirmed", "ConfirmationsOnTheirLimits"}},
+        {"confirmation of the normal frame", {"NormalFrameIsNotConfirmed", "ConfirmationsOnTheirLimits", "NormalFrameConfirmedTooLate"}},
         {"confirmation of the inverse frame",
          {"InverseFrameIsNotConfirmed", "InverseFrameConfirmedOnTheLimit", "InverseFrameConfirmedTooLate"}},
         {"length of a frame", {"LengthOfNormalFrame", "LengthOfInverseFrame", "LengthOfEightBytes"}},
