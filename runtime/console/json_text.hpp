@@ -8,7 +8,7 @@
 
 namespace counterpoint::runtime
 {
-/// The document with a line end. Bytes that are no UTF-8 (file names, Latin-1 texts of an EDS) are replaced.
+/// The document as text with a line end. Bytes that are no UTF-8 (file names, Latin-1 texts of an EDS) are replaced.
 [[nodiscard]] std::string JsonText(const nlohmann::ordered_json& document);
 } // namespace counterpoint::runtime
 

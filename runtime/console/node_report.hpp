@@ -14,32 +14,35 @@
 
 namespace counterpoint::runtime
 {
+/// In which form a report is written.
 enum class ReportForm : std::uint8_t
 {
     kText = 1U,
     kJson = 2U, ///< One object a line.
 };
 
-/// What a node tells, a line each. A thread of its own writes them: whoever reads slowly does not hold up the device.
-/// [SRS_NODE_004]
+/// Writes what a node tells, a line each. A thread of its own writes the lines, so that a slow reader does not hold up
+/// the device. [SRS_NODE_004]
 class NodeReport
 {
   public:
+    /// @brief Times are told from `start_ns` (CLOCK_MONOTONIC) on. `out` outlives the report.
     NodeReport(std::ostream& out, ReportForm form, std::uint64_t start_ns);
     ~NodeReport();
     NodeReport(const NodeReport&) = delete;
     NodeReport& operator=(const NodeReport&) = delete;
 
-    /// @brief Something happened at `at_ns` (CLOCK_MONOTONIC): as text, or as event with details.
+    /// @brief Tells what happened at `at_ns` (CLOCK_MONOTONIC): `text` in text form, `event` with its details in JSON.
     void Tell(std::uint64_t at_ns, const std::string& text, const std::string& event,
               const nlohmann::ordered_json& details);
-    /// @brief As it is, in text form only.
+    /// @brief Writes lines as they are; in text form only.
     void Print(const std::string& lines);
+    /// @brief The form of the report.
     [[nodiscard]] ReportForm Form() const noexcept
     {
         return form_;
     }
-    /// @brief Everything told so far is written; false: it could not be.
+    /// @brief Waits until everything is written. False: it could not be written.
     [[nodiscard]] bool Finish();
 
   private:

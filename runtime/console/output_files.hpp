@@ -8,15 +8,15 @@
 
 namespace counterpoint::runtime
 {
-/// The files that a command reads and those that it is about to write: no output may replace another or what is read.
-/// Asked before the work: what takes long shall not end without its files, and no output stays alone.
+/// The files that a command reads, and those that it will write: no output may be the same as another one or as a file
+/// that is read. Ask before the work begins, so that long work does not end without its files.
 class OutputFiles
 {
   public:
-    /// @brief The command reads it; empty: nothing.
+    /// @brief The command reads this file; empty: none.
     void Read(const std::string& file);
-    /// @brief The command will write it; empty: nothing. Throws runtime::YamlError for a file that is named
-    /// already, cia306::InputError for one that cannot be written.
+    /// @brief The command will write this file; empty: none. Throws runtime::YamlError for a file that was named
+    /// before, cia306::InputError for one that cannot be written.
     void Write(const std::string& option, const std::string& file);
 
   private:

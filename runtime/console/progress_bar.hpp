@@ -8,16 +8,18 @@
 
 namespace counterpoint::runtime
 {
-/// A bar on the terminal for what takes longer than two seconds; silent when the errors do not go to a terminal.
+/// Shows a bar on the terminal for work that takes longer than two seconds. Shows nothing when the stream is no
+/// terminal.
 class ProgressBar
 {
   public:
+    /// @brief Begins now. `err` outlives the bar.
     ProgressBar(std::ostream& err, std::string title);
     ~ProgressBar();
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    /// @brief `part` of 0 to 1 is done.
+    /// @brief `part`, from 0 to 1, is done.
     void Show(double part);
 
   private:

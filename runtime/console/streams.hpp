@@ -7,6 +7,7 @@
 
 namespace counterpoint::runtime
 {
+/// Exit status of a command.
 enum class ExitStatus : std::uint8_t
 {
     kHolds = 0U,       ///< What was asked holds.

@@ -20,21 +20,22 @@
 
 namespace counterpoint::runtime
 {
-/// Whoever runs an assembly: is told what passes at its resets, and what its services hear. Called from within calls of
-/// the assembly's device.
+/// Runs an assembly: is told what happens at the resets of the device, and what its services hear. Called within calls
+/// of the assembly's device.
 class AssemblyOwner : public cia301::TimeListener, public cia301::EmergencyListener
 {
   public:
-    /// @brief Reset node: the kernel is started next.
+    /// @brief Reset node: the kernel is about to be started.
     virtual void OnStart() noexcept = 0;
-    /// @brief The kernel refuses the device, which stays in INITIALISATION.
+    /// @brief The kernel refused the device, which stays in INITIALISATION.
     virtual void OnNoStart(StartResult result) noexcept = 0;
-    /// @brief The values of the file are there; whoever stored others loads them now. Of cia301::StoreGroup.
+    /// @brief The values of the file were loaded; values that were stored are to be loaded now. `groups` are groups of
+    /// cia301::ParameterStore.
     virtual void OnLoaded(std::uint8_t groups) noexcept = 0;
-    /// @brief The kernel refuses a value of the file.
+    /// @brief The kernel refused a value of the file.
     virtual void OnRefused(const ConfigurationWrite& write, AbortCode code) noexcept = 0;
-    /// @brief Reset communication: from now on nothing was told. `refusals`: what services refuse of the file, as
-    /// lines.
+    /// @brief Communication was reset: states and values count as not told yet. `refusals`: values of the file that
+    /// services refused, as lines.
     virtual void OnResetCommunication(const std::vector<std::string>& refusals) noexcept = 0;
 
   protected:
@@ -55,11 +56,11 @@ struct AssemblyParts
     Application& application;
     SelfTestPart* self_test; ///< Null: the device has none.
     AssemblyOwner& owner;
-    /// Null: no services but NMT commands, and no boot-up message: of a device that is only looked at for its SRDOs.
+    /// Null: a device with NMT alone, without boot-up message; only its SRDOs are of interest.
     const cia306::Device* file;
 };
 
-/// Dictionary and services of a device of a DCF, and the watch that makes emergencies of the kernel's errors.
+/// Dictionary and services of a device of a DCF, and the KernelWatch that makes emergencies of the kernel's errors.
 class ServiceAssembly
 {
   public:
@@ -68,7 +69,7 @@ class ServiceAssembly
     ServiceAssembly(const ServiceAssembly&) = delete;
     ServiceAssembly& operator=(const ServiceAssembly&) = delete;
 
-    /// @brief Supply off: no error is there any more.
+    /// @brief Supply off: no error is active any more.
     void PowerOff() noexcept;
 
   private:
@@ -89,19 +90,19 @@ class ServiceAssembly
     friend class DeviceAssembly;
 };
 
-/// A device of a DCF: kernel, dictionary, services and what joins them. The only composition of them on a host; the
-/// simulator puts its taps into the parts. [SRS_NODE_001, SRS_SIM_001]
+/// A device of a DCF: kernel, dictionary, services, and what joins them. On a host there is no other composition of
+/// these parts; the simulator puts its taps into AssemblyParts. [SRS_NODE_001, SRS_SIM_001]
 class DeviceAssembly final : private device::Owner
 {
   public:
-    /// @brief All given outlive it. Throws cia306::InputError.
+    /// @brief All arguments outlive it. Throws cia306::InputError.
     DeviceAssembly(DeviceModel& model, const DeviceConfig& config, const AssemblyParts& parts);
 
-    /// @brief Objects of services lead to them from now on; `store` null: 1010h and 1011h save nothing. Once, before
-    /// power-on, of a device with services.
+    /// @brief From now on the objects of services lead to the services; 1010h and 1011h to `store` (null: nothing is
+    /// saved). Call once, before power-on, for a device with services.
     void Connect(cia301::NumberHook* store) noexcept;
-    /// @brief An LSS slave with these settings gives the node-ID. `keep`: see KeepLss. Once, before power-on, of a
-    /// device with services. Throws cia306::InputError.
+    /// @brief An LSS slave with these settings gives the node-ID. `keep`: see KeepLss. Call once, before power-on, for
+    /// a device with services. Throws cia306::InputError.
     void UseLss(const cia306::Device& file, const cia305::LssSettings& settings, KeepLss keep);
     /// @brief Supply off: what the services had in memory is gone.
     void PowerOff() noexcept;
@@ -110,39 +111,45 @@ class DeviceAssembly final : private device::Owner
     /// @brief Sends all SRDOs that the application sends by itself.
     void SendAll() noexcept;
 
+    /// @brief The kernel.
     [[nodiscard]] Kernel& Core() noexcept
     {
         return kernel_;
     }
-    /// @brief What the kernel calls as its application.
+    /// @brief What the kernel has as its application.
     [[nodiscard]] Application& Told() noexcept
     {
         return told_;
     }
-    /// @brief Of a device with services; the same of what follows, but for Device.
+    /// @brief The object dictionary. Of a device with services only, like Services, Optional and Objects.
     [[nodiscard]] cia301::Dictionary& Dictionary() noexcept
     {
         return rest_->dictionary_;
     }
+    /// @brief The services of every CANopen device.
     [[nodiscard]] device::Services& Services() const noexcept
     {
         return rest_->services_;
     }
+    /// @brief The services that only some devices have.
     [[nodiscard]] OptionalServices& Optional() noexcept
     {
         return rest_->optional_;
     }
-    /// @brief Of the device now; 0: LSS has given none.
+    /// @brief The present node-ID; 0: LSS has not given one yet.
     [[nodiscard]] std::uint8_t NodeId() const noexcept;
+    /// @brief The device, for frames and cycles.
     [[nodiscard]] device::Device& Device() noexcept
     {
         return device_;
     }
+    /// @brief The objects of the file.
     [[nodiscard]] DeviceObjects& Objects() noexcept
     {
         return rest_->objects_;
     }
-    /// @brief LSS gave another node-ID, and communication was reset: a device with that node-ID has to be made.
+    /// @brief The node-ID, if LSS gave another one and communication was reset: a new device with this node-ID has to
+    /// be made.
     [[nodiscard]] std::optional<std::uint8_t> NewNodeId() const noexcept;
 
   private:
@@ -164,10 +171,10 @@ class DeviceAssembly final : private device::Owner
     std::uint8_t new_node_id_{0U};
 };
 
-/// @brief The configuration of the model. Another cycle time is another device than that of the file: no digest is
-/// expected, and what has to last some cycles does. Throws cia306::InputError.
+/// @brief The configuration of the model. With another cycle time it is another device than that of the file: no digest
+/// is expected, and times that must be some cycles long are made so. Throws cia306::InputError.
 [[nodiscard]] DeviceConfig ConfigOf(const DeviceModel& model, std::optional<std::uint32_t> cycle_us);
-/// @brief When the watchdog of a device is to be served.
+/// @brief When the watchdog of such a device is to be served.
 [[nodiscard]] hal::WatchdogWindow WindowOf(const DeviceConfig& config) noexcept;
 } // namespace counterpoint::runtime
 

@@ -12,6 +12,7 @@
 
 namespace counterpoint::runtime
 {
+/// How an output is computed from its inputs.
 enum class LogicOperation : std::uint8_t
 {
     kCopy = 1U,
@@ -20,7 +21,7 @@ enum class LogicOperation : std::uint8_t
     kNot = 4U,
 };
 
-/// What an application computes from its consumers for a producer.
+/// A rule by which an application computes an object of a producer from objects of consumers.
 struct LogicRule
 {
     std::size_t node{0U};

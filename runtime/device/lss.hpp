@@ -11,27 +11,29 @@
 
 namespace counterpoint::runtime
 {
-/// Saves settings of LSS, as LssDevice::Store; empty: they are not kept.
+/// Saves settings of LSS as LssDevice::Store does; empty: they are not saved.
 using KeepLss = std::function<cia305::LssStored(const cia305::LssSettings&)>;
 
-/// The LSS slave of a device. Its bit rate is that of the bus: LSS changes none. [SRS_NODE_015, SRS_SIM_062]
+/// The LSS slave of a device on a host. The bit rate is that of the bus; LSS cannot change it. [SRS_NODE_015,
+/// SRS_SIM_062]
 class DeviceLss final : private cia305::LssDevice
 {
   public:
-    /// Identity by the file, `node_id` stands for $NODEID in it. `settings`: what the supply finds. The sink outlives
-    /// it. Throws cia306::InputError.
+    /// @brief The identity (1018h) is that of the file, in which `node_id` stands for $NODEID. `settings` are what is
+    /// found at power-on. The sink outlives it. Throws cia306::InputError.
     DeviceLss(cia301::FrameSink& sink, const cia306::Device& file, const cia305::LssSettings& settings,
               std::uint8_t node_id, KeepLss keep);
     DeviceLss(const DeviceLss&) = delete;
     DeviceLss& operator=(const DeviceLss&) = delete;
 
-    /// @brief Of the device now, or what it will be at power-on; 0: LSS has given none.
+    /// @brief The present node-ID, or the one at power-on; 0: LSS has not given one yet.
     [[nodiscard]] std::uint8_t NodeId() const noexcept;
+    /// @brief The slave itself; valid until PowerOff.
     [[nodiscard]] cia305::LssSlave& Slave() noexcept
     {
         return *slave_;
     }
-    /// @brief What was configured and not kept is gone. Slave is another one then.
+    /// @brief Supply off: what was configured and not saved is lost. Slave returns another object afterwards.
     void PowerOff() noexcept;
 
   private:

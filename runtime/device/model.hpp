@@ -18,7 +18,7 @@
 
 namespace counterpoint::runtime
 {
-/// One value that a configuring master writes, and where the DCF gives it.
+/// One value that a configuring master writes, and the line of the DCF that it comes from.
 struct ConfigurationWrite
 {
     ObjectAddress object{0U, 0U};
@@ -27,7 +27,7 @@ struct ConfigurationWrite
     std::size_t line{0U};
 };
 
-/// What a DCF says about one SRDO, as far as people and limits need it.
+/// What a DCF says about one SRDO, as far as limits and messages need it.
 struct SrdoModel
 {
     std::uint8_t number{0U};
@@ -38,8 +38,8 @@ struct SrdoModel
     std::vector<ObjectAddress> normal_objects; ///< In the order of the mapping.
 };
 
-/// The table of a static mapping as the kernel gets it. As long as a mapping can be, so that a count in which a bit
-/// flips names entries that exist, though not of this mapping.
+/// The table of a static mapping as the kernel gets it. It is as long as a mapping can be: where a bit of its count
+/// flips, the count still names entries that exist.
 struct StaticTable
 {
     std::array<std::uint32_t, kMaxMapEntries> entries{};
@@ -60,7 +60,7 @@ struct VariablePair
     bool is_consumer{false};
 };
 
-/// Whether a device must have an SRDO.
+/// Whether a file must describe an SRDO.
 enum class SafetyNeed : std::uint8_t
 {
     kInvalid = 0U,
@@ -73,49 +73,58 @@ enum class SafetyNeed : std::uint8_t
 struct SourceVariable;
 struct StaticMapping;
 
-/// A device built from its DCF. Owns the memory of the mappable variables and everything that DeviceConfig points to,
-/// and therefore stays where it is. [SRS_SIM_002]
+/// A device built from its DCF. It owns the memory of the mappable variables and everything that DeviceConfig points
+/// to, so it cannot be moved or copied. [SRS_SIM_002]
 class DeviceModel
 {
   public:
-    /// @brief Reads the DCF. Throws cia306::InputError for a file that cannot be simulated.
+    /// @brief Reads the DCF; an SRDO is required. Throws cia306::InputError for a file that cannot be simulated.
     DeviceModel(const std::string& file, std::optional<std::uint8_t> node_id);
+    /// @brief As above, with `need` to say whether an SRDO is required.
     DeviceModel(const std::string& file, std::optional<std::uint8_t> node_id, SafetyNeed need);
 
     DeviceModel(const DeviceModel&) = delete;
     DeviceModel& operator=(const DeviceModel&) = delete;
 
+    /// @brief Path of the DCF.
     [[nodiscard]] const std::string& File() const noexcept;
+    /// @brief The description for the kernel.
     [[nodiscard]] const DeviceConfig& Config() const noexcept;
-    /// @brief Those of the DCF; none: a plain device.
+    /// @brief The SRDOs of the DCF; none for a plain device.
     [[nodiscard]] const std::vector<SrdoModel>& Srdos() const noexcept;
+    /// @brief The mapped pairs of variables.
     [[nodiscard]] const std::vector<VariablePair>& Pairs() const noexcept;
+    /// @brief The mappable objects, ascending.
     [[nodiscard]] const std::vector<MappableObject>& Objects() const noexcept;
+    /// @brief The static mappings.
     [[nodiscard]] const std::vector<StaticTable>& StaticTables() const noexcept;
     /// @brief Where the variables of this static mapping lie. [SRS_SIM_009]
     [[nodiscard]] StaticFields FieldsOf(const StaticTable& table) noexcept;
-    /// @brief In the order of a configuring master.
+    /// @brief The values that a configuring master writes, in its order.
     [[nodiscard]] const std::vector<ConfigurationWrite>& Writes() const noexcept;
 
-    /// @brief Slot of an SRDO that exists.
+    /// @brief Slot of an SRDO; nothing if the device does not have it.
     [[nodiscard]] std::optional<SlotIndex> SlotOf(std::uint8_t number) const noexcept;
-    /// @brief Number of the SRDO in a slot that exists, as the DCF has it; 0: the one of a plain device.
+    /// @brief Number of the SRDO in a slot that exists, as the DCF has it; 0 for the one SRDO of a plain device.
     [[nodiscard]] std::uint8_t NumberOf(SlotIndex slot) const noexcept;
-    /// @brief The mapped pair whose normal object has this address.
+    /// @brief The mapped pair whose normal object has this address; null: there is none.
     [[nodiscard]] const VariablePair* PairOf(const ObjectAddress& normal) const noexcept;
 
-    /// @brief Inverse frames by a second controller, unless the DCF names the controllers: another device than that
-    /// of the DCF, so that no digest is expected. [SRS_SIM_036, SRS_SIM_009]
+    /// @brief From now on inverse frames use a second controller, unless the DCF names the controllers. Then it is
+    /// another device than that of the DCF, so no digest is expected. [SRS_SIM_036, SRS_SIM_009]
     void UseTwoControllers() noexcept;
+    /// @brief 1 or 2.
     [[nodiscard]] std::uint32_t ControllerCount() const noexcept;
-    /// @brief For bits that flip: variables, mappable objects, setups. [SRS_SIM_035]
+    /// @brief The memory of the variables, in which faults flip bits; so are the two tables below. [SRS_SIM_035]
     [[nodiscard]] std::vector<std::uint8_t>& Memory() noexcept;
+    /// @brief The mappable objects.
     [[nodiscard]] std::vector<MappableObject>& ObjectTable() noexcept;
+    /// @brief The setups of the SRDOs.
     [[nodiscard]] std::vector<SrdoSetup>& SetupTable() noexcept;
     /// @brief The table of an SRDO; null: its mapping is dynamic.
     [[nodiscard]] StaticTable* StaticTableOf(std::uint8_t number) noexcept;
 
-    /// @brief Power-on: all variables take their values of the DCF.
+    /// @brief Power-on: all variables get their values of the DCF.
     void ResetVariables() noexcept;
 
   private:
@@ -139,12 +148,12 @@ class DeviceModel
     DeviceConfig config_{};
 };
 
-/// @brief The bytes of a write.
+/// @brief The value of a write as the bytes that are sent.
 [[nodiscard]] ObjectData DataOf(const ConfigurationWrite& write);
-/// @brief That the kernel refuses a value of the file, for people.
+/// @brief The error that says that the kernel refuses a value of the file.
 [[nodiscard]] cia306::InputError RefusalOf(const DeviceModel& model, const ConfigurationWrite& write, AbortCode code);
 
-/// "0609 0030h"
+/// @brief An abort code as text: "0609 0030h".
 [[nodiscard]] std::string AbortText(AbortCode code);
 } // namespace counterpoint::runtime
 

@@ -88,6 +88,7 @@ template <typename Meaning, std::size_t kCount>
     return "invalid";
 }
 
+/// The word of a cause in files and outputs; so are the two below.
 [[nodiscard]] inline const char* Name(const SrdoCause cause) noexcept
 {
     return NameOf(kCauseWords, cause);
@@ -101,11 +102,11 @@ template <typename Meaning, std::size_t kCount>
     return NameOf(kNmtWords, state);
 }
 
-/// "0x2000:01"
+/// An object as text: "0x2000:01".
 [[nodiscard]] std::string ObjectText(const ObjectAddress& object);
-/// "0x101"
+/// An identifier as text: "0x101".
 [[nodiscard]] std::string IdentifierText(std::uint32_t identifier);
-/// "12.345 ms", without trailing zeros.
+/// A time as text: "12.345 ms", without trailing zeros.
 [[nodiscard]] std::string MillisecondsText(Nanoseconds time);
 } // namespace counterpoint::runtime
 

@@ -11,8 +11,8 @@
 
 namespace counterpoint::runtime
 {
-/// A shipped channel with exactly as much injected storage as its device needs. The storage is at hand as bytes, so
-/// that a fault can flip any bit of it.
+/// A shipped channel with exactly as much storage as its device needs. The storage can be reached as bytes, so that a
+/// fault can flip any bit of it.
 class OwnedChannel
 {
   public:
@@ -21,14 +21,17 @@ class OwnedChannel
     OwnedChannel(const OwnedChannel&) = delete;
     OwnedChannel& operator=(const OwnedChannel&) = delete;
 
+    /// @brief The channel.
     [[nodiscard]] virtual Channel& Voice() noexcept = 0;
+    /// @brief Its storage as bytes.
     [[nodiscard]] virtual std::uint8_t* Bytes() noexcept = 0;
+    /// @brief Number of these bytes.
     [[nodiscard]] virtual std::size_t Size() const noexcept = 0;
-    /// @brief The channel itself; what it keeps is in the storage.
+    /// @brief Size of the channel object itself, without the storage.
     [[nodiscard]] virtual std::size_t VoiceSize() const noexcept = 0;
 };
 
-/// Which CPU of a device with two a node is.
+/// Which CPU a node is, of a device with one CPU or two.
 enum class CpuRole : std::uint8_t
 {
     kWhole = 0U, ///< The device has one.
@@ -36,6 +39,7 @@ enum class CpuRole : std::uint8_t
     kB = 2U,
 };
 
+/// Which of the two channels.
 enum class Letter : std::uint8_t
 {
     kA = 1U,
@@ -47,19 +51,21 @@ enum class Letter : std::uint8_t
 {
     return role == CpuRole::kWhole || (role == CpuRole::kA) == (letter == Letter::kA);
 }
-/// @brief What a device needs: 1 to 64 slots.
+/// @brief The room that a channel needs for this device: 1 to 64 slots, and its mapping entries.
 [[nodiscard]] ChannelRoom RoomOf(const DeviceConfig& config) noexcept;
-/// @brief A channel with room for so many slots, and 16 entries each where they are enough, else 128.
+/// @brief Makes a channel with room for so many slots, and for 16 entries each where they are enough, else 128.
 [[nodiscard]] std::unique_ptr<OwnedChannel> MakeChannel(Letter letter, const ChannelRoom& room);
 
+/// A bit of a channel's storage.
 struct BitPlace
 {
     std::size_t offset{0U};
     std::uint8_t bit{0U};
 };
 
-/// Where the channel keeps one bit of a configuration value, found by trial on a second channel of the same kind: which
-/// bit of the storage changes when that bit of the value does. Nothing if the value does not exist. [SRS_SIM_021]
+/// @brief Where a channel keeps one bit of a configuration value. It is found by trial on a second channel of the same
+/// kind: the bit of the storage that changes with that bit of the value. Nothing if the value does not exist.
+/// [SRS_SIM_021]
 [[nodiscard]] std::optional<BitPlace> FindConfigBit(Letter letter, const DeviceConfig& config,
                                                     const ConfigAddress& address, std::uint8_t bit);
 } // namespace counterpoint::runtime

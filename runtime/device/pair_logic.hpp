@@ -15,7 +15,7 @@
 
 namespace counterpoint::runtime
 {
-/// What of its pairs an application has: on a CPU of two its own half.
+/// Which objects of its pairs an application has: with two CPUs each CPU has one half.
 enum class Half : std::uint8_t
 {
     kBoth = 0U,
@@ -23,7 +23,7 @@ enum class Half : std::uint8_t
     kInverse = 2U,
 };
 
-/// One pair of objects: the two paths hold their values apart.
+/// The values of one pair of objects; the normal and the inverse path keep them apart.
 struct PairValue
 {
     VariablePlace normal_place{nullptr, 0U};
@@ -40,32 +40,36 @@ struct PairValue
     bool is_mapped{true}; ///< By an SRDO that is on, or by the file while nothing was followed yet.
 };
 
-/// What the application of a simulated or live device does with its pairs. Producers: the normal objects hold the
-/// input, the inverse objects are computed from it by another path. Consumers: a pair counts only while its two objects
-/// are inverse and the output of its SRDO is open. Logic rules join the two.
+/// What the application of a simulated or live device does with its pairs. Producer: the normal object holds the input,
+/// and the inverse object is computed from it by another path. Consumer: a pair counts only while its two objects are
+/// inverse and the output of its SRDO is open. Logic rules compute producers from consumers.
 class PairLogic
 {
   public:
+    /// Is told of a consumer whose value has changed.
     using OnValue = std::function<void(const PairValue&)>;
 
+    /// @brief With the pairs that the DCF maps.
     PairLogic(const DeviceModel& model, Half half);
 
-    /// @brief Pairs as the SRDOs are configured now, whoever did it: new ones come behind those that are known, and
-    /// those that no SRDO has any more rest. On entering OPERATIONAL. [SRS_NODE_019]
+    /// @brief Takes the pairs as the SRDOs are configured now, whoever configured them. New pairs come behind the known
+    /// ones; pairs that no SRDO has any more rest. Call it on entering OPERATIONAL. [SRS_NODE_019]
     void Follow(Kernel& kernel, const DeviceModel& model);
+    /// @brief All pairs.
     [[nodiscard]] const std::vector<PairValue>& Pairs() const noexcept;
-    /// @brief The pair of this normal object, one that is mapped before others; null: there is none.
+    /// @brief The pair of this normal object, if possible one that is mapped; null: there is none.
     [[nodiscard]] const PairValue* Find(const ObjectAddress& normal) const noexcept;
-    /// @brief False: not all of its objects are pairs of this device, or its target is no producer's.
+    /// @brief Adds a rule. False: one of its objects is no pair of this device, or its target is no object of a
+    /// producer.
     [[nodiscard]] bool AddRule(const LogicRule& rule);
-    /// @brief The object is that of a pair; the value is cut to its bits.
+    /// @brief Sets an input; the object is one of a pair, and the value is cut to its bits.
     void SetInput(const ObjectAddress& normal, std::uint64_t value) noexcept;
-    /// @brief From now on the inverse path of that pair computes these bits wrong; 0: none.
+    /// @brief From now on the inverse path of that pair computes these bits wrongly; 0: none.
     void Disturb(const ObjectAddress& normal, std::uint64_t bits) noexcept;
-    /// @brief Takes the consumers' pairs with the outputs as they are, then the rules; tells changed values of
-    /// consumers.
+    /// @brief Reads the pairs of consumers, whose outputs are open as `open` says, then applies the rules. Tells the
+    /// consumers' values that have changed.
     void Take(SrdoMask open, const OnValue& on_value);
-    /// @brief Writes the objects of a producer.
+    /// @brief Writes the two objects of a producer.
     void Write(const PairValue& pair) const noexcept;
     /// @brief Whether any input of a producer changed since the last call.
     [[nodiscard]] bool TakeChange() noexcept;

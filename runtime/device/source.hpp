@@ -14,14 +14,14 @@
 
 namespace counterpoint::runtime
 {
-/// A mappable variable of the DCF; `place` is not set yet.
+/// A mappable variable of the DCF; `object.place` is not set yet.
 struct SourceVariable
 {
     MappableObject object{};
     std::uint64_t value{0U}; ///< At power-on.
 };
 
-/// An SRDO whose mapping nobody can write. [SRS_SIM_009]
+/// A mapping that cannot be written. [SRS_SIM_009]
 struct StaticMapping
 {
     std::uint8_t number{0U};            ///< Of the SRDO.
@@ -31,21 +31,27 @@ struct StaticMapping
     std::size_t line{0U}; ///< Where the DCF counts the entries.
 };
 
-/// Takes a DCF apart into what DeviceModel needs. Every call may throw cia306::InputError.
+/// Takes a DCF apart into what DeviceModel needs. Every function may throw cia306::InputError.
 class DeviceSource
 {
   public:
+    /// @brief The device outlives it.
     DeviceSource(const cia306::Device& device, const std::string& file, std::optional<std::uint8_t> node_id,
                  SafetyNeed need);
 
+    /// @brief What the file says about each SRDO.
     [[nodiscard]] std::vector<SrdoModel> Srdos() const;
+    /// @brief The setups for the kernel, by number.
     [[nodiscard]] std::vector<SrdoSetup> Setups() const;
+    /// @brief The mappable variables, ascending.
     [[nodiscard]] std::vector<SourceVariable> Variables() const;
+    /// @brief The mapped pairs of them.
     [[nodiscard]] std::vector<VariablePair> Pairs() const;
+    /// @brief The static mappings.
     [[nodiscard]] std::vector<StaticMapping> StaticMappings() const;
-    /// @brief Without those of static mappings.
+    /// @brief The values that a configuring master writes, without those of static mappings.
     [[nodiscard]] std::vector<ConfigurationWrite> Writes() const;
-    /// @brief Everything but the pointers and their counts.
+    /// @brief The description for the kernel, without pointers and counts.
     [[nodiscard]] DeviceConfig Config() const;
 
   private:

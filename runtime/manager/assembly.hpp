@@ -16,50 +16,54 @@
 
 namespace counterpoint::runtime
 {
-/// A network manager with all its room, as a network file wants it. Time and frames come in with calls. Stays where it
-/// is: its parts refer to each other. [SRS_MGR_001]
+/// A network manager with all the room it needs, as a network file describes it. Time and frames come in with the
+/// calls. Its parts refer to each other, so it cannot be moved or copied. [SRS_MGR_001]
 class ManagerAssembly
 {
   public:
-    /// @brief All outlive it.
+    /// @brief All arguments outlive it.
     ManagerAssembly(const network_plan::LoadedNetwork& net, cia301::FrameSink& sink, cia302::ManagerListener& listener);
     ManagerAssembly(const ManagerAssembly&) = delete;
     ManagerAssembly& operator=(const ManagerAssembly&) = delete;
 
+    /// @brief The manager.
     [[nodiscard]] cia302::Manager& Core() noexcept
     {
         return manager_;
     }
+    /// @brief The same, to look at.
     [[nodiscard]] const cia302::Manager& Core() const noexcept
     {
         return manager_;
     }
+    /// @brief The network.
     [[nodiscard]] const network_plan::LoadedNetwork& Net() const noexcept
     {
         return net_;
     }
+    /// @brief The start-up profile.
     [[nodiscard]] cia302::StartUp& Profile() noexcept
     {
         return *profile_;
     }
-    /// @brief 1F90h of a flying master; counts from the next start of the negotiation on.
+    /// @brief 1F90h of a flying master; a change counts from the next start of a negotiation on.
     [[nodiscard]] cia302::FlyingMasterTimes& FlyingTimes() noexcept
     {
         return flying_times_;
     }
     /// @brief 1017h of the manager.
     void SetHeartbeat(std::uint16_t period_ms) noexcept;
-    /// @brief Lets the first negotiation begin; "taken" or the reason why not. [SRS_MGR_023]
+    /// @brief Lets the first negotiation begin. Answers "taken", or the reason why not. [SRS_MGR_023]
     [[nodiscard]] std::string Negotiate();
-    /// @brief Lets later negotiations begin by themselves. Before the manager's cycle.
+    /// @brief Lets later negotiations begin by themselves. Call it before the manager's cycle.
     void OnCycle(Instant now);
-    /// @brief Whether the start-up came to where its slaves run: every mandatory slave was started.
+    /// @brief Whether every mandatory slave was started.
     [[nodiscard]] bool HasStarted() const noexcept;
-    /// @brief What the flying master and the EL6751 profile are to know of the controller.
+    /// @brief Tells the flying master and the EL6751 profile the state of the controller.
     void OnController(cia302::ControllerState state, Instant now) noexcept;
     /// @brief A frame of this manager was on the bus.
     void OnSent(const CanFrame& frame) noexcept;
-    /// @brief Of the EL6751 profile, kWrong with another one: manual network management. [SRS_ELM_046]
+    /// @brief Manual network management of the EL6751 profile; kWrong under another profile. [SRS_ELM_046]
     [[nodiscard]] cia302::NmtAnswer Control(cia302::NodeId node, std::uint16_t ads_state, std::uint16_t device_state,
                                             Instant now) noexcept;
 

@@ -9,12 +9,12 @@
 
 namespace counterpoint::runtime
 {
-/// @brief What differs between the network configurations of all masters of one network, and what each of them lacks
-/// as a flying master, a line each; nothing: they are equal where they have to be. What is compared, and what may
-/// differ: cia302::CompareFlyingMasters, and beside it what network files alone say. [SRS_MGR_009]
+/// @brief What differs between the network configurations of all masters of one network, and what each of them lacks as
+/// a flying master, a line each; no line: they agree. What is compared, and what may differ:
+/// cia302::CompareFlyingMasters, and what only network files say. [SRS_MGR_009]
 [[nodiscard]] std::vector<std::string> DifferencesOf(const std::vector<const network_plan::LoadedNetwork*>& masters);
-/// @brief What a person should know of these masters beside it: the warnings of each file, another master that is
-/// mandatory, and one that nobody watches. [SRS_MGR_009]
+/// @brief What a person should know besides: the warnings of each file, a master that is mandatory for another one, and
+/// a master that nobody watches. [SRS_MGR_009]
 [[nodiscard]] std::vector<std::string> WarningsOf(const std::vector<const network_plan::LoadedNetwork*>& masters);
 } // namespace counterpoint::runtime
 

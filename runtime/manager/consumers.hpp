@@ -9,12 +9,12 @@
 
 namespace counterpoint::runtime
 {
-/// @brief Whether a start-up runs that has looked at the slave. One that waits for its boot-up message, or with the
-/// profile cia302 for its first answer, has not. [SRS_MGR_021]
+/// @brief Whether the start-up of the slave runs and has looked at the slave. It has not while it waits for its boot-up
+/// message or, under cia302, for its first answer. [SRS_MGR_021]
 [[nodiscard]] bool IsStartingUp(const ManagerAssembly& assembly, cia302::NodeId node) noexcept;
 
-/// 1016h of the manager: whom it supervises by heartbeat, and how long it waits for one. At first the nodes of the
-/// network file in the order of their node-IDs. [SRS_MGR_021]
+/// 1016h of the manager: which nodes it supervises by heartbeat, and with which time. At first these are the nodes of
+/// the network file, by node-ID. [SRS_MGR_021]
 class ManagerConsumers
 {
   public:
@@ -23,8 +23,8 @@ class ManagerConsumers
 
     /// @brief `sub` is 1 to 127, checked by the caller: node-ID in bits 16 to 23, time in ms; 0: nobody.
     [[nodiscard]] std::uint32_t Value(std::uint8_t sub) const noexcept;
-    /// @brief Counts at once where the node is watched or was started, else from its next start-up on. Refused are a
-    /// node in two entries, reserved bits, the own node, a safety slave, and a slave that starts up.
+    /// @brief Writes an entry. It counts at once if the node is watched or was started, else from its next start-up on.
+    /// Refused are a node in two entries, reserved bits, the own node, a safety slave, and a slave that is starting up.
     [[nodiscard]] cia301::SdoAbort Write(std::uint8_t sub, std::uint32_t value, Instant now) noexcept;
 
   private:

@@ -16,8 +16,8 @@
 
 namespace counterpoint::runtime
 {
-/// The manager as a device on the bus: its object dictionary, and the SDO server at its node-ID. Stays where it is.
-/// [SRS_MGR_020]
+/// The manager as a device on the bus: its object dictionary, and the SDO server at its node-ID. It cannot be moved or
+/// copied. [SRS_MGR_020]
 class ManagerDictionary
 {
   public:
@@ -28,11 +28,11 @@ class ManagerDictionary
 
     /// @brief A frame from the bus; answers in PRE-OPERATIONAL and OPERATIONAL only.
     void OnFrame(const CanFrame& frame, Instant now);
-    /// @brief Once a cycle: writes that wait for the command queue, and times of transfers.
+    /// @brief Once a cycle: writes that wait for the command queue, and the time-outs of transfers.
     void OnCycle(Instant now);
-    /// @brief The value of an object whatever the state is, or why there is none.
+    /// @brief The value of an object as text, in whatever NMT state, or why there is none.
     [[nodiscard]] std::string Get(const ObjectAddress& object, Instant now);
-    /// @brief Writes it as the application does: "taken", or the abort code and what stands behind it.
+    /// @brief Writes an object as the application does. Answers "taken", or the abort code and its meaning.
     [[nodiscard]] std::string Set(const ObjectAddress& object, std::uint64_t value, Instant now);
 
   private:

@@ -9,14 +9,15 @@
 
 namespace counterpoint::runtime
 {
-/// Of a connection that tells no times of reception: more frames than a bus carries, after a silence. They have waited
-/// somewhere; as of now they would look like two devices. [SRS_MGR_004]
+/// Finds frames that have waited somewhere, on a connection that tells no times of reception: after a silence more
+/// frames come than a bus can carry. Taken as new, they would look like two devices with one node-ID. [SRS_MGR_004]
 class FrameBacklog
 {
   public:
+    /// @brief Begins at `start_ns`, without a backlog.
     explicit FrameBacklog(std::uint64_t start_ns) noexcept;
 
-    /// @brief `count` frames came since the last call.
+    /// @brief `count` frames came since the last call. True: they belong to a backlog.
     [[nodiscard]] bool Has(std::size_t count, std::uint64_t now_ns) noexcept;
 
   private:
@@ -27,7 +28,7 @@ class FrameBacklog
     bool has_{false};
 };
 
-/// @brief Of some node; it says the same whenever it came.
+/// @brief Whether the frame is a boot-up message; it means the same whenever it came.
 [[nodiscard]] bool IsBootUp(const host::LiveFrame& frame) noexcept;
 } // namespace counterpoint::runtime
 

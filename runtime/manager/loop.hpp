@@ -17,9 +17,11 @@
 
 namespace counterpoint::runtime
 {
-/// The system's times of reception are told for frames of the last ten seconds.
+/// Longest pause of the program after which waiting frames are still used: the system tells times of reception for the
+/// last ten seconds.
 constexpr std::uint64_t kLongestPauseNs = 9000000000U;
 
+/// What the command line says about a run.
 struct ManagerLoopSettings
 {
     std::string log;          ///< Event log; empty: none.
@@ -30,22 +32,23 @@ struct ManagerLoopSettings
     std::uint64_t longest_pause_ns{kLongestPauseNs};
 };
 
-/// The executive of a live manager: frames, cycles of a millisecond and orders, until it is told to stop.
-/// [SRS_MGR_004, SRS_MGR_005, SRS_MGR_006, SRS_MGR_007]
+/// Runs a live manager: frames, a cycle each millisecond, and orders, until it is told to stop. [SRS_MGR_004,
+/// SRS_MGR_005, SRS_MGR_006, SRS_MGR_007]
 class ManagerLoop
 {
   public:
-    /// @brief All but the bus outlive it; `socket` may be null. Throws cia306::InputError.
+    /// @brief All arguments but the bus outlive it; `socket` may be null. Throws cia306::InputError.
     ManagerLoop(network_plan::LoadedNetwork& net, std::unique_ptr<host::LiveBus> bus, NodeReport& report,
                 ManagerSocket* socket, ManagerLoopSettings settings);
 
-    /// @brief Until quit, SIGTERM, SIGINT or the end of the time; whether every mandatory slave was started then.
+    /// @brief Runs until `quit`, SIGTERM, SIGINT or the end of its time. True: every mandatory slave was started then.
     [[nodiscard]] bool Run();
-    /// @brief Every event is in the log, or there is none.
+    /// @brief Whether every event is in the log; true without a log.
     [[nodiscard]] bool IsLogWhole() const noexcept
     {
         return is_log_whole_;
     }
+    /// @brief The manager with what watches it.
     [[nodiscard]] const ManagerStation& Station() const noexcept
     {
         return station_;

@@ -8,7 +8,7 @@
 
 namespace counterpoint::runtime
 {
-/// The objects by which a manager is seen and commanded, and what a write may do while it runs. Hook of 1016h, 1017h,
+/// The objects by which a manager is seen and commanded, and what may be written while it runs. Hook of 1016h, 1017h,
 /// 102Ah, 1F20h to 1F27h, 1F53h to 1F58h and 1F80h to 1F90h. [SRS_MGR_021]
 class ManagerObjects final : public cia301::ReadHook, public cia301::WriteHook
 {
@@ -16,7 +16,7 @@ class ManagerObjects final : public cia301::ReadHook, public cia301::WriteHook
     /// @brief Both outlive it.
     ManagerObjects(ManagerAssembly& assembly, network_plan::LoadedNetwork& net);
 
-    /// @brief Time for what writes lead to.
+    /// @brief Sets the time for what writes lead to.
     void SetNow(Instant now) noexcept;
 
     [[nodiscard]] cia301::Reading OnRead(const ObjectAddress& address, const cia301::Room& room) noexcept override;

@@ -10,6 +10,7 @@
 
 namespace counterpoint::runtime
 {
+/// Kinds of orders, and which members of ManagerOrder each uses.
 enum class ManagerOrderKind : std::uint8_t
 {
     kNothing = 0U, ///< An empty line or a comment.
@@ -27,7 +28,7 @@ enum class ManagerOrderKind : std::uint8_t
     kNegotiate = 12U,
 };
 
-/// What a person or a program wants of a running manager.
+/// An order of a person or a program to a running manager.
 struct ManagerOrder
 {
     ManagerOrderKind kind{ManagerOrderKind::kNothing};
@@ -42,11 +43,11 @@ struct ManagerOrder
     std::string problem; ///< What is wrong and what was expected.
 };
 
-/// @brief One line: status, start NODE|all, boot NODE, ... [SRS_MGR_006]
+/// @brief Reads one line: status, start NODE|all, boot NODE, ... A line that is no order gives kProblem. [SRS_MGR_006]
 [[nodiscard]] ManagerOrder ParseManagerOrder(const std::string& line);
-/// @brief All orders, a line each.
+/// @brief The help: all orders, a line each.
 [[nodiscard]] std::string ManagerOrderHelp();
-/// @brief Carries out a command, a boot, a writing or a negotiation; what it came to, "taken" or the reason why not.
+/// @brief Carries out a command, a boot, a writing or a negotiation. Answers "taken", or the reason why not.
 /// [SRS_MGR_006]
 [[nodiscard]] std::string CarryOut(const ManagerOrder& order, ManagerAssembly& assembly, Instant now);
 } // namespace counterpoint::runtime

@@ -14,7 +14,7 @@
 
 namespace counterpoint::runtime
 {
-/// The value of a PDO between manager and slave. Direction is the slave's: the manager sends RxPDOs.
+/// The present value of a PDO between manager and slave. Directions are seen from the slave: the manager sends RxPDOs.
 struct PdoValue
 {
     std::uint8_t node{0U};
@@ -25,20 +25,21 @@ struct PdoValue
     std::uint64_t at_us{0U}; ///< When it was received last.
 };
 
-/// Process data of a network in the EL6751 profile: what the RxPDOs carry, and what the TxPDOs brought. [SRS_MGR_022]
+/// Process data of a network under the EL6751 profile: what the RxPDOs carry, and what the TxPDOs brought.
+/// [SRS_MGR_022]
 class ManagerPdos
 {
   public:
-    /// @brief Outlives it.
+    /// @brief `net` outlives it.
     explicit ManagerPdos(network_plan::LoadedNetwork& net);
 
-    /// @brief Bytes of an RxPDO from now on: "taken", or what is wrong and what was expected.
+    /// @brief Sets the bytes of an RxPDO from now on. Answers "taken", or what is wrong and what was expected.
     [[nodiscard]] std::string Set(std::uint8_t node, std::uint16_t number, const std::vector<std::uint8_t>& bytes);
-    /// @brief A frame from the bus: what a TxPDO brings, unless it is too short.
+    /// @brief A frame from the bus: the values of a TxPDO are kept, unless it is too short.
     void OnFrame(const CanFrame& frame, std::uint64_t now_us);
-    /// @brief Inputs that changed and are to be told now, each at most once in 100 ms.
+    /// @brief Inputs that have changed and are to be told now, each at most once in 100 ms.
     [[nodiscard]] std::vector<const PdoValue*> TakeNews(std::uint64_t now_us);
-    /// @brief All of them by node-ID, RxPDOs first.
+    /// @brief All values by node-ID, RxPDOs first.
     [[nodiscard]] std::vector<PdoValue> Values() const;
 
   private:
@@ -56,11 +57,12 @@ class ManagerPdos
     std::vector<std::size_t> news_; ///< Inputs to be told.
 };
 
-/// @brief 1 to 8 bytes, two hexadecimal digits each, with or without spaces between them; nothing for anything else.
+/// @brief Reads 1 to 8 bytes, two hexadecimal digits each, with or without spaces between them; nothing for any other
+/// text.
 [[nodiscard]] std::optional<std::vector<std::uint8_t>> BytesFrom(const std::string& text);
-/// @brief "01 FF"
+/// @brief Bytes as text: "01 FF".
 [[nodiscard]] std::string BytesText(const std::vector<std::uint8_t>& bytes);
-/// @brief "TxPDO 1"
+/// @brief Its name: "TxPDO 1".
 [[nodiscard]] std::string NameOf(const PdoValue& value);
 } // namespace counterpoint::runtime
 

@@ -4,9 +4,9 @@
 
 namespace counterpoint::runtime
 {
-/// As long as it lives SIGINT, SIGTERM and, where nohup does not ignore it, SIGHUP of a terminal that is gone end
-/// nothing by themselves. SIGPIPE is ignored for good: who reads the output may go, the network stays. One at a time.
-/// [SRS_MGR_004]
+/// While it lives, SIGINT, SIGTERM and SIGHUP do not end the process by themselves (SIGHUP only where nohup does not
+/// ignore it). SIGPIPE is ignored for good: the reader of the output may end, and the network goes on. One object at a
+/// time. [SRS_MGR_004]
 class CaughtSignals
 {
   public:
@@ -15,7 +15,7 @@ class CaughtSignals
     CaughtSignals(const CaughtSignals&) = delete;
     CaughtSignals& operator=(const CaughtSignals&) = delete;
 
-    /// @brief Whether one of them came since.
+    /// @brief Whether one of these signals came since the construction.
     [[nodiscard]] static bool IsCaught() noexcept;
 
   private:

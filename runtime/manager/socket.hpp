@@ -13,20 +13,21 @@
 
 namespace counterpoint::runtime
 {
-/// A Unix socket on which programs send orders, a line each, and read the answers. Nothing blocks: who does not read
-/// its answers is cut off, and who was silent longest makes room for another one. [SRS_MGR_006]
+/// A Unix socket on which programs send orders, a line each, and read the answers. Nothing blocks: a client that does
+/// not read its answers is disconnected, and a new client takes the place of the one that was silent longest.
+/// [SRS_MGR_006]
 class ManagerSocket
 {
   public:
-    /// @brief Replaces a socket file that nobody serves any more. Throws cia306::InputError.
+    /// @brief Listens at `path`; replaces a socket file that nobody serves any more. Throws cia306::InputError.
     explicit ManagerSocket(std::string path);
     ~ManagerSocket();
     ManagerSocket(const ManagerSocket&) = delete;
     ManagerSocket& operator=(const ManagerSocket&) = delete;
 
-    /// @brief Descriptors to wait for.
+    /// @brief Adds the descriptors to wait for.
     void AddTo(std::vector<pollfd>& places) const;
-    /// @brief Takes new clients, and of each client a few whole lines; `answer` tells what goes back for a line.
+    /// @brief Takes new clients, and of each client a few whole lines; `answer` gives the answer to a line.
     void Serve(const std::function<std::string(const std::string&)>& answer);
 
   private:

@@ -15,8 +15,8 @@
 
 namespace counterpoint::runtime
 {
-/// A manager with everything that watches it, on whatever bus: its owner carries frames, time and orders in, frames and
-/// events come out. Times are microseconds since the start. [SRS_MGR_001, SRS_MGR_012]
+/// A manager with everything that watches it, on whatever bus. Its owner brings frames, time and orders, and gets
+/// frames and events. Times are microseconds since the start. [SRS_MGR_001, SRS_MGR_012]
 class ManagerStation final : private cia301::FrameSink
 {
   public:
@@ -26,30 +26,34 @@ class ManagerStation final : private cia301::FrameSink
     /// @brief `net` outlives it; `send` answers whether the bus took the frame.
     ManagerStation(network_plan::LoadedNetwork& net, SendFrame send, TellEvent tell);
 
-    /// @brief The manager is switched on.
+    /// @brief Switches the manager on.
     void Begin(std::uint64_t now_us);
     /// @brief A frame from the bus, in bus order; never one of this manager.
     void OnFrame(const CanFrame& frame, std::uint64_t now_us);
-    /// @brief Each ms; tells what happened since the last call.
+    /// @brief Call it each ms. Tells what happened since the last call.
     void OnCycle(std::uint64_t now_us);
-    /// @brief What it came to; empty for orders that the owner carries out itself.
+    /// @brief Carries out an order. Answers what it came to; empty for orders that the owner itself carries out.
     [[nodiscard]] std::string Carry(const ManagerOrder& order, std::uint64_t now_us);
-    /// @brief Something that the bus or a person did.
+    /// @brief Adds an event of the bus or of a person.
     void Tell(const std::string& kind, const std::string& text, const nlohmann::ordered_json& details,
               std::uint64_t now_us);
 
+    /// @brief The manager and its room.
     [[nodiscard]] ManagerAssembly& Assembly() noexcept
     {
         return assembly_;
     }
+    /// @brief The same, to look at.
     [[nodiscard]] const ManagerAssembly& Assembly() const noexcept
     {
         return assembly_;
     }
+    /// @brief Its process data.
     [[nodiscard]] const ManagerPdos& Pdos() const noexcept
     {
         return pdos_;
     }
+    /// @brief Its sequence diagram.
     [[nodiscard]] const ManagerDiagram& Diagram() const noexcept
     {
         return diagram_;
@@ -84,7 +88,7 @@ class ManagerStation final : private cia301::FrameSink
     std::array<Writing, cia302::kNodeRoom> writing_{};
 };
 
-/// @brief The manager's counter.
+/// @brief A time since the start as the manager's counter reads it.
 [[nodiscard]] inline Instant InstantAt(const std::uint64_t us) noexcept
 {
     return Instant{static_cast<std::uint32_t>(us & 0xFFFFFFFFU)};

@@ -12,16 +12,19 @@
 // What an entry of an EDS or DCF is as an entry of a dictionary. [SRS_NODE_001]
 namespace counterpoint::runtime
 {
-/// @brief 1010h and 1011h.
+/// @brief Whether this is 1010h or 1011h.
 [[nodiscard]] bool IsStore(std::uint16_t index);
-/// @brief 5F00h to 5F05h: what the kernel was started with.
+/// @brief Whether this is one of 5F00h to 5F05h, which the kernel takes at its start.
 [[nodiscard]] bool IsFixedAtStart(std::uint16_t index);
-/// @brief The types of both rooms have the numbers of CiA 301. BIT1 to BIT8 are small numbers.
+/// @brief Its data type for the dictionary. Types have the numbers of CiA 301 there, too; BIT1 to BIT8 become small
+/// numbers.
 [[nodiscard]] cia301::DataType TypeOf(const cia306::Entry& entry);
-/// @brief Process data go where they may be read, and come where they may be written.
+/// @brief Into which PDOs it may be mapped: process data are sent if they may be read, and received if they may be
+/// written.
 [[nodiscard]] std::uint8_t UsesOf(const cia306::Entry& entry);
+/// @brief Its access right for the dictionary.
 [[nodiscard]] cia301::Access AccessOf(const cia306::Entry& entry);
-/// @brief Octets as "0A 1B" or "0A1B"; every other text stands for its own bytes.
+/// @brief The bytes of an octet string: "0A 1B" or "0A1B" are two bytes, any other text is its own bytes.
 [[nodiscard]] std::vector<std::uint8_t> OctetsOf(const std::string& text);
 } // namespace counterpoint::runtime
 

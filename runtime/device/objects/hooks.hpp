@@ -7,10 +7,12 @@
 
 namespace counterpoint::runtime
 {
-/// Of a value that cannot change while the device runs: a write of the same value is accepted, any other refused.
+/// Hook of values that cannot change while the device runs: writing the same value is accepted, any other value is
+/// refused.
 class FixedHook final : public cia301::WriteHook
 {
   public:
+    /// @brief `table` outlives the hook.
     explicit FixedHook(const cia301::EntryTable& table) noexcept : table_(table)
     {
     }
@@ -20,7 +22,7 @@ class FixedHook final : public cia301::WriteHook
     const cia301::EntryTable& table_;
 };
 
-/// A plain device has no objects but its own. [SRS_NODE_016]
+/// The foreign objects of a plain device: there are none. [SRS_NODE_016]
 class NoSafetyObjects final : public cia301::ForeignObjects
 {
   public:
@@ -28,7 +30,8 @@ class NoSafetyObjects final : public cia301::ForeignObjects
     [[nodiscard]] AbortCode Write(const ObjectAddress& address, const ObjectData& data) noexcept override;
 };
 
-/// 1010h and 1011h of a device without a store: sub-indices tell that nothing is saved, commands are refused.
+/// Hook of 1010h and 1011h of a device without a store: sub-indices say that nothing is saved, and commands are
+/// refused.
 class NoStoreHook final : public cia301::ReadHook, public cia301::WriteHook
 {
   public:

@@ -16,13 +16,14 @@
 
 namespace counterpoint::runtime
 {
-/// The objects of an EDS or DCF that are not the kernel's, as a table for a dictionary; owns their values. Stays where
-/// it is. [SRS_NODE_001]
+/// The objects of an EDS or DCF that are not the kernel's, as a table for a dictionary. It owns their values, so it
+/// cannot be moved or copied. [SRS_NODE_001]
 class DeviceObjects
 {
   public:
+    /// Whether an object is kept by the kernel.
     using IsKernels = std::function<bool(std::uint16_t index, std::uint8_t sub)>;
-    /// Finds the hook of an object that belongs to a service beside Services; null: it does not.
+    /// Finds the hook of an object that belongs to an optional service; null: the object belongs to none.
     using FindHook = std::function<cia301::NumberHook*(std::uint16_t index)>;
 
     /// Throws cia306::InputError for a value or limit that its data type cannot have.
@@ -30,21 +31,22 @@ class DeviceObjects
     DeviceObjects(const DeviceObjects&) = delete;
     DeviceObjects& operator=(const DeviceObjects&) = delete;
 
-    /// @brief Stays as it is, but for the hooks that Connect fills in.
+    /// @brief The table. It does not change, but for the hooks that Connect sets.
     [[nodiscard]] const cia301::EntryTable& Table() const noexcept;
-    /// @brief What the services of this device need; owned here.
+    /// @brief The room that the services of this device need; owned here.
     [[nodiscard]] device::ServiceRooms Rooms() noexcept;
-    /// @brief The objects of services lead to them from now on, 1010h and 1011h to `store`; null: there is none.
+    /// @brief From now on the objects of services lead to the services, and 1010h and 1011h to `store`; null: there is
+    /// no store.
     void Connect(device::Services& services, const FindHook& further, cia301::NumberHook* store) noexcept;
-    /// @brief Values of the file for all objects from 2000h on.
+    /// @brief Sets all objects from 2000h on to the values of the file.
     void LoadApplication() noexcept;
-    /// @brief The same for 1000h to 1FFFh; services take theirs by their hooks.
+    /// @brief Sets 1000h to 1FFFh to the values of the file; services get theirs by their hooks.
     void LoadCommunication() noexcept;
-    /// @brief Values of the file that a service refuses, as lines; since the last LoadCommunication.
+    /// @brief Values of the file that a service refused at the last LoadCommunication, as lines.
     [[nodiscard]] const std::vector<std::string>& Refusals() const noexcept;
 
-    /// @brief PDOs of the file that are on, which the device has turned off because their mapping does not hold, as
-    /// lines. After the configuration. [SRS_NODE_017]
+    /// @brief PDOs that the file switches on and that the device has turned off because their mapping does not hold, as
+    /// lines. Call it after the configuration. [SRS_NODE_017]
     [[nodiscard]] std::vector<std::string> PdosTurnedOff(cia301::Dictionary& dictionary) const;
 
   private:

@@ -15,28 +15,30 @@
 
 namespace counterpoint::runtime
 {
-/// Who is told what a device hears of others; called from within calls of the device.
+/// Who is told what a device hears of others; called within calls of the device.
 struct HeardBy
 {
     cia301::TimeListener& times;
     cia301::EmergencyListener& emergencies;
 };
 
-/// The services beside device::Services, which not every device has: TIME, emergency consumer, SDO servers and clients,
-/// as many as the file has objects of. Stays where it is. [SRS_NODE_012, SRS_SIM_061]
+/// The services that only some devices have: TIME, emergency consumer, further SDO servers, SDO clients, as many as the
+/// file has objects of. It cannot be moved or copied. [SRS_NODE_012, SRS_SIM_061]
 class OptionalServices final
 {
   public:
-    /// `longest_bytes`: of an object of this device. All given but the file outlive it; `services` gets its list.
+    /// `longest_bytes`: length of the longest object of this device. All arguments but the file outlive it; `services`
+    /// gets the list of these services.
     OptionalServices(const cia306::Device& file, cia301::Dictionary& dictionary, device::Services& services,
                      const HeardBy& heard_by, std::uint32_t longest_bytes);
     OptionalServices(const OptionalServices&) = delete;
     OptionalServices& operator=(const OptionalServices&) = delete;
 
-    /// @brief The hook of an object of these services; null: it is none.
+    /// @brief The hook of an object of these services; null: the object is none of theirs.
     [[nodiscard]] cia301::NumberHook* HookOf(std::uint16_t index) noexcept;
+    /// @brief TIME.
     [[nodiscard]] cia301::TimeStamp& Time() noexcept;
-    /// @brief The SDO client for this server; null: none is connected with it.
+    /// @brief The SDO client that is connected with this server; null: there is none.
     [[nodiscard]] cia301::SdoClientPort* ClientOf(std::uint8_t server) noexcept;
 
   private:
@@ -64,10 +66,11 @@ class OptionalServices final
     std::vector<cia301::BusService*> list_;
 };
 
-/// @brief What was heard, for people.
+/// @brief A received time as text.
 [[nodiscard]] std::string TextOf(const cia301::TimeOfDay& time);
+/// @brief A received emergency message as text.
 [[nodiscard]] std::string TextOf(const cia301::ReceivedEmergency& emergency);
-/// @brief The first ones of `count` bytes: "01 AB ..."
+/// @brief Bytes as text: "01 AB ..."; of many only the first ones.
 [[nodiscard]] std::string BytesText(const std::uint8_t* bytes, std::size_t count);
 } // namespace counterpoint::runtime
 

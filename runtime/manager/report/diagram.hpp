@@ -13,7 +13,7 @@
 
 namespace counterpoint::runtime
 {
-/// One row of the diagram: something that went between manager and a node, or a mark at a lane.
+/// One row of the diagram: a message between the manager and a node, or a mark at the lane of a node.
 struct DiagramRow
 {
     std::uint64_t at_us{0U};
@@ -26,19 +26,20 @@ struct DiagramRow
     bool is_request{false}; ///< An SDO; without `until_us` nobody answered.
 };
 
-/// Collects what the boot-up sequence diagram shows. [SRS_MGR_008]
+/// Collects the rows of the boot-up sequence diagram. [SRS_MGR_008]
 class ManagerDiagram
 {
   public:
     /// @brief A frame that the manager sent or received.
     void OnFrame(const CanFrame& frame, bool is_sent, std::uint64_t at_us);
-    /// @brief Something that the manager told: commands, results and losses are marks.
+    /// @brief An event of the manager: commands, results and losses become marks.
     void OnEvent(const ManagerEvent& event);
+    /// @brief The rows, in the order of their times.
     [[nodiscard]] const std::vector<DiagramRow>& Rows() const noexcept
     {
         return rows_;
     }
-    /// @brief Rows that found no room any more.
+    /// @brief Number of rows for which there was no room.
     [[nodiscard]] std::size_t LeftOut() const noexcept
     {
         return left_out_;
@@ -62,10 +63,11 @@ class ManagerDiagram
     std::size_t left_out_{0U};
 };
 
-/// @brief A part of a page: results, then the diagram; its style once in the page.
+/// @brief Results and diagram as a part of a page; the page has DiagramStyle once.
 [[nodiscard]] std::string DiagramSection(const ManagerAssembly& assembly, const ManagerDiagram& diagram, Instant now);
+/// @brief The style sheet of such parts.
 [[nodiscard]] std::string DiagramStyle();
-/// @brief One page without references to elsewhere: results, then the diagram.
+/// @brief Results and diagram as a page of its own, which needs no other file.
 [[nodiscard]] std::string DiagramPage(const ManagerAssembly& assembly, const ManagerDiagram& diagram, Instant now);
 } // namespace counterpoint::runtime
 

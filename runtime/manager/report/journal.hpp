@@ -14,7 +14,7 @@
 
 namespace counterpoint::runtime
 {
-/// Something that happened in the network.
+/// An event of the network.
 struct ManagerEvent
 {
     std::uint64_t at_us{0U}; ///< Since the start.
@@ -22,33 +22,33 @@ struct ManagerEvent
     std::string kind;
     std::string text; ///< For people; empty: only programs want to know.
     nlohmann::ordered_json details;
-    std::string word; ///< Of `details`, what this program itself goes by: state of a gate, letter of a status.
+    std::string word; ///< The part of `details` that this program itself uses: state of a gate, letter of a status.
 };
 
-/// @brief One line of JSON with a line end; what is no UTF-8 is replaced.
+/// @brief A value as one line of JSON with a line end; bytes that are no UTF-8 are replaced.
 [[nodiscard]] std::string OneLine(const nlohmann::ordered_json& value);
-/// @brief One line of the event log. [SRS_MGR_007]
+/// @brief An event as a line of the event log. [SRS_MGR_007]
 [[nodiscard]] std::string JsonLine(const ManagerEvent& event);
-/// @brief One line for a person: time, node, text.
+/// @brief An event as a line for a person: time, node, text.
 [[nodiscard]] std::string TextLine(const ManagerEvent& event);
 
-/// Puts what the manager tells into words, in order. [SRS_MGR_007]
+/// Makes events of what the manager tells, in order. [SRS_MGR_007]
 class ManagerJournal final : public cia302::ManagerListener
 {
   public:
-    /// @brief `assembly` is set before anything is told.
+    /// @brief The manager whose events these are; call it before anything is told.
     void Watch(const ManagerAssembly& assembly) noexcept
     {
         assembly_ = &assembly;
     }
-    /// @brief The time of what is told from now on.
+    /// @brief Sets the time of what is told from now on.
     void SetNow(const std::uint64_t since_start_us) noexcept
     {
         now_us_ = since_start_us;
     }
-    /// @brief All since the last call.
+    /// @brief All events since the last call.
     [[nodiscard]] std::vector<ManagerEvent> Take();
-    /// @brief Something that the manager itself does not tell: orders, the bus.
+    /// @brief Adds an event that the manager itself does not tell: of orders and of the bus.
     void Tell(std::uint8_t node, const std::string& kind, const std::string& text,
               const nlohmann::ordered_json& details, const std::string& word = {});
 

@@ -14,7 +14,7 @@
 
 namespace counterpoint::runtime
 {
-/// What a person in front of the network needs of one slave.
+/// One slave as a row of the status table.
 struct StatusRow
 {
     std::uint8_t node{0U};
@@ -29,13 +29,13 @@ struct StatusRow
     bool is_good{false};
 };
 
-/// @brief All slaves in the order of their node-IDs. [SRS_MGR_005]
+/// @brief A row for each slave, by node-ID. [SRS_MGR_005]
 [[nodiscard]] std::vector<StatusRow> StatusRows(const ManagerAssembly& assembly, Instant now);
 /// @brief Manager, slaves and process data as a table of text, with a line end.
 [[nodiscard]] std::string StatusTable(const ManagerStation& station, std::uint64_t now_us);
-/// @brief The same for programs: with `--json` the last line, and the answer to `status`. [SRS_MGR_005]
+/// @brief The same for programs: with `--json` the last line of the output, and the answer to `status`. [SRS_MGR_005]
 [[nodiscard]] nlohmann::ordered_json StatusJson(const ManagerStation& station, std::uint64_t now_us);
-/// @brief "operational, active master: operational, cia302"
+/// @brief The manager as a line: "manager, node 127: operational, active master, profile cia302, operational".
 [[nodiscard]] std::string ManagerLine(const ManagerAssembly& assembly);
 } // namespace counterpoint::runtime
 

@@ -8,10 +8,10 @@
 
 #include <string>
 
-/// What a person and a program read of the network manager's numbers.
+// The words in which people and programs read the numbers of the network manager.
 namespace counterpoint::runtime
 {
-/// @brief The word of the log, the table and scenarios; a value that has none gets a word as well, never an empty text.
+/// @brief The word for a value in log, table and scenarios. Every value has one; the text is never empty.
 [[nodiscard]] std::string WordOf(cia302::SlaveState state);
 [[nodiscard]] std::string WordOf(cia302::NodeEvent event);
 [[nodiscard]] std::string WordOf(cia302::StartUpStep step);
@@ -25,15 +25,16 @@ namespace counterpoint::runtime
 [[nodiscard]] std::string LetterText(char letter);
 /// @brief What a NodeState or nStatus means in its profile; empty where it has none.
 [[nodiscard]] std::string CodeText(network_plan::StartProfile profile, int code);
-/// @brief MasterState in its profile.
+/// @brief What a MasterState means in its profile.
 [[nodiscard]] std::string MasterText(network_plan::StartProfile profile, int state);
-/// @brief "0x1301:02 is 60, expected 50", "0x1000:00 aborted with 0x06020000 (...)"; empty where nothing is wrong.
+/// @brief A finding of the gate: "0x1301:02 is 60, expected 50", "0x1000:00 aborted with 0x06020000 (...)"; empty where
+/// nothing is wrong.
 [[nodiscard]] std::string FindingText(const cia302::GateFinding& finding);
-/// @brief The same of a status that tells an error in its profile.
+/// @brief The same for a status that tells an error in its profile.
 [[nodiscard]] std::string FindingText(network_plan::StartProfile profile, const cia302::NodeStatus& status);
-/// @brief "0x06020000", and what it means where the bus alone does not tell.
+/// @brief An abort code: "0x06020000", and its meaning where the code alone does not tell it.
 [[nodiscard]] std::string AbortText(cia301::SdoAbort abort);
-/// @brief The command of a word, kInvalid for none.
+/// @brief The command with this word; kInvalid: there is none.
 [[nodiscard]] cia302::NmtCommand CommandOf(const std::string& word);
 } // namespace counterpoint::runtime
 
