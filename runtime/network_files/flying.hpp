@@ -9,7 +9,7 @@
 
 namespace counterpoint::runtime
 {
-/// @brief The map `flying` of a network file. Throws runtime::YamlError. [SRS_FLY_029]
+/// @brief Reads the map `flying` of a network file. Throws runtime::YamlError. [SRS_FLY_029]
 [[nodiscard]] network_plan::FlyingPlan ReadFlying(const std::string& file, const runtime::YamlValue& value);
 } // namespace counterpoint::runtime
 

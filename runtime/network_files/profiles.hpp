@@ -12,15 +12,15 @@
 
 namespace counterpoint::runtime
 {
-/// @brief Options of a slave under "el6751" of a network file. Throws runtime::YamlError. [SRS_ELM_051]
+/// @brief Reads the options of a slave under `el6751` of a network file. Throws runtime::YamlError. [SRS_ELM_051]
 [[nodiscard]] cia302::El6751Slave ReadEl6751Slave(const std::string& file, const runtime::YamlValue& value);
-/// @brief Options of the manager under "el6751". Throws runtime::YamlError. [SRS_ELM_051]
+/// @brief Reads the options of the manager under `el6751`. Throws runtime::YamlError. [SRS_ELM_051]
 [[nodiscard]] cia302::El6751Times ReadEl6751Times(const std::string& file, const runtime::YamlValue& value);
-/// @brief What RxPDOs carry, a list under "outputs" of a slave. Throws runtime::YamlError. [SRS_MGR_022]
+/// @brief Reads the list `outputs` of a slave: what RxPDOs carry. Throws runtime::YamlError. [SRS_MGR_022]
 [[nodiscard]] std::vector<network_plan::OutputPlan> ReadOutputs(const std::string& file,
                                                                 const runtime::YamlValue& value);
-/// @brief Options of a slave under "plc_designer"; one that is not mandatory is optional unless they say otherwise.
-/// Throws runtime::YamlError. [SRS_PLC_021]
+/// @brief Reads the options of a slave under `plc_designer`. A slave that is not mandatory is optional unless the
+/// options say otherwise. Throws runtime::YamlError. [SRS_PLC_021]
 [[nodiscard]] cia302::PlcSlave ReadPlcSlave(const std::string& file, const runtime::YamlValue& value,
                                             bool is_mandatory);
 } // namespace counterpoint::runtime

@@ -14,34 +14,38 @@
 
 namespace counterpoint::runtime
 {
-/// The application of a live node: what it does with its pairs is that of a simulated one, what the kernel tells it is
-/// a line. [SRS_NODE_003, SRS_NODE_004]
+/// The application of a live node. It does with its pairs what a simulated application does, and writes a line for each
+/// thing that the kernel tells it. [SRS_NODE_003, SRS_NODE_004]
 class NodeApplication final : public Application
 {
   public:
     /// Is told of each pair that was released or confirmed.
     using OnPair = std::function<void(std::uint8_t srdo)>;
 
+    /// @brief Both outlive it.
     NodeApplication(const runtime::DeviceModel& model, NodeReport& report);
 
+    /// @brief Whom to tell of pairs.
     void Tell(OnPair on_pair);
-    /// @brief Pairs as the SRDOs are configured now, whoever did it. On entering OPERATIONAL. [SRS_NODE_019]
+    /// @brief Takes the pairs as the SRDOs are configured now, whoever configured them. Call it on entering
+    /// OPERATIONAL. [SRS_NODE_019]
     void Follow(Kernel& kernel, const runtime::DeviceModel& model);
-    /// @brief Whether the rule's objects are pairs of this device: the target of a producer.
+    /// @brief Adds a rule. False: its objects are no pairs of this device, or its target is no object of a producer.
     [[nodiscard]] bool AddRule(const runtime::LogicRule& rule);
-    /// @brief Whether there is such an input: the normal object of a producer, whose configuration is followed or that
-    /// of the file.
+    /// @brief Sets an input: the normal object of a producer, as configured or as in the file. False: there is no such
+    /// input.
     [[nodiscard]] bool SetInput(const ObjectAddress& object, std::uint64_t value);
-    /// @brief Time of what the kernel tells next.
+    /// @brief Sets the time of what the kernel tells next.
     void SetNow(std::uint64_t now_ns) noexcept
     {
         now_ns_ = now_ns;
     }
-    /// @brief Takes consumers with the outputs as they are, then the rules, then writes the producers.
+    /// @brief Reads the consumers, whose outputs are open as `open` says, applies the rules, and writes the producers.
+    /// Once a cycle.
     void Run(SrdoMask open);
     /// @brief Whether an input of a producer changed since the last call.
     [[nodiscard]] bool TakeChange() noexcept;
-    /// @brief "2200:01=1 ..." of all pairs.
+    /// @brief The values of all pairs: "2200:01=1 ...".
     [[nodiscard]] std::string Values() const;
 
     [[nodiscard]] RefreshAnswer OnRefresh(CommunicationIndex index) noexcept override;

@@ -8,17 +8,18 @@
 
 namespace counterpoint::runtime
 {
-/// Counter A is CLOCK_MONOTONIC, counter B CLOCK_MONOTONIC_RAW: one crystal, but only the first is steered by time
-/// services. Stamps of frames and instants of cycles come out in order; a frame that the system delivers late, by no
-/// more than `tolerance_us`, gets the instant of the one before it. [SRS_NODE_002]
+/// The counters of a live node: A is CLOCK_MONOTONIC, B is CLOCK_MONOTONIC_RAW. Both come from one crystal; time
+/// services adjust only the first. Stamps of frames and instants of cycles are in order: a frame that the system
+/// delivers late, by no more than `tolerance_us`, gets the stamp of the frame before it. [SRS_NODE_002]
 class NodeClocks final : public hal::Clocks
 {
   public:
+    /// @brief `tolerance_us`: by how much a frame may be late.
     explicit NodeClocks(std::uint32_t tolerance_us);
 
-    /// @brief Both, as close to each other as the scheduler lets them be read.
+    /// @brief Reads both counters, as close together as the scheduler allows.
     [[nodiscard]] InstantPair Now() noexcept override;
-    /// @brief The last Now as the instant of a cycle: no stamp after it will be before it.
+    /// @brief The last Now as the instant of a cycle: no later stamp is before it.
     [[nodiscard]] InstantPair Seal() noexcept;
     /// @brief The stamp of a frame that was received at `time_ns` of CLOCK_MONOTONIC.
     [[nodiscard]] InstantPair Stamp(std::uint64_t time_ns) noexcept;
@@ -27,11 +28,12 @@ class NodeClocks final : public hal::Clocks
     {
         return monotonic_ns_;
     }
-    /// @brief Frames that came behind one that was stamped later, and by how much at the most.
+    /// @brief Number of frames that were delivered behind a frame with a later stamp.
     [[nodiscard]] std::uint64_t LateCount() const noexcept
     {
         return late_count_;
     }
+    /// @brief By how much one of them was late at the most, in us.
     [[nodiscard]] std::uint64_t LatestUs() const noexcept
     {
         return latest_us_;

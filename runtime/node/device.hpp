@@ -27,53 +27,63 @@
 
 namespace counterpoint::runtime
 {
-/// A device of a DCF in real time: an assembly with shipped channels, the gate and the watchdog of the host, real
-/// frames. Time comes in with every call. [SRS_NODE_001, SRS_NODE_006]
+/// A device of a DCF in real time: an assembly with shipped channels, output gate and watchdog of the host, and frames
+/// of a live bus. Time comes in with every call. [SRS_NODE_001, SRS_NODE_006]
 class NodeDevice final
 {
   public:
-    /// Throws cia306::InputError.
+    /// Builds the device; its supply is off. Throws cia306::InputError.
     NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeReport& report);
 
+    /// @brief The description that the kernel has.
     [[nodiscard]] const DeviceConfig& Config() const noexcept;
+    /// @brief What the file says.
     [[nodiscard]] const DeviceModel& Model() const noexcept;
-    /// @brief Null: the device has none.
+    /// @brief Its self tests; null: they are left out.
     [[nodiscard]] const NodeSelfTest* SelfTests() const noexcept;
+    /// @brief SDO transfers and times that it sends by order.
     [[nodiscard]] NodeTransfers& Transfers() noexcept;
-    /// @brief Of the device now; 0: LSS has given none.
+    /// @brief The present node-ID; 0: LSS has not given one yet.
     [[nodiscard]] std::uint8_t NodeId() const noexcept;
+    /// @brief Its application.
     [[nodiscard]] NodeApplication& App() noexcept;
+    /// @brief NMT and services.
     [[nodiscard]] device::Device& Services() noexcept;
+    /// @brief Its object dictionary.
     [[nodiscard]] cia301::Dictionary& Objects() noexcept;
+    /// @brief Its kernel.
     [[nodiscard]] Kernel& Core() noexcept;
+    /// @brief Times from reception to released output.
     [[nodiscard]] const NodeLatency& Latency() const noexcept;
+    /// @brief Slots whose outputs are open.
     [[nodiscard]] SrdoMask Open() noexcept;
 
-    /// @brief Supply on. False: the kernel refuses the device, told in the report.
+    /// @brief Switches the supply on. False: the kernel refused the device, which the report tells.
     [[nodiscard]] bool PowerOn(const InstantPair& now, std::uint64_t now_ns);
-    /// @brief A frame of the bus, with its stamp.
+    /// @brief A frame of the bus with its stamp.
     void OnFrame(const host::LiveFrame& frame, CanPortId port, const InstantPair& stamp);
+    /// @brief Frames were lost.
     void OnLoss() noexcept;
-    /// @brief How the controllers feel.
+    /// @brief The condition of the controllers.
     void OnBus(device::BusCondition condition) noexcept;
-    /// @brief One cycle of the device; frames up to it were told.
+    /// @brief One cycle of the device; all frames up to `now` were told before.
     void Cycle(const InstantPair& now, std::uint64_t now_ns);
-    /// @brief What waits, between two cycles.
+    /// @brief Serves what waits, between two cycles.
     void Serve(const InstantPair& now, std::uint64_t now_ns);
-    /// @brief Outputs as they are at this instant: some close by themselves.
+    /// @brief Looks at the outputs at this instant: some close by themselves.
     void LookAtOutput(std::uint64_t now_ns);
-    /// @brief Whether the kernel was started anew since the last call: cycles and watchdog begin anew, at the time that
-    /// it is after all that a start takes.
+    /// @brief Whether the kernel was started again since the last call. Cycles and watchdog then begin again at
+    /// `now_ns`, which is after the start has ended.
     [[nodiscard]] bool TakeRestart(std::uint64_t now_ns);
-    /// @brief LSS gave another node-ID, and communication was reset: this device has ended, one with that node-ID has
-    /// to be made. [SRS_NODE_015]
+    /// @brief The node-ID, if LSS gave another one and communication was reset: this device has ended, and a new one
+    /// with this node-ID has to be made. [SRS_NODE_015]
     [[nodiscard]] std::optional<std::uint8_t> NewNodeId() const noexcept;
 
-    /// @brief A save is under way: Serve soon, it takes many steps.
+    /// @brief Whether a save is under way: Serve should be called soon, because it takes many steps.
     [[nodiscard]] bool IsSaving() const noexcept;
-    /// @brief A person presses the acknowledge button of one SRDO; false: there is no such SRDO.
+    /// @brief A person presses the acknowledge button of an SRDO. False: there is no such SRDO.
     [[nodiscard]] bool Acknowledge(std::uint8_t srdo, std::uint64_t now_ns);
-    /// @brief Outputs closed, no SRDO any more.
+    /// @brief Closes the outputs and sends no SRDO any more.
     void Stop(std::uint64_t now_ns);
 
   private:

@@ -10,20 +10,23 @@
 
 namespace counterpoint::runtime
 {
-/// Times from the reception of a pair to its released output. Counts by microseconds up to a tenth of a second, so that
-/// days take no more memory than seconds. [SRS_NODE_008]
+/// Statistics of the times from the reception of a pair to its released output. It counts by microseconds up to a tenth
+/// of a second, so its memory does not grow with time. [SRS_NODE_008]
 class NodeLatency
 {
   public:
+    /// @brief Adds a time in ns.
     void Add(std::uint64_t ns);
+    /// @brief Number of times.
     [[nodiscard]] std::uint64_t Count() const noexcept
     {
         return count_;
     }
-    /// @brief Microseconds that `percent` of the times do not exceed.
+    /// @brief The time in us that `percent` of all times do not exceed.
     [[nodiscard]] std::uint64_t Percentile(unsigned percent) const;
-    /// @brief Summary and histogram, a line each.
+    /// @brief Summary and histogram, as lines.
     [[nodiscard]] std::string Text() const;
+    /// @brief The same as JSON.
     [[nodiscard]] nlohmann::ordered_json Json() const;
 
   private:

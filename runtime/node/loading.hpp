@@ -15,15 +15,15 @@
 
 namespace counterpoint::runtime
 {
-/// What a live node does at its resets beside loading its file: self tests, values that were saved, and a line for each
-/// thing that is refused, and for what its services hear. [SRS_NODE_001, SRS_NODE_012]
+/// What a live node does at its resets besides loading its file: self tests, saved values, and a line for each value
+/// that is refused and for what its services hear. [SRS_NODE_001, SRS_NODE_012]
 class NodeLoading final : public AssemblyOwner
 {
   public:
     /// All outlive it. `self_test` null: the device has none.
     NodeLoading(const DeviceModel& model, NodeSelfTest* self_test, NodeReport& report);
 
-    /// @brief What was saved is loaded from here. Before power-on.
+    /// @brief Where saved values are loaded from. Before power-on.
     void Use(NodeStore& store) noexcept
     {
         store_ = &store;
@@ -33,12 +33,12 @@ class NodeLoading final : public AssemblyOwner
     {
         now_ns_ = now_ns;
     }
-    /// @brief A self test that failed is told once. Once a cycle: one that ended before any part was called told
-    /// nobody.
+    /// @brief Tells once when a self test has failed. Call it once a cycle: a cycle that a self test ends before any
+    /// part is called tells nobody.
     void TellSelfTest();
-    /// @brief Whether the kernel was started anew since the last call.
+    /// @brief Whether the kernel was started again since the last call.
     [[nodiscard]] bool TakeRestart() noexcept;
-    /// @brief Whether communication was reset since the last call: nothing was told since.
+    /// @brief Whether communication was reset since the last call: states and values count as not told yet.
     [[nodiscard]] bool TakeReset() noexcept;
 
     void OnStart() noexcept override;

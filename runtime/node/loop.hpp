@@ -16,7 +16,7 @@
 
 namespace counterpoint::runtime
 {
-/// All that a loop runs; all outlive it.
+/// What a loop works with; all outlive it.
 struct NodeLoopParts
 {
     /// A device with the node-ID that LSS gave, if it gave one. May throw as NodeDevice does.
@@ -27,14 +27,16 @@ struct NodeLoopParts
     int input; ///< Descriptor of typed orders; -1: none.
 };
 
-/// The executive of a live node: cycles at their times, frames and orders between them, until it is told to stop.
-/// [SRS_NODE_003, SRS_NODE_005, SRS_NODE_006]
+/// Runs a live node: cycles at their times, frames and orders between them, until it is told to stop. [SRS_NODE_003,
+/// SRS_NODE_005, SRS_NODE_006]
 class NodeLoop
 {
   public:
+    /// @brief Makes the device; may throw as `make` does.
     explicit NodeLoop(const NodeLoopParts& parts);
 
-    /// @brief Until quit, typed or in the script, SIGTERM or SIGINT. 1: the device ended in its safe state.
+    /// @brief Runs until `quit`, typed or in the script, SIGTERM or SIGINT. kDoesNotHold: the device ended in its safe
+    /// state.
     [[nodiscard]] ExitStatus Run();
 
   private:

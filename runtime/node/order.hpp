@@ -10,6 +10,7 @@
 
 namespace counterpoint::runtime
 {
+/// Kinds of orders, and which members of NodeOrder each uses.
 enum class OrderKind : std::uint8_t
 {
     kNothing = 0U,     ///< An empty line or a comment.
@@ -28,7 +29,7 @@ enum class OrderKind : std::uint8_t
     kWrite = 13U,   ///< node, object, value, size_bytes
 };
 
-/// What a person or a script wants of a live node.
+/// An order of a person or a script to a live node.
 struct NodeOrder
 {
     OrderKind kind{OrderKind::kNothing};
@@ -39,12 +40,12 @@ struct NodeOrder
     std::uint8_t size_bytes{0U};
 };
 
-/// @brief 0x2000:01, both parts hexadecimal; nothing for anything else.
+/// @brief Reads 0x2000:01, both parts hexadecimal; nothing for any other text.
 [[nodiscard]] std::optional<ObjectAddress> ParseObject(const std::string& text);
-/// @brief One line: set 0x2000:01 1, get 0x1018:01, ack 1, gfc, nmt, nmt start [NODE], state, read 5 0x1018:01,
-/// write 5 0x2000:01 1 2, time, help, quit. [SRS_NODE_003, SRS_NODE_012]
+/// @brief Reads one line: set 0x2000:01 1, get 0x1018:01, ack 1, gfc, nmt, nmt start [NODE], state, read 5 0x1018:01,
+/// write 5 0x2000:01 1 2, time, help, quit. A line that is no order gives kProblem. [SRS_NODE_003, SRS_NODE_012]
 [[nodiscard]] NodeOrder ParseOrder(const std::string& line);
-/// @brief All orders, a line each.
+/// @brief The help: all orders, a line each.
 [[nodiscard]] std::string OrderHelp();
 } // namespace counterpoint::runtime
 

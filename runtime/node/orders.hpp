@@ -10,23 +10,24 @@
 
 namespace counterpoint::runtime
 {
-/// An instant of a live node: its counters, and the time of what is told.
+/// Time of a live node: its counters, and CLOCK_MONOTONIC for what is told.
 struct NodeMoment
 {
     InstantPair now{{0U}, {0U}};
     std::uint64_t now_ns{0U};
 };
 
-/// What a person or a script asks of a live node, and its answers as lines. [SRS_NODE_003, SRS_NODE_004]
+/// Carries out the orders to a live node, and writes the answers as lines. [SRS_NODE_003, SRS_NODE_004]
 class NodeOrders
 {
   public:
     /// Both outlive it.
     NodeOrders(NodePorts& ports, NodeReport& report);
 
-    /// @brief Carries one order out at the device as it is now. False: it was to quit.
+    /// @brief Carries out one order. False: it was to quit.
     [[nodiscard]] bool Carry(const NodeOrder& order, NodeDevice& device, const NodeMoment& at);
-    /// @brief Tries a value again that its object has not taken yet: a save takes many steps. Once a step.
+    /// @brief Tries again to write a value that its object has not taken yet, because a save takes many steps. Once a
+    /// step.
     void GoOn(NodeDevice& device, const NodeMoment& at);
 
   private:

@@ -15,34 +15,36 @@
 
 namespace counterpoint::runtime
 {
-/// The outputs of a live node as they open and close, a line each, and the time from the reception of a pair to its
-/// open output. [SRS_NODE_004, SRS_NODE_008]
+/// Writes a line when an output of a live node opens or closes, and measures the time from the reception of a pair to
+/// its open output. [SRS_NODE_004, SRS_NODE_008]
 class OutputWatch
 {
   public:
     /// All outlive it.
     OutputWatch(const DeviceModel& model, host::HostOutput& output, NodeReport& report);
 
-    /// @brief Which frame completes the pair of which consumer, as the SRDOs are configured now. On entering
-    /// OPERATIONAL.
+    /// @brief Takes which frame completes the pair of which consumer, as the SRDOs are configured now. Call it on
+    /// entering OPERATIONAL.
     void Follow(Kernel& kernel);
     /// @brief A frame of the bus, with its stamp.
     void OnFrame(const host::LiveFrame& frame);
     /// @brief A pair of this SRDO was released or confirmed.
     void OnPair(std::uint8_t srdo);
-    /// @brief A cycle begins: pairs from here on are new.
+    /// @brief A cycle begins: pairs from now on are new.
     void BeginCycle() noexcept
     {
         paired_ = 0U;
     }
-    /// @brief Outputs at `now_ns`; those that closed by themselves did so at `closed_ns`, if it is earlier.
+    /// @brief Looks at the outputs at `now_ns`. Outputs that closed by themselves did so at `closed_ns`, if that is
+    /// earlier.
     void Look(std::uint64_t closed_ns, std::uint64_t now_ns);
 
-    /// @brief As seen last, by slot.
+    /// @brief The slots that were open at the last Look.
     [[nodiscard]] SrdoMask Open() const noexcept
     {
         return open_;
     }
+    /// @brief The measured times.
     [[nodiscard]] const NodeLatency& Latency() const noexcept
     {
         return latency_;

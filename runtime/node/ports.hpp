@@ -10,38 +10,38 @@
 
 namespace counterpoint::runtime
 {
-/// The controllers of a live node: two connections to one bus, so that in the system too SRDO and GFC have queues that
-/// no other frame takes, both ways; with a second controller a third one, which has the inverse frames of SRDOs (even
-/// identifiers) for itself. [SRS_DEV_007, SRS_NODE_014]
+/// The controllers of a live node. It has two connections to one bus, so that SRDO and GFC also have queues of their
+/// own in the system, both ways. A second controller is a third connection, for the inverse frames of SRDOs (even
+/// identifiers). [SRS_DEV_007, SRS_NODE_014]
 class NodePorts final : public hal::CanPorts
 {
   public:
-    /// `second` empty: one controller. Throws host::LiveBusError.
+    /// @brief Opens the buses with these addresses; `second` empty: one controller. Throws host::LiveBusError.
     NodePorts(const std::string& first, const std::string& second);
-    /// @brief One controller, two connections that were opened already.
+    /// @brief One controller, with two connections that are open already.
     NodePorts(std::unique_ptr<host::LiveBus> safety, std::unique_ptr<host::LiveBus> services) noexcept;
 
     [[nodiscard]] hal::CanGuarantees Guarantees() const noexcept override;
-    /// @brief Frames with safety identifiers; without those of the second controller.
+    /// @brief The connection for frames with safety identifiers, but for those of the second controller.
     [[nodiscard]] host::LiveBus& Safety() noexcept
     {
         return *safety_;
     }
-    /// @brief All frames of the first controller.
+    /// @brief The connection for all frames of the first controller.
     [[nodiscard]] host::LiveBus& Services() noexcept
     {
         return *services_;
     }
-    /// @brief The second controller; null: there is none.
+    /// @brief The connection of the second controller; null: there is none.
     [[nodiscard]] host::LiveBus* Inverse() noexcept
     {
         return inverse_.get();
     }
-    /// @brief Frames that the system lost, of all.
+    /// @brief Number of frames that the system lost, on all connections.
     [[nodiscard]] std::uint32_t LostFrames() const;
-    /// @brief The worst one of all connections and controllers.
+    /// @brief The worst state of all connections.
     [[nodiscard]] host::BusState State() const;
-    /// @brief From now on SRDOs are refused: the end of the process.
+    /// @brief From now on SRDOs are refused, because the process ends.
     void EndProduction() noexcept
     {
         has_ended_ = true;

@@ -12,7 +12,7 @@
 
 namespace counterpoint::runtime
 {
-/// An order with its time after the start; `every` 0: once.
+/// An order with its time after the start; `every_ns` 0: it is given once.
 struct ScriptStep
 {
     std::uint64_t at_ns{0U};
@@ -20,7 +20,8 @@ struct ScriptStep
     NodeOrder order;
 };
 
-/// What the application of a live node does by itself. Rules are checked against the device by the node.
+/// What the application of a live node does by itself. Whether the device has the objects of the rules is checked by
+/// the node.
 struct NodeScript
 {
     std::string file;

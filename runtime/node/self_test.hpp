@@ -16,34 +16,37 @@
 
 namespace counterpoint::runtime
 {
-/// The shipped self tests over the memory of this process: its program and tables, channels and kernel, the stack below
+/// The shipped self tests, over the memory of this process: program and tables, channels and kernel, the stack below
 /// the loop, the parts that the kernel calls. [SRS_NODE_013]
 class NodeSelfTest
 {
   public:
+    /// @brief Nothing is tested yet; `output` outlives it.
     explicit NodeSelfTest(const hal::SafetyOutput& output) noexcept;
     NodeSelfTest(const NodeSelfTest&) = delete;
     NodeSelfTest& operator=(const NodeSelfTest&) = delete;
 
-    /// @brief What the kernel is given.
+    /// @brief The part that the kernel is given.
     [[nodiscard]] SelfTestPart& Part() noexcept
     {
         return self_test_;
     }
+    /// @brief Adds the storage of a channel to the RAM test.
     void AddChannel(runtime::OwnedChannel& channel);
+    /// @brief Adds the kernel to the RAM test.
     void AddKernel(Kernel& kernel);
-    /// @brief What is constant after the construction of a device.
+    /// @brief Adds what does not change after the construction of a device.
     void AddConstants(const DeviceConfig& config, const runtime::DeviceModel& model);
-    /// @brief An object that begins with the pointer to its virtual table.
+    /// @brief Adds an object that begins with the pointer to its virtual table.
     void AddPart(const void* part);
-    /// @brief After everything was added: slices as small as a round within so many cycles allows. False: it cannot be
-    /// done.
+    /// @brief Call it after everything was added. Makes the slices as small as a round within so many cycles allows.
+    /// False: there is no such slicing.
     [[nodiscard]] bool Settle(std::uint32_t interval_cycles);
-    /// @brief The start-up test; a test that fails leaves the self test failing, and the kernel hears it.
+    /// @brief Runs the start-up test. After a failure the self test goes on failing, and so the kernel learns of it.
     void Start();
-    /// @brief "program" or what else failed first; empty: nothing did.
+    /// @brief What failed first, such as "program"; empty: nothing did.
     [[nodiscard]] std::string Failure() const;
-    /// @brief Words of program and tables, of RAM, and slices of a round: for people.
+    /// @brief How much is tested: words of program and tables, of RAM, and slices of a round.
     [[nodiscard]] std::string Text() const;
 
   private:

@@ -10,11 +10,12 @@
 
 namespace counterpoint::runtime
 {
-/// @brief What an SRDO is: of a consumer the limit of its output, of a producer its refresh time. [SRS_NODE_004]
+/// @brief Writes the line about an SRDO: for a consumer the limit of its output, for a producer its refresh time.
+/// [SRS_NODE_004]
 void TellSrdo(NodeReport& report, std::uint64_t at_ns, const DeviceConfig& config, const runtime::SrdoModel& srdo);
-/// @brief The SRDO in a slot as the kernel has it now, by what the file says of it.
+/// @brief The SRDO of a slot as the kernel has it now; `of_file` is what the file says of it.
 [[nodiscard]] runtime::SrdoModel ConfiguredSrdo(Kernel& kernel, const runtime::SrdoModel& of_file);
-/// @brief Whether both lead to the same line.
+/// @brief Whether TellSrdo writes the same line for both.
 [[nodiscard]] bool IsSameSrdo(const runtime::SrdoModel& one, const runtime::SrdoModel& other);
 } // namespace counterpoint::runtime
 

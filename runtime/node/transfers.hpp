@@ -13,23 +13,23 @@
 
 namespace counterpoint::runtime
 {
-/// What a live node says to others when it is ordered to: SDO transfers and the time. [SRS_NODE_012]
+/// What a live node sends to others by order: SDO transfers and the time. [SRS_NODE_012]
 class NodeTransfers final
 {
   public:
     /// All given outlive it.
     NodeTransfers(OptionalServices& services, NodeReport& report);
 
-    /// @brief Sends the time of the system; empty, or what was in the way and what is expected.
+    /// @brief Sends the time of the system. Empty: it was sent; else why not, and what is expected.
     [[nodiscard]] std::string SendTime(cia301::NodeState state, Instant now);
-    /// @brief Begins to read from another node, or to write there; empty, or why not.
+    /// @brief Begins to read from another node, or to write to it. Empty: it has begun; else why not.
     [[nodiscard]] std::string StartTransfer(const NodeOrder& order, Instant now);
-    /// @brief Time of what is told next.
+    /// @brief Sets the time of what is told next.
     void SetNow(std::uint64_t now_ns) noexcept
     {
         now_ns_ = now_ns;
     }
-    /// @brief Tells of transfers that have ended.
+    /// @brief Tells which transfers have ended, and how.
     void Look();
 
   private:

@@ -12,20 +12,21 @@
 
 namespace counterpoint::runtime
 {
-/// A place in a scenario file; both count from 1, 0 is the file as a whole.
+/// A place in a YAML file. Line and column count from 1; 0 is the file as a whole.
 struct Place
 {
     int line{0};
     int column{0};
 };
 
-/// Refuses a scenario. what() is the one line that a person reads: FILE:LINE:COLUMN: WRONG, expected EXPECTED.
+/// Refuses a YAML file. what() is one line for a person: FILE:LINE:COLUMN: WRONG, expected EXPECTED.
 class YamlError : public std::runtime_error
 {
   public:
     YamlError(const std::string& file, Place place, const std::string& wrong, const std::string& expected);
 };
 
+/// Kinds of YAML nodes.
 enum class YamlKind : std::uint8_t
 {
     kNull = 0U,
@@ -34,7 +35,7 @@ enum class YamlKind : std::uint8_t
     kMap = 3U,
 };
 
-/// One node of a YAML document, with its place. Neither aliases nor tags get this far.
+/// One node of a YAML document with its place. Aliases and tags are refused when the document is parsed.
 struct YamlNode
 {
     YamlKind kind{YamlKind::kNull};
@@ -48,14 +49,14 @@ constexpr std::size_t kMaxYamlBytes = 1024U * 1024U;
 constexpr std::size_t kMaxYamlDepth = 12U;
 constexpr std::size_t kMaxYamlNodes = 50000U;
 
-/// The text of a scenario file; LF line ends, no byte order mark. Throws YamlError for what is missing, no regular
+/// The text of a YAML file; LF line ends, no byte order mark. Throws YamlError for a file that is missing, no regular
 /// file, too large or not text. [SRS_SIM_010, SRS_SIM_011]
 [[nodiscard]] std::string ReadYamlText(const std::string& file);
 
-/// The one document in `text`. Throws YamlError. [SRS_SIM_010]
+/// Parses the one document in `text`. Throws YamlError. [SRS_SIM_010]
 [[nodiscard]] YamlNode ParseYaml(const std::string& file, const std::string& text);
 
-/// Text of a file for a message: in quotes, printable, shortened.
+/// Text of a file as messages show it: in quotes, printable, shortened.
 [[nodiscard]] std::string Shown(std::string_view text);
 } // namespace counterpoint::runtime
 

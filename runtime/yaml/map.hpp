@@ -14,17 +14,20 @@
 
 namespace counterpoint::runtime
 {
-/// The keys of one map of a YAML file: known ones once at the most, no others. Throws runtime::YamlError.
+/// The keys of one map of a YAML file. Unknown keys and keys that stand twice are refused. Throws runtime::YamlError.
 class YamlMap
 {
   public:
     /// @brief Both outlive the map.
     YamlMap(const std::string& file, const runtime::YamlNode& node, std::initializer_list<const char*> known);
 
+    /// @brief The value of a key; nothing if the key is not there.
     [[nodiscard]] std::optional<runtime::YamlValue> Find(const std::string& name) const;
+    /// @brief The value of a key that must be there.
     [[nodiscard]] runtime::YamlValue Require(const std::string& name) const;
-    /// @brief The line of each key that is there.
+    /// @brief The lines of the keys that are there.
     [[nodiscard]] std::map<std::string, std::size_t> Lines() const;
+    /// @brief The map itself.
     [[nodiscard]] const runtime::YamlValue& Value() const noexcept
     {
         return value_;

@@ -11,7 +11,7 @@
 
 namespace counterpoint::runtime
 {
-/// A number of the map, if it is there, within the range of its type.
+/// Sets `part` to a number of the map, if it is there; it must be within `lowest` and `highest`.
 template <typename Number>
 void TakeNumber(const YamlMap& map, const char* key, std::optional<Number>& part, const std::uint64_t lowest,
                 const std::uint64_t highest = std::numeric_limits<Number>::max())
@@ -22,7 +22,7 @@ void TakeNumber(const YamlMap& map, const char* key, std::optional<Number>& part
     }
 }
 
-/// A time in whole units of `unit` nanoseconds.
+/// Sets `part` to a time of the map, if it is there, in whole units of `unit` nanoseconds.
 template <typename Number>
 void TakeTime(const YamlMap& map, const char* key, std::optional<Number>& part, const runtime::Nanoseconds unit,
               const char* unit_name)
@@ -40,11 +40,13 @@ void TakeTime(const YamlMap& map, const char* key, std::optional<Number>& part, 
     }
 }
 
+/// Sets `part` to a time of the map, if it is there, in whole milliseconds.
 template <typename Number> void TakeMs(const YamlMap& map, const char* key, std::optional<Number>& part)
 {
     TakeTime(map, key, part, runtime::kNanosecondsPerMillisecond, "milliseconds");
 }
 
+/// Sets `part` to the meaning of a word of the map, if it is there.
 template <typename Meaning, std::size_t kCount>
 void TakeWord(const YamlMap& map, const char* key, Meaning& part, const runtime::Word<Meaning> (&words)[kCount])
 {

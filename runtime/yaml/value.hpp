@@ -14,27 +14,28 @@
 
 namespace counterpoint::runtime
 {
-/// Simulated time since the start of the run. The bus and the world run on it; nodes have counters of their own.
+/// Time since the start of a run. In the simulator the bus and the world run on it; nodes have counters of their own.
 using Nanoseconds = std::int64_t;
 constexpr Nanoseconds kNanosecondsPerMicrosecond = 1000;
 constexpr Nanoseconds kNanosecondsPerMillisecond = 1000000;
 constexpr Nanoseconds kNanosecondsPerSecond = 1000000000;
 constexpr Nanoseconds kNever = std::numeric_limits<Nanoseconds>::max();
 
-/// What came from one file: places in messages need the file.
+/// File and place that something came from, for messages.
 struct Source
 {
     std::string file;
     Place place;
 };
 
+/// Least and greatest value that are allowed.
 struct Range
 {
     std::uint64_t lowest{0U};
     std::uint64_t highest{0U};
 };
 
-/// A word of a scenario and what it stands for.
+/// A word of a file and what it stands for.
 template <typename Meaning> struct Word
 {
     const char* text;
@@ -44,39 +45,47 @@ template <typename Meaning> struct Word
 /// Longest time that a scenario may name.
 constexpr Nanoseconds kLongestTime = 10000000 * kNanosecondsPerSecond;
 
-/// What stands there, for a message.
+/// What stands at a node, in words, for a message.
 [[nodiscard]] std::string WhatIs(const YamlNode& node);
 
-/// A value of the scenario with the file it stands in. All readers throw YamlError with the place of the value.
+/// A value of a YAML file, with the file in which it stands. All reading functions throw YamlError with the place of
+/// the value.
 class YamlValue
 {
   public:
+    /// @brief Both outlive it.
     YamlValue(const std::string& file, const YamlNode& node) noexcept;
 
+    /// @brief The node of the document.
     [[nodiscard]] const YamlNode& Node() const noexcept;
+    /// @brief File and place.
     [[nodiscard]] Source Where() const;
+    /// @brief The file.
     [[nodiscard]] const std::string& FileName() const noexcept;
+    /// @brief Throws YamlError for this value.
     [[noreturn]] void Refuse(const std::string& wrong, const std::string& expected) const;
+    /// @brief The items of a list.
     [[nodiscard]] std::vector<YamlValue> Items(const std::string& expected) const;
-    /// @brief One line of text.
+    /// @brief Text of one line. `expected` says what is expected, for the message.
     [[nodiscard]] std::string Text(const std::string& expected) const;
-    /// @brief Text that may have several lines.
+    /// @brief Text of one line or several.
     [[nodiscard]] std::string Paragraph(const std::string& expected) const;
-    /// @brief Decimal, or hexadecimal after 0x.
+    /// @brief A number within the range: decimal, or hexadecimal after 0x.
     [[nodiscard]] std::uint64_t Number(const Range& range) const;
-    /// @brief A number with a unit: 10 ms, 2.5 s, 100 us; at most 10^7 s.
+    /// @brief A time with its unit: 10 ms, 2.5 s, 100 us; at most 10^7 s.
     [[nodiscard]] Nanoseconds Duration() const;
-    /// @brief A duration above 0.
+    /// @brief A time above 0.
     [[nodiscard]] Nanoseconds Lasting() const;
-    /// @brief A duration, or a negative one.
+    /// @brief A time, which may be negative.
     [[nodiscard]] Nanoseconds SignedDuration() const;
-    /// @brief A number whose range the schema has checked.
+    /// @brief A number whose range the schema has checked already.
     [[nodiscard]] std::uint32_t Checked() const;
-    /// @brief Whole parts per million, at most 10^6 either way.
+    /// @brief Whole parts per million, from -10^6 to 10^6.
     [[nodiscard]] std::int32_t PartsPerMillion() const;
-    /// @brief 0x2000:01; the sub-index is hexadecimal, too.
+    /// @brief An object: 0x2000:01, both parts hexadecimal.
     [[nodiscard]] ObjectAddress Object() const;
 
+    /// @brief One of the words of a table.
     template <typename Meaning, std::size_t kCount>
     [[nodiscard]] Meaning Choice(const Word<Meaning> (&words)[kCount]) const
     {

@@ -18,7 +18,7 @@
 
 namespace counterpoint::runtime
 {
-/// A file as the memory of a device that may not wait for a disk: erasing and programming run in a thread of their own.
+/// A file as the parameter memory of a device that must not wait for a disk: a thread of its own erases and programs.
 class NodeMemory final : public hal::ParameterMemory
 {
   public:
@@ -56,23 +56,25 @@ struct NodeStoreParts
     device::Services& services;
 };
 
-/// 1010h and 1011h of a live node, and the settings of its LSS, in a file. [SRS_NODE_011, SRS_NODE_015]
+/// The store of a live node in a file: 1010h, 1011h and the settings of its LSS. [SRS_NODE_011, SRS_NODE_015]
 class NodeStore
 {
   public:
     /// Throws std::runtime_error.
     NodeStore(const std::string& path, const NodeStoreParts& parts);
 
-    /// @brief At a reset, after the values of the DCF: what was saved of these groups. Answers what is wrong with it,
-    /// nothing if it was used or nothing was ever saved.
+    /// @brief Loads what was saved of these groups; call it at a reset, after the values of the DCF. Answers what is
+    /// wrong with the file; empty if it was used, or if nothing was ever saved.
     std::string Load(std::uint8_t groups) noexcept;
+    /// @brief Goes on with a save. Once a cycle.
     void OnCycle() noexcept;
+    /// @brief Whether a save is under way.
     [[nodiscard]] bool IsBusy() const noexcept;
-    /// @brief What LSS saved, or else `otherwise`.
+    /// @brief The settings that LSS saved; `otherwise` if it saved none.
     [[nodiscard]] cia305::LssSettings LoadLss(const cia305::LssSettings& otherwise) noexcept;
-    /// @brief Saves settings of LSS; as LssDevice::Store.
+    /// @brief Saves settings of LSS, as LssDevice::Store.
     [[nodiscard]] cia305::LssStored Keep(const cia305::LssSettings& settings) noexcept;
-    /// @brief Of 1010h and 1011h.
+    /// @brief The hook of 1010h and 1011h.
     [[nodiscard]] cia301::NumberHook& Hook() noexcept;
 
   private:
