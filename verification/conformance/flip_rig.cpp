@@ -32,6 +32,24 @@ std::uint32_t DataOf(const CanFrame& frame)
 {
     return static_cast<std::uint32_t>(frame.data[0]) | (static_cast<std::uint32_t>(frame.data[1]) << 8U);
 }
+
+void Configure(Channel& channel, SlotIndex slot, const SrdoValues& values)
+{
+    const auto store = [&channel, slot](ConfigField field, std::uint8_t sub, std::uint32_t value)
+    { channel.Store(ConfigItem{ConfigAddress{slot, field, sub}, value}); };
+    store(ConfigField::kSct, 0U, values.sct_ms);
+    store(ConfigField::kSrvt, 0U, values.srvt_ms);
+    store(ConfigField::kCobId1, 0U, values.cob_id_1);
+    store(ConfigField::kCobId2, 0U, values.cob_id_2);
+    for (std::uint8_t sub = 1U; sub <= values.map_count; ++sub)
+    {
+        store(ConfigField::kMapEntry, sub, values.entries[sub - 1U]);
+    }
+    store(ConfigField::kMapCount, 0U, values.map_count);
+    store(ConfigField::kDirection, 0U, values.direction);
+    store(ConfigField::kSignature, 0U, values.signature);
+    static_cast<void>(channel.Validate(slot));
+}
 } // namespace
 
 FlipRig::FlipRig(ReleasePolicy policy, RigKind device_kind)
@@ -61,30 +79,18 @@ void FlipRig::Store(SlotIndex slot, ConfigField field, std::uint8_t sub, std::ui
 }
 
 /// Both work on one memory: each writes its own side.
-void FlipRig::RegisterFields(SlotIndex slot, const RigObject& first)
+void FlipRig::ConfigureAll(Channel& channel)
 {
-    const StaticFields fields{dictionary_.Place(first.normal_index, first.sub),
-                              dictionary_.Place(first.inverse_index, first.sub)};
-    a_.SetFields(slot, fields);
-    b_.SetFields(slot, fields);
-}
-
-void FlipRig::StoreSlot(SlotIndex slot)
-{
-    const SrdoValues& values = (slot <= kProducerSlot) ? device_.values[slot] : kMixed.values[slot];
-    Store(slot, ConfigField::kSct, 0U, values.sct_ms);
-    Store(slot, ConfigField::kSrvt, 0U, values.srvt_ms);
-    Store(slot, ConfigField::kCobId1, 0U, values.cob_id_1);
-    Store(slot, ConfigField::kCobId2, 0U, values.cob_id_2);
-    for (std::uint8_t sub = 1U; sub <= values.map_count; ++sub)
+    for (SlotIndex slot = 0U; slot < kRigSlots; ++slot)
     {
-        Store(slot, ConfigField::kMapEntry, sub, values.entries[sub - 1U]);
+        if (slot <= kProducerSlot)
+        {
+            const RigObject& first = (slot == kConsumerSlot) ? device_.consumed[0] : device_.sent[0];
+            channel.SetFields(slot, StaticFields{dictionary_.Place(first.normal_index, first.sub),
+                                                 dictionary_.Place(first.inverse_index, first.sub)});
+        }
+        Configure(channel, slot, (slot <= kProducerSlot) ? device_.values[slot] : kMixed.values[slot]);
     }
-    Store(slot, ConfigField::kMapCount, 0U, values.map_count);
-    Store(slot, ConfigField::kDirection, 0U, values.direction);
-    Store(slot, ConfigField::kSignature, 0U, values.signature);
-    static_cast<void>(a_.Validate(slot));
-    static_cast<void>(b_.Validate(slot));
 }
 
 void FlipRig::Start()
@@ -93,12 +99,8 @@ void FlipRig::Start()
     a_.Restart(config_);
     b_.Restart(config_);
     comparator_.Restart(ComparatorSetup{kDiscrepancyUs, kRigSlots});
-    RegisterFields(kConsumerSlot, device_.consumed[0]);
-    RegisterFields(kProducerSlot, device_.sent[0]);
-    for (SlotIndex slot = 0U; slot < kRigSlots; ++slot)
-    {
-        StoreSlot(slot);
-    }
+    ConfigureAll(a_);
+    ConfigureAll(b_);
     Store(0U, ConfigField::kGfcParameter, 0U, 1U);
     Store(0U, ConfigField::kConfigurationValid, 0U, kConfigurationValidValue);
     for (const RigObject& object : device_.sent)

@@ -98,8 +98,7 @@ class FlipRig
 
   private:
     void Store(SlotIndex slot, ConfigField field, std::uint8_t sub, std::uint32_t value);
-    void StoreSlot(SlotIndex slot);
-    void RegisterFields(SlotIndex slot, const RigObject& first);
+    void ConfigureAll(Channel& channel);
     [[nodiscard]] std::uint32_t ReadSide(bool is_inverse) const;
     void CompareDigests();
     [[nodiscard]] bool IsLegitimate(std::uint32_t granted) const;
