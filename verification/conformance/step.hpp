@@ -142,6 +142,18 @@ constexpr Step Timed(Step step, std::uint32_t time)
     return Step{step.op, step.slot, step.field, step.sub, time, step.x, step.y, step.z, step.v, step.w};
 }
 
+/// @brief The frame that a step of kind kFrame or kConfirm describes.
+constexpr CanFrame FrameOf(const Step& step)
+{
+    CanFrame frame{step.z, static_cast<FrameKind>(step.slot), static_cast<CanPortId>(step.field), step.sub, {}};
+    for (std::uint32_t i = 0U; i < kMaxPayloadBytes; ++i)
+    {
+        const std::uint32_t half = (i < 4U) ? step.x : step.y;
+        frame.data[i] = static_cast<std::uint8_t>((half >> (8U * (i % 4U))) & 0xFFU);
+    }
+    return frame;
+}
+
 } // namespace counterpoint::conformance
 
 #endif
