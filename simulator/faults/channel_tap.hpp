@@ -10,25 +10,24 @@
 
 namespace counterpoint::simulator
 {
-/// Hears what a channel answers in each cycle.
+/// Is told what a channel answers in each cycle.
 class ChannelWitness
 {
   public:
     virtual ~ChannelWitness() = default;
-    /// @brief `channel` is the real one, for details.
+    /// @brief `channel` is the real channel, to be asked for details.
     virtual void OnOutcome(Part part, const Channel& channel, const CycleOutcome& outcome) = 0;
-    /// @brief Whether the frame belongs to a consumer of this node: only then it matters that a channel does not get
-    /// it.
+    /// @brief Whether the frame belongs to a consumer of this node. Only then it has an effect that a channel does not
+    /// get it.
     [[nodiscard]] virtual bool Concerns(const CanFrame& frame) const = 0;
 };
 
-/// Stands between the kernel and a shipped channel: passes every call on, and makes the faults of calls (skipped,
-/// doubled, hung, frozen, not called, always good). The channel and the kernel know nothing of it. [SRS_SIM_021,
-/// SRS_SIM_025]
+/// Stands between the kernel and a shipped channel. It passes every call on, and makes the faults of calls: skipped,
+/// doubled, hung, frozen, not called, always good. Channel and kernel know nothing of it. [SRS_SIM_021, SRS_SIM_025]
 class ChannelTap final : public Channel
 {
   public:
-    /// @brief Everything outlives the tap; `witness` may be null.
+    /// @brief All outlive the tap; `witness` may be null.
     ChannelTap(Channel& real, Part part, PartFaults& faults, ChannelWitness* witness) noexcept;
 
     void Restart(const DeviceConfig& config) noexcept override;

@@ -7,15 +7,17 @@
 
 namespace counterpoint::simulator
 {
-/// A controller on the bus that belongs to a fault: sends again what it hears (duplicate), or one frame after the other
-/// (babbling). Like every controller it acknowledges what others send. [SRS_SIM_027]
+/// A controller on the bus that belongs to a fault: it sends again what it hears (duplicate), or one frame after the
+/// other (babbling). Like every controller it acknowledges what others send. [SRS_SIM_027]
 class ForeignController final : private host::BusListener
 {
   public:
-    /// @brief `bus` outlives the controller. It hears what FrameFaults lets it hear.
+    /// @brief `bus` outlives the controller, which hears what FrameFaults lets it hear.
     explicit ForeignController(host::VirtualBus& bus);
 
+    /// @brief From now on it sends this frame again and again.
     void Babble(const CanFrame& frame);
+    /// @brief It sends nothing more.
     void Stop() noexcept;
 
   private:

@@ -17,7 +17,7 @@
 
 namespace counterpoint::simulator
 {
-/// What the faults on frames share. Everything outlives them.
+/// What all faults of frames work with; all outlive them.
 struct FaultStage
 {
     const Scenario& scenario;
@@ -26,11 +26,13 @@ struct FaultStage
     Journal& journal;
 };
 
-/// Tells the journal of frames that a fault has changed, and of its first effect.
+/// Tells the journal which frames a fault has changed, and the first effect of each fault.
 class EffectTeller
 {
   public:
+    /// @brief `stage` outlives it.
     explicit EffectTeller(const FaultStage& stage) noexcept;
+    /// @brief The fault with this index has changed what `receiver` gets of a frame.
     void Tell(std::size_t fault, NodeIndex receiver, std::uint32_t identifier, Nanoseconds at);
 
   private:
@@ -38,15 +40,16 @@ class EffectTeller
     std::vector<std::size_t> told_; ///< Faults whose first effect is in the journal.
 };
 
-/// The faults that act on frames on their way to receivers, and the effects of frames that faults have sent. Selectors
-/// come in the order of the scenario. [SRS_SIM_020, SRS_SIM_027]
+/// The faults that act on frames on their way to receivers, and the effects of frames that faults have sent. The
+/// selectors are in the order of the scenario. [SRS_SIM_020, SRS_SIM_027]
 class FrameFaults final : public host::BusFault
 {
   public:
     FrameFaults(const FaultStage& stage, std::vector<FrameSelector> selectors);
 
     void OnReception(const host::FrameOnBus& sent, host::NodeIndex receiver, host::ReceptionList& receptions) override;
-    /// @brief Copies of frames that did not fit any more, by fault. [SRS_SIM_017]
+    /// @brief By fault, how many copies of frames were dropped because a frame can have no more receptions.
+    /// [SRS_SIM_017]
     [[nodiscard]] const std::map<std::size_t, std::uint32_t>& Dropped() const noexcept;
 
   private:
@@ -77,8 +80,8 @@ class FrameFaults final : public host::BusFault
     host::BusTime frame_start_{-1};
 };
 
-/// The faults of controllers that act on single frames: refused, swallowed, destroyed on the wire, and confirmations.
-/// [SRS_SIM_027]
+/// The faults of controllers that act on single frames: frames that are refused, swallowed or destroyed on the wire,
+/// and wrong confirmations. [SRS_SIM_027]
 class ControllerFaults final : public host::BusFault
 {
   public:

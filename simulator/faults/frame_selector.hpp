@@ -12,19 +12,22 @@
 
 namespace counterpoint::simulator
 {
-/// Decides which frames one fault hits. [SRS_SIM_020]
+/// Decides which frames a fault hits. [SRS_SIM_020]
 class FrameSelector
 {
   public:
     /// @brief `fault` outlives the selector; `identifiers` are those of the chosen SRDO, if one is chosen.
     FrameSelector(const FaultSetup& fault, std::size_t index, std::vector<std::uint32_t> identifiers);
 
-    /// @brief Asked once for each frame in order of time: counts it if it fits. The answer stays until the next one.
+    /// @brief Looks at a frame, and counts it if it fits. Call it once for each frame, in the order of time.
     void Examine(const CanFrame& frame, NodeIndex sender, Nanoseconds now, Random& random);
     /// @brief Whether the frame that was examined last is hit.
     [[nodiscard]] bool IsChosen() const noexcept;
+    /// @brief Whether the fault acts on this receiver.
     [[nodiscard]] bool IsFor(const BusPlace& receiver) const noexcept;
+    /// @brief The fault.
     [[nodiscard]] const FaultSetup& Fault() const noexcept;
+    /// @brief Its index in Scenario::faults.
     [[nodiscard]] std::size_t Index() const noexcept;
 
   private:

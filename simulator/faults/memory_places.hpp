@@ -13,18 +13,19 @@
 
 namespace counterpoint::simulator
 {
-/// A piece of memory in which a bit may flip.
+/// A piece of memory in which bits may flip.
 struct MemoryPiece
 {
     std::uint8_t* bytes;
     std::size_t size;
 };
 
-/// The memory of a part of the kernel. Pointers and indices are left out: a flip in them is an access to anywhere,
-/// which the processor's memory protection answers and no simulation can. [SRS_SIM_035]
+/// The memory of a part of the kernel, without pointers and indices. A flip in one of those is an access to anywhere:
+/// the processor's memory protection answers it, and no simulation can. [SRS_SIM_035]
 [[nodiscard]] std::vector<MemoryPiece> PiecesOf(Part part, Kernel& kernel);
-/// The memory of a part of the device's tables and variables; `srdo` 0: the first SRDO.
+/// The memory of a part of the device's tables and variables. `srdo` is the number of an SRDO; 0: the first one.
 [[nodiscard]] std::vector<MemoryPiece> PiecesOf(Part part, runtime::DeviceModel& model, std::uint8_t srdo);
+/// @brief Number of bytes of all pieces.
 [[nodiscard]] std::size_t SizeOf(const std::vector<MemoryPiece>& pieces);
 /// @brief Flips one bit; `offset` is below the size of all pieces.
 void FlipIn(const std::vector<MemoryPiece>& pieces, std::size_t offset, std::uint8_t bit);

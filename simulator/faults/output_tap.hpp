@@ -9,18 +9,19 @@
 
 namespace counterpoint::simulator
 {
-/// Stands before the output stage of the host: remembers the permits of the last cycle, and makes the faults of permits
-/// and of the challenge. [SRS_SIM_032, SRS_SIM_034]
+/// Stands in front of the output stage of the host. It remembers the permits of the last cycle, and makes the faults of
+/// permits and challenge. [SRS_SIM_032, SRS_SIM_034]
 class OutputTap final : public hal::SafetyOutput
 {
   public:
+    /// @brief Both outlive the tap.
     OutputTap(hal::SafetyOutput& real, PartFaults& faults) noexcept;
 
     [[nodiscard]] std::uint32_t Challenge() noexcept override;
     void Drive(const hal::PermitSet& permits) noexcept override;
     [[nodiscard]] hal::ProbeAnswer Probe(const hal::PermitSet& permits,
                                          std::uint32_t challenge) const noexcept override;
-    /// @brief As the kernel gave them.
+    /// @brief The permits of the last cycle, as the kernel gave them.
     [[nodiscard]] const hal::PermitSet& Permits() const noexcept;
 
   private:
@@ -35,16 +36,17 @@ class OutputTap final : public hal::SafetyOutput
     std::uint32_t issued_{0U};
 };
 
-/// The same before the watchdog. [SRS_SIM_032, SRS_SIM_034]
+/// Stands in front of the watchdog likewise, and makes the faults of question and answer. [SRS_SIM_032, SRS_SIM_034]
 class WatchdogTap final : public hal::Watchdog
 {
   public:
+    /// @brief Both outlive the tap.
     WatchdogTap(hal::Watchdog& real, PartFaults& faults) noexcept;
 
     [[nodiscard]] hal::WatchdogQuestion Question() noexcept override;
     void Answer(const hal::WatchdogAnswer& answer) noexcept override;
-    /// @brief A watchdog that never trips: it is served here, once in so long. When the next time is; kNever: it is a
-    /// sound one. [SRS_SIM_054]
+    /// @brief Serves a watchdog that never trips, once every `every`. Answers when it is to be served next; kNever: it
+    /// is a sound watchdog. [SRS_SIM_054]
     [[nodiscard]] Nanoseconds Keep(Nanoseconds now, Nanoseconds every) noexcept;
 
   private:

@@ -14,7 +14,7 @@
 namespace counterpoint::simulator
 {
 
-/// What is wrong with one part of a node at present.
+/// The fault that one part of a node has at present, if any.
 struct PartCondition
 {
     bool is_faulty{false};
@@ -25,32 +25,37 @@ struct PartCondition
     std::size_t fault{kNoFaultIndex};
 };
 
-/// The conditions of all parts of one node, when each fault had its first effect, and the way out of a call that hangs.
+/// The conditions of all parts of one node, the first effects of faults, and the way out of a call that hangs.
 class PartFaults
 {
   public:
     PartFaults() = default;
 
+    /// @brief The fault begins.
     void Begin(const FaultSetup& fault, std::size_t index);
+    /// @brief The fault ends.
     void End(const FaultSetup& fault);
+    /// @brief Sets the time of effects.
     void SetNow(Nanoseconds now) noexcept;
 
+    /// @brief The condition of a part.
     [[nodiscard]] PartCondition& Condition(Part part) noexcept;
-    /// @brief The fault changes something now: remembered if it is the first time.
+    /// @brief The fault changes something now. The first time is remembered.
     void HasEffect(const PartCondition& condition) noexcept;
-    /// @brief Leaves the call and everything that called it, for good. [SRS_SIM_025]
+    /// @brief Leaves the running call and all its callers for good: the node stands still. [SRS_SIM_025]
     [[noreturn]] void Hang(const PartCondition& condition) noexcept;
-    /// @brief Leaves the call likewise, as an exception of the processor does. [SRS_SIM_055]
+    /// @brief Leaves the running call in the same way, as an exception of the processor does. [SRS_SIM_055]
     [[noreturn]] void Trap() noexcept;
-    /// @brief Where both lead to.
+    /// @brief Where Hang and Trap lead to.
     [[nodiscard]] std::jmp_buf& WayOut() noexcept;
+    /// @brief The time of effects.
     [[nodiscard]] Nanoseconds Now() const noexcept
     {
         return now_;
     }
-    /// @brief Whether a trap was the way out since the last call.
+    /// @brief Whether Trap was called since the last call.
     [[nodiscard]] bool TakeTrap() noexcept;
-    /// @brief First effects since the last call: index of the fault and time.
+    /// @brief First effects since the last call: index of the fault, and time.
     [[nodiscard]] std::vector<std::pair<std::size_t, Nanoseconds>> TakeEffects();
 
   private:

@@ -6,7 +6,7 @@
 
 namespace counterpoint::simulator
 {
-/// SplitMix64: the same numbers from the same seed on every machine and with every library.
+/// Random numbers by SplitMix64: the same seed gives the same numbers on every machine and with every library.
 class Random
 {
   public:
@@ -14,6 +14,7 @@ class Random
     {
     }
 
+    /// @brief The next number, of 64 bits.
     [[nodiscard]] std::uint64_t Next() noexcept
     {
         state_ += 0x9E3779B97F4A7C15U;

@@ -12,12 +12,13 @@
 
 namespace counterpoint::simulator
 {
-/// Stands between the kernel and comparator, flow monitor and configuration guard. They are no interfaces, so the
-/// linker puts the tap there (--wrap, see CMakeLists.txt): the shipped objects stay as they are. Without an active tap
-/// every call goes straight through. [SRS_SIM_022]
+/// Stands between the kernel and comparator, flow monitor and configuration guard. These have no interface, so the
+/// linker puts the tap there (--wrap, see CMakeLists.txt), and the shipped objects stay as they are. Without an active
+/// tap every call goes straight through. [SRS_SIM_022]
 class SupervisorTap
 {
   public:
+    /// @brief `faults` outlives the tap.
     explicit SupervisorTap(PartFaults& faults) noexcept;
 
     /// @brief While it lives, the calls of this thread go through `tap`.
@@ -30,10 +31,10 @@ class SupervisorTap
         Scope& operator=(const Scope&) = delete;
     };
 
-    /// @brief Calls of this thread that the linker led through a tap so far, by part: shows that the wraps take hold.
+    /// @brief How many calls of this thread the linker has led through a tap, by part. It shows that the wraps work.
     [[nodiscard]] static std::uint64_t Intercepted(Part part) noexcept;
 
-    // What the linker leads here. [counterpoint::Comparator::Compare and so on]
+    // The linker leads the calls of counterpoint::Comparator::Compare and so on to these.
     [[nodiscard]] Verdict Compare(Comparator& self, const Comparison& comparison) noexcept;
     void FlowBegin(FlowMonitor& self) noexcept;
     void FlowMark(FlowMonitor& self, FlowStep step, const FlowEvidence& evidence) noexcept;

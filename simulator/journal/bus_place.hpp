@@ -13,14 +13,14 @@ namespace counterpoint::simulator
 {
 constexpr std::size_t kNoFaultIndex = static_cast<std::size_t>(-1);
 
-/// Whose controller a node of the bus is: a node's first or second, or that of a fault.
+/// Whose controller a node of the bus is: the first or second one of a device, or the one of a fault.
 struct BusPlace
 {
     NodeIndex node{kNoNode};
     std::uint32_t controller{1U};
     std::size_t fault{kNoFaultIndex}; ///< A controller that is no node's.
 };
-/// By the bus's own numbers.
+/// By the numbers of the nodes on the bus.
 using BusPlaces = std::vector<BusPlace>;
 } // namespace counterpoint::simulator
 

@@ -15,7 +15,8 @@
 
 namespace counterpoint::simulator
 {
-/// What happened. `node` and `srdo` (a number, 0: none) say where; `value` and `other` say what.
+/// Kinds of events. `node` and `srdo` (a number; 0: none) of an event say where it happened; `value` and `other` say
+/// what.
 enum class EventKind : std::uint8_t
 {
     kNmt = 1U,         ///< value: NmtState.
@@ -51,6 +52,7 @@ enum class EventKind : std::uint8_t
     kNewNodeId = 30U,   ///< LSS gave one, and communication was reset: the device is silent. value: the node-ID.
 };
 
+/// One event of a run.
 struct Event
 {
     Nanoseconds at{0};
@@ -63,7 +65,7 @@ struct Event
     Nanoseconds inverse{-1}; ///< kOutput: last inverse frame.
 };
 
-/// One frame as it was on the bus; or an inserted one that one receiver alone gets (`sender` kNoNode).
+/// One frame as it was on the bus, or one that a fault inserted for a single receiver (`sender` kNoNode).
 struct FrameEntry
 {
     Nanoseconds start{0};
@@ -73,7 +75,7 @@ struct FrameEntry
     host::FrameFate fate{host::FrameFate::kComplete};
 };
 
-/// What a manager told.
+/// An event of a manager.
 struct ManagerEntry
 {
     Nanoseconds at{0};
@@ -84,29 +86,32 @@ struct ManagerEntry
     std::string line; ///< As in the log of a manager.
 };
 
-/// Everything that happened, in order of time. What decides about expectations is always kept; what only people look at
-/// is kept when somebody asked for it. [SRS_SIM_040, SRS_SIM_046]
+/// Everything that happened in a run, in the order of time. What expectations need is always kept; what only people
+/// look at is kept if somebody asked for it. [SRS_SIM_040, SRS_SIM_046]
 class Journal
 {
   public:
+    /// @brief `keeps_all`: also what only people look at.
     explicit Journal(bool keeps_all) : keeps_all_(keeps_all)
     {
     }
 
+    /// @brief Whether everything is kept.
     [[nodiscard]] bool KeepsAll() const noexcept
     {
         return keeps_all_;
     }
-    /// @brief Something that expectations need.
+    /// @brief Adds an event that expectations may need.
     void Note(const Event& event)
     {
         events_.push_back(event);
     }
+    /// @brief Adds an event of a manager.
     void Note(ManagerEntry entry)
     {
         managers_.push_back(std::move(entry));
     }
-    /// @brief Something for people.
+    /// @brief Adds an event for people.
     void Tell(const Event& event)
     {
         if (keeps_all_)
@@ -114,6 +119,7 @@ class Journal
             events_.push_back(event);
         }
     }
+    /// @brief Adds a frame for people.
     void Tell(const FrameEntry& frame)
     {
         if (keeps_all_)
@@ -121,20 +127,24 @@ class Journal
             frames_.push_back(frame);
         }
     }
-    /// @brief In order of time; what was told at one instant keeps its order. Some effects are told before they come.
+    /// @brief Puts the events in the order of time; events of one instant stay in their order. It is needed because
+    /// some effects are told in advance.
     void Sort()
     {
         std::stable_sort(events_.begin(), events_.end(),
                          [](const Event& left, const Event& right) { return left.at < right.at; });
     }
+    /// @brief The events.
     [[nodiscard]] const std::vector<Event>& Events() const noexcept
     {
         return events_;
     }
+    /// @brief The events of managers.
     [[nodiscard]] const std::vector<ManagerEntry>& Managers() const noexcept
     {
         return managers_;
     }
+    /// @brief The frames; none unless everything is kept.
     [[nodiscard]] const std::vector<FrameEntry>& Frames() const noexcept
     {
         return frames_;

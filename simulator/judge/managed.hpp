@@ -14,8 +14,8 @@ namespace counterpoint::simulator
 {
 class Network;
 
-/// The managers of a network as a run sees them: who only looks at devices needs none. They join the network, and what
-/// they tell is in the journal.
+/// The managers of a network as a run sees them; a program that only looks at devices needs none. They join the
+/// network, and what they tell is in the journal.
 class ManagedWorld
 {
   public:
@@ -24,16 +24,17 @@ class ManagedWorld
     ManagedWorld(const ManagedWorld&) = delete;
     ManagedWorld& operator=(const ManagedWorld&) = delete;
 
-    /// @brief What the expectation finds at a manager now, as a word of the scenario format.
+    /// @brief What a manager knows now of what the expectation asks for, as a word of the scenario format.
     [[nodiscard]] virtual std::string Found(const Expectation& expectation) = 0;
-    /// @brief One line for each thing in a network file that is worth knowing.
+    /// @brief The warnings of all network files, a line each.
     [[nodiscard]] virtual std::vector<std::string> Warnings() const = 0;
-    /// @brief Node-IDs in the order of the scenario.
+    /// @brief Node-IDs of the managers, in the order of the scenario.
     [[nodiscard]] virtual std::vector<std::uint8_t> Managers() const = 0;
-    /// @brief Of each manager the table of its nodes and its sequence diagram, as HTML.
+    /// @brief For each manager the table of its nodes and its sequence diagram, as HTML.
     [[nodiscard]] virtual std::string Pictures() const = 0;
 };
 
+/// Makes the managers of a scenario.
 using MakeManaged = std::function<std::unique_ptr<ManagedWorld>(const Scenario&, Journal&, Network&)>;
 } // namespace counterpoint::simulator
 

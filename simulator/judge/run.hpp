@@ -16,40 +16,46 @@
 
 namespace counterpoint::simulator
 {
-/// A scenario, simulated and judged. Stays where it is: its parts refer to each other.
+/// One run of a scenario: simulated and judged. Its parts refer to each other, so it cannot be moved or copied.
 class Run
 {
   public:
-    /// @brief Builds; nothing has happened yet. Without `make` a scenario with managers is refused. Throws YamlError
-    /// and cia306::InputError.
+    /// @brief Builds bus and devices; no time has passed yet. Without `make` a scenario with managers is refused.
+    /// Throws YamlError and cia306::InputError.
     Run(Scenario scenario, std::optional<Nanoseconds> until, bool keeps_all, const MakeManaged& make = nullptr);
-    /// @brief The same of a file, under a start-up profile instead of its first one.
+    /// @brief The same for a file; `profile` is a start-up profile instead of the scenario's first one.
     Run(const std::string& file, std::optional<std::uint64_t> seed, std::optional<Nanoseconds> until, bool keeps_all,
         const MakeManaged& make = nullptr, const std::string& profile = {});
 
     Run(const Run&) = delete;
     Run& operator=(const Run&) = delete;
 
-    /// @brief Lets the time of the scenario pass and judges. `progress` is told now and then how much of it is over.
+    /// @brief Lets the time of the scenario pass, then judges. `progress` is told now and then how much time has
+    /// passed.
     void Simulate(const std::function<void(Nanoseconds)>& progress);
 
+    /// @brief The scenario.
     [[nodiscard]] const Scenario& Setting() const noexcept;
+    /// @brief What happened.
     [[nodiscard]] const Journal& Record() const noexcept;
+    /// @brief Bus and devices.
     [[nodiscard]] Network& Devices() noexcept;
+    /// @brief What the DCF of a node says.
     [[nodiscard]] const runtime::DeviceModel& ModelOf(NodeIndex node) const;
+    /// @brief The verdict of each expectation.
     [[nodiscard]] const std::vector<ExpectationVerdict>& Verdicts() const noexcept;
-    /// @brief One line for each fault that never changed anything. [SRS_SIM_015]
+    /// @brief A line for each fault that never changed anything. [SRS_SIM_015]
     [[nodiscard]] std::vector<std::string> FaultsWithoutEffect() const;
-    /// @brief One line for each thing of the scenario that --until cut off, and for copies of frames that were dropped.
+    /// @brief A line for each thing of the scenario that --until cut off, and for copies of frames that were dropped.
     /// [SRS_SIM_016, SRS_SIM_017]
     [[nodiscard]] std::vector<std::string> Findings() const;
     /// @brief Whether all expectations hold.
     [[nodiscard]] bool Holds() const noexcept;
-    /// @brief The first expectation with a limit, if any.
+    /// @brief The measurement of the first expectation with a limit; null: there is none.
     [[nodiscard]] const Measurement* FirstMeasurement() const noexcept;
-    /// @brief Of a node, of a manager behind them, or who else is on the bus.
+    /// @brief Name of a node, of a manager (they come behind the nodes), or of somebody else on the bus.
     [[nodiscard]] std::string NodeName(NodeIndex node) const;
-    /// @brief Null: a scenario without managers.
+    /// @brief The managers; null: the scenario has none.
     [[nodiscard]] const ManagedWorld* Managed() const noexcept;
 
   private:

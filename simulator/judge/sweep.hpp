@@ -22,6 +22,7 @@ struct SweepAxis
     bool is_time{false};
     std::vector<std::int64_t> values; ///< Nanoseconds, or plain numbers.
 
+    /// @brief One of the values, as it stands in a scenario.
     [[nodiscard]] std::string Text(std::size_t place) const;
 };
 
@@ -29,7 +30,7 @@ constexpr std::size_t kMostSweepRuns = 20000U;
 
 /// @brief From "NAME=FROM:TO:STEP". Throws YamlError. [SRS_SIM_050]
 [[nodiscard]] SweepAxis ParseSweepAxis(const std::string& text);
-/// @brief Puts `value` where `path` leads to; a key of a map that is not there yet is added. Throws YamlError.
+/// @brief Sets the key at `path` to `value`; a key of a map that is not there is added. Throws YamlError.
 void SetByPath(std::vector<ScenarioDocument>& documents, const std::string& path, const std::string& value);
 
 /// One run of a sweep.
@@ -40,10 +41,11 @@ struct SweepRow
     bool holds{false};
     std::string failure; ///< The first expectation that did not come; "" if all did.
 
-    /// @brief From the first effect to its detection; -1: none.
+    /// @brief Time from the first effect to its detection; -1: it was not detected.
     [[nodiscard]] Nanoseconds DetectionTime() const noexcept;
 };
 
+/// All runs of a sweep.
 struct SweepResult
 {
     std::string scenario; ///< File name without folder.
@@ -52,11 +54,13 @@ struct SweepResult
     std::vector<SweepAxis> axes;
     std::vector<SweepRow> rows;
 
+    /// @brief Whether every run holds.
     [[nodiscard]] bool Holds() const noexcept;
-    /// @brief The row that comes nearest to its limit; nullptr: nothing was measured.
+    /// @brief The run that comes nearest to its limit; null: nothing was measured.
     [[nodiscard]] const SweepRow* Worst() const noexcept;
 };
 
+/// What the command line says about the runs.
 struct SweepOptions
 {
     std::optional<std::uint64_t> seed;
@@ -65,14 +69,16 @@ struct SweepOptions
     std::string profile; ///< Empty: the scenario's first one.
 };
 
-/// @brief Runs the scenario for each combination. `progress` is told which part is over. Throws YamlError and
-/// cia306::InputError.
+/// @brief Runs the scenario for each combination of values. `progress` is told which part of the runs, from 0 to 1, is
+/// done. Throws YamlError and cia306::InputError.
 [[nodiscard]] SweepResult RunSweep(const std::string& file, const std::vector<SweepAxis>& axes,
                                    const SweepOptions& options, const std::function<void(double)>& progress);
 
-/// [SRS_SIM_050, SRS_SIM_051]
+/// @brief Writes a row for each run. [SRS_SIM_050, SRS_SIM_051]
 void WriteSweepTable(const SweepResult& result, std::ostream& out);
+/// @brief The runs as JSON.
 [[nodiscard]] std::string SweepJson(const SweepResult& result);
+/// @brief The runs as a page with a diagram.
 [[nodiscard]] std::string SweepHtml(const SweepResult& result);
 } // namespace counterpoint::simulator
 

@@ -12,7 +12,7 @@
 
 namespace counterpoint::simulator
 {
-/// Who noticed first that something is wrong at a node, by what, and when.
+/// Who found first that something is wrong at a node, by what, and when.
 struct Detection
 {
     Party party{Party::kNobody};
@@ -36,15 +36,17 @@ struct Measurement
     bool was_open{false}; ///< The output was on when the fault came.
     Detection detection;
 
+    /// @brief Whether the output was open before and safe within the limit.
     [[nodiscard]] bool Holds() const noexcept
     {
         return was_open && elapsed >= 0 && elapsed <= limit;
     }
 };
 
-/// That a fault which is not optional happens is expected without being written. [SRS_SIM_015]
+/// Stands for the expectation that nobody writes: a fault that is not optional has an effect. [SRS_SIM_015]
 constexpr std::size_t kOfItself = static_cast<std::size_t>(-1);
 
+/// Whether an expectation holds, what it wanted, and what was seen.
 struct ExpectationVerdict
 {
     std::size_t expectation{0U}; ///< In Scenario::expectations, or kOfItself.
@@ -54,13 +56,14 @@ struct ExpectationVerdict
     std::optional<Measurement> measurement; ///< Of kSafeWithin.
 };
 
-/// @brief The verdict of each expectation after a run. [SRS_SIM_030]
-/// `found` has what managers and whole devices said, by expectation.
+/// @brief The verdict of each expectation after a run. `found` has, by expectation, what managers and devices said at
+/// its time. [SRS_SIM_030]
 [[nodiscard]] std::vector<ExpectationVerdict> Judge(const Scenario& scenario, const Journal& journal, Network& network,
                                                     const std::vector<std::string>& found);
-/// @brief The limit that a fault has at this output, known before the run.
+/// @brief The limit of a fault at this output; it is known before the run.
 [[nodiscard]] Nanoseconds LimitOf(const Scenario& scenario, const Expectation& expectation,
                                   const runtime::DeviceModel& model);
+/// @brief The first detection at a node at or after `from`.
 [[nodiscard]] Detection DetectionAt(const Journal& journal, NodeIndex node, Nanoseconds from);
 } // namespace counterpoint::simulator
 

@@ -6,8 +6,8 @@
 
 namespace counterpoint::simulator
 {
-/// @brief The managers of a scenario, who join its network; all outlive them. Throws cia306::InputError and YamlError.
-/// [SRS_MGR_012]
+/// @brief Makes the managers of a scenario; they join its network. All arguments outlive them. Throws
+/// cia306::InputError and YamlError. [SRS_MGR_012]
 [[nodiscard]] std::unique_ptr<ManagedWorld> MakeManagedWorld(const Scenario& scenario, Journal& journal,
                                                              Network& network);
 } // namespace counterpoint::simulator

@@ -13,24 +13,31 @@
 
 namespace counterpoint::simulator
 {
-/// One manager of a simulated network, with what happens to it and what it told. Stays where it is. [SRS_MGR_012]
+/// One manager of a simulated network, with what happens to it and what it told. It cannot be moved or copied.
+/// [SRS_MGR_012]
 class SimulatedManager final : public Participant, private host::BusListener
 {
   public:
-    /// @brief `place` is its index in the journal: behind the nodes come the managers. All outlive it. Throws
+    /// @brief `place` is its index in the journal; managers come behind the nodes. All references outlive it. Throws
     /// cia306::InputError and YamlError.
     SimulatedManager(const ManagerSetup& setup, const std::string& profile, std::size_t place, host::VirtualBus& bus,
                      Journal& journal);
 
-    /// @brief An action of a manager, in the order of time.
+    /// @brief Adds something that will happen to it; call it in the order of time.
     void Plan(const Action& action);
+    /// @brief What the scenario says about it.
     [[nodiscard]] const ManagerSetup& Setup() const noexcept;
+    /// @brief Its node-ID.
     [[nodiscard]] std::uint8_t Node() const noexcept;
+    /// @brief Its controller on the bus.
     [[nodiscard]] host::NodeIndex BusNode() const noexcept;
+    /// @brief Its network.
     [[nodiscard]] const network_plan::LoadedNetwork& Net() const noexcept;
-    /// @brief Null: it has not come yet.
+    /// @brief The manager itself; null: it was not switched on yet.
     [[nodiscard]] const runtime::ManagerStation* Station() const noexcept;
+    /// @brief Whether it is switched on and was not killed.
     [[nodiscard]] bool HasSupply() const noexcept;
+    /// @brief All events that it told.
     [[nodiscard]] const std::vector<runtime::ManagerEvent>& Events() const noexcept;
 
     [[nodiscard]] Nanoseconds NextEvent() const noexcept override;
@@ -74,10 +81,10 @@ class SimulatedManager final : public Participant, private host::BusListener
 
 using SimulatedManagers = std::vector<std::unique_ptr<SimulatedManager>>;
 
-/// @brief What a scenario asks of its managers, against their network files: it would do nothing, or hold whatever
-/// happens. Throws YamlError. [SRS_MGR_012]
+/// @brief Refuses what a scenario asks of its managers without effect, or what holds whatever happens, by their network
+/// files. Throws YamlError. [SRS_MGR_012]
 void RequireOfManagers(const Scenario& scenario, const SimulatedManagers& managers);
-/// @brief The manager with that node-ID, 0: the first one. Throws YamlError.
+/// @brief The manager with this node-ID; 0: the first one. Throws YamlError if there is none.
 [[nodiscard]] SimulatedManager& ManagerOf(const SimulatedManagers& managers, std::uint8_t node_id,
                                           const Source& source);
 } // namespace counterpoint::simulator

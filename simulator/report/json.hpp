@@ -8,7 +8,7 @@
 
 namespace counterpoint::simulator
 {
-/// @brief The document behind --json and behind the page.
+/// @brief A run as the document behind --json and the page.
 [[nodiscard]] nlohmann::ordered_json RunToJson(const Run& run);
 } // namespace counterpoint::simulator
 

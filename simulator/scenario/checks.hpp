@@ -9,11 +9,11 @@
 
 namespace counterpoint::simulator
 {
-/// @brief Refuses a whole scenario that asks for what cannot happen as it is written. Throws YamlError.
+/// @brief Refuses a scenario that asks for something that cannot happen as it is written. Throws YamlError.
 /// [SRS_SIM_014]
 void RequirePossible(const Scenario& scenario);
 
-/// Something that a scenario makes happen.
+/// Something that a scenario makes happen: when, where it is written, and what it is called.
 struct Happening
 {
     Nanoseconds at{0};
@@ -23,9 +23,9 @@ struct Happening
 
 /// @brief What begins at `end` or later, in the order of the file. [SRS_SIM_016]
 [[nodiscard]] std::vector<Happening> HappeningsFrom(const Scenario& scenario, Nanoseconds end);
-/// @brief What does not fit together in a network with managers. Throws YamlError and cia306::InputError.
+/// @brief Refuses what does not fit together in a network with managers. Throws YamlError and cia306::InputError.
 void RequireNetwork(const Scenario& scenario);
-/// @brief Refuses what the scenario's own file lets begin after its end, and what comes and goes too often. Throws
+/// @brief Refuses what the scenario's own file lets begin after its end, and faults that come and go too often. Throws
 /// YamlError.
 void RequireHappening(const Scenario& scenario);
 } // namespace counterpoint::simulator

@@ -9,6 +9,7 @@
 // What kinds of faults there are: each is a number and a row here. Its keys are a section of schema_faults.cpp.
 namespace counterpoint::simulator
 {
+/// The kinds of faults; their meanings are in the sections of schema_faults.cpp.
 enum class FaultKind : std::uint8_t
 {
     kCorruption = 1U,

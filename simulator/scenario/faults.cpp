@@ -4,8 +4,8 @@
 
 #include <string>
 
-// Faults that hit or bring frames; those of nodes are in scenario_node_faults.cpp. What each key may hold is the
-// schema's.
+// Faults that hit or bring frames; those of nodes are in node_faults.cpp. What each key may hold is in the
+// schema.
 namespace counterpoint::simulator
 {
 namespace

@@ -14,21 +14,23 @@
 
 namespace counterpoint::simulator
 {
-/// The keys of one map. Every value that is found was checked against the schema. Remembers which keys were asked for,
-/// so that Close can refuse the others.
+/// The keys of one map of a scenario. Every value that is found was checked against the schema. It remembers which keys
+/// were asked for, so that Close can refuse all others.
 class Fields
 {
   public:
-    /// @brief `section` names what the schema says of this map.
+    /// @brief `section` names the section of the schema that describes this map.
     Fields(const YamlValue& value, const char* section);
 
-    /// @brief From here on the keys of another section are known, too.
+    /// @brief From now on the keys of another section are known, too.
     void Extend(const char* section);
-    /// @brief The value, else the schema's default, else nothing.
+    /// @brief The value of a key; if it is not there, the default of the schema; if there is none, nothing.
     [[nodiscard]] std::optional<YamlValue> Find(const std::string& key);
+    /// @brief The value of a key that must be there or have a default.
     [[nodiscard]] YamlValue Require(const std::string& key);
     /// @brief Whether such a key is known here.
     [[nodiscard]] bool Has(const std::string& key) const;
+    /// @brief The map itself.
     [[nodiscard]] const YamlValue& Value() const noexcept;
     /// @brief All keys with their values, in the order of the file.
     [[nodiscard]] std::vector<std::pair<YamlValue, YamlValue>> All();

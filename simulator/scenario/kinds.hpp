@@ -63,6 +63,7 @@ enum class ChannelCall : std::uint8_t
     kOnFrame = 2U,
 };
 
+/// What an expectation is about.
 enum class ExpectationKind : std::uint8_t
 {
     kReleased = 1U,
@@ -125,7 +126,7 @@ enum class Party : std::uint8_t
     kCrossLink = 12U,
 };
 
-/// Whether the action is one of a manager, by its node-ID or 0 for the first one.
+/// Whether the action happens to a manager, which is named by its node-ID; 0: the first one.
 [[nodiscard]] constexpr bool IsOfManager(const ActionKind kind)
 {
     return kind == ActionKind::kOrder || kind == ActionKind::kKillManager || kind == ActionKind::kBusOff ||
@@ -138,25 +139,25 @@ enum class Party : std::uint8_t
     return kind == ActionKind::kEmcyStorm || kind == ActionKind::kBabble || kind == ActionKind::kSend;
 }
 
-/// Whether the action is one of a device.
+/// Whether the action happens to a device.
 [[nodiscard]] constexpr bool IsOfDevice(const ActionKind kind)
 {
     return !IsOfManager(kind) && !IsStorm(kind);
 }
 
-/// Whether a manager is asked, not a device.
+/// Whether the expectation asks a manager, not a device.
 [[nodiscard]] constexpr bool IsOfManager(const ExpectationKind kind)
 {
     return kind >= ExpectationKind::kState && kind != ExpectationKind::kDevice && kind != ExpectationKind::kOutput;
 }
 
-/// Whether it is about a network with managers.
+/// Whether the expectation needs a network with managers.
 [[nodiscard]] constexpr bool IsOfNetwork(const ExpectationKind kind)
 {
     return kind >= ExpectationKind::kState;
 }
 
-/// Whether it looks at what the manager told in a window.
+/// Whether the expectation looks at what a manager told within a window of time.
 [[nodiscard]] constexpr bool IsOfEvents(const ExpectationKind kind)
 {
     return kind == ExpectationKind::kEvent || kind == ExpectationKind::kNoEvent;

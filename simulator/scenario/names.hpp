@@ -95,7 +95,7 @@ inline constexpr Word<std::uint64_t> kTestWords[] = {
     {"no test started", 0U}, {"pointers to tables", 1U}, {"stack guard", 2U}, {"program", 3U},
     {"constants", 4U},       {"live memory", 5U},        {"permits", 6U},     {"schedule", 7U}};
 
-/// Which frames of an SRDO, and which counters.
+/// One or both of two: normal and inverse frames, or counters A and B.
 enum class Side : std::uint8_t
 {
     kFirst = 1U,
@@ -187,6 +187,7 @@ inline constexpr Word<ConfigField> kConfigFieldWords[] = {
     {"configuration_valid", ConfigField::kConfigurationValid},
 };
 
+/// The word of a kind of fault; so are the three below for their types.
 [[nodiscard]] inline const char* Name(const FaultKind kind) noexcept
 {
     return RowOf(kind).text;

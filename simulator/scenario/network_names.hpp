@@ -28,7 +28,7 @@ inline constexpr Word<ActionKind> kActionWords[] = {
     {"no_controller", ActionKind::kNoController},
 };
 
-/// What may be found or chosen; a word stands for itself.
+/// A word that an expectation compares as it is.
 struct FoundWord
 {
     const char* text;

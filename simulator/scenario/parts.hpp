@@ -7,47 +7,55 @@
 
 namespace counterpoint::simulator
 {
-/// Largest cycle count, frame count and so on in a scenario: 2^31.
+/// Range of counts in a scenario, such as the n-th frame.
 inline constexpr Range kCountRange{1U, 0x7FFFFFFFU};
 inline constexpr Range kSrdoRange{1U, 64U};
 
-/// What the file `name` means that another file names.
+/// The path of a file that `file` names; it is relative to `file`.
 [[nodiscard]] std::string Beside(const std::string& file, const std::string& name);
-/// Refuses a file that is not there. Throws YamlError.
+/// Refuses a file that does not exist. Throws YamlError.
 void RequireFile(const std::string& path, const Source& source, const std::string& expected);
-/// The items of a list, or a single one. Throws YamlError for none.
+/// The items of a list, or a single value as a list of one. Throws YamlError for an empty list.
 [[nodiscard]] std::vector<YamlValue> OneOrMore(const YamlValue& value, const std::string& expected);
-/// By the key `profile`: whether something is there under the scenario's one. Throws YamlError. [SRS_SIM_059]
+/// Whether something is there under the profile of the scenario, by its key `profile`. Throws YamlError. [SRS_SIM_059]
 [[nodiscard]] bool IsOfProfile(Fields& fields, const Scenario& scenario);
-/// The section `nodes`, added to the scenario.
+/// Reads the section `nodes` into the scenario.
 void ReadNodes(const YamlValue& value, Scenario& scenario);
-/// The node of that name; of a device with two CPUs the first one. Throws YamlError.
+/// The node of that name; for a device with two CPUs the first of them. Throws YamlError.
 [[nodiscard]] NodeIndex NodeNamed(const Scenario& scenario, const YamlValue& name);
-/// The node-ID of that node, or the node-ID itself. Throws YamlError.
+/// The node-ID of the node of that name; the name may be a node-ID itself. Throws YamlError.
 [[nodiscard]] std::uint8_t NodeIdNamed(const Scenario& scenario, const YamlValue& name);
-/// Of a node: as the file says, else as its DCF does. Throws cia306::InputError.
+/// The node-ID of a node: that of the scenario, else that of its DCF. Throws cia306::InputError.
 [[nodiscard]] std::uint8_t NodeIdOf(const NodeSetup& node);
-/// Whether that is the name of a device with two CPUs; where one of them has to be named; and of an item's `node`.
+/// Whether that is the name of a device with two CPUs.
 [[nodiscard]] bool IsTwoCpus(const Scenario& scenario, const YamlValue& name);
+/// The node of that name where one CPU must be named. Throws YamlError.
 [[nodiscard]] NodeIndex CpuNamed(const Scenario& scenario, const YamlValue& name);
+/// Whether the key `node` of an item names a device with two CPUs.
 [[nodiscard]] bool NamesBothCpus(const Scenario& scenario, const YamlValue& item);
+/// The number of an SRDO, 1 to 64.
 [[nodiscard]] std::uint8_t SrdoNumber(const YamlValue& value);
-/// The keys `at`, `until`, `on` and `off`; the last two alone.
+/// Reads the keys `at`, `until`, `on` and `off`.
 void ReadSpan(Fields& fields, FaultSetup& fault);
+/// Reads the keys `on` and `off`.
 void ReadPattern(Fields& fields, Nanoseconds& on, Nanoseconds& off);
+/// Reads a list of numbers, each within `range`, as bytes.
 [[nodiscard]] std::vector<std::uint8_t> ReadBytes(const YamlValue& value, const Range& range);
-/// What a fault of a node says beside its kind and name.
+/// Reads the keys of a fault of a node, beside kind and name.
 void ReadNodeFault(Fields& fields, const Scenario& scenario, FaultSetup& fault);
-/// What a fault of the link between two CPUs says beside its kind and name.
+/// Reads the keys of a fault of the link between two CPUs, beside kind and name.
 void ReadLinkFault(Fields& fields, const Scenario& scenario, FaultSetup& fault);
-/// What an expectation about a network says beside what it looks at.
+/// Reads the keys of an expectation about a network.
 void ReadOfNetwork(Fields& fields, const Scenario& scenario, Expectation& expectation);
-/// A controller that comes back is an action of its own.
+/// Adds an action of its own for each controller that comes back.
 void AddReturns(std::vector<Action>& actions);
-/// One item of `managers`, `events`, `faults`, `expect`.
+/// Reads one item of `managers`.
 [[nodiscard]] ManagerSetup ReadManager(const Scenario& scenario, const YamlValue& value);
+/// Reads one item of `events`.
 [[nodiscard]] Action ReadAction(const Scenario& scenario, const YamlValue& value);
+/// Reads one item of `faults`.
 [[nodiscard]] FaultSetup ReadFault(const Scenario& scenario, const YamlValue& value);
+/// Reads one item of `expect`.
 [[nodiscard]] Expectation ReadExpectation(const Scenario& scenario, const YamlValue& value);
 } // namespace counterpoint::simulator
 

@@ -26,6 +26,7 @@ namespace counterpoint::simulator
 using NodeIndex = std::size_t;
 constexpr NodeIndex kNoNode = std::numeric_limits<NodeIndex>::max();
 
+/// One counter of a node.
 struct CounterSetup
 {
     std::int32_t drift_ppm{0}; ///< Positive is fast.
@@ -43,7 +44,8 @@ struct LinkSetup
     Nanoseconds stamp_tolerance{50 * kNanosecondsPerMicrosecond};
 };
 
-/// One processor: a device with one CPU, or one of the two CPUs of a device, which follow each other, A first.
+/// One CPU: a device with one CPU, or one CPU of a device with two. The two CPUs of a device follow each other, A
+/// first.
 struct NodeSetup
 {
     std::string name;
@@ -72,6 +74,7 @@ struct Stimulus
     Source source;
 };
 
+/// An acknowledge input is 1 for a while.
 struct Acknowledge
 {
     Nanoseconds at{0};
@@ -81,6 +84,7 @@ struct Acknowledge
     Source source;
 };
 
+/// A node changes its NMT state or follows an NMT command.
 struct NmtEvent
 {
     Nanoseconds at{0};
@@ -101,6 +105,7 @@ struct PowerCycle
     Source source;
 };
 
+/// A node sends the global fail-safe command.
 struct GfcEvent
 {
     Nanoseconds at{0};
@@ -108,7 +113,8 @@ struct GfcEvent
     Source source;
 };
 
-/// Chooses frames. Bus faults act on the frames that fit, from the `first`-th one on, at most `count` of them.
+/// Chooses frames. A fault hits the frames that fit, from the `first`-th one on, every `every`-th, at most `count` of
+/// them.
 struct FrameChoice
 {
     std::vector<std::uint32_t> identifiers; ///< None: any.
@@ -129,6 +135,7 @@ struct FrameChoice
     std::uint32_t probability_ppm{1000000U};
 };
 
+/// One fault. Which members are used follows from its kind.
 struct FaultSetup
 {
     FaultKind kind{FaultKind::kLoss};
@@ -180,7 +187,7 @@ struct FaultSetup
     ObjectAddress object{0U, 0U};
 };
 
-/// A manager of the network: a network file, and who manages.
+/// A manager of the network.
 struct ManagerSetup
 {
     std::string network;      ///< Path, usable from here.
@@ -189,7 +196,7 @@ struct ManagerSetup
     Source source;
 };
 
-/// Something that happens to devices, managers and bus.
+/// Something that happens to devices, managers or bus. Which members are used follows from its kind.
 struct Action
 {
     ActionKind kind{ActionKind::kPull};
@@ -211,6 +218,7 @@ struct Action
     std::vector<std::uint8_t> data; ///< Of a frame that is sent.
 };
 
+/// One expectation. Which members are used follows from its kind.
 struct Expectation
 {
     ExpectationKind kind{ExpectationKind::kNoFault};
@@ -233,6 +241,7 @@ struct Expectation
     FaultClass fault_class{FaultClass::kInvalid}; ///< kInvalid: follows from the fault.
 };
 
+/// A whole scenario.
 struct Scenario
 {
     std::string file;
@@ -256,7 +265,7 @@ struct Scenario
     std::vector<Expectation> expectations;
 };
 
-/// Whether normal frames, which have odd identifiers, are among the chosen ones.
+/// Whether normal frames, which have odd identifiers, are among the chosen frames.
 [[nodiscard]] inline bool ChoosesNormal(const FrameChoice& choice)
 {
     bool is_odd = choice.identifiers.empty() && choice.has_normal;

@@ -11,7 +11,7 @@
 
 namespace counterpoint::simulator
 {
-/// What the value of a key has to look like.
+/// What the value of a key must look like.
 enum class ValueType : std::uint8_t
 {
     kText = 1U,
@@ -34,7 +34,7 @@ enum class ValueType : std::uint8_t
     kNamedMaps, ///< Name to such a map.
 };
 
-/// One key: the reader checks every value against this row, and --explain and docs/scenario.md are written from it.
+/// One key. The reader checks every value against this row, and --explain and docs/scenario.md are written from it.
 /// [SRS_SIM_047]
 struct KeySpec
 {
@@ -61,7 +61,7 @@ struct SectionSpec
 
 /// All sections, in the order in which people read them.
 [[nodiscard]] const std::vector<SectionSpec>& Schema();
-/// The section of that name, which exists.
+/// The section of that name; it exists, as the caller knows.
 [[nodiscard]] const SectionSpec& SectionNamed(const std::string& name);
 /// The keys of a section with those of its parents, in order.
 [[nodiscard]] std::vector<const KeySpec*> KeysOf(const SectionSpec& section);
@@ -79,8 +79,8 @@ template <const auto& kTable> [[nodiscard]] std::string WordsOf()
 
 /// What a value looks like, in words: "number from 1 to 64".
 [[nodiscard]] std::string TypeText(const KeySpec& key);
-/// @brief The description for a terminal: of everything, or of each section and key of that name, also without the
-/// events. before it. Empty: no such name.
+/// @brief The description for a terminal: of everything (`all`), or of each section and key of that name; sections of
+/// actions are also found without "events.". Empty: there is no such name.
 [[nodiscard]] std::string ExplainText(const std::string& name);
 /// @brief The reference part of docs/scenario.md.
 [[nodiscard]] std::string ExplainMarkdown();

@@ -12,25 +12,27 @@
 
 namespace counterpoint::simulator
 {
-/// What a scenario makes happen, by time; of two at the same time the one planned first.
+/// What a scenario makes happen, in the order of time; of two at one instant the one that was planned first.
 class Agenda
 {
   public:
+    /// @brief Adds something that happens at `at`.
     void Plan(const Nanoseconds at, std::function<void()> act)
     {
         acts_.push_back({at, std::move(act)});
     }
-    /// @brief Once, after everything was planned.
+    /// @brief Call it once, after everything was planned.
     void Sort()
     {
         std::stable_sort(acts_.begin(), acts_.end(),
                          [](const Act& left, const Act& right) { return left.at < right.at; });
     }
-    /// @brief kNever: nothing is left.
+    /// @brief When the next one happens; kNever: none is left.
     [[nodiscard]] Nanoseconds NextEvent() const noexcept
     {
         return (next_ < acts_.size()) ? acts_[next_].at : kNever;
     }
+    /// @brief Does everything up to and including `now`.
     void Run(const Nanoseconds now)
     {
         while (NextEvent() <= now && next_ < acts_.size())

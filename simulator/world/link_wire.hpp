@@ -23,19 +23,20 @@ struct LinkArrival
     hal::LinkFrame frame{};
 };
 
-/// The wire between the two CPUs of a device, and its faults. [SRS_SIM_056, SRS_SIM_057]
+/// The wire between the two CPUs of a device, with its faults. [SRS_SIM_056, SRS_SIM_057]
 class LinkWire
 {
   public:
     /// @brief `first` is CPU A, the next node is CPU B. Both given outlive the wire.
     LinkWire(const Scenario& scenario, NodeIndex first, Journal& journal);
 
+    /// @brief A CPU sends a message.
     void Send(NodeIndex sender, const hal::LinkFrame& frame, Nanoseconds now);
-    /// @brief A message that nobody sent, of the fault with this index.
+    /// @brief Sends a message that no CPU sent; `fault` is the index of the fault that inserts it.
     void Insert(std::size_t fault, Nanoseconds now);
-    /// @brief kNever: nothing is under way.
+    /// @brief When the next message arrives; kNever: none is under way.
     [[nodiscard]] Nanoseconds NextArrival() const noexcept;
-    /// @brief The next of those that have arrived, in the order of arrival.
+    /// @brief The next message that has arrived, in the order of arrival; nothing: there is none.
     [[nodiscard]] std::optional<LinkArrival> Take(Nanoseconds now);
 
   private:

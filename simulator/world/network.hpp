@@ -14,26 +14,31 @@
 
 namespace counterpoint::simulator
 {
-/// A scenario brought to life: bus, nodes, what happens to them. Throws YamlError and cia306::InputError while it
-/// is being built; after that only time passes. The same scenario gives the same journal. Managers join it.
-/// [SRS_SIM_003]
+/// A scenario as it runs: bus, nodes, and what happens to them. Throws YamlError and cia306::InputError while it is
+/// being built; afterwards only time passes. The same scenario gives the same journal. Managers join it. [SRS_SIM_003]
 class Network final : private host::BusObserver
 {
   public:
     /// @brief `scenario` and `journal` outlive the network.
     Network(const Scenario& scenario, Journal& journal);
 
-    /// @brief One more who acts by itself, on that node of the bus; `whose` frames they are in the journal. Outlives
-    /// the last RunUntil.
+    /// @brief Adds a participant that acts by itself, on that node of the bus; in the journal its frames belong to
+    /// `whose`. It must outlive the last RunUntil.
     void Join(Participant& participant, host::NodeIndex bus_node, NodeIndex whose);
-    /// @brief Everything up to and including `until`. Cheap to call in small steps.
+    /// @brief Lets time pass, up to and including `until`. Small steps cost little.
     void RunUntil(Nanoseconds until);
+    /// @brief The time up to which everything was done.
     [[nodiscard]] Nanoseconds Now() const noexcept;
+    /// @brief A node by its index in Scenario::nodes.
     [[nodiscard]] Node& At(NodeIndex node);
+    /// @brief Number of nodes.
     [[nodiscard]] std::size_t Size() const noexcept;
+    /// @brief The bus.
     [[nodiscard]] host::VirtualBus& Bus() noexcept;
+    /// @brief Number of cycles of all nodes so far.
     [[nodiscard]] std::uint64_t CycleCount() const noexcept;
-    /// @brief Copies of frames that did not fit any more, by fault. [SRS_SIM_017]
+    /// @brief By fault, how many copies of frames were dropped because a frame can have no more receptions.
+    /// [SRS_SIM_017]
     [[nodiscard]] const std::map<std::size_t, std::uint32_t>& DroppedCopies() const noexcept;
 
   private:

@@ -6,12 +6,14 @@
 
 namespace counterpoint::simulator
 {
-/// Compares a scenario with its devices. Each may throw YamlError.
+/// Compares a scenario with the DCFs of its devices. Throws YamlError for the first thing that does not exist.
 class NetworkCheck
 {
   public:
+    /// @brief `world` outlives the check.
     explicit NetworkCheck(const World& world);
 
+    /// @brief Whether every object, SRDO and node that the scenario names exists.
     void RequireThatEverythingExists() const;
 
   private:

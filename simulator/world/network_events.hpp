@@ -7,13 +7,14 @@
 
 namespace counterpoint::simulator
 {
-/// Plans what happens to the devices of a scenario that is no fault. [SRS_SIM_006, SRS_SIM_037, SRS_MGR_012]
+/// Plans everything that happens to the devices of a scenario, but for faults. [SRS_SIM_006, SRS_SIM_037, SRS_MGR_012]
 class NetworkEvents
 {
   public:
     /// @brief Both outlive it.
     NetworkEvents(World& world, Agenda& agenda);
 
+    /// @brief Puts all of it on the agenda. Call it once.
     void PlanAll();
 
   private:

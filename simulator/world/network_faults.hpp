@@ -14,17 +14,18 @@
 
 namespace counterpoint::simulator
 {
-/// Brings about the faults of a scenario: those of frames sit on the bus, all others are planned. [SRS_SIM_020,
-/// SRS_SIM_021, SRS_SIM_022, SRS_SIM_023, SRS_SIM_024, SRS_SIM_025]
+/// Makes the faults of a scenario happen: faults of frames are installed on the bus, all others are planned on the
+/// agenda. [SRS_SIM_020, SRS_SIM_021, SRS_SIM_022, SRS_SIM_023, SRS_SIM_024, SRS_SIM_025]
 class NetworkFaults
 {
   public:
     /// @brief Both outlive it.
     NetworkFaults(World& world, Agenda& agenda);
 
-    /// @brief Throws YamlError for a place that a device does not have.
+    /// @brief Installs and plans all faults. Call it once. Throws YamlError for a place that a device does not have.
     void PlanAll();
-    /// @brief Copies of frames that did not fit any more, by fault. [SRS_SIM_017]
+    /// @brief By fault, how many copies of frames were dropped because a frame can have no more receptions.
+    /// [SRS_SIM_017]
     [[nodiscard]] const std::map<std::size_t, std::uint32_t>& Dropped() const noexcept;
 
   private:
@@ -55,7 +56,7 @@ class NetworkFaults
     std::map<std::size_t, std::unique_ptr<ForeignController>> foreign_; ///< By fault.
 };
 
-/// What follows from a fault for its limit when the scenario says nothing. [SRS_SIM_031]
+/// The row of the table of limits for a fault, where the scenario names none. [SRS_SIM_031]
 [[nodiscard]] FaultClass ClassOf(const FaultSetup& fault);
 } // namespace counterpoint::simulator
 

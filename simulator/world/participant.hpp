@@ -8,7 +8,7 @@
 
 namespace counterpoint::simulator
 {
-/// How long services take to answer what the bus brings: longer than the intermission, so that what waits in another
+/// How long services take to answer a frame. It is longer than the intermission, so that a frame that waits in another
 /// controller comes first.
 [[nodiscard]] inline Nanoseconds ReactionTime(const host::VirtualBus& bus)
 {
@@ -17,8 +17,8 @@ namespace counterpoint::simulator
     return kBits * bus.BitDuration() + kMore;
 }
 
-/// Somebody in a network who is no device of the scenario and acts by itself: a manager, a defective device. What it
-/// hears of the bus comes to its listener there.
+/// Takes part in a network without being a device of the scenario: a manager, a defective device. It acts by itself;
+/// what it hears of the bus comes to its listener there.
 class Participant
 {
   public:
@@ -26,7 +26,7 @@ class Participant
 
     /// @brief The next instant at which it does something; kNever: nothing any more.
     [[nodiscard]] virtual Nanoseconds NextEvent() const noexcept = 0;
-    /// @brief Does what is due at `now`: behind the bus, the world and the devices of this instant.
+    /// @brief Does what is due at `now`; called after bus, world and devices have done what is due then.
     virtual void Run(Nanoseconds now) = 0;
 };
 } // namespace counterpoint::simulator

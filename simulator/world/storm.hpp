@@ -9,7 +9,7 @@
 
 namespace counterpoint::simulator
 {
-/// Somebody else on the bus who sends one frame, or one after the other: events emcy_storm, babble and send.
+/// Somebody else on the bus who sends one frame, or one after the other: the events emcy_storm, babble and send.
 /// [SRS_MGR_012]
 class Storm final : public Participant, private host::BusListener
 {
@@ -17,6 +17,7 @@ class Storm final : public Participant, private host::BusListener
     /// @brief Both outlive it.
     Storm(const Action& action, host::VirtualBus& bus);
 
+    /// @brief Its controller on the bus.
     [[nodiscard]] host::NodeIndex BusNode() const noexcept
     {
         return node_;

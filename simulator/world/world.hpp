@@ -16,7 +16,7 @@
 
 namespace counterpoint::simulator
 {
-/// What whoever makes something happen in a network works on. Owned by the network.
+/// Bus, devices and journal of a network, for the classes that make something happen in it. Owned by the network.
 struct World
 {
     const Scenario& scenario;
@@ -27,6 +27,7 @@ struct World
     std::vector<std::unique_ptr<Node>> nodes;             ///< Of the scenario; then those that events duplicate.
     std::map<NodeIndex, std::unique_ptr<LinkWire>> wires; ///< By CPU A.
 
+    /// @brief The present time.
     [[nodiscard]] Nanoseconds Now() const noexcept
     {
         return bus.Now();
